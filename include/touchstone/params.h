@@ -1,0 +1,57 @@
+/* Parameters: what a run can be told. params.def lists them. */
+#ifndef TOUCHSTONE_PARAMS_H
+#define TOUCHSTONE_PARAMS_H
+#include <stddef.h>
+#include <stdint.h>
+#include <touchstone/status.h>
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define PARAM_U32(field, name, def, min, max, unit, source, help) uint32_t field;
+#define PARAM_F32(field, name, def, min, max, unit, source, help) float field;
+#define PARAM_ENUM(field, name, def, choices, source, help) uint32_t field;
+typedef struct {
+#include <touchstone/params.def>
+} ts_params;
+
+/* Choices of the enumerated parameters, by place. */
+enum { TS_EYE_NEAR, TS_EYE_FAR };
+enum { TS_SHAPE_SPHERE, TS_SHAPE_CYLINDER, TS_SHAPE_TORUS, TS_SHAPE_LATHE, TS_SHAPE_MIXED };
+enum { TS_VISIBILITY_PLANE, TS_VISIBILITY_VERTEX };
+enum { TS_DENSITY_DEFAULT, TS_DENSITY_PAPER };
+enum { TS_CULL_EYE, TS_CULL_RASTER };
+enum { TS_CONSERVATIVE_SAFE, TS_CONSERVATIVE_EXACT };
+enum { TS_SPLAT_SAFE, TS_SPLAT_PAPER };
+enum { TS_SAMPLES_FIXED, TS_SAMPLES_ADAPTIVE };
+enum { TS_MVR_FACES_FIXED, TS_MVR_FACES_ADAPTIVE };
+enum { TS_MVR_TRILINEAR, TS_MVR_SUPERSAMPLE };
+
+/* One row of params.def, for programs that list parameters. Numbers are decimal text as written there. */
+typedef struct {
+	const char *name;
+	const char *kind; /* "u32", "f32" or "enum" */
+	const char *def, *min, *max;
+	const char *unit;
+	const char *choices; /* "a|b" of an enum, else "" */
+	const char *source;  /* paper and section, or "" */
+	const char *help;
+} ts_param_info;
+
+/* The table; *n receives its length. */
+const ts_param_info *ts_param_table(size_t *n);
+
+/* Sets every parameter to its default. */
+void ts_params_default(ts_params *params);
+
+/* Sets one parameter from text, as in --set name=value. On failure params is unchanged and the message names
+ * the parameter, the value and the range. */
+ts_status ts_params_set(ts_params *params, const char *name, const char *value);
+
+/* Writes the value of table row `row` as text that ts_params_set reads back to the same bits. */
+void ts_params_format(const ts_params *params, size_t row, char *text, size_t text_bytes);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

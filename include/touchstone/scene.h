@@ -1,0 +1,42 @@
+/* Scenes: triangles, materials, textures, lights, cameras and reflectors. Immutable once opened. */
+#ifndef TOUCHSTONE_SCENE_H
+#define TOUCHSTONE_SCENE_H
+#include <stdint.h>
+#include <stdio.h>
+#include <touchstone/params.h>
+#include <touchstone/status.h>
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct ts_scene ts_scene;
+
+/* What of a scene is wanted, beside the parameters. Zero-initialise for defaults. */
+typedef struct {
+	const char *camera;    /* name of a camera of the file; NULL: the circling eye */
+	const char *reflector; /* name of a node of the file to make a mirror of; NULL: those marked in extras */
+} ts_scene_options;
+
+/* Opens a scene. Result in *scene, to be released with ts_scene_free; NULL on failure.
+ *   spec     a built-in scene, "atrium", "gallery" or "dining", optionally with ":triangles=COUNT" (10000 to 3000000;
+ *            suffixes k and M), or the path of a .gltf or .glb file. Files are untrusted: every count, offset and
+ *            index is checked, and nothing outside the file's own folder is opened.
+ *   params   reads reflectors, reflector_shape, reflector_px, seed, eye, fov, width and height: the added mirrors.
+ *   options  may be NULL.
+ * The result does not depend on threads. */
+ts_status ts_scene_open(ts_scene **scene, const char *spec, const ts_params *params, const ts_scene_options *options);
+
+/* Releases a scene; NULL is allowed. */
+void ts_scene_free(ts_scene *scene);
+
+/* What was loaded, and what in the file was not understood: as text, or as JSON if json is not 0. */
+ts_status ts_scene_print(const ts_scene *scene, FILE *out, int json);
+
+/* One row per built-in scene: name and a one-line description. *n receives the length. */
+typedef struct { const char *name, *doc; } ts_builtin_info;
+const ts_builtin_info *ts_builtin_table(size_t *n);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,23 @@
+/* How every function of the library reports. */
+#ifndef TOUCHSTONE_STATUS_H
+#define TOUCHSTONE_STATUS_H
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Also the exit codes of the command. */
+typedef enum {
+	TS_OK = 0,        /* same, or done */
+	TS_DIFFERENT = 1, /* compared and different */
+	TS_ERROR = 2,     /* could not; ts_error_message() says what, where, and what would be right */
+	TS_SKIPPED = 77   /* an optional backend is absent */
+} ts_status;
+
+/* The last failure of this thread as one line without a line end; "" if there was none.
+ * The text belongs to the library and lives until the thread's next failure. */
+const char *ts_error_message(void);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,41 @@
+/* Errors, memory, progress: what every folder needs. */
+#ifndef TS_CORE_CORE_H
+#define TS_CORE_CORE_H
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <touchstone/status.h>
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Sets this thread's message to one line (control characters become '?') and returns TS_ERROR. */
+ts_status ts_fail(const char *format, ...) __attribute__((format(printf, 1, 2)));
+ts_status ts_fail_v(const char *format, va_list arguments);
+
+/* count * size bytes; NULL with the message set if that overflows or there is no memory. Zero bytes give a valid pointer.
+ * `what` names the contents in the message. */
+void *ts_alloc(size_t count, size_t size, const char *what);
+void *ts_alloc_zero(size_t count, size_t size, const char *what);
+/* Grows *array (of *capacity elements) to hold at least `need`, at least doubling. */
+ts_status ts_grow(void **array, size_t *capacity, size_t need, size_t size, const char *what);
+
+/* Memory of the machine in bytes. */
+uint64_t ts_memory_total(void);
+
+/* Verifies that this process computes as the numeric contract says (rule 8): 0, or a bit per failing primitive. */
+unsigned ts_selftest(void);
+/* The same as a status with a message that names the primitives. */
+ts_status ts_selftest_require(void);
+
+/* Progress on standard error, only when that is a terminal: `label`, then done of total. Ends with done == total. */
+void ts_progress(const char *label, uint64_t done, uint64_t total);
+
+/* Seconds of a monotonic clock. */
+double ts_seconds(void);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

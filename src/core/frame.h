@@ -1,0 +1,57 @@
+/* A frame: the buffers of one run by name. A stage reads some and adds some. */
+#ifndef TS_CORE_FRAME_H
+#define TS_CORE_FRAME_H
+#include "../kernels/records.h"
+#include "core.h"
+
+#define BUFFER(id, name, element, shape, order, key, doc) TS_B_##id,
+typedef enum {
+#include <touchstone/records.def>
+	TS_N_BUFFERS
+} ts_buffer_id;
+
+/* One BUFFER row of records.def. */
+typedef struct {
+	const char *name, *element;
+	size_t element_bytes;
+	const char *shape, *order, *key, *doc;
+} ts_buffer_info;
+extern const ts_buffer_info ts_buffer_table[TS_N_BUFFERS];
+
+/* One FIELD row of records.def; `record` groups them. */
+typedef struct {
+	const char *record, *type, *name;
+	u32 count;
+	const char *doc;
+} ts_field_info;
+const ts_field_info *ts_field_table(size_t *n);
+
+typedef struct {
+	void *data;
+	u64 n;          /* elements in all */
+	u32 n_dims;
+	u64 shape[4];
+	bool borrowed;  /* belongs to the scene */
+	bool made;
+} ts_buffer;
+
+typedef struct {
+	ts_buffer buffer[TS_N_BUFFERS];
+	u64 bytes, peak_bytes; /* owned by the frame */
+} ts_frame;
+
+/* Makes a buffer; its contents are undefined. NULL with the message set when there is no memory. A buffer made again
+ * (the next batch) replaces the old one. */
+void *ts_frame_make(ts_frame *frame, ts_buffer_id id, u32 n_dims, const u64 *shape);
+void *ts_frame_make1(ts_frame *frame, ts_buffer_id id, u64 n);
+void *ts_frame_make2(ts_frame *frame, ts_buffer_id id, u64 n0, u64 n1);
+void *ts_frame_make3(ts_frame *frame, ts_buffer_id id, u64 n0, u64 n1, u64 n2);
+/* Makes a buffer of memory that outlives the frame. */
+void ts_frame_borrow(ts_frame *frame, ts_buffer_id id, const void *data, u64 n);
+/* The contents; the buffer must exist. */
+void *ts_frame_data(const ts_frame *frame, ts_buffer_id id);
+u64 ts_frame_n(const ts_frame *frame, ts_buffer_id id);
+void ts_frame_drop(ts_frame *frame, ts_buffer_id id);
+void ts_frame_clear(ts_frame *frame);
+
+#endif

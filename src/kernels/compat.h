@@ -1,0 +1,84 @@
+/* The one file that asks which language this is. Everything else under kernels/ is the common subset of C11,
+ * OpenCL C 1.2 and CUDA C: see CONTRIBUTING.md, "Kernels". */
+#ifndef TS_KERNELS_COMPAT_H
+#define TS_KERNELS_COMPAT_H
+
+#if defined(__OPENCL_C_VERSION__)
+
+#pragma OPENCL FP_CONTRACT OFF
+#pragma OPENCL EXTENSION cl_khr_int64_base_atomics : enable
+#pragma OPENCL EXTENSION cl_khr_int64_extended_atomics : enable
+typedef float f32;
+typedef int i32;
+typedef uint u32;
+typedef long i64;
+typedef ulong u64;
+typedef uchar u8;
+#define TS_FN static inline
+#define TS_GLOBAL __global
+#define TS_CONSTANT __constant
+#define ts_f2u(x) as_uint(x)
+#define ts_u2f(x) as_float(x)
+#define ts_sqrt(x) sqrt(x)
+#define ts_floor(x) floor(x)
+#define ts_min_u64(p, v) do { if ((v) < *(p)) atom_min((p), (v)); } while (0)
+#define ts_add_i64(p, v) ((void)atom_add((p), (v)))
+#define TS_ASSERT_SIZE(type, bytes) typedef char type##_is_packed[sizeof(type) == (bytes) ? 1 : -1]
+
+#elif defined(__CUDACC__)
+
+typedef float f32;
+typedef int i32;
+typedef unsigned int u32;
+typedef long long i64;
+typedef unsigned long long u64;
+typedef unsigned char u8;
+#define TS_FN static __device__ __forceinline__
+#define TS_GLOBAL
+#define TS_CONSTANT static __constant__
+#define ts_f2u(x) __float_as_uint(x)
+#define ts_u2f(x) __uint_as_float(x)
+#define ts_sqrt(x) __fsqrt_rn(x)
+#define ts_floor(x) floorf(x)
+#define ts_min_u64(p, v) do { if ((v) < *(p)) atomicMin((p), (v)); } while (0)
+#define ts_add_i64(p, v) ((void)atomicAdd((u64 *)(p), (u64)(v)))
+#define TS_ASSERT_SIZE(type, bytes) static_assert(sizeof(type) == (bytes), #type)
+
+#else
+
+#include <float.h>
+#include <math.h>
+#include <stdbool.h>
+#include <stdint.h>
+#include <string.h>
+
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
+#error "the numeric contract needs strict IEEE arithmetic: remove -ffast-math, -Ofast and -ffinite-math-only"
+#endif
+_Static_assert(FLT_EVAL_METHOD == 0, "float expressions must be evaluated as float");
+
+typedef float f32;
+typedef int32_t i32;
+typedef uint32_t u32;
+typedef int64_t i64;
+typedef uint64_t u64;
+typedef uint8_t u8;
+#define TS_FN static inline
+#define TS_GLOBAL
+#define TS_CONSTANT static const
+static inline u32 ts_f2u(f32 x) { u32 u; memcpy(&u, &x, 4); return u; }
+static inline f32 ts_u2f(u32 u) { f32 x; memcpy(&x, &u, 4); return x; }
+#define ts_sqrt(x) sqrtf(x)
+#define ts_floor(x) floorf(x)
+/* Reading first and skipping what is not smaller is safe, because the value only ever falls. */
+static inline void ts_min_u64(u64 *p, u64 v)
+{
+	u64 old = __atomic_load_n(p, __ATOMIC_RELAXED);
+	while (v < old && !__atomic_compare_exchange_n(p, &old, v, true, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) {
+	}
+}
+static inline void ts_add_i64(i64 *p, i64 v) { __atomic_fetch_add(p, v, __ATOMIC_RELAXED); }
+#define TS_ASSERT_SIZE(type, bytes) _Static_assert(sizeof(type) == (bytes), #type " has padding")
+
+#endif
+#endif

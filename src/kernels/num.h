@@ -1,0 +1,146 @@
+/* The numeric contract: exact conversions, sanitizing, random numbers and elementary functions.
+ * Built from + - * / sqrt on binary32 and integers only, so every conforming device gives the same bits.
+ * Domains and errors were measured over every float of the domain; see each function. */
+#ifndef TS_KERNELS_NUM_H
+#define TS_KERNELS_NUM_H
+#include "compat.h"
+
+#define TS_NONE 0xffffffffu
+#define TS_EMPTY 0xffffffffffffffffUL
+
+TS_FN f32 ts_min(f32 a, f32 b) { return b < a ? b : a; }
+TS_FN f32 ts_max(f32 a, f32 b) { return a < b ? b : a; }
+TS_FN f32 ts_clamp(f32 x, f32 lo, f32 hi) { return ts_min(ts_max(x, lo), hi); }
+TS_FN f32 ts_abs(f32 x) { return ts_u2f(ts_f2u(x) & 0x7fffffffu); }
+TS_FN i32 ts_min_i32(i32 a, i32 b) { return b < a ? b : a; }
+TS_FN i32 ts_max_i32(i32 a, i32 b) { return a < b ? b : a; }
+
+/* A float from outside: NaN, -0 and |x| < 2^-39 become +0, |x| > 2^62 becomes +-2^62 (rule 10). */
+TS_FN f32 ts_san(f32 x)
+{
+	u32 u = ts_f2u(x);
+	u32 m = u & 0x7fffffffu;
+	u32 r = m < 0x2c000000u ? 0u : u;
+	u32 big = (u & 0x80000000u) | 0x5e800000u;
+	r = m > 0x5e800000u ? big : r;
+	r = m > 0x7f800000u ? 0u : r;
+	return ts_u2f(r);
+}
+
+/* |x| < 2^-100 and -0 become +0, by integers: the same whether or not the hardware flushes denormals (rule 11). */
+TS_FN f32 ts_flush(f32 x)
+{
+	u32 u = ts_f2u(x);
+	return ts_u2f((u & 0x7fffffffu) < 0x0d800000u ? 0u : u);
+}
+
+/* Every float leaves a kernel through ts_put (rule 12). */
+TS_FN f32 ts_put(f32 x) { return ts_flush(x); }
+
+/* x * 2^frac to the nearest integer, ties to even, saturating at +-(2^bits - 1); NaN gives 0. Branch-free. */
+TS_FN i32 ts_fix(f32 x, i32 frac, i32 bits)
+{
+	u32 u = ts_f2u(x);
+	u32 mantissa = (u & 0x7fffffu) | 0x800000u;
+	i32 shift = (i32)((u >> 23) & 255u) - 150 + frac;
+	i32 left = ts_min_i32(ts_max_i32(shift, 0), 8);
+	i32 right = ts_min_i32(ts_max_i32(-shift, 0), 25);
+	u32 limit = (1u << (u32)bits) - 1u;
+	u32 half_ulp = (1u << (u32)right) >> 1;
+	u32 odd = (mantissa >> (u32)right) & 1u;
+	u32 round = right != 0 ? half_ulp - 1u + odd : 0u;
+	u32 q = ((mantissa << (u32)left) + round) >> (u32)right;
+	q = q > limit ? limit : q;
+	q = (u & 0x7fffffffu) > 0x7f800000u ? 0u : q;
+	return (u & 0x80000000u) != 0u ? -(i32)q : (i32)q;
+}
+
+/* Truncating, saturating, NaN gives 0. */
+TS_FN i32 ts_f2i(f32 x)
+{
+	if (x >= 2147483648.0f) return 2147483647;
+	if (x <= -2147483648.0f) return -2147483647 - 1;
+	return x == x ? (i32)x : 0;
+}
+
+/* The pixel that holds x. */
+TS_FN i32 ts_floor_i32(f32 x) { return ts_f2i(ts_floor(x)); }
+
+/* To the nearest integer, ties to even, for |x| < 2^22. */
+TS_FN f32 ts_rint(f32 x)
+{
+	f32 shifted = x + 12582912.0f;
+	return shifted - 12582912.0f;
+}
+
+/* PCG-RXS-M-XS (O'Neill 2014) used as a hash. */
+TS_FN u32 ts_pcg(u32 v)
+{
+	u32 s = v * 747796405u + 2891336453u;
+	u32 w = ((s >> ((s >> 28) + 4u)) ^ s) * 277803737u;
+	return (w >> 22) ^ w;
+}
+
+/* Streams: 1 cull, 2 light, 3 view, 4 VPL, 5 scene generator, 6 tests, 7 sample sets (rule 29). */
+TS_FN u32 ts_random(u32 id, u32 stream, u32 seed) { return ts_pcg(id ^ ts_pcg(stream ^ ts_pcg(seed))); }
+
+/* Uniform in [0,1), a multiple of 2^-24. */
+TS_FN f32 ts_uniform(u32 h) { return (f32)(h >> 8) * 5.9604644775390625e-8f; }
+
+/* log2 x for x in [2^-126, max], within 2.2 ulp; -126 below the domain and for NaN. */
+TS_FN f32 ts_log2(f32 x)
+{
+	u32 u = x >= 1.1754943508222875079687365372222456778186655567720875215087517062784172594547271728515625e-38f
+		? ts_f2u(x) : 0x00800000u;
+	i32 k = (i32)(u - 0x3f3504f3u) >> 23;
+	f32 f = ts_u2f(u - ((u32)k << 23));
+	f = f - 1.0f;
+	f32 p = -9.879513084888458251953125e-2f;
+	p = p * f; p = p + 0.17998139560222625732421875f;
+	p = p * f; p = p - 0.19302268326282501220703125f;
+	p = p * f; p = p + 0.2059147357940673828125f;
+	p = p * f; p = p - 0.23950590193271636962890625f;
+	p = p * f; p = p + 0.2884725630283355712890625f;
+	p = p * f; p = p - 0.36069905757904052734375f;
+	p = p * f; p = p + 0.480900824069976806640625f;
+	p = p * f; p = p - 0.721347332000732421875f;
+	f32 f2 = f * f;
+	f32 low = f * 1.925963033500011079013347625732421875e-8f;
+	f32 a = p * f2;
+	a = a + low;
+	f32 high = f * 1.44269502162933349609375f;
+	f32 s = a + high;
+	return s + (f32)k;
+}
+
+/* sin (quarter 0) or cos (quarter 1) of t turns, |error| <= 7.5e-8; |t| >= 2^22 counts as 0. */
+TS_FN f32 ts_sincos_turn(f32 t, u32 quarter)
+{
+	t = ts_abs(t) < 4194304.0f ? t : 0.0f;
+	f32 r = t - ts_rint(t);
+	f32 g = r * 4.0f;
+	f32 shifted = g + 12582912.0f;
+	u32 q = ts_f2u(shifted) - 0x4b400000u + quarter;
+	f32 whole = shifted - 12582912.0f;
+	f32 back = whole * 0.25f;
+	f32 s = r - back;
+	f32 z = s * s;
+	f32 a = -75.83747100830078125f;
+	a = a * z; a = a + 81.6046142578125f;
+	a = a * z; a = a - 41.34175872802734375f;
+	f32 sz = s * z;
+	f32 high = s * 6.283185482025146484375f;
+	a = a * sz;
+	a = a + high;
+	f32 c = 58.7647247314453125f;
+	c = c * z; c = c - 85.4282379150390625f;
+	c = c * z; c = c + 64.93917083740234375f;
+	c = c * z; c = c - 19.739208221435546875f;
+	c = c * z; c = c + 1.0f;
+	f32 v = (q & 1u) != 0u ? c : a;
+	return (q & 2u) != 0u ? -v : v;
+}
+TS_FN f32 ts_sin_turn(f32 t) { return ts_sincos_turn(t, 0u); }
+TS_FN f32 ts_cos_turn(f32 t) { return ts_sincos_turn(t, 1u); }
+
+#endif

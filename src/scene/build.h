@@ -1,0 +1,53 @@
+/* Building a scene: the loaders and generators append, ts_build_finish checks and freezes.
+ * Failures stick: after the first one every call does nothing, and ts_build_finish reports it. */
+#ifndef TS_SCENE_BUILD_H
+#define TS_SCENE_BUILD_H
+#include <stdbool.h>
+#include "scene.h"
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct ts_build ts_build;
+
+/* NULL on out of memory. Starts with object 0, the static scene, and no material. */
+ts_build *ts_build_new(const char *name);
+/* Releases a build that will not be finished; NULL is allowed. */
+void ts_build_free(ts_build *build);
+
+/* Appending returns the new index. Records are copied; vertices get the current object; positions, normals, uv and all
+ * other floats are sanitized (rule 10). */
+u32 ts_build_vertex(ts_build *build, const ts_vertex *vertex);
+void ts_build_triangle(ts_build *build, u32 a, u32 b, u32 c, u32 material);
+u32 ts_build_material(ts_build *build, const ts_material *material);
+u32 ts_build_slot(ts_build *build, const ts_slot *slot);
+void ts_build_light(ts_build *build, const ts_light *light);
+void ts_build_camera(ts_build *build, const ts_camera *camera);
+/* Vertices from here on belong to this object: first_vertex, n_vertices and reflector are filled in. With
+ * `object` NULL they belong to object 0 again. Returns the object's index. */
+u32 ts_build_object(ts_build *build, const ts_object *object, bool is_reflector);
+
+/* Appends an image with its mip chain (SPEC 0.3.3). rgba: width * height * 4 bytes, rows from the top; srgb: red, green
+ * and blue are sRGB-coded. The caller keeps rgba. */
+u32 ts_build_image(ts_build *build, const u8 *rgba, u32 width, u32 height, bool srgb);
+
+/* A default for every field: white, roughness 1, metallic 0, no texture, opaque. */
+ts_material ts_material_default(void);
+
+/* Notes one line for `touchstone info`: something in the file that is ignored. */
+void ts_build_note(ts_build *build, const char *format, ...) __attribute__((format(printf, 2, 3)));
+/* Fails the build with one line. */
+void ts_build_fail(ts_build *build, const char *format, ...) __attribute__((format(printf, 2, 3)));
+bool ts_build_failed(const ts_build *build);
+
+/* Read access while building: the arrays so far (valid until the next append), with the box of object 0 up to date. */
+const ts_scene *ts_build_peek(ts_build *build);
+
+/* Checks every index, refuses coordinates beyond 2^24, adds the default sun if there is no light, and hands over.
+ * Always consumes the build. On failure *scene is NULL and the message is set. */
+ts_status ts_build_finish(ts_build *build, const ts_params *params, const char *camera, ts_scene **scene);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,38 @@
+/* The scene as the stages see it: plain arrays of records.def's records. */
+#ifndef TS_SCENE_SCENE_H
+#define TS_SCENE_SCENE_H
+#include <touchstone/scene.h>
+#include "../kernels/records.h"
+
+typedef struct {
+	char *name;
+	f32 eye[3], right[3], up[3], back[3]; /* world */
+	f32 yfov;                             /* turns */
+} ts_camera;
+
+struct ts_scene {
+	char *name;
+	ts_vertex *vertices; u32 n_vertices;
+	ts_triangle *triangles; u32 n_triangles;
+	ts_material *materials; u32 n_materials;
+	ts_slot *slots; u32 n_slots;
+	ts_image *images; u32 n_images;
+	u64 *texels; u64 n_texels;
+	ts_light *lights; u32 n_lights;
+	ts_object *objects; u32 n_objects;
+	u32 n_reflectors;
+	ts_camera *cameras; u32 n_cameras;
+	u32 camera;             /* the chosen one or TS_NONE: the eye circles */
+	f32 ambient;            /* radiance */
+	f32 box_min[3], box_max[3]; /* of the triangles of object 0, world */
+	u64 n_triangles_file;   /* triangles drawn before mirrors were added */
+	u64 n_degenerate;       /* zero-area triangles among them */
+	char **notes; u32 n_notes; /* what in the file was not understood, a line each */
+};
+
+enum { TS_MATERIAL_DOUBLE_SIDED = 1, TS_MATERIAL_MASK = 2, TS_MATERIAL_UNLIT = 4 };
+enum { TS_SLOT_BASE, TS_SLOT_METALROUGH, TS_SLOT_NORMAL, TS_SLOT_OCCLUSION, TS_SLOT_EMISSIVE, TS_N_SLOTS };
+enum { TS_WRAP_REPEAT, TS_WRAP_MIRROR, TS_WRAP_CLAMP };
+enum { TS_LIGHT_DIRECTIONAL, TS_LIGHT_POINT, TS_LIGHT_SPOT };
+
+#endif

@@ -1,0 +1,51 @@
+/* A stage: one GPU pass, a pure function from buffers and parameters to buffers. */
+#ifndef TS_STAGES_STAGE_H
+#define TS_STAGES_STAGE_H
+#include "../core/frame.h"
+#include "../scene/scene.h"
+
+typedef struct { const char *name; i64 value; } ts_counter;
+typedef struct { const char *stage; double seconds; u64 bytes; } ts_timing;
+enum { TS_MAX_COUNTERS = 64, TS_MAX_TIMINGS = 32 };
+
+typedef struct ts_run ts_run;
+
+typedef struct {
+	const char *name;
+	const char *kind;               /* map, emit or scatter */
+	ts_buffer_id reads[14], writes[6]; /* ended by TS_N_BUFFERS */
+	ts_status (*run)(ts_run *run);
+	const char *paper;
+	const char *doc;
+} ts_stage;
+
+/* Called after every stage, with what it wrote in run->frame. */
+typedef ts_status (*ts_stage_hook)(const ts_run *run, const ts_stage *stage, void *user);
+
+struct ts_run {
+	const ts_scene *scene;
+	ts_params params;
+	u32 threads;               /* never changes a result */
+	bool reference;            /* no fast paths */
+	u32 first_reflector, n_reflectors; /* the batch that per-reflector stages work on */
+	ts_frame frame;
+	ts_counter counters[TS_MAX_COUNTERS]; u32 n_counters;
+	ts_timing timings[TS_MAX_TIMINGS]; u32 n_timings;
+	ts_stage_hook hook; void *hook_user;
+};
+
+/* Starts a run: the scene's arrays become the frame's first buffers. */
+void ts_run_begin(ts_run *run, const ts_scene *scene, const ts_params *params, u32 threads);
+/* Releases the frame. */
+void ts_run_end(ts_run *run);
+/* Runs one stage: times it, calls the hook, names the stage in the message of a failure. */
+ts_status ts_run_stage(ts_run *run, const ts_stage *stage);
+/* Adds to a counter by name. */
+void ts_run_count(ts_run *run, const char *name, i64 value);
+i64 ts_run_counter(const ts_run *run, const char *name);
+
+/* All stages, ended by a row without a name (table.c). */
+extern const ts_stage ts_stage_table[];
+const ts_stage *ts_stage_find(const char *name);
+
+#endif
