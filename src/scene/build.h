@@ -16,8 +16,10 @@ ts_build *ts_build_new(const char *name);
 void ts_build_free(ts_build *build);
 
 /* Appending returns the new index. Records are copied; vertices get the current object; positions, normals, uv and all
- * other floats are sanitized (rule 10). */
+ * other floats are sanitized (rule 10). Normals, tangents and directions are made unit length (zero stays zero), and a
+ * material's metallic, roughness and occlusion outside 0 to 1 are clamped and noted. Padding becomes zero. */
 u32 ts_build_vertex(ts_build *build, const ts_vertex *vertex);
+/* Counter-clockwise seen from the front; material TS_NONE is a default one. */
 void ts_build_triangle(ts_build *build, u32 a, u32 b, u32 c, u32 material);
 u32 ts_build_material(ts_build *build, const ts_material *material);
 u32 ts_build_slot(ts_build *build, const ts_slot *slot);
@@ -27,8 +29,8 @@ void ts_build_camera(ts_build *build, const ts_camera *camera);
  * `object` NULL they belong to object 0 again. Returns the object's index. */
 u32 ts_build_object(ts_build *build, const ts_object *object, bool is_reflector);
 
-/* Appends an image with its mip chain (SPEC 0.3.3). rgba: width * height * 4 bytes, rows from the top; srgb: red, green
- * and blue are sRGB-coded. The caller keeps rgba. */
+/* Appends an image with its mip chain (SPEC 0.3.3). rgba: width * height * 4 bytes, rows from the top, each side 1 to
+ * 65536; srgb: red, green and blue are sRGB-coded. The caller keeps rgba. */
 u32 ts_build_image(ts_build *build, const u8 *rgba, u32 width, u32 height, bool srgb);
 
 /* A default for every field: white, roughness 1, metallic 0, no texture, opaque. */
@@ -43,9 +45,14 @@ bool ts_build_failed(const ts_build *build);
 /* Read access while building: the arrays so far (valid until the next append), with the box of object 0 up to date. */
 const ts_scene *ts_build_peek(ts_build *build);
 
-/* Checks every index, refuses coordinates beyond 2^24, adds the default sun if there is no light, and hands over.
- * Always consumes the build. On failure *scene is NULL and the message is set. */
+/* Checks every index, refuses coordinates beyond 2^24 and scenes without triangles, adds the default sun if there is no
+ * light, sorts the vertices by object (stable), chooses the camera by name (NULL: the eye circles), and hands over.
+ * Always consumes the build; NULL (ts_build_new failed) is allowed and fails. On failure *scene is NULL and the message
+ * is set. */
 ts_status ts_build_finish(ts_build *build, const ts_params *params, const char *camera, ts_scene **scene);
+
+/* The first camera of that name; TS_NONE if there is none or name is NULL. */
+u32 ts_scene_camera(const ts_scene *scene, const char *name);
 
 #ifdef __cplusplus
 }

@@ -1,0 +1,270 @@
+/* Building a scene: appending records. Every float is sanitized (NUMERICS rule 10) and every padding field is zero,
+ * because the arrays are hashed. build_finish.c checks and freezes. */
+#include "build_parts.h"
+#include "../core/core.h"
+#include "../kernels/vec.h"
+#include <stdio.h>
+#include <stdlib.h>
+
+static void fail_v(ts_build *build, const char *format, va_list arguments)
+{
+	if (build->failed) return;
+	vsnprintf(build->message, sizeof build->message, format, arguments);
+	build->failed = true;
+	ts_fail("%s", build->message);
+}
+
+/* The build fails with this thread's message. */
+static void adopt_error(ts_build *build)
+{
+	if (build->failed) return;
+	snprintf(build->message, sizeof build->message, "%s", ts_error_message());
+	build->failed = true;
+}
+
+void ts_build_fail(ts_build *build, const char *format, ...)
+{
+	va_list arguments;
+	va_start(arguments, format);
+	fail_v(build, format, arguments);
+	va_end(arguments);
+}
+
+bool ts_build_failed(const ts_build *build) { return build->failed; }
+
+void *ts_build_room(ts_build *build, void *array, u64 n, u64 more, size_t *capacity, size_t size, const char *what)
+{
+	void *grown = array;
+	if (build->failed) return array;
+	if (ts_grow(&grown, capacity, (size_t)(n + more), size, what) != TS_OK) adopt_error(build);
+	return grown;
+}
+
+/* The index that follows n records, which must stay below TS_NONE. */
+static bool countable(ts_build *build, u32 n, const char *what)
+{
+	if (n >= TS_NONE - 1) ts_build_fail(build, "%s: more than %u %s", build->scene->name, TS_NONE - 1, what);
+	return !build->failed;
+}
+
+static char *text_copy(ts_build *build, const char *text)
+{
+	size_t bytes = strlen(text) + 1;
+	char *copy = ts_alloc(bytes, 1, "a name");
+	if (copy) return memcpy(copy, text, bytes);
+	adopt_error(build);
+	return NULL;
+}
+
+ts_build *ts_build_new(const char *name)
+{
+	ts_build *build = ts_alloc_zero(1, sizeof *build, "a scene under construction");
+	if (!build) return NULL;
+	build->scene = ts_alloc_zero(1, sizeof *build->scene, "a scene");
+	if (build->scene) {
+		build->scene->camera = TS_NONE;
+		build->scene->name = text_copy(build, name);
+	}
+	if (!build->scene || !build->scene->name || !TS_BUILD_ROOM(build, objects, "objects")) {
+		ts_build_free(build);
+		return NULL;
+	}
+	build->scene->objects[build->scene->n_objects++] = (ts_object){.reflector = TS_NONE};
+	return build;
+}
+
+void ts_build_free(ts_build *build)
+{
+	if (!build) return;
+	ts_scene_free(build->scene);
+	free(build);
+}
+
+void ts_scene_free(ts_scene *scene)
+{
+	if (!scene) return;
+	for (u32 i = 0; i < scene->n_cameras; i++) free(scene->cameras[i].name);
+	for (u32 i = 0; i < scene->n_notes; i++) free(scene->notes[i]);
+	free(scene->name);
+	free(scene->vertices);
+	free(scene->triangles);
+	free(scene->materials);
+	free(scene->slots);
+	free(scene->images);
+	free(scene->texels);
+	free(scene->lights);
+	free(scene->objects);
+	free(scene->cameras);
+	free(scene->notes);
+	free(scene);
+}
+
+static void sanitize(f32 *to, const f32 *from, u32 n)
+{
+	for (u32 i = 0; i < n; i++) to[i] = ts_san(from[i]);
+}
+
+static void sanitize_unit(f32 *to, const f32 *from)
+{
+	f32 clean[3];
+	sanitize(clean, from, 3);
+	ts_store3(to, ts_normalize(ts_load3(clean)));
+}
+
+u32 ts_build_vertex(ts_build *build, const ts_vertex *vertex)
+{
+	ts_scene *scene = build->scene;
+	if (!countable(build, scene->n_vertices, "vertices") || !TS_BUILD_ROOM(build, vertices, "vertices")) return 0;
+	ts_vertex *v = &scene->vertices[scene->n_vertices];
+	v->object = build->object;
+	v->pad = 0;
+	sanitize(v->position, vertex->position, 3);
+	sanitize_unit(v->normal, vertex->normal);
+	sanitize_unit(v->tangent, vertex->tangent);
+	bool no_tangent = v->tangent[0] == 0.0f && v->tangent[1] == 0.0f && v->tangent[2] == 0.0f;
+	v->tangent[3] = no_tangent ? 0.0f : vertex->tangent[3] < 0.0f ? -1.0f : 1.0f;
+	sanitize(v->uv, vertex->uv, 4);
+	sanitize(v->colour, vertex->colour, 4);
+	scene->objects[build->object].n_vertices++;
+	return scene->n_vertices++;
+}
+
+void ts_build_triangle(ts_build *build, u32 a, u32 b, u32 c, u32 material)
+{
+	ts_scene *scene = build->scene;
+	if (!countable(build, scene->n_triangles, "triangles") || !TS_BUILD_ROOM(build, triangles, "triangles")) return;
+	scene->triangles[scene->n_triangles++] = (ts_triangle){{a, b, c}, material};
+}
+
+ts_material ts_material_default(void)
+{
+	return (ts_material){
+		.base = {1.0f, 1.0f, 1.0f, 1.0f}, .roughness = 1.0f, .normal_scale = 1.0f, .occlusion = 1.0f,
+		.alpha_cutoff = 0.5f, .slot = {TS_NONE, TS_NONE, TS_NONE, TS_NONE, TS_NONE},
+	};
+}
+
+static f32 unit_range(ts_build *build, f32 value, const char *field)
+{
+	f32 x = ts_san(value);
+	f32 clamped = ts_clamp(x, 0.0f, 1.0f);
+	if (clamped != x)
+		ts_build_note(build, "material %u: %s %g is outside 0 to 1, read as %g", build->scene->n_materials, field,
+		              (double)x, (double)clamped);
+	return clamped;
+}
+
+u32 ts_build_material(ts_build *build, const ts_material *material)
+{
+	ts_scene *scene = build->scene;
+	if (!countable(build, scene->n_materials, "materials") || !TS_BUILD_ROOM(build, materials, "materials")) return 0;
+	ts_material *m = &scene->materials[scene->n_materials];
+	*m = *material;
+	sanitize(m->base, material->base, 4);
+	sanitize(m->emissive, material->emissive, 3);
+	m->metallic = unit_range(build, material->metallic, "metallic");
+	m->roughness = unit_range(build, material->roughness, "roughness");
+	m->occlusion = unit_range(build, material->occlusion, "occlusion strength");
+	m->normal_scale = ts_san(material->normal_scale);
+	m->alpha_cutoff = ts_san(material->alpha_cutoff);
+	m->pad[0] = m->pad[1] = 0;
+	return scene->n_materials++;
+}
+
+u32 ts_build_slot(ts_build *build, const ts_slot *slot)
+{
+	ts_scene *scene = build->scene;
+	if (!countable(build, scene->n_slots, "texture references") || !TS_BUILD_ROOM(build, slots, "texture references"))
+		return 0;
+	ts_slot *s = &scene->slots[scene->n_slots];
+	*s = *slot;
+	sanitize(s->transform, slot->transform, 6);
+	s->pad[0] = s->pad[1] = 0;
+	return scene->n_slots++;
+}
+
+void ts_build_light(ts_build *build, const ts_light *light)
+{
+	ts_scene *scene = build->scene;
+	if (!countable(build, scene->n_lights, "lights") || !TS_BUILD_ROOM(build, lights, "lights")) return;
+	ts_light *l = &scene->lights[scene->n_lights++];
+	*l = (ts_light){.kind = light->kind, .range = ts_san(light->range)};
+	sanitize(l->position, light->position, 3);
+	sanitize_unit(l->direction, light->direction);
+	sanitize(l->intensity, light->intensity, 3);
+	l->spot_scale = ts_san(light->spot_scale);
+	l->spot_offset = ts_san(light->spot_offset);
+}
+
+void ts_build_camera(ts_build *build, const ts_camera *camera)
+{
+	ts_scene *scene = build->scene;
+	if (!countable(build, scene->n_cameras, "cameras") || !TS_BUILD_ROOM(build, cameras, "cameras")) return;
+	char *name = text_copy(build, camera->name ? camera->name : "");
+	if (!name) return;
+	ts_camera *c = &scene->cameras[scene->n_cameras++];
+	*c = (ts_camera){.name = name, .yfov = ts_san(camera->yfov)};
+	sanitize(c->eye, camera->eye, 3);
+	sanitize(c->right, camera->right, 3);
+	sanitize(c->up, camera->up, 3);
+	sanitize(c->back, camera->back, 3);
+}
+
+u32 ts_build_object(ts_build *build, const ts_object *object, bool is_reflector)
+{
+	ts_scene *scene = build->scene;
+	build->object = 0;
+	if (!object || !countable(build, scene->n_objects, "objects") || !TS_BUILD_ROOM(build, objects, "objects")) return 0;
+	ts_object *o = &scene->objects[scene->n_objects];
+	*o = (ts_object){.first_vertex = scene->n_vertices, .reflector = TS_NONE, .period = object->period};
+	if (is_reflector) o->reflector = scene->n_reflectors++;
+	sanitize(o->centre, object->centre, 3);
+	sanitize(o->axis, object->axis, 2);
+	o->phase = ts_san(object->phase);
+	o->bob = ts_san(object->bob);
+	o->spin = ts_san(object->spin);
+	build->object = scene->n_objects;
+	return scene->n_objects++;
+}
+
+void ts_build_note(ts_build *build, const char *format, ...)
+{
+	ts_scene *scene = build->scene;
+	char line[512];
+	va_list arguments;
+	va_start(arguments, format);
+	vsnprintf(line, sizeof line, format, arguments);
+	va_end(arguments);
+	for (char *c = line; *c; c++)
+		if ((unsigned char)*c < 32 || *c == 127) *c = '?';
+	if (!TS_BUILD_ROOM(build, notes, "notes")) return;
+	char *note = text_copy(build, line);
+	if (note) scene->notes[scene->n_notes++] = note;
+}
+
+void ts_build_box(ts_scene *scene)
+{
+	for (int pass = 0, found = 0; pass < 2 && !found; pass++) {
+		ts_v3 low = ts_v3_make(0.0f, 0.0f, 0.0f), high = low;
+		for (u32 i = 0; i < scene->n_triangles; i++) {
+			for (u32 k = 0; k < 3; k++) {
+				u32 index = scene->triangles[i].vertex[k];
+				if (index >= scene->n_vertices) continue;
+				u32 object = scene->vertices[index].object;
+				if (pass == 0 ? object != 0 : scene->objects[object].period != 0) continue;
+				ts_v3 p = ts_load3(scene->vertices[index].position);
+				low = found ? ts_min3(low, p) : p;
+				high = found ? ts_max3(high, p) : p;
+				found = 1;
+			}
+		}
+		ts_store3(scene->box_min, low);
+		ts_store3(scene->box_max, high);
+	}
+}
+
+const ts_scene *ts_build_peek(ts_build *build)
+{
+	ts_build_box(build->scene);
+	return build->scene;
+}

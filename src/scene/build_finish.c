@@ -1,0 +1,217 @@
+/* Freezing a scene: what it lacks is added (SPEC 0.3.1), every index and range is checked, so that no kernel has to,
+ * and the vertices of each object are made one range. */
+#include "build_parts.h"
+#include "../core/core.h"
+#include "../kernels/vec.h"
+#include <stdio.h>
+#include <stdlib.h>
+
+#define COORDINATE_LIMIT 16777216.0f
+
+static void give_material(ts_build *build)
+{
+	ts_scene *scene = build->scene;
+	u32 fallback = TS_NONE;
+	for (u32 i = 0; i < scene->n_triangles && !build->failed; i++) {
+		if (scene->triangles[i].material != TS_NONE) continue;
+		ts_material plain = ts_material_default();
+		if (fallback == TS_NONE) fallback = ts_build_material(build, &plain);
+		scene->triangles[i].material = fallback;
+	}
+}
+
+static void give_light(ts_build *build, const ts_params *params)
+{
+	ts_scene *scene = build->scene;
+	scene->ambient = 0.0f;
+	if (scene->n_lights > 0) return;
+	f32 irradiance = params->light_irradiance;
+	ts_light sun = {.kind = TS_LIGHT_DIRECTIONAL, .intensity = {irradiance, irradiance, irradiance}};
+	ts_store3(sun.direction, ts_v3_make(-0.4f, -1.0f, -0.3f));
+	ts_build_light(build, &sun);
+	scene->ambient = ts_san(params->light_ambient);
+}
+
+static void check_triangles(ts_build *build)
+{
+	const ts_scene *scene = build->scene;
+	if (scene->n_triangles == 0) ts_build_fail(build, "%s: no triangles; there is nothing to draw", scene->name);
+	for (u32 i = 0; i < scene->n_triangles && !build->failed; i++) {
+		const ts_triangle *t = &scene->triangles[i];
+		for (u32 k = 0; k < 3; k++)
+			if (t->vertex[k] >= scene->n_vertices)
+				ts_build_fail(build, "%s: triangle %u: vertex %u does not exist; there are %u", scene->name, i,
+				              t->vertex[k], scene->n_vertices);
+		if (t->material >= scene->n_materials)
+			ts_build_fail(build, "%s: triangle %u: material %u does not exist; there are %u", scene->name, i,
+			              t->material, scene->n_materials);
+		if (build->failed) return;
+		u32 object = scene->vertices[t->vertex[0]].object;
+		if (object != scene->vertices[t->vertex[1]].object || object != scene->vertices[t->vertex[2]].object)
+			ts_build_fail(build, "%s: triangle %u: its corners belong to different objects", scene->name, i);
+	}
+}
+
+/* Bound of |x|, |y| and |z| wherever the vertex's object carries it. */
+static f32 reach(const ts_scene *scene, const ts_vertex *vertex)
+{
+	const ts_object *o = &scene->objects[vertex->object];
+	f32 x = ts_abs(vertex->position[0]), y = ts_abs(vertex->position[1]), z = ts_abs(vertex->position[2]);
+	if (o->period == 0) return ts_max(ts_max(x, y), z);
+	f32 across = ts_max(ts_abs(o->centre[0]) + ts_abs(o->axis[0]), ts_abs(o->centre[2]) + ts_abs(o->axis[1]));
+	return ts_max(x + z + across, y + ts_abs(o->centre[1]) + ts_abs(o->bob));
+}
+
+static void check_vertices(ts_build *build)
+{
+	const ts_scene *scene = build->scene;
+	for (u32 i = 0; i < scene->n_vertices && !build->failed; i++) {
+		f32 far = reach(scene, &scene->vertices[i]);
+		if (far > COORDINATE_LIMIT)
+			ts_build_fail(build, "%s: vertex %u: coordinate %g; the limit is 16777216 after all transforms",
+			              scene->name, i, (double)far);
+	}
+	for (u32 i = 1; i < scene->n_objects && !build->failed; i++)
+		if (scene->objects[i].n_vertices == 0)
+			ts_build_fail(build, "%s: object %u has no vertices", scene->name, i);
+}
+
+static void check_materials(ts_build *build)
+{
+	const ts_scene *scene = build->scene;
+	for (u32 i = 0; i < scene->n_materials; i++) {
+		const ts_material *m = &scene->materials[i];
+		for (u32 k = 0; k < TS_N_SLOTS; k++)
+			if (m->slot[k] != TS_NONE && m->slot[k] >= scene->n_slots)
+				ts_build_fail(build, "%s: material %u: texture reference %u does not exist; there are %u", scene->name,
+				              i, m->slot[k], scene->n_slots);
+		if (m->flags > (TS_MATERIAL_DOUBLE_SIDED | TS_MATERIAL_MASK | TS_MATERIAL_UNLIT))
+			ts_build_fail(build, "%s: material %u: flags %u; 0 to 7 are known", scene->name, i, m->flags);
+	}
+	for (u32 i = 0; i < scene->n_slots; i++) {
+		const ts_slot *s = &scene->slots[i];
+		if (s->image >= scene->n_images)
+			ts_build_fail(build, "%s: texture reference %u: image %u does not exist; there are %u", scene->name, i,
+			              s->image, scene->n_images);
+		if (s->uv_set > 1)
+			ts_build_fail(build, "%s: texture reference %u: TEXCOORD_%u; 0 and 1 are read", scene->name, i, s->uv_set);
+		if (s->wrap[0] > TS_WRAP_CLAMP || s->wrap[1] > TS_WRAP_CLAMP)
+			ts_build_fail(build, "%s: texture reference %u: wrap modes %u and %u; 0, 1 and 2 are known", scene->name, i,
+			              s->wrap[0], s->wrap[1]);
+	}
+}
+
+static void check_lights(ts_build *build)
+{
+	const ts_scene *scene = build->scene;
+	for (u32 i = 0; i < scene->n_lights; i++) {
+		const ts_light *l = &scene->lights[i];
+		bool aimless = l->direction[0] == 0.0f && l->direction[1] == 0.0f && l->direction[2] == 0.0f;
+		if (l->kind > TS_LIGHT_SPOT)
+			ts_build_fail(build, "%s: light %u: kind %u; 0, 1 and 2 are known", scene->name, i, l->kind);
+		if (l->kind != TS_LIGHT_POINT && aimless)
+			ts_build_fail(build, "%s: light %u: no direction; it must have a length above zero", scene->name, i);
+	}
+}
+
+/* Stable, by object. The objects' counts are right already. */
+static void group_vertices(ts_build *build)
+{
+	ts_scene *scene = build->scene;
+	bool grouped = true;
+	u32 first = 0;
+	for (u32 i = 0; i < scene->n_objects; i++) {
+		scene->objects[i].first_vertex = first;
+		first += scene->objects[i].n_vertices;
+	}
+	for (u32 i = 1; i < scene->n_vertices; i++)
+		grouped = grouped && scene->vertices[i - 1].object <= scene->vertices[i].object;
+	if (grouped) return;
+	ts_vertex *vertices = ts_alloc(scene->n_vertices, sizeof *vertices, "vertices");
+	u32 *place = ts_alloc(scene->n_vertices, sizeof *place, "places of vertices");
+	u32 *next = ts_alloc(scene->n_objects, sizeof *next, "places of objects");
+	if (vertices && place && next) {
+		for (u32 i = 0; i < scene->n_objects; i++) next[i] = scene->objects[i].first_vertex;
+		for (u32 i = 0; i < scene->n_vertices; i++) {
+			place[i] = next[scene->vertices[i].object]++;
+			vertices[place[i]] = scene->vertices[i];
+		}
+		for (u32 i = 0; i < scene->n_triangles; i++)
+			for (u32 k = 0; k < 3; k++) scene->triangles[i].vertex[k] = place[scene->triangles[i].vertex[k]];
+		ts_vertex *old = scene->vertices;
+		scene->vertices = vertices;
+		vertices = old;
+	} else {
+		ts_build_fail(build, "%s: no memory to sort %u vertices by object", scene->name, scene->n_vertices);
+	}
+	free(vertices);
+	free(place);
+	free(next);
+}
+
+/* Of the triangles that stand still: those of the file. Degenerate by SPEC 0.2.1. */
+static void count_triangles(ts_scene *scene)
+{
+	for (u32 i = 0; i < scene->n_triangles; i++) {
+		const ts_vertex *v[3];
+		for (u32 k = 0; k < 3; k++) v[k] = &scene->vertices[scene->triangles[i].vertex[k]];
+		if (scene->objects[v[0]->object].period != 0) continue;
+		ts_v3 a = ts_load3(v[0]->position);
+		ts_v3 n = ts_cross(ts_sub(ts_load3(v[1]->position), a), ts_sub(ts_load3(v[2]->position), a));
+		scene->n_triangles_file++;
+		scene->n_degenerate += ts_flush(ts_dot(n, n)) == 0.0f;
+	}
+}
+
+u32 ts_scene_camera(const ts_scene *scene, const char *name)
+{
+	for (u32 i = 0; name && i < scene->n_cameras; i++)
+		if (strcmp(scene->cameras[i].name, name) == 0) return i;
+	return TS_NONE;
+}
+
+static void choose_camera(ts_build *build, const char *name)
+{
+	ts_scene *scene = build->scene;
+	char names[256] = "";
+	scene->camera = ts_scene_camera(scene, name);
+	if (!name || scene->camera != TS_NONE) return;
+	if (scene->n_cameras == 0)
+		ts_build_fail(build, "%s: camera %s: the scene has no cameras; without a name the eye circles", scene->name, name);
+	for (u32 i = 0; i < scene->n_cameras; i++) {
+		size_t used = strlen(names);
+		snprintf(names + used, sizeof names - used, "%s%s", i ? ", " : "", scene->cameras[i].name);
+	}
+	ts_build_fail(build, "%s: camera %s does not exist; there are: %s", scene->name, name, names);
+}
+
+static void complete(ts_build *build, const ts_params *params, const char *camera)
+{
+	if (!build->failed) give_material(build);
+	if (!build->failed) give_light(build, params);
+	if (!build->failed) check_triangles(build);
+	if (!build->failed) check_vertices(build);
+	if (!build->failed) check_materials(build);
+	if (!build->failed) check_lights(build);
+	if (!build->failed) group_vertices(build);
+	if (!build->failed) choose_camera(build, camera);
+	if (build->failed) return;
+	ts_build_box(build->scene);
+	count_triangles(build->scene);
+}
+
+ts_status ts_build_finish(ts_build *build, const ts_params *params, const char *camera, ts_scene **scene)
+{
+	*scene = NULL;
+	if (!build) return TS_ERROR;
+	complete(build, params, camera);
+	ts_status status = TS_OK;
+	if (build->failed) {
+		status = ts_fail("%s", build->message);
+	} else {
+		*scene = build->scene;
+		build->scene = NULL;
+	}
+	ts_build_free(build);
+	return status;
+}

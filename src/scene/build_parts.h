@@ -1,0 +1,30 @@
+/* The inside of a build, for the files build*.c only. */
+#ifndef TS_SCENE_BUILD_PARTS_H
+#define TS_SCENE_BUILD_PARTS_H
+#include "build.h"
+
+struct ts_build {
+	ts_scene *scene;
+	u32 object; /* that new vertices belong to */
+	bool failed;
+	char message[512];
+	struct {
+		size_t vertices, triangles, materials, slots, images, texels, lights, objects, cameras, notes;
+	} capacity;
+};
+
+/* Makes room for `more` elements after the first n of an array of *capacity elements. Returns the array, moved or not.
+ * On failure the array is as it was and the build has failed. */
+void *ts_build_room(ts_build *build, void *array, u64 n, u64 more, size_t *capacity, size_t size, const char *what);
+
+/* Room for one more record of a scene's array; false if the build has failed. */
+#define TS_BUILD_ROOM(build, array, what) \
+	((build)->scene->array = ts_build_room(build, (build)->scene->array, (build)->scene->n_##array, 1, \
+	                                       &(build)->capacity.array, sizeof *(build)->scene->array, what), \
+	 !(build)->failed)
+
+/* The box of the triangles of object 0; where it has none, of all objects that stand still. Triangles whose corners
+ * do not exist are passed over. */
+void ts_build_box(ts_scene *scene);
+
+#endif
