@@ -1,0 +1,60 @@
+/* One line a failure, kept by thread. */
+#include <stdio.h>
+#include <string.h>
+#include "core.h"
+
+enum { MESSAGE_BYTES = 1024 };
+
+static _Thread_local char message[MESSAGE_BYTES];
+
+/* Control characters, C0 and the two-byte C1 of UTF-8, could break the line or drive the terminal. */
+static void make_printable(char *text)
+{
+	for (unsigned char *c = (unsigned char *)text; *c; c++) {
+		bool c1 = c[0] == 0xc2 && c[1] >= 0x80 && c[1] <= 0x9f;
+		if (c1) {
+			c[0] = c[1] = '?';
+		} else if (*c < 0x20 || *c == 0x7f) {
+			*c = '?';
+		}
+	}
+}
+
+/* A cut message ends with three dots, not inside a character. */
+static void mark_cut(char *text)
+{
+	size_t end = MESSAGE_BYTES - 4;
+	while (end > 0 && ((unsigned char)text[end] & 0xc0) == 0x80) {
+		end--;
+	}
+	memcpy(text + end, "...", 4);
+}
+
+ts_status ts_fail_v(const char *format, va_list arguments)
+{
+	/* The arguments may point into the last message. */
+	char text[MESSAGE_BYTES];
+	int length = vsnprintf(text, sizeof text, format, arguments);
+	if (length < 0) {
+		strcpy(text, "a message could not be formatted");
+	} else if (length >= MESSAGE_BYTES) {
+		mark_cut(text);
+	}
+	make_printable(text);
+	memcpy(message, text, sizeof text);
+	return TS_ERROR;
+}
+
+ts_status ts_fail(const char *format, ...)
+{
+	va_list arguments;
+	va_start(arguments, format);
+	ts_status status = ts_fail_v(format, arguments);
+	va_end(arguments);
+	return status;
+}
+
+const char *ts_error_message(void)
+{
+	return message;
+}

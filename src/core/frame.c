@@ -1,0 +1,131 @@
+/* The buffers of one run, and the tables of records.def (DESIGN 3). */
+#include "frame.h"
+#include <assert.h>
+#include <pthread.h>
+#include <stdlib.h>
+
+#define BUFFER(id, name, element, shape, order, key, doc) {name, #element, sizeof(element), shape, #order, key, doc},
+const ts_buffer_info ts_buffer_table[TS_N_BUFFERS] = {
+#include <touchstone/records.def>
+};
+
+/* A row without a field opens a record. */
+#define RECORD(name, doc) {#name, NULL, NULL, 0, NULL},
+#define FIELD(type, name, count, doc) {NULL, #type, #name, count, doc},
+static const ts_field_info lines[] = {
+#include <touchstone/records.def>
+};
+
+enum { N_LINES = sizeof lines / sizeof *lines };
+
+static ts_field_info fields[N_LINES];
+static size_t n_fields;
+
+static void fill_fields(void)
+{
+	const char *record = NULL;
+	for (size_t i = 0; i < N_LINES; i++) {
+		if (lines[i].record) {
+			record = lines[i].record;
+		} else {
+			fields[n_fields] = lines[i];
+			fields[n_fields++].record = record;
+		}
+	}
+}
+
+const ts_field_info *ts_field_table(size_t *n)
+{
+	static pthread_once_t once = PTHREAD_ONCE_INIT;
+	pthread_once(&once, fill_fields);
+	*n = n_fields;
+	return fields;
+}
+
+/* Product of the shape; false if it overflows. */
+static bool count_elements(u64 *n, u32 n_dims, const u64 *shape)
+{
+	*n = 1;
+	for (u32 i = 0; i < n_dims; i++) {
+		if (shape[i] != 0 && *n > UINT64_MAX / shape[i]) {
+			return false;
+		}
+		*n *= shape[i];
+	}
+	return true;
+}
+
+void *ts_frame_make(ts_frame *frame, ts_buffer_id id, u32 n_dims, const u64 *shape)
+{
+	assert(id < TS_N_BUFFERS && n_dims >= 1 && n_dims <= 4);
+	ts_frame_drop(frame, id);
+	const ts_buffer_info *info = &ts_buffer_table[id];
+	u64 n;
+	if (!count_elements(&n, n_dims, shape) || n > SIZE_MAX) {
+		ts_fail("%s: its shape has more elements than a process can address", info->name);
+		return NULL;
+	}
+	void *data = ts_alloc((size_t)n, info->element_bytes, info->name);
+	if (!data) {
+		return NULL;
+	}
+	ts_buffer *buffer = &frame->buffer[id];
+	*buffer = (ts_buffer){.data = data, .n = n, .n_dims = n_dims, .made = true};
+	memcpy(buffer->shape, shape, n_dims * sizeof *shape);
+	frame->bytes += n * info->element_bytes;
+	frame->peak_bytes = frame->bytes > frame->peak_bytes ? frame->bytes : frame->peak_bytes;
+	return data;
+}
+
+void *ts_frame_make1(ts_frame *frame, ts_buffer_id id, u64 n)
+{
+	return ts_frame_make(frame, id, 1, &n);
+}
+
+void *ts_frame_make2(ts_frame *frame, ts_buffer_id id, u64 n0, u64 n1)
+{
+	return ts_frame_make(frame, id, 2, (u64[]){n0, n1});
+}
+
+void *ts_frame_make3(ts_frame *frame, ts_buffer_id id, u64 n0, u64 n1, u64 n2)
+{
+	return ts_frame_make(frame, id, 3, (u64[]){n0, n1, n2});
+}
+
+void ts_frame_borrow(ts_frame *frame, ts_buffer_id id, const void *data, u64 n)
+{
+	assert(id < TS_N_BUFFERS);
+	ts_frame_drop(frame, id);
+	frame->buffer[id] = (ts_buffer){
+		.data = (void *)(uintptr_t)data, .n = n, .n_dims = 1, .shape = {n}, .borrowed = true, .made = true};
+}
+
+void *ts_frame_data(const ts_frame *frame, ts_buffer_id id)
+{
+	assert(id < TS_N_BUFFERS && frame->buffer[id].made);
+	return frame->buffer[id].data;
+}
+
+u64 ts_frame_n(const ts_frame *frame, ts_buffer_id id)
+{
+	assert(id < TS_N_BUFFERS && frame->buffer[id].made);
+	return frame->buffer[id].n;
+}
+
+void ts_frame_drop(ts_frame *frame, ts_buffer_id id)
+{
+	assert(id < TS_N_BUFFERS);
+	ts_buffer *buffer = &frame->buffer[id];
+	if (buffer->made && !buffer->borrowed) {
+		frame->bytes -= buffer->n * ts_buffer_table[id].element_bytes;
+		free(buffer->data);
+	}
+	*buffer = (ts_buffer){0};
+}
+
+void ts_frame_clear(ts_frame *frame)
+{
+	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
+		ts_frame_drop(frame, (ts_buffer_id)id);
+	}
+}

@@ -1,0 +1,207 @@
+/* The parameters of params.def: table, defaults, parsing and printing. */
+#include <touchstone/params.h>
+#include <assert.h>
+#include <errno.h>
+#include <inttypes.h>
+#include <locale.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "core.h"
+
+#define PARAM_U32(field, name, def, min, max, unit, source, help) \
+	{name, "u32", #def, #min, #max, unit, "", source, help},
+#define PARAM_F32(field, name, def, min, max, unit, source, help) \
+	{name, "f32", #def, #min, #max, unit, "", source, help},
+#define PARAM_ENUM(field, name, def, choices, source, help) {name, "enum", #def, "0", "", "", choices, source, help},
+static const ts_param_info table[] = {
+#include <touchstone/params.def>
+};
+
+#define PARAM_U32(field, ...) offsetof(ts_params, field),
+#define PARAM_F32(field, ...) offsetof(ts_params, field),
+#define PARAM_ENUM(field, ...) offsetof(ts_params, field),
+static const size_t offsets[] = {
+#include <touchstone/params.def>
+};
+
+enum { N_PARAMS = sizeof table / sizeof *table };
+static_assert(sizeof(ts_params) == 4 * N_PARAMS, "every parameter is four bytes");
+
+const ts_param_info *ts_param_table(size_t *n)
+{
+	*n = N_PARAMS;
+	return table;
+}
+
+static void store(ts_params *params, size_t row, const void *value)
+{
+	memcpy((char *)params + offsets[row], value, 4);
+}
+
+static bool parse_u32(uint32_t *value, const char *text)
+{
+	size_t length = strspn(text, "0123456789");
+	if (length == 0 || length > 15 || text[length]) {
+		return false;
+	}
+	uint64_t wide = strtoull(text, NULL, 10);
+	*value = (uint32_t)wide;
+	return wide <= UINT32_MAX;
+}
+
+/* strtof with a decimal point, whatever the host program's locale. */
+static bool c_strtof(float *value, const char *text)
+{
+	locale_t c = newlocale(LC_NUMERIC_MASK, "C", (locale_t)0);
+	if (!c) {
+		return false;
+	}
+	locale_t before = uselocale(c);
+	char *end;
+	errno = 0;
+	*value = strtof(text, &end);
+	bool good = !*end && errno != ERANGE;
+	uselocale(before);
+	freelocale(c);
+	return good;
+}
+
+/* Kernels take what is nearer to zero than 2^-39 for zero (NUMERICS rule 10): refuse it rather than change it. */
+static bool parse_f32(float *value, const char *text)
+{
+	size_t length = strspn(text, "+-.0123456789eE");
+	if (length == 0 || text[length] || !c_strtof(value, text)) {
+		return false;
+	}
+	if (*value == 0) {
+		*value = 0; /* not -0 */
+	}
+	return *value == 0 || *value >= 0x1p-39f || *value <= -0x1p-39f;
+}
+
+/* The shortest decimal text that reads back to the same bits. */
+static void format_f32(float value, char *text, size_t text_bytes)
+{
+	for (int digits = 6; digits <= 9; digits++) {
+		float back;
+		snprintf(text, text_bytes, "%.*g", digits, (double)value);
+		char *comma = strchr(text, ',');
+		if (comma) {
+			*comma = '.';
+		}
+		if (c_strtof(&back, text) && memcmp(&back, &value, 4) == 0) {
+			return;
+		}
+	}
+}
+
+static ts_status set_u32(ts_params *params, size_t row, const char *text)
+{
+	const ts_param_info *info = &table[row];
+	uint32_t value, min, max;
+	bool good_table = parse_u32(&min, info->min) && parse_u32(&max, info->max);
+	assert(good_table);
+	if (!parse_u32(&value, text) || value < min || value > max) {
+		return ts_fail("parameter %s: \"%.80s\" is not a whole number from %s to %s%s%s", info->name, text, info->min,
+		               info->max, *info->unit ? " " : "", info->unit);
+	}
+	store(params, row, &value);
+	return TS_OK;
+}
+
+static ts_status set_f32(ts_params *params, size_t row, const char *text)
+{
+	const ts_param_info *info = &table[row];
+	float value, min, max;
+	bool good_table = parse_f32(&min, info->min) && parse_f32(&max, info->max);
+	assert(good_table);
+	if (!parse_f32(&value, text) || value < min || value > max) {
+		return ts_fail("parameter %s: \"%.80s\" is not a number from %s to %s%s%s (0, or at least 1.82e-12 in size)",
+		               info->name, text, info->min, info->max, *info->unit ? " " : "", info->unit);
+	}
+	store(params, row, &value);
+	return TS_OK;
+}
+
+/* The place-th of "a|b|c" in *choice and its length; 0 behind the last. */
+static size_t choice_at(const char *choices, uint32_t place, const char **choice)
+{
+	for (*choice = choices; place > 0; place--) {
+		*choice = strchr(*choice, '|');
+		if (!*choice) {
+			return 0;
+		}
+		++*choice;
+	}
+	return strcspn(*choice, "|");
+}
+
+static ts_status set_enum(ts_params *params, size_t row, const char *text)
+{
+	const ts_param_info *info = &table[row];
+	const char *choice;
+	size_t length;
+	for (uint32_t place = 0; (length = choice_at(info->choices, place, &choice)) > 0; place++) {
+		if (strlen(text) == length && memcmp(text, choice, length) == 0) {
+			store(params, row, &place);
+			return TS_OK;
+		}
+	}
+	return ts_fail("parameter %s: \"%.80s\" is not one of %s", info->name, text, info->choices);
+}
+
+static ts_status set_row(ts_params *params, size_t row, const char *text)
+{
+	switch (table[row].kind[0]) {
+	case 'u': return set_u32(params, row, text);
+	case 'f': return set_f32(params, row, text);
+	default: return set_enum(params, row, text);
+	}
+}
+
+ts_status ts_params_set(ts_params *params, const char *name, const char *value)
+{
+	for (size_t row = 0; row < N_PARAMS; row++) {
+		if (strcmp(table[row].name, name) == 0) {
+			return set_row(params, row, value);
+		}
+	}
+	return ts_fail("there is no parameter \"%.80s\": `touchstone list params` names them all", name);
+}
+
+void ts_params_default(ts_params *params)
+{
+	for (size_t row = 0; row < N_PARAMS; row++) {
+		bool good;
+		if (table[row].kind[0] == 'e') {
+			uint32_t place = 0;
+			const char *choice;
+			good = parse_u32(&place, table[row].def) && choice_at(table[row].choices, place, &choice) > 0;
+			store(params, row, &place);
+		} else {
+			good = set_row(params, row, table[row].def) == TS_OK;
+		}
+		assert(good);
+	}
+}
+
+void ts_params_format(const ts_params *params, size_t row, char *text, size_t text_bytes)
+{
+	assert(row < N_PARAMS);
+	const ts_param_info *info = &table[row];
+	const char *at = (const char *)params + offsets[row];
+	uint32_t u;
+	float f;
+	memcpy(&u, at, 4);
+	memcpy(&f, at, 4);
+	if (info->kind[0] == 'u') {
+		snprintf(text, text_bytes, "%" PRIu32, u);
+	} else if (info->kind[0] == 'f') {
+		format_f32(f, text, text_bytes);
+	} else {
+		const char *choice;
+		int length = (int)choice_at(info->choices, u, &choice);
+		snprintf(text, text_bytes, "%.*s", length, length ? choice : "");
+	}
+}

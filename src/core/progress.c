@@ -1,0 +1,25 @@
+/* Progress of long work: one line that rewrites itself, on a terminal only. */
+#include <stdio.h>
+#include <unistd.h>
+#include "core.h"
+
+/* Ten times a second is enough for an eye. */
+static const double interval = 0.1;
+
+static _Thread_local double last;
+
+void ts_progress(const char *label, uint64_t done, uint64_t total)
+{
+	if (!isatty(STDERR_FILENO)) {
+		return;
+	}
+	if (done >= total) {
+		fputs("\r\033[K", stderr);
+		last = 0;
+	} else if (ts_seconds() - last >= interval) {
+		double percent = 100.0 * (double)done / (double)total;
+		fprintf(stderr, "\r\033[K%s: %.0f %%", label, percent);
+		last = ts_seconds();
+	}
+	fflush(stderr);
+}
