@@ -1,0 +1,64 @@
+/* `help [COMMAND]`: made from the tables of commands and options. */
+#include <stdio.h>
+#include <string.h>
+#include "cli.h"
+
+static void print_option(const ts_option *option)
+{
+	char left[48];
+	const char *space = option->argument[0] != 0 && option->argument[0] != '[' ? " " : "";
+	snprintf(left, sizeof left, "--%s%s%s", option->name, space, option->argument);
+	for (const char *line = option->help; line != NULL;) {
+		const char *end = strchr(line, '\n');
+		printf("  %-22s %.*s\n", line == option->help ? left : "", (int)(end != NULL ? end - line : (long)strlen(line)),
+		       line);
+		line = end != NULL ? end + 1 : NULL;
+	}
+}
+
+static void print_command(const ts_command *command)
+{
+	printf("%s %s %s\n  %s\n", ts_program, command->name, command->arguments, command->doc);
+	if (command->details[0] != 0) {
+		printf("\n%s\n", command->details);
+	}
+	printf("\nOptions:\n");
+	for (const ts_option *o = ts_option_table; o->name != NULL; o++) {
+		if ((command->options & o->bit) != 0 || o->bit == TS_OPT_HELP) {
+			print_option(o);
+		}
+	}
+}
+
+void ts_help_print(const ts_command *command)
+{
+	if (command != NULL) {
+		print_command(command);
+		return;
+	}
+	printf("%s %s: a bit-exact reference for point-based rendering\n\nCommands:\n", ts_program, TS_VERSION);
+	for (const ts_command *c = ts_command_table; c->name != NULL; c++) {
+		char left[48];
+		snprintf(left, sizeof left, "%s %s", c->name, c->arguments);
+		printf("  %-26s %s\n", left, c->doc);
+	}
+	printf("\nExit codes: 0 done or same, 1 compared and different, 2 could not, 77 skipped.\n");
+	printf("\"%s help COMMAND\" tells more.\n", ts_program);
+}
+
+ts_status ts_help_command(ts_cli *cli)
+{
+	if (cli->n_arguments == 0) {
+		ts_help_print(NULL);
+		return TS_OK;
+	}
+	ts_nearest nearest = ts_nearest_begin(cli->arguments[0]);
+	for (const ts_command *c = ts_command_table; c->name != NULL; c++) {
+		if (strcmp(c->name, cli->arguments[0]) == 0) {
+			ts_help_print(c);
+			return TS_OK;
+		}
+		ts_nearest_offer(&nearest, c->name);
+	}
+	return ts_fail("help: no command \"%s\"; the nearest is %s", cli->arguments[0], nearest.best);
+}

@@ -1,0 +1,132 @@
+/* `list WHAT`: the program's own tables, so never stale. */
+#include <string.h>
+#include "../core/frame.h"
+#include "../pipelines/pipeline.h"
+#include "cli.h"
+#include "table.h"
+
+static const ts_column stage_columns[] = { { "name", "stage", false }, { "kind", "kind", false },
+	{ "reads", "reads", false }, { "writes", "writes", false }, { "paper", "paper", false }, { "doc", "what", false },
+	{ 0 } };
+static const ts_column buffer_columns[] = { { "name", "buffer", false }, { "element", "element", false },
+	{ "bytes", "bytes", true }, { "shape", "shape", false }, { "order", "order", false }, { "doc", "what", false }, { 0 } };
+static const ts_column param_columns[] = { { "name", "parameter", false }, { "default", "default", false },
+	{ "range", "range", false }, { "unit", "unit", false }, { "source", "source", false }, { "doc", "what", false }, { 0 } };
+static const ts_column method_columns[] = { { "name", "method", false }, { "effect", "effect", false },
+	{ "paper", "paper", false }, { "doc", "what", false }, { 0 } };
+static const ts_column plain_columns[] = { { "name", "name", false }, { "doc", "what", false }, { 0 } };
+
+static void cell_buffers(ts_table *table, const ts_buffer_id *ids, u32 n)
+{
+	char text[512] = "";
+	for (u32 i = 0; i < n && ids[i] < TS_N_BUFFERS; i++) {
+		size_t used = strlen(text);
+		snprintf(text + used, sizeof text - used, "%s%s", i > 0 ? " " : "", ts_buffer_table[ids[i]].name);
+	}
+	ts_table_text(table, text);
+}
+
+static ts_table list_stages(void)
+{
+	ts_table table = ts_table_begin("stages", "", stage_columns);
+	for (const ts_stage *s = ts_stage_table; s->name != NULL; s++) {
+		ts_table_text(&table, s->name);
+		ts_table_text(&table, s->kind);
+		cell_buffers(&table, s->reads, sizeof s->reads / sizeof s->reads[0]);
+		cell_buffers(&table, s->writes, sizeof s->writes / sizeof s->writes[0]);
+		ts_table_text(&table, s->paper);
+		ts_table_text(&table, s->doc);
+	}
+	return table;
+}
+
+static ts_table list_buffers(void)
+{
+	ts_table table = ts_table_begin("buffers", "", buffer_columns);
+	for (int i = 0; i < TS_N_BUFFERS; i++) {
+		const ts_buffer_info *b = &ts_buffer_table[i];
+		char order[96];
+		snprintf(order, sizeof order, "%s%s%s", b->order, b->key[0] != 0 ? " by " : "", b->key);
+		ts_table_text(&table, b->name);
+		ts_table_text(&table, b->element);
+		ts_table_count(&table, (i64)b->element_bytes);
+		ts_table_text(&table, b->shape);
+		ts_table_text(&table, order);
+		ts_table_text(&table, b->doc);
+	}
+	return table;
+}
+
+static ts_table list_params(void)
+{
+	size_t n;
+	const ts_param_info *p = ts_param_table(&n);
+	ts_table table = ts_table_begin("params", "", param_columns);
+	for (; n > 0; n--, p++) {
+		char range[128];
+		snprintf(range, sizeof range, "%s to %s", p->min, p->max);
+		ts_table_text(&table, p->name);
+		ts_table_text(&table, p->def);
+		ts_table_text(&table, p->choices[0] != 0 ? p->choices : range);
+		ts_table_text(&table, p->unit);
+		ts_table_text(&table, p->source);
+		ts_table_text(&table, p->help);
+	}
+	return table;
+}
+
+static ts_table list_methods(void)
+{
+	ts_table table = ts_table_begin("methods", "", method_columns);
+	for (const ts_pipeline *p = ts_pipeline_table; p->name != NULL; p++) {
+		ts_table_text(&table, p->name);
+		ts_table_text(&table, p->effect);
+		ts_table_text(&table, p->paper);
+		ts_table_text(&table, p->doc);
+	}
+	return table;
+}
+
+static ts_table list_scenes(void)
+{
+	size_t n;
+	const ts_builtin_info *b = ts_builtin_table(&n);
+	ts_table table = ts_table_begin("scenes", "", plain_columns);
+	for (; n > 0; n--, b++) {
+		ts_table_text(&table, b->name);
+		ts_table_text(&table, b->doc);
+	}
+	return table;
+}
+
+static ts_table list_backends(void)
+{
+	ts_table table = ts_table_begin("backends", "", plain_columns);
+	ts_table_text(&table, "c");
+	ts_table_text(&table, "the reference: C11, threaded");
+	return table;
+}
+
+static const struct {
+	const char *name;
+	ts_table (*make)(void);
+} lists[] = {
+	{ "stages", list_stages }, { "buffers", list_buffers }, { "params", list_params },
+	{ "methods", list_methods }, { "scenes", list_scenes }, { "backends", list_backends },
+};
+
+ts_status ts_list_command(ts_cli *cli)
+{
+	ts_nearest nearest = ts_nearest_begin(cli->arguments[0]);
+	for (size_t i = 0; i < sizeof lists / sizeof lists[0]; i++) {
+		ts_nearest_offer(&nearest, lists[i].name);
+		if (strcmp(lists[i].name, cli->arguments[0]) == 0) {
+			ts_report report = ts_report_begin(ts_cli_given(cli, TS_OPT_JSON));
+			ts_table table = lists[i].make();
+			ts_report_table(&report, &table);
+			return ts_report_end(&report);
+		}
+	}
+	return ts_fail("list: no table \"%s\"; the nearest is %s; there are stages, buffers, params, methods, scenes and "
+	               "backends", cli->arguments[0], nearest.best);
+}

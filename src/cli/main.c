@@ -1,0 +1,38 @@
+/* The command `touchstone`: its table of commands. */
+#include "cli.h"
+
+enum {
+	WHERE = TS_OPT_SIZE | TS_OPT_FRAME | TS_OPT_REFLECTORS | TS_OPT_REFLECTOR | TS_OPT_CAMERA | TS_OPT_SET,
+	HOW = TS_OPT_THREADS | TS_OPT_REFERENCE
+};
+
+const char *const ts_program = "touchstone";
+
+const ts_command ts_command_table[] = {
+	{ "render", "EFFECT [SCENE]", "render an effect by one or more methods, and judge them by ground truth",
+	  "EFFECT: reflections.\n"
+	  "SCENE: atrium (the default), gallery or dining, each also with \":triangles=COUNT\"; or a .gltf or .glb file.\n"
+	  "Writes METHOD.png and .exr, truth-a.png ..., differences, pictures of the stages and report.json to DIR, and\n"
+	  "prints times, counters, memory and metrics.",
+	  1, 2, TS_OPT_METHOD | TS_OPT_TRUTH | WHERE | HOW | TS_OPT_OUTPUT | TS_OPT_FORCE | TS_OPT_NO_IMAGES | TS_OPT_JSON,
+	  ts_render_command },
+	{ "info", "SCENE", "what was loaded, and what in the file was not understood", "",
+	  1, 1, WHERE | TS_OPT_JSON, ts_info_command },
+	{ "list", "WHAT", "tables: stages, buffers, params, methods, scenes or backends", "",
+	  1, 1, TS_OPT_JSON, ts_list_command },
+	{ "bench", "TABLE", "the papers' tables, measured here",
+	  "TABLE: epr-1 (shading operations) or epr-2 (times, points and errors) of the EPR paper; its figures stand below\n"
+	  "ours. Their GPU's times are not ours: compare ratios. Errors are against truth C unless --truth says otherwise.",
+	  1, 1, TS_OPT_SCENE | TS_OPT_OBJECTS | TS_OPT_RUNS | TS_OPT_TRUTH | TS_OPT_SIZE | TS_OPT_FRAME | TS_OPT_SET | HOW |
+	  TS_OPT_JSON, ts_bench_command },
+	{ "digest", "[SCENE]", "SHA-256 of every buffer of a built-in scene, in pipeline order", "",
+	  0, 1, TS_OPT_METHOD | TS_OPT_SIZE | TS_OPT_FRAME | TS_OPT_REFLECTORS | TS_OPT_SET | HOW | TS_OPT_FLUSH_DENORMALS,
+	  ts_digest_command },
+	{ "help", "[COMMAND]", "what a command does and takes", "", 0, 1, 0, ts_help_command },
+	{ 0 }
+};
+
+int main(int argc, char **argv)
+{
+	return ts_cli_main(argc, argv);
+}

@@ -1,0 +1,217 @@
+/* The options of all commands and their parser, over getopt_long. */
+#include <errno.h>
+#include <getopt.h>
+#include <omp.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <strings.h>
+#include "cli.h"
+
+const ts_option ts_option_table[] = {
+	{ TS_OPT_METHOD, "method", "NAME,...", "methods to run, or \"all\" (the default); see: list methods" },
+	{ TS_OPT_TRUTH, "truth", "[=A,B,C]", "ground truth to compare with: A rays from the cube's centre, B true reflections,\n"
+	  "C MVR at 4 times the resolution; without letters all three; \"none\"" },
+	{ TS_OPT_SIZE, "size", "WxH", "size of the eye image in pixels" },
+	{ TS_OPT_FRAME, "frame", "K", "frame of the animation" },
+	{ TS_OPT_REFLECTORS, "reflectors", "N", "mirrors that are added to the scene" },
+	{ TS_OPT_REFLECTOR, "reflector", "NAME", "node of the file to make a mirror of" },
+	{ TS_OPT_CAMERA, "camera", "NAME", "camera of the file; without it the eye circles the scene" },
+	{ TS_OPT_SCENE, "scene", "SPEC,...", "scenes to measure, instead of atrium,gallery,dining" },
+	{ TS_OPT_OBJECTS, "objects", "N,...", "numbers of mirrors to measure, instead of 1,10,20,50" },
+	{ TS_OPT_RUNS, "runs", "N", "runs of which the median is taken (3)" },
+	{ TS_OPT_SET, "set", "NAME=VALUE", "any parameter, repeatable; see: list params" },
+	{ TS_OPT_THREADS, "threads", "N", "threads, by default one a core; never changes a result" },
+	{ TS_OPT_REFERENCE, "reference", "", "turn all fast paths off" },
+	{ TS_OPT_OUTPUT, "output", "DIR", "folder of the pictures (out); written whole or not at all. Short: -o DIR" },
+	{ TS_OPT_FORCE, "force", "", "replace DIR if it holds an earlier render" },
+	{ TS_OPT_NO_IMAGES, "no-images", "", "write no files" },
+	{ TS_OPT_JSON, "json", "", "print one JSON object and nothing else" },
+	{ TS_OPT_FLUSH_DENORMALS, "flush-denormals", "", "let the processor flush denormals, which must not change a digest" },
+	{ TS_OPT_HELP, "help", "", "this text. Short: -h" },
+	{ 0, NULL, NULL, NULL }
+};
+
+enum { MAX_OPTIONS = 32, MAX_THREADS = 1024, MAX_RUNS = 1000 };
+
+bool ts_cli_given(const ts_cli *cli, u32 option)
+{
+	return (cli->given & option) != 0;
+}
+
+ts_status ts_cli_count(u32 *value, const char *text, u32 min, u32 max, const char *what)
+{
+	char *end;
+	errno = 0;
+	unsigned long n = strtoul(text, &end, 10);
+	if (text[0] < '0' || text[0] > '9' || *end != 0 || errno != 0 || n < min || n > max) {
+		return ts_fail("%s: \"%s\" is not a whole number from %u to %u", what, text, (unsigned)min, (unsigned)max);
+	}
+	*value = (u32)n;
+	return TS_OK;
+}
+
+bool ts_cli_item(const char **list, char *item, size_t item_bytes)
+{
+	if (*list == NULL) {
+		return false;
+	}
+	const char *comma = strchr(*list, ',');
+	size_t n = comma != NULL ? (size_t)(comma - *list) : strlen(*list);
+	snprintf(item, item_bytes, "%.*s", (int)(n < item_bytes ? n : item_bytes - 1), *list);
+	*list = comma != NULL ? comma + 1 : NULL;
+	return true;
+}
+
+static ts_status set_param(ts_cli *cli, const char *assignment)
+{
+	char name[64];
+	const char *equals = strchr(assignment, '=');
+	if (equals == NULL) {
+		return ts_fail("--set %s: no \"=\"; write --set NAME=VALUE", assignment);
+	}
+	snprintf(name, sizeof name, "%.*s", (int)(equals - assignment < 64 ? equals - assignment : 63), assignment);
+	size_t n;
+	const ts_param_info *params = ts_param_table(&n);
+	ts_nearest nearest = ts_nearest_begin(name);
+	for (size_t i = 0; i < n; i++) {
+		ts_nearest_offer(&nearest, params[i].name);
+	}
+	if (nearest.distance != 0) {
+		return ts_fail("--set %s: no such parameter; the nearest is %s, and \"%s list params\" lists all", name,
+		               nearest.best, ts_program);
+	}
+	return ts_params_set(&cli->params, name, equals + 1);
+}
+
+static ts_status set_size(ts_cli *cli, const char *text)
+{
+	char width[32];
+	const char *x = strpbrk(text, "xX");
+	if (x == NULL || x - text >= (ptrdiff_t)sizeof width) {
+		return ts_fail("--size %s: not a size; write WIDTHxHEIGHT, for instance 1920x1080", text);
+	}
+	snprintf(width, sizeof width, "%.*s", (int)(x - text), text);
+	ts_status status = ts_params_set(&cli->params, "width", width);
+	return status != TS_OK ? status : ts_params_set(&cli->params, "height", x + 1);
+}
+
+static ts_status set_truths(ts_cli *cli, const char *text)
+{
+	char item[8];
+	const char *list = text != NULL ? text : "A,B,C";
+	cli->truths = 0;
+	if (strcmp(list, "none") == 0) {
+		return TS_OK;
+	}
+	while (ts_cli_item(&list, item, sizeof item)) {
+		if (strlen(item) != 1 || strchr("ABCabc", item[0]) == NULL) {
+			return ts_fail("--truth %s: \"%s\" is no truth; there are A, B and C, or none", text, item);
+		}
+		cli->truths |= 1u << ((item[0] & 31) - 1);
+	}
+	return TS_OK;
+}
+
+static ts_status take(ts_cli *cli, u32 bit, const char *text)
+{
+	cli->given |= bit;
+	switch (bit) {
+	case TS_OPT_METHOD: cli->method = text; break;
+	case TS_OPT_TRUTH: return set_truths(cli, text);
+	case TS_OPT_SIZE: return set_size(cli, text);
+	case TS_OPT_FRAME: return ts_params_set(&cli->params, "frame", text);
+	case TS_OPT_REFLECTORS: return ts_params_set(&cli->params, "reflectors", text);
+	case TS_OPT_REFLECTOR: cli->scene.reflector = text; break;
+	case TS_OPT_CAMERA: cli->scene.camera = text; break;
+	case TS_OPT_SCENE: cli->scenes = text; break;
+	case TS_OPT_OBJECTS: cli->objects = text; break;
+	case TS_OPT_OUTPUT: cli->output = text; break;
+	case TS_OPT_SET: return set_param(cli, text);
+	case TS_OPT_THREADS: return ts_cli_count(&cli->threads, text, 1, MAX_THREADS, "--threads");
+	case TS_OPT_RUNS: return ts_cli_count(&cli->runs, text, 1, MAX_RUNS, "--runs");
+	default: break;
+	}
+	return TS_OK;
+}
+
+/* The options of `command` for getopt_long; val is the place in ts_option_table, from 1. */
+static void long_options(struct option *list, const ts_command *command)
+{
+	u32 n = 0;
+	for (int i = 0; ts_option_table[i].name != NULL; i++) {
+		const ts_option *o = &ts_option_table[i];
+		if ((command->options & o->bit) == 0 && o->bit != TS_OPT_HELP) {
+			continue;
+		}
+		int has_argument = o->argument[0] == 0 ? no_argument : required_argument;
+		has_argument = o->argument[0] == '[' ? optional_argument : has_argument;
+		list[n++] = (struct option){ o->name, has_argument, NULL, i + 1 };
+	}
+	list[n] = (struct option){ NULL, 0, NULL, 0 };
+}
+
+static ts_status refuse(const ts_command *command, const struct option *list, int answer, char **argv)
+{
+	const char *typed = argv[optind - 1];
+	if (answer == ':' && optopt == 'o') {
+		return ts_fail("%s: option -o needs a value, a folder", command->name);
+	}
+	if (answer == ':') {
+		const ts_option *o = &ts_option_table[optopt - 1];
+		return ts_fail("%s: option --%s needs a value, %s", command->name, o->name, o->argument);
+	}
+	if (optopt > 0 && optopt <= MAX_OPTIONS) {
+		return ts_fail("%s: option --%s takes no value", command->name, ts_option_table[optopt - 1].name);
+	}
+	if (optopt > MAX_OPTIONS) {
+		return ts_fail("%s: no option -%c; \"%s help %s\" lists all", command->name, optopt, ts_program, command->name);
+	}
+	char name[64];
+	snprintf(name, sizeof name, "%.*s", (int)strcspn(typed, "="), typed);
+	ts_nearest nearest = ts_nearest_begin(name + strspn(name, "-"));
+	for (; list->name != NULL; list++) {
+		ts_nearest_offer(&nearest, list->name);
+	}
+	return ts_fail("%s: no option %s; the nearest is --%s, and \"%s help %s\" lists all", command->name, name,
+	               nearest.best, ts_program, command->name);
+}
+
+static ts_status take_arguments(ts_cli *cli, const ts_command *command, int n, char **arguments)
+{
+	if ((u32)n < command->min_arguments) {
+		return ts_fail("%s: too few arguments; write %s %s %s", command->name, ts_program, command->name,
+		               command->arguments);
+	}
+	if ((u32)n > command->max_arguments) {
+		return ts_fail("%s: one argument too many, \"%s\"; write %s %s %s", command->name,
+		               arguments[command->max_arguments], ts_program, command->name, command->arguments);
+	}
+	for (int i = 0; i < n; i++) {
+		cli->arguments[cli->n_arguments++] = arguments[i];
+	}
+	return TS_OK;
+}
+
+ts_status ts_cli_parse(ts_cli *cli, const ts_command *command, int argc, char **argv)
+{
+	struct option list[MAX_OPTIONS + 1];
+	memset(cli, 0, sizeof *cli);
+	ts_params_default(&cli->params);
+	cli->threads = (u32)omp_get_num_procs();
+	cli->runs = 3;
+	long_options(list, command);
+	opterr = 0;
+	optind = 1;
+	const char *letters = (command->options & TS_OPT_OUTPUT) != 0 ? ":ho:" : ":h";
+	for (int answer; (answer = getopt_long(argc, argv, letters, list, NULL)) != -1;) {
+		if (answer == '?' || answer == ':') {
+			return refuse(command, list, answer, argv);
+		}
+		u32 bit = answer == 'h' ? TS_OPT_HELP : answer == 'o' ? TS_OPT_OUTPUT : ts_option_table[answer - 1].bit;
+		ts_status status = take(cli, bit, optarg);
+		if (status != TS_OK) {
+			return status;
+		}
+	}
+	return ts_cli_given(cli, TS_OPT_HELP) ? TS_OK : take_arguments(cli, command, argc - optind, argv + optind);
+}

@@ -1,0 +1,186 @@
+/* Tables as text and as JSON. */
+#include <math.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+#include "table.h"
+
+ts_table ts_table_begin(const char *key, const char *title, const ts_column *columns)
+{
+	ts_table table = { .key = key, .title = title, .columns = columns };
+	while (columns[table.n_columns].key != NULL) {
+		table.n_columns++;
+	}
+	return table;
+}
+
+static void append(ts_table *table, const char *text, json_t *value)
+{
+	char *copy = strdup(text);
+	void *cells = table->cells;
+	if (copy == NULL || value == NULL ||
+	    ts_grow(&cells, &table->capacity, table->n_cells + 1, sizeof *table->cells, "a table") != TS_OK) {
+		free(copy);
+		json_decref(value);
+		table->failed = true;
+		return;
+	}
+	table->cells = cells;
+	table->cells[table->n_cells++] = (ts_cell){ copy, value };
+}
+
+void ts_table_text(ts_table *table, const char *text)
+{
+	append(table, text, json_string(text));
+}
+
+/* 1234567 as 1,234,567. */
+void ts_table_count(ts_table *table, i64 value)
+{
+	char digits[32], text[48];
+	snprintf(digits, sizeof digits, "%lld", (long long)value);
+	size_t n = strlen(digits), k = 0;
+	for (size_t i = 0; i < n; i++) {
+		text[k++] = digits[i];
+		if (digits[i] != '-' && i + 1 < n && (n - i - 1) % 3 == 0) {
+			text[k++] = ',';
+		}
+	}
+	text[k] = 0;
+	append(table, text, json_integer(value));
+}
+
+void ts_table_bytes(ts_table *table, u64 bytes)
+{
+	static const char *const units[] = { "B", "kB", "MB", "GB", "TB" };
+	char text[48];
+	double value = (double)bytes;
+	u32 unit = 0;
+	for (; value >= 999.995 && unit < 4; unit++) {
+		value /= 1000;
+	}
+	snprintf(text, sizeof text, unit == 0 ? "%.0f %s" : "%.2f %s", value, units[unit]);
+	append(table, text, json_integer((json_int_t)bytes));
+}
+
+void ts_table_real(ts_table *table, double value, int decimals)
+{
+	char text[64];
+	snprintf(text, sizeof text, "%.*f", decimals, value);
+	append(table, isinf(value) ? "equal" : text, isfinite(value) ? json_real(value) : json_null());
+}
+
+void ts_table_none(ts_table *table)
+{
+	append(table, "-", json_null());
+}
+
+static void print_cell(FILE *out, const char *text, size_t width, bool right, bool last)
+{
+	if (right) {
+		fprintf(out, "%*s", (int)width, text);
+	} else if (last) {
+		fputs(text, out);
+	} else {
+		fprintf(out, "%-*s", (int)width, text);
+	}
+	fputs(last ? "\n" : "  ", out);
+}
+
+void ts_table_print(const ts_table *table, FILE *out)
+{
+	size_t width[TS_MAX_COLUMNS];
+	u32 n = table->n_columns;
+	for (u32 c = 0; c < n; c++) {
+		width[c] = strlen(table->columns[c].head);
+	}
+	for (size_t i = 0; i < table->n_cells; i++) {
+		size_t w = strlen(table->cells[i].text);
+		width[i % n] = w > width[i % n] ? w : width[i % n];
+	}
+	if (table->title[0] != 0) {
+		fprintf(out, "\n%s\n", table->title);
+	}
+	for (u32 c = 0; c < n; c++) {
+		print_cell(out, table->columns[c].head, width[c], table->columns[c].right, c + 1 == n);
+	}
+	for (size_t i = 0; i < table->n_cells; i++) {
+		u32 c = (u32)(i % n);
+		print_cell(out, table->cells[i].text, width[c], table->columns[c].right, c + 1 == n);
+	}
+}
+
+json_t *ts_table_json(const ts_table *table)
+{
+	json_t *rows = json_array();
+	json_t *row = NULL;
+	for (size_t i = 0; i < table->n_cells && rows != NULL; i++) {
+		u32 c = (u32)(i % table->n_columns);
+		if (c == 0) {
+			row = json_object();
+			json_array_append_new(rows, row);
+		}
+		json_object_set(row, table->columns[c].key, table->cells[i].value);
+	}
+	return rows;
+}
+
+void ts_table_end(ts_table *table)
+{
+	for (size_t i = 0; i < table->n_cells; i++) {
+		free(table->cells[i].text);
+		json_decref(table->cells[i].value);
+	}
+	free(table->cells);
+	table->cells = NULL;
+	table->n_cells = 0;
+}
+
+ts_report ts_report_begin(bool json)
+{
+	ts_report report = { .root = json_object(), .json = json };
+	report.failed = report.root == NULL;
+	return report;
+}
+
+void ts_report_table(ts_report *report, ts_table *table)
+{
+	report->failed |= table->failed;
+	if (!report->json) {
+		ts_table_print(table, stdout);
+	}
+	ts_report_value(report, table->key, ts_table_json(table));
+	ts_table_end(table);
+}
+
+void ts_report_line(ts_report *report, const char *format, ...)
+{
+	if (report->json) {
+		return;
+	}
+	va_list arguments;
+	va_start(arguments, format);
+	vprintf(format, arguments);
+	va_end(arguments);
+	putchar('\n');
+}
+
+void ts_report_value(ts_report *report, const char *key, json_t *value)
+{
+	if (json_object_set_new(report->root, key, value) != 0) {
+		report->failed = true;
+	}
+}
+
+ts_status ts_report_end(ts_report *report)
+{
+	ts_status status = TS_OK;
+	if (report->failed) {
+		status = ts_fail("the report: out of memory");
+	} else if (report->json && json_dumpf(report->root, stdout, JSON_INDENT(2) | JSON_REAL_PRECISION(9)) == 0) {
+		putchar('\n');
+	}
+	json_decref(report->root);
+	report->root = NULL;
+	return status;
+}

@@ -1,0 +1,62 @@
+/* Figures as aligned text for people and as JSON for programs, from one description. */
+#ifndef TS_CLI_TABLE_H
+#define TS_CLI_TABLE_H
+#include <jansson.h>
+#include <stdio.h>
+#include "../core/core.h"
+#include "../kernels/compat.h"
+
+enum { TS_MAX_COLUMNS = 16 };
+
+typedef struct {
+	const char *key;  /* in JSON */
+	const char *head; /* in text */
+	bool right;       /* figures stand to the right */
+} ts_column;
+
+typedef struct {
+	char *text;
+	json_t *value;
+} ts_cell;
+
+typedef struct {
+	const char *key, *title;    /* key: name of the array in JSON; title: line above the table, "" none */
+	const ts_column *columns;
+	u32 n_columns;
+	ts_cell *cells;
+	size_t n_cells, capacity;
+	bool failed;                /* out of memory */
+} ts_table;
+
+/* `columns` is ended by a row without a key and outlives the table, as do key and title. */
+ts_table ts_table_begin(const char *key, const char *title, const ts_column *columns);
+/* Append the next cell, row by row. Texts are copied. */
+void ts_table_text(ts_table *table, const char *text);
+void ts_table_count(ts_table *table, i64 value);
+void ts_table_bytes(ts_table *table, u64 bytes);
+void ts_table_real(ts_table *table, double value, int decimals);
+void ts_table_none(ts_table *table);
+/* Rows must be complete. */
+void ts_table_print(const ts_table *table, FILE *out);
+/* An array of objects, one a row; a new reference, or NULL when out of memory. */
+json_t *ts_table_json(const ts_table *table);
+void ts_table_end(ts_table *table);
+
+/* What a command prints: tables and single figures as text at once, or one JSON object at the end. */
+typedef struct {
+	json_t *root;
+	bool json;       /* text is not printed */
+	bool failed;     /* out of memory */
+} ts_report;
+
+ts_report ts_report_begin(bool json);
+/* Takes the table over, prints or keeps it, and releases it. */
+void ts_report_table(ts_report *report, ts_table *table);
+/* A line of text only. */
+void ts_report_line(ts_report *report, const char *format, ...) __attribute__((format(printf, 2, 3)));
+/* A figure of the JSON object only; takes the value over. */
+void ts_report_value(ts_report *report, const char *key, json_t *value);
+/* Prints the JSON object if that is wanted and releases all. */
+ts_status ts_report_end(ts_report *report);
+
+#endif
