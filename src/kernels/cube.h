@@ -1,0 +1,84 @@
+/* Cube maps: the six faces of OpenGL's table as views from the inside, and the texel of a direction (SPEC 0.1). */
+#ifndef TS_KERNELS_CUBE_H
+#define TS_KERNELS_CUBE_H
+#include "raster.h"
+
+/* Rows (sc, -tc, -ma) of faces +X -X +Y -Y +Z -Z. */
+TS_CONSTANT f32 ts_cube_row[6][9] = {
+	{0.0f, 0.0f, -1.0f, 0.0f, 1.0f, 0.0f, -1.0f, 0.0f, 0.0f},
+	{0.0f, 0.0f, 1.0f, 0.0f, 1.0f, 0.0f, 1.0f, 0.0f, 0.0f},
+	{1.0f, 0.0f, 0.0f, 0.0f, 0.0f, -1.0f, 0.0f, -1.0f, 0.0f},
+	{1.0f, 0.0f, 0.0f, 0.0f, 0.0f, 1.0f, 0.0f, 1.0f, 0.0f},
+	{1.0f, 0.0f, 0.0f, 0.0f, 1.0f, 0.0f, 0.0f, 0.0f, -1.0f},
+	{-1.0f, 0.0f, 0.0f, 0.0f, 1.0f, 0.0f, 0.0f, 0.0f, 1.0f},
+};
+
+TS_FN ts_v3 ts_k_cube_row(u32 face, u32 row)
+{
+	return ts_v3_make(ts_cube_row[face][row * 3u], ts_cube_row[face][row * 3u + 1u], ts_cube_row[face][row * 3u + 2u]);
+}
+
+TS_FN ts_camera_k ts_k_cube_view(TS_GLOBAL const ts_face *cube, u32 face)
+{
+	ts_camera_k r;
+	r.eye = ts_load3(cube->centre);
+	r.right = ts_k_cube_row(face, 0u);
+	r.up = ts_k_cube_row(face, 1u);
+	r.back = ts_k_cube_row(face, 2u);
+	r.focal = (f32)cube->n * 0.5f;
+	r.near = cube->near;
+	r.width = (i32)cube->n;
+	r.height = (i32)cube->n;
+	return r;
+}
+
+/* A direction as face and (sc / ma, tc / ma) in [-1, 1]. */
+typedef struct { u32 face; f32 s, t; } ts_cube_place;
+
+TS_FN ts_cube_place ts_k_cube_place(ts_v3 d)
+{
+	f32 x = ts_abs(d.x);
+	f32 y = ts_abs(d.y);
+	f32 z = ts_abs(d.z);
+	ts_cube_place r;
+	f32 major;
+	if (x >= y && x >= z) {
+		r.face = d.x < 0.0f ? 1u : 0u;
+		major = x;
+	} else if (y >= z) {
+		r.face = d.y < 0.0f ? 3u : 2u;
+		major = y;
+	} else {
+		r.face = d.z < 0.0f ? 5u : 4u;
+		major = z;
+	}
+	major = major > 0.0f ? major : 1.0f;
+	r.s = ts_dot(ts_k_cube_row(r.face, 0u), d) / major;
+	r.t = -ts_dot(ts_k_cube_row(r.face, 1u), d) / major;
+	return r;
+}
+
+/* min(n - 1, floor((s + 1) / 2 * n)) */
+TS_FN u32 ts_k_cube_texel(f32 s, u32 n)
+{
+	f32 unit = (s + 1.0f) * 0.5f;
+	return (u32)ts_min_i32(ts_max_i32(ts_floor_i32(unit * (f32)n), 0), (i32)n - 1);
+}
+
+/* Texel of a direction, relative to the cube's first. */
+TS_FN u64 ts_k_cube_index(ts_cube_place place, u32 n)
+{
+	u64 row = ts_k_cube_texel(place.t, n);
+	u64 column = ts_k_cube_texel(place.s, n);
+	return ((u64)place.face * n + row) * n + column;
+}
+
+/* The direction of a point of a face. */
+TS_FN ts_v3 ts_k_cube_direction(u32 face, f32 s, f32 t)
+{
+	ts_v3 r = ts_scale(ts_k_cube_row(face, 0u), s);
+	r = ts_mad(r, ts_k_cube_row(face, 1u), -t);
+	return ts_sub(r, ts_k_cube_row(face, 2u));
+}
+
+#endif

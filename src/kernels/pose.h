@@ -1,0 +1,64 @@
+/* Poses: moving objects follow an ellipse, one turn in `period` frames (SPEC 0.3.8). */
+#ifndef TS_KERNELS_POSE_H
+#define TS_KERNELS_POSE_H
+#include "records.h"
+#include "vec.h"
+
+/* world = centre + (cos * x + sin * z, y, cos * z - sin * x) */
+typedef struct { ts_v3 centre; f32 cos, sin; u32 moves; } ts_pose;
+
+TS_FN ts_pose ts_k_pose(TS_GLOBAL const ts_object *object, u32 frame)
+{
+	ts_pose r;
+	r.moves = object->period != 0u ? 1u : 0u;
+	f32 period = (f32)(r.moves != 0u ? object->period : 1u);
+	f32 turns = (f32)(r.moves != 0u ? frame % object->period : 0u) / period;
+	f32 angle = object->phase + turns;
+	f32 twice = angle + angle;
+	f32 x = object->axis[0] * ts_cos_turn(angle);
+	f32 y = object->bob * ts_sin_turn(twice);
+	f32 z = object->axis[1] * ts_sin_turn(angle);
+	f32 spin = object->spin * angle;
+	r.centre = ts_add(ts_load3(object->centre), ts_v3_make(x, y, z));
+	r.cos = ts_cos_turn(spin);
+	r.sin = ts_sin_turn(spin);
+	return r;
+}
+
+TS_FN ts_v3 ts_k_pose_turn(const ts_pose *pose, ts_v3 d)
+{
+	f32 x = ts_diff_of_products(pose->cos, d.x, -pose->sin, d.z);
+	f32 z = ts_diff_of_products(pose->cos, d.z, pose->sin, d.x);
+	return ts_v3_make(x, d.y, z);
+}
+
+/* A static object's vertices are world coordinates already and keep their bits. */
+TS_FN ts_v3 ts_k_pose_point(const ts_pose *pose, ts_v3 p)
+{
+	return pose->moves != 0u ? ts_add(pose->centre, ts_k_pose_turn(pose, p)) : p;
+}
+
+typedef struct {
+	TS_GLOBAL const ts_vertex *vertices;
+	TS_GLOBAL const ts_object *objects;
+	TS_GLOBAL ts_vertex *posed;
+	u32 frame;
+} ts_pose_args;
+
+/* map over vertices */
+TS_FN void ts_k_pose_item(const ts_pose_args *args, u64 i)
+{
+	ts_vertex v = args->vertices[i];
+	ts_pose pose = ts_k_pose(&args->objects[v.object], args->frame);
+	if (pose.moves != 0u) {
+		ts_v3 p = ts_k_pose_point(&pose, ts_v3_make(v.position[0], v.position[1], v.position[2]));
+		ts_v3 n = ts_k_pose_turn(&pose, ts_v3_make(v.normal[0], v.normal[1], v.normal[2]));
+		ts_v3 t = ts_k_pose_turn(&pose, ts_v3_make(v.tangent[0], v.tangent[1], v.tangent[2]));
+		v.position[0] = ts_put(p.x); v.position[1] = ts_put(p.y); v.position[2] = ts_put(p.z);
+		v.normal[0] = ts_put(n.x); v.normal[1] = ts_put(n.y); v.normal[2] = ts_put(n.z);
+		v.tangent[0] = ts_put(t.x); v.tangent[1] = ts_put(t.y); v.tangent[2] = ts_put(t.z);
+	}
+	args->posed[i] = v;
+}
+
+#endif

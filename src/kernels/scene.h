@@ -1,0 +1,55 @@
+/* The arrays of the scene that shading kernels read. */
+#ifndef TS_KERNELS_SCENE_H
+#define TS_KERNELS_SCENE_H
+#include "records.h"
+#include "vec.h"
+
+typedef struct {
+	TS_GLOBAL const ts_vertex *vertices; /* pose.vertex: world space, this frame */
+	TS_GLOBAL const ts_triangle *triangles;
+	TS_GLOBAL const ts_material *materials;
+	TS_GLOBAL const ts_slot *slots;
+	TS_GLOBAL const ts_image *images;
+	TS_GLOBAL const u64 *texels;
+	TS_GLOBAL const ts_light *lights;
+	TS_GLOBAL const ts_object *objects;
+	u32 n_triangles;
+	u32 n_lights;
+	f32 ambient;
+} ts_arrays;
+
+#define TS_DOUBLE_SIDED 1u
+#define TS_MASKED 2u
+#define TS_UNLIT 4u
+
+/* The three corners of a triangle and its normal (b - a) x (c - a), not normalised. */
+typedef struct { ts_v3 a, b, c, n; } ts_corners;
+
+TS_FN ts_corners ts_k_corners(const ts_arrays *scene, u32 triangle)
+{
+	TS_GLOBAL const ts_triangle *t = &scene->triangles[triangle];
+	ts_corners r;
+	r.a = ts_load3(scene->vertices[t->vertex[0]].position);
+	r.b = ts_load3(scene->vertices[t->vertex[1]].position);
+	r.c = ts_load3(scene->vertices[t->vertex[2]].position);
+	r.n = ts_cross(ts_sub(r.b, r.a), ts_sub(r.c, r.a));
+	return r;
+}
+
+/* A triangle without area is dropped everywhere (SPEC 0.2.1). */
+TS_FN bool ts_k_is_degenerate(ts_v3 n) { return !(ts_flush(ts_dot(n, n)) > 0.0f); }
+
+/* Seen from the front, or two-sided (SPEC 0.1: never read from screen winding). */
+TS_FN bool ts_k_is_facing(const ts_arrays *scene, u32 triangle, const ts_corners *t, ts_v3 eye)
+{
+	if ((scene->materials[scene->triangles[triangle].material].flags & TS_DOUBLE_SIDED) != 0u) return true;
+	return ts_flush(ts_dot(t->n, ts_sub(eye, t->a))) > 0.0f;
+}
+
+/* The reflector that a triangle belongs to, or TS_NONE. */
+TS_FN u32 ts_k_reflector_of(const ts_arrays *scene, u32 triangle)
+{
+	return scene->objects[scene->vertices[scene->triangles[triangle].vertex[0]].object].reflector;
+}
+
+#endif

@@ -1,0 +1,87 @@
+/* Lighting: emissive + ambient * base * (1 - metallic) + punctual lights through the BRDF of glTF 2.0 appendix B
+ * (GGX, Smith, Schlick, Lambert), unshadowed (SPEC 0.3.1, 0.3.2). */
+#ifndef TS_KERNELS_SHADE_H
+#define TS_KERNELS_SHADE_H
+#include "surface.h"
+
+#define TS_LIGHT_KIND_DIRECTIONAL 0u
+#define TS_LIGHT_KIND_SPOT 2u
+
+/* The colour of what is not there: the same for the eye, rays and empty texels. */
+TS_FN ts_v3 ts_k_background(void)
+{
+	return ts_v3_make(0.20000000298023223876953125f, 0.300000011920928955078125f, 0.5f);
+}
+
+/* KHR_lights_punctual: the way to the light in *l (unit) and what arrives of its intensity. */
+TS_FN f32 ts_k_light(TS_GLOBAL const ts_light *light, ts_v3 p, ts_v3 *l)
+{
+	if (light->kind == TS_LIGHT_KIND_DIRECTIONAL) {
+		*l = ts_neg(ts_load3(light->direction));
+		return 1.0f;
+	}
+	ts_v3 d = ts_sub(ts_load3(light->position), p);
+	f32 d2 = ts_flush(ts_dot(d, d));
+	*l = ts_normalize(d);
+	if (!(d2 > 0.0f)) return 0.0f;
+	f32 arrives = 1.0f / d2;
+	if (light->range > 0.0f) {
+		f32 q = d2 / (light->range * light->range);
+		arrives = arrives * ts_clamp(1.0f - q * q, 0.0f, 1.0f);
+	}
+	if (light->kind == TS_LIGHT_KIND_SPOT) {
+		f32 cosine = -ts_dot(ts_load3(light->direction), *l);
+		f32 cone = ts_clamp(cosine * light->spot_scale + light->spot_offset, 0.0f, 1.0f);
+		arrives = arrives * (cone * cone);
+	}
+	return ts_flush(arrives);
+}
+
+/* BRDF times n.l for one light. v, l, n: unit; n_l > 0. */
+TS_FN ts_v3 ts_k_brdf(const ts_surface *s, ts_v3 n, ts_v3 v, ts_v3 l, f32 n_l)
+{
+	f32 rough = s->roughness * s->roughness;
+	f32 a2 = rough * rough;
+	a2 = ts_max(a2, 0.000003814697265625f); /* a >= 2^-9 */
+	ts_v3 h = ts_normalize(ts_add(l, v));
+	f32 n_v = ts_max(ts_abs(ts_dot(n, v)), 0.0009765625f);
+	f32 n_h = ts_clamp(ts_dot(n, h), 0.0f, 1.0f);
+	f32 v_h = ts_clamp(ts_dot(v, h), 0.0f, 1.0f);
+	f32 t = (n_h * n_h) * (a2 - 1.0f) + 1.0f;
+	f32 d = a2 / ((3.1415927410125732421875f * t) * t);
+	f32 left = n_l * ts_sqrt((n_v * n_v) * (1.0f - a2) + a2);
+	f32 right = n_v * ts_sqrt((n_l * n_l) * (1.0f - a2) + a2);
+	f32 visible = 0.5f / (left + right);
+	f32 x = 1.0f - v_h;
+	f32 x2 = x * x;
+	f32 schlick = ts_flush(x * (x2 * x2));
+	f32 dielectric = 0.039999999105930328369140625f * (1.0f - s->metallic);
+	ts_v3 f0 = ts_mad(ts_v3_make(dielectric, dielectric, dielectric), s->base, s->metallic);
+	ts_v3 one = ts_v3_make(1.0f, 1.0f, 1.0f);
+	ts_v3 f = ts_mad(f0, ts_sub(one, f0), schlick);
+	f32 diffuse = (1.0f - s->metallic) / 3.1415927410125732421875f;
+	ts_v3 lambert = ts_scale(ts_mul(ts_sub(one, f), s->base), diffuse);
+	return ts_scale(ts_mad(lambert, f, d * visible), n_l);
+}
+
+/* Outgoing radiance towards v (unit). Two-sided normals turn to the viewer. */
+TS_FN ts_v3 ts_k_shade(const ts_arrays *scene, const ts_surface *s, ts_v3 v)
+{
+	if ((s->flags & TS_UNLIT) != 0u) return s->base;
+	bool behind = (s->flags & TS_DOUBLE_SIDED) != 0u && ts_dot(s->face, v) < 0.0f;
+	ts_v3 n = behind ? ts_neg(s->n) : s->n;
+	f32 ambient = (scene->ambient * s->occlusion) * (1.0f - s->metallic);
+	ts_v3 sum = ts_mad(s->emissive, s->base, ambient);
+	for (u32 i = 0u; i < scene->n_lights; i++) {
+		TS_GLOBAL const ts_light *light = &scene->lights[i];
+		ts_v3 l;
+		f32 arrives = ts_k_light(light, s->p, &l);
+		f32 n_l = ts_flush(ts_dot(n, l));
+		if (!(n_l > 0.0f) || !(arrives > 0.0f)) continue;
+		ts_v3 brdf = ts_k_brdf(s, n, v, l, n_l);
+		sum = ts_add(sum, ts_mul(ts_scale(ts_load3(light->intensity), arrives), brdf));
+	}
+	return ts_v3_make(ts_flush(sum.x), ts_flush(sum.y), ts_flush(sum.z));
+}
+
+#endif

@@ -1,0 +1,181 @@
+/* The one surface: (triangle, weights of its corners) to position, normal and material, for eye pixels, face texels,
+ * points and ray hits alike (SPEC 0.3.4). A footprint is the width of the sample in world units. */
+#ifndef TS_KERNELS_SURFACE_H
+#define TS_KERNELS_SURFACE_H
+#include "texture.h"
+
+typedef struct {
+	ts_v3 p;     /* position */
+	ts_v3 n;     /* shading normal, unit, on the side of the face normal */
+	ts_v3 face;  /* face normal, unit */
+	ts_v3 base;  /* base colour */
+	ts_v3 emissive;
+	f32 metallic, roughness, occlusion, alpha;
+	u32 flags;   /* of the material */
+} ts_surface;
+
+/* A triangle ready for look-ups at one sample. */
+typedef struct {
+	TS_GLOBAL const ts_vertex *a, *b, *c;
+	TS_GLOBAL const ts_material *material;
+	ts_v3 w;       /* weights */
+	f32 area;      /* |(b - a) x (c - a)| */
+	f32 footprint;
+} ts_sample;
+
+TS_FN ts_sample ts_k_sample(const ts_arrays *scene, u32 triangle, ts_v3 w, ts_v3 normal, f32 footprint)
+{
+	TS_GLOBAL const ts_triangle *t = &scene->triangles[triangle];
+	ts_sample r;
+	r.a = &scene->vertices[t->vertex[0]];
+	r.b = &scene->vertices[t->vertex[1]];
+	r.c = &scene->vertices[t->vertex[2]];
+	r.material = &scene->materials[t->material];
+	r.w = w;
+	r.area = ts_length(normal);
+	r.footprint = footprint;
+	return r;
+}
+
+TS_FN ts_v2 ts_k_slot_uv(TS_GLOBAL const ts_slot *slot, TS_GLOBAL const ts_vertex *v)
+{
+	f32 x = v->uv[slot->uv_set * 2u];
+	f32 y = v->uv[slot->uv_set * 2u + 1u];
+	TS_GLOBAL const f32 *m = slot->transform;
+	f32 s = m[0] * x + m[1] * y;
+	f32 t = m[3] * x + m[4] * y;
+	return ts_v2_make(s + m[2], t + m[5]);
+}
+
+TS_FN ts_rgba ts_k_slot_sample(const ts_arrays *scene, const ts_sample *s, u32 slot_index)
+{
+	TS_GLOBAL const ts_slot *slot = &scene->slots[slot_index];
+	ts_v2 a = ts_k_slot_uv(slot, s->a);
+	ts_v2 b = ts_k_slot_uv(slot, s->b);
+	ts_v2 c = ts_k_slot_uv(slot, s->c);
+	f32 uv_area = ts_abs(ts_diff_of_products(b.x - a.x, c.y - a.y, b.y - a.y, c.x - a.x));
+	u32 lod = ts_k_texture_lod(&scene->images[slot->image], s->footprint, uv_area, s->area);
+	ts_v2 uv = ts_v2_make(ts_blend1(s->w, a.x, b.x, c.x), ts_blend1(s->w, a.y, b.y, c.y));
+	return ts_k_texture_sample(scene, slot, uv, lod);
+}
+
+/* Texture alpha times factor times vertex alpha. */
+TS_FN f32 ts_k_alpha(const ts_arrays *scene, const ts_sample *s)
+{
+	f32 vertex = ts_blend1(s->w, s->a->colour[3], s->b->colour[3], s->c->colour[3]);
+	f32 alpha = s->material->base[3] * vertex;
+	if (s->material->slot[0] == TS_NONE) return alpha;
+	return alpha * ts_k_slot_sample(scene, s, s->material->slot[0]).a;
+}
+
+/* A masked sample with too little alpha is not there (SPEC 0.3.5). */
+TS_FN bool ts_k_is_cut(const ts_arrays *scene, u32 triangle, ts_v3 w, ts_v3 normal, f32 footprint)
+{
+	if ((scene->materials[scene->triangles[triangle].material].flags & TS_MASKED) == 0u) return false;
+	ts_sample s = ts_k_sample(scene, triangle, w, normal, footprint);
+	return ts_k_alpha(scene, &s) < s.material->alpha_cutoff;
+}
+
+/* T from TANGENT, else along which u grows on the triangle; zero where there is neither. w holds the handedness. */
+TS_FN ts_v3 ts_k_tangent(const ts_sample *s, TS_GLOBAL const ts_slot *slot, f32 *handedness)
+{
+	ts_v3 t = ts_blend(s->w, ts_load3(s->a->tangent), ts_load3(s->b->tangent), ts_load3(s->c->tangent));
+	*handedness = s->a->tangent[3] < 0.0f ? -1.0f : 1.0f;
+	if (ts_length(t) > 0.0f) return t;
+	ts_v2 a = ts_k_slot_uv(slot, s->a);
+	ts_v2 b = ts_k_slot_uv(slot, s->b);
+	ts_v2 c = ts_k_slot_uv(slot, s->c);
+	f32 du1 = b.x - a.x;
+	f32 dv1 = b.y - a.y;
+	f32 du2 = c.x - a.x;
+	f32 dv2 = c.y - a.y;
+	f32 det = ts_flush(ts_diff_of_products(du1, dv2, du2, dv1));
+	f32 sign = det < 0.0f ? -1.0f : 1.0f;
+	*handedness = -sign;
+	if (det == 0.0f) return ts_v3_make(0.0f, 0.0f, 0.0f);
+	ts_v3 pa = ts_load3(s->a->position);
+	ts_v3 e1 = ts_sub(ts_load3(s->b->position), pa);
+	ts_v3 e2 = ts_sub(ts_load3(s->c->position), pa);
+	return ts_scale(ts_sub(ts_scale(e1, dv2), ts_scale(e2, dv1)), sign);
+}
+
+/* The normal map's normal in the frame T, B = cross(n, T) * handedness, n. */
+TS_FN ts_v3 ts_k_normal_map(const ts_arrays *scene, const ts_sample *s, ts_v3 n)
+{
+	u32 slot = s->material->slot[2];
+	if (slot == TS_NONE) return n;
+	f32 handedness;
+	ts_v3 t = ts_k_tangent(s, &scene->slots[slot], &handedness);
+	t = ts_normalize(ts_mad(t, n, -ts_dot(n, t)));
+	if (!(ts_length(t) > 0.0f)) return n;
+	ts_v3 b = ts_scale(ts_cross(n, t), handedness);
+	ts_rgba m = ts_k_slot_sample(scene, s, slot);
+	f32 x = (m.r * 2.0f - 1.0f) * s->material->normal_scale;
+	f32 y = (m.g * 2.0f - 1.0f) * s->material->normal_scale;
+	f32 z = m.b * 2.0f - 1.0f;
+	ts_v3 r = ts_normalize(ts_blend(ts_v3_make(x, y, z), t, b, n));
+	return ts_length(r) > 0.0f ? r : n;
+}
+
+/* Position and normals only. */
+TS_FN ts_surface ts_k_surface_geometry(const ts_arrays *scene, const ts_sample *s, ts_v3 normal)
+{
+	ts_surface r;
+	r.p = ts_blend(s->w, ts_load3(s->a->position), ts_load3(s->b->position), ts_load3(s->c->position));
+	r.face = ts_normalize(normal);
+	ts_v3 n = ts_normalize(ts_blend(s->w, ts_load3(s->a->normal), ts_load3(s->b->normal), ts_load3(s->c->normal)));
+	n = ts_length(n) > 0.0f ? n : r.face;
+	r.n = ts_k_normal_map(scene, s, n);
+	return r;
+}
+
+TS_FN void ts_k_surface_material(const ts_arrays *scene, const ts_sample *s, ts_surface *r)
+{
+	TS_GLOBAL const ts_material *m = s->material;
+	ts_v3 colour = ts_blend(s->w, ts_load3(s->a->colour), ts_load3(s->b->colour), ts_load3(s->c->colour));
+	r->base = ts_mul(ts_load3(m->base), colour);
+	r->alpha = ts_k_alpha(scene, s);
+	r->emissive = ts_load3(m->emissive);
+	r->metallic = m->metallic;
+	r->roughness = m->roughness;
+	r->occlusion = 1.0f;
+	r->flags = m->flags;
+	if (m->slot[0] != TS_NONE) {
+		ts_rgba t = ts_k_slot_sample(scene, s, m->slot[0]);
+		r->base = ts_mul(r->base, ts_v3_make(t.r, t.g, t.b));
+	}
+	if (m->slot[1] != TS_NONE) {
+		ts_rgba t = ts_k_slot_sample(scene, s, m->slot[1]);
+		r->roughness = r->roughness * t.g;
+		r->metallic = r->metallic * t.b;
+	}
+	if (m->slot[3] != TS_NONE) {
+		ts_rgba t = ts_k_slot_sample(scene, s, m->slot[3]);
+		r->occlusion = 1.0f + m->occlusion * (t.r - 1.0f);
+	}
+	if (m->slot[4] != TS_NONE) {
+		ts_rgba t = ts_k_slot_sample(scene, s, m->slot[4]);
+		r->emissive = ts_mul(r->emissive, ts_v3_make(t.r, t.g, t.b));
+	}
+}
+
+/* Everything. w: weights of the corners, not negative, sum 1. */
+TS_FN ts_surface ts_k_surface(const ts_arrays *scene, u32 triangle, ts_v3 w, f32 footprint)
+{
+	ts_corners t = ts_k_corners(scene, triangle);
+	ts_sample s = ts_k_sample(scene, triangle, w, t.n, footprint);
+	ts_surface r = ts_k_surface_geometry(scene, &s, t.n);
+	ts_k_surface_material(scene, &s, &r);
+	return r;
+}
+
+/* Footprint of a pixel `width` world units wide at this depth, on a surface seen at this slant: width / sqrt |cos|,
+ * |cos| >= 2^-6. d: from the eye to the surface; n: the triangle's normal, any length. */
+TS_FN f32 ts_k_footprint(f32 width, ts_v3 d, ts_v3 n)
+{
+	f32 lengths = ts_length(d) * ts_length(n);
+	f32 cosine = lengths > 0.0f ? ts_abs(ts_dot(d, n)) / lengths : 1.0f;
+	return width / ts_sqrt(ts_max(cosine, 0.015625f));
+}
+
+#endif

@@ -1,0 +1,122 @@
+/* Textures: fixed-point bilinear weights, trilinear between two mip levels, an exact rule for the level (SPEC 0.3.3).
+ * Texels are linear, 16 bits a channel, four channels in a u64, red lowest. */
+#ifndef TS_KERNELS_TEXTURE_H
+#define TS_KERNELS_TEXTURE_H
+#include "scene.h"
+
+typedef struct { f32 r, g, b, a; } ts_rgba;
+typedef struct { u32 r, g, b, a; } ts_rgba16;
+
+#define TS_REPEAT 0u
+#define TS_MIRROR 1u
+#define TS_CLAMP 2u
+
+/* u in turns of the image to [0, 1], before scaling. */
+TS_FN f32 ts_k_texture_wrap(f32 u, u32 wrap)
+{
+	if (wrap == TS_CLAMP) return ts_clamp(u, 0.0f, 1.0f);
+	if (wrap == TS_REPEAT) return u - ts_floor(u);
+	f32 turns = u * 0.5f;
+	f32 pairs = ts_floor(turns) * 2.0f;
+	f32 t = u - pairs;
+	return t > 1.0f ? 2.0f - t : t;
+}
+
+/* A neighbour one texel outside, by the same rule. */
+TS_FN u32 ts_k_texture_neighbour(i32 i, i32 n, u32 wrap)
+{
+	if (wrap == TS_REPEAT) return (u32)(i < 0 ? n - 1 : i >= n ? i - n : i);
+	return (u32)ts_min_i32(ts_max_i32(i, 0), n - 1);
+}
+
+TS_FN ts_rgba16 ts_k_texture_unpack(u64 t)
+{
+	ts_rgba16 r;
+	r.r = (u32)(t & 0xffffu);
+	r.g = (u32)((t >> 16) & 0xffffu);
+	r.b = (u32)((t >> 32) & 0xffffu);
+	r.a = (u32)(t >> 48);
+	return r;
+}
+
+/* Weights sum to 65536; 65536 * 65535 + 32768 fits 32 bits. */
+TS_FN u32 ts_k_texture_mix4(u32 a, u32 b, u32 c, u32 d, u32 fx, u32 fy)
+{
+	u32 top = a * ((256u - fx) * (256u - fy)) + b * (fx * (256u - fy));
+	u32 low = c * ((256u - fx) * fy) + d * (fx * fy);
+	return (top + low + 32768u) >> 16;
+}
+
+TS_FN ts_rgba16 ts_k_texture_bilinear(TS_GLOBAL const u64 *level, u32 width, u32 height, ts_v2 uv,
+                                      TS_GLOBAL const u32 *wrap)
+{
+	i32 x = ts_fix(uv.x * (f32)width, 8, 30) - 128;
+	i32 y = ts_fix(uv.y * (f32)height, 8, 30) - 128;
+	u32 fx = (u32)x & 255u;
+	u32 fy = (u32)y & 255u;
+	u64 x0 = ts_k_texture_neighbour(x >> 8, (i32)width, wrap[0]);
+	u64 x1 = ts_k_texture_neighbour((x >> 8) + 1, (i32)width, wrap[0]);
+	u64 y0 = (u64)ts_k_texture_neighbour(y >> 8, (i32)height, wrap[1]) * width;
+	u64 y1 = (u64)ts_k_texture_neighbour((y >> 8) + 1, (i32)height, wrap[1]) * width;
+	ts_rgba16 a = ts_k_texture_unpack(level[y0 + x0]);
+	ts_rgba16 b = ts_k_texture_unpack(level[y0 + x1]);
+	ts_rgba16 c = ts_k_texture_unpack(level[y1 + x0]);
+	ts_rgba16 d = ts_k_texture_unpack(level[y1 + x1]);
+	ts_rgba16 r;
+	r.r = ts_k_texture_mix4(a.r, b.r, c.r, d.r, fx, fy);
+	r.g = ts_k_texture_mix4(a.g, b.g, c.g, d.g, fx, fy);
+	r.b = ts_k_texture_mix4(a.b, b.b, c.b, d.b, fx, fy);
+	r.a = ts_k_texture_mix4(a.a, b.a, c.a, d.a, fx, fy);
+	return r;
+}
+
+TS_FN u32 ts_k_texture_mix2(u32 a, u32 b, u32 f) { return (a * (256u - f) + b * f + 128u) >> 8; }
+
+/* lod: level in 1/256. */
+TS_FN ts_rgba ts_k_texture_sample(const ts_arrays *scene, TS_GLOBAL const ts_slot *slot, ts_v2 uv, u32 lod)
+{
+	TS_GLOBAL const ts_image *image = &scene->images[slot->image];
+	TS_GLOBAL const u64 *level = scene->texels + image->first_texel;
+	u32 width = image->width;
+	u32 height = image->height;
+	u32 last = (image->n_levels - 1u) * 256u;
+	lod = lod > last ? last : lod;
+	uv = ts_v2_make(ts_k_texture_wrap(uv.x, slot->wrap[0]), ts_k_texture_wrap(uv.y, slot->wrap[1]));
+	for (u32 l = lod >> 8; l != 0u; l--) {
+		level += (u64)width * height;
+		width = width > 1u ? width >> 1 : 1u;
+		height = height > 1u ? height >> 1 : 1u;
+	}
+	ts_rgba16 t = ts_k_texture_bilinear(level, width, height, uv, slot->wrap);
+	u32 f = lod & 255u;
+	if (f != 0u) {
+		level += (u64)width * height;
+		width = width > 1u ? width >> 1 : 1u;
+		height = height > 1u ? height >> 1 : 1u;
+		ts_rgba16 next = ts_k_texture_bilinear(level, width, height, uv, slot->wrap);
+		t.r = ts_k_texture_mix2(t.r, next.r, f);
+		t.g = ts_k_texture_mix2(t.g, next.g, f);
+		t.b = ts_k_texture_mix2(t.b, next.b, f);
+		t.a = ts_k_texture_mix2(t.a, next.a, f);
+	}
+	f32 unit = 0.00001525902189314365386962890625f; /* 1/65535 */
+	ts_rgba r;
+	r.r = (f32)t.r * unit;
+	r.g = (f32)t.g * unit;
+	r.b = (f32)t.b * unit;
+	r.a = (f32)t.a * unit;
+	return r;
+}
+
+/* One half log2 of the texels that a footprint of `footprint` world units covers, in 1/256 of a level:
+ * K = footprint^2 W H A_uv / A_ws, isotropic, one value a sample. area is |(b-a) x (c-a)|, uv_area its image in uv. */
+TS_FN u32 ts_k_texture_lod(TS_GLOBAL const ts_image *image, f32 footprint, f32 uv_area, f32 area)
+{
+	f32 texels = (f32)image->width * (f32)image->height;
+	f32 density = texels * (uv_area / area);
+	f32 k = (footprint * footprint) * density;
+	f32 level = 0.5f * ts_log2(ts_max(1.0f, k));
+	return (u32)ts_fix(level, 8, 12);
+}
+
+#endif
