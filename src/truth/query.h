@@ -1,0 +1,30 @@
+/* One ray into Embree's tree: what reflect.c asks of embree.c. */
+#ifndef TS_TRUTH_QUERY_H
+#define TS_TRUTH_QUERY_H
+#include "../kernels/hit.h"
+#include "truth.h"
+
+/* A leg of a light path that began at the eye. The footprint of a hit q is spread * (path + |from - q|), world units. */
+typedef struct {
+	ts_v3 origin, direction; /* world; the direction is unit, or zero: nothing is hit */
+	f32 near;                /* no hit before this, world units */
+	u32 masked;              /* reflector whose triangles let the ray pass, or TS_NONE */
+	ts_v3 from;              /* surface point at which this leg leaves, even if the ray starts at a cube's centre */
+	f32 path;                /* length of the legs before it */
+	f32 spread;              /* footprint of one unit of length: 1 / focal length in pixels; 0: finest level */
+} ts_truth_query;
+
+typedef struct {
+	u32 triangle;  /* TS_NONE: nothing was hit, and the other fields are 0 */
+	f32 t;         /* world units */
+	ts_v3 weights; /* barycentrics */
+	f32 footprint; /* world units */
+	f32 path;      /* |from - q| added to the query's */
+} ts_truth_hit;
+
+/* The arrays that the tree was built from. */
+const ts_arrays *ts_truth_scene(const ts_truth *truth);
+/* The nearest hit that no filter rejects. Safe to call from any number of threads. */
+ts_truth_hit ts_truth_cast(const ts_truth *truth, const ts_truth_query *query);
+
+#endif

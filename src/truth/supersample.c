@@ -1,0 +1,78 @@
+/* Truth C: MVR at several times the linear resolution of eye and cubes, box-filtered in linear radiance (SPEC 6, and the
+ * EPR paper's own reference). The scene is the same object, so mirrors keep their places and sizes. */
+#include <stdio.h>
+#include <stdlib.h>
+#include "../kernels/num.h"
+#include "../pipelines/pipeline.h"
+#include "truth.h"
+
+enum { MAX_FACTOR = 16 };
+
+/* The parameter times the factor, within the range that params.def gives it. */
+static ts_status enlarge(ts_params *params, const char *name, u32 value, u32 factor)
+{
+	char text[24];
+	snprintf(text, sizeof(text), "%llu", (unsigned long long)value * factor);
+	return ts_params_set(params, name, text);
+}
+
+static ts_status enlarge_all(ts_params *big, const ts_params *params, u32 factor)
+{
+	*big = *params;
+	if (enlarge(big, "width", params->width, factor) || enlarge(big, "height", params->height, factor) ||
+	    enlarge(big, "face_max", params->face_max, factor) || enlarge(big, "face_px", params->face_px, factor) ||
+	    enlarge(big, "hysteresis", params->hysteresis, factor))
+		return TS_ERROR;
+	return TS_OK;
+}
+
+static ts_status check_memory(const ts_pipeline *mvr, const ts_scene *scene, const ts_params *big, u32 factor)
+{
+	u64 limit = ts_memory_total() / 4 * 3;
+	u64 need = ts_pipeline_estimate(mvr, scene, big);
+	if (need <= limit) return TS_OK;
+	return ts_fail("truth C: %u times %u x %u needs about %llu MiB and may use %llu: a smaller factor or image would do",
+	               factor, big->width / factor, big->height / factor, (unsigned long long)(need >> 20),
+	               (unsigned long long)(limit >> 20));
+}
+
+/* One pixel of `width`: the mean of factor x factor pixels, row by row. */
+static void box(f32 *out, const f32 *in, u64 x, u64 y, u64 width, u64 factor)
+{
+	double sum[3] = { 0, 0, 0 };
+	for (u64 j = 0; j < factor; j++) {
+		const f32 *row = in + ((y * factor + j) * width * factor + x * factor) * 3;
+		for (u64 i = 0; i < factor * 3; i++) sum[i % 3] += (double)row[i];
+	}
+	for (u32 i = 0; i < 3; i++) out[i] = ts_put((f32)(sum[i] / (double)(factor * factor)));
+}
+
+static ts_status shrink(f32 **radiance, const ts_frame *frame, const ts_params *params, u32 factor, u32 threads)
+{
+	u32 width = params->width, height = params->height;
+	const f32 *in = ts_frame_data(frame, TS_B_image_radiance);
+	f32 *out = ts_alloc((size_t)width * height * 3, sizeof(f32), "truth C");
+	if (out == NULL) return TS_ERROR;
+#pragma omp parallel for num_threads((int)threads) schedule(static)
+	for (u32 y = 0; y < height; y++)
+		for (u32 x = 0; x < width; x++) box(out + ((size_t)y * width + x) * 3, in, x, y, width, factor);
+	*radiance = out;
+	return TS_OK;
+}
+
+ts_status ts_truth_c(f32 **radiance, const ts_scene *scene, const ts_params *params, u32 factor, u32 threads)
+{
+	*radiance = NULL;
+	if (factor < 1 || factor > MAX_FACTOR)
+		return ts_fail("truth C: factor %u: 1 to %u would be right", factor, (unsigned)MAX_FACTOR);
+	ts_params big;
+	const ts_pipeline *mvr = ts_pipeline_find("reflections", "mvr");
+	if (mvr == NULL) return ts_fail("truth C: there is no method mvr for reflections");
+	if (enlarge_all(&big, params, factor) || check_memory(mvr, scene, &big, factor)) return TS_ERROR;
+	ts_run run;
+	ts_run_begin(&run, scene, &big, threads > 0 ? threads : 1);
+	ts_status status = mvr->run(&run);
+	if (status == TS_OK) status = shrink(radiance, &run.frame, params, factor, run.threads);
+	ts_run_end(&run);
+	return status;
+}
