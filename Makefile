@@ -1,0 +1,194 @@
+# touchstone. `make help` lists the targets.
+MAKEFLAGS += -r
+.SUFFIXES:
+.DELETE_ON_ERROR:
+.SECONDARY:
+.DEFAULT_GOAL := all
+
+config ?= release
+V ?= 0
+ifeq ($(origin CC),default)
+CC := gcc
+endif
+ifeq ($(origin CXX),default)
+CXX := g++
+endif
+PREFIX ?= /usr/local
+DESTDIR ?=
+PKG_CONFIG ?= pkg-config
+JOBS ?= $(shell nproc)
+ifeq ($(MAKELEVEL),0)
+MAKEFLAGS += -j$(JOBS)
+endif
+
+# Configurations. OPT may be set: make OPT=-O0, make OPT="-O3 -march=native".
+SANITIZE := -O1 -g -fno-omit-frame-pointer -fsanitize
+ifeq ($(config),release)
+OPT ?= -O3
+else ifeq ($(config),debug)
+OPT ?= -Og -g
+else ifeq ($(config),native)
+OPT ?= -O3 -march=native
+else ifeq ($(config),asan)
+OPT ?= $(SANITIZE)=address
+else ifeq ($(config),ubsan)
+OPT ?= $(SANITIZE)=undefined -fno-sanitize-recover=all
+else ifeq ($(config),tsan)
+# gcc's libgomp is not instrumented: clang's libomp tells the sanitizer its barriers through Archer.
+CC := clang
+CXX := clang++
+OPT ?= $(SANITIZE)=thread
+else ifeq ($(config),coverage)
+OPT ?= -O0 -g --coverage
+else
+$(error config=$(config): one of release debug native asan ubsan tsan coverage)
+endif
+BUILD ?= build/$(config)
+
+# The numeric contract: these come after the user's flags.
+WARN := -Wall -Wextra -Wshadow -Werror
+EXACT := -ffp-contract=off -fno-math-errno -fno-trapping-math
+COMMON = $(OPT) $(EXACT) -fPIC -fopenmp $(WARN) -Iinclude -MMD -MP
+C_FLAGS = $(CPPFLAGS) $(CFLAGS) -std=c11 -D_POSIX_C_SOURCE=200809L $(COMMON)
+CXX_FLAGS = $(CPPFLAGS) $(CXXFLAGS) -std=c++17 $(COMMON)
+LINK_FLAGS = $(LDFLAGS) $(OPT) -fopenmp
+
+# Libraries. Embree brings no pkg-config file.
+EMBREE := $(shell for v in 4 3; do echo "\#include <embree$$v/rtcore.h>" | $(CC) -E -x c - >/dev/null 2>&1 && echo $$v && break; done)
+packages = $(shell $(PKG_CONFIG) $(1) $(2) 2>/dev/null)
+CPP_LIBS := -DTS_EMBREE=$(EMBREE) $(call packages,--cflags,OpenImageIO jansson libcrypto tinygltf)
+LIBS := -lembree$(EMBREE) $(call packages,--libs,OpenImageIO jansson libcrypto) $(call packages,--libs,tinygltf)
+CORE_LIBS = -lcrypto
+
+# Sources, by folder.
+LIB_C := $(filter-out src/cli/%,$(wildcard src/*/*.c src/*/*/*.c))
+LIB_CC := $(wildcard src/*/*.cc)
+CLI_C := $(filter-out src/cli/core_main.c,$(wildcard src/cli/*.c))
+CORE_C := $(wildcard src/core/*.c src/backends/c/*.c src/stages/*.c src/pipelines/*.c) \
+	$(filter-out src/scene/open.c,$(wildcard src/scene/*.c)) \
+	$(wildcard $(patsubst %,src/cli/%.c,core_main command digest help nearest options))
+TEST_C := $(filter-out tests/fuzz/%,$(wildcard tests/*/*.c))
+
+object = $(patsubst %,$(BUILD)/obj/%.o,$(1))
+LIB_O := $(call object,$(LIB_C) $(LIB_CC))
+CLI_O := $(call object,$(CLI_C))
+CORE_O := $(call object,$(CORE_C))
+TESTS := $(TEST_C:tests/%.c=$(BUILD)/tests/%)
+ALL_O := $(sort $(LIB_O) $(CLI_O) $(CORE_O) $(call object,$(TEST_C)))
+
+ifeq ($(V),0)
+Q := @
+say = @echo "  $(1)	$(2)"
+endif
+
+##   all (default)      library, shared library and the command: build/touchstone
+all: $(BUILD)/libtouchstone.a $(BUILD)/libtouchstone.so $(BUILD)/touchstone
+	$(Q)ln -sfn $(patsubst build/%,%,$(BUILD))/touchstone build/touchstone
+
+$(BUILD)/libtouchstone.a: $(LIB_O)
+	$(call say,AR,$@)
+	$(Q)rm -f $@ && $(AR) rcs $@ $^
+
+$(BUILD)/libtouchstone.so: $(LIB_O)
+	$(call say,LINK,$@)
+	$(Q)$(CXX) $(LINK_FLAGS) -shared -Wl,-soname,libtouchstone.so.0 $^ $(LIBS) -o $@
+
+$(BUILD)/touchstone: $(CLI_O) $(BUILD)/libtouchstone.a
+	$(call say,LINK,$@)
+	$(Q)$(CXX) $(LINK_FLAGS) $^ $(LIBS) -o $@
+
+##   core               static command that digests built-in scenes: build/core/touchstone-core
+CORE_BUILD ?= $(if $(filter command%,$(origin BUILD)),$(BUILD),build/core)
+# clang's OpenMP runtime has no static library.
+CORE_STATIC = $(if $(findstring clang,$(CC)),,-static)
+core:
+	$(Q)$(MAKE) --no-print-directory BUILD=$(CORE_BUILD) $(CORE_BUILD)/touchstone-core
+
+# Static libcrypto warns that name look-up needs shared libraries; nothing here looks names up.
+$(BUILD)/touchstone-core: $(CORE_O)
+	$(call say,LINK,$@)
+	$(Q)$(CC) $(LINK_FLAGS) $(CORE_STATIC) -Wl,--no-warnings $^ $(CORE_LIBS) -o $@
+
+# Objects are made again when the compiler or its flags change.
+$(BUILD)/flags: FORCE
+	$(Q)mkdir -p $(@D)
+	$(Q)echo '$(CC) $(CXX) $(C_FLAGS) $(CXX_FLAGS) $(CPP_LIBS)' | cmp -s - $@ || \
+		echo '$(CC) $(CXX) $(C_FLAGS) $(CXX_FLAGS) $(CPP_LIBS)' > $@
+
+$(BUILD)/obj/%.c.o: %.c $(BUILD)/flags
+	$(call say,CC,$<)
+	$(Q)mkdir -p $(@D)
+	$(Q)$(CC) $(C_FLAGS) $(CPP_LIBS) -c $< -o $@
+
+$(BUILD)/obj/%.cc.o: %.cc $(BUILD)/flags
+	$(call say,CXX,$<)
+	$(Q)mkdir -p $(@D)
+	$(Q)$(CXX) $(CXX_FLAGS) $(CPP_LIBS) -c $< -o $@
+
+-include $(ALL_O:.o=.d)
+
+##   demo               install what is missing, build, render the mirrors of the atrium
+demo: deps
+	$(Q)$(MAKE) --no-print-directory all
+	build/touchstone render reflections atrium --method all --size 960x540 -o out/demo --force
+
+##   test               install what is missing, build, run every test; also with config=asan|ubsan|tsan
+test: deps
+	$(Q)$(MAKE) --no-print-directory all tests
+	$(Q)CC='$(CC)' CXX='$(CXX)' BUILD='$(BUILD)' scripts/run-tests $(T)
+
+tests: $(TESTS)
+
+$(BUILD)/tests/%: $(BUILD)/obj/tests/%.c.o $(BUILD)/libtouchstone.a
+	$(call say,LINK,$@)
+	$(Q)mkdir -p $(@D)
+	$(Q)$(CXX) $(LINK_FLAGS) $^ $(LIBS) -lcmocka $(TEST_LIBS) -o $@
+
+$(BUILD)/tests/kernels/opencl_compile: TEST_LIBS = $(call packages,--libs,OpenCL)
+
+##   matrix             compilers x optimisation x threads x denormals x architectures: one digest list
+##   matrix-short       the part of it that .ci/run runs
+matrix matrix-short:
+	$(Q)scripts/install-deps --matrix
+	$(Q)scripts/matrix $(if $(filter matrix-short,$@),--short)
+
+##   bench              the papers' tables, measured here
+bench: all
+	build/touchstone bench epr-1
+	build/touchstone bench epr-2
+
+##   style              the checks of the source text
+##   format             clang-format of the C and C++ sources
+style:
+	$(Q)scripts/style-check
+	$(Q)scripts/lint-kernels
+format:
+	clang-format -i $(shell git ls-files '*.c' '*.h' '*.cc')
+
+deps:
+	$(Q)scripts/install-deps
+
+##   install uninstall  under DESTDIR/PREFIX, PREFIX=/usr/local
+TO := $(DESTDIR)$(PREFIX)
+install: all
+	install -d $(TO)/bin $(TO)/lib $(TO)/include/touchstone
+	install -m 755 $(BUILD)/touchstone $(TO)/bin/touchstone
+	install -m 644 $(BUILD)/libtouchstone.a $(TO)/lib/libtouchstone.a
+	install -m 755 $(BUILD)/libtouchstone.so $(TO)/lib/libtouchstone.so.0
+	ln -sfn libtouchstone.so.0 $(TO)/lib/libtouchstone.so
+	install -m 644 $(wildcard include/touchstone/*) $(TO)/include/touchstone
+uninstall:
+	rm -f $(TO)/bin/touchstone $(TO)/lib/libtouchstone.a $(TO)/lib/libtouchstone.so $(TO)/lib/libtouchstone.so.0
+	rm -rf $(TO)/include/touchstone
+
+##   clean              removes build/
+clean:
+	rm -rf build
+
+##   help               this list
+help:
+	@echo "make [TARGET] [config=release|debug|native|asan|ubsan|tsan|coverage] [CC= CXX= CFLAGS= OPT= V=1 JOBS=N]"
+	@sed -n 's/^##//p' $(firstword $(MAKEFILE_LIST))
+
+FORCE:
+.PHONY: all core demo test tests matrix matrix-short bench style format deps install uninstall clean help FORCE
