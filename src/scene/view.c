@@ -1,0 +1,60 @@
+/* The eye: a camera of the scene, or on an ellipse around the middle of the scene's box (SPEC 0.3.8, 0.3.9). */
+#include "view.h"
+
+#define FRAMES_A_TURN 240u
+#define EYE_HEIGHT 0.35f    /* of the box, above its floor: inside a room the picture is that of a visitor */
+#define TARGET_HEIGHT 0.3f
+
+ts_v3 ts_view_half_box(const ts_scene *scene)
+{
+	ts_v3 half = ts_scale(ts_sub(ts_load3(scene->box_max), ts_load3(scene->box_min)), 0.5f);
+	f32 greatest = ts_max(ts_max(half.x, half.y), half.z);
+	f32 least = greatest > 0.0f ? greatest * 0.125f : 1.0f;
+	return ts_max3(half, ts_v3_make(least, least, least));
+}
+
+static void look_at(ts_view *view, ts_v3 eye, ts_v3 target)
+{
+	ts_v3 back = ts_normalize(ts_sub(eye, target));
+	ts_v3 right = ts_normalize(ts_cross(ts_v3_make(0.0f, 1.0f, 0.0f), back));
+	ts_store3(view->eye, eye);
+	ts_store3(view->right, right);
+	ts_store3(view->up, ts_normalize(ts_cross(back, right)));
+	ts_store3(view->back, back);
+}
+
+static void circle(ts_view *view, const ts_scene *scene, const ts_params *params)
+{
+	ts_v3 half = ts_view_half_box(scene);
+	ts_v3 low = ts_load3(scene->box_min);
+	ts_v3 middle = ts_scale(ts_add(low, ts_load3(scene->box_max)), 0.5f);
+	f32 factor = params->eye == TS_EYE_NEAR ? 0.35f : 0.9f;
+	f32 turns = (f32)(params->frame % FRAMES_A_TURN) / (f32)FRAMES_A_TURN;
+	f32 across = half.x * factor;
+	f32 along = half.z * factor;
+	f32 height = half.y + half.y;
+	ts_v3 eye = ts_v3_make(middle.x + across * ts_cos_turn(turns), low.y + height * EYE_HEIGHT,
+	                       middle.z + along * ts_sin_turn(turns));
+	look_at(view, eye, ts_v3_make(middle.x, low.y + height * TARGET_HEIGHT, middle.z));
+}
+
+void ts_view_eye(ts_view *view, const ts_scene *scene, const ts_params *params)
+{
+	f32 yfov = 0.0f;
+	if (scene->camera != TS_NONE) {
+		const ts_camera *camera = &scene->cameras[scene->camera];
+		ts_store3(view->eye, ts_load3(camera->eye));
+		ts_store3(view->right, ts_load3(camera->right));
+		ts_store3(view->up, ts_load3(camera->up));
+		ts_store3(view->back, ts_load3(camera->back));
+		yfov = camera->yfov;
+	} else {
+		circle(view, scene, params);
+	}
+	f32 half_turns = yfov > 0.0f ? yfov * 0.5f : params->fov / 720.0f;
+	f32 height = (f32)params->height * ts_cos_turn(half_turns);
+	view->width = params->width;
+	view->height = params->height;
+	view->focal = ts_put(height / (2.0f * ts_sin_turn(half_turns)));
+	view->near = ts_put(ts_length(ts_view_half_box(scene)) * 0.0009765625f);
+}
