@@ -1,0 +1,141 @@
+/* `touchstone info`: what was loaded, and what in the file was not understood, as text or JSON. */
+#include "../core/core.h"
+#include "../kernels/num.h"
+#include "scene.h"
+#include <inttypes.h>
+#include <jansson.h>
+
+static uint64_t scene_bytes(const ts_scene *s)
+{
+	return s->n_vertices * (u64)sizeof *s->vertices + s->n_triangles * (u64)sizeof *s->triangles +
+	       s->n_materials * (u64)sizeof *s->materials + s->n_slots * (u64)sizeof *s->slots +
+	       s->n_images * (u64)sizeof *s->images + s->n_texels * sizeof *s->texels +
+	       s->n_lights * (u64)sizeof *s->lights + s->n_objects * (u64)sizeof *s->objects;
+}
+
+/* Every figure once, for both formats. */
+typedef struct { const char *name; uint64_t value; const char *doc; } figure;
+enum { N_FIGURES = 13 };
+
+static void figures_of(figure *f, const ts_scene *s)
+{
+	const figure all[N_FIGURES] = {
+		{"triangles", s->n_triangles, "with the added mirrors"},
+		{"triangles_own", s->n_triangles_file, "without them"},
+		{"triangles_degenerate", s->n_degenerate, "of these; they have no area and are dropped"},
+		{"vertices", s->n_vertices, ""},
+		{"objects", s->n_objects, "the static scene and what moves or mirrors"},
+		{"reflectors", s->n_reflectors, ""},
+		{"materials", s->n_materials, ""},
+		{"texture_references", s->n_slots, ""},
+		{"images", s->n_images, ""},
+		{"texels", s->n_texels, "with mip levels"},
+		{"lights", s->n_lights, ""},
+		{"cameras", s->n_cameras, ""},
+		{"bytes", scene_bytes(s), "of the scene's arrays"},
+	};
+	memcpy(f, all, sizeof all);
+}
+
+static const char *const light_kinds[] = {"directional", "point", "spot"};
+
+static json_t *json_floats(const f32 *values, size_t n)
+{
+	json_t *array = json_array();
+	for (size_t i = 0; i < n; i++) json_array_append_new(array, json_real((double)values[i]));
+	return array;
+}
+
+static json_t *json_lights(const ts_scene *s)
+{
+	json_t *array = json_array();
+	for (u32 i = 0; i < s->n_lights; i++) {
+		const ts_light *l = &s->lights[i];
+		json_array_append_new(array, json_pack("{s:s, s:o, s:o, s:o}", "kind", light_kinds[l->kind], "position",
+		                                       json_floats(l->position, 3), "direction", json_floats(l->direction, 3),
+		                                       "intensity", json_floats(l->intensity, 3)));
+	}
+	return array;
+}
+
+/* Text from a file may hold any bytes; JSON holds UTF-8 only. */
+static json_t *json_text(const char *text)
+{
+	json_t *string = json_string(text);
+	return string ? string : json_string("(not UTF-8)");
+}
+
+static json_t *json_of(const ts_scene *s)
+{
+	figure f[N_FIGURES];
+	json_t *root = json_object();
+	json_t *cameras = json_array();
+	json_t *notes = json_array();
+	figures_of(f, s);
+	json_object_set_new(root, "scene", json_text(s->name));
+	for (size_t i = 0; i < N_FIGURES; i++)
+		json_object_set_new(root, f[i].name, json_integer((json_int_t)f[i].value));
+	json_object_set_new(root, "box_min", json_floats(s->box_min, 3));
+	json_object_set_new(root, "box_max", json_floats(s->box_max, 3));
+	json_object_set_new(root, "ambient", json_real((double)s->ambient));
+	json_object_set_new(root, "light", json_lights(s));
+	for (u32 i = 0; i < s->n_cameras; i++) json_array_append_new(cameras, json_text(s->cameras[i].name));
+	for (u32 i = 0; i < s->n_notes; i++) json_array_append_new(notes, json_text(s->notes[i]));
+	json_object_set_new(root, "camera", cameras);
+	json_object_set_new(root, "eye", s->camera == TS_NONE ? json_string("circling") : json_integer(s->camera));
+	json_object_set_new(root, "notes", notes);
+	return root;
+}
+
+static ts_status print_json(const ts_scene *scene, FILE *out)
+{
+	json_t *root = json_of(scene);
+	int failed = json_dumpf(root, out, JSON_INDENT(2) | JSON_REAL_PRECISION(9));
+	json_decref(root);
+	if (failed) return ts_fail("%s: its description could not be written as JSON", scene->name);
+	fputc('\n', out);
+	return TS_OK;
+}
+
+/* Names come from files: no control characters reach a terminal. */
+static void print_name(FILE *out, const char *name)
+{
+	for (const unsigned char *c = (const unsigned char *)name; *c; c++) fputc(*c < 32 || *c == 127 ? '?' : *c, out);
+}
+
+static void print_text(const ts_scene *s, FILE *out)
+{
+	figure f[N_FIGURES];
+	figures_of(f, s);
+	print_name(out, s->name);
+	fputc('\n', out);
+	for (size_t i = 0; i < N_FIGURES; i++)
+		fprintf(out, "  %-21s %12" PRIu64 "%s%s\n", f[i].name, f[i].value, *f[i].doc ? "  " : "", f[i].doc);
+	for (int k = 0; k < 3; k++)
+		fprintf(out, "  box %c                 %g to %g\n", "xyz"[k], (double)s->box_min[k], (double)s->box_max[k]);
+	fprintf(out, "  ambient               %g\n", (double)s->ambient);
+	for (u32 i = 0; i < s->n_lights; i++) {
+		const ts_light *l = &s->lights[i];
+		fprintf(out, "  light %-4u            %s, intensity %g %g %g\n", i, light_kinds[l->kind], (double)l->intensity[0],
+		        (double)l->intensity[1], (double)l->intensity[2]);
+	}
+	for (u32 i = 0; i < s->n_cameras; i++) {
+		fprintf(out, "  camera %-4u           ", i);
+		print_name(out, s->cameras[i].name);
+		fprintf(out, "%s\n", i == s->camera ? " (chosen)" : "");
+	}
+	if (s->camera == TS_NONE) fputs("  eye                   circling\n", out);
+	for (u32 i = 0; i < s->n_notes; i++) fprintf(out, "  note: %s\n", s->notes[i]);
+}
+
+ts_status ts_scene_print(const ts_scene *scene, FILE *out, int json)
+{
+	ts_status status = TS_OK;
+	if (json)
+		status = print_json(scene, out);
+	else
+		print_text(scene, out);
+	if (status == TS_OK && (fflush(out) != 0 || ferror(out)))
+		return ts_fail("%s: its description could not be written; is the disk full?", scene->name);
+	return status;
+}
