@@ -128,7 +128,8 @@ u32 ts_truth_ray(const ts_truth *truth, const f32 origin[3], const f32 direction
 static void on_error(void *user, enum RTCError code, const char *text)
 {
 	ts_truth *truth = user;
-	if (truth->error[0] == 0) snprintf(truth->error, sizeof(truth->error), "error %d, %s", (int)code, text ? text : "");
+	if (truth->error[0] != 0) return;
+	snprintf(truth->error, sizeof(truth->error), "error %d, %s", (int)code, text != NULL ? text : "no text");
 }
 
 /* Refuses what would take Embree beyond its share of the machine. */
@@ -141,9 +142,10 @@ static bool on_memory(void *user, ssize_t bytes, bool post)
 
 static ts_status check(const ts_truth *truth, const char *doing)
 {
-	if (truth->device != NULL && rtcGetDeviceError(truth->device) == RTC_ERROR_NONE && truth->error[0] == 0) return TS_OK;
+	bool failed = truth->device == NULL || rtcGetDeviceError(truth->device) != RTC_ERROR_NONE || truth->error[0] != 0;
+	if (!failed) return TS_OK;
 	return ts_fail("truth: Embree failed while %s: %s; it may use %lld MiB here", doing,
-	               truth->error[0] ? truth->error : "no reason given", (long long)(truth->max_bytes >> 20));
+	               truth->error[0] != 0 ? truth->error : "no reason given", (long long)(truth->max_bytes >> 20));
 }
 
 static bool needs_filter(const ts_truth *truth, u32 triangle)

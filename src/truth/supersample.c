@@ -1,5 +1,5 @@
-/* Truth C: MVR at several times the linear resolution of eye and cubes, box-filtered in linear radiance (SPEC 6, and the
- * EPR paper's own reference). The scene is the same object, so mirrors keep their places and sizes. */
+/* Truth C: MVR at several times the linear resolution of eye and cubes, box-filtered in linear radiance (SPEC 6; the
+ * reference of the EPR paper). The scene is the same object, so mirrors keep their places and sizes. */
 #include <stdio.h>
 #include <stdlib.h>
 #include "../kernels/num.h"
@@ -31,7 +31,7 @@ static ts_status check_memory(const ts_pipeline *mvr, const ts_scene *scene, con
 	u64 limit = ts_memory_total() / 4 * 3;
 	u64 need = ts_pipeline_estimate(mvr, scene, big);
 	if (need <= limit) return TS_OK;
-	return ts_fail("truth C: %u times %u x %u needs about %llu MiB and may use %llu: a smaller factor or image would do",
+	return ts_fail("truth C: %u times %u x %u needs about %llu MiB and may use %llu: take a smaller factor or image",
 	               factor, big->width / factor, big->height / factor, (unsigned long long)(need >> 20),
 	               (unsigned long long)(limit >> 20));
 }

@@ -1,0 +1,330 @@
+/* Rays into the tree: closed forms in a room and around a sphere, the three filters, and all triangles tried in double. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include <math.h>
+#include <stdlib.h>
+#include "../../src/truth/query.h"
+#include "world.h"
+
+enum { SEED = 7, STREAM = 6 };
+
+static u32 n_random;
+
+static f32 uniform(f32 low, f32 high)
+{
+	return low + (high - low) * ts_uniform(ts_random(n_random++, STREAM, SEED));
+}
+
+static ts_v3 uniform3(f32 low, f32 high)
+{
+	f32 x = uniform(low, high), y = uniform(low, high);
+	return ts_v3_make(x, y, uniform(low, high));
+}
+
+static ts_v3 uniform_direction(void)
+{
+	for (;;) {
+		ts_v3 d = uniform3(-1, 1);
+		f32 l = ts_length(d);
+		if (l > 0.1f && l <= 1) return ts_normalize(d);
+	}
+}
+
+static world *world_new(void)
+{
+	world *w = malloc(sizeof(*w));
+	assert_non_null(w);
+	world_begin(w);
+	n_random = 0;
+	return w;
+}
+
+static ts_truth *grow(world *w)
+{
+	ts_truth *truth;
+	world_pose(w);
+	assert_int_equal(ts_truth_new(&truth, &w->run), TS_OK);
+	return truth;
+}
+
+static void end(world *w, ts_truth *truth)
+{
+	ts_truth_free(truth);
+	ts_frame_clear(&w->run.frame);
+	free(w);
+}
+
+static ts_truth_hit cast(const ts_truth *truth, ts_v3 o, ts_v3 d, f32 near, u32 masked)
+{
+	ts_truth_query query = { .origin = o, .direction = d, .near = near, .masked = masked, .from = o };
+	return ts_truth_cast(truth, &query);
+}
+
+/* Two small quads and the room behind them, seen from the origin along +x. */
+static u32 first_along_x(const ts_truth *truth, u32 masked)
+{
+	return ts_truth_ray(truth, (f32[]){ 0, 0, 0 }, (f32[]){ 1, 0.001f, 0.002f }, 0, masked);
+}
+
+static void wall_at(world *w, f32 x, u32 material, u32 object, bool front_to_origin)
+{
+	ts_v3 a = ts_v3_make(x, -1, -1), b = ts_v3_make(x, -1, 1), c = ts_v3_make(x, 1, 1), d = ts_v3_make(x, 1, -1);
+	if (front_to_origin) world_quad(w, a, b, c, d, material, object);
+	else world_quad(w, a, d, c, b, material, object);
+}
+
+static void test_room(void **state)
+{
+	(void)state;
+	world *w = world_new();
+	ts_v3 low = ts_v3_make(-2, -3, -5), high = ts_v3_make(7, 11, 13);
+	world_room(w, low, high, ONE_SIDED, 0);
+	ts_truth *truth = grow(w);
+	static const f32 distance[6] = { 2.5f, 6.5f, 3.25f, 10.75f, 5.125f, 12.875f };
+	ts_v3 o = ts_v3_make(0.5f, 0.25f, 0.125f);
+	for (u32 f = 0; f < 6; f++) {
+		f32 step = f & 1 ? 1 : -1;
+		ts_v3 d = ts_v3_make(f / 2 == 0 ? step : 0, f / 2 == 1 ? step : 0, f / 2 == 2 ? step : 0);
+		ts_truth_hit hit = cast(truth, o, d, 0, TS_NONE);
+		assert_int_equal(hit.triangle / 2, f);
+		assert_true(hit.t == distance[f]);
+		assert_true(ts_abs(hit.path - distance[f]) <= 1e-5f * distance[f]);
+		assert_int_equal(cast(truth, o, d, distance[f] * 1.001f, TS_NONE).triangle, TS_NONE);
+		assert_int_equal(cast(truth, ts_mad(o, d, 100), ts_neg(d), 0, TS_NONE).triangle / 2, f ^ 1);
+	}
+	for (u32 i = 0; i < 10000; i++) {
+		ts_v3 from = ts_v3_make(uniform(-1.9f, 6.9f), uniform(-2.9f, 10.9f), uniform(-4.9f, 12.9f));
+		assert_int_not_equal(cast(truth, from, uniform_direction(), 0, TS_NONE).triangle, TS_NONE);
+	}
+	end(w, truth);
+}
+
+/* Rings of a sphere of radius 1, fronts outwards. */
+static ts_v3 on_sphere(u32 ring, u32 step, u32 n_rings, u32 n_steps)
+{
+	f32 up = (f32)ring / (f32)(2 * n_rings), around = (f32)(step % n_steps) / (f32)n_steps;
+	f32 s = ts_sin_turn(up);
+	return ts_v3_make(s * ts_cos_turn(around), ts_cos_turn(up), s * ts_sin_turn(around));
+}
+
+static void sphere(world *w, u32 n_rings, u32 n_steps, u32 material, u32 object)
+{
+	for (u32 r = 0; r < n_rings; r++)
+		for (u32 s = 0; s < n_steps; s++)
+			world_quad(w, on_sphere(r, s, n_rings, n_steps), on_sphere(r, s + 1, n_rings, n_steps),
+			           on_sphere(r + 1, s + 1, n_rings, n_steps), on_sphere(r + 1, s, n_rings, n_steps), material,
+			           object);
+}
+
+static void test_sphere(void **state)
+{
+	(void)state;
+	world *w = world_new();
+	sphere(w, 40, 80, ONE_SIDED, 1);
+	ts_truth *truth = grow(w);
+	f32 sagitta = 0.002f; /* (pi / 80)^2 / 2 in each direction */
+	for (u32 i = 0; i < 10000; i++) {
+		ts_v3 d = uniform_direction();
+		ts_v3 outside = ts_scale(d, -3);
+		ts_truth_hit hit = cast(truth, outside, d, 0, TS_NONE);
+		assert_int_not_equal(hit.triangle, TS_NONE);
+		assert_true(hit.t >= 1.99999f && hit.t <= 2 + sagitta);
+		assert_int_equal(cast(truth, ts_v3_make(0, 0, 0), d, 0, TS_NONE).triangle, TS_NONE);
+		assert_int_equal(cast(truth, outside, d, 0, 0).triangle, TS_NONE);
+		assert_int_equal(cast(truth, outside, d, 0, 1).triangle, hit.triangle);
+	}
+	end(w, truth);
+}
+
+static void test_filters(void **state)
+{
+	(void)state;
+	static const struct { u32 material, object, masked; bool front, stops; } cases[] = {
+		{ TWO_SIDED, 0, TS_NONE, true, true },  { TWO_SIDED, 0, TS_NONE, false, true },
+		{ ONE_SIDED, 0, TS_NONE, true, true },  { ONE_SIDED, 0, TS_NONE, false, false },
+		{ CUT, 0, TS_NONE, true, false },       { UNCUT, 0, TS_NONE, true, true },
+		{ TWO_SIDED, 2, 1, true, false },       { TWO_SIDED, 2, 0, true, true },
+		{ TWO_SIDED, 2, TS_NONE, true, true },  { TWO_SIDED, 0, 0, true, true },
+	};
+	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
+		world *w = world_new();
+		wall_at(w, 2, TWO_SIDED, 0, true);
+		wall_at(w, 1, cases[i].material, cases[i].object, cases[i].front);
+		ts_truth *truth = grow(w);
+		u32 hit = first_along_x(truth, cases[i].masked);
+		assert_int_equal(hit / 2, cases[i].stops ? 1 : 0);
+		end(w, truth);
+	}
+}
+
+/* The cut runs along the middle of the texture: u < 1/2 is gone at the finest level, all is half there far away. */
+static void test_alpha(void **state)
+{
+	(void)state;
+	world *w = world_new();
+	world_triangle(w, ts_v3_make(1, 0, 0), ts_v3_make(1, 1, 0), ts_v3_make(1, 1, 1), HALF_CUT, 0);
+	ts_truth *truth = grow(w);
+	for (u32 i = 0; i < 2000; i++) {
+		f32 u = uniform(0.01f, 0.99f);
+		ts_truth_query query = { .origin = ts_v3_make(0, u, u * 0.5f), .direction = ts_v3_make(1, 0, 0),
+		                         .masked = TS_NONE };
+		query.from = query.origin;
+		if (ts_abs(u - 0.5f) > 0.004f)
+			assert_int_equal(ts_truth_cast(truth, &query).triangle, u < 0.5f ? TS_NONE : 0);
+		query.spread = 100;
+		assert_int_equal(ts_truth_cast(truth, &query).triangle, 0);
+	}
+	end(w, truth);
+}
+
+static void test_degenerate(void **state)
+{
+	(void)state;
+	world *w = world_new();
+	ts_v3 a = ts_v3_make(1, -1, -1), b = ts_v3_make(1, 1, 1);
+	world_triangle(w, a, b, ts_v3_make(1, 0, 0), TWO_SIDED, 0);
+	world_triangle(w, a, a, b, TWO_SIDED, 0);
+	world_triangle(w, ts_v3_make(1, 0, 0), ts_v3_make(1, 0, 0), ts_v3_make(1, 0, 0), ONE_SIDED, 1);
+	ts_truth *truth = grow(w);
+	for (u32 i = 0; i < 1000; i++) {
+		f32 s = uniform(-1, 1);
+		assert_int_equal(cast(truth, ts_v3_make(0, s, s), ts_v3_make(1, 0, 0), 0, TS_NONE).triangle, TS_NONE);
+	}
+	assert_int_equal(cast(truth, a, ts_v3_make(0, 0, 0), 0, TS_NONE).triangle, TS_NONE);
+	end(w, truth);
+	w = world_new();
+	truth = grow(w);
+	assert_int_equal(first_along_x(truth, TS_NONE), TS_NONE);
+	end(w, truth);
+}
+
+/* Moeller and Trumbore in double: t and how far inside, the least barycentric. */
+typedef struct { double t, inside; bool front; } exact;
+
+static void sub(double r[3], const f32 a[3], const f32 b[3])
+{
+	for (u32 i = 0; i < 3; i++) r[i] = (double)a[i] - (double)b[i];
+}
+
+static void cross(double r[3], const double a[3], const double b[3])
+{
+	for (u32 i = 0; i < 3; i++) r[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
+}
+
+static double dot(const double a[3], const double b[3])
+{
+	return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static exact intersect(const world *w, u32 triangle, const f32 origin[3], const f32 direction[3])
+{
+	const ts_triangle *t = &w->triangles[triangle];
+	const f32 *a = w->vertices[t->vertex[0]].position;
+	double ab[3], ac[3], ao[3], n[3], p[3], q[3], d[3] = { direction[0], direction[1], direction[2] };
+	sub(ab, w->vertices[t->vertex[1]].position, a);
+	sub(ac, w->vertices[t->vertex[2]].position, a);
+	sub(ao, origin, a);
+	cross(n, ab, ac);
+	cross(p, d, ac);
+	cross(q, ao, ab);
+	double det = dot(ab, p), u = dot(ao, p) / det, v = dot(d, q) / det;
+	return (exact){ dot(ac, q) / det, fmin(fmin(u, v), 1 - u - v), dot(n, ao) > 0 };
+}
+
+typedef struct { u32 triangle; double t; bool decided; } answer;
+
+/* The nearest triangle by trying all; decided unless an edge, a facing or a second hit is near. */
+static answer try_all(const world *w, const f32 origin[3], const f32 direction[3], u32 masked)
+{
+	answer best = { TS_NONE, INFINITY, true };
+	double second = INFINITY;
+	for (u32 i = 0; i < w->scene.n_triangles; i++) {
+		exact hit = intersect(w, i, origin, direction);
+		if (!(hit.t > 0) || hit.inside < -1e-4) continue;
+		bool one_sided = w->triangles[i].material == ONE_SIDED;
+		u32 object = w->vertices[w->triangles[i].vertex[0]].object;
+		if ((one_sided && !hit.front) || (masked != TS_NONE && object == masked + 1)) continue;
+		if (hit.inside < 1e-4) {
+			if (hit.t < best.t * (1 + 1e-5)) best.decided = false;
+		} else if (hit.t < best.t) {
+			second = best.t;
+			best.t = hit.t;
+			best.triangle = i;
+		} else if (hit.t < second) {
+			second = hit.t;
+		}
+	}
+	if (second < best.t * (1 + 1e-5)) best.decided = false;
+	return best;
+}
+
+static void soup(world *w, u32 n)
+{
+	for (u32 i = 0; i < n; i++) {
+		ts_v3 a = uniform3(-10, 10);
+		f32 size = i % 3 == 0 ? 6 : 1.5f;
+		world_triangle(w, a, ts_add(a, uniform3(-size, size)), ts_add(a, uniform3(-size, size)),
+		               i % 2 ? TWO_SIDED : ONE_SIDED, i % WORLD_OBJECTS);
+	}
+}
+
+static void test_soup(void **state)
+{
+	(void)state;
+	world *w = world_new();
+	soup(w, 1000);
+	ts_truth *truth = grow(w);
+	u32 n_decided = 0, n_hits = 0;
+	for (u32 i = 0; i < 10000; i++) {
+		f32 o[3], d[3];
+		ts_store3(o, uniform3(-12, 12));
+		ts_store3(d, uniform_direction());
+		u32 masked = i % 4 == 3 ? TS_NONE : i % 4;
+		answer expected = try_all(w, o, d, masked);
+		if (!expected.decided) continue;
+		n_decided++;
+		assert_int_equal(ts_truth_ray(truth, o, d, 0, masked), expected.triangle);
+		if (expected.triangle == TS_NONE) continue;
+		n_hits++;
+		ts_truth_hit hit = cast(truth, ts_load3(o), ts_load3(d), 0, masked);
+		assert_true(fabs((double)hit.t - expected.t) <= 1e-4 * (1 + expected.t));
+	}
+	assert_true(n_decided > 9500 && n_hits > 5000);
+	end(w, truth);
+}
+
+/* The same soup with its triangles in reverse order: the same distances. */
+static void test_order(void **state)
+{
+	(void)state;
+	world *w = world_new(), *back = world_new();
+	soup(w, 2000);
+	*back = *w;
+	world_begin(back);
+	memcpy(back->vertices, w->vertices, sizeof(w->vertices));
+	back->scene.n_vertices = w->scene.n_vertices;
+	back->scene.n_triangles = w->scene.n_triangles;
+	for (u32 i = 0; i < w->scene.n_triangles; i++) back->triangles[i] = w->triangles[w->scene.n_triangles - 1 - i];
+	ts_truth *one = grow(w), *two = grow(back);
+	for (u32 i = 0; i < 20000; i++) {
+		ts_v3 o = uniform3(-12, 12), d = uniform_direction();
+		ts_truth_hit a = cast(one, o, d, 0, i % 3), b = cast(two, o, d, 0, i % 3);
+		assert_int_equal(a.triangle == TS_NONE, b.triangle == TS_NONE);
+		assert_true(ts_abs(a.t - b.t) <= 1e-5f * a.t);
+	}
+	end(w, one);
+	end(back, two);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_room),       cmocka_unit_test(test_sphere), cmocka_unit_test(test_filters),
+		cmocka_unit_test(test_alpha),      cmocka_unit_test(test_degenerate), cmocka_unit_test(test_soup),
+		cmocka_unit_test(test_order),
+	};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
