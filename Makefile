@@ -57,8 +57,8 @@ LINK_FLAGS = $(LDFLAGS) $(OPT) -fopenmp
 EMBREE := $(shell for v in 4 3; do echo "\#include <embree$$v/rtcore.h>" | $(CC) -E -x c - >/dev/null 2>&1 && echo $$v && break; done)
 packages = $(shell $(PKG_CONFIG) $(1) $(2) 2>/dev/null)
 CPP_LIBS := -DTS_EMBREE=$(EMBREE) $(call packages,--cflags,OpenImageIO jansson libcrypto tinygltf)
-LIBS := -lembree$(EMBREE) $(call packages,--libs,OpenImageIO jansson libcrypto) $(call packages,--libs,tinygltf)
-CORE_LIBS = -lcrypto
+LIBS := -lembree$(EMBREE) $(call packages,--libs,OpenImageIO jansson libcrypto) $(call packages,--libs,tinygltf) -lm
+CORE_LIBS = -lcrypto -lm
 
 # Sources, by folder.
 LIB_C := $(filter-out src/cli/%,$(wildcard src/*/*.c src/*/*/*.c))

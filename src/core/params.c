@@ -67,17 +67,14 @@ static bool c_strtof(float *value, const char *text)
 	return good;
 }
 
-/* Kernels take what is nearer to zero than 2^-39 for zero (NUMERICS rule 10): refuse it rather than change it. */
 static bool parse_f32(float *value, const char *text)
 {
 	size_t length = strspn(text, "+-.0123456789eE");
 	if (length == 0 || text[length] || !c_strtof(value, text)) {
 		return false;
 	}
-	if (*value == 0) {
-		*value = 0; /* not -0 */
-	}
-	return *value == 0 || *value >= 0x1p-39f || *value <= -0x1p-39f;
+	*value = *value == 0 ? 0 : *value; /* not -0 */
+	return true;
 }
 
 /* The shortest decimal text that reads back to the same bits. */
@@ -110,6 +107,7 @@ static ts_status set_u32(ts_params *params, size_t row, const char *text)
 	return TS_OK;
 }
 
+/* Kernels take what is nearer to zero than 2^-39 for zero (NUMERICS rule 10): refuse it rather than change it. */
 static ts_status set_f32(ts_params *params, size_t row, const char *text)
 {
 	const ts_param_info *info = &table[row];
@@ -117,8 +115,11 @@ static ts_status set_f32(ts_params *params, size_t row, const char *text)
 	bool good_table = parse_f32(&min, info->min) && parse_f32(&max, info->max);
 	assert(good_table);
 	if (!parse_f32(&value, text) || value < min || value > max) {
-		return ts_fail("parameter %s: \"%.80s\" is not a number from %s to %s%s%s (0, or at least 1.82e-12 in size)",
-		               info->name, text, info->min, info->max, *info->unit ? " " : "", info->unit);
+		return ts_fail("parameter %s: \"%.80s\" is not a number from %s to %s%s%s", info->name, text, info->min, info->max,
+		               *info->unit ? " " : "", info->unit);
+	}
+	if (value != 0 && value < 0x1p-39f && value > -0x1p-39f) {
+		return ts_fail("parameter %s: \"%.80s\" is too near to 0: write 0, or at least 1.82e-12", info->name, text);
 	}
 	store(params, row, &value);
 	return TS_OK;
