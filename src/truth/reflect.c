@@ -1,6 +1,7 @@
 /* Truth of reflections by rays: A from the cube's centre in the very directions of EPR's samples, B from the surface
  * (SPEC 2.7, 6). A is EPR with cubes of infinite resolution; B has no cubes at all. */
 #include <stdlib.h>
+#include "../kernels/density.h"
 #include "../kernels/samples.h"
 #include "../kernels/shade.h"
 #include "query.h"
@@ -76,12 +77,13 @@ static ts_v3 facing_normal(const ts_surface *s, ts_v3 d)
 }
 
 /* Axes of a hit's footprint as EPR's tiles have them: along the longest edge, and across it. */
-static void tile_axes(const ts_corners *c, ts_v3 *u, ts_v3 *v)
+static void tile_axes(const ts_corners *t, ts_v3 *u, ts_v3 *v)
 {
-	ts_v3 ab = ts_sub(c->b, c->a), bc = ts_sub(c->c, c->b), ca = ts_sub(c->a, c->c);
-	f32 l_ab = ts_dot(ab, ab), l_bc = ts_dot(bc, bc), l_ca = ts_dot(ca, ca);
-	*u = ts_normalize(l_ab >= l_bc && l_ab >= l_ca ? ab : l_bc >= l_ca ? bc : ca);
-	*v = ts_cross(ts_normalize(c->n), *u);
+	const ts_v3 corner[4] = { t->a, t->b, t->c, t->a };
+	f32 length;
+	u32 edge = ts_k_longest_edge(t->a, t->b, t->c, &length);
+	*u = ts_normalize(ts_sub(corner[edge + 1], corner[edge]));
+	*v = ts_normalize(ts_cross(ts_normalize(t->n), *u));
 }
 
 /* Radiance that the cube of query->masked sees; `left` more mirrors are followed, four rays each. */

@@ -1,4 +1,4 @@
-/* Rays into the tree: closed forms in a room and around a sphere, the three filters, and all triangles tried in double. */
+/* Rays into the tree: closed forms in a room and around a sphere, the three filters, all triangles tried in double. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
