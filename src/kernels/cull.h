@@ -1,0 +1,36 @@
+/* Stochastic culling of triangles of less than a tenth of a pixel: dropped with probability 1 - 10 A (EPR section 3.2;
+ * SPEC 1.5). The same triangles in every frame. */
+#ifndef TS_KERNELS_CULL_H
+#define TS_KERNELS_CULL_H
+#include "density.h"
+
+typedef struct {
+	TS_GLOBAL const ts_piece *pieces;
+	TS_GLOBAL const f32 *scale; /* density.scale */
+	TS_GLOBAL u32 *keep;        /* cull.keep */
+	f32 unit;                   /* samples a pixel a side: rho_scale to measure eye pixels, 1 for the raster's */
+	u32 seed, enabled;
+} ts_cull_args;
+
+#define TS_STREAM_CULL 1u
+
+/* Drop probability in 2^-24: 0 from a tenth of a pixel up. */
+TS_FN i32 ts_k_cull_threshold(f32 pixels)
+{
+	f32 p = 1.0f - 10.0f * pixels;
+	return ts_max_i32(ts_fix(p, 24, 25), 0);
+}
+
+/* map over pieces */
+TS_FN void ts_k_cull_item(const ts_cull_args *args, u64 i)
+{
+	TS_GLOBAL const ts_piece *piece = &args->pieces[i];
+	f32 s = args->scale[i] / args->unit;
+	f32 pixels = (ts_k_area(ts_load3(piece->a), ts_load3(piece->b), ts_load3(piece->c)) * s) * s;
+	u32 id = piece->triangle ^ (piece->path << 20) ^ (1u << 20); /* a whole triangle's id is its index */
+	u32 h = ts_random(id, TS_STREAM_CULL, args->seed);
+	bool drop = args->enabled != 0u && (i32)(h >> 8) < ts_k_cull_threshold(pixels);
+	args->keep[i] = args->scale[i] > 0.0f && !drop ? 1u : 0u;
+}
+
+#endif

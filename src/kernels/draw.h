@@ -1,0 +1,114 @@
+/* Drawing triangles into a depth << 32 | triangle buffer: the eye, and MVR's cube faces. Standard rasterization, axial
+ * depth, equal depth to the lowest triangle (NUMERICS rules 18, 22, 24). */
+#ifndef TS_KERNELS_DRAW_H
+#define TS_KERNELS_DRAW_H
+#include "cube.h"
+#include "surface.h"
+
+/* Width of a pixel in world units at axial depth z, on this triangle, where the fragment lies. */
+TS_FN f32 ts_k_fragment_footprint(const ts_camera_k *view, const ts_corners *t, const ts_fragment *fragment)
+{
+	ts_v3 p = ts_blend(fragment->w, t->a, t->b, t->c);
+	return ts_k_footprint(fragment->z / view->focal, ts_sub(p, view->eye), t->n);
+}
+
+/* Visits a triangle of the fan of a clipped polygon. */
+TS_FN void ts_k_draw_fan(const ts_arrays *scene, const ts_camera_k *view, const ts_corners *t, u32 triangle,
+                         const ts_corner *a, const ts_corner *b, const ts_corner *c, TS_GLOBAL u64 *texels)
+{
+	ts_snapped v[3];
+	v[0] = ts_k_snap(ts_k_project(view, a));
+	v[1] = ts_k_snap(ts_k_project(view, b));
+	v[2] = ts_k_snap(ts_k_project(view, c));
+	ts_setup setup = ts_k_setup(v[0], v[1], v[2]);
+	if (setup.area == 0) return;
+	ts_box box = ts_k_box_meet(ts_k_touched_box(v, 3u, 0), ts_k_view_box(view));
+	for (i32 j = box.y0; j <= box.y1; j++) {
+		for (i32 i = box.x0; i <= box.x1; i++) {
+			ts_edges e = ts_k_edges(&setup, i * 256 + 128, j * 256 + 128);
+			if (!ts_k_covers(&setup, &e)) continue;
+			ts_fragment f = ts_k_fragment(&setup, &e, a, b, c);
+			if (ts_k_is_cut(scene, triangle, f.w, t->n, ts_k_fragment_footprint(view, t, &f))) continue;
+			u64 key = ((u64)ts_f2u(f.z) << 32) | triangle;
+			ts_min_u64(&texels[(u64)j * (u64)view->width + (u64)i], key);
+		}
+	}
+}
+
+/* One triangle, facing and not degenerate, into one view. */
+TS_FN void ts_k_draw(const ts_arrays *scene, const ts_camera_k *view, const ts_corners *t, u32 triangle,
+                     TS_GLOBAL u64 *texels)
+{
+	ts_polygon polygon = ts_k_polygon(view, t->a, t->b, t->c);
+	if (ts_k_is_outside(view, &polygon)) return;
+	ts_k_clip_to_range(view, &polygon);
+	for (u32 k = 2u; k < polygon.n; k++) {
+		ts_k_draw_fan(scene, view, t, triangle, &polygon.corner[0], &polygon.corner[k - 1u], &polygon.corner[k], texels);
+	}
+}
+
+/* The fragment of a triangle at a pixel that it covers, computed again. */
+TS_FN ts_fragment ts_k_fragment_at(const ts_camera_k *view, const ts_corners *t, i32 i, i32 j)
+{
+	ts_polygon polygon = ts_k_polygon(view, t->a, t->b, t->c);
+	ts_k_clip_to_range(view, &polygon);
+	ts_fragment r;
+	r.z = 0.0f;
+	r.w = ts_v3_make(1.0f, 0.0f, 0.0f);
+	for (u32 k = 2u; k < polygon.n; k++) {
+		const ts_corner *a = &polygon.corner[0];
+		const ts_corner *b = &polygon.corner[k - 1u];
+		const ts_corner *c = &polygon.corner[k];
+		ts_setup setup = ts_k_setup(ts_k_snap(ts_k_project(view, a)), ts_k_snap(ts_k_project(view, b)),
+		                            ts_k_snap(ts_k_project(view, c)));
+		if (setup.area == 0) continue;
+		ts_edges e = ts_k_edges(&setup, i * 256 + 128, j * 256 + 128);
+		if (ts_k_covers(&setup, &e)) return ts_k_fragment(&setup, &e, a, b, c);
+	}
+	return r;
+}
+
+typedef struct {
+	ts_arrays scene;
+	TS_GLOBAL const ts_view *view;
+	TS_GLOBAL u64 *texels; /* eye.depth_triangle, all empty at first */
+} ts_eye_args;
+
+/* scatter over triangles */
+TS_FN void ts_k_eye_item(const ts_eye_args *args, u64 i)
+{
+	u32 triangle = (u32)i;
+	ts_camera_k view = ts_k_view(args->view);
+	ts_corners t = ts_k_corners(&args->scene, triangle);
+	if (ts_k_is_degenerate(t.n) || !ts_k_is_facing(&args->scene, triangle, &t, view.eye)) return;
+	ts_k_draw(&args->scene, &view, &t, triangle, args->texels);
+}
+
+typedef struct {
+	ts_arrays scene;
+	TS_GLOBAL const ts_face *cubes;
+	TS_GLOBAL u64 *texels;     /* face.depth_triangle of the batch, all empty at first */
+	u32 first_cube, n_cubes;   /* the batch */
+} ts_face_args;
+
+/* scatter over triangles: into every face of every cube of the batch, but not into a reflector's own cube */
+TS_FN void ts_k_face_item(const ts_face_args *args, u64 i)
+{
+	u32 triangle = (u32)i;
+	ts_corners t = ts_k_corners(&args->scene, triangle);
+	if (ts_k_is_degenerate(t.n)) return;
+	u32 own = ts_k_reflector_of(&args->scene, triangle);
+	u64 first_texel = args->cubes[args->first_cube].offset;
+	for (u32 r = args->first_cube; r < args->first_cube + args->n_cubes; r++) {
+		TS_GLOBAL const ts_face *cube = &args->cubes[r];
+		if (r == own || cube->n == 0u) continue;
+		if (!ts_k_is_facing(&args->scene, triangle, &t, ts_load3(cube->centre))) continue;
+		for (u32 face = 0u; face < 6u; face++) {
+			ts_camera_k view = ts_k_cube_view(cube, face);
+			u64 offset = cube->offset - first_texel + (u64)face * cube->n * cube->n;
+			ts_k_draw(&args->scene, &view, &t, triangle, args->texels + offset);
+		}
+	}
+}
+
+#endif

@@ -1,0 +1,104 @@
+/* MVR: deferred shading of every texel of the cube faces, and their mip chain (SPEC 1.7). */
+#ifndef TS_KERNELS_ILLUMINATE_H
+#define TS_KERNELS_ILLUMINATE_H
+#include "draw.h"
+#include "shade.h"
+
+typedef struct {
+	ts_arrays scene;
+	TS_GLOBAL const ts_face *cubes;
+	TS_GLOBAL const u64 *depth_triangle; /* face.depth_triangle of the batch */
+	TS_GLOBAL f32 *mip;                  /* face.mip of the batch: 4 floats a texel */
+	TS_GLOBAL i64 *n_shaded;
+	u32 first_cube, n_cubes;             /* the batch */
+	u32 level;                           /* that `mip` makes from the level before */
+} ts_illuminate_args;
+
+/* Texels of the levels of one cube before `level`; level TS_NONE: of all of them. */
+TS_FN u64 ts_k_mip_texels(u32 n, u32 level)
+{
+	u64 sum = 0u;
+	for (u32 l = 0u; l < level && n != 0u; l++) {
+		sum += (u64)6u * n * n;
+		if (n == 1u) break;
+		n = n >> 1;
+	}
+	return sum;
+}
+
+TS_FN u32 ts_k_mip_size(u32 n, u32 level)
+{
+	u32 size = n >> level;
+	return size != 0u ? size : 1u;
+}
+
+TS_FN u32 ts_k_mip_levels(u32 n)
+{
+	u32 levels = 1u;
+	for (; n > 1u; n = n >> 1) levels++;
+	return levels;
+}
+
+/* First texel of a cube's chain in the batch. */
+TS_FN u64 ts_k_mip_first(TS_GLOBAL const ts_face *cubes, u32 first_cube, u32 cube)
+{
+	u64 sum = 0u;
+	for (u32 r = first_cube; r < cube; r++) sum += ts_k_mip_texels(cubes[r].n, TS_NONE);
+	return sum;
+}
+
+/* map over texels of the batch */
+TS_FN void ts_k_illuminate_item(const ts_illuminate_args *args, u64 i)
+{
+	u64 first = args->cubes[args->first_cube].offset;
+	u32 r = args->first_cube;
+	while (r + 1u < args->first_cube + args->n_cubes && args->cubes[r + 1u].offset - first <= i) r++;
+	TS_GLOBAL const ts_face *cube = &args->cubes[r];
+	u64 inside = i - (cube->offset - first);
+	u32 n = cube->n;
+	u32 face = (u32)(inside / ((u64)n * n));
+	u32 y = (u32)(inside / n) % n;
+	u32 x = (u32)(inside % n);
+	u64 key = args->depth_triangle[i];
+	ts_v3 radiance = ts_k_background();
+	if (key != TS_EMPTY) {
+		u32 triangle = (u32)key;
+		ts_camera_k view = ts_k_cube_view(cube, face);
+		ts_corners t = ts_k_corners(&args->scene, triangle);
+		ts_fragment f = ts_k_fragment_at(&view, &t, (i32)x, (i32)y);
+		ts_surface s = ts_k_surface(&args->scene, triangle, f.w, ts_k_fragment_footprint(&view, &t, &f));
+		radiance = ts_k_shade(&args->scene, &s, ts_normalize(ts_sub(view.eye, s.p)));
+		ts_add_i64(args->n_shaded, 1);
+	}
+	TS_GLOBAL f32 *out = args->mip + (ts_k_mip_first(args->cubes, args->first_cube, r) + inside) * 4u;
+	ts_store3(out, radiance);
+	out[3] = 1.0f;
+}
+
+/* map over texels of one level of one cube, the first of the batch: ((a + b) + (c + d)) / 4, indices clamped */
+TS_FN void ts_k_mip_item(const ts_illuminate_args *args, u64 i)
+{
+	u32 n = args->cubes[args->first_cube].n;
+	u32 above = ts_k_mip_size(n, args->level - 1u);
+	u32 size = ts_k_mip_size(n, args->level);
+	u64 face = i / ((u64)size * size);
+	u32 y = (u32)(i / size) % size;
+	u32 x = (u32)(i % size);
+	TS_GLOBAL const f32 *from = args->mip + (ts_k_mip_texels(n, args->level - 1u) + face * above * above) * 4u;
+	TS_GLOBAL f32 *out = args->mip + (ts_k_mip_texels(n, args->level) + i) * 4u;
+	u64 x0 = 2u * x;
+	u64 x1 = x0 + 1u < above ? x0 + 1u : above - 1u;
+	u64 y0 = 2u * y;
+	u64 y1 = y0 + 1u < above ? y0 + 1u : above - 1u;
+	for (u32 channel = 0u; channel < 4u; channel++) {
+		f32 a = from[(y0 * above + x0) * 4u + channel];
+		f32 b = from[(y0 * above + x1) * 4u + channel];
+		f32 c = from[(y1 * above + x0) * 4u + channel];
+		f32 d = from[(y1 * above + x1) * 4u + channel];
+		f32 top = a + b;
+		f32 low = c + d;
+		out[channel] = ts_put((top + low) * 0.25f);
+	}
+}
+
+#endif

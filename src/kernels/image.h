@@ -1,0 +1,44 @@
+/* The picture: mirrors show their reflection, everything else is shaded where the eye sees it. */
+#ifndef TS_KERNELS_IMAGE_H
+#define TS_KERNELS_IMAGE_H
+#include "draw.h"
+#include "shade.h"
+#include "srgb.h"
+
+typedef struct {
+	ts_arrays scene;
+	TS_GLOBAL const ts_view *view;
+	TS_GLOBAL const u64 *depth_triangle; /* eye.depth_triangle */
+	TS_GLOBAL const u32 *offset;         /* pixel.offset */
+	TS_GLOBAL const f32 *reflected;      /* shade.radiance */
+	TS_GLOBAL f32 *radiance;             /* image.radiance */
+	TS_GLOBAL u8 *srgb;                  /* image.srgb */
+	f32 exposure;
+} ts_image_args;
+
+TS_FN ts_v3 ts_k_eye_radiance(const ts_image_args *args, u64 i)
+{
+	u64 key = args->depth_triangle[i];
+	if (key == TS_EMPTY) return ts_k_background();
+	u32 triangle = (u32)key;
+	ts_camera_k view = ts_k_view(args->view);
+	i32 x = (i32)(i % (u64)view.width);
+	i32 y = (i32)(i / (u64)view.width);
+	ts_corners t = ts_k_corners(&args->scene, triangle);
+	ts_fragment f = ts_k_fragment_at(&view, &t, x, y);
+	ts_surface s = ts_k_surface(&args->scene, triangle, f.w, ts_k_fragment_footprint(&view, &t, &f));
+	return ts_k_shade(&args->scene, &s, ts_normalize(ts_sub(view.eye, s.p)));
+}
+
+/* map over pixels */
+TS_FN void ts_k_image_item(const ts_image_args *args, u64 i)
+{
+	bool mirror = args->offset[i + 1u] != args->offset[i];
+	ts_v3 radiance = mirror ? ts_load3(args->reflected + (u64)args->offset[i] * 3u) : ts_k_eye_radiance(args, i);
+	ts_store3(args->radiance + i * 3u, radiance);
+	for (u32 channel = 0u; channel < 3u; channel++) {
+		args->srgb[i * 3u + channel] = (u8)ts_srgb_byte(args->radiance[i * 3u + channel] * args->exposure);
+	}
+}
+
+#endif

@@ -1,0 +1,174 @@
+/* Eye-based deferred shading: the samples of reflective pixels look up points in cubes, points on mirrors are queued for
+ * the next bounce, and every sample is shaded once (EPR sections 4.1.2 to 4.1.4; SPEC 2.7). */
+#ifndef TS_KERNELS_LOOKUP_H
+#define TS_KERNELS_LOOKUP_H
+#include "points.h"
+#include "cube.h"
+#include "samples.h"
+#include "shade.h"
+
+typedef struct {
+	ts_arrays scene;
+	TS_GLOBAL const ts_view *view;
+	TS_GLOBAL const ts_face *cubes;
+	TS_GLOBAL const ts_piece *pieces;
+	TS_GLOBAL const ts_align *frames;
+	TS_GLOBAL const u64 *keys;
+	TS_GLOBAL const ts_point *points;
+	TS_GLOBAL const u64 *texels;       /* splat.depth_index */
+	TS_GLOBAL const ts_pixel *pixels;
+	TS_GLOBAL const ts_bounce *queue;  /* entries of this bounce; none at the first */
+	TS_GLOBAL u32 *found;              /* points that the samples of this bounce see */
+	TS_GLOBAL u32 *offset;             /* entries of the next bounce before each sample */
+	TS_GLOBAL ts_bounce *next_queue;
+	TS_GLOBAL const f32 *next_radiance;
+	TS_GLOBAL f32 *radiance;           /* of this bounce's entries */
+	TS_GLOBAL u32 *used;               /* samples shaded; first bounce only */
+	u32 n_samples;                     /* an entry: 25 at the first bounce, then 4 */
+	u32 first;                         /* entries are pixels */
+	u32 follow;                        /* there is a next bounce */
+	u32 adaptive;
+} ts_lookup_args;
+
+TS_FN u32 ts_k_lookup(const ts_lookup_args *args, u32 cube_index, ts_v3 direction)
+{
+	TS_GLOBAL const ts_face *cube = &args->cubes[cube_index];
+	if (cube->n == 0u) return TS_NONE;
+	u64 key = args->texels[cube->offset + ts_k_cube_index(ts_k_cube_place(direction), cube->n)];
+	return (u32)key; /* an empty texel's low half is TS_NONE */
+}
+
+/* map over reflective pixels */
+TS_FN void ts_k_lookup_item(const ts_lookup_args *args, u64 i)
+{
+	TS_GLOBAL const ts_pixel *pixel = &args->pixels[i];
+	ts_v3 eye = ts_load3(args->view->eye);
+	for (u32 k = 0u; k < args->n_samples; k++) {
+		ts_ray ray = ts_k_sample_ray(pixel, eye, k);
+		args->found[i * args->n_samples + k] = ts_k_lookup(args, pixel->reflector, ray.direction);
+	}
+}
+
+TS_FN u32 ts_k_point_triangle(const ts_lookup_args *args, u32 point)
+{
+	return args->pieces[args->points[point].piece].triangle;
+}
+
+TS_FN ts_surface ts_k_point_surface(const ts_lookup_args *args, u32 point)
+{
+	u32 triangle = ts_k_point_triangle(args, point);
+	u64 key = args->keys[point];
+	i32 x = (i32)(key & 0xffffu) - 32768;
+	i32 y = (i32)((key >> 16) & 0xffffu) - 32768;
+	TS_GLOBAL const ts_align *frame = &args->frames[args->points[point].piece];
+	ts_v3 w = ts_k_lattice_weights(&args->scene, frame, triangle, x, y);
+	ts_surface r = ts_k_surface(&args->scene, triangle, w, args->points[point].length);
+	r.p = ts_load3(args->points[point].centre);
+	return r;
+}
+
+/* map over samples: 1 where the point seen is on a mirror */
+TS_FN void ts_k_bounce_count_item(const ts_lookup_args *args, u64 i)
+{
+	u32 point = args->found[i];
+	u32 mirror = point == TS_NONE ? TS_NONE : ts_k_reflector_of(&args->scene, ts_k_point_triangle(args, point));
+	args->offset[i] = mirror != TS_NONE ? 1u : 0u;
+}
+
+TS_FN u32 ts_k_cube_read(const ts_lookup_args *args, u64 entry)
+{
+	return args->first != 0u ? args->pixels[entry].reflector : args->queue[entry].reflector;
+}
+
+/* emit over samples: the queue of the next bounce */
+TS_FN void ts_k_bounce_queue_item(const ts_lookup_args *args, u64 i)
+{
+	if (args->offset[i + 1u] == args->offset[i]) return;
+	TS_GLOBAL ts_bounce *out = &args->next_queue[args->offset[i]];
+	out->parent = (u32)i;
+	out->point = args->found[i];
+	out->reflector = ts_k_reflector_of(&args->scene, ts_k_point_triangle(args, args->found[i]));
+	out->from = ts_k_cube_read(args, i / args->n_samples);
+}
+
+/* map over queue entries */
+TS_FN void ts_k_bounce_item(const ts_lookup_args *args, u64 i)
+{
+	TS_GLOBAL const ts_bounce *entry = &args->queue[i];
+	TS_GLOBAL const ts_point *point = &args->points[entry->point];
+	TS_GLOBAL const ts_align *frame = &args->frames[point->piece];
+	ts_surface surface = ts_k_point_surface(args, entry->point);
+	ts_v3 from = ts_load3(args->cubes[entry->from].centre);
+	bool behind = ts_dot(surface.face, ts_sub(from, surface.p)) < 0.0f;
+	ts_v3 n = behind ? ts_neg(surface.n) : surface.n;
+	f32 radius = args->cubes[entry->reflector].radius;
+	f32 spread = radius > 0.0f ? point->length / radius : 0.0f;
+	for (u32 k = 0u; k < args->n_samples; k++) {
+		ts_v3 direction = ts_k_bounce_direction(surface.p, n, ts_load3(frame->u), ts_load3(frame->v), from, spread, k);
+		args->found[i * args->n_samples + k] = ts_k_lookup(args, entry->reflector, direction);
+	}
+}
+
+/* The colour of one sample: of the next bounce, of the point towards the cube's centre, or the background. */
+TS_FN ts_v3 ts_k_sample_radiance(const ts_lookup_args *args, u64 sample, ts_v3 centre)
+{
+	u32 point = args->found[sample];
+	if (point == TS_NONE) return ts_k_background();
+	if (args->follow != 0u && args->offset[sample + 1u] != args->offset[sample]) {
+		return ts_load3(args->next_radiance + (u64)args->offset[sample] * 3u);
+	}
+	ts_surface surface = ts_k_point_surface(args, point);
+	return ts_k_shade(&args->scene, &surface, ts_normalize(ts_sub(centre, surface.p)));
+}
+
+/* Variance of the luma of n colours from their sums (EPR 4.1.3: "until color variance stopped declining"). */
+TS_FN f32 ts_k_variance(f32 sum, f32 squares, u32 n)
+{
+	f32 count = (f32)n;
+	f32 mean = sum / count;
+	return squares / count - mean * mean;
+}
+
+/* The mean of an entry's samples in ascending order; adaptively in batches of four. *used receives how many. */
+TS_FN ts_v3 ts_k_mean_radiance(const ts_lookup_args *args, u64 entry, ts_v3 centre, u32 *used)
+{
+	ts_v3 sum = ts_v3_make(0.0f, 0.0f, 0.0f);
+	f32 luma_sum = 0.0f;
+	f32 luma_squares = 0.0f;
+	f32 before = 0.0f;
+	u32 n = 0u;
+	while (n < args->n_samples) {
+		ts_v3 radiance = ts_k_sample_radiance(args, entry * args->n_samples + n, centre);
+		sum = ts_add(sum, radiance);
+		n++;
+		f32 luma = (radiance.x + radiance.y) + radiance.z;
+		luma_sum = luma_sum + luma;
+		luma_squares = luma_squares + luma * luma;
+		if (args->adaptive == 0u || (n & 3u) != 0u) continue;
+		f32 variance = ts_k_variance(luma_sum, luma_squares, n);
+		if (n > 4u && !(variance < before)) break;
+		before = variance;
+	}
+	*used = n;
+	f32 count = (f32)n;
+	return ts_v3_make(sum.x / count, sum.y / count, sum.z / count);
+}
+
+/* map over entries: pixels at the first bounce, queue entries after it */
+TS_FN void ts_k_shade_item(const ts_lookup_args *args, u64 i)
+{
+	ts_v3 centre = ts_load3(args->cubes[ts_k_cube_read(args, i)].centre);
+	u32 used;
+	ts_v3 mean = ts_k_mean_radiance(args, i, centre, &used);
+	ts_v3 tint;
+	if (args->first != 0u) {
+		TS_GLOBAL const ts_pixel *pixel = &args->pixels[i];
+		tint = ts_v3_make(pixel->tint_r, pixel->tint_g, pixel->tint_b);
+		args->used[i] = used;
+	} else {
+		tint = ts_k_point_surface(args, args->queue[i].point).base;
+	}
+	ts_store3(args->radiance + i * 3u, ts_mul(mean, tint));
+}
+
+#endif

@@ -1,0 +1,102 @@
+/* Reflective pixels of the eye: the surface and how it changes to the neighbouring pixels (EPR section 4.1.3; SPEC 2.2,
+ * stage 0). Gradients are central differences inside the same object, one-sided at its border, else 0. */
+#ifndef TS_KERNELS_PIXEL_H
+#define TS_KERNELS_PIXEL_H
+#include "draw.h"
+
+typedef struct {
+	ts_arrays scene;
+	TS_GLOBAL const ts_view *view;
+	TS_GLOBAL const u64 *depth_triangle; /* eye.depth_triangle */
+	TS_GLOBAL u32 *offset;               /* pixel.offset: counts, then their prefix sums */
+	TS_GLOBAL ts_pixel *pixels;          /* pixel.record */
+} ts_pixel_args;
+
+TS_FN u32 ts_k_seen_reflector(const ts_arrays *scene, u64 key)
+{
+	return key == TS_EMPTY ? TS_NONE : ts_k_reflector_of(scene, (u32)key);
+}
+
+/* map over pixels: 1 where a reflector is seen */
+TS_FN void ts_k_pixel_count_item(const ts_pixel_args *args, u64 i)
+{
+	args->offset[i] = ts_k_seen_reflector(&args->scene, args->depth_triangle[i]) != TS_NONE ? 1u : 0u;
+}
+
+typedef struct { ts_v3 p, n; bool seen; } ts_glance;
+
+/* What the eye sees at a pixel, if it is on the given reflector. The normal is turned to the viewer. */
+TS_FN ts_glance ts_k_glance(const ts_pixel_args *args, const ts_camera_k *view, i32 x, i32 y, u32 reflector)
+{
+	ts_glance r;
+	r.seen = false;
+	r.p = ts_v3_make(0.0f, 0.0f, 0.0f);
+	r.n = r.p;
+	if (x < 0 || y < 0 || x >= view->width || y >= view->height) return r;
+	u64 key = args->depth_triangle[(u64)y * (u64)view->width + (u64)x];
+	if (ts_k_seen_reflector(&args->scene, key) != reflector) return r;
+	u32 triangle = (u32)key;
+	ts_corners t = ts_k_corners(&args->scene, triangle);
+	ts_fragment f = ts_k_fragment_at(view, &t, x, y);
+	ts_sample s = ts_k_sample(&args->scene, triangle, f.w, t.n, ts_k_fragment_footprint(view, &t, &f));
+	ts_surface surface = ts_k_surface_geometry(&args->scene, &s, t.n);
+	bool behind = ts_dot(surface.face, ts_sub(view->eye, surface.p)) < 0.0f;
+	r.seen = true;
+	r.p = surface.p;
+	r.n = behind ? ts_neg(surface.n) : surface.n;
+	return r;
+}
+
+TS_FN ts_v3 ts_k_gradient(ts_v3 before, bool has_before, ts_v3 here, ts_v3 after, bool has_after)
+{
+	if (has_before && has_after) return ts_scale(ts_sub(after, before), 0.5f);
+	if (has_after) return ts_sub(after, here);
+	if (has_before) return ts_sub(here, before);
+	return ts_v3_make(0.0f, 0.0f, 0.0f);
+}
+
+TS_FN void ts_k_pixel_gradients(const ts_pixel_args *args, const ts_camera_k *view, i32 x, i32 y, u32 reflector,
+                                const ts_glance *here, TS_GLOBAL ts_pixel *out)
+{
+	ts_glance left = ts_k_glance(args, view, x - 1, y, reflector);
+	ts_glance right = ts_k_glance(args, view, x + 1, y, reflector);
+	ts_store3(out->position_dx, ts_k_gradient(left.p, left.seen, here->p, right.p, right.seen));
+	ts_store3(out->normal_dx, ts_k_gradient(left.n, left.seen, here->n, right.n, right.seen));
+	ts_glance above = ts_k_glance(args, view, x, y - 1, reflector);
+	ts_glance below = ts_k_glance(args, view, x, y + 1, reflector);
+	ts_store3(out->position_dy, ts_k_gradient(above.p, above.seen, here->p, below.p, below.seen));
+	ts_store3(out->normal_dy, ts_k_gradient(above.n, above.seen, here->n, below.n, below.seen));
+}
+
+/* The reflectance of a mirror: its base colour there. */
+TS_FN ts_v3 ts_k_pixel_tint(const ts_pixel_args *args, const ts_camera_k *view, u32 triangle, i32 x, i32 y)
+{
+	ts_corners t = ts_k_corners(&args->scene, triangle);
+	ts_fragment f = ts_k_fragment_at(view, &t, x, y);
+	return ts_k_surface(&args->scene, triangle, f.w, ts_k_fragment_footprint(view, &t, &f)).base;
+}
+
+/* emit over pixels */
+TS_FN void ts_k_pixel_item(const ts_pixel_args *args, u64 i)
+{
+	if (args->offset[i + 1u] == args->offset[i]) return;
+	ts_camera_k view = ts_k_view(args->view);
+	i32 x = (i32)(i % (u64)view.width);
+	i32 y = (i32)(i / (u64)view.width);
+	u64 key = args->depth_triangle[i];
+	u32 reflector = ts_k_seen_reflector(&args->scene, key);
+	TS_GLOBAL ts_pixel *out = &args->pixels[args->offset[i]];
+	ts_glance here = ts_k_glance(args, &view, x, y, reflector);
+	ts_v3 tint = ts_k_pixel_tint(args, &view, (u32)key, x, y);
+	ts_store3(out->position, here.p);
+	ts_store3(out->normal, here.n);
+	out->index = (u32)i;
+	out->reflector = reflector;
+	out->tint_r = ts_put(tint.x);
+	out->tint_g = ts_put(tint.y);
+	out->tint_b = ts_put(tint.z);
+	out->pad = 0u;
+	ts_k_pixel_gradients(args, &view, x, y, reflector, &here, out);
+}
+
+#endif

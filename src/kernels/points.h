@@ -1,0 +1,127 @@
+/* Points: the samples that an aligned piece touches, conservatively, row by row (EPR sections 3.3, 3.4; SPEC 2.4, 2.5). */
+#ifndef TS_KERNELS_POINTS_H
+#define TS_KERNELS_POINTS_H
+#include "align.h"
+#include "surface.h"
+
+typedef struct {
+	ts_arrays scene;
+	TS_GLOBAL const ts_piece *pieces;
+	TS_GLOBAL const ts_align *frames;
+	TS_GLOBAL u32 *offset;       /* count.offset: counts, then their prefix sums */
+	TS_GLOBAL u64 *keys;         /* points.key */
+	TS_GLOBAL ts_point *points;  /* points.record */
+	i32 half_size;               /* of a lattice square, in 1/256: 129 safe, 128 exact */
+	u32 paper_splat;             /* sub-pixel pieces get a splat of their own area */
+} ts_points_args;
+
+#define TS_POINT_TINY 1u
+
+TS_FN ts_cover ts_k_lattice_cover(TS_GLOBAL const ts_align *frame, i32 half_size)
+{
+	ts_cover r;
+	r.n = 3u;
+	for (u32 k = 0u; k < 3u; k++) {
+		r.v[k].x = frame->q[k * 2u];
+		r.v[k].y = frame->q[k * 2u + 1u];
+	}
+	ts_k_cover_finish(&r, half_size);
+	return r;
+}
+
+/* Weights of a sample on the source triangle: areas in the lattice, from unsnapped corners; a sample beside the triangle
+ * moves to its border (NUMERICS rule 22). */
+TS_FN ts_v3 ts_k_lattice_weights(const ts_arrays *scene, TS_GLOBAL const ts_align *frame, u32 triangle, i32 x, i32 y)
+{
+	ts_v3 c = ts_load3(frame->c);
+	ts_v3 u = ts_load3(frame->u);
+	ts_v3 v = ts_load3(frame->v);
+	ts_corners t = ts_k_corners(scene, triangle);
+	ts_v2 p = ts_v2_make((f32)x + 0.5f, (f32)y + 0.5f);
+	ts_v2 a = ts_k_lattice(c, u, v, frame->s, t.a);
+	ts_v2 b = ts_k_lattice(c, u, v, frame->s, t.b);
+	ts_v2 d = ts_k_lattice(c, u, v, frame->s, t.c);
+	a = ts_v2_make(a.x - p.x, a.y - p.y);
+	b = ts_v2_make(b.x - p.x, b.y - p.y);
+	d = ts_v2_make(d.x - p.x, d.y - p.y);
+	ts_v3 w;
+	w.x = ts_max(ts_diff_of_products(b.x, d.y, b.y, d.x), 0.0f);
+	w.y = ts_max(ts_diff_of_products(d.x, a.y, d.y, a.x), 0.0f);
+	w.z = ts_max(ts_diff_of_products(a.x, b.y, a.y, b.x), 0.0f);
+	f32 third = 0.3333333432674407958984375f;
+	f32 sum = w.x + w.y;
+	sum = ts_flush(sum + w.z);
+	if (!(sum > 0.0f)) return ts_v3_make(third, third, third);
+	return ts_v3_make(w.x / sum, w.y / sum, w.z / sum);
+}
+
+/* The sample touches the piece and is not cut away by its alpha mask. */
+TS_FN bool ts_k_is_point(const ts_points_args *args, const ts_cover *cover, u64 piece, i32 x, i32 y)
+{
+	if (!ts_k_touches(cover, x, y)) return false;
+	u32 triangle = args->pieces[piece].triangle;
+	if ((args->scene.materials[args->scene.triangles[triangle].material].flags & TS_MASKED) == 0u) return true;
+	TS_GLOBAL const ts_align *frame = &args->frames[piece];
+	ts_v3 w = ts_k_lattice_weights(&args->scene, frame, triangle, x, y);
+	ts_corners t = ts_k_corners(&args->scene, triangle);
+	return !ts_k_is_cut(&args->scene, triangle, w, t.n, 1.0f / frame->s);
+}
+
+/* map over pieces: how many points */
+TS_FN void ts_k_count_item(const ts_points_args *args, u64 i)
+{
+	u32 count = 0u;
+	if (args->frames[i].s > 0.0f) {
+		ts_cover cover = ts_k_lattice_cover(&args->frames[i], args->half_size);
+		for (i32 y = cover.touched.y0; y <= cover.touched.y1; y++) {
+			for (i32 x = cover.touched.x0; x <= cover.touched.x1; x++) {
+				count += ts_k_is_point(args, &cover, i, x, y) ? 1u : 0u;
+			}
+		}
+	}
+	args->offset[i] = count;
+}
+
+/* l = 1/s (eq. 4); a sub-pixel piece is tiny: by the paper its splat is a square of its own area. */
+TS_FN f32 ts_k_splat_length(const ts_points_args *args, TS_GLOBAL const ts_piece *piece, f32 s, u32 *flags)
+{
+	f32 area = ts_k_area(ts_load3(piece->a), ts_load3(piece->b), ts_load3(piece->c));
+	bool tiny = (area * s) * s < 1.0f;
+	*flags = tiny && args->paper_splat == 0u ? TS_POINT_TINY : 0u;
+	return tiny && args->paper_splat != 0u ? ts_sqrt(area) : 1.0f / s;
+}
+
+/* Integer lattice offsets from the anchor: p = c + (i/s) u + (j/s) v. */
+TS_FN ts_v3 ts_k_lattice_point(TS_GLOBAL const ts_align *frame, i32 x, i32 y)
+{
+	f32 du = (f32)x / frame->s;
+	f32 dv = (f32)y / frame->s;
+	return ts_mad(ts_mad(ts_load3(frame->c), ts_load3(frame->u), du), ts_load3(frame->v), dv);
+}
+
+/* emit over pieces */
+TS_FN void ts_k_points_item(const ts_points_args *args, u64 i)
+{
+	u64 at = args->offset[i];
+	if (args->offset[i + 1u] == (u32)at) return;
+	TS_GLOBAL const ts_align *frame = &args->frames[i];
+	ts_cover cover = ts_k_lattice_cover(frame, args->half_size);
+	u32 flags;
+	f32 length = ts_k_splat_length(args, &args->pieces[i], frame->s, &flags);
+	for (i32 y = cover.touched.y0; y <= cover.touched.y1; y++) {
+		for (i32 x = cover.touched.x0; x <= cover.touched.x1; x++) {
+			if (!ts_k_is_point(args, &cover, i, x, y)) continue;
+			TS_GLOBAL ts_point *out = &args->points[at];
+			ts_store3(out->centre, ts_k_lattice_point(frame, x, y));
+			out->length = ts_put(length);
+			out->piece = (u32)i;
+			out->flags = flags;
+			out->pad[0] = 0u;
+			out->pad[1] = 0u;
+			args->keys[at] = (i << 32) | ((u64)(u32)(y + 32768) << 16) | (u64)(u32)(x + 32768);
+			at++;
+		}
+	}
+}
+
+#endif

@@ -1,0 +1,96 @@
+/* Visibility bits: which faces of which cubes may see a triangle (EPR section 3.1; SPEC 0.2.4, 0.3.7). Bit 6 r + f.
+ * Faces have tan of half the field of view 1, so every plane compares two coordinates. */
+#ifndef TS_KERNELS_VISIBILITY_H
+#define TS_KERNELS_VISIBILITY_H
+#include "cube.h"
+#include "scene.h"
+
+typedef struct {
+	ts_arrays scene;
+	TS_GLOBAL const ts_face *cubes;
+	TS_GLOBAL u64 *bits; /* n_triangles * n_words */
+	u32 n_cubes, n_words;
+	u32 vertex_mode;
+} ts_visibility_args;
+
+/* A corner relative to a cube's centre, on the axes of a face. */
+TS_FN ts_v3 ts_k_face_axes(u32 face, ts_v3 d)
+{
+	ts_v3 back = ts_k_cube_row(face, 2u);
+	return ts_v3_make(ts_dot(ts_k_cube_row(face, 0u), d), ts_dot(ts_k_cube_row(face, 1u), d), -ts_dot(back, d));
+}
+
+/* All corners outside one and the same plane of the frustum: four sides and near, closed. */
+TS_FN bool ts_k_outside_plane(ts_v3 a, ts_v3 b, ts_v3 c, f32 near)
+{
+	if (a.x > a.z && b.x > b.z && c.x > c.z) return true;
+	if (-a.x > a.z && -b.x > b.z && -c.x > c.z) return true;
+	if (a.y > a.z && b.y > b.z && c.y > c.z) return true;
+	if (-a.y > a.z && -b.y > b.z && -c.y > c.z) return true;
+	return a.z < near && b.z < near && c.z < near;
+}
+
+/* Inside the frustum enlarged by a fifth [EPR 3.1]. */
+TS_FN bool ts_k_inside_enlarged(ts_v3 p)
+{
+	f32 reach = 1.2000000476837158203125f * p.z;
+	return p.z > 0.0f && ts_abs(p.x) <= reach && ts_abs(p.y) <= reach;
+}
+
+TS_FN u32 ts_k_visible_faces(const ts_corners *t, TS_GLOBAL const ts_face *cube, u32 vertex_mode)
+{
+	ts_v3 centre = ts_load3(cube->centre);
+	ts_v3 da = ts_sub(t->a, centre);
+	ts_v3 db = ts_sub(t->b, centre);
+	ts_v3 dc = ts_sub(t->c, centre);
+	u32 faces = 0u;
+	for (u32 face = 0u; face < 6u; face++) {
+		ts_v3 a = ts_k_face_axes(face, da);
+		ts_v3 b = ts_k_face_axes(face, db);
+		ts_v3 c = ts_k_face_axes(face, dc);
+		bool seen = vertex_mode != 0u
+			? ts_k_inside_enlarged(a) || ts_k_inside_enlarged(b) || ts_k_inside_enlarged(c)
+			: !ts_k_outside_plane(a, b, c, cube->near);
+		faces |= seen ? 1u << face : 0u;
+	}
+	return faces;
+}
+
+/* The bits of one triangle in one cube: none for its own reflector's, none where it turns its back. */
+TS_FN u32 ts_k_visibility(const ts_visibility_args *args, u32 triangle, const ts_corners *t, u32 own, u32 r)
+{
+	TS_GLOBAL const ts_face *cube = &args->cubes[r];
+	if (r == own || cube->n == 0u) return 0u;
+	if (!ts_k_is_facing(&args->scene, triangle, t, ts_load3(cube->centre))) return 0u;
+	return ts_k_visible_faces(t, cube, args->vertex_mode);
+}
+
+/* The six bits of cube r of a triangle's words. */
+TS_FN u32 ts_k_cube_bits(TS_GLOBAL const u64 *words, u32 r)
+{
+	u32 first = r * 6u;
+	u32 shift = first & 63u;
+	u64 low = words[first >> 6] >> shift;
+	u64 high = shift > 58u ? words[(first >> 6) + 1u] << (64u - shift) : 0u;
+	return (u32)(low | high) & 63u;
+}
+
+/* map over triangles */
+TS_FN void ts_k_visibility_item(const ts_visibility_args *args, u64 i)
+{
+	TS_GLOBAL u64 *words = args->bits + i * args->n_words;
+	for (u32 w = 0u; w < args->n_words; w++) words[w] = 0u;
+	u32 triangle = (u32)i;
+	ts_corners t = ts_k_corners(&args->scene, triangle);
+	if (ts_k_is_degenerate(t.n)) return;
+	u32 own = ts_k_reflector_of(&args->scene, triangle);
+	for (u32 r = 0u; r < args->n_cubes; r++) {
+		u64 faces = ts_k_visibility(args, triangle, &t, own, r);
+		u32 first = r * 6u;
+		u32 shift = first & 63u;
+		words[first >> 6] |= faces << shift;
+		if (shift > 58u) words[(first >> 6) + 1u] |= faces >> (64u - shift);
+	}
+}
+
+#endif
