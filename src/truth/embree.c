@@ -31,7 +31,7 @@ struct ts_truth {
 	RTCScene tree;
 	f32 *position;           /* xyz of every vertex, then the 4 bytes that Embree may read beyond them */
 	part parts[N_PARTS];
-	i64 bytes, max_bytes;    /* of Embree's own memory */
+	i64 bytes_left;          /* of the memory that Embree may still take, from any thread */
 	char error[160];         /* the first one */
 };
 
@@ -136,16 +136,21 @@ static void on_error(void *user, enum RTCError code, const char *text)
 static bool on_memory(void *user, ssize_t bytes, bool post)
 {
 	ts_truth *truth = user;
-	i64 now = __atomic_add_fetch(&truth->bytes, (i64)bytes, __ATOMIC_RELAXED);
-	return post || bytes <= 0 || now <= truth->max_bytes;
+	i64 left = __atomic_sub_fetch(&truth->bytes_left, (i64)bytes, __ATOMIC_RELAXED);
+	return post || bytes <= 0 || left >= 0;
+}
+
+static u64 most_bytes(void)
+{
+	return ts_memory_total() / 4 * 3;
 }
 
 static ts_status check(const ts_truth *truth, const char *doing)
 {
 	bool failed = truth->device == NULL || rtcGetDeviceError(truth->device) != RTC_ERROR_NONE || truth->error[0] != 0;
 	if (!failed) return TS_OK;
-	return ts_fail("truth: Embree failed while %s: %s; it may use %lld MiB here", doing,
-	               truth->error[0] != 0 ? truth->error : "no reason given", (long long)(truth->max_bytes >> 20));
+	return ts_fail("truth: Embree failed while %s: %s; it may take %llu MiB", doing,
+	               truth->error[0] != 0 ? truth->error : "no reason given", (unsigned long long)(most_bytes() >> 20));
 }
 
 static bool needs_filter(const ts_truth *truth, u32 triangle)
@@ -207,7 +212,7 @@ static ts_status grow_tree(ts_truth *truth, u32 threads)
 {
 	char options[32];
 	snprintf(options, sizeof(options), "threads=%u", threads > 0 ? threads : 1);
-	truth->max_bytes = (i64)(ts_memory_total() / 4 * 3);
+	__atomic_store_n(&truth->bytes_left, (i64)most_bytes(), __ATOMIC_RELEASE);
 	truth->device = rtcNewDevice(options);
 	if (truth->device == NULL) return check(truth, "starting");
 	rtcSetDeviceErrorFunction(truth->device, on_error, truth);
