@@ -1,0 +1,246 @@
+/* The output folder. All that the signal handler touches is async-signal-safe: fixed arrays, unlink and rmdir. */
+#include <dirent.h>
+#include <errno.h>
+#include <pthread.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include "folder.h"
+
+enum { MAX_FILES = 256, MAX_PATH = 4096, MAX_DIR = MAX_PATH - 300 };
+
+static struct {
+	char dir[MAX_PATH], partial[MAX_PATH], old[MAX_PATH];
+	char *files[MAX_FILES];                 /* each twice: as written, and as its writer's own .partial */
+	volatile sig_atomic_t n_files, made;
+	pthread_t owner;
+} folder;
+
+static const int fatal[] = { SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE };
+enum { N_FATAL = sizeof fatal / sizeof fatal[0] };
+
+static void remove_partial(void)
+{
+	if (folder.made) {
+		for (int i = 0; i < folder.n_files; i++) {
+			unlink(folder.files[i]);
+		}
+		rmdir(folder.partial);
+		folder.made = 0;
+	}
+}
+
+/* The thread that writes must not go on while its files are removed, so it does that itself. */
+static void on_signal(int number)
+{
+	if (!pthread_equal(pthread_self(), folder.owner)) {
+		pthread_kill(folder.owner, number);
+		return;
+	}
+	remove_partial();
+	signal(number, SIG_DFL);
+	raise(number);
+}
+
+static void catch_signals(bool on)
+{
+	struct sigaction action;
+	memset(&action, 0, sizeof action);
+	sigemptyset(&action.sa_mask);
+	for (int i = 0; i < N_FATAL; i++) {
+		sigaddset(&action.sa_mask, fatal[i]);
+	}
+	for (int i = 0; i < N_FATAL; i++) {
+		struct sigaction now;
+		sigaction(fatal[i], NULL, &now);
+		if (now.sa_handler != SIG_IGN) {
+			action.sa_handler = on ? on_signal : SIG_DFL;
+			sigaction(fatal[i], &action, NULL);
+		}
+	}
+}
+
+static void hold_signals(int how)
+{
+	sigset_t set;
+	sigemptyset(&set);
+	for (int i = 0; i < N_FATAL; i++) {
+		sigaddset(&set, fatal[i]);
+	}
+	pthread_sigmask(how, &set, NULL);
+}
+
+static bool is_ours(const char *name)
+{
+	const char *dot = strrchr(name, '.');
+	return strcmp(name, "report.json") == 0 || (dot != NULL && (strcmp(dot, ".png") == 0 || strcmp(dot, ".exr") == 0));
+}
+
+static bool is_dot(const char *name)
+{
+	return strcmp(name, ".") == 0 || strcmp(name, "..") == 0;
+}
+
+static ts_status check_contents(const char *dir, DIR *stream, bool force)
+{
+	for (struct dirent *e; (e = readdir(stream)) != NULL;) {
+		if (is_dot(e->d_name)) {
+			continue;
+		}
+		if (!force) {
+			return ts_fail("%s: not empty; name another folder with -o, or replace it with --force", dir);
+		}
+		if (!is_ours(e->d_name)) {
+			return ts_fail("%s: holds %s, which no render wrote, so --force does not replace it; name another folder", dir,
+			               e->d_name);
+		}
+	}
+	return TS_OK;
+}
+
+static ts_status check_dir(const char *dir, bool force)
+{
+	struct stat info;
+	if (lstat(dir, &info) != 0) {
+		return errno == ENOENT ? TS_OK : ts_fail("%s: %s; name a folder that can be written", dir, strerror(errno));
+	}
+	if (!S_ISDIR(info.st_mode)) {
+		return ts_fail("%s: exists and is not a folder; name another with -o", dir);
+	}
+	DIR *stream = opendir(dir);
+	if (stream == NULL) {
+		return ts_fail("%s: %s; name a folder that can be read and written", dir, strerror(errno));
+	}
+	ts_status status = check_contents(dir, stream, force);
+	closedir(stream);
+	return status;
+}
+
+static ts_status set_names(const char *dir)
+{
+	size_t n = strlen(dir);
+	while (n > 1 && dir[n - 1] == '/') {
+		n--;
+	}
+	if (n == 0 || n > MAX_DIR) {
+		return ts_fail("-o: a folder's name has 1 to %d characters, this one has %zu", MAX_DIR, n);
+	}
+	snprintf(folder.dir, sizeof folder.dir, "%.*s", (int)n, dir);
+	const char *slash = strrchr(folder.dir, '/');
+	const char *last = slash != NULL ? slash + 1 : folder.dir;
+	if (*last == 0 || is_dot(last)) {
+		return ts_fail("%s: cannot be replaced as a whole; name a folder inside it", dir);
+	}
+	snprintf(folder.partial, sizeof folder.partial, "%.*s.partial", MAX_DIR, folder.dir);
+	snprintf(folder.old, sizeof folder.old, "%.*s.old", MAX_DIR, folder.dir);
+	return TS_OK;
+}
+
+ts_status ts_folder_begin(const char *dir, bool force)
+{
+	ts_status status = set_names(dir);
+	if (status != TS_OK || (status = check_dir(folder.dir, force)) != TS_OK) {
+		return status;
+	}
+	struct stat info;
+	if (force && lstat(folder.old, &info) == 0) {
+		return ts_fail("%s: is in the way of --force; remove it", folder.old);
+	}
+	folder.owner = pthread_self();
+	folder.n_files = 0;
+	hold_signals(SIG_BLOCK);
+	int made = mkdir(folder.partial, 0777);
+	int error = errno;
+	folder.made = made == 0;
+	catch_signals(made == 0);
+	hold_signals(SIG_UNBLOCK);
+	if (made != 0 && error == EEXIST) {
+		return ts_fail("%s: exists, from another run or one that was killed; remove it, or name another folder", folder.partial);
+	}
+	return made == 0 ? TS_OK : ts_fail("%s: %s; name a folder that can be written", folder.partial, strerror(error));
+}
+
+static const char *remember(const char *name, const char *suffix)
+{
+	size_t bytes = strlen(folder.partial) + strlen(name) + strlen(suffix) + 2;
+	char *path = folder.n_files < MAX_FILES ? ts_alloc(bytes, 1, "a path") : NULL;
+	if (path == NULL) {
+		ts_fail("%s: cannot hold another file, %s", folder.partial, name);
+		return NULL;
+	}
+	snprintf(path, bytes, "%s/%s%s", folder.partial, name, suffix);
+	folder.files[folder.n_files] = path;
+	folder.n_files = folder.n_files + 1;
+	return path;
+}
+
+const char *ts_folder_file(const char *name)
+{
+	return remember(name, ".partial") != NULL ? remember(name, "") : NULL;
+}
+
+static void remove_old(void)
+{
+	char path[MAX_PATH + 300];
+	DIR *stream = opendir(folder.old);
+	if (stream == NULL) {
+		return;
+	}
+	for (struct dirent *e; (e = readdir(stream)) != NULL;) {
+		if (is_ours(e->d_name)) {
+			snprintf(path, sizeof path, "%s/%s", folder.old, e->d_name);
+			unlink(path);
+		}
+	}
+	closedir(stream);
+	rmdir(folder.old);
+}
+
+static void forget(void)
+{
+	catch_signals(false);
+	for (int i = 0; i < folder.n_files; i++) {
+		free(folder.files[i]);
+	}
+	folder.n_files = 0;
+	folder.made = 0;
+}
+
+static ts_status swap(void)
+{
+	if (rename(folder.partial, folder.dir) == 0) {
+		return TS_OK;
+	}
+	if ((errno != EEXIST && errno != ENOTEMPTY) || rename(folder.dir, folder.old) != 0) {
+		return ts_fail("%s: cannot rename to %s: %s", folder.partial, folder.dir, strerror(errno));
+	}
+	if (rename(folder.partial, folder.dir) != 0) {
+		int error = errno;
+		rename(folder.old, folder.dir);
+		return ts_fail("%s: cannot rename to %s: %s", folder.partial, folder.dir, strerror(error));
+	}
+	remove_old();
+	return TS_OK;
+}
+
+ts_status ts_folder_commit(void)
+{
+	hold_signals(SIG_BLOCK);
+	ts_status status = swap();
+	if (status == TS_OK) {
+		forget();
+	}
+	hold_signals(SIG_UNBLOCK);
+	return status;
+}
+
+void ts_folder_discard(void)
+{
+	hold_signals(SIG_BLOCK);
+	remove_partial();
+	forget();
+	hold_signals(SIG_UNBLOCK);
+}

@@ -1,0 +1,210 @@
+/* `render EFFECT [SCENE]`: runs methods and truths on one frame, compares them, and writes what came of it. */
+#include <stdlib.h>
+#include "folder.h"
+#include "render.h"
+
+static bool wants(const ts_render *render, u32 truth)
+{
+	return (render->cli->truths & truth) != 0;
+}
+
+static ts_status take_mask(ts_render *render, const ts_run *run)
+{
+	if (render->mask != NULL) {
+		return TS_OK;
+	}
+	render->mask = ts_alloc_zero(run->params.width, run->params.height, "the reflective pixels");
+	const ts_pixel *pixels = ts_frame_data(&run->frame, TS_B_pixel_record);
+	render->n_reflective = ts_frame_n(&run->frame, TS_B_pixel_record);
+	for (u64 i = 0; i < render->n_reflective && render->mask != NULL; i++) {
+		render->mask[pixels[i].index] = 1;
+	}
+	return render->mask != NULL ? TS_OK : TS_ERROR;
+}
+
+/* Truths A and B start from what EPR's eye pass left. */
+static ts_status take_truths(ts_run *run, void *user)
+{
+	ts_render *render = user;
+	ts_status status = TS_OK;
+	if (wants(render, TS_TRUTH_A)) {
+		ts_progress("truth A", 0, 1);
+		status = ts_picture_truth(&render->truths[0], TS_TRUTH_A, run);
+	}
+	if (status == TS_OK && wants(render, TS_TRUTH_B)) {
+		ts_progress("truth B", 0, 1);
+		status = ts_picture_truth(&render->truths[1], TS_TRUTH_B, run);
+	}
+	return status;
+}
+
+typedef struct {
+	ts_render *render;
+	u32 method;
+} after_method;
+
+static ts_status take_picture(ts_run *run, void *user)
+{
+	after_method *after = user;
+	ts_render *render = after->render;
+	ts_picture *picture = &render->pictures[after->method];
+	const char *name = render->methods[after->method]->name;
+	ts_status status = ts_picture_take(picture, name, run);
+	picture->seconds = render->measures[after->method].seconds;
+	if (status == TS_OK) {
+		status = take_mask(render, run);
+	}
+	return status == TS_OK && strcmp(name, "epr") == 0 ? take_truths(run, render) : status;
+}
+
+static ts_status run_all(ts_render *render)
+{
+	const ts_cli *cli = render->cli;
+	bool reference = ts_cli_given(cli, TS_OPT_REFERENCE), epr = false;
+	ts_status status = TS_OK;
+	for (u32 i = 0; i < render->n_methods && status == TS_OK; i++) {
+		after_method after = { render, i };
+		render->measures[i].pictures = ts_cli_given(cli, TS_OPT_NO_IMAGES) ? NULL : &render->stages[i];
+		epr |= strcmp(render->methods[i]->name, "epr") == 0;
+		status = ts_measure_run(&render->measures[i], render->methods[i], render->scene, &cli->params, cli->threads,
+		                        reference, take_picture, &after);
+	}
+	if (status == TS_OK && !epr && (wants(render, TS_TRUTH_A) || wants(render, TS_TRUTH_B))) {
+		ts_measure unseen = { .pictures = NULL };
+		status = ts_measure_run(&unseen, ts_pipeline_find(render->effect, "epr"), render->scene, &cli->params,
+		                        cli->threads, reference, take_truths, render);
+	}
+	if (status == TS_OK && wants(render, TS_TRUTH_C)) {
+		ts_progress("truth C", 0, 1);
+		status = ts_picture_truth_c(&render->truths[2], render->scene, &cli->params, cli->threads);
+	}
+	ts_progress("truth", 1, 1);
+	return status;
+}
+
+static void compare(ts_render *render, const ts_picture *reference, const ts_picture *image, const char *share)
+{
+	const ts_params *p = &render->cli->params;
+	if (reference->srgb == NULL || image->srgb == NULL || render->n_pairs == TS_MAX_PAIRS) {
+		return;
+	}
+	ts_pair *pair = &render->pairs[render->n_pairs++];
+	pair->reference = reference;
+	pair->image = image;
+	pair->share = share;
+	pair->all = ts_metrics_compare(reference->srgb, image->srgb, NULL, p->width, p->height);
+	pair->reflective = ts_metrics_compare(reference->srgb, image->srgb, render->mask, p->width, p->height);
+}
+
+/* Against A a method answers for its sampling alone; A against B is what the cube's centre costs every method. */
+static void compare_all(ts_render *render)
+{
+	for (u32 t = 0; t < TS_N_TRUTHS; t++) {
+		for (u32 i = 0; i < render->n_methods; i++) {
+			compare(render, &render->truths[t], &render->pictures[i], t == 0 ? "sampling" : "");
+		}
+	}
+	compare(render, &render->truths[1], &render->truths[0], "method");
+	for (u32 i = 0; i < render->n_methods; i++) {
+		for (u32 j = i + 1; j < render->n_methods; j++) {
+			compare(render, &render->pictures[j], &render->pictures[i], "");
+		}
+	}
+}
+
+static ts_status write_report(const json_t *root)
+{
+	const char *path = ts_folder_file("report.json");
+	FILE *file = path != NULL ? fopen(path, "w") : NULL;
+	if (file == NULL) {
+		return path != NULL ? ts_fail("%s: cannot be made; the disk may be full", path) : TS_ERROR;
+	}
+	int failed = json_dumpf(root, file, JSON_INDENT(2) | JSON_REAL_PRECISION(9));
+	failed |= fputc('\n', file) == EOF;
+	failed |= fclose(file);
+	return failed ? ts_fail("%s: cannot be written; the disk may be full", path) : TS_OK;
+}
+
+static ts_status work(ts_render *render, ts_report *report)
+{
+	const ts_cli *cli = render->cli;
+	const char *spec = cli->n_arguments > 1 ? cli->arguments[1] : "atrium";
+	ts_status status = ts_scene_open(&render->scene, spec, &cli->params, &cli->scene);
+	if (status != TS_OK) {
+		return status;
+	}
+	status = ts_measure_estimate(&render->estimate, render->methods, render->n_methods, cli->truths, render->scene,
+	                             &cli->params);
+	if (status != TS_OK) {
+		return status;
+	}
+	ts_render_report_head(render, report);
+	fflush(stdout);
+	status = run_all(render);
+	if (status != TS_OK) {
+		return status;
+	}
+	compare_all(render);
+	ts_render_report_body(render, report);
+	if (ts_cli_given(cli, TS_OPT_NO_IMAGES)) {
+		return TS_OK;
+	}
+	status = ts_render_write(render);
+	return status == TS_OK ? write_report(report->root) : status;
+}
+
+static void release(ts_render *render)
+{
+	for (u32 i = 0; i < TS_MAX_METHODS; i++) {
+		ts_picture_free(&render->pictures[i]);
+		ts_stage_pictures_free(&render->stages[i]);
+	}
+	for (u32 t = 0; t < TS_N_TRUTHS; t++) {
+		ts_picture_free(&render->truths[t]);
+	}
+	free(render->mask);
+	ts_scene_free(render->scene);
+	free(render);
+}
+
+static ts_status work_in_folder(ts_render *render)
+{
+	const ts_cli *cli = render->cli;
+	bool images = !ts_cli_given(cli, TS_OPT_NO_IMAGES);
+	const char *dir = cli->output != NULL ? cli->output : "out";
+	ts_status status = images ? ts_folder_begin(dir, ts_cli_given(cli, TS_OPT_FORCE)) : TS_OK;
+	if (status != TS_OK) {
+		return status;
+	}
+	ts_report report = ts_report_begin(ts_cli_given(cli, TS_OPT_JSON));
+	status = work(render, &report);
+	if (status == TS_OK && images) {
+		status = ts_folder_commit();
+	}
+	if (status == TS_OK && images) {
+		ts_report_line(&report, "\nThe pictures are in %s", dir);
+	}
+	if (status != TS_OK) {
+		ts_folder_discard();
+		json_decref(report.root);
+		return status;
+	}
+	return ts_report_end(&report);
+}
+
+ts_status ts_render_command(ts_cli *cli)
+{
+	ts_status status = ts_selftest_require();
+	ts_render *render = status == TS_OK ? ts_alloc_zero(1, sizeof *render, "a render") : NULL;
+	if (render == NULL) {
+		return TS_ERROR;
+	}
+	render->cli = cli;
+	render->effect = cli->arguments[0];
+	status = ts_methods_find(render->methods, &render->n_methods, render->effect, cli->method);
+	if (status == TS_OK) {
+		status = work_in_folder(render);
+	}
+	release(render);
+	return status;
+}

@@ -1,0 +1,44 @@
+/* One `render`: what was run and what came of it. */
+#ifndef TS_CLI_RENDER_H
+#define TS_CLI_RENDER_H
+#include <touchstone/image.h>
+#include "cli.h"
+#include "measure.h"
+#include "methods.h"
+#include "table.h"
+
+enum { TS_N_TRUTHS = 3, TS_MAX_PAIRS = 256, TS_DIFFERENCE_SCALE = 8 };
+
+/* Two pictures that were compared. */
+typedef struct {
+	const ts_picture *reference, *image;
+	ts_metrics all, reflective;   /* over the image and over its reflective pixels */
+	const char *share;            /* whose error this is: "method", "sampling" or "" */
+} ts_pair;
+
+typedef struct {
+	const ts_cli *cli;
+	const char *effect;
+	ts_scene *scene;
+	u64 estimate;                 /* bytes */
+	const ts_pipeline *methods[TS_MAX_METHODS];
+	u32 n_methods;
+	ts_measure measures[TS_MAX_METHODS];
+	ts_stage_pictures stages[TS_MAX_METHODS];
+	ts_picture pictures[TS_MAX_METHODS];   /* as methods */
+	ts_picture truths[TS_N_TRUTHS];        /* A, B, C; those not asked for are empty */
+	u8 *mask;                     /* 1: a reflective pixel */
+	u64 n_reflective;
+	ts_pair pairs[TS_MAX_PAIRS];
+	u32 n_pairs;
+} ts_render;
+
+/* Writes all pictures by ts_folder_file. */
+ts_status ts_render_write(ts_render *render);
+/* The tables, and the figures they are made of. */
+void ts_render_report_head(const ts_render *render, ts_report *report);
+void ts_render_report_body(const ts_render *render, ts_report *report);
+/* Adds the counter of shading operations, reflected in one method's run. */
+i64 ts_render_shading_ops(const ts_measure *measure);
+
+#endif

@@ -1,0 +1,315 @@
+/* What a render prints: times, counters, memory, metrics and what the pictures show. */
+#include <stdlib.h>
+#include "render.h"
+
+enum { NOMINAL_POINT = 80, NOMINAL_CUBE = 6 * 512 * 512 * 8, NOMINAL_TEXELS = 6 * 512 * 512, SAMPLES = 25 };
+
+/* Columns of a table with one figure a method. */
+typedef struct {
+	ts_column column[TS_MAX_COLUMNS];
+	u32 n_methods;
+} method_columns;
+
+static method_columns columns_make(const ts_render *render, const char *key, const char *head)
+{
+	method_columns c = { .column = { { key, head, false } } };
+	c.n_methods = render->n_methods < TS_MAX_COLUMNS - 2 ? render->n_methods : TS_MAX_COLUMNS - 2;
+	for (u32 i = 0; i < c.n_methods; i++) {
+		c.column[i + 1] = (ts_column){ render->methods[i]->name, render->methods[i]->name, true };
+	}
+	return c;
+}
+
+static json_t *params_json(const ts_params *params)
+{
+	json_t *object = json_object();
+	size_t n;
+	const ts_param_info *table = ts_param_table(&n);
+	for (size_t row = 0; row < n; row++) {
+		char text[64];
+		ts_params_format(params, row, text, sizeof text);
+		bool is_number = strcmp(table[row].kind, "enum") != 0;
+		json_t *value = is_number ? json_loads(text, JSON_DECODE_ANY, NULL) : json_string(text);
+		json_object_set_new(object, table[row].name, value != NULL ? value : json_string(text));
+	}
+	return object;
+}
+
+void ts_render_report_head(const ts_render *render, ts_report *report)
+{
+	const ts_params *p = &render->cli->params;
+	const ts_scene *scene = render->scene;
+	ts_report_line(report, "%s: %u triangles, %u mirrors; %u x %u pixels, frame %u, %u threads", scene->name,
+	               (unsigned)scene->n_triangles, (unsigned)scene->n_reflectors, (unsigned)p->width, (unsigned)p->height,
+	               (unsigned)p->frame, (unsigned)render->cli->threads);
+	ts_report_line(report, "memory: about %.2f GB at the peak, of %.2f GB", (double)render->estimate / 1e9,
+	               (double)ts_memory_total() / 1e9);
+	ts_report_value(report, "effect", json_string(render->effect));
+	ts_report_value(report, "scene", json_string(scene->name));
+	ts_report_value(report, "triangles", json_integer(scene->n_triangles));
+	ts_report_value(report, "mirrors", json_integer(scene->n_reflectors));
+	ts_report_value(report, "threads", json_integer(render->cli->threads));
+	ts_report_value(report, "estimated_bytes", json_integer((json_int_t)render->estimate));
+	ts_report_value(report, "params", params_json(p));
+}
+
+static double stage_seconds(const ts_measure *m, const char *stage)
+{
+	const char *const names[] = { stage, NULL };
+	return ts_measure_seconds(m, names);
+}
+
+static bool has_stage(const ts_measure *m, const char *stage)
+{
+	for (u32 i = 0; i < m->n_timings; i++) {
+		if (strcmp(m->timings[i].stage, stage) == 0) {
+			return true;
+		}
+	}
+	return false;
+}
+
+static void report_times(const ts_render *render, ts_report *report)
+{
+	method_columns columns = columns_make(render, "stage", "time, ms");
+	ts_table table = ts_table_begin("milliseconds", "Time", columns.column);
+	for (const ts_stage *s = ts_stage_table; s->name != NULL; s++) {
+		bool any = false;
+		for (u32 i = 0; i < columns.n_methods; i++) {
+			any |= has_stage(&render->measures[i], s->name);
+		}
+		if (!any) {
+			continue;
+		}
+		ts_table_text(&table, s->name);
+		for (u32 i = 0; i < columns.n_methods; i++) {
+			if (has_stage(&render->measures[i], s->name)) {
+				ts_table_real(&table, 1e3 * stage_seconds(&render->measures[i], s->name), 2);
+			} else {
+				ts_table_none(&table);
+			}
+		}
+	}
+	ts_table_text(&table, "all");
+	for (u32 i = 0; i < columns.n_methods; i++) {
+		ts_table_real(&table, 1e3 * render->measures[i].seconds, 2);
+	}
+	ts_report_table(report, &table);
+}
+
+static bool counted(const ts_measure *m, const char *name)
+{
+	for (u32 i = 0; i < m->n_counters; i++) {
+		if (strcmp(m->counters[i].name, name) == 0) {
+			return true;
+		}
+	}
+	return false;
+}
+
+static bool counted_before(const ts_render *render, u32 method, const char *name)
+{
+	for (u32 i = 0; i < method; i++) {
+		if (counted(&render->measures[i], name)) {
+			return true;
+		}
+	}
+	return false;
+}
+
+static void report_counters(const ts_render *render, ts_report *report)
+{
+	method_columns columns = columns_make(render, "counter", "counter");
+	ts_table table = ts_table_begin("counters", "Work", columns.column);
+	for (u32 i = 0; i < columns.n_methods; i++) {
+		for (u32 k = 0; k < render->measures[i].n_counters; k++) {
+			const char *name = render->measures[i].counters[k].name;
+			if (counted_before(render, i, name)) {
+				continue;
+			}
+			ts_table_text(&table, name);
+			for (u32 j = 0; j < columns.n_methods; j++) {
+				if (counted(&render->measures[j], name)) {
+					ts_table_count(&table, ts_measure_counter(&render->measures[j], name));
+				} else {
+					ts_table_none(&table);
+				}
+			}
+		}
+	}
+	ts_report_table(report, &table);
+}
+
+static void bytes_row(const ts_render *render, const method_columns *columns, ts_table *table, const char *name,
+                      u64 (*bytes)(const ts_measure *m))
+{
+	ts_table_text(table, name);
+	for (u32 i = 0; i < columns->n_methods; i++) {
+		u64 n = bytes(&render->measures[i]);
+		if (n > 0) {
+			ts_table_bytes(table, n);
+		} else {
+			ts_table_none(table);
+		}
+	}
+}
+
+static u64 bytes_points(const ts_measure *m) { return m->bytes[TS_B_points_key] + m->bytes[TS_B_points_record]; }
+static u64 bytes_points_nominal(const ts_measure *m) { return m->elements[TS_B_points_record] * NOMINAL_POINT; }
+static u64 bytes_cubes(const ts_measure *m)
+{
+	return 8 * (m->elements[TS_B_splat_depth_index] + m->elements[TS_B_face_depth_triangle]);
+}
+static u64 bytes_cubes_nominal(const ts_measure *m) { return (u64)m->n_in_sight * NOMINAL_CUBE; }
+static u64 bytes_peak(const ts_measure *m) { return m->peak_bytes; }
+
+static void report_memory(const ts_render *render, ts_report *report)
+{
+	method_columns columns = columns_make(render, "buffer", "buffer, largest batch");
+	ts_table table = ts_table_begin("bytes", "Memory", columns.column);
+	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
+		u64 any = 0;
+		for (u32 i = 0; i < columns.n_methods; i++) {
+			any |= render->measures[i].bytes[id];
+		}
+		if (any == 0) {
+			continue;
+		}
+		ts_table_text(&table, ts_buffer_table[id].name);
+		for (u32 i = 0; i < columns.n_methods; i++) {
+			if (render->measures[i].bytes[id] > 0) {
+				ts_table_bytes(&table, render->measures[i].bytes[id]);
+			} else {
+				ts_table_none(&table);
+			}
+		}
+	}
+	bytes_row(render, &columns, &table, "points, 40 B each", bytes_points);
+	bytes_row(render, &columns, &table, "points, nominal 80 B each", bytes_points_nominal);
+	bytes_row(render, &columns, &table, "depth and index of all cubes", bytes_cubes);
+	bytes_row(render, &columns, &table, "cubes, nominal 12.58 MB each (512 x 512)", bytes_cubes_nominal);
+	bytes_row(render, &columns, &table, "peak", bytes_peak);
+	ts_report_table(report, &table);
+}
+
+i64 ts_render_shading_ops(const ts_measure *measure)
+{
+	return ts_measure_counter(measure, "shading ops");
+}
+
+static const ts_measure *find_measure(const ts_render *render, const char *name)
+{
+	for (u32 i = 0; i < render->n_methods; i++) {
+		if (strcmp(render->methods[i]->name, name) == 0) {
+			return &render->measures[i];
+		}
+	}
+	return NULL;
+}
+
+/* The paper's measure of work: shading operations of MVR over those of EPR, counted and foretold. */
+static void report_ratio(const ts_render *render, ts_report *report)
+{
+	static const ts_column columns[] = { { "figure", "figure", false }, { "value", "value", true }, { 0 } };
+	const ts_measure *epr = find_measure(render, "epr"), *mvr = find_measure(render, "mvr");
+	const ts_measure *any = &render->measures[0];
+	ts_table table = ts_table_begin("shading", "Shading", columns);
+	ts_table_text(&table, "reflective pixels in sight");
+	ts_table_count(&table, (i64)render->n_reflective);
+	ts_table_text(&table, "mirrors in sight");
+	ts_table_count(&table, any->n_in_sight);
+	ts_table_text(&table, "texels a side of their cubes, mean");
+	ts_table_real(&table, any->mean_diameter, 1);
+	if (epr != NULL && mvr != NULL && ts_render_shading_ops(epr) > 0) {
+		ts_table_text(&table, "shading operations, MVR / EPR");
+		ts_table_real(&table, (double)ts_render_shading_ops(mvr) / (double)ts_render_shading_ops(epr), 2);
+	}
+	if (render->n_reflective > 0) {
+		double texels = (double)NOMINAL_TEXELS * render->scene->n_reflectors;
+		ts_table_text(&table, "6 * 512^2 * mirrors / (25 * reflective pixels)");
+		ts_table_real(&table, texels / ((double)SAMPLES * (double)render->n_reflective), 2);
+	}
+	ts_report_table(report, &table);
+}
+
+static void metric_cells(ts_table *table, const ts_metrics *m)
+{
+	if (m->pixels == 0) {
+		ts_table_none(table);
+		ts_table_none(table);
+		ts_table_none(table);
+		return;
+	}
+	ts_table_real(table, m->rmse, 3);
+	ts_table_real(table, m->psnr, 2);
+	ts_table_real(table, m->ssim, 5);
+}
+
+static void report_metrics(const ts_render *render, ts_report *report)
+{
+	static const ts_column columns[] = { { "image", "image", false }, { "reference", "against", false },
+		{ "rmse", "RMSE", true }, { "psnr", "PSNR, dB", true }, { "ssim", "SSIM", true },
+		{ "reflective_rmse", "refl. RMSE", true }, { "reflective_psnr", "PSNR, dB", true },
+		{ "reflective_ssim", "SSIM", true }, { "share", "error of the", false }, { 0 } };
+	if (render->n_pairs == 0) {
+		return;
+	}
+	ts_table table = ts_table_begin("metrics", "Metrics, in grey levels, over the image and over its reflective pixels",
+	                                columns);
+	for (u32 i = 0; i < render->n_pairs; i++) {
+		const ts_pair *pair = &render->pairs[i];
+		ts_table_text(&table, pair->image->name);
+		ts_table_text(&table, pair->reference->name);
+		metric_cells(&table, &pair->all);
+		metric_cells(&table, &pair->reflective);
+		ts_table_text(&table, pair->share);
+	}
+	ts_report_table(report, &table);
+}
+
+static void picture_row(ts_table *table, const char *name, const char *what)
+{
+	ts_table_text(table, name);
+	ts_table_text(table, what);
+}
+
+static void report_pictures(const ts_render *render, ts_report *report)
+{
+	static const ts_column columns[] = { { "name", "picture", false }, { "shows", "shows", false }, { 0 } };
+	char name[64], what[64];
+	ts_table table = ts_table_begin("pictures", "Pictures", columns);
+	for (u32 i = 0; i < render->n_methods; i++) {
+		snprintf(name, sizeof name, "%s.png .exr", render->methods[i]->name);
+		picture_row(&table, name, render->methods[i]->doc);
+		for (u32 k = 0; k < render->stages[i].n; k++) {
+			snprintf(name, sizeof name, "%s-%s.png", render->methods[i]->name, render->stages[i].picture[k].name);
+			picture_row(&table, name, render->stages[i].picture[k].caption);
+		}
+	}
+	for (u32 t = 0; t < TS_N_TRUTHS; t++) {
+		static const char *const doc[] = { "rays from the cube's centre", "true reflections",
+			"MVR at 4 times the resolution" };
+		if (render->truths[t].srgb != NULL) {
+			snprintf(name, sizeof name, "%s.png .exr", render->truths[t].name);
+			snprintf(what, sizeof what, "%s, in %.2f s", doc[t], render->truths[t].seconds);
+			picture_row(&table, name, what);
+		}
+	}
+	if (render->n_pairs > 0) {
+		snprintf(what, sizeof what, "grey levels apart, times %d (.exr: signed radiance)", (int)TS_DIFFERENCE_SCALE);
+		picture_row(&table, "difference-*.png .exr", what);
+	}
+	ts_report_table(report, &table);
+}
+
+void ts_render_report_body(const ts_render *render, ts_report *report)
+{
+	report_times(render, report);
+	report_counters(render, report);
+	report_memory(render, report);
+	report_ratio(render, report);
+	report_metrics(render, report);
+	if (!ts_cli_given(render->cli, TS_OPT_NO_IMAGES)) {
+		report_pictures(render, report);
+	}
+}
