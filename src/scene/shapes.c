@@ -127,7 +127,7 @@ static void lathe(ts_build *build, profile *p)
 	enum { KNOTS = 12, STEPS = 4 };
 	static const f32 knots[KNOTS][2] = {
 		{-0.34f, -0.92f}, {0.0f, -0.92f}, {0.34f, -0.92f}, {0.64f, -0.64f}, {0.72f, -0.23f}, {0.58f, 0.17f},
-		{0.32f, 0.44f}, {0.28f, 0.64f}, {0.44f, 0.79f}, {0.23f, 0.91f}, {0.0f, 0.97f}, {-0.23f, 0.91f},
+		{0.33f, 0.42f}, {0.3f, 0.6f}, {0.4f, 0.77f}, {0.28f, 0.92f}, {0.0f, 0.97f}, {-0.28f, 0.92f},
 	};
 	p->segments = 28;
 	p->n = (KNOTS - 3) * STEPS + 1;

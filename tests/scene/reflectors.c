@@ -1,0 +1,278 @@
+/* The added mirrors: their mean size, that they stay in the scene and apart, and what they are made of. */
+#include "../../src/kernels/pose.h"
+#include "../../src/scene/sources.h"
+#include "../../src/scene/view.h"
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <cmocka.h>
+
+static ts_params params;
+
+static int set_up(void **state)
+{
+	(void)state;
+	ts_params_default(&params);
+	return 0;
+}
+
+/* A scene whose box is x by y by z with a corner at (-7, 2, 30), with a camera "door" that looks along -x. */
+static ts_scene *room(f32 x, f32 y, f32 z, const char *camera)
+{
+	ts_build *build = ts_build_new("room");
+	assert_non_null(build);
+	const f32 corners[3][3] = {{-7.0f, 2.0f, 30.0f}, {-7.0f + x, 2.0f + y, 30.0f}, {-7.0f, 2.0f, 30.0f + z}};
+	for (u32 i = 0; i < 3; i++) {
+		ts_vertex v = {.position = {corners[i][0], corners[i][1], corners[i][2]}};
+		ts_build_vertex(build, &v);
+	}
+	ts_build_triangle(build, 0, 1, 2, TS_NONE);
+	ts_camera door = {.name = "door", .eye = {-7.0f + 0.97f * x, 2.0f + 0.4f * y, 30.0f + 0.4f * z},
+	                  .right = {0.0f, 0.0f, -1.0f}, .up = {0.0f, 1.0f, 0.0f}, .back = {1.0f, 0.0f, 0.0f}, .yfov = 0.125f};
+	ts_build_camera(build, &door);
+	ts_reflectors_add(build, &params, camera);
+	ts_scene *scene;
+	assert_int_equal(ts_build_finish(build, &params, camera, &scene), TS_OK);
+	assert_int_equal(scene->n_reflectors, params.reflectors);
+	assert_int_equal(scene->n_objects, params.reflectors + 1);
+	return scene;
+}
+
+/* Greatest distance of an object's vertex from its origin. */
+static double radius_of(const ts_scene *scene, u32 object)
+{
+	const ts_object *o = &scene->objects[object];
+	f32 greatest = 0.0f;
+	for (u32 i = 0; i < o->n_vertices; i++)
+		greatest = ts_max(greatest, ts_length(ts_load3(scene->vertices[o->first_vertex + i].position)));
+	return (double)greatest;
+}
+
+static double along(const f32 axis[3], ts_v3 d)
+{
+	return (double)axis[0] * (double)d.x + (double)axis[1] * (double)d.y + (double)axis[2] * (double)d.z;
+}
+
+/* Mean of 2 f r / z over the mirrors at frame 0; of those out of the picture by the distance. */
+static double mean_diameter(const ts_scene *scene)
+{
+	ts_view eye;
+	ts_params first = params;
+	first.frame = 0;
+	ts_view_eye(&eye, scene, &first);
+	double sum = 0.0, f = (double)eye.focal;
+	for (u32 i = 1; i < scene->n_objects; i++) {
+		ts_v3 d = ts_sub(ts_k_pose(&scene->objects[i], 0).centre, ts_load3(eye.eye));
+		double z = -along(eye.back, d), x = f * along(eye.right, d) / z, y = f * along(eye.up, d) / z;
+		bool seen = z > 0.0 && fabs(x) <= eye.width * 0.5 && fabs(y) <= eye.height * 0.5;
+		double distance = seen ? z : sqrt(along(eye.back, d) * along(eye.back, d) + along(eye.up, d) * along(eye.up, d) +
+		                                  along(eye.right, d) * along(eye.right, d));
+		sum += 2.0 * f * radius_of(scene, i) / distance;
+	}
+	return sum / params.reflectors;
+}
+
+static void check_size(f32 x, f32 y, f32 z, const char *camera)
+{
+	ts_scene *scene = room(x, y, z, camera);
+	double mean = mean_diameter(scene);
+	if (fabs(mean / (double)params.reflector_px - 1.0) > 0.01)
+		fail_msg("%u mirrors in %g x %g x %g: %g px, expected %g", params.reflectors, (double)x, (double)y, (double)z, mean,
+		         (double)params.reflector_px);
+	assert_int_equal(scene->n_notes, 0);
+	ts_scene_free(scene);
+}
+
+static void test_mean_size(void **state)
+{
+	(void)state;
+	const u32 counts[] = {1, 2, 10, 37, 100};
+	for (u32 i = 0; i < sizeof counts / sizeof *counts; i++) {
+		params.reflectors = counts[i];
+		for (params.eye = TS_EYE_NEAR; params.eye <= TS_EYE_FAR; params.eye++) {
+			check_size(30.0f, 12.0f, 18.0f, NULL);
+			check_size(8.0f, 3.0f, 8.0f, NULL);
+		}
+		check_size(30.0f, 12.0f, 18.0f, "door");
+	}
+	params.reflectors = 10;
+	params.frame = 77;
+	check_size(30.0f, 12.0f, 18.0f, NULL);
+	params.reflector_px = 40.0f;
+	check_size(30.0f, 12.0f, 18.0f, NULL);
+}
+
+/* For a whole turn and every shape, with bobbing and spinning. */
+static void test_stay_inside(void **state)
+{
+	(void)state;
+	params.reflector_shape = TS_SHAPE_MIXED;
+	params.reflectors = 12;
+	for (params.eye = TS_EYE_NEAR; params.eye <= TS_EYE_FAR; params.eye++) {
+		ts_scene *scene = room(20.0f, 6.0f, 14.0f, NULL);
+		for (u32 frame = 0; frame < 240; frame++)
+			for (u32 i = scene->objects[0].n_vertices; i < scene->n_vertices; i++) {
+				ts_pose pose = ts_k_pose(&scene->objects[scene->vertices[i].object], frame);
+				ts_v3 p = ts_k_pose_point(&pose, ts_load3(scene->vertices[i].position));
+				assert_true(p.x >= scene->box_min[0] && p.y >= scene->box_min[1] && p.z >= scene->box_min[2] &&
+				            p.x <= scene->box_max[0] && p.y <= scene->box_max[1] && p.z <= scene->box_max[2]);
+			}
+		ts_scene_free(scene);
+	}
+}
+
+/* Paths within the inner 60 %, golden phases, one turn in 240 frames. */
+static void test_paths(void **state)
+{
+	(void)state;
+	params.reflectors = 50;
+	ts_scene *scene = room(20.0f, 6.0f, 14.0f, NULL);
+	for (u32 i = 0; i < 50; i++) {
+		const ts_object *o = &scene->objects[i + 1];
+		assert_int_equal(o->reflector, i);
+		assert_int_equal(o->period, 240);
+		assert_true(fabs((double)o->phase - fmod(0.618034 * i, 1.0)) < 1e-5);
+		assert_true(o->axis[0] > 0.0f && o->axis[0] <= 6.0f && o->axis[1] > 0.0f && o->axis[1] <= 4.2f);
+		assert_float_equal(o->centre[0], 3.0f, 1e-5f);
+		assert_float_equal(o->centre[2], 37.0f, 1e-5f);
+		assert_true(o->spin == ts_floor(o->spin));
+	}
+	ts_scene_free(scene);
+}
+
+/* No two of ten mirrors meet, and none comes over the eye, at any frame. */
+static void test_apart(void **state)
+{
+	(void)state;
+	for (params.eye = TS_EYE_NEAR; params.eye <= TS_EYE_FAR; params.eye++) {
+		params.frame = 0;
+		ts_scene *scene = room(20.0f, 6.0f, 14.0f, NULL);
+		f32 radius = (f32)radius_of(scene, 1);
+		for (; params.frame < 240; params.frame++) {
+			ts_view eye;
+			ts_view_eye(&eye, scene, &params);
+			for (u32 i = 1; i < scene->n_objects; i++) {
+				ts_v3 centre = ts_k_pose(&scene->objects[i], params.frame).centre;
+				assert_true(ts_length(ts_sub(centre, ts_load3(eye.eye))) > radius * 1.5f);
+				for (u32 j = 1; j < i; j++) {
+					ts_v3 other = ts_k_pose(&scene->objects[j], params.frame).centre;
+					if (ts_length(ts_sub(centre, other)) <= radius * 2.0f)
+						fail_msg("mirrors %u and %u meet in frame %u, eye %u", j, i, params.frame, params.eye);
+				}
+			}
+		}
+		ts_scene_free(scene);
+	}
+}
+
+/* At least two thirds of the mirrors are in the picture of frame 0. */
+static void test_in_the_picture(void **state)
+{
+	(void)state;
+	params.reflectors = 30;
+	ts_scene *scene = room(20.0f, 6.0f, 14.0f, NULL);
+	ts_view eye;
+	ts_view_eye(&eye, scene, &params);
+	u32 seen = 0;
+	for (u32 i = 1; i < scene->n_objects; i++) {
+		ts_v3 d = ts_sub(ts_k_pose(&scene->objects[i], 0).centre, ts_load3(eye.eye));
+		double z = -along(eye.back, d), f = (double)eye.focal;
+		seen += z > 0.0 && fabs(f * along(eye.right, d)) <= z * eye.width * 0.5 &&
+		        fabs(f * along(eye.up, d)) <= z * eye.height * 0.5;
+	}
+	assert_in_range(seen, 20, 30);
+	ts_scene_free(scene);
+}
+
+static void test_mirrors(void **state)
+{
+	(void)state;
+	ts_scene *scene = room(20.0f, 6.0f, 14.0f, NULL);
+	assert_int_equal(scene->n_triangles_file, 1);
+	for (u32 i = 1; i < scene->n_triangles; i++) {
+		const ts_material *m = &scene->materials[scene->triangles[i].material];
+		assert_true(m->metallic == 1.0f && m->roughness == 0.05f);
+		for (u32 k = 0; k < 3; k++) assert_true(m->base[k] > 0.5f && m->base[k] <= 1.0f);
+	}
+	ts_scene_free(scene);
+}
+
+static void test_mixed_shapes(void **state)
+{
+	(void)state;
+	params.reflectors = 1;
+	u32 count[TS_SHAPE_MIXED];
+	for (params.reflector_shape = 0; params.reflector_shape < TS_SHAPE_MIXED; params.reflector_shape++) {
+		ts_scene *scene = room(20.0f, 6.0f, 14.0f, NULL);
+		count[params.reflector_shape] = scene->objects[1].n_vertices;
+		ts_scene_free(scene);
+	}
+	params.reflectors = 9;
+	ts_scene *scene = room(20.0f, 6.0f, 14.0f, NULL);
+	for (u32 i = 0; i < 9; i++) assert_int_equal(scene->objects[i + 1].n_vertices, count[i % TS_SHAPE_MIXED]);
+	ts_scene_free(scene);
+}
+
+static void test_same_bytes(void **state)
+{
+	(void)state;
+	params.reflector_shape = TS_SHAPE_MIXED;
+	ts_scene *a = room(20.0f, 6.0f, 14.0f, NULL), *b = room(20.0f, 6.0f, 14.0f, NULL);
+	assert_int_equal(a->n_vertices, b->n_vertices);
+	assert_memory_equal(a->vertices, b->vertices, a->n_vertices * sizeof *a->vertices);
+	assert_memory_equal(a->objects, b->objects, a->n_objects * sizeof *a->objects);
+	ts_scene_free(a);
+	ts_scene_free(b);
+}
+
+static void test_none(void **state)
+{
+	(void)state;
+	params.reflectors = 0;
+	ts_scene *scene = room(20.0f, 6.0f, 14.0f, NULL);
+	assert_int_equal(scene->n_triangles, 1);
+	assert_int_equal(scene->n_materials, 1);
+	ts_scene_free(scene);
+}
+
+/* Mirrors too large for the room are made smaller, and a note says so. */
+static void test_too_large(void **state)
+{
+	(void)state;
+	params.reflector_px = 4096.0f;
+	ts_scene *scene = room(20.0f, 6.0f, 14.0f, NULL);
+	assert_true(radius_of(scene, 1) <= 2.46);
+	assert_int_equal(scene->n_notes, 1);
+	assert_non_null(strstr(scene->notes[0], "reflector_px=4096"));
+	ts_scene_free(scene);
+}
+
+/* A wall, a floor and a needle can hold mirrors too. */
+static void test_flat_scenes(void **state)
+{
+	(void)state;
+	const f32 boxes[3][3] = {{20.0f, 6.0f, 0.0f}, {20.0f, 0.0f, 14.0f}, {0.0f, 6.0f, 0.0f}};
+	for (u32 i = 0; i < 3; i++) {
+		ts_scene *scene = room(boxes[i][0], boxes[i][1], boxes[i][2], NULL);
+		assert_true(radius_of(scene, 1) > 0.0);
+		ts_scene_free(scene);
+	}
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test_setup(test_mean_size, set_up),
+		cmocka_unit_test_setup(test_stay_inside, set_up),
+		cmocka_unit_test_setup(test_paths, set_up),
+		cmocka_unit_test_setup(test_apart, set_up),
+		cmocka_unit_test_setup(test_in_the_picture, set_up),
+		cmocka_unit_test_setup(test_mirrors, set_up),
+		cmocka_unit_test_setup(test_mixed_shapes, set_up),
+		cmocka_unit_test_setup(test_same_bytes, set_up),
+		cmocka_unit_test_setup(test_none, set_up),
+		cmocka_unit_test_setup(test_too_large, set_up),
+		cmocka_unit_test_setup(test_flat_scenes, set_up),
+	};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,154 @@
+/* The eye: where it is, where it looks, and its projection, against double arithmetic. */
+#include "../../src/scene/view.h"
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <cmocka.h>
+
+static ts_params params;
+static ts_scene room;
+static ts_camera cameras[2];
+
+static int set_up(void **state)
+{
+	(void)state;
+	ts_params_default(&params);
+	room = (ts_scene){.camera = TS_NONE, .box_min = {-3.0f, -1.0f, 10.0f}, .box_max = {5.0f, 5.0f, 40.0f}};
+	cameras[1] = (ts_camera){.eye = {1.0f, 2.0f, 3.0f}, .right = {0.0f, 0.0f, -1.0f}, .up = {0.0f, 1.0f, 0.0f},
+	                         .back = {1.0f, 0.0f, 0.0f}, .yfov = 0.125f};
+	room.cameras = cameras;
+	room.n_cameras = 2;
+	return 0;
+}
+
+static ts_view view_of(u32 frame)
+{
+	ts_view view;
+	params.frame = frame;
+	ts_view_eye(&view, &room, &params);
+	return view;
+}
+
+static double dot(const f32 *a, const f32 *b)
+{
+	return (double)a[0] * (double)b[0] + (double)a[1] * (double)b[1] + (double)a[2] * (double)b[2];
+}
+
+static void check_orthonormal(const ts_view *v)
+{
+	const f32 *axes[3] = {v->right, v->up, v->back};
+	for (int i = 0; i < 3; i++)
+		for (int j = 0; j < 3; j++) assert_true(fabs(dot(axes[i], axes[j]) - (i == j)) < 1e-6);
+	ts_v3 cross = ts_cross(ts_load3(v->right), ts_load3(v->up));
+	assert_true(ts_dot(cross, ts_load3(v->back)) > 0.99f);
+}
+
+static void test_orthonormal(void **state)
+{
+	(void)state;
+	for (u32 frame = 0; frame < 240; frame++) {
+		ts_view v = view_of(frame);
+		check_orthonormal(&v);
+		assert_true(v.right[1] == 0.0f && v.up[1] > 0.9f);
+	}
+}
+
+static void test_ellipse(void **state)
+{
+	(void)state;
+	const double factors[2] = {0.35, 0.9};
+	for (u32 eye = TS_EYE_NEAR; eye <= TS_EYE_FAR; eye++) {
+		params.eye = eye;
+		for (u32 frame = 0; frame < 240; frame++) {
+			ts_view v = view_of(frame);
+			double turn = 2.0 * 3.14159265358979323846 * frame / 240.0;
+			assert_true(fabs((double)v.eye[0] - (1.0 + 4.0 * factors[eye] * cos(turn))) < 1e-5);
+			assert_true(fabs((double)v.eye[2] - (25.0 + 15.0 * factors[eye] * sin(turn))) < 1e-5);
+			assert_true(v.eye[1] > room.box_min[1] && v.eye[1] < room.box_max[1]);
+		}
+	}
+}
+
+/* The vertical axis through the middle of the box is in the middle column. */
+static void test_looks_at_the_middle(void **state)
+{
+	(void)state;
+	for (u32 frame = 0; frame < 240; frame += 7) {
+		ts_view v = view_of(frame);
+		f32 d[3] = {1.0f - v.eye[0], 2.0f - v.eye[1], 25.0f - v.eye[2]};
+		assert_true(fabs(dot(d, v.right)) < 1e-5);
+		assert_true(-dot(d, v.back) > 1.0);
+	}
+}
+
+static void test_one_turn(void **state)
+{
+	(void)state;
+	ts_view first = view_of(17), later = view_of(17 + 240);
+	assert_memory_equal(&first, &later, sizeof first);
+	later = view_of(18);
+	assert_memory_not_equal(&first, &later, sizeof first);
+}
+
+static void test_projection(void **state)
+{
+	(void)state;
+	const f32 degrees[] = {1.0f, 30.0f, 60.0f, 90.0f, 150.0f};
+	for (u32 i = 0; i < sizeof degrees / sizeof *degrees; i++) {
+		params.fov = degrees[i];
+		ts_view v = view_of(0);
+		double focal = params.height / (2.0 * tan((double)degrees[i] * 3.14159265358979323846 / 360.0));
+		assert_true(fabs((double)v.focal / focal - 1.0) < 1e-5);
+		assert_int_equal(v.width, params.width);
+		assert_int_equal(v.height, params.height);
+		assert_true(fabs((double)v.near * 1024.0 / sqrt(16.0 + 9.0 + 225.0) - 1.0) < 1e-6);
+	}
+}
+
+static void test_named_camera(void **state)
+{
+	(void)state;
+	room.camera = 1;
+	ts_view v = view_of(5), w = view_of(99);
+	assert_memory_equal(&v, &w, sizeof v);
+	assert_memory_equal(v.eye, cameras[1].eye, sizeof v.eye);
+	assert_memory_equal(v.right, cameras[1].right, sizeof v.right);
+	assert_memory_equal(v.up, cameras[1].up, sizeof v.up);
+	assert_memory_equal(v.back, cameras[1].back, sizeof v.back);
+	assert_true(fabs((double)v.focal / (540.0 / tan(3.14159265358979323846 / 8.0)) - 1.0) < 1e-6);
+	cameras[1].yfov = 0.0f;
+	v = view_of(5);
+	assert_true(fabs((double)v.focal / (540.0 / tan(3.14159265358979323846 / 6.0)) - 1.0) < 1e-6);
+}
+
+/* Boxes without thickness, and a point: still a view. */
+static void test_flat_boxes(void **state)
+{
+	(void)state;
+	for (u32 flat = 1; flat < 8; flat++) {
+		set_up(NULL);
+		for (u32 k = 0; k < 3; k++)
+			if (flat >> k & 1) room.box_max[k] = room.box_min[k];
+		ts_v3 half = ts_view_half_box(&room);
+		assert_true(half.x > 0.0f && half.y > 0.0f && half.z > 0.0f);
+		for (u32 frame = 0; frame < 240; frame += 20) {
+			ts_view v = view_of(frame);
+			check_orthonormal(&v);
+			assert_true(v.near > 0.0f);
+		}
+	}
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test_setup(test_orthonormal, set_up),
+		cmocka_unit_test_setup(test_ellipse, set_up),
+		cmocka_unit_test_setup(test_looks_at_the_middle, set_up),
+		cmocka_unit_test_setup(test_one_turn, set_up),
+		cmocka_unit_test_setup(test_projection, set_up),
+		cmocka_unit_test_setup(test_named_camera, set_up),
+		cmocka_unit_test_setup(test_flat_boxes, set_up),
+	};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
