@@ -65,8 +65,8 @@ LIB_C := $(filter-out src/cli/%,$(wildcard src/*/*.c src/*/*/*.c))
 LIB_CC := $(wildcard src/*/*.cc)
 CLI_C := $(filter-out src/cli/core_main.c,$(wildcard src/cli/*.c))
 CORE_C := $(wildcard src/core/*.c src/backends/c/*.c src/stages/*.c src/pipelines/*.c) \
-	$(filter-out src/scene/open.c src/scene/print.c,$(wildcard src/scene/*.c)) \
-	$(wildcard $(patsubst %,src/cli/%.c,core_main command digest help nearest options))
+	$(filter-out src/scene/open.c src/scene/print.c src/scene/gltf%,$(wildcard src/scene/*.c)) \
+	$(wildcard $(patsubst %,src/cli/%.c,core_main command digest help methods nearest options))
 TEST_C := $(filter-out tests/fuzz/%,$(wildcard tests/*/*.c))
 
 object = $(patsubst %,$(BUILD)/obj/%.o,$(1))
