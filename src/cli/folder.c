@@ -10,12 +10,13 @@
 #include <unistd.h>
 #include "folder.h"
 
-enum { MAX_FILES = 256, MAX_PATH = 4096, MAX_DIR = MAX_PATH - 300 };
+enum { MAX_FILES = 256, MAX_PARENTS = 64, MAX_PATH = 4096, MAX_DIR = MAX_PATH - 300 };
 
 static struct {
 	char dir[MAX_PATH], partial[MAX_PATH], old[MAX_PATH];
 	char *files[MAX_FILES];                 /* each twice: as written, and as its writer's own .partial */
-	volatile sig_atomic_t n_files, made;
+	char *parents[MAX_PARENTS];             /* folders above DIR that were made for it, outermost first */
+	volatile sig_atomic_t n_files, n_parents, made;
 	pthread_t owner;
 } folder;
 
@@ -30,6 +31,10 @@ static void remove_partial(void)
 		}
 		rmdir(folder.partial);
 		folder.made = 0;
+	}
+	while (folder.n_parents > 0) {
+		folder.n_parents = folder.n_parents - 1;
+		rmdir(folder.parents[folder.n_parents]);
 	}
 }
 
@@ -139,6 +144,22 @@ static ts_status set_names(const char *dir)
 	return TS_OK;
 }
 
+/* Makes the folders above DIR.partial that are missing; mkdir of the last one reports what is wrong. */
+static void make_parents(void)
+{
+	for (char *slash = strchr(folder.partial + 1, '/'); slash != NULL; slash = strchr(slash + 1, '/')) {
+		*slash = 0;
+		char *copy = folder.n_parents < MAX_PARENTS ? strdup(folder.partial) : NULL;
+		if (copy != NULL && mkdir(folder.partial, 0777) == 0) {
+			folder.parents[folder.n_parents] = copy;
+			folder.n_parents = folder.n_parents + 1;
+		} else {
+			free(copy);
+		}
+		*slash = '/';
+	}
+}
+
 ts_status ts_folder_begin(const char *dir, bool force)
 {
 	ts_status status = set_names(dir);
@@ -152,9 +173,13 @@ ts_status ts_folder_begin(const char *dir, bool force)
 	folder.owner = pthread_self();
 	folder.n_files = 0;
 	hold_signals(SIG_BLOCK);
+	make_parents();
 	int made = mkdir(folder.partial, 0777);
 	int error = errno;
 	folder.made = made == 0;
+	if (made != 0) {
+		remove_partial();
+	}
 	catch_signals(made == 0);
 	hold_signals(SIG_UNBLOCK);
 	if (made != 0 && error == EEXIST) {
@@ -206,6 +231,7 @@ static void forget(void)
 		free(folder.files[i]);
 	}
 	folder.n_files = 0;
+	folder.n_parents = 0;
 	folder.made = 0;
 }
 
