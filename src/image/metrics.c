@@ -1,0 +1,117 @@
+/* How far apart two images are (SPEC 0.3.12): RMSE and PSNR over 8-bit values, SSIM of Wang et al. 2004 ("Image quality
+ * assessment: from error visibility to structural similarity") with its 11 by 11 Gaussian of sigma 1.5 over luma.
+ * Sums run left to right, top to bottom. */
+#include <math.h>
+#include <stdbool.h>
+#include <string.h>
+#include <touchstone/image.h>
+
+enum { TAPS = 11, REACH = TAPS / 2, BLOCK = 64, SPAN = BLOCK + 2 * REACH, N_SUMS = 5 };
+
+typedef struct {
+	const uint8_t *reference, *image, *mask;
+	uint32_t width, height;
+	double weight[TAPS];
+} pair;
+
+/* Over the window: x, y, x x, y y, x y. */
+typedef struct { double sum[N_SUMS]; } moments;
+
+static double luma(const uint8_t *rgb) { return 0.299 * rgb[0] + 0.587 * rgb[1] + 0.114 * rgb[2]; }
+
+static bool is_judged(const pair *p, uint32_t x, uint32_t y) { return !p->mask || p->mask[(size_t)y * p->width + x]; }
+
+static bool fits(uint32_t at, uint32_t size) { return at >= REACH && at + REACH < size; }
+
+/* The column x of windows centred on row y; rows outside the image weigh nothing. */
+static moments column(const pair *p, uint32_t x, uint32_t y)
+{
+	moments m = {{0}};
+	double total = 0;
+	for (int k = 0; k < TAPS; k++) {
+		int64_t row = (int64_t)y + k - REACH;
+		if (row < 0 || row >= p->height) continue;
+		size_t at = ((size_t)row * p->width + x) * 3;
+		double a = luma(p->reference + at), b = luma(p->image + at), w = p->weight[k];
+		double term[N_SUMS] = {a, b, a * a, b * b, a * b};
+		for (int i = 0; i < N_SUMS; i++) m.sum[i] += w * term[i];
+		total += w;
+	}
+	for (int i = 0; i < N_SUMS; i++) m.sum[i] /= total;
+	return m;
+}
+
+static double similarity(const pair *p, const moments *columns, uint32_t x)
+{
+	const double c1 = (0.01 * 255) * (0.01 * 255), c2 = (0.03 * 255) * (0.03 * 255);
+	double s[N_SUMS] = {0}, total = 0;
+	for (int k = 0; k < TAPS; k++) {
+		int64_t at = (int64_t)x + k - REACH;
+		if (at < 0 || at >= p->width) continue;
+		for (int i = 0; i < N_SUMS; i++) s[i] += p->weight[k] * columns[k].sum[i];
+		total += p->weight[k];
+	}
+	for (int i = 0; i < N_SUMS; i++) s[i] /= total;
+	double var_a = s[2] - s[0] * s[0], var_b = s[3] - s[1] * s[1], cov = s[4] - s[0] * s[1];
+	return ((2 * s[0] * s[1] + c1) * (2 * cov + c2)) / ((s[0] * s[0] + s[1] * s[1] + c1) * (var_a + var_b + c2));
+}
+
+/* Sums over the judged centres of BLOCK columns of row y. */
+static void add_block(const pair *p, uint32_t first, uint32_t y, bool whole, double *sum, uint64_t *n)
+{
+	moments columns[SPAN];
+	uint32_t end = first + BLOCK < p->width ? first + BLOCK : p->width;
+	for (int i = 0; i < SPAN; i++) {
+		int64_t x = (int64_t)first + i - REACH;
+		if (x >= 0 && x < p->width) columns[i] = column(p, (uint32_t)x, y);
+	}
+	for (uint32_t x = first; x < end; x++) {
+		if (!is_judged(p, x, y) || (whole && !fits(x, p->width))) continue;
+		*sum += similarity(p, columns + (x - first), x);
+		++*n;
+	}
+}
+
+/* Mean over the judged centres: of the windows that fit into the image if `whole`, else of all, cut at the border. */
+static bool mean_similarity(const pair *p, bool whole, double *mean)
+{
+	double sum = 0;
+	uint64_t n = 0;
+	for (uint32_t y = 0; y < p->height; y++) {
+		if (whole && !fits(y, p->height)) continue;
+		for (uint32_t x = 0; x < p->width; x += BLOCK) add_block(p, x, y, whole, &sum, &n);
+	}
+	if (n > 0) *mean = sum / (double)n;
+	return n > 0;
+}
+
+static void set_weights(pair *p)
+{
+	double total = 0;
+	for (int k = 0; k < TAPS; k++) total += p->weight[k] = exp(-(k - REACH) * (k - REACH) / (2 * 1.5 * 1.5));
+	for (int k = 0; k < TAPS; k++) p->weight[k] /= total;
+}
+
+ts_metrics ts_metrics_compare(const uint8_t *reference, const uint8_t *image, const uint8_t *mask, uint32_t width,
+                              uint32_t height)
+{
+	pair p = {.reference = reference, .image = image, .mask = mask, .width = width, .height = height};
+	ts_metrics m = {.ssim = 1};
+	uint64_t squares = 0;
+	for (uint32_t y = 0; y < height; y++) {
+		for (uint32_t x = 0; x < width; x++) {
+			if (!is_judged(&p, x, y)) continue;
+			size_t at = ((size_t)y * width + x) * 3;
+			m.pixels++;
+			for (size_t c = at; c < at + 3; c++) {
+				int d = reference[c] - image[c];
+				squares += (uint64_t)(d * d);
+			}
+		}
+	}
+	if (m.pixels > 0) m.rmse = sqrt((double)squares / (3.0 * (double)m.pixels));
+	m.psnr = squares > 0 ? 20 * log10(255 / m.rmse) : INFINITY;
+	set_weights(&p);
+	if (!mean_similarity(&p, true, &m.ssim)) mean_similarity(&p, false, &m.ssim);
+	return m;
+}

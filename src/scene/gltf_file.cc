@@ -1,0 +1,140 @@
+/* Files and URIs of a glTF asset. Files are untrusted: nothing outside the asset's own folder is opened, and neither
+ * devices nor pipes are read. */
+#include "gltf.h"
+#include <cerrno>
+#include <climits>
+#include <cstdlib>
+#include <cstring>
+#include <fcntl.h>
+#include <memory>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace gltf {
+
+struct descriptor {
+	int fd;
+	~descriptor()
+	{
+		if (fd >= 0) close(fd);
+	}
+};
+
+static bytes read_all(const std::string &path, int flags, uint64_t limit, const std::string &shown)
+{
+	descriptor file{open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | flags)};
+	struct stat info;
+	if (file.fd < 0 || fstat(file.fd, &info) != 0) fail("%s: %s", shown.c_str(), strerror(errno));
+	if (!S_ISREG(info.st_mode)) fail("%s: not a regular file", shown.c_str());
+	if ((uint64_t)info.st_size > limit)
+		fail("%s: %lld bytes; at most %llu are read", shown.c_str(), (long long)info.st_size, (unsigned long long)limit);
+	bytes data((size_t)info.st_size);
+	for (size_t done = 0; done < data.size();) {
+		ssize_t n = read(file.fd, data.data() + done, data.size() - done);
+		if (n < 0 && errno == EINTR) continue;
+		if (n < 0) fail("%s: %s", shown.c_str(), strerror(errno));
+		if (n == 0) fail("%s: the file became shorter while it was read", shown.c_str());
+		done += (size_t)n;
+	}
+	return data;
+}
+
+bytes file_read(const std::string &path, uint64_t limit) { return read_all(path, 0, limit, "the file"); }
+
+static std::string resolve(const std::string &path, const std::string &shown)
+{
+	std::unique_ptr<char, void (*)(void *)> real(realpath(path.c_str(), nullptr), free);
+	if (!real) fail("%s: %s", shown.c_str(), strerror(errno));
+	return real.get();
+}
+
+bytes file_read_beside(const std::string &base, const std::string &relative, uint64_t limit)
+{
+	size_t slash = base.rfind('/');
+	std::string shown = "file " + quoted(relative);
+	std::string folder = resolve(slash == std::string::npos ? "." : base.substr(0, slash + 1), "its folder");
+	if (folder.back() != '/') folder += '/';
+	std::string real = resolve(folder + relative, shown);
+	if (real.compare(0, folder.size(), folder) != 0) fail("%s: a link out of the scene's folder", shown.c_str());
+	return read_all(real, O_NOFOLLOW, limit, shown);
+}
+
+static int hex_digit(char c)
+{
+	if (c >= '0' && c <= '9') return c - '0';
+	if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+	if (c >= 'A' && c <= 'F') return c - 'A' + 10;
+	return -1;
+}
+
+static std::string percent_decode(const std::string &uri, const std::string &where)
+{
+	std::string text;
+	for (size_t i = 0; i < uri.size(); i++) {
+		if (uri[i] != '%') {
+			text += uri[i];
+			continue;
+		}
+		int high = i + 2 < uri.size() ? hex_digit(uri[i + 1]) : -1;
+		int low = i + 2 < uri.size() ? hex_digit(uri[i + 2]) : -1;
+		if (high < 0 || low < 0) fail("%s: a %% without two hexadecimal digits in %s", where.c_str(), quoted(uri).c_str());
+		text += (char)(high * 16 + low);
+		i += 2;
+	}
+	return text;
+}
+
+/* Whether the path, read from left to right, ever climbs above where it begins. */
+static bool climbs_out(const std::string &path)
+{
+	int depth = 0;
+	for (size_t begin = 0; begin <= path.size();) {
+		size_t end = std::min(path.find('/', begin), path.size());
+		std::string part = path.substr(begin, end - begin);
+		if (part == "..") depth--;
+		else if (!part.empty() && part != ".") depth++;
+		if (depth < 0) return true;
+		begin = end + 1;
+	}
+	return false;
+}
+
+std::string path_from_uri(const std::string &uri, const std::string &where)
+{
+	if (uri.empty()) fail("%s: an empty URI; a file of the scene's folder is expected", where.c_str());
+	if (uri.size() >= PATH_MAX) fail("%s: a URI of %zu bytes; at most %d are read", where.c_str(), uri.size(), PATH_MAX - 1);
+	std::string path = percent_decode(uri, where);
+	std::string first = path.substr(0, path.find('/'));
+	bool bad = path[0] == '/' || path.find('\\') != std::string::npos || path.find('\0') != std::string::npos ||
+	           first.find(':') != std::string::npos || climbs_out(path);
+	if (bad) fail("%s: %s is no file of the scene's folder", where.c_str(), quoted(uri).c_str());
+	return path;
+}
+
+static bool lists(const char *types, const std::string &type)
+{
+	std::string all = std::string(" ") + types + " ";
+	return all.find(" " + type + " ") != std::string::npos;
+}
+
+uint64_t data_uri_check(const std::string &uri, const char *types, const std::string &where)
+{
+	size_t comma = uri.find(',');
+	std::string head = uri.substr(5, std::min<size_t>(comma, 128) - 5);
+	size_t semicolon = head.find(';');
+	if (comma == std::string::npos || semicolon == std::string::npos || head.substr(semicolon) != ";base64")
+		fail("%s: a data URI without \";base64,\"", where.c_str());
+	if (!lists(types, head.substr(0, semicolon)))
+		fail("%s: media type %s; known are %s", where.c_str(), quoted(head.substr(0, semicolon)).c_str(), types);
+	size_t n = uri.size() - comma - 1, padding = 0;
+	while (padding < 2 && padding < n && uri[uri.size() - 1 - padding] == '=') padding++;
+	for (size_t i = comma + 1; i < uri.size() - padding; i++) {
+		char c = uri[i];
+		bool known = (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '+' || c == '/';
+		if (!known) fail("%s: byte %zu of the data is no base64", where.c_str(), i - comma - 1);
+	}
+	if (n == 0 || n % 4 != 0) fail("%s: %zu base64 characters; a multiple of 4 above 0 is expected", where.c_str(), n);
+	return (uint64_t)n / 4 * 3 - padding;
+}
+
+} // namespace gltf
