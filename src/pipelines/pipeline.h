@@ -9,13 +9,12 @@ typedef struct {
 	const char *paper;
 	const char *doc;
 	ts_status (*run)(ts_run *run);
+	/* Estimated peak of the frame's buffers in bytes, before running. */
+	u64 (*estimate)(const ts_scene *scene, const ts_params *params);
 } ts_pipeline;
 
 /* All pipelines, ended by a row without a name. */
 extern const ts_pipeline ts_pipeline_table[];
 const ts_pipeline *ts_pipeline_find(const char *effect, const char *name);
-
-/* Estimated peak of the frame's buffers in bytes, before running. */
-u64 ts_pipeline_estimate(const ts_pipeline *pipeline, const ts_scene *scene, const ts_params *params);
 
 #endif

@@ -27,6 +27,7 @@ struct ts_run {
 	ts_params params;
 	u32 threads;               /* never changes a result */
 	bool reference;            /* no fast paths */
+	bool all_cubes;            /* also the cubes of reflectors that the eye does not see */
 	u32 first_reflector, n_reflectors; /* the batch that per-reflector stages work on */
 	ts_frame frame;
 	ts_counter counters[TS_MAX_COUNTERS]; u32 n_counters;

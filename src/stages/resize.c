@@ -1,0 +1,61 @@
+/* Boxes, balls and cube sizes of the reflectors. Frames 0 to this one are replayed, because the hysteresis is the one
+ * state between frames (SPEC 0.3.8). */
+#include <stdlib.h>
+#include "../scene/view.h"
+#include "stages.h"
+
+static u32 largest_face(const ts_params *params)
+{
+	u32 half_eye = params->height / 2;
+	u32 most = params->face_max < half_eye ? params->face_max : half_eye;
+	return most < 16 ? 16 : most;
+}
+
+static void replay(const ts_run *run, ts_resize_args *args, u32 n)
+{
+	ts_params params = run->params;
+	ts_view view;
+	args->view = &view;
+	u32 first = args->fixed != 0 ? run->params.frame : 0;
+	for (u32 frame = first; frame <= run->params.frame; frame++) {
+		params.frame = frame;
+		args->frame = frame;
+		ts_view_eye(&view, run->scene, &params);
+		ts_c_launch(TS_KERNEL_resize, args, n, run->threads);
+	}
+}
+
+ts_status ts_stage_resize(ts_run *run)
+{
+	u32 n = run->scene->n_reflectors;
+	ts_face *cubes = ts_frame_make1(&run->frame, TS_B_resize_face, n);
+	u32 *objects = ts_alloc(n, sizeof *objects, "reflectors");
+	if (cubes == NULL || objects == NULL) {
+		free(objects);
+		return TS_ERROR;
+	}
+	memset(cubes, 0, n * sizeof *cubes);
+	for (u32 i = 0; i < run->scene->n_objects; i++) {
+		u32 reflector = run->scene->objects[i].reflector;
+		if (reflector != TS_NONE) objects[reflector] = i;
+	}
+	ts_resize_args args = {
+		.vertices = ts_frame_data(&run->frame, TS_B_scene_vertex),
+		.objects = ts_frame_data(&run->frame, TS_B_scene_object),
+		.reflector_objects = objects,
+		.cubes = cubes,
+		.n_max = largest_face(&run->params),
+		.hysteresis = run->params.hysteresis,
+		.fixed = run->params.face_px,
+		.all = run->all_cubes || run->params.bounces > 1,
+	};
+	replay(run, &args, n);
+	free(objects);
+	u64 offset = 0;
+	for (u32 r = 0; r < n; r++) {
+		cubes[r].offset = offset;
+		offset += (u64)6 * cubes[r].n * cubes[r].n;
+	}
+	ts_run_count(run, "cube texels", (i64)offset);
+	return TS_OK;
+}

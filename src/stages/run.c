@@ -1,0 +1,113 @@
+/* A run: its frame, its counters, and what the stages share. */
+#include "stages.h"
+
+#include <assert.h>
+#include <inttypes.h>
+#include "../core/core.h"
+
+void ts_run_begin(ts_run *run, const ts_scene *scene, const ts_params *params, u32 threads)
+{
+	memset(run, 0, sizeof *run);
+	run->scene = scene;
+	run->params = *params;
+	run->threads = threads != 0 ? threads : 1;
+	run->n_reflectors = scene->n_reflectors;
+	ts_frame_borrow(&run->frame, TS_B_scene_vertex, scene->vertices, scene->n_vertices);
+	ts_frame_borrow(&run->frame, TS_B_scene_triangle, scene->triangles, scene->n_triangles);
+	ts_frame_borrow(&run->frame, TS_B_scene_material, scene->materials, scene->n_materials);
+	ts_frame_borrow(&run->frame, TS_B_scene_slot, scene->slots, scene->n_slots);
+	ts_frame_borrow(&run->frame, TS_B_scene_image, scene->images, scene->n_images);
+	ts_frame_borrow(&run->frame, TS_B_scene_texel, scene->texels, scene->n_texels);
+	ts_frame_borrow(&run->frame, TS_B_scene_light, scene->lights, scene->n_lights);
+	ts_frame_borrow(&run->frame, TS_B_scene_object, scene->objects, scene->n_objects);
+}
+
+void ts_run_end(ts_run *run) { ts_frame_clear(&run->frame); }
+
+static void add_timing(ts_run *run, const char *stage, double seconds, u64 bytes)
+{
+	for (u32 i = 0; i < run->n_timings; i++) {
+		if (strcmp(run->timings[i].stage, stage) == 0) {
+			run->timings[i].seconds += seconds;
+			return;
+		}
+	}
+	assert(run->n_timings < TS_MAX_TIMINGS);
+	run->timings[run->n_timings++] = (ts_timing){.stage = stage, .seconds = seconds, .bytes = bytes};
+}
+
+static u64 written_bytes(const ts_run *run, const ts_stage *stage)
+{
+	u64 bytes = 0;
+	for (u32 i = 0; stage->writes[i] != TS_N_BUFFERS; i++) {
+		ts_buffer_id id = stage->writes[i];
+		bytes += run->frame.buffer[id].n * ts_buffer_table[id].element_bytes;
+	}
+	return bytes;
+}
+
+ts_status ts_run_stage(ts_run *run, const ts_stage *stage)
+{
+	double start = ts_seconds();
+	ts_status status = stage->run(run);
+	if (status != TS_OK) return ts_fail("stage %s: %s", stage->name, ts_error_message());
+	add_timing(run, stage->name, ts_seconds() - start, written_bytes(run, stage));
+	return run->hook != NULL ? run->hook(run, stage, run->hook_user) : TS_OK;
+}
+
+void ts_run_count(ts_run *run, const char *name, i64 value)
+{
+	for (u32 i = 0; i < run->n_counters; i++) {
+		if (strcmp(run->counters[i].name, name) == 0) {
+			run->counters[i].value += value;
+			return;
+		}
+	}
+	assert(run->n_counters < TS_MAX_COUNTERS);
+	run->counters[run->n_counters++] = (ts_counter){.name = name, .value = value};
+}
+
+i64 ts_run_counter(const ts_run *run, const char *name)
+{
+	for (u32 i = 0; i < run->n_counters; i++) {
+		if (strcmp(run->counters[i].name, name) == 0) return run->counters[i].value;
+	}
+	return 0;
+}
+
+ts_arrays ts_run_arrays(const ts_run *run)
+{
+	const ts_frame *frame = &run->frame;
+	return (ts_arrays){
+		.vertices = ts_frame_data(frame, TS_B_pose_vertex),
+		.triangles = ts_frame_data(frame, TS_B_scene_triangle),
+		.materials = ts_frame_data(frame, TS_B_scene_material),
+		.slots = ts_frame_data(frame, TS_B_scene_slot),
+		.images = ts_frame_data(frame, TS_B_scene_image),
+		.texels = ts_frame_data(frame, TS_B_scene_texel),
+		.lights = ts_frame_data(frame, TS_B_scene_light),
+		.objects = ts_frame_data(frame, TS_B_scene_object),
+		.n_triangles = run->scene->n_triangles,
+		.n_lights = run->scene->n_lights,
+		.ambient = run->scene->ambient,
+	};
+}
+
+u32 ts_run_n_cubes(const ts_run *run) { return (u32)ts_frame_n(&run->frame, TS_B_resize_face); }
+
+u32 ts_run_n_words(const ts_run *run) { return (ts_run_n_cubes(run) * 6 + 63) / 64; }
+
+u64 ts_run_n_texels(const ts_run *run, u32 first, u32 n)
+{
+	const ts_face *cubes = ts_frame_data(&run->frame, TS_B_resize_face);
+	u64 texels = 0;
+	for (u32 r = first; r < first + n; r++) texels += (u64)6 * cubes[r].n * cubes[r].n;
+	return texels;
+}
+
+ts_status ts_run_scan(u32 *counts, u64 n, const char *what, u64 *total)
+{
+	*total = ts_c_scan(counts, n);
+	if (*total < TS_NONE) return TS_OK;
+	return ts_fail("%" PRIu64 " %s are more than 32-bit indices can name; lower rho_scale or the image's size", *total, what);
+}

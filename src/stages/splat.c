@@ -1,0 +1,29 @@
+/* Points into the cubes. */
+#include "stages.h"
+
+ts_status ts_stage_splat(ts_run *run)
+{
+	u64 n_texels = ts_run_n_texels(run, 0, ts_run_n_cubes(run));
+	i64 scatters = 0;
+	i64 writes = 0;
+	ts_splat_args args = {
+		.cubes = ts_frame_data(&run->frame, TS_B_resize_face),
+		.pieces = ts_frame_data(&run->frame, TS_B_split_triangle),
+		.frames = ts_frame_data(&run->frame, TS_B_align_frame),
+		.bits = ts_frame_data(&run->frame, TS_B_visibility_bits),
+		.points = ts_frame_data(&run->frame, TS_B_points_record),
+		.texels = ts_frame_make1(&run->frame, TS_B_splat_depth_index, n_texels),
+		.n_scatters = &scatters,
+		.n_writes = &writes,
+		.n_cubes = ts_run_n_cubes(run),
+		.n_words = ts_run_n_words(run),
+		.clip = run->params.clip,
+		.plane_depth = run->params.planedepth,
+	};
+	if (args.texels == NULL) return TS_ERROR;
+	ts_c_empty(args.texels, n_texels, run->threads);
+	ts_c_launch(TS_KERNEL_splat, &args, ts_frame_n(&run->frame, TS_B_points_record), run->threads);
+	ts_run_count(run, "point-view scatters", scatters);
+	ts_run_count(run, "texel writes", writes);
+	return TS_OK;
+}

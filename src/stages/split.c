@@ -1,0 +1,39 @@
+/* Pieces of triangles, each with its density. */
+#include "stages.h"
+
+static f32 samples_a_pixel(const ts_params *params)
+{
+	return params->rho_is_area ? ts_sqrt(params->rho_scale) : params->rho_scale;
+}
+
+ts_status ts_stage_split(ts_run *run)
+{
+	u64 n = run->scene->n_triangles;
+	i64 capped = 0;
+	ts_density_args args = {
+		.scene = ts_run_arrays(run),
+		.cubes = ts_frame_data(&run->frame, TS_B_resize_face),
+		.view = ts_frame_data(&run->frame, TS_B_eye_view),
+		.bits = ts_frame_data(&run->frame, TS_B_visibility_bits),
+		.offset = ts_frame_make1(&run->frame, TS_B_split_offset, n + 1),
+		.n_capped = &capped,
+		.rho = samples_a_pixel(&run->params),
+		.n_cubes = ts_run_n_cubes(run),
+		.n_words = ts_run_n_words(run),
+		.paper = run->params.density == TS_DENSITY_PAPER,
+		.cap = run->params.cap,
+		.offaxis = run->params.offaxis,
+		.split = run->params.split,
+	};
+	if (args.offset == NULL) return TS_ERROR;
+	ts_c_launch(TS_KERNEL_split_count, &args, n, run->threads);
+	u64 total;
+	if (ts_run_scan(args.offset, n, "pieces of triangles", &total) != TS_OK) return TS_ERROR;
+	args.pieces = ts_frame_make1(&run->frame, TS_B_split_triangle, total);
+	args.scale = ts_frame_make1(&run->frame, TS_B_density_scale, total);
+	if (args.pieces == NULL || args.scale == NULL) return TS_ERROR;
+	ts_c_launch(TS_KERNEL_split, &args, n, run->threads);
+	ts_run_count(run, "pieces", (i64)total);
+	ts_run_count(run, "density.capped", capped);
+	return TS_OK;
+}

@@ -1,0 +1,39 @@
+/* The stages, a function each; table.c says what each reads, writes and computes. */
+#ifndef TS_STAGES_STAGES_H
+#define TS_STAGES_STAGES_H
+#include "../backends/backend.h"
+#include "stage.h"
+
+ts_status ts_stage_view(ts_run *run);
+ts_status ts_stage_pose(ts_run *run);
+ts_status ts_stage_resize(ts_run *run);
+ts_status ts_stage_eye(ts_run *run);
+ts_status ts_stage_pixel(ts_run *run);
+ts_status ts_stage_visibility(ts_run *run);
+ts_status ts_stage_split(ts_run *run);
+ts_status ts_stage_cull(ts_run *run);
+ts_status ts_stage_align(ts_run *run);
+ts_status ts_stage_count(ts_run *run);
+ts_status ts_stage_points(ts_run *run);
+ts_status ts_stage_splat(ts_run *run);
+ts_status ts_stage_lookup(ts_run *run);
+ts_status ts_stage_lookup2(ts_run *run);
+ts_status ts_stage_lookup3(ts_run *run);
+ts_status ts_stage_shade3(ts_run *run);
+ts_status ts_stage_shade2(ts_run *run);
+ts_status ts_stage_shade(ts_run *run);
+ts_status ts_stage_face(ts_run *run);
+ts_status ts_stage_illuminate(ts_run *run);
+ts_status ts_stage_mirror(ts_run *run);
+ts_status ts_stage_image(ts_run *run);
+
+/* Shared by the stages (run.c). The arrays of the frame that shading kernels read; the vertices are this frame's. */
+ts_arrays ts_run_arrays(const ts_run *run);
+u32 ts_run_n_cubes(const ts_run *run);
+u32 ts_run_n_words(const ts_run *run);
+/* Texels of cubes [first, first + n), all faces. */
+u64 ts_run_n_texels(const ts_run *run, u32 first, u32 n);
+/* ts_c_scan with a total that must stay below 2^32 - 1; `what` names what is counted in the message. */
+ts_status ts_run_scan(u32 *counts, u64 n, const char *what, u64 *total);
+
+#endif

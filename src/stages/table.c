@@ -1,0 +1,73 @@
+/* What stages there are: what each reads, writes and computes. */
+#include "stages.h"
+
+#define SCENE \
+	TS_B_pose_vertex, TS_B_scene_triangle, TS_B_scene_material, TS_B_scene_slot, TS_B_scene_image, TS_B_scene_texel, \
+		TS_B_scene_light, TS_B_scene_object
+#define SHAPES TS_B_pose_vertex, TS_B_scene_triangle, TS_B_scene_material, TS_B_scene_object
+#define END TS_N_BUFFERS
+
+const ts_stage ts_stage_table[] = {
+	{"view", "map", {TS_B_scene_object, END}, {TS_B_eye_view, END}, ts_stage_view, "EPR 4.2",
+	 "the eye, circling the scene or the file's camera"},
+	{"pose", "map", {TS_B_scene_vertex, TS_B_scene_object, END}, {TS_B_pose_vertex, END}, ts_stage_pose, "EPR 4.2",
+	 "moving objects to their place in this frame"},
+	{"resize", "map", {TS_B_scene_vertex, TS_B_scene_object, TS_B_eye_view, END}, {TS_B_resize_face, END},
+	 ts_stage_resize, "EPR 3.5", "box, ball and cube size of every reflector"},
+	{"eye", "scatter", {SCENE, TS_B_eye_view, END}, {TS_B_eye_depth_triangle, END}, ts_stage_eye, "EPR 2.2",
+	 "standard rasterization of the eye's view"},
+	{"pixel", "emit", {SCENE, TS_B_eye_view, TS_B_eye_depth_triangle, END}, {TS_B_pixel_offset, TS_B_pixel_record, END},
+	 ts_stage_pixel, "EPR 4.1.3", "reflective pixels with gradients of position and normal"},
+	{"visibility", "map", {SHAPES, TS_B_resize_face, END}, {TS_B_visibility_bits, END}, ts_stage_visibility, "EPR 3.1",
+	 "one bit a triangle and cube face"},
+	{"split", "emit", {SHAPES, TS_B_resize_face, TS_B_eye_view, TS_B_visibility_bits, END},
+	 {TS_B_split_offset, TS_B_split_triangle, TS_B_density_scale, END}, ts_stage_split, "EPR 4.1.1, eqs 2 and 3",
+	 "density of every triangle; large ones in pieces"},
+	{"cull", "map", {TS_B_split_triangle, TS_B_density_scale, END}, {TS_B_cull_keep, END}, ts_stage_cull, "EPR 3.2",
+	 "stochastic culling of sub-pixel pieces"},
+	{"align", "map", {TS_B_split_triangle, TS_B_density_scale, TS_B_cull_keep, END}, {TS_B_align_frame, END},
+	 ts_stage_align, "EPR 3.2, eq. 1", "T_epr: every piece in its own plane"},
+	{"count", "emit", {SCENE, TS_B_split_triangle, TS_B_align_frame, END}, {TS_B_count_offset, END}, ts_stage_count,
+	 "EPR 3.3", "points of every piece, counted and summed"},
+	{"points", "emit", {SCENE, TS_B_split_triangle, TS_B_align_frame, TS_B_count_offset, END},
+	 {TS_B_points_key, TS_B_points_record, END}, ts_stage_points, "EPR 3.4, eq. 4", "points with splat lengths"},
+	{"splat", "scatter",
+	 {TS_B_resize_face, TS_B_split_triangle, TS_B_align_frame, TS_B_visibility_bits, TS_B_points_record, END},
+	 {TS_B_splat_depth_index, END}, ts_stage_splat, "EPR 3.5", "points into cube faces by 64-bit minimum"},
+	{"lookup", "map",
+	 {TS_B_eye_view, TS_B_resize_face, TS_B_splat_depth_index, TS_B_pixel_record, END}, {TS_B_lookup_point, END},
+	 ts_stage_lookup, "EPR 4.1.3", "25 look-ups a reflective pixel"},
+	{"lookup2", "emit",
+	 {SHAPES, TS_B_resize_face, TS_B_split_triangle, TS_B_align_frame, TS_B_points_record, TS_B_splat_depth_index,
+	  TS_B_lookup_point, END},
+	 {TS_B_lookup2_offset, TS_B_lookup2_parent, TS_B_lookup2_point, END}, ts_stage_lookup2, "EPR 4.1.4",
+	 "four look-ups for each sample that sees a mirror"},
+	{"lookup3", "emit",
+	 {SHAPES, TS_B_resize_face, TS_B_split_triangle, TS_B_align_frame, TS_B_points_record, TS_B_splat_depth_index,
+	  TS_B_lookup2_point, TS_B_lookup2_parent, END},
+	 {TS_B_lookup3_offset, TS_B_lookup3_parent, TS_B_lookup3_point, END}, ts_stage_lookup3, "EPR 4.1.4",
+	 "the same once more"},
+	{"shade3", "map", {SCENE, TS_B_points_key, TS_B_points_record, TS_B_lookup3_point, TS_B_lookup3_parent, END},
+	 {TS_B_shade3_radiance, END}, ts_stage_shade3, "EPR 4.1.4", "deferred shading of the third bounce"},
+	{"shade2", "map", {SCENE, TS_B_points_key, TS_B_points_record, TS_B_lookup2_point, TS_B_lookup2_parent, END},
+	 {TS_B_shade2_radiance, END}, ts_stage_shade2, "EPR 4.1.4", "deferred shading of the second bounce"},
+	{"shade", "map", {SCENE, TS_B_points_key, TS_B_points_record, TS_B_pixel_record, TS_B_lookup_point, END},
+	 {TS_B_shade_radiance, TS_B_shade_used, END}, ts_stage_shade, "EPR 4.1.2", "eye-based deferred shading"},
+	{"face", "scatter", {SCENE, TS_B_resize_face, END}, {TS_B_face_depth_triangle, END}, ts_stage_face, "EPR 4.2",
+	 "MVR: standard rasterization into six faces a reflector"},
+	{"illuminate", "map", {SCENE, TS_B_resize_face, TS_B_face_depth_triangle, END}, {TS_B_face_mip, END},
+	 ts_stage_illuminate, "EPR 4.2", "MVR: deferred shading of every texel, and the mip chain"},
+	{"mirror", "map", {TS_B_eye_view, TS_B_resize_face, TS_B_pixel_record, TS_B_face_mip, END},
+	 {TS_B_shade_radiance, END}, ts_stage_mirror, "EPR 4.2", "MVR: mip-mapped look-ups of the reflective pixels"},
+	{"image", "map", {SCENE, TS_B_eye_view, TS_B_eye_depth_triangle, TS_B_pixel_offset, TS_B_shade_radiance, END},
+	 {TS_B_image_radiance, TS_B_image_srgb, END}, ts_stage_image, "EPR 4.1.2", "the picture"},
+	{0},
+};
+
+const ts_stage *ts_stage_find(const char *name)
+{
+	for (const ts_stage *stage = ts_stage_table; stage->name != NULL; stage++) {
+		if (strcmp(stage->name, name) == 0) return stage;
+	}
+	return NULL;
+}
