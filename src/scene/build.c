@@ -122,7 +122,7 @@ u32 ts_build_vertex(ts_build *build, const ts_vertex *vertex)
 	sanitize_unit(v->normal, vertex->normal);
 	sanitize_unit(v->tangent, vertex->tangent);
 	bool no_tangent = v->tangent[0] == 0.0f && v->tangent[1] == 0.0f && v->tangent[2] == 0.0f;
-	v->tangent[3] = no_tangent ? 0.0f : vertex->tangent[3] < 0.0f ? -1.0f : 1.0f;
+	v->tangent[3] = no_tangent ? 0.0f : ts_san(vertex->tangent[3]) < 0.0f ? -1.0f : 1.0f;
 	sanitize(v->uv, vertex->uv, 4);
 	sanitize(v->colour, vertex->colour, 4);
 	scene->objects[build->object].n_vertices++;
@@ -214,7 +214,8 @@ u32 ts_build_object(ts_build *build, const ts_object *object, bool is_reflector)
 {
 	ts_scene *scene = build->scene;
 	build->object = 0;
-	if (!object || !countable(build, scene->n_objects, "objects") || !TS_BUILD_ROOM(build, objects, "objects")) return 0;
+	if (!object || !countable(build, scene->n_objects, "objects")) return 0;
+	if (!TS_BUILD_ROOM(build, objects, "objects")) return 0;
 	ts_object *o = &scene->objects[scene->n_objects];
 	*o = (ts_object){.first_vertex = scene->n_vertices, .reflector = TS_NONE, .period = object->period};
 	if (is_reflector) o->reflector = scene->n_reflectors++;

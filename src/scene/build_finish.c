@@ -177,7 +177,8 @@ static void choose_camera(ts_build *build, const char *name)
 	scene->camera = ts_scene_camera(scene, name);
 	if (!name || scene->camera != TS_NONE) return;
 	if (scene->n_cameras == 0)
-		ts_build_fail(build, "%s: camera %s: the scene has no cameras; without a name the eye circles", scene->name, name);
+		ts_build_fail(build, "%s: camera %s: the scene has no cameras; without a name the eye circles", scene->name,
+		              name);
 	for (u32 i = 0; i < scene->n_cameras; i++) {
 		size_t used = strlen(names);
 		snprintf(names + used, sizeof names - used, "%s%s", i ? ", " : "", scene->cameras[i].name);

@@ -116,8 +116,8 @@ static void print_text(const ts_scene *s, FILE *out)
 	fprintf(out, "  ambient               %g\n", (double)s->ambient);
 	for (u32 i = 0; i < s->n_lights; i++) {
 		const ts_light *l = &s->lights[i];
-		fprintf(out, "  light %-4u            %s, intensity %g %g %g\n", i, light_kinds[l->kind], (double)l->intensity[0],
-		        (double)l->intensity[1], (double)l->intensity[2]);
+		fprintf(out, "  light %-4u            %s, intensity %g %g %g\n", i, light_kinds[l->kind],
+		        (double)l->intensity[0], (double)l->intensity[1], (double)l->intensity[2]);
 	}
 	for (u32 i = 0; i < s->n_cameras; i++) {
 		fprintf(out, "  camera %-4u           ", i);

@@ -1,5 +1,5 @@
-/* The added mirrors (SPEC 0.3.8, EPR 4.2): golden-angle phases on ellipses around the middle of the scene's floor, which
- * turn as the eye does, and one radius for all so that their mean projected diameter at frame 0 is reflector_px. */
+/* The added mirrors (SPEC 0.3.8, EPR 4.2): golden-angle phases on ellipses around the middle of the scene's floor,
+ * turning as the eye does, and one radius for all, so that their mean projected diameter at frame 0 is reflector_px. */
 #include "../kernels/pose.h"
 #include "shapes.h"
 #include "sources.h"
@@ -91,7 +91,7 @@ static f32 radius_for(ts_build *build, const floor_plan *plan, f32 pixels)
 	for (u32 round = 0; round < 4; round++)
 		radius = ts_min(pixels / mean_pixels_across(plan, radius), widest);
 	if (radius == widest)
-		ts_build_note(build, "the added mirrors are %g px across instead of reflector_px=%g, so that they fit the scene",
+		ts_build_note(build, "the added mirrors are %g px across instead of reflector_px=%g, so that they fit",
 		              (double)(radius * mean_pixels_across(plan, radius)), (double)pixels);
 	return radius;
 }

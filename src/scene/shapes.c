@@ -1,4 +1,4 @@
-/* Shapes of the added mirrors (EPR 4.2 names spheres and curved objects): profiles in a half plane, turned about an axis. */
+/* Shapes of the added mirrors (SPEC 0.3.8): profiles in a half plane, turned about an axis. */
 #include "shapes.h"
 #include "../kernels/vec.h"
 #include <assert.h>
@@ -121,7 +121,7 @@ static f32 spline(f32 a, f32 b, f32 c, f32 d, f32 t, f32 *slope)
 	return b + 0.5f * t * (k1 + t * (k2 + t * k3));
 }
 
-/* A vase with a lid. Beyond its ends the profile is mirrored at the axis, so that it meets the axis at a right angle. */
+/* A vase with a lid. The profile is mirrored at the axis beyond its ends, so it meets the axis at a right angle. */
 static void lathe(ts_build *build, profile *p)
 {
 	enum { KNOTS = 12, STEPS = 4 };

@@ -4,8 +4,8 @@
 #include "build.h"
 
 /* Appends one shape to the build's current object, around the origin; `radius` is that of the ball that holds it, world
- * units. shape: TS_SHAPE_SPHERE, _CYLINDER, _TORUS or _LATHE. Normals point outwards, and triangles are counter-clockwise
- * seen from outside. Failures stick to the build. */
+ * units. shape: TS_SHAPE_SPHERE, _CYLINDER, _TORUS or _LATHE. Normals point outwards, and triangles are
+ * counter-clockwise seen from outside. Failures stick to the build. */
 void ts_shape_add(ts_build *build, u32 shape, f32 radius, u32 material);
 
 #endif

@@ -4,8 +4,9 @@
 #include "../kernels/vec.h"
 #include "scene.h"
 
-/* The eye of frame params->frame: the scene's chosen camera, which stands still, or else circling the middle of the scene's
- * box (SPEC 0.3.8): one turn in 240 frames, from +x towards +z, on 0.35 or 0.9 of half the box, at 0.35 of its height.
+/* The eye of frame params->frame: the scene's chosen camera, which stands still, or else circling the middle of the
+ * scene's box (SPEC 0.3.8): one turn in 240 frames, from +x towards +z, on 0.35 or 0.9 of half the box, at 0.35 of its
+ * height, looking at its middle a little below.
  * near is 2^-10 of half the box's diagonal. Reads params->{frame, eye, fov, width, height}. */
 void ts_view_eye(ts_view *view, const ts_scene *scene, const ts_params *params);
 

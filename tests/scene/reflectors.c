@@ -28,7 +28,8 @@ static ts_scene *room(f32 x, f32 y, f32 z, const char *camera)
 	}
 	ts_build_triangle(build, 0, 1, 2, TS_NONE);
 	ts_camera door = {.name = "door", .eye = {-7.0f + 0.97f * x, 2.0f + 0.4f * y, 30.0f + 0.4f * z},
-	                  .right = {0.0f, 0.0f, -1.0f}, .up = {0.0f, 1.0f, 0.0f}, .back = {1.0f, 0.0f, 0.0f}, .yfov = 0.125f};
+	                  .right = {0.0f, 0.0f, -1.0f}, .up = {0.0f, 1.0f, 0.0f}, .back = {1.0f, 0.0f, 0.0f},
+	                  .yfov = 0.125f};
 	ts_build_camera(build, &door);
 	ts_reflectors_add(build, &params, camera);
 	ts_scene *scene;
@@ -65,9 +66,8 @@ static double mean_diameter(const ts_scene *scene)
 		ts_v3 d = ts_sub(ts_k_pose(&scene->objects[i], 0).centre, ts_load3(eye.eye));
 		double z = -along(eye.back, d), x = f * along(eye.right, d) / z, y = f * along(eye.up, d) / z;
 		bool seen = z > 0.0 && fabs(x) <= eye.width * 0.5 && fabs(y) <= eye.height * 0.5;
-		double distance = seen ? z : sqrt(along(eye.back, d) * along(eye.back, d) + along(eye.up, d) * along(eye.up, d) +
-		                                  along(eye.right, d) * along(eye.right, d));
-		sum += 2.0 * f * radius_of(scene, i) / distance;
+		const f32 offset[3] = {d.x, d.y, d.z};
+		sum += 2.0 * f * radius_of(scene, i) / (seen ? z : sqrt(along(offset, d)));
 	}
 	return sum / params.reflectors;
 }
@@ -77,8 +77,8 @@ static void check_size(f32 x, f32 y, f32 z, const char *camera)
 	ts_scene *scene = room(x, y, z, camera);
 	double mean = mean_diameter(scene);
 	if (fabs(mean / (double)params.reflector_px - 1.0) > 0.01)
-		fail_msg("%u mirrors in %g x %g x %g: %g px, expected %g", params.reflectors, (double)x, (double)y, (double)z, mean,
-		         (double)params.reflector_px);
+		fail_msg("%u mirrors in %g x %g x %g: %g px, expected %g", params.reflectors, (double)x, (double)y, (double)z,
+		         mean, (double)params.reflector_px);
 	assert_int_equal(scene->n_notes, 0);
 	ts_scene_free(scene);
 }

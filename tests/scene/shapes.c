@@ -78,8 +78,8 @@ static ts_v3 corner(const ts_scene *scene, u32 triangle, u32 k)
 	return ts_load3(scene->vertices[scene->triangles[triangle].vertex[k]].position);
 }
 
-/* By the divergence theorem; positive only if the faces look outwards. The vase: cones between the points of its spline,
- * summed in Python. */
+/* By the divergence theorem; positive only if the faces look outwards. The vase's is that of its spline, turned: cones
+ * between its points, summed by another program. */
 static void test_volume(void **state)
 {
 	(void)state;
