@@ -96,11 +96,13 @@ static ts_status read_8bit(std::vector<uint8_t> &pixels, ImageInput &in, const c
 static ts_status decode(uint8_t **rgba, size stated, const void *file, size_t file_bytes, bool png, const char *what)
 {
 	OIIO::Filesystem::IOMemReader memory(const_cast<void *>(file), file_bytes);
-	ImageSpec config;
+	ImageSpec spec, config;
 	config.attribute("oiio:UnassociatedAlpha", 1);
-	std::unique_ptr<ImageInput> in = ImageInput::open(png ? "image.png" : "image.jpg", &config, &memory);
-	if (!in) return ts_fail("%s: %s; a PNG or JPEG is expected", what, reason(OIIO::geterror()).c_str());
-	const ImageSpec &spec = in->spec();
+	std::unique_ptr<ImageInput> in = ImageInput::create(png ? "png" : "jpeg");
+	if (!in || !in->set_ioproxy(&memory))
+		return ts_fail("%s: OpenImageIO was built without %s", what, png ? "PNG" : "JPEG");
+	if (!in->open("", spec, config))
+		return ts_fail("%s: %s; a PNG or JPEG is expected", what, reason(in->geterror()).c_str());
 	if ((uint64_t)spec.width != stated.width || (uint64_t)spec.height != stated.height)
 		return ts_fail("%s: its header says %llu by %llu, its contents %d by %d", what, (unsigned long long)stated.width,
 		               (unsigned long long)stated.height, spec.width, spec.height);

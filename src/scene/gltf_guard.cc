@@ -121,7 +121,8 @@ void checker::check_value(json_t *parent, const char *key, json_t *value, const 
 		check_object(value, path, where);
 		break;
 	case LIST:
-		if (!json_is_array(value)) refuse(where, value, "an array");
+		if (!json_is_array(value) || (r.required && json_array_size(value) == 0))
+			refuse(where, value, r.required ? "an array with something in it" : "an array");
 		json_array_foreach(value, i, item) {
 			if (!json_is_object(item)) refuse(where + "/" + std::to_string(i), item, "an object");
 			check_object(item, path + "[]", where + "/" + std::to_string(i));
@@ -233,16 +234,16 @@ static uint64_t whole(const json_t *object, const char *key)
 	return value ? (uint64_t)json_integer_value(value) : 0;
 }
 
-static void check_views(const json_t *root)
+/* `lengths` are the buffers' own words for their lengths. */
+static void check_views(const json_t *root, const std::vector<uint64_t> &lengths)
 {
-	const json_t *buffers = json_object_get(root, "buffers"), *view;
+	const json_t *view;
 	size_t i;
 	json_array_foreach(json_object_get(root, "bufferViews"), i, view) {
 		uint64_t id = whole(view, "buffer"), end = whole(view, "byteOffset") + whole(view, "byteLength");
-		uint64_t length = whole(json_array_get(buffers, id), "byteLength");
-		if (end > length)
+		if (end > lengths.at(id))
 			fail("bufferViews/%zu ends at byte %llu; buffer %llu has %llu", i, (unsigned long long)end,
-			     (unsigned long long)id, (unsigned long long)length);
+			     (unsigned long long)id, (unsigned long long)lengths.at(id));
 	}
 }
 
@@ -301,12 +302,16 @@ document guard(const char *text, size_t n, const container &parts)
 	measure_lists(check, root.get());
 	check.check_object(root.get(), "", "");
 	check_version(root.get());
-	check_views(root.get());
 	size_t i;
 	json_t *item;
 	std::set<std::string> paths;
-	json_array_foreach(json_object_get(root.get(), "buffers"), i, item) take_buffer(check, item, i, parts, paths);
+	std::vector<uint64_t> lengths;
+	json_array_foreach(json_object_get(root.get(), "buffers"), i, item) {
+		lengths.push_back(whole(item, "byteLength"));
+		take_buffer(check, item, i, parts, paths);
+	}
 	json_array_foreach(json_object_get(root.get(), "images"), i, item) take_image(check, item, i);
+	check_views(root.get(), lengths);
 	std::unique_ptr<char, void (*)(void *)> json(json_dumps(root.get(), JSON_COMPACT | JSON_REAL_PRECISION(17)), free);
 	if (!json) fail("no memory for a copy of the JSON");
 	check.doc.json = json.get();
