@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../kernels/surface.h"
+#include "../stages/stages.h"
 #include "query.h"
 #if TS_EMBREE == 4
 #include <embree4/rtcore.h>
@@ -227,21 +228,12 @@ static ts_status grow_tree(ts_truth *truth, u32 threads)
 	return ts_selftest_require();
 }
 
-static ts_arrays arrays_of(const ts_run *run)
-{
-	const ts_scene *s = run->scene;
-	return (ts_arrays){ .vertices = ts_frame_data(&run->frame, TS_B_pose_vertex), .triangles = s->triangles,
-	                    .materials = s->materials, .slots = s->slots, .images = s->images, .texels = s->texels,
-	                    .lights = s->lights, .objects = s->objects, .n_triangles = s->n_triangles,
-	                    .n_lights = s->n_lights, .ambient = s->ambient };
-}
-
 ts_status ts_truth_new(ts_truth **truth, const ts_run *run)
 {
 	*truth = NULL;
 	ts_truth *made = ts_alloc_zero(1, sizeof(*made), "truth");
 	if (made == NULL) return TS_ERROR;
-	made->scene = arrays_of(run);
+	made->scene = ts_run_arrays(run);
 	made->n_vertices = run->scene->n_vertices;
 	if (sort_triangles(made) || copy_positions(made) || grow_tree(made, run->threads)) {
 		ts_truth_free(made);

@@ -93,12 +93,13 @@ static ts_v3 see_from_centre(const tracer *t, const ts_truth_query *query, u32 l
 	if (hit.triangle == TS_NONE) return ts_k_background();
 	ts_surface s = ts_k_surface(t->scene, hit.triangle, hit.weights, hit.footprint);
 	u32 mirror = mirror_at(t, &hit, left);
-	if (mirror == TS_NONE || t->faces[mirror].n == 0) return shade_towards(t, &s, query->origin);
+	if (mirror == TS_NONE) return shade_towards(t, &s, query->origin);
 	ts_corners corner = ts_k_corners(t->scene, hit.triangle);
 	ts_v3 n = facing_normal(&s, query->direction), u, v, sum = { 0, 0, 0 };
 	tile_axes(&corner, &u, &v);
+	f32 radius = t->faces[mirror].radius, spread = radius > 0.0f ? hit.footprint / radius : 0.0f;
 	for (u32 k = 0; k < TS_N_BOUNCE_SAMPLES; k++) {
-		ts_v3 d = ts_k_bounce_direction(s.p, n, u, v, query->origin, hit.footprint / t->faces[mirror].radius, k);
+		ts_v3 d = ts_k_bounce_direction(s.p, n, u, v, query->origin, spread, k);
 		ts_truth_query next = from_centre(t, mirror, s.p, d, hit.path);
 		sum = ts_add(sum, see_from_centre(t, &next, left - 1));
 	}

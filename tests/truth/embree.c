@@ -53,7 +53,7 @@ static ts_truth *grow(world *w)
 static void end(world *w, ts_truth *truth)
 {
 	ts_truth_free(truth);
-	ts_frame_clear(&w->run.frame);
+	ts_run_end(&w->run);
 	free(w);
 }
 

@@ -80,7 +80,7 @@ static void assert_radiance(stand *s, ts_status (*method)(ts_truth *, ts_run *),
 static void end(stand *s)
 {
 	ts_truth_free(s->truth);
-	ts_frame_clear(&s->world.run.frame);
+	ts_run_end(&s->world.run);
 	free(s);
 }
 
@@ -113,11 +113,12 @@ static void ball_pixels(stand *s, f32 radius)
 	}
 }
 
-static stand *ball_in_room(f32 half)
+static stand *ball_in_room(f32 half, bool with_mirror)
 {
 	stand *s = stand_new(ts_v3_make(0, 0, 4));
 	world_room(&s->world, ts_v3_make(-half, -half, -half), ts_v3_make(half, half, half), WALL, 0);
 	for (u32 i = 0; i < 12; i++) s->world.triangles[i].material = WALL + i / 2;
+	if (with_mirror) quad_x(s, 3, WALL, 2);
 	ball_pixels(s, 1);
 	grow(s);
 	return s;
@@ -148,7 +149,7 @@ static void test_infinity(void **state)
 	(void)state;
 	static const struct { f32 half; u32 least, most; } cases[] = { { 1048576, 0, 2 }, { 8, 20, N_PIXELS / 4 } };
 	for (u32 i = 0; i < 2; i++) {
-		stand *s = ball_in_room(cases[i].half);
+		stand *s = ball_in_room(cases[i].half, false);
 		f32 *a = answer(s, ts_truth_a, 1, 2), *b = answer(s, ts_truth_b, 1, 2);
 		u32 unequal = n_unequal(a, b, s->n_pixels);
 		assert_true(unequal >= cases[i].least && unequal <= cases[i].most);
@@ -172,7 +173,7 @@ static u32 main_axis(const f32 c[3])
 static void test_walls(void **state)
 {
 	(void)state;
-	stand *s = ball_in_room(8);
+	stand *s = ball_in_room(8, false);
 	f32 *a = answer(s, ts_truth_a, 1, 2);
 	for (u32 i = 0; i < s->n_pixels; i++) {
 		f32 d[3];
@@ -203,8 +204,7 @@ static void test_own_reflector(void **state)
 	end(s);
 }
 
-/* Two mirrors face to face, a coloured wall behind the first: tint, then the second one's colour, then the wall.
- * A mirror that has no cube is shaded by A. */
+/* Two mirrors face to face, a coloured wall behind the first: tint, then the second one's colour, then the wall. */
 static void test_bounces(void **state)
 {
 	(void)state;
@@ -222,16 +222,13 @@ static void test_bounces(void **state)
 		assert_radiance(s, method, 2, ts_scale(ts_mul(second, wall), 0.5f));
 		assert_radiance(s, method, 3, ts_scale(ts_mul(second, wall), 0.5f));
 	}
-	s->faces[1].n = 0;
-	assert_radiance(s, ts_truth_a, 3, ts_scale(second, 0.5f));
 	end(s);
 }
 
 static void test_threads(void **state)
 {
 	(void)state;
-	stand *s = ball_in_room(8);
-	quad_x(s, 3, WALL, 2);
+	stand *s = ball_in_room(8, true);
 	for (u32 i = 0; i < s->n_pixels; i++) ts_store3(s->pixels[i].normal_dx, ts_v3_make(0.01f, 0.02f, 0));
 	for (u32 m = 0; m < 2; m++) {
 		f32 *one = answer(s, m == 0 ? ts_truth_a : ts_truth_b, 3, 1);
@@ -247,7 +244,7 @@ static void test_threads(void **state)
 static void test_hits(void **state)
 {
 	(void)state;
-	stand *s = ball_in_room(8);
+	stand *s = ball_in_room(8, false);
 	u32 *hits;
 	assert_int_equal(ts_truth_hits(s->truth, &s->world.run, &hits), TS_OK);
 	for (u32 i = 0; i < s->n_pixels; i++)

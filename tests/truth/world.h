@@ -59,8 +59,6 @@ static inline void world_begin(world *w)
 	                       .n_materials = WORLD_MATERIALS, .slots = &w->slot, .n_slots = 1, .images = &w->image,
 	                       .n_images = 1, .texels = w->texels, .n_texels = 3, .objects = w->objects,
 	                       .n_objects = WORLD_OBJECTS, .n_reflectors = WORLD_OBJECTS - 1, .ambient = 1 };
-	w->run = (ts_run){ .scene = &w->scene, .threads = 2 };
-	ts_params_default(&w->run.params);
 }
 
 /* Corners get uv (0,0), (1,0), (1,1) and the face's normal. */
@@ -100,9 +98,12 @@ static inline void world_room(world *w, ts_v3 low, ts_v3 high, u32 material, u32
 		           world_corner(low, high, face[f][2]), world_corner(low, high, face[f][3]), material, object);
 }
 
-/* Hands the arrays to the run's frame. Ends the building. */
+/* Ends the building: hands the arrays to the run's frame. */
 static inline void world_pose(world *w)
 {
+	ts_params params;
+	ts_params_default(&params);
+	ts_run_begin(&w->run, &w->scene, &params, 2);
 	ts_frame_borrow(&w->run.frame, TS_B_pose_vertex, w->vertices, w->scene.n_vertices);
 }
 
