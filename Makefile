@@ -54,7 +54,7 @@ CXX_FLAGS = $(CPPFLAGS) $(CXXFLAGS) -std=c++17 $(COMMON)
 LINK_FLAGS = $(LDFLAGS) $(OPT) -fopenmp
 
 # Libraries. Embree brings no pkg-config file.
-EMBREE := $(shell for v in 4 3; do echo "\#include <embree$$v/rtcore.h>" | $(CC) -E -x c - >/dev/null 2>&1 && echo $$v && break; done)
+EMBREE := $(shell for v in 4 3; do printf '\043include <embree%s/rtcore.h>\n' $$v | $(CC) -E -x c - >/dev/null 2>&1 && echo $$v && break; done)
 packages = $(shell $(PKG_CONFIG) $(1) $(2) 2>/dev/null)
 CPP_LIBS := -DTS_EMBREE=$(EMBREE) $(call packages,--cflags,OpenImageIO jansson libcrypto tinygltf)
 LIBS := -lembree$(EMBREE) $(call packages,--libs,OpenImageIO jansson libcrypto) $(call packages,--libs,tinygltf) -lm
@@ -104,10 +104,10 @@ CORE_STATIC = $(if $(findstring clang,$(CC)),,-static)
 core:
 	$(Q)$(MAKE) --no-print-directory BUILD=$(CORE_BUILD) $(CORE_BUILD)/touchstone-core
 
-# Static libcrypto warns that name look-up needs shared libraries; nothing here looks names up.
+# The linker warns that libcrypto's name look-up needs shared libraries. Nothing here looks names up: show errors only.
 $(BUILD)/touchstone-core: $(CORE_O)
 	$(call say,LINK,$@)
-	$(Q)$(CC) $(LINK_FLAGS) $(CORE_STATIC) -Wl,--no-warnings $^ $(CORE_LIBS) -o $@
+	$(Q)said=$$($(CC) $(LINK_FLAGS) $(CORE_STATIC) $^ $(CORE_LIBS) -o $@ 2>&1) || { echo "$$said"; exit 1; }
 
 # Objects are made again when the compiler or its flags change.
 $(BUILD)/flags: FORCE
