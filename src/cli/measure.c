@@ -187,14 +187,14 @@ ts_status ts_measure_estimate(u64 *bytes, const ts_pipeline *const *methods, u32
 	ts_params big = *params;
 	*bytes = 0;
 	for (u32 i = 0; i < n_methods; i++) {
-		*bytes = larger(*bytes, ts_pipeline_estimate(methods[i], scene, params));
+		*bytes = larger(*bytes, methods[i]->estimate(scene, params));
 	}
 	if ((truths & TS_TRUTH_C) != 0 && mvr != NULL) {
 		big.width *= TRUTH_C_FACTOR;
 		big.height *= TRUTH_C_FACTOR;
 		big.face_max *= TRUTH_C_FACTOR;
 		big.face_px *= TRUTH_C_FACTOR;
-		*bytes = larger(*bytes, ts_pipeline_estimate(mvr, scene, &big));
+		*bytes = larger(*bytes, mvr->estimate(scene, &big));
 	}
 	u64 limit = ts_memory_total() / 4 * 3;
 	if (*bytes > limit) {

@@ -194,7 +194,7 @@ static void report_memory(const ts_render *render, ts_report *report)
 
 i64 ts_render_shading_ops(const ts_measure *measure)
 {
-	return ts_measure_counter(measure, "shading ops");
+	return ts_measure_counter(measure, "shading operations");
 }
 
 static const ts_measure *find_measure(const ts_render *render, const char *name)

@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include "../image/falsecolour.h"
-#include "../kernels/num.h"
+#include "../kernels/illuminate.h"
 #include "../kernels/srgb.h"
 #include "stage_pictures.h"
 
@@ -27,14 +27,14 @@ static ts_stage_picture *add(ts_stage_pictures *pictures, const char *name, u32 
 	return p->rgb != NULL && (!masked || p->mask != NULL) ? p : NULL;
 }
 
-static ts_stage_picture *find(ts_stage_pictures *pictures, const char *name)
+static bool is_taken(const ts_stage_pictures *pictures, const char *name)
 {
 	for (u32 i = 0; i < pictures->n; i++) {
 		if (strcmp(pictures->picture[i].name, name) == 0) {
-			return &pictures->picture[i];
+			return true;
 		}
 	}
-	return NULL;
+	return false;
 }
 
 static bool has(const ts_run *run, ts_buffer_id id)
@@ -130,8 +130,8 @@ static ts_status take_faces(ts_stage_pictures *pictures, const ts_run *run)
 	return TS_OK;
 }
 
-/* The largest cube of all; false if there is none or it is not in this batch. `first` is its texel in the batch. */
-static bool largest_cube(const ts_run *run, u32 *reflector, u64 *first)
+/* The largest cube of all; false if there is none or it is not in this batch. */
+static bool largest_cube(const ts_run *run, u32 *reflector)
 {
 	const ts_face *faces = ts_frame_data(&run->frame, TS_B_resize_face);
 	u64 n = ts_frame_n(&run->frame, TS_B_resize_face);
@@ -139,13 +139,8 @@ static bool largest_cube(const ts_run *run, u32 *reflector, u64 *first)
 	for (u64 r = 1; r < n; r++) {
 		*reflector = faces[r].n > faces[*reflector].n ? (u32)r : *reflector;
 	}
-	bool all = run->n_reflectors == 0;
-	u64 end = all ? n : (u64)run->first_reflector + run->n_reflectors;
-	if (n == 0 || faces[*reflector].n == 0 || *reflector >= end || (!all && *reflector < run->first_reflector)) {
-		return false;
-	}
-	*first = faces[*reflector].offset - (all ? 0 : faces[run->first_reflector].offset);
-	return true;
+	return n > 0 && faces[*reflector].n > 0 && *reflector >= run->first_reflector &&
+		*reflector - run->first_reflector < run->n_reflectors;
 }
 
 /* Lays the six faces of n x n texels out; colour() paints texel i of the cube. */
@@ -182,18 +177,20 @@ static ts_status take_cube(ts_stage_pictures *pictures, const ts_run *run, ts_bu
                            const char *what)
 {
 	u32 r;
-	u64 first;
-	if (!has(run, TS_B_resize_face) || !largest_cube(run, &r, &first) || find(pictures, name) != NULL) {
+	if (!has(run, TS_B_resize_face) || !largest_cube(run, &r) || is_taken(pictures, name)) {
 		return TS_OK;
 	}
-	u32 n = ((const ts_face *)ts_frame_data(&run->frame, TS_B_resize_face))[r].n;
+	const ts_face *faces = ts_frame_data(&run->frame, TS_B_resize_face);
+	u32 n = faces[r].n;
 	ts_stage_picture *p = add(pictures, name, 4 * n, 3 * n, false);
 	if (p == NULL) {
 		return TS_ERROR;
 	}
 	if (id == TS_B_face_mip) {
-		paint_cross(p, n, ts_frame_data(&run->frame, id), colour_radiance);
+		u64 first = 4 * ts_k_mip_first(faces, run->first_reflector, r);
+		paint_cross(p, n, (const f32 *)ts_frame_data(&run->frame, id) + first, colour_radiance);
 	} else {
+		u64 first = faces[r].offset - faces[run->first_reflector].offset;
 		paint_cross(p, n, (const u64 *)ts_frame_data(&run->frame, id) + first, colour_index);
 	}
 	snprintf(p->caption, sizeof p->caption, "cube %u, six faces of %u texels: %s", (unsigned)r, (unsigned)n, what);

@@ -1,0 +1,20 @@
+#!/bin/bash
+# The papers' tables: our figures, and the paper's below them.
+. "$(dirname "$0")/tap.bash"
+small=(--scene atrium:triangles=10000 --objects 1,2 --size 96x54 --set reflector_px=30 --set face_max=64)
+
+prints '^Sponza .*paper .*1,510,000' bench epr-1 "${small[@]}"
+prints '^Sponza .*paper .*603,000' bench epr-2 "${small[@]}" --runs 1 --truth=A
+run bench epr-2 "${small[@]}" --runs 2 --truth=none --json
+python3 - "$scratch/stdout" <<'PY'
+import json, sys
+rows = [r for r in json.load(open(sys.argv[1]))["epr_2"] if r["source"] == "here"]
+assert [r["mirrors"] for r in rows] == [1, 2]
+for r in rows:
+	parts = r["point_ms"] + r["view_ms"] + r["deferred_ms"]
+	assert r["triangles"] >= 10000 and r["points"] > 0 and r["rmse_difference"] is None
+	assert parts > 0 and r["total_ms"] > 0
+PY
+verdict $? 'bench --json has a row for each number of mirrors'
+
+finish

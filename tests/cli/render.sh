@@ -1,0 +1,87 @@
+#!/bin/bash
+# What a render writes and prints, and that nothing half-written stays behind.
+. "$(dirname "$0")/tap.bash"
+small=(render reflections atrium:triangles=10000 --size 96x54 --reflectors 2 --set reflector_px=30 --set face_max=64)
+cd "$scratch" || exit 2
+mkdir work
+
+run "${small[@]}" --truth=A,C -o work/new/a
+[ "$status" -eq 0 ] && grep -q 'pictures are in work/new/a' stdout && grep -q 'shading operations' stdout
+verdict $? 'render prints a table and where the pictures are'
+
+missing=0
+for file in epr.png epr.exr mvr.png mvr.exr truth-a.png truth-c.exr difference-epr-truth-a.png difference-epr-mvr.exr \
+	epr-points.png epr-splats.png epr-faces.png epr-index.png mvr-index.png mvr-cube.png report.json; do
+	[ -s "work/new/a/$file" ] || { missing=1; echo "# no $file"; }
+done
+verdict $missing 'every picture is there'
+
+[ ! -e work/new/a.partial ] && ! ls work/new/a | grep -q partial
+verdict $? 'no partial file is left'
+
+run "${small[@]}" --method epr -o work/new/a
+[ "$status" -eq 2 ] && grep -q -- '--force' stderr && [ -s work/new/a/mvr.png ] && [ ! -e work/new/a.partial ]
+verdict $? 'a folder that is not empty is refused'
+
+run "${small[@]}" --method epr -o work/new/a --force
+[ "$status" -eq 0 ] && [ -s work/new/a/epr.png ] && [ ! -e work/new/a/mvr.png ] && [ "$(ls work/new)" = a ]
+verdict $? '--force replaces the folder as a whole'
+
+echo mine > work/new/a/notes.txt
+run "${small[@]}" --method epr -o work/new/a --force
+[ "$status" -eq 2 ] && grep -q notes.txt stderr && [ -s work/new/a/notes.txt ]
+verdict $? '--force keeps what no render wrote'
+
+run "${small[@]}" --json --no-images --truth=A
+python3 - stdout <<'PY'
+import json, sys
+report = json.load(open(sys.argv[1]))
+rows = {(r["image"], r["reference"]): r for r in report["metrics"]}
+assert report["params"]["width"] == 96 and report["params"]["eye"] == "far"
+assert rows[("epr", "truth-a")]["share"] == "sampling" and 0 <= rows[("epr", "mvr")]["rmse"] < 64
+counters = {r["counter"]: r for r in report["counters"]}
+pixels = counters["reflective pixels"]["epr"]
+assert pixels == counters["reflective pixels"]["mvr"]
+assert counters["shading operations"]["epr"] <= 25 * pixels
+assert counters["look-ups"]["epr"] == 25 * pixels
+PY
+verdict $? '--json prints one object with the same figures'
+[ "$status" -eq 0 ] && [ ! -e out ]
+verdict $? '--no-images writes nothing'
+
+cp stdout one.json
+run "${small[@]}" --json --no-images --truth=A --threads 1
+python3 - one.json stdout <<'PY'
+import json, sys
+a, b = (json.load(open(f)) for f in sys.argv[1:])
+for key in "counters", "bytes", "metrics", "shading":
+	assert a[key] == b[key], key
+PY
+verdict $? 'threads change no figure'
+
+(ulimit -f 2; timeout 300 "$touchstone" "${small[@]}" -o work/full > /dev/null 2> stderr)
+[ $? -eq 2 ] && [ "$(wc -l < stderr)" -eq 1 ] && [ ! -e work/full ] && [ ! -e work/full.partial ]
+verdict $? 'a disk that fills leaves nothing behind'
+
+for dir in /dev/null /proc/none/x .; do
+	run "${small[@]}" -o $dir
+	[ "$status" -eq 2 ] && [ "$(wc -l < stderr)" -eq 1 ]
+	verdict $? "refused: -o $dir"
+done
+
+mkdir work/held.partial
+run "${small[@]}" -o work/held
+[ "$status" -eq 2 ] && [ -d work/held.partial ] && [ ! -e work/held ]
+verdict $? 'the partial folder of another run is left alone'
+
+# A signal in the middle of the work.
+timeout --foreground -s INT 1 "$touchstone" render reflections atrium --size 1920x1080 --truth -o work/deep/er/interrupted \
+	> stdout 2> stderr
+[ $? -ne 0 ] && [ ! -e work/deep ]
+verdict $? 'an interrupted render leaves nothing behind'
+
+refuses 'memory' render reflections atrium:triangles=10000 --size 16384x16384 --truth=C -o work/huge
+[ ! -e work/huge ] && [ ! -e work/huge.partial ]
+verdict $? 'nor does one that needs too much memory'
+
+finish

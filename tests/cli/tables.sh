@@ -1,0 +1,36 @@
+#!/bin/bash
+# Help and lists come from the program's own tables, as text and as JSON.
+. "$(dirname "$0")/tap.bash"
+
+prints 'render EFFECT' help
+prints '--truth' help render
+prints '--truth' render --help
+prints '^touchstone [0-9]' --version
+prints '^splat ' list stages
+prints '^points.record .*ts_point' list buffers
+prints '^rho_scale .*0.5' list params
+prints '^epr .*reflections' list methods
+prints '^atrium ' list scenes
+prints '^c ' list backends
+prints 'triangles' info atrium:triangles=10000 --reflectors 1
+
+for what in stages buffers params methods scenes backends; do
+	run list $what --json
+	python3 -c 'import json, sys; rows = json.load(open(sys.argv[1]))[sys.argv[2]]; assert all(r["name"] for r in rows) and rows' \
+		"$scratch/stdout" $what
+	verdict $? "list $what --json is an object with rows"
+done
+
+# Each parameter can be set to its default.
+run list params --json
+python3 - "$touchstone" "$scratch/stdout" <<'PY'
+import json, subprocess, sys
+rows = json.load(open(sys.argv[2]))["params"]
+arguments = [a for r in rows for a in ("--set", f'{r["name"]}={r["default"].split("|")[0]}') if "|" not in r["range"]]
+choices = [a for r in rows if "|" in r["range"] for c in r["range"].split("|") for a in ("--set", f'{r["name"]}={c}')]
+subprocess.run([sys.argv[1], "help", "list"], check=True, stdout=subprocess.DEVNULL)
+subprocess.run([sys.argv[1], "info", "atrium:triangles=10000", *arguments, *choices], check=True, stdout=subprocess.DEVNULL)
+PY
+verdict $? 'every parameter takes its default and every choice'
+
+finish
