@@ -9,7 +9,7 @@ ts_v3 ts_view_half_box(const ts_scene *scene)
 {
 	ts_v3 half = ts_scale(ts_sub(ts_load3(scene->box_max), ts_load3(scene->box_min)), 0.5f);
 	f32 greatest = ts_max(ts_max(half.x, half.y), half.z);
-	f32 least = greatest > 0.0f ? greatest * 0.125f : 1.0f;
+	f32 least = greatest > 0.0f ? greatest * 0.03125f : 1.0f;
 	return ts_max3(half, ts_v3_make(least, least, least));
 }
 

@@ -10,7 +10,7 @@
  * near is 2^-10 of half the box's diagonal. Reads params->{frame, eye, fov, width, height}. */
 void ts_view_eye(ts_view *view, const ts_scene *scene, const ts_params *params);
 
-/* Half the extents of the scene's box, world units. A flat box counts as an eighth of its greatest extent thick, and a
+/* Half the extents of the scene's box, world units. A flat box counts as 1/32 of its greatest extent thick, and a
  * point as two units wide: none is 0. */
 ts_v3 ts_view_half_box(const ts_scene *scene);
 

@@ -76,7 +76,7 @@ static void check_size(f32 x, f32 y, f32 z, const char *camera)
 {
 	ts_scene *scene = room(x, y, z, camera);
 	double mean = mean_diameter(scene);
-	if (fabs(mean / (double)params.reflector_px - 1.0) > 0.01)
+	if (fabs(mean / (double)params.reflector_px - 1.0) > 1e-4)
 		fail_msg("%u mirrors in %g x %g x %g: %g px, expected %g", params.reflectors, (double)x, (double)y, (double)z,
 		         mean, (double)params.reflector_px);
 	assert_int_equal(scene->n_notes, 0);
@@ -92,6 +92,7 @@ static void test_mean_size(void **state)
 		for (params.eye = TS_EYE_NEAR; params.eye <= TS_EYE_FAR; params.eye++) {
 			check_size(30.0f, 12.0f, 18.0f, NULL);
 			check_size(8.0f, 3.0f, 8.0f, NULL);
+			check_size(8.0f, 1.0f, 8.0f, NULL);
 		}
 		check_size(30.0f, 12.0f, 18.0f, "door");
 	}
@@ -102,20 +103,24 @@ static void test_mean_size(void **state)
 	check_size(30.0f, 12.0f, 18.0f, NULL);
 }
 
-/* For a whole turn and every shape, with bobbing and spinning. */
+/* For a whole turn and every shape, with bobbing and spinning, in a high room and one that barely holds the mirrors. */
 static void test_stay_inside(void **state)
 {
 	(void)state;
+	const f32 heights[2] = {6.0f, 1.05f}, rounding = 1e-5f;
 	params.reflector_shape = TS_SHAPE_MIXED;
 	params.reflectors = 12;
-	for (params.eye = TS_EYE_NEAR; params.eye <= TS_EYE_FAR; params.eye++) {
-		ts_scene *scene = room(20.0f, 6.0f, 14.0f, NULL);
+	params.eye = TS_EYE_FAR;
+	for (u32 high = 0; high < 2; high++) {
+		ts_scene *scene = room(20.0f, heights[high], 14.0f, NULL);
+		assert_true(high == 0 || radius_of(scene, 1) > 0.39 * (double)heights[1]);
 		for (u32 frame = 0; frame < 240; frame++)
 			for (u32 i = scene->objects[0].n_vertices; i < scene->n_vertices; i++) {
 				ts_pose pose = ts_k_pose(&scene->objects[scene->vertices[i].object], frame);
 				ts_v3 p = ts_k_pose_point(&pose, ts_load3(scene->vertices[i].position));
-				assert_true(p.x >= scene->box_min[0] && p.y >= scene->box_min[1] && p.z >= scene->box_min[2] &&
-				            p.x <= scene->box_max[0] && p.y <= scene->box_max[1] && p.z <= scene->box_max[2]);
+				const f32 place[3] = {p.x, p.y, p.z};
+				for (u32 k = 0; k < 3; k++)
+					assert_true(place[k] >= scene->box_min[k] - rounding && place[k] <= scene->box_max[k] + rounding);
 			}
 		ts_scene_free(scene);
 	}
@@ -163,6 +168,38 @@ static void test_apart(void **state)
 		}
 		ts_scene_free(scene);
 	}
+}
+
+/* However many there are, none comes near the eye's ellipse where the eye is. */
+static void test_clear_of_the_eye(void **state)
+{
+	(void)state;
+	params.eye = TS_EYE_NEAR;
+	params.reflectors = 200;
+	ts_scene *scene = room(20.0f, 6.0f, 14.0f, NULL);
+	for (u32 i = 1; i < scene->n_objects; i++) {
+		ts_v3 p = ts_k_pose(&scene->objects[i], 0).centre;
+		double x = ((double)p.x - 3.0) / 10.0 - 0.35, z = ((double)p.z - 37.0) / 7.0;
+		assert_true(sqrt(x * x + z * z) > 0.1599);
+	}
+	ts_scene_free(scene);
+}
+
+/* Between a tenth and six tenths of the room's height, evenly: about as many in each fifth of that. */
+static void test_heights(void **state)
+{
+	(void)state;
+	u32 fifths[5] = {0};
+	params.reflectors = 50;
+	params.reflector_px = 20.0f;
+	ts_scene *scene = room(20.0f, 6.0f, 14.0f, NULL);
+	for (u32 i = 1; i < scene->n_objects; i++) {
+		double up = ((double)scene->objects[i].centre[1] - 2.0) / 6.0;
+		assert_true(up >= 0.0999 && up < 0.6);
+		fifths[(u32)((up - 0.0999) * 10.0)]++;
+	}
+	for (u32 i = 0; i < 5; i++) assert_in_range(fifths[i], 8, 12);
+	ts_scene_free(scene);
 }
 
 /* At least two thirds of the mirrors are in the picture of frame 0. */
@@ -266,6 +303,8 @@ int main(void)
 		cmocka_unit_test_setup(test_stay_inside, set_up),
 		cmocka_unit_test_setup(test_paths, set_up),
 		cmocka_unit_test_setup(test_apart, set_up),
+		cmocka_unit_test_setup(test_clear_of_the_eye, set_up),
+		cmocka_unit_test_setup(test_heights, set_up),
 		cmocka_unit_test_setup(test_in_the_picture, set_up),
 		cmocka_unit_test_setup(test_mirrors, set_up),
 		cmocka_unit_test_setup(test_mixed_shapes, set_up),
