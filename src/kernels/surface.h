@@ -159,6 +159,14 @@ TS_FN void ts_k_surface_material(const ts_arrays *scene, const ts_sample *s, ts_
 	}
 }
 
+/* A mirror whose reflection is not followed is diffuse in its own colour (SPEC 2.7). */
+TS_FN void ts_k_surface_mirror(const ts_arrays *scene, u32 triangle, ts_surface *r)
+{
+	if (ts_k_reflector_of(scene, triangle) == TS_NONE) return;
+	r->metallic = 0.0f;
+	r->roughness = 1.0f;
+}
+
 /* Everything. w: weights of the corners, not negative, sum 1. */
 TS_FN ts_surface ts_k_surface(const ts_arrays *scene, u32 triangle, ts_v3 w, f32 footprint)
 {
@@ -166,6 +174,7 @@ TS_FN ts_surface ts_k_surface(const ts_arrays *scene, u32 triangle, ts_v3 w, f32
 	ts_sample s = ts_k_sample(scene, triangle, w, t.n, footprint);
 	ts_surface r = ts_k_surface_geometry(scene, &s, t.n);
 	ts_k_surface_material(scene, &s, &r);
+	ts_k_surface_mirror(scene, triangle, &r);
 	return r;
 }
 

@@ -8,7 +8,7 @@ static ts_status shade(ts_run *run, u32 bounce)
 	u64 n = ts_frame_n(&run->frame, own->queue);
 	ts_lookup_args args = ts_lookup_arguments(run, bounce);
 	args.found = ts_frame_data(&run->frame, own->found);
-	args.follow = bounce + 1 < run->params.bounces;
+	args.follow = bounce + 1 < TS_MAX_BOUNCES && bounce + 1 < run->params.bounces;
 	args.adaptive = bounce == 0 && run->params.samples == TS_SAMPLES_ADAPTIVE;
 	if (args.follow) {
 		args.offset = ts_frame_data(&run->frame, ts_bounce_table[bounce + 1].offset);

@@ -22,7 +22,12 @@ ts_status ts_stage_splat(ts_run *run)
 	};
 	if (args.texels == NULL) return TS_ERROR;
 	ts_c_empty(args.texels, n_texels, run->threads);
-	ts_c_launch(TS_KERNEL_splat, &args, ts_frame_n(&run->frame, TS_B_points_record), run->threads);
+	if (run->reference) {
+		ts_c_launch(TS_KERNEL_splat, &args, ts_frame_n(&run->frame, TS_B_points_record), run->threads);
+	} else {
+		ts_c_splat_fast(&args, ts_frame_data(&run->frame, TS_B_count_offset),
+		                ts_frame_n(&run->frame, TS_B_split_triangle), run->threads);
+	}
 	ts_run_count(run, "point-view scatters", scatters);
 	ts_run_count(run, "texel writes", writes);
 	return TS_OK;
