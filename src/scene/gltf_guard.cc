@@ -196,6 +196,10 @@ static void check_extensions(checker &check, const json_t *root)
 			if (!json_is_string(name)) refuse(std::string(list) + "/" + std::to_string(i), name, "a string");
 			std::string text(json_string_value(name), json_string_length(name));
 			if (known.count(text)) continue;
+			if (text == "KHR_materials_pbrSpecularGlossiness") {
+				check.doc.notes.insert("specular-glossiness materials are drawn by their metallic-roughness fallback");
+				continue;
+			}
 			if (list[10] == 'R') fail("the file requires the extension %s, which is not supported", quoted(text).c_str());
 			check.doc.notes.insert("the extension " + quoted(text) + " is not supported and ignored");
 		}
@@ -232,6 +236,17 @@ static uint64_t whole(const json_t *object, const char *key)
 {
 	const json_t *value = json_object_get(object, key);
 	return value ? (uint64_t)json_integer_value(value) : 0;
+}
+
+static void check_transforms(const json_t *root)
+{
+	const json_t *node;
+	size_t i;
+	json_array_foreach(json_object_get(root, "nodes"), i, node) {
+		for (const char *part : {"translation", "rotation", "scale"})
+			if (json_object_get(node, part) && json_object_get(node, "matrix"))
+				fail("nodes/%zu has both matrix and %s; one of them is expected", i, part);
+	}
 }
 
 /* `lengths` are the buffers' own words for their lengths. */
@@ -302,6 +317,7 @@ document guard(const char *text, size_t n, const container &parts)
 	measure_lists(check, root.get());
 	check.check_object(root.get(), "", "");
 	check_version(root.get());
+	check_transforms(root.get());
 	size_t i;
 	json_t *item;
 	std::set<std::string> paths;

@@ -49,10 +49,8 @@ static const std::vector<int> &check_tree(const loader &in)
 
 static ts_place place_of(const tinygltf::Node &node, int index)
 {
-	bool has_trs = !node.translation.empty() || !node.rotation.empty() || !node.scale.empty();
 	f32 matrix[16], translation[3] = {0.0f, 0.0f, 0.0f}, rotation[4] = {0.0f, 0.0f, 0.0f, 1.0f};
 	f32 scale[3] = {1.0f, 1.0f, 1.0f};
-	if (!node.matrix.empty() && has_trs) fail("%s has a matrix and also a part of it", where_of(index).c_str());
 	for (size_t i = 0; i < node.matrix.size(); i++) matrix[i] = ts_number(node.matrix[i]);
 	for (size_t i = 0; i < node.translation.size(); i++) translation[i] = ts_number(node.translation[i]);
 	for (size_t i = 0; i < node.rotation.size(); i++) rotation[i] = ts_number(node.rotation[i]);

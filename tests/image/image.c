@@ -1,0 +1,156 @@
+/* Image files: what is written is read back, what is damaged or too large is refused. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+#include <touchstone/image.h>
+
+enum { WIDTH = 13, HEIGHT = 7, TEXELS = WIDTH * HEIGHT };
+
+static char folder[] = "/tmp/touchstone-image-XXXXXX";
+static char path[64];
+
+static int set_up(void **state)
+{
+	(void)state;
+	return mkdtemp(folder) ? 0 : -1;
+}
+
+static int tear_down(void **state)
+{
+	(void)state;
+	return rmdir(folder);
+}
+
+static const char *name(const char *leaf)
+{
+	snprintf(path, sizeof path, "%s/%s", folder, leaf);
+	return path;
+}
+
+static uint8_t value(unsigned i) { return (uint8_t)(i * 2654435761u >> 24); }
+
+static size_t slurp(uint8_t *data, size_t most)
+{
+	FILE *file = fopen(path, "rb");
+	assert_non_null(file);
+	size_t n = fread(data, 1, most, file);
+	fclose(file);
+	return n;
+}
+
+static void assert_gone(void)
+{
+	char partial[96];
+	snprintf(partial, sizeof partial, "%s.partial", path);
+	assert_int_not_equal(access(partial, F_OK), 0);
+	assert_int_equal(unlink(path), 0);
+}
+
+static void test_png(void **state)
+{
+	(void)state;
+	for (uint32_t channels = 1; channels <= 4; channels++) {
+		if (channels == 2) continue;
+		uint8_t pixels[TEXELS * 4], file[8192], *rgba;
+		uint32_t width, height;
+		for (unsigned i = 0; i < TEXELS * channels; i++) pixels[i] = value(i);
+		assert_int_equal(ts_image_write_png(name("a.png"), pixels, WIDTH, HEIGHT, channels), TS_OK);
+		size_t n = slurp(file, sizeof file);
+		assert_int_equal(ts_image_decode(&rgba, &width, &height, file, n, TEXELS, "a.png"), TS_OK);
+		assert_int_equal(width, WIDTH);
+		assert_int_equal(height, HEIGHT);
+		for (unsigned i = 0; i < TEXELS; i++) {
+			for (unsigned c = 0; c < 3; c++)
+				assert_int_equal(rgba[4 * i + c], pixels[i * channels + (channels == 1 ? 0 : c)]);
+			assert_int_equal(rgba[4 * i + 3], channels == 4 ? pixels[4 * i + 3] : 255);
+		}
+		free(rgba);
+		assert_gone();
+	}
+}
+
+static void test_read_png(void **state)
+{
+	(void)state;
+	uint8_t pixels[TEXELS * 3];
+	uint32_t width, height, channels;
+	float *read;
+	for (unsigned i = 0; i < TEXELS * 3; i++) pixels[i] = value(i);
+	assert_int_equal(ts_image_write_png(name("b.png"), pixels, WIDTH, HEIGHT, 3), TS_OK);
+	assert_int_equal(ts_image_read(&read, &width, &height, &channels, path), TS_OK);
+	assert_true(width == WIDTH && height == HEIGHT && channels == 3);
+	for (unsigned i = 0; i < TEXELS * 3; i++) assert_true(read[i] == (float)pixels[i] / 255.0f);
+	free(read);
+	assert_gone();
+}
+
+static void test_exr(void **state)
+{
+	(void)state;
+	for (uint32_t n_channels = 1; n_channels <= 4; n_channels++) {
+		if (n_channels == 2) continue;
+		float pixels[TEXELS * 4], *read;
+		uint32_t width, height, channels;
+		for (unsigned i = 0; i < TEXELS * n_channels; i++) pixels[i] = (float)value(i) * 1234.5f - 3.0f;
+		assert_int_equal(ts_image_write_exr(name("c.exr"), pixels, WIDTH, HEIGHT, n_channels), TS_OK);
+		assert_int_equal(ts_image_read(&read, &width, &height, &channels, path), TS_OK);
+		assert_true(width == WIDTH && height == HEIGHT && channels == n_channels);
+		assert_memory_equal(read, pixels, sizeof(float) * TEXELS * n_channels);
+		free(read);
+		assert_gone();
+	}
+}
+
+static void refuse(const uint8_t *file, size_t n, uint64_t most, const char *words)
+{
+	uint8_t *rgba;
+	uint32_t width, height;
+	assert_int_equal(ts_image_decode(&rgba, &width, &height, file, n, most, "picture"), TS_ERROR);
+	assert_null(rgba);
+	if (!strstr(ts_error_message(), words)) fail_msg("\"%s\" does not say \"%s\"", ts_error_message(), words);
+	assert_null(strchr(ts_error_message(), '\n'));
+}
+
+/* A header that claims too much, a cut at every byte, and noise. */
+static void test_damaged(void **state)
+{
+	(void)state;
+	uint8_t pixels[TEXELS * 3] = {0}, file[8192];
+	assert_int_equal(ts_image_write_png(name("d.png"), pixels, WIDTH, HEIGHT, 3), TS_OK);
+	size_t n = slurp(file, sizeof file);
+	refuse(file, n, TEXELS - 1, "at most 90 texels");
+	for (size_t cut = 0; cut < 40; cut++) refuse(file, cut, TEXELS, "picture");
+	file[0] ^= 1;
+	refuse(file, n, TEXELS, "neither PNG nor JPEG");
+	static const uint8_t jpeg[] = {0xff, 0xd8, 0xff, 0xe0, 0, 4, 0, 0, 0xff, 0xc2, 0, 11, 8, 0xff, 0xff, 0xff, 0xff, 1, 1, 17, 0};
+	refuse(jpeg, sizeof jpeg, 1u << 20, "65535 by 65535");
+	assert_gone();
+}
+
+static void test_bad_paths(void **state)
+{
+	(void)state;
+	uint8_t pixel[3] = {1, 2, 3};
+	float *read;
+	uint32_t width, height, channels;
+	assert_int_equal(ts_image_write_png(name("absent/e.png"), pixel, 1, 1, 3), TS_ERROR);
+	assert_non_null(strstr(ts_error_message(), "absent/e.png"));
+	assert_int_equal(ts_image_read(&read, &width, &height, &channels, name("none.png")), TS_ERROR);
+	assert_null(read);
+	assert_non_null(strstr(ts_error_message(), "none.png"));
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_png),     cmocka_unit_test(test_read_png),  cmocka_unit_test(test_exr),
+		cmocka_unit_test(test_damaged), cmocka_unit_test(test_bad_paths),
+	};
+	return cmocka_run_group_tests(tests, set_up, tear_down);
+}

@@ -1,0 +1,139 @@
+/* Image metrics against closed forms, and SSIM against its definition written out window by window. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <touchstone/image.h>
+
+enum { WIDTH = 83, HEIGHT = 29, PIXELS = WIDTH * HEIGHT };
+
+static uint8_t reference[PIXELS * 3], image[PIXELS * 3], mask[PIXELS];
+static uint32_t seed = 1;
+
+static uint32_t next(void) { return (seed = seed * 1664525u + 1013904223u) >> 16; }
+
+static int set_up(void **state)
+{
+	(void)state;
+	for (size_t i = 0; i < sizeof reference; i++) {
+		reference[i] = (uint8_t)(next() & 255);
+		image[i] = (uint8_t)(reference[i] / 2 + (next() & 127));
+	}
+	for (size_t i = 0; i < PIXELS; i++) mask[i] = next() % 3 == 0;
+	return 0;
+}
+
+static void assert_close(double a, double b)
+{
+	if (!(fabs(a - b) <= 1e-9 * fmax(1, fabs(b)))) fail_msg("%.17g is not %.17g", a, b);
+}
+
+static double luma(const uint8_t *rgb) { return 0.299 * rgb[0] + 0.587 * rgb[1] + 0.114 * rgb[2]; }
+
+/* One window by its definition: weighted means, then central moments. */
+static double window(uint32_t x, uint32_t y)
+{
+	double total = 0, mean[2] = {0}, var[2] = {0}, cov = 0;
+	for (int pass = 0; pass < 2; pass++) {
+		for (int j = -5; j <= 5; j++) {
+			for (int i = -5; i <= 5; i++) {
+				size_t at = ((y + (size_t)(j + 5) - 5) * WIDTH + x + (size_t)(i + 5) - 5) * 3;
+				double w = exp(-(i * i + j * j) / 4.5), a = luma(reference + at), b = luma(image + at);
+				if (pass == 0) {
+					total += w;
+					mean[0] += w * a;
+					mean[1] += w * b;
+				} else {
+					var[0] += w * (a - mean[0]) * (a - mean[0]) / total;
+					var[1] += w * (b - mean[1]) * (b - mean[1]) / total;
+					cov += w * (a - mean[0]) * (b - mean[1]) / total;
+				}
+			}
+		}
+		for (int k = 0; k < 2 && pass == 0; k++) mean[k] /= total;
+	}
+	const double c1 = 6.5025, c2 = 58.5225;
+	return (2 * mean[0] * mean[1] + c1) * (2 * cov + c2) /
+	       ((mean[0] * mean[0] + mean[1] * mean[1] + c1) * (var[0] + var[1] + c2));
+}
+
+static void test_against_definition(void **state)
+{
+	(void)state;
+	for (int masked = 0; masked < 2; masked++) {
+		double squares = 0, similar = 0;
+		uint64_t pixels = 0, windows = 0;
+		for (uint32_t y = 0; y < HEIGHT; y++) {
+			for (uint32_t x = 0; x < WIDTH; x++) {
+				size_t at = (size_t)y * WIDTH + x;
+				if (masked && !mask[at]) continue;
+				pixels++;
+				for (size_t c = 3 * at; c < 3 * at + 3; c++) squares += pow(reference[c] - image[c], 2);
+				if (x < 5 || y < 5 || x + 5 >= WIDTH || y + 5 >= HEIGHT) continue;
+				similar += window(x, y);
+				windows++;
+			}
+		}
+		ts_metrics m = ts_metrics_compare(reference, image, masked ? mask : NULL, WIDTH, HEIGHT);
+		assert_int_equal(m.pixels, pixels);
+		assert_close(m.rmse, sqrt(squares / (double)(3 * pixels)));
+		assert_close(m.psnr, 10 * log10(255 * 255 / (squares / (double)(3 * pixels))));
+		assert_close(m.ssim, similar / (double)windows);
+	}
+}
+
+static void test_equal(void **state)
+{
+	(void)state;
+	ts_metrics m = ts_metrics_compare(reference, reference, NULL, WIDTH, HEIGHT);
+	assert_true(m.rmse == 0 && isinf(m.psnr) && m.psnr > 0);
+	assert_close(m.ssim, 1);
+}
+
+/* Flat images: no variance, so SSIM is the luminance term alone; also where no whole window fits. */
+static void test_flat(void **state)
+{
+	(void)state;
+	static const uint32_t sizes[][2] = {{WIDTH, HEIGHT}, {1, 1}, {7, 20}};
+	static uint8_t a[PIXELS * 3], b[PIXELS * 3];
+	memset(a, 100, sizeof a);
+	memset(b, 110, sizeof b);
+	for (size_t i = 0; i < 3; i++) {
+		ts_metrics m = ts_metrics_compare(a, b, NULL, sizes[i][0], sizes[i][1]);
+		assert_close(m.rmse, 10);
+		assert_close(m.psnr, 20 * log10(25.5));
+		if (fabs(m.ssim - (22000 + 6.5025) / (10000 + 12100 + 6.5025)) > 1e-6) fail_msg("SSIM %.17g", m.ssim);
+	}
+}
+
+/* What is not judged has no say in RMSE; nothing judged is no difference. */
+static void test_mask(void **state)
+{
+	(void)state;
+	uint8_t only[PIXELS] = {0};
+	only[0] = 1;
+	ts_metrics m = ts_metrics_compare(reference, image, only, WIDTH, HEIGHT);
+	double squares = 0;
+	for (size_t c = 0; c < 3; c++) squares += pow(reference[c] - image[c], 2);
+	assert_int_equal(m.pixels, 1);
+	assert_close(m.rmse, sqrt(squares / 3));
+	assert_true(m.ssim < 1);
+	only[0] = 0;
+	m = ts_metrics_compare(reference, image, only, WIDTH, HEIGHT);
+	assert_true(m.pixels == 0 && m.rmse == 0 && m.ssim == 1);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_against_definition),
+		cmocka_unit_test(test_equal),
+		cmocka_unit_test(test_flat),
+		cmocka_unit_test(test_mask),
+	};
+	return cmocka_run_group_tests(tests, set_up, NULL);
+}
