@@ -6,7 +6,7 @@
 #include "table.h"
 
 static const ts_column stage_columns[] = { { "name", "stage", false }, { "kind", "kind", false },
-	{ "reads", "reads", false }, { "writes", "writes", false }, { "paper", "paper", false }, { "doc", "what", false },
+	{ "paper", "paper", false }, { "doc", "what", false }, { "writes", "writes", false }, { "reads", "reads", false },
 	{ 0 } };
 static const ts_column buffer_columns[] = { { "name", "buffer", false }, { "element", "element", false },
 	{ "bytes", "bytes", true }, { "shape", "shape", false }, { "order", "order", false }, { "doc", "what", false }, { 0 } };
@@ -32,10 +32,10 @@ static ts_table list_stages(void)
 	for (const ts_stage *s = ts_stage_table; s->name != NULL; s++) {
 		ts_table_text(&table, s->name);
 		ts_table_text(&table, s->kind);
-		cell_buffers(&table, s->reads, sizeof s->reads / sizeof s->reads[0]);
-		cell_buffers(&table, s->writes, sizeof s->writes / sizeof s->writes[0]);
 		ts_table_text(&table, s->paper);
 		ts_table_text(&table, s->doc);
+		cell_buffers(&table, s->writes, sizeof s->writes / sizeof s->writes[0]);
+		cell_buffers(&table, s->reads, sizeof s->reads / sizeof s->reads[0]);
 	}
 	return table;
 }
