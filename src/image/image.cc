@@ -26,14 +26,12 @@ struct size {
 static unsigned big_endian(const uint8_t *p, int n)
 {
 	unsigned value = 0;
-	for (int i = 0; i < n; i++) value = value << 8 | p[i];
+	for (int i = 0; i < n; i++)
+		value = value << 8 | p[i];
 	return value;
 }
 
-static bool is_png(const uint8_t *p, size_t n)
-{
-	return n >= 8 && memcmp(p, "\x89PNG\r\n\x1a\n", 8) == 0;
-}
+static bool is_png(const uint8_t *p, size_t n) { return n >= 8 && memcmp(p, "\x89PNG\r\n\x1a\n", 8) == 0; }
 
 static bool is_jpeg(const uint8_t *p, size_t n) { return n >= 3 && p[0] == 0xff && p[1] == 0xd8 && p[2] == 0xff; }
 
@@ -41,6 +39,18 @@ static size png_size(const uint8_t *p, size_t n)
 {
 	if (n < 24 || memcmp(p + 12, "IHDR", 4) != 0) return {0, 0};
 	return {big_endian(p + 16, 4), big_endian(p + 20, 4)};
+}
+
+/* Whether the chunks reach IEND: libpng's way out of a file that ends early leaks. */
+static bool png_is_whole(const uint8_t *p, size_t n)
+{
+	for (size_t at = 8; n - at >= 12;) {
+		if (memcmp(p + at + 4, "IEND", 4) == 0) return true;
+		uint64_t chunk = 12 + (uint64_t)big_endian(p + at, 4);
+		if (chunk > n - at) return false;
+		at += chunk;
+	}
+	return false;
 }
 
 /* The first frame header (SOF0 to SOF15 without DHT, JPG and DAC). */
@@ -52,8 +62,10 @@ static size jpeg_size(const uint8_t *p, size_t n)
 		bool bare = marker == 0xff || marker == 0x01 || (marker >= 0xd0 && marker <= 0xd8);
 		if (marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc)
 			return {big_endian(p + at + 7, 2), big_endian(p + at + 5, 2)};
-		if (marker == 0xff) at += 1;
-		else at += bare ? 2 : 2 + big_endian(p + at + 2, 2);
+		if (marker == 0xff)
+			at += 1;
+		else
+			at += bare ? 2 : 2 + big_endian(p + at + 2, 2);
 	}
 	return {0, 0};
 }
@@ -71,7 +83,8 @@ static void to_rgba(uint8_t *rgba, const uint8_t *pixels, uint64_t n, int channe
 	for (uint64_t i = 0; i < n; i++) {
 		const uint8_t *from = pixels + i * (uint64_t)channels;
 		bool grey = channels < 3;
-		for (int c = 0; c < 3; c++) rgba[4 * i + (uint64_t)c] = from[grey ? 0 : c];
+		for (int c = 0; c < 3; c++)
+			rgba[4 * i + (uint64_t)c] = from[grey ? 0 : c];
 		rgba[4 * i + 3] = channels == 2 ? from[1] : channels == 4 ? from[3] : 255;
 	}
 }
@@ -85,7 +98,8 @@ static ts_status read_8bit(std::vector<uint8_t> &pixels, ImageInput &in, const c
 		std::vector<uint16_t> wide(n);
 		if (!in.read_image(0, 0, 0, spec.nchannels, TypeDesc::UINT16, wide.data()))
 			return ts_fail("%s: %s; a whole PNG or JPEG is expected", what, reason(in.geterror()).c_str());
-		for (uint64_t i = 0; i < n; i++) pixels[i] = (uint8_t)((wide[i] * 255u + 32767u) / 65535u);
+		for (uint64_t i = 0; i < n; i++)
+			pixels[i] = (uint8_t)((wide[i] * 255u + 32767u) / 65535u);
 		return TS_OK;
 	}
 	if (!in.read_image(0, 0, 0, spec.nchannels, TypeDesc::UINT8, pixels.data()))
@@ -104,9 +118,10 @@ static ts_status decode(uint8_t **rgba, size stated, const void *file, size_t fi
 	if (!in->open("", spec, config))
 		return ts_fail("%s: %s; a PNG or JPEG is expected", what, reason(in->geterror()).c_str());
 	if ((uint64_t)spec.width != stated.width || (uint64_t)spec.height != stated.height)
-		return ts_fail("%s: its header says %llu by %llu, its contents %d by %d", what, (unsigned long long)stated.width,
-		               (unsigned long long)stated.height, spec.width, spec.height);
-	if (spec.nchannels < 1 || spec.nchannels > 4) return ts_fail("%s: %d channels; 1 to 4 are read", what, spec.nchannels);
+		return ts_fail("%s: its header says %llu by %llu, its contents %d by %d", what,
+					   (unsigned long long)stated.width, (unsigned long long)stated.height, spec.width, spec.height);
+	if (spec.nchannels < 1 || spec.nchannels > 4)
+		return ts_fail("%s: %d channels; 1 to 4 are read", what, spec.nchannels);
 	std::vector<uint8_t> pixels;
 	if (read_8bit(pixels, *in, what) != TS_OK) return TS_ERROR;
 	*rgba = (uint8_t *)ts_alloc(stated.width * stated.height, 4, what);
@@ -130,7 +145,7 @@ template <typename Work> static ts_status guarded(const char *what, Work work)
 }
 
 ts_status ts_image_decode(uint8_t **rgba, uint32_t *width, uint32_t *height, const void *file, size_t file_bytes,
-                          uint64_t max_texels, const char *what)
+						  uint64_t max_texels, const char *what)
 {
 	const uint8_t *p = (const uint8_t *)file;
 	bool png = is_png(p, file_bytes);
@@ -140,14 +155,17 @@ ts_status ts_image_decode(uint8_t **rgba, uint32_t *width, uint32_t *height, con
 	if (stated.width == 0 || stated.height == 0) return ts_fail("%s: no width or height in its header", what);
 	if (stated.width > max_texels / stated.height)
 		return ts_fail("%s: its header says %llu by %llu; at most %llu texels are justified", what,
-		               (unsigned long long)stated.width, (unsigned long long)stated.height, (unsigned long long)max_texels);
+					   (unsigned long long)stated.width, (unsigned long long)stated.height,
+					   (unsigned long long)max_texels);
+	if (png && !png_is_whole(p, file_bytes)) return ts_fail("%s: the PNG is cut short", what);
 	*width = (uint32_t)stated.width;
 	*height = (uint32_t)stated.height;
 	return guarded(what, [&] { return decode(rgba, stated, file, file_bytes, png, what); });
 }
 
 /* Writes PATH.partial and renames it. */
-static ts_status write_file(const char *path, const char *format, const ImageSpec &spec, TypeDesc type, const void *pixels)
+static ts_status write_file(const char *path, const char *format, const ImageSpec &spec, TypeDesc type,
+							const void *pixels)
 {
 	std::string partial = std::string(path) + ".partial";
 	std::unique_ptr<ImageOutput> out = ImageOutput::create(format);
@@ -163,7 +181,8 @@ static ts_status write_file(const char *path, const char *format, const ImageSpe
 	return ts_fail("%s: %s", path, why.c_str());
 }
 
-ts_status ts_image_write_png(const char *path, const uint8_t *pixels, uint32_t width, uint32_t height, uint32_t channels)
+ts_status ts_image_write_png(const char *path, const uint8_t *pixels, uint32_t width, uint32_t height,
+							 uint32_t channels)
 {
 	return guarded(path, [&] {
 		ImageSpec spec((int)width, (int)height, (int)channels, TypeDesc::UINT8);
@@ -183,12 +202,12 @@ ts_status ts_image_write_exr(const char *path, const float *pixels, uint32_t wid
 	});
 }
 
-template <typename Code>
-static bool read_codes(float *pixels, ImageInput &in, uint64_t n, TypeDesc type, float full)
+template <typename Code> static bool read_codes(float *pixels, ImageInput &in, uint64_t n, TypeDesc type, float full)
 {
 	std::vector<Code> codes(n);
 	if (!in.read_image(0, 0, 0, in.spec().nchannels, type, codes.data())) return false;
-	for (uint64_t i = 0; i < n; i++) pixels[i] = (float)codes[i] / full;
+	for (uint64_t i = 0; i < n; i++)
+		pixels[i] = (float)codes[i] / full;
 	return true;
 }
 
@@ -201,15 +220,16 @@ static ts_status read_file(float **pixels, uint32_t *width, uint32_t *height, ui
 	const ImageSpec &spec = in->spec();
 	if (spec.width < 1 || spec.height < 1 || (uint64_t)spec.width * (uint64_t)spec.height > most_pixels)
 		return ts_fail("%s: %d by %d pixels; 1 to %llu are read", path, spec.width, spec.height,
-		               (unsigned long long)most_pixels);
-	if (spec.nchannels < 1 || spec.nchannels > 4) return ts_fail("%s: %d channels; 1 to 4 are read", path, spec.nchannels);
+					   (unsigned long long)most_pixels);
+	if (spec.nchannels < 1 || spec.nchannels > 4)
+		return ts_fail("%s: %d channels; 1 to 4 are read", path, spec.nchannels);
 	uint64_t n = (uint64_t)spec.width * (uint64_t)spec.height * (uint64_t)spec.nchannels;
 	float *out = (float *)ts_alloc(n, sizeof *out, path);
 	if (!out) return TS_ERROR;
 	std::unique_ptr<float, void (*)(void *)> owner(out, free);
 	bool good = spec.format == TypeDesc::UINT8    ? read_codes<uint8_t>(out, *in, n, TypeDesc::UINT8, 255.0f)
-	            : spec.format == TypeDesc::UINT16 ? read_codes<uint16_t>(out, *in, n, TypeDesc::UINT16, 65535.0f)
-	                                              : in->read_image(0, 0, 0, spec.nchannels, TypeDesc::FLOAT, out);
+				: spec.format == TypeDesc::UINT16 ? read_codes<uint16_t>(out, *in, n, TypeDesc::UINT16, 65535.0f)
+												  : in->read_image(0, 0, 0, spec.nchannels, TypeDesc::FLOAT, out);
 	if (!good) return ts_fail("%s: %s; a whole image is expected", path, reason(in->geterror()).c_str());
 	*width = (uint32_t)spec.width;
 	*height = (uint32_t)spec.height;

@@ -1,5 +1,5 @@
-/* Loading a glTF 2.0 file into a build: container, guard, tinygltf, then materials, meshes and nodes. The one entry from C:
- * no exception passes it. */
+/* Loading a glTF 2.0 file into a build: container, guard, tinygltf, then materials, meshes and nodes. The one entry
+ * from C: no exception passes it. */
 #include "gltf.h"
 #include "../core/core.h"
 #include <cstdarg>
@@ -57,7 +57,7 @@ static bool file_fetch(bytes *out, std::string *, const std::string &key, void *
 		*out = file_read_beside(in.path, wanted.path, most_file_bytes);
 		if (out->size() < wanted.byte_length)
 			fail("file %s: %zu bytes; byteLength says %llu", quoted(wanted.path).c_str(), out->size(),
-			     (unsigned long long)wanted.byte_length);
+				 (unsigned long long)wanted.byte_length);
 		out->resize(wanted.byte_length);
 		return true;
 	} catch (const error &e) {
@@ -67,7 +67,7 @@ static bool file_fetch(bytes *out, std::string *, const std::string &key, void *
 }
 
 static bool image_keep(tinygltf::Image *image, const int, std::string *, std::string *, int, int,
-                       const unsigned char *data, int n, void *)
+					   const unsigned char *data, int n, void *)
 {
 	if (image->bufferView < 0) image->image.assign(data, data + n);
 	return true;
@@ -80,8 +80,10 @@ static void parse(loader &in)
 	files from{in, ""};
 	parser.SetFsCallbacks({file_exists, file_expand, file_fetch, nullptr, &from});
 	parser.SetImageLoader(image_keep, nullptr);
-	if (in.doc.json.size() > most_file_bytes) fail("%zu bytes of JSON; at most 2147483647 are read", in.doc.json.size());
-	bool good = parser.LoadASCIIFromString(&in.model, &problem, &warning, in.doc.json.data(), (unsigned)in.doc.json.size(), "");
+	if (in.doc.json.size() > most_file_bytes)
+		fail("%zu bytes of JSON; at most 2147483647 are read", in.doc.json.size());
+	bool good =
+		parser.LoadASCIIFromString(&in.model, &problem, &warning, in.doc.json.data(), (unsigned)in.doc.json.size(), "");
 	if (!from.problem.empty()) fail("%s", from.problem.c_str());
 	if (!good) fail("%s", problem.substr(0, problem.find('\n')).c_str());
 }
@@ -107,7 +109,8 @@ static void load(loader &in)
 	in.doc = guard((const char *)in.file.data() + in.parts.json_begin, in.parts.json_bytes, in.parts);
 	parse(in);
 	uint64_t n = in.file.size();
-	for (const tinygltf::Buffer &buffer : in.model.buffers) n += buffer.data.size();
+	for (const tinygltf::Buffer &buffer : in.model.buffers)
+		n += buffer.data.size();
 	in.texel_budget = texel_budget(n);
 	in.materials.assign(in.model.materials.size(), TS_NONE);
 	if (in.parts.trailing_bytes > 0) in.notes.insert("bytes after the end that the header gives are ignored");
@@ -126,8 +129,10 @@ void ts_gltf_load(ts_build *build, const char *path, const char *reflector)
 		in.reflector = reflector;
 		gltf::load(in);
 	} catch (const gltf::error &e) {
-		if (e.line.empty()) ts_build_fail(build, "%s", ts_error_message());
-		else ts_build_fail(build, "%s: %s", path, e.line.c_str());
+		if (e.line.empty())
+			ts_build_fail(build, "%s", ts_error_message());
+		else
+			ts_build_fail(build, "%s: %s", path, e.line.c_str());
 	} catch (const std::bad_alloc &) {
 		ts_build_fail(build, "%s: no memory for its contents", path);
 	} catch (const std::exception &e) {

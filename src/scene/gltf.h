@@ -34,12 +34,14 @@ std::string quoted(const std::string &name);
 
 /* gltf_file.cc: files. Refuses what is not a regular file and what is longer than `limit` bytes. */
 bytes file_read(const std::string &path, uint64_t limit);
-/* Reads `relative`, a path from path_from_uri, in the folder of the file `base`; nothing outside that folder, by name or
- * by link, is opened. */
+/* Reads `relative`, a path from path_from_uri, in the folder of the file `base`; nothing outside that folder, by name
+ * or by link, is opened. */
 bytes file_read_beside(const std::string &base, const std::string &relative, uint64_t limit);
-/* The relative path that a URI names; absolute ones, schemes, backslashes, NULs and ways out of the folder are refused. */
+/* The relative path that a URI names; absolute ones, schemes, backslashes, NULs and ways out of the folder are refused.
+ */
 std::string path_from_uri(const std::string &uri, const std::string &where);
-/* Checks a base64 data URI of one of the media types `types` (separated by spaces) and returns the number of bytes it holds. */
+/* Checks a base64 data URI of one of the media types `types` (separated by spaces) and returns the number of bytes it
+ * holds. */
 uint64_t data_uri_check(const std::string &uri, const char *types, const std::string &where);
 
 /* gltf_container.cc: the parts of a .glb, as ranges of the file; a .gltf is JSON as a whole. */
@@ -76,9 +78,9 @@ struct loader {
 	document doc;
 	tinygltf::Model model;
 	std::set<std::string> notes;
-	uint64_t texel_budget = 0;                                 /* what the bytes read so far justify */
-	std::vector<u32> materials;                                /* of the scene, TS_NONE until used */
-	std::map<std::pair<int, bool>, u32> images;                /* (image, sRGB) to index in the scene */
+	uint64_t texel_budget = 0;                  /* what the bytes read so far justify */
+	std::vector<u32> materials;                 /* of the scene, TS_NONE until used */
+	std::map<std::pair<int, bool>, u32> images; /* (image, sRGB) to index in the scene */
 };
 
 /* gltf_accessor.cc: typed, bounds-checked reading. */

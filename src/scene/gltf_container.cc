@@ -1,5 +1,5 @@
-/* The GLB container, glTF 2.0 section 4.4: a 12-byte header, then a JSON chunk, an optional BIN chunk and chunks of other
- * kinds, which are skipped. */
+/* The GLB container, glTF 2.0 section 4.4: a 12-byte header, then a JSON chunk, an optional BIN chunk and chunks of
+ * other kinds, which are skipped. */
 #include "gltf.h"
 #include <cstring>
 
@@ -9,7 +9,8 @@ static constexpr uint32_t magic = 0x46546c67, json_kind = 0x4e4f534a, bin_kind =
 
 static uint32_t word(const bytes &file, size_t at)
 {
-	return (uint32_t)file[at] | (uint32_t)file[at + 1] << 8 | (uint32_t)file[at + 2] << 16 | (uint32_t)file[at + 3] << 24;
+	return (uint32_t)file[at] | (uint32_t)file[at + 1] << 8 | (uint32_t)file[at + 2] << 16 |
+		   (uint32_t)file[at + 3] << 24;
 }
 
 static void take_chunk(container &parts, uint32_t kind, size_t begin, size_t n, unsigned place)

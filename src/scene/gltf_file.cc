@@ -27,7 +27,8 @@ static bytes read_all(const std::string &path, int flags, uint64_t limit, const 
 	if (file.fd < 0 || fstat(file.fd, &info) != 0) fail("%s: %s", shown.c_str(), strerror(errno));
 	if (!S_ISREG(info.st_mode)) fail("%s: not a regular file", shown.c_str());
 	if ((uint64_t)info.st_size > limit)
-		fail("%s: %lld bytes; at most %llu are read", shown.c_str(), (long long)info.st_size, (unsigned long long)limit);
+		fail("%s: %lld bytes; at most %llu are read", shown.c_str(), (long long)info.st_size,
+			 (unsigned long long)limit);
 	bytes data((size_t)info.st_size);
 	for (size_t done = 0; done < data.size();) {
 		ssize_t n = read(file.fd, data.data() + done, data.size() - done);
@@ -77,7 +78,8 @@ static std::string percent_decode(const std::string &uri, const std::string &whe
 		}
 		int high = i + 2 < uri.size() ? hex_digit(uri[i + 1]) : -1;
 		int low = i + 2 < uri.size() ? hex_digit(uri[i + 2]) : -1;
-		if (high < 0 || low < 0) fail("%s: a %% without two hexadecimal digits in %s", where.c_str(), quoted(uri).c_str());
+		if (high < 0 || low < 0)
+			fail("%s: a %% without two hexadecimal digits in %s", where.c_str(), quoted(uri).c_str());
 		text += (char)(high * 16 + low);
 		i += 2;
 	}
@@ -91,8 +93,10 @@ static bool climbs_out(const std::string &path)
 	for (size_t begin = 0; begin <= path.size();) {
 		size_t end = std::min(path.find('/', begin), path.size());
 		std::string part = path.substr(begin, end - begin);
-		if (part == "..") depth--;
-		else if (!part.empty() && part != ".") depth++;
+		if (part == "..")
+			depth--;
+		else if (!part.empty() && part != ".")
+			depth++;
 		if (depth < 0) return true;
 		begin = end + 1;
 	}
@@ -102,11 +106,12 @@ static bool climbs_out(const std::string &path)
 std::string path_from_uri(const std::string &uri, const std::string &where)
 {
 	if (uri.empty()) fail("%s: an empty URI; a file of the scene's folder is expected", where.c_str());
-	if (uri.size() >= PATH_MAX) fail("%s: a URI of %zu bytes; at most %d are read", where.c_str(), uri.size(), PATH_MAX - 1);
+	if (uri.size() >= PATH_MAX)
+		fail("%s: a URI of %zu bytes; at most %d are read", where.c_str(), uri.size(), PATH_MAX - 1);
 	std::string path = percent_decode(uri, where);
 	std::string first = path.substr(0, path.find('/'));
 	bool bad = path[0] == '/' || path.find('\\') != std::string::npos || path.find('\0') != std::string::npos ||
-	           first.find(':') != std::string::npos || climbs_out(path);
+			   first.find(':') != std::string::npos || climbs_out(path);
 	if (bad) fail("%s: %s is no file of the scene's folder", where.c_str(), quoted(uri).c_str());
 	return path;
 }
@@ -127,7 +132,8 @@ uint64_t data_uri_check(const std::string &uri, const char *types, const std::st
 	if (!lists(types, head.substr(0, semicolon)))
 		fail("%s: media type %s; known are %s", where.c_str(), quoted(head.substr(0, semicolon)).c_str(), types);
 	size_t n = uri.size() - comma - 1, padding = 0;
-	while (padding < 2 && padding < n && uri[uri.size() - 1 - padding] == '=') padding++;
+	while (padding < 2 && padding < n && uri[uri.size() - 1 - padding] == '=')
+		padding++;
 	for (size_t i = comma + 1; i < uri.size() - padding; i++) {
 		char c = uri[i];
 		bool known = (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '+' || c == '/';

@@ -1,5 +1,5 @@
-/* The guard before tinygltf, which checks neither types nor references: the JSON is parsed strictly, held against the table
- * of gltf_rules.h, and written anew, so that tinygltf reads only what was checked. */
+/* The guard before tinygltf, which checks neither types nor references: the JSON is parsed strictly, held against the
+ * table of gltf_rules.h, and written anew, so that tinygltf reads only what was checked. */
 #include "gltf.h"
 #include "gltf_rules.h"
 #include <cstring>
@@ -26,11 +26,14 @@ static void check_depth(const char *text, size_t n)
 	int depth = 0;
 	bool in_string = false;
 	for (size_t i = 0; i < n; i++) {
-		if (in_string && text[i] == '\\') i++;
-		else if (text[i] == '"') in_string = !in_string;
+		if (in_string && text[i] == '\\')
+			i++;
+		else if (text[i] == '"')
+			in_string = !in_string;
 		else if (!in_string && (text[i] == '{' || text[i] == '[') && ++depth > most_depth)
 			fail("JSON nested more than %d deep", most_depth);
-		else if (!in_string && (text[i] == '}' || text[i] == ']')) depth--;
+		else if (!in_string && (text[i] == '}' || text[i] == ']'))
+			depth--;
 	}
 }
 
@@ -72,8 +75,10 @@ static bool is_number(const json_t *value, double low, double high)
 static std::string range_text(const char *what, double low, double high)
 {
 	char text[96];
-	if (high >= most_number) snprintf(text, sizeof text, low <= -most_number ? "%s" : "%s from %.10g", what, low);
-	else snprintf(text, sizeof text, "%s from %.10g to %.10g", what, low, high);
+	if (high >= most_number)
+		snprintf(text, sizeof text, low <= -most_number ? "%s" : "%s from %.10g", what, low);
+	else
+		snprintf(text, sizeof text, "%s from %.10g to %.10g", what, low, high);
 	return text;
 }
 
@@ -81,7 +86,8 @@ json_int_t checker::check_index(json_t *value, const rule &r, const std::string 
 {
 	size_t n = lengths.at(r.of);
 	if (n == 0) fail("%s is %s; the file has no %s", where.c_str(), shown(value).c_str(), r.of);
-	if (!is_whole(value, 0, (double)n - 1)) refuse(where, value, range_text("a whole number", 0, (double)n - 1).c_str());
+	if (!is_whole(value, 0, (double)n - 1))
+		refuse(where, value, range_text("a whole number", 0, (double)n - 1).c_str());
 	return (json_int_t)json_number_value(value);
 }
 
@@ -91,7 +97,8 @@ static void check_numbers(const json_t *value, const rule &r, const std::string 
 		refuse(where, value, ("an array of " + std::to_string(r.n) + " numbers").c_str());
 	for (size_t i = 0; i < r.n; i++)
 		if (!is_number(json_array_get(value, i), r.low, r.high))
-			refuse(where + "/" + std::to_string(i), json_array_get(value, i), range_text("a number", r.low, r.high).c_str());
+			refuse(where + "/" + std::to_string(i), json_array_get(value, i),
+				   range_text("a number", r.low, r.high).c_str());
 }
 
 static void check_text(const json_t *value, const rule &r, const std::string &where)
@@ -113,8 +120,10 @@ void checker::check_value(json_t *parent, const char *key, json_t *value, const 
 	void *next;
 	switch (r.type) {
 	case EXTRAS:
-		if (json_is_object(value)) check_object(value, path, where);
-		else json_object_del(parent, key);
+		if (json_is_object(value))
+			check_object(value, path, where);
+		else
+			json_object_del(parent, key);
 		break;
 	case OBJECT:
 		if (!json_is_object(value)) refuse(where, value, "an object");
@@ -174,8 +183,10 @@ void checker::check_object(json_t *object, const std::string &path, const std::s
 		const rule *match = nullptr;
 		for (const rule *r : known)
 			if (strcmp(r->path + prefix, key) == 0) match = r;
-		if (match) check_value(object, key, value, *match, start + key);
-		else json_object_del(object, key);
+		if (match)
+			check_value(object, key, value, *match, start + key);
+		else
+			json_object_del(object, key);
 	}
 	for (const rule *r : known)
 		if (r->required && !json_object_get(object, r->path + prefix))
@@ -186,7 +197,7 @@ void checker::check_object(json_t *object, const std::string &path, const std::s
 static void check_extensions(checker &check, const json_t *root)
 {
 	static const std::set<std::string> known = {"KHR_lights_punctual", "KHR_texture_transform", "KHR_materials_unlit",
-	                                            "KHR_materials_emissive_strength"};
+												"KHR_materials_emissive_strength"};
 	for (const char *list : {"extensionsRequired", "extensionsUsed"}) {
 		const json_t *names = json_object_get(root, list), *name;
 		size_t i;
@@ -200,7 +211,8 @@ static void check_extensions(checker &check, const json_t *root)
 				check.doc.notes.insert("specular-glossiness materials are drawn by their metallic-roughness fallback");
 				continue;
 			}
-			if (list[10] == 'R') fail("the file requires the extension %s, which is not supported", quoted(text).c_str());
+			if (list[10] == 'R')
+				fail("the file requires the extension %s, which is not supported", quoted(text).c_str());
 			check.doc.notes.insert("the extension " + quoted(text) + " is not supported and ignored");
 		}
 	}
@@ -216,7 +228,7 @@ static size_t list_length(const json_t *parent, const char *key)
 static void measure_lists(checker &check, const json_t *root)
 {
 	for (const char *name : {"scenes", "nodes", "meshes", "accessors", "bufferViews", "buffers", "images", "samplers",
-	                         "textures", "materials", "cameras", "skins"})
+							 "textures", "materials", "cameras", "skins"})
 		check.lengths[name] = list_length(root, name);
 	const json_t *extensions = json_object_get(root, "extensions");
 	const json_t *punctual = extensions ? json_object_get(extensions, "KHR_lights_punctual") : nullptr;
@@ -258,7 +270,7 @@ static void check_views(const json_t *root, const std::vector<uint64_t> &lengths
 		uint64_t id = whole(view, "buffer"), end = whole(view, "byteOffset") + whole(view, "byteLength");
 		if (end > lengths.at(id))
 			fail("bufferViews/%zu ends at byte %llu; buffer %llu has %llu", i, (unsigned long long)end,
-			     (unsigned long long)id, (unsigned long long)lengths.at(id));
+				 (unsigned long long)id, (unsigned long long)lengths.at(id));
 	}
 }
 
@@ -271,7 +283,8 @@ static void take_buffer(checker &check, json_t *buffer, size_t i, const containe
 	if (!text) {
 		if (i != 0 || !parts.has_bin) fail("%s is missing and there is no BIN chunk for this buffer", where.c_str());
 		if (length > parts.bin_bytes)
-			fail("buffers/0/byteLength is %llu; the BIN chunk has %zu bytes", (unsigned long long)length, parts.bin_bytes);
+			fail("buffers/0/byteLength is %llu; the BIN chunk has %zu bytes", (unsigned long long)length,
+				 parts.bin_bytes);
 		check.doc.buffers[key] = {"", length};
 	} else {
 		std::string uri(json_string_value(text), json_string_length(text));
@@ -279,7 +292,7 @@ static void take_buffer(checker &check, json_t *buffer, size_t i, const containe
 			uint64_t held = data_uri_check(uri, "application/octet-stream application/gltf-buffer", where);
 			if (held < length)
 				fail("%s holds %llu bytes; byteLength says %llu", where.c_str(), (unsigned long long)held,
-				     (unsigned long long)length);
+					 (unsigned long long)length);
 			json_object_set_new(buffer, "byteLength", json_integer((json_int_t)held));
 			return;
 		}

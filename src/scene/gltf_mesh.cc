@@ -1,5 +1,5 @@
-/* Primitives, glTF 2.0 section 3.7.2: lists, strips and fans become triangles; only vertices that a triangle uses are kept,
- * in the order of their first use. */
+/* Primitives, glTF 2.0 section 3.7.2: lists, strips and fans become triangles; only vertices that a triangle uses are
+ * kept, in the order of their first use. */
 #include "gltf.h"
 
 namespace gltf {
@@ -22,7 +22,8 @@ static size_t triangle_count(loader &in, int mode, size_t n)
 	bool is_list = mode == TINYGLTF_MODE_TRIANGLES;
 	size_t count = is_list ? n / 3 : n < 3 ? 0 : n - 2;
 	if (n < 3 || (is_list && n % 3 != 0)) in.notes.insert("vertices that complete no triangle are ignored");
-	if (count > most_items) fail("a primitive of %zu triangles; at most %llu are drawn", count, (unsigned long long)most_items);
+	if (count > most_items)
+		fail("a primitive of %zu triangles; at most %llu are drawn", count, (unsigned long long)most_items);
 	return count;
 }
 
@@ -70,11 +71,13 @@ void attributes::open(loader &in, const tinygltf::Primitive &primitive, const st
 ts_vertex attributes::read(size_t i) const
 {
 	f32 field[sizeof(ts_vertex) / sizeof(f32)] = {0.0f};
-	for (int k = 0; k < 4; k++) field[AT(colour) + (size_t)k] = 1.0f;
+	for (int k = 0; k < 4; k++)
+		field[AT(colour) + (size_t)k] = 1.0f;
 	for (const form &f : known_forms) {
 		auto found = views.find(f.name);
 		if (found == views.end()) continue;
-		for (int k = 0; k < found->second.components; k++) field[f.offset + (size_t)k] = found->second.number(i, k);
+		for (int k = 0; k < found->second.components; k++)
+			field[f.offset + (size_t)k] = found->second.number(i, k);
 	}
 	ts_vertex vertex;
 	static_assert(sizeof vertex == sizeof field, "ts_vertex consists of 4-byte fields");
@@ -109,7 +112,7 @@ static void collect(piece &out, const attributes &a, const std::vector<uint32_t>
 }
 
 static std::vector<uint32_t> read_corners(loader &in, const tinygltf::Primitive &primitive, int mode, size_t n_vertices,
-                                          const std::string &where)
+										  const std::string &where)
 {
 	view list{};
 	if (primitive.indices >= 0)
@@ -120,7 +123,8 @@ static std::vector<uint32_t> read_corners(loader &in, const tinygltf::Primitive 
 	for (size_t i = 0; i < n; i++) {
 		size_t at[3];
 		triangle_corners(mode, i, at);
-		for (size_t k : at) corners.push_back(primitive.indices >= 0 ? list.index(k) : (uint32_t)k);
+		for (size_t k : at)
+			corners.push_back(primitive.indices >= 0 ? list.index(k) : (uint32_t)k);
 	}
 	for (size_t i = 0; primitive.indices >= 0 && i < list.count; i++)
 		if (list.index(i) >= n_vertices)

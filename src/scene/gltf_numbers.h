@@ -14,8 +14,8 @@ f32 ts_number(double x);
 f32 ts_number_unorm8(u32 x);
 f32 ts_number_unorm16(u32 x);
 
-/* KHR_texture_transform as six coefficients: scale, then rotation (radians, counter-clockwise where v points down), then
- * offset. */
+/* KHR_texture_transform as six coefficients: scale, then rotation (radians, counter-clockwise where v points down),
+ * then offset. */
 void ts_number_uv_transform(f32 transform[6], const f32 offset[2], f32 rotation, const f32 scale[2]);
 
 /* KHR_lights_punctual: the cone of a spot light, half angles in radians, 0 <= inner < outer. */

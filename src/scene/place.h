@@ -1,5 +1,6 @@
-/* Node transforms of a scene file: where a node stands in the world, and what that does to vertices, lights and cameras.
- * Only + - * / and the square root on binary32, in the order written (SPEC 0.3.9), so every build gives the same bits. */
+/* Node transforms of a scene file: where a node stands in the world, and what that does to vertices, lights and
+ * cameras. Only + - * / and the square root on binary32, in the order written (SPEC 0.3.9), so every build gives the
+ * same bits. */
 #ifndef TS_SCENE_PLACE_H
 #define TS_SCENE_PLACE_H
 #include "scene.h"
@@ -28,7 +29,8 @@ ts_place ts_place_compose(const ts_place *parent, const ts_place *local);
 /* Whether every element is within +-2^24, which keeps all that follows finite. */
 bool ts_place_is_sane(const ts_place *place);
 
-/* A vertex in world space. Where the node flattens, the normal is zero; where it mirrors, the tangent's handedness flips. */
+/* A vertex in world space. Where the node flattens, the normal is zero; where it mirrors, the tangent's handedness
+ * flips. */
 ts_vertex ts_place_vertex(const ts_place *place, const ts_vertex *vertex);
 
 /* The node's origin, and the unit direction of its -z (a light's way), or zero. */

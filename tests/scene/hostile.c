@@ -1,5 +1,5 @@
-/* Walks the corpus of malformed and odd glTF files, $TS_SCENES/hostile, and holds every outcome against its manifest; then
- * the good scenes beside it. Every file gets 10 seconds, and the process 4 GiB more than it had. */
+/* Walks the corpus of malformed and odd glTF files, $TS_SCENES/hostile, and holds every outcome against its manifest;
+ * then the good scenes beside it. Every file gets 10 seconds, and the process 4 GiB more than it had. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -19,7 +19,9 @@
 #define LIMIT_MEMORY 1
 #endif
 
-typedef struct { unsigned loaded, refused, wrong; } tally;
+typedef struct {
+	unsigned loaded, refused, wrong;
+} tally;
 
 static const char *scenes_folder(void)
 {
@@ -39,10 +41,7 @@ static FILE *open_list(const char *name)
 	return list;
 }
 
-static bool is_one_line(const char *text)
-{
-	return text[0] != '\0' && strpbrk(text, "\r\n") == NULL;
-}
+static bool is_one_line(const char *text) { return text[0] != '\0' && strpbrk(text, "\r\n") == NULL; }
 
 /* Loads a file; *triangles is what it draws. Refusals must come as one line. */
 static bool load(const char *path, u32 *triangles)
@@ -70,7 +69,7 @@ static bool load(const char *path, u32 *triangles)
 static void complain(tally *t, const char *file, const char *expected, bool loaded, u32 triangles)
 {
 	print_error("%s: expected %s, was %s, %u triangles: %s\n", file, expected, loaded ? "loaded" : "refused", triangles,
-	            loaded ? "" : ts_error_message());
+				loaded ? "" : ts_error_message());
 	t->wrong++;
 }
 
@@ -123,17 +122,39 @@ static void test_validator(void **state)
 /* Of scenes/README.md. */
 static void test_good_scenes(void **state)
 {
-	static const struct { const char *file; u32 triangles; } good[] = {
-		{"sponza.glb", 262267}, {"breakfast_room.glb", 269538}, {"fireplace_room.glb", 143163}, {"sibenik.glb", 75284},
-		{"modern_hall.glb", 31247}, {"vr_gallery.glb", 1930}, {"country_kitchen_partial.glb", 1050941},
-		{"cornell_box_original.glb", 36}, {"cornell_box_sphere.glb", 2188}, {"cornell_box_water.glb", 7088},
-		{"bunny.glb", 69451}, {"bunny_splats.glb", 0}, {"dragon_80k.glb", 79988}, {"dragon_scans.glb", 887081},
-		{"dragon_splats.glb", 0}, {"armadillo_86k.glb", 86482}, {"damaged_helmet.glb", 15452}, {"suzanne.glb", 3936},
-		{"pbr_spheres.glb", 100320}, {"chess_board.glb", 178848}, {"khronos/box.glb", 12},
-		{"khronos/texture_transform_test.glb", 24}, {"khronos/unlit_test.glb", 88},
-		{"khronos/simple_sparse_accessor.glb", 12}, {"khronos/texture_settings_test.glb", 72},
-		{"khronos/animated_morph_cube.glb", 12}, {"khronos/spec_gloss_vs_metal_rough.glb", 9028},
-		{"khronos/normal_tangent_test.glb", 7774}, {"khronos/primitive_mode_normals_test.glb", 2562},
+	static const struct {
+		const char *file;
+		u32 triangles;
+	} good[] = {
+		{"sponza.glb", 262267},
+		{"breakfast_room.glb", 269538},
+		{"fireplace_room.glb", 143163},
+		{"sibenik.glb", 75284},
+		{"modern_hall.glb", 31247},
+		{"vr_gallery.glb", 1930},
+		{"country_kitchen_partial.glb", 1050941},
+		{"cornell_box_original.glb", 36},
+		{"cornell_box_sphere.glb", 2188},
+		{"cornell_box_water.glb", 7088},
+		{"bunny.glb", 69451},
+		{"bunny_splats.glb", 0},
+		{"dragon_80k.glb", 79988},
+		{"dragon_scans.glb", 887081},
+		{"dragon_splats.glb", 0},
+		{"armadillo_86k.glb", 86482},
+		{"damaged_helmet.glb", 15452},
+		{"suzanne.glb", 3936},
+		{"pbr_spheres.glb", 100320},
+		{"chess_board.glb", 178848},
+		{"khronos/box.glb", 12},
+		{"khronos/texture_transform_test.glb", 24},
+		{"khronos/unlit_test.glb", 88},
+		{"khronos/simple_sparse_accessor.glb", 12},
+		{"khronos/texture_settings_test.glb", 72},
+		{"khronos/animated_morph_cube.glb", 12},
+		{"khronos/spec_gloss_vs_metal_rough.glb", 9028},
+		{"khronos/normal_tangent_test.glb", 7774},
+		{"khronos/primitive_mode_normals_test.glb", 2562},
 	};
 	(void)state;
 	char path[4096];
