@@ -27,4 +27,8 @@ void ts_part_ring(ts_mesh *mesh, f32 ring, f32 tube, u32 na, u32 nl);
 /* A straight wall strip of profile (z out, y up), from (-half, 0, 0) to (half, 0, 0), facing +z. */
 void ts_part_moulding(ts_mesh *mesh, f32 half, const f32 (*profile)[2], u32 n_points, u32 n_along);
 
+/* A bicycle standing at y = 0, riding along x; 1.7 m long. */
+typedef struct { u32 rubber, steel, paint, leather; } ts_bicycle_materials;
+void ts_part_bicycle(ts_mesh *mesh, const ts_bicycle_materials *material);
+
 #endif
