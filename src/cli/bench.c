@@ -106,7 +106,7 @@ static void row_head(ts_table *table, const char *scene, u32 objects, const char
 
 static void add_table_1(ts_table *table, bench *b)
 {
-	i64 epr = ts_measure_counter(&b->epr, "shading operations"), mvr = ts_measure_counter(&b->mvr, "shading ops");
+	i64 epr = ts_measure_shading(&b->epr), mvr = ts_measure_shading(&b->mvr);
 	row_head(table, b->spec, b->objects, "here");
 	ts_table_real(table, b->epr.mean_diameter, 1);
 	ts_table_count(table, epr);

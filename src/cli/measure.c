@@ -98,6 +98,11 @@ i64 ts_measure_counter(const ts_measure *measure, const char *name)
 	return 0;
 }
 
+i64 ts_measure_shading(const ts_measure *measure)
+{
+	return ts_measure_counter(measure, "shading operations");
+}
+
 double ts_measure_seconds(const ts_measure *measure, const char *const *stages)
 {
 	double sum = 0;

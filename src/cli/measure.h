@@ -38,6 +38,8 @@ ts_status ts_measure_run(ts_measure *measure, const ts_pipeline *method, const t
 
 /* Value of a counter, 0 if it was not counted. */
 i64 ts_measure_counter(const ts_measure *measure, const char *name);
+/* Shading operations, the paper's measure of work. */
+i64 ts_measure_shading(const ts_measure *measure);
 /* Seconds of the stages named in a list that is ended by NULL. */
 double ts_measure_seconds(const ts_measure *measure, const char *const *stages);
 

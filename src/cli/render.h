@@ -38,7 +38,5 @@ ts_status ts_render_write(ts_render *render);
 /* The tables, and the figures they are made of. */
 void ts_render_report_head(const ts_render *render, ts_report *report);
 void ts_render_report_body(const ts_render *render, ts_report *report);
-/* Adds the counter of shading operations, reflected in one method's run. */
-i64 ts_render_shading_ops(const ts_measure *measure);
 
 #endif

@@ -192,11 +192,6 @@ static void report_memory(const ts_render *render, ts_report *report)
 	ts_report_table(report, &table);
 }
 
-i64 ts_render_shading_ops(const ts_measure *measure)
-{
-	return ts_measure_counter(measure, "shading operations");
-}
-
 static const ts_measure *find_measure(const ts_render *render, const char *name)
 {
 	for (u32 i = 0; i < render->n_methods; i++) {
@@ -212,7 +207,7 @@ static void report_ratio(const ts_render *render, ts_report *report)
 {
 	static const ts_column columns[] = { { "figure", "figure", false }, { "value", "value", true }, { 0 } };
 	const ts_measure *epr = find_measure(render, "epr"), *mvr = find_measure(render, "mvr");
-	const ts_measure *any = &render->measures[0];
+	const ts_measure *any = epr != NULL ? epr : &render->measures[0];
 	ts_table table = ts_table_begin("shading", "Shading", columns);
 	ts_table_text(&table, "reflective pixels in sight");
 	ts_table_count(&table, (i64)render->n_reflective);
@@ -220,9 +215,9 @@ static void report_ratio(const ts_render *render, ts_report *report)
 	ts_table_count(&table, any->n_in_sight);
 	ts_table_text(&table, "texels a side of their cubes, mean");
 	ts_table_real(&table, any->mean_diameter, 1);
-	if (epr != NULL && mvr != NULL && ts_render_shading_ops(epr) > 0) {
+	if (epr != NULL && mvr != NULL && ts_measure_shading(epr) > 0) {
 		ts_table_text(&table, "shading operations, MVR / EPR");
-		ts_table_real(&table, (double)ts_render_shading_ops(mvr) / (double)ts_render_shading_ops(epr), 2);
+		ts_table_real(&table, (double)ts_measure_shading(mvr) / (double)ts_measure_shading(epr), 2);
 	}
 	if (render->n_reflective > 0) {
 		double texels = (double)NOMINAL_TEXELS * render->scene->n_reflectors;

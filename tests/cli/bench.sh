@@ -5,6 +5,15 @@ small=(--scene atrium:triangles=10000 --objects 1,2 --size 96x54 --set reflector
 
 prints '^Sponza .*paper .*1,510,000' bench epr-1 "${small[@]}"
 prints '^Sponza .*paper .*603,000' bench epr-2 "${small[@]}" --runs 1 --truth=A
+run bench epr-1 "${small[@]}" --json
+python3 - "$scratch/stdout" <<'PY'
+import json, sys
+rows = [r for r in json.load(open(sys.argv[1]))["epr_1"] if r["source"] == "here"]
+for r in rows:
+	assert r["epr_ops"] > 0 and 0 < r["mvr_ops"] <= 6 * 64 * 64 * r["mirrors"]
+	assert abs(r["ratio"] - r["mvr_ops"] / r["epr_ops"]) < 1e-6
+PY
+verdict $? 'the ratio is that of the operations'
 run bench epr-2 "${small[@]}" --runs 2 --truth=none --json
 python3 - "$scratch/stdout" <<'PY'
 import json, sys
