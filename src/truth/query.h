@@ -4,7 +4,7 @@
 #include "../kernels/hit.h"
 #include "truth.h"
 
-/* A leg of a light path that began at the eye. The footprint of a hit q is spread * (path + |from - q|), world units. */
+/* A leg of a light path that began at the eye. A hit q has a footprint of spread * (path + |from - q|) world units. */
 typedef struct {
 	ts_v3 origin, direction; /* world; the direction is unit, or zero: nothing is hit */
 	f32 near;                /* no hit before this, world units */
