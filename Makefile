@@ -99,8 +99,8 @@ $(BUILD)/touchstone: $(CLI_O) $(BUILD)/libtouchstone.a
 
 ##   core               static command that digests built-in scenes: build/core/touchstone-core
 CORE_BUILD ?= $(if $(filter command%,$(origin BUILD)),$(BUILD),build/core)
-# clang's OpenMP runtime has no static library.
-CORE_STATIC = $(if $(findstring clang,$(CC)),,-static)
+# Neither clang's OpenMP runtime nor the sanitizers have static libraries.
+CORE_STATIC = $(if $(findstring clang,$(CC))$(findstring -fsanitize,$(OPT)),,-static)
 core:
 	$(Q)$(MAKE) --no-print-directory BUILD=$(CORE_BUILD) $(CORE_BUILD)/touchstone-core
 
