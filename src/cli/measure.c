@@ -20,7 +20,7 @@ static void measure_faces(ts_measure *m, const ts_frame *frame)
 	m->mean_diameter = m->n_in_sight > 0 ? (double)sum / m->n_in_sight : 0;
 }
 
-/* Stages in batches advance by reflectors, the others by their place in the table. */
+/* Pipelines that work in batches show their own progress. */
 static void show_progress(const ts_run *run, const ts_stage *stage, const char *method)
 {
 	char label[64];
@@ -28,12 +28,10 @@ static void show_progress(const ts_run *run, const ts_stage *stage, const char *
 	while (ts_stage_table[total - 1].name != NULL) {
 		total++;
 	}
-	if (run->n_reflectors > 0 && run->n_reflectors < run->scene->n_reflectors) {
-		done = (u64)run->first_reflector + run->n_reflectors;
-		total = (u64)run->scene->n_reflectors + 1;
+	if (run->n_reflectors == run->scene->n_reflectors) {
+		snprintf(label, sizeof label, "%s, after %s", method, stage->name);
+		ts_progress(label, done, total);
 	}
-	snprintf(label, sizeof label, "%s, %s", method, stage->name);
-	ts_progress(label, done, total);
 }
 
 static ts_status after_stage(const ts_run *run, const ts_stage *stage, void *user)

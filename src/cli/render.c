@@ -99,9 +99,10 @@ static void compare(ts_render *render, const ts_picture *reference, const ts_pic
 /* Against A a method answers for its sampling alone; A against B is what the cube's centre costs every method. */
 static void compare_all(ts_render *render)
 {
+	static const char *const shares[TS_N_TRUTHS] = { "sampling", "both", "" };
 	for (u32 t = 0; t < TS_N_TRUTHS; t++) {
 		for (u32 i = 0; i < render->n_methods; i++) {
-			compare(render, &render->truths[t], &render->pictures[i], t == 0 ? "sampling" : "");
+			compare(render, &render->truths[t], &render->pictures[i], shares[t]);
 		}
 	}
 	compare(render, &render->truths[1], &render->truths[0], "method");

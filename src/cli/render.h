@@ -13,7 +13,7 @@ enum { TS_N_TRUTHS = 3, TS_MAX_PAIRS = 256, TS_DIFFERENCE_SCALE = 8 };
 typedef struct {
 	const ts_picture *reference, *image;
 	ts_metrics all, reflective;   /* over the image and over its reflective pixels */
-	const char *share;            /* whose error this is: "method", "sampling" or "" */
+	const char *share;            /* whose error this is: "method", "sampling", "both" or "" */
 } ts_pair;
 
 typedef struct {
