@@ -4,7 +4,7 @@
 #include "builtin.h"
 #include "sources.h"
 
-static const ts_builtin *const scenes[] = {&ts_builtin_atrium, &ts_builtin_gallery};
+static const ts_builtin *const scenes[] = {&ts_builtin_atrium, &ts_builtin_gallery, &ts_builtin_dining};
 enum { N_SCENES = sizeof scenes / sizeof *scenes, LEAST = 10000, MOST = 3000000, USUAL = 300000 };
 
 const ts_builtin_info *ts_builtin_table(size_t *n)
