@@ -21,21 +21,21 @@ static ts_v3 wide3(void)
 	return ts_v3_make(x, y, wide());
 }
 
-static bool equal(ts_v3 a, d3 b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
+static bool equal(ts_v3 a, double3 b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
 
 static void test_exact(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < N; i++) {
 		ts_v3 a = small(), b = small();
-		d3 p = d3_of(a), q = d3_of(b);
+		double3 p = d3_of(a), q = d3_of(b);
 		assert_true(equal(ts_add(a, b), d3_add(p, q)) && equal(ts_sub(a, b), d3_sub(p, q)));
 		assert_true(equal(ts_neg(a), d3_scale(p, -1)) && equal(ts_scale(a, 4), d3_scale(p, 4)));
-		assert_true(equal(ts_mul(a, b), (d3){ p.x * q.x, p.y * q.y, p.z * q.z }));
+		assert_true(equal(ts_mul(a, b), (double3){ p.x * q.x, p.y * q.y, p.z * q.z }));
 		assert_true(equal(ts_mad(a, b, 3), d3_mad(p, q, 3)));
 		assert_true(ts_dot(a, b) == d3_dot(p, q) && equal(ts_cross(a, b), d3_cross(p, q)));
-		assert_true(equal(ts_min3(a, b), (d3){ fmin(p.x, q.x), fmin(p.y, q.y), fmin(p.z, q.z) }));
-		assert_true(equal(ts_max3(a, b), (d3){ fmax(p.x, q.x), fmax(p.y, q.y), fmax(p.z, q.z) }));
+		assert_true(equal(ts_min3(a, b), (double3){ fmin(p.x, q.x), fmin(p.y, q.y), fmin(p.z, q.z) }));
+		assert_true(equal(ts_max3(a, b), (double3){ fmax(p.x, q.x), fmax(p.y, q.y), fmax(p.z, q.z) }));
 	}
 }
 
@@ -44,12 +44,12 @@ static void test_dot_and_cross(void **state)
 	(void)state;
 	for (u32 i = 0; i < N; i++) {
 		ts_v3 a = wide3(), b = wide3();
-		d3 p = d3_of(a), q = d3_of(b);
+		double3 p = d3_of(a), q = d3_of(b);
 		double size = d3_length(p) * d3_length(q);
 		assert_near(ts_dot(a, b), d3_dot(p, q), 3e-7 * size);
 		assert_true(d3_distance(d3_of(ts_cross(a, b)), d3_cross(p, q)) <= 3e-7 * size);
 		assert_true(equal(ts_cross(a, b), d3_of(ts_neg(ts_cross(b, a)))));
-		assert_true(equal(ts_cross(a, a), (d3){ 0, 0, 0 }));
+		assert_true(equal(ts_cross(a, a), (double3){ 0, 0, 0 }));
 	}
 }
 
@@ -77,8 +77,8 @@ static void test_normalize(void **state)
 		assert_near(d3_length(d3_of(ts_normalize(a))), 1, 4e-7);
 		assert_true(d3_distance(d3_of(ts_normalize(a)), d3_scale(d3_of(a), 1 / l)) <= 4e-7);
 	}
-	assert_true(equal(ts_normalize(ts_v3_make(0, 0, 0)), (d3){ 0, 0, 0 }));
-	assert_true(equal(ts_normalize(ts_v3_make(0, -5, 0)), (d3){ 0, -1, 0 }));
+	assert_true(equal(ts_normalize(ts_v3_make(0, 0, 0)), (double3){ 0, 0, 0 }));
+	assert_true(equal(ts_normalize(ts_v3_make(0, -5, 0)), (double3){ 0, -1, 0 }));
 }
 
 /* Same length, same angle on the other side, in the plane of the two; and back again. */
@@ -87,7 +87,7 @@ static void test_reflect(void **state)
 	(void)state;
 	for (u32 i = 0; i < N; i++) {
 		ts_v3 d = direction(), n = direction();
-		d3 r = d3_of(ts_reflect(d, n));
+		double3 r = d3_of(ts_reflect(d, n));
 		assert_near(d3_length(r), 1, 1e-6);
 		assert_near(d3_dot(r, d3_of(n)), -d3_dot(d3_of(d), d3_of(n)), 1e-6);
 		assert_near(d3_dot(r, d3_cross(d3_of(d), d3_of(n))), 0, 1e-6);
@@ -110,7 +110,7 @@ static void test_store(void **state)
 {
 	(void)state;
 	f32 p[3] = { 1, 2, 3 };
-	assert_true(equal(ts_load3(p), (d3){ 1, 2, 3 }));
+	assert_true(equal(ts_load3(p), (double3){ 1, 2, 3 }));
 	ts_store3(p, ts_v3_make(-0.0f, ldexpf(-1, -101), ldexpf(-1, -100)));
 	assert_true(ts_f2u(p[0]) == 0 && ts_f2u(p[1]) == 0 && p[2] == ldexpf(-1, -100));
 }
