@@ -113,7 +113,7 @@ static inline void mesh_begin(mesh *m)
 {
 	memset(m, 0, sizeof *m);
 	for (u32 i = 0; i < 5; i++) {
-		m->materials[i] = (ts_material){ .base = { 1, 1, 1, i == 2 ? 0.25f : 0.75f }, .roughness = 1, .alpha_cutoff = 0.5f,
+		m->materials[i] = (ts_material){ .base = { 1, 1, 1, i == 2 ? 0.25f : 1 }, .roughness = 1, .alpha_cutoff = 0.5f,
 		                                 .slot = { TS_NONE, TS_NONE, TS_NONE, TS_NONE, TS_NONE } };
 		m->materials[i].flags = i == 1 ? TS_DOUBLE_SIDED : i > 1 ? TS_MASKED : 0;
 	}
