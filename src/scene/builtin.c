@@ -95,7 +95,7 @@ void ts_builtin_make(ts_build *build, const char *spec, u32 seed)
 	u32 material[TS_MAX_PAINTS] = {0}, count;
 	if (!read_spec(&count, build, spec)) return;
 	for (u32 i = 0; i < scene->n_paints; i++) material[i] = ts_paint_add(build, &scene->paints[i], seed + 1000u * i);
-	ts_mesh mesh = {build, seed, 0, find_detail(scene, material, count, seed), 0, ts_place_world()};
+	ts_mesh mesh = {.build = build, .seed = seed, .detail = find_detail(scene, material, count, seed), .place = ts_place_world()};
 	scene->shape(&mesh, material);
 	mesh.place = ts_place_world();
 	scene->fill(&mesh, material, (u32)(count - mesh.n));

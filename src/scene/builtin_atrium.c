@@ -12,7 +12,7 @@ static const ts_paint paints[N_PAINTS] = {
 	[FLOOR] = {ts_paint_tiles, 1, 512, {3.0f, 3.0f}, TS_MAP_NORMAL | TS_MAP_SURFACE, 0, WHITE, 1.0f, 1.0f},
 	[AISLE] = {ts_paint_tiles, 0, 256, {2.0f, 2.0f}, TS_MAP_SURFACE, 0, WHITE, 1.0f, 1.0f},
 	[PLASTER] = {ts_paint_plaster, 1, 256, {2.0f, 2.0f}, TS_MAP_NORMAL, 0, WHITE, 1.0f, 0.0f},
-	[COLUMN] = {ts_paint_plaster, 0, 256, {2.0f, 2.0f}, TS_MAP_NORMAL, 0, WHITE, 0.75f, 0.0f},
+	[COLUMN] = {ts_paint_plaster, 0, 256, {2.0f, 2.0f}, TS_MAP_NORMAL, TS_MATERIAL_DOUBLE_SIDED, WHITE, 0.75f, 0.0f},
 	[MARBLE] = {ts_paint_marble, 1, 256, {2.0f, 2.0f}, 0, 0, WHITE, 0.25f, 0.0f},
 	[RED] = {ts_paint_weave, 0, 256, {1.0f, 1.0f}, TS_MAP_NORMAL, TS_MATERIAL_DOUBLE_SIDED, WHITE, 0.9375f, 0.0f},
 	[GREEN] = {ts_paint_weave, 1, 256, {1.0f, 1.0f}, TS_MAP_NORMAL, TS_MATERIAL_DOUBLE_SIDED, WHITE, 0.9375f, 0.0f},
@@ -23,8 +23,8 @@ static const ts_paint paints[N_PAINTS] = {
 	[STEM] = {NULL, 0, 0, {1.0f, 1.0f}, 0, 0, {0.125f, 0.109375f, 0.046875f}, 0.875f, 0.0f},
 	[LEAF] = {ts_paint_leaf, 0, 256, {1.0f, 1.0f}, TS_MAP_NORMAL, TS_MATERIAL_DOUBLE_SIDED | TS_MATERIAL_MASK, WHITE, 0.625f, 0.0f},
 	[BLADE] = {ts_paint_leaf, 1, 256, {1.0f, 1.0f}, 0, TS_MATERIAL_DOUBLE_SIDED | TS_MATERIAL_MASK, WHITE, 0.5f, 0.0f},
-	[BRONZE] = {ts_paint_metal, 0, 256, {0.5f, 0.5f}, TS_MAP_SURFACE, 0, WHITE, 1.0f, 1.0f},
-	[GILT] = {NULL, 0, 0, {1.0f, 1.0f}, 0, 0, {0.875f, 0.609375f, 0.234375f}, 0.3125f, 1.0f},
+	[BRONZE] = {ts_paint_metal, 0, 256, {0.5f, 0.5f}, TS_MAP_SURFACE, 0, WHITE, 1.0f, 0.5f},
+	[GILT] = {NULL, 0, 0, {1.0f, 1.0f}, 0, 0, {0.875f, 0.609375f, 0.234375f}, 0.375f, 0.5f},
 	[WOOD] = {ts_paint_wood, 1, 256, {1.0f, 1.0f}, TS_MAP_NORMAL, 0, WHITE, 0.625f, 0.0f},
 	[GLOW] = {ts_paint_shade, 0, 256, {0.5f, 0.5f}, TS_MAP_GLOW, 0, WHITE, 0.875f, 0.0f},
 	[RUG] = {ts_paint_carpet, 0, 512, {1.0f, 1.0f}, 0, TS_MATERIAL_DOUBLE_SIDED, WHITE, 1.0f, 0.0f},
@@ -32,13 +32,13 @@ static const ts_paint paints[N_PAINTS] = {
 
 /* Court: half length, half width to the middle of the arcades, half width to the outer walls. Heights: of the upper floor's
  * slab, of the upper cornice, of the whole. */
-static const f32 LENGTH = 15.0f, NAVE = 6.40625f, WIDTH = 9.0f, SLAB = 5.1875f, FLOOR_2 = 5.5f, CORNICE = 9.75f, TOP = 11.0f;
+static const f32 LENGTH = 15.0f, NAVE = 6.40625f, WIDTH = 9.0f, SLAB = 5.8125f, FLOOR_2 = 6.125f, CORNICE = 10.0f, TOP = 11.0f;
 static const f32 BAY = 3.296875f;
 
 /* How one storey's arcade is built: from its floor up. */
 typedef struct { f32 bay, radius, spring, top, depth, column; } storey;
-static const storey lower = {BAY, 1.25f, 3.625f, SLAB, 0.25f, 0.3125f};
-static const storey upper = {BAY, 1.3125f, 2.6875f, CORNICE - FLOOR_2, 0.1875f, 0.21875f};
+static const storey lower = {BAY, 1.25f, 4.25f, SLAB, 0.25f, 0.3125f};
+static const storey upper = {BAY, 1.3125f, 2.4375f, CORNICE - FLOOR_2, 0.1875f, 0.21875f};
 
 typedef struct { const storey *storey; f32 z; } arch_shape;
 
@@ -122,7 +122,7 @@ static void acanthus(ts_corner *c, const void *shape, f32 s, f32 t)
 	f32 lobes = 0.8125f + 0.1875f * ts_cos_turn(t * 4.0f);
 	f32 turn = k->turn + x * k->width * ts_sin_turn(0.09375f + t * 0.375f) * lobes;
 	f32 curl = t * t * t;
-	f32 r = k->radius * (1.03125f + 0.0625f * t + 0.4375f * curl * t - 0.0625f * x * x);
+	f32 r = k->radius * (1.0625f + 0.1875f * t + 0.4375f * curl * t - 0.0625f * x * x);
 	c->p = ts_v3_make(r * ts_cos_turn(turn), k->y + k->height * (t - 0.375f * curl * t), -r * ts_sin_turn(turn));
 	c->uv = ts_v2_make(s * 0.25f, 1.0f - t);
 }
@@ -147,9 +147,9 @@ static void add_column(ts_mesh *mesh, const u32 *material, f32 r, f32 height, u3
 {
 	const f32 base[][2] = {{r * 1.375f, r * 0.375f}, {r * 1.5f, r * 0.5f}, {r * 1.375f, r * 0.65625f}, {r * 1.375f, r * 0.65625f},
 		{r * 1.125f, r * 0.75f}, {r * 1.125f, r * 0.84375f}, {r * 1.125f, r * 0.84375f}, {r * 1.21875f, r * 0.9375f}, {r, r * 1.0625f}};
-	u32 na = ts_mesh_segments(mesh, 52.0f, 6);
-	if (na >= 40) na = na / 40 * 40;
-	shaft_shape s = {r, ts_mesh_shows(mesh, 0.1875f) ? r : 0.0f, height - r * 2.0f, na >= 40 ? r * 0.078125f : 0.0f};
+	u32 na = ts_mesh_segments(mesh, 74.0f, 6);
+	if (na >= 60) na = na / 60 * 60;
+	shaft_shape s = {r, ts_mesh_shows(mesh, 0.1875f) ? r : 0.0f, height - r * 2.0f, na >= 60 ? r * 0.078125f : 0.0f};
 	mesh->material = material[STONE];
 	if (ts_mesh_shows(mesh, 0.1875f)) ts_mesh_block(mesh, ts_v3_make(0.0f, r * 0.1875f, 0.0f), ts_v3_make(r * 1.53125f, r * 0.1875f, r * 1.53125f), 0.015625f,
 	              ts_mesh_segments(mesh, 1.0f, 0));
@@ -194,7 +194,7 @@ static void add_balustrade(ts_mesh *mesh, const u32 *material)
 /* One long side, seen from the court: +z towards the court, the arcade's middle plane at z = 0. */
 static void add_side(ts_mesh *mesh, const u32 *material)
 {
-	static const f32 cornice[][2] = {{0.25f, -0.125f}, {0.3125f, -0.09375f}, {0.375f, 0.0f}, {0.375f, 0.0f}, {0.40625f, 0.1875f}, {0.46875f, 0.28125f}, {0.46875f, 0.3125f}, {0.0f, 0.3125f}};
+	static const f32 cornice[][2] = {{0.25f, -0.125f}, {0.3125f, -0.09375f}, {0.375f, 0.0f}, {0.40625f, 0.1875f}, {0.46875f, 0.28125f}, {0.46875f, 0.3125f}, {0.0f, 0.3125f}};
 	ts_place stand = mesh->place;
 	f32 aisle = WIDTH - NAVE;
 	add_arcade(mesh, material, &lower, 8, false, COLUMN);
@@ -211,9 +211,9 @@ static void add_side(ts_mesh *mesh, const u32 *material)
 	              ts_mesh_segments(mesh, 20.0f, 2), ts_mesh_segments(mesh, 3.0f, 1));
 	mesh->material = material[COLUMN];
 	mesh->place = ts_place_in(&stand, ts_place_at(0.0f, SLAB, 0.0f, 0.0f));
-	ts_part_moulding(mesh, LENGTH, cornice, 8, ts_mesh_segments(mesh, 60.0f, 2));
+	ts_part_moulding(mesh, LENGTH, cornice, 7, ts_mesh_segments(mesh, 60.0f, 2));
 	mesh->place = ts_place_in(&stand, ts_place_at(0.0f, CORNICE, -0.0625f, 0.0f));
-	ts_part_moulding(mesh, LENGTH, cornice, 8, ts_mesh_segments(mesh, 60.0f, 2));
+	ts_part_moulding(mesh, LENGTH, cornice, 7, ts_mesh_segments(mesh, 60.0f, 2));
 	mesh->place = stand;
 	mesh->material = material[AISLE];
 	ts_mesh_plane(mesh, ts_v3_make(-LENGTH, FLOOR_2, 0.0f), ts_v3_make(2.0f * LENGTH, 0.0f, 0.0f), ts_v3_make(0.0f, 0.0f, -aisle), 1, 1);
@@ -246,7 +246,7 @@ static void add_back_wall(ts_mesh *mesh, const u32 *material)
 		mesh->material = material[WOOD];
 		ts_mesh_plane(mesh, ts_v3_make(-0.75f, -1.375f, 0.03125f), ts_v3_make(1.5f, 0.0f, 0.0f), ts_v3_make(0.0f, 2.75f, 0.0f), 1, 1);
 		for (u32 k = 0; k < 8 && ts_mesh_shows(mesh, 0.25f); k++) {
-			ts_v3 at = {k & 1u ? 0.359375f : -0.359375f, (f32)(k / 2) * 0.65625f - 0.984375f, 0.03125f};
+			ts_v3 at = {k & 1u ? 0.359375f : -0.359375f, (f32)(k / 2) * 0.65625f - 0.984375f, 0.046875f};
 			ts_mesh_block(mesh, at, ts_v3_make(0.328125f, 0.3046875f, 0.03125f), 0.0234375f, ts_mesh_segments(mesh, 1.5f, 0));
 		}
 		mesh->place = stand;
@@ -259,7 +259,7 @@ static void add_back_wall(ts_mesh *mesh, const u32 *material)
 /* One end of the court: +z towards the court, the wall at z = 0. */
 static void add_end(ts_mesh *mesh, const u32 *material)
 {
-	static const f32 band[][2] = {{0.0f, -0.125f}, {0.25f, -0.0625f}, {0.34375f, 0.0625f}, {0.34375f, 0.0625f}, {0.375f, 0.21875f}, {0.375f, 0.3125f}, {0.0f, 0.3125f}};
+	static const f32 band[][2] = {{0.0f, -0.125f}, {0.25f, -0.0625f}, {0.34375f, 0.0625f}, {0.375f, 0.21875f}, {0.375f, 0.3125f}, {0.0f, 0.3125f}};
 	static const f32 casing[][2] = {{0.375f, 0.0f}, {0.375f, 0.125f}, {0.25f, 0.1875f}, {0.125f, 0.125f}, {0.0f, 0.15625f}, {0.0f, 0.0f}};
 	storey low = lower, high = upper;
 	low.bay = high.bay = NAVE * 0.5f;
@@ -275,7 +275,7 @@ static void add_end(ts_mesh *mesh, const u32 *material)
 	mesh->material = material[COLUMN];
 	for (u32 k = 0; k < 2; k++) {
 		mesh->place = ts_place_in(&stand, ts_place_at(0.0f, k ? CORNICE : SLAB, 0.71875f, 0.0f));
-		ts_part_moulding(mesh, NAVE, band, 7, ts_mesh_segments(mesh, 24.0f, 1));
+		ts_part_moulding(mesh, NAVE, band, 6, ts_mesh_segments(mesh, 24.0f, 1));
 	}
 	for (u32 k = 0; k < 4; k++) {
 		f32 x = ((f32)k - 1.5f) * low.bay;
@@ -285,7 +285,7 @@ static void add_end(ts_mesh *mesh, const u32 *material)
 		ts_mesh_frame(mesh, door ? 0.8125f : 0.6875f, door ? 1.625f : 1.0f, casing, 6, 0.03125f, ts_mesh_segments(mesh, 24.0f, 1));
 		mesh->material = material[door ? WOOD : MARBLE];
 		for (u32 i = 0; i < 10 && door && ts_mesh_shows(mesh, 0.25f); i++) {
-			ts_v3 at = {i & 1u ? 0.390625f : -0.390625f, (f32)(i / 2) * 0.625f - 1.25f, 0.03125f};
+			ts_v3 at = {i & 1u ? 0.390625f : -0.390625f, (f32)(i / 2) * 0.625f - 1.25f, 0.0625f};
 			ts_mesh_block(mesh, at, ts_v3_make(0.359375f, 0.28125f, 0.046875f), 0.03125f, ts_mesh_segments(mesh, 1.5f, 0));
 		}
 		f32 w = door ? 0.8125f : 0.6875f, h = door ? 1.625f : 1.0f;
@@ -340,9 +340,9 @@ static void add_cloth(ts_mesh *mesh, const u32 *material, u32 id)
 	}
 	for (u32 i = 0; i < 8; i++) {
 		f32 post = (f32)(i / 2 * 2) - 3.0f, side = i & 1u ? -1.0f : 1.0f;
-		mesh->place = ts_place_in(&stand, ts_place_at(post * BAY + side * 0.6875f, 4.0625f, 0.0f, 0.0f));
+		mesh->place = ts_place_in(&stand, ts_place_at(post * BAY + side * 0.6875f, 4.6875f, 0.0f, 0.0f));
 		mesh->material = material[RED];
-		ts_part_curtain(mesh, 0.75f, 3.8125f, 6.0f, 0.078125f, 0.625f, id + 20u + i);
+		ts_part_curtain(mesh, 0.75f, 4.4375f, 6.0f, 0.078125f, 0.625f, id + 20u + i);
 	}
 	mesh->place = stand;
 }

@@ -22,7 +22,7 @@ static const ts_paint paints[D_N_PAINTS] = {
 	[D_GLASS] = PLAIN(0.5625f, 0.640625f, 0.640625f, 0.0625f, 0.0f),
 	[D_BOTTLE] = PLAIN(0.03125f, 0.09375f, 0.046875f, 0.0625f, 0.0f),
 	[D_SILVER] = PLAIN(0.75f, 0.734375f, 0.703125f, 0.25f, 0.75f),
-	[D_BRASS] = {ts_paint_metal, 2, 256, {0.5f, 0.5f}, TS_MAP_SURFACE, 0, WHITE, 1.0f, 0.625f},
+	[D_BRASS] = {ts_paint_metal, 2, 256, {0.5f, 0.5f}, TS_MAP_SURFACE, 0, WHITE, 1.0f, 0.5625f},
 	[D_SHADE] = {ts_paint_shade, 0, 256, {0.5f, 0.5f}, TS_MAP_GLOW, TS_MATERIAL_DOUBLE_SIDED, WHITE, 0.875f, 0.0f},
 	[D_WAX] = PLAIN(0.84375f, 0.796875f, 0.671875f, 0.625f, 0.0f),
 	[D_APPLE] = PLAIN(0.453125f, 0.0625f, 0.03125f, 0.25f, 0.0f),
@@ -53,13 +53,12 @@ static void add_blind(ts_mesh *mesh, const u32 *material, f32 half, f32 height, 
 {
 	ts_place stand = mesh->place;
 	u32 n = ts_mesh_shows(mesh, 0.25f) ? 60 : ts_mesh_shows(mesh, 0.125f) ? 30 : 15;
-	u32 pieces = ts_mesh_segments(mesh, 1.5f, 0);
 	mesh->material = material[D_BLIND];
 	ts_mesh_block(mesh, ts_v3_make(0.0f, -0.03125f, 0.0f), ts_v3_make(half, 0.03125f, 0.03125f), 0.0078125f, ts_mesh_segments(mesh, 1.0f, 0));
 	for (u32 i = 0; i < n; i++) {
 		f32 y = -0.09375f - (height - 0.125f) * (f32)i / (f32)n;
 		mesh->place = ts_place_in(&stand, ts_place_along(ts_v3_make(0.0f, y, 0.0f), ts_v3_make(0.0f, ts_cos_turn(tilt), ts_sin_turn(tilt))));
-		ts_mesh_block(mesh, ts_v3_make(0.0f, 0.0f, 0.0f), ts_v3_make(half - 0.015625f, 0.0009765625f, 0.021484375f), 0.0009765625f, pieces);
+		ts_mesh_block(mesh, ts_v3_make(0.0f, 0.0f, 0.0f), ts_v3_make(half - 0.015625f, 0.0009765625f, 0.021484375f), 0.0009765625f, ts_mesh_segments(mesh, 0.5f + 0.03125f * (f32)(i * 37u % 60u), 0));
 	}
 	mesh->place = stand;
 	mesh->material = material[D_LINEN];
@@ -117,7 +116,7 @@ static void add_window(ts_mesh *mesh, const u32 *material, u32 id)
 	for (u32 i = 0; i < 2; i++) {
 		mesh->place = ts_place_in(&stand, ts_place_at(i ? PANE + 0.25f : -PANE - 0.25f, LINTEL + 0.21875f, 0.140625f, 0.0f));
 		mesh->material = material[D_CURTAIN];
-		ts_part_curtain(mesh, 0.75f, LINTEL + 0.1875f, 7.0f, 0.0546875f, 0.6875f, id + 1u + i);
+		ts_part_curtain(mesh, 0.75f, LINTEL + 0.140625f, 7.0f, 0.0546875f, 0.6875f, id + 1u + i);
 	}
 	mesh->place = stand;
 	mesh->material = material[D_BRASS];
@@ -185,8 +184,10 @@ static void add_shelves(ts_mesh *mesh, const u32 *material, u32 id)
 		if (ts_mesh_random(mesh, id + 5000u + i) > 0.9375f) continue;
 		f32 y = 0.109375f + 0.375f * (f32)(i / books) + tall, z = 0.171875f + 0.03125f * ts_mesh_random(mesh, id + 9000u + i);
 		mesh->place = ts_place_in(&stand, ts_place_at(x, y, z, 0.0f));
-		ts_mesh_block(mesh, ts_v3_make(0.0f, 0.0f, 0.0f), ts_v3_make(thick * (0.75f + 0.1875f * r), tall, 0.109375f), 0.0046875f, ts_mesh_segments(mesh, 1.5f, 0));
+		mesh->shift = ts_v2_make((f32)(ts_random(id + i, 5u, mesh->seed) & 15u) * 0.0625f, r);
+		ts_mesh_block(mesh, ts_v3_make(0.0f, 0.0f, 0.0f), ts_v3_make(thick * (0.75f + 0.1875f * r), tall, 0.109375f), 0.0046875f, ts_mesh_segments(mesh, 0.5f + 2.0f * r, 0));
 	}
+	mesh->shift = ts_v2_make(0.0f, 0.0f);
 	mesh->place = stand;
 }
 
@@ -207,7 +208,7 @@ static void add_fireplace(ts_mesh *mesh, const u32 *material)
 	ts_part_moulding(mesh, 1.125f, hood, 7, ts_mesh_segments(mesh, 16.0f, 1));
 	mesh->place = stand;
 	mesh->material = material[D_SOOT];
-	ts_mesh_plane(mesh, ts_v3_make(-0.625f, 0.0625f, 0.046875f), ts_v3_make(1.25f, 0.0f, 0.0f), ts_v3_make(0.0f, 0.875f, 0.0f), ts_mesh_segments(mesh, 8.0f, 1), ts_mesh_segments(mesh, 6.0f, 1));
+	ts_mesh_plane(mesh, ts_v3_make(-0.625f, 0.0625f, 0.078125f), ts_v3_make(1.25f, 0.0f, 0.0f), ts_v3_make(0.0f, 0.875f, 0.0f), ts_mesh_segments(mesh, 8.0f, 1), ts_mesh_segments(mesh, 6.0f, 1));
 	mesh->material = material[D_OAK];
 	for (u32 i = 0; i < 5; i++) {
 		f32 x = ((f32)i - 2.0f) * 0.125f, z = 0.140625f + 0.0625f * (f32)(i & 1u);
@@ -320,8 +321,8 @@ static void furnish(ts_mesh *mesh, const u32 *material)
 		f32 s = i ? 1.0f : -1.0f;
 		mesh->place = ts_place_at(LENGTH - 0.0625f, 0.0f, s * 2.5f, -0.25f);
 		add_shelves(mesh, material, 20000u + 20000u * i);
-		mesh->place = ts_place_at(-LENGTH + 0.625f, 0.0f, s * (WIDTH - 0.625f), 0.0f);
-		ts_part_plant(mesh, &plant, 0.28125f, 1.125f, 1, 60000u + 3000u * i);
+		mesh->place = ts_place_at(-LENGTH + 0.75f, 0.0f, s * (WIDTH - 0.75f), 0.0f);
+		ts_part_plant(mesh, &plant, 0.28125f, 0.8125f, 1, 60000u + 3000u * i);
 		mesh->place = ts_place_at(s * 2.1875f, 0.0f, -WIDTH + 0.5f, 0.53125f);
 		ts_dining_chair(mesh, material);
 	}

@@ -56,7 +56,8 @@ f32 ts_mesh_spline(f32 a, f32 b, f32 c, f32 d, f32 t)
 
 static u32 add_vertex(ts_mesh *mesh, const ts_corner *corner)
 {
-	ts_vertex v = {.colour = {1.0f, 1.0f, 1.0f, 1.0f}, .uv = {corner->uv.x, corner->uv.y, corner->uv.x, corner->uv.y}};
+	f32 u = ts_put(corner->uv.x + mesh->shift.x), w = ts_put(corner->uv.y + mesh->shift.y);
+	ts_vertex v = {.colour = {1.0f, 1.0f, 1.0f, 1.0f}, .uv = {u, w, u, w}};
 	ts_store3(v.position, ts_add(mesh->place.o, turn(&mesh->place, corner->p)));
 	ts_store3(v.normal, ts_normalize(turn(&mesh->place, corner->n)));
 	return ts_build_vertex(mesh->build, &v);

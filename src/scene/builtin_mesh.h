@@ -16,6 +16,7 @@ typedef struct {
 	f32 detail;
 	u64 n;           /* triangles made or counted */
 	ts_place place;  /* of the shapes made from now on */
+	ts_v2 shift;     /* of their texture coordinates, metres */
 } ts_mesh;
 
 /* One vertex of a surface, in the part's coordinates. A zero normal is made from the neighbours. */

@@ -24,7 +24,7 @@ static void add_leaf(ts_mesh *mesh, f32 y, f32 length, f32 width, f32 droop, u32
 	leaf_shape l = {.up = ts_v3_make(0.0f, 1.0f, 0.0f), .out = ts_v3_make(0.0f, 0.0f, 1.0f), .side = ts_v3_make(-1.0f, 0.0f, 0.0f)};
 	l.length = length * (0.75f + 0.5f * ts_mesh_random(mesh, id + 2u));
 	l.width = width * (0.75f + 0.5f * ts_mesh_random(mesh, id + 3u));
-	l.droop = droop * (0.5f + ts_mesh_random(mesh, id + 4u));
+	l.droop = droop * (0.5f + 0.75f * ts_mesh_random(mesh, id + 4u));
 	l.curl = 0.3125f;
 	ts_mesh_grid(mesh, ts_mesh_segments(mesh, 2.0f, 1), ts_mesh_segments(mesh, 5.0f, 2), 0, leaf, &l);
 	mesh->place = stand;
@@ -53,11 +53,11 @@ void ts_part_plant(ts_mesh *mesh, const ts_plant_materials *material, f32 radius
 		             ts_mesh_segments(mesh, 6.0f, 3), ts_mesh_segments(mesh, 8.0f, 2));
 	}
 	mesh->material = material->leaf;
-	u32 n = kind == 0 ? ts_mesh_segments(mesh, 140.0f, 24) : ts_mesh_segments(mesh, 60.0f, 16);
+	u32 n = kind == 0 ? ts_mesh_segments(mesh, 260.0f, 24) : ts_mesh_segments(mesh, 100.0f, 16);
 	for (u32 k = 0; k < n; k++) {
 		f32 y = ts_mesh_random(mesh, id + 7919u * k);
-		if (kind == 0) add_leaf(mesh, up.y + crown * (0.125f + y * 0.625f), radius * (1.125f - 0.5f * y), radius * 0.3125f, 0.25f, id + 16u * k + k);
-		else add_leaf(mesh, up.y + crown * 0.5f * y, height, radius * 0.15625f, 0.1875f, id + 16u * k + k);
+		if (kind == 0) add_leaf(mesh, up.y + crown * (0.125f + y * 0.625f), radius * (1.375f - 0.625f * y), radius * 0.40625f, 0.3125f, id + 16u * k + k);
+		else add_leaf(mesh, up.y + crown * 0.5f * y, height, radius * 0.1875f, 0.171875f, id + 16u * k + k);
 	}
 }
 
@@ -70,7 +70,7 @@ static void curtain(ts_corner *c, const void *shape, f32 s, f32 t)
 	f32 width = k->width * (1.0f + (k->gather - 1.0f) * down * (2.0f - down));
 	f32 wave = s * k->folds + 0.125f * ts_sin_turn(s * 3.0f + k->phase) + 0.0625f * ts_sin_turn(down * 0.75f + s);
 	f32 z = ts_sin_turn(wave + k->phase) * k->depth * (0.5f + 0.5f * down);
-	z = z + ts_sin_turn(wave * 2.0f + down + k->phase) * k->depth * 0.1875f * down;
+	z = z + ts_sin_turn(wave * 2.0f + down + k->phase) * k->depth * 0.125f * down;
 	f32 hem = down * down * k->height * 0.015625f * ts_sin_turn(wave * 0.5f);
 	c->p = ts_v3_make((s - 0.5f) * width, -down * k->height - hem, z);
 	c->uv = ts_v2_make(s * k->width, down * k->height);
@@ -79,7 +79,7 @@ static void curtain(ts_corner *c, const void *shape, f32 s, f32 t)
 void ts_part_curtain(ts_mesh *mesh, f32 width, f32 height, f32 folds, f32 depth, f32 gather, u32 id)
 {
 	curtain_shape c = {width, height, folds, depth, gather, ts_mesh_random(mesh, id)};
-	ts_mesh_grid(mesh, ts_mesh_segments(mesh, 8.0f * folds, 6), ts_mesh_segments(mesh, height * 12.0f, 3), 0, curtain, &c);
+	ts_mesh_grid(mesh, ts_mesh_segments(mesh, 14.0f * folds, 6), ts_mesh_segments(mesh, height * 8.0f, 3), 0, curtain, &c);
 }
 
 void ts_part_rope(ts_mesh *mesh, ts_v3 a, ts_v3 b, f32 sag, f32 radius, u32 na, u32 nl)

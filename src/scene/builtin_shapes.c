@@ -110,12 +110,13 @@ void ts_mesh_block(ts_mesh *mesh, ts_v3 centre, ts_v3 half, f32 r, u32 k)
 {
 	static const ts_v3 axis[3] = {{1.0f, 0.0f, 0.0f}, {0.0f, 1.0f, 0.0f}, {0.0f, 0.0f, 1.0f}};
 	const f32 h[3] = {half.x, half.y, half.z};
+	const f32 round = k > 0 ? ts_min(r, ts_min(ts_min(half.x, half.y), half.z) * 0.875f) : 0.0f;
 	/* s, t, n and the signs of s and n, so that n = s x t and t points up where it can */
 	static const struct { u32 s, t, n; f32 ss, sn; } face[6] = {{2, 1, 0, -1.0f, 1.0f}, {2, 1, 0, 1.0f, -1.0f}, {0, 2, 1, -1.0f, 1.0f},
 		{0, 2, 1, 1.0f, -1.0f}, {0, 1, 2, 1.0f, 1.0f}, {0, 1, 2, -1.0f, -1.0f}};
 	for (u32 f = 0; f < 6; f++) {
 		block_shape b = {centre, ts_scale(axis[face[f].s], face[f].ss), axis[face[f].t], ts_scale(axis[face[f].n], face[f].sn),
-		                 h[face[f].s], h[face[f].t], h[face[f].n], k > 0 ? r : 0.0f, k};
+		                 h[face[f].s], h[face[f].t], h[face[f].n], round, k};
 		ts_mesh_grid(mesh, 2 * k + 1, 2 * k + 1, 0, block_face, &b);
 	}
 }

@@ -85,7 +85,7 @@ void ts_paint_plaster(ts_dab *dab, f32 u, f32 v, u32 kind, u32 seed)
 	f32 g = grain(u, v, seed);
 	f32 patch = ts_paint_fbm(u, v, 3, 4, seed + 7u) - 0.5f;
 	f32 trowel = ts_paint_noise(u * 16.0f, v * 64.0f, 16, 64, seed + 8u) - 0.5f;
-	dab->colour = ts_scale(tint[kind], 1.0f + g * 0.125f + patch * 0.1875f + trowel * 0.03125f);
+	dab->colour = ts_scale(tint[kind], 1.0f + g * 0.125f + patch * (kind == 0 ? 0.0625f : 0.1875f) + trowel * 0.03125f);
 	dab->height = g * 0.015625f + trowel * 0.00048828125f;
 	dab->roughness = 0.875f;
 	dab->metallic = 0.0f;
