@@ -280,7 +280,7 @@ static double picture_rmse(const char *method, const char *spec, u32 face_px, u3
 	params.planedepth = 1;
 	params.mvr_filter = TS_MVR_SUPERSAMPLE;
 	run_method(method, spec, &params, judge_picture, &judge);
-	print_message("%s, %s: faces of %u px, %u bounces: RMSE %.2f\n", method, name_of(spec), face_px, bounces,
+	print_message("%s, %s: faces of %u px, bounces %u: RMSE %.2f\n", method, name_of(spec), face_px, bounces,
 	              judge.rmse);
 	return judge.rmse;
 }
@@ -315,9 +315,9 @@ static void test_picture(void **state)
 	check_picture("mvr", *state, 1);
 }
 
-static void test_two_bounces(void **state)
+static void test_three_bounces(void **state)
 {
-	check_picture("epr", *state, 2);
+	check_picture("epr", *state, 3);
 }
 
 int main(void)
@@ -331,7 +331,7 @@ int main(void)
 		{ "visibility=vertex: atrium", test_vertex_visibility, NULL, NULL, atrium },
 		{ "picture: soup", test_picture, NULL, NULL, NULL },
 		{ "picture: atrium", test_picture, NULL, NULL, atrium },
-		{ "two bounces: soup", test_two_bounces, NULL, NULL, NULL },
+		{ "three bounces: atrium", test_three_bounces, NULL, NULL, atrium },
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
