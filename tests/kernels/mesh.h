@@ -9,6 +9,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <cmocka.h>
+#include "../../src/kernels/cube.h"
 #include "../../src/kernels/cull.h"
 #include "../../src/kernels/splat.h"
 

@@ -1,0 +1,268 @@
+/* Splats: the tiles of a triangle cover every texel it touches, and nothing else is written; keys; plane depth. */
+#include "mesh.h"
+
+enum { N = 3000 };
+
+/* A texel of a face, grown by `margin` texels, meets the part of the triangle in front of near: clipped in view space, so
+ * that nothing needs a projection. *depth: the least axial depth of what is left. */
+static bool texel_meets(const ts_face *cube, u32 face, const d3 corner[3], i32 i, i32 j, double margin, double *depth)
+{
+	ts_camera_k view = ts_k_cube_view(cube, face);
+	d3 right = d3_of(view.right), up = d3_of(view.up), back = d3_of(view.back);
+	double f = cube->n / 2.0, x0 = i - f - margin, x1 = i + 1 - f + margin, y0 = f - j + margin, y1 = f - j - 1 - margin;
+	d3_polygon p = { .n = 3 };
+	for (u32 k = 0; k < 3; k++) {
+		d3 d = d3_sub(corner[k], d3_load(cube->centre));
+		p.p[k] = (d3){ d3_dot(d, right), d3_dot(d, up), -d3_dot(d, back) };
+	}
+	p = d3_clip(&p, (d3){ 0, 0, 1 }, -(double)cube->near);
+	p = d3_clip(&p, (d3){ f, 0, -x0 }, 0);
+	p = d3_clip(&p, (d3){ -f, 0, x1 }, 0);
+	p = d3_clip(&p, (d3){ 0, -f, y0 }, 0);
+	p = d3_clip(&p, (d3){ 0, f, -y1 }, 0);
+	*depth = INFINITY;
+	for (int k = 0; k < p.n; k++) *depth = fmin(*depth, p.p[k].z);
+	return p.n > 0;
+}
+
+typedef struct { const char *name; u32 clip; i32 half_size; } splat_case;
+
+/* Rounding moves the triangle and its tiles by this many texels at this depth. */
+static double rounding(const ts_face *cube, double depth)
+{
+	return 2e-3 + 1e-5 * cube->n / depth;
+}
+
+/* Texels of one face: each that the triangle surely meets is written; with clip, none that it surely misses. `reach`: how
+ * far the exact cover may fall short, in world units. */
+static void assert_face(const mesh *m, const u64 *texels, u32 face, const splat_case *how, const d3 corner[3], double reach,
+                        u32 *n_met)
+{
+	const ts_face *cube = m->cubes;
+	for (i32 j = 0; j < (i32)cube->n; j++) {
+		for (i32 i = 0; i < (i32)cube->n; i++) {
+			double depth;
+			bool written = texels[((u64)face * cube->n + (u32)j) * cube->n + (u32)i] != TS_EMPTY;
+			bool may = texel_meets(cube, face, corner, i, j, 0.25, &depth);
+			double error = rounding(cube, depth);
+			if (written && how->clip != 0) {
+				assert_true(may && texel_meets(cube, face, corner, i, j, 3.0 / 512 + error, &depth));
+			}
+			if (written || !may || error > 0.2) continue;
+			error += reach * cube->n / depth;
+			bool must = texel_meets(cube, face, corner, i, j, -fmin(error, 0.5), &depth);
+			if (must) print_error("%s: a hole at %d %d of face %u, random %u\n", how->name, i, j, face, n_random);
+			assert_false(must);
+		}
+	}
+	for (u32 k = 0; k < cube->n * cube->n; k++) *n_met += texels[face * cube->n * cube->n + k] != TS_EMPTY;
+}
+
+static u64 *splat_all(const mesh *m, u32 clip, u32 plane_depth, i64 *writes)
+{
+	u64 n = mesh_texels(m), *texels = mesh_alloc(n, sizeof *texels);
+	memset(texels, 0xff, n * sizeof *texels);
+	i64 scatters = 0;
+	ts_splat_args args = mesh_splat(m, texels, &scatters, writes);
+	args.clip = clip;
+	args.plane_depth = plane_depth;
+	for (u32 i = 0; i < m->n_points; i++) ts_k_splat_item(&args, i);
+	return texels;
+}
+
+static void assert_tiles(mesh *m, const splat_case *how, const ts_v3 corner[3], u32 *n_met)
+{
+	d3 c[3] = { d3_of(corner[0]), d3_of(corner[1]), d3_of(corner[2]) };
+	i64 writes = 0;
+	u64 *texels = splat_all(m, how->clip, 0, &writes);
+	double reach = how->half_size == 128 ? 1.0 / 128 / m->scale[0] : 0;
+	for (u32 face = 0; face < 6; face++) assert_face(m, texels, face, how, c, reach, n_met);
+	free(texels);
+}
+
+/* Triangles of every sort about a cube: slivers, through the near plane, tiny beside their tiles and much larger. */
+static void test_no_gaps(void **state)
+{
+	(void)state;
+	static const splat_case cases[] = { { "clip, safe", 1, 129 }, { "box, safe", 0, 129 },
+	                                    { "clip, exact", 1, 128 }, { "box, exact", 0, 128 } };
+	n_random = 0;
+	u32 n_met = 0, n_tiny = 0;
+	for (u32 i = 0; i < N; i++) {
+		mesh m;
+		ts_v3 corner[3];
+		mesh_begin(&m);
+		mesh_cube(&m, uniform3(-1, 1), uniform_power(0, 6), 4 + random_bits() % 29);
+		random_corners(corner, 6, 0.01f, 16);
+		f32 samples = uniform_power(-4, 6), length;
+		if (is_degenerate(corner)) continue;
+		ts_k_longest_edge(corner[0], corner[1], corner[2], &length);
+		mesh_triangle(&m, corner[0], corner[1], corner[2], 0, 0);
+		mesh_whole(&m, samples / length);
+		mesh_points(&m, cases[i % 4].half_size, 0);
+		n_tiny += m.points[0].flags;
+		assert_tiles(&m, &cases[i % 4], corner, &n_met);
+		mesh_clear(&m);
+	}
+	assert_true(n_met > N * 8 && n_tiny > N / 8);
+}
+
+/* A triangle in pieces: no gap along the cuts either. */
+static void test_no_gaps_in_pieces(void **state)
+{
+	(void)state;
+	static const splat_case how = { "pieces", 1, 129 };
+	n_random = 0;
+	u32 n_met = 0, n_split = 0;
+	for (u32 i = 0; i < 12; i++) {
+		mesh m;
+		ts_v3 corner[3];
+		mesh_begin(&m);
+		mesh_cube(&m, uniform3(-1, 1), uniform_power(-2, 1), 32);
+		for (u32 k = 0; k < 3; k++) corner[k] = uniform3(-24, 24);
+		mesh_triangle(&m, corner[0], corner[1], corner[2], 0, 0);
+		ts_store3(m.view.eye, uniform3(-2, 2));
+		m.view.focal = 512;
+		i64 n_capped = 0;
+		ts_density_args args = mesh_density(&m, &n_capped, 0.5f);
+		args.cap = 0;
+		mesh_split(&m, args);
+		n_split += m.n_pieces > 1;
+		mesh_points(&m, 129, 0);
+		if (m.n_points < 1000000) assert_tiles(&m, &how, corner, &n_met);
+		mesh_clear(&m);
+	}
+	assert_true(n_split > 4 && n_met > 4000);
+}
+
+/* One key a splat: the distance of the point's centre in its high half, the same in every face; the least one stays. */
+static void test_keys(void **state)
+{
+	(void)state;
+	n_random = 0;
+	for (u32 i = 0; i < 300; i++) {
+		mesh m;
+		mesh_begin(&m);
+		mesh_cube(&m, uniform3(-1, 1), 0.25f, 16);
+		for (u32 k = 0; k < 8; k++) {
+			ts_v3 corner[3];
+			random_corners(corner, 6, 0.1f, 4);
+			mesh_triangle(&m, corner[0], corner[1], corner[2], 0, 0);
+		}
+		mesh_whole(&m, uniform_power(-2, 2));
+		mesh_points(&m, 129, 0);
+		i64 writes = 0;
+		u64 *texels = splat_all(&m, i % 2, 0, &writes);
+		u64 n_written = 0;
+		for (u64 k = 0; k < mesh_texels(&m); k++) {
+			if (texels[k] == TS_EMPTY) continue;
+			n_written++;
+			const ts_point *p = &m.points[(u32)texels[k]];
+			double d = d3_length(d3_sub(d3_load(p->centre), d3_load(m.cubes->centre)));
+			assert_true((u32)texels[k] < m.n_points);
+			assert_true(fabs(ts_u2f((u32)(texels[k] >> 32)) - d) <= 1e-6 * d + 1e-7);
+		}
+		assert_true((u64)writes >= n_written);
+		free(texels);
+		mesh_clear(&m);
+	}
+}
+
+/* In any order of the points the same buffer, equal distances to the lowest; each point's texels beat or tie its key. */
+static void test_order(void **state)
+{
+	(void)state;
+	n_random = 7;
+	mesh m;
+	mesh_begin(&m);
+	mesh_cube(&m, ts_v3_make(0, 0, 0), 0.25f, 32);
+	for (u32 k = 0; k < 24; k++) {
+		ts_v3 corner[3];
+		random_corners(corner, 6, 0.1f, 8);
+		for (u32 twice = 0; twice < 2; twice++) mesh_triangle(&m, corner[0], corner[1], corner[2], 0, 0);
+	}
+	mesh_whole(&m, 1);
+	mesh_points(&m, 129, 0);
+	i64 writes = 0, scatters = 0;
+	u64 *forward = splat_all(&m, 1, 0, &writes), *back = mesh_alloc(mesh_texels(&m), sizeof *back);
+	memset(back, 0xff, mesh_texels(&m) * sizeof *back);
+	ts_splat_args args = mesh_splat(&m, back, &scatters, &writes);
+	for (u32 i = m.n_points; i-- > 0;) ts_k_splat_item(&args, i);
+	assert_memory_equal(forward, back, mesh_texels(&m) * sizeof *back);
+	for (u64 k = 0; k < mesh_texels(&m); k++) {
+		if (forward[k] != TS_EMPTY) assert_int_equal(m.points[(u32)forward[k]].piece % 2, 0);
+	}
+	free(forward);
+	free(back);
+	mesh_clear(&m);
+}
+
+/* Only faces whose bit is set are written, and empty cubes not at all. */
+static void test_bits(void **state)
+{
+	(void)state;
+	for (u32 face = 0; face < 6; face++) {
+		mesh m;
+		mesh_begin(&m);
+		mesh_cube(&m, ts_v3_make(0, 0, 0), 0.25f, 16);
+		mesh_cube(&m, ts_v3_make(0, 0, 0), 0.25f, 0);
+		mesh_cube(&m, ts_v3_make(0, 0, 0), 0.25f, 16);
+		mesh_triangle(&m, ts_v3_make(-90, 1, 2), ts_v3_make(90, 10, 20), ts_v3_make(3, -70, -50), 0, 0);
+		m.bits[0] = 1UL << (12 + face);
+		mesh_whole(&m, 0.25f);
+		mesh_points(&m, 129, 0);
+		i64 writes = 0;
+		u64 *texels = splat_all(&m, 1, 0, &writes);
+		for (u64 k = 0; k < mesh_texels(&m); k++) {
+			if (k / 256 != 6 + face) assert_true(texels[k] == TS_EMPTY);
+		}
+		free(texels);
+		mesh_clear(&m);
+	}
+}
+
+/* Plane depth: where the texel's ray meets the plane, within a tile of the point's own distance; without it, on a triangle
+ * seen at a slant, the nearest point's. */
+static void test_plane_depth(void **state)
+{
+	(void)state;
+	n_random = 0;
+	u32 n_free = 0;
+	for (u32 i = 0; i < 300; i++) {
+		mesh m;
+		ts_v3 corner[3];
+		mesh_begin(&m);
+		ts_face *cube = mesh_cube(&m, uniform3(-1, 1), 0.25f, 16);
+		for (u32 k = 0; k < 3; k++) corner[k] = uniform3(-8, 8);
+		if (d3_area(d3_of(corner[0]), d3_of(corner[1]), d3_of(corner[2])) < 4) continue;
+		mesh_triangle(&m, corner[0], corner[1], corner[2], 0, 0);
+		mesh_whole(&m, 1);
+		mesh_points(&m, 129, 0);
+		i64 writes = 0;
+		u64 *texels = splat_all(&m, 1, 1, &writes);
+		d3 n = d3_cross(d3_sub(d3_of(corner[1]), d3_of(corner[0])), d3_sub(d3_of(corner[2]), d3_of(corner[0])));
+		for (u32 k = 0; k < 6 * 256; k++) {
+			if (texels[k] == TS_EMPTY) continue;
+			ts_v3 d = ts_k_cube_direction(k / 256, ((f32)(k % 16) + 0.5f) / 8 - 1, ((f32)(k / 16 % 16) + 0.5f) / 8 - 1);
+			double distance = ts_u2f((u32)(texels[k] >> 32)), slope = d3_dot(n, d3_unit(d3_of(d)));
+			double own = d3_length(d3_sub(d3_load(m.points[(u32)texels[k]].centre), d3_load(cube->centre)));
+			assert_true(fabs(distance - own) <= 1 + 1e-5);
+			double met = d3_dot(n, d3_sub(d3_of(corner[0]), d3_load(cube->centre))) / slope;
+			if (distance == 0 || fabs(distance - own) > 0.999 || fabs(slope) < 0.05 * d3_length(n)) continue;
+			n_free++;
+			assert_true(fabs(distance - met) <= 1e-4 * (1 + met));
+		}
+		free(texels);
+		mesh_clear(&m);
+	}
+	assert_true(n_free > 3000);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_no_gaps), cmocka_unit_test(test_no_gaps_in_pieces), cmocka_unit_test(test_keys),
+		cmocka_unit_test(test_order),   cmocka_unit_test(test_bits),              cmocka_unit_test(test_plane_depth),
+	};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
