@@ -183,7 +183,8 @@ ts_status ts_folder_begin(const char *dir, bool force)
 	catch_signals(made == 0);
 	hold_signals(SIG_UNBLOCK);
 	if (made != 0 && error == EEXIST) {
-		return ts_fail("%s: exists, from another run or one that was killed; remove it, or name another folder", folder.partial);
+		return ts_fail("%s: exists, from another run or one that was killed; remove it, or name another folder",
+		               folder.partial);
 	}
 	return made == 0 ? TS_OK : ts_fail("%s: %s; name a folder that can be written", folder.partial, strerror(error));
 }
