@@ -107,6 +107,33 @@ static void test_no_gaps(void **state)
 	assert_true(n_met > N * 8 && n_tiny > N / 8);
 }
 
+/* Tiles of many texels, their edges along the texels': nothing hides a gap between them. */
+static void test_no_gaps_aligned(void **state)
+{
+	(void)state;
+	n_random = 0;
+	u32 n_met = 0;
+	for (u32 i = 0; i < 24; i++) {
+		mesh m;
+		splat_case how = { "aligned", i % 2, 129 };
+		mesh_begin(&m);
+		mesh_cube(&m, ts_v3_make(0, 0, 0), 1, 128);
+		f32 z = uniform(1, 4), x = uniform(-0.5f, 0);
+		ts_v3 corner[3] = { ts_v3_make(x, x, z), ts_v3_make(x + z, x, z), ts_v3_make(x, x + z * uniform(0.2f, 0.9f), z) };
+		if (i % 4 < 2) corner[2].x += z * 0.5f;
+		mesh_triangle(&m, corner[0], corner[1], corner[2], 0, 0);
+		mesh_whole(&m, uniform(1, 12) / z);
+		mesh_points(&m, 129, 0);
+		i64 writes = 0;
+		u64 *texels = splat_all(&m, how.clip, 0, &writes);
+		d3 c[3] = { d3_of(corner[0]), d3_of(corner[1]), d3_of(corner[2]) };
+		assert_face(&m, texels, 4, &how, c, 0, &n_met);
+		free(texels);
+		mesh_clear(&m);
+	}
+	assert_true(n_met > 24 * 500);
+}
+
 /* A triangle in pieces: no gap along the cuts either. */
 static void test_no_gaps_in_pieces(void **state)
 {
@@ -261,7 +288,8 @@ static void test_plane_depth(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_no_gaps), cmocka_unit_test(test_no_gaps_in_pieces), cmocka_unit_test(test_keys),
+		cmocka_unit_test(test_no_gaps), cmocka_unit_test(test_no_gaps_aligned),
+		cmocka_unit_test(test_no_gaps_in_pieces), cmocka_unit_test(test_keys),
 		cmocka_unit_test(test_order),   cmocka_unit_test(test_bits),              cmocka_unit_test(test_plane_depth),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
