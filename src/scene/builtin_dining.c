@@ -226,8 +226,8 @@ static void add_fireplace(ts_mesh *mesh, const u32 *material)
 /* A lamp with a shade of cloth, on a turned foot. */
 static void add_lamp(ts_mesh *mesh, const u32 *material)
 {
-	static const f32 foot[][2] = {{0.09375f, 0.0f}, {0.09375f, 0.015625f}, {0.03125f, 0.046875f}, {0.0859375f, 0.15625f}, {0.0625f, 0.265625f}, {0.015625f, 0.3125f}, {0.0078125f, 0.46875f}};
-	static const f32 shade[][2] = {{0.1875f, 0.3125f}, {0.109375f, 0.5625f}};
+	static const f32 foot[][2] = {{0.09375f, 0.0f}, {0.09375f, 0.015625f}, {0.03125f, 0.046875f}, {0.0859375f, 0.15625f}, {0.0625f, 0.234375f}, {0.015625f, 0.28125f}, {0.0078125f, 0.40625f}};
+	static const f32 shade[][2] = {{0.15625f, 0.28125f}, {0.09375f, 0.46875f}};
 	u32 na = ts_mesh_segments(mesh, 36.0f, 6);
 	mesh->material = material[D_VASE];
 	ts_mesh_lathe(mesh, foot, 7, na, 3.0f);
@@ -257,7 +257,7 @@ static void add_sideboard(ts_mesh *mesh, const u32 *material)
 			ts_mesh_lathe(mesh, knob, 5, ts_mesh_segments(mesh, 14.0f, 3), 2.0f);
 		}
 	}
-	mesh->place = ts_place_in(&stand, ts_place_at(-0.875f, 0.90625f, 0.21875f, 0.0f));
+	mesh->place = ts_place_in(&stand, ts_place_at(-0.875f, 0.90625f, 0.1875f, 0.0f));
 	add_lamp(mesh, material);
 	mesh->place = ts_place_in(&stand, ts_place_at(0.0f, 0.90625f, 0.25f, 0.0f));
 	ts_dining_fruit(mesh, material);

@@ -171,9 +171,9 @@ static void add_bench(ts_mesh *mesh, const u32 *material)
 
 static void add_pedestal(ts_mesh *mesh, const u32 *material, u32 id)
 {
-	static const f32 vase[2][10][2] = {
-		{{0.0f, 0.0f}, {0.109375f, 0.0f}, {0.109375f, 0.0f}, {0.125f, 0.03125f}, {0.21875f, 0.25f}, {0.1875f, 0.40625f}, {0.0703125f, 0.484375f}, {0.0859375f, 0.5625f}, {0.0625f, 0.546875f}, {0.046875f, 0.453125f}},
-		{{0.0f, 0.0f}, {0.125f, 0.0f}, {0.125f, 0.0f}, {0.0625f, 0.0625f}, {0.046875f, 0.125f}, {0.203125f, 0.3125f}, {0.234375f, 0.46875f}, {0.25f, 0.484375f}, {0.21875f, 0.4765625f}, {0.078125f, 0.25f}}};
+	static const f32 vase[2][11][2] = {
+		{{0.0f, 0.0f}, {0.109375f, 0.0f}, {0.109375f, 0.0f}, {0.125f, 0.03125f}, {0.21875f, 0.25f}, {0.1875f, 0.40625f}, {0.0703125f, 0.484375f}, {0.0859375f, 0.5625f}, {0.0859375f, 0.5625f}, {0.0625f, 0.546875f}, {0.046875f, 0.453125f}},
+		{{0.0f, 0.0f}, {0.125f, 0.0f}, {0.125f, 0.0f}, {0.0625f, 0.0625f}, {0.046875f, 0.125f}, {0.203125f, 0.3125f}, {0.234375f, 0.46875f}, {0.25f, 0.484375f}, {0.25f, 0.484375f}, {0.21875f, 0.4765625f}, {0.078125f, 0.25f}}};
 	ts_place stand = mesh->place;
 	u32 k = ts_mesh_segments(mesh, 2.0f, 0);
 	mesh->material = material[WHITE_MARBLE];
@@ -182,7 +182,7 @@ static void add_pedestal(ts_mesh *mesh, const u32 *material, u32 id)
 	ts_mesh_block(mesh, ts_v3_make(0.0f, 0.96875f, 0.0f), ts_v3_make(0.265625f, 0.03125f, 0.265625f), 0.015625f, k);
 	mesh->place = ts_place_in(&stand, ts_place_at(0.0f, 1.0f, 0.0f, 0.0f));
 	mesh->material = material[id & 1u ? BRONZE : VASE];
-	ts_mesh_lathe(mesh, vase[id & 1u], 10, ts_mesh_segments(mesh, 56.0f, 8), 5.0f);
+	ts_mesh_lathe(mesh, vase[id & 1u], 11, ts_mesh_segments(mesh, 56.0f, 8), 5.0f);
 	mesh->place = stand;
 }
 

@@ -45,12 +45,24 @@ ts_place ts_place_along(ts_v3 origin, ts_v3 up)
 	return place;
 }
 
-f32 ts_mesh_spline(f32 a, f32 b, f32 c, f32 d, f32 t)
+/* The slope at a point between the steps before and after it: none at an extreme, and never so steep that it overshoots. */
+static f32 slope(f32 before, f32 after)
 {
-	f32 m0 = (c - a) * 0.5f;
-	f32 m1 = (d - b) * 0.5f;
-	f32 k3 = 2.0f * (b - c) + m0 + m1;
-	f32 k2 = 3.0f * (c - b) - 2.0f * m0 - m1;
+	if (before * after <= 0.0f) return 0.0f;
+	f32 limit = 2.0f * ts_min(ts_abs(before), ts_abs(after));
+	return ts_clamp((before + after) * 0.5f, -limit, limit);
+}
+
+f32 ts_mesh_spline(const f32 *values, u32 stride, u32 n, f32 at)
+{
+	u32 i = (u32)ts_min_i32(ts_max_i32(ts_floor_i32(at), 0), (i32)n - 2);
+	f32 t = at - (f32)i;
+	f32 b = values[i * stride], c = values[(i + 1) * stride];
+	f32 step = c - b;
+	f32 m0 = slope(i > 0 ? b - values[(i - 1) * stride] : step, step);
+	f32 m1 = slope(step, i + 2 < n ? values[(i + 2) * stride] - c : step);
+	f32 k3 = m0 + m1 - 2.0f * step;
+	f32 k2 = 3.0f * step - 2.0f * m0 - m1;
 	return ((k3 * t + k2) * t + m0) * t + b;
 }
 

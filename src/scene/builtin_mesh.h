@@ -64,7 +64,7 @@ void ts_mesh_rod(ts_mesh *mesh, ts_v3 a, ts_v3 b, f32 radius, u32 na);
  * outwards, z) from the outer edge to the inner. `relief` metres of carving, n_along segments a side. */
 void ts_mesh_frame(ts_mesh *mesh, f32 hx, f32 hy, const f32 (*profile)[2], u32 n_points, f32 relief, u32 n_along);
 
-/* Smoothly through four values. */
-f32 ts_mesh_spline(f32 a, f32 b, f32 c, f32 d, f32 t);
+/* Smoothly through n values, `stride` floats apart, and never beyond two neighbours; `at` from 0 to n - 1. */
+f32 ts_mesh_spline(const f32 *values, u32 stride, u32 n, f32 at);
 
 #endif

@@ -24,8 +24,10 @@ f32 ts_paint_noise(f32 x, f32 y, u32 period_x, u32 period_y, u32 seed)
 	i32 px = (i32)period_x, py = (i32)period_y;
 	i32 i0 = (i % px + px) % px, j0 = (j % py + py) % py;
 	i32 i1 = (i0 + 1) % px, j1 = (j0 + 1) % py;
-	f32 a = ts_paint_hash(i0, j0, seed), b = ts_paint_hash(i1, j0, seed);
-	f32 c = ts_paint_hash(i0, j1, seed), d = ts_paint_hash(i1, j1, seed);
+	u32 stream = ts_pcg(5u ^ ts_pcg(seed));
+	u32 row0 = 65537u * (u32)j0, row1 = 65537u * (u32)j1;
+	f32 a = ts_uniform(ts_pcg(((u32)i0 + row0) ^ stream)), b = ts_uniform(ts_pcg(((u32)i1 + row0) ^ stream));
+	f32 c = ts_uniform(ts_pcg(((u32)i0 + row1) ^ stream)), d = ts_uniform(ts_pcg(((u32)i1 + row1) ^ stream));
 	f32 low = a + (b - a) * fx, high = c + (d - c) * fx;
 	return low + (high - low) * fy;
 }

@@ -127,13 +127,8 @@ static void lathe(ts_corner *c, const void *shape, f32 s, f32 t)
 {
 	const lathe_shape *l = shape;
 	f32 at = t * (f32)(l->n - 1);
-	u32 i = (u32)ts_min_i32(ts_floor_i32(at), (i32)l->n - 2);
-	u32 before = i > 0 ? i - 1 : 0, after = i + 2 < l->n ? i + 2 : i + 1;
-	f32 f = at - (f32)i;
-	const f32 (*p)[2] = l->profile;
-	f32 r = ts_max(ts_mesh_spline(p[before][0], p[i][0], p[i + 1][0], p[after][0], f), 0.0f);
-	f32 y = ts_mesh_spline(p[before][1], p[i][1], p[i + 1][1], p[after][1], f);
-	if (t == 1.0f) r = p[l->n - 1][0];
+	f32 r = t < 1.0f ? ts_mesh_spline(&l->profile[0][0], 2, l->n, at) : l->profile[l->n - 1][0];
+	f32 y = ts_mesh_spline(&l->profile[0][1], 2, l->n, at);
 	f32 turn = s < 1.0f ? s : 0.0f;
 	c->p = ts_v3_make(r * ts_cos_turn(turn), y, -r * ts_sin_turn(turn));
 	c->uv = ts_v2_make(s * l->girth, -(y + r));
@@ -160,14 +155,9 @@ typedef struct { const ts_v3 *points; u32 n; f32 radius; ts_v3 side; } tube_shap
 
 static ts_v3 tube_at(const tube_shape *tube, f32 t)
 {
-	const ts_v3 *p = tube->points;
 	f32 at = t * (f32)(tube->n - 1);
-	u32 i = (u32)ts_min_i32(ts_max_i32(ts_floor_i32(at), 0), (i32)tube->n - 2);
-	u32 before = i > 0 ? i - 1 : 0, after = i + 2 < tube->n ? i + 2 : i + 1;
-	f32 f = at - (f32)i;
-	return ts_v3_make(ts_mesh_spline(p[before].x, p[i].x, p[i + 1].x, p[after].x, f),
-	                  ts_mesh_spline(p[before].y, p[i].y, p[i + 1].y, p[after].y, f),
-	                  ts_mesh_spline(p[before].z, p[i].z, p[i + 1].z, p[after].z, f));
+	const ts_v3 *p = tube->points;
+	return ts_v3_make(ts_mesh_spline(&p->x, 3, tube->n, at), ts_mesh_spline(&p->y, 3, tube->n, at), ts_mesh_spline(&p->z, 3, tube->n, at));
 }
 
 static void tube(ts_corner *c, const void *shape, f32 s, f32 t)
