@@ -10,7 +10,7 @@ typedef struct {
 	ts_v3 face;  /* face normal, unit */
 	ts_v3 base;  /* base colour */
 	ts_v3 emissive;
-	f32 metallic, roughness, occlusion, alpha;
+	f32 metallic, roughness, occlusion;
 	u32 flags;   /* of the material */
 } ts_surface;
 
@@ -134,7 +134,6 @@ TS_FN void ts_k_surface_material(const ts_arrays *scene, const ts_sample *s, ts_
 	TS_GLOBAL const ts_material *m = s->material;
 	ts_v3 colour = ts_blend(s->w, ts_load3(s->a->colour), ts_load3(s->b->colour), ts_load3(s->c->colour));
 	r->base = ts_mul(ts_load3(m->base), colour);
-	r->alpha = ts_k_alpha(scene, s);
 	r->emissive = ts_load3(m->emissive);
 	r->metallic = m->metallic;
 	r->roughness = m->roughness;
