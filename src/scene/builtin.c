@@ -10,7 +10,8 @@ enum { N_SCENES = sizeof scenes / sizeof *scenes, LEAST = 10000, MOST = 3000000,
 const ts_builtin_info *ts_builtin_table(size_t *n)
 {
 	static ts_builtin_info table[N_SCENES];
-	for (u32 i = 0; i < N_SCENES; i++) table[i] = (ts_builtin_info){scenes[i]->name, scenes[i]->doc};
+	for (u32 i = 0; i < N_SCENES; i++)
+		table[i] = (ts_builtin_info){scenes[i]->name, scenes[i]->doc};
 	*n = N_SCENES;
 	return table;
 }
@@ -26,7 +27,8 @@ static const ts_builtin *find(const char *spec)
 
 bool ts_builtin_is(const char *spec) { return find(spec) != NULL; }
 
-/* Digits, perhaps with a fraction, and perhaps k or M: thousandths of thousandths, without floats. False if it is none or
+/* Digits, perhaps with a fraction, and perhaps k or M: thousandths of thousandths,
+	without floats. False if it is none or
  * more than ten digits long. */
 static bool read_count(u64 *count, const char *text)
 {
@@ -61,7 +63,7 @@ static bool read_spec(u32 *count, ts_build *build, const char *spec)
 		ts_build_fail(build, "%s: unknown option \"%s\"; write NAME or NAME:triangles=COUNT", spec, options + 1);
 	} else if (!number) {
 		ts_build_fail(build, "%s: \"%s\" is no count; write digits, perhaps with k or M, as in triangles=1.05M", spec,
-		              options + sizeof key - 1);
+					  options + sizeof key - 1);
 	} else if (wanted < LEAST || wanted > MOST) {
 		ts_build_fail(build, "%s: %llu triangles are out of range; 10000 to 3000000", spec, (unsigned long long)wanted);
 		return false;
@@ -83,8 +85,10 @@ static f32 find_detail(const ts_builtin *scene, const u32 *material, u32 count, 
 	f32 low = 0.0f, high = 16.0f;
 	for (u32 k = 0; k < 20; k++) {
 		f32 middle = (low + high) * 0.5f;
-		if (count_at(scene, material, middle, seed) <= limit) low = middle;
-		else high = middle;
+		if (count_at(scene, material, middle, seed) <= limit)
+			low = middle;
+		else
+			high = middle;
 	}
 	return low;
 }
@@ -94,10 +98,13 @@ void ts_builtin_make(ts_build *build, const char *spec, u32 seed)
 	const ts_builtin *scene = find(spec);
 	u32 material[TS_MAX_PAINTS] = {0}, count;
 	if (!read_spec(&count, build, spec)) return;
-	for (u32 i = 0; i < scene->n_paints; i++) material[i] = ts_paint_add(build, &scene->paints[i], seed + 1000u * i);
-	ts_mesh mesh = {.build = build, .seed = seed, .detail = find_detail(scene, material, count, seed), .place = ts_place_world()};
+	for (u32 i = 0; i < scene->n_paints; i++)
+		material[i] = ts_paint_add(build, &scene->paints[i], seed + 1000u * i);
+	ts_mesh mesh = {
+		.build = build, .seed = seed, .detail = find_detail(scene, material, count, seed), .place = ts_place_world()};
 	scene->shape(&mesh, material);
 	mesh.place = ts_place_world();
 	scene->fill(&mesh, material, (u32)(count - mesh.n));
-	for (u32 i = 0; i < scene->n_lights; i++) ts_build_light(build, &scene->lights[i]);
+	for (u32 i = 0; i < scene->n_lights; i++)
+		ts_build_light(build, &scene->lights[i]);
 }

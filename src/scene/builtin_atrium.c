@@ -3,9 +3,35 @@
 #include "builtin.h"
 #include "builtin_parts.h"
 
-enum { ASHLAR, STONE, FLOOR, AISLE, PLASTER, COLUMN, MARBLE, RED, GREEN, BLUE, GOLD, POT, SOIL, STEM, LEAF, BLADE, BRONZE, GILT, WOOD, GLOW, RUG, N_PAINTS };
+enum {
+	ASHLAR,
+	STONE,
+	FLOOR,
+	AISLE,
+	PLASTER,
+	COLUMN,
+	MARBLE,
+	RED,
+	GREEN,
+	BLUE,
+	GOLD,
+	POT,
+	SOIL,
+	STEM,
+	LEAF,
+	BLADE,
+	BRONZE,
+	GILT,
+	WOOD,
+	GLOW,
+	RUG,
+	N_PAINTS
+};
 
-#define WHITE {1.0f, 1.0f, 1.0f}
+#define WHITE                                                                                                          \
+	{                                                                                                                  \
+		1.0f, 1.0f, 1.0f                                                                                               \
+	}
 static const ts_paint paints[N_PAINTS] = {
 	[ASHLAR] = {ts_paint_ashlar, 0, 512, {3.5f, 3.5f}, TS_MAP_NORMAL, 0, WHITE, 0.875f, 0.0f},
 	[STONE] = {ts_paint_ashlar, 1, 256, {2.0f, 2.0f}, TS_MAP_NORMAL, 0, WHITE, 0.875f, 0.0f},
@@ -21,7 +47,15 @@ static const ts_paint paints[N_PAINTS] = {
 	[POT] = {ts_paint_terracotta, 0, 256, {1.0f, 1.0f}, TS_MAP_NORMAL, 0, WHITE, 0.75f, 0.0f},
 	[SOIL] = {ts_paint_soil, 0, 256, {0.5f, 0.5f}, 0, 0, WHITE, 1.0f, 0.0f},
 	[STEM] = {NULL, 0, 0, {1.0f, 1.0f}, 0, 0, {0.125f, 0.109375f, 0.046875f}, 0.875f, 0.0f},
-	[LEAF] = {ts_paint_leaf, 0, 256, {1.0f, 1.0f}, TS_MAP_NORMAL, TS_MATERIAL_DOUBLE_SIDED | TS_MATERIAL_MASK, WHITE, 0.625f, 0.0f},
+	[LEAF] = {ts_paint_leaf,
+			  0,
+			  256,
+			  {1.0f, 1.0f},
+			  TS_MAP_NORMAL,
+			  TS_MATERIAL_DOUBLE_SIDED | TS_MATERIAL_MASK,
+			  WHITE,
+			  0.625f,
+			  0.0f},
 	[BLADE] = {ts_paint_leaf, 1, 256, {1.0f, 1.0f}, 0, TS_MATERIAL_DOUBLE_SIDED | TS_MATERIAL_MASK, WHITE, 0.5f, 0.0f},
 	[BRONZE] = {ts_paint_metal, 0, 256, {0.5f, 0.5f}, TS_MAP_SURFACE, 0, WHITE, 1.0f, 0.5f},
 	[GILT] = {NULL, 0, 0, {1.0f, 1.0f}, 0, 0, {0.875f, 0.609375f, 0.234375f}, 0.375f, 0.5f},
@@ -30,17 +64,24 @@ static const ts_paint paints[N_PAINTS] = {
 	[RUG] = {ts_paint_carpet, 0, 512, {1.0f, 1.0f}, 0, TS_MATERIAL_DOUBLE_SIDED, WHITE, 1.0f, 0.0f},
 };
 
-/* Court: half length, half width to the middle of the arcades, half width to the outer walls. Heights: of the upper floor's
+/* Court: half length, half width to the middle of the arcades,
+	half width to the outer walls. Heights: of the upper floor's
  * slab, of the upper cornice, of the whole. */
-static const f32 LENGTH = 15.0f, NAVE = 6.40625f, WIDTH = 9.0f, SLAB = 5.8125f, FLOOR_2 = 6.125f, CORNICE = 10.0f, TOP = 11.0f;
+static const f32 LENGTH = 15.0f, NAVE = 6.40625f, WIDTH = 9.0f, SLAB = 5.8125f, FLOOR_2 = 6.125f, CORNICE = 10.0f,
+				 TOP = 11.0f;
 static const f32 BAY = 3.296875f;
 
 /* How one storey's arcade is built: from its floor up. */
-typedef struct { f32 bay, radius, spring, top, depth, column; } storey;
+typedef struct {
+	f32 bay, radius, spring, top, depth, column;
+} storey;
 static const storey lower = {BAY, 1.25f, 4.25f, SLAB, 0.25f, 0.3125f};
 static const storey upper = {BAY, 1.3125f, 2.4375f, CORNICE - FLOOR_2, 0.1875f, 0.21875f};
 
-typedef struct { const storey *storey; f32 z; } arch_shape;
+typedef struct {
+	const storey *storey;
+	f32 z;
+} arch_shape;
 
 /* The wall over an arch: t from the arch to the bay's outline, which has corners at s = 1/4 and 3/4. */
 static void arch_panel(ts_corner *c, const void *shape, f32 s, f32 t)
@@ -71,7 +112,8 @@ static void add_archivolt(ts_mesh *mesh, const storey *k, f32 offset, f32 radius
 		f32 a = (f32)i * 0.0625f, r = k->radius + offset;
 		points[i] = ts_v3_make(-ts_cos_turn(a) * r, k->spring + ts_sin_turn(a) * r, k->depth);
 	}
-	ts_mesh_tube(mesh, points, 9, radius, ts_v3_make(0.0f, 0.0f, 1.0f), ts_mesh_segments(mesh, 7.0f, 3), 4 * ts_mesh_segments(mesh, 6.0f, 1));
+	ts_mesh_tube(mesh, points, 9, radius, ts_v3_make(0.0f, 0.0f, 1.0f), ts_mesh_segments(mesh, 7.0f, 3),
+				 4 * ts_mesh_segments(mesh, 6.0f, 1));
 }
 
 /* One arch, with both faces unless it is blind. */
@@ -88,7 +130,8 @@ static void add_arch(ts_mesh *mesh, const u32 *material, const storey *k, bool b
 	if (ts_mesh_shows(mesh, 0.25f)) add_archivolt(mesh, k, 0.0625f, 0.0625f);
 	if (ts_mesh_shows(mesh, 0.375f)) add_archivolt(mesh, k, 0.25f, 0.03125f);
 	ts_v3 key = {0.0f, k->spring + k->radius + 0.0625f, k->depth};
-	if (ts_mesh_shows(mesh, 0.25f)) ts_mesh_block(mesh, key, ts_v3_make(0.125f, 0.21875f, 0.109375f), 0.03125f, ts_mesh_segments(mesh, 1.5f, 0));
+	if (ts_mesh_shows(mesh, 0.25f))
+		ts_mesh_block(mesh, key, ts_v3_make(0.125f, 0.21875f, 0.109375f), 0.03125f, ts_mesh_segments(mesh, 1.5f, 0));
 	if (!blind) {
 		mesh->place = ts_place_in(&stand, ts_place_at(0.0f, 0.0f, 0.0f, 0.5f));
 		mesh->material = material[PLASTER];
@@ -99,7 +142,9 @@ static void add_arch(ts_mesh *mesh, const u32 *material, const storey *k, bool b
 	}
 }
 
-typedef struct { f32 radius, foot, head, flutes; } shaft_shape;
+typedef struct {
+	f32 radius, foot, head, flutes;
+} shaft_shape;
 
 /* Twenty flutes, and the swelling of a third up. */
 static void shaft(ts_corner *c, const void *shape, f32 s, f32 t)
@@ -112,7 +157,9 @@ static void shaft(ts_corner *c, const void *shape, f32 s, f32 t)
 	c->uv = ts_v2_make(s * k->radius * 6.28125f, -c->p.y);
 }
 
-typedef struct { f32 radius, y, height, turn, width; } acanthus_shape;
+typedef struct {
+	f32 radius, y, height, turn, width;
+} acanthus_shape;
 
 /* A leaf that hugs the bell and curls over at its tip. */
 static void acanthus(ts_corner *c, const void *shape, f32 s, f32 t)
@@ -129,30 +176,37 @@ static void acanthus(ts_corner *c, const void *shape, f32 s, f32 t)
 
 static void add_capital(ts_mesh *mesh, f32 r, f32 y)
 {
-	const f32 bell[][2] = {{r * 0.84375f, y - r * 2.125f}, {r * 0.96875f, y - r * 2.0625f}, {r * 0.84375f, y - r * 2.0f}, {r * 0.84375f, y - r * 2.0f},
-		{r * 0.875f, y - r}, {r * 1.25f, y - r * 0.3125f}};
+	const f32 bell[][2] = {{r * 0.84375f, y - r * 2.125f},
+						   {r * 0.96875f, y - r * 2.0625f},
+						   {r * 0.84375f, y - r * 2.0f},
+						   {r * 0.84375f, y - r * 2.0f},
+						   {r * 0.875f, y - r},
+						   {r * 1.25f, y - r * 0.3125f}};
 	ts_mesh_lathe(mesh, bell, 6, ts_mesh_segments(mesh, 28.0f, 6), 3.0f);
 	u32 n = ts_min_i32((i32)ts_mesh_segments(mesh, 9.0f, 0), 12) & ~1;
 	for (u32 row = 0; row < 2; row++) {
 		for (u32 i = 0; i < n; i++) {
-			acanthus_shape a = {r * 0.875f, y - r * (row ? 1.5f : 2.0f), r * 1.125f, ((f32)i + 0.5f * (f32)row) / (f32)n, 0.4375f / (f32)n};
+			acanthus_shape a = {r * 0.875f, y - r * (row ? 1.5f : 2.0f), r * 1.125f,
+								((f32)i + 0.5f * (f32)row) / (f32)n, 0.4375f / (f32)n};
 			ts_mesh_grid(mesh, ts_mesh_segments(mesh, 4.0f, 2), ts_mesh_segments(mesh, 7.0f, 3), 0, acanthus, &a);
 		}
 	}
-	ts_mesh_block(mesh, ts_v3_make(0.0f, y - r * 0.15625f, 0.0f), ts_v3_make(r * 1.40625f, r * 0.15625f, r * 1.40625f), 0.015625f,
-	              ts_mesh_segments(mesh, 1.0f, 0));
+	ts_mesh_block(mesh, ts_v3_make(0.0f, y - r * 0.15625f, 0.0f), ts_v3_make(r * 1.40625f, r * 0.15625f, r * 1.40625f),
+				  0.015625f, ts_mesh_segments(mesh, 1.0f, 0));
 }
 
 static void add_column(ts_mesh *mesh, const u32 *material, f32 r, f32 height, u32 shaft_paint)
 {
-	const f32 base[][2] = {{r * 1.375f, r * 0.375f}, {r * 1.5f, r * 0.5f}, {r * 1.375f, r * 0.65625f}, {r * 1.375f, r * 0.65625f},
-		{r * 1.125f, r * 0.75f}, {r * 1.125f, r * 0.84375f}, {r * 1.125f, r * 0.84375f}, {r * 1.21875f, r * 0.9375f}, {r, r * 1.0625f}};
-	u32 na = ts_mesh_segments(mesh, 74.0f, 6);
+	const f32 base[][2] = {{r * 1.375f, r * 0.375f},   {r * 1.5f, r * 0.5f},        {r * 1.375f, r * 0.65625f},
+						   {r * 1.375f, r * 0.65625f}, {r * 1.125f, r * 0.75f},     {r * 1.125f, r * 0.84375f},
+						   {r * 1.125f, r * 0.84375f}, {r * 1.21875f, r * 0.9375f}, {r, r * 1.0625f}};
+	u32 na = ts_mesh_segments(mesh, 88.0f, 6);
 	if (na >= 60) na = na / 60 * 60;
 	shaft_shape s = {r, ts_mesh_shows(mesh, 0.1875f) ? r : 0.0f, height - r * 2.0f, na >= 60 ? r * 0.078125f : 0.0f};
 	mesh->material = material[STONE];
-	if (ts_mesh_shows(mesh, 0.1875f)) ts_mesh_block(mesh, ts_v3_make(0.0f, r * 0.1875f, 0.0f), ts_v3_make(r * 1.53125f, r * 0.1875f, r * 1.53125f), 0.015625f,
-	              ts_mesh_segments(mesh, 1.0f, 0));
+	if (ts_mesh_shows(mesh, 0.1875f))
+		ts_mesh_block(mesh, ts_v3_make(0.0f, r * 0.1875f, 0.0f), ts_v3_make(r * 1.53125f, r * 0.1875f, r * 1.53125f),
+					  0.015625f, ts_mesh_segments(mesh, 1.0f, 0));
 	mesh->material = material[shaft_paint];
 	ts_mesh_grid(mesh, na, ts_mesh_segments(mesh, 9.0f, 1), TS_GRID_WRAP_S, shaft, &s);
 	mesh->material = material[COLUMN];
@@ -177,15 +231,20 @@ static void add_arcade(ts_mesh *mesh, const u32 *material, const storey *k, u32 
 
 static void add_balustrade(ts_mesh *mesh, const u32 *material)
 {
-	static const f32 baluster[][2] = {{0.0625f, 0.0f}, {0.0625f, 0.0625f}, {0.03125f, 0.109375f}, {0.0703125f, 0.28125f}, {0.03125f, 0.5f}, {0.05859375f, 0.625f}, {0.05859375f, 0.6875f}};
+	static const f32 baluster[][2] = {{0.0625f, 0.0f},        {0.0625f, 0.0625f}, {0.03125f, 0.109375f},
+									  {0.0703125f, 0.28125f}, {0.03125f, 0.5f},   {0.05859375f, 0.625f},
+									  {0.05859375f, 0.6875f}};
 	f32 half = 4.0f * BAY;
 	ts_place stand = mesh->place;
 	mesh->material = material[COLUMN];
-	ts_mesh_block(mesh, ts_v3_make(0.0f, 0.0625f, 0.0f), ts_v3_make(half, 0.0625f, 0.125f), 0.015625f, ts_mesh_segments(mesh, 1.0f, 0));
-	ts_mesh_block(mesh, ts_v3_make(0.0f, 0.875f, 0.0f), ts_v3_make(half, 0.0625f, 0.140625f), 0.03125f, ts_mesh_segments(mesh, 2.0f, 0));
+	ts_mesh_block(mesh, ts_v3_make(0.0f, 0.0625f, 0.0f), ts_v3_make(half, 0.0625f, 0.125f), 0.015625f,
+				  ts_mesh_segments(mesh, 1.0f, 0));
+	ts_mesh_block(mesh, ts_v3_make(0.0f, 0.875f, 0.0f), ts_v3_make(half, 0.0625f, 0.140625f), 0.03125f,
+				  ts_mesh_segments(mesh, 2.0f, 0));
 	u32 n = ts_mesh_shows(mesh, 0.1875f) ? 8 * (u32)ts_min_i32((i32)ts_mesh_segments(mesh, 12.0f, 2), 14) : 0;
 	for (u32 i = 0; i < n; i++) {
-		mesh->place = ts_place_in(&stand, ts_place_at((((f32)i + 0.5f) / (f32)n * 2.0f - 1.0f) * half, 0.125f, 0.0f, 0.0f));
+		mesh->place =
+			ts_place_in(&stand, ts_place_at((((f32)i + 0.5f) / (f32)n * 2.0f - 1.0f) * half, 0.125f, 0.0f, 0.0f));
 		ts_mesh_lathe(mesh, baluster, 7, ts_mesh_segments(mesh, 9.0f, 3), 1.0f);
 	}
 	mesh->place = stand;
@@ -194,7 +253,8 @@ static void add_balustrade(ts_mesh *mesh, const u32 *material)
 /* One long side, seen from the court: +z towards the court, the arcade's middle plane at z = 0. */
 static void add_side(ts_mesh *mesh, const u32 *material)
 {
-	static const f32 cornice[][2] = {{0.25f, -0.125f}, {0.3125f, -0.09375f}, {0.375f, 0.0f}, {0.40625f, 0.1875f}, {0.46875f, 0.28125f}, {0.46875f, 0.3125f}, {0.0f, 0.3125f}};
+	static const f32 cornice[][2] = {{0.25f, -0.125f},     {0.3125f, -0.09375f}, {0.375f, 0.0f}, {0.40625f, 0.1875f},
+									 {0.46875f, 0.28125f}, {0.46875f, 0.3125f},  {0.0f, 0.3125f}};
 	ts_place stand = mesh->place;
 	f32 aisle = WIDTH - NAVE;
 	add_arcade(mesh, material, &lower, 8, false, COLUMN);
@@ -202,13 +262,16 @@ static void add_side(ts_mesh *mesh, const u32 *material)
 		f32 x = (end ? 1.0f : -1.0f) * (4.0f * BAY + 0.90625f);
 		mesh->material = material[ASHLAR];
 		ts_mesh_block(mesh, ts_v3_make(x, SLAB * 0.5f, 0.0f), ts_v3_make(0.90625f, SLAB * 0.5f, 0.25f), 0.0f, 0);
-		ts_mesh_block(mesh, ts_v3_make(x, (FLOOR_2 + CORNICE) * 0.5f, 0.0f), ts_v3_make(0.90625f, (CORNICE - FLOOR_2) * 0.5f, 0.1875f), 0.0f, 0);
+		ts_mesh_block(mesh, ts_v3_make(x, (FLOOR_2 + CORNICE) * 0.5f, 0.0f),
+					  ts_v3_make(0.90625f, (CORNICE - FLOOR_2) * 0.5f, 0.1875f), 0.0f, 0);
 	}
 	mesh->material = material[PLASTER];
-	ts_mesh_plane(mesh, ts_v3_make(-LENGTH, SLAB, -aisle), ts_v3_make(2.0f * LENGTH, 0.0f, 0.0f), ts_v3_make(0.0f, 0.0f, aisle + 0.25f),
-	              ts_mesh_segments(mesh, 20.0f, 2), ts_mesh_segments(mesh, 3.0f, 1));
-	ts_mesh_plane(mesh, ts_v3_make(-LENGTH, CORNICE, -aisle), ts_v3_make(2.0f * LENGTH, 0.0f, 0.0f), ts_v3_make(0.0f, 0.0f, aisle + 0.1875f),
-	              ts_mesh_segments(mesh, 20.0f, 2), ts_mesh_segments(mesh, 3.0f, 1));
+	ts_mesh_plane(mesh, ts_v3_make(-LENGTH, SLAB, -aisle), ts_v3_make(2.0f * LENGTH, 0.0f, 0.0f),
+				  ts_v3_make(0.0f, 0.0f, aisle + 0.25f), ts_mesh_segments(mesh, 20.0f, 2),
+				  ts_mesh_segments(mesh, 3.0f, 1));
+	ts_mesh_plane(mesh, ts_v3_make(-LENGTH, CORNICE, -aisle), ts_v3_make(2.0f * LENGTH, 0.0f, 0.0f),
+				  ts_v3_make(0.0f, 0.0f, aisle + 0.1875f), ts_mesh_segments(mesh, 20.0f, 2),
+				  ts_mesh_segments(mesh, 3.0f, 1));
 	mesh->material = material[COLUMN];
 	mesh->place = ts_place_in(&stand, ts_place_at(0.0f, SLAB, 0.0f, 0.0f));
 	ts_part_moulding(mesh, LENGTH, cornice, 7, ts_mesh_segments(mesh, 60.0f, 2));
@@ -216,10 +279,11 @@ static void add_side(ts_mesh *mesh, const u32 *material)
 	ts_part_moulding(mesh, LENGTH, cornice, 7, ts_mesh_segments(mesh, 60.0f, 2));
 	mesh->place = stand;
 	mesh->material = material[AISLE];
-	ts_mesh_plane(mesh, ts_v3_make(-LENGTH, FLOOR_2, 0.0f), ts_v3_make(2.0f * LENGTH, 0.0f, 0.0f), ts_v3_make(0.0f, 0.0f, -aisle), 1, 1);
+	ts_mesh_plane(mesh, ts_v3_make(-LENGTH, FLOOR_2, 0.0f), ts_v3_make(2.0f * LENGTH, 0.0f, 0.0f),
+				  ts_v3_make(0.0f, 0.0f, -aisle), 1, 1);
 	mesh->material = material[ASHLAR];
 	ts_mesh_plane(mesh, ts_v3_make(-LENGTH, CORNICE + 0.3125f, 0.0f), ts_v3_make(2.0f * LENGTH, 0.0f, 0.0f),
-	              ts_v3_make(0.0f, TOP - CORNICE - 0.3125f, 0.0f), ts_mesh_segments(mesh, 20.0f, 1), 1);
+				  ts_v3_make(0.0f, TOP - CORNICE - 0.3125f, 0.0f), ts_mesh_segments(mesh, 20.0f, 1), 1);
 	mesh->place = ts_place_in(&stand, ts_place_at(0.0f, FLOOR_2, 0.0f, 0.0f));
 	add_arcade(mesh, material, &upper, 8, false, MARBLE);
 	add_balustrade(mesh, material);
@@ -229,25 +293,29 @@ static void add_side(ts_mesh *mesh, const u32 *material)
 /* The wall behind an aisle, with doors, pilasters and a seat. +z towards the court, the wall at z = 0. */
 static void add_back_wall(ts_mesh *mesh, const u32 *material)
 {
-	static const f32 casing[][2] = {{0.1875f, 0.0f}, {0.1875f, 0.0625f}, {0.125f, 0.09375f}, {0.0625f, 0.0625f}, {0.0f, 0.078125f}, {0.0f, 0.0f}};
+	static const f32 casing[][2] = {{0.1875f, 0.0f},    {0.1875f, 0.0625f}, {0.125f, 0.09375f},
+									{0.0625f, 0.0625f}, {0.0f, 0.078125f},  {0.0f, 0.0f}};
 	ts_place stand = mesh->place;
 	mesh->material = material[PLASTER];
-	ts_mesh_plane(mesh, ts_v3_make(-LENGTH, 0.0f, 0.0f), ts_v3_make(2.0f * LENGTH, 0.0f, 0.0f), ts_v3_make(0.0f, TOP, 0.0f),
-	              ts_mesh_segments(mesh, 24.0f, 2), ts_mesh_segments(mesh, 8.0f, 1));
+	ts_mesh_plane(mesh, ts_v3_make(-LENGTH, 0.0f, 0.0f), ts_v3_make(2.0f * LENGTH, 0.0f, 0.0f),
+				  ts_v3_make(0.0f, TOP, 0.0f), ts_mesh_segments(mesh, 24.0f, 2), ts_mesh_segments(mesh, 8.0f, 1));
 	for (u32 i = 0; i < 9; i++) {
 		f32 x = ((f32)i - 4.0f) * BAY;
 		mesh->material = material[ASHLAR];
 		ts_mesh_block(mesh, ts_v3_make(x, SLAB * 0.5f, 0.0625f), ts_v3_make(0.34375f, SLAB * 0.5f, 0.0625f), 0.0f, 0);
-		ts_mesh_block(mesh, ts_v3_make(x, 0.25f, 0.125f), ts_v3_make(0.4375f, 0.25f, 0.125f), 0.03125f, ts_mesh_segments(mesh, 1.0f, 0));
+		ts_mesh_block(mesh, ts_v3_make(x, 0.25f, 0.125f), ts_v3_make(0.4375f, 0.25f, 0.125f), 0.03125f,
+					  ts_mesh_segments(mesh, 1.0f, 0));
 		if (i == 8 || i % 2 == 1) continue;
 		mesh->place = ts_place_in(&stand, ts_place_at(x + BAY * 0.5f, 1.5625f, 0.0f, 0.0f));
 		mesh->material = material[COLUMN];
 		ts_mesh_frame(mesh, 0.75f, 1.375f, casing, 6, 0.015625f, ts_mesh_segments(mesh, 12.0f, 1));
 		mesh->material = material[WOOD];
-		ts_mesh_plane(mesh, ts_v3_make(-0.75f, -1.375f, 0.03125f), ts_v3_make(1.5f, 0.0f, 0.0f), ts_v3_make(0.0f, 2.75f, 0.0f), 1, 1);
+		ts_mesh_plane(mesh, ts_v3_make(-0.75f, -1.375f, 0.03125f), ts_v3_make(1.5f, 0.0f, 0.0f),
+					  ts_v3_make(0.0f, 2.75f, 0.0f), 1, 1);
 		for (u32 k = 0; k < 8 && ts_mesh_shows(mesh, 0.25f); k++) {
 			ts_v3 at = {k & 1u ? 0.359375f : -0.359375f, (f32)(k / 2) * 0.65625f - 0.984375f, 0.046875f};
-			ts_mesh_block(mesh, at, ts_v3_make(0.328125f, 0.3046875f, 0.03125f), 0.0234375f, ts_mesh_segments(mesh, 1.5f, 0));
+			ts_mesh_block(mesh, at, ts_v3_make(0.328125f, 0.3046875f, 0.03125f), 0.0234375f,
+						  ts_mesh_segments(mesh, 1.5f, 0));
 		}
 		mesh->place = stand;
 	}
@@ -259,15 +327,17 @@ static void add_back_wall(ts_mesh *mesh, const u32 *material)
 /* One end of the court: +z towards the court, the wall at z = 0. */
 static void add_end(ts_mesh *mesh, const u32 *material)
 {
-	static const f32 band[][2] = {{0.0f, -0.125f}, {0.25f, -0.0625f}, {0.34375f, 0.0625f}, {0.375f, 0.21875f}, {0.375f, 0.3125f}, {0.0f, 0.3125f}};
-	static const f32 casing[][2] = {{0.375f, 0.0f}, {0.375f, 0.125f}, {0.25f, 0.1875f}, {0.125f, 0.125f}, {0.0f, 0.15625f}, {0.0f, 0.0f}};
+	static const f32 band[][2] = {{0.0f, -0.125f},    {0.25f, -0.0625f}, {0.34375f, 0.0625f},
+								  {0.375f, 0.21875f}, {0.375f, 0.3125f}, {0.0f, 0.3125f}};
+	static const f32 casing[][2] = {{0.375f, 0.0f},   {0.375f, 0.125f}, {0.25f, 0.1875f},
+									{0.125f, 0.125f}, {0.0f, 0.15625f}, {0.0f, 0.0f}};
 	storey low = lower, high = upper;
 	low.bay = high.bay = NAVE * 0.5f;
 	low.depth = high.depth = 0.5f;
 	ts_place stand = mesh->place;
 	mesh->material = material[ASHLAR];
-	ts_mesh_plane(mesh, ts_v3_make(-WIDTH, 0.0f, 0.0f), ts_v3_make(2.0f * WIDTH, 0.0f, 0.0f), ts_v3_make(0.0f, TOP, 0.0f),
-	              ts_mesh_segments(mesh, 16.0f, 2), ts_mesh_segments(mesh, 8.0f, 1));
+	ts_mesh_plane(mesh, ts_v3_make(-WIDTH, 0.0f, 0.0f), ts_v3_make(2.0f * WIDTH, 0.0f, 0.0f),
+				  ts_v3_make(0.0f, TOP, 0.0f), ts_mesh_segments(mesh, 16.0f, 2), ts_mesh_segments(mesh, 8.0f, 1));
 	mesh->place = ts_place_in(&stand, ts_place_at(0.0f, 0.0f, 0.5f, 0.0f));
 	add_arcade(mesh, material, &low, 4, true, MARBLE);
 	mesh->place = ts_place_in(&stand, ts_place_at(0.0f, FLOOR_2, 0.5f, 0.0f));
@@ -282,19 +352,24 @@ static void add_end(ts_mesh *mesh, const u32 *material)
 		bool door = k == 1 || k == 2;
 		mesh->material = material[door ? COLUMN : BRONZE];
 		mesh->place = ts_place_in(&stand, ts_place_at(x, 2.0f, 0.0f, 0.0f));
-		ts_mesh_frame(mesh, door ? 0.8125f : 0.6875f, door ? 1.625f : 1.0f, casing, 6, 0.03125f, ts_mesh_segments(mesh, 24.0f, 1));
+		ts_mesh_frame(mesh, door ? 0.8125f : 0.6875f, door ? 1.625f : 1.0f, casing, 6, 0.03125f,
+					  ts_mesh_segments(mesh, 24.0f, 1));
 		mesh->material = material[door ? WOOD : MARBLE];
 		for (u32 i = 0; i < 10 && door && ts_mesh_shows(mesh, 0.25f); i++) {
 			ts_v3 at = {i & 1u ? 0.390625f : -0.390625f, (f32)(i / 2) * 0.625f - 1.25f, 0.0625f};
-			ts_mesh_block(mesh, at, ts_v3_make(0.359375f, 0.28125f, 0.046875f), 0.03125f, ts_mesh_segments(mesh, 1.5f, 0));
+			ts_mesh_block(mesh, at, ts_v3_make(0.359375f, 0.28125f, 0.046875f), 0.03125f,
+						  ts_mesh_segments(mesh, 1.5f, 0));
 		}
 		f32 w = door ? 0.8125f : 0.6875f, h = door ? 1.625f : 1.0f;
-		ts_mesh_plane(mesh, ts_v3_make(-w, -h, 0.03125f), ts_v3_make(2.0f * w, 0.0f, 0.0f), ts_v3_make(0.0f, 2.0f * h, 0.0f), 1, 1);
+		ts_mesh_plane(mesh, ts_v3_make(-w, -h, 0.03125f), ts_v3_make(2.0f * w, 0.0f, 0.0f),
+					  ts_v3_make(0.0f, 2.0f * h, 0.0f), 1, 1);
 	}
 	mesh->place = stand;
 }
 
-typedef struct { f32 width, span, sag, wave; } canopy_shape;
+typedef struct {
+	f32 width, span, sag, wave;
+} canopy_shape;
 
 /* Cloth slung across the court, hanging in a parabola and rippling along its edges. Seen from below. */
 static void canopy(ts_corner *c, const void *shape, f32 s, f32 t)
@@ -302,7 +377,8 @@ static void canopy(ts_corner *c, const void *shape, f32 s, f32 t)
 	const canopy_shape *k = shape;
 	f32 z = 2.0f * t - 1.0f, x = 2.0f * s - 1.0f;
 	f32 hang = k->sag * (z * z - 1.0f) * (1.0f - 0.1875f * x * x);
-	f32 ripple = 0.0625f * ts_sin_turn(x * 1.5f + k->wave) * (1.0f - z * z) + 0.03125f * ts_sin_turn(z * 3.0f + x + k->wave);
+	f32 ripple =
+		0.0625f * ts_sin_turn(x * 1.5f + k->wave) * (1.0f - z * z) + 0.03125f * ts_sin_turn(z * 3.0f + x + k->wave);
 	c->p = ts_v3_make(x * k->width * (0.8125f + 0.1875f * z * z), hang + ripple, z * k->span);
 	c->uv = ts_v2_make(s * k->width * 2.0f, t * k->span * 2.0f);
 }
@@ -331,12 +407,13 @@ static void add_cloth(ts_mesh *mesh, const u32 *material, u32 id)
 	static const u32 cloth[4] = {GREEN, BLUE, BLUE, GREEN};
 	ts_place stand = mesh->place;
 	for (u32 i = 0; i < 4; i++) {
-		f32 x = ((f32)(2 * i) - 3.0f ) * BAY + (i < 2 ? 0.5f : -0.5f) * BAY;
+		f32 x = ((f32)(2 * i) - 3.0f) * BAY + (i < 2 ? 0.5f : -0.5f) * BAY;
 		mesh->place = ts_place_in(&stand, ts_place_at(x, FLOOR_2 + 0.953125f, 0.484375f, 0.0f));
 		mesh->material = material[cloth[i]];
 		ts_part_curtain(mesh, 1.5f, 2.875f, 5.0f, 0.0625f, 0.9375f, id + i);
 		mesh->material = material[GILT];
-		ts_mesh_rod(mesh, ts_v3_make(-0.875f, 0.015625f, 0.0f), ts_v3_make(0.875f, 0.015625f, 0.0f), 0.0234375f, ts_mesh_segments(mesh, 8.0f, 3));
+		ts_mesh_rod(mesh, ts_v3_make(-0.875f, 0.015625f, 0.0f), ts_v3_make(0.875f, 0.015625f, 0.0f), 0.0234375f,
+					ts_mesh_segments(mesh, 8.0f, 3));
 	}
 	for (u32 i = 0; i < 8; i++) {
 		f32 post = (f32)(i / 2 * 2) - 3.0f, side = i & 1u ? -1.0f : 1.0f;
@@ -350,7 +427,8 @@ static void add_cloth(ts_mesh *mesh, const u32 *material, u32 id)
 /* A pole leaning out from the upper rail, its pennant and its gilt ball. */
 static void add_flag(ts_mesh *mesh, const u32 *material, u32 cloth, u32 id)
 {
-	static const f32 ball[][2] = {{0.0f, -0.0625f}, {0.046875f, -0.046875f}, {0.0625f, 0.0f}, {0.046875f, 0.046875f}, {0.015625f, 0.0625f}, {0.0f, 0.15625f}};
+	static const f32 ball[][2] = {{0.0f, -0.0625f},       {0.046875f, -0.046875f}, {0.0625f, 0.0f},
+								  {0.046875f, 0.046875f}, {0.015625f, 0.0625f},    {0.0f, 0.15625f}};
 	ts_v3 foot = {0.0f, 0.0f, 0.0f}, head = {0.0f, 1.625f, 1.75f};
 	ts_place stand = mesh->place;
 	mesh->material = material[WOOD];
@@ -363,25 +441,32 @@ static void add_flag(ts_mesh *mesh, const u32 *material, u32 cloth, u32 id)
 	ts_part_curtain(mesh, 0.9375f, 1.5f, 2.5f, 0.078125f, 0.6875f, id);
 	mesh->place = stand;
 	mesh->material = material[STEM];
-	ts_part_rope(mesh, head, ts_v3_make(0.0f, 1.4375f, 0.5625f), 0.125f, 0.0078125f, 3, ts_mesh_segments(mesh, 12.0f, 2));
+	ts_part_rope(mesh, head, ts_v3_make(0.0f, 1.4375f, 0.5625f), 0.125f, 0.0078125f, 3,
+				 ts_mesh_segments(mesh, 12.0f, 2));
 }
 
 /* A bronze lantern on a chain; its place is where the chain is fixed. */
 static void add_lantern(ts_mesh *mesh, const u32 *material)
 {
-	static const f32 roof[][2] = {{0.203125f, 0.0f}, {0.21875f, 0.015625f}, {0.109375f, 0.09375f}, {0.03125f, 0.125f}, {0.03125f, 0.171875f}, {0.0f, 0.1875f}};
-	static const f32 glass[][2] = {{0.0f, -0.296875f}, {0.109375f, -0.28125f}, {0.15625f, -0.140625f}, {0.171875f, 0.0f}};
-	static const f32 foot[][2] = {{0.0f, -0.40625f}, {0.03125f, -0.375f}, {0.015625f, -0.34375f}, {0.109375f, -0.3125f}, {0.125f, -0.28125f}};
+	static const f32 roof[][2] = {{0.203125f, 0.0f},  {0.21875f, 0.015625f}, {0.109375f, 0.09375f},
+								  {0.03125f, 0.125f}, {0.03125f, 0.171875f}, {0.0f, 0.1875f}};
+	static const f32 glass[][2] = {
+		{0.0f, -0.296875f}, {0.109375f, -0.28125f}, {0.15625f, -0.140625f}, {0.171875f, 0.0f}};
+	static const f32 foot[][2] = {
+		{0.0f, -0.40625f}, {0.03125f, -0.375f}, {0.015625f, -0.34375f}, {0.109375f, -0.3125f}, {0.125f, -0.28125f}};
 	ts_place stand = mesh->place;
 	u32 na = ts_mesh_segments(mesh, 16.0f, 5);
 	mesh->material = material[BRONZE];
-	if (ts_mesh_shows(mesh, 0.1875f)) ts_part_chain(mesh, ts_v3_make(0.0f, -0.03125f, 0.0f), ts_min_i32((i32)ts_mesh_segments(mesh, 7.0f, 1), 7), 0.0625f, 0.0078125f);
+	if (ts_mesh_shows(mesh, 0.1875f))
+		ts_part_chain(mesh, ts_v3_make(0.0f, -0.03125f, 0.0f), ts_min_i32((i32)ts_mesh_segments(mesh, 7.0f, 1), 7),
+					  0.0625f, 0.0078125f);
 	mesh->place = ts_place_in(&stand, ts_place_at(0.0f, -0.65625f, 0.0f, 0.0f));
 	ts_mesh_lathe(mesh, roof, 6, na, 2.0f);
 	ts_mesh_lathe(mesh, foot, 5, na, 2.0f);
 	for (u32 i = 0; i < 6 && ts_mesh_shows(mesh, 0.25f); i++) {
 		f32 c = ts_cos_turn((f32)i / 6.0f), s = ts_sin_turn((f32)i / 6.0f);
-		ts_mesh_rod(mesh, ts_v3_make(0.1171875f * c, -0.296875f, 0.1171875f * s), ts_v3_make(0.1796875f * c, 0.015625f, 0.1796875f * s), 0.0078125f, ts_mesh_segments(mesh, 5.0f, 3));
+		ts_mesh_rod(mesh, ts_v3_make(0.1171875f * c, -0.296875f, 0.1171875f * s),
+					ts_v3_make(0.1796875f * c, 0.015625f, 0.1796875f * s), 0.0078125f, ts_mesh_segments(mesh, 5.0f, 3));
 	}
 	mesh->material = material[GLOW];
 	ts_mesh_lathe(mesh, glass, 4, na, 2.0f);
@@ -397,7 +482,8 @@ static void furnish(ts_mesh *mesh, const u32 *material)
 		for (u32 i = 0; i < 4; i++) {
 			f32 x = ((f32)(2 * i) - 3.0f) * BAY;
 			mesh->place = ts_place_at(x, 0.0f, z * (NAVE - 0.9375f), 0.0f);
-			ts_part_plant(mesh, i == 0 || i == 3 ? &palm : &bush, 0.375f, i == 0 || i == 3 ? 1.5f : 1.25f, i == 0 || i == 3, 400u * (2 * i + side) + 90000u);
+			ts_part_plant(mesh, i == 0 || i == 3 ? &palm : &bush, 0.375f, i == 0 || i == 3 ? 1.5f : 1.25f,
+						  i == 0 || i == 3, 400u * (2 * i + side) + 90000u);
 			mesh->place = ts_place_at(x + BAY * (i < 2 ? -0.5f : 0.5f), SLAB, z * (NAVE + 1.28125f), 0.0f);
 			add_lantern(mesh, material);
 		}
@@ -413,16 +499,18 @@ static void shape_atrium(ts_mesh *mesh, const u32 *material)
 {
 	mesh->place = ts_place_world();
 	mesh->material = material[FLOOR];
-	ts_mesh_plane(mesh, ts_v3_make(-LENGTH, 0.0f, NAVE), ts_v3_make(2.0f * LENGTH, 0.0f, 0.0f), ts_v3_make(0.0f, 0.0f, -2.0f * NAVE),
-	              ts_mesh_segments(mesh, 30.0f, 2), ts_mesh_segments(mesh, 12.0f, 1));
+	ts_mesh_plane(mesh, ts_v3_make(-LENGTH, 0.0f, NAVE), ts_v3_make(2.0f * LENGTH, 0.0f, 0.0f),
+				  ts_v3_make(0.0f, 0.0f, -2.0f * NAVE), ts_mesh_segments(mesh, 30.0f, 2),
+				  ts_mesh_segments(mesh, 12.0f, 1));
 	for (u32 side = 0; side < 2; side++) {
 		f32 z = side ? 1.0f : -1.0f, turn = side ? 0.5f : 0.0f;
 		mesh->place = ts_place_at(0.0f, 0.0f, z * NAVE, turn);
 		add_side(mesh, material);
 		add_cloth(mesh, material, 200u + 40u * side);
 		mesh->material = material[AISLE];
-		ts_mesh_plane(mesh, ts_v3_make(-LENGTH, 0.0f, 0.0f), ts_v3_make(2.0f * LENGTH, 0.0f, 0.0f), ts_v3_make(0.0f, 0.0f, NAVE - WIDTH),
-		              ts_mesh_segments(mesh, 30.0f, 2), ts_mesh_segments(mesh, 3.0f, 1));
+		ts_mesh_plane(mesh, ts_v3_make(-LENGTH, 0.0f, 0.0f), ts_v3_make(2.0f * LENGTH, 0.0f, 0.0f),
+					  ts_v3_make(0.0f, 0.0f, NAVE - WIDTH), ts_mesh_segments(mesh, 30.0f, 2),
+					  ts_mesh_segments(mesh, 3.0f, 1));
 		mesh->place = ts_place_at(0.0f, 0.0f, z * WIDTH, turn);
 		add_back_wall(mesh, material);
 		mesh->place = ts_place_at((side ? 1.0f : -1.0f) * LENGTH, 0.0f, 0.0f, side ? -0.25f : 0.25f);
@@ -450,6 +538,10 @@ static void fill_atrium(ts_mesh *mesh, const u32 *material, u32 n)
 }
 
 const ts_builtin ts_builtin_atrium = {
-	.name = "atrium", .doc = "a colonnaded court of two storeys with hanging cloth, plants and flags; open to the sky",
-	.paints = paints, .n_paints = N_PAINTS, .shape = shape_atrium, .fill = fill_atrium,
+	.name = "atrium",
+	.doc = "a colonnaded court of two storeys with hanging cloth, plants and flags; open to the sky",
+	.paints = paints,
+	.n_paints = N_PAINTS,
+	.shape = shape_atrium,
+	.fill = fill_atrium,
 };

@@ -15,18 +15,22 @@ static f32 threads(bool *warp, f32 u, f32 v, f32 n)
 /* kind: crimson, deep green, blue, linen (plain), gold, grey; the first three with a woven border of stripes. */
 void ts_paint_weave(ts_dab *dab, f32 u, f32 v, u32 kind, u32 seed)
 {
-	static const ts_v3 body[6] = {{0.62f, 0.10f, 0.11f}, {0.11f, 0.36f, 0.20f}, {0.13f, 0.23f, 0.50f}, {0.90f, 0.88f, 0.82f}, {0.75f, 0.56f, 0.24f}, {0.50f, 0.49f, 0.47f}};
-	static const ts_v3 trim[6] = {{0.85f, 0.68f, 0.34f}, {0.80f, 0.72f, 0.44f}, {0.82f, 0.78f, 0.66f}, {0.82f, 0.79f, 0.72f}, {0.62f, 0.40f, 0.14f}, {0.42f, 0.41f, 0.40f}};
+	static const ts_v3 body[6] = {{0.62f, 0.10f, 0.11f}, {0.11f, 0.36f, 0.20f}, {0.13f, 0.23f, 0.50f},
+								  {0.90f, 0.88f, 0.82f}, {0.75f, 0.56f, 0.24f}, {0.50f, 0.49f, 0.47f}};
+	static const ts_v3 trim[6] = {{0.85f, 0.68f, 0.34f}, {0.80f, 0.72f, 0.44f}, {0.82f, 0.78f, 0.66f},
+								  {0.82f, 0.79f, 0.72f}, {0.62f, 0.40f, 0.14f}, {0.42f, 0.41f, 0.40f}};
 	bool warp;
 	f32 h = threads(&warp, u, v, 64.0f);
-	f32 slub = ts_paint_noise(u * 64.0f, v * 4.0f, 64, 4, seed) * 0.5f + ts_paint_noise(u * 4.0f, v * 64.0f, 4, 64, seed + 1u) * 0.5f;
+	f32 slub = ts_paint_noise(u * 64.0f, v * 4.0f, 64, 4, seed) * 0.5f +
+			   ts_paint_noise(u * 4.0f, v * 64.0f, 4, 64, seed + 1u) * 0.5f;
 	f32 stripe = ts_abs(ts_paint_fract(u * 2.0f) - 0.5f);
 	f32 on = 0.0f;
 	if (kind < 3) {
 		f32 twist = ts_sin_turn(v * 8.0f) * 0.015625f;
 		f32 line = ts_paint_ramp(0.02f, 0.01f, ts_abs(stripe - 0.375f + twist));
 		f32 band = ts_paint_ramp(0.46f, 0.47f, stripe);
-		f32 diamond = ts_paint_ramp(0.27f, 0.25f, ts_abs(ts_paint_fract(u * 8.0f) - 0.5f) + ts_abs(ts_paint_fract(v * 8.0f) - 0.5f));
+		f32 diamond = ts_paint_ramp(0.27f, 0.25f,
+									ts_abs(ts_paint_fract(u * 8.0f) - 0.5f) + ts_abs(ts_paint_fract(v * 8.0f) - 0.5f));
 		on = ts_max(line, ts_max(band, diamond * 0.5f));
 	}
 	ts_v3 c = ts_paint_mix(body[kind], trim[kind], kind < 3 ? on : (warp ? 0.25f : 0.0f));
@@ -48,7 +52,8 @@ void ts_paint_carpet(ts_dab *dab, f32 u, f32 v, u32 kind, u32 seed)
 	f32 r = ts_sqrt(x * x + y * y * 1.5f);
 	f32 petals = x > 0.0f || y > 0.0f ? ts_abs(x - y) / (x + y + 0.0078125f) : 0.0f;
 	ts_v3 c = field[kind];
-	f32 lattice = ts_abs(ts_paint_fract(x * 12.0f + y * 12.0f) - 0.5f) + ts_abs(ts_paint_fract(x * 12.0f - y * 12.0f) - 0.5f);
+	f32 lattice =
+		ts_abs(ts_paint_fract(x * 12.0f + y * 12.0f) - 0.5f) + ts_abs(ts_paint_fract(x * 12.0f - y * 12.0f) - 0.5f);
 	if (lattice > 0.875f) c = gold;
 	if (lattice < 0.1875f) c = cream;
 	f32 star = r + 0.0625f * ts_cos_turn(petals * 2.0f);
@@ -115,7 +120,8 @@ void ts_paint_leaf(ts_dab *dab, f32 u, f32 v, u32 kind, u32 seed)
 	f32 teeth = 0.03125f * ts_abs(ts_paint_fract(y * 12.0f) - 0.5f);
 	f32 inside = ts_paint_ramp(0.0f, 0.03125f, width - teeth - x);
 	f32 stalk = ts_paint_ramp(0.046875f, 0.015625f, x);
-	f32 vein = ts_max(stalk, ts_paint_ramp(0.09375f, 0.0f, ts_abs(ts_paint_fract(y * 8.0f - x * 2.5f) - 0.5f)) * 0.625f);
+	f32 vein =
+		ts_max(stalk, ts_paint_ramp(0.09375f, 0.0f, ts_abs(ts_paint_fract(y * 8.0f - x * 2.5f) - 0.5f)) * 0.625f);
 	f32 g = ts_paint_fbm(u, v, 8, 4, seed);
 	ts_v3 c = ts_paint_mix(ts_v3_make(0.14f, 0.33f, 0.11f), ts_v3_make(0.36f, 0.53f, 0.17f), g * 0.75f + x * 0.25f);
 	dab->colour = ts_paint_mix(c, ts_v3_make(0.58f, 0.68f, 0.34f), vein * 0.5f);
@@ -140,7 +146,11 @@ void ts_paint_shade(ts_dab *dab, f32 u, f32 v, u32 kind, u32 seed)
 /* Backs of books: 16 colours along u, gilt bands along v. */
 void ts_paint_book(ts_dab *dab, f32 u, f32 v, u32 kind, u32 seed)
 {
-	static const ts_v3 cloth[5] = {{0.42f, 0.12f, 0.10f}, {0.13f, 0.24f, 0.19f}, {0.14f, 0.18f, 0.33f}, {0.46f, 0.32f, 0.18f}, {0.70f, 0.63f, 0.50f}};
+	static const ts_v3 cloth[5] = {{0.42f, 0.12f, 0.10f},
+								   {0.13f, 0.24f, 0.19f},
+								   {0.14f, 0.18f, 0.33f},
+								   {0.46f, 0.32f, 0.18f},
+								   {0.70f, 0.63f, 0.50f}};
 	i32 book = ts_floor_i32(u * 16.0f);
 	u32 which = ts_random((u32)book, 5u, seed + 77u + kind) % 5u;
 	f32 band = ts_abs(ts_paint_fract(v * 5.0f + ts_paint_hash(book, 1, seed) * 0.25f) - 0.5f);

@@ -69,16 +69,21 @@ static void put_normal(u8 *rgba, const ts_dab *dabs, u32 size, u32 x, u32 y, con
 static void put_map(u8 *rgba, const ts_dab *dabs, u32 map, const ts_paint *paint, u32 x, u32 y)
 {
 	const ts_dab *d = &dabs[y * paint->size + x];
-	if (map == TS_MAP_NORMAL) put_normal(rgba, dabs, paint->size, x, y, paint->tile);
-	else if (map == TS_MAP_SURFACE) put(rgba, d->occlusion, d->roughness, d->metallic, 1.0f);
-	else if (map == TS_MAP_GLOW) put(rgba, d->colour.x * d->glow, d->colour.y * d->glow, d->colour.z * d->glow, 1.0f);
-	else put(rgba, d->colour.x, d->colour.y, d->colour.z, d->alpha);
+	if (map == TS_MAP_NORMAL)
+		put_normal(rgba, dabs, paint->size, x, y, paint->tile);
+	else if (map == TS_MAP_SURFACE)
+		put(rgba, d->occlusion, d->roughness, d->metallic, 1.0f);
+	else if (map == TS_MAP_GLOW)
+		put(rgba, d->colour.x * d->glow, d->colour.y * d->glow, d->colour.z * d->glow, 1.0f);
+	else
+		put(rgba, d->colour.x, d->colour.y, d->colour.z, d->alpha);
 }
 
 static u32 add_slot(ts_build *build, const ts_dab *dabs, u8 *rgba, u32 map, const ts_paint *paint)
 {
 	for (u32 y = 0; y < paint->size; y++) {
-		for (u32 x = 0; x < paint->size; x++) put_map(rgba + 4 * (y * paint->size + x), dabs, map, paint, x, y);
+		for (u32 x = 0; x < paint->size; x++)
+			put_map(rgba + 4 * (y * paint->size + x), dabs, map, paint, x, y);
 	}
 	bool srgb = map == 0 || map == TS_MAP_GLOW;
 	ts_slot slot = {.image = ts_build_image(build, rgba, paint->size, paint->size, srgb)};
@@ -94,7 +99,8 @@ static void paint_dabs(ts_dab *dabs, const ts_paint *paint, u32 seed)
 	for (i32 y = 0; y < size; y++) {
 		for (i32 x = 0; x < size; x++) {
 			ts_dab *d = &dabs[y * size + x];
-			*d = (ts_dab){.colour = {1.0f, 1.0f, 1.0f}, .alpha = 1.0f, .roughness = 1.0f, .metallic = 1.0f, .occlusion = 1.0f};
+			*d = (ts_dab){
+				.colour = {1.0f, 1.0f, 1.0f}, .alpha = 1.0f, .roughness = 1.0f, .metallic = 1.0f, .occlusion = 1.0f};
 			paint->painter(d, ((f32)x + 0.5f) / (f32)size, ((f32)y + 0.5f) / (f32)size, paint->kind, seed);
 		}
 	}
@@ -110,7 +116,8 @@ static void add_slots(ts_build *build, ts_material *material, const ts_paint *pa
 	} else {
 		paint_dabs(dabs, paint, seed);
 		material->slot[TS_SLOT_BASE] = add_slot(build, dabs, rgba, 0, paint);
-		if ((paint->maps & TS_MAP_NORMAL) != 0) material->slot[TS_SLOT_NORMAL] = add_slot(build, dabs, rgba, TS_MAP_NORMAL, paint);
+		if ((paint->maps & TS_MAP_NORMAL) != 0)
+			material->slot[TS_SLOT_NORMAL] = add_slot(build, dabs, rgba, TS_MAP_NORMAL, paint);
 		if ((paint->maps & TS_MAP_SURFACE) != 0) {
 			material->slot[TS_SLOT_METALROUGH] = add_slot(build, dabs, rgba, TS_MAP_SURFACE, paint);
 			material->slot[TS_SLOT_OCCLUSION] = material->slot[TS_SLOT_METALROUGH];

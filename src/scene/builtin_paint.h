@@ -29,8 +29,8 @@ typedef struct {
 	u32 kind, size;      /* variant; texels a side */
 	f32 tile[2];         /* metres that one image covers along s and t */
 	u32 maps;
-	u32 flags;           /* TS_MATERIAL_... */
-	ts_v3 base;          /* linear factor */
+	u32 flags;               /* TS_MATERIAL_... */
+	ts_v3 base;              /* linear factor */
 	f32 roughness, metallic; /* factors */
 } ts_paint;
 

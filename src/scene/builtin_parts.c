@@ -1,7 +1,10 @@
 /* Plants, cloth, ropes, chains, pictures: see builtin_parts.h. */
 #include "builtin_parts.h"
 
-typedef struct { ts_v3 up, out, side; f32 length, width, droop, curl; } leaf_shape;
+typedef struct {
+	ts_v3 up, out, side;
+	f32 length, width, droop, curl;
+} leaf_shape;
 
 /* Grows along `up`, bends over to `out`; u across, v from the tip (0) to the stalk (1). */
 static void leaf(ts_corner *c, const void *shape, f32 s, f32 t)
@@ -21,7 +24,8 @@ static void add_leaf(ts_mesh *mesh, f32 y, f32 length, f32 width, f32 droop, u32
 	f32 turn = (f32)(id & 255u) * 0.38196563720703125f + ts_mesh_random(mesh, id + 1u) * 0.125f;
 	ts_place stand = mesh->place;
 	mesh->place = ts_place_in(&stand, ts_place_at(0.0f, y, 0.0f, turn));
-	leaf_shape l = {.up = ts_v3_make(0.0f, 1.0f, 0.0f), .out = ts_v3_make(0.0f, 0.0f, 1.0f), .side = ts_v3_make(-1.0f, 0.0f, 0.0f)};
+	leaf_shape l = {
+		.up = ts_v3_make(0.0f, 1.0f, 0.0f), .out = ts_v3_make(0.0f, 0.0f, 1.0f), .side = ts_v3_make(-1.0f, 0.0f, 0.0f)};
 	l.length = length * (0.75f + 0.5f * ts_mesh_random(mesh, id + 2u));
 	l.width = width * (0.75f + 0.5f * ts_mesh_random(mesh, id + 3u));
 	l.droop = droop * (0.5f + 0.75f * ts_mesh_random(mesh, id + 4u));
@@ -33,9 +37,10 @@ static void add_leaf(ts_mesh *mesh, f32 y, f32 length, f32 width, f32 droop, u32
 void ts_part_plant(ts_mesh *mesh, const ts_plant_materials *material, f32 radius, f32 height, u32 kind, u32 id)
 {
 	f32 r = radius;
-	const f32 pot[][2] = {{r * 0.625f, 0.0f}, {r * 0.6875f, r * 0.125f}, {r * 0.875f, r}, {r * 0.9375f, r * 1.375f},
-		{r * 0.9375f, r * 1.375f}, {r * 1.0625f, r * 1.40625f}, {r * 1.09375f, r * 1.5f}, {r * 1.0625f, r * 1.625f},
-		{r * 1.0625f, r * 1.625f}, {r * 0.9375f, r * 1.625f}, {r * 0.9375f, r * 1.625f}, {r * 0.90625f, r * 1.4375f}};
+	const f32 pot[][2] = {{r * 0.625f, 0.0f},        {r * 0.6875f, r * 0.125f}, {r * 0.875f, r},
+						  {r * 0.9375f, r * 1.375f}, {r * 0.9375f, r * 1.375f}, {r * 1.0625f, r * 1.40625f},
+						  {r * 1.09375f, r * 1.5f},  {r * 1.0625f, r * 1.625f}, {r * 1.0625f, r * 1.625f},
+						  {r * 0.9375f, r * 1.625f}, {r * 0.9375f, r * 1.625f}, {r * 0.90625f, r * 1.4375f}};
 	const f32 soil[][2] = {{r * 0.90625f, r * 1.4375f}, {0.0f, r * 1.5f}};
 	mesh->material = material->pot;
 	ts_mesh_lathe(mesh, pot, 12, ts_mesh_segments(mesh, 32.0f, 6), 2.0f);
@@ -50,18 +55,23 @@ void ts_part_plant(ts_mesh *mesh, const ts_plant_materials *material, f32 radius
 		ts_v3 tip = {lean * ts_cos_turn(turn), up.y + crown * 0.75f, lean * ts_sin_turn(turn)};
 		ts_v3 points[3] = {up, {tip.x * 0.25f, (up.y + tip.y) * 0.5f, tip.z * 0.25f}, tip};
 		ts_mesh_tube(mesh, points, 3, r * 0.03125f, ts_v3_make(-ts_sin_turn(turn), 0.0f, ts_cos_turn(turn)),
-		             ts_mesh_segments(mesh, 6.0f, 3), ts_mesh_segments(mesh, 8.0f, 2));
+					 ts_mesh_segments(mesh, 6.0f, 3), ts_mesh_segments(mesh, 8.0f, 2));
 	}
 	mesh->material = material->leaf;
 	u32 n = kind == 0 ? ts_mesh_segments(mesh, 260.0f, 24) : ts_mesh_segments(mesh, 100.0f, 16);
 	for (u32 k = 0; k < n; k++) {
 		f32 y = ts_mesh_random(mesh, id + 7919u * k);
-		if (kind == 0) add_leaf(mesh, up.y + crown * (0.125f + y * 0.625f), radius * (1.375f - 0.625f * y), radius * 0.40625f, 0.3125f, id + 16u * k + k);
-		else add_leaf(mesh, up.y + crown * 0.5f * y, height, radius * 0.1875f, 0.171875f, id + 16u * k + k);
+		if (kind == 0)
+			add_leaf(mesh, up.y + crown * (0.125f + y * 0.625f), radius * (1.375f - 0.625f * y), radius * 0.40625f,
+					 0.3125f, id + 16u * k + k);
+		else
+			add_leaf(mesh, up.y + crown * 0.5f * y, height, radius * 0.1875f, 0.171875f, id + 16u * k + k);
 	}
 }
 
-typedef struct { f32 width, height, folds, depth, gather, phase; } curtain_shape;
+typedef struct {
+	f32 width, height, folds, depth, gather, phase;
+} curtain_shape;
 
 static void curtain(ts_corner *c, const void *shape, f32 s, f32 t)
 {
@@ -79,7 +89,8 @@ static void curtain(ts_corner *c, const void *shape, f32 s, f32 t)
 void ts_part_curtain(ts_mesh *mesh, f32 width, f32 height, f32 folds, f32 depth, f32 gather, u32 id)
 {
 	curtain_shape c = {width, height, folds, depth, gather, ts_mesh_random(mesh, id)};
-	ts_mesh_grid(mesh, ts_mesh_segments(mesh, 14.0f * folds, 6), ts_mesh_segments(mesh, height * 8.0f, 3), 0, curtain, &c);
+	ts_mesh_grid(mesh, ts_mesh_segments(mesh, 14.0f * folds, 6), ts_mesh_segments(mesh, height * 8.0f, 3), 0, curtain,
+				 &c);
 }
 
 void ts_part_rope(ts_mesh *mesh, ts_v3 a, ts_v3 b, f32 sag, f32 radius, u32 na, u32 nl)
@@ -94,7 +105,9 @@ void ts_part_rope(ts_mesh *mesh, ts_v3 a, ts_v3 b, f32 sag, f32 radius, u32 na, 
 	ts_mesh_tube(mesh, points, 5, radius, flat, na, nl);
 }
 
-typedef struct { f32 ring, tube, stretch; } ring_shape;
+typedef struct {
+	f32 ring, tube, stretch;
+} ring_shape;
 
 static void ring(ts_corner *c, const void *shape, f32 s, f32 t)
 {
@@ -128,7 +141,9 @@ void ts_part_chain(ts_mesh *mesh, ts_v3 a, u32 n, f32 link, f32 radius)
 	mesh->place = stand;
 }
 
-typedef struct { f32 hx, hy, z; } canvas_shape;
+typedef struct {
+	f32 hx, hy, z;
+} canvas_shape;
 
 static void canvas(ts_corner *c, const void *shape, f32 s, f32 t)
 {
@@ -140,7 +155,9 @@ static void canvas(ts_corner *c, const void *shape, f32 s, f32 t)
 void ts_part_picture(ts_mesh *mesh, u32 frame, u32 picture, f32 hx, f32 hy, f32 width)
 {
 	f32 w = width;
-	const f32 profile[][2] = {{w, 0.0f}, {w, w * 0.375f}, {w * 0.875f, w * 0.5f}, {w * 0.5f, w * 0.3125f}, {w * 0.25f, w * 0.4375f}, {0.0f, w * 0.125f}};
+	const f32 profile[][2] = {
+		{w, 0.0f},         {w, w * 0.375f}, {w * 0.875f, w * 0.5f}, {w * 0.5f, w * 0.3125f}, {w * 0.25f, w * 0.4375f},
+		{0.0f, w * 0.125f}};
 	mesh->material = frame;
 	ts_mesh_frame(mesh, hx, hy, profile, 6, w * 0.125f, ts_mesh_segments(mesh, 40.0f, 1));
 	mesh->material = picture;
@@ -148,7 +165,11 @@ void ts_part_picture(ts_mesh *mesh, u32 frame, u32 picture, f32 hx, f32 hy, f32 
 	ts_mesh_grid(mesh, 2, 2, 0, canvas, &c);
 }
 
-typedef struct { f32 half; const f32 (*profile)[2]; u32 n; } moulding_shape;
+typedef struct {
+	f32 half;
+	const f32 (*profile)[2];
+	u32 n;
+} moulding_shape;
 
 static void moulding(ts_corner *c, const void *shape, f32 s, f32 t)
 {

@@ -1,11 +1,13 @@
-/* Things that more than one built-in scene has. Each stands at mesh->place and leaves it as it was; materials are set for
- * the parts and not restored. */
+/* Things that more than one built-in scene has. Each stands at mesh->place and leaves it as it was; materials are set
+ * for the parts and not restored. */
 #ifndef TS_SCENE_BUILTIN_PARTS_H
 #define TS_SCENE_BUILTIN_PARTS_H
 #include "builtin_mesh.h"
 
 /* A pot of this radius with a plant in it. kind 0: a bush of broad leaves; 1: long arching blades. */
-typedef struct { u32 pot, soil, stem, leaf; } ts_plant_materials;
+typedef struct {
+	u32 pot, soil, stem, leaf;
+} ts_plant_materials;
 void ts_part_plant(ts_mesh *mesh, const ts_plant_materials *material, f32 radius, f32 height, u32 kind, u32 id);
 
 /* Cloth in the plane z = 0, from (-width/2, 0) down to -height, in `folds` folds of this depth, gathered at its foot to
@@ -28,7 +30,9 @@ void ts_part_ring(ts_mesh *mesh, f32 ring, f32 tube, u32 na, u32 nl);
 void ts_part_moulding(ts_mesh *mesh, f32 half, const f32 (*profile)[2], u32 n_points, u32 n_along);
 
 /* A bicycle standing at y = 0, riding along x; 1.7 m long. */
-typedef struct { u32 rubber, steel, paint, leather; } ts_bicycle_materials;
+typedef struct {
+	u32 rubber, steel, paint, leather;
+} ts_bicycle_materials;
 void ts_part_bicycle(ts_mesh *mesh, const ts_bicycle_materials *material);
 
 #endif

@@ -24,7 +24,9 @@ static ts_v3 sea(f32 u, f32 v, u32 seed)
 {
 	f32 horizon = 0.4375f;
 	f32 cloud = ts_paint_fbm(u, v, 3, 6, seed);
-	if (v < horizon) return ts_paint_mix(rgb(0.34f, 0.46f, 0.60f), rgb(0.93f, 0.90f, 0.84f), ts_paint_ramp(0.35f, 0.75f, cloud + v * 0.5f));
+	if (v < horizon)
+		return ts_paint_mix(rgb(0.34f, 0.46f, 0.60f), rgb(0.93f, 0.90f, 0.84f),
+							ts_paint_ramp(0.35f, 0.75f, cloud + v * 0.5f));
 	f32 depth = (v - horizon) * 2.0f;
 	f32 wave = ts_paint_noise(u * 10.0f / (0.25f + depth), v * 48.0f, 64, 48, seed + 5u);
 	ts_v3 c = ts_paint_mix(rgb(0.42f, 0.58f, 0.62f), rgb(0.05f, 0.20f, 0.28f), ts_min(depth, 1.0f));
@@ -82,7 +84,8 @@ static ts_v3 portrait(f32 u, f32 v, u32 seed)
 /* Rectangles cut again and again at random places, black lines between. */
 static ts_v3 squares(f32 u, f32 v, u32 seed)
 {
-	static const ts_v3 paint[6] = {{0.93f, 0.91f, 0.86f}, {0.93f, 0.91f, 0.86f}, {0.80f, 0.13f, 0.10f}, {0.93f, 0.91f, 0.86f}, {0.12f, 0.22f, 0.52f}, {0.93f, 0.77f, 0.17f}};
+	static const ts_v3 paint[6] = {{0.93f, 0.91f, 0.86f}, {0.93f, 0.91f, 0.86f}, {0.80f, 0.13f, 0.10f},
+								   {0.93f, 0.91f, 0.86f}, {0.12f, 0.22f, 0.52f}, {0.93f, 0.77f, 0.17f}};
 	f32 lo[2] = {0.0f, 0.0f}, hi[2] = {1.0f, 1.0f};
 	const f32 at[2] = {u, v};
 	u32 id = 1;
@@ -92,7 +95,10 @@ static ts_v3 squares(f32 u, f32 v, u32 seed)
 		f32 cut = lo[axis] + (hi[axis] - lo[axis]) * (0.25f + 0.5f * ts_uniform(ts_random(id, 5u, seed)));
 		bool above = at[axis] >= cut;
 		edge = ts_min(edge, ts_abs(at[axis] - cut));
-		if (above) lo[axis] = cut; else hi[axis] = cut;
+		if (above)
+			lo[axis] = cut;
+		else
+			hi[axis] = cut;
 		id = id * 2 + (above ? 1 : 0);
 	}
 	return edge < 0.01f ? rgb(0.08f, 0.08f, 0.08f) : paint[ts_random(id, 5u, seed + 1u) % 6u];
@@ -121,7 +127,8 @@ static ts_v3 town(f32 u, f32 v, u32 seed)
 		c = ts_paint_mix(rgb(0.50f, 0.22f, 0.15f), rgb(0.66f, 0.56f, 0.42f), tone);
 		f32 wx = ts_abs(ts_paint_fract(fx * 3.0f) - 0.5f), wy = ts_abs(ts_paint_fract(y * 12.0f) - 0.5f);
 		bool lit = ts_paint_hash(house * 3 + ts_floor_i32(fx * 3.0f), ts_floor_i32(y * 12.0f) + 4, seed) > 0.5f;
-		if (wx < 0.25f && wy < 0.3125f && y > roof + 0.06f) c = lit ? rgb(0.98f, 0.84f, 0.46f) : rgb(0.16f, 0.18f, 0.24f);
+		if (wx < 0.25f && wy < 0.3125f && y > roof + 0.06f)
+			c = lit ? rgb(0.98f, 0.84f, 0.46f) : rgb(0.16f, 0.18f, 0.24f);
 		if (y < roof + 0.015625f) c = rgb(0.90f, 0.86f, 0.78f);
 	}
 	return water ? ts_paint_mix(ts_scale(c, 0.625f), rgb(0.14f, 0.22f, 0.30f), 0.375f) : c;
@@ -142,11 +149,13 @@ static ts_v3 dots(f32 u, f32 v, u32 seed)
 
 void ts_paint_picture(ts_dab *dab, f32 u, f32 v, u32 kind, u32 seed)
 {
-	static ts_v3 (*const subject[TS_N_PICTURES])(f32, f32, u32) = {hills, portrait, sea, squares, still_life, waves, town, dots};
+	static ts_v3 (*const subject[TS_N_PICTURES])(f32, f32, u32) = {hills,      portrait, sea,  squares,
+																   still_life, waves,    town, dots};
 	f32 canvas = ts_paint_noise(u * 128.0f, v * 128.0f, 128, 128, seed);
 	f32 stroke = ts_paint_noise(u * 24.0f + v * 40.0f, v * 64.0f, 64, 64, seed + 1u) - 0.5f;
 	f32 wobble = stroke * 0.0078125f;
-	dab->colour = ts_scale(subject[kind](u + wobble, v + wobble, seed + kind * 200u), 0.9375f + 0.0625f * canvas + 0.125f * stroke);
+	dab->colour = ts_scale(subject[kind](u + wobble, v + wobble, seed + kind * 200u),
+						   0.9375f + 0.0625f * canvas + 0.125f * stroke);
 	dab->height = canvas * 0.00048828125f + stroke * 0.001953125f;
 	dab->roughness = 0.5f + 0.25f * canvas;
 	dab->metallic = 0.0f;

@@ -1,7 +1,11 @@
 /* Walls, blocks, turned, bent and framed shapes over the grid of builtin_mesh.c. */
 #include "builtin_mesh.h"
 
-typedef struct { ts_v3 o, s, t; ts_v3 n; f32 length_s, length_t; } plane_shape;
+typedef struct {
+	ts_v3 o, s, t;
+	ts_v3 n;
+	f32 length_s, length_t;
+} plane_shape;
 
 static plane_shape make_plane(ts_v3 o, ts_v3 es, ts_v3 et)
 {
@@ -34,9 +38,11 @@ static u32 find_breaks(f32 *breaks, const ts_hole *holes, u32 n_holes, u32 axis,
 	for (u32 k = 0; k < 2 * n_holes; k++) {
 		f32 x = k & 1u ? holes[k / 2].hi[axis] : holes[k / 2].lo[axis];
 		u32 at = 0;
-		while (at < n && breaks[at] < x) at++;
+		while (at < n && breaks[at] < x)
+			at++;
 		if (at < n && breaks[at] == x) continue;
-		for (u32 i = n; i > at; i--) breaks[i] = breaks[i - 1];
+		for (u32 i = n; i > at; i--)
+			breaks[i] = breaks[i - 1];
 		breaks[at] = x;
 		n++;
 	}
@@ -51,7 +57,10 @@ static bool in_hole(const ts_hole *holes, u32 n_holes, f32 x, f32 y)
 	return false;
 }
 
-typedef struct { plane_shape whole; f32 lo[2], hi[2]; } wall_shape;
+typedef struct {
+	plane_shape whole;
+	f32 lo[2], hi[2];
+} wall_shape;
 
 static void wall(ts_corner *c, const void *shape, f32 s, f32 t)
 {
@@ -70,19 +79,25 @@ void ts_mesh_wall(ts_mesh *mesh, ts_v3 o, ts_v3 es, ts_v3 et, f32 step, const ts
 	for (u32 j = 0; j + 1 < ny; j++) {
 		for (u32 i = 0; i + 1 < nx; i++) {
 			if (in_hole(holes, n_holes, (x[i] + x[i + 1]) * 0.5f, (y[j] + y[j + 1]) * 0.5f)) continue;
-			w.lo[0] = x[i]; w.hi[0] = x[i + 1];
-			w.lo[1] = y[j]; w.hi[1] = y[j + 1];
+			w.lo[0] = x[i];
+			w.hi[0] = x[i + 1];
+			w.lo[1] = y[j];
+			w.hi[1] = y[j + 1];
 			ts_mesh_grid(mesh, ts_mesh_segments(mesh, (x[i + 1] - x[i]) / step, 1),
-			             ts_mesh_segments(mesh, (y[j + 1] - y[j]) / step, 1), 0, wall, &w);
+						 ts_mesh_segments(mesh, (y[j + 1] - y[j]) / step, 1), 0, wall, &w);
 		}
 	}
 }
 
 /* One face of a block: es and et along its sides, en outwards. */
-typedef struct { ts_v3 centre, es, et, en; f32 hs, ht, hn, r; u32 k; } block_shape;
+typedef struct {
+	ts_v3 centre, es, et, en;
+	f32 hs, ht, hn, r;
+	u32 k;
+} block_shape;
 
-/* Along a side of 2k + 1 cells: k of a rounded edge, one flat, k of the other edge. Gives the flat part's coordinate and
- * how far around the edge (-1 to 1). */
+/* Along a side of 2k + 1 cells: k of a rounded edge, one flat, k of the other edge. Gives the flat part's coordinate
+ * and how far around the edge (-1 to 1). */
 static f32 block_side(f32 *around, f32 s, u32 k, f32 flat)
 {
 	u32 cells = 2 * k + 1;
@@ -112,16 +127,30 @@ void ts_mesh_block(ts_mesh *mesh, ts_v3 centre, ts_v3 half, f32 r, u32 k)
 	const f32 h[3] = {half.x, half.y, half.z};
 	const f32 round = k > 0 ? ts_min(r, ts_min(ts_min(half.x, half.y), half.z) * 0.875f) : 0.0f;
 	/* s, t, n and the signs of s and n, so that n = s x t and t points up where it can */
-	static const struct { u32 s, t, n; f32 ss, sn; } face[6] = {{2, 1, 0, -1.0f, 1.0f}, {2, 1, 0, 1.0f, -1.0f}, {0, 2, 1, -1.0f, 1.0f},
-		{0, 2, 1, 1.0f, -1.0f}, {0, 1, 2, 1.0f, 1.0f}, {0, 1, 2, -1.0f, -1.0f}};
+	static const struct {
+		u32 s, t, n;
+		f32 ss, sn;
+	} face[6] = {{2, 1, 0, -1.0f, 1.0f}, {2, 1, 0, 1.0f, -1.0f}, {0, 2, 1, -1.0f, 1.0f},
+				 {0, 2, 1, 1.0f, -1.0f}, {0, 1, 2, 1.0f, 1.0f},  {0, 1, 2, -1.0f, -1.0f}};
 	for (u32 f = 0; f < 6; f++) {
-		block_shape b = {centre, ts_scale(axis[face[f].s], face[f].ss), axis[face[f].t], ts_scale(axis[face[f].n], face[f].sn),
-		                 h[face[f].s], h[face[f].t], h[face[f].n], round, k};
+		block_shape b = {centre,
+						 ts_scale(axis[face[f].s], face[f].ss),
+						 axis[face[f].t],
+						 ts_scale(axis[face[f].n], face[f].sn),
+						 h[face[f].s],
+						 h[face[f].t],
+						 h[face[f].n],
+						 round,
+						 k};
 		ts_mesh_grid(mesh, 2 * k + 1, 2 * k + 1, 0, block_face, &b);
 	}
 }
 
-typedef struct { const f32 (*profile)[2]; u32 n; f32 girth; } lathe_shape;
+typedef struct {
+	const f32 (*profile)[2];
+	u32 n;
+	f32 girth;
+} lathe_shape;
 
 static void lathe(ts_corner *c, const void *shape, f32 s, f32 t)
 {
@@ -137,10 +166,13 @@ static void lathe(ts_corner *c, const void *shape, f32 s, f32 t)
 void ts_mesh_lathe(ts_mesh *mesh, const f32 (*profile)[2], u32 n_points, u32 na, f32 between)
 {
 	f32 widest = 0.0f;
-	for (u32 i = 0; i < n_points; i++) widest = ts_max(widest, profile[i][0]);
+	for (u32 i = 0; i < n_points; i++)
+		widest = ts_max(widest, profile[i][0]);
 	for (u32 first = 0; first + 1 < n_points;) {
 		u32 last = first + 1;
-		while (last + 1 < n_points && (profile[last][0] != profile[last + 1][0] || profile[last][1] != profile[last + 1][1])) last++;
+		while (last + 1 < n_points &&
+			   (profile[last][0] != profile[last + 1][0] || profile[last][1] != profile[last + 1][1]))
+			last++;
 		lathe_shape l = {profile + first, last - first + 1, widest * 6.28125f};
 		u32 flags = TS_GRID_WRAP_S | (profile[first][0] == 0.0f ? TS_GRID_POLE_T0 : 0);
 		flags |= profile[last][0] == 0.0f ? TS_GRID_POLE_T1 : 0;
@@ -151,13 +183,19 @@ void ts_mesh_lathe(ts_mesh *mesh, const f32 (*profile)[2], u32 n_points, u32 na,
 	}
 }
 
-typedef struct { const ts_v3 *points; u32 n; f32 radius; ts_v3 side; } tube_shape;
+typedef struct {
+	const ts_v3 *points;
+	u32 n;
+	f32 radius;
+	ts_v3 side;
+} tube_shape;
 
 static ts_v3 tube_at(const tube_shape *tube, f32 t)
 {
 	f32 at = t * (f32)(tube->n - 1);
 	const ts_v3 *p = tube->points;
-	return ts_v3_make(ts_mesh_spline(&p->x, 3, tube->n, at), ts_mesh_spline(&p->y, 3, tube->n, at), ts_mesh_spline(&p->z, 3, tube->n, at));
+	return ts_v3_make(ts_mesh_spline(&p->x, 3, tube->n, at), ts_mesh_spline(&p->y, 3, tube->n, at),
+					  ts_mesh_spline(&p->z, 3, tube->n, at));
 }
 
 static void tube(ts_corner *c, const void *shape, f32 s, f32 t)
@@ -187,7 +225,13 @@ void ts_mesh_rod(ts_mesh *mesh, ts_v3 a, ts_v3 b, f32 radius, u32 na)
 	ts_mesh_tube(mesh, points, 2, radius, level ? ts_v3_make(0.0f, 1.0f, 0.0f) : ts_v3_make(1.0f, 0.0f, 0.0f), na, 1);
 }
 
-typedef struct { ts_v3 s, t; f32 hs, ht; const f32 (*profile)[2]; u32 n; f32 relief; } frame_shape;
+typedef struct {
+	ts_v3 s, t;
+	f32 hs, ht;
+	const f32 (*profile)[2];
+	u32 n;
+	f32 relief;
+} frame_shape;
 
 static void frame_side(ts_corner *c, const void *shape, f32 s, f32 t)
 {

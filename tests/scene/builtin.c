@@ -1,5 +1,5 @@
-/* The built-in scenes: exact counts, one-line errors, the same bytes every time, and that they are places: closed rooms,
- * normals that agree with their faces, a free path for the eye, triangles of all sizes. */
+/* The built-in scenes: exact counts, one-line errors, the same bytes every time, and that they are places: closed
+ * rooms, normals that agree with their faces, a free path for the eye, triangles of all sizes. */
 #include "../../src/scene/sources.h"
 #include "../../src/scene/view.h"
 #include "../../src/kernels/vec.h"
@@ -52,12 +52,15 @@ static void test_table(void **state)
 static void test_counts(void **state)
 {
 	(void)state;
-	static const struct { const char *text; u32 count; } ask[] = {
-		{"10000", 10000}, {"12.347k", 12347}, {"100k", 100000}, {"1.05M", 1050000}, {"3M", 3000000}};
+	static const struct {
+		const char *text;
+		u32 count;
+	} ask[] = {{"10000", 10000}, {"12.347k", 12347}, {"100k", 100000}, {"1.05M", 1050000}, {"3M", 3000000}};
 	for (u32 k = 0; k < 3; k++) {
 		for (u32 i = 0; i < sizeof ask / sizeof *ask; i++) {
 			ts_scene *scene = make_count(k, ask[i].text);
-			if (scene->n_triangles != ask[i].count) fail_msg("%s:triangles=%s has %u", names[k], ask[i].text, scene->n_triangles);
+			if (scene->n_triangles != ask[i].count)
+				fail_msg("%s:triangles=%s has %u", names[k], ask[i].text, scene->n_triangles);
 			ts_scene_free(scene);
 		}
 		ts_scene *scene = make(names[k], 0);
@@ -69,10 +72,20 @@ static void test_counts(void **state)
 static void test_refused(void **state)
 {
 	(void)state;
-	static const char *const bad[][2] = {{"atrium:", "unknown option"}, {"atrium:triangle=20k", "unknown option"}, {"dining:triangles=", "no count"},
-		{"dining:triangles=.", "no count"}, {"dining:triangles=1e5", "no count"}, {"dining:triangles=-20000", "no count"}, {"dining:triangles=20 000", "no count"},
-		{"dining:triangles=20kk", "no count"}, {"dining:triangles=1.2.3M", "no count"}, {"dining:triangles=99999999999999999999", "no count"}, {"gallery:triangles=9999", "out of range"},
-		{"gallery:triangles=3000001", "out of range"}, {"gallery:triangles=9999999999M", "out of range"}, {"gallery:triangles=0", "out of range"}};
+	static const char *const bad[][2] = {{"atrium:", "unknown option"},
+										 {"atrium:triangle=20k", "unknown option"},
+										 {"dining:triangles=", "no count"},
+										 {"dining:triangles=.", "no count"},
+										 {"dining:triangles=1e5", "no count"},
+										 {"dining:triangles=-20000", "no count"},
+										 {"dining:triangles=20 000", "no count"},
+										 {"dining:triangles=20kk", "no count"},
+										 {"dining:triangles=1.2.3M", "no count"},
+										 {"dining:triangles=99999999999999999999", "no count"},
+										 {"gallery:triangles=9999", "out of range"},
+										 {"gallery:triangles=3000001", "out of range"},
+										 {"gallery:triangles=9999999999M", "out of range"},
+										 {"gallery:triangles=0", "out of range"}};
 	ts_params params;
 	ts_params_default(&params);
 	for (u32 i = 0; i < sizeof bad / sizeof *bad; i++) {
@@ -81,18 +94,19 @@ static void test_refused(void **state)
 		ts_builtin_make(build, bad[i][0], 0);
 		assert_int_equal(ts_build_finish(build, &params, NULL, &scene), TS_ERROR);
 		assert_null(scene);
-		if (!strstr(ts_error_message(), bad[i][1])) fail_msg("%s: \"%s\" does not say \"%s\"", bad[i][0], ts_error_message(), bad[i][1]);
+		if (!strstr(ts_error_message(), bad[i][1]))
+			fail_msg("%s: \"%s\" does not say \"%s\"", bad[i][0], ts_error_message(), bad[i][1]);
 		assert_null(strchr(ts_error_message(), '\n'));
 	}
 }
 
 static bool same(const ts_scene *a, const ts_scene *b)
 {
-	return a->n_vertices == b->n_vertices && a->n_texels == b->n_texels
-		&& memcmp(a->vertices, b->vertices, a->n_vertices * sizeof *a->vertices) == 0
-		&& memcmp(a->triangles, b->triangles, a->n_triangles * sizeof *a->triangles) == 0
-		&& memcmp(a->materials, b->materials, a->n_materials * sizeof *a->materials) == 0
-		&& memcmp(a->texels, b->texels, a->n_texels * sizeof *a->texels) == 0;
+	return a->n_vertices == b->n_vertices && a->n_texels == b->n_texels &&
+		   memcmp(a->vertices, b->vertices, a->n_vertices * sizeof *a->vertices) == 0 &&
+		   memcmp(a->triangles, b->triangles, a->n_triangles * sizeof *a->triangles) == 0 &&
+		   memcmp(a->materials, b->materials, a->n_materials * sizeof *a->materials) == 0 &&
+		   memcmp(a->texels, b->texels, a->n_texels * sizeof *a->texels) == 0;
 }
 
 static void test_same_on_any_threads(void **state)
@@ -143,14 +157,17 @@ static void test_normals(void **state)
 		assert_int_equal(scene->n_degenerate, 0);
 		for (u32 i = 0; i < scene->n_vertices; i++) {
 			f32 length = ts_length(ts_load3(scene->vertices[i].normal));
-			if (!(length > 0.9999f && length < 1.0001f)) fail_msg("%s: normal %u has length %g", names[k], i, (double)length);
+			if (!(length > 0.9999f && length < 1.0001f))
+				fail_msg("%s: normal %u has length %g", names[k], i, (double)length);
 		}
 		for (u32 i = 0; i < scene->n_triangles; i++) {
 			ts_v3 sum = {0.0f, 0.0f, 0.0f};
-			for (u32 v = 0; v < 3; v++) sum = ts_add(sum, ts_load3(scene->vertices[scene->triangles[i].vertex[v]].normal));
+			for (u32 v = 0; v < 3; v++)
+				sum = ts_add(sum, ts_load3(scene->vertices[scene->triangles[i].vertex[v]].normal));
 			if (ts_dot(face(scene, i), sum) <= 0.0f) against++;
 		}
-		if (against > scene->n_triangles / 2000) fail_msg("%s: %u faces are turned away from their normals", names[k], against);
+		if (against > scene->n_triangles / 2000)
+			fail_msg("%s: %u faces are turned away from their normals", names[k], against);
 		ts_scene_free(scene);
 	}
 }
@@ -161,7 +178,8 @@ static bool hits_front(const ts_scene *scene, ts_v3 o, ts_v3 d)
 	for (u32 i = 0; i < scene->n_triangles; i++) {
 		ts_v3 a = corner(scene, i, 0), e1 = ts_sub(corner(scene, i, 1), a), e2 = ts_sub(corner(scene, i, 2), a);
 		ts_v3 p = ts_cross(d, e2), s = ts_sub(o, a), q = ts_cross(s, e1);
-		double det = (double)ts_dot(e1, p), u = (double)ts_dot(s, p), v = (double)ts_dot(d, q), t = (double)ts_dot(e2, q);
+		double det = (double)ts_dot(e1, p), u = (double)ts_dot(s, p), v = (double)ts_dot(d, q),
+			   t = (double)ts_dot(e2, q);
 		if (det > 0.0 && u >= 0.0 && v >= 0.0 && u + v <= det && t > 0.0) return true;
 	}
 	return false;
@@ -185,7 +203,9 @@ static void test_rooms_are_closed(void **state)
 				f32 turn = ts_uniform(ts_random(id, 6u, 1u)), low = k == 2 ? -4.0f : -1.0f;
 				f32 y = low + 1.125f * ts_uniform(ts_random(id, 6u, 2u)) * (k == 2 ? 0.0f : 1.0f);
 				ts_v3 d = {ts_cos_turn(turn), y, ts_sin_turn(turn)};
-				if (!hits_front(scene, ts_load3(view.eye), d)) fail_msg("%s: frame %u: a ray along %g %g %g escapes", names[k], frame, (double)d.x, (double)d.y, (double)d.z);
+				if (!hits_front(scene, ts_load3(view.eye), d))
+					fail_msg("%s: frame %u: a ray along %g %g %g escapes", names[k], frame, (double)d.x, (double)d.y,
+							 (double)d.z);
 			}
 		}
 		ts_scene_free(scene);
@@ -206,7 +226,8 @@ static void test_eye_path_is_free(void **state)
 			ts_view_eye(&view, scene, &params);
 			for (u32 i = 0; i < scene->n_vertices; i += 3) {
 				ts_v3 away = ts_sub(ts_load3(scene->vertices[i].position), ts_load3(view.eye));
-				if (ts_dot(away, away) < 0.0225f) fail_msg("%s: frame %u: something is nearer to the eye than 0.15 m", names[k], params.frame);
+				if (ts_dot(away, away) < 0.0225f)
+					fail_msg("%s: frame %u: something is nearer to the eye than 0.15 m", names[k], params.frame);
 			}
 		}
 		ts_scene_free(scene);
@@ -227,7 +248,8 @@ static void test_triangles_of_all_sizes(void **state)
 		u32 n = scene->n_triangles;
 		f32 *area = malloc(n * sizeof *area);
 		assert_non_null(area);
-		for (u32 i = 0; i < n; i++) area[i] = ts_length(face(scene, i)) * 0.5f;
+		for (u32 i = 0; i < n; i++)
+			area[i] = ts_length(face(scene, i)) * 0.5f;
 		qsort(area, n, sizeof *area, by_size);
 		f32 spread = area[n - n / 1000] / area[n / 1000];
 		if (spread < 1000.0f) fail_msg("%s: areas at 0.1 and 99.9 %% differ by only %g", names[k], (double)spread);
@@ -243,21 +265,29 @@ static void test_every_slot_is_used(void **state)
 	for (u32 k = 0; k < 3; k++) {
 		ts_scene *scene = make_count(k, "10k");
 		for (u32 i = 0; i < scene->n_materials; i++) {
-			for (u32 s = 0; s < TS_N_SLOTS; s++) used[s] += scene->materials[i].slot[s] != TS_NONE;
+			for (u32 s = 0; s < TS_N_SLOTS; s++)
+				used[s] += scene->materials[i].slot[s] != TS_NONE;
 			flags |= scene->materials[i].flags;
 		}
 		ts_scene_free(scene);
 	}
-	for (u32 s = 0; s < TS_N_SLOTS; s++) assert_true(used[s] > 0);
+	for (u32 s = 0; s < TS_N_SLOTS; s++)
+		assert_true(used[s] > 0);
 	assert_int_equal(flags, TS_MATERIAL_DOUBLE_SIDED | TS_MATERIAL_MASK);
 }
 
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_table), cmocka_unit_test(test_counts), cmocka_unit_test(test_refused),
-		cmocka_unit_test(test_same_on_any_threads), cmocka_unit_test(test_seed_changes_the_scene), cmocka_unit_test(test_normals),
-		cmocka_unit_test(test_rooms_are_closed), cmocka_unit_test(test_eye_path_is_free), cmocka_unit_test(test_triangles_of_all_sizes),
+		cmocka_unit_test(test_table),
+		cmocka_unit_test(test_counts),
+		cmocka_unit_test(test_refused),
+		cmocka_unit_test(test_same_on_any_threads),
+		cmocka_unit_test(test_seed_changes_the_scene),
+		cmocka_unit_test(test_normals),
+		cmocka_unit_test(test_rooms_are_closed),
+		cmocka_unit_test(test_eye_path_is_free),
+		cmocka_unit_test(test_triangles_of_all_sizes),
 		cmocka_unit_test(test_every_slot_is_used),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
