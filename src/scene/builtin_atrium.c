@@ -408,7 +408,7 @@ static void add_cloth(ts_mesh *mesh, const u32 *material, u32 id)
 	ts_place stand = mesh->place;
 	for (u32 i = 0; i < 4; i++) {
 		f32 x = ((f32)(2 * i) - 3.0f) * BAY + (i < 2 ? 0.5f : -0.5f) * BAY;
-		mesh->place = ts_place_in(&stand, ts_place_at(x, FLOOR_2 + 0.953125f, 0.484375f, 0.0f));
+		mesh->place = ts_place_in(&stand, ts_place_at(x, FLOOR_2 + 0.953125f, 0.578125f, 0.0f));
 		mesh->material = material[cloth[i]];
 		ts_part_curtain(mesh, 1.5f, 2.875f, 5.0f, 0.0625f, 0.9375f, id + i);
 		mesh->material = material[GILT];
