@@ -199,7 +199,7 @@ ts_status ts_measure_estimate(u64 *bytes, const ts_pipeline *const *methods, u32
 		big.face_px *= TRUTH_C_FACTOR;
 		*bytes = larger(*bytes, mvr->estimate(scene, &big));
 	}
-	u64 limit = ts_memory_total() / 4 * 3;
+	u64 limit = ts_memory_limit();
 	if (*bytes > limit) {
 		return ts_fail("%s: needs about %.1f GB of memory and may use %.1f GB of this machine's %.1f GB; choose a smaller "
 		               "--size, fewer --reflectors%s", scene->name, (double)*bytes / 1e9, (double)limit / 1e9,

@@ -23,6 +23,8 @@ ts_status ts_grow(void **array, size_t *capacity, size_t need, size_t size, cons
 
 /* Memory of the machine in bytes. */
 uint64_t ts_memory_total(void);
+/* What one run may use of it: three quarters. */
+uint64_t ts_memory_limit(void);
 
 /* Verifies that this process computes as the numeric contract says (rule 8): 0, or a bit per failing primitive. */
 unsigned ts_selftest(void);

@@ -65,6 +65,13 @@ void *ts_frame_make(ts_frame *frame, ts_buffer_id id, u32 n_dims, const u64 *sha
 		ts_fail("%s: its shape has more elements than a process can address", info->name);
 		return NULL;
 	}
+	if (n > (ts_memory_limit() - frame->bytes) / info->element_bytes) {
+		ts_fail("%s: %.1f GB beside the %.1f GB of the other buffers; a run may use %.1f GB: choose a smaller image, fewer "
+		        "reflectors or a lower rho_scale",
+		        info->name, (double)n * (double)info->element_bytes / 1e9, (double)frame->bytes / 1e9,
+		        (double)ts_memory_limit() / 1e9);
+		return NULL;
+	}
 	void *data = ts_alloc((size_t)n, info->element_bytes, info->name);
 	if (!data) {
 		return NULL;

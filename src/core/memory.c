@@ -73,3 +73,8 @@ uint64_t ts_memory_total(void)
 	uint64_t container = container_limit();
 	return container < machine ? container : machine;
 }
+
+uint64_t ts_memory_limit(void)
+{
+	return ts_memory_total() / 4 * 3;
+}

@@ -141,17 +141,12 @@ static bool on_memory(void *user, ssize_t bytes, bool post)
 	return post || bytes <= 0 || left >= 0;
 }
 
-static u64 most_bytes(void)
-{
-	return ts_memory_total() / 4 * 3;
-}
-
 static ts_status check(const ts_truth *truth, const char *doing)
 {
 	bool failed = truth->device == NULL || rtcGetDeviceError(truth->device) != RTC_ERROR_NONE || truth->error[0] != 0;
 	if (!failed) return TS_OK;
 	return ts_fail("truth: Embree failed while %s: %s; it may take %llu MiB", doing,
-	               truth->error[0] != 0 ? truth->error : "no reason given", (unsigned long long)(most_bytes() >> 20));
+	               truth->error[0] != 0 ? truth->error : "no reason given", (unsigned long long)(ts_memory_limit() >> 20));
 }
 
 static bool needs_filter(const ts_truth *truth, u32 triangle)
@@ -213,7 +208,7 @@ static ts_status grow_tree(ts_truth *truth, u32 threads)
 {
 	char options[32];
 	snprintf(options, sizeof(options), "threads=%u", threads > 0 ? threads : 1);
-	__atomic_store_n(&truth->bytes_left, (i64)most_bytes(), __ATOMIC_RELEASE);
+	__atomic_store_n(&truth->bytes_left, (i64)ts_memory_limit(), __ATOMIC_RELEASE);
 	truth->device = rtcNewDevice(options);
 	if (truth->device == NULL) return check(truth, "starting");
 	rtcSetDeviceErrorFunction(truth->device, on_error, truth);

@@ -28,7 +28,7 @@ static ts_status enlarge_all(ts_params *big, const ts_params *params, u32 factor
 
 static ts_status check_memory(const ts_pipeline *mvr, const ts_scene *scene, const ts_params *big, u32 factor)
 {
-	u64 limit = ts_memory_total() / 4 * 3;
+	u64 limit = ts_memory_limit();
 	u64 need = mvr->estimate(scene, big);
 	if (need <= limit) return TS_OK;
 	return ts_fail("truth C: %u times %u x %u needs about %llu MiB and may use %llu: take a smaller factor or image",
