@@ -267,5 +267,6 @@ void ts_build_box(ts_scene *scene)
 const ts_scene *ts_build_peek(ts_build *build)
 {
 	ts_build_box(build->scene);
+	ts_build_walls(build);
 	return build->scene;
 }

@@ -42,11 +42,11 @@ void ts_build_note(ts_build *build, const char *format, ...) __attribute__((form
 void ts_build_fail(ts_build *build, const char *format, ...) __attribute__((format(printf, 2, 3)));
 bool ts_build_failed(const ts_build *build);
 
-/* Read access while building: the arrays so far (valid until the next append), with the box of object 0 up to date. */
+/* Read access while building: the arrays so far (valid until the next append), with box and hall up to date. */
 const ts_scene *ts_build_peek(ts_build *build);
 
-/* Checks every index, refuses coordinates beyond 2^24 and scenes without triangles, adds the default sun if there is no
- * light, sorts the vertices by object (stable), chooses the camera by name (NULL: the eye circles), and hands over.
+/* Checks every index, refuses coordinates beyond 2^24, adds the default sun if there is no light, sorts the vertices by
+ * object (stable), chooses the camera by name (NULL: the eye circles), and hands over. A scene may be without triangles.
  * Always consumes the build; NULL (ts_build_new failed) is allowed and fails. On failure *scene is NULL and the message
  * is set. */
 ts_status ts_build_finish(ts_build *build, const ts_params *params, const char *camera, ts_scene **scene);

@@ -35,7 +35,6 @@ static void give_light(ts_build *build, const ts_params *params)
 static void check_triangles(ts_build *build)
 {
 	const ts_scene *scene = build->scene;
-	if (scene->n_triangles == 0) ts_build_fail(build, "%s: no triangles; there is nothing to draw", scene->name);
 	for (u32 i = 0; i < scene->n_triangles && !build->failed; i++) {
 		const ts_triangle *t = &scene->triangles[i];
 		for (u32 k = 0; k < 3; k++)
@@ -198,6 +197,7 @@ static void complete(ts_build *build, const ts_params *params, const char *camer
 	if (!build->failed) choose_camera(build, camera);
 	if (build->failed) return;
 	ts_build_box(build->scene);
+	ts_build_walls(build);
 	count_triangles(build->scene);
 }
 

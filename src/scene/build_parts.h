@@ -27,4 +27,7 @@ void *ts_build_room(ts_build *build, void *array, u64 n, u64 more, size_t *capac
  * do not exist are passed over. */
 void ts_build_box(ts_scene *scene);
 
+/* The hall, from the box and the triangles of object 0. Fails without memory. */
+void ts_build_walls(ts_build *build);
+
 #endif

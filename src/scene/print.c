@@ -77,6 +77,8 @@ static json_t *json_of(const ts_scene *s)
 		json_object_set_new(root, f[i].name, json_integer((json_int_t)f[i].value));
 	json_object_set_new(root, "box_min", json_floats(s->box_min, 3));
 	json_object_set_new(root, "box_max", json_floats(s->box_max, 3));
+	json_object_set_new(root, "hall_min", json_floats(s->hall_min, 2));
+	json_object_set_new(root, "hall_max", json_floats(s->hall_max, 2));
 	json_object_set_new(root, "ambient", json_real((double)s->ambient));
 	json_object_set_new(root, "light", json_lights(s));
 	for (u32 i = 0; i < s->n_cameras; i++) json_array_append_new(cameras, json_text(s->cameras[i].name));
@@ -113,6 +115,8 @@ static void print_text(const ts_scene *s, FILE *out)
 		fprintf(out, "  %-21s %12" PRIu64 "%s%s\n", f[i].name, f[i].value, *f[i].doc ? "  " : "", f[i].doc);
 	for (int k = 0; k < 3; k++)
 		fprintf(out, "  box %c                 %g to %g\n", "xyz"[k], (double)s->box_min[k], (double)s->box_max[k]);
+	for (int k = 0; k < 2; k++)
+		fprintf(out, "  hall %c                %g to %g\n", "xz"[k], (double)s->hall_min[k], (double)s->hall_max[k]);
 	fprintf(out, "  ambient               %g\n", (double)s->ambient);
 	for (u32 i = 0; i < s->n_lights; i++) {
 		const ts_light *l = &s->lights[i];

@@ -1,4 +1,4 @@
-/* The added mirrors (SPEC 0.3.8, EPR 4.2): golden-angle phases on ellipses around the middle of the scene's floor,
+/* The added mirrors (SPEC 0.3.8, EPR 4.2): golden-angle phases on ellipses around the middle of the hall's floor,
  * turning as the eye does, and one radius for all, so that their mean projected diameter at frame 0 is reflector_px. */
 #include "../kernels/pose.h"
 #include "shapes.h"
@@ -6,13 +6,13 @@
 #include "view.h"
 
 #define FRAMES_A_TURN 240u
-#define INNER 0.6f      /* of half the floor box */
-#define CLEARANCE 0.16f /* from the eye, in halves of the floor box */
-#define WIDEST 0.35f    /* radius, of the shorter half of the floor box */
+#define INNER 0.6f      /* of half the hall */
+#define CLEARANCE 0.16f /* from the eye, in halves of the hall */
+#define WIDEST 0.35f    /* radius, of the shorter half of the hall */
 
 /* What the places of the mirrors follow from. */
 typedef struct {
-	ts_v3 middle, half;
+	ts_space hall;
 	ts_view eye;
 	u32 n;
 } floor_plan;
@@ -26,17 +26,16 @@ static void plan_make(floor_plan *plan, const ts_scene *scene, const ts_params *
 	seen.camera = ts_scene_camera(scene, camera);
 	first.frame = 0;
 	ts_view_eye(&plan->eye, &seen, &first);
-	plan->middle = ts_scale(ts_add(ts_load3(scene->box_min), ts_load3(scene->box_max)), 0.5f);
-	plan->half = ts_view_half_box(scene);
+	plan->hall = ts_view_hall(scene);
 	plan->n = params->reflectors;
 }
 
-/* The size of the ellipse in halves of the floor box: equal areas a mirror, but not where the eye is. */
+/* The size of the ellipse in halves of the hall: equal areas a mirror, but not where the eye is. */
 static f32 ellipse(const floor_plan *plan, u32 i, f32 phase)
 {
 	f32 size = INNER * ts_sqrt(((f32)i + 0.5f) / (f32)plan->n);
-	f32 x = (plan->eye.eye[0] - plan->middle.x) / plan->half.x;
-	f32 z = (plan->eye.eye[2] - plan->middle.z) / plan->half.z;
+	f32 x = (plan->eye.eye[0] - plan->hall.middle.x) / plan->hall.half.x;
+	f32 z = (plan->eye.eye[2] - plan->hall.middle.z) / plan->hall.half.z;
 	ts_v3 apart = ts_v3_make(size * ts_cos_turn(phase) - x, 0.0f, size * ts_sin_turn(phase) - z);
 	if (ts_length(apart) >= CLEARANCE) return size;
 	f32 away = ts_length(ts_v3_make(x, 0.0f, z));
@@ -46,7 +45,7 @@ static f32 ellipse(const floor_plan *plan, u32 i, f32 phase)
 /* Heights spread over the lower part of the box; the mirror stands on the floor where the box is too low. */
 static ts_object path(const floor_plan *plan, u32 i, f32 radius)
 {
-	f32 height = plan->half.y + plan->half.y;
+	f32 height = plan->hall.half.y + plan->hall.half.y;
 	f32 phase = fraction(0.618034f * (f32)i);
 	f32 size = ellipse(plan, i, phase);
 	f32 bob = height * 0.02f;
@@ -54,9 +53,10 @@ static ts_object path(const floor_plan *plan, u32 i, f32 radius)
 	up = ts_min(up, height - radius - bob);
 	up = ts_max(up, radius + bob);
 	ts_object object = {.period = FRAMES_A_TURN, .phase = phase, .bob = bob, .spin = 2.0f};
-	ts_store3(object.centre, ts_v3_make(plan->middle.x, plan->middle.y - plan->half.y + up, plan->middle.z));
-	object.axis[0] = ts_put(plan->half.x * size);
-	object.axis[1] = ts_put(plan->half.z * size);
+	f32 floor = plan->hall.middle.y - plan->hall.half.y;
+	ts_store3(object.centre, ts_v3_make(plan->hall.middle.x, floor + up, plan->hall.middle.z));
+	object.axis[0] = ts_put(plan->hall.half.x * size);
+	object.axis[1] = ts_put(plan->hall.half.z * size);
 	return object;
 }
 
@@ -86,7 +86,7 @@ static f32 mean_pixels_across(const floor_plan *plan, f32 radius)
 /* The heights depend on the radius, a little: a few rounds settle it. */
 static f32 radius_for(ts_build *build, const floor_plan *plan, f32 pixels)
 {
-	f32 widest = ts_min(plan->half.x, plan->half.z) * WIDEST;
+	f32 widest = ts_min(plan->hall.half.x, plan->hall.half.z) * WIDEST;
 	f32 radius = 0.0f;
 	for (u32 round = 0; round < 4; round++)
 		radius = ts_min(pixels / mean_pixels_across(plan, radius), widest);

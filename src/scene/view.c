@@ -1,16 +1,27 @@
-/* The eye: a camera of the scene, or on an ellipse around the middle of the scene's box (SPEC 0.3.8, 0.3.9). */
+/* The eye: a camera of the scene, or on an ellipse around the middle of the hall (SPEC 0.3.8, 0.3.9). */
 #include "view.h"
 
 #define FRAMES_A_TURN 240u
 #define EYE_HEIGHT 0.35f    /* of the box, above its floor: inside a room the picture is that of a visitor */
 #define TARGET_HEIGHT 0.3f
 
-ts_v3 ts_view_half_box(const ts_scene *scene)
+static ts_space space_between(ts_v3 low, ts_v3 high)
 {
-	ts_v3 half = ts_scale(ts_sub(ts_load3(scene->box_max), ts_load3(scene->box_min)), 0.5f);
+	ts_v3 half = ts_scale(ts_sub(high, low), 0.5f);
 	f32 greatest = ts_max(ts_max(half.x, half.y), half.z);
 	f32 least = greatest > 0.0f ? greatest * 0.03125f : 1.0f;
-	return ts_max3(half, ts_v3_make(least, least, least));
+	return (ts_space){ts_scale(ts_add(low, high), 0.5f), ts_max3(half, ts_v3_make(least, least, least))};
+}
+
+ts_space ts_view_box(const ts_scene *scene)
+{
+	return space_between(ts_load3(scene->box_min), ts_load3(scene->box_max));
+}
+
+ts_space ts_view_hall(const ts_scene *scene)
+{
+	return space_between(ts_v3_make(scene->hall_min[0], scene->box_min[1], scene->hall_min[1]),
+	                     ts_v3_make(scene->hall_max[0], scene->box_max[1], scene->hall_max[1]));
 }
 
 static void look_at(ts_view *view, ts_v3 eye, ts_v3 target)
@@ -25,17 +36,16 @@ static void look_at(ts_view *view, ts_v3 eye, ts_v3 target)
 
 static void circle(ts_view *view, const ts_scene *scene, const ts_params *params)
 {
-	ts_v3 half = ts_view_half_box(scene);
-	ts_v3 low = ts_load3(scene->box_min);
-	ts_v3 middle = ts_scale(ts_add(low, ts_load3(scene->box_max)), 0.5f);
+	ts_space hall = ts_view_hall(scene);
 	f32 factor = params->eye == TS_EYE_NEAR ? 0.35f : 0.9f;
 	f32 turns = (f32)(params->frame % FRAMES_A_TURN) / (f32)FRAMES_A_TURN;
-	f32 across = half.x * factor;
-	f32 along = half.z * factor;
-	f32 height = half.y + half.y;
-	ts_v3 eye = ts_v3_make(middle.x + across * ts_cos_turn(turns), low.y + height * EYE_HEIGHT,
-	                       middle.z + along * ts_sin_turn(turns));
-	look_at(view, eye, ts_v3_make(middle.x, low.y + height * TARGET_HEIGHT, middle.z));
+	f32 across = hall.half.x * factor;
+	f32 along = hall.half.z * factor;
+	f32 floor = hall.middle.y - hall.half.y;
+	f32 height = hall.half.y + hall.half.y;
+	ts_v3 eye = ts_v3_make(hall.middle.x + across * ts_cos_turn(turns), floor + height * EYE_HEIGHT,
+	                       hall.middle.z + along * ts_sin_turn(turns));
+	look_at(view, eye, ts_v3_make(hall.middle.x, floor + height * TARGET_HEIGHT, hall.middle.z));
 }
 
 void ts_view_eye(ts_view *view, const ts_scene *scene, const ts_params *params)
@@ -56,5 +66,5 @@ void ts_view_eye(ts_view *view, const ts_scene *scene, const ts_params *params)
 	view->width = params->width;
 	view->height = params->height;
 	view->focal = ts_put(height / (2.0f * ts_sin_turn(half_turns)));
-	view->near = ts_put(ts_length(ts_view_half_box(scene)) * 0.0009765625f);
+	view->near = ts_put(ts_length(ts_view_box(scene).half) * 0.0009765625f);
 }

@@ -72,6 +72,18 @@ static void test_defaults(void **state)
 	ts_scene_free(scene);
 }
 
+/* Nothing to draw is a scene too. */
+static void test_empty(void **state)
+{
+	(void)state;
+	ts_scene *scene = finish(ts_build_new("empty"));
+	assert_int_equal(scene->n_triangles, 0);
+	assert_int_equal(scene->n_lights, 1);
+	for (u32 k = 0; k < 3; k++) assert_true(scene->box_min[k] == 0.0f && scene->box_max[k] == 0.0f);
+	for (u32 k = 0; k < 2; k++) assert_true(scene->hall_min[k] == 0.0f && scene->hall_max[k] == 0.0f);
+	ts_scene_free(scene);
+}
+
 static void test_sun(void **state)
 {
 	(void)state;
@@ -144,7 +156,6 @@ static void test_indices_refused(void **state)
 	ts_slot s = {.image = 0};
 	ts_build_slot(build, &s);
 	refuse(build, "image 0");
-	refuse(ts_build_new("empty"), "no triangles");
 }
 
 static void test_ranges_refused(void **state)
@@ -377,6 +388,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test_setup(test_defaults, set_up),
+		cmocka_unit_test_setup(test_empty, set_up),
 		cmocka_unit_test_setup(test_sun, set_up),
 		cmocka_unit_test_setup(test_own_lights, set_up),
 		cmocka_unit_test_setup(test_sanitized, set_up),

@@ -13,7 +13,8 @@ static int set_up(void **state)
 {
 	(void)state;
 	ts_params_default(&params);
-	room = (ts_scene){.camera = TS_NONE, .box_min = {-3.0f, -1.0f, 10.0f}, .box_max = {5.0f, 5.0f, 40.0f}};
+	room = (ts_scene){.camera = TS_NONE, .box_min = {-3.0f, -1.0f, 10.0f}, .box_max = {5.0f, 5.0f, 40.0f},
+	                  .hall_min = {-3.0f, 10.0f}, .hall_max = {5.0f, 40.0f}};
 	cameras[1] = (ts_camera){.eye = {1.0f, 2.0f, 3.0f}, .right = {0.0f, 0.0f, -1.0f}, .up = {0.0f, 1.0f, 0.0f},
 	                         .back = {1.0f, 0.0f, 0.0f}, .yfov = 0.125f};
 	room.cameras = cameras;
@@ -121,6 +122,25 @@ static void test_named_camera(void **state)
 	assert_true(fabs((double)v.focal / (540.0 / tan(3.14159265358979323846 / 6.0)) - 1.0) < 1e-6);
 }
 
+/* The eye keeps to a hall that is smaller than the box and beside its middle; near is the box's. */
+static void test_hall(void **state)
+{
+	(void)state;
+	f32 near = view_of(0).near;
+	room.hall_min[0] = 1.0f;
+	room.hall_max[0] = 4.0f;
+	room.hall_min[1] = 12.0f;
+	room.hall_max[1] = 14.0f;
+	for (params.eye = TS_EYE_NEAR; params.eye <= TS_EYE_FAR; params.eye++) {
+		for (u32 frame = 0; frame < 240; frame++) {
+			ts_view v = view_of(frame);
+			double x = ((double)v.eye[0] - 2.5) / 1.5, z = (double)v.eye[2] - 13.0;
+			assert_true(fabs(sqrt(x * x + z * z) - (params.eye == TS_EYE_NEAR ? 0.35 : 0.9)) < 1e-5);
+			assert_true(v.near == near);
+		}
+	}
+}
+
 /* Boxes without thickness, and a point: still a view. */
 static void test_flat_boxes(void **state)
 {
@@ -129,8 +149,10 @@ static void test_flat_boxes(void **state)
 		set_up(NULL);
 		for (u32 k = 0; k < 3; k++)
 			if (flat >> k & 1) room.box_max[k] = room.box_min[k];
-		ts_v3 half = ts_view_half_box(&room);
-		assert_true(half.x > 0.0f && half.y > 0.0f && half.z > 0.0f);
+		for (u32 k = 0; k < 2; k++) room.hall_max[k] = room.box_max[2 * k];
+		ts_v3 box = ts_view_box(&room).half, hall = ts_view_hall(&room).half;
+		assert_true(box.x > 0.0f && box.y > 0.0f && box.z > 0.0f);
+		assert_memory_equal(&hall, &box, sizeof hall);
 		for (u32 frame = 0; frame < 240; frame += 20) {
 			ts_view v = view_of(frame);
 			check_orthonormal(&v);
@@ -148,6 +170,7 @@ int main(void)
 		cmocka_unit_test_setup(test_one_turn, set_up),
 		cmocka_unit_test_setup(test_projection, set_up),
 		cmocka_unit_test_setup(test_named_camera, set_up),
+		cmocka_unit_test_setup(test_hall, set_up),
 		cmocka_unit_test_setup(test_flat_boxes, set_up),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
