@@ -13,7 +13,7 @@ typedef struct ts_run ts_run;
 typedef struct {
 	const char *name;
 	const char *kind;               /* map, emit or scatter */
-	ts_buffer_id reads[14], writes[6]; /* ended by TS_N_BUFFERS */
+	ts_buffer_id reads[20], writes[6]; /* ended by TS_N_BUFFERS; those of a bounce that is not followed are not there */
 	ts_status (*run)(ts_run *run);
 	const char *paper;
 	const char *doc;

@@ -5,6 +5,8 @@
 	TS_B_pose_vertex, TS_B_scene_triangle, TS_B_scene_material, TS_B_scene_slot, TS_B_scene_image, TS_B_scene_texel, \
 		TS_B_scene_light, TS_B_scene_object
 #define SHAPES TS_B_pose_vertex, TS_B_scene_triangle, TS_B_scene_material, TS_B_scene_object
+/* What turns a point into a surface. */
+#define POINTS SCENE, TS_B_resize_face, TS_B_split_triangle, TS_B_align_frame, TS_B_points_key, TS_B_points_record
 #define END TS_N_BUFFERS
 
 const ts_stage ts_stage_table[] = {
@@ -32,26 +34,26 @@ const ts_stage ts_stage_table[] = {
 	{"points", "emit", {SCENE, TS_B_split_triangle, TS_B_align_frame, TS_B_count_offset, END},
 	 {TS_B_points_key, TS_B_points_record, END}, ts_stage_points, "EPR 3.4, eq. 4", "points with splat lengths"},
 	{"splat", "scatter",
-	 {TS_B_resize_face, TS_B_split_triangle, TS_B_align_frame, TS_B_visibility_bits, TS_B_points_record, END},
+	 {TS_B_resize_face, TS_B_split_triangle, TS_B_align_frame, TS_B_visibility_bits, TS_B_count_offset, TS_B_points_record,
+	  END},
 	 {TS_B_splat_depth_index, END}, ts_stage_splat, "EPR 3.5", "points into cube faces by 64-bit minimum"},
 	{"lookup", "map",
 	 {TS_B_eye_view, TS_B_resize_face, TS_B_splat_depth_index, TS_B_pixel_record, END}, {TS_B_lookup_point, END},
 	 ts_stage_lookup, "EPR 4.1.3", "25 look-ups a reflective pixel"},
 	{"lookup2", "emit",
-	 {SHAPES, TS_B_resize_face, TS_B_split_triangle, TS_B_align_frame, TS_B_points_record, TS_B_splat_depth_index,
-	  TS_B_lookup_point, END},
+	 {POINTS, TS_B_splat_depth_index, TS_B_pixel_record, TS_B_lookup_point, END},
 	 {TS_B_lookup2_offset, TS_B_lookup2_parent, TS_B_lookup2_point, END}, ts_stage_lookup2, "EPR 4.1.4",
 	 "four look-ups for each sample that sees a mirror"},
 	{"lookup3", "emit",
-	 {SHAPES, TS_B_resize_face, TS_B_split_triangle, TS_B_align_frame, TS_B_points_record, TS_B_splat_depth_index,
-	  TS_B_lookup2_point, TS_B_lookup2_parent, END},
+	 {POINTS, TS_B_splat_depth_index, TS_B_lookup2_point, TS_B_lookup2_parent, END},
 	 {TS_B_lookup3_offset, TS_B_lookup3_parent, TS_B_lookup3_point, END}, ts_stage_lookup3, "EPR 4.1.4",
 	 "the same once more"},
-	{"shade3", "map", {SCENE, TS_B_points_key, TS_B_points_record, TS_B_lookup3_point, TS_B_lookup3_parent, END},
+	{"shade3", "map", {POINTS, TS_B_lookup3_point, TS_B_lookup3_parent, END},
 	 {TS_B_shade3_radiance, END}, ts_stage_shade3, "EPR 4.1.4", "deferred shading of the third bounce"},
-	{"shade2", "map", {SCENE, TS_B_points_key, TS_B_points_record, TS_B_lookup2_point, TS_B_lookup2_parent, END},
+	{"shade2", "map",
+	 {POINTS, TS_B_lookup2_point, TS_B_lookup2_parent, TS_B_lookup3_offset, TS_B_shade3_radiance, END},
 	 {TS_B_shade2_radiance, END}, ts_stage_shade2, "EPR 4.1.4", "deferred shading of the second bounce"},
-	{"shade", "map", {SCENE, TS_B_points_key, TS_B_points_record, TS_B_pixel_record, TS_B_lookup_point, END},
+	{"shade", "map", {POINTS, TS_B_pixel_record, TS_B_lookup_point, TS_B_lookup2_offset, TS_B_shade2_radiance, END},
 	 {TS_B_shade_radiance, TS_B_shade_used, END}, ts_stage_shade, "EPR 4.1.2", "eye-based deferred shading"},
 	{"face", "scatter", {SCENE, TS_B_resize_face, END}, {TS_B_face_depth_triangle, END}, ts_stage_face, "EPR 4.2",
 	 "MVR: standard rasterization into six faces a reflector"},

@@ -1,0 +1,186 @@
+/* The table of the stages: complete, in an order that makes every buffer before it is read, and true: a stage depends on
+ * what it claims to read and on nothing else. */
+#include "small.h"
+
+/* Buffers of the scene: there before any stage. */
+static bool is_scene(ts_buffer_id id) { return strncmp(ts_buffer_table[id].name, "scene.", 6) == 0; }
+
+static bool is_in(const ts_buffer_id *list, ts_buffer_id id)
+{
+	for (; *list != TS_N_BUFFERS; list++) {
+		if (*list == id) return true;
+	}
+	return false;
+}
+
+/* "look-ups2.point" is written by stage "look-ups2"; some buffers are named for what they hold. */
+static bool is_named_for(const char *buffer, const ts_stage *stage)
+{
+	size_t n = strlen(stage->name);
+	return strncmp(buffer, stage->name, n) == 0 && buffer[n] == '.';
+}
+
+static void test_rows(void **state)
+{
+	(void)state;
+	u32 n = 0;
+	for (const ts_stage *s = ts_stage_table; s->name != NULL; s++, n++) {
+		assert_ptr_equal(ts_stage_find(s->name), s);
+		assert_true(strcmp(s->kind, "map") == 0 || strcmp(s->kind, "emit") == 0 || strcmp(s->kind, "scatter") == 0);
+		assert_true(s->run != NULL && s->paper[0] != 0 && s->doc[0] != 0);
+		assert_true(s->writes[0] != TS_N_BUFFERS && s->reads[0] != TS_N_BUFFERS);
+		for (u32 i = 0; s->reads[i] != TS_N_BUFFERS; i++) {
+			assert_true(i + 1 < sizeof s->reads / sizeof *s->reads);
+			assert_false(is_in(s->reads + i + 1, s->reads[i]));
+			assert_false(is_in(s->writes, s->reads[i]));
+		}
+		for (u32 i = 0; s->writes[i] != TS_N_BUFFERS; i++) {
+			assert_true(i + 1 < sizeof s->writes / sizeof *s->writes);
+			assert_false(is_in(s->writes + i + 1, s->writes[i]));
+			assert_false(is_scene(s->writes[i]));
+		}
+	}
+	assert_true(n > 0 && n <= TS_MAX_TIMINGS);
+	assert_null(ts_stage_find("no such stage"));
+	assert_null(ts_stage_find(""));
+}
+
+/* Every buffer is written by just one stage, or is the scene's; only the two methods' answers share one. */
+static void test_writers(void **state)
+{
+	(void)state;
+	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
+		u32 n = 0, n_named = 0;
+		for (const ts_stage *s = ts_stage_table; s->name != NULL; s++) {
+			if (!is_in(s->writes, (ts_buffer_id)id)) continue;
+			n++;
+			n_named += is_named_for(ts_buffer_table[id].name, s);
+		}
+		bool both = id == TS_B_shade_radiance;
+		if (n != (is_scene((ts_buffer_id)id) ? 0u : both ? 2u : 1u)) fail_msg("%s: %u stages", ts_buffer_table[id].name, n);
+		assert_true(n_named <= 1);
+	}
+}
+
+/* Every buffer that a stage makes, but the pictures and figures, is read by another. */
+static void test_readers(void **state)
+{
+	(void)state;
+	static const ts_buffer_id last[] = { TS_B_image_radiance, TS_B_image_srgb, TS_B_shade_used, TS_B_split_offset,
+	                                     TS_N_BUFFERS };
+	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
+		u32 n = 0;
+		for (const ts_stage *s = ts_stage_table; s->name != NULL; s++) n += is_in(s->reads, (ts_buffer_id)id);
+		if (n == 0 && !is_in(last, (ts_buffer_id)id)) fail_msg("nobody reads %s", ts_buffer_table[id].name);
+	}
+}
+
+typedef struct { bool made[TS_N_BUFFERS]; u32 n_stages; } progress;
+
+/* What a stage reads is there; what it writes, it has made. */
+static ts_status watch(const ts_run *run, const ts_stage *stage, void *user)
+{
+	progress *p = user;
+	p->n_stages++;
+	for (u32 i = 0; stage->reads[i] != TS_N_BUFFERS; i++) {
+		ts_buffer_id id = stage->reads[i];
+		if (!is_scene(id) && !p->made[id]) fail_msg("%s reads %s too early", stage->name, ts_buffer_table[id].name);
+	}
+	for (u32 i = 0; stage->writes[i] != TS_N_BUFFERS; i++) p->made[stage->writes[i]] = true;
+	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
+		bool made = run->frame.buffer[id].made, claimed = p->made[id] || is_scene((ts_buffer_id)id);
+		if (made != claimed) fail_msg("after %s: %s %s", stage->name, ts_buffer_table[id].name, made ? "unclaimed" : "missing");
+	}
+	return TS_OK;
+}
+
+static void test_order(void **state)
+{
+	(void)state;
+	ts_params params = small_params(64, 64);
+	params.bounces = 3;
+	params.reflectors = 3;
+	params.face_max = 32;
+	ts_scene *scene = small_scene(&params);
+	static const char *const methods[] = { "epr", "mvr" };
+	for (u32 m = 0; m < 2; m++) {
+		ts_run run;
+		progress p = { .n_stages = 0 };
+		small_run(&run, scene, &params, methods[m], 2, watch, &p);
+		assert_true(p.n_stages >= 9);
+		for (u32 i = 0; i < run.n_timings; i++) assert_non_null(ts_stage_find(run.timings[i].stage));
+		ts_run_end(&run);
+	}
+	ts_scene_free(scene);
+}
+
+/* A copy of the frame for one stage: what it does not claim to read is all zero, what it writes is not there. */
+static void blind(ts_run *copy, const ts_run *run, const ts_stage *stage)
+{
+	*copy = *run;
+	copy->hook = NULL;
+	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
+		ts_buffer *b = &copy->frame.buffer[id];
+		if (!b->made || is_in(stage->reads, (ts_buffer_id)id)) continue;
+		if (is_in(stage->writes, (ts_buffer_id)id)) {
+			*b = (ts_buffer){ .made = false };
+			continue;
+		}
+		b->data = calloc(b->n + 1, ts_buffer_table[id].element_bytes);
+		assert_non_null(b->data);
+	}
+}
+
+static void release_blind(ts_run *copy, const ts_run *run)
+{
+	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
+		if (copy->frame.buffer[id].data != run->frame.buffer[id].data) free(copy->frame.buffer[id].data);
+	}
+}
+
+static void assert_same_outputs(const ts_run *copy, const ts_run *run, const ts_stage *stage)
+{
+	for (u32 i = 0; stage->writes[i] != TS_N_BUFFERS; i++) {
+		const ts_buffer *a = &run->frame.buffer[stage->writes[i]], *b = &copy->frame.buffer[stage->writes[i]];
+		const ts_buffer_info *info = &ts_buffer_table[stage->writes[i]];
+		if (a->n != b->n || memcmp(a->data, b->data, a->n * info->element_bytes) != 0) {
+			fail_msg("%s: %s depends on a buffer that the stage does not claim to read", stage->name, info->name);
+		}
+	}
+}
+
+/* Every stage again, alone, from what it claims to read: the same buffers. */
+static void test_claims(void **state)
+{
+	(void)state;
+	ts_params params = small_params(96, 64);
+	params.bounces = 3;
+	params.face_px = 24;
+	static const char *const methods[] = { "epr", "mvr" };
+	for (u32 m = 0; m < 2; m++) {
+		params.reflectors = m == 0 ? 4 : 1;
+		params.reflector_px = 40;
+		ts_scene *scene = small_scene(&params);
+		ts_run run, copy;
+		small_run(&run, scene, &params, methods[m], 2, NULL, NULL);
+		for (u32 i = 0; i < run.n_timings; i++) {
+			const ts_stage *stage = ts_stage_find(run.timings[i].stage);
+			blind(&copy, &run, stage);
+			if (ts_run_stage(&copy, stage) != TS_OK) fail_msg("%s", ts_error_message());
+			assert_same_outputs(&copy, &run, stage);
+			release_blind(&copy, &run);
+		}
+		if (m == 0) assert_true(ts_frame_n(&run.frame, TS_B_lookup3_parent) > 0);
+		ts_run_end(&run);
+		ts_scene_free(scene);
+	}
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_rows),  cmocka_unit_test(test_writers), cmocka_unit_test(test_readers),
+		cmocka_unit_test(test_order), cmocka_unit_test(test_claims),
+	};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
