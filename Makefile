@@ -48,6 +48,10 @@ BUILD ?= build/$(config)
 # The numeric contract: these come after the user's flags.
 WARN := -Wall -Wextra -Wshadow -Werror
 EXACT := -ffp-contract=off -fno-math-errno -fno-trapping-math
+# gcc 12 stops with an internal error in its straight-line vectorizer when run.c is built for AVX-512.
+ifneq (,$(findstring -march=,$(OPT)))
+EXACT += -fno-tree-slp-vectorize
+endif
 COMMON = $(OPT) $(EXACT) -fPIC -fopenmp $(WARN) -Iinclude -MMD -MP
 C_FLAGS = $(CPPFLAGS) $(CFLAGS) -std=c11 -D_POSIX_C_SOURCE=200809L $(COMMON)
 CXX_FLAGS = $(CPPFLAGS) $(CXXFLAGS) -std=c++17 $(COMMON)
