@@ -47,32 +47,45 @@ TS_FN u64 ts_k_mip_first(TS_GLOBAL const ts_face *cubes, u32 first_cube, u32 cub
 	return sum;
 }
 
+/* Where a texel of the batch lies. */
+typedef struct { u32 cube, face, x, y; u64 inside; } ts_texel_place;
+
+TS_FN ts_texel_place ts_k_texel_place(const ts_illuminate_args *args, u64 i)
+{
+	u64 first = args->cubes[args->first_cube].offset;
+	ts_texel_place r;
+	r.cube = args->first_cube;
+	for (u32 k = r.cube + 1u; k < args->first_cube + args->n_cubes; k++) {
+		r.cube = args->cubes[k].offset - first <= i ? k : r.cube;
+	}
+	u64 n = args->cubes[r.cube].n;
+	r.inside = i - (args->cubes[r.cube].offset - first);
+	r.face = (u32)(r.inside / (n * n));
+	r.y = (u32)(r.inside / n % n);
+	r.x = (u32)(r.inside % n);
+	return r;
+}
+
+/* What the centre of a cube sees of a triangle through a texel. */
+TS_FN ts_v3 ts_k_texel_radiance(const ts_illuminate_args *args, const ts_texel_place *place, u32 triangle)
+{
+	ts_camera_k view = ts_k_cube_view(&args->cubes[place->cube], place->face);
+	ts_corners t = ts_k_corners(&args->scene, triangle);
+	ts_fragment f = ts_k_fragment_at(&view, &t, (i32)place->x, (i32)place->y);
+	ts_surface s = ts_k_surface(&args->scene, triangle, f.w, ts_k_fragment_footprint(&view, &t, &f));
+	return ts_k_shade(&args->scene, &s, ts_normalize(ts_sub(view.eye, s.p)));
+}
+
 /* map over texels of the batch */
 TS_FN void ts_k_illuminate_item(const ts_illuminate_args *args, u64 i)
 {
-	u64 first = args->cubes[args->first_cube].offset;
-	u32 r = args->first_cube;
-	while (r + 1u < args->first_cube + args->n_cubes && args->cubes[r + 1u].offset - first <= i) r++;
-	TS_GLOBAL const ts_face *cube = &args->cubes[r];
-	u64 inside = i - (cube->offset - first);
-	u32 n = cube->n;
-	u32 face = (u32)(inside / ((u64)n * n));
-	u32 y = (u32)(inside / n) % n;
-	u32 x = (u32)(inside % n);
+	ts_texel_place place = ts_k_texel_place(args, i);
 	u64 key = args->depth_triangle[i];
-	ts_v3 radiance = ts_k_background();
-	if (key != TS_EMPTY) {
-		u32 triangle = (u32)key;
-		ts_camera_k view = ts_k_cube_view(cube, face);
-		ts_corners t = ts_k_corners(&args->scene, triangle);
-		ts_fragment f = ts_k_fragment_at(&view, &t, (i32)x, (i32)y);
-		ts_surface s = ts_k_surface(&args->scene, triangle, f.w, ts_k_fragment_footprint(&view, &t, &f));
-		radiance = ts_k_shade(&args->scene, &s, ts_normalize(ts_sub(view.eye, s.p)));
-		ts_add_i64(args->n_shaded, 1);
-	}
-	TS_GLOBAL f32 *out = args->mip + (ts_k_mip_first(args->cubes, args->first_cube, r) + inside) * 4u;
+	ts_v3 radiance = key != TS_EMPTY ? ts_k_texel_radiance(args, &place, (u32)key) : ts_k_background();
+	TS_GLOBAL f32 *out = args->mip + (ts_k_mip_first(args->cubes, args->first_cube, place.cube) + place.inside) * 4u;
 	ts_store3(out, radiance);
 	out[3] = 1.0f;
+	if (key != TS_EMPTY) ts_add_i64(args->n_shaded, 1);
 }
 
 /* map over texels of one level of one cube, the first of the batch: ((a + b) + (c + d)) / 4, indices clamped */

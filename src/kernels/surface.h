@@ -76,39 +76,46 @@ TS_FN bool ts_k_is_cut(const ts_arrays *scene, u32 triangle, ts_v3 w, ts_v3 norm
 	return ts_k_alpha(scene, &s) < s.material->alpha_cutoff;
 }
 
-/* T from TANGENT, else along which u grows on the triangle; zero where there is neither. w holds the handedness. */
-TS_FN ts_v3 ts_k_tangent(const ts_sample *s, TS_GLOBAL const ts_slot *slot, f32 *handedness)
+/* T and the sign of B = cross(n, T) * handedness. T is zero where there is none. */
+typedef struct { ts_v3 t; f32 handedness; } ts_tangent;
+
+/* Along which u grows on the triangle; none where uv is degenerate. */
+TS_FN ts_tangent ts_k_tangent_of_uv(const ts_sample *s, TS_GLOBAL const ts_slot *slot)
 {
-	ts_v3 t = ts_blend(s->w, ts_load3(s->a->tangent), ts_load3(s->b->tangent), ts_load3(s->c->tangent));
-	*handedness = s->a->tangent[3] < 0.0f ? -1.0f : 1.0f;
-	if (ts_length(t) > 0.0f) return t;
 	ts_v2 a = ts_k_slot_uv(slot, s->a);
 	ts_v2 b = ts_k_slot_uv(slot, s->b);
 	ts_v2 c = ts_k_slot_uv(slot, s->c);
-	f32 du1 = b.x - a.x;
 	f32 dv1 = b.y - a.y;
-	f32 du2 = c.x - a.x;
 	f32 dv2 = c.y - a.y;
-	f32 det = ts_flush(ts_diff_of_products(du1, dv2, du2, dv1));
-	f32 sign = det < 0.0f ? -1.0f : 1.0f;
-	*handedness = -sign;
-	if (det == 0.0f) return ts_v3_make(0.0f, 0.0f, 0.0f);
+	f32 det = ts_flush(ts_diff_of_products(b.x - a.x, dv2, c.x - a.x, dv1));
+	f32 sign = det < 0.0f ? -1.0f : det > 0.0f ? 1.0f : 0.0f;
 	ts_v3 pa = ts_load3(s->a->position);
-	ts_v3 e1 = ts_sub(ts_load3(s->b->position), pa);
-	ts_v3 e2 = ts_sub(ts_load3(s->c->position), pa);
-	return ts_scale(ts_sub(ts_scale(e1, dv2), ts_scale(e2, dv1)), sign);
+	ts_v3 e1 = ts_scale(ts_sub(ts_load3(s->b->position), pa), sign * dv2);
+	ts_v3 e2 = ts_scale(ts_sub(ts_load3(s->c->position), pa), sign * dv1);
+	ts_tangent r;
+	r.t = ts_sub(e1, e2);
+	r.handedness = -sign;
+	return r;
 }
 
-/* The normal map's normal in the frame T, B = cross(n, T) * handedness, n. */
+/* From TANGENT, else from the uv gradient of the triangle (SPEC 0.3.4). */
+TS_FN ts_tangent ts_k_tangent(const ts_sample *s, TS_GLOBAL const ts_slot *slot)
+{
+	ts_tangent r;
+	r.t = ts_blend(s->w, ts_load3(s->a->tangent), ts_load3(s->b->tangent), ts_load3(s->c->tangent));
+	r.handedness = s->a->tangent[3] < 0.0f ? -1.0f : 1.0f;
+	return ts_length(r.t) > 0.0f ? r : ts_k_tangent_of_uv(s, slot);
+}
+
+/* The normal map's normal in the frame T, B, n. */
 TS_FN ts_v3 ts_k_normal_map(const ts_arrays *scene, const ts_sample *s, ts_v3 n)
 {
 	u32 slot = s->material->slot[2];
 	if (slot == TS_NONE) return n;
-	f32 handedness;
-	ts_v3 t = ts_k_tangent(s, &scene->slots[slot], &handedness);
-	t = ts_normalize(ts_mad(t, n, -ts_dot(n, t)));
+	ts_tangent tangent = ts_k_tangent(s, &scene->slots[slot]);
+	ts_v3 t = ts_normalize(ts_mad(tangent.t, n, -ts_dot(n, tangent.t)));
 	if (!(ts_length(t) > 0.0f)) return n;
-	ts_v3 b = ts_scale(ts_cross(n, t), handedness);
+	ts_v3 b = ts_scale(ts_cross(n, t), tangent.handedness);
 	ts_rgba m = ts_k_slot_sample(scene, s, slot);
 	f32 x = (m.r * 2.0f - 1.0f) * s->material->normal_scale;
 	f32 y = (m.g * 2.0f - 1.0f) * s->material->normal_scale;
