@@ -6,7 +6,8 @@
 enum { N = 30000 };
 
 static const ts_camera_k eye = {
-	.right = { 1, 0, 0 }, .up = { 0, 1, 0 }, .back = { 0, 0, 1 }, .focal = 400, .near = 0.5f, .width = 640, .height = 480,
+	.right = { 1, 0, 0 }, .up = { 0, 1, 0 }, .back = { 0, 0, 1 }, .focal = 400, .near = 0.5f, .width = 640,
+	.height = 480,
 };
 
 static double3 at(const ts_corner *c) { return (double3){ c->x, c->y, -c->z }; }
@@ -84,7 +85,7 @@ static void test_shared_edge(void **state)
 	assert_true(n_shared > N / 5);
 }
 
-/* Whatever the triangle, at most eight corners, all of them within the range of snapping but for the rounding of cuts. */
+/* Whatever the triangle, at most eight corners, all within the range of snapping but for the rounding of cuts. */
 static void test_range(void **state)
 {
 	(void)state;
@@ -107,6 +108,7 @@ static void test_range(void **state)
 static void test_outside(void **state)
 {
 	(void)state;
+	const f32 off[6][3] = { { 9, 0, -4 }, { -9, 0, -4 }, { 0, 9, -4 }, { 0, -9, -4 }, { 0, 0, 1 }, { 0, 0, -0.4f } };
 	u32 n_outside = 0;
 	for (u32 i = 0; i < N; i++) {
 		ts_v3 v[3] = { uniform3(-4, 4), uniform3(-4, 4), uniform3(-4, 4) };
@@ -121,7 +123,7 @@ static void test_outside(void **state)
 	}
 	assert_true(n_outside > N / 10 && n_outside < N);
 	for (u32 k = 0; k < 6; k++) {
-		ts_v3 to = ts_v3_make(k == 0 ? 9 : k == 1 ? -9 : 0, k == 2 ? 9 : k == 3 ? -9 : 0, k == 4 ? 1 : k == 5 ? -0.4f : -4);
+		ts_v3 to = ts_load3(off[k]);
 		ts_v3 d = ts_v3_make(0, 0, 0.05f), e = ts_v3_make(0.05f, 0, 0);
 		ts_polygon p = ts_k_polygon(&eye, to, ts_add(to, d), ts_add(to, e));
 		assert_true(ts_k_is_outside(&eye, &p));
@@ -193,7 +195,8 @@ static void test_ray(void **state)
 		i32 i, j;
 		if (d.setup.area < 2LL * 65536 * 20000 || !random_fragment(&d, &i, &j, &f)) continue;
 		double3 a = at(&d.p.corner[0]), b = at(&d.p.corner[1]), c = at(&d.p.corner[2]);
-		double3 normal = d3_cross(d3_sub(b, a), d3_sub(c, a)), ray = { (i + 0.5 - 320) / 400, (240 - j - 0.5) / 400, -1 };
+		double3 normal = d3_cross(d3_sub(b, a), d3_sub(c, a));
+		double3 ray = { (i + 0.5 - 320) / 400, (240 - j - 0.5) / 400, -1 };
 		if (fabs(d3_dot(d3_unit(normal), d3_unit(ray))) < 0.3) continue;
 		n_judged++;
 		double3 q = d3_scale(ray, d3_dot(normal, a) / d3_dot(normal, ray));
@@ -233,8 +236,9 @@ static void test_to_view(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		seeded_test(test_near),         seeded_test(test_shared_edge), seeded_test(test_range), seeded_test(test_outside),
-		seeded_test(test_reprojection), seeded_test(test_ray),         seeded_test(test_to_view),
+		seeded_test(test_near),    seeded_test(test_shared_edge),  seeded_test(test_range),
+		seeded_test(test_outside), seeded_test(test_reprojection), seeded_test(test_ray),
+		seeded_test(test_to_view),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

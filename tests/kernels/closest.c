@@ -41,7 +41,8 @@ static void test_triangle(void **state)
 	for (u32 i = 0; i < N; i++) {
 		ts_v3 a = uniform3(-4, 4), b = uniform3(-4, 4), c = uniform3(-4, 4), p = uniform3(-8, 8);
 		if (fatness(d3_of(a), d3_of(b), d3_of(c)) < 0.02) continue;
-		double3 q = d3_of(ts_k_closest_on_triangle(p, a, b, c)), truth = closest(d3_of(p), d3_of(a), d3_of(b), d3_of(c));
+		double3 q = d3_of(ts_k_closest_on_triangle(p, a, b, c));
+		double3 truth = closest(d3_of(p), d3_of(a), d3_of(b), d3_of(c));
 		assert_near(d3_distance(d3_of(p), q), d3_distance(d3_of(p), truth), 2e-5);
 		assert_true(d3_distance(q, closest(q, d3_of(a), d3_of(b), d3_of(c))) <= 2e-5);
 		n_regions[d3_distance(q, d3_of(a)) == 0]++;

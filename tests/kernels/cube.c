@@ -1,4 +1,4 @@
-/* Cube maps against OpenGL's table: which face, where on it, which texel; the faces as views; and their common edges. */
+/* Cube maps against OpenGL's table: which face, where on it, which texel; the faces as views; their common edges. */
 #include "seeded.h"
 #include "../../src/kernels/cube.h"
 
@@ -127,7 +127,7 @@ static ts_v3 edge_direction(u32 face, u32 side, f32 along, f32 reach)
 	return side < 2 ? ts_k_cube_direction(face, out, along) : ts_k_cube_direction(face, along, out);
 }
 
-/* A step across a side of a face lands on the border texel of one neighbour, and never on the same or the opposite face;
+/* A step across a side of a face lands on the border texel of one neighbour, never on the same or the opposite face;
  * twelve common edges, each seen from both sides. */
 static void test_neighbours(void **state)
 {

@@ -1,12 +1,13 @@
-/* Drawing against a ray caster in double precision: meshes without gaps or overlaps, a floor through the near plane, ties,
- * order, sides, masks, and the six faces of a cube in a box. */
+/* Drawing against a ray caster in double precision: meshes without gaps or overlaps, a floor through the near plane,
+ * ties, order, sides, masks, and the six faces of a cube in a box. */
 #include "small.h"
 #include "../../src/kernels/draw.h"
 
 enum { WIDTH = 64, HEIGHT = 48, N_PIXELS = WIDTH * HEIGHT };
 
 static const ts_view eye = {
-	.focal = 64, .right = { 1, 0, 0 }, .width = WIDTH, .up = { 0, 1, 0 }, .height = HEIGHT, .back = { 0, 0, 1 }, .near = 0.25f,
+	.focal = 64, .right = { 1, 0, 0 }, .width = WIDTH, .up = { 0, 1, 0 }, .height = HEIGHT, .back = { 0, 0, 1 },
+	.near = 0.25f,
 };
 
 static small_scene scene;
@@ -276,7 +277,9 @@ static void test_faces(void **state)
 	scene.objects[1].reflector = 1;
 	u32 own = small_add(&scene, ts_v3_make(-1, -1, -1), ts_v3_make(5, -1, -1), ts_v3_make(-1, 5, -1), 1, 1);
 	clear(buffer, sizeof buffer / sizeof buffer[0]);
-	ts_face_args args = { .scene = small_arrays(&scene), .cubes = cubes, .texels = buffer, .first_cube = 1, .n_cubes = 3 };
+	ts_face_args args = {
+		.scene = small_arrays(&scene), .cubes = cubes, .texels = buffer, .first_cube = 1, .n_cubes = 3,
+	};
 	for (u32 t = 0; t < scene.n_triangles; t++) ts_k_face_item(&args, t);
 	u32 n_own = 0;
 	for (u32 i = 0; i < 2 * 6 * FACE; i++) {
@@ -302,7 +305,7 @@ static void test_faces(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		seeded_test(test_mesh),  seeded_test(test_floor), seeded_test(test_soup),  seeded_test(test_order),
+		seeded_test(test_mesh),  seeded_test(test_floor),           seeded_test(test_soup), seeded_test(test_order),
 		seeded_test(test_again), seeded_test(test_sides_and_masks), seeded_test(test_faces),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -34,7 +34,7 @@ static void test_fix(void **state)
 	}
 }
 
-/* Both signs of every exponent with the mantissas at which rounding turns; the last exponent holds infinities and NaN. */
+/* Both signs of every exponent with the mantissas at which rounding turns; the last exponent holds infinity and NaN. */
 static void test_fix_exponents(void **state)
 {
 	(void)state;

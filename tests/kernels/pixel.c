@@ -73,12 +73,13 @@ static double3 ray(u32 i)
 	return (double3){ (i % WIDTH + 0.5 - WIDTH / 2) / 40, (HEIGHT / 2 - (i / WIDTH + 0.5)) / 40, -1 };
 }
 
+static double3 corner(u32 t, u32 k) { return d3_of(ts_load3(scene.vertices[3 * t + k].position)); }
+
 /* Where the ray of a pixel meets the plane of its triangle, and how steeply. */
 static double3 meet(u32 i, double *cosine)
 {
 	u32 t = (u32)keys[i];
-	double3 a = d3_of(ts_load3(scene.vertices[3 * t].position)), b = d3_of(ts_load3(scene.vertices[3 * t + 1].position));
-	double3 n = d3_unit(d3_cross(d3_sub(b, a), d3_sub(d3_of(ts_load3(scene.vertices[3 * t + 2].position)), a)));
+	double3 a = corner(t, 0), n = d3_unit(d3_cross(d3_sub(corner(t, 1), a), d3_sub(corner(t, 2), a)));
 	double3 o = d3_of(ts_load3(eye.eye)), d = ray(i);
 	*cosine = fabs(d3_dot(n, d3_unit(d)));
 	return d3_mad(o, d, d3_dot(n, d3_sub(a, o)) / d3_dot(n, d));
@@ -124,7 +125,8 @@ static const ts_pixel *beside(const ts_pixel *p, i32 dx, i32 dy)
 static void judge_gradient(const f32 *gradient, const f32 *before, const f32 *here, const f32 *after)
 {
 	for (u32 c = 0; c < 3; c++) {
-		f32 d = before && after ? (after[c] - before[c]) * 0.5f : after ? after[c] - here[c] : before ? here[c] - before[c] : 0;
+		f32 forward = after ? after[c] - here[c] : 0, backward = before ? here[c] - before[c] : 0;
+		f32 d = before && after ? (after[c] - before[c]) * 0.5f : after ? forward : backward;
 		assert_true(same_bits(gradient[c], ts_put(d)));
 	}
 }
@@ -139,12 +141,12 @@ static void test_gradients(void **state)
 		u32 n_records = draw();
 		for (u32 k = 0; k < n_records; k++) {
 			const ts_pixel *p = &records[k], *left = beside(p, -1, 0), *right = beside(p, 1, 0);
-			const ts_pixel *above = beside(p, 0, -1), *below_ = beside(p, 0, 1);
+			const ts_pixel *up = beside(p, 0, -1), *down = beside(p, 0, 1);
 			n_of[(left != NULL) + (right != NULL)]++;
 			judge_gradient(p->position_dx, left ? left->position : NULL, p->position, right ? right->position : NULL);
-			judge_gradient(p->position_dy, above ? above->position : NULL, p->position, below_ ? below_->position : NULL);
+			judge_gradient(p->position_dy, up ? up->position : NULL, p->position, down ? down->position : NULL);
 			judge_gradient(p->normal_dx, left ? left->normal : NULL, p->normal, right ? right->normal : NULL);
-			judge_gradient(p->normal_dy, above ? above->normal : NULL, p->normal, below_ ? below_->normal : NULL);
+			judge_gradient(p->normal_dy, up ? up->normal : NULL, p->normal, down ? down->normal : NULL);
 		}
 	}
 	assert_true(n_of[0] > 0 && n_of[1] > 100 && n_of[2] > 1000);

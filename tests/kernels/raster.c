@@ -1,5 +1,5 @@
-/* Coverage: every triangle and every edge-sharing pair of a small lattice, the exact counts of the conservative cover, and
- * covers that miss nothing of the triangle before snapping. */
+/* Coverage: every triangle and every edge-sharing pair of a small lattice, the exact counts of the conservative cover,
+ * and covers that miss nothing of the triangle before snapping. */
 #include <stdlib.h>
 #include "seeded.h"
 #include "../../src/kernels/raster.h"
@@ -25,7 +25,7 @@ static u32 coverage(ts_snapped a, ts_snapped b, ts_snapped c)
 
 static i64 side(ts_snapped a, ts_snapped b, i64 x, i64 y) { return (b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x); }
 
-/* The top-left rule without edges' names: what holds a centre pushed a hair to the right, and a hair's hair down, and so
+/* The top-left rule without edges' names: what holds a centre pushed a hair to the right, and a hair's hair down, which
  * lies on no edge. All coordinates times 2^20; one unit is too little to cross an edge that the centre is not on. */
 static bool holds(ts_snapped a, ts_snapped b, ts_snapped c, i32 x, i32 y)
 {
@@ -54,7 +54,8 @@ static void test_all_triangles(void **state)
 			expected |= (u32)holds(a, b, c, centre(p % 5 - 1), centre(p / 5 - 1)) << p;
 		}
 		if (coverage(a, b, c) == expected) continue;
-		print_error("(%d %d) (%d %d) (%d %d) covers %x, not %x\n", a.x, a.y, b.x, b.y, c.x, c.y, coverage(a, b, c), expected);
+		print_error("(%d %d) (%d %d) (%d %d) covers %x, not %x\n", a.x, a.y, b.x, b.y, c.x, c.y, coverage(a, b, c),
+		            expected);
 		fail();
 	}
 	assert_int_equal(n_triangles, 52800);
@@ -98,15 +99,23 @@ static void test_all_pairs(void **state)
 	assert_int_equal(n_never, 0);
 }
 
+/* In the whole range of snapping. */
+static ts_snapped anywhere(void)
+{
+	i32 x = (i32)below(16777215) - 8388607;
+	return (ts_snapped){ x, (i32)below(16777215) - 8388607 };
+}
+
 /* A turned triangle has positive area, its edges sum to it everywhere, and it knows where its corners came from. */
 static void test_setup(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < 100000; i++) {
 		ts_snapped v[3];
-		for (u32 k = 0; k < 3; k++) v[k] = (ts_snapped){ (i32)below(16777215) - 8388607, (i32)below(16777215) - 8388607 };
+		for (u32 k = 0; k < 3; k++) v[k] = anywhere();
 		ts_setup t = ts_k_setup(v[0], v[1], v[2]);
-		ts_edges e = ts_k_edges(&t, (i32)below(16777215) - 8388607, (i32)below(16777215) - 8388607);
+		ts_snapped p = anywhere();
+		ts_edges e = ts_k_edges(&t, p.x, p.y);
 		assert_true(t.area == llabs(side(v[0], v[1], v[2].x, v[2].y)));
 		assert_true(e.e[0] + e.e[1] + e.e[2] == t.area);
 		for (u32 k = 0; k < 3; k++) {
@@ -298,8 +307,8 @@ static void test_nothing_missed(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		seeded_test(test_all_triangles), seeded_test(test_all_pairs), seeded_test(test_setup),
-		seeded_test(test_snap),          seeded_test(test_touched_box), seeded_test(test_count),
+		seeded_test(test_all_triangles),   seeded_test(test_all_pairs),   seeded_test(test_setup),
+		seeded_test(test_snap),            seeded_test(test_touched_box), seeded_test(test_count),
 		seeded_test(test_count_of_others), seeded_test(test_nothing_missed),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,11 +1,12 @@
-/* Cube sizes against the projected box in double precision, the rule of hysteresis, and the box and ball of the vertices. */
+/* Cube sizes against the projected box in double precision, hysteresis, and the box and ball of the vertices. */
 #include "small.h"
 #include "../../src/kernels/resize.h"
 
 enum { N = 20000, N_VERTICES = 12 };
 
 static const ts_view eye = {
-	.focal = 100, .right = { 1, 0, 0 }, .width = 320, .up = { 0, 1, 0 }, .height = 180, .back = { 0, 0, 1 }, .near = 0.5f,
+	.focal = 100, .right = { 1, 0, 0 }, .width = 320, .up = { 0, 1, 0 }, .height = 180, .back = { 0, 0, 1 },
+	.near = 0.5f,
 };
 
 static ts_vertex vertices[N_VERTICES + 2];
@@ -27,8 +28,10 @@ static void make_object(ts_v3 centre, f32 size)
 
 static ts_resize_args plain(void)
 {
-	return (ts_resize_args){ .vertices = vertices, .objects = objects, .reflector_objects = reflector_objects, .view = &eye,
-	                         .cubes = &cube, .n_max = 512, .hysteresis = 32 };
+	return (ts_resize_args){
+		.vertices = vertices, .objects = objects, .reflector_objects = reflector_objects, .view = &eye,
+		.cubes = &cube, .n_max = 512, .hysteresis = 32,
+	};
 }
 
 static u32 resized(const ts_resize_args *args)
@@ -62,7 +65,9 @@ static void test_ball(void **state)
 		double3 c = d3_of(ts_load3(cube.centre));
 		assert_true(d3_distance(c, d3_scale(d3_add(lo, hi), 0.5)) <= 1e-6);
 		double radius = 0;
-		for (u32 k = 1; k <= N_VERTICES; k++) radius = fmax(radius, d3_distance(d3_of(ts_load3(vertices[k].position)), c));
+		for (u32 k = 1; k <= N_VERTICES; k++) {
+			radius = fmax(radius, d3_distance(d3_of(ts_load3(vertices[k].position)), c));
+		}
 		assert_near(cube.radius, radius, 1e-6);
 		assert_true(cube.near == cube.radius / 1024 && cube.object == 1);
 	}

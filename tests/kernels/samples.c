@@ -93,7 +93,8 @@ static void test_bounce(void **state)
 		if (d3_distance(d3_of(from), d3_of(p)) < 0.5) continue;
 		f32 spread = i % 2 == 0 ? 0 : uniform(0, 1);
 		u32 k = below(TS_N_BOUNCE_SAMPLES);
-		double3 r = d3_of(ts_k_bounce_direction(p, n, u, v, from, spread, k)), in = d3_unit(d3_sub(d3_of(p), d3_of(from)));
+		double3 r = d3_of(ts_k_bounce_direction(p, n, u, v, from, spread, k));
+		double3 in = d3_unit(d3_sub(d3_of(p), d3_of(from)));
 		double3 m = d3_mad(d3_of(n), d3_of(u), (specified[2 * k] + 0.5) / 128 * spread);
 		m = d3_unit(d3_mad(m, d3_of(v), (specified[2 * k + 1] + 0.5) / 128 * spread));
 		assert_true(d3_distance(r, d3_mad(in, m, -2 * d3_dot(in, m))) <= 3e-6);

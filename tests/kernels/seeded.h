@@ -52,7 +52,10 @@ static inline ts_v3 random_weights(void)
 }
 
 static inline bool same_bits(f32 a, f32 b) { return ts_f2u(a) == ts_f2u(b); }
-static inline bool same_bits3(ts_v3 a, ts_v3 b) { return same_bits(a.x, b.x) && same_bits(a.y, b.y) && same_bits(a.z, b.z); }
+static inline bool same_bits3(ts_v3 a, ts_v3 b)
+{
+	return same_bits(a.x, b.x) && same_bits(a.y, b.y) && same_bits(a.z, b.z);
+}
 
 typedef struct { double x, y, z; } double3;
 

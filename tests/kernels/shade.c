@@ -1,5 +1,5 @@
-/* Shading against the textbook form of GGX in double precision, energy over the hemisphere by quadrature, reciprocity, and
- * the formulas of punctual lights. */
+/* Shading against the textbook form of GGX in double precision, energy over the hemisphere by quadrature, reciprocity,
+ * and the formulas of punctual lights. */
 #include "small.h"
 #include "../../src/kernels/shade.h"
 
@@ -10,7 +10,9 @@ static double pi;
 static ts_surface material(ts_v3 base, f32 metallic, f32 roughness)
 {
 	ts_v3 z = ts_v3_make(0, 0, 1);
-	return (ts_surface){ .n = z, .face = z, .base = base, .metallic = metallic, .roughness = roughness, .occlusion = 1 };
+	return (ts_surface){
+		.n = z, .face = z, .base = base, .metallic = metallic, .roughness = roughness, .occlusion = 1,
+	};
 }
 
 /* A direction of the upper hemisphere at this cosine. */
@@ -64,7 +66,8 @@ static void test_reciprocity(void **state)
 	for (u32 i = 0; i < N; i++) {
 		ts_surface s = material(uniform3(0, 1), uniform(0, 1), uniform(0.1f, 1));
 		ts_v3 v = polar(uniform(0.01f, 1), uniform(0, 1)), l = polar(uniform(0.01f, 1), uniform(0, 1));
-		double there = (double)ts_k_brdf(&s, s.n, v, l, l.z).x / l.z, back = (double)ts_k_brdf(&s, s.n, l, v, v.z).x / v.z;
+		double there = (double)ts_k_brdf(&s, s.n, v, l, l.z).x / l.z;
+		double back = (double)ts_k_brdf(&s, s.n, l, v, v.z).x / v.z;
 		assert_near(there, back, 2e-3 * back);
 	}
 }
@@ -83,9 +86,9 @@ static double albedo(const ts_surface *s, ts_v3 v, u32 steps)
 	return sum * 2 * pi / (2.0 * steps * steps);
 }
 
-/* White metal never returns more than it receives, a white dielectric nearly everything, black metal nearly nothing. glTF
- * weighs Lambert's part by the Fresnel term of the half-vector: seen along the surface a white one returns up to a quarter
- * too much. That is the model's; the textbook form agrees (test_brdf). */
+/* White metal never returns more than it receives, a white dielectric nearly everything, black metal nearly nothing.
+ * glTF weighs Lambert's part by the Fresnel term of the half-vector: seen along the surface a white one returns up to a
+ * quarter too much. That is the model's; the textbook form agrees (test_brdf). */
 static void test_energy(void **state)
 {
 	(void)state;

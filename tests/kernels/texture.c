@@ -1,5 +1,5 @@
-/* Textures against the endless wrapped image they stand for: a double-precision bilinear look-up by the definition of each
- * wrap mode, exact texels at their centres, nothing read outside the image, and the level rule at powers of two. */
+/* Textures against the endless wrapped image they stand for: a double-precision bilinear look-up by the definition of
+ * each wrap mode, exact texels at their centres, nothing read outside the image, the level rule at powers of two. */
 #include "small.h"
 #include "../../src/kernels/texture.h"
 
@@ -89,7 +89,8 @@ static void test_constant(void **state)
 static void test_inside(void **state)
 {
 	(void)state;
-	const f32 special[] = { 0, -0.0f, 1, -1, 0.5f, NAN, INFINITY, -INFINITY, 1e30f, -1e30f, -1e-10f, 1e-40f, 0.99999994f };
+	const f32 special[] = { 0,         -0.0f, 1,      -1,      0.5f,   NAN,        INFINITY,
+	                        -INFINITY, 1e30f, -1e30f, -1e-10f, 1e-40f, 0.99999994f };
 	for (u32 i = 0; i < N; i++) {
 		if (i % 1000 == 0) make_image(sizes[i / 1000 % N_SIZES][0], sizes[i / 1000 % N_SIZES][1], false);
 		set_wrap(below(3), below(3));
@@ -147,17 +148,23 @@ static void test_trilinear(void **state)
 	}
 }
 
-/* Weights sum to 65536: the mix of equal values is that value, the mix of anything lies between. */
-static void test_mix(void **state)
+/* All 256 x 256 fractions between four texels, and all between two levels, in integers as specified: equal texels keep
+ * their value, greatest ones do not overflow. */
+static void test_fractions(void **state)
 {
 	(void)state;
-	for (u32 f = 0; f < 65536; f++) {
-		u32 a = bits() & 0xffff, b = bits() & 0xffff;
-		assert_int_equal(ts_k_texture_mix4(65535, 65535, 65535, 65535, f & 255, f >> 8), 65535);
-		assert_int_equal(ts_k_texture_mix4(a, a, a, a, f & 255, f >> 8), a);
-		double fx = (f & 255) / 256.0, fy = (f >> 8) / 256.0;
-		assert_near(ts_k_texture_mix4(a, b, b, a, f & 255, f >> 8), a + ((double)b - a) * (fx + fy - 2 * fx * fy), 0.5);
-		assert_near(ts_k_texture_mix2(a, b, f & 255), a + ((double)b - a) * fx, 0.5);
+	set_wrap(TS_CLAMP, TS_CLAMP);
+	for (u32 n = 0; n < 65536; n++) {
+		u64 fx = n & 255, fy = n >> 8, t[5];
+		make_image(2, 2, false);
+		for (u32 k = 0; k < 5; k++) t[k] = n % 3 == 0 ? 65535 : n % 3 == 1 && k > 0 ? t[0] : bits() & 0xffff;
+		for (u32 k = 0; k < 5; k++) texels[32 + k] = texel((u32)t[k], 0, 0, 65535);
+		u64 sum = (t[0] * (256 - fx) + t[1] * fx) * (256 - fy) + (t[2] * (256 - fx) + t[3] * fx) * fy;
+		ts_v2 uv = { 0.25f + (f32)fx / 512, 0.25f + (f32)fy / 512 };
+		f32 r = ts_k_texture_sample(&arrays, &slot, uv, 0).r;
+		assert_true(r == (f32)((sum + 32768) >> 16) * 0.00001525902189314365f);
+		r = ts_k_texture_sample(&arrays, &slot, ts_v2_make(0.25f, 0.25f), (u32)fx).r;
+		assert_true(r == (f32)((t[0] * (256 - fx) + t[4] * fx + 128) >> 8) * 0.00001525902189314365f);
 	}
 }
 
@@ -189,7 +196,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		seeded_test(test_constant),  seeded_test(test_inside), seeded_test(test_centres), seeded_test(test_bilinear),
-		seeded_test(test_trilinear), seeded_test(test_mix),    seeded_test(test_lod),
+		seeded_test(test_trilinear), seeded_test(test_fractions), seeded_test(test_lod),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

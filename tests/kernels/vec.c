@@ -118,8 +118,9 @@ static void test_store(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		seeded_test(test_exact),   seeded_test(test_dot_and_cross), seeded_test(test_order), seeded_test(test_normalize),
-		seeded_test(test_reflect), seeded_test(test_blend),         seeded_test(test_store),
+		seeded_test(test_exact),     seeded_test(test_dot_and_cross), seeded_test(test_order),
+		seeded_test(test_normalize), seeded_test(test_reflect),       seeded_test(test_blend),
+		seeded_test(test_store),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

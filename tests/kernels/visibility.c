@@ -1,5 +1,5 @@
-/* Visibility bits against samples: what a face can see has its bit; what turns its back, owns the cube or has no area has
- * none; and every cube's six bits are found again among the words. */
+/* Visibility bits against samples: what a face can see has its bit; what turns its back, owns the cube or has no area
+ * has none; and every cube's six bits are found again among the words. */
 #include "small.h"
 #include "../../src/kernels/visibility.h"
 
@@ -13,9 +13,8 @@ static void make_scene(f32 size)
 {
 	small_clear(&scene);
 	scene.materials[1].flags = TS_DOUBLE_SIDED;
-	ts_v3 c = uniform3(-3, 3);
-	small_add(&scene, ts_add(c, uniform3(-size, size)), ts_add(c, uniform3(-size, size)), ts_add(c, uniform3(-size, size)), 1,
-	          0);
+	ts_v3 o = uniform3(-3, 3), a = uniform3(-size, size), b = uniform3(-size, size), c = uniform3(-size, size);
+	small_add(&scene, ts_add(o, a), ts_add(o, b), ts_add(o, c), 1, 0);
 	for (u32 r = 0; r < N_CUBES; r++) {
 		cubes[r] = (ts_face){ .n = 16, .near = 0.125f };
 		ts_store3(cubes[r].centre, uniform3(-3, 3));
