@@ -1,0 +1,133 @@
+/* The fast splats equal the plain kernel bit for bit: texels and counters, on random meshes biased to the extremes. */
+#include "../kernels/mesh.h"
+#include "../../src/backends/backend.h"
+
+enum { N = 1500 };
+
+/* Everything about one run, printed when it fails. */
+typedef struct { u32 start, clip, plane_depth, paper_splat, threads, n_cubes; i32 half_size; f32 samples; } setting;
+
+/* Slivers, needles through the near plane, triangles through the eye, along an axis, at the ends of the range. */
+static void extreme_corners(ts_v3 corner[3], ts_v3 centre)
+{
+	u32 sort = random_bits() % 8;
+	random_corners(corner, 6, 0.002f, 64);
+	if (sort == 0) for (u32 k = 0; k < 3; k++) corner[k].x = centre.x;
+	if (sort == 1) corner[random_bits() % 3] = centre;
+	if (sort == 2) for (u32 k = 0; k < 3; k++) corner[k] = ts_mad(centre, uniform3(-1, 1), 0.004f);
+	if (sort == 3) corner[random_bits() % 3] = ts_scale(uniform3(-1, 1), 16777216);
+	if (sort == 4) for (u32 k = 0; k < 3; k++) corner[k] = ts_add(centre, uniform3(-9, 9));
+	if (sort == 5) {
+		for (u32 k = 0; k < 3; k++) {
+			corner[k] = ts_v3_make(ts_floor(corner[k].x), ts_floor(corner[k].y), ts_floor(corner[k].z));
+		}
+	}
+}
+
+/* As visibility leaves them: no bit of a cube that is out of sight, some bits of the others. */
+static void random_visibility(mesh *m, u32 triangle)
+{
+	u64 *words = m->bits + triangle * 2;
+	bool all = random_bits() % 3 != 0;
+	for (u32 bit = 0; bit < m->n_cubes * 6; bit++) {
+		bool seen = m->cubes[bit / 6].n != 0 && (all || random_bits() % 2 == 0);
+		if (!seen) words[bit / 64] &= ~(1UL << bit % 64);
+	}
+}
+
+static void random_mesh(mesh *m, setting *s)
+{
+	static const u32 sizes[] = { 0, 1, 2, 7, 16, 33, 64 };
+	mesh_begin(m);
+	s->n_cubes = 1 + random_bits() % (random_bits() % 8 == 0 ? MESH_CUBES : 3);
+	for (u32 r = 0; r < s->n_cubes; r++) mesh_cube(m, uniform3(-4, 4), uniform_power(-6, 6), sizes[random_bits() % 7]);
+	for (u32 t = 0; t < 6; t++) {
+		ts_v3 corner[3];
+		do extreme_corners(corner, ts_load3(m->cubes->centre)); while (is_degenerate(corner));
+		mesh_triangle(m, corner[0], corner[1], corner[2], t % 5, 0);
+		random_visibility(m, t);
+	}
+	mesh_whole(m, 1);
+	for (u32 t = 0; t < 6; t++) {
+		f32 length;
+		const ts_piece *p = &m->pieces[t];
+		ts_k_longest_edge(ts_load3(p->a), ts_load3(p->b), ts_load3(p->c), &length);
+		m->scale[t] = random_bits() % 8 == 0 ? 0 : s->samples / length;
+	}
+	mesh_points(m, s->half_size, s->paper_splat);
+}
+
+static void assert_equal(const mesh *m, const setting *s)
+{
+	u64 n = mesh_texels(m);
+	u64 *plain = mesh_alloc(n, sizeof *plain), *fast = mesh_alloc(n, sizeof *fast);
+	ts_c_empty(plain, n, 1);
+	ts_c_empty(fast, n, 1);
+	i64 scatters[2] = { 0, 0 }, writes[2] = { 0, 0 };
+	ts_splat_args args = mesh_splat(m, plain, &scatters[0], &writes[0]);
+	args.clip = s->clip;
+	args.plane_depth = s->plane_depth;
+	ts_c_launch(TS_KERNEL_splat, &args, m->n_points, 1);
+	args.texels = fast;
+	args.n_scatters = &scatters[1];
+	args.n_writes = &writes[1];
+	ts_c_splat_fast(&args, m->count, m->n_pieces, s->threads);
+	if (memcmp(plain, fast, n * sizeof *plain) != 0 || scatters[0] != scatters[1] || writes[0] != writes[1]) {
+		fail_msg("random %u: clip %u planedepth %u paper %u threads %u cubes %u half size %d samples %a: scatters %lld %lld "
+		         "writes %lld %lld", s->start, s->clip, s->plane_depth, s->paper_splat, s->threads, s->n_cubes, s->half_size,
+		         (double)s->samples, (long long)scatters[0], (long long)scatters[1], (long long)writes[0],
+		         (long long)writes[1]);
+	}
+	free(plain);
+	free(fast);
+}
+
+static void test_equal(void **state)
+{
+	(void)state;
+	n_random = 0;
+	u64 n_points = 0;
+	for (u32 i = 0; i < N; i++) {
+		mesh m;
+		setting s = { .start = n_random, .clip = random_bits() % 2, .plane_depth = random_bits() % 4 == 0,
+		              .paper_splat = random_bits() % 4 == 0, .threads = 1 + random_bits() % 4,
+		              .half_size = random_bits() % 2 == 0 ? 129 : 128, .samples = uniform_power(-6, 6) };
+		random_mesh(&m, &s);
+		n_points += m.n_points;
+		assert_equal(&m, &s);
+		mesh_clear(&m);
+	}
+	assert_true(n_points > 50 * N);
+}
+
+/* Pieces of split triangles, in their order. */
+static void test_equal_in_pieces(void **state)
+{
+	(void)state;
+	n_random = 0;
+	u32 n_pieces = 0;
+	for (u32 i = 0; i < 6; i++) {
+		mesh m;
+		mesh_begin(&m);
+		mesh_cube(&m, uniform3(-1, 1), uniform_power(-2, 1), 48);
+		mesh_cube(&m, uniform3(-1, 1), uniform_power(-2, 1), 16);
+		for (u32 t = 0; t < 2; t++) mesh_triangle(&m, uniform3(-24, 24), uniform3(-24, 24), uniform3(-24, 24), 0, 0);
+		ts_store3(m.view.eye, uniform3(-2, 2));
+		i64 n_capped = 0;
+		ts_density_args args = mesh_density(&m, &n_capped, 0.5f);
+		args.cap = 0;
+		mesh_split(&m, args);
+		n_pieces += m.n_pieces;
+		mesh_points(&m, 129, 0);
+		setting s = { .start = i, .clip = i % 2, .threads = 2, .half_size = 129, .n_cubes = 2 };
+		if (m.n_points < 400000) assert_equal(&m, &s);
+		mesh_clear(&m);
+	}
+	assert_true(n_pieces > 12);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = { cmocka_unit_test(test_equal), cmocka_unit_test(test_equal_in_pieces) };
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
