@@ -170,6 +170,20 @@ static void test_none(void **state)
 	}
 }
 
+/* Edge-on from the centre, a single-sided triangle does not face it. */
+static void test_edge_on(void **state)
+{
+	(void)state;
+	make_scene(1);
+	ts_store3(cubes[0].centre, ts_v3_make(0, 0, 0));
+	for (u32 k = 0; k < 3; k++) ts_store3(scene.vertices[k].position, ts_v3_make(k == 0 ? 2 : 3, k == 1, 0));
+	find_bits(1, 0);
+	assert_true(words[0] == 1);
+	scene.triangles[0].material = 0;
+	find_bits(1, 0);
+	assert_true(words[0] == 0);
+}
+
 /* Cube r's bits are bits 6 r to 6 r + 5, also where they go from one word into the next; nothing else is set. */
 static void test_words(void **state)
 {
@@ -201,7 +215,8 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		seeded_test(test_samples),  seeded_test(test_modes), seeded_test(test_closed),
-		seeded_test(test_one_face), seeded_test(test_none),  seeded_test(test_words),
+		seeded_test(test_one_face), seeded_test(test_none),  seeded_test(test_edge_on),
+		seeded_test(test_words),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
