@@ -60,8 +60,8 @@ LINK_FLAGS = $(LDFLAGS) $(OPT) -fopenmp
 # Libraries. Embree brings no pkg-config file.
 EMBREE := $(shell for v in 4 3; do printf '\043include <embree%s/rtcore.h>\n' $$v | $(CC) -E -x c - >/dev/null 2>&1 && echo $$v && break; done)
 packages = $(shell $(PKG_CONFIG) $(1) $(2) 2>/dev/null)
-CPP_LIBS := -DTS_EMBREE=$(EMBREE) $(call packages,--cflags,OpenImageIO jansson libcrypto tinygltf)
-LIBS := -lembree$(EMBREE) $(call packages,--libs,OpenImageIO jansson libcrypto) $(call packages,--libs,tinygltf) -lm
+CPP_LIBS := -DTS_EMBREE=$(EMBREE) $(call packages,--cflags,OpenImageIO jansson libcrypto tinygltf zlib)
+LIBS := -lembree$(EMBREE) $(call packages,--libs,OpenImageIO jansson libcrypto zlib) $(call packages,--libs,tinygltf) -lm
 CORE_LIBS = -lcrypto -lm
 
 # Sources, by folder.

@@ -1,6 +1,7 @@
 /* Image files through OpenImageIO, which is named nowhere else. Input is untrusted: the size in the header is read and
- * judged here before the library sees the file. */
+ * judged here before the library sees the file, and of a PNG it sees a checked copy. */
 #include "../core/core.h"
+#include "png.h"
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <cerrno>
@@ -39,18 +40,6 @@ static size png_size(const uint8_t *p, size_t n)
 {
 	if (n < 24 || memcmp(p + 12, "IHDR", 4) != 0) return {0, 0};
 	return {big_endian(p + 16, 4), big_endian(p + 20, 4)};
-}
-
-/* Whether the chunks reach IEND: libpng's way out of a file that ends early leaks. */
-static bool png_is_whole(const uint8_t *p, size_t n)
-{
-	for (size_t at = 8; n - at >= 12;) {
-		if (memcmp(p + at + 4, "IEND", 4) == 0) return true;
-		uint64_t chunk = 12 + (uint64_t)big_endian(p + at, 4);
-		if (chunk > n - at) return false;
-		at += chunk;
-	}
-	return false;
 }
 
 /* The first frame header (SOF0 to SOF15 without DHT, JPG and DAC). */
@@ -157,10 +146,16 @@ ts_status ts_image_decode(uint8_t **rgba, uint32_t *width, uint32_t *height, con
 		return ts_fail("%s: its header says %llu by %llu; at most %llu texels are justified", what,
 					   (unsigned long long)stated.width, (unsigned long long)stated.height,
 					   (unsigned long long)max_texels);
-	if (png && !png_is_whole(p, file_bytes)) return ts_fail("%s: the PNG is cut short", what);
+	uint8_t *clean = nullptr;
+	size_t clean_bytes = 0;
+	if (png && ts_png_clean(&clean, &clean_bytes, p, file_bytes, what) != TS_OK) return TS_ERROR;
+	std::unique_ptr<uint8_t, void (*)(void *)> owner(clean, free);
 	*width = (uint32_t)stated.width;
 	*height = (uint32_t)stated.height;
-	return guarded(what, [&] { return decode(rgba, stated, file, file_bytes, png, what); });
+	return guarded(what, [&] {
+		return png ? decode(rgba, stated, clean, clean_bytes, png, what)
+				   : decode(rgba, stated, file, file_bytes, png, what);
+	});
 }
 
 /* Writes PATH.partial and renames it. */

@@ -11,7 +11,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 #include "../../src/core/core.h"
-#include "../../src/scene/sources.h"
+#include "../../src/scene/scene.h"
 
 #if defined(__SANITIZE_ADDRESS__)
 #define LIMIT_MEMORY 0
@@ -43,25 +43,17 @@ static FILE *open_list(const char *name)
 
 static bool is_one_line(const char *text) { return text[0] != '\0' && strpbrk(text, "\r\n") == NULL; }
 
-/* Loads a file; *triangles is what it draws. Refusals must come as one line. */
+/* Opens a file, with mirrors added; *triangles is what it draws without them. Refusals must come as one line. */
 static bool load(const char *path, u32 *triangles)
 {
-	ts_build *build = ts_build_new(path);
-	assert_non_null(build);
+	ts_params params;
+	ts_scene *scene;
+	ts_params_default(&params);
 	alarm(10);
-	ts_gltf_load(build, path, NULL);
-	bool good = !ts_build_failed(build);
-	*triangles = ts_build_peek(build)->n_triangles;
-	if (good && *triangles > 0) {
-		ts_params params;
-		ts_scene *scene;
-		ts_params_default(&params);
-		good = ts_build_finish(build, &params, NULL, &scene) == TS_OK;
-		ts_scene_free(scene);
-	} else {
-		ts_build_free(build);
-	}
+	bool good = ts_scene_open(&scene, path, &params, NULL) == TS_OK;
 	alarm(0);
+	*triangles = good ? (u32)scene->n_triangles_file : 0;
+	ts_scene_free(scene);
 	if (!good) assert_true(is_one_line(ts_error_message()));
 	return good;
 }
