@@ -24,6 +24,8 @@ void ts_c_launch(ts_kernel kernel, const void *args, u64 n, u32 threads);
 /* Fast paths: the same bits as launching the kernel (proved by tests/backends/<noun>_fast.c).
  * Splat: offset[n_pieces + 1] are the points before each piece. */
 void ts_c_splat_fast(const ts_splat_args *args, const u32 *offset, u64 n_pieces, u32 threads);
+/* Shade: of n entries; adaptive must be 0. */
+void ts_c_shade_fast(const ts_lookup_args *args, u64 n, u32 threads);
 
 /* Exclusive prefix sum in place: counts[0 .. n-1] become the sums before each, counts[n] the total, which is also
  * returned. The counts are 32-bit; a total that does not fit is returned all the same and must be refused. */

@@ -154,21 +154,27 @@ TS_FN ts_v3 ts_k_mean_radiance(const ts_lookup_args *args, u64 entry, ts_v3 cent
 	return ts_v3_make(sum.x / count, sum.y / count, sum.z / count);
 }
 
+/* The mean of an entry's samples, tinted by its mirror. */
+TS_FN void ts_k_shade_put(const ts_lookup_args *args, u64 entry, ts_v3 mean, u32 used)
+{
+	ts_v3 tint;
+	if (args->first != 0u) {
+		TS_GLOBAL const ts_pixel *pixel = &args->pixels[entry];
+		tint = ts_v3_make(pixel->tint_r, pixel->tint_g, pixel->tint_b);
+		args->used[entry] = used;
+	} else {
+		tint = ts_k_point_surface(args, args->queue[entry].point).base;
+	}
+	ts_store3(args->radiance + entry * 3u, ts_mul(mean, tint));
+}
+
 /* map over entries: pixels at the first bounce, queue entries after it */
 TS_FN void ts_k_shade_item(const ts_lookup_args *args, u64 i)
 {
 	ts_v3 centre = ts_load3(args->cubes[ts_k_cube_read(args, i)].centre);
 	u32 used;
 	ts_v3 mean = ts_k_mean_radiance(args, i, centre, &used);
-	ts_v3 tint;
-	if (args->first != 0u) {
-		TS_GLOBAL const ts_pixel *pixel = &args->pixels[i];
-		tint = ts_v3_make(pixel->tint_r, pixel->tint_g, pixel->tint_b);
-		args->used[i] = used;
-	} else {
-		tint = ts_k_point_surface(args, args->queue[i].point).base;
-	}
-	ts_store3(args->radiance + i * 3u, ts_mul(mean, tint));
+	ts_k_shade_put(args, i, mean, used);
 }
 
 #endif

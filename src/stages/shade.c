@@ -20,7 +20,11 @@ static ts_status shade(ts_run *run, u32 bounce)
 		args.used = ts_frame_make1(&run->frame, TS_B_shade_used, n);
 		if (args.used == NULL) return TS_ERROR;
 	}
-	ts_c_launch(TS_KERNEL_shade, &args, n, run->threads);
+	if (run->reference || args.adaptive) {
+		ts_c_launch(TS_KERNEL_shade, &args, n, run->threads);
+	} else {
+		ts_c_shade_fast(&args, n, run->threads);
+	}
 	return TS_OK;
 }
 
