@@ -92,7 +92,7 @@ static void test_directions(void **state)
 
 static ts_pixel random_pixel(f32 change)
 {
-	ts_pixel p = { .reflector = random_bits() % 2, .tint_r = uniform(0, 1), .tint_g = uniform(0, 1), .tint_b = uniform(0, 1) };
+	ts_pixel p = { .reflector = random_bits() % 2, .tint_r = uniform(0, 1), .tint_g = 0.5f, .tint_b = 0.25f };
 	ts_store3(p.position, uniform3(-3, 3));
 	ts_store3(p.normal, ts_normalize(uniform3(-1, 1)));
 	ts_store3(p.position_dx, uniform3(-change, change));

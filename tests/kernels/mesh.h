@@ -277,7 +277,10 @@ static inline void random_corners(ts_v3 corner[3], f32 reach, f32 least_size, f3
 	f32 size = uniform_power((f32)log2(least_size), (f32)log2(most_size));
 	for (u32 k = 0; k < 3; k++) corner[k] = ts_mad(middle, uniform3(-1, 1), size);
 	u32 sort = random_bits() % 4;
-	if (sort == 0) corner[2] = ts_mad(ts_mad(corner[0], ts_sub(corner[1], corner[0]), uniform(0, 1)), uniform3(-1, 1), size / 512);
+	if (sort == 0) {
+		ts_v3 between = ts_mad(corner[0], ts_sub(corner[1], corner[0]), uniform(0, 1));
+		corner[2] = ts_mad(between, uniform3(-1, 1), size / 512);
+	}
 	if (sort == 1) corner[2] = ts_mad(corner[1], uniform3(-1, 1), size / 64);
 }
 

@@ -108,7 +108,8 @@ static void test_texel_centres(void **state)
 		f32 *texels = chain(n, noise);
 		ts_mip_cube cube = { texels, n };
 		for (u32 i = 0; i < 6 * n * n; i++) {
-			ts_cube_place place = { i / (n * n), (f32)(2 * (i % n) + 1) / (f32)n - 1, (f32)(2 * (i / n % n) + 1) / (f32)n - 1 };
+			f32 s = (f32)(2 * (i % n) + 1) / (f32)n - 1, t = (f32)(2 * (i / n % n) + 1) / (f32)n - 1;
+			ts_cube_place place = { i / (n * n), s, t };
 			ts_v3 c = ts_k_mip_bilinear(&cube, 0, place);
 			assert_true(apart(c, ts_load3(texels + i * 4)) <= 1e-6);
 		}
