@@ -109,5 +109,6 @@ ts_status ts_run_scan(u32 *counts, u64 n, const char *what, u64 *total)
 {
 	*total = ts_c_scan(counts, n);
 	if (*total < TS_NONE) return TS_OK;
-	return ts_fail("%" PRIu64 " %s are more than 32-bit indices can name; lower rho_scale or the image's size", *total, what);
+	return ts_fail("%" PRIu64 " %s are more than 32-bit indices can name; lower rho_scale or the image's size", *total,
+	               what);
 }

@@ -26,7 +26,7 @@ void ts_c_launch(ts_kernel kernel, const void *args, u64 n, u32 threads)
 	u64 size = n / ((u64)threads * CHUNKS_A_THREAD);
 	size = size < LEAST_ITEMS ? LEAST_ITEMS : size;
 	i64 chunks = (i64)((n + size - 1) / size);
-#pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
+#pragma omp parallel for schedule(dynamic, 1) num_threads(threads) if (chunks > 1)
 	for (i64 chunk = 0; chunk < chunks; chunk++) {
 		u64 begin = (u64)chunk * size;
 		items(args, begin, begin + size < n ? begin + size : n);
