@@ -38,10 +38,14 @@ else ifeq ($(config),tsan)
 CC := clang
 CXX := clang++
 OPT ?= $(SANITIZE)=thread
+else ifeq ($(config),fuzz)
+CC := clang
+CXX := clang++
+OPT ?= $(SANITIZE)=fuzzer-no-link,address,undefined -fno-sanitize-recover=undefined
 else ifeq ($(config),coverage)
 OPT ?= -O0 -g --coverage
 else
-$(error config=$(config): one of release debug native asan ubsan tsan coverage)
+$(error config=$(config): one of release debug native asan ubsan tsan fuzz coverage)
 endif
 BUILD ?= build/$(config)
 
@@ -134,7 +138,7 @@ $(BUILD)/obj/%.cc.o: %.cc $(BUILD)/flags
 ##   demo               install what is missing, build, render the mirrors of the atrium
 demo: deps
 	$(Q)$(MAKE) --no-print-directory all
-	build/touchstone render reflections atrium --method all --size 960x540 -o out/demo --force
+	build/touchstone render reflections atrium --method all --truth=A,B --size 960x540 -o out/demo --force
 
 ##   test               install what is missing, build, run every test; also with config=asan|ubsan|tsan
 test: deps
@@ -149,6 +153,15 @@ $(BUILD)/tests/%: $(BUILD)/obj/tests/%.c.o $(BUILD)/libtouchstone.a
 	$(Q)$(CXX) $(LINK_FLAGS) $^ $(LIBS) -lcmocka $(TEST_LIBS) -o $@
 
 $(BUILD)/tests/kernels/opencl_compile: TEST_LIBS = $(call packages,--libs,OpenCL)
+
+##   fuzz               five minutes of damaged scene files, from build/fuzz/corpus and the seeds in scenes/
+FUZZ := build/fuzz/tests/fuzz/gltf
+$(FUZZ): TEST_LIBS = -fsanitize=fuzzer
+fuzz: deps
+	$(Q)$(MAKE) --no-print-directory config=fuzz $(FUZZ)
+	$(Q)mkdir -p build/fuzz/corpus
+	LSAN_OPTIONS=suppressions=scripts/lsan.supp $(FUZZ) -max_total_time=300 -timeout=10 -max_len=65536 \
+		-rss_limit_mb=4096 -print_final_stats=1 -artifact_prefix=build/fuzz/ build/fuzz/corpus scenes
 
 ##   matrix             compilers x optimisation x threads x denormals x architectures: one digest list
 ##   matrix-short       the part of it that .ci/run runs
@@ -191,8 +204,8 @@ clean:
 
 ##   help               this list
 help:
-	@echo "make [TARGET] [config=release|debug|native|asan|ubsan|tsan|coverage] [CC= CXX= CFLAGS= OPT= V=1 JOBS=N]"
+	@echo "make [TARGET] [config=release|debug|native|asan|ubsan|tsan|fuzz|coverage] [CC= CXX= CFLAGS= OPT= V=1 JOBS=N]"
 	@sed -n 's/^##//p' $(firstword $(MAKEFILE_LIST))
 
 FORCE:
-.PHONY: all core demo test tests matrix matrix-short bench style format deps install uninstall clean help FORCE
+.PHONY: all core demo test tests fuzz matrix matrix-short bench style format deps install uninstall clean help FORCE
