@@ -1,0 +1,53 @@
+/* The public face of a run. */
+#include <touchstone/render.h>
+
+#include <stdlib.h>
+#include "pipeline.h"
+
+struct ts_render {
+	ts_run run;
+};
+
+ts_status ts_render_run(ts_render **render, const ts_scene *scene, const ts_params *params, const char *effect,
+                        const char *method, uint32_t threads)
+{
+	*render = NULL;
+	if (ts_selftest_require() != TS_OK) return TS_ERROR;
+	const ts_pipeline *pipeline = ts_pipeline_find(effect, method);
+	if (pipeline == NULL) {
+		return ts_fail("%s by %s: no such method; `touchstone list methods` names them", effect, method);
+	}
+	ts_render *made = ts_alloc_zero(1, sizeof *made, "render");
+	if (made == NULL) return TS_ERROR;
+	ts_run_begin(&made->run, scene, params, threads);
+	if (pipeline->run(&made->run) != TS_OK) {
+		ts_render_free(made);
+		return TS_ERROR;
+	}
+	*render = made;
+	return TS_OK;
+}
+
+void ts_render_free(ts_render *render)
+{
+	if (render == NULL) return;
+	ts_run_end(&render->run);
+	free(render);
+}
+
+ts_status ts_render_buffer(const ts_render *render, const char *name, ts_buffer_view *view)
+{
+	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
+		const ts_buffer_info *info = &ts_buffer_table[id];
+		const ts_buffer *buffer = &render->run.frame.buffer[id];
+		if (strcmp(info->name, name) != 0) continue;
+		if (!buffer->made) return ts_fail("%s: this method does not make it", name);
+		*view = (ts_buffer_view){info->name, info->element, info->element_bytes, buffer->data, buffer->n_dims,
+		                         {0}, info->order, info->key};
+		memcpy(view->shape, buffer->shape, sizeof view->shape);
+		return TS_OK;
+	}
+	return ts_fail("%s: no such buffer; `touchstone list buffers` names them", name);
+}
+
+int64_t ts_render_counter(const ts_render *render, const char *name) { return ts_run_counter(&render->run, name); }
