@@ -75,7 +75,8 @@ TS_FN ts_box ts_k_splat_box(const ts_camera_k *view, ts_v3 c, ts_v3 u, ts_v3 v, 
 	return ts_k_box_meet(ts_k_extent_box(lo, hi), ts_k_view_box(view));
 }
 
-/* Distance at which the ray through a texel's centre meets the piece's plane, kept within a tile of the point's own. */
+/* Distance at which the ray through a texel's centre meets the piece's plane, kept within a tile of the point's own, which
+ * also stands in where the ray does not meet it. */
 TS_FN f32 ts_k_plane_distance(const ts_camera_k *view, ts_v3 n, ts_v3 c, f32 distance, f32 length, i32 i, i32 j)
 {
 	f32 x = ((f32)i + 0.5f) - (f32)view->width * 0.5f;
@@ -84,7 +85,7 @@ TS_FN f32 ts_k_plane_distance(const ts_camera_k *view, ts_v3 n, ts_v3 c, f32 dis
 	f32 along = ts_flush(ts_dot(n, d));
 	f32 t = along != 0.0f ? ts_dot(n, ts_sub(c, view->eye)) / along : 0.0f;
 	f32 met = t * ts_length(d);
-	return ts_clamp(met, ts_max(distance - length, 0.0f), distance + length);
+	return met > 0.0f ? ts_clamp(met, distance - length, distance + length) : distance;
 }
 
 /* One point into one face. Returns the texels offered. */
