@@ -275,7 +275,9 @@ static void test_plane_depth(void **state)
 			double own = d3_length(d3_sub(d3_load(m.points[(u32)texels[k]].centre), d3_load(cube->centre)));
 			assert_true(fabs(distance - own) <= 1 + 1e-5);
 			double met = d3_dot(n, d3_sub(d3_of(corner[0]), d3_load(cube->centre))) / slope;
-			if (distance == 0 || fabs(distance - own) > 0.999 || fabs(slope) < 0.05 * d3_length(n)) continue;
+			assert_true(distance > 0);
+			if (met <= 0 && fabs(slope) > 0.05 * d3_length(n)) assert_true(fabs(distance - own) <= 1e-5 * own);
+			if (met <= 0 || fabs(distance - own) > 0.999 || fabs(slope) < 0.05 * d3_length(n)) continue;
 			n_free++;
 			assert_true(fabs(distance - met) <= 1e-4 * (1 + met));
 		}
