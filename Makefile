@@ -82,7 +82,7 @@ LIB_O := $(call object,$(LIB_C) $(LIB_CC))
 CLI_O := $(call object,$(CLI_C))
 CORE_O := $(call object,$(CORE_C))
 TESTS := $(TEST_C:tests/%.c=$(BUILD)/tests/%)
-ALL_O := $(sort $(LIB_O) $(CLI_O) $(CORE_O) $(call object,$(TEST_C)))
+ALL_O := $(sort $(LIB_O) $(CLI_O) $(CORE_O) $(call object,$(TEST_C) $(wildcard tests/fuzz/*.c)))
 
 ifeq ($(V),0)
 Q := @
