@@ -187,7 +187,7 @@ static void add_panels(ts_mesh *mesh, const u32 *material, f32 half, u32 n)
 /* A wall of half length `half` with n windows, evenly spaced `pitch` apart. */
 static void add_wall(ts_mesh *mesh, const u32 *material, f32 half, u32 n, f32 pitch, u32 id)
 {
-	ts_hole holes[3];
+	ts_hole holes[3] = {0};
 	ts_place stand = mesh->place;
 	for (u32 i = 0; i < n; i++) {
 		f32 x = ((f32)i - 0.5f * (f32)(n - 1)) * pitch;
