@@ -1,6 +1,6 @@
 /* Fast path of the splat kernel, with the same bits: a thread owns a cube face, so there are no atomics; a piece is
- * projected once for all its points; the four corners of a square go through a face's axes, which are the world's but for
- * sign and order, side by side; edges are evaluated as lines in (i, j). */
+ * projected once for all its points; the squares of a block of points go side by side through a face's axes, which are the
+ * world's but for sign and order, in loops that compilers vectorize; edges are evaluated as lines in (i, j). */
 #include "../backend.h"
 
 /* Inside where x i + y j + c >= 0. */
@@ -30,9 +30,6 @@ static bool inside(const lines *l, i32 i, i32 j)
 	return true;
 }
 
-/* Four numbers side by side; each is rounded as if it were alone. */
-typedef f32 lanes __attribute__((vector_size(16)));
-
 /* A row of a face: a world axis and a sign. */
 typedef struct { u32 axis; f32 sign; } row;
 
@@ -53,32 +50,80 @@ typedef struct {
 	i64 scatters, writes;
 } face;
 
-static f32 least(lanes v) { return ts_min(ts_min(v[0], v[1]), ts_min(v[2], v[3])); }
-static f32 greatest(lanes v) { return ts_max(ts_max(v[0], v[1]), ts_max(v[2], v[3])); }
+/* Points of a piece side by side, a multiple of four; the first fills up. */
+enum { BLOCK = 32 };
+typedef struct {
+	u32 n;
+	f32 corner[3][4][BLOCK]; /* of the squares, on the face's axes: right, up, ahead */
+	f32 ahead[BLOCK];        /* of the nearest corner */
+	f32 distance[BLOCK];
+	ts_box box[BLOCK];
+} block;
 
-/* One world coordinate of the four corners, from the eye: ((c -+ du) -+ dv) - eye. */
-static lanes corners(f32 c, f32 du, f32 dv, f32 eye)
+/* One coordinate of the corners of n squares, from the eye: ((c -+ du) -+ dv) - eye. */
+static void put_corners(f32 corner[4][BLOCK], u32 n, const f32 *c, f32 du, f32 dv, f32 eye, f32 sign)
 {
-	f32 low = c - du;
-	f32 high = c + du;
-	lanes r = {low - dv, high - dv, high + dv, low + dv};
-	return r - eye;
+	for (u32 i = 0; i < n; i++) {
+		f32 low = c[i] - du;
+		f32 high = c[i] + du;
+		corner[0][i] = ((low - dv) - eye) * sign;
+		corner[1][i] = ((high - dv) - eye) * sign;
+		corner[2][i] = ((high + dv) - eye) * sign;
+		corner[3][i] = ((low + dv) - eye) * sign;
+	}
 }
 
-/* ts_k_splat_box of this face. */
-static ts_box square_box(const face *f, ts_v3 c, f32 length)
+static i32 floor_within(f32 x, f32 most)
 {
-	f32 half_length = length * 0.5f;
-	ts_v3 du = ts_scale(f->u, half_length);
-	ts_v3 dv = ts_scale(f->v, half_length);
-	const ts_v3 *eye = &f->view.eye;
-	lanes d[3] = {corners(c.x, du.x, dv.x, eye->x), corners(c.y, du.y, dv.y, eye->y), corners(c.z, du.z, dv.z, eye->z)};
-	lanes z = d[f->ahead.axis] * f->ahead.sign;
-	if (ts_flush(least(z) - f->view.near) < 0.0f) return ts_k_splat_box(&f->view, c, f->u, f->v, length);
-	lanes x = (d[f->right.axis] * f->right.sign) * f->view.focal / z + (f32)f->view.width * 0.5f;
-	lanes y = (f32)f->view.height * 0.5f - (d[f->up.axis] * f->up.sign) * f->view.focal / z;
-	ts_box box = ts_k_extent_box(ts_v2_make(least(x), least(y)), ts_v2_make(greatest(x), greatest(y)));
-	return ts_k_box_meet(box, ts_k_view_box(&f->view));
+	f32 near_by = x > -1.0f ? ts_min(x, most) : -1.0f;
+	i32 whole = (i32)near_by;
+	return whole - ((f32)whole > near_by ? 1 : 0);
+}
+
+/* The texels of the projected squares, like ts_k_splat_box but not yet met with the face. */
+static void put_boxes(const face *f, block *b)
+{
+	f32 size = (f32)f->view.width;
+	f32 middle = size * 0.5f;
+	for (u32 i = 0; i < b->n; i++) {
+		f32 x[4], y[4];
+		for (u32 k = 0; k < 4; k++) {
+			x[k] = middle + (f->view.focal * b->corner[0][k][i]) / b->corner[2][k][i];
+			y[k] = middle - (f->view.focal * b->corner[1][k][i]) / b->corner[2][k][i];
+		}
+		b->box[i].x0 = floor_within(ts_min(ts_min(x[0], x[1]), ts_min(x[2], x[3])), size);
+		b->box[i].y0 = floor_within(ts_min(ts_min(y[0], y[1]), ts_min(y[2], y[3])), size);
+		b->box[i].x1 = floor_within(ts_max(ts_max(x[0], x[1]), ts_max(x[2], x[3])), size);
+		b->box[i].y1 = floor_within(ts_max(ts_max(y[0], y[1]), ts_max(y[2], y[3])), size);
+		b->ahead[i] = ts_min(ts_min(b->corner[2][0][i], b->corner[2][1][i]), ts_min(b->corner[2][2][i], b->corner[2][3][i]));
+	}
+}
+
+/* Squares and distances of the points [begin, begin + n), n <= BLOCK; all of one piece, so of one length. */
+static void measure(const face *f, block *b, u32 begin, u32 n)
+{
+	const ts_point *points = f->args->points + begin;
+	f32 centre[3][BLOCK];
+	b->n = (n + 3) / 4 * 4;
+	for (u32 i = 0; i < b->n; i++) {
+		const ts_point *point = &points[i < n ? i : 0];
+		for (u32 axis = 0; axis < 3; axis++) centre[axis][i] = point->centre[axis];
+	}
+	f32 half_length = points->length * 0.5f;
+	ts_v3 u = ts_scale(f->u, half_length);
+	ts_v3 v = ts_scale(f->v, half_length);
+	const f32 du[3] = {u.x, u.y, u.z}, dv[3] = {v.x, v.y, v.z};
+	const f32 eye[3] = {f->view.eye.x, f->view.eye.y, f->view.eye.z};
+	const row rows[3] = {f->right, f->up, f->ahead};
+	for (u32 r = 0; r < 3; r++) {
+		u32 axis = rows[r].axis;
+		put_corners(b->corner[r], b->n, centre[axis], du[axis], dv[axis], eye[axis], rows[r].sign);
+	}
+	put_boxes(f, b);
+	for (u32 i = 0; i < b->n; i++) {
+		ts_v3 c = ts_v3_make(centre[0][i], centre[1][i], centre[2][i]);
+		b->distance[i] = ts_put(ts_length(ts_sub(c, f->view.eye)));
+	}
 }
 
 static void write_texel(face *f, const ts_point *point, u32 index, ts_v3 c, f32 distance, i32 i, i32 j)
@@ -93,18 +138,30 @@ static void write_texel(face *f, const ts_point *point, u32 index, ts_v3 c, f32 
 	f->writes++;
 }
 
-static void splat_point(face *f, u32 index)
+static void splat_point(face *f, u32 index, ts_box box, f32 distance)
 {
 	const ts_point *point = &f->args->points[index];
 	bool clip = f->args->clip != 0;
 	ts_v3 c = ts_load3(point->centre);
-	ts_box box = square_box(f, c, point->length);
 	if (clip || (point->flags & TS_POINT_TINY) != 0) box = ts_k_box_meet(box, f->cover.touched);
-	f32 distance = ts_put(ts_length(ts_sub(c, f->view.eye)));
 	for (i32 j = box.y0; j <= box.y1; j++) {
 		for (i32 i = box.x0; i <= box.x1; i++) {
 			if (!clip || inside(&f->lines, i, j)) write_texel(f, point, index, c, distance, i, j);
 		}
+	}
+}
+
+static void splat_block(face *f, u32 begin, u32 n)
+{
+	block b;
+	ts_box all = ts_k_view_box(&f->view);
+	measure(f, &b, begin, n);
+	for (u32 i = 0; i < n; i++) {
+		const ts_point *point = &f->args->points[begin + i];
+		bool behind = ts_flush(b.ahead[i] - f->view.near) < 0.0f;
+		ts_box box = behind ? ts_k_splat_box(&f->view, ts_load3(point->centre), f->u, f->v, point->length)
+		                    : ts_k_box_meet(b.box[i], all);
+		splat_point(f, begin + i, box, b.distance[i]);
 	}
 }
 
@@ -124,7 +181,7 @@ static void splat_piece(face *f, u64 piece, u32 begin, u32 end)
 	f->u = ts_load3(f->args->frames[piece].u);
 	f->v = ts_load3(f->args->frames[piece].v);
 	f->n = ts_cross(f->u, f->v);
-	for (u32 i = begin; i < end; i++) splat_point(f, i);
+	for (u32 i = begin; i < end; i += BLOCK) splat_block(f, i, end - i < BLOCK ? end - i : BLOCK);
 }
 
 static void splat_face(const ts_splat_args *args, const u32 *offset, u64 n_pieces, u32 cube_index, u32 side)
