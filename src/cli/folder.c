@@ -9,6 +9,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 #include "folder.h"
+#include "folder_ours.h"
 
 enum { MAX_FILES = 256, MAX_PARENTS = 64, MAX_PATH = 4096, MAX_DIR = MAX_PATH - 300 };
 
@@ -16,6 +17,7 @@ static struct {
 	char dir[MAX_PATH], partial[MAX_PATH], old[MAX_PATH];
 	char *files[MAX_FILES];                 /* each twice: as written, and as its writer's own .partial */
 	char *parents[MAX_PARENTS];             /* folders above DIR that were made for it, outermost first */
+	json_t *ours;                           /* what an earlier render wrote to DIR; NULL: nothing */
 	volatile sig_atomic_t n_files, n_parents, made;
 	pthread_t owner;
 } folder;
@@ -78,12 +80,6 @@ static void hold_signals(int how)
 	pthread_sigmask(how, &set, NULL);
 }
 
-static bool is_ours(const char *name)
-{
-	const char *dot = strrchr(name, '.');
-	return strcmp(name, "report.json") == 0 || (dot != NULL && (strcmp(dot, ".png") == 0 || strcmp(dot, ".exr") == 0));
-}
-
 static bool is_dot(const char *name)
 {
 	return strcmp(name, ".") == 0 || strcmp(name, "..") == 0;
@@ -98,7 +94,7 @@ static ts_status check_contents(const char *dir, DIR *stream, bool force)
 		if (!force) {
 			return ts_fail("%s: not empty; name another folder with -o, or replace it with --force", dir);
 		}
-		if (!is_ours(e->d_name)) {
+		if (!ts_ours_has(folder.ours, dir, e->d_name)) {
 			return ts_fail("%s: holds %s, which no render wrote, so --force does not replace it; name another folder", dir,
 			               e->d_name);
 		}
@@ -119,6 +115,7 @@ static ts_status check_dir(const char *dir, bool force)
 	if (stream == NULL) {
 		return ts_fail("%s: %s; name a folder that can be read and written", dir, strerror(errno));
 	}
+	folder.ours = force ? ts_ours_read(dir) : NULL;
 	ts_status status = check_contents(dir, stream, force);
 	closedir(stream);
 	return status;
@@ -160,7 +157,7 @@ static void make_parents(void)
 	}
 }
 
-ts_status ts_folder_begin(const char *dir, bool force)
+static ts_status begin(const char *dir, bool force)
 {
 	ts_status status = set_names(dir);
 	if (status != TS_OK || (status = check_dir(folder.dir, force)) != TS_OK) {
@@ -189,6 +186,16 @@ ts_status ts_folder_begin(const char *dir, bool force)
 	return made == 0 ? TS_OK : ts_fail("%s: %s; name a folder that can be written", folder.partial, strerror(error));
 }
 
+ts_status ts_folder_begin(const char *dir, bool force)
+{
+	ts_status status = begin(dir, force);
+	if (status != TS_OK) {
+		json_decref(folder.ours);
+		folder.ours = NULL;
+	}
+	return status;
+}
+
 static const char *remember(const char *name, const char *suffix)
 {
 	size_t bytes = strlen(folder.partial) + strlen(name) + strlen(suffix) + 2;
@@ -208,6 +215,21 @@ const char *ts_folder_file(const char *name)
 	return remember(name, ".partial") != NULL ? remember(name, "") : NULL;
 }
 
+json_t *ts_folder_list(void)
+{
+	json_t *list = json_array();
+	int failed = list == NULL;
+	for (int i = 1; i < folder.n_files; i += 2) {
+		failed |= json_array_append_new(list, json_string(strrchr(folder.files[i], '/') + 1));
+	}
+	if (failed) {
+		json_decref(list);
+		ts_fail("%s: the list of its files: out of memory", folder.partial);
+		return NULL;
+	}
+	return list;
+}
+
 static void remove_old(void)
 {
 	char path[MAX_PATH + 300];
@@ -216,7 +238,7 @@ static void remove_old(void)
 		return;
 	}
 	for (struct dirent *e; (e = readdir(stream)) != NULL;) {
-		if (is_ours(e->d_name)) {
+		if (ts_ours_has(folder.ours, folder.old, e->d_name)) {
 			snprintf(path, sizeof path, "%s/%s", folder.old, e->d_name);
 			unlink(path);
 		}
@@ -234,6 +256,8 @@ static void forget(void)
 	folder.n_files = 0;
 	folder.n_parents = 0;
 	folder.made = 0;
+	json_decref(folder.ours);
+	folder.ours = NULL;
 }
 
 static ts_status swap(void)

@@ -113,8 +113,16 @@ static void compare_all(ts_render *render)
 	}
 }
 
-static ts_status write_report(const json_t *root)
+/* "program" and "files" are what a later --force goes by. */
+static ts_status write_report(json_t *root)
 {
+	json_t *files = ts_folder_list();
+	if (files == NULL) {
+		return TS_ERROR;
+	}
+	if (json_object_set_new(root, "files", files) != 0) {
+		return ts_fail("report.json: out of memory");
+	}
 	const char *path = ts_folder_file("report.json");
 	FILE *file = path != NULL ? fopen(path, "w") : NULL;
 	if (file == NULL) {

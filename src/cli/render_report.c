@@ -44,6 +44,7 @@ void ts_render_report_head(const ts_render *render, ts_report *report)
 	               (unsigned)p->frame, (unsigned)render->cli->threads);
 	ts_report_line(report, "memory: about %.2f GB at the peak, of %.2f GB", (double)render->estimate / 1e9,
 	               (double)ts_memory_total() / 1e9);
+	ts_report_value(report, "program", json_string(ts_program));
 	ts_report_value(report, "effect", json_string(render->effect));
 	ts_report_value(report, "scene", json_string(scene->name));
 	ts_report_value(report, "triangles", json_integer(scene->n_triangles));

@@ -32,6 +32,24 @@ run "${small[@]}" --method epr -o work/new/a --force
 [ "$status" -eq 2 ] && grep -q notes.txt stderr && [ -s work/new/a/notes.txt ]
 verdict $? '--force keeps what no render wrote'
 
+rm work/new/a/notes.txt
+for foreign in photo.png link.png sub.exr; do
+	case $foreign in
+	photo.png) echo mine > work/new/a/photo.png ;;
+	link.png) rm work/new/a/photo.png && ln -s /dev/null work/new/a/link.png ;;
+	sub.exr) rm work/new/a/link.png && mkdir work/new/a/sub.exr ;;
+	esac
+	run "${small[@]}" --method epr -o work/new/a --force
+	[ "$status" -eq 2 ] && grep -q "$foreign" stderr && [ "$(wc -l < stderr)" -eq 1 ] && [ -s work/new/a/epr.png ] &&
+		[ ! -e work/new/a.partial ]
+	verdict $? "--force keeps $foreign"
+done
+
+mkdir work/photos && echo mine > work/photos/mine.png && echo '{}' > work/photos/report.json
+run "${small[@]}" --method epr -o work/photos --force
+[ "$status" -eq 2 ] && grep -q 'no render wrote' stderr && [ -s work/photos/mine.png ] && [ -s work/photos/report.json ]
+verdict $? '--force keeps a folder whose report.json is not of a render'
+
 run "${small[@]}" --json --no-images --truth=A
 python3 - stdout <<'PY'
 import json, sys

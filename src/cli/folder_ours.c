@@ -1,0 +1,42 @@
+/* What --force may replace. A report.json is untrusted: its names are only compared with those that are in the folder. */
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+#include "folder_ours.h"
+
+enum { MAX_REPORT_BYTES = 1 << 24, PATH_BYTES = 4096 + 300 };
+
+static bool is_regular(const char *path, struct stat *info)
+{
+	return lstat(path, info) == 0 && S_ISREG(info->st_mode);
+}
+
+json_t *ts_ours_read(const char *dir)
+{
+	char path[PATH_BYTES];
+	struct stat info;
+	snprintf(path, sizeof path, "%s/report.json", dir);
+	if (!is_regular(path, &info) || info.st_size > MAX_REPORT_BYTES) {
+		return NULL;
+	}
+	json_t *root = json_load_file(path, 0, NULL);
+	const char *program = json_string_value(json_object_get(root, "program"));
+	json_t *files = json_object_get(root, "files");
+	bool ours = program != NULL && strcmp(program, "touchstone") == 0 && json_is_array(files);
+	json_t *result = ours ? json_incref(files) : NULL;
+	json_decref(root);
+	return result;
+}
+
+bool ts_ours_has(const json_t *ours, const char *dir, const char *name)
+{
+	char path[PATH_BYTES];
+	struct stat info;
+	bool listed = ours != NULL && strcmp(name, "report.json") == 0;
+	for (size_t i = 0; i < json_array_size(ours) && !listed; i++) {
+		const char *file = json_string_value(json_array_get(ours, i));
+		listed = file != NULL && strcmp(file, name) == 0;
+	}
+	snprintf(path, sizeof path, "%s/%s", dir, name);
+	return listed && is_regular(path, &info);
+}
