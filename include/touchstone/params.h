@@ -51,6 +51,9 @@ ts_status ts_params_set(ts_params *params, const char *name, const char *value);
 /* Writes the value of table row `row` as text that ts_params_set reads back to the same bits. */
 void ts_params_format(const ts_params *params, size_t row, char *text, size_t text_bytes);
 
+/* Every parameter lies in its range; for a struct that was not filled by ts_params_set. */
+ts_status ts_params_check(const ts_params *params);
+
 #ifdef __cplusplus
 }
 #endif

@@ -206,3 +206,16 @@ void ts_params_format(const ts_params *params, size_t row, char *text, size_t te
 		snprintf(text, text_bytes, "%.*s", length, length ? choice : "");
 	}
 }
+
+ts_status ts_params_check(const ts_params *params)
+{
+	ts_params copy = *params;
+	for (size_t row = 0; row < N_PARAMS; row++) {
+		char text[64];
+		ts_params_format(params, row, text, sizeof text);
+		if (set_row(&copy, row, text) != TS_OK) {
+			return TS_ERROR;
+		}
+	}
+	return TS_OK;
+}

@@ -45,7 +45,8 @@ TS_FN ts_v3 ts_k_closest_on_segment(ts_v3 p, ts_v3 from, ts_v3 to)
 	return ts_mad(from, u, ts_clamp(k, 0.0f, 1.0f));
 }
 
-/* cc = a + ((n x ab) |ac|^2 + (ac x n) |ab|^2) / (2 |n|^2), n = ab x ac; computed in units of the longest edge. */
+/* cc = a + ((n x ab) |ac|^2 + (ac x n) |ab|^2) / (2 |n|^2), n = ab x ac; computed in units of the longest edge.
+ * a where that is beyond 2^20 of them. */
 TS_FN ts_v3 ts_k_circumcentre(ts_v3 a, ts_v3 b, ts_v3 c)
 {
 	ts_v3 ab = ts_sub(b, a);
@@ -59,7 +60,8 @@ TS_FN ts_v3 ts_k_circumcentre(ts_v3 a, ts_v3 b, ts_v3 c)
 	f32 twice = ts_flush(2.0f * ts_dot(n, n));
 	if (!(twice > 0.0f)) return a;
 	ts_v3 m = ts_mad(ts_scale(ts_cross(n, ab), ts_dot(ac, ac)), ts_cross(ac, n), ts_dot(ab, ab));
-	return ts_mad(a, ts_scale(m, 1.0f / twice), unit);
+	ts_v3 offset = ts_scale(m, 1.0f / twice);
+	return ts_length(offset) < 1048576.0f ? ts_mad(a, offset, unit) : a;
 }
 
 #endif

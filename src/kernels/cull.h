@@ -27,7 +27,7 @@ TS_FN void ts_k_cull_item(const ts_cull_args *args, u64 i)
 	TS_GLOBAL const ts_piece *piece = &args->pieces[i];
 	f32 s = args->scale[i] / args->unit;
 	f32 pixels = (ts_k_area(ts_load3(piece->a), ts_load3(piece->b), ts_load3(piece->c)) * s) * s;
-	u32 id = piece->triangle ^ (piece->path << 20) ^ (1u << 20); /* a whole triangle's id is its index */
+	u32 id = piece->path == 1u ? piece->triangle : piece->triangle ^ ts_pcg(piece->path);
 	u32 h = ts_random(id, TS_STREAM_CULL, args->seed);
 	bool drop = args->enabled != 0u && (i32)(h >> 8) < ts_k_cull_threshold(pixels);
 	args->keep[i] = args->scale[i] > 0.0f && !drop ? 1u : 0u;

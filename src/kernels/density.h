@@ -60,7 +60,8 @@ TS_FN f32 ts_k_density(const ts_density_args *args, TS_GLOBAL const u64 *words, 
 		if (args->offaxis != 0u) {
 			ts_corner p = ts_k_to_view(&view, centre);
 			f32 distance = ts_length(ts_sub(centre, view.eye));
-			way = way * ts_clamp(distance > 0.0f ? p.z / distance : 1.0f, 0.015625f, 1.0f);
+			bool ahead = p.z > 0.0f && distance > 0.0f; /* behind the eye there is no pixel to be finer than */
+			way = way * ts_clamp(ahead ? p.z / distance : 1.0f, 0.015625f, 1.0f);
 		}
 		way = ts_max(way, least);
 		f32 to_triangle = ts_length(ts_sub(ts_k_closest_on_triangle(centre, a, b, c), centre));
@@ -108,9 +109,9 @@ TS_FN ts_part ts_k_child(const ts_part *part, u32 edge, u32 child)
 TS_FN void ts_k_piece_write(const ts_density_args *args, u64 index, u32 triangle, const ts_part *part, f32 s)
 {
 	TS_GLOBAL ts_piece *out = &args->pieces[index];
-	out->a[0] = part->v[0].x; out->a[1] = part->v[0].y; out->a[2] = part->v[0].z;
-	out->b[0] = part->v[1].x; out->b[1] = part->v[1].y; out->b[2] = part->v[1].z;
-	out->c[0] = part->v[2].x; out->c[1] = part->v[2].y; out->c[2] = part->v[2].z;
+	ts_store3(out->a, part->v[0]);
+	ts_store3(out->b, part->v[1]);
+	ts_store3(out->c, part->v[2]);
 	out->triangle = triangle;
 	out->path = part->path;
 	out->pad = 0u;

@@ -96,7 +96,7 @@ TS_FN void ts_k_face_item(const ts_face_args *args, u64 i)
 {
 	u32 triangle = (u32)i;
 	ts_corners t = ts_k_corners(&args->scene, triangle);
-	if (ts_k_is_degenerate(t.n)) return;
+	if (args->n_cubes == 0u || ts_k_is_degenerate(t.n)) return;
 	u32 own = ts_k_reflector_of(&args->scene, triangle);
 	u64 first_texel = args->cubes[args->first_cube].offset;
 	for (u32 r = args->first_cube; r < args->first_cube + args->n_cubes; r++) {

@@ -9,7 +9,6 @@ typedef struct {
 	TS_GLOBAL const ts_face *cubes;
 	TS_GLOBAL const u64 *depth_triangle; /* face.depth_triangle of the batch */
 	TS_GLOBAL f32 *mip;                  /* face.mip of the batch: 4 floats a texel */
-	TS_GLOBAL i64 *n_shaded;
 	u32 first_cube, n_cubes;             /* the batch */
 	u32 level;                           /* that `mip` makes from the level before */
 } ts_illuminate_args;
@@ -85,7 +84,6 @@ TS_FN void ts_k_illuminate_item(const ts_illuminate_args *args, u64 i)
 	TS_GLOBAL f32 *out = args->mip + (ts_k_mip_first(args->cubes, args->first_cube, place.cube) + place.inside) * 4u;
 	ts_store3(out, radiance);
 	out[3] = 1.0f;
-	if (key != TS_EMPTY) ts_add_i64(args->n_shaded, 1);
 }
 
 /* map over texels of one level of one cube, the first of the batch: ((a + b) + (c + d)) / 4, indices clamped */

@@ -121,31 +121,31 @@ TS_FN ts_v3 ts_k_sample_radiance(const ts_lookup_args *args, u64 sample, ts_v3 c
 	return ts_k_shade(&args->scene, &surface, ts_normalize(ts_sub(centre, surface.p)));
 }
 
-/* Variance of the luma of n colours from their sums (EPR 4.1.3: "until color variance stopped declining"). */
+/* Variance of n numbers from their sums (EPR 4.1.3: "until color variance stopped declining"); the numbers are r + g + b. */
 TS_FN f32 ts_k_variance(f32 sum, f32 squares, u32 n)
 {
 	f32 count = (f32)n;
 	f32 mean = sum / count;
-	return squares / count - mean * mean;
+	return ts_flush(squares / count - mean * mean);
 }
 
 /* The mean of an entry's samples in ascending order; adaptively in batches of four. *used receives how many. */
 TS_FN ts_v3 ts_k_mean_radiance(const ts_lookup_args *args, u64 entry, ts_v3 centre, u32 *used)
 {
 	ts_v3 sum = ts_v3_make(0.0f, 0.0f, 0.0f);
-	f32 luma_sum = 0.0f;
-	f32 luma_squares = 0.0f;
+	f32 grey_sum = 0.0f;
+	f32 grey_squares = 0.0f;
 	f32 before = 0.0f;
 	u32 n = 0u;
 	while (n < args->n_samples) {
 		ts_v3 radiance = ts_k_sample_radiance(args, entry * args->n_samples + n, centre);
 		sum = ts_add(sum, radiance);
 		n++;
-		f32 luma = (radiance.x + radiance.y) + radiance.z;
-		luma_sum = luma_sum + luma;
-		luma_squares = luma_squares + luma * luma;
+		f32 grey = ts_flush((radiance.x + radiance.y) + radiance.z);
+		grey_sum = grey_sum + grey;
+		grey_squares = grey_squares + ts_flush(grey * grey);
 		if (args->adaptive == 0u || (n & 3u) != 0u) continue;
-		f32 variance = ts_k_variance(luma_sum, luma_squares, n);
+		f32 variance = ts_k_variance(grey_sum, grey_squares, n);
 		if (n > 4u && !(variance < before)) break;
 		before = variance;
 	}

@@ -84,6 +84,12 @@ TS_FN ts_corner ts_k_cut(const ts_corner *in, f32 d_in, const ts_corner *out, f3
 	return r;
 }
 
+/* An edge that lies in the plane can change sides by rounding, corner after corner; what no longer fits is in the plane. */
+TS_FN void ts_k_push(ts_polygon *polygon, ts_corner corner)
+{
+	if (polygon->n < TS_MAX_CORNERS) polygon->corner[polygon->n++] = corner;
+}
+
 /* Sutherland and Hodgman against one plane. */
 TS_FN void ts_k_clip(ts_polygon *polygon, ts_plane plane)
 {
@@ -94,9 +100,9 @@ TS_FN void ts_k_clip(ts_polygon *polygon, ts_plane plane)
 		const ts_corner *q = &polygon->corner[i + 1u < polygon->n ? i + 1u : 0u];
 		f32 dp = ts_k_plane_side(&plane, p);
 		f32 dq = ts_k_plane_side(&plane, q);
-		if (dp >= 0.0f) r.corner[r.n++] = *p;
-		if (dp >= 0.0f && dq < 0.0f) r.corner[r.n++] = ts_k_cut(p, dp, q, dq);
-		if (dp < 0.0f && dq >= 0.0f) r.corner[r.n++] = ts_k_cut(q, dq, p, dp);
+		if (dp >= 0.0f) ts_k_push(&r, *p);
+		if (dp >= 0.0f && dq < 0.0f) ts_k_push(&r, ts_k_cut(p, dp, q, dq));
+		if (dp < 0.0f && dq >= 0.0f) ts_k_push(&r, ts_k_cut(q, dq, p, dp));
 	}
 	*polygon = r;
 }

@@ -59,8 +59,8 @@ TS_FN u32 ts_k_resize_n(const ts_resize_args *args, const ts_camera_k *view, ts_
 	bool on_screen = e.seen != 0u && e.x1 >= 0.0f && e.y1 >= 0.0f && e.x0 <= (f32)view->width && e.y0 <= (f32)view->height;
 	if (!on_screen && args->all == 0u) return 0u;
 	if (args->fixed != 0u) return args->fixed;
-	i32 wanted = ts_floor_i32(ts_max(e.x1 - e.x0, e.y1 - e.y0)) + 1;
-	wanted = ts_min_i32(ts_max_i32(wanted, 16), (i32)args->n_max);
+	i32 whole = ts_floor_i32(ts_max(e.x1 - e.x0, e.y1 - e.y0));
+	i32 wanted = ts_max_i32(ts_min_i32(whole, (i32)args->n_max - 1) + 1, 16);
 	i32 change = ts_max_i32(wanted - (i32)before, (i32)before - wanted);
 	return before != 0u && change < (i32)args->hysteresis ? before : (u32)wanted;
 }

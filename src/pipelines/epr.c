@@ -14,7 +14,8 @@
  *   too few at rho_scale 1/2 (cull_unit=raster);
  * - a sub-pixel triangle keeps the splat length 1/s inside its own box: the square root of its area leaves gaps
  *   (splat=paper);
- * - points on mirrors after the last bounce are shaded like any metal;
+ * - an edge of more than 2^14 samples is bisected and limited too, so that lattices stay within 2^15 (split=off);
+ * - plane depth stays within a tile of the point's own distance (planedepth=off);
  * - one bounce by default, so that MVR and truth C show the same thing (bounces=2). */
 #include "pipelines.h"
 
@@ -57,7 +58,7 @@ u64 ts_epr_estimate(const ts_scene *scene, const ts_params *params)
 	u64 triangles = scene->n_triangles;
 	u64 words = ((u64)scene->n_reflectors * 6 + 63) / 64;
 	u64 pixels = (u64)params->width * params->height;
-	u64 face = params->face_px != 0 ? params->face_px : params->face_max;
+	u64 face = params->face_px != 0 ? params->face_px : ts_largest_face(params);
 	u64 n_points = 2 * triangles + (u64)((double)params->rho_scale * params->rho_scale * 8.0 * (double)pixels);
 	u64 pieces = triangles + triangles / 4;
 	return ts_common_estimate(scene, params) + triangles * (words * sizeof(u64) + sizeof(u32)) +

@@ -4,7 +4,7 @@
  * made, and the eye's reflective pixels look it up.
  *
  * Deviations: deferred shading by the same kernels as EPR's, so that only the method differs; one reflector at a time, so
- * that memory does not grow with their number. One bounce. */
+ * that memory does not grow with their number. One bounce, whatever the parameter says. */
 #include "pipelines.h"
 
 #include "../stages/stages.h"
@@ -21,7 +21,7 @@ static const char *const picture[] = {"image", NULL};
 ts_status ts_mvr_run(ts_run *run)
 {
 	if (run->params.mvr_faces == TS_MVR_FACES_FIXED) {
-		run->params.face_px = run->params.face_px != 0 ? run->params.face_px : run->params.face_max;
+		run->fixed_face = run->params.face_px != 0 ? run->params.face_px : run->params.face_max;
 		run->all_cubes = true;
 	}
 	if (ts_run_stages(run, eye) != TS_OK) return TS_ERROR;

@@ -12,7 +12,7 @@ ts_status ts_render_run(ts_render **render, const ts_scene *scene, const ts_para
                         const char *method, uint32_t threads)
 {
 	*render = NULL;
-	if (ts_selftest_require() != TS_OK) return TS_ERROR;
+	if (ts_selftest_require() != TS_OK || ts_params_check(params) != TS_OK) return TS_ERROR;
 	const ts_pipeline *pipeline = ts_pipeline_find(effect, method);
 	if (pipeline == NULL) {
 		return ts_fail("%s by %s: no such method; `touchstone list methods` names them", effect, method);

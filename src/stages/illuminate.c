@@ -17,20 +17,21 @@ static void make_levels(const ts_run *run, ts_illuminate_args args)
 ts_status ts_stage_illuminate(ts_run *run)
 {
 	const ts_face *cubes = ts_frame_data(&run->frame, TS_B_resize_face);
-	i64 shaded = 0;
 	u64 n_mip = ts_k_mip_first(cubes, run->first_reflector, run->first_reflector + run->n_reflectors);
 	ts_illuminate_args args = {
 		.scene = ts_run_arrays(run),
 		.cubes = cubes,
 		.depth_triangle = ts_frame_data(&run->frame, TS_B_face_depth_triangle),
 		.mip = ts_frame_make2(&run->frame, TS_B_face_mip, n_mip, 4),
-		.n_shaded = &shaded,
 		.first_cube = run->first_reflector,
 		.n_cubes = run->n_reflectors,
 	};
 	if (args.mip == NULL) return TS_ERROR;
 	ts_c_launch(TS_KERNEL_illuminate, &args, ts_frame_n(&run->frame, TS_B_face_depth_triangle), run->threads);
 	make_levels(run, args);
+	u64 n_texels = ts_frame_n(&run->frame, TS_B_face_depth_triangle);
+	i64 shaded = 0;
+	for (u64 i = 0; i < n_texels; i++) shaded += args.depth_triangle[i] != TS_EMPTY;
 	ts_run_count(run, "shading operations", shaded);
 	return TS_OK;
 }

@@ -4,7 +4,7 @@
 #include "../scene/view.h"
 #include "stages.h"
 
-static u32 largest_face(const ts_params *params)
+u32 ts_largest_face(const ts_params *params)
 {
 	u32 half_eye = params->height / 2;
 	u32 most = params->face_max < half_eye ? params->face_max : half_eye;
@@ -44,9 +44,9 @@ ts_status ts_stage_resize(ts_run *run)
 		.objects = ts_frame_data(&run->frame, TS_B_scene_object),
 		.reflector_objects = objects,
 		.cubes = cubes,
-		.n_max = largest_face(&run->params),
+		.n_max = ts_largest_face(&run->params),
 		.hysteresis = run->params.hysteresis,
-		.fixed = run->params.face_px,
+		.fixed = run->fixed_face != 0 ? run->fixed_face : run->params.face_px,
 		.all = run->all_cubes || run->params.bounces > 1,
 	};
 	replay(run, &args, n);

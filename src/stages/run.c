@@ -24,7 +24,7 @@ void ts_run_begin(ts_run *run, const ts_scene *scene, const ts_params *params, u
 
 void ts_run_end(ts_run *run) { ts_frame_clear(&run->frame); }
 
-static void add_timing(ts_run *run, const char *stage, double seconds, u64 bytes)
+static void add_timing(ts_run *run, const char *stage, double seconds)
 {
 	for (u32 i = 0; i < run->n_timings; i++) {
 		if (strcmp(run->timings[i].stage, stage) == 0) {
@@ -33,17 +33,7 @@ static void add_timing(ts_run *run, const char *stage, double seconds, u64 bytes
 		}
 	}
 	assert(run->n_timings < TS_MAX_TIMINGS);
-	run->timings[run->n_timings++] = (ts_timing){.stage = stage, .seconds = seconds, .bytes = bytes};
-}
-
-static u64 written_bytes(const ts_run *run, const ts_stage *stage)
-{
-	u64 bytes = 0;
-	for (u32 i = 0; stage->writes[i] != TS_N_BUFFERS; i++) {
-		ts_buffer_id id = stage->writes[i];
-		bytes += run->frame.buffer[id].n * ts_buffer_table[id].element_bytes;
-	}
-	return bytes;
+	run->timings[run->n_timings++] = (ts_timing){.stage = stage, .seconds = seconds};
 }
 
 ts_status ts_run_stage(ts_run *run, const ts_stage *stage)
@@ -51,7 +41,7 @@ ts_status ts_run_stage(ts_run *run, const ts_stage *stage)
 	double start = ts_seconds();
 	ts_status status = stage->run(run);
 	if (status != TS_OK) return ts_fail("stage %s: %s", stage->name, ts_error_message());
-	add_timing(run, stage->name, ts_seconds() - start, written_bytes(run, stage));
+	add_timing(run, stage->name, ts_seconds() - start);
 	return run->hook != NULL ? run->hook(run, stage, run->hook_user) : TS_OK;
 }
 

@@ -5,7 +5,7 @@
 #include "../scene/scene.h"
 
 typedef struct { const char *name; i64 value; } ts_counter;
-typedef struct { const char *stage; double seconds; u64 bytes; } ts_timing;
+typedef struct { const char *stage; double seconds; } ts_timing;
 enum { TS_MAX_COUNTERS = 64, TS_MAX_TIMINGS = 32 };
 
 typedef struct ts_run ts_run;
@@ -27,6 +27,7 @@ struct ts_run {
 	ts_params params;
 	u32 threads;               /* never changes a result */
 	bool reference;            /* no fast paths */
+	u32 fixed_face;            /* size of every cube, or 0: as the parameters say */
 	bool all_cubes;            /* also the cubes of reflectors that the eye does not see */
 	u32 first_reflector, n_reflectors; /* the batch that per-reflector stages work on */
 	ts_frame frame;

@@ -233,10 +233,48 @@ static void test_to_view(void **state)
 	}
 }
 
+/* Edge-on triangles in a plane of the snapping range change sides by rounding at every corner; the polygon stays bounded. */
+static void test_edge_on(void **state)
+{
+	(void)state;
+	const ts_camera_k face = {
+		.right = { 1, 0, 0 }, .up = { 0, 1, 0 }, .back = { 0, 0, 1 }, .focal = 256, .near = 0.01f, .width = 512,
+		.height = 512,
+	};
+	n_random = 0;
+	u32 n_bounded = 0;
+	for (u32 i = 0; i < 200 * N; i++) {
+		ts_v3 corner[3];
+		f32 slope = (32767.0f - 256.0f) / 256.0f;
+		for (u32 k = 0; k < 3; k++) {
+			f32 x = uniform(-160, 160);
+			corner[k] = ts_v3_make(x, uniform(-220, 220), uniform(0, 1) < 0.5 ? -x / slope : x / slope);
+		}
+		ts_polygon p = ts_k_polygon(&face, corner[0], corner[1], corner[2]);
+		ts_k_clip_to_range(&face, &p);
+		assert_true(p.n <= TS_MAX_CORNERS);
+		n_bounded += p.n > 4;
+	}
+	assert_true(n_bounded > 0);
+	const ts_v3 known[3] = {
+		{ 0x1.14061p7f, 0x1.66d714p7f, 0x1.69ad42p0f }, { -0x1.0c06dep7f, -0x1.36b26p7f, -0x1.39272p0f },
+		{ 0x1.2fcd84p6f, -0x1.be37dcp7f, -0x1.c1bedcp0f },
+	};
+	for (u32 k = 0; k < 8; k++) {
+		ts_camera_k turned = face;
+		turned.back = ts_v3_make(0, 0, (k & 1) != 0 ? 1 : -1);
+		turned.right = ts_v3_make((k & 2) != 0 ? 1 : -1, 0, 0);
+		turned.up = ts_v3_make(0, (k & 4) != 0 ? 1 : -1, 0);
+		ts_polygon p = ts_k_polygon(&turned, known[0], known[1], known[2]);
+		ts_k_clip_to_range(&turned, &p);
+		assert_true(p.n <= TS_MAX_CORNERS);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		seeded_test(test_near),    seeded_test(test_shared_edge),  seeded_test(test_range),
+		cmocka_unit_test(test_edge_on), seeded_test(test_near),    seeded_test(test_shared_edge),  seeded_test(test_range),
 		seeded_test(test_outside), seeded_test(test_reprojection), seeded_test(test_ray),
 		seeded_test(test_to_view),
 	};

@@ -62,6 +62,10 @@ static void test_refusals(void **state)
 	assert_non_null(strstr(ts_error_message(), "points.key"));
 	assert_int_equal(ts_render_buffer(render, "points", &view), TS_ERROR);
 	ts_render_free(render);
+	params.bounces = 5;
+	assert_int_equal(ts_render_run(&render, scene, &params, "reflections", "epr", 1), TS_ERROR);
+	assert_null(render);
+	assert_non_null(strstr(ts_error_message(), "bounces"));
 	ts_render_free(NULL);
 	ts_scene_free(scene);
 }
