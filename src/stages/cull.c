@@ -5,12 +5,11 @@ ts_status ts_stage_cull(ts_run *run)
 {
 	u64 n = ts_frame_n(&run->frame, TS_B_split_triangle);
 	const ts_params *params = &run->params;
-	f32 rho = params->rho_is_area ? ts_sqrt(params->rho_scale) : params->rho_scale;
 	ts_cull_args args = {
 		.pieces = ts_frame_data(&run->frame, TS_B_split_triangle),
 		.scale = ts_frame_data(&run->frame, TS_B_density_scale),
 		.keep = ts_frame_make1(&run->frame, TS_B_cull_keep, n),
-		.unit = params->cull_unit == TS_CULL_EYE ? rho : 1.0f,
+		.unit = params->cull_unit == TS_CULL_EYE ? ts_samples_a_pixel(params) : 1.0f,
 		.seed = params->seed,
 		.enabled = params->cull,
 	};

@@ -1,6 +1,11 @@
 /* Look-ups of the first bounce, and queue and look-ups of each later one. */
 #include "lookup.h"
 
+const ts_bounce_buffers ts_bounce_table[TS_MAX_BOUNCES] = {
+	{TS_N_BUFFERS, TS_B_pixel_record, TS_B_lookup_point, TS_B_shade_radiance},
+	{TS_B_lookup2_offset, TS_B_lookup2_parent, TS_B_lookup2_point, TS_B_shade2_radiance},
+	{TS_B_lookup3_offset, TS_B_lookup3_parent, TS_B_lookup3_point, TS_B_shade3_radiance},
+};
 
 ts_lookup_args ts_lookup_arguments(const ts_run *run, u32 bounce)
 {
@@ -20,12 +25,6 @@ ts_lookup_args ts_lookup_arguments(const ts_run *run, u32 bounce)
 		.first = bounce == 0,
 	};
 }
-
-const ts_bounce_buffers ts_bounce_table[TS_MAX_BOUNCES] = {
-	{TS_N_BUFFERS, TS_B_pixel_record, TS_B_lookup_point, TS_B_shade_radiance},
-	{TS_B_lookup2_offset, TS_B_lookup2_parent, TS_B_lookup2_point, TS_B_shade2_radiance},
-	{TS_B_lookup3_offset, TS_B_lookup3_parent, TS_B_lookup3_point, TS_B_shade3_radiance},
-};
 
 static void count_empty(ts_run *run, const u32 *found, u64 n)
 {

@@ -102,3 +102,8 @@ ts_status ts_run_scan(u32 *counts, u64 n, const char *what, u64 *total)
 	return ts_fail("%" PRIu64 " %s are more than 32-bit indices can name; lower rho_scale or the image's size", *total,
 	               what);
 }
+
+f32 ts_samples_a_pixel(const ts_params *params)
+{
+	return params->rho_is_area ? ts_sqrt(params->rho_scale) : params->rho_scale;
+}

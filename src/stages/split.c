@@ -1,11 +1,6 @@
 /* Pieces of triangles, each with its density. */
 #include "stages.h"
 
-static f32 samples_a_pixel(const ts_params *params)
-{
-	return params->rho_is_area ? ts_sqrt(params->rho_scale) : params->rho_scale;
-}
-
 ts_status ts_stage_split(ts_run *run)
 {
 	u64 n = run->scene->n_triangles;
@@ -17,7 +12,7 @@ ts_status ts_stage_split(ts_run *run)
 		.bits = ts_frame_data(&run->frame, TS_B_visibility_bits),
 		.offset = ts_frame_make1(&run->frame, TS_B_split_offset, n + 1),
 		.n_capped = &capped,
-		.rho = samples_a_pixel(&run->params),
+		.rho = ts_samples_a_pixel(&run->params),
 		.n_cubes = ts_run_n_cubes(run),
 		.n_words = ts_run_n_words(run),
 		.paper = run->params.density == TS_DENSITY_PAPER,
