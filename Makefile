@@ -67,13 +67,20 @@ packages = $(shell $(PKG_CONFIG) $(1) $(2) 2>/dev/null)
 CPP_LIBS := -DTS_EMBREE=$(EMBREE) $(call packages,--cflags,OpenImageIO jansson libcrypto tinygltf zlib)
 LIBS := -lembree$(EMBREE) $(call packages,--libs,OpenImageIO jansson libcrypto zlib) $(call packages,--libs,tinygltf) -lm
 CORE_LIBS = -lcrypto -lm
+# These do without, or install it first.
+WITHOUT := core %/touchstone-core demo test fuzz matrix matrix-short style format deps uninstall clean help
+ifeq (,$(EMBREE))
+ifneq (,$(filter-out $(WITHOUT),$(or $(MAKECMDGOALS),all)))
+$(error Embree 3 or 4 is not installed: run scripts/install-deps (or make demo))
+endif
+endif
 
 # Sources, by folder.
 LIB_C := $(filter-out src/cli/%,$(wildcard src/*/*.c src/*/*/*.c))
 LIB_CC := $(wildcard src/*/*.cc)
 CLI_C := $(filter-out src/cli/core_main.c,$(wildcard src/cli/*.c))
 CORE_C := $(wildcard src/core/*.c src/backends/c/*.c src/stages/*.c src/pipelines/*.c) \
-	$(filter-out src/scene/open.c src/scene/print.c src/scene/gltf%,$(wildcard src/scene/*.c)) \
+	$(filter-out src/scene/open.c src/scene/print% src/scene/gltf%,$(wildcard src/scene/*.c)) \
 	$(wildcard $(patsubst %,src/cli/%.c,core_main command digest help methods nearest options))
 TEST_C := $(filter-out tests/fuzz/%,$(wildcard tests/*/*.c))
 

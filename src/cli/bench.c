@@ -235,6 +235,26 @@ static ts_status one_truth(const ts_cli *cli, u32 *truths)
 	return several ? ts_fail("bench: one truth is compared with, not several; write --truth=A, B, C or none") : TS_OK;
 }
 
+/* Everything that is typed is read once before hours of work. */
+static ts_status check_lists(const ts_cli *cli, const char *scenes)
+{
+	const char *objects = cli->objects;
+	char item[32], spec[4096];
+	u32 count;
+	ts_status status = TS_OK;
+	while (status == TS_OK && ts_cli_item(&objects, item, sizeof item)) {
+		status = ts_cli_count(&count, item, 1, MAX_OBJECTS, "--objects");
+	}
+	while (status == TS_OK && cli->scenes != NULL && ts_cli_item(&scenes, spec, sizeof spec)) {
+		ts_scene *scene = NULL;
+		ts_params params = cli->params;
+		params.reflectors = 1;
+		status = ts_scene_open(&scene, spec, &params, &cli->scene);
+		ts_scene_free(scene);
+	}
+	return status;
+}
+
 ts_status ts_bench_command(ts_cli *cli)
 {
 	bool table_2 = strcmp(cli->arguments[0], "epr-2") == 0;
@@ -247,8 +267,13 @@ ts_status ts_bench_command(ts_cli *cli)
 		return status;
 	}
 	const char *list = cli->scenes != NULL ? cli->scenes : "atrium,gallery,dining";
+	status = check_lists(cli, list);
+	if (status != TS_OK) {
+		return status;
+	}
 	char spec[4096];
-	ts_report report = ts_report_begin(ts_cli_given(cli, TS_OPT_JSON));
+	ts_report report;
+	ts_report_begin(&report, ts_cli_given(cli, TS_OPT_JSON));
 	ts_table table = table_2 ? ts_table_begin("epr_2", "EPR, table 2", columns_2)
 		: ts_table_begin("epr_1", "EPR, table 1: shading operations, one bounce", columns_1);
 	while (status == TS_OK && ts_cli_item(&list, spec, sizeof spec)) {
@@ -256,7 +281,7 @@ ts_status ts_bench_command(ts_cli *cli)
 	}
 	if (status != TS_OK) {
 		ts_table_end(&table);
-		json_decref(report.root);
+		ts_report_discard(&report);
 		return status;
 	}
 	ts_report_table(&report, &table);

@@ -51,7 +51,7 @@ int ts_cli_main(int argc, char **argv)
 	/* A file-size limit shall fail the write, not end the process. */
 	signal(SIGXFSZ, SIG_IGN);
 	ts_status status = run(argc, argv);
-	if (fflush(stdout) != 0 && status != TS_ERROR) {
+	if ((fflush(stdout) != 0 || ferror(stdout)) && status != TS_ERROR) {
 		status = ts_fail("standard output: cannot write; the disk may be full");
 	}
 	if (status == TS_ERROR) {

@@ -102,6 +102,18 @@ static ts_status check_contents(const char *dir, DIR *stream, bool force)
 	return TS_OK;
 }
 
+/* What is mounted cannot be renamed. */
+static ts_status check_mount(const char *dir, const struct stat *info)
+{
+	char parent[MAX_PATH + 4];
+	struct stat above;
+	snprintf(parent, sizeof parent, "%s/..", dir);
+	if (stat(parent, &above) == 0 && above.st_dev != info->st_dev) {
+		return ts_fail("%s: a file system is mounted there, so it cannot be replaced; name a folder inside it", dir);
+	}
+	return TS_OK;
+}
+
 static ts_status check_dir(const char *dir, bool force)
 {
 	struct stat info;
@@ -110,6 +122,9 @@ static ts_status check_dir(const char *dir, bool force)
 	}
 	if (!S_ISDIR(info.st_mode)) {
 		return ts_fail("%s: exists and is not a folder; name another with -o", dir);
+	}
+	if (check_mount(dir, &info) != TS_OK) {
+		return TS_ERROR;
 	}
 	DIR *stream = opendir(dir);
 	if (stream == NULL) {

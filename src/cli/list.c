@@ -121,7 +121,8 @@ ts_status ts_list_command(ts_cli *cli)
 	for (size_t i = 0; i < sizeof lists / sizeof lists[0]; i++) {
 		ts_nearest_offer(&nearest, lists[i].name);
 		if (strcmp(lists[i].name, cli->arguments[0]) == 0) {
-			ts_report report = ts_report_begin(ts_cli_given(cli, TS_OPT_JSON));
+			ts_report report;
+			ts_report_begin(&report, ts_cli_given(cli, TS_OPT_JSON));
 			ts_table table = lists[i].make();
 			ts_report_table(&report, &table);
 			return ts_report_end(&report);

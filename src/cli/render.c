@@ -1,4 +1,5 @@
-/* `render EFFECT [SCENE]`: runs methods and truths on one frame, compares them, and writes what came of it. */
+/* `render EFFECT [SCENE]`: runs methods and truths on one frame, compares them, writes what came of it, and only then
+ * prints it: a reader that went away costs no picture. */
 #include <stdlib.h>
 #include "folder.h"
 #include "render.h"
@@ -148,15 +149,18 @@ static ts_status work(ts_render *render, ts_report *report)
 		return status;
 	}
 	ts_render_report_head(render, report);
-	fflush(stdout);
-	status = run_all(render);
+	status = ts_report_print(report);
+	if (status == TS_OK) {
+		status = run_all(render);
+	}
 	if (status != TS_OK) {
 		return status;
 	}
 	compare_all(render);
 	ts_render_report_body(render, report);
-	if (ts_cli_given(cli, TS_OPT_NO_IMAGES)) {
-		return TS_OK;
+	status = ts_report_check(report);
+	if (status != TS_OK || ts_cli_given(cli, TS_OPT_NO_IMAGES)) {
+		return status;
 	}
 	status = ts_render_write(render);
 	return status == TS_OK ? write_report(report->root) : status;
@@ -185,17 +189,20 @@ static ts_status work_in_folder(ts_render *render)
 	if (status != TS_OK) {
 		return status;
 	}
-	ts_report report = ts_report_begin(ts_cli_given(cli, TS_OPT_JSON));
+	ts_report report;
+	ts_report_begin(&report, ts_cli_given(cli, TS_OPT_JSON));
 	status = work(render, &report);
+	if (status == TS_OK && images) {
+		ts_report_line(&report, "%s", "");
+		ts_report_line(&report, "The pictures are in %s", dir);
+		status = ts_report_check(&report);
+	}
 	if (status == TS_OK && images) {
 		status = ts_folder_commit();
 	}
-	if (status == TS_OK && images) {
-		ts_report_line(&report, "\nThe pictures are in %s", dir);
-	}
 	if (status != TS_OK) {
 		ts_folder_discard();
-		json_decref(report.root);
+		ts_report_discard(&report);
 		return status;
 	}
 	return ts_report_end(&report);

@@ -1,5 +1,6 @@
 /* What a render prints: times, counters, memory, metrics and what the pictures show. */
 #include <stdlib.h>
+#include "../scene/print.h"
 #include "render.h"
 
 enum { NOMINAL_POINT = 80, NOMINAL_CUBE = 6 * 512 * 512 * 8, NOMINAL_TEXELS = 6 * 512 * 512, SAMPLES = 25 };
@@ -46,7 +47,7 @@ void ts_render_report_head(const ts_render *render, ts_report *report)
 	               (double)ts_memory_total() / 1e9);
 	ts_report_value(report, "program", json_string(ts_program));
 	ts_report_value(report, "effect", json_string(render->effect));
-	ts_report_value(report, "scene", json_string(scene->name));
+	ts_report_value(report, "scene", ts_text_json(scene->name));
 	ts_report_value(report, "triangles", json_integer(scene->n_triangles));
 	ts_report_value(report, "mirrors", json_integer(scene->n_reflectors));
 	ts_report_value(report, "threads", json_integer(render->cli->threads));

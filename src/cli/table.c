@@ -3,6 +3,7 @@
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
+#include "../scene/print.h"
 #include "table.h"
 
 ts_table ts_table_begin(const char *key, const char *title, const ts_column *columns)
@@ -31,7 +32,7 @@ static void append(ts_table *table, const char *text, json_t *value)
 
 void ts_table_text(ts_table *table, const char *text)
 {
-	append(table, text, json_string(text));
+	append(table, text, ts_text_json(text));
 }
 
 /* 1234567 as 1,234,567. */
@@ -136,18 +137,18 @@ void ts_table_end(ts_table *table)
 	table->n_cells = 0;
 }
 
-ts_report ts_report_begin(bool json)
+void ts_report_begin(ts_report *report, bool json)
 {
-	ts_report report = { .root = json_object(), .json = json };
-	report.failed = report.root == NULL;
-	return report;
+	*report = (ts_report){ .root = json_object(), .json = json };
+	report->out = open_memstream(&report->text, &report->text_bytes);
+	report->failed = report->root == NULL || report->out == NULL;
 }
 
 void ts_report_table(ts_report *report, ts_table *table)
 {
 	report->failed |= table->failed;
-	if (!report->json) {
-		ts_table_print(table, stdout);
+	if (!report->json && !report->failed) {
+		ts_table_print(table, report->out);
 	}
 	ts_report_value(report, table->key, ts_table_json(table));
 	ts_table_end(table);
@@ -155,14 +156,24 @@ void ts_report_table(ts_report *report, ts_table *table)
 
 void ts_report_line(ts_report *report, const char *format, ...)
 {
-	if (report->json) {
+	char *line = NULL;
+	size_t bytes;
+	FILE *stream = !report->json && !report->failed ? open_memstream(&line, &bytes) : NULL;
+	if (stream == NULL) {
+		report->failed |= !report->json;
 		return;
 	}
 	va_list arguments;
 	va_start(arguments, format);
-	vprintf(format, arguments);
+	int failed = vfprintf(stream, format, arguments) < 0;
 	va_end(arguments);
-	putchar('\n');
+	failed |= fclose(stream) != 0;
+	if (!failed) {
+		ts_text_clean(line);
+		fprintf(report->out, "%s\n", line);
+	}
+	free(line);
+	report->failed |= failed;
 }
 
 void ts_report_value(ts_report *report, const char *key, json_t *value)
@@ -172,15 +183,47 @@ void ts_report_value(ts_report *report, const char *key, json_t *value)
 	}
 }
 
+ts_status ts_report_check(const ts_report *report)
+{
+	bool failed = report->failed || fflush(report->out) != 0 || ferror(report->out);
+	return failed ? ts_fail("the report: out of memory") : TS_OK;
+}
+
+static ts_status cannot_print(void)
+{
+	return ts_fail("standard output: cannot write; the disk may be full");
+}
+
+ts_status ts_report_print(ts_report *report)
+{
+	ts_status status = ts_report_check(report);
+	if (status != TS_OK) {
+		return status;
+	}
+	fwrite(report->text, 1, report->text_bytes, stdout);
+	rewind(report->out);
+	return fflush(stdout) != 0 || ferror(stdout) ? cannot_print() : TS_OK;
+}
+
+void ts_report_discard(ts_report *report)
+{
+	if (report->out != NULL) {
+		fclose(report->out);
+	}
+	free(report->text);
+	json_decref(report->root);
+	memset(report, 0, sizeof *report);
+}
+
 ts_status ts_report_end(ts_report *report)
 {
-	ts_status status = TS_OK;
-	if (report->failed) {
-		status = ts_fail("the report: out of memory");
-	} else if (report->json && json_dumpf(report->root, stdout, JSON_INDENT(2) | JSON_REAL_PRECISION(9)) == 0) {
-		putchar('\n');
+	ts_status status = ts_report_print(report);
+	if (status == TS_OK && report->json) {
+		int failed = json_dumpf(report->root, stdout, JSON_INDENT(2) | JSON_REAL_PRECISION(9));
+		failed |= putchar('\n') == EOF;
+		failed |= fflush(stdout);
+		status = failed ? cannot_print() : TS_OK;
 	}
-	json_decref(report->root);
-	report->root = NULL;
+	ts_report_discard(report);
 	return status;
 }

@@ -42,21 +42,31 @@ void ts_table_print(const ts_table *table, FILE *out);
 json_t *ts_table_json(const ts_table *table);
 void ts_table_end(ts_table *table);
 
-/* What a command prints: tables and single figures as text at once, or one JSON object at the end. */
+/* What a command prints: tables and single figures as text, or one JSON object, kept until they are asked for. */
 typedef struct {
 	json_t *root;
+	FILE *out;       /* to `text` */
+	char *text;
+	size_t text_bytes;
 	bool json;       /* text is not printed */
 	bool failed;     /* out of memory */
 } ts_report;
 
-ts_report ts_report_begin(bool json);
-/* Takes the table over, prints or keeps it, and releases it. */
+/* A report may not be moved. */
+void ts_report_begin(ts_report *report, bool json);
+/* Takes the table over, keeps what it says, and releases it. */
 void ts_report_table(ts_report *report, ts_table *table);
-/* A line of text only. */
+/* A line of text only; control characters become '?'. */
 void ts_report_line(ts_report *report, const char *format, ...) __attribute__((format(printf, 2, 3)));
 /* A figure of the JSON object only; takes the value over. */
 void ts_report_value(ts_report *report, const char *key, json_t *value);
-/* Prints the JSON object if that is wanted and releases all. */
+/* Fails if the report is not whole. */
+ts_status ts_report_check(const ts_report *report);
+/* Prints the text so far, of which nothing is printed again. */
+ts_status ts_report_print(ts_report *report);
+/* Prints the rest, or the JSON object if that is wanted, and releases all, also on failure. */
 ts_status ts_report_end(ts_report *report);
+/* Releases all and prints nothing. */
+void ts_report_discard(ts_report *report);
 
 #endif

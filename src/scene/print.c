@@ -1,6 +1,7 @@
 /* `touchstone info`: what was loaded, and what in the file was not understood, as text or JSON. */
 #include "../core/core.h"
 #include "../kernels/num.h"
+#include "print.h"
 #include "scene.h"
 #include <inttypes.h>
 #include <jansson.h>
@@ -58,13 +59,6 @@ static json_t *json_lights(const ts_scene *s)
 	return array;
 }
 
-/* Text from a file may hold any bytes; JSON holds UTF-8 only. */
-static json_t *json_text(const char *text)
-{
-	json_t *string = json_string(text);
-	return string ? string : json_string("(not UTF-8)");
-}
-
 static json_t *json_of(const ts_scene *s)
 {
 	figure f[N_FIGURES];
@@ -72,7 +66,7 @@ static json_t *json_of(const ts_scene *s)
 	json_t *cameras = json_array();
 	json_t *notes = json_array();
 	figures_of(f, s);
-	json_object_set_new(root, "scene", json_text(s->name));
+	json_object_set_new(root, "scene", ts_text_json(s->name));
 	for (size_t i = 0; i < N_FIGURES; i++)
 		json_object_set_new(root, f[i].name, json_integer((json_int_t)f[i].value));
 	json_object_set_new(root, "box_min", json_floats(s->box_min, 3));
@@ -81,8 +75,8 @@ static json_t *json_of(const ts_scene *s)
 	json_object_set_new(root, "hall_max", json_floats(s->hall_max, 2));
 	json_object_set_new(root, "ambient", json_real((double)s->ambient));
 	json_object_set_new(root, "light", json_lights(s));
-	for (u32 i = 0; i < s->n_cameras; i++) json_array_append_new(cameras, json_text(s->cameras[i].name));
-	for (u32 i = 0; i < s->n_notes; i++) json_array_append_new(notes, json_text(s->notes[i]));
+	for (u32 i = 0; i < s->n_cameras; i++) json_array_append_new(cameras, ts_text_json(s->cameras[i].name));
+	for (u32 i = 0; i < s->n_notes; i++) json_array_append_new(notes, ts_text_json(s->notes[i]));
 	json_object_set_new(root, "camera", cameras);
 	json_object_set_new(root, "eye", s->camera == TS_NONE ? json_string("circling") : json_integer(s->camera));
 	json_object_set_new(root, "notes", notes);

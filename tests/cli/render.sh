@@ -81,6 +81,27 @@ verdict $? 'threads change no figure'
 [ $? -eq 2 ] && [ "$(wc -l < stderr)" -eq 1 ] && [ ! -e work/full ] && [ ! -e work/full.partial ]
 verdict $? 'a disk that fills leaves nothing behind'
 
+"$touchstone" "${small[@]}" --method epr -o work/read 2> stderr | head -1 > stdout
+[ -s stdout ] && [ -s work/read/epr.png ] && [ -s work/read/report.json ] && [ ! -e work/read.partial ]
+verdict $? 'a reader that leaves early costs no picture'
+
+# A name that is not UTF-8 and holds an escape sequence, on a minimal scene.
+name=$'sc\xe9ne\e[31m.gltf'
+python3 - "$name" <<'PY'
+import base64, json, os, struct, sys
+points = struct.pack("<9f", -1, 0, -3, 1, 0, -3, 0, 2, -3)
+json.dump({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+	"meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+	"accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [-1, 0, -3], "max": [1, 2, -3]}],
+	"bufferViews": [{"buffer": 0, "byteLength": 36}], "buffers": [{"byteLength": 36,
+	"uri": "data:application/octet-stream;base64," + base64.b64encode(points).decode()}]}, open(os.fsencode(sys.argv[1]), "w"))
+PY
+run render reflections "$name" "${small[@]:3}" --method epr -o work/odd
+[ "$status" -eq 0 ] && ! grep -q $'\e' stdout && python3 -c 'import json; assert "\\xe9" in json.load(open("work/odd/report.json"))["scene"]'
+verdict $? 'a name of any bytes is reported'
+
+refuses "mounted" "${small[@]}" -o /proc
+
 for dir in /dev/null /proc/none/x .; do
 	run "${small[@]}" -o $dir
 	[ "$status" -eq 2 ] && [ "$(wc -l < stderr)" -eq 1 ]

@@ -1,0 +1,17 @@
+/* Text from files, on its way out. */
+#ifndef TS_SCENE_PRINT_H
+#define TS_SCENE_PRINT_H
+#include <jansson.h>
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* A JSON string of any bytes: as they are if they are UTF-8, else those above 127 as \xHH. NULL when out of memory. */
+json_t *ts_text_json(const char *text);
+/* Replaces control characters, C0 and the C1 of UTF-8, by '?', so that none reaches a terminal. Newlines too. */
+void ts_text_clean(char *text);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
