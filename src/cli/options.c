@@ -31,7 +31,8 @@ const ts_option ts_option_table[] = {
 	{ 0, NULL, NULL, NULL }
 };
 
-enum { MAX_OPTIONS = 32, MAX_THREADS = 1024, MAX_RUNS = 1000 };
+/* LONG: what getopt_long answers for the first long option, above every letter. */
+enum { LONG = 256, MAX_OPTIONS = 32, MAX_THREADS = 1024, MAX_RUNS = 1000 };
 
 bool ts_cli_given(const ts_cli *cli, u32 option)
 {
@@ -77,17 +78,20 @@ static ts_status set_param(ts_cli *cli, const char *assignment)
 		ts_nearest_offer(&nearest, params[i].name);
 	}
 	if (nearest.distance != 0) {
-		return ts_fail("--set %s: no such parameter; the nearest is %s, and \"%s list params\" lists all", name,
-		               nearest.best, ts_program);
+		return ts_fail("--set %s: no such parameter; the nearest is %s, and \"touchstone list params\" lists all", name,
+		               nearest.best);
 	}
 	return ts_params_set(&cli->params, name, equals + 1);
 }
+
+#define DIGITS "0123456789"
 
 static ts_status set_size(ts_cli *cli, const char *text)
 {
 	char width[32];
 	const char *x = strpbrk(text, "xX");
-	if (x == NULL || x - text >= (ptrdiff_t)sizeof width) {
+	if (x == NULL || x - text >= (ptrdiff_t)sizeof width || strspn(text, DIGITS) != (size_t)(x - text) || x == text ||
+	    x[1] == 0 || x[1 + strspn(x + 1, DIGITS)] != 0) {
 		return ts_fail("--size %s: not a size; write WIDTHxHEIGHT, for instance 1920x1080", text);
 	}
 	snprintf(width, sizeof width, "%.*s", (int)(x - text), text);
@@ -134,7 +138,7 @@ static ts_status take(ts_cli *cli, u32 bit, const char *text)
 	return TS_OK;
 }
 
-/* The options of `command` for getopt_long; val is the place in ts_option_table, from 1. */
+/* The options of `command` for getopt_long; val is LONG and the place in ts_option_table. */
 static void long_options(struct option *list, const ts_command *command)
 {
 	u32 n = 0;
@@ -145,9 +149,17 @@ static void long_options(struct option *list, const ts_command *command)
 		}
 		int has_argument = o->argument[0] == 0 ? no_argument : required_argument;
 		has_argument = o->argument[0] == '[' ? optional_argument : has_argument;
-		list[n++] = (struct option){ o->name, has_argument, NULL, i + 1 };
+		list[n++] = (struct option){ o->name, has_argument, NULL, LONG + i };
 	}
 	list[n] = (struct option){ NULL, 0, NULL, 0 };
+}
+
+/* Part of a character of several bytes is no text. */
+static ts_status refuse_letter(const ts_command *command, u32 letter)
+{
+	char text[8];
+	snprintf(text, sizeof text, letter > 32 && letter < 127 ? "%c" : "\\x%02x", letter);
+	return ts_fail("%s: no option -%s; \"%s help %s\" lists all", command->name, text, ts_program, command->name);
 }
 
 static ts_status refuse(const ts_command *command, const struct option *list, int answer, char **argv)
@@ -157,14 +169,14 @@ static ts_status refuse(const ts_command *command, const struct option *list, in
 		return ts_fail("%s: option -o needs a value, a folder", command->name);
 	}
 	if (answer == ':') {
-		const ts_option *o = &ts_option_table[optopt - 1];
+		const ts_option *o = &ts_option_table[optopt - LONG];
 		return ts_fail("%s: option --%s needs a value, %s", command->name, o->name, o->argument);
 	}
-	if (optopt > 0 && optopt <= MAX_OPTIONS) {
-		return ts_fail("%s: option --%s takes no value", command->name, ts_option_table[optopt - 1].name);
+	if (optopt >= LONG) {
+		return ts_fail("%s: option --%s takes no value", command->name, ts_option_table[optopt - LONG].name);
 	}
-	if (optopt > MAX_OPTIONS) {
-		return ts_fail("%s: no option -%c; \"%s help %s\" lists all", command->name, optopt, ts_program, command->name);
+	if (optopt != 0) {
+		return refuse_letter(command, (unsigned char)optopt);
 	}
 	char name[64];
 	snprintf(name, sizeof name, "%.*s", (int)strcspn(typed, "="), typed);
@@ -181,6 +193,10 @@ static ts_status take_arguments(ts_cli *cli, const ts_command *command, int n, c
 	if ((u32)n < command->min_arguments) {
 		return ts_fail("%s: too few arguments; write %s %s %s", command->name, ts_program, command->name,
 		               command->arguments);
+	}
+	const char *letters = n > 0 && ts_cli_given(cli, TS_OPT_TRUTH) ? arguments[n - 1] : "";
+	if (letters[0] != 0 && strspn(letters, "ABCabc,") == strlen(letters)) {
+		return ts_fail("%s: \"%s\" stands alone; write --truth=%s, with \"=\"", command->name, letters, letters);
 	}
 	if ((u32)n > command->max_arguments) {
 		return ts_fail("%s: one argument too many, \"%s\"; write %s %s %s", command->name,
@@ -207,7 +223,7 @@ ts_status ts_cli_parse(ts_cli *cli, const ts_command *command, int argc, char **
 		if (answer == '?' || answer == ':') {
 			return refuse(command, list, answer, argv);
 		}
-		u32 bit = answer == 'h' ? TS_OPT_HELP : answer == 'o' ? TS_OPT_OUTPUT : ts_option_table[answer - 1].bit;
+		u32 bit = answer == 'h' ? TS_OPT_HELP : answer == 'o' ? TS_OPT_OUTPUT : ts_option_table[answer - LONG].bit;
 		ts_status status = take(cli, bit, optarg);
 		if (status != TS_OK) {
 			return status;

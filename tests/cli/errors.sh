@@ -15,7 +15,16 @@ refuses 'takes no value' render reflections --json=3
 refuses 'too many' render reflections atrium another
 refuses 'from 16 to 16384' render reflections --size 100000x100000
 refuses 'WIDTHxHEIGHT' render reflections --size 1920
-refuses 'height' render reflections --size 1920x
+refuses '--size 1920x: .*WIDTHxHEIGHT' render reflections --size 1920x
+refuses '--size x: .*WIDTHxHEIGHT' render reflections --size=x
+refuses '--size 1x2x3' render reflections --size=1x2x3
+refuses 'no option -\\x20' render reflections '- '
+refuses 'no option -\\x1f' render reflections $'-\x1f'
+refuses 'no option -\\xc3' render reflections '-é'
+refuses 'no option -\\x01' render reflections $'-\x01'
+refuses 'write --truth=A,' render reflections --truth A
+refuses 'write --truth=A,B' render reflections atrium --truth A,B
+refuses 'write --truth=C' bench epr-2 --truth C
 refuses 'the nearest is width' render reflections --set widht=640
 refuses '=' render reflections --set width
 refuses 'width' render reflections --set width=640x
@@ -29,12 +38,16 @@ refuses 'directory' info .
 refuses 'nearest is buffers' list buffer
 refuses 'epr-1 and epr-2' bench epr-3
 refuses 'whole number' bench epr-1 --objects 1,x
+refuses 'no such scene' bench epr-1 --scene atrium,atrum
+refuses 'No such file' bench epr-2 --scene atrium,/nonexistent/scene.glb
 refuses 'not several' bench epr-2 --truth=A,B
 refuses 'built-in' digest scene.glb
 refuses 'the nearest is render' help rendr
 
-"$touchstone" list params > /dev/full 2> "$scratch/stderr"
-[ $? -eq 2 ] && grep -q 'disk may be full' "$scratch/stderr"
-verdict $? 'a full standard output is an error'
+for command in 'list params' 'list params --json' 'help' 'info atrium:triangles=10000 --json'; do
+	"$touchstone" $command > /dev/full 2> "$scratch/stderr"
+	[ $? -eq 2 ] && [ "$(wc -l < "$scratch/stderr")" -eq 1 ] && grep -q 'full' "$scratch/stderr"
+	verdict $? "a full standard output is an error: $command"
+done
 
 finish
