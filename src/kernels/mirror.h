@@ -55,9 +55,7 @@ TS_FN ts_v3 ts_k_mip_bilinear(const ts_mip_cube *cube, u32 level, ts_cube_place 
 /* The reflected direction at (x, y) pixels from the pixel's centre. */
 TS_FN ts_v3 ts_k_mirror_direction(TS_GLOBAL const ts_pixel *pixel, ts_v3 eye, f32 x, f32 y)
 {
-	ts_v3 p = ts_mad(ts_mad(ts_load3(pixel->position), ts_load3(pixel->position_dx), x), ts_load3(pixel->position_dy), y);
-	ts_v3 n = ts_mad(ts_mad(ts_load3(pixel->normal), ts_load3(pixel->normal_dx), x), ts_load3(pixel->normal_dy), y);
-	return ts_normalize(ts_reflect(ts_normalize(ts_sub(p, eye)), ts_normalize(n)));
+	return ts_k_offset_ray(pixel, eye, ts_v2_make(x, y)).direction;
 }
 
 /* log2(n/2 max(|dr/dx|, |dr/dy|)), r half a pixel to either side. */

@@ -24,10 +24,9 @@ TS_FN ts_v2 ts_k_sample_offset(u32 k)
 
 typedef struct { ts_v3 p, direction; } ts_ray;
 
-/* p_k = p + o_x dp/dx + o_y dp/dy, n_k likewise, r_k = i_k - 2 (i_k.n_k) n_k with i_k from the eye to p_k. */
-TS_FN ts_ray ts_k_sample_ray(TS_GLOBAL const ts_pixel *pixel, ts_v3 eye, u32 k)
+/* p_k = p + o_x dp/dx + o_y dp/dy, n_k likewise, r_k = i_k - 2 (i_k.n_k) n_k with i_k from the eye to p_k; o in pixels. */
+TS_FN ts_ray ts_k_offset_ray(TS_GLOBAL const ts_pixel *pixel, ts_v3 eye, ts_v2 o)
 {
-	ts_v2 o = ts_k_sample_offset(k);
 	ts_v3 p = ts_load3(pixel->position);
 	ts_v3 n = ts_load3(pixel->normal);
 	p = ts_mad(ts_mad(p, ts_load3(pixel->position_dx), o.x), ts_load3(pixel->position_dy), o.y);
@@ -36,6 +35,11 @@ TS_FN ts_ray ts_k_sample_ray(TS_GLOBAL const ts_pixel *pixel, ts_v3 eye, u32 k)
 	r.p = p;
 	r.direction = ts_normalize(ts_reflect(ts_normalize(ts_sub(p, eye)), ts_normalize(n)));
 	return r;
+}
+
+TS_FN ts_ray ts_k_sample_ray(TS_GLOBAL const ts_pixel *pixel, ts_v3 eye, u32 k)
+{
+	return ts_k_offset_ray(pixel, eye, ts_k_sample_offset(k));
 }
 
 /* Later bounces have no pixel: the ray from the cube centre that found p is reflected at the tile's normal, spread by the

@@ -103,7 +103,7 @@ static ts_v3 see_from_centre(const tracer *t, const ts_truth_query *query, u32 l
 		ts_truth_query next = from_centre(t, mirror, s.p, d, hit.path);
 		sum = ts_add(sum, see_from_centre(t, &next, left - 1));
 	}
-	return ts_mul(ts_scale(sum, 0.25f), s.base);
+	return ts_mul(ts_scale(sum, 1.0f / (f32)TS_N_BOUNCE_SAMPLES), s.base);
 }
 
 /* Radiance that arrives along a true ray; every mirror on its way sends on one ray. */
@@ -144,7 +144,8 @@ static ts_v3 pixel_radiance(const tracer *t, const ts_pixel *pixel, sample *look
 {
 	ts_v3 sum = { 0, 0, 0 };
 	for (u32 k = 0; k < TS_N_SAMPLES; k++) sum = ts_add(sum, look(t, pixel, k));
-	ts_v3 mean = ts_v3_make(sum.x / 25.0f, sum.y / 25.0f, sum.z / 25.0f);
+	f32 n = (f32)TS_N_SAMPLES;
+	ts_v3 mean = ts_v3_make(sum.x / n, sum.y / n, sum.z / n);
 	return ts_mul(mean, ts_v3_make(pixel->tint_r, pixel->tint_g, pixel->tint_b));
 }
 
