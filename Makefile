@@ -56,7 +56,7 @@ EXACT := -ffp-contract=off -fno-math-errno -fno-trapping-math
 ifneq (,$(findstring -march=,$(OPT)))
 EXACT += -fno-tree-slp-vectorize
 endif
-COMMON = $(OPT) $(EXACT) -fPIC -fopenmp $(WARN) -Iinclude -MMD -MP
+COMMON = $(OPT) $(EXACT) -fPIC -fvisibility=hidden -fopenmp $(WARN) -Iinclude -MMD -MP
 C_FLAGS = $(CPPFLAGS) $(CFLAGS) -std=c11 -D_POSIX_C_SOURCE=200809L $(COMMON)
 CXX_FLAGS = $(CPPFLAGS) $(CXXFLAGS) -std=c++17 $(COMMON)
 LINK_FLAGS = $(LDFLAGS) $(OPT) -fopenmp
@@ -104,9 +104,11 @@ $(BUILD)/libtouchstone.a: $(LIB_O)
 	$(call say,AR,$@)
 	$(Q)rm -f $@ && $(AR) rcs $@ $^
 
-$(BUILD)/libtouchstone.so: $(LIB_O)
+# The map hides what C++ headers of other libraries make visible.
+$(BUILD)/libtouchstone.so: $(LIB_O) scripts/exports.map
 	$(call say,LINK,$@)
-	$(Q)$(CXX) $(LINK_FLAGS) -shared -Wl,-soname,libtouchstone.so.0 $^ $(LIBS) -o $@
+	$(Q)$(CXX) $(LINK_FLAGS) -shared -Wl,-soname,libtouchstone.so.0 -Wl,--version-script=scripts/exports.map $(LIB_O) \
+		$(LIBS) -o $@
 
 $(BUILD)/touchstone: $(CLI_O) $(BUILD)/libtouchstone.a
 	$(call say,LINK,$@)

@@ -12,18 +12,20 @@ extern "C" {
  * grey replicated, missing alpha 255). On success *rgba holds width * height * 4 bytes, rows from the top, to be released
  * with free(). On failure nothing is allocated. `what` names the image in the message. A header that claims more than
  * max_texels texels is refused before anything is allocated. */
-ts_status ts_image_decode(uint8_t **rgba, uint32_t *width, uint32_t *height, const void *file, size_t file_bytes,
-                          uint64_t max_texels, const char *what);
+TS_API ts_status ts_image_decode(uint8_t **rgba, uint32_t *width, uint32_t *height, const void *file, size_t file_bytes,
+                                 uint64_t max_texels, const char *what);
 
 /* Writes an 8-bit PNG of `channels` (1, 3 or 4) interleaved channels, rows from the top. The file appears whole or not at
  * all: it is written as PATH.partial and renamed. */
-ts_status ts_image_write_png(const char *path, const uint8_t *pixels, uint32_t width, uint32_t height, uint32_t channels);
+TS_API ts_status ts_image_write_png(const char *path, const uint8_t *pixels, uint32_t width, uint32_t height,
+                                    uint32_t channels);
 
 /* Writes a 32-bit float EXR of `channels` channels (1: Y, 3: RGB, 4: RGBA), rows from the top, whole or not at all. */
-ts_status ts_image_write_exr(const char *path, const float *pixels, uint32_t width, uint32_t height, uint32_t channels);
+TS_API ts_status ts_image_write_exr(const char *path, const float *pixels, uint32_t width, uint32_t height,
+                                    uint32_t channels);
 
 /* Reads any of the above as float (channels as in the file; 8-bit values divided by 255). *pixels by free(). */
-ts_status ts_image_read(float **pixels, uint32_t *width, uint32_t *height, uint32_t *channels, const char *path);
+TS_API ts_status ts_image_read(float **pixels, uint32_t *width, uint32_t *height, uint32_t *channels, const char *path);
 
 /* How far apart two 8-bit RGB images are (SPEC 0.3.12). Values are in grey levels, 0 to 255. */
 typedef struct {
@@ -34,8 +36,8 @@ typedef struct {
 } ts_metrics;
 
 /* mask: width * height bytes, pixels with 0 are not judged; NULL: all are. The result does not depend on threads. */
-ts_metrics ts_metrics_compare(const uint8_t *reference, const uint8_t *image, const uint8_t *mask, uint32_t width,
-                              uint32_t height);
+TS_API ts_metrics ts_metrics_compare(const uint8_t *reference, const uint8_t *image, const uint8_t *mask,
+                                     uint32_t width, uint32_t height);
 
 #ifdef __cplusplus
 }

@@ -39,20 +39,20 @@ typedef struct {
 } ts_param_info;
 
 /* The table; *n receives its length. */
-const ts_param_info *ts_param_table(size_t *n);
+TS_API const ts_param_info *ts_param_table(size_t *n);
 
 /* Sets every parameter to its default. */
-void ts_params_default(ts_params *params);
+TS_API void ts_params_default(ts_params *params);
 
 /* Sets one parameter from text, as in --set name=value. On failure params is unchanged and the message names
  * the parameter, the value and the range. */
-ts_status ts_params_set(ts_params *params, const char *name, const char *value);
+TS_API ts_status ts_params_set(ts_params *params, const char *name, const char *value);
 
 /* Writes the value of table row `row` as text that ts_params_set reads back to the same bits. */
-void ts_params_format(const ts_params *params, size_t row, char *text, size_t text_bytes);
+TS_API void ts_params_format(const ts_params *params, size_t row, char *text, size_t text_bytes);
 
 /* Every parameter lies in its range; for a struct that was not filled by ts_params_set. */
-ts_status ts_params_check(const ts_params *params);
+TS_API ts_status ts_params_check(const ts_params *params);
 
 #ifdef __cplusplus
 }

@@ -26,11 +26,11 @@ typedef struct ts_render ts_render;
  * result. On success *render owns the buffers and must be released with ts_render_free before the scene; on failure it
  * is NULL. A process whose arithmetic breaks the numeric contract is refused. The scene's mirrors are those of the
  * parameters it was opened with; frame, size and everything else are taken from params. */
-ts_status ts_render_run(ts_render **render, const ts_scene *scene, const ts_params *params, const char *effect,
-                        const char *method, uint32_t threads);
+TS_API ts_status ts_render_run(ts_render **render, const ts_scene *scene, const ts_params *params, const char *effect,
+                               const char *method, uint32_t threads);
 
 /* Releases a finished render; NULL is allowed. */
-void ts_render_free(ts_render *render);
+TS_API void ts_render_free(ts_render *render);
 
 /* A buffer by its name in records.def. */
 typedef struct {
@@ -46,10 +46,10 @@ typedef struct {
 
 /* TS_ERROR if there is no such buffer, or this method did not make it. MVR works one reflector at a time: of its
  * face.* buffers the last reflector's remain. */
-ts_status ts_render_buffer(const ts_render *render, const char *name, ts_buffer_view *view);
+TS_API ts_status ts_render_buffer(const ts_render *render, const char *name, ts_buffer_view *view);
 
 /* What was counted: "points", "shading operations", ... 0 if this method does not count that. */
-int64_t ts_render_counter(const ts_render *render, const char *name);
+TS_API int64_t ts_render_counter(const ts_render *render, const char *name);
 
 #ifdef __cplusplus
 }

@@ -24,17 +24,18 @@ typedef struct {
  *   params   reads reflectors, reflector_shape, reflector_px, seed, eye, fov, width and height: the added mirrors.
  *   options  may be NULL.
  * The result does not depend on threads. */
-ts_status ts_scene_open(ts_scene **scene, const char *spec, const ts_params *params, const ts_scene_options *options);
+TS_API ts_status ts_scene_open(ts_scene **scene, const char *spec, const ts_params *params,
+                               const ts_scene_options *options);
 
 /* Releases a scene; NULL is allowed. */
-void ts_scene_free(ts_scene *scene);
+TS_API void ts_scene_free(ts_scene *scene);
 
 /* What was loaded, and what in the file was not understood: as text, or as JSON if json is not 0. */
-ts_status ts_scene_print(const ts_scene *scene, FILE *out, int json);
+TS_API ts_status ts_scene_print(const ts_scene *scene, FILE *out, int json);
 
 /* One row per built-in scene: name and a one-line description. *n receives the length. */
 typedef struct { const char *name, *doc; } ts_builtin_info;
-const ts_builtin_info *ts_builtin_table(size_t *n);
+TS_API const ts_builtin_info *ts_builtin_table(size_t *n);
 
 #ifdef __cplusplus
 }

@@ -5,6 +5,13 @@
 extern "C" {
 #endif
 
+/* Marks every function of these headers, and nothing else: what the shared library exports. */
+#if defined(__GNUC__)
+#define TS_API __attribute__((visibility("default")))
+#else
+#define TS_API
+#endif
+
 /* Also the exit codes of the command. */
 typedef enum {
 	TS_OK = 0,        /* same, or done */
@@ -15,7 +22,7 @@ typedef enum {
 
 /* The last failure of this thread as one line without a line end; "" if there was none.
  * The text belongs to the library and lives until the thread's next failure. */
-const char *ts_error_message(void);
+TS_API const char *ts_error_message(void);
 
 #ifdef __cplusplus
 }
