@@ -2,7 +2,7 @@
  * and the vertices of each object are made one range. */
 #include "build_parts.h"
 #include "../core/core.h"
-#include "../kernels/vec.h"
+#include "../kernels/shade.h"
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -26,7 +26,7 @@ static void give_light(ts_build *build, const ts_params *params)
 	scene->ambient = 0.0f;
 	if (scene->n_lights > 0) return;
 	f32 irradiance = params->light_irradiance;
-	ts_light sun = {.kind = TS_LIGHT_DIRECTIONAL, .intensity = {irradiance, irradiance, irradiance}};
+	ts_light sun = {.kind = TS_LIGHT_KIND_DIRECTIONAL, .intensity = {irradiance, irradiance, irradiance}};
 	ts_store3(sun.direction, ts_v3_make(-0.4f, -1.0f, -0.3f));
 	ts_build_light(build, &sun);
 	scene->ambient = ts_san(params->light_ambient);
@@ -84,7 +84,7 @@ static void check_materials(ts_build *build)
 			if (m->slot[k] != TS_NONE && m->slot[k] >= scene->n_slots)
 				ts_build_fail(build, "%s: material %u: texture reference %u does not exist; there are %u", scene->name,
 				              i, m->slot[k], scene->n_slots);
-		if (m->flags > (TS_MATERIAL_DOUBLE_SIDED | TS_MATERIAL_MASK | TS_MATERIAL_UNLIT))
+		if (m->flags > (TS_DOUBLE_SIDED | TS_MASKED | TS_UNLIT))
 			ts_build_fail(build, "%s: material %u: flags %u; 0 to 7 are known", scene->name, i, m->flags);
 	}
 	for (u32 i = 0; i < scene->n_slots; i++) {
@@ -94,7 +94,7 @@ static void check_materials(ts_build *build)
 			              s->image, scene->n_images);
 		if (s->uv_set > 1)
 			ts_build_fail(build, "%s: texture reference %u: TEXCOORD_%u; 0 and 1 are read", scene->name, i, s->uv_set);
-		if (s->wrap[0] > TS_WRAP_CLAMP || s->wrap[1] > TS_WRAP_CLAMP)
+		if (s->wrap[0] > TS_CLAMP || s->wrap[1] > TS_CLAMP)
 			ts_build_fail(build, "%s: texture reference %u: wrap modes %u and %u; 0, 1 and 2 are known", scene->name, i,
 			              s->wrap[0], s->wrap[1]);
 	}
@@ -106,9 +106,9 @@ static void check_lights(ts_build *build)
 	for (u32 i = 0; i < scene->n_lights; i++) {
 		const ts_light *l = &scene->lights[i];
 		bool aimless = l->direction[0] == 0.0f && l->direction[1] == 0.0f && l->direction[2] == 0.0f;
-		if (l->kind > TS_LIGHT_SPOT)
+		if (l->kind > TS_LIGHT_KIND_SPOT)
 			ts_build_fail(build, "%s: light %u: kind %u; 0, 1 and 2 are known", scene->name, i, l->kind);
-		if (l->kind != TS_LIGHT_POINT && aimless)
+		if (l->kind != TS_LIGHT_KIND_POINT && aimless)
 			ts_build_fail(build, "%s: light %u: no direction; it must have a length above zero", scene->name, i);
 	}
 }

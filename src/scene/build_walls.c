@@ -2,7 +2,7 @@
  * is what stops level rays both at eye height and above furniture; a fan of rays decides, so that one post does not. */
 #include "build_parts.h"
 #include "../core/core.h"
-#include "../kernels/vec.h"
+#include "../kernels/scene.h"
 #include <stdlib.h>
 
 #define N_HEIGHTS 2
@@ -52,7 +52,7 @@ static const ts_triangle *wall_at(const ts_scene *scene, u32 i, u32 *flags)
 	*flags = t->material < scene->n_materials ? scene->materials[t->material].flags : 0;
 	for (u32 k = 0; k < 3; k++)
 		if (t->vertex[k] >= scene->n_vertices || scene->vertices[t->vertex[k]].object != 0) return NULL;
-	return *flags & TS_MATERIAL_MASK ? NULL : t;
+	return *flags & TS_MASKED ? NULL : t;
 }
 
 static bool slice_make(ts_build *build, slice *s, const f32 levels[N_HEIGHTS])
@@ -65,7 +65,7 @@ static bool slice_make(ts_build *build, slice *s, const f32 levels[N_HEIGHTS])
 		ts_v3 p[3];
 		for (u32 k = 0; k < 3; k++) p[k] = ts_load3(scene->vertices[t->vertex[k]].position);
 		for (u32 h = 0; h < N_HEIGHTS; h++) {
-			cut c = {.height = h, .two_sided = flags & TS_MATERIAL_DOUBLE_SIDED};
+			cut c = {.height = h, .two_sided = flags & TS_DOUBLE_SIDED};
 			if (!cut_at(&c, p, levels[h])) continue;
 			ts_v3 n = ts_cross(ts_sub(p[1], p[0]), ts_sub(p[2], p[0]));
 			c.normal[0] = n.x;

@@ -55,7 +55,7 @@ static const ts_paint paints[N_PAINTS] = {
 	[WHITE_MARBLE] = {ts_paint_marble, 0, 256, {1.0f, 1.0f}, 0, 0, WHITE, 0.3125f, 0.0f},
 	[DARK_MARBLE] = {ts_paint_marble, 2, 256, {1.0f, 1.0f}, TS_MAP_SURFACE, 0, WHITE, 1.0f, 0.0f},
 	[ROPE] = {ts_paint_weave, 0, 256, {0.0625f, 0.0625f}, 0, 0, WHITE, 0.9375f, 0.0f},
-	[RUG] = {ts_paint_carpet, 1, 512, {1.0f, 1.0f}, 0, TS_MATERIAL_DOUBLE_SIDED, WHITE, 1.0f, 0.0f},
+	[RUG] = {ts_paint_carpet, 1, 512, {1.0f, 1.0f}, 0, TS_DOUBLE_SIDED, WHITE, 1.0f, 0.0f},
 	[LAMP] = {ts_paint_shade, 1, 256, {0.25f, 0.25f}, TS_MAP_GLOW, 0, WHITE, 0.875f, 0.0f},
 	PAINTED(0, 512),
 	PAINTED(1, 256),

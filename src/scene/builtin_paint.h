@@ -2,7 +2,7 @@
  * that. Integers and ts_ arithmetic only, so the texels are the same everywhere. */
 #ifndef TS_SCENE_BUILTIN_PAINT_H
 #define TS_SCENE_BUILTIN_PAINT_H
-#include "../kernels/vec.h"
+#include "../kernels/scene.h"
 #include "build.h"
 
 /* One point of a material. Colour: sRGB-coded, 0 to 1. Height: metres over the surface. */
@@ -29,7 +29,7 @@ typedef struct {
 	u32 kind, size;      /* variant; texels a side */
 	f32 tile[2];         /* metres that one image covers along s and t */
 	u32 maps;
-	u32 flags;               /* TS_MATERIAL_... */
+	u32 flags;               /* TS_DOUBLE_SIDED, TS_MASKED */
 	ts_v3 base;              /* linear factor */
 	f32 roughness, metallic; /* factors */
 } ts_paint;

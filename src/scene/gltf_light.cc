@@ -1,7 +1,15 @@
 /* Lights (KHR_lights_punctual) and cameras (glTF 2.0 section 3.10) where nodes put them. */
 #include "gltf.h"
+#include "../kernels/shade.h"
 
 namespace gltf {
+
+/* The guard lets no other types through. */
+static u32 kind_of(const std::string &type)
+{
+	if (type == "directional") return TS_LIGHT_KIND_DIRECTIONAL;
+	return type == "point" ? TS_LIGHT_KIND_POINT : TS_LIGHT_KIND_SPOT;
+}
 
 static void take_cone(ts_light &to, const tinygltf::Light &from, int index)
 {
@@ -21,10 +29,10 @@ void light_build(loader &in, int index, const ts_place &place)
 		colour[i] = ts_number(from.color[i]);
 	ts_number_scale3(to.intensity, colour, ts_number(from.intensity));
 	to.range = ts_number(from.range);
-	to.kind = from.type == "directional" ? TS_LIGHT_DIRECTIONAL : from.type == "point" ? TS_LIGHT_POINT : TS_LIGHT_SPOT;
-	if (to.kind == TS_LIGHT_SPOT) take_cone(to, from, index);
+	to.kind = kind_of(from.type);
+	if (to.kind == TS_LIGHT_KIND_SPOT) take_cone(to, from, index);
 	ts_place_aim(&place, to.position, to.direction);
-	if (to.kind != TS_LIGHT_POINT && place.side == 0.0f) {
+	if (to.kind != TS_LIGHT_KIND_POINT && place.side == 0.0f) {
 		in.notes.insert("the light " + quoted(from.name) + " is ignored: its node's scale is 0");
 		return;
 	}

@@ -1,6 +1,7 @@
 /* Materials, textures, samplers and images, glTF 2.0 sections 3.8 and 3.9, KHR_texture_transform, KHR_materials_unlit,
  * KHR_materials_emissive_strength. Base colour and emissive images are sRGB, the others linear. */
 #include "gltf.h"
+#include "../kernels/texture.h"
 #include <algorithm>
 #include <cstdlib>
 #include <memory>
@@ -47,9 +48,9 @@ static u32 image_build(loader &in, int index, bool srgb)
 static u32 wrap_mode(int mode, int sampler)
 {
 	switch (mode) {
-	case TINYGLTF_TEXTURE_WRAP_REPEAT: return TS_WRAP_REPEAT;
-	case TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT: return TS_WRAP_MIRROR;
-	case TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE: return TS_WRAP_CLAMP;
+	case TINYGLTF_TEXTURE_WRAP_REPEAT: return TS_REPEAT;
+	case TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT: return TS_MIRROR;
+	case TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE: return TS_CLAMP;
 	default: fail("samplers/%d: wrap mode %d; 10497, 33071 or 33648 is expected", sampler, mode);
 	}
 }
@@ -130,14 +131,14 @@ static void take_factors(ts_material &m, const tinygltf::Material &from)
 
 static void take_flags(loader &in, ts_material &m, const tinygltf::Material &from)
 {
-	if (from.doubleSided) m.flags |= TS_MATERIAL_DOUBLE_SIDED;
-	if (from.extensions.count("KHR_materials_unlit")) m.flags |= TS_MATERIAL_UNLIT;
+	if (from.doubleSided) m.flags |= TS_DOUBLE_SIDED;
+	if (from.extensions.count("KHR_materials_unlit")) m.flags |= TS_UNLIT;
 	if (from.alphaMode == "MASK") {
-		m.flags |= TS_MATERIAL_MASK;
+		m.flags |= TS_MASKED;
 		m.alpha_cutoff = ts_number(from.alphaCutoff);
 	}
 	if (from.alphaMode == "BLEND") {
-		m.flags |= TS_MATERIAL_MASK;
+		m.flags |= TS_MASKED;
 		m.alpha_cutoff = 0.5f;
 		in.notes.insert("the blended material " + quoted(from.name) + " is drawn as a mask with cutoff 0.5");
 	}

@@ -31,9 +31,9 @@ struct ts_scene {
 	char **notes; u32 n_notes; /* what in the file was not understood, a line each */
 };
 
-enum { TS_MATERIAL_DOUBLE_SIDED = 1, TS_MATERIAL_MASK = 2, TS_MATERIAL_UNLIT = 4 };
+/* What ts_k_light takes for a point light: any kind that is none of kernels/shade.h. */
+#define TS_LIGHT_KIND_POINT 1u
+/* Places in ts_material's slot. Flags, wrap modes and kinds of light: kernels/scene.h, texture.h, shade.h. */
 enum { TS_SLOT_BASE, TS_SLOT_METALROUGH, TS_SLOT_NORMAL, TS_SLOT_OCCLUSION, TS_SLOT_EMISSIVE, TS_N_SLOTS };
-enum { TS_WRAP_REPEAT, TS_WRAP_MIRROR, TS_WRAP_CLAMP };
-enum { TS_LIGHT_DIRECTIONAL, TS_LIGHT_POINT, TS_LIGHT_SPOT };
 
 #endif

@@ -1,6 +1,6 @@
 /* Building a scene: what is added, what is refused, what is kept, and the mip chains. */
 #include "../../src/scene/build.h"
-#include "../../src/kernels/vec.h"
+#include "../../src/kernels/shade.h"
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -92,7 +92,7 @@ static void test_sun(void **state)
 	ts_scene *scene = finish(start());
 	assert_int_equal(scene->n_lights, 1);
 	const ts_light *sun = &scene->lights[0];
-	assert_int_equal(sun->kind, TS_LIGHT_DIRECTIONAL);
+	assert_int_equal(sun->kind, TS_LIGHT_KIND_DIRECTIONAL);
 	assert_true(sun->intensity[0] == 5.0f && sun->intensity[1] == 5.0f && sun->intensity[2] == 5.0f);
 	assert_float_equal(sun->direction[0] / sun->direction[1], 0.4f, 1e-6f);
 	assert_float_equal(sun->direction[2] / sun->direction[1], 0.3f, 1e-6f);
@@ -105,7 +105,7 @@ static void test_own_lights(void **state)
 {
 	(void)state;
 	ts_build *build = start();
-	ts_light lamp = {.kind = TS_LIGHT_POINT, .intensity = {1.0f, 2.0f, 3.0f}};
+	ts_light lamp = {.kind = TS_LIGHT_KIND_POINT, .intensity = {1.0f, 2.0f, 3.0f}};
 	ts_build_light(build, &lamp);
 	ts_scene *scene = finish(build);
 	assert_int_equal(scene->n_lights, 1);
@@ -175,7 +175,7 @@ static void test_ranges_refused(void **state)
 	ts_build_light(build, &odd);
 	refuse(build, "kind 3");
 	build = start();
-	ts_light aimless = {.kind = TS_LIGHT_SPOT};
+	ts_light aimless = {.kind = TS_LIGHT_KIND_SPOT};
 	ts_build_light(build, &aimless);
 	refuse(build, "no direction");
 	build = start();

@@ -1,6 +1,6 @@
 /* The hall of a scene: rooms of known size with all that could mislead the rays. */
 #include "../../src/scene/build.h"
-#include "../../src/kernels/num.h"
+#include "../../src/kernels/scene.h"
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -15,9 +15,9 @@ static ts_build *start(void)
 	ts_build *build = ts_build_new("rooms");
 	assert_non_null(build);
 	ts_material material = ts_material_default();
-	material.flags = TS_MATERIAL_MASK;
+	material.flags = TS_MASKED;
 	masked = ts_build_material(build, &material);
-	material.flags = TS_MATERIAL_DOUBLE_SIDED;
+	material.flags = TS_DOUBLE_SIDED;
 	two_sided = ts_build_material(build, &material);
 	return build;
 }

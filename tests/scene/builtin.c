@@ -2,7 +2,7 @@
  * rooms, normals that agree with their faces, a free path for the eye, triangles of all sizes. */
 #include "../../src/scene/sources.h"
 #include "../../src/scene/view.h"
-#include "../../src/kernels/vec.h"
+#include "../../src/kernels/scene.h"
 #include <omp.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -273,7 +273,7 @@ static void test_every_slot_is_used(void **state)
 	}
 	for (u32 s = 0; s < TS_N_SLOTS; s++)
 		assert_true(used[s] > 0);
-	assert_int_equal(flags, TS_MATERIAL_DOUBLE_SIDED | TS_MATERIAL_MASK);
+	assert_int_equal(flags, TS_DOUBLE_SIDED | TS_MASKED);
 }
 
 int main(void)

@@ -10,7 +10,7 @@
 #include <string.h>
 #include <unistd.h>
 #include "../../src/core/core.h"
-#include "../../src/kernels/vec.h"
+#include "../../src/kernels/shade.h"
 #include "../../src/scene/sources.h"
 
 #define TRIANGLE "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}]"
@@ -345,14 +345,14 @@ static void test_lights(void **state)
 	const ts_scene *scene = ts_build_peek(build);
 	assert_int_equal(scene->n_lights, 2);
 	const ts_light *spot = &scene->lights[0], *sun = &scene->lights[1];
-	assert_int_equal(spot->kind, TS_LIGHT_SPOT);
+	assert_int_equal(spot->kind, TS_LIGHT_KIND_SPOT);
 	assert_v3(spot->position, 0.0f, 4.0f, 0.0f);
 	assert_v3(spot->direction, 0.0f, -1.0f, 0.0f);
 	assert_v3(spot->intensity, 8.0f, 4.0f, 0.0f);
 	assert_near(spot->range, 3.0f);
 	assert_near(spot->spot_scale, 2.0f);
 	assert_near(spot->spot_offset, -1.0f);
-	assert_int_equal(sun->kind, TS_LIGHT_DIRECTIONAL);
+	assert_int_equal(sun->kind, TS_LIGHT_KIND_DIRECTIONAL);
 	assert_v3(sun->direction, 0.0f, 0.0f, -1.0f);
 	assert_v3(sun->intensity, 1.0f, 1.0f, 1.0f);
 	ts_build_free(build);
@@ -376,7 +376,7 @@ static void test_material(void **state)
 					  "{\"emissiveStrength\":4},\"KHR_materials_unlit\":{}}}]");
 	const ts_scene *scene = ts_build_peek(build);
 	const ts_material *m = &scene->materials[scene->triangles[0].material];
-	assert_int_equal(m->flags, TS_MATERIAL_DOUBLE_SIDED | TS_MATERIAL_MASK | TS_MATERIAL_UNLIT);
+	assert_int_equal(m->flags, TS_DOUBLE_SIDED | TS_MASKED | TS_UNLIT);
 	assert_true(m->alpha_cutoff == 0.5f && m->metallic == 0.0f && m->roughness == 1.0f && m->normal_scale == 2.0f);
 	assert_v3(m->base, 0.25f, 0.5f, 1.0f);
 	assert_v3(m->emissive, 4.0f, 2.0f, 0.0f);
@@ -384,8 +384,8 @@ static void test_material(void **state)
 	assert_int_equal(scene->n_slots, 4);
 	assert_int_equal(scene->n_images, 2);
 	const ts_slot *base = &scene->slots[m->slot[TS_SLOT_BASE]], *rough = &scene->slots[m->slot[TS_SLOT_METALROUGH]];
-	assert_int_equal(base->wrap[0], TS_WRAP_CLAMP);
-	assert_int_equal(base->wrap[1], TS_WRAP_MIRROR);
+	assert_int_equal(base->wrap[0], TS_CLAMP);
+	assert_int_equal(base->wrap[1], TS_MIRROR);
 	assert_int_equal(base->image, scene->slots[m->slot[TS_SLOT_EMISSIVE]].image);
 	assert_int_not_equal(base->image, rough->image);
 	assert_int_equal(rough->uv_set, 1);

@@ -117,7 +117,7 @@ static ts_scene *described(void)
 	ts_build_triangle(build, 0, 1, 2, 0xffffffffu);
 	ts_camera camera = {.name = "\xff not UTF-8"};
 	ts_build_camera(build, &camera);
-	ts_light lamp = {.kind = TS_LIGHT_POINT, .intensity = {0.1f, 2.0f, 3.0f}};
+	ts_light lamp = {.kind = TS_LIGHT_KIND_POINT, .intensity = {0.1f, 2.0f, 3.0f}};
 	ts_build_light(build, &lamp);
 	ts_build_note(build, "sampler %d: its filter is ignored", 7);
 	ts_scene *scene;

@@ -1,5 +1,5 @@
 /* The files in scenes/, as scenes/README.md describes them. */
-#include "../../src/kernels/vec.h"
+#include "../../src/kernels/texture.h"
 #include "../../src/scene/scene.h"
 #include <setjmp.h>
 #include <stdarg.h>
@@ -46,7 +46,7 @@ static void test_room(void **state)
 	assert_float_equal(scene->hall_min[1], -2.85f, 1e-5f);
 	assert_int_equal(scene->n_images, 1);
 	assert_int_equal(scene->n_texels, 5);
-	assert_true(scene->slots[0].transform[0] == 2.0f && scene->slots[0].wrap[1] == TS_WRAP_MIRROR);
+	assert_true(scene->slots[0].transform[0] == 2.0f && scene->slots[0].wrap[1] == TS_MIRROR);
 	assert_true(scene->n_lights == 1 && scene->lights[0].position[1] == 3.5f && scene->lights[0].intensity[0] == 40.0f);
 	ts_scene_free(scene);
 }

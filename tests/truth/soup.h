@@ -2,7 +2,7 @@
 #ifndef TS_TESTS_TRUTH_SOUP_H
 #define TS_TESTS_TRUTH_SOUP_H
 #include <stddef.h>
-#include "../../src/kernels/vec.h"
+#include "../../src/kernels/scene.h"
 #include "../../src/scene/sources.h"
 
 enum { SOUP_MATERIALS = 8, SOUP_STREAM = 6, SOUP_SEED = 21 };
@@ -27,7 +27,7 @@ static inline void soup_materials(ts_build *build, u32 *id)
 	for (u32 i = 0; i < SOUP_MATERIALS; i++) {
 		ts_material m = ts_material_default();
 		for (u32 k = 0; k < 3; k++) m.base[k] = soup_random(id) * 0.5f + 0.5f;
-		m.flags = i % 2 ? TS_MATERIAL_DOUBLE_SIDED : 0;
+		m.flags = i % 2 ? TS_DOUBLE_SIDED : 0;
 		ts_build_material(build, &m);
 	}
 }

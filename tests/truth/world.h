@@ -3,7 +3,7 @@
 #define TS_TESTS_TRUTH_WORLD_H
 #include <assert.h>
 #include <string.h>
-#include "../../src/kernels/vec.h"
+#include "../../src/kernels/texture.h"
 #include "../../src/truth/truth.h"
 
 enum { WORLD_TRIANGLES = 8192, WORLD_OBJECTS = 4, WORLD_MATERIALS = 11 };
@@ -37,20 +37,20 @@ static inline void world_texture(world *w)
 	w->texels[1] = 0xffffffffffffffffUL;
 	w->texels[2] = 0x8000ffffffffffffUL;
 	w->image = (ts_image){ .width = 2, .height = 1, .n_levels = 2 };
-	w->slot = (ts_slot){ .wrap = { TS_WRAP_CLAMP, TS_WRAP_CLAMP }, .transform = { 1, 0, 0, 0, 1, 0 } };
+	w->slot = (ts_slot){ .wrap = { TS_CLAMP, TS_CLAMP }, .transform = { 1, 0, 0, 0, 1, 0 } };
 	w->materials[HALF_CUT].slot[TS_SLOT_BASE] = 0;
 }
 
 static inline void world_begin(world *w)
 {
 	memset(w, 0, sizeof(*w));
-	w->materials[TWO_SIDED] = world_material(TS_MATERIAL_DOUBLE_SIDED, 1);
+	w->materials[TWO_SIDED] = world_material(TS_DOUBLE_SIDED, 1);
 	w->materials[ONE_SIDED] = world_material(0, 1);
-	w->materials[CUT] = world_material(TS_MATERIAL_DOUBLE_SIDED | TS_MATERIAL_MASK, 0.25f);
-	w->materials[UNCUT] = world_material(TS_MATERIAL_DOUBLE_SIDED | TS_MATERIAL_MASK, 0.75f);
-	w->materials[HALF_CUT] = world_material(TS_MATERIAL_DOUBLE_SIDED | TS_MATERIAL_MASK, 1);
+	w->materials[CUT] = world_material(TS_DOUBLE_SIDED | TS_MASKED, 0.25f);
+	w->materials[UNCUT] = world_material(TS_DOUBLE_SIDED | TS_MASKED, 0.75f);
+	w->materials[HALF_CUT] = world_material(TS_DOUBLE_SIDED | TS_MASKED, 1);
 	for (u32 i = 0; i < 6; i++) {
-		w->materials[WALL + i] = world_material(TS_MATERIAL_DOUBLE_SIDED | TS_MATERIAL_UNLIT, 1);
+		w->materials[WALL + i] = world_material(TS_DOUBLE_SIDED | TS_UNLIT, 1);
 		for (u32 k = 0; k < 3; k++) w->materials[WALL + i].base[k] = (f32)(i + 1 + k) * 0.125f;
 	}
 	world_texture(w);
