@@ -82,12 +82,8 @@ static ts_status run_once(bench *b, bool with_times)
 	double point, view;
 	ts_measure second;
 	ts_status status = run_method(b, &b->epr, "epr", 1, i == 0 ? take_image : NULL);
-	if (status == TS_OK) {
-		status = run_method(b, &b->mvr, "mvr", 1, i == 0 ? take_image : NULL);
-	}
-	if (status != TS_OK || !with_times) {
-		return status;
-	}
+	if (status == TS_OK) status = run_method(b, &b->mvr, "mvr", 1, i == 0 ? take_image : NULL);
+	if (status != TS_OK || !with_times) return status;
 	split_time(&b->epr, &b->point[i], &b->view[i], &b->deferred[i]);
 	b->total[i] = b->epr.seconds;
 	b->mvr_total[i] = b->mvr.seconds;
@@ -167,9 +163,7 @@ static void add_table_2(ts_table *table, bench *b)
 	ts_table_real(table, 1e3 * median(b->mvr_total, n), 2);
 	ts_table_count(table, (i64)b->epr.elements[TS_B_points_record]);
 	const ts_paper_row *p = ts_paper_find(b->spec, b->objects);
-	if (p != NULL) {
-		add_paper_2(table, p);
-	}
+	if (p != NULL) add_paper_2(table, p);
 }
 
 static ts_status measure(bench *b, bool table_2)
@@ -178,9 +172,7 @@ static ts_status measure(bench *b, bool table_2)
 	u64 bytes;
 	ts_status status = ts_measure_estimate(&bytes, methods, 2, b->truths, b->scene, &b->params);
 	u32 runs = table_2 ? b->cli->runs : 1;
-	while (status == TS_OK && b->n_runs < runs) {
-		status = run_once(b, table_2);
-	}
+	while (status == TS_OK && b->n_runs < runs) status = run_once(b, table_2);
 	if (status == TS_OK && (b->truths & TS_TRUTH_C) != 0) {
 		status = ts_picture_truth_c(&b->truth, b->scene, &b->params, b->cli->threads);
 	}
@@ -190,21 +182,15 @@ static ts_status measure(bench *b, bool table_2)
 static ts_status bench_one(ts_table *table, const ts_cli *cli, const char *spec, u32 objects, u32 truths, bool table_2)
 {
 	double *times = ts_alloc_zero(cli->runs, 7 * sizeof *times, "the times");
-	if (times == NULL) {
-		return TS_ERROR;
-	}
+	if (times == NULL) return TS_ERROR;
 	u32 n = cli->runs;
 	bench b = { .cli = cli, .spec = spec, .objects = objects, .params = cli->params, .truths = truths,
 		.speedup = times, .point = times + n, .view = times + 2 * n, .deferred = times + 3 * n,
 		.deferred2 = times + 4 * n, .total = times + 5 * n, .mvr_total = times + 6 * n };
 	b.params.reflectors = objects;
 	ts_status status = ts_scene_open(&b.scene, spec, &b.params, &cli->scene);
-	if (status == TS_OK) {
-		status = measure(&b, table_2);
-	}
-	if (status == TS_OK) {
-		(table_2 ? add_table_2 : add_table_1)(table, &b);
-	}
+	if (status == TS_OK) status = measure(&b, table_2);
+	if (status == TS_OK) (table_2 ? add_table_2 : add_table_1)(table, &b);
 	ts_picture_free(&b.image[0]);
 	ts_picture_free(&b.image[1]);
 	ts_picture_free(&b.truth);
@@ -221,9 +207,7 @@ static ts_status bench_scene(ts_table *table, const ts_cli *cli, const char *spe
 	while (status == TS_OK && ts_cli_item(&list, item, sizeof item)) {
 		u32 objects;
 		status = ts_cli_count(&objects, item, 1, MAX_OBJECTS, "--objects");
-		if (status == TS_OK) {
-			status = bench_one(table, cli, spec, objects, truths, table_2);
-		}
+		if (status == TS_OK) status = bench_one(table, cli, spec, objects, truths, table_2);
 	}
 	return status;
 }
@@ -263,14 +247,10 @@ ts_status ts_bench_command(ts_cli *cli)
 		return ts_fail("bench: no table \"%s\"; there are epr-1 and epr-2", cli->arguments[0]);
 	}
 	ts_status status = one_truth(cli, &truths);
-	if (status != TS_OK || (status = ts_selftest_require()) != TS_OK) {
-		return status;
-	}
+	if (status != TS_OK || (status = ts_selftest_require()) != TS_OK) return status;
 	const char *list = cli->scenes != NULL ? cli->scenes : "atrium,gallery,dining";
 	status = check_lists(cli, list);
-	if (status != TS_OK) {
-		return status;
-	}
+	if (status != TS_OK) return status;
 	char spec[4096];
 	ts_report report;
 	ts_report_begin(&report, ts_cli_given(cli, TS_OPT_JSON));

@@ -35,9 +35,7 @@ static const ts_paper_row rows[] = {
 static bool begins(const char *text, const char *prefix)
 {
 	for (; *prefix != 0; text++, prefix++) {
-		if (tolower((unsigned char)*text) != *prefix) {
-			return false;
-		}
+		if (tolower((unsigned char)*text) != *prefix) return false;
 	}
 	return true;
 }
@@ -55,9 +53,7 @@ const ts_paper_row *ts_paper_find(const char *scene, u32 objects)
 	bool is_file = strchr(file, '.') != NULL;
 	for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
 		bool same = is_file ? begins(file, rows[i].file) : is_builtin(scene, rows[i].builtin);
-		if (same && rows[i].objects == objects) {
-			return &rows[i];
-		}
+		if (same && rows[i].objects == objects) return &rows[i];
 	}
 	return NULL;
 }

@@ -7,23 +7,17 @@
 static const ts_command *command_find(const char *name)
 {
 	for (const ts_command *c = ts_command_table; c->name != NULL; c++) {
-		if (strcmp(c->name, name) == 0) {
-			return c;
-		}
+		if (strcmp(c->name, name) == 0) return c;
 	}
 	ts_nearest nearest = ts_nearest_begin(name);
-	for (const ts_command *c = ts_command_table; c->name != NULL; c++) {
-		ts_nearest_offer(&nearest, c->name);
-	}
+	for (const ts_command *c = ts_command_table; c->name != NULL; c++) ts_nearest_offer(&nearest, c->name);
 	ts_fail("no command \"%s\"; the nearest is %s, and \"%s help\" lists all", name, nearest.best, ts_program);
 	return NULL;
 }
 
 static ts_status run(int argc, char **argv)
 {
-	if (argc < 2) {
-		return ts_fail("no command; \"%s help\" lists all", ts_program);
-	}
+	if (argc < 2) return ts_fail("no command; \"%s help\" lists all", ts_program);
 	if (strcmp(argv[1], "--version") == 0) {
 		printf("%s %s\n", ts_program, TS_VERSION);
 		return TS_OK;
@@ -33,9 +27,7 @@ static ts_status run(int argc, char **argv)
 		return TS_OK;
 	}
 	const ts_command *command = command_find(argv[1]);
-	if (command == NULL) {
-		return TS_ERROR;
-	}
+	if (command == NULL) return TS_ERROR;
 	ts_cli cli;
 	ts_status status = ts_cli_parse(&cli, command, argc - 1, argv + 1);
 	if (status == TS_OK && ts_cli_given(&cli, TS_OPT_HELP)) {
@@ -54,8 +46,6 @@ int ts_cli_main(int argc, char **argv)
 	if ((fflush(stdout) != 0 || ferror(stdout)) && status != TS_ERROR) {
 		status = ts_fail("standard output: cannot write; the disk may be full");
 	}
-	if (status == TS_ERROR) {
-		fprintf(stderr, "%s: %s\n", ts_program, ts_error_message());
-	}
+	if (status == TS_ERROR) fprintf(stderr, "%s: %s\n", ts_program, ts_error_message());
 	return (int)status;
 }

@@ -27,9 +27,7 @@ enum { CAN_FLUSH = 0 };
 
 static ts_status flush_denormals(u32 threads)
 {
-	if (!CAN_FLUSH) {
-		return ts_fail("digest: --flush-denormals is known on x86 and aarch64 only");
-	}
+	if (!CAN_FLUSH) return ts_fail("digest: --flush-denormals is known on x86 and aarch64 only");
 	flush_this_thread();
 #pragma omp parallel num_threads((int)threads)
 	flush_this_thread();
@@ -43,9 +41,7 @@ static ts_status open_builtin(ts_scene **scene, const char *spec, const ts_param
 		return ts_fail("digest: \"%s\" is no built-in scene; there are atrium, gallery and dining", spec);
 	}
 	ts_build *build = ts_build_new(spec);
-	if (build == NULL) {
-		return TS_ERROR;
-	}
+	if (build == NULL) return TS_ERROR;
 	ts_builtin_make(build, spec, params->seed);
 	ts_reflectors_add(build, params, NULL);
 	return ts_build_finish(build, params, NULL, scene);
@@ -67,12 +63,8 @@ static ts_status digest_method(const ts_cli *cli, const ts_scene *scene, const t
 	run.hook = add_stage;
 	run.hook_user = &digests;
 	ts_status status = ts_frame_digest_add(&digests, &run.frame, scene_buffers, TS_N_BUFFERS);
-	if (status == TS_OK) {
-		status = method->run(&run);
-	}
-	if (status == TS_OK) {
-		ts_frame_digest_print(&digests, stdout);
-	}
+	if (status == TS_OK) status = method->run(&run);
+	if (status == TS_OK) ts_frame_digest_print(&digests, stdout);
 	ts_frame_digest_clear(&digests);
 	ts_run_end(&run);
 	return status;
@@ -84,16 +76,10 @@ ts_status ts_digest_command(ts_cli *cli)
 	u32 n;
 	ts_scene *scene;
 	ts_status status = ts_methods_find(methods, &n, "reflections", cli->method);
-	if (status != TS_OK || (status = ts_selftest_require()) != TS_OK) {
-		return status;
-	}
-	if (ts_cli_given(cli, TS_OPT_FLUSH_DENORMALS) && (status = flush_denormals(cli->threads)) != TS_OK) {
-		return status;
-	}
+	if (status != TS_OK || (status = ts_selftest_require()) != TS_OK) return status;
+	if (ts_cli_given(cli, TS_OPT_FLUSH_DENORMALS) && (status = flush_denormals(cli->threads)) != TS_OK) return status;
 	status = open_builtin(&scene, cli->n_arguments > 0 ? cli->arguments[0] : "atrium", &cli->params);
-	for (u32 i = 0; i < n && status == TS_OK; i++) {
-		status = digest_method(cli, scene, methods[i]);
-	}
+	for (u32 i = 0; i < n && status == TS_OK; i++) status = digest_method(cli, scene, methods[i]);
 	ts_scene_free(scene);
 	return status;
 }

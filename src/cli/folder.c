@@ -28,9 +28,7 @@ enum { N_FATAL = sizeof fatal / sizeof fatal[0] };
 static void remove_partial(void)
 {
 	if (folder.made) {
-		for (int i = 0; i < folder.n_files; i++) {
-			unlink(folder.files[i]);
-		}
+		for (int i = 0; i < folder.n_files; i++) unlink(folder.files[i]);
 		rmdir(folder.partial);
 		folder.made = 0;
 	}
@@ -57,9 +55,7 @@ static void catch_signals(bool on)
 	struct sigaction action;
 	memset(&action, 0, sizeof action);
 	sigemptyset(&action.sa_mask);
-	for (int i = 0; i < N_FATAL; i++) {
-		sigaddset(&action.sa_mask, fatal[i]);
-	}
+	for (int i = 0; i < N_FATAL; i++) sigaddset(&action.sa_mask, fatal[i]);
 	for (int i = 0; i < N_FATAL; i++) {
 		struct sigaction now;
 		sigaction(fatal[i], NULL, &now);
@@ -74,26 +70,17 @@ static void hold_signals(int how)
 {
 	sigset_t set;
 	sigemptyset(&set);
-	for (int i = 0; i < N_FATAL; i++) {
-		sigaddset(&set, fatal[i]);
-	}
+	for (int i = 0; i < N_FATAL; i++) sigaddset(&set, fatal[i]);
 	pthread_sigmask(how, &set, NULL);
 }
 
-static bool is_dot(const char *name)
-{
-	return strcmp(name, ".") == 0 || strcmp(name, "..") == 0;
-}
+static bool is_dot(const char *name) { return strcmp(name, ".") == 0 || strcmp(name, "..") == 0; }
 
 static ts_status check_contents(const char *dir, DIR *stream, bool force)
 {
 	for (struct dirent *e; (e = readdir(stream)) != NULL;) {
-		if (is_dot(e->d_name)) {
-			continue;
-		}
-		if (!force) {
-			return ts_fail("%s: not empty; name another folder with -o, or replace it with --force", dir);
-		}
+		if (is_dot(e->d_name)) continue;
+		if (!force) return ts_fail("%s: not empty; name another folder with -o, or replace it with --force", dir);
 		if (!ts_ours_has(folder.ours, dir, e->d_name)) {
 			return ts_fail("%s: holds %s, which no render wrote, so --force does not replace it; name another folder", dir,
 			               e->d_name);
@@ -120,16 +107,10 @@ static ts_status check_dir(const char *dir, bool force)
 	if (lstat(dir, &info) != 0) {
 		return errno == ENOENT ? TS_OK : ts_fail("%s: %s; name a folder that can be written", dir, strerror(errno));
 	}
-	if (!S_ISDIR(info.st_mode)) {
-		return ts_fail("%s: exists and is not a folder; name another with -o", dir);
-	}
-	if (check_mount(dir, &info) != TS_OK) {
-		return TS_ERROR;
-	}
+	if (!S_ISDIR(info.st_mode)) return ts_fail("%s: exists and is not a folder; name another with -o", dir);
+	if (check_mount(dir, &info) != TS_OK) return TS_ERROR;
 	DIR *stream = opendir(dir);
-	if (stream == NULL) {
-		return ts_fail("%s: %s; name a folder that can be read and written", dir, strerror(errno));
-	}
+	if (stream == NULL) return ts_fail("%s: %s; name a folder that can be read and written", dir, strerror(errno));
 	folder.ours = force ? ts_ours_read(dir) : NULL;
 	ts_status status = check_contents(dir, stream, force);
 	closedir(stream);
@@ -139,18 +120,14 @@ static ts_status check_dir(const char *dir, bool force)
 static ts_status set_names(const char *dir)
 {
 	size_t n = strlen(dir);
-	while (n > 1 && dir[n - 1] == '/') {
-		n--;
-	}
+	while (n > 1 && dir[n - 1] == '/') n--;
 	if (n == 0 || n > MAX_DIR) {
 		return ts_fail("-o: a folder's name has 1 to %d characters, this one has %zu", MAX_DIR, n);
 	}
 	snprintf(folder.dir, sizeof folder.dir, "%.*s", (int)n, dir);
 	const char *slash = strrchr(folder.dir, '/');
 	const char *last = slash != NULL ? slash + 1 : folder.dir;
-	if (*last == 0 || is_dot(last)) {
-		return ts_fail("%s: cannot be replaced as a whole; name a folder inside it", dir);
-	}
+	if (*last == 0 || is_dot(last)) return ts_fail("%s: cannot be replaced as a whole; name a folder inside it", dir);
 	snprintf(folder.partial, sizeof folder.partial, "%.*s.partial", MAX_DIR, folder.dir);
 	snprintf(folder.old, sizeof folder.old, "%.*s.old", MAX_DIR, folder.dir);
 	return TS_OK;
@@ -175,13 +152,9 @@ static void make_parents(void)
 static ts_status begin(const char *dir, bool force)
 {
 	ts_status status = set_names(dir);
-	if (status != TS_OK || (status = check_dir(folder.dir, force)) != TS_OK) {
-		return status;
-	}
+	if (status != TS_OK || (status = check_dir(folder.dir, force)) != TS_OK) return status;
 	struct stat info;
-	if (force && lstat(folder.old, &info) == 0) {
-		return ts_fail("%s: is in the way of --force; remove it", folder.old);
-	}
+	if (force && lstat(folder.old, &info) == 0) return ts_fail("%s: is in the way of --force; remove it", folder.old);
 	folder.owner = pthread_self();
 	folder.n_files = 0;
 	hold_signals(SIG_BLOCK);
@@ -189,9 +162,7 @@ static ts_status begin(const char *dir, bool force)
 	int made = mkdir(folder.partial, 0777);
 	int error = errno;
 	folder.made = made == 0;
-	if (made != 0) {
-		remove_partial();
-	}
+	if (made != 0) remove_partial();
 	catch_signals(made == 0);
 	hold_signals(SIG_UNBLOCK);
 	if (made != 0 && error == EEXIST) {
@@ -225,10 +196,7 @@ static const char *remember(const char *name, const char *suffix)
 	return path;
 }
 
-const char *ts_folder_file(const char *name)
-{
-	return remember(name, ".partial") != NULL ? remember(name, "") : NULL;
-}
+const char *ts_folder_file(const char *name) { return remember(name, ".partial") != NULL ? remember(name, "") : NULL; }
 
 json_t *ts_folder_list(void)
 {
@@ -249,9 +217,7 @@ static void remove_old(void)
 {
 	char path[MAX_PATH + 300];
 	DIR *stream = opendir(folder.old);
-	if (stream == NULL) {
-		return;
-	}
+	if (stream == NULL) return;
 	for (struct dirent *e; (e = readdir(stream)) != NULL;) {
 		if (ts_ours_has(folder.ours, folder.old, e->d_name)) {
 			snprintf(path, sizeof path, "%s/%s", folder.old, e->d_name);
@@ -265,9 +231,7 @@ static void remove_old(void)
 static void forget(void)
 {
 	catch_signals(false);
-	for (int i = 0; i < folder.n_files; i++) {
-		free(folder.files[i]);
-	}
+	for (int i = 0; i < folder.n_files; i++) free(folder.files[i]);
 	folder.n_files = 0;
 	folder.n_parents = 0;
 	folder.made = 0;
@@ -277,9 +241,7 @@ static void forget(void)
 
 static ts_status swap(void)
 {
-	if (rename(folder.partial, folder.dir) == 0) {
-		return TS_OK;
-	}
+	if (rename(folder.partial, folder.dir) == 0) return TS_OK;
 	if ((errno != EEXIST && errno != ENOTEMPTY) || rename(folder.dir, folder.old) != 0) {
 		return ts_fail("%s: cannot rename to %s: %s", folder.partial, folder.dir, strerror(errno));
 	}
@@ -296,9 +258,7 @@ ts_status ts_folder_commit(void)
 {
 	hold_signals(SIG_BLOCK);
 	ts_status status = swap();
-	if (status == TS_OK) {
-		forget();
-	}
+	if (status == TS_OK) forget();
 	hold_signals(SIG_UNBLOCK);
 	return status;
 }

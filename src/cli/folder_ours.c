@@ -6,19 +6,14 @@
 
 enum { MAX_REPORT_BYTES = 1 << 24, PATH_BYTES = 4096 + 300 };
 
-static bool is_regular(const char *path, struct stat *info)
-{
-	return lstat(path, info) == 0 && S_ISREG(info->st_mode);
-}
+static bool is_regular(const char *path, struct stat *info) { return lstat(path, info) == 0 && S_ISREG(info->st_mode); }
 
 json_t *ts_ours_read(const char *dir)
 {
 	char path[PATH_BYTES];
 	struct stat info;
 	snprintf(path, sizeof path, "%s/report.json", dir);
-	if (!is_regular(path, &info) || info.st_size > MAX_REPORT_BYTES) {
-		return NULL;
-	}
+	if (!is_regular(path, &info) || info.st_size > MAX_REPORT_BYTES) return NULL;
 	json_t *root = json_load_file(path, 0, NULL);
 	const char *program = json_string_value(json_object_get(root, "program"));
 	json_t *files = json_object_get(root, "files");

@@ -19,14 +19,10 @@ static void print_option(const ts_option *option)
 static void print_command(const ts_command *command)
 {
 	printf("%s %s %s\n  %s\n", ts_program, command->name, command->arguments, command->doc);
-	if (command->details[0] != 0) {
-		printf("\n%s\n", command->details);
-	}
+	if (command->details[0] != 0) printf("\n%s\n", command->details);
 	printf("\nOptions:\n");
 	for (const ts_option *o = ts_option_table; o->name != NULL; o++) {
-		if ((command->options & o->bit) != 0 || o->bit == TS_OPT_HELP) {
-			print_option(o);
-		}
+		if ((command->options & o->bit) != 0 || o->bit == TS_OPT_HELP) print_option(o);
 	}
 }
 

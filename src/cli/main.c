@@ -32,7 +32,4 @@ const ts_command ts_command_table[] = {
 	{ 0 }
 };
 
-int main(int argc, char **argv)
-{
-	return ts_cli_main(argc, argv);
-}
+int main(int argc, char **argv) { return ts_cli_main(argc, argv); }

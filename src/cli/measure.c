@@ -25,9 +25,7 @@ static void show_progress(const ts_run *run, const ts_stage *stage, const char *
 {
 	char label[64];
 	u64 done = (u64)(stage - ts_stage_table) + 1, total = done;
-	while (ts_stage_table[total - 1].name != NULL) {
-		total++;
-	}
+	while (ts_stage_table[total - 1].name != NULL) total++;
 	if (run->n_reflectors == run->scene->n_reflectors) {
 		snprintf(label, sizeof label, "%s, after %s", method, stage->name);
 		ts_progress(label, done, total);
@@ -40,9 +38,7 @@ static ts_status after_stage(const ts_run *run, const ts_stage *stage, void *use
 	show_progress(run, stage, m->method->name);
 	for (size_t i = 0; i < sizeof stage->writes / sizeof stage->writes[0] && stage->writes[i] < TS_N_BUFFERS; i++) {
 		ts_buffer_id id = stage->writes[i];
-		if (!run->frame.buffer[id].made) {
-			continue;
-		}
+		if (!run->frame.buffer[id].made) continue;
 		u64 n = ts_frame_n(&run->frame, id), bytes = n * ts_buffer_table[id].element_bytes;
 		m->elements[id] += n;
 		m->bytes[id] = bytes > m->bytes[id] ? bytes : m->bytes[id];
@@ -74,13 +70,9 @@ ts_status ts_measure_run(ts_measure *measure, const ts_pipeline *method, const t
 	run.hook_user = measure;
 	ts_status status = method->run(&run);
 	keep(measure, &run);
-	for (u32 i = 0; i < measure->n_timings; i++) {
-		measure->seconds += measure->timings[i].seconds;
-	}
+	for (u32 i = 0; i < measure->n_timings; i++) measure->seconds += measure->timings[i].seconds;
 	run.hook = NULL;
-	if (status == TS_OK && after != NULL) {
-		status = after(&run, user);
-	}
+	if (status == TS_OK && after != NULL) status = after(&run, user);
 	ts_progress(method->name, 1, 1);
 	ts_run_end(&run);
 	return status;
@@ -89,17 +81,12 @@ ts_status ts_measure_run(ts_measure *measure, const ts_pipeline *method, const t
 i64 ts_measure_counter(const ts_measure *measure, const char *name)
 {
 	for (u32 i = 0; i < measure->n_counters; i++) {
-		if (strcmp(measure->counters[i].name, name) == 0) {
-			return measure->counters[i].value;
-		}
+		if (strcmp(measure->counters[i].name, name) == 0) return measure->counters[i].value;
 	}
 	return 0;
 }
 
-i64 ts_measure_shading(const ts_measure *measure)
-{
-	return ts_measure_counter(measure, "shading operations");
-}
+i64 ts_measure_shading(const ts_measure *measure) { return ts_measure_counter(measure, "shading operations"); }
 
 double ts_measure_seconds(const ts_measure *measure, const char *const *stages)
 {
@@ -118,9 +105,7 @@ ts_status ts_picture_take(ts_picture *picture, const char *name, const ts_run *r
 	snprintf(picture->name, sizeof picture->name, "%s", name);
 	picture->radiance = ts_alloc(n, sizeof(f32), "a picture");
 	picture->srgb = ts_alloc(n, 1, "a picture");
-	if (picture->radiance == NULL || picture->srgb == NULL) {
-		return TS_ERROR;
-	}
+	if (picture->radiance == NULL || picture->srgb == NULL) return TS_ERROR;
 	memcpy(picture->radiance, ts_frame_data(&run->frame, TS_B_image_radiance), n * sizeof(f32));
 	memcpy(picture->srgb, ts_frame_data(&run->frame, TS_B_image_srgb), n);
 	return TS_OK;
@@ -151,16 +136,10 @@ ts_status ts_picture_truth(ts_picture *picture, u32 truth, ts_run *run)
 	double begin = ts_seconds();
 	ts_truth *tree;
 	ts_status status = ts_truth_new(&tree, run);
-	if (status != TS_OK) {
-		return status;
-	}
+	if (status != TS_OK) return status;
 	status = truth == TS_TRUTH_A ? ts_truth_a(tree, run) : ts_truth_b(tree, run);
-	if (status == TS_OK) {
-		status = ts_run_stage(run, ts_stage_find("image"));
-	}
-	if (status == TS_OK) {
-		status = ts_picture_take(picture, truth == TS_TRUTH_A ? "truth-a" : "truth-b", run);
-	}
+	if (status == TS_OK) status = ts_run_stage(run, ts_stage_find("image"));
+	if (status == TS_OK) status = ts_picture_take(picture, truth == TS_TRUTH_A ? "truth-a" : "truth-b", run);
 	ts_truth_free(tree);
 	picture->seconds = ts_seconds() - begin;
 	return status;
@@ -171,17 +150,12 @@ ts_status ts_picture_truth_c(ts_picture *picture, const ts_scene *scene, const t
 	double begin = ts_seconds();
 	f32 *radiance;
 	ts_status status = ts_truth_c(&radiance, scene, params, TRUTH_C_FACTOR, threads);
-	if (status == TS_OK) {
-		status = ts_picture_make(picture, "truth-c", radiance, params);
-	}
+	if (status == TS_OK) status = ts_picture_make(picture, "truth-c", radiance, params);
 	picture->seconds = ts_seconds() - begin;
 	return status;
 }
 
-static u64 larger(u64 a, u64 b)
-{
-	return a > b ? a : b;
-}
+static u64 larger(u64 a, u64 b) { return a > b ? a : b; }
 
 ts_status ts_measure_estimate(u64 *bytes, const ts_pipeline *const *methods, u32 n_methods, u32 truths,
                               const ts_scene *scene, const ts_params *params)
@@ -189,9 +163,7 @@ ts_status ts_measure_estimate(u64 *bytes, const ts_pipeline *const *methods, u32
 	const ts_pipeline *mvr = ts_pipeline_find("reflections", "mvr");
 	ts_params big = *params;
 	*bytes = 0;
-	for (u32 i = 0; i < n_methods; i++) {
-		*bytes = larger(*bytes, methods[i]->estimate(scene, params));
-	}
+	for (u32 i = 0; i < n_methods; i++) *bytes = larger(*bytes, methods[i]->estimate(scene, params));
 	if ((truths & TS_TRUTH_C) != 0 && mvr != NULL) {
 		big.width *= TRUTH_C_FACTOR;
 		big.height *= TRUTH_C_FACTOR;

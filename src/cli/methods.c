@@ -6,43 +6,31 @@
 static ts_status effect_check(const char *effect)
 {
 	ts_nearest nearest = ts_nearest_begin(effect);
-	for (const ts_pipeline *p = ts_pipeline_table; p->name != NULL; p++) {
-		ts_nearest_offer(&nearest, p->effect);
-	}
+	for (const ts_pipeline *p = ts_pipeline_table; p->name != NULL; p++) ts_nearest_offer(&nearest, p->effect);
 	return nearest.distance == 0 ? TS_OK : ts_fail("no effect \"%s\"; the nearest is %s", effect, nearest.best);
 }
 
 static void add(const ts_pipeline *methods[TS_MAX_METHODS], u32 *n, const ts_pipeline *p)
 {
 	for (u32 i = 0; i < *n; i++) {
-		if (methods[i] == p) {
-			return;
-		}
+		if (methods[i] == p) return;
 	}
-	if (*n < TS_MAX_METHODS) {
-		methods[(*n)++] = p;
-	}
+	if (*n < TS_MAX_METHODS) methods[(*n)++] = p;
 }
 
 ts_status ts_methods_find(const ts_pipeline *methods[TS_MAX_METHODS], u32 *n, const char *effect, const char *names)
 {
 	char item[32];
 	*n = 0;
-	if (effect_check(effect) != TS_OK) {
-		return TS_ERROR;
-	}
+	if (effect_check(effect) != TS_OK) return TS_ERROR;
 	bool all = names == NULL || strcmp(names, "all") == 0;
 	for (const ts_pipeline *p = ts_pipeline_table; all && p->name != NULL; p++) {
-		if (strcmp(p->effect, effect) == 0) {
-			add(methods, n, p);
-		}
+		if (strcmp(p->effect, effect) == 0) add(methods, n, p);
 	}
 	while (!all && ts_cli_item(&names, item, sizeof item)) {
 		ts_nearest nearest = ts_nearest_begin(item);
 		for (const ts_pipeline *p = ts_pipeline_table; p->name != NULL; p++) {
-			if (strcmp(p->effect, effect) == 0) {
-				ts_nearest_offer(&nearest, p->name);
-			}
+			if (strcmp(p->effect, effect) == 0) ts_nearest_offer(&nearest, p->name);
 		}
 		if (nearest.distance != 0) {
 			return ts_fail("--method: no method \"%s\" of %s; the nearest is %s", item, effect, nearest.best);

@@ -14,9 +14,7 @@ static u32 distance(const char *a, const char *b)
 {
 	u32 row[MAX_NAME + 1];
 	size_t na = strnlen(a, MAX_NAME), nb = strnlen(b, MAX_NAME);
-	for (size_t j = 0; j <= nb; j++) {
-		row[j] = (u32)j;
-	}
+	for (size_t j = 0; j <= nb; j++) row[j] = (u32)j;
 	for (size_t i = 1; i <= na; i++) {
 		u32 diagonal = row[0];
 		row[0] = (u32)i;

@@ -34,10 +34,7 @@ const ts_option ts_option_table[] = {
 /* LONG: what getopt_long answers for the first long option, above every letter. */
 enum { LONG = 256, MAX_OPTIONS = 32, MAX_THREADS = 1024, MAX_RUNS = 1000 };
 
-bool ts_cli_given(const ts_cli *cli, u32 option)
-{
-	return (cli->given & option) != 0;
-}
+bool ts_cli_given(const ts_cli *cli, u32 option) { return (cli->given & option) != 0; }
 
 ts_status ts_cli_count(u32 *value, const char *text, u32 min, u32 max, const char *what)
 {
@@ -53,9 +50,7 @@ ts_status ts_cli_count(u32 *value, const char *text, u32 min, u32 max, const cha
 
 bool ts_cli_item(const char **list, char *item, size_t item_bytes)
 {
-	if (*list == NULL) {
-		return false;
-	}
+	if (*list == NULL) return false;
 	const char *comma = strchr(*list, ',');
 	size_t n = comma != NULL ? (size_t)(comma - *list) : strlen(*list);
 	snprintf(item, item_bytes, "%.*s", (int)(n < item_bytes ? n : item_bytes - 1), *list);
@@ -67,16 +62,12 @@ static ts_status set_param(ts_cli *cli, const char *assignment)
 {
 	char name[64];
 	const char *equals = strchr(assignment, '=');
-	if (equals == NULL) {
-		return ts_fail("--set %s: no \"=\"; write --set NAME=VALUE", assignment);
-	}
+	if (equals == NULL) return ts_fail("--set %s: no \"=\"; write --set NAME=VALUE", assignment);
 	snprintf(name, sizeof name, "%.*s", (int)(equals - assignment < 64 ? equals - assignment : 63), assignment);
 	size_t n;
 	const ts_param_info *params = ts_param_table(&n);
 	ts_nearest nearest = ts_nearest_begin(name);
-	for (size_t i = 0; i < n; i++) {
-		ts_nearest_offer(&nearest, params[i].name);
-	}
+	for (size_t i = 0; i < n; i++) ts_nearest_offer(&nearest, params[i].name);
 	if (nearest.distance != 0) {
 		return ts_fail("--set %s: no such parameter; the nearest is %s, and \"touchstone list params\" lists all", name,
 		               nearest.best);
@@ -104,9 +95,7 @@ static ts_status set_truths(ts_cli *cli, const char *text)
 	char item[8];
 	const char *list = text != NULL ? text : "A,B,C";
 	cli->truths = 0;
-	if (strcmp(list, "none") == 0) {
-		return TS_OK;
-	}
+	if (strcmp(list, "none") == 0) return TS_OK;
 	while (ts_cli_item(&list, item, sizeof item)) {
 		if (strlen(item) != 1 || strchr("ABCabc", item[0]) == NULL) {
 			return ts_fail("--truth %s: \"%s\" is no truth; there are A, B and C, or none", text, item);
@@ -144,9 +133,7 @@ static void long_options(struct option *list, const ts_command *command)
 	u32 n = 0;
 	for (int i = 0; ts_option_table[i].name != NULL; i++) {
 		const ts_option *o = &ts_option_table[i];
-		if ((command->options & o->bit) == 0 && o->bit != TS_OPT_HELP) {
-			continue;
-		}
+		if ((command->options & o->bit) == 0 && o->bit != TS_OPT_HELP) continue;
 		int has_argument = o->argument[0] == 0 ? no_argument : required_argument;
 		has_argument = o->argument[0] == '[' ? optional_argument : has_argument;
 		list[n++] = (struct option){ o->name, has_argument, NULL, LONG + i };
@@ -165,9 +152,7 @@ static ts_status refuse_letter(const ts_command *command, u32 letter)
 static ts_status refuse(const ts_command *command, const struct option *list, int answer, char **argv)
 {
 	const char *typed = argv[optind - 1];
-	if (answer == ':' && optopt == 'o') {
-		return ts_fail("%s: option -o needs a value, a folder", command->name);
-	}
+	if (answer == ':' && optopt == 'o') return ts_fail("%s: option -o needs a value, a folder", command->name);
 	if (answer == ':') {
 		const ts_option *o = &ts_option_table[optopt - LONG];
 		return ts_fail("%s: option --%s needs a value, %s", command->name, o->name, o->argument);
@@ -175,15 +160,11 @@ static ts_status refuse(const ts_command *command, const struct option *list, in
 	if (optopt >= LONG) {
 		return ts_fail("%s: option --%s takes no value", command->name, ts_option_table[optopt - LONG].name);
 	}
-	if (optopt != 0) {
-		return refuse_letter(command, (unsigned char)optopt);
-	}
+	if (optopt != 0) return refuse_letter(command, (unsigned char)optopt);
 	char name[64];
 	snprintf(name, sizeof name, "%.*s", (int)strcspn(typed, "="), typed);
 	ts_nearest nearest = ts_nearest_begin(name + strspn(name, "-"));
-	for (; list->name != NULL; list++) {
-		ts_nearest_offer(&nearest, list->name);
-	}
+	for (; list->name != NULL; list++) ts_nearest_offer(&nearest, list->name);
 	return ts_fail("%s: no option %s; the nearest is --%s, and \"%s help %s\" lists all", command->name, name,
 	               nearest.best, ts_program, command->name);
 }
@@ -202,9 +183,7 @@ static ts_status take_arguments(ts_cli *cli, const ts_command *command, int n, c
 		return ts_fail("%s: one argument too many, \"%s\"; write %s %s %s", command->name,
 		               arguments[command->max_arguments], ts_program, command->name, command->arguments);
 	}
-	for (int i = 0; i < n; i++) {
-		cli->arguments[cli->n_arguments++] = arguments[i];
-	}
+	for (int i = 0; i < n; i++) cli->arguments[cli->n_arguments++] = arguments[i];
 	return TS_OK;
 }
 
@@ -220,14 +199,10 @@ ts_status ts_cli_parse(ts_cli *cli, const ts_command *command, int argc, char **
 	optind = 1;
 	const char *letters = (command->options & TS_OPT_OUTPUT) != 0 ? ":ho:" : ":h";
 	for (int answer; (answer = getopt_long(argc, argv, letters, list, NULL)) != -1;) {
-		if (answer == '?' || answer == ':') {
-			return refuse(command, list, answer, argv);
-		}
+		if (answer == '?' || answer == ':') return refuse(command, list, answer, argv);
 		u32 bit = answer == 'h' ? TS_OPT_HELP : answer == 'o' ? TS_OPT_OUTPUT : ts_option_table[answer - LONG].bit;
 		ts_status status = take(cli, bit, optarg);
-		if (status != TS_OK) {
-			return status;
-		}
+		if (status != TS_OK) return status;
 	}
 	return ts_cli_given(cli, TS_OPT_HELP) ? TS_OK : take_arguments(cli, command, argc - optind, argv + optind);
 }

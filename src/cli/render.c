@@ -4,22 +4,15 @@
 #include "folder.h"
 #include "render.h"
 
-static bool wants(const ts_render *render, u32 truth)
-{
-	return (render->cli->truths & truth) != 0;
-}
+static bool wants(const ts_render *render, u32 truth) { return (render->cli->truths & truth) != 0; }
 
 static ts_status take_mask(ts_render *render, const ts_run *run)
 {
-	if (render->mask != NULL) {
-		return TS_OK;
-	}
+	if (render->mask != NULL) return TS_OK;
 	render->mask = ts_alloc_zero(run->params.width, run->params.height, "the reflective pixels");
 	const ts_pixel *pixels = ts_frame_data(&run->frame, TS_B_pixel_record);
 	render->n_reflective = ts_frame_n(&run->frame, TS_B_pixel_record);
-	for (u64 i = 0; i < render->n_reflective && render->mask != NULL; i++) {
-		render->mask[pixels[i].index] = 1;
-	}
+	for (u64 i = 0; i < render->n_reflective && render->mask != NULL; i++) render->mask[pixels[i].index] = 1;
 	return render->mask != NULL ? TS_OK : TS_ERROR;
 }
 
@@ -52,9 +45,7 @@ static ts_status take_picture(ts_run *run, void *user)
 	const char *name = render->methods[after->method]->name;
 	ts_status status = ts_picture_take(picture, name, run);
 	picture->seconds = render->measures[after->method].seconds;
-	if (status == TS_OK) {
-		status = take_mask(render, run);
-	}
+	if (status == TS_OK) status = take_mask(render, run);
 	return status == TS_OK && strcmp(name, "epr") == 0 ? take_truths(run, render) : status;
 }
 
@@ -86,9 +77,7 @@ static ts_status run_all(ts_render *render)
 static void compare(ts_render *render, const ts_picture *reference, const ts_picture *image, const char *share)
 {
 	const ts_params *p = &render->cli->params;
-	if (reference->srgb == NULL || image->srgb == NULL || render->n_pairs == TS_MAX_PAIRS) {
-		return;
-	}
+	if (reference->srgb == NULL || image->srgb == NULL || render->n_pairs == TS_MAX_PAIRS) return;
 	ts_pair *pair = &render->pairs[render->n_pairs++];
 	pair->reference = reference;
 	pair->image = image;
@@ -108,9 +97,7 @@ static void compare_all(ts_render *render)
 	}
 	compare(render, &render->truths[1], &render->truths[0], "method");
 	for (u32 i = 0; i < render->n_methods; i++) {
-		for (u32 j = i + 1; j < render->n_methods; j++) {
-			compare(render, &render->pictures[j], &render->pictures[i], "");
-		}
+		for (u32 j = i + 1; j < render->n_methods; j++) compare(render, &render->pictures[j], &render->pictures[i], "");
 	}
 }
 
@@ -118,17 +105,11 @@ static void compare_all(ts_render *render)
 static ts_status write_report(json_t *root)
 {
 	json_t *files = ts_folder_list();
-	if (files == NULL) {
-		return TS_ERROR;
-	}
-	if (json_object_set_new(root, "files", files) != 0) {
-		return ts_fail("report.json: out of memory");
-	}
+	if (files == NULL) return TS_ERROR;
+	if (json_object_set_new(root, "files", files) != 0) return ts_fail("report.json: out of memory");
 	const char *path = ts_folder_file("report.json");
 	FILE *file = path != NULL ? fopen(path, "w") : NULL;
-	if (file == NULL) {
-		return path != NULL ? ts_fail("%s: cannot be made; the disk may be full", path) : TS_ERROR;
-	}
+	if (file == NULL) return path != NULL ? ts_fail("%s: cannot be made; the disk may be full", path) : TS_ERROR;
 	int failed = json_dumpf(root, file, JSON_INDENT(2) | JSON_REAL_PRECISION(9));
 	failed |= fputc('\n', file) == EOF;
 	failed |= fclose(file);
@@ -140,28 +121,18 @@ static ts_status work(ts_render *render, ts_report *report)
 	const ts_cli *cli = render->cli;
 	const char *spec = cli->n_arguments > 1 ? cli->arguments[1] : "atrium";
 	ts_status status = ts_scene_open(&render->scene, spec, &cli->params, &cli->scene);
-	if (status != TS_OK) {
-		return status;
-	}
+	if (status != TS_OK) return status;
 	status = ts_measure_estimate(&render->estimate, render->methods, render->n_methods, cli->truths, render->scene,
 	                             &cli->params);
-	if (status != TS_OK) {
-		return status;
-	}
+	if (status != TS_OK) return status;
 	ts_render_report_head(render, report);
 	status = ts_report_print(report);
-	if (status == TS_OK) {
-		status = run_all(render);
-	}
-	if (status != TS_OK) {
-		return status;
-	}
+	if (status == TS_OK) status = run_all(render);
+	if (status != TS_OK) return status;
 	compare_all(render);
 	ts_render_report_body(render, report);
 	status = ts_report_check(report);
-	if (status != TS_OK || ts_cli_given(cli, TS_OPT_NO_IMAGES)) {
-		return status;
-	}
+	if (status != TS_OK || ts_cli_given(cli, TS_OPT_NO_IMAGES)) return status;
 	status = ts_render_write(render);
 	return status == TS_OK ? write_report(report->root) : status;
 }
@@ -172,9 +143,7 @@ static void release(ts_render *render)
 		ts_picture_free(&render->pictures[i]);
 		ts_stage_pictures_free(&render->stages[i]);
 	}
-	for (u32 t = 0; t < TS_N_TRUTHS; t++) {
-		ts_picture_free(&render->truths[t]);
-	}
+	for (u32 t = 0; t < TS_N_TRUTHS; t++) ts_picture_free(&render->truths[t]);
 	free(render->mask);
 	ts_scene_free(render->scene);
 	free(render);
@@ -186,9 +155,7 @@ static ts_status work_in_folder(ts_render *render)
 	bool images = !ts_cli_given(cli, TS_OPT_NO_IMAGES);
 	const char *dir = cli->output != NULL ? cli->output : "out";
 	ts_status status = images ? ts_folder_begin(dir, ts_cli_given(cli, TS_OPT_FORCE)) : TS_OK;
-	if (status != TS_OK) {
-		return status;
-	}
+	if (status != TS_OK) return status;
 	ts_report report;
 	ts_report_begin(&report, ts_cli_given(cli, TS_OPT_JSON));
 	status = work(render, &report);
@@ -197,9 +164,7 @@ static ts_status work_in_folder(ts_render *render)
 		ts_report_line(&report, "The pictures are in %s", dir);
 		status = ts_report_check(&report);
 	}
-	if (status == TS_OK && images) {
-		status = ts_folder_commit();
-	}
+	if (status == TS_OK && images) status = ts_folder_commit();
 	if (status != TS_OK) {
 		ts_folder_discard();
 		ts_report_discard(&report);
@@ -212,15 +177,11 @@ ts_status ts_render_command(ts_cli *cli)
 {
 	ts_status status = ts_selftest_require();
 	ts_render *render = status == TS_OK ? ts_alloc_zero(1, sizeof *render, "a render") : NULL;
-	if (render == NULL) {
-		return TS_ERROR;
-	}
+	if (render == NULL) return TS_ERROR;
 	render->cli = cli;
 	render->effect = cli->arguments[0];
 	status = ts_methods_find(render->methods, &render->n_methods, render->effect, cli->method);
-	if (status == TS_OK) {
-		status = work_in_folder(render);
-	}
+	if (status == TS_OK) status = work_in_folder(render);
 	release(render);
 	return status;
 }

@@ -64,9 +64,7 @@ static double stage_seconds(const ts_measure *m, const char *stage)
 static bool has_stage(const ts_measure *m, const char *stage)
 {
 	for (u32 i = 0; i < m->n_timings; i++) {
-		if (strcmp(m->timings[i].stage, stage) == 0) {
-			return true;
-		}
+		if (strcmp(m->timings[i].stage, stage) == 0) return true;
 	}
 	return false;
 }
@@ -77,12 +75,8 @@ static void report_times(const ts_render *render, ts_report *report)
 	ts_table table = ts_table_begin("milliseconds", "Time", columns.column);
 	for (const ts_stage *s = ts_stage_table; s->name != NULL; s++) {
 		bool any = false;
-		for (u32 i = 0; i < columns.n_methods; i++) {
-			any |= has_stage(&render->measures[i], s->name);
-		}
-		if (!any) {
-			continue;
-		}
+		for (u32 i = 0; i < columns.n_methods; i++) any |= has_stage(&render->measures[i], s->name);
+		if (!any) continue;
 		ts_table_text(&table, s->name);
 		for (u32 i = 0; i < columns.n_methods; i++) {
 			if (has_stage(&render->measures[i], s->name)) {
@@ -93,18 +87,14 @@ static void report_times(const ts_render *render, ts_report *report)
 		}
 	}
 	ts_table_text(&table, "all");
-	for (u32 i = 0; i < columns.n_methods; i++) {
-		ts_table_real(&table, 1e3 * render->measures[i].seconds, 2);
-	}
+	for (u32 i = 0; i < columns.n_methods; i++) ts_table_real(&table, 1e3 * render->measures[i].seconds, 2);
 	ts_report_table(report, &table);
 }
 
 static bool counted(const ts_measure *m, const char *name)
 {
 	for (u32 i = 0; i < m->n_counters; i++) {
-		if (strcmp(m->counters[i].name, name) == 0) {
-			return true;
-		}
+		if (strcmp(m->counters[i].name, name) == 0) return true;
 	}
 	return false;
 }
@@ -112,9 +102,7 @@ static bool counted(const ts_measure *m, const char *name)
 static bool counted_before(const ts_render *render, u32 method, const char *name)
 {
 	for (u32 i = 0; i < method; i++) {
-		if (counted(&render->measures[i], name)) {
-			return true;
-		}
+		if (counted(&render->measures[i], name)) return true;
 	}
 	return false;
 }
@@ -126,9 +114,7 @@ static void report_counters(const ts_render *render, ts_report *report)
 	for (u32 i = 0; i < columns.n_methods; i++) {
 		for (u32 k = 0; k < render->measures[i].n_counters; k++) {
 			const char *name = render->measures[i].counters[k].name;
-			if (counted_before(render, i, name)) {
-				continue;
-			}
+			if (counted_before(render, i, name)) continue;
 			ts_table_text(&table, name);
 			for (u32 j = 0; j < columns.n_methods; j++) {
 				if (counted(&render->measures[j], name)) {
@@ -171,12 +157,8 @@ static void report_memory(const ts_render *render, ts_report *report)
 	ts_table table = ts_table_begin("bytes", "Memory", columns.column);
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
 		u64 any = 0;
-		for (u32 i = 0; i < columns.n_methods; i++) {
-			any |= render->measures[i].bytes[id];
-		}
-		if (any == 0) {
-			continue;
-		}
+		for (u32 i = 0; i < columns.n_methods; i++) any |= render->measures[i].bytes[id];
+		if (any == 0) continue;
 		ts_table_text(&table, ts_buffer_table[id].name);
 		for (u32 i = 0; i < columns.n_methods; i++) {
 			if (render->measures[i].bytes[id] > 0) {
@@ -197,9 +179,7 @@ static void report_memory(const ts_render *render, ts_report *report)
 static const ts_measure *find_measure(const ts_render *render, const char *name)
 {
 	for (u32 i = 0; i < render->n_methods; i++) {
-		if (strcmp(render->methods[i]->name, name) == 0) {
-			return &render->measures[i];
-		}
+		if (strcmp(render->methods[i]->name, name) == 0) return &render->measures[i];
 	}
 	return NULL;
 }
@@ -248,9 +228,7 @@ static void report_metrics(const ts_render *render, ts_report *report)
 		{ "rmse", "RMSE", true }, { "psnr", "PSNR, dB", true }, { "ssim", "SSIM", true },
 		{ "reflective_rmse", "refl. RMSE", true }, { "reflective_psnr", "PSNR, dB", true },
 		{ "reflective_ssim", "SSIM", true }, { "share", "error of the", false }, { 0 } };
-	if (render->n_pairs == 0) {
-		return;
-	}
+	if (render->n_pairs == 0) return;
 	ts_table table = ts_table_begin("metrics", "Metrics, in grey levels, over the image and over its reflective pixels",
 	                                columns);
 	for (u32 i = 0; i < render->n_pairs; i++) {
@@ -306,7 +284,5 @@ void ts_render_report_body(const ts_render *render, ts_report *report)
 	report_memory(render, report);
 	report_ratio(render, report);
 	report_metrics(render, report);
-	if (!ts_cli_given(render->cli, TS_OPT_NO_IMAGES)) {
-		report_pictures(render, report);
-	}
+	if (!ts_cli_given(render->cli, TS_OPT_NO_IMAGES)) report_pictures(render, report);
 }

@@ -38,9 +38,7 @@ static ts_status write_difference(const ts_pair *pair, const ts_params *params)
 		radiance[i] = pair->image->radiance[i] - pair->reference->radiance[i];
 	}
 	snprintf(stem, sizeof stem, "difference-%s-%s", pair->image->name, pair->reference->name);
-	if (status == TS_OK) {
-		status = write_pair(stem, grey, radiance, params->width, params->height);
-	}
+	if (status == TS_OK) status = write_pair(stem, grey, radiance, params->width, params->height);
 	free(radiance);
 	free(grey);
 	return status;
@@ -66,15 +64,9 @@ ts_status ts_render_write(ts_render *render)
 	for (u32 i = 0; i < render->n_methods && status == TS_OK; i++) {
 		ts_stage_pictures_finish(&render->stages[i], render->pictures[i].srgb);
 		status = write_picture(&render->pictures[i], params);
-		if (status == TS_OK) {
-			status = write_stages(&render->stages[i], render->methods[i]->name);
-		}
+		if (status == TS_OK) status = write_stages(&render->stages[i], render->methods[i]->name);
 	}
-	for (u32 t = 0; t < TS_N_TRUTHS && status == TS_OK; t++) {
-		status = write_picture(&render->truths[t], params);
-	}
-	for (u32 i = 0; i < render->n_pairs && status == TS_OK; i++) {
-		status = write_difference(&render->pairs[i], params);
-	}
+	for (u32 t = 0; t < TS_N_TRUTHS && status == TS_OK; t++) status = write_picture(&render->truths[t], params);
+	for (u32 i = 0; i < render->n_pairs && status == TS_OK; i++) status = write_difference(&render->pairs[i], params);
 	return status;
 }

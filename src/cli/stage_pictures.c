@@ -30,17 +30,12 @@ static ts_stage_picture *add(ts_stage_pictures *pictures, const char *name, u32 
 static bool is_taken(const ts_stage_pictures *pictures, const char *name)
 {
 	for (u32 i = 0; i < pictures->n; i++) {
-		if (strcmp(pictures->picture[i].name, name) == 0) {
-			return true;
-		}
+		if (strcmp(pictures->picture[i].name, name) == 0) return true;
 	}
 	return false;
 }
 
-static bool has(const ts_run *run, ts_buffer_id id)
-{
-	return run->frame.buffer[id].made;
-}
+static bool has(const ts_run *run, ts_buffer_id id) { return run->frame.buffer[id].made; }
 
 /* Points of each triangle: the pieces' counts added up. By free(). */
 static u32 *points_per_triangle(const ts_run *run)
@@ -49,28 +44,20 @@ static u32 *points_per_triangle(const ts_run *run)
 	const u32 *offset = ts_frame_data(&run->frame, TS_B_count_offset);
 	u64 n = ts_frame_n(&run->frame, TS_B_split_triangle);
 	u32 *points = ts_alloc_zero(run->scene->n_triangles, sizeof *points, "a stage picture");
-	for (u64 q = 0; q < n && points != NULL; q++) {
-		points[pieces[q].triangle] += offset[q + 1] - offset[q];
-	}
+	for (u64 q = 0; q < n && points != NULL; q++) points[pieces[q].triangle] += offset[q + 1] - offset[q];
 	return points;
 }
 
 static ts_status take_points(ts_stage_pictures *pictures, const ts_run *run)
 {
-	if (!has(run, TS_B_eye_depth_triangle) || !has(run, TS_B_split_triangle)) {
-		return TS_OK;
-	}
+	if (!has(run, TS_B_eye_depth_triangle) || !has(run, TS_B_split_triangle)) return TS_OK;
 	ts_stage_picture *p = add(pictures, "points", run->params.width, run->params.height, false);
 	u32 *points = p != NULL ? points_per_triangle(run) : NULL;
-	if (points == NULL) {
-		return TS_ERROR;
-	}
+	if (points == NULL) return TS_ERROR;
 	const u64 *eye = ts_frame_data(&run->frame, TS_B_eye_depth_triangle);
 	for (u64 i = 0; i < (u64)p->width * p->height; i++) {
 		u32 n = eye[i] != TS_EMPTY ? points[(u32)eye[i]] : 0;
-		if (n > 0) {
-			ts_falsecolour_ramp(p->rgb + 3 * i, log2(n) / 16);
-		}
+		if (n > 0) ts_falsecolour_ramp(p->rgb + 3 * i, log2(n) / 16);
 	}
 	free(points);
 	snprintf(p->caption, sizeof p->caption, "points of the triangle in each pixel: none black, 1 dark to 65536 bright");
@@ -94,9 +81,7 @@ static ts_status take_splats(ts_stage_pictures *pictures, const ts_run *run)
 	const ts_frame *frame = &run->frame;
 	u64 n = ts_frame_n(frame, TS_B_pixel_record);
 	ts_stage_picture *p = add(pictures, "splats", run->params.width, run->params.height, true);
-	if (p == NULL) {
-		return TS_ERROR;
-	}
+	if (p == NULL) return TS_ERROR;
 	const ts_pixel *pixels = ts_frame_data(frame, TS_B_pixel_record);
 	const ts_face *faces = ts_frame_data(frame, TS_B_resize_face);
 	const u32 *lookup = ts_frame_data(frame, TS_B_lookup_point);
@@ -104,9 +89,7 @@ static ts_status take_splats(ts_stage_pictures *pictures, const ts_run *run)
 	for (u64 i = 0; i < n; i++) {
 		double texels = splat_texels(run, &faces[pixels[i].reflector], lookup[i * samples]);
 		p->mask[pixels[i].index] = 1;
-		if (texels > 0) {
-			ts_falsecolour_ramp(p->rgb + 3 * (size_t)pixels[i].index, (log2(texels) + 3) / 8);
-		}
+		if (texels > 0) ts_falsecolour_ramp(p->rgb + 3 * (size_t)pixels[i].index, (log2(texels) + 3) / 8);
 	}
 	snprintf(p->caption, sizeof p->caption, "splat seen by each reflective pixel: 1/8 texel dark to 32 texels bright");
 	return TS_OK;
@@ -115,9 +98,7 @@ static ts_status take_splats(ts_stage_pictures *pictures, const ts_run *run)
 static ts_status take_faces(ts_stage_pictures *pictures, const ts_run *run)
 {
 	ts_stage_picture *p = add(pictures, "faces", run->params.width, run->params.height, true);
-	if (p == NULL) {
-		return TS_ERROR;
-	}
+	if (p == NULL) return TS_ERROR;
 	const ts_pixel *pixels = ts_frame_data(&run->frame, TS_B_pixel_record);
 	const ts_face *faces = ts_frame_data(&run->frame, TS_B_resize_face);
 	for (u64 i = 0; i < ts_frame_n(&run->frame, TS_B_pixel_record); i++) {
@@ -136,9 +117,7 @@ static bool largest_cube(const ts_run *run, u32 *reflector)
 	const ts_face *faces = ts_frame_data(&run->frame, TS_B_resize_face);
 	u64 n = ts_frame_n(&run->frame, TS_B_resize_face);
 	*reflector = 0;
-	for (u64 r = 1; r < n; r++) {
-		*reflector = faces[r].n > faces[*reflector].n ? (u32)r : *reflector;
-	}
+	for (u64 r = 1; r < n; r++) *reflector = faces[r].n > faces[*reflector].n ? (u32)r : *reflector;
 	return n > 0 && faces[*reflector].n > 0 && *reflector >= run->first_reflector &&
 		*reflector - run->first_reflector < run->n_reflectors;
 }
@@ -149,9 +128,7 @@ static void paint_cross(ts_stage_picture *p, u32 n, const void *texels, void (*c
 	for (u32 f = 0; f < 6; f++) {
 		for (u32 y = 0; y < n; y++) {
 			u64 row = ((u64)cross_row[f] * n + y) * p->width + (u64)cross_column[f] * n;
-			for (u32 x = 0; x < n; x++) {
-				colour(p->rgb + 3 * (row + x), texels, ((u64)f * n + y) * n + x);
-			}
+			for (u32 x = 0; x < n; x++) colour(p->rgb + 3 * (row + x), texels, ((u64)f * n + y) * n + x);
 		}
 	}
 }
@@ -168,24 +145,18 @@ static void colour_index(u8 *rgb, const void *texels, u64 i)
 
 static void colour_radiance(u8 *rgb, const void *texels, u64 i)
 {
-	for (u32 c = 0; c < 3; c++) {
-		rgb[c] = (u8)ts_srgb_byte(((const f32 *)texels)[4 * i + c]);
-	}
+	for (u32 c = 0; c < 3; c++) rgb[c] = (u8)ts_srgb_byte(((const f32 *)texels)[4 * i + c]);
 }
 
 static ts_status take_cube(ts_stage_pictures *pictures, const ts_run *run, ts_buffer_id id, const char *name,
                            const char *what)
 {
 	u32 r;
-	if (!has(run, TS_B_resize_face) || !largest_cube(run, &r) || is_taken(pictures, name)) {
-		return TS_OK;
-	}
+	if (!has(run, TS_B_resize_face) || !largest_cube(run, &r) || is_taken(pictures, name)) return TS_OK;
 	const ts_face *faces = ts_frame_data(&run->frame, TS_B_resize_face);
 	u32 n = faces[r].n;
 	ts_stage_picture *p = add(pictures, name, 4 * n, 3 * n, false);
-	if (p == NULL) {
-		return TS_ERROR;
-	}
+	if (p == NULL) return TS_ERROR;
 	if (id == TS_B_face_mip) {
 		u64 first = 4 * ts_k_mip_first(faces, run->first_reflector, r);
 		paint_cross(p, n, (const f32 *)ts_frame_data(&run->frame, id) + first, colour_radiance);
@@ -214,9 +185,7 @@ ts_status ts_stage_pictures_take(ts_stage_pictures *pictures, const ts_run *run,
 {
 	ts_status status = TS_OK;
 	for (size_t i = 0; i < sizeof stage->writes / sizeof stage->writes[0] && stage->writes[i] < TS_N_BUFFERS; i++) {
-		if (status == TS_OK && has(run, stage->writes[i])) {
-			status = take(pictures, run, stage->writes[i]);
-		}
+		if (status == TS_OK && has(run, stage->writes[i])) status = take(pictures, run, stage->writes[i]);
 	}
 	return status;
 }

@@ -9,9 +9,7 @@
 ts_table ts_table_begin(const char *key, const char *title, const ts_column *columns)
 {
 	ts_table table = { .key = key, .title = title, .columns = columns };
-	while (columns[table.n_columns].key != NULL) {
-		table.n_columns++;
-	}
+	while (columns[table.n_columns].key != NULL) table.n_columns++;
 	return table;
 }
 
@@ -30,10 +28,7 @@ static void append(ts_table *table, const char *text, json_t *value)
 	table->cells[table->n_cells++] = (ts_cell){ copy, value };
 }
 
-void ts_table_text(ts_table *table, const char *text)
-{
-	append(table, text, ts_text_json(text));
-}
+void ts_table_text(ts_table *table, const char *text) { append(table, text, ts_text_json(text)); }
 
 /* 1234567 as 1,234,567. */
 void ts_table_count(ts_table *table, i64 value)
@@ -43,9 +38,7 @@ void ts_table_count(ts_table *table, i64 value)
 	size_t n = strlen(digits), k = 0;
 	for (size_t i = 0; i < n; i++) {
 		text[k++] = digits[i];
-		if (digits[i] != '-' && i + 1 < n && (n - i - 1) % 3 == 0) {
-			text[k++] = ',';
-		}
+		if (digits[i] != '-' && i + 1 < n && (n - i - 1) % 3 == 0) text[k++] = ',';
 	}
 	text[k] = 0;
 	append(table, text, json_integer(value));
@@ -57,9 +50,7 @@ void ts_table_bytes(ts_table *table, u64 bytes)
 	char text[48];
 	double value = (double)bytes;
 	u32 unit = 0;
-	for (; value >= 999.995 && unit < 4; unit++) {
-		value /= 1000;
-	}
+	for (; value >= 999.995 && unit < 4; unit++) value /= 1000;
 	snprintf(text, sizeof text, unit == 0 ? "%.0f %s" : "%.2f %s", value, units[unit]);
 	append(table, text, json_integer((json_int_t)bytes));
 }
@@ -71,10 +62,7 @@ void ts_table_real(ts_table *table, double value, int decimals)
 	append(table, isinf(value) ? "equal" : text, isfinite(value) ? json_real(value) : json_null());
 }
 
-void ts_table_none(ts_table *table)
-{
-	append(table, "-", json_null());
-}
+void ts_table_none(ts_table *table) { append(table, "-", json_null()); }
 
 static void print_cell(FILE *out, const char *text, size_t width, bool right, bool last)
 {
@@ -92,19 +80,13 @@ void ts_table_print(const ts_table *table, FILE *out)
 {
 	size_t width[TS_MAX_COLUMNS];
 	u32 n = table->n_columns;
-	for (u32 c = 0; c < n; c++) {
-		width[c] = strlen(table->columns[c].head);
-	}
+	for (u32 c = 0; c < n; c++) width[c] = strlen(table->columns[c].head);
 	for (size_t i = 0; i < table->n_cells; i++) {
 		size_t w = strlen(table->cells[i].text);
 		width[i % n] = w > width[i % n] ? w : width[i % n];
 	}
-	if (table->title[0] != 0) {
-		fprintf(out, "\n%s\n", table->title);
-	}
-	for (u32 c = 0; c < n; c++) {
-		print_cell(out, table->columns[c].head, width[c], table->columns[c].right, c + 1 == n);
-	}
+	if (table->title[0] != 0) fprintf(out, "\n%s\n", table->title);
+	for (u32 c = 0; c < n; c++) print_cell(out, table->columns[c].head, width[c], table->columns[c].right, c + 1 == n);
 	for (size_t i = 0; i < table->n_cells; i++) {
 		u32 c = (u32)(i % n);
 		print_cell(out, table->cells[i].text, width[c], table->columns[c].right, c + 1 == n);
@@ -147,9 +129,7 @@ void ts_report_begin(ts_report *report, bool json)
 void ts_report_table(ts_report *report, ts_table *table)
 {
 	report->failed |= table->failed;
-	if (!report->json && !report->failed) {
-		ts_table_print(table, report->out);
-	}
+	if (!report->json && !report->failed) ts_table_print(table, report->out);
 	ts_report_value(report, table->key, ts_table_json(table));
 	ts_table_end(table);
 }
@@ -178,9 +158,7 @@ void ts_report_line(ts_report *report, const char *format, ...)
 
 void ts_report_value(ts_report *report, const char *key, json_t *value)
 {
-	if (json_object_set_new(report->root, key, value) != 0) {
-		report->failed = true;
-	}
+	if (json_object_set_new(report->root, key, value) != 0) report->failed = true;
 }
 
 ts_status ts_report_check(const ts_report *report)
@@ -189,17 +167,12 @@ ts_status ts_report_check(const ts_report *report)
 	return failed ? ts_fail("the report: out of memory") : TS_OK;
 }
 
-static ts_status cannot_print(void)
-{
-	return ts_fail("standard output: cannot write; the disk may be full");
-}
+static ts_status cannot_print(void) { return ts_fail("standard output: cannot write; the disk may be full"); }
 
 ts_status ts_report_print(ts_report *report)
 {
 	ts_status status = ts_report_check(report);
-	if (status != TS_OK) {
-		return status;
-	}
+	if (status != TS_OK) return status;
 	fwrite(report->text, 1, report->text_bytes, stdout);
 	rewind(report->out);
 	return fflush(stdout) != 0 || ferror(stdout) ? cannot_print() : TS_OK;
@@ -207,9 +180,7 @@ ts_status ts_report_print(ts_report *report)
 
 void ts_report_discard(ts_report *report)
 {
-	if (report->out != NULL) {
-		fclose(report->out);
-	}
+	if (report->out != NULL) fclose(report->out);
 	free(report->text);
 	json_decref(report->root);
 	memset(report, 0, sizeof *report);

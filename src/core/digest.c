@@ -28,9 +28,7 @@ void ts_digest_end(ts_digest *digest, char *hex)
 		unsigned raw_bytes = 0;
 		int good = EVP_DigestFinal_ex(digest->context, raw, &raw_bytes);
 		assert(good == 1 && raw_bytes == 32);
-		for (unsigned i = 0; i < raw_bytes; i++) {
-			snprintf(hex + 2 * i, 3, "%02x", raw[i]);
-		}
+		for (unsigned i = 0; i < raw_bytes; i++) snprintf(hex + 2 * i, 3, "%02x", raw[i]);
 	}
 	EVP_MD_CTX_free(digest->context);
 	digest->context = NULL;
@@ -41,14 +39,10 @@ ts_status ts_frame_digest_add(ts_frame_digest *digests, const ts_frame *frame, c
 	for (size_t i = 0; i < n_ids && ids[i] < TS_N_BUFFERS; i++) {
 		const ts_buffer *buffer = &frame->buffer[ids[i]];
 		ts_digest *digest = &digests->digest[ids[i]];
-		if (!buffer->made) {
-			continue;
-		}
+		if (!buffer->made) continue;
 		if (!digest->context) {
 			ts_status status = ts_digest_begin(digest);
-			if (status) {
-				return status;
-			}
+			if (status) return status;
 			digests->order[digests->n++] = ids[i];
 		}
 		ts_digest_add(digest, buffer->data, (size_t)buffer->n * ts_buffer_table[ids[i]].element_bytes);
@@ -68,8 +62,6 @@ void ts_frame_digest_print(ts_frame_digest *digests, FILE *out)
 
 void ts_frame_digest_clear(ts_frame_digest *digests)
 {
-	for (u32 i = 0; i < digests->n; i++) {
-		ts_digest_end(&digests->digest[digests->order[i]], NULL);
-	}
+	for (u32 i = 0; i < digests->n; i++) ts_digest_end(&digests->digest[digests->order[i]], NULL);
 	digests->n = 0;
 }

@@ -24,9 +24,7 @@ static void make_printable(char *text)
 static void mark_cut(char *text)
 {
 	size_t end = MESSAGE_BYTES - 4;
-	while (end > 0 && ((unsigned char)text[end] & 0xc0) == 0x80) {
-		end--;
-	}
+	while (end > 0 && ((unsigned char)text[end] & 0xc0) == 0x80) end--;
 	memcpy(text + end, "...", 4);
 }
 
@@ -54,7 +52,4 @@ ts_status ts_fail(const char *format, ...)
 	return status;
 }
 
-const char *ts_error_message(void)
-{
-	return message;
-}
+const char *ts_error_message(void) { return message; }

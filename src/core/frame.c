@@ -47,9 +47,7 @@ static bool count_elements(u64 *n, u32 n_dims, const u64 *shape)
 {
 	*n = 1;
 	for (u32 i = 0; i < n_dims; i++) {
-		if (shape[i] != 0 && *n > UINT64_MAX / shape[i]) {
-			return false;
-		}
+		if (shape[i] != 0 && *n > UINT64_MAX / shape[i]) return false;
 		*n *= shape[i];
 	}
 	return true;
@@ -73,9 +71,7 @@ void *ts_frame_make(ts_frame *frame, ts_buffer_id id, u32 n_dims, const u64 *sha
 		return NULL;
 	}
 	void *data = ts_alloc((size_t)n, info->element_bytes, info->name);
-	if (!data) {
-		return NULL;
-	}
+	if (!data) return NULL;
 	ts_buffer *buffer = &frame->buffer[id];
 	*buffer = (ts_buffer){.data = data, .n = n, .n_dims = n_dims, .made = true};
 	memcpy(buffer->shape, shape, n_dims * sizeof *shape);
@@ -132,7 +128,5 @@ void ts_frame_drop(ts_frame *frame, ts_buffer_id id)
 
 void ts_frame_clear(ts_frame *frame)
 {
-	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
-		ts_frame_drop(frame, (ts_buffer_id)id);
-	}
+	for (u32 id = 0; id < TS_N_BUFFERS; id++) ts_frame_drop(frame, (ts_buffer_id)id);
 }

@@ -14,27 +14,17 @@ static void *allocate(size_t count, size_t size, const char *what, bool zero)
 	size_t bytes = count * size;
 	size_t at_least_one = bytes ? bytes : 1;
 	void *memory = zero ? calloc(at_least_one, 1) : malloc(at_least_one);
-	if (!memory) {
-		ts_fail("%s: no memory for %zu elements of %zu bytes (%zu MiB)", what, count, size, bytes >> 20);
-	}
+	if (!memory) ts_fail("%s: no memory for %zu elements of %zu bytes (%zu MiB)", what, count, size, bytes >> 20);
 	return memory;
 }
 
-void *ts_alloc(size_t count, size_t size, const char *what)
-{
-	return allocate(count, size, what, false);
-}
+void *ts_alloc(size_t count, size_t size, const char *what) { return allocate(count, size, what, false); }
 
-void *ts_alloc_zero(size_t count, size_t size, const char *what)
-{
-	return allocate(count, size, what, true);
-}
+void *ts_alloc_zero(size_t count, size_t size, const char *what) { return allocate(count, size, what, true); }
 
 ts_status ts_grow(void **array, size_t *capacity, size_t need, size_t size, const char *what)
 {
-	if (need <= *capacity) {
-		return TS_OK;
-	}
+	if (need <= *capacity) return TS_OK;
 	size_t most = (size_t)PTRDIFF_MAX / (size ? size : 1);
 	if (need > most) {
 		return ts_fail("%s: %zu elements of %zu bytes are more than a process can address", what, need, size);
@@ -57,9 +47,7 @@ static uint64_t container_limit(void)
 	uint64_t limit = UINT64_MAX;
 	FILE *file = fopen("/sys/fs/cgroup/memory.max", "r");
 	if (file) {
-		if (fscanf(file, "%" SCNu64, &limit) != 1) {
-			limit = UINT64_MAX;
-		}
+		if (fscanf(file, "%" SCNu64, &limit) != 1) limit = UINT64_MAX;
 		fclose(file);
 	}
 	return limit;
@@ -74,7 +62,4 @@ uint64_t ts_memory_total(void)
 	return container < machine ? container : machine;
 }
 
-uint64_t ts_memory_limit(void)
-{
-	return ts_memory_total() / 4 * 3;
-}
+uint64_t ts_memory_limit(void) { return ts_memory_total() / 4 * 3; }

@@ -34,17 +34,12 @@ const ts_param_info *ts_param_table(size_t *n)
 	return table;
 }
 
-static void store(ts_params *params, size_t row, const void *value)
-{
-	memcpy((char *)params + offsets[row], value, 4);
-}
+static void store(ts_params *params, size_t row, const void *value) { memcpy((char *)params + offsets[row], value, 4); }
 
 static bool parse_u32(uint32_t *value, const char *text)
 {
 	size_t length = strspn(text, "0123456789");
-	if (length == 0 || length > 15 || text[length]) {
-		return false;
-	}
+	if (length == 0 || length > 15 || text[length]) return false;
 	uint64_t wide = strtoull(text, NULL, 10);
 	*value = (uint32_t)wide;
 	return wide <= UINT32_MAX;
@@ -54,9 +49,7 @@ static bool parse_u32(uint32_t *value, const char *text)
 static bool c_strtof(float *value, const char *text)
 {
 	locale_t c = newlocale(LC_NUMERIC_MASK, "C", (locale_t)0);
-	if (!c) {
-		return false;
-	}
+	if (!c) return false;
 	locale_t before = uselocale(c);
 	char *end;
 	errno = 0;
@@ -70,9 +63,7 @@ static bool c_strtof(float *value, const char *text)
 static bool parse_f32(float *value, const char *text)
 {
 	size_t length = strspn(text, "+-.0123456789eE");
-	if (length == 0 || text[length] || !c_strtof(value, text)) {
-		return false;
-	}
+	if (length == 0 || text[length] || !c_strtof(value, text)) return false;
 	*value = *value == 0 ? 0 : *value; /* not -0 */
 	return true;
 }
@@ -84,12 +75,8 @@ static void format_f32(float value, char *text, size_t text_bytes)
 		float back;
 		snprintf(text, text_bytes, "%.*g", digits, (double)value);
 		char *comma = strchr(text, ',');
-		if (comma) {
-			*comma = '.';
-		}
-		if (c_strtof(&back, text) && memcmp(&back, &value, 4) == 0) {
-			return;
-		}
+		if (comma) *comma = '.';
+		if (c_strtof(&back, text) && memcmp(&back, &value, 4) == 0) return;
 	}
 }
 
@@ -130,9 +117,7 @@ static size_t choice_at(const char *choices, uint32_t place, const char **choice
 {
 	for (*choice = choices; place > 0; place--) {
 		*choice = strchr(*choice, '|');
-		if (!*choice) {
-			return 0;
-		}
+		if (!*choice) return 0;
 		++*choice;
 	}
 	return strcspn(*choice, "|");
@@ -164,9 +149,7 @@ static ts_status set_row(ts_params *params, size_t row, const char *text)
 ts_status ts_params_set(ts_params *params, const char *name, const char *value)
 {
 	for (size_t row = 0; row < N_PARAMS; row++) {
-		if (strcmp(table[row].name, name) == 0) {
-			return set_row(params, row, value);
-		}
+		if (strcmp(table[row].name, name) == 0) return set_row(params, row, value);
 	}
 	return ts_fail("there is no parameter \"%.80s\": `touchstone list params` names them all", name);
 }
@@ -213,9 +196,7 @@ ts_status ts_params_check(const ts_params *params)
 	for (size_t row = 0; row < N_PARAMS; row++) {
 		char text[64];
 		ts_params_format(params, row, text, sizeof text);
-		if (set_row(&copy, row, text) != TS_OK) {
-			return TS_ERROR;
-		}
+		if (set_row(&copy, row, text) != TS_OK) return TS_ERROR;
 	}
 	return TS_OK;
 }

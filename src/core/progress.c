@@ -10,9 +10,7 @@ static _Thread_local double last;
 
 void ts_progress(const char *label, uint64_t done, uint64_t total)
 {
-	if (!isatty(STDERR_FILENO)) {
-		return;
-	}
+	if (!isatty(STDERR_FILENO)) return;
 	if (done >= total) {
 		fputs("\r\033[K", stderr);
 		last = 0;

@@ -121,9 +121,7 @@ unsigned ts_selftest(void)
 ts_status ts_selftest_require(void)
 {
 	unsigned bad = ts_selftest();
-	if (!bad) {
-		return TS_OK;
-	}
+	if (!bad) return TS_OK;
 	char text[512] = "";
 	for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
 		if (bad >> i & 1) {

@@ -7,9 +7,7 @@ static void digest_is(const char *text, size_t times, const char *expected)
 	ts_digest digest;
 	char hex[TS_DIGEST_BYTES];
 	assert_int_equal(ts_digest_begin(&digest), TS_OK);
-	for (size_t i = 0; i < times; i++) {
-		ts_digest_add(&digest, text, strlen(text));
-	}
+	for (size_t i = 0; i < times; i++) ts_digest_add(&digest, text, strlen(text));
 	ts_digest_end(&digest, hex);
 	assert_string_equal(hex, expected);
 	assert_null(digest.context);
@@ -27,9 +25,7 @@ static void fill(ts_frame *frame, u64 from, u64 to)
 {
 	u64 *keys = ts_frame_make1(frame, TS_B_points_key, to - from);
 	assert_non_null(keys);
-	for (u64 i = from; i < to; i++) {
-		keys[i - from] = i * i;
-	}
+	for (u64 i = from; i < to; i++) keys[i - from] = i * i;
 }
 
 static void digest_of_keys(char *line, size_t line_bytes, const u64 *cuts, size_t n_cuts)

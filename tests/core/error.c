@@ -14,9 +14,7 @@ static void control_characters_become_question_marks(void **state)
 {
 	(void)state;
 	char text[256];
-	for (int i = 1; i < 256; i++) {
-		text[i - 1] = (char)i;
-	}
+	for (int i = 1; i < 256; i++) text[i - 1] = (char)i;
 	text[255] = '\0';
 	ts_fail("%s", text);
 	const char *message = ts_error_message();
@@ -50,9 +48,7 @@ static void long_messages_are_cut_and_say_so(void **state)
 	(void)state;
 	for (int shift = 0; shift < 2; shift++) {
 		char text[5000] = "x";
-		for (int i = shift; i + 2 < (int)sizeof text; i += 2) {
-			memcpy(text + i, "\xc3\xa9", 3);
-		}
+		for (int i = shift; i + 2 < (int)sizeof text; i += 2) memcpy(text + i, "\xc3\xa9", 3);
 		ts_fail("%s", text);
 		const char *message = ts_error_message();
 		size_t length = strlen(message);

@@ -17,9 +17,7 @@ static void zeroed_memory_is_zero(void **state)
 	(void)state;
 	unsigned char *bytes = ts_alloc_zero(1000, 3, "bytes");
 	assert_non_null(bytes);
-	for (int i = 0; i < 3000; i++) {
-		assert_int_equal(bytes[i], 0);
-	}
+	for (int i = 0; i < 3000; i++) assert_int_equal(bytes[i], 0);
 	free(bytes);
 }
 
@@ -56,9 +54,7 @@ static void growing_keeps_the_contents(void **state)
 		array[i] = i;
 	}
 	assert_true(moves <= 18);
-	for (uint32_t i = 0; i < 100000; i++) {
-		assert_int_equal(array[i], i);
-	}
+	for (uint32_t i = 0; i < 100000; i++) assert_int_equal(array[i], i);
 	free(array);
 }
 

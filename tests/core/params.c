@@ -9,9 +9,7 @@ static const ts_param_info *row_of(const char *name, size_t *row)
 	size_t n;
 	const ts_param_info *table = ts_param_table(&n);
 	for (*row = 0; *row < n; ++*row) {
-		if (strcmp(table[*row].name, name) == 0) {
-			return &table[*row];
-		}
+		if (strcmp(table[*row].name, name) == 0) return &table[*row];
 	}
 	fail_msg("no parameter %s", name);
 	return NULL;
@@ -21,9 +19,7 @@ static void accepts(const char *name, const char *value)
 {
 	ts_params params;
 	ts_params_default(&params);
-	if (ts_params_set(&params, name, value)) {
-		fail_msg("%s=%s is refused: %s", name, value, ts_error_message());
-	}
+	if (ts_params_set(&params, name, value)) fail_msg("%s=%s is refused: %s", name, value, ts_error_message());
 }
 
 /* The parameters stay as they were, and the message names parameter and value. */
@@ -32,9 +28,7 @@ static void refuses(const char *name, const char *value)
 	ts_params params, before;
 	ts_params_default(&params);
 	before = params;
-	if (ts_params_set(&params, name, value) != TS_ERROR) {
-		fail_msg("%s=%s is accepted", name, value);
-	}
+	if (ts_params_set(&params, name, value) != TS_ERROR) fail_msg("%s=%s is accepted", name, value);
 	assert_memory_equal(&params, &before, sizeof params);
 	assert_non_null(strstr(ts_error_message(), name));
 	assert_non_null(strstr(ts_error_message(), value));
@@ -59,9 +53,7 @@ static void defaults_are_those_of_the_table(void **state)
 		char text[64];
 		ts_params_format(&params, row, text, sizeof text);
 		accepts(table[row].name, text);
-		if (table[row].kind[0] != 'e') {
-			assert_true(strtod(text, NULL) == strtod(table[row].def, NULL));
-		}
+		if (table[row].kind[0] != 'e') assert_true(strtod(text, NULL) == strtod(table[row].def, NULL));
 		assert_true(strlen(table[row].help) > 0);
 	}
 }
@@ -159,9 +151,7 @@ static void text_reads_back_to_the_same_bits(void **state)
 static void locale_of_the_host_does_not_matter(void **state)
 {
 	(void)state;
-	if (!setlocale(LC_ALL, "de_DE.UTF-8") && !setlocale(LC_ALL, "fr_FR.UTF-8")) {
-		skip();
-	}
+	if (!setlocale(LC_ALL, "de_DE.UTF-8") && !setlocale(LC_ALL, "fr_FR.UTF-8")) skip();
 	ts_params params;
 	ts_params_default(&params);
 	size_t row;

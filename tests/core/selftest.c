@@ -16,9 +16,7 @@ static void this_build_is_good(void **state)
 static void rounding_upward_is_seen(void **state)
 {
 	(void)state;
-	if (fesetround(FE_UPWARD) != 0) {
-		skip();
-	}
+	if (fesetround(FE_UPWARD) != 0) skip();
 	unsigned bad = ts_selftest();
 	ts_status status = ts_selftest_require();
 	fesetround(FE_TONEAREST);
