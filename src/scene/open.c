@@ -1,4 +1,4 @@
-/* Opening a scene: which source makes it, the mirrors that are added, the checks. */
+/* Opening a scene: which source makes it, the reflectors that are added, the checks. */
 #include "../core/core.h"
 #include "sources.h"
 #include <errno.h>

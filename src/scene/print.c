@@ -21,11 +21,11 @@ enum { N_FIGURES = 13 };
 static void figures_of(figure *f, const ts_scene *s)
 {
 	const figure all[N_FIGURES] = {
-		{"triangles", s->n_triangles, "with the added mirrors"},
+		{"triangles", s->n_triangles, "with the added reflectors"},
 		{"triangles_own", s->n_triangles_file, "without them"},
 		{"triangles_degenerate", s->n_degenerate, "of these; they have no area and are dropped"},
 		{"vertices", s->n_vertices, ""},
-		{"objects", s->n_objects, "the static scene and what moves or mirrors"},
+		{"objects", s->n_objects, "the static scene and each reflector"},
 		{"reflectors", s->n_reflectors, ""},
 		{"materials", s->n_materials, ""},
 		{"texture_references", s->n_slots, ""},

@@ -1,4 +1,4 @@
-/* The added mirrors (SPEC 0.3.8, EPR 4.2): golden-angle phases on ellipses around the middle of the hall's floor,
+/* The added reflectors (SPEC 0.3.8, EPR 4.2): golden-angle phases on ellipses around the middle of the hall's floor,
  * turning as the eye does, and one radius for all, so that their mean projected diameter at frame 0 is reflector_px. */
 #include "../kernels/pose.h"
 #include "shapes.h"
@@ -10,7 +10,7 @@
 #define CLEARANCE 0.16f /* from the eye, in halves of the hall */
 #define WIDEST 0.35f    /* radius, of the shorter half of the hall */
 
-/* What the places of the mirrors follow from. */
+/* What the places of the reflectors follow from. */
 typedef struct {
 	ts_space hall;
 	ts_view eye;
@@ -30,7 +30,7 @@ static void plan_make(floor_plan *plan, const ts_scene *scene, const ts_params *
 	plan->n = params->reflectors;
 }
 
-/* The size of the ellipse in halves of the hall: equal areas a mirror, but not where the eye is. */
+/* The size of the ellipse in halves of the hall: equal areas a reflector, but not where the eye is. */
 static f32 ellipse(const floor_plan *plan, u32 i, f32 phase)
 {
 	f32 size = INNER * ts_sqrt(((f32)i + 0.5f) / (f32)plan->n);
@@ -42,7 +42,7 @@ static f32 ellipse(const floor_plan *plan, u32 i, f32 phase)
 	return away >= CLEARANCE ? away - CLEARANCE : away + CLEARANCE;
 }
 
-/* Heights spread over the lower part of the box; the mirror stands on the floor where the box is too low. */
+/* Heights spread over the lower part of the box; the reflector stands on the floor where the box is too low. */
 static ts_object path(const floor_plan *plan, u32 i, f32 radius)
 {
 	f32 height = plan->hall.half.y + plan->hall.half.y;
@@ -91,7 +91,7 @@ static f32 radius_for(ts_build *build, const floor_plan *plan, f32 pixels)
 	for (u32 round = 0; round < 4; round++)
 		radius = ts_min(pixels / mean_pixels_across(plan, radius), widest);
 	if (radius == widest)
-		ts_build_note(build, "the added mirrors are %g px across instead of reflector_px=%g, so that they fit",
+		ts_build_note(build, "the added reflectors are %g px across instead of reflector_px=%g, so that they fit",
 		              (double)(radius * mean_pixels_across(plan, radius)), (double)pixels);
 	return radius;
 }
@@ -103,7 +103,7 @@ static const f32 tints[][3] = {
 };
 enum { N_TINTS = sizeof tints / sizeof *tints };
 
-static u32 mirror_material(ts_build *build, const f32 tint[3])
+static u32 make_material(ts_build *build, const f32 tint[3])
 {
 	ts_material material = ts_material_default();
 	memcpy(material.base, tint, 3 * sizeof *tint);
@@ -122,7 +122,7 @@ void ts_reflectors_add(ts_build *build, const ts_params *params, const char *cam
 	for (u32 i = 0; i < plan.n; i++) {
 		ts_object object = path(&plan, i, radius);
 		u32 shape = params->reflector_shape == TS_SHAPE_MIXED ? i % TS_SHAPE_MIXED : params->reflector_shape;
-		if (i < N_TINTS) materials[i] = mirror_material(build, tints[i]);
+		if (i < N_TINTS) materials[i] = make_material(build, tints[i]);
 		ts_build_object(build, &object, true);
 		ts_shape_add(build, shape, radius, materials[i % N_TINTS]);
 	}

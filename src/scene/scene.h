@@ -25,8 +25,8 @@ struct ts_scene {
 	u32 camera;             /* the chosen one or TS_NONE: the eye circles */
 	f32 ambient;            /* radiance */
 	f32 box_min[3], box_max[3]; /* of the triangles of object 0, world */
-	f32 hall_min[2], hall_max[2]; /* x and z of the part of the box where the eye and the added mirrors move (view.h) */
-	u64 n_triangles_file;   /* triangles drawn before mirrors were added */
+	f32 hall_min[2], hall_max[2]; /* x and z of where in the box the eye and the added reflectors move (view.h) */
+	u64 n_triangles_file;   /* triangles drawn before reflectors were added */
 	u64 n_degenerate;       /* zero-area triangles among them */
 	char **notes; u32 n_notes; /* what in the file was not understood, a line each */
 };

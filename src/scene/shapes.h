@@ -1,4 +1,4 @@
-/* The shapes of the added mirrors: closed surfaces of revolution of about 2000 triangles. */
+/* The shapes of the added reflectors: closed surfaces of revolution of about 2000 triangles. */
 #ifndef TS_SCENE_SHAPES_H
 #define TS_SCENE_SHAPES_H
 #include "build.h"

@@ -14,7 +14,7 @@ void ts_gltf_load(ts_build *build, const char *path, const char *reflector);
 bool ts_builtin_is(const char *spec);
 void ts_builtin_make(ts_build *build, const char *spec, u32 seed);
 
-/* reflectors.c: params->reflectors mirrors on periodic paths (SPEC 0.3.8). */
+/* reflectors.c: as many reflectors as the parameters say, on periodic paths (SPEC 0.3.8). */
 void ts_reflectors_add(ts_build *build, const ts_params *params, const char *camera);
 
 #ifdef __cplusplus

@@ -1,4 +1,4 @@
-/* The eye, and where it and the added mirrors move. */
+/* The eye, and where it and the added reflectors move. */
 #ifndef TS_SCENE_VIEW_H
 #define TS_SCENE_VIEW_H
 #include "../kernels/vec.h"
@@ -15,7 +15,7 @@ ts_space ts_view_box(const ts_scene *scene);
  * its middle halfway between them. Where there are not walls on all four sides, as around a thing seen from outside,
  * the hall is the box. The walls are found once, when the scene is made (build_walls.c).
  *
- * Deviation from SPEC 0.3.8, which measures the paths of the eye and of the mirrors in the box: many a box is larger
+ * Deviation from SPEC 0.3.8, which measures the paths of the eye and of the reflectors in the box: many a box is larger
  * than the room in it (a court among galleries, a nave among aisles), or beside it, and the eye would circle behind
  * walls. */
 ts_space ts_view_hall(const ts_scene *scene);

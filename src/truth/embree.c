@@ -1,5 +1,5 @@
 /* All of Embree, version 3 or 4: it finds the nearest triangle, our own kernel measures the hit (SPEC 0.3.5, 0.3.6).
- * Filters see what the rasters see: facing by the ray's origin, alpha at the hit's footprint, the masked mirror. */
+ * Filters see what the rasters see: facing by the ray's origin, alpha at the hit's footprint, the masked reflector. */
 #include <assert.h>
 #include <math.h>
 #include <stdio.h>

@@ -59,8 +59,8 @@ static ts_truth_query from_surface(const tracer *t, u32 reflector, ts_v3 p, ts_v
 	                         .from = p, .path = path, .spread = t->spread };
 }
 
-/* The mirror that was hit, while bounces are left; else TS_NONE. */
-static u32 mirror_at(const tracer *t, const ts_truth_hit *hit, u32 left)
+/* The reflector that was hit, while bounces are left; else TS_NONE. */
+static u32 reflector_at(const tracer *t, const ts_truth_hit *hit, u32 left)
 {
 	return left > 0 ? ts_k_reflector_of(t->scene, hit->triangle) : TS_NONE;
 }
@@ -86,37 +86,37 @@ static void tile_axes(const ts_corners *t, ts_v3 *u, ts_v3 *v)
 	*v = ts_normalize(ts_cross(ts_normalize(t->n), *u));
 }
 
-/* Radiance that the cube of query->masked sees; `left` more mirrors are followed, four rays each. */
+/* Radiance that the cube of query->masked sees; `left` more reflectors are followed, four rays each. */
 static ts_v3 see_from_centre(const tracer *t, const ts_truth_query *query, u32 left)
 {
 	ts_truth_hit hit = ts_truth_cast(t->truth, query);
 	if (hit.triangle == TS_NONE) return ts_k_background();
 	ts_surface s = ts_k_surface(t->scene, hit.triangle, hit.weights, hit.footprint);
-	u32 mirror = mirror_at(t, &hit, left);
-	if (mirror == TS_NONE) return shade_towards(t, &s, query->origin);
+	u32 reflector = reflector_at(t, &hit, left);
+	if (reflector == TS_NONE) return shade_towards(t, &s, query->origin);
 	ts_corners corner = ts_k_corners(t->scene, hit.triangle);
 	ts_v3 n = facing_normal(&s, query->direction), u, v, sum = { 0, 0, 0 };
 	tile_axes(&corner, &u, &v);
-	f32 radius = t->faces[mirror].radius, spread = radius > 0.0f ? hit.footprint / radius : 0.0f;
+	f32 radius = t->faces[reflector].radius, spread = radius > 0.0f ? hit.footprint / radius : 0.0f;
 	for (u32 k = 0; k < TS_N_BOUNCE_SAMPLES; k++) {
 		ts_v3 d = ts_k_bounce_direction(s.p, n, u, v, query->origin, spread, k);
-		ts_truth_query next = from_centre(t, mirror, s.p, d, hit.path);
+		ts_truth_query next = from_centre(t, reflector, s.p, d, hit.path);
 		sum = ts_add(sum, see_from_centre(t, &next, left - 1));
 	}
 	return ts_mul(ts_scale(sum, 1.0f / (f32)TS_N_BOUNCE_SAMPLES), s.base);
 }
 
-/* Radiance that arrives along a true ray; every mirror on its way sends on one ray. */
+/* Radiance that arrives along a true ray; every reflector on its way sends on one ray. */
 static ts_v3 see_from_surface(const tracer *t, const ts_truth_query *query, u32 left)
 {
 	ts_truth_hit hit = ts_truth_cast(t->truth, query);
 	if (hit.triangle == TS_NONE) return ts_k_background();
 	ts_surface s = ts_k_surface(t->scene, hit.triangle, hit.weights, hit.footprint);
-	u32 mirror = mirror_at(t, &hit, left);
-	if (mirror == TS_NONE) return shade_towards(t, &s, query->origin);
+	u32 reflector = reflector_at(t, &hit, left);
+	if (reflector == TS_NONE) return shade_towards(t, &s, query->origin);
 	ts_v3 n = facing_normal(&s, query->direction);
 	ts_v3 d = ts_normalize(ts_reflect(query->direction, n));
-	ts_truth_query next = from_surface(t, mirror, s.p, d, hit.path);
+	ts_truth_query next = from_surface(t, reflector, s.p, d, hit.path);
 	return ts_mul(see_from_surface(t, &next, left - 1), s.base);
 }
 

@@ -293,11 +293,11 @@ static void test_objects_refused(void **state)
 	refuse(build, "different objects");
 }
 
-/* A scene whose only mesh is a mirror still has a box. */
-static void test_box_of_a_lone_mirror(void **state)
+/* A scene whose only mesh is a reflector still has a box. */
+static void test_box_of_a_lone_reflector(void **state)
 {
 	(void)state;
-	ts_build *build = ts_build_new("mirror");
+	ts_build *build = ts_build_new("reflector");
 	ts_object still = {.period = 0};
 	ts_build_object(build, &still, true);
 	right_triangle(build, 2.0f, TS_NONE);
@@ -399,7 +399,7 @@ int main(void)
 		cmocka_unit_test_setup(test_cameras, set_up),
 		cmocka_unit_test_setup(test_objects_become_ranges, set_up),
 		cmocka_unit_test_setup(test_objects_refused, set_up),
-		cmocka_unit_test_setup(test_box_of_a_lone_mirror, set_up),
+		cmocka_unit_test_setup(test_box_of_a_lone_reflector, set_up),
 		cmocka_unit_test_setup(test_srgb_table, set_up),
 		cmocka_unit_test_setup(test_mips, set_up),
 		cmocka_unit_test_setup(test_constant_mips, set_up),

@@ -138,8 +138,8 @@ static void test_open(void **state)
 	expect(build, -20.0, -10.0, 20.0, 10.0);
 }
 
-/* The added mirrors belong to other objects. */
-static void test_mirrors_are_no_walls(void **state)
+/* The added reflectors belong to other objects. */
+static void test_reflectors_are_no_walls(void **state)
 {
 	(void)state;
 	const f32 low[2] = {-4.0f, -4.0f}, high[2] = {4.0f, 4.0f};
@@ -158,7 +158,7 @@ int main(void)
 		cmocka_unit_test(test_sides),
 		cmocka_unit_test(test_not_walls),
 		cmocka_unit_test(test_open),
-		cmocka_unit_test(test_mirrors_are_no_walls),
+		cmocka_unit_test(test_reflectors_are_no_walls),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -257,8 +257,8 @@ static void test_trs(void **state)
 	ts_build_free(build);
 }
 
-/* The positions serve as normals too: (1,0,0) under a shear-free non-uniform scale and a mirror. */
-static void test_mirror(void **state)
+/* The positions serve as normals too: (1,0,0) under a shear-free non-uniform scale that mirrors. */
+static void test_mirroring(void **state)
 {
 	(void)state;
 	ts_build *build = load("\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0,\"scale\":[-1,1,1]}],"
@@ -476,7 +476,7 @@ int main(void)
 		cmocka_unit_test(test_normalized),
 		cmocka_unit_test(test_vertex_colour),
 		cmocka_unit_test(test_trs),
-		cmocka_unit_test(test_mirror),
+		cmocka_unit_test(test_mirroring),
 		cmocka_unit_test(test_shear),
 		cmocka_unit_test(test_flat),
 		cmocka_unit_test(test_graph),

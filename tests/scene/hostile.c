@@ -43,7 +43,7 @@ static FILE *open_list(const char *name)
 
 static bool is_one_line(const char *text) { return text[0] != '\0' && strpbrk(text, "\r\n") == NULL; }
 
-/* Opens a file, with mirrors added; *triangles is what it draws without them. Refusals must come as one line. */
+/* Opens a file, with reflectors added; *triangles is what it draws without them. Refusals must come as one line. */
 static bool load(const char *path, u32 *triangles)
 {
 	ts_params params;

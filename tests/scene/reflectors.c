@@ -1,4 +1,4 @@
-/* The added mirrors: their mean size, that they stay in the scene and apart, and what they are made of. */
+/* The added reflectors: their mean size, that they stay in the scene and apart, and what they are made of. */
 #include "../../src/kernels/pose.h"
 #include "../../src/scene/sources.h"
 #include "../../src/scene/view.h"
@@ -54,7 +54,7 @@ static double along(const f32 axis[3], ts_v3 d)
 	return (double)axis[0] * (double)d.x + (double)axis[1] * (double)d.y + (double)axis[2] * (double)d.z;
 }
 
-/* Mean of 2 f r / z over the mirrors at frame 0; of those out of the picture by the distance. */
+/* Mean of 2 f r / z over the reflectors at frame 0; of those out of the picture by the distance. */
 static double mean_diameter(const ts_scene *scene)
 {
 	ts_view eye;
@@ -77,7 +77,7 @@ static void check_size(f32 x, f32 y, f32 z, const char *camera)
 	ts_scene *scene = room(x, y, z, camera);
 	double mean = mean_diameter(scene);
 	if (fabs(mean / (double)params.reflector_px - 1.0) > 1e-4)
-		fail_msg("%u mirrors in %g x %g x %g: %g px, expected %g", params.reflectors, (double)x, (double)y, (double)z,
+		fail_msg("%u reflectors in %g x %g x %g: %g px, expected %g", params.reflectors, (double)x, (double)y, (double)z,
 		         mean, (double)params.reflector_px);
 	assert_int_equal(scene->n_notes, 0);
 	ts_scene_free(scene);
@@ -115,7 +115,7 @@ static void check_inside(const ts_scene *scene, const ts_object *object, u32 fra
 	}
 }
 
-/* For a whole turn and every shape, with bobbing and spinning, in a high room and one that barely holds the mirrors. */
+/* For a whole turn and every shape, with bobbing and spinning, in a high room and in one that barely holds them. */
 static void test_stay_inside(void **state)
 {
 	(void)state;
@@ -150,7 +150,7 @@ static void test_paths(void **state)
 	ts_scene_free(scene);
 }
 
-/* No two of ten mirrors meet, and none comes over the eye, at any frame. */
+/* No two of ten reflectors meet, and none comes over the eye, at any frame. */
 static void test_apart(void **state)
 {
 	(void)state;
@@ -167,7 +167,7 @@ static void test_apart(void **state)
 				for (u32 j = 1; j < i; j++) {
 					ts_v3 other = ts_k_pose(&scene->objects[j], params.frame).centre;
 					if (ts_length(ts_sub(centre, other)) <= radius * 2.0f)
-						fail_msg("mirrors %u and %u meet in frame %u, eye %u", j, i, params.frame, params.eye);
+						fail_msg("reflectors %u and %u meet in frame %u, eye %u", j, i, params.frame, params.eye);
 				}
 			}
 		}
@@ -207,7 +207,7 @@ static void test_heights(void **state)
 	ts_scene_free(scene);
 }
 
-/* At least two thirds of the mirrors are in the picture of frame 0. */
+/* At least two thirds of the reflectors are in the picture of frame 0. */
 static void test_in_the_picture(void **state)
 {
 	(void)state;
@@ -226,7 +226,7 @@ static void test_in_the_picture(void **state)
 	ts_scene_free(scene);
 }
 
-static void test_mirrors(void **state)
+static void test_materials(void **state)
 {
 	(void)state;
 	ts_scene *scene = room(20.0f, 6.0f, 14.0f, NULL);
@@ -277,7 +277,7 @@ static void test_none(void **state)
 	ts_scene_free(scene);
 }
 
-/* Mirrors too large for the room are made smaller, and a note says so. */
+/* Reflectors too large for the room are made smaller, and a note says so. */
 static void test_too_large(void **state)
 {
 	(void)state;
@@ -289,7 +289,7 @@ static void test_too_large(void **state)
 	ts_scene_free(scene);
 }
 
-/* A wall, a floor and a needle can hold mirrors too. */
+/* A wall, a floor and a needle can hold reflectors too. */
 static void test_flat_scenes(void **state)
 {
 	(void)state;
@@ -311,7 +311,7 @@ int main(void)
 		cmocka_unit_test_setup(test_clear_of_the_eye, set_up),
 		cmocka_unit_test_setup(test_heights, set_up),
 		cmocka_unit_test_setup(test_in_the_picture, set_up),
-		cmocka_unit_test_setup(test_mirrors, set_up),
+		cmocka_unit_test_setup(test_materials, set_up),
 		cmocka_unit_test_setup(test_mixed_shapes, set_up),
 		cmocka_unit_test_setup(test_same_bytes, set_up),
 		cmocka_unit_test_setup(test_none, set_up),

@@ -27,7 +27,7 @@ static ts_v3 normal(const ts_scene *scene, u32 triangle)
 	return ts_cross(ts_sub(corner(scene, triangle, 1), a), ts_sub(corner(scene, triangle, 2), a));
 }
 
-/* Every wall faces the middle of the room, every face of the mirror away from its own. */
+/* Every wall faces the middle of the room, every face of the reflector away from its own. */
 static void test_room(void **state)
 {
 	(void)state;

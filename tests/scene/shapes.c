@@ -1,4 +1,4 @@
-/* The shapes of the added mirrors: closed, outward, of the right volume, with normals that agree with their faces. */
+/* The shapes of the added reflectors: closed, outward, of the right volume, their normals agreeing with their faces. */
 #include "../../src/scene/shapes.h"
 #include "../../src/kernels/vec.h"
 #include <setjmp.h>

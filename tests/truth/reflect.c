@@ -1,4 +1,4 @@
-/* Truths A and B over mirrors made by hand: closed forms, what both must agree on, and where they must differ. */
+/* Truths A and B over reflectors made by hand: closed forms, what both must agree on, and where they must differ. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -100,7 +100,7 @@ static f32 uniform(u32 id)
 	return ts_uniform(ts_random(id, STREAM, SEED)) * 2 - 1;
 }
 
-/* Pixels of a mirror ball of this radius about the origin, as far as an eye on +z sees it. */
+/* Pixels of a reflector, a ball of this radius about the origin, as far as an eye on +z sees it. */
 static void ball_pixels(stand *s, f32 radius)
 {
 	ts_v3 eye = ts_load3(s->eye.eye);
@@ -113,12 +113,12 @@ static void ball_pixels(stand *s, f32 radius)
 	}
 }
 
-static stand *ball_in_room(f32 half, bool with_mirror)
+static stand *ball_in_room(f32 half, bool with_reflector)
 {
 	stand *s = stand_new(ts_v3_make(0, 0, 4));
 	world_room(&s->world, ts_v3_make(-half, -half, -half), ts_v3_make(half, half, half), WALL, 0);
 	for (u32 i = 0; i < 12; i++) s->world.triangles[i].material = WALL + i / 2;
-	if (with_mirror) quad_x(s, 3, WALL, 2);
+	if (with_reflector) quad_x(s, 3, WALL, 2);
 	ball_pixels(s, 1);
 	grow(s);
 	return s;
@@ -143,7 +143,7 @@ static void test_background(void **state)
 	end(s);
 }
 
-/* Of an environment at infinity it does not matter from where the mirror looks; of a near one it does. */
+/* Of an environment at infinity it does not matter from where the reflector looks; of a near one it does. */
 static void test_infinity(void **state)
 {
 	(void)state;
@@ -188,7 +188,7 @@ static void test_walls(void **state)
 	end(s);
 }
 
-/* A wall of the mirror itself: B sees it, A looks through it to the wall behind. */
+/* A wall of the reflector itself: B sees it, A looks through it to the wall behind. */
 static void test_own_reflector(void **state)
 {
 	(void)state;
@@ -204,7 +204,7 @@ static void test_own_reflector(void **state)
 	end(s);
 }
 
-/* Two mirrors face to face, a coloured wall behind the first: tint, then the second one's colour, then the wall. */
+/* Two reflectors face to face, a coloured wall behind the first: tint, then the second one's colour, then the wall. */
 static void test_bounces(void **state)
 {
 	(void)state;

@@ -1,4 +1,4 @@
-/* A scene of random triangles with mirrors among them: nothing is regular, so nothing hides. */
+/* A scene of random triangles with reflectors among them: nothing is regular, so nothing hides. */
 #ifndef TS_TESTS_TRUTH_SOUP_H
 #define TS_TESTS_TRUTH_SOUP_H
 #include <stddef.h>
@@ -32,7 +32,7 @@ static inline void soup_materials(ts_build *build, u32 *id)
 	}
 }
 
-/* n triangles in a box of 20 x 10 x 20, most of them small, and params->reflectors mirrors. NULL: see the message. */
+/* n triangles in a box of 20 x 10 x 20, most of them small, and the added reflectors. NULL: see the message. */
 static inline ts_scene *soup_open(const ts_params *params, u32 n)
 {
 	ts_build *build = ts_build_new("soup");
