@@ -16,6 +16,10 @@ struct checker {
 	std::map<std::string, size_t> lengths;                     /* of the lists that indices name */
 	void check_object(json_t *object, const std::string &path, const std::string &where);
 	void check_value(json_t *parent, const char *key, json_t *value, const rule &r, const std::string &where);
+	void check_list(json_t *list, const rule &r, const std::string &where);
+	void check_extras(json_t *parent, const char *key, json_t *value, const rule &r, const std::string &where);
+	void check_indices(json_t *list, const rule &r, const std::string &where) const;
+	void check_attributes(json_t *object, const rule &r, const std::string &where) const;
 	json_int_t check_index(json_t *value, const rule &r, const std::string &where) const;
 };
 
@@ -111,57 +115,76 @@ static void check_text(const json_t *value, const rule &r, const std::string &wh
 		refuse(where, value, (std::string("one of ") + r.of).c_str());
 }
 
-void checker::check_value(json_t *parent, const char *key, json_t *value, const rule &r, const std::string &where)
+static void check_whole(json_t *parent, const char *key, json_t *value, const rule &r, const std::string &where)
 {
-	std::string path = r.type == OBJECT && r.of ? r.of : r.path;
+	if (!is_whole(value, r.low, r.high)) refuse(where, value, range_text("a whole number", r.low, r.high).c_str());
+	json_object_set_new(parent, key, json_integer((json_int_t)json_number_value(value)));
+}
+
+void checker::check_list(json_t *list, const rule &r, const std::string &where)
+{
 	size_t i;
 	json_t *item;
+	if (!json_is_array(list) || (r.required && json_array_size(list) == 0))
+		refuse(where, list, r.required ? "an array with something in it" : "an array");
+	json_array_foreach(list, i, item) {
+		std::string place = where + "/" + std::to_string(i);
+		if (!json_is_object(item)) refuse(place, item, "an object");
+		check_object(item, std::string(r.path) + "[]", place);
+	}
+}
+
+void checker::check_indices(json_t *list, const rule &r, const std::string &where) const
+{
+	size_t i;
+	json_t *item;
+	if (!json_is_array(list)) refuse(where, list, "an array");
+	json_array_foreach(list, i, item) {
+		json_array_set_new(list, i, json_integer(check_index(item, r, where + "/" + std::to_string(i))));
+	}
+}
+
+void checker::check_attributes(json_t *object, const rule &r, const std::string &where) const
+{
 	const char *name;
+	json_t *item;
 	void *next;
+	if (!json_is_object(object) || json_object_size(object) == 0) refuse(where, object, "an object with attributes");
+	json_object_foreach_safe(object, next, name, item) {
+		json_object_set_new(object, name, json_integer(check_index(item, r, where + "/" + name)));
+	}
+}
+
+void checker::check_extras(json_t *parent, const char *key, json_t *value, const rule &r, const std::string &where)
+{
+	if (json_is_object(value))
+		check_object(value, r.path, where);
+	else
+		json_object_del(parent, key);
+}
+
+/* Holds a value against its rule. A number that may be written in several ways is stored in one. */
+void checker::check_value(json_t *parent, const char *key, json_t *value, const rule &r, const std::string &where)
+{
 	switch (r.type) {
-	case EXTRAS:
-		if (json_is_object(value))
-			check_object(value, path, where);
-		else
-			json_object_del(parent, key);
-		break;
+	case EXTRAS: check_extras(parent, key, value, r, where); break;
 	case OBJECT:
 		if (!json_is_object(value)) refuse(where, value, "an object");
-		check_object(value, path, where);
+		check_object(value, r.of ? r.of : r.path, where);
 		break;
-	case LIST:
-		if (!json_is_array(value) || (r.required && json_array_size(value) == 0))
-			refuse(where, value, r.required ? "an array with something in it" : "an array");
-		json_array_foreach(value, i, item) {
-			if (!json_is_object(item)) refuse(where + "/" + std::to_string(i), item, "an object");
-			check_object(item, path + "[]", where + "/" + std::to_string(i));
-		}
-		break;
+	case LIST: check_list(value, r, where); break;
 	case TEXT: check_text(value, r, where); break;
 	case FLAG:
 		if (!json_is_boolean(value)) refuse(where, value, "true or false");
 		break;
-	case WHOLE:
-		if (!is_whole(value, r.low, r.high)) refuse(where, value, range_text("a whole number", r.low, r.high).c_str());
-		json_object_set_new(parent, key, json_integer((json_int_t)json_number_value(value)));
-		break;
+	case WHOLE: check_whole(parent, key, value, r, where); break;
 	case NUMBER:
 		if (!is_number(value, r.low, r.high)) refuse(where, value, range_text("a number", r.low, r.high).c_str());
 		break;
 	case NUMBERS: check_numbers(value, r, where); break;
 	case INDEX: json_object_set_new(parent, key, json_integer(check_index(value, r, where))); break;
-	case INDICES:
-		if (!json_is_array(value)) refuse(where, value, "an array");
-		json_array_foreach(value, i, item) {
-			json_array_set_new(value, i, json_integer(check_index(item, r, where + "/" + std::to_string(i))));
-		}
-		break;
-	case ATTRIBUTES:
-		if (!json_is_object(value) || json_object_size(value) == 0) refuse(where, value, "an object with attributes");
-		json_object_foreach_safe(value, next, name, item) {
-			json_object_set_new(value, name, json_integer(check_index(item, r, where + "/" + name)));
-		}
-		break;
+	case INDICES: check_indices(value, r, where); break;
+	case ATTRIBUTES: check_attributes(value, r, where); break;
 	case NOTED:
 		doc.notes.insert(r.of);
 		json_object_del(parent, key);
