@@ -1,35 +1,52 @@
 /* The built-in scenes by name: reading "atrium:triangles=1.05M", choosing the detail that gives the count, building.
  * The detail is found by bisection over the same code that builds, in counting mode; what is left goes to one part. */
+#include <stdio.h>
 #include "../core/core.h"
 #include "builtin.h"
 #include "sources.h"
 
-static const ts_builtin *const scenes[] = {&ts_builtin_atrium, &ts_builtin_gallery, &ts_builtin_dining};
-enum { N_SCENES = sizeof scenes / sizeof *scenes, LEAST = 10000, MOST = 3000000, USUAL = 300000 };
+enum { ATRIUM, GALLERY, DINING, N_SCENES };
+enum { LEAST = 10000, MOST = 3000000, USUAL = 300000 };
+
+static const ts_builtin_info table[N_SCENES] = {
+	[ATRIUM] = {"atrium", "a colonnaded court of two storeys with hanging cloth, plants and flags; open to the sky"},
+	[GALLERY] = {"gallery", "a hall of pictures under a skylight, cabinets behind doorways, benches, a bicycle"},
+	[DINING] = {"dining", "a dining room: laid table, chairs, blinds, shelves of books, fireplace, chandelier"},
+};
+
+static const ts_builtin *const scenes[N_SCENES] = {
+	[ATRIUM] = &ts_builtin_atrium,
+	[GALLERY] = &ts_builtin_gallery,
+	[DINING] = &ts_builtin_dining,
+};
 
 const ts_builtin_info *ts_builtin_table(size_t *n)
 {
-	static ts_builtin_info table[N_SCENES];
-	for (u32 i = 0; i < N_SCENES; i++)
-		table[i] = (ts_builtin_info){scenes[i]->name, scenes[i]->doc};
 	*n = N_SCENES;
 	return table;
+}
+
+void ts_builtin_names(char *text, size_t text_bytes)
+{
+	size_t used = 0;
+	for (u32 i = 0; i < N_SCENES && used < text_bytes; i++) {
+		const char *between = i == 0 ? "" : i + 1 < N_SCENES ? ", " : " and ";
+		used += (size_t)snprintf(text + used, text_bytes - used, "%s%s", between, table[i].name);
+	}
 }
 
 static const ts_builtin *find(const char *spec)
 {
 	size_t length = strcspn(spec, ":");
-	for (u32 i = 0; i < N_SCENES; i++) {
-		if (strlen(scenes[i]->name) == length && memcmp(scenes[i]->name, spec, length) == 0) return scenes[i];
-	}
+	for (u32 i = 0; i < N_SCENES; i++)
+		if (strlen(table[i].name) == length && memcmp(table[i].name, spec, length) == 0) return scenes[i];
 	return NULL;
 }
 
 bool ts_builtin_is(const char *spec) { return find(spec) != NULL; }
 
-/* Digits, perhaps with a fraction, and perhaps k or M: thousandths of thousandths,
-	without floats. False if it is none or
- * more than ten digits long. */
+/* Digits, perhaps with a fraction, and perhaps k or M; counted in integers. False if it is none or more than ten digits
+ * long. */
 static bool read_count(u64 *count, const char *text)
 {
 	u64 value = 0, scale = 1;
@@ -65,7 +82,8 @@ static bool read_spec(u32 *count, ts_build *build, const char *spec)
 		ts_build_fail(build, "%s: \"%s\" is no count; write digits, perhaps with k or M, as in triangles=1.05M", spec,
 					  options + sizeof key - 1);
 	} else if (wanted < LEAST || wanted > MOST) {
-		ts_build_fail(build, "%s: %llu triangles are out of range; 10000 to 3000000", spec, (unsigned long long)wanted);
+		ts_build_fail(build, "%s: %llu triangles are out of range; %d to %d", spec, (unsigned long long)wanted, LEAST,
+					  MOST);
 		return false;
 	}
 	return known && number;
@@ -107,4 +125,17 @@ void ts_builtin_make(ts_build *build, const char *spec, u32 seed)
 	scene->fill(&mesh, material, (u32)(count - mesh.n));
 	for (u32 i = 0; i < scene->n_lights; i++)
 		ts_build_light(build, &scene->lights[i]);
+}
+
+ts_status ts_builtin_open(ts_scene **scene, const char *spec, const ts_params *params, const char *camera)
+{
+	char names[128];
+	*scene = NULL;
+	ts_builtin_names(names, sizeof names);
+	if (!ts_builtin_is(spec)) return ts_fail("\"%s\" is no built-in scene; there are %s", spec, names);
+	ts_build *build = ts_build_new(spec);
+	if (build == NULL) return TS_ERROR;
+	ts_builtin_make(build, spec, params->seed);
+	ts_reflectors_add(build, params, camera);
+	return ts_build_finish(build, params, camera, scene);
 }

@@ -1,4 +1,5 @@
-/* The built-in scenes: each paints its materials, puts its shapes together, and fills up to an exact count. */
+/* What a built-in scene is made of: it paints its materials, puts its shapes together, and fills up to an exact count.
+ * builtin.c knows them by name. */
 #ifndef TS_SCENE_BUILTIN_H
 #define TS_SCENE_BUILTIN_H
 #include "builtin_mesh.h"
@@ -7,7 +8,6 @@
 enum { TS_MAX_PAINTS = 40 };
 
 typedef struct {
-	const char *name, *doc;
 	const ts_paint *paints; /* its materials, in order */
 	u32 n_paints;
 	/* material: indices of the paints in the build. The count must not fall when `detail` rises. */

@@ -530,8 +530,6 @@ static void fill_atrium(ts_mesh *mesh, const u32 *material, u32 n)
 }
 
 const ts_builtin ts_builtin_atrium = {
-	.name = "atrium",
-	.doc = "a colonnaded court of two storeys with hanging cloth, plants and flags; open to the sky",
 	.paints = paints,
 	.n_paints = N_PAINTS,
 	.shape = shape_atrium,

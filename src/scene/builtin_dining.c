@@ -422,8 +422,6 @@ static void fill_dining(ts_mesh *mesh, const u32 *material, u32 n)
 }
 
 const ts_builtin ts_builtin_dining = {
-	.name = "dining",
-	.doc = "a dining room: laid table, chairs, blinds, shelves of books, fireplace, chandelier",
 	.paints = paints,
 	.n_paints = D_N_PAINTS,
 	.shape = shape_dining,

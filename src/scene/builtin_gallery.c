@@ -394,8 +394,6 @@ static void fill_gallery(ts_mesh *mesh, const u32 *material, u32 n)
 }
 
 const ts_builtin ts_builtin_gallery = {
-	.name = "gallery",
-	.doc = "a hall of pictures under a skylight, cabinets behind doorways, benches, a bicycle",
 	.paints = paints,
 	.n_paints = N_PAINTS,
 	.shape = shape_gallery,

@@ -18,9 +18,11 @@ static bool has_suffix(const char *text, const char *suffix)
 static ts_status file_check(const char *path)
 {
 	struct stat info;
+	char names[128];
 	bool is_gltf = has_suffix(path, ".gltf") || has_suffix(path, ".glb");
+	ts_builtin_names(names, sizeof names);
 	if (!is_gltf && !strchr(path, '/') && stat(path, &info) != 0)
-		return ts_fail("%s: no such scene; built in are atrium, gallery and dining, files end in .gltf or .glb", path);
+		return ts_fail("%s: no such scene; built in are %s, files end in .gltf or .glb", path, names);
 	if (stat(path, &info) != 0)
 		return ts_fail("%s: %s; a .gltf or .glb file or a built-in scene is needed", path, strerror(errno));
 	if (S_ISDIR(info.st_mode)) return ts_fail("%s: is a directory; name the .gltf or .glb file inside it", path);
@@ -37,13 +39,11 @@ ts_status ts_scene_open(ts_scene **scene, const char *spec, const ts_params *par
 	*scene = NULL;
 	if (builtin && reflector)
 		return ts_fail("%s: reflector %s: built-in scenes have no named nodes; use a file", spec, reflector);
-	if (!builtin && file_check(spec) != TS_OK) return TS_ERROR;
+	if (builtin) return ts_builtin_open(scene, spec, params, camera);
+	if (file_check(spec) != TS_OK) return TS_ERROR;
 	ts_build *build = ts_build_new(spec);
 	if (!build) return TS_ERROR;
-	if (builtin)
-		ts_builtin_make(build, spec, params->seed);
-	else
-		ts_gltf_load(build, spec, reflector);
+	ts_gltf_load(build, spec, reflector);
 	ts_reflectors_add(build, params, camera);
 	return ts_build_finish(build, params, camera, scene);
 }

@@ -10,9 +10,15 @@ extern "C" {
  * extras become objects of their own, static, marked as reflectors. */
 void ts_gltf_load(ts_build *build, const char *path, const char *reflector);
 
-/* builtin.c: atrium, gallery, dining. */
+/* builtin.c: whether spec is NAME or NAME:OPTIONS, NAME being one of ts_builtin_table. */
 bool ts_builtin_is(const char *spec);
+/* The names as words, "a, b and c", for a message. Cut to text_bytes. */
+void ts_builtin_names(char *text, size_t text_bytes);
+/* Fills a build with the scene that spec, for which ts_builtin_is is true, names. */
 void ts_builtin_make(ts_build *build, const char *spec, u32 seed);
+/* All of opening a built-in scene, with the reflectors that params ask for; needs neither glTF nor JSON. camera may be
+ * NULL. *scene by ts_scene_free; NULL on failure, also where spec is no built-in scene. */
+ts_status ts_builtin_open(ts_scene **scene, const char *spec, const ts_params *params, const char *camera);
 
 /* reflectors.c: as many reflectors as the parameters say, on periodic paths (SPEC 0.3.8). */
 void ts_reflectors_add(ts_build *build, const ts_params *params, const char *camera);

@@ -49,6 +49,27 @@ static void test_table(void **state)
 	assert_false(ts_builtin_is("./atrium"));
 }
 
+static void test_names(void **state)
+{
+	(void)state;
+	char text[64] = "";
+	ts_builtin_names(text, sizeof text);
+	assert_string_equal(text, "atrium, gallery and dining");
+	ts_builtin_names(text, 10);
+	assert_string_equal(text, "atrium, g");
+}
+
+static void test_unknown(void **state)
+{
+	(void)state;
+	ts_params params;
+	ts_params_default(&params);
+	ts_scene *scene = (ts_scene *)&params;
+	assert_int_equal(ts_builtin_open(&scene, "atriums", &params, NULL), TS_ERROR);
+	assert_null(scene);
+	assert_string_equal(ts_error_message(), "\"atriums\" is no built-in scene; there are atrium, gallery and dining");
+}
+
 static void test_counts(void **state)
 {
 	(void)state;
@@ -280,6 +301,8 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_table),
+		cmocka_unit_test(test_names),
+		cmocka_unit_test(test_unknown),
 		cmocka_unit_test(test_counts),
 		cmocka_unit_test(test_refused),
 		cmocka_unit_test(test_same_on_any_threads),
