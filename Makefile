@@ -81,7 +81,7 @@ LIB_CC := $(wildcard src/*/*.cc)
 CLI_C := $(filter-out src/cli/core_main.c,$(wildcard src/cli/*.c))
 CORE_C := $(wildcard src/core/*.c src/backends/c/*.c src/stages/*.c src/pipelines/*.c) \
 	$(filter-out src/scene/open.c src/scene/print% src/scene/gltf%,$(wildcard src/scene/*.c)) \
-	$(wildcard $(patsubst %,src/cli/%.c,core_main command digest help methods nearest options))
+	$(wildcard $(patsubst %,src/cli/%.c,core_main backends command digest help methods nearest options))
 TEST_C := $(filter-out tests/fuzz/%,$(wildcard tests/*/*.c))
 
 object = $(patsubst %,$(BUILD)/obj/%.o,$(1))
@@ -154,7 +154,7 @@ test: deps
 	$(Q)$(MAKE) --no-print-directory all tests
 	$(Q)CC='$(CC)' CXX='$(CXX)' BUILD='$(BUILD)' scripts/run-tests $(T)
 
-tests: $(TESTS)
+tests: $(TESTS) $(BUILD)/touchstone-core
 
 $(BUILD)/tests/%: $(BUILD)/obj/tests/%.c.o $(BUILD)/libtouchstone.a
 	$(call say,LINK,$@)

@@ -5,6 +5,7 @@
 #include <touchstone/scene.h>
 #include "../core/core.h"
 #include "../kernels/compat.h"
+#include "backends.h"
 
 #define TS_VERSION "0.1.0"
 
@@ -28,7 +29,8 @@ enum {
 	TS_OPT_SCENE = 1 << 15,
 	TS_OPT_OBJECTS = 1 << 16,
 	TS_OPT_RUNS = 1 << 17,
-	TS_OPT_HELP = 1 << 18
+	TS_OPT_BACKEND = 1 << 18,
+	TS_OPT_HELP = 1 << 19
 };
 
 /* Truths, as bits. */
@@ -43,6 +45,7 @@ typedef struct {
 	u32 n_arguments;
 	ts_params params;
 	ts_scene_options scene;
+	const ts_backend *backend;
 	const char *method, *scenes, *objects, *output;
 	u32 truths;                     /* TS_TRUTH_* */
 	u32 threads, runs;
@@ -62,6 +65,7 @@ typedef struct {
 	u32 bit;
 	const char *name, *argument;    /* argument: "" none, "[...]" optional */
 	const char *help;
+	const char *list;               /* `list` tells more of its values; "" no */
 } ts_option;
 
 /* Each program's own table, ended by a row without a name. */
@@ -72,6 +76,10 @@ extern const char *const ts_program;
 /* All options, ended by a row without a name. */
 extern const ts_option ts_option_table[];
 
+/* The command of that name; NULL if this program has none. */
+const ts_command *ts_cli_find(const char *name);
+/* The same; NULL with the message set. */
+const ts_command *ts_cli_require(const char *name);
 /* Runs what argv asks for and returns the exit code; a failure is printed as one line on standard error. */
 int ts_cli_main(int argc, char **argv);
 

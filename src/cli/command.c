@@ -4,15 +4,23 @@
 #include <string.h>
 #include "cli.h"
 
-static const ts_command *command_find(const char *name)
+const ts_command *ts_cli_find(const char *name)
 {
 	for (const ts_command *c = ts_command_table; c->name != NULL; c++) {
 		if (strcmp(c->name, name) == 0) return c;
 	}
+	return NULL;
+}
+
+const ts_command *ts_cli_require(const char *name)
+{
+	const ts_command *found = ts_cli_find(name);
 	ts_nearest nearest = ts_nearest_begin(name);
 	for (const ts_command *c = ts_command_table; c->name != NULL; c++) ts_nearest_offer(&nearest, c->name);
-	ts_fail("no command \"%s\"; the nearest is %s, and \"%s help\" lists all", name, nearest.best, ts_program);
-	return NULL;
+	if (found == NULL) {
+		ts_fail("no command \"%s\"; the nearest is %s, and \"%s help\" lists all", name, nearest.best, ts_program);
+	}
+	return found;
 }
 
 static ts_status run(int argc, char **argv)
@@ -26,7 +34,7 @@ static ts_status run(int argc, char **argv)
 		ts_help_print(NULL);
 		return TS_OK;
 	}
-	const ts_command *command = command_find(argv[1]);
+	const ts_command *command = ts_cli_require(argv[1]);
 	if (command == NULL) return TS_ERROR;
 	ts_cli cli;
 	ts_status status = ts_cli_parse(&cli, command, argc - 1, argv + 1);

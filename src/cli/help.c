@@ -10,8 +10,9 @@ static void print_option(const ts_option *option)
 	snprintf(left, sizeof left, "--%s%s%s", option->name, space, option->argument);
 	for (const char *line = option->help; line != NULL;) {
 		const char *end = strchr(line, '\n');
-		printf("  %-22s %.*s\n", line == option->help ? left : "", (int)(end != NULL ? end - line : (long)strlen(line)),
-		       line);
+		printf("  %-22s %.*s", line == option->help ? left : "", (int)strcspn(line, "\n"), line);
+		if (end == NULL && option->list[0] != 0 && ts_cli_find("list") != NULL) printf("; see: list %s", option->list);
+		putchar('\n');
 		line = end != NULL ? end + 1 : NULL;
 	}
 }
@@ -44,17 +45,8 @@ void ts_help_print(const ts_command *command)
 
 ts_status ts_help_command(ts_cli *cli)
 {
-	if (cli->n_arguments == 0) {
-		ts_help_print(NULL);
-		return TS_OK;
-	}
-	ts_nearest nearest = ts_nearest_begin(cli->arguments[0]);
-	for (const ts_command *c = ts_command_table; c->name != NULL; c++) {
-		if (strcmp(c->name, cli->arguments[0]) == 0) {
-			ts_help_print(c);
-			return TS_OK;
-		}
-		ts_nearest_offer(&nearest, c->name);
-	}
-	return ts_fail("help: no command \"%s\"; the nearest is %s", cli->arguments[0], nearest.best);
+	const ts_command *command = cli->n_arguments > 0 ? ts_cli_require(cli->arguments[0]) : NULL;
+	if (cli->n_arguments > 0 && command == NULL) return TS_ERROR;
+	ts_help_print(command);
+	return TS_OK;
 }

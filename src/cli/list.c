@@ -14,6 +14,8 @@ static const ts_column param_columns[] = { { "name", "parameter", false }, { "de
 	{ "range", "range", false }, { "unit", "unit", false }, { "source", "source", false }, { "doc", "what", false }, { 0 } };
 static const ts_column method_columns[] = { { "name", "method", false }, { "effect", "effect", false },
 	{ "paper", "paper", false }, { "doc", "what", false }, { 0 } };
+static const ts_column backend_columns[] = { { "name", "backend", false }, { "kinds", "kinds", false },
+	{ "doc", "what", false }, { 0 } };
 static const ts_column plain_columns[] = { { "name", "name", false }, { "doc", "what", false }, { 0 } };
 
 static void cell_buffers(ts_table *table, const ts_buffer_id *ids, u32 n)
@@ -101,9 +103,12 @@ static ts_table list_scenes(void)
 
 static ts_table list_backends(void)
 {
-	ts_table table = ts_table_begin("backends", "", plain_columns);
-	ts_table_text(&table, "c");
-	ts_table_text(&table, "the reference: C11, threaded");
+	ts_table table = ts_table_begin("backends", "", backend_columns);
+	for (const ts_backend *b = ts_backend_table; b->name != NULL; b++) {
+		ts_table_text(&table, b->name);
+		ts_table_text(&table, b->kinds);
+		ts_table_text(&table, b->doc);
+	}
 	return table;
 }
 

@@ -14,8 +14,8 @@ const ts_command ts_command_table[] = {
 	  "SCENE: atrium (the default), gallery or dining, each also with \":triangles=COUNT\"; or a .gltf or .glb file.\n"
 	  "Writes METHOD.png and .exr, truth-a.png ..., differences, pictures of the stages and report.json to DIR, and\n"
 	  "prints times, counters, memory and metrics.",
-	  1, 2, TS_OPT_METHOD | TS_OPT_TRUTH | WHERE | HOW | TS_OPT_OUTPUT | TS_OPT_FORCE | TS_OPT_NO_IMAGES | TS_OPT_JSON,
-	  ts_render_command },
+	  1, 2, TS_OPT_METHOD | TS_OPT_TRUTH | WHERE | HOW | TS_OPT_BACKEND | TS_OPT_OUTPUT | TS_OPT_FORCE |
+	  TS_OPT_NO_IMAGES | TS_OPT_JSON, ts_render_command },
 	{ "info", "SCENE", "what was loaded, and what in the file was not understood", "",
 	  1, 1, WHERE | TS_OPT_JSON, ts_info_command },
 	{ "list", "WHAT", "tables: stages, buffers, params, methods, scenes or backends", "",

@@ -8,27 +8,29 @@
 #include "cli.h"
 
 const ts_option ts_option_table[] = {
-	{ TS_OPT_METHOD, "method", "NAME,...", "methods to run, or \"all\" (the default); see: list methods" },
+	{ TS_OPT_METHOD, "method", "NAME,...", "methods to run, or \"all\" (the default)", "methods" },
 	{ TS_OPT_TRUTH, "truth", "[=A,B,C]", "ground truth to compare with: A rays from the cube's centre, B true reflections,\n"
-	  "C MVR at 4 times the resolution; without letters all three; \"none\"" },
-	{ TS_OPT_SIZE, "size", "WxH", "size of the eye image in pixels" },
-	{ TS_OPT_FRAME, "frame", "K", "frame of the animation" },
-	{ TS_OPT_REFLECTORS, "reflectors", "N", "mirrors that are added to the scene" },
-	{ TS_OPT_REFLECTOR, "reflector", "NAME", "node of the file to make a mirror of" },
-	{ TS_OPT_CAMERA, "camera", "NAME", "camera of the file; without it the eye circles the scene" },
-	{ TS_OPT_SCENE, "scene", "SPEC,...", "scenes to measure, instead of atrium,gallery,dining" },
-	{ TS_OPT_OBJECTS, "objects", "N,...", "numbers of mirrors to measure, instead of 1,10,20,50" },
-	{ TS_OPT_RUNS, "runs", "N", "runs of which the median is taken (3)" },
-	{ TS_OPT_SET, "set", "NAME=VALUE", "any parameter, repeatable; see: list params" },
-	{ TS_OPT_THREADS, "threads", "N", "threads, by default one a core; never changes a result" },
-	{ TS_OPT_REFERENCE, "reference", "", "turn all fast paths off" },
-	{ TS_OPT_OUTPUT, "output", "DIR", "folder of the pictures (out); written whole or not at all. Short: -o DIR" },
-	{ TS_OPT_FORCE, "force", "", "replace DIR if it holds an earlier render" },
-	{ TS_OPT_NO_IMAGES, "no-images", "", "write no files" },
-	{ TS_OPT_JSON, "json", "", "print one JSON object and nothing else" },
-	{ TS_OPT_FLUSH_DENORMALS, "flush-denormals", "", "let the processor flush denormals, which must not change a digest" },
-	{ TS_OPT_HELP, "help", "", "this text. Short: -h" },
-	{ 0, NULL, NULL, NULL }
+	  "C MVR at 4 times the resolution; without letters all three; \"none\"", "" },
+	{ TS_OPT_SIZE, "size", "WxH", "size of the eye image in pixels", "" },
+	{ TS_OPT_FRAME, "frame", "K", "frame of the animation", "" },
+	{ TS_OPT_REFLECTORS, "reflectors", "N", "mirrors that are added to the scene", "" },
+	{ TS_OPT_REFLECTOR, "reflector", "NAME", "node of the file to make a mirror of", "" },
+	{ TS_OPT_CAMERA, "camera", "NAME", "camera of the file; without it the eye circles the scene", "" },
+	{ TS_OPT_SCENE, "scene", "SPEC,...", "scenes to measure, instead of atrium,gallery,dining", "" },
+	{ TS_OPT_OBJECTS, "objects", "N,...", "numbers of mirrors to measure, instead of 1,10,20,50", "" },
+	{ TS_OPT_RUNS, "runs", "N", "runs of which the median is taken (3)", "" },
+	{ TS_OPT_SET, "set", "NAME=VALUE", "any parameter, repeatable", "params" },
+	{ TS_OPT_THREADS, "threads", "N", "threads, by default one a core; never changes a result", "" },
+	{ TS_OPT_BACKEND, "backend", "NAME", "what runs the kernels (c); never changes a result", "backends" },
+	{ TS_OPT_REFERENCE, "reference", "", "turn all fast paths off", "" },
+	{ TS_OPT_OUTPUT, "output", "DIR", "folder of the pictures (out); written whole or not at all. Short: -o DIR", "" },
+	{ TS_OPT_FORCE, "force", "", "replace DIR if it holds an earlier render", "" },
+	{ TS_OPT_NO_IMAGES, "no-images", "", "write no files", "" },
+	{ TS_OPT_JSON, "json", "", "print one JSON object and nothing else", "" },
+	{ TS_OPT_FLUSH_DENORMALS, "flush-denormals", "", "let the processor flush denormals, which must not change a digest",
+	  "" },
+	{ TS_OPT_HELP, "help", "", "this text. Short: -h", "" },
+	{ 0 }
 };
 
 /* LONG: what getopt_long answers for the first long option, above every letter. */
@@ -69,8 +71,8 @@ static ts_status set_param(ts_cli *cli, const char *assignment)
 	ts_nearest nearest = ts_nearest_begin(name);
 	for (size_t i = 0; i < n; i++) ts_nearest_offer(&nearest, params[i].name);
 	if (nearest.distance != 0) {
-		return ts_fail("--set %s: no such parameter; the nearest is %s, and \"touchstone list params\" lists all", name,
-		               nearest.best);
+		return ts_fail("--set %s: no such parameter; the nearest is %s%s", name, nearest.best,
+		               ts_cli_find("list") != NULL ? ", and \"touchstone list params\" lists all" : "");
 	}
 	return ts_params_set(&cli->params, name, equals + 1);
 }
@@ -119,6 +121,7 @@ static ts_status take(ts_cli *cli, u32 bit, const char *text)
 	case TS_OPT_SCENE: cli->scenes = text; break;
 	case TS_OPT_OBJECTS: cli->objects = text; break;
 	case TS_OPT_OUTPUT: cli->output = text; break;
+	case TS_OPT_BACKEND: return ts_backend_find(&cli->backend, text);
 	case TS_OPT_SET: return set_param(cli, text);
 	case TS_OPT_THREADS: return ts_cli_count(&cli->threads, text, 1, MAX_THREADS, "--threads");
 	case TS_OPT_RUNS: return ts_cli_count(&cli->runs, text, 1, MAX_RUNS, "--runs");
@@ -192,6 +195,7 @@ ts_status ts_cli_parse(ts_cli *cli, const ts_command *command, int argc, char **
 	struct option list[MAX_OPTIONS + 1];
 	memset(cli, 0, sizeof *cli);
 	ts_params_default(&cli->params);
+	cli->backend = &ts_backend_table[0];
 	cli->threads = (u32)omp_get_num_procs();
 	cli->runs = 3;
 	long_options(list, command);

@@ -50,7 +50,7 @@ run "${small[@]}" --method epr -o work/photos --force
 [ "$status" -eq 2 ] && grep -q 'no render wrote' stderr && [ -s work/photos/mine.png ] && [ -s work/photos/report.json ]
 verdict $? '--force keeps a folder whose report.json is not of a render'
 
-run "${small[@]}" --json --no-images --truth=A
+run "${small[@]}" --json --no-images --truth=A --backend c
 python3 - stdout <<'PY'
 import json, sys
 report = json.load(open(sys.argv[1]))

@@ -11,7 +11,8 @@ prints '^points.record .*ts_point' list buffers
 prints '^rho_scale .*0.5' list params
 prints '^epr .*reflections' list methods
 prints '^atrium ' list scenes
-prints '^c ' list backends
+prints '^c  *map emit scatter  *the reference' list backends
+prints 'see: list backends' help render
 prints 'triangles' info atrium:triangles=10000 --reflectors 1
 
 for what in stages buffers params methods scenes backends; do

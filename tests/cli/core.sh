@@ -1,0 +1,19 @@
+#!/bin/bash
+# The small command of the matrix: it tells of nothing that it lacks, and digests as the large one does.
+. "$(dirname "$0")/tap.bash"
+large=$touchstone
+touchstone=$large-core
+
+for command in help 'help digest' 'digest --help'; do
+	run $command
+	[ "$status" -eq 0 ] && ! grep -qE '\b(list|render|info|bench)\b' "$scratch/stdout"
+	verdict $? "names no command that is not there: $command"
+done
+refuses 'the nearest is width$' digest --set widht=640
+
+small=(digest atrium:triangles=10000 --size 96x54 --reflectors 2 --set reflector_px=30 --set face_max=64)
+run "${small[@]}"
+"$large" "${small[@]}" | cmp -s - "$scratch/stdout"
+verdict $? 'the same digests'
+
+finish
