@@ -63,7 +63,7 @@ static ts_status digest_method(const ts_cli *cli, const ts_scene *scene, const t
 	run.hook = add_stage;
 	run.hook_user = &digests;
 	ts_status status = ts_frame_digest_add(&digests, &run.frame, scene_buffers, TS_N_BUFFERS);
-	if (status == TS_OK) status = method->run(&run);
+	if (status == TS_OK) status = ts_pipeline_run(method, &run);
 	if (status == TS_OK) ts_frame_digest_print(&digests, stdout);
 	ts_frame_digest_clear(&digests);
 	ts_run_end(&run);

@@ -59,16 +59,26 @@ static void keep(ts_measure *m, const ts_run *run)
 	m->peak_bytes = run->frame.peak_bytes;
 }
 
+/* What truths A and B, and the mask of reflective pixels, are made of after the run. */
+static void keep_for_truths(ts_run *run)
+{
+	static const ts_buffer_id ids[] = { TS_B_eye_view, TS_B_pose_vertex, TS_B_resize_face, TS_B_eye_depth_triangle,
+		TS_B_pixel_offset, TS_B_pixel_record, TS_B_shade_radiance };
+	run->lean = true;
+	for (u32 i = 0; i < sizeof ids / sizeof ids[0]; i++) run->keep[ids[i]] = true;
+}
+
 ts_status ts_measure_run(ts_measure *measure, const ts_pipeline *method, const ts_scene *scene, const ts_params *params,
                          u32 threads, bool reference, ts_measure_after after, void *user)
 {
 	*measure = (ts_measure){ .method = method, .pictures = measure->pictures };
 	ts_run run;
 	ts_run_begin(&run, scene, params, threads);
+	keep_for_truths(&run);
 	run.reference = reference;
 	run.hook = after_stage;
 	run.hook_user = measure;
-	ts_status status = method->run(&run);
+	ts_status status = ts_pipeline_run(method, &run);
 	keep(measure, &run);
 	for (u32 i = 0; i < measure->n_timings; i++) measure->seconds += measure->timings[i].seconds;
 	run.hook = NULL;
@@ -163,13 +173,13 @@ ts_status ts_measure_estimate(u64 *bytes, const ts_pipeline *const *methods, u32
 	const ts_pipeline *mvr = ts_pipeline_find("reflections", "mvr");
 	ts_params big = *params;
 	*bytes = 0;
-	for (u32 i = 0; i < n_methods; i++) *bytes = larger(*bytes, methods[i]->estimate(scene, params));
+	for (u32 i = 0; i < n_methods; i++) *bytes = larger(*bytes, ts_pipeline_estimate(methods[i], scene, params, true));
 	if ((truths & TS_TRUTH_C) != 0 && mvr != NULL) {
 		big.width *= TRUTH_C_FACTOR;
 		big.height *= TRUTH_C_FACTOR;
 		big.face_max *= TRUTH_C_FACTOR;
 		big.face_px *= TRUTH_C_FACTOR;
-		*bytes = larger(*bytes, mvr->estimate(scene, &big));
+		*bytes = larger(*bytes, ts_pipeline_estimate(mvr, scene, &big, true));
 	}
 	u64 limit = ts_memory_limit();
 	if (*bytes > limit) {

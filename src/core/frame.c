@@ -3,6 +3,7 @@
 #include <assert.h>
 #include <pthread.h>
 #include <stdlib.h>
+#include "shape.h"
 
 #define BUFFER(id, name, element, shape, order, key, doc) {name, #element, sizeof(element), shape, #order, key, doc},
 const ts_buffer_info ts_buffer_table[TS_N_BUFFERS] = {
@@ -42,24 +43,13 @@ const ts_field_info *ts_field_table(size_t *n)
 	return fields;
 }
 
-/* Product of the shape; false if it overflows. */
-static bool count_elements(u64 *n, u32 n_dims, const u64 *shape)
-{
-	*n = 1;
-	for (u32 i = 0; i < n_dims; i++) {
-		if (shape[i] != 0 && *n > UINT64_MAX / shape[i]) return false;
-		*n *= shape[i];
-	}
-	return true;
-}
-
 void *ts_frame_make(ts_frame *frame, ts_buffer_id id, u32 n_dims, const u64 *shape)
 {
 	assert(id < TS_N_BUFFERS && n_dims >= 1 && n_dims <= 4);
 	ts_frame_drop(frame, id);
 	const ts_buffer_info *info = &ts_buffer_table[id];
 	u64 n;
-	if (!count_elements(&n, n_dims, shape) || n > SIZE_MAX) {
+	if (!ts_shape_count(&n, n_dims, shape) || n > SIZE_MAX) {
 		ts_fail("%s: its shape has more elements than a process can address", info->name);
 		return NULL;
 	}

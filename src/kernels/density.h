@@ -11,6 +11,7 @@ typedef struct {
 	TS_GLOBAL const ts_face *cubes;
 	TS_GLOBAL const ts_view *view;
 	TS_GLOBAL const u64 *bits;    /* visibility.bits */
+	TS_GLOBAL f32 *whole;         /* split.scale */
 	TS_GLOBAL u32 *offset;        /* pieces before each triangle: counts, then their prefix sums */
 	TS_GLOBAL ts_piece *pieces;   /* split.triangle */
 	TS_GLOBAL f32 *scale;         /* density.scale */
@@ -128,7 +129,8 @@ TS_FN f32 ts_k_density_limit(const ts_density_args *args, f32 s, f32 area, f32 e
 	return most;
 }
 
-/* Walks the bisections of a triangle, children in order; writes the pieces if asked to. Returns their number. */
+/* Walks the bisections of a triangle whose own density is known, children in order; writes the pieces if asked to.
+ * Returns their number. */
 TS_FN u32 ts_k_split(const ts_density_args *args, u32 triangle, bool write)
 {
 	TS_GLOBAL const u64 *words = args->bits + (u64)triangle * args->n_words;
@@ -142,7 +144,8 @@ TS_FN u32 ts_k_split(const ts_density_args *args, u32 triangle, bool write)
 	stack[0].path = 1u;
 	while (n != 0u) {
 		ts_part part = stack[--n];
-		f32 s = ts_k_density(args, words, part.v[0], part.v[1], part.v[2]);
+		f32 s = part.path == 1u ? args->whole[triangle]
+		                        : ts_k_density(args, words, part.v[0], part.v[1], part.v[2]);
 		f32 length;
 		u32 edge = ts_k_longest_edge(part.v[0], part.v[1], part.v[2], &length);
 		f32 area = ts_k_area(part.v[0], part.v[1], part.v[2]);
@@ -161,12 +164,12 @@ TS_FN u32 ts_k_split(const ts_density_args *args, u32 triangle, bool write)
 	return count;
 }
 
-/* map over triangles: how many pieces; none where nobody sees it */
+/* map over triangles: density and number of pieces; none where nobody sees it */
 TS_FN void ts_k_split_count_item(const ts_density_args *args, u64 i)
 {
-	u64 any = 0u;
-	for (u32 w = 0u; w < args->n_words; w++) any |= args->bits[i * args->n_words + w];
-	args->offset[i] = any != 0u ? ts_k_split(args, (u32)i, false) : 0u;
+	ts_corners t = ts_k_corners(&args->scene, (u32)i);
+	args->whole[i] = ts_put(ts_k_density(args, args->bits + i * args->n_words, t.a, t.b, t.c));
+	args->offset[i] = args->whole[i] > 0.0f ? ts_k_split(args, (u32)i, false) : 0u;
 }
 
 /* emit over triangles */

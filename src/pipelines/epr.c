@@ -17,51 +17,47 @@
  * - an edge of more than 2^14 samples is bisected and limited too, so that lattices stay within 2^15 (split=off);
  * - plane depth stays within a tile of the point's own distance (planedepth=off);
  * - one bounce by default, so that MVR and truth C show the same thing (bounces=2). */
+#include "../stages/stages.h"
 #include "pipelines.h"
 
-#include "../stages/stages.h"
-
-static const char *const points[] = {
-	"view",       /* where the eye is */
-	"pose",       /* where everything else is */
-	"resize",     /* 3.5: cubes as large as their reflectors in the eye */
-	"eye",        /* the eye's G-buffer */
-	"pixel",      /* 4.1.3: reflective pixels and their normal gradients */
-	"visibility", /* 3.1: which faces may see a triangle */
-	"split",      /* 4.1.1: eye-resolution density */
-	"cull",       /* 3.2: stochastic culling */
-	"align",      /* 3.2: T_epr */
-	"count",      /* 3.3: conservative rasterization in the triangle's plane */
-	"points",     /* 3.4: the point buffers */
-	"splat",      /* 3.5: indexed G-buffer cubes */
-	"lookup",     /* 4.1.3: 25 samples a reflective pixel */
-	NULL,
+const ts_step ts_epr_steps[] = {
+	{.stage = "view"},       /* where the eye is */
+	{.stage = "pose"},       /* where everything else is */
+	{.stage = "resize"},     /* 3.5: cubes as large as their reflectors in the eye */
+	{.stage = "eye"},        /* the eye's G-buffer */
+	{.stage = "pixel"},      /* 4.1.3: reflective pixels and their normal gradients */
+	{.stage = "visibility"}, /* 3.1: which faces may see a triangle */
+	{.stage = "split"},      /* 4.1.1: eye-resolution density */
+	{.stage = "cull"},       /* 3.2: stochastic culling */
+	{.stage = "align"},      /* 3.2: T_epr */
+	{.stage = "count"},      /* 3.3: conservative rasterization in the triangle's plane */
+	{.stage = "points"},     /* 3.4: the point buffers */
+	{.stage = "splat"},      /* 3.5: indexed G-buffer cubes */
+	{.stage = "lookup"},     /* 4.1.3: 25 samples a reflective pixel */
+	{.stage = "lookup2", .least_bounces = 2}, /* 4.1.4: points on mirrors look up again */
+	{.stage = "lookup3", .least_bounces = 3},
+	{.stage = "shade3", .least_bounces = 3},  /* 4.1.2: only what was looked up is shaded */
+	{.stage = "shade2", .least_bounces = 2},
+	{.stage = "shade"},
+	{.stage = "image"},
+	{0},
 };
-static const char *const second_bounce[] = {"lookup2", NULL};
-static const char *const third_bounce[] = {"lookup3", "shade3", NULL};
-static const char *const shade_second[] = {"shade2", NULL};
-static const char *const picture[] = {"shade", "image", NULL};
 
-ts_status ts_epr_run(ts_run *run)
-{
-	u32 bounces = run->params.bounces;
-	if (ts_run_stages(run, points) != TS_OK) return TS_ERROR;
-	if (bounces > 1 && ts_run_stages(run, second_bounce) != TS_OK) return TS_ERROR;
-	if (bounces > 2 && ts_run_stages(run, third_bounce) != TS_OK) return TS_ERROR;
-	if (bounces > 1 && ts_run_stages(run, shade_second) != TS_OK) return TS_ERROR;
-	return ts_run_stages(run, picture);
-}
-
-/* Points: two for each small triangle, and what the mirrors' pixels can tell apart of the large ones. */
-u64 ts_epr_estimate(const ts_scene *scene, const ts_params *params)
+/* Points: two for each small triangle, and as many as the cubes' texels can hold or the eye's pixels tell apart. */
+void ts_epr_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params)
 {
 	u64 triangles = scene->n_triangles;
-	u64 words = ((u64)scene->n_reflectors * 6 + 63) / 64;
 	u64 pixels = (u64)params->width * params->height;
-	u64 face = params->face_px != 0 ? params->face_px : ts_largest_face(params);
-	u64 n_points = 2 * triangles + (u64)((double)params->rho_scale * params->rho_scale * 8.0 * (double)pixels);
-	u64 pieces = triangles + triangles / 4;
-	return ts_common_estimate(scene, params) + triangles * (words * sizeof(u64) + sizeof(u32)) +
-	       pieces * (sizeof(ts_piece) + sizeof(ts_align) + 3 * sizeof(u32)) + n_points * (sizeof(ts_point) + sizeof(u64)) +
-	       6 * face * face * scene->n_reflectors * sizeof(u64) + pixels / 4 * TS_N_SAMPLES * sizeof(u32);
+	u64 largest = ts_largest_face(params);
+	u64 side = (u64)(2 * params->reflector_px);
+	u64 face = params->face_px != 0 ? params->face_px : params->reflectors == 0 || side > largest ? largest : side;
+	u64 texels = 6 * face * face * scene->n_reflectors;
+	double wanted = 8.0 * (double)params->rho_scale * (double)params->rho_scale * (double)pixels;
+	u64 points = params->cap && wanted > 4.0 * (double)texels ? 4 * texels : (u64)wanted;
+	u64 entries = ts_expected_pixels(scene, params);
+	ts_sizes_set(sizes, "Q", triangles + triangles / 16);
+	ts_sizes_set(sizes, "N", 2 * triangles + points);
+	ts_sizes_set(sizes, "C", texels);
+	ts_sizes_set(sizes, "P2", entries * TS_N_SAMPLES / 8);
+	ts_sizes_set(sizes, "P3", entries * TS_N_SAMPLES / 16);
 }

@@ -1,20 +1,37 @@
-/* A pipeline: a method of a paper applied to an effect. */
+/* A pipeline: a method of a paper applied to an effect, an ordered list of stages. */
 #ifndef TS_PIPELINES_PIPELINE_H
 #define TS_PIPELINES_PIPELINE_H
+#include "../core/shape.h"
 #include "../stages/stage.h"
+
+typedef struct {
+	const char *stage;
+	u32 least_bounces;   /* runs only if so many bounces are followed */
+	bool each_reflector; /* neighbours with this mark run for one reflector after the other */
+} ts_step;
 
 typedef struct {
 	const char *name;    /* as in --method */
 	const char *effect;  /* as in render EFFECT */
 	const char *paper;
 	const char *doc;
-	ts_status (*run)(ts_run *run);
-	/* Estimated peak of the frame's buffers in bytes, before running. */
-	u64 (*estimate)(const ts_scene *scene, const ts_params *params);
+	const ts_step *steps;            /* ended by a step without a stage */
+	void (*prepare)(ts_run *run);    /* settings that only this method has; may be NULL */
+	/* What the counts of points, pixels and texels (Q N C P P2 P3 of records.def) are expected to be, before running. */
+	void (*expect)(ts_sizes *sizes, const ts_scene *scene, const ts_params *params);
 } ts_pipeline;
 
 /* All pipelines, ended by a row without a name. */
 extern const ts_pipeline ts_pipeline_table[];
 const ts_pipeline *ts_pipeline_find(const char *effect, const char *name);
+
+/* Runs every step. A buffer lives until its last reader if run->lean is set, else to the end. */
+ts_status ts_pipeline_run(const ts_pipeline *pipeline, ts_run *run);
+
+/* True if the step is taken with these parameters. */
+bool ts_pipeline_takes(const ts_step *step, const ts_params *params);
+
+/* Estimated peak of the frame's buffers in bytes, before running; `lean` as in ts_run. */
+u64 ts_pipeline_estimate(const ts_pipeline *pipeline, const ts_scene *scene, const ts_params *params, bool lean);
 
 #endif

@@ -1,16 +1,13 @@
-/* The pipelines, and what they share. */
+/* The pipelines, a file each. */
 #ifndef TS_PIPELINES_PIPELINES_H
 #define TS_PIPELINES_PIPELINES_H
 #include "pipeline.h"
 
-ts_status ts_epr_run(ts_run *run);
-u64 ts_epr_estimate(const ts_scene *scene, const ts_params *params);
-ts_status ts_mvr_run(ts_run *run);
-u64 ts_mvr_estimate(const ts_scene *scene, const ts_params *params);
+extern const ts_step ts_epr_steps[];
+void ts_epr_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params);
 
-/* Runs stages by name, ended by NULL, in order; stops at the first failure. */
-ts_status ts_run_stages(ts_run *run, const char *const *names);
-/* Bytes of the buffers that every pipeline makes. */
-u64 ts_common_estimate(const ts_scene *scene, const ts_params *params);
+extern const ts_step ts_mvr_steps[];
+void ts_mvr_prepare(ts_run *run);
+void ts_mvr_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params);
 
 #endif

@@ -20,7 +20,7 @@ ts_status ts_render_run(ts_render **render, const ts_scene *scene, const ts_para
 	ts_render *made = ts_alloc_zero(1, sizeof *made, "render");
 	if (made == NULL) return TS_ERROR;
 	ts_run_begin(&made->run, scene, params, threads);
-	if (pipeline->run(&made->run) != TS_OK) {
+	if (ts_pipeline_run(pipeline, &made->run) != TS_OK) {
 		ts_render_free(made);
 		return TS_ERROR;
 	}

@@ -1,4 +1,5 @@
 /* Look-ups of the first bounce, and queue and look-ups of each later one. */
+#include <inttypes.h>
 #include "lookup.h"
 
 const ts_bounce_buffers ts_bounce_table[TS_MAX_BOUNCES] = {
@@ -12,13 +13,11 @@ ts_lookup_args ts_lookup_arguments(const ts_run *run, u32 bounce)
 	const ts_bounce_buffers *own = &ts_bounce_table[bounce];
 	return (ts_lookup_args){
 		.scene = ts_run_arrays(run),
-		.view = ts_frame_data(&run->frame, TS_B_eye_view),
 		.cubes = ts_frame_data(&run->frame, TS_B_resize_face),
 		.pieces = ts_frame_data(&run->frame, TS_B_split_triangle),
 		.frames = ts_frame_data(&run->frame, TS_B_align_frame),
 		.keys = ts_frame_data(&run->frame, TS_B_points_key),
 		.points = ts_frame_data(&run->frame, TS_B_points_record),
-		.texels = ts_frame_data(&run->frame, TS_B_splat_depth_index),
 		.pixels = ts_frame_data(&run->frame, TS_B_pixel_record),
 		.queue = bounce > 0 ? ts_frame_data(&run->frame, own->queue) : NULL,
 		.n_samples = bounce > 0 ? TS_N_BOUNCE_SAMPLES : TS_N_SAMPLES,
@@ -37,6 +36,7 @@ static void count_empty(ts_run *run, const u32 *found, u64 n)
 static ts_status look_up(ts_run *run, ts_lookup_args *args, u32 bounce, ts_kernel kernel)
 {
 	u64 n = ts_frame_n(&run->frame, ts_bounce_table[bounce].queue);
+	args->texels = ts_frame_data(&run->frame, TS_B_splat_depth_index);
 	args->found = ts_frame_make2(&run->frame, ts_bounce_table[bounce].found, n, args->n_samples);
 	if (args->found == NULL) return TS_ERROR;
 	ts_c_launch(kernel, args, n, run->threads);
@@ -47,6 +47,7 @@ static ts_status look_up(ts_run *run, ts_lookup_args *args, u32 bounce, ts_kerne
 ts_status ts_stage_lookup(ts_run *run)
 {
 	ts_lookup_args args = ts_lookup_arguments(run, 0);
+	args.view = ts_frame_data(&run->frame, TS_B_eye_view);
 	return look_up(run, &args, 0, TS_KERNEL_lookup);
 }
 
@@ -56,6 +57,7 @@ static ts_status make_queue(ts_run *run, u32 bounce)
 	ts_lookup_args before = ts_lookup_arguments(run, bounce - 1);
 	before.found = ts_frame_data(&run->frame, ts_bounce_table[bounce - 1].found);
 	u64 n = ts_frame_n(&run->frame, ts_bounce_table[bounce - 1].found);
+	if (n >= TS_NONE) return ts_fail("%" PRIu64 " samples are more than 32-bit indices can name; take a smaller image", n);
 	before.offset = ts_frame_make1(&run->frame, ts_bounce_table[bounce].offset, n + 1);
 	if (before.offset == NULL) return TS_ERROR;
 	ts_c_launch(TS_KERNEL_bounce_count, &before, n, run->threads);

@@ -107,3 +107,22 @@ f32 ts_samples_a_pixel(const ts_params *params)
 {
 	return params->rho_is_area ? ts_sqrt(params->rho_scale) : params->rho_scale;
 }
+
+u64 ts_expected_pixels(const ts_scene *scene, const ts_params *params)
+{
+	double pixels = (double)params->width * (double)params->height;
+	double side = (double)params->reflector_px;
+	double covered = params->reflectors != 0 ? side * side * (double)scene->n_reflectors : pixels / 4;
+	return (u64)(covered < pixels ? covered : pixels);
+}
+
+void ts_run_sizes(ts_sizes *sizes, const ts_scene *scene, const ts_params *params)
+{
+	const ts_size known[] = {
+		{"V", scene->n_vertices}, {"T", scene->n_triangles}, {"M", scene->n_materials}, {"S", scene->n_slots},
+		{"I", scene->n_images}, {"X", scene->n_texels}, {"L", scene->n_lights}, {"O", scene->n_objects},
+		{"R", scene->n_reflectors}, {"w", ((u64)scene->n_reflectors * 6 + 63) / 64}, {"H", params->height},
+		{"W", params->width}, {"K", TS_N_SAMPLES}, {"P", ts_expected_pixels(scene, params)},
+	};
+	for (u32 i = 0; i < sizeof known / sizeof *known; i++) ts_sizes_set(sizes, known[i].name, known[i].n);
+}

@@ -10,6 +10,7 @@ ts_status ts_stage_split(ts_run *run)
 		.cubes = ts_frame_data(&run->frame, TS_B_resize_face),
 		.view = ts_frame_data(&run->frame, TS_B_eye_view),
 		.bits = ts_frame_data(&run->frame, TS_B_visibility_bits),
+		.whole = ts_frame_make1(&run->frame, TS_B_split_scale, n),
 		.offset = ts_frame_make1(&run->frame, TS_B_split_offset, n + 1),
 		.n_capped = &capped,
 		.rho = ts_samples_a_pixel(&run->params),
@@ -20,7 +21,7 @@ ts_status ts_stage_split(ts_run *run)
 		.offaxis = run->params.offaxis,
 		.split = run->params.split,
 	};
-	if (args.offset == NULL) return TS_ERROR;
+	if (args.whole == NULL || args.offset == NULL) return TS_ERROR;
 	ts_c_launch(TS_KERNEL_split_count, &args, n, run->threads);
 	u64 total;
 	if (ts_run_scan(args.offset, n, "pieces of triangles", &total) != TS_OK) return TS_ERROR;

@@ -2,6 +2,7 @@
 #ifndef TS_STAGES_STAGE_H
 #define TS_STAGES_STAGE_H
 #include "../core/frame.h"
+#include "../core/shape.h"
 #include "../scene/scene.h"
 
 typedef struct { const char *name; i64 value; } ts_counter;
@@ -13,7 +14,7 @@ typedef struct ts_run ts_run;
 typedef struct {
 	const char *name;
 	const char *kind;               /* map, emit or scatter */
-	ts_buffer_id reads[20], writes[6]; /* ended by TS_N_BUFFERS; those of a bounce that is not followed are not there */
+	ts_buffer_id reads[24], writes[6]; /* ended by TS_N_BUFFERS; those of a bounce that is not followed are not there */
 	ts_status (*run)(ts_run *run);
 	const char *paper;
 	const char *doc;
@@ -30,6 +31,8 @@ struct ts_run {
 	u32 fixed_face;            /* size of every cube, or 0: as the parameters say */
 	bool all_cubes;            /* also the cubes of reflectors that the eye does not see */
 	u32 first_reflector, n_reflectors; /* the batch that per-reflector stages work on */
+	bool lean;                 /* a buffer lives until its last reader; digests and replays want all of them */
+	bool keep[TS_N_BUFFERS];   /* even so, these stay */
 	ts_frame frame;
 	ts_counter counters[TS_MAX_COUNTERS]; u32 n_counters;
 	ts_timing timings[TS_MAX_TIMINGS]; u32 n_timings;
@@ -46,8 +49,16 @@ ts_status ts_run_stage(ts_run *run, const ts_stage *stage);
 void ts_run_count(ts_run *run, const char *name, i64 value);
 i64 ts_run_counter(const ts_run *run, const char *name);
 
+/* What is known of the sizes in records.def before a run: those of scene and image, and K, w. Reflective pixels (P) are
+ * expected, not known. */
+void ts_run_sizes(ts_sizes *sizes, const ts_scene *scene, const ts_params *params);
+/* Reflective pixels: a square about every added reflector, or a quarter of the image. */
+u64 ts_expected_pixels(const ts_scene *scene, const ts_params *params);
+
 /* All stages, ended by a row without a name (table.c). */
 extern const ts_stage ts_stage_table[];
 const ts_stage *ts_stage_find(const char *name);
+bool ts_stage_reads(const ts_stage *stage, ts_buffer_id id);
+bool ts_stage_writes(const ts_stage *stage, ts_buffer_id id);
 
 #endif

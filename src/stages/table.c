@@ -23,7 +23,7 @@ const ts_stage ts_stage_table[] = {
 	{"visibility", "map", {SHAPES, TS_B_resize_face, END}, {TS_B_visibility_bits, END}, ts_stage_visibility, "EPR 3.1",
 	 "one bit a triangle and cube face"},
 	{"split", "emit", {SHAPES, TS_B_resize_face, TS_B_eye_view, TS_B_visibility_bits, END},
-	 {TS_B_split_offset, TS_B_split_triangle, TS_B_density_scale, END}, ts_stage_split, "EPR 4.1.1, eqs 2 and 3",
+	 {TS_B_split_scale, TS_B_split_offset, TS_B_split_triangle, TS_B_density_scale, END}, ts_stage_split, "EPR 4.1.1, eqs 2 and 3",
 	 "density of every triangle; large ones in pieces"},
 	{"cull", "map", {TS_B_split_triangle, TS_B_density_scale, END}, {TS_B_cull_keep, END}, ts_stage_cull, "EPR 3.2",
 	 "stochastic culling of sub-pixel pieces"},
@@ -53,7 +53,8 @@ const ts_stage ts_stage_table[] = {
 	{"shade2", "map",
 	 {POINTS, TS_B_lookup2_point, TS_B_lookup2_parent, TS_B_lookup3_offset, TS_B_shade3_radiance, END},
 	 {TS_B_shade2_radiance, END}, ts_stage_shade2, "EPR 4.1.4", "deferred shading of the second bounce"},
-	{"shade", "map", {POINTS, TS_B_pixel_record, TS_B_lookup_point, TS_B_lookup2_offset, TS_B_shade2_radiance, END},
+	{"shade", "map", {POINTS, TS_B_pixel_record, TS_B_lookup_point, TS_B_lookup2_offset, TS_B_shade2_radiance, TS_B_lookup2_point,
+	  TS_B_lookup3_point, END},
 	 {TS_B_shade_radiance, TS_B_shade_used, END}, ts_stage_shade, "EPR 4.1.2", "eye-based deferred shading"},
 	{"face", "scatter", {SCENE, TS_B_resize_face, END}, {TS_B_face_depth_triangle, END}, ts_stage_face, "EPR 4.2",
 	 "MVR: standard rasterization into six faces a reflector"},
@@ -73,3 +74,14 @@ const ts_stage *ts_stage_find(const char *name)
 	}
 	return NULL;
 }
+
+static bool is_in(const ts_buffer_id *list, ts_buffer_id id)
+{
+	for (; *list != TS_N_BUFFERS; list++) {
+		if (*list == id) return true;
+	}
+	return false;
+}
+
+bool ts_stage_reads(const ts_stage *stage, ts_buffer_id id) { return is_in(stage->reads, id); }
+bool ts_stage_writes(const ts_stage *stage, ts_buffer_id id) { return is_in(stage->writes, id); }

@@ -1,5 +1,5 @@
 /* Truth C: MVR at several times the linear resolution of eye and cubes, box-filtered in linear radiance (SPEC 6; the
- * reference of the EPR paper). The scene is the same object, so mirrors keep their places and sizes. */
+ * reference of the EPR paper). The scene is the same, so reflectors keep their places and sizes. */
 #include <stdio.h>
 #include <stdlib.h>
 #include "../kernels/num.h"
@@ -29,7 +29,7 @@ static ts_status enlarge_all(ts_params *big, const ts_params *params, u32 factor
 static ts_status check_memory(const ts_pipeline *mvr, const ts_scene *scene, const ts_params *big, u32 factor)
 {
 	u64 limit = ts_memory_limit();
-	u64 need = mvr->estimate(scene, big);
+	u64 need = ts_pipeline_estimate(mvr, scene, big, true);
 	if (need <= limit) return TS_OK;
 	return ts_fail("truth C: %u times %u x %u needs about %llu MiB and may use %llu: take a smaller factor or image",
 	               factor, big->width / factor, big->height / factor, (unsigned long long)(need >> 20),
@@ -71,7 +71,8 @@ ts_status ts_truth_c(f32 **radiance, const ts_scene *scene, const ts_params *par
 	if (enlarge_all(&big, params, factor) || check_memory(mvr, scene, &big, factor)) return TS_ERROR;
 	ts_run run;
 	ts_run_begin(&run, scene, &big, threads > 0 ? threads : 1);
-	ts_status status = mvr->run(&run);
+	run.lean = true;
+	ts_status status = ts_pipeline_run(mvr, &run);
 	if (status == TS_OK) status = shrink(radiance, &run.frame, params, factor, run.threads);
 	ts_run_end(&run);
 	return status;

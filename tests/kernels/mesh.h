@@ -210,12 +210,14 @@ static inline void mesh_whole(mesh *m, f32 s)
 /* Pieces as the split kernel makes them. */
 static inline void mesh_split(mesh *m, ts_density_args args)
 {
+	args.whole = mesh_alloc(m->n_triangles, sizeof *args.whole);
 	args.offset = mesh_alloc(m->n_triangles + 1, sizeof *args.offset);
 	for (u32 t = 0; t < m->n_triangles; t++) ts_k_split_count_item(&args, t);
 	m->n_pieces = mesh_scan(args.offset, m->n_triangles);
 	m->pieces = args.pieces = mesh_alloc(m->n_pieces, sizeof *m->pieces);
 	m->scale = args.scale = mesh_alloc(m->n_pieces, sizeof *m->scale);
 	for (u32 t = 0; t < m->n_triangles; t++) ts_k_split_item(&args, t);
+	free(args.whole);
 	free(args.offset);
 }
 

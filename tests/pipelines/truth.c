@@ -47,7 +47,7 @@ static void run_method(const char *method, const char *spec, const ts_params *pa
 	ts_run_begin(&run, scene, params, 2);
 	run.hook = hook;
 	run.hook_user = user;
-	if (ts_pipeline_find("reflections", method)->run(&run) != TS_OK) fail_msg("%s", ts_error_message());
+	if (ts_pipeline_run(ts_pipeline_find("reflections", method), &run) != TS_OK) fail_msg("%s", ts_error_message());
 	ts_run_end(&run);
 	ts_scene_free(scene);
 }

@@ -17,7 +17,7 @@ static char *digests_of(const ts_scene *scene, const ts_params *params, const ch
 	run.hook = digest;
 	run.hook_user = &digests;
 	run.reference = reference;
-	if (ts_pipeline_find("reflections", method)->run(&run) != TS_OK) fail_msg("%s: %s", method, ts_error_message());
+	if (ts_pipeline_run(ts_pipeline_find("reflections", method), &run) != TS_OK) fail_msg("%s: %s", method, ts_error_message());
 	ts_run_end(&run);
 	char *text = calloc(TS_N_BUFFERS, 128);
 	assert_non_null(text);
@@ -211,6 +211,83 @@ static void test_floats(void **state)
 	ts_scene_free(scene);
 }
 
+/* Every buffer has the shape that records.def gives it; what was counted names the sizes. */
+static ts_status check_shapes(const ts_run *run, const ts_stage *stage, void *user)
+{
+	static const struct { const char *size; ts_buffer_id of; } counted[] = {
+		{ "Q", TS_B_split_triangle }, { "N", TS_B_points_record }, { "P", TS_B_pixel_record },
+		{ "P2", TS_B_lookup2_parent }, { "P3", TS_B_lookup3_parent },
+	};
+	ts_sizes sizes = { .n = 0 };
+	ts_run_sizes(&sizes, run->scene, &run->params);
+	for (u32 i = 0; i < sizeof counted / sizeof *counted; i++) {
+		bool made = run->frame.buffer[counted[i].of].made;
+		ts_sizes_set(&sizes, counted[i].size, made ? ts_frame_n(&run->frame, counted[i].of) : 0);
+	}
+	if (run->frame.buffer[TS_B_resize_face].made) {
+		ts_sizes_set(&sizes, "C", ts_run_n_texels(run, run->first_reflector, run->n_reflectors));
+	}
+	for (u32 i = 0; stage->writes[i] != TS_N_BUFFERS; i++) {
+		const ts_buffer *buffer = &run->frame.buffer[stage->writes[i]];
+		const ts_buffer_info *info = &ts_buffer_table[stage->writes[i]];
+		u32 n_dims;
+		u64 dims[TS_MAX_DIMS];
+		if (strstr(info->shape, "C4") != NULL) continue;
+		if (!ts_shape_dims(info->shape, &sizes, &n_dims, dims)) fail_msg("%s: shape %s", info->name, info->shape);
+		assert_int_equal(n_dims, buffer->n_dims);
+		assert_memory_equal(dims, buffer->shape, n_dims * sizeof *dims);
+		++*(u32 *)user;
+	}
+	return TS_OK;
+}
+
+static void test_shapes(void **state)
+{
+	(void)state;
+	u32 checked = 0;
+	ts_params params = small_params(64, 64);
+	params.bounces = 3;
+	params.face_max = 32;
+	ts_scene *scene = small_scene(&params);
+	for (u32 m = 0; m < 2; m++) {
+		ts_run run;
+		small_run(&run, scene, &params, m == 0 ? "epr" : "mvr", 2, check_shapes, &checked);
+		ts_run_end(&run);
+	}
+	assert_true(checked > 50);
+	ts_scene_free(scene);
+}
+
+/* A lean run forgets what nobody reads any more, needs less memory, and gives the same picture. */
+static void test_lean(void **state)
+{
+	(void)state;
+	ts_params params = small_params(120, 68);
+	params.bounces = 2;
+	params.face_max = 64;
+	ts_scene *scene = small_scene(&params);
+	for (u32 m = 0; m < 2; m++) {
+		ts_run whole, lean;
+		const char *method = m == 0 ? "epr" : "mvr";
+		small_run(&whole, scene, &params, method, 2, NULL, NULL);
+		ts_run_begin(&lean, scene, &params, 2);
+		lean.lean = true;
+		lean.keep[TS_B_eye_view] = true;
+		assert_int_equal(ts_pipeline_run(ts_pipeline_find("reflections", method), &lean), TS_OK);
+		u64 n = ts_frame_n(&whole.frame, TS_B_image_radiance);
+		assert_memory_equal(ts_frame_data(&whole.frame, TS_B_image_radiance),
+		                    ts_frame_data(&lean.frame, TS_B_image_radiance), n * sizeof(f32));
+		assert_true(lean.frame.buffer[TS_B_eye_view].made && whole.frame.buffer[TS_B_pose_vertex].made);
+		assert_false(lean.frame.buffer[TS_B_pose_vertex].made);
+		assert_true(lean.frame.bytes < whole.frame.bytes / 2);
+		assert_true(lean.frame.peak_bytes <= whole.frame.peak_bytes);
+		assert_true(lean.frame.buffer[TS_B_scene_vertex].made);
+		ts_run_end(&whole);
+		ts_run_end(&lean);
+	}
+	ts_scene_free(scene);
+}
+
 /* A hook's failure ends the run. */
 static ts_status stop_at_cull(const ts_run *run, const ts_stage *stage, void *user)
 {
@@ -229,7 +306,7 @@ static void test_hook_stops(void **state)
 	ts_run_begin(&run, scene, &params, 0);
 	run.hook = stop_at_cull;
 	run.hook_user = &n;
-	assert_int_equal(ts_pipeline_find("reflections", "epr")->run(&run), TS_ERROR);
+	assert_int_equal(ts_pipeline_run(ts_pipeline_find("reflections", "epr"), &run), TS_ERROR);
 	assert_int_equal(n, 8);
 	ts_run_end(&run);
 	ts_scene_free(scene);
@@ -252,7 +329,8 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_threads),      cmocka_unit_test(test_rho_is_area), cmocka_unit_test(test_epr_counters),
 		cmocka_unit_test(test_adaptive),     cmocka_unit_test(test_mvr_counters), cmocka_unit_test(test_floats),
-		cmocka_unit_test(test_hook_stops),   cmocka_unit_test(test_scan_limit),
+		cmocka_unit_test(test_hook_stops),   cmocka_unit_test(test_scan_limit), cmocka_unit_test(test_shapes),
+		cmocka_unit_test(test_lean),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

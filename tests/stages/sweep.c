@@ -59,7 +59,7 @@ static void assert_runs(const ts_scene *scene, const ts_params *params, const ch
 	for (u32 m = 0; m < 2; m++) {
 		ts_run run;
 		ts_run_begin(&run, scene, params, 2);
-		if (ts_pipeline_find("reflections", methods[m])->run(&run) != TS_OK) {
+		if (ts_pipeline_run(ts_pipeline_find("reflections", methods[m]), &run) != TS_OK) {
 			fail_msg("%s, %s: %s", what, methods[m], ts_error_message());
 		}
 		assert_finite(&run, what);

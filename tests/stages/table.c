@@ -66,8 +66,8 @@ static void test_writers(void **state)
 static void test_readers(void **state)
 {
 	(void)state;
-	static const ts_buffer_id last[] = { TS_B_image_radiance, TS_B_image_srgb, TS_B_shade_used, TS_B_split_offset,
-	                                     TS_N_BUFFERS };
+	static const ts_buffer_id last[] = { TS_B_image_radiance, TS_B_image_srgb, TS_B_shade_used, TS_B_split_scale,
+	                                     TS_B_split_offset, TS_N_BUFFERS };
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
 		u32 n = 0;
 		for (const ts_stage *s = ts_stage_table; s->name != NULL; s++) n += is_in(s->reads, (ts_buffer_id)id);

@@ -47,7 +47,7 @@ static f32 *mvr(const ts_params *with)
 	size_t bytes = (size_t)with->width * with->height * 3 * sizeof(f32);
 	ts_run run;
 	ts_run_begin(&run, scene, with, 2);
-	assert_int_equal(ts_pipeline_find("reflections", "mvr")->run(&run), TS_OK);
+	assert_int_equal(ts_pipeline_run(ts_pipeline_find("reflections", "mvr"), &run), TS_OK);
 	f32 *radiance = malloc(bytes);
 	assert_non_null(radiance);
 	memcpy(radiance, ts_frame_data(&run.frame, TS_B_image_radiance), bytes);

@@ -1,0 +1,117 @@
+/* Running the steps of a pipeline, in batches where it says so, and forgetting what nobody reads any more. */
+#include <assert.h>
+#include "pipeline.h"
+
+bool ts_pipeline_takes(const ts_step *step, const ts_params *params) { return params->bounces >= step->least_bounces; }
+
+/* True if a step from `step` on reads the buffer. */
+static bool is_read_from(const ts_step *step, const ts_params *params, ts_buffer_id id)
+{
+	for (; step->stage != NULL; step++) {
+		if (ts_pipeline_takes(step, params) && ts_stage_reads(ts_stage_find(step->stage), id)) return true;
+	}
+	return false;
+}
+
+/* True if some step reads it, and none from `next` on: an answer that no stage reads stays. */
+static bool is_over(const ts_pipeline *pipeline, const ts_step *next, const ts_params *params, ts_buffer_id id)
+{
+	return is_read_from(pipeline->steps, params, id) && !is_read_from(next, params, id);
+}
+
+static void forget(const ts_pipeline *pipeline, const ts_step *next, ts_run *run)
+{
+	for (u32 id = 0; run->lean && id < TS_N_BUFFERS; id++) {
+		bool own = !run->keep[id] && !run->frame.buffer[id].borrowed;
+		if (own && is_over(pipeline, next, &run->params, (ts_buffer_id)id)) {
+			ts_frame_drop(&run->frame, (ts_buffer_id)id);
+		}
+	}
+}
+
+static ts_status run_steps(const ts_step *step, const ts_step *end, ts_run *run)
+{
+	for (; step < end; step++) {
+		const ts_stage *stage = ts_stage_find(step->stage);
+		assert(stage != NULL);
+		if (ts_pipeline_takes(step, &run->params) && ts_run_stage(run, stage) != TS_OK) return TS_ERROR;
+	}
+	return TS_OK;
+}
+
+/* One batch a reflector; a scene without reflectors is one empty batch. */
+static ts_status run_batches(const ts_pipeline *pipeline, const ts_step *step, const ts_step *end, ts_run *run)
+{
+	u32 n = run->scene->n_reflectors;
+	run->n_reflectors = n != 0 ? 1 : 0;
+	for (u32 r = 0; r == 0 || r < n; r++) {
+		run->first_reflector = r;
+		ts_progress(pipeline->name, r, n);
+		if (run_steps(step, end, run) != TS_OK) return TS_ERROR;
+	}
+	run->first_reflector = 0;
+	run->n_reflectors = n;
+	ts_progress(pipeline->name, n, n);
+	return TS_OK;
+}
+
+/* The step behind this one, or behind the last of its batch. */
+static const ts_step *step_after(const ts_step *step)
+{
+	const ts_step *end = step + 1;
+	while (step->each_reflector && end->each_reflector) end++;
+	return end;
+}
+
+ts_status ts_pipeline_run(const ts_pipeline *pipeline, ts_run *run)
+{
+	if (pipeline->prepare != NULL) pipeline->prepare(run);
+	const ts_step *end;
+	for (const ts_step *step = pipeline->steps; step->stage != NULL; step = end) {
+		end = step_after(step);
+		ts_status status = step->each_reflector ? run_batches(pipeline, step, end, run) : run_steps(step, end, run);
+		if (status != TS_OK) return status;
+		forget(pipeline, end, run);
+	}
+	return TS_OK;
+}
+
+static u64 bytes_of(ts_buffer_id id, const ts_sizes *sizes)
+{
+	u32 n_dims;
+	u64 dims[TS_MAX_DIMS], n;
+	const ts_buffer_info *info = &ts_buffer_table[id];
+	if (!ts_shape_dims(info->shape, sizes, &n_dims, dims) || !ts_shape_count(&n, n_dims, dims)) return UINT64_MAX / 2;
+	return n > UINT64_MAX / 2 / info->element_bytes ? UINT64_MAX / 2 : n * info->element_bytes;
+}
+
+static u64 add(u64 a, u64 b) { return a > UINT64_MAX - b ? UINT64_MAX : a + b; }
+
+/* Bytes of what is alive while `step` runs. */
+static u64 bytes_at(const ts_pipeline *pipeline, const ts_step *step, const ts_params *params, const ts_sizes *sizes,
+                    bool lean)
+{
+	u64 bytes = 0;
+	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
+		bool made = false;
+		for (const ts_step *s = pipeline->steps; s <= step; s++) {
+			made |= ts_pipeline_takes(s, params) && ts_stage_writes(ts_stage_find(s->stage), (ts_buffer_id)id);
+		}
+		bool alive = made && !(lean && is_over(pipeline, step, params, (ts_buffer_id)id));
+		bytes = add(bytes, alive ? bytes_of((ts_buffer_id)id, sizes) : 0);
+	}
+	return bytes;
+}
+
+u64 ts_pipeline_estimate(const ts_pipeline *pipeline, const ts_scene *scene, const ts_params *params, bool lean)
+{
+	ts_sizes sizes = {.n = 0};
+	ts_run_sizes(&sizes, scene, params);
+	pipeline->expect(&sizes, scene, params);
+	u64 peak = 0;
+	for (const ts_step *step = pipeline->steps; step->stage != NULL; step++) {
+		u64 bytes = bytes_at(pipeline, step, params, &sizes, lean);
+		peak = bytes > peak ? bytes : peak;
+	}
+	return peak;
+}
