@@ -8,6 +8,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/wait.h>
 #include <unistd.h>
 #include <cmocka.h>
 
@@ -35,6 +36,16 @@ static cl_device_id first_device(void)
 	return device;
 }
 
+/* True if some device answers. Asked in a child: a driver may end the process that asks where it finds no /sys. */
+static bool any_device(void)
+{
+	fflush(NULL);
+	pid_t child = fork();
+	if (child == 0) _exit(first_device() != NULL ? 0 : 1);
+	int status = 1;
+	return child > 0 && waitpid(child, &status, 0) == child && status == 0;
+}
+
 /* True if `text` builds; otherwise prints the compiler's log. */
 static bool builds(cl_context context, cl_device_id device, const char *text, const char *name, bool quiet)
 {
@@ -58,11 +69,13 @@ static bool builds(cl_context context, cl_device_id device, const char *text, co
 static void every_header_builds(void **state)
 {
 	(void)state;
-	cl_device_id device = first_device();
-	if (!device) {
-		printf("no OpenCL device\n");
+	if (!any_device()) {
+		printf("no usable OpenCL device\n");
+		const char *require = getenv("TS_REQUIRE");
+		assert_false(require != NULL && strstr(require, "opencl") != NULL);
 		skip();
 	}
+	cl_device_id device = first_device();
 	cl_int status;
 	cl_context context = clCreateContext(NULL, 1, &device, NULL, NULL, &status);
 	assert_int_equal(status, CL_SUCCESS);
