@@ -59,12 +59,6 @@ static ts_truth_query from_surface(const tracer *t, u32 reflector, ts_v3 p, ts_v
 	                         .from = p, .path = path, .spread = t->spread };
 }
 
-/* The reflector that was hit, while bounces are left; else TS_NONE. */
-static u32 reflector_at(const tracer *t, const ts_truth_hit *hit, u32 left)
-{
-	return left > 0 ? ts_k_reflector_of(t->scene, hit->triangle) : TS_NONE;
-}
-
 static ts_v3 shade_towards(const tracer *t, const ts_surface *s, ts_v3 viewer)
 {
 	return ts_k_shade(t->scene, s, ts_normalize(ts_sub(viewer, s->p)));
@@ -86,38 +80,53 @@ static void tile_axes(const ts_corners *t, ts_v3 *u, ts_v3 *v)
 	*v = ts_normalize(ts_cross(ts_normalize(t->n), *u));
 }
 
+/* Where a leg meets a reflector that sends it on. */
+typedef struct {
+	ts_truth_hit hit;
+	ts_surface s;
+	ts_v3 n; /* against the ray */
+	u32 reflector;
+} bounce;
+
+/* False if the light path ends here: then *radiance is what it brings. */
+static bool goes_on(const tracer *t, const ts_truth_query *query, u32 left, bounce *at, ts_v3 *radiance)
+{
+	at->hit = ts_truth_cast(t->truth, query);
+	*radiance = ts_k_background();
+	if (at->hit.triangle == TS_NONE) return false;
+	at->s = ts_k_surface(t->scene, at->hit.triangle, at->hit.weights, at->hit.footprint);
+	at->n = facing_normal(&at->s, query->direction);
+	at->reflector = left > 0 ? ts_k_reflector_of(t->scene, at->hit.triangle) : TS_NONE;
+	if (at->reflector == TS_NONE) *radiance = shade_towards(t, &at->s, query->origin);
+	return at->reflector != TS_NONE;
+}
+
 /* Radiance that the cube of query->masked sees; `left` more reflectors are followed, four rays each. */
 static ts_v3 see_from_centre(const tracer *t, const ts_truth_query *query, u32 left)
 {
-	ts_truth_hit hit = ts_truth_cast(t->truth, query);
-	if (hit.triangle == TS_NONE) return ts_k_background();
-	ts_surface s = ts_k_surface(t->scene, hit.triangle, hit.weights, hit.footprint);
-	u32 reflector = reflector_at(t, &hit, left);
-	if (reflector == TS_NONE) return shade_towards(t, &s, query->origin);
-	ts_corners corner = ts_k_corners(t->scene, hit.triangle);
-	ts_v3 n = facing_normal(&s, query->direction), u, v, sum = { 0, 0, 0 };
+	bounce at;
+	ts_v3 radiance, u, v, sum = { 0, 0, 0 };
+	if (!goes_on(t, query, left, &at, &radiance)) return radiance;
+	ts_corners corner = ts_k_corners(t->scene, at.hit.triangle);
 	tile_axes(&corner, &u, &v);
-	f32 radius = t->faces[reflector].radius, spread = radius > 0.0f ? hit.footprint / radius : 0.0f;
+	f32 radius = t->faces[at.reflector].radius, spread = radius > 0.0f ? at.hit.footprint / radius : 0.0f;
 	for (u32 k = 0; k < TS_N_BOUNCE_SAMPLES; k++) {
-		ts_v3 d = ts_k_bounce_direction(s.p, n, u, v, query->origin, spread, k);
-		ts_truth_query next = from_centre(t, reflector, s.p, d, hit.path);
+		ts_v3 d = ts_k_bounce_direction(at.s.p, at.n, u, v, query->origin, spread, k);
+		ts_truth_query next = from_centre(t, at.reflector, at.s.p, d, at.hit.path);
 		sum = ts_add(sum, see_from_centre(t, &next, left - 1));
 	}
-	return ts_mul(ts_scale(sum, 1.0f / (f32)TS_N_BOUNCE_SAMPLES), s.base);
+	return ts_mul(ts_scale(sum, 1.0f / (f32)TS_N_BOUNCE_SAMPLES), at.s.base);
 }
 
 /* Radiance that arrives along a true ray; every reflector on its way sends on one ray. */
 static ts_v3 see_from_surface(const tracer *t, const ts_truth_query *query, u32 left)
 {
-	ts_truth_hit hit = ts_truth_cast(t->truth, query);
-	if (hit.triangle == TS_NONE) return ts_k_background();
-	ts_surface s = ts_k_surface(t->scene, hit.triangle, hit.weights, hit.footprint);
-	u32 reflector = reflector_at(t, &hit, left);
-	if (reflector == TS_NONE) return shade_towards(t, &s, query->origin);
-	ts_v3 n = facing_normal(&s, query->direction);
-	ts_v3 d = ts_normalize(ts_reflect(query->direction, n));
-	ts_truth_query next = from_surface(t, reflector, s.p, d, hit.path);
-	return ts_mul(see_from_surface(t, &next, left - 1), s.base);
+	bounce at;
+	ts_v3 radiance;
+	if (!goes_on(t, query, left, &at, &radiance)) return radiance;
+	ts_v3 d = ts_normalize(ts_reflect(query->direction, at.n));
+	ts_truth_query next = from_surface(t, at.reflector, at.s.p, d, at.hit.path);
+	return ts_mul(see_from_surface(t, &next, left - 1), at.s.base);
 }
 
 static ts_truth_query first_from_centre(const tracer *t, const ts_pixel *pixel, u32 k)
