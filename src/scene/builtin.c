@@ -122,9 +122,8 @@ void ts_builtin_make(ts_build *build, const char *spec, u32 seed)
 		.build = build, .seed = seed, .detail = find_detail(scene, material, count, seed), .place = ts_place_world()};
 	scene->shape(&mesh, material);
 	mesh.place = ts_place_world();
-	scene->fill(&mesh, material, (u32)(count - mesh.n));
-	for (u32 i = 0; i < scene->n_lights; i++)
-		ts_build_light(build, &scene->lights[i]);
+	mesh.material = material[scene->rug.material];
+	ts_part_rug(&mesh, &scene->rug, (u32)(count - mesh.n));
 }
 
 ts_status ts_builtin_open(ts_scene **scene, const char *spec, const ts_params *params, const char *camera)

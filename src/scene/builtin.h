@@ -4,6 +4,7 @@
 #define TS_SCENE_BUILTIN_H
 #include "builtin_mesh.h"
 #include "builtin_paint.h"
+#include "builtin_parts.h"
 
 enum { TS_MAX_PAINTS = 40 };
 
@@ -12,10 +13,7 @@ typedef struct {
 	u32 n_paints;
 	/* material: indices of the paints in the build. The count must not fall when `detail` rises. */
 	void (*shape)(ts_mesh *mesh, const u32 *material);
-	/* One more part, of exactly n triangles. */
-	void (*fill)(ts_mesh *mesh, const u32 *material, u32 n);
-	ts_light lights[4];
-	u32 n_lights;
+	ts_rug rug; /* made of exactly the triangles that are left; its material is a place in `paints` */
 } ts_builtin;
 
 extern const ts_builtin ts_builtin_atrium, ts_builtin_gallery, ts_builtin_dining;

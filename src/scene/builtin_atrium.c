@@ -56,9 +56,8 @@ static const ts_paint paints[N_PAINTS] = {
 	[RUG] = {ts_paint_carpet, 0, 512, {1.0f, 1.0f}, 0, TS_DOUBLE_SIDED, WHITE, 1.0f, 0.0f},
 };
 
-/* Court: half length, half width to the middle of the arcades,
-	half width to the outer walls. Heights: of the upper floor's
- * slab, of the upper cornice, of the whole. */
+/* Court: half length, half width to the middle of the arcades, half width to the outer walls. Heights: of the slab under
+ * the upper floor, of that floor, of the upper cornice, of the whole. */
 static const f32 LENGTH = 15.0f, NAVE = 6.40625f, WIDTH = 9.0f, SLAB = 5.8125f, FLOOR_2 = 6.125f, CORNICE = 10.0f,
 				 TOP = 11.0f;
 static const f32 BAY = 3.296875f;
@@ -512,26 +511,9 @@ static void shape_atrium(ts_mesh *mesh, const u32 *material)
 	furnish(mesh, material);
 }
 
-/* The runner along the court. */
-static void runner(ts_corner *c, const void *shape, f32 s, f32 t)
-{
-	const f32 *half = shape;
-	f32 x = 2.0f * s - 1.0f, z = 1.0f - 2.0f * t;
-	f32 swell = ts_sin_turn(x * 7.0f + z * 0.75f) + ts_sin_turn(x * 19.0f - z * 2.0f) * 0.5f + 1.5f;
-	c->p = ts_v3_make(x * half[0], 0.015625f + swell * 0.00390625f, z * half[1]);
-	c->uv = ts_v2_make(s * 4.0f, t);
-}
-
-static void fill_atrium(ts_mesh *mesh, const u32 *material, u32 n)
-{
-	static const f32 half[2] = {8.0f, 1.375f};
-	mesh->material = material[RUG];
-	ts_mesh_fill(mesh, n, half[0] / half[1], runner, half);
-}
-
 const ts_builtin ts_builtin_atrium = {
 	.paints = paints,
 	.n_paints = N_PAINTS,
 	.shape = shape_atrium,
-	.fill = fill_atrium,
+	.rug = {RUG, 8.0f, 1.375f, 0.0f, 0.015625f, 4.0f, {7.0f, 0.75f, 19.0f, 2.0f}},
 };

@@ -377,25 +377,9 @@ static void shape_gallery(ts_mesh *mesh, const u32 *material)
 	furnish(mesh, material);
 }
 
-static void rug(ts_corner *c, const void *shape, f32 s, f32 t)
-{
-	const f32 *half = shape;
-	f32 x = 2.0f * s - 1.0f, z = 1.0f - 2.0f * t;
-	f32 swell = ts_sin_turn(x * 3.0f + z * 1.25f) + ts_sin_turn(x * 7.0f - z * 3.0f) * 0.5f + 1.5f;
-	c->p = ts_v3_make(x * half[0], 0.01171875f + swell * 0.00390625f, z * half[1]);
-	c->uv = ts_v2_make(s, t);
-}
-
-static void fill_gallery(ts_mesh *mesh, const u32 *material, u32 n)
-{
-	static const f32 half[2] = {4.5f, 3.0f};
-	mesh->material = material[RUG];
-	ts_mesh_fill(mesh, n, half[0] / half[1], rug, half);
-}
-
 const ts_builtin ts_builtin_gallery = {
 	.paints = paints,
 	.n_paints = N_PAINTS,
 	.shape = shape_gallery,
-	.fill = fill_gallery,
+	.rug = {RUG, 4.5f, 3.0f, 0.0f, 0.01171875f, 1.0f, {3.0f, 1.25f, 7.0f, 3.0f}},
 };

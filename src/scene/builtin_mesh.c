@@ -46,8 +46,8 @@ ts_place ts_place_along(ts_v3 origin, ts_v3 up)
 	return place;
 }
 
-/* The slope at a point between the steps before and after it: none at an extreme,
-	and never so steep that it overshoots. */
+/* The slope at a point between the steps before and after it: none at an extreme, and never so steep that it
+ * overshoots. */
 static f32 slope(f32 before, f32 after)
 {
 	if (before * after <= 0.0f) return 0.0f;
@@ -106,7 +106,7 @@ static void make_normals(ts_corner *corner, u32 ns, u32 nt, u32 flags)
 	}
 }
 
-static ts_corner *sample(u32 ns, u32 nt, u32 flags, ts_surface *surface, const void *shape)
+static ts_corner *sample(u32 ns, u32 nt, u32 flags, ts_mesh_surface *surface, const void *shape)
 {
 	ts_corner *corner = ts_alloc_zero((size_t)(ns + 1) * (nt + 1), sizeof *corner, "a part of a built-in scene");
 	if (corner == NULL) return NULL;
@@ -150,7 +150,7 @@ static void add_flat_cells(ts_mesh *mesh, ts_corner *corner, u32 ns, u32 nt)
 	}
 }
 
-void ts_mesh_grid(ts_mesh *mesh, u32 ns, u32 nt, u32 flags, ts_surface *surface, const void *shape)
+void ts_mesh_grid(ts_mesh *mesh, u32 ns, u32 nt, u32 flags, ts_mesh_surface *surface, const void *shape)
 {
 	mesh->n += 2ul * ns * nt;
 	mesh->n -= (flags & TS_GRID_POLE_T0) != 0 ? ns : 0;
@@ -198,7 +198,7 @@ static void add_cell(ts_mesh *mesh, const ts_corner *row, u32 ns, const u32 v[4]
 	}
 }
 
-void ts_mesh_fill(ts_mesh *mesh, u32 n, f32 aspect, ts_surface *surface, const void *shape)
+void ts_mesh_fill(ts_mesh *mesh, u32 n, f32 aspect, ts_mesh_surface *surface, const void *shape)
 {
 	u32 nt = (u32)ts_max_i32(ts_floor_i32(ts_sqrt((f32)n * 0.5f / aspect)), 1);
 	u32 ns = n / (2u * nt);

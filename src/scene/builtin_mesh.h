@@ -27,7 +27,7 @@ typedef struct {
 	ts_v2 uv;
 } ts_corner;
 /* Where (s, t) of the unit square lies. The front is where ds x dt points. */
-typedef void ts_surface(ts_corner *corner, const void *shape, f32 s, f32 t);
+typedef void ts_mesh_surface(ts_corner *corner, const void *shape, f32 s, f32 t);
 enum { TS_GRID_WRAP_S = 1, TS_GRID_POLE_T0 = 2, TS_GRID_POLE_T1 = 4, TS_GRID_FLAT = 8 };
 
 typedef struct {
@@ -51,9 +51,9 @@ ts_place ts_place_along(ts_v3 origin, ts_v3 up);
 
 /* ns by nt cells of two triangles; at a pole (all of a row in one point) one triangle a cell. FLAT: normals are
  * computed for each cell by itself. */
-void ts_mesh_grid(ts_mesh *mesh, u32 ns, u32 nt, u32 flags, ts_surface *surface, const void *shape);
+void ts_mesh_grid(ts_mesh *mesh, u32 ns, u32 nt, u32 flags, ts_mesh_surface *surface, const void *shape);
 /* A surface of exactly n triangles, n at least 8; `aspect` is its length along s over that along t. */
-void ts_mesh_fill(ts_mesh *mesh, u32 n, f32 aspect, ts_surface *surface, const void *shape);
+void ts_mesh_fill(ts_mesh *mesh, u32 n, f32 aspect, ts_mesh_surface *surface, const void *shape);
 /* A plane: from o along es and et (both in metres), front es x et. */
 void ts_mesh_plane(ts_mesh *mesh, ts_v3 o, ts_v3 es, ts_v3 et, u32 ns, u32 nt);
 /* The same with rectangular holes (in metres from o) and cells of about `step`. At most 7 holes. */

@@ -1,4 +1,4 @@
-/* Plants, cloth, ropes, chains, pictures: see builtin_parts.h. */
+/* Plants, cloth, ropes, chains, pictures, rugs: see builtin_parts.h. */
 #include "builtin_parts.h"
 
 typedef struct {
@@ -183,4 +183,19 @@ void ts_part_moulding(ts_mesh *mesh, f32 half, const f32 (*profile)[2], u32 n_po
 {
 	moulding_shape m = {half, profile, n_points};
 	ts_mesh_grid(mesh, n_along, n_points - 1, TS_GRID_FLAT, moulding, &m);
+}
+
+static void rug_surface(ts_corner *c, const void *shape, f32 s, f32 t)
+{
+	const ts_rug *r = shape;
+	f32 x = 2.0f * s - 1.0f, z = 1.0f - 2.0f * t;
+	f32 swell = ts_sin_turn(x * r->waves[0] + z * r->waves[1]);
+	swell = swell + ts_sin_turn(x * r->waves[2] - z * r->waves[3]) * 0.5f + 1.5f;
+	c->p = ts_v3_make(x * r->half_x, r->height + swell * 0.00390625f, z * r->half_z + r->z);
+	c->uv = ts_v2_make(s * r->repeats, t);
+}
+
+void ts_part_rug(ts_mesh *mesh, const ts_rug *rug, u32 n)
+{
+	ts_mesh_fill(mesh, n, rug->half_x / rug->half_z, rug_surface, rug);
 }

@@ -29,6 +29,16 @@ void ts_part_ring(ts_mesh *mesh, f32 ring, f32 tube, u32 na, u32 nl);
 /* A straight wall strip of profile (z out, y up), from (-half, 0, 0) to (half, 0, 0), facing +z. */
 void ts_part_moulding(ts_mesh *mesh, f32 half, const f32 (*profile)[2], u32 n_points, u32 n_along);
 
+/* A rug along x about (0, 0, z), lying unevenly `height` or a little more above the floor. */
+typedef struct {
+	u32 material;
+	f32 half_x, half_z, z, height; /* metres */
+	f32 repeats;                   /* of its picture, along x */
+	f32 waves[4];                  /* turns over half its length and width: of the long swell, of the short one */
+} ts_rug;
+/* Of exactly n triangles, n at least 8, of mesh->material. */
+void ts_part_rug(ts_mesh *mesh, const ts_rug *rug, u32 n);
+
 /* A bicycle standing at y = 0, riding along x; 1.7 m long. */
 typedef struct {
 	u32 rubber, steel, paint, leather;

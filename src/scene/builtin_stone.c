@@ -144,7 +144,7 @@ void ts_paint_wood(ts_dab *dab, f32 u, f32 v, u32 kind, u32 seed)
 	dab->metallic = 0.0f;
 }
 
-/* Herringbone is dull to count; straight boards with broken joints: 8 boards across, 2 long. */
+/* Straight boards with broken joints: 8 boards across, 2 long. */
 void ts_paint_parquet(ts_dab *dab, f32 u, f32 v, u32 kind, u32 seed)
 {
 	f32 x = u * 8.0f;
