@@ -24,6 +24,7 @@ static void append(ts_table *table, const char *text, json_t *value)
 		table->failed = true;
 		return;
 	}
+	ts_line_clean(copy);
 	table->cells = cells;
 	table->cells[table->n_cells++] = (ts_cell){ copy, value };
 }
@@ -149,7 +150,7 @@ void ts_report_line(ts_report *report, const char *format, ...)
 	va_end(arguments);
 	failed |= fclose(stream) != 0;
 	if (!failed) {
-		ts_text_clean(line);
+		ts_line_clean(line);
 		fprintf(report->out, "%s\n", line);
 	}
 	free(line);

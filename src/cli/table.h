@@ -30,7 +30,7 @@ typedef struct {
 
 /* `columns` is ended by a row without a key and outlives the table, as do key and title. */
 ts_table ts_table_begin(const char *key, const char *title, const ts_column *columns);
-/* Append the next cell, row by row. Texts are copied. */
+/* Append the next cell, row by row. Texts are copied; control characters are not printed. */
 void ts_table_text(ts_table *table, const char *text);
 void ts_table_count(ts_table *table, i64 value);
 void ts_table_bytes(ts_table *table, u64 bytes);

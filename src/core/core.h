@@ -10,9 +10,13 @@
 extern "C" {
 #endif
 
-/* Sets this thread's message to one line (control characters become '?') and returns TS_ERROR. */
+/* Sets this thread's message to one line (by ts_line_clean) and returns TS_ERROR. */
 ts_status ts_fail(const char *format, ...) __attribute__((format(printf, 1, 2)));
 ts_status ts_fail_v(const char *format, va_list arguments);
+
+/* Makes one line of any text that is to be printed: control characters, C0 and the C1 of UTF-8, could break the line or
+ * drive the terminal; each of their bytes becomes '?'. */
+void ts_line_clean(char *text);
 
 /* count * size bytes; NULL with the message set if that overflows or there is no memory. Zero bytes give a valid pointer.
  * `what` names the contents in the message. */

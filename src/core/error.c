@@ -7,19 +7,6 @@ enum { MESSAGE_BYTES = 1024 };
 
 static _Thread_local char message[MESSAGE_BYTES];
 
-/* Control characters, C0 and the two-byte C1 of UTF-8, could break the line or drive the terminal. */
-static void make_printable(char *text)
-{
-	for (unsigned char *c = (unsigned char *)text; *c; c++) {
-		bool c1 = c[0] == 0xc2 && c[1] >= 0x80 && c[1] <= 0x9f;
-		if (c1) {
-			c[0] = c[1] = '?';
-		} else if (*c < 0x20 || *c == 0x7f) {
-			*c = '?';
-		}
-	}
-}
-
 /* A cut message ends with three dots, not inside a character. */
 static void mark_cut(char *text)
 {
@@ -38,7 +25,7 @@ ts_status ts_fail_v(const char *format, va_list arguments)
 	} else if (length >= MESSAGE_BYTES) {
 		mark_cut(text);
 	}
-	make_printable(text);
+	ts_line_clean(text);
 	memcpy(message, text, sizeof text);
 	return TS_ERROR;
 }
