@@ -7,6 +7,7 @@
 #include <string.h>
 #include "../kernels/surface.h"
 #include "../stages/stages.h"
+#include "first_error.h"
 #include "query.h"
 #if TS_EMBREE == 4
 #include <embree4/rtcore.h>
@@ -33,7 +34,7 @@ struct ts_truth {
 	f32 *position;           /* xyz of every vertex, then the 4 bytes that Embree may read beyond them */
 	part parts[N_PARTS];
 	i64 bytes_left;          /* of the memory that Embree may still take, from any thread */
-	char error[160];         /* the first one */
+	ts_first_error error;    /* Embree's threads report theirs at once */
 };
 
 /* A query as the filter finds it: Embree hands on the address of `base`. */
@@ -125,12 +126,11 @@ u32 ts_truth_ray(const ts_truth *truth, const f32 origin[3], const f32 direction
 	return ts_truth_cast(truth, &query).triangle;
 }
 
-/* Embree calls this from the thread that failed; the first failure is the cause. */
+/* Embree calls this from the thread that failed, and check reports it from ours. */
 static void on_error(void *user, enum RTCError code, const char *text)
 {
 	ts_truth *truth = user;
-	if (truth->error[0] != 0) return;
-	snprintf(truth->error, sizeof(truth->error), "error %d, %s", (int)code, text != NULL ? text : "no text");
+	ts_first_error_keep(&truth->error, (int)code, text);
 }
 
 /* Refuses what would take Embree beyond its share of the machine. */
@@ -141,12 +141,13 @@ static bool on_memory(void *user, ssize_t bytes, bool post)
 	return post || bytes <= 0 || left >= 0;
 }
 
-static ts_status check(const ts_truth *truth, const char *doing)
+static ts_status check(ts_truth *truth, const char *doing)
 {
-	bool failed = truth->device == NULL || rtcGetDeviceError(truth->device) != RTC_ERROR_NONE || truth->error[0] != 0;
-	if (!failed) return TS_OK;
+	bool failed = truth->device == NULL || rtcGetDeviceError(truth->device) != RTC_ERROR_NONE;
+	const char *error = ts_first_error_text(&truth->error);
+	if (!failed && error == NULL) return TS_OK;
 	return ts_fail("truth: Embree failed while %s: %s; it may take %llu MiB", doing,
-	               truth->error[0] != 0 ? truth->error : "no reason given", (unsigned long long)(ts_memory_limit() >> 20));
+	               error != NULL ? error : "no reason given", (unsigned long long)(ts_memory_limit() >> 20));
 }
 
 static bool needs_filter(const ts_truth *truth, u32 triangle)
@@ -228,6 +229,7 @@ ts_status ts_truth_new(ts_truth **truth, const ts_run *run)
 	*truth = NULL;
 	ts_truth *made = ts_alloc_zero(1, sizeof(*made), "truth");
 	if (made == NULL) return TS_ERROR;
+	ts_first_error_begin(&made->error);
 	made->scene = ts_run_arrays(run);
 	made->n_vertices = run->scene->n_vertices;
 	if (sort_triangles(made) || copy_positions(made) || grow_tree(made, run->threads)) {
@@ -245,5 +247,6 @@ void ts_truth_free(ts_truth *truth)
 	if (truth->device != NULL) rtcReleaseDevice(truth->device);
 	for (u32 i = 0; i < N_PARTS; i++) free(truth->parts[i].triangle);
 	free(truth->position);
+	ts_first_error_end(&truth->error);
 	free(truth);
 }
