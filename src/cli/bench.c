@@ -239,6 +239,15 @@ static ts_status check_lists(const ts_cli *cli, const char *scenes)
 	return status;
 }
 
+/* The parameters are as typed; each row says how many mirrors it has. */
+static void report_head(ts_report *report, const ts_cli *cli)
+{
+	const ts_params *p = &cli->params;
+	ts_report_line(report, "%u x %u pixels, frame %u, %u threads", (unsigned)p->width, (unsigned)p->height,
+	               (unsigned)p->frame, (unsigned)cli->threads);
+	ts_report_run(report, cli);
+}
+
 ts_status ts_bench_command(ts_cli *cli)
 {
 	bool table_2 = strcmp(cli->arguments[0], "epr-2") == 0;
@@ -254,6 +263,7 @@ ts_status ts_bench_command(ts_cli *cli)
 	char spec[4096];
 	ts_report report;
 	ts_report_begin(&report, ts_cli_given(cli, TS_OPT_JSON));
+	report_head(&report, cli);
 	ts_table table = table_2 ? ts_table_begin("epr_2", "EPR, table 2", columns_2)
 		: ts_table_begin("epr_1", "EPR, table 1: shading operations, one bounce", columns_1);
 	while (status == TS_OK && ts_cli_item(&list, spec, sizeof spec)) {

@@ -21,19 +21,11 @@ static method_columns columns_make(const ts_render *render, const char *key, con
 	return c;
 }
 
-static json_t *params_json(const ts_params *params)
+static json_t *methods_json(const ts_render *render)
 {
-	json_t *object = json_object();
-	size_t n;
-	const ts_param_info *table = ts_param_table(&n);
-	for (size_t row = 0; row < n; row++) {
-		char text[64];
-		ts_params_format(params, row, text, sizeof text);
-		bool is_number = strcmp(table[row].kind, "enum") != 0;
-		json_t *value = is_number ? json_loads(text, JSON_DECODE_ANY, NULL) : json_string(text);
-		json_object_set_new(object, table[row].name, value != NULL ? value : json_string(text));
-	}
-	return object;
+	json_t *names = json_array();
+	for (u32 i = 0; i < render->n_methods; i++) json_array_append_new(names, json_string(render->methods[i]->name));
+	return names;
 }
 
 void ts_render_report_head(const ts_render *render, ts_report *report)
@@ -45,14 +37,13 @@ void ts_render_report_head(const ts_render *render, ts_report *report)
 	               (unsigned)p->frame, (unsigned)render->cli->threads);
 	ts_report_line(report, "memory: about %.2f GB at the peak, of %.2f GB", (double)render->estimate / 1e9,
 	               (double)ts_memory_total() / 1e9);
-	ts_report_value(report, "program", json_string(ts_program));
+	ts_report_run(report, render->cli);
 	ts_report_value(report, "effect", json_string(render->effect));
+	ts_report_value(report, "methods", methods_json(render));
 	ts_report_value(report, "scene", ts_text_json(scene->name));
 	ts_report_value(report, "triangles", json_integer(scene->n_triangles));
 	ts_report_value(report, "mirrors", json_integer(scene->n_reflectors));
-	ts_report_value(report, "threads", json_integer(render->cli->threads));
 	ts_report_value(report, "estimated_bytes", json_integer((json_int_t)render->estimate));
-	ts_report_value(report, "params", params_json(p));
 }
 
 static double stage_seconds(const ts_measure *m, const char *stage)

@@ -3,8 +3,7 @@
 #define TS_CLI_TABLE_H
 #include <jansson.h>
 #include <stdio.h>
-#include "../core/core.h"
-#include "../kernels/compat.h"
+#include "cli.h"
 
 enum { TS_MAX_COLUMNS = 16 };
 
@@ -60,6 +59,8 @@ void ts_report_table(ts_report *report, ts_table *table);
 void ts_report_line(ts_report *report, const char *format, ...) __attribute__((format(printf, 2, 3)));
 /* A figure of the JSON object only; takes the value over. */
 void ts_report_value(ts_report *report, const char *key, json_t *value);
+/* Program, version, backend, threads and parameters as figures of the JSON object (run_report.c). */
+void ts_report_run(ts_report *report, const ts_cli *cli);
 /* Fails if the report is not whole. */
 ts_status ts_report_check(const ts_report *report);
 /* Prints the text so far, of which nothing is printed again. */
