@@ -32,7 +32,7 @@ void ts_mvr_prepare(ts_run *run)
 void ts_mvr_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params)
 {
 	u64 face = params->face_px != 0 ? params->face_px : params->face_max;
-	u64 cubes = scene->n_reflectors != 0 ? 1 : 0;
+	u64 cubes = scene->info.n_reflectors != 0 ? 1 : 0;
 	ts_sizes_set(sizes, "C", cubes * 6 * face * face);
 	ts_sizes_set(sizes, "C4", cubes * ts_k_mip_texels((u32)face, TS_NONE));
 }

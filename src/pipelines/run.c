@@ -42,7 +42,7 @@ static ts_status run_steps(const ts_step *step, const ts_step *end, ts_run *run)
 /* One batch a reflector; a scene without reflectors is one empty batch. */
 static ts_status run_batches(const ts_pipeline *pipeline, const ts_step *step, const ts_step *end, ts_run *run)
 {
-	u32 n = run->scene->n_reflectors;
+	u32 n = run->scene->info.n_reflectors;
 	run->n_reflectors = n != 0 ? 1 : 0;
 	for (u32 r = 0; r == 0 || r < n; r++) {
 		run->first_reflector = r;

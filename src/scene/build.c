@@ -63,6 +63,7 @@ ts_build *ts_build_new(const char *name)
 	build->scene = ts_alloc_zero(1, sizeof *build->scene, "a scene");
 	if (build->scene) {
 		build->scene->camera = TS_NONE;
+		build->scene->info.circles = 1;
 		build->scene->name = text_copy(build, name);
 	}
 	if (!build->scene || !build->scene->name || !TS_BUILD_ROOM(build, objects, "objects")) {
@@ -218,7 +219,7 @@ u32 ts_build_object(ts_build *build, const ts_object *object, bool is_reflector)
 	if (!TS_BUILD_ROOM(build, objects, "objects")) return 0;
 	ts_object *o = &scene->objects[scene->n_objects];
 	*o = (ts_object){.first_vertex = scene->n_vertices, .reflector = TS_NONE, .period = object->period};
-	if (is_reflector) o->reflector = scene->n_reflectors++;
+	if (is_reflector) o->reflector = scene->info.n_reflectors++;
 	sanitize(o->centre, object->centre, 3);
 	sanitize(o->axis, object->axis, 2);
 	o->phase = ts_san(object->phase);
@@ -236,8 +237,7 @@ void ts_build_note(ts_build *build, const char *format, ...)
 	va_start(arguments, format);
 	vsnprintf(line, sizeof line, format, arguments);
 	va_end(arguments);
-	for (char *c = line; *c; c++)
-		if ((unsigned char)*c < 32 || *c == 127) *c = '?';
+	ts_line_clean(line);
 	if (!TS_BUILD_ROOM(build, notes, "notes")) return;
 	char *note = text_copy(build, line);
 	if (note) scene->notes[scene->n_notes++] = note;
@@ -259,8 +259,8 @@ void ts_build_box(ts_scene *scene)
 				found = 1;
 			}
 		}
-		ts_store3(scene->box_min, low);
-		ts_store3(scene->box_max, high);
+		ts_store3(scene->info.box_min, low);
+		ts_store3(scene->info.box_max, high);
 	}
 }
 

@@ -3,6 +3,7 @@
 #include "build_parts.h"
 #include "../core/core.h"
 #include "../kernels/shade.h"
+#include "view.h"
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -23,13 +24,13 @@ static void give_material(ts_build *build)
 static void give_light(ts_build *build, const ts_params *params)
 {
 	ts_scene *scene = build->scene;
-	scene->ambient = 0.0f;
+	scene->info.ambient = 0.0f;
 	if (scene->n_lights > 0) return;
 	f32 irradiance = params->light_irradiance;
 	ts_light sun = {.kind = TS_LIGHT_KIND_DIRECTIONAL, .intensity = {irradiance, irradiance, irradiance}};
 	ts_store3(sun.direction, ts_v3_make(-0.4f, -1.0f, -0.3f));
 	ts_build_light(build, &sun);
-	scene->ambient = ts_san(params->light_ambient);
+	scene->info.ambient = ts_san(params->light_ambient);
 }
 
 static void check_triangles(ts_build *build)
@@ -174,6 +175,7 @@ static void choose_camera(ts_build *build, const char *name)
 	ts_scene *scene = build->scene;
 	char names[256] = "";
 	scene->camera = ts_scene_camera(scene, name);
+	ts_view_choose(&scene->info, scene->camera != TS_NONE ? &scene->cameras[scene->camera] : NULL);
 	if (!name || scene->camera != TS_NONE) return;
 	if (scene->n_cameras == 0)
 		ts_build_fail(build, "%s: camera %s: the scene has no cameras; without a name the eye circles", scene->name,

@@ -146,21 +146,21 @@ static void take_hall(ts_scene *scene, const slice *s)
 	for (u32 axis = 0; axis < 2; axis++) {
 		measure(s, axis, &down, &up);
 		f32 half = ts_min(down, up) * KEPT;
-		scene->hall_min[axis] = ts_put(s->middle[axis] - half);
-		scene->hall_max[axis] = ts_put(s->middle[axis] + half);
+		scene->info.hall_min[axis] = ts_put(s->middle[axis] - half);
+		scene->info.hall_max[axis] = ts_put(s->middle[axis] + half);
 	}
 }
 
 void ts_build_walls(ts_build *build)
 {
 	ts_scene *scene = build->scene;
-	const f32 *low = scene->box_min, *high = scene->box_max;
+	const f32 *low = scene->info.box_min, *high = scene->info.box_max;
 	slice s = {.low = {low[0], low[2]}, .high = {high[0], high[2]}};
 	f32 levels[N_HEIGHTS];
 	for (u32 h = 0; h < N_HEIGHTS; h++) levels[h] = low[1] + (high[1] - low[1]) * heights[h];
 	for (u32 axis = 0; axis < 2; axis++) {
-		scene->hall_min[axis] = s.low[axis];
-		scene->hall_max[axis] = s.high[axis];
+		scene->info.hall_min[axis] = s.low[axis];
+		scene->info.hall_max[axis] = s.high[axis];
 		s.middle[axis] = (s.low[axis] + s.high[axis]) * 0.5f;
 	}
 	if (slice_make(build, &s, levels) && is_enclosed(&s)) {

@@ -5,6 +5,7 @@
 #include "scene.h"
 #include <inttypes.h>
 #include <jansson.h>
+#include <stdlib.h>
 
 static uint64_t scene_bytes(const ts_scene *s)
 {
@@ -26,7 +27,7 @@ static void figures_of(figure *f, const ts_scene *s)
 		{"triangles_degenerate", s->n_degenerate, "of these; they have no area and are dropped"},
 		{"vertices", s->n_vertices, ""},
 		{"objects", s->n_objects, "the static scene and each reflector"},
-		{"reflectors", s->n_reflectors, ""},
+		{"reflectors", s->info.n_reflectors, ""},
 		{"materials", s->n_materials, ""},
 		{"texture_references", s->n_slots, ""},
 		{"images", s->n_images, ""},
@@ -69,11 +70,11 @@ static json_t *json_of(const ts_scene *s)
 	json_object_set_new(root, "scene", ts_text_json(s->name));
 	for (size_t i = 0; i < N_FIGURES; i++)
 		json_object_set_new(root, f[i].name, json_integer((json_int_t)f[i].value));
-	json_object_set_new(root, "box_min", json_floats(s->box_min, 3));
-	json_object_set_new(root, "box_max", json_floats(s->box_max, 3));
-	json_object_set_new(root, "hall_min", json_floats(s->hall_min, 2));
-	json_object_set_new(root, "hall_max", json_floats(s->hall_max, 2));
-	json_object_set_new(root, "ambient", json_real((double)s->ambient));
+	json_object_set_new(root, "box_min", json_floats(s->info.box_min, 3));
+	json_object_set_new(root, "box_max", json_floats(s->info.box_max, 3));
+	json_object_set_new(root, "hall_min", json_floats(s->info.hall_min, 2));
+	json_object_set_new(root, "hall_max", json_floats(s->info.hall_max, 2));
+	json_object_set_new(root, "ambient", json_real((double)s->info.ambient));
 	json_object_set_new(root, "light", json_lights(s));
 	for (u32 i = 0; i < s->n_cameras; i++) json_array_append_new(cameras, ts_text_json(s->cameras[i].name));
 	for (u32 i = 0; i < s->n_notes; i++) json_array_append_new(notes, ts_text_json(s->notes[i]));
@@ -93,46 +94,64 @@ static ts_status print_json(const ts_scene *scene, FILE *out)
 	return TS_OK;
 }
 
-/* Names come from files: no control characters reach a terminal. */
-static void print_name(FILE *out, const char *name)
+/* Names come from files. */
+static ts_status print_name(FILE *out, const char *name)
 {
-	for (const unsigned char *c = (const unsigned char *)name; *c; c++) fputc(*c < 32 || *c == 127 ? '?' : *c, out);
+	char *line = strdup(name);
+	if (!line) return ts_fail("no memory to print a name of %zu bytes", strlen(name));
+	ts_line_clean(line);
+	fputs(line, out);
+	free(line);
+	return TS_OK;
 }
 
-static void print_text(const ts_scene *s, FILE *out)
+static void print_bounds(const ts_scene *s, FILE *out)
 {
-	figure f[N_FIGURES];
-	figures_of(f, s);
-	print_name(out, s->name);
-	fputc('\n', out);
-	for (size_t i = 0; i < N_FIGURES; i++)
-		fprintf(out, "  %-21s %12" PRIu64 "%s%s\n", f[i].name, f[i].value, *f[i].doc ? "  " : "", f[i].doc);
 	for (int k = 0; k < 3; k++)
-		fprintf(out, "  box %c                 %g to %g\n", "xyz"[k], (double)s->box_min[k], (double)s->box_max[k]);
+		fprintf(out, "  box %c                 %g to %g\n", "xyz"[k], (double)s->info.box_min[k], (double)s->info.box_max[k]);
 	for (int k = 0; k < 2; k++)
-		fprintf(out, "  hall %c                %g to %g\n", "xz"[k], (double)s->hall_min[k], (double)s->hall_max[k]);
-	fprintf(out, "  ambient               %g\n", (double)s->ambient);
+		fprintf(out, "  hall %c                %g to %g\n", "xz"[k], (double)s->info.hall_min[k], (double)s->info.hall_max[k]);
+}
+
+static void print_lights(const ts_scene *s, FILE *out)
+{
+	fprintf(out, "  ambient               %g\n", (double)s->info.ambient);
 	for (u32 i = 0; i < s->n_lights; i++) {
 		const ts_light *l = &s->lights[i];
 		fprintf(out, "  light %-4u            %s, intensity %g %g %g\n", i, light_kinds[l->kind],
 		        (double)l->intensity[0], (double)l->intensity[1], (double)l->intensity[2]);
 	}
+}
+
+static ts_status print_cameras(const ts_scene *s, FILE *out)
+{
 	for (u32 i = 0; i < s->n_cameras; i++) {
 		fprintf(out, "  camera %-4u           ", i);
-		print_name(out, s->cameras[i].name);
+		if (print_name(out, s->cameras[i].name) != TS_OK) return TS_ERROR;
 		fprintf(out, "%s\n", i == s->camera ? " (chosen)" : "");
 	}
 	if (s->camera == TS_NONE) fputs("  eye                   circling\n", out);
+	return TS_OK;
+}
+
+static ts_status print_text(const ts_scene *s, FILE *out)
+{
+	figure f[N_FIGURES];
+	figures_of(f, s);
+	if (print_name(out, s->name) != TS_OK) return TS_ERROR;
+	fputc('\n', out);
+	for (size_t i = 0; i < N_FIGURES; i++)
+		fprintf(out, "  %-21s %12" PRIu64 "%s%s\n", f[i].name, f[i].value, *f[i].doc ? "  " : "", f[i].doc);
+	print_bounds(s, out);
+	print_lights(s, out);
+	if (print_cameras(s, out) != TS_OK) return TS_ERROR;
 	for (u32 i = 0; i < s->n_notes; i++) fprintf(out, "  note: %s\n", s->notes[i]);
+	return TS_OK;
 }
 
 ts_status ts_scene_print(const ts_scene *scene, FILE *out, int json)
 {
-	ts_status status = TS_OK;
-	if (json)
-		status = print_json(scene, out);
-	else
-		print_text(scene, out);
+	ts_status status = json ? print_json(scene, out) : print_text(scene, out);
 	if (status == TS_OK && (fflush(out) != 0 || ferror(out)))
 		return ts_fail("%s: its description could not be written; is the disk full?", scene->name);
 	return status;

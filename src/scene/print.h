@@ -1,4 +1,4 @@
-/* Text from files, on its way out. */
+/* Text from files, on its way out as JSON. For a terminal there is ts_line_clean. */
 #ifndef TS_SCENE_PRINT_H
 #define TS_SCENE_PRINT_H
 #include <jansson.h>
@@ -8,8 +8,6 @@ extern "C" {
 
 /* A JSON string of any bytes: as they are if they are UTF-8, else those above 127 as \xHH. NULL when out of memory. */
 json_t *ts_text_json(const char *text);
-/* Replaces control characters, C0 and the C1 of UTF-8, by '?', so that none reaches a terminal. Newlines too. */
-void ts_text_clean(char *text);
 
 #ifdef __cplusplus
 }

@@ -1,4 +1,4 @@
-/* Text from files, on its way out: names may hold any bytes, JSON holds UTF-8 only, and terminals obey some of them. */
+/* Text from files, on its way out as JSON: names may hold any bytes, JSON holds UTF-8 only. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -22,16 +22,4 @@ json_t *ts_text_json(const char *text)
 	string = json_string(escaped);
 	free(escaped);
 	return string;
-}
-
-void ts_text_clean(char *text)
-{
-	for (unsigned char *c = (unsigned char *)text; *c != 0; c++) {
-		bool c1 = c[0] == 0xc2 && c[1] >= 0x80 && c[1] <= 0x9f;
-		if (c1) {
-			c[0] = c[1] = '?';
-		} else if (*c < 0x20 || *c == 0x7f) {
-			*c = '?';
-		}
-	}
 }

@@ -21,12 +21,13 @@ static f32 fraction(f32 x) { return x - ts_floor(x); }
 
 static void plan_make(floor_plan *plan, const ts_scene *scene, const ts_params *params, const char *camera)
 {
-	ts_scene seen = *scene;
+	ts_info seen = scene->info;
 	ts_params first = *params;
-	seen.camera = ts_scene_camera(scene, camera);
+	u32 index = ts_scene_camera(scene, camera);
+	ts_view_choose(&seen, index != TS_NONE ? &scene->cameras[index] : NULL);
 	first.frame = 0;
 	ts_view_eye(&plan->eye, &seen, &first);
-	plan->hall = ts_view_hall(scene);
+	plan->hall = ts_view_hall(&scene->info);
 	plan->n = params->reflectors;
 }
 

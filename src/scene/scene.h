@@ -20,12 +20,9 @@ struct ts_scene {
 	u64 *texels; u64 n_texels;
 	ts_light *lights; u32 n_lights;
 	ts_object *objects; u32 n_objects;
-	u32 n_reflectors;
+	ts_info info;
 	ts_camera *cameras; u32 n_cameras;
 	u32 camera;             /* the chosen one or TS_NONE: the eye circles */
-	f32 ambient;            /* radiance */
-	f32 box_min[3], box_max[3]; /* of the triangles of object 0, world */
-	f32 hall_min[2], hall_max[2]; /* x and z of where in the box the eye and the added reflectors move (view.h) */
 	u64 n_triangles_file;   /* triangles drawn before reflectors were added */
 	u64 n_degenerate;       /* zero-area triangles among them */
 	char **notes; u32 n_notes; /* what in the file was not understood, a line each */

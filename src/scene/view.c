@@ -13,15 +13,15 @@ static ts_space space_between(ts_v3 low, ts_v3 high)
 	return (ts_space){ts_scale(ts_add(low, high), 0.5f), ts_max3(half, ts_v3_make(least, least, least))};
 }
 
-ts_space ts_view_box(const ts_scene *scene)
+ts_space ts_view_box(const ts_info *info)
 {
-	return space_between(ts_load3(scene->box_min), ts_load3(scene->box_max));
+	return space_between(ts_load3(info->box_min), ts_load3(info->box_max));
 }
 
-ts_space ts_view_hall(const ts_scene *scene)
+ts_space ts_view_hall(const ts_info *info)
 {
-	return space_between(ts_v3_make(scene->hall_min[0], scene->box_min[1], scene->hall_min[1]),
-	                     ts_v3_make(scene->hall_max[0], scene->box_max[1], scene->hall_max[1]));
+	return space_between(ts_v3_make(info->hall_min[0], info->box_min[1], info->hall_min[1]),
+	                     ts_v3_make(info->hall_max[0], info->box_max[1], info->hall_max[1]));
 }
 
 static void look_at(ts_view *view, ts_v3 eye, ts_v3 target)
@@ -34,9 +34,9 @@ static void look_at(ts_view *view, ts_v3 eye, ts_v3 target)
 	ts_store3(view->back, back);
 }
 
-static void circle(ts_view *view, const ts_scene *scene, const ts_params *params)
+static void circle(ts_view *view, const ts_info *info, const ts_params *params)
 {
-	ts_space hall = ts_view_hall(scene);
+	ts_space hall = ts_view_hall(info);
 	f32 factor = params->eye == TS_EYE_NEAR ? 0.35f : 0.9f;
 	f32 turns = (f32)(params->frame % FRAMES_A_TURN) / (f32)FRAMES_A_TURN;
 	f32 across = hall.half.x * factor;
@@ -48,23 +48,31 @@ static void circle(ts_view *view, const ts_scene *scene, const ts_params *params
 	look_at(view, eye, ts_v3_make(hall.middle.x, floor + height * TARGET_HEIGHT, hall.middle.z));
 }
 
-void ts_view_eye(ts_view *view, const ts_scene *scene, const ts_params *params)
+void ts_view_eye(ts_view *view, const ts_info *info, const ts_params *params)
 {
-	f32 yfov = 0.0f;
-	if (scene->camera != TS_NONE) {
-		const ts_camera *camera = &scene->cameras[scene->camera];
-		ts_store3(view->eye, ts_load3(camera->eye));
-		ts_store3(view->right, ts_load3(camera->right));
-		ts_store3(view->up, ts_load3(camera->up));
-		ts_store3(view->back, ts_load3(camera->back));
-		yfov = camera->yfov;
+	if (info->circles != 0) {
+		circle(view, info, params);
 	} else {
-		circle(view, scene, params);
+		memcpy(view->eye, info->eye, sizeof view->eye);
+		memcpy(view->right, info->right, sizeof view->right);
+		memcpy(view->up, info->up, sizeof view->up);
+		memcpy(view->back, info->back, sizeof view->back);
 	}
-	f32 half_turns = yfov > 0.0f ? yfov * 0.5f : params->fov / 720.0f;
+	f32 half_turns = info->yfov > 0.0f ? info->yfov * 0.5f : params->fov / 720.0f;
 	f32 height = (f32)params->height * ts_cos_turn(half_turns);
 	view->width = params->width;
 	view->height = params->height;
 	view->focal = ts_put(height / (2.0f * ts_sin_turn(half_turns)));
-	view->near = ts_put(ts_length(ts_view_box(scene).half) * 0.0009765625f);
+	view->near = ts_put(ts_length(ts_view_box(info).half) * 0.0009765625f);
+}
+
+void ts_view_choose(ts_info *info, const ts_camera *camera)
+{
+	info->circles = camera == NULL;
+	if (camera == NULL) return;
+	ts_store3(info->eye, ts_load3(camera->eye));
+	ts_store3(info->right, ts_load3(camera->right));
+	ts_store3(info->up, ts_load3(camera->up));
+	ts_store3(info->back, ts_load3(camera->back));
+	info->yfov = ts_put(camera->yfov);
 }

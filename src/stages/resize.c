@@ -15,19 +15,20 @@ static void replay(const ts_run *run, ts_resize_args *args, u32 n)
 {
 	ts_params params = run->params;
 	ts_view view;
+	const ts_info *info = ts_run_info(run);
 	args->view = &view;
 	u32 first = args->fixed != 0 ? run->params.frame : 0;
 	for (u32 frame = first; frame <= run->params.frame; frame++) {
 		params.frame = frame;
 		args->frame = frame;
-		ts_view_eye(&view, run->scene, &params);
+		ts_view_eye(&view, info, &params);
 		ts_c_launch(TS_KERNEL_resize, args, n, run->threads);
 	}
 }
 
 ts_status ts_stage_resize(ts_run *run)
 {
-	u32 n = run->scene->n_reflectors;
+	u32 n = ts_run_info(run)->n_reflectors;
 	ts_face *cubes = ts_frame_make1(&run->frame, TS_B_resize_face, n);
 	u32 *objects = ts_alloc(n, sizeof *objects, "reflectors");
 	if (cubes == NULL || objects == NULL) {

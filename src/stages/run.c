@@ -11,7 +11,7 @@ void ts_run_begin(ts_run *run, const ts_scene *scene, const ts_params *params, u
 	run->scene = scene;
 	run->params = *params;
 	run->threads = threads != 0 ? threads : 1;
-	run->n_reflectors = scene->n_reflectors;
+	run->n_reflectors = scene->info.n_reflectors;
 	ts_frame_borrow(&run->frame, TS_B_scene_vertex, scene->vertices, scene->n_vertices);
 	ts_frame_borrow(&run->frame, TS_B_scene_triangle, scene->triangles, scene->n_triangles);
 	ts_frame_borrow(&run->frame, TS_B_scene_material, scene->materials, scene->n_materials);
@@ -20,6 +20,7 @@ void ts_run_begin(ts_run *run, const ts_scene *scene, const ts_params *params, u
 	ts_frame_borrow(&run->frame, TS_B_scene_texel, scene->texels, scene->n_texels);
 	ts_frame_borrow(&run->frame, TS_B_scene_light, scene->lights, scene->n_lights);
 	ts_frame_borrow(&run->frame, TS_B_scene_object, scene->objects, scene->n_objects);
+	ts_frame_borrow(&run->frame, TS_B_scene_info, &scene->info, 1);
 }
 
 void ts_run_end(ts_run *run) { ts_frame_clear(&run->frame); }
@@ -65,6 +66,8 @@ i64 ts_run_counter(const ts_run *run, const char *name)
 	return 0;
 }
 
+const ts_info *ts_run_info(const ts_run *run) { return ts_frame_data(&run->frame, TS_B_scene_info); }
+
 ts_arrays ts_run_arrays(const ts_run *run)
 {
 	const ts_frame *frame = &run->frame;
@@ -79,7 +82,7 @@ ts_arrays ts_run_arrays(const ts_run *run)
 		.objects = ts_frame_data(frame, TS_B_scene_object),
 		.n_triangles = run->scene->n_triangles,
 		.n_lights = run->scene->n_lights,
-		.ambient = run->scene->ambient,
+		.ambient = ts_run_info(run)->ambient,
 	};
 }
 
@@ -112,7 +115,7 @@ u64 ts_expected_pixels(const ts_scene *scene, const ts_params *params)
 {
 	double pixels = (double)params->width * (double)params->height;
 	double side = (double)params->reflector_px;
-	double covered = params->reflectors != 0 ? side * side * (double)scene->n_reflectors : pixels / 4;
+	double covered = params->reflectors != 0 ? side * side * (double)scene->info.n_reflectors : pixels / 4;
 	return (u64)(covered < pixels ? covered : pixels);
 }
 
@@ -121,7 +124,7 @@ void ts_run_sizes(ts_sizes *sizes, const ts_scene *scene, const ts_params *param
 	const ts_size known[] = {
 		{"V", scene->n_vertices}, {"T", scene->n_triangles}, {"M", scene->n_materials}, {"S", scene->n_slots},
 		{"I", scene->n_images}, {"X", scene->n_texels}, {"L", scene->n_lights}, {"O", scene->n_objects},
-		{"R", scene->n_reflectors}, {"w", ((u64)scene->n_reflectors * 6 + 63) / 64}, {"H", params->height},
+		{"R", scene->info.n_reflectors}, {"w", ((u64)scene->info.n_reflectors * 6 + 63) / 64}, {"H", params->height},
 		{"W", params->width}, {"K", TS_N_SAMPLES}, {"P", ts_expected_pixels(scene, params)},
 	};
 	for (u32 i = 0; i < sizeof known / sizeof *known; i++) ts_sizes_set(sizes, known[i].name, known[i].n);

@@ -29,6 +29,7 @@ ts_status ts_stage_image(ts_run *run);
 
 /* Shared by the stages (run.c). The arrays of the frame that shading kernels read; the vertices are this frame's. */
 ts_arrays ts_run_arrays(const ts_run *run);
+const ts_info *ts_run_info(const ts_run *run);
 /* rho_scale as samples a pixel a side. */
 f32 ts_samples_a_pixel(const ts_params *params);
 /* The largest cube face that adapts to the eye: face_max, at most half the eye's height, at least 16. */

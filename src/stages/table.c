@@ -3,18 +3,18 @@
 
 #define SCENE \
 	TS_B_pose_vertex, TS_B_scene_triangle, TS_B_scene_material, TS_B_scene_slot, TS_B_scene_image, TS_B_scene_texel, \
-		TS_B_scene_light, TS_B_scene_object
+		TS_B_scene_light, TS_B_scene_object, TS_B_scene_info
 #define SHAPES TS_B_pose_vertex, TS_B_scene_triangle, TS_B_scene_material, TS_B_scene_object
 /* What turns a point into a surface. */
 #define POINTS SCENE, TS_B_resize_face, TS_B_split_triangle, TS_B_align_frame, TS_B_points_key, TS_B_points_record
 #define END TS_N_BUFFERS
 
 const ts_stage ts_stage_table[] = {
-	{"view", "map", {TS_B_scene_object, END}, {TS_B_eye_view, END}, ts_stage_view, "EPR 4.2",
+	{"view", "map", {TS_B_scene_info, END}, {TS_B_eye_view, END}, ts_stage_view, "EPR 4.2",
 	 "the eye, circling the scene or the file's camera"},
 	{"pose", "map", {TS_B_scene_vertex, TS_B_scene_object, END}, {TS_B_pose_vertex, END}, ts_stage_pose, "EPR 4.2",
 	 "moving objects to their place in this frame"},
-	{"resize", "map", {TS_B_scene_vertex, TS_B_scene_object, TS_B_eye_view, END}, {TS_B_resize_face, END},
+	{"resize", "map", {TS_B_scene_vertex, TS_B_scene_object, TS_B_scene_info, END}, {TS_B_resize_face, END},
 	 ts_stage_resize, "EPR 3.5", "box, ball and cube size of every reflector"},
 	{"eye", "scatter", {SCENE, TS_B_eye_view, END}, {TS_B_eye_depth_triangle, END}, ts_stage_eye, "EPR 2.2",
 	 "standard rasterization of the eye's view"},

@@ -68,7 +68,7 @@ static void test_defaults(void **state)
 	assert_int_equal(scene->objects[0].n_vertices, 3);
 	assert_int_equal(scene->objects[0].reflector, TS_NONE);
 	assert_int_equal(scene->camera, TS_NONE);
-	assert_true(scene->box_min[2] == -1.0f && scene->box_max[0] == 1.0f && scene->box_max[1] == 0.0f);
+	assert_true(scene->info.box_min[2] == -1.0f && scene->info.box_max[0] == 1.0f && scene->info.box_max[1] == 0.0f);
 	ts_scene_free(scene);
 }
 
@@ -79,8 +79,8 @@ static void test_empty(void **state)
 	ts_scene *scene = finish(ts_build_new("empty"));
 	assert_int_equal(scene->n_triangles, 0);
 	assert_int_equal(scene->n_lights, 1);
-	for (u32 k = 0; k < 3; k++) assert_true(scene->box_min[k] == 0.0f && scene->box_max[k] == 0.0f);
-	for (u32 k = 0; k < 2; k++) assert_true(scene->hall_min[k] == 0.0f && scene->hall_max[k] == 0.0f);
+	for (u32 k = 0; k < 3; k++) assert_true(scene->info.box_min[k] == 0.0f && scene->info.box_max[k] == 0.0f);
+	for (u32 k = 0; k < 2; k++) assert_true(scene->info.hall_min[k] == 0.0f && scene->info.hall_max[k] == 0.0f);
 	ts_scene_free(scene);
 }
 
@@ -97,7 +97,7 @@ static void test_sun(void **state)
 	assert_float_equal(sun->direction[0] / sun->direction[1], 0.4f, 1e-6f);
 	assert_float_equal(sun->direction[2] / sun->direction[1], 0.3f, 1e-6f);
 	assert_float_equal(ts_length(ts_load3(sun->direction)), 1.0f, 1e-6f);
-	assert_true(sun->direction[1] < 0.0f && scene->ambient == 0.25f);
+	assert_true(sun->direction[1] < 0.0f && scene->info.ambient == 0.25f);
 	ts_scene_free(scene);
 }
 
@@ -109,7 +109,7 @@ static void test_own_lights(void **state)
 	ts_build_light(build, &lamp);
 	ts_scene *scene = finish(build);
 	assert_int_equal(scene->n_lights, 1);
-	assert_true(scene->ambient == 0.0f && scene->lights[0].intensity[2] == 3.0f);
+	assert_true(scene->info.ambient == 0.0f && scene->lights[0].intensity[2] == 3.0f);
 	ts_scene_free(scene);
 }
 
@@ -272,10 +272,10 @@ static void test_objects_become_ranges(void **state)
 		assert_int_equal(b->object, owner[i]);
 		assert_true(b->position[0] == size[i]);
 	}
-	assert_int_equal(scene->n_reflectors, 2);
+	assert_int_equal(scene->info.n_reflectors, 2);
 	assert_int_equal(scene->n_triangles_file, 4);
 	assert_int_equal(scene->n_degenerate, 1);
-	assert_true(scene->box_max[0] == 3.0f);
+	assert_true(scene->info.box_max[0] == 3.0f);
 	ts_scene_free(scene);
 }
 
@@ -302,7 +302,7 @@ static void test_box_of_a_lone_reflector(void **state)
 	ts_build_object(build, &still, true);
 	right_triangle(build, 2.0f, TS_NONE);
 	ts_scene *scene = finish(build);
-	assert_true(scene->box_max[0] == 2.0f && scene->box_min[2] == -2.0f);
+	assert_true(scene->info.box_max[0] == 2.0f && scene->info.box_min[2] == -2.0f);
 	ts_scene_free(scene);
 }
 

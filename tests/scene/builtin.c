@@ -218,7 +218,7 @@ static void test_rooms_are_closed(void **state)
 		for (u32 frame = 0; frame < 240; frame += 24) {
 			ts_view view;
 			params.frame = frame;
-			ts_view_eye(&view, scene, &params);
+			ts_view_eye(&view, &scene->info, &params);
 			for (u32 i = 0; i < 48; i++) {
 				u32 id = frame * 64 + i;
 				f32 turn = ts_uniform(ts_random(id, 6u, 1u)), low = k == 2 ? -4.0f : -1.0f;
@@ -244,7 +244,7 @@ static void test_eye_path_is_free(void **state)
 			ts_view view;
 			params.frame = step;
 			params.eye = step % 8u == 7u ? TS_EYE_NEAR : TS_EYE_FAR;
-			ts_view_eye(&view, scene, &params);
+			ts_view_eye(&view, &scene->info, &params);
 			for (u32 i = 0; i < scene->n_vertices; i += 3) {
 				ts_v3 away = ts_sub(ts_load3(scene->vertices[i].position), ts_load3(view.eye));
 				if (ts_dot(away, away) < 0.0225f)

@@ -34,7 +34,7 @@ static ts_scene *room(f32 x, f32 y, f32 z, const char *camera)
 	ts_reflectors_add(build, &params, camera);
 	ts_scene *scene;
 	assert_int_equal(ts_build_finish(build, &params, camera, &scene), TS_OK);
-	assert_int_equal(scene->n_reflectors, params.reflectors);
+	assert_int_equal(scene->info.n_reflectors, params.reflectors);
 	assert_int_equal(scene->n_objects, params.reflectors + 1);
 	return scene;
 }
@@ -60,7 +60,7 @@ static double mean_diameter(const ts_scene *scene)
 	ts_view eye;
 	ts_params first = params;
 	first.frame = 0;
-	ts_view_eye(&eye, scene, &first);
+	ts_view_eye(&eye, &scene->info, &first);
 	double sum = 0.0, f = (double)eye.focal;
 	for (u32 i = 1; i < scene->n_objects; i++) {
 		ts_v3 d = ts_sub(ts_k_pose(&scene->objects[i], 0).centre, ts_load3(eye.eye));
@@ -111,7 +111,7 @@ static void check_inside(const ts_scene *scene, const ts_object *object, u32 fra
 		ts_v3 p = ts_k_pose_point(&pose, ts_load3(scene->vertices[object->first_vertex + i].position));
 		const f32 place[3] = {p.x, p.y, p.z};
 		for (u32 k = 0; k < 3; k++)
-			assert_true(place[k] >= scene->box_min[k] - rounding && place[k] <= scene->box_max[k] + rounding);
+			assert_true(place[k] >= scene->info.box_min[k] - rounding && place[k] <= scene->info.box_max[k] + rounding);
 	}
 }
 
@@ -160,7 +160,7 @@ static void test_apart(void **state)
 		f32 radius = (f32)radius_of(scene, 1);
 		for (; params.frame < 240; params.frame++) {
 			ts_view eye;
-			ts_view_eye(&eye, scene, &params);
+			ts_view_eye(&eye, &scene->info, &params);
 			for (u32 i = 1; i < scene->n_objects; i++) {
 				ts_v3 centre = ts_k_pose(&scene->objects[i], params.frame).centre;
 				assert_true(ts_length(ts_sub(centre, ts_load3(eye.eye))) > radius * 1.5f);
@@ -214,7 +214,7 @@ static void test_in_the_picture(void **state)
 	params.reflectors = 30;
 	ts_scene *scene = room(20.0f, 6.0f, 14.0f, NULL);
 	ts_view eye;
-	ts_view_eye(&eye, scene, &params);
+	ts_view_eye(&eye, &scene->info, &params);
 	u32 seen = 0;
 	for (u32 i = 1; i < scene->n_objects; i++) {
 		ts_v3 d = ts_sub(ts_k_pose(&scene->objects[i], 0).centre, ts_load3(eye.eye));

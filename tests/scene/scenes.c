@@ -34,7 +34,7 @@ static void test_room(void **state)
 	const ts_v3 middle = ts_v3_make(0.0f, 2.0f, 0.0f), centre = ts_v3_make(1.0f, 1.5f, -1.0f);
 	ts_scene *scene = open_scene("scenes/room.gltf", 0, NULL);
 	assert_int_equal(scene->n_triangles, 20);
-	assert_int_equal(scene->n_reflectors, 1);
+	assert_int_equal(scene->info.n_reflectors, 1);
 	assert_int_equal(scene->n_notes, 0);
 	for (u32 i = 0; i < 20; i++) {
 		u32 object = scene->vertices[scene->triangles[i].vertex[0]].object;
@@ -42,8 +42,8 @@ static void test_room(void **state)
 		f32 towards = ts_dot(normal(scene, i), ts_sub(from, corner(scene, i, 0)));
 		assert_true(object == 0 ? towards > 0.0f : towards < 0.0f);
 	}
-	assert_float_equal(scene->hall_max[0], 3.8f, 1e-5f);
-	assert_float_equal(scene->hall_min[1], -2.85f, 1e-5f);
+	assert_float_equal(scene->info.hall_max[0], 3.8f, 1e-5f);
+	assert_float_equal(scene->info.hall_min[1], -2.85f, 1e-5f);
 	assert_int_equal(scene->n_images, 1);
 	assert_int_equal(scene->n_texels, 5);
 	assert_true(scene->slots[0].transform[0] == 2.0f && scene->slots[0].wrap[1] == TS_MIRROR);
@@ -57,7 +57,7 @@ static void test_camera(void **state)
 	const ts_scene_options door = {.camera = "door"};
 	ts_scene *scene = open_scene("scenes/room.gltf", 3, &door);
 	const ts_camera *camera = &scene->cameras[scene->camera];
-	assert_int_equal(scene->n_reflectors, 4);
+	assert_int_equal(scene->info.n_reflectors, 4);
 	assert_true(camera->eye[0] == -3.0f && camera->eye[1] == 1.5f && camera->eye[2] == 2.0f);
 	assert_float_equal(camera->back[0], -0.70710678f, 1e-6f);
 	assert_float_equal(camera->back[2], 0.70710678f, 1e-6f);
@@ -73,8 +73,8 @@ static void test_instances(void **state)
 	assert_int_equal(scene->n_triangles, 2);
 	for (u32 i = 0; i < 2; i++) assert_true(normal(scene, i).z > 0.0f);
 	const f32 low[3] = {-2.0f, 0.0f, -2.0f}, high[3] = {2.0f, 4.0f, 0.0f};
-	assert_memory_equal(scene->box_min, low, sizeof low);
-	assert_memory_equal(scene->box_max, high, sizeof high);
+	assert_memory_equal(scene->info.box_min, low, sizeof low);
+	assert_memory_equal(scene->info.box_max, high, sizeof high);
 	ts_scene_free(scene);
 }
 
@@ -83,7 +83,7 @@ static void test_points(void **state)
 	(void)state;
 	ts_scene *scene = open_scene("scenes/points.gltf", 2, NULL);
 	assert_int_equal(scene->n_triangles_file, 0);
-	assert_int_equal(scene->n_reflectors, 2);
+	assert_int_equal(scene->info.n_reflectors, 2);
 	assert_true(scene->n_notes >= 1);
 	ts_scene_free(scene);
 }

@@ -6,19 +6,17 @@
 #include <cmocka.h>
 
 static ts_params params;
-static ts_scene room;
-static ts_camera cameras[2];
+static ts_info room;
+static ts_camera camera;
 
 static int set_up(void **state)
 {
 	(void)state;
 	ts_params_default(&params);
-	room = (ts_scene){.camera = TS_NONE, .box_min = {-3.0f, -1.0f, 10.0f}, .box_max = {5.0f, 5.0f, 40.0f},
+	room = (ts_info){.circles = 1, .box_min = {-3.0f, -1.0f, 10.0f}, .box_max = {5.0f, 5.0f, 40.0f},
 	                  .hall_min = {-3.0f, 10.0f}, .hall_max = {5.0f, 40.0f}};
-	cameras[1] = (ts_camera){.eye = {1.0f, 2.0f, 3.0f}, .right = {0.0f, 0.0f, -1.0f}, .up = {0.0f, 1.0f, 0.0f},
+	camera = (ts_camera){.eye = {1.0f, 2.0f, 3.0f}, .right = {0.0f, 0.0f, -1.0f}, .up = {0.0f, 1.0f, 0.0f},
 	                         .back = {1.0f, 0.0f, 0.0f}, .yfov = 0.125f};
-	room.cameras = cameras;
-	room.n_cameras = 2;
 	return 0;
 }
 
@@ -109,15 +107,16 @@ static void test_projection(void **state)
 static void test_named_camera(void **state)
 {
 	(void)state;
-	room.camera = 1;
+	ts_view_choose(&room, &camera);
 	ts_view v = view_of(5), w = view_of(99);
 	assert_memory_equal(&v, &w, sizeof v);
-	assert_memory_equal(v.eye, cameras[1].eye, sizeof v.eye);
-	assert_memory_equal(v.right, cameras[1].right, sizeof v.right);
-	assert_memory_equal(v.up, cameras[1].up, sizeof v.up);
-	assert_memory_equal(v.back, cameras[1].back, sizeof v.back);
+	assert_memory_equal(v.eye, camera.eye, sizeof v.eye);
+	assert_memory_equal(v.right, camera.right, sizeof v.right);
+	assert_memory_equal(v.up, camera.up, sizeof v.up);
+	assert_memory_equal(v.back, camera.back, sizeof v.back);
 	assert_true(fabs((double)v.focal / (540.0 / tan(3.14159265358979323846 / 8.0)) - 1.0) < 1e-6);
-	cameras[1].yfov = 0.0f;
+	camera.yfov = 0.0f;
+	ts_view_choose(&room, &camera);
 	v = view_of(5);
 	assert_true(fabs((double)v.focal / (540.0 / tan(3.14159265358979323846 / 6.0)) - 1.0) < 1e-6);
 }

@@ -169,9 +169,9 @@ static void test_mvr_counters(void **state)
 		small_run(&run, scene, &params, "mvr", 2, count_texels, &texels);
 		assert_true(texels > 0);
 		assert_int_equal(ts_run_counter(&run, "shading operations"), texels);
-		assert_int_equal(ts_run_counter(&run, "geometry traversals"), 1 + scene->n_reflectors);
+		assert_int_equal(ts_run_counter(&run, "geometry traversals"), 1 + scene->info.n_reflectors);
 		if (faces == TS_MVR_FACES_FIXED) {
-			assert_int_equal(ts_run_counter(&run, "cube texels"), 6 * 64 * 64 * (i64)scene->n_reflectors);
+			assert_int_equal(ts_run_counter(&run, "cube texels"), 6 * 64 * 64 * (i64)scene->info.n_reflectors);
 		}
 		ts_run_end(&run);
 		ts_scene_free(scene);

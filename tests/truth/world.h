@@ -58,7 +58,7 @@ static inline void world_begin(world *w)
 	w->scene = (ts_scene){ .vertices = w->vertices, .triangles = w->triangles, .materials = w->materials,
 	                       .n_materials = WORLD_MATERIALS, .slots = &w->slot, .n_slots = 1, .images = &w->image,
 	                       .n_images = 1, .texels = w->texels, .n_texels = 3, .objects = w->objects,
-	                       .n_objects = WORLD_OBJECTS, .n_reflectors = WORLD_OBJECTS - 1, .ambient = 1 };
+	                       .n_objects = WORLD_OBJECTS, .info = { .n_reflectors = WORLD_OBJECTS - 1, .ambient = 1 } };
 }
 
 /* Corners get uv (0,0), (1,0), (1,1) and the face's normal. */
