@@ -43,11 +43,6 @@ typedef struct {
 	const ts_truth_query *query;
 } request;
 
-const char *ts_truth_version(void)
-{
-	return "Embree " RTC_VERSION_STRING;
-}
-
 const ts_arrays *ts_truth_scene(const ts_truth *truth)
 {
 	return &truth->scene;
@@ -117,13 +112,6 @@ ts_truth_hit ts_truth_cast(const ts_truth *truth, const ts_truth_query *query)
 	if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return none;
 	assert(ray.hit.geomID < N_PARTS && ray.hit.primID < truth->parts[ray.hit.geomID].n);
 	return measure(truth, query, truth->parts[ray.hit.geomID].triangle[ray.hit.primID]);
-}
-
-u32 ts_truth_ray(const ts_truth *truth, const f32 origin[3], const f32 direction[3], f32 tnear, u32 masked)
-{
-	ts_truth_query query = { .origin = ts_load3(origin), .direction = ts_load3(direction), .near = tnear,
-	                         .masked = masked, .from = ts_load3(origin) };
-	return ts_truth_cast(truth, &query).triangle;
 }
 
 /* Embree calls this from the thread that failed, and check reports it from ours. */

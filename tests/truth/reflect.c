@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include "../../src/kernels/samples.h"
 #include "../../src/kernels/shade.h"
+#include "../../src/truth/query.h"
 #include "world.h"
 
 enum { N_PIXELS = 2000, SEED = 3, STREAM = 6 };
@@ -249,9 +250,9 @@ static void test_hits(void **state)
 	assert_int_equal(ts_truth_hits(s->truth, &s->world.run, &hits), TS_OK);
 	for (u32 i = 0; i < s->n_pixels; i++)
 		for (u32 k = 0; k < TS_N_SAMPLES; k++) {
-			f32 d[3];
-			ts_store3(d, ts_k_sample_ray(&s->pixels[i], ts_load3(s->eye.eye), k).direction);
-			u32 hit = ts_truth_ray(s->truth, s->faces[0].centre, d, 0, 0);
+			ts_v3 d = ts_k_sample_ray(&s->pixels[i], ts_load3(s->eye.eye), k).direction;
+			ts_truth_query query = { .origin = ts_load3(s->faces[0].centre), .direction = d };
+			u32 hit = ts_truth_cast(s->truth, &query).triangle;
 			assert_int_not_equal(hit, TS_NONE);
 			assert_int_equal(hits[i * TS_N_SAMPLES + k], hit);
 		}
