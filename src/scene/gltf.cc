@@ -2,6 +2,7 @@
  * from C: no exception passes it. */
 #include "gltf.h"
 #include "../core/core.h"
+#include <algorithm>
 #include <cstdarg>
 #include <cstring>
 #include <new>
@@ -24,8 +25,7 @@ void fail(const char *format, ...)
 std::string quoted(const std::string &name)
 {
 	std::string text = name.substr(0, 48);
-	for (char &c : text)
-		if ((unsigned char)c < 32 || c == 127) c = '?';
+	std::replace(text.begin(), text.end(), '\0', '?');
 	return "\"" + text + (name.size() > 48 ? "...\"" : "\"");
 }
 

@@ -29,7 +29,7 @@ struct error {
 };
 [[noreturn]] void fail(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
-/* A name from the file, fit for a message: in quotes, control characters replaced, cut to 48 bytes. */
+/* A name from the file, for a message: in quotes, NULs replaced, cut to 48 bytes. What prints it cleans the rest. */
 std::string quoted(const std::string &name);
 
 /* gltf_file.cc: files. Refuses what is not a regular file and what is longer than `limit` bytes. */

@@ -105,12 +105,18 @@ static ts_status print_name(FILE *out, const char *name)
 	return TS_OK;
 }
 
-static void print_bounds(const ts_scene *s, FILE *out)
+static void print_range(FILE *out, const char *what, f32 low, f32 high)
 {
-	for (int k = 0; k < 3; k++)
-		fprintf(out, "  box %c                 %g to %g\n", "xyz"[k], (double)s->info.box_min[k], (double)s->info.box_max[k]);
-	for (int k = 0; k < 2; k++)
-		fprintf(out, "  hall %c                %g to %g\n", "xz"[k], (double)s->info.hall_min[k], (double)s->info.hall_max[k]);
+	fprintf(out, "  %-21s %g to %g\n", what, (double)low, (double)high);
+}
+
+static void print_bounds(const ts_info *info, FILE *out)
+{
+	print_range(out, "box x", info->box_min[0], info->box_max[0]);
+	print_range(out, "box y", info->box_min[1], info->box_max[1]);
+	print_range(out, "box z", info->box_min[2], info->box_max[2]);
+	print_range(out, "hall x", info->hall_min[0], info->hall_max[0]);
+	print_range(out, "hall z", info->hall_min[1], info->hall_max[1]);
 }
 
 static void print_lights(const ts_scene *s, FILE *out)
@@ -142,7 +148,7 @@ static ts_status print_text(const ts_scene *s, FILE *out)
 	fputc('\n', out);
 	for (size_t i = 0; i < N_FIGURES; i++)
 		fprintf(out, "  %-21s %12" PRIu64 "%s%s\n", f[i].name, f[i].value, *f[i].doc ? "  " : "", f[i].doc);
-	print_bounds(s, out);
+	print_bounds(&s->info, out);
 	print_lights(s, out);
 	if (print_cameras(s, out) != TS_OK) return TS_ERROR;
 	for (u32 i = 0; i < s->n_notes; i++) fprintf(out, "  note: %s\n", s->notes[i]);

@@ -65,7 +65,8 @@ static void expect(ts_build *build, double x0, double z0, double x1, double z1)
 	ts_scene *scene;
 	assert_int_equal(ts_build_finish(build, &params, NULL, &scene), TS_OK);
 	const double wanted[4] = {x0, z0, x1, z1};
-	const f32 found[4] = {scene->info.hall_min[0], scene->info.hall_min[1], scene->info.hall_max[0], scene->info.hall_max[1]};
+	const ts_info *info = &scene->info;
+	const f32 found[4] = {info->hall_min[0], info->hall_min[1], info->hall_max[0], info->hall_max[1]};
 	for (u32 i = 0; i < 4; i++)
 		if (fabs((double)found[i] - wanted[i]) > 1e-4) fail_msg("side %u at %g, not %g", i, (double)found[i], wanted[i]);
 	ts_scene_free(scene);

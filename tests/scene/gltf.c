@@ -434,7 +434,7 @@ static void test_reflectors(void **state)
 		if (ts_build_failed(build)) fail_msg("%s", ts_error_message());
 		const ts_scene *scene = ts_build_peek(build);
 		assert_int_equal(scene->n_objects, 2);
-		assert_int_equal(scene->n_reflectors, 1);
+		assert_int_equal(scene->info.n_reflectors, 1);
 		assert_int_equal(scene->objects[1].n_vertices, 3);
 		assert_int_equal(scene->objects[1].reflector, 0);
 		assert_int_equal(scene->objects[1].period, 0);

@@ -99,7 +99,7 @@ static void test_builtin(void **state)
 	ts_scene *scene;
 	params.reflectors = 3;
 	assert_int_equal(ts_scene_open(&scene, "atrium:triangles=10k", &params, NULL), TS_OK);
-	assert_int_equal(scene->n_reflectors, 3);
+	assert_int_equal(scene->info.n_reflectors, 3);
 	assert_in_range(scene->n_triangles_file, 5000, 20000);
 	ts_scene_free(scene);
 	ts_scene_free(NULL);
@@ -108,7 +108,7 @@ static void test_builtin(void **state)
 /* A scene with a hostile name, a camera, a lamp and a note. */
 static ts_scene *described(void)
 {
-	ts_build *build = ts_build_new("bad\nname\x1b");
+	ts_build *build = ts_build_new("bad\nname\x1b\xc2\x9b");
 	assert_non_null(build);
 	for (u32 i = 0; i < 3; i++) {
 		ts_vertex v = {.position = {(f32)(i == 1), (f32)(i == 2), 0.0f}};
@@ -120,6 +120,7 @@ static ts_scene *described(void)
 	ts_light lamp = {.kind = TS_LIGHT_KIND_POINT, .intensity = {0.1f, 2.0f, 3.0f}};
 	ts_build_light(build, &lamp);
 	ts_build_note(build, "sampler %d: its filter is ignored", 7);
+	ts_build_note(build, "a\xc2\x9b" "b\nc");
 	ts_scene *scene;
 	assert_int_equal(ts_build_finish(build, &params, NULL, &scene), TS_OK);
 	return scene;
@@ -144,9 +145,10 @@ static void test_text(void **state)
 	(void)state;
 	ts_scene *scene = described();
 	char *text = print(scene, 0);
-	assert_non_null(strstr(text, "bad?name?\n"));
+	assert_non_null(strstr(text, "bad?name???\n"));
 	assert_non_null(strstr(text, "point, intensity 0.1 2 3"));
 	assert_non_null(strstr(text, "note: sampler 7: its filter is ignored"));
+	assert_non_null(strstr(text, "note: a??b?c\n"));
 	assert_non_null(strstr(text, "circling"));
 	assert_null(strchr(text, 0x1b));
 	free(text);
@@ -161,7 +163,7 @@ static void test_json(void **state)
 	json_error_t error;
 	json_t *root = json_loads(text, 0, &error);
 	assert_non_null(root);
-	assert_string_equal(json_string_value(json_object_get(root, "scene")), "bad\nname\x1b");
+	assert_string_equal(json_string_value(json_object_get(root, "scene")), "bad\nname\x1b\xc2\x9b");
 	assert_int_equal(json_integer_value(json_object_get(root, "triangles")), 1);
 	assert_int_equal(json_integer_value(json_object_get(root, "vertices")), 3);
 	assert_int_equal(json_integer_value(json_object_get(root, "bytes")), 3 * 80 + 16 + 80 + 64 + 48);
