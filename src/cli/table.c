@@ -6,6 +6,8 @@
 #include "../scene/print.h"
 #include "table.h"
 
+enum { LINE_WIDTH = 120, NARROW = 20, GAP = 2 };
+
 ts_table ts_table_begin(const char *key, const char *title, const ts_column *columns)
 {
 	ts_table table = { .key = key, .title = title, .columns = columns };
@@ -65,32 +67,87 @@ void ts_table_real(ts_table *table, double value, int decimals)
 
 void ts_table_none(ts_table *table) { append(table, "-", json_null()); }
 
-static void print_cell(FILE *out, const char *text, size_t width, bool right, bool last)
+/* Bytes of the first line of `text`: as many words as fit in `width`, at least one. A word ends before a blank or behind
+ * a bar. */
+static size_t line_bytes(const char *text, size_t width)
 {
-	if (right) {
-		fprintf(out, "%*s", (int)width, text);
-	} else if (last) {
-		fputs(text, out);
-	} else {
-		fprintf(out, "%-*s", (int)width, text);
+	size_t bytes = 0, n = strlen(text);
+	for (size_t i = 1; i <= n && (i <= width || bytes == 0); i++) {
+		if (i == n || text[i] == ' ' || text[i - 1] == '|') bytes = i;
 	}
-	fputs(last ? "\n" : "  ", out);
+	return bytes;
+}
+
+static const char *next_line(const char *text, size_t width)
+{
+	text += line_bytes(text, width);
+	return text + strspn(text, " ");
+}
+
+/* Bytes of the longest line, head included, of a column that is at most `most` wide where words allow. */
+static size_t column_width(const ts_table *table, u32 column, size_t most)
+{
+	size_t widest = strlen(table->columns[column].head);
+	for (size_t i = column; i < table->n_cells; i += table->n_columns) {
+		for (const char *rest = table->cells[i].text; *rest != 0; rest = next_line(rest, most)) {
+			size_t bytes = line_bytes(rest, most);
+			widest = bytes > widest ? bytes : widest;
+		}
+	}
+	return widest;
+}
+
+/* A table that is too wide as it is has its text wrapped, the last column to what the others leave. */
+static void choose_widths(const ts_table *table, size_t *width)
+{
+	u32 last = table->n_columns - 1;
+	size_t before = 0;
+	for (u32 c = 0; c <= last; c++) {
+		width[c] = column_width(table, c, SIZE_MAX);
+		before += c < last ? width[c] + GAP : 0;
+	}
+	if (before + width[last] <= LINE_WIDTH) return;
+	before = 0;
+	for (u32 c = 0; c < last; c++) {
+		if (!table->columns[c].right) width[c] = column_width(table, c, NARROW);
+		before += width[c] + GAP;
+	}
+	if (!table->columns[last].right) width[last] = before + NARROW < LINE_WIDTH ? LINE_WIDTH - before : NARROW;
+}
+
+/* Prints a row of cells, on as many lines as they need. */
+static void print_row(const ts_table *table, FILE *out, const size_t *width, const char **rest)
+{
+	for (bool more = true; more;) {
+		size_t at = 0, column = 0;
+		more = false;
+		for (u32 c = 0; c < table->n_columns; c++) {
+			size_t bytes = line_bytes(rest[c], width[c]);
+			size_t from = table->columns[c].right ? column + width[c] - bytes : column;
+			if (bytes > 0) {
+				fprintf(out, "%*s%.*s", (int)(from - at), "", (int)bytes, rest[c]);
+				at = from + bytes;
+			}
+			rest[c] = next_line(rest[c], width[c]);
+			more |= *rest[c] != 0;
+			column += width[c] + GAP;
+		}
+		fputc('\n', out);
+	}
 }
 
 void ts_table_print(const ts_table *table, FILE *out)
 {
 	size_t width[TS_MAX_COLUMNS];
+	const char *rest[TS_MAX_COLUMNS];
 	u32 n = table->n_columns;
-	for (u32 c = 0; c < n; c++) width[c] = strlen(table->columns[c].head);
-	for (size_t i = 0; i < table->n_cells; i++) {
-		size_t w = strlen(table->cells[i].text);
-		width[i % n] = w > width[i % n] ? w : width[i % n];
-	}
+	choose_widths(table, width);
 	if (table->title[0] != 0) fprintf(out, "\n%s\n", table->title);
-	for (u32 c = 0; c < n; c++) print_cell(out, table->columns[c].head, width[c], table->columns[c].right, c + 1 == n);
-	for (size_t i = 0; i < table->n_cells; i++) {
-		u32 c = (u32)(i % n);
-		print_cell(out, table->cells[i].text, width[c], table->columns[c].right, c + 1 == n);
+	for (u32 c = 0; c < n; c++) rest[c] = table->columns[c].head;
+	print_row(table, out, width, rest);
+	for (size_t i = 0; i < table->n_cells; i += n) {
+		for (u32 c = 0; c < n; c++) rest[c] = table->cells[i + c].text;
+		print_row(table, out, width, rest);
 	}
 }
 

@@ -15,6 +15,29 @@ prints '^c  *map emit scatter  *the reference' list backends
 prints 'see: list backends' help render
 prints 'triangles' info atrium:triangles=10000 --reflectors 1
 
+for what in 'list stages' 'list buffers' 'list params' 'list methods' 'list scenes' 'list backends' help 'help render' \
+	'help bench' 'info atrium:triangles=10000'; do
+	run $what
+	[ "$status" -eq 0 ] && awk 'length > 120 || / $/ { exit 1 }' "$scratch/stdout"
+	verdict $? "fits 120 columns: $what"
+done
+
+# What wraps loses no word: the columns of a table, taken from their place under the heads.
+run list params --json
+cp "$scratch/stdout" "$scratch/json"
+run list params
+python3 - "$scratch/json" "$scratch/stdout" <<'PY'
+import json, sys
+rows = json.load(open(sys.argv[1]))["params"]
+head, *lines = open(sys.argv[2]).read().splitlines()
+heads = ["parameter", "default", "range", "unit", "source", "what"]
+at = [head.index(h) for h in heads] + [None]
+for i, key in enumerate(["name", "default", "range", "unit", "source", "doc"]):
+	text = "".join(line[at[i]:at[i + 1]] for line in lines).replace(" ", "")
+	assert text == "".join(r[key] for r in rows).replace(" ", ""), key
+PY
+verdict $? 'wrapping loses nothing'
+
 for what in stages buffers params methods scenes backends; do
 	run list $what --json
 	python3 -c 'import json, sys; rows = json.load(open(sys.argv[1]))[sys.argv[2]]; assert all(r["name"] for r in rows) and rows' \
