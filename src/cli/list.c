@@ -64,11 +64,14 @@ static ts_table list_params(void)
 	size_t n;
 	const ts_param_info *p = ts_param_table(&n);
 	ts_table table = ts_table_begin("params", "", param_columns);
-	for (; n > 0; n--, p++) {
-		char range[128];
+	ts_params defaults;
+	ts_params_default(&defaults);
+	for (size_t row = 0; row < n; row++, p++) {
+		char value[64], range[128];
+		ts_params_format(&defaults, row, value, sizeof value);
 		snprintf(range, sizeof range, "%s to %s", p->min, p->max);
 		ts_table_text(&table, p->name);
-		ts_table_text(&table, p->def);
+		ts_table_text(&table, value);
 		ts_table_text(&table, p->choices[0] != 0 ? p->choices : range);
 		ts_table_text(&table, p->unit);
 		ts_table_text(&table, p->source);

@@ -9,6 +9,7 @@ prints '^touchstone [0-9]' --version
 prints '^splat ' list stages
 prints '^points.record .*ts_point' list buffers
 prints '^rho_scale .*0.5' list params
+prints '^eye  *far ' list params
 prints '^epr .*reflections' list methods
 prints '^atrium ' list scenes
 prints '^c  *map emit scatter  *the reference' list backends
@@ -50,7 +51,7 @@ run list params --json
 python3 - "$touchstone" "$scratch/stdout" <<'PY'
 import json, subprocess, sys
 rows = json.load(open(sys.argv[2]))["params"]
-arguments = [a for r in rows for a in ("--set", f'{r["name"]}={r["default"].split("|")[0]}') if "|" not in r["range"]]
+arguments = [a for r in rows for a in ("--set", f'{r["name"]}={r["default"]}')]
 choices = [a for r in rows if "|" in r["range"] for c in r["range"].split("|") for a in ("--set", f'{r["name"]}={c}')]
 subprocess.run([sys.argv[1], "help", "list"], check=True, stdout=subprocess.DEVNULL)
 subprocess.run([sys.argv[1], "info", "atrium:triangles=10000", *arguments, *choices], check=True, stdout=subprocess.DEVNULL)
