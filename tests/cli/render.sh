@@ -47,8 +47,13 @@ done
 
 mkdir work/photos && echo mine > work/photos/mine.png && echo '{}' > work/photos/report.json
 run "${small[@]}" --method epr -o work/photos --force
-[ "$status" -eq 2 ] && grep -q 'no render wrote' stderr && [ -s work/photos/mine.png ] && [ -s work/photos/report.json ]
+[ "$status" -eq 2 ] && grep -q 'remove the folder' stderr && [ -s work/photos/mine.png ] && [ -s work/photos/report.json ]
 verdict $? '--force keeps a folder whose report.json is not of a render'
+
+echo '{"program": "touchstone"}' > work/photos/report.json
+run "${small[@]}" --method epr -o work/photos --force
+[ "$status" -eq 2 ] && grep -q 'remove the folder' stderr && [ "$(wc -l < stderr)" -eq 1 ] && [ -s work/photos/mine.png ]
+verdict $? 'and one whose report.json lists no files, as earlier versions wrote'
 
 run "${small[@]}" --json --no-images --truth=A --backend c
 python3 - stdout <<'PY'
