@@ -88,25 +88,26 @@ ts_status ts_measure_run(ts_measure *measure, const ts_pipeline *method, const t
 	return status;
 }
 
-i64 ts_measure_counter(const ts_measure *measure, const char *name)
+const ts_counter *ts_measure_counter(const ts_measure *measure, const char *name)
 {
 	for (u32 i = 0; i < measure->n_counters; i++) {
-		if (strcmp(measure->counters[i].name, name) == 0) return measure->counters[i].value;
+		if (strcmp(measure->counters[i].name, name) == 0) return &measure->counters[i];
 	}
-	return 0;
+	return NULL;
 }
 
-i64 ts_measure_shading(const ts_measure *measure) { return ts_measure_counter(measure, "shading operations"); }
-
-double ts_measure_seconds(const ts_measure *measure, const char *const *stages)
+i64 ts_measure_shading(const ts_measure *measure)
 {
-	double sum = 0;
-	for (; *stages != NULL; stages++) {
-		for (u32 i = 0; i < measure->n_timings; i++) {
-			sum += strcmp(measure->timings[i].stage, *stages) == 0 ? measure->timings[i].seconds : 0;
-		}
+	const ts_counter *counter = ts_measure_counter(measure, "shading operations");
+	return counter != NULL ? counter->value : 0;
+}
+
+const ts_timing *ts_measure_timing(const ts_measure *measure, const char *stage)
+{
+	for (u32 i = 0; i < measure->n_timings; i++) {
+		if (strcmp(measure->timings[i].stage, stage) == 0) return &measure->timings[i];
 	}
-	return sum;
+	return NULL;
 }
 
 ts_status ts_picture_take(ts_picture *picture, const char *name, const ts_run *run)

@@ -36,12 +36,11 @@ typedef ts_status (*ts_measure_after)(ts_run *run, void *user);
 ts_status ts_measure_run(ts_measure *measure, const ts_pipeline *method, const ts_scene *scene, const ts_params *params,
                          u32 threads, bool reference, ts_measure_after after, void *user);
 
-/* Value of a counter, 0 if it was not counted. */
-i64 ts_measure_counter(const ts_measure *measure, const char *name);
+/* NULL if that was not counted, or that stage did not run. */
+const ts_counter *ts_measure_counter(const ts_measure *measure, const char *name);
+const ts_timing *ts_measure_timing(const ts_measure *measure, const char *stage);
 /* Shading operations, the paper's measure of work. */
 i64 ts_measure_shading(const ts_measure *measure);
-/* Seconds of the stages named in a list that is ended by NULL. */
-double ts_measure_seconds(const ts_measure *measure, const char *const *stages);
 
 /* Copies image.radiance and image.srgb of the run. Released by ts_picture_free, also on failure. */
 ts_status ts_picture_take(ts_picture *picture, const char *name, const ts_run *run);

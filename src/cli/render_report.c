@@ -46,32 +46,19 @@ void ts_render_report_head(const ts_render *render, ts_report *report)
 	ts_report_value(report, "estimated_bytes", json_integer((json_int_t)render->estimate));
 }
 
-static double stage_seconds(const ts_measure *m, const char *stage)
-{
-	const char *const names[] = { stage, NULL };
-	return ts_measure_seconds(m, names);
-}
-
-static bool has_stage(const ts_measure *m, const char *stage)
-{
-	for (u32 i = 0; i < m->n_timings; i++) {
-		if (strcmp(m->timings[i].stage, stage) == 0) return true;
-	}
-	return false;
-}
-
 static void report_times(const ts_render *render, ts_report *report)
 {
 	method_columns columns = columns_make(render, "stage", "time, ms");
 	ts_table table = ts_table_begin("milliseconds", "Time", columns.column);
 	for (const ts_stage *s = ts_stage_table; s->name != NULL; s++) {
 		bool any = false;
-		for (u32 i = 0; i < columns.n_methods; i++) any |= has_stage(&render->measures[i], s->name);
+		for (u32 i = 0; i < columns.n_methods; i++) any |= ts_measure_timing(&render->measures[i], s->name) != NULL;
 		if (!any) continue;
 		ts_table_text(&table, s->name);
 		for (u32 i = 0; i < columns.n_methods; i++) {
-			if (has_stage(&render->measures[i], s->name)) {
-				ts_table_real(&table, 1e3 * stage_seconds(&render->measures[i], s->name), 2);
+			const ts_timing *timing = ts_measure_timing(&render->measures[i], s->name);
+			if (timing != NULL) {
+				ts_table_real(&table, 1e3 * timing->seconds, 2);
 			} else {
 				ts_table_none(&table);
 			}
@@ -82,18 +69,10 @@ static void report_times(const ts_render *render, ts_report *report)
 	ts_report_table(report, &table);
 }
 
-static bool counted(const ts_measure *m, const char *name)
-{
-	for (u32 i = 0; i < m->n_counters; i++) {
-		if (strcmp(m->counters[i].name, name) == 0) return true;
-	}
-	return false;
-}
-
 static bool counted_before(const ts_render *render, u32 method, const char *name)
 {
 	for (u32 i = 0; i < method; i++) {
-		if (counted(&render->measures[i], name)) return true;
+		if (ts_measure_counter(&render->measures[i], name) != NULL) return true;
 	}
 	return false;
 }
@@ -108,8 +87,9 @@ static void report_counters(const ts_render *render, ts_report *report)
 			if (counted_before(render, i, name)) continue;
 			ts_table_text(&table, name);
 			for (u32 j = 0; j < columns.n_methods; j++) {
-				if (counted(&render->measures[j], name)) {
-					ts_table_count(&table, ts_measure_counter(&render->measures[j], name));
+				const ts_counter *counter = ts_measure_counter(&render->measures[j], name);
+				if (counter != NULL) {
+					ts_table_count(&table, counter->value);
 				} else {
 					ts_table_none(&table);
 				}
