@@ -102,18 +102,18 @@ static void compare_all(ts_render *render)
 }
 
 /* "program" and "files" are what a later --force goes by. */
-static ts_status write_report(json_t *root)
+static ts_status write_report(ts_report *report)
 {
 	json_t *files = ts_folder_list();
 	if (files == NULL) return TS_ERROR;
-	if (json_object_set_new(root, "files", files) != 0) return ts_fail("report.json: out of memory");
+	ts_report_value(report, "files", files);
+	if (ts_report_check(report) != TS_OK) return TS_ERROR;
 	const char *path = ts_folder_file("report.json");
 	FILE *file = path != NULL ? fopen(path, "w") : NULL;
 	if (file == NULL) return path != NULL ? ts_fail("%s: cannot be made; the disk may be full", path) : TS_ERROR;
-	int failed = json_dumpf(root, file, JSON_INDENT(2) | JSON_REAL_PRECISION(9));
-	failed |= fputc('\n', file) == EOF;
-	failed |= fclose(file);
-	return failed ? ts_fail("%s: cannot be written; the disk may be full", path) : TS_OK;
+	bool written = ts_report_write(report, file);
+	written &= fclose(file) == 0;
+	return written ? TS_OK : ts_fail("%s: cannot be written; the disk may be full", path);
 }
 
 static ts_status work(ts_render *render, ts_report *report)
@@ -134,7 +134,7 @@ static ts_status work(ts_render *render, ts_report *report)
 	status = ts_report_check(report);
 	if (status != TS_OK || ts_cli_given(cli, TS_OPT_NO_IMAGES)) return status;
 	status = ts_render_write(render);
-	return status == TS_OK ? write_report(report->root) : status;
+	return status == TS_OK ? write_report(report) : status;
 }
 
 static void release(ts_render *render)

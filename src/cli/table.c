@@ -236,6 +236,14 @@ ts_status ts_report_print(ts_report *report)
 	return fflush(stdout) != 0 || ferror(stdout) ? cannot_print() : TS_OK;
 }
 
+bool ts_report_write(const ts_report *report, FILE *out)
+{
+	int failed = json_dumpf(report->root, out, JSON_INDENT(2) | JSON_REAL_PRECISION(9));
+	failed |= fputc('\n', out) == EOF;
+	failed |= fflush(out);
+	return !failed;
+}
+
 void ts_report_discard(ts_report *report)
 {
 	if (report->out != NULL) fclose(report->out);
@@ -248,10 +256,7 @@ ts_status ts_report_end(ts_report *report)
 {
 	ts_status status = ts_report_print(report);
 	if (status == TS_OK && report->json) {
-		int failed = json_dumpf(report->root, stdout, JSON_INDENT(2) | JSON_REAL_PRECISION(9));
-		failed |= putchar('\n') == EOF;
-		failed |= fflush(stdout);
-		status = failed ? cannot_print() : TS_OK;
+		status = ts_report_write(report, stdout) ? TS_OK : cannot_print();
 	}
 	ts_report_discard(report);
 	return status;

@@ -67,6 +67,8 @@ ts_status ts_report_check(const ts_report *report);
 ts_status ts_report_print(ts_report *report);
 /* Prints the rest, or the JSON object if that is wanted, and releases all, also on failure. */
 ts_status ts_report_end(ts_report *report);
+/* Writes the JSON object; false if it could not be. */
+bool ts_report_write(const ts_report *report, FILE *out);
 /* Releases all and prints nothing. */
 void ts_report_discard(ts_report *report);
 
