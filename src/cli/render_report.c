@@ -33,8 +33,8 @@ void ts_render_report_head(const ts_render *render, ts_report *report)
 	const ts_params *p = &render->cli->params;
 	const ts_scene *scene = render->scene;
 	ts_report_line(report, "%s: %u triangles, %u mirrors; %u x %u pixels, frame %u, %u threads", scene->name,
-	               (unsigned)scene->n_triangles, (unsigned)scene->n_reflectors, (unsigned)p->width, (unsigned)p->height,
-	               (unsigned)p->frame, (unsigned)render->cli->threads);
+	               (unsigned)scene->n_triangles, (unsigned)scene->info.n_reflectors, (unsigned)p->width,
+	               (unsigned)p->height, (unsigned)p->frame, (unsigned)render->cli->threads);
 	ts_report_line(report, "memory: about %.2f GB at the peak, of %.2f GB", (double)render->estimate / 1e9,
 	               (double)ts_memory_total() / 1e9);
 	ts_report_run(report, render->cli);
@@ -42,7 +42,7 @@ void ts_render_report_head(const ts_render *render, ts_report *report)
 	ts_report_value(report, "methods", methods_json(render));
 	ts_report_value(report, "scene", ts_text_json(scene->name));
 	ts_report_value(report, "triangles", json_integer(scene->n_triangles));
-	ts_report_value(report, "mirrors", json_integer(scene->n_reflectors));
+	ts_report_value(report, "mirrors", json_integer(scene->info.n_reflectors));
 	ts_report_value(report, "estimated_bytes", json_integer((json_int_t)render->estimate));
 }
 
@@ -173,7 +173,7 @@ static void report_ratio(const ts_render *render, ts_report *report)
 		ts_table_real(&table, (double)ts_measure_shading(mvr) / (double)ts_measure_shading(epr), 2);
 	}
 	if (render->n_reflective > 0) {
-		double texels = (double)NOMINAL_TEXELS * render->scene->n_reflectors;
+		double texels = (double)NOMINAL_TEXELS * render->scene->info.n_reflectors;
 		ts_table_text(&table, "6 * 512^2 * mirrors / (25 * reflective pixels)");
 		ts_table_real(&table, texels / ((double)SAMPLES * (double)render->n_reflective), 2);
 	}
