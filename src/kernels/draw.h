@@ -68,6 +68,14 @@ TS_FN ts_fragment ts_k_fragment_at(const ts_camera_k *view, const ts_corners *t,
 	return r;
 }
 
+/* The surface of a triangle that a view sees at a pixel: what deferred shading starts from. */
+TS_FN ts_surface ts_k_surface_seen(const ts_arrays *scene, const ts_camera_k *view, u32 triangle, i32 x, i32 y)
+{
+	ts_corners t = ts_k_corners(scene, triangle);
+	ts_fragment f = ts_k_fragment_at(view, &t, x, y);
+	return ts_k_surface(scene, triangle, f.w, ts_k_fragment_footprint(view, &t, &f));
+}
+
 typedef struct {
 	ts_arrays scene;
 	TS_GLOBAL const ts_view *view;

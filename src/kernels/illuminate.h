@@ -69,9 +69,7 @@ TS_FN ts_texel_place ts_k_texel_place(const ts_illuminate_args *args, u64 i)
 TS_FN ts_v3 ts_k_texel_radiance(const ts_illuminate_args *args, const ts_texel_place *place, u32 triangle)
 {
 	ts_camera_k view = ts_k_cube_view(&args->cubes[place->cube], place->face);
-	ts_corners t = ts_k_corners(&args->scene, triangle);
-	ts_fragment f = ts_k_fragment_at(&view, &t, (i32)place->x, (i32)place->y);
-	ts_surface s = ts_k_surface(&args->scene, triangle, f.w, ts_k_fragment_footprint(&view, &t, &f));
+	ts_surface s = ts_k_surface_seen(&args->scene, &view, triangle, (i32)place->x, (i32)place->y);
 	return ts_k_shade(&args->scene, &s, ts_normalize(ts_sub(view.eye, s.p)));
 }
 

@@ -20,13 +20,10 @@ TS_FN ts_v3 ts_k_eye_radiance(const ts_image_args *args, u64 i)
 {
 	u64 key = args->depth_triangle[i];
 	if (key == TS_EMPTY) return ts_k_background();
-	u32 triangle = (u32)key;
 	ts_camera_k view = ts_k_view(args->view);
 	i32 x = (i32)(i % (u64)view.width);
 	i32 y = (i32)(i / (u64)view.width);
-	ts_corners t = ts_k_corners(&args->scene, triangle);
-	ts_fragment f = ts_k_fragment_at(&view, &t, x, y);
-	ts_surface s = ts_k_surface(&args->scene, triangle, f.w, ts_k_fragment_footprint(&view, &t, &f));
+	ts_surface s = ts_k_surface_seen(&args->scene, &view, (u32)key, x, y);
 	return ts_k_shade(&args->scene, &s, ts_normalize(ts_sub(view.eye, s.p)));
 }
 

@@ -99,8 +99,7 @@ TS_FN void ts_k_bounce_item(const ts_lookup_args *args, u64 i)
 	TS_GLOBAL const ts_align *frame = &args->frames[point->piece];
 	ts_surface surface = ts_k_point_surface(args, entry->point);
 	ts_v3 from = ts_load3(args->cubes[entry->from].centre);
-	bool behind = ts_dot(surface.face, ts_sub(from, surface.p)) < 0.0f;
-	ts_v3 n = behind ? ts_neg(surface.n) : surface.n;
+	ts_v3 n = ts_k_facing_normal(&surface, ts_sub(from, surface.p));
 	f32 radius = args->cubes[entry->reflector].radius;
 	f32 spread = radius > 0.0f ? point->length / radius : 0.0f;
 	for (u32 k = 0u; k < args->n_samples; k++) {

@@ -40,10 +40,9 @@ TS_FN ts_glance ts_k_glance(const ts_pixel_args *args, const ts_camera_k *view, 
 	ts_fragment f = ts_k_fragment_at(view, &t, x, y);
 	ts_sample s = ts_k_sample(&args->scene, triangle, f.w, t.n, ts_k_fragment_footprint(view, &t, &f));
 	ts_surface surface = ts_k_surface_geometry(&args->scene, &s, t.n);
-	bool behind = ts_dot(surface.face, ts_sub(view->eye, surface.p)) < 0.0f;
 	r.seen = true;
 	r.p = surface.p;
-	r.n = behind ? ts_neg(surface.n) : surface.n;
+	r.n = ts_k_facing_normal(&surface, ts_sub(view->eye, surface.p));
 	return r;
 }
 
@@ -68,14 +67,6 @@ TS_FN void ts_k_pixel_gradients(const ts_pixel_args *args, const ts_camera_k *vi
 	ts_store3(out->normal_dy, ts_k_gradient(above.n, above.seen, here->n, below.n, below.seen));
 }
 
-/* The reflectance of a mirror: its base colour there. */
-TS_FN ts_v3 ts_k_pixel_tint(const ts_pixel_args *args, const ts_camera_k *view, u32 triangle, i32 x, i32 y)
-{
-	ts_corners t = ts_k_corners(&args->scene, triangle);
-	ts_fragment f = ts_k_fragment_at(view, &t, x, y);
-	return ts_k_surface(&args->scene, triangle, f.w, ts_k_fragment_footprint(view, &t, &f)).base;
-}
-
 /* emit over pixels */
 TS_FN void ts_k_pixel_item(const ts_pixel_args *args, u64 i)
 {
@@ -87,7 +78,7 @@ TS_FN void ts_k_pixel_item(const ts_pixel_args *args, u64 i)
 	u32 reflector = ts_k_seen_reflector(&args->scene, key);
 	TS_GLOBAL ts_pixel *out = &args->pixels[args->offset[i]];
 	ts_glance here = ts_k_glance(args, &view, x, y, reflector);
-	ts_v3 tint = ts_k_pixel_tint(args, &view, (u32)key, x, y);
+	ts_v3 tint = ts_k_surface_seen(&args->scene, &view, (u32)key, x, y).base; /* of a mirror, its base colour */
 	ts_store3(out->position, here.p);
 	ts_store3(out->normal, here.n);
 	out->index = (u32)i;

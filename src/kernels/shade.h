@@ -68,8 +68,7 @@ TS_FN ts_v3 ts_k_brdf(const ts_surface *s, ts_v3 n, ts_v3 v, ts_v3 l, f32 n_l)
 TS_FN ts_v3 ts_k_shade(const ts_arrays *scene, const ts_surface *s, ts_v3 v)
 {
 	if ((s->flags & TS_UNLIT) != 0u) return s->base;
-	bool behind = (s->flags & TS_DOUBLE_SIDED) != 0u && ts_dot(s->face, v) < 0.0f;
-	ts_v3 n = behind ? ts_neg(s->n) : s->n;
+	ts_v3 n = (s->flags & TS_DOUBLE_SIDED) != 0u ? ts_k_facing_normal(s, v) : s->n;
 	f32 ambient = (scene->ambient * s->occlusion) * (1.0f - s->metallic);
 	ts_v3 sum = ts_mad(s->emissive, s->base, ambient);
 	for (u32 i = 0u; i < scene->n_lights; i++) {

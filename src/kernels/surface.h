@@ -184,6 +184,12 @@ TS_FN ts_surface ts_k_surface(const ts_arrays *scene, u32 triangle, ts_v3 w, f32
 	return r;
 }
 
+/* The shading normal on the side of the surface from which `towards` points away. */
+TS_FN ts_v3 ts_k_facing_normal(const ts_surface *s, ts_v3 towards)
+{
+	return ts_dot(s->face, towards) < 0.0f ? ts_neg(s->n) : s->n;
+}
+
 /* Footprint of a pixel `width` world units wide at this depth, on a surface seen at this slant: width / sqrt |cos|,
  * |cos| >= 2^-6. d: from the eye to the surface; n: the triangle's normal, any length. */
 TS_FN f32 ts_k_footprint(f32 width, ts_v3 d, ts_v3 n)
