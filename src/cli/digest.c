@@ -55,7 +55,8 @@ static ts_status add_stage(const ts_run *run, const ts_stage *stage, void *user)
 static ts_status digest_method(const ts_cli *cli, const ts_scene *scene, const ts_pipeline *method)
 {
 	static const ts_buffer_id scene_buffers[] = { TS_B_scene_vertex, TS_B_scene_triangle, TS_B_scene_material,
-		TS_B_scene_slot, TS_B_scene_image, TS_B_scene_texel, TS_B_scene_light, TS_B_scene_object, TS_B_scene_info, TS_N_BUFFERS };
+		TS_B_scene_slot, TS_B_scene_image, TS_B_scene_texel, TS_B_scene_light, TS_B_scene_object, TS_B_scene_info,
+		TS_N_BUFFERS };
 	ts_run run;
 	ts_frame_digest digests = { .n = 0 };
 	ts_run_begin(&run, scene, &cli->params, cli->threads);
