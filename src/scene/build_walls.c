@@ -115,7 +115,8 @@ static f32 wall_distance(const slice *s, u32 axis, f32 way)
 	return sorted[RANK];
 }
 
-/* From the middle down and up the axis: to the wall, or to the side of the box where a step has left the walls behind. */
+/* From the middle down and up the axis: to the wall, or to the side of the box where a step has left the walls
+ * behind. */
 static void measure(const slice *s, u32 axis, f32 *down, f32 *up)
 {
 	*down = ts_min(s->middle[axis] - s->low[axis], wall_distance(s, axis, -1.0f));

@@ -28,36 +28,32 @@ enum {
 	N_PAINTS
 };
 
-#define WHITE                                                                                                          \
-	{                                                                                                                  \
-		1.0f, 1.0f, 1.0f                                                                                               \
-	}
 static const ts_paint paints[N_PAINTS] = {
-	[ASHLAR] = {ts_paint_ashlar, 0, 512, {3.5f, 3.5f}, TS_MAP_NORMAL, 0, WHITE, 0.875f, 0.0f},
-	[STONE] = {ts_paint_ashlar, 1, 256, {2.0f, 2.0f}, TS_MAP_NORMAL, 0, WHITE, 0.875f, 0.0f},
-	[FLOOR] = {ts_paint_tiles, 1, 512, {3.0f, 3.0f}, TS_MAP_NORMAL | TS_MAP_SURFACE, 0, WHITE, 1.0f, 1.0f},
-	[AISLE] = {ts_paint_tiles, 0, 256, {2.0f, 2.0f}, TS_MAP_SURFACE, 0, WHITE, 1.0f, 1.0f},
-	[PLASTER] = {ts_paint_plaster, 1, 256, {2.0f, 2.0f}, TS_MAP_NORMAL, 0, WHITE, 1.0f, 0.0f},
-	[COLUMN] = {ts_paint_plaster, 0, 256, {2.0f, 2.0f}, TS_MAP_NORMAL, TS_DOUBLE_SIDED, WHITE, 0.75f, 0.0f},
-	[MARBLE] = {ts_paint_marble, 1, 256, {2.0f, 2.0f}, 0, 0, WHITE, 0.25f, 0.0f},
-	[RED] = {ts_paint_weave, 0, 256, {1.0f, 1.0f}, TS_MAP_NORMAL, TS_DOUBLE_SIDED, WHITE, 0.9375f, 0.0f},
-	[GREEN] = {ts_paint_weave, 1, 256, {1.0f, 1.0f}, TS_MAP_NORMAL, TS_DOUBLE_SIDED, WHITE, 0.9375f, 0.0f},
-	[BLUE] = {ts_paint_weave, 2, 256, {1.0f, 1.0f}, TS_MAP_NORMAL, TS_DOUBLE_SIDED, WHITE, 0.9375f, 0.0f},
-	[GOLD] = {ts_paint_weave, 4, 256, {0.5f, 0.5f}, 0, TS_DOUBLE_SIDED, WHITE, 0.875f, 0.0f},
-	[POT] = {ts_paint_terracotta, 0, 256, {1.0f, 1.0f}, TS_MAP_NORMAL, 0, WHITE, 0.75f, 0.0f},
-	[SOIL] = {ts_paint_soil, 0, 256, {0.5f, 0.5f}, 0, 0, WHITE, 1.0f, 0.0f},
+	[ASHLAR] = {ts_paint_ashlar, 0, 512, {3.5f, 3.5f}, TS_MAP_NORMAL, 0, TS_WHITE, 0.875f, 0.0f},
+	[STONE] = {ts_paint_ashlar, 1, 256, {2.0f, 2.0f}, TS_MAP_NORMAL, 0, TS_WHITE, 0.875f, 0.0f},
+	[FLOOR] = {ts_paint_tiles, 1, 512, {3.0f, 3.0f}, TS_MAP_NORMAL | TS_MAP_SURFACE, 0, TS_WHITE, 1.0f, 1.0f},
+	[AISLE] = {ts_paint_tiles, 0, 256, {2.0f, 2.0f}, TS_MAP_SURFACE, 0, TS_WHITE, 1.0f, 1.0f},
+	[PLASTER] = {ts_paint_plaster, 1, 256, {2.0f, 2.0f}, TS_MAP_NORMAL, 0, TS_WHITE, 1.0f, 0.0f},
+	[COLUMN] = {ts_paint_plaster, 0, 256, {2.0f, 2.0f}, TS_MAP_NORMAL, TS_DOUBLE_SIDED, TS_WHITE, 0.75f, 0.0f},
+	[MARBLE] = {ts_paint_marble, 1, 256, {2.0f, 2.0f}, 0, 0, TS_WHITE, 0.25f, 0.0f},
+	[RED] = {ts_paint_weave, 0, 256, {1.0f, 1.0f}, TS_MAP_NORMAL, TS_DOUBLE_SIDED, TS_WHITE, 0.9375f, 0.0f},
+	[GREEN] = {ts_paint_weave, 1, 256, {1.0f, 1.0f}, TS_MAP_NORMAL, TS_DOUBLE_SIDED, TS_WHITE, 0.9375f, 0.0f},
+	[BLUE] = {ts_paint_weave, 2, 256, {1.0f, 1.0f}, TS_MAP_NORMAL, TS_DOUBLE_SIDED, TS_WHITE, 0.9375f, 0.0f},
+	[GOLD] = {ts_paint_weave, 4, 256, {0.5f, 0.5f}, 0, TS_DOUBLE_SIDED, TS_WHITE, 0.875f, 0.0f},
+	[POT] = {ts_paint_terracotta, 0, 256, {1.0f, 1.0f}, TS_MAP_NORMAL, 0, TS_WHITE, 0.75f, 0.0f},
+	[SOIL] = {ts_paint_soil, 0, 256, {0.5f, 0.5f}, 0, 0, TS_WHITE, 1.0f, 0.0f},
 	[STEM] = {NULL, 0, 0, {1.0f, 1.0f}, 0, 0, {0.125f, 0.109375f, 0.046875f}, 0.875f, 0.0f},
-	[LEAF] = {ts_paint_leaf, 0, 256, {1.0f, 1.0f}, TS_MAP_NORMAL, TS_DOUBLE_SIDED | TS_MASKED, WHITE, 0.625f, 0.0f},
-	[BLADE] = {ts_paint_leaf, 1, 256, {1.0f, 1.0f}, 0, TS_DOUBLE_SIDED | TS_MASKED, WHITE, 0.5f, 0.0f},
-	[BRONZE] = {ts_paint_metal, 0, 256, {0.5f, 0.5f}, TS_MAP_SURFACE, 0, WHITE, 1.0f, 0.5f},
+	[LEAF] = {ts_paint_leaf, 0, 256, {1.0f, 1.0f}, TS_MAP_NORMAL, TS_DOUBLE_SIDED | TS_MASKED, TS_WHITE, 0.625f, 0.0f},
+	[BLADE] = {ts_paint_leaf, 1, 256, {1.0f, 1.0f}, 0, TS_DOUBLE_SIDED | TS_MASKED, TS_WHITE, 0.5f, 0.0f},
+	[BRONZE] = {ts_paint_metal, 0, 256, {0.5f, 0.5f}, TS_MAP_SURFACE, 0, TS_WHITE, 1.0f, 0.5f},
 	[GILT] = {NULL, 0, 0, {1.0f, 1.0f}, 0, 0, {0.875f, 0.609375f, 0.234375f}, 0.375f, 0.5f},
-	[WOOD] = {ts_paint_wood, 1, 256, {1.0f, 1.0f}, TS_MAP_NORMAL, 0, WHITE, 0.625f, 0.0f},
-	[GLOW] = {ts_paint_shade, 0, 256, {0.5f, 0.5f}, TS_MAP_GLOW, 0, WHITE, 0.875f, 0.0f},
-	[RUG] = {ts_paint_carpet, 0, 512, {1.0f, 1.0f}, 0, TS_DOUBLE_SIDED, WHITE, 1.0f, 0.0f},
+	[WOOD] = {ts_paint_wood, 1, 256, {1.0f, 1.0f}, TS_MAP_NORMAL, 0, TS_WHITE, 0.625f, 0.0f},
+	[GLOW] = {ts_paint_shade, 0, 256, {0.5f, 0.5f}, TS_MAP_GLOW, 0, TS_WHITE, 0.875f, 0.0f},
+	[RUG] = {ts_paint_carpet, 0, 512, {1.0f, 1.0f}, 0, TS_DOUBLE_SIDED, TS_WHITE, 1.0f, 0.0f},
 };
 
-/* Court: half length, half width to the middle of the arcades, half width to the outer walls. Heights: of the slab under
- * the upper floor, of that floor, of the upper cornice, of the whole. */
+/* Court: half length, half width to the middle of the arcades, half width to the outer walls. Heights: of the slab
+ * under the upper floor, of that floor, of the upper cornice, of the whole. */
 static const f32 LENGTH = 15.0f, NAVE = 6.40625f, WIDTH = 9.0f, SLAB = 5.8125f, FLOOR_2 = 6.125f, CORNICE = 10.0f,
 				 TOP = 11.0f;
 static const f32 BAY = 3.296875f;
@@ -315,13 +311,29 @@ static void add_back_wall(ts_mesh *mesh, const u32 *material)
 	ts_part_moulding(mesh, LENGTH, plinth, 4, ts_mesh_segments(mesh, 16.0f, 1));
 }
 
+/* A panelled door or a blind window in its casing. */
+static void add_opening(ts_mesh *mesh, const u32 *material, bool door)
+{
+	static const f32 casing[][2] = {{0.375f, 0.0f},   {0.375f, 0.125f}, {0.25f, 0.1875f},
+									{0.125f, 0.125f}, {0.0f, 0.15625f}, {0.0f, 0.0f}};
+	f32 w = door ? 0.8125f : 0.6875f, h = door ? 1.625f : 1.0f;
+	mesh->material = material[door ? COLUMN : BRONZE];
+	ts_mesh_frame(mesh, w, h, casing, 6, 0.03125f, ts_mesh_segments(mesh, 24.0f, 1));
+	mesh->material = material[door ? WOOD : MARBLE];
+	for (u32 i = 0; i < 10 && door && ts_mesh_shows(mesh, 0.25f); i++) {
+		ts_v3 at = {i & 1u ? 0.390625f : -0.390625f, (f32)(i / 2) * 0.625f - 1.25f, 0.0625f};
+		ts_v3 half = {0.359375f, 0.28125f, 0.046875f};
+		ts_mesh_block(mesh, at, half, 0.03125f, ts_mesh_segments(mesh, 1.5f, 0));
+	}
+	ts_mesh_plane(mesh, ts_v3_make(-w, -h, 0.03125f), ts_v3_make(2.0f * w, 0.0f, 0.0f),
+				  ts_v3_make(0.0f, 2.0f * h, 0.0f), 1, 1);
+}
+
 /* One end of the court: +z towards the court, the wall at z = 0. */
 static void add_end(ts_mesh *mesh, const u32 *material)
 {
 	static const f32 band[][2] = {{0.0f, -0.125f},    {0.25f, -0.0625f}, {0.34375f, 0.0625f},
 								  {0.375f, 0.21875f}, {0.375f, 0.3125f}, {0.0f, 0.3125f}};
-	static const f32 casing[][2] = {{0.375f, 0.0f},   {0.375f, 0.125f}, {0.25f, 0.1875f},
-									{0.125f, 0.125f}, {0.0f, 0.15625f}, {0.0f, 0.0f}};
 	storey low = lower, high = upper;
 	low.bay = high.bay = NAVE * 0.5f;
 	low.depth = high.depth = 0.5f;
@@ -339,21 +351,8 @@ static void add_end(ts_mesh *mesh, const u32 *material)
 		ts_part_moulding(mesh, NAVE, band, 6, ts_mesh_segments(mesh, 24.0f, 1));
 	}
 	for (u32 k = 0; k < 4; k++) {
-		f32 x = ((f32)k - 1.5f) * low.bay;
-		bool door = k == 1 || k == 2;
-		mesh->material = material[door ? COLUMN : BRONZE];
-		mesh->place = ts_place_in(&stand, ts_place_at(x, 2.0f, 0.0f, 0.0f));
-		ts_mesh_frame(mesh, door ? 0.8125f : 0.6875f, door ? 1.625f : 1.0f, casing, 6, 0.03125f,
-					  ts_mesh_segments(mesh, 24.0f, 1));
-		mesh->material = material[door ? WOOD : MARBLE];
-		for (u32 i = 0; i < 10 && door && ts_mesh_shows(mesh, 0.25f); i++) {
-			ts_v3 at = {i & 1u ? 0.390625f : -0.390625f, (f32)(i / 2) * 0.625f - 1.25f, 0.0625f};
-			ts_mesh_block(mesh, at, ts_v3_make(0.359375f, 0.28125f, 0.046875f), 0.03125f,
-						  ts_mesh_segments(mesh, 1.5f, 0));
-		}
-		f32 w = door ? 0.8125f : 0.6875f, h = door ? 1.625f : 1.0f;
-		ts_mesh_plane(mesh, ts_v3_make(-w, -h, 0.03125f), ts_v3_make(2.0f * w, 0.0f, 0.0f),
-					  ts_v3_make(0.0f, 2.0f * h, 0.0f), 1, 1);
+		mesh->place = ts_place_in(&stand, ts_place_at(((f32)k - 1.5f) * low.bay, 2.0f, 0.0f, 0.0f));
+		add_opening(mesh, material, k == 1 || k == 2);
 	}
 	mesh->place = stand;
 }

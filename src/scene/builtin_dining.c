@@ -4,48 +4,43 @@
 #include "builtin_dining.h"
 #include "builtin_parts.h"
 
-#define WHITE                                                                                                          \
-	{                                                                                                                  \
-		1.0f, 1.0f, 1.0f                                                                                               \
-	}
-#define PLAIN(r, g, b, rough, metal)                                                                                   \
-	{                                                                                                                  \
-		NULL, 0, 0, {1.0f, 1.0f}, 0, 0, {r, g, b}, rough, metal                                                        \
-	}
+#define PLAIN(r, g, b, rough, metal) {NULL, 0, 0, {1.0f, 1.0f}, 0, 0, {r, g, b}, rough, metal}
+
 static const ts_paint paints[D_N_PAINTS] = {
-	[D_PARQUET] = {ts_paint_parquet, 1, 512, {1.25f, 1.25f}, TS_MAP_NORMAL | TS_MAP_SURFACE, 0, WHITE, 1.0f, 1.0f},
-	[D_PAPER] = {ts_paint_wallpaper, 0, 512, {1.25f, 1.25f}, TS_MAP_NORMAL, 0, WHITE, 0.75f, 0.0f},
-	[D_CEILING] = {ts_paint_plaster, 0, 256, {3.0f, 3.0f}, 0, 0, WHITE, 1.0f, 0.0f},
+	[D_PARQUET] = {ts_paint_parquet, 1, 512, {1.25f, 1.25f}, TS_MAP_NORMAL | TS_MAP_SURFACE, 0, TS_WHITE, 1.0f, 1.0f},
+	[D_PAPER] = {ts_paint_wallpaper, 0, 512, {1.25f, 1.25f}, TS_MAP_NORMAL, 0, TS_WHITE, 0.75f, 0.0f},
+	[D_CEILING] = {ts_paint_plaster, 0, 256, {3.0f, 3.0f}, 0, 0, TS_WHITE, 1.0f, 0.0f},
 	[D_TRIM] = PLAIN(0.71875f, 0.6875f, 0.609375f, 0.5f, 0.0f),
-	[D_WALNUT] = {ts_paint_wood, 1, 256, {0.75f, 0.75f}, TS_MAP_NORMAL, 0, WHITE, 0.4375f, 0.0f},
-	[D_MAHOGANY] = {ts_paint_wood, 2, 256, {0.75f, 0.75f}, 0, 0, WHITE, 0.375f, 0.0f},
-	[D_OAK] = {ts_paint_wood, 0, 256, {0.75f, 0.75f}, 0, 0, WHITE, 0.5f, 0.0f},
-	[D_LINEN] = {ts_paint_weave, 3, 256, {0.25f, 0.25f}, TS_MAP_NORMAL, TS_DOUBLE_SIDED, WHITE, 0.9375f, 0.0f},
-	[D_SEAT] = {ts_paint_weave, 1, 256, {0.5f, 0.5f}, TS_MAP_NORMAL, 0, WHITE, 0.9375f, 0.0f},
-	[D_CURTAIN] = {ts_paint_weave, 0, 256, {1.0f, 1.0f}, TS_MAP_NORMAL, TS_DOUBLE_SIDED, WHITE, 0.875f, 0.0f},
-	[D_BLIND] = {ts_paint_wood, 3, 256, {1.0f, 1.0f}, 0, 0, WHITE, 0.5f, 0.0f},
+	[D_WALNUT] = {ts_paint_wood, 1, 256, {0.75f, 0.75f}, TS_MAP_NORMAL, 0, TS_WHITE, 0.4375f, 0.0f},
+	[D_MAHOGANY] = {ts_paint_wood, 2, 256, {0.75f, 0.75f}, 0, 0, TS_WHITE, 0.375f, 0.0f},
+	[D_OAK] = {ts_paint_wood, 0, 256, {0.75f, 0.75f}, 0, 0, TS_WHITE, 0.5f, 0.0f},
+	[D_LINEN] = {ts_paint_weave, 3, 256, {0.25f, 0.25f}, TS_MAP_NORMAL, TS_DOUBLE_SIDED, TS_WHITE, 0.9375f, 0.0f},
+	[D_SEAT] = {ts_paint_weave, 1, 256, {0.5f, 0.5f}, TS_MAP_NORMAL, 0, TS_WHITE, 0.9375f, 0.0f},
+	[D_CURTAIN] = {ts_paint_weave, 0, 256, {1.0f, 1.0f}, TS_MAP_NORMAL, TS_DOUBLE_SIDED, TS_WHITE, 0.875f, 0.0f},
+	[D_BLIND] = {ts_paint_wood, 3, 256, {1.0f, 1.0f}, 0, 0, TS_WHITE, 0.5f, 0.0f},
 	[D_PORCELAIN] = PLAIN(0.84375f, 0.84375f, 0.8125f, 0.125f, 0.0f),
 	[D_GLASS] = PLAIN(0.5625f, 0.640625f, 0.640625f, 0.0625f, 0.0f),
 	[D_BOTTLE] = PLAIN(0.03125f, 0.09375f, 0.046875f, 0.0625f, 0.0f),
 	[D_SILVER] = PLAIN(0.75f, 0.734375f, 0.703125f, 0.25f, 0.75f),
-	[D_BRASS] = {ts_paint_metal, 2, 256, {0.5f, 0.5f}, TS_MAP_SURFACE, 0, WHITE, 1.0f, 0.5625f},
-	[D_SHADE] = {ts_paint_shade, 0, 256, {0.5f, 0.5f}, TS_MAP_GLOW, TS_DOUBLE_SIDED, WHITE, 0.875f, 0.0f},
+	[D_BRASS] = {ts_paint_metal, 2, 256, {0.5f, 0.5f}, TS_MAP_SURFACE, 0, TS_WHITE, 1.0f, 0.5625f},
+	[D_SHADE] = {ts_paint_shade, 0, 256, {0.5f, 0.5f}, TS_MAP_GLOW, TS_DOUBLE_SIDED, TS_WHITE, 0.875f, 0.0f},
 	[D_WAX] = PLAIN(0.84375f, 0.796875f, 0.671875f, 0.625f, 0.0f),
 	[D_APPLE] = PLAIN(0.453125f, 0.0625f, 0.03125f, 0.25f, 0.0f),
 	[D_ORANGE] = PLAIN(0.78125f, 0.28125f, 0.03125f, 0.4375f, 0.0f),
-	[D_POT] = {ts_paint_terracotta, 1, 256, {0.5f, 0.5f}, TS_MAP_NORMAL, 0, WHITE, 0.375f, 0.0f},
-	[D_SOIL] = {ts_paint_soil, 0, 256, {0.5f, 0.5f}, 0, 0, WHITE, 1.0f, 0.0f},
+	[D_POT] = {ts_paint_terracotta, 1, 256, {0.5f, 0.5f}, TS_MAP_NORMAL, 0, TS_WHITE, 0.375f, 0.0f},
+	[D_SOIL] = {ts_paint_soil, 0, 256, {0.5f, 0.5f}, 0, 0, TS_WHITE, 1.0f, 0.0f},
 	[D_STEM] = PLAIN(0.09375f, 0.140625f, 0.03125f, 0.75f, 0.0f),
-	[D_LEAF] = {ts_paint_leaf, 1, 256, {1.0f, 1.0f}, TS_MAP_NORMAL, TS_DOUBLE_SIDED | TS_MASKED, WHITE, 0.5625f, 0.0f},
-	[D_GILT] = {ts_paint_metal, 3, 256, {0.5f, 0.5f}, TS_MAP_SURFACE, 0, WHITE, 1.0f, 0.5f},
-	[D_MARBLE] = {ts_paint_marble, 0, 256, {1.5f, 1.5f}, 0, 0, WHITE, 0.3125f, 0.0f},
+	[D_LEAF] = {ts_paint_leaf, 1, 256, {1.0f, 1.0f}, TS_MAP_NORMAL, TS_DOUBLE_SIDED | TS_MASKED, TS_WHITE, 0.5625f,
+				0.0f},
+	[D_GILT] = {ts_paint_metal, 3, 256, {0.5f, 0.5f}, TS_MAP_SURFACE, 0, TS_WHITE, 1.0f, 0.5f},
+	[D_MARBLE] = {ts_paint_marble, 0, 256, {1.5f, 1.5f}, 0, 0, TS_WHITE, 0.3125f, 0.0f},
 	[D_SOOT] = {ts_paint_ashlar, 1, 256, {1.0f, 1.0f}, TS_MAP_NORMAL, 0, {0.25f, 0.234375f, 0.21875f}, 1.0f, 0.0f},
-	[D_BOOK] = {ts_paint_book, 0, 256, {1.0f, 1.0f}, TS_MAP_SURFACE, 0, WHITE, 1.0f, 1.0f},
-	[D_RUG] = {ts_paint_carpet, 0, 512, {1.0f, 1.0f}, 0, TS_DOUBLE_SIDED, WHITE, 1.0f, 0.0f},
-	[D_VASE] = {ts_paint_marble, 1, 256, {0.5f, 0.5f}, 0, 0, WHITE, 0.25f, 0.0f},
-	[D_PICTURE] = {ts_paint_picture, 0, 256, {1.0f, 1.0f}, 0, 0, WHITE, 0.625f, 0.0f},
-	[D_PICTURE_2] = {ts_paint_picture, 4, 256, {1.0f, 1.0f}, 0, 0, WHITE, 0.625f, 0.0f},
-	[D_PICTURE_3] = {ts_paint_picture, 6, 256, {1.0f, 1.0f}, 0, 0, WHITE, 0.625f, 0.0f},
+	[D_BOOK] = {ts_paint_book, 0, 256, {1.0f, 1.0f}, TS_MAP_SURFACE, 0, TS_WHITE, 1.0f, 1.0f},
+	[D_RUG] = {ts_paint_carpet, 0, 512, {1.0f, 1.0f}, 0, TS_DOUBLE_SIDED, TS_WHITE, 1.0f, 0.0f},
+	[D_VASE] = {ts_paint_marble, 1, 256, {0.5f, 0.5f}, 0, 0, TS_WHITE, 0.25f, 0.0f},
+	[D_PICTURE] = {ts_paint_picture, 0, 256, {1.0f, 1.0f}, 0, 0, TS_WHITE, 0.625f, 0.0f},
+	[D_PICTURE_2] = {ts_paint_picture, 4, 256, {1.0f, 1.0f}, 0, 0, TS_WHITE, 0.625f, 0.0f},
+	[D_PICTURE_3] = {ts_paint_picture, 6, 256, {1.0f, 1.0f}, 0, 0, TS_WHITE, 0.625f, 0.0f},
 };
 
 static const f32 LENGTH = 7.0f, WIDTH = 5.5f, TOP = 4.25f, SILL = 0.875f, LINTEL = 3.25f, PANE = 0.8125f,

@@ -29,34 +29,31 @@ enum {
 	N_PAINTS = PICTURE + TS_N_PICTURES
 };
 
-#define WHITE                                                                                                          \
-	{                                                                                                                  \
-		1.0f, 1.0f, 1.0f                                                                                               \
-	}
 #define PAINTED(k, n)                                                                                                  \
-	[PICTURE + (k)] = {ts_paint_picture, (k), (n), {1.0f, 1.0f}, (k) == 0 ? TS_MAP_NORMAL : 0, 0, WHITE, 0.625f, 0.0f}
+	[PICTURE + (k)] = {ts_paint_picture, k, n, {1.0f, 1.0f}, (k) == 0 ? TS_MAP_NORMAL : 0, 0, TS_WHITE, 0.625f, 0.0f}
+
 static const ts_paint paints[N_PAINTS] = {
-	[PARQUET] = {ts_paint_parquet, 0, 512, {1.5f, 1.5f}, TS_MAP_NORMAL | TS_MAP_SURFACE, 0, WHITE, 1.0f, 1.0f},
-	[RED] = {ts_paint_plaster, 3, 512, {4.0f, 4.0f}, TS_MAP_NORMAL, 0, WHITE, 0.875f, 0.0f},
-	[SAGE] = {ts_paint_plaster, 4, 256, {2.0f, 2.0f}, 0, 0, WHITE, 0.875f, 0.0f},
-	[CEILING] = {ts_paint_plaster, 0, 256, {3.0f, 3.0f}, 0, 0, WHITE, 1.0f, 0.0f},
+	[PARQUET] = {ts_paint_parquet, 0, 512, {1.5f, 1.5f}, TS_MAP_NORMAL | TS_MAP_SURFACE, 0, TS_WHITE, 1.0f, 1.0f},
+	[RED] = {ts_paint_plaster, 3, 512, {4.0f, 4.0f}, TS_MAP_NORMAL, 0, TS_WHITE, 0.875f, 0.0f},
+	[SAGE] = {ts_paint_plaster, 4, 256, {2.0f, 2.0f}, 0, 0, TS_WHITE, 0.875f, 0.0f},
+	[CEILING] = {ts_paint_plaster, 0, 256, {3.0f, 3.0f}, 0, 0, TS_WHITE, 1.0f, 0.0f},
 	[TRIM] = {NULL, 0, 0, {1.0f, 1.0f}, 0, 0, {0.75f, 0.71875f, 0.640625f}, 0.5f, 0.0f},
-	[OAK] = {ts_paint_wood, 0, 256, {0.75f, 0.75f}, TS_MAP_NORMAL, 0, WHITE, 0.5f, 0.0f},
-	[LEATHER] = {ts_paint_leather, 0, 256, {0.5f, 0.5f}, TS_MAP_NORMAL, 0, WHITE, 0.5f, 0.0f},
-	[TAN] = {ts_paint_leather, 1, 256, {0.5f, 0.5f}, 0, 0, WHITE, 0.5f, 0.0f},
-	[GILT] = {ts_paint_metal, 3, 256, {0.5f, 0.5f}, TS_MAP_SURFACE, 0, WHITE, 1.0f, 0.5f},
+	[OAK] = {ts_paint_wood, 0, 256, {0.75f, 0.75f}, TS_MAP_NORMAL, 0, TS_WHITE, 0.5f, 0.0f},
+	[LEATHER] = {ts_paint_leather, 0, 256, {0.5f, 0.5f}, TS_MAP_NORMAL, 0, TS_WHITE, 0.5f, 0.0f},
+	[TAN] = {ts_paint_leather, 1, 256, {0.5f, 0.5f}, 0, 0, TS_WHITE, 0.5f, 0.0f},
+	[GILT] = {ts_paint_metal, 3, 256, {0.5f, 0.5f}, TS_MAP_SURFACE, 0, TS_WHITE, 1.0f, 0.5f},
 	[BLACK] = {NULL, 0, 0, {1.0f, 1.0f}, 0, 0, {0.03125f, 0.02734375f, 0.0234375f}, 0.375f, 0.0f},
-	[BRONZE] = {ts_paint_metal, 0, 256, {0.5f, 0.5f}, TS_MAP_SURFACE, 0, WHITE, 1.0f, 0.625f},
+	[BRONZE] = {ts_paint_metal, 0, 256, {0.5f, 0.5f}, TS_MAP_SURFACE, 0, TS_WHITE, 1.0f, 0.625f},
 	[STEEL] = {NULL, 0, 0, {1.0f, 1.0f}, 0, 0, {0.5625f, 0.5703125f, 0.578125f}, 0.25f, 0.625f},
-	[BRASS] = {ts_paint_metal, 2, 256, {0.5f, 0.5f}, TS_MAP_SURFACE, 0, WHITE, 1.0f, 0.5625f},
+	[BRASS] = {ts_paint_metal, 2, 256, {0.5f, 0.5f}, TS_MAP_SURFACE, 0, TS_WHITE, 1.0f, 0.5625f},
 	[PAINT] = {NULL, 0, 0, {1.0f, 1.0f}, 0, 0, {0.03125f, 0.234375f, 0.25f}, 0.1875f, 0.0f},
 	[RUBBER] = {NULL, 0, 0, {1.0f, 1.0f}, 0, 0, {0.0234375f, 0.0234375f, 0.0234375f}, 0.9375f, 0.0f},
-	[VASE] = {ts_paint_terracotta, 1, 256, {0.5f, 0.5f}, 0, 0, WHITE, 0.25f, 0.0f},
-	[WHITE_MARBLE] = {ts_paint_marble, 0, 256, {1.0f, 1.0f}, 0, 0, WHITE, 0.3125f, 0.0f},
-	[DARK_MARBLE] = {ts_paint_marble, 2, 256, {1.0f, 1.0f}, TS_MAP_SURFACE, 0, WHITE, 1.0f, 0.0f},
-	[ROPE] = {ts_paint_weave, 0, 256, {0.0625f, 0.0625f}, 0, 0, WHITE, 0.9375f, 0.0f},
-	[RUG] = {ts_paint_carpet, 1, 512, {1.0f, 1.0f}, 0, TS_DOUBLE_SIDED, WHITE, 1.0f, 0.0f},
-	[LAMP] = {ts_paint_shade, 1, 256, {0.25f, 0.25f}, TS_MAP_GLOW, 0, WHITE, 0.875f, 0.0f},
+	[VASE] = {ts_paint_terracotta, 1, 256, {0.5f, 0.5f}, 0, 0, TS_WHITE, 0.25f, 0.0f},
+	[WHITE_MARBLE] = {ts_paint_marble, 0, 256, {1.0f, 1.0f}, 0, 0, TS_WHITE, 0.3125f, 0.0f},
+	[DARK_MARBLE] = {ts_paint_marble, 2, 256, {1.0f, 1.0f}, TS_MAP_SURFACE, 0, TS_WHITE, 1.0f, 0.0f},
+	[ROPE] = {ts_paint_weave, 0, 256, {0.0625f, 0.0625f}, 0, 0, TS_WHITE, 0.9375f, 0.0f},
+	[RUG] = {ts_paint_carpet, 1, 512, {1.0f, 1.0f}, 0, TS_DOUBLE_SIDED, TS_WHITE, 1.0f, 0.0f},
+	[LAMP] = {ts_paint_shade, 1, 256, {0.25f, 0.25f}, TS_MAP_GLOW, 0, TS_WHITE, 0.875f, 0.0f},
 	PAINTED(0, 512),
 	PAINTED(1, 256),
 	PAINTED(2, 512),

@@ -14,6 +14,7 @@ typedef struct {
 /* (u, v) in [0,1), v down; the picture must repeat. `kind` chooses among a painter's variants. */
 typedef void ts_painter(ts_dab *dab, f32 u, f32 v, u32 kind, u32 seed);
 
+/* builtin_stone.c, builtin_fabric.c, builtin_picture.c. */
 ts_painter ts_paint_ashlar, ts_paint_tiles, ts_paint_plaster, ts_paint_marble, ts_paint_terracotta, ts_paint_parquet,
 	ts_paint_wood, ts_paint_soil, ts_paint_metal;
 ts_painter ts_paint_weave, ts_paint_carpet, ts_paint_wallpaper, ts_paint_leather, ts_paint_leaf, ts_paint_shade,
@@ -34,6 +35,8 @@ typedef struct {
 	f32 roughness, metallic; /* factors */
 } ts_paint;
 
+#define TS_WHITE {1.0f, 1.0f, 1.0f}
+
 /* Adds the material and its images; returns its index. */
 u32 ts_paint_add(ts_build *build, const ts_paint *paint, u32 seed);
 
@@ -41,10 +44,13 @@ u32 ts_paint_add(ts_build *build, const ts_paint *paint, u32 seed);
 f32 ts_paint_noise(f32 x, f32 y, u32 period_x, u32 period_y, u32 seed);
 /* Octaves of it, each of twice the frequency and half the weight; (u, v) in [0,1). */
 f32 ts_paint_fbm(f32 u, f32 v, u32 period, u32 octaves, u32 seed);
+/* Uniform in [0,1), by cell and seed. */
 f32 ts_paint_hash(i32 x, i32 y, u32 seed);
+/* x less its floor. */
 f32 ts_paint_fract(f32 x);
 /* 0 below lo, 1 above hi, smooth between. */
 f32 ts_paint_ramp(f32 lo, f32 hi, f32 x);
+/* a at t = 0, b at t = 1. */
 ts_v3 ts_paint_mix(ts_v3 a, ts_v3 b, f32 t);
 
 #endif

@@ -5,7 +5,6 @@
 #include "sources.h"
 #include "view.h"
 
-#define FRAMES_A_TURN 240u
 #define INNER 0.6f      /* of half the hall */
 #define CLEARANCE 0.16f /* from the eye, in halves of the hall */
 #define WIDEST 0.35f    /* radius, of the shorter half of the hall */
@@ -53,7 +52,7 @@ static ts_object path(const floor_plan *plan, u32 i, f32 radius)
 	f32 up = height * (0.1f + 0.5f * fraction(0.7548777f * (f32)i));
 	up = ts_min(up, height - radius - bob);
 	up = ts_max(up, radius + bob);
-	ts_object object = {.period = FRAMES_A_TURN, .phase = phase, .bob = bob, .spin = 2.0f};
+	ts_object object = {.period = TS_FRAMES_A_TURN, .phase = phase, .bob = bob, .spin = 2.0f};
 	f32 floor = plan->hall.middle.y - plan->hall.half.y;
 	ts_store3(object.centre, ts_v3_make(plan->hall.middle.x, floor + up, plan->hall.middle.z));
 	object.axis[0] = ts_put(plan->hall.half.x * size);

@@ -1,7 +1,6 @@
 /* The eye: a camera of the scene, or on an ellipse around the middle of the hall (SPEC 0.3.8, 0.3.9). */
 #include "view.h"
 
-#define FRAMES_A_TURN 240u
 #define EYE_HEIGHT 0.35f    /* of the box, above its floor: inside a room the picture is that of a visitor */
 #define TARGET_HEIGHT 0.3f
 
@@ -38,7 +37,7 @@ static void circle(ts_view *view, const ts_info *info, const ts_params *params)
 {
 	ts_space hall = ts_view_hall(info);
 	f32 factor = params->eye == TS_EYE_NEAR ? 0.35f : 0.9f;
-	f32 turns = (f32)(params->frame % FRAMES_A_TURN) / (f32)FRAMES_A_TURN;
+	f32 turns = (f32)(params->frame % TS_FRAMES_A_TURN) / (f32)TS_FRAMES_A_TURN;
 	f32 across = hall.half.x * factor;
 	f32 along = hall.half.z * factor;
 	f32 floor = hall.middle.y - hall.half.y;

@@ -4,6 +4,9 @@
 #include "../kernels/vec.h"
 #include "scene.h"
 
+/* Frames in which the eye, and each added reflector, comes around once. */
+#define TS_FRAMES_A_TURN 240u
+
 /* A box by its middle and half its extents, world units. A flat one counts as 1/32 of its greatest extent thick, and
  * a point as two units wide: no half is 0. */
 typedef struct { ts_v3 middle, half; } ts_space;
