@@ -15,15 +15,21 @@ ts_build *ts_build_new(const char *name);
 /* Releases a build that will not be finished; NULL is allowed. */
 void ts_build_free(ts_build *build);
 
-/* Appending returns the new index. Records are copied; vertices get the current object; positions, normals, uv and all
- * other floats are sanitized (rule 10). Normals, tangents and directions are made unit length (zero stays zero), and a
- * material's metallic, roughness and occlusion outside 0 to 1 are clamped and noted. Padding becomes zero. */
+/* Appending returns the new index, or 0 if the build has failed. Records are copied, padding becomes zero, floats are
+ * sanitized (rule 10), normals, tangents and directions are made unit length (zero stays zero). Indices may name what
+ * is appended later: ts_build_finish checks them. */
+
+/* A vertex of the current object. */
 u32 ts_build_vertex(ts_build *build, const ts_vertex *vertex);
 /* Counter-clockwise seen from the front; material TS_NONE is a default one. */
 void ts_build_triangle(ts_build *build, u32 a, u32 b, u32 c, u32 material);
+/* Metallic, roughness and occlusion outside 0 to 1 are clamped and noted. */
 u32 ts_build_material(ts_build *build, const ts_material *material);
+/* A material's reference to an image. */
 u32 ts_build_slot(ts_build *build, const ts_slot *slot);
+/* The first light replaces the default sun. */
 void ts_build_light(ts_build *build, const ts_light *light);
+/* The name is copied; of several cameras with one name the first can be chosen. */
 void ts_build_camera(ts_build *build, const ts_camera *camera);
 /* Vertices from here on belong to this object: first_vertex, n_vertices and reflector are filled in. With
  * `object` NULL they belong to object 0 again. Returns the object's index. */
@@ -36,19 +42,20 @@ u32 ts_build_image(ts_build *build, const u8 *rgba, u32 width, u32 height, bool 
 /* A default for every field: white, roughness 1, metallic 0, no texture, opaque. */
 ts_material ts_material_default(void);
 
-/* Notes one line for `touchstone info`: something in the file that is ignored. */
+/* Notes one line (by ts_line_clean) for `touchstone info`: what of the file is ignored or read otherwise. */
 void ts_build_note(ts_build *build, const char *format, ...) __attribute__((format(printf, 2, 3)));
-/* Fails the build with one line. */
+/* Fails the build with one line, unless it has failed already. */
 void ts_build_fail(ts_build *build, const char *format, ...) __attribute__((format(printf, 2, 3)));
+/* Whether it has failed, so that a long loop can end. */
 bool ts_build_failed(const ts_build *build);
 
 /* Read access while building: the arrays so far (valid until the next append), with box and hall up to date. */
 const ts_scene *ts_build_peek(ts_build *build);
 
-/* Checks every index, refuses coordinates beyond 2^24, adds the default sun if there is no light, sorts the vertices by
- * object (stable), chooses the camera by name (NULL: the eye circles), and hands over. A scene may be without triangles.
- * Always consumes the build; NULL (ts_build_new failed) is allowed and fails. On failure *scene is NULL and the message
- * is set. */
+/* Checks every index, refuses coordinates beyond 2^24, adds the default sun if there is no light, sorts the vertices
+ * by object (stable), chooses the camera by name (NULL: the eye circles), and hands over; *scene by ts_scene_free. A
+ * scene may be without triangles. Always consumes the build; NULL (ts_build_new failed) is allowed and fails. On
+ * failure *scene is NULL and the message is set. */
 ts_status ts_build_finish(ts_build *build, const ts_params *params, const char *camera, ts_scene **scene);
 
 /* The first camera of that name; TS_NONE if there is none or name is NULL. */

@@ -28,8 +28,10 @@ typedef struct {
 } ts_corner;
 /* Where (s, t) of the unit square lies. The front is where ds x dt points. */
 typedef void ts_mesh_surface(ts_corner *corner, const void *shape, f32 s, f32 t);
+/* Of a grid: closed along s; all of the first or last row in one point; a normal for each cell. */
 enum { TS_GRID_WRAP_S = 1, TS_GRID_POLE_T0 = 2, TS_GRID_POLE_T1 = 4, TS_GRID_FLAT = 8 };
 
+/* A rectangle cut out of a wall, in metres from its corner. */
 typedef struct {
 	f32 lo[2], hi[2];
 } ts_hole;
@@ -41,6 +43,7 @@ bool ts_mesh_shows(const ts_mesh *mesh, f32 detail);
 /* Uniform in [0,1), by the scene's seed. */
 f32 ts_mesh_random(const ts_mesh *mesh, u32 id);
 
+/* The world's own origin and axes. */
 ts_place ts_place_world(void);
 /* The part's origin at p, turned about y. */
 ts_place ts_place_at(f32 x, f32 y, f32 z, f32 turns);

@@ -15,6 +15,7 @@ typedef struct {
 	f32 side;        /* 1, or -1 where the node mirrors, or 0 where it flattens */
 } ts_place;
 
+/* The world's own origin and axes. */
 ts_place ts_place_identity(void);
 
 /* From translation, rotation (a quaternion x y z w of any length above zero) and scale. */

@@ -1,4 +1,4 @@
-/* Where scenes come from: each fills a build. The message is set by ts_build_fail. */
+/* Where scenes come from: each fills a build. Failures stick to the build, as in build.h. */
 #ifndef TS_SCENE_SOURCES_H
 #define TS_SCENE_SOURCES_H
 #include "build.h"
