@@ -80,6 +80,7 @@ LIB_C := $(filter-out src/cli/%,$(wildcard src/*/*.c src/*/*/*.c))
 LIB_CC := $(wildcard src/*/*.cc)
 CLI_C := $(filter-out src/cli/core_main.c,$(wildcard src/cli/*.c))
 CORE_C := $(wildcard src/core/*.c src/backends/c/*.c src/stages/*.c src/pipelines/*.c) \
+	$(wildcard $(patsubst %,src/trace/%.c,npy emit sums)) \
 	$(filter-out src/scene/open.c src/scene/print% src/scene/gltf%,$(wildcard src/scene/*.c)) \
 	$(wildcard $(patsubst %,src/cli/%.c,core_main backends command digest help methods nearest options))
 TEST_C := $(filter-out tests/fuzz/%,$(wildcard tests/*/*.c))

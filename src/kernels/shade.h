@@ -5,6 +5,7 @@
 #include "surface.h"
 
 #define TS_LIGHT_KIND_DIRECTIONAL 0u
+#define TS_LIGHT_KIND_POINT 1u
 #define TS_LIGHT_KIND_SPOT 2u
 
 /* The colour of what is not there: the same for the eye, rays and empty texels. */

@@ -11,6 +11,7 @@ typedef struct {
 	TS_GLOBAL const u64 *bits;        /* visibility.bits, by triangle */
 	TS_GLOBAL const ts_point *points;
 	TS_GLOBAL u64 *texels;            /* splat.depth_index, all empty at first */
+	TS_GLOBAL u8 *tie;                /* splat.tie, all 0 at first; NULL while texels are written */
 	TS_GLOBAL i64 *n_scatters, *n_writes; /* splats, and texels they offered a key to */
 	u32 n_cubes, n_words;
 	u32 clip, plane_depth;
@@ -88,9 +89,18 @@ TS_FN f32 ts_k_plane_distance(const ts_camera_k *view, ts_v3 n, ts_v3 c, f32 dis
 	return met > 0.0f ? ts_clamp(met, distance - length, distance + length) : distance;
 }
 
-/* One point into one face. Returns the texels offered. */
-TS_FN u32 ts_k_splat(const ts_splat_args *args, const ts_camera_k *view, const ts_cover *triangle, u32 index,
-                     TS_GLOBAL u64 *texels)
+/* The least key wins a texel; afterwards, whoever lost by its index alone marks a tie. */
+TS_FN void ts_k_splat_offer(const ts_splat_args *args, u64 texel, u64 key)
+{
+	if (args->tie == 0) {
+		ts_min_u64(&args->texels[texel], key);
+	} else if (key != args->texels[texel] && (key >> 32) == (args->texels[texel] >> 32)) {
+		ts_mark_u8(&args->tie[texel]);
+	}
+}
+
+/* One point into the face whose texels begin at `first`. Returns the texels offered. */
+TS_FN u32 ts_k_splat(const ts_splat_args *args, const ts_camera_k *view, const ts_cover *triangle, u32 index, u64 first)
 {
 	TS_GLOBAL const ts_point *point = &args->points[index];
 	TS_GLOBAL const ts_align *frame = &args->frames[point->piece];
@@ -107,7 +117,7 @@ TS_FN u32 ts_k_splat(const ts_splat_args *args, const ts_camera_k *view, const t
 			if (args->clip != 0u && !ts_k_touches(triangle, i, j)) continue;
 			f32 d = distance;
 			if (args->plane_depth != 0u) d = ts_put(ts_k_plane_distance(view, n, c, distance, point->length, i, j));
-			ts_min_u64(&texels[(u64)j * (u64)view->width + (u64)i], ((u64)ts_f2u(d) << 32) | index);
+			ts_k_splat_offer(args, first + (u64)j * (u64)view->width + (u64)i, ((u64)ts_f2u(d) << 32) | index);
 			count++;
 		}
 	}
@@ -131,7 +141,7 @@ TS_FN void ts_k_splat_item(const ts_splat_args *args, u64 i)
 			if (triangle.n == 0u) continue;
 			u64 offset = cube->offset + (u64)face * cube->n * cube->n;
 			scatters++;
-			writes += ts_k_splat(args, &view, &triangle, (u32)i, args->texels + offset);
+			writes += ts_k_splat(args, &view, &triangle, (u32)i, offset);
 		}
 	}
 	ts_add_i64(args->n_scatters, scatters);

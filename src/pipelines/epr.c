@@ -33,6 +33,7 @@ const ts_step ts_epr_steps[] = {
 	{.stage = "count"},      /* 3.3: conservative rasterization in the triangle's plane */
 	{.stage = "points"},     /* 3.4: the point buffers */
 	{.stage = "splat"},      /* 3.5: indexed G-buffer cubes */
+	{.stage = "tie", .only_traced = true},
 	{.stage = "lookup"},     /* 4.1.3: 25 samples a reflective pixel */
 	{.stage = "lookup2", .least_bounces = 2}, /* 4.1.4: points on mirrors look up again */
 	{.stage = "lookup3", .least_bounces = 3},

@@ -7,6 +7,7 @@
 typedef struct {
 	const char *stage;
 	u32 least_bounces;   /* runs only if so many bounces are followed */
+	bool only_traced;    /* runs only for a trace: no later stage reads what it makes */
 	bool each_reflector; /* neighbours with this mark run for one reflector after the other */
 } ts_step;
 
@@ -28,10 +29,10 @@ const ts_pipeline *ts_pipeline_find(const char *effect, const char *name);
 /* Runs every step. A buffer lives until its last reader if run->lean is set, else to the end. */
 ts_status ts_pipeline_run(const ts_pipeline *pipeline, ts_run *run);
 
-/* True if the step is taken with these parameters. */
-bool ts_pipeline_takes(const ts_step *step, const ts_params *params);
+/* True if the step is taken with these parameters, by a run that is traced or is not. */
+bool ts_pipeline_takes(const ts_step *step, const ts_params *params, bool traced);
 
-/* Estimated peak of the frame's buffers in bytes, before running; `lean` as in ts_run. */
+/* Estimated peak of the frame's buffers in bytes, before running, without those of a trace; `lean` as in ts_run. */
 u64 ts_pipeline_estimate(const ts_pipeline *pipeline, const ts_scene *scene, const ts_params *params, bool lean);
 
 #endif

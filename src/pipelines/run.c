@@ -2,13 +2,16 @@
 #include <assert.h>
 #include "pipeline.h"
 
-bool ts_pipeline_takes(const ts_step *step, const ts_params *params) { return params->bounces >= step->least_bounces; }
+bool ts_pipeline_takes(const ts_step *step, const ts_params *params, bool traced)
+{
+	return params->bounces >= step->least_bounces && (traced || !step->only_traced);
+}
 
 /* True if a step from `step` on reads the buffer. */
 static bool is_read_from(const ts_step *step, const ts_params *params, ts_buffer_id id)
 {
 	for (; step->stage != NULL; step++) {
-		if (ts_pipeline_takes(step, params) && ts_stage_reads(ts_stage_find(step->stage), id)) return true;
+		if (ts_pipeline_takes(step, params, true) && ts_stage_reads(ts_stage_find(step->stage), id)) return true;
 	}
 	return false;
 }
@@ -34,7 +37,7 @@ static ts_status run_steps(const ts_step *step, const ts_step *end, ts_run *run)
 	for (; step < end; step++) {
 		const ts_stage *stage = ts_stage_find(step->stage);
 		assert(stage != NULL);
-		if (ts_pipeline_takes(step, &run->params) && ts_run_stage(run, stage) != TS_OK) return TS_ERROR;
+		if (ts_pipeline_takes(step, &run->params, run->traced) && ts_run_stage(run, stage) != TS_OK) return TS_ERROR;
 	}
 	return TS_OK;
 }
@@ -95,7 +98,7 @@ static u64 bytes_at(const ts_pipeline *pipeline, const ts_step *step, const ts_p
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
 		bool made = false;
 		for (const ts_step *s = pipeline->steps; s <= step; s++) {
-			made |= ts_pipeline_takes(s, params) && ts_stage_writes(ts_stage_find(s->stage), (ts_buffer_id)id);
+			made |= ts_pipeline_takes(s, params, false) && ts_stage_writes(ts_stage_find(s->stage), (ts_buffer_id)id);
 		}
 		bool alive = made && !(lean && is_over(pipeline, step, params, (ts_buffer_id)id));
 		bytes = add(bytes, alive ? bytes_of((ts_buffer_id)id, sizes) : 0);

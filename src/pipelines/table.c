@@ -2,8 +2,8 @@
 #include "pipelines.h"
 
 const ts_pipeline ts_pipeline_table[] = {
-	{"epr", "reflections", "EPR 3 and 4", "eye-based point rendering: one pass over the geometry for all cubes", ts_epr_steps,
-	 NULL, ts_epr_expect},
+	{"epr", "reflections", "EPR 3 and 4", "eye-based point rendering: one pass over the geometry for all cubes",
+	 ts_epr_steps, NULL, ts_epr_expect},
 	{"mvr", "reflections", "EPR 4.2", "multi-view rendering: one pass over the geometry for every cube", ts_mvr_steps,
 	 ts_mvr_prepare, ts_mvr_expect},
 	{0},

@@ -28,8 +28,6 @@ struct ts_scene {
 	char **notes; u32 n_notes; /* what in the file was not understood, a line each */
 };
 
-/* What ts_k_light takes for a point light: any kind that is none of kernels/shade.h. */
-#define TS_LIGHT_KIND_POINT 1u
 /* Places in ts_material's slot. Flags, wrap modes and kinds of light: kernels/scene.h, texture.h, shade.h. */
 enum { TS_SLOT_BASE, TS_SLOT_METALROUGH, TS_SLOT_NORMAL, TS_SLOT_OCCLUSION, TS_SLOT_EMISSIVE, TS_N_SLOTS };
 

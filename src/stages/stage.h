@@ -31,6 +31,7 @@ struct ts_run {
 	u32 fixed_face;            /* size of every cube, or 0: as the parameters say */
 	bool all_cubes;            /* also the cubes of reflectors that the eye does not see */
 	u32 first_reflector, n_reflectors; /* the batch that per-reflector stages work on */
+	bool traced;               /* also the stages that only traces need */
 	bool lean;                 /* a buffer lives until its last reader; digests and replays want all of them */
 	bool keep[TS_N_BUFFERS];   /* even so, these stay */
 	ts_frame frame;

@@ -16,6 +16,7 @@ ts_status ts_stage_align(ts_run *run);
 ts_status ts_stage_count(ts_run *run);
 ts_status ts_stage_points(ts_run *run);
 ts_status ts_stage_splat(ts_run *run);
+ts_status ts_stage_tie(ts_run *run);
 ts_status ts_stage_lookup(ts_run *run);
 ts_status ts_stage_lookup2(ts_run *run);
 ts_status ts_stage_lookup3(ts_run *run);

@@ -1,5 +1,6 @@
 /* Opening scenes: what is refused, and how a loaded scene is described. */
 #include "../../src/core/core.h"
+#include "../../src/kernels/shade.h"
 #include "../../src/scene/build.h"
 #include <setjmp.h>
 #include <stdarg.h>

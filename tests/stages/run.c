@@ -1,29 +1,20 @@
 /* Whole runs: the same bits on any number of threads, what the counters count, and switches that must agree. */
 #include "small.h"
-#include "../../src/core/digest.h"
 #include "../../src/stages/stages.h"
-
-static ts_status digest(const ts_run *run, const ts_stage *stage, void *user)
-{
-	return ts_frame_digest_add(user, &run->frame, stage->writes, sizeof stage->writes / sizeof *stage->writes);
-}
+#include "../../src/trace/sums.h"
 
 /* Name and digest of every buffer, a line each; by free(). */
 static char *digests_of(const ts_scene *scene, const ts_params *params, const char *method, u32 threads, bool reference)
 {
-	ts_run run;
-	ts_frame_digest digests = { .n = 0 };
-	ts_run_begin(&run, scene, params, threads);
-	run.hook = digest;
-	run.hook_user = &digests;
-	run.reference = reference;
-	if (ts_pipeline_run(ts_pipeline_find("reflections", method), &run) != TS_OK) fail_msg("%s: %s", method, ts_error_message());
-	ts_run_end(&run);
+	ts_sums sums;
+	const ts_pipeline *pipeline = ts_pipeline_find("reflections", method);
+	ts_status status = ts_sums_of(&sums, pipeline, scene, params, threads, reference);
+	if (status != TS_OK) fail_msg("%s: %s", method, ts_error_message());
 	char *text = calloc(TS_N_BUFFERS, 128);
 	assert_non_null(text);
 	FILE *out = fmemopen(text, TS_N_BUFFERS * 128, "w");
 	assert_non_null(out);
-	ts_frame_digest_print(&digests, out);
+	ts_sums_print(&sums, pipeline, out);
 	assert_int_equal(fclose(out), 0);
 	return text;
 }

@@ -37,7 +37,8 @@ static inline void small_run(ts_run *run, const ts_scene *scene, const ts_params
 	ts_run_begin(run, scene, params, threads);
 	run->hook = hook;
 	run->hook_user = user;
-	if (ts_pipeline_run(ts_pipeline_find("reflections", method), run) != TS_OK) fail_msg("%s: %s", method, ts_error_message());
+	ts_status status = ts_pipeline_run(ts_pipeline_find("reflections", method), run);
+	if (status != TS_OK) fail_msg("%s: %s", method, ts_error_message());
 }
 
 #endif

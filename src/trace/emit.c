@@ -1,0 +1,69 @@
+/* From a run's buffers to the parts of files. */
+#include "emit.h"
+#include <stdio.h>
+#include "../kernels/illuminate.h"
+
+static bool is_scene(ts_buffer_id id) { return strncmp(ts_buffer_table[id].name, "scene.", 6) == 0; }
+
+/* Buffers over texels of cubes come a batch at a time. */
+static bool comes_in_batches(ts_buffer_id id) { return ts_buffer_table[id].shape[0] == 'C'; }
+
+static bool is_whole(const ts_run *run) { return run->n_reflectors == run->scene->info.n_reflectors; }
+
+static bool is_last_batch(const ts_run *run)
+{
+	return run->first_reflector + run->n_reflectors == run->scene->info.n_reflectors;
+}
+
+/* Rows of a buffer over all cubes. */
+static u64 all_rows(const ts_run *run, ts_buffer_id id)
+{
+	const ts_face *cubes = ts_frame_data(&run->frame, TS_B_resize_face);
+	u32 n = run->scene->info.n_reflectors;
+	if (strncmp(ts_buffer_table[id].shape, "C4", 2) == 0) return ts_k_mip_first(cubes, 0, n);
+	u64 texels = 0;
+	for (u32 r = 0; r < n; r++) texels += (u64)6 * cubes[r].n * cubes[r].n;
+	return texels;
+}
+
+static ts_status offer(const ts_run *run, ts_buffer_id id, ts_take_chunk *take, void *user)
+{
+	const ts_buffer *buffer = &run->frame.buffer[id];
+	bool part = comes_in_batches(id) && !is_whole(run);
+	if (!part && !is_last_batch(run)) return TS_OK;
+	ts_chunk p = {.id = id, .n_dims = buffer->n_dims, .first = !part || run->first_reflector == 0, .data = buffer->data,
+	             .bytes = buffer->n * ts_buffer_table[id].element_bytes};
+	memcpy(p.shape, buffer->shape, sizeof p.shape);
+	if (part) p.shape[0] = all_rows(run, id);
+	return take(user, &p);
+}
+
+ts_status ts_emit_scene(const ts_run *run, ts_take_chunk *take, void *user)
+{
+	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
+		if (is_scene((ts_buffer_id)id) && offer(run, (ts_buffer_id)id, take, user) != TS_OK) return TS_ERROR;
+	}
+	return TS_OK;
+}
+
+ts_status ts_emit_stage(const ts_run *run, const ts_stage *stage, ts_take_chunk *take, void *user)
+{
+	for (u32 i = 0; stage->writes[i] != TS_N_BUFFERS; i++) {
+		bool made = run->frame.buffer[stage->writes[i]].made;
+		if (made && offer(run, stage->writes[i], take, user) != TS_OK) return TS_ERROR;
+	}
+	return TS_OK;
+}
+
+u32 ts_emit_number(const ts_pipeline *pipeline, ts_buffer_id id)
+{
+	for (const ts_step *step = pipeline->steps; step->stage != NULL && !is_scene(id); step++) {
+		if (ts_stage_writes(ts_stage_find(step->stage), id)) return (u32)(step - pipeline->steps) + 1;
+	}
+	return 0;
+}
+
+void ts_emit_name(char name[TS_EMIT_NAME], const ts_pipeline *pipeline, ts_buffer_id id)
+{
+	snprintf(name, TS_EMIT_NAME, "%02u-%s.npy", (unsigned)ts_emit_number(pipeline, id), ts_buffer_table[id].name);
+}

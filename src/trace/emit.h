@@ -1,0 +1,32 @@
+/* What a traced run makes, as files: names, headers, and data in the order of the file. A reflector at a time makes a
+ * buffer over cubes in parts; here they are one file. */
+#ifndef TS_TRACE_EMIT_H
+#define TS_TRACE_EMIT_H
+#include "../pipelines/pipeline.h"
+#include "npy.h"
+
+enum { TS_EMIT_NAME = 64 };
+
+/* One part of a buffer's file. */
+typedef struct {
+	ts_buffer_id id;
+	u32 n_dims;
+	u64 shape[TS_MAX_DIMS]; /* of the whole file */
+	bool first;             /* begins the file: its header comes before */
+	const void *data;
+	u64 bytes;
+} ts_chunk;
+
+typedef ts_status ts_take_chunk(void *user, const ts_chunk *chunk);
+
+/* Offers the buffers of the scene that the run began with. */
+ts_status ts_emit_scene(const ts_run *run, ts_take_chunk *take, void *user);
+/* Offers what a stage has just written; for a hook of the run. */
+ts_status ts_emit_stage(const ts_run *run, const ts_stage *stage, ts_take_chunk *take, void *user);
+
+/* Place of the step that makes a buffer, from 1; 0: the scene. */
+u32 ts_emit_number(const ts_pipeline *pipeline, ts_buffer_id id);
+/* "04-eye.depth_triangle.npy". */
+void ts_emit_name(char name[TS_EMIT_NAME], const ts_pipeline *pipeline, ts_buffer_id id);
+
+#endif

@@ -1,0 +1,205 @@
+/* Headers of .npy files. */
+#include "npy.h"
+#include <assert.h>
+#include <ctype.h>
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+enum { PREFIX = 10, ALIGNMENT = 64, MOST_DIGITS = 20 };
+
+static const struct { const char *type, *descr; } scalars[] = {
+	{"f32", "<f4"}, {"i32", "<i4"}, {"u32", "<u4"}, {"u64", "<u8"}, {"u8", "|u1"},
+};
+
+static const char *scalar_descr(const char *type)
+{
+	for (size_t i = 0; i < sizeof scalars / sizeof *scalars; i++) {
+		if (strcmp(scalars[i].type, type) == 0) return scalars[i].descr;
+	}
+	return NULL;
+}
+
+static size_t put_field(char *out, size_t room, const ts_field_info *f, bool first)
+{
+	char count[32] = "";
+	if (f->count > 1) snprintf(count, sizeof count, ", (%u,)", (unsigned)f->count);
+	int n = snprintf(out, room, "%s('%s', '%s'%s)", first ? "" : ", ", f->name, scalar_descr(f->type), count);
+	assert(n > 0 && (size_t)n < room);
+	return (size_t)n;
+}
+
+void ts_npy_descr(char descr[TS_NPY_DESCR], ts_buffer_id id)
+{
+	const char *element = ts_buffer_table[id].element, *scalar = scalar_descr(element);
+	if (scalar != NULL) {
+		snprintf(descr, TS_NPY_DESCR, "'%s'", scalar);
+		return;
+	}
+	size_t n_fields, used = 1;
+	const ts_field_info *fields = ts_field_table(&n_fields);
+	descr[0] = '[';
+	for (size_t i = 0; i < n_fields; i++) {
+		if (strcmp(fields[i].record, element) != 0) continue;
+		used += put_field(descr + used, TS_NPY_DESCR - used - 2, &fields[i], used == 1);
+	}
+	memcpy(descr + used, "]", 2);
+}
+
+size_t ts_npy_header(char header[TS_NPY_HEADER], ts_buffer_id id, u32 n_dims, const u64 *shape)
+{
+	char descr[TS_NPY_DESCR], dims[TS_MAX_DIMS * (MOST_DIGITS + 2) + 1] = "";
+	size_t used = 0;
+	ts_npy_descr(descr, id);
+	for (u32 i = 0; i < n_dims; i++) {
+		used += (size_t)snprintf(dims + used, sizeof dims - used, "%s%" PRIu64, i == 0 ? "" : ", ", shape[i]);
+	}
+	int n = snprintf(header + PREFIX, TS_NPY_HEADER - PREFIX, "{'descr': %s, 'fortran_order': False, 'shape': (%s%s), }",
+	                 descr, dims, n_dims == 1 ? "," : "");
+	assert(n > 0 && n < TS_NPY_HEADER - PREFIX);
+	size_t bytes = (PREFIX + (size_t)n + 1 + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT;
+	assert(bytes <= TS_NPY_HEADER);
+	memset(header + PREFIX + n, ' ', bytes - PREFIX - (size_t)n);
+	header[bytes - 1] = '\n';
+	size_t text = bytes - PREFIX;
+	const unsigned char prefix[PREFIX] = {0x93, 'N', 'U', 'M', 'P', 'Y', 1, 0, text & 0xff, text >> 8 & 0xff};
+	memcpy(header, prefix, PREFIX);
+	return bytes;
+}
+
+/* A part of the header's text. */
+typedef struct { const char *at, *end; } span;
+
+static void skip_blanks(span *s)
+{
+	while (s->at < s->end && isspace((unsigned char)*s->at)) s->at++;
+}
+
+static bool take(span *s, char c)
+{
+	skip_blanks(s);
+	if (s->at == s->end || *s->at != c) return false;
+	s->at++;
+	return true;
+}
+
+/* A Python literal, up to a comma, colon or closing bracket of its surroundings. */
+static span take_literal(span *s)
+{
+	skip_blanks(s);
+	span literal = {s->at, s->at};
+	char quote = 0;
+	for (u32 depth = 0; s->at < s->end; s->at++) {
+		char c = *s->at;
+		if (quote != 0) {
+			quote = c == quote ? 0 : quote;
+		} else if (c == '\'' || c == '"') {
+			quote = c;
+		} else if (strchr("([{", c) != NULL && c != 0) {
+			depth++;
+		} else if (depth == 0 && c != 0 && strchr(",:)]}", c) != NULL) {
+			break;
+		} else if (c != 0 && strchr(")]}", c) != NULL) {
+			depth--;
+		}
+	}
+	literal.end = s->at;
+	return literal;
+}
+
+/* Equal but for blanks, the kind of quotes, and the byte order of single bytes. */
+static bool same_literal(span a, span b)
+{
+	for (;;) {
+		skip_blanks(&a);
+		skip_blanks(&b);
+		if (a.at == a.end || b.at == b.end) return a.at == a.end && b.at == b.end;
+		char x = *a.at == '"' ? '\'' : *a.at, y = *b.at == '"' ? '\'' : *b.at;
+		bool order = y == '|' && (x == '<' || x == '>' || x == '=');
+		if (x != y && !order) return false;
+		a.at++;
+		b.at++;
+	}
+}
+
+static span text_of(const char *text) { return (span){text, text + strlen(text)}; }
+
+/* "(3, 4)", "(3,)": 1 to TS_MAX_DIMS whole numbers. */
+static bool parse_shape(span s, u32 *n_dims, u64 shape[TS_MAX_DIMS])
+{
+	*n_dims = 0;
+	if (!take(&s, '(')) return false;
+	while (!take(&s, ')')) {
+		u64 n = 0;
+		skip_blanks(&s);
+		if (*n_dims == TS_MAX_DIMS || s.at == s.end || !isdigit((unsigned char)*s.at)) return false;
+		for (; s.at < s.end && isdigit((unsigned char)*s.at); s.at++) {
+			u64 digit = (u64)(*s.at - '0');
+			if (n > (UINT64_MAX - digit) / 10) return false;
+			n = n * 10 + digit;
+		}
+		shape[(*n_dims)++] = n;
+		if (!take(&s, ',') && (s.at == s.end || *s.at != ')')) return false;
+	}
+	skip_blanks(&s);
+	return s.at == s.end && *n_dims > 0;
+}
+
+typedef struct { span descr, order, shape; } header_text;
+
+static bool parse_dict(span s, header_text *h)
+{
+	*h = (header_text){{NULL, NULL}, {NULL, NULL}, {NULL, NULL}};
+	if (!take(&s, '{')) return false;
+	while (!take(&s, '}')) {
+		span key = take_literal(&s);
+		if (!take(&s, ':')) return false;
+		span value = take_literal(&s);
+		span *to = same_literal(key, text_of("'descr'")) ? &h->descr : same_literal(key, text_of("'fortran_order'")) ? &h->order
+			: same_literal(key, text_of("'shape'")) ? &h->shape : NULL;
+		if (to == NULL || to->at != NULL || value.at == value.end) return false;
+		*to = value;
+		if (!take(&s, ',') && (s.at == s.end || *s.at != '}')) return false;
+	}
+	skip_blanks(&s);
+	return s.at == s.end && h->descr.at != NULL && h->order.at != NULL && h->shape.at != NULL;
+}
+
+/* The text of the header, without the prefix; false if the file is no .npy or ends within it. */
+static bool find_text(const char *head, size_t head_bytes, span *text)
+{
+	if (head_bytes < PREFIX || memcmp(head, "\x93NUMPY", 6) != 0) return false;
+	const unsigned char *raw = (const unsigned char *)head;
+	if (raw[6] < 1 || raw[6] > 3) return false;
+	size_t prefix = raw[6] == 1 ? PREFIX : PREFIX + 2;
+	if (head_bytes < prefix) return false;
+	size_t n = raw[8] | (size_t)raw[9] << 8;
+	if (raw[6] != 1) n |= (size_t)raw[10] << 16 | (size_t)raw[11] << 24;
+	*text = (span){head + prefix, head + prefix + n};
+	return n <= head_bytes - prefix;
+}
+
+ts_status ts_npy_parse(const char *path, const char *head, size_t head_bytes, u64 file_bytes, ts_buffer_id id, u32 *n_dims,
+                       u64 shape[TS_MAX_DIMS], u64 *data_at)
+{
+	span text;
+	header_text h;
+	char descr[TS_NPY_DESCR];
+	if (!find_text(head, head_bytes, &text) || !parse_dict(text, &h)) {
+		return ts_fail("%s: not a .npy file of version 1 to 3 with a header below %d bytes", path, TS_NPY_HEADER);
+	}
+	ts_npy_descr(descr, id);
+	if (!same_literal(h.descr, text_of(descr))) {
+		return ts_fail("%s: dtype %.*s; %s has dtype %s", path, (int)(h.descr.end - h.descr.at > 400 ? 400 : h.descr.end - h.descr.at),
+		               h.descr.at, ts_buffer_table[id].name, descr);
+	}
+	if (!same_literal(h.order, text_of("False"))) return ts_fail("%s: Fortran order; C order would be right", path);
+	u64 n, bytes;
+	if (!parse_shape(h.shape, n_dims, shape) || !ts_shape_count(&n, *n_dims, shape) ||
+	    !ts_shape_count(&bytes, 2, (u64[]){n, ts_buffer_table[id].element_bytes})) {
+		return ts_fail("%s: its shape is not 1 to %d whole numbers whose product a file can hold", path, TS_MAX_DIMS);
+	}
+	*data_at = (u64)(text.end - head);
+	if (file_bytes - *data_at == bytes) return TS_OK;
+	return ts_fail("%s: %" PRIu64 " bytes of data; its shape needs %" PRIu64, path, file_bytes - *data_at, bytes);
+}

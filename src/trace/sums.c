@@ -1,0 +1,57 @@
+/* Digests of a run's files. */
+#include "sums.h"
+
+ts_status ts_sums_take(void *user, const ts_chunk *chunk)
+{
+	ts_digest *digest = &((ts_sums *)user)->digest[chunk->id];
+	if (chunk->first) {
+		char header[TS_NPY_HEADER];
+		if (ts_digest_begin(digest) != TS_OK) return TS_ERROR;
+		ts_digest_add(digest, header, ts_npy_header(header, chunk->id, chunk->n_dims, chunk->shape));
+	}
+	ts_digest_add(digest, chunk->data, (size_t)chunk->bytes);
+	return TS_OK;
+}
+
+void ts_sums_end(ts_sums *sums)
+{
+	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
+		if (sums->digest[id].context != NULL) ts_digest_end(&sums->digest[id], sums->hex[id]);
+	}
+}
+
+static ts_status take_stage(const ts_run *run, const ts_stage *stage, void *user)
+{
+	return ts_emit_stage(run, stage, ts_sums_take, user);
+}
+
+ts_status ts_sums_of(ts_sums *sums, const ts_pipeline *pipeline, const ts_scene *scene, const ts_params *params, u32 threads,
+                     bool reference)
+{
+	ts_run run;
+	*sums = (ts_sums){.hex = {{0}}};
+	ts_run_begin(&run, scene, params, threads);
+	run.reference = reference;
+	run.traced = run.lean = true;
+	run.hook = take_stage;
+	run.hook_user = sums;
+	ts_status status = ts_emit_scene(&run, ts_sums_take, sums);
+	if (status == TS_OK) status = ts_pipeline_run(pipeline, &run);
+	ts_sums_end(sums);
+	ts_run_end(&run);
+	return status;
+}
+
+void ts_sums_print(const ts_sums *sums, const ts_pipeline *pipeline, FILE *out)
+{
+	u32 n_steps = 0;
+	while (pipeline->steps[n_steps].stage != NULL) n_steps++;
+	for (u32 number = 0; number <= n_steps; number++) {
+		for (u32 id = 0; id < TS_N_BUFFERS; id++) {
+			char name[TS_EMIT_NAME];
+			if (sums->hex[id][0] == 0 || ts_emit_number(pipeline, (ts_buffer_id)id) != number) continue;
+			ts_emit_name(name, pipeline, (ts_buffer_id)id);
+			fprintf(out, "%s  %s\n", sums->hex[id], name);
+		}
+	}
+}

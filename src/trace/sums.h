@@ -1,0 +1,24 @@
+/* Digests of the files that a trace of this run would hold, without writing them: lines that `sha256sum -c` reads. Part of
+ * the core. */
+#ifndef TS_TRACE_SUMS_H
+#define TS_TRACE_SUMS_H
+#include <stdio.h>
+#include "../core/digest.h"
+#include "emit.h"
+
+typedef struct {
+	char hex[TS_N_BUFFERS][TS_DIGEST_BYTES]; /* "": not made */
+	ts_digest digest[TS_N_BUFFERS];
+} ts_sums;
+
+/* A ts_take_chunk whose user is a ts_sums, all zero at first. */
+ts_status ts_sums_take(void *sums, const ts_chunk *chunk);
+/* Ends all digests; call it once, also after a failure. */
+void ts_sums_end(ts_sums *sums);
+/* Runs a pipeline as a trace would, for its digests. */
+ts_status ts_sums_of(ts_sums *sums, const ts_pipeline *pipeline, const ts_scene *scene, const ts_params *params, u32 threads,
+                     bool reference);
+/* A line a buffer, in the order of the pipeline, then of records.def. */
+void ts_sums_print(const ts_sums *sums, const ts_pipeline *pipeline, FILE *out);
+
+#endif
