@@ -41,7 +41,7 @@ const ts_stage ts_stage_table[] = {
 	{"tie", "scatter",
 	 {TS_B_resize_face, TS_B_split_triangle, TS_B_align_frame, TS_B_visibility_bits, TS_B_points_record,
 	  TS_B_splat_depth_index, END},
-	 {TS_B_splat_tie, END}, ts_stage_tie, "", "texels that another point of the same distance might have won"},
+	 {TS_B_splat_tie, END}, ts_stage_tie, "EPR 3.5", "texels that another point of the same distance might have won"},
 	{"lookup", "map",
 	 {TS_B_eye_view, TS_B_resize_face, TS_B_splat_depth_index, TS_B_pixel_record, END}, {TS_B_lookup_point, END},
 	 ts_stage_lookup, "EPR 4.1.3", "25 look-ups a reflective pixel"},

@@ -190,8 +190,9 @@ ts_status ts_npy_parse(const char *path, const char *head, size_t head_bytes, u6
 	}
 	ts_npy_descr(descr, id);
 	if (!same_literal(h.descr, text_of(descr))) {
-		return ts_fail("%s: dtype %.*s; %s has dtype %s", path, (int)(h.descr.end - h.descr.at > 400 ? 400 : h.descr.end - h.descr.at),
-		               h.descr.at, ts_buffer_table[id].name, descr);
+		ptrdiff_t n = h.descr.end - h.descr.at;
+		return ts_fail("%s: dtype %.*s; %s has dtype %s", path, (int)(n > 400 ? 400 : n), h.descr.at,
+		               ts_buffer_table[id].name, descr);
 	}
 	if (!same_literal(h.order, text_of("False"))) return ts_fail("%s: Fortran order; C order would be right", path);
 	u64 n, bytes;
