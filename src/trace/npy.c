@@ -46,11 +46,10 @@ void ts_npy_descr(char descr[TS_NPY_DESCR], ts_buffer_id id)
 	memcpy(descr + used, "]", 2);
 }
 
-size_t ts_npy_header(char header[TS_NPY_HEADER], ts_buffer_id id, u32 n_dims, const u64 *shape)
+size_t ts_npy_header(char header[TS_NPY_HEADER], const char *descr, u32 n_dims, const u64 *shape)
 {
-	char descr[TS_NPY_DESCR], dims[TS_MAX_DIMS * (MOST_DIGITS + 2) + 1] = "";
+	char dims[TS_MAX_DIMS * (MOST_DIGITS + 2) + 1] = "";
 	size_t used = 0;
-	ts_npy_descr(descr, id);
 	for (u32 i = 0; i < n_dims; i++) {
 		used += (size_t)snprintf(dims + used, sizeof dims - used, "%s%" PRIu64, i == 0 ? "" : ", ", shape[i]);
 	}
@@ -155,8 +154,10 @@ static bool parse_dict(span s, header_text *h)
 		span key = take_literal(&s);
 		if (!take(&s, ':')) return false;
 		span value = take_literal(&s);
-		span *to = same_literal(key, text_of("'descr'")) ? &h->descr : same_literal(key, text_of("'fortran_order'")) ? &h->order
-			: same_literal(key, text_of("'shape'")) ? &h->shape : NULL;
+		span *to = same_literal(key, text_of("'descr'"))         ? &h->descr
+		           : same_literal(key, text_of("'fortran_order'")) ? &h->order
+		           : same_literal(key, text_of("'shape'"))         ? &h->shape
+		                                                           : NULL;
 		if (to == NULL || to->at != NULL || value.at == value.end) return false;
 		*to = value;
 		if (!take(&s, ',') && (s.at == s.end || *s.at != '}')) return false;
@@ -179,28 +180,25 @@ static bool find_text(const char *head, size_t head_bytes, span *text)
 	return n <= head_bytes - prefix;
 }
 
-ts_status ts_npy_parse(const char *path, const char *head, size_t head_bytes, u64 file_bytes, ts_buffer_id id, u32 *n_dims,
-                       u64 shape[TS_MAX_DIMS], u64 *data_at)
+ts_status ts_npy_parse(ts_npy *npy, const char *path, const char *head, size_t head_bytes, u64 file_bytes, const char *descr,
+                       size_t element_bytes)
 {
 	span text;
 	header_text h;
-	char descr[TS_NPY_DESCR];
 	if (!find_text(head, head_bytes, &text) || !parse_dict(text, &h)) {
 		return ts_fail("%s: not a .npy file of version 1 to 3 with a header below %d bytes", path, TS_NPY_HEADER);
 	}
-	ts_npy_descr(descr, id);
 	if (!same_literal(h.descr, text_of(descr))) {
 		ptrdiff_t n = h.descr.end - h.descr.at;
-		return ts_fail("%s: dtype %.*s; %s has dtype %s", path, (int)(n > 400 ? 400 : n), h.descr.at,
-		               ts_buffer_table[id].name, descr);
+		return ts_fail("%s: dtype %.*s; %s would be right", path, (int)(n > 400 ? 400 : n), h.descr.at, descr);
 	}
 	if (!same_literal(h.order, text_of("False"))) return ts_fail("%s: Fortran order; C order would be right", path);
-	u64 n, bytes;
-	if (!parse_shape(h.shape, n_dims, shape) || !ts_shape_count(&n, *n_dims, shape) ||
-	    !ts_shape_count(&bytes, 2, (u64[]){n, ts_buffer_table[id].element_bytes})) {
+	u64 bytes;
+	if (!parse_shape(h.shape, &npy->n_dims, npy->shape) || !ts_shape_count(&npy->n, npy->n_dims, npy->shape) ||
+	    !ts_shape_count(&bytes, 2, (u64[]){npy->n, element_bytes})) {
 		return ts_fail("%s: its shape is not 1 to %d whole numbers whose product a file can hold", path, TS_MAX_DIMS);
 	}
-	*data_at = (u64)(text.end - head);
-	if (file_bytes - *data_at == bytes) return TS_OK;
-	return ts_fail("%s: %" PRIu64 " bytes of data; its shape needs %" PRIu64, path, file_bytes - *data_at, bytes);
+	npy->data_at = (u64)(text.end - head);
+	if (file_bytes - npy->data_at == bytes) return TS_OK;
+	return ts_fail("%s: %" PRIu64 " bytes of data; its shape needs %" PRIu64, path, file_bytes - npy->data_at, bytes);
 }

@@ -12,12 +12,20 @@ enum { TS_NPY_HEADER = 4096, TS_NPY_DESCR = 2048 };
 void ts_npy_descr(char descr[TS_NPY_DESCR], ts_buffer_id id);
 
 /* Writes a version 1 header and returns its bytes, a multiple of 64. */
-size_t ts_npy_header(char header[TS_NPY_HEADER], ts_buffer_id id, u32 n_dims, const u64 *shape);
+size_t ts_npy_header(char header[TS_NPY_HEADER], const char *descr, u32 n_dims, const u64 *shape);
 
-/* Reads the header of a file of file_bytes, of which `head` are the first head_bytes (all, or at least TS_NPY_HEADER): it
- * must hold elements of the buffer's dtype, in C order, of 1 to TS_MAX_DIMS dimensions, and nothing behind them. `path` is
- * for messages. *data_at receives the data's offset. */
-ts_status ts_npy_parse(const char *path, const char *head, size_t head_bytes, u64 file_bytes, ts_buffer_id id, u32 *n_dims,
-                       u64 shape[TS_MAX_DIMS], u64 *data_at);
+/* What the header of a file says. */
+typedef struct {
+	u32 n_dims;
+	u64 shape[TS_MAX_DIMS];
+	u64 n;       /* elements: product of the shape */
+	u64 data_at; /* offset of the first */
+} ts_npy;
+
+/* Reads the header of a file of file_bytes, of which `head` are the first head_bytes (all, or at least TS_NPY_HEADER). It
+ * must hold elements of dtype `descr`, element_bytes each, in C order, of 1 to TS_MAX_DIMS dimensions, and nothing behind
+ * them. `path` is for messages. */
+ts_status ts_npy_parse(ts_npy *npy, const char *path, const char *head, size_t head_bytes, u64 file_bytes, const char *descr,
+                       size_t element_bytes);
 
 #endif

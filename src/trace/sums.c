@@ -5,9 +5,10 @@ ts_status ts_sums_take(void *user, const ts_chunk *chunk)
 {
 	ts_digest *digest = &((ts_sums *)user)->digest[chunk->id];
 	if (chunk->first) {
-		char header[TS_NPY_HEADER];
+		char header[TS_NPY_HEADER], descr[TS_NPY_DESCR];
+		ts_npy_descr(descr, chunk->id);
 		if (ts_digest_begin(digest) != TS_OK) return TS_ERROR;
-		ts_digest_add(digest, header, ts_npy_header(header, chunk->id, chunk->n_dims, chunk->shape));
+		ts_digest_add(digest, header, ts_npy_header(header, descr, chunk->n_dims, chunk->shape));
 	}
 	ts_digest_add(digest, chunk->data, (size_t)chunk->bytes);
 	return TS_OK;
