@@ -127,6 +127,9 @@ $(BUILD)/touchstone-core: $(CORE_O)
 	$(call say,LINK,$@)
 	$(Q)said=$$($(CC) $(LINK_FLAGS) $(CORE_STATIC) $^ $(CORE_LIBS) -o $@ 2>&1) || { echo "$$said"; exit 1; }
 
+# What a trace says of its maker.
+$(call object,src/trace/producer.c): CPPFLAGS += -DTS_FLAGS='"-std=c11 $(OPT) $(EXACT)"'
+
 # Objects are made again when the compiler or its flags change.
 $(BUILD)/flags: FORCE
 	$(Q)mkdir -p $(@D)

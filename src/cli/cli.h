@@ -7,31 +7,31 @@
 #include "../kernels/compat.h"
 #include "backends.h"
 
-#define TS_VERSION "0.1.0"
-
 /* Options, as bits: a command names those it takes. */
-enum {
-	TS_OPT_METHOD = 1 << 0,
-	TS_OPT_TRUTH = 1 << 1,
-	TS_OPT_SIZE = 1 << 2,
-	TS_OPT_FRAME = 1 << 3,
-	TS_OPT_REFLECTORS = 1 << 4,
-	TS_OPT_REFLECTOR = 1 << 5,
-	TS_OPT_CAMERA = 1 << 6,
-	TS_OPT_SET = 1 << 7,
-	TS_OPT_THREADS = 1 << 8,
-	TS_OPT_REFERENCE = 1 << 9,
-	TS_OPT_OUTPUT = 1 << 10,
-	TS_OPT_FORCE = 1 << 11,
-	TS_OPT_JSON = 1 << 12,
-	TS_OPT_NO_IMAGES = 1 << 13,
-	TS_OPT_FLUSH_DENORMALS = 1 << 14,
-	TS_OPT_SCENE = 1 << 15,
-	TS_OPT_OBJECTS = 1 << 16,
-	TS_OPT_RUNS = 1 << 17,
-	TS_OPT_BACKEND = 1 << 18,
-	TS_OPT_HELP = 1 << 19
-};
+#define TS_OPT(n) (1ull << (n))
+#define TS_OPT_METHOD TS_OPT(0)
+#define TS_OPT_TRUTH TS_OPT(1)
+#define TS_OPT_SIZE TS_OPT(2)
+#define TS_OPT_FRAME TS_OPT(3)
+#define TS_OPT_REFLECTORS TS_OPT(4)
+#define TS_OPT_REFLECTOR TS_OPT(5)
+#define TS_OPT_CAMERA TS_OPT(6)
+#define TS_OPT_SET TS_OPT(7)
+#define TS_OPT_THREADS TS_OPT(8)
+#define TS_OPT_REFERENCE TS_OPT(9)
+#define TS_OPT_OUTPUT TS_OPT(10)
+#define TS_OPT_FORCE TS_OPT(11)
+#define TS_OPT_JSON TS_OPT(12)
+#define TS_OPT_NO_IMAGES TS_OPT(13)
+#define TS_OPT_FLUSH_DENORMALS TS_OPT(14)
+#define TS_OPT_SCENE TS_OPT(15)
+#define TS_OPT_OBJECTS TS_OPT(16)
+#define TS_OPT_RUNS TS_OPT(17)
+#define TS_OPT_BACKEND TS_OPT(18)
+#define TS_OPT_TRACE TS_OPT(19)
+#define TS_OPT_TRACE_ONLY TS_OPT(20)
+#define TS_OPT_CROP TS_OPT(21)
+#define TS_OPT_HELP TS_OPT(22)
 
 /* Truths, as bits. */
 enum { TS_TRUTH_A = 1, TS_TRUTH_B = 2, TS_TRUTH_C = 4 };
@@ -40,13 +40,13 @@ enum { TS_MAX_ARGUMENTS = 2 };
 
 /* What was typed. Strings belong to argv. */
 typedef struct {
-	u32 given;                      /* TS_OPT_* that were typed */
+	u64 given;                      /* TS_OPT_* that were typed */
 	const char *arguments[TS_MAX_ARGUMENTS];
 	u32 n_arguments;
 	ts_params params;
 	ts_scene_options scene;
 	const ts_backend *backend;
-	const char *method, *scenes, *objects, *output;
+	const char *method, *scenes, *objects, *output, *trace_only, *crop;
 	u32 truths;                     /* TS_TRUTH_* */
 	u32 threads, runs;
 } ts_cli;
@@ -57,12 +57,12 @@ typedef struct {
 	const char *doc;                /* one line */
 	const char *details;            /* for `help NAME`, may be empty */
 	u32 min_arguments, max_arguments;
-	u32 options;                    /* TS_OPT_* */
+	u64 options;                    /* TS_OPT_* */
 	ts_status (*run)(ts_cli *cli);
 } ts_command;
 
 typedef struct {
-	u32 bit;
+	u64 bit;
 	const char *name, *argument;    /* argument: "" none, "[...]" optional */
 	const char *help;
 	const char *list;               /* `list` tells more of its values; "" no */
@@ -85,7 +85,7 @@ int ts_cli_main(int argc, char **argv);
 
 /* Reads argv[1...] of a command into *cli. */
 ts_status ts_cli_parse(ts_cli *cli, const ts_command *command, int argc, char **argv);
-bool ts_cli_given(const ts_cli *cli, u32 option);
+bool ts_cli_given(const ts_cli *cli, u64 option);
 
 /* Reads a decimal count in [min, max]; `what` names it in the message. */
 ts_status ts_cli_count(u32 *value, const char *text, u32 min, u32 max, const char *what);

@@ -1,6 +1,7 @@
 /* The output folder. All that the signal handler touches is async-signal-safe: fixed arrays, unlink and rmdir. */
 #include <dirent.h>
 #include <errno.h>
+#include <fcntl.h>
 #include <pthread.h>
 #include <signal.h>
 #include <stdio.h>
@@ -11,14 +12,15 @@
 #include "folder.h"
 #include "folder_ours.h"
 
-enum { MAX_FILES = 256, MAX_PARENTS = 64, MAX_PATH = 4096, MAX_DIR = MAX_PATH - 300 };
+enum { MAX_FILES = 1024, MAX_SUBS = 64, MAX_PARENTS = 64, MAX_PATH = 4096, MAX_DIR = MAX_PATH - 300 };
 
 static struct {
 	char dir[MAX_PATH], partial[MAX_PATH], old[MAX_PATH];
 	char *files[MAX_FILES];                 /* each twice: as written, and as its writer's own .partial */
+	char *subs[MAX_SUBS];                   /* folders in DIR.partial */
 	char *parents[MAX_PARENTS];             /* folders above DIR that were made for it, outermost first */
 	json_t *ours;                           /* what an earlier render wrote to DIR; NULL: nothing */
-	volatile sig_atomic_t n_files, n_parents, made;
+	volatile sig_atomic_t n_files, n_subs, n_parents, made;
 	pthread_t owner;
 } folder;
 
@@ -29,6 +31,7 @@ static void remove_partial(void)
 {
 	if (folder.made) {
 		for (int i = 0; i < folder.n_files; i++) unlink(folder.files[i]);
+		for (int i = 0; i < folder.n_subs; i++) rmdir(folder.subs[i]);
 		rmdir(folder.partial);
 		folder.made = 0;
 	}
@@ -79,7 +82,7 @@ static bool is_dot(const char *name) { return strcmp(name, ".") == 0 || strcmp(n
 static ts_status check_contents(const char *dir, DIR *stream, bool force)
 {
 	for (struct dirent *e; (e = readdir(stream)) != NULL;) {
-		if (is_dot(e->d_name)) continue;
+		if (is_dot(e->d_name) || ts_ours_is_folder(folder.ours, dir, e->d_name)) continue;
 		if (!force) return ts_fail("%s: not empty; name another folder with -o, or replace it with --force", dir);
 		if (folder.ours == NULL) {
 			return ts_fail("%s: no report.json there lists what a render wrote, so --force replaces nothing; remove the "
@@ -200,14 +203,35 @@ static const char *remember(const char *name, const char *suffix)
 	return path;
 }
 
-const char *ts_folder_file(const char *name) { return remember(name, ".partial") != NULL ? remember(name, "") : NULL; }
+/* Makes the folder of DIR.partial that `name` lies in, unless it was made before. */
+static ts_status make_sub(const char *name)
+{
+	const char *slash = strchr(name, '/');
+	char path[MAX_PATH + 300];
+	if (slash == NULL) return TS_OK;
+	snprintf(path, sizeof path, "%s/%.*s", folder.partial, (int)(slash - name), name);
+	for (int i = 0; i < folder.n_subs; i++) {
+		if (strcmp(folder.subs[i], path) == 0) return TS_OK;
+	}
+	char *copy = folder.n_subs < MAX_SUBS ? strdup(path) : NULL;
+	if (copy == NULL) return ts_fail("%s: cannot hold another folder", folder.partial);
+	folder.subs[folder.n_subs] = copy;
+	folder.n_subs = folder.n_subs + 1;
+	return mkdir(path, 0777) == 0 ? TS_OK : ts_fail("%s: %s", path, strerror(errno));
+}
+
+const char *ts_folder_file(const char *name)
+{
+	if (make_sub(name) != TS_OK) return NULL;
+	return remember(name, ".partial") != NULL ? remember(name, "") : NULL;
+}
 
 json_t *ts_folder_list(void)
 {
 	json_t *list = json_array();
 	int failed = list == NULL;
 	for (int i = 1; i < folder.n_files; i += 2) {
-		failed |= json_array_append_new(list, json_string(strrchr(folder.files[i], '/') + 1));
+		failed |= json_array_append_new(list, json_string(folder.files[i] + strlen(folder.partial) + 1));
 	}
 	if (failed) {
 		json_decref(list);
@@ -217,18 +241,20 @@ json_t *ts_folder_list(void)
 	return list;
 }
 
+/* Removes the files that are ours, and the folders that they leave empty. */
 static void remove_old(void)
 {
 	char path[MAX_PATH + 300];
-	DIR *stream = opendir(folder.old);
-	if (stream == NULL) return;
-	for (struct dirent *e; (e = readdir(stream)) != NULL;) {
-		if (ts_ours_has(folder.ours, folder.old, e->d_name)) {
-			snprintf(path, sizeof path, "%s/%s", folder.old, e->d_name);
-			unlink(path);
-		}
+	json_t *name;
+	size_t i;
+	json_array_foreach(folder.ours, i, name) {
+		snprintf(path, sizeof path, "%s/%s", folder.old, json_string_value(name));
+		unlink(path);
+		*strrchr(path, '/') = 0;
+		if (strcmp(path, folder.old) != 0) rmdir(path);
 	}
-	closedir(stream);
+	snprintf(path, sizeof path, "%s/report.json", folder.old);
+	unlink(path);
 	rmdir(folder.old);
 }
 
@@ -236,11 +262,30 @@ static void forget(void)
 {
 	catch_signals(false);
 	for (int i = 0; i < folder.n_files; i++) free(folder.files[i]);
+	for (int i = 0; i < folder.n_subs; i++) free(folder.subs[i]);
 	folder.n_files = 0;
+	folder.n_subs = 0;
 	folder.n_parents = 0;
 	folder.made = 0;
 	json_decref(folder.ours);
 	folder.ours = NULL;
+}
+
+/* What power failure may not take: files, then the folders that name them. */
+static ts_status give_to_disk(void)
+{
+	for (int i = 0; i < folder.n_files + folder.n_subs + 1; i++) {
+		const char *path = i < folder.n_files                 ? folder.files[i]
+		                   : i < folder.n_files + folder.n_subs ? folder.subs[i - folder.n_files]
+		                                                        : folder.partial;
+		int file = open(path, O_RDONLY);
+		if (file < 0 && errno == ENOENT) continue;
+		int bad = file < 0 || fsync(file) != 0;
+		int error = errno;
+		if (file >= 0) close(file);
+		if (bad) return ts_fail("%s: cannot be given to the disk: %s", path, strerror(error));
+	}
+	return TS_OK;
 }
 
 static ts_status swap(void)
@@ -260,6 +305,7 @@ static ts_status swap(void)
 
 ts_status ts_folder_commit(void)
 {
+	if (give_to_disk() != TS_OK) return TS_ERROR;
 	hold_signals(SIG_BLOCK);
 	ts_status status = swap();
 	if (status == TS_OK) forget();

@@ -1,4 +1,5 @@
 /* What --force may replace. A report.json is untrusted: its names are only compared with those that are in the folder. */
+#include <dirent.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -7,6 +8,21 @@
 enum { MAX_REPORT_BYTES = 1 << 24, PATH_BYTES = 4096 + 300 };
 
 static bool is_regular(const char *path, struct stat *info) { return lstat(path, info) == 0 && S_ISREG(info->st_mode); }
+
+/* "name" or "sub/name", none of them hidden: no name leads out of the folder. */
+static bool is_name(const char *name)
+{
+	const char *slash = name != NULL ? strchr(name, '/') : NULL;
+	if (name == NULL || name[0] == 0 || name[0] == '.') return false;
+	return slash == NULL || (slash > name && slash[1] != 0 && slash[1] != '.' && strchr(slash + 1, '/') == NULL);
+}
+
+static bool are_names(const json_t *files)
+{
+	bool all = json_is_array(files);
+	for (size_t i = 0; i < json_array_size(files); i++) all &= is_name(json_string_value(json_array_get(files, i)));
+	return all;
+}
 
 json_t *ts_ours_read(const char *dir)
 {
@@ -17,7 +33,7 @@ json_t *ts_ours_read(const char *dir)
 	json_t *root = json_load_file(path, 0, NULL);
 	const char *program = json_string_value(json_object_get(root, "program"));
 	json_t *files = json_object_get(root, "files");
-	bool ours = program != NULL && strcmp(program, "touchstone") == 0 && json_is_array(files);
+	bool ours = program != NULL && strcmp(program, "touchstone") == 0 && are_names(files);
 	json_t *result = ours ? json_incref(files) : NULL;
 	json_decref(root);
 	return result;
@@ -34,4 +50,20 @@ bool ts_ours_has(const json_t *ours, const char *dir, const char *name)
 	}
 	snprintf(path, sizeof path, "%s/%s", dir, name);
 	return listed && is_regular(path, &info);
+}
+
+bool ts_ours_is_folder(const json_t *ours, const char *dir, const char *name)
+{
+	char path[PATH_BYTES];
+	struct stat info;
+	snprintf(path, sizeof path, "%s/%s", dir, name);
+	if (ours == NULL || lstat(path, &info) != 0 || !S_ISDIR(info.st_mode)) return false;
+	DIR *stream = opendir(path);
+	bool all = stream != NULL;
+	for (struct dirent *e; all && (e = readdir(stream)) != NULL;) {
+		snprintf(path, sizeof path, "%s/%s", name, e->d_name);
+		all = strcmp(e->d_name, ".") == 0 || strcmp(e->d_name, "..") == 0 || ts_ours_has(ours, dir, path);
+	}
+	if (stream != NULL) closedir(stream);
+	return all;
 }

@@ -4,10 +4,12 @@
 #include <jansson.h>
 #include <stdbool.h>
 
-/* Reads DIR/report.json: the array of the names it lists, a new reference; NULL, without a message, unless it is a
- * regular file that a render of this program wrote. */
+/* Reads DIR/report.json: the array of the names it lists, of files "name" or "sub/name", a new reference; NULL, without a
+ * message, unless it is a regular file that a render of this program wrote. */
 json_t *ts_ours_read(const char *dir);
 /* Whether `name` is a regular file of DIR that `ours` lists, or its report.json. A NULL `ours` lists nothing. */
 bool ts_ours_has(const json_t *ours, const char *dir, const char *name);
+/* Whether `name` is a folder of DIR that holds nothing but such files. */
+bool ts_ours_is_folder(const json_t *ours, const char *dir, const char *name);
 
 #endif

@@ -1,10 +1,8 @@
 /* The command `touchstone`: its table of commands. */
 #include "cli.h"
 
-enum {
-	WHERE = TS_OPT_SIZE | TS_OPT_FRAME | TS_OPT_REFLECTORS | TS_OPT_REFLECTOR | TS_OPT_CAMERA | TS_OPT_SET,
-	HOW = TS_OPT_THREADS | TS_OPT_REFERENCE
-};
+#define WHERE (TS_OPT_SIZE | TS_OPT_FRAME | TS_OPT_REFLECTORS | TS_OPT_REFLECTOR | TS_OPT_CAMERA | TS_OPT_SET)
+#define HOW (TS_OPT_THREADS | TS_OPT_REFERENCE)
 
 const char *const ts_program = "touchstone";
 
@@ -12,10 +10,10 @@ const ts_command ts_command_table[] = {
 	{ "render", "EFFECT [SCENE]", "render an effect by one or more methods, and judge them by ground truth",
 	  "EFFECT: reflections.\n"
 	  "SCENE: atrium (the default), gallery or dining, each also with \":triangles=COUNT\"; or a .gltf or .glb file.\n"
-	  "Writes METHOD.png and .exr, truth-a.png ..., differences, pictures of the stages and report.json to DIR, and\n"
-	  "prints times, counters, memory and metrics.",
+	  "Writes METHOD.png and .exr, truth-a.png ..., differences, pictures of the stages, traces and report.json to DIR,\n"
+	  "and prints times, counters, memory and metrics.",
 	  1, 2, TS_OPT_METHOD | TS_OPT_TRUTH | WHERE | HOW | TS_OPT_BACKEND | TS_OPT_OUTPUT | TS_OPT_FORCE |
-	  TS_OPT_NO_IMAGES | TS_OPT_JSON, ts_render_command },
+	  TS_OPT_NO_IMAGES | TS_OPT_TRACE | TS_OPT_TRACE_ONLY | TS_OPT_CROP | TS_OPT_JSON, ts_render_command },
 	{ "info", "SCENE", "what was loaded, and what in the file was not understood", "",
 	  1, 1, WHERE | TS_OPT_JSON, ts_info_command },
 	{ "list", "WHAT", "tables: stages, buffers, params, methods, scenes or backends", "",

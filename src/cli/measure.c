@@ -47,7 +47,8 @@ static ts_status after_stage(const ts_run *run, const ts_stage *stage, void *use
 			measure_faces(m, &run->frame);
 		}
 	}
-	return m->pictures != NULL ? ts_stage_pictures_take(m->pictures, run, stage) : TS_OK;
+	ts_status status = m->pictures != NULL ? ts_stage_pictures_take(m->pictures, run, stage) : TS_OK;
+	return status == TS_OK && m->writer != NULL ? ts_trace_write_stage(m->writer, run, stage) : status;
 }
 
 static void keep(ts_measure *m, const ts_run *run)
@@ -71,14 +72,20 @@ static void keep_for_truths(ts_run *run)
 ts_status ts_measure_run(ts_measure *measure, const ts_pipeline *method, const ts_scene *scene, const ts_params *params,
                          u32 threads, bool reference, ts_measure_after after, void *user)
 {
-	*measure = (ts_measure){ .method = method, .pictures = measure->pictures };
+	*measure = (ts_measure){ .method = method, .pictures = measure->pictures, .trace = measure->trace };
 	ts_run run;
 	ts_run_begin(&run, scene, params, threads);
 	keep_for_truths(&run);
 	run.reference = reference;
 	run.hook = after_stage;
 	run.hook_user = measure;
-	ts_status status = ts_pipeline_run(method, &run);
+	run.traced = measure->trace != NULL;
+	ts_status status = TS_OK;
+	if (run.traced) status = ts_trace_write_begin(&measure->writer, method, &run, measure->trace);
+	if (status == TS_OK) status = ts_pipeline_run(method, &run);
+	if (status == TS_OK && run.traced) status = ts_trace_write_end(measure->writer, &run);
+	ts_trace_write_free(measure->writer);
+	measure->writer = NULL;
 	keep(measure, &run);
 	for (u32 i = 0; i < measure->n_timings; i++) measure->seconds += measure->timings[i].seconds;
 	run.hook = NULL;

@@ -2,6 +2,7 @@
 #ifndef TS_CLI_MEASURE_H
 #define TS_CLI_MEASURE_H
 #include "../pipelines/pipeline.h"
+#include "../trace/write.h"
 #include "stage_pictures.h"
 
 /* An image as radiance and as displayed, of the eye's size. */
@@ -26,13 +27,15 @@ typedef struct {
 	double mean_diameter;       /* texels a side of the cubes in sight, mean */
 	u32 n_in_sight;
 	ts_stage_pictures *pictures; /* NULL: none are taken */
+	const ts_trace_options *trace; /* NULL: none is written */
+	ts_trace_writer *writer;
 } ts_measure;
 
 /* Truths are made of what a run left: called with the run still open. */
 typedef ts_status (*ts_measure_after)(ts_run *run, void *user);
 
-/* Runs `method` and measures it into *measure, of which only `pictures` is read. `after`, which may be NULL, is called
- * behind the last stage. Prints progress. */
+/* Runs `method` and measures it into *measure, of which only `pictures` and `trace` are read. `after`, which may be NULL,
+ * is called behind the last stage. Prints progress. */
 ts_status ts_measure_run(ts_measure *measure, const ts_pipeline *method, const ts_scene *scene, const ts_params *params,
                          u32 threads, bool reference, ts_measure_after after, void *user);
 

@@ -26,6 +26,10 @@ const ts_option ts_option_table[] = {
 	{ TS_OPT_OUTPUT, "output", "DIR", "folder of the pictures (out); written whole or not at all. Short: -o DIR", "" },
 	{ TS_OPT_FORCE, "force", "", "replace DIR if it holds an earlier render", "" },
 	{ TS_OPT_NO_IMAGES, "no-images", "", "write no files", "" },
+	{ TS_OPT_TRACE, "trace", "", "write every buffer of every stage to DIR/trace-METHOD (reference/TRACES.md)", "" },
+	{ TS_OPT_TRACE_ONLY, "trace-only", "STAGE,...", "trace, but files of these stages only; \"scene\": the scene's arrays",
+	  "stages" },
+	{ TS_OPT_CROP, "crop", "X,Y,W,H", "trace, but this part only of buffers that have a row a row of pixels", "" },
 	{ TS_OPT_JSON, "json", "", "print one JSON object and nothing else", "" },
 	{ TS_OPT_FLUSH_DENORMALS, "flush-denormals", "", "let the processor flush denormals, which must not change a digest",
 	  "" },
@@ -34,9 +38,9 @@ const ts_option ts_option_table[] = {
 };
 
 /* LONG: what getopt_long answers for the first long option, above every letter. */
-enum { LONG = 256, MAX_OPTIONS = 32, MAX_THREADS = 1024, MAX_RUNS = 1000 };
+enum { LONG = 256, MAX_OPTIONS = 64, MAX_THREADS = 1024, MAX_RUNS = 1000 };
 
-bool ts_cli_given(const ts_cli *cli, u32 option) { return (cli->given & option) != 0; }
+bool ts_cli_given(const ts_cli *cli, u64 option) { return (cli->given & option) != 0; }
 
 ts_status ts_cli_count(u32 *value, const char *text, u32 min, u32 max, const char *what)
 {
@@ -107,7 +111,7 @@ static ts_status set_truths(ts_cli *cli, const char *text)
 	return TS_OK;
 }
 
-static ts_status take(ts_cli *cli, u32 bit, const char *text)
+static ts_status take(ts_cli *cli, u64 bit, const char *text)
 {
 	cli->given |= bit;
 	switch (bit) {
@@ -121,6 +125,8 @@ static ts_status take(ts_cli *cli, u32 bit, const char *text)
 	case TS_OPT_SCENE: cli->scenes = text; break;
 	case TS_OPT_OBJECTS: cli->objects = text; break;
 	case TS_OPT_OUTPUT: cli->output = text; break;
+	case TS_OPT_TRACE_ONLY: cli->trace_only = text; break;
+	case TS_OPT_CROP: cli->crop = text; break;
 	case TS_OPT_BACKEND: return ts_backend_find(&cli->backend, text);
 	case TS_OPT_SET: return set_param(cli, text);
 	case TS_OPT_THREADS: return ts_cli_count(&cli->threads, text, 1, MAX_THREADS, "--threads");
@@ -204,7 +210,7 @@ ts_status ts_cli_parse(ts_cli *cli, const ts_command *command, int argc, char **
 	const char *letters = (command->options & TS_OPT_OUTPUT) != 0 ? ":ho:" : ":h";
 	for (int answer; (answer = getopt_long(argc, argv, letters, list, NULL)) != -1;) {
 		if (answer == '?' || answer == ':') return refuse(command, list, answer, argv);
-		u32 bit = answer == 'h' ? TS_OPT_HELP : answer == 'o' ? TS_OPT_OUTPUT : ts_option_table[answer - LONG].bit;
+		u64 bit = answer == 'h' ? TS_OPT_HELP : answer == 'o' ? TS_OPT_OUTPUT : ts_option_table[answer - LONG].bit;
 		ts_status status = take(cli, bit, optarg);
 		if (status != TS_OK) return status;
 	}

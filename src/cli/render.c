@@ -6,6 +6,25 @@
 
 static bool wants(const ts_render *render, u32 truth) { return (render->cli->truths & truth) != 0; }
 
+static bool traces(const ts_cli *cli)
+{
+	return ts_cli_given(cli, TS_OPT_TRACE) || cli->trace_only != NULL || cli->crop != NULL;
+}
+
+static bool writes_files(const ts_cli *cli) { return traces(cli) || !ts_cli_given(cli, TS_OPT_NO_IMAGES); }
+
+static const char *output(const ts_cli *cli) { return cli->output != NULL ? cli->output : "out"; }
+
+static ts_status prepare_traces(ts_render *render)
+{
+	const ts_cli *cli = render->cli;
+	if (!traces(cli)) return TS_OK;
+	for (u32 i = 0; i < render->n_methods; i++) {
+		if (ts_tracing_make(&render->tracings[i], cli, render->methods[i]) != TS_OK) return TS_ERROR;
+	}
+	return ts_tracing_check(render->tracings, render->methods, render->n_methods, render->scene, &cli->params, output(cli));
+}
+
 static ts_status take_mask(ts_render *render, const ts_run *run)
 {
 	if (render->mask != NULL) return TS_OK;
@@ -57,6 +76,7 @@ static ts_status run_all(ts_render *render)
 	for (u32 i = 0; i < render->n_methods && status == TS_OK; i++) {
 		after_method after = { render, i };
 		render->measures[i].pictures = ts_cli_given(cli, TS_OPT_NO_IMAGES) ? NULL : &render->stages[i];
+		render->measures[i].trace = traces(cli) ? &render->tracings[i].options : NULL;
 		epr |= strcmp(render->methods[i]->name, "epr") == 0;
 		status = ts_measure_run(&render->measures[i], render->methods[i], render->scene, &cli->params, cli->threads,
 		                        reference, take_picture, &after);
@@ -124,6 +144,7 @@ static ts_status work(ts_render *render, ts_report *report)
 	if (status != TS_OK) return status;
 	status = ts_measure_estimate(&render->estimate, render->methods, render->n_methods, cli->truths, render->scene,
 	                             &cli->params);
+	if (status == TS_OK) status = prepare_traces(render);
 	if (status != TS_OK) return status;
 	ts_render_report_head(render, report);
 	status = ts_report_print(report);
@@ -132,8 +153,8 @@ static ts_status work(ts_render *render, ts_report *report)
 	compare_all(render);
 	ts_render_report_body(render, report);
 	status = ts_report_check(report);
-	if (status != TS_OK || ts_cli_given(cli, TS_OPT_NO_IMAGES)) return status;
-	status = ts_render_write(render);
+	if (status != TS_OK || !writes_files(cli)) return status;
+	if (!ts_cli_given(cli, TS_OPT_NO_IMAGES)) status = ts_render_write(render);
 	return status == TS_OK ? write_report(report) : status;
 }
 
@@ -152,19 +173,18 @@ static void release(ts_render *render)
 static ts_status work_in_folder(ts_render *render)
 {
 	const ts_cli *cli = render->cli;
-	bool images = !ts_cli_given(cli, TS_OPT_NO_IMAGES);
-	const char *dir = cli->output != NULL ? cli->output : "out";
-	ts_status status = images ? ts_folder_begin(dir, ts_cli_given(cli, TS_OPT_FORCE)) : TS_OK;
+	bool files = writes_files(cli);
+	ts_status status = files ? ts_folder_begin(output(cli), ts_cli_given(cli, TS_OPT_FORCE)) : TS_OK;
 	if (status != TS_OK) return status;
 	ts_report report;
 	ts_report_begin(&report, ts_cli_given(cli, TS_OPT_JSON));
 	status = work(render, &report);
-	if (status == TS_OK && images) {
+	if (status == TS_OK && files) {
 		ts_report_line(&report, "%s", "");
-		ts_report_line(&report, "The pictures are in %s", dir);
+		ts_report_line(&report, "The files are in %s", output(cli));
 		status = ts_report_check(&report);
 	}
-	if (status == TS_OK && images) status = ts_folder_commit();
+	if (status == TS_OK && files) status = ts_folder_commit();
 	if (status != TS_OK) {
 		ts_folder_discard();
 		ts_report_discard(&report);

@@ -6,6 +6,7 @@
 #include "measure.h"
 #include "methods.h"
 #include "table.h"
+#include "trace.h"
 
 enum { TS_N_TRUTHS = 3, TS_MAX_PAIRS = 256, TS_DIFFERENCE_SCALE = 8 };
 
@@ -25,6 +26,7 @@ typedef struct {
 	u32 n_methods;
 	ts_measure measures[TS_MAX_METHODS];
 	ts_stage_pictures stages[TS_MAX_METHODS];
+	ts_tracing tracings[TS_MAX_METHODS];
 	ts_picture pictures[TS_MAX_METHODS];   /* as methods */
 	ts_picture truths[TS_N_TRUTHS];        /* A, B, C; those not asked for are empty */
 	u8 *mask;                     /* 1: a reflective pixel */

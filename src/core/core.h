@@ -10,6 +10,8 @@
 extern "C" {
 #endif
 
+#define TS_VERSION "0.1.0"
+
 /* Sets this thread's message to one line (by ts_line_clean) and returns TS_ERROR. */
 ts_status ts_fail(const char *format, ...) __attribute__((format(printf, 1, 2)));
 ts_status ts_fail_v(const char *format, va_list arguments);

@@ -32,6 +32,11 @@ ts_status ts_pipeline_run(const ts_pipeline *pipeline, ts_run *run);
 /* True if the step is taken with these parameters, by a run that is traced or is not. */
 bool ts_pipeline_takes(const ts_step *step, const ts_params *params, bool traced);
 
+/* The step that makes a buffer; NULL: none. */
+const ts_step *ts_pipeline_maker(const ts_pipeline *pipeline, ts_buffer_id id);
+/* Bytes of a buffer of its shape in records.def; 2^63 if that is unknown or more. */
+u64 ts_pipeline_bytes(ts_buffer_id id, const ts_sizes *sizes);
+
 /* Estimated peak of the frame's buffers in bytes, before running, without those of a trace; `lean` as in ts_run. */
 u64 ts_pipeline_estimate(const ts_pipeline *pipeline, const ts_scene *scene, const ts_params *params, bool lean);
 

@@ -79,13 +79,21 @@ ts_status ts_pipeline_run(const ts_pipeline *pipeline, ts_run *run)
 	return TS_OK;
 }
 
-static u64 bytes_of(ts_buffer_id id, const ts_sizes *sizes)
+const ts_step *ts_pipeline_maker(const ts_pipeline *pipeline, ts_buffer_id id)
+{
+	for (const ts_step *step = pipeline->steps; step->stage != NULL; step++) {
+		if (ts_stage_writes(ts_stage_find(step->stage), id)) return step;
+	}
+	return NULL;
+}
+
+u64 ts_pipeline_bytes(ts_buffer_id id, const ts_sizes *sizes)
 {
 	u32 n_dims;
-	u64 dims[TS_MAX_DIMS], n;
+	u64 dims[TS_MAX_DIMS], n, most = 1ull << 63;
 	const ts_buffer_info *info = &ts_buffer_table[id];
-	if (!ts_shape_dims(info->shape, sizes, &n_dims, dims) || !ts_shape_count(&n, n_dims, dims)) return UINT64_MAX / 2;
-	return n > UINT64_MAX / 2 / info->element_bytes ? UINT64_MAX / 2 : n * info->element_bytes;
+	if (!ts_shape_dims(info->shape, sizes, &n_dims, dims) || !ts_shape_count(&n, n_dims, dims)) return most;
+	return n > most / info->element_bytes ? most : n * info->element_bytes;
 }
 
 static u64 add(u64 a, u64 b) { return a > UINT64_MAX - b ? UINT64_MAX : a + b; }
@@ -101,7 +109,7 @@ static u64 bytes_at(const ts_pipeline *pipeline, const ts_step *step, const ts_p
 			made |= ts_pipeline_takes(s, params, false) && ts_stage_writes(ts_stage_find(s->stage), (ts_buffer_id)id);
 		}
 		bool alive = made && !(lean && is_over(pipeline, step, params, (ts_buffer_id)id));
-		bytes = add(bytes, alive ? bytes_of((ts_buffer_id)id, sizes) : 0);
+		bytes = add(bytes, alive ? ts_pipeline_bytes((ts_buffer_id)id, sizes) : 0);
 	}
 	return bytes;
 }

@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include "../kernels/illuminate.h"
 
-static bool is_scene(ts_buffer_id id) { return strncmp(ts_buffer_table[id].name, "scene.", 6) == 0; }
+bool ts_emit_is_scene(ts_buffer_id id) { return strncmp(ts_buffer_table[id].name, "scene.", 6) == 0; }
 
 /* Buffers over texels of cubes come a batch at a time. */
 static bool comes_in_batches(ts_buffer_id id) { return ts_buffer_table[id].shape[0] == 'C'; }
@@ -41,7 +41,7 @@ static ts_status offer(const ts_run *run, ts_buffer_id id, ts_take_chunk *take, 
 ts_status ts_emit_scene(const ts_run *run, ts_take_chunk *take, void *user)
 {
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
-		if (is_scene((ts_buffer_id)id) && offer(run, (ts_buffer_id)id, take, user) != TS_OK) return TS_ERROR;
+		if (ts_emit_is_scene((ts_buffer_id)id) && offer(run, (ts_buffer_id)id, take, user) != TS_OK) return TS_ERROR;
 	}
 	return TS_OK;
 }
@@ -57,10 +57,8 @@ ts_status ts_emit_stage(const ts_run *run, const ts_stage *stage, ts_take_chunk 
 
 u32 ts_emit_number(const ts_pipeline *pipeline, ts_buffer_id id)
 {
-	for (const ts_step *step = pipeline->steps; step->stage != NULL && !is_scene(id); step++) {
-		if (ts_stage_writes(ts_stage_find(step->stage), id)) return (u32)(step - pipeline->steps) + 1;
-	}
-	return 0;
+	const ts_step *step = ts_pipeline_maker(pipeline, id);
+	return step != NULL ? (u32)(step - pipeline->steps) + 1 : 0;
 }
 
 void ts_emit_name(char name[TS_EMIT_NAME], const ts_pipeline *pipeline, ts_buffer_id id)

@@ -24,6 +24,9 @@ ts_status ts_emit_scene(const ts_run *run, ts_take_chunk *take, void *user);
 /* Offers what a stage has just written; for a hook of the run. */
 ts_status ts_emit_stage(const ts_run *run, const ts_stage *stage, ts_take_chunk *take, void *user);
 
+/* True of the buffers that the run began with. */
+bool ts_emit_is_scene(ts_buffer_id id);
+
 /* Place of the step that makes a buffer, from 1; 0: the scene. */
 u32 ts_emit_number(const ts_pipeline *pipeline, ts_buffer_id id);
 /* "04-eye.depth_triangle.npy". */

@@ -1,0 +1,88 @@
+/* The options of traces, and whether there is room for them. */
+#include "trace.h"
+#include <stdio.h>
+#include <sys/statvfs.h>
+#include "folder.h"
+
+static const char *place(void *user, const char *name)
+{
+	const ts_tracing *tracing = user;
+	char path[sizeof tracing->folder + TS_EMIT_NAME];
+	snprintf(path, sizeof path, "%s/%s", tracing->folder, name);
+	return ts_folder_file(path);
+}
+
+static bool is_of(const char *buffer, const char *stage)
+{
+	size_t n = strlen(stage);
+	return strncmp(buffer, stage, n) == 0 && buffer[n] == '.';
+}
+
+/* Stages of the method, and "scene". */
+static ts_status keep_only(ts_trace_options *options, const ts_pipeline *method, const char *stages)
+{
+	char item[32];
+	for (u32 id = 0; id < TS_N_BUFFERS; id++) options->without[id] = true;
+	while (ts_cli_item(&stages, item, sizeof item)) {
+		const ts_stage *stage = ts_stage_find(item);
+		bool scene = strcmp(item, "scene") == 0, known = scene;
+		for (const ts_step *s = method->steps; s->stage != NULL; s++) known |= strcmp(s->stage, item) == 0;
+		if (!known) return ts_fail("--trace-only: \"%s\" is no stage of %s; see: touchstone list stages", item, method->name);
+		for (u32 id = 0; id < TS_N_BUFFERS; id++) {
+			bool wanted = scene ? is_of(ts_buffer_table[id].name, "scene") : ts_stage_writes(stage, (ts_buffer_id)id);
+			if (wanted) options->without[id] = false;
+		}
+	}
+	return TS_OK;
+}
+
+static ts_status read_crop(u32 crop[4], const ts_params *params, const char *text)
+{
+	const char *list = text;
+	char item[16];
+	u32 n = 0;
+	for (; n < 4 && ts_cli_item(&list, item, sizeof item); n++) {
+		if (ts_cli_count(&crop[n], item, 0, 16384, "--crop") != TS_OK) return TS_ERROR;
+	}
+	if (n == 4 && list == NULL && crop[2] > 0 && crop[3] > 0 && crop[0] + crop[2] <= params->width &&
+	    crop[1] + crop[3] <= params->height)
+		return TS_OK;
+	return ts_fail("--crop %s: not X,Y,WIDTH,HEIGHT of a part of the %u x %u image", text, (unsigned)params->width,
+	               (unsigned)params->height);
+}
+
+ts_status ts_tracing_make(ts_tracing *tracing, const ts_cli *cli, const ts_pipeline *method)
+{
+	*tracing = (ts_tracing){ .options = { .place = place, .user = tracing } };
+	snprintf(tracing->folder, sizeof tracing->folder, "trace-%s", method->name);
+	ts_trace_options *options = &tracing->options;
+	if (cli->trace_only != NULL && keep_only(options, method, cli->trace_only) != TS_OK) return TS_ERROR;
+	return cli->crop != NULL ? read_crop(options->crop, &cli->params, cli->crop) : TS_OK;
+}
+
+/* Free bytes where `dir` is, or will be: the nearest folder above it that exists. */
+static u64 room_at(const char *dir)
+{
+	char path[4096];
+	struct statvfs disk;
+	snprintf(path, sizeof path, "%s", dir);
+	while (statvfs(path, &disk) != 0) {
+		char *slash = strrchr(path, '/');
+		if (slash == NULL || slash == path) {
+			snprintf(path, sizeof path, "%s", slash == NULL ? "." : "/");
+			return statvfs(path, &disk) == 0 ? (u64)disk.f_bavail * disk.f_frsize : UINT64_MAX;
+		}
+		*slash = 0;
+	}
+	return (u64)disk.f_bavail * disk.f_frsize;
+}
+
+ts_status ts_tracing_check(const ts_tracing *tracings, const ts_pipeline *const *methods, u32 n, const ts_scene *scene,
+                           const ts_params *params, const char *dir)
+{
+	u64 need = 0, room = room_at(dir);
+	for (u32 i = 0; i < n; i++) need += ts_trace_estimate(methods[i], scene, params, &tracings[i].options);
+	if (need <= room) return TS_OK;
+	return ts_fail("%s: the traces need about %.1f GB, and the disk has %.1f GB; choose --trace-only STAGE,..., --crop, or a "
+	               "smaller image", dir, (double)need / 1e9, (double)room / 1e9);
+}

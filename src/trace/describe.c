@@ -1,0 +1,135 @@
+/* The text of trace.json. */
+#include "describe.h"
+#include <stdio.h>
+#include "producer.h"
+
+static json_t *params_of(const ts_params *params)
+{
+	json_t *object = json_object();
+	size_t n;
+	const ts_param_info *table = ts_param_table(&n);
+	for (size_t row = 0; row < n; row++) {
+		char text[64];
+		ts_params_format(params, row, text, sizeof text);
+		json_object_set_new(object, table[row].name, json_string(text));
+	}
+	return object;
+}
+
+static json_t *names_of(const ts_trace_about *about, const ts_buffer_id *ids)
+{
+	json_t *names = json_array();
+	for (; *ids != TS_N_BUFFERS; ids++) {
+		if (about->files[*ids].made) json_array_append_new(names, json_string(ts_buffer_table[*ids].name));
+	}
+	return names;
+}
+
+/* SHA-256 of the lines "sha256  name" of these buffers. */
+static json_t *chain(const ts_trace_about *about, const ts_buffer_id *ids)
+{
+	ts_digest digest;
+	char hex[TS_DIGEST_BYTES], line[TS_DIGEST_BYTES + TS_EMIT_NAME];
+	if (ts_digest_begin(&digest) != TS_OK) return NULL;
+	for (; *ids != TS_N_BUFFERS; ids++) {
+		const ts_trace_file *file = &about->files[*ids];
+		if (!file->made) continue;
+		int n = snprintf(line, sizeof line, "%s  %s\n", file->sha256, ts_buffer_table[*ids].name);
+		ts_digest_add(&digest, line, (size_t)n);
+	}
+	ts_digest_end(&digest, hex);
+	return json_string(hex);
+}
+
+static json_t *stage_of(const ts_trace_about *about, const ts_stage *stage, u32 number)
+{
+	return json_pack("{s:i, s:s, s:s, s:s, s:s, s:o, s:o, s:o}", "number", (int)number, "name", stage->name, "kind",
+	                 stage->kind, "paper", stage->paper, "doc", stage->doc, "reads", names_of(about, stage->reads),
+	                 "writes", names_of(about, stage->writes), "inputs_sha256", chain(about, stage->reads));
+}
+
+static json_t *stages_of(const ts_trace_about *about)
+{
+	json_t *stages = json_array();
+	for (const ts_step *step = about->pipeline->steps; step->stage != NULL; step++) {
+		if (!ts_pipeline_takes(step, &about->run->params, true)) continue;
+		u32 number = (u32)(step - about->pipeline->steps) + 1;
+		json_array_append_new(stages, stage_of(about, ts_stage_find(step->stage), number));
+	}
+	return stages;
+}
+
+static json_t *buffer_of(const ts_trace_about *about, ts_buffer_id id)
+{
+	const ts_buffer_info *info = &ts_buffer_table[id];
+	const ts_trace_file *file = &about->files[id];
+	json_t *shape = json_array(), *sizes = json_array();
+	for (u32 i = 0; i < file->n_dims; i++) json_array_append_new(shape, json_integer((json_int_t)file->shape[i]));
+	json_t *root = json_pack("{s:s, s:o, s:s, s:s, s:o, s:s, s:s, s:s, s:s, s:s}", "name", info->name, "file",
+	                         file->path != NULL ? json_string(file->name) : json_null(), "element", info->element, "dtype",
+	                         file->descr, "shape", shape, "sizes", info->shape, "order", info->order, "key", info->key,
+	                         "doc", info->doc, "sha256", file->sha256);
+	for (u32 i = 0; file->cropped && i < 4; i++) json_array_append_new(sizes, json_integer(about->crop[i]));
+	if (file->cropped) json_object_set(root, "crop", sizes);
+	json_decref(sizes);
+	return root;
+}
+
+static json_t *buffers_of(const ts_trace_about *about)
+{
+	json_t *buffers = json_array();
+	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
+		if (about->files[id].made) json_array_append_new(buffers, buffer_of(about, (ts_buffer_id)id));
+	}
+	return buffers;
+}
+
+static json_t *records(void)
+{
+	json_t *root = json_object();
+	size_t n;
+	const ts_field_info *fields = ts_field_table(&n);
+	for (size_t i = 0; i < n; i++) {
+		json_t *list = json_object_get(root, fields[i].record);
+		if (list == NULL) {
+			list = json_array();
+			json_object_set_new(root, fields[i].record, list);
+		}
+		json_array_append_new(list, json_pack("{s:s, s:s, s:i, s:s}", "name", fields[i].name, "type", fields[i].type,
+		                                      "count", (int)fields[i].count, "doc", fields[i].doc));
+	}
+	return root;
+}
+
+static json_t *counters_of(const ts_run *run)
+{
+	json_t *counters = json_object();
+	for (u32 i = 0; i < run->n_counters; i++) {
+		json_object_set_new(counters, run->counters[i].name, json_integer(run->counters[i].value));
+	}
+	return counters;
+}
+
+static json_t *conventions(void)
+{
+	return json_pack("{s:s, s:s, s:s, s:s, s:s}", "space", "right-handed, +y up, world units of the scene", "view",
+	                 "x right, y up, looking along -back; pixel centres at +1/2, rows from the top", "faces",
+	                 "+X -X +Y -Y +Z -Z, rows from the top", "depth",
+	                 "binary32 bits in the upper half of a 64-bit key, index in the lower; eye and face.*: axial depth, "
+	                 "splat.*: distance", "matrices", "none: views are stored as axes");
+}
+
+json_t *ts_trace_describe(const ts_trace_about *about)
+{
+	static const ts_buffer_id scene[] = {TS_B_scene_vertex, TS_B_scene_triangle, TS_B_scene_material, TS_B_scene_slot,
+	                                     TS_B_scene_image, TS_B_scene_texel, TS_B_scene_light, TS_B_scene_object,
+	                                     TS_B_scene_info, TS_N_BUFFERS};
+	const ts_pipeline *p = about->pipeline;
+	return json_pack("{s:s, s:i, s:i, s:s, s:s, s:s, s:s, s:{s:s, s:o}, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o}", "format",
+	                 "touchstone-trace", "version", TS_TRACE_VERSION, "contract", TS_CONTRACT_VERSION, "order", "canonical",
+	                 "pipeline", p->name, "effect", p->effect, "paper", p->paper, "scene", "name", about->run->scene->name,
+	                 "sha256", chain(about, scene), "producer", ts_producer(), "arithmetic",
+	                 ts_arithmetic(), "conventions", conventions(), "params", params_of(&about->run->params), "stages",
+	                 stages_of(about), "buffers", buffers_of(about), "records", records(), "counters",
+	                 counters_of(about->run));
+}

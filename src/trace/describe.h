@@ -1,0 +1,32 @@
+/* trace.json: what a trace is of, and what made it. */
+#ifndef TS_TRACE_DESCRIBE_H
+#define TS_TRACE_DESCRIBE_H
+#include <jansson.h>
+#include "../core/digest.h"
+#include "emit.h"
+
+enum { TS_TRACE_VERSION = 1, TS_CONTRACT_VERSION = 1 };
+
+/* A buffer of a trace. */
+typedef struct {
+	bool made;
+	const char *path;       /* NULL: no file was written */
+	char name[TS_EMIT_NAME];
+	char descr[TS_NPY_DESCR];
+	u32 n_dims;
+	u64 shape[TS_MAX_DIMS];
+	bool cropped;
+	char sha256[TS_DIGEST_BYTES];
+} ts_trace_file;
+
+typedef struct {
+	const ts_pipeline *pipeline;
+	const ts_run *run;
+	const ts_trace_file *files; /* TS_N_BUFFERS */
+	const u32 *crop;
+} ts_trace_about;
+
+/* A new reference, or NULL without memory. The same run gives the same text. */
+json_t *ts_trace_describe(const ts_trace_about *about);
+
+#endif

@@ -1,0 +1,43 @@
+/* What this build says of itself. The Makefile gives TS_COMMIT and TS_FLAGS. */
+#include "producer.h"
+#include "../core/core.h"
+#include "../kernels/compat.h"
+
+#ifndef TS_COMMIT
+#define TS_COMMIT "unknown"
+#endif
+#ifndef TS_FLAGS
+#define TS_FLAGS "unknown"
+#endif
+
+#if defined(__x86_64__)
+#define DEVICE "x86-64"
+#elif defined(__aarch64__)
+#define DEVICE "aarch64"
+#else
+#define DEVICE "another processor"
+#endif
+
+json_t *ts_producer(void)
+{
+	return json_pack("{s:s, s:s, s:s, s:s, s:s, s:s, s:s}", "name", "touchstone", "version", TS_VERSION, "commit",
+	                 TS_COMMIT, "backend", "c", "device", DEVICE, "compiler", __VERSION__, "flags", TS_FLAGS);
+}
+
+static f32 load(u32 bits)
+{
+	volatile u32 v = bits;
+	return ts_u2f(v);
+}
+
+json_t *ts_arithmetic(void)
+{
+	f32 half_ulp = load(0x33800000u), one = load(0x3f800000u), least = load(0x00800000u);
+	f32 up = load(0x3f800001u) + half_ulp, even = one + half_ulp;
+	bool nearest = ts_f2u(even) == 0x3f800000u && ts_f2u(up) == 0x3f800002u;
+	f32 product = load(0x3f800800u) * load(0x3f800800u);
+	bool contracted = ts_f2u(product + load(0xbf801000u)) != 0u;
+	bool kept = ts_f2u(least * load(0x3f000000u)) == 0x00400000u;
+	return json_pack("{s:s, s:b, s:s, s:i}", "rounding", nearest ? "nearest even" : "other", "contraction", contracted,
+	                 "denormals", kept ? "kept" : "flushed", "selftest", (int)ts_selftest());
+}
