@@ -27,7 +27,9 @@ static ts_status keep_only(ts_trace_options *options, const ts_pipeline *method,
 		const ts_stage *stage = ts_stage_find(item);
 		bool scene = strcmp(item, "scene") == 0, known = scene;
 		for (const ts_step *s = method->steps; s->stage != NULL; s++) known |= strcmp(s->stage, item) == 0;
-		if (!known) return ts_fail("--trace-only: \"%s\" is no stage of %s; see: touchstone list stages", item, method->name);
+		if (!known) {
+			return ts_fail("--trace-only: \"%s\" is no stage of %s; see: touchstone list stages", item, method->name);
+		}
 		for (u32 id = 0; id < TS_N_BUFFERS; id++) {
 			bool wanted = scene ? is_of(ts_buffer_table[id].name, "scene") : ts_stage_writes(stage, (ts_buffer_id)id);
 			if (wanted) options->without[id] = false;
@@ -83,6 +85,6 @@ ts_status ts_tracing_check(const ts_tracing *tracings, const ts_pipeline *const 
 	u64 need = 0, room = room_at(dir);
 	for (u32 i = 0; i < n; i++) need += ts_trace_estimate(methods[i], scene, params, &tracings[i].options);
 	if (need <= room) return TS_OK;
-	return ts_fail("%s: the traces need about %.1f GB, and the disk has %.1f GB; choose --trace-only STAGE,..., --crop, or a "
-	               "smaller image", dir, (double)need / 1e9, (double)room / 1e9);
+	return ts_fail("%s: the traces need about %.1f GB, and the disk has %.1f GB; choose --trace-only STAGE,..., --crop, "
+	               "or a smaller image", dir, (double)need / 1e9, (double)room / 1e9);
 }

@@ -1,0 +1,306 @@
+/* trace.json and the headers of the files that it names. */
+#include "read.h"
+#include <errno.h>
+#include <fcntl.h>
+#include <inttypes.h>
+#include <jansson.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include "describe.h"
+
+enum { MAX_JSON_BYTES = 1 << 24, MAX_PATH = 4096 };
+
+bool ts_trace_find(ts_buffer_id *id, const char *name)
+{
+	for (u32 i = 0; i < TS_N_BUFFERS; i++) {
+		*id = (ts_buffer_id)i;
+		if (strcmp(ts_buffer_table[i].name, name) == 0) return true;
+	}
+	return false;
+}
+
+/* A file of the folder itself: no way leads out of it. */
+static ts_status join(char path[MAX_PATH], const char *dir, const char *name)
+{
+	if (name[0] == 0 || name[0] == '.' || strchr(name, '/') != NULL) {
+		return ts_fail("%s: file \"%s\": not the name of a file in that folder", dir, name);
+	}
+	int n = snprintf(path, MAX_PATH, "%s/%s", dir, name);
+	return n > 0 && n < MAX_PATH ? TS_OK : ts_fail("%s: its name is too long", dir);
+}
+
+/* Opens a regular file; a pipe or a device would block or never end. */
+static int open_regular(const char *path, u64 *bytes)
+{
+	struct stat info;
+	int file = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+	if (file < 0) {
+		ts_fail("%s: %s", path, strerror(errno));
+		return -1;
+	}
+	if (fstat(file, &info) != 0 || !S_ISREG(info.st_mode)) {
+		close(file);
+		ts_fail("%s: not a regular file", path);
+		return -1;
+	}
+	*bytes = (u64)info.st_size;
+	return file;
+}
+
+static ts_status read_header(ts_npy *npy, const char *path, ts_buffer_id id)
+{
+	char head[TS_NPY_HEADER], descr[TS_NPY_DESCR];
+	u64 bytes;
+	int file = open_regular(path, &bytes);
+	if (file < 0) return TS_ERROR;
+	ssize_t n = pread(file, head, sizeof head, 0);
+	close(file);
+	if (n < 0) return ts_fail("%s: %s", path, strerror(errno));
+	ts_npy_descr(descr, id);
+	return ts_npy_parse(npy, path, head, (size_t)n, bytes, descr, ts_buffer_table[id].element_bytes);
+}
+
+/* Dimensions that the shape of records.def has. */
+static u32 rank_of(ts_buffer_id id)
+{
+	u32 rank = 1;
+	for (const char *s = ts_buffer_table[id].shape; *s != 0; s++) rank += *s == ' ';
+	return rank;
+}
+
+static ts_status add_file(ts_trace *trace, ts_buffer_id id, const char *name)
+{
+	char path[MAX_PATH];
+	ts_trace_item *item = &trace->item[id];
+	const ts_buffer_info *info = &ts_buffer_table[id];
+	if (item->path != NULL) return ts_fail("%s: buffer %s is there twice", trace->dir, info->name);
+	if (join(path, trace->dir, name) != TS_OK || read_header(&item->npy, path, id) != TS_OK) return TS_ERROR;
+	if (item->npy.n_dims != rank_of(id)) {
+		return ts_fail("%s: %u dimensions; %s has %u: %s", path, (unsigned)item->npy.n_dims, info->name,
+		               (unsigned)rank_of(id), info->shape);
+	}
+	item->path = strdup(path);
+	return item->path != NULL ? TS_OK : ts_fail("%s: out of memory", path);
+}
+
+static const char *text_of(const json_t *root, const char *key)
+{
+	const char *text = json_string_value(json_object_get(root, key));
+	return text != NULL ? text : "";
+}
+
+static ts_status add_crop(ts_trace_item *item, const char *path, const json_t *crop)
+{
+	if (crop == NULL) return TS_OK;
+	for (u32 i = 0; i < 4; i++) {
+		json_int_t n = json_integer_value(json_array_get(crop, i));
+		if (json_array_size(crop) != 4 || n < 0 || n > 16384) return ts_fail("%s: crop is not 4 numbers of pixels", path);
+		item->crop[i] = (u32)n;
+	}
+	item->cropped = true;
+	bool right = item->npy.n_dims >= 2 && item->npy.shape[0] == item->crop[3] && item->npy.shape[1] == item->crop[2];
+	return right ? TS_OK : ts_fail("%s: its shape is not that of its crop", path);
+}
+
+static ts_status add_buffer(ts_trace *trace, const char *path, const json_t *entry)
+{
+	ts_buffer_id id;
+	char shown[64];
+	const json_t *file = json_object_get(entry, "file");
+	const char *name = text_of(entry, "name");
+	snprintf(shown, sizeof shown, "%s", name);
+	if (!ts_trace_find(&id, name)) {
+		return ts_fail("%s: no buffer \"%s\"; touchstone list buffers names all", path, shown);
+	}
+	if (file == NULL || json_is_null(file)) return TS_OK;
+	if (add_file(trace, id, json_is_string(file) ? json_string_value(file) : "") != TS_OK) return TS_ERROR;
+	return add_crop(&trace->item[id], path, json_object_get(entry, "crop"));
+}
+
+static ts_status add_params(ts_trace *trace, const char *path, json_t *params)
+{
+	const char *name;
+	json_t *value;
+	ts_params_default(&trace->params);
+	trace->has_params = params != NULL;
+	if (params != NULL && !json_is_object(params)) return ts_fail("%s: params is not an object", path);
+	json_object_foreach(params, name, value) {
+		if (!json_is_string(value)) return ts_fail("%s: parameter %s is not a string", path, name);
+		if (ts_params_set(&trace->params, name, json_string_value(value)) != TS_OK) {
+			return ts_fail("%s: %s", path, ts_error_message());
+		}
+	}
+	return TS_OK;
+}
+
+static ts_status check_version(const char *path, const json_t *root, const char *key, int version)
+{
+	const json_t *value = json_object_get(root, key);
+	if (json_is_integer(value) && json_integer_value(value) == version) return TS_OK;
+	char *text = value != NULL ? json_dumps(value, JSON_ENCODE_ANY) : NULL;
+	ts_fail("%s: %s %.40s; this program reads %s %d", path, key, text != NULL ? text : "is missing", key, version);
+	free(text);
+	return TS_ERROR;
+}
+
+static ts_status read_root(ts_trace *trace, const char *path, json_t *root)
+{
+	if (strcmp(text_of(root, "format"), "touchstone-trace") != 0) {
+		return ts_fail("%s: format is not \"touchstone-trace\"", path);
+	}
+	if (check_version(path, root, "version", TS_TRACE_VERSION) != TS_OK) return TS_ERROR;
+	if (check_version(path, root, "contract", TS_CONTRACT_VERSION) != TS_OK) return TS_ERROR;
+	const char *order = text_of(root, "order"), *effect = text_of(root, "effect");
+	trace->arrival = strcmp(order, "arrival") == 0;
+	if (!trace->arrival && strcmp(order, "canonical") != 0) {
+		return ts_fail("%s: order is \"%.40s\"; \"canonical\" or \"arrival\" would be right", path, order);
+	}
+	trace->pipeline = ts_pipeline_find(effect[0] != 0 ? effect : "reflections", text_of(root, "pipeline"));
+	if (trace->pipeline == NULL) {
+		return ts_fail("%s: no pipeline \"%.40s\"; touchstone list methods names all", path, text_of(root, "pipeline"));
+	}
+	const json_t *producer = json_object_get(root, "producer"), *buffers = json_object_get(root, "buffers"), *entry;
+	snprintf(trace->producer, sizeof trace->producer, "%s %s", text_of(producer, "name"), text_of(producer, "version"));
+	ts_line_clean(trace->producer);
+	if (!json_is_array(buffers)) return ts_fail("%s: buffers is not an array", path);
+	for (size_t i = 0; i < json_array_size(buffers); i++) {
+		entry = json_array_get(buffers, i);
+		if (add_buffer(trace, path, entry) != TS_OK) return TS_ERROR;
+	}
+	return add_params(trace, path, json_object_get(root, "params"));
+}
+
+/* The whole of a small file, ended by 0; by free(). */
+static char *read_text(const char *path, size_t *n)
+{
+	u64 bytes;
+	int file = open_regular(path, &bytes);
+	if (file < 0) return NULL;
+	char *text = bytes <= MAX_JSON_BYTES ? ts_alloc((size_t)bytes + 1, 1, path) : NULL;
+	if (bytes > MAX_JSON_BYTES) ts_fail("%s: %" PRIu64 " bytes; a trace.json has at most %d", path, bytes, MAX_JSON_BYTES);
+	ssize_t got = text != NULL ? read(file, text, (size_t)bytes) : -1;
+	close(file);
+	if (text != NULL && got < 0) {
+		ts_fail("%s: %s", path, strerror(errno));
+		free(text);
+		return NULL;
+	}
+	*n = got > 0 ? (size_t)got : 0;
+	return text;
+}
+
+static ts_status read_json(ts_trace *trace)
+{
+	char path[MAX_PATH];
+	size_t n;
+	if (join(path, trace->dir, "trace.json") != TS_OK) return TS_ERROR;
+	char *text = read_text(path, &n);
+	if (text == NULL) return TS_ERROR;
+	json_error_t error;
+	json_t *root = json_loadb(text, n, JSON_REJECT_DUPLICATES, &error);
+	free(text);
+	if (!json_is_object(root)) {
+		json_decref(root);
+		return ts_fail("%s: line %d: %s", path, root != NULL ? 1 : error.line, root != NULL ? "not an object" : error.text);
+	}
+	ts_status status = read_root(trace, path, root);
+	json_decref(root);
+	return status;
+}
+
+static ts_trace *trace_new(const char *dir)
+{
+	ts_trace *trace = ts_alloc_zero(1, sizeof *trace, "a trace");
+	if (trace == NULL) return NULL;
+	ts_params_default(&trace->params);
+	trace->dir = strdup(dir);
+	if (trace->dir != NULL) return trace;
+	ts_fail("%s: out of memory", dir);
+	free(trace);
+	return NULL;
+}
+
+ts_status ts_trace_open(ts_trace **trace, const char *dir)
+{
+	*trace = NULL;
+	ts_trace *made = trace_new(dir);
+	if (made == NULL) return TS_ERROR;
+	if (read_json(made) != TS_OK) {
+		ts_trace_close(made);
+		return TS_ERROR;
+	}
+	*trace = made;
+	return TS_OK;
+}
+
+/* Rows of a raw file, and the other dimensions of the same buffer elsewhere. */
+static ts_status add_raw(ts_trace *trace, ts_buffer_id id, const char *name, const ts_npy *like)
+{
+	char path[MAX_PATH];
+	u64 bytes, row = ts_buffer_table[id].element_bytes;
+	ts_trace_item *item = &trace->item[id];
+	if (item->path != NULL) return ts_fail("%s: buffer %s is there twice", trace->dir, ts_buffer_table[id].name);
+	if (join(path, trace->dir, name) != TS_OK) return TS_ERROR;
+	int file = open_regular(path, &bytes);
+	if (file < 0) return TS_ERROR;
+	close(file);
+	item->npy = *like;
+	for (u32 i = 1; i < like->n_dims; i++) row *= like->shape[i];
+	if (row == 0 || bytes % row != 0) {
+		return ts_fail("%s: %" PRIu64 " bytes are no whole number of rows of %" PRIu64, path, bytes, row);
+	}
+	item->npy.data_at = 0;
+	item->npy.shape[0] = bytes / row;
+	item->npy.n = bytes / ts_buffer_table[id].element_bytes;
+	item->path = strdup(path);
+	return item->path != NULL ? TS_OK : ts_fail("%s: out of memory", path);
+}
+
+/* "NAME=FILE". */
+static ts_status add_layout(ts_trace *trace, char *text, const ts_trace *like)
+{
+	ts_buffer_id id;
+	char *file = strchr(text, '=');
+	if (file == NULL) return ts_fail("--layout: \"%s\" is not NAME=FILE", text);
+	*file++ = 0;
+	if (!ts_trace_find(&id, text)) return ts_fail("--layout: no buffer \"%s\"; touchstone list buffers names all", text);
+	size_t n = strlen(file);
+	if (n > 4 && strcmp(file + n - 4, ".npy") == 0) return add_file(trace, id, file);
+	if (like->item[id].path == NULL) return ts_fail("--layout: %s: the reference lacks it", text);
+	return add_raw(trace, id, file, &like->item[id].npy);
+}
+
+ts_status ts_trace_open_layout(ts_trace **trace, const char *dir, const char *layout, bool arrival, const ts_trace *like)
+{
+	*trace = NULL;
+	ts_trace *made = trace_new(dir);
+	char *list = made != NULL ? strdup(layout) : NULL, *rest = NULL;
+	if (list == NULL) {
+		ts_trace_close(made);
+		return ts_fail("%s: out of memory", dir);
+	}
+	made->pipeline = like->pipeline;
+	made->arrival = arrival;
+	snprintf(made->producer, sizeof made->producer, "raw files");
+	ts_status status = TS_OK;
+	for (char *item = strtok_r(list, ",", &rest); item != NULL && status == TS_OK; item = strtok_r(NULL, ",", &rest)) {
+		status = add_layout(made, item, like);
+	}
+	free(list);
+	if (status == TS_OK) {
+		*trace = made;
+	} else {
+		ts_trace_close(made);
+	}
+	return status;
+}
+
+void ts_trace_close(ts_trace *trace)
+{
+	if (trace == NULL) return;
+	for (u32 id = 0; id < TS_N_BUFFERS; id++) free(trace->item[id].path);
+	free(trace->dir);
+	free(trace);
+}

@@ -1,0 +1,41 @@
+/* Opening a trace, ours or a port's. Everything in it is untrusted: names, counts, types and sizes are checked before
+ * anything is read, and no file outside the folder is opened. */
+#ifndef TS_TRACE_READ_H
+#define TS_TRACE_READ_H
+#include "../pipelines/pipeline.h"
+#include "npy.h"
+
+/* A buffer's file. */
+typedef struct {
+	char *path;   /* NULL: the trace has no such file */
+	ts_npy npy;
+	bool cropped;
+	u32 crop[4];  /* x, y, width, height */
+} ts_trace_item;
+
+typedef struct {
+	char *dir;
+	const ts_pipeline *pipeline;
+	bool arrival;          /* points stand in any order */
+	bool has_params;
+	ts_params params;      /* if it has them */
+	char producer[128];    /* its name and version, clean */
+	ts_trace_item item[TS_N_BUFFERS];
+} ts_trace;
+
+/* Opens the trace in folder `dir` by its trace.json. The message says what is wrong, in which file, and what would be right.
+ * On failure *trace is NULL; else release it by ts_trace_close. */
+ts_status ts_trace_open(ts_trace **trace, const char *dir);
+
+/* Opens a folder without trace.json as a candidate of `pipeline`, by a list "NAME=FILE,..." of buffers and their files
+ * there: .npy, or else raw little-endian elements, whose first dimension follows from the size and whose others are those
+ * of `like`. */
+ts_status ts_trace_open_layout(ts_trace **trace, const char *dir, const char *layout, bool arrival, const ts_trace *like);
+
+/* NULL is allowed. */
+void ts_trace_close(ts_trace *trace);
+
+/* The buffer of that name; false if there is none. */
+bool ts_trace_find(ts_buffer_id *id, const char *name);
+
+#endif

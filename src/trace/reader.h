@@ -1,0 +1,17 @@
+/* Elements of a file, in any order, through a few blocks of memory: how traces that are larger than memory are read. */
+#ifndef TS_TRACE_READER_H
+#define TS_TRACE_READER_H
+#include "../core/core.h"
+#include "../kernels/compat.h"
+
+typedef struct ts_reader ts_reader;
+
+/* Opens a regular file whose data, n elements, begin at data_at. NULL with the message set on failure. */
+ts_reader *ts_reader_open(const char *path, u64 data_at, u64 n, size_t element_bytes);
+/* The elements from `first` on that lie in one block, *n of them, at least 1; valid until the next call with this reader.
+ * NULL with the message set if the file cannot be read. first < n of the file. */
+const void *ts_reader_at(ts_reader *reader, u64 first, u64 *n);
+/* NULL is allowed. */
+void ts_reader_close(ts_reader *reader);
+
+#endif
