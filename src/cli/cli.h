@@ -30,7 +30,9 @@ enum {
 	TS_OPT_OBJECTS = 1 << 16,
 	TS_OPT_RUNS = 1 << 17,
 	TS_OPT_BACKEND = 1 << 18,
-	TS_OPT_HELP = 1 << 19
+	TS_OPT_HELP = 1 << 19,
+	TS_OPT_REASON = 1 << 20,
+	TS_OPT_REFERENCE_DIR = 1 << 21
 };
 
 /* Truths, as bits. */
@@ -46,7 +48,7 @@ typedef struct {
 	ts_params params;
 	ts_scene_options scene;
 	const ts_backend *backend;
-	const char *method, *scenes, *objects, *output;
+	const char *method, *scenes, *objects, *output, *reason, *reference_dir;
 	u32 truths;                     /* TS_TRUTH_* */
 	u32 threads, runs;
 } ts_cli;
@@ -80,6 +82,8 @@ extern const ts_option ts_option_table[];
 const ts_command *ts_cli_find(const char *name);
 /* The same; NULL with the message set. */
 const ts_command *ts_cli_require(const char *name);
+/* The commit that the program was built from, with "-dirty" behind it if its source was changed since; or "unknown". */
+const char *ts_cli_commit(void);
 /* Runs what argv asks for and returns the exit code; a failure is printed as one line on standard error. */
 int ts_cli_main(int argc, char **argv);
 
@@ -104,6 +108,7 @@ void ts_nearest_offer(ts_nearest *nearest, const char *name);
 /* Commands. */
 ts_status ts_help_command(ts_cli *cli);
 ts_status ts_digest_command(ts_cli *cli);
+ts_status ts_golden_command(ts_cli *cli);
 ts_status ts_render_command(ts_cli *cli);
 ts_status ts_info_command(ts_cli *cli);
 ts_status ts_list_command(ts_cli *cli);

@@ -29,6 +29,8 @@ const ts_option ts_option_table[] = {
 	{ TS_OPT_JSON, "json", "", "print one JSON object and nothing else", "" },
 	{ TS_OPT_FLUSH_DENORMALS, "flush-denormals", "", "let the processor flush denormals, which must not change a digest",
 	  "" },
+	{ TS_OPT_REASON, "reason", "TEXT", "why a golden changes, one line for CHANGES", "" },
+	{ TS_OPT_REFERENCE_DIR, "reference-dir", "DIR", "folder of the goldens (reference)", "" },
 	{ TS_OPT_HELP, "help", "", "this text. Short: -h", "" },
 	{ 0 }
 };
@@ -121,6 +123,8 @@ static ts_status take(ts_cli *cli, u32 bit, const char *text)
 	case TS_OPT_SCENE: cli->scenes = text; break;
 	case TS_OPT_OBJECTS: cli->objects = text; break;
 	case TS_OPT_OUTPUT: cli->output = text; break;
+	case TS_OPT_REASON: cli->reason = text; break;
+	case TS_OPT_REFERENCE_DIR: cli->reference_dir = text; break;
 	case TS_OPT_BACKEND: return ts_backend_find(&cli->backend, text);
 	case TS_OPT_SET: return set_param(cli, text);
 	case TS_OPT_THREADS: return ts_cli_count(&cli->threads, text, 1, MAX_THREADS, "--threads");
