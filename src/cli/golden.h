@@ -9,8 +9,8 @@ enum { TS_MAX_CASES = 100, TS_CASE_NAME = 41, TS_CASE_SCENE = 64, TS_REASON_BYTE
 /* For `help golden`. */
 #define TS_GOLDEN_DETAILS \
 	"check runs the cases of cases.txt again and says for each: same; different, and the first buffer that is; or\n" \
-	"missing. new writes what it computes beside the goldens, as NAME.new; bless CASE --reason TEXT puts that in their\n" \
-	"place, and the reason into CHANGES."
+	"missing. new writes what it computes beside the goldens, as NAME.new; bless CASE --reason TEXT puts that in\n" \
+	"their place, and the reason into CHANGES."
 
 /* A line of cases.txt. */
 typedef struct {
@@ -38,9 +38,10 @@ const ts_case *ts_cases_find(const ts_goldens *goldens, const char *name);
 
 /* Writes params.txt of a case: effect, method, scene and every parameter, NAME=VALUE lines. */
 ts_status ts_case_write_params(const ts_case *c, const ts_golden_dir *dir, const char *name);
-/* Compares such a file with the case. TS_DIFFERENT: `text` says where. A parameter that the file does not name, because it
- * is younger, must have its default. */
-ts_status ts_case_check_params(char *text, size_t text_bytes, const ts_case *c, const ts_golden_dir *dir, const char *name);
+/* Compares such a file with the case. TS_DIFFERENT: `text` says where. A parameter that the file does not name, because
+ * it is younger, must have its default. */
+ts_status ts_case_check_params(char *text, size_t text_bytes, const ts_case *c, const ts_golden_dir *dir,
+                               const char *name);
 
 /* Runs a case, as ts_golden_compute; refuses what does not fit the machine. ts_golden_free also after a failure. */
 ts_status ts_case_compute(ts_golden *golden, const ts_case *c, const ts_cli *cli, bool reference);

@@ -9,7 +9,8 @@ enum { MOST_FILE_BYTES = 64 << 10, MOST_WORDS = 100, MOST_PIXELS = 1 << 20, MOST
 
 /* A line after its name is a command line of its own. */
 static const ts_command line_command = {
-	"golden", "METHOD SCENE [OPTION...]", "", "", 2, 2, TS_OPT_SIZE | TS_OPT_FRAME | TS_OPT_REFLECTORS | TS_OPT_SET, NULL
+	"golden", "METHOD SCENE [OPTION...]", "", "", 2, 2,
+	TS_OPT_SIZE | TS_OPT_FRAME | TS_OPT_REFLECTORS | TS_OPT_SET, NULL
 };
 
 bool ts_case_name(const char *text)
@@ -64,8 +65,8 @@ static ts_status take_line(ts_case *c, const ts_cli *cli)
 	}
 	strcpy(c->scene, scene);
 	if ((u64)p->width * p->height > MOST_PIXELS || p->frame > MOST_FRAME) {
-		return ts_fail("%u x %u pixels, frame %u: a golden has at most %d pixels and frame %d", p->width, p->height, p->frame,
-		               MOST_PIXELS, MOST_FRAME);
+		return ts_fail("%u x %u pixels, frame %u: a golden has at most %d pixels and frame %d", p->width, p->height,
+		               p->frame, MOST_PIXELS, MOST_FRAME);
 	}
 	return TS_OK;
 }

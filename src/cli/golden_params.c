@@ -11,8 +11,8 @@ ts_status ts_case_write_params(const ts_case *c, const ts_golden_dir *dir, const
 	char text[MOST_BYTES], value[VALUE_BYTES];
 	size_t n_params, used;
 	const ts_param_info *params = ts_param_table(&n_params);
-	used = (size_t)snprintf(text, sizeof text, "effect=%s\nmethod=%s\nscene=%s\n", c->pipeline->effect, c->pipeline->name,
-	                        c->scene);
+	used = (size_t)snprintf(text, sizeof text, "effect=%s\nmethod=%s\nscene=%s\n", c->pipeline->effect,
+	                        c->pipeline->name, c->scene);
 	for (size_t i = 0; i < n_params && used < sizeof text; i++) {
 		ts_params_format(&c->params, i, value, sizeof value);
 		used += (size_t)snprintf(text + used, sizeof text - used, "%s=%s\n", params[i].name, value);
@@ -70,7 +70,8 @@ static bool differs(char *text, size_t text_bytes, const char *name, const char 
 	return true;
 }
 
-ts_status ts_case_check_params(char *text, size_t text_bytes, const ts_case *c, const ts_golden_dir *dir, const char *name)
+ts_status ts_case_check_params(char *text, size_t text_bytes, const ts_case *c, const ts_golden_dir *dir,
+                               const char *name)
 {
 	said s;
 	if (read_params(&s, dir, name) != TS_OK) return TS_ERROR;

@@ -51,7 +51,7 @@ static void add_place(char *text, size_t text_bytes, const ts_npy *npy, u64 elem
 	add_dims(text, text_bytes, npy->n_dims, place);
 }
 
-/* The field of byte `at` of an element: its type, and where its value begins. Says its name if it is one of a record. */
+/* The field of byte `at` of an element: its type, and where its value begins. Adds its name if it has one. */
 static const char *add_field(char *text, size_t text_bytes, ts_buffer_id id, size_t *at)
 {
 	const char *element = ts_buffer_table[id].element;
@@ -101,7 +101,8 @@ void ts_golden_first(char *text, size_t text_bytes, ts_buffer_id id, const ts_go
 }
 
 /* One file; as ts_golden_compare. */
-static ts_status compare(char *text, size_t text_bytes, ts_buffer_id id, const ts_golden *stored, const ts_golden *computed)
+static ts_status compare(char *text, size_t text_bytes, ts_buffer_id id, const ts_golden *stored,
+                         const ts_golden *computed)
 {
 	const char *s = stored->sums.hex[id], *c = computed->sums.hex[id];
 	const ts_golden_file *kept = &stored->file[id], *now = &computed->file[id];

@@ -18,7 +18,7 @@ static bool is_float(ts_buffer_id id, size_t at)
 	return false;
 }
 
-static u64 count_infinite(ts_buffer_id id, const void *data, u64 bytes)
+u64 ts_golden_infinite(ts_buffer_id id, const void *data, u64 bytes)
 {
 	bool floats[64] = {false}, any = false;
 	size_t n_words = ts_buffer_table[id].element_bytes / 4;
@@ -61,7 +61,7 @@ static ts_status take(void *user, const ts_chunk *chunk)
 	ts_golden_file *file = &golden->file[chunk->id];
 	if (ts_sums_take(&golden->sums, chunk) != TS_OK) return TS_ERROR;
 	if (chunk->first && begin_file(golden, chunk) != TS_OK) return TS_ERROR;
-	u64 infinite = count_infinite(chunk->id, chunk->data, chunk->bytes);
+	u64 infinite = ts_golden_infinite(chunk->id, chunk->data, chunk->bytes);
 	if (infinite != 0 && golden->infinite == TS_N_BUFFERS) golden->infinite = chunk->id;
 	golden->n_infinite += infinite;
 	if (file->data == NULL || chunk->bytes == 0) return TS_OK;

@@ -19,7 +19,7 @@ ts_status ts_golden_dir_open(ts_golden_dir *dir, const ts_golden_dir *parent, co
 	int n = parent != NULL ? snprintf(dir->path, sizeof dir->path, "%s/%s", parent->path, name)
 	                       : snprintf(dir->path, sizeof dir->path, "%s", name);
 	dir->fd = -1;
-	if (n < 0 || n >= TS_GOLDEN_PATH) return ts_fail("%.80s...: a path of more than %d bytes", name, TS_GOLDEN_PATH - 1);
+	if (n < 0 || n >= TS_GOLDEN_PATH) return ts_fail("%.80s...: a path beyond %d bytes", name, TS_GOLDEN_PATH - 1);
 	int flags = O_RDONLY | O_DIRECTORY | O_CLOEXEC | (parent != NULL ? O_NOFOLLOW : 0);
 	dir->fd = openat(parent != NULL ? parent->fd : AT_FDCWD, name, flags);
 	return dir->fd >= 0 ? TS_OK : ts_fail("%s: cannot open the folder: %s", dir->path, strerror(errno));

@@ -1,5 +1,5 @@
-/* Folders and files of goldens: opened by name below an open folder, never through links, and bounded in size. A name that
- * is opened here is one that this program made up or has checked. */
+/* Folders and files of goldens: opened by name below an open folder, never through links, and bounded in size. A name
+ * that is opened here is one that this program made up or has checked. */
 #ifndef TS_TRACE_GOLDEN_FILE_H
 #define TS_TRACE_GOLDEN_FILE_H
 #include "../core/core.h"
@@ -25,8 +25,8 @@ bool ts_golden_has(const ts_golden_dir *dir, const char *name);
 /* Calls `each` with every name in the folder, in no order, until it fails. */
 ts_status ts_golden_names(const ts_golden_dir *dir, ts_status (*each)(void *user, const char *name), void *user);
 
-/* Reads a regular file of at most `most` bytes. On success *data holds *bytes and a 0 behind them, by free(); on failure
- * nothing is allocated. */
+/* Reads a regular file of at most `most` bytes. On success *data holds *bytes and a 0 behind them, by free(); on
+ * failure nothing is allocated. */
 ts_status ts_golden_read_file(char **data, size_t *bytes, const ts_golden_dir *dir, const char *name, size_t most);
 /* Writes a file anew: as NAME.partial, then renamed. */
 ts_status ts_golden_write_file(const ts_golden_dir *dir, const char *name, const void *data, size_t bytes);
