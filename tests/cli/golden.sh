@@ -31,7 +31,7 @@ fails() {
 	shift
 	golden "$@"
 	[ "$status" -eq 2 ] && [ "$(wc -l < "$scratch/stderr")" -eq 1 ] && grep -qe "$pattern" "$scratch/stderr"
-	verdict $? "refused ($pattern): golden $*"
+	verdict $? "refused ($pattern): golden ${*//$'\n'/ }"
 }
 # says STATUS PATTERN NAME: what the last run ended with and printed.
 says() {
