@@ -61,7 +61,8 @@ ts_status ts_golden_check_action(const ts_goldens *goldens, const ts_case *only)
 		count[v]++;
 		bool failed = v == MISSING || v == UNUSABLE;
 		if (failed && first[0] == 0) snprintf(first, sizeof first, "%s", ts_error_message());
-		printf("%-10s %-20s%s%s\n", words[v], c->name, v != SAME ? " " : "", failed ? ts_error_message() : text);
+		const char *why = failed ? ts_error_message() : text;
+		printf("%-10s %s%s%s\n", words[v], c->name, v != SAME ? "  " : "", why);
 		fflush(stdout);
 	}
 	u32 without = count[MISSING] + count[UNUSABLE];

@@ -48,7 +48,7 @@ static ts_status read_sums(ts_golden *golden, const ts_golden_dir *dir, const ts
 	return status == TS_OK ? TS_OK : ts_fail("%s/%s: %s", dir->path, name, ts_error_message());
 }
 
-static ts_status digest(char hex[TS_DIGEST_BYTES], const void *data, size_t bytes)
+static ts_status digest_of(char hex[TS_DIGEST_BYTES], const void *data, size_t bytes)
 {
 	ts_digest d;
 	if (ts_digest_begin(&d) != TS_OK) return TS_ERROR;
@@ -78,7 +78,7 @@ static ts_status read_small(void *user, const char *name)
 	ts_npy_descr(descr, id);
 	ts_status status = ts_npy_parse(&file->npy, path, file->data, file->bytes, file->bytes, descr,
 	                                ts_buffer_table[id].element_bytes);
-	return status == TS_OK ? digest(file->hex, file->data, file->bytes) : status;
+	return status == TS_OK ? digest_of(file->hex, file->data, file->bytes) : status;
 }
 
 ts_status ts_golden_read(ts_golden *golden, const ts_golden_dir *dir, const ts_pipeline *pipeline, const char *suffix)
