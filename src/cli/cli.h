@@ -30,7 +30,8 @@ enum {
 	TS_OPT_OBJECTS = 1 << 16,
 	TS_OPT_RUNS = 1 << 17,
 	TS_OPT_BACKEND = 1 << 18,
-	TS_OPT_HELP = 1 << 19
+	TS_OPT_HELP = 1 << 19,
+	TS_OPT_CHECK = 1 << 20
 };
 
 /* Truths, as bits. */
@@ -46,7 +47,7 @@ typedef struct {
 	ts_params params;
 	ts_scene_options scene;
 	const ts_backend *backend;
-	const char *method, *scenes, *objects, *output;
+	const char *method, *scenes, *objects, *output, *check;
 	u32 truths;                     /* TS_TRUTH_* */
 	u32 threads, runs;
 } ts_cli;
@@ -108,6 +109,7 @@ ts_status ts_render_command(ts_cli *cli);
 ts_status ts_info_command(ts_cli *cli);
 ts_status ts_list_command(ts_cli *cli);
 ts_status ts_bench_command(ts_cli *cli);
+ts_status ts_vectors_command(ts_cli *cli);
 /* Help of one command, or of all if NULL. */
 void ts_help_print(const ts_command *command);
 

@@ -23,8 +23,9 @@ const ts_option ts_option_table[] = {
 	{ TS_OPT_THREADS, "threads", "N", "threads, by default one a core; never changes a result", "" },
 	{ TS_OPT_BACKEND, "backend", "NAME", "what runs the kernels (c); never changes a result", "backends" },
 	{ TS_OPT_REFERENCE, "reference", "", "turn all fast paths off", "" },
-	{ TS_OPT_OUTPUT, "output", "DIR", "folder of the pictures (out); written whole or not at all. Short: -o DIR", "" },
-	{ TS_OPT_FORCE, "force", "", "replace DIR if it holds an earlier render", "" },
+	{ TS_OPT_OUTPUT, "output", "DIR", "folder to write, whole or not at all (render: out). Short: -o DIR", "" },
+	{ TS_OPT_FORCE, "force", "", "replace DIR if an earlier run wrote it", "" },
+	{ TS_OPT_CHECK, "check", "DIR", "folder of what a port computed, to be judged", "" },
 	{ TS_OPT_NO_IMAGES, "no-images", "", "write no files", "" },
 	{ TS_OPT_JSON, "json", "", "print one JSON object and nothing else", "" },
 	{ TS_OPT_FLUSH_DENORMALS, "flush-denormals", "", "let the processor flush denormals, which must not change a digest",
@@ -121,6 +122,7 @@ static ts_status take(ts_cli *cli, u32 bit, const char *text)
 	case TS_OPT_SCENE: cli->scenes = text; break;
 	case TS_OPT_OBJECTS: cli->objects = text; break;
 	case TS_OPT_OUTPUT: cli->output = text; break;
+	case TS_OPT_CHECK: cli->check = text; break;
 	case TS_OPT_BACKEND: return ts_backend_find(&cli->backend, text);
 	case TS_OPT_SET: return set_param(cli, text);
 	case TS_OPT_THREADS: return ts_cli_count(&cli->threads, text, 1, MAX_THREADS, "--threads");
