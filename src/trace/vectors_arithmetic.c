@@ -7,10 +7,10 @@ FLOAT_ITEM(add_flush, flushed(flushed(A) + flushed(B)))
 FLOAT_ITEM(sub, A - B)
 FLOAT_ITEM(sub_flush, flushed(flushed(A) - flushed(B)))
 FLOAT_ITEM(mul, A * B)
-FLOAT_ITEM(mul_flush, flushed(flushed(A) * flushed(B)))
+FLOAT_ITEM(mul_flush, flushed_result((double)flushed(A) * flushed(B)))
 
 FLOAT_ITEM(quotient, A / B)
-FLOAT_ITEM(quotient_flush, flushed(flushed(A) / flushed(B)))
+FLOAT_ITEM(quotient_flush, flushed_result((double)flushed(A) / flushed(B)))
 
 static void quotient_reciprocal(u32 *out, const u32 *in)
 {
@@ -37,7 +37,7 @@ FLOAT_ITEM(multiply_add_fused, fmaf(A, B, C))
 
 static void multiply_add_flush(u32 *out, const u32 *in)
 {
-	f32 p = flushed(flushed(A) * flushed(B));
+	f32 p = flushed_result((double)flushed(A) * flushed(B));
 	set_f32(out, 0, flushed(p + flushed(C)));
 }
 
@@ -51,7 +51,7 @@ FLOAT_ITEM(multiply_subtract_fused, fmaf(-A, B, C))
 
 static void multiply_subtract_flush(u32 *out, const u32 *in)
 {
-	f32 p = flushed(flushed(A) * flushed(B));
+	f32 p = flushed_result((double)flushed(A) * flushed(B));
 	set_f32(out, 0, flushed(flushed(C) - p));
 }
 

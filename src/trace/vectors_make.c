@@ -13,8 +13,7 @@ typedef struct { u32 n, seed; } source;
 static u32 next(source *s) { return ts_random(s->n++, STREAM_TESTS, s->seed); }
 static u32 below(source *s, u32 n) { return (u32)((u64)next(s) * n >> 32); }
 
-/* Zeros, denormals, the contract's thresholds, 1 and its neighbours, ties, powers of two, the largest, infinity, NaN.
- * */
+/* Zeros, denormals, the contract's thresholds, 1 and its neighbours, ties, powers of two, the largest, NaN. */
 static const u32 special[] = {
 	0x00000000, 0x80000000, 0x00000001, 0x80000001, 0x00400000, 0x007fffff, 0x807fffff, 0x00800000, 0x80800000,
 	0x00800001, 0x00ffffff, 0x01000000, 0x0d7fffff, 0x0d800000, 0x0d800001, 0x8d7fffff, 0x8d800000, 0x2bffffff,

@@ -5,14 +5,18 @@ FLOAT_ITEM(least, ts_min(A, B))
 FLOAT_ITEM(greatest, ts_max(A, B))
 FLOAT_ITEM(clamped, ts_clamp(A, B, C))
 
-static void clamped_flush(u32 *out, const u32 *in)
+static void clamped_chosen(u32 *out, const u32 *in)
 {
 	f32 x = flushed(A) < flushed(B) ? B : A;
 	set_f32(out, 0, flushed(C) < flushed(x) ? C : x);
 }
+FLOAT_ITEM(clamped_flushed, ts_clamp(flushed(A), flushed(B), flushed(C)))
 
-FLOAT_ITEM(least_flush, flushed(B) < flushed(A) ? B : A)
-FLOAT_ITEM(greatest_flush, flushed(A) < flushed(B) ? B : A)
+/* By a comparison and a choice, which keeps a denormal, or by an instruction, which flushes it. */
+FLOAT_ITEM(least_chosen, flushed(B) < flushed(A) ? B : A)
+FLOAT_ITEM(least_flushed, ts_min(flushed(A), flushed(B)))
+FLOAT_ITEM(greatest_chosen, flushed(A) < flushed(B) ? B : A)
+FLOAT_ITEM(greatest_flushed, ts_max(flushed(A), flushed(B)))
 /* IEEE 754-2019 orders the zeros. */
 FLOAT_ITEM(least_builtin, A == B ? ts_u2f(in[0] | in[1]) : A < B ? A : B)
 FLOAT_ITEM(greatest_builtin, A == B ? ts_u2f(in[0] & in[1]) : A < B ? B : A)
@@ -30,9 +34,11 @@ static void relate_clamp(u32 *in, u32 random)
 	in[1] = low;
 }
 
+/* Equal, opposite, or two zeros. */
 static void relate_equal(u32 *in, u32 random)
 {
-	if ((random & 7) == 0) in[1] = in[0] ^ (random >> 3 & 1) << 31;
+	if ((random & 31) == 0) in[0] = random & 0x80000000u;
+	if ((random & 7) == 0) in[1] = in[0] ^ (random >> 5 & 1) << 31;
 }
 
 typedef enum { TO_EVEN, AWAY, DOWN } rounding;
@@ -97,11 +103,14 @@ static const f32 turn_edges[] = { 0x1p22f, -0x1p22f, 0.125f, 0.25f, 0.375f, 0.5f
 
 const ts_vector ts_vectors_number[] = {
 	{ "min", "4", "b < a ? b : a", { FINITE("a", 1), FINITE("b", 1) }, { TS_VECTOR_F32, 1 }, .item = least,
-	  { { TS_FAULT_BUILTIN, least_builtin }, { TS_FAULT_FLUSH, least_flush } }, .relate = relate_equal },
+	  { { TS_FAULT_BUILTIN, least_builtin }, { TS_FAULT_FLUSH, least_chosen },
+	    { TS_FAULT_FLUSH, least_flushed } }, .relate = relate_equal },
 	{ "max", "4", "a < b ? b : a", { FINITE("a", 1), FINITE("b", 1) }, { TS_VECTOR_F32, 1 }, .item = greatest,
-	  { { TS_FAULT_BUILTIN, greatest_builtin }, { TS_FAULT_FLUSH, greatest_flush } }, .relate = relate_equal },
+	  { { TS_FAULT_BUILTIN, greatest_builtin }, { TS_FAULT_FLUSH, greatest_chosen },
+	    { TS_FAULT_FLUSH, greatest_flushed } }, .relate = relate_equal },
 	{ "clamp", "4", "min(max(x, low), high)", { FINITE("x", 1), FINITE("low", 1), FINITE("high", 1) },
-	  { TS_VECTOR_F32, 1 }, .item = clamped, { { TS_FAULT_FLUSH, clamped_flush } }, .relate = relate_clamp },
+	  { TS_VECTOR_F32, 1 }, .item = clamped,
+	  { { TS_FAULT_FLUSH, clamped_chosen }, { TS_FAULT_FLUSH, clamped_flushed } }, .relate = relate_clamp },
 	{ "abs", "4", "x without its sign", { FINITE("x", 1) }, { TS_VECTOR_F32, 1 }, .item = absolute },
 	{ "san", "10", "a float from outside", { ANY("x", 1) }, { TS_VECTOR_F32, 1 }, .item = sane, EDGES(san_edges) },
 	{ "put", "11, 12", "what every stored float passes: tiny ones and -0 become +0", { FINITE("x", 1) },
@@ -111,7 +120,8 @@ const ts_vector ts_vectors_number[] = {
 	  { { TS_FAULT_AWAY, fix_away }, { TS_FAULT_TRUNCATE, fix_down } }, .relate = relate_fix },
 	{ "f2i", "4", "truncating, saturating, NaN gives 0", { ANY("x", 1) }, { TS_VECTOR_I32, 1 },
 	  .item = f2i, EDGES(int_edges) },
-	{ "floor_i32", "14", "the pixel that holds x", { ANY("x", 1) }, { TS_VECTOR_I32, 1 }, .item = floor_i32,
+	{ "floor_i32", "14", "the pixel that holds x",
+	  { { "x", TS_VECTOR_F32, 1, 88, 255, true } }, { TS_VECTOR_I32, 1 }, .item = floor_i32,
 	  { { TS_FAULT_TRUNCATE, floor_i32_truncate } }, EDGES(int_edges) },
 	{ "rint", "4", "(x + 1.5 * 2^23) - 1.5 * 2^23, for |x| < 2^22",
 	  { { "x", TS_VECTOR_F32, 1, 0, 148, true } }, { TS_VECTOR_F32, 1 }, .item = nearest,

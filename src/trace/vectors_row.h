@@ -43,6 +43,13 @@ static inline void set_v3(u32 *row, ts_v3 a)
 /* What a processor that flushes makes of a denormal. */
 static inline f32 flushed(f32 x) { return ts_abs(x) < FLT_MIN ? copysignf(0.0f, x) : x; }
 
+/* What it makes of an exact or nearly exact result: tiny is what rounds to less than the smallest normal number where
+ * denormals are none. */
+static inline f32 flushed_result(double x)
+{
+	return fabs(x) < FLT_MIN * (1 - 0x1p-25) ? copysignf(0.0f, (f32)x) : (f32)x;
+}
+
 /* Columns. ANY holds every pattern of bits; SANE what ts_san lets through (rule 10); WORLD coordinates (rule 11). */
 #define ANY(name, count) { name, TS_VECTOR_F32, count, 0, 255, true }
 #define FINITE(name, count) { name, TS_VECTOR_F32, count, 0, 254, true }
