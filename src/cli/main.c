@@ -28,7 +28,7 @@ const ts_command ts_command_table[] = {
 	{ "digest", "[SCENE]", "SHA-256 of every buffer of a built-in scene, in pipeline order", "",
 	  0, 1, TS_OPT_METHOD | TS_OPT_SIZE | TS_OPT_FRAME | TS_OPT_REFLECTORS | TS_OPT_SET | HOW | TS_OPT_FLUSH_DENORMALS,
 	  ts_digest_command },
-	{ "vectors", "", "arithmetic vectors: inputs and outputs of every primitive, to write, or to check a port with",
+	{ "vectors", "", "inputs and outputs of every arithmetic primitive, to write, or to check a port with",
 	  "Before a port renders anything: write them with -o DIR, let the port compute PRIMITIVE.out.npy from\n"
 	  "PRIMITIVE.in.npy, and judge its folder with --check DIR. vectors.json describes each primitive. Exact: 0 all right,\n"
 	  "1 different. Primitives that the folder does not hold are not judged, but named.",
