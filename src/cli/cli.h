@@ -45,7 +45,8 @@
 #define TS_OPT_MARGINS TS_OPT(33)
 #define TS_OPT_REASON TS_OPT(34)
 #define TS_OPT_REFERENCE_DIR TS_OPT(35)
-#define TS_OPT_HELP TS_OPT(36)
+#define TS_OPT_CHECK TS_OPT(36)
+#define TS_OPT_HELP TS_OPT(37)
 
 /* Truths, as bits. */
 enum { TS_TRUTH_A = 1, TS_TRUTH_B = 2, TS_TRUTH_C = 4 };
@@ -65,6 +66,7 @@ typedef struct {
 	u64 ulp, allow;
 	double abs, rel;
 	const char *reason, *reference_dir;
+	const char *check;
 	u32 truths;                     /* TS_TRUTH_* */
 	u32 threads, runs;
 } ts_cli;
@@ -128,6 +130,7 @@ ts_status ts_info_command(ts_cli *cli);
 ts_status ts_list_command(ts_cli *cli);
 ts_status ts_bench_command(ts_cli *cli);
 ts_status ts_compare_command(ts_cli *cli);
+ts_status ts_vectors_command(ts_cli *cli);
 /* Help of one command, or of all if NULL. */
 void ts_help_print(const ts_command *command);
 

@@ -23,8 +23,9 @@ const ts_option ts_option_table[] = {
 	{ TS_OPT_THREADS, "threads", "N", "threads, by default one a core; never changes a result", "" },
 	{ TS_OPT_BACKEND, "backend", "NAME", "what runs the kernels (c); never changes a result", "backends" },
 	{ TS_OPT_REFERENCE, "reference", "", "turn all fast paths off", "" },
-	{ TS_OPT_OUTPUT, "output", "DIR", "folder of the pictures (out); written whole or not at all. Short: -o DIR", "" },
-	{ TS_OPT_FORCE, "force", "", "replace DIR if it holds an earlier render", "" },
+	{ TS_OPT_OUTPUT, "output", "DIR", "folder to write, whole or not at all (render: out). Short: -o DIR", "" },
+	{ TS_OPT_FORCE, "force", "", "replace DIR if an earlier run wrote it", "" },
+	{ TS_OPT_CHECK, "check", "DIR", "folder of what a port computed, to be judged", "" },
 	{ TS_OPT_NO_IMAGES, "no-images", "", "write no files", "" },
 	{ TS_OPT_TRACE, "trace", "", "write every buffer of every stage to DIR/trace-METHOD (reference/TRACES.md)", "" },
 	{ TS_OPT_TRACE_ONLY, "trace-only", "STAGE,...", "trace, but files of these stages only; \"scene\": the scene's arrays",
@@ -172,6 +173,7 @@ static ts_status take(ts_cli *cli, u64 bit, const char *text)
 	case TS_OPT_CROP: cli->crop = text; break;
 	case TS_OPT_REASON: cli->reason = text; break;
 	case TS_OPT_REFERENCE_DIR: cli->reference_dir = text; break;
+	case TS_OPT_CHECK: cli->check = text; break;
 	case TS_OPT_BACKEND: return ts_backend_find(&cli->backend, text);
 	case TS_OPT_SET: return set_param(cli, text);
 	case TS_OPT_THREADS: return ts_cli_count(&cli->threads, text, 1, MAX_THREADS, "--threads");
