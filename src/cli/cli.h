@@ -51,7 +51,15 @@
 /* Truths, as bits. */
 enum { TS_TRUTH_A = 1, TS_TRUTH_B = 2, TS_TRUTH_C = 4 };
 
-enum { TS_MAX_ARGUMENTS = 2 };
+enum { TS_MAX_ARGUMENTS = 2, TS_MAX_SWEEPS = 8, TS_SWEEP_TEXT = 48 };
+
+/* A parameter of which several values were typed. */
+typedef struct {
+	char name[TS_SWEEP_TEXT];
+	const char *values; /* separated by commas; belongs to argv */
+	u32 n;
+} ts_swept;
+typedef struct { ts_swept swept[TS_MAX_SWEEPS]; u32 n; } ts_sweep;
 
 /* What was typed. Strings belong to argv. */
 typedef struct {
@@ -59,6 +67,7 @@ typedef struct {
 	const char *arguments[TS_MAX_ARGUMENTS];
 	u32 n_arguments;
 	ts_params params;
+	ts_sweep sweep;
 	ts_scene_options scene;
 	const ts_backend *backend;
 	const char *method, *scenes, *objects, *output, *trace_only, *crop;

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <strings.h>
 #include "cli.h"
+#include "sweep.h"
 
 const ts_option ts_option_table[] = {
 	{ TS_OPT_METHOD, "method", "NAME,...", "methods to run, or \"all\" (the default)", "methods" },
@@ -19,7 +20,7 @@ const ts_option ts_option_table[] = {
 	{ TS_OPT_SCENE, "scene", "SPEC,...", "scenes to measure, instead of atrium,gallery,dining", "" },
 	{ TS_OPT_OBJECTS, "objects", "N,...", "numbers of mirrors to measure, instead of 1,10,20,50", "" },
 	{ TS_OPT_RUNS, "runs", "N", "runs of which the median is taken (3)", "" },
-	{ TS_OPT_SET, "set", "NAME=VALUE", "any parameter, repeatable", "params" },
+	{ TS_OPT_SET, "set", "NAME=VALUE", "any parameter, repeatable; render takes lists, NAME=A,B, and prints CSV", "params" },
 	{ TS_OPT_THREADS, "threads", "N", "threads, by default one a core; never changes a result", "" },
 	{ TS_OPT_BACKEND, "backend", "NAME", "what runs the kernels (c); never changes a result", "backends" },
 	{ TS_OPT_REFERENCE, "reference", "", "turn all fast paths off", "" },
@@ -94,7 +95,8 @@ static ts_status set_param(ts_cli *cli, const char *assignment)
 		return ts_fail("--set %s: no such parameter; the nearest is %s%s", name, nearest.best,
 		               ts_cli_find("list") != NULL ? ", and \"touchstone list params\" lists all" : "");
 	}
-	return ts_params_set(&cli->params, name, equals + 1);
+	return strchr(equals, ',') != NULL ? ts_sweep_add(&cli->sweep, &cli->params, name, equals + 1)
+	                                   : ts_params_set(&cli->params, name, equals + 1);
 }
 
 #define DIGITS "0123456789"
