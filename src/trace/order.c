@@ -129,7 +129,7 @@ void ts_order_free(ts_order *order)
 
 u32 ts_order_map(const ts_order *order, u32 index)
 {
-	if (!order->given || index >= order->n_cand) return index;
-	u32 mapped = order->ref_of_cand[index];
-	return mapped != TS_NONE ? mapped : TS_NONE - 1;
+	if (!order->given) return index;
+	u32 mapped = index < order->n_cand ? order->ref_of_cand[index] : index < order->n_ref ? TS_NONE : index;
+	return mapped != TS_NONE || index == TS_NONE ? mapped : TS_NONE - 1;
 }
