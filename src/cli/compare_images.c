@@ -28,8 +28,8 @@ static bool is_close(const ts_cli *cli, f32 ref, f32 cand)
 	double apart = (double)ref - (double)cand, size = ref < 0 ? -(double)ref : (double)ref;
 	apart = apart < 0 ? -apart : apart;
 	if (ulps == INT64_MAX) return false;
-	return (u64)(ulps < 0 ? -ulps : ulps) <= cli->ulp || (cli->abs > 0 && apart <= cli->abs) ||
-	       (cli->rel > 0 && apart <= cli->rel * size);
+	return (u64)(ulps < 0 ? -ulps : ulps) <= cli->ulp ||
+	       (isfinite(apart) && ((cli->abs > 0 && apart <= cli->abs) || (cli->rel > 0 && apart <= cli->rel * size)));
 }
 
 static void tell_first(ts_report *report, const picture *p, u64 first, u64 n_unlike)

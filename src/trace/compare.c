@@ -1,5 +1,6 @@
 /* Streaming comparison of two traces. */
 #include "compare.h"
+#include <float.h>
 #include <inttypes.h>
 #include <stdio.h>
 #include "../kernels/num.h"
@@ -25,8 +26,9 @@ static bool is_close(const ts_relaxations *r, u64 a, u64 b)
 	if (ulps == INT64_MAX) return false;
 	double x = (double)ts_u2f((u32)a), y = (double)ts_u2f((u32)b), apart = x > y ? x - y : y - x;
 	double size = x < 0 ? -x : x;
-	return (u64)(ulps < 0 ? -ulps : ulps) <= r->ulp || (r->abs > 0 && apart <= r->abs) ||
-	       (r->rel > 0 && apart <= r->rel * size);
+	bool finite = apart <= 2.0 * (double)FLT_MAX;
+	return (u64)(ulps < 0 ? -ulps : ulps) <= r->ulp ||
+	       (finite && ((r->abs > 0 && apart <= r->abs) || (r->rel > 0 && apart <= r->rel * size)));
 }
 
 /* The candidate's bits, with an index into the points as the reference counts them. */
