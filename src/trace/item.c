@@ -49,12 +49,18 @@ static ts_status read_header(ts_npy *npy, const char *path, ts_buffer_id id, ts_
 	return ts_npy_parse(npy, path, head, (size_t)n, bytes, descr, ts_buffer_table[id].element_bytes);
 }
 
-/* Dimensions that the shape of records.def has. */
-static u32 rank_of(ts_buffer_id id)
+/* As many dimensions as the shape of records.def has, and where that holds a number, that number. */
+static bool fits(ts_buffer_id id, const ts_npy *npy)
 {
-	u32 rank = 1;
-	for (const char *s = ts_buffer_table[id].shape; *s != 0; s++) rank += *s == ' ';
-	return rank;
+	u32 n_dims = 0;
+	for (const char *s = ts_buffer_table[id].shape; s != NULL; s = strchr(s, ' ') != NULL ? strchr(s, ' ') + 1 : NULL) {
+		char *end;
+		u64 n = strtoull(s, &end, 10);
+		bool fixed = end != s && (*end == ' ' || *end == 0);
+		if (n_dims == npy->n_dims || (fixed && npy->shape[n_dims] != n)) return false;
+		n_dims++;
+	}
+	return n_dims == npy->n_dims;
 }
 
 ts_status ts_item_add(ts_trace *trace, ts_buffer_id id, const char *name, ts_trust trust)
@@ -64,9 +70,8 @@ ts_status ts_item_add(ts_trace *trace, ts_buffer_id id, const char *name, ts_tru
 	const ts_buffer_info *info = &ts_buffer_table[id];
 	if (item->path != NULL) return ts_fail("%s: buffer %s is there twice", trace->dir, info->name);
 	if (ts_item_path(path, trace->dir, name) != TS_OK || read_header(&item->npy, path, id, trust) != TS_OK) return TS_ERROR;
-	if (item->npy.n_dims != rank_of(id)) {
-		return ts_fail("%s: %u dimensions; %s has %u: %s", path, (unsigned)item->npy.n_dims, info->name,
-		               (unsigned)rank_of(id), info->shape);
+	if (!fits(id, &item->npy)) {
+		return ts_fail("%s: its shape is none of %s, which is %s", path, info->name, info->shape);
 	}
 	item->path = strdup(path);
 	return item->path != NULL ? TS_OK : ts_fail("%s: out of memory", path);
