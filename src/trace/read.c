@@ -26,8 +26,10 @@ static const char *text_of(const json_t *root, const char *key)
 	return text != NULL ? text : "";
 }
 
-static ts_status add_crop(ts_trace_item *item, const char *path, const json_t *crop)
+static ts_status add_crop(ts_trace *trace, ts_buffer_id id, const char *path, const json_t *crop)
 {
+	ts_trace_item *item = &trace->item[id];
+	bool pixels = strncmp(ts_buffer_table[id].shape, "H W", 3) == 0;
 	if (crop == NULL) return TS_OK;
 	for (u32 i = 0; i < 4; i++) {
 		json_int_t n = json_integer_value(json_array_get(crop, i));
@@ -36,10 +38,11 @@ static ts_status add_crop(ts_trace_item *item, const char *path, const json_t *c
 	}
 	item->cropped = true;
 	bool right = item->npy.n_dims >= 2 && item->npy.shape[0] == item->crop[3] && item->npy.shape[1] == item->crop[2];
+	if (!pixels) return ts_fail("%s: a crop of a buffer that has no rows and columns", path);
 	return right ? TS_OK : ts_fail("%s: its shape is not that of its crop", path);
 }
 
-static ts_status add_buffer(ts_trace *trace, const char *path, const json_t *entry)
+static ts_status add_buffer(ts_trace *trace, const char *path, const json_t *entry, bool listed[TS_N_BUFFERS])
 {
 	ts_buffer_id id;
 	char shown[64];
@@ -49,10 +52,12 @@ static ts_status add_buffer(ts_trace *trace, const char *path, const json_t *ent
 	if (!ts_trace_find(&id, name)) {
 		return ts_fail("%s: no buffer \"%s\"; touchstone list buffers names all", path, shown);
 	}
+	if (listed[id]) return ts_fail("%s: buffer %s is there twice", path, ts_buffer_table[id].name);
+	listed[id] = true;
 	if (file == NULL || json_is_null(file)) return TS_OK;
 	const char *in = json_is_string(file) ? json_string_value(file) : "";
 	if (ts_item_add(trace, id, in, TS_IN_FOLDER) != TS_OK) return TS_ERROR;
-	return add_crop(&trace->item[id], path, json_object_get(entry, "crop"));
+	return add_crop(trace, id, path, json_object_get(entry, "crop"));
 }
 
 static ts_status add_params(ts_trace *trace, const char *path, json_t *params)
@@ -97,13 +102,13 @@ static ts_status read_root(ts_trace *trace, const char *path, json_t *root)
 	if (trace->pipeline == NULL) {
 		return ts_fail("%s: no pipeline \"%.40s\"; touchstone list methods names all", path, text_of(root, "pipeline"));
 	}
-	const json_t *producer = json_object_get(root, "producer"), *buffers = json_object_get(root, "buffers"), *entry;
+	bool listed[TS_N_BUFFERS] = {false};
+	const json_t *producer = json_object_get(root, "producer"), *buffers = json_object_get(root, "buffers");
 	snprintf(trace->producer, sizeof trace->producer, "%s %s", text_of(producer, "name"), text_of(producer, "version"));
 	ts_line_clean(trace->producer);
 	if (!json_is_array(buffers)) return ts_fail("%s: buffers is not an array", path);
 	for (size_t i = 0; i < json_array_size(buffers); i++) {
-		entry = json_array_get(buffers, i);
-		if (add_buffer(trace, path, entry) != TS_OK) return TS_ERROR;
+		if (add_buffer(trace, path, json_array_get(buffers, i), listed) != TS_OK) return TS_ERROR;
 	}
 	return add_params(trace, path, json_object_get(root, "params"));
 }
