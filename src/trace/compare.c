@@ -1,43 +1,71 @@
 /* Streaming comparison of two traces. */
 #include "compare.h"
-#include <float.h>
+#include <assert.h>
 #include <inttypes.h>
 #include <stdio.h>
 #include "../kernels/num.h"
 #include "emit.h"
+#include "gather.h"
 #include "reader.h"
 #include "tie.h"
+
+enum { RUN = 256, MAX_ELEMENT = 128, MAX_FLOATS = 32 };
 
 typedef struct {
 	ts_verdict *verdict;
 	ts_buffer_id id;
+	size_t bytes;          /* of an element */
 	ts_fields fields;
 	bool ignored[TS_MAX_FIELDS];
+	u32 float_at[MAX_FLOATS], n_floats; /* offsets of the floats that are judged */
 	const ts_order *order;
 	const ts_relaxations *relaxations;
 	ts_ties *ties;         /* NULL: the candidate has no freedom here */
 	ts_reader *ref, *cand;
+	ts_gather *gather;     /* of a set in order of arrival; NULL: elements stand as they are */
 	u32 mask_every;        /* elements a pixel that the mask speaks of; 0: it does not */
 } judge;
 
-static bool is_close(const ts_relaxations *r, u64 a, u64 b)
+/* True of a field of points' indices, where points stand in another order. */
+static bool is_mapped(const judge *j, const ts_field *field)
 {
-	i64 ulps = ts_field_ulps(a, b);
-	if (ulps == INT64_MAX) return false;
-	double x = (double)ts_u2f((u32)a), y = (double)ts_u2f((u32)b), apart = x > y ? x - y : y - x;
-	double size = x < 0 ? -x : x;
-	bool finite = apart <= 2.0 * (double)FLT_MAX;
-	return (u64)(ulps < 0 ? -ulps : ulps) <= r->ulp ||
-	       (finite && ((r->abs > 0 && apart <= r->abs) || (r->rel > 0 && apart <= r->rel * size)));
+	return j->order->given && field->of != NULL && strcmp(field->of, "N") == 0;
 }
 
-/* The candidate's bits, with an index into the points as the reference counts them. */
-static u64 mapped(const judge *j, const ts_field *field, u64 bits)
+/* Up to RUN elements of the candidate, mapped; they may be copied to `scratch`. */
+static const u8 *mapped(const judge *j, const u8 *cand, u64 n, u8 *scratch)
 {
-	if (!j->order->given || field->of == NULL || strcmp(field->of, "N") != 0) return bits;
-	u32 index = (u32)bits;
-	if (field->bytes == 8) return bits == TS_EMPTY ? bits : (bits & ~(u64)0xffffffffu) | ts_order_map(j->order, index);
-	return index == TS_NONE ? bits : ts_order_map(j->order, index);
+	const u8 *from = cand;
+	for (u32 f = 0; f < j->fields.n; f++) {
+		if (!is_mapped(j, &j->fields.field[f])) continue;
+		if (from == cand) memcpy(scratch, cand, n * j->bytes);
+		from = scratch;
+		ts_order_map_field(j->order, &j->fields.field[f], scratch, n, j->bytes);
+	}
+	return from;
+}
+
+/* Whether one of n floats, so many bytes apart, is a NaN. */
+static bool has_nan(const u8 *at, u64 n, size_t apart)
+{
+	u32 found = 0;
+	for (u64 i = 0; i < n; i++) {
+		u32 word;
+		memcpy(&word, at + i * apart, sizeof word);
+		found |= 0x7f800000u - (word & 0x7fffffffu); /* less than nothing of a NaN alone */
+	}
+	return found >> 31 != 0;
+}
+
+/* Equal bytes without a NaN. */
+static bool is_clean(const judge *j, const u8 *ref, const u8 *cand, u64 n)
+{
+	if (memcmp(ref, cand, n * j->bytes) != 0) return false;
+	if (j->bytes == sizeof(f32) && j->n_floats == 1) return !has_nan(ref, n, sizeof(f32));
+	for (u32 f = 0; f < j->n_floats; f++) {
+		if (has_nan(ref + j->float_at[f], n, j->bytes)) return false;
+	}
+	return true;
 }
 
 static void note_worst(judge *j, const ts_field *field, const ts_difference *d)
@@ -56,7 +84,7 @@ static ts_status judge_element(judge *j, u64 element, const void *ref, const voi
 	for (u32 f = 0; f < j->fields.n; f++) {
 		const ts_field *field = &j->fields.field[f];
 		for (u32 c = 0; c < field->count && !j->ignored[f]; c++) {
-			ts_difference d = {element, f, c, ts_field_bits(field, ref, c), mapped(j, field, ts_field_bits(field, cand, c))};
+			ts_difference d = {element, f, c, ts_field_bits(field, ref, c), ts_field_bits(field, cand, c)};
 			bool nan = field->kind == 'f' && ts_field_is_nan(d.cand);
 			if (d.ref == d.cand && !nan) continue;
 			bool tied = false;
@@ -64,7 +92,7 @@ static ts_status judge_element(judge *j, u64 element, const void *ref, const voi
 			j->verdict->n_tied += tied;
 			if (tied) continue;
 			note_worst(j, field, &d);
-			if (field->kind == 'f' && is_close(j->relaxations, d.ref, d.cand)) {
+			if (field->kind == 'f' && ts_relax_close(j->relaxations, d.ref, d.cand)) {
 				relaxed = true;
 				continue;
 			}
@@ -83,47 +111,58 @@ static bool is_masked(const judge *j, u64 element)
 	return j->mask_every != 0 && j->relaxations->mask[element / j->mask_every] == 0;
 }
 
-/* Elements of both, in the same order; equal bytes are passed over at once. */
-static ts_status judge_sequence(judge *j, u64 n)
+/* Up to RUN elements of both, of which those that are equal are passed over at once. */
+static ts_status judge_run(judge *j, u64 first, u64 n, const u8 *ref, const u8 *cand)
 {
-	size_t bytes = ts_buffer_table[j->id].element_bytes;
-	u64 held_ref, held_cand, held;
-	bool plain = !j->order->given && j->mask_every == 0;
-	for (u64 i = 0; i < n; i += held) {
-		const u8 *ref = ts_reader_at(j->ref, i, &held_ref), *cand = ref != NULL ? ts_reader_at(j->cand, i, &held_cand) : NULL;
-		if (cand == NULL) return TS_ERROR;
-		held = held_ref < held_cand ? held_ref : held_cand;
-		held = held < n - i ? held : n - i;
-		if (plain && memcmp(ref, cand, held * bytes) == 0) continue;
-		for (u64 k = 0; k < held; k++) {
-			if (is_masked(j, i + k)) {
-				j->verdict->n_masked++;
-			} else if (judge_element(j, i + k, ref + k * bytes, cand + k * bytes) != TS_OK) {
-				return TS_ERROR;
-			}
+	u8 scratch[RUN * MAX_ELEMENT];
+	cand = mapped(j, cand, n, scratch);
+	if (j->mask_every == 0 && is_clean(j, ref, cand, n)) return TS_OK;
+	for (u64 k = 0; k < n; k++) {
+		const u8 *a = ref + k * j->bytes, *b = cand + k * j->bytes;
+		bool lacks = j->gather != NULL && j->order->cand_of_ref[first + k] == TS_NONE;
+		if (is_masked(j, first + k)) {
+			j->verdict->n_masked++;
+		} else if (!lacks && !is_clean(j, a, b, 1) && judge_element(j, first + k, a, b) != TS_OK) {
+			return TS_ERROR;
 		}
 	}
 	return TS_OK;
 }
 
-/* Records that find each other by their keys. */
-static ts_status judge_set(judge *j)
+static ts_status judge_elements(judge *j, u64 n)
+{
+	u64 held_ref, held_cand, held;
+	for (u64 i = 0; i < n; i += held) {
+		const u8 *ref = ts_reader_at(j->ref, i, &held_ref), *cand = NULL;
+		if (ref == NULL) return TS_ERROR;
+		cand = j->gather != NULL ? ts_gather_at(j->gather, i, &held_cand) : ts_reader_at(j->cand, i, &held_cand);
+		if (cand == NULL) return TS_ERROR;
+		held = held_ref < held_cand ? held_ref : held_cand;
+		held = held < n - i ? held : n - i;
+		held = held < RUN ? held : RUN;
+		if (judge_run(j, i, held, ref, cand) != TS_OK) return TS_ERROR;
+	}
+	return TS_OK;
+}
+
+/* Records that find each other by their keys, which need not be looked at again. */
+static ts_status judge_set(judge *j, const ts_trace_item *cand)
 {
 	const ts_order *order = j->order;
-	u64 held;
 	ts_verdict *v = j->verdict;
 	v->n_missing = order->n_missing;
 	v->n_extra = order->n_extra;
 	v->missing_key = order->missing;
 	v->extra_key = order->extra;
 	v->n_different = order->n_missing + order->n_extra;
-	for (u64 i = 0; i < order->n_ref; i++) {
-		if (order->cand_of_ref[i] == TS_NONE) continue;
-		const void *ref = ts_reader_at(j->ref, i, &held);
-		const void *cand = ref != NULL ? ts_reader_at(j->cand, order->cand_of_ref[i], &held) : NULL;
-		if (cand == NULL || judge_element(j, i, ref, cand) != TS_OK) return TS_ERROR;
+	if (v->n_ref != order->n_ref || v->n_cand != order->n_cand) {
+		return ts_fail("%s: as many records as keys would be right, in both", cand->path);
 	}
-	return TS_OK;
+	if (j->id == TS_B_points_key) return TS_OK;
+	j->gather = ts_gather_open(cand, j->bytes, order);
+	ts_status status = j->gather != NULL ? judge_elements(j, order->n_ref) : TS_ERROR;
+	ts_gather_close(j->gather);
+	return status;
 }
 
 /* Sizes that follow from what was computed, not from the scene and the parameters. */
@@ -145,21 +184,16 @@ static ts_status check_shapes(ts_buffer_id id, const ts_trace_item *ref, const t
 	return ts_fail("%s: shape %s; the reference's is %s", cand->path, text[1], text[0]);
 }
 
-static bool is_listed(const char *list, const char *name)
-{
-	size_t n = strlen(name);
-	for (const char *at = list; at != NULL; at = strchr(at, ',') != NULL ? strchr(at, ',') + 1 : NULL) {
-		if (strncmp(at, name, n) == 0 && (at[n] == ',' || at[n] == 0)) return true;
-	}
-	return false;
-}
-
-static void find_ignored(judge *j)
+static void find_fields(judge *j)
 {
 	char name[128];
 	for (u32 f = 0; f < j->fields.n; f++) {
-		snprintf(name, sizeof name, "%s.%s", ts_buffer_table[j->id].name, j->fields.field[f].name);
-		j->ignored[f] = is_listed(j->relaxations->ignore, name);
+		const ts_field *field = &j->fields.field[f];
+		snprintf(name, sizeof name, "%s.%s", ts_buffer_table[j->id].name, field->name);
+		j->ignored[f] = field->name[0] != 0 && ts_relax_ignores(j->relaxations, name);
+		if (j->ignored[f] || field->kind != 'f') continue;
+		assert(j->n_floats + field->count <= MAX_FLOATS);
+		for (u32 c = 0; c < field->count; c++) j->float_at[j->n_floats++] = field->offset + 4 * c;
 	}
 }
 
@@ -174,9 +208,8 @@ static u32 elements_a_pixel(ts_buffer_id id, const ts_trace_item *item, const ts
 
 static ts_status open_readers(judge *j, const ts_trace_item *ref, const ts_trace_item *cand)
 {
-	size_t bytes = ts_buffer_table[j->id].element_bytes;
-	j->ref = ts_reader_open(ref->path, ref->npy.data_at, ref->npy.n, bytes);
-	j->cand = j->ref != NULL ? ts_reader_open(cand->path, cand->npy.data_at, cand->npy.n, bytes) : NULL;
+	j->ref = ts_reader_open(ref->path, ref->npy.data_at, ref->npy.n, j->bytes);
+	j->cand = j->ref != NULL ? ts_reader_open(cand->path, cand->npy.data_at, cand->npy.n, j->bytes) : NULL;
 	return j->cand != NULL ? TS_OK : TS_ERROR;
 }
 
@@ -188,16 +221,17 @@ ts_status ts_compare_buffer(ts_verdict *verdict, ts_buffer_id id, const ts_trace
 	ts_ties ties = {.reference = NULL};
 	*verdict = (ts_verdict){.n_ref = ref->npy.n, .n_cand = cand->npy.n, .marks = verdict->marks};
 	if (check_shapes(id, ref, cand) != TS_OK) return TS_ERROR;
-	judge j = {.verdict = verdict, .id = id, .fields = ts_fields_of(id), .order = order, .relaxations = relaxations,
-	           .mask_every = elements_a_pixel(id, ref, relaxations)};
-	find_ignored(&j);
+	judge j = {.verdict = verdict, .id = id, .bytes = ts_buffer_table[id].element_bytes, .fields = ts_fields_of(id),
+	           .order = order, .relaxations = relaxations, .mask_every = elements_a_pixel(id, ref, relaxations)};
+	assert(j.bytes <= MAX_ELEMENT);
+	find_fields(&j);
 	ts_status status = open_readers(&j, ref, cand);
 	if (status == TS_OK && order->given && id == TS_B_splat_depth_index) {
 		status = ts_ties_open(&ties, reference);
 		j.ties = &ties;
 	}
 	u64 n = ref->npy.n < cand->npy.n ? ref->npy.n : cand->npy.n;
-	if (status == TS_OK) status = set ? judge_set(&j) : judge_sequence(&j, n);
+	if (status == TS_OK) status = set ? judge_set(&j, cand) : judge_elements(&j, n);
 	if (!set) verdict->n_different += ref->npy.n + cand->npy.n - 2 * n;
 	verdict->judgement = verdict->n_different > relaxations->allow ? TS_UNLIKE : TS_SAME;
 	ts_ties_close(&ties);
@@ -221,7 +255,7 @@ static ts_status judge_one(ts_comparison *c, ts_buffer_id id, const ts_trace *re
 	ts_verdict *v = &c->verdict[id];
 	ts_status status = TS_OK;
 	if (reference->item[id].path == NULL) return TS_OK;
-	if (is_listed(relaxations->ignore, ts_buffer_table[id].name)) {
+	if (ts_relax_ignores(relaxations, ts_buffer_table[id].name)) {
 		v->judgement = TS_IGNORED;
 	} else if (candidate->item[id].path == NULL) {
 		v->judgement = TS_MISSING;
@@ -255,6 +289,7 @@ ts_status ts_compare(ts_comparison *comparison, const ts_trace *reference, const
 		               reference->pipeline->name);
 	}
 	if (reference->arrival) return ts_fail("%s: in order of arrival, so it is no reference", reference->dir);
+	if (ts_relax_check(relaxations) != TS_OK) return TS_ERROR;
 	ts_status status = ts_order_make(&order, reference, candidate);
 	if (status == TS_OK) status = judge_all(comparison, reference, candidate, &order, relaxations);
 	ts_order_free(&order);
