@@ -31,7 +31,17 @@
 #define TS_OPT_TRACE TS_OPT(19)
 #define TS_OPT_TRACE_ONLY TS_OPT(20)
 #define TS_OPT_CROP TS_OPT(21)
-#define TS_OPT_HELP TS_OPT(22)
+#define TS_OPT_ULP TS_OPT(22)
+#define TS_OPT_ABS TS_OPT(23)
+#define TS_OPT_REL TS_OPT(24)
+#define TS_OPT_ALLOW TS_OPT(25)
+#define TS_OPT_IGNORE TS_OPT(26)
+#define TS_OPT_MASK TS_OPT(27)
+#define TS_OPT_LAYOUT TS_OPT(28)
+#define TS_OPT_ORDER TS_OPT(29)
+#define TS_OPT_JUNIT TS_OPT(30)
+#define TS_OPT_TAP TS_OPT(31)
+#define TS_OPT_HELP TS_OPT(32)
 
 /* Truths, as bits. */
 enum { TS_TRUTH_A = 1, TS_TRUTH_B = 2, TS_TRUTH_C = 4 };
@@ -47,6 +57,9 @@ typedef struct {
 	ts_scene_options scene;
 	const ts_backend *backend;
 	const char *method, *scenes, *objects, *output, *trace_only, *crop;
+	const char *ignore, *mask, *layout, *order, *junit;
+	u64 ulp, allow;
+	double abs, rel;
 	u32 truths;                     /* TS_TRUTH_* */
 	u32 threads, runs;
 } ts_cli;
@@ -108,6 +121,7 @@ ts_status ts_render_command(ts_cli *cli);
 ts_status ts_info_command(ts_cli *cli);
 ts_status ts_list_command(ts_cli *cli);
 ts_status ts_bench_command(ts_cli *cli);
+ts_status ts_compare_command(ts_cli *cli);
 /* Help of one command, or of all if NULL. */
 void ts_help_print(const ts_command *command);
 

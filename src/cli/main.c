@@ -23,6 +23,13 @@ const ts_command ts_command_table[] = {
 	  "ours. Their GPU's times are not ours: compare ratios. Errors are against truth C unless --truth says otherwise.",
 	  1, 1, TS_OPT_SCENE | TS_OPT_OBJECTS | TS_OPT_RUNS | TS_OPT_TRUTH | TS_OPT_SIZE | TS_OPT_FRAME | TS_OPT_SET | HOW |
 	  TS_OPT_JSON, ts_bench_command },
+	{ "compare", "REFERENCE CANDIDATE", "two traces, buffers or images: where they first differ, and how much",
+	  "REFERENCE: a folder that render --trace wrote, or one of its .npy files, or an image.\n"
+	  "CANDIDATE: the same of a port (reference/TRACES.md says what it must have at least).\n"
+	  "Everything must be the same to the bit, unless a relaxation is typed. Exit code 0 same, 1 different, 2 could not.\n"
+	  "With -o DIR, a picture of the pixels that differ for each buffer that has them.",
+	  2, 2, TS_OPT_ULP | TS_OPT_ABS | TS_OPT_REL | TS_OPT_ALLOW | TS_OPT_IGNORE | TS_OPT_MASK | TS_OPT_LAYOUT |
+	  TS_OPT_ORDER | TS_OPT_JUNIT | TS_OPT_TAP | TS_OPT_OUTPUT | TS_OPT_FORCE | TS_OPT_JSON, ts_compare_command },
 	{ "digest", "[SCENE]", "SHA-256 of every buffer of a built-in scene, in pipeline order", "",
 	  0, 1, TS_OPT_METHOD | TS_OPT_SIZE | TS_OPT_FRAME | TS_OPT_REFLECTORS | TS_OPT_SET | HOW | TS_OPT_FLUSH_DENORMALS,
 	  ts_digest_command },

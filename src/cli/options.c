@@ -30,6 +30,17 @@ const ts_option ts_option_table[] = {
 	{ TS_OPT_TRACE_ONLY, "trace-only", "STAGE,...", "trace, but files of these stages only; \"scene\": the scene's arrays",
 	  "stages" },
 	{ TS_OPT_CROP, "crop", "X,Y,W,H", "trace, but this part only of buffers that have a row a row of pixels", "" },
+	{ TS_OPT_ULP, "ulp", "N", "floats may be N floats apart", "" },
+	{ TS_OPT_ABS, "abs", "A", "floats may be A apart", "" },
+	{ TS_OPT_REL, "rel", "R", "floats may be R times the reference's value apart", "" },
+	{ TS_OPT_ALLOW, "allow", "N", "N elements of a buffer may differ", "" },
+	{ TS_OPT_IGNORE, "ignore", "NAME,...", "buffers, or fields as buffer.field, that are not judged", "buffers" },
+	{ TS_OPT_MASK, "mask", "FILE", "PNG of the eye's size: pixels that are black in it are not judged", "" },
+	{ TS_OPT_LAYOUT, "layout", "NAME=FILE,...",
+	  "CANDIDATE has no trace.json: these are its buffers, .npy or raw little-endian", "buffers" },
+	{ TS_OPT_ORDER, "order", "ORDER", "of the points of such a candidate: canonical (the default) or arrival", "" },
+	{ TS_OPT_JUNIT, "junit", "FILE", "also write the verdicts as JUnit XML, a case a stage", "" },
+	{ TS_OPT_TAP, "tap", "", "print the verdicts as TAP, a line a stage", "" },
 	{ TS_OPT_JSON, "json", "", "print one JSON object and nothing else", "" },
 	{ TS_OPT_FLUSH_DENORMALS, "flush-denormals", "", "let the processor flush denormals, which must not change a digest",
 	  "" },
@@ -96,6 +107,25 @@ static ts_status set_size(ts_cli *cli, const char *text)
 	return status != TS_OK ? status : ts_params_set(&cli->params, "height", x + 1);
 }
 
+static ts_status set_number(u64 *value, const char *text, const char *what)
+{
+	u32 n = 0;
+	ts_status status = ts_cli_count(&n, text, 0, 4294967295u, what);
+	*value = n;
+	return status;
+}
+
+static ts_status set_distance(double *value, const char *text, const char *what)
+{
+	char *end;
+	double distance = strtod(text, &end);
+	if (text[0] == 0 || *end != 0 || !(distance >= 0) || distance > 1e30) {
+		return ts_fail("%s: \"%s\" is not a number from 0 to 1e30", what, text);
+	}
+	*value = distance;
+	return TS_OK;
+}
+
 static ts_status set_truths(ts_cli *cli, const char *text)
 {
 	char item[8];
@@ -125,6 +155,15 @@ static ts_status take(ts_cli *cli, u64 bit, const char *text)
 	case TS_OPT_SCENE: cli->scenes = text; break;
 	case TS_OPT_OBJECTS: cli->objects = text; break;
 	case TS_OPT_OUTPUT: cli->output = text; break;
+	case TS_OPT_ULP: return set_number(&cli->ulp, text, "--ulp");
+	case TS_OPT_ALLOW: return set_number(&cli->allow, text, "--allow");
+	case TS_OPT_ABS: return set_distance(&cli->abs, text, "--abs");
+	case TS_OPT_REL: return set_distance(&cli->rel, text, "--rel");
+	case TS_OPT_IGNORE: cli->ignore = text; break;
+	case TS_OPT_MASK: cli->mask = text; break;
+	case TS_OPT_LAYOUT: cli->layout = text; break;
+	case TS_OPT_ORDER: cli->order = text; break;
+	case TS_OPT_JUNIT: cli->junit = text; break;
 	case TS_OPT_TRACE_ONLY: cli->trace_only = text; break;
 	case TS_OPT_CROP: cli->crop = text; break;
 	case TS_OPT_BACKEND: return ts_backend_find(&cli->backend, text);

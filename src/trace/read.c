@@ -297,6 +297,39 @@ ts_status ts_trace_open_layout(ts_trace **trace, const char *dir, const char *la
 	return status;
 }
 
+/* The pipeline that makes the buffer, or any. */
+static const ts_pipeline *pipeline_of(ts_buffer_id id)
+{
+	const ts_pipeline *p = ts_pipeline_table;
+	while (p->name != NULL && ts_pipeline_maker(p, id) == NULL) p++;
+	return p->name != NULL ? p : ts_pipeline_table;
+}
+
+ts_status ts_trace_open_file(ts_trace **trace, const char *path, ts_buffer_id *id)
+{
+	const char *slash = strrchr(path, '/'), *file = slash != NULL ? slash + 1 : path;
+	char name[64];
+	*trace = NULL;
+	const char *stem = file + strspn(file, "0123456789");
+	stem = stem > file && *stem == '-' ? stem + 1 : file;
+	size_t n = strlen(stem);
+	snprintf(name, sizeof name, "%.*s", n > 4 && n < sizeof name ? (int)n - 4 : 0, stem);
+	if (n < 5 || strcmp(stem + n - 4, ".npy") != 0 || !ts_trace_find(id, name)) {
+		return ts_fail("%s: its name does not say which buffer it holds; NAME.npy of touchstone list buffers would", path);
+	}
+	char dir[MAX_PATH];
+	snprintf(dir, sizeof dir, "%.*s", slash != NULL ? (int)(slash - path) : 1, slash != NULL ? path : ".");
+	ts_trace *made = trace_new(dir[0] != 0 ? dir : "/");
+	if (made == NULL) return TS_ERROR;
+	made->pipeline = pipeline_of(*id);
+	if (add_file(made, *id, file) != TS_OK) {
+		ts_trace_close(made);
+		return TS_ERROR;
+	}
+	*trace = made;
+	return TS_OK;
+}
+
 void ts_trace_close(ts_trace *trace)
 {
 	if (trace == NULL) return;

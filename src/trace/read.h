@@ -32,6 +32,9 @@ ts_status ts_trace_open(ts_trace **trace, const char *dir);
  * of `like`. */
 ts_status ts_trace_open_layout(ts_trace **trace, const char *dir, const char *layout, bool arrival, const ts_trace *like);
 
+/* Opens one .npy file as a trace of nothing else. Which buffer it holds, its name says: "NAME.npy" or "NN-NAME.npy". */
+ts_status ts_trace_open_file(ts_trace **trace, const char *path, ts_buffer_id *id);
+
 /* NULL is allowed. */
 void ts_trace_close(ts_trace *trace);
 

@@ -1,0 +1,225 @@
+/* A comparison as text, JSON, TAP and JUnit XML. */
+#include "compare.h"
+#include <inttypes.h>
+#include <string.h>
+#include "../trace/emit.h"
+#include "../trace/where.h"
+
+static const char *const words[] = { "not judged", "missing", "ignored", "same", "different" };
+
+/* Whether what the stage read was the same. The scene need not be given: a port reads ours. */
+static void inputs_of(char *text, size_t bytes, const ts_comparison *c, const ts_stage *stage)
+{
+	const char *unlike = NULL, *absent = NULL;
+	for (u32 i = 0; stage != NULL && stage->reads[i] != TS_N_BUFFERS; i++) {
+		ts_buffer_id id = stage->reads[i];
+		const char *name = ts_buffer_table[id].name;
+		ts_judgement judgement = c->verdict[id].judgement;
+		if (judgement == TS_UNLIKE && unlike == NULL) unlike = name;
+		bool given = judgement != TS_MISSING && judgement != TS_NOT_JUDGED;
+		if (!given && absent == NULL && !ts_emit_is_scene(id)) absent = name;
+	}
+	if (unlike != NULL) {
+		snprintf(text, bytes, "inputs differ: %s", unlike);
+	} else if (absent != NULL) {
+		snprintf(text, bytes, "inputs identical as far as given; not given: %s", absent);
+	} else {
+		snprintf(text, bytes, "inputs identical");
+	}
+}
+
+static void values_of(char *text, size_t bytes, const ts_verdict *v, const ts_field *field, const ts_difference *d)
+{
+	char name[64], ref[TS_VALUE_TEXT], cand[TS_VALUE_TEXT], ulps[48] = "";
+	ts_field_name(name, field, d->component);
+	ts_field_show(ref, field, d->ref);
+	ts_field_show(cand, field, d->cand);
+	i64 apart = field->kind == 'f' ? ts_field_ulps(d->ref, d->cand) : 0;
+	if (apart == INT64_MAX) snprintf(ulps, sizeof ulps, " NaN");
+	if (field->kind == 'f' && apart != INT64_MAX) snprintf(ulps, sizeof ulps, " %+" PRId64 " ulp", apart);
+	snprintf(text, bytes, "%s%s%sref %s candidate %s%s — first of %" PRIu64, name[0] != 0 ? "field " : "", name,
+	         name[0] != 0 ? ": " : "", ref, cand, ulps, v->n_different);
+}
+
+/* Where records have no partner, or rows end early. */
+static void lack_of(char *text, size_t bytes, const ts_verdict *v)
+{
+	char missing[TS_WHERE_TEXT], extra[TS_WHERE_TEXT];
+	ts_where_key(missing, v->missing_key);
+	ts_where_key(extra, v->extra_key);
+	if (v->n_missing + v->n_extra == 0) {
+		snprintf(text, bytes, "%" PRIu64 " elements, candidate %" PRIu64 "; equal as far as both go", v->n_ref, v->n_cand);
+	} else if (v->n_missing > 0) {
+		snprintf(text, bytes, "key (%s): missing — first of %" PRIu64 " missing, %" PRIu64 " beside", missing, v->n_missing,
+		         v->n_extra);
+	} else {
+		snprintf(text, bytes, "key (%s): not of the reference — first of %" PRIu64, extra, v->n_extra);
+	}
+}
+
+void ts_compare_line(char text[TS_LINE_TEXT], const ts_comparison *c, const ts_trace *reference, ts_buffer_id id)
+{
+	char what[512], where[TS_WHERE_TEXT], inputs[160], lack[400];
+	const ts_verdict *v = &c->verdict[id];
+	const ts_step *step = ts_pipeline_maker(reference->pipeline, id);
+	const ts_stage *stage = step != NULL ? ts_stage_find(step->stage) : NULL;
+	ts_fields fields = ts_fields_of(id);
+	inputs_of(inputs, sizeof inputs, c, stage);
+	lack_of(lack, sizeof lack, v);
+	ts_where(where, reference, id, v->first.element);
+	values_of(what, sizeof what, v, &fields.field[v->first.field], &v->first);
+	bool partners = v->n_missing + v->n_extra > 0 || !v->has_first;
+	snprintf(text, TS_LINE_TEXT, "stage %02u %s, buffer %s, %s%s%s; %s", (unsigned)ts_emit_number(reference->pipeline, id),
+	         stage != NULL ? stage->name : "scene", ts_buffer_table[id].name, partners ? lack : where,
+	         partners ? "" : ", ", partners ? "" : what, inputs);
+}
+
+static const ts_column columns[] = { { "stage", "stage", false }, { "buffer", "buffer", false },
+	{ "elements", "elements", true }, { "different", "different", true }, { "tied", "tied", true },
+	{ "relaxed", "relaxed", true }, { "worst_ulps", "worst ulps", true }, { "verdict", "verdict", false }, { 0 } };
+
+static void row(ts_table *table, const ts_verdict *v, const char *stage, ts_buffer_id id)
+{
+	bool judged = v->judgement == TS_SAME || v->judgement == TS_UNLIKE;
+	const i64 figures[] = { (i64)v->n_ref, (i64)v->n_different, (i64)v->n_tied, (i64)v->n_relaxed, v->worst_ulps };
+	ts_table_text(table, stage);
+	ts_table_text(table, ts_buffer_table[id].name);
+	for (u32 i = 0; i < sizeof figures / sizeof *figures; i++) {
+		if (judged && (i < 2 || figures[i] != 0)) {
+			ts_table_count(table, figures[i]);
+		} else {
+			ts_table_none(table);
+		}
+	}
+	ts_table_text(table, words[v->judgement]);
+}
+
+/* All relaxations that were typed: they are part of the verdict. */
+static void relaxations_of(char *text, size_t bytes, const ts_cli *cli)
+{
+	static const struct { u64 bit; const char *name; } real[] = { { TS_OPT_ABS, "abs" }, { TS_OPT_REL, "rel" } };
+	size_t used = 0;
+	text[0] = 0;
+	if (ts_cli_given(cli, TS_OPT_ULP)) used += (size_t)snprintf(text + used, bytes - used, " --ulp %" PRIu64, cli->ulp);
+	for (u32 i = 0; i < 2; i++) {
+		double value = i == 0 ? cli->abs : cli->rel;
+		if (ts_cli_given(cli, real[i].bit)) {
+			used += (size_t)snprintf(text + used, bytes - used, " --%s %.17g", real[i].name, value);
+		}
+	}
+	if (ts_cli_given(cli, TS_OPT_ALLOW)) used += (size_t)snprintf(text + used, bytes - used, " --allow %" PRIu64, cli->allow);
+	if (cli->ignore != NULL) used += (size_t)snprintf(text + used, bytes - used, " --ignore %.200s", cli->ignore);
+	if (cli->mask != NULL) snprintf(text + used, bytes - used, " --mask %.200s", cli->mask);
+}
+
+void ts_compare_report(ts_report *report, const ts_comparison *c, const ts_trace *reference, const ts_trace *candidate,
+                       const ts_cli *cli)
+{
+	char line[TS_LINE_TEXT], relaxed[600];
+	ts_table table = ts_table_begin("buffers", "", columns);
+	for (u32 number = 0; number <= TS_N_BUFFERS; number++) {
+		for (u32 id = 0; id < TS_N_BUFFERS; id++) {
+			const ts_step *step = ts_pipeline_maker(reference->pipeline, (ts_buffer_id)id);
+			bool here = ts_emit_number(reference->pipeline, (ts_buffer_id)id) == number;
+			if (!here || c->verdict[id].judgement == TS_NOT_JUDGED) continue;
+			row(&table, &c->verdict[id], step != NULL ? step->stage : "scene", (ts_buffer_id)id);
+		}
+	}
+	relaxations_of(relaxed, sizeof relaxed, cli);
+	ts_report_table(report, &table);
+	ts_report_line(report, "%s", "");
+	ts_report_line(report, "%u buffers judged, %u different, %u missing%s%s", (unsigned)c->n_judged, (unsigned)c->n_unlike,
+	               (unsigned)c->n_missing, relaxed[0] != 0 ? "; relaxed:" : "", relaxed);
+	ts_report_value(report, "reference", json_string(reference->dir));
+	ts_report_value(report, "candidate", json_string(candidate->dir));
+	ts_report_value(report, "candidate_producer", json_string(candidate->producer));
+	ts_report_value(report, "candidate_order", json_string(candidate->arrival ? "arrival" : "canonical"));
+	ts_report_value(report, "relaxations", json_string(relaxed[0] != 0 ? relaxed + 1 : ""));
+	ts_report_value(report, "verdict", json_string(c->n_unlike > 0 ? "different" : "same"));
+	if (c->first == TS_N_BUFFERS) return;
+	ts_compare_line(line, c, reference, c->first);
+	ts_report_line(report, "%s", line);
+	ts_report_value(report, "first_divergence", json_string(line));
+}
+
+/* The verdict of a stage: of its first buffer that is unlike, else whether any was judged. */
+static ts_judgement stage_verdict(const ts_comparison *c, const ts_stage *stage, ts_buffer_id *unlike)
+{
+	ts_judgement verdict = TS_NOT_JUDGED;
+	for (u32 i = 0; stage->writes[i] != TS_N_BUFFERS; i++) {
+		ts_judgement judgement = c->verdict[stage->writes[i]].judgement;
+		if (judgement == TS_UNLIKE && verdict != TS_UNLIKE) *unlike = stage->writes[i];
+		verdict = judgement > verdict ? judgement : verdict;
+	}
+	return verdict;
+}
+
+void ts_compare_tap(const ts_comparison *c, const ts_trace *reference, FILE *out)
+{
+	char line[TS_LINE_TEXT];
+	u32 n = 0;
+	for (const ts_step *step = reference->pipeline->steps; step->stage != NULL; step++) {
+		ts_buffer_id unlike = TS_N_BUFFERS;
+		ts_judgement verdict = stage_verdict(c, ts_stage_find(step->stage), &unlike);
+		if (verdict == TS_NOT_JUDGED) continue;
+		bool judged = verdict == TS_SAME || verdict == TS_UNLIKE;
+		fprintf(out, "%sok %u - %s%s%s\n", verdict == TS_UNLIKE ? "not " : "", (unsigned)++n, step->stage,
+		        judged ? "" : " # SKIP ", judged ? "" : words[verdict]);
+		if (verdict != TS_UNLIKE) continue;
+		ts_compare_line(line, c, reference, unlike);
+		fprintf(out, "# %s\n", line);
+	}
+	fprintf(out, "1..%u\n", (unsigned)n);
+}
+
+static void put_escaped(const char *text, FILE *out)
+{
+	for (; *text != 0; text++) {
+		const char *name = *text == '&' ? "&amp;" : *text == '<' ? "&lt;" : *text == '>' ? "&gt;" : *text == '"' ? "&quot;" : NULL;
+		if (name != NULL) {
+			fputs(name, out);
+		} else {
+			fputc(*text, out);
+		}
+	}
+}
+
+static void put_case(const ts_comparison *c, const ts_trace *reference, const ts_step *step, FILE *out)
+{
+	char line[TS_LINE_TEXT];
+	ts_buffer_id unlike = TS_N_BUFFERS;
+	ts_judgement verdict = stage_verdict(c, ts_stage_find(step->stage), &unlike);
+	if (verdict == TS_NOT_JUDGED) return;
+	fprintf(out, "  <testcase classname=\"touchstone.%s\" name=\"%s\">", reference->pipeline->name, step->stage);
+	if (verdict == TS_UNLIKE) {
+		ts_compare_line(line, c, reference, unlike);
+		fputs("<failure message=\"", out);
+		put_escaped(line, out);
+		fputs("\"/>", out);
+	} else if (verdict != TS_SAME) {
+		fprintf(out, "<skipped message=\"%s\"/>", words[verdict]);
+	}
+	fputs("</testcase>\n", out);
+}
+
+ts_status ts_compare_junit(const ts_comparison *c, const ts_trace *reference, const char *path)
+{
+	u32 n = 0, n_unlike = 0, n_skipped = 0;
+	for (const ts_step *step = reference->pipeline->steps; step->stage != NULL; step++) {
+		ts_buffer_id unlike;
+		ts_judgement verdict = stage_verdict(c, ts_stage_find(step->stage), &unlike);
+		n += verdict != TS_NOT_JUDGED;
+		n_unlike += verdict == TS_UNLIKE;
+		n_skipped += verdict == TS_MISSING || verdict == TS_IGNORED;
+	}
+	FILE *out = fopen(path, "w");
+	if (out == NULL) return ts_fail("--junit %s: cannot be made", path);
+	fputs("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n", out);
+	fprintf(out, "<testsuite name=\"touchstone compare\" tests=\"%u\" failures=\"%u\" skipped=\"%u\">\n", (unsigned)n,
+	        (unsigned)n_unlike, (unsigned)n_skipped);
+	for (const ts_step *s = reference->pipeline->steps; s->stage != NULL; s++) put_case(c, reference, s, out);
+	fputs("</testsuite>\n", out);
+	bool bad = ferror(out) != 0;
+	bad |= fclose(out) != 0;
+	return bad ? ts_fail("--junit %s: cannot be written; the disk may be full", path) : TS_OK;
+}

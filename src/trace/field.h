@@ -1,0 +1,36 @@
+/* Elements of buffers, field by field, and how their values are told apart and shown. */
+#ifndef TS_TRACE_FIELD_H
+#define TS_TRACE_FIELD_H
+#include "../core/frame.h"
+
+enum { TS_MAX_FIELDS = 24, TS_VALUE_TEXT = 96 };
+
+/* A field of a buffer's elements; of scalars the one field is called "". */
+typedef struct {
+	const char *name;
+	char kind;      /* f: f32; i: i32; u: u8, u32 or u64 */
+	u32 count;      /* components */
+	u32 bytes;      /* of one component */
+	u32 offset;     /* in the element */
+	const char *of; /* size of records.def that it is an index into; NULL: it is none */
+	bool none;      /* the index may also be 0xffffffff */
+} ts_field;
+
+typedef struct { ts_field field[TS_MAX_FIELDS]; u32 n; } ts_fields;
+
+ts_fields ts_fields_of(ts_buffer_id id);
+
+/* The bits of a component of the element at `data`. */
+u64 ts_field_bits(const ts_field *field, const void *data, u32 component);
+
+/* Floats from the first to the second, -0 and +0 one apart; INT64_MAX if either is a NaN. */
+i64 ts_field_ulps(u64 from, u64 to);
+bool ts_field_is_nan(u64 bits);
+
+/* "3 = 0x1.8p+1 (40400000)", "812 (0000032c)"; a 64-bit key that holds an index: "3.5 | 812 (40600000_0000032c)". */
+void ts_field_show(char text[TS_VALUE_TEXT], const ts_field *field, u64 bits);
+
+/* "centre[2]", "s", or "" of a scalar. */
+void ts_field_name(char text[64], const ts_field *field, u32 component);
+
+#endif

@@ -1,0 +1,98 @@
+/* Elements by the shapes of their buffers. */
+#include "where.h"
+#include <inttypes.h>
+#include <stdio.h>
+#include "reader.h"
+
+/* Copies element `index` of a buffer of the reference; false if it is not there. */
+static bool fetch(const ts_trace *reference, ts_buffer_id id, u64 index, void *to)
+{
+	const ts_trace_item *item = &reference->item[id];
+	size_t bytes = ts_buffer_table[id].element_bytes;
+	u64 held;
+	if (item->path == NULL || index >= item->npy.n) return false;
+	ts_reader *reader = ts_reader_open(item->path, item->npy.data_at, item->npy.n, bytes);
+	const void *from = reader != NULL ? ts_reader_at(reader, index, &held) : NULL;
+	if (from != NULL) memcpy(to, from, bytes);
+	ts_reader_close(reader);
+	return from != NULL;
+}
+
+void ts_where_key(char text[TS_WHERE_TEXT], u64 key)
+{
+	snprintf(text, TS_WHERE_TEXT, "piece %u, x %d, y %d", (unsigned)(key >> 32), (int)(key & 0xffff) - 32768,
+	         (int)(key >> 16 & 0xffff) - 32768);
+}
+
+static bool where_point(char *text, const ts_trace *reference, u64 point)
+{
+	u64 key;
+	if (!fetch(reference, TS_B_points_key, point, &key)) return false;
+	char inside[TS_WHERE_TEXT];
+	ts_where_key(inside, key);
+	snprintf(text, TS_WHERE_TEXT, "key (%.100s)", inside);
+	return true;
+}
+
+static bool where_pixel(char *text, const ts_trace *reference, u64 pixel)
+{
+	ts_pixel record;
+	if (!fetch(reference, TS_B_pixel_record, pixel, &record) || reference->params.width == 0) return false;
+	snprintf(text, TS_WHERE_TEXT, "pixel (%u, %u)", (unsigned)(record.index % reference->params.width),
+	         (unsigned)(record.index / reference->params.width));
+	return true;
+}
+
+static bool where_texel(char *text, const ts_trace *reference, u64 texel)
+{
+	static const char *const faces[] = {"+X", "-X", "+Y", "-Y", "+Z", "-Z"};
+	ts_face cube;
+	for (u64 r = 0; fetch(reference, TS_B_resize_face, r, &cube); r++) {
+		u64 n = cube.n, inside = texel - cube.offset;
+		if (texel < cube.offset || inside >= 6 * n * n) continue;
+		snprintf(text, TS_WHERE_TEXT, "reflector %" PRIu64 ", face %s, texel (%" PRIu64 ", %" PRIu64 ")", r,
+		         faces[inside / (n * n)], inside % n, inside / n % n);
+		return true;
+	}
+	return false;
+}
+
+static bool where_image(char *text, const ts_trace_item *item, u64 element)
+{
+	u64 x = element % item->npy.shape[1] + (item->cropped ? item->crop[0] : 0);
+	u64 y = element / item->npy.shape[1] + (item->cropped ? item->crop[1] : 0);
+	snprintf(text, TS_WHERE_TEXT, "pixel (%" PRIu64 ", %" PRIu64 ")", x, y);
+	return true;
+}
+
+/* What the first dimension counts. */
+static const char *noun(const char *shape)
+{
+	static const struct { const char *size, *noun; } nouns[] = {
+		{"V", "vertex"}, {"T", "triangle"}, {"T+1", "triangle"}, {"Q", "piece"}, {"Q+1", "piece"}, {"R", "reflector"},
+		{"P2", "entry of bounce 2"}, {"P3", "entry of bounce 3"}, {"H*W+1", "pixel"},
+	};
+	size_t n = strcspn(shape, " ");
+	for (size_t i = 0; i < sizeof nouns / sizeof *nouns; i++) {
+		if (strlen(nouns[i].size) == n && strncmp(nouns[i].size, shape, n) == 0) return nouns[i].noun;
+	}
+	return "element";
+}
+
+void ts_where(char text[TS_WHERE_TEXT], const ts_trace *reference, ts_buffer_id id, u64 element)
+{
+	const char *shape = ts_buffer_table[id].shape;
+	const ts_trace_item *item = &reference->item[id];
+	u64 row_elements = 1;
+	char row_text[TS_WHERE_TEXT] = "";
+	for (u32 i = strncmp(shape, "H W", 3) == 0 ? 2 : 1; i < item->npy.n_dims; i++) row_elements *= item->npy.shape[i];
+	u64 row = row_elements != 0 ? element / row_elements : 0, inside = row_elements != 0 ? element % row_elements : 0;
+	bool found = strcmp(shape, "N") == 0           ? where_point(row_text, reference, row)
+	             : strncmp(shape, "H W", 3) == 0   ? where_image(row_text, item, row)
+	             : strncmp(shape, "C4", 2) == 0    ? false
+	             : shape[0] == 'C'                 ? where_texel(row_text, reference, row)
+	             : shape[0] == 'P' && (shape[1] == 0 || shape[1] == ' ') ? where_pixel(row_text, reference, row)
+	                                               : false;
+	if (!found) snprintf(row_text, sizeof row_text, "%s %" PRIu64, noun(shape), row);
+	snprintf(text, TS_WHERE_TEXT, row_elements > 1 ? "%.90s [%" PRIu64 "]" : "%.90s", row_text, inside);
+}

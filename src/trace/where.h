@@ -1,0 +1,13 @@
+/* Where in a buffer an element lies, in words: "pixel (12, 40)", "triangle 812", "reflector 3, face +Y, texel (7, 9)". */
+#ifndef TS_TRACE_WHERE_H
+#define TS_TRACE_WHERE_H
+#include "compare.h"
+
+enum { TS_WHERE_TEXT = 128 };
+
+/* Of an element of the reference. What it cannot find out there it leaves out. */
+void ts_where(char text[TS_WHERE_TEXT], const ts_trace *reference, ts_buffer_id id, u64 element);
+/* "piece 812, x 5, y 3" of a key of points.key. */
+void ts_where_key(char text[TS_WHERE_TEXT], u64 key);
+
+#endif

@@ -1,0 +1,53 @@
+#!/bin/bash
+# The published documents name only what exists and their tables are fresh; and the check sees what is not so. Prints TAP.
+set -u
+export TOUCHSTONE=${TOUCHSTONE:-build/touchstone}
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+n=0
+
+result() { # GOOD NAME
+	n=$((n + 1))
+	if [ "$1" -eq 0 ]; then echo "ok $n - $2"; else echo "not ok $n - $2"; fi
+}
+
+# The command's lists, once.
+for list in stages buffers params methods; do
+	"$TOUCHSTONE" list "$list" --json > "$folder/$list.json"
+done
+printf '#!/bin/sh\ncat "%s/$2.json"\n' "$folder" > "$folder/lists"
+chmod +x "$folder/lists"
+export TOUCHSTONE=$folder/lists
+
+scripts/docs-check | sed 's/^/# /'
+result "${PIPESTATUS[0]}" "reference/CONTRACT.md and reference/METHODS.md"
+
+# sees REASON FILE SED-SCRIPT: the check names the damage that the script does to a copy.
+sees() {
+	cp reference/CONTRACT.md reference/METHODS.md "$folder/"
+	sed -i "$3" "$folder/$2"
+	scripts/docs-check "$folder" > "$folder/out"
+	[ $? -eq 1 ] && grep -q "$2:[0-9]*: .*$1" "$folder/out"
+	result $? "the check sees: $1"
+}
+sees "there is no ts_k_spalt_item" METHODS.md '/^### `eye`/s/$/ `ts_k_spalt_item`/'
+sees "there is no file tests/kernels/nil.c" METHODS.md 's,tests/kernels/cull.c,tests/kernels/nil.c,'
+sees "tests/kernels/cull.c has no test_nil" METHODS.md 's/test_survivors/test_nil/'
+sees "there is no buffer or parameter splat.nil" METHODS.md 's/`splat.depth_index`/`splat.nil`/'
+sees "visibility is one of" METHODS.md 's/`visibility=vertex`/`visibility=nil`/'
+sees "no stage, parameter, field or kernel knows rho_scael" METHODS.md 's/`rho_scale`/`rho_scael`/'
+sees "parameter exposure is not described" METHODS.md 's/ · `exposure`//'
+sees "epr: the sections are" METHODS.md 's/^### `cull`/### `align`/'
+sees "stale" METHODS.md 's/^A scatter stage/A map stage/'
+sees "stale" METHODS.md '/^| `seed` |/d'
+sees "columns, at most 120" METHODS.md '/^Whole pictures/s/.*/& &/'
+sees "no kernel has the constant 0x1.94aa36p-4" CONTRACT.md 's/`0x1.0001p-16`/`0x1.94aa36p-4`/'
+sees "ts_log2: its coefficients" CONTRACT.md 's/1.709a16p-3/1.8b4f7ap-3/'
+sees "ts_sincos_turn: its coefficients" CONTRACT.md 's/s \* 0x1.921fb6p+2/s/'
+sees "not numbered" CONTRACT.md 's/^\*\*12\. /**13. /'
+
+cp reference/CONTRACT.md "$folder/"
+sed '/^| `seed` |/d' reference/METHODS.md > "$folder/METHODS.md"
+scripts/docs-check --write "$folder" > /dev/null && cmp -s reference/METHODS.md "$folder/METHODS.md"
+result $? "--write makes the tables again"
+echo "1..$n"
