@@ -1,44 +1,52 @@
 #!/bin/bash
 # The port of two stages to numpy: equal bits on two scenes and on the small ones, and each damaged line is found.
 . "$(dirname "$0")/../cli/tap.bash"
-. "$(dirname "$0")/numpy.bash"
+. "$(dirname "$0")/ports.bash"
+python=""
+for candidate in python3 /usr/bin/python3; do
+	"$candidate" -c 'import numpy' 2> /dev/null && python=$candidate && break
+done
 if [ -z "$python" ]; then
 	echo '1..0 # skip no python3 with numpy'
 	exit 0
 fi
 
-# agrees FOLDER: both buffers of the port have the trace's bits.
+# compared FOLDER OPTION...: makes the port's candidate of that trace and compares them.
+compared() {
+	local folder=$scratch/$1
+	shift
+	"$python" tests/ports/numpy/port.py "$folder/trace-epr" "$folder/numpy" "$@" || return 2
+	run compare "$folder/trace-epr" "$folder/numpy"
+}
+
 agrees() {
-	numpy_port "$1" && [ "$(grep -c ': equal' "$scratch/port")" -eq 2 ]
+	compared "$1" && [ "$status" -eq 0 ] && grep -q '^2 buffers judged, 0 different' "$scratch/stdout"
 	verdict $? "numpy has the same bits: $1"
 }
 
-# catches N FOLDER BUFFER: with line N damaged, that buffer differs and no other one.
+# catches N FOLDER STAGE: with line N damaged, the report's last line names that stage, and no other buffer differs.
 catches() {
-	numpy_port "$2" --break "$1"
-	[ $? -eq 1 ] && [ "$(grep DIFFERENT "$scratch/port" | cut -d: -f1)" = "$3" ]
-	verdict $? "numpy, damage $1: $3 differs in $2"
+	compared "$2" --break "$1" && [ "$status" -eq 1 ] && grep -q '^2 buffers judged, 1 different' "$scratch/stdout" &&
+		tail -n 1 "$scratch/stdout" | grep -q "^stage $3, buffer"
+	verdict $? "numpy with damage $1: stage $3 differs in $2"
 }
 
-reflectors=3
 for scene in atrium gallery; do
-	trace $scene $scene:triangles=10000 --size 240x135
+	trace $scene $scene:triangles=10000 --size 240x135 --reflectors 3
 	verdict $? "a trace of $scene"
 	agrees $scene
 done
-reflectors=12
-trace room scenes/room.gltf --size 240x135 --set visibility=vertex
+trace room scenes/room.gltf --size 240x135 --reflectors 12 --set visibility=vertex
 agrees room
-trace wide atrium:triangles=10000 --size 96x54 --set clip=off
-agrees wide
-reflectors=0
-for scene in mirror twice edge; do
-	trace $scene scenes/triangle_$scene.gltf --camera camera --size 64x64 --set face_px=16
+trace open atrium:triangles=10000 --size 96x54 --reflectors 3 --set clip=off
+agrees open
+for scene in triangle_mirror triangle_twice triangle_edge; do
+	micro $scene $scene
 	agrees $scene
 done
 
-catches 1 edge visibility.bits
-catches 2 atrium visibility.bits
-for damage in 3 4 5; do catches $damage atrium splat.depth_index; done
+catches 1 triangle_edge '06 visibility'
+catches 2 atrium '06 visibility'
+for damage in 3 4 5; do catches $damage atrium '12 splat'; done
 
 finish
