@@ -12,7 +12,7 @@ import argparse
 
 import splat
 import visibility
-from trace import Trace, write_candidate
+from traces import Trace, write_candidate
 
 STAGES = {"visibility": visibility, "splat": splat}
 
