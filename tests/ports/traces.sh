@@ -4,7 +4,8 @@
 . "$(dirname "$0")/ports.bash"
 small=(--size 96x54 --reflectors 2 --set reflector_px=30 --set face_max=64)
 
-run render reflections atrium:triangles=10000 "${small[@]}" --set bounces=3 --method all --trace --no-images -o "$scratch/whole"
+run render reflections atrium:triangles=10000 "${small[@]}" --set bounces=3 --method all --trace --no-images \
+	-o "$scratch/whole"
 verdict $status 'traces of both methods'
 run render reflections scenes/room.gltf "${small[@]}" --method mvr --trace --trace-only eye,image --crop 8,4,32,16 \
 	--no-images -o "$scratch/part"
@@ -44,8 +45,8 @@ run compare "$from" "$scratch/raw" --layout splat.depth_index=cubes.bin,visibili
 verdict $? 'raw files can be compared'
 
 # The chain of section 5, by its own command.
-(cd "$from" && sha256sum 07-split.triangle.npy 07-density.scale.npy | sed 's/07-//; s/[.]npy$//' | sha256sum) | cut -c-64 |
-	grep -qf - "$from/trace.json"
+(cd "$from" && sha256sum 07-split.triangle.npy 07-density.scale.npy | sed 's/07-//; s/[.]npy$//' | sha256sum) |
+	cut -c-64 | grep -qf - "$from/trace.json"
 verdict $? 'the chain of a stage, as the document makes it'
 
 finish
