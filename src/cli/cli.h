@@ -41,7 +41,9 @@
 #define TS_OPT_ORDER TS_OPT(29)
 #define TS_OPT_JUNIT TS_OPT(30)
 #define TS_OPT_TAP TS_OPT(31)
-#define TS_OPT_HELP TS_OPT(32)
+#define TS_OPT_DECIDED TS_OPT(32)
+#define TS_OPT_MARGINS TS_OPT(33)
+#define TS_OPT_HELP TS_OPT(34)
 
 /* Truths, as bits. */
 enum { TS_TRUTH_A = 1, TS_TRUTH_B = 2, TS_TRUTH_C = 4 };
