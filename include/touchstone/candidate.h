@@ -86,6 +86,7 @@ static const ts_candidate_buffer ts_candidate_buffers[] = {
 		"[('centre', '<f4', (3,)), ('radius', '<f4'), ('box_min', '<f4', (3,)), ('n', '<u4'), "
 		"('box_max', '<f4', (3,)), ('near', '<f4'), ('offset', '<u8'), ('object', '<u4'), ('pad', '<u4')]"},
 	{"eye.depth_triangle", 8, 2, "'<u8'"},
+	{"eye.margin", 8, 3, "'<u8'"},
 	{"pixel.offset", 4, 1, "'<u4'"},
 	{"pixel.record", 96, 1,
 		"[('position', '<f4', (3,)), ('index', '<u4'), ('normal', '<f4', (3,)), ('reflector', '<u4'), "
@@ -100,6 +101,7 @@ static const ts_candidate_buffer ts_candidate_buffers[] = {
 		"('c', '<f4', (3,)), ('pad', '<u4')]"},
 	{"density.scale", 4, 1, "'<f4'"},
 	{"cull.keep", 4, 1, "'<u4'"},
+	{"cull.margin", 4, 1, "'<f4'"},
 	{"align.frame", 80, 1,
 		"[('c', '<f4', (3,)), ('s', '<f4'), ('u', '<f4', (3,)), ('pad0', '<u4'), ('v', '<f4', (3,)), "
 		"('pad1', '<u4'), ('q', '<i4', (6,)), ('pad2', '<u4', (2,))]"},
@@ -122,6 +124,7 @@ static const ts_candidate_buffer ts_candidate_buffers[] = {
 	{"shade.radiance", 4, 2, "'<f4'"},
 	{"shade.used", 4, 1, "'<u4'"},
 	{"face.depth_triangle", 8, 1, "'<u8'"},
+	{"face.margin", 8, 2, "'<u8'"},
 	{"face.mip", 4, 2, "'<f4'"},
 	{"image.radiance", 4, 3, "'<f4'"},
 	{"image.srgb", 1, 3, "'|u1'"},
