@@ -1,10 +1,12 @@
 /* The command `touchstone`: its table of commands. */
-#include "cli.h"
+#include <touchstone/image.h>
+#include "golden.h"
 
 #define WHERE (TS_OPT_SIZE | TS_OPT_FRAME | TS_OPT_REFLECTORS | TS_OPT_REFLECTOR | TS_OPT_CAMERA | TS_OPT_SET)
 #define HOW (TS_OPT_THREADS | TS_OPT_REFERENCE)
 
 const char *const ts_program = "touchstone";
+ts_preview *const ts_golden_preview = ts_image_write_png;
 
 const ts_command ts_command_table[] = {
 	{ "render", "EFFECT [SCENE]", "render an effect by one or more methods, and judge them by ground truth",
@@ -34,6 +36,9 @@ const ts_command ts_command_table[] = {
 	{ "digest", "[SCENE]", "SHA-256 of every buffer of a built-in scene, in pipeline order", "",
 	  0, 1, TS_OPT_METHOD | TS_OPT_SIZE | TS_OPT_FRAME | TS_OPT_REFLECTORS | TS_OPT_SET | HOW | TS_OPT_FLUSH_DENORMALS,
 	  ts_digest_command },
+	{ "golden", "ACTION [CASE]", "check, new or bless: the goldens of reference/",
+	  TS_GOLDEN_DETAILS,
+	  1, 2, HOW | TS_OPT_BACKEND | TS_OPT_REASON | TS_OPT_REFERENCE_DIR, ts_golden_command },
 	{ "help", "[COMMAND]", "what a command does and takes", "", 0, 1, 0, ts_help_command },
 	{ 0 }
 };

@@ -46,6 +46,8 @@ const ts_option ts_option_table[] = {
 	{ TS_OPT_JSON, "json", "", "print one JSON object and nothing else", "" },
 	{ TS_OPT_FLUSH_DENORMALS, "flush-denormals", "", "let the processor flush denormals, which must not change a digest",
 	  "" },
+	{ TS_OPT_REASON, "reason", "TEXT", "why a golden changes, one line for CHANGES", "" },
+	{ TS_OPT_REFERENCE_DIR, "reference-dir", "DIR", "folder of the goldens (reference)", "" },
 	{ TS_OPT_HELP, "help", "", "this text. Short: -h", "" },
 	{ 0 }
 };
@@ -168,6 +170,8 @@ static ts_status take(ts_cli *cli, u64 bit, const char *text)
 	case TS_OPT_JUNIT: cli->junit = text; break;
 	case TS_OPT_TRACE_ONLY: cli->trace_only = text; break;
 	case TS_OPT_CROP: cli->crop = text; break;
+	case TS_OPT_REASON: cli->reason = text; break;
+	case TS_OPT_REFERENCE_DIR: cli->reference_dir = text; break;
 	case TS_OPT_BACKEND: return ts_backend_find(&cli->backend, text);
 	case TS_OPT_SET: return set_param(cli, text);
 	case TS_OPT_THREADS: return ts_cli_count(&cli->threads, text, 1, MAX_THREADS, "--threads");

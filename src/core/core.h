@@ -40,6 +40,9 @@ ts_status ts_selftest_require(void);
 /* Progress on standard error, only when that is a terminal: `label`, then done of total. Ends with done == total. */
 void ts_progress(const char *label, uint64_t done, uint64_t total);
 
+/* The commit that the program was built from, with "-dirty" behind it if its source was changed since; or "unknown". */
+const char *ts_commit(void);
+
 /* Seconds of a monotonic clock. */
 double ts_seconds(void);
 

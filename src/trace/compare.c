@@ -40,9 +40,18 @@ static u64 mapped(const judge *j, const ts_field *field, u64 bits)
 	return index == TS_NONE ? bits : ts_order_map(j->order, index);
 }
 
-static void note_worst(judge *j, const ts_field *field, const ts_difference *d)
+/* The floats of two values: their own, or the depths of keys that name the same thing. False: there are none. */
+static bool floats_of(const ts_field *field, const ts_difference *d, u64 *ref, u64 *cand)
 {
-	i64 ulps = field->kind == 'f' ? ts_field_ulps(d->ref, d->cand) : 0;
+	bool key = field->bytes == 8 && field->of != NULL && d->ref != TS_EMPTY && d->cand != TS_EMPTY;
+	*ref = key ? d->ref >> 32 : d->ref;
+	*cand = key ? d->cand >> 32 : d->cand;
+	return field->kind == 'f' || (key && (u32)d->ref == (u32)d->cand);
+}
+
+static void note_worst(judge *j, const ts_difference *d, u64 ref, u64 cand)
+{
+	i64 ulps = ts_field_ulps(ref, cand);
 	i64 worst = j->verdict->worst_ulps;
 	if ((ulps < 0 ? -ulps : ulps) <= (worst < 0 ? -worst : worst)) return;
 	j->verdict->worst_ulps = ulps;
@@ -61,8 +70,11 @@ static ts_status judge_value(judge *j, const ts_difference *d, outcome *result)
 	if (j->ties != NULL && ts_tie_allows(j->ties, d->element, d->ref, d->cand, &tied) != TS_OK) return TS_ERROR;
 	j->verdict->n_tied += tied;
 	if (tied) return TS_OK;
-	note_worst(j, field, d);
-	*result = field->kind == 'f' && is_close(j->relaxations, d->ref, d->cand) ? RELAXED : DIFFERENT;
+	u64 ref, cand;
+	*result = DIFFERENT;
+	if (!floats_of(field, d, &ref, &cand)) return TS_OK;
+	note_worst(j, d, ref, cand);
+	if (is_close(j->relaxations, ref, cand)) *result = RELAXED;
 	return TS_OK;
 }
 

@@ -7,7 +7,7 @@
 
 /* What need not be exact. All zero: everything must. */
 typedef struct {
-	u64 ulp;            /* floats may be so many floats apart, */
+	u64 ulp;            /* floats, also depths of keys that name the same thing, may be so many floats apart, */
 	double abs, rel;    /* or so far, or so far in parts of the reference's */
 	bool decided;       /* only what the reference decides is judged (decided.h) */
 	u64 allow;          /* so many elements of a buffer may differ */

@@ -1,7 +1,7 @@
 /* Margins against their thresholds. */
 #include "decided.h"
+#include "../kernels/num.h"
 
-enum { ULPS = 8 };
 static const f32 sub_pixels = 1.0f, chance = 0.00000095367431640625f;
 
 static const struct { ts_buffer_id buffer, margin; } margins[] = {
@@ -46,7 +46,7 @@ static bool is_decided(ts_buffer_id margin, const void *first, const void *secon
 	}
 	memcpy(&edge, first, sizeof edge);
 	memcpy(&depth, second, sizeof depth);
-	return (edge > 0xffffffffu || ts_u2f((u32)edge) > sub_pixels) && depth > ULPS;
+	return (edge == TS_EMPTY || ts_u2f((u32)edge) > sub_pixels) && (depth == TS_EMPTY || ts_u2f((u32)depth) > sub_pixels);
 }
 
 ts_status ts_decided_is(ts_decided *decided, u64 element, bool *is)
