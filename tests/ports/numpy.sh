@@ -45,6 +45,16 @@ for scene in triangle_mirror triangle_twice triangle_edge; do
 	agrees $scene
 done
 
+# arrives FOLDER TIED: points in the reverse order are found again; TIED texels (-: none) hold another of the tied points.
+arrives() {
+	compared "$1" --arrival && [ "$status" -eq 0 ] && grep -q '^4 buffers judged, 0 different' "$scratch/stdout" &&
+		[ "$(awk '$1 == "splat" {print $4, $5}' "$scratch/stdout")" = "0 $2" ]
+	verdict $? "numpy in order of arrival: $1, tied $2"
+}
+arrives atrium -
+arrives triangle_mirror -
+arrives triangle_twice 26
+
 catches 1 triangle_edge '06 visibility'
 catches 2 atrium '06 visibility'
 for damage in 3 4 5; do catches $damage atrium '12 splat'; done

@@ -2,7 +2,9 @@
 """A port of two stages of EPR, visibility and splat, as an example of a candidate: reads what these stages read from a
 trace, writes what they write.
 
-	port.py TRACE CANDIDATE [--stages visibility,splat] [--break N]
+	port.py TRACE CANDIDATE [--stages visibility,splat] [--arrival] [--break N]
+
+--arrival lets the points stand in the reverse order, as if threads had appended them so, and numbers them by it.
 
 --break N damages one line, for tests of the comparison:
 	1 a plane of the frustum belongs to the outside     2 back faces are seen
@@ -22,13 +24,17 @@ def main():
 	parser.add_argument("trace")
 	parser.add_argument("candidate")
 	parser.add_argument("--stages", default="visibility,splat")
+	parser.add_argument("--arrival", action="store_true")
 	parser.add_argument("--break", dest="broken", type=int, default=0, choices=range(6))
 	options = parser.parse_args()
 	trace = Trace(options.trace)
 	buffers = {}
+	if options.arrival:
+		buffers = {name: trace[name][::-1] for name in ("points.key", "points.record")}
+		trace.read.update(buffers)
 	for stage in options.stages.split(","):
 		buffers.update(STAGES[stage].run(trace, options.broken))
-	write_candidate(options.candidate, "epr", trace.params, buffers)
+	write_candidate(options.candidate, "epr", "arrival" if options.arrival else "canonical", trace.params, buffers)
 
 
 main()

@@ -26,7 +26,7 @@ class Trace:
 		return self.read[name]
 
 
-def write_candidate(folder, pipeline, params, buffers):
+def write_candidate(folder, pipeline, order, params, buffers):
 	"""The buffers, then the trace.json that names them: a folder without one is no trace."""
 	os.makedirs(folder, exist_ok=True)
 	for name, array in buffers.items():
@@ -35,7 +35,7 @@ def write_candidate(folder, pipeline, params, buffers):
 		"format": "touchstone-trace",
 		"version": 1,
 		"contract": 1,
-		"order": "canonical",
+		"order": order,
 		"pipeline": pipeline,
 		"producer": {"name": "numpy port", "version": numpy.__version__},
 		"params": params,
