@@ -45,12 +45,21 @@
 #define TS_OPT_MARGINS TS_OPT(33)
 #define TS_OPT_REASON TS_OPT(34)
 #define TS_OPT_REFERENCE_DIR TS_OPT(35)
-#define TS_OPT_HELP TS_OPT(36)
+#define TS_OPT_CHECK TS_OPT(36)
+#define TS_OPT_HELP TS_OPT(37)
 
 /* Truths, as bits. */
 enum { TS_TRUTH_A = 1, TS_TRUTH_B = 2, TS_TRUTH_C = 4 };
 
-enum { TS_MAX_ARGUMENTS = 2 };
+enum { TS_MAX_ARGUMENTS = 2, TS_MAX_SWEEPS = 8, TS_SWEEP_TEXT = 48 };
+
+/* A parameter of which several values were typed. */
+typedef struct {
+	char name[TS_SWEEP_TEXT];
+	const char *values; /* separated by commas; belongs to argv */
+	u32 n;
+} ts_swept;
+typedef struct { ts_swept swept[TS_MAX_SWEEPS]; u32 n; } ts_sweep;
 
 /* What was typed. Strings belong to argv. */
 typedef struct {
@@ -58,6 +67,7 @@ typedef struct {
 	const char *arguments[TS_MAX_ARGUMENTS];
 	u32 n_arguments;
 	ts_params params;
+	ts_sweep sweep;
 	ts_scene_options scene;
 	const ts_backend *backend;
 	const char *method, *scenes, *objects, *output, *trace_only, *crop;
@@ -65,6 +75,7 @@ typedef struct {
 	u64 ulp, allow;
 	double abs, rel;
 	const char *reason, *reference_dir;
+	const char *check;
 	u32 truths;                     /* TS_TRUTH_* */
 	u32 threads, runs;
 } ts_cli;
@@ -128,6 +139,7 @@ ts_status ts_info_command(ts_cli *cli);
 ts_status ts_list_command(ts_cli *cli);
 ts_status ts_bench_command(ts_cli *cli);
 ts_status ts_compare_command(ts_cli *cli);
+ts_status ts_vectors_command(ts_cli *cli);
 /* Help of one command, or of all if NULL. */
 void ts_help_print(const ts_command *command);
 

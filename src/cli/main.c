@@ -39,6 +39,11 @@ const ts_command ts_command_table[] = {
 	{ "golden", "ACTION [CASE]", "check, new or bless: the goldens of reference/",
 	  TS_GOLDEN_DETAILS,
 	  1, 2, HOW | TS_OPT_BACKEND | TS_OPT_REASON | TS_OPT_REFERENCE_DIR, ts_golden_command },
+	{ "vectors", "", "inputs and outputs of every arithmetic primitive, to write, or to check a port with",
+	  "Before a port renders anything: write them with -o DIR, let the port compute PRIMITIVE.out.npy from\n"
+	  "PRIMITIVE.in.npy, and judge its folder with --check DIR. vectors.json describes each primitive. Exact: 0 all right,\n"
+	  "1 different. Primitives that the folder does not hold are not judged, but named.",
+	  0, 0, TS_OPT_OUTPUT | TS_OPT_FORCE | TS_OPT_CHECK | TS_OPT_JSON, ts_vectors_command },
 	{ "help", "[COMMAND]", "what a command does and takes", "", 0, 1, 0, ts_help_command },
 	{ 0 }
 };

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <strings.h>
 #include "cli.h"
+#include "sweep.h"
 
 const ts_option ts_option_table[] = {
 	{ TS_OPT_METHOD, "method", "NAME,...", "methods to run, or \"all\" (the default)", "methods" },
@@ -19,12 +20,13 @@ const ts_option ts_option_table[] = {
 	{ TS_OPT_SCENE, "scene", "SPEC,...", "scenes to measure, instead of atrium,gallery,dining", "" },
 	{ TS_OPT_OBJECTS, "objects", "N,...", "numbers of mirrors to measure, instead of 1,10,20,50", "" },
 	{ TS_OPT_RUNS, "runs", "N", "runs of which the median is taken (3)", "" },
-	{ TS_OPT_SET, "set", "NAME=VALUE", "any parameter, repeatable", "params" },
+	{ TS_OPT_SET, "set", "NAME=VALUE", "any parameter, repeatable; render takes lists, NAME=A,B, and prints CSV", "params" },
 	{ TS_OPT_THREADS, "threads", "N", "threads, by default one a core; never changes a result", "" },
 	{ TS_OPT_BACKEND, "backend", "NAME", "what runs the kernels (c); never changes a result", "backends" },
 	{ TS_OPT_REFERENCE, "reference", "", "turn all fast paths off", "" },
-	{ TS_OPT_OUTPUT, "output", "DIR", "folder of the pictures (out); written whole or not at all. Short: -o DIR", "" },
-	{ TS_OPT_FORCE, "force", "", "replace DIR if it holds an earlier render", "" },
+	{ TS_OPT_OUTPUT, "output", "DIR", "folder to write, whole or not at all (render: out). Short: -o DIR", "" },
+	{ TS_OPT_FORCE, "force", "", "replace DIR if an earlier run wrote it", "" },
+	{ TS_OPT_CHECK, "check", "DIR", "folder of what a port computed, to be judged", "" },
 	{ TS_OPT_NO_IMAGES, "no-images", "", "write no files", "" },
 	{ TS_OPT_TRACE, "trace", "", "write every buffer of every stage to DIR/trace-METHOD (reference/TRACES.md)", "" },
 	{ TS_OPT_TRACE_ONLY, "trace-only", "STAGE,...", "trace, but files of these stages only; \"scene\": the scene's arrays",
@@ -93,7 +95,8 @@ static ts_status set_param(ts_cli *cli, const char *assignment)
 		return ts_fail("--set %s: no such parameter; the nearest is %s%s", name, nearest.best,
 		               ts_cli_find("list") != NULL ? ", and \"touchstone list params\" lists all" : "");
 	}
-	return ts_params_set(&cli->params, name, equals + 1);
+	return strchr(equals, ',') != NULL ? ts_sweep_add(&cli->sweep, &cli->params, name, equals + 1)
+	                                   : ts_params_set(&cli->params, name, equals + 1);
 }
 
 #define DIGITS "0123456789"
@@ -172,6 +175,7 @@ static ts_status take(ts_cli *cli, u64 bit, const char *text)
 	case TS_OPT_CROP: cli->crop = text; break;
 	case TS_OPT_REASON: cli->reason = text; break;
 	case TS_OPT_REFERENCE_DIR: cli->reference_dir = text; break;
+	case TS_OPT_CHECK: cli->check = text; break;
 	case TS_OPT_BACKEND: return ts_backend_find(&cli->backend, text);
 	case TS_OPT_SET: return set_param(cli, text);
 	case TS_OPT_THREADS: return ts_cli_count(&cli->threads, text, 1, MAX_THREADS, "--threads");

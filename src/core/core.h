@@ -11,6 +11,8 @@ extern "C" {
 #endif
 
 #define TS_VERSION "0.1.0"
+/* Of the numeric contract, reference/CONTRACT.md. */
+#define TS_CONTRACT_VERSION 1
 
 /* Sets this thread's message to one line (by ts_line_clean) and returns TS_ERROR. */
 ts_status ts_fail(const char *format, ...) __attribute__((format(printf, 1, 2)));
