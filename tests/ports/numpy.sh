@@ -2,14 +2,7 @@
 # The port of two stages to numpy: equal bits on two scenes and on the small ones, and each damaged line is found.
 . "$(dirname "$0")/../cli/tap.bash"
 . "$(dirname "$0")/ports.bash"
-python=""
-for candidate in python3 /usr/bin/python3; do
-	"$candidate" -c 'import numpy' 2> /dev/null && python=$candidate && break
-done
-if [ -z "$python" ]; then
-	echo '1..0 # skip no python3 with numpy'
-	exit 0
-fi
+find_numpy || exit 0
 
 # compared FOLDER OPTION...: makes the port's candidate of that trace and compares them.
 compared() {

@@ -13,3 +13,12 @@ trace() {
 micro() {
 	trace "$1" "scenes/$2.gltf" --camera camera --reflectors 0 --size 64x64 --set face_px=16
 }
+
+# find_numpy: $python, a python3 that has numpy; without one, says that the test is skipped.
+find_numpy() {
+	for python in python3 /usr/bin/python3; do
+		"$python" -c 'import numpy' 2> /dev/null && return 0
+	done
+	echo '1..0 # skip no python3 with numpy'
+	return 1
+}
