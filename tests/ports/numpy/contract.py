@@ -43,8 +43,9 @@ def fix(x, fraction, n_bits):
 
 
 def floor(x):
-	"""Rule 14: the pixel that holds x, saturating like a conversion to int32."""
-	return numpy.clip(numpy.floor(x.astype(numpy.float64)), -2.0 ** 31, 2.0 ** 31 - 1).astype(i64)
+	"""Rule 14: the pixel that holds x, saturating at the ends of int32; 0 for NaN."""
+	down = numpy.floor(numpy.nan_to_num(x.astype(numpy.float64), nan=0.0))
+	return numpy.clip(down, -2.0 ** 31, 2.0 ** 31 - 1).astype(i64)
 
 
 def key(depth, index):
