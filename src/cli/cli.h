@@ -42,6 +42,10 @@
 #define TS_OPT_JUNIT TS_OPT(30)
 #define TS_OPT_TAP TS_OPT(31)
 #define TS_OPT_HELP TS_OPT(32)
+#define TS_OPT_PIXEL TS_OPT(40)
+#define TS_OPT_VIEW TS_OPT(41)
+#define TS_OPT_TRIANGLE TS_OPT(42)
+#define TS_OPT_POINT TS_OPT(43)
 
 /* Truths, as bits. */
 enum { TS_TRUTH_A = 1, TS_TRUTH_B = 2, TS_TRUTH_C = 4 };
@@ -58,7 +62,8 @@ typedef struct {
 	const ts_backend *backend;
 	const char *method, *scenes, *objects, *output, *trace_only, *crop;
 	const char *ignore, *mask, *layout, *order, *junit;
-	u64 ulp, allow;
+	const char *pixel, *view, *point;
+	u64 ulp, allow, triangle;
 	double abs, rel;
 	u32 truths;                     /* TS_TRUTH_* */
 	u32 threads, runs;
@@ -122,6 +127,7 @@ ts_status ts_info_command(ts_cli *cli);
 ts_status ts_list_command(ts_cli *cli);
 ts_status ts_bench_command(ts_cli *cli);
 ts_status ts_compare_command(ts_cli *cli);
+ts_status ts_probe_command(ts_cli *cli);
 /* Help of one command, or of all if NULL. */
 void ts_help_print(const ts_command *command);
 
