@@ -93,17 +93,29 @@ static void put_held(ts_probe *p, json_t *o, ts_buffer_id id, u64 held, u64 foun
 	ts_probe_put(p, o, "check", text);
 }
 
+/* By how much the winner won. */
+static void put_lead(ts_probe *p, json_t *o, const ts_offer *winner, const ts_offer *second)
+{
+	if (winner == NULL || second == NULL) return;
+	u64 near = winner->key >> 32, far = second->key >> 32;
+	ts_probe_put(p, o, "won_by", json_real((double)ts_u2f((u32)far) - (double)ts_u2f((u32)near)));
+	ts_probe_put(p, o, "won_by_ulps", json_integer((json_int_t)ts_field_ulps(near, far)));
+	if (near == far) ts_probe_put(p, o, "tie", json_string("equal depths go to the lower index"));
+}
+
 ts_status ts_probe_put_offers(ts_probe *p, json_t *o, const ts_offers *offers, ts_buffer_id id, u64 held, bool points)
 {
-	const ts_offer *winner = NULL;
+	const ts_offer *winner = NULL, *second = NULL;
 	json_t *list = json_array();
 	ts_status status = TS_OK;
 	for (size_t i = 0; i < offers->n; i++) {
 		const ts_offer *offer = &offers->offer[i];
+		if (winner != NULL && second == NULL && !offer->cut) second = offer;
 		if (winner == NULL && !offer->cut) winner = offer;
 		if (i < MOST_LISTED && status == TS_OK) status = put_offer(p, list, offer, winner, points);
 	}
 	ts_probe_put(p, o, "competitors", ts_probe_int(offers->n));
+	put_lead(p, o, winner, second);
 	if (offers->n > MOST_LISTED) ts_probe_put(p, o, "listed", ts_probe_int(MOST_LISTED));
 	ts_probe_put(p, o, "by_depth", list);
 	put_held(p, o, id, held, winner != NULL ? winner->key : TS_EMPTY);

@@ -33,7 +33,7 @@ static json_t *faces_of(u32 bits)
 	return list;
 }
 
-/* Why a cube does not see it; *why becomes the reason that came farthest. */
+/* Why a cube does not see it. */
 static json_t *unseen(ts_probe *p, u32 triangle, const ts_corners *t, u32 r, const char **why)
 {
 	const ts_face *cube = &p->cubes[r];
@@ -80,8 +80,9 @@ ts_status ts_probe_visibility(ts_probe *p, u32 triangle, u64 *bits, json_t *o, b
 		if (faces != 0) {
 			ts_probe_append(p, by, json_pack("{s:I,s:o}", "reflector", (json_int_t)r, "faces", faces_of(faces)));
 		} else if (!degenerate) {
+			bool first = json_array_size(not_by) == 0;
 			ts_probe_append(p, not_by, unseen(p, triangle, &t, r, &reason));
-			*why = reason;
+			*why = first || reason == *why ? reason : "not_seen_by tells each reflector's reason";
 		}
 	}
 	ts_probe_put(p, o, "seen_by", by);

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include "probe_parts.h"
 
-enum { MOST_PIECES = 32 };
+enum { MOST_PIECES = 32, MOST_POINTS = 64 };
 
 /* What the stages of EPR left of it. */
 typedef struct {
@@ -106,6 +106,17 @@ static ts_status put_pieces(ts_probe *p, json_t *o, u64 first, fate *f)
 	return status;
 }
 
+static void put_each_point(ts_probe *p, json_t *o, const ts_probe_set *set)
+{
+	json_t *list = json_array();
+	for (size_t i = 0; i < set->n && i < MOST_POINTS && set->won != NULL; i++) {
+		ts_probe_append(p, list, json_pack("{s:I,s:I,s:I}", "point", (json_int_t)set->index[i], "offered",
+		                                   (json_int_t)set->offered[i], "won", (json_int_t)set->won[i]));
+	}
+	if (set->n > MOST_POINTS) ts_probe_put(p, o, "points_listed", ts_probe_int(MOST_POINTS));
+	ts_probe_put(p, o, "each_point", list);
+}
+
 /* The points, and where they went; only `only` unless that is TS_NONE. */
 static ts_status put_points(ts_probe *p, json_t *o, u64 first, u64 n, u32 only, fate *f)
 {
@@ -122,6 +133,7 @@ static ts_status put_points(ts_probe *p, json_t *o, u64 first, u64 n, u32 only, 
 	ts_probe_put(p, went, "lost_to_its_own_triangle", ts_probe_int(f->spread.lost_to_own));
 	if (status == TS_OK) status = ts_probe_put_samples(p, went, &set, &f->n_samples);
 	ts_probe_put(p, went, "faces", faces);
+	put_each_point(p, went, &set);
 	ts_probe_put(p, o, "cubes", went);
 	ts_probe_set_free(&set);
 	return status;
