@@ -41,7 +41,7 @@ const ts_option ts_option_table[] = {
 	{ TS_OPT_ORDER, "order", "ORDER", "of the points of such a candidate: canonical (the default) or arrival", "" },
 	{ TS_OPT_JUNIT, "junit", "FILE", "also write the verdicts as JUnit XML, a case a stage", "" },
 	{ TS_OPT_TAP, "tap", "", "print the verdicts as TAP, a line a stage", "" },
-	{ TS_OPT_PIXEL, "pixel", "X,Y", "pixel of the eye, or texel of the face that --view names; (0, 0) is at the top left", "" },
+	{ TS_OPT_PIXEL, "pixel", "X,Y", "pixel of the eye, or texel of the face of --view, from the top left", "" },
 	{ TS_OPT_VIEW, "view", "VIEW", "eye (the default), or REFLECTOR.FACE of a cube: 3.+X, or 3.0", "" },
 	{ TS_OPT_TRIANGLE, "triangle", "T", "triangle, from 0", "" },
 	{ TS_OPT_POINT, "point", "P", "point, by its index or its key PIECE,X,Y", "" },

@@ -1,4 +1,5 @@
-/* `probe TRACE`: why a pixel, a texel, a triangle or a point is what it is. One description, printed as text or as JSON. */
+/* `probe TRACE`: why a pixel, a texel, a triangle or a point is what it is. One description, printed as text or as
+ * JSON. */
 #include <stdlib.h>
 #include "../trace/probe.h"
 #include "../trace/where.h"
@@ -122,7 +123,8 @@ static ts_status read_pixel(const ts_cli *cli, u32 *x, u32 *y)
 	char item[16];
 	const char *list = cli->pixel;
 	ts_cli_item(&list, item, sizeof item);
-	if (list == NULL || strchr(list, ',') != NULL) return ts_fail("--pixel %s: not two numbers; write --pixel X,Y", cli->pixel);
+	if (list == NULL || strchr(list, ',') != NULL)
+		return ts_fail("--pixel %s: not two numbers; write --pixel X,Y", cli->pixel);
 	if (ts_cli_count(x, item, 0, 65535, "--pixel X") != TS_OK) return TS_ERROR;
 	return ts_cli_count(y, list, 0, 65535, "--pixel Y");
 }
@@ -132,7 +134,8 @@ static ts_status read_face(const ts_cli *cli, u32 *reflector, u32 *face)
 {
 	char left[16];
 	const char *dot = strchr(cli->view, '.');
-	if (dot == NULL) return ts_fail("--view %s: neither \"eye\" nor REFLECTOR.FACE, for instance 3.+X or 3.0", cli->view);
+	if (dot == NULL)
+		return ts_fail("--view %s: neither \"eye\" nor REFLECTOR.FACE, for instance 3.+X or 3.0", cli->view);
 	snprintf(left, sizeof left, "%.*s", dot - cli->view < 15 ? (int)(dot - cli->view) : 15, cli->view);
 	if (ts_cli_count(reflector, left, 0, 65535, "--view, reflector") != TS_OK) return TS_ERROR;
 	for (*face = 0; *face < 6; ++*face) {

@@ -86,10 +86,11 @@ static void put_held(ts_probe *p, json_t *o, ts_buffer_id id, u64 held, u64 foun
 {
 	char buffer[64];
 	snprintf(buffer, sizeof buffer, "%s", ts_buffer_table[id].name);
-	json_t *text = held == found ? json_sprintf("bits agree with %s", buffer)
-	             : held == TS_EMPTY ? json_sprintf("bits differ from %s, which is empty", buffer)
-	             : json_sprintf("bits differ from %s, which holds %08x_%08x: depth %.9g, index %u", buffer,
-	                            (unsigned)(held >> 32), (unsigned)held, (double)ts_u2f((u32)(held >> 32)), (unsigned)held);
+	json_t *text = held == found      ? json_sprintf("bits agree with %s", buffer)
+	               : held == TS_EMPTY ? json_sprintf("bits differ from %s, which is empty", buffer)
+	                                  : json_sprintf("bits differ from %s, which holds %08x_%08x: depth %.9g, index %u",
+	                                                 buffer, (unsigned)(held >> 32), (unsigned)held,
+	                                                 (double)ts_u2f((u32)(held >> 32)), (unsigned)held);
 	ts_probe_put(p, o, "check", text);
 }
 

@@ -1,5 +1,5 @@
-/* Which faces may see a triangle, and how densely it is sampled for whom. The kernels are asked again about one reflector at
- * a time. */
+/* Which faces may see a triangle, and how densely it is sampled for whom. The kernels are asked again about one
+ * reflector at a time. */
 #include <stdlib.h>
 #include "../kernels/density.h"
 #include "../stages/stages.h"
@@ -20,8 +20,8 @@ static json_t *planes_of(const ts_face *cube, u32 face, const ts_corners *t)
 		bottom &= -v[i].y > v[i].z;
 		near &= v[i].z < cube->near;
 	}
-	return json_sprintf("%s%s%s%s%s", right ? "right " : "", left ? "left " : "", top ? "top " : "", bottom ? "bottom " : "",
-	                    near ? "near" : "");
+	return json_sprintf("%s%s%s%s%s", right ? "right " : "", left ? "left " : "", top ? "top " : "",
+	                    bottom ? "bottom " : "", near ? "near" : "");
 }
 
 static json_t *faces_of(u32 bits)
@@ -40,7 +40,8 @@ static json_t *unseen(ts_probe *p, u32 triangle, const ts_corners *t, u32 r, con
 	json_t *o = json_object();
 	const char *reason = "no face sees it: beyond planes of all six";
 	if (cube->n == 0) reason = "the reflector has no cube: the eye does not see it";
-	if (!ts_k_is_facing(&p->scene, triangle, t, ts_load3(cube->centre))) reason = "it turns its back to the cube's centre";
+	if (!ts_k_is_facing(&p->scene, triangle, t, ts_load3(cube->centre)))
+		reason = "it turns its back to the cube's centre";
 	if (r == ts_k_reflector_of(&p->scene, triangle)) reason = "it belongs to this reflector";
 	ts_probe_put(p, o, "reflector", ts_probe_int(r));
 	ts_probe_put(p, o, "reason", json_string(reason));
@@ -62,7 +63,8 @@ static void put_check(ts_probe *p, u32 triangle, const u64 *bits, json_t *o)
 		u32 faces = ts_k_is_degenerate(t.n) ? 0 : ts_k_visibility(&args, triangle, &t, own, r);
 		same &= faces == ts_k_cube_bits(bits, r);
 	}
-	ts_probe_put(p, o, "check", json_string(same ? "bits agree with visibility.bits" : "bits differ from visibility.bits"));
+	ts_probe_put(p, o, "check",
+	             json_string(same ? "bits agree with visibility.bits" : "bits differ from visibility.bits"));
 }
 
 ts_status ts_probe_visibility(ts_probe *p, u32 triangle, u64 *bits, json_t *o, bool *seen, const char **why)
@@ -102,7 +104,8 @@ static f32 density(const ts_density_args *args, const ts_corners *t, const u64 *
 	return ts_put(ts_k_density(args, words, t->a, t->b, t->c));
 }
 
-static void put_setter(ts_probe *p, json_t *o, const ts_density_args *args, const ts_corners *t, const u64 *bits, u64 *words)
+static void put_setter(ts_probe *p, json_t *o, const ts_density_args *args, const ts_corners *t, const u64 *bits,
+                       u64 *words)
 {
 	ts_density_args wanted = *args, needed = *args;
 	f32 most_wanted = 0.0f, most_needed = 0.0f;
@@ -122,7 +125,10 @@ static void put_setter(ts_probe *p, json_t *o, const ts_density_args *args, cons
 	if (setter != TS_NONE) ts_probe_put(p, o, "wanted_by_reflector", ts_probe_int(setter));
 	ts_probe_put(p, o, "limit", ts_probe_bits(most_needed));
 	if (limiter != TS_NONE) ts_probe_put(p, o, "limit_by_reflector", ts_probe_int(limiter));
-	ts_probe_put(p, o, "cap", json_string(args->cap == 0 ? "off" : capped ? "lowered the density" : "did not lower it"));
+	ts_probe_put(p, o, "cap",
+	             json_string(args->cap == 0 ? "off"
+	                         : capped       ? "lowered the density"
+	                                        : "did not lower it"));
 }
 
 ts_status ts_probe_density(ts_probe *p, u32 triangle, const u64 *bits, json_t *o)

@@ -32,11 +32,17 @@ json_t *ts_probe_real(f32 value)
 	return finite ? json_real((double)value) : json_string("not a finite number");
 }
 
-json_t *ts_probe_v3(ts_v3 v) { return json_pack("[o,o,o]", ts_probe_real(v.x), ts_probe_real(v.y), ts_probe_real(v.z)); }
+json_t *ts_probe_v3(ts_v3 v)
+{
+	return json_pack("[o,o,o]", ts_probe_real(v.x), ts_probe_real(v.y), ts_probe_real(v.z));
+}
 
 static json_t *bits_of(f32 value) { return json_sprintf("%08x", (unsigned)ts_f2u(value)); }
 
-json_t *ts_probe_bits(f32 value) { return json_pack("{s:o,s:o}", "value", ts_probe_real(value), "bits", bits_of(value)); }
+json_t *ts_probe_bits(f32 value)
+{
+	return json_pack("{s:o,s:o}", "value", ts_probe_real(value), "bits", bits_of(value));
+}
 
 json_t *ts_probe_v3_bits(ts_v3 v)
 {
@@ -45,7 +51,8 @@ json_t *ts_probe_v3_bits(ts_v3 v)
 
 json_t *ts_probe_key(u64 key)
 {
-	return json_sprintf("%u,%d,%d", (unsigned)(key >> 32), (int)(key & 0xffff) - 32768, (int)(key >> 16 & 0xffff) - 32768);
+	return json_sprintf("%u,%d,%d", (unsigned)(key >> 32), (int)(key & 0xffff) - 32768,
+	                    (int)(key >> 16 & 0xffff) - 32768);
 }
 
 json_t *ts_probe_face_name(u32 reflector, u32 face)

@@ -79,7 +79,8 @@ ts_status ts_probe_mip(ts_probe *p, u64 entry, json_t *o, ts_v3 *total)
 	static const ts_buffer_id needed[] = {TS_B_face_mip, TS_N_BUFFERS};
 	ts_pixel pixel;
 	f32 radiance[3], held[3];
-	if (ts_probe_require(p, needed) != TS_OK || ts_probe_fetch(p, TS_B_pixel_record, entry, 1, &pixel) != TS_OK) return TS_ERROR;
+	if (ts_probe_require(p, needed) != TS_OK || ts_probe_fetch(p, TS_B_pixel_record, entry, 1, &pixel) != TS_OK)
+		return TS_ERROR;
 	u32 n = p->cubes[pixel.reflector].n;
 	u64 n_texels = ts_k_mip_texels(n, TS_NONE), first = ts_k_mip_first(p->cubes, 0, pixel.reflector);
 	f32 *texels = ts_alloc((size_t)n_texels, 4 * sizeof *texels, "a mip chain");

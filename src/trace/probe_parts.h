@@ -27,17 +27,18 @@ struct ts_probe {
 ts_status ts_probe_require(const ts_probe *probe, const ts_buffer_id *ids);
 bool ts_probe_has(const ts_probe *probe, ts_buffer_id id);
 u64 ts_probe_n(const ts_probe *probe, ts_buffer_id id);
-/* Copies elements [first, first + n) of a buffer. Fails with file, element and value if they are not there, if a float is
- * not finite, or if an index names nothing. */
+/* Copies elements [first, first + n) of a buffer. Fails with file, element and value if they are not there, if a float
+ * is not finite, or if an index names nothing. */
 ts_status ts_probe_fetch(ts_probe *probe, ts_buffer_id id, u64 first, u64 n, void *to);
-/* The elements of pixel (x, y), `n` of them, of a buffer of rows and columns; *there is false outside its crop, or if the
- * trace lacks it. */
+/* The elements of pixel (x, y), `n` of them, of a buffer of rows and columns; *there is false outside its crop, or if
+ * the trace lacks it. */
 ts_status ts_probe_fetch_pixel(ts_probe *probe, ts_buffer_id id, u32 x, u32 y, u32 n, void *to, bool *there);
 /* The piece of a point, its record, and the triangle. */
 ts_status ts_probe_fetch_point(ts_probe *probe, u64 point, ts_point *record, ts_piece *piece);
 
 /* ---- the scene (probe_scene.c) ---- */
-/* Reads the scene's arrays but the texels, the eye and the cubes, and checks all shapes of the trace. Once is enough. */
+/* Reads the scene's arrays but the texels, the eye and the cubes, and checks all shapes of the trace. Once is enough.
+ */
 ts_status ts_probe_scene(ts_probe *probe);
 /* Reads the images of a triangle's material; before its surface or alpha is computed. */
 ts_status ts_probe_textures(ts_probe *probe, u32 triangle);
@@ -132,14 +133,14 @@ ts_status ts_probe_set_splat(ts_probe *probe, ts_probe_set *set, ts_spread *spre
 ts_status ts_probe_put_samples(ts_probe *probe, json_t *object, const ts_probe_set *set, u64 *n_samples);
 
 /* ---- parts of answers ---- */
-/* What a reflective pixel, element `entry` of pixel.record, shows (probe_mirror.c; of MVR probe_mip.c). *total has the bits
- * of shade.radiance if all is well. */
+/* What a reflective pixel, element `entry` of pixel.record, shows (probe_mirror.c; of MVR probe_mip.c). *total has the
+ * bits of shade.radiance if all is well. */
 ts_status ts_probe_mirror(ts_probe *probe, u64 entry, json_t *object, ts_v3 *total);
 ts_status ts_probe_mip(ts_probe *probe, u64 entry, json_t *object, ts_v3 *total);
 /* A piece of a triangle: density, culling, frame (probe_piece.c). */
 ts_status ts_probe_piece(ts_probe *probe, u64 piece, json_t *object, bool *kept);
-/* Which faces may see a triangle, and why others may not; its density and who set it (probe_density.c). `bits` receives the
- * triangle's words, probe->n_words. */
+/* Which faces may see a triangle, and why others may not; its density and who set it (probe_density.c). `bits` receives
+ * the triangle's words, probe->n_words. */
 ts_status ts_probe_visibility(ts_probe *probe, u32 triangle, u64 *bits, json_t *object, bool *seen, const char **why);
 ts_status ts_probe_density(ts_probe *probe, u32 triangle, const u64 *bits, json_t *object);
 

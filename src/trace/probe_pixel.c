@@ -98,8 +98,8 @@ ts_status ts_probe_pixel(ts_probe *p, u32 x, u32 y, json_t **answer)
 	}
 	if (ts_probe_fetch_pixel(p, TS_B_eye_depth_triangle, x, y, 1, &key, &there) != TS_OK) return TS_ERROR;
 	if (!there) {
-		return ts_fail("%s: pixel (%u, %u) is outside its crop", p->trace->item[TS_B_eye_depth_triangle].path, (unsigned)x,
-		               (unsigned)y);
+		return ts_fail("%s: pixel (%u, %u) is outside its crop", p->trace->item[TS_B_eye_depth_triangle].path,
+		               (unsigned)x, (unsigned)y);
 	}
 	if (ts_probe_fetch(p, TS_B_pixel_offset, (u64)y * p->view.width + x, 2, offset) != TS_OK) return TS_ERROR;
 	json_t *o = json_object();

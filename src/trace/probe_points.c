@@ -132,7 +132,9 @@ static ts_status count_found(ts_probe *p, ts_buffer_id id, const ts_probe_set *s
 ts_status ts_probe_put_samples(ts_probe *p, json_t *o, const ts_probe_set *s, u64 *n_samples)
 {
 	static const struct { ts_buffer_id id; const char *key; } founds[] = {
-		{TS_B_lookup_point, "samples"}, {TS_B_lookup2_point, "samples_bounce2"}, {TS_B_lookup3_point, "samples_bounce3"},
+		{TS_B_lookup_point, "samples"},
+		{TS_B_lookup2_point, "samples_bounce2"},
+		{TS_B_lookup3_point, "samples_bounce3"},
 	};
 	*n_samples = 0;
 	for (u32 b = 0; b < 3; b++) {

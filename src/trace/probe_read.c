@@ -41,9 +41,11 @@ ts_status ts_probe_require(const ts_probe *p, const ts_buffer_id *ids)
 	size_t used = 0;
 	for (; *ids != TS_N_BUFFERS; ids++) {
 		if (ts_probe_has(p, *ids) || used + 64 > sizeof missing) continue;
-		used += (size_t)snprintf(missing + used, sizeof missing - used, "%s%s", used > 0 ? ", " : "", ts_buffer_table[*ids].name);
+		used += (size_t)snprintf(missing + used, sizeof missing - used, "%s%s", used > 0 ? ", " : "",
+		                         ts_buffer_table[*ids].name);
 	}
-	return used == 0 ? TS_OK : ts_fail("%s: this needs %s; a trace that was written whole has them", p->trace->dir, missing);
+	return used == 0 ? TS_OK
+	                 : ts_fail("%s: this needs %s; a trace that was written whole has them", p->trace->dir, missing);
 }
 
 /* How many things an index of this kind may name; all, if the trace cannot tell. */
@@ -66,8 +68,8 @@ static ts_status check_value(const ts_probe *p, ts_buffer_id id, u64 element, co
 {
 	const char *path = p->trace->item[id].path, *dot = field->name[0] != 0 ? " field " : "";
 	if (field->kind == 'f' && (bits & 0x7f800000u) == 0x7f800000u) {
-		return ts_fail("%s: element %" PRIu64 "%s%s is %08" PRIx64 ", not a finite number", path, element, dot, field->name,
-		               bits);
+		return ts_fail("%s: element %" PRIu64 "%s%s is %08" PRIx64 ", not a finite number", path, element, dot,
+		               field->name, bits);
 	}
 	bool none = field->none && (field->bytes == 8 ? bits == UINT64_MAX : bits == TS_NONE);
 	u64 index = field->bytes == 8 ? bits & 0xffffffffu : bits;
@@ -106,7 +108,8 @@ ts_status ts_probe_fetch(ts_probe *p, ts_buffer_id id, u64 first, u64 n, void *t
 	u8 *out = to;
 	if (open_reader(p, id) != TS_OK) return TS_ERROR;
 	if (first > item->npy.n || n > item->npy.n - first) {
-		return ts_fail("%s: element %" PRIu64 " is named and not there; it has %" PRIu64, item->path, first + n - 1, item->npy.n);
+		return ts_fail("%s: element %" PRIu64 " is named and not there; it has %" PRIu64, item->path, first + n - 1,
+		               item->npy.n);
 	}
 	while (n > 0) {
 		u64 held;

@@ -23,7 +23,8 @@ static void *load(ts_probe *p, ts_buffer_id id, u64 *n)
 static void shape_text(char *text, size_t bytes, u32 n, const u64 *dims)
 {
 	size_t used = 0;
-	for (u32 i = 0; i < n; i++) used += (size_t)snprintf(text + used, bytes - used, "%s%" PRIu64, i > 0 ? " x " : "", dims[i]);
+	for (u32 i = 0; i < n; i++)
+		used += (size_t)snprintf(text + used, bytes - used, "%s%" PRIu64, i > 0 ? " x " : "", dims[i]);
 }
 
 /* The first dimension of a buffer is how many of a thing there are. */
@@ -72,7 +73,8 @@ static ts_status check_images(const ts_probe *p)
 	for (u64 i = 0; i < p->n_images; i++) {
 		const ts_image *image = &p->scene.images[i];
 		u64 texels = 0, w = image->width, h = image->height;
-		bool right = w >= 1 && h >= 1 && w <= MOST_SIDE && h <= MOST_SIDE && image->n_levels >= 1 && image->n_levels <= 15;
+		bool right =
+			w >= 1 && h >= 1 && w <= MOST_SIDE && h <= MOST_SIDE && image->n_levels >= 1 && image->n_levels <= 15;
 		for (u32 l = 0; right && l < image->n_levels; l++) {
 			texels += w * h;
 			w = w > 1 ? w / 2 : 1;
@@ -95,8 +97,8 @@ static ts_status check_cubes(const ts_probe *p)
 	const char *path = p->trace->item[TS_B_resize_face].path;
 	for (u32 r = 0; r < p->n_cubes; r++) {
 		if (p->cubes[r].n > MOST_SIDE || p->cubes[r].offset != offset) {
-			return ts_fail("%s: element %u: size %u at texel %" PRIu64 "; it would begin at %" PRIu64, path, (unsigned)r,
-			               (unsigned)p->cubes[r].n, p->cubes[r].offset, offset);
+			return ts_fail("%s: element %u: size %u at texel %" PRIu64 "; it would begin at %" PRIu64, path,
+			               (unsigned)r, (unsigned)p->cubes[r].n, p->cubes[r].offset, offset);
 		}
 		offset += (u64)6 * p->cubes[r].n * p->cubes[r].n;
 	}
@@ -128,7 +130,8 @@ static ts_status load_arrays(ts_probe *p)
 	s->objects = s->lights != NULL ? load(p, TS_B_scene_object, &p->n_objects) : NULL;
 	p->cubes = s->objects != NULL ? load(p, TS_B_resize_face, &n_cubes) : NULL;
 	if (p->cubes == NULL) return TS_ERROR;
-	if (n_triangles >= TS_NONE || n_cubes > 65536 || p->n_lights >= TS_NONE) return ts_fail("%s: too large", p->trace->dir);
+	if (n_triangles >= TS_NONE || n_cubes > 65536 || p->n_lights >= TS_NONE)
+		return ts_fail("%s: too large", p->trace->dir);
 	s->n_triangles = (u32)n_triangles;
 	s->n_lights = (u32)p->n_lights;
 	p->n_cubes = (u32)n_cubes;

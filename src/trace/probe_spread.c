@@ -51,8 +51,8 @@ static ts_status lose_to_point(ts_probe *p, ts_spread *s, u32 triangle, u64 ours
 	return lose(s, piece.triangle, ours, theirs);
 }
 
-ts_status ts_probe_spread_add(ts_probe *p, ts_spread *s, const u64 *alone, u64 n, ts_buffer_id id, u64 first, u32 triangle,
-                              const u32 *index, size_t n_index, u64 *won)
+ts_status ts_probe_spread_add(ts_probe *p, ts_spread *s, const u64 *alone, u64 n, ts_buffer_id id, u64 first,
+                              u32 triangle, const u32 *index, size_t n_index, u64 *won)
 {
 	for (u64 i = 0; i < n; i++) {
 		u64 held;
@@ -68,7 +68,8 @@ ts_status ts_probe_spread_add(ts_probe *p, ts_spread *s, const u64 *alone, u64 n
 			s->odd++;
 			continue;
 		}
-		ts_status status = index != NULL ? lose_to_point(p, s, triangle, alone[i], held) : lose(s, (u32)held, alone[i], held);
+		ts_status status =
+			index != NULL ? lose_to_point(p, s, triangle, alone[i], held) : lose(s, (u32)held, alone[i], held);
 		if (status != TS_OK) return status;
 	}
 	return TS_OK;

@@ -69,9 +69,10 @@ static ts_v3 put_lights(ts_probe *p, json_t *o, const ts_surface *s, ts_v3 v, ts
 		ts_v3 l, radiance = term(p, s, v, light, 0.0f);
 		f32 arrives = ts_k_light(light, s->p, &l);
 		sum = ts_add(sum, radiance);
-		ts_probe_append(p, lights, json_pack("{s:I,s:s,s:o,s:o,s:o}", "light", (json_int_t)i, "kind",
-		                                     kinds[light->kind < 2 ? light->kind : 2], "towards", ts_probe_v3(l), "arrives",
-		                                     ts_probe_real(arrives), "radiance", ts_probe_v3_bits(radiance)));
+		ts_probe_append(p, lights,
+		                json_pack("{s:I,s:s,s:o,s:o,s:o}", "light", (json_int_t)i, "kind",
+		                          kinds[light->kind < 2 ? light->kind : 2], "towards", ts_probe_v3(l), "arrives",
+		                          ts_probe_real(arrives), "radiance", ts_probe_v3_bits(radiance)));
 	}
 	ts_probe_put(p, o, "lights", lights);
 	return sum;

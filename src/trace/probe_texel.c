@@ -21,7 +21,8 @@ static ts_status enter_piece(ts_probe *p, const place *at, u32 index, state *s)
 	s->index = index;
 	s->reaches = false;
 	if (ts_probe_fetch(p, TS_B_split_triangle, index, 1, &s->piece) != TS_OK) return TS_ERROR;
-	if (ts_probe_fetch(p, TS_B_visibility_bits, (u64)s->piece.triangle * p->n_words + bit / 64, 1, &word) != TS_OK) return TS_ERROR;
+	if (ts_probe_fetch(p, TS_B_visibility_bits, (u64)s->piece.triangle * p->n_words + bit / 64, 1, &word) != TS_OK)
+		return TS_ERROR;
 	if ((word >> (bit % 64) & 1) == 0) return TS_OK;
 	s->cover = ts_k_splat_triangle(&at->view, &s->piece);
 	s->reaches = s->cover.n != 0;
@@ -33,7 +34,8 @@ static ts_status offer_point(const ts_probe *p, const place *at, const state *s,
                              u64 *texels, ts_offers *offers)
 {
 	ts_point point = *record;
-	ts_box box = ts_k_splat_box(&at->view, ts_load3(point.centre), ts_load3(s->frame.u), ts_load3(s->frame.v), point.length);
+	ts_box box =
+		ts_k_splat_box(&at->view, ts_load3(point.centre), ts_load3(s->frame.u), ts_load3(s->frame.v), point.length);
 	i32 x = (i32)at->x, y = (i32)at->y;
 	if (x < box.x0 || x > box.x1 || y < box.y0 || y > box.y1) return TS_OK;
 	point.piece = 0;
@@ -44,7 +46,8 @@ static ts_status offer_point(const ts_probe *p, const place *at, const state *s,
 	u64 key = texels[at->inside];
 	if (key == TS_EMPTY) return TS_OK;
 	void *array = offers->offer;
-	if (ts_grow(&array, &offers->capacity, offers->n + 1, sizeof *offers->offer, "who competed") != TS_OK) return TS_ERROR;
+	if (ts_grow(&array, &offers->capacity, offers->n + 1, sizeof *offers->offer, "who competed") != TS_OK)
+		return TS_ERROR;
 	offers->offer = array;
 	offers->offer[offers->n++] = (ts_offer){.key = (key & ~(u64)0xffffffffu) | index, .triangle = s->piece.triangle};
 	return TS_OK;
@@ -105,7 +108,8 @@ static ts_status put_radiance(ts_probe *p, const place *at, json_t *o, u64 held)
 	ts_probe_put(p, result, "radiance", ts_probe_v3_bits(ts_load3(computed)));
 	u64 first = ts_k_mip_first(p->cubes, 0, at->reflector) + at->texel - p->cubes[at->reflector].offset;
 	ts_status status = ts_probe_has(p, TS_B_face_mip) ? ts_probe_fetch(p, TS_B_face_mip, first * 4, 3, mip) : TS_OK;
-	if (status == TS_OK && ts_probe_has(p, TS_B_face_mip)) ts_probe_put_check(p, result, TS_B_face_mip, computed, mip, 3);
+	if (status == TS_OK && ts_probe_has(p, TS_B_face_mip))
+		ts_probe_put_check(p, result, TS_B_face_mip, computed, mip, 3);
 	ts_probe_put(p, o, "face_mip", result);
 	return status;
 }

@@ -24,16 +24,22 @@ static json_t *lost_at(const fate *f)
 	const ts_rival *best = s->n_rivals > 0 ? &s->rival[0] : NULL;
 	if (!f->seen) return verdict("visibility", json_sprintf("never visible: %s", f->unseen));
 	if (f->n_pieces == 0) return verdict("split", json_string("no pieces: its density is 0"));
-	if (f->n_kept == 0) return verdict("cull", json_sprintf("culled: none of %" PRIu64 " pieces was kept", f->n_pieces));
-	if (f->n_points == 0) return verdict("count", json_string("no points: no sample touches it, or alpha cut all of them"));
+	if (f->n_kept == 0)
+		return verdict("cull", json_sprintf("culled: none of %" PRIu64 " pieces was kept", f->n_pieces));
+	if (f->n_points == 0)
+		return verdict("count", json_string("no points: no sample touches it, or alpha cut all of them"));
 	if (s->offered == 0) return verdict("splat", json_string("no texel touched: outside the faces, or behind near"));
 	if (s->won == 0 && s->ties == s->lost && best != NULL) {
-		return verdict("tie", json_sprintf("all of %" PRIu64 " texels went to lower indices at the same distance, most to "
-		                                   "triangle %u", s->lost, (unsigned)best->triangle));
+		return verdict("tie",
+		               json_sprintf("all of %" PRIu64 " texels went to lower indices at the same distance, most to "
+		                            "triangle %u",
+		                            s->lost, (unsigned)best->triangle));
 	}
 	if (s->won == 0 && best != NULL) {
-		return verdict("splat", json_sprintf("hidden: nearer points hold all of %" PRIu64 " texels, most of triangle %u, %.9g "
-		                                     "nearer or more", s->lost, (unsigned)best->triangle, (double)best->least));
+		return verdict("splat",
+		               json_sprintf("hidden: nearer points hold all of %" PRIu64 " texels, most of triangle %u, %.9g "
+		                            "nearer or more",
+		                            s->lost, (unsigned)best->triangle, (double)best->least));
 	}
 	if (s->won == 0) return verdict("splat", json_string("the buffer holds none of its points, and nothing nearer"));
 	if (f->n_samples == 0) {
@@ -53,7 +59,8 @@ static void put_verdict(ts_probe *p, json_t *o, const fate *f)
 }
 
 /* Draws the triangle alone into one view, and compares. */
-static ts_status put_drawn(ts_probe *p, u32 triangle, const ts_camera_k *view, ts_buffer_id id, u64 first, ts_spread *spread)
+static ts_status put_drawn(ts_probe *p, u32 triangle, const ts_camera_k *view, ts_buffer_id id, u64 first,
+                           ts_spread *spread)
 {
 	ts_corners t = ts_k_corners(&p->scene, triangle);
 	u64 n = (u64)view->width * (u64)view->height;
@@ -143,7 +150,8 @@ static ts_status visibility_and_density(ts_probe *p, u32 triangle, json_t *o, fa
 {
 	json_t *visibility = json_object(), *density = json_object();
 	u64 *bits = ts_alloc_zero(p->n_words + (size_t)1, sizeof *bits, "visibility.bits");
-	ts_status status = bits != NULL ? ts_probe_visibility(p, triangle, bits, visibility, &f->seen, &f->unseen) : TS_ERROR;
+	ts_status status =
+		bits != NULL ? ts_probe_visibility(p, triangle, bits, visibility, &f->seen, &f->unseen) : TS_ERROR;
 	if (status == TS_OK) status = ts_probe_density(p, triangle, bits, density);
 	ts_probe_put(p, o, "visibility", visibility);
 	ts_probe_put(p, o, "density", density);
@@ -186,9 +194,11 @@ static ts_status describe_mvr(ts_probe *p, u32 triangle, json_t *o)
 	}
 	ts_probe_put_spread(p, cubes, &spread);
 	ts_probe_put(p, o, "cubes", cubes);
-	if (spread.offered == 0) lost = verdict("face", json_string("it covers no texel: no face sees it, or it is too small"));
+	if (spread.offered == 0)
+		lost = verdict("face", json_string("it covers no texel: no face sees it, or it is too small"));
 	if (spread.offered > 0 && spread.won == 0 && spread.n_rivals > 0) {
-		lost = verdict("face", json_sprintf("hidden: most texels went to triangle %u", (unsigned)spread.rival[0].triangle));
+		lost = verdict("face",
+		               json_sprintf("hidden: most texels went to triangle %u", (unsigned)spread.rival[0].triangle));
 	}
 	ts_probe_put(p, o, "lost_at", lost != NULL ? lost : json_string("no stage"));
 	ts_probe_spread_free(&spread);
@@ -249,8 +259,10 @@ static ts_status describe_point(ts_probe *p, u32 point, const ts_point *record, 
 	ts_status status = ts_probe_piece(p, record->piece, made, &kept);
 	ts_probe_put(p, o, "piece", made);
 	if (status == TS_OK) status = put_points(p, o, record->piece, 1, point, &f);
-	json_t *lost = f.spread.won == 0 && f.spread.lost > 0 && f.spread.lost_to_own == f.spread.lost
-		? verdict("splat", json_string("face resolution: nearer points of its own triangle hold all its texels")) : NULL;
+	json_t *lost =
+		f.spread.won == 0 && f.spread.lost > 0 && f.spread.lost_to_own == f.spread.lost
+			? verdict("splat", json_string("face resolution: nearer points of its own triangle hold all its texels"))
+			: NULL;
 	if (lost != NULL) {
 		ts_probe_put(p, o, "lost_at", lost);
 	} else {

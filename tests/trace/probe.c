@@ -107,7 +107,8 @@ static u32 assert_agrees(const json_t *v)
 	json_object_foreach((json_t *)v, key, member) {
 		n += assert_agrees(member);
 		if (strcmp(key, "check") == 0) assert_memory_equal(json_string_value(member), "bits agree with ", 16);
-		if (strcmp(key, "sum") == 0) assert_string_equal(json_string_value(member), "terms add up to the bits of the total");
+		if (strcmp(key, "sum") == 0)
+			assert_string_equal(json_string_value(member), "terms add up to the bits of the total");
 		n += strcmp(key, "check") == 0 || strcmp(key, "sum") == 0;
 	}
 	json_array_foreach((json_t *)v, i, member) n += assert_agrees(member);
@@ -258,7 +259,8 @@ static truth truth_of(u32 triangle)
 	for (u64 i = 0; i < count(&epr, TS_B_splat_depth_index); i++) {
 		t.won += keys[i] != TS_EMPTY && triangle_of((u32)keys[i]) == triangle;
 	}
-	for (u64 i = 0; i < count(&epr, TS_B_lookup_point); i++) t.samples += found[i] != TS_NONE && triangle_of(found[i]) == triangle;
+	for (u64 i = 0; i < count(&epr, TS_B_lookup_point); i++)
+		t.samples += found[i] != TS_NONE && triangle_of(found[i]) == triangle;
 	for (u64 i = 0; i < count(&epr, TS_B_lookup2_point); i++) {
 		t.samples += found2[i] != TS_NONE && triangle_of(found2[i]) == triangle;
 	}
@@ -282,7 +284,8 @@ static void try_triangle(u32 triangle)
 	assert_int_equal(json_integer_value(get(answer, "cubes", "points")), t.points);
 	assert_int_equal(json_integer_value(get(answer, "cubes", "texels_won")), t.won);
 	const json_t *lost = json_object_get(answer, "lost_at");
-	const char *stage = json_is_string(lost) ? json_string_value(lost) : json_string_value(json_object_get(lost, "stage"));
+	const char *stage =
+		json_is_string(lost) ? json_string_value(lost) : json_string_value(json_object_get(lost, "stage"));
 	bool tie = strcmp(stage, "tie") == 0 && strcmp(stage_of(&t), "splat") == 0;
 	if (!tie) assert_string_equal(stage, stage_of(&t));
 	json_decref(answer);
@@ -319,7 +322,8 @@ static void test_points(void **state)
 		require(ts_probe_point_of_key(epr.probe, keys[point], &found));
 		assert_int_equal(found, point);
 		require(ts_probe_point(epr.probe, point, &answer));
-		for (u64 k = 0; k < count(&epr, TS_B_splat_depth_index); k++) won += texels[k] != TS_EMPTY && (u32)texels[k] == point;
+		for (u64 k = 0; k < count(&epr, TS_B_splat_depth_index); k++)
+			won += texels[k] != TS_EMPTY && (u32)texels[k] == point;
 		assert_int_equal(json_integer_value(get(answer, "cubes", "texels_won")), won);
 		assert_int_equal(figure(answer, "triangle"), triangle_of(point));
 		assert_agrees(answer);
