@@ -241,8 +241,8 @@ static u32 elements_a_pixel(ts_buffer_id id, const ts_trace_item *item, const ts
 
 static ts_status open_readers(judge *j, const ts_trace_item *ref, const ts_trace_item *cand)
 {
-	j->ref = ts_reader_open(ref->path, ref->npy.data_at, ref->npy.n, j->bytes);
-	j->cand = j->ref != NULL ? ts_reader_open(cand->path, cand->npy.data_at, cand->npy.n, j->bytes) : NULL;
+	j->ref = ts_trace_read(ref, j->id);
+	j->cand = j->ref != NULL ? ts_trace_read(cand, j->id) : NULL;
 	return j->cand != NULL ? TS_OK : TS_ERROR;
 }
 

@@ -97,7 +97,7 @@ static ts_status open_reader(ts_probe *p, ts_buffer_id id)
 	const ts_buffer_id needed[] = {id, TS_N_BUFFERS};
 	if (p->reader[id] != NULL) return TS_OK;
 	if (ts_probe_require(p, needed) != TS_OK) return TS_ERROR;
-	p->reader[id] = ts_reader_open(item->path, item->npy.data_at, item->npy.n, ts_buffer_table[id].element_bytes);
+	p->reader[id] = ts_trace_read(item, id);
 	return p->reader[id] != NULL ? TS_OK : TS_ERROR;
 }
 

@@ -11,7 +11,7 @@ static bool fetch(const ts_trace *reference, ts_buffer_id id, u64 index, void *t
 	size_t bytes = ts_buffer_table[id].element_bytes;
 	u64 held;
 	if (item->path == NULL || index >= item->npy.n) return false;
-	ts_reader *reader = ts_reader_open(item->path, item->npy.data_at, item->npy.n, bytes);
+	ts_reader *reader = ts_trace_read(item, id);
 	const void *from = reader != NULL ? ts_reader_at(reader, index, &held) : NULL;
 	if (from != NULL) memcpy(to, from, bytes);
 	ts_reader_close(reader);
