@@ -69,15 +69,14 @@ void ts_place_print(char text[TS_PLACE_TEXT], const ts_place *place)
 	snprintf(text, TS_PLACE_TEXT, "element %" PRIu64 "%s%s%s", place->element, word, field->name, component);
 }
 
-void ts_same_print(char text[TS_SAME_TEXT], ts_buffer_id id, const ts_place *place, const char *here, const void *a,
-                   const char *there, const void *b)
+void ts_same_print(char text[TS_SAME_TEXT], const ts_place *place, const char *here, const void *a, const char *there,
+                   const void *b)
 {
 	char where[TS_PLACE_TEXT], x[TS_VALUE_TEXT], y[TS_VALUE_TEXT];
 	ts_type type = place->field.type;
-	size_t at = place->element * ts_buffer_table[id].element_bytes + place->field.at +
-	            place->component * ts_type_bytes(type);
+	size_t at = place->field.at + place->component * ts_type_bytes(type);
 	ts_place_print(where, place);
 	ts_value_print(x, type, (const u8 *)a + at);
 	ts_value_print(y, type, (const u8 *)b + at);
-	snprintf(text, TS_SAME_TEXT, "%s: %s %s, %s %s", where, x, here, y, there);
+	snprintf(text, TS_SAME_TEXT, "%s: %s %.40s, %s %.40s", where, x, here, y, there);
 }

@@ -10,7 +10,7 @@ typedef struct {
 	u32 component; /* of field.count */
 } ts_place;
 
-enum { TS_VALUE_TEXT = 96, TS_PLACE_TEXT = 96, TS_SAME_TEXT = 320 };
+enum { TS_VALUE_TEXT = 96, TS_PLACE_TEXT = 96, TS_SAME_TEXT = 400 };
 
 /* True if n elements of buffer `id` are the same in a and b; else *first is the first place where they are not. a and b
  * need no alignment. */
@@ -22,8 +22,8 @@ void ts_value_print(char text[TS_VALUE_TEXT], ts_type type, const void *value);
 /* A place as text: "element 12, field centre[1]", "element 3". */
 void ts_place_print(char text[TS_PLACE_TEXT], const ts_place *place);
 /* Place and both values as one line, without the buffer's name: "element 12, field s: 0.5 (...) here, 0.25 (...) there".
- * `here` and `there` say whose values a and b are; a and b are the arrays that ts_same_find was given. */
-void ts_same_print(char text[TS_SAME_TEXT], ts_buffer_id id, const ts_place *place, const char *here, const void *a,
-                   const char *there, const void *b);
+ * `here` and `there` say whose values these are, cut at 40 bytes each; a and b are the two elements at the place. */
+void ts_same_print(char text[TS_SAME_TEXT], const ts_place *place, const char *here, const void *a, const char *there,
+                   const void *b);
 
 #endif

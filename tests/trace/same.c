@@ -69,16 +69,16 @@ static void test_lines(void **state)
 	memcpy(y, x, sizeof y);
 	y[1].centre[1] = 2;
 	assert_false(ts_same_find(&place, TS_B_points_record, x, y, 2));
-	ts_same_print(text, TS_B_points_record, &place, "here", x, "there", y);
+	ts_same_print(text, &place, "here", &x[1], "there", &y[1]);
 	assert_string_equal(text, "element 1, field centre[1]: 1 (0x1p+0, 3f800000) here, 2 (0x1p+1, 40000000) there");
 	y[1] = x[1];
 	y[0].piece = 4;
 	assert_false(ts_same_find(&place, TS_B_points_record, x, y, 2));
-	ts_same_print(text, TS_B_points_record, &place, "here", x, "there", y);
+	ts_same_print(text, &place, "here", x, "there", y);
 	assert_string_equal(text, "element 0, field piece: 5 (00000005) here, 4 (00000004) there");
 	u8 p[4] = {0}, q[4] = {0, 0, 0, 1};
 	assert_false(ts_same_find(&place, TS_B_splat_tie, p, q, 4));
-	ts_same_print(text, TS_B_splat_tie, &place, "here", p, "there", q);
+	ts_same_print(text, &place, "here", &p[3], "there", &q[3]);
 	assert_string_equal(text, "element 3: 0 (00) here, 1 (01) there");
 }
 
