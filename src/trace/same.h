@@ -21,8 +21,9 @@ bool ts_same_find(ts_place *first, ts_buffer_id id, const void *a, const void *b
 void ts_value_print(char text[TS_VALUE_TEXT], ts_type type, const void *value);
 /* A place as text: "element 12, field centre[1]", "element 3". */
 void ts_place_print(char text[TS_PLACE_TEXT], const ts_place *place);
-/* Place and both values as one line, without the buffer's name: "element 12, field s: 0.5 (...) here, 0.25 (...) there".
- * `here` and `there` say whose values these are, cut at 40 bytes each; a and b are the two elements at the place. */
+/* Place and both values as one line, without the buffer's name: "element 12, field s: 0.5 (...) here, 0.25 (...)
+ * there". `here` and `there` say whose values these are, cut at 40 bytes each; a and b are the two elements at the
+ * place. */
 void ts_same_print(char text[TS_SAME_TEXT], const ts_place *place, const char *here, const void *a, const char *there,
                    const void *b);
 
