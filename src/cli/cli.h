@@ -32,6 +32,8 @@
 #define TS_OPT_TRACE_ONLY TS_OPT(20)
 #define TS_OPT_CROP TS_OPT(21)
 #define TS_OPT_HELP TS_OPT(22)
+#define TS_OPT_STAGE TS_OPT(23)
+#define TS_OPT_INPUTS TS_OPT(24)
 
 /* Truths, as bits. */
 enum { TS_TRUTH_A = 1, TS_TRUTH_B = 2, TS_TRUTH_C = 4 };
@@ -46,7 +48,7 @@ typedef struct {
 	ts_params params;
 	ts_scene_options scene;
 	const ts_backend *backend;
-	const char *method, *scenes, *objects, *output, *trace_only, *crop;
+	const char *method, *scenes, *objects, *output, *trace_only, *crop, *stage, *inputs;
 	u32 truths;                     /* TS_TRUTH_* */
 	u32 threads, runs;
 } ts_cli;
@@ -108,6 +110,7 @@ ts_status ts_render_command(ts_cli *cli);
 ts_status ts_info_command(ts_cli *cli);
 ts_status ts_list_command(ts_cli *cli);
 ts_status ts_bench_command(ts_cli *cli);
+ts_status ts_replay_command(ts_cli *cli);
 /* Help of one command, or of all if NULL. */
 void ts_help_print(const ts_command *command);
 

@@ -23,13 +23,16 @@ const ts_option ts_option_table[] = {
 	{ TS_OPT_THREADS, "threads", "N", "threads, by default one a core; never changes a result", "" },
 	{ TS_OPT_BACKEND, "backend", "NAME", "what runs the kernels (c); never changes a result", "backends" },
 	{ TS_OPT_REFERENCE, "reference", "", "turn all fast paths off", "" },
-	{ TS_OPT_OUTPUT, "output", "DIR", "folder of the pictures (out); written whole or not at all. Short: -o DIR", "" },
+	{ TS_OPT_OUTPUT, "output", "DIR", "folder of the pictures (out) or other files, written whole or not at all. Short:\n"
+	  "-o DIR", "" },
 	{ TS_OPT_FORCE, "force", "", "replace DIR if it holds an earlier render", "" },
 	{ TS_OPT_NO_IMAGES, "no-images", "", "write no files", "" },
 	{ TS_OPT_TRACE, "trace", "", "write every buffer of every stage to DIR/trace-METHOD (reference/TRACES.md)", "" },
 	{ TS_OPT_TRACE_ONLY, "trace-only", "STAGE,...", "trace, but files of these stages only; \"scene\": the scene's arrays",
 	  "stages" },
 	{ TS_OPT_CROP, "crop", "X,Y,W,H", "trace, but this part only of buffers that have a row a row of pixels", "" },
+	{ TS_OPT_STAGE, "stage", "NAME", "the stage to replay; without it all, one after the other", "stages" },
+	{ TS_OPT_INPUTS, "inputs", "DIR", "trace of a port: its buffers are taken and judged before those of TRACE", "" },
 	{ TS_OPT_JSON, "json", "", "print one JSON object and nothing else", "" },
 	{ TS_OPT_FLUSH_DENORMALS, "flush-denormals", "", "let the processor flush denormals, which must not change a digest",
 	  "" },
@@ -127,6 +130,8 @@ static ts_status take(ts_cli *cli, u64 bit, const char *text)
 	case TS_OPT_OUTPUT: cli->output = text; break;
 	case TS_OPT_TRACE_ONLY: cli->trace_only = text; break;
 	case TS_OPT_CROP: cli->crop = text; break;
+	case TS_OPT_STAGE: cli->stage = text; break;
+	case TS_OPT_INPUTS: cli->inputs = text; break;
 	case TS_OPT_BACKEND: return ts_backend_find(&cli->backend, text);
 	case TS_OPT_SET: return set_param(cli, text);
 	case TS_OPT_THREADS: return ts_cli_count(&cli->threads, text, 1, MAX_THREADS, "--threads");
