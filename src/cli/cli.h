@@ -50,7 +50,10 @@
 #define TS_OPT_VIEW TS_OPT(38)
 #define TS_OPT_TRIANGLE TS_OPT(39)
 #define TS_OPT_POINT TS_OPT(40)
-#define TS_OPT_HELP TS_OPT(41)
+#define TS_OPT_STAGE TS_OPT(41)
+#define TS_OPT_INPUTS TS_OPT(42)
+#define TS_OPT_FORCED TS_OPT(43)
+#define TS_OPT_HELP TS_OPT(44)
 
 /* Truths, as bits. */
 enum { TS_TRUTH_A = 1, TS_TRUTH_B = 2, TS_TRUTH_C = 4 };
@@ -80,7 +83,7 @@ typedef struct {
 	u64 ulp, allow, triangle;
 	double abs, rel;
 	const char *reason, *reference_dir;
-	const char *check;
+	const char *check, *stage, *inputs;
 	u32 truths;                     /* TS_TRUTH_* */
 	u32 threads, runs;
 } ts_cli;
@@ -146,6 +149,7 @@ ts_status ts_bench_command(ts_cli *cli);
 ts_status ts_compare_command(ts_cli *cli);
 ts_status ts_vectors_command(ts_cli *cli);
 ts_status ts_probe_command(ts_cli *cli);
+ts_status ts_replay_command(ts_cli *cli);
 /* Help of one command, or of all if NULL. */
 void ts_help_print(const ts_command *command);
 

@@ -16,6 +16,11 @@ const ts_command ts_command_table[] = {
 	  "and prints times, counters, memory and metrics.",
 	  1, 2, TS_OPT_METHOD | TS_OPT_TRUTH | WHERE | HOW | TS_OPT_BACKEND | TS_OPT_OUTPUT | TS_OPT_FORCE |
 	  TS_OPT_NO_IMAGES | TS_OPT_TRACE | TS_OPT_TRACE_ONLY | TS_OPT_CROP | TS_OPT_MARGINS | TS_OPT_JSON, ts_render_command },
+	{ "replay", "TRACE", "run a stage again, alone, from the buffers of a trace or of a port, and compare",
+	  "TRACE: a folder that render --trace wrote. One line an output: the same bits, or the first element and field\n"
+	  "that differ. With --inputs the port's buffers are the inputs and its outputs are judged: each of its stages,\n"
+	  "given its own stages before. Buffers are checked before they are used. -o DIR writes what the stage should make.",
+	  1, 1, TS_OPT_STAGE | TS_OPT_INPUTS | TS_OPT_THREADS | TS_OPT_OUTPUT | TS_OPT_JSON, ts_replay_command },
 	{ "info", "SCENE", "what was loaded, and what in the file was not understood", "",
 	  1, 1, WHERE | TS_OPT_JSON, ts_info_command },
 	{ "list", "WHAT", "tables: stages, buffers, params, methods, scenes or backends", "",

@@ -49,6 +49,8 @@ const ts_option ts_option_table[] = {
 	{ TS_OPT_VIEW, "view", "VIEW", "eye (the default), or REFLECTOR.FACE of a cube: 3.+X, or 3.0", "" },
 	{ TS_OPT_TRIANGLE, "triangle", "T", "triangle, from 0", "" },
 	{ TS_OPT_POINT, "point", "P", "point, by its index or its key PIECE,X,Y", "" },
+	{ TS_OPT_STAGE, "stage", "NAME", "the stage to replay; without it all, one after the other", "stages" },
+	{ TS_OPT_INPUTS, "inputs", "DIR", "trace of a port: its buffers are taken and judged before those of TRACE", "" },
 	{ TS_OPT_JSON, "json", "", "print one JSON object and nothing else", "" },
 	{ TS_OPT_FLUSH_DENORMALS, "flush-denormals", "", "let the processor flush denormals, which must not change a digest",
 	  "" },
@@ -184,6 +186,8 @@ static ts_status take(ts_cli *cli, u64 bit, const char *text)
 	case TS_OPT_REASON: cli->reason = text; break;
 	case TS_OPT_REFERENCE_DIR: cli->reference_dir = text; break;
 	case TS_OPT_CHECK: cli->check = text; break;
+	case TS_OPT_STAGE: cli->stage = text; break;
+	case TS_OPT_INPUTS: cli->inputs = text; break;
 	case TS_OPT_BACKEND: return ts_backend_find(&cli->backend, text);
 	case TS_OPT_SET: return set_param(cli, text);
 	case TS_OPT_THREADS: return ts_cli_count(&cli->threads, text, 1, MAX_THREADS, "--threads");

@@ -4,7 +4,7 @@
 #include "../scene/print.h"
 #include "producer.h"
 
-static json_t *params_of(const ts_params *params)
+json_t *ts_trace_params(const ts_params *params)
 {
 	json_t *object = json_object();
 	size_t n;
@@ -130,7 +130,8 @@ json_t *ts_trace_describe(const ts_trace_about *about)
 	                 "touchstone-trace", "version", TS_TRACE_VERSION, "contract", TS_CONTRACT_VERSION, "order", "canonical",
 	                 "pipeline", p->name, "effect", p->effect, "paper", p->paper, "scene", "name",
 	                 ts_text_json(about->run->scene->name), "sha256", chain(about, scene), "producer", ts_producer(),
-	                 "arithmetic", ts_arithmetic(), "conventions", conventions(), "params", params_of(&about->run->params),
-	                 "stages", stages_of(about), "buffers", buffers_of(about), "records", records(), "counters",
+	                 "arithmetic", ts_arithmetic(), "conventions", conventions(), "params",
+	                 ts_trace_params(&about->run->params), "stages", stages_of(about), "buffers",
+	                 buffers_of(about), "records", records(), "counters",
 	                 counters_of(about->run));
 }
