@@ -41,7 +41,12 @@
 #define TS_OPT_ORDER TS_OPT(29)
 #define TS_OPT_JUNIT TS_OPT(30)
 #define TS_OPT_TAP TS_OPT(31)
-#define TS_OPT_HELP TS_OPT(32)
+#define TS_OPT_DECIDED TS_OPT(32)
+#define TS_OPT_MARGINS TS_OPT(33)
+#define TS_OPT_REASON TS_OPT(34)
+#define TS_OPT_REFERENCE_DIR TS_OPT(35)
+#define TS_OPT_CHECK TS_OPT(36)
+#define TS_OPT_HELP TS_OPT(37)
 
 /* Truths, as bits. */
 enum { TS_TRUTH_A = 1, TS_TRUTH_B = 2, TS_TRUTH_C = 4 };
@@ -60,6 +65,8 @@ typedef struct {
 	const char *ignore, *mask, *layout, *order, *junit;
 	u64 ulp, allow;
 	double abs, rel;
+	const char *reason, *reference_dir;
+	const char *check;
 	u32 truths;                     /* TS_TRUTH_* */
 	u32 threads, runs;
 } ts_cli;
@@ -117,11 +124,13 @@ void ts_nearest_offer(ts_nearest *nearest, const char *name);
 /* Commands. */
 ts_status ts_help_command(ts_cli *cli);
 ts_status ts_digest_command(ts_cli *cli);
+ts_status ts_golden_command(ts_cli *cli);
 ts_status ts_render_command(ts_cli *cli);
 ts_status ts_info_command(ts_cli *cli);
 ts_status ts_list_command(ts_cli *cli);
 ts_status ts_bench_command(ts_cli *cli);
 ts_status ts_compare_command(ts_cli *cli);
+ts_status ts_vectors_command(ts_cli *cli);
 /* Help of one command, or of all if NULL. */
 void ts_help_print(const ts_command *command);
 

@@ -27,7 +27,7 @@ static ts_status run(int argc, char **argv)
 {
 	if (argc < 2) return ts_fail("no command; \"%s help\" lists all", ts_program);
 	if (strcmp(argv[1], "--version") == 0) {
-		printf("%s %s\n", ts_program, TS_VERSION);
+		printf("%s %s, commit %s\n", ts_program, TS_VERSION, ts_commit());
 		return TS_OK;
 	}
 	if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0) {

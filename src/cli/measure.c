@@ -80,6 +80,7 @@ ts_status ts_measure_run(ts_measure *measure, const ts_pipeline *method, const t
 	run.hook = after_stage;
 	run.hook_user = measure;
 	run.traced = measure->trace != NULL;
+	run.margins = run.traced && measure->trace->margins;
 	ts_status status = TS_OK;
 	if (run.traced) status = ts_trace_write_begin(&measure->writer, method, &run, measure->trace);
 	if (status == TS_OK) status = ts_pipeline_run(method, &run);

@@ -23,13 +23,16 @@ const ts_option ts_option_table[] = {
 	{ TS_OPT_THREADS, "threads", "N", "threads, by default one a core; never changes a result", "" },
 	{ TS_OPT_BACKEND, "backend", "NAME", "what runs the kernels (c); never changes a result", "backends" },
 	{ TS_OPT_REFERENCE, "reference", "", "turn all fast paths off", "" },
-	{ TS_OPT_OUTPUT, "output", "DIR", "folder of the pictures (out); written whole or not at all. Short: -o DIR", "" },
-	{ TS_OPT_FORCE, "force", "", "replace DIR if it holds an earlier render", "" },
+	{ TS_OPT_OUTPUT, "output", "DIR", "folder to write, whole or not at all (render: out). Short: -o DIR", "" },
+	{ TS_OPT_FORCE, "force", "", "replace DIR if an earlier run wrote it", "" },
+	{ TS_OPT_CHECK, "check", "DIR", "folder of what a port computed, to be judged", "" },
 	{ TS_OPT_NO_IMAGES, "no-images", "", "write no files", "" },
 	{ TS_OPT_TRACE, "trace", "", "write every buffer of every stage to DIR/trace-METHOD (reference/TRACES.md)", "" },
 	{ TS_OPT_TRACE_ONLY, "trace-only", "STAGE,...", "trace, but files of these stages only; \"scene\": the scene's arrays",
 	  "stages" },
 	{ TS_OPT_CROP, "crop", "X,Y,W,H", "trace, but this part only of buffers that have a row a row of pixels", "" },
+	{ TS_OPT_MARGINS, "margins", "", "trace, and also how near every decision was, for compare --decided", "" },
+	{ TS_OPT_DECIDED, "decided", "", "judge only what the reference, rendered with --margins, decides", "" },
 	{ TS_OPT_ULP, "ulp", "N", "floats may be N floats apart", "" },
 	{ TS_OPT_ABS, "abs", "A", "floats may be A apart", "" },
 	{ TS_OPT_REL, "rel", "R", "floats may be R times the reference's value apart", "" },
@@ -44,6 +47,8 @@ const ts_option ts_option_table[] = {
 	{ TS_OPT_JSON, "json", "", "print one JSON object and nothing else", "" },
 	{ TS_OPT_FLUSH_DENORMALS, "flush-denormals", "", "let the processor flush denormals, which must not change a digest",
 	  "" },
+	{ TS_OPT_REASON, "reason", "TEXT", "why a golden changes, one line for CHANGES", "" },
+	{ TS_OPT_REFERENCE_DIR, "reference-dir", "DIR", "folder of the goldens (reference)", "" },
 	{ TS_OPT_HELP, "help", "", "this text. Short: -h", "" },
 	{ 0 }
 };
@@ -166,6 +171,9 @@ static ts_status take(ts_cli *cli, u64 bit, const char *text)
 	case TS_OPT_JUNIT: cli->junit = text; break;
 	case TS_OPT_TRACE_ONLY: cli->trace_only = text; break;
 	case TS_OPT_CROP: cli->crop = text; break;
+	case TS_OPT_REASON: cli->reason = text; break;
+	case TS_OPT_REFERENCE_DIR: cli->reference_dir = text; break;
+	case TS_OPT_CHECK: cli->check = text; break;
 	case TS_OPT_BACKEND: return ts_backend_find(&cli->backend, text);
 	case TS_OPT_SET: return set_param(cli, text);
 	case TS_OPT_THREADS: return ts_cli_count(&cli->threads, text, 1, MAX_THREADS, "--threads");

@@ -8,7 +8,8 @@ static bool wants(const ts_render *render, u32 truth) { return (render->cli->tru
 
 static bool traces(const ts_cli *cli)
 {
-	return ts_cli_given(cli, TS_OPT_TRACE) || cli->trace_only != NULL || cli->crop != NULL;
+	return ts_cli_given(cli, TS_OPT_TRACE) || cli->trace_only != NULL || cli->crop != NULL ||
+	       ts_cli_given(cli, TS_OPT_MARGINS);
 }
 
 static bool writes_files(const ts_cli *cli) { return traces(cli) || !ts_cli_given(cli, TS_OPT_NO_IMAGES); }

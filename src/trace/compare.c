@@ -3,6 +3,7 @@
 #include <inttypes.h>
 #include <stdio.h>
 #include "../kernels/num.h"
+#include "decided.h"
 #include "emit.h"
 #include "reader.h"
 #include "tie.h"
@@ -15,6 +16,7 @@ typedef struct {
 	const ts_order *order;
 	const ts_relaxations *relaxations;
 	ts_ties *ties;         /* NULL: the candidate has no freedom here */
+	ts_decided decided;
 	ts_reader *ref, *cand;
 	u32 mask_every;        /* elements a pixel that the mask speaks of; 0: it does not */
 } judge;
@@ -38,41 +40,66 @@ static u64 mapped(const judge *j, const ts_field *field, u64 bits)
 	return index == TS_NONE ? bits : ts_order_map(j->order, index);
 }
 
-static void note_worst(judge *j, const ts_field *field, const ts_difference *d)
+/* The floats of two values: their own, or the depths of keys that name the same thing. False: there are none. */
+static bool floats_of(const ts_field *field, const ts_difference *d, u64 *ref, u64 *cand)
 {
-	i64 ulps = field->kind == 'f' ? ts_field_ulps(d->ref, d->cand) : 0;
-	i64 size = ulps < 0 ? -ulps : ulps, worst = j->verdict->worst_ulps < 0 ? -j->verdict->worst_ulps : j->verdict->worst_ulps;
-	if (size <= worst) return;
+	bool key = field->bytes == 8 && field->of != NULL && d->ref != TS_EMPTY && d->cand != TS_EMPTY;
+	*ref = key ? d->ref >> 32 : d->ref;
+	*cand = key ? d->cand >> 32 : d->cand;
+	return field->kind == 'f' || (key && (u32)d->ref == (u32)d->cand);
+}
+
+static void note_worst(judge *j, const ts_difference *d, u64 ref, u64 cand)
+{
+	i64 ulps = ts_field_ulps(ref, cand);
+	i64 worst = j->verdict->worst_ulps;
+	if ((ulps < 0 ? -ulps : ulps) <= (worst < 0 ? -worst : worst)) return;
 	j->verdict->worst_ulps = ulps;
 	j->verdict->worst = *d;
 }
 
-/* One element. Returns TS_ERROR only if a file could not be read. */
+typedef enum { EQUAL, RELAXED, DIFFERENT } outcome;
+
+/* One component; the first that differs is noted. TS_ERROR only if a file could not be read. */
+static ts_status judge_value(judge *j, const ts_difference *d, outcome *result)
+{
+	const ts_field *field = &j->fields.field[d->field];
+	bool tied = false;
+	*result = EQUAL;
+	if (d->ref == d->cand && !(field->kind == 'f' && ts_field_is_nan(d->cand))) return TS_OK;
+	if (j->ties != NULL && ts_tie_allows(j->ties, d->element, d->ref, d->cand, &tied) != TS_OK) return TS_ERROR;
+	j->verdict->n_tied += tied;
+	if (tied) return TS_OK;
+	u64 ref, cand;
+	*result = DIFFERENT;
+	if (!floats_of(field, d, &ref, &cand)) return TS_OK;
+	note_worst(j, d, ref, cand);
+	if (is_close(j->relaxations, ref, cand)) *result = RELAXED;
+	return TS_OK;
+}
+
 static ts_status judge_element(judge *j, u64 element, const void *ref, const void *cand)
 {
-	bool unlike = false, relaxed = false;
+	outcome worst = EQUAL, result;
+	ts_difference first = {.element = element};
 	for (u32 f = 0; f < j->fields.n; f++) {
 		const ts_field *field = &j->fields.field[f];
 		for (u32 c = 0; c < field->count && !j->ignored[f]; c++) {
 			ts_difference d = {element, f, c, ts_field_bits(field, ref, c), mapped(j, field, ts_field_bits(field, cand, c))};
-			bool nan = field->kind == 'f' && ts_field_is_nan(d.cand);
-			if (d.ref == d.cand && !nan) continue;
-			bool tied = false;
-			if (j->ties != NULL && ts_tie_allows(j->ties, element, d.ref, d.cand, &tied) != TS_OK) return TS_ERROR;
-			j->verdict->n_tied += tied;
-			if (tied) continue;
-			note_worst(j, field, &d);
-			if (field->kind == 'f' && is_close(j->relaxations, d.ref, d.cand)) {
-				relaxed = true;
-				continue;
-			}
-			if (!j->verdict->has_first) j->verdict->first = d;
-			j->verdict->has_first = unlike = true;
+			if (judge_value(j, &d, &result) != TS_OK) return TS_ERROR;
+			if (result == DIFFERENT && worst != DIFFERENT) first = d;
+			worst = result > worst ? result : worst;
 		}
 	}
-	j->verdict->n_different += unlike;
-	if (unlike && j->verdict->marks != NULL) j->verdict->marks[element] = 1;
-	j->verdict->n_relaxed += relaxed && !unlike;
+	bool decided = true;
+	if (worst == DIFFERENT && ts_decided_is(&j->decided, element, &decided) != TS_OK) return TS_ERROR;
+	j->verdict->n_relaxed += worst == RELAXED;
+	j->verdict->n_undecided += !decided;
+	if (worst != DIFFERENT || !decided) return TS_OK;
+	if (!j->verdict->has_first) j->verdict->first = first;
+	j->verdict->has_first = true;
+	j->verdict->n_different++;
+	if (j->verdict->marks != NULL) j->verdict->marks[element] = 1;
 	return TS_OK;
 }
 
@@ -88,7 +115,8 @@ static ts_status judge_sequence(judge *j, u64 n)
 	u64 held_ref, held_cand, held;
 	bool plain = !j->order->given && j->mask_every == 0;
 	for (u64 i = 0; i < n; i += held) {
-		const u8 *ref = ts_reader_at(j->ref, i, &held_ref), *cand = ref != NULL ? ts_reader_at(j->cand, i, &held_cand) : NULL;
+		const u8 *ref = ts_reader_at(j->ref, i, &held_ref);
+		const u8 *cand = ref != NULL ? ts_reader_at(j->cand, i, &held_cand) : NULL;
 		if (cand == NULL) return TS_ERROR;
 		held = held_ref < held_cand ? held_ref : held_cand;
 		held = held < n - i ? held : n - i;
@@ -187,18 +215,20 @@ ts_status ts_compare_buffer(ts_verdict *verdict, ts_buffer_id id, const ts_trace
 	*verdict = (ts_verdict){.n_ref = ref->npy.n, .n_cand = cand->npy.n, .marks = verdict->marks};
 	if (check_shapes(id, ref, cand) != TS_OK) return TS_ERROR;
 	judge j = {.verdict = verdict, .id = id, .fields = ts_fields_of(id), .order = order, .relaxations = relaxations,
-	           .mask_every = elements_a_pixel(id, ref, relaxations)};
+	           .mask_every = elements_a_pixel(id, ref, relaxations), .decided = {.margin = TS_N_BUFFERS}};
 	find_ignored(&j);
 	ts_status status = open_readers(&j, ref, cand);
 	if (status == TS_OK && order->given && id == TS_B_splat_depth_index) {
 		status = ts_ties_open(&ties, reference);
 		j.ties = &ties;
 	}
+	if (status == TS_OK && relaxations->decided) status = ts_decided_open(&j.decided, reference, id);
 	u64 n = ref->npy.n < cand->npy.n ? ref->npy.n : cand->npy.n;
 	if (status == TS_OK) status = set ? judge_set(&j) : judge_sequence(&j, n);
 	if (!set) verdict->n_different += ref->npy.n + cand->npy.n - 2 * n;
 	verdict->judgement = verdict->n_different > relaxations->allow ? TS_UNLIKE : TS_SAME;
 	ts_ties_close(&ties);
+	ts_decided_close(&j.decided);
 	ts_reader_close(j.ref);
 	ts_reader_close(j.cand);
 	return status;
@@ -257,6 +287,8 @@ ts_status ts_compare(ts_comparison *comparison, const ts_trace *reference, const
 	if (status == TS_OK) status = judge_all(comparison, reference, candidate, &order, relaxations);
 	ts_order_free(&order);
 	if (status != TS_OK) return status;
-	if (comparison->n_judged == 0) return ts_fail("%s: no buffer that the reference has too: nothing to judge", candidate->dir);
+	if (comparison->n_judged == 0) {
+		return ts_fail("%s: no buffer that the reference has too: nothing to judge", candidate->dir);
+	}
 	return comparison->n_unlike > 0 ? TS_DIFFERENT : TS_OK;
 }

@@ -7,8 +7,9 @@
 
 /* What need not be exact. All zero: everything must. */
 typedef struct {
-	u64 ulp;            /* floats may be so many floats apart, */
+	u64 ulp;            /* floats, also depths of keys that name the same thing, may be so many floats apart, */
 	double abs, rel;    /* or so far, or so far in parts of the reference's */
+	bool decided;       /* only what the reference decides is judged (decided.h) */
 	u64 allow;          /* so many elements of a buffer may differ */
 	const char *ignore; /* "BUFFER,BUFFER.field,...": not judged; NULL: none */
 	const u8 *mask;     /* H W: pixel buffers are judged only where it is not 0; NULL: everywhere */
@@ -39,6 +40,7 @@ typedef struct {
 	u64 n_tied;          /* texels where another of the tied records won, as it may */
 	u64 n_relaxed;       /* elements that only a relaxation let pass */
 	u64 n_masked;        /* elements that the mask left out */
+	u64 n_undecided;     /* elements that differ where the reference does not decide */
 	bool has_first;      /* false: only partners are missing */
 	ts_difference first, worst; /* worst: of floats, by ulps */
 	i64 worst_ulps;

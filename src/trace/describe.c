@@ -52,9 +52,9 @@ static json_t *stages_of(const ts_trace_about *about)
 {
 	json_t *stages = json_array();
 	for (const ts_step *step = about->pipeline->steps; step->stage != NULL; step++) {
-		if (!ts_pipeline_takes(step, &about->run->params, true)) continue;
-		u32 number = (u32)(step - about->pipeline->steps) + 1;
-		json_array_append_new(stages, stage_of(about, ts_stage_find(step->stage), number));
+		const ts_stage *stage = ts_stage_find(step->stage);
+		if (!ts_pipeline_takes(step, &about->run->params, true) || !about->files[stage->writes[0]].made) continue;
+		json_array_append_new(stages, stage_of(about, stage, ts_emit_number(about->pipeline, stage->writes[0])));
 	}
 	return stages;
 }

@@ -5,7 +5,7 @@
 #include "../core/digest.h"
 #include "emit.h"
 
-enum { TS_TRACE_VERSION = 1, TS_CONTRACT_VERSION = 1 };
+enum { TS_TRACE_VERSION = 1 };
 
 /* A buffer of a trace. */
 typedef struct {

@@ -1,5 +1,6 @@
 /* The kernel of stage splat itself says whether a point offers a distance. */
 #include "tie.h"
+#include <inttypes.h>
 #include <stdlib.h>
 #include "../kernels/splat.h"
 
@@ -42,7 +43,7 @@ static ts_status fetch(ts_reader *reader, const ts_trace *trace, ts_buffer_id id
 {
 	u64 held;
 	const ts_trace_item *item = &trace->item[id];
-	if (index >= item->npy.n) return ts_fail("%s: element %llu is named and not there", item->path, (unsigned long long)index);
+	if (index >= item->npy.n) return ts_fail("%s: element %" PRIu64 " is named and not there", item->path, index);
 	const void *from = ts_reader_at(reader, index, &held);
 	if (from == NULL) return TS_ERROR;
 	memcpy(to, from, ts_buffer_table[id].element_bytes);
