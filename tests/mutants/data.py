@@ -1,6 +1,6 @@
-"""Defects planted in copies of traces, each with the stage, buffer and element that the comparison must name. A function a
-mutant: it changes the candidate and returns what must be found; `base` has a trace, the frame before, and a scene whose
-triangles are all there twice."""
+"""Defects planted in copies of traces, each with the buffer and element that the comparison must name. A function a
+mutant: it gets the reference, the candidate, which it changes, and the bench, which has other traces; it returns what
+must be found."""
 import random
 import struct
 from traces import EMPTY, NONE, Difference
@@ -30,7 +30,8 @@ def first(reference, candidate, buffer):
 
 def indices(trace):
 	"""Buffers that hold indices of points in their lower 32 bits, and what is no index."""
-	return [(name, none) for name, none in (("splat.depth_index", EMPTY), ("lookup.point", NONE)) if name in trace.about]
+	both = (("splat.depth_index", EMPTY), ("lookup.point", NONE))
+	return [(name, none) for name, none in both if name in trace.about]
 
 
 def remap(candidate, place):
@@ -78,7 +79,7 @@ def edit(candidate, buffer, index, change):
 
 
 @mutant("point dropped", arrival=True)
-def _(ref, cand, _base):
+def _(ref, cand, _bench):
 	n = ref["points.key"].n
 	dropped = n // 3
 	reorder(cand, [i for i in range(n) if i != dropped])
@@ -86,28 +87,28 @@ def _(ref, cand, _base):
 
 
 @mutant("point dropped, in order")
-def _(ref, cand, _base):
+def _(ref, cand, _bench):
 	n = ref["points.key"].n
 	reorder(cand, [i for i in range(n) if i != n // 3])
 	return Planted("points.key", ref.where("points.key", n // 3), None, n - n // 3)
 
 
 @mutant("point twice", arrival=True)
-def _(ref, cand, _base):
+def _(ref, cand, _bench):
 	n = ref["points.key"].n
 	reorder(cand, shuffled(n, 1) + [n // 2])
 	return Planted("points.key", ref.where("points.key", n // 2), None, 1)
 
 
 @mutant("point twice, in order")
-def _(ref, cand, _base):
+def _(ref, cand, _bench):
 	n = ref["points.key"].n
 	reorder(cand, list(range(n // 2 + 1)) + list(range(n // 2, n)))
 	return Planted("points.key", ref.where("points.key", n // 2 + 1), None, n - n // 2)
 
 
 @mutant("records swapped, references not", arrival=True)
-def _(ref, cand, _base):
+def _(ref, cand, _bench):
 	"""Both are the only ones of their depth in some texel."""
 	keys = ref["splat.depth_index"].words()
 	texels = texels_where(ref, 0)
@@ -120,7 +121,7 @@ def _(ref, cand, _base):
 
 
 @mutant("records swapped, in order")
-def _(ref, cand, _base):
+def _(ref, cand, _bench):
 	n = ref["points.key"].n
 	order = list(range(n))
 	order[n // 4], order[n // 4 + 1] = n // 4 + 1, n // 4
@@ -129,13 +130,13 @@ def _(ref, cand, _base):
 
 
 @mutant("shuffled and called canonical")
-def _(ref, cand, _base):
+def _(ref, cand, _bench):
 	reorder(cand, shuffled(ref["points.key"].n, 1))
 	return first(ref, cand, "points.key")
 
 
 @mutant("record under another's key", arrival=True)
-def _(ref, cand, _base):
+def _(ref, cand, _bench):
 	"""Keys and records were appended by two counters."""
 	n = ref["points.key"].n
 	records = cand["points.record"]
@@ -149,19 +150,19 @@ def _(ref, cand, _base):
 
 
 @mutant("depths of the frame before")
-def _(ref, cand, base):
-	cand.put("eye.depth_triangle", base["before"]["eye.depth_triangle"])
+def _(ref, cand, bench):
+	cand.put("eye.depth_triangle", bench["before"]["eye.depth_triangle"])
 	return first(ref, cand, "eye.depth_triangle")
 
 
 @mutant("cubes of the frame before")
-def _(ref, cand, base):
-	cand.put("splat.depth_index", base["before"]["splat.depth_index"])
+def _(ref, cand, bench):
+	cand.put("splat.depth_index", bench["before"]["splat.depth_index"])
 	return first(ref, cand, "splat.depth_index")
 
 
 @mutant("24 bits of depth kept")
-def _(ref, cand, _base):
+def _(ref, cand, _bench):
 	cubes = cand["splat.depth_index"]
 	cubes.set_words([w if w == EMPTY else w & 0xffffff00ffffffff for w in cubes.words()])
 	cand.put("splat.depth_index", cubes)
@@ -177,7 +178,7 @@ def put_float(candidate, buffer, element, field, component, bits):
 
 
 @mutant("-0 for 0")
-def _(ref, cand, _base):
+def _(ref, cand, _bench):
 	frames = ref["align.frame"]
 	piece, k = next((i, k) for i in range(frames.n // 2, frames.n) for k in range(3) if frames.get(i, "u")[k] == 0)
 	put_float(cand, "align.frame", piece, "u", k, 0x80000000)
@@ -185,7 +186,7 @@ def _(ref, cand, _base):
 
 
 @mutant("-0 for 0 in a point", arrival=True)
-def _(ref, cand, _base):
+def _(ref, cand, _bench):
 	"""In any order, the key must lead to it."""
 	points = ref["points.record"]
 	point, k = next((i, k) for i in range(points.n // 3, points.n) for k in range(3) if points.get(i, "centre")[k] == 0)
@@ -195,14 +196,14 @@ def _(ref, cand, _base):
 
 
 @mutant("one NaN")
-def _(ref, cand, _base):
+def _(ref, cand, _bench):
 	at = ref["shade.radiance"].n // 2
 	edit(cand, "shade.radiance", at, lambda _: float("nan"))
 	return Planted("shade.radiance", ref.where("shade.radiance", at), None, 1)
 
 
 @mutant("one ulp")
-def _(ref, cand, _base):
+def _(ref, cand, _bench):
 	frames = ref["align.frame"]
 	bits, = struct.unpack("<I", struct.pack("<f", frames.get(7, "c")[1]))
 	put_float(cand, "align.frame", 7, "c", 1, bits + 1)
@@ -210,7 +211,7 @@ def _(ref, cand, _base):
 
 
 @mutant("image transposed")
-def _(ref, cand, _base):
+def _(ref, cand, _bench):
 	image = cand["image.radiance"]
 	height, width, _ = image.shape
 	pixels = [image.data[i * 12:i * 12 + 12] for i in range(height * width)]
@@ -220,16 +221,16 @@ def _(ref, cand, _base):
 
 
 @mutant("image transposed, and its shape")
-def _(ref, cand, _base):
+def _(ref, cand, _bench):
 	image = cand["image.radiance"]
 	height, width, _ = image.shape
 	image.shape = (width, height, 3)
 	cand.put("image.radiance", image)
-	return Planted(refused=f"image.radiance.npy: shape {width} x {height} x 3; the reference's is {height} x {width} x 3")
+	return Planted(refused=f"radiance.npy: shape {width} x {height} x 3; the reference's is {height} x {width} x 3")
 
 
 @mutant("cube face transposed")
-def _(ref, cand, _base):
+def _(ref, cand, _bench):
 	n, = ref["resize.face"].get(1, "n")
 	at, = ref["resize.face"].get(1, "offset")
 	at += 4 * n * n
@@ -244,7 +245,7 @@ def _(ref, cand, _base):
 
 
 @mutant("cube faces swapped")
-def _(ref, cand, _base):
+def _(ref, cand, _bench):
 	n, = ref["resize.face"].get(2, "n")
 	at, = ref["resize.face"].get(2, "offset")
 	at += 2 * n * n
@@ -259,7 +260,7 @@ def _(ref, cand, _base):
 
 
 @mutant("srgb applied twice")
-def _(ref, cand, _base):
+def _(ref, cand, _bench):
 	def encode(byte):
 		x = byte / 255
 		return round(255 * (12.92 * x if x <= 0.0031308 else 1.055 * x ** (1 / 2.4) - 0.055))
@@ -270,7 +271,7 @@ def _(ref, cand, _base):
 
 
 @mutant("last reflective pixel missing")
-def _(ref, cand, _base):
+def _(ref, cand, _bench):
 	pixels = cand["pixel.record"]
 	pixels.set_elements(pixels.elements()[:-1])
 	cand.put("pixel.record", pixels)
@@ -278,7 +279,7 @@ def _(ref, cand, _base):
 
 
 @mutant("look-up of the next point")
-def _(ref, cand, _base):
+def _(ref, cand, _bench):
 	found = ref["lookup.point"].words()
 	at = next(i for i in range(len(found) // 2, len(found)) if found[i] != NONE)
 	edit(cand, "lookup.point", at, lambda point: point + 1)
@@ -286,34 +287,35 @@ def _(ref, cand, _base):
 
 
 @mutant("another point, where none ties", arrival=True)
-def _(ref, cand, _base):
+def _(ref, cand, _bench):
 	texel = texels_where(ref, 0)[100]
 	edit(cand, "splat.depth_index", texel, lambda key: key ^ 1)
 	return Planted("splat.depth_index", ref.texel(texel), None, 1)
 
 
 @mutant("point that does not tie", of="twice", arrival=True)
-def _(ref, cand, _base):
+def _(ref, cand, _bench):
 	"""Where two points of equal distance may win, a third must not."""
 	texel = texels_where(ref, 1)[50]
-	pieces = ref["split.triangle"]
-	here, = ref["points.record"].get(ref["splat.depth_index"].words()[texel] & NONE, "piece")
-	def place(piece):
+	pieces, points = ref["split.triangle"], ref["points.record"]
+	def place(point):
+		piece, = points.get(point, "piece")
 		return [pieces.get(piece, corner) for corner in "abc"]
-	other = next(i for i in range(ref["points.record"].n) if place(*ref["points.record"].get(i, "piece")) != place(here))
+	here = place(ref["splat.depth_index"].words()[texel] & NONE)
+	other = next(i for i in range(points.n) if place(i) != here)
 	edit(cand, "splat.depth_index", texel, lambda key: key & ~NONE | other)
 	return Planted("splat.depth_index", ref.texel(texel), None, 1)
 
 
 @mutant("tied texel of another depth", of="twice", arrival=True)
-def _(ref, cand, _base):
+def _(ref, cand, _bench):
 	texel = texels_where(ref, 1)[60]
 	edit(cand, "splat.depth_index", texel, lambda key: key + (1 << 32))
 	return Planted("splat.depth_index", ref.texel(texel), None, 1)
 
 
 @mutant("file cut short")
-def _(ref, cand, _base):
+def _(ref, cand, _bench):
 	faces = cand["resize.face"]
 	faces.data = faces.data[:-8]
 	cand.put("resize.face", faces)

@@ -1,5 +1,5 @@
-"""Traces as a port's author would read and write them: the standard library and nothing of ours. Says by itself where two
-buffers first differ, so that the words of `touchstone compare` can be checked and not only believed."""
+"""Traces as the author of a port would read and write them, with nothing of ours. Says by itself where two buffers
+first differ, so that the words of `touchstone compare` can be checked and not only believed."""
 import ast
 import json
 import os
@@ -97,7 +97,8 @@ class Trace:
 
 	def order(self):
 		"""Names of the buffers that stages make, in the order of the pipeline."""
-		return sorted((name for name in self.about if name in self.stages), key=lambda name: self.numbers[self.stages[name]])
+		made = [name for name in self.about if name in self.stages]
+		return sorted(made, key=lambda name: self.numbers[self.stages[name]])
 
 	def copy(self, folder, arrival=False):
 		"""A candidate beside it: links to the files, but not to the scene's, which a port reads from ours."""
@@ -185,7 +186,7 @@ class Difference:
 
 
 LINE = re.compile(r"stage (?P<number>\d\d) (?P<stage>\w+), buffer (?P<buffer>[\w.]+), (?P<what>.*?)"
-                  r"(?: — first of (?P<n>\d+)(?P<beside> missing, \d+ beside)?)?; (?P<inputs>inputs .*|equal as far .*)$")
+                  r"(?: — first of (?P<n>\d+)(?: missing, \d+ beside)?)?; (?P<inputs>(?:equal as far .*)?inputs .*)$")
 
 
 def read_line(line):
