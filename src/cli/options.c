@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <strings.h>
 #include "cli.h"
+#include "sweep.h"
 
 const ts_option ts_option_table[] = {
 	{ TS_OPT_METHOD, "method", "NAME,...", "methods to run, or \"all\" (the default)", "methods" },
@@ -19,7 +20,7 @@ const ts_option ts_option_table[] = {
 	{ TS_OPT_SCENE, "scene", "SPEC,...", "scenes to measure, instead of atrium,gallery,dining", "" },
 	{ TS_OPT_OBJECTS, "objects", "N,...", "numbers of mirrors to measure, instead of 1,10,20,50", "" },
 	{ TS_OPT_RUNS, "runs", "N", "runs of which the median is taken (3)", "" },
-	{ TS_OPT_SET, "set", "NAME=VALUE", "any parameter, repeatable", "params" },
+	{ TS_OPT_SET, "set", "NAME=VALUE", "any parameter, repeatable; render takes lists, NAME=A,B, and prints CSV", "params" },
 	{ TS_OPT_THREADS, "threads", "N", "threads, by default one a core; never changes a result", "" },
 	{ TS_OPT_BACKEND, "backend", "NAME", "what runs the kernels (c); never changes a result", "backends" },
 	{ TS_OPT_REFERENCE, "reference", "", "turn all fast paths off", "" },
@@ -44,6 +45,10 @@ const ts_option ts_option_table[] = {
 	{ TS_OPT_ORDER, "order", "ORDER", "of the points of such a candidate: canonical (the default) or arrival", "" },
 	{ TS_OPT_JUNIT, "junit", "FILE", "also write the verdicts as JUnit XML, a case a stage", "" },
 	{ TS_OPT_TAP, "tap", "", "print the verdicts as TAP, a line a stage", "" },
+	{ TS_OPT_PIXEL, "pixel", "X,Y", "pixel of the eye, or texel of the face of --view, from the top left", "" },
+	{ TS_OPT_VIEW, "view", "VIEW", "eye (the default), or REFLECTOR.FACE of a cube: 3.+X, or 3.0", "" },
+	{ TS_OPT_TRIANGLE, "triangle", "T", "triangle, from 0", "" },
+	{ TS_OPT_POINT, "point", "P", "point, by its index or its key PIECE,X,Y", "" },
 	{ TS_OPT_JSON, "json", "", "print one JSON object and nothing else", "" },
 	{ TS_OPT_FLUSH_DENORMALS, "flush-denormals", "", "let the processor flush denormals, which must not change a digest",
 	  "" },
@@ -94,7 +99,8 @@ static ts_status set_param(ts_cli *cli, const char *assignment)
 		return ts_fail("--set %s: no such parameter; the nearest is %s%s", name, nearest.best,
 		               ts_cli_find("list") != NULL ? ", and \"touchstone list params\" lists all" : "");
 	}
-	return ts_params_set(&cli->params, name, equals + 1);
+	return strchr(equals, ',') != NULL ? ts_sweep_add(&cli->sweep, &cli->params, name, equals + 1)
+	                                   : ts_params_set(&cli->params, name, equals + 1);
 }
 
 #define DIGITS "0123456789"
@@ -169,6 +175,10 @@ static ts_status take(ts_cli *cli, u64 bit, const char *text)
 	case TS_OPT_LAYOUT: cli->layout = text; break;
 	case TS_OPT_ORDER: cli->order = text; break;
 	case TS_OPT_JUNIT: cli->junit = text; break;
+	case TS_OPT_PIXEL: cli->pixel = text; break;
+	case TS_OPT_VIEW: cli->view = text; break;
+	case TS_OPT_POINT: cli->point = text; break;
+	case TS_OPT_TRIANGLE: return set_number(&cli->triangle, text, "--triangle");
 	case TS_OPT_TRACE_ONLY: cli->trace_only = text; break;
 	case TS_OPT_CROP: cli->crop = text; break;
 	case TS_OPT_REASON: cli->reason = text; break;
