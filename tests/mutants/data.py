@@ -28,18 +28,27 @@ def first(reference, candidate, buffer):
 	return Planted(buffer, difference.where, difference.field or None, difference.n)
 
 
-def indices(trace):
-	"""Buffers that hold indices of points in their lower 32 bits, and what is no index."""
-	both = (("splat.depth_index", EMPTY), ("lookup.point", NONE))
-	return [(name, none) for name, none in both if name in trace.about]
+# Buffers that hold indices of points in their lower 32 bits, and what is no index; and those with a field of that.
+INDICES = {"splat.depth_index": EMPTY, "lookup.point": NONE, "lookup2.point": NONE, "lookup3.point": NONE}
+QUEUES = ("lookup2.parent", "lookup3.parent")
 
 
 def remap(candidate, place):
 	"""Every index of a point becomes place[index]."""
-	for name, none in indices(candidate):
-		buffer = candidate[name]
+	for name in [name for name in INDICES if name in candidate.about]:
+		buffer, none = candidate[name], INDICES[name]
 		buffer.set_words([w if w == none else w & ~NONE | place[w & NONE] for w in buffer.words()])
 		candidate.put(name, buffer)
+	for name in [name for name in QUEUES if name in candidate.about]:
+		buffer = candidate[name]
+		for i in range(buffer.n):
+			put_field(buffer, i, "point", 0, place[buffer.get(i, "point")[0]])
+		candidate.put(name, buffer)
+
+
+def put_field(buffer, element, field, component, bits):
+	at = element * buffer.bytes + next(f.offset for f in buffer.fields if f.name == field) + 4 * component
+	struct.pack_into("<I", buffer.data, at, bits)
 
 
 def reorder(candidate, order, remapped=True):
@@ -169,12 +178,10 @@ def _(ref, cand, _bench):
 	return first(ref, cand, "splat.depth_index")
 
 
-def put_float(candidate, buffer, element, field, component, bits):
-	data = candidate[buffer]
-	row = bytearray(data.element(element))
-	struct.pack_into("<I", row, next(f.offset for f in data.fields if f.name == field) + 4 * component, bits)
-	data.put(element, row)
-	candidate.put(buffer, data)
+def put_float(candidate, name, element, field, component, bits):
+	buffer = candidate[name]
+	put_field(buffer, element, field, component, bits)
+	candidate.put(name, buffer)
 
 
 @mutant("-0 for 0")
