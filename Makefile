@@ -68,7 +68,7 @@ CPP_LIBS := -DTS_EMBREE=$(EMBREE) $(call packages,--cflags,OpenImageIO jansson l
 LIBS := -lembree$(EMBREE) $(call packages,--libs,OpenImageIO jansson libcrypto zlib) $(call packages,--libs,tinygltf) -lm
 CORE_LIBS = -lcrypto -lm
 # These do without, or install it first.
-WITHOUT := core %/touchstone-core golden demo test fuzz matrix matrix-short style format deps uninstall clean help
+WITHOUT := core %/touchstone-core golden demo test fuzz matrix matrix-short mutants style format deps uninstall clean help
 ifeq (,$(EMBREE))
 ifneq (,$(filter-out $(WITHOUT),$(or $(MAKECMDGOALS),all)))
 $(error Embree 3 or 4 is not installed: run scripts/install-deps (or make demo))
@@ -196,6 +196,12 @@ matrix matrix-short:
 	$(Q)scripts/install-deps --matrix
 	$(Q)scripts/matrix $(if $(filter matrix-short,$@),--short)
 
+##   mutants            defects planted in sources and traces: each must be found where it was planted
+mutants: deps
+	$(Q)$(MAKE) --no-print-directory all
+	$(Q)BUILD='$(BUILD)' COMPILE='$(CC) $(C_FLAGS) $(CPP_LIBS)' LINK='$(CXX) $(LINK_FLAGS)' \
+		WITH='$(CLI_O) $(BUILD)/libtouchstone.a $(LIBS)' scripts/mutants $(T)
+
 ##   bench              the papers' tables, measured here
 bench: all
 	build/touchstone bench epr-1
@@ -235,4 +241,4 @@ help:
 	@sed -n 's/^##//p' $(firstword $(MAKEFILE_LIST))
 
 FORCE:
-.PHONY: all core golden demo test tests fuzz matrix matrix-short bench style format deps install uninstall clean help FORCE
+.PHONY: all core golden demo test tests fuzz matrix matrix-short mutants bench style format deps install uninstall clean help FORCE
