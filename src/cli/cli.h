@@ -46,7 +46,11 @@
 #define TS_OPT_REASON TS_OPT(34)
 #define TS_OPT_REFERENCE_DIR TS_OPT(35)
 #define TS_OPT_CHECK TS_OPT(36)
-#define TS_OPT_HELP TS_OPT(37)
+#define TS_OPT_PIXEL TS_OPT(37)
+#define TS_OPT_VIEW TS_OPT(38)
+#define TS_OPT_TRIANGLE TS_OPT(39)
+#define TS_OPT_POINT TS_OPT(40)
+#define TS_OPT_HELP TS_OPT(41)
 
 /* Truths, as bits. */
 enum { TS_TRUTH_A = 1, TS_TRUTH_B = 2, TS_TRUTH_C = 4 };
@@ -72,7 +76,8 @@ typedef struct {
 	const ts_backend *backend;
 	const char *method, *scenes, *objects, *output, *trace_only, *crop;
 	const char *ignore, *mask, *layout, *order, *junit;
-	u64 ulp, allow;
+	const char *pixel, *view, *point;
+	u64 ulp, allow, triangle;
 	double abs, rel;
 	const char *reason, *reference_dir;
 	const char *check;
@@ -140,6 +145,7 @@ ts_status ts_list_command(ts_cli *cli);
 ts_status ts_bench_command(ts_cli *cli);
 ts_status ts_compare_command(ts_cli *cli);
 ts_status ts_vectors_command(ts_cli *cli);
+ts_status ts_probe_command(ts_cli *cli);
 /* Help of one command, or of all if NULL. */
 void ts_help_print(const ts_command *command);
 

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <touchstone/image.h>
 #include "../trace/field.h"
+#include "../trace/relax.h"
 #include "table.h"
 
 typedef struct { f32 *pixels; u32 width, height, channels; } picture;
@@ -19,17 +20,6 @@ static ts_status read_pictures(picture p[2], const ts_cli *cli)
 	return ts_fail("%s: %u x %u with %u channels; the reference has %u x %u with %u", cli->arguments[1],
 	               (unsigned)p[1].width, (unsigned)p[1].height, (unsigned)p[1].channels, (unsigned)p[0].width,
 	               (unsigned)p[0].height, (unsigned)p[0].channels);
-}
-
-static bool is_close(const ts_cli *cli, f32 ref, f32 cand)
-{
-	u64 a = ts_f2u(ref), b = ts_f2u(cand);
-	i64 ulps = ts_field_ulps(a, b);
-	double apart = (double)ref - (double)cand, size = ref < 0 ? -(double)ref : (double)ref;
-	apart = apart < 0 ? -apart : apart;
-	if (ulps == INT64_MAX) return false;
-	return (u64)(ulps < 0 ? -ulps : ulps) <= cli->ulp || (cli->abs > 0 && apart <= cli->abs) ||
-	       (cli->rel > 0 && apart <= cli->rel * size);
 }
 
 static void tell_first(ts_report *report, const picture *p, u64 first, u64 n_unlike)
@@ -49,13 +39,14 @@ static void tell_first(ts_report *report, const picture *p, u64 first, u64 n_unl
 ts_status ts_compare_images(const ts_cli *cli)
 {
 	picture p[2] = { { .pixels = NULL }, { .pixels = NULL } };
+	ts_relaxations relaxations = { .ulp = cli->ulp, .abs = cli->abs, .rel = cli->rel };
 	ts_status status = read_pictures(p, cli);
 	u64 n = (u64)p[0].width * p[0].height * p[0].channels, first = 0, n_unlike = 0;
 	double squares = 0;
 	for (u64 i = 0; status == TS_OK && i < n; i++) {
 		double apart = (double)p[0].pixels[i] - (double)p[1].pixels[i];
 		squares += apart * apart;
-		if (is_close(cli, p[0].pixels[i], p[1].pixels[i])) continue;
+		if (ts_relax_close(&relaxations, ts_f2u(p[0].pixels[i]), ts_f2u(p[1].pixels[i]))) continue;
 		if (n_unlike++ == 0) first = i;
 	}
 	if (status == TS_OK) {

@@ -2,6 +2,7 @@
 #include "compare.h"
 #include <inttypes.h>
 #include <string.h>
+#include "../scene/print.h"
 #include "../trace/emit.h"
 #include "../trace/where.h"
 
@@ -130,11 +131,11 @@ void ts_compare_report(ts_report *report, const ts_comparison *c, const ts_trace
 	ts_report_line(report, "%s", "");
 	ts_report_line(report, "%u buffers judged, %u different, %u missing%s%s", (unsigned)c->n_judged, (unsigned)c->n_unlike,
 	               (unsigned)c->n_missing, relaxed[0] != 0 ? "; relaxed:" : "", relaxed);
-	ts_report_value(report, "reference", json_string(reference->dir));
-	ts_report_value(report, "candidate", json_string(candidate->dir));
-	ts_report_value(report, "candidate_producer", json_string(candidate->producer));
+	ts_report_value(report, "reference", ts_text_json(reference->dir));
+	ts_report_value(report, "candidate", ts_text_json(candidate->dir));
+	ts_report_value(report, "candidate_producer", ts_text_json(candidate->producer));
 	ts_report_value(report, "candidate_order", json_string(candidate->arrival ? "arrival" : "canonical"));
-	ts_report_value(report, "relaxations", json_string(relaxed[0] != 0 ? relaxed + 1 : ""));
+	ts_report_value(report, "relaxations", ts_text_json(relaxed[0] != 0 ? relaxed + 1 : ""));
 	ts_report_value(report, "verdict", json_string(c->n_unlike > 0 ? "different" : "same"));
 	if (c->first == TS_N_BUFFERS) return;
 	ts_compare_line(line, c, reference, c->first);

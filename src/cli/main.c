@@ -33,6 +33,12 @@ const ts_command ts_command_table[] = {
 	  2, 2, TS_OPT_DECIDED | TS_OPT_ULP | TS_OPT_ABS | TS_OPT_REL | TS_OPT_ALLOW | TS_OPT_IGNORE | TS_OPT_MASK |
 	  TS_OPT_LAYOUT | TS_OPT_ORDER | TS_OPT_JUNIT | TS_OPT_TAP | TS_OPT_OUTPUT | TS_OPT_FORCE | TS_OPT_JSON,
 	  ts_compare_command },
+	{ "probe", "TRACE", "why a pixel, texel, triangle or point of a trace is what it is",
+	  "TRACE: a folder that render --trace wrote, or a port's.\n"
+	  "--pixel: who competed for it, who won by how much, what each sample looked up, each term of its light.\n"
+	  "--triangle, --point: where it went, and which stage lost it.\n"
+	  "What the buffers do not hold is computed again; each \"check\" says whether that has the bits of a buffer.",
+	  1, 1, TS_OPT_PIXEL | TS_OPT_VIEW | TS_OPT_TRIANGLE | TS_OPT_POINT | TS_OPT_JSON, ts_probe_command },
 	{ "digest", "[SCENE]", "SHA-256 of every buffer of a built-in scene, in pipeline order", "",
 	  0, 1, TS_OPT_METHOD | TS_OPT_SIZE | TS_OPT_FRAME | TS_OPT_REFLECTORS | TS_OPT_SET | HOW | TS_OPT_FLUSH_DENORMALS,
 	  ts_digest_command },

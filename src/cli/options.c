@@ -45,6 +45,10 @@ const ts_option ts_option_table[] = {
 	{ TS_OPT_ORDER, "order", "ORDER", "of the points of such a candidate: canonical (the default) or arrival", "" },
 	{ TS_OPT_JUNIT, "junit", "FILE", "also write the verdicts as JUnit XML, a case a stage", "" },
 	{ TS_OPT_TAP, "tap", "", "print the verdicts as TAP, a line a stage", "" },
+	{ TS_OPT_PIXEL, "pixel", "X,Y", "pixel of the eye, or texel of the face of --view, from the top left", "" },
+	{ TS_OPT_VIEW, "view", "VIEW", "eye (the default), or REFLECTOR.FACE of a cube: 3.+X, or 3.0", "" },
+	{ TS_OPT_TRIANGLE, "triangle", "T", "triangle, from 0", "" },
+	{ TS_OPT_POINT, "point", "P", "point, by its index or its key PIECE,X,Y", "" },
 	{ TS_OPT_JSON, "json", "", "print one JSON object and nothing else", "" },
 	{ TS_OPT_FLUSH_DENORMALS, "flush-denormals", "", "let the processor flush denormals, which must not change a digest",
 	  "" },
@@ -171,6 +175,10 @@ static ts_status take(ts_cli *cli, u64 bit, const char *text)
 	case TS_OPT_LAYOUT: cli->layout = text; break;
 	case TS_OPT_ORDER: cli->order = text; break;
 	case TS_OPT_JUNIT: cli->junit = text; break;
+	case TS_OPT_PIXEL: cli->pixel = text; break;
+	case TS_OPT_VIEW: cli->view = text; break;
+	case TS_OPT_POINT: cli->point = text; break;
+	case TS_OPT_TRIANGLE: return set_number(&cli->triangle, text, "--triangle");
 	case TS_OPT_TRACE_ONLY: cli->trace_only = text; break;
 	case TS_OPT_CROP: cli->crop = text; break;
 	case TS_OPT_REASON: cli->reason = text; break;

@@ -21,7 +21,7 @@ TS_FN i32 ts_k_cull_threshold(f32 pixels)
 	return ts_max_i32(ts_fix(p, 24, 25), 0);
 }
 
-/* Area of a piece in the pixels of the tenth. */
+/* The piece's area. */
 TS_FN f32 ts_k_cull_pixels(const ts_cull_args *args, u64 i)
 {
 	TS_GLOBAL const ts_piece *piece = &args->pieces[i];
@@ -29,18 +29,18 @@ TS_FN f32 ts_k_cull_pixels(const ts_cull_args *args, u64 i)
 	return (ts_k_area(ts_load3(piece->a), ts_load3(piece->b), ts_load3(piece->c)) * s) * s;
 }
 
-TS_FN u32 ts_k_cull_random(const ts_cull_args *args, u64 i)
+/* The piece's random number, in 2^-24. */
+TS_FN i32 ts_k_cull_chance(const ts_cull_args *args, u64 i)
 {
 	TS_GLOBAL const ts_piece *piece = &args->pieces[i];
 	u32 id = piece->path == 1u ? piece->triangle : piece->triangle ^ ts_pcg(piece->path);
-	return ts_random(id, TS_STREAM_CULL, args->seed);
+	return (i32)(ts_random(id, TS_STREAM_CULL, args->seed) >> 8);
 }
 
 /* map over pieces */
 TS_FN void ts_k_cull_item(const ts_cull_args *args, u64 i)
 {
-	i32 threshold = ts_k_cull_threshold(ts_k_cull_pixels(args, i));
-	bool drop = args->enabled != 0u && (i32)(ts_k_cull_random(args, i) >> 8) < threshold;
+	bool drop = args->enabled != 0u && ts_k_cull_chance(args, i) < ts_k_cull_threshold(ts_k_cull_pixels(args, i));
 	args->keep[i] = args->scale[i] > 0.0f && !drop ? 1u : 0u;
 }
 

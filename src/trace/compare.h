@@ -4,17 +4,7 @@
 #include "field.h"
 #include "order.h"
 #include "read.h"
-
-/* What need not be exact. All zero: everything must. */
-typedef struct {
-	u64 ulp;            /* floats, also depths of keys that name the same thing, may be so many floats apart, */
-	double abs, rel;    /* or so far, or so far in parts of the reference's */
-	bool decided;       /* only what the reference decides is judged (decided.h) */
-	u64 allow;          /* so many elements of a buffer may differ */
-	const char *ignore; /* "BUFFER,BUFFER.field,...": not judged; NULL: none */
-	const u8 *mask;     /* H W: pixel buffers are judged only where it is not 0; NULL: everywhere */
-	u32 mask_width, mask_height;
-} ts_relaxations;
+#include "relax.h"
 
 typedef enum {
 	TS_NOT_JUDGED, /* the reference lacks it, or neither has it */

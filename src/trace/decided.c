@@ -24,8 +24,7 @@ ts_status ts_decided_open(ts_decided *decided, const ts_trace *reference, ts_buf
 		return ts_fail("%s: --decided needs %s for each element of %s; render the reference with --margins", reference->dir,
 		               ts_buffer_table[decided->margin].name, ts_buffer_table[id].name);
 	}
-	size_t bytes = ts_buffer_table[decided->margin].element_bytes;
-	decided->reader = ts_reader_open(item->path, item->npy.data_at, item->npy.n, bytes);
+	decided->reader = ts_trace_read(item, decided->margin);
 	return decided->reader != NULL ? TS_OK : TS_ERROR;
 }
 

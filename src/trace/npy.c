@@ -106,16 +106,20 @@ static span take_literal(span *s)
 	return literal;
 }
 
-/* Equal but for blanks, the kind of quotes, and the byte order of single bytes. */
+/* Equal but for blanks outside of quotes, the kind of quotes, and the byte order of single bytes. */
 static bool same_literal(span a, span b)
 {
+	bool quoted = false;
 	for (;;) {
-		skip_blanks(&a);
-		skip_blanks(&b);
+		if (!quoted) {
+			skip_blanks(&a);
+			skip_blanks(&b);
+		}
 		if (a.at == a.end || b.at == b.end) return a.at == a.end && b.at == b.end;
 		char x = *a.at == '"' ? '\'' : *a.at, y = *b.at == '"' ? '\'' : *b.at;
 		bool order = y == '|' && (x == '<' || x == '>' || x == '=');
 		if (x != y && !order) return false;
+		quoted ^= x == '\'';
 		a.at++;
 		b.at++;
 	}
@@ -126,6 +130,7 @@ static span text_of(const char *text) { return (span){text, text + strlen(text)}
 /* "(3, 4)", "(3,)": 1 to TS_MAX_DIMS whole numbers. */
 static bool parse_shape(span s, u32 *n_dims, u64 shape[TS_MAX_DIMS])
 {
+	bool comma = false;
 	*n_dims = 0;
 	if (!take(&s, '(')) return false;
 	while (!take(&s, ')')) {
@@ -138,10 +143,12 @@ static bool parse_shape(span s, u32 *n_dims, u64 shape[TS_MAX_DIMS])
 			n = n * 10 + digit;
 		}
 		shape[(*n_dims)++] = n;
-		if (!take(&s, ',') && (s.at == s.end || *s.at != ')')) return false;
+		bool more = take(&s, ',');
+		if (!more && (s.at == s.end || *s.at != ')')) return false;
+		comma |= more;
 	}
 	skip_blanks(&s);
-	return s.at == s.end && *n_dims > 0;
+	return s.at == s.end && comma; /* "(3)" is a number */
 }
 
 typedef struct { span descr, order, shape; } header_text;
@@ -171,7 +178,7 @@ static bool find_text(const char *head, size_t head_bytes, span *text)
 {
 	if (head_bytes < PREFIX || memcmp(head, "\x93NUMPY", 6) != 0) return false;
 	const unsigned char *raw = (const unsigned char *)head;
-	if (raw[6] < 1 || raw[6] > 3) return false;
+	if (raw[6] < 1 || raw[6] > 3 || raw[7] != 0) return false;
 	size_t prefix = raw[6] == 1 ? PREFIX : PREFIX + 2;
 	if (head_bytes < prefix) return false;
 	size_t n = raw[8] | (size_t)raw[9] << 8;
@@ -199,6 +206,7 @@ ts_status ts_npy_parse(ts_npy *npy, const char *path, const char *head, size_t h
 		return ts_fail("%s: its shape is not 1 to %d whole numbers whose product a file can hold", path, TS_MAX_DIMS);
 	}
 	npy->data_at = (u64)(text.end - head);
-	if (file_bytes - npy->data_at == bytes) return TS_OK;
-	return ts_fail("%s: %" PRIu64 " bytes of data; its shape needs %" PRIu64, path, file_bytes - npy->data_at, bytes);
+	u64 held = file_bytes > npy->data_at ? file_bytes - npy->data_at : 0;
+	if (held == bytes) return TS_OK;
+	return ts_fail("%s: %" PRIu64 " bytes of data; its shape needs %" PRIu64, path, held, bytes);
 }

@@ -1,102 +1,138 @@
-/* Sorting a candidate's keys, and meeting them with the reference's. 16 bytes a record at most. */
+/* Finding a candidate's keys among the reference's. 16 bytes a record at most. */
 #include "order.h"
-#include "../kernels/scene.h"
-#include <inttypes.h>
 #include <stdlib.h>
+#include "../kernels/num.h"
 #include "reader.h"
 
-/* Without padding: 12 bytes. */
-typedef struct { u32 high, low, index; } entry;
+enum { INDEX_BITS = 20, N_SLICES = 1 << INDEX_BITS, AHEAD = 32 };
 
-static int by_key(const void *a, const void *b)
-{
-	const entry *x = a, *y = b;
-	if (x->high != y->high) return x->high < y->high ? -1 : 1;
-	if (x->low != y->low) return x->low < y->low ? -1 : 1;
-	return x->index < y->index ? -1 : x->index > y->index;
-}
-
-static u64 key_of(const entry *e) { return (u64)e->high << 32 | e->low; }
+/* The reference's keys, and where those begin that share the upper bits; slices[N_SLICES] ends the last. */
+typedef struct {
+	u64 *keys;
+	u32 *slices;
+	u32 shift;
+} key_index;
 
 static ts_reader *open_keys(const ts_trace *trace)
 {
 	const ts_trace_item *item = &trace->item[TS_B_points_key];
-	return ts_reader_open(item->path, item->npy.data_at, item->npy.n, sizeof(u64));
+	return ts_trace_read(item, TS_B_points_key);
 }
 
-static entry *sorted_keys(const ts_trace *trace)
+static ts_status read_keys(u64 *keys, const ts_trace *trace, u64 n)
 {
-	u64 n = trace->item[TS_B_points_key].npy.n, held = 0;
-	entry *entries = ts_alloc((size_t)n, sizeof *entries, "keys of points");
-	ts_reader *reader = entries != NULL ? open_keys(trace) : NULL;
-	for (u64 i = 0; reader != NULL && i < n; i += held) {
-		const u64 *keys = ts_reader_at(reader, i, &held);
-		if (keys == NULL) {
-			ts_reader_close(reader);
-			reader = NULL;
-			break;
-		}
-		for (u64 k = 0; k < held; k++) entries[i + k] = (entry){(u32)(keys[k] >> 32), (u32)keys[k], (u32)(i + k)};
-	}
-	if (reader == NULL) {
-		free(entries);
-		return NULL;
-	}
-	ts_reader_close(reader);
-	qsort(entries, (size_t)n, sizeof *entries, by_key);
-	return entries;
-}
-
-static void count_extra(ts_order *order, u64 key, bool twice)
-{
-	order->n_twice += twice;
-	if (order->n_extra++ == 0) order->extra = key;
-}
-
-/* Passes the candidate's keys below `key`. */
-static void skip_below(ts_order *order, const entry *entries, u64 *at, u64 key)
-{
-	for (; *at < order->n_cand && key_of(&entries[*at]) < key; (*at)++) {
-		bool twice = *at > 0 && key_of(&entries[*at - 1]) == key_of(&entries[*at]);
-		count_extra(order, key_of(&entries[*at]), twice);
-	}
-}
-
-static ts_status meet(ts_order *order, const ts_trace *reference, const entry *entries)
-{
-	u64 held = 0, at = 0, before = 0;
-	ts_reader *reader = open_keys(reference);
+	u64 held = 0;
+	ts_reader *reader = open_keys(trace);
 	if (reader == NULL) return TS_ERROR;
-	for (u64 i = 0; i < order->n_ref; i += held) {
-		const u64 *keys = ts_reader_at(reader, i, &held);
-		for (u64 k = 0; keys != NULL && k < held; k++) {
-			bool ascends = i + k == 0 || keys[k] > before;
-			before = keys[k];
-			skip_below(order, entries, &at, before);
-			bool met = ascends && at < order->n_cand && key_of(&entries[at]) == before;
-			order->cand_of_ref[i + k] = met ? entries[at++].index : TS_NONE;
-			if (!met && order->n_missing++ == 0) order->missing = before;
-			if (!ascends) held = 0;
+	for (u64 i = 0; i < n; i += held) {
+		const u64 *part = ts_reader_at(reader, i, &held);
+		if (part == NULL) {
+			ts_reader_close(reader);
+			return TS_ERROR;
 		}
-		if (keys != NULL && held > 0) continue;
-		ts_reader_close(reader);
-		return keys == NULL ? TS_ERROR
-		                    : ts_fail("%s: keys do not ascend, so it is no reference",
-		                              reference->item[TS_B_points_key].path);
+		memcpy(keys + i, part, (size_t)held * sizeof *keys);
 	}
-	skip_below(order, entries, &at, UINT64_MAX);
-	if (at < order->n_cand) count_extra(order, UINT64_MAX, false);
 	ts_reader_close(reader);
+	for (u64 i = 1; i < n; i++) {
+		if (keys[i - 1] >= keys[i]) {
+			return ts_fail("%s: keys do not ascend, so it is no reference", trace->item[TS_B_points_key].path);
+		}
+	}
 	return TS_OK;
 }
 
-static ts_status reverse(ts_order *order)
+static void make_slices(key_index *index, u64 n)
 {
-	order->ref_of_cand = ts_alloc((size_t)order->n_cand, sizeof(u32), "places of points");
-	if (order->ref_of_cand == NULL) return TS_ERROR;
-	memset(order->ref_of_cand, 0xff, (size_t)order->n_cand * sizeof(u32));
-	for (u64 i = 0; i < order->n_ref; i++) {
-		if (order->cand_of_ref[i] != TS_NONE) order->ref_of_cand[order->cand_of_ref[i]] = (u32)i;
+	u64 at = 0, most = n > 0 ? index->keys[n - 1] : 0;
+	while (most >> index->shift >= N_SLICES) index->shift++;
+	for (u32 s = 0; s <= N_SLICES; s++) {
+		while (at < n && index->keys[at] >> index->shift < s) at++;
+		index->slices[s] = (u32)at;
+	}
+}
+
+static void free_index(key_index *index)
+{
+	free(index->keys);
+	free(index->slices);
+}
+
+static ts_status make_index(key_index *index, const ts_trace *reference, u64 n)
+{
+	*index = (key_index){.keys = ts_alloc((size_t)n, sizeof(u64), "keys of points"),
+	                     .slices = ts_alloc(N_SLICES + 1, sizeof(u32), "an index of keys")};
+	bool there = index->keys != NULL && index->slices != NULL;
+	if (!there || read_keys(index->keys, reference, n) != TS_OK) {
+		free_index(index);
+		return TS_ERROR;
+	}
+	make_slices(index, n);
+	return TS_OK;
+}
+
+/* The place of a key, or TS_NONE. */
+static u32 find(const key_index *index, u64 key)
+{
+	u64 slice = key >> index->shift;
+	if (slice >= N_SLICES) return TS_NONE;
+	u32 low = index->slices[slice], end = index->slices[slice + 1], high = end;
+	while (low < high) {
+		u32 middle = low + (high - low) / 2;
+		if (index->keys[middle] < key) {
+			low = middle + 1;
+		} else {
+			high = middle;
+		}
+	}
+	return low < end && index->keys[low] == key ? low : TS_NONE;
+}
+
+/* Has what the keys behind this one need fetched from memory. */
+static void fetch_ahead(const key_index *index, const u32 *cand_of_ref, const u64 *keys, u64 n)
+{
+	u64 far = n > AHEAD ? keys[AHEAD] >> index->shift : 0, near = n > AHEAD / 2 ? keys[AHEAD / 2] >> index->shift : 0;
+	if (far < N_SLICES) __builtin_prefetch(&index->slices[far]);
+	if (near >= N_SLICES) return;
+	__builtin_prefetch(&index->keys[index->slices[near]]);
+	__builtin_prefetch(&cand_of_ref[index->slices[near]]);
+}
+
+/* A key that the reference lacks, or that came before. */
+static void count_extra(ts_order *order, u64 key, bool twice)
+{
+	order->n_twice += twice;
+	if (order->n_extra++ == 0 || key < order->extra) order->extra = key;
+}
+
+static ts_status meet(ts_order *order, const key_index *index, const ts_trace *candidate)
+{
+	u64 held = 0;
+	ts_reader *reader = open_keys(candidate);
+	if (reader == NULL) return TS_ERROR;
+	for (u64 i = 0; i < order->n_cand; i += held) {
+		const u64 *keys = ts_reader_at(reader, i, &held);
+		if (keys == NULL) {
+			ts_reader_close(reader);
+			return TS_ERROR;
+		}
+		for (u64 k = 0; k < held; k++) {
+			fetch_ahead(index, order->cand_of_ref, keys + k, held - k);
+			u32 place = find(index, keys[k]);
+			bool twice = place != TS_NONE && order->cand_of_ref[place] != TS_NONE;
+			bool met = place != TS_NONE && !twice;
+			order->ref_of_cand[i + k] = met ? place : TS_NONE;
+			if (met) {
+				order->cand_of_ref[place] = (u32)(i + k);
+			} else {
+				count_extra(order, keys[k], twice);
+			}
+		}
+	}
+	ts_reader_close(reader);
+	for (u64 i = order->n_ref; i-- > 0;) {
+		if (order->cand_of_ref[i] != TS_NONE) continue;
+		order->n_missing++;
+		order->missing = index->keys[i];
 	}
 	return TS_OK;
 }
@@ -112,12 +148,17 @@ ts_status ts_order_make(ts_order *order, const ts_trace *reference, const ts_tra
 	if (order->n_ref >= TS_NONE || order->n_cand >= TS_NONE) {
 		return ts_fail("%s: more points than 32-bit indices can name", cand->path);
 	}
-	entry *entries = sorted_keys(candidate);
-	if (entries == NULL) return TS_ERROR;
+	key_index index;
+	if (make_index(&index, reference, order->n_ref) != TS_OK) return TS_ERROR;
 	order->cand_of_ref = ts_alloc((size_t)order->n_ref, sizeof(u32), "places of points");
-	ts_status status = order->cand_of_ref != NULL ? meet(order, reference, entries) : TS_ERROR;
-	free(entries);
-	return status == TS_OK ? reverse(order) : status;
+	order->ref_of_cand = ts_alloc((size_t)order->n_cand, sizeof(u32), "places of points");
+	ts_status status = order->cand_of_ref != NULL && order->ref_of_cand != NULL ? TS_OK : TS_ERROR;
+	if (status == TS_OK) {
+		memset(order->cand_of_ref, 0xff, (size_t)order->n_ref * sizeof(u32));
+		status = meet(order, &index, candidate);
+	}
+	free_index(&index);
+	return status;
 }
 
 void ts_order_free(ts_order *order)
@@ -129,7 +170,19 @@ void ts_order_free(ts_order *order)
 
 u32 ts_order_map(const ts_order *order, u32 index)
 {
-	if (!order->given || index >= order->n_cand) return index;
-	u32 mapped = order->ref_of_cand[index];
-	return mapped != TS_NONE ? mapped : TS_NONE - 1;
+	if (!order->given) return index;
+	u32 mapped = index < order->n_cand ? order->ref_of_cand[index] : index < order->n_ref ? TS_NONE : index;
+	return mapped != TS_NONE || index == TS_NONE ? mapped : TS_NONE - 1;
+}
+
+void ts_order_map_field(const ts_order *order, const ts_field *field, u8 *elements, u64 n, size_t element_bytes)
+{
+	for (u64 k = 0; k < n * field->count; k++) {
+		u8 *at = elements + k / field->count * element_bytes + field->offset + k % field->count * field->bytes;
+		u32 index; /* of a 64-bit key the low half: files are little-endian */
+		memcpy(&index, at, sizeof index);
+		bool empty = field->bytes == 8 ? ts_field_bits(field, at - field->offset, 0) == TS_EMPTY : index == TS_NONE;
+		if (!empty) index = ts_order_map(order, index);
+		memcpy(at, &index, sizeof index);
+	}
 }

@@ -1,16 +1,15 @@
 /* trace.json and the headers of the files that it names. */
 #include "read.h"
 #include <errno.h>
-#include <fcntl.h>
 #include <inttypes.h>
 #include <jansson.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <sys/stat.h>
 #include <unistd.h>
 #include "describe.h"
+#include "item.h"
 
-enum { MAX_JSON_BYTES = 1 << 24, MAX_PATH = 4096 };
+enum { MAX_JSON_BYTES = 1 << 24 };
 
 bool ts_trace_find(ts_buffer_id *id, const char *name)
 {
@@ -21,78 +20,16 @@ bool ts_trace_find(ts_buffer_id *id, const char *name)
 	return false;
 }
 
-/* A file of the folder itself: no way leads out of it. */
-static ts_status join(char path[MAX_PATH], const char *dir, const char *name)
-{
-	if (name[0] == 0 || name[0] == '.' || strchr(name, '/') != NULL) {
-		return ts_fail("%s: file \"%s\": not the name of a file in that folder", dir, name);
-	}
-	int n = snprintf(path, MAX_PATH, "%s/%s", dir, name);
-	return n > 0 && n < MAX_PATH ? TS_OK : ts_fail("%s: its name is too long", dir);
-}
-
-/* Opens a regular file; a pipe or a device would block or never end. */
-static int open_regular(const char *path, u64 *bytes)
-{
-	struct stat info;
-	int file = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC);
-	if (file < 0) {
-		ts_fail("%s: %s", path, strerror(errno));
-		return -1;
-	}
-	if (fstat(file, &info) != 0 || !S_ISREG(info.st_mode)) {
-		close(file);
-		ts_fail("%s: not a regular file", path);
-		return -1;
-	}
-	*bytes = (u64)info.st_size;
-	return file;
-}
-
-static ts_status read_header(ts_npy *npy, const char *path, ts_buffer_id id)
-{
-	char head[TS_NPY_HEADER], descr[TS_NPY_DESCR];
-	u64 bytes;
-	int file = open_regular(path, &bytes);
-	if (file < 0) return TS_ERROR;
-	ssize_t n = pread(file, head, sizeof head, 0);
-	close(file);
-	if (n < 0) return ts_fail("%s: %s", path, strerror(errno));
-	ts_npy_descr(descr, id);
-	return ts_npy_parse(npy, path, head, (size_t)n, bytes, descr, ts_buffer_table[id].element_bytes);
-}
-
-/* Dimensions that the shape of records.def has. */
-static u32 rank_of(ts_buffer_id id)
-{
-	u32 rank = 1;
-	for (const char *s = ts_buffer_table[id].shape; *s != 0; s++) rank += *s == ' ';
-	return rank;
-}
-
-static ts_status add_file(ts_trace *trace, ts_buffer_id id, const char *name)
-{
-	char path[MAX_PATH];
-	ts_trace_item *item = &trace->item[id];
-	const ts_buffer_info *info = &ts_buffer_table[id];
-	if (item->path != NULL) return ts_fail("%s: buffer %s is there twice", trace->dir, info->name);
-	if (join(path, trace->dir, name) != TS_OK || read_header(&item->npy, path, id) != TS_OK) return TS_ERROR;
-	if (item->npy.n_dims != rank_of(id)) {
-		return ts_fail("%s: %u dimensions; %s has %u: %s", path, (unsigned)item->npy.n_dims, info->name,
-		               (unsigned)rank_of(id), info->shape);
-	}
-	item->path = strdup(path);
-	return item->path != NULL ? TS_OK : ts_fail("%s: out of memory", path);
-}
-
 static const char *text_of(const json_t *root, const char *key)
 {
 	const char *text = json_string_value(json_object_get(root, key));
 	return text != NULL ? text : "";
 }
 
-static ts_status add_crop(ts_trace_item *item, const char *path, const json_t *crop)
+static ts_status add_crop(ts_trace *trace, ts_buffer_id id, const char *path, const json_t *crop)
 {
+	ts_trace_item *item = &trace->item[id];
+	bool pixels = strncmp(ts_buffer_table[id].shape, "H W", 3) == 0;
 	if (crop == NULL) return TS_OK;
 	for (u32 i = 0; i < 4; i++) {
 		json_int_t n = json_integer_value(json_array_get(crop, i));
@@ -101,10 +38,11 @@ static ts_status add_crop(ts_trace_item *item, const char *path, const json_t *c
 	}
 	item->cropped = true;
 	bool right = item->npy.n_dims >= 2 && item->npy.shape[0] == item->crop[3] && item->npy.shape[1] == item->crop[2];
+	if (!pixels) return ts_fail("%s: a crop of a buffer that has no rows and columns", path);
 	return right ? TS_OK : ts_fail("%s: its shape is not that of its crop", path);
 }
 
-static ts_status add_buffer(ts_trace *trace, const char *path, const json_t *entry)
+static ts_status add_buffer(ts_trace *trace, const char *path, const json_t *entry, bool listed[TS_N_BUFFERS])
 {
 	ts_buffer_id id;
 	char shown[64];
@@ -114,9 +52,12 @@ static ts_status add_buffer(ts_trace *trace, const char *path, const json_t *ent
 	if (!ts_trace_find(&id, name)) {
 		return ts_fail("%s: no buffer \"%s\"; touchstone list buffers names all", path, shown);
 	}
+	if (listed[id]) return ts_fail("%s: buffer %s is there twice", path, ts_buffer_table[id].name);
+	listed[id] = true;
 	if (file == NULL || json_is_null(file)) return TS_OK;
-	if (add_file(trace, id, json_is_string(file) ? json_string_value(file) : "") != TS_OK) return TS_ERROR;
-	return add_crop(&trace->item[id], path, json_object_get(entry, "crop"));
+	const char *in = json_is_string(file) ? json_string_value(file) : "";
+	if (ts_item_add(trace, id, in, TS_IN_FOLDER) != TS_OK) return TS_ERROR;
+	return add_crop(trace, id, path, json_object_get(entry, "crop"));
 }
 
 static ts_status add_params(ts_trace *trace, const char *path, json_t *params)
@@ -161,13 +102,13 @@ static ts_status read_root(ts_trace *trace, const char *path, json_t *root)
 	if (trace->pipeline == NULL) {
 		return ts_fail("%s: no pipeline \"%.40s\"; touchstone list methods names all", path, text_of(root, "pipeline"));
 	}
-	const json_t *producer = json_object_get(root, "producer"), *buffers = json_object_get(root, "buffers"), *entry;
+	bool listed[TS_N_BUFFERS] = {false};
+	const json_t *producer = json_object_get(root, "producer"), *buffers = json_object_get(root, "buffers");
 	snprintf(trace->producer, sizeof trace->producer, "%s %s", text_of(producer, "name"), text_of(producer, "version"));
 	ts_line_clean(trace->producer);
 	if (!json_is_array(buffers)) return ts_fail("%s: buffers is not an array", path);
 	for (size_t i = 0; i < json_array_size(buffers); i++) {
-		entry = json_array_get(buffers, i);
-		if (add_buffer(trace, path, entry) != TS_OK) return TS_ERROR;
+		if (add_buffer(trace, path, json_array_get(buffers, i), listed) != TS_OK) return TS_ERROR;
 	}
 	return add_params(trace, path, json_object_get(root, "params"));
 }
@@ -176,7 +117,7 @@ static ts_status read_root(ts_trace *trace, const char *path, json_t *root)
 static char *read_text(const char *path, size_t *n)
 {
 	u64 bytes;
-	int file = open_regular(path, &bytes);
+	int file = ts_item_open(path, TS_IN_FOLDER, &bytes);
 	if (file < 0) return NULL;
 	char *text = bytes <= MAX_JSON_BYTES ? ts_alloc((size_t)bytes + 1, 1, path) : NULL;
 	if (bytes > MAX_JSON_BYTES) ts_fail("%s: %" PRIu64 " bytes; a trace.json has at most %d", path, bytes, MAX_JSON_BYTES);
@@ -193,9 +134,9 @@ static char *read_text(const char *path, size_t *n)
 
 static ts_status read_json(ts_trace *trace)
 {
-	char path[MAX_PATH];
+	char path[TS_PATH];
 	size_t n;
-	if (join(path, trace->dir, "trace.json") != TS_OK) return TS_ERROR;
+	if (ts_item_path(path, trace->dir, "trace.json") != TS_OK) return TS_ERROR;
 	char *text = read_text(path, &n);
 	if (text == NULL) return TS_ERROR;
 	json_error_t error;
@@ -235,29 +176,6 @@ ts_status ts_trace_open(ts_trace **trace, const char *dir)
 	return TS_OK;
 }
 
-/* Rows of a raw file, and the other dimensions of the same buffer elsewhere. */
-static ts_status add_raw(ts_trace *trace, ts_buffer_id id, const char *name, const ts_npy *like)
-{
-	char path[MAX_PATH];
-	u64 bytes, row = ts_buffer_table[id].element_bytes;
-	ts_trace_item *item = &trace->item[id];
-	if (item->path != NULL) return ts_fail("%s: buffer %s is there twice", trace->dir, ts_buffer_table[id].name);
-	if (join(path, trace->dir, name) != TS_OK) return TS_ERROR;
-	int file = open_regular(path, &bytes);
-	if (file < 0) return TS_ERROR;
-	close(file);
-	item->npy = *like;
-	for (u32 i = 1; i < like->n_dims; i++) row *= like->shape[i];
-	if (row == 0 || bytes % row != 0) {
-		return ts_fail("%s: %" PRIu64 " bytes are no whole number of rows of %" PRIu64, path, bytes, row);
-	}
-	item->npy.data_at = 0;
-	item->npy.shape[0] = bytes / row;
-	item->npy.n = bytes / ts_buffer_table[id].element_bytes;
-	item->path = strdup(path);
-	return item->path != NULL ? TS_OK : ts_fail("%s: out of memory", path);
-}
-
 /* "NAME=FILE". */
 static ts_status add_layout(ts_trace *trace, char *text, const ts_trace *like)
 {
@@ -267,9 +185,9 @@ static ts_status add_layout(ts_trace *trace, char *text, const ts_trace *like)
 	*file++ = 0;
 	if (!ts_trace_find(&id, text)) return ts_fail("--layout: no buffer \"%s\"; touchstone list buffers names all", text);
 	size_t n = strlen(file);
-	if (n > 4 && strcmp(file + n - 4, ".npy") == 0) return add_file(trace, id, file);
+	if (n > 4 && strcmp(file + n - 4, ".npy") == 0) return ts_item_add(trace, id, file, TS_IN_FOLDER);
 	if (like->item[id].path == NULL) return ts_fail("--layout: %s: the reference lacks it", text);
-	return add_raw(trace, id, file, &like->item[id].npy);
+	return ts_item_add_raw(trace, id, file, &like->item[id].npy);
 }
 
 ts_status ts_trace_open_layout(ts_trace **trace, const char *dir, const char *layout, bool arrival, const ts_trace *like)
@@ -317,17 +235,24 @@ ts_status ts_trace_open_file(ts_trace **trace, const char *path, ts_buffer_id *i
 	if (n < 5 || strcmp(stem + n - 4, ".npy") != 0 || !ts_trace_find(id, name)) {
 		return ts_fail("%s: its name does not say which buffer it holds; NAME.npy of touchstone list buffers would", path);
 	}
-	char dir[MAX_PATH];
+	char dir[TS_PATH];
 	snprintf(dir, sizeof dir, "%.*s", slash != NULL ? (int)(slash - path) : 1, slash != NULL ? path : ".");
 	ts_trace *made = trace_new(dir[0] != 0 ? dir : "/");
 	if (made == NULL) return TS_ERROR;
 	made->pipeline = pipeline_of(*id);
-	if (add_file(made, *id, file) != TS_OK) {
+	if (ts_item_add(made, *id, file, TS_TYPED) != TS_OK) {
 		ts_trace_close(made);
 		return TS_ERROR;
 	}
 	*trace = made;
 	return TS_OK;
+}
+
+ts_reader *ts_trace_read(const ts_trace_item *item, ts_buffer_id id)
+{
+	size_t bytes = ts_buffer_table[id].element_bytes;
+	return item->memory != NULL ? ts_reader_memory(item->memory, item->npy.n, bytes)
+	                            : ts_reader_open(item->path, item->npy.data_at, item->npy.n, bytes);
 }
 
 void ts_trace_close(ts_trace *trace)

@@ -8,8 +8,7 @@ static ts_reader *open_item(const ts_trace *trace, ts_buffer_id id, bool *has)
 {
 	const ts_trace_item *item = &trace->item[id];
 	*has &= item->path != NULL;
-	return item->path != NULL ? ts_reader_open(item->path, item->npy.data_at, item->npy.n, ts_buffer_table[id].element_bytes)
-	                          : NULL;
+	return item->path != NULL ? ts_trace_read(item, id) : NULL;
 }
 
 ts_status ts_ties_open(ts_ties *t, const ts_trace *reference)

@@ -1,0 +1,100 @@
+/* Files of traces, which are untrusted. */
+#include "item.h"
+#include <errno.h>
+#include <fcntl.h>
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+ts_status ts_item_path(char path[TS_PATH], const char *dir, const char *name)
+{
+	if (name[0] == 0 || name[0] == '.' || strchr(name, '/') != NULL) {
+		return ts_fail("%s: file \"%s\": not the name of a file in that folder", dir, name);
+	}
+	int n = snprintf(path, TS_PATH, "%s/%s", dir, name);
+	return n > 0 && n < TS_PATH ? TS_OK : ts_fail("%s: its name is too long", dir);
+}
+
+int ts_item_open(const char *path, ts_trust trust, u64 *bytes)
+{
+	struct stat info;
+	int file = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC | (trust == TS_IN_FOLDER ? O_NOFOLLOW : 0));
+	if (file < 0) {
+		bool link = errno == ELOOP && trust == TS_IN_FOLDER;
+		ts_fail("%s: %s", path, link ? "is a link, which could lead out of the folder; the file itself would be right"
+		                             : strerror(errno));
+		return -1;
+	}
+	if (fstat(file, &info) != 0 || !S_ISREG(info.st_mode)) {
+		close(file);
+		ts_fail("%s: not a regular file", path);
+		return -1;
+	}
+	*bytes = (u64)info.st_size;
+	return file;
+}
+
+static ts_status read_header(ts_npy *npy, const char *path, ts_buffer_id id, ts_trust trust)
+{
+	char head[TS_NPY_HEADER], descr[TS_NPY_DESCR];
+	u64 bytes;
+	int file = ts_item_open(path, trust, &bytes);
+	if (file < 0) return TS_ERROR;
+	ssize_t n = pread(file, head, sizeof head, 0);
+	close(file);
+	if (n < 0) return ts_fail("%s: %s", path, strerror(errno));
+	ts_npy_descr(descr, id);
+	return ts_npy_parse(npy, path, head, (size_t)n, bytes, descr, ts_buffer_table[id].element_bytes);
+}
+
+/* As many dimensions as the shape of records.def has, and where that holds a number, that number. */
+static bool fits(ts_buffer_id id, const ts_npy *npy)
+{
+	u32 n_dims = 0;
+	for (const char *s = ts_buffer_table[id].shape; s != NULL; s = strchr(s, ' ') != NULL ? strchr(s, ' ') + 1 : NULL) {
+		char *end;
+		u64 n = strtoull(s, &end, 10);
+		bool fixed = end != s && (*end == ' ' || *end == 0);
+		if (n_dims == npy->n_dims || (fixed && npy->shape[n_dims] != n)) return false;
+		n_dims++;
+	}
+	return n_dims == npy->n_dims;
+}
+
+ts_status ts_item_add(ts_trace *trace, ts_buffer_id id, const char *name, ts_trust trust)
+{
+	char path[TS_PATH];
+	ts_trace_item *item = &trace->item[id];
+	const ts_buffer_info *info = &ts_buffer_table[id];
+	if (item->path != NULL) return ts_fail("%s: buffer %s is there twice", trace->dir, info->name);
+	if (ts_item_path(path, trace->dir, name) != TS_OK || read_header(&item->npy, path, id, trust) != TS_OK) return TS_ERROR;
+	if (!fits(id, &item->npy)) {
+		return ts_fail("%s: its shape is none of %s, which is %s", path, info->name, info->shape);
+	}
+	item->path = strdup(path);
+	return item->path != NULL ? TS_OK : ts_fail("%s: out of memory", path);
+}
+
+ts_status ts_item_add_raw(ts_trace *trace, ts_buffer_id id, const char *name, const ts_npy *like)
+{
+	char path[TS_PATH];
+	u64 bytes, row = ts_buffer_table[id].element_bytes;
+	ts_trace_item *item = &trace->item[id];
+	if (item->path != NULL) return ts_fail("%s: buffer %s is there twice", trace->dir, ts_buffer_table[id].name);
+	if (ts_item_path(path, trace->dir, name) != TS_OK) return TS_ERROR;
+	int file = ts_item_open(path, TS_IN_FOLDER, &bytes);
+	if (file < 0) return TS_ERROR;
+	close(file);
+	item->npy = *like;
+	for (u32 i = 1; i < like->n_dims; i++) row *= like->shape[i];
+	if (row == 0 || bytes % row != 0) {
+		return ts_fail("%s: %" PRIu64 " bytes are no whole number of rows of %" PRIu64, path, bytes, row);
+	}
+	item->npy.data_at = 0;
+	item->npy.shape[0] = bytes / row;
+	item->npy.n = bytes / ts_buffer_table[id].element_bytes;
+	item->path = strdup(path);
+	return item->path != NULL ? TS_OK : ts_fail("%s: out of memory", path);
+}

@@ -1,0 +1,24 @@
+/* The file of one buffer of a trace: its name, what kind of file it is, its header. */
+#ifndef TS_TRACE_ITEM_H
+#define TS_TRACE_ITEM_H
+#include "read.h"
+
+enum { TS_PATH = 4096 };
+
+/* Where the file stands: in a folder that somebody else wrote, or where the user said. */
+typedef enum {
+	TS_IN_FOLDER, /* no link is followed: no way leads out of the folder */
+	TS_TYPED
+} ts_trust;
+
+/* The path of file `name` of folder `dir`; refuses names that are hidden or lead elsewhere. */
+ts_status ts_item_path(char path[TS_PATH], const char *dir, const char *name);
+/* Opens a regular file, whose size is *bytes; -1 with the message set. A pipe or a device would block or never end. */
+int ts_item_open(const char *path, ts_trust trust, u64 *bytes);
+
+/* Gives the trace the .npy file `name` of its folder as its buffer `id`, which it must not have yet. */
+ts_status ts_item_add(ts_trace *trace, ts_buffer_id id, const char *name, ts_trust trust);
+/* Gives it a file of bare elements, whose first dimension follows from the size and whose others are those of `like`. */
+ts_status ts_item_add_raw(ts_trace *trace, ts_buffer_id id, const char *name, const ts_npy *like);
+
+#endif
