@@ -1,11 +1,11 @@
 /* Streaming comparison of two traces. */
 #include "compare.h"
 #include <assert.h>
-#include <inttypes.h>
 #include <stdio.h>
 #include "../kernels/num.h"
 #include "emit.h"
 #include "gather.h"
+#include "item.h"
 #include "reader.h"
 #include "tie.h"
 
@@ -165,25 +165,6 @@ static ts_status judge_set(judge *j, const ts_trace_item *cand)
 	return status;
 }
 
-/* Sizes that follow from what was computed, not from the scene and the parameters. */
-static bool is_counted(ts_buffer_id id) { return strchr("QNPC", ts_buffer_table[id].shape[0]) != NULL; }
-
-static ts_status check_shapes(ts_buffer_id id, const ts_trace_item *ref, const ts_trace_item *cand)
-{
-	bool same = memcmp(ref->crop, cand->crop, sizeof ref->crop) == 0;
-	for (u32 i = is_counted(id) ? 1 : 0; i < ref->npy.n_dims; i++) same &= ref->npy.shape[i] == cand->npy.shape[i];
-	if (same) return TS_OK;
-	char text[2][128];
-	for (u32 t = 0; t < 2; t++) {
-		const ts_npy *npy = t == 0 ? &ref->npy : &cand->npy;
-		size_t used = 0;
-		for (u32 i = 0; i < npy->n_dims; i++) {
-			used += (size_t)snprintf(text[t] + used, sizeof text[t] - used, "%s%" PRIu64, i ? " x " : "", npy->shape[i]);
-		}
-	}
-	return ts_fail("%s: shape %s; the reference's is %s", cand->path, text[1], text[0]);
-}
-
 static void find_fields(judge *j)
 {
 	char name[128];
@@ -220,7 +201,7 @@ ts_status ts_compare_buffer(ts_verdict *verdict, ts_buffer_id id, const ts_trace
 	bool set = order->given && strcmp(ts_buffer_table[id].order, "set") == 0;
 	ts_ties ties = {.reference = NULL};
 	*verdict = (ts_verdict){.n_ref = ref->npy.n, .n_cand = cand->npy.n, .marks = verdict->marks};
-	if (check_shapes(id, ref, cand) != TS_OK) return TS_ERROR;
+	if (ts_item_match(id, ref, cand) != TS_OK) return TS_ERROR;
 	judge j = {.verdict = verdict, .id = id, .bytes = ts_buffer_table[id].element_bytes, .fields = ts_fields_of(id),
 	           .order = order, .relaxations = relaxations, .mask_every = elements_a_pixel(id, ref, relaxations)};
 	assert(j.bytes <= MAX_ELEMENT);
