@@ -68,7 +68,7 @@ CPP_LIBS := -DTS_EMBREE=$(EMBREE) $(call packages,--cflags,OpenImageIO jansson l
 LIBS := -lembree$(EMBREE) $(call packages,--libs,OpenImageIO jansson libcrypto zlib) $(call packages,--libs,tinygltf) -lm
 CORE_LIBS = -lcrypto -lm
 # These do without, or install it first.
-WITHOUT := core %/touchstone-core demo test fuzz matrix matrix-short style format deps uninstall clean help
+WITHOUT := core %/touchstone-core golden demo test fuzz matrix matrix-short mutants style format deps uninstall clean help
 ifeq (,$(EMBREE))
 ifneq (,$(filter-out $(WITHOUT),$(or $(MAKECMDGOALS),all)))
 $(error Embree 3 or 4 is not installed: run scripts/install-deps (or make demo))
@@ -80,9 +80,9 @@ LIB_C := $(filter-out src/cli/%,$(wildcard src/*/*.c src/*/*/*.c))
 LIB_CC := $(wildcard src/*/*.cc)
 CLI_C := $(filter-out src/cli/core_main.c,$(wildcard src/cli/*.c))
 CORE_C := $(wildcard src/core/*.c src/backends/c/*.c src/stages/*.c src/pipelines/*.c) \
-	$(wildcard $(patsubst %,src/trace/%.c,npy emit sums)) \
+	$(wildcard $(patsubst %,src/trace/%.c,npy emit sums golden*)) \
 	$(filter-out src/scene/open.c src/scene/print% src/scene/gltf%,$(wildcard src/scene/*.c)) \
-	$(wildcard $(patsubst %,src/cli/%.c,core_main backends command digest help methods nearest options))
+	$(wildcard $(patsubst %,src/cli/%.c,core_main backends command commit digest golden* help methods nearest options sweep))
 TEST_C := $(filter-out tests/fuzz/%,$(wildcard tests/*/*.c))
 
 object = $(patsubst %,$(BUILD)/obj/%.o,$(1))
@@ -115,7 +115,7 @@ $(BUILD)/touchstone: $(CLI_O) $(BUILD)/libtouchstone.a
 	$(call say,LINK,$@)
 	$(Q)$(CXX) $(LINK_FLAGS) $^ $(LIBS) -o $@
 
-##   core               static command that digests built-in scenes: build/core/touchstone-core
+##   core               static command for digests and goldens: build/core/touchstone-core
 CORE_BUILD ?= $(if $(filter command%,$(origin BUILD)),$(BUILD),build/core)
 # Neither clang's OpenMP runtime nor the sanitizers have static libraries.
 CORE_STATIC = $(if $(findstring clang,$(CC))$(findstring -fsanitize,$(OPT)),,-static)
@@ -129,6 +129,10 @@ $(BUILD)/touchstone-core: $(CORE_O)
 
 # What a trace says of its maker.
 $(call object,src/trace/producer.c): CPPFLAGS += -DTS_FLAGS='"-std=c11 $(OPT) $(EXACT)"'
+##   golden             runs the cases of reference/cases.txt again and compares; writes nothing
+golden:
+	$(Q)$(MAKE) --no-print-directory $(BUILD)/touchstone-core
+	$(Q)$(BUILD)/touchstone-core golden check
 
 # Objects are made again when the compiler or its flags change.
 $(BUILD)/flags: FORCE
@@ -136,10 +140,20 @@ $(BUILD)/flags: FORCE
 	$(Q)echo '$(CC) $(CXX) $(C_FLAGS) $(CXX_FLAGS) $(CPP_LIBS)' | cmp -s - $@ || \
 		echo '$(CC) $(CXX) $(C_FLAGS) $(CXX_FLAGS) $(CPP_LIBS)' > $@
 
+# What is being built: a commit, and whether its source was changed since.
+COMMIT := $(shell [ -e .git ] && commit=$$(git rev-parse HEAD 2>/dev/null) && \
+	changed=$$(git --no-optional-locks status --porcelain -- src include Makefile) && echo $$commit$${changed:+-dirty})
+COMMIT := $(or $(COMMIT),unknown)
+$(BUILD)/commit: FORCE
+	$(Q)mkdir -p $(@D)
+	$(Q)echo '$(COMMIT)' | cmp -s - $@ || echo '$(COMMIT)' > $@
+$(BUILD)/obj/src/core/commit.c.o: $(BUILD)/commit
+$(BUILD)/obj/src/core/commit.c.o: KNOWS := -DTS_COMMIT='"$(COMMIT)"'
+
 $(BUILD)/obj/%.c.o: %.c $(BUILD)/flags
 	$(call say,CC,$<)
 	$(Q)mkdir -p $(@D)
-	$(Q)$(CC) $(C_FLAGS) $(CPP_LIBS) -c $< -o $@
+	$(Q)$(CC) $(C_FLAGS) $(CPP_LIBS) $(KNOWS) -c $< -o $@
 
 $(BUILD)/obj/%.cc.o: %.cc $(BUILD)/flags
 	$(call say,CXX,$<)
@@ -186,6 +200,12 @@ matrix matrix-short:
 	$(Q)scripts/install-deps --matrix
 	$(Q)scripts/matrix $(if $(filter matrix-short,$@),--short)
 
+##   mutants            defects planted in sources and traces: each must be found where it was planted
+mutants: deps
+	$(Q)$(MAKE) --no-print-directory all
+	$(Q)BUILD='$(BUILD)' COMPILE='$(CC) $(C_FLAGS) $(CPP_LIBS)' LINK='$(CXX) $(LINK_FLAGS)' \
+		WITH='$(CLI_O) $(BUILD)/libtouchstone.a $(LIBS)' scripts/mutants $(T)
+
 ##   bench              the papers' tables, measured here
 bench: all
 	build/touchstone bench epr-1
@@ -225,4 +245,4 @@ help:
 	@sed -n 's/^##//p' $(firstword $(MAKEFILE_LIST))
 
 FORCE:
-.PHONY: all core demo test tests fuzz matrix matrix-short bench style format deps install uninstall clean help FORCE
+.PHONY: all core golden demo test tests fuzz matrix matrix-short mutants bench style format deps install uninstall clean help FORCE

@@ -4,6 +4,7 @@
 #include "../kernels/draw.h"
 #include "../kernels/image.h"
 #include "../kernels/lookup.h"
+#include "../kernels/margin.h"
 #include "../kernels/mirror.h"
 #include "../kernels/pixel.h"
 #include "../kernels/resize.h"

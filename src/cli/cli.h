@@ -41,12 +41,32 @@
 #define TS_OPT_ORDER TS_OPT(29)
 #define TS_OPT_JUNIT TS_OPT(30)
 #define TS_OPT_TAP TS_OPT(31)
-#define TS_OPT_HELP TS_OPT(32)
+#define TS_OPT_DECIDED TS_OPT(32)
+#define TS_OPT_MARGINS TS_OPT(33)
+#define TS_OPT_REASON TS_OPT(34)
+#define TS_OPT_REFERENCE_DIR TS_OPT(35)
+#define TS_OPT_CHECK TS_OPT(36)
+#define TS_OPT_PIXEL TS_OPT(37)
+#define TS_OPT_VIEW TS_OPT(38)
+#define TS_OPT_TRIANGLE TS_OPT(39)
+#define TS_OPT_POINT TS_OPT(40)
+#define TS_OPT_STAGE TS_OPT(41)
+#define TS_OPT_INPUTS TS_OPT(42)
+#define TS_OPT_FORCED TS_OPT(43)
+#define TS_OPT_HELP TS_OPT(44)
 
 /* Truths, as bits. */
 enum { TS_TRUTH_A = 1, TS_TRUTH_B = 2, TS_TRUTH_C = 4 };
 
-enum { TS_MAX_ARGUMENTS = 2 };
+enum { TS_MAX_ARGUMENTS = 2, TS_MAX_SWEEPS = 8, TS_SWEEP_TEXT = 48 };
+
+/* A parameter of which several values were typed. */
+typedef struct {
+	char name[TS_SWEEP_TEXT];
+	const char *values; /* separated by commas; belongs to argv */
+	u32 n;
+} ts_swept;
+typedef struct { ts_swept swept[TS_MAX_SWEEPS]; u32 n; } ts_sweep;
 
 /* What was typed. Strings belong to argv. */
 typedef struct {
@@ -54,12 +74,16 @@ typedef struct {
 	const char *arguments[TS_MAX_ARGUMENTS];
 	u32 n_arguments;
 	ts_params params;
+	ts_sweep sweep;
 	ts_scene_options scene;
 	const ts_backend *backend;
 	const char *method, *scenes, *objects, *output, *trace_only, *crop;
 	const char *ignore, *mask, *layout, *order, *junit;
-	u64 ulp, allow;
+	const char *pixel, *view, *point;
+	u64 ulp, allow, triangle;
 	double abs, rel;
+	const char *reason, *reference_dir;
+	const char *check, *stage, *inputs;
 	u32 truths;                     /* TS_TRUTH_* */
 	u32 threads, runs;
 } ts_cli;
@@ -117,11 +141,15 @@ void ts_nearest_offer(ts_nearest *nearest, const char *name);
 /* Commands. */
 ts_status ts_help_command(ts_cli *cli);
 ts_status ts_digest_command(ts_cli *cli);
+ts_status ts_golden_command(ts_cli *cli);
 ts_status ts_render_command(ts_cli *cli);
 ts_status ts_info_command(ts_cli *cli);
 ts_status ts_list_command(ts_cli *cli);
 ts_status ts_bench_command(ts_cli *cli);
 ts_status ts_compare_command(ts_cli *cli);
+ts_status ts_vectors_command(ts_cli *cli);
+ts_status ts_probe_command(ts_cli *cli);
+ts_status ts_replay_command(ts_cli *cli);
 /* Help of one command, or of all if NULL. */
 void ts_help_print(const ts_command *command);
 

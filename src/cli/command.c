@@ -27,7 +27,7 @@ static ts_status run(int argc, char **argv)
 {
 	if (argc < 2) return ts_fail("no command; \"%s help\" lists all", ts_program);
 	if (strcmp(argv[1], "--version") == 0) {
-		printf("%s %s\n", ts_program, TS_VERSION);
+		printf("%s %s, commit %s\n", ts_program, TS_VERSION, ts_commit());
 		return TS_OK;
 	}
 	if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0) {
@@ -40,6 +40,9 @@ static ts_status run(int argc, char **argv)
 	ts_status status = ts_cli_parse(&cli, command, argc - 1, argv + 1);
 	if (status == TS_OK && ts_cli_given(&cli, TS_OPT_HELP)) {
 		ts_help_print(command);
+	} else if (status == TS_OK && cli.sweep.n > 0 && strcmp(command->name, "render") != 0) {
+		status = ts_fail("--set %s=%s: one value; only render takes lists", cli.sweep.swept[0].name,
+		                 cli.sweep.swept[0].values);
 	} else if (status == TS_OK) {
 		status = command->run(&cli);
 	}

@@ -126,7 +126,8 @@ ts_status ts_compare_command(ts_cli *cli)
 	const char *ref = cli->arguments[0];
 	if (ends_in(ref, ".png") || ends_in(ref, ".exr")) return ts_compare_images(cli);
 	sides s = { .reference = NULL,
-		.relaxations = { .ulp = cli->ulp, .abs = cli->abs, .rel = cli->rel, .allow = cli->allow, .ignore = cli->ignore } };
+		.relaxations = { .ulp = cli->ulp, .abs = cli->abs, .rel = cli->rel, .allow = cli->allow, .ignore = cli->ignore,
+		                 .decided = ts_cli_given(cli, TS_OPT_DECIDED) } };
 	ts_comparison *c = ts_alloc_zero(1, sizeof *c, "a comparison");
 	ts_status status = c != NULL ? open_sides(&s, cli) : TS_ERROR;
 	if (status == TS_OK) status = read_mask(&s, cli->mask);

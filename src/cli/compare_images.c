@@ -29,7 +29,8 @@ static void tell_first(ts_report *report, const picture *p, u64 first, u64 n_unl
 	u64 pixel = first / p[0].channels;
 	ts_field_show(ref, &value, ts_f2u(p[0].pixels[first]));
 	ts_field_show(cand, &value, ts_f2u(p[1].pixels[first]));
-	ts_report_line(report, "pixel (%" PRIu64 ", %" PRIu64 "), channel %" PRIu64 ": ref %s candidate %s — first of %" PRIu64,
+	ts_report_line(report,
+	               "pixel (%" PRIu64 ", %" PRIu64 "), channel %" PRIu64 ": ref %s candidate %s — first of %" PRIu64,
 	               pixel % p[0].width, pixel / p[0].width, first % p[0].channels, ref, cand, n_unlike);
 	ts_report_value(report, "x", json_integer((json_int_t)(pixel % p[0].width)));
 	ts_report_value(report, "y", json_integer((json_int_t)(pixel / p[0].width)));

@@ -51,8 +51,8 @@ static void lack_of(char *text, size_t bytes, const ts_verdict *v)
 	if (v->n_missing + v->n_extra == 0) {
 		snprintf(text, bytes, "%" PRIu64 " elements, candidate %" PRIu64 "; equal as far as both go", v->n_ref, v->n_cand);
 	} else if (v->n_missing > 0) {
-		snprintf(text, bytes, "key (%s): missing — first of %" PRIu64 " missing, %" PRIu64 " beside", missing, v->n_missing,
-		         v->n_extra);
+		snprintf(text, bytes, "key (%s): missing — first of %" PRIu64 " missing, %" PRIu64 " beside", missing,
+		         v->n_missing, v->n_extra);
 	} else {
 		snprintf(text, bytes, "key (%s): not of the reference — first of %" PRIu64, extra, v->n_extra);
 	}
@@ -77,12 +77,14 @@ void ts_compare_line(char text[TS_LINE_TEXT], const ts_comparison *c, const ts_t
 
 static const ts_column columns[] = { { "stage", "stage", false }, { "buffer", "buffer", false },
 	{ "elements", "elements", true }, { "different", "different", true }, { "tied", "tied", true },
-	{ "relaxed", "relaxed", true }, { "worst_ulps", "worst ulps", true }, { "verdict", "verdict", false }, { 0 } };
+	{ "relaxed", "relaxed", true }, { "undecided", "undecided", true }, { "worst_ulps", "worst ulps", true },
+	{ "verdict", "verdict", false }, { 0 } };
 
 static void row(ts_table *table, const ts_verdict *v, const char *stage, ts_buffer_id id)
 {
 	bool judged = v->judgement == TS_SAME || v->judgement == TS_UNLIKE;
-	const i64 figures[] = { (i64)v->n_ref, (i64)v->n_different, (i64)v->n_tied, (i64)v->n_relaxed, v->worst_ulps };
+	const i64 figures[] = { (i64)v->n_ref, (i64)v->n_different, (i64)v->n_tied, (i64)v->n_relaxed,
+		(i64)v->n_undecided, v->worst_ulps };
 	ts_table_text(table, stage);
 	ts_table_text(table, ts_buffer_table[id].name);
 	for (u32 i = 0; i < sizeof figures / sizeof *figures; i++) {
@@ -98,19 +100,17 @@ static void row(ts_table *table, const ts_verdict *v, const char *stage, ts_buff
 /* All relaxations that were typed: they are part of the verdict. */
 static void relaxations_of(char *text, size_t bytes, const ts_cli *cli)
 {
-	static const struct { u64 bit; const char *name; } real[] = { { TS_OPT_ABS, "abs" }, { TS_OPT_REL, "rel" } };
-	size_t used = 0;
+	FILE *out = fmemopen(text, bytes, "w");
 	text[0] = 0;
-	if (ts_cli_given(cli, TS_OPT_ULP)) used += (size_t)snprintf(text + used, bytes - used, " --ulp %" PRIu64, cli->ulp);
-	for (u32 i = 0; i < 2; i++) {
-		double value = i == 0 ? cli->abs : cli->rel;
-		if (ts_cli_given(cli, real[i].bit)) {
-			used += (size_t)snprintf(text + used, bytes - used, " --%s %.17g", real[i].name, value);
-		}
-	}
-	if (ts_cli_given(cli, TS_OPT_ALLOW)) used += (size_t)snprintf(text + used, bytes - used, " --allow %" PRIu64, cli->allow);
-	if (cli->ignore != NULL) used += (size_t)snprintf(text + used, bytes - used, " --ignore %.200s", cli->ignore);
-	if (cli->mask != NULL) snprintf(text + used, bytes - used, " --mask %.200s", cli->mask);
+	if (out == NULL) return;
+	if (ts_cli_given(cli, TS_OPT_ULP)) fprintf(out, " --ulp %" PRIu64, cli->ulp);
+	if (ts_cli_given(cli, TS_OPT_ABS)) fprintf(out, " --abs %.17g", cli->abs);
+	if (ts_cli_given(cli, TS_OPT_REL)) fprintf(out, " --rel %.17g", cli->rel);
+	if (ts_cli_given(cli, TS_OPT_ALLOW)) fprintf(out, " --allow %" PRIu64, cli->allow);
+	if (ts_cli_given(cli, TS_OPT_DECIDED)) fprintf(out, " --decided");
+	if (cli->ignore != NULL) fprintf(out, " --ignore %.200s", cli->ignore);
+	if (cli->mask != NULL) fprintf(out, " --mask %.200s", cli->mask);
+	fclose(out);
 }
 
 void ts_compare_report(ts_report *report, const ts_comparison *c, const ts_trace *reference, const ts_trace *candidate,
@@ -175,8 +175,12 @@ void ts_compare_tap(const ts_comparison *c, const ts_trace *reference, FILE *out
 
 static void put_escaped(const char *text, FILE *out)
 {
+	static const struct { char c; const char *name; } names[] = {
+		{ '&', "&amp;" }, { '<', "&lt;" }, { '>', "&gt;" }, { '"', "&quot;" },
+	};
 	for (; *text != 0; text++) {
-		const char *name = *text == '&' ? "&amp;" : *text == '<' ? "&lt;" : *text == '>' ? "&gt;" : *text == '"' ? "&quot;" : NULL;
+		const char *name = NULL;
+		for (u32 i = 0; i < sizeof names / sizeof *names; i++) name = names[i].c == *text ? names[i].name : name;
 		if (name != NULL) {
 			fputs(name, out);
 		} else {

@@ -1,12 +1,17 @@
-/* The command `touchstone-core`: digests only, in C with libc, libgomp and libcrypto, as a static binary. */
-#include "cli.h"
+/* The command `touchstone-core`: digests and goldens, in C with libc, libgomp and libcrypto, as a static binary. */
+#include "golden.h"
 
 const char *const ts_program = "touchstone-core";
+ts_preview *const ts_golden_preview = NULL;
 
 const ts_command ts_command_table[] = {
 	{ "digest", "[SCENE]", "SHA-256 of every buffer of a built-in scene, in pipeline order", "",
 	  0, 1, TS_OPT_METHOD | TS_OPT_SIZE | TS_OPT_FRAME | TS_OPT_REFLECTORS | TS_OPT_SET | TS_OPT_THREADS |
 	  TS_OPT_REFERENCE | TS_OPT_FLUSH_DENORMALS, ts_digest_command },
+	{ "golden", "ACTION [CASE]", "check, new or bless: the goldens of reference/",
+	  TS_GOLDEN_DETAILS,
+	  1, 2, TS_OPT_THREADS | TS_OPT_REFERENCE | TS_OPT_BACKEND | TS_OPT_REASON | TS_OPT_REFERENCE_DIR,
+	  ts_golden_command },
 	{ "help", "[COMMAND]", "what a command does and takes", "", 0, 1, 0, ts_help_command },
 	{ 0 }
 };

@@ -85,12 +85,12 @@ static ts_status check_contents(const char *dir, DIR *stream, bool force)
 		if (is_dot(e->d_name) || ts_ours_is_folder(folder.ours, dir, e->d_name)) continue;
 		if (!force) return ts_fail("%s: not empty; name another folder with -o, or replace it with --force", dir);
 		if (folder.ours == NULL) {
-			return ts_fail("%s: no report.json there lists what a render wrote, so --force replaces nothing; remove the "
-			               "folder if nothing in it is needed, or name another", dir);
+			return ts_fail("%s: no report.json or vectors.json there lists what was written, so --force replaces "
+			               "nothing; remove the folder if nothing in it is needed, or name another", dir);
 		}
 		if (!ts_ours_has(folder.ours, dir, e->d_name)) {
-			return ts_fail("%s: holds %s, which no render wrote, so --force does not replace it; name another folder", dir,
-			               e->d_name);
+			return ts_fail("%s: holds %s, which no render wrote, so --force does not replace it; name another folder",
+			               dir, e->d_name);
 		}
 	}
 	return TS_OK;

@@ -5,7 +5,8 @@
 #include "../core/core.h"
 
 /* Makes DIR.partial. DIR must be absent or empty, or, with `force`, hold nothing but the regular files that its
- * report.json, of an earlier render, lists. From here on a signal that ends the process removes DIR.partial. */
+ * report.json or vectors.json, of an earlier run, lists. From here on a signal that ends the process removes
+ * DIR.partial. */
 ts_status ts_folder_begin(const char *dir, bool force);
 /* The path at which to write file `name`, which may lie in one folder, "sub/name"; valid until commit or discard. NULL with
  * the message set on failure. */

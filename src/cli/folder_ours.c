@@ -1,4 +1,5 @@
-/* What --force may replace. A report.json is untrusted: its names are only compared with those that are in the folder. */
+/* What --force may replace. A report.json or vectors.json is untrusted: its names are only compared with those that
+ * are in the folder. */
 #include <dirent.h>
 #include <stdio.h>
 #include <string.h>
@@ -24,11 +25,11 @@ static bool are_names(const json_t *files)
 	return all;
 }
 
-json_t *ts_ours_read(const char *dir)
+static json_t *read_list(const char *dir, const char *name)
 {
 	char path[PATH_BYTES];
 	struct stat info;
-	snprintf(path, sizeof path, "%s/report.json", dir);
+	snprintf(path, sizeof path, "%s/%s", dir, name);
 	if (!is_regular(path, &info) || info.st_size > MAX_REPORT_BYTES) return NULL;
 	json_t *root = json_load_file(path, 0, NULL);
 	const char *program = json_string_value(json_object_get(root, "program"));
@@ -37,6 +38,12 @@ json_t *ts_ours_read(const char *dir)
 	json_t *result = ours ? json_incref(files) : NULL;
 	json_decref(root);
 	return result;
+}
+
+json_t *ts_ours_read(const char *dir)
+{
+	json_t *files = read_list(dir, "report.json");
+	return files != NULL ? files : read_list(dir, "vectors.json");
 }
 
 bool ts_ours_has(const json_t *ours, const char *dir, const char *name)

@@ -1,10 +1,12 @@
 /* The command `touchstone`: its table of commands. */
-#include "cli.h"
+#include <touchstone/image.h>
+#include "golden.h"
 
 #define WHERE (TS_OPT_SIZE | TS_OPT_FRAME | TS_OPT_REFLECTORS | TS_OPT_REFLECTOR | TS_OPT_CAMERA | TS_OPT_SET)
 #define HOW (TS_OPT_THREADS | TS_OPT_REFERENCE)
 
 const char *const ts_program = "touchstone";
+ts_preview *const ts_golden_preview = ts_image_write_png;
 
 const ts_command ts_command_table[] = {
 	{ "render", "EFFECT [SCENE]", "render an effect by one or more methods, and judge them by ground truth",
@@ -13,7 +15,12 @@ const ts_command ts_command_table[] = {
 	  "Writes METHOD.png and .exr, truth-a.png ..., differences, pictures of the stages, traces and report.json to DIR,\n"
 	  "and prints times, counters, memory and metrics.",
 	  1, 2, TS_OPT_METHOD | TS_OPT_TRUTH | WHERE | HOW | TS_OPT_BACKEND | TS_OPT_OUTPUT | TS_OPT_FORCE |
-	  TS_OPT_NO_IMAGES | TS_OPT_TRACE | TS_OPT_TRACE_ONLY | TS_OPT_CROP | TS_OPT_JSON, ts_render_command },
+	  TS_OPT_NO_IMAGES | TS_OPT_TRACE | TS_OPT_TRACE_ONLY | TS_OPT_CROP | TS_OPT_MARGINS | TS_OPT_JSON, ts_render_command },
+	{ "replay", "TRACE", "run a stage again, alone, from the buffers of a trace or of a port, and compare",
+	  "TRACE: a folder that render --trace wrote. One line an output: the same bits, or the first element and field\n"
+	  "that differ. With --inputs the port's buffers are the inputs and its outputs are judged: each of its stages,\n"
+	  "given its own stages before. Buffers are checked before they are used. -o DIR writes what the stage should make.",
+	  1, 1, TS_OPT_STAGE | TS_OPT_INPUTS | TS_OPT_THREADS | TS_OPT_OUTPUT | TS_OPT_JSON, ts_replay_command },
 	{ "info", "SCENE", "what was loaded, and what in the file was not understood", "",
 	  1, 1, WHERE | TS_OPT_JSON, ts_info_command },
 	{ "list", "WHAT", "tables: stages, buffers, params, methods, scenes or backends", "",
@@ -28,11 +35,26 @@ const ts_command ts_command_table[] = {
 	  "CANDIDATE: the same of a port (reference/TRACES.md says what it must have at least).\n"
 	  "Everything must be the same to the bit, unless a relaxation is typed. Exit code 0 same, 1 different, 2 could not.\n"
 	  "With -o DIR, a picture of the pixels that differ for each buffer that has them.",
-	  2, 2, TS_OPT_ULP | TS_OPT_ABS | TS_OPT_REL | TS_OPT_ALLOW | TS_OPT_IGNORE | TS_OPT_MASK | TS_OPT_LAYOUT |
-	  TS_OPT_ORDER | TS_OPT_JUNIT | TS_OPT_TAP | TS_OPT_OUTPUT | TS_OPT_FORCE | TS_OPT_JSON, ts_compare_command },
+	  2, 2, TS_OPT_DECIDED | TS_OPT_ULP | TS_OPT_ABS | TS_OPT_REL | TS_OPT_ALLOW | TS_OPT_IGNORE | TS_OPT_MASK |
+	  TS_OPT_LAYOUT | TS_OPT_ORDER | TS_OPT_JUNIT | TS_OPT_TAP | TS_OPT_OUTPUT | TS_OPT_FORCE | TS_OPT_JSON,
+	  ts_compare_command },
+	{ "probe", "TRACE", "why a pixel, texel, triangle or point of a trace is what it is",
+	  "TRACE: a folder that render --trace wrote, or a port's.\n"
+	  "--pixel: who competed for it, who won by how much, what each sample looked up, each term of its light.\n"
+	  "--triangle, --point: where it went, and which stage lost it.\n"
+	  "What the buffers do not hold is computed again; each \"check\" says whether that has the bits of a buffer.",
+	  1, 1, TS_OPT_PIXEL | TS_OPT_VIEW | TS_OPT_TRIANGLE | TS_OPT_POINT | TS_OPT_JSON, ts_probe_command },
 	{ "digest", "[SCENE]", "SHA-256 of every buffer of a built-in scene, in pipeline order", "",
 	  0, 1, TS_OPT_METHOD | TS_OPT_SIZE | TS_OPT_FRAME | TS_OPT_REFLECTORS | TS_OPT_SET | HOW | TS_OPT_FLUSH_DENORMALS,
 	  ts_digest_command },
+	{ "golden", "ACTION [CASE]", "check, new or bless: the goldens of reference/",
+	  TS_GOLDEN_DETAILS,
+	  1, 2, HOW | TS_OPT_BACKEND | TS_OPT_REASON | TS_OPT_REFERENCE_DIR, ts_golden_command },
+	{ "vectors", "", "inputs and outputs of every arithmetic primitive, to write, or to check a port with",
+	  "Before a port renders anything: write them with -o DIR, let the port compute PRIMITIVE.out.npy from\n"
+	  "PRIMITIVE.in.npy, and judge its folder with --check DIR. vectors.json describes each primitive. Exact: 0 all right,\n"
+	  "1 different. Primitives that the folder does not hold are not judged, but named.",
+	  0, 0, TS_OPT_OUTPUT | TS_OPT_FORCE | TS_OPT_CHECK | TS_OPT_JSON, ts_vectors_command },
 	{ "help", "[COMMAND]", "what a command does and takes", "", 0, 1, 0, ts_help_command },
 	{ 0 }
 };

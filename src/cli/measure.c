@@ -64,7 +64,7 @@ static void keep(ts_measure *m, const ts_run *run)
 static void keep_for_truths(ts_run *run)
 {
 	static const ts_buffer_id ids[] = { TS_B_eye_view, TS_B_pose_vertex, TS_B_resize_face, TS_B_eye_depth_triangle,
-		TS_B_pixel_offset, TS_B_pixel_record, TS_B_shade_radiance };
+		TS_B_pixel_offset, TS_B_pixel_record, TS_B_lookup_point, TS_B_shade_radiance };
 	run->lean = true;
 	for (u32 i = 0; i < sizeof ids / sizeof ids[0]; i++) run->keep[ids[i]] = true;
 }
@@ -80,6 +80,7 @@ ts_status ts_measure_run(ts_measure *measure, const ts_pipeline *method, const t
 	run.hook = after_stage;
 	run.hook_user = measure;
 	run.traced = measure->trace != NULL;
+	run.margins = run.traced && measure->trace->margins;
 	ts_status status = TS_OK;
 	if (run.traced) status = ts_trace_write_begin(&measure->writer, method, &run, measure->trace);
 	if (status == TS_OK) status = ts_pipeline_run(method, &run);
@@ -149,6 +150,19 @@ void ts_picture_free(ts_picture *picture)
 	picture->srgb = NULL;
 }
 
+static ts_status count_missed(ts_picture *picture, ts_truth *tree, const ts_run *run)
+{
+	u32 *hits;
+	const u32 *found = ts_frame_data(&run->frame, TS_B_lookup_point);
+	if (ts_truth_hits(tree, run, &hits) != TS_OK) return TS_ERROR;
+	for (u64 i = 0; i < ts_frame_n(&run->frame, TS_B_lookup_point); i++) {
+		picture->n_hits += hits[i] != TS_NONE;
+		picture->n_missed += hits[i] != TS_NONE && found[i] == TS_NONE;
+	}
+	free(hits);
+	return TS_OK;
+}
+
 ts_status ts_picture_truth(ts_picture *picture, u32 truth, ts_run *run)
 {
 	double begin = ts_seconds();
@@ -156,6 +170,7 @@ ts_status ts_picture_truth(ts_picture *picture, u32 truth, ts_run *run)
 	ts_status status = ts_truth_new(&tree, run);
 	if (status != TS_OK) return status;
 	status = truth == TS_TRUTH_A ? ts_truth_a(tree, run) : ts_truth_b(tree, run);
+	if (status == TS_OK && truth == TS_TRUTH_A) status = count_missed(picture, tree, run);
 	if (status == TS_OK) status = ts_run_stage(run, ts_stage_find("image"));
 	if (status == TS_OK) status = ts_picture_take(picture, truth == TS_TRUTH_A ? "truth-a" : "truth-b", run);
 	ts_truth_free(tree);

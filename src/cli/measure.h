@@ -11,6 +11,7 @@ typedef struct {
 	f32 *radiance;
 	u8 *srgb;
 	double seconds;  /* that it took */
+	u64 n_hits, n_missed; /* of truth A: its rays that hit something, and EPR's look-ups that are empty there */
 } ts_picture;
 
 /* What a run told. */

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <strings.h>
 #include "cli.h"
+#include "sweep.h"
 
 const ts_option ts_option_table[] = {
 	{ TS_OPT_METHOD, "method", "NAME,...", "methods to run, or \"all\" (the default)", "methods" },
@@ -19,17 +20,20 @@ const ts_option ts_option_table[] = {
 	{ TS_OPT_SCENE, "scene", "SPEC,...", "scenes to measure, instead of atrium,gallery,dining", "" },
 	{ TS_OPT_OBJECTS, "objects", "N,...", "numbers of mirrors to measure, instead of 1,10,20,50", "" },
 	{ TS_OPT_RUNS, "runs", "N", "runs of which the median is taken (3)", "" },
-	{ TS_OPT_SET, "set", "NAME=VALUE", "any parameter, repeatable", "params" },
+	{ TS_OPT_SET, "set", "NAME=VALUE", "any parameter, repeatable; render takes lists, NAME=A,B, and prints CSV", "params" },
 	{ TS_OPT_THREADS, "threads", "N", "threads, by default one a core; never changes a result", "" },
 	{ TS_OPT_BACKEND, "backend", "NAME", "what runs the kernels (c); never changes a result", "backends" },
 	{ TS_OPT_REFERENCE, "reference", "", "turn all fast paths off", "" },
-	{ TS_OPT_OUTPUT, "output", "DIR", "folder of the pictures (out); written whole or not at all. Short: -o DIR", "" },
-	{ TS_OPT_FORCE, "force", "", "replace DIR if it holds an earlier render", "" },
+	{ TS_OPT_OUTPUT, "output", "DIR", "folder to write, whole or not at all (render: out). Short: -o DIR", "" },
+	{ TS_OPT_FORCE, "force", "", "replace DIR if an earlier run wrote it", "" },
+	{ TS_OPT_CHECK, "check", "DIR", "folder of what a port computed, to be judged", "" },
 	{ TS_OPT_NO_IMAGES, "no-images", "", "write no files", "" },
 	{ TS_OPT_TRACE, "trace", "", "write every buffer of every stage to DIR/trace-METHOD (reference/TRACES.md)", "" },
 	{ TS_OPT_TRACE_ONLY, "trace-only", "STAGE,...", "trace, but files of these stages only; \"scene\": the scene's arrays",
 	  "stages" },
 	{ TS_OPT_CROP, "crop", "X,Y,W,H", "trace, but this part only of buffers that have a row a row of pixels", "" },
+	{ TS_OPT_MARGINS, "margins", "", "trace, and also how near every decision was, for compare --decided", "" },
+	{ TS_OPT_DECIDED, "decided", "", "judge only what the reference, rendered with --margins, decides", "" },
 	{ TS_OPT_ULP, "ulp", "N", "floats may be N floats apart", "" },
 	{ TS_OPT_ABS, "abs", "A", "floats may be A apart", "" },
 	{ TS_OPT_REL, "rel", "R", "floats may be R times the reference's value apart", "" },
@@ -41,9 +45,17 @@ const ts_option ts_option_table[] = {
 	{ TS_OPT_ORDER, "order", "ORDER", "of the points of such a candidate: canonical (the default) or arrival", "" },
 	{ TS_OPT_JUNIT, "junit", "FILE", "also write the verdicts as JUnit XML, a case a stage", "" },
 	{ TS_OPT_TAP, "tap", "", "print the verdicts as TAP, a line a stage", "" },
+	{ TS_OPT_PIXEL, "pixel", "X,Y", "pixel of the eye, or texel of the face of --view, from the top left", "" },
+	{ TS_OPT_VIEW, "view", "VIEW", "eye (the default), or REFLECTOR.FACE of a cube: 3.+X, or 3.0", "" },
+	{ TS_OPT_TRIANGLE, "triangle", "T", "triangle, from 0", "" },
+	{ TS_OPT_POINT, "point", "P", "point, by its index or its key PIECE,X,Y", "" },
+	{ TS_OPT_STAGE, "stage", "NAME", "the stage to replay; without it all, one after the other", "stages" },
+	{ TS_OPT_INPUTS, "inputs", "DIR", "trace of a port: its buffers are taken and judged before those of TRACE", "" },
 	{ TS_OPT_JSON, "json", "", "print one JSON object and nothing else", "" },
 	{ TS_OPT_FLUSH_DENORMALS, "flush-denormals", "", "let the processor flush denormals, which must not change a digest",
 	  "" },
+	{ TS_OPT_REASON, "reason", "TEXT", "why a golden changes, one line for CHANGES", "" },
+	{ TS_OPT_REFERENCE_DIR, "reference-dir", "DIR", "folder of the goldens (reference)", "" },
 	{ TS_OPT_HELP, "help", "", "this text. Short: -h", "" },
 	{ 0 }
 };
@@ -89,7 +101,8 @@ static ts_status set_param(ts_cli *cli, const char *assignment)
 		return ts_fail("--set %s: no such parameter; the nearest is %s%s", name, nearest.best,
 		               ts_cli_find("list") != NULL ? ", and \"touchstone list params\" lists all" : "");
 	}
-	return ts_params_set(&cli->params, name, equals + 1);
+	return strchr(equals, ',') != NULL ? ts_sweep_add(&cli->sweep, &cli->params, name, equals + 1)
+	                                   : ts_params_set(&cli->params, name, equals + 1);
 }
 
 #define DIGITS "0123456789"
@@ -164,8 +177,17 @@ static ts_status take(ts_cli *cli, u64 bit, const char *text)
 	case TS_OPT_LAYOUT: cli->layout = text; break;
 	case TS_OPT_ORDER: cli->order = text; break;
 	case TS_OPT_JUNIT: cli->junit = text; break;
+	case TS_OPT_PIXEL: cli->pixel = text; break;
+	case TS_OPT_VIEW: cli->view = text; break;
+	case TS_OPT_POINT: cli->point = text; break;
+	case TS_OPT_TRIANGLE: return set_number(&cli->triangle, text, "--triangle");
 	case TS_OPT_TRACE_ONLY: cli->trace_only = text; break;
 	case TS_OPT_CROP: cli->crop = text; break;
+	case TS_OPT_REASON: cli->reason = text; break;
+	case TS_OPT_REFERENCE_DIR: cli->reference_dir = text; break;
+	case TS_OPT_CHECK: cli->check = text; break;
+	case TS_OPT_STAGE: cli->stage = text; break;
+	case TS_OPT_INPUTS: cli->inputs = text; break;
 	case TS_OPT_BACKEND: return ts_backend_find(&cli->backend, text);
 	case TS_OPT_SET: return set_param(cli, text);
 	case TS_OPT_THREADS: return ts_cli_count(&cli->threads, text, 1, MAX_THREADS, "--threads");

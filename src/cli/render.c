@@ -3,12 +3,15 @@
 #include <stdlib.h>
 #include "folder.h"
 #include "render.h"
+#include "render_csv.h"
+#include "sweep.h"
 
 static bool wants(const ts_render *render, u32 truth) { return (render->cli->truths & truth) != 0; }
 
 static bool traces(const ts_cli *cli)
 {
-	return ts_cli_given(cli, TS_OPT_TRACE) || cli->trace_only != NULL || cli->crop != NULL;
+	return ts_cli_given(cli, TS_OPT_TRACE) || cli->trace_only != NULL || cli->crop != NULL ||
+	       ts_cli_given(cli, TS_OPT_MARGINS);
 }
 
 static bool writes_files(const ts_cli *cli) { return traces(cli) || !ts_cli_given(cli, TS_OPT_NO_IMAGES); }
@@ -136,14 +139,20 @@ static ts_status write_report(ts_report *report)
 	return written ? TS_OK : ts_fail("%s: cannot be written; the disk may be full", path);
 }
 
-static ts_status work(ts_render *render, ts_report *report)
+static ts_status open_scene(ts_render *render)
 {
 	const ts_cli *cli = render->cli;
 	const char *spec = cli->n_arguments > 1 ? cli->arguments[1] : "atrium";
 	ts_status status = ts_scene_open(&render->scene, spec, &cli->params, &cli->scene);
 	if (status != TS_OK) return status;
-	status = ts_measure_estimate(&render->estimate, render->methods, render->n_methods, cli->truths, render->scene,
-	                             &cli->params);
+	return ts_measure_estimate(&render->estimate, render->methods, render->n_methods, cli->truths, render->scene,
+	                           &cli->params);
+}
+
+static ts_status work(ts_render *render, ts_report *report)
+{
+	const ts_cli *cli = render->cli;
+	ts_status status = open_scene(render);
 	if (status == TS_OK) status = prepare_traces(render);
 	if (status != TS_OK) return status;
 	ts_render_report_head(render, report);
@@ -170,8 +179,9 @@ static void release(ts_render *render)
 	free(render);
 }
 
-static ts_status work_in_folder(ts_render *render)
+static ts_status work_in_folder(ts_render *render, void *user)
 {
+	(void)user;
 	const ts_cli *cli = render->cli;
 	bool files = writes_files(cli);
 	ts_status status = files ? ts_folder_begin(output(cli), ts_cli_given(cli, TS_OPT_FORCE)) : TS_OK;
@@ -193,15 +203,45 @@ static ts_status work_in_folder(ts_render *render)
 	return ts_report_end(&report);
 }
 
-ts_status ts_render_command(ts_cli *cli)
+/* A render whose method and truths are known, passed to `with`. */
+static ts_status with_render(const ts_cli *cli, ts_status (*with)(ts_render *render, void *user), void *user)
 {
-	ts_status status = ts_selftest_require();
-	ts_render *render = status == TS_OK ? ts_alloc_zero(1, sizeof *render, "a render") : NULL;
+	ts_render *render = ts_alloc_zero(1, sizeof *render, "a render");
 	if (render == NULL) return TS_ERROR;
 	render->cli = cli;
 	render->effect = cli->arguments[0];
-	status = ts_methods_find(render->methods, &render->n_methods, render->effect, cli->method);
-	if (status == TS_OK) status = work_in_folder(render);
+	ts_status status = ts_methods_find(render->methods, &render->n_methods, render->effect, cli->method);
+	if (status == TS_OK) status = with(render, user);
 	release(render);
 	return status;
+}
+
+/* One combination of a sweep. */
+static ts_status work_for_csv(ts_render *render, void *user)
+{
+	ts_status status = open_scene(render);
+	if (status == TS_OK) status = run_all(render);
+	if (status == TS_OK) compare_all(render);
+	if (status == TS_OK) ts_render_csv(render, user);
+	return status;
+}
+
+static ts_status sweep(ts_cli *cli)
+{
+	ts_csv csv = { .sweep = &cli->sweep };
+	if (writes_files(cli) && cli->output != NULL) return ts_fail("-o: a sweep prints CSV and writes no files");
+	if (traces(cli)) return ts_fail("--trace: a sweep writes no traces");
+	cli->given |= TS_OPT_NO_IMAGES;
+	for (u32 i = 0; i < ts_sweep_count(&cli->sweep); i++) {
+		ts_status status = ts_sweep_set(&cli->sweep, i, &cli->params, csv.values);
+		if (status == TS_OK) status = with_render(cli, work_for_csv, &csv);
+		if (status != TS_OK) return status;
+	}
+	return TS_OK;
+}
+
+ts_status ts_render_command(ts_cli *cli)
+{
+	if (ts_selftest_require() != TS_OK) return TS_ERROR;
+	return cli->sweep.n > 0 ? sweep(cli) : with_render(cli, work_in_folder, NULL);
 }

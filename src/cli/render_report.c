@@ -1,4 +1,5 @@
 /* What a render prints: times, counters, memory, metrics and what the pictures show. */
+#include <inttypes.h>
 #include <stdlib.h>
 #include "../scene/print.h"
 #include "render.h"
@@ -199,7 +200,15 @@ static void report_metrics(const ts_render *render, ts_report *report)
 		{ "rmse", "RMSE", true }, { "psnr", "PSNR, dB", true }, { "ssim", "SSIM", true },
 		{ "reflective_rmse", "refl. RMSE", true }, { "reflective_psnr", "PSNR, dB", true },
 		{ "reflective_ssim", "SSIM", true }, { "share", "error of the", false }, { 0 } };
+	const ts_picture *a = &render->truths[0];
 	if (render->n_pairs == 0) return;
+	if (a->n_hits > 0) {
+		ts_report_line(report, "empty look-ups of EPR where a ray of truth A hits: %" PRIu64 " of %" PRIu64 ", %.5f %%",
+		               a->n_missed, a->n_hits, 100.0 * (double)a->n_missed / (double)a->n_hits);
+		ts_report_line(report, "%s", "");
+		ts_report_value(report, "hit_lookups", json_integer((json_int_t)a->n_hits));
+		ts_report_value(report, "missed_lookups", json_integer((json_int_t)a->n_missed));
+	}
 	ts_table table = ts_table_begin("metrics", "Metrics, in grey levels, over the image and over its reflective pixels",
 	                                columns);
 	for (u32 i = 0; i < render->n_pairs; i++) {

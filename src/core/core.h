@@ -11,6 +11,8 @@ extern "C" {
 #endif
 
 #define TS_VERSION "0.1.0"
+/* Of the numeric contract, reference/CONTRACT.md. */
+#define TS_CONTRACT_VERSION 1
 
 /* Sets this thread's message to one line (by ts_line_clean) and returns TS_ERROR. */
 ts_status ts_fail(const char *format, ...) __attribute__((format(printf, 1, 2)));
@@ -39,6 +41,9 @@ ts_status ts_selftest_require(void);
 
 /* Progress on standard error, only when that is a terminal: `label`, then done of total. Ends with done == total. */
 void ts_progress(const char *label, uint64_t done, uint64_t total);
+
+/* The commit that the program was built from, with "-dirty" behind it if its source was changed since; or "unknown". */
+const char *ts_commit(void);
 
 /* Seconds of a monotonic clock. */
 double ts_seconds(void);

@@ -21,15 +21,26 @@ TS_FN i32 ts_k_cull_threshold(f32 pixels)
 	return ts_max_i32(ts_fix(p, 24, 25), 0);
 }
 
-/* map over pieces */
-TS_FN void ts_k_cull_item(const ts_cull_args *args, u64 i)
+/* The piece's area. */
+TS_FN f32 ts_k_cull_pixels(const ts_cull_args *args, u64 i)
 {
 	TS_GLOBAL const ts_piece *piece = &args->pieces[i];
 	f32 s = args->scale[i] / args->unit;
-	f32 pixels = (ts_k_area(ts_load3(piece->a), ts_load3(piece->b), ts_load3(piece->c)) * s) * s;
+	return (ts_k_area(ts_load3(piece->a), ts_load3(piece->b), ts_load3(piece->c)) * s) * s;
+}
+
+/* The piece's random number, in 2^-24. */
+TS_FN i32 ts_k_cull_chance(const ts_cull_args *args, u64 i)
+{
+	TS_GLOBAL const ts_piece *piece = &args->pieces[i];
 	u32 id = piece->path == 1u ? piece->triangle : piece->triangle ^ ts_pcg(piece->path);
-	u32 h = ts_random(id, TS_STREAM_CULL, args->seed);
-	bool drop = args->enabled != 0u && (i32)(h >> 8) < ts_k_cull_threshold(pixels);
+	return (i32)(ts_random(id, TS_STREAM_CULL, args->seed) >> 8);
+}
+
+/* map over pieces */
+TS_FN void ts_k_cull_item(const ts_cull_args *args, u64 i)
+{
+	bool drop = args->enabled != 0u && ts_k_cull_chance(args, i) < ts_k_cull_threshold(ts_k_cull_pixels(args, i));
 	args->keep[i] = args->scale[i] > 0.0f && !drop ? 1u : 0u;
 }
 

@@ -65,7 +65,7 @@ TS_FN f32 ts_k_mirror_level(TS_GLOBAL const ts_pixel *pixel, ts_v3 eye, u32 n)
 	ts_v3 dy = ts_sub(ts_k_mirror_direction(pixel, eye, 0.0f, 0.5f), ts_k_mirror_direction(pixel, eye, 0.0f, -0.5f));
 	f32 change = ts_max(ts_length(dx), ts_length(dy));
 	f32 texels = ((f32)n * 0.5f) * change;
-	f32 level = ts_log2(ts_max(texels, 1.0f));
+	f32 level = ts_log2(ts_max(1.0f, texels));
 	return ts_min(level, (f32)(ts_k_mip_levels(n) - 1u));
 }
 

@@ -25,10 +25,12 @@ const ts_step ts_epr_steps[] = {
 	{.stage = "pose"},       /* where everything else is */
 	{.stage = "resize"},     /* 3.5: cubes as large as their reflectors in the eye */
 	{.stage = "eye"},        /* the eye's G-buffer */
+	{.stage = "eye_margin", .only_margins = true},
 	{.stage = "pixel"},      /* 4.1.3: reflective pixels and their normal gradients */
 	{.stage = "visibility"}, /* 3.1: which faces may see a triangle */
 	{.stage = "split"},      /* 4.1.1: eye-resolution density */
 	{.stage = "cull"},       /* 3.2: stochastic culling */
+	{.stage = "cull_margin", .only_margins = true},
 	{.stage = "align"},      /* 3.2: T_epr */
 	{.stage = "count"},      /* 3.3: conservative rasterization in the triangle's plane */
 	{.stage = "points"},     /* 3.4: the point buffers */

@@ -13,8 +13,10 @@ const ts_step ts_mvr_steps[] = {
 	{.stage = "pose"},
 	{.stage = "resize"},
 	{.stage = "eye"},
+	{.stage = "eye_margin", .only_margins = true},
 	{.stage = "pixel"},
 	{.stage = "face", .each_reflector = true},       /* geometry into six faces */
+	{.stage = "face_margin", .only_margins = true, .each_reflector = true},
 	{.stage = "illuminate", .each_reflector = true}, /* shading of every texel; mip-mapping */
 	{.stage = "mirror", .each_reflector = true},     /* the eye's look-ups */
 	{.stage = "image"},

@@ -4,7 +4,7 @@
 
 bool ts_pipeline_takes(const ts_step *step, const ts_params *params, bool traced)
 {
-	return params->bounces >= step->least_bounces && (traced || !step->only_traced);
+	return params->bounces >= step->least_bounces && (traced || !(step->only_traced || step->only_margins));
 }
 
 /* True if a step from `step` on reads the buffer. */
@@ -37,7 +37,8 @@ static ts_status run_steps(const ts_step *step, const ts_step *end, ts_run *run)
 	for (; step < end; step++) {
 		const ts_stage *stage = ts_stage_find(step->stage);
 		assert(stage != NULL);
-		if (ts_pipeline_takes(step, &run->params, run->traced) && ts_run_stage(run, stage) != TS_OK) return TS_ERROR;
+		bool takes = ts_pipeline_takes(step, &run->params, run->traced) && (run->margins || !step->only_margins);
+		if (takes && ts_run_stage(run, stage) != TS_OK) return TS_ERROR;
 	}
 	return TS_OK;
 }

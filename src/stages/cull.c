@@ -1,18 +1,23 @@
 /* Which pieces stay. */
 #include "stages.h"
 
-ts_status ts_stage_cull(ts_run *run)
+ts_cull_args ts_cull_arguments(const ts_run *run)
 {
-	u64 n = ts_frame_n(&run->frame, TS_B_split_triangle);
 	const ts_params *params = &run->params;
-	ts_cull_args args = {
+	return (ts_cull_args){
 		.pieces = ts_frame_data(&run->frame, TS_B_split_triangle),
 		.scale = ts_frame_data(&run->frame, TS_B_density_scale),
-		.keep = ts_frame_make1(&run->frame, TS_B_cull_keep, n),
 		.unit = params->cull_unit == TS_CULL_EYE ? ts_samples_a_pixel(params) : 1.0f,
 		.seed = params->seed,
 		.enabled = params->cull,
 	};
+}
+
+ts_status ts_stage_cull(ts_run *run)
+{
+	u64 n = ts_frame_n(&run->frame, TS_B_split_triangle);
+	ts_cull_args args = ts_cull_arguments(run);
+	args.keep = ts_frame_make1(&run->frame, TS_B_cull_keep, n);
 	if (args.keep == NULL) return TS_ERROR;
 	ts_c_launch(TS_KERNEL_cull, &args, n, run->threads);
 	i64 kept = 0;

@@ -32,6 +32,7 @@ struct ts_run {
 	bool all_cubes;            /* also the cubes of reflectors that the eye does not see */
 	u32 first_reflector, n_reflectors; /* the batch that per-reflector stages work on */
 	bool traced;               /* also the stages that only traces need */
+	bool margins;              /* also the stages that say how near the decisions were */
 	bool lean;                 /* a buffer lives until its last reader; digests and replays want all of them */
 	bool keep[TS_N_BUFFERS];   /* even so, these stay */
 	ts_frame frame;

@@ -27,10 +27,15 @@ ts_status ts_stage_face(ts_run *run);
 ts_status ts_stage_illuminate(ts_run *run);
 ts_status ts_stage_mirror(ts_run *run);
 ts_status ts_stage_image(ts_run *run);
+ts_status ts_stage_eye_margin(ts_run *run);
+ts_status ts_stage_cull_margin(ts_run *run);
+ts_status ts_stage_face_margin(ts_run *run);
 
 /* Shared by the stages (run.c). The arrays of the frame that shading kernels read; the vertices are this frame's. */
 ts_arrays ts_run_arrays(const ts_run *run);
 const ts_info *ts_run_info(const ts_run *run);
+/* Arguments of the kernel cull, without its output. */
+ts_cull_args ts_cull_arguments(const ts_run *run);
 /* rho_scale as samples a pixel a side. */
 f32 ts_samples_a_pixel(const ts_params *params);
 /* The largest cube face that adapts to the eye: face_max, at most half the eye's height, at least 16. */

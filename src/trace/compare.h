@@ -30,6 +30,7 @@ typedef struct {
 	u64 n_tied;          /* texels where another of the tied records won, as it may */
 	u64 n_relaxed;       /* elements that only a relaxation let pass */
 	u64 n_masked;        /* elements that the mask left out */
+	u64 n_undecided;     /* elements that differ where the reference does not decide */
 	bool has_first;      /* false: only partners are missing */
 	ts_difference first, worst; /* worst: of floats, by ulps */
 	i64 worst_ulps;

@@ -4,7 +4,7 @@
 #include "../scene/print.h"
 #include "producer.h"
 
-static json_t *params_of(const ts_params *params)
+json_t *ts_trace_params(const ts_params *params)
 {
 	json_t *object = json_object();
 	size_t n;
@@ -53,9 +53,9 @@ static json_t *stages_of(const ts_trace_about *about)
 {
 	json_t *stages = json_array();
 	for (const ts_step *step = about->pipeline->steps; step->stage != NULL; step++) {
-		if (!ts_pipeline_takes(step, &about->run->params, true)) continue;
-		u32 number = (u32)(step - about->pipeline->steps) + 1;
-		json_array_append_new(stages, stage_of(about, ts_stage_find(step->stage), number));
+		const ts_stage *stage = ts_stage_find(step->stage);
+		if (!ts_pipeline_takes(step, &about->run->params, true) || !about->files[stage->writes[0]].made) continue;
+		json_array_append_new(stages, stage_of(about, stage, ts_emit_number(about->pipeline, stage->writes[0])));
 	}
 	return stages;
 }
@@ -130,7 +130,8 @@ json_t *ts_trace_describe(const ts_trace_about *about)
 	                 "touchstone-trace", "version", TS_TRACE_VERSION, "contract", TS_CONTRACT_VERSION, "order", "canonical",
 	                 "pipeline", p->name, "effect", p->effect, "paper", p->paper, "scene", "name",
 	                 ts_text_json(about->run->scene->name), "sha256", chain(about, scene), "producer", ts_producer(),
-	                 "arithmetic", ts_arithmetic(), "conventions", conventions(), "params", params_of(&about->run->params), "stages",
-	                 stages_of(about), "buffers", buffers_of(about), "records", records(), "counters",
+	                 "arithmetic", ts_arithmetic(), "conventions", conventions(), "params",
+	                 ts_trace_params(&about->run->params), "stages", stages_of(about), "buffers",
+	                 buffers_of(about), "records", records(), "counters",
 	                 counters_of(about->run));
 }

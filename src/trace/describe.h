@@ -5,7 +5,7 @@
 #include "../core/digest.h"
 #include "emit.h"
 
-enum { TS_TRACE_VERSION = 1, TS_CONTRACT_VERSION = 1 };
+enum { TS_TRACE_VERSION = 1 };
 
 /* A buffer of a trace. */
 typedef struct {
@@ -28,5 +28,8 @@ typedef struct {
 
 /* A new reference, or NULL without memory. The same run gives the same text. */
 json_t *ts_trace_describe(const ts_trace_about *about);
+
+/* The parameters as trace.json holds them: an object of texts. A new reference, or NULL without memory. */
+json_t *ts_trace_params(const ts_params *params);
 
 #endif

@@ -57,8 +57,12 @@ ts_status ts_emit_stage(const ts_run *run, const ts_stage *stage, ts_take_chunk 
 
 u32 ts_emit_number(const ts_pipeline *pipeline, ts_buffer_id id)
 {
-	const ts_step *step = ts_pipeline_maker(pipeline, id);
-	return step != NULL ? (u32)(step - pipeline->steps) + 1 : 0;
+	u32 number = 0;
+	for (const ts_step *step = pipeline->steps; step->stage != NULL; step++) {
+		number += !step->only_margins;
+		if (ts_stage_writes(ts_stage_find(step->stage), id)) return number;
+	}
+	return 0;
 }
 
 void ts_emit_name(char name[TS_EMIT_NAME], const ts_pipeline *pipeline, ts_buffer_id id)

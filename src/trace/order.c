@@ -16,7 +16,7 @@ typedef struct {
 static ts_reader *open_keys(const ts_trace *trace)
 {
 	const ts_trace_item *item = &trace->item[TS_B_points_key];
-	return ts_reader_open(item->path, item->npy.data_at, item->npy.n, sizeof(u64));
+	return ts_trace_read(item, TS_B_points_key);
 }
 
 static ts_status read_keys(u64 *keys, const ts_trace *trace, u64 n)

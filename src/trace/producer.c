@@ -1,11 +1,8 @@
-/* What this build says of itself. The Makefile gives TS_COMMIT and TS_FLAGS. */
+/* What this build says of itself. The Makefile gives TS_FLAGS. */
 #include "producer.h"
 #include "../core/core.h"
 #include "../kernels/compat.h"
 
-#ifndef TS_COMMIT
-#define TS_COMMIT "unknown"
-#endif
 #ifndef TS_FLAGS
 #define TS_FLAGS "unknown"
 #endif
@@ -21,7 +18,7 @@
 json_t *ts_producer(void)
 {
 	return json_pack("{s:s, s:s, s:s, s:s, s:s, s:s, s:s}", "name", "touchstone", "version", TS_VERSION, "commit",
-	                 TS_COMMIT, "backend", "c", "device", DEVICE, "compiler", __VERSION__, "flags", TS_FLAGS);
+	                 ts_commit(), "backend", "c", "device", DEVICE, "compiler", __VERSION__, "flags", TS_FLAGS);
 }
 
 static f32 load(u32 bits)

@@ -248,6 +248,13 @@ ts_status ts_trace_open_file(ts_trace **trace, const char *path, ts_buffer_id *i
 	return TS_OK;
 }
 
+ts_reader *ts_trace_read(const ts_trace_item *item, ts_buffer_id id)
+{
+	size_t bytes = ts_buffer_table[id].element_bytes;
+	return item->memory != NULL ? ts_reader_memory(item->memory, item->npy.n, bytes)
+	                            : ts_reader_open(item->path, item->npy.data_at, item->npy.n, bytes);
+}
+
 void ts_trace_close(ts_trace *trace)
 {
 	if (trace == NULL) return;

@@ -4,10 +4,12 @@
 #define TS_TRACE_READ_H
 #include "../pipelines/pipeline.h"
 #include "npy.h"
+#include "reader.h"
 
 /* A buffer's file. */
 typedef struct {
 	char *path;   /* NULL: the trace has no such file */
+	const void *memory; /* where the elements are if not in that file, which was not made then */
 	ts_npy npy;
 	bool cropped;
 	u32 crop[4];  /* x, y, width, height */
@@ -34,6 +36,9 @@ ts_status ts_trace_open_layout(ts_trace **trace, const char *dir, const char *la
 
 /* Opens one .npy file as a trace of nothing else. Which buffer it holds, its name says: "NAME.npy" or "NN-NAME.npy". */
 ts_status ts_trace_open_file(ts_trace **trace, const char *path, ts_buffer_id *id);
+
+/* A reader of the elements of a buffer that is there; NULL with the message set. */
+ts_reader *ts_trace_read(const ts_trace_item *item, ts_buffer_id id);
 
 /* NULL is allowed. */
 void ts_trace_close(ts_trace *trace);

@@ -1,4 +1,4 @@
-/* A direct-mapped cache of blocks of a file. */
+/* A direct-mapped cache of blocks of a file; or memory. */
 #include "reader.h"
 #include <assert.h>
 #include <errno.h>
@@ -17,6 +17,7 @@ struct ts_reader {
 	u64 per_block;
 	u64 held[N_BLOCKS]; /* 1 + the block that a place holds; 0: none */
 	u8 *blocks;
+	const u8 *memory;   /* instead of a file */
 };
 
 ts_reader *ts_reader_open(const char *path, u64 data_at, u64 n, size_t element_bytes)
@@ -34,6 +35,13 @@ ts_reader *ts_reader_open(const char *path, u64 data_at, u64 n, size_t element_b
 	if (r->path != NULL && r->blocks != NULL) return r;
 	ts_reader_close(r);
 	return NULL;
+}
+
+ts_reader *ts_reader_memory(const void *data, u64 n, size_t element_bytes)
+{
+	ts_reader *r = ts_alloc_zero(1, sizeof *r, "a reader");
+	if (r != NULL) *r = (ts_reader){.file = -1, .n = n, .element_bytes = element_bytes, .memory = data};
+	return r;
 }
 
 static bool read_all(const ts_reader *r, u8 *to, size_t bytes, u64 at)
@@ -55,6 +63,10 @@ static bool read_all(const ts_reader *r, u8 *to, size_t bytes, u64 at)
 const void *ts_reader_at(ts_reader *r, u64 first, u64 *n)
 {
 	assert(first < r->n);
+	if (r->memory != NULL) {
+		*n = r->n - first;
+		return r->memory + first * r->element_bytes;
+	}
 	u64 block = first / r->per_block, inside = first % r->per_block;
 	u64 begin = block * r->per_block, place = block % N_BLOCKS;
 	u64 held = r->n - begin < r->per_block ? r->n - begin : r->per_block;

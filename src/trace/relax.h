@@ -6,8 +6,9 @@
 
 /* All zero: everything must be exact. */
 typedef struct {
-	u64 ulp;            /* floats may be so many floats apart, */
+	u64 ulp;            /* floats, also depths of keys that name the same thing, may be so many floats apart, */
 	double abs, rel;    /* or so far, or so far in parts of the reference's; never a number from an infinity */
+	bool decided;       /* only what the reference decides is judged (decided.h) */
 	u64 allow;          /* so many elements of a buffer may differ */
 	const char *ignore; /* "BUFFER,BUFFER.field,...": not judged; NULL: none */
 	const u8 *mask;     /* H W: pixel buffers are judged only where it is not 0; NULL: everywhere */

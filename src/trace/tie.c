@@ -1,5 +1,6 @@
 /* The kernel of stage splat itself says whether a point offers a distance. */
 #include "tie.h"
+#include <inttypes.h>
 #include <stdlib.h>
 #include "../kernels/splat.h"
 
@@ -7,8 +8,7 @@ static ts_reader *open_item(const ts_trace *trace, ts_buffer_id id, bool *has)
 {
 	const ts_trace_item *item = &trace->item[id];
 	*has &= item->path != NULL;
-	return item->path != NULL ? ts_reader_open(item->path, item->npy.data_at, item->npy.n, ts_buffer_table[id].element_bytes)
-	                          : NULL;
+	return item->path != NULL ? ts_trace_read(item, id) : NULL;
 }
 
 ts_status ts_ties_open(ts_ties *t, const ts_trace *reference)
@@ -42,7 +42,7 @@ static ts_status fetch(ts_reader *reader, const ts_trace *trace, ts_buffer_id id
 {
 	u64 held;
 	const ts_trace_item *item = &trace->item[id];
-	if (index >= item->npy.n) return ts_fail("%s: element %llu is named and not there", item->path, (unsigned long long)index);
+	if (index >= item->npy.n) return ts_fail("%s: element %" PRIu64 " is named and not there", item->path, index);
 	const void *from = ts_reader_at(reader, index, &held);
 	if (from == NULL) return TS_ERROR;
 	memcpy(to, from, ts_buffer_table[id].element_bytes);

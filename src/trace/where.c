@@ -11,7 +11,7 @@ static bool fetch(const ts_trace *reference, ts_buffer_id id, u64 index, void *t
 	size_t bytes = ts_buffer_table[id].element_bytes;
 	u64 held;
 	if (item->path == NULL || index >= item->npy.n) return false;
-	ts_reader *reader = ts_reader_open(item->path, item->npy.data_at, item->npy.n, bytes);
+	ts_reader *reader = ts_trace_read(item, id);
 	const void *from = reader != NULL ? ts_reader_at(reader, index, &held) : NULL;
 	if (from != NULL) memcpy(to, from, bytes);
 	ts_reader_close(reader);
@@ -43,15 +43,20 @@ static bool where_pixel(char *text, const ts_trace *reference, u64 pixel)
 	return true;
 }
 
-static bool where_texel(char *text, const ts_trace *reference, u64 texel)
+const char *ts_where_face(u32 face)
 {
 	static const char *const faces[] = {"+X", "-X", "+Y", "-Y", "+Z", "-Z"};
+	return faces[face % 6];
+}
+
+static bool where_texel(char *text, const ts_trace *reference, u64 texel)
+{
 	ts_face cube;
 	for (u64 r = 0; fetch(reference, TS_B_resize_face, r, &cube); r++) {
 		u64 n = cube.n, inside = texel - cube.offset;
 		if (texel < cube.offset || inside >= 6 * n * n) continue;
 		snprintf(text, TS_WHERE_TEXT, "reflector %" PRIu64 ", face %s, texel (%" PRIu64 ", %" PRIu64 ")", r,
-		         faces[inside / (n * n)], inside % n, inside / n % n);
+		         ts_where_face((u32)(inside / (n * n))), inside % n, inside / n % n);
 		return true;
 	}
 	return false;

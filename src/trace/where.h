@@ -9,5 +9,7 @@ enum { TS_WHERE_TEXT = 128 };
 void ts_where(char text[TS_WHERE_TEXT], const ts_trace *reference, ts_buffer_id id, u64 element);
 /* "piece 812, x 5, y 3" of a key of points.key. */
 void ts_where_key(char text[TS_WHERE_TEXT], u64 key);
+/* "+X" of face 0, and so on to "-Z" of face 5. */
+const char *ts_where_face(u32 face);
 
 #endif

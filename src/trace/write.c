@@ -164,6 +164,7 @@ u64 ts_trace_estimate(const ts_pipeline *pipeline, const ts_scene *scene, const 
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
 		const ts_step *step = ts_pipeline_maker(pipeline, (ts_buffer_id)id);
 		if (options->without[id] || (step != NULL && !ts_pipeline_takes(step, params, true))) continue;
+		if (step != NULL && step->only_margins && !options->margins) continue;
 		if (step == NULL && !ts_emit_is_scene((ts_buffer_id)id)) continue;
 		bool batches = step != NULL && step->each_reflector && ts_buffer_table[id].shape[0] == 'C';
 		u64 part = ts_pipeline_bytes((ts_buffer_id)id, &sizes);

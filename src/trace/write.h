@@ -10,6 +10,7 @@ typedef const char *ts_trace_place(void *user, const char *name);
 typedef struct {
 	ts_trace_place *place;
 	void *user;
+	bool margins;               /* also how near decisions were */
 	bool without[TS_N_BUFFERS]; /* digests only: no file */
 	u32 crop[4];                /* x, y, width, height of the part of H W buffers that is written; width 0: all */
 } ts_trace_options;

@@ -20,7 +20,7 @@ ts_status ts_truth_a(ts_truth *truth, ts_run *run);
 /* B: the same with true reflections from the surface point, 25 rays a pixel; the own reflector may be hit. */
 ts_status ts_truth_b(ts_truth *truth, ts_run *run);
 
-/* For tests, which judge EPR's look-ups by it: the triangle, or TS_NONE, that each sample of each reflective pixel hits
+/* What EPR's look-ups are judged by: the triangle, or TS_NONE, that each sample of each reflective pixel hits
  * (P x 25, the first legs of A). *hits by free(); NULL on failure. */
 ts_status ts_truth_hits(ts_truth *truth, const ts_run *run, u32 **hits);
 

@@ -67,7 +67,8 @@ static void test_readers(void **state)
 {
 	(void)state;
 	static const ts_buffer_id last[] = { TS_B_image_radiance, TS_B_image_srgb, TS_B_shade_used, TS_B_split_scale,
-	                                     TS_B_split_offset, TS_B_splat_tie, TS_N_BUFFERS };
+	                                     TS_B_split_offset, TS_B_splat_tie,
+	                                     TS_B_eye_margin, TS_B_cull_margin, TS_B_face_margin, TS_N_BUFFERS };
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
 		u32 n = 0;
 		for (const ts_stage *s = ts_stage_table; s->name != NULL; s++) n += is_in(s->reads, (ts_buffer_id)id);
@@ -164,7 +165,7 @@ static void test_claims(void **state)
 		ts_scene *scene = small_scene(&params);
 		ts_run run, copy;
 		ts_run_begin(&run, scene, &params, 2);
-		run.traced = true;
+		run.traced = run.margins = true;
 		if (ts_pipeline_run(ts_pipeline_find("reflections", methods[m]), &run) != TS_OK) fail_msg("%s", ts_error_message());
 		for (u32 i = 0; i < run.n_timings; i++) {
 			const ts_stage *stage = ts_stage_find(run.timings[i].stage);

@@ -128,7 +128,8 @@ static void test_malformed(void **state)
 	static const char *const none[] = {
 		"", "{", "}", "{}", "{'descr'", "{'descr': ", "{'descr': }", "{'descr': '<f4'}",
 		"{'descr': '<f4', 'fortran_order': False}", "{'descr': '<f4', 'fortran_order': False, 'shape': }",
-		"{'descr': '<f4', 'fortran_order': False, 'shape': (6,)", "{'descr': '<f4', 'fortran_order': False, 'shape': (6,)} x",
+		"{'descr': '<f4', 'fortran_order': False, 'shape': (6,)",
+		"{'descr': '<f4', 'fortran_order': False, 'shape': (6,)} x",
 		"{'descr': '<f4', 'descr': '<f4', 'fortran_order': False, 'shape': (6,)}",
 		"{'descr': '<f4', 'fortran_order': False, 'shape': (6,), 'shape': (6,)}",
 		"{'descr': '<f4', 'fortran_order': False, 'shape': (6,), 'other': 1}",

@@ -1,0 +1,445 @@
+/* Writes a candidate: a trace that `touchstone compare` can hold against ours. One header for the source of a port, C99
+ * or C++11, little-endian machines, nothing but the C library; it needs nothing else of touchstone. reference/TRACES.md
+ * says what is written, reference/PORTING.md how to go on.
+ *
+ *   ts_candidate c;
+ *   uint64_t shape[1] = {n_texels};
+ *   ts_candidate_begin(&c, "out/candidate", "epr", "arrival", "my port", "0.3");  the folder exists
+ *   ts_candidate_add(&c, "splat.depth_index", 1, shape, texels);
+ *   if (ts_candidate_end(&c) != 0) fprintf(stderr, "%s\n", c.message);
+ *
+ * Every function returns 0, or 1 with a line in c.message; after a failure all later ones do nothing and return 1, so
+ * it is enough to ask at the end. trace.json is written by ts_candidate_end, last: without it there is no candidate. One
+ * buffer is open at a time; begin and end come in pairs, also after a failure. Any number of candidates can be written
+ * at once, each by one thread. Nothing is allocated; the caller's memory is only read.
+ *
+ * CONVENTIONS are undone while writing, by what the caller says of its memory:
+ * - Rows from below, row pitches, 4-component vectors, column-major arrays: strides in bytes (ts_candidate_view). For
+ *   rows from below let `data` be the last row and the first stride negative. Faces of cubes are put one by one.
+ * - Records kept as separate arrays: ts_candidate_put_fields.
+ * - Depth and index in two arrays, depth not axial: ts_candidate_put_keys. With d what the depth buffer holds, n and f
+ *   near and far plane, z the axial depth that a key wants:
+ *     TS_DEPTH_AXIAL              z = d           also distances: splat.depth_index wants |p - centre|
+ *     TS_DEPTH_STANDARD           z = n f / (f - d (f - n))      d 0 at near, 1 at far; of OpenGL d = (ndc + 1) / 2
+ *     TS_DEPTH_REVERSED           z = n f / (n + d (f - n))      d 1 at near, 0 at far
+ *     TS_DEPTH_REVERSED_INFINITE  z = n / d                      d 1 at near, 0 at infinity
+ *     unorm of b bits             d = code / (2^b - 1), then one of these
+ *   in binary64, rounded once to binary32. Only TS_DEPTH_AXIAL can give equal bits: the others have lost them when the
+ *   depth buffer rounded, a unorm one by up to half a code, so the keys cannot be equal. Compare such buffers by their
+ *   indices, or write the axial depth from the shader. */
+#ifndef TOUCHSTONE_CANDIDATE_H
+#define TOUCHSTONE_CANDIDATE_H
+#include <float.h>
+#include <inttypes.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
+#define TS_CANDIDATE_DIMS 4
+#define TS_CANDIDATE_PATH 1024
+#define TS_CANDIDATE_NONE 0xffffffffu /* an index that names nothing */
+
+typedef struct {
+	const char *name;  /* of the buffer */
+	unsigned bytes;    /* an element */
+	unsigned n_dims;
+	const char *descr; /* dtype, as numpy writes it */
+} ts_candidate_buffer;
+
+/* begin table: printed by the test program tests/ports/candidate with the argument `table` */
+static const ts_candidate_buffer ts_candidate_buffers[] = {
+	{"scene.vertex", 80, 1,
+		"[('position', '<f4', (3,)), ('object', '<u4'), ('normal', '<f4', (3,)), ('pad', '<u4'), "
+		"('tangent', '<f4', (4,)), ('uv', '<f4', (4,)), ('colour', '<f4', (4,))]"},
+	{"scene.triangle", 16, 1, "[('vertex', '<u4', (3,)), ('material', '<u4')]"},
+	{"scene.material", 80, 1,
+		"[('base', '<f4', (4,)), ('emissive', '<f4', (3,)), ('metallic', '<f4'), ('roughness', '<f4'), "
+		"('normal_scale', '<f4'), ('occlusion', '<f4'), ('alpha_cutoff', '<f4'), ('slot', '<u4', (5,)), "
+		"('flags', '<u4'), ('pad', '<u4', (2,))]"},
+	{"scene.slot", 48, 1,
+		"[('image', '<u4'), ('uv_set', '<u4'), ('wrap', '<u4', (2,)), ('transform', '<f4', (6,)), "
+		"('pad', '<u4', (2,))]"},
+	{"scene.image", 24, 1,
+		"[('width', '<u4'), ('height', '<u4'), ('n_levels', '<u4'), ('pad', '<u4'), "
+		"('first_texel', '<u8')]"},
+	{"scene.texel", 8, 1, "'<u8'"},
+	{"scene.light", 64, 1,
+		"[('position', '<f4', (3,)), ('kind', '<u4'), ('direction', '<f4', (3,)), ('range', '<f4'), "
+		"('intensity', '<f4', (3,)), ('spot_scale', '<f4'), ('spot_offset', '<f4'), ('pad', '<u4', (3,))]"},
+	{"scene.object", 48, 1,
+		"[('first_vertex', '<u4'), ('n_vertices', '<u4'), ('reflector', '<u4'), ('period', '<u4'), "
+		"('centre', '<f4', (3,)), ('phase', '<f4'), ('axis', '<f4', (2,)), ('bob', '<f4'), "
+		"('spin', '<f4')]"},
+	{"scene.info", 112, 1,
+		"[('eye', '<f4', (3,)), ('yfov', '<f4'), ('right', '<f4', (3,)), ('n_reflectors', '<u4'), "
+		"('up', '<f4', (3,)), ('circles', '<u4'), ('back', '<f4', (3,)), ('ambient', '<f4'), "
+		"('box_min', '<f4', (3,)), ('pad0', '<u4'), ('box_max', '<f4', (3,)), ('pad1', '<u4'), "
+		"('hall_min', '<f4', (2,)), ('hall_max', '<f4', (2,))]"},
+	{"eye.view", 64, 1,
+		"[('eye', '<f4', (3,)), ('focal', '<f4'), ('right', '<f4', (3,)), ('width', '<u4'), "
+		"('up', '<f4', (3,)), ('height', '<u4'), ('back', '<f4', (3,)), ('near', '<f4')]"},
+	{"pose.vertex", 80, 1,
+		"[('position', '<f4', (3,)), ('object', '<u4'), ('normal', '<f4', (3,)), ('pad', '<u4'), "
+		"('tangent', '<f4', (4,)), ('uv', '<f4', (4,)), ('colour', '<f4', (4,))]"},
+	{"resize.face", 64, 1,
+		"[('centre', '<f4', (3,)), ('radius', '<f4'), ('box_min', '<f4', (3,)), ('n', '<u4'), "
+		"('box_max', '<f4', (3,)), ('near', '<f4'), ('offset', '<u8'), ('object', '<u4'), ('pad', '<u4')]"},
+	{"eye.depth_triangle", 8, 2, "'<u8'"},
+	{"eye.margin", 8, 3, "'<u8'"},
+	{"pixel.offset", 4, 1, "'<u4'"},
+	{"pixel.record", 96, 1,
+		"[('position', '<f4', (3,)), ('index', '<u4'), ('normal', '<f4', (3,)), ('reflector', '<u4'), "
+		"('position_dx', '<f4', (3,)), ('tint_r', '<f4'), ('position_dy', '<f4', (3,)), "
+		"('tint_g', '<f4'), ('normal_dx', '<f4', (3,)), ('tint_b', '<f4'), ('normal_dy', '<f4', (3,)), "
+		"('pad', '<u4')]"},
+	{"visibility.bits", 8, 2, "'<u8'"},
+	{"split.scale", 4, 1, "'<f4'"},
+	{"split.offset", 4, 1, "'<u4'"},
+	{"split.triangle", 48, 1,
+		"[('a', '<f4', (3,)), ('triangle', '<u4'), ('b', '<f4', (3,)), ('path', '<u4'), "
+		"('c', '<f4', (3,)), ('pad', '<u4')]"},
+	{"density.scale", 4, 1, "'<f4'"},
+	{"cull.keep", 4, 1, "'<u4'"},
+	{"cull.margin", 4, 1, "'<f4'"},
+	{"align.frame", 80, 1,
+		"[('c', '<f4', (3,)), ('s', '<f4'), ('u', '<f4', (3,)), ('pad0', '<u4'), ('v', '<f4', (3,)), "
+		"('pad1', '<u4'), ('q', '<i4', (6,)), ('pad2', '<u4', (2,))]"},
+	{"count.offset", 4, 1, "'<u4'"},
+	{"points.key", 8, 1, "'<u8'"},
+	{"points.record", 32, 1,
+		"[('centre', '<f4', (3,)), ('length', '<f4'), ('piece', '<u4'), ('flags', '<u4'), "
+		"('pad', '<u4', (2,))]"},
+	{"splat.depth_index", 8, 1, "'<u8'"},
+	{"splat.tie", 1, 1, "'|u1'"},
+	{"lookup.point", 4, 2, "'<u4'"},
+	{"lookup2.offset", 4, 1, "'<u4'"},
+	{"lookup2.parent", 16, 1, "[('parent', '<u4'), ('point', '<u4'), ('reflector', '<u4'), ('from', '<u4')]"},
+	{"lookup2.point", 4, 2, "'<u4'"},
+	{"lookup3.offset", 4, 1, "'<u4'"},
+	{"lookup3.parent", 16, 1, "[('parent', '<u4'), ('point', '<u4'), ('reflector', '<u4'), ('from', '<u4')]"},
+	{"lookup3.point", 4, 2, "'<u4'"},
+	{"shade3.radiance", 4, 2, "'<f4'"},
+	{"shade2.radiance", 4, 2, "'<f4'"},
+	{"shade.radiance", 4, 2, "'<f4'"},
+	{"shade.used", 4, 1, "'<u4'"},
+	{"face.depth_triangle", 8, 1, "'<u8'"},
+	{"face.margin", 8, 2, "'<u8'"},
+	{"face.mip", 4, 2, "'<f4'"},
+	{"image.radiance", 4, 3, "'<f4'"},
+	{"image.srgb", 1, 3, "'|u1'"},
+};
+/* end table */
+
+enum { TS_CANDIDATE_BUFFERS = sizeof ts_candidate_buffers / sizeof *ts_candidate_buffers };
+
+typedef struct {
+	char message[512]; /* of the first failure; "" */
+	char folder[TS_CANDIDATE_PATH];
+	char pipeline[32], order[16], producer[64], version[64];
+	char params[4096];                           /* as JSON */
+	unsigned char added[TS_CANDIDATE_BUFFERS];
+	const ts_candidate_buffer *open;             /* NULL: none */
+	FILE *file;
+	uint64_t left;                               /* elements that the open buffer still lacks */
+} ts_candidate;
+
+/* Where element (i, j, ...) lies: data + i stride[0] + j stride[1] + ... bytes. */
+typedef struct {
+	const void *data;
+	ptrdiff_t stride[TS_CANDIDATE_DIMS];
+} ts_candidate_view;
+
+typedef enum { TS_DEPTH_AXIAL, TS_DEPTH_STANDARD, TS_DEPTH_REVERSED, TS_DEPTH_REVERSED_INFINITE } ts_candidate_depth;
+
+/* What a depth buffer holds. */
+typedef struct {
+	ts_candidate_depth kind;
+	unsigned unorm_bits; /* 16, 24 or 32: elements are uint32_t codes; 0: float */
+	double z_near, z_far;
+} ts_candidate_projection;
+
+/* One field of records: component k of element i lies at data + i stride + k component_stride. Planes of x, y, z:
+ * stride sizeof(float), component_stride n times that. */
+typedef struct {
+	const char *name;
+	const void *data;
+	ptrdiff_t stride, component_stride;
+} ts_candidate_field;
+
+static inline int ts_candidate_fail(ts_candidate *c, const char *what, const char *name)
+{
+	if (c->message[0] == 0) snprintf(c->message, sizeof c->message, "%.300s: %.180s", name, what);
+	return 1;
+}
+
+/* Copies a text that JSON can hold as it is. */
+static inline int ts_candidate_text(ts_candidate *c, char *to, size_t room, const char *text)
+{
+	size_t n = strlen(text), i;
+	for (i = 0; i < n; i++) {
+		if ((unsigned char)text[i] < 32 || text[i] == '"' || text[i] == '\\')
+			return ts_candidate_fail(c, "a text with quotes, backslashes or control characters", text);
+	}
+	if (n >= room) return ts_candidate_fail(c, "a text that is too long", text);
+	memcpy(to, text, n + 1);
+	return 0;
+}
+
+static inline FILE *ts_candidate_file(ts_candidate *c, const char *name, const char *suffix)
+{
+	char path[TS_CANDIDATE_PATH + 128];
+	FILE *file;
+	snprintf(path, sizeof path, "%s/%s%s", c->folder, name, suffix);
+	file = fopen(path, "wb");
+	if (file == NULL) ts_candidate_fail(c, "cannot be written", path);
+	return file;
+}
+
+/* Begins a candidate in a folder that exists; a trace.json that is there is removed first. `pipeline`: "epr" or "mvr";
+ * `order`: "canonical", or "arrival" if points stand in the order in which threads appended them. */
+static inline int ts_candidate_begin(ts_candidate *c, const char *folder, const char *pipeline, const char *order,
+                                     const char *producer, const char *version)
+{
+	const uint32_t one = 1;
+	char path[TS_CANDIDATE_PATH + 16];
+	memset(c, 0, sizeof *c);
+	if (*(const unsigned char *)&one != 1) return ts_candidate_fail(c, "not on a big-endian machine", "candidate.h");
+	if (strlen(folder) >= sizeof c->folder) return ts_candidate_fail(c, "too long", folder);
+	memcpy(c->folder, folder, strlen(folder) + 1);
+	if (strcmp(order, "canonical") != 0 && strcmp(order, "arrival") != 0)
+		return ts_candidate_fail(c, "no order; canonical or arrival would be right", order);
+	snprintf(path, sizeof path, "%s/trace.json", folder);
+	remove(path);
+	return ts_candidate_text(c, c->pipeline, sizeof c->pipeline, pipeline) ||
+	       ts_candidate_text(c, c->order, sizeof c->order, order) ||
+	       ts_candidate_text(c, c->producer, sizeof c->producer, producer) ||
+	       ts_candidate_text(c, c->version, sizeof c->version, version);
+}
+
+/* Says which value a parameter had, as --set takes it. Replaying a stage from the candidate's buffers needs them. */
+static inline int ts_candidate_param(ts_candidate *c, const char *name, const char *value)
+{
+	char a[64], b[128];
+	size_t n = strlen(c->params);
+	int wrote;
+	if (c->message[0] != 0) return 1;
+	if (ts_candidate_text(c, a, sizeof a, name) || ts_candidate_text(c, b, sizeof b, value)) return 1;
+	wrote = snprintf(c->params + n, sizeof c->params - n, "%s\"%s\": \"%s\"", n != 0 ? ", " : "", a, b);
+	if (wrote > 0 && (size_t)wrote < sizeof c->params - n) return 0;
+	return ts_candidate_fail(c, "too many parameters", name);
+}
+
+static inline int ts_candidate_close(ts_candidate *c)
+{
+	const ts_candidate_buffer *b = c->open;
+	int good;
+	if (c->file == NULL) return 0;
+	good = fclose(c->file) == 0;
+	c->file = NULL;
+	c->open = NULL;
+	if (!good) return ts_candidate_fail(c, "cannot be written; the disk may be full", b->name);
+	if (c->left != 0) return ts_candidate_fail(c, "fewer elements were put than its shape has", b->name);
+	c->added[b - ts_candidate_buffers] = 1;
+	return 0;
+}
+
+/* The header of an .npy file of version 1.0. */
+static inline int ts_candidate_header(ts_candidate *c, unsigned n_dims, const uint64_t *shape)
+{
+	char text[4096], dims[128];
+	size_t used = 0, n, length;
+	unsigned i;
+	for (i = 0; i < n_dims; i++)
+		used += (size_t)snprintf(dims + used, sizeof dims - used, "%s%" PRIu64, i ? ", " : "", shape[i]);
+	n = (size_t)snprintf(text + 10, sizeof text - 10, "{'descr': %s, 'fortran_order': False, 'shape': (%s%s), }",
+	                     c->open->descr, dims, n_dims == 1 ? "," : "");
+	length = (10 + n + 1 + 63) / 64 * 64;
+	memset(text + 10 + n, ' ', length - 10 - n);
+	text[length - 1] = '\n';
+	memcpy(text, "\x93NUMPY\x01\x00", 8);
+	text[8] = (char)((length - 10) & 255);
+	text[9] = (char)((length - 10) >> 8);
+	if (fwrite(text, 1, length, c->file) == length) return 0;
+	return ts_candidate_fail(c, "cannot be written; the disk may be full", c->open->name);
+}
+
+/* Begins a buffer whose elements come in parts, in C order. The next one, or the end, closes it. */
+static inline int ts_candidate_open(ts_candidate *c, const char *name, unsigned n_dims, const uint64_t *shape)
+{
+	unsigned i = 0, k;
+	if (c->message[0] != 0 || ts_candidate_close(c)) return 1;
+	while (i < TS_CANDIDATE_BUFFERS && strcmp(ts_candidate_buffers[i].name, name) != 0) i++;
+	if (i == TS_CANDIDATE_BUFFERS) return ts_candidate_fail(c, "no such buffer; see: touchstone list buffers", name);
+	if (c->added[i]) return ts_candidate_fail(c, "was added before", name);
+	if (n_dims != ts_candidate_buffers[i].n_dims) return ts_candidate_fail(c, "has another number of dimensions", name);
+	c->file = ts_candidate_file(c, name, ".npy");
+	if (c->file == NULL) return 1;
+	c->open = &ts_candidate_buffers[i];
+	c->left = 1;
+	for (k = 0; k < n_dims; k++) c->left *= shape[k];
+	return ts_candidate_header(c, n_dims, shape);
+}
+
+/* Writes n elements, packed. */
+static inline int ts_candidate_write(ts_candidate *c, const void *data, uint64_t n)
+{
+	size_t bytes;
+	if (c->message[0] != 0) return 1;
+	if (c->open == NULL) return ts_candidate_fail(c, "ts_candidate_open comes first", "candidate.h");
+	if (n > c->left) return ts_candidate_fail(c, "more elements were put than its shape has", c->open->name);
+	bytes = (size_t)n * c->open->bytes;
+	c->left -= n;
+	if (bytes == 0 || fwrite(data, 1, bytes, c->file) == bytes) return 0;
+	return ts_candidate_fail(c, "cannot be written; the disk may be full", c->open->name);
+}
+
+/* Adds a whole buffer that lies in memory as it is in the file. */
+static inline int ts_candidate_add(ts_candidate *c, const char *name, unsigned n_dims, const uint64_t *shape,
+                                   const void *data)
+{
+	if (ts_candidate_open(c, name, n_dims, shape)) return 1;
+	return ts_candidate_write(c, data, c->left) || ts_candidate_close(c);
+}
+
+/* Where element `index`, counted in C order, of an array of that shape lies. */
+static inline const unsigned char *ts_candidate_at(const ts_candidate_view *view, unsigned n_dims,
+                                                   const uint64_t *shape, uint64_t index)
+{
+	const unsigned char *at = (const unsigned char *)view->data;
+	unsigned k;
+	for (k = n_dims; k-- > 0; index /= shape[k]) at += (ptrdiff_t)(index % shape[k]) * view->stride[k];
+	return at;
+}
+
+static inline uint64_t ts_candidate_count(unsigned n_dims, const uint64_t *shape)
+{
+	uint64_t n = 1;
+	unsigned k;
+	for (k = 0; k < n_dims; k++) n *= shape[k];
+	return n;
+}
+
+/* Puts the next elements of the open buffer: an array of any shape with strides, a whole image or a face of a cube. */
+static inline int ts_candidate_put(ts_candidate *c, unsigned n_dims, const uint64_t *shape,
+                                   const ts_candidate_view *view)
+{
+	uint64_t n = ts_candidate_count(n_dims, shape), i;
+	for (i = 0; i < n; i++) {
+		if (ts_candidate_write(c, ts_candidate_at(view, n_dims, shape, i), 1)) return 1;
+	}
+	return c->message[0] != 0;
+}
+
+/* Axial depth, or 0 where the depth buffer holds nothing that is before the camera and at a finite place. */
+static inline float ts_candidate_axial(const ts_candidate_projection *p, const unsigned char *at)
+{
+	double d, z, n = p->z_near, f = p->z_far;
+	if (p->unorm_bits != 0) {
+		uint32_t code;
+		memcpy(&code, at, sizeof code);
+		d = code / (double)(0xffffffffu >> (32 - p->unorm_bits));
+	} else {
+		float x;
+		memcpy(&x, at, sizeof x);
+		if (p->kind == TS_DEPTH_AXIAL) return x > 0 && x <= FLT_MAX ? x : 0;
+		d = x;
+	}
+	z = p->kind == TS_DEPTH_STANDARD ? n * f / (f - d * (f - n))
+	    : p->kind == TS_DEPTH_REVERSED ? n * f / (n + d * (f - n))
+	    : p->kind == TS_DEPTH_REVERSED_INFINITE ? (d > 0 ? n / d : 0)
+	                                            : d;
+	return z > 0 && z <= FLT_MAX ? (float)z : 0;
+}
+
+/* Puts keys, depth bits << 32 | index, from an array of depths and one of uint32_t indices of the same shape. Where the
+ * index is TS_CANDIDATE_NONE, or there is no depth, the key is empty. */
+static inline int ts_candidate_put_keys(ts_candidate *c, unsigned n_dims, const uint64_t *shape,
+                                        const ts_candidate_view *depth, const ts_candidate_projection *projection,
+                                        const ts_candidate_view *index)
+{
+	uint64_t n = ts_candidate_count(n_dims, shape), i;
+	if (c->open != NULL && strcmp(c->open->descr, "'<u8'") != 0)
+		return ts_candidate_fail(c, "its elements are no keys", c->open->name);
+	if (projection->unorm_bits > 32) return ts_candidate_fail(c, "unorm_bits is above 32", "candidate.h");
+	for (i = 0; i < n; i++) {
+		float z = ts_candidate_axial(projection, ts_candidate_at(depth, n_dims, shape, i));
+		uint32_t named, bits;
+		uint64_t key;
+		memcpy(&named, ts_candidate_at(index, n_dims, shape, i), sizeof named);
+		memcpy(&bits, &z, sizeof bits);
+		key = named == TS_CANDIDATE_NONE || bits == 0 ? ~(uint64_t)0 : (uint64_t)bits << 32 | named;
+		if (ts_candidate_write(c, &key, 1)) return 1;
+	}
+	return c->message[0] != 0;
+}
+
+/* Where in a record a field lies, from the text of the dtype. Returns the bytes of one component; 0: no such field. */
+static inline unsigned ts_candidate_find(const char *descr, const char *name, unsigned *offset, unsigned *count)
+{
+	const char *at = descr;
+	*offset = 0;
+	while ((at = strstr(at, "('")) != NULL) {
+		char field[32], type[8];
+		unsigned bytes;
+		*count = 1;
+		if (sscanf(at, "('%31[^']', '%7[^']', (%u", field, type, count) < 2) return 0;
+		bytes = (unsigned)(type[2] - '0');
+		if (strcmp(field, name) == 0) return bytes;
+		*offset += bytes * *count;
+		at += 2;
+	}
+	return 0;
+}
+
+/* Puts the next n records of the open buffer from arrays of their fields. Fields that are not given are 0. */
+static inline int ts_candidate_put_fields(ts_candidate *c, uint64_t n, const ts_candidate_field *fields,
+                                          unsigned n_fields)
+{
+	unsigned char record[256];
+	uint64_t i;
+	unsigned f, k, offset, count;
+	for (i = 0; i < n && c->open != NULL; i++) {
+		memset(record, 0, sizeof record);
+		for (f = 0; f < n_fields; f++) {
+			unsigned bytes = ts_candidate_find(c->open->descr, fields[f].name, &offset, &count);
+			if (bytes == 0) return ts_candidate_fail(c, "the open buffer has no such field", fields[f].name);
+			for (k = 0; k < count; k++) {
+				const unsigned char *from = (const unsigned char *)fields[f].data + (ptrdiff_t)i * fields[f].stride;
+				memcpy(record + offset + k * bytes, from + (ptrdiff_t)k * fields[f].component_stride, bytes);
+			}
+		}
+		if (ts_candidate_write(c, record, 1)) return 1;
+	}
+	return c->message[0] != 0;
+}
+
+/* Writes trace.json, unless something failed. */
+static inline int ts_candidate_end(ts_candidate *c)
+{
+	FILE *file;
+	int good, first = 1;
+	unsigned i;
+	ts_candidate_close(c);
+	if (c->message[0] != 0) return 1;
+	file = ts_candidate_file(c, "trace", ".json");
+	if (file == NULL) return 1;
+	fprintf(file, "{\n \"format\": \"touchstone-trace\",\n \"version\": 1,\n \"contract\": 1,\n");
+	fprintf(file, " \"order\": \"%s\",\n", c->order);
+	fprintf(file, " \"pipeline\": \"%s\",\n \"producer\": {\"name\": \"%s\", \"version\": \"%s\"},\n", c->pipeline,
+	        c->producer, c->version);
+	if (c->params[0] != 0) fprintf(file, " \"params\": {%s},\n", c->params);
+	fprintf(file, " \"buffers\": [");
+	for (i = 0; i < TS_CANDIDATE_BUFFERS; i++) {
+		const char *name = ts_candidate_buffers[i].name;
+		if (!c->added[i]) continue;
+		fprintf(file, "%s\n  {\"name\": \"%s\", \"file\": \"%s.npy\"}", first ? "" : ",", name, name);
+		first = 0;
+	}
+	fprintf(file, "\n ]\n}\n");
+	good = ferror(file) == 0;
+	good = fclose(file) == 0 && good;
+	return good ? 0 : ts_candidate_fail(c, "trace.json cannot be written; the disk may be full", c->folder);
+}
+
+#endif

@@ -1,0 +1,58 @@
+/* Goldens as a command: reference/cases.txt says what is run, reference/<case>/ what came of it. Part of the core. */
+#ifndef TS_CLI_GOLDEN_H
+#define TS_CLI_GOLDEN_H
+#include "../trace/golden.h"
+#include "cli.h"
+
+enum { TS_MAX_CASES = 100, TS_CASE_NAME = 41, TS_CASE_SCENE = 64, TS_REASON_BYTES = 400 };
+
+/* For `help golden`. */
+#define TS_GOLDEN_DETAILS \
+	"check runs the cases of cases.txt again and says for each: same; different, and the first buffer that is; or\n" \
+	"missing. new writes what it computes beside the goldens, as NAME.new; bless CASE --reason TEXT puts that in\n" \
+	"their place, and the reason into CHANGES."
+
+/* A line of cases.txt. */
+typedef struct {
+	char name[TS_CASE_NAME];   /* of a-z, 0-9 and -: also its folder */
+	char scene[TS_CASE_SCENE]; /* a built-in one */
+	const ts_pipeline *pipeline;
+	ts_params params;
+	bool small;                /* small files are stored as they are */
+} ts_case;
+
+/* What a `golden` command works on. */
+typedef struct {
+	const ts_cli *cli;
+	ts_golden_dir dir; /* reference/ */
+	ts_case cases[TS_MAX_CASES];
+	u32 n_cases;
+} ts_goldens;
+
+/* Whether text can be the name of a case. */
+bool ts_case_name(const char *text);
+/* Reads cases.txt of goldens->dir. */
+ts_status ts_cases_read(ts_goldens *goldens);
+/* The case of that name; NULL with the message set. */
+const ts_case *ts_cases_find(const ts_goldens *goldens, const char *name);
+
+/* Writes params.txt of a case: effect, method, scene and every parameter, NAME=VALUE lines. */
+ts_status ts_case_write_params(const ts_case *c, const ts_golden_dir *dir, const char *name);
+/* Compares such a file with the case. TS_DIFFERENT: `text` says where. A parameter that the file does not name, because
+ * it is younger, must have its default. */
+ts_status ts_case_check_params(char *text, size_t text_bytes, const ts_case *c, const ts_golden_dir *dir,
+                               const char *name);
+
+/* Runs a case, as ts_golden_compute; refuses what does not fit the machine. ts_golden_free also after a failure. */
+ts_status ts_case_compute(ts_golden *golden, const ts_case *c, const ts_cli *cli, bool reference);
+
+/* The actions; `only` is a case, or NULL: all. */
+ts_status ts_golden_check_action(const ts_goldens *goldens, const ts_case *only);
+ts_status ts_golden_new_action(const ts_goldens *goldens, const ts_case *only);
+ts_status ts_golden_bless_action(const ts_goldens *goldens, const ts_case *only);
+
+/* Writes the preview of a case; NULL in a program that cannot. Each program has its own. */
+typedef ts_status ts_preview(const char *path, const u8 *srgb, u32 width, u32 height, u32 channels);
+extern ts_preview *const ts_golden_preview;
+
+#endif

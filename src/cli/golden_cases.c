@@ -1,0 +1,118 @@
+/* reference/cases.txt: NAME: METHOD SCENE [OPTION...] a line. The file is untrusted. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../scene/sources.h"
+#include "golden.h"
+
+enum { MOST_FILE_BYTES = 64 << 10, MOST_WORDS = 100, MOST_PIXELS = 1 << 20, MOST_FRAME = 1000 };
+
+/* A line after its name is a command line of its own. */
+static const ts_command line_command = {
+	"golden", "METHOD SCENE [OPTION...]", "", "", 2, 2,
+	TS_OPT_SIZE | TS_OPT_FRAME | TS_OPT_REFLECTORS | TS_OPT_SET, NULL
+};
+
+bool ts_case_name(const char *text)
+{
+	size_t n = strlen(text);
+	return n > 0 && n < TS_CASE_NAME && strspn(text, "abcdefghijklmnopqrstuvwxyz0123456789-") == n && text[0] != '-';
+}
+
+static ts_status find_name(ts_case *c, const ts_goldens *goldens, char *line, char **rest)
+{
+	char *colon = strchr(line, ':');
+	if (colon == NULL) return ts_fail("no \":\"; write NAME: METHOD SCENE [OPTION...]");
+	*colon = 0;
+	*rest = colon + 1;
+	if (!ts_case_name(line)) {
+		return ts_fail("\"%.60s\" is not a name of 1 to %d of a-z, 0-9 and \"-\"", line, TS_CASE_NAME - 1);
+	}
+	for (u32 i = 0; i < goldens->n_cases; i++) {
+		if (strcmp(goldens->cases[i].name, line) == 0) return ts_fail("a second case of the name %s", line);
+	}
+	strcpy(c->name, line);
+	return TS_OK;
+}
+
+/* Splits at blanks, takes --small out, and parses what is left. */
+static ts_status parse_words(ts_cli *cli, bool *small, char *text)
+{
+	char *words[MOST_WORDS + 1] = {"golden"}, *state;
+	int n = 1;
+	for (char *word = strtok_r(text, " \t", &state); word != NULL; word = strtok_r(NULL, " \t", &state)) {
+		if (n == MOST_WORDS) return ts_fail("more than %d words", MOST_WORDS - 1);
+		if (strcmp(word, "--small") == 0) {
+			*small = true;
+		} else {
+			words[n++] = word;
+		}
+	}
+	ts_status status = ts_cli_parse(cli, &line_command, n, words);
+	if (status == TS_OK && ts_cli_given(cli, TS_OPT_HELP)) return ts_fail("--help is no part of a case");
+	return status;
+}
+
+static ts_status take_line(ts_case *c, const ts_cli *cli)
+{
+	const char *method = cli->arguments[0], *scene = cli->arguments[1];
+	const ts_params *p = &cli->params;
+	c->pipeline = ts_pipeline_find("reflections", method);
+	c->params = *p;
+	if (c->pipeline == NULL) return ts_fail("no method \"%.60s\"", method);
+	if (!ts_builtin_is(scene) || strlen(scene) >= TS_CASE_SCENE) {
+		return ts_fail("\"%.60s\" is not a built-in scene", scene);
+	}
+	strcpy(c->scene, scene);
+	if ((u64)p->width * p->height > MOST_PIXELS || p->frame > MOST_FRAME) {
+		return ts_fail("%u x %u pixels, frame %u: a golden has at most %d pixels and frame %d", p->width, p->height,
+		               p->frame, MOST_PIXELS, MOST_FRAME);
+	}
+	return TS_OK;
+}
+
+static ts_status read_case(ts_goldens *goldens, char *line)
+{
+	char *rest = line;
+	ts_cli cli;
+	if (goldens->n_cases == TS_MAX_CASES) return ts_fail("more than %d cases", TS_MAX_CASES);
+	ts_case *c = &goldens->cases[goldens->n_cases];
+	memset(c, 0, sizeof *c);
+	if (find_name(c, goldens, line, &rest) != TS_OK || parse_words(&cli, &c->small, rest) != TS_OK) return TS_ERROR;
+	if (take_line(c, &cli) != TS_OK) return TS_ERROR;
+	goldens->n_cases++;
+	return TS_OK;
+}
+
+ts_status ts_cases_read(ts_goldens *goldens)
+{
+	char *text, *end;
+	size_t bytes;
+	u32 number = 0;
+	ts_status status = ts_golden_read_file(&text, &bytes, &goldens->dir, "cases.txt", MOST_FILE_BYTES);
+	if (status != TS_OK) return status;
+	if (strlen(text) != bytes) status = ts_fail("a byte that is no text");
+	goldens->n_cases = 0;
+	for (char *line = text; status == TS_OK && *line != 0; line = end) {
+		number++;
+		end = line + strcspn(line, "\n");
+		if (*end != 0) *end++ = 0;
+		line[strcspn(line, "#")] = 0;
+		if (line[strspn(line, " \t")] != 0) status = read_case(goldens, line);
+	}
+	if (status == TS_OK && goldens->n_cases == 0) status = ts_fail("no case");
+	if (status != TS_OK) ts_fail("%s/cases.txt:%u: %s", goldens->dir.path, (unsigned)number, ts_error_message());
+	free(text);
+	return status;
+}
+
+const ts_case *ts_cases_find(const ts_goldens *goldens, const char *name)
+{
+	ts_nearest nearest = ts_nearest_begin(name);
+	for (u32 i = 0; i < goldens->n_cases; i++) {
+		if (strcmp(goldens->cases[i].name, name) == 0) return &goldens->cases[i];
+		ts_nearest_offer(&nearest, goldens->cases[i].name);
+	}
+	ts_fail("golden: no case \"%.60s\" in %s/cases.txt; the nearest is %s", name, goldens->dir.path, nearest.best);
+	return NULL;
+}

@@ -1,0 +1,210 @@
+/* `probe TRACE`: why a pixel, a texel, a triangle or a point is what it is. One description, printed as text or as
+ * JSON. */
+#include <stdlib.h>
+#include "../trace/probe.h"
+#include "../trace/where.h"
+#include "table.h"
+
+enum { WIDTH = 118, ITEM_TEXT = 512 };
+
+static bool is_valued(const json_t *v)
+{
+	return json_object_size(v) == 2 && json_object_get(v, "value") != NULL && json_object_get(v, "bits") != NULL;
+}
+
+/* What fits on a line. */
+static bool is_leaf(const json_t *v)
+{
+	if (json_is_object(v)) return is_valued(v);
+	for (size_t i = 0; i < json_array_size(v); i++) {
+		if (!is_leaf(json_array_get(v, i)) || json_is_object(json_array_get(v, i))) return false;
+	}
+	return true;
+}
+
+static size_t say(char *text, size_t used, const json_t *v);
+
+static size_t say_list(char *text, size_t used, const json_t *list, const char *apart)
+{
+	for (size_t i = 0; i < json_array_size(list) && used < ITEM_TEXT - 64; i++) {
+		if (i > 0) used += (size_t)snprintf(text + used, ITEM_TEXT - used, "%s", apart);
+		used = say(text, used, json_array_get(list, i));
+	}
+	return used;
+}
+
+static size_t say_bits(char *text, size_t used, const json_t *v)
+{
+	const json_t *bits = json_object_get(v, "bits");
+	used = say(text, used, json_object_get(v, "value"));
+	used += (size_t)snprintf(text + used, ITEM_TEXT - used, " (");
+	used = json_is_array(bits) ? say_list(text, used, bits, " ") : say(text, used, bits);
+	return used + (size_t)snprintf(text + used, ITEM_TEXT - used, ")");
+}
+
+/* Appends a leaf to text of ITEM_TEXT bytes, of which `used` are; long ones are cut. Returns what is used then. */
+static size_t say(char *text, size_t used, const json_t *v)
+{
+	if (used > ITEM_TEXT - 64) return used;
+	if (json_is_object(v)) return say_bits(text, used, v);
+	if (json_is_array(v)) {
+		used += (size_t)snprintf(text + used, ITEM_TEXT - used, "[");
+		used = say_list(text, used, v, ", ");
+		return used + (size_t)snprintf(text + used, ITEM_TEXT - used, "]");
+	}
+	size_t room = ITEM_TEXT - used;
+	int n = json_is_string(v)    ? snprintf(text + used, room, "%s", json_string_value(v))
+	        : json_is_integer(v) ? snprintf(text + used, room, "%" JSON_INTEGER_FORMAT, json_integer_value(v))
+	        : json_is_real(v)    ? snprintf(text + used, room, "%.9g", json_real_value(v))
+	                             : snprintf(text + used, room, "%s", json_is_true(v) ? "yes" : "no");
+	return used + (n < 0 ? 0 : (size_t)n < room ? (size_t)n : room - 1);
+}
+
+static void print(ts_report *report, json_t *v, int depth, bool item);
+
+/* The leaves of an element of a list, as many a line as fit, behind a dash. */
+static void print_leaves(ts_report *report, json_t *o, int depth)
+{
+	char line[2 * ITEM_TEXT] = "", text[ITEM_TEXT];
+	const char *key, *mark = "- ";
+	json_t *v;
+	json_object_foreach(o, key, v) {
+		if (!is_leaf(v)) continue;
+		say(text, 0, v);
+		size_t n = strlen(line);
+		if (n > 0 && n + strlen(key) + strlen(text) + 4 > (size_t)(WIDTH - depth)) {
+			ts_report_line(report, "%*s%s%s", depth, "", mark, line);
+			mark = "  ";
+			n = 0;
+		}
+		snprintf(line + n, sizeof line - n, "%s%s: %s", n > 0 ? "; " : "", key, text);
+	}
+	if (line[0] != 0) ts_report_line(report, "%*s%s%s", depth, "", mark, line);
+}
+
+static void print_member(ts_report *report, const char *key, json_t *v, int depth, bool item)
+{
+	char text[ITEM_TEXT];
+	if (is_leaf(v)) {
+		if (item) return;
+		say(text, 0, v);
+		bool none = json_is_array(v) && json_array_size(v) == 0;
+		ts_report_line(report, "%*s%s: %s", depth, "", key, none ? "none" : text);
+	} else {
+		ts_report_line(report, "%*s%s:", depth, "", key);
+		print(report, v, depth + 2, false);
+	}
+}
+
+/* Members of an object, a line each, or elements of a list; item: its leaves are printed already. */
+static void print(ts_report *report, json_t *v, int depth, bool item)
+{
+	const char *key;
+	json_t *member;
+	size_t i;
+	if (json_is_object(v)) {
+		json_object_foreach(v, key, member) print_member(report, key, member, depth, item);
+		return;
+	}
+	json_array_foreach(v, i, member) {
+		char text[ITEM_TEXT];
+		if (json_is_object(member)) {
+			print_leaves(report, member, depth);
+			print(report, member, depth + 2, true);
+		} else {
+			say(text, 0, member);
+			ts_report_line(report, "%*s- %s", depth, "", text);
+		}
+	}
+}
+
+static ts_status read_pixel(const ts_cli *cli, u32 *x, u32 *y)
+{
+	char item[16];
+	const char *list = cli->pixel;
+	ts_cli_item(&list, item, sizeof item);
+	if (list == NULL || strchr(list, ',') != NULL)
+		return ts_fail("--pixel %s: not two numbers; write --pixel X,Y", cli->pixel);
+	if (ts_cli_count(x, item, 0, 65535, "--pixel X") != TS_OK) return TS_ERROR;
+	return ts_cli_count(y, list, 0, 65535, "--pixel Y");
+}
+
+/* "R.F" */
+static ts_status read_face(const ts_cli *cli, u32 *reflector, u32 *face)
+{
+	char left[16];
+	const char *dot = strchr(cli->view, '.');
+	if (dot == NULL)
+		return ts_fail("--view %s: neither \"eye\" nor REFLECTOR.FACE, for instance 3.+X or 3.0", cli->view);
+	snprintf(left, sizeof left, "%.*s", dot - cli->view < 15 ? (int)(dot - cli->view) : 15, cli->view);
+	if (ts_cli_count(reflector, left, 0, 65535, "--view, reflector") != TS_OK) return TS_ERROR;
+	for (*face = 0; *face < 6; ++*face) {
+		if (strcmp(dot + 1, ts_where_face(*face)) == 0 || (dot[1] == (char)('0' + *face) && dot[2] == 0)) return TS_OK;
+	}
+	return ts_fail("--view %s: no face \"%s\"; there are +X, -X, +Y, -Y, +Z, -Z, or 0 to 5", cli->view, dot + 1);
+}
+
+static ts_status probe_pixel(ts_probe *probe, const ts_cli *cli, json_t **answer)
+{
+	u32 x, y, reflector, face;
+	if (read_pixel(cli, &x, &y) != TS_OK) return TS_ERROR;
+	if (cli->view == NULL || strcmp(cli->view, "eye") == 0) return ts_probe_pixel(probe, x, y, answer);
+	if (read_face(cli, &reflector, &face) != TS_OK) return TS_ERROR;
+	return ts_probe_texel(probe, reflector, face, x, y, answer);
+}
+
+/* A place of the lattice. */
+static ts_status read_place(i32 *place, const char *text)
+{
+	u32 n;
+	bool minus = text[0] == '-';
+	if (ts_cli_count(&n, text + minus, 0, 32767 + minus, "--point x, y") != TS_OK) return TS_ERROR;
+	*place = minus ? -(i32)n : (i32)n;
+	return TS_OK;
+}
+
+static ts_status probe_point(ts_probe *probe, const ts_cli *cli, json_t **answer)
+{
+	char item[3][16];
+	const char *list = cli->point;
+	u32 n = 0, first = 0;
+	i32 x, y;
+	u64 point;
+	while (n < 3 && ts_cli_item(&list, item[n], sizeof item[0])) n++;
+	if (list != NULL || n == 2) return ts_fail("--point %s: neither an index nor a key PIECE,X,Y", cli->point);
+	if (ts_cli_count(&first, item[0], 0, 4294967294u, "--point") != TS_OK) return TS_ERROR;
+	if (n == 1) return ts_probe_point(probe, first, answer);
+	if (read_place(&x, item[1]) != TS_OK || read_place(&y, item[2]) != TS_OK) return TS_ERROR;
+	u64 key = (u64)first << 32 | (u64)(u32)(y + 32768) << 16 | (u64)(u32)(x + 32768);
+	if (ts_probe_point_of_key(probe, key, &point) != TS_OK) return TS_ERROR;
+	return ts_probe_point(probe, point, answer);
+}
+
+static ts_status tell(const ts_cli *cli, json_t *answer)
+{
+	ts_report report;
+	const char *key;
+	json_t *v;
+	ts_report_begin(&report, ts_cli_given(cli, TS_OPT_JSON));
+	print(&report, answer, 0, false);
+	ts_report_value(&report, "trace", json_string(cli->arguments[0]));
+	json_object_foreach(answer, key, v) ts_report_value(&report, key, json_incref(v));
+	return ts_report_end(&report);
+}
+
+ts_status ts_probe_command(ts_cli *cli)
+{
+	ts_probe *probe;
+	json_t *answer = NULL;
+	int asked = (cli->pixel != NULL) + (cli->point != NULL) + ts_cli_given(cli, TS_OPT_TRIANGLE);
+	if (asked != 1) return ts_fail("probe: one of --pixel X,Y, --triangle T and --point P must be given");
+	if (cli->view != NULL && cli->pixel == NULL) return ts_fail("probe: --view goes with --pixel");
+	if (ts_probe_open(&probe, cli->arguments[0]) != TS_OK) return TS_ERROR;
+	ts_status status = cli->pixel != NULL   ? probe_pixel(probe, cli, &answer)
+	                   : cli->point != NULL ? probe_point(probe, cli, &answer)
+	                                        : ts_probe_triangle(probe, cli->triangle, &answer);
+	if (status == TS_OK) status = tell(cli, answer);
+	json_decref(answer);
+	ts_probe_close(probe);
+	return status;
+}

@@ -1,0 +1,26 @@
+/* Files of arithmetic vectors: a folder of PRIMITIVE.in.npy, PRIMITIVE.out.npy and vectors.json. */
+#ifndef TS_CLI_VECTORS_H
+#define TS_CLI_VECTORS_H
+#include "../trace/vectors.h"
+#include "cli.h"
+
+/* Room for the rows of any primitive. */
+typedef struct {
+	u32 in[TS_VECTOR_ITEMS * TS_VECTOR_WORDS];
+	u32 out[TS_VECTOR_ITEMS * TS_VECTOR_WORDS];
+	u32 found[TS_VECTOR_ITEMS * TS_VECTOR_WORDS];
+} ts_vector_rows;
+
+/* Judges the outputs in folder `dir`: TS_OK all that are there are right, TS_DIFFERENT, or TS_ERROR. */
+ts_status ts_vectors_check(const char *dir, bool json);
+
+/* Reads DIR/NAME.npy, elements of `descr` and of element_bytes in that shape, to `data`. *there: the file exists;
+ * without it nothing is read and nothing fails. */
+ts_status ts_vectors_read(void *data, bool *there, const char *dir, const char *name, const char *descr,
+                          size_t element_bytes, u32 n_dims, const u64 *shape);
+/* Fails if DIR/vectors.json is there and of another contract. */
+ts_status ts_vectors_read_contract(const char *dir);
+/* Fails unless every DIR/NAME.out.npy is named after a primitive; DIR must be a folder. */
+ts_status ts_vectors_check_names(const char *dir);
+
+#endif

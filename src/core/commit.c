@@ -1,0 +1,8 @@
+/* What this program was built from. The Makefile knows; only this file is built again when it changes. */
+#include "core.h"
+
+#ifndef TS_COMMIT
+#define TS_COMMIT "unknown"
+#endif
+
+const char *ts_commit(void) { return TS_COMMIT; }

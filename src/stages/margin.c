@@ -1,0 +1,44 @@
+/* How near the decisions of the stages before were. */
+#include "stages.h"
+
+static ts_status margin_of_pixels(ts_run *run, ts_margin_args *args, ts_buffer_id margin, u32 n_dims, const u64 *shape,
+                                  ts_kernel kernel)
+{
+	args->scene = ts_run_arrays(run);
+	args->margin = ts_frame_make(&run->frame, margin, n_dims, shape);
+	if (args->margin == NULL) return TS_ERROR;
+	ts_c_empty(args->margin, ts_frame_n(&run->frame, margin), run->threads);
+	ts_c_launch(kernel, args, args->scene.n_triangles, run->threads);
+	return TS_OK;
+}
+
+ts_status ts_stage_eye_margin(ts_run *run)
+{
+	const u64 shape[] = {run->params.height, run->params.width, 2};
+	ts_margin_args args = {
+		.view = ts_frame_data(&run->frame, TS_B_eye_view),
+		.depth_triangle = ts_frame_data(&run->frame, TS_B_eye_depth_triangle),
+	};
+	return margin_of_pixels(run, &args, TS_B_eye_margin, 3, shape, TS_KERNEL_eye_margin);
+}
+
+ts_status ts_stage_face_margin(ts_run *run)
+{
+	const u64 shape[] = {ts_frame_n(&run->frame, TS_B_face_depth_triangle), 2};
+	ts_margin_args args = {
+		.cubes = ts_frame_data(&run->frame, TS_B_resize_face),
+		.depth_triangle = ts_frame_data(&run->frame, TS_B_face_depth_triangle),
+		.first_cube = run->first_reflector,
+		.n_cubes = run->n_reflectors,
+	};
+	return margin_of_pixels(run, &args, TS_B_face_margin, 2, shape, TS_KERNEL_face_margin);
+}
+
+ts_status ts_stage_cull_margin(ts_run *run)
+{
+	u64 n = ts_frame_n(&run->frame, TS_B_split_triangle);
+	ts_cull_margin_args args = {.cull = ts_cull_arguments(run), .margin = ts_frame_make1(&run->frame, TS_B_cull_margin, n)};
+	if (args.margin == NULL) return TS_ERROR;
+	ts_c_launch(TS_KERNEL_cull_margin, &args, n, run->threads);
+	return TS_OK;
+}

@@ -1,0 +1,117 @@
+/* Files against memory. */
+#include "judge.h"
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+static bool same_shape(const ts_buffer *ours, const ts_trace_item *item)
+{
+	const ts_npy *npy = &item->npy;
+	u32 skip = item->cropped ? 2 : 0;
+	if (npy->n_dims != ours->n_dims) return false;
+	if (item->cropped && (ours->n_dims < 2 || item->crop[1] + (u64)item->crop[3] > ours->shape[0] ||
+	                      item->crop[0] + (u64)item->crop[2] > ours->shape[1]))
+		return false;
+	return memcmp(npy->shape + skip, ours->shape + skip, (ours->n_dims - skip) * sizeof *npy->shape) == 0;
+}
+
+static void tell_shapes(ts_judged *judged, const ts_buffer *ours)
+{
+	FILE *out = fmemopen(judged->text, sizeof judged->text, "w");
+	if (out == NULL) return;
+	fputs("shape ", out);
+	for (u32 i = 0; i < ours->n_dims; i++) fprintf(out, "%s%" PRIu64, i != 0 ? " x " : "", ours->shape[i]);
+	fputs(" is right, ", out);
+	const ts_npy *npy = &judged->item->npy;
+	for (u32 i = 0; i < npy->n_dims; i++) fprintf(out, "%s%" PRIu64, i != 0 ? " x " : "", npy->shape[i]);
+	fputs(" was found", out);
+	fclose(out);
+}
+
+static void tell_first(ts_judged *judged)
+{
+	const ts_verdict *v = &judged->verdict;
+	const ts_fields fields = ts_fields_of(judged->id);
+	const ts_field *field = &fields.field[v->first.field];
+	char name[64], right[TS_VALUE_TEXT], found[TS_VALUE_TEXT];
+	ts_field_name(name, field, v->first.component);
+	ts_field_show(right, field, v->first.ref);
+	ts_field_show(found, field, v->first.cand);
+	if (v->has_first) {
+		snprintf(judged->text, sizeof judged->text, "element %" PRIu64 "%s%s: %s is right, %s was found", v->first.element,
+		         name[0] != 0 ? ", field " : "", name, right, found);
+	} else {
+		snprintf(judged->text, sizeof judged->text, "%" PRIu64 " records missing, %" PRIu64 " beside", v->n_missing,
+		         v->n_extra);
+	}
+}
+
+/* The part of ours that a cropped file has; by free(). */
+static void *crop_of(const ts_buffer *ours, const u32 crop[4], size_t element_bytes)
+{
+	u64 pixel = ours->n / (ours->shape[0] * ours->shape[1]) * element_bytes, row = crop[2] * pixel;
+	u8 *part = ts_alloc(crop[3], (size_t)row, "a crop");
+	for (u64 y = 0; part != NULL && y < crop[3]; y++) {
+		memcpy(part + y * row, (const u8 *)ours->data + ((crop[1] + y) * ours->shape[1] + crop[0]) * pixel, (size_t)row);
+	}
+	return part;
+}
+
+/* A buffer of the run as an item of a trace. */
+static void put_item(ts_trace_item *item, const ts_buffer *ours, ts_buffer_id id)
+{
+	*item = (ts_trace_item){.path = (char *)(uintptr_t)ts_buffer_table[id].name, .memory = ours->data,
+	                        .npy = {.n_dims = ours->n_dims, .n = ours->n}};
+	memcpy(item->npy.shape, ours->shape, sizeof item->npy.shape);
+}
+
+/* Judges by `right`, a trace whose buffers of this stage are the run's. */
+static ts_status judge_by(ts_judged *judged, ts_trace *right, const ts_load *load, const ts_trace *owner,
+                          const ts_relaxations *relaxations)
+{
+	ts_order order = {.given = false};
+	ts_status status = TS_OK;
+	ts_buffer_id id = judged->id;
+	void *crop = NULL;
+	put_item(&right->item[id], &load->run.frame.buffer[id], id);
+	if (strcmp(ts_buffer_table[id].order, "set") == 0) {
+		put_item(&right->item[TS_B_points_key], &load->run.frame.buffer[TS_B_points_key], TS_B_points_key);
+		status = ts_order_make(&order, right, owner);
+	}
+	if (judged->item->cropped) {
+		crop = crop_of(&load->run.frame.buffer[id], judged->item->crop, ts_buffer_table[id].element_bytes);
+		right->item[id].memory = crop;
+		right->item[id].npy = judged->item->npy;
+		memcpy(right->item[id].crop, judged->item->crop, sizeof judged->item->crop);
+		status = crop != NULL ? status : TS_ERROR;
+	}
+	if (status == TS_OK) status = ts_compare_buffer(&judged->verdict, id, right, owner, &order, relaxations);
+	ts_order_free(&order);
+	free(crop);
+	return status;
+}
+
+ts_status ts_judge(ts_judged *judged, const ts_load *load, ts_buffer_id id, const ts_relaxations *relaxations)
+{
+	const ts_relaxations none = {.ulp = 0};
+	const ts_buffer *ours = &load->run.frame.buffer[id];
+	*judged = (ts_judged){.id = id, .item = ts_load_item(load->reference, load->candidate, id)};
+	if (judged->item == NULL) return TS_OK;
+	judged->shape_differs = !same_shape(ours, judged->item);
+	if (judged->shape_differs) {
+		judged->verdict = (ts_verdict){.judgement = TS_UNLIKE, .n_ref = ours->n, .n_cand = judged->item->npy.n};
+		tell_shapes(judged, ours);
+		return TS_DIFFERENT;
+	}
+	const ts_trace *candidate = load->candidate;
+	const ts_trace *owner = candidate != NULL && judged->item == &candidate->item[id] ? candidate : load->reference;
+	ts_trace *right = ts_alloc(1, sizeof *right, "a trace");
+	if (right == NULL) return TS_ERROR;
+	*right = *load->reference;
+	right->arrival = false;
+	ts_status status = judge_by(judged, right, load, owner, relaxations != NULL ? relaxations : &none);
+	free(right);
+	if (status != TS_OK || judged->verdict.judgement == TS_SAME) return status;
+	tell_first(judged);
+	return TS_DIFFERENT;
+}

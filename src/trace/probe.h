@@ -1,0 +1,32 @@
+/* Why a pixel, a texel, a triangle or a point of a trace is what it is: who competed, who won by how much, and which
+ * stage lost the others. What the buffers do not hold is computed again by the kernels, and held against the buffers.
+ */
+#ifndef TS_TRACE_PROBE_H
+#define TS_TRACE_PROBE_H
+#include <jansson.h>
+#include "read.h"
+
+typedef struct ts_probe ts_probe;
+
+/* Opens the trace in folder `dir`, of either method. On failure *probe is NULL; else release it by ts_probe_close. */
+ts_status ts_probe_open(ts_probe **probe, const char *dir);
+/* NULL is allowed. */
+void ts_probe_close(ts_probe *probe);
+
+/* Each of these sets *answer to a new object, or fails: if there is no such thing, if the trace lacks buffers (all of
+ * which are named), or if one of them names what is not there. On failure *answer is NULL. Floats that decide are
+ * objects of "value" and "bits"; each "check" says whether what was computed again has the bits of a buffer. */
+
+/* Pixel (x, y) of the eye: the triangles that cover it, the surface, and what it shows, term by term, or sample by
+ * sample where it is a mirror. */
+ts_status ts_probe_pixel(ts_probe *probe, u32 x, u32 y, json_t **answer);
+/* Texel (x, y) of a face, 0 to 5, of a reflector's cube: the points, of MVR the triangles, that competed for it. */
+ts_status ts_probe_texel(ts_probe *probe, u32 reflector, u32 face, u32 x, u32 y, json_t **answer);
+/* A triangle: where it went, or which stage lost it. */
+ts_status ts_probe_triangle(ts_probe *probe, u64 triangle, json_t **answer);
+/* A point of EPR, by its index: the same. */
+ts_status ts_probe_point(ts_probe *probe, u64 point, json_t **answer);
+/* The index of the point of that key of points.key. */
+ts_status ts_probe_point_of_key(ts_probe *probe, u64 key, u64 *point);
+
+#endif

@@ -1,0 +1,146 @@
+/* Elements of an untrusted trace, one at a time. */
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include "probe_parts.h"
+
+ts_status ts_probe_open(ts_probe **probe, const char *dir)
+{
+	*probe = NULL;
+	ts_probe *made = ts_alloc_zero(1, sizeof *made, "a probe");
+	if (made == NULL) return TS_ERROR;
+	ts_status status = ts_trace_open(&made->trace, dir);
+	if (status == TS_OK && !made->trace->has_params) {
+		status = ts_fail("%s: trace.json has no params, and without them nothing can be computed again", dir);
+	}
+	if (status != TS_OK) {
+		ts_probe_close(made);
+		return status;
+	}
+	made->mvr = strcmp(made->trace->pipeline->name, "mvr") == 0;
+	for (u32 id = 0; id < TS_N_BUFFERS; id++) made->fields[id] = ts_fields_of((ts_buffer_id)id);
+	*probe = made;
+	return TS_OK;
+}
+
+void ts_probe_close(ts_probe *p)
+{
+	if (p == NULL) return;
+	for (u32 id = 0; id < TS_N_BUFFERS; id++) ts_reader_close(p->reader[id]);
+	ts_probe_scene_free(p);
+	ts_trace_close(p->trace);
+	free(p);
+}
+
+bool ts_probe_has(const ts_probe *p, ts_buffer_id id) { return p->trace->item[id].path != NULL; }
+u64 ts_probe_n(const ts_probe *p, ts_buffer_id id) { return ts_probe_has(p, id) ? p->trace->item[id].npy.n : 0; }
+
+ts_status ts_probe_require(const ts_probe *p, const ts_buffer_id *ids)
+{
+	char missing[512] = "";
+	size_t used = 0;
+	for (; *ids != TS_N_BUFFERS; ids++) {
+		if (ts_probe_has(p, *ids) || used + 64 > sizeof missing) continue;
+		used += (size_t)snprintf(missing + used, sizeof missing - used, "%s%s", used > 0 ? ", " : "",
+		                         ts_buffer_table[*ids].name);
+	}
+	return used == 0 ? TS_OK
+	                 : ts_fail("%s: this needs %s; a trace that was written whole has them", p->trace->dir, missing);
+}
+
+/* How many things an index of this kind may name; all, if the trace cannot tell. */
+static u64 size_of(const ts_probe *p, const char *name)
+{
+	static const struct { const char *name; ts_buffer_id owner; } owners[] = {
+		{"V", TS_B_pose_vertex}, {"T", TS_B_scene_triangle}, {"M", TS_B_scene_material}, {"S", TS_B_scene_slot},
+		{"I", TS_B_scene_image}, {"O", TS_B_scene_object}, {"R", TS_B_resize_face}, {"Q", TS_B_split_triangle},
+		{"N", TS_B_points_record}, {"H*W", TS_B_eye_depth_triangle}, {"P*K", TS_B_lookup_point},
+		{"P2*4", TS_B_lookup2_point},
+	};
+	for (size_t i = 0; i < sizeof owners / sizeof *owners; i++) {
+		bool known = ts_probe_has(p, owners[i].owner) && !p->trace->item[owners[i].owner].cropped;
+		if (strcmp(owners[i].name, name) == 0 && known) return ts_probe_n(p, owners[i].owner);
+	}
+	return UINT64_MAX;
+}
+
+static ts_status check_value(const ts_probe *p, ts_buffer_id id, u64 element, const ts_field *field, u64 bits)
+{
+	const char *path = p->trace->item[id].path, *dot = field->name[0] != 0 ? " field " : "";
+	if (field->kind == 'f' && (bits & 0x7f800000u) == 0x7f800000u) {
+		return ts_fail("%s: element %" PRIu64 "%s%s is %08" PRIx64 ", not a finite number", path, element, dot,
+		               field->name, bits);
+	}
+	bool none = field->none && (field->bytes == 8 ? bits == UINT64_MAX : bits == TS_NONE);
+	u64 index = field->bytes == 8 ? bits & 0xffffffffu : bits;
+	if (field->of == NULL || none || index < size_of(p, field->of)) return TS_OK;
+	return ts_fail("%s: element %" PRIu64 "%s%s names %" PRIu64 " of %" PRIu64, path, element, dot, field->name, index,
+	               size_of(p, field->of));
+}
+
+static ts_status check(const ts_probe *p, ts_buffer_id id, u64 element, const void *data)
+{
+	for (u32 f = 0; f < p->fields[id].n; f++) {
+		const ts_field *field = &p->fields[id].field[f];
+		if (field->kind != 'f' && field->of == NULL) continue;
+		for (u32 c = 0; c < field->count; c++) {
+			ts_status status = check_value(p, id, element, field, ts_field_bits(field, data, c));
+			if (status != TS_OK) return status;
+		}
+	}
+	return TS_OK;
+}
+
+static ts_status open_reader(ts_probe *p, ts_buffer_id id)
+{
+	const ts_trace_item *item = &p->trace->item[id];
+	const ts_buffer_id needed[] = {id, TS_N_BUFFERS};
+	if (p->reader[id] != NULL) return TS_OK;
+	if (ts_probe_require(p, needed) != TS_OK) return TS_ERROR;
+	p->reader[id] = ts_trace_read(item, id);
+	return p->reader[id] != NULL ? TS_OK : TS_ERROR;
+}
+
+ts_status ts_probe_fetch(ts_probe *p, ts_buffer_id id, u64 first, u64 n, void *to)
+{
+	const ts_trace_item *item = &p->trace->item[id];
+	size_t bytes = ts_buffer_table[id].element_bytes;
+	u8 *out = to;
+	if (open_reader(p, id) != TS_OK) return TS_ERROR;
+	if (first > item->npy.n || n > item->npy.n - first) {
+		return ts_fail("%s: element %" PRIu64 " is named and not there; it has %" PRIu64, item->path, first + n - 1,
+		               item->npy.n);
+	}
+	while (n > 0) {
+		u64 held;
+		const void *from = ts_reader_at(p->reader[id], first, &held);
+		if (from == NULL) return TS_ERROR;
+		held = held < n ? held : n;
+		memcpy(out, from, (size_t)held * bytes);
+		for (u64 i = 0; i < held; i++) {
+			if (check(p, id, first + i, out + i * bytes) != TS_OK) return TS_ERROR;
+		}
+		first += held;
+		n -= held;
+		out += held * bytes;
+	}
+	return TS_OK;
+}
+
+ts_status ts_probe_fetch_pixel(ts_probe *p, ts_buffer_id id, u32 x, u32 y, u32 n, void *to, bool *there)
+{
+	const ts_trace_item *item = &p->trace->item[id];
+	*there = false;
+	if (!ts_probe_has(p, id)) return TS_OK;
+	u64 width = item->npy.shape[1], height = item->npy.shape[0];
+	u64 column = x - (item->cropped ? item->crop[0] : 0), row = y - (item->cropped ? item->crop[1] : 0);
+	if (column >= width || row >= height) return TS_OK;
+	*there = true;
+	return ts_probe_fetch(p, id, (row * width + column) * n, n, to);
+}
+
+ts_status ts_probe_fetch_point(ts_probe *p, u64 point, ts_point *record, ts_piece *piece)
+{
+	if (ts_probe_fetch(p, TS_B_points_record, point, 1, record) != TS_OK) return TS_ERROR;
+	return ts_probe_fetch(p, TS_B_split_triangle, record->piece, 1, piece);
+}

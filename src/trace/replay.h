@@ -1,0 +1,30 @@
+/* Replay: one stage alone, from the buffers of a trace or of a port's, so that "stage 5 is right, given your stage
+ * 4" can be said (teacher forcing). */
+#ifndef TS_TRACE_REPLAY_H
+#define TS_TRACE_REPLAY_H
+#include "check.h"
+
+/* The stage of that name if `pipeline` runs it with these parameters; else NULL with the message set. */
+const ts_stage *ts_replay_find(const char *name, const ts_pipeline *pipeline, const ts_params *params);
+
+/* True if the run that made the trace took this step: margins are there or not, as was asked. */
+bool ts_replay_takes(const ts_step *step, const ts_trace *reference);
+
+/* Writes the buffers that a stage reads with these parameters, ended by TS_N_BUFFERS: not those of bounces that are not
+ * followed. */
+void ts_replay_reads(ts_buffer_id ids[TS_N_BUFFERS + 1], const ts_stage *stage, const ts_pipeline *pipeline,
+                     const ts_params *params);
+
+/* Runs a stage on the buffers of the run's frame, which ts_check has found safe; its outputs, made new, join them
+ * there. Buffers that it does not read may be absent: they are left empty. Stages that go by reflectors take all
+ * of them as one batch, which makes what the trace holds: the batches one behind the other. Splatting takes no
+ * fast path, because a port's points may stand in any order. Never depends on threads. */
+ts_status ts_replay_stage(ts_run *run, const ts_stage *stage);
+
+/* "Given these inputs, what should this stage's outputs be": loads what the stage reads, the candidate's buffers first,
+ * checks it, and runs the stage; its outputs are in (*load)->run.frame. candidate may be NULL. Both traces must outlive
+ * *load, which is released by ts_load_end, and NULL on failure. The message begins with "stage NAME: ". */
+ts_status ts_replay(ts_load **load, const ts_stage *stage, const ts_trace *reference, const ts_trace *candidate,
+                    u32 threads);
+
+#endif

@@ -1,0 +1,233 @@
+#!/bin/bash
+# Goldens: proposed, blessed for a reason, and checked; a changed byte is named by buffer and element; hostile folders.
+. "$(dirname "$0")/tap.bash"
+export OMP_WAIT_POLICY=passive # other tests run beside this one
+ref=$scratch/reference
+mkdir "$ref"
+cat > "$ref/cases.txt" <<'CASES'
+# The smallest that there are.
+few: epr atrium:triangles=10000 --size 24x16 --reflectors 1 --set reflector_px=12 --set face_max=16 --small # kept
+none: mvr dining:triangles=10000 --size 24x16 --reflectors 0
+CASES
+
+# stamp COMMIT: the command as if it was built from that commit, as $scratch/touchstone. The text is as long as it was.
+stamp() {
+	python3 - "$1" "$(realpath "${BUILD:-build/release}/touchstone")" "$scratch/touchstone" <<'PY'
+import subprocess, sys
+new, source, target = sys.argv[1].encode(), sys.argv[2], sys.argv[3]
+old = subprocess.run([source, "--version"], stdout=subprocess.PIPE).stdout.split(b"commit ")[1].strip()
+data = open(source, "rb").read()
+assert data.count(b"\0" + old + b"\0") == 1 and len(new) <= len(old)
+open(target, "wb").write(data.replace(b"\0" + old + b"\0", b"\0" + new.ljust(len(old), b"\0") + b"\0"))
+PY
+	chmod +x "$scratch/touchstone"
+	touchstone=$scratch/touchstone
+}
+
+# golden ARGUMENT...: on the small folder.
+golden() { run golden "$@" --reference-dir "$ref"; }
+# fails PATTERN ARGUMENT...: exit code 2 and one line on stderr that matches; stdout may hold verdicts.
+fails() {
+	local pattern=$1
+	shift
+	golden "$@"
+	[ "$status" -eq 2 ] && [ "$(wc -l < "$scratch/stderr")" -eq 1 ] && grep -qe "$pattern" "$scratch/stderr"
+	verdict $? "refused ($pattern): golden ${*//$'\n'/ }"
+}
+# says STATUS PATTERN NAME: what the last run ended with and printed.
+says() {
+	[ "$status" -eq "$1" ] && grep -qE -- "$2" "$scratch/stdout"
+	verdict $? "$3"
+}
+# all_of FOLDER: the digests of all its files.
+all_of() { (cd "$1" && find . -type f -exec sha256sum {} + | sort -k 2); }
+# poke FILE OFFSET: adds one to a byte, counted from the end if the offset is negative.
+poke() {
+	python3 - "$@" <<'PY'
+import sys
+data = bytearray(open(sys.argv[1], "rb").read())
+data[int(sys.argv[2])] = (data[int(sys.argv[2])] + 1) % 256
+open(sys.argv[1], "wb").write(data)
+PY
+}
+
+stamp clean-1
+fails 'few: there is no such folder' check
+says 2 '^0 passed, 2 failed, 0 skipped$' 'a missing golden fails, and is counted'
+grep -q '^missing  *few' "$scratch/stdout"
+verdict $? 'a missing golden is called so'
+fails 'nothing new' bless few --reason first
+
+golden new
+[ "$status" -eq 0 ] && [ "$(cd "$ref" && echo *)" = 'cases.txt few none' ] &&
+	[ "$(cd "$ref/few" && echo *)" = 'SHA256SUMS.new params.txt.new preview.png.new small.new' ] &&
+	[ "$(cd "$ref/none" && echo *)" = 'SHA256SUMS.new params.txt.new preview.png.new' ]
+verdict $? 'new writes nothing but .new'
+fails 'no such file' check
+
+fails 'no reason' bless few
+fails 'no reason' bless few --reason '  '
+fails 'control characters' bless few --reason $'one\ntwo'
+fails 'at most 400 bytes' bless few --reason "$(printf '%401s' x)"
+fails 'which case' bless --reason first
+fails 'no backend "opencl"' bless few --reason first --backend opencl
+stamp a-dirty
+fails 'not committed (a-dirty)' bless few --reason first
+stamp unknown
+fails 'does not know its commit' bless few --reason first
+stamp clean-1
+[ ! -e "$ref/CHANGES" ] && [ ! -e "$ref/few/SHA256SUMS" ]
+verdict $? 'what was refused changed nothing'
+for case in few none; do
+	golden bless $case --reason "first of $case"
+	says 0 "^blessed  *$case$" "blessed: $case"
+done
+[ "$(cat "$ref/CHANGES")" = $'few: first of few\nnone: first of none' ]
+verdict $? 'the reasons are kept'
+[ "$(cd "$ref/few" && echo *)" = 'SHA256SUMS params.txt preview.png small' ]
+verdict $? 'nothing stays proposed'
+fails 'nothing new' bless few --reason again
+
+all_of "$ref" > "$scratch/before"
+golden check
+says 0 '^2 passed, 0 failed, 0 skipped$' 'what was blessed is the same'
+golden check few --threads 3 --reference
+says 0 '^1 passed, 0 failed, 0 skipped$' 'one case, by the kernels alone'
+touchstone=$(realpath "${BUILD:-build/release}/touchstone-core")
+golden check
+says 0 '^2 passed, 0 failed, 0 skipped$' 'the static core says so too'
+stamp clean-1
+all_of "$ref" | cmp -s - "$scratch/before"
+verdict $? 'check writes nothing'
+(cd "$ref/few/small" && sha256sum -c --ignore-missing --status ../SHA256SUMS)
+verdict $? 'sha256sum finds the small files right'
+run digest atrium:triangles=10000 --method epr --size 24x16 --reflectors 1 --set reflector_px=12 --set face_max=16
+grep -v '^#' "$scratch/stdout" | cmp -s - "$ref/few/SHA256SUMS"
+verdict $? 'SHA256SUMS is what digest prints'
+grep -qx 'scene=atrium:triangles=10000' "$ref/few/params.txt" && grep -qx 'face_max=16' "$ref/few/params.txt" &&
+	[ "$(wc -l < "$ref/few/params.txt")" -eq "$(($("$touchstone" list params --json | grep -c '"name"') + 3))" ]
+verdict $? 'params.txt holds the scene and every parameter'
+
+# with COMMANDS: changes a copy of the folder; the next golden commands work on it.
+with() {
+	rm -rf "$scratch/copy"
+	cp -r "$scratch/reference" "$scratch/copy"
+	ref=$scratch/copy
+	(cd "$ref" && eval "$1")
+}
+
+with 'poke few/small/04-eye.depth_triangle.npy $((128 + 8 * 27))'
+golden check few
+says 1 '^different  few  *04-eye.depth_triangle.npy: element \[1, 3\]: golden [0-9]+ \(0x[0-9a-f]+\) here [0-9]+ .*small/ does not' \
+	'a changed byte is found with its element'
+(cd "$ref/few/small" && ! sha256sum -c --ignore-missing --status ../SHA256SUMS)
+verdict $? 'sha256sum finds it too'
+with 'poke few/small/05-pixel.record.npy -96; poke few/small/20-image.srgb.npy -1'
+golden check few
+says 1 '05-pixel.record.npy: element \[[0-9]+\], field position\[0\]: golden -?0x[0-9a-fp.+-]+ \([0-9a-f]{8}\) here ' \
+	'the first in the pipeline is named, with its field'
+with "sed -i '/12-splat/s/^./x/; /12-splat/s/^x\(.\)/\1\1/' few/SHA256SUMS"
+golden check few
+says 1 '12-splat.depth_index.npy: (SHA-256|small)' 'a changed digest is found'
+with "sed -i '/eye.depth/d' none/SHA256SUMS"
+golden check
+says 1 '^different  none  *04-eye.depth_triangle.npy: not in SHA256SUMS$' 'a buffer without a digest is found'
+with "sed -i 's/^bounces=1/bounces=2/' few/params.txt"
+golden check few
+says 1 'params.txt: bounces=2, but cases.txt makes it 1' 'other parameters are found'
+with "sed -i '/^bounces/d' few/params.txt"
+golden check few
+says 0 '^same ' 'a parameter that the golden does not know has its default'
+with 'rm few/small/20-image.srgb.npy'
+fails 'small/20-image.srgb.npy: there is no such file' check few
+
+with 'rm none/SHA256SUMS'
+fails 'none/SHA256SUMS: there is no such file' check
+says 2 '^1 passed, 1 failed, 0 skipped$' 'the others are checked all the same'
+with 'echo nonsense >> none/SHA256SUMS'
+fails 'is not a digest' check none
+with "sed -i 's,  0,  ../../0,' none/SHA256SUMS"
+fails 'writes no file' check none
+with 'cat none/SHA256SUMS none/SHA256SUMS > x; mv x none/SHA256SUMS'
+fails 'stands there twice' check none
+with 'truncate -s 1M none/SHA256SUMS'
+fails 'at most 65536 are right' check none
+with 'touch few/small/evil.npy'
+fails 'evil.npy" is not a file that SHA256SUMS names' check few
+with 'truncate -s -1 few/small/20-image.srgb.npy'
+fails 'its shape needs' check few
+with 'echo surprise=1 >> none/params.txt'
+fails 'no parameter "surprise"' check none
+with 'mv none/SHA256SUMS x; ln -s ../x none/SHA256SUMS'
+fails 'cannot open' check none
+with 'mv none ..; ln -s ../none none'
+fails 'cannot open the folder' check none
+rm -rf "$scratch/none"
+
+# line PATTERN TEXT: a cases.txt of that line is refused.
+line() {
+	with true
+	printf '%b\n' "# first\n$2" > "$ref/cases.txt"
+	golden check
+	[ "$status" -eq 2 ] && [ ! -s "$scratch/stdout" ] && [ "$(wc -l < "$scratch/stderr")" -eq 1 ] &&
+		grep -qe "cases.txt:[0-9]*: .*$1" "$scratch/stderr"
+	verdict $? "refused line ($1): ${2:0:60}"
+}
+line 'is not a name' '../few: epr atrium'
+line 'is not a name' '/etc: epr atrium'
+line 'is not a name' '.: epr atrium'
+line 'is not a name' ': epr atrium'
+line 'is not a name' '-few: epr atrium'
+line 'is not a name' 'Few: epr atrium'
+line 'is not a name' 'a\033[2Jb: epr atrium'
+line 'is not a name' "$(printf '%041d' 0): epr atrium"
+line 'second case of the name' 'few: epr atrium --size 16x16\nfew: mvr atrium'
+line 'no ":"' 'epr atrium'
+line 'too few arguments' 'few: epr'
+line 'one argument too many' 'few: epr atrium gallery'
+line 'no method "rays"' 'few: rays atrium'
+line 'not a built-in scene' 'few: epr scenes/room.gltf'
+line 'not a built-in scene' "few: epr atrium:$(printf '%0100d' 0)"
+line 'no such parameter; the nearest is bounces' 'few: epr atrium --set bouncs=2'
+line 'not a whole number' 'few: epr atrium --set bounces=4'
+line 'at most 1048576 pixels' 'few: epr atrium --size 2000x2000'
+line 'at most .* frame 1000' 'few: epr atrium --size 16x16 --frame 1001'
+line 'no option --output' 'few: epr atrium --output x'
+line 'no option -o' 'few: epr atrium -o x'
+line 'help is no part' 'few: epr atrium --help'
+line 'more than 99 words' "few: epr$(printf ' atrium%.0s' {1..100})"
+line 'no case' ''
+with "printf 'few: epr\\0 atrium\\n' > cases.txt"
+fails 'a byte that is no text' check
+with 'truncate -s 1M cases.txt'
+fails 'at most 65536 are right' check
+with 'rm cases.txt; mkfifo cases.txt'
+fails 'not a regular file' check
+with "sed -i '\$s/triangles=10000/triangles=9/' cases.txt"
+golden check none
+says 1 'params.txt: scene=dining:triangles=10000, but cases.txt makes it dining:triangles=9' 'another scene is found'
+fails 'out of range' new none
+
+# What bless looks at: that this build computes what was proposed.
+with true
+golden new few
+poke "$ref/few/small.new/01-eye.view.npy" -1
+fails 'computes something else: 01-eye.view.npy: element' bless few --reason damaged
+golden new few
+sed -i 's/^bounces=1/bounces=2/' "$ref/few/params.txt.new"
+fails 'bounces=2, but cases.txt makes it 1' bless few --reason other
+golden new few
+rm "$ref/few/preview.png.new"
+fails 'no preview.png.new' bless few --reason unseen
+with "sed -i 's/--reflectors 0/--reflectors 0 --set exposure=1024 --set light.ambient=1000000/' cases.txt"
+golden new none
+fails 'the image is of one colour' bless none --reason white
+
+ref=$scratch/reference
+refuses 'the nearest is check' golden chekc --reference-dir "$ref"
+refuses 'no case "fewer" in .*; the nearest is few' golden check fewer --reference-dir "$ref"
+refuses 'no case "../few"' golden check ../few --reference-dir "$ref"
+refuses 'too few arguments' golden
+refuses 'cannot open the folder' golden check --reference-dir "$scratch/absent"
+
+finish

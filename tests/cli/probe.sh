@@ -1,0 +1,108 @@
+#!/bin/bash
+# `probe`: text and JSON, what is not there, buffers that are missing, and traces that lie.
+. "$(dirname "$0")/tap.bash"
+cd "$scratch" || exit 2
+"$touchstone" render reflections atrium:triangles=10000 --size 64x64 --reflectors 2 --set reflector_px=24 --set face_max=16 \
+	--set bounces=2 --no-images --trace -o out > /dev/null || { echo "Bail out! no trace"; exit 1; }
+epr=out/trace-epr mvr=out/trace-mvr
+
+# u32 FILE ELEMENT: a number behind the header of a .npy file.
+u32() {
+	local header
+	header=$((10 + $(od -An -tu2 -j8 -N2 "$1")))
+	od -An -tu4 -j $((header + 4 * $2)) -N4 "$1" | tr -d ' '
+}
+
+# pixel of the first record: fields position[3], index
+index=$(u32 $epr/05-pixel.record.npy 3)
+mirror=$((index % 64)),$((index / 64))
+
+# says PATTERN ARGUMENT...: text that matches, whose JSON parses and agrees wherever it checks itself.
+says() {
+	prints "$@"
+	shift
+	run "$@" --json
+	[ "$status" -eq 0 ] && python3 - stdout <<'PY'
+import json, sys
+def checks(v):
+	if isinstance(v, dict):
+		return [v[k] for k in v if k == "check"] + [c for m in v.values() for c in checks(m)]
+	return [c for m in v for c in checks(m)] if isinstance(v, list) else []
+found = checks(json.load(open(sys.argv[1])))
+sys.exit(0 if found and all(c.startswith("bits agree with") for c in found) else 1)
+PY
+	verdict $? "JSON of: $*"
+}
+
+for trace in $epr $mvr; do
+	says 'bits agree with image.radiance' probe $trace --pixel "$mirror"
+	says 'bits agree with shade.radiance' probe $trace --pixel "$mirror"
+	says 'bits agree with image.radiance' probe $trace --pixel 3,60 --view eye
+	says 'won_by' probe $trace --pixel 7,8 --view 0.+X
+	says 'competitors' probe $trace --pixel 7,8 --view 1.5
+done
+says 'lost_at' probe $epr --triangle 4
+prints 'lost_at' probe $mvr --triangle 4
+says 'splat_length' probe $epr --point 0
+key=$("$touchstone" probe $epr --point 5 | sed -n 's/^key: //p')
+says '^point: 5$' probe $epr --point "$key"
+
+refuses 'must be given' probe $epr
+refuses 'must be given' probe $epr --pixel 1,1 --triangle 0
+refuses 'goes with --pixel' probe $epr --triangle 1 --view eye
+refuses 'X,Y' probe $epr --pixel 5
+refuses 'X,Y' probe $epr --pixel 5,6,7
+refuses 'whole number' probe $epr --pixel 5,-1
+refuses 'no pixel (64, 0); the eye has 64 x 64' probe $epr --pixel 64,0
+refuses 'neither' probe $epr --pixel 0,0 --view ear
+refuses 'no face "+W"' probe $epr --pixel 0,0 --view 0.+W
+refuses 'no face 2.0; there are 2' probe $epr --pixel 0,0 --view 2.0
+refuses 'no texel (16, 0)' probe $epr --pixel 16,0 --view 0.0
+refuses 'no triangle' probe $epr --triangle 4000000000
+refuses 'no point' probe $epr --point 4294967294
+refuses 'neither an index nor a key' probe $epr --point 1,2
+refuses 'no point of key' probe $epr --point 0,32000,0
+refuses 'no points' probe $mvr --point 0
+refuses 'trace.json' probe /nonexistent --pixel 0,0
+
+# A trace without some stages names all that it lacks.
+"$touchstone" render reflections atrium:triangles=10000 --size 64x64 --reflectors 2 --set reflector_px=24 --set face_max=16 \
+	--method epr --no-images --trace-only scene,eye,pixel,view,pose,resize,image -o part > /dev/null 2>&1 ||
+	"$touchstone" render reflections atrium:triangles=10000 --size 64x64 --reflectors 2 --set reflector_px=24 \
+		--set face_max=16 --method epr --no-images --trace --trace-only scene,eye,pixel,view,pose,resize,image -o part > /dev/null
+prints 'bits agree with image.radiance' probe part/trace-epr --pixel 3,60
+refuses 'needs lookup.point, points.record' probe part/trace-epr --pixel "$mirror"
+refuses 'needs visibility.bits, split.scale' probe part/trace-epr --triangle 4
+refuses 'needs points.key' probe part/trace-epr --point 1,2,3
+
+# lies FILE ELEMENT BYTES PATTERN ARGUMENT...: four bytes of a file are others; they are named, and followed nowhere.
+lies() {
+	local file=$1 element=$2 bytes=$3 pattern=$4 header
+	shift 4
+	rm -rf bad
+	cp -r $epr bad
+	header=$((10 + $(od -An -tu2 -j8 -N2 "bad/$file")))
+	printf "$bytes" | dd of="bad/$file" bs=1 seek=$((header + 4 * element)) conv=notrunc 2> /dev/null
+	refuses "$pattern" probe bad "$@"
+}
+
+lies 04-eye.depth_triangle.npy 0 '\xff\xff\xff\x7f\x00\x00\x80\x3f' 'element 0 names 2147483647' --pixel 0,0
+lies 00-scene.triangle.npy 0 '\xff\xff\xff\x7f' 'element 0 field vertex names' --pixel 0,0
+lies 02-pose.vertex.npy 0 '\x00\x00\xc0\x7f' 'field position is 7fc00000, not a finite' --pixel 0,0
+lies 14-lookup.point.npy 0 '\xfe\xff\xff\xff' 'element 0 names 4294967294' --pixel "$mirror"
+lies 11-points.record.npy 4 '\xfe\xff\xff\xff' 'element 0 field piece names' --point 0
+lies 03-resize.face.npy 7 '\xff\x0f\x00\x00' 'texel' --pixel 7,8 --view 0.0
+lies 07-split.offset.npy 5 '\xff\xff\xff\x7f' 'pieces' --triangle 4
+lies 00-scene.image.npy 0 '\xff\xff\x00\x00' 'no mip chain' --pixel 0,0
+lies 01-eye.view.npy 7 '\xff\xff\xff\x7f' 'pixels; at most' --pixel 0,0
+lies 15-lookup2.offset.npy 1 '\x09\x00\x00\x00' 'one entry at most' --pixel "$mirror"
+lies 05-pixel.offset.npy "$index" '\x21\x00\x00\x00' 'pixel.offset names it for pixel' --pixel "$mirror"
+
+# A wrong value is no lie that breaks anything: the check tells.
+rm -rf bad
+cp -r $epr bad
+header=$((10 + $(od -An -tu2 -j8 -N2 bad/??-shade.radiance.npy)))
+printf '\x00\x00\x80\x3f' | dd of="$(echo bad/??-shade.radiance.npy)" bs=1 seek=$header conv=notrunc 2> /dev/null
+prints 'bits differ from shade.radiance, which holds 3f800000' probe bad --pixel "$mirror"
+
+finish

@@ -1,0 +1,51 @@
+#!/bin/bash
+# include/touchstone/candidate.h writes what ours are: a candidate of a trace's own buffers, held as a port holds them,
+# has the same files; and a program that uses it works in C99 and in C++11.
+. "$(dirname "$0")/../cli/tap.bash"
+. "$(dirname "$0")/ports.bash"
+
+trace whole atrium:triangles=10000 --size 96x54 --reflectors 2 --set reflector_px=30 --set face_max=64
+mkdir "$scratch/copy"
+"${BUILD:-build/release}/tests/ports/candidate" copy "$scratch/whole/trace-epr" "$scratch/copy"
+verdict $? 'a candidate of every buffer'
+run compare "$scratch/whole/trace-epr" "$scratch/copy"
+[ "$status" -eq 0 ] && grep -q ' 0 different, 0 missing' "$scratch/stdout"
+verdict $? 'which compare finds the same'
+for file in "$scratch"/copy/*.npy; do
+	cmp "$file" "$scratch/whole/trace-epr/"??-"${file##*/}"
+done > "$scratch/files" 2>&1
+[ ! -s "$scratch/files" ] && [ "$(ls "$scratch"/copy/*.npy | wc -l)" -gt 30 ]
+verdict $? 'file for file'
+
+cat > "$scratch/example.c" << 'END'
+#include <touchstone/candidate.h>
+int main(int argc, char **argv)
+{
+	static const uint64_t texels[2] = {0, 1};
+	uint64_t shape[1] = {2};
+	ts_candidate c;
+	ts_candidate_begin(&c, argv[argc - 1], "epr", "canonical", "my port", "0.3");
+	ts_candidate_param(&c, "rho_scale", "0.5");
+	ts_candidate_param(&c, "clip", "off");
+	ts_candidate_add(&c, "splat.depth_index", 1, shape, texels);
+	if (ts_candidate_end(&c) != 0) fprintf(stderr, "%s\n", c.message);
+	return c.message[0] != 0;
+}
+END
+cp "$scratch/example.c" "$scratch/example.cc"
+strict=(-O1 -Wall -Wextra -Wpedantic -Wshadow -Werror -Iinclude)
+for language in 'gcc -std=c99 example.c' 'g++ -std=c++11 example.cc' 'clang -std=c99 example.c' \
+	'clang++ -std=c++11 example.cc'; do
+	read -r compiler standard source <<< "$language"
+	mkdir -p "$scratch/example"
+	"$compiler" "$standard" "${strict[@]}" "$scratch/$source" -o "$scratch/program" &&
+		"$scratch/program" "$scratch/example" && run compare "$scratch/example" "$scratch/example"
+	grep -q '^1 buffers judged' "$scratch/stdout" && grep -q '"clip": "off"' "$scratch/example/trace.json"
+	verdict $? "the header in $language"
+done
+
+"$scratch/program" "$scratch/nowhere" 2> "$scratch/stderr"
+[ $? -eq 1 ] && grep -q 'nowhere/splat.depth_index.npy: cannot be written' "$scratch/stderr"
+verdict $? 'a folder that is not there'
+
+finish

@@ -1,0 +1,148 @@
+#!/usr/bin/python3
+"""The values of reference/PORTING.md, section 2, that can be worked out by hand, in traces of the triangles of scenes/.
+numpy is not needed. Prints TAP.
+
+	micro.py ONE MIRROR TWICE EDGE     folders of the four traces"""
+import json
+import math
+import os
+import re
+import struct
+import sys
+
+EMPTY = 0xffffffffffffffff
+
+
+class Trace:
+	"""Buffers as lists: of numbers, or of dicts of numbers or tuples."""
+
+	def __init__(self, folder):
+		self.folder = folder
+		with open(os.path.join(folder, "trace.json"), encoding="utf-8") as file:
+			self.buffers = {buffer["name"]: buffer for buffer in json.load(file)["buffers"]}
+
+	def __getitem__(self, name):
+		with open(os.path.join(self.folder, self.buffers[name]["file"]), "rb") as file:
+			data = file.read()
+		data = data[10 + struct.unpack_from("<H", data, 8)[0]:]
+		codes = {"<f4": "f", "<i4": "i", "<u4": "I", "<u8": "Q", "|u1": "B"}
+		dtype = self.buffers[name]["dtype"]
+		fields = re.findall(r"\('(\w+)', '(...)'(?:, \((\d+),\))?\)", dtype)
+		if not fields:
+			return [v[0] for v in struct.iter_unpack("<" + codes[dtype.strip("'")], data)]
+		layout = struct.Struct("<" + "".join(count + codes[code] for _, code, count in fields))
+		return [self.record(fields, values) for values in layout.iter_unpack(data)]
+
+	@staticmethod
+	def record(fields, values):
+		out, at = {}, 0
+		for name, _, count in fields:
+			n = int(count or 1)
+			out[name] = values[at:at + n] if count else values[at]
+			at += n
+		return out
+
+
+def bits(x):
+	return struct.unpack("<I", struct.pack("<f", x))[0]
+
+
+def number(key):
+	return struct.unpack("<f", struct.pack("<I", key >> 32))[0]
+
+
+class Tap:
+	n = failed = 0
+
+	def equal(self, name, found, right):
+		self.n += 1
+		good = found == right
+		self.failed += not good
+		print(f"{'ok' if good else 'not ok'} {self.n} - {name}")
+		if not good:
+			print(f"# found {found}\n# right {right}")
+
+	def near(self, name, found, right):
+		self.equal(name, abs(found - right) <= 2e-6 * abs(right) and right, right)
+
+
+def check_one(tap, trace):
+	view = trace["eye.view"][0]
+	tap.equal("triangle: f = H/2", view["focal"], 8.0)
+	corners = [trace["pose.vertex"][v]["position"] for v in trace["scene.triangle"][0]["vertex"]]
+	screen = [(8 + 8 * x / -z, 8 - 8 * y / -z) for x, y, z in corners]
+	tap.equal("triangle: corners on the screen", screen, [(4, 12), (12, 12), (4, 4)])
+	covered = [(j, i) for j in range(16) for i in range(16) if 4 <= i < j < 12]
+	right = [bits(4.0) << 32 if (j, i) in covered else EMPTY for j in range(16) for i in range(16)]
+	tap.equal("triangle: 28 pixels", len(covered), 28)
+	tap.equal("triangle: eye.depth_triangle", trace["eye.depth_triangle"], right)
+
+
+def faces_of(trace):
+	texels = trace["splat.depth_index"]
+	return [[texels[256 * f + 16 * j:256 * f + 16 * j + 16] for j in range(16)] for f in range(6)]
+
+
+# Which point holds texels 5 to 10 of rows 5 to 10 of face +X; -1: none.
+HOLDS = [
+	[-1, -1, -1, -1, 5, 5],
+	[-1, -1, -1, 4, 4, 5],
+	[-1, -1, 3, 3, 9, 10],
+	[-1, 2, 3, 3, 9, 10],
+	[1, 2, 9, 9, 9, 13],
+	[1, 1, 8, 8, 13, 13],
+]
+
+
+def check_mirror(tap, trace, name, copies):
+	face = trace["resize.face"][0]
+	cube = [face[field] for field in ("centre", "radius", "near", "n")]
+	tap.equal(f"{name}: cube", cube, [(0, 0, 0), 1.0, 2 ** -10, 16])
+	tap.equal(f"{name}: visibility.bits", trace["visibility.bits"], [1] * copies + [0] * 8)
+	tap.equal(f"{name}: density.scale", trace["density.scale"], [2.0] * copies)
+	frame = trace["align.frame"][0]
+	tap.equal(f"{name}: lattice", frame["q"], (128, 611, -596, -113, 852, -113))
+	for axis, right in (("u", (0, math.sqrt(0.5), -math.sqrt(0.5))), ("v", (0, -math.sqrt(0.5), -math.sqrt(0.5)))):
+		tap.equal(f"{name}: {axis}", [abs(a - b) < 1e-6 for a, b in zip(frame[axis], right)], [True] * 3)
+	tap.equal(f"{name}: count.offset", trace["count.offset"], [16 * k for k in range(copies + 1)])
+	samples = [(j, i) for j, most in ((-1, 3), (0, 2), (1, 1), (2, 0)) for i in range(-most, most + 1)]
+	keys = [k << 32 | (j + 32768) << 16 | (i + 32768) for k in range(copies) for j, i in samples]
+	tap.equal(f"{name}: points.key", trace["points.key"], keys)
+	points = trace["points.record"]
+	tap.equal(f"{name}: splat lengths", {point["length"] for point in points}, {0.5})
+	faces = faces_of(trace)
+	holds = [[-1 if key == EMPTY else key & 0xffffffff for key in row[5:11]] for row in faces[0][5:11]]
+	tap.equal(f"{name}: which point holds which texel", holds, HOLDS)
+	tap.equal(f"{name}: 26 texels", sum(key != EMPTY for face in faces for row in face for key in row), 26)
+	tap.near(f"{name}: distance of point 3", number(faces[0][8][8]), math.hypot(4, 0.5 - math.sqrt(2) / 3))
+	ties = sum(trace["splat.tie"])
+	tap.equal(f"{name}: ties", ties, 26 if copies == 2 else 0)
+
+
+def check_edge(tap, trace):
+	tap.equal("triangle_edge: visibility.bits, +X and +Z", trace["visibility.bits"][0], 0x11)
+	faces = faces_of(trace)
+	held = [(f, j, i) for f in range(6) for j in range(16) for i in range(16) if faces[f][j][i] != EMPTY]
+	tap.equal("triangle_edge: texels of +X", [(j, i) for f, j, i in held if f == 0], [(7, 0), (8, 0)])
+	tap.equal("triangle_edge: faces", sorted({f for f, _, _ in held}), [0, 4])
+
+
+def main():
+	tap = Tap()
+	names = ("triangle", "triangle_mirror", "triangle_twice", "triangle_edge")
+	traces = [Trace(folder) for folder in sys.argv[1:5]]
+	check_one(tap, traces[0])
+	check_mirror(tap, traces[1], names[1], 1)
+	check_mirror(tap, traces[2], names[2], 2)
+	check_edge(tap, traces[3])
+	for name, trace in zip(names, traces):
+		with open(f"scenes/{name}.gltf", encoding="utf-8") as file:
+			corners = json.load(file)["meshes"][0]["extras"]["corners"]
+		position = [vertex["position"] for vertex in trace["pose.vertex"]]
+		found = [position[v] for t in trace["scene.triangle"][:len(corners) // 3] for v in t["vertex"]]
+		tap.equal(f"{name}: the corners in its extras", [list(p) for p in found], corners)
+	print(f"1..{tap.n}")
+	return 1 if tap.failed else 0
+
+
+sys.exit(main())

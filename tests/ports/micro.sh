@@ -1,0 +1,8 @@
+#!/bin/bash
+# The triangles of scenes/ become what reference/PORTING.md says: values that can be worked out by hand.
+. "$(dirname "$0")/../cli/tap.bash"
+. "$(dirname "$0")/ports.bash"
+
+trace triangle scenes/triangle.gltf --camera camera --reflectors 0 --size 16x16
+for scene in triangle_mirror triangle_twice triangle_edge; do micro $scene $scene; done
+/usr/bin/python3 tests/ports/micro.py "$scratch"/triangle{,_mirror,_twice,_edge}/trace-epr

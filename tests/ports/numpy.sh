@@ -1,0 +1,56 @@
+#!/bin/bash
+# The port of two stages to numpy: equal bits on two scenes and on the small ones, and each damaged line is found.
+. "$(dirname "$0")/../cli/tap.bash"
+. "$(dirname "$0")/ports.bash"
+find_numpy || exit 0
+
+# compared FOLDER OPTION...: makes the port's candidate of that trace and compares them.
+compared() {
+	local folder=$scratch/$1
+	shift
+	"$python" tests/ports/numpy/port.py "$folder/trace-epr" "$folder/numpy" "$@" || return 2
+	run compare "$folder/trace-epr" "$folder/numpy"
+}
+
+agrees() {
+	compared "$1" && [ "$status" -eq 0 ] && grep -q '^2 buffers judged, 0 different' "$scratch/stdout"
+	verdict $? "numpy has the same bits: $1"
+}
+
+# catches N FOLDER STAGE: with line N damaged, the report's last line names that stage, and no other buffer differs.
+catches() {
+	compared "$2" --break "$1" && [ "$status" -eq 1 ] && grep -q '^2 buffers judged, 1 different' "$scratch/stdout" &&
+		tail -n 1 "$scratch/stdout" | grep -q "^stage $3, buffer"
+	verdict $? "numpy with damage $1: stage $3 differs in $2"
+}
+
+for scene in atrium gallery; do
+	trace $scene $scene:triangles=10000 --size 240x135 --reflectors 3
+	verdict $? "a trace of $scene"
+	agrees $scene
+done
+trace room scenes/room.gltf --size 240x135 --reflectors 12 --set visibility=vertex
+agrees room
+trace open atrium:triangles=10000 --size 96x54 --reflectors 3 --set clip=off
+agrees open
+trace small atrium:triangles=10000 --size 96x54 --reflectors 3 --set face_max=64
+for scene in triangle_mirror triangle_twice triangle_edge; do
+	micro $scene $scene
+	agrees $scene
+done
+
+# arrives FOLDER TIED: points in the reverse order are found again; TIED texels (-: none) hold another of the tied points.
+arrives() {
+	compared "$1" --arrival && [ "$status" -eq 0 ] && grep -q '^4 buffers judged, 0 different' "$scratch/stdout" &&
+		[ "$(awk '$1 == "splat" {print $4, $5}' "$scratch/stdout")" = "0 $2" ]
+	verdict $? "numpy in order of arrival: $1, tied $2"
+}
+arrives small -
+arrives triangle_mirror -
+arrives triangle_twice 26
+
+catches 1 triangle_edge '06 visibility'
+catches 2 small '06 visibility'
+for damage in 3 4 5; do catches $damage small '12 splat'; done
+
+finish

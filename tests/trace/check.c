@@ -1,0 +1,112 @@
+/* Checks of sizes, indices and floats: for each a fault planted in a copy of a buffer is refused with its place. */
+#include "faults.h"
+
+/* The first stage of either method that reads a buffer; NULL: none. */
+static const ts_stage *reader_of(ts_buffer_id id, u32 *m)
+{
+	for (*m = 0; *m < 2; ++*m) {
+		FOR_STAGES(*m, stage) {
+			if (ts_stage_reads(stage, id)) return stage;
+		}
+	}
+	*m = 0;
+	return NULL;
+}
+
+static const struct { ts_buffer_id id; const char *field, *size; bool none; } indices[] = {
+#define INDEX(buffer, field, size, none) {TS_B_##buffer, field, size, none},
+#include <touchstone/records.def>
+};
+
+/* Just past the end, and far past it. */
+static void test_indices(void **state)
+{
+	(void)state;
+	for (u32 row = 0; row < sizeof indices / sizeof *indices; row++) {
+		u32 m, n_dims;
+		ts_buffer_id id = indices[row].id, ids[TS_N_BUFFERS + 1];
+		const ts_stage *stage = reader_of(id, &m);
+		assert_non_null(stage);
+		ts_load *load;
+		ts_replay_reads(ids, stage, traces[m]->pipeline, &traces[m]->params);
+		assert_int_equal(ts_load_begin(&load, ids, traces[m], NULL, 1), TS_OK);
+		assert_int_equal(ts_check(load, stage), TS_OK);
+		u64 size[TS_MAX_DIMS], n = ts_frame_n(&load->run.frame, id), last = n - 1;
+		assert_true(ts_shape_dims(indices[row].size, &load->sizes, &n_dims, size));
+		ts_load_end(load);
+		bool key = ts_buffer_table[id].element_bytes == 8 && strcmp(ts_buffer_table[id].element, "u64") == 0;
+		refuses(m, stage, id, last, indices[row].field, 0, size[0]);
+		refuses(m, stage, id, 0, indices[row].field, 0, 0xfffffffe);
+		if (key) refuses(m, stage, id, last, "", 0, 0x3f800000ffffffffull);
+		if (!indices[row].none) {
+			refuses(m, stage, id, last, indices[row].field, 0, TS_NONE);
+		} else if (id != TS_B_scene_object) {
+			accepts(m, stage, id, last, indices[row].field, 0, key ? UINT64_MAX : TS_NONE);
+		}
+	}
+}
+
+/* Every float of every buffer that a stage reads. */
+static void test_floats(void **state)
+{
+	(void)state;
+	static const u32 odd[] = {0x7f800000, 0xff800000, 0x7fc00000, 0x7f800001};
+	u32 n_tested = 0;
+	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
+		u32 m;
+		const ts_stage *stage = reader_of((ts_buffer_id)id, &m);
+		const ts_fields fields = ts_fields_of((ts_buffer_id)id);
+	u32 n = fields.n;
+		for (u32 f = 0; f < n && stage != NULL; f++) {
+			u64 elements = traces[m]->item[id].npy.n;
+			if (fields.field[f].kind != 'f' || elements == 0) continue;
+			u64 element = random_below((u32)elements);
+			refuses(m, stage, (ts_buffer_id)id, element, fields.field[f].name, fields.field[f].count - 1,
+			        odd[n_tested++ % 4]);
+		}
+	}
+	assert_true(n_tested > 60);
+}
+
+/* A row less, of every buffer whose rows another buffer counts. */
+static void test_shapes(void **state)
+{
+	(void)state;
+	static const ts_buffer_id counted[] = {
+		TS_B_pose_vertex,     TS_B_resize_face,    TS_B_eye_depth_triangle,  TS_B_pixel_offset,
+		TS_B_visibility_bits, TS_B_density_scale,  TS_B_cull_keep,           TS_B_align_frame,
+		TS_B_count_offset,    TS_B_points_record,  TS_B_splat_depth_index,   TS_B_lookup_point,
+		TS_B_lookup2_offset,  TS_B_lookup3_offset, TS_B_face_depth_triangle, TS_B_face_mip,
+	};
+	for (u32 i = 0; i < sizeof counted / sizeof *counted; i++) {
+		u32 m;
+		ts_buffer buffer;
+		const ts_stage *stage = NULL;
+		for (m = 0; m < 2 && stage == NULL; m++) {
+			FOR_STAGES(m, s) {
+				if (ts_stage_reads(s, counted[i])) stage = s; /* the last: it reads most */
+			}
+		}
+		assert_non_null(stage);
+		m--;
+		void *data = traces_read(&buffer, traces[m], counted[i]);
+		buffer.n -= buffer.n / buffer.shape[0];
+		buffer.shape[0]--;
+		ts_status status = replay_with(m, stage, counted[i], &buffer);
+		if (status != TS_ERROR) fail_msg("%s accepts a row less of %s", stage->name, ts_buffer_table[counted[i]].name);
+		bool told = strstr(ts_error_message(), "shape") != NULL || strstr(ts_error_message(), "would be right") != NULL;
+		if (!told) fail_msg("%s", ts_error_message());
+		assert_null(strchr(ts_error_message(), '\n'));
+		free(data);
+	}
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_indices),
+		cmocka_unit_test(test_floats),
+		cmocka_unit_test(test_shapes),
+	};
+	return cmocka_run_group_tests(tests, traces_begin, traces_end);
+}

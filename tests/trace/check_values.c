@@ -1,0 +1,154 @@
+/* Checks of values that kernels loop over or address by; and whatever is planted anywhere, a stage is refused or ends
+ * without harm, which the sanitizers judge. */
+#include "faults.h"
+
+/* Rows of a value that a kernel loops over or addresses by. */
+static void test_values(void **state)
+{
+	(void)state;
+	const ts_stage *eye = ts_stage_find("eye"), *resize = ts_stage_find("resize"), *points = ts_stage_find("points");
+	const ts_stage *lookup = ts_stage_find("lookup"), *count = ts_stage_find("count"), *image = ts_stage_find("image");
+	const u64 n = TS_NONE, last_texel = traces[0]->item[TS_B_scene_texel].npy.n - 1;
+	refuses(0, eye, TS_B_scene_image, 0, "width", 0, 0);
+	refuses(0, eye, TS_B_scene_image, 0, "width", 0, 1u << 23);
+	refuses(0, eye, TS_B_scene_image, 0, "height", 0, n);
+	refuses(0, eye, TS_B_scene_image, 0, "n_levels", 0, 0);
+	refuses(0, eye, TS_B_scene_image, 0, "n_levels", 0, 30);
+	refuses(0, eye, TS_B_scene_image, 0, "first_texel", 0, last_texel);
+	refuses(0, eye, TS_B_scene_image, 0, "first_texel", 0, UINT64_MAX);
+	refuses(0, eye, TS_B_scene_slot, 0, "uv_set", 0, 2);
+	refuses(0, eye, TS_B_scene_slot, 0, "wrap", 1, 3);
+	refuses(0, eye, TS_B_scene_light, 0, "kind", 0, 3);
+	refuses(0, eye, TS_B_eye_view, 0, "width", 0, 65);
+	refuses(0, eye, TS_B_eye_view, 0, "height", 0, n);
+	refuses(0, resize, TS_B_scene_object, 1, "first_vertex", 0, 0);
+	refuses(0, resize, TS_B_scene_object, 1, "n_vertices", 0, n);
+	refuses(0, resize, TS_B_scene_object, 3, "reflector", 0, 0);
+	refuses(0, resize, TS_B_scene_object, 3, "n_vertices", 0, 0);
+	refuses(0, lookup, TS_B_resize_face, 2, "n", 0, 33);
+	refuses(0, lookup, TS_B_resize_face, 1, "offset", 0, 0);
+	refuses(0, lookup, TS_B_resize_face, 0, "offset", 0, 1);
+	refuses(1, ts_stage_find("mirror"), TS_B_resize_face, 2, "n", 0, 4096);
+	refuses(0, count, TS_B_align_frame, 0, "s", 0, 0xbf800000);
+	refuses(0, count, TS_B_align_frame, 3, "q", 5, 1u << 23);
+	refuses(0, count, TS_B_align_frame, 3, "q", 0, 0x80000000);
+	refuses(0, image, TS_B_pixel_offset, 0, "", 0, 1);
+	refuses(0, image, TS_B_pixel_offset, 64 * 48, "", 0, n - 1);
+	refuses(0, image, TS_B_pixel_offset, 64 * 48, "", 0, 0);
+	refuses(0, points, TS_B_count_offset, 0, "", 0, 1);
+}
+
+/* Sums may not fall; and points are written only where stage count would put them. */
+static void test_sums(void **state)
+{
+	(void)state;
+	static const struct {
+		const char *stage;
+		ts_buffer_id id;
+	} rows[] = {
+		{"image", TS_B_pixel_offset},   {"splat", TS_B_count_offset},    {"points", TS_B_count_offset},
+		{"shade", TS_B_lookup2_offset}, {"shade2", TS_B_lookup3_offset},
+	};
+	for (u32 row = 0; row < sizeof rows / sizeof *rows; row++) {
+		ts_buffer buffer;
+		u32 *sums = traces_read(&buffer, traces[0], rows[row].id);
+		u64 i = buffer.n / 2;
+		u32 last = sums[buffer.n - 1];
+		while (sums[i] == 0 || sums[i] + 1 >= last) i++;
+		u64 fallen = sums[i] - 1 < sums[i - 1] ? i : i + 1;
+		refuses(0, ts_stage_find(rows[row].stage), rows[row].id, fallen, "", 0, 0);
+		free(sums);
+	}
+	ts_buffer buffer;
+	u32 *sums = traces_read(&buffer, traces[0], TS_B_count_offset);
+	u64 i = 1;
+	while (sums[i] == sums[i - 1]) i++;
+	refuses(0, ts_stage_find("points"), TS_B_count_offset, i, "", 0, sums[i] - 1);
+	assert_non_null(strstr(ts_error_message(), "stage count makes"));
+	free(sums);
+}
+
+/* A piece that covers all of the lattice is walked; many of them are too much. */
+static void test_squares(void **state)
+{
+	(void)state;
+	ts_buffer buffer;
+	ts_align *frames = traces_read(&buffer, traces[0], TS_B_align_frame);
+	const i32 all[6] = {-8388607, -8388607, 8388607, -8388607, 8388607, 8388607};
+	for (u32 i = 0; i < 5; i++) {
+		frames[i].s = 1;
+		memcpy(frames[i].q, all, sizeof all);
+	}
+	assert_int_equal(replay_with(0, ts_stage_find("count"), TS_B_align_frame, &buffer), TS_ERROR);
+	assert_non_null(strstr(ts_error_message(), "lattice squares"));
+	free(frames);
+}
+
+typedef enum { SOME_FLOATS, WHOLE_ELEMENTS, ANYTHING, N_DAMAGES } damage_kind;
+
+/* An extreme value; a float is finite, and s of align.frame not negative, so that it is not refused. */
+static u64 extreme(const ts_field *field)
+{
+	static const u64 extremes[] = {0,          1,          2,          255,        0x7fffffff, 0x80000000,
+	                               0xfffffffe, UINT64_MAX, 0x7f7fffff, 0xff7fffff, 0x3f800000, 0x5e800000,
+	                               0xde800000, 0x80000001, 0x00800000, 4096};
+	u64 value = extremes[random_below(16)];
+	if (field->kind != 'f') return value;
+	if ((value & 0x7f800000) == 0x7f800000) value = (value & 0x80000000) | 0x7f7fffff;
+	return strcmp(field->name, "s") == 0 ? value & 0x7fffffff : value;
+}
+
+static void damage(const ts_buffer *buffer, ts_buffer_id id, damage_kind kind)
+{
+	const ts_fields fields = ts_fields_of(id);
+	u32 n = fields.n, times = kind == SOME_FLOATS ? 400 : kind == WHOLE_ELEMENTS ? 64 : 2;
+	for (u32 i = 0; i < times && buffer->n != 0; i++) {
+		u64 element = random_below((u32)buffer->n);
+		u32 chosen = random_below(n);
+		for (u32 f = 0; f < n; f++) {
+			bool wanted = kind == WHOLE_ELEMENTS || f == chosen;
+			if (!wanted || (kind != ANYTHING && fields.field[f].kind != 'f')) continue;
+			u32 one = kind == WHOLE_ELEMENTS ? fields.field[f].count : random_below(fields.field[f].count);
+			for (u32 k = 0; k < fields.field[f].count; k++) {
+				bool large = kind == WHOLE_ELEMENTS && i % 2 == 0;
+				u64 value = large ? 0x7f7fffff : extreme(&fields.field[f]);
+				if (one == fields.field[f].count || one == k) put(buffer, id, element, fields.field[f].name, k, value);
+			}
+		}
+	}
+}
+
+static void damage_and_run(u32 m, const ts_stage *stage, ts_buffer_id id, damage_kind kind)
+{
+	ts_buffer buffer;
+	void *data = traces_read(&buffer, traces[m], id);
+	damage(&buffer, id, kind);
+	bool ran = replay_with(m, stage, id, &buffer) == TS_OK;
+	/* A mask that changes changes the counts of points. */
+	if (kind != ANYTHING && strcmp(stage->name, "points") != 0 && !ran) fail_msg("%s", ts_error_message());
+	free(data);
+}
+
+static void test_damage(void **state)
+{
+	(void)state;
+	for (u32 m = 0; m < 2; m++) {
+		FOR_STAGES(m, stage) {
+			for (u32 id = 0; id < TS_N_BUFFERS; id++) {
+				if (!ts_stage_reads(stage, (ts_buffer_id)id)) continue;
+				for (u32 kind = 0; kind < N_DAMAGES; kind++) damage_and_run(m, stage, (ts_buffer_id)id, (damage_kind)kind);
+			}
+		}
+	}
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_values),
+		cmocka_unit_test(test_sums),
+		cmocka_unit_test(test_squares),
+		cmocka_unit_test(test_damage),
+	};
+	return cmocka_run_group_tests(tests, traces_begin, traces_end);
+}

@@ -1,0 +1,154 @@
+/* Loading: the candidate's buffers first, and what cannot be loaded refused before anything is read. */
+#include "traces.h"
+
+static const ts_buffer_id splat_reads[] = {TS_B_resize_face, TS_B_align_frame, TS_B_points_record, TS_N_BUFFERS};
+
+static ts_status load(const ts_buffer_id *ids, const ts_trace *reference, const ts_trace *candidate)
+{
+	ts_load *made;
+	ts_status status = ts_load_begin(&made, ids, reference, candidate, 1);
+	assert_true((status == TS_OK) == (made != NULL));
+	ts_load_end(made);
+	return status;
+}
+
+static void assert_told(const char *text)
+{
+	const char *message = ts_error_message();
+	if (strstr(message, text) == NULL || strchr(message, '\n') != NULL) fail_msg("%s", message);
+}
+
+static void test_contents(void **state)
+{
+	(void)state;
+	ts_load *made;
+	assert_int_equal(ts_load_begin(&made, splat_reads, traces[0], NULL, 2), TS_OK);
+	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
+		bool wanted =
+			id == TS_B_scene_info || id == TS_B_resize_face || id == TS_B_align_frame || id == TS_B_points_record;
+		assert_true((made->item[id] != NULL) == wanted);
+		if (!wanted) continue;
+		ts_buffer file;
+		void *data = traces_read(&file, traces[0], (ts_buffer_id)id);
+		const ts_buffer *buffer = &made->run.frame.buffer[id];
+		assert_int_equal(buffer->n, file.n);
+		assert_memory_equal(buffer->shape, file.shape, sizeof file.shape);
+		assert_memory_equal(buffer->data, data, file.n * ts_buffer_table[id].element_bytes);
+		free(data);
+	}
+	assert_int_equal(made->scene.info.n_reflectors, 3);
+	assert_int_equal(made->run.params.width, 64);
+	ts_load_end(made);
+	ts_load_end(NULL);
+}
+
+static void test_precedence(void **state)
+{
+	(void)state;
+	ts_buffer buffer;
+	ts_point *points = traces_read(&buffer, traces[0], TS_B_points_record);
+	points[3].length = 42;
+	ts_trace *candidate = traces_plant(0, &(planted){TS_B_points_record, &buffer}, 1, "canonical", "");
+	ts_load *made;
+	assert_int_equal(ts_load_begin(&made, splat_reads, traces[0], candidate, 1), TS_OK);
+	assert_ptr_equal(made->item[TS_B_points_record], &candidate->item[TS_B_points_record]);
+	assert_ptr_equal(made->item[TS_B_align_frame], &traces[0]->item[TS_B_align_frame]);
+	assert_true(((const ts_point *)ts_frame_data(&made->run.frame, TS_B_points_record))[3].length == 42);
+	ts_load_end(made);
+	traces_drop(candidate);
+	free(points);
+}
+
+static void test_missing(void **state)
+{
+	(void)state;
+	char *key = traces[0]->item[TS_B_points_record].path, *frame = traces[0]->item[TS_B_align_frame].path;
+	traces[0]->item[TS_B_points_record].path = traces[0]->item[TS_B_align_frame].path = NULL;
+	assert_int_equal(load(splat_reads, traces[0], NULL), TS_ERROR);
+	assert_told("no file of align.frame, points.record");
+	traces[0]->item[TS_B_points_record].path = key;
+	traces[0]->item[TS_B_align_frame].path = frame;
+	assert_int_equal(load(splat_reads, traces[0], NULL), TS_OK);
+}
+
+static void test_cropped(void **state)
+{
+	(void)state;
+	u64 texels[6] = {0};
+	const ts_buffer part = {.data = texels, .n = 6, .n_dims = 2, .shape = {2, 3}};
+	static const ts_buffer_id ids[] = {TS_B_eye_depth_triangle, TS_N_BUFFERS};
+	ts_trace *candidate =
+		traces_plant(0, &(planted){TS_B_eye_depth_triangle, &part}, 1, "canonical", ", \"crop\": [0, 0, 3, 2]");
+	assert_int_equal(load(ids, traces[0], candidate), TS_ERROR);
+	assert_told("cropped");
+	traces_drop(candidate);
+}
+
+/* Sizes that headers might tell: nothing is read or allocated. */
+static void test_large(void **state)
+{
+	(void)state;
+	u64 none = 0;
+	const ts_buffer empty = {.data = &none, .n = 0, .n_dims = 2, .shape = {0, 1}};
+	static const ts_buffer_id ids[] = {TS_B_visibility_bits, TS_N_BUFFERS};
+	ts_trace *candidate = traces_plant(0, &(planted){TS_B_visibility_bits, &empty}, 1, "canonical", "");
+	ts_trace_item *item = &candidate->item[TS_B_visibility_bits];
+	item->npy.shape[0] = item->npy.n = ts_memory_limit() / 8 + 1;
+	assert_int_equal(load(ids, traces[0], candidate), TS_ERROR);
+	assert_told("a run may use");
+	item->npy.n = UINT64_MAX / 8;
+	assert_int_equal(load(ids, traces[0], candidate), TS_ERROR);
+	assert_told("a run may use");
+	traces_drop(candidate);
+	static const ts_buffer_id keeps[] = {TS_B_cull_keep, TS_N_BUFFERS};
+	const ts_buffer row = {.data = &none, .n = 0, .n_dims = 1, .shape = {0}};
+	candidate = traces_plant(0, &(planted){TS_B_cull_keep, &row}, 1, "canonical", "");
+	candidate->item[TS_B_cull_keep].npy.shape[0] = candidate->item[TS_B_cull_keep].npy.n = 1ull << 32;
+	assert_int_equal(load(keeps, traces[0], candidate), TS_ERROR);
+	assert_told("32-bit");
+	traces_drop(candidate);
+}
+
+/* A file that has become shorter since its header was read. */
+static void test_shrunk(void **state)
+{
+	(void)state;
+	ts_buffer buffer;
+	void *data = traces_read(&buffer, traces[0], TS_B_align_frame);
+	ts_trace *candidate = traces_plant(0, &(planted){TS_B_align_frame, &buffer}, 1, "canonical", "");
+	assert_int_equal(truncate(candidate->item[TS_B_align_frame].path, 4096), 0);
+	assert_int_equal(load(splat_reads, traces[0], candidate), TS_ERROR);
+	assert_told("shorter");
+	traces_drop(candidate);
+	free(data);
+}
+
+static void test_match(void **state)
+{
+	(void)state;
+	u32 keep = 1;
+	const ts_buffer buffer = {.data = &keep, .n = 1, .n_dims = 1, .shape = {1}};
+	ts_trace *candidate = traces_plant(0, &(planted){TS_B_cull_keep, &buffer}, 1, "canonical", "");
+	assert_int_equal(ts_load_match(traces[0], candidate), TS_OK);
+	assert_int_equal(ts_load_match(candidate, NULL), TS_ERROR);
+	assert_told("no params");
+	assert_int_equal(ts_load_match(traces[1], candidate), TS_ERROR);
+	assert_told("of method epr");
+	candidate->has_params = true;
+	candidate->params = traces[0]->params;
+	assert_int_equal(ts_load_match(traces[0], candidate), TS_OK);
+	candidate->params.seed++;
+	assert_int_equal(ts_load_match(traces[0], candidate), TS_ERROR);
+	assert_told("parameter seed is 1; 0 would be right");
+	traces_drop(candidate);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_contents), cmocka_unit_test(test_precedence), cmocka_unit_test(test_missing),
+		cmocka_unit_test(test_cropped),  cmocka_unit_test(test_large),      cmocka_unit_test(test_shrunk),
+		cmocka_unit_test(test_match),
+	};
+	return cmocka_run_group_tests(tests, traces_begin, traces_end);
+}

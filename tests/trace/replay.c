@@ -1,0 +1,212 @@
+/* Replay: every stage of both methods, alone, makes what the trace holds; what a candidate made otherwise is found. */
+#include "traces.h"
+
+/* The whole of both methods, three bounces, by one batch of all reflectors where the trace was made of three. */
+static void test_same(void **state)
+{
+	(void)state;
+	for (u32 m = 0; m < 2; m++) {
+		FOR_STAGES(m, stage) {
+			for (u32 threads = 1; threads <= 3; threads += 2) {
+				ts_load *load;
+				if (ts_replay(&load, stage, traces[m], NULL, threads) != TS_OK) fail_msg("%s", ts_error_message());
+				for (u32 i = 0; stage->writes[i] != TS_N_BUFFERS; i++) {
+					ts_judged v;
+					if (ts_judge(&v, load, stage->writes[i], NULL) != TS_OK) fail_msg("%s: %s", stage->name, v.text);
+					assert_true(v.item != NULL && v.verdict.n_ref == v.item->npy.n);
+					assert_true(v.verdict.n_ref > 0 && v.verdict.n_different == 0);
+				}
+				ts_load_end(load);
+			}
+		}
+	}
+}
+
+/* One bit of one component of an output. */
+static void plant_and_find(u32 m, const ts_stage *stage, ts_load *load, ts_buffer_id id, u32 seed)
+{
+	ts_buffer buffer;
+	const ts_fields fields = ts_fields_of(id);
+	u8 *data = traces_read(&buffer, traces[m], id);
+	u32 f = seed % fields.n;
+	u32 component = seed / 7 % fields.field[f].count;
+	u64 element = seed * 2654435761ull % buffer.n;
+	size_t at = fields.field[f].offset + component * fields.field[f].bytes;
+	data[element * ts_buffer_table[id].element_bytes + at] ^= 1;
+	ts_trace *candidate = traces_plant(m, &(planted){id, &buffer}, 1, "canonical", "");
+	ts_judged v;
+	load->candidate = candidate;
+	assert_int_equal(ts_judge(&v, load, id, NULL), TS_DIFFERENT);
+	assert_int_equal(v.verdict.n_different, 1);
+	assert_int_equal(v.verdict.n_ref, buffer.n);
+	if (v.verdict.first.element != element || v.verdict.first.component != component ||
+	    v.verdict.first.field != f) {
+		fail_msg("%s, %s: planted in element %u, field %s, component %u; found: %s", stage->name,
+		         ts_buffer_table[id].name, (unsigned)element, fields.field[f].name, (unsigned)component, v.text);
+	}
+	load->candidate = NULL;
+	traces_drop(candidate);
+	free(data);
+}
+
+static void test_planted(void **state)
+{
+	(void)state;
+	u32 seed = 1;
+	for (u32 m = 0; m < 2; m++) {
+		FOR_STAGES(m, stage) {
+			ts_load *load;
+			assert_int_equal(ts_replay(&load, stage, traces[m], NULL, 2), TS_OK);
+			for (u32 i = 0; stage->writes[i] != TS_N_BUFFERS; i++)
+				plant_and_find(m, stage, load, stage->writes[i], seed++);
+			ts_load_end(load);
+		}
+	}
+}
+
+/* The candidate's inputs are the ones that count: with its own densities its own frames are right. */
+static void test_own_inputs(void **state)
+{
+	(void)state;
+	ts_buffer scale, frames;
+	f32 *scales = traces_read(&scale, traces[0], TS_B_density_scale);
+	for (u64 i = 0; i < scale.n; i++) scales[i] *= 0.5f;
+	ts_trace *candidate = traces_plant(0, &(planted){TS_B_density_scale, &scale}, 1, "canonical", "");
+	const ts_stage *align = ts_stage_find("align");
+	ts_load *load;
+	ts_judged v;
+	assert_int_equal(ts_replay(&load, align, traces[0], candidate, 2), TS_OK);
+	assert_int_equal(ts_judge(&v, load, TS_B_align_frame, NULL), TS_DIFFERENT);
+	assert_string_equal(ts_fields_of(TS_B_align_frame).field[v.verdict.first.field].name, "s");
+	frames = load->run.frame.buffer[TS_B_align_frame];
+	const planted both[2] = {{TS_B_density_scale, &scale}, {TS_B_align_frame, &frames}};
+	ts_trace *port = traces_plant(0, both, 2, "canonical", "");
+	ts_load *again;
+	assert_int_equal(ts_replay(&again, align, traces[0], port, 2), TS_OK);
+	assert_int_equal(ts_judge(&v, again, TS_B_align_frame, NULL), TS_OK);
+	assert_ptr_equal(v.item, &port->item[TS_B_align_frame]);
+	ts_load_end(again);
+	ts_load_end(load);
+	traces_drop(port);
+	traces_drop(candidate);
+	free(scales);
+}
+
+/* Points in another order: found by their keys; what is splatted from them is right by their own indices. */
+static void test_arrival(void **state)
+{
+	(void)state;
+	ts_buffer key, record;
+	u64 *keys = traces_read(&key, traces[0], TS_B_points_key);
+	ts_point *points = traces_read(&record, traces[0], TS_B_points_record);
+	for (u64 i = 0; i < key.n / 2; i++) {
+		u64 other = key.n - 1 - i, k = keys[i];
+		ts_point p = points[i];
+		keys[i] = keys[other];
+		keys[other] = k;
+		points[i] = points[other];
+		points[other] = p;
+	}
+	const planted both[2] = {{TS_B_points_key, &key}, {TS_B_points_record, &record}};
+	ts_trace *candidate = traces_plant(0, both, 2, "arrival", "");
+	ts_load *load;
+	ts_judged v;
+	assert_int_equal(ts_replay(&load, ts_stage_find("points"), traces[0], candidate, 2), TS_OK);
+	assert_int_equal(ts_judge(&v, load, TS_B_points_key, NULL), TS_OK);
+	assert_int_equal(ts_judge(&v, load, TS_B_points_record, NULL), TS_OK);
+	ts_load_end(load);
+	ts_buffer theirs;
+	u64 *texels = traces_read(&theirs, traces[0], TS_B_splat_depth_index);
+	u8 *ties = traces_read(&(ts_buffer){.n = 0}, traces[0], TS_B_splat_tie);
+	assert_int_equal(ts_replay(&load, ts_stage_find("splat"), traces[0], candidate, 2), TS_OK);
+	const u64 *ours = ts_frame_data(&load->run.frame, TS_B_splat_depth_index);
+	for (u64 i = 0; i < theirs.n; i++) {
+		u64 turned = texels[i] == TS_EMPTY ? TS_EMPTY : (texels[i] >> 32 << 32) | (key.n - 1 - (texels[i] & TS_NONE));
+		if (ties[i] == 0)
+			assert_int_equal(ours[i], turned);
+		else
+			assert_int_equal(ours[i] >> 32, turned >> 32);
+	}
+	ts_load_end(load);
+	traces_drop(candidate);
+	free(ties);
+	free(texels);
+	free(points);
+	free(keys);
+}
+
+/* Of a cropped picture its part is compared. */
+static void test_crop(void **state)
+{
+	(void)state;
+	ts_buffer whole, part;
+	u8 *data = traces_read(&whole, traces[0], TS_B_image_srgb);
+	u8 rows[5 * 7 * 3];
+	for (u32 y = 0; y < 5; y++) memcpy(rows + y * 21, data + ((3 + y) * 64 + 20) * 3, 21);
+	part = (ts_buffer){.data = rows, .n = sizeof rows, .n_dims = 3, .shape = {5, 7, 3}};
+	for (u32 wrong = 0; wrong < 2; wrong++) {
+		rows[50] ^= (u8)wrong;
+		ts_trace *candidate =
+			traces_plant(0, &(planted){TS_B_image_srgb, &part}, 1, "canonical", ", \"crop\": [20, 3, 7, 5]");
+		ts_load *load;
+		ts_judged v;
+		assert_int_equal(ts_replay(&load, ts_stage_find("image"), traces[0], candidate, 2), TS_OK);
+		assert_int_equal(ts_judge(&v, load, TS_B_image_srgb, NULL), wrong ? TS_DIFFERENT : TS_OK);
+		assert_int_equal(v.verdict.n_ref, sizeof rows);
+		if (wrong) assert_int_equal(v.verdict.first.element, 50);
+		ts_load_end(load);
+		traces_drop(candidate);
+	}
+	free(data);
+}
+
+/* Another shape is another answer, and an output that nobody has is not judged. */
+static void test_shapes(void **state)
+{
+	(void)state;
+	ts_buffer buffer;
+	void *data = traces_read(&buffer, traces[0], TS_B_cull_keep);
+	buffer.shape[0] = --buffer.n;
+	ts_trace *candidate = traces_plant(0, &(planted){TS_B_cull_keep, &buffer}, 1, "canonical", "");
+	ts_load *load;
+	ts_judged v;
+	assert_int_equal(ts_replay(&load, ts_stage_find("cull"), traces[0], candidate, 2), TS_OK);
+	assert_int_equal(ts_judge(&v, load, TS_B_cull_keep, NULL), TS_DIFFERENT);
+	assert_true(v.shape_differs && strstr(v.text, "is right") != NULL);
+	char *path = traces[0]->item[TS_B_cull_keep].path;
+	traces[0]->item[TS_B_cull_keep].path = NULL;
+	load->candidate = NULL;
+	assert_int_equal(ts_judge(&v, load, TS_B_cull_keep, NULL), TS_OK);
+	assert_null(v.item);
+	traces[0]->item[TS_B_cull_keep].path = path;
+	ts_load_end(load);
+	traces_drop(candidate);
+	free(data);
+}
+
+static void test_find(void **state)
+{
+	(void)state;
+	ts_params params = traces[0]->params;
+	const ts_pipeline *epr = traces[0]->pipeline;
+	assert_ptr_equal(ts_replay_find("splat", epr, &params), ts_stage_find("splat"));
+	assert_null(ts_replay_find("face", epr, &params));
+	assert_null(ts_replay_find("nothing", epr, &params));
+	params.bounces = 2;
+	assert_non_null(ts_replay_find("lookup2", epr, &params));
+	assert_null(ts_replay_find("lookup3", epr, &params));
+	ts_buffer_id ids[TS_N_BUFFERS + 1];
+	params.bounces = 1;
+	ts_replay_reads(ids, ts_stage_find("shade"), epr, &params);
+	for (u32 i = 0; ids[i] != TS_N_BUFFERS; i++) assert_true(strncmp(ts_buffer_table[ids[i]].name, "lookup2", 7) != 0);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_same),    cmocka_unit_test(test_planted), cmocka_unit_test(test_own_inputs),
+		cmocka_unit_test(test_arrival), cmocka_unit_test(test_crop),    cmocka_unit_test(test_shapes),
+		cmocka_unit_test(test_find),
+	};
+	return cmocka_run_group_tests(tests, traces_begin, traces_end);
+}

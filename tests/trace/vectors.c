@@ -1,0 +1,286 @@
+/* Every primitive of the arithmetic vectors against an independent truth: rounded once from wider arithmetic, exact in
+ * integers, or within the error that the contract states. And every fault that a port may have is found and named. */
+#include "../core/test.h"
+#include "../../src/core/digest.h"
+#include "vectors_truth.h"
+
+static u32 in[TS_VECTOR_ITEMS * TS_VECTOR_WORDS], out[TS_VECTOR_ITEMS * TS_VECTOR_WORDS];
+static u32 found[TS_VECTOR_ITEMS * TS_VECTOR_WORDS];
+
+/* The sign of a zero that a sum of products gives is no part of a place on a cube. */
+static bool same(const ts_vector *v, u32 a, u32 b)
+{
+	return a == b || (strcmp(v->name, "cube_place") == 0 && ts_u2f(a) == ts_u2f(b));
+}
+
+static void test_exact(void **state)
+{
+	(void)state;
+	for (u32 t = 0; t < N_EXACT; t++) {
+		const ts_vector *v = ts_vectors_find(exact[t].name);
+		assert_non_null(v);
+		u32 words = ts_vector_out_words(v), n_wrong = 0;
+		ts_vector_make(v, in, out);
+		for (u32 i = 0; i < TS_VECTOR_ITEMS; i++) {
+			u32 right[TS_VECTOR_WORDS];
+			exact[t].right(right, in + (size_t)i * ts_vector_in_words(v));
+			for (u32 k = 0; k < words; k++) {
+				u32 ours = out[(size_t)i * words + k];
+				if (same(v, ours, right[k])) continue;
+				if (n_wrong++ == 0) print_error("%s, item %u, word %u: %08x, not %08x\n", v->name, i, k, ours, right[k]);
+			}
+		}
+		assert_int_equal(n_wrong, 0);
+	}
+}
+
+static double ulp(double y) { return y == 0 ? 0x1p-149 : ldexp(1, ilogb(y) - 23); }
+
+/* What the contract states of the elementary functions. */
+static void test_bounded(void **state)
+{
+	(void)state;
+	double turn = 2 * acos(-1);
+	ts_vector_make(ts_vectors_find("log2"), in, out);
+	for (u32 i = 0; i < TS_VECTOR_ITEMS; i++) {
+		f32 x = ts_u2f(in[i]), y = ts_u2f(out[i]);
+		if (isinf(x) && x > 0) continue;
+		double right = x >= FLT_MIN ? log2((double)x) : -126;
+		assert_true(fabs(y - right) <= 2.2 * ulp(right));
+	}
+	for (u32 k = 0; k < 2; k++) {
+		ts_vector_make(ts_vectors_find(k == 0 ? "sin_turn" : "cos_turn"), in, out);
+		for (u32 i = 0; i < TS_VECTOR_ITEMS; i++) {
+			f32 t = ts_u2f(in[i]);
+			double r = fabsf(t) < 0x1p22f ? t - rint(t) : 0;
+			assert_true(fabs(ts_u2f(out[i]) - (k == 0 ? sin(turn * r) : cos(turn * r))) <= 7.5e-8);
+		}
+	}
+	ts_vector_make(ts_vectors_find("texture_lod"), in, out);
+	for (u32 i = 0; i < TS_VECTOR_ITEMS; i++) {
+		const u32 *row = in + (size_t)i * 5;
+		double f = row_f32(row, 2), k = (double)row[0] * row[1] * f * f * row_f32(row, 3) / row_f32(row, 4);
+		double right = fmin(128 * log2(fmax(1, k)), 4095);
+		assert_true(fabs(out[i] - right) <= 0.501);
+	}
+}
+
+/* Nothing is left without a truth. */
+static void test_complete(void **state)
+{
+	(void)state;
+	assert_int_equal(ts_vectors_count(), N_EXACT + 4);
+	assert_null(ts_vectors_at(ts_vectors_count()));
+	assert_null(ts_vectors_find("exp"));
+	for (u32 i = 0; i < ts_vectors_count(); i++) {
+		const ts_vector *v = ts_vectors_at(i);
+		assert_ptr_equal(ts_vectors_find(v->name), v);
+		assert_true(strspn(v->name, "abcdefghijklmnopqrstuvwxyz0123456789_") == strlen(v->name));
+		assert_true(v->rule[0] != 0 && v->doc[0] != 0 && v->in[0].name != NULL);
+		assert_in_range(ts_vector_in_words(v), 1, TS_VECTOR_WORDS);
+		assert_in_range(ts_vector_out_words(v), 1, TS_VECTOR_WORDS);
+	}
+}
+
+static bool in_range(const ts_vector_column *c, const u32 *at)
+{
+	u32 m = at[0] & 0x7fffffffu;
+	i64 x = c->type == TS_VECTOR_I64 ? row_i64(at, 0) : c->type == TS_VECTOR_I32 ? (i64)row_i32(at, 0) : (i64)at[0];
+	if (c->type == TS_VECTOR_U64) return true;
+	if (c->type != TS_VECTOR_F32) return x >= c->low && x <= c->high;
+	if (m == 0) return c->low == 0 || at[0] == 0;
+	return m >> 23 >= c->low && m >> 23 <= c->high;
+}
+
+static void test_ranges(void **state)
+{
+	(void)state;
+	for (u32 t = 0; t < ts_vectors_count(); t++) {
+		const ts_vector *v = ts_vectors_at(t);
+		ts_vector_make(v, in, out);
+		const u32 *at = in;
+		for (u32 i = 0; i < TS_VECTOR_ITEMS; i++) {
+			for (const ts_vector_column *c = v->in; c->name != NULL; c++) {
+				for (u32 k = 0; k < c->count; k++, at += ts_vector_type_words(c->type)) {
+					if (in_range(c, at)) continue;
+					print_error("%s, item %u, %s: %08x\n", v->name, i, c->name, at[0]);
+					fail();
+				}
+			}
+		}
+		for (u32 i = 0; i < TS_VECTOR_ITEMS * v->out.count && v->out.type == TS_VECTOR_F32; i++) {
+			assert_true(isfinite(ts_u2f(out[i])));
+		}
+	}
+}
+
+/* Every bit of every file: a change of this digest is a change of the contract, TS_CONTRACT_VERSION. */
+static void test_digest(void **state)
+{
+	(void)state;
+	ts_digest digest;
+	char hex[TS_DIGEST_BYTES];
+	assert_int_equal(ts_digest_begin(&digest), TS_OK);
+	for (u32 t = 0; t < ts_vectors_count(); t++) {
+		const ts_vector *v = ts_vectors_at(t);
+		ts_vector_make(v, in, out);
+		ts_digest_add(&digest, in, ts_vector_in_words(v) * TS_VECTOR_ITEMS * sizeof *in);
+		ts_digest_add(&digest, out, ts_vector_out_words(v) * TS_VECTOR_ITEMS * sizeof *out);
+	}
+	ts_digest_end(&digest, hex);
+	assert_string_equal(hex, "c077065f7f5e074b5284ef2ba1dbbaf67188c9b914e25866807c36a5e651945c");
+}
+
+static void compute(ts_vector_item *item, const ts_vector *v)
+{
+	for (u32 i = 0; i < TS_VECTOR_ITEMS; i++) {
+		item(found + (size_t)i * ts_vector_out_words(v), in + (size_t)i * ts_vector_in_words(v));
+	}
+}
+
+static const char *name_of(ts_vector_fault fault) { return ts_vector_fault_table[fault].name; }
+
+/* A port with that fault in all of a primitive. */
+static void test_faults(void **state)
+{
+	(void)state;
+	for (u32 t = 0; t < ts_vectors_count(); t++) {
+		const ts_vector *v = ts_vectors_at(t);
+		ts_vector_make(v, in, out);
+		assert_int_equal(ts_vector_judge(v, in, out, out).n_wrong, 0);
+		for (const ts_vector_variant *variant = v->variants; variant->item != NULL; variant++) {
+			compute(variant->item, v);
+			ts_vector_verdict r = ts_vector_judge(v, in, out, found);
+			if (r.n_wrong < 10) print_error("%s: only %u tell of %s\n", v->name, r.n_wrong, name_of(variant->fault));
+			assert_true(r.n_wrong >= 10);
+			assert_int_equal(r.n_explained[variant->fault], r.n_wrong);
+			assert_int_equal(r.n_explained[r.fault], r.n_wrong);
+			assert_true((r.first_faults >> variant->fault & 1) != 0);
+		}
+	}
+}
+
+static ts_vector_verdict judge_by(const char *name, ts_vector_item *item)
+{
+	const ts_vector *v = ts_vectors_find(name);
+	ts_vector_make(v, in, out);
+	compute(item, v);
+	return ts_vector_judge(v, in, out, found);
+}
+
+/* The three of the contract's own list, as a port would compute them. */
+static void test_named(void **state)
+{
+	(void)state;
+	assert_int_equal(judge_by("muladd", t_fused).fault, TS_FAULT_FMA);
+	assert_int_equal(judge_by("div", t_scaled).fault, TS_FAULT_RECIPROCAL);
+	ts_vector_verdict r = judge_by("muladd", t_half_wrong);
+	assert_int_equal(r.fault, TS_FAULT_FMA);
+	assert_in_range(r.n_explained[TS_FAULT_FMA], 20, r.n_wrong - 1000);
+	for (u32 f = 0; f < TS_N_FAULTS; f++) {
+		assert_true(ts_vector_fault_table[f].name != NULL && ts_vector_fault_table[f].remedy[0] != 0);
+	}
+}
+
+#if defined(__SSE__)
+#include <xmmintrin.h>
+static void compute_flushing(const ts_vector *v)
+{
+	unsigned before = _mm_getcsr();
+	_mm_setcsr(before | 0x8040);
+	compute(v->item, v);
+	_mm_setcsr(before);
+}
+
+static bool flushes(const ts_vector *v)
+{
+	for (const ts_vector_variant *variant = v->variants; variant->item != NULL; variant++) {
+		if (variant->fault == TS_FAULT_FLUSH) return true;
+	}
+	return false;
+}
+
+/* A processor that flushes is named, and only the bare operations tell: the contract's functions do not depend on it. */
+static void test_flushing(void **state)
+{
+	(void)state;
+	for (u32 t = 0; t < ts_vectors_count(); t++) {
+		const ts_vector *v = ts_vectors_at(t);
+		ts_vector_make(v, in, out);
+		compute_flushing(v);
+		ts_vector_verdict r = ts_vector_judge(v, in, out, found);
+		u32 n_flushed = r.n_explained[TS_FAULT_FLUSH];
+		if ((r.n_wrong != 0) != flushes(v) || r.n_wrong != n_flushed) print_error("%s: %u differ\n", v->name, r.n_wrong);
+		assert_int_equal(r.n_wrong != 0, flushes(v));
+		assert_int_equal(r.n_wrong, n_flushed);
+		if (r.n_wrong != 0) assert_int_equal(r.fault, TS_FAULT_FLUSH);
+	}
+}
+#else
+static void test_flushing(void **state)
+{
+	(void)state;
+	skip();
+}
+#endif
+
+/* One bit of one item of every primitive. */
+static void test_one_bit(void **state)
+{
+	(void)state;
+	for (u32 t = 0; t < ts_vectors_count(); t++) {
+		const ts_vector *v = ts_vectors_at(t);
+		u32 words = ts_vector_out_words(v), item = (t * 977 + 5) % TS_VECTOR_ITEMS, word = t % words;
+		ts_vector_make(v, in, out);
+		memcpy(found, out, (size_t)words * TS_VECTOR_ITEMS * sizeof *out);
+		found[(size_t)item * words + word] ^= 1u << t % 32;
+		ts_vector_verdict r = ts_vector_judge(v, in, out, found);
+		assert_int_equal(r.n_wrong, 1);
+		assert_int_equal(r.first, item);
+		assert_int_equal(r.first_element, word / ts_vector_type_words(v->out.type));
+	}
+}
+
+static void test_ulps(void **state)
+{
+	(void)state;
+	assert_int_equal(ts_vector_ulps(0x3f800000, 0x3f800001), 1);
+	assert_int_equal(ts_vector_ulps(0x3f800001, 0x3f7fffff), -2);
+	assert_int_equal(ts_vector_ulps(0, 0x80000000), -1);
+	assert_int_equal(ts_vector_ulps(0x80000001, 1), 3);
+	assert_int_equal(ts_vector_ulps(0xff7fffff, 0x7f7fffff), 2 * 0x7f7fffffll + 1);
+}
+
+static void test_descr(void **state)
+{
+	(void)state;
+	char descr[TS_NPY_DESCR];
+	u64 shape[TS_MAX_DIMS];
+	ts_vector_in_descr(descr, ts_vectors_find("texture_bilinear"));
+	assert_string_equal(descr, "[('texels', '<u8', (4,)), ('uv', '<f4', (2,)), ('wrap', '<u4', (2,))]");
+	ts_vector_in_descr(descr, ts_vectors_find("fix"));
+	assert_string_equal(descr, "[('x', '<f4'), ('frac', '<i4'), ('bits', '<i4')]");
+	ts_vector_out_descr(descr, ts_vectors_find("edge"));
+	assert_string_equal(descr, "'<i8'");
+	assert_int_equal(ts_vector_out_shape(shape, ts_vectors_find("edge")), 1);
+	assert_int_equal(ts_vector_out_shape(shape, ts_vectors_find("cross")), 2);
+	assert_true(shape[0] == TS_VECTOR_ITEMS && shape[1] == 3);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_exact),
+		cmocka_unit_test(test_bounded),
+		cmocka_unit_test(test_complete),
+		cmocka_unit_test(test_ranges),
+		cmocka_unit_test(test_digest),
+		cmocka_unit_test(test_faults),
+		cmocka_unit_test(test_named),
+		cmocka_unit_test(test_flushing),
+		cmocka_unit_test(test_one_bit),
+		cmocka_unit_test(test_ulps),
+		cmocka_unit_test(test_descr),
+	};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
