@@ -181,14 +181,18 @@ $(BUILD)/tests/%: $(BUILD)/obj/tests/%.c.o $(BUILD)/libtouchstone.a
 
 $(BUILD)/tests/kernels/opencl_compile: TEST_LIBS = $(call packages,--libs,OpenCL)
 
-##   fuzz               five minutes of damaged scene files, from build/fuzz/corpus and the seeds in scenes/
-FUZZ := build/fuzz/tests/fuzz/gltf
-$(FUZZ): TEST_LIBS = -fsanitize=fuzzer
+##   fuzz               five minutes each of damaged scenes, .npy headers, trace.json and candidates; FUZZ_S=seconds
+FUZZ_S ?= 300
+FUZZ := gltf npy trace_json compare
+FUZZ_BIN := $(FUZZ:%=build/fuzz/tests/fuzz/%)
+FUZZ_FLAGS = -max_total_time=$(FUZZ_S) -timeout=10 -rss_limit_mb=4096 -print_final_stats=1 -artifact_prefix=build/fuzz/
+$(FUZZ_BIN): TEST_LIBS = -fsanitize=fuzzer
 fuzz: deps
-	$(Q)$(MAKE) --no-print-directory config=fuzz $(FUZZ)
-	$(Q)mkdir -p build/fuzz/corpus
-	LSAN_OPTIONS=suppressions=scripts/lsan.supp $(FUZZ) -max_total_time=300 -timeout=10 -max_len=65536 \
-		-rss_limit_mb=4096 -print_final_stats=1 -artifact_prefix=build/fuzz/ build/fuzz/corpus scenes
+	$(Q)$(MAKE) --no-print-directory config=fuzz $(FUZZ_BIN)
+	$(Q)scripts/fuzz-seeds
+	$(Q)mkdir -p $(FUZZ:%=build/fuzz/corpus/%) build/fuzz/seeds/gltf && cp scenes/* build/fuzz/seeds/gltf
+	$(Q)for target in $(FUZZ); do LSAN_OPTIONS=suppressions=scripts/lsan.supp build/fuzz/tests/fuzz/$$target $(FUZZ_FLAGS) \
+		-max_len=65536 build/fuzz/corpus/$$target build/fuzz/seeds/$$target || exit 1; done
 
 ##   matrix             compilers x optimisation x threads x denormals x architectures: one digest list
 ##   matrix-short       the part of it that .ci/run runs

@@ -31,9 +31,11 @@ static ts_status judge_one(ts_comparison *c, ts_buffer_id id, const ts_trace *re
 static ts_status judge_all(ts_comparison *c, const ts_trace *reference, const ts_trace *candidate, const ts_order *order,
                            const ts_relaxations *relaxations)
 {
+	u32 numbers[TS_N_BUFFERS];
+	for (u32 id = 0; id < TS_N_BUFFERS; id++) numbers[id] = ts_emit_number(reference->pipeline, (ts_buffer_id)id);
 	for (u32 number = 0; number <= TS_N_BUFFERS; number++) {
 		for (u32 id = 0; id < TS_N_BUFFERS; id++) {
-			if (ts_emit_number(reference->pipeline, (ts_buffer_id)id) != number) continue;
+			if (numbers[id] != number) continue;
 			ts_status status = judge_one(c, (ts_buffer_id)id, reference, candidate, order, relaxations);
 			if (status != TS_OK) return status;
 		}

@@ -6,6 +6,7 @@
 #include "../kernels/num.h"
 #include "decided.h"
 #include "gather.h"
+#include "item.h"
 #include "reader.h"
 #include "tie.h"
 
@@ -199,25 +200,6 @@ static ts_status judge_set(judge *j, const ts_trace_item *cand)
 	return status;
 }
 
-/* Sizes that follow from what was computed, not from the scene and the parameters. */
-static bool is_counted(ts_buffer_id id) { return strchr("QNPC", ts_buffer_table[id].shape[0]) != NULL; }
-
-static ts_status check_shapes(ts_buffer_id id, const ts_trace_item *ref, const ts_trace_item *cand)
-{
-	bool same = memcmp(ref->crop, cand->crop, sizeof ref->crop) == 0;
-	for (u32 i = is_counted(id) ? 1 : 0; i < ref->npy.n_dims; i++) same &= ref->npy.shape[i] == cand->npy.shape[i];
-	if (same) return TS_OK;
-	char text[2][128];
-	for (u32 t = 0; t < 2; t++) {
-		const ts_npy *npy = t == 0 ? &ref->npy : &cand->npy;
-		size_t used = 0;
-		for (u32 i = 0; i < npy->n_dims; i++) {
-			used += (size_t)snprintf(text[t] + used, sizeof text[t] - used, "%s%" PRIu64, i ? " x " : "", npy->shape[i]);
-		}
-	}
-	return ts_fail("%s: shape %s; the reference's is %s", cand->path, text[1], text[0]);
-}
-
 static void find_fields(judge *j)
 {
 	char name[128];
@@ -231,13 +213,20 @@ static void find_fields(judge *j)
 	}
 }
 
-/* Elements a pixel, where rows and columns are the mask's. */
+/* Elements a pixel; 0: no mask speaks of the buffer. */
 static u32 elements_a_pixel(ts_buffer_id id, const ts_trace_item *item, const ts_relaxations *r)
 {
-	const u64 *shape = item->npy.shape;
 	if (r->mask == NULL || strncmp(ts_buffer_table[id].shape, "H W", 3) != 0) return 0;
-	if (shape[0] != r->mask_height || shape[1] != r->mask_width) return 0;
-	return item->npy.n_dims > 2 ? (u32)shape[2] : 1;
+	return item->npy.n_dims > 2 ? (u32)item->npy.shape[2] : 1;
+}
+
+static ts_status check_mask(ts_buffer_id id, const ts_trace_item *item, const ts_relaxations *r)
+{
+	const u64 *shape = item->npy.shape;
+	bool fits = shape[0] == r->mask_height && shape[1] == r->mask_width;
+	if (fits || elements_a_pixel(id, item, r) == 0) return TS_OK;
+	return ts_fail("--mask: %u x %u pixels; %s has %" PRIu64 " x %" PRIu64, (unsigned)r->mask_width,
+	               (unsigned)r->mask_height, ts_buffer_table[id].name, shape[1], shape[0]);
 }
 
 static ts_status open_readers(judge *j, const ts_trace_item *ref, const ts_trace_item *cand)
@@ -254,7 +243,7 @@ ts_status ts_compare_buffer(ts_verdict *verdict, ts_buffer_id id, const ts_trace
 	bool set = order->given && strcmp(ts_buffer_table[id].order, "set") == 0;
 	ts_ties ties = {.reference = NULL};
 	*verdict = (ts_verdict){.n_ref = ref->npy.n, .n_cand = cand->npy.n, .marks = verdict->marks};
-	if (check_shapes(id, ref, cand) != TS_OK) return TS_ERROR;
+	if (ts_item_match(id, ref, cand) != TS_OK || check_mask(id, ref, relaxations) != TS_OK) return TS_ERROR;
 	judge j = {.verdict = verdict, .id = id, .bytes = ts_buffer_table[id].element_bytes, .fields = ts_fields_of(id),
 	           .order = order, .relaxations = relaxations, .mask_every = elements_a_pixel(id, ref, relaxations),
 	           .decided = {.margin = TS_N_BUFFERS}};

@@ -98,3 +98,28 @@ ts_status ts_item_add_raw(ts_trace *trace, ts_buffer_id id, const char *name, co
 	item->path = strdup(path);
 	return item->path != NULL ? TS_OK : ts_fail("%s: out of memory", path);
 }
+
+/* Sizes that follow from what was computed, not from the scene and the parameters. */
+static bool is_counted(ts_buffer_id id) { return strchr("QNPC", ts_buffer_table[id].shape[0]) != NULL; }
+
+ts_status ts_item_match(ts_buffer_id id, const ts_trace_item *ref, const ts_trace_item *cand)
+{
+	const u32 *a = ref->crop, *b = cand->crop;
+	if (memcmp(a, b, sizeof ref->crop) != 0) {
+		return ts_fail("%s: crop %u,%u,%u,%u; the reference's is %u,%u,%u,%u, of width 0 where it is whole", cand->path,
+		               (unsigned)b[0], (unsigned)b[1], (unsigned)b[2], (unsigned)b[3], (unsigned)a[0], (unsigned)a[1],
+		               (unsigned)a[2], (unsigned)a[3]);
+	}
+	bool same = true;
+	for (u32 i = is_counted(id) ? 1 : 0; i < ref->npy.n_dims; i++) same &= ref->npy.shape[i] == cand->npy.shape[i];
+	if (same) return TS_OK;
+	char text[2][128];
+	for (u32 t = 0; t < 2; t++) {
+		const ts_npy *npy = t == 0 ? &ref->npy : &cand->npy;
+		size_t used = 0;
+		for (u32 i = 0; i < npy->n_dims; i++) {
+			used += (size_t)snprintf(text[t] + used, sizeof text[t] - used, "%s%" PRIu64, i ? " x " : "", npy->shape[i]);
+		}
+	}
+	return ts_fail("%s: shape %s; the reference's is %s", cand->path, text[1], text[0]);
+}

@@ -21,4 +21,7 @@ ts_status ts_item_add(ts_trace *trace, ts_buffer_id id, const char *name, ts_tru
 /* Gives it a file of bare elements, whose first dimension follows from the size and whose others are those of `like`. */
 ts_status ts_item_add_raw(ts_trace *trace, ts_buffer_id id, const char *name, const ts_npy *like);
 
+/* Refuses a candidate's buffer of another crop than the reference's, or of other sizes that the frame fixes. */
+ts_status ts_item_match(ts_buffer_id id, const ts_trace_item *reference, const ts_trace_item *candidate);
+
 #endif

@@ -4,12 +4,12 @@
 #include "../kernels/num.h"
 #include "reader.h"
 
-enum { INDEX_BITS = 20, N_SLICES = 1 << INDEX_BITS, AHEAD = 32 };
+enum { MOST_SLICES = 1 << 20, AHEAD = 32 };
 
-/* The reference's keys, and where those begin that share the upper bits; slices[N_SLICES] ends the last. */
+/* The reference's keys, and where those begin that share the upper bits; slices[n_slices] ends the last. */
 typedef struct {
 	u64 *keys;
-	u32 *slices;
+	u32 *slices, n_slices;
 	u32 shift;
 } key_index;
 
@@ -44,8 +44,8 @@ static ts_status read_keys(u64 *keys, const ts_trace *trace, u64 n)
 static void make_slices(key_index *index, u64 n)
 {
 	u64 at = 0, most = n > 0 ? index->keys[n - 1] : 0;
-	while (most >> index->shift >= N_SLICES) index->shift++;
-	for (u32 s = 0; s <= N_SLICES; s++) {
+	while (most >> index->shift >= index->n_slices) index->shift++;
+	for (u32 s = 0; s <= index->n_slices; s++) {
 		while (at < n && index->keys[at] >> index->shift < s) at++;
 		index->slices[s] = (u32)at;
 	}
@@ -59,8 +59,9 @@ static void free_index(key_index *index)
 
 static ts_status make_index(key_index *index, const ts_trace *reference, u64 n)
 {
-	*index = (key_index){.keys = ts_alloc((size_t)n, sizeof(u64), "keys of points"),
-	                     .slices = ts_alloc(N_SLICES + 1, sizeof(u32), "an index of keys")};
+	u32 n_slices = n < MOST_SLICES ? (u32)n + 1 : MOST_SLICES;
+	*index = (key_index){.keys = ts_alloc((size_t)n, sizeof(u64), "keys of points"), .n_slices = n_slices,
+	                     .slices = ts_alloc((size_t)n_slices + 1, sizeof(u32), "an index of keys")};
 	bool there = index->keys != NULL && index->slices != NULL;
 	if (!there || read_keys(index->keys, reference, n) != TS_OK) {
 		free_index(index);
@@ -74,7 +75,7 @@ static ts_status make_index(key_index *index, const ts_trace *reference, u64 n)
 static u32 find(const key_index *index, u64 key)
 {
 	u64 slice = key >> index->shift;
-	if (slice >= N_SLICES) return TS_NONE;
+	if (slice >= index->n_slices) return TS_NONE;
 	u32 low = index->slices[slice], end = index->slices[slice + 1], high = end;
 	while (low < high) {
 		u32 middle = low + (high - low) / 2;
@@ -91,8 +92,8 @@ static u32 find(const key_index *index, u64 key)
 static void fetch_ahead(const key_index *index, const u32 *cand_of_ref, const u64 *keys, u64 n)
 {
 	u64 far = n > AHEAD ? keys[AHEAD] >> index->shift : 0, near = n > AHEAD / 2 ? keys[AHEAD / 2] >> index->shift : 0;
-	if (far < N_SLICES) __builtin_prefetch(&index->slices[far]);
-	if (near >= N_SLICES) return;
+	if (far < index->n_slices) __builtin_prefetch(&index->slices[far]);
+	if (near >= index->n_slices) return;
 	__builtin_prefetch(&index->keys[index->slices[near]]);
 	__builtin_prefetch(&cand_of_ref[index->slices[near]]);
 }

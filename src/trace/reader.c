@@ -29,7 +29,8 @@ ts_reader *ts_reader_open(const char *path, u64 data_at, u64 n, size_t element_b
 	if (r->file < 0) {
 		ts_fail("%s: %s", path, strerror(errno));
 	} else {
-		r->blocks = ts_alloc(N_BLOCKS, BLOCK_BYTES, "blocks of a file");
+		u64 blocks = n / r->per_block + 1;
+		r->blocks = ts_alloc(blocks < N_BLOCKS ? (size_t)blocks : N_BLOCKS, BLOCK_BYTES, "blocks of a file");
 	}
 	if (r->path != NULL && r->blocks != NULL) return r;
 	ts_reader_close(r);

@@ -91,7 +91,7 @@ static inline size_t npy_head(char head[2048], const char *dict)
 /* A whole .npy file; `shape` as in the header: "(3,)". */
 static inline void npy_write(const char *path, const char *descr, const char *shape, const void *data, size_t bytes)
 {
-	char dict[1024], head[2048];
+	char dict[4096], head[2048];
 	snprintf(dict, sizeof dict, "{'descr': %s, 'fortran_order': False, 'shape': %s, }", descr, shape);
 	size_t n = npy_head(head, dict);
 	char *whole = malloc(n + bytes + 1);

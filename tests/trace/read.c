@@ -1,0 +1,213 @@
+/* Opening traces that are wrong in every way: none may be taken, each must be told what would be right. */
+#include <sys/stat.h>
+#include "small.h"
+#include "../../src/trace/read.h"
+
+static char good[FOLDER_PATH], bad[FOLDER_PATH];
+
+/* A hand-made trace of three buffers. */
+static int begin(void **state)
+{
+	static const char text[] = "{\"format\": \"touchstone-trace\", \"version\": 1, \"contract\": 1, \"order\": \"canonical\","
+		"\"effect\": \"reflections\", \"pipeline\": \"epr\", \"producer\": {\"name\": \"port\", \"version\": \"7\"},"
+		"\"params\": {\"width\": \"64\", \"height\": \"36\"}, \"buffers\": ["
+		"{\"name\": \"points.key\", \"file\": \"k.npy\"}, {\"name\": \"image.srgb\", \"file\": \"s.npy\"},"
+		"{\"name\": \"cull.keep\", \"file\": null}]}";
+	char data[24] = {0};
+	if (folder_begin(state) != 0) return -1;
+	snprintf(good, sizeof good, "%s", folder_path("good"));
+	snprintf(bad, sizeof bad, "%s", folder_path("bad"));
+	mkdir(good, 0777);
+	file_write(folder_path("good/trace.json"), text, sizeof text - 1);
+	npy_write(folder_path("good/k.npy"), "'<u8'", "(3,)", data, 24);
+	npy_write(folder_path("good/s.npy"), "'|u1'", "(2, 4, 3)", data, 24);
+	return 0;
+}
+
+static void refused(const char *what)
+{
+	ts_trace *trace = (ts_trace *)1;
+	if (ts_trace_open(&trace, bad) == TS_OK) fail_msg("taken, though %s", what);
+	assert_null(trace);
+	says(what);
+}
+
+static void test_good(void **state)
+{
+	(void)state;
+	ts_trace *t;
+	assert_int_equal(ts_trace_open(&t, good), TS_OK);
+	assert_string_equal(t->producer, "port 7");
+	assert_true(!t->arrival && t->has_params && t->params.width == 64 && strcmp(t->pipeline->name, "epr") == 0);
+	assert_true(t->item[TS_B_points_key].npy.n == 3 && t->item[TS_B_image_srgb].npy.shape[2] == 3);
+	assert_null(t->item[TS_B_cull_keep].path);
+	ts_trace_close(t);
+	ts_trace_close(NULL);
+}
+
+/* One value of the root, or with "B.key" of the first buffer; without text it is removed. */
+typedef struct { const char *key, *text, *says; } wrong;
+
+static void change(json_t *root, const void *user)
+{
+	const wrong *w = user;
+	json_t *to = w->key[0] == 'B' ? json_array_get(json_object_get(root, "buffers"), 0) : root;
+	const char *key = w->key[0] == 'B' ? w->key + 2 : w->key;
+	if (w->text == NULL) {
+		json_object_del(to, key);
+		return;
+	}
+	json_t *value = json_loads(w->text, JSON_DECODE_ANY, NULL);
+	if (value == NULL) fail_msg("%s is no JSON", w->text);
+	json_object_set_new(to, key, value);
+}
+
+static void test_values(void **state)
+{
+	(void)state;
+	static const wrong cases[] = {
+		{"format", NULL, "format is not"}, {"format", "3", "format is not"}, {"format", "\"other\"", "format is not"},
+		{"version", NULL, "version is missing"}, {"version", "2", "version 2; this program reads version 1"},
+		{"version", "\"1\"", "version \"1\""}, {"version", "1.0", "version 1.0"}, {"version", "-1", "version -1"},
+		{"contract", NULL, "contract is missing"}, {"contract", "2", "contract 2; this program reads contract 1"},
+		{"order", NULL, "order is \"\""}, {"order", "\"random\"", "\"canonical\" or \"arrival\""}, {"order", "[]", "order is"},
+		{"pipeline", NULL, "no pipeline"}, {"pipeline", "\"eprr\"", "no pipeline \"eprr\""}, {"pipeline", "1", "no pipeline"},
+		{"effect", "\"fog\"", "no pipeline"}, {"buffers", NULL, "buffers is not an array"},
+		{"buffers", "{}", "buffers is not an array"}, {"buffers", "[1]", "no buffer \"\""}, {"buffers", "[{}]", "no buffer"},
+		{"buffers", "[null]", "no buffer"}, {"params", "[]", "params is not an object"},
+		{"params", "{\"width\": 64}", "width is not a string"}, {"params", "{\"width\": \"x\"}", "width"},
+		{"params", "{\"widht\": \"64\"}", "widht"}, {"params", "{\"width\": \"1e9\"}", "width"},
+		{"B.name", NULL, "no buffer \"\""}, {"B.name", "\"points.keys\"", "no buffer \"points.keys\""}, {"B.name", "7", "no buffer"},
+		{"B.name", "\"image.srgb\"", "dtype '<u8'; '|u1' would be right"}, {"B.name", "\"cull.keep\"", "dtype"},
+		{"B.name", "\"visibility.bits\"", "its shape is none of visibility.bits, which is T w"},
+		{"B.file", "7", "file \"\": not the name"}, {"B.file", "\"\"", "not the name"}, {"B.file", "\"../good/k.npy\"", "not the name"},
+		{"B.file", "\"/etc/passwd\"", "not the name"}, {"B.file", "\"..\"", "not the name"}, {"B.file", "\".\"", "not the name"},
+		{"B.file", "\".k.npy\"", "not the name"}, {"B.file", "\"sub/k.npy\"", "not the name"}, {"B.file", "\"none.npy\"", "No such file"},
+		{"B.file", "\"s.npy\"", "dtype '|u1'; '<u8' would be right"}, {"B.file", "\"trace.json\"", "not a .npy file"},
+		{"B.file", "\"fifo\"", "fifo: not a regular file"}, {"B.file", "\"folder\"", "folder: not a regular file"},
+		{"B.file", "\"link.npy\"", "is a link"}, {"B.file", "\"inside.npy\"", "is a link"}, {"B.file", "\"empty\"", "not a .npy file"},
+		{"B.crop", "[0, 0, 1, 1]", "no rows and columns"},
+		{"buffers", "[{\"name\": \"points.key\", \"file\": \"k.npy\"}, {\"name\": \"points.key\", \"file\": \"k.npy\"}]", "there twice"},
+		{"buffers", "[{\"name\": \"points.key\", \"file\": null}, {\"name\": \"points.key\", \"file\": \"k.npy\"}]", "there twice"},
+		{"buffers", "[{\"name\": \"image.srgb\", \"file\": \"four.npy\"}]", "image.srgb, which is H W 3"},
+		{"buffers", "[{\"name\": \"image.srgb\", \"file\": \"flat.npy\"}]", "image.srgb, which is H W 3"},
+		{"buffers", "[{\"name\": \"image.srgb\", \"file\": \"s.npy\", \"crop\": []}]", "crop is not 4 numbers"},
+		{"buffers", "[{\"name\": \"image.srgb\", \"file\": \"s.npy\", \"crop\": {}}]", "crop is not 4 numbers"},
+		{"buffers", "[{\"name\": \"image.srgb\", \"file\": \"s.npy\", \"crop\": [0, 0, 4]}]", "crop is not 4 numbers"},
+		{"buffers", "[{\"name\": \"image.srgb\", \"file\": \"s.npy\", \"crop\": [0, 0, -4, 2]}]", "crop is not 4 numbers"},
+		{"buffers", "[{\"name\": \"image.srgb\", \"file\": \"s.npy\", \"crop\": [0, 0, 2, 4]}]", "not that of its crop"},
+		{"buffers", "[{\"name\": \"image.srgb\", \"file\": \"s.npy\", \"crop\": [0, 99999, 4, 2]}]", "crop is not 4 numbers"},
+	};
+	char zero[32] = {0};
+	for (u32 i = 0; i < sizeof cases / sizeof *cases; i++) {
+		small_copy(bad, good);
+		assert_int_equal(mkfifo(folder_path("bad/fifo"), 0666), 0);
+		assert_int_equal(mkdir(folder_path("bad/folder"), 0777), 0);
+		assert_int_equal(symlink("../good/k.npy", folder_path("bad/link.npy")), 0);
+		assert_int_equal(symlink("k.npy", folder_path("bad/inside.npy")), 0);
+		file_write(folder_path("bad/empty"), "", 0);
+		npy_write(folder_path("bad/four.npy"), "'|u1'", "(2, 4, 4)", zero, 32);
+		npy_write(folder_path("bad/flat.npy"), "'|u1'", "(24,)", zero, 24);
+		small_edit(bad, change, &cases[i]);
+		refused(cases[i].says);
+	}
+}
+
+static void put(const char *text, size_t bytes) { file_write(folder_path("bad/trace.json"), text, bytes); }
+
+/* No JSON, cut JSON, duplicate keys, other roots, too deep, too long; no regular file. */
+static void test_text(void **state)
+{
+	(void)state;
+	size_t bytes;
+	small_copy(bad, good);
+	char *text = file_read(folder_path("good/trace.json"), &bytes);
+	for (size_t n = 0; n < bytes - 1; n++) {
+		put(text, n);
+		refused("trace.json: line ");
+	}
+	free(text);
+	put("[]", 2);
+	refused("not an object");
+	put("{\"format\": \"touchstone-trace\", \"format\": \"touchstone-trace\"}", 60);
+	refused("duplicate");
+	put("{\"a\": \"\\u0000\"}", 15);
+	refused("line 1");
+	put("{\"a\": \"\xff\"}", 10);
+	refused("line 1");
+	enum { DEEP = 1 << 20 };
+	char *deep = malloc(DEEP);
+	assert_non_null(deep);
+	memset(deep, '[', DEEP);
+	put(deep, DEEP);
+	free(deep);
+	refused("line 1");
+	assert_int_equal(truncate(folder_path("bad/trace.json"), (1 << 24) + 1), 0);
+	refused("a trace.json has at most");
+	unlink(folder_path("bad/trace.json"));
+	refused("No such file");
+	assert_int_equal(symlink("../good/trace.json", folder_path("bad/trace.json")), 0);
+	refused("is a link");
+	unlink(folder_path("bad/trace.json"));
+	assert_int_equal(mkfifo(folder_path("bad/trace.json"), 0666), 0);
+	refused("not a regular file");
+}
+
+static void test_layout(void **state)
+{
+	(void)state;
+	static const wrong cases[] = {
+		{"points.key", NULL, "is not NAME=FILE"}, {"points.keys=k.npy", NULL, "no buffer \"points.keys\""},
+		{"points.key=../good/k.npy", NULL, "not the name"}, {"points.key=none.bin", NULL, "No such file"},
+		{"cull.keep=raw.bin", NULL, "the reference lacks it"}, {"image.srgb=raw.bin", NULL, "rows of 12"},
+		{"points.key=k.npy,points.key=k.npy", NULL, "there twice"}, {"points.key=link.bin", NULL, "is a link"},
+		{"points.key=", NULL, "not the name"}, {"=k.npy", NULL, "no buffer \"\""},
+	};
+	ts_trace *like, *t;
+	assert_int_equal(ts_trace_open(&like, good), TS_OK);
+	small_copy(bad, good);
+	file_write(folder_path("bad/raw.bin"), "0123456789abcdef", 16);
+	assert_int_equal(symlink("raw.bin", folder_path("bad/link.bin")), 0);
+	for (u32 i = 0; i < sizeof cases / sizeof *cases; i++) {
+		if (ts_trace_open_layout(&t, bad, cases[i].key, false, like) == TS_OK) fail_msg("%s", cases[i].key);
+		assert_null(t);
+		says(cases[i].says);
+	}
+	assert_int_equal(ts_trace_open_layout(&t, bad, "points.key=raw.bin,image.srgb=s.npy", true, like), TS_OK);
+	const ts_npy *raw = &t->item[TS_B_points_key].npy;
+	assert_true(t->arrival && raw->n == 2 && raw->data_at == 0 && raw->n_dims == 1 && raw->shape[0] == 2);
+	ts_trace_close(t);
+	ts_trace_close(like);
+}
+
+/* One file, which may be a link, for the user named it. */
+static void test_file(void **state)
+{
+	(void)state;
+	ts_trace *t;
+	ts_buffer_id id;
+	small_copy(bad, good);
+	rename(folder_path("bad/k.npy"), folder_path("bad/11-points.key.npy"));
+	assert_int_equal(symlink("11-points.key.npy", folder_path("bad/points.key.npy")), 0);
+	for (u32 i = 0; i < 2; i++) {
+		assert_int_equal(ts_trace_open_file(&t, folder_path(i == 0 ? "bad/11-points.key.npy" : "bad/points.key.npy"), &id), TS_OK);
+		assert_true(id == TS_B_points_key && t->item[id].npy.n == 3);
+		ts_trace_close(t);
+	}
+	static const char *const names[] = {"bad/s.npy", "bad/trace.json", "bad/.npy", "bad/11-.npy", "bad/", "bad/points.keys.npy"};
+	for (u32 i = 0; i < 6; i++) {
+		assert_int_equal(ts_trace_open_file(&t, folder_path("%s", names[i]), &id), TS_ERROR);
+		says("does not say which buffer");
+	}
+	assert_int_equal(ts_trace_open_file(&t, folder_path("bad/cull.keep.npy"), &id), TS_ERROR);
+	says("No such file");
+}
+
+int main(void)
+{
+	const struct CMUnitTest read[] = {
+		cmocka_unit_test(test_good), cmocka_unit_test(test_values), cmocka_unit_test(test_text),
+		cmocka_unit_test(test_layout), cmocka_unit_test(test_file),
+	};
+	return cmocka_run_group_tests(read, begin, folder_end);
+}

@@ -1,0 +1,111 @@
+/* Places in words, by hand-made buffers. */
+#include "folder.h"
+#include "../../src/trace/where.h"
+
+static ts_trace trace;
+
+static void put(ts_buffer_id id, const void *data, u32 n_dims, u64 d0, u64 d1, u64 d2)
+{
+	ts_trace_item *item = &trace.item[id];
+	item->npy = (ts_npy){.n_dims = n_dims, .shape = {d0, d1, d2}, .n = d0 * (n_dims > 1 ? d1 : 1) * (n_dims > 2 ? d2 : 1)};
+	if (data == NULL) return;
+	item->path = strdup(folder_path("%s", ts_buffer_table[id].name));
+	file_write(item->path, data, (size_t)item->npy.n * ts_buffer_table[id].element_bytes);
+}
+
+static int begin(void **state)
+{
+	if (folder_begin(state) != 0) return -1;
+	static const u64 keys[] = {812ull << 32 | (u64)(32768 + 3) << 16 | (32768 + 5), 7ull << 32 | (u64)(32768 - 9) << 16 | 0};
+	static const ts_face cubes[] = {{.n = 4, .offset = 0}, {.n = 0, .offset = 96}, {.n = 2, .offset = 96}};
+	static const ts_pixel pixels[] = {{.index = 3 * 64 + 12}, {.index = 0}};
+	ts_params_default(&trace.params);
+	trace.params.width = 64;
+	put(TS_B_points_key, keys, 1, 2, 0, 0);
+	put(TS_B_resize_face, cubes, 1, 3, 0, 0);
+	put(TS_B_pixel_record, pixels, 1, 2, 0, 0);
+	put(TS_B_points_record, NULL, 1, 2, 0, 0);
+	put(TS_B_splat_depth_index, NULL, 1, 120, 0, 0);
+	put(TS_B_lookup_point, NULL, 2, 2, 25, 0);
+	put(TS_B_lookup2_point, NULL, 2, 9, 4, 0);
+	put(TS_B_image_srgb, NULL, 3, 36, 64, 3);
+	put(TS_B_eye_depth_triangle, NULL, 2, 36, 64, 0);
+	put(TS_B_visibility_bits, NULL, 2, 100, 2, 0);
+	put(TS_B_face_mip, NULL, 2, 900, 4, 0);
+	put(TS_B_scene_vertex, NULL, 1, 50, 0, 0);
+	return 0;
+}
+
+static int end(void **state)
+{
+	for (u32 id = 0; id < TS_N_BUFFERS; id++) free(trace.item[id].path);
+	return folder_end(state);
+}
+
+static void is(ts_buffer_id id, u64 element, const char *expected)
+{
+	char text[TS_WHERE_TEXT];
+	ts_where(text, &trace, id, element);
+	assert_string_equal(text, expected);
+}
+
+static void test_places(void **state)
+{
+	(void)state;
+	is(TS_B_points_record, 0, "key (piece 812, x 5, y 3)");
+	is(TS_B_points_key, 1, "key (piece 7, x -32768, y -9)");
+	is(TS_B_splat_depth_index, 0, "reflector 0, face +X, texel (0, 0)");
+	is(TS_B_splat_depth_index, 16 * 3 + 6, "reflector 0, face -Y, texel (2, 1)");
+	is(TS_B_splat_depth_index, 95, "reflector 0, face -Z, texel (3, 3)");
+	is(TS_B_splat_depth_index, 96 + 4 * 4 + 1, "reflector 2, face +Z, texel (1, 0)");
+	is(TS_B_splat_depth_index, 5000, "element 5000");
+	is(TS_B_pixel_record, 0, "pixel (12, 3)");
+	is(TS_B_lookup_point, 24, "pixel (12, 3) [24]");
+	is(TS_B_lookup_point, 25, "pixel (0, 0) [0]");
+	is(TS_B_lookup2_point, 7, "entry of bounce 2 1 [3]");
+	is(TS_B_image_srgb, (2 * 64 + 5) * 3 + 1, "pixel (5, 2) [1]");
+	is(TS_B_eye_depth_triangle, 64 + 63, "pixel (63, 1)");
+	is(TS_B_visibility_bits, 9, "triangle 4 [1]");
+	is(TS_B_face_mip, 9, "element 2 [1]");
+	is(TS_B_scene_vertex, 49, "vertex 49");
+	is(TS_B_scene_triangle, 8, "triangle 8");
+}
+
+static void test_crop(void **state)
+{
+	(void)state;
+	ts_trace_item *item = &trace.item[TS_B_image_srgb], whole = *item;
+	item->npy.shape[0] = 5;
+	item->npy.shape[1] = 10;
+	item->cropped = true;
+	memcpy(item->crop, (u32[]){20, 30, 10, 5}, sizeof item->crop);
+	is(TS_B_image_srgb, (2 * 10 + 7) * 3 + 2, "pixel (27, 32) [2]");
+	*item = whole;
+}
+
+/* What the reference lacks is left out. */
+static void test_absent(void **state)
+{
+	(void)state;
+	char *keys = trace.item[TS_B_points_key].path, *cubes = trace.item[TS_B_resize_face].path;
+	trace.item[TS_B_points_key].path = trace.item[TS_B_resize_face].path = NULL;
+	is(TS_B_points_record, 1, "element 1");
+	is(TS_B_splat_depth_index, 3, "element 3");
+	trace.item[TS_B_points_key].path = keys;
+	trace.item[TS_B_resize_face].path = cubes;
+	trace.params.width = 0;
+	is(TS_B_pixel_record, 0, "element 0");
+	trace.params.width = 64;
+	ts_trace_item *item = &trace.item[TS_B_lookup_point], whole = *item;
+	item->npy.shape[1] = 0;
+	is(TS_B_lookup_point, 0, "pixel (12, 3)");
+	*item = whole;
+}
+
+int main(void)
+{
+	const struct CMUnitTest where[] = {
+		cmocka_unit_test(test_places), cmocka_unit_test(test_crop), cmocka_unit_test(test_absent),
+	};
+	return cmocka_run_group_tests(where, begin, end);
+}

@@ -1,0 +1,206 @@
+/* What a trace holds: the same files as the digests say, each by its own name; whole, of some stages, or cropped. */
+#include "small.h"
+#include "../../src/core/digest.h"
+#include "../../src/trace/read.h"
+#include "../../src/trace/sums.h"
+
+static ts_scene *scene;
+static ts_params params;
+
+static int begin(void **state)
+{
+	params = small_params();
+	if (folder_begin(state) != 0) return -1;
+	scene = small_scene(&params);
+	return 0;
+}
+
+static int end(void **state)
+{
+	ts_scene_free(scene);
+	return folder_end(state);
+}
+
+static void digest_of(char hex[TS_DIGEST_BYTES], const char *path)
+{
+	size_t bytes;
+	ts_digest digest;
+	char *data = file_read(path, &bytes);
+	assert_int_equal(ts_digest_begin(&digest), TS_OK);
+	ts_digest_add(&digest, data, bytes);
+	ts_digest_end(&digest, hex);
+	free(data);
+}
+
+static json_t *buffers_of(json_t **root, const char *dir)
+{
+	char path[2 * FOLDER_PATH];
+	snprintf(path, sizeof path, "%s/trace.json", dir);
+	*root = json_load_file(path, JSON_REJECT_DUPLICATES, NULL);
+	json_t *buffers = json_object_get(*root, "buffers");
+	assert_true(json_is_array(buffers));
+	return buffers;
+}
+
+/* Every entry's file has its digest and the digest of a run without files. Returns how many have files. */
+static u32 check_digests(const char *dir, const ts_sums *sums)
+{
+	json_t *root, *buffers = buffers_of(&root, dir), *entry;
+	size_t i;
+	u32 n = 0;
+	json_array_foreach(buffers, i, entry) {
+		char hex[TS_DIGEST_BYTES], path[3 * FOLDER_PATH];
+		ts_buffer_id id;
+		const char *sha256 = json_string_value(json_object_get(entry, "sha256"));
+		const char *file = json_string_value(json_object_get(entry, "file"));
+		assert_true(ts_trace_find(&id, json_string_value(json_object_get(entry, "name"))));
+		if (sums != NULL) assert_string_equal(sha256, sums->hex[id]);
+		if (file == NULL) continue;
+		snprintf(path, sizeof path, "%s/%s", dir, file);
+		digest_of(hex, path);
+		assert_string_equal(sha256, hex);
+		n++;
+	}
+	json_decref(root);
+	return n;
+}
+
+static void traced(const char *name, const char *method, const ts_params *p, ts_trace_options options, u32 least)
+{
+	ts_sums sums;
+	char dir[FOLDER_PATH];
+	snprintf(dir, sizeof dir, "%s", folder_path("%s", name));
+	small_trace(dir, method, scene, p, options);
+	assert_int_equal(ts_sums_of(&sums, ts_pipeline_find("reflections", method), scene, p, 1, true), TS_OK);
+	bool cropped = options.crop[2] != 0;
+	assert_true(check_digests(dir, cropped ? NULL : &sums) >= least);
+	ts_trace *trace;
+	if (ts_trace_open(&trace, dir) != TS_OK) fail_msg("%s", ts_error_message());
+	ts_trace_close(trace);
+}
+
+static void test_whole(void **state)
+{
+	(void)state;
+	traced("epr", "epr", &params, (ts_trace_options){.place = NULL}, 40);
+}
+
+/* The batches of one reflector are one file; also where the last reflectors are out of sight. */
+static void test_batches(void **state)
+{
+	(void)state;
+	traced("mvr", "mvr", &params, (ts_trace_options){.place = NULL}, 20);
+	ts_params p;
+	ts_params_default(&p);
+	p.width = 96;
+	p.height = 54;
+	p.face_max = 16;
+	p.fov = 20;
+	p.eye = 0;
+	p.reflectors = 6;
+	p.mvr_faces = 1;
+	ts_scene *three = scene;
+	scene = small_scene(&p);
+	traced("unseen", "mvr", &p, (ts_trace_options){.place = NULL}, 20);
+	ts_trace *trace;
+	assert_int_equal(ts_trace_open(&trace, folder_path("unseen")), TS_OK);
+	size_t bytes;
+	char *faces = file_read(trace->item[TS_B_resize_face].path, &bytes);
+	const ts_face *cubes = (const ts_face *)(faces + trace->item[TS_B_resize_face].npy.data_at);
+	u64 texels = 0;
+	for (u32 r = 0; r < 6; r++) texels += 6ull * cubes[r].n * cubes[r].n;
+	assert_int_equal(cubes[5].n, 0);
+	assert_int_equal(trace->item[TS_B_face_depth_triangle].npy.n, texels);
+	free(faces);
+	ts_trace_close(trace);
+	ts_scene_free(scene);
+	scene = three;
+}
+
+static void test_without(void **state)
+{
+	(void)state;
+	ts_trace_options options = {.place = NULL};
+	for (u32 id = 0; id < TS_N_BUFFERS; id++) options.without[id] = id != TS_B_points_key && id != TS_B_image_srgb;
+	traced("some", "epr", &params, options, 2);
+	json_t *root, *buffers = buffers_of(&root, folder_path("some"));
+	assert_true(json_array_size(buffers) >= 40);
+	json_decref(root);
+	assert_true(access(folder_path("some/00-scene.texel.npy"), F_OK) != 0);
+	assert_true(access(folder_path("some/11-points.key.npy"), F_OK) == 0);
+}
+
+/* The crop's rows are those of the whole. */
+static void test_crop(void **state)
+{
+	(void)state;
+	traced("crop", "epr", &params, (ts_trace_options){.crop = {5, 7, 20, 11}}, 40);
+	ts_trace *whole, *part;
+	assert_int_equal(ts_trace_open(&whole, folder_path("epr")), TS_OK);
+	assert_int_equal(ts_trace_open(&part, folder_path("crop")), TS_OK);
+	static const ts_buffer_id ids[] = {TS_B_eye_depth_triangle, TS_B_image_radiance, TS_B_image_srgb};
+	for (u32 i = 0; i < 3; i++) {
+		const ts_trace_item *a = &whole->item[ids[i]], *b = &part->item[ids[i]];
+		size_t bytes, row = ts_buffer_table[ids[i]].element_bytes * (a->npy.n_dims > 2 ? 3 : 1);
+		assert_true(b->cropped && b->npy.shape[0] == 11 && b->npy.shape[1] == 20);
+		char *all = file_read(a->path, &bytes), *some = file_read(b->path, &bytes);
+		for (u32 y = 0; y < 11; y++) {
+			assert_memory_equal(all + a->npy.data_at + ((y + 7) * 64 + 5) * row, some + b->npy.data_at + y * 20 * row, 20 * row);
+		}
+		free(all);
+		free(some);
+	}
+	assert_false(part->item[TS_B_pixel_record].cropped);
+	ts_trace_close(whole);
+	ts_trace_close(part);
+}
+
+static const char *nowhere(void *user, const char *name)
+{
+	(void)user;
+	return name[0] == 't' ? "/nonexistent/trace.json" : "/nonexistent/x.npy";
+}
+
+static const char *full(void *user, const char *name)
+{
+	(void)user;
+	(void)name;
+	return "/dev/full";
+}
+
+static void test_unwritable(void **state)
+{
+	(void)state;
+	ts_run run;
+	ts_trace_writer *writer;
+	ts_run_begin(&run, scene, &params, 1);
+	run.traced = true;
+	ts_trace_options options = {.place = nowhere};
+	const ts_pipeline *epr = ts_pipeline_find("reflections", "epr");
+	assert_int_equal(ts_trace_write_begin(&writer, epr, &run, &options), TS_ERROR);
+	assert_null(writer);
+	says("/nonexistent/x.npy: cannot be written: No such file");
+	options.place = full;
+	assert_int_equal(ts_trace_write_begin(&writer, epr, &run, &options), TS_ERROR);
+	says("/dev/full: cannot be written: No space left");
+	ts_run_end(&run);
+}
+
+static void test_estimate(void **state)
+{
+	(void)state;
+	ts_trace_options all = {.place = NULL}, none = {.place = NULL};
+	memset(none.without, 1, sizeof none.without);
+	const ts_pipeline *epr = ts_pipeline_find("reflections", "epr");
+	assert_true(ts_trace_estimate(epr, scene, &params, &all) > 36u << 20);
+	assert_true(ts_trace_estimate(epr, scene, &params, &none) == 0);
+}
+
+int main(void)
+{
+	const struct CMUnitTest write[] = {
+		cmocka_unit_test(test_whole), cmocka_unit_test(test_batches), cmocka_unit_test(test_without),
+		cmocka_unit_test(test_crop), cmocka_unit_test(test_unwritable), cmocka_unit_test(test_estimate),
+	};
+	return cmocka_run_group_tests(write, begin, end);
+}
