@@ -1,5 +1,5 @@
-/* Freedom of candidates in order of arrival: at a texel that is marked as a tie, another point that offers the same distance,
- * and nothing else. A wall of one triangle before one cube, with three points by hand. */
+/* Freedom of candidates in order of arrival: at a texel that is marked as a tie, another point that offers the same
+ * distance, and nothing else. A wall of one triangle before one cube, with three points by hand. */
 #include "folder.h"
 #include "../../src/kernels/num.h"
 #include "../../src/kernels/splat.h"
@@ -46,7 +46,8 @@ static int begin(void **state)
 	for (u32 p = 0; p < POINTS; p++) {
 		i64 counts[2] = {0};
 		ts_splat_args args = {.cubes = &cube, .pieces = &piece, .frames = &frame, .bits = &bits, .points = points,
-		                      .texels = alone[p], .n_scatters = &counts[0], .n_writes = &counts[1], .n_cubes = 1, .n_words = 1,
+		                      .texels = alone[p], .n_scatters = &counts[0], .n_writes = &counts[1], .n_cubes = 1,
+		                      .n_words = 1,
 		                      .clip = reference.params.clip, .plane_depth = reference.params.planedepth};
 		ts_k_splat_item(&args, p);
 		if (counts[1] == 0) fail_msg("point %u covers nothing", (unsigned)p);

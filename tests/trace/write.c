@@ -145,7 +145,8 @@ static void test_crop(void **state)
 		assert_true(b->cropped && b->npy.shape[0] == 11 && b->npy.shape[1] == 20);
 		char *all = file_read(a->path, &bytes), *some = file_read(b->path, &bytes);
 		for (u32 y = 0; y < 11; y++) {
-			assert_memory_equal(all + a->npy.data_at + ((y + 7) * 64 + 5) * row, some + b->npy.data_at + y * 20 * row, 20 * row);
+			assert_memory_equal(all + a->npy.data_at + ((y + 7) * 64 + 5) * row, some + b->npy.data_at + y * 20 * row,
+			                    20 * row);
 		}
 		free(all);
 		free(some);
