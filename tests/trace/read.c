@@ -190,11 +190,14 @@ static void test_file(void **state)
 	rename(folder_path("bad/k.npy"), folder_path("bad/11-points.key.npy"));
 	assert_int_equal(symlink("11-points.key.npy", folder_path("bad/points.key.npy")), 0);
 	for (u32 i = 0; i < 2; i++) {
-		assert_int_equal(ts_trace_open_file(&t, folder_path(i == 0 ? "bad/11-points.key.npy" : "bad/points.key.npy"), &id), TS_OK);
+		const char *path = folder_path(i == 0 ? "bad/11-points.key.npy" : "bad/points.key.npy");
+		assert_int_equal(ts_trace_open_file(&t, path, &id), TS_OK);
 		assert_true(id == TS_B_points_key && t->item[id].npy.n == 3);
 		ts_trace_close(t);
 	}
-	static const char *const names[] = {"bad/s.npy", "bad/trace.json", "bad/.npy", "bad/11-.npy", "bad/", "bad/points.keys.npy"};
+	static const char *const names[] = {
+		"bad/s.npy", "bad/trace.json", "bad/.npy", "bad/11-.npy", "bad/", "bad/points.keys.npy",
+	};
 	for (u32 i = 0; i < 6; i++) {
 		assert_int_equal(ts_trace_open_file(&t, folder_path("%s", names[i]), &id), TS_ERROR);
 		says("does not say which buffer");
