@@ -23,8 +23,9 @@ int ts_item_open(const char *path, ts_trust trust, u64 *bytes)
 	int file = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC | (trust == TS_IN_FOLDER ? O_NOFOLLOW : 0));
 	if (file < 0) {
 		bool link = errno == ELOOP && trust == TS_IN_FOLDER;
-		ts_fail("%s: %s", path, link ? "is a link, which could lead out of the folder; the file itself would be right"
-		                             : strerror(errno));
+		ts_fail("%s: %s", path,
+		        link ? "is a link, which could lead out of the folder; the file itself would be right"
+		             : strerror(errno));
 		return -1;
 	}
 	if (fstat(file, &info) != 0 || !S_ISREG(info.st_mode)) {
@@ -69,7 +70,8 @@ ts_status ts_item_add(ts_trace *trace, ts_buffer_id id, const char *name, ts_tru
 	ts_trace_item *item = &trace->item[id];
 	const ts_buffer_info *info = &ts_buffer_table[id];
 	if (item->path != NULL) return ts_fail("%s: buffer %s is there twice", trace->dir, info->name);
-	if (ts_item_path(path, trace->dir, name) != TS_OK || read_header(&item->npy, path, id, trust) != TS_OK) return TS_ERROR;
+	if (ts_item_path(path, trace->dir, name) != TS_OK || read_header(&item->npy, path, id, trust) != TS_OK)
+		return TS_ERROR;
 	if (!fits(id, &item->npy)) {
 		return ts_fail("%s: its shape is none of %s, which is %s", path, info->name, info->shape);
 	}
@@ -118,7 +120,8 @@ ts_status ts_item_match(ts_buffer_id id, const ts_trace_item *ref, const ts_trac
 		const ts_npy *npy = t == 0 ? &ref->npy : &cand->npy;
 		size_t used = 0;
 		for (u32 i = 0; i < npy->n_dims; i++) {
-			used += (size_t)snprintf(text[t] + used, sizeof text[t] - used, "%s%" PRIu64, i ? " x " : "", npy->shape[i]);
+			used +=
+				(size_t)snprintf(text[t] + used, sizeof text[t] - used, "%s%" PRIu64, i ? " x " : "", npy->shape[i]);
 		}
 	}
 	return ts_fail("%s: shape %s; the reference's is %s", cand->path, text[1], text[0]);

@@ -18,7 +18,8 @@ int ts_item_open(const char *path, ts_trust trust, u64 *bytes);
 
 /* Gives the trace the .npy file `name` of its folder as its buffer `id`, which it must not have yet. */
 ts_status ts_item_add(ts_trace *trace, ts_buffer_id id, const char *name, ts_trust trust);
-/* Gives it a file of bare elements, whose first dimension follows from the size and whose others are those of `like`. */
+/* Gives it a file of bare elements, whose first dimension follows from the size and whose others are those of `like`.
+ */
 ts_status ts_item_add_raw(ts_trace *trace, ts_buffer_id id, const char *name, const ts_npy *like);
 
 /* Refuses a candidate's buffer of another crop than the reference's, or of other sizes that the frame fixes. */

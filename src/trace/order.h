@@ -20,7 +20,7 @@ void ts_order_free(ts_order *order);
 
 /* The reference's index for one of the candidate's; one that names nothing stays out of range. */
 u32 ts_order_map(const ts_order *order, u32 index);
-/* Maps the indices in a field of n elements, so many bytes apart: 32-bit numbers, or the lower halves of 64-bit keys. */
+/* Maps the indices in a field of n elements, so many bytes apart: 32-bit numbers or lower halves of 64-bit keys. */
 void ts_order_map_field(const ts_order *order, const ts_field *field, u8 *elements, u64 n, size_t element_bytes);
 
 #endif

@@ -1,6 +1,6 @@
-/* libFuzzer on candidates: `make fuzz`. An input is a byte of flags, then keys, records, splats and look-ups of a candidate,
- * cut into files by a byte of length each, bare or with a header of its own; it is compared with a small reference, and its
- * first divergence put into words. */
+/* libFuzzer on candidates: `make fuzz`. An input is a byte of flags, then keys, records, splats and look-ups of a
+ * candidate, cut into files by a byte of length each, bare or with a header of its own; it is compared with a small
+ * reference, and its first divergence put into words. */
 #include <assert.h>
 #include "folder.h"
 #include "../../src/kernels/num.h"
@@ -8,8 +8,8 @@
 #include "../../src/trace/where.h"
 
 enum { N_POINTS = 6, N_TEXELS = 24, N_FILES = 5 };
-static const ts_buffer_id ids[N_FILES] = {TS_B_points_key, TS_B_points_record, TS_B_splat_depth_index, TS_B_lookup_point,
-                                          TS_B_pixel_record};
+static const ts_buffer_id ids[N_FILES] = {TS_B_points_key, TS_B_points_record, TS_B_splat_depth_index,
+                                          TS_B_lookup_point, TS_B_pixel_record};
 static const char *files[N_FILES];
 static ts_trace *reference;
 
@@ -42,9 +42,12 @@ static void begin(void)
 	fuzz_npy(fuzz_name("8.npy"), TS_B_align_frame, 1, 0, &frame);
 	fuzz_npy(fuzz_name("9.npy"), TS_B_visibility_bits, 1, 1, &bits);
 	ts_trace like = {.pipeline = ts_pipeline_find("reflections", "epr")};
-	ts_status status = ts_trace_open_layout(&reference, fuzz_root, "points.key=0.npy,points.record=1.npy,"
+	ts_status status = ts_trace_open_layout(
+		&reference, fuzz_root,
+		"points.key=0.npy,points.record=1.npy,"
 		"splat.depth_index=2.npy,lookup.point=3.npy,pixel.record=4.npy,splat.tie=5.npy,resize.face=6.npy,"
-		"split.triangle=7.npy,align.frame=8.npy,visibility.bits=9.npy", false, &like);
+		"split.triangle=7.npy,align.frame=8.npy,visibility.bits=9.npy",
+		false, &like);
 	assert(status == TS_OK);
 	static const char *const names[N_FILES] = {"key", "record", "splat", "lookup", "pixel"};
 	for (u32 i = 0; i < N_FILES; i++) files[i] = fuzz_name(names[i]);
@@ -86,7 +89,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n)
 		snprintf(layout + used, sizeof layout - used, "%s%s=%s", used > 0 ? "," : "", ts_buffer_table[ids[i]].name,
 		         strrchr(files[i], '/') + 1);
 	}
-	ts_relaxations relaxations = {.ulp = flags >> 6, .abs = (flags & 64) != 0 ? 0.5 : 0, .rel = (flags & 128) != 0 ? 0.5 : 0};
+	ts_relaxations relaxations = {
+		.ulp = flags >> 6, .abs = (flags & 64) != 0 ? 0.5 : 0, .rel = (flags & 128) != 0 ? 0.5 : 0};
 	if (ts_trace_open_layout(&candidate, fuzz_root, layout, (flags & 1) != 0, reference) != TS_OK) return 0;
 	judge(candidate, &relaxations);
 	ts_trace_close(candidate);

@@ -1,5 +1,6 @@
 /* libFuzzer on scene files: `make fuzz`. By hand, for longer, or with a file to try again instead of the folders:
- *   make config=fuzz build/fuzz/tests/fuzz/gltf && build/fuzz/tests/fuzz/gltf -max_total_time=3600 build/fuzz/corpus/gltf scenes
+ *   make config=fuzz build/fuzz/tests/fuzz/gltf
+ *   build/fuzz/tests/fuzz/gltf -max_total_time=3600 build/fuzz/corpus/gltf scenes
  * Each input becomes a file, .glb or .gltf by its first byte, which is opened with two mirrors and described. */
 #include <assert.h>
 #include <stdint.h>

@@ -1,5 +1,5 @@
-/* libFuzzer on .npy headers: `make fuzz`. The first byte chooses the buffer, the rest is the file. What is taken must agree
- * with the size of the file, and writing it again must say the same. */
+/* libFuzzer on .npy headers: `make fuzz`. The first byte chooses the buffer, the rest is the file. What is taken must
+ * agree with the size of the file, and writing it again must say the same. */
 #include <assert.h>
 #include <stdlib.h>
 #include "../../src/trace/npy.h"

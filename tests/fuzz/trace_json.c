@@ -1,5 +1,5 @@
-/* libFuzzer on trace.json: `make fuzz`. Each input is the trace.json of a folder that has a file of keys and one of bytes;
- * what is taken is compared with itself. */
+/* libFuzzer on trace.json: `make fuzz`. Each input is the trace.json of a folder that has a file of keys and one of
+ * bytes; what is taken is compared with itself. */
 #include <assert.h>
 #include "folder.h"
 #include "../../src/trace/compare.h"

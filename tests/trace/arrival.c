@@ -1,5 +1,5 @@
-/* Candidates whose points stand in the order of their arrival: the same by their keys, different where a record, an index or
- * a key is; and the memory that this takes. */
+/* Candidates whose points stand in the order of their arrival: the same by their keys, different where a record, an
+ * index or a key is; and the memory that this takes. */
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include "small.h"
@@ -8,7 +8,7 @@
 
 static ts_trace *ref, *cand;
 static ts_comparison c;
-static u32 *place;   /* of the reference's points among the candidate's */
+static u32 *place; /* of the reference's points among the candidate's */
 static u64 n_points;
 static u32 seed = 17;
 
@@ -174,7 +174,8 @@ static void test_key(void **state)
 	poke(TS_B_points_key, place[200], 0, &wrong, &old, 8);
 	assert_int_equal(compare(), TS_DIFFERENT);
 	const ts_verdict *v = &c.verdict[TS_B_points_record];
-	assert_true(c.first == TS_B_points_key && v->n_missing == 1 && v->n_extra == 1 && v->n_different == 2 && !v->has_first);
+	assert_true(c.first == TS_B_points_key && v->n_missing == 1 && v->n_extra == 1 && v->n_different == 2 &&
+	            !v->has_first);
 	assert_true(v->missing_key == old && v->extra_key == 3);
 	poke(TS_B_points_key, place[200], 0, &old, &wrong, 8);
 }
@@ -192,8 +193,9 @@ static ts_trace *points(const char *name, u64 n, bool arrival)
 	file_write(folder_path("%s/key", name), keys, n * sizeof *keys);
 	file_write(folder_path("%s/record", name), "", 0);
 	assert_int_equal(truncate(folder_path("%s/record", name), (off_t)(n * sizeof(ts_point))), 0);
-	assert_int_equal(ts_trace_open_layout(&trace, folder_path("%s", name), "points.key=key,points.record=record", arrival, ref),
-	                 TS_OK);
+	assert_int_equal(
+		ts_trace_open_layout(&trace, folder_path("%s", name), "points.key=key,points.record=record", arrival, ref),
+		TS_OK);
 	free(order);
 	free(keys);
 	return trace;
@@ -253,7 +255,7 @@ int main(void)
 {
 	const struct CMUnitTest arrival[] = {
 		cmocka_unit_test(test_same), cmocka_unit_test(test_record), cmocka_unit_test(test_index),
-		cmocka_unit_test(test_key), cmocka_unit_test(test_memory), cmocka_unit_test(test_fewer_records),
+		cmocka_unit_test(test_key),  cmocka_unit_test(test_memory), cmocka_unit_test(test_fewer_records),
 	};
 	return cmocka_run_group_tests(arrival, begin, end);
 }

@@ -10,7 +10,8 @@ static ts_comparison c;
 
 static void open_both(void)
 {
-	if (ts_trace_open(&ref, dir[0]) != TS_OK || ts_trace_open(&cand, dir[1]) != TS_OK) fail_msg("%s", ts_error_message());
+	if (ts_trace_open(&ref, dir[0]) != TS_OK || ts_trace_open(&cand, dir[1]) != TS_OK)
+		fail_msg("%s", ts_error_message());
 }
 
 static int begin(void **state)
@@ -55,7 +56,8 @@ static void test_same(void **state)
 	(void)state;
 	assert_int_equal(compare((ts_relaxations){.ulp = 0}), TS_OK);
 	assert_true(c.n_judged >= 39 && c.n_unlike == 0 && c.n_missing == 0 && c.first == TS_N_BUFFERS);
-	for (u32 id = 0; id < TS_N_BUFFERS; id++) assert_true(c.verdict[id].n_different == 0 && c.verdict[id].n_relaxed == 0);
+	for (u32 id = 0; id < TS_N_BUFFERS; id++)
+		assert_true(c.verdict[id].n_different == 0 && c.verdict[id].n_relaxed == 0);
 }
 
 /* One bit of one component of every field of every buffer: found there, and nowhere else. */
@@ -94,15 +96,26 @@ static void test_floats(void **state)
 	(void)state;
 	enum { ULP1, ULP3, ABS, REL, N };
 	static const ts_relaxations relaxed[N] = {{.ulp = 1}, {.ulp = 3}, {.abs = 0.25}, {.rel = 0.25}};
-	static const struct { f32 ref, cand; bool same, passes[N]; } cases[] = {
-		{1.0f, 1.0f, true, {true, true, true, true}}, {1.0f, 0x1.000002p+0f, false, {true, true, true, true}},
-		{1.0f, 0x1.000006p+0f, false, {false, true, true, true}}, {1.0f, 1.25f, false, {false, false, true, true}},
-		{1.0f, 1.2500001f, false, {false, false, false, false}}, {4.0f, 3.0f, false, {false, false, false, true}},
-		{0.0f, -0.0f, false, {true, true, true, true}}, {0.0f, 0x1p-149f, false, {true, true, true, false}},
-		{0.0f, 0.25f, false, {false, false, true, false}}, {INFINITY, 5.0f, false, {false, false, false, false}},
-		{5.0f, INFINITY, false, {false, false, false, false}}, {INFINITY, -INFINITY, false, {false, false, false, false}},
-		{INFINITY, INFINITY, true, {true, true, true, true}}, {NAN, NAN, false, {false, false, false, false}},
-		{1.0f, NAN, false, {false, false, false, false}}, {NAN, 1.0f, false, {false, false, false, false}},
+	static const struct {
+		f32 ref, cand;
+		bool same, passes[N];
+	} cases[] = {
+		{1.0f, 1.0f, true, {true, true, true, true}},
+		{1.0f, 0x1.000002p+0f, false, {true, true, true, true}},
+		{1.0f, 0x1.000006p+0f, false, {false, true, true, true}},
+		{1.0f, 1.25f, false, {false, false, true, true}},
+		{1.0f, 1.2500001f, false, {false, false, false, false}},
+		{4.0f, 3.0f, false, {false, false, false, true}},
+		{0.0f, -0.0f, false, {true, true, true, true}},
+		{0.0f, 0x1p-149f, false, {true, true, true, false}},
+		{0.0f, 0.25f, false, {false, false, true, false}},
+		{INFINITY, 5.0f, false, {false, false, false, false}},
+		{5.0f, INFINITY, false, {false, false, false, false}},
+		{INFINITY, -INFINITY, false, {false, false, false, false}},
+		{INFINITY, INFINITY, true, {true, true, true, true}},
+		{NAN, NAN, false, {false, false, false, false}},
+		{1.0f, NAN, false, {false, false, false, false}},
+		{NAN, 1.0f, false, {false, false, false, false}},
 		{-1.0f, 1.0f, false, {false, false, false, false}},
 	};
 	f32 old;
@@ -112,7 +125,8 @@ static void test_floats(void **state)
 		ts_status exact = compare((ts_relaxations){.ulp = 0});
 		if (exact != (cases[i].same ? TS_OK : TS_DIFFERENT)) fail_msg("case %u, exactly", (unsigned)i);
 		for (u32 r = 0; r < N; r++) {
-			if (compare(relaxed[r]) != (cases[i].passes[r] ? TS_OK : TS_DIFFERENT)) fail_msg("case %u, %u", (unsigned)i, (unsigned)r);
+			if (compare(relaxed[r]) != (cases[i].passes[r] ? TS_OK : TS_DIFFERENT))
+				fail_msg("case %u, %u", (unsigned)i, (unsigned)r);
 			bool used = cases[i].passes[r] && !cases[i].same;
 			assert_int_equal(c.verdict[TS_B_image_radiance].n_relaxed, used);
 		}
@@ -137,25 +151,40 @@ static void test_nan(void **state)
 		poke(t, TS_B_points_record, 3, offsetof(ts_point, centre) + 8, &nan, 4, i == 0 ? &centre : NULL);
 	}
 	assert_int_equal(compare((ts_relaxations){.ulp = 9, .abs = 9, .rel = 9}), TS_DIFFERENT);
-	assert_true(c.first == TS_B_points_record && c.verdict[c.first].first.element == 3 && c.verdict[c.first].first.component == 2);
+	assert_true(c.first == TS_B_points_record && c.verdict[c.first].first.element == 3 &&
+	            c.verdict[c.first].first.component == 2);
 	assert_int_equal(compare((ts_relaxations){.ignore = "points.record.centre"}), TS_OK);
-	for (u32 i = 0; i < 2; i++) poke(i == 0 ? ref : cand, TS_B_points_record, 3, offsetof(ts_point, centre) + 8, &centre, 4, NULL);
+	for (u32 i = 0; i < 2; i++)
+		poke(i == 0 ? ref : cand, TS_B_points_record, 3, offsetof(ts_point, centre) + 8, &centre, 4, NULL);
 }
 
 static void test_allow_and_ignore(void **state)
 {
 	(void)state;
-	static const struct { const char *ignore; ts_status status; } cases[] = {
-		{"pixel.record", TS_OK}, {"pixel.record.normal", TS_OK}, {"cull.keep,pixel.record.normal", TS_OK},
-		{"pixel.record.position", TS_DIFFERENT}, {"pixel.offset", TS_DIFFERENT}, {"pixel", TS_ERROR}, {"pixel.record.", TS_ERROR},
-		{"pixel.record.normals", TS_ERROR}, {"pixel.record,", TS_ERROR}, {"", TS_ERROR}, {" pixel.record", TS_ERROR},
-		{"image.srgb.", TS_ERROR}, {"pixel.record.norma", TS_ERROR},
+	static const struct {
+		const char *ignore;
+		ts_status status;
+	} cases[] = {
+		{"pixel.record", TS_OK},
+		{"pixel.record.normal", TS_OK},
+		{"cull.keep,pixel.record.normal", TS_OK},
+		{"pixel.record.position", TS_DIFFERENT},
+		{"pixel.offset", TS_DIFFERENT},
+		{"pixel", TS_ERROR},
+		{"pixel.record.", TS_ERROR},
+		{"pixel.record.normals", TS_ERROR},
+		{"pixel.record,", TS_ERROR},
+		{"", TS_ERROR},
+		{" pixel.record", TS_ERROR},
+		{"image.srgb.", TS_ERROR},
+		{"pixel.record.norma", TS_ERROR},
 	};
 	f32 old[2], value = 0.123f;
 	u32 at = offsetof(ts_pixel, normal);
 	for (u32 i = 0; i < 2; i++) poke(cand, TS_B_pixel_record, 5 + i, at, &value, 4, &old[i]);
 	for (u32 i = 0; i < sizeof cases / sizeof *cases; i++) {
-		if (compare((ts_relaxations){.ignore = cases[i].ignore}) != cases[i].status) fail_msg("--ignore \"%s\"", cases[i].ignore);
+		if (compare((ts_relaxations){.ignore = cases[i].ignore}) != cases[i].status)
+			fail_msg("--ignore \"%s\"", cases[i].ignore);
 		if (cases[i].status == TS_ERROR) says("no buffer and no field");
 	}
 	assert_int_equal(compare((ts_relaxations){.allow = 1}), TS_DIFFERENT);
@@ -269,8 +298,8 @@ static void test_nothing(void **state)
 int main(void)
 {
 	const struct CMUnitTest compare_tests[] = {
-		cmocka_unit_test(test_same), cmocka_unit_test(test_every_field), cmocka_unit_test(test_floats),
-		cmocka_unit_test(test_nan), cmocka_unit_test(test_allow_and_ignore), cmocka_unit_test(test_mask),
+		cmocka_unit_test(test_same),   cmocka_unit_test(test_every_field),      cmocka_unit_test(test_floats),
+		cmocka_unit_test(test_nan),    cmocka_unit_test(test_allow_and_ignore), cmocka_unit_test(test_mask),
 		cmocka_unit_test(test_counts), cmocka_unit_test(test_nothing),
 	};
 	return cmocka_run_group_tests(compare_tests, begin, end);

@@ -8,16 +8,33 @@
 static void test_ulps(void **state)
 {
 	(void)state;
-	static const struct { f32 from, to; i64 ulps; } cases[] = {
-		{0.0f, 0.0f, 0}, {-0.0f, -0.0f, 0}, {-0.0f, 0.0f, 1}, {0.0f, -0.0f, -1}, {0.0f, 0x1p-149f, 1},
-		{-0.0f, -0x1p-149f, -1}, {-0x1p-149f, 0x1p-149f, 3}, {1.0f, 0x1.000002p+0f, 1}, {1.0f, 0x1.fffffep-1f, -1},
-		{1.0f, 2.0f, 1 << 23}, {-1.0f, -2.0f, -(1 << 23)}, {0x1p-126f, 0x1.fffffcp-127f, -1}, {0.0f, 0x1p-126f, 1 << 23},
-		{0x1.fffffep+127f, INFINITY, 1}, {INFINITY, INFINITY, 0}, {0.0f, INFINITY, 0x7f800000}, {-INFINITY, INFINITY, 0xff000001},
+	static const struct {
+		f32 from, to;
+		i64 ulps;
+	} cases[] = {
+		{0.0f, 0.0f, 0},
+		{-0.0f, -0.0f, 0},
+		{-0.0f, 0.0f, 1},
+		{0.0f, -0.0f, -1},
+		{0.0f, 0x1p-149f, 1},
+		{-0.0f, -0x1p-149f, -1},
+		{-0x1p-149f, 0x1p-149f, 3},
+		{1.0f, 0x1.000002p+0f, 1},
+		{1.0f, 0x1.fffffep-1f, -1},
+		{1.0f, 2.0f, 1 << 23},
+		{-1.0f, -2.0f, -(1 << 23)},
+		{0x1p-126f, 0x1.fffffcp-127f, -1},
+		{0.0f, 0x1p-126f, 1 << 23},
+		{0x1.fffffep+127f, INFINITY, 1},
+		{INFINITY, INFINITY, 0},
+		{0.0f, INFINITY, 0x7f800000},
+		{-INFINITY, INFINITY, 0xff000001},
 		{INFINITY, -INFINITY, -(i64)0xff000001},
 	};
 	for (u32 i = 0; i < sizeof cases / sizeof *cases; i++) {
 		i64 ulps = ts_field_ulps(ts_f2u(cases[i].from), ts_f2u(cases[i].to));
-		if (ulps != cases[i].ulps) fail_msg("%a to %a: %lld", (double)cases[i].from, (double)cases[i].to, (long long)ulps);
+		if (ulps != cases[i].ulps)
+			fail_msg("%a to %a: %lld", (double)cases[i].from, (double)cases[i].to, (long long)ulps);
 	}
 	static const u32 nans[] = {0x7fc00000u, 0xffc00000u, 0x7f800001u, 0xffffffffu};
 	for (u32 i = 0; i < 4; i++) {
@@ -77,7 +94,8 @@ static void test_fields(void **state)
 	ts_fields f = ts_fields_of(TS_B_points_record);
 	assert_int_equal(f.n, 5);
 	assert_true(f.field[0].kind == 'f' && f.field[0].count == 3 && f.field[0].offset == offsetof(ts_point, centre));
-	assert_true(f.field[2].kind == 'u' && f.field[2].offset == offsetof(ts_point, piece) && strcmp(f.field[2].of, "Q") == 0);
+	assert_true(f.field[2].kind == 'u' && f.field[2].offset == offsetof(ts_point, piece) &&
+	            strcmp(f.field[2].of, "Q") == 0);
 	ts_point point = {.centre = {1, 2, 3}, .piece = 812};
 	assert_true(ts_field_bits(&f.field[0], &point, 2) == 0x40400000u && ts_field_bits(&f.field[2], &point, 0) == 812);
 	char name[64];
@@ -101,7 +119,10 @@ static void test_fields(void **state)
 int main(void)
 {
 	const struct CMUnitTest field[] = {
-		cmocka_unit_test(test_ulps), cmocka_unit_test(test_steps), cmocka_unit_test(test_show), cmocka_unit_test(test_fields),
+		cmocka_unit_test(test_ulps),
+		cmocka_unit_test(test_steps),
+		cmocka_unit_test(test_show),
+		cmocka_unit_test(test_fields),
 	};
 	return cmocka_run_group_tests(field, NULL, NULL);
 }

@@ -1,5 +1,5 @@
-/* What the tests of traces share: a scratch folder, files, .npy files written from the format's specification, and small
- * traces. */
+/* What the tests of traces share: a scratch folder, files, .npy files written from the format's specification, and
+ * small traces. */
 #ifndef TS_TESTS_TRACE_FOLDER_H
 #define TS_TESTS_TRACE_FOLDER_H
 #include <setjmp.h>

@@ -3,8 +3,8 @@
 
 static const char *const words[] = {"descr", "fortran_order", "shape"};
 
-/* Reads a header by the letter of the specification: magic, version, length, a dictionary literal whose keys ascend, blanks,
- * a line feed; the data begin at a multiple of 64. Returns its bytes and the text of the values. */
+/* Reads a header by the letter of the specification: magic, version, length, a dictionary literal whose keys ascend,
+ * blanks, a line feed; the data begin at a multiple of 64. Returns its bytes and the text of the values. */
 static size_t spec_parse(const char *head, char values[3][2048])
 {
 	const unsigned char *raw = (const unsigned char *)head;
@@ -37,9 +37,17 @@ static ts_status parse(ts_npy *npy, const char *head, size_t head_bytes, u64 dat
 static void test_header(void **state)
 {
 	(void)state;
-	static const struct { u32 n_dims; u64 shape[4]; const char *text; } cases[] = {
-		{1, {0}, "(0,)"}, {1, {7}, "(7,)"}, {2, {3, 4}, "(3, 4)"}, {3, {1080, 1920, 3}, "(1080, 1920, 3)"},
-		{4, {1, 2, 3, 4}, "(1, 2, 3, 4)"}, {1, {UINT64_MAX}, "(18446744073709551615,)"},
+	static const struct {
+		u32 n_dims;
+		u64 shape[4];
+		const char *text;
+	} cases[] = {
+		{1, {0}, "(0,)"},
+		{1, {7}, "(7,)"},
+		{2, {3, 4}, "(3, 4)"},
+		{3, {1080, 1920, 3}, "(1080, 1920, 3)"},
+		{4, {1, 2, 3, 4}, "(1, 2, 3, 4)"},
+		{1, {UINT64_MAX}, "(18446744073709551615,)"},
 	};
 	char head[TS_NPY_HEADER], descr[TS_NPY_DESCR], values[3][2048];
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
@@ -64,7 +72,8 @@ static void test_descr(void **state)
 		ts_npy_descr(descr, (ts_buffer_id)id);
 		for (const char *at = descr; (at = strpbrk(at, "<|")) != NULL; at++) {
 			unsigned count = 1;
-			assert_true((at[0] == '|' && strncmp(at + 1, "u1'", 3) == 0) || (at[0] == '<' && strchr("fiu", at[1]) != NULL));
+			assert_true((at[0] == '|' && strncmp(at + 1, "u1'", 3) == 0) ||
+			            (at[0] == '<' && strchr("fiu", at[1]) != NULL));
 			if (at[3] == '\'') sscanf(at + 4, ", (%u,)", &count);
 			bytes += (size_t)(at[2] - '0') * count;
 		}
@@ -95,8 +104,10 @@ static void test_others(void **state)
 {
 	(void)state;
 	static const char *const dicts[] = {
-		"{'descr': '<f4', 'fortran_order': False, 'shape': (2, 3), }", "{'shape':(2,3),'descr':'<f4','fortran_order':False}",
-		"{\"descr\": \"<f4\", \"shape\": (2, 3,), \"fortran_order\": False}", " { 'shape' : ( 2 , 3 ) ,\n'descr' : '<f4' "
+		"{'descr': '<f4', 'fortran_order': False, 'shape': (2, 3), }",
+		"{'shape':(2,3),'descr':'<f4','fortran_order':False}",
+		"{\"descr\": \"<f4\", \"shape\": (2, 3,), \"fortran_order\": False}",
+		" { 'shape' : ( 2 , 3 ) ,\n'descr' : '<f4' "
 		", 'fortran_order' : False } \n",
 	};
 	for (u32 i = 0; i < sizeof dicts / sizeof *dicts; i++) {
@@ -107,7 +118,8 @@ static void test_others(void **state)
 			head[6] = (char)version;
 			head[8] = (char)n;
 			memcpy(head + prefix, dicts[i], n);
-			if (parse(&npy, head, prefix + n, 24) != TS_OK) fail_msg("%d %s: %s", version, dicts[i], ts_error_message());
+			if (parse(&npy, head, prefix + n, 24) != TS_OK)
+				fail_msg("%d %s: %s", version, dicts[i], ts_error_message());
 			assert_true(npy.n == 6 && npy.data_at == prefix + n);
 		}
 	}
@@ -126,24 +138,51 @@ static void test_malformed(void **state)
 {
 	(void)state;
 	static const char *const none[] = {
-		"", "{", "}", "{}", "{'descr'", "{'descr': ", "{'descr': }", "{'descr': '<f4'}",
-		"{'descr': '<f4', 'fortran_order': False}", "{'descr': '<f4', 'fortran_order': False, 'shape': }",
+		"",
+		"{",
+		"}",
+		"{}",
+		"{'descr'",
+		"{'descr': ",
+		"{'descr': }",
+		"{'descr': '<f4'}",
+		"{'descr': '<f4', 'fortran_order': False}",
+		"{'descr': '<f4', 'fortran_order': False, 'shape': }",
 		"{'descr': '<f4', 'fortran_order': False, 'shape': (6,)",
 		"{'descr': '<f4', 'fortran_order': False, 'shape': (6,)} x",
 		"{'descr': '<f4', 'descr': '<f4', 'fortran_order': False, 'shape': (6,)}",
 		"{'descr': '<f4', 'fortran_order': False, 'shape': (6,), 'shape': (6,)}",
 		"{'descr': '<f4', 'fortran_order': False, 'shape': (6,), 'other': 1}",
-		"{'descr' '<f4', 'fortran_order': False, 'shape': (6,)}", "{'descr': '<f4' 'fortran_order': False, 'shape': (6,)}",
-		"['descr', '<f4']", "{descr: '<f4', fortran_order: False, shape: (6,)}",
+		"{'descr' '<f4', 'fortran_order': False, 'shape': (6,)}",
+		"{'descr': '<f4' 'fortran_order': False, 'shape': (6,)}",
+		"['descr', '<f4']",
+		"{descr: '<f4', fortran_order: False, shape: (6,)}",
 	};
 	static const char *const shapes[] = {
-		"()", "(,)", "6", "(6)", "[6]", "(6,,)", "(-6,)", "(+6,)", "(6.0,)", "(0x6,)", "(6L,)", "('6',)", "(1, 1, 1, 1, 6)",
-		"(6 1)", "(18446744073709551616,)", "(4294967296, 4294967296)", "(4611686018427387904,)", "(None,)",
-		"(99999999999999999999999999999999999999999999,)", "(6,) (6,)",
+		"()",
+		"(,)",
+		"6",
+		"(6)",
+		"[6]",
+		"(6,,)",
+		"(-6,)",
+		"(+6,)",
+		"(6.0,)",
+		"(0x6,)",
+		"(6L,)",
+		"('6',)",
+		"(1, 1, 1, 1, 6)",
+		"(6 1)",
+		"(18446744073709551616,)",
+		"(4294967296, 4294967296)",
+		"(4611686018427387904,)",
+		"(None,)",
+		"(99999999999999999999999999999999999999999999,)",
+		"(6,) (6,)",
 	};
 	static const char *const dtypes[] = {
-		"'>f4'", "'<f8'", "'<i4'", "'<u4'", "'f4'", "'=f4'", "'|f4'", "'<f4", "<f4", "[('', '<f4')]", "'< f4'", "('<f4', 1)",
-		"'<f44'", "None",
+		"'>f4'", "'<f8'", "'<i4'",         "'<u4'",  "'f4'",       "'=f4'",  "'|f4'",
+		"'<f4",  "<f4",   "[('', '<f4')]", "'< f4'", "('<f4', 1)", "'<f44'", "None",
 	};
 	char dict[256];
 	for (u32 i = 0; i < sizeof none / sizeof *none; i++) refused(none[i], "not a .npy file");
@@ -201,8 +240,8 @@ static void test_flipped(void **state)
 int main(void)
 {
 	const struct CMUnitTest npy[] = {
-		cmocka_unit_test(test_header), cmocka_unit_test(test_descr), cmocka_unit_test(test_round_trip),
-		cmocka_unit_test(test_others), cmocka_unit_test(test_malformed), cmocka_unit_test(test_truncated),
+		cmocka_unit_test(test_header),  cmocka_unit_test(test_descr),     cmocka_unit_test(test_round_trip),
+		cmocka_unit_test(test_others),  cmocka_unit_test(test_malformed), cmocka_unit_test(test_truncated),
 		cmocka_unit_test(test_flipped),
 	};
 	return cmocka_run_group_tests(npy, NULL, NULL);

@@ -88,7 +88,8 @@ static void test_unlike(void **state)
 	static u64 ref[MOST], cand[2 * MOST];
 	for (u32 round = 0; round < 20; round++) {
 		ts_order order;
-		u64 n = make_keys(ref, round % 2 == 1), m = 0, missing = 0, least_missing = 0, extra = 0, twice = 0, least = UINT64_MAX;
+		u64 n = make_keys(ref, round % 2 == 1), m = 0, missing = 0, least_missing = 0, extra = 0, twice = 0,
+			least = UINT64_MAX;
 		for (u64 i = 0; i < n; i++) {
 			u32 fate = draw(8);
 			if (fate > 0) cand[m++] = ref[i];
@@ -144,7 +145,8 @@ static void test_ends(void **state)
 	const u64 ref[] = {0, 7, UINT64_MAX}, cand[] = {UINT64_MAX, 3, UINT64_MAX, UINT64_MAX, 0}, down[] = {1, 3, 2};
 	ts_order order;
 	assert_int_equal(make(&order, ref, 3, cand, 5, true), TS_OK);
-	assert_true(order.n_missing == 1 && order.missing == 7 && order.n_extra == 3 && order.n_twice == 2 && order.extra == 3);
+	assert_true(order.n_missing == 1 && order.missing == 7 && order.n_extra == 3 && order.n_twice == 2 &&
+	            order.extra == 3);
 	ts_order_free(&order);
 	assert_int_equal(make(&order, ref, 0, cand, 5, true), TS_OK);
 	assert_true(order.n_missing == 0 && order.n_extra == 5);
@@ -200,7 +202,7 @@ int main(void)
 {
 	const struct CMUnitTest order[] = {
 		cmocka_unit_test(test_permutations), cmocka_unit_test(test_unlike), cmocka_unit_test(test_out_of_range),
-		cmocka_unit_test(test_ends), cmocka_unit_test(test_gather),
+		cmocka_unit_test(test_ends),         cmocka_unit_test(test_gather),
 	};
 	return cmocka_run_group_tests(order, folder_begin, folder_end);
 }

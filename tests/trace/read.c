@@ -8,7 +8,8 @@ static char good[FOLDER_PATH], bad[FOLDER_PATH];
 /* A hand-made trace of three buffers. */
 static int begin(void **state)
 {
-	static const char text[] = "{\"format\": \"touchstone-trace\", \"version\": 1, \"contract\": 1, \"order\": \"canonical\","
+	static const char text[] =
+		"{\"format\": \"touchstone-trace\", \"version\": 1, \"contract\": 1, \"order\": \"canonical\","
 		"\"effect\": \"reflections\", \"pipeline\": \"epr\", \"producer\": {\"name\": \"port\", \"version\": \"7\"},"
 		"\"params\": {\"width\": \"64\", \"height\": \"36\"}, \"buffers\": ["
 		"{\"name\": \"points.key\", \"file\": \"k.npy\"}, {\"name\": \"image.srgb\", \"file\": \"s.npy\"},"
@@ -46,7 +47,9 @@ static void test_good(void **state)
 }
 
 /* One value of the root, or with "B.key" of the first buffer; without text it is removed. */
-typedef struct { const char *key, *text, *says; } wrong;
+typedef struct {
+	const char *key, *text, *says;
+} wrong;
 
 static void change(json_t *root, const void *user)
 {
@@ -66,37 +69,72 @@ static void test_values(void **state)
 {
 	(void)state;
 	static const wrong cases[] = {
-		{"format", NULL, "format is not"}, {"format", "3", "format is not"}, {"format", "\"other\"", "format is not"},
-		{"version", NULL, "version is missing"}, {"version", "2", "version 2; this program reads version 1"},
-		{"version", "\"1\"", "version \"1\""}, {"version", "1.0", "version 1.0"}, {"version", "-1", "version -1"},
-		{"contract", NULL, "contract is missing"}, {"contract", "2", "contract 2; this program reads contract 1"},
-		{"order", NULL, "order is \"\""}, {"order", "\"random\"", "\"canonical\" or \"arrival\""}, {"order", "[]", "order is"},
-		{"pipeline", NULL, "no pipeline"}, {"pipeline", "\"eprr\"", "no pipeline \"eprr\""}, {"pipeline", "1", "no pipeline"},
-		{"effect", "\"fog\"", "no pipeline"}, {"buffers", NULL, "buffers is not an array"},
-		{"buffers", "{}", "buffers is not an array"}, {"buffers", "[1]", "no buffer \"\""}, {"buffers", "[{}]", "no buffer"},
-		{"buffers", "[null]", "no buffer"}, {"params", "[]", "params is not an object"},
-		{"params", "{\"width\": 64}", "width is not a string"}, {"params", "{\"width\": \"x\"}", "width"},
-		{"params", "{\"widht\": \"64\"}", "widht"}, {"params", "{\"width\": \"1e9\"}", "width"},
-		{"B.name", NULL, "no buffer \"\""}, {"B.name", "\"points.keys\"", "no buffer \"points.keys\""}, {"B.name", "7", "no buffer"},
-		{"B.name", "\"image.srgb\"", "dtype '<u8'; '|u1' would be right"}, {"B.name", "\"cull.keep\"", "dtype"},
+		{"format", NULL, "format is not"},
+		{"format", "3", "format is not"},
+		{"format", "\"other\"", "format is not"},
+		{"version", NULL, "version is missing"},
+		{"version", "2", "version 2; this program reads version 1"},
+		{"version", "\"1\"", "version \"1\""},
+		{"version", "1.0", "version 1.0"},
+		{"version", "-1", "version -1"},
+		{"contract", NULL, "contract is missing"},
+		{"contract", "2", "contract 2; this program reads contract 1"},
+		{"order", NULL, "order is \"\""},
+		{"order", "\"random\"", "\"canonical\" or \"arrival\""},
+		{"order", "[]", "order is"},
+		{"pipeline", NULL, "no pipeline"},
+		{"pipeline", "\"eprr\"", "no pipeline \"eprr\""},
+		{"pipeline", "1", "no pipeline"},
+		{"effect", "\"fog\"", "no pipeline"},
+		{"buffers", NULL, "buffers is not an array"},
+		{"buffers", "{}", "buffers is not an array"},
+		{"buffers", "[1]", "no buffer \"\""},
+		{"buffers", "[{}]", "no buffer"},
+		{"buffers", "[null]", "no buffer"},
+		{"params", "[]", "params is not an object"},
+		{"params", "{\"width\": 64}", "width is not a string"},
+		{"params", "{\"width\": \"x\"}", "width"},
+		{"params", "{\"widht\": \"64\"}", "widht"},
+		{"params", "{\"width\": \"1e9\"}", "width"},
+		{"B.name", NULL, "no buffer \"\""},
+		{"B.name", "\"points.keys\"", "no buffer \"points.keys\""},
+		{"B.name", "7", "no buffer"},
+		{"B.name", "\"image.srgb\"", "dtype '<u8'; '|u1' would be right"},
+		{"B.name", "\"cull.keep\"", "dtype"},
 		{"B.name", "\"visibility.bits\"", "its shape is none of visibility.bits, which is T w"},
-		{"B.file", "7", "file \"\": not the name"}, {"B.file", "\"\"", "not the name"}, {"B.file", "\"../good/k.npy\"", "not the name"},
-		{"B.file", "\"/etc/passwd\"", "not the name"}, {"B.file", "\"..\"", "not the name"}, {"B.file", "\".\"", "not the name"},
-		{"B.file", "\".k.npy\"", "not the name"}, {"B.file", "\"sub/k.npy\"", "not the name"}, {"B.file", "\"none.npy\"", "No such file"},
-		{"B.file", "\"s.npy\"", "dtype '|u1'; '<u8' would be right"}, {"B.file", "\"trace.json\"", "not a .npy file"},
-		{"B.file", "\"fifo\"", "fifo: not a regular file"}, {"B.file", "\"folder\"", "folder: not a regular file"},
-		{"B.file", "\"link.npy\"", "is a link"}, {"B.file", "\"inside.npy\"", "is a link"}, {"B.file", "\"empty\"", "not a .npy file"},
+		{"B.file", "7", "file \"\": not the name"},
+		{"B.file", "\"\"", "not the name"},
+		{"B.file", "\"../good/k.npy\"", "not the name"},
+		{"B.file", "\"/etc/passwd\"", "not the name"},
+		{"B.file", "\"..\"", "not the name"},
+		{"B.file", "\".\"", "not the name"},
+		{"B.file", "\".k.npy\"", "not the name"},
+		{"B.file", "\"sub/k.npy\"", "not the name"},
+		{"B.file", "\"none.npy\"", "No such file"},
+		{"B.file", "\"s.npy\"", "dtype '|u1'; '<u8' would be right"},
+		{"B.file", "\"trace.json\"", "not a .npy file"},
+		{"B.file", "\"fifo\"", "fifo: not a regular file"},
+		{"B.file", "\"folder\"", "folder: not a regular file"},
+		{"B.file", "\"link.npy\"", "is a link"},
+		{"B.file", "\"inside.npy\"", "is a link"},
+		{"B.file", "\"empty\"", "not a .npy file"},
 		{"B.crop", "[0, 0, 1, 1]", "no rows and columns"},
-		{"buffers", "[{\"name\": \"points.key\", \"file\": \"k.npy\"}, {\"name\": \"points.key\", \"file\": \"k.npy\"}]", "there twice"},
-		{"buffers", "[{\"name\": \"points.key\", \"file\": null}, {\"name\": \"points.key\", \"file\": \"k.npy\"}]", "there twice"},
+		{"buffers",
+	     "[{\"name\": \"points.key\", \"file\": \"k.npy\"}, {\"name\": \"points.key\", \"file\": \"k.npy\"}]",
+	     "there twice"},
+		{"buffers", "[{\"name\": \"points.key\", \"file\": null}, {\"name\": \"points.key\", \"file\": \"k.npy\"}]",
+	     "there twice"},
 		{"buffers", "[{\"name\": \"image.srgb\", \"file\": \"four.npy\"}]", "image.srgb, which is H W 3"},
 		{"buffers", "[{\"name\": \"image.srgb\", \"file\": \"flat.npy\"}]", "image.srgb, which is H W 3"},
 		{"buffers", "[{\"name\": \"image.srgb\", \"file\": \"s.npy\", \"crop\": []}]", "crop is not 4 numbers"},
 		{"buffers", "[{\"name\": \"image.srgb\", \"file\": \"s.npy\", \"crop\": {}}]", "crop is not 4 numbers"},
 		{"buffers", "[{\"name\": \"image.srgb\", \"file\": \"s.npy\", \"crop\": [0, 0, 4]}]", "crop is not 4 numbers"},
-		{"buffers", "[{\"name\": \"image.srgb\", \"file\": \"s.npy\", \"crop\": [0, 0, -4, 2]}]", "crop is not 4 numbers"},
-		{"buffers", "[{\"name\": \"image.srgb\", \"file\": \"s.npy\", \"crop\": [0, 0, 2, 4]}]", "not that of its crop"},
-		{"buffers", "[{\"name\": \"image.srgb\", \"file\": \"s.npy\", \"crop\": [0, 99999, 4, 2]}]", "crop is not 4 numbers"},
+		{"buffers", "[{\"name\": \"image.srgb\", \"file\": \"s.npy\", \"crop\": [0, 0, -4, 2]}]",
+	     "crop is not 4 numbers"},
+		{"buffers", "[{\"name\": \"image.srgb\", \"file\": \"s.npy\", \"crop\": [0, 0, 2, 4]}]",
+	     "not that of its crop"},
+		{"buffers", "[{\"name\": \"image.srgb\", \"file\": \"s.npy\", \"crop\": [0, 99999, 4, 2]}]",
+	     "crop is not 4 numbers"},
 	};
 	char zero[32] = {0};
 	for (u32 i = 0; i < sizeof cases / sizeof *cases; i++) {
@@ -157,11 +195,16 @@ static void test_layout(void **state)
 {
 	(void)state;
 	static const wrong cases[] = {
-		{"points.key", NULL, "is not NAME=FILE"}, {"points.keys=k.npy", NULL, "no buffer \"points.keys\""},
-		{"points.key=../good/k.npy", NULL, "not the name"}, {"points.key=none.bin", NULL, "No such file"},
-		{"cull.keep=raw.bin", NULL, "the reference lacks it"}, {"image.srgb=raw.bin", NULL, "rows of 12"},
-		{"points.key=k.npy,points.key=k.npy", NULL, "there twice"}, {"points.key=link.bin", NULL, "is a link"},
-		{"points.key=", NULL, "not the name"}, {"=k.npy", NULL, "no buffer \"\""},
+		{"points.key", NULL, "is not NAME=FILE"},
+		{"points.keys=k.npy", NULL, "no buffer \"points.keys\""},
+		{"points.key=../good/k.npy", NULL, "not the name"},
+		{"points.key=none.bin", NULL, "No such file"},
+		{"cull.keep=raw.bin", NULL, "the reference lacks it"},
+		{"image.srgb=raw.bin", NULL, "rows of 12"},
+		{"points.key=k.npy,points.key=k.npy", NULL, "there twice"},
+		{"points.key=link.bin", NULL, "is a link"},
+		{"points.key=", NULL, "not the name"},
+		{"=k.npy", NULL, "no buffer \"\""},
 	};
 	ts_trace *like, *t;
 	assert_int_equal(ts_trace_open(&like, good), TS_OK);
@@ -190,14 +233,13 @@ static void test_file(void **state)
 	rename(folder_path("bad/k.npy"), folder_path("bad/11-points.key.npy"));
 	assert_int_equal(symlink("11-points.key.npy", folder_path("bad/points.key.npy")), 0);
 	for (u32 i = 0; i < 2; i++) {
-		const char *path = folder_path(i == 0 ? "bad/11-points.key.npy" : "bad/points.key.npy");
-		assert_int_equal(ts_trace_open_file(&t, path, &id), TS_OK);
+		assert_int_equal(
+			ts_trace_open_file(&t, folder_path(i == 0 ? "bad/11-points.key.npy" : "bad/points.key.npy"), &id), TS_OK);
 		assert_true(id == TS_B_points_key && t->item[id].npy.n == 3);
 		ts_trace_close(t);
 	}
-	static const char *const names[] = {
-		"bad/s.npy", "bad/trace.json", "bad/.npy", "bad/11-.npy", "bad/", "bad/points.keys.npy",
-	};
+	static const char *const names[] = {"bad/s.npy",   "bad/trace.json", "bad/.npy",
+	                                    "bad/11-.npy", "bad/",           "bad/points.keys.npy"};
 	for (u32 i = 0; i < 6; i++) {
 		assert_int_equal(ts_trace_open_file(&t, folder_path("%s", names[i]), &id), TS_ERROR);
 		says("does not say which buffer");
@@ -209,7 +251,7 @@ static void test_file(void **state)
 int main(void)
 {
 	const struct CMUnitTest read[] = {
-		cmocka_unit_test(test_good), cmocka_unit_test(test_values), cmocka_unit_test(test_text),
+		cmocka_unit_test(test_good),   cmocka_unit_test(test_values), cmocka_unit_test(test_text),
 		cmocka_unit_test(test_layout), cmocka_unit_test(test_file),
 	};
 	return cmocka_run_group_tests(read, begin, folder_end);

@@ -92,7 +92,9 @@ static void test_refused(void **state)
 int main(void)
 {
 	const struct CMUnitTest reader[] = {
-		cmocka_unit_test(test_random_access), cmocka_unit_test(test_stream), cmocka_unit_test(test_shortened),
+		cmocka_unit_test(test_random_access),
+		cmocka_unit_test(test_stream),
+		cmocka_unit_test(test_shortened),
 		cmocka_unit_test(test_refused),
 	};
 	return cmocka_run_group_tests(reader, folder_begin, folder_end);

@@ -8,7 +8,11 @@
 #define SMALL_SCENE "atrium:triangles=10000"
 
 /* The files that a trace was given, in order. */
-typedef struct { const char *dir; char paths[TS_N_BUFFERS + 1][2 * FOLDER_PATH]; u32 n; } small_place;
+typedef struct {
+	const char *dir;
+	char paths[TS_N_BUFFERS + 1][2 * FOLDER_PATH];
+	u32 n;
+} small_place;
 
 static inline const char *small_take(void *user, const char *name)
 {

@@ -12,8 +12,10 @@ static ts_face cube = {.radius = 10, .n = N, .near = 0.01f};
 static ts_piece piece = {.a = {-6, -6, -5}, .b = {6, -6, -5}, .c = {0, 6, -5}, .path = 1};
 static ts_align frame = {.c = {0, -2, -5}, .s = 1, .u = {1, 0, 0}, .v = {0, 1, 0}};
 static ts_point points[POINTS] = {
-	{.centre = {0, 0, -5}, .length = 2}, {.centre = {0, 0, -5}, .length = 1},
-	{.centre = {0.5f, 0, -5}, .length = 2}, {.centre = {0, 0, -5}, .length = 2},
+	{.centre = {0, 0, -5}, .length = 2},
+	{.centre = {0, 0, -5}, .length = 1},
+	{.centre = {0.5f, 0, -5}, .length = 2},
+	{.centre = {0, 0, -5}, .length = 2},
 };
 static u8 ties[TEXELS];
 static u64 alone[POINTS][TEXELS]; /* what each point writes by itself */
@@ -45,10 +47,18 @@ static int begin(void **state)
 	memset(alone, 0xff, sizeof alone);
 	for (u32 p = 0; p < POINTS; p++) {
 		i64 counts[2] = {0};
-		ts_splat_args args = {.cubes = &cube, .pieces = &piece, .frames = &frame, .bits = &bits, .points = points,
-		                      .texels = alone[p], .n_scatters = &counts[0], .n_writes = &counts[1], .n_cubes = 1,
+		ts_splat_args args = {.cubes = &cube,
+		                      .pieces = &piece,
+		                      .frames = &frame,
+		                      .bits = &bits,
+		                      .points = points,
+		                      .texels = alone[p],
+		                      .n_scatters = &counts[0],
+		                      .n_writes = &counts[1],
+		                      .n_cubes = 1,
 		                      .n_words = 1,
-		                      .clip = reference.params.clip, .plane_depth = reference.params.planedepth};
+		                      .clip = reference.params.clip,
+		                      .plane_depth = reference.params.planedepth};
 		ts_k_splat_item(&args, p);
 		if (counts[1] == 0) fail_msg("point %u covers nothing", (unsigned)p);
 	}
@@ -104,7 +114,8 @@ static void test_refused(void **state)
 	u64 texel = tied_texel(), key = alone[0][texel];
 	assert_true(allows(texel, key, key | 3) && allows(texel, key, key | 1));
 	assert_false(allows(texel, key, key + (1ull << 32)));
-	assert_false(allows(texel, key, key | 77) || allows(texel, key, key | (TS_NONE - 1)) || allows(texel, key, TS_EMPTY));
+	assert_false(allows(texel, key, key | 77) || allows(texel, key, key | (TS_NONE - 1)) ||
+	             allows(texel, key, TS_EMPTY));
 	u64 other = 0;
 	while (alone[0][other] != TS_EMPTY) other++;
 	assert_false(allows(other, key, key | 3));
@@ -127,8 +138,8 @@ static void test_refused(void **state)
 static void test_inputs(void **state)
 {
 	(void)state;
-	static const ts_buffer_id ids[] = {TS_B_splat_tie, TS_B_resize_face, TS_B_split_triangle, TS_B_align_frame,
-	                                   TS_B_points_record, TS_B_visibility_bits};
+	static const ts_buffer_id ids[] = {TS_B_splat_tie,   TS_B_resize_face,   TS_B_split_triangle,
+	                                   TS_B_align_frame, TS_B_points_record, TS_B_visibility_bits};
 	u64 texel = tied_texel(), key = alone[0][texel];
 	for (u32 i = 0; i < sizeof ids / sizeof *ids; i++) {
 		char *path = reference.item[ids[i]].path;
@@ -157,7 +168,9 @@ static void test_inputs(void **state)
 int main(void)
 {
 	const struct CMUnitTest tie[] = {
-		cmocka_unit_test(test_pairs), cmocka_unit_test(test_refused), cmocka_unit_test(test_inputs),
+		cmocka_unit_test(test_pairs),
+		cmocka_unit_test(test_refused),
+		cmocka_unit_test(test_inputs),
 	};
 	return cmocka_run_group_tests(tie, begin, end);
 }

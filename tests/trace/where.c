@@ -7,7 +7,8 @@ static ts_trace trace;
 static void put(ts_buffer_id id, const void *data, u32 n_dims, u64 d0, u64 d1, u64 d2)
 {
 	ts_trace_item *item = &trace.item[id];
-	item->npy = (ts_npy){.n_dims = n_dims, .shape = {d0, d1, d2}, .n = d0 * (n_dims > 1 ? d1 : 1) * (n_dims > 2 ? d2 : 1)};
+	item->npy =
+		(ts_npy){.n_dims = n_dims, .shape = {d0, d1, d2}, .n = d0 * (n_dims > 1 ? d1 : 1) * (n_dims > 2 ? d2 : 1)};
 	if (data == NULL) return;
 	item->path = strdup(folder_path("%s", ts_buffer_table[id].name));
 	file_write(item->path, data, (size_t)item->npy.n * ts_buffer_table[id].element_bytes);
@@ -16,7 +17,8 @@ static void put(ts_buffer_id id, const void *data, u32 n_dims, u64 d0, u64 d1, u
 static int begin(void **state)
 {
 	if (folder_begin(state) != 0) return -1;
-	static const u64 keys[] = {812ull << 32 | (u64)(32768 + 3) << 16 | (32768 + 5), 7ull << 32 | (u64)(32768 - 9) << 16 | 0};
+	static const u64 keys[] = {812ull << 32 | (u64)(32768 + 3) << 16 | (32768 + 5),
+	                           7ull << 32 | (u64)(32768 - 9) << 16 | 0};
 	static const ts_face cubes[] = {{.n = 4, .offset = 0}, {.n = 0, .offset = 96}, {.n = 2, .offset = 96}};
 	static const ts_pixel pixels[] = {{.index = 3 * 64 + 12}, {.index = 0}};
 	ts_params_default(&trace.params);
@@ -105,7 +107,9 @@ static void test_absent(void **state)
 int main(void)
 {
 	const struct CMUnitTest where[] = {
-		cmocka_unit_test(test_places), cmocka_unit_test(test_crop), cmocka_unit_test(test_absent),
+		cmocka_unit_test(test_places),
+		cmocka_unit_test(test_crop),
+		cmocka_unit_test(test_absent),
 	};
 	return cmocka_run_group_tests(where, begin, end);
 }

@@ -48,7 +48,8 @@ static u32 check_digests(const char *dir, const ts_sums *sums)
 	json_t *root, *buffers = buffers_of(&root, dir), *entry;
 	size_t i;
 	u32 n = 0;
-	json_array_foreach(buffers, i, entry) {
+	json_array_foreach(buffers, i, entry)
+	{
 		char hex[TS_DIGEST_BYTES], path[3 * FOLDER_PATH];
 		ts_buffer_id id;
 		const char *sha256 = json_string_value(json_object_get(entry, "sha256"));
@@ -200,8 +201,8 @@ static void test_estimate(void **state)
 int main(void)
 {
 	const struct CMUnitTest write[] = {
-		cmocka_unit_test(test_whole), cmocka_unit_test(test_batches), cmocka_unit_test(test_without),
-		cmocka_unit_test(test_crop), cmocka_unit_test(test_unwritable), cmocka_unit_test(test_estimate),
+		cmocka_unit_test(test_whole), cmocka_unit_test(test_batches),    cmocka_unit_test(test_without),
+		cmocka_unit_test(test_crop),  cmocka_unit_test(test_unwritable), cmocka_unit_test(test_estimate),
 	};
 	return cmocka_run_group_tests(write, begin, end);
 }
