@@ -53,7 +53,8 @@
 #define TS_OPT_STAGE TS_OPT(41)
 #define TS_OPT_INPUTS TS_OPT(42)
 #define TS_OPT_FORCED TS_OPT(43)
-#define TS_OPT_HELP TS_OPT(44)
+#define TS_OPT_VIEWER TS_OPT(44)
+#define TS_OPT_HELP TS_OPT(45)
 
 /* Truths, as bits. */
 enum { TS_TRUTH_A = 1, TS_TRUTH_B = 2, TS_TRUTH_C = 4 };

@@ -15,7 +15,8 @@ const ts_command ts_command_table[] = {
 	  "Writes METHOD.png and .exr, truth-a.png ..., differences, pictures of the stages, traces and report.json to DIR,\n"
 	  "and prints times, counters, memory and metrics.",
 	  1, 2, TS_OPT_METHOD | TS_OPT_TRUTH | WHERE | HOW | TS_OPT_BACKEND | TS_OPT_OUTPUT | TS_OPT_FORCE |
-	  TS_OPT_NO_IMAGES | TS_OPT_TRACE | TS_OPT_TRACE_ONLY | TS_OPT_CROP | TS_OPT_MARGINS | TS_OPT_JSON, ts_render_command },
+	  TS_OPT_NO_IMAGES | TS_OPT_TRACE | TS_OPT_TRACE_ONLY | TS_OPT_CROP | TS_OPT_MARGINS |
+	  TS_OPT_VIEWER | TS_OPT_JSON, ts_render_command },
 	{ "replay", "TRACE", "run a stage again, alone, from the buffers of a trace or of a port, and compare",
 	  "TRACE: a folder that render --trace wrote. One line an output: the same bits, or the first element and field\n"
 	  "that differ. With --inputs the port's buffers are the inputs and its outputs are judged: each of its stages,\n"

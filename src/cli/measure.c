@@ -5,6 +5,7 @@
 #include "../truth/truth.h"
 #include "cli.h"
 #include "measure.h"
+#include "viewer.h"
 
 enum { TRUTH_C_FACTOR = 4 };
 
@@ -48,6 +49,7 @@ static ts_status after_stage(const ts_run *run, const ts_stage *stage, void *use
 		}
 	}
 	ts_status status = m->pictures != NULL ? ts_stage_pictures_take(m->pictures, run, stage) : TS_OK;
+	if (status == TS_OK && m->viewer != NULL) status = ts_viewer_take(run, stage, m->viewer);
 	return status == TS_OK && m->writer != NULL ? ts_trace_write_stage(m->writer, run, stage) : status;
 }
 
@@ -72,7 +74,8 @@ static void keep_for_truths(ts_run *run)
 ts_status ts_measure_run(ts_measure *measure, const ts_pipeline *method, const ts_scene *scene, const ts_params *params,
                          u32 threads, bool reference, ts_measure_after after, void *user)
 {
-	*measure = (ts_measure){ .method = method, .pictures = measure->pictures, .trace = measure->trace };
+	*measure = (ts_measure){ .method = method, .pictures = measure->pictures, .trace = measure->trace,
+	                         .viewer = measure->viewer };
 	ts_run run;
 	ts_run_begin(&run, scene, params, threads);
 	keep_for_truths(&run);

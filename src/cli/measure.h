@@ -29,14 +29,15 @@ typedef struct {
 	u32 n_in_sight;
 	ts_stage_pictures *pictures; /* NULL: none are taken */
 	const ts_trace_options *trace; /* NULL: none is written */
+	const char *viewer;            /* folder of the output for copies for viewers; NULL: none */
 	ts_trace_writer *writer;
 } ts_measure;
 
 /* Truths are made of what a run left: called with the run still open. */
 typedef ts_status (*ts_measure_after)(ts_run *run, void *user);
 
-/* Runs `method` and measures it into *measure, of which only `pictures` and `trace` are read. `after`, which may be NULL,
- * is called behind the last stage. Prints progress. */
+/* Runs `method` and measures it into *measure, of which only `pictures`, `trace` and `viewer` are read. `after`, which may
+ * be NULL, is called behind the last stage. Prints progress. */
 ts_status ts_measure_run(ts_measure *measure, const ts_pipeline *method, const ts_scene *scene, const ts_params *params,
                          u32 threads, bool reference, ts_measure_after after, void *user);
 

@@ -32,6 +32,7 @@ const ts_option ts_option_table[] = {
 	{ TS_OPT_TRACE_ONLY, "trace-only", "STAGE,...", "trace, but files of these stages only; \"scene\": the scene's arrays",
 	  "stages" },
 	{ TS_OPT_CROP, "crop", "X,Y,W,H", "trace, but this part only of buffers that have a row a row of pixels", "" },
+	{ TS_OPT_VIEWER, "viewer", "", "trace, and EXR, PLY and PNG copies for viewers in DIR/view-METHOD", "" },
 	{ TS_OPT_MARGINS, "margins", "", "trace, and also how near every decision was, for compare --decided", "" },
 	{ TS_OPT_DECIDED, "decided", "", "judge only what the reference, rendered with --margins, decides", "" },
 	{ TS_OPT_FORCED, "forced", "", "judge each stage by what it makes of CANDIDATE's own inputs", "" },

@@ -11,7 +11,7 @@ static bool wants(const ts_render *render, u32 truth) { return (render->cli->tru
 static bool traces(const ts_cli *cli)
 {
 	return ts_cli_given(cli, TS_OPT_TRACE) || cli->trace_only != NULL || cli->crop != NULL ||
-	       ts_cli_given(cli, TS_OPT_MARGINS);
+	       ts_cli_given(cli, TS_OPT_MARGINS) || ts_cli_given(cli, TS_OPT_VIEWER);
 }
 
 static bool writes_files(const ts_cli *cli) { return traces(cli) || !ts_cli_given(cli, TS_OPT_NO_IMAGES); }
@@ -80,6 +80,7 @@ static ts_status run_all(ts_render *render)
 		after_method after = { render, i };
 		render->measures[i].pictures = ts_cli_given(cli, TS_OPT_NO_IMAGES) ? NULL : &render->stages[i];
 		render->measures[i].trace = traces(cli) ? &render->tracings[i].options : NULL;
+		render->measures[i].viewer = ts_cli_given(cli, TS_OPT_VIEWER) ? render->tracings[i].viewer : NULL;
 		epr |= strcmp(render->methods[i]->name, "epr") == 0;
 		status = ts_measure_run(&render->measures[i], render->methods[i], render->scene, &cli->params, cli->threads,
 		                        reference, take_picture, &after);

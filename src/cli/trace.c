@@ -57,6 +57,7 @@ ts_status ts_tracing_make(ts_tracing *tracing, const ts_cli *cli, const ts_pipel
 {
 	*tracing = (ts_tracing){ .options = { .place = place, .user = tracing } };
 	snprintf(tracing->folder, sizeof tracing->folder, "trace-%s", method->name);
+	snprintf(tracing->viewer, sizeof tracing->viewer, "view-%s", method->name);
 	ts_trace_options *options = &tracing->options;
 	options->margins = ts_cli_given(cli, TS_OPT_MARGINS);
 	if (cli->trace_only != NULL && keep_only(options, method, cli->trace_only) != TS_OK) return TS_ERROR;

@@ -112,4 +112,11 @@ run render reflections atrium:triangles=10000 --size 96x54 --reflectors 6 --set 
 [ "$status" -eq 0 ] && digests_hold unseen/trace-mvr
 verdict $? 'the last mirrors may be out of sight'
 
+# Copies for viewers: a PLY of as many points as the trace has, and pictures; the trace is the same with and without.
+run render reflections atrium:triangles=10000 --size 64x36 --reflectors 1 --no-images --viewer --method epr -o seen
+rows=$("$touchstone" compare seen/trace-epr seen/trace-epr --json | grep -A1 '"points.key"' | grep -o '[0-9]\+')
+[ "$status" -eq 0 ] && grep -aq "^element vertex $rows\$" seen/view-epr/points.ply && [ -s seen/view-epr/eye.depth.exr ] &&
+	[ -s seen/view-epr/image.srgb.png ]
+verdict $? 'copies for viewers'
+
 finish
