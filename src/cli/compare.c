@@ -4,6 +4,7 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <touchstone/image.h>
+#include "../trace/forced.h"
 #include "compare_images.h"
 #include "folder.h"
 
@@ -121,6 +122,13 @@ static ts_status tell(const sides *s, const ts_comparison *c, const ts_cli *cli)
 	return status;
 }
 
+static ts_status judge(const sides *s, ts_comparison *c, const ts_cli *cli)
+{
+	if (!ts_cli_given(cli, TS_OPT_FORCED)) return ts_compare(c, s->reference, s->candidate, &s->relaxations);
+	if (ts_selftest_require() != TS_OK) return TS_ERROR;
+	return ts_compare_forced(c, s->reference, s->candidate, &s->relaxations, cli->threads);
+}
+
 ts_status ts_compare_command(ts_cli *cli)
 {
 	const char *ref = cli->arguments[0];
@@ -131,7 +139,7 @@ ts_status ts_compare_command(ts_cli *cli)
 	ts_comparison *c = ts_alloc_zero(1, sizeof *c, "a comparison");
 	ts_status status = c != NULL ? open_sides(&s, cli) : TS_ERROR;
 	if (status == TS_OK) status = read_mask(&s, cli->mask);
-	if (status == TS_OK) status = ts_compare(c, s.reference, s.candidate, &s.relaxations);
+	if (status == TS_OK) status = judge(&s, c, cli);
 	if (status != TS_ERROR && tell(&s, c, cli) != TS_OK) status = TS_ERROR;
 	ts_trace_close(s.reference);
 	ts_trace_close(s.candidate);

@@ -9,15 +9,21 @@
 static const char *const words[] = { "not judged", "missing", "ignored", "same", "different" };
 
 /* Whether what the stage read was the same. The scene need not be given: a port reads ours. */
-static void inputs_of(char *text, size_t bytes, const ts_comparison *c, const ts_stage *stage)
+static void inputs_of(char *text, size_t bytes, const ts_comparison *c, const ts_trace *reference, const ts_stage *stage)
 {
 	const char *unlike = NULL, *absent = NULL;
+	if (c->forced) {
+		snprintf(text, bytes, "given the candidate's inputs");
+		return;
+	}
 	for (u32 i = 0; stage != NULL && stage->reads[i] != TS_N_BUFFERS; i++) {
 		ts_buffer_id id = stage->reads[i];
 		const char *name = ts_buffer_table[id].name;
 		ts_judgement judgement = c->verdict[id].judgement;
 		if (judgement == TS_UNLIKE && unlike == NULL) unlike = name;
-		bool given = judgement != TS_MISSING && judgement != TS_NOT_JUDGED;
+		const ts_step *maker = ts_pipeline_maker(reference->pipeline, id);
+		bool made = maker == NULL || !reference->has_params || ts_pipeline_takes(maker, &reference->params, true);
+		bool given = !made || (judgement != TS_MISSING && judgement != TS_NOT_JUDGED);
 		if (!given && absent == NULL && !ts_emit_is_scene(id)) absent = name;
 	}
 	if (unlike != NULL) {
@@ -54,7 +60,8 @@ static void lack_of(char *text, size_t bytes, const ts_verdict *v)
 		snprintf(text, bytes, "key (%s): missing — first of %" PRIu64 " missing, %" PRIu64 " beside", missing,
 		         v->n_missing, v->n_extra);
 	} else {
-		snprintf(text, bytes, "key (%s): not of the reference — first of %" PRIu64, extra, v->n_extra);
+		snprintf(text, bytes, "key (%s): %s — first of %" PRIu64, extra, v->n_twice > 0 ? "twice" : "not of the reference",
+		         v->n_extra);
 	}
 }
 
@@ -65,7 +72,7 @@ void ts_compare_line(char text[TS_LINE_TEXT], const ts_comparison *c, const ts_t
 	const ts_step *step = ts_pipeline_maker(reference->pipeline, id);
 	const ts_stage *stage = step != NULL ? ts_stage_find(step->stage) : NULL;
 	ts_fields fields = ts_fields_of(id);
-	inputs_of(inputs, sizeof inputs, c, stage);
+	inputs_of(inputs, sizeof inputs, c, reference, stage);
 	lack_of(lack, sizeof lack, v);
 	ts_where(where, reference, id, v->first.element);
 	values_of(what, sizeof what, v, &fields.field[v->first.field], &v->first);

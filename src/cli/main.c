@@ -35,7 +35,8 @@ const ts_command ts_command_table[] = {
 	  "CANDIDATE: the same of a port (reference/TRACES.md says what it must have at least).\n"
 	  "Everything must be the same to the bit, unless a relaxation is typed. Exit code 0 same, 1 different, 2 could not.\n"
 	  "With -o DIR, a picture of the pixels that differ for each buffer that has them.",
-	  2, 2, TS_OPT_DECIDED | TS_OPT_ULP | TS_OPT_ABS | TS_OPT_REL | TS_OPT_ALLOW | TS_OPT_IGNORE | TS_OPT_MASK |
+	  2, 2, TS_OPT_FORCED | TS_OPT_THREADS |
+	  TS_OPT_DECIDED | TS_OPT_ULP | TS_OPT_ABS | TS_OPT_REL | TS_OPT_ALLOW | TS_OPT_IGNORE | TS_OPT_MASK |
 	  TS_OPT_LAYOUT | TS_OPT_ORDER | TS_OPT_JUNIT | TS_OPT_TAP | TS_OPT_OUTPUT | TS_OPT_FORCE | TS_OPT_JSON,
 	  ts_compare_command },
 	{ "probe", "TRACE", "why a pixel, texel, triangle or point of a trace is what it is",

@@ -34,6 +34,7 @@ const ts_option ts_option_table[] = {
 	{ TS_OPT_CROP, "crop", "X,Y,W,H", "trace, but this part only of buffers that have a row a row of pixels", "" },
 	{ TS_OPT_MARGINS, "margins", "", "trace, and also how near every decision was, for compare --decided", "" },
 	{ TS_OPT_DECIDED, "decided", "", "judge only what the reference, rendered with --margins, decides", "" },
+	{ TS_OPT_FORCED, "forced", "", "judge each stage by what it makes of CANDIDATE's own inputs", "" },
 	{ TS_OPT_ULP, "ulp", "N", "floats may be N floats apart", "" },
 	{ TS_OPT_ABS, "abs", "A", "floats may be A apart", "" },
 	{ TS_OPT_REL, "rel", "R", "floats may be R times the reference's value apart", "" },

@@ -25,7 +25,7 @@ typedef struct {
 	ts_judgement judgement;
 	u64 n_ref, n_cand;   /* elements */
 	u64 n_different;     /* elements, those without a partner included */
-	u64 n_missing, n_extra; /* records of a set without a partner */
+	u64 n_missing, n_extra, n_twice; /* records of a set without a partner; the last: whose key is there twice */
 	u64 missing_key, extra_key;
 	u64 n_tied;          /* texels where another of the tied records won, as it may */
 	u64 n_relaxed;       /* elements that only a relaxation let pass */
@@ -40,6 +40,7 @@ typedef struct {
 typedef struct {
 	ts_verdict verdict[TS_N_BUFFERS];
 	u32 n_judged, n_unlike, n_missing;
+	bool forced;         /* judged by ts_compare_forced */
 	ts_buffer_id first;  /* first buffer, in the order of the pipeline, that is unlike; TS_N_BUFFERS: none */
 } ts_comparison;
 

@@ -186,6 +186,7 @@ static ts_status judge_set(judge *j, const ts_trace_item *cand)
 	ts_verdict *v = j->verdict;
 	v->n_missing = order->n_missing;
 	v->n_extra = order->n_extra;
+	v->n_twice = order->n_twice;
 	v->missing_key = order->missing;
 	v->extra_key = order->extra;
 	v->n_different = order->n_missing + order->n_extra;

@@ -94,6 +94,8 @@ void ts_field_show(char text[TS_VALUE_TEXT], const ts_field *field, u64 bits)
 	} else if (field->bytes == 8 && field->of != NULL) {
 		snprintf(text, TS_VALUE_TEXT, "%.9g | %u (%08x_%08x)", (double)ts_u2f((u32)(bits >> 32)), (unsigned)(u32)bits,
 		         (unsigned)(bits >> 32), (unsigned)(u32)bits);
+	} else if (field->of != NULL && field->bytes == 4 && bits == TS_NO_PARTNER) {
+		snprintf(text, TS_VALUE_TEXT, "a point that is not of the reference");
 	} else if (field->none && bits == TS_NONE) {
 		snprintf(text, TS_VALUE_TEXT, "none");
 	} else {

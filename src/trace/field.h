@@ -3,6 +3,9 @@
 #define TS_TRACE_FIELD_H
 #include "../core/frame.h"
 
+/* What stands for an index of the candidate that names no point of the reference. */
+#define TS_NO_PARTNER 0xfffffffeu
+
 enum { TS_MAX_FIELDS = 24, TS_VALUE_TEXT = 96 };
 
 /* A field of a buffer's elements; of scalars the one field is called "". */

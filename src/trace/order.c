@@ -173,7 +173,7 @@ u32 ts_order_map(const ts_order *order, u32 index)
 {
 	if (!order->given) return index;
 	u32 mapped = index < order->n_cand ? order->ref_of_cand[index] : index < order->n_ref ? TS_NONE : index;
-	return mapped != TS_NONE || index == TS_NONE ? mapped : TS_NONE - 1;
+	return mapped != TS_NONE || index == TS_NONE ? mapped : TS_NO_PARTNER;
 }
 
 void ts_order_map_field(const ts_order *order, const ts_field *field, u8 *elements, u64 n, size_t element_bytes)
