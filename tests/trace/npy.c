@@ -134,56 +134,57 @@ static void refused(const char *dict, const char *what)
 	says(what);
 }
 
+static const char *const none[] = {
+	"",
+	"{",
+	"}",
+	"{}",
+	"{'descr'",
+	"{'descr': ",
+	"{'descr': }",
+	"{'descr': '<f4'}",
+	"{'descr': '<f4', 'fortran_order': False}",
+	"{'descr': '<f4', 'fortran_order': False, 'shape': }",
+	"{'descr': '<f4', 'fortran_order': False, 'shape': (6,)",
+	"{'descr': '<f4', 'fortran_order': False, 'shape': (6,)} x",
+	"{'descr': '<f4', 'descr': '<f4', 'fortran_order': False, 'shape': (6,)}",
+	"{'descr': '<f4', 'fortran_order': False, 'shape': (6,), 'shape': (6,)}",
+	"{'descr': '<f4', 'fortran_order': False, 'shape': (6,), 'other': 1}",
+	"{'descr' '<f4', 'fortran_order': False, 'shape': (6,)}",
+	"{'descr': '<f4' 'fortran_order': False, 'shape': (6,)}",
+	"['descr', '<f4']",
+	"{descr: '<f4', fortran_order: False, shape: (6,)}",
+};
+static const char *const shapes[] = {
+	"()",
+	"(,)",
+	"6",
+	"(6)",
+	"[6]",
+	"(6,,)",
+	"(-6,)",
+	"(+6,)",
+	"(6.0,)",
+	"(0x6,)",
+	"(6L,)",
+	"('6',)",
+	"(1, 1, 1, 1, 6)",
+	"(6 1)",
+	"(18446744073709551616,)",
+	"(4294967296, 4294967296)",
+	"(4611686018427387904,)",
+	"(None,)",
+	"(99999999999999999999999999999999999999999999,)",
+	"(6,) (6,)",
+};
+static const char *const dtypes[] = {
+	"'>f4'", "'<f8'", "'<i4'",         "'<u4'",  "'f4'",       "'=f4'",  "'|f4'",
+	"'<f4",  "<f4",   "[('', '<f4')]", "'< f4'", "('<f4', 1)", "'<f44'", "None",
+};
+
 static void test_malformed(void **state)
 {
 	(void)state;
-	static const char *const none[] = {
-		"",
-		"{",
-		"}",
-		"{}",
-		"{'descr'",
-		"{'descr': ",
-		"{'descr': }",
-		"{'descr': '<f4'}",
-		"{'descr': '<f4', 'fortran_order': False}",
-		"{'descr': '<f4', 'fortran_order': False, 'shape': }",
-		"{'descr': '<f4', 'fortran_order': False, 'shape': (6,)",
-		"{'descr': '<f4', 'fortran_order': False, 'shape': (6,)} x",
-		"{'descr': '<f4', 'descr': '<f4', 'fortran_order': False, 'shape': (6,)}",
-		"{'descr': '<f4', 'fortran_order': False, 'shape': (6,), 'shape': (6,)}",
-		"{'descr': '<f4', 'fortran_order': False, 'shape': (6,), 'other': 1}",
-		"{'descr' '<f4', 'fortran_order': False, 'shape': (6,)}",
-		"{'descr': '<f4' 'fortran_order': False, 'shape': (6,)}",
-		"['descr', '<f4']",
-		"{descr: '<f4', fortran_order: False, shape: (6,)}",
-	};
-	static const char *const shapes[] = {
-		"()",
-		"(,)",
-		"6",
-		"(6)",
-		"[6]",
-		"(6,,)",
-		"(-6,)",
-		"(+6,)",
-		"(6.0,)",
-		"(0x6,)",
-		"(6L,)",
-		"('6',)",
-		"(1, 1, 1, 1, 6)",
-		"(6 1)",
-		"(18446744073709551616,)",
-		"(4294967296, 4294967296)",
-		"(4611686018427387904,)",
-		"(None,)",
-		"(99999999999999999999999999999999999999999999,)",
-		"(6,) (6,)",
-	};
-	static const char *const dtypes[] = {
-		"'>f4'", "'<f8'", "'<i4'",         "'<u4'",  "'f4'",       "'=f4'",  "'|f4'",
-		"'<f4",  "<f4",   "[('', '<f4')]", "'< f4'", "('<f4', 1)", "'<f44'", "None",
-	};
 	char dict[256];
 	for (u32 i = 0; i < sizeof none / sizeof *none; i++) refused(none[i], "not a .npy file");
 	for (u32 i = 0; i < sizeof shapes / sizeof *shapes; i++) {

@@ -1,0 +1,98 @@
+/* What a run offers as files: every buffer once, begun once, in parts that add up to its shape; names by the pipeline.
+ */
+#include "small.h"
+#include "../../src/trace/emit.h"
+
+typedef struct {
+	u32 n_begun[TS_N_BUFFERS];
+	u64 bytes[TS_N_BUFFERS], whole[TS_N_BUFFERS];
+	u32 fail_after, n;
+} taken;
+
+static ts_status take(void *user, const ts_chunk *chunk)
+{
+	taken *t = user;
+	u64 n;
+	if (++t->n == t->fail_after) return ts_fail("no more");
+	assert_true(ts_shape_count(&n, chunk->n_dims, chunk->shape));
+	u64 whole = n * ts_buffer_table[chunk->id].element_bytes;
+	t->n_begun[chunk->id] += chunk->first;
+	assert_int_equal(t->n_begun[chunk->id], 1);
+	assert_true(chunk->first || t->whole[chunk->id] == whole);
+	t->whole[chunk->id] = whole;
+	t->bytes[chunk->id] += chunk->bytes;
+	return TS_OK;
+}
+
+static ts_status stage(const ts_run *run, const ts_stage *s, void *user) { return ts_emit_stage(run, s, take, user); }
+
+static ts_status offer(taken *t, const char *method, const ts_params *params)
+{
+	ts_run run;
+	ts_scene *scene = small_scene(params);
+	ts_run_begin(&run, scene, params, 2);
+	run.traced = run.lean = true;
+	run.hook = stage;
+	run.hook_user = t;
+	ts_status status = ts_emit_scene(&run, take, t);
+	if (status == TS_OK) status = ts_pipeline_run(ts_pipeline_find("reflections", method), &run);
+	ts_run_end(&run);
+	ts_scene_free(scene);
+	return status;
+}
+
+static void test_parts(void **state)
+{
+	(void)state;
+	for (u32 m = 0; m < 2; m++) {
+		ts_params params = small_params();
+		params.reflectors = 1 + 2 * m;
+		taken t = {.n = 0};
+		const char *method = m == 0 ? "epr" : "mvr";
+		assert_int_equal(offer(&t, method, &params), TS_OK);
+		for (u32 id = 0; id < TS_N_BUFFERS; id++) {
+			bool scene = ts_emit_is_scene((ts_buffer_id)id);
+			assert_int_equal(scene, strncmp(ts_buffer_table[id].name, "scene.", 6) == 0);
+			assert_true(t.bytes[id] == t.whole[id]);
+			bool made = scene || ts_emit_number(ts_pipeline_find("reflections", method), (ts_buffer_id)id) != 0;
+			assert_true(made || t.n_begun[id] == 0);
+		}
+		assert_true(t.bytes[TS_B_image_srgb] == 64 * 36 * 3 && t.n_begun[TS_B_scene_vertex] == 1);
+		assert_int_equal(t.n_begun[TS_B_face_mip], m);
+	}
+}
+
+static void test_failure(void **state)
+{
+	(void)state;
+	ts_params params = small_params();
+	taken at_once = {.fail_after = 1}, later = {.fail_after = 20};
+	assert_int_equal(offer(&at_once, "epr", &params), TS_ERROR);
+	says("no more");
+	assert_int_equal(offer(&later, "epr", &params), TS_ERROR);
+	assert_int_equal(later.n, 20);
+}
+
+static void test_names(void **state)
+{
+	(void)state;
+	char name[TS_EMIT_NAME];
+	const ts_pipeline *epr = ts_pipeline_find("reflections", "epr"), *mvr = ts_pipeline_find("reflections", "mvr");
+	ts_emit_name(name, epr, TS_B_scene_vertex);
+	assert_string_equal(name, "00-scene.vertex.npy");
+	ts_emit_name(name, epr, TS_B_eye_depth_triangle);
+	assert_string_equal(name, "04-eye.depth_triangle.npy");
+	assert_int_equal(ts_emit_number(epr, TS_B_face_mip), 0);
+	assert_int_equal(ts_emit_number(mvr, TS_B_face_mip), 7);
+	assert_int_equal(ts_emit_number(epr, TS_B_eye_view), 1);
+}
+
+int main(void)
+{
+	const struct CMUnitTest emit[] = {
+		cmocka_unit_test(test_parts),
+		cmocka_unit_test(test_failure),
+		cmocka_unit_test(test_names),
+	};
+	return cmocka_run_group_tests(emit, folder_begin, folder_end);
+}
