@@ -80,7 +80,7 @@ static ts_status run_method(bench *b, ts_measure *measure, const char *name, u32
 {
 	ts_params params = b->params;
 	params.bounces = bounces;
-	measure->pictures = NULL;
+	*measure = (ts_measure){ .pictures = NULL };
 	return ts_measure_run(measure, ts_pipeline_find("reflections", name), b->scene, &params, b->cli->threads,
 	                      ts_cli_given(b->cli, TS_OPT_REFERENCE), after, b);
 }

@@ -13,7 +13,8 @@ const ts_command ts_command_table[] = {
 	  "EFFECT: reflections.\n"
 	  "SCENE: atrium (the default), gallery or dining, each also with \":triangles=COUNT\"; or a .gltf or .glb file.\n"
 	  "Writes METHOD.png and .exr, truth-a.png ..., differences, pictures of the stages, traces and report.json to DIR,\n"
-	  "and prints times, counters, memory and metrics.",
+	  "and prints times, counters, memory and metrics.\n"
+	  "Of a parameter with several values, --set NAME=A,B, every combination is rendered, and CSV is printed.",
 	  1, 2, TS_OPT_METHOD | TS_OPT_TRUTH | WHERE | HOW | TS_OPT_BACKEND | TS_OPT_OUTPUT | TS_OPT_FORCE |
 	  TS_OPT_NO_IMAGES | TS_OPT_TRACE | TS_OPT_TRACE_ONLY | TS_OPT_CROP | TS_OPT_MARGINS |
 	  TS_OPT_VIEWER | TS_OPT_JSON, ts_render_command },

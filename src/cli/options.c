@@ -20,7 +20,7 @@ const ts_option ts_option_table[] = {
 	{ TS_OPT_SCENE, "scene", "SPEC,...", "scenes to measure, instead of atrium,gallery,dining", "" },
 	{ TS_OPT_OBJECTS, "objects", "N,...", "numbers of mirrors to measure, instead of 1,10,20,50", "" },
 	{ TS_OPT_RUNS, "runs", "N", "runs of which the median is taken (3)", "" },
-	{ TS_OPT_SET, "set", "NAME=VALUE", "any parameter, repeatable; render takes lists, NAME=A,B, and prints CSV", "params" },
+	{ TS_OPT_SET, "set", "NAME=VALUE", "any parameter, repeatable", "params" },
 	{ TS_OPT_THREADS, "threads", "N", "threads, by default one a core; never changes a result", "" },
 	{ TS_OPT_BACKEND, "backend", "NAME", "what runs the kernels (c); never changes a result", "backends" },
 	{ TS_OPT_REFERENCE, "reference", "", "turn all fast paths off", "" },
