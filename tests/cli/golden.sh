@@ -17,8 +17,8 @@ import subprocess, sys
 new, source, target = sys.argv[1].encode(), sys.argv[2], sys.argv[3]
 old = subprocess.run([source, "--version"], stdout=subprocess.PIPE).stdout.split(b"commit ")[1].strip()
 data = open(source, "rb").read()
-assert data.count(b"\0" + old + b"\0") == 1 and len(new) <= len(old)
-open(target, "wb").write(data.replace(b"\0" + old + b"\0", b"\0" + new.ljust(len(old), b"\0") + b"\0"))
+assert data.count(old + b"\0") == 1 and len(new) <= len(old)
+open(target, "wb").write(data.replace(old + b"\0", new.ljust(len(old), b"\0") + b"\0"))
 PY
 	chmod +x "$scratch/touchstone"
 	touchstone=$scratch/touchstone
