@@ -66,11 +66,12 @@ bool ts_ours_is_folder(const json_t *ours, const char *dir, const char *name)
 	snprintf(path, sizeof path, "%s/%s", dir, name);
 	if (ours == NULL || lstat(path, &info) != 0 || !S_ISDIR(info.st_mode)) return false;
 	DIR *stream = opendir(path);
-	bool all = stream != NULL;
+	bool all = stream != NULL, any = false;
 	for (struct dirent *e; all && (e = readdir(stream)) != NULL;) {
+		if (strcmp(e->d_name, ".") == 0 || strcmp(e->d_name, "..") == 0) continue;
 		snprintf(path, sizeof path, "%s/%s", name, e->d_name);
-		all = strcmp(e->d_name, ".") == 0 || strcmp(e->d_name, "..") == 0 || ts_ours_has(ours, dir, path);
+		all = any = ts_ours_has(ours, dir, path);
 	}
 	if (stream != NULL) closedir(stream);
-	return all;
+	return all && any;
 }

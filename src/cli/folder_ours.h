@@ -9,7 +9,7 @@
 json_t *ts_ours_read(const char *dir);
 /* Whether `name` is a regular file of DIR that `ours` lists, or its report.json. A NULL `ours` lists nothing. */
 bool ts_ours_has(const json_t *ours, const char *dir, const char *name);
-/* Whether `name` is a folder of DIR that holds nothing but such files. */
+/* Whether `name` is a folder of DIR that holds such files and nothing else. */
 bool ts_ours_is_folder(const json_t *ours, const char *dir, const char *name);
 
 #endif

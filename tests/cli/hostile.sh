@@ -1,6 +1,7 @@
 #!/bin/bash
-# Every file of the corpus of malformed and odd glTF, $TS_SCENES/hostile, through the command: it ends within 10 seconds,
-# with exit code 0 or 2, one line on stderr if 2 and none if 0, and a render leaves its folder or nothing.
+# Every fourth file of the corpus of malformed and odd glTF, $TS_SCENES/hostile, through the command, or each with
+# TS_HOSTILE=all: it ends within 10 seconds, with exit code 0 or 2, one line on stderr if 2 and none if 0, and a render
+# leaves its folder or nothing. tests/scene/hostile.c loads every file.
 . "$(dirname "$0")/tap.bash"
 hostile=$(realpath -m "${TS_SCENES:-../shared/scenes}")/hostile
 if [ ! -r "$hostile/manifest.tsv" ]; then
@@ -9,7 +10,7 @@ if [ ! -r "$hostile/manifest.tsv" ]; then
 fi
 cd "$scratch" || exit 2
 small=(--size 64x64 --reflectors 2 --set reflector_px=16 --set face_max=16 --threads 1)
-wrong=0 n=0
+wrong=0 n=0 every=$([ "${TS_HOSTILE:-}" = all ] && echo 1 || echo 4)
 
 complain() {
 	wrong=$((wrong + 1))
@@ -31,6 +32,7 @@ behaves() {
 
 while IFS=$'\t' read -r file expected _; do
 	n=$((n + 1))
+	[ $((n % every)) -eq 0 ] || continue
 	behaves "$expected" render reflections "$hostile/$file" "${small[@]}" -o out || complain "render $file"
 	if [ "$status" -eq 0 ]; then
 		[ -s out/epr.png ] && [ -s out/mvr.png ] && [ ! -e out.partial ] || complain "pictures of $file"
@@ -41,6 +43,6 @@ while IFS=$'\t' read -r file expected _; do
 	rm -rf out out.partial
 done < <(tail -n +2 "$hostile/manifest.tsv")
 [ "$wrong" -eq 0 ] && [ "$n" -gt 100 ]
-verdict $? "$n files"
+verdict $? "one in $every of $n files"
 
 finish

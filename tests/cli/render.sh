@@ -6,7 +6,7 @@ cd "$scratch" || exit 2
 mkdir work
 
 run "${small[@]}" --truth=A,C -o work/new/a
-[ "$status" -eq 0 ] && grep -q 'pictures are in work/new/a' stdout && grep -q 'shading operations' stdout
+[ "$status" -eq 0 ] && grep -q 'files are in work/new/a' stdout && grep -q 'shading operations' stdout
 verdict $? 'render prints a table and where the pictures are'
 
 missing=0

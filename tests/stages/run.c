@@ -41,7 +41,7 @@ static void test_threads(void **state)
 	(void)state;
 	static const u32 threads[] = { 2, 3, 7 };
 	static const char *const methods[] = { "epr", "mvr" };
-	ts_params params = small_params(240, 135);
+	ts_params params = small_params(160, 90);
 	params.bounces = 3;
 	params.face_max = 64;
 	ts_scene *scene = small_scene(&params);
