@@ -60,12 +60,15 @@ COMMON = $(OPT) $(EXACT) -fPIC -fvisibility=hidden -fopenmp $(WARN) -Iinclude -M
 C_FLAGS = $(CPPFLAGS) $(CFLAGS) -std=c11 -D_POSIX_C_SOURCE=200809L $(COMMON)
 CXX_FLAGS = $(CPPFLAGS) $(CXXFLAGS) -std=c++17 $(COMMON)
 LINK_FLAGS = $(LDFLAGS) $(OPT) -fopenmp
+# Where the image module stands beside what is built or installed; as RPATH, which also holds where a sanitizer opens it.
+FIND_MODULE := -Wl,--disable-new-dtags,-rpath,'$$ORIGIN:$$ORIGIN/../lib:$$ORIGIN/../..'
 
 # Libraries. Embree brings no pkg-config file.
 EMBREE := $(shell for v in 4 3; do printf '\043include <embree%s/rtcore.h>\n' $$v | $(CC) -E -x c - >/dev/null 2>&1 && echo $$v && break; done)
 packages = $(shell $(PKG_CONFIG) $(1) $(2) 2>/dev/null)
 CPP_LIBS := -DTS_EMBREE=$(EMBREE) $(call packages,--cflags,OpenImageIO jansson libcrypto tinygltf zlib)
-LIBS := -lembree$(EMBREE) $(call packages,--libs,OpenImageIO jansson libcrypto zlib) $(call packages,--libs,tinygltf) -lm
+LIBS := -lembree$(EMBREE) $(call packages,--libs,jansson libcrypto zlib) $(call packages,--libs,tinygltf) -ldl -lm
+IMAGE_LIBS := $(call packages,--libs,OpenImageIO)
 CORE_LIBS = -lcrypto -lm
 # These do without, or install it first.
 WITHOUT := core %/touchstone-core golden demo test fuzz matrix matrix-short mutants style format deps uninstall clean help
@@ -77,7 +80,8 @@ endif
 
 # Sources, by folder.
 LIB_C := $(filter-out src/cli/%,$(wildcard src/*/*.c src/*/*/*.c))
-LIB_CC := $(wildcard src/*/*.cc)
+IMAGE_CC := src/image/openimageio.cc
+LIB_CC := $(filter-out $(IMAGE_CC),$(wildcard src/*/*.cc))
 CLI_C := $(filter-out src/cli/core_main.c,$(wildcard src/cli/*.c))
 CORE_C := $(wildcard src/core/*.c src/backends/c/*.c src/stages/*.c src/pipelines/*.c) \
 	$(wildcard $(patsubst %,src/trace/%.c,npy emit sums golden*)) \
@@ -87,17 +91,18 @@ TEST_C := $(filter-out tests/fuzz/%,$(wildcard tests/*/*.c))
 
 object = $(patsubst %,$(BUILD)/obj/%.o,$(1))
 LIB_O := $(call object,$(LIB_C) $(LIB_CC))
+IMAGE_O := $(call object,$(IMAGE_CC) $(patsubst %,src/core/%.c,error memory text))
 CLI_O := $(call object,$(CLI_C))
 CORE_O := $(call object,$(CORE_C))
 TESTS := $(TEST_C:tests/%.c=$(BUILD)/tests/%)
-ALL_O := $(sort $(LIB_O) $(CLI_O) $(CORE_O) $(call object,$(TEST_C) $(wildcard tests/fuzz/*.c)))
+ALL_O := $(sort $(LIB_O) $(IMAGE_O) $(CLI_O) $(CORE_O) $(call object,$(TEST_C) $(wildcard tests/fuzz/*.c)))
 
 ifeq ($(V),0)
 Q := @
 say = @echo "  $(1)	$(2)"
 endif
 
-##   all (default)      library, shared library and the command: build/touchstone
+##   all (default)      libraries and the command: build/touchstone
 all: $(BUILD)/libtouchstone.a $(BUILD)/libtouchstone.so $(BUILD)/touchstone
 	$(Q)ln -sfn $(patsubst build/%,%,$(BUILD))/touchstone build/touchstone
 
@@ -106,14 +111,18 @@ $(BUILD)/libtouchstone.a: $(LIB_O)
 	$(Q)rm -f $@ && $(AR) rcs $@ $^
 
 # The map hides what C++ headers of other libraries make visible.
-$(BUILD)/libtouchstone.so: $(LIB_O) scripts/exports.map
+shared = $(CXX) $(LINK_FLAGS) -shared -Wl,-soname,$(1) -Wl,--version-script=scripts/exports.map $(filter %.o,$^)
+$(BUILD)/libtouchstone.so: $(LIB_O) scripts/exports.map | $(BUILD)/libtouchstone-image.so
 	$(call say,LINK,$@)
-	$(Q)$(CXX) $(LINK_FLAGS) -shared -Wl,-soname,libtouchstone.so.0 -Wl,--version-script=scripts/exports.map $(LIB_O) \
-		$(LIBS) -o $@
+	$(Q)$(call shared,$(@F).0) $(FIND_MODULE) $(LIBS) -o $@
 
-$(BUILD)/touchstone: $(CLI_O) $(BUILD)/libtouchstone.a
+$(BUILD)/libtouchstone-image.so: $(IMAGE_O) scripts/exports.map
 	$(call say,LINK,$@)
-	$(Q)$(CXX) $(LINK_FLAGS) $^ $(LIBS) -o $@
+	$(Q)$(call shared,$(@F)) $(IMAGE_LIBS) -o $@
+
+$(BUILD)/touchstone: $(CLI_O) $(BUILD)/libtouchstone.a | $(BUILD)/libtouchstone-image.so
+	$(call say,LINK,$@)
+	$(Q)$(CXX) $(LINK_FLAGS) $(FIND_MODULE) $^ $(LIBS) -o $@
 
 ##   core               static command for digests and goldens: build/core/touchstone-core
 CORE_BUILD ?= $(if $(filter command%,$(origin BUILD)),$(BUILD),build/core)
@@ -174,10 +183,10 @@ test: deps
 
 tests: $(TESTS) $(BUILD)/touchstone-core
 
-$(BUILD)/tests/%: $(BUILD)/obj/tests/%.c.o $(BUILD)/libtouchstone.a
+$(BUILD)/tests/%: $(BUILD)/obj/tests/%.c.o $(BUILD)/libtouchstone.a | $(BUILD)/libtouchstone-image.so
 	$(call say,LINK,$@)
 	$(Q)mkdir -p $(@D)
-	$(Q)$(CXX) $(LINK_FLAGS) $^ $(LIBS) -lcmocka $(TEST_LIBS) -o $@
+	$(Q)$(CXX) $(LINK_FLAGS) $(FIND_MODULE) $^ $(LIBS) -lcmocka $(TEST_LIBS) -o $@
 
 $(BUILD)/tests/kernels/opencl_compile: TEST_LIBS = $(call packages,--libs,OpenCL)
 
@@ -203,7 +212,7 @@ matrix matrix-short:
 ##   mutants            defects planted in sources and traces: each must be found where it was planted
 mutants: deps
 	$(Q)$(MAKE) --no-print-directory all
-	$(Q)BUILD='$(BUILD)' COMPILE='$(CC) $(C_FLAGS) $(CPP_LIBS)' LINK='$(CXX) $(LINK_FLAGS)' \
+	$(Q)BUILD='$(BUILD)' COMPILE='$(CC) $(C_FLAGS) $(CPP_LIBS)' LINK="$(CXX) $(LINK_FLAGS) -Wl,-rpath,$(abspath $(BUILD))" \
 		WITH='$(CLI_O) $(BUILD)/libtouchstone.a $(LIBS)' scripts/mutants $(T)
 
 ##   bench              the papers' tables, measured here
@@ -229,10 +238,11 @@ install: all
 	install -m 755 $(BUILD)/touchstone $(TO)/bin/touchstone
 	install -m 644 $(BUILD)/libtouchstone.a $(TO)/lib/libtouchstone.a
 	install -m 755 $(BUILD)/libtouchstone.so $(TO)/lib/libtouchstone.so.0
+	install -m 755 $(BUILD)/libtouchstone-image.so $(TO)/lib
 	ln -sfn libtouchstone.so.0 $(TO)/lib/libtouchstone.so
 	install -m 644 $(wildcard include/touchstone/*) $(TO)/include/touchstone
 uninstall:
-	rm -f $(TO)/bin/touchstone $(TO)/lib/libtouchstone.a $(TO)/lib/libtouchstone.so $(TO)/lib/libtouchstone.so.0
+	rm -f $(TO)/bin/touchstone $(patsubst %,$(TO)/lib/libtouchstone%,.a .so .so.0 -image.so)
 	rm -rf $(TO)/include/touchstone
 
 ##   clean              removes build/

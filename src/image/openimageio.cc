@@ -1,7 +1,6 @@
-/* Image files through OpenImageIO, which is named nowhere else. Input is untrusted: the size in the header is read and
- * judged here before the library sees the file, and of a PNG it sees a checked copy. */
+/* The module libtouchstone-image.so: image files through OpenImageIO, which is named nowhere else. */
 #include "../core/core.h"
-#include "png.h"
+#include "codec.h"
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <cerrno>
@@ -10,7 +9,6 @@
 #include <cstring>
 #include <memory>
 #include <string>
-#include <touchstone/image.h>
 #include <vector>
 
 using OIIO::ImageInput;
@@ -19,45 +17,6 @@ using OIIO::ImageSpec;
 using OIIO::TypeDesc;
 
 static constexpr uint64_t most_pixels = 1u << 28;
-
-struct size {
-	uint64_t width, height;
-};
-
-static unsigned big_endian(const uint8_t *p, int n)
-{
-	unsigned value = 0;
-	for (int i = 0; i < n; i++)
-		value = value << 8 | p[i];
-	return value;
-}
-
-static bool is_png(const uint8_t *p, size_t n) { return n >= 8 && memcmp(p, "\x89PNG\r\n\x1a\n", 8) == 0; }
-
-static bool is_jpeg(const uint8_t *p, size_t n) { return n >= 3 && p[0] == 0xff && p[1] == 0xd8 && p[2] == 0xff; }
-
-static size png_size(const uint8_t *p, size_t n)
-{
-	if (n < 24 || memcmp(p + 12, "IHDR", 4) != 0) return {0, 0};
-	return {big_endian(p + 16, 4), big_endian(p + 20, 4)};
-}
-
-/* The first frame header (SOF0 to SOF15 without DHT, JPG and DAC). */
-static size jpeg_size(const uint8_t *p, size_t n)
-{
-	for (size_t at = 2; at + 9 <= n;) {
-		if (p[at] != 0xff) return {0, 0};
-		unsigned marker = p[at + 1];
-		bool bare = marker == 0xff || marker == 0x01 || (marker >= 0xd0 && marker <= 0xd8);
-		if (marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc)
-			return {big_endian(p + at + 7, 2), big_endian(p + at + 5, 2)};
-		if (marker == 0xff)
-			at += 1;
-		else
-			at += bare ? 2 : 2 + big_endian(p + at + 2, 2);
-	}
-	return {0, 0};
-}
 
 /* OpenImageIO's message as one line. */
 static std::string reason(const std::string &message)
@@ -96,26 +55,24 @@ static ts_status read_8bit(std::vector<uint8_t> &pixels, ImageInput &in, const c
 	return TS_OK;
 }
 
-static ts_status decode(uint8_t **rgba, size stated, const void *file, size_t file_bytes, bool png, const char *what)
+static ts_status read_memory(uint8_t *rgba, uint32_t width, uint32_t height, const char *format, const void *file,
+							 size_t file_bytes, const char *what)
 {
 	OIIO::Filesystem::IOMemReader memory(const_cast<void *>(file), file_bytes);
 	ImageSpec spec, config;
 	config.attribute("oiio:UnassociatedAlpha", 1);
-	std::unique_ptr<ImageInput> in = ImageInput::create(png ? "png" : "jpeg");
-	if (!in || !in->set_ioproxy(&memory))
-		return ts_fail("%s: OpenImageIO was built without %s", what, png ? "PNG" : "JPEG");
+	std::unique_ptr<ImageInput> in = ImageInput::create(format);
+	if (!in || !in->set_ioproxy(&memory)) return ts_fail("%s: OpenImageIO was built without %s", what, format);
 	if (!in->open("", spec, config))
 		return ts_fail("%s: %s; a PNG or JPEG is expected", what, reason(in->geterror()).c_str());
-	if ((uint64_t)spec.width != stated.width || (uint64_t)spec.height != stated.height)
-		return ts_fail("%s: its header says %llu by %llu, its contents %d by %d", what,
-					   (unsigned long long)stated.width, (unsigned long long)stated.height, spec.width, spec.height);
+	if ((uint64_t)spec.width != width || (uint64_t)spec.height != height)
+		return ts_fail("%s: its header says %u by %u, its contents %d by %d", what, width, height, spec.width,
+					   spec.height);
 	if (spec.nchannels < 1 || spec.nchannels > 4)
 		return ts_fail("%s: %d channels; 1 to 4 are read", what, spec.nchannels);
 	std::vector<uint8_t> pixels;
 	if (read_8bit(pixels, *in, what) != TS_OK) return TS_ERROR;
-	*rgba = (uint8_t *)ts_alloc(stated.width * stated.height, 4, what);
-	if (!*rgba) return TS_ERROR;
-	to_rgba(*rgba, pixels.data(), stated.width * stated.height, spec.nchannels);
+	to_rgba(rgba, pixels.data(), (uint64_t)width * height, spec.nchannels);
 	return TS_OK;
 }
 
@@ -133,29 +90,10 @@ template <typename Work> static ts_status guarded(const char *what, Work work)
 	}
 }
 
-ts_status ts_image_decode(uint8_t **rgba, uint32_t *width, uint32_t *height, const void *file, size_t file_bytes,
-						  uint64_t max_texels, const char *what)
+static ts_status decode(uint8_t *rgba, uint32_t width, uint32_t height, const char *format, const void *file,
+						size_t file_bytes, const char *what)
 {
-	const uint8_t *p = (const uint8_t *)file;
-	bool png = is_png(p, file_bytes);
-	*rgba = nullptr;
-	if (!png && !is_jpeg(p, file_bytes)) return ts_fail("%s: neither PNG nor JPEG", what);
-	size stated = png ? png_size(p, file_bytes) : jpeg_size(p, file_bytes);
-	if (stated.width == 0 || stated.height == 0) return ts_fail("%s: no width or height in its header", what);
-	if (stated.width > max_texels / stated.height)
-		return ts_fail("%s: its header says %llu by %llu; at most %llu texels are justified", what,
-					   (unsigned long long)stated.width, (unsigned long long)stated.height,
-					   (unsigned long long)max_texels);
-	uint8_t *clean = nullptr;
-	size_t clean_bytes = 0;
-	if (png && ts_png_clean(&clean, &clean_bytes, p, file_bytes, what) != TS_OK) return TS_ERROR;
-	std::unique_ptr<uint8_t, void (*)(void *)> owner(clean, free);
-	*width = (uint32_t)stated.width;
-	*height = (uint32_t)stated.height;
-	return guarded(what, [&] {
-		return png ? decode(rgba, stated, clean, clean_bytes, png, what)
-				   : decode(rgba, stated, file, file_bytes, png, what);
-	});
+	return guarded(what, [&] { return read_memory(rgba, width, height, format, file, file_bytes, what); });
 }
 
 /* Writes PATH.partial and renames it. */
@@ -176,8 +114,7 @@ static ts_status write_file(const char *path, const char *format, const ImageSpe
 	return ts_fail("%s: %s", path, why.c_str());
 }
 
-ts_status ts_image_write_png(const char *path, const uint8_t *pixels, uint32_t width, uint32_t height,
-							 uint32_t channels)
+static ts_status write_png(const char *path, const uint8_t *pixels, uint32_t width, uint32_t height, uint32_t channels)
 {
 	return guarded(path, [&] {
 		ImageSpec spec((int)width, (int)height, (int)channels, TypeDesc::UINT8);
@@ -187,7 +124,7 @@ ts_status ts_image_write_png(const char *path, const uint8_t *pixels, uint32_t w
 	});
 }
 
-ts_status ts_image_write_exr(const char *path, const float *pixels, uint32_t width, uint32_t height, uint32_t channels)
+static ts_status write_exr(const char *path, const float *pixels, uint32_t width, uint32_t height, uint32_t channels)
 {
 	return guarded(path, [&] {
 		ImageSpec spec((int)width, (int)height, (int)channels, TypeDesc::FLOAT);
@@ -233,8 +170,9 @@ static ts_status read_file(float **pixels, uint32_t *width, uint32_t *height, ui
 	return TS_OK;
 }
 
-ts_status ts_image_read(float **pixels, uint32_t *width, uint32_t *height, uint32_t *channels, const char *path)
+static ts_status read(float **pixels, uint32_t *width, uint32_t *height, uint32_t *channels, const char *path)
 {
-	*pixels = nullptr;
 	return guarded(path, [&] { return read_file(pixels, width, height, channels, path); });
 }
+
+const ts_image_codec ts_image_codec_module = {decode, write_png, write_exr, read, ts_error_message};

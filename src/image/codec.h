@@ -1,0 +1,30 @@
+/* What the image module offers to image.c. OpenImageIO maps hundreds of shared libraries, which takes half a second and
+ * 130 MiB; so a module of its own, loaded with the first image, links to it. */
+#ifndef TS_IMAGE_CODEC_H
+#define TS_IMAGE_CODEC_H
+#include <stddef.h>
+#include <stdint.h>
+#include <touchstone/status.h>
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct {
+	/* `file` is of that format ("png", "jpeg"), and its header says width by height: so many texels are written. */
+	ts_status (*decode)(uint8_t *rgba, uint32_t width, uint32_t height, const char *format, const void *file,
+						size_t file_bytes, const char *what);
+	/* As declared in <touchstone/image.h>. */
+	ts_status (*write_png)(const char *path, const uint8_t *pixels, uint32_t width, uint32_t height, uint32_t channels);
+	ts_status (*write_exr)(const char *path, const float *pixels, uint32_t width, uint32_t height, uint32_t channels);
+	ts_status (*read)(float **pixels, uint32_t *width, uint32_t *height, uint32_t *channels, const char *path);
+	/* Of this thread's last failure within the module. */
+	const char *(*message)(void);
+} ts_image_codec;
+
+#define TS_IMAGE_MODULE "libtouchstone-image.so"
+TS_API extern const ts_image_codec ts_image_codec_module;
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,124 @@
+/* Image files. Input is untrusted: the size in the header is read and judged here before the module sees the file, and of a
+ * PNG it sees a checked copy. */
+#include <dlfcn.h>
+#include <pthread.h>
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+#include <touchstone/image.h>
+#include "../core/core.h"
+#include "codec.h"
+#include "png.h"
+
+static const ts_image_codec *codec;
+static char missing[512];
+
+static void load(void)
+{
+	void *module = dlopen(TS_IMAGE_MODULE, RTLD_NOW | RTLD_LOCAL);
+	if (module != NULL) codec = dlsym(module, "ts_image_codec_module");
+	const char *why = codec == NULL ? dlerror() : NULL;
+	if (why != NULL) strncat(missing, why, sizeof missing - 1);
+}
+
+static ts_status require_codec(const char *what)
+{
+	static pthread_once_t once = PTHREAD_ONCE_INIT;
+	pthread_once(&once, load);
+	return codec != NULL ? TS_OK : ts_fail("%s: images need a module that did not load: %s", what, missing);
+}
+
+/* The module keeps messages of its own. */
+static ts_status said(ts_status status) { return status == TS_OK ? TS_OK : ts_fail("%s", codec->message()); }
+
+static uint32_t big_endian(const uint8_t *p, int n)
+{
+	uint32_t value = 0;
+	for (int i = 0; i < n; i++) value = value << 8 | p[i];
+	return value;
+}
+
+static bool is_png(const uint8_t *p, size_t n) { return n >= 8 && memcmp(p, "\x89PNG\r\n\x1a\n", 8) == 0; }
+
+static bool is_jpeg(const uint8_t *p, size_t n) { return n >= 3 && p[0] == 0xff && p[1] == 0xd8 && p[2] == 0xff; }
+
+static void png_size(uint32_t size[2], const uint8_t *p, size_t n)
+{
+	if (n < 24 || memcmp(p + 12, "IHDR", 4) != 0) return;
+	size[0] = big_endian(p + 16, 4);
+	size[1] = big_endian(p + 20, 4);
+}
+
+/* The first frame header (SOF0 to SOF15 without DHT, JPG and DAC). */
+static void jpeg_size(uint32_t size[2], const uint8_t *p, size_t n)
+{
+	for (size_t at = 2; at + 9 <= n;) {
+		if (p[at] != 0xff) return;
+		unsigned marker = p[at + 1];
+		bool bare = marker == 0xff || marker == 0x01 || (marker >= 0xd0 && marker <= 0xd8);
+		if (marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc) {
+			size[0] = big_endian(p + at + 7, 2);
+			size[1] = big_endian(p + at + 5, 2);
+			return;
+		}
+		if (marker == 0xff)
+			at += 1;
+		else
+			at += bare ? 2 : 2 + big_endian(p + at + 2, 2);
+	}
+}
+
+static ts_status decode(uint8_t **rgba, const uint32_t size[2], const char *format, const void *file, size_t file_bytes,
+						const char *what)
+{
+	*rgba = ts_alloc((size_t)size[0] * size[1], 4, what);
+	if (*rgba == NULL) return TS_ERROR;
+	ts_status status = said(codec->decode(*rgba, size[0], size[1], format, file, file_bytes, what));
+	if (status == TS_OK) return TS_OK;
+	free(*rgba);
+	*rgba = NULL;
+	return status;
+}
+
+ts_status ts_image_decode(uint8_t **rgba, uint32_t *width, uint32_t *height, const void *file, size_t file_bytes,
+						  uint64_t max_texels, const char *what)
+{
+	bool png = is_png(file, file_bytes);
+	uint32_t size[2] = {0, 0};
+	*rgba = NULL;
+	if (!png && !is_jpeg(file, file_bytes)) return ts_fail("%s: neither PNG nor JPEG", what);
+	(png ? png_size : jpeg_size)(size, file, file_bytes);
+	if (size[0] == 0 || size[1] == 0) return ts_fail("%s: no width or height in its header", what);
+	if (size[0] > max_texels / size[1])
+		return ts_fail("%s: its header says %u by %u; at most %llu texels are justified", what, size[0], size[1],
+					   (unsigned long long)max_texels);
+	if (require_codec(what) != TS_OK) return TS_ERROR;
+	*width = size[0];
+	*height = size[1];
+	if (!png) return decode(rgba, size, "jpeg", file, file_bytes, what);
+	uint8_t *clean = NULL;
+	size_t clean_bytes = 0;
+	ts_status status = ts_png_clean(&clean, &clean_bytes, file, file_bytes, what);
+	if (status == TS_OK) status = decode(rgba, size, "png", clean, clean_bytes, what);
+	free(clean);
+	return status;
+}
+
+ts_status ts_image_write_png(const char *path, const uint8_t *pixels, uint32_t width, uint32_t height, uint32_t channels)
+{
+	if (require_codec(path) != TS_OK) return TS_ERROR;
+	return said(codec->write_png(path, pixels, width, height, channels));
+}
+
+ts_status ts_image_write_exr(const char *path, const float *pixels, uint32_t width, uint32_t height, uint32_t channels)
+{
+	if (require_codec(path) != TS_OK) return TS_ERROR;
+	return said(codec->write_exr(path, pixels, width, height, channels));
+}
+
+ts_status ts_image_read(float **pixels, uint32_t *width, uint32_t *height, uint32_t *channels, const char *path)
+{
+	*pixels = NULL;
+	if (require_codec(path) != TS_OK) return TS_ERROR;
+	return said(codec->read(pixels, width, height, channels, path));
+}
