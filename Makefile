@@ -67,7 +67,7 @@ FIND_MODULE := -Wl,--disable-new-dtags,-rpath,'$$ORIGIN:$$ORIGIN/../lib:$$ORIGIN
 EMBREE := $(shell for v in 4 3; do printf '\043include <embree%s/rtcore.h>\n' $$v | $(CC) -E -x c - >/dev/null 2>&1 && echo $$v && break; done)
 packages = $(shell $(PKG_CONFIG) $(1) $(2) 2>/dev/null)
 CPP_LIBS := -DTS_EMBREE=$(EMBREE) $(call packages,--cflags,OpenImageIO jansson libcrypto tinygltf zlib)
-LIBS := -lembree$(EMBREE) $(call packages,--libs,jansson libcrypto zlib) $(call packages,--libs,tinygltf) -ldl -lm
+LIBS := -lembree$(EMBREE) $(call packages,--libs,jansson libcrypto zlib OpenCL) $(call packages,--libs,tinygltf) -ldl -lm
 IMAGE_LIBS := $(call packages,--libs,OpenImageIO)
 CORE_LIBS = -lcrypto -lm
 # These do without, or install it first.
@@ -137,11 +137,20 @@ $(BUILD)/touchstone-core: $(CORE_O)
 	$(Q)said=$$($(CC) $(LINK_FLAGS) $(CORE_STATIC) $^ $(CORE_LIBS) -o $@ 2>&1) || { echo "$$said"; exit 1; }
 
 # What a trace says of its maker.
-$(call object,src/trace/producer.c): CPPFLAGS += -DTS_FLAGS='"-std=c11 $(OPT) $(EXACT)"'
+$(call object,src/backends/c/run.c): CPPFLAGS += -DTS_FLAGS='"-std=c11 $(OPT) $(EXACT)"'
 ##   golden             runs the cases of reference/cases.txt again and compares; writes nothing
 golden:
 	$(Q)$(MAKE) --no-print-directory $(BUILD)/touchstone-core
 	$(Q)$(BUILD)/touchstone-core golden check
+
+# The kernels as the text of an OpenCL program.
+PROGRAM := $(BUILD)/gen/program.inc
+$(PROGRAM): scripts/opencl-program src/backends/backend.h src/backends/kernels.def $(wildcard src/kernels/*) include/touchstone/records.def
+	$(call say,GEN,$@)
+	$(Q)mkdir -p $(@D)
+	$(Q)scripts/opencl-program > $@
+$(call object,src/backends/opencl/program.c): $(PROGRAM)
+$(call object,src/backends/opencl/program.c): CPPFLAGS += -I$(BUILD)/gen
 
 # Objects are made again when the compiler or its flags change.
 $(BUILD)/flags: FORCE

@@ -1,6 +1,7 @@
 /* Backends run a kernel over all its items. */
 #ifndef TS_BACKENDS_BACKEND_H
 #define TS_BACKENDS_BACKEND_H
+#include "../core/frame.h"
 #include "../kernels/draw.h"
 #include "../kernels/image.h"
 #include "../kernels/lookup.h"
@@ -9,6 +10,7 @@
 #include "../kernels/pixel.h"
 #include "../kernels/resize.h"
 #include "../kernels/cull.h"
+#include "../kernels/scan.h"
 #include "../kernels/splat.h"
 
 #define KERNEL(name, args) TS_KERNEL_##name,
@@ -18,21 +20,75 @@ typedef enum {
 } ts_kernel;
 #undef KERNEL
 
-/* Runs items [0, n) on `threads` threads. args is the kernel's argument struct. The order of the items is not defined
- * and never changes a result. */
+/* One place that runs kernels. What the functions do is ordered: each sees what those before it did. A failure may show
+ * at a later call; `finish` shows them all. Contents go by ts_frame: the pointers in `args` are ts_frame_handle's. */
+typedef struct ts_backend ts_backend;
+struct ts_backend {
+	const char *name;       /* as in --backend */
+	const char *device;     /* one line that names the hardware */
+	const char *compiler, *flags; /* of the kernels */
+	bool exact;             /* keeps the numeric contract: the arithmetic vectors were right */
+	/* Runs items [0, n); args is the kernel's argument struct. The order of the items is not defined and never changes a
+	 * result. */
+	ts_status (*launch)(ts_backend *backend, ts_frame *frame, ts_kernel kernel, const void *args, u64 n);
+	/* Sets every byte of a buffer. */
+	ts_status (*fill)(ts_backend *backend, ts_frame *frame, ts_buffer_id id, u8 byte);
+	/* Exclusive prefix sum in place, of all elements but the last, which becomes the total: 32-bit counts. A total that does
+	 * not fit is told all the same and must be refused. */
+	ts_status (*scan)(ts_backend *backend, ts_frame *frame, ts_buffer_id id, u64 *total);
+	/* Waits for all of it. */
+	ts_status (*finish)(ts_backend *backend);
+	/* Releases the backend. Frames that it worked on must be cleared before. */
+	void (*close)(ts_backend *backend);
+};
+
+enum { TS_MAX_DEVICES = 32 };
+
+/* A device of a backend. */
+typedef struct {
+	char name[128], platform[128], driver[64];
+	bool rounded;       /* divides and takes roots with correct rounding */
+	bool denormals;     /* keeps them; exact either way, for the contract flushes what would tell */
+	bool atomics;       /* of 64 bits */
+	bool unified;       /* its memory is the host's */
+	u64 memory, most;   /* bytes; of one buffer */
+} ts_device;
+
+typedef struct {
+	u32 device;         /* index of `devices` */
+	u32 work_group;     /* items; 0: the driver chooses */
+	const char *build;  /* more options for the driver's compiler, or "" */
+	bool inexact;       /* also a device that cannot keep the contract */
+	bool copies;        /* a memory of its own, even where the device has the host's */
+} ts_backend_options;
+
+typedef struct {
+	const char *name;   /* as in --backend */
+	/* Describes at most TS_MAX_DEVICES and returns their number; 0 where there is no driver. */
+	u32 (*devices)(ts_device devices[TS_MAX_DEVICES]);
+	/* TS_SKIPPED if there is no device; TS_ERROR if not this one, or it lacks what the contract needs and inexact is not
+	 * set, or its compiler fails: what that said goes to standard error. NULL: the reference, which every run brings. */
+	ts_status (*open)(ts_backend **backend, const ts_backend_options *options);
+} ts_backend_kind;
+extern const ts_backend_kind ts_c_kind, ts_opencl_kind;
+
+/* The reference, in C: threads of OpenMP. */
+typedef struct {
+	ts_backend backend;
+	u32 threads;            /* never changes a result */
+	bool reference;         /* no fast paths */
+} ts_c_backend;
+void ts_c_begin(ts_c_backend *backend, u32 threads);
+
 void ts_c_launch(ts_kernel kernel, const void *args, u64 n, u32 threads);
 
 /* Fast paths: the same bits as launching the kernel (proved by tests/backends/<noun>_fast.c).
- * Splat: offset[n_pieces + 1] are the points before each piece. */
-void ts_c_splat_fast(const ts_splat_args *args, const u32 *offset, u64 n_pieces, u32 threads);
+ * Splat: args->offset must be there. */
+void ts_c_splat_fast(const ts_splat_args *args, u32 threads);
 /* Shade: of n entries; adaptive must be 0. */
 void ts_c_shade_fast(const ts_lookup_args *args, u64 n, u32 threads);
 
-/* Exclusive prefix sum in place: counts[0 .. n-1] become the sums before each, counts[n] the total, which is also
- * returned. The counts are 32-bit; a total that does not fit is returned all the same and must be refused. */
+/* counts[0 .. n-1] become the sums before each, counts[n] the total, which is also returned. */
 u64 ts_c_scan(u32 *counts, u64 n);
-
-/* Fills n elements with all ones. */
-void ts_c_empty(u64 *texels, u64 n, u32 threads);
 
 #endif

@@ -2,21 +2,24 @@
 #include "backends.h"
 #include <stdio.h>
 #include <string.h>
-#include "../core/core.h"
+#include "cli.h"
 
-const ts_backend ts_backend_table[] = {
-	{ "c", "map emit scatter", "the reference: C11, threaded by OpenMP" },
-	{ 0 }
-};
+ts_status ts_backend_open(ts_cli *cli)
+{
+	const ts_backend_kind *kind = cli->backend;
+	if (kind->open == NULL || ts_cli_given(cli, TS_OPT_HELP)) return TS_OK;
+	ts_status status = kind->open(&cli->how.backend, &cli->device);
+	return status == TS_SKIPPED && ts_cli_given(cli, TS_OPT_REQUIRE) ? TS_ERROR : status;
+}
 
-ts_status ts_backend_find(const ts_backend **backend, const char *name)
+ts_status ts_backend_find(const ts_backend_kind **kind, const char *name)
 {
 	char names[128] = "";
-	for (const ts_backend *b = ts_backend_table; b->name != NULL; b++) {
+	for (u32 i = 0; ts_backend_kinds[i] != NULL; i++) {
 		size_t used = strlen(names);
-		snprintf(names + used, sizeof names - used, "%s%s", used > 0 ? ", " : "", b->name);
-		*backend = b;
-		if (strcmp(b->name, name) == 0) return TS_OK;
+		*kind = ts_backend_kinds[i];
+		snprintf(names + used, sizeof names - used, "%s%s", used > 0 ? ", " : "", (*kind)->name);
+		if (strcmp((*kind)->name, name) == 0) return TS_OK;
 	}
 	return ts_fail("--backend: no backend \"%s\"; there is: %s", name, names);
 }

@@ -1,18 +1,17 @@
-/* What --backend names. */
+/* What --backend and the options behind it name. */
 #ifndef TS_CLI_BACKENDS_H
 #define TS_CLI_BACKENDS_H
-#include <touchstone/status.h>
+#include "../stages/stage.h"
 
-typedef struct {
-	const char *name;
-	const char *kinds;   /* of the stages that it runs */
-	const char *doc;
-} ts_backend;
+/* Each program's own, the reference first, ended by NULL. */
+extern const ts_backend_kind *const ts_backend_kinds[];
 
-/* All backends, the default first, ended by a row without a name. */
-extern const ts_backend ts_backend_table[];
+typedef struct ts_cli ts_cli;
 
+/* Opens what --backend and its options say into cli->how, if it is not the reference; a device that breaks the numeric
+ * contract is refused, unless it may. */
+ts_status ts_backend_open(ts_cli *cli);
 /* The backend of that name; TS_ERROR, with a message that names those there are. */
-ts_status ts_backend_find(const ts_backend **backend, const char *name);
+ts_status ts_backend_find(const ts_backend_kind **kind, const char *name);
 
 #endif

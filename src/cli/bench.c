@@ -81,8 +81,8 @@ static ts_status run_method(bench *b, ts_measure *measure, const char *name, u32
 	ts_params params = b->params;
 	params.bounces = bounces;
 	*measure = (ts_measure){ .pictures = NULL };
-	return ts_measure_run(measure, ts_pipeline_find("reflections", name), b->scene, &params, b->cli->threads,
-	                      ts_cli_given(b->cli, TS_OPT_REFERENCE), after, b);
+	return ts_measure_run(measure, ts_pipeline_find("reflections", name), b->scene, &params, &b->cli->how,
+	                      after, b);
 }
 
 /* EPR with one and two bounces and MVR, one after the other. */
@@ -184,7 +184,7 @@ static ts_status measure(bench *b, bool table_2)
 	u32 runs = table_2 ? b->cli->runs : 1;
 	while (status == TS_OK && b->n_runs < runs) status = run_once(b, table_2);
 	if (status == TS_OK && (b->truths & TS_TRUTH_C) != 0) {
-		status = ts_picture_truth_c(&b->truth, b->scene, &b->params, b->cli->threads);
+		status = ts_picture_truth_c(&b->truth, b->scene, &b->params, b->cli->how.threads);
 	}
 	return status;
 }
@@ -254,7 +254,7 @@ static void report_head(ts_report *report, const ts_cli *cli)
 {
 	const ts_params *p = &cli->params;
 	ts_report_line(report, "%u x %u pixels, frame %u, %u threads", (unsigned)p->width, (unsigned)p->height,
-	               (unsigned)p->frame, (unsigned)cli->threads);
+	               (unsigned)p->frame, (unsigned)cli->how.threads);
 	ts_report_run(report, cli);
 }
 

@@ -54,7 +54,12 @@
 #define TS_OPT_INPUTS TS_OPT(42)
 #define TS_OPT_FORCED TS_OPT(43)
 #define TS_OPT_VIEWER TS_OPT(44)
-#define TS_OPT_HELP TS_OPT(45)
+#define TS_OPT_DEVICE TS_OPT(45)
+#define TS_OPT_WORK_GROUP TS_OPT(46)
+#define TS_OPT_BUILD TS_OPT(47)
+#define TS_OPT_INEXACT TS_OPT(48)
+#define TS_OPT_REQUIRE TS_OPT(49)
+#define TS_OPT_HELP TS_OPT(50)
 
 /* Truths, as bits. */
 enum { TS_TRUTH_A = 1, TS_TRUTH_B = 2, TS_TRUTH_C = 4 };
@@ -70,24 +75,26 @@ typedef struct {
 typedef struct { ts_swept swept[TS_MAX_SWEEPS]; u32 n; } ts_sweep;
 
 /* What was typed. Strings belong to argv. */
-typedef struct {
+struct ts_cli {
 	u64 given;                      /* TS_OPT_* that were typed */
 	const char *arguments[TS_MAX_ARGUMENTS];
 	u32 n_arguments;
 	ts_params params;
 	ts_sweep sweep;
 	ts_scene_options scene;
-	const ts_backend *backend;
+	const ts_backend_kind *backend;
+	ts_backend_options device;      /* of the backend */
 	const char *method, *scenes, *objects, *output, *trace_only, *crop;
-	const char *ignore, *mask, *layout, *order, *junit;
+	const char *ignore, *mask, *layout, *junit;
 	const char *pixel, *view, *point;
 	u64 ulp, allow, triangle;
 	double abs, rel;
 	const char *reason, *reference_dir;
 	const char *check, *stage, *inputs;
 	u32 truths;                     /* TS_TRUTH_* */
-	u32 threads, runs;
-} ts_cli;
+	ts_how how;                     /* its backend is opened before the command runs */
+	u32 runs;
+};
 
 typedef struct {
 	const char *name;

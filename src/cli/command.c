@@ -23,6 +23,14 @@ const ts_command *ts_cli_require(const char *name)
 	return found;
 }
 
+static ts_status run_with_backend(ts_cli *cli, const ts_command *command)
+{
+	ts_status status = ts_backend_open(cli);
+	if (status == TS_OK) status = command->run(cli);
+	if (cli->how.backend != NULL) cli->how.backend->close(cli->how.backend);
+	return status;
+}
+
 static ts_status run(int argc, char **argv)
 {
 	if (argc < 2) return ts_fail("no command; \"%s help\" lists all", ts_program);
@@ -44,7 +52,7 @@ static ts_status run(int argc, char **argv)
 		status = ts_fail("--set %s=%s: one value; only render takes lists", cli.sweep.swept[0].name,
 		                 cli.sweep.swept[0].values);
 	} else if (status == TS_OK) {
-		status = command->run(&cli);
+		status = run_with_backend(&cli, command);
 	}
 	return status;
 }
@@ -57,6 +65,6 @@ int ts_cli_main(int argc, char **argv)
 	if ((fflush(stdout) != 0 || ferror(stdout)) && status != TS_ERROR) {
 		status = ts_fail("standard output: cannot write; the disk may be full");
 	}
-	if (status == TS_ERROR) fprintf(stderr, "%s: %s\n", ts_program, ts_error_message());
+	if (status == TS_ERROR || status == TS_SKIPPED) fprintf(stderr, "%s: %s\n", ts_program, ts_error_message());
 	return (int)status;
 }

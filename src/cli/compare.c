@@ -14,22 +14,14 @@ static bool ends_in(const char *path, const char *suffix)
 	return n > m && strcmp(path + n - m, suffix) == 0;
 }
 
-static ts_status read_order(bool *arrival, const ts_cli *cli)
-{
-	const char *order = cli->order != NULL ? cli->order : "canonical";
-	*arrival = strcmp(order, "arrival") == 0;
-	if (cli->order != NULL && cli->layout == NULL) return ts_fail("--order: only with --layout; a trace.json has its own");
-	return *arrival || strcmp(order, "canonical") == 0 ? TS_OK
-		: ts_fail("--order: no order \"%s\"; there are canonical and arrival", order);
-}
-
 typedef struct { ts_trace *reference, *candidate; u8 *mask; ts_relaxations relaxations; } sides;
 
 static ts_status open_sides(sides *s, const ts_cli *cli)
 {
 	const char *ref = cli->arguments[0], *cand = cli->arguments[1];
-	bool arrival;
-	if (read_order(&arrival, cli) != TS_OK) return TS_ERROR;
+	if (ts_cli_given(cli, TS_OPT_ORDER) && cli->layout == NULL) {
+		return ts_fail("--order: only with --layout; a trace.json has its own");
+	}
 	if (ends_in(ref, ".npy")) {
 		ts_buffer_id a, b;
 		if (ts_trace_open_file(&s->reference, ref, &a) != TS_OK) return TS_ERROR;
@@ -38,7 +30,7 @@ static ts_status open_sides(sides *s, const ts_cli *cli)
 		return ts_fail("%s: holds %s, and the reference %s", cand, ts_buffer_table[b].name, ts_buffer_table[a].name);
 	}
 	if (ts_trace_open(&s->reference, ref) != TS_OK) return TS_ERROR;
-	return cli->layout != NULL ? ts_trace_open_layout(&s->candidate, cand, cli->layout, arrival, s->reference)
+	return cli->layout != NULL ? ts_trace_open_layout(&s->candidate, cand, cli->layout, cli->how.arrival, s->reference)
 	                           : ts_trace_open(&s->candidate, cand);
 }
 
@@ -126,7 +118,7 @@ static ts_status judge(const sides *s, ts_comparison *c, const ts_cli *cli)
 {
 	if (!ts_cli_given(cli, TS_OPT_FORCED)) return ts_compare(c, s->reference, s->candidate, &s->relaxations);
 	if (ts_selftest_require() != TS_OK) return TS_ERROR;
-	return ts_compare_forced(c, s->reference, s->candidate, &s->relaxations, cli->threads);
+	return ts_compare_forced(c, s->reference, s->candidate, &s->relaxations, cli->how.threads);
 }
 
 ts_status ts_compare_command(ts_cli *cli)

@@ -3,6 +3,7 @@
 
 const char *const ts_program = "touchstone-core";
 ts_preview *const ts_golden_preview = NULL;
+const ts_backend_kind *const ts_backend_kinds[] = { &ts_c_kind, NULL };
 
 const ts_command ts_command_table[] = {
 	{ "digest", "[SCENE]", "SHA-256 of every buffer of a built-in scene, in pipeline order", "",

@@ -37,8 +37,7 @@ static ts_status flush_denormals(u32 threads)
 static ts_status digest_method(const ts_cli *cli, const ts_scene *scene, const ts_pipeline *method)
 {
 	ts_sums sums;
-	bool reference = ts_cli_given(cli, TS_OPT_REFERENCE);
-	if (ts_sums_of(&sums, method, scene, &cli->params, cli->threads, reference) != TS_OK) return TS_ERROR;
+	if (ts_sums_of(&sums, method, scene, &cli->params, &cli->how) != TS_OK) return TS_ERROR;
 	printf("# %s by %s\n", method->effect, method->name);
 	ts_sums_print(&sums, method, stdout);
 	return TS_OK;
@@ -51,7 +50,7 @@ ts_status ts_digest_command(ts_cli *cli)
 	ts_scene *scene;
 	ts_status status = ts_methods_find(methods, &n, "reflections", cli->method);
 	if (status != TS_OK || (status = ts_selftest_require()) != TS_OK) return status;
-	if (ts_cli_given(cli, TS_OPT_FLUSH_DENORMALS) && (status = flush_denormals(cli->threads)) != TS_OK) return status;
+	if (ts_cli_given(cli, TS_OPT_FLUSH_DENORMALS) && (status = flush_denormals(cli->how.threads)) != TS_OK) return status;
 	status = ts_builtin_open(&scene, cli->n_arguments > 0 ? cli->arguments[0] : "atrium", &cli->params, NULL);
 	for (u32 i = 0; i < n && status == TS_OK; i++) status = digest_method(cli, scene, methods[i]);
 	ts_scene_free(scene);

@@ -40,13 +40,13 @@ ts_status ts_golden_command(ts_cli *cli)
 	return status;
 }
 
-ts_status ts_case_compute(ts_golden *golden, const ts_case *c, const ts_cli *cli, bool reference)
+ts_status ts_case_compute(ts_golden *golden, const ts_case *c, const ts_how *how)
 {
 	ts_scene *scene;
 	memset(golden, 0, sizeof *golden);
 	if (ts_builtin_open(&scene, c->scene, &c->params, NULL) != TS_OK) return TS_ERROR;
 	u64 need = ts_pipeline_estimate(c->pipeline, scene, &c->params, true), limit = ts_memory_limit();
-	ts_golden_job job = {c->pipeline, scene, &c->params, cli->threads, reference};
+	ts_golden_job job = {c->pipeline, scene, &c->params, *how};
 	ts_status status = need <= limit ? ts_golden_compute(golden, &job)
 	                                 : ts_fail("%s: needs about %llu MiB; %llu are there", c->name,
 	                                           (unsigned long long)(need >> 20), (unsigned long long)(limit >> 20));

@@ -44,7 +44,7 @@ ts_status ts_case_check_params(char *text, size_t text_bytes, const ts_case *c, 
                                const char *name);
 
 /* Runs a case, as ts_golden_compute; refuses what does not fit the machine. ts_golden_free also after a failure. */
-ts_status ts_case_compute(ts_golden *golden, const ts_case *c, const ts_cli *cli, bool reference);
+ts_status ts_case_compute(ts_golden *golden, const ts_case *c, const ts_how *how);
 
 /* The actions; `only` is a case, or NULL: all. */
 ts_status ts_golden_check_action(const ts_goldens *goldens, const ts_case *only);

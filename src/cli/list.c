@@ -14,8 +14,9 @@ static const ts_column param_columns[] = { { "name", "parameter", false }, { "de
 	{ "range", "range", false }, { "unit", "unit", false }, { "source", "source", false }, { "doc", "what", false }, { 0 } };
 static const ts_column method_columns[] = { { "name", "method", false }, { "effect", "effect", false },
 	{ "paper", "paper", false }, { "doc", "what", false }, { 0 } };
-static const ts_column backend_columns[] = { { "name", "backend", false }, { "kinds", "kinds", false },
-	{ "doc", "what", false }, { 0 } };
+static const ts_column backend_columns[] = { { "name", "backend", false }, { "index", "device", true },
+	{ "device", "name", false }, { "rounded", "divide, root", false }, { "denormals", "denormals", false },
+	{ "atomics", "64-bit atomics", false }, { "memory_mib", "MiB", true }, { "most_mib", "MiB a buffer", true }, { 0 } };
 static const ts_column plain_columns[] = { { "name", "name", false }, { "doc", "what", false }, { 0 } };
 
 static void cell_buffers(ts_table *table, const ts_buffer_id *ids, u32 n)
@@ -107,10 +108,19 @@ static ts_table list_scenes(void)
 static ts_table list_backends(void)
 {
 	ts_table table = ts_table_begin("backends", "", backend_columns);
-	for (const ts_backend *b = ts_backend_table; b->name != NULL; b++) {
-		ts_table_text(&table, b->name);
-		ts_table_text(&table, b->kinds);
-		ts_table_text(&table, b->doc);
+	for (u32 b = 0; ts_backend_kinds[b] != NULL; b++) {
+		ts_device devices[TS_MAX_DEVICES];
+		u32 n = ts_backend_kinds[b]->devices(devices);
+		for (u32 i = 0; i < n; i++) {
+			ts_table_text(&table, ts_backend_kinds[b]->name);
+			ts_table_count(&table, i);
+			ts_table_text(&table, devices[i].name);
+			ts_table_text(&table, devices[i].rounded ? "exact" : "not exact");
+			ts_table_text(&table, devices[i].denormals ? "kept" : "flushed");
+			ts_table_text(&table, devices[i].atomics ? "yes" : "no");
+			ts_table_count(&table, devices[i].memory >> 20);
+			ts_table_count(&table, devices[i].most >> 20);
+		}
 	}
 	return table;
 }

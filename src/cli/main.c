@@ -3,10 +3,12 @@
 #include "golden.h"
 
 #define WHERE (TS_OPT_SIZE | TS_OPT_FRAME | TS_OPT_REFLECTORS | TS_OPT_REFLECTOR | TS_OPT_CAMERA | TS_OPT_SET)
-#define HOW (TS_OPT_THREADS | TS_OPT_REFERENCE)
+#define HOW (TS_OPT_THREADS | TS_OPT_REFERENCE | BACKEND)
+#define BACKEND (TS_OPT_BACKEND | TS_OPT_DEVICE | TS_OPT_WORK_GROUP | TS_OPT_BUILD | TS_OPT_INEXACT | TS_OPT_REQUIRE)
 
 const char *const ts_program = "touchstone";
 ts_preview *const ts_golden_preview = ts_image_write_png;
+const ts_backend_kind *const ts_backend_kinds[] = { &ts_c_kind, &ts_opencl_kind, NULL };
 
 const ts_command ts_command_table[] = {
 	{ "render", "EFFECT [SCENE]", "render an effect by one or more methods, and judge them by ground truth",
@@ -15,7 +17,7 @@ const ts_command ts_command_table[] = {
 	  "Writes METHOD.png and .exr, truth-a.png ..., differences, pictures of the stages, traces and report.json to DIR,\n"
 	  "and prints times, counters, memory and metrics.\n"
 	  "Of a parameter with several values, --set NAME=A,B, every combination is rendered, and CSV is printed.",
-	  1, 2, TS_OPT_METHOD | TS_OPT_TRUTH | WHERE | HOW | TS_OPT_BACKEND | TS_OPT_OUTPUT | TS_OPT_FORCE |
+	  1, 2, TS_OPT_METHOD | TS_OPT_TRUTH | WHERE | HOW | TS_OPT_ORDER | TS_OPT_OUTPUT | TS_OPT_FORCE |
 	  TS_OPT_NO_IMAGES | TS_OPT_TRACE | TS_OPT_TRACE_ONLY | TS_OPT_CROP | TS_OPT_MARGINS |
 	  TS_OPT_VIEWER | TS_OPT_JSON, ts_render_command },
 	{ "replay", "TRACE", "run a stage again, alone, from the buffers of a trace or of a port, and compare",
@@ -52,7 +54,7 @@ const ts_command ts_command_table[] = {
 	  ts_digest_command },
 	{ "golden", "ACTION [CASE]", "check, new or bless: the goldens of reference/",
 	  TS_GOLDEN_DETAILS,
-	  1, 2, HOW | TS_OPT_BACKEND | TS_OPT_REASON | TS_OPT_REFERENCE_DIR, ts_golden_command },
+	  1, 2, HOW | TS_OPT_REASON | TS_OPT_REFERENCE_DIR, ts_golden_command },
 	{ "vectors", "", "inputs and outputs of every arithmetic primitive, to write, or to check a port with",
 	  "Before a port renders anything: write them with -o DIR, let the port compute PRIMITIVE.out.npy from\n"
 	  "PRIMITIVE.in.npy, and judge its folder with --check DIR. vectors.json describes each primitive. Exact: 0 all right,\n"

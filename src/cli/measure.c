@@ -72,14 +72,14 @@ static void keep_for_truths(ts_run *run)
 }
 
 ts_status ts_measure_run(ts_measure *measure, const ts_pipeline *method, const ts_scene *scene, const ts_params *params,
-                         u32 threads, bool reference, ts_measure_after after, void *user)
+                         const ts_how *how, ts_measure_after after, void *user)
 {
 	*measure = (ts_measure){ .method = method, .pictures = measure->pictures, .trace = measure->trace,
 	                         .viewer = measure->viewer };
 	ts_run run;
-	ts_run_begin(&run, scene, params, threads);
+	ts_run_begin(&run, scene, params, how->threads);
+	ts_run_how(&run, how);
 	keep_for_truths(&run);
-	run.reference = reference;
 	run.hook = after_stage;
 	run.hook_user = measure;
 	run.traced = measure->trace != NULL;

@@ -39,7 +39,7 @@ typedef ts_status (*ts_measure_after)(ts_run *run, void *user);
 /* Runs `method` and measures it into *measure, of which only `pictures`, `trace` and `viewer` are read. `after`, which may
  * be NULL, is called behind the last stage. Prints progress. */
 ts_status ts_measure_run(ts_measure *measure, const ts_pipeline *method, const ts_scene *scene, const ts_params *params,
-                         u32 threads, bool reference, ts_measure_after after, void *user);
+                         const ts_how *how, ts_measure_after after, void *user);
 
 /* NULL if that was not counted, or that stage did not run. */
 const ts_counter *ts_measure_counter(const ts_measure *measure, const char *name);

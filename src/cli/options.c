@@ -23,6 +23,11 @@ const ts_option ts_option_table[] = {
 	{ TS_OPT_SET, "set", "NAME=VALUE", "any parameter, repeatable", "params" },
 	{ TS_OPT_THREADS, "threads", "N", "threads, by default one a core; never changes a result", "" },
 	{ TS_OPT_BACKEND, "backend", "NAME", "what runs the kernels (c); never changes a result", "backends" },
+	{ TS_OPT_DEVICE, "device", "N", "the backend's device (0)", "backends" },
+	{ TS_OPT_WORK_GROUP, "work-group", "N", "items of a work group of the device (64); 0: the driver chooses", "" },
+	{ TS_OPT_BUILD, "build", "OPTIONS", "more options for the compiler of the device's driver", "" },
+	{ TS_OPT_INEXACT, "inexact", "", "also a device that breaks the numeric contract; the trace says so", "" },
+	{ TS_OPT_REQUIRE, "require", "", "a backend without a device is an error, not skipped with exit code 77", "" },
 	{ TS_OPT_REFERENCE, "reference", "", "turn all fast paths off", "" },
 	{ TS_OPT_OUTPUT, "output", "DIR", "folder to write, whole or not at all (render: out). Short: -o DIR", "" },
 	{ TS_OPT_FORCE, "force", "", "replace DIR if an earlier run wrote it", "" },
@@ -44,7 +49,7 @@ const ts_option ts_option_table[] = {
 	{ TS_OPT_MASK, "mask", "FILE", "PNG of the eye's size: pixels that are black in it are not judged", "" },
 	{ TS_OPT_LAYOUT, "layout", "NAME=FILE,...",
 	  "CANDIDATE has no trace.json: these are its buffers, .npy or raw little-endian", "buffers" },
-	{ TS_OPT_ORDER, "order", "ORDER", "of the points of such a candidate: canonical (the default) or arrival", "" },
+	{ TS_OPT_ORDER, "order", "ORDER", "of the points: canonical (the default), or arrival, as threads append them", "" },
 	{ TS_OPT_JUNIT, "junit", "FILE", "also write the verdicts as JUnit XML, a case a stage", "" },
 	{ TS_OPT_TAP, "tap", "", "print the verdicts as TAP, a line a stage", "" },
 	{ TS_OPT_PIXEL, "pixel", "X,Y", "pixel of the eye, or texel of the face of --view, from the top left", "" },
@@ -63,7 +68,7 @@ const ts_option ts_option_table[] = {
 };
 
 /* LONG: what getopt_long answers for the first long option, above every letter. */
-enum { LONG = 256, MAX_OPTIONS = 64, MAX_THREADS = 1024, MAX_RUNS = 1000 };
+enum { LONG = 256, MAX_OPTIONS = 64, MAX_THREADS = 1024, MAX_WORK_GROUP = 4096, MAX_RUNS = 1000 };
 
 bool ts_cli_given(const ts_cli *cli, u64 option) { return (cli->given & option) != 0; }
 
@@ -141,6 +146,13 @@ static ts_status set_distance(double *value, const char *text, const char *what)
 	return TS_OK;
 }
 
+static ts_status set_order(ts_cli *cli, const char *text)
+{
+	cli->how.arrival = strcmp(text, "arrival") == 0;
+	if (cli->how.arrival || strcmp(text, "canonical") == 0) return TS_OK;
+	return ts_fail("--order: no order \"%s\"; there are canonical and arrival", text);
+}
+
 static ts_status set_truths(ts_cli *cli, const char *text)
 {
 	char item[8];
@@ -177,7 +189,7 @@ static ts_status take(ts_cli *cli, u64 bit, const char *text)
 	case TS_OPT_IGNORE: cli->ignore = text; break;
 	case TS_OPT_MASK: cli->mask = text; break;
 	case TS_OPT_LAYOUT: cli->layout = text; break;
-	case TS_OPT_ORDER: cli->order = text; break;
+	case TS_OPT_ORDER: return set_order(cli, text);
 	case TS_OPT_JUNIT: cli->junit = text; break;
 	case TS_OPT_PIXEL: cli->pixel = text; break;
 	case TS_OPT_VIEW: cli->view = text; break;
@@ -191,8 +203,13 @@ static ts_status take(ts_cli *cli, u64 bit, const char *text)
 	case TS_OPT_STAGE: cli->stage = text; break;
 	case TS_OPT_INPUTS: cli->inputs = text; break;
 	case TS_OPT_BACKEND: return ts_backend_find(&cli->backend, text);
+	case TS_OPT_DEVICE: return ts_cli_count(&cli->device.device, text, 0, TS_MAX_DEVICES - 1, "--device");
+	case TS_OPT_WORK_GROUP: return ts_cli_count(&cli->device.work_group, text, 0, MAX_WORK_GROUP, "--work-group");
+	case TS_OPT_BUILD: cli->device.build = text; break;
+	case TS_OPT_INEXACT: cli->device.inexact = true; break;
+	case TS_OPT_REFERENCE: cli->how.reference = true; break;
 	case TS_OPT_SET: return set_param(cli, text);
-	case TS_OPT_THREADS: return ts_cli_count(&cli->threads, text, 1, MAX_THREADS, "--threads");
+	case TS_OPT_THREADS: return ts_cli_count(&cli->how.threads, text, 1, MAX_THREADS, "--threads");
 	case TS_OPT_RUNS: return ts_cli_count(&cli->runs, text, 1, MAX_RUNS, "--runs");
 	default: break;
 	}
@@ -264,8 +281,9 @@ ts_status ts_cli_parse(ts_cli *cli, const ts_command *command, int argc, char **
 	struct option list[MAX_OPTIONS + 1];
 	memset(cli, 0, sizeof *cli);
 	ts_params_default(&cli->params);
-	cli->backend = &ts_backend_table[0];
-	cli->threads = (u32)omp_get_num_procs();
+	cli->backend = ts_backend_kinds[0];
+	cli->device = (ts_backend_options){ .work_group = 64, .build = "" };
+	cli->how.threads = (u32)omp_get_num_procs();
 	cli->runs = 3;
 	long_options(list, command);
 	opterr = 0;

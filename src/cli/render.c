@@ -74,7 +74,7 @@ static ts_status take_picture(ts_run *run, void *user)
 static ts_status run_all(ts_render *render)
 {
 	const ts_cli *cli = render->cli;
-	bool reference = ts_cli_given(cli, TS_OPT_REFERENCE), epr = false;
+	bool epr = false;
 	ts_status status = TS_OK;
 	for (u32 i = 0; i < render->n_methods && status == TS_OK; i++) {
 		after_method after = { render, i };
@@ -82,17 +82,17 @@ static ts_status run_all(ts_render *render)
 		render->measures[i].trace = traces(cli) ? &render->tracings[i].options : NULL;
 		render->measures[i].viewer = ts_cli_given(cli, TS_OPT_VIEWER) ? render->tracings[i].viewer : NULL;
 		epr |= strcmp(render->methods[i]->name, "epr") == 0;
-		status = ts_measure_run(&render->measures[i], render->methods[i], render->scene, &cli->params, cli->threads,
-		                        reference, take_picture, &after);
+		status = ts_measure_run(&render->measures[i], render->methods[i], render->scene, &cli->params, &cli->how,
+		                        take_picture, &after);
 	}
 	if (status == TS_OK && !epr && (wants(render, TS_TRUTH_A) || wants(render, TS_TRUTH_B))) {
 		ts_measure unseen = { .pictures = NULL };
 		status = ts_measure_run(&unseen, ts_pipeline_find(render->effect, "epr"), render->scene, &cli->params,
-		                        cli->threads, reference, take_truths, render);
+		                        &cli->how, take_truths, render);
 	}
 	if (status == TS_OK && wants(render, TS_TRUTH_C)) {
 		ts_progress("truth C", 0, 1);
-		status = ts_picture_truth_c(&render->truths[2], render->scene, &cli->params, cli->threads);
+		status = ts_picture_truth_c(&render->truths[2], render->scene, &cli->params, cli->how.threads);
 	}
 	ts_progress("truth", 1, 1);
 	return status;

@@ -35,7 +35,7 @@ void ts_render_report_head(const ts_render *render, ts_report *report)
 	const ts_scene *scene = render->scene;
 	ts_report_line(report, "%s: %u triangles, %u mirrors; %u x %u pixels, frame %u, %u threads", scene->name,
 	               (unsigned)scene->n_triangles, (unsigned)scene->info.n_reflectors, (unsigned)p->width,
-	               (unsigned)p->height, (unsigned)p->frame, (unsigned)render->cli->threads);
+	               (unsigned)p->height, (unsigned)p->frame, (unsigned)render->cli->how.threads);
 	ts_report_line(report, "memory: about %.2f GB at the peak, of %.2f GB", (double)render->estimate / 1e9,
 	               (double)ts_memory_total() / 1e9);
 	ts_report_run(report, render->cli);

@@ -17,7 +17,7 @@ static const char *place(void *user, const char *name)
 static void replay(ts_replayed *r, const ts_cli *cli, const ts_trace *reference, const ts_trace *candidate)
 {
 	ts_load *load;
-	r->status = ts_replay(&load, r->stage, reference, candidate, cli->threads);
+	r->status = ts_replay(&load, r->stage, reference, candidate, cli->how.threads);
 	for (u32 i = 0; r->stage->writes[i] != TS_N_BUFFERS && r->status != TS_ERROR; i++) {
 		ts_status status = ts_judge(&r->judged[r->n_judged++], load, r->stage->writes[i], NULL);
 		if (status == TS_ERROR) ts_fail("stage %s: %s", r->stage->name, ts_error_message());

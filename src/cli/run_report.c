@@ -23,6 +23,6 @@ void ts_report_run(ts_report *report, const ts_cli *cli)
 	ts_report_value(report, "program", json_string(ts_program));
 	ts_report_value(report, "version", json_string(TS_VERSION));
 	ts_report_value(report, "backend", json_string(cli->backend->name));
-	ts_report_value(report, "threads", json_integer(cli->threads));
+	ts_report_value(report, "threads", json_integer(cli->how.threads));
 	ts_report_value(report, "params", params_json(&cli->params));
 }

@@ -43,6 +43,17 @@ const ts_field_info *ts_field_table(size_t *n)
 	return fields;
 }
 
+static ts_status fetch(const ts_frame *frame, const ts_buffer *buffer)
+{
+	return buffer->resident != NULL ? frame->residence->fetch(buffer->resident) : TS_OK;
+}
+
+static void release(const ts_frame *frame, ts_buffer *buffer)
+{
+	if (buffer->resident != NULL) frame->residence->release(buffer->resident);
+	buffer->resident = NULL;
+}
+
 void *ts_frame_make(ts_frame *frame, ts_buffer_id id, u32 n_dims, const u64 *shape)
 {
 	assert(id < TS_N_BUFFERS && n_dims >= 1 && n_dims <= 4);
@@ -63,9 +74,9 @@ void *ts_frame_make(ts_frame *frame, ts_buffer_id id, u32 n_dims, const u64 *sha
 	void *data = ts_alloc((size_t)n, info->element_bytes, info->name);
 	if (!data) return NULL;
 	ts_buffer *buffer = &frame->buffer[id];
-	*buffer = (ts_buffer){.data = data, .n = n, .n_dims = n_dims, .made = true};
+	*buffer = (ts_buffer){.data = data, .n = n, .bytes = n * info->element_bytes, .n_dims = n_dims, .made = true};
 	memcpy(buffer->shape, shape, n_dims * sizeof *shape);
-	frame->bytes += n * info->element_bytes;
+	frame->bytes += buffer->bytes;
 	frame->peak_bytes = frame->bytes > frame->peak_bytes ? frame->bytes : frame->peak_bytes;
 	return data;
 }
@@ -89,14 +100,43 @@ void ts_frame_borrow(ts_frame *frame, ts_buffer_id id, const void *data, u64 n)
 {
 	assert(id < TS_N_BUFFERS);
 	ts_frame_drop(frame, id);
-	frame->buffer[id] = (ts_buffer){
-		.data = (void *)(uintptr_t)data, .n = n, .n_dims = 1, .shape = {n}, .borrowed = true, .made = true};
+	frame->buffer[id] = (ts_buffer){.data = (void *)(uintptr_t)data, .n = n, .bytes = n * ts_buffer_table[id].element_bytes,
+	                                .n_dims = 1, .shape = {n}, .borrowed = true, .made = true};
+}
+
+void *ts_frame_handle(const ts_frame *frame, ts_buffer_id id)
+{
+	assert(id < TS_N_BUFFERS && frame->buffer[id].made);
+	return frame->buffer[id].data;
 }
 
 void *ts_frame_data(const ts_frame *frame, ts_buffer_id id)
 {
-	assert(id < TS_N_BUFFERS && frame->buffer[id].made);
-	return frame->buffer[id].data;
+	void *data = ts_frame_handle(frame, id);
+	fetch(frame, &frame->buffer[id]);
+	return data;
+}
+
+ts_status ts_frame_fetch(ts_frame *frame)
+{
+	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
+		if (fetch(frame, &frame->buffer[id]) != TS_OK) return TS_ERROR;
+	}
+	return TS_OK;
+}
+
+i64 *ts_frame_tallies(ts_frame *frame)
+{
+	release(frame, &frame->tallies);
+	memset(frame->tally, 0, sizeof frame->tally);
+	frame->tallies = (ts_buffer){.data = frame->tally, .n = TS_TALLIES, .bytes = sizeof frame->tally, .borrowed = true};
+	return frame->tally;
+}
+
+i64 ts_frame_tally(ts_frame *frame, u32 index)
+{
+	fetch(frame, &frame->tallies);
+	return frame->tally[index];
 }
 
 u64 ts_frame_n(const ts_frame *frame, ts_buffer_id id)
@@ -109,8 +149,9 @@ void ts_frame_drop(ts_frame *frame, ts_buffer_id id)
 {
 	assert(id < TS_N_BUFFERS);
 	ts_buffer *buffer = &frame->buffer[id];
+	release(frame, buffer);
 	if (buffer->made && !buffer->borrowed) {
-		frame->bytes -= buffer->n * ts_buffer_table[id].element_bytes;
+		frame->bytes -= buffer->bytes;
 		free(buffer->data);
 	}
 	*buffer = (ts_buffer){0};
@@ -118,5 +159,6 @@ void ts_frame_drop(ts_frame *frame, ts_buffer_id id)
 
 void ts_frame_clear(ts_frame *frame)
 {
+	release(frame, &frame->tallies);
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) ts_frame_drop(frame, (ts_buffer_id)id);
 }

@@ -28,16 +28,28 @@ const ts_field_info *ts_field_table(size_t *n);
 
 typedef struct {
 	void *data;
-	u64 n;          /* elements in all */
+	u64 n, bytes;   /* elements in all, and what they take */
 	u32 n_dims;
 	u64 shape[4];
 	bool borrowed;  /* belongs to the scene */
 	bool made;
+	void *resident; /* what a backend's device holds of it; NULL: nothing */
 } ts_buffer;
+
+/* What a backend with a memory of its own does for the buffers that are resident there. */
+typedef struct {
+	ts_status (*fetch)(void *resident); /* makes `data` what the device has; kernels may still read it there */
+	void (*release)(void *resident);
+} ts_residence;
+
+enum { TS_TALLIES = 4 };
 
 typedef struct {
 	ts_buffer buffer[TS_N_BUFFERS];
 	u64 bytes, peak_bytes; /* owned by the frame */
+	i64 tally[TS_TALLIES]; /* sums that the kernels of a stage add to */
+	ts_buffer tallies;     /* borrows them */
+	const ts_residence *residence; /* NULL: all is in host memory */
 } ts_frame;
 
 /* Makes a buffer; its contents are undefined. NULL with the message set when there is no memory. A buffer made again
@@ -48,8 +60,16 @@ void *ts_frame_make2(ts_frame *frame, ts_buffer_id id, u64 n0, u64 n1);
 void *ts_frame_make3(ts_frame *frame, ts_buffer_id id, u64 n0, u64 n1, u64 n2);
 /* Makes a buffer of memory that outlives the frame. */
 void ts_frame_borrow(ts_frame *frame, ts_buffer_id id, const void *data, u64 n);
-/* The contents; the buffer must exist. */
+/* What arguments of kernels hold; the buffer must exist. Its contents may be elsewhere. */
+void *ts_frame_handle(const ts_frame *frame, ts_buffer_id id);
+/* The contents, fetched to host memory; the buffer must exist. If that fails they are undefined, and the backend's next
+ * `finish` says so. */
 void *ts_frame_data(const ts_frame *frame, ts_buffer_id id);
+/* Fetches all that there is. */
+ts_status ts_frame_fetch(ts_frame *frame);
+/* Sets the tallies to 0 and returns what arguments of kernels hold; ts_frame_tally reads one. */
+i64 *ts_frame_tallies(ts_frame *frame);
+i64 ts_frame_tally(ts_frame *frame, u32 index);
 u64 ts_frame_n(const ts_frame *frame, ts_buffer_id id);
 void ts_frame_drop(ts_frame *frame, ts_buffer_id id);
 void ts_frame_clear(ts_frame *frame);

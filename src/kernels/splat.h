@@ -10,10 +10,11 @@ typedef struct {
 	TS_GLOBAL const ts_align *frames;
 	TS_GLOBAL const u64 *bits;        /* visibility.bits, by triangle */
 	TS_GLOBAL const ts_point *points;
+	TS_GLOBAL const u32 *offset;      /* points before each piece; NULL: they are in no order */
 	TS_GLOBAL u64 *texels;            /* splat.depth_index, all empty at first */
 	TS_GLOBAL u8 *tie;                /* splat.tie, all 0 at first; NULL while texels are written */
 	TS_GLOBAL i64 *n_scatters, *n_writes; /* splats, and texels they offered a key to */
-	u32 n_cubes, n_words;
+	u32 n_cubes, n_words, n_pieces;
 	u32 clip, plane_depth;
 } ts_splat_args;
 

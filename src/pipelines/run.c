@@ -77,7 +77,7 @@ ts_status ts_pipeline_run(const ts_pipeline *pipeline, ts_run *run)
 		if (status != TS_OK) return status;
 		forget(pipeline, end, run);
 	}
-	return TS_OK;
+	return ts_frame_fetch(&run->frame);
 }
 
 const ts_step *ts_pipeline_maker(const ts_pipeline *pipeline, ts_buffer_id id)

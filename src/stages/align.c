@@ -5,12 +5,11 @@ ts_status ts_stage_align(ts_run *run)
 {
 	u64 n = ts_frame_n(&run->frame, TS_B_split_triangle);
 	ts_align_args args = {
-		.pieces = ts_frame_data(&run->frame, TS_B_split_triangle),
-		.scale = ts_frame_data(&run->frame, TS_B_density_scale),
-		.keep = ts_frame_data(&run->frame, TS_B_cull_keep),
+		.pieces = ts_frame_handle(&run->frame, TS_B_split_triangle),
+		.scale = ts_frame_handle(&run->frame, TS_B_density_scale),
+		.keep = ts_frame_handle(&run->frame, TS_B_cull_keep),
 		.frames = ts_frame_make1(&run->frame, TS_B_align_frame, n),
 	};
 	if (args.frames == NULL) return TS_ERROR;
-	ts_c_launch(TS_KERNEL_align, &args, n, run->threads);
-	return TS_OK;
+	return ts_run_launch(run, TS_KERNEL_align, &args, n);
 }

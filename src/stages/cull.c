@@ -5,8 +5,8 @@ ts_cull_args ts_cull_arguments(const ts_run *run)
 {
 	const ts_params *params = &run->params;
 	return (ts_cull_args){
-		.pieces = ts_frame_data(&run->frame, TS_B_split_triangle),
-		.scale = ts_frame_data(&run->frame, TS_B_density_scale),
+		.pieces = ts_frame_handle(&run->frame, TS_B_split_triangle),
+		.scale = ts_frame_handle(&run->frame, TS_B_density_scale),
 		.unit = params->cull_unit == TS_CULL_EYE ? ts_samples_a_pixel(params) : 1.0f,
 		.seed = params->seed,
 		.enabled = params->cull,
@@ -19,9 +19,10 @@ ts_status ts_stage_cull(ts_run *run)
 	ts_cull_args args = ts_cull_arguments(run);
 	args.keep = ts_frame_make1(&run->frame, TS_B_cull_keep, n);
 	if (args.keep == NULL) return TS_ERROR;
-	ts_c_launch(TS_KERNEL_cull, &args, n, run->threads);
+	if (ts_run_launch(run, TS_KERNEL_cull, &args, n) != TS_OK) return TS_ERROR;
 	i64 kept = 0;
-	for (u64 i = 0; i < n; i++) kept += args.keep[i];
+	const u32 *keep = ts_frame_data(&run->frame, TS_B_cull_keep);
+	for (u64 i = 0; i < n; i++) kept += keep[i];
 	ts_run_count(run, "pieces kept", kept);
 	ts_run_count(run, "pieces culled", (i64)n - kept);
 	return TS_OK;

@@ -6,14 +6,13 @@ ts_status ts_stage_face(ts_run *run)
 	u64 n_texels = ts_run_n_texels(run, run->first_reflector, run->n_reflectors);
 	ts_face_args args = {
 		.scene = ts_run_arrays(run),
-		.cubes = ts_frame_data(&run->frame, TS_B_resize_face),
+		.cubes = ts_frame_handle(&run->frame, TS_B_resize_face),
 		.texels = ts_frame_make1(&run->frame, TS_B_face_depth_triangle, n_texels),
 		.first_cube = run->first_reflector,
 		.n_cubes = run->n_reflectors,
 	};
-	if (args.texels == NULL) return TS_ERROR;
-	ts_c_empty(args.texels, n_texels, run->threads);
-	ts_c_launch(TS_KERNEL_face, &args, args.scene.n_triangles, run->threads);
+	if (args.texels == NULL || ts_run_fill(run, TS_B_face_depth_triangle, 0xff) != TS_OK) return TS_ERROR;
+	if (ts_run_launch(run, TS_KERNEL_face, &args, args.scene.n_triangles) != TS_OK) return TS_ERROR;
 	ts_run_count(run, "geometry traversals", run->n_reflectors);
 	ts_run_count(run, "triangles processed", (i64)args.scene.n_triangles * run->n_reflectors);
 	return TS_OK;

@@ -6,9 +6,8 @@ static ts_status margin_of_pixels(ts_run *run, ts_margin_args *args, ts_buffer_i
 {
 	args->scene = ts_run_arrays(run);
 	args->margin = ts_frame_make(&run->frame, margin, n_dims, shape);
-	if (args->margin == NULL) return TS_ERROR;
-	ts_c_empty(args->margin, ts_frame_n(&run->frame, margin), run->threads);
-	ts_c_launch(kernel, args, args->scene.n_triangles, run->threads);
+	if (args->margin == NULL || ts_run_fill(run, margin, 0xff) != TS_OK) return TS_ERROR;
+	if (ts_run_launch(run, kernel, args, args->scene.n_triangles) != TS_OK) return TS_ERROR;
 	return TS_OK;
 }
 
@@ -16,8 +15,8 @@ ts_status ts_stage_eye_margin(ts_run *run)
 {
 	const u64 shape[] = {run->params.height, run->params.width, 2};
 	ts_margin_args args = {
-		.view = ts_frame_data(&run->frame, TS_B_eye_view),
-		.depth_triangle = ts_frame_data(&run->frame, TS_B_eye_depth_triangle),
+		.view = ts_frame_handle(&run->frame, TS_B_eye_view),
+		.depth_triangle = ts_frame_handle(&run->frame, TS_B_eye_depth_triangle),
 	};
 	return margin_of_pixels(run, &args, TS_B_eye_margin, 3, shape, TS_KERNEL_eye_margin);
 }
@@ -26,8 +25,8 @@ ts_status ts_stage_face_margin(ts_run *run)
 {
 	const u64 shape[] = {ts_frame_n(&run->frame, TS_B_face_depth_triangle), 2};
 	ts_margin_args args = {
-		.cubes = ts_frame_data(&run->frame, TS_B_resize_face),
-		.depth_triangle = ts_frame_data(&run->frame, TS_B_face_depth_triangle),
+		.cubes = ts_frame_handle(&run->frame, TS_B_resize_face),
+		.depth_triangle = ts_frame_handle(&run->frame, TS_B_face_depth_triangle),
 		.first_cube = run->first_reflector,
 		.n_cubes = run->n_reflectors,
 	};
@@ -39,6 +38,5 @@ ts_status ts_stage_cull_margin(ts_run *run)
 	u64 n = ts_frame_n(&run->frame, TS_B_split_triangle);
 	ts_cull_margin_args args = {.cull = ts_cull_arguments(run), .margin = ts_frame_make1(&run->frame, TS_B_cull_margin, n)};
 	if (args.margin == NULL) return TS_ERROR;
-	ts_c_launch(TS_KERNEL_cull_margin, &args, n, run->threads);
-	return TS_OK;
+	return ts_run_launch(run, TS_KERNEL_cull_margin, &args, n);
 }

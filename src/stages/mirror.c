@@ -4,18 +4,18 @@
 ts_status ts_stage_mirror(ts_run *run)
 {
 	u64 n = ts_frame_n(&run->frame, TS_B_pixel_record);
-	if (run->first_reflector == 0 && ts_frame_make2(&run->frame, TS_B_shade_radiance, n, 3) == NULL) return TS_ERROR;
+	bool first = run->first_reflector == 0;
+	if (first && ts_frame_make2(&run->frame, TS_B_shade_radiance, n, 3) == NULL) return TS_ERROR;
+	if (first && ts_run_fill(run, TS_B_shade_radiance, 0) != TS_OK) return TS_ERROR;
 	ts_mirror_args args = {
-		.view = ts_frame_data(&run->frame, TS_B_eye_view),
-		.cubes = ts_frame_data(&run->frame, TS_B_resize_face),
-		.pixels = ts_frame_data(&run->frame, TS_B_pixel_record),
-		.mip = ts_frame_data(&run->frame, TS_B_face_mip),
-		.radiance = ts_frame_data(&run->frame, TS_B_shade_radiance),
+		.view = ts_frame_handle(&run->frame, TS_B_eye_view),
+		.cubes = ts_frame_handle(&run->frame, TS_B_resize_face),
+		.pixels = ts_frame_handle(&run->frame, TS_B_pixel_record),
+		.mip = ts_frame_handle(&run->frame, TS_B_face_mip),
+		.radiance = ts_frame_handle(&run->frame, TS_B_shade_radiance),
 		.first_cube = run->first_reflector,
 		.n_cubes = run->n_reflectors,
 		.supersample = run->params.mvr_filter == TS_MVR_SUPERSAMPLE,
 	};
-	if (run->first_reflector == 0) memset(args.radiance, 0, n * 3 * sizeof(f32));
-	ts_c_launch(TS_KERNEL_mirror, &args, n, run->threads);
-	return TS_OK;
+	return ts_run_launch(run, TS_KERNEL_mirror, &args, n);
 }

@@ -5,12 +5,11 @@ ts_status ts_stage_pose(ts_run *run)
 {
 	u64 n = ts_frame_n(&run->frame, TS_B_scene_vertex);
 	ts_pose_args args = {
-		.vertices = ts_frame_data(&run->frame, TS_B_scene_vertex),
-		.objects = ts_frame_data(&run->frame, TS_B_scene_object),
+		.vertices = ts_frame_handle(&run->frame, TS_B_scene_vertex),
+		.objects = ts_frame_handle(&run->frame, TS_B_scene_object),
 		.posed = ts_frame_make1(&run->frame, TS_B_pose_vertex, n),
 		.frame = run->params.frame,
 	};
 	if (args.posed == NULL) return TS_ERROR;
-	ts_c_launch(TS_KERNEL_pose, &args, n, run->threads);
-	return TS_OK;
+	return ts_run_launch(run, TS_KERNEL_pose, &args, n);
 }

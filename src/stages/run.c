@@ -10,7 +10,7 @@ void ts_run_begin(ts_run *run, const ts_scene *scene, const ts_params *params, u
 	memset(run, 0, sizeof *run);
 	run->scene = scene;
 	run->params = *params;
-	run->threads = threads != 0 ? threads : 1;
+	ts_c_begin(&run->c, threads);
 	run->n_reflectors = scene->info.n_reflectors;
 	ts_frame_borrow(&run->frame, TS_B_scene_vertex, scene->vertices, scene->n_vertices);
 	ts_frame_borrow(&run->frame, TS_B_scene_triangle, scene->triangles, scene->n_triangles);
@@ -23,7 +23,19 @@ void ts_run_begin(ts_run *run, const ts_scene *scene, const ts_params *params, u
 	ts_frame_borrow(&run->frame, TS_B_scene_info, &scene->info, 1);
 }
 
+void ts_run_how(ts_run *run, const ts_how *how)
+{
+	ts_c_begin(&run->c, how->threads);
+	run->c.reference = how->reference;
+	run->backend = how->backend;
+	run->arrival = how->arrival;
+}
+
 void ts_run_end(ts_run *run) { ts_frame_clear(&run->frame); }
+
+static ts_backend *backend_of(ts_run *run) { return run->backend != NULL ? run->backend : &run->c.backend; }
+
+const ts_backend *ts_run_backend(const ts_run *run) { return run->backend != NULL ? run->backend : &run->c.backend; }
 
 static void add_timing(ts_run *run, const char *stage, double seconds)
 {
@@ -41,6 +53,7 @@ ts_status ts_run_stage(ts_run *run, const ts_stage *stage)
 {
 	double start = ts_seconds();
 	ts_status status = stage->run(run);
+	if (status == TS_OK) status = backend_of(run)->finish(backend_of(run));
 	if (status != TS_OK) return ts_fail("stage %s: %s", stage->name, ts_error_message());
 	add_timing(run, stage->name, ts_seconds() - start);
 	return run->hook != NULL ? run->hook(run, stage, run->hook_user) : TS_OK;
@@ -72,14 +85,14 @@ ts_arrays ts_run_arrays(const ts_run *run)
 {
 	const ts_frame *frame = &run->frame;
 	return (ts_arrays){
-		.vertices = ts_frame_data(frame, TS_B_pose_vertex),
-		.triangles = ts_frame_data(frame, TS_B_scene_triangle),
-		.materials = ts_frame_data(frame, TS_B_scene_material),
-		.slots = ts_frame_data(frame, TS_B_scene_slot),
-		.images = ts_frame_data(frame, TS_B_scene_image),
-		.texels = ts_frame_data(frame, TS_B_scene_texel),
-		.lights = ts_frame_data(frame, TS_B_scene_light),
-		.objects = ts_frame_data(frame, TS_B_scene_object),
+		.vertices = ts_frame_handle(frame, TS_B_pose_vertex),
+		.triangles = ts_frame_handle(frame, TS_B_scene_triangle),
+		.materials = ts_frame_handle(frame, TS_B_scene_material),
+		.slots = ts_frame_handle(frame, TS_B_scene_slot),
+		.images = ts_frame_handle(frame, TS_B_scene_image),
+		.texels = ts_frame_handle(frame, TS_B_scene_texel),
+		.lights = ts_frame_handle(frame, TS_B_scene_light),
+		.objects = ts_frame_handle(frame, TS_B_scene_object),
 		.n_triangles = run->scene->n_triangles,
 		.n_lights = run->scene->n_lights,
 		.ambient = ts_run_info(run)->ambient,
@@ -98,9 +111,22 @@ u64 ts_run_n_texels(const ts_run *run, u32 first, u32 n)
 	return texels;
 }
 
-ts_status ts_run_scan(u32 *counts, u64 n, const char *what, u64 *total)
+ts_status ts_run_launch(ts_run *run, ts_kernel kernel, const void *args, u64 n)
 {
-	*total = ts_c_scan(counts, n);
+	ts_backend *backend = backend_of(run);
+	return backend->launch(backend, &run->frame, kernel, args, n);
+}
+
+ts_status ts_run_fill(ts_run *run, ts_buffer_id id, u8 byte)
+{
+	ts_backend *backend = backend_of(run);
+	return backend->fill(backend, &run->frame, id, byte);
+}
+
+ts_status ts_run_scan(ts_run *run, ts_buffer_id id, const char *what, u64 *total)
+{
+	ts_backend *backend = backend_of(run);
+	if (backend->scan(backend, &run->frame, id, total) != TS_OK) return TS_ERROR;
 	if (*total < TS_NONE) return TS_OK;
 	return ts_fail("%" PRIu64 " %s are more than 32-bit indices can name; lower rho_scale or the image's size", *total,
 	               what);

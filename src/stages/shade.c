@@ -7,12 +7,12 @@ static ts_status shade(ts_run *run, u32 bounce)
 	const ts_bounce_buffers *own = &ts_bounce_table[bounce];
 	u64 n = ts_frame_n(&run->frame, own->queue);
 	ts_lookup_args args = ts_lookup_arguments(run, bounce);
-	args.found = ts_frame_data(&run->frame, own->found);
+	args.found = ts_frame_handle(&run->frame, own->found);
 	args.follow = bounce + 1 < TS_MAX_BOUNCES && bounce + 1 < run->params.bounces;
 	args.adaptive = bounce == 0 && run->params.samples == TS_SAMPLES_ADAPTIVE;
 	if (args.follow) {
-		args.offset = ts_frame_data(&run->frame, ts_bounce_table[bounce + 1].offset);
-		args.next_radiance = ts_frame_data(&run->frame, ts_bounce_table[bounce + 1].radiance);
+		args.offset = ts_frame_handle(&run->frame, ts_bounce_table[bounce + 1].offset);
+		args.next_radiance = ts_frame_handle(&run->frame, ts_bounce_table[bounce + 1].radiance);
 	}
 	args.radiance = ts_frame_make2(&run->frame, own->radiance, n, 3);
 	if (args.radiance == NULL) return TS_ERROR;
@@ -20,12 +20,7 @@ static ts_status shade(ts_run *run, u32 bounce)
 		args.used = ts_frame_make1(&run->frame, TS_B_shade_used, n);
 		if (args.used == NULL) return TS_ERROR;
 	}
-	if (run->reference || args.adaptive) {
-		ts_c_launch(TS_KERNEL_shade, &args, n, run->threads);
-	} else {
-		ts_c_shade_fast(&args, n, run->threads);
-	}
-	return TS_OK;
+	return ts_run_launch(run, TS_KERNEL_shade, &args, n);
 }
 
 /* Shading operations if every point were shaded once and remembered. */

@@ -1,7 +1,7 @@
 /* A stage: one GPU pass, a pure function from buffers and parameters to buffers. */
 #ifndef TS_STAGES_STAGE_H
 #define TS_STAGES_STAGE_H
-#include "../core/frame.h"
+#include "../backends/backend.h"
 #include "../core/shape.h"
 #include "../scene/scene.h"
 
@@ -10,6 +10,14 @@ typedef struct { const char *stage; double seconds; } ts_timing;
 enum { TS_MAX_COUNTERS = 64, TS_MAX_TIMINGS = 32 };
 
 typedef struct ts_run ts_run;
+
+/* What computes a run. Only `arrival` changes a result, and that by the order of the points alone. */
+typedef struct {
+	u32 threads;               /* of the C backend */
+	bool reference;            /* it takes no fast paths */
+	ts_backend *backend;       /* NULL: the C backend; else outlives the run */
+	bool arrival;              /* points are appended as they come, not in the order of the pieces */
+} ts_how;
 
 typedef struct {
 	const char *name;
@@ -26,8 +34,9 @@ typedef ts_status (*ts_stage_hook)(const ts_run *run, const ts_stage *stage, voi
 struct ts_run {
 	const ts_scene *scene;
 	ts_params params;
-	u32 threads;               /* never changes a result */
-	bool reference;            /* no fast paths */
+	ts_c_backend c;
+	ts_backend *backend;       /* NULL: c */
+	bool arrival;              /* see ts_how */
 	u32 fixed_face;            /* size of every cube, or 0: as the parameters say */
 	bool all_cubes;            /* also the cubes of reflectors that the eye does not see */
 	u32 first_reflector, n_reflectors; /* the batch that per-reflector stages work on */
@@ -41,12 +50,14 @@ struct ts_run {
 	ts_stage_hook hook; void *hook_user;
 };
 
-/* Starts a run: the scene's arrays become the frame's first buffers. */
+/* Starts a run on the C backend: the scene's arrays become the frame's first buffers. */
 void ts_run_begin(ts_run *run, const ts_scene *scene, const ts_params *params, u32 threads);
+void ts_run_how(ts_run *run, const ts_how *how);
 /* Releases the frame. */
 void ts_run_end(ts_run *run);
 /* Runs one stage: times it, calls the hook, names the stage in the message of a failure. */
 ts_status ts_run_stage(ts_run *run, const ts_stage *stage);
+const ts_backend *ts_run_backend(const ts_run *run);
 /* Adds to a counter by name. */
 void ts_run_count(ts_run *run, const char *name, i64 value);
 i64 ts_run_counter(const ts_run *run, const char *name);

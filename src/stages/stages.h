@@ -1,7 +1,6 @@
 /* The stages, a function each; table.c says what each reads, writes and computes. */
 #ifndef TS_STAGES_STAGES_H
 #define TS_STAGES_STAGES_H
-#include "../backends/backend.h"
 #include "stage.h"
 
 ts_status ts_stage_view(ts_run *run);
@@ -44,7 +43,10 @@ u32 ts_run_n_cubes(const ts_run *run);
 u32 ts_run_n_words(const ts_run *run);
 /* Texels of cubes [first, first + n), all faces. */
 u64 ts_run_n_texels(const ts_run *run, u32 first, u32 n);
-/* ts_c_scan with a total that must stay below 2^32 - 1; `what` names what is counted in the message. */
-ts_status ts_run_scan(u32 *counts, u64 n, const char *what, u64 *total);
+/* The run's backend at work: see backend.h. */
+ts_status ts_run_launch(ts_run *run, ts_kernel kernel, const void *args, u64 n);
+ts_status ts_run_fill(ts_run *run, ts_buffer_id id, u8 byte);
+/* The total must stay below 2^32 - 1; `what` names what is counted in the message. */
+ts_status ts_run_scan(ts_run *run, ts_buffer_id id, const char *what, u64 *total);
 
 #endif

@@ -126,12 +126,12 @@ json_t *ts_trace_describe(const ts_trace_about *about)
 	                                     TS_B_scene_image, TS_B_scene_texel, TS_B_scene_light, TS_B_scene_object,
 	                                     TS_B_scene_info, TS_N_BUFFERS};
 	const ts_pipeline *p = about->pipeline;
+	const char *order = about->run->arrival ? "arrival" : "canonical";
 	return json_pack("{s:s, s:i, s:i, s:s, s:s, s:s, s:s, s:{s:o, s:o}, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o}", "format",
-	                 "touchstone-trace", "version", TS_TRACE_VERSION, "contract", TS_CONTRACT_VERSION, "order", "canonical",
+	                 "touchstone-trace", "version", TS_TRACE_VERSION, "contract", TS_CONTRACT_VERSION, "order", order,
 	                 "pipeline", p->name, "effect", p->effect, "paper", p->paper, "scene", "name",
-	                 ts_text_json(about->run->scene->name), "sha256", chain(about, scene), "producer", ts_producer(),
-	                 "arithmetic", ts_arithmetic(), "conventions", conventions(), "params",
-	                 ts_trace_params(&about->run->params), "stages", stages_of(about), "buffers",
-	                 buffers_of(about), "records", records(), "counters",
-	                 counters_of(about->run));
+	                 ts_text_json(about->run->scene->name), "sha256", chain(about, scene), "producer",
+	                 ts_producer(about->run), "arithmetic", ts_arithmetic(), "conventions", conventions(), "params",
+	                 ts_trace_params(&about->run->params), "stages", stages_of(about), "buffers", buffers_of(about),
+	                 "records", records(), "counters", counters_of(about->run));
 }

@@ -31,8 +31,8 @@ static ts_status offer(const ts_run *run, ts_buffer_id id, ts_take_chunk *take, 
 	const ts_buffer *buffer = &run->frame.buffer[id];
 	bool part = comes_in_batches(id) && !is_whole(run);
 	if (!part && !is_last_batch(run)) return TS_OK;
-	ts_chunk p = {.id = id, .n_dims = buffer->n_dims, .first = !part || run->first_reflector == 0, .data = buffer->data,
-	             .bytes = buffer->n * ts_buffer_table[id].element_bytes};
+	ts_chunk p = {.id = id, .n_dims = buffer->n_dims, .first = !part || run->first_reflector == 0,
+	              .data = ts_frame_data(&run->frame, id), .bytes = buffer->bytes};
 	memcpy(p.shape, buffer->shape, sizeof p.shape);
 	if (part) p.shape[0] = all_rows(run, id);
 	return take(user, &p);

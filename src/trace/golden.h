@@ -32,8 +32,7 @@ typedef struct {
 	const ts_pipeline *pipeline;
 	const ts_scene *scene;
 	const ts_params *params;
-	u32 threads;
-	bool reference; /* no fast paths */
+	ts_how how;
 } ts_golden_job;
 
 /* Computes the digests, and keeps image.srgb and all files of at most TS_GOLDEN_SMALL_BYTES. ts_golden_free also after

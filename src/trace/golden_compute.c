@@ -83,8 +83,8 @@ ts_status ts_golden_compute(ts_golden *golden, const ts_golden_job *job)
 	ts_run run;
 	memset(golden, 0, sizeof *golden);
 	golden->infinite = TS_N_BUFFERS;
-	ts_run_begin(&run, job->scene, job->params, job->threads);
-	run.reference = job->reference;
+	ts_run_begin(&run, job->scene, job->params, job->how.threads);
+	ts_run_how(&run, &job->how);
 	run.traced = run.lean = true;
 	run.hook = take_stage;
 	run.hook_user = golden;

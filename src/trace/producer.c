@@ -1,24 +1,13 @@
-/* What this build says of itself. The Makefile gives TS_FLAGS. */
+/* What this build says of itself. */
 #include "producer.h"
 #include "../core/core.h"
 #include "../kernels/compat.h"
 
-#ifndef TS_FLAGS
-#define TS_FLAGS "unknown"
-#endif
-
-#if defined(__x86_64__)
-#define DEVICE "x86-64"
-#elif defined(__aarch64__)
-#define DEVICE "aarch64"
-#else
-#define DEVICE "another processor"
-#endif
-
-json_t *ts_producer(void)
+json_t *ts_producer(const ts_run *run)
 {
+	const ts_backend *b = ts_run_backend(run);
 	return json_pack("{s:s, s:s, s:s, s:s, s:s, s:s, s:s}", "name", "touchstone", "version", TS_VERSION, "commit",
-	                 ts_commit(), "backend", "c", "device", DEVICE, "compiler", __VERSION__, "flags", TS_FLAGS);
+	                 ts_commit(), "backend", b->name, "device", b->device, "compiler", b->compiler, "flags", b->flags);
 }
 
 static f32 load(u32 bits)

@@ -2,9 +2,11 @@
 #ifndef TS_TRACE_PRODUCER_H
 #define TS_TRACE_PRODUCER_H
 #include <jansson.h>
+#include "../stages/stage.h"
 
-/* Name, version, commit, backend, device, compiler and flags of this program. New references, or NULL without memory. */
-json_t *ts_producer(void);
+/* Name, version and commit of this program; name, device, compiler and flags of its backend. New references, or NULL without
+ * memory. */
+json_t *ts_producer(const ts_run *run);
 /* Rounding, contraction and denormals of this process, measured now. */
 json_t *ts_arithmetic(void);
 

@@ -52,11 +52,8 @@ ts_status ts_replay_stage(ts_run *run, const ts_stage *stage)
 			ts_frame_borrow(&run->frame, (ts_buffer_id)id, NULL, 0);
 		}
 	}
-	bool reference = run->reference;
-	run->reference = reference || strcmp(stage->name, "splat") == 0;
-	ts_status status = ts_run_stage(run, stage);
-	run->reference = reference;
-	return status;
+	run->arrival = strcmp(stage->name, "splat") == 0;
+	return ts_run_stage(run, stage);
 }
 
 ts_status ts_replay(ts_load **load, const ts_stage *stage, const ts_trace *reference, const ts_trace *candidate,

@@ -26,13 +26,13 @@ static ts_status take_stage(const ts_run *run, const ts_stage *stage, void *user
 	return ts_emit_stage(run, stage, ts_sums_take, user);
 }
 
-ts_status ts_sums_of(ts_sums *sums, const ts_pipeline *pipeline, const ts_scene *scene, const ts_params *params, u32 threads,
-                     bool reference)
+ts_status ts_sums_of(ts_sums *sums, const ts_pipeline *pipeline, const ts_scene *scene, const ts_params *params,
+                     const ts_how *how)
 {
 	ts_run run;
 	*sums = (ts_sums){.hex = {{0}}};
-	ts_run_begin(&run, scene, params, threads);
-	run.reference = reference;
+	ts_run_begin(&run, scene, params, how->threads);
+	ts_run_how(&run, how);
 	run.traced = run.lean = true;
 	run.hook = take_stage;
 	run.hook_user = sums;

@@ -16,8 +16,8 @@ ts_status ts_sums_take(void *sums, const ts_chunk *chunk);
 /* Ends all digests; call it once, also after a failure. */
 void ts_sums_end(ts_sums *sums);
 /* Runs a pipeline as a trace would, for its digests. */
-ts_status ts_sums_of(ts_sums *sums, const ts_pipeline *pipeline, const ts_scene *scene, const ts_params *params, u32 threads,
-                     bool reference);
+ts_status ts_sums_of(ts_sums *sums, const ts_pipeline *pipeline, const ts_scene *scene, const ts_params *params,
+                     const ts_how *how);
 /* A line a buffer, in the order of the pipeline, then of records.def. */
 void ts_sums_print(const ts_sums *sums, const ts_pipeline *pipeline, FILE *out);
 

@@ -220,7 +220,7 @@ ts_status ts_truth_new(ts_truth **truth, const ts_run *run)
 	ts_first_error_begin(&made->error);
 	made->scene = ts_run_arrays(run);
 	made->n_vertices = run->scene->n_vertices;
-	if (sort_triangles(made) || copy_positions(made) || grow_tree(made, run->threads)) {
+	if (sort_triangles(made) || copy_positions(made) || grow_tree(made, run->c.threads)) {
 		ts_truth_free(made);
 		return TS_ERROR;
 	}

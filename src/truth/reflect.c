@@ -34,7 +34,7 @@ static tracer tracer_of(const ts_truth *truth, const ts_run *run)
 		.eye = ts_load3(eye->eye),
 		.spread = 1.0f / eye->focal,
 		.bounces = run->params.bounces,
-		.n_threads = run->threads > 0 ? (int)run->threads : 1,
+		.n_threads = (int)run->c.threads,
 	};
 }
 

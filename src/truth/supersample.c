@@ -73,7 +73,7 @@ ts_status ts_truth_c(f32 **radiance, const ts_scene *scene, const ts_params *par
 	ts_run_begin(&run, scene, &big, threads > 0 ? threads : 1);
 	run.lean = true;
 	ts_status status = ts_pipeline_run(mvr, &run);
-	if (status == TS_OK) status = shrink(radiance, &run.frame, params, factor, run.threads);
+	if (status == TS_OK) status = shrink(radiance, &run.frame, params, factor, run.c.threads);
 	ts_run_end(&run);
 	return status;
 }

@@ -1,4 +1,4 @@
-/* The C backend: every item once whatever the threads, prefix sums, empty buffers. */
+/* The C backend: every item once whatever the threads, prefix sums, filled buffers. */
 #include "../kernels/mesh.h"
 #include "../../src/backends/backend.h"
 
@@ -22,13 +22,18 @@ static void test_scan(void **state)
 	}
 }
 
-static void test_empty(void **state)
+/* Filling, by any number of threads. */
+static void test_fill(void **state)
 {
 	(void)state;
 	for (u32 n = 0; n < 300; n++) {
-		u64 texels[301] = { 0 };
-		ts_c_empty(texels, n, 1 + n % 7);
-		for (u32 i = 0; i <= 300; i++) assert_true(texels[i] == (i < n ? TS_EMPTY : 0));
+		ts_frame frame = { .bytes = 0 };
+		ts_c_backend c;
+		ts_c_begin(&c, 1 + n % 7);
+		u64 *texels = ts_frame_make1(&frame, TS_B_splat_depth_index, n * 1001);
+		assert_int_equal(c.backend.fill(&c.backend, &frame, TS_B_splat_depth_index, 0xff), TS_OK);
+		for (u32 i = 0; i < n * 1001; i++) assert_true(texels[i] == TS_EMPTY);
+		ts_frame_clear(&frame);
 	}
 }
 
@@ -64,7 +69,7 @@ static void test_launch(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_scan), cmocka_unit_test(test_empty), cmocka_unit_test(test_launch),
+		cmocka_unit_test(test_scan), cmocka_unit_test(test_fill), cmocka_unit_test(test_launch),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

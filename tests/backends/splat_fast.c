@@ -61,8 +61,8 @@ static void assert_equal(const mesh *m, const setting *s)
 {
 	u64 n = mesh_texels(m);
 	u64 *plain = mesh_alloc(n, sizeof *plain), *fast = mesh_alloc(n, sizeof *fast);
-	ts_c_empty(plain, n, 1);
-	ts_c_empty(fast, n, 1);
+	memset(plain, 0xff, n * sizeof *plain);
+	memset(fast, 0xff, n * sizeof *fast);
 	i64 scatters[2] = { 0, 0 }, writes[2] = { 0, 0 };
 	ts_splat_args args = mesh_splat(m, plain, &scatters[0], &writes[0]);
 	args.clip = s->clip;
@@ -71,7 +71,9 @@ static void assert_equal(const mesh *m, const setting *s)
 	args.texels = fast;
 	args.n_scatters = &scatters[1];
 	args.n_writes = &writes[1];
-	ts_c_splat_fast(&args, m->count, m->n_pieces, s->threads);
+	args.offset = m->count;
+	args.n_pieces = m->n_pieces;
+	ts_c_splat_fast(&args, s->threads);
 	if (memcmp(plain, fast, n * sizeof *plain) != 0 || scatters[0] != scatters[1] || writes[0] != writes[1]) {
 		fail_msg("random %u: clip %u planedepth %u paper %u threads %u cubes %u half size %d samples %a: scatters %lld %lld "
 		         "writes %lld %lld", s->start, s->clip, s->plane_depth, s->paper_splat, s->threads, s->n_cubes, s->half_size,

@@ -12,7 +12,7 @@ prints '^rho_scale .*0.5' list params
 prints '^eye  *far ' list params
 prints '^epr .*reflections' list methods
 prints '^atrium ' list scenes
-prints '^c  *map emit scatter  *the reference' list backends
+prints '^c  *0  *[a-z]' list backends
 prints 'see: list backends' help render
 prints 'triangles' info atrium:triangles=10000 --reflectors 1
 

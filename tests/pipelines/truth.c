@@ -241,7 +241,7 @@ typedef struct { double rmse; } picture_judge; /* of the mirrors' pixels, in gre
 static void borrow(ts_run *copy, const ts_run *run)
 {
 	static const ts_buffer_id wanted[] = { TS_B_pose_vertex, TS_B_resize_face, TS_B_eye_view, TS_B_pixel_record };
-	ts_run_begin(copy, run->scene, &run->params, run->threads);
+	ts_run_begin(copy, run->scene, &run->params, run->c.threads);
 	for (size_t i = 0; i < sizeof(wanted) / sizeof(wanted[0]); i++)
 		ts_frame_borrow(&copy->frame, wanted[i], ts_frame_data(&run->frame, wanted[i]),
 		                ts_frame_n(&run->frame, wanted[i]));

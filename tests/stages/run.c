@@ -8,7 +8,7 @@ static char *digests_of(const ts_scene *scene, const ts_params *params, const ch
 {
 	ts_sums sums;
 	const ts_pipeline *pipeline = ts_pipeline_find("reflections", method);
-	ts_status status = ts_sums_of(&sums, pipeline, scene, params, threads, reference);
+	ts_status status = ts_sums_of(&sums, pipeline, scene, params, &(ts_how){ .threads = threads, .reference = reference });
 	if (status != TS_OK) fail_msg("%s: %s", method, ts_error_message());
 	char *text = calloc(TS_N_BUFFERS, 128);
 	assert_non_null(text);
@@ -307,11 +307,16 @@ static void test_hook_stops(void **state)
 static void test_scan_limit(void **state)
 {
 	(void)state;
-	u32 most[3] = { 0xfffffff0, 14, 0 }, more[3] = { 0xfffffff0, 15, 0 };
+	ts_run run = { .n_counters = 0 };
 	u64 total;
-	assert_int_equal(ts_run_scan(most, 2, "points", &total), TS_OK);
-	assert_true(total == 0xfffffffe && most[2] == 0xfffffffe && most[1] == 0xfffffff0 && most[0] == 0);
-	assert_int_equal(ts_run_scan(more, 2, "points", &total), TS_ERROR);
+	ts_c_begin(&run.c, 1);
+	u32 *counts = ts_frame_make1(&run.frame, TS_B_count_offset, 3);
+	memcpy(counts, (u32[3]){ 0xfffffff0, 14, 0 }, 12);
+	assert_int_equal(ts_run_scan(&run, TS_B_count_offset, "points", &total), TS_OK);
+	assert_true(total == 0xfffffffe && counts[2] == 0xfffffffe && counts[1] == 0xfffffff0 && counts[0] == 0);
+	memcpy(counts, (u32[3]){ 0xfffffff0, 15, 0 }, 12);
+	assert_int_equal(ts_run_scan(&run, TS_B_count_offset, "points", &total), TS_ERROR);
+	ts_frame_clear(&run.frame);
 	assert_non_null(strstr(ts_error_message(), "points"));
 }
 

@@ -72,7 +72,8 @@ static void traced(const char *name, const char *method, const ts_params *p, ts_
 	char dir[FOLDER_PATH];
 	snprintf(dir, sizeof dir, "%s", folder_path("%s", name));
 	small_trace(dir, method, scene, p, options);
-	assert_int_equal(ts_sums_of(&sums, ts_pipeline_find("reflections", method), scene, p, 1, true), TS_OK);
+	ts_how how = { .threads = 1, .reference = true };
+	assert_int_equal(ts_sums_of(&sums, ts_pipeline_find("reflections", method), scene, p, &how), TS_OK);
 	bool cropped = options.crop[2] != 0;
 	assert_true(check_digests(dir, cropped ? NULL : &sums) >= least);
 	ts_trace *trace;

@@ -1,5 +1,17 @@
-/* The reference backend: a threaded loop over the items of a kernel. */
+/* The reference backend: a threaded loop over the items of a kernel. The Makefile gives TS_FLAGS. */
 #include "../backend.h"
+
+#ifndef TS_FLAGS
+#define TS_FLAGS "unknown"
+#endif
+
+#if defined(__x86_64__)
+#define DEVICE "x86-64"
+#elif defined(__aarch64__)
+#define DEVICE "aarch64"
+#else
+#define DEVICE "another processor"
+#endif
 
 typedef void kernel_items(const void *args, u64 begin, u64 end);
 
@@ -52,8 +64,66 @@ u64 ts_c_scan(u32 *counts, u64 n)
 	return sum;
 }
 
-void ts_c_empty(u64 *texels, u64 n, u32 threads)
+static bool has_fast_path(ts_kernel kernel, const void *args)
 {
-#pragma omp parallel for schedule(static) num_threads(threads)
-	for (i64 i = 0; i < (i64)n; i++) texels[i] = TS_EMPTY;
+	const ts_splat_args *splat = args;
+	const ts_lookup_args *lookup = args;
+	return kernel == TS_KERNEL_splat ? splat->offset != NULL : kernel == TS_KERNEL_shade && lookup->adaptive == 0;
 }
+
+static ts_status launch(ts_backend *backend, ts_frame *frame, ts_kernel kernel, const void *args, u64 n)
+{
+	(void)frame;
+	const ts_c_backend *c = (const ts_c_backend *)backend;
+	if (c->reference || !has_fast_path(kernel, args)) {
+		ts_c_launch(kernel, args, n, c->threads);
+	} else if (kernel == TS_KERNEL_splat) {
+		ts_c_splat_fast(args, c->threads);
+	} else {
+		ts_c_shade_fast(args, n, c->threads);
+	}
+	return TS_OK;
+}
+
+static ts_status fill(ts_backend *backend, ts_frame *frame, ts_buffer_id id, u8 byte)
+{
+	enum { PART = 1 << 20 };
+	const ts_c_backend *c = (const ts_c_backend *)backend;
+	u8 *data = ts_frame_handle(frame, id);
+	i64 bytes = (i64)frame->buffer[id].bytes;
+#pragma omp parallel for schedule(static) num_threads(c->threads)
+	for (i64 i = 0; i < bytes; i += PART) memset(data + i, byte, (size_t)(bytes - i < PART ? bytes - i : PART));
+	return TS_OK;
+}
+
+static ts_status scan(ts_backend *backend, ts_frame *frame, ts_buffer_id id, u64 *total)
+{
+	(void)backend;
+	*total = ts_c_scan(ts_frame_handle(frame, id), ts_frame_n(frame, id) - 1);
+	return TS_OK;
+}
+
+static ts_status finish(ts_backend *backend)
+{
+	(void)backend;
+	return TS_OK;
+}
+
+static void end(ts_backend *backend) { (void)backend; }
+
+void ts_c_begin(ts_c_backend *backend, u32 threads)
+{
+	*backend = (ts_c_backend){
+		.backend = {"c", DEVICE, __VERSION__, TS_FLAGS, true, launch, fill, scan, finish, end},
+		.threads = threads != 0 ? threads : 1,
+	};
+}
+
+static u32 devices(ts_device list[TS_MAX_DEVICES])
+{
+	list[0] = (ts_device){.name = DEVICE, .rounded = true, .denormals = true, .atomics = true, .unified = true,
+	                      .memory = ts_memory_total(), .most = ts_memory_limit()};
+	return 1;
+}
+
+const ts_backend_kind ts_c_kind = {"c", devices, NULL};

@@ -184,15 +184,16 @@ static void splat_piece(face *f, u64 piece, u32 begin, u32 end)
 	for (u32 i = begin; i < end; i += BLOCK) splat_block(f, i, end - i < BLOCK ? end - i : BLOCK);
 }
 
-static void splat_face(const ts_splat_args *args, const u32 *offset, u64 n_pieces, u32 cube_index, u32 side)
+static void splat_face(const ts_splat_args *args, u32 cube_index, u32 side)
 {
 	const ts_face *cube = &args->cubes[cube_index];
+	const u32 *offset = args->offset;
 	face f = {.args = args, .view = ts_k_cube_view(cube, side)};
 	f.texels = args->texels + cube->offset + (u64)side * cube->n * cube->n;
 	f.right = make_row(f.view.right);
 	f.up = make_row(f.view.up);
 	f.ahead = make_row(ts_neg(f.view.back));
-	for (u64 piece = 0; cube->n != 0 && piece < n_pieces; piece++) {
+	for (u64 piece = 0; cube->n != 0 && piece < args->n_pieces; piece++) {
 		if (offset[piece + 1] == offset[piece]) continue;
 		const u64 *words = args->bits + (u64)args->pieces[piece].triangle * args->n_words;
 		if ((ts_k_cube_bits(words, cube_index) >> side & 1) == 0) continue;
@@ -202,9 +203,9 @@ static void splat_face(const ts_splat_args *args, const u32 *offset, u64 n_piece
 	ts_add_i64(args->n_writes, f.writes);
 }
 
-void ts_c_splat_fast(const ts_splat_args *args, const u32 *offset, u64 n_pieces, u32 threads)
+void ts_c_splat_fast(const ts_splat_args *args, u32 threads)
 {
 	i64 n_faces = (i64)args->n_cubes * 6;
 #pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
-	for (i64 i = 0; i < n_faces; i++) splat_face(args, offset, n_pieces, (u32)(i / 6), (u32)(i % 6));
+	for (i64 i = 0; i < n_faces; i++) splat_face(args, (u32)(i / 6), (u32)(i % 6));
 }

@@ -1,0 +1,50 @@
+/* The kernels on OpenCL 1.2 devices with 64-bit atomics, shared by the files of this folder, the only one that names OpenCL.
+ * The loader finds the drivers. */
+#ifndef TS_BACKENDS_OPENCL_CL_H
+#define TS_BACKENDS_OPENCL_CL_H
+#define CL_TARGET_OPENCL_VERSION 120
+#include <CL/cl.h>
+#include "../backend.h"
+
+enum { TS_CL_POINTERS = 32, TS_CL_ARGUMENTS = 512, TS_CL_MESSAGE = 512 };
+
+/* A kernel's entry point: its name, the bytes of its arguments, and where pointers stand in them. */
+typedef struct {
+	const char *name;
+	size_t bytes;
+	u32 n_pointers;
+	struct { size_t at; bool constant; } pointer[TS_CL_POINTERS];
+} ts_cl_kernel;
+extern const ts_cl_kernel ts_cl_kernels[TS_N_KERNELS];
+
+typedef struct {
+	ts_backend backend;
+	ts_device about;
+	char device_line[288], flags[256];
+	cl_device_id device;
+	cl_context context;
+	cl_command_queue queue;
+	cl_program program;
+	cl_kernel kernels[TS_N_KERNELS]; /* as they are first launched */
+	size_t work_group;
+	bool unified;
+	bool busy;                       /* something was enqueued and not waited for */
+	ts_buffer sums;                  /* of the chunks of a prefix sum */
+	char failure[TS_CL_MESSAGE];     /* what a fetch had to keep to itself */
+} ts_cl;
+
+/* A failed call as one line. */
+ts_status ts_cl_failed(const char *what, cl_int status);
+
+/* device.c: ts_opencl_kind's devices, and the one of an index. */
+u32 ts_cl_devices(ts_device devices[TS_MAX_DEVICES]);
+ts_status ts_cl_find(cl_device_id *device, ts_device *about, u32 index);
+/* program.c: builds the kernels. */
+ts_status ts_cl_build(ts_cl *cl, const char *options);
+/* memory.c: the device's copy of a buffer, made and brought up to date if need be, for a kernel that reads it, or may write
+ * it too. *memory is NULL for a buffer without bytes. */
+ts_status ts_cl_use(ts_cl *cl, cl_mem *memory, ts_buffer *buffer, bool writes);
+ts_status ts_cl_finish(ts_cl *cl);
+extern const ts_residence ts_cl_residence;
+
+#endif

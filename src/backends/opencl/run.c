@@ -1,0 +1,184 @@
+/* Kernels on a device: an in-order queue; the arguments' pointers become buffers and offsets. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "cl.h"
+
+_Static_assert(sizeof(void *) == 8, "offsets take the place of pointers");
+
+enum { CHUNK = 2048, DEFAULT_CHUNKS = 64 };
+
+ts_status ts_cl_failed(const char *what, cl_int status)
+{
+	static const struct { cl_int status; const char *name; } names[] = {
+		{CL_DEVICE_NOT_AVAILABLE, "device not available"},
+		{CL_MEM_OBJECT_ALLOCATION_FAILURE, "no memory on the device"},
+		{CL_OUT_OF_RESOURCES, "the device is out of resources, or was lost"},
+		{CL_OUT_OF_HOST_MEMORY, "no memory on the host"},
+		{CL_BUILD_PROGRAM_FAILURE, "the driver's compiler failed"},
+		{CL_INVALID_BUILD_OPTIONS, "the driver's compiler does not know the options"},
+		{CL_INVALID_WORK_GROUP_SIZE, "the device does not run work groups of this size; see --work-group"},
+		{CL_INVALID_BUFFER_SIZE, "larger than the device allocates"},
+	};
+	for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+		if (names[i].status == status) return ts_fail("backend opencl: %s: %s (%d)", what, names[i].name, status);
+	}
+	return ts_fail("backend opencl: %s: OpenCL error %d", what, status);
+}
+
+/* The buffer that a pointer points into. */
+static ts_buffer *owner(ts_cl *cl, ts_frame *frame, const void *pointer)
+{
+	ts_buffer *special[] = {&frame->tallies, &cl->sums};
+	for (u32 i = 0; i < TS_N_BUFFERS + 2; i++) {
+		ts_buffer *b = i < TS_N_BUFFERS ? &frame->buffer[i] : special[i - TS_N_BUFFERS];
+		const u8 *begin = b->data;
+		const u8 *at = pointer;
+		if (begin != NULL && at >= begin && (at < begin + b->bytes || at == begin)) return b;
+	}
+	return NULL;
+}
+
+static ts_status set(cl_kernel kernel, u32 index, size_t bytes, const void *value)
+{
+	cl_int status = clSetKernelArg(kernel, index, bytes, value);
+	return status == CL_SUCCESS ? TS_OK : ts_cl_failed("a kernel's argument", status);
+}
+
+/* Arguments 0 and 1 are the values and n; then come the buffers. */
+static ts_status set_arguments(ts_cl *cl, ts_frame *frame, ts_kernel kernel, const void *args, u64 n)
+{
+	const ts_cl_kernel *k = &ts_cl_kernels[kernel];
+	u8 values[TS_CL_ARGUMENTS];
+	memcpy(values, args, k->bytes);
+	for (u32 i = 0; i < k->n_pointers; i++) {
+		const u8 *pointer;
+		u64 offset = 0;
+		cl_mem memory = NULL;
+		memcpy(&pointer, values + k->pointer[i].at, sizeof pointer);
+		ts_buffer *buffer = pointer != NULL ? owner(cl, frame, pointer) : NULL;
+		if (buffer != NULL) {
+			offset = (u64)(pointer - (const u8 *)buffer->data);
+			if (ts_cl_use(cl, &memory, buffer, !k->pointer[i].constant) != TS_OK) return TS_ERROR;
+		}
+		memcpy(values + k->pointer[i].at, &offset, sizeof offset);
+		if (set(cl->kernels[kernel], 2 + i, sizeof memory, &memory) != TS_OK) return TS_ERROR;
+	}
+	if (set(cl->kernels[kernel], 0, k->bytes, values) != TS_OK) return TS_ERROR;
+	return set(cl->kernels[kernel], 1, sizeof n, &n);
+}
+
+static ts_status launch(ts_backend *backend, ts_frame *frame, ts_kernel kernel, const void *args, u64 n)
+{
+	ts_cl *cl = (ts_cl *)backend;
+	cl_int status = CL_SUCCESS;
+	frame->residence = &ts_cl_residence;
+	if (n == 0) return TS_OK;
+	if (cl->kernels[kernel] == NULL) cl->kernels[kernel] = clCreateKernel(cl->program, ts_cl_kernels[kernel].name, &status);
+	if (status != CL_SUCCESS) return ts_cl_failed(ts_cl_kernels[kernel].name, status);
+	if (set_arguments(cl, frame, kernel, args, n) != TS_OK) return TS_ERROR;
+	size_t group = cl->work_group;
+	size_t items = group != 0 ? (n + group - 1) / group * group : n;
+	status = clEnqueueNDRangeKernel(cl->queue, cl->kernels[kernel], 1, NULL, &items, group != 0 ? &group : NULL, 0, NULL, NULL);
+	cl->busy = true;
+	return status == CL_SUCCESS ? TS_OK : ts_cl_failed(ts_cl_kernels[kernel].name, status);
+}
+
+static ts_status fill(ts_backend *backend, ts_frame *frame, ts_buffer_id id, u8 byte)
+{
+	ts_cl *cl = (ts_cl *)backend;
+	cl_mem memory;
+	frame->residence = &ts_cl_residence;
+	if (ts_cl_use(cl, &memory, &frame->buffer[id], true) != TS_OK) return TS_ERROR;
+	size_t bytes = frame->buffer[id].bytes;
+	u64 pattern = byte * 0x0101010101010101u;
+	size_t width = bytes % 8 == 0 ? 8 : bytes % 4 == 0 ? 4 : 1;
+	cl_int status = bytes == 0 ? CL_SUCCESS
+	                           : clEnqueueFillBuffer(cl->queue, memory, &pattern, width, 0, bytes, 0, NULL, NULL);
+	return status == CL_SUCCESS ? TS_OK : ts_cl_failed("a fill", status);
+}
+
+static ts_status need_sums(ts_cl *cl, u64 n)
+{
+	if (cl->sums.n >= n) return TS_OK;
+	if (cl->sums.resident != NULL) ts_cl_residence.release(cl->sums.resident);
+	free(cl->sums.data);
+	cl->sums = (ts_buffer){.data = ts_alloc(n, sizeof(u64), "sums"), .n = n, .bytes = n * sizeof(u64)};
+	if (cl->sums.data != NULL) return TS_OK;
+	cl->sums = (ts_buffer){.data = NULL};
+	return TS_ERROR;
+}
+
+static ts_status scan(ts_backend *backend, ts_frame *frame, ts_buffer_id id, u64 *total)
+{
+	ts_cl *cl = (ts_cl *)backend;
+	u64 n = ts_frame_n(frame, id) - 1;
+	u64 n_chunks = (n + CHUNK - 1) / CHUNK;
+	if (need_sums(cl, n_chunks + DEFAULT_CHUNKS) != TS_OK) return TS_ERROR;
+	ts_scan_args args = {
+		.counts = ts_frame_handle(frame, id), .sums = cl->sums.data, .n = n, .n_chunks = n_chunks, .chunk = CHUNK};
+	if (launch(backend, frame, TS_KERNEL_scan_sum, &args, n_chunks) != TS_OK) return TS_ERROR;
+	if (launch(backend, frame, TS_KERNEL_scan_chunks, &args, 1) != TS_OK) return TS_ERROR;
+	if (launch(backend, frame, TS_KERNEL_scan, &args, n_chunks) != TS_OK) return TS_ERROR;
+	if (ts_cl_residence.fetch(cl->sums.resident) != TS_OK) return TS_ERROR;
+	*total = ((const u64 *)cl->sums.data)[n_chunks];
+	return TS_OK;
+}
+
+static ts_status finish(ts_backend *backend) { return ts_cl_finish((ts_cl *)backend); }
+
+static void end(ts_backend *backend)
+{
+	ts_cl *cl = (ts_cl *)backend;
+	if (cl->sums.resident != NULL) ts_cl_residence.release(cl->sums.resident);
+	free(cl->sums.data);
+	for (u32 i = 0; i < TS_N_KERNELS; i++) {
+		if (cl->kernels[i] != NULL) clReleaseKernel(cl->kernels[i]);
+	}
+	if (cl->program != NULL) clReleaseProgram(cl->program);
+	if (cl->queue != NULL) clReleaseCommandQueue(cl->queue);
+	if (cl->context != NULL) clReleaseContext(cl->context);
+	free(cl);
+}
+
+/* What the contract needs of a device. */
+static ts_status suffices(const ts_device *about, bool inexact)
+{
+	if (!about->atomics) return ts_fail("backend opencl: %s has no 64-bit atomics", about->name);
+	if (about->rounded || inexact) return TS_OK;
+	return ts_fail("backend opencl: %s does not round quotients and roots correctly; --inexact runs it all the same",
+	               about->name);
+}
+
+static ts_status begin(ts_cl *cl, const ts_backend_options *options)
+{
+	ts_status found = ts_cl_find(&cl->device, &cl->about, options->device);
+	if (found != TS_OK) return found;
+	if (suffices(&cl->about, options->inexact) != TS_OK) return TS_ERROR;
+	cl_int status;
+	cl->context = clCreateContext(NULL, 1, &cl->device, NULL, NULL, &status);
+	if (status != CL_SUCCESS) return ts_cl_failed("a context", status);
+	cl->queue = clCreateCommandQueue(cl->context, cl->device, 0, &status);
+	if (status != CL_SUCCESS) return ts_cl_failed("a queue", status);
+	return ts_cl_build(cl, options->build);
+}
+
+static ts_status open_device(ts_backend **backend, const ts_backend_options *options)
+{
+	ts_cl *cl = ts_alloc_zero(1, sizeof *cl, "OpenCL backend");
+	*backend = NULL;
+	if (cl == NULL) return TS_ERROR;
+	ts_status status = begin(cl, options);
+	if (status != TS_OK) {
+		end(&cl->backend);
+		return status;
+	}
+	snprintf(cl->device_line, sizeof cl->device_line, "%s, %s", cl->about.name, cl->about.platform);
+	cl->backend = (ts_backend){"opencl", cl->device_line, cl->about.driver, cl->flags, true, launch, fill, scan, finish, end};
+	cl->work_group = options->work_group;
+	cl->unified = cl->about.unified && !options->copies;
+	*backend = &cl->backend;
+	return TS_OK;
+}
+
+const ts_backend_kind ts_opencl_kind = {"opencl", ts_cl_devices, open_device};

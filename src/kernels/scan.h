@@ -1,0 +1,47 @@
+/* Exclusive prefix sums of 32-bit counts in three passes: the sum of every chunk, the sums before every chunk, and the
+ * counts before every element. Integers, so the chunks' size never changes a result. */
+#ifndef TS_KERNELS_SCAN_H
+#define TS_KERNELS_SCAN_H
+#include "compat.h"
+
+typedef struct {
+	TS_GLOBAL u32 *counts; /* n, and one more for the total */
+	TS_GLOBAL u64 *sums;   /* of the chunks, and one more for the total */
+	u64 n, n_chunks;
+	u32 chunk;             /* elements */
+} ts_scan_args;
+
+/* map over chunks */
+TS_FN void ts_k_scan_sum_item(const ts_scan_args *args, u64 i)
+{
+	u64 sum = 0u;
+	for (u64 k = i * args->chunk; k < (i + 1u) * args->chunk && k < args->n; k++) sum += args->counts[k];
+	args->sums[i] = sum;
+}
+
+/* item 0: all chunks */
+TS_FN void ts_k_scan_chunks_item(const ts_scan_args *args, u64 i)
+{
+	u64 before = 0u;
+	if (i != 0u) return;
+	for (u64 k = 0u; k < args->n_chunks; k++) {
+		u64 sum = args->sums[k];
+		args->sums[k] = before;
+		before += sum;
+	}
+	args->sums[args->n_chunks] = before;
+	args->counts[args->n] = (u32)before;
+}
+
+/* map over chunks */
+TS_FN void ts_k_scan_item(const ts_scan_args *args, u64 i)
+{
+	u64 before = args->sums[i];
+	for (u64 k = i * args->chunk; k < (i + 1u) * args->chunk && k < args->n; k++) {
+		u32 count = args->counts[k];
+		args->counts[k] = (u32)before;
+		before += count;
+	}
+}
+
+#endif
