@@ -68,9 +68,20 @@ static ts_status set_arguments(ts_cl *cl, ts_frame *frame, ts_kernel kernel, con
 	return set(cl->kernels[kernel], 1, sizeof n, &n);
 }
 
+/* The same for points that lie by pieces, with one set-up a piece. */
+static bool by_pieces(ts_kernel kernel, const void *args)
+{
+	const ts_splat_args *splat = args;
+	return kernel == TS_KERNEL_splat && splat->offset != NULL;
+}
+
 static ts_status launch(ts_backend *backend, ts_frame *frame, ts_kernel kernel, const void *args, u64 n)
 {
 	ts_cl *cl = (ts_cl *)backend;
+	if (getenv("PIECES") && by_pieces(kernel, args)) {
+		kernel = TS_KERNEL_splat_pieces;
+		n = ((const ts_splat_args *)args)->n_pieces;
+	}
 	cl_int status = CL_SUCCESS;
 	frame->residence = &ts_cl_residence;
 	if (n == 0) return TS_OK;
