@@ -46,14 +46,7 @@ static void relate_bilinear(u32 *in, u32 random)
 	set_f32(in, 9, ((f32)(random >> 17 & 511) + 0.5f) / 512.0f);
 }
 
-static void lod(u32 *out, const u32 *in)
-{
-	ts_image image;
-	memset(&image, 0, sizeof image);
-	image.width = in[0];
-	image.height = in[1];
-	out[0] = ts_k_texture_lod(&image, row_f32(in, 2), row_f32(in, 3), row_f32(in, 4));
-}
+WORD_ITEM(lod, ts_k_texture_lod(in[0], in[1], row_f32(in, 2), row_f32(in, 3), row_f32(in, 4)))
 
 static void lod_by(u32 *out, const u32 *in, bool builtin)
 {
