@@ -10,6 +10,7 @@
 #include "../kernels/resize.h"
 #include "../kernels/cull.h"
 #include "../kernels/splat.h"
+#include "../kernels/vectors.h"
 
 #define KERNEL(name, args) TS_KERNEL_##name,
 typedef enum {
