@@ -12,6 +12,7 @@
 #include "../kernels/cull.h"
 #include "../kernels/scan.h"
 #include "../kernels/splat.h"
+#include "../kernels/vectors.h"
 
 #define KERNEL(name, args) TS_KERNEL_##name,
 typedef enum {

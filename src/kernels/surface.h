@@ -54,7 +54,8 @@ TS_FN ts_rgba ts_k_slot_sample(const ts_arrays *scene, const ts_sample *s, u32 s
 	ts_v2 b = ts_k_slot_uv(slot, s->b);
 	ts_v2 c = ts_k_slot_uv(slot, s->c);
 	f32 uv_area = ts_abs(ts_diff_of_products(b.x - a.x, c.y - a.y, b.y - a.y, c.x - a.x));
-	u32 lod = ts_k_texture_lod(&scene->images[slot->image], s->footprint, uv_area, s->area);
+	TS_GLOBAL const ts_image *image = &scene->images[slot->image];
+	u32 lod = ts_k_texture_lod(image->width, image->height, s->footprint, uv_area, s->area);
 	ts_v2 uv = ts_v2_make(ts_blend1(s->w, a.x, b.x, c.x), ts_blend1(s->w, a.y, b.y, c.y));
 	return ts_k_texture_sample(scene, slot, uv, lod);
 }

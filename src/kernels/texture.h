@@ -47,27 +47,48 @@ TS_FN u32 ts_k_texture_mix4(u32 a, u32 b, u32 c, u32 d, u32 fx, u32 fy)
 	return (top + low + 32768u) >> 16;
 }
 
-TS_FN ts_rgba16 ts_k_texture_bilinear(TS_GLOBAL const u64 *level, u32 width, u32 height, ts_v2 uv,
-                                      TS_GLOBAL const u32 *wrap)
+/* The four texels around uv, as indices into a level of `width` by `height`, and the weights in 1/256 of those to the
+ * right and of those below. */
+typedef struct { u64 a, b, c, d; u32 fx, fy; } ts_texels;
+
+TS_FN ts_texels ts_k_texture_around(u32 width, u32 height, ts_v2 uv, TS_GLOBAL const u32 *wrap)
 {
 	i32 x = ts_fix(uv.x * (f32)width, 8, 30) - 128;
 	i32 y = ts_fix(uv.y * (f32)height, 8, 30) - 128;
-	u32 fx = (u32)x & 255u;
-	u32 fy = (u32)y & 255u;
 	u64 x0 = ts_k_texture_neighbour(x >> 8, (i32)width, wrap[0]);
 	u64 x1 = ts_k_texture_neighbour((x >> 8) + 1, (i32)width, wrap[0]);
 	u64 y0 = (u64)ts_k_texture_neighbour(y >> 8, (i32)height, wrap[1]) * width;
 	u64 y1 = (u64)ts_k_texture_neighbour((y >> 8) + 1, (i32)height, wrap[1]) * width;
-	ts_rgba16 a = ts_k_texture_unpack(level[y0 + x0]);
-	ts_rgba16 b = ts_k_texture_unpack(level[y0 + x1]);
-	ts_rgba16 c = ts_k_texture_unpack(level[y1 + x0]);
-	ts_rgba16 d = ts_k_texture_unpack(level[y1 + x1]);
-	ts_rgba16 r;
-	r.r = ts_k_texture_mix4(a.r, b.r, c.r, d.r, fx, fy);
-	r.g = ts_k_texture_mix4(a.g, b.g, c.g, d.g, fx, fy);
-	r.b = ts_k_texture_mix4(a.b, b.b, c.b, d.b, fx, fy);
-	r.a = ts_k_texture_mix4(a.a, b.a, c.a, d.a, fx, fy);
+	ts_texels r;
+	r.a = y0 + x0;
+	r.b = y0 + x1;
+	r.c = y1 + x0;
+	r.d = y1 + x1;
+	r.fx = (u32)x & 255u;
+	r.fy = (u32)y & 255u;
 	return r;
+}
+
+/* Of the texels read there. */
+TS_FN ts_rgba16 ts_k_texture_blend(const ts_texels *at, u64 texel_a, u64 texel_b, u64 texel_c, u64 texel_d)
+{
+	ts_rgba16 a = ts_k_texture_unpack(texel_a);
+	ts_rgba16 b = ts_k_texture_unpack(texel_b);
+	ts_rgba16 c = ts_k_texture_unpack(texel_c);
+	ts_rgba16 d = ts_k_texture_unpack(texel_d);
+	ts_rgba16 r;
+	r.r = ts_k_texture_mix4(a.r, b.r, c.r, d.r, at->fx, at->fy);
+	r.g = ts_k_texture_mix4(a.g, b.g, c.g, d.g, at->fx, at->fy);
+	r.b = ts_k_texture_mix4(a.b, b.b, c.b, d.b, at->fx, at->fy);
+	r.a = ts_k_texture_mix4(a.a, b.a, c.a, d.a, at->fx, at->fy);
+	return r;
+}
+
+TS_FN ts_rgba16 ts_k_texture_bilinear(TS_GLOBAL const u64 *level, u32 width, u32 height, ts_v2 uv,
+                                      TS_GLOBAL const u32 *wrap)
+{
+	ts_texels at = ts_k_texture_around(width, height, uv, wrap);
+	return ts_k_texture_blend(&at, level[at.a], level[at.b], level[at.c], level[at.d]);
 }
 
 TS_FN u32 ts_k_texture_mix2(u32 a, u32 b, u32 f) { return (a * (256u - f) + b * f + 128u) >> 8; }
@@ -110,9 +131,9 @@ TS_FN ts_rgba ts_k_texture_sample(const ts_arrays *scene, TS_GLOBAL const ts_slo
 
 /* One half log2 of the texels that a footprint of `footprint` world units covers, in 1/256 of a level:
  * K = footprint^2 W H A_uv / A_ws, isotropic, one value a sample. area is |(b-a) x (c-a)|, uv_area its image in uv. */
-TS_FN u32 ts_k_texture_lod(TS_GLOBAL const ts_image *image, f32 footprint, f32 uv_area, f32 area)
+TS_FN u32 ts_k_texture_lod(u32 width, u32 height, f32 footprint, f32 uv_area, f32 area)
 {
-	f32 texels = (f32)image->width * (f32)image->height;
+	f32 texels = (f32)width * (f32)height;
 	f32 density = texels * (uv_area / area);
 	f32 k = (footprint * footprint) * density;
 	f32 level = 0.5f * ts_log2(ts_max(1.0f, k));

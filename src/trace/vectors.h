@@ -22,7 +22,7 @@ typedef struct {
 	bool is_signed;        /* floats */
 } ts_vector_column;
 
-/* Computes one item from its row. */
+/* Computes one item from its row. Results of 64 bits are at a multiple of 8 bytes. */
 typedef void ts_vector_item(u32 *out, const u32 *in);
 
 /* What ports get wrong, in the order of ts_vector_fault_table. */
@@ -51,11 +51,11 @@ typedef struct { ts_vector_fault fault; ts_vector_item *item; } ts_vector_varian
 
 typedef struct {
 	const char *name;      /* NULL ends a table */
+	ts_vector_item *item;  /* of the kernels */
 	const char *rule;      /* of NUMERICS section 11, or the kernel that defines it */
 	const char *doc;       /* one line */
 	ts_vector_column in[TS_VECTOR_COLUMNS + 1];
 	struct { ts_vector_type type; u32 count; } out;
-	ts_vector_item *item;  /* calls the kernels */
 	ts_vector_variant variants[TS_VECTOR_VARIANTS + 1]; /* ended by one without an item */
 	const f32 *edges;      /* values at which the primitive changes its mind */
 	u32 n_edges;
@@ -63,7 +63,7 @@ typedef struct {
 	void (*relate)(u32 *in, u32 random);
 } ts_vector;
 
-/* The primitives, in the order in which a porter meets them: each relies on those before it. */
+/* The primitives, in the order of kernels/vectors.def, in which a porter meets them: each relies on those before it. */
 u32 ts_vectors_count(void);
 const ts_vector *ts_vectors_at(u32 index);
 /* NULL: no such primitive. */

@@ -107,7 +107,7 @@ static void draw_column(source *s, const ts_vector *v, const ts_vector_column *c
 			*at = fold_f32(draw_f32(s, v, own, back != 0 ? at[-(ptrdiff_t)back] : next(s)), c);
 		} else {
 			bool wide = words == 2 && back > 1;
-			u64 before = wide ? row_u64(at - back, 0) : back != 0 ? (u64)(i32)at[-(ptrdiff_t)back] : next(s);
+			u64 before = wide ? ts_row_u64(at - back, 0) : back != 0 ? (u64)(i32)at[-(ptrdiff_t)back] : next(s);
 			i64 x = fold_integer(draw_integer(s, c, own, before), c);
 			at[0] = (u32)x;
 			if (words == 2) at[1] = (u32)((u64)x >> 32);

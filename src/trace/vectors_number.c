@@ -1,14 +1,10 @@
 /* Primitives of kernels/num.h: sanitizing, fixed point, conversions, hashes, elementary functions. */
 #include "vectors_row.h"
 
-FLOAT_ITEM(least, ts_min(A, B))
-FLOAT_ITEM(greatest, ts_max(A, B))
-FLOAT_ITEM(clamped, ts_clamp(A, B, C))
-
 static void clamped_chosen(u32 *out, const u32 *in)
 {
 	f32 x = flushed(A) < flushed(B) ? B : A;
-	set_f32(out, 0, flushed(C) < flushed(x) ? C : x);
+	ts_set_f32(out, 0, flushed(C) < flushed(x) ? C : x);
 }
 FLOAT_ITEM(clamped_flushed, ts_clamp(flushed(A), flushed(B), flushed(C)))
 
@@ -20,9 +16,6 @@ FLOAT_ITEM(greatest_flushed, ts_max(flushed(A), flushed(B)))
 /* IEEE 754-2019 orders the zeros. */
 FLOAT_ITEM(least_builtin, A == B ? ts_u2f(in[0] | in[1]) : A < B ? A : B)
 FLOAT_ITEM(greatest_builtin, A == B ? ts_u2f(in[0] & in[1]) : A < B ? B : A)
-FLOAT_ITEM(absolute, ts_abs(A))
-FLOAT_ITEM(sane, ts_san(A))
-FLOAT_ITEM(put, ts_put(A))
 
 /* The two that are ordered. */
 static void relate_clamp(u32 *in, u32 random)
@@ -52,9 +45,8 @@ static i32 fixed(f32 x, i32 frac, i32 bits, rounding how)
 	return (i32)(x < 0 ? -y : y);
 }
 
-WORD_ITEM(fix, ts_fix(A, row_i32(in, 1), row_i32(in, 2)))
-WORD_ITEM(fix_away, fixed(A, row_i32(in, 1), row_i32(in, 2), AWAY))
-WORD_ITEM(fix_down, fixed(A, row_i32(in, 1), row_i32(in, 2), DOWN))
+WORD_ITEM(fix_away, fixed(A, ts_row_i32(in, 1), ts_row_i32(in, 2), AWAY))
+WORD_ITEM(fix_down, fixed(A, ts_row_i32(in, 1), ts_row_i32(in, 2), DOWN))
 
 /* The formats in use, and what would fill 31 bits. */
 static void relate_fix(u32 *in, u32 random)
@@ -71,27 +63,17 @@ static void relate_fix(u32 *in, u32 random)
 	in[0] = (in[0] & 0x80000000u) | (u32)exponent << 23 | (((in[0] & 0x7fffffu) & ~mask) | (mask + 1) >> 1);
 }
 
-WORD_ITEM(f2i, ts_f2i(A))
-WORD_ITEM(floor_i32, ts_floor_i32(A))
 WORD_ITEM(floor_i32_truncate, ts_f2i(A))
-FLOAT_ITEM(nearest, ts_rint(A))
 FLOAT_ITEM(nearest_reordered, A)
 FLOAT_ITEM(nearest_builtin, rintf(A))
 FLOAT_ITEM(nearest_away, roundf(A) + 0.0f)
-
-WORD_ITEM(pcg, ts_pcg(in[0]))
-WORD_ITEM(random_u32, ts_random(in[0], in[1], in[2]))
-FLOAT_ITEM(uniform, ts_uniform(in[0]))
 
 #define TURN 6.283185307179586476925286766559
 
 static double reduced(f32 t) { return ts_abs(t) < 4194304.0f ? t - rint(t) : 0; }
 
-FLOAT_ITEM(logarithm, ts_log2(A))
 FLOAT_ITEM(logarithm_builtin, A >= FLT_MIN ? (f32)log2(A) : -126.0f)
-FLOAT_ITEM(sine, ts_sin_turn(A))
 FLOAT_ITEM(sine_builtin, (f32)sin(TURN * reduced(A)))
-FLOAT_ITEM(cosine, ts_cos_turn(A))
 FLOAT_ITEM(cosine_builtin, (f32)cos(TURN * reduced(A)))
 
 static const f32 san_edges[] = { 0x1p-39f, 0x1p62f, -0x1p-39f, -0x1p62f, FLT_MAX, FLT_MIN };
@@ -102,43 +84,41 @@ static const f32 log_edges[] = { FLT_MIN, 0x1.6a09e6p0f, 0x1.6a09e6p-1f, 1, 2, 0
 static const f32 turn_edges[] = { 0x1p22f, -0x1p22f, 0.125f, 0.25f, 0.375f, 0.5f, 0.625f, 0.75f, 0.875f, 1, -0.125f };
 
 const ts_vector ts_vectors_number[] = {
-	{ "min", "4", "b < a ? b : a", { FINITE("a", 1), FINITE("b", 1) }, { TS_VECTOR_F32, 1 }, .item = least,
+	{ PRIMITIVE(min), "4", "b < a ? b : a", { FINITE("a", 1), FINITE("b", 1) }, { TS_VECTOR_F32, 1 },
 	  { { TS_FAULT_BUILTIN, least_builtin }, { TS_FAULT_FLUSH, least_chosen },
 	    { TS_FAULT_FLUSH, least_flushed } }, .relate = relate_equal },
-	{ "max", "4", "a < b ? b : a", { FINITE("a", 1), FINITE("b", 1) }, { TS_VECTOR_F32, 1 }, .item = greatest,
+	{ PRIMITIVE(max), "4", "a < b ? b : a", { FINITE("a", 1), FINITE("b", 1) }, { TS_VECTOR_F32, 1 },
 	  { { TS_FAULT_BUILTIN, greatest_builtin }, { TS_FAULT_FLUSH, greatest_chosen },
 	    { TS_FAULT_FLUSH, greatest_flushed } }, .relate = relate_equal },
-	{ "clamp", "4", "min(max(x, low), high)", { FINITE("x", 1), FINITE("low", 1), FINITE("high", 1) },
-	  { TS_VECTOR_F32, 1 }, .item = clamped,
+	{ PRIMITIVE(clamp), "4", "min(max(x, low), high)", { FINITE("x", 1), FINITE("low", 1), FINITE("high", 1) },
+	  { TS_VECTOR_F32, 1 },
 	  { { TS_FAULT_FLUSH, clamped_chosen }, { TS_FAULT_FLUSH, clamped_flushed } }, .relate = relate_clamp },
-	{ "abs", "4", "x without its sign", { FINITE("x", 1) }, { TS_VECTOR_F32, 1 }, .item = absolute },
-	{ "san", "10", "a float from outside", { ANY("x", 1) }, { TS_VECTOR_F32, 1 }, .item = sane, EDGES(san_edges) },
-	{ "put", "11, 12", "what every stored float passes: tiny ones and -0 become +0", { FINITE("x", 1) },
-	  { TS_VECTOR_F32, 1 }, .item = put, EDGES(put_edges) },
-	{ "fix", "13, 15", "x * 2^frac to the nearest integer, ties to even, saturating at 2^bits - 1",
-	  { ANY("x", 1), INTEGER("frac", 1, 0, 24), INTEGER("bits", 1, 12, 31) }, { TS_VECTOR_I32, 1 }, .item = fix,
+	{ PRIMITIVE(abs), "4", "x without its sign", { FINITE("x", 1) }, { TS_VECTOR_F32, 1 } },
+	{ PRIMITIVE(san), "10", "a float from outside", { ANY("x", 1) }, { TS_VECTOR_F32, 1 }, EDGES(san_edges) },
+	{ PRIMITIVE(put), "11, 12", "what every stored float passes: tiny ones and -0 become +0", { FINITE("x", 1) },
+	  { TS_VECTOR_F32, 1 }, EDGES(put_edges) },
+	{ PRIMITIVE(fix), "13, 15", "x * 2^frac to the nearest integer, ties to even, saturating at 2^bits - 1",
+	  { ANY("x", 1), INTEGER("frac", 1, 0, 24), INTEGER("bits", 1, 12, 31) }, { TS_VECTOR_I32, 1 },
 	  { { TS_FAULT_AWAY, fix_away }, { TS_FAULT_TRUNCATE, fix_down } }, .relate = relate_fix },
-	{ "f2i", "4", "truncating, saturating, NaN gives 0", { ANY("x", 1) }, { TS_VECTOR_I32, 1 },
-	  .item = f2i, EDGES(int_edges) },
-	{ "floor_i32", "14", "the pixel that holds x",
-	  { { "x", TS_VECTOR_F32, 1, 88, 255, true } }, { TS_VECTOR_I32, 1 }, .item = floor_i32,
+	{ PRIMITIVE(f2i), "4", "truncating, saturating, NaN gives 0", { ANY("x", 1) }, { TS_VECTOR_I32, 1 },
+	  EDGES(int_edges) },
+	{ PRIMITIVE(floor_i32), "14", "the pixel that holds x",
+	  { { "x", TS_VECTOR_F32, 1, 88, 255, true } }, { TS_VECTOR_I32, 1 },
 	  { { TS_FAULT_TRUNCATE, floor_i32_truncate } }, EDGES(int_edges) },
-	{ "rint", "4", "(x + 1.5 * 2^23) - 1.5 * 2^23, for |x| < 2^22",
-	  { { "x", TS_VECTOR_F32, 1, 0, 148, true } }, { TS_VECTOR_F32, 1 }, .item = nearest,
+	{ PRIMITIVE(rint), "4", "(x + 1.5 * 2^23) - 1.5 * 2^23, for |x| < 2^22",
+	  { { "x", TS_VECTOR_F32, 1, 0, 148, true } }, { TS_VECTOR_F32, 1 },
 	  { { TS_FAULT_REORDER, nearest_reordered }, { TS_FAULT_AWAY, nearest_away },
 	    { TS_FAULT_BUILTIN, nearest_builtin } },
 	  EDGES(rint_edges) },
-	{ "pcg", "29", "the hash", { ALL_U32("v", 1) }, { TS_VECTOR_U32, 1 }, .item = pcg },
-	{ "random", "29", "pcg(id ^ pcg(stream ^ pcg(seed)))",
-	  { ALL_U32("id", 1), UNSIGNED("stream", 1, 1, 7), ALL_U32("seed", 1) }, { TS_VECTOR_U32, 1 }, .item = random_u32 },
-	{ "uniform", "29", "(h >> 8) * 2^-24", { ALL_U32("h", 1) }, { TS_VECTOR_F32, 1 }, .item = uniform },
-	{ "log2", "9", "ts_log2", { ANY("x", 1) }, { TS_VECTOR_F32, 1 }, .item = logarithm,
+	{ PRIMITIVE(pcg), "29", "the hash", { ALL_U32("v", 1) }, { TS_VECTOR_U32, 1 } },
+	{ PRIMITIVE(random), "29", "pcg(id ^ pcg(stream ^ pcg(seed)))",
+	  { ALL_U32("id", 1), UNSIGNED("stream", 1, 1, 7), ALL_U32("seed", 1) }, { TS_VECTOR_U32, 1 } },
+	{ PRIMITIVE(uniform), "29", "(h >> 8) * 2^-24", { ALL_U32("h", 1) }, { TS_VECTOR_F32, 1 } },
+	{ PRIMITIVE(log2), "9", "ts_log2", { ANY("x", 1) }, { TS_VECTOR_F32, 1 },
 	  { { TS_FAULT_BUILTIN, logarithm_builtin } }, EDGES(log_edges) },
-	{ "sin_turn", "9", "sine of t turns", { { "t", TS_VECTOR_F32, 1, 88, 255, true } }, { TS_VECTOR_F32, 1 },
-	  .item = sine,
+	{ PRIMITIVE(sin_turn), "9", "sine of t turns", { { "t", TS_VECTOR_F32, 1, 88, 255, true } }, { TS_VECTOR_F32, 1 },
 	  { { TS_FAULT_BUILTIN, sine_builtin } }, EDGES(turn_edges) },
-	{ "cos_turn", "9", "cosine of t turns", { { "t", TS_VECTOR_F32, 1, 88, 255, true } }, { TS_VECTOR_F32, 1 },
-	  .item = cosine,
+	{ PRIMITIVE(cos_turn), "9", "cosine of t turns", { { "t", TS_VECTOR_F32, 1, 88, 255, true } }, { TS_VECTOR_F32, 1 },
 	  { { TS_FAULT_BUILTIN, cosine_builtin } }, EDGES(turn_edges) },
 	{ 0 }
 };

@@ -1,44 +1,26 @@
-/* What the tables of primitives share: reading and writing rows, models of faults, ranges of arguments. */
+/* What the tables of primitives share: models of faults, ranges of arguments. */
 #ifndef TS_TRACE_VECTORS_ROW_H
 #define TS_TRACE_VECTORS_ROW_H
-#include "../kernels/vec.h"
+#include "../kernels/vectors.h"
 #include "vectors.h"
 
 /* The tables, each ended by a row without a name. */
 extern const ts_vector ts_vectors_arithmetic[], ts_vectors_number[], ts_vectors_vector[], ts_vectors_raster[],
 	ts_vectors_cube[], ts_vectors_texture[];
 
-static inline f32 row_f32(const u32 *row, u32 k) { return ts_u2f(row[k]); }
-static inline i32 row_i32(const u32 *row, u32 k) { return (i32)row[k]; }
-static inline u64 row_u64(const u32 *row, u32 k) { return (u64)row[k + 1] << 32 | row[k]; }
-static inline i64 row_i64(const u32 *row, u32 k) { return (i64)row_u64(row, k); }
-static inline ts_v3 row_v3(const u32 *row, u32 k)
-{
-	return ts_v3_make(row_f32(row, k), row_f32(row, k + 1), row_f32(row, k + 2));
-}
-static inline void set_f32(u32 *row, u32 k, f32 x) { row[k] = ts_f2u(x); }
-static inline void set_u64(u32 *row, u32 k, u64 x)
-{
-	row[k] = (u32)x;
-	row[k + 1] = (u32)(x >> 32);
-}
-static inline void set_v3(u32 *row, ts_v3 a)
-{
-	set_f32(row, 0, a.x);
-	set_f32(row, 1, a.y);
-	set_f32(row, 2, a.z);
-}
+/* The first fields of a ts_vector: the kernels' item of that name. */
+#define PRIMITIVE(n) .name = #n, .item = ts_k_vector_##n
 
-/* An item that is one expression of the first words of its row. */
+/* A faulty item that is one expression of the first words of its row. */
 #define FLOAT_ITEM(name, expression) \
-	static void name(u32 *out, const u32 *in) { set_f32(out, 0, (expression)); }
+	static void name(u32 *out, const u32 *in) { ts_set_f32(out, 0, (expression)); }
 #define WORD_ITEM(name, expression) \
 	static void name(u32 *out, const u32 *in) { out[0] = (u32)(expression); }
 #define WIDE_ITEM(name, expression) \
-	static void name(u32 *out, const u32 *in) { set_u64(out, 0, (u64)(expression)); }
-#define A row_f32(in, 0)
-#define B row_f32(in, 1)
-#define C row_f32(in, 2)
+	static void name(u32 *out, const u32 *in) { ts_set_u64(out, 0, (u64)(expression)); }
+#define A TS_A
+#define B TS_B
+#define C TS_C
 
 /* What a processor that flushes makes of a denormal. */
 static inline f32 flushed(f32 x) { return ts_abs(x) < FLT_MIN ? copysignf(0.0f, x) : x; }

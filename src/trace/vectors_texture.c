@@ -1,12 +1,5 @@
 /* Primitives of textures, display values and culling (kernels/texture.h, srgb.h, cull.h). */
-#include "../kernels/cull.h"
-#include "../kernels/srgb.h"
-#include "../kernels/texture.h"
 #include "vectors_row.h"
-
-FLOAT_ITEM(wrap, ts_k_texture_wrap(A, in[1]))
-
-WORD_ITEM(neighbour, ts_k_texture_neighbour(row_i32(in, 0), row_i32(in, 1), in[2]))
 
 /* At most one texel outside. */
 static void relate_neighbour(u32 *in, u32 random)
@@ -15,52 +8,27 @@ static void relate_neighbour(u32 *in, u32 random)
 	in[0] = (random & 7) == 0 ? 0u - 1u : (random & 7) == 1 ? n : (random >> 3) % n;
 }
 
-WORD_ITEM(mix4, ts_k_texture_mix4(in[0], in[1], in[2], in[3], in[4], in[5]))
-WORD_ITEM(mix2, ts_k_texture_mix2(in[0], in[1], in[2]))
-
-static void sample_at(u32 *out, const u32 *in, ts_v2 uv)
-{
-	u64 level[4];
-	for (u32 k = 0; k < 4; k++) level[k] = row_u64(in, 2 * k);
-	ts_rgba16 t = ts_k_texture_bilinear(level, 2, 2, uv, in + 10);
-	out[0] = t.r;
-	out[1] = t.g;
-	out[2] = t.b;
-	out[3] = t.a;
-}
-
-static void bilinear(u32 *out, const u32 *in) { sample_at(out, in, ts_v2_make(row_f32(in, 8), row_f32(in, 9))); }
-
 /* uv on the lattice of 1/256 texel, cut instead of rounded. */
 static void bilinear_truncate(u32 *out, const u32 *in)
 {
-	f32 u = floorf(row_f32(in, 8) * 512.0f), v = floorf(row_f32(in, 9) * 512.0f);
-	sample_at(out, in, ts_v2_make(u * 0.001953125f, v * 0.001953125f));
+	f32 u = floorf(ts_row_f32(in, 8) * 512.0f), v = floorf(ts_row_f32(in, 9) * 512.0f);
+	ts_k_vector_sample(out, in, ts_v2_make(u * 0.001953125f, v * 0.001953125f));
 }
 
 /* Half-way between two weights. */
 static void relate_bilinear(u32 *in, u32 random)
 {
 	if ((random & 3) != 0) return;
-	set_f32(in, 8, ((f32)(random >> 8 & 511) + 0.5f) / 512.0f);
-	set_f32(in, 9, ((f32)(random >> 17 & 511) + 0.5f) / 512.0f);
-}
-
-static void lod(u32 *out, const u32 *in)
-{
-	ts_image image;
-	memset(&image, 0, sizeof image);
-	image.width = in[0];
-	image.height = in[1];
-	out[0] = ts_k_texture_lod(&image, row_f32(in, 2), row_f32(in, 3), row_f32(in, 4));
+	ts_set_f32(in, 8, ((f32)(random >> 8 & 511) + 0.5f) / 512.0f);
+	ts_set_f32(in, 9, ((f32)(random >> 17 & 511) + 0.5f) / 512.0f);
 }
 
 static void lod_by(u32 *out, const u32 *in, bool builtin)
 {
 	f32 texels = (f32)in[0] * (f32)in[1];
-	f32 r = 1.0f / row_f32(in, 4);
-	f32 density = texels * (builtin ? row_f32(in, 3) / row_f32(in, 4) : row_f32(in, 3) * r);
-	f32 k = ts_max(1.0f, (row_f32(in, 2) * row_f32(in, 2)) * density);
+	f32 r = 1.0f / ts_row_f32(in, 4);
+	f32 density = texels * (builtin ? ts_row_f32(in, 3) / ts_row_f32(in, 4) : ts_row_f32(in, 3) * r);
+	f32 k = ts_max(1.0f, (ts_row_f32(in, 2) * ts_row_f32(in, 2)) * density);
 	out[0] = (u32)ts_fix(0.5f * (builtin ? (f32)log2(k) : ts_log2(k)), 8, 12);
 }
 
@@ -86,13 +54,11 @@ static void relate_lod(u32 *in, u32 random)
 	in[0] = 1024;
 	in[1] = 512;
 	double k = power_of_two(2 * (random >> 8 & 4095) + 1);
-	f32 area = row_f32(in, 4);
+	f32 area = ts_row_f32(in, 4);
 	f32 uv = (f32)(k * (double)area / (1024 * 512.0));
 	in[2] = 0x3f800000u;
 	if (uv > 0x1p-38f && uv < 0x1p9f) in[3] = ts_f2u(uv) + (random >> 2 & 1) - (random >> 3 & 1);
 }
-
-WORD_ITEM(srgb, ts_srgb_byte(A))
 
 static u32 srgb_encoded(f32 l)
 {
@@ -103,7 +69,6 @@ static u32 srgb_encoded(f32 l)
 
 WORD_ITEM(srgb_builtin, srgb_encoded(A))
 
-WORD_ITEM(cull, ts_k_cull_threshold(A))
 WORD_ITEM(cull_fused, ts_max_i32(ts_fix(fmaf(-10.0f, A, 1.0f), 24, 25), 0))
 
 static const f32 wrap_edges[] = { 1, 2, 3, -1, -2, -3, 0x1p-39f, -0x1p-39f, 0x1p-24f, -0x1p-24f, 0x1p24f, 8388607.5f };
@@ -114,26 +79,27 @@ static const f32 cull_edges[] = { 0.1f, 0.05f, 0.01f, 0.001f, 0.0999999f, 0x1p-2
 #define FRACTIONS(name, count) UNSIGNED(name, count, 0, 255)
 
 const ts_vector ts_vectors_texture[] = {
-	{ "texture_wrap", "ts_k_texture_wrap", "u to [0, 1]; wrap 0 repeats, 1 mirrors, 2 clamps", { SANE("u", 1),
-	    WRAP("wrap", 1) }, { TS_VECTOR_F32, 1 }, .item = wrap, EDGES(wrap_edges) },
-	{ "texture_neighbour", "ts_k_texture_neighbour", "texel i of n, one outside at most",
+	{ PRIMITIVE(texture_wrap), "ts_k_texture_wrap", "u to [0, 1]; wrap 0 repeats, 1 mirrors, 2 clamps", { SANE("u", 1),
+	    WRAP("wrap", 1) }, { TS_VECTOR_F32, 1 }, EDGES(wrap_edges) },
+	{ PRIMITIVE(texture_neighbour), "ts_k_texture_neighbour", "texel i of n, one outside at most",
 	  { INTEGER("i", 1, -1, 16384), INTEGER("n", 1, 1, 16384), WRAP("wrap", 1) }, { TS_VECTOR_U32, 1 },
-	  .item = neighbour,
 	  .relate = relate_neighbour },
-	{ "texture_mix4", "ts_k_texture_mix4", "four texels by weights of 1/256 in x and y",
-	  { CHANNELS("texels", 4), FRACTIONS("f", 2) }, { TS_VECTOR_U32, 1 }, .item = mix4 },
-	{ "texture_mix2", "ts_k_texture_mix2", "two levels by a weight of 1/256",
-	  { CHANNELS("texels", 2), FRACTIONS("f", 1) }, { TS_VECTOR_U32, 1 }, .item = mix2 },
-	{ "texture_bilinear", "ts_k_texture_bilinear", "channels of an image of 2 x 2 texels, u64 with red lowest, at uv",
+	{ PRIMITIVE(texture_mix4), "ts_k_texture_mix4", "four texels by weights of 1/256 in x and y",
+	  { CHANNELS("texels", 4), FRACTIONS("f", 2) }, { TS_VECTOR_U32, 1 } },
+	{ PRIMITIVE(texture_mix2), "ts_k_texture_mix2", "two levels by a weight of 1/256",
+	  { CHANNELS("texels", 2), FRACTIONS("f", 1) }, { TS_VECTOR_U32, 1 } },
+	{ PRIMITIVE(texture_bilinear), "ts_k_texture_bilinear",
+	  "channels of an image of 2 x 2 texels, u64 with red lowest, at uv",
 	  { { "texels", TS_VECTOR_U64, 4, INT64_MIN, INT64_MAX, false }, POSITIVE("uv", 2, 88, 126), WRAP("wrap", 2) },
-	  { TS_VECTOR_U32, 4 }, .item = bilinear, { { TS_FAULT_TRUNCATE, bilinear_truncate } }, .relate = relate_bilinear },
-	{ "texture_lod", "ts_k_texture_lod", "level in 1/256 for a footprint in a triangle of `area` and `uv_area`",
+	  { TS_VECTOR_U32, 4 }, { { TS_FAULT_TRUNCATE, bilinear_truncate } }, .relate = relate_bilinear },
+	{ PRIMITIVE(texture_lod), "ts_k_texture_lod",
+	  "level in 1/256 for a footprint in a triangle of `area` and `uv_area`",
 	  { UNSIGNED("size", 2, 1, 16384), POSITIVE("footprint", 1, 107, 137), POSITIVE("uv_area", 1, 88, 137),
-	    POSITIVE("area", 1, 97, 147) }, { TS_VECTOR_U32, 1 }, .item = lod,
+	    POSITIVE("area", 1, 97, 147) }, { TS_VECTOR_U32, 1 },
 	  { { TS_FAULT_RECIPROCAL, lod_reciprocal }, { TS_FAULT_BUILTIN, lod_builtin } }, .relate = relate_lod },
-	{ "srgb", "ts_srgb_byte", "8-bit sRGB value of a linear one", { ANY("l", 1) }, { TS_VECTOR_U32, 1 }, .item = srgb,
+	{ PRIMITIVE(srgb), "ts_srgb_byte", "8-bit sRGB value of a linear one", { ANY("l", 1) }, { TS_VECTOR_U32, 1 },
 	  { { TS_FAULT_BUILTIN, srgb_builtin } }, EDGES(ts_srgb_threshold) },
-	{ "cull_threshold", "29", "fix(1 - 10 pixels, 24, 25), not below 0", { POSITIVE("pixels", 1, 88, 150) },
-	  { TS_VECTOR_I32, 1 }, .item = cull, { { TS_FAULT_FMA, cull_fused } }, EDGES(cull_edges) },
+	{ PRIMITIVE(cull_threshold), "29", "fix(1 - 10 pixels, 24, 25), not below 0", { POSITIVE("pixels", 1, 88, 150) },
+	  { TS_VECTOR_I32, 1 }, { { TS_FAULT_FMA, cull_fused } }, EDGES(cull_edges) },
 	{ 0 }
 };

@@ -2,7 +2,6 @@
  * some the earlier one. */
 #include "vectors_row.h"
 
-FLOAT_ITEM(products, ts_diff_of_products(A, B, C, row_f32(in, 3)))
 static f32 products_fused_first(f32 a, f32 b, f32 c, f32 d)
 {
 	f32 cd = c * d;
@@ -13,8 +12,8 @@ static f32 products_fused_last(f32 a, f32 b, f32 c, f32 d)
 	f32 ab = a * b;
 	return fmaf(-c, d, ab);
 }
-FLOAT_ITEM(products_first, products_fused_first(A, B, C, row_f32(in, 3)))
-FLOAT_ITEM(products_last, products_fused_last(A, B, C, row_f32(in, 3)))
+FLOAT_ITEM(products_first, products_fused_first(A, B, C, ts_row_f32(in, 3)))
+FLOAT_ITEM(products_last, products_fused_last(A, B, C, ts_row_f32(in, 3)))
 
 static f32 dot_last(ts_v3 a, ts_v3 b)
 {
@@ -39,80 +38,69 @@ static ts_v3 mad_fused(ts_v3 a, ts_v3 b, f32 s)
 	return ts_v3_make(fmaf(b.x, s, a.x), fmaf(b.y, s, a.y), fmaf(b.z, s, a.z));
 }
 
-FLOAT_ITEM(dot, ts_dot(row_v3(in, 0), row_v3(in, 3)))
-FLOAT_ITEM(dot_fused_last, dot_last(row_v3(in, 0), row_v3(in, 3)))
-FLOAT_ITEM(dot_fused_first, dot_first(row_v3(in, 0), row_v3(in, 3)))
-FLOAT_ITEM(dot_other_order, dot_reordered(row_v3(in, 0), row_v3(in, 3)))
+FLOAT_ITEM(dot_fused_last, dot_last(ts_row_v3(in, 0), ts_row_v3(in, 3)))
+FLOAT_ITEM(dot_fused_first, dot_first(ts_row_v3(in, 0), ts_row_v3(in, 3)))
+FLOAT_ITEM(dot_other_order, dot_reordered(ts_row_v3(in, 0), ts_row_v3(in, 3)))
 
-static void cross(u32 *out, const u32 *in) { set_v3(out, ts_cross(row_v3(in, 0), row_v3(in, 3))); }
 static void cross_by(u32 *out, const u32 *in, f32 (*difference)(f32, f32, f32, f32))
 {
-	ts_v3 a = row_v3(in, 0), b = row_v3(in, 3);
-	set_v3(out, ts_v3_make(difference(a.y, b.z, a.z, b.y), difference(a.z, b.x, a.x, b.z),
-	                       difference(a.x, b.y, a.y, b.x)));
+	ts_v3 a = ts_row_v3(in, 0), b = ts_row_v3(in, 3);
+	ts_set_v3(out, ts_v3_make(difference(a.y, b.z, a.z, b.y), difference(a.z, b.x, a.x, b.z),
+	                          difference(a.x, b.y, a.y, b.x)));
 }
 static void cross_first(u32 *out, const u32 *in) { cross_by(out, in, products_fused_first); }
 static void cross_last(u32 *out, const u32 *in) { cross_by(out, in, products_fused_last); }
 
-FLOAT_ITEM(length, ts_length(row_v3(in, 0)))
-FLOAT_ITEM(length_last, ts_sqrt(dot_last(row_v3(in, 0), row_v3(in, 0))))
-FLOAT_ITEM(length_first, ts_sqrt(dot_first(row_v3(in, 0), row_v3(in, 0))))
-
-static void normalized(u32 *out, const u32 *in) { set_v3(out, ts_normalize(row_v3(in, 0))); }
+FLOAT_ITEM(length_last, ts_sqrt(dot_last(ts_row_v3(in, 0), ts_row_v3(in, 0))))
+FLOAT_ITEM(length_first, ts_sqrt(dot_first(ts_row_v3(in, 0), ts_row_v3(in, 0))))
 
 static void normalized_by(u32 *out, const u32 *in, f32 square)
 {
-	ts_v3 a = row_v3(in, 0);
+	ts_v3 a = ts_row_v3(in, 0);
 	f32 l = ts_sqrt(ts_flush(square));
 	f32 d = l > 0.0f ? l : 1.0f;
-	set_v3(out, ts_v3_make(a.x / d, a.y / d, a.z / d));
+	ts_set_v3(out, ts_v3_make(a.x / d, a.y / d, a.z / d));
 }
 static void normalized_last(u32 *out, const u32 *in)
 {
-	normalized_by(out, in, dot_last(row_v3(in, 0), row_v3(in, 0)));
+	normalized_by(out, in, dot_last(ts_row_v3(in, 0), ts_row_v3(in, 0)));
 }
 static void normalized_first(u32 *out, const u32 *in)
 {
-	normalized_by(out, in, dot_first(row_v3(in, 0), row_v3(in, 0)));
+	normalized_by(out, in, dot_first(ts_row_v3(in, 0), ts_row_v3(in, 0)));
 }
 static void normalized_reciprocal(u32 *out, const u32 *in)
 {
-	f32 l = ts_length(row_v3(in, 0));
+	f32 l = ts_length(ts_row_v3(in, 0));
 	f32 r = 1.0f / (l > 0.0f ? l : 1.0f);
-	set_v3(out, ts_scale(row_v3(in, 0), r));
+	ts_set_v3(out, ts_scale(ts_row_v3(in, 0), r));
 }
 
-static void mad(u32 *out, const u32 *in) { set_v3(out, ts_mad(row_v3(in, 0), row_v3(in, 3), row_f32(in, 6))); }
 static void mad_by_fma(u32 *out, const u32 *in)
 {
-	set_v3(out, mad_fused(row_v3(in, 0), row_v3(in, 3), row_f32(in, 6)));
+	ts_set_v3(out, mad_fused(ts_row_v3(in, 0), ts_row_v3(in, 3), ts_row_f32(in, 6)));
 }
 
-static void reflect(u32 *out, const u32 *in) { set_v3(out, ts_reflect(row_v3(in, 0), row_v3(in, 3))); }
 static void reflect_last(u32 *out, const u32 *in)
 {
-	ts_v3 i = row_v3(in, 0), n = row_v3(in, 3);
-	set_v3(out, mad_fused(i, n, -2.0f * dot_last(i, n)));
+	ts_v3 i = ts_row_v3(in, 0), n = ts_row_v3(in, 3);
+	ts_set_v3(out, mad_fused(i, n, -2.0f * dot_last(i, n)));
 }
 static void reflect_first(u32 *out, const u32 *in)
 {
-	ts_v3 i = row_v3(in, 0), n = row_v3(in, 3);
-	set_v3(out, mad_fused(i, n, -2.0f * dot_first(i, n)));
+	ts_v3 i = ts_row_v3(in, 0), n = ts_row_v3(in, 3);
+	ts_set_v3(out, mad_fused(i, n, -2.0f * dot_first(i, n)));
 }
 
-static void blend(u32 *out, const u32 *in)
-{
-	set_v3(out, ts_blend(row_v3(in, 0), row_v3(in, 3), row_v3(in, 6), row_v3(in, 9)));
-}
 static void blend_last(u32 *out, const u32 *in)
 {
-	ts_v3 w = row_v3(in, 0);
-	set_v3(out, mad_fused(mad_fused(ts_scale(row_v3(in, 3), w.x), row_v3(in, 6), w.y), row_v3(in, 9), w.z));
+	ts_v3 w = ts_row_v3(in, 0);
+	ts_set_v3(out, mad_fused(mad_fused(ts_scale(ts_row_v3(in, 3), w.x), ts_row_v3(in, 6), w.y), ts_row_v3(in, 9), w.z));
 }
 static void blend_first(u32 *out, const u32 *in)
 {
-	ts_v3 w = row_v3(in, 0);
-	set_v3(out, mad_fused(mad_fused(ts_scale(row_v3(in, 6), w.y), row_v3(in, 3), w.x), row_v3(in, 9), w.z));
+	ts_v3 w = ts_row_v3(in, 0);
+	ts_set_v3(out, mad_fused(mad_fused(ts_scale(ts_row_v3(in, 6), w.y), ts_row_v3(in, 3), w.x), ts_row_v3(in, 9), w.z));
 }
 
 /* Nearly the same products twice, so that what rounding took away is all that is left. */
@@ -127,24 +115,23 @@ static void relate_products(u32 *in, u32 random)
 }
 
 const ts_vector ts_vectors_vector[] = {
-	{ "diff_of_products", "6", "a b - c d", { SANE("a", 1), SANE("b", 1), SANE("c", 1), SANE("d", 1) },
-	  { TS_VECTOR_F32, 1 }, .item = products, { { TS_FAULT_FMA, products_first }, { TS_FAULT_FMA, products_last } },
+	{ PRIMITIVE(diff_of_products), "6", "a b - c d", { SANE("a", 1), SANE("b", 1), SANE("c", 1), SANE("d", 1) },
+	  { TS_VECTOR_F32, 1 }, { { TS_FAULT_FMA, products_first }, { TS_FAULT_FMA, products_last } },
 	  .relate = relate_products },
-	{ "dot", "6", "(a0 b0 + a1 b1) + a2 b2", { SANE("a", 3), SANE("b", 3) }, { TS_VECTOR_F32, 1 }, .item = dot,
+	{ PRIMITIVE(dot), "6", "(a0 b0 + a1 b1) + a2 b2", { SANE("a", 3), SANE("b", 3) }, { TS_VECTOR_F32, 1 },
 	  { { TS_FAULT_FMA, dot_fused_last }, { TS_FAULT_FMA, dot_fused_first }, { TS_FAULT_REORDER, dot_other_order } } },
-	{ "cross", "6", "a x b, each a difference of products", { SANE("a", 3), SANE("b", 3) }, { TS_VECTOR_F32, 3 },
-	  .item = cross,
-	  { { TS_FAULT_FMA, cross_first }, { TS_FAULT_FMA, cross_last } } },
-	{ "mad", "6", "a + b s", { SANE("a", 3), SANE("b", 3), SANE("s", 1) }, { TS_VECTOR_F32, 3 }, .item = mad,
+	{ PRIMITIVE(cross), "6", "a x b, each a difference of products", { SANE("a", 3), SANE("b", 3) },
+	  { TS_VECTOR_F32, 3 }, { { TS_FAULT_FMA, cross_first }, { TS_FAULT_FMA, cross_last } } },
+	{ PRIMITIVE(mad), "6", "a + b s", { SANE("a", 3), SANE("b", 3), SANE("s", 1) }, { TS_VECTOR_F32, 3 },
 	  { { TS_FAULT_FMA, mad_by_fma } } },
-	{ "length", "6, 11", "ts_length", { SANE("a", 3) }, { TS_VECTOR_F32, 1 }, .item = length,
+	{ PRIMITIVE(length), "6, 11", "ts_length", { SANE("a", 3) }, { TS_VECTOR_F32, 1 },
 	  { { TS_FAULT_FMA, length_last }, { TS_FAULT_FMA, length_first } } },
-	{ "normalize", "6, 12", "ts_normalize: three divisions; zero stays zero", { SANE("a", 3) }, { TS_VECTOR_F32, 3 },
-	  .item = normalized, { { TS_FAULT_RECIPROCAL, normalized_reciprocal }, { TS_FAULT_FMA, normalized_last },
+	{ PRIMITIVE(normalize), "6, 12", "ts_normalize: three divisions; zero stays zero", { SANE("a", 3) },
+	  { TS_VECTOR_F32, 3 }, { { TS_FAULT_RECIPROCAL, normalized_reciprocal }, { TS_FAULT_FMA, normalized_last },
 	    { TS_FAULT_FMA, normalized_first } } },
-	{ "reflect", "6", "i - 2 (i.n) n", { WORLD("i", 3), WORLD("n", 3) }, { TS_VECTOR_F32, 3 }, .item = reflect,
+	{ PRIMITIVE(reflect), "6", "i - 2 (i.n) n", { WORLD("i", 3), WORLD("n", 3) }, { TS_VECTOR_F32, 3 },
 	  { { TS_FAULT_FMA, reflect_last }, { TS_FAULT_FMA, reflect_first } } },
-	{ "blend", "6, 22", "(w0 a + w1 b) + w2 c", { SANE("w", 3), SANE("a", 3), SANE("b", 3), SANE("c", 3) },
-	  { TS_VECTOR_F32, 3 }, .item = blend, { { TS_FAULT_FMA, blend_last }, { TS_FAULT_FMA, blend_first } } },
+	{ PRIMITIVE(blend), "6, 22", "(w0 a + w1 b) + w2 c", { SANE("w", 3), SANE("a", 3), SANE("b", 3), SANE("c", 3) },
+	  { TS_VECTOR_F32, 3 }, { { TS_FAULT_FMA, blend_last }, { TS_FAULT_FMA, blend_first } } },
 	{ 0 }
 };

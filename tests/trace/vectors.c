@@ -4,8 +4,8 @@
 #include "../../src/core/digest.h"
 #include "vectors_truth.h"
 
-static u32 in[TS_VECTOR_ITEMS * TS_VECTOR_WORDS], out[TS_VECTOR_ITEMS * TS_VECTOR_WORDS];
-static u32 found[TS_VECTOR_ITEMS * TS_VECTOR_WORDS];
+static u32 in[TS_VECTOR_ITEMS * TS_VECTOR_WORDS];
+static _Alignas(8) u32 out[TS_VECTOR_ITEMS * TS_VECTOR_WORDS], found[TS_VECTOR_ITEMS * TS_VECTOR_WORDS];
 
 /* The sign of a zero that a sum of products gives is no part of a place on a cube. */
 static bool same(const ts_vector *v, u32 a, u32 b)
@@ -59,7 +59,7 @@ static void test_bounded(void **state)
 	ts_vector_make(ts_vectors_find("texture_lod"), in, out);
 	for (u32 i = 0; i < TS_VECTOR_ITEMS; i++) {
 		const u32 *row = in + (size_t)i * 5;
-		double f = row_f32(row, 2), k = (double)row[0] * row[1] * f * f * row_f32(row, 3) / row_f32(row, 4);
+		double f = ts_row_f32(row, 2), k = (double)row[0] * row[1] * f * f * ts_row_f32(row, 3) / ts_row_f32(row, 4);
 		double right = fmin(128 * log2(fmax(1, k)), 4095);
 		assert_true(fabs(out[i] - right) <= 0.501);
 	}
@@ -85,7 +85,7 @@ static void test_complete(void **state)
 static bool in_range(const ts_vector_column *c, const u32 *at)
 {
 	u32 m = at[0] & 0x7fffffffu;
-	i64 x = c->type == TS_VECTOR_I64 ? row_i64(at, 0) : c->type == TS_VECTOR_I32 ? (i64)row_i32(at, 0) : (i64)at[0];
+	i64 x = c->type == TS_VECTOR_I64 ? ts_row_i64(at, 0) : c->type == TS_VECTOR_I32 ? (i64)ts_row_i32(at, 0) : (i64)at[0];
 	if (c->type == TS_VECTOR_U64) return true;
 	if (c->type != TS_VECTOR_F32) return x >= c->low && x <= c->high;
 	if (m == 0) return c->low == 0 || at[0] == 0;

@@ -45,11 +45,11 @@ static inline f32 stored(f32 x) { return fabsf(x) < 0x1p-100f ? 0 : x; }
 
 typedef void truth(u32 *right, const u32 *in);
 
-#define F(name, expression) static void t_##name(u32 *right, const u32 *in) { set_f32(right, 0, (expression)); }
+#define F(name, expression) static void t_##name(u32 *right, const u32 *in) { ts_set_f32(right, 0, (expression)); }
 #define W(name, expression) static void t_##name(u32 *right, const u32 *in) { right[0] = (u32)(expression); }
-#define L(name, expression) static void t_##name(u32 *right, const u32 *in) { set_u64(right, 0, (u64)(expression)); }
-#define D row_f32(in, 3)
-#define I(k) ((i64)row_i32(in, k))
+#define L(name, expression) static void t_##name(u32 *right, const u32 *in) { ts_set_u64(right, 0, (u64)(expression)); }
+#define D ts_row_f32(in, 3)
+#define I(k) ((i64)ts_row_i32(in, k))
 
 F(add, radd(A, B))
 F(sub, rsub(A, B))
@@ -60,9 +60,9 @@ F(muladd, radd(rmul(A, B), C))
 F(mulsub, rsub(C, rmul(A, B)))
 W(compare, (double)A < B ? 1 : (double)A > B ? 4 : 2)
 F(floor, (f32)floor((double)A))
-F(i32_to_f32, (f32)(long double)row_i32(in, 0))
+F(i32_to_f32, (f32)(long double)ts_row_i32(in, 0))
 F(u32_to_f32, (f32)(long double)in[0])
-F(i64_to_f32, (f32)(long double)row_i64(in, 0))
+F(i64_to_f32, (f32)(long double)ts_row_i64(in, 0))
 
 F(min, (double)B < A ? B : A)
 F(max, (double)A < B ? B : A)
@@ -80,7 +80,7 @@ static i64 fixed(f32 x, i32 frac, i32 bits)
 	double limit = ldexp(1, bits) - 1;
 	return saturated(rint(ldexp((double)x, frac)), -limit, limit);
 }
-W(fix, fixed(A, row_i32(in, 1), row_i32(in, 2)))
+W(fix, fixed(A, ts_row_i32(in, 1), ts_row_i32(in, 2)))
 W(f2i, saturated(trunc((double)A), INT32_MIN, INT32_MAX))
 W(floor_i32, saturated(floor((double)A), INT32_MIN, INT32_MAX))
 F(rint, (f32)rint((double)A) + 0.0f)
@@ -97,38 +97,41 @@ W(random, hash(in[0] ^ hash(in[1] ^ hash(in[2]))))
 F(uniform, (f32)ldexp(in[0] / 256, -24))
 
 F(diff_of_products, rdiff(A, B, C, D))
-F(dot, rdot(row_v3(in, 0), row_v3(in, 3)))
+F(dot, rdot(ts_row_v3(in, 0), ts_row_v3(in, 3)))
 static void t_cross(u32 *right, const u32 *in)
 {
-	ts_v3 a = row_v3(in, 0), b = row_v3(in, 3);
-	set_v3(right, ts_v3_make(rdiff(a.y, b.z, a.z, b.y), rdiff(a.z, b.x, a.x, b.z), rdiff(a.x, b.y, a.y, b.x)));
+	ts_v3 a = ts_row_v3(in, 0), b = ts_row_v3(in, 3);
+	ts_set_v3(right, ts_v3_make(rdiff(a.y, b.z, a.z, b.y), rdiff(a.z, b.x, a.x, b.z), rdiff(a.x, b.y, a.y, b.x)));
 }
-static void t_mad(u32 *right, const u32 *in) { set_v3(right, rmad3(row_v3(in, 0), row_v3(in, 3), row_f32(in, 6))); }
-F(length, rsqrt(stored(rdot(row_v3(in, 0), row_v3(in, 0)))))
+static void t_mad(u32 *right, const u32 *in)
+{
+	ts_set_v3(right, rmad3(ts_row_v3(in, 0), ts_row_v3(in, 3), ts_row_f32(in, 6)));
+}
+F(length, rsqrt(stored(rdot(ts_row_v3(in, 0), ts_row_v3(in, 0)))))
 static void t_normalize(u32 *right, const u32 *in)
 {
-	f32 l = rsqrt(stored(rdot(row_v3(in, 0), row_v3(in, 0))));
+	f32 l = rsqrt(stored(rdot(ts_row_v3(in, 0), ts_row_v3(in, 0))));
 	l = l == 0 ? 1 : l;
-	set_v3(right, ts_v3_make(rdiv(A, l), rdiv(B, l), rdiv(C, l)));
+	ts_set_v3(right, ts_v3_make(rdiv(A, l), rdiv(B, l), rdiv(C, l)));
 }
 static void t_reflect(u32 *right, const u32 *in)
 {
-	ts_v3 i = row_v3(in, 0), n = row_v3(in, 3);
-	set_v3(right, rmad3(i, n, -2 * rdot(i, n)));
+	ts_v3 i = ts_row_v3(in, 0), n = ts_row_v3(in, 3);
+	ts_set_v3(right, rmad3(i, n, -2 * rdot(i, n)));
 }
 static void t_blend(u32 *right, const u32 *in)
 {
-	ts_v3 a = row_v3(in, 3), w = row_v3(in, 0);
+	ts_v3 a = ts_row_v3(in, 3), w = ts_row_v3(in, 0);
 	ts_v3 first = ts_v3_make(rmul(w.x, a.x), rmul(w.x, a.y), rmul(w.x, a.z));
-	set_v3(right, rmad3(rmad3(first, row_v3(in, 6), w.y), row_v3(in, 9), w.z));
+	ts_set_v3(right, rmad3(rmad3(first, ts_row_v3(in, 6), w.y), ts_row_v3(in, 9), w.z));
 }
 
 F(cut, rmad(A, rsub(C, A), rdiv(B, rsub(B, D))))
 static void t_project(u32 *right, const u32 *in)
 {
-	f32 focal = C, z = row_f32(in, 5);
-	set_f32(right, 0, radd((f32)in[0] / 2, rdiv(rmul(focal, D), z)));
-	set_f32(right, 1, rsub((f32)in[1] / 2, rdiv(rmul(focal, row_f32(in, 4)), z)));
+	f32 focal = C, z = ts_row_f32(in, 5);
+	ts_set_f32(right, 0, radd((f32)in[0] / 2, rdiv(rmul(focal, D), z)));
+	ts_set_f32(right, 1, rsub((f32)in[1] / 2, rdiv(rmul(focal, ts_row_f32(in, 4)), z)));
 }
 static void t_snap(u32 *right, const u32 *in)
 {
@@ -184,15 +187,15 @@ W(touches, touched(in))
 
 static void t_fragment(u32 *right, const u32 *in)
 {
-	i64 e[3] = { row_i64(in, 0), row_i64(in, 2), row_i64(in, 4) };
+	i64 e[3] = { ts_row_i64(in, 0), ts_row_i64(in, 2), ts_row_i64(in, 4) };
 	f32 area = (f32)(long double)(e[0] + e[1] + e[2]), share[3], sum = 0;
 	for (u32 k = 0; k < 3; k++) {
-		share[k] = rdiv(rdiv((f32)(long double)e[k], area), row_f32(in, 6 + k));
+		share[k] = rdiv(rdiv((f32)(long double)e[k], area), ts_row_f32(in, 6 + k));
 		sum = radd(sum, share[k]);
 	}
 	f32 z = stored(rdiv(1, sum));
-	set_v3(right, ts_v3_make(rmul(share[0], z), rmul(share[1], z), rmul(share[2], z)));
-	set_f32(right, 3, z);
+	ts_set_v3(right, ts_v3_make(rmul(share[0], z), rmul(share[1], z), rmul(share[2], z)));
+	ts_set_f32(right, 3, z);
 }
 
 /* The largest coordinate; x before y before z. */
@@ -201,23 +204,23 @@ static u32 major_axis(const u32 *in)
 	f32 x = fabsf(A), y = fabsf(B), z = fabsf(C);
 	return x >= y && x >= z ? 0 : y >= z ? 1 : 2;
 }
-W(cube_face, 2 * major_axis(in) + (signbit(row_f32(in, major_axis(in))) != 0))
+W(cube_face, 2 * major_axis(in) + (signbit(ts_row_f32(in, major_axis(in))) != 0))
 /* OpenGL's table: sc and tc of the faces as an axis and a sign. */
 static void t_cube_place(u32 *right, const u32 *in)
 {
 	static const int table[6][2] = { { -3, -2 }, { 3, -2 }, { 1, 3 }, { 1, -3 }, { 1, -2 }, { -1, -2 } };
 	u32 face;
 	t_cube_face(&face, in);
-	f32 major = fabsf(row_f32(in, face / 2));
+	f32 major = fabsf(ts_row_f32(in, face / 2));
 	for (u32 k = 0; k < 2; k++) {
 		int axis = table[face][k];
-		f32 c = row_f32(in, (u32)abs(axis) - 1) * (axis < 0 ? -1.0f : 1.0f);
-		set_f32(right, k, rdiv(c, major == 0 ? 1 : major));
+		f32 c = ts_row_f32(in, (u32)abs(axis) - 1) * (axis < 0 ? -1.0f : 1.0f);
+		ts_set_f32(right, k, rdiv(c, major == 0 ? 1 : major));
 	}
 }
 W(cube_texel, saturated(floor((double)rmul(rmul(radd(A, 1), 0.5f), (f32)in[1])), 0, (double)in[1] - 1))
 L(key, (u64)ts_f2u(stored(A)) * 4294967296 + in[1])
-L(key_min, row_u64(in, 0) < row_u64(in, 2) ? row_u64(in, 0) : row_u64(in, 2))
+L(key_min, ts_row_u64(in, 0) < ts_row_u64(in, 2) ? ts_row_u64(in, 0) : ts_row_u64(in, 2))
 L(point_key, (u64)in[0] * 4294967296 + (u64)((I(2) + 32768) * 65536 + I(1) + 32768))
 
 static f32 wrapped(f32 u, u32 how)
@@ -238,12 +241,12 @@ W(texture_mix4, mixed(in[0], in[1], in[2], in[3], in[4], in[5]))
 W(texture_mix2, mixed(in[0], in[1], in[0], in[1], in[2], 0))
 static void t_texture_bilinear(u32 *right, const u32 *in)
 {
-	i64 x = (i64)rint(row_f32(in, 8) * 512.0) - 128, y = (i64)rint(row_f32(in, 9) * 512.0) - 128;
+	i64 x = (i64)rint(ts_row_f32(in, 8) * 512.0) - 128, y = (i64)rint(ts_row_f32(in, 9) * 512.0) - 128;
 	i64 x0 = neighbour((x + 256) / 256 - 1, 2, in[10]), x1 = neighbour((x + 256) / 256, 2, in[10]);
 	i64 y0 = neighbour((y + 256) / 256 - 1, 2, in[11]), y1 = neighbour((y + 256) / 256, 2, in[11]);
 	for (u32 k = 0; k < 4; k++) {
 		u64 t[4];
-		for (u32 i = 0; i < 4; i++) t[i] = row_u64(in, 2 * i) >> 16 * k & 65535;
+		for (u32 i = 0; i < 4; i++) t[i] = ts_row_u64(in, 2 * i) >> 16 * k & 65535;
 		right[k] = mixed(t[2 * y0 + x0], t[2 * y0 + x1], t[2 * y1 + x0], t[2 * y1 + x1], (u64)(x + 256) % 256,
 		                 (u64)(y + 256) % 256);
 	}
