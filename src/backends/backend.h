@@ -24,11 +24,18 @@ typedef enum {
 /* One place that runs kernels. What the functions do is ordered: each sees what those before it did. A failure may show
  * at a later call; `finish` shows them all. Contents go by ts_frame: the pointers in `args` are ts_frame_handle's. */
 typedef struct ts_backend ts_backend;
+
+/* What running the arithmetic vectors told of a backend. */
+typedef struct {
+	bool rounds_to_nearest, contracts, keeps_denormals;
+	u32 n_wrong;            /* primitives; 0: it keeps the numeric contract */
+} ts_measured;
+
 struct ts_backend {
 	const char *name;       /* as in --backend */
 	const char *device;     /* one line that names the hardware */
 	const char *compiler, *flags; /* of the kernels */
-	bool exact;             /* keeps the numeric contract: the arithmetic vectors were right */
+	ts_measured arithmetic;
 	/* Runs items [0, n); args is the kernel's argument struct. The order of the items is not defined and never changes a
 	 * result. */
 	ts_status (*launch)(ts_backend *backend, ts_frame *frame, ts_kernel kernel, const void *args, u64 n);

@@ -2,6 +2,7 @@
 #include "backends.h"
 #include <stdio.h>
 #include <string.h>
+#include "../trace/vectors.h"
 #include "cli.h"
 
 ts_status ts_backend_open(ts_cli *cli)
@@ -9,6 +10,7 @@ ts_status ts_backend_open(ts_cli *cli)
 	const ts_backend_kind *kind = cli->backend;
 	if (kind->open == NULL || ts_cli_given(cli, TS_OPT_HELP)) return TS_OK;
 	ts_status status = kind->open(&cli->how.backend, &cli->device);
+	if (status == TS_OK) status = ts_vectors_verify(cli->how.backend, cli->device.inexact);
 	return status == TS_SKIPPED && ts_cli_given(cli, TS_OPT_REQUIRE) ? TS_ERROR : status;
 }
 

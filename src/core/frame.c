@@ -125,17 +125,29 @@ ts_status ts_frame_fetch(ts_frame *frame)
 	return TS_OK;
 }
 
+void ts_frame_lend(ts_frame *frame, u32 slot, void *data, u64 bytes)
+{
+	release(frame, &frame->lent[slot]);
+	frame->lent[slot] = (ts_buffer){.data = data, .n = bytes, .bytes = bytes, .borrowed = true};
+}
+
+ts_status ts_frame_recall(ts_frame *frame, u32 slot)
+{
+	ts_status status = fetch(frame, &frame->lent[slot]);
+	ts_frame_lend(frame, slot, NULL, 0);
+	return status;
+}
+
 i64 *ts_frame_tallies(ts_frame *frame)
 {
-	release(frame, &frame->tallies);
 	memset(frame->tally, 0, sizeof frame->tally);
-	frame->tallies = (ts_buffer){.data = frame->tally, .n = TS_TALLIES, .bytes = sizeof frame->tally, .borrowed = true};
+	ts_frame_lend(frame, TS_LENT_TALLIES, frame->tally, sizeof frame->tally);
 	return frame->tally;
 }
 
 i64 ts_frame_tally(ts_frame *frame, u32 index)
 {
-	fetch(frame, &frame->tallies);
+	fetch(frame, &frame->lent[TS_LENT_TALLIES]);
 	return frame->tally[index];
 }
 
@@ -159,6 +171,6 @@ void ts_frame_drop(ts_frame *frame, ts_buffer_id id)
 
 void ts_frame_clear(ts_frame *frame)
 {
-	release(frame, &frame->tallies);
+	for (u32 slot = 0; slot < TS_LENT; slot++) ts_frame_lend(frame, slot, NULL, 0);
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) ts_frame_drop(frame, (ts_buffer_id)id);
 }

@@ -42,13 +42,13 @@ typedef struct {
 	void (*release)(void *resident);
 } ts_residence;
 
-enum { TS_TALLIES = 4 };
+enum { TS_TALLIES = 4, TS_LENT_TALLIES = 0, TS_LENT_OTHER, TS_LENT };
 
 typedef struct {
 	ts_buffer buffer[TS_N_BUFFERS];
 	u64 bytes, peak_bytes; /* owned by the frame */
 	i64 tally[TS_TALLIES]; /* sums that the kernels of a stage add to */
-	ts_buffer tallies;     /* borrows them */
+	ts_buffer lent[TS_LENT]; /* memory without a name that kernels work on */
 	const ts_residence *residence; /* NULL: all is in host memory */
 } ts_frame;
 
@@ -67,6 +67,9 @@ void *ts_frame_handle(const ts_frame *frame, ts_buffer_id id);
 void *ts_frame_data(const ts_frame *frame, ts_buffer_id id);
 /* Fetches all that there is. */
 ts_status ts_frame_fetch(ts_frame *frame);
+/* Lets kernels work on memory that stays the caller's, until it is recalled: then it holds what they made of it. */
+void ts_frame_lend(ts_frame *frame, u32 slot, void *data, u64 bytes);
+ts_status ts_frame_recall(ts_frame *frame, u32 slot);
 /* Sets the tallies to 0 and returns what arguments of kernels hold; ts_frame_tally reads one. */
 i64 *ts_frame_tallies(ts_frame *frame);
 i64 ts_frame_tally(ts_frame *frame, u32 index);

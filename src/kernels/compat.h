@@ -5,7 +5,9 @@
 
 #if defined(__OPENCL_C_VERSION__)
 
+#ifndef TS_CANARY_CONTRACTS /* for tests that must see it */
 #pragma OPENCL FP_CONTRACT OFF
+#endif
 #pragma OPENCL EXTENSION cl_khr_int64_base_atomics : enable
 #pragma OPENCL EXTENSION cl_khr_int64_extended_atomics : enable
 typedef float f32;

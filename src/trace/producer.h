@@ -7,7 +7,7 @@
 /* Name, version and commit of this program; name, device, compiler and flags of its backend. New references, or NULL without
  * memory. */
 json_t *ts_producer(const ts_run *run);
-/* Rounding, contraction and denormals of this process, measured now. */
-json_t *ts_arithmetic(void);
+/* Rounding, contraction and denormals of the run's backend: the C backend's of this process, measured now. */
+json_t *ts_arithmetic(const ts_run *run);
 
 #endif

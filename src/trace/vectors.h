@@ -3,6 +3,7 @@
  * little-endian words of 32 bits without padding, 64-bit values low word first: as a structured dtype of numpy. */
 #ifndef TS_TRACE_VECTORS_H
 #define TS_TRACE_VECTORS_H
+#include "../backends/backend.h"
 #include "../core/core.h"
 #include "../kernels/compat.h"
 #include "npy.h"
@@ -93,6 +94,10 @@ typedef struct {
 	ts_vector_fault fault;          /* the one that reproduces most; TS_N_FAULTS: none reproduces any */
 } ts_vector_verdict;
 ts_vector_verdict ts_vector_judge(const ts_vector *vector, const u32 *in, const u32 *out, const u32 *found);
+
+/* Runs every primitive on a backend and keeps what that told in backend->arithmetic. A backend that computes one of them
+ * otherwise is refused with a message that names it, unless `inexact`; flushed denormals are no such difference. */
+ts_status ts_vectors_verify(ts_backend *backend, bool inexact);
 
 /* Steps between two floats on the line of all floats, on which -0 lies one below +0; NaN is as far as its bits say. */
 i64 ts_vector_ulps(u32 from, u32 to);

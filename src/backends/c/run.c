@@ -114,7 +114,7 @@ static void end(ts_backend *backend) { (void)backend; }
 void ts_c_begin(ts_c_backend *backend, u32 threads)
 {
 	*backend = (ts_c_backend){
-		.backend = {"c", DEVICE, __VERSION__, TS_FLAGS, true, launch, fill, scan, finish, end},
+		.backend = {"c", DEVICE, __VERSION__, TS_FLAGS, {0}, launch, fill, scan, finish, end},
 		.threads = threads != 0 ? threads : 1,
 	};
 }

@@ -29,7 +29,6 @@ typedef struct {
 	size_t work_group;
 	bool unified;
 	bool busy;                       /* something was enqueued and not waited for */
-	ts_buffer sums;                  /* of the chunks of a prefix sum */
 	char failure[TS_CL_MESSAGE];     /* what a fetch had to keep to itself */
 } ts_cl;
 

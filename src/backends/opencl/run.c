@@ -6,7 +6,7 @@
 
 _Static_assert(sizeof(void *) == 8, "offsets take the place of pointers");
 
-enum { CHUNK = 2048, DEFAULT_CHUNKS = 64 };
+enum { SCAN_CHUNK = 2048 };
 
 ts_status ts_cl_failed(const char *what, cl_int status)
 {
@@ -27,11 +27,10 @@ ts_status ts_cl_failed(const char *what, cl_int status)
 }
 
 /* The buffer that a pointer points into. */
-static ts_buffer *owner(ts_cl *cl, ts_frame *frame, const void *pointer)
+static ts_buffer *owner(ts_frame *frame, const void *pointer)
 {
-	ts_buffer *special[] = {&frame->tallies, &cl->sums};
-	for (u32 i = 0; i < TS_N_BUFFERS + 2; i++) {
-		ts_buffer *b = i < TS_N_BUFFERS ? &frame->buffer[i] : special[i - TS_N_BUFFERS];
+	for (u32 i = 0; i < TS_N_BUFFERS + TS_LENT; i++) {
+		ts_buffer *b = i < TS_N_BUFFERS ? &frame->buffer[i] : &frame->lent[i - TS_N_BUFFERS];
 		const u8 *begin = b->data;
 		const u8 *at = pointer;
 		if (begin != NULL && at >= begin && (at < begin + b->bytes || at == begin)) return b;
@@ -56,7 +55,7 @@ static ts_status set_arguments(ts_cl *cl, ts_frame *frame, ts_kernel kernel, con
 		u64 offset = 0;
 		cl_mem memory = NULL;
 		memcpy(&pointer, values + k->pointer[i].at, sizeof pointer);
-		ts_buffer *buffer = pointer != NULL ? owner(cl, frame, pointer) : NULL;
+		ts_buffer *buffer = pointer != NULL ? owner(frame, pointer) : NULL;
 		if (buffer != NULL) {
 			offset = (u64)(pointer - (const u8 *)buffer->data);
 			if (ts_cl_use(cl, &memory, buffer, !k->pointer[i].constant) != TS_OK) return TS_ERROR;
@@ -109,31 +108,27 @@ static ts_status fill(ts_backend *backend, ts_frame *frame, ts_buffer_id id, u8 
 	return status == CL_SUCCESS ? TS_OK : ts_cl_failed("a fill", status);
 }
 
-static ts_status need_sums(ts_cl *cl, u64 n)
+static ts_status scan_in(ts_backend *backend, ts_frame *frame, ts_scan_args *args)
 {
-	if (cl->sums.n >= n) return TS_OK;
-	if (cl->sums.resident != NULL) ts_cl_residence.release(cl->sums.resident);
-	free(cl->sums.data);
-	cl->sums = (ts_buffer){.data = ts_alloc(n, sizeof(u64), "sums"), .n = n, .bytes = n * sizeof(u64)};
-	if (cl->sums.data != NULL) return TS_OK;
-	cl->sums = (ts_buffer){.data = NULL};
-	return TS_ERROR;
+	ts_frame_lend(frame, TS_LENT_OTHER, args->sums, (args->n_chunks + 1) * sizeof *args->sums);
+	ts_status status = launch(backend, frame, TS_KERNEL_scan_sum, args, args->n_chunks);
+	if (status == TS_OK) status = launch(backend, frame, TS_KERNEL_scan_chunks, args, 1);
+	if (status == TS_OK) status = launch(backend, frame, TS_KERNEL_scan, args, args->n_chunks);
+	ts_status recalled = ts_frame_recall(frame, TS_LENT_OTHER);
+	return status == TS_OK ? recalled : status;
 }
 
 static ts_status scan(ts_backend *backend, ts_frame *frame, ts_buffer_id id, u64 *total)
 {
-	ts_cl *cl = (ts_cl *)backend;
 	u64 n = ts_frame_n(frame, id) - 1;
-	u64 n_chunks = (n + CHUNK - 1) / CHUNK;
-	if (need_sums(cl, n_chunks + DEFAULT_CHUNKS) != TS_OK) return TS_ERROR;
 	ts_scan_args args = {
-		.counts = ts_frame_handle(frame, id), .sums = cl->sums.data, .n = n, .n_chunks = n_chunks, .chunk = CHUNK};
-	if (launch(backend, frame, TS_KERNEL_scan_sum, &args, n_chunks) != TS_OK) return TS_ERROR;
-	if (launch(backend, frame, TS_KERNEL_scan_chunks, &args, 1) != TS_OK) return TS_ERROR;
-	if (launch(backend, frame, TS_KERNEL_scan, &args, n_chunks) != TS_OK) return TS_ERROR;
-	if (ts_cl_residence.fetch(cl->sums.resident) != TS_OK) return TS_ERROR;
-	*total = ((const u64 *)cl->sums.data)[n_chunks];
-	return TS_OK;
+		.counts = ts_frame_handle(frame, id), .n = n, .n_chunks = (n + SCAN_CHUNK - 1) / SCAN_CHUNK, .chunk = SCAN_CHUNK};
+	args.sums = ts_alloc(args.n_chunks + 1, sizeof *args.sums, "prefix sums");
+	if (args.sums == NULL) return TS_ERROR;
+	ts_status status = scan_in(backend, frame, &args);
+	if (status == TS_OK) *total = args.sums[args.n_chunks];
+	free(args.sums);
+	return status;
 }
 
 static ts_status finish(ts_backend *backend) { return ts_cl_finish((ts_cl *)backend); }
@@ -141,8 +136,6 @@ static ts_status finish(ts_backend *backend) { return ts_cl_finish((ts_cl *)back
 static void end(ts_backend *backend)
 {
 	ts_cl *cl = (ts_cl *)backend;
-	if (cl->sums.resident != NULL) ts_cl_residence.release(cl->sums.resident);
-	free(cl->sums.data);
 	for (u32 i = 0; i < TS_N_KERNELS; i++) {
 		if (cl->kernels[i] != NULL) clReleaseKernel(cl->kernels[i]);
 	}
@@ -185,7 +178,7 @@ static ts_status open_device(ts_backend **backend, const ts_backend_options *opt
 		return status;
 	}
 	snprintf(cl->device_line, sizeof cl->device_line, "%s, %s", cl->about.name, cl->about.platform);
-	cl->backend = (ts_backend){"opencl", cl->device_line, cl->about.driver, cl->flags, true, launch, fill, scan, finish, end};
+	cl->backend = (ts_backend){"opencl", cl->device_line, cl->about.driver, cl->flags, {0}, launch, fill, scan, finish, end};
 	cl->work_group = options->work_group;
 	cl->unified = cl->about.unified && !options->copies;
 	*backend = &cl->backend;
