@@ -157,6 +157,15 @@ u64 ts_frame_n(const ts_frame *frame, ts_buffer_id id)
 	return frame->buffer[id].n;
 }
 
+void ts_frame_cut(ts_frame *frame, ts_buffer_id id, u64 n)
+{
+	ts_buffer *buffer = &frame->buffer[id];
+	assert(buffer->made && buffer->n_dims == 1 && n <= buffer->n);
+	frame->bytes -= buffer->bytes - n * ts_buffer_table[id].element_bytes;
+	buffer->n = buffer->shape[0] = n;
+	buffer->bytes = n * ts_buffer_table[id].element_bytes;
+}
+
 void ts_frame_drop(ts_frame *frame, ts_buffer_id id)
 {
 	assert(id < TS_N_BUFFERS);

@@ -74,6 +74,8 @@ ts_status ts_frame_recall(ts_frame *frame, u32 slot);
 i64 *ts_frame_tallies(ts_frame *frame);
 i64 ts_frame_tally(ts_frame *frame, u32 index);
 u64 ts_frame_n(const ts_frame *frame, ts_buffer_id id);
+/* Keeps the first n elements of a buffer of one dimension. */
+void ts_frame_cut(ts_frame *frame, ts_buffer_id id, u64 n);
 void ts_frame_drop(ts_frame *frame, ts_buffer_id id);
 void ts_frame_clear(ts_frame *frame);
 

@@ -25,6 +25,7 @@ typedef uchar u8;
 #define ts_floor(x) floor(x)
 #define ts_min_u64(p, v) do { if ((v) < *(p)) atom_min((p), (v)); } while (0)
 #define ts_add_i64(p, v) ((void)atom_add((p), (v)))
+#define ts_next_i64(p) atom_inc(p)
 #define ts_mark_u8(p) (*(p) = 1)
 #define TS_ASSERT_SIZE(type, bytes) typedef char type##_is_packed[sizeof(type) == (bytes) ? 1 : -1]
 
@@ -45,6 +46,7 @@ typedef unsigned char u8;
 #define ts_floor(x) floorf(x)
 #define ts_min_u64(p, v) do { if ((v) < *(p)) atomicMin((p), (v)); } while (0)
 #define ts_add_i64(p, v) ((void)atomicAdd((u64 *)(p), (u64)(v)))
+#define ts_next_i64(p) ((i64)atomicAdd((u64 *)(p), (u64)1u))
 #define ts_mark_u8(p) (*(p) = 1)
 #define TS_ASSERT_SIZE(type, bytes) static_assert(sizeof(type) == (bytes), #type)
 
@@ -82,6 +84,8 @@ static inline void ts_min_u64(u64 *p, u64 v)
 	}
 }
 static inline void ts_add_i64(i64 *p, i64 v) { __atomic_fetch_add(p, v, __ATOMIC_RELAXED); }
+/* The value before it is raised by 1. */
+static inline i64 ts_next_i64(i64 *p) { return __atomic_fetch_add(p, 1, __ATOMIC_RELAXED); }
 /* 1, whoever else says so at the same time. */
 static inline void ts_mark_u8(u8 *p) { __atomic_store_n(p, 1, __ATOMIC_RELAXED); }
 #define TS_ASSERT_SIZE(type, bytes) _Static_assert(sizeof(type) == (bytes), #type " has padding")

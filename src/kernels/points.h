@@ -11,6 +11,8 @@ typedef struct {
 	TS_GLOBAL u32 *offset;       /* count.offset: counts, then their prefix sums */
 	TS_GLOBAL u64 *keys;         /* points.key */
 	TS_GLOBAL ts_point *points;  /* points.record */
+	TS_GLOBAL i64 *n_points;     /* appended so far */
+	u64 room;                    /* points that can be appended */
 	i32 half_size;               /* of a lattice square, in 1/256: 129 safe, 128 exact */
 	u32 paper_splat;             /* sub-pixel pieces get a splat of their own area */
 } ts_points_args;
@@ -99,27 +101,60 @@ TS_FN ts_v3 ts_k_lattice_point(TS_GLOBAL const ts_align *frame, i32 x, i32 y)
 	return ts_mad(ts_mad(ts_load3(frame->c), ts_load3(frame->u), du), ts_load3(frame->v), dv);
 }
 
+typedef struct {
+	TS_GLOBAL const ts_align *frame;
+	u64 piece;
+	f32 length;
+	u32 flags;
+} ts_point_source;
+
+TS_FN ts_point_source ts_k_point_source(const ts_points_args *args, u64 piece)
+{
+	ts_point_source r;
+	r.frame = &args->frames[piece];
+	r.piece = piece;
+	r.length = ts_k_splat_length(args, &args->pieces[piece], r.frame->s, &r.flags);
+	return r;
+}
+
+TS_FN void ts_k_point_put(const ts_points_args *args, const ts_point_source *from, i32 x, i32 y, u64 at)
+{
+	TS_GLOBAL ts_point *out = &args->points[at];
+	ts_store3(out->centre, ts_k_lattice_point(from->frame, x, y));
+	out->length = ts_put(from->length);
+	out->piece = (u32)from->piece;
+	out->flags = from->flags;
+	out->pad[0] = 0u;
+	out->pad[1] = 0u;
+	args->keys[at] = (from->piece << 32) | ((u64)(u32)(y + 32768) << 16) | (u64)(u32)(x + 32768);
+}
+
 /* emit over pieces */
 TS_FN void ts_k_points_item(const ts_points_args *args, u64 i)
 {
 	u64 at = args->offset[i];
 	if (args->offset[i + 1u] == (u32)at) return;
-	TS_GLOBAL const ts_align *frame = &args->frames[i];
-	ts_cover cover = ts_k_lattice_cover(frame, args->half_size);
-	u32 flags;
-	f32 length = ts_k_splat_length(args, &args->pieces[i], frame->s, &flags);
+	ts_cover cover = ts_k_lattice_cover(&args->frames[i], args->half_size);
+	ts_point_source from = ts_k_point_source(args, i);
+	for (i32 y = cover.touched.y0; y <= cover.touched.y1; y++) {
+		for (i32 x = cover.touched.x0; x <= cover.touched.x1; x++) {
+			if (ts_k_is_point(args, &cover, i, x, y)) ts_k_point_put(args, &from, x, y, at++);
+		}
+	}
+}
+
+/* scatter over pieces: the same points in the order of arrival, as the papers' GPUs append them. Those that find no room
+ * are counted only. */
+TS_FN void ts_k_points_append_item(const ts_points_args *args, u64 i)
+{
+	if (!(args->frames[i].s > 0.0f)) return;
+	ts_cover cover = ts_k_lattice_cover(&args->frames[i], args->half_size);
+	ts_point_source from = ts_k_point_source(args, i);
 	for (i32 y = cover.touched.y0; y <= cover.touched.y1; y++) {
 		for (i32 x = cover.touched.x0; x <= cover.touched.x1; x++) {
 			if (!ts_k_is_point(args, &cover, i, x, y)) continue;
-			TS_GLOBAL ts_point *out = &args->points[at];
-			ts_store3(out->centre, ts_k_lattice_point(frame, x, y));
-			out->length = ts_put(length);
-			out->piece = (u32)i;
-			out->flags = flags;
-			out->pad[0] = 0u;
-			out->pad[1] = 0u;
-			args->keys[at] = (i << 32) | ((u64)(u32)(y + 32768) << 16) | (u64)(u32)(x + 32768);
-			at++;
+			u64 at = (u64)ts_next_i64(args->n_points);
+			if (at < args->room) ts_k_point_put(args, &from, x, y, at);
 		}
 	}
 }

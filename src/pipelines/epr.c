@@ -32,7 +32,7 @@ const ts_step ts_epr_steps[] = {
 	{.stage = "cull"},       /* 3.2: stochastic culling */
 	{.stage = "cull_margin", .only_margins = true},
 	{.stage = "align"},      /* 3.2: T_epr */
-	{.stage = "count"},      /* 3.3: conservative rasterization in the triangle's plane */
+	{.stage = "count", .only_ordered = true}, /* 3.3: conservative rasterization in the triangle's plane */
 	{.stage = "points"},     /* 3.4: the point buffers */
 	{.stage = "splat"},      /* 3.5: indexed G-buffer cubes */
 	{.stage = "tie", .only_traced = true},

@@ -9,6 +9,7 @@ typedef struct {
 	u32 least_bounces;   /* runs only if so many bounces are followed */
 	bool only_traced;    /* runs only for a trace: no later stage reads what it makes */
 	bool only_margins;   /* the same, and only if run->margins asks for it */
+	bool only_ordered;   /* points that arrive in any order do without */
 	bool each_reflector; /* neighbours with this mark run for one reflector after the other */
 } ts_step;
 

@@ -37,7 +37,8 @@ static ts_status run_steps(const ts_step *step, const ts_step *end, ts_run *run)
 	for (; step < end; step++) {
 		const ts_stage *stage = ts_stage_find(step->stage);
 		assert(stage != NULL);
-		bool takes = ts_pipeline_takes(step, &run->params, run->traced) && (run->margins || !step->only_margins);
+		bool takes = ts_pipeline_takes(step, &run->params, run->traced) && (run->margins || !step->only_margins) &&
+		             !(run->arrival && step->only_ordered);
 		if (takes && ts_run_stage(run, stage) != TS_OK) return TS_ERROR;
 	}
 	return TS_OK;

@@ -25,14 +25,38 @@ ts_status ts_stage_count(ts_run *run)
 	return TS_OK;
 }
 
+static ts_status make_room(ts_run *run, ts_points_args *args, u64 n)
+{
+	args->room = n;
+	args->keys = ts_frame_make1(&run->frame, TS_B_points_key, n);
+	args->points = ts_frame_make1(&run->frame, TS_B_points_record, n);
+	return args->keys != NULL && args->points != NULL ? TS_OK : TS_ERROR;
+}
+
+/* As the papers' GPUs do it, without a count: buffers that are too small are made larger, and all is appended again. */
+static ts_status append(ts_run *run, ts_points_args *args, u64 n)
+{
+	u64 total = 2 * n;
+	do {
+		if (make_room(run, args, total) != TS_OK) return TS_ERROR;
+		args->n_points = ts_frame_tallies(&run->frame);
+		if (ts_run_launch(run, TS_KERNEL_points_append, args, n) != TS_OK) return TS_ERROR;
+		total = (u64)ts_frame_tally(&run->frame, 0);
+	} while (total > args->room && total < TS_NONE);
+	if (total >= TS_NONE) return ts_run_too_many(total, "points");
+	ts_frame_cut(&run->frame, TS_B_points_key, total);
+	ts_frame_cut(&run->frame, TS_B_points_record, total);
+	ts_run_count(run, "points", (i64)total);
+	return TS_OK;
+}
+
 ts_status ts_stage_points(ts_run *run)
 {
 	u64 n = ts_frame_n(&run->frame, TS_B_align_frame);
 	ts_points_args args = arguments(run);
+	if (run->arrival) return append(run, &args, n);
 	args.offset = ts_frame_handle(&run->frame, TS_B_count_offset);
 	const u32 *before = ts_frame_data(&run->frame, TS_B_count_offset);
-	args.keys = ts_frame_make1(&run->frame, TS_B_points_key, before[n]);
-	args.points = ts_frame_make1(&run->frame, TS_B_points_record, before[n]);
-	if (args.keys == NULL || args.points == NULL) return TS_ERROR;
+	if (make_room(run, &args, before[n]) != TS_OK) return TS_ERROR;
 	return ts_run_launch(run, TS_KERNEL_points, &args, n);
 }

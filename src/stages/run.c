@@ -127,9 +127,12 @@ ts_status ts_run_scan(ts_run *run, ts_buffer_id id, const char *what, u64 *total
 {
 	ts_backend *backend = backend_of(run);
 	if (backend->scan(backend, &run->frame, id, total) != TS_OK) return TS_ERROR;
-	if (*total < TS_NONE) return TS_OK;
-	return ts_fail("%" PRIu64 " %s are more than 32-bit indices can name; lower rho_scale or the image's size", *total,
-	               what);
+	return *total < TS_NONE ? TS_OK : ts_run_too_many(*total, what);
+}
+
+ts_status ts_run_too_many(u64 n, const char *what)
+{
+	return ts_fail("%" PRIu64 " %s are more than 32-bit indices can name; lower rho_scale or the image's size", n, what);
 }
 
 f32 ts_samples_a_pixel(const ts_params *params)

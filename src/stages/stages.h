@@ -48,5 +48,7 @@ ts_status ts_run_launch(ts_run *run, ts_kernel kernel, const void *args, u64 n);
 ts_status ts_run_fill(ts_run *run, ts_buffer_id id, u8 byte);
 /* The total must stay below 2^32 - 1; `what` names what is counted in the message. */
 ts_status ts_run_scan(ts_run *run, ts_buffer_id id, const char *what, u64 *total);
+/* The message of more. */
+ts_status ts_run_too_many(u64 n, const char *what);
 
 #endif
