@@ -12,8 +12,14 @@ import contract
 
 
 def fused(a, b, c):
-	"""The product is exact in binary64; a sum that binary64 rounds too is rounded twice."""
-	return (a.astype(np.float64) * b + c).astype(np.float32)
+	"""a·b + c rounded once, as a compiler that contracts gives it: the product is exact in binary64, and the sum is
+	rounded there to odd, after which rounding to binary32 is that of the exact sum (Boldo and Melquiond, 2008)."""
+	product, c = a.astype(np.float64) * b, c.astype(np.float64)
+	total = product + c
+	part = total - product
+	error = (product - (total - part)) + (c - part)
+	between = (error != 0) & (total.view(np.uint64) % np.uint64(2) == 0)
+	return np.where(between, np.nextafter(total, np.copysign(np.inf, error)), total).astype(np.float32)
 
 
 PRIMITIVES = {
