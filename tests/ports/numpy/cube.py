@@ -3,7 +3,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from raster import project
+from raster import RANGE, project
 
 # Right, up and front of +X -X +Y -Y +Z -Z: the coordinate of each, and its sign.
 AXES = (2, 1, 0), (2, 1, 0), (0, 2, 1), (0, 2, 1), (0, 1, 2), (0, 1, 2)
@@ -33,10 +33,14 @@ class View(NamedTuple):
 	def project(self, p):
 		return project(p, self.focal, self.focal)
 
-	def planes(self, slope, reach):
-		"""Near, left, right, bottom, top; the sides are slope·|X| ≤ reach·z and slope·|Y| ≤ reach·z."""
-		sides = (slope, 0, reach, 0), (-slope, 0, reach, 0), (0, slope, reach, 0), (0, -slope, reach, 0)
-		return np.float32([(0, 0, 1, -self.near), *sides])
+	def near_plane(self):
+		return np.float32([0, 0, 1, -self.near])
+
+	def planes(self):
+		"""Rule 16: near, and left, right, bottom, top at the ends of what can be snapped."""
+		f, reach = self.focal, RANGE - self.focal
+		sides = (f, 0, reach, 0), (-f, 0, reach, 0), (0, f, reach, 0), (0, -f, reach, 0)
+		return np.float32([self.near_plane(), *sides])
 
 
 def views(faces):

@@ -8,6 +8,7 @@ import numpy as np
 from contract import components, fix, flush
 
 RANGE = 32767
+MOST = 8
 REACH = 129
 
 
@@ -30,18 +31,25 @@ def clip(polygons, planes):
 		left &= (side >= 0).any(1)
 		behind = (side < 0).any(1)
 		if behind.any():
-			polygons = np.concatenate((polygons, polygons[:, :1]), 1)
-			polygons[behind] = clip_plane(polygons[behind, :-1], side[behind])
+			part = clip_plane(polygons[behind], side[behind])
+			polygons = widened(polygons, part.shape[1])
+			polygons[behind] = widened(part, polygons.shape[1])
 	return polygons, left
 
 
+def widened(polygons, width):
+	more = max(width - polygons.shape[1], 0)
+	return np.concatenate((polygons, np.repeat(polygons[:, :1], more, 1)), 1)
+
+
 def clip_plane(polygons, side):
-	"""Sutherland and Hodgman: each corner that is inside, and behind it the cut of its edge; one more than came in."""
+	"""Sutherland and Hodgman: each corner that is inside, and behind it the cut of its edge."""
 	inside = side >= 0
 	crosses = inside != np.roll(inside, -1, 1)
 	slots = np.stack((polygons, cuts(polygons, side, crosses)), 2).reshape(len(side), -1, 3)
 	empty = ~np.stack((inside, crosses), 2).reshape(len(side), -1)
-	taken = np.argsort(empty, 1, 'stable')[:, :side.shape[1] + 1]
+	width = max(1, min(MOST, np.max(np.sum(~empty, 1))))
+	taken = np.argsort(empty, 1, 'stable')[:, :width]
 	taken = np.where(np.take_along_axis(empty, taken, 1), taken[:, :1], taken)
 	return np.take_along_axis(slots, taken[..., None], 1)
 

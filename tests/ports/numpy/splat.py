@@ -3,7 +3,7 @@ import numpy as np
 
 from contract import EMPTY, floor_i32, key, length
 from cube import views
-from raster import RANGE, Outlines, clip, spread
+from raster import Outlines, clip, spread
 
 TINY = 1
 
@@ -39,7 +39,7 @@ def outline_pieces(pieces, seen, view):
 	"""Step 3: the outlines of the pieces seen, and which of them each piece has, -1 where nothing is left."""
 	seen = np.flatnonzero(seen)
 	corners = np.stack([pieces[corner][seen] for corner in 'abc'], 1)
-	polygons, left = clip(view.see(corners), view.planes(view.focal, RANGE - view.focal))
+	polygons, left = clip(view.see(corners), view.planes())
 	outline = np.full(len(pieces), -1)
 	outline[seen[left]] = np.arange(left.sum())
 	return Outlines(view.project(polygons[left])), outline
@@ -56,6 +56,6 @@ def farthest_first(points, shown, view, broken):
 
 def boxes(square, view, shift):
 	"""Steps 1 and 2: first and last texels of the squares, and of which of them something is left."""
-	corners, left = clip(view.see(square), view.planes(1, 1)[:1])
+	corners, left = clip(view.see(square), [view.near_plane()])
 	pixels = view.project(corners[left]) + shift
 	return np.maximum(floor_i32(pixels.min(1)), 0), np.minimum(floor_i32(pixels.max(1)), view.n - 1), left

@@ -1,9 +1,8 @@
-"""Stage `visibility` of METHODS.md, section 2: one bit a triangle and cube face; rules 16, 35 and 36 of CONTRACT.md."""
+"""Stage `visibility` of METHODS.md, section 2: one bit a triangle and cube face; rules 35 and 36 of CONTRACT.md."""
 import numpy as np
 
 from contract import components, cross, dot, flush
 from cube import views
-from raster import plane_side
 
 DOUBLE_SIDED = 1
 
@@ -27,11 +26,10 @@ def run(trace, broken=0):
 
 def plane(corners, view, broken):
 	"""Not all corners strictly beyond one plane."""
-	inside = np.ones(len(corners), bool)
-	for frustum in view.planes(1, 1):
-		side = plane_side(corners, frustum)
-		inside &= (side > 0 if broken == 1 else side >= 0).any(1)
-	return inside
+	x, y, z = components(corners)
+	greater = np.greater_equal if broken == 1 else np.greater
+	sides = greater(x, z), greater(-x, z), greater(y, z), greater(-y, z), z < view.near
+	return ~np.logical_or.reduce([side.all(1) for side in sides])
 
 
 def vertex(corners, view, broken):
