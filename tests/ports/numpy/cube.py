@@ -36,9 +36,11 @@ class View(NamedTuple):
 	def near_plane(self):
 		return np.float32([0, 0, 1, -self.near])
 
-	def planes(self):
+	def planes(self, broken):
 		"""Rule 16: near, and left, right, bottom, top at the ends of what can be snapped."""
 		f, reach = self.focal, RANGE - self.focal
+		if broken == 7:
+			f, reach = 1, reach / f
 		sides = (f, 0, reach, 0), (-f, 0, reach, 0), (0, f, reach, 0), (0, -f, reach, 0)
 		return np.float32([self.near_plane(), *sides])
 

@@ -14,7 +14,8 @@ REACH = 129
 
 def project(p, middle, focal):
 	"""Rule 15: view space to pixels."""
-	return middle + focal * p[..., :2] * np.float32([1, -1]) / p[..., 2:]
+	with np.errstate(all='ignore'):
+		return middle + focal * p[..., :2] * np.float32([1, -1]) / p[..., 2:]
 
 
 def plane_side(p, plane):
@@ -68,11 +69,12 @@ def cuts(polygons, side, crosses):
 class Outlines:
 	"""Polygons on the screen, and the texels that they touch (rule 19)."""
 
-	def __init__(self, pixels):
+	def __init__(self, pixels, broken):
 		corners = fix(pixels, 8, 23).astype(np.int64)
 		self.low, self.high = (corners.min(1) - REACH + 127) >> 8, (corners.max(1) + REACH - 128) >> 8
 		(x, y), (dx, dy) = components(corners), components(np.roll(corners, -1, 1) - corners)
-		turn = np.where((x * dy - y * dx).sum(1, keepdims=True) < 0, -1, 1)
+		area = (x * dy - y * dx).sum(1, keepdims=True)
+		turn = np.sign(area) if broken == 6 else np.where(area < 0, -1, 1)
 		a, b = -turn * dy, turn * dx
 		self.edges = np.stack((a, b, REACH * (abs(dx) + abs(dy)) - a * x - b * y)).transpose(2, 0, 1).copy()
 

@@ -15,7 +15,8 @@ def run(trace, broken=0):
 	square = squares(points, trace['align.frame'][points['piece']])
 	texels = np.full(6 * (faces['n'].astype(np.int64) ** 2).sum(), EMPTY)
 	for view in views(faces):
-		outlines, outline = outline_pieces(pieces, view.has(trace['visibility.bits'])[pieces['triangle']], view)
+		seen = view.has(trace['visibility.bits'])[pieces['triangle']]
+		outlines, outline = outline_pieces(pieces, seen, view, broken)
 		index, keys = farthest_first(points, outline[points['piece']] >= 0, view, broken)
 		low, high, left = boxes(square[index], view, np.float32(.5 if broken == 3 else 0))
 		index, keys = index[left], keys[left]
@@ -35,14 +36,15 @@ def squares(points, frame):
 	return np.stack(((c - u) - v, (c + u) - v, (c + u) + v, (c - u) + v), 1)
 
 
-def outline_pieces(pieces, seen, view):
+def outline_pieces(pieces, seen, view, broken):
 	"""Step 3: the outlines of the pieces seen, and which of them each piece has, -1 where nothing is left."""
 	seen = np.flatnonzero(seen)
 	corners = np.stack([pieces[corner][seen] for corner in 'abc'], 1)
-	polygons, left = clip(view.see(corners), view.planes())
+	polygons, left = clip(view.see(corners), view.planes(broken))
+	left |= broken == 9
 	outline = np.full(len(pieces), -1)
 	outline[seen[left]] = np.arange(left.sum())
-	return Outlines(view.project(polygons[left])), outline
+	return Outlines(view.project(polygons[left]), broken), outline
 
 
 def farthest_first(points, shown, view, broken):

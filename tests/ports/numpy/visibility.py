@@ -28,7 +28,9 @@ def plane(corners, view, broken):
 	"""Not all corners strictly beyond one plane."""
 	x, y, z = components(corners)
 	greater = np.greater_equal if broken == 1 else np.greater
-	sides = greater(x, z), greater(-x, z), greater(y, z), greater(-y, z), z < view.near
+	if broken == 8:
+		x, y, z = x * view.focal, y * view.focal, z * view.focal
+	sides = greater(x, z), greater(-x, z), greater(y, z), greater(-y, z), corners[..., 2] < view.near
 	return ~np.logical_or.reduce([side.all(1) for side in sides])
 
 
