@@ -8,30 +8,37 @@
 
 static const char *const words[] = { "not judged", "missing", "ignored", "same", "different" };
 
+enum { INPUTS_TEXT = 600 };
+
 /* Whether what the stage read was the same. The scene need not be given: a port reads ours. */
-static void inputs_of(char *text, size_t bytes, const ts_comparison *c, const ts_trace *reference, const ts_stage *stage)
+static void inputs_of(char text[INPUTS_TEXT], const ts_comparison *c, const ts_trace *reference, const ts_stage *stage)
 {
-	const char *unlike = NULL, *absent = NULL;
-	if (c->forced) {
-		snprintf(text, bytes, "given the candidate's inputs");
-		return;
-	}
+	const char *unlike = NULL;
+	char absent[INPUTS_TEXT - 64] = "";
+	size_t used = 0;
+	u32 n_given = 0;
 	for (u32 i = 0; stage != NULL && stage->reads[i] != TS_N_BUFFERS; i++) {
 		ts_buffer_id id = stage->reads[i];
 		const char *name = ts_buffer_table[id].name;
 		ts_judgement judgement = c->verdict[id].judgement;
-		if (judgement == TS_UNLIKE && unlike == NULL) unlike = name;
+		bool given = judgement != TS_MISSING && judgement != TS_NOT_JUDGED;
 		const ts_step *maker = ts_pipeline_maker(reference->pipeline, id);
 		bool made = maker == NULL || !reference->has_params || ts_pipeline_takes(maker, &reference->params, true);
-		bool given = !made || (judgement != TS_MISSING && judgement != TS_NOT_JUDGED);
-		if (!given && absent == NULL && !ts_emit_is_scene(id)) absent = name;
+		n_given += given;
+		if (judgement == TS_UNLIKE && unlike == NULL) unlike = name;
+		if (given || !made || ts_emit_is_scene(id) || used >= sizeof absent) continue;
+		used += (size_t)snprintf(absent + used, sizeof absent - used, "%s%s", used > 0 ? ", " : "", name);
 	}
-	if (unlike != NULL) {
-		snprintf(text, bytes, "inputs differ: %s", unlike);
-	} else if (absent != NULL) {
-		snprintf(text, bytes, "inputs identical as far as given; not given: %s", absent);
+	if (c->forced) {
+		snprintf(text, INPUTS_TEXT, "given the candidate's inputs");
+	} else if (unlike != NULL) {
+		snprintf(text, INPUTS_TEXT, "inputs differ: %s", unlike);
+	} else if (used == 0) {
+		snprintf(text, INPUTS_TEXT, "inputs identical");
+	} else if (n_given == 0) {
+		snprintf(text, INPUTS_TEXT, "none of its inputs was given");
 	} else {
-		snprintf(text, bytes, "inputs identical");
+		snprintf(text, INPUTS_TEXT, "inputs identical as far as given; not given: %s", absent);
 	}
 }
 
@@ -67,12 +74,12 @@ static void lack_of(char *text, size_t bytes, const ts_verdict *v)
 
 void ts_compare_line(char text[TS_LINE_TEXT], const ts_comparison *c, const ts_trace *reference, ts_buffer_id id)
 {
-	char what[512], where[TS_WHERE_TEXT], inputs[160], lack[400];
+	char what[512], where[TS_WHERE_TEXT], inputs[INPUTS_TEXT], lack[400];
 	const ts_verdict *v = &c->verdict[id];
 	const ts_step *step = ts_pipeline_maker(reference->pipeline, id);
 	const ts_stage *stage = step != NULL ? ts_stage_find(step->stage) : NULL;
 	ts_fields fields = ts_fields_of(id);
-	inputs_of(inputs, sizeof inputs, c, reference, stage);
+	inputs_of(inputs, c, reference, stage);
 	lack_of(lack, sizeof lack, v);
 	ts_where(where, reference, id, v->first.element);
 	values_of(what, sizeof what, v, &fields.field[v->first.field], &v->first);

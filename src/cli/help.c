@@ -37,7 +37,7 @@ void ts_help_print(const ts_command *command)
 	for (const ts_command *c = ts_command_table; c->name != NULL; c++) {
 		char left[48];
 		snprintf(left, sizeof left, "%s %s", c->name, c->arguments);
-		printf("  %-26s %s\n", left, c->doc);
+		printf("  %-28s %s\n", left, c->doc);
 	}
 	printf("\nExit codes: 0 done or same, 1 compared and different, 2 could not, 77 skipped.\n");
 	printf("\"%s help COMMAND\" tells more.\n", ts_program);

@@ -38,6 +38,7 @@ const ts_command ts_command_table[] = {
 	  "REFERENCE: a folder that render --trace wrote, or one of its .npy files, or an image.\n"
 	  "CANDIDATE: the same of a port (reference/TRACES.md says what it must have at least).\n"
 	  "Everything must be the same to the bit, unless a relaxation is typed. Exit code 0 same, 1 different, 2 could not.\n"
+	  "Ulps count floats from the reference to the candidate: positive where the candidate is greater.\n"
 	  "With -o DIR, a picture of the pixels that differ for each buffer that has them.",
 	  2, 2, TS_OPT_FORCED | TS_OPT_THREADS |
 	  TS_OPT_DECIDED | TS_OPT_ULP | TS_OPT_ABS | TS_OPT_REL | TS_OPT_ALLOW | TS_OPT_IGNORE | TS_OPT_MASK |
@@ -55,7 +56,8 @@ const ts_command ts_command_table[] = {
 	{ "golden", "ACTION [CASE]", "check, new or bless: the goldens of reference/",
 	  TS_GOLDEN_DETAILS,
 	  1, 2, HOW | TS_OPT_REASON | TS_OPT_REFERENCE_DIR, ts_golden_command },
-	{ "vectors", "", "inputs and outputs of every arithmetic primitive, to write, or to check a port with",
+	{ "vectors", "-o DIR | --check DIR",
+	  "inputs and outputs of every arithmetic primitive, to write, or to check a port with",
 	  "Before a port renders anything: write them with -o DIR, let the port compute PRIMITIVE.out.npy from\n"
 	  "PRIMITIVE.in.npy, and judge its folder with --check DIR. vectors.json describes each primitive. Exact: 0 all right,\n"
 	  "1 different. Primitives that the folder does not hold are not judged, but named.",

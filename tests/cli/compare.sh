@@ -144,6 +144,26 @@ ends 2 'only with --layout' 'an order without raw files' compare r/trace-epr c -
 ends 2 'rows of 288' 'a part of a row' compare r/trace-epr raw --layout image.srgb=points.key.bin
 ends 2 'not the name of a file' 'a way out of the folder' compare r/trace-epr raw --layout image.srgb=../r/epr.png
 
+# Inputs that a candidate has, lacks, or lacks wholly.
+mkdir parts
+python3 - <<'PY'
+import json
+trace = json.load(open("c/trace.json"))
+def part(name, *keep):
+	trace["buffers"] = [{"name": b, "file": f} for b, f in keep]
+	json.dump(trace, open(f"parts/{name}.json", "w"))
+bad, cull = ("align.frame", "09-align.frame.npy"), ("cull.keep", "08-cull.keep.npy")
+part("none", bad)
+part("some", bad, cull)
+part("all", bad, cull, ("split.triangle", "07-split.triangle.npy"), ("density.scale", "07-density.scale.npy"))
+PY
+for part in 'none; none of its inputs was given' 'all; inputs identical' \
+	'some; inputs identical as far as given; not given: split.triangle, density.scale'; do
+	cp -r c "parts/${part%%;*}" && mv "parts/${part%%;*}.json" "parts/${part%%;*}/trace.json"
+	ends 1 "align.frame, piece 12, field s: .* first of 1; ${part#*; }\$" "of its inputs ${part%%;*}" \
+		compare r/trace-epr "parts/${part%%;*}"
+done
+
 # What cannot be compared.
 ends 2 'a trace of mvr; the reference' 'other pipelines' compare r/trace-epr r/trace-mvr
 ends 2 'No such file' 'no folder' compare r/trace-epr none

@@ -2,7 +2,7 @@
 """The values of reference/PORTING.md, section 2, that can be worked out by hand, in traces of the triangles of scenes/.
 numpy is not needed. Prints TAP.
 
-	micro.py ONE MIRROR TWICE EDGE     folders of the four traces"""
+	micro.py ONE MIRROR TWICE EDGE SIDE BEHIND     folders of the six traces"""
 import json
 import math
 import os
@@ -119,22 +119,41 @@ def check_mirror(tap, trace, name, copies):
 	tap.equal(f"{name}: ties", ties, 26 if copies == 2 else 0)
 
 
+def held_in(trace):
+	faces = faces_of(trace)
+	return [(f, j, i) for f in range(6) for j in range(16) for i in range(16) if faces[f][j][i] != EMPTY]
+
+
 def check_edge(tap, trace):
 	tap.equal("triangle_edge: visibility.bits, +X and +Z", trace["visibility.bits"][0], 0x11)
-	faces = faces_of(trace)
-	held = [(f, j, i) for f in range(6) for j in range(16) for i in range(16) if faces[f][j][i] != EMPTY]
+	held = held_in(trace)
 	tap.equal("triangle_edge: texels of +X", [(j, i) for f, j, i in held if f == 0], [(7, 0), (8, 0)])
 	tap.equal("triangle_edge: faces", sorted({f for f, _, _ in held}), [0, 4])
 
 
+def check_side(tap, trace):
+	tap.equal("triangle_side: visibility.bits, +X", trace["visibility.bits"][0], 1)
+	right = [(0, j, i) for j in range(3, 13) for i in range(3, 13) if 14 <= i + j <= 16]
+	tap.equal("triangle_side: 28 texels", len(right), 28)
+	tap.equal("triangle_side: those about the diagonal", held_in(trace), right)
+
+
+def check_behind(tap, trace):
+	tap.equal("triangle_behind: visibility.bits, all faces", trace["visibility.bits"][0], 0x3f)
+	tap.equal("triangle_behind: nothing in +X", [f for f, _, _ in held_in(trace) if f == 0], [])
+	tap.equal("triangle_behind: no tiny points", {point["flags"] for point in trace["points.record"]}, {0})
+
+
 def main():
 	tap = Tap()
-	names = ("triangle", "triangle_mirror", "triangle_twice", "triangle_edge")
-	traces = [Trace(folder) for folder in sys.argv[1:5]]
+	names = ("triangle", "triangle_mirror", "triangle_twice", "triangle_edge", "triangle_side", "triangle_behind")
+	traces = [Trace(folder) for folder in sys.argv[1:7]]
 	check_one(tap, traces[0])
 	check_mirror(tap, traces[1], names[1], 1)
 	check_mirror(tap, traces[2], names[2], 2)
 	check_edge(tap, traces[3])
+	check_side(tap, traces[4])
+	check_behind(tap, traces[5])
 	for name, trace in zip(names, traces):
 		with open(f"scenes/{name}.gltf", encoding="utf-8") as file:
 			corners = json.load(file)["meshes"][0]["extras"]["corners"]

@@ -4,5 +4,6 @@
 . "$(dirname "$0")/ports.bash"
 
 trace triangle scenes/triangle.gltf --camera camera --reflectors 0 --size 16x16
-for scene in triangle_mirror triangle_twice triangle_edge; do micro $scene $scene; done
-/usr/bin/python3 tests/ports/micro.py "$scratch"/triangle{,_mirror,_twice,_edge}/trace-epr
+for scene in triangle_mirror triangle_twice triangle_edge triangle_side; do micro $scene $scene; done
+micro triangle_behind triangle_behind --set clip=off
+/usr/bin/python3 tests/ports/micro.py "$scratch"/triangle{,_mirror,_twice,_edge,_side,_behind}/trace-epr

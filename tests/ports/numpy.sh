@@ -34,10 +34,13 @@ agrees room
 trace open atrium:triangles=10000 --size 96x54 --reflectors 3 --set clip=off
 agrees open
 trace small atrium:triangles=10000 --size 96x54 --reflectors 3 --set face_max=64
-for scene in triangle_mirror triangle_twice triangle_edge; do
+for scene in triangle_mirror triangle_twice triangle_edge triangle_side; do
 	micro $scene $scene
 	agrees $scene
 done
+
+micro triangle_behind triangle_behind --set clip=off
+agrees triangle_behind
 
 # arrives FOLDER TIED: points in the reverse order are found again; TIED texels (-: none) hold another of the tied points.
 arrives() {
@@ -52,5 +55,7 @@ arrives triangle_twice 26
 catches 1 triangle_edge '06 visibility'
 catches 2 small '06 visibility'
 for damage in 3 4 5; do catches $damage small '12 splat'; done
+catches 6 triangle_side '12 splat'
+catches 9 triangle_behind '12 splat'
 
 finish

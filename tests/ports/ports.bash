@@ -9,9 +9,11 @@ trace() {
 	[ "$status" -eq 0 ]
 }
 
-# micro FOLDER SCENE: the same of one of the triangles of scenes/; its values are in reference/PORTING.md.
+# micro FOLDER SCENE OPTION...: the same of one of the triangles of scenes/; its values are in reference/PORTING.md.
 micro() {
-	trace "$1" "scenes/$2.gltf" --camera camera --reflectors 0 --size 64x64 --set face_px=16
+	local folder=$1 scene=$2
+	shift 2
+	trace "$folder" "scenes/$scene.gltf" --camera camera --reflectors 0 --size 64x64 --set face_px=16 "$@"
 }
 
 # find_numpy: $python, a python3 that has numpy; without one, says that the test is skipped.

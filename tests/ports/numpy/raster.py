@@ -1,112 +1,102 @@
-"""Polygons in a face's view: clip, project, snap to 24.8 fixed point, cover conservatively. Whole arrays at a time:
-row m of every array is polygon m, of n[m] corners; what lies behind them in the row is of no meaning."""
-import numpy
+"""Clipping and conservative coverage: rules 15 to 17 and 19 of CONTRACT.md, on arrays of convex polygons (n, m, 3).
 
-from contract import f32, fix, flush, i64
-from cube import to_view
+A polygon of fewer than m corners repeats its first one: an edge without length adds no area and excludes no texel.
+A polygon without area keeps its edges, which leave the texels about a segment.
+"""
+import numpy as np
 
-MOST = 8  # corners: three, and one more for each of five planes
-RANGE = 32767  # pixels that can be snapped
+from contract import components, fix, flush
 
-
-class Polygons:
-	def __init__(self, corner, n):
-		self.corner, self.n = corner, n
+RANGE = 32767
+MOST = 8
+REACH = 129
 
 
-def polygons(corners):
-	corner = numpy.zeros((len(corners[0]), MOST, 3), f32)
-	for k, p in enumerate(corners):
-		corner[:, k] = p
-	return Polygons(corner, numpy.full(len(corner), len(corners)))
+def project(p, middle, focal):
+	"""Rule 15: view space to pixels."""
+	with np.errstate(all='ignore'):
+		return middle + focal * p[..., :2] * np.float32([1, -1]) / p[..., 2:]
 
 
-def plane_side(plane, p):
-	x, y, z, d = (f32(v) for v in plane)
-	return flush(((x * p[..., 0] + y * p[..., 1]) + z * p[..., 2]) + d)
+def plane_side(p, plane):
+	"""Rule 16."""
+	x, y, z = components(p * plane[:3])
+	return flush(((x + y) + z) + plane[3])
 
 
-def push(out, chosen, corner):
-	chosen = chosen & (out.n < MOST)
-	out.corner[chosen, out.n[chosen]] = corner[chosen]
-	out.n[chosen] += 1
+def clip(polygons, planes):
+	"""Rule 16: the clipped polygons, and of which of them something is left."""
+	left = np.ones(len(polygons), bool)
+	for plane in planes:
+		side = plane_side(polygons, plane)
+		left &= (side >= 0).any(1)
+		behind = (side < 0).any(1)
+		if behind.any():
+			part = clip_plane(polygons[behind], side[behind])
+			polygons = widened(polygons, part.shape[1])
+			polygons[behind] = widened(part, polygons.shape[1])
+	return polygons, left
 
 
-def cut(inner, d_inner, outer, d_outer):
-	"""Rule 16: from the inside to the outside corner."""
-	with numpy.errstate(all="ignore"):
-		t = d_inner / (d_inner - d_outer)
-		return inner + (outer - inner) * t[:, None]
+def widened(polygons, width):
+	more = max(width - polygons.shape[1], 0)
+	return np.concatenate((polygons, np.repeat(polygons[:, :1], more, 1)), 1)
 
 
-def clip(polygon, plane):
-	"""Sutherland and Hodgman against x X + y Y + z Z + d >= 0, the polygons that need it."""
-	real = numpy.arange(MOST) < polygon.n[:, None]
-	rows = numpy.flatnonzero(((plane_side(plane, polygon.corner) < 0) & real).any(1))
-	if len(rows) == 0:
-		return
-	corner, n = polygon.corner[rows], polygon.n[rows]
-	out = Polygons(numpy.zeros_like(corner), numpy.zeros_like(n))
-	for k in range(MOST):
-		p, q = corner[:, k], corner[numpy.arange(len(rows)), numpy.where(k + 1 < n, (k + 1) % MOST, 0)]
-		dp, dq = plane_side(plane, p), plane_side(plane, q)
-		push(out, (k < n) & (dp >= 0), p)
-		push(out, (k < n) & (dp >= 0) & (dq < 0), cut(p, dp, q, dq))
-		push(out, (k < n) & (dp < 0) & (dq >= 0), cut(q, dq, p, dp))
-	polygon.corner[rows], polygon.n[rows] = out.corner, out.n
+def clip_plane(polygons, side):
+	"""Sutherland and Hodgman: each corner that is inside, and behind it the cut of its edge."""
+	inside = side >= 0
+	crosses = inside != np.roll(inside, -1, 1)
+	slots = np.stack((polygons, cuts(polygons, side, crosses)), 2).reshape(len(side), -1, 3)
+	empty = ~np.stack((inside, crosses), 2).reshape(len(side), -1)
+	width = max(1, min(MOST, np.max(np.sum(~empty, 1))))
+	taken = np.argsort(empty, 1, 'stable')[:, :width]
+	taken = np.where(np.take_along_axis(empty, taken, 1), taken[:, :1], taken)
+	return np.take_along_axis(slots, taken[..., None], 1)
 
 
-def project(polygon, size):
-	"""x = n/2 + f X / z, y = n/2 - f Y / z, with f = n/2."""
-	half = f32(size) * f32(0.5)
-	with numpy.errstate(all="ignore"):
-		x = (half * polygon.corner[..., 0]) / polygon.corner[..., 2]
-		y = (half * polygon.corner[..., 1]) / polygon.corner[..., 2]
-		return half + x, half - y
+def cuts(polygons, side, crosses):
+	"""Rule 16: from the inside corner of each edge to the outside one."""
+	here = np.concatenate((polygons, side[..., None]), 2)
+	there = np.roll(here, -1, 1)
+	inside = side[..., None] >= 0
+	start, end = np.where(inside, here, there), np.where(inside, there, here)
+	d_in, d_out = start[..., 3:], end[..., 3:]
+	t = np.divide(d_in, d_in - d_out, out=np.zeros_like(d_in), where=crosses[..., None])
+	return (start + (end - start) * t)[..., :3]
 
 
-def meet(a, b):
-	return numpy.concatenate([numpy.maximum(a[..., :2], b[..., :2]), numpy.minimum(a[..., 2:], b[..., 2:])], -1)
+class Outlines:
+	"""Polygons on the screen, and the texels that they touch (rule 19)."""
+
+	def __init__(self, pixels, broken):
+		corners = fix(pixels, 8, 23).astype(np.int64)
+		self.low, self.high = (corners.min(1) - REACH + 127) >> 8, (corners.max(1) + REACH - 128) >> 8
+		(x, y), (dx, dy) = components(corners), components(np.roll(corners, -1, 1) - corners)
+		area = (x * dy - y * dx).sum(1, keepdims=True)
+		turn = np.sign(area) if broken == 6 else np.where(area < 0, -1, 1)
+		a, b = -turn * dy, turn * dx
+		self.edges = np.stack((a, b, REACH * (abs(dx) + abs(dy)) - a * x - b * y)).transpose(2, 0, 1).copy()
+
+	def meet(self, low, high, which, bounded):
+		"""The boxes low to high, where bounded within the box of polygon `which`."""
+		bounded = bounded[:, None]
+		low = np.where(bounded, np.maximum(low, self.low[which]), low)
+		return low, np.where(bounded, np.minimum(high, self.high[which]), high)
+
+	def touches(self, which, column, row):
+		"""Whether the edges of polygon `which` leave something of the texel; its box is not asked."""
+		x, y = 256 * column + 128, 256 * row + 128
+		touched = np.ones(len(which), bool)
+		for a, b, c in self.edges:
+			touched &= a[which] * x + b[which] * y + c[which] >= 0
+		return touched
 
 
-class Cover:
-	"""Snapped convex polygons for the conservative test (rule 19): the pixel's square, of half size h / 256, meets each
-	edge's inner side and the polygon's box."""
-
-	def __init__(self, x, y, n, half_size):
-		self.x, self.y, self.n, self.half_size = x, y, n, half_size
-		real = numpy.arange(MOST) < n[:, None]
-		lo = [numpy.where(real, v, 2 ** 30).min(1) - half_size for v in (x, y)]
-		hi = [numpy.where(real, v, -2 ** 30).max(1) + half_size for v in (x, y)]
-		self.box = numpy.stack([-((128 - v) // 256) for v in lo] + [(v - 128) // 256 for v in hi], 1)
-		area = numpy.zeros(len(n), i64)
-		for k in range(2, MOST):
-			e = self.edge(slice(None), 0, k - 1, x[:, k], y[:, k])
-			area += numpy.where(k < n, e, 0)
-		self.turned = area < 0
-
-	def edge(self, rows, a, b, x, y):
-		ax, ay, bx, by = self.x[rows, a], self.y[rows, a], self.x[rows, b], self.y[rows, b]
-		return (bx - ax) * (y - ay) - (by - ay) * (x - ax)
-
-	def touches(self, rows, i, j):
-		x, y, n = i * 256 + 128, j * 256 + 128, self.n[rows]
-		inside = numpy.full(len(rows), True)
-		for k in range(MOST):
-			b = numpy.where(k + 1 < n, (k + 1) % MOST, 0)
-			e = self.edge(rows, k, b, x, y)
-			reach = abs(self.x[rows, b] - self.x[rows, k]) + abs(self.y[rows, b] - self.y[rows, k])
-			inside &= (k >= n) | (numpy.where(self.turned[rows], -e, e) + self.half_size * reach >= 0)
-		return inside
-
-
-def cover(source, cube, face, half_size):
-	"""Pieces as a face sees them: near plane, then -x +x -y +y at the end of the range that can be snapped."""
-	polygon = polygons([to_view(face, source[k] - cube["centre"]) for k in "abc"])
-	focal = f32(cube["n"]) * f32(0.5)
-	ends = f32(RANGE) - focal
-	clip(polygon, (0, 0, 1, -cube["near"]))
-	for plane in ((focal, 0, ends, 0), (-focal, 0, ends, 0), (0, focal, ends, 0), (0, -focal, ends, 0)):
-		clip(polygon, plane)
-	x, y = project(polygon, cube["n"])
-	return Cover(fix(x, 8, 23), fix(y, 8, 23), polygon.n, half_size)
+def spread(low, high):
+	"""All texels of the boxes: which box, column, row."""
+	width, height = components(np.maximum(high - low + 1, 0))
+	count = width * height
+	box = np.repeat(np.arange(len(count)), count)
+	row, column = np.divmod(np.arange(len(box)) - np.repeat(np.cumsum(count) - count, count), width[box])
+	return box, low[box, 0] + column, low[box, 1] + row

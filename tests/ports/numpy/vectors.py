@@ -1,41 +1,43 @@
 #!/usr/bin/python3
-"""Computes the arithmetic vectors of the primitives that this port has, as a port does it on its device.
+"""The primitives of CONTRACT.md that this port has, on the inputs of `touchstone vectors`: PORTING.md, section 1.
 
-	vectors.py VECTORS OUT [fused]     VECTORS: what `touchstone vectors -o VECTORS` wrote
-
-With `fused` a * b + c is rounded once, as a compiler that contracts would do it."""
-import os
+vectors.py VECTORS OUT [fused]
+"""
+import pathlib
 import sys
 
-import numpy
+import numpy as np
 
 import contract
 
 
-def muladd(v):
-	if sys.argv[3:] == ["fused"]:
-		return (v["a"].astype(numpy.float64) * v["b"] + v["c"]).astype(numpy.float32)
-	return v["a"] * v["b"] + v["c"]
+def fused(a, b, c):
+	"""a·b + c rounded once, as a compiler that contracts gives it: the product is exact in binary64, and the sum is
+	rounded there to odd, after which rounding to binary32 is that of the exact sum (Boldo and Melquiond, 2008)."""
+	product, c = a.astype(np.float64) * b, c.astype(np.float64)
+	total = product + c
+	part = total - product
+	error = (product - (total - part)) + (c - part)
+	between = (error != 0) & (total.view(np.uint64) % np.uint64(2) == 0)
+	return np.where(between, np.nextafter(total, np.copysign(np.inf, error)), total).astype(np.float32)
 
 
 PRIMITIVES = {
-	"add": lambda v: v["a"] + v["b"],
-	"mul": lambda v: v["a"] * v["b"],
-	"div": lambda v: v["a"] / v["b"],
-	"sqrt": lambda v: numpy.sqrt(v["a"]),
-	"muladd": muladd,
-	"mulsub": lambda v: v["c"] - v["a"] * v["b"],
-	"put": lambda v: contract.flush(v["x"]),
-	"dot": lambda v: contract.dot(v["a"], v["b"]),
-	"cross": lambda v: contract.cross(v["a"], v["b"]),
-	"length": lambda v: contract.length(v["a"]),
-	"fix": lambda v: contract.fix(v["x"], v["frac"], v["bits"]).astype(numpy.int32),
-	"floor_i32": lambda v: contract.floor(v["x"]).astype(numpy.int32),
-	"key": lambda v: contract.key(contract.flush(v["depth"]), v["payload"]),
+	'add': np.add, 'mul': np.multiply, 'div': np.divide, 'sqrt': np.sqrt,
+	'muladd': lambda a, b, c: a * b + c, 'mulsub': lambda a, b, c: c - a * b,
+	'put': contract.flush, 'fix': contract.fix, 'floor_i32': contract.floor_i32,
+	'dot': contract.dot, 'cross': contract.cross, 'length': contract.length, 'key': contract.key,
 }
 
-numpy.seterr(all="ignore")
-os.makedirs(sys.argv[2], exist_ok=True)
-for name, compute in PRIMITIVES.items():
-	given = numpy.load(os.path.join(sys.argv[1], name + ".in.npy"))
-	numpy.save(os.path.join(sys.argv[2], name + ".out.npy"), compute(given))
+
+def main(vectors, out, variant=''):
+	out = pathlib.Path(out)
+	out.mkdir(parents=True, exist_ok=True)
+	primitives = PRIMITIVES | ({'muladd': fused} if variant == 'fused' else {})
+	for name, primitive in primitives.items():
+		given = np.load(pathlib.Path(vectors, f'{name}.in.npy'))
+		np.save(out / f'{name}.out.npy', primitive(*(given[field] for field in given.dtype.names)))
+
+
+if __name__ == '__main__':
+	main(*sys.argv[1:])

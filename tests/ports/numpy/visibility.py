@@ -1,50 +1,44 @@
-"""Stage visibility: one bit a triangle and cube face.
+"""Stage `visibility` of METHODS.md, section 2: one bit a triangle and cube face; rules 35 and 36 of CONTRACT.md."""
+import numpy as np
 
-in: pose.vertex, scene.triangle, scene.material, scene.object, resize.face   out: visibility.bits"""
-import numpy
-
-from contract import cross, dot, f32, flush, u32, u64
-from cube import to_view
+from contract import components, cross, dot, flush
+from cube import views
 
 DOUBLE_SIDED = 1
 
 
-def outside_plane(a, b, c, near, broken):
-	"""All three corners beyond one and the same of five planes, which belong to the inside."""
-	beyond = numpy.greater_equal if broken == 1 else numpy.greater
-	out = numpy.zeros(len(a), bool)
-	for axis in (0, 1):
-		for sign in (f32(1), f32(-1)):
-			out |= numpy.logical_and.reduce([beyond(sign * p[:, axis], p[:, 2]) for p in (a, b, c)])
-	return out | ((a[:, 2] < near) & (b[:, 2] < near) & (c[:, 2] < near))
-
-
-def inside_enlarged(p):
-	reach = f32(1.2) * p[:, 2]
-	return (p[:, 2] > 0) & (abs(p[:, 0]) <= reach) & (abs(p[:, 1]) <= reach)
-
-
 def run(trace, broken=0):
-	vertices, triangles = trace["pose.vertex"], trace["scene.triangle"]
-	cubes = trace["resize.face"]
-	position = vertices["position"][triangles["vertex"]]
-	corner = [position[:, k] for k in range(3)]
-	normal = cross(corner[1] - corner[0], corner[2] - corner[0])
-	whole = flush(dot(normal, normal)) > 0
-	both_sides = (trace["scene.material"]["flags"][triangles["material"]] & u32(DOUBLE_SIDED)) != 0
-	own = trace["scene.object"]["reflector"][vertices["object"][triangles["vertex"][:, 0]]]
-	words = numpy.zeros((len(triangles), (6 * len(cubes) + 63) // 64), u64)
-	for r, cube in enumerate(cubes):
-		if cube["n"] == 0:
-			continue
-		facing = flush(dot(normal, cube["centre"] - corner[0])) > 0
-		asked = whole & (both_sides | facing | (broken == 2)) & (own != r)
-		for face in range(6):
-			a, b, c = (to_view(face, v - cube["centre"]) for v in corner)
-			if trace.params.get("visibility", "plane") == "vertex":
-				seen = inside_enlarged(a) | inside_enlarged(b) | inside_enlarged(c)
-			else:
-				seen = ~outside_plane(a, b, c, cube["near"], broken)
-			bit = 6 * r + face
-			words[:, bit >> 6] |= (asked & seen).astype(u64) << u64(bit & 63)
-	return {"visibility.bits": words}
+	vertex, triangle = trace['pose.vertex'], trace['scene.triangle']
+	corners = vertex['position'][triangle['vertex']]
+	owner = trace['scene.object']['reflector'][vertex['object'][triangle['vertex'][:, 0]]]
+	normal = cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+	real = flush(dot(normal, normal)) > 0
+	both = (trace['scene.material']['flags'][triangle['material']] & DOUBLE_SIDED > 0) | (broken == 2)
+	faces = trace['resize.face']
+	bits = np.zeros((len(triangle), (6 * len(faces) + 63) // 64), np.uint64)
+	for view in views(faces):
+		facing = both | (flush(dot(normal, view.centre - corners[:, 0])) > 0)
+		inside = INSIDE[trace.params['visibility']](view.see(corners), view, broken)
+		seen = real & facing & inside & (owner != view.bit // 6)
+		bits[:, view.bit // 64] |= seen.astype(np.uint64) << np.uint64(view.bit % 64)
+	return {'visibility.bits': bits}
+
+
+def plane(corners, view, broken):
+	"""Not all corners strictly beyond one plane."""
+	x, y, z = components(corners)
+	greater = np.greater_equal if broken == 1 else np.greater
+	if broken == 8:
+		x, y, z = x * view.focal, y * view.focal, z * view.focal
+	sides = greater(x, z), greater(-x, z), greater(y, z), greater(-y, z), corners[..., 2] < view.near
+	return ~np.logical_or.reduce([side.all(1) for side in sides])
+
+
+def vertex(corners, view, broken):
+	"""A corner in the frustum enlarged by a fifth."""
+	x, y, z = components(corners)
+	far = np.float32(1.2) * z
+	return ((z > 0) & (np.abs(x) <= far) & (np.abs(y) <= far)).any(1)
+
+
+INSIDE = {'plane': plane, 'vertex': vertex}
