@@ -21,6 +21,7 @@ assert data.count(old + b"\0") == 1 and len(new) <= len(old)
 open(target, "wb").write(data.replace(old + b"\0", new.ljust(len(old), b"\0") + b"\0"))
 PY
 	chmod +x "$scratch/touchstone"
+	cp "${BUILD:-build/release}/libtouchstone-image.so" "$scratch"
 	touchstone=$scratch/touchstone
 }
 
@@ -70,7 +71,7 @@ fails 'no reason' bless few --reason '  '
 fails 'control characters' bless few --reason $'one\ntwo'
 fails 'at most 400 bytes' bless few --reason "$(printf '%401s' x)"
 fails 'which case' bless --reason first
-fails 'no backend "opencl"' bless few --reason first --backend opencl
+fails 'no backend "cuda"' bless few --reason first --backend cuda
 stamp a-dirty
 fails 'not committed (a-dirty)' bless few --reason first
 stamp unknown

@@ -1,5 +1,5 @@
-/* Buffers on the device. Where the device has the host's memory, its buffers are the frame's own, mapped while the host reads
- * them; elsewhere they are copies. */
+/* Buffers on the device. Where the device has the host's memory, its buffers are the frame's own, mapped while the host
+ * reads them; elsewhere they are copies. */
 #include <stdio.h>
 #include <stdlib.h>
 #include "cl.h"

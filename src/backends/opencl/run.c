@@ -89,7 +89,8 @@ static ts_status launch(ts_backend *backend, ts_frame *frame, ts_kernel kernel, 
 	if (set_arguments(cl, frame, kernel, args, n) != TS_OK) return TS_ERROR;
 	size_t group = cl->work_group;
 	size_t items = group != 0 ? (n + group - 1) / group * group : n;
-	status = clEnqueueNDRangeKernel(cl->queue, cl->kernels[kernel], 1, NULL, &items, group != 0 ? &group : NULL, 0, NULL, NULL);
+	const size_t *local = group != 0 ? &group : NULL;
+	status = clEnqueueNDRangeKernel(cl->queue, cl->kernels[kernel], 1, NULL, &items, local, 0, NULL, NULL);
 	cl->busy = true;
 	return status == CL_SUCCESS ? TS_OK : ts_cl_failed(ts_cl_kernels[kernel].name, status);
 }
