@@ -16,7 +16,7 @@ typedef uint u32;
 typedef long i64;
 typedef ulong u64;
 typedef uchar u8;
-#define TS_FN static inline
+#define TS_FN static inline __attribute__((always_inline))
 #define TS_GLOBAL __global
 #define TS_CONSTANT __constant
 #define ts_f2u(x) as_uint(x)

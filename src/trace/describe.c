@@ -132,6 +132,6 @@ json_t *ts_trace_describe(const ts_trace_about *about)
 	                 "pipeline", p->name, "effect", p->effect, "paper", p->paper, "scene", "name",
 	                 ts_text_json(about->run->scene->name), "sha256", chain(about, scene), "producer",
 	                 ts_producer(about->run), "arithmetic", ts_arithmetic(about->run), "conventions", conventions(),
-	                 "params", ts_trace_params(&about->run->params), "stages", stages_of(about), "buffers", buffers_of(about),
-	                 "records", records(), "counters", counters_of(about->run));
+	                 "params", ts_trace_params(&about->run->params), "stages", stages_of(about), "buffers",
+	                 buffers_of(about), "records", records(), "counters", counters_of(about->run));
 }

@@ -77,7 +77,7 @@ static bool by_pieces(ts_kernel kernel, const void *args)
 static ts_status launch(ts_backend *backend, ts_frame *frame, ts_kernel kernel, const void *args, u64 n)
 {
 	ts_cl *cl = (ts_cl *)backend;
-	if (getenv("PIECES") && by_pieces(kernel, args)) {
+	if (by_pieces(kernel, args)) {
 		kernel = TS_KERNEL_splat_pieces;
 		n = ((const ts_splat_args *)args)->n_pieces;
 	}
