@@ -11,7 +11,7 @@
 #include "../kernels/resize.h"
 #include "../kernels/cull.h"
 #include "../kernels/scan.h"
-#include "../kernels/splat.h"
+#include "../kernels/splat_pieces.h"
 #include "../kernels/vectors.h"
 
 #define KERNEL(name, args) TS_KERNEL_##name,

@@ -125,39 +125,6 @@ TS_FN u32 ts_k_splat(const ts_splat_args *args, const ts_camera_k *view, const t
 	return count;
 }
 
-/* The points of piece i as one face sees them: one set-up for all. */
-TS_FN void ts_k_splat_piece(const ts_splat_args *args, u64 i, TS_GLOBAL const ts_face *cube, u32 face, i64 *scatters,
-                            i64 *writes)
-{
-	ts_camera_k view = ts_k_cube_view(cube, face);
-	ts_cover triangle = ts_k_splat_triangle(&view, &args->pieces[i]);
-	if (triangle.n == 0u) return;
-	u32 begin = args->offset[i];
-	u32 end = args->offset[i + 1u];
-	*scatters += end - begin;
-	ts_box touched = ts_k_box_meet(triangle.touched, ts_k_view_box(&view));
-	if (args->clip != 0u && (touched.x1 < touched.x0 || touched.y1 < touched.y0)) return;
-	u64 first = cube->offset + (u64)face * cube->n * cube->n;
-	for (u32 p = begin; p < end; p++) *writes += ts_k_splat(args, &view, &triangle, p, first);
-}
-
-/* scatter over pieces: what the kernel splat does to their points, if args->offset tells where they are */
-TS_FN void ts_k_splat_pieces_item(const ts_splat_args *args, u64 i)
-{
-	if (args->offset[i + 1u] == args->offset[i]) return;
-	TS_GLOBAL const u64 *words = args->bits + (u64)args->pieces[i].triangle * args->n_words;
-	i64 scatters = 0;
-	i64 writes = 0;
-	for (u32 r = 0u; r < args->n_cubes; r++) {
-		u32 faces = ts_k_cube_bits(words, r);
-		for (u32 face = 0u; faces != 0u; face++, faces >>= 1) {
-			if ((faces & 1u) != 0u) ts_k_splat_piece(args, i, &args->cubes[r], face, &scatters, &writes);
-		}
-	}
-	ts_add_i64(args->n_scatters, scatters);
-	ts_add_i64(args->n_writes, writes);
-}
-
 /* scatter over points */
 TS_FN void ts_k_splat_item(const ts_splat_args *args, u64 i)
 {

@@ -1,0 +1,176 @@
+/* The points of a piece splatted together, with the bits of splat.h: what depends on the piece and the face alone is done
+ * once. Edges become lines in (i, j), and since the axes of a cube's face are the world's but for sign and order, a square's
+ * corners need no products. */
+#ifndef TS_KERNELS_SPLAT_PIECES_H
+#define TS_KERNELS_SPLAT_PIECES_H
+#include "splat.h"
+
+/* Inside where x i + y j + c >= 0. */
+typedef struct { i64 x, y, c; } ts_line;
+typedef struct { ts_line edge[TS_MAX_CORNERS]; u32 n; } ts_lines;
+
+/* ts_k_touches as lines: e grows by 256 dx and 256 dy from texel to texel (rule 19). */
+TS_FN void ts_k_lines(ts_lines *r, const ts_cover *cover)
+{
+	i64 sign = cover->turned ? -1 : 1;
+	r->n = cover->n;
+	for (u32 k = 0u; k < cover->n; k++) {
+		ts_snapped a = cover->v[k];
+		ts_snapped b = cover->v[k + 1u < cover->n ? k + 1u : 0u];
+		i64 dx = b.x - a.x;
+		i64 dy = b.y - a.y;
+		i64 reach = cover->half_size * ((dx < 0 ? -dx : dx) + (dy < 0 ? -dy : dy));
+		r->edge[k].x = -sign * dy * 256;
+		r->edge[k].y = sign * dx * 256;
+		r->edge[k].c = sign * (dx * (128 - a.y) - dy * (128 - a.x)) + reach;
+	}
+}
+
+TS_FN bool ts_k_inside_lines(const ts_lines *l, i32 i, i32 j)
+{
+	for (u32 k = 0u; k < l->n; k++) {
+		if (l->edge[k].x * i + l->edge[k].y * j + l->edge[k].c < 0) return false;
+	}
+	return true;
+}
+
+/* A face's axis as a world axis and a sign. */
+typedef struct { u32 axis; f32 sign; } ts_row;
+
+TS_FN ts_row ts_k_row(ts_v3 v)
+{
+	ts_row r;
+	r.axis = v.x != 0.0f ? 0u : v.y != 0.0f ? 1u : 2u;
+	r.sign = v.x != 0.0f ? v.x : v.y != 0.0f ? v.y : v.z;
+	return r;
+}
+
+TS_FN f32 ts_k_along(ts_v3 p, u32 axis) { return axis == 0u ? p.x : axis == 1u ? p.y : p.z; }
+
+/* floor(x) for x from -1 to `most`; what lies beyond becomes one of them. */
+TS_FN i32 ts_k_floor_within(f32 x, f32 most)
+{
+	f32 near_by = x > -1.0f ? ts_min(x, most) : -1.0f;
+	i32 whole = (i32)near_by;
+	return whole - ((f32)whole > near_by ? 1 : 0);
+}
+
+/* A piece as one face sees it. */
+typedef struct {
+	ts_camera_k view;
+	ts_row right, up, ahead;
+	ts_cover cover;
+	ts_lines lines;
+	ts_v3 u, v, n;
+	ts_v3 du, dv; /* half a square's sides: all points of a piece have one length */
+	u64 first;    /* texel */
+} ts_piece_view;
+
+/* One coordinate of a square's corners: ((c -+ du) -+ dv) - eye. */
+TS_FN void ts_k_square_axis(f32 corner[4], const ts_piece_view *f, ts_row row, ts_v3 centre)
+{
+	f32 c = ts_k_along(centre, row.axis);
+	f32 du = ts_k_along(f->du, row.axis);
+	f32 dv = ts_k_along(f->dv, row.axis);
+	f32 eye = ts_k_along(f->view.eye, row.axis);
+	f32 low = c - du;
+	f32 high = c + du;
+	corner[0] = ((low - dv) - eye) * row.sign;
+	corner[1] = ((high - dv) - eye) * row.sign;
+	corner[2] = ((high + dv) - eye) * row.sign;
+	corner[3] = ((low + dv) - eye) * row.sign;
+}
+
+/* ts_k_splat_box of a point of the piece. */
+TS_FN ts_box ts_k_piece_box(const ts_piece_view *f, ts_v3 c, f32 length)
+{
+	f32 x[4], y[4], z[4];
+	ts_k_square_axis(z, f, f->ahead, c);
+	f32 ahead = ts_min(ts_min(z[0], z[1]), ts_min(z[2], z[3]));
+	if (ts_flush(ahead - f->view.near) < 0.0f) return ts_k_splat_box(&f->view, c, f->u, f->v, length);
+	ts_k_square_axis(x, f, f->right, c);
+	ts_k_square_axis(y, f, f->up, c);
+	f32 size = (f32)f->view.width;
+	f32 middle = size * 0.5f;
+	for (u32 k = 0u; k < 4u; k++) {
+		x[k] = middle + (f->view.focal * x[k]) / z[k];
+		y[k] = middle - (f->view.focal * y[k]) / z[k];
+	}
+	ts_box r;
+	r.x0 = ts_k_floor_within(ts_min(ts_min(x[0], x[1]), ts_min(x[2], x[3])), size);
+	r.y0 = ts_k_floor_within(ts_min(ts_min(y[0], y[1]), ts_min(y[2], y[3])), size);
+	r.x1 = ts_k_floor_within(ts_max(ts_max(x[0], x[1]), ts_max(x[2], x[3])), size);
+	r.y1 = ts_k_floor_within(ts_max(ts_max(y[0], y[1]), ts_max(y[2], y[3])), size);
+	return ts_k_box_meet(r, ts_k_view_box(&f->view));
+}
+
+/* Returns the texels offered. */
+TS_FN u32 ts_k_piece_point(const ts_splat_args *args, const ts_piece_view *f, u32 index)
+{
+	TS_GLOBAL const ts_point *point = &args->points[index];
+	ts_v3 c = ts_load3(point->centre);
+	f32 length = point->length;
+	bool clip = args->clip != 0u;
+	ts_box box = ts_k_piece_box(f, c, length);
+	if (clip || (point->flags & TS_POINT_TINY) != 0u) box = ts_k_box_meet(box, f->cover.touched);
+	f32 distance = ts_put(ts_length(ts_sub(c, f->view.eye)));
+	u32 count = 0u;
+	for (i32 j = box.y0; j <= box.y1; j++) {
+		u64 row = f->first + (u64)j * (u64)f->view.width;
+		for (i32 i = box.x0; i <= box.x1; i++) {
+			if (clip && !ts_k_inside_lines(&f->lines, i, j)) continue;
+			f32 d = distance;
+			if (args->plane_depth != 0u) d = ts_put(ts_k_plane_distance(&f->view, f->n, c, distance, length, i, j));
+			ts_min_u64(&args->texels[row + (u64)i], ((u64)ts_f2u(d) << 32) | index);
+			count++;
+		}
+	}
+	return count;
+}
+
+/* False: the face does not see it, or no splat reaches a texel. *scatters are the splats, as of the kernel splat. */
+TS_FN bool ts_k_piece_view(ts_piece_view *f, const ts_splat_args *args, u64 piece, u32 r, u32 face, i64 *scatters)
+{
+	TS_GLOBAL const ts_face *cube = &args->cubes[r];
+	f->view = ts_k_cube_view(cube, face);
+	f->cover = ts_k_splat_triangle(&f->view, &args->pieces[piece]);
+	if (f->cover.n == 0u) return false;
+	*scatters += args->offset[piece + 1u] - args->offset[piece];
+	ts_box box = ts_k_box_meet(f->cover.touched, ts_k_view_box(&f->view));
+	if (args->clip != 0u && (box.x1 < box.x0 || box.y1 < box.y0)) return false;
+	f->right = ts_k_row(f->view.right);
+	f->up = ts_k_row(f->view.up);
+	f->ahead = ts_k_row(ts_neg(f->view.back));
+	ts_k_lines(&f->lines, &f->cover);
+	f->u = ts_load3(args->frames[piece].u);
+	f->v = ts_load3(args->frames[piece].v);
+	f->n = ts_cross(f->u, f->v);
+	f32 half_length = args->points[args->offset[piece]].length * 0.5f;
+	f->du = ts_scale(f->u, half_length);
+	f->dv = ts_scale(f->v, half_length);
+	f->first = cube->offset + (u64)face * cube->n * cube->n;
+	return true;
+}
+
+/* scatter over pieces: what the kernel splat does to their points, which args->offset finds */
+TS_FN void ts_k_splat_pieces_item(const ts_splat_args *args, u64 i)
+{
+	u32 begin = args->offset[i];
+	u32 end = args->offset[i + 1u];
+	if (begin == end) return;
+	TS_GLOBAL const u64 *words = args->bits + (u64)args->pieces[i].triangle * args->n_words;
+	i64 scatters = 0;
+	i64 writes = 0;
+	for (u32 r = 0u; r < args->n_cubes; r++) {
+		u32 faces = ts_k_cube_bits(words, r);
+		for (u32 face = 0u; faces != 0u; face++, faces >>= 1) {
+			ts_piece_view f;
+			if ((faces & 1u) == 0u || !ts_k_piece_view(&f, args, i, r, face, &scatters)) continue;
+			for (u32 p = begin; p < end; p++) writes += ts_k_piece_point(args, &f, p);
+		}
+	}
+	ts_add_i64(args->n_scatters, scatters);
+	ts_add_i64(args->n_writes, writes);
+}
+
+#endif
