@@ -219,6 +219,39 @@ TS_FN bool ts_k_covers(const ts_setup *t, const ts_edges *e)
 	return true;
 }
 
+/* The same from pixel to pixel: edges are integers, so steps lose nothing. */
+typedef struct {
+	ts_edges at;
+	i64 right[3], down[3]; /* steps */
+	i64 least[3];          /* inside from here on: 0 on a top or left edge, else 1 */
+} ts_walk;
+
+TS_FN ts_walk ts_k_walk(const ts_setup *t, i32 i, i32 j)
+{
+	ts_walk r;
+	r.at = ts_k_edges(t, i * 256 + 128, j * 256 + 128);
+	for (u32 k = 0u; k < 3u; k++) {
+		ts_snapped a = t->v[k == 2u ? 0u : k + 1u];
+		ts_snapped b = t->v[k == 0u ? 2u : k - 1u];
+		r.right[k] = ((i64)a.y - b.y) * 256;
+		r.down[k] = ((i64)b.x - a.x) * 256;
+		r.least[k] = ts_k_is_top_left(a, b) ? 0 : 1;
+	}
+	return r;
+}
+
+TS_FN void ts_k_step(ts_edges *e, const i64 step[3])
+{
+	e->e[0] += step[0];
+	e->e[1] += step[1];
+	e->e[2] += step[2];
+}
+
+TS_FN bool ts_k_walk_covers(const ts_walk *w, const ts_edges *e)
+{
+	return e->e[0] >= w->least[0] && e->e[1] >= w->least[1] && e->e[2] >= w->least[2];
+}
+
 /* Pixels [x0, x1] x [y0, y1]; empty if x1 < x0 or y1 < y0. */
 typedef struct { i32 x0, y0, x1, y1; } ts_box;
 
