@@ -120,6 +120,15 @@ TS_FN ts_v3 ts_k_sample_radiance(const ts_lookup_args *args, u64 sample, ts_v3 c
 	return ts_k_shade(&args->scene, &surface, ts_normalize(ts_sub(centre, surface.p)));
 }
 
+/* Samples of an entry that see one point have one colour. `seen` holds those before sample k. */
+TS_FN ts_v3 ts_k_next_radiance(const ts_lookup_args *args, u64 first, u32 k, ts_v3 centre, const ts_v3 *seen)
+{
+	u32 point = args->found[first + k];
+	u32 same = 0u;
+	while (args->found[first + same] != point) same++;
+	return same < k ? seen[same] : ts_k_sample_radiance(args, first + k, centre);
+}
+
 /* Variance of n numbers from their sums (EPR 4.1.3: "until color variance stopped declining"); the numbers are r + g + b. */
 TS_FN f32 ts_k_variance(f32 sum, f32 squares, u32 n)
 {
@@ -135,10 +144,12 @@ TS_FN ts_v3 ts_k_mean_radiance(const ts_lookup_args *args, u64 entry, ts_v3 cent
 	f32 grey_sum = 0.0f;
 	f32 grey_squares = 0.0f;
 	f32 before = 0.0f;
+	ts_v3 seen[TS_N_SAMPLES];
 	u32 n = 0u;
 	while (n < args->n_samples) {
-		ts_v3 radiance = ts_k_sample_radiance(args, entry * args->n_samples + n, centre);
+		ts_v3 radiance = ts_k_next_radiance(args, entry * args->n_samples, n, centre, seen);
 		sum = ts_add(sum, radiance);
+		seen[n] = radiance;
 		n++;
 		f32 grey = ts_flush((radiance.x + radiance.y) + radiance.z);
 		grey_sum = grey_sum + grey;
