@@ -108,24 +108,28 @@ TS_FN void ts_k_bounce_item(const ts_lookup_args *args, u64 i)
 	}
 }
 
+/* The next bounce tells the sample's colour. */
+TS_FN bool ts_k_is_followed(const ts_lookup_args *args, u64 sample)
+{
+	return args->follow != 0u && args->offset[sample + 1u] != args->offset[sample];
+}
+
 /* The colour of one sample: of the next bounce, of the point towards the cube's centre, or the background. */
 TS_FN ts_v3 ts_k_sample_radiance(const ts_lookup_args *args, u64 sample, ts_v3 centre)
 {
 	u32 point = args->found[sample];
 	if (point == TS_NONE) return ts_k_background();
-	if (args->follow != 0u && args->offset[sample + 1u] != args->offset[sample]) {
-		return ts_load3(args->next_radiance + (u64)args->offset[sample] * 3u);
-	}
+	if (ts_k_is_followed(args, sample)) return ts_load3(args->next_radiance + (u64)args->offset[sample] * 3u);
 	ts_surface surface = ts_k_point_surface(args, point);
 	return ts_k_shade(&args->scene, &surface, ts_normalize(ts_sub(centre, surface.p)));
 }
 
-/* Samples of an entry that see one point have one colour. `seen` holds those before sample k. */
+/* Samples of an entry that see one point, and are not followed, have one colour. `seen` holds those before sample k. */
 TS_FN ts_v3 ts_k_next_radiance(const ts_lookup_args *args, u64 first, u32 k, ts_v3 centre, const ts_v3 *seen)
 {
-	u32 point = args->found[first + k];
 	u32 same = 0u;
-	while (args->found[first + same] != point) same++;
+	if (ts_k_is_followed(args, first + k)) return ts_k_sample_radiance(args, first + k, centre);
+	while (args->found[first + same] != args->found[first + k]) same++;
 	return same < k ? seen[same] : ts_k_sample_radiance(args, first + k, centre);
 }
 

@@ -16,8 +16,7 @@ static void forget(seen *memory)
 static ts_v3 recall(const ts_lookup_args *args, seen *memory, u64 sample, u32 cube, ts_v3 centre)
 {
 	u32 point = args->found[sample];
-	bool followed = args->follow != 0 && args->offset[sample + 1] != args->offset[sample];
-	if (point == TS_NONE || followed) return ts_k_sample_radiance(args, sample, centre);
+	if (point == TS_NONE || ts_k_is_followed(args, sample)) return ts_k_sample_radiance(args, sample, centre);
 	seen *slot = &memory[(point ^ (cube << 7)) % SLOTS];
 	if (slot->point != point || slot->cube != cube) {
 		*slot = (seen){point, cube, ts_k_sample_radiance(args, sample, centre)};
