@@ -129,7 +129,7 @@ TS_FN ts_v3 ts_k_next_radiance(const ts_lookup_args *args, u64 first, u32 k, ts_
 {
 	u32 same = 0u;
 	if (ts_k_is_followed(args, first + k)) return ts_k_sample_radiance(args, first + k, centre);
-	while (args->found[first + same] != args->found[first + k]) same++;
+	while (args->found[first + same] != args->found[first + k] || ts_k_is_followed(args, first + same)) same++;
 	return same < k ? seen[same] : ts_k_sample_radiance(args, first + k, centre);
 }
 
