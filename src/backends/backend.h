@@ -68,6 +68,7 @@ typedef struct {
 	const char *build;  /* more options for the driver's compiler, or "" */
 	bool inexact;       /* also a device that cannot keep the contract */
 	bool copies;        /* a memory of its own, even where the device has the host's */
+	u64 part_bytes;     /* what grows with points and cubes is in parts of so many, a power of two; 0: where it must be */
 } ts_backend_options;
 
 typedef struct {

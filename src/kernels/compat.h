@@ -16,7 +16,10 @@ typedef uint u32;
 typedef long i64;
 typedef ulong u64;
 typedef uchar u8;
+/* Compilers of OpenCL leave long functions out of line, which costs a third of a frame; those called from many places, whose
+ * copies take seconds to compile, are TS_CALL. */
 #define TS_FN static inline __attribute__((always_inline))
+#define TS_CALL static __attribute__((noinline))
 #define TS_GLOBAL __global
 #define TS_CONSTANT __constant
 #define ts_f2u(x) as_uint(x)
@@ -27,6 +30,12 @@ typedef uchar u8;
 #define ts_add_i64(p, v) ((void)atom_add((p), (v)))
 #define ts_next_i64(p) atom_inc(p)
 #define ts_mark_u8(p) (*(p) = 1)
+/* In as many parts as the device needs: the program is built with TS_PARTS and TS_PART_BYTES, a power of two. */
+#if TS_PARTS > 1
+#define TS_PARTED(type, name) __global type *name[TS_PARTS]
+#define TS_PART_OF(array) (TS_PART_BYTES / sizeof(*(array)[0]))
+#define ts_at(array, i) (&(array)[(i) / TS_PART_OF(array)][(i) % TS_PART_OF(array)])
+#endif
 #define TS_ASSERT_SIZE(type, bytes) typedef char type##_is_packed[sizeof(type) == (bytes) ? 1 : -1]
 
 #elif defined(__CUDACC__)
@@ -38,6 +47,7 @@ typedef long long i64;
 typedef unsigned long long u64;
 typedef unsigned char u8;
 #define TS_FN static __device__ __forceinline__
+#define TS_CALL static __device__ __noinline__
 #define TS_GLOBAL
 #define TS_CONSTANT static __constant__
 #define ts_f2u(x) __float_as_uint(x)
@@ -70,6 +80,7 @@ typedef int64_t i64;
 typedef uint64_t u64;
 typedef uint8_t u8;
 #define TS_FN static inline
+#define TS_CALL static inline
 #define TS_GLOBAL
 #define TS_CONSTANT static const
 static inline u32 ts_f2u(f32 x) { u32 u; memcpy(&u, &x, 4); return u; }
@@ -90,5 +101,11 @@ static inline i64 ts_next_i64(i64 *p) { return __atomic_fetch_add(p, 1, __ATOMIC
 static inline void ts_mark_u8(u8 *p) { __atomic_store_n(p, 1, __ATOMIC_RELAXED); }
 #define TS_ASSERT_SIZE(type, bytes) _Static_assert(sizeof(type) == (bytes), #type " has padding")
 
+#endif
+
+/* A member that points to an array that may be larger than what a device allocates at once, and one of its elements. */
+#ifndef TS_PARTED
+#define TS_PARTED(type, name) TS_GLOBAL type *name
+#define ts_at(array, i) (&(array)[i])
 #endif
 #endif

@@ -13,9 +13,9 @@ typedef struct {
 	TS_GLOBAL const ts_face *cubes;
 	TS_GLOBAL const ts_piece *pieces;
 	TS_GLOBAL const ts_align *frames;
-	TS_GLOBAL const u64 *keys;
-	TS_GLOBAL const ts_point *points;
-	TS_GLOBAL const u64 *texels;       /* splat.depth_index */
+	TS_PARTED(const u64, keys);
+	TS_PARTED(const ts_point, points);
+	TS_PARTED(const u64, texels);      /* splat.depth_index */
 	TS_GLOBAL const ts_pixel *pixels;
 	TS_GLOBAL const ts_bounce *queue;  /* entries of this bounce; none at the first */
 	TS_GLOBAL u32 *found;              /* points that the samples of this bounce see */
@@ -34,8 +34,8 @@ TS_FN u32 ts_k_lookup(const ts_lookup_args *args, u32 cube_index, ts_v3 directio
 {
 	TS_GLOBAL const ts_face *cube = &args->cubes[cube_index];
 	if (cube->n == 0u) return TS_NONE;
-	u64 key = args->texels[cube->offset + ts_k_cube_index(ts_k_cube_place(direction), cube->n)];
-	return (u32)key; /* an empty texel's low half is TS_NONE */
+	u64 texel = cube->offset + ts_k_cube_index(ts_k_cube_place(direction), cube->n);
+	return (u32)*ts_at(args->texels, texel); /* an empty texel's low half is TS_NONE */
 }
 
 /* map over reflective pixels */
@@ -51,19 +51,20 @@ TS_FN void ts_k_lookup_item(const ts_lookup_args *args, u64 i)
 
 TS_FN u32 ts_k_point_triangle(const ts_lookup_args *args, u32 point)
 {
-	return args->pieces[args->points[point].piece].triangle;
+	return args->pieces[ts_at(args->points, point)->piece].triangle;
 }
 
 TS_FN ts_surface ts_k_point_surface(const ts_lookup_args *args, u32 point)
 {
 	u32 triangle = ts_k_point_triangle(args, point);
-	u64 key = args->keys[point];
+	TS_GLOBAL const ts_point *record = ts_at(args->points, point);
+	u64 key = *ts_at(args->keys, point);
 	i32 x = (i32)(key & 0xffffu) - 32768;
 	i32 y = (i32)((key >> 16) & 0xffffu) - 32768;
-	TS_GLOBAL const ts_align *frame = &args->frames[args->points[point].piece];
+	TS_GLOBAL const ts_align *frame = &args->frames[record->piece];
 	ts_v3 w = ts_k_lattice_weights(&args->scene, frame, triangle, x, y);
-	ts_surface r = ts_k_surface(&args->scene, triangle, w, args->points[point].length);
-	r.p = ts_load3(args->points[point].centre);
+	ts_surface r = ts_k_surface(&args->scene, triangle, w, record->length);
+	r.p = ts_load3(record->centre);
 	return r;
 }
 
@@ -95,7 +96,7 @@ TS_FN void ts_k_bounce_queue_item(const ts_lookup_args *args, u64 i)
 TS_FN void ts_k_bounce_item(const ts_lookup_args *args, u64 i)
 {
 	TS_GLOBAL const ts_bounce *entry = &args->queue[i];
-	TS_GLOBAL const ts_point *point = &args->points[entry->point];
+	TS_GLOBAL const ts_point *point = ts_at(args->points, entry->point);
 	TS_GLOBAL const ts_align *frame = &args->frames[point->piece];
 	ts_surface surface = ts_k_point_surface(args, entry->point);
 	ts_v3 from = ts_load3(args->cubes[entry->from].centre);
@@ -127,9 +128,8 @@ TS_FN ts_v3 ts_k_sample_radiance(const ts_lookup_args *args, u64 sample, ts_v3 c
 /* Samples of an entry that see one point, and are not followed, have one colour. `seen` holds those before sample k. */
 TS_FN ts_v3 ts_k_next_radiance(const ts_lookup_args *args, u64 first, u32 k, ts_v3 centre, const ts_v3 *seen)
 {
-	u32 same = 0u;
-	if (ts_k_is_followed(args, first + k)) return ts_k_sample_radiance(args, first + k, centre);
-	while (args->found[first + same] != args->found[first + k] || ts_k_is_followed(args, first + same)) same++;
+	u32 same = ts_k_is_followed(args, first + k) ? k : 0u;
+	while (same < k && (args->found[first + same] != args->found[first + k] || ts_k_is_followed(args, first + same))) same++;
 	return same < k ? seen[same] : ts_k_sample_radiance(args, first + k, centre);
 }
 

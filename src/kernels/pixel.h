@@ -54,17 +54,22 @@ TS_FN ts_v3 ts_k_gradient(ts_v3 before, bool has_before, ts_v3 here, ts_v3 after
 	return ts_v3_make(0.0f, 0.0f, 0.0f);
 }
 
-TS_FN void ts_k_pixel_gradients(const ts_pixel_args *args, const ts_camera_k *view, i32 x, i32 y, u32 reflector,
-                                const ts_glance *here, TS_GLOBAL ts_pixel *out)
+/* A pixel and its neighbours. */
+#define TS_HERE 0u
+#define TS_LEFT 1u
+#define TS_RIGHT 2u
+#define TS_ABOVE 3u
+#define TS_BELOW 4u
+#define TS_N_GLANCES 5u
+
+TS_FN void ts_k_pixel_gradients(TS_GLOBAL ts_pixel *out, const ts_glance glance[TS_N_GLANCES])
 {
-	ts_glance left = ts_k_glance(args, view, x - 1, y, reflector);
-	ts_glance right = ts_k_glance(args, view, x + 1, y, reflector);
-	ts_store3(out->position_dx, ts_k_gradient(left.p, left.seen, here->p, right.p, right.seen));
-	ts_store3(out->normal_dx, ts_k_gradient(left.n, left.seen, here->n, right.n, right.seen));
-	ts_glance above = ts_k_glance(args, view, x, y - 1, reflector);
-	ts_glance below = ts_k_glance(args, view, x, y + 1, reflector);
-	ts_store3(out->position_dy, ts_k_gradient(above.p, above.seen, here->p, below.p, below.seen));
-	ts_store3(out->normal_dy, ts_k_gradient(above.n, above.seen, here->n, below.n, below.seen));
+	ts_glance here = glance[TS_HERE], left = glance[TS_LEFT], right = glance[TS_RIGHT];
+	ts_glance above = glance[TS_ABOVE], below = glance[TS_BELOW];
+	ts_store3(out->position_dx, ts_k_gradient(left.p, left.seen, here.p, right.p, right.seen));
+	ts_store3(out->normal_dx, ts_k_gradient(left.n, left.seen, here.n, right.n, right.seen));
+	ts_store3(out->position_dy, ts_k_gradient(above.p, above.seen, here.p, below.p, below.seen));
+	ts_store3(out->normal_dy, ts_k_gradient(above.n, above.seen, here.n, below.n, below.seen));
 }
 
 /* emit over pixels */
@@ -77,17 +82,22 @@ TS_FN void ts_k_pixel_item(const ts_pixel_args *args, u64 i)
 	u64 key = args->depth_triangle[i];
 	u32 reflector = ts_k_seen_reflector(&args->scene, key);
 	TS_GLOBAL ts_pixel *out = &args->pixels[args->offset[i]];
-	ts_glance here = ts_k_glance(args, &view, x, y, reflector);
+	ts_glance glance[TS_N_GLANCES];
+	for (u32 k = 0u; k < TS_N_GLANCES; k++) {
+		i32 right = k == TS_RIGHT ? 1 : k == TS_LEFT ? -1 : 0;
+		i32 down = k == TS_BELOW ? 1 : k == TS_ABOVE ? -1 : 0;
+		glance[k] = ts_k_glance(args, &view, x + right, y + down, reflector);
+	}
 	ts_v3 tint = ts_k_surface_seen(&args->scene, &view, (u32)key, x, y).base; /* of a mirror, its base colour */
-	ts_store3(out->position, here.p);
-	ts_store3(out->normal, here.n);
+	ts_store3(out->position, glance[TS_HERE].p);
+	ts_store3(out->normal, glance[TS_HERE].n);
 	out->index = (u32)i;
 	out->reflector = reflector;
 	out->tint_r = ts_put(tint.x);
 	out->tint_g = ts_put(tint.y);
 	out->tint_b = ts_put(tint.z);
 	out->pad = 0u;
-	ts_k_pixel_gradients(args, &view, x, y, reflector, &here, out);
+	ts_k_pixel_gradients(out, glance);
 }
 
 #endif

@@ -9,8 +9,8 @@ typedef struct {
 	TS_GLOBAL const ts_piece *pieces;
 	TS_GLOBAL const ts_align *frames;
 	TS_GLOBAL u32 *offset;       /* count.offset: counts, then their prefix sums */
-	TS_GLOBAL u64 *keys;         /* points.key */
-	TS_GLOBAL ts_point *points;  /* points.record */
+	TS_PARTED(u64, keys);        /* points.key */
+	TS_PARTED(ts_point, points); /* points.record */
 	TS_GLOBAL i64 *n_points;     /* appended so far */
 	u64 room;                    /* points that can be appended */
 	i32 half_size;               /* of a lattice square, in 1/256: 129 safe, 128 exact */
@@ -119,14 +119,14 @@ TS_FN ts_point_source ts_k_point_source(const ts_points_args *args, u64 piece)
 
 TS_FN void ts_k_point_put(const ts_points_args *args, const ts_point_source *from, i32 x, i32 y, u64 at)
 {
-	TS_GLOBAL ts_point *out = &args->points[at];
+	TS_GLOBAL ts_point *out = ts_at(args->points, at);
 	ts_store3(out->centre, ts_k_lattice_point(from->frame, x, y));
 	out->length = ts_put(from->length);
 	out->piece = (u32)from->piece;
 	out->flags = from->flags;
 	out->pad[0] = 0u;
 	out->pad[1] = 0u;
-	args->keys[at] = (from->piece << 32) | ((u64)(u32)(y + 32768) << 16) | (u64)(u32)(x + 32768);
+	*ts_at(args->keys, at) = (from->piece << 32) | ((u64)(u32)(y + 32768) << 16) | (u64)(u32)(x + 32768);
 }
 
 /* emit over pieces */

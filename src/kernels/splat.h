@@ -9,13 +9,14 @@ typedef struct {
 	TS_GLOBAL const ts_piece *pieces;
 	TS_GLOBAL const ts_align *frames;
 	TS_GLOBAL const u64 *bits;        /* visibility.bits, by triangle */
-	TS_GLOBAL const ts_point *points;
+	TS_PARTED(const ts_point, points);
 	TS_GLOBAL const u32 *offset;      /* points before each piece; NULL: they are in no order */
-	TS_GLOBAL u64 *texels;            /* splat.depth_index, all empty at first */
-	TS_GLOBAL u8 *tie;                /* splat.tie, all 0 at first; NULL while texels are written */
+	TS_PARTED(u64, texels);           /* splat.depth_index, all empty at first */
+	TS_PARTED(u8, tie);               /* splat.tie, all 0 at first */
 	TS_GLOBAL i64 *n_scatters, *n_writes; /* splats, and texels they offered a key to */
 	u32 n_cubes, n_words, n_pieces;
 	u32 clip, plane_depth;
+	u32 mark;                         /* the texels are there: mark ties */
 } ts_splat_args;
 
 TS_FN ts_cover ts_k_cover_of(const ts_camera_k *view, const ts_polygon *polygon, i32 half_size)
@@ -93,17 +94,18 @@ TS_FN f32 ts_k_plane_distance(const ts_camera_k *view, ts_v3 n, ts_v3 c, f32 dis
 /* The least key wins a texel; afterwards, whoever lost by its index alone marks a tie. */
 TS_FN void ts_k_splat_offer(const ts_splat_args *args, u64 texel, u64 key)
 {
-	if (args->tie == 0) {
-		ts_min_u64(&args->texels[texel], key);
-	} else if (key != args->texels[texel] && (key >> 32) == (args->texels[texel] >> 32)) {
-		ts_mark_u8(&args->tie[texel]);
+	TS_GLOBAL u64 *least = ts_at(args->texels, texel);
+	if (args->mark == 0u) {
+		ts_min_u64(least, key);
+	} else if (key != *least && (key >> 32) == (*least >> 32)) {
+		ts_mark_u8(ts_at(args->tie, texel));
 	}
 }
 
 /* One point into the face whose texels begin at `first`. Returns the texels offered. */
 TS_FN u32 ts_k_splat(const ts_splat_args *args, const ts_camera_k *view, const ts_cover *triangle, u32 index, u64 first)
 {
-	TS_GLOBAL const ts_point *point = &args->points[index];
+	TS_GLOBAL const ts_point *point = ts_at(args->points, index);
 	TS_GLOBAL const ts_align *frame = &args->frames[point->piece];
 	ts_v3 c = ts_load3(point->centre);
 	ts_v3 u = ts_load3(frame->u);
@@ -128,7 +130,7 @@ TS_FN u32 ts_k_splat(const ts_splat_args *args, const ts_camera_k *view, const t
 /* scatter over points */
 TS_FN void ts_k_splat_item(const ts_splat_args *args, u64 i)
 {
-	TS_GLOBAL const ts_piece *piece = &args->pieces[args->points[i].piece];
+	TS_GLOBAL const ts_piece *piece = &args->pieces[ts_at(args->points, i)->piece];
 	TS_GLOBAL const u64 *words = args->bits + (u64)piece->triangle * args->n_words;
 	i64 scatters = 0;
 	i64 writes = 0;

@@ -107,7 +107,7 @@ TS_FN ts_box ts_k_piece_box(const ts_piece_view *f, ts_v3 c, f32 length)
 /* Returns the texels offered. */
 TS_FN u32 ts_k_piece_point(const ts_splat_args *args, const ts_piece_view *f, u32 index)
 {
-	TS_GLOBAL const ts_point *point = &args->points[index];
+	TS_GLOBAL const ts_point *point = ts_at(args->points, index);
 	ts_v3 c = ts_load3(point->centre);
 	f32 length = point->length;
 	bool clip = args->clip != 0u;
@@ -121,7 +121,7 @@ TS_FN u32 ts_k_piece_point(const ts_splat_args *args, const ts_piece_view *f, u3
 			if (clip && !ts_k_inside_lines(&f->lines, i, j)) continue;
 			f32 d = distance;
 			if (args->plane_depth != 0u) d = ts_put(ts_k_plane_distance(&f->view, f->n, c, distance, length, i, j));
-			ts_min_u64(&args->texels[row + (u64)i], ((u64)ts_f2u(d) << 32) | index);
+			ts_min_u64(ts_at(args->texels, row + (u64)i), ((u64)ts_f2u(d) << 32) | index);
 			count++;
 		}
 	}
@@ -145,7 +145,7 @@ TS_FN bool ts_k_piece_view(ts_piece_view *f, const ts_splat_args *args, u64 piec
 	f->u = ts_load3(args->frames[piece].u);
 	f->v = ts_load3(args->frames[piece].v);
 	f->n = ts_cross(f->u, f->v);
-	f32 half_length = args->points[args->offset[piece]].length * 0.5f;
+	f32 half_length = ts_at(args->points, args->offset[piece])->length * 0.5f;
 	f->du = ts_scale(f->u, half_length);
 	f->dv = ts_scale(f->v, half_length);
 	f->first = cube->offset + (u64)face * cube->n * cube->n;

@@ -41,6 +41,7 @@ ts_status ts_stage_tie(ts_run *run)
 	ts_splat_args args = arguments(run);
 	args.texels = ts_frame_handle(&run->frame, TS_B_splat_depth_index);
 	args.tie = ts_frame_make1(&run->frame, TS_B_splat_tie, n);
+	args.mark = 1;
 	if (args.tie == NULL || ts_run_fill(run, TS_B_splat_tie, 0) != TS_OK) return TS_ERROR;
 	u64 n_points = ts_frame_n(&run->frame, TS_B_points_record);
 	if (ts_run_launch(run, TS_KERNEL_splat, &args, n_points) != TS_OK) return TS_ERROR;

@@ -6,14 +6,14 @@
 #include <CL/cl.h>
 #include "../backend.h"
 
-enum { TS_CL_POINTERS = 32, TS_CL_ARGUMENTS = 512, TS_CL_MESSAGE = 512 };
+enum { TS_CL_POINTERS = 32, TS_CL_PARTS = 8, TS_CL_ARGUMENTS = 512, TS_CL_MESSAGE = 512 };
 
 /* A kernel's entry point: its name, the bytes of its arguments, and where pointers stand in them. */
 typedef struct {
 	const char *name;
 	size_t bytes;
 	u32 n_pointers;
-	struct { size_t at; bool constant; } pointer[TS_CL_POINTERS];
+	struct { size_t at; bool constant, parted; } pointer[TS_CL_POINTERS];
 } ts_cl_kernel;
 extern const ts_cl_kernel ts_cl_kernels[TS_N_KERNELS];
 
@@ -27,7 +27,9 @@ typedef struct {
 	cl_program program;
 	cl_kernel kernels[TS_N_KERNELS]; /* as they are first launched */
 	size_t work_group;
+	const char *options;             /* of the user, for the compiler */
 	bool unified;
+	u64 part_bytes;                  /* of parted arrays; 0: none is in parts, and the kernels know of none */
 	bool busy;                       /* something was enqueued and not waited for */
 	char failure[TS_CL_MESSAGE];     /* what a fetch had to keep to itself */
 } ts_cl;
@@ -38,11 +40,12 @@ ts_status ts_cl_failed(const char *what, cl_int status);
 /* device.c: ts_opencl_kind's devices, and the one of an index. */
 u32 ts_cl_devices(ts_device devices[TS_MAX_DEVICES]);
 ts_status ts_cl_find(cl_device_id *device, ts_device *about, u32 index);
-/* program.c: builds the kernels. */
-ts_status ts_cl_build(ts_cl *cl, const char *options);
+/* program.c: builds the kernels, in place of those before, for cl->part_bytes. */
+ts_status ts_cl_build(ts_cl *cl);
+void ts_cl_forget_program(ts_cl *cl);
 /* memory.c: the device's copy of a buffer, made and brought up to date if need be, for a kernel that reads it, or may write
- * it too. *memory is NULL for a buffer without bytes. */
-ts_status ts_cl_use(ts_cl *cl, cl_mem *memory, ts_buffer *buffer, bool writes);
+ * it too: one part of all its bytes, or parts of part_bytes. What is not there is NULL. */
+ts_status ts_cl_use(ts_cl *cl, cl_mem parts[TS_CL_PARTS], ts_buffer *buffer, u64 part_bytes, bool writes);
 ts_status ts_cl_finish(ts_cl *cl);
 extern const ts_residence ts_cl_residence;
 

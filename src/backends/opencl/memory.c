@@ -2,16 +2,19 @@
  * reads them; elsewhere they are copies. */
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include "cl.h"
 
 typedef enum { HOST, BOTH, DEVICE } place;
 
 typedef struct {
 	ts_cl *cl;
-	cl_mem memory;
-	void *data;
-	size_t bytes;
-	place place;   /* of the newest contents */
+	cl_mem part[TS_CL_PARTS];
+	u32 n_parts;
+	u64 part_bytes;  /* of each but the last */
+	u8 *data;
+	u64 bytes;
+	place place;     /* of the newest contents */
 	bool mapped;
 } resident;
 
@@ -24,51 +27,85 @@ ts_status ts_cl_finish(ts_cl *cl)
 	return cl->failure[0] == 0 ? TS_OK : ts_fail("%s", cl->failure);
 }
 
-static ts_status make(ts_cl *cl, ts_buffer *buffer)
+static u8 *part_data(const resident *r, u32 part) { return r->data + part * r->part_bytes; }
+
+static size_t bytes_of_part(const resident *r, u32 part)
 {
-	if (buffer->bytes > cl->about.most)
-		return ts_fail("a buffer of %.1f GB; %s allocates %.1f GB at most", (double)buffer->bytes / 1e9, cl->about.name,
+	u64 left = r->bytes - part * r->part_bytes;
+	return left < r->part_bytes ? left : r->part_bytes;
+}
+
+static cl_int make_parts(resident *r)
+{
+	cl_mem_flags flags = CL_MEM_READ_WRITE | (r->cl->unified ? CL_MEM_USE_HOST_PTR : 0);
+	cl_int status = CL_SUCCESS;
+	for (u32 i = 0; i < r->n_parts && status == CL_SUCCESS; i++) {
+		void *data = r->cl->unified ? part_data(r, i) : NULL;
+		r->part[i] = clCreateBuffer(r->cl->context, flags, bytes_of_part(r, i), data, &status);
+	}
+	return status;
+}
+
+static void release_parts(resident *r)
+{
+	for (u32 i = 0; i < r->n_parts; i++) {
+		if (r->part[i] != NULL) clReleaseMemObject(r->part[i]);
+	}
+	free(r);
+}
+
+static ts_status make(ts_cl *cl, ts_buffer *buffer, u64 part_bytes)
+{
+	u64 n_parts = (buffer->bytes + part_bytes - 1) / part_bytes;
+	if (part_bytes > cl->about.most || n_parts > TS_CL_PARTS) {
+		return ts_fail("a buffer of %.1f GB; %s allocates %.1f GB at once", (double)buffer->bytes / 1e9, cl->about.name,
 		               (double)cl->about.most / 1e9);
+	}
 	resident *r = ts_alloc_zero(1, sizeof *r, "device buffer");
 	if (r == NULL) return TS_ERROR;
-	cl_mem_flags flags = CL_MEM_READ_WRITE | (cl->unified ? CL_MEM_USE_HOST_PTR : 0);
-	cl_int status;
-	*r = (resident){.cl = cl, .data = buffer->data, .bytes = buffer->bytes};
-	r->memory = clCreateBuffer(cl->context, flags, buffer->bytes, cl->unified ? buffer->data : NULL, &status);
+	*r = (resident){.cl = cl, .n_parts = (u32)n_parts, .part_bytes = part_bytes, .data = buffer->data,
+	                .bytes = buffer->bytes, .place = cl->unified ? BOTH : HOST};
+	cl_int status = make_parts(r);
 	if (status != CL_SUCCESS) {
-		free(r);
+		release_parts(r);
 		return ts_cl_failed("device memory", status);
 	}
-	if (cl->unified) r->place = BOTH;
 	buffer->resident = r;
 	return TS_OK;
 }
 
 static cl_int unmap(resident *r)
 {
-	if (!r->mapped) return CL_SUCCESS;
+	cl_int status = CL_SUCCESS;
+	r->cl->busy |= r->mapped;
+	for (u32 i = 0; r->mapped && i < r->n_parts && status == CL_SUCCESS; i++) {
+		status = clEnqueueUnmapMemObject(r->cl->queue, r->part[i], part_data(r, i), 0, NULL, NULL);
+	}
 	r->mapped = false;
-	return clEnqueueUnmapMemObject(r->cl->queue, r->memory, r->data, 0, NULL, NULL);
+	return status;
 }
 
-ts_status ts_cl_use(ts_cl *cl, cl_mem *memory, ts_buffer *buffer, bool writes)
+static cl_int upload(resident *r)
 {
-	*memory = NULL;
-	if (buffer->bytes == 0) return TS_OK;
-	if (buffer->resident == NULL && make(cl, buffer) != TS_OK) return TS_ERROR;
-	resident *r = buffer->resident;
 	cl_int status = CL_SUCCESS;
-	if (r->place == HOST) {
-		status = clEnqueueWriteBuffer(cl->queue, r->memory, CL_FALSE, 0, r->bytes, r->data, 0, NULL, NULL);
-		r->place = BOTH;
+	for (u32 i = 0; i < r->n_parts && status == CL_SUCCESS; i++) {
+		status = clEnqueueWriteBuffer(r->cl->queue, r->part[i], CL_FALSE, 0, bytes_of_part(r, i), part_data(r, i), 0, NULL,
+		                              NULL);
 	}
-	if (writes) {
-		if (status == CL_SUCCESS) status = unmap(r);
-		r->place = DEVICE;
+	r->place = BOTH;
+	return status;
+}
+
+static cl_int download_part(const resident *r, u32 part)
+{
+	cl_command_queue queue = r->cl->queue;
+	size_t bytes = bytes_of_part(r, part);
+	cl_int status;
+	if (!r->cl->unified) {
+		return clEnqueueReadBuffer(queue, r->part[part], CL_TRUE, 0, bytes, part_data(r, part), 0, NULL, NULL);
 	}
-	cl->busy = true;
-	*memory = r->memory;
-	return status == CL_SUCCESS ? TS_OK : ts_cl_failed("a transfer to the device", status);
+	clEnqueueMapBuffer(queue, r->part[part], CL_TRUE, CL_MAP_READ, 0, bytes, 0, NULL, NULL, &status);
+	return status;
 }
 
 static ts_status fetch(void *buffer)
@@ -76,13 +113,9 @@ static ts_status fetch(void *buffer)
 	resident *r = buffer;
 	ts_cl *cl = r->cl;
 	if (r->place != DEVICE) return TS_OK;
-	cl_int status;
-	if (cl->unified) {
-		clEnqueueMapBuffer(cl->queue, r->memory, CL_TRUE, CL_MAP_READ, 0, r->bytes, 0, NULL, NULL, &status);
-		r->mapped = status == CL_SUCCESS;
-	} else {
-		status = clEnqueueReadBuffer(cl->queue, r->memory, CL_TRUE, 0, r->bytes, r->data, 0, NULL, NULL);
-	}
+	cl_int status = CL_SUCCESS;
+	for (u32 i = 0; i < r->n_parts && status == CL_SUCCESS; i++) status = download_part(r, i);
+	r->mapped = cl->unified && status == CL_SUCCESS;
 	r->place = BOTH;
 	if (status == CL_SUCCESS) return TS_OK;
 	ts_status failed = ts_cl_failed("a transfer from the device", status);
@@ -94,12 +127,37 @@ static ts_status fetch(void *buffer)
 static void release(void *buffer)
 {
 	resident *r = buffer;
-	r->cl->busy |= r->mapped;
 	unmap(r);
 	if (r->cl->busy) clFinish(r->cl->queue);
 	r->cl->busy = false;
-	clReleaseMemObject(r->memory);
-	free(r);
+	release_parts(r);
+}
+
+/* A buffer made before there were parts, or the other way round, is made again. */
+static ts_status require(ts_cl *cl, ts_buffer *buffer, u64 part_bytes)
+{
+	resident *r = buffer->resident;
+	if (r != NULL && r->part_bytes == part_bytes) return TS_OK;
+	if (r != NULL) {
+		if (fetch(r) != TS_OK) return TS_ERROR;
+		release(r);
+		buffer->resident = NULL;
+	}
+	return make(cl, buffer, part_bytes);
+}
+
+ts_status ts_cl_use(ts_cl *cl, cl_mem parts[TS_CL_PARTS], ts_buffer *buffer, u64 part_bytes, bool writes)
+{
+	memset(parts, 0, TS_CL_PARTS * sizeof *parts);
+	if (buffer->bytes == 0) return TS_OK;
+	if (require(cl, buffer, part_bytes != 0 ? part_bytes : buffer->bytes) != TS_OK) return TS_ERROR;
+	resident *r = buffer->resident;
+	cl_int status = r->place == HOST ? upload(r) : CL_SUCCESS;
+	if (status == CL_SUCCESS && writes) status = unmap(r);
+	if (writes) r->place = DEVICE;
+	cl->busy = true;
+	memcpy(parts, r->part, sizeof r->part);
+	return status == CL_SUCCESS ? TS_OK : ts_cl_failed("a transfer to the device", status);
 }
 
 const ts_residence ts_cl_residence = {fetch, release};

@@ -1,5 +1,6 @@
 /* The kernels' text, built by the driver, which keeps what it built in a cache of its own. The options are those of NUMERICS
  * section 2: no contraction (the text says so), correctly rounded quotients and roots, nothing unsafe. */
+#include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -17,12 +18,33 @@ static void show_log(const ts_cl *cl)
 	free(log);
 }
 
-ts_status ts_cl_build(ts_cl *cl, const char *options)
+static ts_status put_flags(ts_cl *cl)
+{
+	char parts[64] = "";
+	const char *rounded = cl->about.rounded ? " -cl-fp32-correctly-rounded-divide-sqrt" : "";
+	const char *space = cl->options[0] != 0 ? " " : "";
+	if (cl->part_bytes != 0) {
+		snprintf(parts, sizeof parts, " -DTS_PARTS=%d -DTS_PART_BYTES=%" PRIu64, TS_CL_PARTS, cl->part_bytes);
+	}
+	int length = snprintf(cl->flags, sizeof cl->flags, "-cl-std=CL1.2%s%s%s%s", rounded, parts, space, cl->options);
+	return length >= 0 && (size_t)length < sizeof cl->flags ? TS_OK : ts_fail("--build: at most 128 characters are taken");
+}
+
+void ts_cl_forget_program(ts_cl *cl)
+{
+	for (u32 i = 0; i < TS_N_KERNELS; i++) {
+		if (cl->kernels[i] != NULL) clReleaseKernel(cl->kernels[i]);
+		cl->kernels[i] = NULL;
+	}
+	if (cl->program != NULL) clReleaseProgram(cl->program);
+	cl->program = NULL;
+}
+
+ts_status ts_cl_build(ts_cl *cl)
 {
 	const char *text = source;
-	const char *rounded = cl->about.rounded ? " -cl-fp32-correctly-rounded-divide-sqrt" : "";
-	int length = snprintf(cl->flags, sizeof cl->flags, "-cl-std=CL1.2%s%s%s", rounded, options[0] != 0 ? " " : "", options);
-	if (length < 0 || (size_t)length >= sizeof cl->flags) return ts_fail("--build: at most 150 characters of options");
+	ts_cl_forget_program(cl);
+	if (put_flags(cl) != TS_OK) return TS_ERROR;
 	cl_int status;
 	cl->program = clCreateProgramWithSource(cl->context, 1, &text, NULL, &status);
 	if (status != CL_SUCCESS) return ts_cl_failed("the program", status);

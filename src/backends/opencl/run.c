@@ -44,27 +44,65 @@ static ts_status set(cl_kernel kernel, u32 index, size_t bytes, const void *valu
 	return status == CL_SUCCESS ? TS_OK : ts_cl_failed("a kernel's argument", status);
 }
 
+/* The arguments of one pointer, from *index on; the offset takes its place among the values. */
+static ts_status set_buffer(ts_cl *cl, ts_frame *frame, ts_kernel kernel, u32 pointer_index, u8 *values, u32 *index)
+{
+	const ts_cl_kernel *k = &ts_cl_kernels[kernel];
+	const u8 *pointer;
+	u64 offset = 0, part_bytes = k->pointer[pointer_index].parted ? cl->part_bytes : 0;
+	cl_mem parts[TS_CL_PARTS] = {NULL};
+	memcpy(&pointer, values + k->pointer[pointer_index].at, sizeof pointer);
+	ts_buffer *buffer = pointer != NULL ? owner(frame, pointer) : NULL;
+	if (buffer != NULL) {
+		offset = (u64)(pointer - (const u8 *)buffer->data);
+		if (ts_cl_use(cl, parts, buffer, part_bytes, !k->pointer[pointer_index].constant) != TS_OK) return TS_ERROR;
+	}
+	memcpy(values + k->pointer[pointer_index].at, &offset, sizeof offset);
+	for (u32 i = 0; i < (part_bytes != 0 ? TS_CL_PARTS : 1); i++) {
+		if (set(cl->kernels[kernel], (*index)++, sizeof parts[i], &parts[i]) != TS_OK) return TS_ERROR;
+	}
+	return TS_OK;
+}
+
 /* Arguments 0 and 1 are the values and n; then come the buffers. */
 static ts_status set_arguments(ts_cl *cl, ts_frame *frame, ts_kernel kernel, const void *args, u64 n)
 {
 	const ts_cl_kernel *k = &ts_cl_kernels[kernel];
 	u8 values[TS_CL_ARGUMENTS];
+	u32 index = 2;
 	memcpy(values, args, k->bytes);
 	for (u32 i = 0; i < k->n_pointers; i++) {
-		const u8 *pointer;
-		u64 offset = 0;
-		cl_mem memory = NULL;
-		memcpy(&pointer, values + k->pointer[i].at, sizeof pointer);
-		ts_buffer *buffer = pointer != NULL ? owner(frame, pointer) : NULL;
-		if (buffer != NULL) {
-			offset = (u64)(pointer - (const u8 *)buffer->data);
-			if (ts_cl_use(cl, &memory, buffer, !k->pointer[i].constant) != TS_OK) return TS_ERROR;
-		}
-		memcpy(values + k->pointer[i].at, &offset, sizeof offset);
-		if (set(cl->kernels[kernel], 2 + i, sizeof memory, &memory) != TS_OK) return TS_ERROR;
+		if (set_buffer(cl, frame, kernel, i, values, &index) != TS_OK) return TS_ERROR;
 	}
 	if (set(cl->kernels[kernel], 0, k->bytes, values) != TS_OK) return TS_ERROR;
 	return set(cl->kernels[kernel], 1, sizeof n, &n);
+}
+
+static u64 largest_power(u64 most)
+{
+	u64 power = 1;
+	while (power <= most / 2) power *= 2;
+	return power;
+}
+
+/* From the first buffer on that the device cannot allocate at once, kernels get such arrays in parts. */
+static ts_status admit(ts_cl *cl, const ts_buffer *buffer)
+{
+	if (buffer->bytes <= cl->about.most || cl->part_bytes != 0) return TS_OK;
+	cl->part_bytes = largest_power(cl->about.most);
+	return ts_cl_build(cl);
+}
+
+static ts_status admit_all(ts_cl *cl, ts_frame *frame, ts_kernel kernel, const void *args)
+{
+	const ts_cl_kernel *k = &ts_cl_kernels[kernel];
+	for (u32 i = 0; i < k->n_pointers; i++) {
+		const u8 *pointer;
+		memcpy(&pointer, (const u8 *)args + k->pointer[i].at, sizeof pointer);
+		ts_buffer *buffer = pointer != NULL && k->pointer[i].parted ? owner(frame, pointer) : NULL;
+		if (buffer != NULL && admit(cl, buffer) != TS_OK) return TS_ERROR;
+	}
+	return TS_OK;
 }
 
 /* The same for points that lie by pieces, with one set-up a piece. */
@@ -84,6 +122,7 @@ static ts_status launch(ts_backend *backend, ts_frame *frame, ts_kernel kernel, 
 	cl_int status = CL_SUCCESS;
 	frame->residence = &ts_cl_residence;
 	if (n == 0) return TS_OK;
+	if (admit_all(cl, frame, kernel, args) != TS_OK) return TS_ERROR;
 	if (cl->kernels[kernel] == NULL) cl->kernels[kernel] = clCreateKernel(cl->program, ts_cl_kernels[kernel].name, &status);
 	if (status != CL_SUCCESS) return ts_cl_failed(ts_cl_kernels[kernel].name, status);
 	if (set_arguments(cl, frame, kernel, args, n) != TS_OK) return TS_ERROR;
@@ -95,17 +134,25 @@ static ts_status launch(ts_backend *backend, ts_frame *frame, ts_kernel kernel, 
 	return status == CL_SUCCESS ? TS_OK : ts_cl_failed(ts_cl_kernels[kernel].name, status);
 }
 
+/* Of buffers that may be in parts, those are filled. */
+static bool may_be_parted(ts_buffer_id id) { return id == TS_B_splat_depth_index || id == TS_B_splat_tie; }
+
 static ts_status fill(ts_backend *backend, ts_frame *frame, ts_buffer_id id, u8 byte)
 {
 	ts_cl *cl = (ts_cl *)backend;
-	cl_mem memory;
+	ts_buffer *buffer = &frame->buffer[id];
+	cl_mem parts[TS_CL_PARTS];
 	frame->residence = &ts_cl_residence;
-	if (ts_cl_use(cl, &memory, &frame->buffer[id], true) != TS_OK) return TS_ERROR;
-	size_t bytes = frame->buffer[id].bytes;
-	u64 pattern = byte * 0x0101010101010101u;
-	size_t width = bytes % 8 == 0 ? 8 : bytes % 4 == 0 ? 4 : 1;
-	cl_int status = bytes == 0 ? CL_SUCCESS
-	                           : clEnqueueFillBuffer(cl->queue, memory, &pattern, width, 0, bytes, 0, NULL, NULL);
+	if (may_be_parted(id) && admit(cl, buffer) != TS_OK) return TS_ERROR;
+	u64 part_bytes = may_be_parted(id) ? cl->part_bytes : 0;
+	if (ts_cl_use(cl, parts, buffer, part_bytes, true) != TS_OK) return TS_ERROR;
+	cl_int status = CL_SUCCESS;
+	for (u32 i = 0; i < TS_CL_PARTS && parts[i] != NULL && status == CL_SUCCESS; i++) {
+		u64 left = buffer->bytes - i * part_bytes, bytes = part_bytes != 0 && part_bytes < left ? part_bytes : left;
+		u64 pattern = byte * 0x0101010101010101u;
+		size_t width = bytes % 8 == 0 ? 8 : bytes % 4 == 0 ? 4 : 1;
+		status = clEnqueueFillBuffer(cl->queue, parts[i], &pattern, width, 0, bytes, 0, NULL, NULL);
+	}
 	return status == CL_SUCCESS ? TS_OK : ts_cl_failed("a fill", status);
 }
 
@@ -137,10 +184,7 @@ static ts_status finish(ts_backend *backend) { return ts_cl_finish((ts_cl *)back
 static void end(ts_backend *backend)
 {
 	ts_cl *cl = (ts_cl *)backend;
-	for (u32 i = 0; i < TS_N_KERNELS; i++) {
-		if (cl->kernels[i] != NULL) clReleaseKernel(cl->kernels[i]);
-	}
-	if (cl->program != NULL) clReleaseProgram(cl->program);
+	ts_cl_forget_program(cl);
 	if (cl->queue != NULL) clReleaseCommandQueue(cl->queue);
 	if (cl->context != NULL) clReleaseContext(cl->context);
 	free(cl);
@@ -165,7 +209,9 @@ static ts_status begin(ts_cl *cl, const ts_backend_options *options)
 	if (status != CL_SUCCESS) return ts_cl_failed("a context", status);
 	cl->queue = clCreateCommandQueue(cl->context, cl->device, 0, &status);
 	if (status != CL_SUCCESS) return ts_cl_failed("a queue", status);
-	return ts_cl_build(cl, options->build);
+	cl->options = options->build;
+	cl->part_bytes = options->part_bytes;
+	return ts_cl_build(cl);
 }
 
 static ts_status open_device(ts_backend **backend, const ts_backend_options *options)
