@@ -175,6 +175,7 @@ ts_status ts_picture_truth(ts_picture *picture, u32 truth, ts_run *run)
 	status = truth == TS_TRUTH_A ? ts_truth_a(tree, run) : ts_truth_b(tree, run);
 	if (status == TS_OK && truth == TS_TRUTH_A) status = count_missed(picture, tree, run);
 	if (status == TS_OK) status = ts_run_stage(run, ts_stage_find("image"));
+	if (status == TS_OK) status = ts_frame_fetch(&run->frame);
 	if (status == TS_OK) status = ts_picture_take(picture, truth == TS_TRUTH_A ? "truth-a" : "truth-b", run);
 	ts_truth_free(tree);
 	picture->seconds = ts_seconds() - begin;

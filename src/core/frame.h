@@ -62,8 +62,8 @@ void *ts_frame_make3(ts_frame *frame, ts_buffer_id id, u64 n0, u64 n1, u64 n2);
 void ts_frame_borrow(ts_frame *frame, ts_buffer_id id, const void *data, u64 n);
 /* What arguments of kernels hold; the buffer must exist. Its contents may be elsewhere. */
 void *ts_frame_handle(const ts_frame *frame, ts_buffer_id id);
-/* The contents, fetched to host memory; the buffer must exist. If that fails they are undefined, and the backend's next
- * `finish` says so. */
+/* The contents, fetched to host memory; the buffer must exist. If that fails they are zeros, which no index strays by, and
+ * the backend's next `finish` says so. */
 void *ts_frame_data(const ts_frame *frame, ts_buffer_id id);
 /* Fetches all that there is. */
 ts_status ts_frame_fetch(ts_frame *frame);

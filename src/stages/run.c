@@ -49,14 +49,19 @@ static void add_timing(ts_run *run, const char *stage, double seconds)
 	run->timings[run->n_timings++] = (ts_timing){.stage = stage, .seconds = seconds};
 }
 
+/* What failed on the device is why what came after it failed, if it did. */
+static ts_status finish(ts_run *run, ts_status status)
+{
+	ts_status finished = backend_of(run)->finish(backend_of(run));
+	return finished != TS_OK ? finished : status;
+}
+
 ts_status ts_run_stage(ts_run *run, const ts_stage *stage)
 {
 	double start = ts_seconds();
-	ts_status status = stage->run(run);
-	if (status == TS_OK) status = backend_of(run)->finish(backend_of(run));
-	if (status != TS_OK) return ts_fail("stage %s: %s", stage->name, ts_error_message());
+	if (finish(run, stage->run(run)) != TS_OK) return ts_fail("stage %s: %s", stage->name, ts_error_message());
 	add_timing(run, stage->name, ts_seconds() - start);
-	return run->hook != NULL ? run->hook(run, stage, run->hook_user) : TS_OK;
+	return run->hook != NULL ? finish(run, run->hook(run, stage, run->hook_user)) : TS_OK;
 }
 
 void ts_run_count(ts_run *run, const char *name, i64 value)

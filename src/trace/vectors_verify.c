@@ -25,10 +25,11 @@ static ts_status compute(ts_backend *backend, rows *r, const ts_vector *v, u32 p
 	return status == TS_OK ? recalled : status;
 }
 
+/* Other faults may look like a flush here and there. */
 static void learn(ts_measured *a, const ts_vector *v, const ts_vector_verdict *verdict)
 {
 	a->contracts |= verdict->n_explained[TS_FAULT_FMA] != 0;
-	a->keeps_denormals &= verdict->n_explained[TS_FAULT_FLUSH] == 0;
+	a->keeps_denormals &= verdict->n_wrong == 0 || verdict->n_wrong != verdict->n_explained[TS_FAULT_FLUSH];
 	if (strcmp(v->name, "add") == 0) a->rounds_to_nearest = verdict->n_wrong == verdict->n_explained[TS_FAULT_FLUSH];
 }
 

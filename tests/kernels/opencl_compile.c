@@ -1,26 +1,9 @@
 /* Every kernel header compiles as OpenCL C 1.2, alone, through clBuildProgram on each device that is there. */
 #include <glob.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <sys/wait.h>
 #include <unistd.h>
-#include <cmocka.h>
-
-#if defined(__has_include)
-#if __has_include(<CL/cl.h>)
-#define HAVE_OPENCL 1
-#endif
-#endif
-
-#if HAVE_OPENCL
 #define CL_TARGET_OPENCL_VERSION 120
 #include <CL/cl.h>
+#include "../backends/device.h"
 
 static cl_device_id first_device(void)
 {
@@ -34,16 +17,6 @@ static cl_device_id first_device(void)
 		clGetDeviceIDs(platforms[i], CL_DEVICE_TYPE_ALL, 1, &device, NULL);
 	}
 	return device;
-}
-
-/* True if some device answers. Asked in a child: a driver may end the process that asks where it finds no /sys. */
-static bool any_device(void)
-{
-	fflush(NULL);
-	pid_t child = fork();
-	if (child == 0) _exit(first_device() != NULL ? 0 : 1);
-	int status = 1;
-	return child > 0 && waitpid(child, &status, 0) == child && status == 0;
 }
 
 /* True if `text` builds; otherwise prints the compiler's log. */
@@ -69,12 +42,7 @@ static bool builds(cl_context context, cl_device_id device, const char *text, co
 static void every_header_builds(void **state)
 {
 	(void)state;
-	if (!any_device()) {
-		printf("no usable OpenCL device\n");
-		const char *require = getenv("TS_REQUIRE");
-		assert_false(require != NULL && strstr(require, "opencl") != NULL);
-		skip();
-	}
+	device_need();
 	cl_device_id device = first_device();
 	cl_int status;
 	cl_context context = clCreateContext(NULL, 1, &device, NULL, NULL, &status);
@@ -94,17 +62,10 @@ static void every_header_builds(void **state)
 	globfree(&headers);
 	clReleaseContext(context);
 }
-#else
-static void every_header_builds(void **state)
-{
-	(void)state;
-	printf("built without the OpenCL headers\n");
-	skip();
-}
-#endif
 
 int main(void)
 {
+	device_keep_kernels();
 	const struct CMUnitTest opencl_compile[] = {
 		cmocka_unit_test(every_header_builds),
 	};

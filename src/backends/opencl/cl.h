@@ -31,11 +31,12 @@ typedef struct {
 	bool unified;
 	u64 part_bytes;                  /* of parted arrays; 0: none is in parts, and the kernels know of none */
 	bool busy;                       /* something was enqueued and not waited for */
-	char failure[TS_CL_MESSAGE];     /* what a fetch had to keep to itself */
+	char failure[TS_CL_MESSAGE];     /* the first that a fetch or a release had to keep to itself */
 } ts_cl;
 
-/* A failed call as one line. */
+/* A failed call as one line: for the caller, or for the next `finish` to tell. */
 ts_status ts_cl_failed(const char *what, cl_int status);
+void ts_cl_keep(ts_cl *cl, const char *what, cl_int status);
 
 /* device.c: ts_opencl_kind's devices, and the one of an index. */
 u32 ts_cl_devices(ts_device devices[TS_MAX_DEVICES]);

@@ -1,6 +1,5 @@
 /* Buffers on the device. Where the device has the host's memory, its buffers are the frame's own, mapped while the host
  * reads them; elsewhere they are copies. */
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "cl.h"
@@ -118,18 +117,19 @@ static ts_status fetch(void *buffer)
 	r->mapped = cl->unified && status == CL_SUCCESS;
 	r->place = BOTH;
 	if (status == CL_SUCCESS) return TS_OK;
-	ts_status failed = ts_cl_failed("a transfer from the device", status);
-	snprintf(cl->failure, sizeof cl->failure, "%s", ts_error_message());
-	return failed;
+	memset(r->data, 0, r->bytes);
+	ts_cl_keep(cl, "a transfer from the device", status);
+	return ts_fail("%s", cl->failure);
 }
 
 /* Nothing may use the memory any more when the frame frees it. */
 static void release(void *buffer)
 {
 	resident *r = buffer;
-	unmap(r);
-	if (r->cl->busy) clFinish(r->cl->queue);
-	r->cl->busy = false;
+	ts_cl *cl = r->cl;
+	cl_int unmapped = unmap(r), finished = cl->busy ? clFinish(cl->queue) : CL_SUCCESS;
+	cl->busy = false;
+	if (unmapped != CL_SUCCESS || finished != CL_SUCCESS) ts_cl_keep(cl, "kernels", finished != 0 ? finished : unmapped);
 	release_parts(r);
 }
 

@@ -7,15 +7,19 @@
 #include "cl.h"
 #include "program.inc"
 
-static void show_log(const ts_cl *cl)
+/* False if it says nothing. */
+static bool show_log(const ts_cl *cl)
 {
 	size_t bytes = 0;
 	clGetProgramBuildInfo(cl->program, cl->device, CL_PROGRAM_BUILD_LOG, 0, NULL, &bytes);
 	char *log = calloc(bytes + 1, 1);
-	if (log == NULL) return;
+	if (log == NULL) return false;
 	clGetProgramBuildInfo(cl->program, cl->device, CL_PROGRAM_BUILD_LOG, bytes, log, NULL);
-	fprintf(stderr, "%s\n", log);
+	size_t length = strlen(log);
+	while (length > 0 && strchr(" \n", log[length - 1]) != NULL) log[--length] = 0;
+	if (length > 0) fprintf(stderr, "%s\n", log);
 	free(log);
+	return length > 0;
 }
 
 static ts_status put_flags(ts_cl *cl)
@@ -50,6 +54,5 @@ ts_status ts_cl_build(ts_cl *cl)
 	if (status != CL_SUCCESS) return ts_cl_failed("the program", status);
 	status = clBuildProgram(cl->program, 1, &cl->device, cl->flags, NULL, NULL);
 	if (status == CL_SUCCESS) return TS_OK;
-	show_log(cl);
-	return ts_cl_failed("building the kernels, whose log stands above,", status);
+	return ts_cl_failed(show_log(cl) ? "building the kernels, whose log stands above" : "building the kernels", status);
 }

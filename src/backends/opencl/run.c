@@ -8,7 +8,7 @@ _Static_assert(sizeof(void *) == 8, "offsets take the place of pointers");
 
 enum { SCAN_CHUNK = 2048 };
 
-ts_status ts_cl_failed(const char *what, cl_int status)
+static void explain(char text[TS_CL_MESSAGE], const char *what, cl_int status)
 {
 	static const struct { cl_int status; const char *name; } names[] = {
 		{CL_DEVICE_NOT_AVAILABLE, "device not available"},
@@ -20,10 +20,22 @@ ts_status ts_cl_failed(const char *what, cl_int status)
 		{CL_INVALID_WORK_GROUP_SIZE, "the device does not run work groups of this size; see --work-group"},
 		{CL_INVALID_BUFFER_SIZE, "larger than the device allocates"},
 	};
-	for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
-		if (names[i].status == status) return ts_fail("backend opencl: %s: %s (%d)", what, names[i].name, status);
-	}
-	return ts_fail("backend opencl: %s: OpenCL error %d", what, status);
+	const char *name = NULL;
+	for (size_t i = 0; i < sizeof names / sizeof *names; i++) name = names[i].status == status ? names[i].name : name;
+	if (name == NULL) snprintf(text, TS_CL_MESSAGE, "backend opencl: %s: OpenCL error %d", what, status);
+	else snprintf(text, TS_CL_MESSAGE, "backend opencl: %s: %s (%d)", what, name, status);
+}
+
+ts_status ts_cl_failed(const char *what, cl_int status)
+{
+	char text[TS_CL_MESSAGE];
+	explain(text, what, status);
+	return ts_fail("%s", text);
+}
+
+void ts_cl_keep(ts_cl *cl, const char *what, cl_int status)
+{
+	if (cl->failure[0] == 0) explain(cl->failure, what, status);
 }
 
 /* The buffer that a pointer points into. */

@@ -1,0 +1,326 @@
+/* The OpenCL backend through its functions: where memory is, work groups, offsets, prefix sums, what it refuses. */
+#include "device.h"
+#include "../kernels/mesh.h"
+#include "../../src/pipelines/pipeline.h"
+#include "../../src/scene/sources.h"
+#include "../../src/trace/sums.h"
+#include "../../src/trace/vectors.h"
+
+enum { MOST = 6000, GROUPS = 5 };
+static const u32 groups[GROUPS] = {1, 32, 64, 256, 0};
+
+static ts_backend *opened(u32 work_group, bool copies)
+{
+	ts_backend *backend = NULL;
+	const ts_backend_options options = {.work_group = work_group, .build = "", .copies = copies};
+	if (ts_opencl_kind.open(&backend, &options) != TS_OK) fail_msg("%s", ts_error_message());
+	return backend;
+}
+
+/* Calls a test with each kind of memory. */
+static void with_memories(void (*test)(ts_backend *backend))
+{
+	device_need();
+	for (u32 copies = 0; copies < 2; copies++) {
+		ts_backend *backend = opened(64, copies != 0);
+		n_random = 0;
+		test(backend);
+		backend->close(backend);
+	}
+}
+
+static void fill(ts_backend *backend, ts_frame *frame, ts_buffer_id id, u8 byte)
+{
+	assert_int_equal(backend->fill(backend, frame, id, byte), TS_OK);
+}
+
+/* Pieces to cull, in a frame; the answer of the C kernel. */
+typedef struct {
+	ts_frame frame;
+	u32 expected[MOST];
+} pieces;
+
+static pieces *make_pieces(void)
+{
+	pieces *p = mesh_alloc(1, sizeof *p);
+	memset(p, 0, sizeof *p);
+	ts_piece *piece = ts_frame_make1(&p->frame, TS_B_split_triangle, MOST);
+	f32 *scale = ts_frame_make1(&p->frame, TS_B_density_scale, MOST);
+	assert_non_null(ts_frame_make1(&p->frame, TS_B_cull_keep, MOST));
+	for (u32 i = 0; i < MOST; i++) {
+		piece[i] = (ts_piece){.b = {uniform(0, 0.5f)}, .c = {0, 1}, .triangle = i, .path = 1};
+		scale[i] = random_bits() % 8 == 0 ? 0 : 1;
+	}
+	ts_cull_args args = {.pieces = piece, .scale = scale, .keep = p->expected, .unit = 1, .enabled = 1};
+	for (u32 i = 0; i < MOST; i++) ts_k_cull_item(&args, i);
+	return p;
+}
+
+static void free_pieces(pieces *p)
+{
+	ts_frame_clear(&p->frame);
+	free(p);
+}
+
+/* Culls n pieces from `first` on, and writes from keep[to] on. */
+static void cull(ts_backend *backend, pieces *p, u32 first, u32 *keep, u64 n)
+{
+	ts_cull_args args = {.pieces = (ts_piece *)ts_frame_handle(&p->frame, TS_B_split_triangle) + first,
+	                     .scale = (f32 *)ts_frame_handle(&p->frame, TS_B_density_scale) + first,
+	                     .keep = keep, .unit = 1, .enabled = 1};
+	/* The chance is of the piece's own number, so an offset shows. */
+	assert_int_equal(backend->launch(backend, &p->frame, TS_KERNEL_cull, &args, n), TS_OK);
+}
+
+/* n items of each kind and no other, wherever in their buffers they start. */
+static void launch(ts_backend *backend, pieces *p, u32 first, u32 to, u32 n)
+{
+	fill(backend, &p->frame, TS_B_cull_keep, 0xee);
+	cull(backend, p, first, (u32 *)ts_frame_handle(&p->frame, TS_B_cull_keep) + to, n);
+	const u32 *keep = ts_frame_data(&p->frame, TS_B_cull_keep);
+	for (u32 i = 0; i < to; i++) assert_int_equal(keep[i], 0xeeeeeeee);
+	assert_memory_equal(keep + to, p->expected + first, n * sizeof *keep);
+	for (u32 i = to + n; i < MOST; i++) assert_int_equal(keep[i], 0xeeeeeeee);
+	assert_int_equal(backend->finish(backend), TS_OK);
+}
+
+static void test_launch(void **state)
+{
+	(void)state;
+	device_need();
+	n_random = 0;
+	for (u32 run = 0; run < 2 * GROUPS; run++) {
+		ts_backend *backend = opened(groups[run / 2], run % 2 != 0);
+		pieces *p = make_pieces();
+		const u32 sizes[] = {0, 1, 2, 31, 32, 33, 63, 64, 65, 255, 257, 1000, MOST};
+		for (u32 i = 0; i < sizeof sizes / sizeof *sizes; i++) {
+			u32 room = MOST - sizes[i] + 1;
+			launch(backend, p, 0, 0, sizes[i]);
+			launch(backend, p, random_bits() % room, random_bits() % room, sizes[i]);
+		}
+		free_pieces(p);
+		backend->close(backend);
+	}
+}
+
+/* What the host last wrote or the device last wrote, whoever looks. */
+static void lend(ts_backend *backend)
+{
+	static u32 own[MOST + 2];
+	pieces *p = make_pieces();
+	for (u32 run = 0; run < 4; run++) {
+		memset(own, 0x11 + (int)run, sizeof own);
+		ts_frame_lend(&p->frame, TS_LENT_OTHER, own, sizeof own);
+		cull(backend, p, run, own + 1, MOST - run);
+		assert_int_equal(ts_frame_recall(&p->frame, TS_LENT_OTHER), TS_OK);
+		assert_memory_equal(own + 1, p->expected + run, (MOST - run) * sizeof *own);
+		assert_int_equal(own[0], 0x11111111 + run * 0x01010101);
+		assert_int_equal(own[MOST + 1], 0x11111111 + run * 0x01010101);
+	}
+	assert_int_equal(ts_frame_recall(&p->frame, TS_LENT_OTHER), TS_OK);
+	ts_frame_lend(&p->frame, TS_LENT_OTHER, own, sizeof own);
+	cull(backend, p, 0, own, MOST);
+	free_pieces(p); /* while the device may be at work on it */
+	assert_int_equal(backend->finish(backend), TS_OK);
+}
+
+static void test_lend(void **state)
+{
+	(void)state;
+	with_memories(lend);
+}
+
+/* A buffer that both sides look at in turn, that is cut, dropped and made again. */
+static void in_turn(ts_backend *backend)
+{
+	pieces *p = make_pieces();
+	for (u32 run = 0; run < 20; run++) {
+		u32 n = 1 + random_bits() % MOST;
+		assert_non_null(ts_frame_make1(&p->frame, TS_B_cull_keep, MOST));
+		for (u32 pass = 0; pass < 3; pass++) {
+			fill(backend, &p->frame, TS_B_cull_keep, (u8)(run + pass));
+			if (pass != 1) assert_int_equal(*(u8 *)ts_frame_data(&p->frame, TS_B_cull_keep), run + pass);
+			cull(backend, p, 0, ts_frame_handle(&p->frame, TS_B_cull_keep), n);
+			const u32 *keep = ts_frame_data(&p->frame, TS_B_cull_keep);
+			assert_memory_equal(keep, p->expected, n * sizeof *keep);
+			assert_true(n == MOST || keep[n] == (run + pass) * 0x01010101);
+		}
+		ts_frame_cut(&p->frame, TS_B_cull_keep, n / 2);
+		fill(backend, &p->frame, TS_B_cull_keep, 0x77);
+		const u32 *keep = ts_frame_data(&p->frame, TS_B_cull_keep);
+		for (u32 i = 0; i < n / 2; i++) assert_int_equal(keep[i], 0x77777777);
+		assert_int_equal(keep[n / 2], p->expected[n / 2]);
+	}
+	free_pieces(p);
+}
+
+static void test_in_turn(void **state)
+{
+	(void)state;
+	with_memories(in_turn);
+}
+
+/* Of bytes, whatever their number. */
+static void fills(ts_backend *backend)
+{
+	for (u32 n = 0; n < 300; n++) {
+		ts_frame frame = {.bytes = 0};
+		u64 size = n < 40 ? n : n * 31;
+		assert_non_null(ts_frame_make1(&frame, TS_B_splat_tie, size));
+		fill(backend, &frame, TS_B_splat_tie, 0x5a);
+		if (n % 2 != 0) ts_frame_data(&frame, TS_B_splat_tie);
+		fill(backend, &frame, TS_B_splat_tie, (u8)(n + 128));
+		const u8 *bytes = ts_frame_data(&frame, TS_B_splat_tie);
+		for (u64 i = 0; i < size; i++) assert_int_equal(bytes[i], (u8)(n + 128));
+		assert_int_equal(backend->finish(backend), TS_OK);
+		ts_frame_clear(&frame);
+	}
+}
+
+static void test_fill(void **state)
+{
+	(void)state;
+	with_memories(fills);
+}
+
+/* Prefix sums against their definition, of counts below `range`. */
+static void scan(ts_backend *backend, u32 n, u32 range)
+{
+	static u32 before[MOST];
+	ts_frame frame = {.bytes = 0};
+	u32 *counts = ts_frame_make1(&frame, TS_B_count_offset, n + 1);
+	u64 total = 1, sum = 0;
+	for (u32 i = 0; i < n; i++) counts[i] = before[i] = random_bits() % range;
+	counts[n] = 0xeeeeeeee;
+	assert_int_equal(backend->scan(backend, &frame, TS_B_count_offset, &total), TS_OK);
+	counts = ts_frame_data(&frame, TS_B_count_offset);
+	for (u32 i = 0; i < n; i++) {
+		assert_int_equal(counts[i], (u32)sum);
+		sum += before[i];
+	}
+	assert_true(total == sum && counts[n] == (u32)sum);
+	ts_frame_clear(&frame);
+}
+
+static void test_scan(void **state)
+{
+	(void)state;
+	device_need();
+	static const u32 sizes[] = {0, 1, 2, 63, 64, 65, 2047, 2048, 2049, 4095, 4096, 4097, MOST};
+	n_random = 0;
+	for (u32 run = 0; run < 2 * GROUPS; run++) {
+		ts_backend *backend = opened(groups[run / 2], run % 2 != 0);
+		for (u32 i = 0; i < sizeof sizes / sizeof *sizes; i++) {
+			for (u32 range = 1; range != 0; range *= 0x10000) scan(backend, sizes[i], range);
+			scan(backend, sizes[i], 0xffffffff);
+		}
+		for (u32 i = 0; i < 30; i++) scan(backend, random_bits() % MOST, i % 2 != 0 ? 9 : 0xffffffff);
+		assert_int_equal(backend->finish(backend), TS_OK);
+		backend->close(backend);
+	}
+}
+
+/* The digests of a method on a scene with or without mirrors; NULL: by the C backend. */
+static void digests(ts_sums *sums, const char *method, ts_backend *backend, u32 n_reflectors)
+{
+	static ts_scene *scenes[2];
+	ts_params params;
+	ts_params_default(&params);
+	params.width = 48;
+	params.height = 32;
+	params.reflectors = n_reflectors;
+	params.reflector_px = 16;
+	params.face_max = 16;
+	const ts_how how = {.threads = 2, .backend = backend};
+	ts_scene **scene = &scenes[n_reflectors != 0];
+	if (*scene == NULL) assert_int_equal(ts_builtin_open(scene, "dining:triangles=10000", &params, NULL), TS_OK);
+	ts_status status = ts_sums_of(sums, ts_pipeline_find("reflections", method), *scene, &params, &how);
+	if (status != TS_OK) fail_msg("%s", ts_error_message());
+}
+
+/* Whole pipelines with memory of either kind, also where the buffers of points and pixels are empty. */
+static void pipelines(ts_backend *backend)
+{
+	static ts_sums expected[4], found;
+	for (u32 run = 0; run < 4; run++) {
+		const char *method = run % 2 != 0 ? "mvr" : "epr";
+		if (expected[run].hex[TS_B_image_srgb][0] == 0) digests(&expected[run], method, NULL, run & 2);
+		digests(&found, method, backend, run & 2);
+		for (u32 id = 0; id < TS_N_BUFFERS; id++) assert_string_equal(found.hex[id], expected[run].hex[id]);
+		assert_int_equal(strlen(found.hex[TS_B_image_srgb]), 64);
+	}
+}
+
+static void test_pipelines(void **state)
+{
+	(void)state;
+	with_memories(pipelines);
+}
+
+static void refuses(const char *words, ts_backend_options options)
+{
+	ts_backend *backend = (ts_backend *)&options;
+	assert_int_equal(ts_opencl_kind.open(&backend, &options), TS_ERROR);
+	assert_null(backend);
+	if (strstr(ts_error_message(), words) == NULL) fail_msg("%s", ts_error_message());
+}
+
+static void test_refused(void **state)
+{
+	(void)state;
+	device_need();
+	char many[400] = "";
+	memset(many, ' ', sizeof many - 1);
+	refuses("--device 31: there are ", (ts_backend_options){.device = 31, .build = ""});
+	refuses("--build: at most", (ts_backend_options){.build = many});
+	refuses("building the kernels", (ts_backend_options){.build = "-no-such-option"});
+	refuses("building the kernels, whose log stands above", (ts_backend_options){.build = "-Dts_k_scan_item=1"});
+}
+
+/* What the arithmetic vectors find with these options. */
+static ts_status verify(ts_measured *arithmetic, const char *build, bool inexact)
+{
+	ts_backend *backend = NULL;
+	const ts_backend_options options = {.work_group = 64, .build = build};
+	assert_int_equal(ts_opencl_kind.open(&backend, &options), TS_OK);
+	ts_status status = ts_vectors_verify(backend, inexact);
+	*arithmetic = backend->arithmetic;
+	backend->close(backend);
+	return status;
+}
+
+static void breaks(const char *build, const char *primitive)
+{
+	ts_measured a;
+	assert_int_equal(verify(&a, build, false), TS_ERROR);
+	if (strstr(ts_error_message(), primitive) == NULL) fail_msg("%s", ts_error_message());
+	assert_true(a.n_wrong > 0);
+	assert_int_equal(verify(&a, build, true), TS_OK);
+	assert_true(a.n_wrong > 0);
+}
+
+static void test_vectors(void **state)
+{
+	(void)state;
+	device_need();
+	ts_measured a;
+	if (verify(&a, "", false) != TS_OK) fail_msg("%s", ts_error_message());
+	assert_true(a.n_wrong == 0 && a.rounds_to_nearest && !a.contracts);
+	if (verify(&a, "-cl-denorms-are-zero", false) != TS_OK) fail_msg("%s", ts_error_message());
+	assert_true(a.n_wrong == 0 && a.rounds_to_nearest && !a.keeps_denormals);
+	breaks("-cl-fast-relaxed-math", "(");
+	breaks("-DTS_CANARY_CONTRACTS", "muladd (");
+	verify(&a, "-DTS_CANARY_CONTRACTS", true);
+	assert_true(a.contracts && a.keeps_denormals && a.rounds_to_nearest);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_launch), cmocka_unit_test(test_lend), cmocka_unit_test(test_in_turn),
+		cmocka_unit_test(test_fill), cmocka_unit_test(test_scan), cmocka_unit_test(test_pipelines),
+		cmocka_unit_test(test_refused), cmocka_unit_test(test_vectors),
+	};
+	device_keep_kernels();
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
