@@ -224,10 +224,11 @@ mutants: deps
 	$(Q)BUILD='$(BUILD)' COMPILE='$(CC) $(C_FLAGS) $(CPP_LIBS)' LINK="$(CXX) $(LINK_FLAGS) -Wl,-rpath,$(abspath $(BUILD))" \
 		WITH='$(CLI_O) $(BUILD)/libtouchstone.a $(LIBS)' scripts/mutants $(T)
 
-##   bench              the papers' tables, measured here
+##   bench              the papers' tables, measured here, and every backend on one frame
 bench: all
 	build/touchstone bench epr-1
 	build/touchstone bench epr-2
+	build/touchstone bench backends
 
 ##   style              the checks of the source text
 ##   format             clang-format of the C and C++ sources

@@ -2,6 +2,7 @@
 #ifndef TS_BACKENDS_BACKEND_H
 #define TS_BACKENDS_BACKEND_H
 #include "../core/frame.h"
+#include "../kernels/bench.h"
 #include "../kernels/draw.h"
 #include "../kernels/image.h"
 #include "../kernels/lookup.h"

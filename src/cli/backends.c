@@ -9,8 +9,10 @@ ts_status ts_backend_open(ts_cli *cli)
 {
 	const ts_backend_kind *kind = cli->backend;
 	if (kind->open == NULL || ts_cli_given(cli, TS_OPT_HELP)) return TS_OK;
+	double begin = ts_seconds();
 	ts_status status = kind->open(&cli->how.backend, &cli->device);
 	if (status == TS_OK) status = ts_vectors_verify(cli->how.backend, cli->device.inexact);
+	cli->open_s = ts_seconds() - begin;
 	return status == TS_SKIPPED && ts_cli_given(cli, TS_OPT_REQUIRE) ? TS_ERROR : status;
 }
 

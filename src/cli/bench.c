@@ -1,13 +1,9 @@
-/* `bench TABLE`: tables 1 and 2 of the EPR paper, measured here, with the paper's figures below ours. Ratios are of the
- * same run; times are medians. */
+/* `bench TABLE`: which tables there are, and tables 1 and 2 of the EPR paper, measured here, with the paper's figures
+ * below ours. Ratios are of the same run; times are medians. */
 #include <stdlib.h>
 #include <touchstone/image.h>
+#include "bench.h"
 #include "bench_paper.h"
-#include "cli.h"
-#include "measure.h"
-#include "table.h"
-
-enum { MAX_OBJECTS = 1000 };
 
 /* One scene with one number of mirrors. */
 typedef struct {
@@ -39,7 +35,7 @@ static int by_value(const void *a, const void *b)
 	return (x > y) - (x < y);
 }
 
-static double median(double *values, u32 n)
+double ts_median(double *values, u32 n)
 {
 	qsort(values, n, sizeof *values, by_value);
 	return n % 2 == 1 ? values[n / 2] : (values[n / 2 - 1] + values[n / 2]) / 2;
@@ -159,18 +155,18 @@ static void add_table_2(ts_table *table, bench *b)
 	row_head(table, b->spec, b->objects, "here");
 	ts_table_count(table, b->scene->n_triangles);
 	ts_table_real(table, b->epr.mean_diameter, 1);
-	ts_table_real(table, median(b->speedup, n), 2);
+	ts_table_real(table, ts_median(b->speedup, n), 2);
 	if (b->truth.srgb != NULL) {
 		ts_table_real(table, 100 * (rmse_to_truth(b, 0) - rmse_to_truth(b, 1)) / 255, 3);
 	} else {
 		ts_table_none(table);
 	}
-	ts_table_real(table, 1e3 * median(b->total, n), 2);
-	ts_table_real(table, 1e3 * median(b->point, n), 2);
-	ts_table_real(table, 1e3 * median(b->view, n), 2);
-	ts_table_real(table, 1e3 * median(b->deferred, n), 2);
-	ts_table_real(table, 1e3 * median(b->deferred2, n), 2);
-	ts_table_real(table, 1e3 * median(b->mvr_total, n), 2);
+	ts_table_real(table, 1e3 * ts_median(b->total, n), 2);
+	ts_table_real(table, 1e3 * ts_median(b->point, n), 2);
+	ts_table_real(table, 1e3 * ts_median(b->view, n), 2);
+	ts_table_real(table, 1e3 * ts_median(b->deferred, n), 2);
+	ts_table_real(table, 1e3 * ts_median(b->deferred2, n), 2);
+	ts_table_real(table, 1e3 * ts_median(b->mvr_total, n), 2);
 	ts_table_count(table, (i64)b->epr.elements[TS_B_points_record]);
 	const ts_paper_row *p = ts_paper_find(b->spec, b->objects);
 	if (p != NULL) add_paper_2(table, p);
@@ -216,7 +212,7 @@ static ts_status bench_scene(ts_table *table, const ts_cli *cli, const char *spe
 	ts_status status = TS_OK;
 	while (status == TS_OK && ts_cli_item(&list, item, sizeof item)) {
 		u32 objects;
-		status = ts_cli_count(&objects, item, 1, MAX_OBJECTS, "--objects");
+		status = ts_cli_count(&objects, item, 1, TS_BENCH_OBJECTS, "--objects");
 		if (status == TS_OK) status = bench_one(table, cli, spec, objects, truths, table_2);
 	}
 	return status;
@@ -237,7 +233,7 @@ static ts_status check_lists(const ts_cli *cli, const char *scenes)
 	u32 count;
 	ts_status status = TS_OK;
 	while (status == TS_OK && ts_cli_item(&objects, item, sizeof item)) {
-		status = ts_cli_count(&count, item, 1, MAX_OBJECTS, "--objects");
+		status = ts_cli_count(&count, item, 1, TS_BENCH_OBJECTS, "--objects");
 	}
 	while (status == TS_OK && cli->scenes != NULL && ts_cli_item(&scenes, spec, sizeof spec)) {
 		ts_scene *scene = NULL;
@@ -250,7 +246,7 @@ static ts_status check_lists(const ts_cli *cli, const char *scenes)
 }
 
 /* The parameters are as typed; each row says how many mirrors it has. */
-static void report_head(ts_report *report, const ts_cli *cli)
+void ts_bench_head(ts_report *report, const ts_cli *cli)
 {
 	const ts_params *p = &cli->params;
 	ts_report_line(report, "%u x %u pixels, frame %u, %u threads", (unsigned)p->width, (unsigned)p->height,
@@ -258,22 +254,17 @@ static void report_head(ts_report *report, const ts_cli *cli)
 	ts_report_run(report, cli);
 }
 
-ts_status ts_bench_command(ts_cli *cli)
+static ts_status paper_table(const ts_cli *cli, bool table_2)
 {
-	bool table_2 = strcmp(cli->arguments[0], "epr-2") == 0;
 	u32 truths;
-	if (!table_2 && strcmp(cli->arguments[0], "epr-1") != 0) {
-		return ts_fail("bench: no table \"%s\"; there are epr-1 and epr-2", cli->arguments[0]);
-	}
 	ts_status status = one_truth(cli, &truths);
-	if (status != TS_OK || (status = ts_selftest_require()) != TS_OK) return status;
 	const char *list = cli->scenes != NULL ? cli->scenes : "atrium,gallery,dining";
-	status = check_lists(cli, list);
+	if (status == TS_OK) status = check_lists(cli, list);
 	if (status != TS_OK) return status;
 	char spec[4096];
 	ts_report report;
 	ts_report_begin(&report, ts_cli_given(cli, TS_OPT_JSON));
-	report_head(&report, cli);
+	ts_bench_head(&report, cli);
 	ts_table table = table_2 ? ts_table_begin("epr_2", "EPR, table 2", columns_2)
 		: ts_table_begin("epr_1", "EPR, table 1: shading operations, one bounce", columns_1);
 	while (status == TS_OK && ts_cli_item(&list, spec, sizeof spec)) {
@@ -286,4 +277,29 @@ ts_status ts_bench_command(ts_cli *cli)
 	}
 	ts_report_table(&report, &table);
 	return ts_report_end(&report);
+}
+
+static ts_status epr_1(const ts_cli *cli) { return paper_table(cli, false); }
+static ts_status epr_2(const ts_cli *cli) { return paper_table(cli, true); }
+
+static const struct {
+	const char *name;
+	u64 without;          /* options that say nothing here */
+	ts_status (*run)(const ts_cli *cli);
+} tables[] = {
+	{ "epr-1", TS_OPT_METHOD, epr_1 }, { "epr-2", TS_OPT_METHOD, epr_2 },
+	{ "backends", TS_OPT_TRUTH, ts_bench_backends }, { "start", TS_OPT_TRUTH, ts_bench_start },
+};
+
+ts_status ts_bench_command(ts_cli *cli)
+{
+	const char *name = cli->arguments[0];
+	for (size_t i = 0; i < sizeof tables / sizeof tables[0]; i++) {
+		if (strcmp(tables[i].name, name) != 0) continue;
+		const ts_option *o = ts_option_table;
+		while (o->name != NULL && !ts_cli_given(cli, o->bit & tables[i].without)) o++;
+		if (o->name != NULL) return ts_fail("bench %s: takes no --%s", name, o->name);
+		return ts_selftest_require() == TS_OK ? tables[i].run(cli) : TS_ERROR;
+	}
+	return ts_fail("bench: no table \"%s\"; there are epr-1, epr-2, backends and start", name);
 }

@@ -79,6 +79,8 @@ struct ts_cli {
 	u64 given;                      /* TS_OPT_* that were typed */
 	const char *arguments[TS_MAX_ARGUMENTS];
 	u32 n_arguments;
+	char *const *options;           /* what else was typed */
+	u32 n_options;
 	ts_params params;
 	ts_sweep sweep;
 	ts_scene_options scene;
@@ -93,6 +95,7 @@ struct ts_cli {
 	const char *check, *stage, *inputs;
 	u32 truths;                     /* TS_TRUTH_* */
 	ts_how how;                     /* its backend is opened before the command runs */
+	double open_s;                  /* that this took, its arithmetic checked */
 	u32 runs;
 };
 

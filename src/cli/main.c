@@ -29,11 +29,15 @@ const ts_command ts_command_table[] = {
 	  1, 1, WHERE | TS_OPT_JSON, ts_info_command },
 	{ "list", "WHAT", "tables: stages, buffers, params, methods, scenes or backends", "",
 	  1, 1, TS_OPT_JSON, ts_list_command },
-	{ "bench", "TABLE", "the papers' tables, measured here",
+	{ "bench", "TABLE", "the papers' tables, measured here; and what the backends take",
 	  "TABLE: epr-1 (shading operations) or epr-2 (times, points and errors) of the EPR paper; its figures stand below\n"
-	  "ours. Their GPU's times are not ours: compare ratios. Errors are against truth C unless --truth says otherwise.",
-	  1, 1, TS_OPT_SCENE | TS_OPT_OBJECTS | TS_OPT_RUNS | TS_OPT_TRUTH | TS_OPT_SIZE | TS_OPT_FRAME | TS_OPT_SET | HOW |
-	  TS_OPT_JSON, ts_bench_command },
+	  "ours. Their GPU's times are not ours: compare ratios. Errors are against truth C unless --truth says otherwise.\n"
+	  "Or backends: each stage in C, with 1 and with --threads threads, and on every OpenCL device, or the one of\n"
+	  "--backend or --device, which takes the cores it likes; one frame by one --method (epr), of one scene (atrium) with\n"
+	  "one number of mirrors (10); what bounds scattering; and how long the kernels take to build, in a process of its\n"
+	  "own, with an empty cache too where it is PoCL's. Or start: the seconds from opening --backend to its first frames.",
+	  1, 1, TS_OPT_METHOD | TS_OPT_SCENE | TS_OPT_OBJECTS | TS_OPT_RUNS | TS_OPT_TRUTH | TS_OPT_SIZE | TS_OPT_FRAME |
+	  TS_OPT_SET | HOW | TS_OPT_JSON, ts_bench_command },
 	{ "compare", "REFERENCE CANDIDATE", "two traces, buffers or images: where they first differ, and how much",
 	  "REFERENCE: a folder that render --trace wrote, or one of its .npy files, or an image.\n"
 	  "CANDIDATE: the same of a port (reference/TRACES.md says what it must have at least).\n"

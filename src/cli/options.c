@@ -19,7 +19,7 @@ const ts_option ts_option_table[] = {
 	{ TS_OPT_CAMERA, "camera", "NAME", "camera of the file; without it the eye circles the scene", "" },
 	{ TS_OPT_SCENE, "scene", "SPEC,...", "scenes to measure, instead of atrium,gallery,dining", "" },
 	{ TS_OPT_OBJECTS, "objects", "N,...", "numbers of mirrors to measure, instead of 1,10,20,50", "" },
-	{ TS_OPT_RUNS, "runs", "N", "runs of which the median is taken (3)", "" },
+	{ TS_OPT_RUNS, "runs", "N", "runs of which the median is taken (3; bench backends: 5)", "" },
 	{ TS_OPT_SET, "set", "NAME=VALUE", "any parameter, repeatable", "params" },
 	{ TS_OPT_THREADS, "threads", "N", "threads, by default one a core; never changes a result", "" },
 	{ TS_OPT_BACKEND, "backend", "NAME", "what runs the kernels (c); never changes a result", "backends" },
@@ -295,5 +295,7 @@ ts_status ts_cli_parse(ts_cli *cli, const ts_command *command, int argc, char **
 		ts_status status = take(cli, bit, optarg);
 		if (status != TS_OK) return status;
 	}
+	cli->options = argv + 1;
+	cli->n_options = (u32)optind - 1;
 	return ts_cli_given(cli, TS_OPT_HELP) ? TS_OK : take_arguments(cli, command, argc - optind, argv + optind);
 }

@@ -38,7 +38,12 @@ refuses 'no such scene' render reflections atrum --no-images
 refuses 'No such file' info /nonexistent/scene.glb
 refuses 'directory' info .
 refuses 'nearest is buffers' list buffer
-refuses 'epr-1 and epr-2' bench epr-3
+refuses 'epr-1, epr-2, backends and start' bench epr-3
+refuses 'takes no --method' bench epr-1 --method epr
+refuses 'takes no --truth' bench backends --truth=C
+refuses 'takes one scene' bench backends --scene atrium,gallery
+refuses 'whole number' bench backends --objects 1,2
+refuses 'takes one method' bench start --method epr,mvr
 refuses 'whole number' bench epr-1 --objects 1,x
 refuses 'no such scene' bench epr-1 --scene atrium,atrum
 refuses 'No such file' bench epr-2 --scene atrium,/nonexistent/scene.glb

@@ -1,0 +1,50 @@
+/* What the tables of `bench` share. */
+#ifndef TS_CLI_BENCH_H
+#define TS_CLI_BENCH_H
+#include "cli.h"
+#include "measure.h"
+#include "table.h"
+
+enum { TS_BENCH_OBJECTS = 1000 }; /* at most */
+
+/* Sorts them. */
+double ts_median(double *values, u32 n);
+/* What a report opens with: size, frame, threads; program and parameters. */
+void ts_bench_head(ts_report *report, const ts_cli *cli);
+
+/* Tables of a file each. */
+ts_status ts_bench_backends(const ts_cli *cli);
+ts_status ts_bench_start(const ts_cli *cli);
+
+/* The one frame that these two measure: --scene, --objects and --method name one each. */
+typedef struct {
+	const ts_pipeline *method;
+	ts_scene *scene;
+	ts_params params;
+} ts_bench_frame;
+/* A frame that is zero at first may be closed whether or not it was opened. */
+ts_status ts_bench_frame_open(ts_bench_frame *frame, const ts_cli *cli);
+ts_status ts_bench_frame_run(const ts_bench_frame *frame, const ts_how *how, ts_measure *measure);
+void ts_bench_frame_close(ts_bench_frame *frame);
+/* A line of text, and figures of the JSON object. */
+void ts_bench_frame_report(const ts_bench_frame *frame, ts_report *report);
+
+/* How many 64-bit atomic minima a second reach random texels of a buffer of that size; four in five of them lower their
+ * texel: the kernel bench_min. */
+ts_status ts_bench_atomics(double *a_second, const ts_how *how, u64 bytes);
+
+/* What the table `start` tells, in seconds. */
+typedef struct {
+	double open;   /* the backend: the driver's compiler parses the kernels, and the arithmetic is checked */
+	double first;  /* frame: each kernel is compiled for the device as it is first launched */
+	double next;   /* frame */
+} ts_bench_started;
+/* The same measured in a process of its own, on a device of a backend. `set`: "VARIABLE=value" of its environment, or
+ * NULL. */
+ts_status ts_bench_start_apart(ts_bench_started *started, const ts_cli *cli, const char *backend, u32 device, char *set);
+/* Rows of a table of these columns, from `open` on. */
+#define TS_BENCH_STARTED_COLUMNS \
+	{ "open_s", "open, s", true }, { "first_s", "first frame, s", true }, { "next_s", "next frame, s", true }
+void ts_bench_started_cells(ts_table *table, const ts_bench_started *started);
+
+#endif

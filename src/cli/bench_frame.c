@@ -1,0 +1,40 @@
+/* The frame that tables of backends measure. */
+#include <string.h>
+#include "../scene/print.h"
+#include "bench.h"
+#include "methods.h"
+
+ts_status ts_bench_frame_open(ts_bench_frame *frame, const ts_cli *cli)
+{
+	const ts_pipeline *methods[TS_MAX_METHODS];
+	const char *spec = cli->scenes != NULL ? cli->scenes : "atrium";
+	u32 n, objects;
+	u64 bytes;
+	if (strchr(spec, ',') != NULL) return ts_fail("--scene %s: this table takes one scene", spec);
+	if (ts_cli_count(&objects, cli->objects != NULL ? cli->objects : "10", 1, TS_BENCH_OBJECTS, "--objects") != TS_OK ||
+	    ts_methods_find(methods, &n, "reflections", cli->method != NULL ? cli->method : "epr") != TS_OK) return TS_ERROR;
+	if (n != 1) return ts_fail("--method %s: this table takes one method", cli->method);
+	*frame = (ts_bench_frame){ .method = methods[0], .params = cli->params };
+	frame->params.reflectors = objects;
+	ts_status status = ts_scene_open(&frame->scene, spec, &frame->params, &cli->scene);
+	return status == TS_OK ? ts_measure_estimate(&bytes, methods, 1, 0, frame->scene, &frame->params) : status;
+}
+
+ts_status ts_bench_frame_run(const ts_bench_frame *frame, const ts_how *how, ts_measure *measure)
+{
+	*measure = (ts_measure){ .pictures = NULL };
+	return ts_measure_run(measure, frame->method, frame->scene, &frame->params, how, NULL, NULL);
+}
+
+void ts_bench_frame_close(ts_bench_frame *frame) { ts_scene_free(frame->scene); }
+
+void ts_bench_frame_report(const ts_bench_frame *frame, ts_report *report)
+{
+	const ts_info *info = &frame->scene->info;
+	ts_report_line(report, "%s: %u triangles, %u mirrors, by %s", frame->scene->name, (unsigned)frame->scene->n_triangles,
+	               (unsigned)info->n_reflectors, frame->method->name);
+	ts_report_value(report, "scene", ts_text_json(frame->scene->name));
+	ts_report_value(report, "triangles", json_integer(frame->scene->n_triangles));
+	ts_report_value(report, "mirrors", json_integer(info->n_reflectors));
+	ts_report_value(report, "method", json_string(frame->method->name));
+}
