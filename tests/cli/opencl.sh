@@ -33,7 +33,8 @@ need_device
 refuses '--device 7: there are [0-9]* devices, from 0' digest "${cl[@]}" --device 7
 refuses '--build: at most' digest "${cl[@]}" --build -D"$(printf '%0300d' 0)"
 run digest "${cl[@]}" --build -no-such-option
-[ "$status" -eq 2 ] && tail -n 1 "$scratch/stderr" | grep -q 'backend opencl: building the kernels' && [ ! -s "$scratch/stdout" ]
+[ "$status" -eq 2 ] && tail -n 1 "$scratch/stderr" | grep -q 'backend opencl: building the kernels' &&
+	[ ! -s "$scratch/stdout" ]
 verdict $? 'options that the compiler refuses'
 
 # digests METHOD OPTION...: of C and of OpenCL, with what stands in $and.
@@ -96,8 +97,8 @@ PY
 verdict $? 'its producer and arithmetic are the device'"'"'s'
 
 # Builds that break the contract.
-refuses 'breaks the numeric contract.*in [0-9]* primitives: .*muladd (' "${frame[@]}" --trace -o "$scratch/broken" "${cl[@]}" \
-	--build -DTS_CANARY_CONTRACTS
+refuses 'breaks the numeric contract.*in [0-9]* primitives: .*muladd (' "${frame[@]}" --trace -o "$scratch/broken" \
+	"${cl[@]}" --build -DTS_CANARY_CONTRACTS
 refuses 'breaks the numeric contract.*in [0-9]* primitives: ' digest "${cl[@]}" --build -cl-fast-relaxed-math
 [ ! -e "$scratch/broken" ] && [ ! -e "$scratch/broken.partial" ]
 verdict $? 'and nothing written'
@@ -146,8 +147,8 @@ for method in epr mvr; do
 done
 
 # Two equal triangles: whichever point arrives first wins the texel.
-twice=(render reflections scenes/triangle_twice.gltf --camera camera --reflectors 0 --size 64x64 --set face_px=16 --method epr
-	--trace --no-images)
+twice=(render reflections scenes/triangle_twice.gltf --camera camera --reflectors 0 --size 64x64 --set face_px=16
+	--method epr --trace --no-images)
 run "${twice[@]}" -o "$scratch/twice"
 altered TOUCHSTONE_CL_REVERSE=1 "${twice[@]}" -o "$scratch/second" "${cl[@]}" --work-group 1 --order arrival
 run compare "$scratch/twice/trace-epr" "$scratch/second/trace-epr" --json

@@ -7,8 +7,8 @@
 . "$(dirname "$0")/opencl.bash"
 need_device
 need_altering
-render=(render reflections scenes/triangle.gltf --camera camera --reflectors 0 --size 64x64 --set face_px=16 --method all --trace
-	--truth=A --backend opencl)
+render=(render reflections scenes/triangle.gltf --camera camera --reflectors 0 --size 64x64 --set face_px=16 --method all
+	--trace --truth=A --backend opencl)
 errors=(-5 -4 -2)
 
 # failed_run HOW N: fails from call N on as HOW says, and says what that came to: told, or "same" if nothing shows.
