@@ -13,7 +13,7 @@ enum { INPUTS_TEXT = 600 };
 /* Whether what the stage read was the same. The scene need not be given: a port reads ours. */
 static void inputs_of(char text[INPUTS_TEXT], const ts_comparison *c, const ts_trace *reference, const ts_stage *stage)
 {
-	const char *unlike = NULL;
+	const char *unlike = NULL, *tied = NULL;
 	char absent[INPUTS_TEXT - 64] = "";
 	size_t used = 0;
 	u32 n_given = 0;
@@ -26,6 +26,7 @@ static void inputs_of(char text[INPUTS_TEXT], const ts_comparison *c, const ts_t
 		bool made = maker == NULL || !reference->has_params || ts_pipeline_takes(maker, &reference->params, true);
 		n_given += given;
 		if (judgement == TS_UNLIKE && unlike == NULL) unlike = name;
+		if (c->verdict[id].n_tied != 0) tied = name;
 		if (given || !made || ts_emit_is_scene(id) || used >= sizeof absent) continue;
 		used += (size_t)snprintf(absent + used, sizeof absent - used, "%s%s", used > 0 ? ", " : "", name);
 	}
@@ -33,6 +34,8 @@ static void inputs_of(char text[INPUTS_TEXT], const ts_comparison *c, const ts_t
 		snprintf(text, INPUTS_TEXT, "given the candidate's inputs");
 	} else if (unlike != NULL) {
 		snprintf(text, INPUTS_TEXT, "inputs differ: %s", unlike);
+	} else if (tied != NULL) {
+		snprintf(text, INPUTS_TEXT, "inputs may differ where %s is tied: --forced judges by the candidate's own", tied);
 	} else if (used == 0) {
 		snprintf(text, INPUTS_TEXT, "inputs identical");
 	} else if (n_given == 0) {

@@ -159,6 +159,9 @@ assert rows["splat.depth_index"]["verdict"] == "same" and rows["splat.depth_inde
 assert rows["points.key"]["verdict"] == rows["points.record"]["verdict"] == "same"
 PY
 verdict $? 'tied texels are counted'
+run compare "$scratch/twice/trace-epr" "$scratch/second/trace-epr"
+[ "$status" -eq 1 ] && tail -n 1 "$scratch/stdout" | grep -q '^stage 14 lookup.*splat.depth_index is tied: --forced'
+verdict $? 'what is looked up there may differ, and the report says how to judge it'
 same "$scratch/twice/trace-epr" "$scratch/second/trace-epr" 'and each stage is right' --forced
 altered TOUCHSTONE_CL_REVERSE=1 "${twice[@]}" -o "$scratch/order" "${cl[@]}" --work-group 1
 same "$scratch/twice/trace-epr" "$scratch/order/trace-epr" 'in canonical order the lowest index wins'
