@@ -66,7 +66,14 @@ STATUS(clEnqueueReadBuffer, (cl_command_queue q, cl_mem b, cl_bool w, size_t o, 
                              const cl_event *l, cl_event *v), (q, b, w, o, s, p, n, l, v))
 STATUS(clEnqueueUnmapMemObject, (cl_command_queue q, cl_mem b, void *p, cl_uint n, const cl_event *l, cl_event *v),
        (q, b, p, n, l, v))
-STATUS(clFinish, (cl_command_queue q), (q))
+
+/* The host frees its memory after a wait that failed: nothing may still work on it. */
+cl_int CL_API_CALL clFinish(cl_command_queue queue)
+{
+	cl_int finished = NEXT(clFinish)(queue);
+	return fails("clFinish") ? ERROR : finished;
+}
+
 STATUS(clReleaseKernel, (cl_kernel k), (k))
 STATUS(clReleaseProgram, (cl_program p), (p))
 STATUS(clReleaseMemObject, (cl_mem b), (b))
