@@ -61,7 +61,7 @@ C_FLAGS = $(CPPFLAGS) $(CFLAGS) -std=c11 -D_POSIX_C_SOURCE=200809L $(COMMON)
 CXX_FLAGS = $(CPPFLAGS) $(CXXFLAGS) -std=c++17 $(COMMON)
 LINK_FLAGS = $(LDFLAGS) $(OPT) -fopenmp
 # Where the image module stands beside what is built or installed; as RPATH, which also holds where a sanitizer opens it.
-FIND_MODULE := -Wl,--disable-new-dtags,-rpath,'$$ORIGIN:$$ORIGIN/../lib:$$ORIGIN/../..'
+FIND_MODULE := -Wl,--disable-new-dtags,-rpath,'$$ORIGIN:$$ORIGIN/../lib'
 
 # Libraries. Embree brings no pkg-config file.
 EMBREE := $(shell for v in 4 3; do printf '\043include <embree%s/rtcore.h>\n' $$v | $(CC) -E -x c - >/dev/null 2>&1 && echo $$v && break; done)
@@ -111,12 +111,12 @@ $(BUILD)/libtouchstone.a: $(LIB_O)
 	$(Q)rm -f $@ && $(AR) rcs $@ $^
 
 # The map hides what C++ headers of other libraries make visible.
-shared = $(CXX) $(LINK_FLAGS) -shared -Wl,-soname,$(1) -Wl,--version-script=scripts/exports.map $(filter %.o,$^)
+shared = $(CXX) $(LINK_FLAGS) -shared -Wl,-soname,$(1) -Wl,--version-script=$(filter %.map,$^) $(filter %.o,$^)
 $(BUILD)/libtouchstone.so: $(LIB_O) scripts/exports.map | $(BUILD)/libtouchstone-image.so
 	$(call say,LINK,$@)
 	$(Q)$(call shared,$(@F).0) $(FIND_MODULE) $(LIBS) -o $@
 
-$(BUILD)/libtouchstone-image.so: $(IMAGE_O) scripts/exports.map
+$(BUILD)/libtouchstone-image.so: $(IMAGE_O) scripts/module.map
 	$(call say,LINK,$@)
 	$(Q)$(call shared,$(@F)) $(IMAGE_LIBS) -o $@
 
@@ -195,7 +195,7 @@ tests: $(TESTS) $(BUILD)/touchstone-core
 $(BUILD)/tests/%: $(BUILD)/obj/tests/%.c.o $(BUILD)/libtouchstone.a | $(BUILD)/libtouchstone-image.so
 	$(call say,LINK,$@)
 	$(Q)mkdir -p $(@D)
-	$(Q)$(CXX) $(LINK_FLAGS) $(FIND_MODULE) $^ $(LIBS) -lcmocka $(TEST_LIBS) -o $@
+	$(Q)$(CXX) $(LINK_FLAGS) $(FIND_MODULE):'$$ORIGIN/../..' $^ $(LIBS) -lcmocka $(TEST_LIBS) -o $@
 
 $(BUILD)/tests/kernels/opencl_compile: TEST_LIBS = $(call packages,--libs,OpenCL)
 

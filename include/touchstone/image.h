@@ -1,4 +1,5 @@
-/* Image files and image metrics. */
+/* Image files and image metrics. The first image that is read or written loads libtouchstone-image.so, which must stand
+ * beside the library or the program, in ../lib of it, or where the system looks. */
 #ifndef TOUCHSTONE_IMAGE_H
 #define TOUCHSTONE_IMAGE_H
 #include <stddef.h>

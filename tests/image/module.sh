@@ -16,4 +16,25 @@ run render "${small[@]}" -o "$scratch/image"
 	grep -q 'images need a module that did not load: libtouchstone-image.so: cannot open' "$scratch/stderr"
 verdict $? 'no image without the module'
 
+# The module keeps messages of its own, whatever the program exports: here, the shared library.
+cat > "$scratch/program.c" <<'END'
+#include <stdio.h>
+#include <touchstone/touchstone.h>
+int main(void)
+{
+	float *pixels;
+	uint32_t w, h, n;
+	ts_status status = ts_image_read(&pixels, &w, &h, &n, "/dev/null");
+	puts(ts_error_message());
+	return (int)status;
+}
+END
+library=$(dirname "$(realpath "${BUILD:-build/release}/libtouchstone.so")")
+ln -s "$library/libtouchstone.so" "$scratch/libtouchstone.so.0"
+ln -s "$library/libtouchstone-image.so" "$scratch/libtouchstone-image.so"
+gcc -Iinclude "$scratch/program.c" "$library/libtouchstone.so" -Wl,-rpath,"$scratch" -o "$scratch/program" &&
+	"$scratch/program" > "$scratch/stdout" 2> "$scratch/stderr"
+[ $? -eq 2 ] && grep -q '^/dev/null: ' "$scratch/stdout"
+verdict $? 'a program of the shared library reads what the module says'
+
 finish
