@@ -26,7 +26,7 @@ static ts_status put(ts_trace_writer *w, ts_buffer_id id, const void *data, u64 
 {
 	ts_digest_add(&w->sums.digest[id], data, (size_t)bytes);
 	errno = 0;
-	bool written = w->open[id] == NULL || fwrite(data, 1, (size_t)bytes, w->open[id]) == bytes;
+	bool written = w->open[id] == NULL || bytes == 0 || fwrite(data, 1, (size_t)bytes, w->open[id]) == bytes;
 	return written ? TS_OK : failed_to_write(w->files[id].path);
 }
 
