@@ -15,8 +15,8 @@
  * - a sub-pixel triangle keeps the splat length 1/s inside its own box: the square root of its area leaves gaps
  *   (splat=paper);
  * - an edge of more than 2^14 samples is bisected and limited too, so that lattices stay within 2^15 (split=off);
- * - plane depth stays within a tile of the point's own distance (planedepth=off);
- * - one bounce by default, so that MVR and truth C show the same thing (bounces=2). */
+ * - points lie in the order of the pieces, so that two runs have the same bytes (--order arrival);
+ * - one bounce by default, so that MVR and truth C show the same thing (bounces=2, bounces=3). */
 #include "../stages/stages.h"
 #include "pipelines.h"
 

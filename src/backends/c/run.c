@@ -68,7 +68,8 @@ static bool has_fast_path(ts_kernel kernel, const void *args)
 {
 	const ts_splat_args *splat = args;
 	const ts_lookup_args *lookup = args;
-	return kernel == TS_KERNEL_splat ? splat->offset != NULL : kernel == TS_KERNEL_shade && lookup->adaptive == 0;
+	if (kernel == TS_KERNEL_splat) return splat->offset != NULL && splat->mark == 0;
+	return kernel == TS_KERNEL_shade && lookup->adaptive == 0;
 }
 
 static ts_status launch(ts_backend *backend, ts_frame *frame, ts_kernel kernel, const void *args, u64 n)
@@ -122,7 +123,7 @@ void ts_c_begin(ts_c_backend *backend, u32 threads)
 static u32 devices(ts_device list[TS_MAX_DEVICES])
 {
 	list[0] = (ts_device){.name = DEVICE, .rounded = true, .denormals = true, .atomics = true, .unified = true,
-	                      .memory = ts_memory_total(), .most = ts_memory_limit()};
+	                      .little_endian = true, .memory = ts_memory_total(), .most = ts_memory_limit()};
 	return 1;
 }
 

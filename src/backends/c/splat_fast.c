@@ -3,48 +3,13 @@
  * world's but for sign and order, in loops that compilers vectorize; edges are evaluated as lines in (i, j). */
 #include "../backend.h"
 
-/* Inside where x i + y j + c >= 0. */
-typedef struct { i64 x, y, c; } line;
-typedef struct { line edge[TS_MAX_CORNERS]; u32 n; } lines;
-
-static lines make_lines(const ts_cover *cover)
-{
-	lines r = {.n = cover->n};
-	i64 sign = cover->turned ? -1 : 1;
-	for (u32 k = 0; k < cover->n; k++) {
-		ts_snapped a = cover->v[k];
-		ts_snapped b = cover->v[k + 1 < cover->n ? k + 1 : 0];
-		i64 dx = b.x - a.x;
-		i64 dy = b.y - a.y;
-		i64 reach = cover->half_size * ((dx < 0 ? -dx : dx) + (dy < 0 ? -dy : dy));
-		r.edge[k] = (line){-sign * dy * 256, sign * dx * 256, sign * (dx * (128 - a.y) - dy * (128 - a.x)) + reach};
-	}
-	return r;
-}
-
-static bool inside(const lines *l, i32 i, i32 j)
-{
-	for (u32 k = 0; k < l->n; k++) {
-		if (l->edge[k].x * i + l->edge[k].y * j + l->edge[k].c < 0) return false;
-	}
-	return true;
-}
-
-/* A row of a face: a world axis and a sign. */
-typedef struct { u32 axis; f32 sign; } row;
-
-static row make_row(ts_v3 v)
-{
-	return v.x != 0.0f ? (row){0, v.x} : v.y != 0.0f ? (row){1, v.y} : (row){2, v.z};
-}
-
 /* A piece as one face sees it. */
 typedef struct {
 	const ts_splat_args *args;
 	ts_camera_k view;
-	row right, up, ahead;
+	ts_row right, up, ahead;
 	ts_cover cover;
-	lines lines;
+	ts_lines lines;
 	ts_v3 u, v, n;
 	u64 *texels;
 	i64 scatters, writes;
@@ -73,13 +38,6 @@ static void put_corners(f32 corner[4][BLOCK], u32 n, const f32 *c, f32 du, f32 d
 	}
 }
 
-static i32 floor_within(f32 x, f32 most)
-{
-	f32 near_by = x > -1.0f ? ts_min(x, most) : -1.0f;
-	i32 whole = (i32)near_by;
-	return whole - ((f32)whole > near_by ? 1 : 0);
-}
-
 /* The texels of the projected squares, like ts_k_splat_box but not yet met with the face. */
 static void put_boxes(const face *f, block *b)
 {
@@ -91,10 +49,10 @@ static void put_boxes(const face *f, block *b)
 			x[k] = middle + (f->view.focal * b->corner[0][k][i]) / b->corner[2][k][i];
 			y[k] = middle - (f->view.focal * b->corner[1][k][i]) / b->corner[2][k][i];
 		}
-		b->box[i].x0 = floor_within(ts_min(ts_min(x[0], x[1]), ts_min(x[2], x[3])), size);
-		b->box[i].y0 = floor_within(ts_min(ts_min(y[0], y[1]), ts_min(y[2], y[3])), size);
-		b->box[i].x1 = floor_within(ts_max(ts_max(x[0], x[1]), ts_max(x[2], x[3])), size);
-		b->box[i].y1 = floor_within(ts_max(ts_max(y[0], y[1]), ts_max(y[2], y[3])), size);
+		b->box[i].x0 = ts_k_floor_within(ts_min(ts_min(x[0], x[1]), ts_min(x[2], x[3])), size);
+		b->box[i].y0 = ts_k_floor_within(ts_min(ts_min(y[0], y[1]), ts_min(y[2], y[3])), size);
+		b->box[i].x1 = ts_k_floor_within(ts_max(ts_max(x[0], x[1]), ts_max(x[2], x[3])), size);
+		b->box[i].y1 = ts_k_floor_within(ts_max(ts_max(y[0], y[1]), ts_max(y[2], y[3])), size);
 		b->ahead[i] = ts_min(ts_min(b->corner[2][0][i], b->corner[2][1][i]), ts_min(b->corner[2][2][i], b->corner[2][3][i]));
 	}
 }
@@ -114,7 +72,7 @@ static void measure(const face *f, block *b, u32 begin, u32 n)
 	ts_v3 v = ts_scale(f->v, half_length);
 	const f32 du[3] = {u.x, u.y, u.z}, dv[3] = {v.x, v.y, v.z};
 	const f32 eye[3] = {f->view.eye.x, f->view.eye.y, f->view.eye.z};
-	const row rows[3] = {f->right, f->up, f->ahead};
+	const ts_row rows[3] = {f->right, f->up, f->ahead};
 	for (u32 r = 0; r < 3; r++) {
 		u32 axis = rows[r].axis;
 		put_corners(b->corner[r], b->n, centre[axis], du[axis], dv[axis], eye[axis], rows[r].sign);
@@ -146,7 +104,7 @@ static void splat_point(face *f, u32 index, ts_box box, f32 distance)
 	if (clip || (point->flags & TS_POINT_TINY) != 0) box = ts_k_box_meet(box, f->cover.touched);
 	for (i32 j = box.y0; j <= box.y1; j++) {
 		for (i32 i = box.x0; i <= box.x1; i++) {
-			if (!clip || inside(&f->lines, i, j)) write_texel(f, point, index, c, distance, i, j);
+			if (!clip || ts_k_inside_lines(&f->lines, i, j)) write_texel(f, point, index, c, distance, i, j);
 		}
 	}
 }
@@ -177,7 +135,7 @@ static void splat_piece(face *f, u64 piece, u32 begin, u32 end)
 	if (f->cover.n == 0) return;
 	f->scatters += end - begin;
 	if (misses(f)) return;
-	f->lines = make_lines(&f->cover);
+	ts_k_lines(&f->lines, &f->cover);
 	f->u = ts_load3(f->args->frames[piece].u);
 	f->v = ts_load3(f->args->frames[piece].v);
 	f->n = ts_cross(f->u, f->v);
@@ -190,9 +148,9 @@ static void splat_face(const ts_splat_args *args, u32 cube_index, u32 side)
 	const u32 *offset = args->offset;
 	face f = {.args = args, .view = ts_k_cube_view(cube, side)};
 	f.texels = args->texels + cube->offset + (u64)side * cube->n * cube->n;
-	f.right = make_row(f.view.right);
-	f.up = make_row(f.view.up);
-	f.ahead = make_row(ts_neg(f.view.back));
+	f.right = ts_k_row(f.view.right);
+	f.up = ts_k_row(f.view.up);
+	f.ahead = ts_k_row(ts_neg(f.view.back));
 	for (u64 piece = 0; cube->n != 0 && piece < args->n_pieces; piece++) {
 		if (offset[piece + 1] == offset[piece]) continue;
 		const u64 *words = args->bits + (u64)args->pieces[piece].triangle * args->n_words;
