@@ -60,6 +60,7 @@ typedef struct {
 	bool denormals;     /* keeps them; exact either way, for the contract flushes what would tell */
 	bool atomics;       /* of 64 bits */
 	bool unified;       /* its memory is the host's */
+	bool little_endian;
 	u64 memory, most;   /* bytes; of one buffer */
 } ts_device;
 
@@ -92,8 +93,8 @@ void ts_c_begin(ts_c_backend *backend, u32 threads);
 
 void ts_c_launch(ts_kernel kernel, const void *args, u64 n, u32 threads);
 
-/* Fast paths: the same bits as launching the kernel (proved by tests/backends/<noun>_fast.c).
- * Splat: args->offset must be there. */
+/* Fast paths: the same bits as launching the kernel (tests/backends/splat_fast.c; tests/stages/run.c).
+ * Splat: args->offset must be there, and nothing to mark. */
 void ts_c_splat_fast(const ts_splat_args *args, u32 threads);
 /* Shade: of n entries; adaptive must be 0. */
 void ts_c_shade_fast(const ts_lookup_args *args, u64 n, u32 threads);

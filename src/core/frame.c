@@ -140,8 +140,8 @@ ts_status ts_frame_recall(ts_frame *frame, u32 slot)
 
 i64 *ts_frame_tallies(ts_frame *frame)
 {
-	memset(frame->tally, 0, sizeof frame->tally);
 	ts_frame_lend(frame, TS_LENT_TALLIES, frame->tally, sizeof frame->tally);
+	memset(frame->tally, 0, sizeof frame->tally);
 	return frame->tally;
 }
 

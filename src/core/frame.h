@@ -62,7 +62,7 @@ void *ts_frame_make3(ts_frame *frame, ts_buffer_id id, u64 n0, u64 n1, u64 n2);
 void ts_frame_borrow(ts_frame *frame, ts_buffer_id id, const void *data, u64 n);
 /* What arguments of kernels hold; the buffer must exist. Its contents may be elsewhere. */
 void *ts_frame_handle(const ts_frame *frame, ts_buffer_id id);
-/* The contents, fetched to host memory; the buffer must exist. If that fails they are zeros, which no index strays by, and
+/* The contents, fetched to host memory; the buffer must exist. If that fails they are zeros, and
  * the backend's next `finish` says so. */
 void *ts_frame_data(const ts_frame *frame, ts_buffer_id id);
 /* Fetches all that there is. */
@@ -74,7 +74,7 @@ ts_status ts_frame_recall(ts_frame *frame, u32 slot);
 i64 *ts_frame_tallies(ts_frame *frame);
 i64 ts_frame_tally(ts_frame *frame, u32 index);
 u64 ts_frame_n(const ts_frame *frame, ts_buffer_id id);
-/* Keeps the first n elements of a buffer of one dimension. */
+/* Keeps the first n elements of a buffer of one dimension, and all of its memory. */
 void ts_frame_cut(ts_frame *frame, ts_buffer_id id, u64 n);
 void ts_frame_drop(ts_frame *frame, ts_buffer_id id);
 void ts_frame_clear(ts_frame *frame);

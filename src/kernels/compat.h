@@ -26,7 +26,8 @@ typedef uchar u8;
 #define ts_u2f(x) as_float(x)
 #define ts_sqrt(x) sqrt(x)
 #define ts_floor(x) floor(x)
-#define ts_min_u64(p, v) do { if ((v) < *(p)) atom_min((p), (v)); } while (0)
+/* Reading first and skipping what is not smaller: one word, which only falls, so that no load is torn. */
+#define ts_min_u64(p, v) do { if ((uint)((v) >> 32) <= ((volatile __global uint *)(p))[1]) atom_min((p), (v)); } while (0)
 #define ts_add_i64(p, v) ((void)atom_add((p), (v)))
 #define ts_next_i64(p) atom_inc(p)
 #define ts_mark_u8(p) (*(p) = 1)

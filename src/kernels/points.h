@@ -12,7 +12,7 @@ typedef struct {
 	TS_PARTED(u64, keys);        /* points.key */
 	TS_PARTED(ts_point, points); /* points.record */
 	TS_GLOBAL i64 *n_points;     /* appended so far */
-	u64 room;                    /* points that can be appended */
+	u64 room;                    /* points that the arrays can hold */
 	i32 half_size;               /* of a lattice square, in 1/256: 129 safe, 128 exact */
 	u32 paper_splat;             /* sub-pixel pieces get a splat of their own area */
 } ts_points_args;
@@ -138,7 +138,9 @@ TS_FN void ts_k_points_item(const ts_points_args *args, u64 i)
 	ts_point_source from = ts_k_point_source(args, i);
 	for (i32 y = cover.touched.y0; y <= cover.touched.y1; y++) {
 		for (i32 x = cover.touched.x0; x <= cover.touched.x1; x++) {
-			if (ts_k_is_point(args, &cover, i, x, y)) ts_k_point_put(args, &from, x, y, at++);
+			if (!ts_k_is_point(args, &cover, i, x, y)) continue;
+			if (at < args->room) ts_k_point_put(args, &from, x, y, at);
+			at++;
 		}
 	}
 }

@@ -11,7 +11,7 @@ enum { TS_MAX_COUNTERS = 64, TS_MAX_TIMINGS = 32 };
 
 typedef struct ts_run ts_run;
 
-/* What computes a run. Only `arrival` changes a result, and that by the order of the points alone. */
+/* What computes a run. Only `arrival` changes a result: the order of the points and, where they tie, what is seen. */
 typedef struct {
 	u32 threads;               /* of the C backend */
 	bool reference;            /* it takes no fast paths */
@@ -22,7 +22,7 @@ typedef struct {
 typedef struct {
 	const char *name;
 	const char *kind;               /* map, emit or scatter */
-	ts_buffer_id reads[24], writes[6]; /* ended by TS_N_BUFFERS; those of a bounce that is not followed are not there */
+	ts_buffer_id reads[24], writes[6]; /* ended by TS_N_BUFFERS; those of a step that was not taken are not there */
 	ts_status (*run)(ts_run *run);
 	const char *paper;
 	const char *doc;

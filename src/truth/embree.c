@@ -219,6 +219,7 @@ ts_status ts_truth_new(ts_truth **truth, const ts_run *run)
 	if (made == NULL) return TS_ERROR;
 	ts_first_error_begin(&made->error);
 	made->scene = ts_run_arrays(run);
+	made->scene.vertices = ts_frame_data(&run->frame, TS_B_pose_vertex);
 	made->n_vertices = run->scene->n_vertices;
 	if (sort_triangles(made) || copy_positions(made) || grow_tree(made, run->c.threads)) {
 		ts_truth_free(made);

@@ -241,6 +241,7 @@ static inline void mesh_points(mesh *m, i32 half_size, u32 paper_splat)
 	                        .half_size = half_size, .paper_splat = paper_splat };
 	for (u32 i = 0; i < m->n_pieces; i++) ts_k_count_item(&args, i);
 	m->n_points = mesh_scan(m->count, m->n_pieces);
+	args.room = m->n_points;
 	m->keys = args.keys = mesh_alloc(m->n_points, sizeof *m->keys);
 	m->points = args.points = mesh_alloc(m->n_points, sizeof *m->points);
 	for (u32 i = 0; i < m->n_pieces; i++) ts_k_points_item(&args, i);

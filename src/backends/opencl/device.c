@@ -63,7 +63,7 @@ static ts_device describe(cl_device_id device)
 	ts_device d = {.memory = 0};
 	cl_platform_id platform = NULL;
 	cl_device_fp_config floats = 0;
-	cl_bool unified = CL_FALSE;
+	cl_bool unified = CL_FALSE, little = CL_FALSE;
 	cl_ulong memory = 0, most = 0;
 	text(d.name, sizeof d.name, device, CL_DEVICE_NAME);
 	text(d.driver, sizeof d.driver, device, CL_DRIVER_VERSION);
@@ -72,12 +72,14 @@ static ts_device describe(cl_device_id device)
 	ts_line_clean(d.platform);
 	clGetDeviceInfo(device, CL_DEVICE_SINGLE_FP_CONFIG, sizeof floats, &floats, NULL);
 	clGetDeviceInfo(device, CL_DEVICE_HOST_UNIFIED_MEMORY, sizeof unified, &unified, NULL);
+	clGetDeviceInfo(device, CL_DEVICE_ENDIAN_LITTLE, sizeof little, &little, NULL);
 	clGetDeviceInfo(device, CL_DEVICE_GLOBAL_MEM_SIZE, sizeof memory, &memory, NULL);
 	clGetDeviceInfo(device, CL_DEVICE_MAX_MEM_ALLOC_SIZE, sizeof most, &most, NULL);
 	d.rounded = (floats & CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT) != 0;
 	d.denormals = (floats & CL_FP_DENORM) != 0;
 	d.atomics = has(device, "cl_khr_int64_base_atomics") && has(device, "cl_khr_int64_extended_atomics");
 	d.unified = unified == CL_TRUE;
+	d.little_endian = little == CL_TRUE;
 	d.memory = memory;
 	d.most = most;
 	return d;

@@ -146,15 +146,15 @@ static ts_status require(ts_cl *cl, ts_buffer *buffer, u64 part_bytes)
 	return make(cl, buffer, part_bytes);
 }
 
-ts_status ts_cl_use(ts_cl *cl, cl_mem parts[TS_CL_PARTS], ts_buffer *buffer, u64 part_bytes, bool writes)
+ts_status ts_cl_use(ts_cl *cl, cl_mem parts[TS_CL_PARTS], ts_buffer *buffer, u64 part_bytes, ts_cl_access access)
 {
 	memset(parts, 0, TS_CL_PARTS * sizeof *parts);
 	if (buffer->bytes == 0) return TS_OK;
 	if (require(cl, buffer, part_bytes != 0 ? part_bytes : buffer->bytes) != TS_OK) return TS_ERROR;
 	resident *r = buffer->resident;
-	cl_int status = r->place == HOST ? upload(r) : CL_SUCCESS;
-	if (status == CL_SUCCESS && writes) status = unmap(r);
-	if (writes) r->place = DEVICE;
+	cl_int status = r->place == HOST && access != TS_CL_OVERWRITES ? upload(r) : CL_SUCCESS;
+	if (status == CL_SUCCESS && access != TS_CL_READS) status = unmap(r);
+	if (access != TS_CL_READS) r->place = DEVICE;
 	cl->busy = true;
 	memcpy(parts, r->part, sizeof r->part);
 	return status == CL_SUCCESS ? TS_OK : ts_cl_failed("a transfer to the device", status);

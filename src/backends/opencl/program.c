@@ -1,5 +1,5 @@
-/* The kernels' text, built by the driver, which keeps what it built in a cache of its own. The options are those of NUMERICS
- * section 2: no contraction (the text says so), correctly rounded quotients and roots, nothing unsafe. */
+/* The kernels' text, built by the driver, which keeps what it built in a cache of its own. The options are those of
+ * CONTRACT section 1: no contraction (the text says so), correctly rounded quotients and roots, nothing unsafe. */
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>

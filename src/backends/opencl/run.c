@@ -67,7 +67,8 @@ static ts_status set_buffer(ts_cl *cl, ts_frame *frame, ts_kernel kernel, u32 po
 	ts_buffer *buffer = pointer != NULL ? owner(frame, pointer) : NULL;
 	if (buffer != NULL) {
 		offset = (u64)(pointer - (const u8 *)buffer->data);
-		if (ts_cl_use(cl, parts, buffer, part_bytes, !k->pointer[pointer_index].constant) != TS_OK) return TS_ERROR;
+		ts_cl_access access = k->pointer[pointer_index].constant ? TS_CL_READS : TS_CL_WRITES;
+		if (ts_cl_use(cl, parts, buffer, part_bytes, access) != TS_OK) return TS_ERROR;
 	}
 	memcpy(values + k->pointer[pointer_index].at, &offset, sizeof offset);
 	for (u32 i = 0; i < (part_bytes != 0 ? TS_CL_PARTS : 1); i++) {
@@ -121,7 +122,7 @@ static ts_status admit_all(ts_cl *cl, ts_frame *frame, ts_kernel kernel, const v
 static bool by_pieces(ts_kernel kernel, const void *args)
 {
 	const ts_splat_args *splat = args;
-	return kernel == TS_KERNEL_splat && splat->offset != NULL;
+	return kernel == TS_KERNEL_splat && splat->offset != NULL && splat->mark == 0;
 }
 
 static ts_status launch(ts_backend *backend, ts_frame *frame, ts_kernel kernel, const void *args, u64 n)
@@ -157,7 +158,7 @@ static ts_status fill(ts_backend *backend, ts_frame *frame, ts_buffer_id id, u8 
 	frame->residence = &ts_cl_residence;
 	if (may_be_parted(id) && admit(cl, buffer) != TS_OK) return TS_ERROR;
 	u64 part_bytes = may_be_parted(id) ? cl->part_bytes : 0;
-	if (ts_cl_use(cl, parts, buffer, part_bytes, true) != TS_OK) return TS_ERROR;
+	if (ts_cl_use(cl, parts, buffer, part_bytes, TS_CL_OVERWRITES) != TS_OK) return TS_ERROR;
 	cl_int status = CL_SUCCESS;
 	for (u32 i = 0; i < TS_CL_PARTS && parts[i] != NULL && status == CL_SUCCESS; i++) {
 		u64 left = buffer->bytes - i * part_bytes, bytes = part_bytes != 0 && part_bytes < left ? part_bytes : left;
@@ -206,6 +207,7 @@ static void end(ts_backend *backend)
 static ts_status suffices(const ts_device *about, bool inexact)
 {
 	if (!about->atomics) return ts_fail("backend opencl: %s has no 64-bit atomics", about->name);
+	if (!about->little_endian) return ts_fail("backend opencl: %s is not little-endian", about->name);
 	if (about->rounded || inexact) return TS_OK;
 	return ts_fail("backend opencl: %s does not round quotients and roots correctly; --inexact runs it all the same",
 	               about->name);
