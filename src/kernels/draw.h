@@ -106,12 +106,10 @@ TS_FN void ts_k_face_item(const ts_face_args *args, u64 i)
 	u32 triangle = (u32)i;
 	ts_corners t = ts_k_corners(&args->scene, triangle);
 	if (args->n_cubes == 0u || ts_k_is_degenerate(t.n)) return;
-	u32 own = ts_k_reflector_of(&args->scene, triangle);
 	u64 first_texel = args->cubes[args->first_cube].offset;
 	for (u32 r = args->first_cube; r < args->first_cube + args->n_cubes; r++) {
 		TS_GLOBAL const ts_face *cube = &args->cubes[r];
-		if (r == own || cube->n == 0u) continue;
-		if (!ts_k_is_facing(&args->scene, triangle, &t, ts_load3(cube->centre))) continue;
+		if (!ts_k_may_show(&args->scene, cube, r, triangle, &t)) continue;
 		for (u32 face = 0u; face < 6u; face++) {
 			ts_camera_k view = ts_k_cube_view(cube, face);
 			u64 offset = cube->offset - first_texel + (u64)face * cube->n * cube->n;

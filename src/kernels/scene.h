@@ -52,4 +52,11 @@ TS_FN u32 ts_k_reflector_of(const ts_arrays *scene, u32 triangle)
 	return scene->objects[scene->vertices[scene->triangles[triangle].vertex[0]].object].reflector;
 }
 
+/* Cube r may show the triangle: not its own reflector's, and not where it turns its back. */
+TS_FN bool ts_k_may_show(const ts_arrays *scene, TS_GLOBAL const ts_face *cube, u32 r, u32 triangle, const ts_corners *t)
+{
+	if (cube->n == 0u || r == ts_k_reflector_of(scene, triangle)) return false;
+	return ts_k_is_facing(scene, triangle, t, ts_load3(cube->centre));
+}
+
 #endif

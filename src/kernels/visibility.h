@@ -57,12 +57,10 @@ TS_FN u32 ts_k_visible_faces(const ts_corners *t, TS_GLOBAL const ts_face *cube,
 }
 
 /* The bits of one triangle in one cube: none for its own reflector's, none where it turns its back. */
-TS_FN u32 ts_k_visibility(const ts_visibility_args *args, u32 triangle, const ts_corners *t, u32 own, u32 r)
+TS_FN u32 ts_k_visibility(const ts_visibility_args *args, u32 triangle, const ts_corners *t, u32 r)
 {
 	TS_GLOBAL const ts_face *cube = &args->cubes[r];
-	if (r == own || cube->n == 0u) return 0u;
-	if (!ts_k_is_facing(&args->scene, triangle, t, ts_load3(cube->centre))) return 0u;
-	return ts_k_visible_faces(t, cube, args->vertex_mode);
+	return ts_k_may_show(&args->scene, cube, r, triangle, t) ? ts_k_visible_faces(t, cube, args->vertex_mode) : 0u;
 }
 
 /* The six bits of cube r of a triangle's words. */
@@ -83,9 +81,8 @@ TS_FN void ts_k_visibility_item(const ts_visibility_args *args, u64 i)
 	u32 triangle = (u32)i;
 	ts_corners t = ts_k_corners(&args->scene, triangle);
 	if (ts_k_is_degenerate(t.n)) return;
-	u32 own = ts_k_reflector_of(&args->scene, triangle);
 	for (u32 r = 0u; r < args->n_cubes; r++) {
-		u64 faces = ts_k_visibility(args, triangle, &t, own, r);
+		u64 faces = ts_k_visibility(args, triangle, &t, r);
 		u32 first = r * 6u;
 		u32 shift = first & 63u;
 		words[first >> 6] |= faces << shift;

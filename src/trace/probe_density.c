@@ -57,10 +57,9 @@ static void put_check(ts_probe *p, u32 triangle, const u64 *bits, json_t *o)
 	ts_visibility_args args = {.scene = p->scene, .cubes = p->cubes, .n_cubes = p->n_cubes, .n_words = p->n_words,
 	                           .vertex_mode = p->trace->params.visibility == TS_VISIBILITY_VERTEX};
 	ts_corners t = ts_k_corners(&p->scene, triangle);
-	u32 own = ts_k_reflector_of(&p->scene, triangle);
 	bool same = true;
 	for (u32 r = 0; r < p->n_cubes; r++) {
-		u32 faces = ts_k_is_degenerate(t.n) ? 0 : ts_k_visibility(&args, triangle, &t, own, r);
+		u32 faces = ts_k_is_degenerate(t.n) ? 0 : ts_k_visibility(&args, triangle, &t, r);
 		same &= faces == ts_k_cube_bits(bits, r);
 	}
 	ts_probe_put(p, o, "check",
