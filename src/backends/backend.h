@@ -3,6 +3,7 @@
 #define TS_BACKENDS_BACKEND_H
 #include "../core/frame.h"
 #include "../kernels/bench.h"
+#include "../kernels/copy.h"
 #include "../kernels/draw.h"
 #include "../kernels/image.h"
 #include "../kernels/lookup.h"
@@ -10,8 +11,11 @@
 #include "../kernels/mirror.h"
 #include "../kernels/pixel.h"
 #include "../kernels/resize.h"
+#include "../kernels/resolve.h"
 #include "../kernels/cull.h"
 #include "../kernels/scan.h"
+#include "../kernels/scatter.h"
+#include "../kernels/split.h"
 #include "../kernels/splat_pieces.h"
 #include "../kernels/vectors.h"
 

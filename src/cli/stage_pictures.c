@@ -118,8 +118,8 @@ static bool largest_cube(const ts_run *run, u32 *reflector)
 	u64 n = ts_frame_n(&run->frame, TS_B_resize_face);
 	*reflector = 0;
 	for (u64 r = 1; r < n; r++) *reflector = faces[r].n > faces[*reflector].n ? (u32)r : *reflector;
-	return n > 0 && faces[*reflector].n > 0 && *reflector >= run->first_reflector &&
-		*reflector - run->first_reflector < run->n_reflectors;
+	return n > 0 && faces[*reflector].n > 0 && *reflector >= run->first_unit &&
+		*reflector - run->first_unit < run->n_units;
 }
 
 /* Lays the six faces of n x n texels out; colour() paints texel i of the cube. */
@@ -158,10 +158,10 @@ static ts_status take_cube(ts_stage_pictures *pictures, const ts_run *run, ts_bu
 	ts_stage_picture *p = add(pictures, name, 4 * n, 3 * n, false);
 	if (p == NULL) return TS_ERROR;
 	if (id == TS_B_face_mip) {
-		u64 first = 4 * ts_k_mip_first(faces, run->first_reflector, r);
+		u64 first = 4 * ts_k_mip_first(faces, run->first_unit, r);
 		paint_cross(p, n, (const f32 *)ts_frame_data(&run->frame, id) + first, colour_radiance);
 	} else {
-		u64 first = faces[r].offset - faces[run->first_reflector].offset;
+		u64 first = faces[r].offset - faces[run->first_unit].offset;
 		paint_cross(p, n, (const u64 *)ts_frame_data(&run->frame, id) + first, colour_index);
 	}
 	snprintf(p->caption, sizeof p->caption, "cube %u, six faces of %u texels: %s", (unsigned)r, (unsigned)n, what);

@@ -2,7 +2,8 @@
  * SPEC 1.4). q = s (u.(v - c), v.(v - c)) + (1/2, 1/2), snapped to 24.8. */
 #ifndef TS_KERNELS_ALIGN_H
 #define TS_KERNELS_ALIGN_H
-#include "density.h"
+#include "area.h"
+#include "records.h"
 
 typedef struct {
 	TS_GLOBAL const ts_piece *pieces;

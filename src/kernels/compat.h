@@ -28,6 +28,7 @@ typedef uchar u8;
 #define ts_floor(x) floor(x)
 /* Reading first and skipping what is not smaller: one word, which only falls, so that no load is torn. */
 #define ts_min_u64(p, v) do { if ((uint)((v) >> 32) <= ((volatile __global uint *)(p))[1]) atom_min((p), (v)); } while (0)
+#define ts_min_u32(p, v) do { if ((v) < *(volatile __global uint *)(p)) atomic_min((p), (v)); } while (0)
 #define ts_add_i64(p, v) ((void)atom_add((p), (v)))
 #define ts_next_i64(p) atom_inc(p)
 #define ts_mark_u8(p) (*(p) = 1)
@@ -56,6 +57,7 @@ typedef unsigned char u8;
 #define ts_sqrt(x) __fsqrt_rn(x)
 #define ts_floor(x) floorf(x)
 #define ts_min_u64(p, v) do { if ((v) < *(p)) atomicMin((p), (v)); } while (0)
+#define ts_min_u32(p, v) do { if ((v) < *(p)) atomicMin((p), (v)); } while (0)
 #define ts_add_i64(p, v) ((void)atomicAdd((u64 *)(p), (u64)(v)))
 #define ts_next_i64(p) ((i64)atomicAdd((u64 *)(p), (u64)1u))
 #define ts_mark_u8(p) (*(p) = 1)
@@ -92,6 +94,12 @@ static inline f32 ts_u2f(u32 u) { f32 x; memcpy(&x, &u, 4); return x; }
 static inline void ts_min_u64(u64 *p, u64 v)
 {
 	u64 old = __atomic_load_n(p, __ATOMIC_RELAXED);
+	while (v < old && !__atomic_compare_exchange_n(p, &old, v, true, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) {
+	}
+}
+static inline void ts_min_u32(u32 *p, u32 v)
+{
+	u32 old = __atomic_load_n(p, __ATOMIC_RELAXED);
 	while (v < old && !__atomic_compare_exchange_n(p, &old, v, true, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) {
 	}
 }

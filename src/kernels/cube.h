@@ -29,6 +29,7 @@ TS_FN ts_camera_k ts_k_cube_view(TS_GLOBAL const ts_face *cube, u32 face)
 	r.near = cube->near;
 	r.width = (i32)cube->n;
 	r.height = (i32)cube->n;
+	r.orthographic = 0u;
 	return r;
 }
 

@@ -2,7 +2,8 @@
  * SPEC 1.5). The same triangles in every frame. */
 #ifndef TS_KERNELS_CULL_H
 #define TS_KERNELS_CULL_H
-#include "density.h"
+#include "area.h"
+#include "records.h"
 
 typedef struct {
 	TS_GLOBAL const ts_piece *pieces;

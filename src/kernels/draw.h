@@ -1,8 +1,8 @@
-/* Drawing triangles into a depth << 32 | triangle buffer: the eye, and MVR's cube faces. Standard rasterization, axial
- * depth, equal depth to the lowest triangle (NUMERICS rules 18, 22, 24). */
+/* Drawing triangles into a depth << 32 | triangle buffer, the eye and MVR's cube faces, or into one of depths alone, MVR's
+ * shadow maps. Standard rasterization, axial depth, equal depth to the lowest triangle (NUMERICS rules 18, 22, 24). */
 #ifndef TS_KERNELS_DRAW_H
 #define TS_KERNELS_DRAW_H
-#include "cube.h"
+#include "offscreen.h"
 #include "surface.h"
 
 /* Width of a pixel in world units at axial depth z, on this triangle, where the fragment lies. */
@@ -12,9 +12,35 @@ TS_FN f32 ts_k_fragment_footprint(const ts_camera_k *view, const ts_corners *t, 
 	return ts_k_footprint(fragment->z / view->focal, ts_sub(p, view->eye), t->n);
 }
 
+/* Texels of one view: keys, or depths alone; the other is NULL. */
+typedef struct { TS_GLOBAL u64 *keys; TS_GLOBAL u32 *depths; } ts_target;
+
+TS_FN ts_target ts_k_keys(TS_GLOBAL u64 *keys)
+{
+	ts_target r;
+	r.keys = keys;
+	r.depths = NULL;
+	return r;
+}
+
+TS_FN void ts_k_draw_texel(const ts_target *target, u64 at, f32 z, u32 triangle)
+{
+	if (target->keys != NULL) {
+		ts_min_u64(&target->keys[at], ((u64)ts_f2u(z) << 32) | triangle);
+	} else {
+		ts_min_u32(&target->depths[at], ts_f2u(z));
+	}
+}
+
+TS_FN ts_fragment ts_k_view_fragment(const ts_camera_k *view, const ts_setup *t, const ts_edges *e, const ts_corner *a,
+                                     const ts_corner *b, const ts_corner *c)
+{
+	return view->orthographic != 0u ? ts_k_fragment_parallel(t, e, a, b, c) : ts_k_fragment(t, e, a, b, c);
+}
+
 /* Visits a triangle of the fan of a clipped polygon. */
 TS_FN void ts_k_draw_fan(const ts_arrays *scene, const ts_camera_k *view, const ts_corners *t, u32 triangle,
-                         const ts_corner *a, const ts_corner *b, const ts_corner *c, TS_GLOBAL u64 *texels)
+                         const ts_corner *a, const ts_corner *b, const ts_corner *c, const ts_target *target)
 {
 	ts_snapped v[3];
 	v[0] = ts_k_snap(ts_k_project(view, a));
@@ -28,23 +54,22 @@ TS_FN void ts_k_draw_fan(const ts_arrays *scene, const ts_camera_k *view, const 
 		ts_edges e = walk.at;
 		for (i32 i = box.x0; i <= box.x1; i++, ts_k_step(&e, walk.right)) {
 			if (!ts_k_walk_covers(&walk, &e)) continue;
-			ts_fragment f = ts_k_fragment(&setup, &e, a, b, c);
+			ts_fragment f = ts_k_view_fragment(view, &setup, &e, a, b, c);
 			if (ts_k_is_cut(scene, triangle, f.w, t->n, ts_k_fragment_footprint(view, t, &f))) continue;
-			u64 key = ((u64)ts_f2u(f.z) << 32) | triangle;
-			ts_min_u64(&texels[(u64)j * (u64)view->width + (u64)i], key);
+			ts_k_draw_texel(target, (u64)j * (u64)view->width + (u64)i, f.z, triangle);
 		}
 	}
 }
 
 /* One triangle, facing and not degenerate, into one view. */
 TS_FN void ts_k_draw(const ts_arrays *scene, const ts_camera_k *view, const ts_corners *t, u32 triangle,
-                     TS_GLOBAL u64 *texels)
+                     const ts_target *target)
 {
 	ts_polygon polygon = ts_k_polygon(view, t->a, t->b, t->c);
 	if (ts_k_is_outside(view, &polygon)) return;
 	ts_k_clip_to_range(view, &polygon);
 	for (u32 k = 2u; k < polygon.n; k++) {
-		ts_k_draw_fan(scene, view, t, triangle, &polygon.corner[0], &polygon.corner[k - 1u], &polygon.corner[k], texels);
+		ts_k_draw_fan(scene, view, t, triangle, &polygon.corner[0], &polygon.corner[k - 1u], &polygon.corner[k], target);
 	}
 }
 
@@ -90,7 +115,8 @@ TS_FN void ts_k_eye_item(const ts_eye_args *args, u64 i)
 	ts_camera_k view = ts_k_view(args->view);
 	ts_corners t = ts_k_corners(&args->scene, triangle);
 	if (ts_k_is_degenerate(t.n) || !ts_k_is_facing(&args->scene, triangle, &t, view.eye)) return;
-	ts_k_draw(&args->scene, &view, &t, triangle, args->texels);
+	ts_target target = ts_k_keys(args->texels);
+	ts_k_draw(&args->scene, &view, &t, triangle, &target);
 }
 
 typedef struct {
@@ -109,12 +135,38 @@ TS_FN void ts_k_face_item(const ts_face_args *args, u64 i)
 	u64 first_texel = args->cubes[args->first_cube].offset;
 	for (u32 r = args->first_cube; r < args->first_cube + args->n_cubes; r++) {
 		TS_GLOBAL const ts_face *cube = &args->cubes[r];
-		if (!ts_k_may_show(&args->scene, cube, r, triangle, &t)) continue;
+		if (!ts_k_may_show(&args->scene, cube, triangle, &t)) continue;
 		for (u32 face = 0u; face < 6u; face++) {
 			ts_camera_k view = ts_k_cube_view(cube, face);
 			u64 offset = cube->offset - first_texel + (u64)face * cube->n * cube->n;
-			ts_k_draw(&args->scene, &view, &t, triangle, args->texels + offset);
+			ts_target target = ts_k_keys(args->texels + offset);
+			ts_k_draw(&args->scene, &view, &t, triangle, &target);
 		}
+	}
+}
+
+typedef struct {
+	ts_arrays scene;
+	TS_GLOBAL const ts_offscreen *views;
+	TS_GLOBAL u32 *depths;     /* scatter.depth of the batch, all empty at first */
+	u32 first_view, n_views;   /* the batch */
+} ts_depth_args;
+
+/* scatter over triangles: into every view of the batch */
+TS_FN void ts_k_depth_item(const ts_depth_args *args, u64 i)
+{
+	u32 triangle = (u32)i;
+	ts_corners t = ts_k_corners(&args->scene, triangle);
+	if (args->n_views == 0u || ts_k_is_degenerate(t.n)) return;
+	u64 first_texel = args->views[args->first_view].offset;
+	for (u32 v = args->first_view; v < args->first_view + args->n_views; v++) {
+		TS_GLOBAL const ts_offscreen *offscreen = &args->views[v];
+		if (!ts_k_offscreen_may_show(&args->scene, offscreen, triangle, &t)) continue;
+		ts_camera_k view = ts_k_offscreen(offscreen);
+		ts_target target;
+		target.keys = NULL;
+		target.depths = args->depths + (offscreen->offset - first_texel);
+		ts_k_draw(&args->scene, &view, &t, triangle, &target);
 	}
 }
 

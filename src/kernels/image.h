@@ -1,4 +1,4 @@
-/* The picture: mirrors show their reflection, everything else is shaded where the eye sees it. */
+/* The picture: mirrors show their reflection, everything else is shaded where the eye sees it, in the light that reaches it. */
 #ifndef TS_KERNELS_IMAGE_H
 #define TS_KERNELS_IMAGE_H
 #include "draw.h"
@@ -9,8 +9,10 @@ typedef struct {
 	ts_arrays scene;
 	TS_GLOBAL const ts_view *view;
 	TS_GLOBAL const u64 *depth_triangle; /* eye.depth_triangle */
-	TS_GLOBAL const u32 *offset;         /* pixel.offset */
+	TS_GLOBAL const u32 *offset;         /* pixel.offset; NULL: there are no mirrors */
 	TS_GLOBAL const f32 *reflected;      /* shade.radiance */
+	TS_GLOBAL const u32 *lit;            /* resolve.lit; NULL: there are no shadows */
+	TS_GLOBAL const ts_lamp *lamps;
 	TS_GLOBAL f32 *radiance;             /* image.radiance */
 	TS_GLOBAL u8 *srgb;                  /* image.srgb */
 	f32 exposure;
@@ -24,13 +26,14 @@ TS_FN ts_v3 ts_k_eye_radiance(const ts_image_args *args, u64 i)
 	i32 x = (i32)(i % (u64)view.width);
 	i32 y = (i32)(i / (u64)view.width);
 	ts_surface s = ts_k_surface_seen(&args->scene, &view, (u32)key, x, y);
-	return ts_k_shade(&args->scene, &s, ts_normalize(ts_sub(view.eye, s.p)));
+	TS_GLOBAL const u32 *lit = args->lit != NULL ? args->lit + i * args->scene.n_lights : NULL;
+	return ts_k_shade_lit(&args->scene, &s, ts_normalize(ts_sub(view.eye, s.p)), lit, args->lamps);
 }
 
 /* map over pixels */
 TS_FN void ts_k_image_item(const ts_image_args *args, u64 i)
 {
-	bool mirror = args->offset[i + 1u] != args->offset[i];
+	bool mirror = args->offset != NULL && args->offset[i + 1u] != args->offset[i];
 	ts_v3 radiance = mirror ? ts_load3(args->reflected + (u64)args->offset[i] * 3u) : ts_k_eye_radiance(args, i);
 	ts_store3(args->radiance + i * 3u, radiance);
 	for (u32 channel = 0u; channel < 3u; channel++) {

@@ -62,10 +62,7 @@ TS_FN ts_surface ts_k_point_surface(const ts_lookup_args *args, u32 point)
 	i32 x = (i32)(key & 0xffffu) - 32768;
 	i32 y = (i32)((key >> 16) & 0xffffu) - 32768;
 	TS_GLOBAL const ts_align *frame = &args->frames[record->piece];
-	ts_v3 w = ts_k_lattice_weights(&args->scene, frame, triangle, x, y);
-	ts_surface r = ts_k_surface(&args->scene, triangle, w, record->length);
-	r.p = ts_load3(record->centre);
-	return r;
+	return ts_k_lattice_surface(&args->scene, frame, triangle, x, y, ts_load3(record->centre), record->length);
 }
 
 /* map over samples: 1 where the point seen is on a mirror */

@@ -165,7 +165,7 @@ TS_FN void ts_k_face_margin_item(const ts_margin_args *args, u64 i)
 	u64 first_texel = args->cubes[args->first_cube].offset;
 	for (u32 r = args->first_cube; r < args->first_cube + args->n_cubes; r++) {
 		TS_GLOBAL const ts_face *cube = &args->cubes[r];
-		if (!ts_k_may_show(&args->scene, cube, r, triangle, &t)) continue;
+		if (!ts_k_may_show(&args->scene, cube, triangle, &t)) continue;
 		for (u32 face = 0u; face < 6u; face++) {
 			ts_camera_k view = ts_k_cube_view(cube, face);
 			ts_k_margin_draw(args, &view, &t, triangle, cube->offset - first_texel + (u64)face * cube->n * cube->n);

@@ -2,6 +2,8 @@
 #ifndef TS_KERNELS_POINTS_H
 #define TS_KERNELS_POINTS_H
 #include "align.h"
+#include "closest.h"
+#include "raster.h"
 #include "surface.h"
 
 typedef struct {
@@ -13,8 +15,9 @@ typedef struct {
 	TS_PARTED(ts_point, points); /* points.record */
 	TS_GLOBAL i64 *n_points;     /* appended so far */
 	u64 room;                    /* points that the arrays can hold */
-	i32 half_size;               /* of a lattice square, in 1/256: 129 safe, 128 exact */
+	i32 half_size;               /* of a lattice square, in 1/256: 129 safe, 128 exact, 0 its centre alone */
 	u32 paper_splat;             /* sub-pixel pieces get a splat of their own area */
+	u32 snap;                    /* samples beside their piece move to its border */
 } ts_points_args;
 
 #define TS_POINT_TINY 1u
@@ -101,6 +104,23 @@ TS_FN ts_v3 ts_k_lattice_point(TS_GLOBAL const ts_align *frame, i32 x, i32 y)
 	return ts_mad(ts_mad(ts_load3(frame->c), ts_load3(frame->u), du), ts_load3(frame->v), dv);
 }
 
+/* Where the sample is as a point: on the lattice, or moved to the closest point of its piece. */
+TS_FN ts_v3 ts_k_point_centre(const ts_points_args *args, u64 piece, i32 x, i32 y)
+{
+	ts_v3 p = ts_k_lattice_point(&args->frames[piece], x, y);
+	TS_GLOBAL const ts_piece *t = &args->pieces[piece];
+	return args->snap != 0u ? ts_k_closest_on_triangle(p, ts_load3(t->a), ts_load3(t->b), ts_load3(t->c)) : p;
+}
+
+/* What a sample shows. */
+TS_FN ts_surface ts_k_lattice_surface(const ts_arrays *scene, TS_GLOBAL const ts_align *frame, u32 triangle, i32 x, i32 y,
+                                      ts_v3 centre, f32 length)
+{
+	ts_surface r = ts_k_surface(scene, triangle, ts_k_lattice_weights(scene, frame, triangle, x, y), length);
+	r.p = centre;
+	return r;
+}
+
 typedef struct {
 	TS_GLOBAL const ts_align *frame;
 	u64 piece;
@@ -120,7 +140,7 @@ TS_FN ts_point_source ts_k_point_source(const ts_points_args *args, u64 piece)
 TS_FN void ts_k_point_put(const ts_points_args *args, const ts_point_source *from, i32 x, i32 y, u64 at)
 {
 	TS_GLOBAL ts_point *out = ts_at(args->points, at);
-	ts_store3(out->centre, ts_k_lattice_point(from->frame, x, y));
+	ts_store3(out->centre, ts_k_point_centre(args, from->piece, x, y));
 	out->length = ts_put(from->length);
 	out->piece = (u32)from->piece;
 	out->flags = from->flags;

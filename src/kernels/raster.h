@@ -11,8 +11,8 @@ typedef struct { f32 x, y, z; ts_v3 w; } ts_corner;
 #define TS_MAX_CORNERS 8
 typedef struct { ts_corner corner[TS_MAX_CORNERS]; u32 n; } ts_polygon;
 
-/* A view in registers. */
-typedef struct { ts_v3 eye, right, up, back; f32 focal, near; i32 width, height; } ts_camera_k;
+/* A view in registers. An orthographic one has `focal` pixels a world unit. */
+typedef struct { ts_v3 eye, right, up, back; f32 focal, near; i32 width, height; u32 orthographic; } ts_camera_k;
 
 TS_FN ts_camera_k ts_k_view(TS_GLOBAL const ts_view *view)
 {
@@ -25,6 +25,7 @@ TS_FN ts_camera_k ts_k_view(TS_GLOBAL const ts_view *view)
 	r.near = view->near;
 	r.width = (i32)view->width;
 	r.height = (i32)view->height;
+	r.orthographic = 0u;
 	return r;
 }
 
@@ -127,7 +128,9 @@ TS_FN bool ts_k_any_behind(const ts_polygon *polygon, ts_plane plane)
 TS_FN ts_plane ts_k_side_plane(const ts_camera_k *view, u32 side, f32 pixels)
 {
 	f32 sign = (side & 1u) == 0u ? view->focal : -view->focal;
-	return side < 2u ? ts_plane_make(sign, 0.0f, pixels, 0.0f) : ts_plane_make(0.0f, sign, pixels, 0.0f);
+	f32 z = view->orthographic != 0u ? 0.0f : pixels;
+	f32 d = view->orthographic != 0u ? pixels : 0.0f;
+	return side < 2u ? ts_plane_make(sign, 0.0f, z, d) : ts_plane_make(0.0f, sign, z, d);
 }
 
 /* Nothing of the polygon can reach the image. */
@@ -155,8 +158,9 @@ TS_FN void ts_k_clip_to_range(const ts_camera_k *view, ts_polygon *polygon)
 
 TS_FN ts_v2 ts_k_project(const ts_camera_k *view, const ts_corner *p)
 {
-	f32 x = (view->focal * p->x) / p->z;
-	f32 y = (view->focal * p->y) / p->z;
+	f32 z = view->orthographic != 0u ? 1.0f : p->z;
+	f32 x = (view->focal * p->x) / z;
+	f32 y = (view->focal * p->y) / z;
 	return ts_v2_make((f32)view->width * 0.5f + x, (f32)view->height * 0.5f - y);
 }
 
@@ -349,6 +353,20 @@ TS_FN ts_fragment ts_k_fragment(const ts_setup *t, const ts_edges *e, const ts_c
 	ts_fragment r;
 	r.z = ts_put(1.0f / sum);
 	r.w = ts_scale(w, r.z);
+	return r;
+}
+
+/* The same of an orthographic view: z = sum b z, w = sum b w. */
+TS_FN ts_fragment ts_k_fragment_parallel(const ts_setup *t, const ts_edges *e, const ts_corner *a, const ts_corner *b,
+                                         const ts_corner *c)
+{
+	f32 area = (f32)t->area;
+	f32 share[3];
+	for (u32 k = 0u; k < 3u; k++) share[t->from[k]] = (f32)e->e[k] / area;
+	ts_v3 by = ts_v3_make(share[0], share[1], share[2]);
+	ts_fragment r;
+	r.z = ts_put(ts_blend1(by, a->z, b->z, c->z));
+	r.w = ts_blend(by, a->w, b->w, c->w);
 	return r;
 }
 

@@ -39,23 +39,33 @@ TS_FN ts_corners ts_k_corners(const ts_arrays *scene, u32 triangle)
 /* A triangle without area is dropped everywhere (SPEC 0.2.1). */
 TS_FN bool ts_k_is_degenerate(ts_v3 n) { return !(ts_flush(ts_dot(n, n)) > 0.0f); }
 
+TS_FN bool ts_k_is_two_sided(const ts_arrays *scene, u32 triangle)
+{
+	return (scene->materials[scene->triangles[triangle].material].flags & TS_DOUBLE_SIDED) != 0u;
+}
+
 /* Seen from the front, or two-sided (SPEC 0.1: never read from screen winding). */
 TS_FN bool ts_k_is_facing(const ts_arrays *scene, u32 triangle, const ts_corners *t, ts_v3 eye)
 {
-	if ((scene->materials[scene->triangles[triangle].material].flags & TS_DOUBLE_SIDED) != 0u) return true;
+	if (ts_k_is_two_sided(scene, triangle)) return true;
 	return ts_flush(ts_dot(t->n, ts_sub(eye, t->a))) > 0.0f;
+}
+
+TS_FN u32 ts_k_object_of(const ts_arrays *scene, u32 triangle)
+{
+	return scene->vertices[scene->triangles[triangle].vertex[0]].object;
 }
 
 /* The reflector that a triangle belongs to, or TS_NONE. */
 TS_FN u32 ts_k_reflector_of(const ts_arrays *scene, u32 triangle)
 {
-	return scene->objects[scene->vertices[scene->triangles[triangle].vertex[0]].object].reflector;
+	return scene->objects[ts_k_object_of(scene, triangle)].reflector;
 }
 
-/* Cube r may show the triangle: not its own reflector's, and not where it turns its back. */
-TS_FN bool ts_k_may_show(const ts_arrays *scene, TS_GLOBAL const ts_face *cube, u32 r, u32 triangle, const ts_corners *t)
+/* A cube may show the triangle: not its own reflector's, and not where it turns its back. */
+TS_FN bool ts_k_may_show(const ts_arrays *scene, TS_GLOBAL const ts_face *cube, u32 triangle, const ts_corners *t)
 {
-	if (cube->n == 0u || r == ts_k_reflector_of(scene, triangle)) return false;
+	if (cube->n == 0u || cube->object == ts_k_object_of(scene, triangle)) return false;
 	return ts_k_is_facing(scene, triangle, t, ts_load3(cube->centre));
 }
 

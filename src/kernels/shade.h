@@ -1,5 +1,5 @@
 /* Lighting: emissive + ambient * base * (1 - metallic) + punctual lights through the BRDF of glTF 2.0 appendix B
- * (GGX, Smith, Schlick, Lambert), unshadowed (SPEC 0.3.1, 0.3.2). */
+ * (GGX, Smith, Schlick, Lambert) (SPEC 0.3.1, 0.3.2). */
 #ifndef TS_KERNELS_SHADE_H
 #define TS_KERNELS_SHADE_H
 #include "surface.h"
@@ -65,8 +65,16 @@ TS_FN ts_v3 ts_k_brdf(const ts_surface *s, ts_v3 n, ts_v3 v, ts_v3 l, f32 n_l)
 	return ts_scale(ts_mad(lambert, f, d * visible), n_l);
 }
 
-/* Outgoing radiance towards v (unit). Two-sided normals turn to the viewer. */
-TS_FN ts_v3 ts_k_shade(const ts_arrays *scene, const ts_surface *s, ts_v3 v)
+/* The part of light i that reaches a pixel; NULL: all of it. */
+TS_FN f32 ts_k_share(TS_GLOBAL const u32 *lit, TS_GLOBAL const ts_lamp *lamps, u32 i)
+{
+	return lit != NULL ? (f32)lit[i] / (f32)lamps[i].samples : 1.0f;
+}
+
+/* Outgoing radiance towards v (unit). Two-sided normals turn to the viewer. Of light i lit[i] of lamps[i].samples reach
+ * the surface; both may be NULL. */
+TS_FN ts_v3 ts_k_shade_lit(const ts_arrays *scene, const ts_surface *s, ts_v3 v, TS_GLOBAL const u32 *lit,
+                           TS_GLOBAL const ts_lamp *lamps)
 {
 	if ((s->flags & TS_UNLIT) != 0u) return s->base;
 	ts_v3 n = (s->flags & TS_DOUBLE_SIDED) != 0u ? ts_k_facing_normal(s, v) : s->n;
@@ -75,13 +83,19 @@ TS_FN ts_v3 ts_k_shade(const ts_arrays *scene, const ts_surface *s, ts_v3 v)
 	for (u32 i = 0u; i < scene->n_lights; i++) {
 		TS_GLOBAL const ts_light *light = &scene->lights[i];
 		ts_v3 l;
-		f32 arrives = ts_k_light(light, s->p, &l);
+		f32 arrives = ts_k_light(light, s->p, &l) * ts_k_share(lit, lamps, i);
 		f32 n_l = ts_flush(ts_dot(n, l));
 		if (!(n_l > 0.0f) || !(arrives > 0.0f)) continue;
 		ts_v3 brdf = ts_k_brdf(s, n, v, l, n_l);
 		sum = ts_add(sum, ts_mul(ts_scale(ts_load3(light->intensity), arrives), brdf));
 	}
 	return ts_v3_make(ts_flush(sum.x), ts_flush(sum.y), ts_flush(sum.z));
+}
+
+/* The same in full light. */
+TS_FN ts_v3 ts_k_shade(const ts_arrays *scene, const ts_surface *s, ts_v3 v)
+{
+	return ts_k_shade_lit(scene, s, v, NULL, NULL);
 }
 
 #endif

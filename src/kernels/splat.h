@@ -3,6 +3,7 @@
 #ifndef TS_KERNELS_SPLAT_H
 #define TS_KERNELS_SPLAT_H
 #include "points.h"
+#include "visibility.h"
 
 typedef struct {
 	TS_GLOBAL const ts_face *cubes;

@@ -25,6 +25,7 @@ TS_FN ts_camera_k ts_row_view(TS_GLOBAL const u32 *in)
 	r.width = ts_row_i32(in, 0u);
 	r.height = ts_row_i32(in, 1u);
 	r.focal = ts_row_f32(in, 2u);
+	r.orthographic = 0u;
 	return r;
 }
 

@@ -1,5 +1,5 @@
 /* Visibility bits: which faces of which cubes may see a triangle (EPR section 3.1; SPEC 0.2.4, 0.3.7). Bit 6 r + f.
- * Faces have tan of half the field of view 1, so every plane compares two coordinates. */
+ * Faces have tan of half the field of view 1. */
 #ifndef TS_KERNELS_VISIBILITY_H
 #define TS_KERNELS_VISIBILITY_H
 #include "cube.h"
@@ -20,21 +20,36 @@ TS_FN ts_v3 ts_k_face_axes(u32 face, ts_v3 d)
 	return ts_v3_make(ts_dot(ts_k_cube_row(face, 0u), d), ts_dot(ts_k_cube_row(face, 1u), d), -ts_dot(back, d));
 }
 
-/* All corners outside one and the same plane of the frustum: four sides and near, closed. */
-TS_FN bool ts_k_outside_plane(ts_v3 a, ts_v3 b, ts_v3 c, f32 near)
+/* Four sides at x and y from the axis, a unit ahead, of an orthographic view everywhere; and near. */
+typedef struct { f32 x, y, near; u32 orthographic; } ts_frustum;
+
+TS_FN f32 ts_k_reach(const ts_frustum *frustum, f32 side, f32 z) { return frustum->orthographic != 0u ? side : side * z; }
+
+/* All corners outside one and the same plane of the frustum, which is closed. */
+TS_FN bool ts_k_outside_plane(const ts_frustum *f, ts_v3 a, ts_v3 b, ts_v3 c)
 {
-	if (a.x > a.z && b.x > b.z && c.x > c.z) return true;
-	if (-a.x > a.z && -b.x > b.z && -c.x > c.z) return true;
-	if (a.y > a.z && b.y > b.z && c.y > c.z) return true;
-	if (-a.y > a.z && -b.y > b.z && -c.y > c.z) return true;
-	return a.z < near && b.z < near && c.z < near;
+	f32 ax = ts_k_reach(f, f->x, a.z), bx = ts_k_reach(f, f->x, b.z), cx = ts_k_reach(f, f->x, c.z);
+	f32 ay = ts_k_reach(f, f->y, a.z), by = ts_k_reach(f, f->y, b.z), cy = ts_k_reach(f, f->y, c.z);
+	if (a.x > ax && b.x > bx && c.x > cx) return true;
+	if (-a.x > ax && -b.x > bx && -c.x > cx) return true;
+	if (a.y > ay && b.y > by && c.y > cy) return true;
+	if (-a.y > ay && -b.y > by && -c.y > cy) return true;
+	return a.z < f->near && b.z < f->near && c.z < f->near;
 }
 
 /* Inside the frustum enlarged by a fifth [EPR 3.1]. */
-TS_FN bool ts_k_inside_enlarged(ts_v3 p)
+TS_FN bool ts_k_inside_enlarged(const ts_frustum *f, ts_v3 p)
 {
-	f32 reach = 1.2000000476837158203125f * p.z;
-	return p.z > 0.0f && ts_abs(p.x) <= reach && ts_abs(p.y) <= reach;
+	f32 fifth_more = 1.2000000476837158203125f;
+	return p.z > 0.0f && ts_abs(p.x) <= fifth_more * ts_k_reach(f, f->x, p.z) &&
+	       ts_abs(p.y) <= fifth_more * ts_k_reach(f, f->y, p.z);
+}
+
+/* A triangle of corners on the axes of a view. */
+TS_FN bool ts_k_may_see(const ts_frustum *f, ts_v3 a, ts_v3 b, ts_v3 c, u32 vertex_mode)
+{
+	if (vertex_mode == 0u) return !ts_k_outside_plane(f, a, b, c);
+	return ts_k_inside_enlarged(f, a) || ts_k_inside_enlarged(f, b) || ts_k_inside_enlarged(f, c);
 }
 
 TS_FN u32 ts_k_visible_faces(const ts_corners *t, TS_GLOBAL const ts_face *cube, u32 vertex_mode)
@@ -43,15 +58,17 @@ TS_FN u32 ts_k_visible_faces(const ts_corners *t, TS_GLOBAL const ts_face *cube,
 	ts_v3 da = ts_sub(t->a, centre);
 	ts_v3 db = ts_sub(t->b, centre);
 	ts_v3 dc = ts_sub(t->c, centre);
+	ts_frustum frustum;
+	frustum.x = 1.0f;
+	frustum.y = 1.0f;
+	frustum.near = cube->near;
+	frustum.orthographic = 0u;
 	u32 faces = 0u;
 	for (u32 face = 0u; face < 6u; face++) {
 		ts_v3 a = ts_k_face_axes(face, da);
 		ts_v3 b = ts_k_face_axes(face, db);
 		ts_v3 c = ts_k_face_axes(face, dc);
-		bool seen = vertex_mode != 0u
-			? ts_k_inside_enlarged(a) || ts_k_inside_enlarged(b) || ts_k_inside_enlarged(c)
-			: !ts_k_outside_plane(a, b, c, cube->near);
-		faces |= seen ? 1u << face : 0u;
+		faces |= ts_k_may_see(&frustum, a, b, c, vertex_mode) ? 1u << face : 0u;
 	}
 	return faces;
 }
@@ -60,7 +77,7 @@ TS_FN u32 ts_k_visible_faces(const ts_corners *t, TS_GLOBAL const ts_face *cube,
 TS_FN u32 ts_k_visibility(const ts_visibility_args *args, u32 triangle, const ts_corners *t, u32 r)
 {
 	TS_GLOBAL const ts_face *cube = &args->cubes[r];
-	return ts_k_may_show(&args->scene, cube, r, triangle, t) ? ts_k_visible_faces(t, cube, args->vertex_mode) : 0u;
+	return ts_k_may_show(&args->scene, cube, triangle, t) ? ts_k_visible_faces(t, cube, args->vertex_mode) : 0u;
 }
 
 /* The six bits of cube r of a triangle's words. */

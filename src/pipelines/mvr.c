@@ -1,7 +1,7 @@
-/* Classic multi-view rendering of cube-mapped reflections: the baseline of EPR section 4.2 (SPEC 1.7).
+/* Classic multi-view rendering: the baseline of EPR section 4.2 and of iVIR sections 4 to 6 (SPEC 1.7).
  *
  * For every reflector the whole scene is rasterized into the six faces of its cube, every texel is shaded, a mip chain is
- * made, and the eye's reflective pixels look it up.
+ * made, and the eye's reflective pixels look it up. For shadows the scene is rasterized into every depth map.
  *
  * Deviations: deferred shading by the same kernels as EPR's, so that only the method differs; one reflector at a time, so
  * that memory does not grow with their number. One bounce, whatever the parameter says. */
@@ -15,10 +15,10 @@ const ts_step ts_mvr_steps[] = {
 	{.stage = "eye"},
 	{.stage = "eye_margin", .only_margins = true},
 	{.stage = "pixel"},
-	{.stage = "face", .each_reflector = true},       /* geometry into six faces */
-	{.stage = "face_margin", .only_margins = true, .each_reflector = true},
-	{.stage = "illuminate", .each_reflector = true}, /* shading of every texel; mip-mapping */
-	{.stage = "mirror", .each_reflector = true},     /* the eye's look-ups */
+	{.stage = "face", .each_batch = true},       /* geometry into six faces */
+	{.stage = "face_margin", .only_margins = true, .each_batch = true},
+	{.stage = "illuminate", .each_batch = true}, /* shading of every texel; mip-mapping */
+	{.stage = "mirror", .each_batch = true},     /* the eye's look-ups */
 	{.stage = "image"},
 	{0},
 };
@@ -30,11 +30,39 @@ void ts_mvr_prepare(ts_run *run)
 	run->all_cubes = true;
 }
 
+const ts_step ts_mvr_soft_steps[] = {
+	{.stage = "view"},
+	{.stage = "pose"},
+	{.stage = "lamp"},
+	{.stage = "lamp_view"},
+	{.stage = "eye"},
+	{.stage = "eye_margin", .only_margins = true},
+	{.stage = "depth", .each_batch = true},          /* geometry into every depth map */
+	{.stage = "resolve", .each_batch = true},
+	{.stage = "shadow_image"},
+	{0},
+};
+
+const ts_step ts_mvr_omni_steps[] = {
+	{.stage = "view"},
+	{.stage = "pose"},
+	{.stage = "lamp_ball"},
+	{.stage = "lamp_cube"},
+	{.stage = "offscreen"},
+	{.stage = "eye"},
+	{.stage = "eye_margin", .only_margins = true},
+	{.stage = "depth", .each_batch = true},
+	{.stage = "resolve", .each_batch = true},
+	{.stage = "shadow_image"},
+	{0},
+};
+
 /* The cubes of one reflector at a time. */
 void ts_mvr_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params)
 {
 	u64 face = params->face_px != 0 ? params->face_px : params->face_max;
 	u64 cubes = scene->info.n_reflectors != 0 ? 1 : 0;
+	ts_sizes_set(sizes, "batches", scene->info.n_reflectors);
 	ts_sizes_set(sizes, "C", cubes * 6 * face * face);
 	ts_sizes_set(sizes, "C4", cubes * ts_k_mip_texels((u32)face, TS_NONE));
 }

@@ -4,13 +4,17 @@
 #include "../core/shape.h"
 #include "../stages/stage.h"
 
+/* When points are stored: see the parameter `buffered`. */
+enum { TS_STORED_ANYHOW, TS_STORED_BY_DEFAULT, TS_STORED_IF_ASKED };
+
 typedef struct {
 	const char *stage;
 	u32 least_bounces;   /* runs only if so many bounces are followed */
 	bool only_traced;    /* runs only for a trace: no later stage reads what it makes */
 	bool only_margins;   /* the same, and only if run->margins asks for it */
 	bool only_ordered;   /* points that arrive in any order do without */
-	bool each_reflector; /* neighbours with this mark run for one reflector after the other */
+	u32 stored;          /* TS_STORED_*: runs only if points are */
+	bool each_batch;     /* neighbours with this mark run for one batch after the other */
 } ts_step;
 
 typedef struct {
@@ -20,7 +24,8 @@ typedef struct {
 	const char *doc;
 	const ts_step *steps;            /* ended by a step without a stage */
 	void (*prepare)(ts_run *run);    /* settings that only this method has; may be NULL */
-	/* What the counts of points, pixels and texels (Q N C P P2 P3 of records.def) are expected to be, before running. */
+	/* What the counts of views, points, pixels and texels (B U Q N C P P2 P3 of records.def) are expected to be, before
+	 * running; and "batches", how many are like that. */
 	void (*expect)(ts_sizes *sizes, const ts_scene *scene, const ts_params *params);
 } ts_pipeline;
 
@@ -38,6 +43,8 @@ bool ts_pipeline_takes(const ts_step *step, const ts_params *params, bool traced
 const ts_step *ts_pipeline_maker(const ts_pipeline *pipeline, ts_buffer_id id);
 /* Bytes of a buffer of its shape in records.def; 2^63 if that is unknown or more. */
 u64 ts_pipeline_bytes(ts_buffer_id id, const ts_sizes *sizes);
+/* How many batches the pipeline expects. */
+u64 ts_pipeline_batches(const ts_sizes *sizes);
 
 /* Estimated peak of the frame's buffers in bytes, before running, without those of a trace; `lean` as in ts_run. */
 u64 ts_pipeline_estimate(const ts_pipeline *pipeline, const ts_scene *scene, const ts_params *params, bool lean);

@@ -2,9 +2,15 @@
 #include <assert.h>
 #include "pipeline.h"
 
+static bool stores(const ts_step *step, const ts_params *params)
+{
+	if (step->stored == TS_STORED_BY_DEFAULT) return params->buffered != TS_BUFFERED_OFF;
+	return step->stored == TS_STORED_ANYHOW || params->buffered == TS_BUFFERED_ON;
+}
+
 bool ts_pipeline_takes(const ts_step *step, const ts_params *params, bool traced)
 {
-	return params->bounces >= step->least_bounces && (traced || !(step->only_traced || step->only_margins));
+	return params->bounces >= step->least_bounces && stores(step, params) && (traced || !(step->only_traced || step->only_margins));
 }
 
 /* True if a step from `step` on reads the buffer. */
@@ -44,18 +50,18 @@ static ts_status run_steps(const ts_step *step, const ts_step *end, ts_run *run)
 	return TS_OK;
 }
 
-/* One batch a reflector; a scene without reflectors is one empty batch. */
+/* Batch after batch; a scene without reflectors is one empty batch. */
 static ts_status run_batches(const ts_pipeline *pipeline, const ts_step *step, const ts_step *end, ts_run *run)
 {
-	u32 n = run->scene->info.n_reflectors;
-	run->n_reflectors = n != 0 ? 1 : 0;
-	for (u32 r = 0; r == 0 || r < n; r++) {
-		run->first_reflector = r;
-		ts_progress(pipeline->name, r, n);
+	u32 n = run->all_units;
+	for (u32 first = 0; first == 0 || first < n; first += run->batch) {
+		run->first_unit = first;
+		run->n_units = n - first < run->batch ? n - first : run->batch;
+		ts_progress(pipeline->name, first, n);
 		if (run_steps(step, end, run) != TS_OK) return TS_ERROR;
 	}
-	run->first_reflector = 0;
-	run->n_reflectors = n;
+	run->first_unit = 0;
+	run->n_units = n;
 	ts_progress(pipeline->name, n, n);
 	return TS_OK;
 }
@@ -64,7 +70,7 @@ static ts_status run_batches(const ts_pipeline *pipeline, const ts_step *step, c
 static const ts_step *step_after(const ts_step *step)
 {
 	const ts_step *end = step + 1;
-	while (step->each_reflector && end->each_reflector) end++;
+	while (step->each_batch && end->each_batch) end++;
 	return end;
 }
 
@@ -74,7 +80,7 @@ ts_status ts_pipeline_run(const ts_pipeline *pipeline, ts_run *run)
 	const ts_step *end;
 	for (const ts_step *step = pipeline->steps; step->stage != NULL; step = end) {
 		end = step_after(step);
-		ts_status status = step->each_reflector ? run_batches(pipeline, step, end, run) : run_steps(step, end, run);
+		ts_status status = step->each_batch ? run_batches(pipeline, step, end, run) : run_steps(step, end, run);
 		if (status != TS_OK) return status;
 		forget(pipeline, end, run);
 	}
@@ -96,6 +102,13 @@ u64 ts_pipeline_bytes(ts_buffer_id id, const ts_sizes *sizes)
 	const ts_buffer_info *info = &ts_buffer_table[id];
 	if (!ts_shape_dims(info->shape, sizes, &n_dims, dims) || !ts_shape_count(&n, n_dims, dims)) return most;
 	return n > most / info->element_bytes ? most : n * info->element_bytes;
+}
+
+u64 ts_pipeline_batches(const ts_sizes *sizes)
+{
+	u32 n_dims;
+	u64 dims[TS_MAX_DIMS];
+	return ts_shape_dims("batches", sizes, &n_dims, dims) ? dims[0] : 1;
 }
 
 static u64 add(u64 a, u64 b) { return a > UINT64_MAX - b ? UINT64_MAX : a + b; }

@@ -1,13 +1,20 @@
 /* Which pieces stay. */
 #include "stages.h"
 
+/* Samples a pixel a side; the pixels of iVIR and VIR are samples. */
+static f32 cull_unit(const ts_run *run)
+{
+	bool eye = run->rate == TS_RATE_IS_EYE && run->params.cull_unit == TS_CULL_EYE;
+	return eye ? ts_samples_a_pixel(&run->params) : 1.0f;
+}
+
 ts_cull_args ts_cull_arguments(const ts_run *run)
 {
 	const ts_params *params = &run->params;
 	return (ts_cull_args){
 		.pieces = ts_frame_handle(&run->frame, TS_B_split_triangle),
 		.scale = ts_frame_handle(&run->frame, TS_B_density_scale),
-		.unit = params->cull_unit == TS_CULL_EYE ? ts_samples_a_pixel(params) : 1.0f,
+		.unit = cull_unit(run),
 		.seed = params->seed,
 		.enabled = params->cull,
 	};

@@ -27,8 +27,8 @@ ts_status ts_stage_face_margin(ts_run *run)
 	ts_margin_args args = {
 		.cubes = ts_frame_handle(&run->frame, TS_B_resize_face),
 		.depth_triangle = ts_frame_handle(&run->frame, TS_B_face_depth_triangle),
-		.first_cube = run->first_reflector,
-		.n_cubes = run->n_reflectors,
+		.first_cube = run->first_unit,
+		.n_cubes = run->n_units,
 	};
 	return margin_of_pixels(run, &args, TS_B_face_margin, 2, shape, TS_KERNEL_face_margin);
 }

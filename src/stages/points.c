@@ -1,21 +1,23 @@
 /* Points: counted, then written where the prefix sums say. */
 #include "stages.h"
 
-static ts_points_args arguments(const ts_run *run)
+ts_points_args ts_points_arguments(const ts_run *run)
 {
+	static const i32 half_sizes[] = {129, 128, 0};
 	return (ts_points_args){
 		.scene = ts_run_arrays(run),
 		.pieces = ts_frame_handle(&run->frame, TS_B_split_triangle),
 		.frames = ts_frame_handle(&run->frame, TS_B_align_frame),
-		.half_size = run->params.conservative == TS_CONSERVATIVE_SAFE ? 129 : 128,
+		.half_size = half_sizes[run->params.conservative],
 		.paper_splat = run->params.splat == TS_SPLAT_PAPER,
+		.snap = run->rate != TS_RATE_IS_EYE && run->params.snap,
 	};
 }
 
 ts_status ts_stage_count(ts_run *run)
 {
 	u64 n = ts_frame_n(&run->frame, TS_B_align_frame);
-	ts_points_args args = arguments(run);
+	ts_points_args args = ts_points_arguments(run);
 	args.offset = ts_frame_make1(&run->frame, TS_B_count_offset, n + 1);
 	if (args.offset == NULL) return TS_ERROR;
 	if (ts_run_launch(run, TS_KERNEL_count, &args, n) != TS_OK) return TS_ERROR;
@@ -53,7 +55,7 @@ static ts_status append(ts_run *run, ts_points_args *args, u64 n)
 ts_status ts_stage_points(ts_run *run)
 {
 	u64 n = ts_frame_n(&run->frame, TS_B_align_frame);
-	ts_points_args args = arguments(run);
+	ts_points_args args = ts_points_arguments(run);
 	if (run->arrival) return append(run, &args, n);
 	args.offset = ts_frame_handle(&run->frame, TS_B_count_offset);
 	const u32 *before = ts_frame_data(&run->frame, TS_B_count_offset);

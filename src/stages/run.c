@@ -11,7 +11,9 @@ void ts_run_begin(ts_run *run, const ts_scene *scene, const ts_params *params, u
 	run->scene = scene;
 	run->params = *params;
 	ts_c_begin(&run->c, threads);
-	run->n_reflectors = scene->info.n_reflectors;
+	run->all_units = run->n_units = scene->info.n_reflectors;
+	run->rate = TS_RATE_IS_EYE;
+	run->batch = 1;
 	ts_frame_borrow(&run->frame, TS_B_scene_vertex, scene->vertices, scene->n_vertices);
 	ts_frame_borrow(&run->frame, TS_B_scene_triangle, scene->triangles, scene->n_triangles);
 	ts_frame_borrow(&run->frame, TS_B_scene_material, scene->materials, scene->n_materials);
@@ -110,10 +112,27 @@ u32 ts_run_n_words(const ts_run *run) { return (ts_run_n_cubes(run) * 6 + 63) / 
 
 u64 ts_run_n_texels(const ts_run *run, u32 first, u32 n)
 {
-	const ts_face *cubes = ts_frame_data(&run->frame, TS_B_resize_face);
 	u64 texels = 0;
-	for (u32 r = first; r < first + n; r++) texels += (u64)6 * cubes[r].n * cubes[r].n;
+	if (ts_run_has_cubes(run)) {
+		const ts_face *cubes = ts_frame_data(&run->frame, TS_B_resize_face);
+		for (u32 r = first; r < first + n; r++) texels += (u64)6 * cubes[r].n * cubes[r].n;
+	} else if (run->frame.buffer[TS_B_offscreen_view].made) {
+		const ts_offscreen *views = ts_frame_data(&run->frame, TS_B_offscreen_view);
+		for (u32 v = first; v < first + n; v++) texels += (u64)views[v].width * views[v].height;
+	}
 	return texels;
+}
+
+bool ts_run_has_cubes(const ts_run *run)
+{
+	return run->frame.buffer[TS_B_resize_face].made && ts_run_n_cubes(run) > 0;
+}
+
+void ts_run_views(const ts_run *run, u32 *first, u32 *n)
+{
+	u32 each = ts_run_has_cubes(run) ? 6 : 1;
+	*first = each * run->first_unit;
+	*n = ts_frame_n(&run->frame, TS_B_offscreen_view) > 0 ? each * run->n_units : 0;
 }
 
 ts_status ts_run_launch(ts_run *run, ts_kernel kernel, const void *args, u64 n)
@@ -158,8 +177,21 @@ void ts_run_sizes(ts_sizes *sizes, const ts_scene *scene, const ts_params *param
 	const ts_size known[] = {
 		{"V", scene->n_vertices}, {"T", scene->n_triangles}, {"M", scene->n_materials}, {"S", scene->n_slots},
 		{"I", scene->n_images}, {"X", scene->n_texels}, {"L", scene->n_lights}, {"O", scene->n_objects},
-		{"R", scene->info.n_reflectors}, {"w", ((u64)scene->info.n_reflectors * 6 + 63) / 64}, {"H", params->height},
+		{"R", scene->info.n_reflectors}, {"H", params->height},
 		{"W", params->width}, {"K", TS_N_SAMPLES}, {"P", ts_expected_pixels(scene, params)},
 	};
 	for (u32 i = 0; i < sizeof known / sizeof *known; i++) ts_sizes_set(sizes, known[i].name, known[i].n);
+	ts_sizes_cubes(sizes, scene->info.n_reflectors);
+}
+
+void ts_sizes_cubes(ts_sizes *sizes, u64 n)
+{
+	ts_sizes_set(sizes, "B", n);
+	ts_sizes_views(sizes, 6 * n);
+}
+
+void ts_sizes_views(ts_sizes *sizes, u64 n)
+{
+	ts_sizes_set(sizes, "U", n);
+	ts_sizes_set(sizes, "w", (n + 63) / 64);
 }

@@ -37,9 +37,12 @@ struct ts_run {
 	ts_c_backend c;
 	ts_backend *backend;       /* NULL: c */
 	bool arrival;              /* see ts_how */
+	u32 rate;                  /* TS_RATE_IS_*: whose resolution the points are made for */
 	u32 fixed_face;            /* size of every cube, or 0: as the parameters say */
 	bool all_cubes;            /* also the cubes of reflectors that the eye does not see */
-	u32 first_reflector, n_reflectors; /* the batch that per-reflector stages work on */
+	u32 all_units;             /* what batches are made of: cubes, or of soft shadows views */
+	u32 batch;                 /* units a batch */
+	u32 first_unit, n_units;   /* the batch that stages work on: all, but where a step goes by batches */
 	bool traced;               /* also the stages that only traces need */
 	bool margins;              /* also the stages that say how near the decisions were */
 	bool lean;                 /* a buffer lives until its last reader; digests and replays want all of them */
@@ -62,9 +65,12 @@ const ts_backend *ts_run_backend(const ts_run *run);
 void ts_run_count(ts_run *run, const char *name, i64 value);
 i64 ts_run_counter(const ts_run *run, const char *name);
 
-/* What is known of the sizes in records.def before a run: those of scene and image, and K, w. Reflective pixels (P) are
- * expected, not known. */
+/* What is known of the sizes in records.def before a run: those of scene and image, and K; of cubes and views, as if each
+ * reflector had a cube. Reflective pixels (P) are expected, not known. */
 void ts_run_sizes(ts_sizes *sizes, const ts_scene *scene, const ts_params *params);
+/* Off-screen views: n cubes, or n that are no cubes' faces. */
+void ts_sizes_cubes(ts_sizes *sizes, u64 n);
+void ts_sizes_views(ts_sizes *sizes, u64 n);
 /* Reflective pixels: a square about every added reflector, or a quarter of the image. */
 u64 ts_expected_pixels(const ts_scene *scene, const ts_params *params);
 

@@ -29,6 +29,19 @@ ts_status ts_stage_image(ts_run *run);
 ts_status ts_stage_eye_margin(ts_run *run);
 ts_status ts_stage_cull_margin(ts_run *run);
 ts_status ts_stage_face_margin(ts_run *run);
+ts_status ts_stage_lamp(ts_run *run);
+ts_status ts_stage_lamp_ball(ts_run *run);
+ts_status ts_stage_lamp_view(ts_run *run);
+ts_status ts_stage_lamp_cube(ts_run *run);
+ts_status ts_stage_offscreen(ts_run *run);
+ts_status ts_stage_offscreen_visibility(ts_run *run);
+ts_status ts_stage_view_split(ts_run *run);
+ts_status ts_stage_scatter(ts_run *run);
+ts_status ts_stage_scatter_colour(ts_run *run);
+ts_status ts_stage_copy(ts_run *run);
+ts_status ts_stage_depth(ts_run *run);
+ts_status ts_stage_resolve(ts_run *run);
+ts_status ts_stage_shadow_image(ts_run *run);
 
 /* Shared by the stages (run.c). The arrays of the frame that shading kernels read; the vertices are this frame's. */
 ts_arrays ts_run_arrays(const ts_run *run);
@@ -41,7 +54,13 @@ f32 ts_samples_a_pixel(const ts_params *params);
 u32 ts_largest_face(const ts_params *params);
 u32 ts_run_n_cubes(const ts_run *run);
 u32 ts_run_n_words(const ts_run *run);
-/* Texels of cubes [first, first + n), all faces. */
+/* The off-screen views are faces of cubes. */
+bool ts_run_has_cubes(const ts_run *run);
+/* The off-screen views of the batch. */
+void ts_run_views(const ts_run *run, u32 *first, u32 *n);
+/* Arguments of the kernels that make points, without their output. */
+ts_points_args ts_points_arguments(const ts_run *run);
+/* Texels of units [first, first + n): cubes with all faces, or views. */
 u64 ts_run_n_texels(const ts_run *run, u32 first, u32 n);
 /* The run's backend at work: see backend.h. */
 ts_status ts_run_launch(ts_run *run, ts_kernel kernel, const void *args, u64 n);

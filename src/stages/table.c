@@ -7,6 +7,9 @@
 #define SHAPES TS_B_pose_vertex, TS_B_scene_triangle, TS_B_scene_material, TS_B_scene_object
 /* What turns a point into a surface. */
 #define POINTS SCENE, TS_B_resize_face, TS_B_split_triangle, TS_B_align_frame, TS_B_points_key, TS_B_points_record
+#define LAMPS TS_B_lamp_light, TS_B_lamp_shape
+/* What points are made from without being stored. */
+#define PIECES SCENE, TS_B_split_triangle, TS_B_align_frame
 #define END TS_N_BUFFERS
 
 const ts_stage ts_stage_table[] = {
@@ -76,6 +79,38 @@ const ts_stage ts_stage_table[] = {
 	 {TS_B_shade_radiance, END}, ts_stage_mirror, "EPR 4.2", "MVR: mip-mapped look-ups of the reflective pixels"},
 	{"image", "map", {SCENE, TS_B_eye_view, TS_B_eye_depth_triangle, TS_B_pixel_offset, TS_B_shade_radiance, END},
 	 {TS_B_image_radiance, TS_B_image_srgb, END}, ts_stage_image, "EPR 4.1.2", "the picture"},
+	{"lamp", "map", {TS_B_scene_info, TS_B_scene_light, END}, {LAMPS, END}, ts_stage_lamp, "iVIR 4",
+	 "the lights whose shadows are soft"},
+	{"lamp_view", "map", {TS_B_scene_info, LAMPS, END}, {TS_B_offscreen_view, END}, ts_stage_lamp_view, "iVIR 4",
+	 "a depth map for each sample of each light"},
+	{"lamp_ball", "map", {TS_B_scene_info, END}, {LAMPS, END}, ts_stage_lamp_ball, "iVIR 6",
+	 "the light whose shadows fall all around it"},
+	{"lamp_cube", "map", {TS_B_scene_info, LAMPS, END}, {TS_B_resize_face, END}, ts_stage_lamp_cube, "iVIR 6",
+	 "a cube for each sample of the light"},
+	{"offscreen", "map", {TS_B_resize_face, END}, {TS_B_offscreen_view, END}, ts_stage_offscreen, "iVIR 5",
+	 "six off-screen views a cube"},
+	{"offscreen_visibility", "map", {SHAPES, TS_B_offscreen_view, END}, {TS_B_visibility_bits, END},
+	 ts_stage_offscreen_visibility, "iVIR 3.1", "one bit a triangle and off-screen view"},
+	{"view_split", "emit", {SHAPES, TS_B_offscreen_view, TS_B_visibility_bits, END},
+	 {TS_B_split_scale, TS_B_split_offset, TS_B_split_triangle, TS_B_density_scale, END}, ts_stage_view_split,
+	 "iVIR 3.1, eqs 2 and 3", "density of every triangle from the off-screen views; uneven and large ones in pieces"},
+	{"scatter", "scatter",
+	 {PIECES, TS_B_resize_face, TS_B_offscreen_view, TS_B_visibility_bits, TS_B_points_key, TS_B_points_record, END},
+	 {TS_B_scatter_depth, END}, ts_stage_scatter, "iVIR 4", "points into depth maps by 32-bit minimum"},
+	{"scatter_colour", "scatter",
+	 {PIECES, TS_B_resize_face, TS_B_offscreen_view, TS_B_visibility_bits, TS_B_points_key, TS_B_points_record, END},
+	 {TS_B_scatter_colour, END}, ts_stage_scatter_colour, "iVIR 5", "points into environment maps: 13 bits of depth, 19 of colour"},
+	{"copy", "map", {TS_B_resize_face, TS_B_scatter_colour, END}, {TS_B_face_mip, END}, ts_stage_copy, "iVIR 5",
+	 "environment maps into mip chains"},
+	{"depth", "scatter", {SCENE, TS_B_resize_face, TS_B_offscreen_view, END}, {TS_B_scatter_depth, END}, ts_stage_depth,
+	 "iVIR 4", "MVR: standard rasterization into every depth map"},
+	{"resolve", "map",
+	 {SCENE, TS_B_resize_face, TS_B_eye_view, TS_B_eye_depth_triangle, TS_B_lamp_shape, TS_B_offscreen_view,
+	  TS_B_scatter_depth, END},
+	 {TS_B_resolve_lit, END}, ts_stage_resolve, "iVIR 4", "how many light samples reach each pixel"},
+	{"shadow_image", "map",
+	 {SCENE, TS_B_eye_view, TS_B_eye_depth_triangle, LAMPS, TS_B_resolve_lit, END},
+	 {TS_B_image_radiance, TS_B_image_srgb, END}, ts_stage_shadow_image, "iVIR 4", "the picture with its shadows"},
 	{0},
 };
 

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include "../kernels/illuminate.h"
 #include "../kernels/samples.h"
+#include "../stages/stages.h"
 #include "emit.h"
 #include "field.h"
 
@@ -49,7 +50,7 @@ static const ts_size *find_size(const ts_sizes *sizes, const char *name, size_t 
 }
 
 /* Names of the sizes that buffers define: the first dimension, where it is a name and nothing else. */
-static const char *const defined[] = {"V", "T", "M", "S", "I",  "X",  "L", "O",
+static const char *const defined[] = {"V", "T", "M", "S", "I",  "X",  "L", "O", "A", "B", "U",
                                       "R", "P", "Q", "N", "P2", "P3", "C", "C4"};
 
 static void define(ts_sizes *sizes, ts_buffer_id id, u64 n)
@@ -69,14 +70,10 @@ void ts_check_sizes(ts_load *load, const ts_stage *stage)
 	ts_sizes_set(sizes, "W", load->run.params.width);
 	ts_sizes_set(sizes, "K", TS_N_SAMPLES);
 	if (load->item[TS_B_scene_info] != NULL) ts_sizes_set(sizes, "R", load->scene.info.n_reflectors);
-	if (load->item[TS_B_resize_face] != NULL) {
-		const ts_face *cubes = ts_frame_data(&load->run.frame, TS_B_resize_face);
-		u32 n = (u32)ts_frame_n(&load->run.frame, TS_B_resize_face);
-		u64 texels = 0;
-		for (u32 r = 0; r < n; r++) texels += (u64)6 * cubes[r].n * cubes[r].n;
-		ts_sizes_set(sizes, "C", texels);
-		ts_sizes_set(sizes, "C4", ts_k_mip_first(cubes, 0, n));
-	}
+	bool cubes = load->item[TS_B_resize_face] != NULL, views = load->item[TS_B_offscreen_view] != NULL;
+	u32 units = cubes ? ts_run_n_cubes(&load->run) : views ? (u32)ts_frame_n(&load->run.frame, TS_B_offscreen_view) : 0;
+	if (cubes || views) ts_sizes_set(sizes, "C", ts_run_n_texels(&load->run, 0, units));
+	if (cubes) ts_sizes_set(sizes, "C4", ts_k_mip_first(ts_frame_data(&load->run.frame, TS_B_resize_face), 0, units));
 	/* The scene, loaded or not; what was loaded; the rest. */
 	for (u32 pass = 0; pass < 3; pass++) {
 		for (u32 id = 0; id < TS_N_BUFFERS; id++) {
@@ -86,10 +83,13 @@ void ts_check_sizes(ts_load *load, const ts_stage *stage)
 			if (item != NULL && turn && !made) define(sizes, (ts_buffer_id)id, item->npy.shape[0]);
 		}
 	}
-	const ts_size *reflectors = find_size(sizes, "R", 1);
-	if (reflectors == NULL) return;
-	load->scene.info.n_reflectors = load->run.n_reflectors = (u32)reflectors->n;
-	ts_sizes_set(sizes, "w", (reflectors->n * 6 + 63) / 64);
+	const ts_size *reflectors = find_size(sizes, "R", 1), *n_cubes = find_size(sizes, "B", 1);
+	const ts_size *n_views = find_size(sizes, "U", 1);
+	if (reflectors != NULL) load->scene.info.n_reflectors = (u32)reflectors->n;
+	if (n_cubes != NULL) load->run.all_units = load->run.n_units = (u32)n_cubes->n;
+	if (n_cubes != NULL && n_views == NULL) ts_sizes_cubes(sizes, n_cubes->n);
+	if (n_views != NULL) ts_sizes_views(sizes, n_views->n);
+	if (n_views != NULL && n_cubes == NULL) load->run.all_units = load->run.n_units = (u32)n_views->n;
 }
 
 static void print_dims(char text[DIMS_TEXT], u32 n, const u64 *dims)

@@ -116,7 +116,7 @@ static ts_status check_lights(const ts_load *load)
 /* One object for each of the reflectors, whose indices have been checked. */
 static ts_status check_reflectors(const ts_load *load, const ts_object *objects, u64 n)
 {
-	u32 n_reflectors = load->run.n_reflectors;
+	u32 n_reflectors = load->scene.info.n_reflectors;
 	u32 *owner = ts_alloc(n_reflectors, sizeof *owner, "reflectors");
 	if (owner == NULL) return TS_ERROR;
 	for (u32 r = 0; r < n_reflectors; r++) owner[r] = TS_NONE;
@@ -245,9 +245,9 @@ static ts_status check_counts(const ts_load *load, const ts_stage *stage)
 
 ts_status ts_check_values(const ts_load *load, const ts_stage *stage)
 {
-	if (load->run.n_reflectors > MAX_REFLECTORS) {
+	if (load->scene.info.n_reflectors > MAX_REFLECTORS || load->run.all_units > MAX_REFLECTORS) {
 		return ts_fail("%s: %" PRIu32 " reflectors; at most %d would be right", load->reference->dir,
-		               load->run.n_reflectors, MAX_REFLECTORS);
+		               load->run.all_units, MAX_REFLECTORS);
 	}
 	if (check_sums(load) != TS_OK || check_images(load) != TS_OK || check_slots(load) != TS_OK) return TS_ERROR;
 	if (check_lights(load) != TS_OK || check_objects(load) != TS_OK || check_view(load) != TS_OK) return TS_ERROR;

@@ -2,28 +2,26 @@
 #include "emit.h"
 #include <stdio.h>
 #include "../kernels/illuminate.h"
+#include "../stages/stages.h"
 
 bool ts_emit_is_scene(ts_buffer_id id) { return strncmp(ts_buffer_table[id].name, "scene.", 6) == 0; }
 
-/* Buffers over texels of cubes come a batch at a time. */
+/* Buffers over texels come a batch at a time. */
 static bool comes_in_batches(ts_buffer_id id) { return ts_buffer_table[id].shape[0] == 'C'; }
 
-static bool is_whole(const ts_run *run) { return run->n_reflectors == run->scene->info.n_reflectors; }
+static bool is_whole(const ts_run *run) { return run->n_units == run->all_units; }
 
 static bool is_last_batch(const ts_run *run)
 {
-	return run->first_reflector + run->n_reflectors == run->scene->info.n_reflectors;
+	return run->first_unit + run->n_units == run->all_units;
 }
 
-/* Rows of a buffer over all cubes. */
+/* Rows of a buffer over all units. */
 static u64 all_rows(const ts_run *run, ts_buffer_id id)
 {
-	const ts_face *cubes = ts_frame_data(&run->frame, TS_B_resize_face);
-	u32 n = run->scene->info.n_reflectors;
-	if (strncmp(ts_buffer_table[id].shape, "C4", 2) == 0) return ts_k_mip_first(cubes, 0, n);
-	u64 texels = 0;
-	for (u32 r = 0; r < n; r++) texels += (u64)6 * cubes[r].n * cubes[r].n;
-	return texels;
+	bool mips = strncmp(ts_buffer_table[id].shape, "C4", 2) == 0;
+	return mips ? ts_k_mip_first(ts_frame_data(&run->frame, TS_B_resize_face), 0, run->all_units)
+	            : ts_run_n_texels(run, 0, run->all_units);
 }
 
 static ts_status offer(const ts_run *run, ts_buffer_id id, ts_take_chunk *take, void *user)
@@ -31,7 +29,7 @@ static ts_status offer(const ts_run *run, ts_buffer_id id, ts_take_chunk *take, 
 	const ts_buffer *buffer = &run->frame.buffer[id];
 	bool part = comes_in_batches(id) && !is_whole(run);
 	if (!part && !is_last_batch(run)) return TS_OK;
-	ts_chunk p = {.id = id, .n_dims = buffer->n_dims, .first = !part || run->first_reflector == 0,
+	ts_chunk p = {.id = id, .n_dims = buffer->n_dims, .first = !part || run->first_unit == 0,
 	              .data = ts_frame_data(&run->frame, id), .bytes = buffer->bytes};
 	memcpy(p.shape, buffer->shape, sizeof p.shape);
 	if (part) p.shape[0] = all_rows(run, id);

@@ -166,9 +166,9 @@ u64 ts_trace_estimate(const ts_pipeline *pipeline, const ts_scene *scene, const 
 		if (options->without[id] || (step != NULL && !ts_pipeline_takes(step, params, true))) continue;
 		if (step != NULL && step->only_margins && !options->margins) continue;
 		if (step == NULL && !ts_emit_is_scene((ts_buffer_id)id)) continue;
-		bool batches = step != NULL && step->each_reflector && ts_buffer_table[id].shape[0] == 'C';
+		bool batches = step != NULL && step->each_batch && ts_buffer_table[id].shape[0] == 'C';
 		u64 part = ts_pipeline_bytes((ts_buffer_id)id, &sizes);
-		bytes += TS_NPY_HEADER + (batches ? part * scene->info.n_reflectors : part);
+		bytes += TS_NPY_HEADER + (part * (batches ? ts_pipeline_batches(&sizes) : 1));
 	}
 	return bytes;
 }

@@ -129,7 +129,7 @@ static ts_status judge_faces(const ts_run *run, const ts_stage *stage, void *use
 	if (judge->truth == NULL && ts_truth_new(&judge->truth, run) != TS_OK) return TS_ERROR;
 	const ts_face *cubes = ts_frame_data(&run->frame, TS_B_resize_face);
 	const u64 *texel = ts_frame_data(&run->frame, TS_B_face_depth_triangle);
-	for (u32 r = run->first_reflector; r < run->first_reflector + run->n_reflectors; r++) {
+	for (u32 r = run->first_unit; r < run->first_unit + run->n_units; r++) {
 		u32 n = cubes[r].n;
 		for (u32 i = 0; i < 6 * n * n; i++, texel++)
 			judge_texel(judge, &cubes[r], r, i / (n * n), i % n, i / n % n, (u32)*texel);

@@ -216,7 +216,7 @@ static ts_status check_shapes(const ts_run *run, const ts_stage *stage, void *us
 		ts_sizes_set(&sizes, counted[i].size, made ? ts_frame_n(&run->frame, counted[i].of) : 0);
 	}
 	if (run->frame.buffer[TS_B_resize_face].made) {
-		ts_sizes_set(&sizes, "C", ts_run_n_texels(run, run->first_reflector, run->n_reflectors));
+		ts_sizes_set(&sizes, "C", ts_run_n_texels(run, run->first_unit, run->n_units));
 	}
 	for (u32 i = 0; stage->writes[i] != TS_N_BUFFERS; i++) {
 		const ts_buffer *buffer = &run->frame.buffer[stage->writes[i]];

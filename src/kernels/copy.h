@@ -1,0 +1,25 @@
+/* The copy pass of environment maps: colours of the nearest points into level 0 of the mip chain (iVIR section 5;
+ * SPEC 1.6). */
+#ifndef TS_KERNELS_COPY_H
+#define TS_KERNELS_COPY_H
+#include "illuminate.h"
+#include "scatter.h"
+
+typedef struct {
+	ts_illuminate_args to;         /* without its depth_triangle */
+	TS_GLOBAL const u32 *colours;  /* scatter.colour of all cubes */
+	f32 exposure;
+} ts_copy_args;
+
+/* map over texels of the batch */
+TS_FN void ts_k_copy_item(const ts_copy_args *args, u64 i)
+{
+	ts_texel_place place = ts_k_texel_place(&args->to, i);
+	u32 code = args->colours[args->to.cubes[args->to.first_cube].offset + i];
+	ts_v3 radiance = code != TS_NONE ? ts_k_colour_radiance(code, args->exposure) : ts_k_background();
+	TS_GLOBAL f32 *out = args->to.mip + (ts_k_mip_first(args->to.cubes, args->to.first_cube, place.cube) + place.inside) * 4u;
+	ts_store3(out, radiance);
+	out[3] = 1.0f;
+}
+
+#endif

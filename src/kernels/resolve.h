@@ -1,0 +1,93 @@
+/* Shadows by depth maps: how many samples of each light reach a pixel of the eye, one rule for all methods (SPEC 1.6).
+ * A sample reaches p if z <= map + bias in the texel that p falls into; outside the map and in an empty texel it does.
+ * bias = b w + b_s slope: w the width of a texel at p, slope the change of the surface's depth from texel to texel, which
+ * is z^2 |n_xy| / (f |n.(eye - p)|) [1/z is linear in the image]; orthographic w = 1/f and |n_xy| / (f |n_z|). */
+#ifndef TS_KERNELS_RESOLVE_H
+#define TS_KERNELS_RESOLVE_H
+#include "draw.h"
+
+typedef struct {
+	ts_arrays scene;
+	TS_GLOBAL const ts_view *view;
+	TS_GLOBAL const u64 *depth_triangle;  /* eye.depth_triangle */
+	TS_GLOBAL const ts_offscreen *views;
+	TS_GLOBAL const u32 *depths;          /* scatter.depth of the batch */
+	TS_GLOBAL u32 *lit;                   /* resolve.lit */
+	u32 first_view, n_views;              /* the batch */
+	u32 n_lamps;
+	u32 cubes;                            /* the views are faces of cubes: the one that p falls into counts */
+	f32 bias, slope;
+} ts_resolve_args;
+
+/* What the eye sees at a pixel: a point and the face's normal, unit. */
+typedef struct { ts_v3 p, n; bool seen; } ts_receiver;
+
+TS_FN ts_receiver ts_k_receiver(const ts_arrays *scene, const ts_camera_k *eye, u64 key, i32 x, i32 y)
+{
+	ts_receiver r;
+	r.seen = key != TS_EMPTY;
+	r.p = ts_v3_make(0.0f, 0.0f, 0.0f);
+	r.n = r.p;
+	if (!r.seen) return r;
+	ts_corners t = ts_k_corners(scene, (u32)key);
+	ts_fragment f = ts_k_fragment_at(eye, &t, x, y);
+	r.p = ts_blend(f.w, t.a, t.b, t.c);
+	r.n = ts_normalize(t.n);
+	return r;
+}
+
+#define TS_LEAST_FACING 0.015625f /* beyond this slope the bias grows no more */
+
+TS_FN f32 ts_k_shadow_bias(const ts_resolve_args *args, const ts_camera_k *view, const ts_receiver *at, f32 z)
+{
+	f32 x = ts_dot(view->right, at->n);
+	f32 y = ts_dot(view->up, at->n);
+	f32 across = ts_sqrt(ts_flush(x * x + y * y));
+	ts_v3 way = ts_sub(view->eye, at->p);
+	bool parallel = view->orthographic != 0u;
+	f32 facing = parallel ? ts_abs(ts_dot(view->back, at->n)) : ts_abs(ts_dot(way, at->n)) / ts_max(ts_length(way), z);
+	facing = ts_max(facing, TS_LEAST_FACING);
+	f32 width = parallel ? 1.0f / view->focal : z / view->focal;
+	f32 deeper = parallel ? across / facing : (z / ts_max(ts_length(way), z)) * (across / facing);
+	return width * (args->bias + args->slope * deeper);
+}
+
+TS_FN i32 ts_k_into(i32 i, i32 n) { return ts_max_i32(ts_min_i32(i, n - 1), 0); }
+
+/* The light sample of a view reaches the point. */
+TS_FN bool ts_k_reaches(const ts_resolve_args *args, TS_GLOBAL const ts_offscreen *offscreen, const ts_receiver *at,
+                        u64 first_texel)
+{
+	ts_camera_k view = ts_k_offscreen(offscreen);
+	ts_corner p = ts_k_to_view(&view, at->p);
+	if (p.z < view.near) return true;
+	ts_v2 place = ts_k_project(&view, &p);
+	i32 i = ts_floor_i32(place.x);
+	i32 j = ts_floor_i32(place.y);
+	if (args->cubes != 0u) {
+		i = ts_k_into(i, view.width);
+		j = ts_k_into(j, view.height);
+	}
+	if (i < 0 || j < 0 || i >= view.width || j >= view.height) return true;
+	u32 depth = args->depths[(offscreen->offset - first_texel) + (u64)j * (u64)view.width + (u64)i];
+	return depth == TS_NONE || p.z <= ts_u2f(depth) + ts_k_shadow_bias(args, &view, at, p.z);
+}
+
+/* map over pixels: adds what the views of the batch let through */
+TS_FN void ts_k_resolve_item(const ts_resolve_args *args, u64 i)
+{
+	ts_camera_k eye = ts_k_view(args->view);
+	i32 x = (i32)(i % (u64)eye.width);
+	i32 y = (i32)(i / (u64)eye.width);
+	ts_receiver at = ts_k_receiver(&args->scene, &eye, args->depth_triangle[i], x, y);
+	if (!at.seen || args->n_views == 0u) return;
+	u64 first_texel = args->views[args->first_view].offset;
+	u32 step = args->cubes != 0u ? 6u : 1u;
+	for (u32 v = args->first_view; v < args->first_view + args->n_views; v += step) {
+		u32 face = args->cubes != 0u ? ts_k_cube_place(ts_sub(at.p, ts_load3(args->views[v].eye))).face : 0u;
+		TS_GLOBAL const ts_offscreen *view = &args->views[v + face];
+		args->lit[i * args->n_lamps + view->light] += ts_k_reaches(args, view, &at, first_texel) ? 1u : 0u;
+	}
+}
+
+#endif

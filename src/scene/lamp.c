@@ -1,0 +1,160 @@
+/* Area lights and the samples that stand for them. All arithmetic is the kernels' (SPEC 0.3.9). */
+#include "lamp.h"
+#include "../kernels/shade.h"
+#include "view.h"
+
+#define GOLDEN_TURN 0.61803400516510009765625f
+#define WIDEST 3.73205089569091796875f /* tangent of 75 degrees */
+
+static f32 diagonal(ts_space space) { return ts_length(space.half); }
+
+/* Where there are no walls the scene is a thing seen from outside. */
+static bool is_open(const ts_info *info)
+{
+	ts_space box = ts_view_box(info), hall = ts_view_hall(info);
+	return box.half.x == hall.half.x && box.half.z == hall.half.z;
+}
+
+static ts_v3 lamp_target(const ts_info *info)
+{
+	ts_space hall = ts_view_hall(info);
+	return ts_v3_make(hall.middle.x, hall.middle.y - 0.75f * hall.half.y, hall.middle.z);
+}
+
+static f32 half_tangent(f32 degrees)
+{
+	f32 turns = degrees / 720.0f;
+	return ts_sin_turn(turns) / ts_cos_turn(turns);
+}
+
+static void set_cone(ts_light *light, f32 inner_cosine, f32 outer_cosine)
+{
+	light->spot_scale = ts_put(1.0f / (inner_cosine - outer_cosine));
+	light->spot_offset = ts_put(-outer_cosine * light->spot_scale);
+}
+
+void ts_lamp_spot(ts_light *light, const ts_info *info, const ts_params *params)
+{
+	ts_space hall = ts_view_hall(info);
+	ts_v3 target = lamp_target(info);
+	ts_v3 way = is_open(info) ? ts_scale(ts_normalize(ts_v3_make(0.5f, 1.0f, 0.375f)), 3.0f * diagonal(hall))
+	                          : ts_v3_make(0.625f * hall.half.x, 1.5f * hall.half.y, 0.5f * hall.half.z);
+	memset(light, 0, sizeof *light);
+	light->kind = TS_LIGHT_KIND_SPOT;
+	f32 distance = ts_length(way), candela = params->light_irradiance * (distance * distance);
+	ts_store3(light->position, ts_add(target, way));
+	ts_store3(light->direction, ts_neg(ts_normalize(way)));
+	ts_store3(light->intensity, ts_v3_make(candela, candela, candela));
+	f32 turns = params->lamp_fov / 720.0f; /* half of it; the cone's border at 15/16, its full light to 3/4 */
+	set_cone(light, ts_cos_turn(turns * 0.75f), ts_cos_turn(turns * 0.9375f));
+}
+
+void ts_lamp_ball(ts_light *light, const ts_info *info, const ts_params *params)
+{
+	ts_space hall = ts_view_hall(info);
+	f32 distance = hall.half.y, candela = params->light_irradiance * (distance * distance);
+	memset(light, 0, sizeof *light);
+	light->kind = TS_LIGHT_KIND_POINT;
+	ts_v3 aside = is_open(info) ? ts_v3_make(hall.half.x * 1.5f, hall.half.y * 1.5f, hall.half.z) : ts_v3_make(0, 0, 0);
+	ts_store3(light->position, ts_add(ts_add(hall.middle, aside), ts_v3_make(0.0f, 0.25f * hall.half.y, 0.0f)));
+	ts_store3(light->intensity, ts_v3_make(candela, candela, candela));
+}
+
+f32 ts_lamp_radius(const ts_light *light, const ts_info *info, const ts_params *params)
+{
+	bool sun = light->kind == TS_LIGHT_KIND_DIRECTIONAL;
+	return ts_put(sun ? params->lamp_radius : params->lamp_radius * diagonal(ts_view_hall(info)));
+}
+
+/* Seed k of n of a sunflower, in the unit disc (Vogel 1979). */
+static ts_v2 seed(u32 k, u32 n)
+{
+	f32 r = n > 1 ? ts_sqrt(((f32)k + 0.5f) / (f32)n) : 0.0f;
+	f32 turns = GOLDEN_TURN * (f32)k;
+	return ts_v2_make(r * ts_cos_turn(turns), r * ts_sin_turn(turns));
+}
+
+typedef struct { ts_v3 right, up, back; } axes;
+
+static axes axes_of(ts_v3 back)
+{
+	ts_v3 pole = ts_abs(back.y) < 0.99f ? ts_v3_make(0.0f, 1.0f, 0.0f) : ts_v3_make(1.0f, 0.0f, 0.0f);
+	ts_v3 right = ts_normalize(ts_cross(pole, back));
+	return (axes){right, ts_normalize(ts_cross(back, right)), back};
+}
+
+static void set_axes(ts_offscreen *view, axes a)
+{
+	ts_store3(view->right, a.right);
+	ts_store3(view->up, a.up);
+	ts_store3(view->back, a.back);
+}
+
+/* The whole scene, seen along the sun's rays. */
+static void view_of_sun(ts_offscreen *view, axes middle, ts_v2 at, f32 radius, const ts_info *info)
+{
+	ts_space box = ts_view_box(info);
+	f32 half = diagonal(box) * 1.03125f;
+	ts_v3 aside = ts_mad(ts_scale(middle.right, at.x * radius), middle.up, at.y * radius);
+	axes a = axes_of(ts_normalize(ts_add(middle.back, aside)));
+	set_axes(view, a);
+	ts_store3(view->eye, ts_mad(box.middle, a.back, half * 1.0625f));
+	view->orthographic = 1;
+	view->near = ts_put(half * 0.0009765625f);
+	view->focal = ts_put((f32)view->width / (2.0f * half));
+	view->reach[0] = view->reach[1] = ts_put(half);
+}
+
+/* Tangent of the angle from a spot light's axis to the border of its cone. */
+static f32 cone_tangent(const ts_light *light)
+{
+	f32 cosine = light->spot_scale > 0.0f ? -light->spot_offset / light->spot_scale : 0.0f;
+	if (!(cosine > 0.25f)) return WIDEST;
+	return ts_sqrt(ts_max(1.0f - cosine * cosine, 0.0f)) / cosine;
+}
+
+static f32 tangent_of(const ts_light *light, const ts_params *params)
+{
+	bool own = params->lamp == TS_LAMP_SCENE && light->kind == TS_LIGHT_KIND_SPOT;
+	return ts_clamp(own ? cone_tangent(light) : half_tangent(params->lamp_fov), 0.015625f, WIDEST);
+}
+
+void ts_lamp_view(ts_offscreen *view, const ts_light *light, f32 radius, u32 k, u32 n, const ts_info *info,
+                  const ts_params *params)
+{
+	ts_v2 at = seed(k, n);
+	ts_v3 position = ts_load3(light->position);
+	memset(view, 0, sizeof *view);
+	view->width = view->height = params->map_px;
+	view->object = TS_NONE;
+	bool point = light->kind == TS_LIGHT_KIND_POINT;
+	ts_v3 back = point ? ts_normalize(ts_sub(position, lamp_target(info))) : ts_neg(ts_load3(light->direction));
+	axes a = axes_of(ts_dot(back, back) > 0.0f ? back : ts_v3_make(0.0f, 1.0f, 0.0f));
+	if (light->kind == TS_LIGHT_KIND_DIRECTIONAL) {
+		view_of_sun(view, a, at, radius, info);
+		return;
+	}
+	f32 tangent = tangent_of(light, params);
+	set_axes(view, a);
+	ts_store3(view->eye, ts_mad(ts_mad(position, a.right, at.x * radius), a.up, at.y * radius));
+	view->near = ts_put(diagonal(ts_view_box(info)) * 0.0009765625f);
+	view->focal = ts_put((f32)view->width / (2.0f * tangent));
+	view->reach[0] = view->reach[1] = ts_put(tangent);
+}
+
+void ts_lamp_cube(ts_face *cube, const ts_light *light, f32 radius, u32 k, u32 n, const ts_info *info,
+                  const ts_params *params)
+{
+	f32 y = n > 1 ? 1.0f - (2.0f * (f32)k + 1.0f) / (f32)n : 0.0f;
+	f32 r = n > 1 ? ts_sqrt(ts_max(1.0f - y * y, 0.0f)) : 0.0f, turns = GOLDEN_TURN * (f32)k;
+	ts_v3 at = ts_scale(ts_v3_make(r * ts_cos_turn(turns), y, r * ts_sin_turn(turns)), radius);
+	ts_v3 centre = ts_add(ts_load3(light->position), at);
+	memset(cube, 0, sizeof *cube);
+	cube->radius = ts_put(diagonal(ts_view_box(info)));
+	cube->near = ts_put(cube->radius * 0.0009765625f);
+	cube->n = params->map_px;
+	cube->object = TS_NONE;
+	ts_store3(cube->centre, centre);
+	ts_store3(cube->box_min, centre);
+	ts_store3(cube->box_max, centre);
+}

@@ -1,0 +1,26 @@
+/* Area lights: the lamp that shadows are shown with, and the views from the samples of lights (iVIR sections 4 and 6). */
+#ifndef TS_SCENE_LAMP_H
+#define TS_SCENE_LAMP_H
+#include <touchstone/params.h>
+#include "../kernels/records.h"
+
+/* The lamp of soft shadows: a spot light in the hall, beside its middle and under its ceiling, aimed at the middle of the
+ * floor; of a scene without walls, above and beside it. Its cone keeps within the depth maps of all samples. Its irradiance
+ * at the middle is params->light_irradiance. */
+void ts_lamp_spot(ts_light *light, const ts_info *info, const ts_params *params);
+/* The lamp of omnidirectional shadows: a point light in the middle of the hall. */
+void ts_lamp_ball(ts_light *light, const ts_info *info, const ts_params *params);
+
+/* How far samples lie from the middle of a light: world units; of a sun the tangent of its angular radius. */
+f32 ts_lamp_radius(const ts_light *light, const ts_info *info, const ts_params *params);
+
+/* The depth map of sample k of n of a light, without its offset: on a disc across the light's direction, in the order of a
+ * sunflower's seeds; one sample alone lies in the middle. Of spot lights as wide as their cone, of suns orthographic
+ * and as wide as the scene. A point light looks at the middle of the hall. */
+void ts_lamp_view(ts_offscreen *view, const ts_light *light, f32 radius, u32 k, u32 n, const ts_info *info,
+                  const ts_params *params);
+/* The cube of sample k of n of a point light, without its offset: on a ball. */
+void ts_lamp_cube(ts_face *cube, const ts_light *light, f32 radius, u32 k, u32 n, const ts_info *info,
+                  const ts_params *params);
+
+#endif

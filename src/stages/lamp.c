@@ -1,0 +1,84 @@
+/* The lights whose shadows are soft, and the views from their samples. A few items a frame, made on the host. */
+#include "../scene/lamp.h"
+#include <inttypes.h>
+#include "stages.h"
+
+static ts_status make_lamps(ts_run *run, u32 n, ts_light **lights, ts_lamp **lamps)
+{
+	*lights = ts_frame_make1(&run->frame, TS_B_lamp_light, n);
+	*lamps = ts_frame_make1(&run->frame, TS_B_lamp_shape, n);
+	return *lights != NULL && *lamps != NULL ? TS_OK : TS_ERROR;
+}
+
+static void set_shape(ts_lamp *lamp, const ts_run *run, const ts_light *light, u32 first, u32 samples)
+{
+	f32 radius = ts_lamp_radius(light, ts_run_info(run), &run->params);
+	*lamp = (ts_lamp){.radius = radius, .samples = samples, .first = first};
+}
+
+/* The views are shared out evenly; the first lights get what is over. */
+ts_status ts_stage_lamp(ts_run *run)
+{
+	ts_light *lights;
+	ts_lamp *lamps;
+	bool own = run->params.lamp == TS_LAMP_SCENE;
+	u32 n = own ? run->scene->n_lights : 1, views = run->params.views, first = 0;
+	if (n == 0) return ts_fail("lamp=scene: the scene has no lights; lamp=lamp would be right");
+	if (views < n) return ts_fail("views=%" PRIu32 ": at least %" PRIu32 ", one a light, would be right", views, n);
+	if (make_lamps(run, n, &lights, &lamps) != TS_OK) return TS_ERROR;
+	const ts_light *from = ts_frame_data(&run->frame, TS_B_scene_light);
+	for (u32 i = 0; i < n; i++) {
+		u32 samples = views / n + (i < views % n);
+		if (own) {
+			lights[i] = from[i];
+		} else {
+			ts_lamp_spot(&lights[i], ts_run_info(run), &run->params);
+		}
+		set_shape(&lamps[i], run, &lights[i], first, samples);
+		first += samples;
+	}
+	return TS_OK;
+}
+
+ts_status ts_stage_lamp_ball(ts_run *run)
+{
+	ts_light *light;
+	ts_lamp *lamp;
+	if (make_lamps(run, 1, &light, &lamp) != TS_OK) return TS_ERROR;
+	ts_lamp_ball(light, ts_run_info(run), &run->params);
+	set_shape(lamp, run, light, 0, run->params.light_samples);
+	return TS_OK;
+}
+
+ts_status ts_stage_lamp_view(ts_run *run)
+{
+	u64 n_lamps = ts_frame_n(&run->frame, TS_B_lamp_light), offset = 0;
+	const ts_light *lights = ts_frame_data(&run->frame, TS_B_lamp_light);
+	const ts_lamp *lamps = ts_frame_data(&run->frame, TS_B_lamp_shape);
+	ts_offscreen *views = ts_frame_make1(&run->frame, TS_B_offscreen_view, run->all_units);
+	if (views == NULL) return TS_ERROR;
+	for (u32 i = 0; i < n_lamps; i++) {
+		for (u32 k = 0; k < lamps[i].samples; k++) {
+			ts_offscreen *view = &views[lamps[i].first + k];
+			ts_lamp_view(view, &lights[i], lamps[i].radius, k, lamps[i].samples, ts_run_info(run), &run->params);
+			view->light = i;
+			view->offset = offset;
+			offset += (u64)view->width * view->height;
+		}
+	}
+	return TS_OK;
+}
+
+ts_status ts_stage_lamp_cube(ts_run *run)
+{
+	u32 n = run->all_units;
+	const ts_light *light = ts_frame_data(&run->frame, TS_B_lamp_light);
+	const ts_lamp *lamp = ts_frame_data(&run->frame, TS_B_lamp_shape);
+	ts_face *cubes = ts_frame_make1(&run->frame, TS_B_resize_face, n);
+	if (cubes == NULL) return TS_ERROR;
+	for (u32 k = 0; k < n; k++) {
+		ts_lamp_cube(&cubes[k], light, lamp->radius, k, n, ts_run_info(run), &run->params);
+		cubes[k].offset = k != 0 ? cubes[k - 1].offset + (u64)6 * cubes[k - 1].n * cubes[k - 1].n : 0;
+	}
+	return TS_OK;
+}
