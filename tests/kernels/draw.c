@@ -270,7 +270,8 @@ static void test_faces(void **state)
 	(void)state;
 	static u64 buffer[2 * 6 * FACE + 1];
 	ts_v3 lo = { -3, -2, -4 }, hi = { 5, 4, 3 };
-	ts_face cubes[4] = { { .n = 0 }, { .centre = { 1, 1, 0 }, .n = N, .near = 0.01f, .offset = 600, .object = 1 }, { .n = 0 },
+	ts_face cubes[4] = { { .n = 0 }, { .centre = { 1, 1, 0 }, .n = N, .near = 0.01f, .offset = 600, .object = 1 },
+	                     { .n = 0 },
 	                     { .centre = { 1, 1, -2 }, .n = N, .near = 0.01f, .offset = 600 + 6 * FACE, .object = TS_NONE } };
 	small_clear(&scene);
 	scene.materials[1].flags = TS_DOUBLE_SIDED;
