@@ -3,7 +3,7 @@
 #include "../../src/backends/backend.h"
 #include "../kernels/mesh.h"
 
-enum { N = 60, MOST_VIEWS = 80 };
+enum { N = 24, MOST_VIEWS = 80 };
 
 static ts_offscreen views[MOST_VIEWS];
 
@@ -83,7 +83,7 @@ static void test_equal(void **state)
 	for (u32 i = 0; i < N; i++) {
 		n_random = i << 16;
 		mesh m;
-		random_pieces(&m, uniform_power(-4, 6));
+		random_pieces(&m, uniform_power(-4, 5));
 		u32 n_views = 1 + random_bits() % MOST_VIEWS, first = random_bits() % n_views;
 		u64 n_texels = random_views(n_views), bits[MESH_TRIANGLES * 2];
 		for (u32 k = 0; k < MESH_TRIANGLES * 2; k++) bits[k] = (u64)random_bits() << 32 | random_bits();
