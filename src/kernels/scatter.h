@@ -20,7 +20,7 @@ typedef struct {
 } ts_scatter_args;
 
 /* A point on its way. */
-typedef struct { u64 piece; i32 x, y; ts_v3 centre; f32 length; } ts_flight;
+typedef struct { u64 piece; i32 x, y; ts_v3 centre; } ts_flight;
 
 #define TS_FAR_BITS 20.0f /* the farthest depth that is told apart is so many doublings of the nearest */
 
@@ -56,22 +56,25 @@ TS_FN ts_v3 ts_k_colour_radiance(u32 code, f32 exposure)
 	                  ts_k_channel_radiance(code & 63u, exposure, 63.0f));
 }
 
-/* What the point looks like from a view. */
-TS_FN u32 ts_k_flight_colour(const ts_scatter_args *args, const ts_flight *point, ts_v3 eye)
+/* What the point, at axial depth z, looks like from a view: its textures as the view's texels see them. */
+TS_FN u32 ts_k_flight_colour(const ts_scatter_args *args, const ts_camera_k *view, const ts_flight *point, f32 z)
 {
 	u32 triangle = args->from.pieces[point->piece].triangle;
+	ts_v3 way = ts_sub(point->centre, view->eye);
+	f32 footprint = ts_k_footprint(z / view->focal, way, ts_k_corners(&args->from.scene, triangle).n);
 	ts_surface s = ts_k_lattice_surface(&args->from.scene, &args->from.frames[point->piece], triangle, point->x, point->y,
-	                                    point->centre, point->length);
-	return ts_k_colour_code(ts_k_shade(&args->from.scene, &s, ts_normalize(ts_sub(eye, s.p))), args->exposure);
+	                                    point->centre, footprint);
+	return ts_k_colour_code(ts_k_shade(&args->from.scene, &s, ts_normalize(ts_neg(way))), args->exposure);
 }
 
 /* A texel nearer than the point's depth would stay, whatever the point's colour: it is not computed. */
-TS_FN void ts_k_offer_colour(const ts_scatter_args *args, const ts_camera_k *view, const ts_flight *point, u64 texel)
+TS_FN void ts_k_offer_colour(const ts_scatter_args *args, const ts_camera_k *view, const ts_flight *point, f32 z,
+                             u64 texel)
 {
 	f32 distance = ts_length(ts_sub(point->centre, view->eye));
 	u32 depth = ts_k_depth_code(distance, view->near) << 19;
 	if (depth <= args->colours[texel]) {
-		ts_min_u32(&args->colours[texel], depth | ts_k_flight_colour(args, point, view->eye));
+		ts_min_u32(&args->colours[texel], depth | ts_k_flight_colour(args, view, point, z));
 	}
 }
 
@@ -90,7 +93,7 @@ TS_FN u32 ts_k_scatter_into(const ts_scatter_args *args, TS_GLOBAL const ts_offs
 	if (args->depths != NULL) {
 		ts_min_u32(&args->depths[texel], ts_f2u(ts_put(p.z)));
 	} else {
-		ts_k_offer_colour(args, &view, point, texel);
+		ts_k_offer_colour(args, &view, point, p.z, texel);
 	}
 	return 1u;
 }
@@ -137,7 +140,6 @@ TS_FN void ts_k_scatter_item(const ts_scatter_args *args, u64 i)
 	point.x = (i32)(key & 0xffffu) - 32768;
 	point.y = (i32)((key >> 16) & 0xffffu) - 32768;
 	point.centre = ts_load3(record->centre);
-	point.length = record->length;
 	ts_k_scatter_point(args, &point, &tally);
 	ts_k_scatter_count(args, &tally);
 }
@@ -150,9 +152,7 @@ TS_FN void ts_k_scatter_pieces_item(const ts_scatter_args *args, u64 i)
 	ts_cover cover = ts_k_lattice_cover(frame, args->from.half_size);
 	ts_scatter_tally tally = ts_k_scatter_none();
 	ts_flight point;
-	u32 flags;
 	point.piece = i;
-	point.length = ts_put(ts_k_splat_length(&args->from, &args->from.pieces[i], frame->s, &flags));
 	for (i32 y = cover.touched.y0; y <= cover.touched.y1; y++) {
 		for (i32 x = cover.touched.x0; x <= cover.touched.x1; x++) {
 			if (!ts_k_is_point(&args->from, &cover, i, x, y)) continue;

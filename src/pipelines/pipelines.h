@@ -17,6 +17,10 @@ void ts_ivir_prepare(ts_run *run);
 void ts_vir_prepare(ts_run *run);
 void ts_ivir_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params);
 
+extern const ts_step ts_pcss_steps[];
+void ts_pcss_prepare(ts_run *run);
+void ts_pcss_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params);
+
 /* Soft and omnidirectional shadows, by any method. */
 void ts_soft_prepare(ts_run *run);
 void ts_ivir_soft_prepare(ts_run *run);

@@ -16,6 +16,8 @@ const ts_pipeline ts_pipeline_table[] = {
 	 ts_vir_soft_prepare, ts_soft_expect},
 	{"mvr", "soft-shadows", "iVIR 4", "one pass over the geometry for every depth map", ts_mvr_soft_steps,
 	 ts_soft_prepare, ts_soft_expect},
+	{"pcss", "soft-shadows", "iVIR 4", "percentage-closer soft shadows: one depth map a light, filtered as wide as its penumbra",
+	 ts_pcss_steps, ts_pcss_prepare, ts_pcss_expect},
 	{"ivir", "omni-shadows", "iVIR 6", "one set of points for the cubes of all light samples", ts_ivir_omni_steps,
 	 ts_ivir_omni_prepare, ts_omni_expect},
 	{"vir", "omni-shadows", "iVIR 6", "the same with the density of view-independent rendering", ts_ivir_omni_steps,

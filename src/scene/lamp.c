@@ -15,10 +15,17 @@ static bool is_open(const ts_info *info)
 	return box.half.x == hall.half.x && box.half.z == hall.half.z;
 }
 
+/* From the middle of the hall, in halves of it. */
+static ts_v3 in_hall(ts_space hall, f32 x, f32 y, f32 z)
+{
+	return ts_v3_make(hall.middle.x + x * hall.half.x, hall.middle.y + y * hall.half.y, hall.middle.z + z * hall.half.z);
+}
+
+/* Beyond the middle of the floor, where the walls and what stands at them catch light and shadow. */
 static ts_v3 lamp_target(const ts_info *info)
 {
 	ts_space hall = ts_view_hall(info);
-	return ts_v3_make(hall.middle.x, hall.middle.y - 0.75f * hall.half.y, hall.middle.z);
+	return is_open(info) ? in_hall(hall, 0.0f, -0.75f, 0.0f) : in_hall(hall, -0.5f, -0.75f, -0.375f);
 }
 
 static f32 half_tangent(f32 degrees)
@@ -37,8 +44,8 @@ void ts_lamp_spot(ts_light *light, const ts_info *info, const ts_params *params)
 {
 	ts_space hall = ts_view_hall(info);
 	ts_v3 target = lamp_target(info);
-	ts_v3 way = is_open(info) ? ts_scale(ts_normalize(ts_v3_make(0.5f, 1.0f, 0.375f)), 3.0f * diagonal(hall))
-	                          : ts_v3_make(0.625f * hall.half.x, 1.5f * hall.half.y, 0.5f * hall.half.z);
+	ts_v3 way = is_open(info) ? ts_scale(ts_normalize(ts_v3_make(0.5f, 1.0f, 0.375f)), 2.0f * diagonal(hall))
+	                          : ts_sub(in_hall(hall, 0.75f, 0.625f, 0.625f), target);
 	memset(light, 0, sizeof *light);
 	light->kind = TS_LIGHT_KIND_SPOT;
 	f32 distance = ts_length(way), candela = params->light_irradiance * (distance * distance);
@@ -55,8 +62,7 @@ void ts_lamp_ball(ts_light *light, const ts_info *info, const ts_params *params)
 	f32 distance = hall.half.y, candela = params->light_irradiance * (distance * distance);
 	memset(light, 0, sizeof *light);
 	light->kind = TS_LIGHT_KIND_POINT;
-	ts_v3 aside = is_open(info) ? ts_v3_make(hall.half.x * 1.5f, hall.half.y * 1.5f, hall.half.z) : ts_v3_make(0, 0, 0);
-	ts_store3(light->position, ts_add(ts_add(hall.middle, aside), ts_v3_make(0.0f, 0.25f * hall.half.y, 0.0f)));
+	ts_store3(light->position, is_open(info) ? in_hall(hall, 0.5f, 2.0f, 0.375f) : in_hall(hall, 0.0f, 0.25f, 0.0f));
 	ts_store3(light->intensity, ts_v3_make(candela, candela, candela));
 }
 

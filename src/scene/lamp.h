@@ -4,11 +4,12 @@
 #include <touchstone/params.h>
 #include "../kernels/records.h"
 
-/* The lamp of soft shadows: a spot light in the hall, beside its middle and under its ceiling, aimed at the middle of the
- * floor; of a scene without walls, above and beside it. Its cone keeps within the depth maps of all samples. Its irradiance
- * at the middle is params->light_irradiance. */
+/* The lamp of soft shadows: a spot light under a corner of the hall, aimed across it at the floor; of a scene without walls,
+ * above and beside it. Its cone keeps within the depth maps of all samples. Its irradiance there is
+ * params->light_irradiance. */
 void ts_lamp_spot(ts_light *light, const ts_info *info, const ts_params *params);
-/* The lamp of omnidirectional shadows: a point light in the middle of the hall. */
+/* The lamp of omnidirectional shadows: a point light in the middle of the hall, of a scene without walls above
+ * it. */
 void ts_lamp_ball(ts_light *light, const ts_info *info, const ts_params *params);
 
 /* How far samples lie from the middle of a light: world units; of a sun the tangent of its angular radius. */

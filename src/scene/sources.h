@@ -20,6 +20,9 @@ void ts_builtin_make(ts_build *build, const char *spec, u32 seed);
  * NULL. *scene by ts_scene_free; NULL on failure, also where spec is no built-in scene. */
 ts_status ts_builtin_open(ts_scene **scene, const char *spec, const ts_params *params, const char *camera);
 
+/* ground.c: a square under the scene, if the parameter asks for it. */
+void ts_ground_add(ts_build *build, const ts_params *params);
+
 /* reflectors.c: as many reflectors as the parameters say, on periodic paths (SPEC 0.3.8). */
 void ts_reflectors_add(ts_build *build, const ts_params *params, const char *camera);
 

@@ -25,7 +25,7 @@ static ts_status scatter(ts_run *run, ts_scatter_args args, ts_buffer_id into)
 	ts_status status = buffered ? ts_run_launch(run, TS_KERNEL_scatter, &args, stored->n)
 	                            : ts_run_launch(run, TS_KERNEL_scatter_pieces, &args, n);
 	if (status != TS_OK) return TS_ERROR;
-	if (!buffered) ts_run_count(run, "geometry traversals", 1);
+	if (!buffered || run->first_unit == 0) ts_run_count(run, "geometry traversals", 1);
 	if (!buffered && run->first_unit == 0) ts_run_count(run, "points", ts_frame_tally(&run->frame, 0));
 	ts_run_count(run, "point-view scatters", ts_frame_tally(&run->frame, 1));
 	ts_run_count(run, "texel writes", ts_frame_tally(&run->frame, 2));

@@ -1,0 +1,24 @@
+/* A ground under a model that brings none: shadows need something to fall on. */
+#include "../kernels/vec.h"
+#include "sources.h"
+#include "view.h"
+
+#define WIDTH 2.5f /* half a side, in half diagonals of the scene's box */
+
+void ts_ground_add(ts_build *build, const ts_params *params)
+{
+	if (!params->ground || ts_build_failed(build)) return;
+	const ts_info *info = &ts_build_peek(build)->info;
+	ts_space box = ts_view_box(info);
+	f32 reach = ts_length(box.half) * WIDTH, floor = info->box_min[1];
+	ts_material material = ts_material_default();
+	u32 corner[4], grey = ts_build_material(build, &material);
+	for (u32 k = 0; k < 4; k++) {
+		ts_vertex v = {.position = {box.middle.x + (k == 0 || k == 3 ? -reach : reach), floor,
+		                            box.middle.z + (k < 2 ? reach : -reach)},
+		               .normal = {0.0f, 1.0f, 0.0f}, .colour = {0.5f, 0.5f, 0.5f, 1.0f}};
+		corner[k] = ts_build_vertex(build, &v);
+	}
+	ts_build_triangle(build, corner[0], corner[1], corner[2], grey);
+	ts_build_triangle(build, corner[0], corner[2], corner[3], grey);
+}
