@@ -8,10 +8,13 @@ void ts_soft_prepare(ts_run *run)
 	run->fixed_face = run->params.map_px;
 }
 
+/* Whole cubes in one pass over the geometry. */
+static u32 cubes_a_pass(const ts_params *params) { return params->pass < 12 ? 1 : params->pass / 6; }
+
 void ts_omni_prepare(ts_run *run)
 {
 	run->all_units = run->n_units = run->params.light_samples;
-	run->batch = run->params.pass < 12 ? 1 : run->params.pass / 6;
+	run->batch = cubes_a_pass(&run->params);
 	run->fixed_face = run->params.map_px;
 }
 
@@ -36,7 +39,7 @@ void ts_soft_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *par
 
 void ts_omni_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params)
 {
-	u64 map = 6 * (u64)params->map_px * params->map_px, batch = params->pass < 12 ? 1 : params->pass / 6;
+	u64 map = 6 * (u64)params->map_px * params->map_px, batch = cubes_a_pass(params);
 	ts_sizes_cubes(sizes, params->light_samples);
 	ts_sizes_set(sizes, "A", 1);
 	ts_sizes_set(sizes, "C", map * (batch < params->light_samples ? batch : params->light_samples));
