@@ -24,7 +24,7 @@
  *   magnification from occluder to receiver, and at most iVIR's (shadow.rate=paper: the ratio is a share of iVIR's scale, of
  *   the light sample where it is largest; shadow.rate=unit: pixels a unit for distances);
  * - iVIR's scale is the one that gives each texel a sample, as there (rate=paper), and of one light sample, not of all;
- * - splats have the depth of the triangle's plane in each texel: one a splat shadows its own surface (planedepth=off);
+ * - splats have the depth of the triangle's plane in each texel: one a splat shadows its own surface (shadow.depth=point);
  * - eq. 6 takes the distances from triangles, not from pixels, and one resolution serves all cubes, as printed; instead of
  *   a hysteresis, which needs the G-buffers of all frames before, it is a multiple of 32 (hysteresis);
  * - points are made for each batch of depth maps, not kept (buffered=on). */

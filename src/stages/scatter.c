@@ -71,7 +71,7 @@ ts_status ts_stage_shadow_splat(ts_run *run)
 	ts_shadow_splat_args args = {
 		.of = arguments(run),
 		.clip = run->params.clip,
-		.plane_depth = run->params.planedepth != TS_PLANEDEPTH_OFF,
+		.plane_depth = run->params.shadow_depth == TS_SHADOW_DEPTH_PLANE,
 	};
 	args.n_splats = args.of.n_points + 3;
 	args.n_texels = args.of.n_points + 4;

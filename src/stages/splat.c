@@ -17,7 +17,7 @@ static ts_splat_args arguments(ts_run *run)
 		.n_words = ts_run_n_words(run),
 		.n_pieces = (u32)ts_frame_n(&run->frame, TS_B_split_triangle),
 		.clip = run->params.clip,
-		.plane_depth = run->params.planedepth == TS_PLANEDEPTH_ON,
+		.plane_depth = run->params.planedepth,
 	};
 }
 

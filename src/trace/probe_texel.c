@@ -40,7 +40,7 @@ static ts_status offer_point(const ts_probe *p, const place *at, const state *s,
 	if (x < box.x0 || x > box.x1 || y < box.y0 || y > box.y1) return TS_OK;
 	point.piece = 0;
 	ts_splat_args args = {.pieces = &s->piece, .frames = &s->frame, .points = &point, .texels = texels,
-	                      .clip = p->trace->params.clip, .plane_depth = p->trace->params.planedepth == TS_PLANEDEPTH_ON};
+	                      .clip = p->trace->params.clip, .plane_depth = p->trace->params.planedepth};
 	texels[at->inside] = TS_EMPTY;
 	ts_k_splat(&args, &at->view, &s->cover, 0, 0);
 	u64 key = texels[at->inside];

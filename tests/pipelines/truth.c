@@ -277,7 +277,7 @@ static double picture_rmse(const char *method, const char *spec, u32 face_px, u3
 	params.rho_scale = 1;
 	params.cap = 0;
 	params.cull = 0;
-	params.planedepth = TS_PLANEDEPTH_ON;
+	params.planedepth = 1;
 	params.mvr_filter = TS_MVR_SUPERSAMPLE;
 	run_method(method, spec, &params, judge_picture, &judge);
 	print_message("%s, %s: faces of %u px, bounces %u: RMSE %.2f\n", method, name_of(spec), face_px, bounces,

@@ -80,7 +80,7 @@ static int make_all(void **state)
 	params.mvr_faces = TS_MVR_FACES_ADAPTIVE;
 	make(&epr, "epr", &params);
 	make(&mvr, "mvr", &params);
-	params.planedepth = TS_PLANEDEPTH_ON;
+	params.planedepth = 1;
 	make(&plane, "epr", &params);
 	return 0;
 }

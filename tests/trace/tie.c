@@ -58,7 +58,7 @@ static int begin(void **state)
 		                      .n_cubes = 1,
 		                      .n_words = 1,
 		                      .clip = reference.params.clip,
-		                      .plane_depth = reference.params.planedepth == TS_PLANEDEPTH_ON};
+		                      .plane_depth = reference.params.planedepth};
 		ts_k_splat_item(&args, p);
 		if (counts[1] == 0) fail_msg("point %u covers nothing", (unsigned)p);
 	}
