@@ -59,7 +59,8 @@
 #define TS_OPT_BUILD TS_OPT(47)
 #define TS_OPT_INEXACT TS_OPT(48)
 #define TS_OPT_REQUIRE TS_OPT(49)
-#define TS_OPT_HELP TS_OPT(50)
+#define TS_OPT_EFFECT TS_OPT(50)
+#define TS_OPT_HELP TS_OPT(51)
 
 /* Truths, as bits. */
 enum { TS_TRUTH_A = 1, TS_TRUTH_B = 2, TS_TRUTH_C = 4 };
@@ -86,7 +87,7 @@ struct ts_cli {
 	ts_scene_options scene;
 	const ts_backend_kind *backend;
 	ts_backend_options device;      /* of the backend */
-	const char *method, *scenes, *objects, *output, *trace_only, *crop;
+	const char *effect, *method, *scenes, *objects, *output, *trace_only, *crop;
 	const char *ignore, *mask, *layout, *junit;
 	const char *pixel, *view, *point;
 	u64 ulp, allow, triangle;

@@ -7,7 +7,7 @@ const ts_backend_kind *const ts_backend_kinds[] = { &ts_c_kind, NULL };
 
 const ts_command ts_command_table[] = {
 	{ "digest", "[SCENE]", "SHA-256 of every buffer of a built-in scene, in pipeline order", "",
-	  0, 1, TS_OPT_METHOD | TS_OPT_SIZE | TS_OPT_FRAME | TS_OPT_REFLECTORS | TS_OPT_SET | TS_OPT_THREADS |
+	  0, 1, TS_OPT_EFFECT | TS_OPT_METHOD | TS_OPT_SIZE | TS_OPT_FRAME | TS_OPT_REFLECTORS | TS_OPT_SET | TS_OPT_THREADS |
 	  TS_OPT_REFERENCE | TS_OPT_FLUSH_DENORMALS, ts_digest_command },
 	{ "golden", "ACTION [CASE]", "check, new or bless: the goldens of reference/",
 	  TS_GOLDEN_DETAILS,

@@ -48,7 +48,9 @@ ts_status ts_digest_command(ts_cli *cli)
 	const ts_pipeline *methods[TS_MAX_METHODS];
 	u32 n;
 	ts_scene *scene;
-	ts_status status = ts_methods_find(methods, &n, "reflections", cli->method);
+	const char *effect = cli->effect != NULL ? cli->effect : "reflections";
+	ts_status status = ts_methods_find(methods, &n, effect, cli->method);
+	ts_effect_params(cli, effect);
 	if (status != TS_OK || (status = ts_selftest_require()) != TS_OK) return status;
 	if (ts_cli_given(cli, TS_OPT_FLUSH_DENORMALS) && (status = flush_denormals(cli->how.threads)) != TS_OK) return status;
 	status = ts_builtin_open(&scene, cli->n_arguments > 0 ? cli->arguments[0] : "atrium", &cli->params, NULL);

@@ -1,15 +1,16 @@
-/* reference/cases.txt: NAME: METHOD SCENE [OPTION...] a line. The file is untrusted. */
+/* reference/cases.txt: NAME: [EFFECT/]METHOD SCENE [OPTION...] a line; without an effect, reflections. The file is untrusted. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "../scene/sources.h"
 #include "golden.h"
+#include "methods.h"
 
 enum { MOST_FILE_BYTES = 64 << 10, MOST_WORDS = 100, MOST_PIXELS = 1 << 20, MOST_FRAME = 1000 };
 
 /* A line after its name is a command line of its own. */
 static const ts_command line_command = {
-	"golden", "METHOD SCENE [OPTION...]", "", "", 2, 2,
+	"golden", "[EFFECT/]METHOD SCENE [OPTION...]", "", "", 2, 2,
 	TS_OPT_SIZE | TS_OPT_FRAME | TS_OPT_REFLECTORS | TS_OPT_SET, NULL
 };
 
@@ -22,7 +23,7 @@ bool ts_case_name(const char *text)
 static ts_status find_name(ts_case *c, const ts_goldens *goldens, char *line, char **rest)
 {
 	char *colon = strchr(line, ':');
-	if (colon == NULL) return ts_fail("no \":\"; write NAME: METHOD SCENE [OPTION...]");
+	if (colon == NULL) return ts_fail("no \":\"; write NAME: [EFFECT/]METHOD SCENE [OPTION...]");
 	*colon = 0;
 	*rest = colon + 1;
 	if (!ts_case_name(line)) {
@@ -53,13 +54,26 @@ static ts_status parse_words(ts_cli *cli, bool *small, char *text)
 	return status;
 }
 
-static ts_status take_line(ts_case *c, const ts_cli *cli)
+static ts_status find_method(ts_case *c, ts_cli *cli)
 {
-	const char *method = cli->arguments[0], *scene = cli->arguments[1];
+	char effect[32] = "reflections";
+	const char *method = cli->arguments[0], *slash = strchr(method, '/');
+	if (slash != NULL) {
+		snprintf(effect, sizeof effect, "%.*s", (int)(slash - method < 31 ? slash - method : 31), method);
+		method = slash + 1;
+	}
+	if (ts_effect_check(effect) != TS_OK) return TS_ERROR;
+	c->pipeline = ts_pipeline_find(effect, method);
+	ts_effect_params(cli, effect);
+	return c->pipeline != NULL ? TS_OK : ts_fail("no method \"%.60s\" of %s", method, effect);
+}
+
+static ts_status take_line(ts_case *c, ts_cli *cli)
+{
+	const char *scene = cli->arguments[1];
 	const ts_params *p = &cli->params;
-	c->pipeline = ts_pipeline_find("reflections", method);
+	if (find_method(c, cli) != TS_OK) return TS_ERROR;
 	c->params = *p;
-	if (c->pipeline == NULL) return ts_fail("no method \"%.60s\"", method);
 	if (!ts_builtin_is(scene) || strlen(scene) >= TS_CASE_SCENE) {
 		return ts_fail("\"%.60s\" is not a built-in scene", scene);
 	}

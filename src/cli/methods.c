@@ -3,11 +3,16 @@
 #include "cli.h"
 #include "methods.h"
 
-static ts_status effect_check(const char *effect)
+ts_status ts_effect_check(const char *effect)
 {
 	ts_nearest nearest = ts_nearest_begin(effect);
 	for (const ts_pipeline *p = ts_pipeline_table; p->name != NULL; p++) ts_nearest_offer(&nearest, p->effect);
 	return nearest.distance == 0 ? TS_OK : ts_fail("no effect \"%s\"; the nearest is %s", effect, nearest.best);
+}
+
+void ts_effect_params(ts_cli *cli, const char *effect)
+{
+	if (strcmp(effect, "reflections") != 0 && !ts_cli_given(cli, TS_OPT_REFLECTORS)) cli->params.reflectors = 0;
 }
 
 static void add(const ts_pipeline *methods[TS_MAX_METHODS], u32 *n, const ts_pipeline *p)
@@ -22,7 +27,7 @@ ts_status ts_methods_find(const ts_pipeline *methods[TS_MAX_METHODS], u32 *n, co
 {
 	char item[32];
 	*n = 0;
-	if (effect_check(effect) != TS_OK) return TS_ERROR;
+	if (ts_effect_check(effect) != TS_OK) return TS_ERROR;
 	bool all = names == NULL || strcmp(names, "all") == 0;
 	for (const ts_pipeline *p = ts_pipeline_table; all && p->name != NULL; p++) {
 		if (strcmp(p->effect, effect) == 0) add(methods, n, p);

@@ -9,6 +9,7 @@
 #include "sweep.h"
 
 const ts_option ts_option_table[] = {
+	{ TS_OPT_EFFECT, "effect", "EFFECT", "what is rendered (reflections)", "methods" },
 	{ TS_OPT_METHOD, "method", "NAME,...", "methods to run, or \"all\" (the default)", "methods" },
 	{ TS_OPT_TRUTH, "truth", "[=A,B,C]", "ground truth to compare with: A rays from the cube's centre, B true reflections,\n"
 	  "C MVR at 4 times the resolution; without letters all three; \"none\"", "" },
@@ -104,6 +105,7 @@ static ts_status set_param(ts_cli *cli, const char *assignment)
 	const ts_param_info *params = ts_param_table(&n);
 	ts_nearest nearest = ts_nearest_begin(name);
 	for (size_t i = 0; i < n; i++) ts_nearest_offer(&nearest, params[i].name);
+	if (strcmp(name, "reflectors") == 0) cli->given |= TS_OPT_REFLECTORS;
 	if (nearest.distance != 0) {
 		return ts_fail("--set %s: no such parameter; the nearest is %s%s", name, nearest.best,
 		               ts_cli_find("list") != NULL ? ", and \"touchstone list params\" lists all" : "");
@@ -172,6 +174,7 @@ static ts_status take(ts_cli *cli, u64 bit, const char *text)
 {
 	cli->given |= bit;
 	switch (bit) {
+	case TS_OPT_EFFECT: cli->effect = text; break;
 	case TS_OPT_METHOD: cli->method = text; break;
 	case TS_OPT_TRUTH: return set_truths(cli, text);
 	case TS_OPT_SIZE: return set_size(cli, text);

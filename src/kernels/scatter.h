@@ -90,22 +90,25 @@ TS_FN ts_v3 ts_k_colour_radiance(u32 code, f32 exposure)
 	                  ts_k_channel_radiance(code & 63u, exposure, 63.0f));
 }
 
-/* What the point looks like from a view. */
-TS_FN u32 ts_k_flight_colour(const ts_scatter_args *args, const ts_flight *point, ts_v3 eye)
+/* What the point, at axial depth z, looks like from a view: its textures as the view's texels see them. */
+TS_FN u32 ts_k_flight_colour(const ts_scatter_args *args, const ts_camera_k *view, const ts_flight *point, f32 z)
 {
 	u32 triangle = args->from.pieces[point->piece].triangle;
+	ts_v3 way = ts_sub(point->centre, view->eye);
+	f32 footprint = ts_k_footprint(z / view->focal, way, ts_k_corners(&args->from.scene, triangle).n);
 	ts_surface s = ts_k_lattice_surface(&args->from.scene, &args->from.frames[point->piece], triangle, point->x, point->y,
-	                                    point->centre, point->length);
-	return ts_k_colour_code(ts_k_shade(&args->from.scene, &s, ts_normalize(ts_sub(eye, s.p))), args->exposure);
+	                                    point->centre, footprint);
+	return ts_k_colour_code(ts_k_shade(&args->from.scene, &s, ts_normalize(ts_neg(way))), args->exposure);
 }
 
 /* A texel nearer than the point's depth would stay, whatever the point's colour: it is not computed. */
-TS_FN void ts_k_offer_colour(const ts_scatter_args *args, const ts_camera_k *view, const ts_flight *point, u64 texel)
+TS_FN void ts_k_offer_colour(const ts_scatter_args *args, const ts_camera_k *view, const ts_flight *point, f32 z,
+                             u64 texel)
 {
 	f32 distance = ts_length(ts_sub(point->centre, view->eye));
 	u32 depth = ts_k_depth_code(distance, view->near) << 19;
 	if (depth <= args->colours[texel]) {
-		ts_min_u32(&args->colours[texel], depth | ts_k_flight_colour(args, point, view->eye));
+		ts_min_u32(&args->colours[texel], depth | ts_k_flight_colour(args, view, point, z));
 	}
 }
 
@@ -124,7 +127,7 @@ TS_FN u32 ts_k_scatter_into(const ts_scatter_args *args, TS_GLOBAL const ts_offs
 	if (args->depths != NULL) {
 		ts_min_u32(&args->depths[texel], ts_f2u(ts_put(p.z)));
 	} else {
-		ts_k_offer_colour(args, &view, point, texel);
+		ts_k_offer_colour(args, &view, point, p.z, texel);
 	}
 	return 1u;
 }

@@ -89,12 +89,14 @@ void ts_soft_prepare(ts_run *run)
 {
 	run->all_units = run->n_units = run->params.views;
 	run->batch = run->params.pass;
+	run->fixed_face = run->params.map_px;
 }
 
 void ts_omni_prepare(ts_run *run)
 {
 	run->all_units = run->n_units = run->params.light_samples;
 	run->batch = run->params.pass < 12 ? 1 : run->params.pass / 6;
+	run->fixed_face = run->params.map_px;
 }
 
 void ts_ivir_soft_prepare(ts_run *run)

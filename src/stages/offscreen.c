@@ -22,7 +22,8 @@ static void set_view(ts_offscreen *view, const ts_face *cube, u32 face, u32 ligh
 ts_status ts_stage_offscreen(ts_run *run)
 {
 	const ts_face *cubes = ts_frame_data(&run->frame, TS_B_resize_face);
-	u32 n = ts_run_n_cubes(run), light = run->frame.buffer[TS_B_lamp_light].made ? 0 : TS_NONE;
+	const ts_buffer *lights = &run->frame.buffer[TS_B_lamp_light];
+	u32 n = ts_run_n_cubes(run), light = lights->made && lights->n > 0 ? 0 : TS_NONE;
 	ts_offscreen *views = ts_frame_make1(&run->frame, TS_B_offscreen_view, (u64)6 * n);
 	if (views == NULL) return TS_ERROR;
 	for (u32 v = 0; v < 6 * n; v++) set_view(&views[v], &cubes[v / 6], v % 6, light);

@@ -35,7 +35,7 @@ static ts_status launch(ts_run *run, ts_kernel stored, ts_kernel pieces, const v
 	bool buffered = is_buffered(run);
 	u64 n = ts_frame_n(&run->frame, buffered ? TS_B_points_record : TS_B_align_frame);
 	if (ts_run_launch(run, buffered ? stored : pieces, args, n) != TS_OK) return TS_ERROR;
-	if (!buffered) ts_run_count(run, "geometry traversals", 1);
+	if (!buffered || run->first_unit == 0) ts_run_count(run, "geometry traversals", 1);
 	if (!buffered && run->first_unit == 0) ts_run_count(run, "points", ts_frame_tally(&run->frame, 0));
 	ts_run_count(run, "point-view scatters", ts_frame_tally(&run->frame, 1));
 	ts_run_count(run, "texel writes", ts_frame_tally(&run->frame, 2));

@@ -87,7 +87,7 @@ const ts_stage ts_stage_table[] = {
 	 "the light whose shadows fall all around it"},
 	{"lamp_cube", "map", {TS_B_scene_info, LAMPS, END}, {TS_B_resize_face, END}, ts_stage_lamp_cube, "iVIR 6",
 	 "a cube for each sample of the light"},
-	{"offscreen", "map", {TS_B_resize_face, END}, {TS_B_offscreen_view, END}, ts_stage_offscreen, "iVIR 5",
+	{"offscreen", "map", {TS_B_resize_face, TS_B_lamp_light, END}, {TS_B_offscreen_view, END}, ts_stage_offscreen, "iVIR 5",
 	 "six off-screen views a cube"},
 	{"offscreen_visibility", "map", {SHAPES, TS_B_offscreen_view, END}, {TS_B_visibility_bits, END},
 	 ts_stage_offscreen_visibility, "iVIR 3.1", "one bit a triangle and off-screen view"},

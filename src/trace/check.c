@@ -89,7 +89,8 @@ void ts_check_sizes(ts_load *load, const ts_stage *stage)
 	if (n_cubes != NULL) load->run.all_units = load->run.n_units = (u32)n_cubes->n;
 	if (n_cubes != NULL && n_views == NULL) ts_sizes_cubes(sizes, n_cubes->n);
 	if (n_views != NULL) ts_sizes_views(sizes, n_views->n);
-	if (n_views != NULL && n_cubes == NULL) load->run.all_units = load->run.n_units = (u32)n_views->n;
+	bool cubeless = ts_pipeline_maker(load->pipeline, TS_B_resize_face) == NULL;
+	if (n_views != NULL && cubeless) load->run.all_units = load->run.n_units = (u32)n_views->n;
 }
 
 static void print_dims(char text[DIMS_TEXT], u32 n, const u64 *dims)
@@ -182,7 +183,7 @@ static ts_status check_index(const ts_load *load, u32 row)
 
 ts_status ts_check(ts_load *load, const ts_stage *stage)
 {
-	if (ts_check_faces(load) != TS_OK) return TS_ERROR;
+	if (ts_check_faces(load) != TS_OK || ts_check_views(load) != TS_OK) return TS_ERROR;
 	ts_check_sizes(load, stage);
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
 		if (load->item[id] == NULL) continue;

@@ -173,14 +173,18 @@ static ts_status check_view(const ts_load *load)
 	return TS_OK;
 }
 
+u32 ts_check_largest(const ts_run *run)
+{
+	u32 fixed = run->fixed_face != 0 ? run->fixed_face : run->params.face_px;
+	return fixed != 0 ? fixed : ts_largest_face(&run->params);
+}
+
 ts_status ts_check_faces(const ts_load *load)
 {
 	const ts_buffer_id id = TS_B_resize_face;
 	u64 n, offset = 0;
 	const ts_face *cubes = elements(load, id, &n);
-	const ts_run *run = &load->run;
-	u32 fixed = run->fixed_face != 0 ? run->fixed_face : run->params.face_px;
-	u32 most = fixed != 0 ? fixed : ts_largest_face(&run->params);
+	u32 most = ts_check_largest(&load->run);
 	for (u64 i = 0; i < n; i++) {
 		if (cubes[i].n > most) {
 			return ts_check_refuse(load, id, i, "n", 0, "at most %" PRIu32 ", by the parameters,", most);
@@ -206,7 +210,8 @@ static ts_status check_frames(const ts_load *load, const ts_stage *stage)
 	const ts_buffer_id id = TS_B_align_frame;
 	u64 n, all = 0;
 	const ts_align *frames = elements(load, id, &n);
-	bool walked = ts_stage_writes(stage, TS_B_count_offset) || ts_stage_reads(stage, TS_B_count_offset);
+	bool scatters = ts_stage_writes(stage, TS_B_scatter_depth) || ts_stage_writes(stage, TS_B_scatter_colour);
+	bool walked = scatters || ts_stage_writes(stage, TS_B_count_offset) || ts_stage_reads(stage, TS_B_count_offset);
 	for (u64 i = 0; i < n; i++) {
 		if (frames[i].s < 0.0f) return ts_check_refuse(load, id, i, "s", 0, "0 or more");
 		for (u32 k = 0; k < 6; k++) {
@@ -251,5 +256,6 @@ ts_status ts_check_values(const ts_load *load, const ts_stage *stage)
 	}
 	if (check_sums(load) != TS_OK || check_images(load) != TS_OK || check_slots(load) != TS_OK) return TS_ERROR;
 	if (check_lights(load) != TS_OK || check_objects(load) != TS_OK || check_view(load) != TS_OK) return TS_ERROR;
-	return check_frames(load, stage) == TS_OK ? check_counts(load, stage) : TS_ERROR;
+	if (ts_check_lamps(load, stage) != TS_OK || check_frames(load, stage) != TS_OK) return TS_ERROR;
+	return check_counts(load, stage);
 }

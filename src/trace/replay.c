@@ -1,6 +1,7 @@
 /* One stage alone. */
 #include "replay.h"
 #include <inttypes.h>
+#include "emit.h"
 
 static const ts_step *find_step(const char *name, const ts_pipeline *pipeline)
 {
@@ -18,8 +19,12 @@ const ts_stage *ts_replay_find(const char *name, const ts_pipeline *pipeline, co
 		return NULL;
 	}
 	if (ts_pipeline_takes(step, params, true)) return ts_stage_find(name);
-	ts_fail("stage %s is not run with bounces=%" PRIu32 "; it needs %" PRIu32, name, params->bounces,
-	        step->least_bounces);
+	if (params->bounces >= step->least_bounces) {
+		ts_fail("stage %s is not run where points are not stored; it needs buffered=on", name);
+	} else {
+		ts_fail("stage %s is not run with bounces=%" PRIu32 "; it needs %" PRIu32, name, params->bounces,
+		        step->least_bounces);
+	}
 	return NULL;
 }
 
@@ -36,7 +41,7 @@ void ts_replay_reads(ts_buffer_id ids[TS_N_BUFFERS + 1], const ts_stage *stage, 
 	u32 n = 0;
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
 		const ts_step *maker = ts_pipeline_maker(pipeline, (ts_buffer_id)id);
-		bool there = maker == NULL || ts_pipeline_takes(maker, params, true);
+		bool there = ts_emit_is_scene((ts_buffer_id)id) || (maker != NULL && ts_pipeline_takes(maker, params, true));
 		if (there && ts_stage_reads(stage, (ts_buffer_id)id)) ids[n++] = (ts_buffer_id)id;
 	}
 	ids[n] = TS_N_BUFFERS;

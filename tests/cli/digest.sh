@@ -20,6 +20,34 @@ for method in epr mvr; do
 	verdict $? "$method: the reference changes nothing"
 done
 
+# Buffers of all views are one file, however few are made at once; and shadows fall without mirrors.
+shadows=(digest atrium:triangles=10000 --size 96x54 --set views=7 --set light_samples=3 --set map_px=32)
+for effect in soft-shadows omni-shadows; do
+	for method in mvr ivir; do
+		run "${shadows[@]}" --effect $effect --method $method
+		cp "$scratch/stdout" "$scratch/all"
+		[ "$status" -eq 0 ] && grep -q "^# $effect by $method$" "$scratch/all" && grep -q 'resolve.lit' "$scratch/all"
+		verdict $? "$effect by $method has its buffers"
+		run "${shadows[@]}" --effect $effect --method $method --set pass=2 --threads 3 --flush-denormals
+		cmp -s "$scratch/stdout" "$scratch/all"
+		verdict $? "$effect by $method: batches, threads and flushed denormals change nothing"
+	done
+	run "${shadows[@]}" --effect $effect --method mvr --reflectors 0
+	"$touchstone" "${shadows[@]}" --effect $effect --method mvr | cmp -s - "$scratch/stdout"
+	verdict $? "$effect has no mirrors by itself"
+	run "${shadows[@]}" --effect $effect --method mvr --set reflectors=1
+	! "$touchstone" "${shadows[@]}" --effect $effect --method mvr | cmp -s - "$scratch/stdout"
+	verdict $? "$effect has those that are asked for"
+done
+for how in off on; do
+	run "${shadows[@]}" --effect omni-shadows --method vir --set buffered=$how
+	grep -v 'points\|count' "$scratch/stdout" > "$scratch/buffered-$how"
+done
+cmp -s "$scratch/buffered-off" "$scratch/buffered-on"
+verdict $? 'stored points change nothing but that they are there'
+refuses 'no effect "shadow"; the nearest is' digest --effect shadow
+refuses 'no method "epr" of soft-shadows; the nearest is' digest --effect soft-shadows --method epr
+
 run "${small[@]}" --method epr --set seed=1
 ! cmp -s "$scratch/stdout" "$scratch/epr"
 verdict $? 'another seed changes a digest'

@@ -4,6 +4,8 @@
 #include "../../src/kernels/pcss.h"
 #include "seeded.h"
 
+#define PI 3.14159265358979323846
+
 enum { SIDE = 384, N_WORLDS = 40, N_RECEIVERS = 60 };
 
 /* A floor seen from a light above it, along -back; a half plane at a height above the floor covers x < edge. Depths are from
@@ -79,7 +81,7 @@ static u32 lit(const world *w, ts_receiver at, f32 bias, f32 slope)
 static double share(double t)
 {
 	if (t >= 1 || t <= -1) return t > 0;
-	return 0.5 + (t * sqrt(1 - t * t) + asin(t)) / M_PI;
+	return 0.5 + (t * sqrt(1 - t * t) + asin(t)) / PI;
 }
 
 /* Half the width of the penumbra on the floor, and where the middle of the light has its shadow's border. */
@@ -197,7 +199,7 @@ static void test_point(void **state)
 
 static void assert_sunflower(const i32 tap[][2], u32 n, double most)
 {
-	double golden = (sqrt(5) - 1) / 2 * 2 * M_PI;
+	double golden = (sqrt(5) - 1) / 2 * 2 * PI;
 	for (u32 k = 0; k < n; k++) {
 		double r = 128 * sqrt((k + 0.5) / n);
 		assert_true(fabs(tap[k][0] - r * cos(golden * k)) <= 0.502 && fabs(tap[k][1] - r * sin(golden * k)) <= 0.502);
@@ -206,7 +208,7 @@ static void assert_sunflower(const i32 tap[][2], u32 n, double most)
 		for (double t = -0.9; t < 1; t += 0.1) {
 			u32 beyond = 0;
 			for (u32 k = 0; k < n; k++) {
-				double x = tap[k][0] * cos(angle * M_PI / 32) + tap[k][1] * sin(angle * M_PI / 32);
+				double x = tap[k][0] * cos(angle * PI / 32) + tap[k][1] * sin(angle * PI / 32);
 				beyond += x > -128 * t;
 			}
 			assert_true(fabs((double)beyond / n - share(t)) < most);

@@ -1,10 +1,10 @@
 /* Checks of sizes, indices and floats: for each a fault planted in a copy of a buffer is refused with its place. */
 #include "faults.h"
 
-/* The first stage of either method that reads a buffer; NULL: none. */
-static const ts_stage *reader_of(ts_buffer_id id, u32 *m)
+/* The first stage of any method that reads a buffer; NULL: none. Indices into lights need a method that has some. */
+static const ts_stage *reader_of(ts_buffer_id id, const char *size, u32 *m)
 {
-	for (*m = 0; *m < 2; ++*m) {
+	for (*m = strcmp(size, "A") == 0 ? TRACES_SOFT : 0; *m < N_TRACES; ++*m) {
 		FOR_STAGES(*m, stage) {
 			if (ts_stage_reads(stage, id)) return stage;
 		}
@@ -25,7 +25,7 @@ static void test_indices(void **state)
 	for (u32 row = 0; row < sizeof indices / sizeof *indices; row++) {
 		u32 m, n_dims;
 		ts_buffer_id id = indices[row].id, ids[TS_N_BUFFERS + 1];
-		const ts_stage *stage = reader_of(id, &m);
+		const ts_stage *stage = reader_of(id, indices[row].size, &m);
 		assert_non_null(stage);
 		ts_load *load;
 		ts_replay_reads(ids, stage, traces[m]->pipeline, &traces[m]->params);
@@ -54,7 +54,7 @@ static void test_floats(void **state)
 	u32 n_tested = 0;
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
 		u32 m;
-		const ts_stage *stage = reader_of((ts_buffer_id)id, &m);
+		const ts_stage *stage = reader_of((ts_buffer_id)id, "", &m);
 		const ts_fields fields = ts_fields_of((ts_buffer_id)id);
 	u32 n = fields.n;
 		for (u32 f = 0; f < n && stage != NULL; f++) {
@@ -77,12 +77,14 @@ static void test_shapes(void **state)
 		TS_B_visibility_bits, TS_B_density_scale,  TS_B_cull_keep,           TS_B_align_frame,
 		TS_B_count_offset,    TS_B_points_record,  TS_B_splat_depth_index,   TS_B_lookup_point,
 		TS_B_lookup2_offset,  TS_B_lookup3_offset, TS_B_face_depth_triangle, TS_B_face_mip,
+		TS_B_lamp_shape,      TS_B_offscreen_view, TS_B_scatter_depth,       TS_B_scatter_colour,
+		TS_B_resolve_lit,
 	};
 	for (u32 i = 0; i < sizeof counted / sizeof *counted; i++) {
 		u32 m;
 		ts_buffer buffer;
 		const ts_stage *stage = NULL;
-		for (m = 0; m < 2 && stage == NULL; m++) {
+		for (m = 0; m < N_TRACES && stage == NULL; m++) {
 			FOR_STAGES(m, s) {
 				if (ts_stage_reads(s, counted[i])) stage = s; /* the last: it reads most */
 			}

@@ -8,9 +8,9 @@ static void test_same(void **state)
 {
 	(void)state;
 	ts_comparison c;
-	for (u32 m = 0; m < 2; m++) {
+	for (u32 m = 0; m < N_TRACES; m++) {
 		assert_int_equal(ts_compare_forced(&c, traces[m], traces[m], &exactly, 2), TS_OK);
-		assert_true(c.n_judged > 10 && c.n_unlike == 0 && c.n_missing == 0 && c.first == TS_N_BUFFERS);
+		assert_true(c.n_judged > 8 && c.n_unlike == 0 && c.n_missing == 0 && c.first == TS_N_BUFFERS);
 	}
 }
 

@@ -5,7 +5,7 @@
 static void test_same(void **state)
 {
 	(void)state;
-	for (u32 m = 0; m < 2; m++) {
+	for (u32 m = 0; m < N_TRACES; m++) {
 		FOR_STAGES(m, stage) {
 			for (u32 threads = 1; threads <= 3; threads += 2) {
 				ts_load *load;
@@ -53,7 +53,7 @@ static void test_planted(void **state)
 {
 	(void)state;
 	u32 seed = 1;
-	for (u32 m = 0; m < 2; m++) {
+	for (u32 m = 0; m < N_TRACES; m++) {
 		FOR_STAGES(m, stage) {
 			ts_load *load;
 			assert_int_equal(ts_replay(&load, stage, traces[m], NULL, 2), TS_OK);

@@ -1,4 +1,4 @@
-/* Traces of a small scene by both methods, made once a program, and candidates with a buffer or two of their own. */
+/* Traces of a small scene by methods of every kind, made once a program, and candidates with a buffer or two of their own. */
 #ifndef TS_TESTS_TRACE_TRACES_H
 #define TS_TESTS_TRACE_TRACES_H
 #include "../stages/small.h"
@@ -10,9 +10,19 @@
 enum { MAX_DIR = 256, MAX_TEXT = 4096 };
 
 static char traces_root[] = "/tmp/touchstone-traces-XXXXXX";
-static ts_trace *traces[2]; /* epr, mvr */
+/* Views of shadows come in batches; only the last one is smaller. */
+static const struct { const char *effect, *method; u32 lamp, buffered; } traces_runs[] = {
+	{"reflections", "epr", 0, 0},
+	{"reflections", "mvr", 0, 0},
+	{"reflections", "ivir", 0, 0},
+	{"soft-shadows", "ivir", TS_LAMP_SCENE, 0},
+	{"omni-shadows", "vir", 0, TS_BUFFERED_ON},
+	{"soft-shadows", "mvr", 0, 0},
+};
+enum { TRACES_IVIR = 2, TRACES_SOFT, TRACES_OMNI, TRACES_DEPTH, N_TRACES };
+static ts_trace *traces[N_TRACES];
 static ts_trace_writer *traces_writer;
-static const char *traces_method;
+static u32 traces_m;
 static char *traces_paths[4 * TS_N_BUFFERS];
 static u32 traces_n_paths;
 
@@ -20,7 +30,7 @@ static inline const char *traces_place(void *user, const char *name)
 {
 	static char path[MAX_TEXT];
 	(void)user;
-	snprintf(path, sizeof path, "%s/%s/%s", traces_root, traces_method, name);
+	snprintf(path, sizeof path, "%s/%u/%s", traces_root, (unsigned)traces_m, name);
 	char *copy = strdup(path); /* stays, as the writer wants */
 	assert_non_null(copy);
 	assert_true(traces_n_paths < sizeof traces_paths / sizeof *traces_paths);
@@ -50,31 +60,40 @@ static inline void traces_shrink(ts_scene *scene)
 	for (u32 i = 0; i < scene->n_slots; i++) scene->slots[i].image = 0;
 }
 
-static inline void traces_make(u32 m, const char *method)
+static inline ts_params traces_params(u32 m)
 {
-	char dir[MAX_DIR];
 	ts_params params = small_params(64, 48);
 	params.bounces = 3;
 	params.reflectors = 3;
 	params.reflector_px = 24;
 	params.face_max = 32;
-	traces_method = method;
-	snprintf(dir, sizeof dir, "%s/%s", traces_root, method);
+	params.views = 5;
+	params.light_samples = 3;
+	params.pass = 2;
+	params.map_px = 24;
+	params.lamp = traces_runs[m].lamp;
+	params.buffered = traces_runs[m].buffered;
+	return params;
+}
+
+static inline void traces_make(u32 m, const ts_scene *scene)
+{
+	char dir[MAX_DIR];
+	ts_params params = traces_params(m);
+	traces_m = m;
+	snprintf(dir, sizeof dir, "%s/%u", traces_root, (unsigned)m);
 	assert_int_equal(mkdir(dir, 0700), 0);
-	ts_scene *scene = small_scene(&params);
-	traces_shrink(scene);
 	ts_run run;
 	ts_trace_options options = {.place = traces_place};
 	ts_run_begin(&run, scene, &params, 2);
 	run.traced = true;
 	run.hook = traces_hook;
-	const ts_pipeline *pipeline = ts_pipeline_find("reflections", method);
+	const ts_pipeline *pipeline = ts_pipeline_find(traces_runs[m].effect, traces_runs[m].method);
 	assert_int_equal(ts_trace_write_begin(&traces_writer, pipeline, &run, &options), TS_OK);
 	assert_int_equal(ts_pipeline_run(pipeline, &run), TS_OK);
 	assert_int_equal(ts_trace_write_end(traces_writer, &run), TS_OK);
 	ts_trace_write_free(traces_writer);
 	ts_run_end(&run);
-	ts_scene_free(scene);
 	if (ts_trace_open(&traces[m], dir) != TS_OK) fail_msg("%s", ts_error_message());
 }
 
@@ -82,16 +101,18 @@ static inline int traces_begin(void **state)
 {
 	(void)state;
 	assert_non_null(mkdtemp(traces_root));
-	traces_make(0, "epr");
-	traces_make(1, "mvr");
+	ts_params params = traces_params(0);
+	ts_scene *scene = small_scene(&params);
+	traces_shrink(scene);
+	for (u32 m = 0; m < N_TRACES; m++) traces_make(m, scene);
+	ts_scene_free(scene);
 	return 0;
 }
 
 static inline int traces_end(void **state)
 {
 	(void)state;
-	ts_trace_close(traces[0]);
-	ts_trace_close(traces[1]);
+	for (u32 m = 0; m < N_TRACES; m++) ts_trace_close(traces[m]);
 	while (traces_n_paths > 0) free(traces_paths[--traces_n_paths]);
 	traces_shell("rm -rf %s", traces_root);
 	return 0;
@@ -128,8 +149,8 @@ static inline ts_trace *traces_plant(u32 m, const planted *own, u32 n, const cha
 	snprintf(path, sizeof path, "%s/trace.json", dir);
 	FILE *json = fopen(path, "w");
 	assert_non_null(json);
-	fprintf(json, "{\"format\": \"touchstone-trace\", \"version\": 1, \"contract\": 1, \"pipeline\": \"%s\", ",
-	        traces[m]->pipeline->name);
+	fprintf(json, "{\"format\": \"touchstone-trace\", \"version\": 1, \"contract\": 1, \"pipeline\": \"%s\", \"effect\": \"%s\", ",
+	        traces[m]->pipeline->name, traces[m]->pipeline->effect);
 	fprintf(json, "\"order\": \"%s\", \"buffers\": [", order);
 	for (u32 i = 0; i < n; i++) {
 		const char *name = ts_buffer_table[own[i].id].name;
