@@ -56,8 +56,8 @@ static ts_offscreen *make_views(world *w, u32 n)
 static void look_down(world *w, ts_v3 eye, f32 reach)
 {
 	ts_offscreen *view = make_views(w, 1);
-	*view = (ts_offscreen){ .focal = 32 / reach, .right = { 1, 0, 0 }, .up = { 0, 0, -1 }, .back = { 0, 1, 0 }, .near = 0.001f,
-	                        .width = SIDE, .height = SIDE, .reach = { reach, reach }, .object = TS_NONE };
+	*view = (ts_offscreen){ .focal = 32 / reach, .right = { 1, 0, 0 }, .up = { 0, 0, -1 }, .back = { 0, 1, 0 },
+	                        .near = 0.001f, .width = SIDE, .height = SIDE, .reach = { reach, reach }, .object = TS_NONE };
 	ts_store3(view->eye, eye);
 }
 

@@ -23,7 +23,8 @@ static world *world_new(bool parallel)
 	ts_v3 a = ts_v3_make(-8, -8, -4 + slope * 8), b = ts_v3_make(8, -8, -4 - slope * 8);
 	ts_v3 c = ts_v3_make(8, 8, -4 - slope * 8), d = ts_v3_make(-8, 8, -4 + slope * 8);
 	world_quad(w, a, b, c, d, ONE_SIDED, 0);
-	world_quad(w, ts_v3_make(-8, -8, -1), ts_v3_make(-0.5f, -8, -1), ts_v3_make(-0.5f, 8, -1), ts_v3_make(-8, 8, -1), UNCUT, 0);
+	world_quad(w, ts_v3_make(-8, -8, -1), ts_v3_make(-0.5f, -8, -1), ts_v3_make(-0.5f, 8, -1), ts_v3_make(-8, 8, -1),
+	           UNCUT, 0);
 	world_pose(w);
 	ts_offscreen *views = ts_frame_make1(&w->run.frame, TS_B_offscreen_view, 2);
 	for (u32 v = 0; v < 2; v++) {
