@@ -100,7 +100,7 @@ static void test_square(void **state)
 	check_square(0.11f);
 }
 
-/* Lit pixels under something that covers all of the floor, or is far below the lamp's near plane. */
+/* Lit pixels under a cover of all of the floor at height y; none if that is negative. */
 static u32 lit_below(f32 y, u32 material, bool up, f32 lamp_y)
 {
 	world *w = world_new();
