@@ -109,17 +109,20 @@ TS_FN ts_need ts_k_clipped_rate(const ts_camera_k *view, ts_v3 n, ts_v3 a, ts_v3
 	return r;
 }
 
-/* At the point closest to the view; VIR: a pixel in the image's middle, at that distance, as dense as in its corner. The
- * closest point may lie beside the image, even behind it, where there are no pixels: it counts as in the corner, so that iVIR
- * never needs more than VIR. */
+/* At the point closest to the view; where that is outside of the frustum and has no pixel, as on a floor that crosses the
+ * planes of a cube's faces, with its distance for its depth, which may be nothing. VIR: a pixel in the image's middle, at
+ * that distance, as dense as in its corner. */
 TS_FN f32 ts_k_closest_rate(const ts_camera_k *view, const f32 reach[2], ts_v3 n, ts_v3 a, ts_v3 b, ts_v3 c, u32 rate)
 {
 	ts_v3 q = ts_k_closest_on_triangle(view->eye, a, b, c);
+	f32 distance = ts_length(ts_sub(q, view->eye));
+	if (rate == TS_RATE_IS_PAPER) {
+		ts_corner p = ts_k_to_view(view, q);
+		bool inside = ts_abs(p.x) <= reach[0] * p.z && ts_abs(p.y) <= reach[1] * p.z;
+		return ts_k_pixel_rate(view, n, q, ts_max(inside ? p.z : distance, view->near));
+	}
 	f32 corner = 1.0f + (reach[0] * reach[0] + reach[1] * reach[1]); /* 1 / cos^2 */
-	f32 distance = ts_max(ts_length(ts_sub(q, view->eye)), view->near);
-	if (rate == TS_RATE_IS_VIR) return (view->focal * corner) / distance;
-	f32 least = ts_max(distance / ts_sqrt(corner), view->near);
-	return ts_k_pixel_rate(view, n, q, ts_max(ts_k_to_view(view, q).z, least));
+	return (view->focal * corner) / ts_max(distance, view->near);
 }
 
 TS_FN ts_need ts_k_one_view_density(const ts_density_args *args, u32 v, ts_v3 n, ts_v3 a, ts_v3 b, ts_v3 c)
@@ -142,19 +145,25 @@ TS_FN ts_need ts_k_one_view_density(const ts_density_args *args, u32 v, ts_v3 n,
 	return r;
 }
 
-/* The largest need of the views of `words`; 0: there is none. */
-TS_FN ts_need ts_k_view_density(const ts_density_args *args, TS_GLOBAL const u64 *words, ts_v3 a, ts_v3 b, ts_v3 c)
+/* The largest need of those of views [first, end) that are in `words`; 0: there is none. */
+TS_FN ts_need ts_k_views_density(const ts_density_args *args, TS_GLOBAL const u64 *words, u32 first, u32 end, ts_v3 a,
+                                 ts_v3 b, ts_v3 c)
 {
 	ts_v3 n = ts_normalize(ts_cross(ts_sub(b, a), ts_sub(c, a)));
 	ts_need r;
 	r.s = 0.0f;
 	r.uneven = 1.0f;
-	for (u32 v = 0u; v < args->n_views; v++) {
+	for (u32 v = first; v < end; v++) {
 		if (!ts_k_offscreen_bit(words, v)) continue;
 		ts_need one = ts_k_one_view_density(args, v, n, a, b, c);
 		r = one.s > r.s ? one : r;
 	}
 	return r;
+}
+
+TS_FN ts_need ts_k_view_density(const ts_density_args *args, TS_GLOBAL const u64 *words, ts_v3 a, ts_v3 b, ts_v3 c)
+{
+	return ts_k_views_density(args, words, 0u, args->n_views, a, b, c);
 }
 
 #endif
