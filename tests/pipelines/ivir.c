@@ -54,11 +54,9 @@ static void test_threads(void **state)
 	for (u32 m = 0; m < sizeof methods / sizeof *methods; m++) {
 		const char *effect = methods[m][0], *method = methods[m][1];
 		ts_sums one = sums_of(scene, &params, effect, method, (ts_how){ .threads = 1 });
-		ts_sums two = sums_of(scene, &params, effect, method, (ts_how){ .threads = 2 });
 		ts_sums seven = sums_of(scene, &params, effect, method, (ts_how){ .threads = 7 });
 		ts_sums reference = sums_of(scene, &params, effect, method, (ts_how){ .threads = 2, .reference = true });
-		assert_true(assert_same(&one, &two, method) >= 6);
-		assert_same(&one, &seven, method);
+		assert_true(assert_same(&one, &seven, method) >= 6);
 		assert_same(&one, &reference, "without fast paths");
 	}
 	ts_scene_free(scene);
@@ -80,8 +78,8 @@ static void test_passes(void **state)
 	                                    TS_B_scatter_depth, TS_B_resolve_lit, TS_N_BUFFERS };
 	ts_params params = tiny_params();
 	ts_scene *scene = small_scene(&params);
-	params.views = 40;
-	params.light_samples = 7;
+	params.views = 20;
+	params.light_samples = 4;
 	for (u32 m = 0; m < 2; m++) {
 		params.pass = 32;
 		ts_sums all = sums_of(scene, &params, methods[m][0], "ivir", (ts_how){ .threads = 2 });
@@ -155,7 +153,7 @@ static void test_against_mvr(void **state)
 	(void)state;
 	static const char *const effects[] = { "soft-shadows", "omni-shadows" };
 	ts_params params = tiny_params();
-	params.map_px = 128;
+	params.map_px = 64;
 	params.cull = 0;
 	ts_scene *scene = small_scene(&params);
 	for (u32 e = 0; e < 2; e++) {
@@ -165,7 +163,7 @@ static void test_against_mvr(void **state)
 		run_of(&ivir, scene, &params, effects[e], "ivir");
 		double share = difference(&mvr, &ivir, samples);
 		print_message("%s: %.4f\n", effects[e], share);
-		assert_true(share < 0.03);
+		assert_true(share < 0.06);
 		ts_run_end(&mvr);
 		ts_run_end(&ivir);
 	}
@@ -210,7 +208,7 @@ static void test_culling(void **state)
 	ts_params params = tiny_params();
 	ts_scene *scene = small_scene(&params);
 	params.map_px = 16;
-	for (params.seed = 0; params.seed < 3; params.seed++) {
+	for (params.seed = 0; params.seed < 2; params.seed++) {
 		ts_run run;
 		run_of(&run, scene, &params, "soft-shadows", "ivir");
 		const ts_piece *pieces = ts_frame_data(&run.frame, TS_B_split_triangle);
@@ -250,7 +248,7 @@ static void test_shared_views(void **state)
 	ts_light *own = scene->lights, lights[5];
 	u32 n_own = scene->n_lights;
 	params.lamp = TS_LAMP_SCENE;
-	for (u32 n = 1; n <= 5; n++) {
+	for (u32 n = 1; n <= 5; n += 2) {
 		ts_run run;
 		give_lights(scene, lights, n);
 		run_of(&run, scene, &params, SHADOWED);
