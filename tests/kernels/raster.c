@@ -304,8 +304,8 @@ static void test_nothing_missed(void **state)
 	assert_int_equal(n_missed[1], 0);
 }
 
-/* An orthographic view: the projection is a multiple of the place on its axes, whatever the depth; out of sight is what its box
- * does not reach; and a fragment shows what the ray through its pixel meets. */
+/* An orthographic view: the projection is a multiple of the place on its axes, whatever the depth; out of sight is what its
+ * box does not reach; and a fragment shows what the ray through its pixel meets. */
 static void test_orthographic(void **state)
 {
 	(void)state;
@@ -327,8 +327,9 @@ static void test_orthographic(void **state)
 		assert_true(ts_k_is_outside(&view, &p) == outside);
 		n_outside += outside;
 		if (outside || low[2] < 0.5) continue;
-		ts_setup setup = ts_k_setup(ts_k_snap(ts_k_project(&view, &p.corner[0])), ts_k_snap(ts_k_project(&view, &p.corner[1])),
-		                            ts_k_snap(ts_k_project(&view, &p.corner[2])));
+		ts_snapped s[3];
+		for (u32 k = 0; k < 3; k++) s[k] = ts_k_snap(ts_k_project(&view, &p.corner[k]));
+		ts_setup setup = ts_k_setup(s[0], s[1], s[2]);
 		if (setup.area < 1 << 18) continue;
 		for (i32 k = 0; k < 64 * 32; k += 7) {
 			ts_edges e = ts_k_edges(&setup, centre(k % 64), centre(k / 64));
