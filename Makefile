@@ -183,7 +183,7 @@ $(BUILD)/obj/%.cc.o: %.cc $(BUILD)/flags
 ##   demo               install what is missing, build, render the mirrors of the atrium
 demo: deps
 	$(Q)$(MAKE) --no-print-directory all
-	build/touchstone render reflections atrium --method all --truth=A,B --size 960x540 -o out/demo --force
+	build/touchstone render reflections atrium --method epr,ivir,mvr --truth=A,B --size 960x540 -o out/demo --force
 
 ##   test               install what is missing, build, run every test; also with config=asan|ubsan|tsan
 test: deps

@@ -9,6 +9,7 @@
 #include "../kernels/lookup.h"
 #include "../kernels/margin.h"
 #include "../kernels/mirror.h"
+#include "../kernels/pcss.h"
 #include "../kernels/pixel.h"
 #include "../kernels/resize.h"
 #include "../kernels/resolve.h"

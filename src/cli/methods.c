@@ -30,7 +30,8 @@ ts_status ts_methods_find(const ts_pipeline *methods[TS_MAX_METHODS], u32 *n, co
 	if (ts_effect_check(effect) != TS_OK) return TS_ERROR;
 	bool all = names == NULL || strcmp(names, "all") == 0;
 	for (const ts_pipeline *p = ts_pipeline_table; all && p->name != NULL; p++) {
-		if (strcmp(p->effect, effect) == 0) add(methods, n, p);
+		bool meant = names != NULL || !p->only_named;
+		if (strcmp(p->effect, effect) == 0 && meant) add(methods, n, p);
 	}
 	while (!all && ts_cli_item(&names, item, sizeof item)) {
 		ts_nearest nearest = ts_nearest_begin(item);

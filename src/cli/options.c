@@ -10,7 +10,7 @@
 
 const ts_option ts_option_table[] = {
 	{ TS_OPT_EFFECT, "effect", "EFFECT", "what is rendered (reflections)", "methods" },
-	{ TS_OPT_METHOD, "method", "NAME,...", "methods to run, or \"all\" (the default)", "methods" },
+	{ TS_OPT_METHOD, "method", "NAME,...", "methods to run, or \"all\"; by default all but vir", "methods" },
 	{ TS_OPT_TRUTH, "truth", "[=A,B,C]", "ground truth to compare with: A rays from the cube's centre, B true reflections,\n"
 	  "C MVR at 4 times the resolution; without letters all three; \"none\"", "" },
 	{ TS_OPT_SIZE, "size", "WxH", "size of the eye image in pixels", "" },

@@ -1,4 +1,5 @@
-/* Closest points: on a triangle (Voronoi regions, SPEC 0.2.2), on a segment; and the centre of a triangle's circle. */
+/* Closest points: on a triangle (Voronoi regions, SPEC 0.2.2), on a segment, on a triangle's border; and the centre of a
+ * triangle's circle. */
 #ifndef TS_KERNELS_CLOSEST_H
 #define TS_KERNELS_CLOSEST_H
 #include "vec.h"
@@ -43,6 +44,15 @@ TS_FN ts_v3 ts_k_closest_on_segment(ts_v3 p, ts_v3 from, ts_v3 to)
 	ts_v3 u = ts_sub(to, from);
 	f32 k = ts_k_ratio(ts_dot(ts_sub(p, from), u), ts_dot(u, u));
 	return ts_mad(from, u, ts_clamp(k, 0.0f, 1.0f));
+}
+
+TS_FN ts_v3 ts_k_closer(ts_v3 p, ts_v3 a, ts_v3 b) { return ts_length(ts_sub(b, p)) < ts_length(ts_sub(a, p)) ? b : a; }
+
+/* On the edges of a triangle; the first on ties. */
+TS_FN ts_v3 ts_k_closest_on_border(ts_v3 p, ts_v3 a, ts_v3 b, ts_v3 c)
+{
+	ts_v3 r = ts_k_closer(p, ts_k_closest_on_segment(p, a, b), ts_k_closest_on_segment(p, b, c));
+	return ts_k_closer(p, r, ts_k_closest_on_segment(p, c, a));
 }
 
 /* cc = a + ((n x ab) |ac|^2 + (ac x n) |ab|^2) / (2 |n|^2), n = ab x ac; computed in units of the longest edge.

@@ -104,12 +104,34 @@ TS_FN ts_v3 ts_k_lattice_point(TS_GLOBAL const ts_align *frame, i32 x, i32 y)
 	return ts_mad(ts_mad(ts_load3(frame->c), ts_load3(frame->u), du), ts_load3(frame->v), dv);
 }
 
+/* The sample lies in its piece: on the inner side of the edges, in the lattice, where their longest is an axis. In space
+ * the sides of long thin pieces would be lost in rounding. */
+TS_FN bool ts_k_is_in_piece(TS_GLOBAL const ts_align *frame, ts_v3 a, ts_v3 b, ts_v3 c, i32 x, i32 y)
+{
+	ts_v3 corner[3];
+	corner[0] = a;
+	corner[1] = b;
+	corner[2] = c;
+	ts_v2 q[3];
+	for (u32 k = 0u; k < 3u; k++) {
+		q[k] = ts_k_lattice(ts_load3(frame->c), ts_load3(frame->u), ts_load3(frame->v), frame->s, corner[k]);
+		q[k] = ts_v2_make(q[k].x - ((f32)x + 0.5f), q[k].y - ((f32)y + 0.5f));
+	}
+	return ts_diff_of_products(q[0].x, q[1].y, q[0].y, q[1].x) >= 0.0f &&
+	       ts_diff_of_products(q[1].x, q[2].y, q[1].y, q[2].x) >= 0.0f &&
+	       ts_diff_of_products(q[2].x, q[0].y, q[2].y, q[0].x) >= 0.0f;
+}
+
 /* Where the sample is as a point: on the lattice, or moved to the closest point of its piece. */
 TS_FN ts_v3 ts_k_point_centre(const ts_points_args *args, u64 piece, i32 x, i32 y)
 {
-	ts_v3 p = ts_k_lattice_point(&args->frames[piece], x, y);
+	TS_GLOBAL const ts_align *frame = &args->frames[piece];
 	TS_GLOBAL const ts_piece *t = &args->pieces[piece];
-	return args->snap != 0u ? ts_k_closest_on_triangle(p, ts_load3(t->a), ts_load3(t->b), ts_load3(t->c)) : p;
+	ts_v3 p = ts_k_lattice_point(frame, x, y);
+	ts_v3 a = ts_load3(t->a);
+	ts_v3 b = ts_load3(t->b);
+	ts_v3 c = ts_load3(t->c);
+	return args->snap == 0u || ts_k_is_in_piece(frame, a, b, c, x, y) ? p : ts_k_closest_on_border(p, a, b, c);
 }
 
 /* What a sample shows. */

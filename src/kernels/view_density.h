@@ -49,10 +49,27 @@ TS_FN ts_polygon ts_k_in_frustum(const ts_camera_k *view, ts_v3 a, ts_v3 b, ts_v
 	return r;
 }
 
-/* A square lattice of spacing a meets each texel if a <= 1 / (sqrt(2) sigma), sigma the largest singular value from the
- * plane to the image, at most f d / z^2 = f (1/z) (d/z). Each of the two factors is greatest at a corner, their product
- * need not be: so the product of the greatest. 1/64 more makes up for rounding. */
-TS_FN ts_need ts_k_watertight(const ts_camera_k *view, const ts_polygon *polygon)
+#define TS_ROUNDING 9.5367431640625e-7f /* 2^-20 of the largest coordinate: what computing a sample may move it by */
+
+TS_FN f32 ts_k_largest(ts_v3 p) { return ts_max(ts_max(ts_abs(p.x), ts_abs(p.y)), ts_abs(p.z)); }
+
+/* Every texel whose centre sees a triangle at p gets a sample of it, if the lattice's spacing is a <= 1 / (sqrt(2) most),
+ * `most` pixels a world unit at the most. Proof: the nearest sample q of the lattice is within a / sqrt(2) of p; its square
+ * holds p, so it is emitted; moved to the closest point of the triangle, which is convex, it comes no farther from p; and
+ * the way from p to q lies in the triangle, so in the image it is no longer than most a / sqrt(2) <= 1/2: q is in p's texel.
+ * (No promise within near / (2 f) of the near plane, since q may lie before it; without `snap`; of what `cull` drops; of
+ * capped densities.)
+ * 1/64 is left over for rounding in the image, and as many pixels as rounding moves samples by, up to a quarter of one. */
+TS_FN f32 ts_k_watertight_rate(const ts_camera_k *view, f32 most, ts_v3 a, ts_v3 b, ts_v3 c)
+{
+	f32 largest = ts_max(ts_k_largest(view->eye), ts_max(ts_k_largest(a), ts_max(ts_k_largest(b), ts_k_largest(c))));
+	f32 moved = ts_min(most * (largest * TS_ROUNDING), 0.25f);
+	return (most * 1.43631064891815185546875f) / (1.0f - 2.0f * moved); /* sqrt(2) 65/64 */
+}
+
+/* Pixels a world unit: the largest singular value from the plane to the image, at most f d / z^2 = f (1/z) (d/z). Each of
+ * the two factors is greatest at a corner, their product need not be: so the product of the greatest. */
+TS_FN ts_need ts_k_watertight(const ts_camera_k *view, const ts_polygon *polygon, ts_v3 a, ts_v3 b, ts_v3 c)
 {
 	f32 nearest = 0.0f;
 	f32 widest = 0.0f;
@@ -68,7 +85,7 @@ TS_FN ts_need ts_k_watertight(const ts_camera_k *view, const ts_polygon *polygon
 	}
 	f32 most = nearest * widest;
 	ts_need r;
-	r.s = (view->focal * 1.43631064891815185546875f) * most; /* sqrt(2) 65/64 */
+	r.s = ts_k_watertight_rate(view, view->focal * most, a, b, c);
 	r.uneven = least > 0.0f ? most / least : 1.0f;
 	return r;
 }
@@ -80,7 +97,7 @@ TS_FN ts_need ts_k_clipped_rate(const ts_camera_k *view, ts_v3 n, ts_v3 a, ts_v3
 	r.s = 0.0f;
 	r.uneven = 1.0f;
 	if (polygon.n == 0u) return r;
-	if (rate == TS_RATE_IS_WATERTIGHT) return ts_k_watertight(view, &polygon);
+	if (rate == TS_RATE_IS_WATERTIGHT) return ts_k_watertight(view, &polygon, a, b, c);
 	f32 z = polygon.corner[0].z;
 	u32 nearest = 0u;
 	for (u32 k = 1u; k < polygon.n; k++) {
@@ -92,13 +109,20 @@ TS_FN ts_need ts_k_clipped_rate(const ts_camera_k *view, ts_v3 n, ts_v3 a, ts_v3
 	return r;
 }
 
-/* At the point closest to the view; VIR: a pixel in the image's middle, at that distance, as dense as in its corner. */
+/* At the point closest to the view; where that is outside of the frustum and has no pixel, as on a floor that crosses the
+ * planes of a cube's faces, with its distance for its depth, which may be nothing. VIR: a pixel in the image's middle, at
+ * that distance, as dense as in its corner. */
 TS_FN f32 ts_k_closest_rate(const ts_camera_k *view, const f32 reach[2], ts_v3 n, ts_v3 a, ts_v3 b, ts_v3 c, u32 rate)
 {
 	ts_v3 q = ts_k_closest_on_triangle(view->eye, a, b, c);
-	if (rate == TS_RATE_IS_PAPER) return ts_k_pixel_rate(view, n, q, ts_max(ts_k_to_view(view, q).z, view->near));
+	f32 distance = ts_length(ts_sub(q, view->eye));
+	if (rate == TS_RATE_IS_PAPER) {
+		ts_corner p = ts_k_to_view(view, q);
+		bool inside = ts_abs(p.x) <= reach[0] * p.z && ts_abs(p.y) <= reach[1] * p.z;
+		return ts_k_pixel_rate(view, n, q, ts_max(inside ? p.z : distance, view->near));
+	}
 	f32 corner = 1.0f + (reach[0] * reach[0] + reach[1] * reach[1]); /* 1 / cos^2 */
-	return (view->focal * corner) / ts_max(ts_length(ts_sub(q, view->eye)), view->near);
+	return (view->focal * corner) / ts_max(distance, view->near);
 }
 
 TS_FN ts_need ts_k_one_view_density(const ts_density_args *args, u32 v, ts_v3 n, ts_v3 a, ts_v3 b, ts_v3 c)
@@ -109,7 +133,7 @@ TS_FN ts_need ts_k_one_view_density(const ts_density_args *args, u32 v, ts_v3 n,
 	r.uneven = 1.0f;
 	if (view.orthographic != 0u) {
 		bool watertight = args->rate == TS_RATE_IS_WATERTIGHT;
-		r.s = watertight ? view.focal * 1.43631064891815185546875f : ts_k_parallel_rate(&view, n, args->rate);
+		r.s = watertight ? ts_k_watertight_rate(&view, view.focal, a, b, c) : ts_k_parallel_rate(&view, n, args->rate);
 	} else if (args->rate < TS_RATE_IS_PAPER) {
 		r = ts_k_clipped_rate(&view, n, a, b, c, args->rate);
 	} else {

@@ -1,21 +1,21 @@
-/* Improved view-independent rendering, and view-independent rendering, of cube-mapped reflections and of shadows.
- * Paper: "Improving View Independent Rendering for Multiview Effects" (2022), sections 3 to 6; VIR: Marrs et al. 2017.
+/* Improved view-independent rendering of cube-mapped reflections and of shadows.
+ * Paper: "Improving View Independent Rendering for Multiview Effects" (2022), sections 3 to 6.
  *
  * Once a frame each triangle becomes points, as dense as the most demanding off-screen view asks for (section 3.1), which
  * are scattered to all views that may see it: no view needs another pass over the geometry. Depth maps take a point's depth,
  * environment maps 13 bits of depth and 19 of colour, and are copied into mip maps (5).
  *
  * Deviations, each with the switch that restores the paper:
- * - the rate gives each texel that sees a triangle one of its samples; the paper's leaves holes (rate=paper);
+ * - the rate gives each texel that sees a triangle one of its samples; the paper's leaves holes
+ *   (rate=paper), and where a triangle is closest outside of a view, which has no pixel there, takes its distance for its
+ *   depth;
  * - a sample beside its triangle moves to the triangle's border (snap=off), so that it shows what it stands for;
  * - triangles of more than 2^16 samples, and those that need far more of them at one end, are bisected (split=off);
  * - visibility clears a bit only if all corners lie outside one plane (visibility=vertex);
  * - the points serve all views at once; without storing them (buffered=off) they are made once for every 32 depth maps
  *   (pass=32), with a density that is still that of all;
  * - the depth code of environment maps is logarithmic, 2^20 from the nearest to the farthest, and their colours are stored
- *   as square roots: the paper names the bits only.
- * VIR here is its rate: one distance, the nearest, serves the whole triangle, with the worst perspective of any view;
- * buffers keep their largest size; Marrs' paper was not at hand. */
+ *   as square roots: the paper names the bits only. */
 #include "../kernels/illuminate.h"
 #include "../kernels/view_density.h"
 #include "pipelines.h"
@@ -78,36 +78,9 @@ const ts_step ts_ivir_omni_steps[] = {
 
 void ts_ivir_prepare(ts_run *run) { run->rate = TS_RATE_IS_WATERTIGHT + run->params.rate; }
 
-void ts_vir_prepare(ts_run *run)
-{
-	run->rate = TS_RATE_IS_VIR;
-	run->fixed_face = run->params.face_px != 0 ? run->params.face_px : run->params.face_max;
-	run->all_cubes = true;
-}
-
-void ts_soft_prepare(ts_run *run)
-{
-	run->all_units = run->n_units = run->params.views;
-	run->batch = run->params.pass;
-	run->fixed_face = run->params.map_px;
-}
-
-void ts_omni_prepare(ts_run *run)
-{
-	run->all_units = run->n_units = run->params.light_samples;
-	run->batch = run->params.pass < 12 ? 1 : run->params.pass / 6;
-	run->fixed_face = run->params.map_px;
-}
-
 void ts_ivir_soft_prepare(ts_run *run)
 {
 	ts_ivir_prepare(run);
-	ts_soft_prepare(run);
-}
-
-void ts_vir_soft_prepare(ts_run *run)
-{
-	ts_vir_prepare(run);
 	ts_soft_prepare(run);
 }
 
@@ -117,20 +90,6 @@ void ts_ivir_omni_prepare(ts_run *run)
 	ts_omni_prepare(run);
 }
 
-void ts_vir_omni_prepare(ts_run *run)
-{
-	ts_vir_prepare(run);
-	ts_omni_prepare(run);
-}
-
-/* Two points for each small triangle, and four for each texel of the few views that a triangle's density comes from. */
-static void expect_points(ts_sizes *sizes, const ts_scene *scene, u64 texels)
-{
-	u64 triangles = scene->n_triangles;
-	ts_sizes_set(sizes, "Q", triangles + triangles / 4);
-	ts_sizes_set(sizes, "N", 2 * triangles + 4 * texels);
-}
-
 void ts_ivir_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params)
 {
 	u64 cubes = scene->info.n_reflectors, face = params->face_px != 0 ? params->face_px : params->face_max;
@@ -138,26 +97,5 @@ void ts_ivir_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *par
 	ts_sizes_set(sizes, "C", texels);
 	ts_sizes_set(sizes, "C4", cubes != 0 ? ts_k_mip_texels((u32)face, TS_NONE) : 0);
 	ts_sizes_set(sizes, "batches", cubes);
-	expect_points(sizes, scene, texels);
-}
-
-void ts_soft_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params)
-{
-	u64 map = (u64)params->map_px * params->map_px, batch = params->pass < params->views ? params->pass : params->views;
-	ts_sizes_views(sizes, params->views);
-	ts_sizes_set(sizes, "B", 0);
-	ts_sizes_set(sizes, "A", params->lamp == TS_LAMP_SCENE ? scene->n_lights : 1);
-	ts_sizes_set(sizes, "C", map * batch);
-	ts_sizes_set(sizes, "batches", (params->views + batch - 1) / batch);
-	expect_points(sizes, scene, map);
-}
-
-void ts_omni_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params)
-{
-	u64 map = 6 * (u64)params->map_px * params->map_px, batch = params->pass < 12 ? 1 : params->pass / 6;
-	ts_sizes_cubes(sizes, params->light_samples);
-	ts_sizes_set(sizes, "A", 1);
-	ts_sizes_set(sizes, "C", map * (batch < params->light_samples ? batch : params->light_samples));
-	ts_sizes_set(sizes, "batches", (params->light_samples + batch - 1) / batch);
-	expect_points(sizes, scene, map);
+	ts_expect_points(sizes, scene, texels);
 }

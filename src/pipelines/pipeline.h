@@ -27,6 +27,7 @@ typedef struct {
 	/* What the counts of views, points, pixels and texels (B U Q N C P P2 P3 of records.def) are expected to be, before
 	 * running; and "batches", how many are like that. */
 	void (*expect)(ts_sizes *sizes, const ts_scene *scene, const ts_params *params);
+	bool only_named;                 /* runs where --method names it, for it takes long */
 } ts_pipeline;
 
 /* All pipelines, ended by a row without a name. */

@@ -14,17 +14,24 @@ extern const ts_step ts_mvr_soft_steps[], ts_mvr_omni_steps[];
 
 extern const ts_step ts_ivir_reflections_steps[], ts_ivir_soft_steps[], ts_ivir_omni_steps[];
 void ts_ivir_prepare(ts_run *run);
-void ts_vir_prepare(ts_run *run);
+void ts_ivir_soft_prepare(ts_run *run);
+void ts_ivir_omni_prepare(ts_run *run);
 void ts_ivir_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params);
+
+extern const ts_step ts_pcss_steps[];
+void ts_pcss_prepare(ts_run *run);
+void ts_pcss_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params);
+
+void ts_vir_prepare(ts_run *run);
+void ts_vir_soft_prepare(ts_run *run);
+void ts_vir_omni_prepare(ts_run *run);
 
 /* Soft and omnidirectional shadows, by any method. */
 void ts_soft_prepare(ts_run *run);
-void ts_ivir_soft_prepare(ts_run *run);
-void ts_vir_soft_prepare(ts_run *run);
 void ts_soft_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params);
 void ts_omni_prepare(ts_run *run);
-void ts_ivir_omni_prepare(ts_run *run);
-void ts_vir_omni_prepare(ts_run *run);
 void ts_omni_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params);
+/* Pieces and points of iVIR, where the densest view of a triangle has so many texels. */
+void ts_expect_points(ts_sizes *sizes, const ts_scene *scene, u64 texels);
 
 #endif

@@ -16,7 +16,7 @@ static void set_shape(ts_lamp *lamp, const ts_run *run, const ts_light *light, u
 	*lamp = (ts_lamp){.radius = radius, .samples = samples, .first = first};
 }
 
-/* The views are shared out evenly; the first lights get what is over. */
+/* The views are shared out evenly; the first lights get what is over. One view with taps serves a light alone. */
 ts_status ts_stage_lamp(ts_run *run)
 {
 	ts_light *lights;
@@ -24,18 +24,18 @@ ts_status ts_stage_lamp(ts_run *run)
 	bool own = run->params.lamp == TS_LAMP_SCENE;
 	u32 n = own ? run->scene->n_lights : 1, views = run->params.views, first = 0;
 	if (n == 0) return ts_fail("lamp=scene: the scene has no lights; lamp=lamp would be right");
-	if (views < n) return ts_fail("views=%" PRIu32 ": at least %" PRIu32 ", one a light, would be right", views, n);
+	if (views < n && run->taps == 0) return ts_fail("views=%" PRIu32 ": at least %" PRIu32 ", one a light, would be right", views, n);
 	if (make_lamps(run, n, &lights, &lamps) != TS_OK) return TS_ERROR;
 	const ts_light *from = ts_frame_data(&run->frame, TS_B_scene_light);
 	for (u32 i = 0; i < n; i++) {
-		u32 samples = views / n + (i < views % n);
+		u32 own_views = run->taps != 0 ? 1 : views / n + (i < views % n);
 		if (own) {
 			lights[i] = from[i];
 		} else {
 			ts_lamp_spot(&lights[i], ts_run_info(run), &run->params);
 		}
-		set_shape(&lamps[i], run, &lights[i], first, samples);
-		first += samples;
+		set_shape(&lamps[i], run, &lights[i], first, run->taps != 0 ? run->taps : own_views);
+		first += own_views;
 	}
 	return TS_OK;
 }
@@ -58,9 +58,10 @@ ts_status ts_stage_lamp_view(ts_run *run)
 	ts_offscreen *views = ts_frame_make1(&run->frame, TS_B_offscreen_view, run->all_units);
 	if (views == NULL) return TS_ERROR;
 	for (u32 i = 0; i < n_lamps; i++) {
-		for (u32 k = 0; k < lamps[i].samples; k++) {
+		u32 n = run->taps != 0 ? 1 : lamps[i].samples;
+		for (u32 k = 0; k < n; k++) {
 			ts_offscreen *view = &views[lamps[i].first + k];
-			ts_lamp_view(view, &lights[i], lamps[i].radius, k, lamps[i].samples, ts_run_info(run), &run->params);
+			ts_lamp_view(view, &lights[i], lamps[i].radius, k, n, ts_run_info(run), &run->params);
 			view->light = i;
 			view->offset = offset;
 			offset += (u64)view->width * view->height;

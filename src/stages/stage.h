@@ -38,6 +38,7 @@ struct ts_run {
 	ts_backend *backend;       /* NULL: c */
 	bool arrival;              /* see ts_how */
 	u32 rate;                  /* TS_RATE_IS_*: whose resolution the points are made for */
+	u32 taps;                  /* of the one view of each light of soft shadows; 0: a view each sample of the light */
 	u32 fixed_face;            /* size of every cube or depth map, or 0: as the parameters say */
 	bool all_cubes;            /* also the cubes of reflectors that the eye does not see */
 	u32 all_units;             /* what batches are made of: cubes, or of soft shadows views */

@@ -41,6 +41,7 @@ ts_status ts_stage_scatter_colour(ts_run *run);
 ts_status ts_stage_copy(ts_run *run);
 ts_status ts_stage_depth(ts_run *run);
 ts_status ts_stage_resolve(ts_run *run);
+ts_status ts_stage_pcss(ts_run *run);
 ts_status ts_stage_shadow_image(ts_run *run);
 
 /* Shared by the stages (run.c). The arrays of the frame that shading kernels read; the vertices are this frame's. */
@@ -60,6 +61,8 @@ bool ts_run_has_cubes(const ts_run *run);
 void ts_run_views(const ts_run *run, u32 *first, u32 *n);
 /* Arguments of the kernels that make points, without their output. */
 ts_points_args ts_points_arguments(const ts_run *run);
+/* Arguments of the kernels that ask depth maps; makes resolve.lit before the first batch. */
+ts_status ts_resolve_arguments(ts_run *run, ts_resolve_args *args);
 /* Texels of units [first, first + n): cubes with all faces, or views. */
 u64 ts_run_n_texels(const ts_run *run, u32 first, u32 n);
 /* The run's backend at work: see backend.h. */

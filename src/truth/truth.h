@@ -29,4 +29,33 @@ ts_status ts_truth_hits(ts_truth *truth, const ts_run *run, u32 **hits);
  * that takes a parameter out of its range, or more memory than a run may use. */
 ts_status ts_truth_c(f32 **radiance, const ts_scene *scene, const ts_params *params, u32 factor, u32 threads);
 
+/* Truth of shadows (shadow.c). Runs what comes before the first depth map of `effect`, soft-shadows or omni-shadows, in a run
+ * that has just begun: pose, eye, lights and the views of their samples, the same for all methods. */
+ts_status ts_truth_shadow_begin(ts_run *run, const char *effect);
+/* Rays to the very samples that the methods have depth maps of, which leaves the error of the maps. Reads pose.vertex,
+ * eye.view, eye.depth_triangle, offscreen.view, lamp.shape and, if the views are of cubes, resize.face; makes resolve.lit
+ * in run->frame, from which stage `shadow_image` makes the picture. Fails without memory. */
+ts_status ts_truth_samples(ts_truth *truth, ts_run *run);
+/* Rays to params.area_samples samples of each light, which with the other leaves what sampling the lights costs. They lie
+ * as the methods' do, on the same disc, ball or cone, and see as much: a depth map's image, all around in omni-shadows.
+ * Afterwards lamp.shape, the views and the run's parameters are those of these samples. */
+ts_status ts_truth_area(ts_truth *truth, ts_run *run);
+
+/* Truth of off-screen buffers (texels.c): a ray through the centre of every texel. */
+typedef struct {
+	u64 covered; /* texels whose ray hits a triangle that the view may show and that has no alpha mask */
+	u64 holes;   /* of these, those that hold nothing */
+	u64 leaks;   /* of these, those that hold what is farther than the ray's hit by more than the shadow bias, and farther
+	              * than its triangle is anywhere within half a texel of the centre: something shows through */
+	u64 apart;   /* of these, those whose depth is not the hit's within the shadow bias: leaks, and what reaches into the
+	              * texel beside its centre */
+} ts_texel_counts;
+
+/* True of the buffers that can be judged: scatter.depth, scatter.colour and face.depth_triangle. */
+bool ts_truth_judges(ts_buffer_id id);
+/* Adds what buffer `id` of the run's batch is like to *counts. Reads also offscreen.view or, of cubes, resize.face. With
+ * rate=watertight and cull=off there are no holes and no leaks, unless density.capped is counted. Never fails but with the
+ * device that the buffer is on. */
+ts_status ts_truth_texels(ts_texel_counts *counts, ts_truth *truth, const ts_run *run, ts_buffer_id id);
+
 #endif

@@ -2,7 +2,7 @@
 # Replay: every stage from its own trace, a port's stages from the port's buffers, and what cannot be replayed.
 . "$(dirname "$0")/tap.bash"
 cd "$scratch" || exit 2
-run render reflections atrium:triangles=10000 --size 64x48 --reflectors 2 --set reflector_px=24 --set face_max=32 \
+run render reflections atrium:triangles=10000 --method epr,mvr --size 64x48 --reflectors 2 --set reflector_px=24 --set face_max=32 \
 	--set bounces=3 --trace -o out
 [ "$status" -eq 0 ] || cat stderr
 epr=out/trace-epr
@@ -101,6 +101,8 @@ refuses 'is no stage of epr' replay $epr --stage face
 refuses 'needs 2' replay part/trace-epr --stage lookup2
 refuses 'of method mvr' replay $epr --inputs out/trace-mvr
 refuses 'parameter reflector_px is 115' replay $epr --inputs part/trace-epr
+run render reflections atrium:triangles=10000 --method epr --size 64x48 --reflectors 1 --order arrival --trace --no-images -o arrival
+refuses 'order is "arrival"; a reference must be canonical' replay arrival/trace-epr --stage splat
 refuses 'No such file' replay nowhere
 refuses 'No such file' replay $epr --inputs nowhere
 refuses 'write touchstone replay TRACE' replay

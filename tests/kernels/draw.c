@@ -71,7 +71,8 @@ static void test_mesh(void **state)
 		for (u32 t = 0; t < scene.n_triangles; t++) {
 			ts_corners corners = ts_k_corners(&arrays, t);
 			clear(texels, N_PIXELS);
-			ts_k_draw(&arrays, &view, &corners, t, texels);
+			ts_target target = ts_k_keys(texels);
+			ts_k_draw(&arrays, &view, &corners, t, &target);
 			for (u32 i = 0; i < N_PIXELS; i++) n_drawn[i] = (u8)(n_drawn[i] + (texels[i] != TS_EMPTY));
 		}
 		for (u32 i = 0; i < N_PIXELS; i++) {
@@ -269,12 +270,12 @@ static void test_faces(void **state)
 	(void)state;
 	static u64 buffer[2 * 6 * FACE + 1];
 	ts_v3 lo = { -3, -2, -4 }, hi = { 5, 4, 3 };
-	ts_face cubes[4] = { { .n = 0 }, { .centre = { 1, 1, 0 }, .n = N, .near = 0.01f, .offset = 600 }, { .n = 0 },
-	                     { .centre = { 1, 1, -2 }, .n = N, .near = 0.01f, .offset = 600 + 6 * FACE } };
+	ts_face cubes[4] = { { .n = 0 }, { .centre = { 1, 1, 0 }, .n = N, .near = 0.01f, .offset = 600, .object = 1 },
+	                     { .n = 0 },
+	                     { .centre = { 1, 1, -2 }, .n = N, .near = 0.01f, .offset = 600 + 6 * FACE, .object = TS_NONE } };
 	small_clear(&scene);
 	scene.materials[1].flags = TS_DOUBLE_SIDED;
 	add_box(lo, hi);
-	scene.objects[1].reflector = 1;
 	u32 own = small_add(&scene, ts_v3_make(-1, -1, -1), ts_v3_make(5, -1, -1), ts_v3_make(-1, 5, -1), 1, 1);
 	clear(buffer, sizeof buffer / sizeof buffer[0]);
 	ts_face_args args = {

@@ -12,6 +12,7 @@
 #include "../../src/kernels/cube.h"
 #include "../../src/kernels/cull.h"
 #include "../../src/kernels/splat.h"
+#include "../../src/kernels/split.h"
 
 enum { MESH_SEED = 2022, MESH_STREAM = 6, MESH_TRIANGLES = 64, MESH_CUBES = 12 };
 
@@ -232,19 +233,26 @@ static inline void mesh_align(mesh *m)
 	}
 }
 
-/* From pieces to points. */
-static inline void mesh_points(mesh *m, i32 half_size, u32 paper_splat)
+/* From pieces to points; what is set of `args` stays. */
+static inline void mesh_make_points(mesh *m, ts_points_args args)
 {
 	mesh_align(m);
 	m->count = mesh_alloc(m->n_pieces + 1, sizeof *m->count);
-	ts_points_args args = { .scene = mesh_arrays(m), .pieces = m->pieces, .frames = m->frames, .offset = m->count,
-	                        .half_size = half_size, .paper_splat = paper_splat };
+	args.scene = mesh_arrays(m);
+	args.pieces = m->pieces;
+	args.frames = m->frames;
+	args.offset = m->count;
 	for (u32 i = 0; i < m->n_pieces; i++) ts_k_count_item(&args, i);
 	m->n_points = mesh_scan(m->count, m->n_pieces);
 	args.room = m->n_points;
 	m->keys = args.keys = mesh_alloc(m->n_points, sizeof *m->keys);
 	m->points = args.points = mesh_alloc(m->n_points, sizeof *m->points);
 	for (u32 i = 0; i < m->n_pieces; i++) ts_k_points_item(&args, i);
+}
+
+static inline void mesh_points(mesh *m, i32 half_size, u32 paper_splat)
+{
+	mesh_make_points(m, (ts_points_args){ .half_size = half_size, .paper_splat = paper_splat });
 }
 
 /* The mesh is there again as before the chain. */

@@ -16,7 +16,7 @@ static void make_scene(f32 size)
 	ts_v3 o = uniform3(-3, 3), a = uniform3(-size, size), b = uniform3(-size, size), c = uniform3(-size, size);
 	small_add(&scene, ts_add(o, a), ts_add(o, b), ts_add(o, c), 1, 0);
 	for (u32 r = 0; r < N_CUBES; r++) {
-		cubes[r] = (ts_face){ .n = 16, .near = 0.125f };
+		cubes[r] = (ts_face){ .n = 16, .near = 0.125f, .object = TS_NONE };
 		ts_store3(cubes[r].centre, uniform3(-3, 3));
 	}
 }
@@ -117,12 +117,13 @@ static void test_modes(void **state)
 static void test_closed(void **state)
 {
 	(void)state;
+	ts_frustum f = { .x = 1, .y = 1, .near = 0.125f };
 	ts_v3 p = ts_v3_make(2, 1, 2), q = ts_v3_make(3, 0, 2), r = ts_v3_make(2.5f, -1, 2);
-	assert_false(ts_k_outside_plane(p, q, r, 0.125f));
-	assert_true(ts_k_outside_plane(ts_v3_make(2.001f, 1, 2), q, r, 0.125f));
+	assert_false(ts_k_outside_plane(&f, p, q, r));
+	assert_true(ts_k_outside_plane(&f, ts_v3_make(2.001f, 1, 2), q, r));
 	ts_v3 at_near = ts_v3_make(0, 0, 0.125f), before = ts_v3_make(0, 0, 0);
-	assert_false(ts_k_outside_plane(before, before, at_near, 0.125f));
-	assert_true(ts_k_outside_plane(before, before, before, 0.125f));
+	assert_false(ts_k_outside_plane(&f, before, before, at_near));
+	assert_true(ts_k_outside_plane(&f, before, before, before));
 }
 
 /* A small triangle before one face is that face's alone, in both modes. */
@@ -154,10 +155,10 @@ static void test_none(void **state)
 		find_bits(1, i & 1);
 		if (fabs(front) > 1e-4) assert_true(words[0] == (front > 0 ? both : 0));
 		scene.triangles[0].material = 1;
-		scene.objects[0].reflector = 0;
+		cubes[0].object = 0;
 		find_bits(1, i & 1);
 		assert_true(words[0] == 0);
-		scene.objects[0].reflector = 1;
+		cubes[0].object = 1;
 		find_bits(1, i & 1);
 		assert_true(words[0] == both);
 		cubes[0].n = 0;

@@ -1,0 +1,50 @@
+/* Percentage-closer soft shadows: the single-view baseline of iVIR section 4 (SPEC 1.7).
+ * Fernando, "Percentage-Closer Soft Shadows" (SIGGRAPH 2005 sketches).
+ *
+ * The scene is rasterized into one depth map a light, from its middle. About each receiver 32 taps look for what comes
+ * between; their mean depth tells how wide the penumbra is, over which 64 more are filtered.
+ *
+ * Deviations:
+ * - the search needs a plane that the light is projected onto, which the sketch calls the light's near plane. The depth
+ *   maps' own is so near that the width on it is many maps; a plane at half the receiver's depth finds all blockers in the
+ *   farther half of the way, and of nearer ones those that reach into it (pcss.near);
+ * - a tap is compared with the depth of the receiver's plane at the tap, not of the receiver, so that a slanted surface does
+ *   not block itself; the bias beyond that is the one of all methods;
+ * - lights are discs, not squares, and the taps the seeds of a sunflower;
+ * - parallel light needs no projection: its widths grow with the distance from the receiver. */
+#include "pipelines.h"
+
+const ts_step ts_pcss_steps[] = {
+	{.stage = "view"},
+	{.stage = "pose"},
+	{.stage = "lamp"},
+	{.stage = "lamp_view"},                  /* from the middle of each light */
+	{.stage = "eye"},
+	{.stage = "eye_margin", .only_margins = true},
+	{.stage = "depth", .each_batch = true},  /* MVR's raster */
+	{.stage = "pcss", .each_batch = true},   /* blockers, penumbra, filter */
+	{.stage = "shadow_image"},
+	{0},
+};
+
+static u32 n_lights(const ts_scene *scene, const ts_params *params)
+{
+	return params->lamp == TS_LAMP_SCENE ? scene->n_lights : 1;
+}
+
+void ts_pcss_prepare(ts_run *run)
+{
+	run->taps = TS_N_FILTER;
+	run->all_units = run->n_units = n_lights(run->scene, &run->params);
+	run->batch = run->params.pass;
+}
+
+void ts_pcss_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params)
+{
+	u32 n = n_lights(scene, params), batch = params->pass < n ? params->pass : n;
+	ts_sizes_views(sizes, n);
+	ts_sizes_set(sizes, "B", 0);
+	ts_sizes_set(sizes, "A", n);
+	ts_sizes_set(sizes, "C", (u64)params->map_px * params->map_px * batch);
+	ts_sizes_set(sizes, "batches", batch != 0 ? (n + batch - 1) / batch : 0);
+}

@@ -1,0 +1,48 @@
+/* What all methods of soft and omnidirectional shadows share: batches of depth maps, and how large they are expected to be. */
+#include "pipelines.h"
+
+void ts_soft_prepare(ts_run *run)
+{
+	run->all_units = run->n_units = run->params.views;
+	run->batch = run->params.pass;
+	run->fixed_face = run->params.map_px;
+}
+
+/* Whole cubes in one pass over the geometry. */
+static u32 cubes_a_pass(const ts_params *params) { return params->pass < 12 ? 1 : params->pass / 6; }
+
+void ts_omni_prepare(ts_run *run)
+{
+	run->all_units = run->n_units = run->params.light_samples;
+	run->batch = cubes_a_pass(&run->params);
+	run->fixed_face = run->params.map_px;
+}
+
+/* Two points for each small triangle, and four for each texel of the few views that a triangle's density comes from. */
+void ts_expect_points(ts_sizes *sizes, const ts_scene *scene, u64 texels)
+{
+	u64 triangles = scene->n_triangles;
+	ts_sizes_set(sizes, "Q", triangles + triangles / 4);
+	ts_sizes_set(sizes, "N", 2 * triangles + 4 * texels);
+}
+
+void ts_soft_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params)
+{
+	u64 map = (u64)params->map_px * params->map_px, batch = params->pass < params->views ? params->pass : params->views;
+	ts_sizes_views(sizes, params->views);
+	ts_sizes_set(sizes, "B", 0);
+	ts_sizes_set(sizes, "A", params->lamp == TS_LAMP_SCENE ? scene->n_lights : 1);
+	ts_sizes_set(sizes, "C", map * batch);
+	ts_sizes_set(sizes, "batches", (params->views + batch - 1) / batch);
+	ts_expect_points(sizes, scene, map);
+}
+
+void ts_omni_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params)
+{
+	u64 map = 6 * (u64)params->map_px * params->map_px, batch = cubes_a_pass(params);
+	ts_sizes_cubes(sizes, params->light_samples);
+	ts_sizes_set(sizes, "A", 1);
+	ts_sizes_set(sizes, "C", map * (batch < params->light_samples ? batch : params->light_samples));
+	ts_sizes_set(sizes, "batches", (params->light_samples + batch - 1) / batch);
+	ts_expect_points(sizes, scene, map);
+}

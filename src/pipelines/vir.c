@@ -1,0 +1,29 @@
+/* View-independent rendering: the method that iVIR improves on, as iVIR's sections 3 to 6 compare with it (SPEC 1.7).
+ * Marrs, Watson and Healey, "Real-Time View Independent Rasterization for Multi-View Rendering" (2017).
+ *
+ * The stages are iVIR's, with the rate that one point of view asks for: a triangle is as dense all over as the view's
+ * densest pixel at the triangle's nearest distance, by the worst perspective of any view, and off-screen buffers keep their
+ * largest size.
+ *
+ * Deviations: the rate is a reconstruction; only the ratio of its points to iVIR's is compared. */
+#include "../kernels/view_density.h"
+#include "pipelines.h"
+
+void ts_vir_prepare(ts_run *run)
+{
+	run->rate = TS_RATE_IS_VIR;
+	run->fixed_face = run->params.face_px != 0 ? run->params.face_px : run->params.face_max;
+	run->all_cubes = true;
+}
+
+void ts_vir_soft_prepare(ts_run *run)
+{
+	ts_vir_prepare(run);
+	ts_soft_prepare(run);
+}
+
+void ts_vir_omni_prepare(ts_run *run)
+{
+	ts_vir_prepare(run);
+	ts_omni_prepare(run);
+}
