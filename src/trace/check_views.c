@@ -54,25 +54,26 @@ static ts_status check_owners(const ts_load *load, const ts_stage *stage)
 	return TS_OK;
 }
 
-/* Views are made in the order of their lights, and all of them. */
+/* Views are made in the order of their lights, and all of them; one with taps serves a light alone. */
 static ts_status check_samples(const ts_load *load, const ts_stage *stage)
 {
 	const ts_buffer_id id = TS_B_lamp_shape;
 	u64 n, first = 0, all = load->run.all_units;
+	u32 taps = load->run.taps;
 	const ts_lamp *lamps = elements(load, id, &n);
 	bool makes = ts_stage_writes(stage, TS_B_offscreen_view);
 	for (u64 i = 0; i < n; i++) {
-		u64 most = makes ? all - first : TS_NONE;
+		u64 most = makes && taps == 0 ? all - first : TS_NONE;
 		if (lamps[i].samples == 0 || lamps[i].samples > most) {
 			return ts_check_refuse(load, id, i, "samples", 0, "1 to %" PRIu64, most);
 		}
 		if (makes && lamps[i].first != first) {
-			return ts_check_refuse(load, id, i, "first", 0, "%" PRIu64 ", the samples before it,", first);
+			return ts_check_refuse(load, id, i, "first", 0, "%" PRIu64 ", the views before it,", first);
 		}
-		first += lamps[i].samples;
+		first += taps != 0 ? 1 : lamps[i].samples;
 	}
 	if (n == 0 || !makes || first == all) return TS_OK;
-	return ts_fail("%s: %" PRIu64 " samples of lights; %" PRIu64 ", one a view, would be right", load->item[id]->path, first, all);
+	return ts_fail("%s: lights with %" PRIu64 " views; %" PRIu64 " would be right", load->item[id]->path, first, all);
 }
 
 static ts_status check_lights(const ts_load *load)
