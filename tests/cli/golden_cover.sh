@@ -27,13 +27,8 @@ takers = {"rate": views, "buffered": views, "snap": views, "lamp": soft[:1], "la
           "views": soft, "pass": soft + omni, "map_px": soft + omni, "light_samples": omni, "bias": soft + omni,
           "bias.slope": soft + omni, "conservative": views + [("reflections", "epr")],
           **{p: [("reflections", "mvr")] for p in ("mvr.faces", "mvr.filter")}}
-def steps_of(effect, name):
-	sources = "\n".join(open(path).read() for path in sorted(glob.glob("src/pipelines/*.c"))).replace("\\\n", "")
-	array = re.search(rf'\{{"{name}", "{effect}",.*?(ts_\w+_steps|\w+_steps)', sources, re.S)[1]
-	text = re.search(rf"ts_step {array}\[\] = \{{(.*?)\n\}};", sources, re.S)[1]
-	for macro, value in re.findall(r"^#define (\w+) (\{\.stage.*)$", sources, re.M):
-		text = re.sub(rf"\b{macro}\b", value, text)
-	return [s for s, rest in re.findall(r'\{\.stage = "(\w+)"([^}]*)\}', text) if "only_margins" not in rest]
+steps_of = {(m["effect"], m["name"]): [s for s in m["stages"].split() if not s.endswith("_margin")]
+            for m in table["methods"]}
 missing = []
 if what == "folders":
 	missing = sorted(names ^ cases.keys())
@@ -47,7 +42,7 @@ elif what == "choices":
 elif what == "stages":
 	writes = {s["name"]: re.findall(r"[a-z0-9_.]+", s["writes"]) for s in table["stages"]}
 	for m in methods:
-		steps, made = steps_of(*m), set().union(*(case["files"] for case in of(m)))
+		steps, made = steps_of[m], set().union(*(case["files"] for case in of(m)))
 		missing += [] if len(steps) > 5 else [m]
 		missing += [f"{'/'.join(m)}: {s}" for s in steps if not writes[s] or not set(writes[s]) <= made]
 elif what == "scenes":
