@@ -16,6 +16,8 @@
 #include "../kernels/cull.h"
 #include "../kernels/scan.h"
 #include "../kernels/scatter.h"
+#include "../kernels/shadow_resize.h"
+#include "../kernels/shadow_splat.h"
 #include "../kernels/split.h"
 #include "../kernels/splat_pieces.h"
 #include "../kernels/vectors.h"

@@ -63,7 +63,7 @@
 #define TS_OPT_HELP TS_OPT(51)
 
 /* Truths, as bits. */
-enum { TS_TRUTH_A = 1, TS_TRUTH_B = 2, TS_TRUTH_C = 4 };
+enum { TS_TRUTH_A = 1, TS_TRUTH_B = 2, TS_TRUTH_C = 4, TS_TRUTH_SAMPLES = 8, TS_TRUTH_AREA = 16 };
 
 enum { TS_MAX_ARGUMENTS = 2, TS_MAX_SWEEPS = 8, TS_SWEEP_TEXT = 48 };
 
@@ -94,7 +94,7 @@ struct ts_cli {
 	double abs, rel;
 	const char *reason, *reference_dir;
 	const char *check, *stage, *inputs;
-	u32 truths;                     /* TS_TRUTH_* */
+	u32 truths;                     /* TS_TRUTH_*, by ts_truths_parse */
 	ts_how how;                     /* its backend is opened before the command runs */
 	double open_s;                  /* that this took, its arithmetic checked */
 	u32 runs;

@@ -12,9 +12,10 @@ const ts_backend_kind *const ts_backend_kinds[] = { &ts_c_kind, &ts_opencl_kind,
 
 const ts_command ts_command_table[] = {
 	{ "render", "EFFECT [SCENE]", "render an effect by one or more methods, and judge them by ground truth",
-	  "EFFECT: reflections.\n"
+	  "EFFECT: reflections; soft-shadows, of a lamp or of the scene's lights; omni-shadows, of a ball of light in the middle.\n"
+	  "Shadows are shown without mirrors unless --reflectors says how many.\n"
 	  "SCENE: atrium (the default), gallery or dining, each also with \":triangles=COUNT\"; or a .gltf or .glb file.\n"
-	  "Writes METHOD.png and .exr, truth-a.png ..., differences, pictures of the stages, traces and report.json to DIR,\n"
+	  "Writes METHOD.png and .exr, truth-NAME.png, differences, pictures of the stages, traces and report.json to DIR,\n"
 	  "and prints times, counters, memory and metrics.\n"
 	  "Of a parameter with several values, --set NAME=A,B, every combination is rendered, and CSV is printed.",
 	  1, 2, TS_OPT_METHOD | TS_OPT_TRUTH | WHERE | HOW | TS_OPT_ORDER | TS_OPT_OUTPUT | TS_OPT_FORCE |

@@ -7,12 +7,15 @@
 #include <strings.h>
 #include "cli.h"
 #include "sweep.h"
+#include "truths.h"
 
 const ts_option ts_option_table[] = {
 	{ TS_OPT_EFFECT, "effect", "EFFECT", "what is rendered (reflections)", "methods" },
 	{ TS_OPT_METHOD, "method", "NAME,...", "methods to run, or \"all\"; by default all but vir", "methods" },
-	{ TS_OPT_TRUTH, "truth", "[=A,B,C]", "ground truth to compare with: A rays from the cube's centre, B true reflections,\n"
-	  "C MVR at 4 times the resolution; without letters all three; \"none\"", "" },
+	{ TS_OPT_TRUTH, "truth", "[=NAME,...]", "ground truth to compare with. Of reflections: A rays from the cube's centre, B true\n"
+	  "reflections, C MVR at 4 times the resolution. Of shadows: samples, rays to the very\n"
+	  "samples of the lights, area, rays to as good as the whole lights. Without names each;\n"
+	  "\"none\". Also rays through every off-screen texel: holes, leaks, wrong depths", "" },
 	{ TS_OPT_SIZE, "size", "WxH", "size of the eye image in pixels", "" },
 	{ TS_OPT_FRAME, "frame", "K", "frame of the animation", "" },
 	{ TS_OPT_REFLECTORS, "reflectors", "N", "mirrors that are added to the scene", "" },
@@ -155,28 +158,13 @@ static ts_status set_order(ts_cli *cli, const char *text)
 	return ts_fail("--order: no order \"%s\"; there are canonical and arrival", text);
 }
 
-static ts_status set_truths(ts_cli *cli, const char *text)
-{
-	char item[8];
-	const char *list = text != NULL ? text : "A,B,C";
-	cli->truths = 0;
-	if (strcmp(list, "none") == 0) return TS_OK;
-	while (ts_cli_item(&list, item, sizeof item)) {
-		if (strlen(item) != 1 || strchr("ABCabc", item[0]) == NULL) {
-			return ts_fail("--truth %s: \"%s\" is no truth; there are A, B and C, or none", text, item);
-		}
-		cli->truths |= 1u << ((item[0] & 31) - 1);
-	}
-	return TS_OK;
-}
-
 static ts_status take(ts_cli *cli, u64 bit, const char *text)
 {
 	cli->given |= bit;
 	switch (bit) {
 	case TS_OPT_EFFECT: cli->effect = text; break;
 	case TS_OPT_METHOD: cli->method = text; break;
-	case TS_OPT_TRUTH: return set_truths(cli, text);
+	case TS_OPT_TRUTH: return ts_truths_parse(&cli->truths, text);
 	case TS_OPT_SIZE: return set_size(cli, text);
 	case TS_OPT_FRAME: return ts_params_set(&cli->params, "frame", text);
 	case TS_OPT_REFLECTORS: return ts_params_set(&cli->params, "reflectors", text);
@@ -267,9 +255,9 @@ static ts_status take_arguments(ts_cli *cli, const ts_command *command, int n, c
 		return ts_fail("%s: too few arguments; write %s %s %s", command->name, ts_program, command->name,
 		               command->arguments);
 	}
-	const char *letters = n > 0 && ts_cli_given(cli, TS_OPT_TRUTH) ? arguments[n - 1] : "";
-	if (letters[0] != 0 && strspn(letters, "ABCabc,") == strlen(letters)) {
-		return ts_fail("%s: \"%s\" stands alone; write --truth=%s, with \"=\"", command->name, letters, letters);
+	const char *last = n > 0 && ts_cli_given(cli, TS_OPT_TRUTH) ? arguments[n - 1] : "";
+	if (ts_truths_named(last)) {
+		return ts_fail("%s: \"%s\" stands alone; write --truth=%s, with \"=\"", command->name, last, last);
 	}
 	if ((u32)n > command->max_arguments) {
 		return ts_fail("%s: one argument too many, \"%s\"; write %s %s %s", command->name,

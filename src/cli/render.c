@@ -79,6 +79,7 @@ static ts_status run_all(ts_render *render)
 	for (u32 i = 0; i < render->n_methods && status == TS_OK; i++) {
 		after_method after = { render, i };
 		render->measures[i].pictures = ts_cli_given(cli, TS_OPT_NO_IMAGES) ? NULL : &render->stages[i];
+		render->measures[i].rays = cli->truths != 0;
 		render->measures[i].trace = traces(cli) ? &render->tracings[i].options : NULL;
 		render->measures[i].viewer = ts_cli_given(cli, TS_OPT_VIEWER) ? render->tracings[i].viewer : NULL;
 		epr |= strcmp(render->methods[i]->name, "epr") == 0;
@@ -89,6 +90,10 @@ static ts_status run_all(ts_render *render)
 		ts_measure unseen = { .pictures = NULL };
 		status = ts_measure_run(&unseen, ts_pipeline_find(render->effect, "epr"), render->scene, &cli->params,
 		                        &cli->how, take_truths, render);
+	}
+	if (status == TS_OK && wants(render, TS_TRUTH_SAMPLES | TS_TRUTH_AREA)) {
+		status = ts_picture_truth_shadows(&render->truths[3], &render->truths[4], cli->truths, render->effect, render->scene,
+		                                  &cli->params, cli->how.threads);
 	}
 	if (status == TS_OK && wants(render, TS_TRUTH_C)) {
 		ts_progress("truth C", 0, 1);
@@ -107,19 +112,22 @@ static void compare(ts_render *render, const ts_picture *reference, const ts_pic
 	pair->image = image;
 	pair->share = share;
 	pair->all = ts_metrics_compare(reference->srgb, image->srgb, NULL, p->width, p->height);
-	pair->reflective = ts_metrics_compare(reference->srgb, image->srgb, render->mask, p->width, p->height);
+	if (render->mask != NULL) {
+		pair->reflective = ts_metrics_compare(reference->srgb, image->srgb, render->mask, p->width, p->height);
+	}
 }
 
-/* Against A a method answers for its sampling alone; A against B is what the cube's centre costs every method. */
+/* Against A a method answers for its sampling alone; A against B is what the cube's centre costs every method. Against
+ * rays to the samples of lights it answers for itself alone; these against the area are what sampling costs every method. */
 static void compare_all(ts_render *render)
 {
-	static const char *const shares[TS_N_TRUTHS] = { "sampling", "both", "" };
 	for (u32 t = 0; t < TS_N_TRUTHS; t++) {
 		for (u32 i = 0; i < render->n_methods; i++) {
-			compare(render, &render->truths[t], &render->pictures[i], shares[t]);
+			compare(render, &render->truths[t], &render->pictures[i], ts_truth_kinds[t].share);
 		}
 	}
 	compare(render, &render->truths[1], &render->truths[0], "method");
+	compare(render, &render->truths[4], &render->truths[3], "sampling");
 	for (u32 i = 0; i < render->n_methods; i++) {
 		for (u32 j = i + 1; j < render->n_methods; j++) compare(render, &render->pictures[j], &render->pictures[i], "");
 	}
@@ -243,6 +251,9 @@ static ts_status sweep(ts_cli *cli)
 
 ts_status ts_render_command(ts_cli *cli)
 {
-	if (ts_selftest_require() != TS_OK) return TS_ERROR;
+	const char *effect = cli->arguments[0];
+	if (ts_selftest_require() != TS_OK || ts_effect_check(effect) != TS_OK) return TS_ERROR;
+	if (ts_truths_check(&cli->truths, effect) != TS_OK) return TS_ERROR;
+	ts_effect_params(cli, effect);
 	return cli->sweep.n > 0 ? sweep(cli) : with_render(cli, work_in_folder, NULL);
 }

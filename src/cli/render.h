@@ -7,13 +7,14 @@
 #include "methods.h"
 #include "table.h"
 #include "trace.h"
+#include "truths.h"
 
-enum { TS_N_TRUTHS = 3, TS_MAX_PAIRS = 256, TS_DIFFERENCE_SCALE = 8 };
+enum { TS_MAX_PAIRS = 256, TS_DIFFERENCE_SCALE = 8 };
 
 /* Two pictures that were compared. */
 typedef struct {
 	const ts_picture *reference, *image;
-	ts_metrics all, reflective;   /* over the image and over its reflective pixels */
+	ts_metrics all, reflective;   /* over the image and, if there is a mask, over its reflective pixels */
 	const char *share;            /* whose error this is: "method", "sampling", "both" or "" */
 } ts_pair;
 
@@ -28,8 +29,8 @@ typedef struct {
 	ts_stage_pictures stages[TS_MAX_METHODS];
 	ts_tracing tracings[TS_MAX_METHODS];
 	ts_picture pictures[TS_MAX_METHODS];   /* as methods */
-	ts_picture truths[TS_N_TRUTHS];        /* A, B, C; those not asked for are empty */
-	u8 *mask;                     /* 1: a reflective pixel */
+	ts_picture truths[TS_N_TRUTHS];        /* as ts_truth_kinds; those not asked for are empty */
+	u8 *mask;                     /* 1: a reflective pixel; NULL: the effect has none */
 	u64 n_reflective;
 	ts_pair pairs[TS_MAX_PAIRS];
 	u32 n_pairs;

@@ -29,13 +29,17 @@ static json_t *methods_json(const ts_render *render)
 	return names;
 }
 
+static bool has_mirrors(const ts_render *render) { return strcmp(render->effect, "reflections") == 0; }
+
 void ts_render_report_head(const ts_render *render, ts_report *report)
 {
 	const ts_params *p = &render->cli->params;
 	const ts_scene *scene = render->scene;
-	ts_report_line(report, "%s: %u triangles, %u mirrors; %u x %u pixels, frame %u, %u threads", scene->name,
-	               (unsigned)scene->n_triangles, (unsigned)scene->info.n_reflectors, (unsigned)p->width,
-	               (unsigned)p->height, (unsigned)p->frame, (unsigned)render->cli->how.threads);
+	char mirrors[32] = "";
+	if (has_mirrors(render)) snprintf(mirrors, sizeof mirrors, ", %u mirrors", (unsigned)scene->info.n_reflectors);
+	ts_report_line(report, "%s: %u triangles%s; %u x %u pixels, frame %u, %u threads", scene->name,
+	               (unsigned)scene->n_triangles, mirrors, (unsigned)p->width, (unsigned)p->height, (unsigned)p->frame,
+	               (unsigned)render->cli->how.threads);
 	ts_report_line(report, "memory: about %.2f GB at the peak, of %.2f GB", (double)render->estimate / 1e9,
 	               (double)ts_memory_total() / 1e9);
 	ts_report_run(report, render->cli);
@@ -43,7 +47,7 @@ void ts_render_report_head(const ts_render *render, ts_report *report)
 	ts_report_value(report, "methods", methods_json(render));
 	ts_report_value(report, "scene", ts_text_json(scene->name));
 	ts_report_value(report, "triangles", json_integer(scene->n_triangles));
-	ts_report_value(report, "mirrors", json_integer(scene->info.n_reflectors));
+	if (has_mirrors(render)) ts_report_value(report, "mirrors", json_integer(scene->info.n_reflectors));
 	ts_report_value(report, "estimated_bytes", json_integer((json_int_t)render->estimate));
 }
 
@@ -100,9 +104,13 @@ static void report_counters(const ts_render *render, ts_report *report)
 	ts_report_table(report, &table);
 }
 
+/* None if no method has any. */
 static void bytes_row(const ts_render *render, const method_columns *columns, ts_table *table, const char *name,
                       u64 (*bytes)(const ts_measure *m))
 {
+	u64 any = 0;
+	for (u32 i = 0; i < columns->n_methods; i++) any |= bytes(&render->measures[i]);
+	if (any == 0) return;
 	ts_table_text(table, name);
 	for (u32 i = 0; i < columns->n_methods; i++) {
 		u64 n = bytes(&render->measures[i]);
@@ -120,7 +128,7 @@ static u64 bytes_cubes(const ts_measure *m)
 {
 	return 8 * (m->elements[TS_B_splat_depth_index] + m->elements[TS_B_face_depth_triangle]);
 }
-static u64 bytes_cubes_nominal(const ts_measure *m) { return (u64)m->n_in_sight * NOMINAL_CUBE; }
+static u64 bytes_cubes_nominal(const ts_measure *m) { return bytes_cubes(m) > 0 ? (u64)m->n_in_sight * NOMINAL_CUBE : 0; }
 static u64 bytes_peak(const ts_measure *m) { return m->peak_bytes; }
 
 static void report_memory(const ts_render *render, ts_report *report)
@@ -181,6 +189,32 @@ static void report_ratio(const ts_render *render, ts_report *report)
 	ts_report_table(report, &table);
 }
 
+static void lit_row(ts_table *table, const ts_picture *picture)
+{
+	if (picture->srgb == NULL) return;
+	ts_table_text(table, picture->name);
+	ts_table_count(table, (i64)picture->n_samples);
+	ts_table_count(table, (i64)picture->lit.seen);
+	ts_table_count(table, (i64)picture->lit.full);
+	ts_table_count(table, (i64)picture->lit.part);
+	ts_table_count(table, (i64)picture->lit.none);
+}
+
+static void report_shadows(const ts_render *render, ts_report *report)
+{
+	static const ts_column columns[] = { { "image", "image", false }, { "samples", "light samples", true },
+		{ "pixels", "pixels in sight", true }, { "full", "fully lit", true }, { "part", "in penumbra", true },
+		{ "none", "in shadow", true }, { 0 } };
+	ts_table table = ts_table_begin("shadows", "Shadows", columns);
+	for (u32 i = 0; i < render->n_methods; i++) lit_row(&table, &render->pictures[i]);
+	for (u32 t = 0; t < TS_N_TRUTHS; t++) lit_row(&table, &render->truths[t]);
+	ts_report_line(report, "lights: %" PRIu64 "; a depth map has %u x %u texels", render->pictures[0].n_lamps,
+	               (unsigned)render->cli->params.map_px, (unsigned)render->cli->params.map_px);
+	ts_report_line(report, "%s", "");
+	ts_report_value(report, "lights", json_integer((json_int_t)render->pictures[0].n_lamps));
+	ts_report_table(report, &table);
+}
+
 static void metric_cells(ts_table *table, const ts_metrics *m)
 {
 	if (m->pixels == 0) {
@@ -196,10 +230,14 @@ static void metric_cells(ts_table *table, const ts_metrics *m)
 
 static void report_metrics(const ts_render *render, ts_report *report)
 {
-	static const ts_column columns[] = { { "image", "image", false }, { "reference", "against", false },
-		{ "rmse", "RMSE", true }, { "psnr", "PSNR, dB", true }, { "ssim", "SSIM", true },
-		{ "reflective_rmse", "refl. RMSE", true }, { "reflective_psnr", "PSNR, dB", true },
-		{ "reflective_ssim", "SSIM", true }, { "share", "error of the", false }, { 0 } };
+#define METRICS \
+	{ "image", "image", false }, { "reference", "against", false }, { "rmse", "RMSE", true }, { "psnr", "PSNR, dB", true }, \
+	{ "ssim", "SSIM", true }
+#define SHARE { "share", "error of the", false }, { 0 }
+	static const ts_column plain[] = { METRICS, SHARE };
+	static const ts_column masked[] = { METRICS, { "reflective_rmse", "refl. RMSE", true },
+		{ "reflective_psnr", "PSNR, dB", true }, { "reflective_ssim", "SSIM", true }, SHARE };
+	bool mask = render->mask != NULL;
 	const ts_picture *a = &render->truths[0];
 	if (render->n_pairs == 0) return;
 	if (a->n_hits > 0) {
@@ -209,14 +247,14 @@ static void report_metrics(const ts_render *render, ts_report *report)
 		ts_report_value(report, "hit_lookups", json_integer((json_int_t)a->n_hits));
 		ts_report_value(report, "missed_lookups", json_integer((json_int_t)a->n_missed));
 	}
-	ts_table table = ts_table_begin("metrics", "Metrics, in grey levels, over the image and over its reflective pixels",
-	                                columns);
+	ts_table table = ts_table_begin("metrics", mask ? "Metrics, in grey levels, over the image and over its reflective pixels"
+	                                                : "Metrics, in grey levels", mask ? masked : plain);
 	for (u32 i = 0; i < render->n_pairs; i++) {
 		const ts_pair *pair = &render->pairs[i];
 		ts_table_text(&table, pair->image->name);
 		ts_table_text(&table, pair->reference->name);
 		metric_cells(&table, &pair->all);
-		metric_cells(&table, &pair->reflective);
+		if (mask) metric_cells(&table, &pair->reflective);
 		ts_table_text(&table, pair->share);
 	}
 	ts_report_table(report, &table);
@@ -242,11 +280,9 @@ static void report_pictures(const ts_render *render, ts_report *report)
 		}
 	}
 	for (u32 t = 0; t < TS_N_TRUTHS; t++) {
-		static const char *const doc[] = { "rays from the cube's centre", "true reflections",
-			"MVR at 4 times the resolution" };
 		if (render->truths[t].srgb != NULL) {
 			snprintf(name, sizeof name, "%s.png .exr", render->truths[t].name);
-			snprintf(what, sizeof what, "%s, in %.2f s", doc[t], render->truths[t].seconds);
+			snprintf(what, sizeof what, "%s, in %.2f s", ts_truth_kinds[t].doc, render->truths[t].seconds);
 			picture_row(&table, name, what);
 		}
 	}
@@ -262,7 +298,11 @@ void ts_render_report_body(const ts_render *render, ts_report *report)
 	report_times(render, report);
 	report_counters(render, report);
 	report_memory(render, report);
-	report_ratio(render, report);
+	if (has_mirrors(render)) {
+		report_ratio(render, report);
+	} else {
+		report_shadows(render, report);
+	}
 	report_metrics(render, report);
 	if (!ts_cli_given(render->cli, TS_OPT_NO_IMAGES)) report_pictures(render, report);
 }

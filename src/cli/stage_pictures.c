@@ -1,4 +1,5 @@
-/* Pictures of what the stages made: points per triangle, splat sizes, face resolutions, index buffers, faces. */
+/* Pictures of what the stages made: points per triangle, splat sizes, face resolutions, index buffers, faces, depth maps,
+ * light that arrives. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -168,6 +169,71 @@ static ts_status take_cube(ts_stage_pictures *pictures, const ts_run *run, ts_bu
 	return TS_OK;
 }
 
+/* Depths of a map, and between which they are. */
+typedef struct { const u32 *depth; f32 nearest, farthest; } depth_map;
+
+static depth_map depth_map_of(const u32 *depth, u64 n)
+{
+	depth_map m = { depth, INFINITY, 0 };
+	for (u64 i = 0; i < n; i++) {
+		if (depth[i] == TS_NONE) continue;
+		m.nearest = ts_min(m.nearest, ts_u2f(depth[i]));
+		m.farthest = ts_max(m.farthest, ts_u2f(depth[i]));
+	}
+	return m;
+}
+
+/* The nearest is white, the farthest dark grey. */
+static void colour_depth(u8 *rgb, const void *texels, u64 i)
+{
+	static const u8 empty[3] = { 24, 24, 64 };
+	const depth_map *m = texels;
+	memcpy(rgb, empty, 3);
+	if (m->depth[i] == TS_NONE) return;
+	f32 range = m->farthest - m->nearest, deep = range > 0 ? (ts_u2f(m->depth[i]) - m->nearest) / range : 0;
+	memset(rgb, (int)(255 - 215 * deep), 3);
+}
+
+/* The first depth map, or all faces of the first cube. */
+static ts_status take_depth(ts_stage_pictures *pictures, const ts_run *run)
+{
+	bool cubes = has(run, TS_B_resize_face) && ts_frame_n(&run->frame, TS_B_resize_face) > 0;
+	const ts_offscreen *view = ts_frame_data(&run->frame, TS_B_offscreen_view);
+	u32 width = view->width, height = view->height;
+	if (run->first_unit != 0 || width == 0 || is_taken(pictures, "depth")) return TS_OK;
+	u64 n = (u64)width * height;
+	ts_stage_picture *p = add(pictures, "depth", cubes ? 4 * width : width, cubes ? 3 * height : height, false);
+	if (p == NULL) return TS_ERROR;
+	depth_map map = depth_map_of(ts_frame_data(&run->frame, TS_B_scatter_depth), cubes ? 6 * n : n);
+	if (cubes) {
+		paint_cross(p, width, &map, colour_depth);
+	} else {
+		for (u64 i = 0; i < n; i++) colour_depth(p->rgb + 3 * i, &map, i);
+	}
+	snprintf(p->caption, sizeof p->caption, "%s of the first light sample: near white, far dark, empty blue",
+	         cubes ? "cube" : "depth map");
+	return TS_OK;
+}
+
+/* When the last batch has been resolved. */
+static ts_status take_lit(ts_stage_pictures *pictures, const ts_run *run)
+{
+	if (run->first_unit + run->n_units != run->all_units) return TS_OK;
+	ts_stage_picture *p = add(pictures, "lit", run->params.width, run->params.height, false);
+	if (p == NULL) return TS_ERROR;
+	const u32 *lit = ts_frame_data(&run->frame, TS_B_resolve_lit);
+	const ts_lamp *lamps = ts_frame_data(&run->frame, TS_B_lamp_shape);
+	const u64 *seen = ts_frame_data(&run->frame, TS_B_eye_depth_triangle);
+	u64 n_lamps = ts_frame_n(&run->frame, TS_B_lamp_shape);
+	for (u64 i = 0; i < (u64)p->width * p->height; i++) {
+		double share = 0;
+		for (u64 k = 0; k < n_lamps; k++) share += (double)lit[i * n_lamps + k] / lamps[k].samples / (double)n_lamps;
+		memset(p->rgb + 3 * i, seen[i] != TS_EMPTY ? (int)(255 * share + 0.5) : nothing[0], 3);
+	}
+	snprintf(p->caption, sizeof p->caption, "samples that reach each pixel, mean of all lights: none black, all white");
+	return TS_OK;
+}
+
 static ts_status take(ts_stage_pictures *pictures, const ts_run *run, ts_buffer_id id)
 {
 	switch (id) {
@@ -176,6 +242,8 @@ static ts_status take(ts_stage_pictures *pictures, const ts_run *run, ts_buffer_
 	case TS_B_lookup_point:
 		return take_splats(pictures, run) != TS_OK ? TS_ERROR : take_faces(pictures, run);
 	case TS_B_face_depth_triangle: return take_cube(pictures, run, id, "index", "a colour a triangle, empty grey");
+	case TS_B_scatter_depth: return take_depth(pictures, run);
+	case TS_B_resolve_lit: return take_lit(pictures, run);
 	case TS_B_face_mip: return take_cube(pictures, run, id, "cube", "radiance");
 	default: return TS_OK;
 	}

@@ -22,6 +22,7 @@ typedef struct {
 	TS_GLOBAL const ts_offscreen *views; /* whose resolution counts, not the eye's; or NULL */
 	u32 n_views;
 	u32 rate;                     /* TS_RATE_* of view_density.h */
+	u32 shadow;                   /* TS_SHADOW_* of shadow_density.h: the eye's resolution counts too, through shadows */
 } ts_density_args;
 
 /* Shortest way of light from the triangle to the eye by the ball of a reflector. */

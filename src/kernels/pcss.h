@@ -7,6 +7,7 @@
  * the receiver: a surface does not shade itself, however steep. Beyond this the bias is that of all methods (resolve.h). */
 #ifndef TS_KERNELS_PCSS_H
 #define TS_KERNELS_PCSS_H
+#include "plane.h"
 #include "resolve.h"
 
 #define TS_N_SEARCH 32u
@@ -35,12 +36,12 @@ typedef struct {
 	f32 near;                        /* depth of the search's plane, of the receiver's */
 } ts_pcss_args;
 
-/* A receiver on the axes of a light's view: where it is seen, and the plane n.(x, y, z) = d that it lies on. */
+/* A receiver as a light's view sees it. */
 typedef struct {
 	ts_camera_k view;
 	ts_v2 place;
-	ts_v3 n;
-	f32 d, z, bias;
+	ts_image_plane plane;
+	f32 z, bias;
 	TS_GLOBAL const u32 *depths;     /* of the view */
 } ts_shaded;
 
@@ -50,8 +51,7 @@ TS_FN ts_shaded ts_k_shaded(const ts_resolve_args *args, TS_GLOBAL const ts_offs
 	r.view = ts_k_offscreen(offscreen);
 	ts_corner p = ts_k_to_view(&r.view, at->p);
 	r.place = ts_k_project(&r.view, &p);
-	r.n = ts_v3_make(ts_dot(r.view.right, at->n), ts_dot(r.view.up, at->n), -ts_dot(r.view.back, at->n));
-	r.d = ts_dot(r.n, ts_v3_make(p.x, p.y, p.z));
+	r.plane = ts_k_image_plane(&r.view, at->p, at->n);
 	r.z = p.z;
 	r.bias = ts_k_shadow_bias(args, &r.view, at, ts_max(p.z, r.view.near));
 	r.depths = args->depths + (offscreen->offset - args->views[args->first_view].offset);
@@ -62,14 +62,7 @@ TS_FN ts_shaded ts_k_shaded(const ts_resolve_args *args, TS_GLOBAL const ts_offs
  * that is nearer, or if the plane is not met there. */
 TS_FN f32 ts_k_free_depth(const ts_shaded *r, f32 x, f32 y)
 {
-	bool parallel = r->view.orthographic != 0u;
-	f32 across = r->n.x * (x - (f32)r->view.width * 0.5f) + r->n.y * ((f32)r->view.height * 0.5f - y);
-	f32 ahead = r->n.z * r->view.focal;
-	f32 top = parallel ? r->d * r->view.focal - across : r->d * r->view.focal;
-	f32 bottom = ts_flush(parallel ? ahead : across + ahead);
-	if (bottom == 0.0f) return r->z;
-	f32 z = ts_flush(top / bottom);
-	return parallel || z > 0.0f ? ts_min(z, r->z) : r->z;
+	return ts_min(ts_k_plane_depth(&r->view, &r->plane, x, y, r->z), r->z);
 }
 
 /* What the map shows at a tap if it comes between the light and the receiver's plane, else 0. */

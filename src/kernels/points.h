@@ -72,19 +72,23 @@ TS_FN bool ts_k_is_point(const ts_points_args *args, const ts_cover *cover, u64 
 	return !ts_k_is_cut(&args->scene, triangle, w, t.n, 1.0f / frame->s);
 }
 
+TS_FN u32 ts_k_points_of(const ts_points_args *args, u64 piece)
+{
+	if (!(args->frames[piece].s > 0.0f)) return 0u;
+	ts_cover cover = ts_k_lattice_cover(&args->frames[piece], args->half_size);
+	u32 count = 0u;
+	for (i32 y = cover.touched.y0; y <= cover.touched.y1; y++) {
+		for (i32 x = cover.touched.x0; x <= cover.touched.x1; x++) {
+			count += ts_k_is_point(args, &cover, piece, x, y) ? 1u : 0u;
+		}
+	}
+	return count;
+}
+
 /* map over pieces: how many points */
 TS_FN void ts_k_count_item(const ts_points_args *args, u64 i)
 {
-	u32 count = 0u;
-	if (args->frames[i].s > 0.0f) {
-		ts_cover cover = ts_k_lattice_cover(&args->frames[i], args->half_size);
-		for (i32 y = cover.touched.y0; y <= cover.touched.y1; y++) {
-			for (i32 x = cover.touched.x0; x <= cover.touched.x1; x++) {
-				count += ts_k_is_point(args, &cover, i, x, y) ? 1u : 0u;
-			}
-		}
-	}
-	args->offset[i] = count;
+	args->offset[i] = ts_k_points_of(args, i);
 }
 
 /* l = 1/s (eq. 4); a sub-pixel piece is tiny: by the paper its splat is a square of its own area. */

@@ -20,7 +20,41 @@ typedef struct {
 } ts_scatter_args;
 
 /* A point on its way. */
-typedef struct { u64 piece; i32 x, y; ts_v3 centre; } ts_flight;
+typedef struct { u64 piece; i32 x, y; ts_v3 centre; f32 length; u32 flags; } ts_flight;
+
+TS_FN ts_flight ts_k_flight_stored(const ts_points_args *from, u64 i)
+{
+	TS_GLOBAL const ts_point *record = ts_at(from->points, i);
+	u64 key = *ts_at(from->keys, i);
+	ts_flight r;
+	r.piece = record->piece;
+	r.x = (i32)(key & 0xffffu) - 32768;
+	r.y = (i32)((key >> 16) & 0xffffu) - 32768;
+	r.centre = ts_load3(record->centre);
+	r.length = record->length;
+	r.flags = record->flags;
+	return r;
+}
+
+/* What all points of a piece have in common; the rest is ts_k_flight_start's. */
+TS_FN ts_flight ts_k_flight_of_piece(const ts_points_args *from, u64 piece)
+{
+	ts_flight r;
+	r.piece = piece;
+	r.x = 0;
+	r.y = 0;
+	r.centre = ts_v3_make(0.0f, 0.0f, 0.0f);
+	r.length = ts_put(ts_k_splat_length(from, &from->pieces[piece], from->frames[piece].s, &r.flags));
+	return r;
+}
+
+TS_FN void ts_k_flight_start(const ts_points_args *from, ts_flight *point, i32 x, i32 y)
+{
+	ts_v3 centre = ts_k_point_centre(from, point->piece, x, y);
+	point->x = x;
+	point->y = y;
+	point->centre = ts_v3_make(ts_put(centre.x), ts_put(centre.y), ts_put(centre.z));
+}
 
 #define TS_FAR_BITS 20.0f /* the farthest depth that is told apart is so many doublings of the nearest */
 
@@ -132,14 +166,8 @@ TS_FN ts_scatter_tally ts_k_scatter_none(void)
 /* scatter over stored points */
 TS_FN void ts_k_scatter_item(const ts_scatter_args *args, u64 i)
 {
-	TS_GLOBAL const ts_point *record = ts_at(args->from.points, i);
-	u64 key = *ts_at(args->from.keys, i);
 	ts_scatter_tally tally = ts_k_scatter_none();
-	ts_flight point;
-	point.piece = record->piece;
-	point.x = (i32)(key & 0xffffu) - 32768;
-	point.y = (i32)((key >> 16) & 0xffffu) - 32768;
-	point.centre = ts_load3(record->centre);
+	ts_flight point = ts_k_flight_stored(&args->from, i);
 	ts_k_scatter_point(args, &point, &tally);
 	ts_k_scatter_count(args, &tally);
 }
@@ -151,15 +179,11 @@ TS_FN void ts_k_scatter_pieces_item(const ts_scatter_args *args, u64 i)
 	if (!(frame->s > 0.0f)) return;
 	ts_cover cover = ts_k_lattice_cover(frame, args->from.half_size);
 	ts_scatter_tally tally = ts_k_scatter_none();
-	ts_flight point;
-	point.piece = i;
+	ts_flight point = ts_k_flight_of_piece(&args->from, i);
 	for (i32 y = cover.touched.y0; y <= cover.touched.y1; y++) {
 		for (i32 x = cover.touched.x0; x <= cover.touched.x1; x++) {
 			if (!ts_k_is_point(&args->from, &cover, i, x, y)) continue;
-			point.x = x;
-			point.y = y;
-			ts_v3 centre = ts_k_point_centre(&args->from, i, x, y);
-			point.centre = ts_v3_make(ts_put(centre.x), ts_put(centre.y), ts_put(centre.z));
+			ts_k_flight_start(&args->from, &point, x, y);
 			ts_k_scatter_point(args, &point, &tally);
 		}
 	}

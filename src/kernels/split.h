@@ -4,7 +4,7 @@
 #ifndef TS_KERNELS_SPLIT_H
 #define TS_KERNELS_SPLIT_H
 #include "area.h"
-#include "view_density.h"
+#include "shadow_density.h"
 
 #define TS_MAX_SPLITS 12u
 #define TS_SPLIT_SAMPLES 65536.0f   /* 2^16 */
@@ -17,6 +17,7 @@ typedef struct { ts_v3 v[3]; u32 path; } ts_part;
 
 TS_FN ts_need ts_k_need(const ts_density_args *args, TS_GLOBAL const u64 *words, ts_v3 a, ts_v3 b, ts_v3 c)
 {
+	if (args->shadow != TS_SHADOW_IS_NONE) return ts_k_shadow_density(args, words, a, b, c);
 	if (args->views != NULL) return ts_k_view_density(args, words, a, b, c);
 	ts_need r;
 	r.s = ts_k_density(args, words, a, b, c);

@@ -145,19 +145,25 @@ TS_FN ts_need ts_k_one_view_density(const ts_density_args *args, u32 v, ts_v3 n,
 	return r;
 }
 
-/* The largest need of the views of `words`; 0: there is none. */
-TS_FN ts_need ts_k_view_density(const ts_density_args *args, TS_GLOBAL const u64 *words, ts_v3 a, ts_v3 b, ts_v3 c)
+/* The largest need of those of views [first, end) that are in `words`; 0: there is none. */
+TS_FN ts_need ts_k_views_density(const ts_density_args *args, TS_GLOBAL const u64 *words, u32 first, u32 end, ts_v3 a,
+                                 ts_v3 b, ts_v3 c)
 {
 	ts_v3 n = ts_normalize(ts_cross(ts_sub(b, a), ts_sub(c, a)));
 	ts_need r;
 	r.s = 0.0f;
 	r.uneven = 1.0f;
-	for (u32 v = 0u; v < args->n_views; v++) {
+	for (u32 v = first; v < end; v++) {
 		if (!ts_k_offscreen_bit(words, v)) continue;
 		ts_need one = ts_k_one_view_density(args, v, n, a, b, c);
 		r = one.s > r.s ? one : r;
 	}
 	return r;
+}
+
+TS_FN ts_need ts_k_view_density(const ts_density_args *args, TS_GLOBAL const u64 *words, ts_v3 a, ts_v3 b, ts_v3 c)
+{
+	return ts_k_views_density(args, words, 0u, args->n_views, a, b, c);
 }
 
 #endif

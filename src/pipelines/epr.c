@@ -16,7 +16,18 @@
  *   (splat=paper);
  * - an edge of more than 2^14 samples is bisected and limited too, so that lattices stay within 2^15 (split=off);
  * - points lie in the order of the pieces, so that two runs have the same bytes (--order arrival);
- * - one bounce by default, so that MVR and truth C show the same thing (bounces=2, bounces=3). */
+ * - one bounce by default, so that MVR and truth C show the same thing (bounces=2, bounces=3).
+ *
+ * Omnidirectional soft shadows (section 5): points no denser than the eye can tell in any shadow are written or splatted into
+ * the cubes of a light's samples, which are resolved as iVIR's. Deviations:
+ * - eq. 5 sets a ratio of distances against a scale; by default the rate is a bound on what the eye can tell, with the
+ *   magnification from occluder to receiver, and at most iVIR's (shadow.rate=paper: the ratio is a share of iVIR's scale, of
+ *   the light sample where it is largest; shadow.rate=unit: pixels a unit for distances);
+ * - iVIR's scale is the one that gives each texel a sample, as there (rate=paper), and of one light sample, not of all;
+ * - splats have the depth of the triangle's plane in each texel: one a splat shadows its own surface (shadow.depth=point);
+ * - eq. 6 takes the distances from triangles, not from pixels, and one resolution serves all cubes, as printed; instead of
+ *   a hysteresis, which needs the G-buffers of all frames before, it is a multiple of 32 (hysteresis);
+ * - points are made for each batch of depth maps, not kept (buffered=on). */
 #include "../stages/stages.h"
 #include "pipelines.h"
 
@@ -43,6 +54,27 @@ const ts_step ts_epr_steps[] = {
 	{.stage = "shade2", .least_bounces = 2},
 	{.stage = "shade"},
 	{.stage = "image"},
+	{0},
+};
+
+const ts_step ts_epr_omni_steps[] = {
+	{.stage = "view"},
+	{.stage = "pose"},
+	{.stage = "lamp_ball"},
+	{.stage = "eye"},
+	{.stage = "eye_margin", .only_margins = true},
+	{.stage = "shadow_resize"},                       /* eq. 6: cubes as large as the eye needs */
+	{.stage = "offscreen"},
+	{.stage = "offscreen_visibility"},
+	{.stage = "shadow_split"},                        /* eq. 5: eye-resolution density */
+	{.stage = "cull"},
+	{.stage = "cull_margin", .only_margins = true},
+	{.stage = "align"},
+	{.stage = "count", .only_ordered = true, .stored = TS_STORED_IF_ASKED},
+	{.stage = "points", .stored = TS_STORED_IF_ASKED},
+	{.stage = "shadow_splat", .each_batch = true},    /* small points directly, large ones as splats */
+	{.stage = "resolve", .each_batch = true},
+	{.stage = "shadow_image"},
 	{0},
 };
 

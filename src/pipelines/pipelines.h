@@ -3,7 +3,7 @@
 #define TS_PIPELINES_PIPELINES_H
 #include "pipeline.h"
 
-extern const ts_step ts_epr_steps[];
+extern const ts_step ts_epr_steps[], ts_epr_omni_steps[];
 void ts_epr_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params);
 
 extern const ts_step ts_mvr_steps[];

@@ -22,6 +22,8 @@ const ts_pipeline ts_pipeline_table[] = {
 	 ts_ivir_omni_prepare, ts_omni_expect, false},
 	{"vir", "omni-shadows", "iVIR 6", "the same with the density of view-independent rendering", ts_ivir_omni_steps,
 	 ts_vir_omni_prepare, ts_omni_expect, true},
+	{"epr", "omni-shadows", "EPR 5", "points no denser than the eye can tell in a shadow, splatted into the cubes of all light samples",
+	 ts_epr_omni_steps, ts_ivir_omni_prepare, ts_omni_expect, false},
 	{"mvr", "omni-shadows", "iVIR 6", "one pass over the geometry for every face of every cube", ts_mvr_omni_steps,
 	 ts_omni_prepare, ts_omni_expect, false},
 	{0},

@@ -5,8 +5,8 @@
 #include "../kernels/records.h"
 
 /* The lamp of soft shadows: a spot light under a corner of the hall, aimed across it at the floor; of a scene without walls,
- * above and beside it. Its cone keeps within the depth maps of all samples. Its irradiance there is
- * params->light_irradiance. */
+ * above and beside it. Its cone keeps within the depth maps of all samples, where it is aimed, if lamp.fov is 40
+ * degrees or more and lamp.radius 1/36 or less. Its irradiance there is params->light_irradiance. */
 void ts_lamp_spot(ts_light *light, const ts_info *info, const ts_params *params);
 /* The lamp of omnidirectional shadows: a point light in the middle of the hall, of a scene without walls above
  * it. */

@@ -39,14 +39,21 @@ ts_status ts_stage_split(ts_run *run)
 	return split(run, args);
 }
 
-ts_status ts_stage_view_split(ts_run *run)
+/* iVIR's density; EPR's shadows need less where the eye sees less. */
+static ts_status view_split(ts_run *run, u32 shadow)
 {
 	u32 n_views = (u32)ts_frame_n(&run->frame, TS_B_offscreen_view);
 	ts_density_args args = {
 		.views = ts_frame_handle(&run->frame, TS_B_offscreen_view),
 		.n_views = n_views,
 		.n_words = (n_views + 63) / 64,
+		.view = ts_frame_handle(&run->frame, TS_B_eye_view),
 		.rate = run->rate,
+		.shadow = shadow,
 	};
 	return split(run, args);
 }
+
+ts_status ts_stage_view_split(ts_run *run) { return view_split(run, TS_SHADOW_IS_NONE); }
+
+ts_status ts_stage_shadow_split(ts_run *run) { return view_split(run, TS_SHADOW_IS_SAFE + run->params.shadow_rate); }

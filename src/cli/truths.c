@@ -1,0 +1,64 @@
+/* The ground truths, and reading their names. */
+#include "truths.h"
+#include <string.h>
+#include <strings.h>
+
+enum { ALL = (1 << TS_N_TRUTHS) - 1, EACH = 1 << TS_N_TRUTHS }; /* EACH: nothing was named */
+
+const ts_truth_kind ts_truth_kinds[TS_N_TRUTHS] = {
+	{ TS_TRUTH_A, "A", "truth-a", "rays from the cube's centre", "sampling", false },
+	{ TS_TRUTH_B, "B", "truth-b", "true reflections", "both", false },
+	{ TS_TRUTH_C, "C", "truth-c", "MVR at 4 times the resolution", "", false },
+	{ TS_TRUTH_SAMPLES, "samples", "truth-samples", "rays to the very samples of the lights", "method", true },
+	{ TS_TRUTH_AREA, "area", "truth-area", "rays to as good as the whole lights", "both", true },
+};
+
+static bool is_shadow(const char *effect) { return strcmp(effect, "reflections") != 0; }
+
+static const ts_truth_kind *find(const char *name)
+{
+	for (u32 i = 0; i < TS_N_TRUTHS; i++) {
+		if (strcasecmp(name, ts_truth_kinds[i].name) == 0) return &ts_truth_kinds[i];
+	}
+	return NULL;
+}
+
+ts_status ts_truths_parse(u32 *truths, const char *text)
+{
+	char item[16];
+	*truths = text == NULL ? ALL | EACH : 0;
+	if (text == NULL || strcmp(text, "none") == 0) return TS_OK;
+	for (const char *list = text; ts_cli_item(&list, item, sizeof item);) {
+		const ts_truth_kind *kind = find(item);
+		if (kind == NULL) {
+			return ts_fail("--truth %s: \"%s\" is no truth; there are A, B and C of reflections, samples and area of shadows, "
+			               "or none", text, item);
+		}
+		*truths |= kind->bit;
+	}
+	return TS_OK;
+}
+
+ts_status ts_truths_check(u32 *truths, const char *effect)
+{
+	bool shadows = is_shadow(effect), each = (*truths & EACH) != 0;
+	for (u32 i = 0; i < TS_N_TRUTHS; i++) {
+		const ts_truth_kind *kind = &ts_truth_kinds[i];
+		if ((*truths & kind->bit) == 0 || kind->shadows == shadows) continue;
+		if (!each) {
+			return ts_fail("--truth %s: no truth of %s; there are %s, or none", kind->name, effect,
+			               shadows ? "samples and area" : "A, B and C");
+		}
+		*truths &= ~kind->bit;
+	}
+	*truths &= ALL;
+	return TS_OK;
+}
+
+bool ts_truths_named(const char *text)
+{
+	char item[16];
+	bool any = text[0] != 0;
+	while (any && text != NULL && ts_cli_item(&text, item, sizeof item)) any = find(item) != NULL;
+	return any;
+}

@@ -1,0 +1,27 @@
+/* The ground truths that --truth names. */
+#ifndef TS_CLI_TRUTHS_H
+#define TS_CLI_TRUTHS_H
+#include "cli.h"
+
+enum { TS_N_TRUTHS = 5 };
+
+typedef struct {
+	u32 bit;             /* TS_TRUTH_* */
+	const char *name;    /* as typed */
+	const char *picture; /* name of its picture: "truth-a" */
+	const char *doc;     /* what that shows */
+	const char *share;   /* whose error a method is apart from it by: "method", "sampling", "both" or "" */
+	bool shadows;        /* of shadows, else of reflections */
+} ts_truth_kind;
+
+/* In the order of their bits. */
+extern const ts_truth_kind ts_truth_kinds[TS_N_TRUTHS];
+
+/* Reads a comma-separated list of names; NULL: each truth that the effect has; "none": none. */
+ts_status ts_truths_parse(u32 *truths, const char *text);
+/* Leaves the truths of `effect` only, if each was asked for; else fails on the first that it does not have. */
+ts_status ts_truths_check(u32 *truths, const char *effect);
+/* The text names truths and nothing else. */
+bool ts_truths_named(const char *text);
+
+#endif

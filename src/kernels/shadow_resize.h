@@ -1,0 +1,34 @@
+/* The resolution of shadow cubes from the eye's (EPR section 5.1, eq. 6; SPEC 2.9): Res_max times the largest d_lt / d_er of
+ * the triangles in sight and the light samples, distances from the triangle to the sample and to the eye. */
+#ifndef TS_KERNELS_SHADOW_RESIZE_H
+#define TS_KERNELS_SHADOW_RESIZE_H
+#include "closest.h"
+#include "raster.h"
+#include "scene.h"
+
+typedef struct {
+	ts_arrays scene;
+	TS_GLOBAL const ts_view *view;
+	TS_GLOBAL const u64 *depth_triangle; /* eye.depth_triangle */
+	TS_GLOBAL const ts_face *cubes;      /* of the light samples */
+	TS_GLOBAL u32 *least;                /* shadow_resize.least: all ones at first */
+	u32 n_cubes;
+} ts_shadow_resize_args;
+
+/* scatter over pixels: the least d_er / max_l d_lt. What the pixel to the left has said is not said again. */
+TS_FN void ts_k_shadow_resize_item(const ts_shadow_resize_args *args, u64 i)
+{
+	u64 key = args->depth_triangle[i];
+	if (key == TS_EMPTY || (i != 0u && (u32)args->depth_triangle[i - 1u] == (u32)key)) return;
+	ts_corners t = ts_k_corners(&args->scene, (u32)key);
+	ts_v3 eye = ts_load3(args->view->eye);
+	f32 to_light = 0.0f;
+	for (u32 l = 0u; l < args->n_cubes; l++) {
+		ts_v3 light = ts_load3(args->cubes[l].centre);
+		to_light = ts_max(to_light, ts_length(ts_sub(ts_k_closest_on_triangle(light, t.a, t.b, t.c), light)));
+	}
+	f32 to_eye = ts_length(ts_sub(ts_k_closest_on_triangle(eye, t.a, t.b, t.c), eye));
+	if (to_light > 0.0f) ts_min_u32(args->least, ts_f2u(ts_put(to_eye / to_light)));
+}
+
+#endif

@@ -1,0 +1,57 @@
+/* Cubes of the light samples at the resolution that the eye needs. */
+#include <stdlib.h>
+#include "../scene/lamp.h"
+#include "stages.h"
+
+/* The kernel works on a copy: the cubes have no size before it is done. */
+static ts_status find_least(ts_run *run, ts_face *cubes, u32 n)
+{
+	ts_shadow_resize_args args = {
+		.scene = ts_run_arrays(run),
+		.view = ts_frame_handle(&run->frame, TS_B_eye_view),
+		.depth_triangle = ts_frame_handle(&run->frame, TS_B_eye_depth_triangle),
+		.cubes = cubes,
+		.least = ts_frame_handle(&run->frame, TS_B_shadow_resize_least),
+		.n_cubes = n,
+	};
+	if (ts_run_fill(run, TS_B_shadow_resize_least, 0xff) != TS_OK) return TS_ERROR;
+	ts_frame_lend(&run->frame, TS_LENT_OTHER, cubes, n * sizeof *cubes);
+	ts_status status = ts_run_launch(run, TS_KERNEL_shadow_resize, &args, ts_frame_n(&run->frame, TS_B_eye_depth_triangle));
+	ts_status recalled = ts_frame_recall(&run->frame, TS_LENT_OTHER);
+	return status == TS_OK ? recalled : status;
+}
+
+/* Res_max / least, at most Res_max and a multiple of the hysteresis. */
+static u32 side(const ts_params *params, u32 least)
+{
+	if (!params->shadow_resize) return params->map_px;
+	f32 ratio = least != TS_NONE ? ts_u2f(least) : (f32)params->map_px;
+	u32 wanted = (u32)ts_floor_i32((f32)params->map_px / ts_max(ratio, 1.0f)) + 1;
+	u32 step = params->hysteresis != 0 ? params->hysteresis : 1;
+	wanted = (wanted + step - 1) / step * step;
+	wanted = wanted < 16 ? 16 : wanted;
+	return wanted < params->map_px ? wanted : params->map_px;
+}
+
+ts_status ts_stage_shadow_resize(ts_run *run)
+{
+	u32 n = run->all_units, *least = ts_frame_make1(&run->frame, TS_B_shadow_resize_least, 1);
+	const ts_light *light = ts_frame_data(&run->frame, TS_B_lamp_light);
+	const ts_lamp *lamp = ts_frame_data(&run->frame, TS_B_lamp_shape);
+	ts_face *cubes = ts_frame_make1(&run->frame, TS_B_resize_face, n), *copy = ts_alloc(n, sizeof *copy, "cubes");
+	ts_status status = least != NULL && cubes != NULL && copy != NULL ? TS_OK : TS_ERROR;
+	for (u32 k = 0; k < n && status == TS_OK; k++) {
+		ts_lamp_cube(&cubes[k], light, lamp->radius, k, n, ts_run_info(run), &run->params);
+		copy[k] = cubes[k];
+	}
+	if (status == TS_OK) status = find_least(run, copy, n);
+	free(copy);
+	if (status != TS_OK) return TS_ERROR;
+	least = ts_frame_data(&run->frame, TS_B_shadow_resize_least);
+	for (u32 k = 0; k < n; k++) {
+		cubes[k].n = side(&run->params, *least);
+		cubes[k].offset = (u64)k * 6 * cubes[k].n * cubes[k].n;
+	}
+	ts_run_count(run, "cube texels", (i64)n * 6 * cubes[0].n * cubes[0].n);
+	return TS_OK;
+}
