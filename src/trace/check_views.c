@@ -29,6 +29,10 @@ ts_status ts_check_views(const ts_load *load)
 	u64 n, n_cubes, offset = 0;
 	const ts_offscreen *views = elements(load, id, &n);
 	const ts_face *cubes = elements(load, TS_B_resize_face, &n_cubes);
+	bool faces = ts_pipeline_maker(load->pipeline, TS_B_resize_face) != NULL;
+	if (views != NULL && faces && n % 6 != 0) {
+		return ts_fail("%s: %" PRIu64 " views; six a cube would be right", load->item[id]->path, n);
+	}
 	if (views != NULL && cubes != NULL && n != 6 * n_cubes) {
 		return ts_fail("%s: %" PRIu64 " views; %" PRIu64 ", six a cube, would be right", load->item[id]->path, n, 6 * n_cubes);
 	}
