@@ -169,13 +169,16 @@ static ts_status take_cube(ts_stage_pictures *pictures, const ts_run *run, ts_bu
 	return TS_OK;
 }
 
-/* Depths of a map, and between which they are. */
-typedef struct { const u32 *depth; f32 nearest, farthest; } depth_map;
+enum { MOST_TEXELS = 1024 }; /* a side, of the picture of a depth map; of a cube's face half of it */
 
-static depth_map depth_map_of(const u32 *depth, u64 n)
+/* Square depth maps, one or six, shown by n of their texels a side, and between which depths they are. */
+typedef struct { const u32 *depth; u32 size, n; f32 nearest, farthest; } depth_map;
+
+static depth_map depth_map_of(const u32 *depth, u32 size, bool cubes)
 {
-	depth_map m = { depth, INFINITY, 0 };
-	for (u64 i = 0; i < n; i++) {
+	u32 most = cubes ? MOST_TEXELS / 2 : MOST_TEXELS;
+	depth_map m = { depth, size, size < most ? size : most, INFINITY, 0 };
+	for (u64 i = 0; i < (u64)(cubes ? 6 : 1) * size * size; i++) {
 		if (depth[i] == TS_NONE) continue;
 		m.nearest = ts_min(m.nearest, ts_u2f(depth[i]));
 		m.farthest = ts_max(m.farthest, ts_u2f(depth[i]));
@@ -188,9 +191,11 @@ static void colour_depth(u8 *rgb, const void *texels, u64 i)
 {
 	static const u8 empty[3] = { 24, 24, 64 };
 	const depth_map *m = texels;
+	u64 x = i % m->n * m->size / m->n, y = i / m->n % m->n * m->size / m->n, face = i / m->n / m->n;
+	u32 depth = m->depth[(face * m->size + y) * m->size + x];
 	memcpy(rgb, empty, 3);
-	if (m->depth[i] == TS_NONE) return;
-	f32 range = m->farthest - m->nearest, deep = range > 0 ? (ts_u2f(m->depth[i]) - m->nearest) / range : 0;
+	if (depth == TS_NONE) return;
+	f32 range = m->farthest - m->nearest, deep = range > 0 ? (ts_u2f(depth) - m->nearest) / range : 0;
 	memset(rgb, (int)(255 - 215 * deep), 3);
 }
 
@@ -199,16 +204,14 @@ static ts_status take_depth(ts_stage_pictures *pictures, const ts_run *run)
 {
 	bool cubes = has(run, TS_B_resize_face) && ts_frame_n(&run->frame, TS_B_resize_face) > 0;
 	const ts_offscreen *view = ts_frame_data(&run->frame, TS_B_offscreen_view);
-	u32 width = view->width, height = view->height;
-	if (run->first_unit != 0 || width == 0 || is_taken(pictures, "depth")) return TS_OK;
-	u64 n = (u64)width * height;
-	ts_stage_picture *p = add(pictures, "depth", cubes ? 4 * width : width, cubes ? 3 * height : height, false);
+	if (run->first_unit != 0 || view->width == 0 || view->width != view->height || is_taken(pictures, "depth")) return TS_OK;
+	depth_map map = depth_map_of(ts_frame_data(&run->frame, TS_B_scatter_depth), view->width, cubes);
+	ts_stage_picture *p = add(pictures, "depth", cubes ? 4 * map.n : map.n, cubes ? 3 * map.n : map.n, false);
 	if (p == NULL) return TS_ERROR;
-	depth_map map = depth_map_of(ts_frame_data(&run->frame, TS_B_scatter_depth), cubes ? 6 * n : n);
 	if (cubes) {
-		paint_cross(p, width, &map, colour_depth);
+		paint_cross(p, map.n, &map, colour_depth);
 	} else {
-		for (u64 i = 0; i < n; i++) colour_depth(p->rgb + 3 * i, &map, i);
+		for (u64 i = 0; i < (u64)map.n * map.n; i++) colour_depth(p->rgb + 3 * i, &map, i);
 	}
 	snprintf(p->caption, sizeof p->caption, "%s of the first light sample: near white, far dark, empty blue",
 	         cubes ? "cube" : "depth map");
