@@ -25,7 +25,7 @@ enum { TRACES_IVIR = 2, TRACES_SOFT, TRACES_OMNI, TRACES_DEPTH, TRACES_PCSS, TRA
 static ts_trace *traces[N_TRACES];
 static ts_trace_writer *traces_writer;
 static u32 traces_m;
-static char *traces_paths[4 * TS_N_BUFFERS];
+static char *traces_paths[N_TRACES * TS_N_BUFFERS];
 static u32 traces_n_paths;
 
 static inline const char *traces_place(void *user, const char *name)
