@@ -1,5 +1,5 @@
-/* Points made for the eye's resolution into depth maps (EPR section 5.1; SPEC 2.9): those whose splat is smaller than a texel
- * are written as they are (scatter.h), larger ones as squares (splat.h), of depths alone.
+/* Points made for the eye's resolution into the depth maps of cubes (EPR section 5.1; SPEC 2.9): those whose splat is
+ * smaller than a texel are written as they are (scatter.h), larger ones as squares (splat.h), of depths alone.
  *
  * Resolving compares the depth of a receiver with that of each texel, and one depth for a splat of many texels would put
  * shadows on the surface itself: the depth is that of the piece's plane in each texel, kept within the piece's own. */
@@ -104,7 +104,8 @@ TS_FN f32 ts_k_shadow_depth(const ts_shadow_splat_args *args, const ts_shadow_ca
 }
 
 /* One point as a square about its place in the lattice, where squares tile the plane. Returns the texels offered. */
-TS_FN u32 ts_k_shadow_square(const ts_shadow_splat_args *args, const ts_shadow_caster *caster, const ts_flight *point, f32 own)
+TS_FN u32 ts_k_shadow_square(const ts_shadow_splat_args *args, const ts_shadow_caster *caster, const ts_flight *point,
+                             f32 own)
 {
 	TS_GLOBAL const ts_align *frame = &args->of.from.frames[point->piece];
 	const ts_camera_k *view = &caster->view;

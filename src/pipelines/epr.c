@@ -18,8 +18,8 @@
  * - points lie in the order of the pieces, so that two runs have the same bytes (--order arrival);
  * - one bounce by default, so that MVR and truth C show the same thing (bounces=2, bounces=3).
  *
- * Omnidirectional soft shadows (section 5): points no denser than the eye can tell in any shadow are written or splatted into
- * the cubes of a light's samples, which are resolved as iVIR's. Deviations:
+ * Omnidirectional soft shadows (section 5): points no denser than the eye can tell in any shadow are written or splatted
+ * into the cubes of a light's samples, which are resolved as iVIR's. Deviations:
  * - eq. 5 sets a ratio of distances against a scale; by default the rate is a bound on what the eye can tell, with the
  *   magnification from occluder to receiver, and at most iVIR's (shadow.rate=paper: the ratio is a share of iVIR's scale, of
  *   the light sample where it is largest; shadow.rate=unit: pixels a unit for distances);

@@ -35,6 +35,7 @@ static u32 n_lights(const ts_scene *scene, const ts_params *params)
 void ts_pcss_prepare(ts_run *run)
 {
 	run->taps = TS_N_FILTER;
+	run->fixed_face = run->params.map_px;
 	run->all_units = run->n_units = n_lights(run->scene, &run->params);
 	run->batch = run->params.pass;
 	run->fixed_face = run->params.map_px;

@@ -24,7 +24,9 @@ ts_status ts_stage_lamp(ts_run *run)
 	bool own = run->params.lamp == TS_LAMP_SCENE;
 	u32 n = own ? run->scene->n_lights : 1, views = run->params.views, first = 0;
 	if (n == 0) return ts_fail("lamp=scene: the scene has no lights; lamp=lamp would be right");
-	if (views < n && run->taps == 0) return ts_fail("views=%" PRIu32 ": at least %" PRIu32 ", one a light, would be right", views, n);
+	if (views < n && run->taps == 0) {
+		return ts_fail("views=%" PRIu32 ": at least %" PRIu32 ", one a light, would be right", views, n);
+	}
 	if (make_lamps(run, n, &lights, &lamps) != TS_OK) return TS_ERROR;
 	const ts_light *from = ts_frame_data(&run->frame, TS_B_scene_light);
 	for (u32 i = 0; i < n; i++) {

@@ -139,7 +139,7 @@ static void test_contact(void **state)
 	assert_true(n_lit > N_WORLDS * N_RECEIVERS / 4);
 }
 
-/* A plane alone is lit all over, however slanted, with a bias of a hundredth of a texel; and what stands before it is seen. */
+/* A plane alone is lit all over, however slanted, with a bias of a hundredth of a texel; what stands before it is seen. */
 static void test_slanted(void **state)
 {
 	(void)state;

@@ -156,7 +156,8 @@ static void test_rates(void **state)
 		ts_store3(eye.eye, e);
 		ts_v3 u = ts_normalize(ts_cross(way, unit3())), v = ts_cross(way, u);
 		ts_v3 b = ts_mad(middle, u, 0.0009765625f), c = ts_mad(middle, v, 0.0009765625f);
-		double cap = 512 / ts_length(middle), need = need_behind(d3_of(ts_v3_make(0, 0, 0)), d3_of(middle), d3_of(e), eye.focal);
+		double cap = 512 / ts_length(middle);
+		double need = need_behind((d3){ 0, 0, 0 }, d3_of(middle), d3_of(e), eye.focal);
 		for (u32 shadow = TS_SHADOW_IS_SAFE; shadow <= TS_SHADOW_IS_PAPER; shadow++) {
 			ts_density_args args = arguments(views, 1, &eye, TS_RATE_IS_EXACT, shadow);
 			double s = ts_k_shadow_density(&args, words, middle, b, c).s;

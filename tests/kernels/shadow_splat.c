@@ -181,7 +181,8 @@ static void test_dense(void **state)
 		run_single(&w, s, 1, texels[0]);
 		if (w.tally[3] == 0) {
 			i64 tally[3] = { 0 };
-			ts_scatter_args scatter = views_scatter(&w.m, &w.view, 1, (ts_points_args){ .half_size = 129, .snap = 1 }, tally);
+			ts_points_args how = { .half_size = 129, .snap = 1 };
+			ts_scatter_args scatter = views_scatter(&w.m, &w.view, 1, how, tally);
 			scatter.depths = texels[1];
 			clear(texels[1]);
 			ts_k_scatter_pieces_item(&scatter, 0);

@@ -45,7 +45,16 @@ static void test_rows(void **state)
 	assert_null(ts_stage_find(""));
 }
 
-/* Every buffer is written by just one stage, or is the scene's; only the two methods' answers share one. */
+static bool is_written_once(const ts_pipeline *pipeline, ts_buffer_id id)
+{
+	u32 n = 0;
+	for (const ts_step *step = pipeline->steps; step->stage != NULL; step++) {
+		n += ts_stage_writes(ts_stage_find(step->stage), id);
+	}
+	return n <= 1;
+}
+
+/* Every buffer is written by some stage, by just one of each method, or is the scene's. */
 static void test_writers(void **state)
 {
 	(void)state;
@@ -56,8 +65,11 @@ static void test_writers(void **state)
 			n++;
 			n_named += is_named_for(ts_buffer_table[id].name, s);
 		}
-		bool both = id == TS_B_shade_radiance;
-		if (n != (is_scene((ts_buffer_id)id) ? 0u : both ? 2u : 1u)) fail_msg("%s: %u stages", ts_buffer_table[id].name, n);
+		if ((n == 0) != is_scene((ts_buffer_id)id)) fail_msg("%s: %u stages", ts_buffer_table[id].name, n);
+		for (const ts_pipeline *p = ts_pipeline_table; p->name != NULL; p++) {
+			if (is_written_once(p, (ts_buffer_id)id)) continue;
+			fail_msg("%s by %s: %s twice", p->effect, p->name, ts_buffer_table[id].name);
+		}
 		assert_true(n_named <= 1);
 	}
 }
@@ -68,7 +80,8 @@ static void test_readers(void **state)
 	(void)state;
 	static const ts_buffer_id last[] = { TS_B_image_radiance, TS_B_image_srgb, TS_B_shade_used, TS_B_split_scale,
 	                                     TS_B_split_offset, TS_B_splat_tie,
-	                                     TS_B_eye_margin, TS_B_cull_margin, TS_B_face_margin, TS_N_BUFFERS };
+	                                     TS_B_eye_margin, TS_B_cull_margin, TS_B_face_margin, TS_B_shadow_resize_least,
+	                                     TS_N_BUFFERS };
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
 		u32 n = 0;
 		for (const ts_stage *s = ts_stage_table; s->name != NULL; s++) n += is_in(s->reads, (ts_buffer_id)id);
