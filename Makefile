@@ -86,7 +86,7 @@ CLI_C := $(filter-out src/cli/core_main.c,$(wildcard src/cli/*.c))
 CORE_C := $(wildcard src/core/*.c src/backends/c/*.c src/stages/*.c src/pipelines/*.c) \
 	$(wildcard $(patsubst %,src/trace/%.c,npy emit sums golden* vectors*)) \
 	$(filter-out src/scene/open.c src/scene/print% src/scene/gltf%,$(wildcard src/scene/*.c)) \
-	$(wildcard $(patsubst %,src/cli/%.c,core_main backends command commit digest golden* help methods nearest options sweep))
+	$(wildcard $(patsubst %,src/cli/%.c,core_main backends command commit digest golden* help methods nearest options sweep truths))
 TEST_C := $(filter-out tests/fuzz/%,$(wildcard tests/*/*.c))
 
 object = $(patsubst %,$(BUILD)/obj/%.o,$(1))
@@ -226,9 +226,7 @@ mutants: deps
 
 ##   bench              the papers' tables, measured here, and every backend on one frame
 bench: all
-	build/touchstone bench epr-1
-	build/touchstone bench epr-2
-	build/touchstone bench backends
+	for table in ivir-1 ivir-2 ivir-3 epr-1 epr-2 epr-3 epr-6 backends; do build/touchstone bench $$table || exit; done
 
 ##   style              the checks of the source text
 ##   format             clang-format of the C and C++ sources

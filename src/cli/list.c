@@ -13,7 +13,7 @@ static const ts_column buffer_columns[] = { { "name", "buffer", false }, { "elem
 static const ts_column param_columns[] = { { "name", "parameter", false }, { "default", "default", false },
 	{ "range", "range", false }, { "unit", "unit", false }, { "source", "source", false }, { "doc", "what", false }, { 0 } };
 static const ts_column method_columns[] = { { "name", "method", false }, { "effect", "effect", false },
-	{ "paper", "paper", false }, { "doc", "what", false }, { 0 } };
+	{ "paper", "paper", false }, { "doc", "what", false }, { "stages", "stages", false }, { 0 } };
 static const ts_column backend_columns[] = { { "name", "backend", false }, { "index", "device", true },
 	{ "device", "name", false }, { "rounded", "divide, root", false }, { "denormals", "denormals", false },
 	{ "atomics", "64-bit atomics", false }, { "memory_mib", "MiB", true }, { "most_mib", "MiB a buffer", true }, { 0 } };
@@ -81,6 +81,16 @@ static ts_table list_params(void)
 	return table;
 }
 
+static void cell_steps(ts_table *table, const ts_step *steps)
+{
+	char text[512] = "";
+	for (const ts_step *step = steps; step->stage != NULL; step++) {
+		size_t used = strlen(text);
+		snprintf(text + used, sizeof text - used, "%s%s", used > 0 ? " " : "", step->stage);
+	}
+	ts_table_text(table, text);
+}
+
 static ts_table list_methods(void)
 {
 	ts_table table = ts_table_begin("methods", "", method_columns);
@@ -89,6 +99,7 @@ static ts_table list_methods(void)
 		ts_table_text(&table, p->effect);
 		ts_table_text(&table, p->paper);
 		ts_table_text(&table, p->doc);
+		cell_steps(&table, p->steps);
 	}
 	return table;
 }

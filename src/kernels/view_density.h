@@ -109,20 +109,17 @@ TS_FN ts_need ts_k_clipped_rate(const ts_camera_k *view, ts_v3 n, ts_v3 a, ts_v3
 	return r;
 }
 
-/* At the point closest to the view; where that is outside of the frustum and has no pixel, as on a floor that crosses the
- * planes of a cube's faces, with its distance for its depth, which may be nothing. VIR: a pixel in the image's middle, at
- * that distance, as dense as in its corner. */
+/* At the point closest to the view; VIR: a pixel in the image's middle, at that distance, as dense as in its corner. The
+ * closest point may lie beside the image, even behind it, where there are no pixels: it counts as in the corner, so that iVIR
+ * never needs more than VIR. */
 TS_FN f32 ts_k_closest_rate(const ts_camera_k *view, const f32 reach[2], ts_v3 n, ts_v3 a, ts_v3 b, ts_v3 c, u32 rate)
 {
 	ts_v3 q = ts_k_closest_on_triangle(view->eye, a, b, c);
-	f32 distance = ts_length(ts_sub(q, view->eye));
-	if (rate == TS_RATE_IS_PAPER) {
-		ts_corner p = ts_k_to_view(view, q);
-		bool inside = ts_abs(p.x) <= reach[0] * p.z && ts_abs(p.y) <= reach[1] * p.z;
-		return ts_k_pixel_rate(view, n, q, ts_max(inside ? p.z : distance, view->near));
-	}
 	f32 corner = 1.0f + (reach[0] * reach[0] + reach[1] * reach[1]); /* 1 / cos^2 */
-	return (view->focal * corner) / ts_max(distance, view->near);
+	f32 distance = ts_max(ts_length(ts_sub(q, view->eye)), view->near);
+	if (rate == TS_RATE_IS_VIR) return (view->focal * corner) / distance;
+	f32 least = ts_max(distance / ts_sqrt(corner), view->near);
+	return ts_k_pixel_rate(view, n, q, ts_max(ts_k_to_view(view, q).z, least));
 }
 
 TS_FN ts_need ts_k_one_view_density(const ts_density_args *args, u32 v, ts_v3 n, ts_v3 a, ts_v3 b, ts_v3 c)

@@ -7,8 +7,7 @@
  *
  * Deviations, each with the switch that restores the paper:
  * - the rate gives each texel that sees a triangle one of its samples; the paper's leaves holes
- *   (rate=paper), and where a triangle is closest outside of a view, which has no pixel there, takes its distance for its
- *   depth;
+ *   (rate=paper), and has no bound where a triangle is closest beside a view's image: there it counts as in the corner;
  * - a sample beside its triangle moves to the triangle's border (snap=off), so that it shows what it stands for;
  * - triangles of more than 2^16 samples, and those that need far more of them at one end, are bisected (split=off);
  * - visibility clears a bit only if all corners lie outside one plane (visibility=vertex);

@@ -29,6 +29,10 @@ ts_status ts_check_views(const ts_load *load)
 	u64 n, n_cubes, offset = 0;
 	const ts_offscreen *views = elements(load, id, &n);
 	const ts_face *cubes = elements(load, TS_B_resize_face, &n_cubes);
+	bool faces = ts_pipeline_maker(load->pipeline, TS_B_resize_face) != NULL;
+	if (views != NULL && faces && n % 6 != 0) {
+		return ts_fail("%s: %" PRIu64 " views; six a cube would be right", load->item[id]->path, n);
+	}
 	if (views != NULL && cubes != NULL && n != 6 * n_cubes) {
 		return ts_fail("%s: %" PRIu64 " views; %" PRIu64 ", six a cube, would be right", load->item[id]->path, n, 6 * n_cubes);
 	}
@@ -68,12 +72,12 @@ static ts_status check_samples(const ts_load *load, const ts_stage *stage)
 			return ts_check_refuse(load, id, i, "samples", 0, "1 to %" PRIu64, most);
 		}
 		if (makes && lamps[i].first != first) {
-			return ts_check_refuse(load, id, i, "first", 0, "%" PRIu64 ", the samples before it,", first);
+			return ts_check_refuse(load, id, i, "first", 0, "%" PRIu64 ", the views before it,", first);
 		}
 		first += taps != 0 ? 1 : lamps[i].samples;
 	}
 	if (n == 0 || !makes || first == all) return TS_OK;
-	return ts_fail("%s: %" PRIu64 " samples of lights; %" PRIu64 ", one a view, would be right", load->item[id]->path, first, all);
+	return ts_fail("%s: lights with %" PRIu64 " views; %" PRIu64 " would be right", load->item[id]->path, first, all);
 }
 
 static ts_status check_lights(const ts_load *load)

@@ -4,6 +4,13 @@
 #include <stdlib.h>
 #include "probe_parts.h"
 
+/* Points of iVIR and depth maps have other ways. */
+static bool is_explained(const ts_pipeline *pipeline)
+{
+	bool known = strcmp(pipeline->name, "epr") == 0 || strcmp(pipeline->name, "mvr") == 0;
+	return known && strcmp(pipeline->effect, "reflections") == 0;
+}
+
 ts_status ts_probe_open(ts_probe **probe, const char *dir)
 {
 	*probe = NULL;
@@ -12,6 +19,10 @@ ts_status ts_probe_open(ts_probe **probe, const char *dir)
 	ts_status status = ts_trace_open(&made->trace, dir);
 	if (status == TS_OK && !made->trace->has_params) {
 		status = ts_fail("%s: trace.json has no params, and without them nothing can be computed again", dir);
+	}
+	if (status == TS_OK && !is_explained(made->trace->pipeline)) {
+		status = ts_fail("%s: probe explains reflections by epr and mvr; this is %s by %s, which compare and replay judge",
+		                 dir, made->trace->pipeline->effect, made->trace->pipeline->name);
 	}
 	if (status != TS_OK) {
 		ts_probe_close(made);
@@ -53,7 +64,8 @@ static u64 size_of(const ts_probe *p, const char *name)
 {
 	static const struct { const char *name; ts_buffer_id owner; } owners[] = {
 		{"V", TS_B_pose_vertex}, {"T", TS_B_scene_triangle}, {"M", TS_B_scene_material}, {"S", TS_B_scene_slot},
-		{"I", TS_B_scene_image}, {"O", TS_B_scene_object}, {"R", TS_B_resize_face}, {"Q", TS_B_split_triangle},
+		{"I", TS_B_scene_image}, {"O", TS_B_scene_object}, {"R", TS_B_resize_face}, {"B", TS_B_resize_face},
+		{"Q", TS_B_split_triangle},
 		{"N", TS_B_points_record}, {"H*W", TS_B_eye_depth_triangle}, {"P*K", TS_B_lookup_point},
 		{"P2*4", TS_B_lookup2_point},
 	};

@@ -33,7 +33,8 @@ static void give_sizes(const ts_probe *p, ts_sizes *sizes)
 	static const struct { const char *name; ts_buffer_id owner; } owners[] = {
 		{"V", TS_B_pose_vertex}, {"T", TS_B_scene_triangle}, {"M", TS_B_scene_material}, {"S", TS_B_scene_slot},
 		{"I", TS_B_scene_image}, {"X", TS_B_scene_texel}, {"L", TS_B_scene_light}, {"O", TS_B_scene_object},
-		{"R", TS_B_resize_face}, {"Q", TS_B_split_triangle}, {"N", TS_B_points_record}, {"P", TS_B_pixel_record},
+		{"R", TS_B_resize_face}, {"B", TS_B_resize_face}, {"Q", TS_B_split_triangle}, {"N", TS_B_points_record},
+		{"P", TS_B_pixel_record},
 		{"P2", TS_B_lookup2_parent}, {"P3", TS_B_lookup3_parent},
 	};
 	for (size_t i = 0; i < sizeof owners / sizeof *owners; i++) {

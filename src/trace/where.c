@@ -49,14 +49,29 @@ const char *ts_where_face(u32 face)
 	return faces[face % 6];
 }
 
+/* Of views that are no cubes' faces. */
+static bool where_view(char *text, const ts_trace *reference, u64 texel)
+{
+	ts_offscreen view;
+	for (u64 v = 0; fetch(reference, TS_B_offscreen_view, v, &view); v++) {
+		u64 inside = texel - view.offset;
+		if (texel < view.offset || inside >= (u64)view.width * view.height) continue;
+		snprintf(text, TS_WHERE_TEXT, "view %" PRIu64 ", texel (%" PRIu64 ", %" PRIu64 ")", v, inside % view.width,
+		         inside / view.width);
+		return true;
+	}
+	return false;
+}
+
 static bool where_texel(char *text, const ts_trace *reference, u64 texel)
 {
 	ts_face cube;
+	if (reference->item[TS_B_resize_face].path == NULL) return where_view(text, reference, texel);
 	for (u64 r = 0; fetch(reference, TS_B_resize_face, r, &cube); r++) {
 		u64 n = cube.n, inside = texel - cube.offset;
 		if (texel < cube.offset || inside >= 6 * n * n) continue;
-		snprintf(text, TS_WHERE_TEXT, "reflector %" PRIu64 ", face %s, texel (%" PRIu64 ", %" PRIu64 ")", r,
-		         ts_where_face((u32)(inside / (n * n))), inside % n, inside / n % n);
+		snprintf(text, TS_WHERE_TEXT, "%s %" PRIu64 ", face %s, texel (%" PRIu64 ", %" PRIu64 ")",
+		         cube.object != TS_NONE ? "reflector" : "sample", r, ts_where_face((u32)(inside / (n * n))), inside % n, inside / n % n);
 		return true;
 	}
 	return false;
@@ -75,6 +90,7 @@ static const char *noun(const char *shape)
 {
 	static const struct { const char *size, *noun; } nouns[] = {
 		{"V", "vertex"}, {"T", "triangle"}, {"T+1", "triangle"}, {"Q", "piece"}, {"Q+1", "piece"}, {"R", "reflector"},
+		{"A", "light"}, {"B", "cube"}, {"U", "view"},
 		{"P2", "entry of bounce 2"}, {"P3", "entry of bounce 3"}, {"H*W+1", "pixel"},
 	};
 	size_t n = strcspn(shape, " ");
@@ -99,5 +115,7 @@ void ts_where(char text[TS_WHERE_TEXT], const ts_trace *reference, ts_buffer_id 
 	             : shape[0] == 'P' && (shape[1] == 0 || shape[1] == ' ') ? where_pixel(row_text, reference, row)
 	                                               : false;
 	if (!found) snprintf(row_text, sizeof row_text, "%s %" PRIu64, noun(shape), row);
-	snprintf(text, TS_WHERE_TEXT, row_elements > 1 ? "%.90s [%" PRIu64 "]" : "%.90s", row_text, inside);
+	bool lights = strcmp(shape, "H W A") == 0;
+	const char *format = lights ? "%.90s, light %" PRIu64 : row_elements > 1 ? "%.90s [%" PRIu64 "]" : "%.90s";
+	snprintf(text, TS_WHERE_TEXT, format, row_text, inside);
 }

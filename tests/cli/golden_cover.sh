@@ -18,30 +18,38 @@ for path in glob.glob("reference/*/params.txt"):
 	case["files"] = {re.sub(r"^\d\d-|\.npy$", "", line.split()[1]) for line in open(folder + "/SHA256SUMS")}
 	cases[os.path.basename(folder)] = case
 names = {m.group(1) for m in re.finditer(r"^([a-z0-9-]+):", open("reference/cases.txt").read(), re.M)}
-effect = [m["name"] for m in table["methods"] if m["effect"] == "reflections"]
-of = lambda method: [case for case in cases.values() if case["method"] == method]
+methods = [(m["effect"], m["name"]) for m in table["methods"]]
+of = lambda *methods: [case for case in cases.values() if (case["effect"], case["method"]) in methods]
+# Who must take every choice of a parameter, if not EPR's reflections.
+views = [("reflections", "ivir"), ("soft-shadows", "ivir"), ("omni-shadows", "ivir")]
+soft, omni = ([m for m in methods if m[0] == effect] for effect in ("soft-shadows", "omni-shadows"))
+takers = {"rate": views, "buffered": views, "snap": views, "lamp": soft[:1], "lamp.radius": soft, "lamp.fov": soft,
+          "views": soft, "pass": soft + omni, "map_px": soft + omni, "light_samples": omni, "bias": soft + omni,
+          "bias.slope": soft + omni, "conservative": views + [("reflections", "epr")],
+          **{p: [("reflections", "mvr")] for p in ("mvr.faces", "mvr.filter")}}
+steps_of = {(m["effect"], m["name"]): [s for s in m["stages"].split() if not s.endswith("_margin")]
+            for m in table["methods"]}
 missing = []
 if what == "folders":
 	missing = sorted(names ^ cases.keys())
 elif what == "choices":
 	for p in table["params"]:
-		method = "mvr" if p["name"].startswith("mvr.") else "epr"
-		taken = {case[p["name"]] for case in of(method)}
+		taken = {case[p["name"]] for case in of(*takers.get(p["name"], [("reflections", "epr")])) if p["name"] in case}
 		missing += [f"{p['name']}={c}" for c in p["range"].split("|") if "|" in p["range"] and c not in taken]
 		missing += [p["name"]] if len(taken) < 2 else []
-	missing += [f"bounces={n}" for n in "123" if n not in {case["bounces"] for case in of("epr")}]
-	missing += [f"reflectors=0 by {m}" for m in effect if "0" not in {case["reflectors"] for case in of(m)}]
+	missing += [f"bounces={n}" for n in "123" if n not in {case["bounces"] for case in of(("reflections", "epr"))}]
+	missing += [f"reflectors=0 by {m}" for e, m in methods if "0" not in {case["reflectors"] for case in of((e, m))}]
 elif what == "stages":
 	writes = {s["name"]: re.findall(r"[a-z0-9_.]+", s["writes"]) for s in table["stages"]}
-	for m in effect:
-		lines = open(f"src/pipelines/{m}.c").read().splitlines()
-		steps = [s[1] for line in lines if "only_margins" not in line and (s := re.match(r'\t\{\.stage = "(\w+)"', line))]
-		made = set().union(*(case["files"] for case in of(m)))
-		missing += [] if steps else [m]
-		missing += [f"{m}: {s}" for s in steps if not writes[s] or not set(writes[s]) <= made]
+	for m in methods:
+		steps, made = steps_of[m], set().union(*(case["files"] for case in of(m)))
+		missing += [] if len(steps) > 5 else [m]
+		missing += [f"{'/'.join(m)}: {s}" for s in steps if not writes[s] or not set(writes[s]) <= made]
 elif what == "scenes":
-	missing = [f"{s['name']} by {m}" for m in effect for s in table["scenes"]
-	           if s["name"] not in {case["scene"].split(":")[0] for case in of(m)}]
+	reflections = [m for m in methods if m[0] == "reflections" and m[1] in ("epr", "mvr")]
+	groups = [[m] for m in reflections] + [views[:1], soft, omni]
+	missing = [f"{s['name']} by {group[0]}" for group in groups for s in table["scenes"]
+	           if s["name"] not in {case["scene"].split(":")[0] for case in of(*group)}]
 print("".join(f"# missing: {text}\n" for text in missing), end="")
 sys.exit(bool(missing))
 PY

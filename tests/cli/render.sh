@@ -59,7 +59,7 @@ run "${small[@]}" --json --no-images --truth=A --backend c
 python3 - stdout <<'PY'
 import json, sys
 report = json.load(open(sys.argv[1]))
-assert report["version"] and report["methods"] == ["epr", "mvr"] and report["backend"] == "c"
+assert report["version"] and report["methods"] == ["epr", "mvr", "ivir"] and report["backend"] == "c"
 rows = {(r["image"], r["reference"]): r for r in report["metrics"]}
 assert report["params"]["width"] == 96 and report["params"]["eye"] == "far"
 assert rows[("epr", "truth-a")]["share"] == "sampling" and 0 <= rows[("epr", "mvr")]["rmse"] < 64

@@ -103,6 +103,22 @@ refuses 'of method mvr' replay $epr --inputs out/trace-mvr
 refuses 'parameter reflector_px is 115' replay $epr --inputs part/trace-epr
 run render reflections atrium:triangles=10000 --method epr --size 64x48 --reflectors 1 --order arrival --trace --no-images -o arrival
 refuses 'order is "arrival"; a reference must be canonical' replay arrival/trace-epr --stage splat
+# Depth maps made in batches are one file, whose stages are replayed on the whole.
+shadows=(atrium:triangles=10000 --size 64x48 --set views=5 --set light_samples=3 --set map_px=24 --trace --no-images)
+for words in 'soft-shadows ivir --margins --set lamp=scene' 'omni-shadows epr --set buffered=on' 'soft-shadows pcss'; do
+	read -r effect method options <<< "$words"
+	# shellcheck disable=SC2086
+	run render "$effect" "${shadows[@]}" --method "$method" $options --set pass=2 -o batches
+	# shellcheck disable=SC2086
+	run render "$effect" "${shadows[@]}" --method "$method" $options --set pass=6 -o whole
+	run replay "batches/trace-$method"
+	[ "$status" -eq 0 ] && [ "$(grep -c ': same$' "$scratch/stdout")" -ge 8 ] && ! grep -vq ': same$' "$scratch/stdout"
+	verdict $? "$effect by $method: every stage gives the same bits from its own trace"
+	run compare "batches/trace-$method" "whole/trace-$method"
+	[ "$status" -eq 0 ] && grep -q ' 0 different' "$scratch/stdout"
+	verdict $? "$effect by $method: batches change no buffer"
+	rm -rf batches whole
+done
 refuses 'No such file' replay nowhere
 refuses 'No such file' replay $epr --inputs nowhere
 refuses 'write touchstone replay TRACE' replay

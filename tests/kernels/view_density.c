@@ -89,12 +89,13 @@ static d3_polygon in_frustum(const ts_offscreen *view, const ts_v3 corner[3])
 	return r;
 }
 
-/* `exact`: at the least depth in the frustum; `paper`: at the point closest to the view; `vir`: f / (d cos^2). */
+/* `exact`: at the least depth in the frustum; `paper`: at the point closest to the view, if that is beside the
+ * image as in its corner; `vir`: f / (d cos^2), which is never less. */
 static void test_rates(void **state)
 {
 	(void)state;
 	n_random = 0;
-	u32 n_clipped = 0, n_denser = 0;
+	u32 n_clipped = 0, n_denser = 0, n_beside = 0;
 	for (u32 i = 0; i < N; i++) {
 		ts_offscreen view = random_view(0);
 		ts_v3 corner[3];
@@ -105,19 +106,22 @@ static void test_rates(void **state)
 		d3 q = d3_on_triangle(eye, d3_of(corner[0]), d3_of(corner[1]), d3_of(corner[2]));
 		double h = fabs(d3_dot(n, d3_sub(eye, d3_of(corner[0])))), d = d3_length(d3_sub(eye, q));
 		d3_polygon seen = in_frustum(&view, corner);
-		double least = INFINITY, z = fmax(view_place(&view, q).z, view.near);
+		double corner_of = 1 + 2 * (double)view.reach[0] * view.reach[0];
+		double farthest = d / sqrt(corner_of), at = view_place(&view, q).z;
+		double least = INFINITY, z = fmax(fmax(at, farthest), view.near);
 		for (int k = 0; k < seen.n; k++) least = fmin(least, fmax(view_place(&view, seen.p[k]).z, view.near));
 		if (h < 0.02 * d || h < 0.01 * (double)view.near || seen.n == 0) continue;
 		double paper = need(&m, &view, 1, TS_RATE_IS_PAPER).s, exact = need(&m, &view, 1, TS_RATE_IS_EXACT).s;
 		double vir = need(&m, &view, 1, TS_RATE_IS_VIR).s;
 		n_clipped += seen.n > 3;
 		n_denser += exact > paper * 1.01;
+		n_beside += at < farthest;
 		assert_true(fabs(paper / (view.focal * sqrt(h / (z * z * z))) - 1) <= 2e-3);
 		assert_true(fabs(exact / (view.focal * sqrt(h / (least * least * least))) - 1) <= 5e-3);
-		double corner_of = 1 + 2 * (double)view.reach[0] * view.reach[0];
+		assert_true(paper <= vir * 1.00001);
 		assert_true(fabs(vir / (view.focal * corner_of / fmax(d, view.near)) - 1) <= 1e-4);
 	}
-	assert_true(n_clipped > N / 20 && n_denser > N / 20);
+	assert_true(n_clipped > N / 20 && n_denser > N / 20 && n_beside > N / 50);
 }
 
 /* The largest singular value of the map from the plane to the image at p, from the images of two steps. */

@@ -128,6 +128,8 @@ class Trace:
 		for size in buffer.shape[2 if shape[:2] == ["H", "W"] else 1:]:
 			inside *= size
 		row = element // inside
+		if shape == ["H", "W", "A"]:
+			return self.place(shape, row) + f", light {element % inside}"
 		return self.place(shape, row) + (f" [{element % inside}]" if inside > 1 else "")
 
 	def place(self, shape, row):
@@ -142,6 +144,7 @@ class Trace:
 		if shape[0] == "C":
 			return self.texel(row)
 		nouns = {"V": "vertex", "T": "triangle", "T+1": "triangle", "Q": "piece", "Q+1": "piece", "R": "reflector",
+		         "A": "light", "B": "cube", "U": "view",
 		         "H*W+1": "pixel"}
 		return f"{nouns.get(shape[0], 'element')} {row}"
 
@@ -150,13 +153,24 @@ class Trace:
 		return f"piece {key >> 32}, x {(key & 0xffff) - 32768}, y {(key >> 16 & 0xffff) - 32768}"
 
 	def texel(self, texel):
+		if "resize.face" not in self.about:
+			return self.view_texel(texel)
 		cubes = self["resize.face"]
 		for r in range(cubes.n):
 			n, = cubes.get(r, "n")
 			first, = cubes.get(r, "offset")
 			if first <= texel < first + 6 * n * n:
 				inside = texel - first
-				return f"reflector {r}, face {FACES[inside // (n * n)]}, texel ({inside % n}, {inside // n % n})"
+				owner = "sample" if cubes.get(r, "object")[0] == NONE else "reflector"
+				return f"{owner} {r}, face {FACES[inside // (n * n)]}, texel ({inside % n}, {inside // n % n})"
+		return f"element {texel}"
+
+	def view_texel(self, texel):
+		views = self["offscreen.view"]
+		for v in range(views.n):
+			(width,), (height,), (first,) = (views.get(v, name) for name in ("width", "height", "offset"))
+			if first <= texel < first + width * height:
+				return f"view {v}, texel ({(texel - first) % width}, {(texel - first) // width})"
 		return f"element {texel}"
 
 

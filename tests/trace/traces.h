@@ -18,12 +18,14 @@ static const struct { const char *effect, *method; u32 lamp, buffered; } traces_
 	{"soft-shadows", "ivir", TS_LAMP_SCENE, 0},
 	{"omni-shadows", "vir", 0, TS_BUFFERED_ON},
 	{"soft-shadows", "mvr", 0, 0},
+	{"soft-shadows", "pcss", TS_LAMP_SCENE, 0},
+	{"omni-shadows", "epr", 0, 0},
 };
-enum { TRACES_IVIR = 2, TRACES_SOFT, TRACES_OMNI, TRACES_DEPTH, N_TRACES };
+enum { TRACES_IVIR = 2, TRACES_SOFT, TRACES_OMNI, TRACES_DEPTH, TRACES_PCSS, TRACES_EPR, N_TRACES };
 static ts_trace *traces[N_TRACES];
 static ts_trace_writer *traces_writer;
 static u32 traces_m;
-static char *traces_paths[4 * TS_N_BUFFERS];
+static char *traces_paths[N_TRACES * TS_N_BUFFERS];
 static u32 traces_n_paths;
 
 static inline const char *traces_place(void *user, const char *name)

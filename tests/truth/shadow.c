@@ -56,8 +56,8 @@ static ts_offscreen *make_views(world *w, u32 n)
 static void look_down(world *w, ts_v3 eye, f32 reach)
 {
 	ts_offscreen *view = make_views(w, 1);
-	*view = (ts_offscreen){ .focal = 32 / reach, .right = { 1, 0, 0 }, .up = { 0, 0, -1 }, .back = { 0, 1, 0 }, .near = 0.001f,
-	                        .width = SIDE, .height = SIDE, .reach = { reach, reach }, .object = TS_NONE };
+	*view = (ts_offscreen){ .focal = 32 / reach, .right = { 1, 0, 0 }, .up = { 0, 0, -1 }, .back = { 0, 1, 0 },
+	                        .near = 0.001f, .width = SIDE, .height = SIDE, .reach = { reach, reach }, .object = TS_NONE };
 	ts_store3(view->eye, eye);
 }
 
@@ -100,7 +100,7 @@ static void test_square(void **state)
 	check_square(0.11f);
 }
 
-/* Lit pixels under something that covers all of the floor, or is far below the lamp's near plane. */
+/* Lit pixels under a cover of all of the floor at height y; none if that is negative. */
 static u32 lit_below(f32 y, u32 material, bool up, f32 lamp_y)
 {
 	world *w = world_new();
