@@ -22,9 +22,10 @@
  * - align.frame: q within 24.8 of the lattice, so that edges fit 64 bits, s not negative; for count, points and what
  *   makes points without storing them, fewer than 2^34 lattice squares in the boxes of all pieces.
  *
- * What remains: time. Views of absurd sharpness ask for 4096 pieces of every triangle. Splats and triangles
- * may cover every texel of every face, so that damaged files can make a stage as slow as its elements times its texels, but not endless. Splats of arrival-order points never take the
- * fast path, which trusts that the points of a piece stand together (ts_replay_stage).
+ * What remains: time. Views of absurd sharpness ask for 4096 pieces of every triangle. Splats and triangles may cover
+ * every texel of every face, so that damaged files can make a stage as slow as its elements times its texels, but not
+ * endless. Splats of arrival-order points never take the fast path, which trusts that the points of a piece stand
+ * together (ts_replay_stage).
  *
  * Every refusal is one line: file, element, field, value, and what would be right. */
 #ifndef TS_TRACE_CHECK_H
