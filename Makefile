@@ -226,9 +226,7 @@ mutants: deps
 
 ##   bench              the papers' tables, measured here, and every backend on one frame
 bench: all
-	build/touchstone bench epr-1
-	build/touchstone bench epr-2
-	build/touchstone bench backends
+	for table in ivir-1 ivir-2 ivir-3 epr-1 epr-2 epr-3 epr-6 backends; do build/touchstone bench $$table || exit; done
 
 ##   style              the checks of the source text
 ##   format             clang-format of the C and C++ sources

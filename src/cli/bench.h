@@ -12,11 +12,26 @@ double ts_median(double *values, u32 n);
 /* What a report opens with: size, frame, threads; program and parameters. */
 void ts_bench_head(ts_report *report, const ts_cli *cli);
 
+/* Does the work of a table into a report. */
+typedef ts_status ts_bench_work(const ts_cli *cli, ts_report *report, const void *user);
+/* Prints the report; with -o also writes it to that folder, with every table as KEY.csv. */
+ts_status ts_bench_with_report(const ts_cli *cli, ts_bench_work *work, const void *user);
+/* A file of that folder, to be closed by ts_bench_file_end; NULL with the message set on failure. */
+FILE *ts_bench_file(const char *name);
+ts_status ts_bench_file_end(FILE *file, const char *name);
+
 /* Tables of a file each. */
 ts_status ts_bench_backends(const ts_cli *cli);
 ts_status ts_bench_start(const ts_cli *cli);
 
-/* The one frame that these two measure: --scene, --objects and --method name one each. */
+ts_status ts_bench_sweep(const ts_cli *cli);
+/* The one truth that --truth names, C without it. */
+ts_status ts_bench_truth(u32 *truths, const ts_cli *cli);
+
+/* The one frame that these measure: --scene and --objects name one each. */
+const char *ts_bench_frame_spec(const ts_cli *cli);
+ts_status ts_bench_frame_params(ts_params *params, const ts_cli *cli);
+/* The same with one --method, or EPR. */
 typedef struct {
 	const ts_pipeline *method;
 	ts_scene *scene;

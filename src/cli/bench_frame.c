@@ -4,19 +4,31 @@
 #include "bench.h"
 #include "methods.h"
 
+const char *ts_bench_frame_spec(const ts_cli *cli) { return cli->scenes != NULL ? cli->scenes : "atrium"; }
+
+ts_status ts_bench_frame_params(ts_params *params, const ts_cli *cli)
+{
+	u32 objects;
+	*params = cli->params;
+	if (strchr(ts_bench_frame_spec(cli), ',') != NULL) return ts_fail("--scene %s: this table takes one scene", cli->scenes);
+	if (ts_cli_count(&objects, cli->objects != NULL ? cli->objects : "10", 1, TS_BENCH_OBJECTS, "--objects") != TS_OK) {
+		return TS_ERROR;
+	}
+	params->reflectors = objects;
+	return TS_OK;
+}
+
 ts_status ts_bench_frame_open(ts_bench_frame *frame, const ts_cli *cli)
 {
 	const ts_pipeline *methods[TS_MAX_METHODS];
-	const char *spec = cli->scenes != NULL ? cli->scenes : "atrium";
-	u32 n, objects;
+	ts_params params;
+	u32 n;
 	u64 bytes;
-	if (strchr(spec, ',') != NULL) return ts_fail("--scene %s: this table takes one scene", spec);
-	if (ts_cli_count(&objects, cli->objects != NULL ? cli->objects : "10", 1, TS_BENCH_OBJECTS, "--objects") != TS_OK ||
+	if (ts_bench_frame_params(&params, cli) != TS_OK ||
 	    ts_methods_find(methods, &n, "reflections", cli->method != NULL ? cli->method : "epr") != TS_OK) return TS_ERROR;
 	if (n != 1) return ts_fail("--method %s: this table takes one method", cli->method);
-	*frame = (ts_bench_frame){ .method = methods[0], .params = cli->params };
-	frame->params.reflectors = objects;
-	ts_status status = ts_scene_open(&frame->scene, spec, &frame->params, &cli->scene);
+	*frame = (ts_bench_frame){ .method = methods[0], .params = params };
+	ts_status status = ts_scene_open(&frame->scene, ts_bench_frame_spec(cli), &frame->params, &cli->scene);
 	return status == TS_OK ? ts_measure_estimate(&bytes, methods, 1, 0, frame->scene, &frame->params) : status;
 }
 

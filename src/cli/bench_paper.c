@@ -1,59 +1,169 @@
-/* What the EPR paper's tables 1 and 2 print. Three cells contradict others and are kept as printed: Gallery's ratio with
- * one mirror would be 4.23 by its own operations, and two of iVIR's, which are not shown here. */
-#include <ctype.h>
-#include <string.h>
+/* Measuring a paper's table. Times are medians, and ratios are of one run. */
+#include <math.h>
+#include <stdlib.h>
+#include <unistd.h>
+#include "bench.h"
 #include "bench_paper.h"
 
-static const ts_paper_row rows[] = {
-	{ "Sponza", "atrium", "sponza", 1, 116.5, 44000, 1510000, 34.32,
-	  1050000, 1.86, 0, 1.24, 0.68, 0.51, 0.52, 2.43, 4.51, 603000 },
-	{ "Sponza", "atrium", "sponza", 10, 115.1, 146000, 15240000, 104.38,
-	  1070000, 5.91, -0.004, 2.64, 3.84, 0.83, 1.46, 7.31, 43.22, 1280000 },
-	{ "Sponza", "atrium", "sponza", 20, 114.5, 335000, 30600000, 91.34,
-	  1110000, 6.17, -0.004, 4.81, 8.49, 1.33, 2.49, 14.62, 90.27, 1470000 },
-	{ "Sponza", "atrium", "sponza", 50, 110.3, 812000, 76570000, 94.30,
-	  1200000, 5.11, 0.004, 15.03, 27.81, 2.62, 4.24, 45.46, 232.07, 1750000 },
-	{ "Gallery", "gallery", "gallery", 1, 113.0, 265000, 1120000, 4.37,
-	  1000000, 2.09, 0.004, 1.14, 0.15, 0.65, 0.74, 1.94, 4.05, 148000 },
-	{ "Gallery", "gallery", "gallery", 10, 114.4, 558000, 13240000, 23.73,
-	  1030000, 6.28, 0.012, 3.12, 1.45, 1.22, 2.49, 5.78, 36.29, 586000 },
-	{ "Gallery", "gallery", "gallery", 20, 114.1, 820000, 27520000, 33.56,
-	  1060000, 6.70, 0.027, 5.90, 3.15, 1.83, 3.81, 10.88, 72.88, 677000 },
-	{ "Gallery", "gallery", "gallery", 50, 112.2, 1680000, 68540000, 40.80,
-	  1160000, 5.41, 0.067, 19.09, 11.37, 3.95, 6.96, 34.41, 186.02, 909000 },
-	{ "Breakfast", "dining", "breakfast", 1, 174.5, 199000, 1540000, 7.74,
-	  1530000, 1.41, 0, 1.25, 1.01, 0.79, 0.91, 3.04, 4.27, 845000 },
-	{ "Breakfast", "dining", "breakfast", 10, 182.9, 546000, 15300000, 28.02,
-	  2020000, 2.57, 0.004, 3.56, 5.56, 1.81, 3.38, 10.94, 28.11, 2220000 },
-	{ "Breakfast", "dining", "breakfast", 20, 156.8, 743000, 30610000, 41.20,
-	  2390000, 3.07, 0.004, 7.26, 10.45, 2.31, 5.75, 20.02, 61.54, 2880000 },
-	{ "Breakfast", "dining", "breakfast", 50, 106.7, 1090000, 78850000, 72.34,
-	  2480000, 3.21, 0.016, 20.23, 26.00, 3.17, 6.20, 49.40, 158.74, 3020000 },
-};
+enum { SPEC_BYTES = 4096 };
 
-/* Whether `text` begins with `prefix`, in any case. */
-static bool begins(const char *text, const char *prefix)
+typedef struct {
+	const ts_cli *cli;
+	const ts_paper_table *table;
+	u32 truths;
+	ts_paper_line *lines;
+	size_t n_lines, capacity;
+} work;
+
+/* The median of each figure over the runs. */
+static ts_status run_case(double *values, ts_bench_case *c, const work *w)
 {
-	for (; *prefix != 0; text++, prefix++) {
-		if (tolower((unsigned char)*text) != *prefix) return false;
+	u32 runs = w->table->timed ? w->cli->runs : 1;
+	double *of_run = ts_alloc(runs, TS_BENCH_FIGURES * sizeof *of_run, "the figures");
+	double *one = ts_alloc(runs, sizeof *one, "the figures");
+	ts_status status = of_run != NULL && one != NULL ? TS_OK : TS_ERROR;
+	for (u32 i = 0; i < runs && status == TS_OK; i++) {
+		status = ts_bench_case_run(c, i);
+		if (status != TS_OK) break;
+		ts_bench_measure(of_run + (size_t)i * TS_BENCH_FIGURES, w->table->figures, c);
+		ts_bench_derive(of_run + (size_t)i * TS_BENCH_FIGURES, w->table->figures);
 	}
-	return true;
+	for (u32 f = 0; status == TS_OK && w->table->figures[f].key != NULL; f++) {
+		for (u32 i = 0; i < runs; i++) one[i] = of_run[(size_t)i * TS_BENCH_FIGURES + f];
+		values[f] = ts_median(one, runs);
+	}
+	free(of_run);
+	free(one);
+	return status;
 }
 
-static bool is_builtin(const char *scene, const char *name)
+static ts_status measure_line(ts_paper_line *line, const work *w, const char *spec, const ts_params *params)
 {
-	size_t n = strlen(name);
-	return strncmp(scene, name, n) == 0 && (scene[n] == 0 || scene[n] == ':');
+	const char *slash = strrchr(spec, '/');
+	ts_bench_case *c = ts_alloc_zero(1, sizeof *c, "a case");
+	if (c == NULL) return TS_ERROR;
+	c->cli = w->cli;
+	c->effect = w->table->effect;
+	c->variants = w->table->variants;
+	c->truths = w->truths;
+	snprintf(line->scene, sizeof line->scene, "%s", slash != NULL ? slash + 1 : spec);
+	ts_status status = ts_bench_case_open(c, spec, params);
+	if (status == TS_OK) status = run_case(line->here, c, w);
+	if (status == TS_OK) ts_paper_compare(line, w->table, spec);
+	ts_bench_case_close(c);
+	free(c);
+	return status;
 }
 
-const ts_paper_row *ts_paper_find(const char *scene, u32 objects)
+static ts_status add_line(work *w, const char *spec, const char *objects)
 {
-	const char *slash = strrchr(scene, '/');
-	const char *file = slash != NULL ? slash + 1 : scene;
-	bool is_file = strchr(file, '.') != NULL;
-	for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
-		bool same = is_file ? begins(file, rows[i].file) : is_builtin(scene, rows[i].builtin);
-		if (same && rows[i].objects == objects) return &rows[i];
+	ts_params params = w->cli->params;
+	void *lines = w->lines;
+	ts_status status = ts_grow(&lines, &w->capacity, w->n_lines + 1, sizeof *w->lines, "the rows");
+	if (status != TS_OK) return status;
+	w->lines = lines;
+	ts_paper_line *line = &w->lines[w->n_lines];
+	*line = (ts_paper_line){ .objects = 0 };
+	if (objects != NULL) {
+		status = ts_cli_count(&line->objects, objects, 1, TS_BENCH_OBJECTS, "--objects");
+		if (status == TS_OK) status = ts_params_set(&params, w->table->objects_param, objects);
 	}
-	return NULL;
+	if (status == TS_OK) status = measure_line(line, w, spec, &params);
+	w->n_lines += status == TS_OK;
+	return status;
+}
+
+static ts_status add_scene(work *w, const char *spec)
+{
+	const char *list = w->cli->objects != NULL ? w->cli->objects : w->table->objects;
+	char item[32];
+	ts_status status = TS_OK;
+	if (w->table->objects_head == NULL) return add_line(w, spec, NULL);
+	while (status == TS_OK && ts_cli_item(&list, item, sizeof item)) status = add_line(w, spec, item);
+	return status;
+}
+
+/* Models that are not there are left out, and a line says so. */
+static ts_status add_models(work *w, ts_report *report)
+{
+	const char *folder = getenv("TS_SCENES") != NULL ? getenv("TS_SCENES") : "../shared/scenes";
+	const char *list = w->cli->scenes == NULL ? w->table->models : NULL;
+	char item[64], path[SPEC_BYTES];
+	ts_status status = TS_OK;
+	while (status == TS_OK && ts_cli_item(&list, item, sizeof item)) {
+		snprintf(path, sizeof path, "%s/%s", folder, item);
+		if (access(path, R_OK) == 0) {
+			status = add_scene(w, path);
+		} else {
+			ts_report_line(report, "%s: not in TS_SCENES; left out", item);
+		}
+	}
+	return status;
+}
+
+/* Everything that is typed is read once before hours of work. */
+static ts_status check_lists(const work *w, const char *scenes)
+{
+	const char *objects = w->cli->objects;
+	char item[32], spec[SPEC_BYTES];
+	u32 count;
+	ts_status status = TS_OK;
+	while (status == TS_OK && ts_cli_item(&objects, item, sizeof item)) {
+		status = ts_cli_count(&count, item, 1, TS_BENCH_OBJECTS, "--objects");
+	}
+	while (status == TS_OK && w->cli->scenes != NULL && ts_cli_item(&scenes, spec, sizeof spec)) {
+		ts_scene *scene = NULL;
+		ts_params params = w->cli->params;
+		params.reflectors = 1;
+		status = ts_scene_open(&scene, spec, &params, &w->cli->scene);
+		ts_scene_free(scene);
+	}
+	return status;
+}
+
+static ts_status measure_lines(work *w, ts_report *report)
+{
+	const char *list = w->cli->scenes != NULL ? w->cli->scenes : w->table->scenes;
+	char spec[SPEC_BYTES];
+	ts_status status = check_lists(w, list);
+	while (status == TS_OK && ts_cli_item(&list, spec, sizeof spec)) status = add_scene(w, spec);
+	return status == TS_OK ? add_models(w, report) : status;
+}
+
+static const ts_column variant_columns[] = { { "method", "method", false }, { "set", "set for it", false }, { 0 } };
+
+static void report_variants(ts_report *report, const ts_paper_table *table)
+{
+	ts_table t = ts_table_begin("variants", table->title, variant_columns);
+	for (const ts_bench_variant *v = table->variants; v->method != NULL; v++) {
+		ts_table_text(&t, v->method);
+		ts_table_text(&t, v->set);
+	}
+	if (table->set[0] != 0) ts_report_line(report, "set: %s", table->set);
+	if (table->defaults[0] != 0) ts_report_line(report, "set unless --set says otherwise: %s", table->defaults);
+	if (table->note != NULL) ts_report_line(report, "%s", table->note);
+	ts_report_table(report, &t);
+}
+
+static ts_status work_on(const ts_cli *cli, ts_report *report, const void *user)
+{
+	const ts_paper_table *table = user;
+	work w = { .cli = cli, .table = table };
+	ts_status status = table->judged ? ts_bench_truth(&w.truths, cli) : TS_OK;
+	ts_bench_head(report, cli);
+	report_variants(report, table);
+	if (status == TS_OK) status = measure_lines(&w, report);
+	if (status == TS_OK) ts_paper_report(report, table, w.lines, (u32)w.n_lines);
+	free(w.lines);
+	return status;
+}
+
+ts_status ts_paper_bench(const ts_cli *cli, const ts_paper_table *table)
+{
+	ts_cli own = *cli;
+	ts_status status = ts_bench_set_defaults(&own.params, table->defaults);
+	if (status == TS_OK) status = ts_bench_set(&own.params, table->set);
+	bool sized = table->size == NULL || ts_cli_given(cli, TS_OPT_SIZE);
+	if (status == TS_OK && !sized) status = ts_bench_set(&own.params, table->size);
+	return status == TS_OK ? ts_bench_with_report(&own, work_on, table) : status;
 }

@@ -1,23 +1,83 @@
-/* What the EPR paper's tables 1 and 2 print. */
+/* A table of a paper as data: whom to run on what, which figures to show, what the paper has there, and what must hold. */
 #ifndef TS_CLI_BENCH_PAPER_H
 #define TS_CLI_BENCH_PAPER_H
-#include "../kernels/compat.h"
+#include "bench_figure.h"
 
+/* Lists of figures end with this one. */
+enum { TS_NO_FIGURE = 255, TS_PAPER_PARTS = 6 };
+
+/* A row as the paper prints it. */
 typedef struct {
 	const char *name;           /* of the paper's scene */
 	const char *builtin;        /* our scene of its kind */
 	const char *file;           /* what the name of a file of it begins with */
 	u32 objects;
-	double diameter, epr_ops, mvr_ops, ratio;   /* table 1: pixels, operations */
-	double triangles;           /* from here on table 2 */
-	double speedup;             /* over MVR */
-	double rmse_difference;     /* EPR less MVR, percent of 255 */
-	double point_ms, view_ms, deferred_ms, deferred2_ms, total_ms, mvr_ms;
-	double points;
+	double figures[TS_BENCH_FIGURES]; /* 0: not printed, or derived here */
 } ts_paper_row;
 
-/* The row of a scene (a built-in's name, with or without ":...", or a path) and a number of mirrors; NULL if the paper
- * has none. */
-const ts_paper_row *ts_paper_find(const char *scene, u32 objects);
+/* Some of the figures, beside each other. */
+typedef struct {
+	const char *key, *title;
+	u8 figures[TS_MAX_COLUMNS - 2];
+} ts_paper_part;
+
+typedef enum { TS_AT_MOST, TS_AT_LEAST, TS_BETWEEN, TS_RISES_WITH } ts_relation_kind;
+
+/* What a figure must be, in rows whose figure `given` is at least `least` and at most `most`; TS_RISES_WITH is over all rows
+ * at once, in nine pairs out of ten. */
+typedef struct {
+	const char *text;
+	u32 figure;
+	ts_relation_kind kind;
+	double low, high;           /* bounds; TS_RISES_WITH: low is the other figure */
+	u32 given;                  /* TS_NO_FIGURE: all rows */
+	double least, most;
+	const char *because;        /* said with figure `cause` where it does not hold */
+	u32 cause;
+} ts_paper_relation;
+
+typedef struct {
+	const char *name, *title;
+	const char *effect;
+	const char *scenes;         /* unless --scene says otherwise */
+	const char *models;         /* files of the folder TS_SCENES, as far as there are any; or NULL */
+	const char *objects_head;   /* "mirrors", "lights"; NULL: a row a scene */
+	const char *objects_param;
+	const char *objects;        /* unless --objects says otherwise */
+	const char *set;            /* for all rows */
+	const char *defaults;       /* for all rows, of parameters that have their defaults */
+	const char *size;           /* unless --size says otherwise; NULL: 1920 x 1080 */
+	const char *note;           /* a line above the table, or NULL */
+	bool timed;                 /* --runs; else one run, of counts */
+	bool judged;                /* by --truth, C without it */
+	bool by_triangles;          /* the paper's row is the one nearest in triangles, figure 0 */
+	const ts_bench_variant *variants;
+	const ts_bench_figure *figures;
+	const ts_paper_part *parts;         /* ended by one without a key */
+	const ts_paper_relation *relations; /* ended by one without a text; or NULL */
+	const ts_paper_row *rows;           /* ended by one without a name */
+} ts_paper_table;
+
+/* As the iVIR paper has it. */
+#define TS_IVIR_DEFAULTS "rate=paper,snap=off"
+#define TS_OMNI_NOTE "Depth maps of 256 x 256 instead of the paper's 1024 x 1024, for VIR's points."
+
+extern const ts_paper_table ts_ivir_1, ts_ivir_2, ts_ivir_3, ts_epr_1, ts_epr_2, ts_epr_3;
+
+/* A row of ours, and the paper's beside it. */
+typedef struct {
+	char scene[96];
+	u32 objects;
+	double here[TS_BENCH_FIGURES];
+	const ts_paper_row *row;    /* NULL: none */
+	double paper[TS_BENCH_FIGURES];
+} ts_paper_line;
+
+/* The paper's line for ours, if it has one. */
+void ts_paper_compare(ts_paper_line *line, const ts_paper_table *table, const char *spec);
+/* The parts and the relations. */
+void ts_paper_report(ts_report *report, const ts_paper_table *table, const ts_paper_line *lines, u32 n);
+/* Measures and prints it all. */
+ts_status ts_paper_bench(const ts_cli *cli, const ts_paper_table *table);
 
 #endif

@@ -31,14 +31,19 @@ const ts_command ts_command_table[] = {
 	{ "list", "WHAT", "tables: stages, buffers, params, methods, scenes or backends", "",
 	  1, 1, TS_OPT_JSON, ts_list_command },
 	{ "bench", "TABLE", "the papers' tables, measured here; and what the backends take",
-	  "TABLE: epr-1 (shading operations) or epr-2 (times, points and errors) of the EPR paper; its figures stand below\n"
-	  "ours. Their GPU's times are not ours: compare ratios. Errors are against truth C unless --truth says otherwise.\n"
+	  "TABLE: of the iVIR paper ivir-1 (soft shadows), ivir-2 (reflections), ivir-3 (omnidirectional shadows); of the EPR\n"
+	  "paper epr-1 (shading operations), epr-2 (times, points and errors), epr-3 (omnidirectional shadows). The paper's\n"
+	  "figures stand below ours, and behind them what must hold, and whether it does. Their GPU's times are not ours:\n"
+	  "compare ratios. Errors of epr-2 are against truth C unless --truth says otherwise. Models of ivir-1 are read from the\n"
+	  "folder TS_SCENES (../shared/scenes). epr-6: speed against accuracy, as density, sampling and faces vary, of one\n"
+	  "scene (atrium) with one number of mirrors (10). With -o DIR the report, each table as CSV, and the plot of epr-6, as\n"
+	  "SVG, are written to DIR.\n"
 	  "Or backends: each stage in C, with 1 and with --threads threads, and on every OpenCL device, or the one of\n"
 	  "--backend or --device, which takes the cores it likes; one frame by one --method (epr), of one scene (atrium) with\n"
 	  "one number of mirrors (10); what bounds scattering; and how long the kernels take to build, in a process of its\n"
 	  "own, with an empty cache too where it is PoCL's. Or start: the seconds from opening --backend to its first frames.",
 	  1, 1, TS_OPT_METHOD | TS_OPT_SCENE | TS_OPT_OBJECTS | TS_OPT_RUNS | TS_OPT_TRUTH | TS_OPT_SIZE | TS_OPT_FRAME |
-	  TS_OPT_SET | HOW | TS_OPT_JSON, ts_bench_command },
+	  TS_OPT_SET | HOW | TS_OPT_OUTPUT | TS_OPT_FORCE | TS_OPT_JSON, ts_bench_command },
 	{ "compare", "REFERENCE CANDIDATE", "two traces, buffers or images: where they first differ, and how much",
 	  "REFERENCE: a folder that render --trace wrote, or one of its .npy files, or an image.\n"
 	  "CANDIDATE: the same of a port (reference/TRACES.md says what it must have at least).\n"

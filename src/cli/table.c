@@ -6,7 +6,7 @@
 #include "../scene/print.h"
 #include "table.h"
 
-enum { LINE_WIDTH = 120, NARROW = 20, GAP = 2 };
+enum { LINE_WIDTH = 120, NARROW = 20, NARROW_FIGURE = 10, GAP = 2 };
 
 ts_table ts_table_begin(const char *key, const char *title, const ts_column *columns)
 {
@@ -84,15 +84,24 @@ static const char *next_line(const char *text, size_t width)
 	return text + strspn(text, " ");
 }
 
-/* Bytes of the longest line, head included, of a column that is at most `most` wide where words allow. */
+/* Bytes of the longest line of a text that is at most `most` wide where words allow. */
+static size_t text_width(const char *text, size_t most)
+{
+	size_t widest = 0;
+	for (; *text != 0; text = next_line(text, most)) {
+		size_t bytes = line_bytes(text, most);
+		widest = bytes > widest ? bytes : widest;
+	}
+	return widest;
+}
+
+/* The same of a column, head included. */
 static size_t column_width(const ts_table *table, u32 column, size_t most)
 {
-	size_t widest = strlen(table->columns[column].head);
+	size_t widest = text_width(table->columns[column].head, most);
 	for (size_t i = column; i < table->n_cells; i += table->n_columns) {
-		for (const char *rest = table->cells[i].text; *rest != 0; rest = next_line(rest, most)) {
-			size_t bytes = line_bytes(rest, most);
-			widest = bytes > widest ? bytes : widest;
-		}
+		size_t bytes = text_width(table->cells[i].text, most);
+		widest = bytes > widest ? bytes : widest;
 	}
 	return widest;
 }
@@ -109,9 +118,10 @@ static void choose_widths(const ts_table *table, size_t *width)
 	if (before + width[last] <= LINE_WIDTH) return;
 	before = 0;
 	for (u32 c = 0; c < last; c++) {
-		if (!table->columns[c].right) width[c] = column_width(table, c, NARROW);
+		width[c] = column_width(table, c, table->columns[c].right ? NARROW_FIGURE : NARROW);
 		before += width[c] + GAP;
 	}
+	if (table->columns[last].right) width[last] = column_width(table, last, NARROW_FIGURE);
 	if (!table->columns[last].right) width[last] = before + NARROW < LINE_WIDTH ? LINE_WIDTH - before : NARROW;
 }
 

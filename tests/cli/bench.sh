@@ -5,7 +5,6 @@ small=(--scene atrium:triangles=10000 --objects 1,2 --size 96x54 --set reflector
 
 prints '^96 x 54 pixels' bench epr-1 "${small[@]}"
 prints '^Sponza .*paper .*1,510,000' bench epr-1 "${small[@]}"
-prints '^Sponza .*paper .*603,000' bench epr-2 "${small[@]}" --runs 1 --truth=A
 run bench epr-1 "${small[@]}" --threads 2 --json
 python3 - "$scratch/stdout" <<'PY'
 import json, sys
@@ -18,17 +17,96 @@ for r in rows:
 	assert abs(r["ratio"] - r["mvr_ops"] / r["epr_ops"]) < 1e-6
 PY
 verdict $? 'the ratio is that of the operations, and it says how it was run'
-run bench epr-2 "${small[@]}" --runs 2 --truth=none --json
-python3 - "$scratch/stdout" <<'PY'
-import json, sys
-rows = [r for r in json.load(open(sys.argv[1]))["epr_2"] if r["source"] == "here"]
-assert [r["mirrors"] for r in rows] == [1, 2]
-for r in rows:
-	parts = r["point_ms"] + r["view_ms"] + r["deferred_ms"]
-	assert r["triangles"] >= 10000 and r["points"] > 0 and r["rmse_difference"] is None
-	assert parts > 0 and r["total_ms"] > 0
+run bench epr-2 "${small[@]}" --runs 2 --truth=A -o "$scratch/epr-2"
+[ "$status" -eq 0 ] && grep -q '^Sponza .*paper .*603,000' "$scratch/stdout" &&
+	awk 'length > 120 || / $/ { exit 1 }' "$scratch/stdout"
+verdict $? 'bench epr-2 fits 120 columns and has the paper'
+python3 - "$scratch/epr-2" <<'PY'
+import csv, json, os, sys
+report = json.load(open(sys.argv[1] + "/report.json"))
+assert sorted(report["files"] + ["report.json"]) == sorted(os.listdir(sys.argv[1]))
+parts = {name: [r for r in report[name] if r["source"] == "here"] for name in report if name.startswith("epr_2")}
+assert [r["mirrors"] for r in parts["epr_2"]] == [1, 2]
+for points, ms, ivir, rmse in zip(*parts.values()):
+	assert points["triangles"] >= 10000 and points["points"] > 0
+	assert abs(points["points_ratio"] - points["ivir_points"] / points["points"]) < 1e-6
+	assert min(ms["point_ms"], ms["view_ms"], ms["deferred_ms"], ms["deferred2_ms"], ms["mvr_ms"]) > 0
+	assert abs(rmse["rmse_difference"] - (rmse["epr_rmse"] - rmse["mvr_rmse"]) / 2.55) < 1e-6
+for name in parts:
+	lines = list(csv.DictReader(open(f"{sys.argv[1]}/{name}.csv")))
+	assert len(lines) == len(report[name])
+	for line, row in zip(lines, report[name]):
+		assert list(line) == list(row)
+		for k, v in row.items():
+			assert line[k] == ("" if v is None else str(v)) or abs(float(line[k]) - v) <= 1e-8 * abs(v)
 PY
-verdict $? 'bench --json has a row for each number of mirrors'
+verdict $? 'bench -o writes the report, and each table as CSV with its rows'
+
+# What the iVIR paper claims of points holds in every scene. Passes: 17 views in passes of 8 are three.
+views=(--set views=17 --set pass=8 --set map_px=64 --set light_samples=2 --set face_max=64 --size 64x36 --runs 1)
+run bench ivir-1 "${views[@]}" --scene atrium:triangles=10000,gallery:triangles=10000 -o "$scratch/ivir-1"
+[ "$status" -eq 0 ] && awk 'length > 120 || / $/ { exit 1 }' "$scratch/stdout" &&
+	grep -q "^iVIR points / VIR's .* at most 1 .* holds" "$scratch/stdout"
+verdict $? 'bench ivir-1 fits 120 columns and judges'
+python3 - "$scratch/ivir-1/report.json" <<'PY'
+import json, sys
+report = json.load(open(sys.argv[1]))
+here = {name: [r for r in rows if r["source"] == "here"] for name, rows in report.items() if name.startswith("ivir_1")}
+assert report["params"]["reflectors"] == 0 and report["params"]["rate"] == "paper"
+assert len(here["ivir_1_points"]) == 2
+for points, work in zip(here["ivir_1_points"], here["ivir_1_work"]):
+	assert 0 < points["points_culled"] <= points["points"] <= points["vir_points"]
+	assert points["points_culled"] <= points["vir_points_culled"] <= points["vir_points"]
+	assert points["points_a_triangle"] >= 1
+	assert work["traversed"] == 3 * points["triangles"] and work["mvr_traversed"] == 17 * points["triangles"]
+	assert points["points"] <= work["scatters"] <= 17 * points["points"] and work["scatters_culled"] <= work["scatters"]
+for row in here["ivir_1_rmse"]:
+	assert all(row[k] > 0 for k in ("rmse_paper", "rmse_watertight", "rmse_vir"))
+verdicts = [r["verdict"] for r in report["relations"]]
+assert verdicts and all(v == "holds" or v.startswith("differs: ") for v in verdicts)
+PY
+verdict $? 'bench ivir-1: points, passes over the geometry and scatters are those of SPEC 1.10'
+
+run bench ivir-2 "${views[@]}" --scene dining:triangles=10000 --objects 2 --set reflector_px=12 --json
+cp "$scratch/stdout" "$scratch/mirrors"
+run bench ivir-3 "${views[@]}" --scene dining:triangles=10000 --objects 1,2 --json
+python3 - "$scratch/mirrors" "$scratch/stdout" <<'PY'
+import json, sys
+mirrors, lights = (json.load(open(path)) for path in sys.argv[1:])
+rows = mirrors["ivir_2_points"] + [r for r in lights["ivir_3_points"] if r["source"] == "here"]
+assert [r.get("mirrors", r.get("lights")) for r in rows] == [2, 1, 2]
+for r in rows:
+	assert 0 < r["points"] <= r["vir_points"]
+	assert abs(r["saved_percent"] - 100 * (1 - r["points"] / r["vir_points"])) < 1e-6
+assert rows[0]["saved_percent"] >= 90
+paper = [r for r in lights["ivir_3_points"] if r["source"] == "paper"]
+assert [r["vir_points"] for r in paper] == [14310000] and round(paper[0]["saved_percent"], 1) == 23.5
+PY
+verdict $? 'bench ivir-2 and ivir-3: points saved, here and in the paper'
+
+prints '^Breakfast .* paper  *8,590,000 ' bench epr-3 "${views[@]}" --scene dining:triangles=10000 --objects 1
+
+# A plot has a curve of each kind and labels for all points.
+plot=(--scene atrium:triangles=10000 --objects 1 --size 48x28 --set reflector_px=16 --runs 1 --truth=A)
+run bench epr-6 "${plot[@]}" -o "$scratch/epr-6"
+python3 - "$scratch/epr-6" <<'PY'
+import csv, sys, xml.etree.ElementTree as xml
+rows = list(csv.DictReader(open(sys.argv[1] + "/epr_6.csv")))
+svg = xml.parse(sys.argv[1] + "/epr_6.svg").getroot()
+tag = "{http://www.w3.org/2000/svg}"
+texts = [t.text for t in svg.iter(tag + "text")]
+assert len(list(svg.iter(tag + "circle"))) == len(rows) == 14
+assert {r["curve"] for r in rows} <= set(texts) and len(list(svg.iter(tag + "polyline"))) == len({r["curve"] for r in rows})
+assert "whole frame, ms" in texts and "RMSE to truth A, grey levels" in texts
+epr = [int(r["points"]) for r in rows if r["points"]]
+assert len(epr) == 8 and epr[:4] == epr[4:] and min(epr) > 0
+assert all(float(r["ms"]) > 0 and float(r["rmse"]) > 0 for r in rows)
+for c in svg.iter(tag + "circle"):
+	assert 70 <= float(c.get("cx")) <= 770 and 50 <= float(c.get("cy")) <= 500
+PY
+verdict $? 'bench epr-6: CSV, and a plot of all its points'
+refuses 'needs a truth' bench epr-6 --truth=none
+refuses 'one scene' bench epr-6 --scene atrium,gallery
 
 frame=(--scene atrium:triangles=10000 --objects 2 "${small[@]:4}")
 prints '^c  *[0-9.]*  *[0-9.]*  *[0-9.]*$' bench start "${frame[@]}" --runs 2

@@ -38,7 +38,9 @@ refuses 'no such scene' render reflections atrum --no-images
 refuses 'No such file' info /nonexistent/scene.glb
 refuses 'directory' info .
 refuses 'nearest is buffers' list buffer
-refuses 'epr-1, epr-2, backends and start' bench epr-3
+refuses 'the nearest is epr-' bench epr-4
+refuses 'takes no --objects' bench ivir-1 --objects 1
+refuses 'takes no --output' bench start -o out
 refuses 'takes no --method' bench epr-1 --method epr
 refuses 'takes no --truth' bench backends --truth=C
 refuses 'takes one scene' bench backends --scene atrium,gallery

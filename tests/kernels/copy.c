@@ -6,7 +6,8 @@ enum { N_CUBES = 3, N_TEXELS = 6 * (16 * 16 + 7 * 7 + 4 * 4), BEFORE = 6 * 5 * 5
 
 /* Cube 0 is no part of the batch. */
 static const ts_face cubes[1 + N_CUBES] = {
-	{ .n = 5 }, { .n = 16, .offset = BEFORE }, { .n = 7, .offset = BEFORE + 6 * 256 }, { .n = 4, .offset = BEFORE + 6 * 305 },
+	{ .n = 5 }, { .n = 16, .offset = BEFORE }, { .n = 7, .offset = BEFORE + 6 * 256 },
+	{ .n = 4, .offset = BEFORE + 6 * 305 },
 };
 
 /* Texels of a cube's chain, level by level. */
@@ -21,7 +22,9 @@ static void test_copy(void **state)
 	for (u32 i = 0; i < 30; i++) {
 		ts_copy_args args = { .to = { .cubes = cubes, .mip = mip, .first_cube = 1, .n_cubes = N_CUBES },
 		                      .colours = colours, .exposure = exposures[i % 3] };
-		for (u32 k = 0; k < BEFORE + N_TEXELS; k++) colours[k] = below(4) == 0 ? TS_NONE : below(8191) << 19 | below(1u << 19);
+		for (u32 k = 0; k < BEFORE + N_TEXELS; k++) {
+			colours[k] = below(4) == 0 ? TS_NONE : below(8191) << 19 | below(1u << 19);
+		}
 		for (u32 k = 0; k < sizeof mip / sizeof *mip; k++) mip[k] = -1;
 		for (u32 k = 0; k < N_TEXELS; k++) ts_k_copy_item(&args, k);
 		const f32 *out = mip;

@@ -304,12 +304,56 @@ static void test_nothing_missed(void **state)
 	assert_int_equal(n_missed[1], 0);
 }
 
+/* An orthographic view: the projection is a multiple of the place on its axes, whatever the depth; out of sight is what its
+ * box does not reach; and a fragment shows what the ray through its pixel meets. */
+static void test_orthographic(void **state)
+{
+	(void)state;
+	const ts_camera_k view = { .right = { 1, 0, 0 }, .up = { 0, 1, 0 }, .back = { 0, 0, 1 }, .focal = 8, .near = 0.5f,
+	                           .width = 64, .height = 32, .orthographic = 1 };
+	u32 n_seen = 0, n_outside = 0;
+	for (u32 i = 0; i < 3000; i++) {
+		ts_v3 v[3];
+		for (u32 k = 0; k < 3; k++) v[k] = ts_v3_make(uniform(-9, 9), uniform(-9, 9), uniform(-8, 1));
+		ts_polygon p = ts_k_polygon(&view, v[0], v[1], v[2]);
+		double low[3] = { INFINITY, INFINITY, INFINITY }, high[3] = { -INFINITY, -INFINITY, -INFINITY };
+		for (u32 k = 0; k < 3; k++) {
+			const double at[3] = { 32 + 8 * (double)v[k].x, 16 - 8 * (double)v[k].y, -(double)v[k].z };
+			ts_v2 q = ts_k_project(&view, &p.corner[k]);
+			assert_true(fabs((double)q.x - at[0]) <= 1e-5 && fabs((double)q.y - at[1]) <= 1e-5);
+			for (u32 a = 0; a < 3; a++) low[a] = fmin(low[a], at[a]), high[a] = fmax(high[a], at[a]);
+		}
+		bool outside = high[0] < 0 || high[1] < 0 || low[0] > 64 || low[1] > 32 || high[2] < 0.5;
+		assert_true(ts_k_is_outside(&view, &p) == outside);
+		n_outside += outside;
+		if (outside || low[2] < 0.5) continue;
+		ts_snapped s[3];
+		for (u32 k = 0; k < 3; k++) s[k] = ts_k_snap(ts_k_project(&view, &p.corner[k]));
+		ts_setup setup = ts_k_setup(s[0], s[1], s[2]);
+		if (setup.area < 1 << 18) continue;
+		for (i32 k = 0; k < 64 * 32; k += 7) {
+			ts_edges e = ts_k_edges(&setup, centre(k % 64), centre(k / 64));
+			if (!ts_k_covers(&setup, &e)) continue;
+			ts_fragment f = ts_k_fragment_parallel(&setup, &e, &p.corner[0], &p.corner[1], &p.corner[2]);
+			double3 n = d3_cross(d3_sub(d3_of(v[1]), d3_of(v[0])), d3_sub(d3_of(v[2]), d3_of(v[0])));
+			double x = (k % 64 + 0.5 - 32) / 8, y = (16 - k / 64 - 0.5) / 8;
+			double z = (n.x * (x - (double)v[0].x) + n.y * (y - (double)v[0].y)) / n.z - (double)v[0].z;
+			double slope = 1 + hypot(n.x, n.y) / fabs(n.z);
+			double3 at = d3_blend(f.w, d3_of(v[0]), d3_of(v[1]), d3_of(v[2]));
+			assert_true(fabs((double)f.z - z) <= 2e-3 * slope);
+			assert_true(fabs(at.x - x) <= 2e-3 && fabs(at.y - y) <= 2e-3 && fabs(at.z + (double)f.z) <= 1e-5);
+			n_seen++;
+		}
+	}
+	assert_true(n_seen > 10000 && n_outside > 100);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		seeded_test(test_all_triangles),   seeded_test(test_all_pairs),   seeded_test(test_setup),
 		seeded_test(test_snap),            seeded_test(test_touched_box), seeded_test(test_count),
-		seeded_test(test_count_of_others), seeded_test(test_nothing_missed),
+		seeded_test(test_count_of_others), seeded_test(test_nothing_missed), seeded_test(test_orthographic),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

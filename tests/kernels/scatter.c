@@ -2,7 +2,8 @@
  * colour against their formulas (SPEC 1.6). */
 #include "views.h"
 
-enum { N_VIEWS = 70, N_TEXELS = 64 * 64, STRIDE = 1000003 }; /* a prime, more than there are points */
+enum { N_VIEWS = 70, N_TEXELS = 64 * 64 };
+enum { STRIDE = 1000003 }; /* a prime, more than there are points */
 
 /* Points and what they land in. */
 
@@ -104,7 +105,8 @@ static void random_mesh(mesh *m, ts_offscreen *views, i64 *n_capped)
 		}
 	}
 	mesh_split(m, views_density(m, views, N_VIEWS, TS_RATE_IS_PAPER, n_capped));
-	for (u32 i = 0; i < m->n_pieces; i++) m->scale[i] = ts_min(m->scale[i] * 0.25f, 12); /* enough for many to meet, and quick */
+	/* Enough for many to meet, and quick. */
+	for (u32 i = 0; i < m->n_pieces; i++) m->scale[i] = ts_min(m->scale[i] * 0.25f, 12);
 }
 
 static void clear(u32 *to) { memset(to, 0xff, sizeof texels[0]); }

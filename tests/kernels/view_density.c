@@ -89,8 +89,8 @@ static d3_polygon in_frustum(const ts_offscreen *view, const ts_v3 corner[3])
 	return r;
 }
 
-/* `exact`: at the least depth in the frustum; `paper`: at the point closest to the view, if that is in the image; `vir`:
- * f / (d cos^2), which is never less. */
+/* `exact`: at the least depth in the frustum; `paper`: at the point closest to the view, if that is beside the
+ * image as in its corner; `vir`: f / (d cos^2), which is never less. */
 static void test_rates(void **state)
 {
 	(void)state;
@@ -107,14 +107,15 @@ static void test_rates(void **state)
 		double h = fabs(d3_dot(n, d3_sub(eye, d3_of(corner[0])))), d = d3_length(d3_sub(eye, q));
 		d3_polygon seen = in_frustum(&view, corner);
 		double corner_of = 1 + 2 * (double)view.reach[0] * view.reach[0];
-		double least = INFINITY, z = fmax(view_place(&view, q).z, fmax(d / sqrt(corner_of), view.near));
+		double farthest = d / sqrt(corner_of), at = view_place(&view, q).z;
+		double least = INFINITY, z = fmax(fmax(at, farthest), view.near);
 		for (int k = 0; k < seen.n; k++) least = fmin(least, fmax(view_place(&view, seen.p[k]).z, view.near));
 		if (h < 0.02 * d || h < 0.01 * (double)view.near || seen.n == 0) continue;
 		double paper = need(&m, &view, 1, TS_RATE_IS_PAPER).s, exact = need(&m, &view, 1, TS_RATE_IS_EXACT).s;
 		double vir = need(&m, &view, 1, TS_RATE_IS_VIR).s;
 		n_clipped += seen.n > 3;
 		n_denser += exact > paper * 1.01;
-		n_beside += view_place(&view, q).z < 0.99 * d / sqrt(corner_of);
+		n_beside += at < farthest;
 		assert_true(fabs(paper / (view.focal * sqrt(h / (z * z * z))) - 1) <= 2e-3);
 		assert_true(fabs(exact / (view.focal * sqrt(h / (least * least * least))) - 1) <= 5e-3);
 		assert_true(paper <= vir * 1.00001);

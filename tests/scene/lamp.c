@@ -14,9 +14,12 @@ static int set_up(void **state)
 {
 	ts_params_default(&params);
 	params.map_px = 256;
-	infos[0] = (ts_info){ .box_min = { -3, -1, 10 }, .box_max = { 5, 5, 40 }, .hall_min = { -2, 12 }, .hall_max = { 4, 36 } };
-	infos[1] = (ts_info){ .box_min = { -50, 0, -9 }, .box_max = { 50, 8, 9 }, .hall_min = { -40, -8 }, .hall_max = { 40, 8 } };
-	infos[2] = (ts_info){ .box_min = { -1, -2, -3 }, .box_max = { 2, 1, 4 }, .hall_min = { -1, -3 }, .hall_max = { 2, 4 } };
+	infos[0] = (ts_info){ .box_min = { -3, -1, 10 }, .box_max = { 5, 5, 40 },
+	                      .hall_min = { -2, 12 }, .hall_max = { 4, 36 } };
+	infos[1] = (ts_info){ .box_min = { -50, 0, -9 }, .box_max = { 50, 8, 9 },
+	                      .hall_min = { -40, -8 }, .hall_max = { 40, 8 } };
+	infos[2] = (ts_info){ .box_min = { -1, -2, -3 }, .box_max = { 2, 1, 4 },
+	                      .hall_min = { -1, -3 }, .hall_max = { 2, 4 } };
 	return restart(state);
 }
 
@@ -150,7 +153,8 @@ static void test_spot(void **state)
 		ts_light lamp;
 		ts_lamp_spot(&lamp, info, &params);
 		double cosine = -(double)lamp.spot_offset / lamp.spot_scale, tangent = sqrt(1 - cosine * cosine) / cosine;
-		double distance = sqrt(lamp.intensity[0] / (double)params.light_irradiance), radius = ts_lamp_radius(&lamp, info, &params);
+		double distance = sqrt(lamp.intensity[0] / (double)params.light_irradiance);
+		double radius = ts_lamp_radius(&lamp, info, &params);
 		assert_near(radius, params.lamp_radius * d3_length(d3_of(ts_view_hall(info).half)), 1e-5 * (1 + radius));
 		double3 target = d3_mad(load(lamp.position), load(lamp.direction), distance);
 		assert_true(lamp.direction[1] < 0 && target.y >= info->box_min[1] && target.y <= info->box_max[1]);

@@ -1,0 +1,106 @@
+/* One scene with one number of mirrors or lights, by several methods that take turns: whatever else the machine does meets
+ * all alike. */
+#include <touchstone/image.h>
+#include "bench_case.h"
+
+/* Whose image is taken. */
+typedef struct {
+	ts_bench_case *c;
+	u32 variant;
+} seen;
+
+static bool has_default(const ts_params *params, const char *name)
+{
+	char here[64], there[64];
+	size_t n, row = 0;
+	ts_params defaults;
+	const ts_param_info *table = ts_param_table(&n);
+	while (row + 1 < n && strcmp(table[row].name, name) != 0) row++;
+	ts_params_default(&defaults);
+	ts_params_format(params, row, here, sizeof here);
+	ts_params_format(&defaults, row, there, sizeof there);
+	return strcmp(here, there) == 0;
+}
+
+static ts_status set(ts_params *params, const char *list, bool defaults)
+{
+	char item[64];
+	ts_status status = TS_OK;
+	if (list[0] == 0) list = NULL;
+	while (status == TS_OK && ts_cli_item(&list, item, sizeof item)) {
+		char *value = strchr(item, '=');
+		*value = 0;
+		if (!defaults || has_default(params, item)) status = ts_params_set(params, item, value + 1);
+	}
+	return status;
+}
+
+ts_status ts_bench_set(ts_params *params, const char *list) { return set(params, list, false); }
+ts_status ts_bench_set_defaults(ts_params *params, const char *list) { return set(params, list, true); }
+
+ts_status ts_bench_case_params(ts_params *params, const ts_bench_case *c, u32 variant)
+{
+	*params = c->params;
+	return ts_bench_set(params, c->variants[variant].set);
+}
+
+ts_status ts_bench_case_open(ts_bench_case *c, const char *spec, const ts_params *params)
+{
+	c->spec = spec;
+	c->params = *params;
+	ts_status status = ts_scene_open(&c->scene, spec, &c->params, &c->cli->scene);
+	for (u32 v = 0; status == TS_OK && c->variants[v].method != NULL; v++) {
+		ts_params own;
+		u64 bytes;
+		c->n_variants++;
+		c->methods[v] = ts_pipeline_find(c->effect, c->variants[v].method);
+		if (c->methods[v] == NULL) continue;
+		status = ts_bench_case_params(&own, c, v);
+		if (status == TS_OK) status = ts_measure_estimate(&bytes, &c->methods[v], 1, c->truths, c->scene, &own);
+	}
+	return status;
+}
+
+/* Truths A and B start from what EPR left. */
+static ts_status take_image(ts_run *run, void *user)
+{
+	seen *s = user;
+	ts_bench_case *c = s->c;
+	u32 rays = c->truths & (TS_TRUTH_A | TS_TRUTH_B);
+	const char *method = c->methods[s->variant]->name;
+	ts_status status = ts_picture_take(&c->images[s->variant], method, run);
+	if (status == TS_OK && rays != 0 && c->truth.srgb == NULL && strcmp(method, "epr") == 0) {
+		status = ts_picture_truth(&c->truth, rays, run);
+	}
+	return status;
+}
+
+static ts_status run_variant(ts_bench_case *c, u32 v, bool first)
+{
+	ts_params params;
+	seen s = { c, v };
+	bool takes = first && c->variants[v].seen;
+	if (ts_bench_case_params(&params, c, v) != TS_OK) return TS_ERROR;
+	c->measures[v] = (ts_measure){ .pictures = NULL };
+	return ts_measure_run(&c->measures[v], c->methods[v], c->scene, &params, &c->cli->how, takes ? take_image : NULL, &s);
+}
+
+ts_status ts_bench_case_run(ts_bench_case *c, u32 run)
+{
+	ts_status status = TS_OK;
+	for (u32 v = 0; status == TS_OK && v < c->n_variants; v++) {
+		bool runs = c->methods[v] != NULL && (run == 0 || !c->variants[v].once);
+		if (runs) status = run_variant(c, v, run == 0);
+	}
+	if (status == TS_OK && run == 0 && (c->truths & TS_TRUTH_C) != 0) {
+		status = ts_picture_truth_c(&c->truth, c->scene, &c->params, c->cli->how.threads);
+	}
+	return status;
+}
+
+void ts_bench_case_close(ts_bench_case *c)
+{
+	for (u32 v = 0; v < c->n_variants; v++) ts_picture_free(&c->images[v]);
+	ts_picture_free(&c->truth);
+	ts_scene_free(c->scene);
+}

@@ -1,0 +1,43 @@
+/* One scene with one number of mirrors or lights, by several methods that take turns. */
+#ifndef TS_CLI_BENCH_CASE_H
+#define TS_CLI_BENCH_CASE_H
+#include "cli.h"
+#include "measure.h"
+
+enum { TS_BENCH_VARIANTS = 24 }; /* at most */
+
+/* A method with what is set for it, beside what was typed. */
+typedef struct {
+	const char *method;
+	const char *set;     /* "NAME=VALUE,..." */
+	bool seen;           /* its image is kept */
+	bool once;           /* it is not timed: one run */
+} ts_bench_variant;
+
+typedef struct {
+	const ts_cli *cli;
+	const char *effect;
+	const ts_bench_variant *variants;   /* ended by one without a method */
+	u32 n_variants;
+	u32 truths;                         /* TS_TRUTH_*, at most one */
+	const char *spec;                   /* of the scene */
+	ts_scene *scene;
+	ts_params params;
+	const ts_pipeline *methods[TS_BENCH_VARIANTS];    /* NULL: there is none */
+	ts_measure measures[TS_BENCH_VARIANTS];           /* of the last run */
+	ts_picture images[TS_BENCH_VARIANTS], truth;      /* of the first run */
+} ts_bench_case;
+
+/* Opens the scene, and refuses what would need too much memory. A case whose five first members are set and the others zero
+ * may be closed whether or not it was opened. */
+ts_status ts_bench_case_open(ts_bench_case *c, const char *spec, const ts_params *params);
+/* Run 0, 1, ... of every variant; run 0 also makes the truth. */
+ts_status ts_bench_case_run(ts_bench_case *c, u32 run);
+void ts_bench_case_close(ts_bench_case *c);
+/* The parameters of a variant. */
+ts_status ts_bench_case_params(ts_params *params, const ts_bench_case *c, u32 variant);
+/* Sets "NAME=VALUE,...": all, or those parameters that have their defaults. */
+ts_status ts_bench_set(ts_params *params, const char *set);
+ts_status ts_bench_set_defaults(ts_params *params, const char *set);
+
+#endif

@@ -1,0 +1,210 @@
+/* The EPR paper's tables. Some of its cells contradict others and are kept as printed: Gallery's ratio with one mirror would
+ * be 4.23 by its own operations; Breakfast's error of iVIR with 10 mirrors is 2.49 beside 0.31 with 20; iVIR's times with 20
+ * mirrors in Sponza give 3.44, not 2.72. */
+#include "bench_paper.h"
+
+/* Table 1. */
+enum { M_EPR, M_MVR, M_IVIR, M_EPR_TWICE };
+
+static const ts_bench_variant work_variants[] = {
+	[M_EPR] = { "epr", "", false, false },
+	[M_MVR] = { "mvr", "", false, false },
+	{ 0 }
+};
+
+enum { W_DIAMETER, W_EPR, W_MVR, W_RATIO };
+
+static const ts_bench_figure work_figures[] = {
+	[W_DIAMETER] = { "diameter", "avg res, px", TS_FIGURE_DIAMETER, M_EPR, 0, 1, "" },
+	[W_EPR] = { "epr_ops", "EPR ops", TS_FIGURE_COUNTER, M_EPR, 0, TS_WHOLE, "shading operations" },
+	[W_MVR] = { "mvr_ops", "MVR ops", TS_FIGURE_COUNTER, M_MVR, 0, TS_WHOLE, "shading operations" },
+	[W_RATIO] = { "ratio", "MVR / EPR", TS_FIGURE_RATIO, W_MVR, W_EPR, 2, "" },
+	{ 0 }
+};
+
+static const ts_paper_part work_parts[] = {
+	{ "epr_1", "EPR, table 1: shading operations, one bounce", { W_DIAMETER, W_EPR, W_MVR, W_RATIO, TS_NO_FIGURE } },
+	{ 0 }
+};
+
+#define WORK(scene, builtin, file, n, diameter, epr, mvr, ratio) \
+	{ scene, builtin, file, n, { [W_DIAMETER] = diameter, [W_EPR] = epr, [W_MVR] = mvr, [W_RATIO] = ratio } }
+
+static const ts_paper_row work_rows[] = {
+	WORK("Sponza", "atrium", "sponza", 1, 116.5, 44000, 1510000, 34.32),
+	WORK("Sponza", "atrium", "sponza", 10, 115.1, 146000, 15240000, 104.38),
+	WORK("Sponza", "atrium", "sponza", 20, 114.5, 335000, 30600000, 91.34),
+	WORK("Sponza", "atrium", "sponza", 50, 110.3, 812000, 76570000, 94.30),
+	WORK("Gallery", "gallery", "gallery", 1, 113.0, 265000, 1120000, 4.37),
+	WORK("Gallery", "gallery", "gallery", 10, 114.4, 558000, 13240000, 23.73),
+	WORK("Gallery", "gallery", "gallery", 20, 114.1, 820000, 27520000, 33.56),
+	WORK("Gallery", "gallery", "gallery", 50, 112.2, 1680000, 68540000, 40.80),
+	WORK("Breakfast", "dining", "breakfast", 1, 174.5, 199000, 1540000, 7.74),
+	WORK("Breakfast", "dining", "breakfast", 10, 182.9, 546000, 15300000, 28.02),
+	WORK("Breakfast", "dining", "breakfast", 20, 156.8, 743000, 30610000, 41.20),
+	WORK("Breakfast", "dining", "breakfast", 50, 106.7, 1090000, 78850000, 72.34),
+	{ 0 }
+};
+
+const ts_paper_table ts_epr_1 = {
+	.name = "epr-1", .title = "EPR, table 1: who runs", .effect = "reflections",
+	.scenes = "atrium,gallery,dining", .objects_head = "mirrors", .objects_param = "reflectors",
+	.objects = "1,10,20,50", .set = "", .defaults = "", .variants = work_variants, .figures = work_figures,
+	.parts = work_parts, .rows = work_rows,
+};
+
+/* Table 2. */
+static const ts_bench_variant variants[] = {
+	[M_EPR] = { "epr", "bounces=1", true, false },
+	[M_MVR] = { "mvr", "bounces=1", true, false },
+	[M_IVIR] = { "ivir", "bounces=1,buffered=on", true, false },
+	[M_EPR_TWICE] = { "epr", "bounces=2", false, false },
+	{ 0 }
+};
+
+enum { TRIANGLES, DIAMETER, SPEEDUP, DIFFERENCE, EPR_MS, POINT_MS, VIEW_MS, DEFERRED_MS, DEFERRED2_MS, MVR_MS, POINTS,
+	EPR_RMSE, MVR_RMSE, IVIR_RMSE, IVIR_MS, IVIR_POINT_MS, IVIR_VIEW_MS, IVIR_DEFERRED_MS, IVIR_POINTS, IVIR_SPEEDUP,
+	IVIR_DIFFERENCE, POINTS_RATIO };
+
+static const ts_bench_figure figures[] = {
+	[TRIANGLES] = { "triangles", "triangles", TS_FIGURE_TRIANGLES, 0, 0, TS_WHOLE, "" },
+	[DIAMETER] = { "diameter", "avg res, px", TS_FIGURE_DIAMETER, M_EPR, 0, 1, "" },
+	[SPEEDUP] = { "speedup", "MVR / EPR", TS_FIGURE_RATIO, MVR_MS, EPR_MS, 2, "" },
+	[DIFFERENCE] = { "rmse_difference", "less MVR's, %", TS_FIGURE_MORE, EPR_RMSE, MVR_RMSE, 3, "" },
+	[EPR_MS] = { "total_ms", "EPR", TS_FIGURE_TIME, M_EPR, 0, 2, "" },
+	[POINT_MS] = { "point_ms", "points", TS_FIGURE_POINT_TIME, M_EPR, 0, 2, "" },
+	[VIEW_MS] = { "view_ms", "views", TS_FIGURE_VIEW_TIME, M_EPR, 0, 2, "" },
+	[DEFERRED_MS] = { "deferred_ms", "deferred", TS_FIGURE_REST_TIME, M_EPR, 0, 2, "" },
+	[DEFERRED2_MS] = { "deferred2_ms", "2 bounces", TS_FIGURE_REST_TIME, M_EPR_TWICE, 0, 2, "" },
+	[MVR_MS] = { "mvr_ms", "MVR", TS_FIGURE_TIME, M_MVR, 0, 2, "" },
+	[POINTS] = { "points", "EPR points", TS_FIGURE_COUNTER, M_EPR, 0, TS_WHOLE, "points" },
+	[EPR_RMSE] = { "epr_rmse", "EPR RMSE", TS_FIGURE_RMSE, M_EPR, M_EPR, 3, "" },
+	[MVR_RMSE] = { "mvr_rmse", "MVR RMSE", TS_FIGURE_RMSE, M_MVR, M_MVR, 3, "" },
+	[IVIR_RMSE] = { "ivir_rmse", "iVIR RMSE", TS_FIGURE_RMSE, M_IVIR, M_IVIR, 3, "" },
+	[IVIR_MS] = { "ivir_ms", "iVIR", TS_FIGURE_TIME, M_IVIR, 0, 2, "" },
+	[IVIR_POINT_MS] = { "ivir_point_ms", "points", TS_FIGURE_POINT_TIME, M_IVIR, 0, 2, "" },
+	[IVIR_VIEW_MS] = { "ivir_view_ms", "views", TS_FIGURE_VIEW_TIME, M_IVIR, 0, 2, "" },
+	[IVIR_DEFERRED_MS] = { "ivir_deferred_ms", "deferred", TS_FIGURE_REST_TIME, M_IVIR, 0, 2, "" },
+	[IVIR_POINTS] = { "ivir_points", "iVIR points", TS_FIGURE_COUNTER, M_IVIR, 0, TS_WHOLE, "points" },
+	[IVIR_SPEEDUP] = { "ivir_speedup", "iVIR / EPR", TS_FIGURE_RATIO, IVIR_MS, EPR_MS, 2, "" },
+	[IVIR_DIFFERENCE] = { "ivir_rmse_difference", "less iVIR's, %", TS_FIGURE_MORE, EPR_RMSE, IVIR_RMSE, 3, "" },
+	[POINTS_RATIO] = { "points_ratio", "iVIR / EPR", TS_FIGURE_RATIO, IVIR_POINTS, POINTS, 2, "" },
+	{ 0 }
+};
+
+static const ts_paper_part parts[] = {
+	{ "epr_2", "EPR, table 2: points", { TRIANGLES, DIAMETER, POINTS, IVIR_POINTS, POINTS_RATIO, TS_NO_FIGURE } },
+	{ "epr_2_ms", "EPR, table 2: the whole frame by EPR and MVR, and EPR's parts, ms", { SPEEDUP, EPR_MS, POINT_MS,
+	  VIEW_MS, DEFERRED_MS, DEFERRED2_MS, MVR_MS, TS_NO_FIGURE } },
+	{ "epr_2_ivir_ms", "EPR, table 2: the whole frame by iVIR, and its parts, ms", { IVIR_SPEEDUP, IVIR_MS,
+	  IVIR_POINT_MS, IVIR_VIEW_MS, IVIR_DEFERRED_MS, TS_NO_FIGURE } },
+	{ "epr_2_rmse", "EPR, table 2: RMSE to the truth in grey levels, and EPR's less the others' in percent of 255",
+	  { EPR_RMSE, IVIR_RMSE, MVR_RMSE, DIFFERENCE, IVIR_DIFFERENCE, TS_NO_FIGURE } },
+	{ 0 }
+};
+
+static const ts_paper_relation relations[] = {
+	{ "iVIR's points / EPR's", POINTS_RATIO, TS_AT_LEAST, 3.5, 0, TS_NO_FIGURE, 0, 0, "another size of the cubes",
+	  DIAMETER },
+	{ 0 }
+};
+
+#define ROW(scene, builtin, file, n, triangles, diameter, speedup, ms, point, view, deferred, deferred2, mvr, points, \
+	rmse, mvr_rmse, ivir_rmse, ivir, ivir_point, ivir_view, ivir_deferred, ivir_points, ivir_speedup) \
+	{ scene, builtin, file, n, { [TRIANGLES] = triangles, [DIAMETER] = diameter, [SPEEDUP] = speedup, [EPR_MS] = ms, \
+	  [POINT_MS] = point, [VIEW_MS] = view, [DEFERRED_MS] = deferred, [DEFERRED2_MS] = deferred2, [MVR_MS] = mvr, \
+	  [POINTS] = points, [EPR_RMSE] = rmse, [MVR_RMSE] = mvr_rmse, [IVIR_RMSE] = ivir_rmse, [IVIR_MS] = ivir, \
+	  [IVIR_POINT_MS] = ivir_point, [IVIR_VIEW_MS] = ivir_view, [IVIR_DEFERRED_MS] = ivir_deferred, \
+	  [IVIR_POINTS] = ivir_points, [IVIR_SPEEDUP] = ivir_speedup } }
+
+static const ts_paper_row rows[] = {
+	ROW("Sponza", "atrium", "sponza", 1, 1.05e6, 116.1, 1.86, 2.43, 1.24, 0.68, 0.51, 0.52, 4.51, 603e3, 1.13, 1.13,
+	    1.13, 3.93, 2.24, 1.31, 0.39, 2.79e6, 1.62),
+	ROW("Sponza", "atrium", "sponza", 10, 1.07e6, 115.1, 5.91, 7.31, 2.64, 3.84, 0.83, 1.46, 43.22, 1.28e6, 1.15, 1.16,
+	    1.17, 18.06, 5.27, 12.40, 0.39, 5.73e6, 2.47),
+	ROW("Sponza", "atrium", "sponza", 20, 1.11e6, 114.5, 6.17, 14.62, 4.81, 8.49, 1.33, 2.49, 90.27, 1.47e6, 1.17, 1.18,
+	    1.22, 50.25, 10.02, 39.82, 0.41, 6.39e6, 2.72),
+	ROW("Sponza", "atrium", "sponza", 50, 1.20e6, 110.8, 5.11, 45.46, 15.03, 27.81, 2.62, 4.24, 232.07, 1.75e6, 1.27,
+	    1.26, 1.39, 331.39, 44.97, 285.92, 0.50, 7.69e6, 7.29),
+	ROW("Gallery", "gallery", "gallery", 1, 1.00e6, 113.0, 2.09, 1.94, 1.14, 0.15, 0.65, 0.74, 4.05, 148e3, 0.81, 0.80,
+	    0.81, 3.25, 1.94, 0.90, 0.42, 1.05e6, 1.69),
+	ROW("Gallery", "gallery", "gallery", 10, 1.03e6, 114.4, 6.28, 5.78, 3.12, 1.45, 1.22, 2.49, 36.29, 586e3, 0.86,
+	    0.83, 0.86, 15.11, 5.21, 9.49, 0.42, 2.78e6, 2.61),
+	ROW("Gallery", "gallery", "gallery", 20, 1.06e6, 114.1, 6.70, 10.88, 5.90, 3.15, 1.83, 3.81, 72.88, 677e3, 0.94,
+	    0.87, 0.93, 32.03, 11.12, 20.49, 0.42, 3.23e6, 2.94),
+	ROW("Gallery", "gallery", "gallery", 50, 1.16e6, 112.2, 5.41, 34.41, 19.09, 11.37, 3.95, 6.96, 186.02, 909e3,
+	    1.17, 1.00, 1.15, 176.53, 53.05, 122.97, 0.51, 4.38e6, 5.13),
+	ROW("Breakfast", "dining", "breakfast", 1, 1.53e6, 174.5, 1.41, 3.04, 1.25, 1.01, 0.79, 0.91, 4.27, 845e3, 0.18,
+	    0.18, 0.18, 3.83, 2.11, 1.38, 0.34, 3.12e6, 1.26),
+	ROW("Breakfast", "dining", "breakfast", 10, 2.02e6, 182.9, 2.57, 10.94, 3.56, 5.56, 1.81, 3.38, 28.11, 2.22e6,
+	    0.25, 0.24, 2.49, 26.06, 8.80, 16.92, 0.35, 12.23e6, 2.38),
+	ROW("Breakfast", "dining", "breakfast", 20, 2.39e6, 156.8, 3.07, 20.02, 7.26, 10.45, 2.31, 5.75, 61.54, 2.88e6,
+	    0.31, 0.30, 0.31, 58.88, 17.82, 40.70, 0.35, 16.20e6, 2.94),
+	ROW("Breakfast", "dining", "breakfast", 50, 2.48e6, 106.7, 3.21, 49.40, 20.23, 26.00, 3.17, 6.20, 158.74, 3.02e6,
+	    0.43, 0.39, 0.45, 301.29, 66.27, 234.54, 0.47, 17.51e6, 6.10),
+	{ 0 }
+};
+
+const ts_paper_table ts_epr_2 = {
+	.name = "epr-2", .title = "EPR, table 2: who runs", .effect = "reflections",
+	.scenes = "atrium,gallery,dining", .objects_head = "mirrors", .objects_param = "reflectors",
+	.objects = "1,10,20,50", .set = "", .defaults = TS_IVIR_DEFAULTS,
+	.timed = true, .judged = true, .variants = variants, .figures = figures, .parts = parts,
+	.relations = relations, .rows = rows,
+};
+
+/* Table 3. */
+static const ts_bench_variant omni_variants[] = {
+	[M_EPR] = { "epr", "", true, false },
+	[M_MVR] = { "mvr", "", true, false },
+	[M_IVIR] = { "ivir", "buffered=on", true, false },
+	{ 0 }
+};
+
+enum { O_POINTS, O_MS, O_IVIR_POINTS, O_IVIR_MS, O_MVR_MS, O_SHARE, O_OVER_IVIR, O_OVER_MVR, O_RMSE, O_IVIR_RMSE };
+
+static const ts_bench_figure omni_figures[] = {
+	[O_POINTS] = { "points", "EPR points", TS_FIGURE_COUNTER, M_EPR, 0, TS_WHOLE, "points" },
+	[O_MS] = { "epr_ms", "EPR, ms", TS_FIGURE_MAP_TIME, M_EPR, 0, 2, "" },
+	[O_IVIR_POINTS] = { "ivir_points", "iVIR points", TS_FIGURE_COUNTER, M_IVIR, 0, TS_WHOLE, "points" },
+	[O_IVIR_MS] = { "ivir_ms", "iVIR, ms", TS_FIGURE_MAP_TIME, M_IVIR, 0, 2, "" },
+	[O_MVR_MS] = { "mvr_ms", "MVR, ms", TS_FIGURE_MAP_TIME, M_MVR, 0, 2, "" },
+	[O_SHARE] = { "points_share", "EPR / iVIR points", TS_FIGURE_RATIO, O_POINTS, O_IVIR_POINTS, 3, "" },
+	[O_OVER_IVIR] = { "over_ivir", "iVIR / EPR", TS_FIGURE_RATIO, O_IVIR_MS, O_MS, 2, "" },
+	[O_OVER_MVR] = { "over_mvr", "MVR / EPR", TS_FIGURE_RATIO, O_MVR_MS, O_MS, 2, "" },
+	[O_RMSE] = { "rmse", "EPR RMSE", TS_FIGURE_RMSE, M_EPR, M_MVR, 3, "" },
+	[O_IVIR_RMSE] = { "ivir_rmse", "iVIR RMSE", TS_FIGURE_RMSE, M_IVIR, M_MVR, 3, "" },
+	{ 0 }
+};
+
+static const ts_paper_part omni_parts[] = {
+	{ "epr_3", "EPR, table 3: points, and RMSE to MVR's image in grey levels", { O_POINTS, O_IVIR_POINTS, O_SHARE,
+	  O_RMSE, O_IVIR_RMSE, TS_NO_FIGURE } },
+	{ "epr_3_ms", "EPR, table 3: points and depth maps, ms", { O_MS, O_IVIR_MS, O_MVR_MS, O_OVER_IVIR, O_OVER_MVR,
+	  TS_NO_FIGURE } },
+	{ 0 }
+};
+
+static const ts_paper_relation omni_relations[] = {
+	{ "EPR's points / iVIR's", O_SHARE, TS_AT_MOST, 0, 1, TS_NO_FIGURE, 0, 0, "more points than iVIR", O_POINTS },
+	{ 0 }
+};
+
+#define OMNI(n, points, ms, ivir_points, ivir, mvr) \
+	{ "Breakfast", "dining", "breakfast", n, { [O_POINTS] = points, [O_MS] = ms, [O_IVIR_POINTS] = ivir_points, \
+	  [O_IVIR_MS] = ivir, [O_MVR_MS] = mvr } }
+
+static const ts_paper_row omni_rows[] = {
+	OMNI(1, 8.59e6, 3.86, 10.94e6, 4.03, 2.97), OMNI(5, 8.91e6, 7.11, 11.43e6, 5.86, 7.22),
+	OMNI(10, 9.04e6, 13.39, 11.69e6, 7.98, 15.95), OMNI(20, 9.12e6, 28.54, 11.74e6, 30.74, 31.80),
+	{ 0 }
+};
+
+const ts_paper_table ts_epr_3 = {
+	.name = "epr-3", .title = "EPR, table 3: who runs", .effect = "omni-shadows",
+	.scenes = "dining", .objects_head = "lights", .objects_param = "light_samples", .objects = "1,5,10,20",
+	.set = "reflectors=0", .defaults = TS_IVIR_DEFAULTS ",map_px=256",
+	.size = "width=960,height=540", .note = TS_OMNI_NOTE,
+	.timed = true, .variants = omni_variants, .figures = omni_figures, .parts = omni_parts,
+	.relations = omni_relations, .rows = omni_rows,
+};

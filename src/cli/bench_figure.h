@@ -1,0 +1,43 @@
+/* The figures of a table: what is measured of the variants of a case, and what follows from it, here and in the paper. */
+#ifndef TS_CLI_BENCH_FIGURE_H
+#define TS_CLI_BENCH_FIGURE_H
+#include "bench_case.h"
+#include "table.h"
+
+enum { TS_BENCH_FIGURES = 48 }; /* at most */
+
+/* Measured: of variant a. Derived: of figures a and b, of our row or of the paper's. */
+typedef enum {
+	TS_FIGURE_TRIANGLES,  /* of the scene */
+	TS_FIGURE_COUNTER,    /* named in `what` */
+	TS_FIGURE_TRAVERSED,  /* triangles in all passes over the geometry but the eye's */
+	TS_FIGURE_DIAMETER,   /* mean side of the cubes in sight, texels */
+	TS_FIGURE_TIME,       /* of the whole frame, ms */
+	TS_FIGURE_POINT_TIME, /* making points, ms */
+	TS_FIGURE_VIEW_TIME,  /* filling off-screen views, ms */
+	TS_FIGURE_MAP_TIME,   /* both: what the iVIR paper's totals are of */
+	TS_FIGURE_REST_TIME,  /* neither */
+	TS_FIGURE_RMSE,       /* to the truth or, where a table has none, to variant b; grey levels */
+	TS_FIGURE_DERIVED,    /* from here on */
+	TS_FIGURE_RATIO = TS_FIGURE_DERIVED, /* a / b */
+	TS_FIGURE_SAVED,      /* 100 (1 - a / b) */
+	TS_FIGURE_MORE,       /* 100 (a - b) / 255 */
+} ts_figure_kind;
+
+typedef struct {
+	const char *key, *head; /* of the column */
+	ts_figure_kind kind;
+	u32 a, b;
+	int decimals;           /* TS_WHOLE: a count */
+	const char *what;
+} ts_bench_figure;
+enum { TS_WHOLE = -1 };
+
+/* Figures measured of a case; those that are not there are NAN. `derive` then fills in the others where both of theirs are
+ * there and they are not, figure after figure. `figures` is ended by one without a key. */
+void ts_bench_measure(double *values, const ts_bench_figure *figures, const ts_bench_case *c);
+void ts_bench_derive(double *values, const ts_bench_figure *figures);
+/* Appends it as a cell. */
+void ts_bench_cell(ts_table *table, const ts_bench_figure *figure, double value);
+
+#endif

@@ -1,0 +1,115 @@
+/* The iVIR paper's tables of cube maps: reflections, and omnidirectional shadows. */
+#include "bench_paper.h"
+
+enum { M_IVIR, M_STORED, M_VIR, M_MVR };
+
+static const ts_bench_variant cube_variants[] = {
+	[M_IVIR] = { "ivir", "buffered=off", false, false },
+	[M_STORED] = { "ivir", "buffered=on", true, false },
+	[M_VIR] = { "vir", "buffered=on", true, false },
+	[M_MVR] = { "mvr", "", true, false },
+	{ 0 }
+};
+
+enum { C_TRIANGLES, C_POINTS, C_VIR_POINTS, C_SAVED, C_POINT_MS, C_MS, C_STORED_MS, C_VIR_POINT_MS, C_VIR_MS, C_MVR_MS,
+	C_OVER_VIR, C_OVER_MVR, C_STORED_OVER_VIR, C_STORED_OVER_MVR, C_RMSE, C_RMSE_VIR, C_A_TRIANGLE };
+
+static const ts_bench_figure cube_figures[] = {
+	[C_TRIANGLES] = { "triangles", "triangles", TS_FIGURE_TRIANGLES, 0, 0, TS_WHOLE, "" },
+	[C_POINTS] = { "points", "iVIR points", TS_FIGURE_COUNTER, M_STORED, 0, TS_WHOLE, "points" },
+	[C_VIR_POINTS] = { "vir_points", "VIR points", TS_FIGURE_COUNTER, M_VIR, 0, TS_WHOLE, "points" },
+	[C_SAVED] = { "saved_percent", "saved, %", TS_FIGURE_SAVED, C_POINTS, C_VIR_POINTS, 1, "" },
+	[C_POINT_MS] = { "point_ms", "points", TS_FIGURE_POINT_TIME, M_STORED, 0, 2, "" },
+	[C_MS] = { "bufferless_ms", "bufferless", TS_FIGURE_MAP_TIME, M_IVIR, 0, 2, "" },
+	[C_STORED_MS] = { "buffered_ms", "buffered", TS_FIGURE_MAP_TIME, M_STORED, 0, 2, "" },
+	[C_VIR_POINT_MS] = { "vir_point_ms", "VIR points", TS_FIGURE_POINT_TIME, M_VIR, 0, 2, "" },
+	[C_VIR_MS] = { "vir_ms", "VIR", TS_FIGURE_MAP_TIME, M_VIR, 0, 2, "" },
+	[C_MVR_MS] = { "mvr_ms", "MVR", TS_FIGURE_MAP_TIME, M_MVR, 0, 2, "" },
+	[C_OVER_VIR] = { "over_vir", "VIR / bufferless", TS_FIGURE_RATIO, C_VIR_MS, C_MS, 2, "" },
+	[C_OVER_MVR] = { "over_mvr", "MVR / bufferless", TS_FIGURE_RATIO, C_MVR_MS, C_MS, 2, "" },
+	[C_STORED_OVER_VIR] = { "buffered_over_vir", "VIR / buffered", TS_FIGURE_RATIO, C_VIR_MS, C_STORED_MS, 2, "" },
+	[C_STORED_OVER_MVR] = { "buffered_over_mvr", "MVR / buffered", TS_FIGURE_RATIO, C_MVR_MS, C_STORED_MS, 2, "" },
+	[C_RMSE] = { "rmse", "iVIR RMSE", TS_FIGURE_RMSE, M_STORED, M_MVR, 3, "" },
+	[C_RMSE_VIR] = { "rmse_vir", "VIR RMSE", TS_FIGURE_RMSE, M_VIR, M_MVR, 3, "" },
+	[C_A_TRIANGLE] = { "points_a_triangle", "a triangle", TS_FIGURE_RATIO, C_POINTS, C_TRIANGLES, 2, "" },
+	{ 0 }
+};
+
+#define POINT_FIGURES { C_TRIANGLES, C_POINTS, C_A_TRIANGLE, C_VIR_POINTS, C_SAVED, C_RMSE, C_RMSE_VIR, TS_NO_FIGURE }
+#define TIME_FIGURES { C_POINT_MS, C_MS, C_STORED_MS, C_VIR_POINT_MS, C_VIR_MS, C_MVR_MS, TS_NO_FIGURE }
+#define RATIO_FIGURES { C_OVER_VIR, C_OVER_MVR, C_STORED_OVER_VIR, C_STORED_OVER_MVR, TS_NO_FIGURE }
+
+static const ts_paper_part mirror_parts[] = {
+	{ "ivir_2_points", "Points, and RMSE to MVR's image in grey levels", POINT_FIGURES },
+	{ "ivir_2_ms", "Points and environment maps, ms", TIME_FIGURES },
+	{ "ivir_2_ratios", "The same, VIR's and MVR's by iVIR's", RATIO_FIGURES },
+	{ 0 }
+};
+
+static const ts_paper_relation mirror_relations[] = {
+	{ "iVIR points saved of VIR's, %", C_SAVED, TS_AT_LEAST, 90, 0, TS_NO_FIGURE, 0, 0,
+	  "other points a triangle of the scene", C_A_TRIANGLE },
+	{ 0 }
+};
+
+#define MIRROR(scene, builtin, n, triangles, points, ms, bufferless, buffered, vir_points, vir_point_ms, vir, mvr) \
+	{ scene, builtin, builtin, n, { [C_TRIANGLES] = triangles, [C_POINTS] = points, [C_POINT_MS] = ms, [C_MS] = bufferless, \
+	  [C_STORED_MS] = buffered, [C_VIR_POINTS] = vir_points, [C_VIR_POINT_MS] = vir_point_ms, [C_VIR_MS] = vir, \
+	  [C_MVR_MS] = mvr } }
+
+static const ts_paper_row mirror_rows[] = {
+	MIRROR("Dining", "dining", 1, 1.57e6, 1.28e6, 1.46, 2.68, 2.60, 15.07e6, 13.34, 17.01, 3.94),
+	MIRROR("Dining", "dining", 8, 1.92e6, 3.82e6, 4.30, 16.69, 11.63, 40.42e6, 98.91, 199.95, 21.31),
+	MIRROR("Dining", "dining", 16, 2.34e6, 5.57e6, 8.43, 43.84, 24.17, 63.37e6, 204.51, 495.35, 48.06),
+	MIRROR("Dining", "dining", 20, 2.39e6, 5.60e6, 10.30, 56.53, 29.65, 66.88e6, 206.61, 570.10, 60.30),
+	MIRROR("Gallery", "gallery", 1, 1.01e6, 352530, 1.13, 2.20, 2.00, 10.26e6, 8.73, 11.40, 3.44),
+	MIRROR("Gallery", "gallery", 8, 1.09e6, 859330, 3.37, 17.12, 8.94, 17.63e6, 34.33, 68.25, 28.64),
+	MIRROR("Gallery", "gallery", 16, 1.19e6, 995820, 6.27, 38.88, 17.35, 23.72e6, 61.46, 191.46, 58.20),
+	MIRROR("Gallery", "gallery", 20, 1.24e6, 1.06e6, 7.90, 50.90, 21.46, 25.49e6, 63.86, 227.04, 74.49),
+	{ 0 }
+};
+
+const ts_paper_table ts_ivir_2 = {
+	.name = "ivir-2", .title = "iVIR, table 2: environment maps",
+	.effect = "reflections", .scenes = "dining,gallery", .objects_head = "mirrors", .objects_param = "reflectors",
+	.objects = "1,8,16,20", .set = "", .defaults = TS_IVIR_DEFAULTS ",face_max=128,reflector_px=28.75",
+	.size = "width=480,height=270",
+	.note = "Everything is a quarter of 1920 x 1080, faces of 512 and mirrors of 115 pixels, for VIR's points.",
+	.timed = true, .variants = cube_variants, .figures = cube_figures,
+	.parts = mirror_parts, .relations = mirror_relations, .rows = mirror_rows,
+};
+
+static const ts_paper_part omni_parts[] = {
+	{ "ivir_3_points", "Points, and RMSE to MVR's image in grey levels", POINT_FIGURES },
+	{ "ivir_3_ms", "Points and depth maps, ms", TIME_FIGURES },
+	{ "ivir_3_ratios", "The same, VIR's and MVR's by iVIR's", RATIO_FIGURES },
+	{ 0 }
+};
+
+static const ts_paper_relation omni_relations[] = {
+	{ "iVIR points saved of VIR's, %", C_SAVED, TS_BETWEEN, 15, 30, TS_NO_FIGURE, 0, 0,
+	  "other points a triangle of the scene", C_A_TRIANGLE },
+	{ "speed by MVR rises with the lights", C_OVER_MVR, TS_RISES_WITH, C_MVR_MS, 0, TS_NO_FIGURE, 0, 0,
+	  "differs: it does not", C_POINTS },
+	{ 0 }
+};
+
+#define OMNI(n, points, bufferless, buffered, vir_points, vir, mvr) \
+	{ "Dining", "dining", "dining", n, { [C_TRIANGLES] = 1.4e6, [C_POINTS] = points, [C_MS] = bufferless, \
+	  [C_STORED_MS] = buffered, [C_VIR_POINTS] = vir_points, [C_VIR_MS] = vir, [C_MVR_MS] = mvr } }
+
+static const ts_paper_row omni_rows[] = {
+	OMNI(1, 10.94e6, 2.46, 4.03, 14.31e6, 4.75, 2.16), OMNI(5, 11.43e6, 4.86, 5.86, 14.83e6, 7.11, 7.22),
+	OMNI(10, 11.69e6, 7.88, 7.98, 15.03e6, 8.98, 15.15), OMNI(20, 11.74e6, 20.32, 30.74, 15.07e6, 36.97, 29.74),
+	{ 0 }
+};
+
+const ts_paper_table ts_ivir_3 = {
+	.name = "ivir-3", .title = "iVIR, table 3: omnidirectional soft shadows",
+	.effect = "omni-shadows", .scenes = "dining", .objects_head = "lights", .objects_param = "light_samples",
+	.objects = "1,5,10,20", .set = "reflectors=0", .defaults = TS_IVIR_DEFAULTS ",map_px=256",
+	.size = "width=960,height=540",
+	.note = TS_OMNI_NOTE,
+	.timed = true, .variants = cube_variants, .figures = cube_figures,
+	.parts = omni_parts, .relations = omni_relations, .rows = omni_rows,
+};

@@ -1,0 +1,153 @@
+/* What a paper's table prints: its parts, ours above the paper's, and whether the paper's claims hold here. */
+#include <math.h>
+#include "bench_paper.h"
+
+typedef struct {
+	ts_table table;
+	ts_column columns[TS_MAX_COLUMNS];
+} sheet;
+
+static void add_column(sheet *s, u32 *n, const char *key, const char *head, bool right)
+{
+	s->columns[(*n)++] = (ts_column){ key, head, right };
+}
+
+static void head_columns(sheet *s, u32 *n, const ts_paper_table *table)
+{
+	add_column(s, n, "scene", "scene", false);
+	if (table->objects_head != NULL) add_column(s, n, table->objects_head, table->objects_head, true);
+}
+
+static void head_cells(ts_table *t, const ts_paper_table *table, const char *scene, u32 objects)
+{
+	ts_table_text(t, scene);
+	if (table->objects_head != NULL) ts_table_count(t, objects);
+}
+
+static void add_row(ts_table *t, const ts_paper_table *table, const ts_paper_part *part, const ts_paper_line *line,
+                    bool paper)
+{
+	head_cells(t, table, paper ? line->row->name : line->scene, paper ? line->row->objects : line->objects);
+	ts_table_text(t, paper ? "paper" : "here");
+	for (const u8 *f = part->figures; *f != TS_NO_FIGURE; f++) {
+		ts_bench_cell(t, &table->figures[*f], (paper ? line->paper : line->here)[*f]);
+	}
+}
+
+static void report_part(ts_report *report, const ts_paper_table *table, const ts_paper_part *part,
+                        const ts_paper_line *lines, u32 n)
+{
+	sheet s = { .columns = { { 0 } } };
+	u32 k = 0;
+	head_columns(&s, &k, table);
+	add_column(&s, &k, "source", "", false);
+	for (const u8 *f = part->figures; *f != TS_NO_FIGURE; f++) {
+		add_column(&s, &k, table->figures[*f].key, table->figures[*f].head, true);
+	}
+	s.table = ts_table_begin(part->key, part->title, s.columns);
+	for (u32 i = 0; i < n; i++) {
+		add_row(&s.table, table, part, &lines[i], false);
+		if (lines[i].row != NULL) add_row(&s.table, table, part, &lines[i], true);
+	}
+	ts_report_table(report, &s.table);
+}
+
+static bool holds(const ts_paper_relation *r, double value)
+{
+	return (r->kind == TS_AT_LEAST || value <= r->high) && (r->kind == TS_AT_MOST || value >= r->low);
+}
+
+static bool is_judged(const ts_paper_relation *r, const ts_paper_line *line)
+{
+	double given = r->given != TS_NO_FIGURE ? line->here[r->given] : 0;
+	return !isnan(line->here[r->figure]) && (r->given == TS_NO_FIGURE || (given >= r->least && given <= r->most));
+}
+
+static void bound_text(char *text, size_t bytes, const ts_paper_relation *r)
+{
+	switch (r->kind) {
+	case TS_AT_MOST: snprintf(text, bytes, "at most %g", r->high); break;
+	case TS_AT_LEAST: snprintf(text, bytes, "at least %g", r->low); break;
+	default: snprintf(text, bytes, "%g to %g", r->low, r->high); break;
+	}
+}
+
+static void verdict(ts_table *t, const ts_paper_table *table, const ts_paper_relation *r, const ts_paper_line *line)
+{
+	char text[256];
+	const char *scale = table->figures[r->cause].head;
+	if (holds(r, line->here[r->figure])) {
+		ts_table_text(t, "holds");
+		return;
+	}
+	int n = snprintf(text, sizeof text, "differs: %s (%s %.4g here", r->because, scale, line->here[r->cause]);
+	if (line->row != NULL && !isnan(line->paper[r->cause])) {
+		n += snprintf(text + n, sizeof text - (size_t)n, ", %.4g in the paper", line->paper[r->cause]);
+	}
+	snprintf(text + n, sizeof text - (size_t)n, ")");
+	ts_table_text(t, text);
+}
+
+static void relation_rows(ts_table *t, const ts_paper_table *table, const ts_paper_relation *r,
+                          const ts_paper_line *lines, u32 n)
+{
+	char bound[64];
+	bound_text(bound, sizeof bound, r);
+	for (u32 i = 0; i < n; i++) {
+		if (!is_judged(r, &lines[i])) continue;
+		ts_table_text(t, r->text);
+		head_cells(t, table, lines[i].scene, lines[i].objects);
+		ts_table_text(t, bound);
+		ts_bench_cell(t, &table->figures[r->figure], lines[i].here[r->figure]);
+		ts_bench_cell(t, &table->figures[r->figure], lines[i].paper[r->figure]);
+		verdict(t, table, r, &lines[i]);
+	}
+}
+
+/* Pairs of rows in which both figures rise, of those in which both differ. */
+static void rising_row(ts_table *t, const ts_paper_table *table, const ts_paper_relation *r, const ts_paper_line *lines,
+                       u32 n)
+{
+	u32 other = (u32)r->low, pairs = 0, rise = 0;
+	char text[64];
+	for (u32 i = 0; i < n; i++) {
+		for (u32 j = 0; j < i; j++) {
+			double both = (lines[i].here[r->figure] - lines[j].here[r->figure]) *
+			              (lines[i].here[other] - lines[j].here[other]);
+			pairs += both > 0 || both < 0;
+			rise += both > 0;
+		}
+	}
+	if (pairs == 0) return;
+	ts_table_text(t, r->text);
+	head_cells(t, table, "all", 0);
+	ts_table_text(t, "9 pairs in 10");
+	snprintf(text, sizeof text, "%u of %u", (unsigned)rise, (unsigned)pairs);
+	ts_table_text(t, text);
+	ts_table_none(t);
+	ts_table_text(t, 10 * rise >= 9 * pairs ? "holds" : r->because);
+}
+
+static void report_relations(ts_report *report, const ts_paper_table *table, const ts_paper_line *lines, u32 n)
+{
+	sheet s = { .columns = { { 0 } } };
+	u32 k = 0;
+	add_column(&s, &k, "relation", "relation", false);
+	head_columns(&s, &k, table);
+	add_column(&s, &k, "bound", "must be", false);
+	add_column(&s, &k, "here", "here", true);
+	add_column(&s, &k, "paper", "paper", true);
+	add_column(&s, &k, "verdict", "verdict", false);
+	s.table = ts_table_begin("relations", "What the paper claims", s.columns);
+	for (const ts_paper_relation *r = table->relations; r->text != NULL; r++) {
+		(r->kind == TS_RISES_WITH ? rising_row : relation_rows)(&s.table, table, r, lines, n);
+	}
+	if (s.table.n_cells == 0) return;
+	ts_report_table(report, &s.table);
+}
+
+void ts_paper_report(ts_report *report, const ts_paper_table *table, const ts_paper_line *lines, u32 n)
+{
+	for (const ts_paper_part *part = table->parts; part->key != NULL; part++) report_part(report, table, part, lines, n);
+	if (table->relations != NULL) report_relations(report, table, lines, n);
+}

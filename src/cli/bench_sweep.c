@@ -1,0 +1,126 @@
+/* `bench epr-6`: speed against accuracy, as the density of the points, the sampling of the look-ups and the size of the
+ * faces vary; after EPR's figure 6, which varies the size of the mirrors. */
+#include <stdlib.h>
+#include <touchstone/image.h>
+#include "bench.h"
+#include "bench_case.h"
+#include "plot.h"
+
+/* A point of a curve: what is set for it, and its label. */
+typedef struct {
+	u32 curve;
+	const char *label;
+} mark;
+
+static const char *const curves[] = { "EPR, 25 samples", "EPR, adaptive samples", "MVR, trilinear", "MVR, 25 samples" };
+
+#define EPR(rho, samples) { "epr", "rho_scale=" rho ",samples=" samples, true, false }
+#define MVR(px, filter) { "mvr", "face_max=" px ",mvr.filter=" filter, true, false }
+
+static const ts_bench_variant variants[] = {
+	EPR("0.25", "fixed"), EPR("0.5", "fixed"), EPR("1", "fixed"), EPR("2", "fixed"),
+	EPR("0.25", "adaptive"), EPR("0.5", "adaptive"), EPR("1", "adaptive"), EPR("2", "adaptive"),
+	MVR("128", "trilinear"), MVR("256", "trilinear"), MVR("512", "trilinear"),
+	MVR("128", "supersample"), MVR("256", "supersample"), MVR("512", "supersample"),
+	{ 0 }
+};
+
+static const mark marks[] = {
+	{ 0, "1/4" }, { 0, "1/2" }, { 0, "1" }, { 0, "2" }, { 1, "1/4" }, { 1, "1/2" }, { 1, "1" }, { 1, "2" },
+	{ 2, "128" }, { 2, "256" }, { 2, "512" }, { 3, "128" }, { 3, "256" }, { 3, "512" },
+};
+enum { N_MARKS = sizeof marks / sizeof marks[0] };
+_Static_assert(N_MARKS + 1 == sizeof variants / sizeof variants[0], "a mark a variant");
+
+static const ts_column columns[] = { { "curve", "curve", false }, { "set", "set for it", false },
+	{ "points", "points", true }, { "shading", "shading operations", true }, { "lookups", "look-ups", true },
+	{ "ms", "frame, ms", true }, { "rmse", "RMSE", true }, { 0 } };
+
+static void count_cell(ts_table *table, const ts_measure *m, const char *name)
+{
+	const ts_counter *counter = ts_measure_counter(m, name);
+	if (counter != NULL) {
+		ts_table_count(table, counter->value);
+	} else {
+		ts_table_none(table);
+	}
+}
+
+static void report_rows(ts_report *report, const ts_bench_case *c, const ts_plot_point *points)
+{
+	ts_table t = ts_table_begin("epr_6", "Speed against accuracy", columns);
+	for (u32 v = 0; v < N_MARKS; v++) {
+		ts_table_text(&t, curves[marks[v].curve]);
+		ts_table_text(&t, variants[v].set);
+		count_cell(&t, &c->measures[v], "points");
+		count_cell(&t, &c->measures[v], "shading operations");
+		count_cell(&t, &c->measures[v], "look-ups");
+		ts_table_real(&t, points[v].x, 2);
+		ts_table_real(&t, points[v].y, 3);
+	}
+	ts_report_table(report, &t);
+}
+
+/* Medians over the runs; errors are of the first. */
+static ts_status measure(ts_plot_point *points, ts_bench_case *c)
+{
+	u32 runs = c->cli->runs;
+	double *times = ts_alloc(N_MARKS, runs * sizeof *times, "the times");
+	ts_status status = times != NULL ? TS_OK : TS_ERROR;
+	for (u32 i = 0; i < runs && status == TS_OK; i++) {
+		status = ts_bench_case_run(c, i);
+		for (u32 v = 0; v < N_MARKS; v++) times[v * runs + i] = 1e3 * c->measures[v].seconds;
+	}
+	for (u32 v = 0; v < N_MARKS && status == TS_OK; v++) {
+		u32 w = c->params.width, h = c->params.height;
+		double rmse = ts_metrics_compare(c->truth.srgb, c->images[v].srgb, NULL, w, h).rmse;
+		points[v] = (ts_plot_point){ marks[v].curve, marks[v].label, ts_median(times + v * runs, runs), rmse };
+	}
+	free(times);
+	return status;
+}
+
+static ts_status write_plot(const ts_bench_case *c, const ts_plot_point *points)
+{
+	static const char names[] = "CAB", name[] = "epr_6.svg";
+	char title[160], y_axis[64];
+	ts_plot plot = { .title = title, .x_axis = "whole frame, ms", .y_axis = y_axis, .points = points, .n_points = N_MARKS };
+	snprintf(title, sizeof title, "%.60s, %u mirrors, %u x %u (EPR: rho_scale; MVR: largest face)", c->scene->name,
+	         (unsigned)c->scene->info.n_reflectors, (unsigned)c->params.width, (unsigned)c->params.height);
+	snprintf(y_axis, sizeof y_axis, "RMSE to truth %c, grey levels", names[c->truths & 3]);
+	for (u32 k = 0; k < sizeof curves / sizeof curves[0]; k++) plot.curves[plot.n_curves++] = curves[k];
+	FILE *file = ts_bench_file(name);
+	if (file == NULL) return TS_ERROR;
+	ts_plot_svg(&plot, file);
+	return ts_bench_file_end(file, name);
+}
+
+static ts_status work_on(const ts_cli *cli, ts_report *report, const void *user)
+{
+	(void)user;
+	ts_plot_point points[N_MARKS];
+	ts_params params;
+	ts_bench_case *c = ts_alloc_zero(1, sizeof *c, "a case");
+	ts_status status = c != NULL ? ts_bench_frame_params(&params, cli) : TS_ERROR;
+	if (status == TS_OK) {
+		*c = (ts_bench_case){ .cli = cli, .effect = "reflections", .variants = variants, .truths = cli->truths };
+		status = ts_bench_case_open(c, ts_bench_frame_spec(cli), &params);
+	}
+	if (status == TS_OK) status = measure(points, c);
+	if (status == TS_OK) {
+		ts_bench_head(report, cli);
+		report_rows(report, c, points);
+		if (cli->output != NULL) status = write_plot(c, points);
+	}
+	if (c != NULL) ts_bench_case_close(c);
+	free(c);
+	return status;
+}
+
+ts_status ts_bench_sweep(const ts_cli *cli)
+{
+	ts_cli own = *cli;
+	ts_status status = ts_bench_truth(&own.truths, cli);
+	if (status == TS_OK && own.truths == 0) return ts_fail("bench epr-6: accuracy needs a truth; write --truth=A, B or C");
+	return status == TS_OK ? ts_bench_with_report(&own, work_on, NULL) : status;
+}
