@@ -1,4 +1,5 @@
-/* reference/cases.txt: NAME: [EFFECT/]METHOD SCENE [OPTION...] a line; without an effect, reflections. The file is untrusted. */
+/* reference/cases.txt: NAME: [EFFECT/]METHOD SCENE [OPTION...] a line; without an effect, reflections. The file is
+ * untrusted. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -61,7 +61,8 @@ const ts_command ts_command_table[] = {
 	  "What the buffers do not hold is computed again; each \"check\" says whether that has the bits of a buffer.",
 	  1, 1, TS_OPT_PIXEL | TS_OPT_VIEW | TS_OPT_TRIANGLE | TS_OPT_POINT | TS_OPT_JSON, ts_probe_command },
 	{ "digest", "[SCENE]", "SHA-256 of every buffer of a built-in scene, in pipeline order", "",
-	  0, 1, TS_OPT_EFFECT | TS_OPT_METHOD | TS_OPT_SIZE | TS_OPT_FRAME | TS_OPT_REFLECTORS | TS_OPT_SET | HOW | TS_OPT_FLUSH_DENORMALS,
+	  0, 1, TS_OPT_EFFECT | TS_OPT_METHOD | TS_OPT_SIZE | TS_OPT_FRAME | TS_OPT_REFLECTORS | TS_OPT_SET | HOW |
+	  TS_OPT_FLUSH_DENORMALS,
 	  ts_digest_command },
 	{ "golden", "ACTION [CASE]", "check, new or bless: the goldens of reference/",
 	  TS_GOLDEN_DETAILS,

@@ -3,8 +3,8 @@
  * refused first:
  *
  * - sizes: every buffer has the shape of records.def, with V T M S I X L O A B U P Q N P2 P3 taken from what is there,
- *   R from scene.info, w from U or B, H W from the parameters and C C4 from resize.face, or C from offscreen.view. So an index below its size is an element
- *   of its array.
+ *   R from scene.info, w from U or B, H W from the parameters and C C4 from resize.face, or C from offscreen.view.
+ *   So an index below its size is an element of its array.
  * - indices: every INDEX row of records.def. A key is all ones or its low half is an index: kernels ask for the
  *   former. An index of a size that is not known has no array that is loaded, and no stage follows it.
  * - floats are finite. No kernel turns a float into an integer but by ts_f2i and ts_fix, which take any float, so
@@ -22,9 +22,10 @@
  * - align.frame: q within 24.8 of the lattice, so that edges fit 64 bits, s not negative; for count, points and what
  *   makes points without storing them, fewer than 2^34 lattice squares in the boxes of all pieces.
  *
- * What remains: time. Views of absurd sharpness ask for 4096 pieces of every triangle. Splats and triangles may cover every texel of every face, so that damaged files can make a
- * stage as slow as its elements times its texels, but not endless. Splats of arrival-order points never take the
- * fast path, which trusts that the points of a piece stand together (ts_replay_stage).
+ * What remains: time. Views of absurd sharpness ask for 4096 pieces of every triangle. Splats and triangles may cover
+ * every texel of every face, so that damaged files can make a stage as slow as its elements times its texels, but not
+ * endless. Splats of arrival-order points never take the fast path, which trusts that the points of a piece stand
+ * together (ts_replay_stage).
  *
  * Every refusal is one line: file, element, field, value, and what would be right. */
 #ifndef TS_TRACE_CHECK_H

@@ -34,7 +34,8 @@ ts_status ts_check_views(const ts_load *load)
 		return ts_fail("%s: %" PRIu64 " views; six a cube would be right", load->item[id]->path, n);
 	}
 	if (views != NULL && cubes != NULL && n != 6 * n_cubes) {
-		return ts_fail("%s: %" PRIu64 " views; %" PRIu64 ", six a cube, would be right", load->item[id]->path, n, 6 * n_cubes);
+		return ts_fail("%s: %" PRIu64 " views; %" PRIu64 ", six a cube, would be right", load->item[id]->path, n,
+		               6 * n_cubes);
 	}
 	for (u64 v = 0; v < n; v++) {
 		if (check_sides(load, &views[v], v, cubes) != TS_OK) return TS_ERROR;

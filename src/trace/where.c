@@ -71,7 +71,8 @@ static bool where_texel(char *text, const ts_trace *reference, u64 texel)
 		u64 n = cube.n, inside = texel - cube.offset;
 		if (texel < cube.offset || inside >= 6 * n * n) continue;
 		snprintf(text, TS_WHERE_TEXT, "%s %" PRIu64 ", face %s, texel (%" PRIu64 ", %" PRIu64 ")",
-		         cube.object != TS_NONE ? "reflector" : "sample", r, ts_where_face((u32)(inside / (n * n))), inside % n, inside / n % n);
+		         cube.object != TS_NONE ? "reflector" : "sample", r, ts_where_face((u32)(inside / (n * n))), inside % n,
+		         inside / n % n);
 		return true;
 	}
 	return false;

@@ -25,7 +25,9 @@ views = [("reflections", "ivir"), ("soft-shadows", "ivir"), ("omni-shadows", "iv
 soft, omni = ([m for m in methods if m[0] == effect] for effect in ("soft-shadows", "omni-shadows"))
 takers = {"rate": views, "buffered": views, "snap": views, "lamp": soft[:1], "lamp.radius": soft, "lamp.fov": soft,
           "views": soft, "pass": soft + omni, "map_px": soft + omni, "light_samples": omni, "bias": soft + omni,
-          "bias.slope": soft + omni, "conservative": views + [("reflections", "epr")],
+          "bias.slope": soft + omni, "pcss.near": [("soft-shadows", "pcss")],
+          **{p: [("omni-shadows", "epr")] for p in ("shadow.rate", "shadow.depth", "shadow.resize")},
+          "conservative": views + [("reflections", "epr")],
           **{p: [("reflections", "mvr")] for p in ("mvr.faces", "mvr.filter")}}
 steps_of = {(m["effect"], m["name"]): [s for s in m["stages"].split() if not s.endswith("_margin")]
             for m in table["methods"]}
@@ -34,6 +36,8 @@ if what == "folders":
 	missing = sorted(names ^ cases.keys())
 elif what == "choices":
 	for p in table["params"]:
+		if p["name"] in ("area_samples", "ground"): # of truths and of files
+			continue
 		taken = {case[p["name"]] for case in of(*takers.get(p["name"], [("reflections", "epr")])) if p["name"] in case}
 		missing += [f"{p['name']}={c}" for c in p["range"].split("|") if "|" in p["range"] and c not in taken]
 		missing += [p["name"]] if len(taken) < 2 else []

@@ -1,4 +1,5 @@
-/* Traces of a small scene by methods of every kind, made once a program, and candidates with a buffer or two of their own. */
+/* Traces of a small scene by methods of every kind, made once a program, and candidates with a buffer or two of their
+ * own. */
 #ifndef TS_TESTS_TRACE_TRACES_H
 #define TS_TESTS_TRACE_TRACES_H
 #include "../stages/small.h"
@@ -151,7 +152,8 @@ static inline ts_trace *traces_plant(u32 m, const planted *own, u32 n, const cha
 	snprintf(path, sizeof path, "%s/trace.json", dir);
 	FILE *json = fopen(path, "w");
 	assert_non_null(json);
-	fprintf(json, "{\"format\": \"touchstone-trace\", \"version\": 1, \"contract\": 1, \"pipeline\": \"%s\", \"effect\": \"%s\", ",
+	fprintf(json, "{\"format\": \"touchstone-trace\", \"version\": 1, \"contract\": 1, \"pipeline\": \"%s\", "
+	        "\"effect\": \"%s\", ",
 	        traces[m]->pipeline->name, traces[m]->pipeline->effect);
 	fprintf(json, "\"order\": \"%s\", \"buffers\": [", order);
 	for (u32 i = 0; i < n; i++) {
