@@ -12,7 +12,7 @@
 const ts_option ts_option_table[] = {
 	{ TS_OPT_EFFECT, "effect", "EFFECT", "what is rendered (reflections)", "methods" },
 	{ TS_OPT_METHOD, "method", "NAME,...", "methods to run, or \"all\"; by default all but vir", "methods" },
-	{ TS_OPT_TRUTH, "truth", "[=NAME,...]", "ground truth to compare with. Of reflections: A rays from the cube's centre, B\n"
+	{ TS_OPT_TRUTH, "truth", "[=NAME,...]", "ground truth to judge by. Of reflections: A rays from the cube's centre, B\n"
 	  "true reflections, C MVR at 4 times the resolution. Of shadows: samples, rays to the very\n"
 	  "samples of the lights, area, rays to as good as the whole lights. Without names each;\n"
 	  "\"none\". Also rays through every off-screen texel: holes, leaks, wrong depths", "" },

@@ -29,6 +29,7 @@ typedef uchar u8;
 /* Reading first and skipping what is not smaller: one word, which only falls, so that no load is torn. */
 #define ts_min_u64(p, v) do { if ((uint)((v) >> 32) <= ((volatile __global uint *)(p))[1]) atom_min((p), (v)); } while (0)
 #define ts_min_u32(p, v) do { if ((v) < *(volatile __global uint *)(p)) atomic_min((p), (v)); } while (0)
+#define ts_peek_u32(p) (*(volatile __global uint *)(p))
 #define ts_add_i64(p, v) ((void)atom_add((p), (v)))
 #define ts_next_i64(p) atom_inc(p)
 #define ts_mark_u8(p) (*(p) = 1)
@@ -58,6 +59,7 @@ typedef unsigned char u8;
 #define ts_floor(x) floorf(x)
 #define ts_min_u64(p, v) do { if ((v) < *(p)) atomicMin((p), (v)); } while (0)
 #define ts_min_u32(p, v) do { if ((v) < *(p)) atomicMin((p), (v)); } while (0)
+#define ts_peek_u32(p) (*(volatile u32 *)(p))
 #define ts_add_i64(p, v) ((void)atomicAdd((u64 *)(p), (u64)(v)))
 #define ts_next_i64(p) ((i64)atomicAdd((u64 *)(p), (u64)1u))
 #define ts_mark_u8(p) (*(p) = 1)
@@ -103,6 +105,8 @@ static inline void ts_min_u32(u32 *p, u32 v)
 	while (v < old && !__atomic_compare_exchange_n(p, &old, v, true, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) {
 	}
 }
+/* While others lower it. */
+static inline u32 ts_peek_u32(const u32 *p) { return __atomic_load_n(p, __ATOMIC_RELAXED); }
 static inline void ts_add_i64(i64 *p, i64 v) { __atomic_fetch_add(p, v, __ATOMIC_RELAXED); }
 /* The value before it is raised by 1. */
 static inline i64 ts_next_i64(i64 *p) { return __atomic_fetch_add(p, 1, __ATOMIC_RELAXED); }

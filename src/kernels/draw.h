@@ -8,6 +8,7 @@
 /* Width of a pixel in world units at axial depth z, on this triangle, where the fragment lies. */
 TS_FN f32 ts_k_fragment_footprint(const ts_camera_k *view, const ts_corners *t, const ts_fragment *fragment)
 {
+	if (view->orthographic != 0u) return ts_k_footprint(1.0f / view->focal, view->back, t->n);
 	ts_v3 p = ts_blend(fragment->w, t->a, t->b, t->c);
 	return ts_k_footprint(fragment->z / view->focal, ts_sub(p, view->eye), t->n);
 }

@@ -107,7 +107,7 @@ TS_FN void ts_k_offer_colour(const ts_scatter_args *args, const ts_camera_k *vie
 {
 	f32 distance = ts_length(ts_sub(point->centre, view->eye));
 	u32 depth = ts_k_depth_code(distance, view->near) << 19;
-	if (depth <= args->colours[texel]) {
+	if (depth <= ts_peek_u32(&args->colours[texel])) {
 		ts_min_u32(&args->colours[texel], depth | ts_k_flight_colour(args, view, point, z));
 	}
 }
