@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include "bench.h"
 #include "bench_paper.h"
+#include "truths.h"
 
 static int by_value(const void *a, const void *b)
 {
@@ -27,6 +28,7 @@ void ts_bench_head(ts_report *report, const ts_cli *cli)
 ts_status ts_bench_truth(u32 *truths, const ts_cli *cli)
 {
 	*truths = ts_cli_given(cli, TS_OPT_TRUTH) ? cli->truths : TS_TRUTH_C;
+	if (ts_truths_check(truths, "reflections") != TS_OK) return TS_ERROR;
 	bool several = (*truths & (*truths - 1)) != 0;
 	return several ? ts_fail("bench: one truth is compared with, not several; write --truth=A, B, C or none") : TS_OK;
 }

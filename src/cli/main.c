@@ -12,7 +12,7 @@ const ts_backend_kind *const ts_backend_kinds[] = { &ts_c_kind, &ts_opencl_kind,
 
 const ts_command ts_command_table[] = {
 	{ "render", "EFFECT [SCENE]", "render an effect by one or more methods, and judge them by ground truth",
-	  "EFFECT: reflections; soft-shadows, of a lamp or of the scene's lights; omni-shadows, of a ball of light in the middle.\n"
+	  "EFFECT: reflections; soft-shadows, of a lamp or the scene's lights; omni-shadows, of a ball of light in the middle.\n"
 	  "Shadows are shown without mirrors unless --reflectors says how many.\n"
 	  "SCENE: atrium (the default), gallery or dining, each also with \":triangles=COUNT\"; or a .gltf or .glb file.\n"
 	  "Writes METHOD.png and .exr, truth-NAME.png, differences, pictures of the stages, traces and report.json to DIR,\n"
@@ -34,10 +34,10 @@ const ts_command ts_command_table[] = {
 	  "TABLE: of the iVIR paper ivir-1 (soft shadows), ivir-2 (reflections), ivir-3 (omnidirectional shadows); of the EPR\n"
 	  "paper epr-1 (shading operations), epr-2 (times, points and errors), epr-3 (omnidirectional shadows). The paper's\n"
 	  "figures stand below ours, and behind them what must hold, and whether it does. Their GPU's times are not ours:\n"
-	  "compare ratios. Errors of epr-2 are against truth C unless --truth says otherwise. Models of ivir-1 are read from the\n"
-	  "folder TS_SCENES (../shared/scenes). epr-6: speed against accuracy, as density, sampling and faces vary, of one\n"
-	  "scene (atrium) with one number of mirrors (10). With -o DIR the report, each table as CSV, and the plot of epr-6, as\n"
-	  "SVG, are written to DIR.\n"
+	  "compare ratios. Errors of epr-2 are against truth C unless --truth says otherwise. Models of ivir-1 are read from\n"
+	  "the folder TS_SCENES (../shared/scenes). epr-6: speed against accuracy, as density, sampling and faces vary, of one\n"
+	  "scene (atrium) with one number of mirrors (10). With -o DIR the report, each table as CSV, and the plot of epr-6,\n"
+	  "as SVG, are written to DIR.\n"
 	  "Or backends: each stage in C, with 1 and with --threads threads, and on every OpenCL device, or the one of\n"
 	  "--backend or --device, which takes the cores it likes; one frame by one --method (epr), of one scene (atrium) with\n"
 	  "one number of mirrors (10); what bounds scattering; and how long the kernels take to build, in a process of its\n"

@@ -178,12 +178,14 @@ ts_status ts_measure_estimate(u64 *bytes, const ts_pipeline *const *methods, u32
 	*bytes = 0;
 	for (u32 i = 0; i < n_methods; i++) *bytes = larger(*bytes, ts_pipeline_estimate(methods[i], scene, params, true));
 	if ((truths & TS_TRUTH_C) != 0) *bytes = larger(*bytes, bytes_of_c(scene, params));
-	if ((truths & (TS_TRUTH_SAMPLES | TS_TRUTH_AREA)) != 0) *bytes = larger(*bytes, bytes_of_area(methods[0], scene, params));
+	bool rays = (truths & (TS_TRUTH_SAMPLES | TS_TRUTH_AREA)) != 0;
+	if (rays) *bytes = larger(*bytes, bytes_of_area(methods[0], scene, params));
 	u64 limit = ts_memory_limit();
 	if (*bytes > limit) {
 		bool shadows = strcmp(methods[0]->effect, "reflections") != 0;
 		return ts_fail("%s: needs about %.1f GB of memory and may use %.1f GB of this machine's %.1f GB; choose a smaller "
-		               "--size, %s%s", scene->name, (double)*bytes / 1e9, (double)limit / 1e9, (double)ts_memory_total() / 1e9,
+		               "--size, %s%s", scene->name, (double)*bytes / 1e9, (double)limit / 1e9,
+		               (double)ts_memory_total() / 1e9,
 		               shadows ? "map_px or pass" : "fewer --reflectors",
 		               (truths & TS_TRUTH_C) != 0 ? ", or no truth C" : "");
 	}

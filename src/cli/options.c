@@ -12,8 +12,8 @@
 const ts_option ts_option_table[] = {
 	{ TS_OPT_EFFECT, "effect", "EFFECT", "what is rendered (reflections)", "methods" },
 	{ TS_OPT_METHOD, "method", "NAME,...", "methods to run, or \"all\"; by default all but vir", "methods" },
-	{ TS_OPT_TRUTH, "truth", "[=NAME,...]", "ground truth to compare with. Of reflections: A rays from the cube's centre, B true\n"
-	  "reflections, C MVR at 4 times the resolution. Of shadows: samples, rays to the very\n"
+	{ TS_OPT_TRUTH, "truth", "[=NAME,...]", "ground truth to compare with. Of reflections: A rays from the cube's centre, B\n"
+	  "true reflections, C MVR at 4 times the resolution. Of shadows: samples, rays to the very\n"
 	  "samples of the lights, area, rays to as good as the whole lights. Without names each;\n"
 	  "\"none\". Also rays through every off-screen texel: holes, leaks, wrong depths", "" },
 	{ TS_OPT_SIZE, "size", "WxH", "size of the eye image in pixels", "" },
@@ -22,7 +22,7 @@ const ts_option ts_option_table[] = {
 	{ TS_OPT_REFLECTOR, "reflector", "NAME", "node of the file to make a mirror of", "" },
 	{ TS_OPT_CAMERA, "camera", "NAME", "camera of the file; without it the eye circles the scene", "" },
 	{ TS_OPT_SCENE, "scene", "SPEC,...", "scenes to measure, instead of the table's", "" },
-	{ TS_OPT_OBJECTS, "objects", "N,...", "numbers of mirrors, or of light samples, to measure, instead of the table's", "" },
+	{ TS_OPT_OBJECTS, "objects", "N,...", "numbers of mirrors, or light samples, to measure instead of the table's", "" },
 	{ TS_OPT_RUNS, "runs", "N", "runs of which the median is taken (3; bench backends: 5)", "" },
 	{ TS_OPT_SET, "set", "NAME=VALUE", "any parameter, repeatable", "params" },
 	{ TS_OPT_THREADS, "threads", "N", "threads, by default one a core; never changes a result", "" },

@@ -111,8 +111,8 @@ static ts_status take_shadows(ts_picture *picture, const char *name, ts_truth *t
 	return status;
 }
 
-ts_status ts_picture_truth_shadows(ts_picture *samples, ts_picture *area, u32 truths, const char *effect, const ts_scene *scene,
-                                   const ts_params *params, u32 threads)
+ts_status ts_picture_truth_shadows(ts_picture *samples, ts_picture *area, u32 truths, const char *effect,
+                                   const ts_scene *scene, const ts_params *params, u32 threads)
 {
 	ts_run run;
 	ts_truth *tree = NULL;

@@ -31,7 +31,7 @@ ts_status ts_picture_truth(ts_picture *picture, u32 truth, ts_run *run);
 ts_status ts_picture_truth_c(ts_picture *picture, const ts_scene *scene, const ts_params *params, u32 threads);
 
 /* Truths of shadows, those of TS_TRUTH_SAMPLES and TS_TRUTH_AREA that `truths` has, in a run of their own. */
-ts_status ts_picture_truth_shadows(ts_picture *samples, ts_picture *area, u32 truths, const char *effect, const ts_scene *scene,
-                                   const ts_params *params, u32 threads);
+ts_status ts_picture_truth_shadows(ts_picture *samples, ts_picture *area, u32 truths, const char *effect,
+                                   const ts_scene *scene, const ts_params *params, u32 threads);
 
 #endif

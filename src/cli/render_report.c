@@ -247,8 +247,9 @@ static void report_metrics(const ts_render *render, ts_report *report)
 		ts_report_value(report, "hit_lookups", json_integer((json_int_t)a->n_hits));
 		ts_report_value(report, "missed_lookups", json_integer((json_int_t)a->n_missed));
 	}
-	ts_table table = ts_table_begin("metrics", mask ? "Metrics, in grey levels, over the image and over its reflective pixels"
-	                                                : "Metrics, in grey levels", mask ? masked : plain);
+	const char *title = mask ? "Metrics, in grey levels, over the image and over its reflective pixels"
+	                         : "Metrics, in grey levels";
+	ts_table table = ts_table_begin("metrics", title, mask ? masked : plain);
 	for (u32 i = 0; i < render->n_pairs; i++) {
 		const ts_pair *pair = &render->pairs[i];
 		ts_table_text(&table, pair->image->name);

@@ -31,8 +31,8 @@ ts_status ts_truths_parse(u32 *truths, const char *text)
 	for (const char *list = text; ts_cli_item(&list, item, sizeof item);) {
 		const ts_truth_kind *kind = find(item);
 		if (kind == NULL) {
-			return ts_fail("--truth %s: \"%s\" is no truth; there are A, B and C of reflections, samples and area of shadows, "
-			               "or none", text, item);
+			return ts_fail("--truth %s: \"%s\" is no truth; there are A, B and C of reflections, samples and area of "
+			               "shadows, or none", text, item);
 		}
 		*truths |= kind->bit;
 	}

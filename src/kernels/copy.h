@@ -17,7 +17,8 @@ TS_FN void ts_k_copy_item(const ts_copy_args *args, u64 i)
 	ts_texel_place place = ts_k_texel_place(&args->to, i);
 	u32 code = args->colours[args->to.cubes[args->to.first_cube].offset + i];
 	ts_v3 radiance = code != TS_NONE ? ts_k_colour_radiance(code, args->exposure) : ts_k_background();
-	TS_GLOBAL f32 *out = args->to.mip + (ts_k_mip_first(args->to.cubes, args->to.first_cube, place.cube) + place.inside) * 4u;
+	u64 first = ts_k_mip_first(args->to.cubes, args->to.first_cube, place.cube);
+	TS_GLOBAL f32 *out = args->to.mip + (first + place.inside) * 4u;
 	ts_store3(out, radiance);
 	out[3] = 1.0f;
 }

@@ -1,4 +1,4 @@
-/* The picture: mirrors show their reflection, everything else is shaded where the eye sees it, in the light that reaches it. */
+/* The picture: mirrors show their reflection, everything else is shaded where the eye sees it, in what light reaches it. */
 #ifndef TS_KERNELS_IMAGE_H
 #define TS_KERNELS_IMAGE_H
 #include "draw.h"

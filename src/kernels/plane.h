@@ -1,6 +1,6 @@
 /* A surface's plane on the axes of a view, and its axial depth at a place of the image: the ray (x, y, focal) meets
- * n.p = d at z = d focal / (n.(x, y, focal)), x and y in pixels from the middle; orthographic rays are (x / focal, y / focal)
- * aside and straight ahead. */
+ * n.p = d at z = d focal / (n.(x, y, focal)), x and y in pixels from the middle; orthographic rays are (x / focal,
+ * y / focal) aside and straight ahead. */
 #ifndef TS_KERNELS_PLANE_H
 #define TS_KERNELS_PLANE_H
 #include "raster.h"

@@ -110,8 +110,8 @@ TS_FN ts_need ts_k_clipped_rate(const ts_camera_k *view, ts_v3 n, ts_v3 a, ts_v3
 }
 
 /* At the point closest to the view; VIR: a pixel in the image's middle, at that distance, as dense as in its corner. The
- * closest point may lie beside the image, even behind it, where there are no pixels: it counts as in the corner, so that iVIR
- * never needs more than VIR. */
+ * closest point may lie beside the image, even behind it, where there are no pixels: it counts as in the corner, so that
+ * iVIR never needs more than VIR. */
 TS_FN f32 ts_k_closest_rate(const ts_camera_k *view, const f32 reach[2], ts_v3 n, ts_v3 a, ts_v3 b, ts_v3 c, u32 rate)
 {
 	ts_v3 q = ts_k_closest_on_triangle(view->eye, a, b, c);

@@ -10,7 +10,8 @@ static bool stores(const ts_step *step, const ts_params *params)
 
 bool ts_pipeline_takes(const ts_step *step, const ts_params *params, bool traced)
 {
-	return params->bounces >= step->least_bounces && stores(step, params) && (traced || !(step->only_traced || step->only_margins));
+	return params->bounces >= step->least_bounces && stores(step, params) &&
+	       (traced || !(step->only_traced || step->only_margins));
 }
 
 /* True if a step from `step` on reads the buffer. */

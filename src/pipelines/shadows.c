@@ -1,4 +1,4 @@
-/* What all methods of soft and omnidirectional shadows share: batches of depth maps, and how large they are expected to be. */
+/* What all methods of soft and omnidirectional shadows share: batches of depth maps, and how large they are likely to be. */
 #include "pipelines.h"
 
 void ts_soft_prepare(ts_run *run)

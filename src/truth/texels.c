@@ -41,8 +41,8 @@ static held held_depth(u32 bits)
 static held held_colour(u32 code, f32 near)
 {
 	double step = (double)TS_FAR_BITS / 8191, q = code >> 19;
-	return (held){ (double)near * exp2(step * q) / ROUNDING, q < 8190 ? (double)near * exp2(step * (q + 1)) * ROUNDING : DBL_MAX,
-	               code != TS_NONE };
+	double most = q < 8190 ? (double)near * exp2(step * (q + 1)) * ROUNDING : DBL_MAX;
+	return (held){ (double)near * exp2(step * q) / ROUNDING, most, code != TS_NONE };
 }
 
 static held held_in(const judge *j, u64 texel, f32 near)
@@ -99,8 +99,8 @@ static ts_texel_counts compare(const judge *j, const ts_camera_k *view, const ts
 	double radial = is_radial ? (double)hit->t / z : 1;
 	double slant = is_radial ? 1 + 0.5 / (double)view->focal : 1; /* of the radial distance, half a texel away */
 	double limit = fmax(z + bias, reach * slant) * radial * ROUNDING;
-	return (ts_texel_counts){ .covered = 1, .leaks = has.least > limit,
-	                          .apart = has.least > (z + bias) * radial * ROUNDING || has.most < (z - bias) * radial / ROUNDING };
+	bool apart = has.least > (z + bias) * radial * ROUNDING || has.most < (z - bias) * radial / ROUNDING;
+	return (ts_texel_counts){ .covered = 1, .leaks = has.least > limit, .apart = apart };
 }
 
 static ts_texel_counts judge_texel(const judge *j, const window *w, u32 x, u32 y)
@@ -140,7 +140,8 @@ static u32 reflector_of(const judge *j, u32 object)
 
 static window face_of(const judge *j, const ts_face *cube, u32 face)
 {
-	return (window){ ts_k_cube_view(cube, face), cube->offset + (u64)face * cube->n * cube->n, reflector_of(j, cube->object) };
+	u64 first = cube->offset + (u64)face * cube->n * cube->n;
+	return (window){ ts_k_cube_view(cube, face), first, reflector_of(j, cube->object) };
 }
 
 bool ts_truth_judges(ts_buffer_id id)

@@ -29,8 +29,8 @@ ts_status ts_truth_hits(ts_truth *truth, const ts_run *run, u32 **hits);
  * that takes a parameter out of its range, or more memory than a run may use. */
 ts_status ts_truth_c(f32 **radiance, const ts_scene *scene, const ts_params *params, u32 factor, u32 threads);
 
-/* Truth of shadows (shadow.c). Runs what comes before the first depth map of `effect`, soft-shadows or omni-shadows, in a run
- * that has just begun: pose, eye, lights and the views of their samples, the same for all methods. */
+/* Truth of shadows (shadow.c). Runs what comes before the first depth map of `effect`, soft-shadows or omni-shadows, in a
+ * run that has just begun: pose, eye, lights and the views of their samples, the same for all methods. */
 ts_status ts_truth_shadow_begin(ts_run *run, const char *effect);
 /* Rays to the very samples that the methods have depth maps of, which leaves the error of the maps. Reads pose.vertex,
  * eye.view, eye.depth_triangle, offscreen.view, lamp.shape and, if the views are of cubes, resize.face; makes resolve.lit

@@ -16,7 +16,7 @@ static void random_axes(ts_offscreen *view)
 	ts_store3(view->up, ts_v3_make((f32)up.x, (f32)up.y, (f32)up.z));
 }
 
-/* Views of different sizes; some see along the world's axes, where points lie on the borders of texels. Returns the texels. */
+/* Views of different sizes; some see along the world's axes, where points lie on borders of texels. Returns the texels. */
 static u64 random_views(u32 n)
 {
 	u64 offset = 0;

@@ -130,8 +130,8 @@ static void scatter_pool(job *j, const ts_camera_k *view, u32 v, const pool *fro
 	const u32 *seen = from->seen + (size_t)(v / 32 - j->first_group) * ROOM;
 	for (u32 begin = 0; begin < from->n; begin += BLOCK) {
 		u32 n = from->n - begin < BLOCK ? from->n - begin : BLOCK;
-		scatters += place(*view, from->centre[0] + begin, from->centre[1] + begin, from->centre[2] + begin, seen + begin, v % 32,
-		                  n, texel, depth);
+		const f32 *x = from->centre[0] + begin, *y = from->centre[1] + begin, *z = from->centre[2] + begin;
+		scatters += place(*view, x, y, z, seen + begin, v % 32, n, texel, depth);
 		for (u32 i = 0; i < n; i++) {
 			if (texel[i] < 0) continue;
 			u32 *at = &map[texel[i]], old = *at;
