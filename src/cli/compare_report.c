@@ -23,7 +23,7 @@ static void inputs_of(char text[INPUTS_TEXT], const ts_comparison *c, const ts_t
 		ts_judgement judgement = c->verdict[id].judgement;
 		bool given = judgement != TS_MISSING && judgement != TS_NOT_JUDGED;
 		const ts_step *maker = ts_pipeline_maker(reference->pipeline, id);
-		bool made = maker == NULL || !reference->has_params || ts_pipeline_takes(maker, &reference->params, true);
+		bool made = maker != NULL && (!reference->has_params || ts_pipeline_takes(maker, &reference->params, true));
 		n_given += given;
 		if (judgement == TS_UNLIKE && unlike == NULL) unlike = name;
 		if (c->verdict[id].n_tied != 0) tied = name;

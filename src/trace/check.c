@@ -90,6 +90,8 @@ void ts_check_sizes(ts_load *load, const ts_stage *stage)
 	if (n_cubes != NULL && n_views == NULL) ts_sizes_cubes(sizes, n_cubes->n);
 	if (n_views != NULL) ts_sizes_views(sizes, n_views->n);
 	bool cubeless = ts_pipeline_maker(load->pipeline, TS_B_resize_face) == NULL;
+	const ts_size *lamps = find_size(sizes, "A", 1);
+	if (lamps != NULL && load->run.taps != 0) load->run.all_units = load->run.n_units = (u32)lamps->n;
 	if (n_views != NULL && cubeless) load->run.all_units = load->run.n_units = (u32)n_views->n;
 }
 

@@ -27,7 +27,7 @@ takers = {"rate": views, "buffered": views, "snap": views, "lamp": soft[:1], "la
           "views": soft, "pass": soft + omni, "map_px": soft + omni, "light_samples": omni, "bias": soft + omni,
           "bias.slope": soft + omni, "pcss.near": [("soft-shadows", "pcss")],
           **{p: [("omni-shadows", "epr")] for p in ("shadow.rate", "shadow.depth", "shadow.resize")},
-          "conservative": views + [("reflections", "epr")],
+          "conservative": views + [("reflections", "epr"), ("reflections", "vir")],
           **{p: [("reflections", "mvr")] for p in ("mvr.faces", "mvr.filter")}}
 steps_of = {(m["effect"], m["name"]): [s for s in m["stages"].split() if not s.endswith("_margin")]
             for m in table["methods"]}
