@@ -82,9 +82,19 @@ static const ts_candidate_buffer ts_candidate_buffers[] = {
 	{"pose.vertex", 80, 1,
 		"[('position', '<f4', (3,)), ('object', '<u4'), ('normal', '<f4', (3,)), ('pad', '<u4'), "
 		"('tangent', '<f4', (4,)), ('uv', '<f4', (4,)), ('colour', '<f4', (4,))]"},
+	{"shadow_resize.least", 4, 1, "'<u4'"},
 	{"resize.face", 64, 1,
 		"[('centre', '<f4', (3,)), ('radius', '<f4'), ('box_min', '<f4', (3,)), ('n', '<u4'), "
 		"('box_max', '<f4', (3,)), ('near', '<f4'), ('offset', '<u8'), ('object', '<u4'), ('pad', '<u4')]"},
+	{"lamp.light", 64, 1,
+		"[('position', '<f4', (3,)), ('kind', '<u4'), ('direction', '<f4', (3,)), ('range', '<f4'), "
+		"('intensity', '<f4', (3,)), ('spot_scale', '<f4'), ('spot_offset', '<f4'), ('pad', '<u4', (3,))]"},
+	{"lamp.shape", 16, 1, "[('radius', '<f4'), ('samples', '<u4'), ('first', '<u4'), ('pad', '<u4')]"},
+	{"offscreen.view", 96, 1,
+		"[('eye', '<f4', (3,)), ('focal', '<f4'), ('right', '<f4', (3,)), ('width', '<u4'), "
+		"('up', '<f4', (3,)), ('height', '<u4'), ('back', '<f4', (3,)), ('near', '<f4'), "
+		"('reach', '<f4', (2,)), ('offset', '<u8'), ('orthographic', '<u4'), ('object', '<u4'), "
+		"('light', '<u4'), ('pad', '<u4')]"},
 	{"eye.depth_triangle", 8, 2, "'<u8'"},
 	{"eye.margin", 8, 3, "'<u8'"},
 	{"pixel.offset", 4, 1, "'<u4'"},
@@ -126,6 +136,9 @@ static const ts_candidate_buffer ts_candidate_buffers[] = {
 	{"face.depth_triangle", 8, 1, "'<u8'"},
 	{"face.margin", 8, 2, "'<u8'"},
 	{"face.mip", 4, 2, "'<f4'"},
+	{"scatter.depth", 4, 1, "'<u4'"},
+	{"scatter.colour", 4, 1, "'<u4'"},
+	{"resolve.lit", 4, 3, "'<u4'"},
 	{"image.radiance", 4, 3, "'<f4'"},
 	{"image.srgb", 1, 3, "'|u1'"},
 };

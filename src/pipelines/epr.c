@@ -83,9 +83,7 @@ void ts_epr_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *para
 {
 	u64 triangles = scene->n_triangles;
 	u64 pixels = (u64)params->width * params->height;
-	u64 largest = ts_largest_face(params);
-	u64 side = (u64)(2 * params->reflector_px);
-	u64 face = params->face_px != 0 ? params->face_px : params->reflectors == 0 || side > largest ? largest : side;
+	u64 face = ts_expected_face(params);
 	u64 texels = 6 * face * face * scene->info.n_reflectors;
 	double wanted = 8.0 * (double)params->rho_scale * (double)params->rho_scale * (double)pixels;
 	u64 points = params->cap && wanted > 4.0 * (double)texels ? 4 * texels : (u64)wanted;

@@ -89,12 +89,17 @@ void ts_ivir_omni_prepare(ts_run *run)
 	ts_omni_prepare(run);
 }
 
-void ts_ivir_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params)
+/* All cubes' texels at once, one cube's mip chain. */
+void ts_expect_cubes(ts_sizes *sizes, const ts_scene *scene, u64 face)
 {
-	u64 cubes = scene->info.n_reflectors, face = params->face_px != 0 ? params->face_px : params->face_max;
-	u64 texels = 6 * face * face * cubes;
+	u64 cubes = scene->info.n_reflectors, texels = 6 * face * face * cubes;
 	ts_sizes_set(sizes, "C", texels);
 	ts_sizes_set(sizes, "C4", cubes != 0 ? ts_k_mip_texels((u32)face, TS_NONE) : 0);
 	ts_sizes_set(sizes, "batches", cubes);
 	ts_expect_points(sizes, scene, texels);
+}
+
+void ts_ivir_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params)
+{
+	ts_expect_cubes(sizes, scene, ts_expected_face(params));
 }

@@ -17,12 +17,15 @@ void ts_ivir_prepare(ts_run *run);
 void ts_ivir_soft_prepare(ts_run *run);
 void ts_ivir_omni_prepare(ts_run *run);
 void ts_ivir_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params);
+/* What points for cubes of so many texels a side take. */
+void ts_expect_cubes(ts_sizes *sizes, const ts_scene *scene, u64 face);
 
 extern const ts_step ts_pcss_steps[];
 void ts_pcss_prepare(ts_run *run);
 void ts_pcss_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params);
 
 void ts_vir_prepare(ts_run *run);
+void ts_vir_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params);
 void ts_vir_soft_prepare(ts_run *run);
 void ts_vir_omni_prepare(ts_run *run);
 

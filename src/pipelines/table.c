@@ -10,7 +10,7 @@ const ts_pipeline ts_pipeline_table[] = {
 	 "improved view-independent rendering: points as dense as the cubes' texels, for all cubes",
 	 ts_ivir_reflections_steps, ts_ivir_prepare, ts_ivir_expect, false},
 	{"vir", "reflections", "iVIR 5", "view-independent rendering: points as dense as the worst texel of any cube",
-	 ts_ivir_reflections_steps, ts_vir_prepare, ts_ivir_expect, true},
+	 ts_ivir_reflections_steps, ts_vir_prepare, ts_vir_expect, true},
 	{"ivir", "soft-shadows", "iVIR 4", "one set of points for the depth maps of all light samples", ts_ivir_soft_steps,
 	 ts_ivir_soft_prepare, ts_soft_expect, false},
 	{"vir", "soft-shadows", "iVIR 4", "the same with the density of view-independent rendering", ts_ivir_soft_steps,

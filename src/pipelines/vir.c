@@ -27,3 +27,11 @@ void ts_vir_omni_prepare(ts_run *run)
 	ts_vir_prepare(run);
 	ts_omni_prepare(run);
 }
+
+/* Its points are more than iVIR's by as much as the rate of a cube's corner is more than its middle's. */
+void ts_vir_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params)
+{
+	u64 face = params->face_px != 0 ? params->face_px : params->face_max;
+	ts_expect_cubes(sizes, scene, face);
+	ts_sizes_set(sizes, "N", 2 * (u64)scene->n_triangles + 9 * 6 * face * face * scene->info.n_reflectors);
+}

@@ -172,6 +172,13 @@ u64 ts_expected_pixels(const ts_scene *scene, const ts_params *params)
 	return (u64)(covered < pixels ? covered : pixels);
 }
 
+u64 ts_expected_face(const ts_params *params)
+{
+	u64 largest = ts_largest_face(params), side = (u64)(2 * params->reflector_px);
+	if (params->face_px != 0) return params->face_px;
+	return params->reflectors == 0 || side > largest ? largest : side;
+}
+
 void ts_run_sizes(ts_sizes *sizes, const ts_scene *scene, const ts_params *params)
 {
 	const ts_size known[] = {

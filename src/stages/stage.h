@@ -74,6 +74,8 @@ void ts_sizes_cubes(ts_sizes *sizes, u64 n);
 void ts_sizes_views(ts_sizes *sizes, u64 n);
 /* Reflective pixels: a square about every added reflector, or a quarter of the image. */
 u64 ts_expected_pixels(const ts_scene *scene, const ts_params *params);
+/* Texels a side of a cube that adapts to the eye: twice the size asked for, as mirrors come nearer than their average. */
+u64 ts_expected_face(const ts_params *params);
 
 /* All stages, ended by a row without a name (table.c). */
 extern const ts_stage ts_stage_table[];
