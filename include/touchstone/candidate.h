@@ -149,7 +149,7 @@ enum { TS_CANDIDATE_BUFFERS = sizeof ts_candidate_buffers / sizeof *ts_candidate
 typedef struct {
 	char message[512]; /* of the first failure; "" */
 	char folder[TS_CANDIDATE_PATH];
-	char pipeline[32], order[16], producer[64], version[64];
+	char pipeline[64], order[16], producer[64], version[64];
 	char params[4096];                           /* as JSON */
 	unsigned char added[TS_CANDIDATE_BUFFERS];
 	const ts_candidate_buffer *open;             /* NULL: none */
@@ -209,7 +209,8 @@ static inline FILE *ts_candidate_file(ts_candidate *c, const char *name, const c
 	return file;
 }
 
-/* Begins a candidate in a folder that exists; a trace.json that is there is removed first. `pipeline`: "epr" or "mvr";
+/* Begins a candidate in a folder that exists; a trace.json that is there is removed first. `pipeline`: a
+ * method, "epr", or an effect and a method, "soft-shadows/ivir"; without an effect it is of reflections.
  * `order`: "canonical", or "arrival" if points stand in the order in which threads appended them. */
 static inline int ts_candidate_begin(ts_candidate *c, const char *folder, const char *pipeline, const char *order,
                                      const char *producer, const char *version)
@@ -433,14 +434,16 @@ static inline int ts_candidate_end(ts_candidate *c)
 	FILE *file;
 	int good, first = 1;
 	unsigned i;
+	const char *slash = strchr(c->pipeline, '/');
 	ts_candidate_close(c);
 	if (c->message[0] != 0) return 1;
 	file = ts_candidate_file(c, "trace", ".json");
 	if (file == NULL) return 1;
 	fprintf(file, "{\n \"format\": \"touchstone-trace\",\n \"version\": 1,\n \"contract\": 1,\n");
 	fprintf(file, " \"order\": \"%s\",\n", c->order);
-	fprintf(file, " \"pipeline\": \"%s\",\n \"producer\": {\"name\": \"%s\", \"version\": \"%s\"},\n", c->pipeline,
-	        c->producer, c->version);
+	if (slash != NULL) fprintf(file, " \"effect\": \"%.*s\",\n", (int)(slash - c->pipeline), c->pipeline);
+	fprintf(file, " \"pipeline\": \"%s\",\n \"producer\": {\"name\": \"%s\", \"version\": \"%s\"},\n",
+	        slash != NULL ? slash + 1 : c->pipeline, c->producer, c->version);
 	if (c->params[0] != 0) fprintf(file, " \"params\": {%s},\n", c->params);
 	fprintf(file, " \"buffers\": [");
 	for (i = 0; i < TS_CANDIDATE_BUFFERS; i++) {

@@ -353,7 +353,9 @@ static int copy(const char *from, const char *to)
 		fprintf(stderr, "%s\n", ts_error_message());
 		return 2;
 	}
-	ts_candidate_begin(&c, to, trace->pipeline->name, "canonical", "candidate.h", "1");
+	char method[64];
+	snprintf(method, sizeof method, "%s/%s", trace->pipeline->effect, trace->pipeline->name);
+	ts_candidate_begin(&c, to, method, "canonical", "candidate.h", "1");
 	ts_candidate_param(&c, "bounces", "1");
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) copy_buffer(&c, trace, (ts_buffer_id)id);
 	ts_trace_close(trace);
