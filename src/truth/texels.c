@@ -151,6 +151,7 @@ bool ts_truth_judges(ts_buffer_id id)
 
 ts_status ts_truth_texels(ts_texel_counts *counts, ts_truth *truth, const ts_run *run, ts_buffer_id id)
 {
+	if (run->n_units == 0) return TS_OK;
 	judge j = { .truth = truth, .scene = ts_truth_scene(truth), .id = id, .n_threads = (int)run->c.threads,
 	            .rule = { .bias = run->params.bias, .slope = run->params.bias_slope },
 	            .texels = ts_frame_data(&run->frame, id) };

@@ -36,7 +36,7 @@ sees "tests/kernels/cull.c has no test_nil" METHODS.md 's/test_survivors/test_ni
 sees "there is no buffer or parameter splat.nil" METHODS.md 's/`splat.depth_index`/`splat.nil`/'
 sees "visibility is one of" METHODS.md 's/`visibility=vertex`/`visibility=nil`/'
 sees "no stage, parameter, field or kernel knows rho_scael" METHODS.md 's/`rho_scale`/`rho_scael`/'
-sees "parameter exposure is not described" METHODS.md 's/ · `exposure`//'
+sees "parameter fov is not described" METHODS.md 's,`fov`/720,fov/720,'
 sees "epr: the sections are" METHODS.md 's/^### `cull`/### `align`/'
 sees "stale" METHODS.md 's/^A scatter stage/A map stage/'
 sees "stale" METHODS.md '/^| `seed` |/d'

@@ -181,7 +181,7 @@ def main():
 	for key in schema.root["required"]:
 		tap.result(schema.faults(damaged(small, [key], None)), f"refused: a candidate without {key}")
 	tap.result(not schema.faults(damaged(small, ["producer"], None)), "a candidate without producer")
-	for path, new in ((["version"], 2), (["contract"], True), (["order"], "any"), (["pipeline"], "pcss"),
+	for path, new in ((["version"], 2), (["contract"], True), (["order"], "any"), (["pipeline"], "nil"),
 	                  (["buffers", 0, "file"], "../bits.npy"), (["buffers", 0, "file"], 7),
 	                  (["buffers", 0, "name"], "bits"), (["buffers", 0, "crop"], [0, 0, 8]), (["params"], {"width": 240})):
 		tap.result(schema.faults(damaged(small, path, new)), f"refused: a candidate with {path[-1]} {new!r}")

@@ -139,6 +139,7 @@ def visibility_inputs(random, trace, n_cubes=24, n=3000):
 	corner = world(on_borders(random, trace, n, faces['near'][own]), random.randint(0, 6, n), faces[own])
 	vertex = record(trace, 'pose.vertex', 3 * n, position=corner.reshape(-1, 3))
 	vertex['object'] = np.maximum(random.randint(-4 * n_cubes, n_cubes + 1, 3 * n), 0)
+	faces['object'] = np.arange(1, n_cubes + 1)
 	objects = record(trace, 'scene.object', n_cubes + 1, n_vertices=1, reflector=np.arange(-1, n_cubes) & NONE)
 	objects['first_vertex'] = np.arange(n_cubes + 1)
 	material = record(trace, 'scene.material', 4, slot=NONE, flags=[0, 1, 2, 3])

@@ -10,7 +10,7 @@ DOUBLE_SIDED = 1
 def run(trace, broken=0):
 	vertex, triangle = trace['pose.vertex'], trace['scene.triangle']
 	corners = vertex['position'][triangle['vertex']]
-	owner = trace['scene.object']['reflector'][vertex['object'][triangle['vertex'][:, 0]]]
+	owner = vertex['object'][triangle['vertex'][:, 0]]
 	normal = cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
 	real = flush(dot(normal, normal)) > 0
 	both = (trace['scene.material']['flags'][triangle['material']] & DOUBLE_SIDED > 0) | (broken == 2)
@@ -19,7 +19,7 @@ def run(trace, broken=0):
 	for view in views(faces):
 		facing = both | (flush(dot(normal, view.centre - corners[:, 0])) > 0)
 		inside = INSIDE[trace.params['visibility']](view.see(corners), view, broken)
-		seen = real & facing & inside & (owner != view.bit // 6)
+		seen = real & facing & inside & (owner != faces['object'][view.bit // 6])
 		bits[:, view.bit // 64] |= seen.astype(np.uint64) << np.uint64(view.bit % 64)
 	return {'visibility.bits': bits}
 
