@@ -103,8 +103,8 @@ void ts_c_launch(ts_kernel kernel, const void *args, u64 n, u32 threads);
 /* Fast paths: the same bits as launching the kernel (tests/backends/splat_fast.c; tests/stages/run.c).
  * Splat: args->offset must be there, and nothing to mark. */
 void ts_c_splat_fast(const ts_splat_args *args, u32 threads);
-/* Scatter: of n stored points or n pieces, into depth maps; n_views must not be 0. False if there is no memory: then nothing
- * was done. */
+/* Scatter: of n stored points or n pieces, into depth maps; n_views must not be 0. False if there is no memory, or there are
+ * more than 2048 views: then nothing was done. */
 bool ts_c_scatter_fast(const ts_scatter_args *args, u64 n, bool stored, u32 threads);
 /* Shade: of n entries; adaptive must be 0. */
 void ts_c_shade_fast(const ts_lookup_args *args, u64 n, u32 threads);

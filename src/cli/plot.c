@@ -10,7 +10,12 @@ static const char *const colours[TS_PLOT_CURVES] = { "#0072b2", "#d55e00", "#009
 /* From values to pixels, logarithmically. */
 typedef struct { double low, high, from, to; } axis;
 
-static double place(axis a, double value) { return a.from + (a.to - a.from) * log(value / a.low) / log(a.high / a.low); }
+/* What is not more than 0 has no logarithm: it stands at the low end. */
+static double place(axis a, double value)
+{
+	double from_low = value > a.low ? log(value / a.low) : 0;
+	return a.from + (a.to - a.from) * from_low / log(a.high / a.low);
+}
 
 /* A fifth more on either side than the points need. */
 static axis axis_of(const ts_plot *plot, bool across)
@@ -18,9 +23,10 @@ static axis axis_of(const ts_plot *plot, bool across)
 	double least = INFINITY, most = 0;
 	for (u32 i = 0; i < plot->n_points; i++) {
 		double value = across ? plot->points[i].x : plot->points[i].y;
-		least = value < least ? value : least;
+		least = value > 0 && value < least ? value : least;
 		most = value > most ? value : most;
 	}
+	if (!(most > 0)) least = most = 1;
 	return across ? (axis){ least / 1.2, most * 1.2, LEFT, RIGHT } : (axis){ least / 1.2, most * 1.2, BOTTOM, TOP };
 }
 

@@ -63,7 +63,7 @@ TS_FN void ts_k_draw_fan(const ts_arrays *scene, const ts_camera_k *view, const 
 }
 
 /* One triangle, facing and not degenerate, into one view. */
-TS_FN void ts_k_draw(const ts_arrays *scene, const ts_camera_k *view, const ts_corners *t, u32 triangle,
+TS_CALL void ts_k_draw(const ts_arrays *scene, const ts_camera_k *view, const ts_corners *t, u32 triangle,
                      const ts_target *target)
 {
 	ts_polygon polygon = ts_k_polygon(view, t->a, t->b, t->c);
@@ -75,7 +75,7 @@ TS_FN void ts_k_draw(const ts_arrays *scene, const ts_camera_k *view, const ts_c
 }
 
 /* The fragment of a triangle at a pixel that it covers, computed again. */
-TS_FN ts_fragment ts_k_fragment_at(const ts_camera_k *view, const ts_corners *t, i32 i, i32 j)
+TS_CALL ts_fragment ts_k_fragment_at(const ts_camera_k *view, const ts_corners *t, i32 i, i32 j)
 {
 	ts_polygon polygon = ts_k_polygon(view, t->a, t->b, t->c);
 	ts_k_clip_to_range(view, &polygon);

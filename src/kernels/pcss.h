@@ -66,7 +66,7 @@ TS_FN f32 ts_k_free_depth(const ts_shaded *r, f32 x, f32 y)
 }
 
 /* What the map shows at a tap if it comes between the light and the receiver's plane, else 0. */
-TS_FN f32 ts_k_blocker(const ts_shaded *r, f32 radius, i32 tap_x, i32 tap_y)
+TS_CALL f32 ts_k_blocker(const ts_shaded *r, f32 radius, i32 tap_x, i32 tap_y)
 {
 	f32 x = r->place.x + radius * ((f32)tap_x * 0.0078125f);
 	f32 y = r->place.y + radius * ((f32)tap_y * 0.0078125f);
@@ -107,11 +107,11 @@ TS_FN f32 ts_k_filter_radius(const ts_shaded *r, f32 light, f32 blocker)
 }
 
 /* How many of the filter's taps see no blocker. */
-TS_FN u32 ts_k_pcss(const ts_pcss_args *args, TS_GLOBAL const ts_offscreen *offscreen, const ts_receiver *at)
+TS_CALL u32 ts_k_pcss(const ts_pcss_args *args, TS_GLOBAL const ts_offscreen *offscreen, const ts_receiver *at)
 {
 	ts_shaded r = ts_k_shaded(&args->of, offscreen, at);
 	f32 light = args->lamps[offscreen->light].radius;
-	if (r.z < r.view.near) return TS_N_FILTER;
+	if (!(r.z >= r.view.near)) return TS_N_FILTER;
 	f32 blocker = ts_k_blocker_depth(&r, ts_k_search_radius(&r, light, args->near * r.z));
 	if (!(blocker > 0.0f)) return TS_N_FILTER;
 	f32 radius = ts_k_filter_radius(&r, light, blocker);

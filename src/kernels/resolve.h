@@ -60,7 +60,7 @@ TS_FN bool ts_k_reaches(const ts_resolve_args *args, TS_GLOBAL const ts_offscree
 {
 	ts_camera_k view = ts_k_offscreen(offscreen);
 	ts_corner p = ts_k_to_view(&view, at->p);
-	if (p.z < view.near) return true;
+	if (!(p.z >= view.near)) return true;
 	ts_v2 place = ts_k_project(&view, &p);
 	i32 i = ts_floor_i32(place.x);
 	i32 j = ts_floor_i32(place.y);

@@ -91,7 +91,7 @@ TS_FN ts_v3 ts_k_colour_radiance(u32 code, f32 exposure)
 }
 
 /* What the point, at axial depth z, looks like from a view: its textures as the view's texels see them. */
-TS_FN u32 ts_k_flight_colour(const ts_scatter_args *args, const ts_camera_k *view, const ts_flight *point, f32 z)
+TS_CALL u32 ts_k_flight_colour(const ts_scatter_args *args, const ts_camera_k *view, const ts_flight *point, f32 z)
 {
 	u32 triangle = args->from.pieces[point->piece].triangle;
 	ts_v3 way = ts_sub(point->centre, view->eye);
@@ -108,17 +108,18 @@ TS_FN void ts_k_offer_colour(const ts_scatter_args *args, const ts_camera_k *vie
 	f32 distance = ts_length(ts_sub(point->centre, view->eye));
 	u32 depth = ts_k_depth_code(distance, view->near) << 19;
 	if (depth <= ts_peek_u32(&args->colours[texel])) {
-		ts_min_u32(&args->colours[texel], depth | ts_k_flight_colour(args, view, point, z));
+		u32 code = depth | ts_k_flight_colour(args, view, point, z);
+		ts_min_u32(&args->colours[texel], code);
 	}
 }
 
 /* One point into one view. Returns the texels offered: 0 behind the near plane and outside the image. */
-TS_FN u32 ts_k_scatter_into(const ts_scatter_args *args, TS_GLOBAL const ts_offscreen *offscreen, const ts_flight *point,
+TS_CALL u32 ts_k_scatter_into(const ts_scatter_args *args, TS_GLOBAL const ts_offscreen *offscreen, const ts_flight *point,
                             u64 first_texel)
 {
 	ts_camera_k view = ts_k_offscreen(offscreen);
 	ts_corner p = ts_k_to_view(&view, point->centre);
-	if (p.z < view.near) return 0u;
+	if (!(p.z >= view.near)) return 0u;
 	ts_v2 at = ts_k_project(&view, &p);
 	i32 i = ts_floor_i32(at.x);
 	i32 j = ts_floor_i32(at.y);

@@ -84,7 +84,7 @@ TS_FN f32 ts_k_shadow_need(const ts_density_args *args, u32 l, f32 most, ts_v3 a
 	return most * ts_min(1.0f, to_light / to_eye);
 }
 
-TS_FN ts_need ts_k_shadow_density(const ts_density_args *args, TS_GLOBAL const u64 *words, ts_v3 a, ts_v3 b, ts_v3 c)
+TS_CALL ts_need ts_k_shadow_density(const ts_density_args *args, TS_GLOBAL const u64 *words, ts_v3 a, ts_v3 b, ts_v3 c)
 {
 	ts_need all;
 	all.s = 0.0f;

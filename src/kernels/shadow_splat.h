@@ -86,7 +86,8 @@ TS_FN void ts_k_shadow_cover(const ts_scatter_args *args, ts_shadow_caster *cast
 }
 
 /* The splat is no longer than a texel from corner to corner, at a scale from the plane to the image of at most f d / z^2: so
- * the lattice meets each texel with a point. 1/128 more makes up for rounding (view_density.h leaves 1/64). */
+ * the lattice meets each texel with a point. 1/128 more makes up for rounding and for the scale's change within a texel, at
+ * most 1/(2 f): of faces under 128 texels some points near their corners are written alone where they should be splats. */
 TS_FN bool ts_k_is_within_texel(const ts_camera_k *view, const ts_corner *p, f32 length)
 {
 	if (p->z < view->near) return false;
@@ -127,7 +128,7 @@ TS_FN u32 ts_k_shadow_square(const ts_shadow_splat_args *args, const ts_shadow_c
 }
 
 /* One point into one view. */
-TS_FN void ts_k_shadow_splat_into(const ts_shadow_splat_args *args, ts_shadow_caster *caster, const ts_flight *point,
+TS_CALL void ts_k_shadow_splat_into(const ts_shadow_splat_args *args, ts_shadow_caster *caster, const ts_flight *point,
                                   ts_shadow_tally *tally)
 {
 	ts_corner p = ts_k_to_view(&caster->view, point->centre);

@@ -122,7 +122,7 @@ TS_FN f32 ts_k_closest_rate(const ts_camera_k *view, const f32 reach[2], ts_v3 n
 	return ts_k_pixel_rate(view, n, q, ts_max(ts_k_to_view(view, q).z, least));
 }
 
-TS_FN ts_need ts_k_one_view_density(const ts_density_args *args, u32 v, ts_v3 n, ts_v3 a, ts_v3 b, ts_v3 c)
+TS_CALL ts_need ts_k_one_view_density(const ts_density_args *args, u32 v, ts_v3 n, ts_v3 a, ts_v3 b, ts_v3 c)
 {
 	TS_GLOBAL const ts_offscreen *offscreen = &args->views[v];
 	ts_camera_k view = ts_k_offscreen(offscreen);

@@ -27,7 +27,8 @@
  * - splats have the depth of the triangle's plane in each texel: one a splat shadows its own surface (shadow.depth=point);
  * - eq. 6 takes the distances from triangles, not from pixels, and one resolution serves all cubes, as printed; instead of
  *   a hysteresis, which needs the G-buffers of all frames before, it is a multiple of 32 (hysteresis);
- * - points are made for each batch of depth maps, not kept (buffered=on). */
+ * - points are made for every eight views, not kept (buffered=on); what is counted is one pass over the
+ *   geometry a batch. */
 #include "../stages/stages.h"
 #include "pipelines.h"
 

@@ -38,7 +38,6 @@ void ts_pcss_prepare(ts_run *run)
 	run->fixed_face = run->params.map_px;
 	run->all_units = run->n_units = n_lights(run->scene, &run->params);
 	run->batch = run->params.pass;
-	run->fixed_face = run->params.map_px;
 }
 
 void ts_pcss_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params)

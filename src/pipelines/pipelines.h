@@ -28,6 +28,7 @@ void ts_vir_prepare(ts_run *run);
 void ts_vir_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params);
 void ts_vir_soft_prepare(ts_run *run);
 void ts_vir_omni_prepare(ts_run *run);
+void ts_vir_omni_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params);
 
 /* Soft and omnidirectional shadows, by any method. */
 void ts_soft_prepare(ts_run *run);

@@ -23,7 +23,7 @@ const ts_pipeline ts_pipeline_table[] = {
 	{"ivir", "omni-shadows", "iVIR 6", "one set of points for the cubes of all light samples", ts_ivir_omni_steps,
 	 ts_ivir_omni_prepare, ts_omni_expect, false},
 	{"vir", "omni-shadows", "iVIR 6", "the same with the density of view-independent rendering", ts_ivir_omni_steps,
-	 ts_vir_omni_prepare, ts_omni_expect, true},
+	 ts_vir_omni_prepare, ts_vir_omni_expect, true},
 	{"epr", "omni-shadows", "EPR 5",
 	 "points no denser than the eye can tell in a shadow, splatted into the cubes of all light samples",
 	 ts_epr_omni_steps, ts_ivir_omni_prepare, ts_omni_expect, false},

@@ -28,10 +28,16 @@ void ts_vir_omni_prepare(ts_run *run)
 	ts_omni_prepare(run);
 }
 
-/* Its points are more than iVIR's by as much as the rate of a cube's corner is more than its middle's. */
+/* Nine points a texel: the corner's rate, 3, squared. */
 void ts_vir_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params)
 {
 	u64 face = params->face_px != 0 ? params->face_px : params->face_max;
 	ts_expect_cubes(sizes, scene, face);
 	ts_sizes_set(sizes, "N", 2 * (u64)scene->n_triangles + 9 * 6 * face * face * scene->info.n_reflectors);
+}
+
+void ts_vir_omni_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params)
+{
+	ts_omni_expect(sizes, scene, params);
+	ts_sizes_set(sizes, "N", 2 * (u64)scene->n_triangles + 9 * 6 * (u64)params->map_px * params->map_px);
 }

@@ -21,7 +21,7 @@ static ts_status find_least(ts_run *run, ts_face *cubes, u32 n)
 	return status == TS_OK ? recalled : status;
 }
 
-/* Res_max / least, at most Res_max and a multiple of the hysteresis. */
+/* The next whole number above Res_max / least, at most Res_max and a multiple of the hysteresis. */
 static u32 side(const ts_params *params, u32 least)
 {
 	if (!params->shadow_resize) return params->map_px;

@@ -250,8 +250,12 @@ static ts_status check_counts(const ts_load *load, const ts_stage *stage)
 
 ts_status ts_check_values(const ts_load *load, const ts_stage *stage)
 {
-	if (load->scene.info.n_reflectors > MAX_REFLECTORS || load->run.all_units > MAX_REFLECTORS) {
+	if (load->scene.info.n_reflectors > MAX_REFLECTORS) {
 		return ts_fail("%s: %" PRIu32 " reflectors; at most %d would be right", load->reference->dir,
+		               load->scene.info.n_reflectors, MAX_REFLECTORS);
+	}
+	if (load->run.all_units > MAX_REFLECTORS) {
+		return ts_fail("%s: %" PRIu32 " cubes or views; at most %d would be right", load->reference->dir,
 		               load->run.all_units, MAX_REFLECTORS);
 	}
 	if (check_sums(load) != TS_OK || check_images(load) != TS_OK || check_slots(load) != TS_OK) return TS_ERROR;

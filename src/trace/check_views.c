@@ -39,6 +39,9 @@ ts_status ts_check_views(const ts_load *load)
 	}
 	for (u64 v = 0; v < n; v++) {
 		if (check_sides(load, &views[v], v, cubes) != TS_OK) return TS_ERROR;
+		bool empty = views[v].width == 0;
+		if (!empty && !(views[v].near > 0.0f)) return ts_check_refuse(load, id, v, "near", 0, "more than 0");
+		if (!empty && !(views[v].focal > 0.0f)) return ts_check_refuse(load, id, v, "focal", 0, "more than 0");
 		if (views[v].orthographic > 1) return ts_check_refuse(load, id, v, "orthographic", 0, "0 or 1");
 		if (views[v].offset != offset) {
 			return ts_check_refuse(load, id, v, "offset", 0, "%" PRIu64 ", the texels of the views before it,", offset);

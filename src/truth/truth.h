@@ -54,8 +54,8 @@ typedef struct {
 /* True of the buffers that can be judged: scatter.depth, scatter.colour and face.depth_triangle. */
 bool ts_truth_judges(ts_buffer_id id);
 /* Adds what buffer `id` of the run's batch is like to *counts. Reads also offscreen.view or, of cubes, resize.face. With
- * rate=watertight and cull=off there are no holes and no leaks, unless density.capped is counted. Never fails but with the
- * device that the buffer is on. */
+ * cull=off, and rate, snap, visibility and conservative as they are by default, there are no holes and no leaks, unless
+ * density.capped is counted. Never fails but with the device that the buffer is on. */
 ts_status ts_truth_texels(ts_texel_counts *counts, ts_truth *truth, const ts_run *run, ts_buffer_id id);
 
 #endif

@@ -235,6 +235,8 @@ static const struct { const char *effect, *method; u32 reflectors; const char *s
 	{"soft-shadows", "vir", 0, {{"lamp", "scene"}, {"visibility", "vertex"}}},
 	{"soft-shadows", "mvr", 0, {{"lamp", "scene"}}},
 	{"omni-shadows", "ivir", 0, {{"rate", "paper"}}},
+	{"omni-shadows", "epr", 0, {{"shadow.rate", "paper"}}},
+	{"soft-shadows", "pcss", 0, {{"lamp", "scene"}}},
 	{"omni-shadows", "vir", 2, {{"buffered", "on"}}},
 	{"omni-shadows", "mvr", 0, {{"bias", "0"}}},
 };

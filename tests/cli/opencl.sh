@@ -48,10 +48,10 @@ digests() {
 }
 
 and=
-digests all
-digests all --reflectors 0
-digests all --set bounces=3 --set samples=adaptive --set mvr.faces=adaptive
-digests all --set planedepth=on --set clip=off --set mvr.filter=supersample --set face_px=24
+digests epr,mvr
+digests epr,mvr --reflectors 0
+digests epr,mvr --set bounces=3 --set samples=adaptive --set mvr.faces=adaptive
+digests epr,mvr --set planedepth=on --set clip=off --set mvr.filter=supersample --set face_px=24
 digests epr --set visibility=vertex --set density=paper --set splat=paper --set cull_unit=raster --set conservative=exact
 digests epr --set rho_scale=2 --set rho_is_area=on --set offaxis=on --set split=off --set cap=off --set cull=off
 and='--work-group 1' digests epr

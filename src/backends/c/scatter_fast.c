@@ -5,7 +5,12 @@
 #include <stdlib.h>
 #include "../backend.h"
 
-enum { ROOM = 1 << 16, BLOCK = 256, TAKEN = 64 }; /* no row of a lattice is longer than a pool */
+enum {
+	ROOM = (1 << 16) + 256, /* a row of a lattice, 24.8 and dilated, has at most 65538 points */
+	BLOCK = 256,
+	TAKEN = 64,
+	MOST_GROUPS = 64,       /* of 32 views; more are not worth the memory */
+};
 
 /* Points of one thread; seen[g] has a bit for each view of 32 [32 (first + g), ...). */
 typedef struct {
@@ -205,6 +210,7 @@ bool ts_c_scatter_fast(const ts_scatter_args *args, u64 n, bool stored, u32 thre
 {
 	job j = {.args = args, .n_items = n, .stored = stored, .first_group = args->first_view / 32};
 	j.n_groups = (args->first_view + args->n_views - 1) / 32 - j.first_group + 1;
+	if (j.n_groups > MOST_GROUPS) return false;
 	bool made = make_pools(&j, threads);
 	if (made) {
 #pragma omp parallel num_threads(threads)
