@@ -3,8 +3,9 @@
 . "$(dirname "$0")/tap.bash"
 small=(--scene atrium:triangles=10000 --objects 1,2 --size 96x54 --set reflector_px=30 --set face_max=64)
 
-prints '^96 x 54 pixels' bench epr-1 "${small[@]}"
-prints '^Sponza .*paper .*1,510,000' bench epr-1 "${small[@]}"
+run bench epr-1 "${small[@]}"
+[ "$status" -eq 0 ] && grep -q '^96 x 54 pixels' "$scratch/stdout" && grep -q '^Sponza .*paper .*1,510,000' "$scratch/stdout"
+verdict $? 'bench epr-1 says the size, and has the paper'
 run bench epr-1 "${small[@]}" --threads 2 --json
 python3 - "$scratch/stdout" <<'PY'
 import json, sys
@@ -109,7 +110,7 @@ refuses 'needs a truth' bench epr-6 --truth=none
 refuses 'one scene' bench epr-6 --scene atrium,gallery
 
 frame=(--scene atrium:triangles=10000 --objects 2 "${small[@]:4}")
-prints '^c  *[0-9.]*  *[0-9.]*  *[0-9.]*$' bench start "${frame[@]}" --runs 2
+prints '^c  *[0-9.]*  *[0-9.]*  *[0-9.]*$' bench start "${frame[@]}" --runs 1
 
 # Of this machine's devices, if there are any. What is counted is the same in every column, so rates go by the times.
 mkdir "$scratch/tmp"

@@ -142,8 +142,9 @@ static void test_squares(void **state)
 
 typedef enum { SOME_FLOATS, WHOLE_ELEMENTS, ANYTHING, N_DAMAGES } damage_kind;
 
-/* An extreme value; a float is finite, and s of align.frame not negative, so that it is not refused. */
-static u64 extreme(const ts_field *field)
+/* An extreme value; a float is finite, s of align.frame not negative, and near and focal of offscreen.view more than 0, so
+ * that it is not refused. */
+static u64 extreme(ts_buffer_id id, const ts_field *field)
 {
 	static const u64 extremes[] = {0,          1,          2,          255,        0x7fffffff, 0x80000000,
 	                               0xfffffffe, UINT64_MAX, 0x7f7fffff, 0xff7fffff, 0x3f800000, 0x5e800000,
@@ -151,6 +152,8 @@ static u64 extreme(const ts_field *field)
 	u64 value = extremes[random_below(16)];
 	if (field->kind != 'f') return value;
 	if ((value & 0x7f800000) == 0x7f800000) value = (value & 0x80000000) | 0x7f7fffff;
+	bool view = id == TS_B_offscreen_view && (strcmp(field->name, "near") == 0 || strcmp(field->name, "focal") == 0);
+	if (view) return (value & 0x7fffffff) > 0x00800000 ? value & 0x7fffffff : 0x00800000;
 	return strcmp(field->name, "s") == 0 ? value & 0x7fffffff : value;
 }
 
@@ -167,7 +170,7 @@ static void damage(const ts_buffer *buffer, ts_buffer_id id, damage_kind kind)
 			u32 one = kind == WHOLE_ELEMENTS ? fields.field[f].count : random_below(fields.field[f].count);
 			for (u32 k = 0; k < fields.field[f].count; k++) {
 				bool large = kind == WHOLE_ELEMENTS && i % 2 == 0;
-				u64 value = large ? 0x7f7fffff : extreme(&fields.field[f]);
+				u64 value = large ? 0x7f7fffff : extreme(id, &fields.field[f]);
 				if (one == fields.field[f].count || one == k) put(buffer, id, element, fields.field[f].name, k, value);
 			}
 		}
