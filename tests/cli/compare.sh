@@ -27,7 +27,7 @@ ends() {
 	verdict $? "$name"
 }
 
-run "${frame[@]:0:${#frame[@]}-1}" --method all --trace -o r
+run "${frame[@]:0:${#frame[@]}-1}" --method epr,mvr --trace -o r
 rm r/trace-*/00-scene.texel.npy
 python3 - r/trace-epr r/trace-mvr <<'PY'
 import json, sys

@@ -56,7 +56,6 @@ digests epr --set visibility=vertex --set density=paper --set splat=paper --set 
 digests epr --set rho_scale=2 --set rho_is_area=on --set offaxis=on --set split=off --set cap=off --set cull=off
 and='--work-group 1' digests epr
 and='--work-group 256' digests mvr
-and='--work-group 0' digests epr
 export POCL_DEVICES='basic pthread'
 run list backends
 if [ "$(grep -c '^opencl ' "$scratch/stdout")" -eq 2 ]; then
