@@ -11,7 +11,7 @@
 #include "../stages/stages.h"
 #include "query.h"
 
-enum { CHUNK = 4096 }; /* pixels between two signs of progress */
+enum { CHUNK = 4096, MOST_SAMPLES = 1 << 20 }; /* pixels between two signs of progress; samples of all lights */
 
 typedef struct {
 	const ts_truth *truth;
@@ -113,8 +113,12 @@ ts_status ts_truth_area(ts_truth *truth, ts_run *run)
 {
 	static const char *const maps[] = { "lamp", "lamp_view", NULL };
 	static const char *const cubes[] = { "lamp_ball", "lamp_cube", "offscreen", NULL };
-	u32 n = run->params.area_samples;
-	run->params.views = n * (u32)ts_frame_n(&run->frame, TS_B_lamp_shape);
+	u32 n = run->params.area_samples, n_lamps = (u32)ts_frame_n(&run->frame, TS_B_lamp_shape);
+	if ((u64)n * n_lamps > MOST_SAMPLES) {
+		return ts_fail("area_samples=%u: of %u lights at most %u each would be right", (unsigned)n, (unsigned)n_lamps,
+		               (unsigned)(MOST_SAMPLES / n_lamps));
+	}
+	run->params.views = n * n_lamps;
 	run->params.light_samples = n;
 	const char *const *stage = ts_run_has_cubes(run) ? cubes : maps;
 	run->all_units = run->n_units = stage == cubes ? n : run->params.views;
