@@ -19,7 +19,7 @@ typedef uchar u8;
 /* Compilers of OpenCL leave long functions out of line, which costs a third of a frame; those called from many places, whose
  * copies take seconds to compile, are TS_CALL. */
 #define TS_FN static inline __attribute__((always_inline))
-#define TS_CALL static __attribute__((noinline))
+#define TS_CALL static __attribute__((noinline, unused))
 #define TS_GLOBAL __global
 #define TS_CONSTANT __constant
 #define ts_f2u(x) as_uint(x)
