@@ -10,7 +10,7 @@ TS_FN f32 ts_k_ratio(f32 a, f32 b)
 	return sum != 0.0f ? a / sum : 0.0f;
 }
 
-TS_FN ts_v3 ts_k_closest_on_triangle(ts_v3 p, ts_v3 a, ts_v3 b, ts_v3 c)
+TS_CALL ts_v3 ts_k_closest_on_triangle(ts_v3 p, ts_v3 a, ts_v3 b, ts_v3 c)
 {
 	ts_v3 ab = ts_sub(b, a);
 	ts_v3 ac = ts_sub(c, a);

@@ -15,7 +15,7 @@
 
 typedef struct { ts_v3 v[3]; u32 path; } ts_part;
 
-TS_FN ts_need ts_k_need(const ts_density_args *args, TS_GLOBAL const u64 *words, ts_v3 a, ts_v3 b, ts_v3 c)
+TS_CALL ts_need ts_k_need(const ts_density_args *args, TS_GLOBAL const u64 *words, ts_v3 a, ts_v3 b, ts_v3 c)
 {
 	if (args->shadow != TS_SHADOW_IS_NONE) return ts_k_shadow_density(args, words, a, b, c);
 	if (args->views != NULL) return ts_k_view_density(args, words, a, b, c);

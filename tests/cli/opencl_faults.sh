@@ -66,7 +66,7 @@ for how in TOUCHSTONE_CL_COPIES=1 TOUCHSTONE_CL_OWN=1; do
 done
 
 # What the compiler said comes before the one line, so that is all without a log.
-failed_run TOUCHSTONE_CL_OWN=1 "$(grep -n clBuildProgram "$scratch/calls" | cut -d: -f1)"
+failed_run TOUCHSTONE_CL_OWN=1 "$(grep -nm 1 clBuildProgram "$scratch/calls" | cut -d: -f1)"
 [ "$outcome" = told ] && grep -q 'building the kernels:' "$scratch/stderr"
 verdict $? 'no log is promised where there is none'
 

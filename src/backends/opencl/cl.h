@@ -6,11 +6,12 @@
 #include <CL/cl.h>
 #include "../backend.h"
 
-enum { TS_CL_POINTERS = 32, TS_CL_PARTS = 8, TS_CL_ARGUMENTS = 512, TS_CL_MESSAGE = 512 };
+enum { TS_CL_PROGRAMS = 16, TS_CL_POINTERS = 32, TS_CL_PARTS = 8, TS_CL_ARGUMENTS = 512, TS_CL_MESSAGE = 512 };
 
-/* A kernel's entry point: its name, the bytes of its arguments, and where pointers stand in them. */
+/* A kernel's entry point: its name, its program, the bytes of its arguments, and where pointers stand in them. */
 typedef struct {
 	const char *name;
+	u32 program;
 	size_t bytes;
 	u32 n_pointers;
 	struct { size_t at; bool constant, parted; } pointer[TS_CL_POINTERS];
@@ -24,8 +25,8 @@ typedef struct {
 	cl_device_id device;
 	cl_context context;
 	cl_command_queue queue;
-	cl_program program;
-	cl_kernel kernels[TS_N_KERNELS]; /* as they are first launched */
+	cl_program programs[TS_CL_PROGRAMS]; /* built as they are needed */
+	cl_kernel kernels[TS_N_KERNELS]; /* likewise */
 	size_t work_group;
 	const char *options;             /* of the user, for the compiler */
 	bool unified;
@@ -41,9 +42,10 @@ void ts_cl_keep(ts_cl *cl, const char *what, cl_int status);
 /* device.c: ts_opencl_kind's devices, and the one of an index. */
 u32 ts_cl_devices(ts_device devices[TS_MAX_DEVICES]);
 ts_status ts_cl_find(cl_device_id *device, ts_device *about, u32 index);
-/* program.c: builds the kernels, in place of those before, for cl->part_bytes. */
-ts_status ts_cl_build(ts_cl *cl);
-void ts_cl_forget_program(ts_cl *cl);
+/* program.c: sets cl->flags, for cl->part_bytes; makes a kernel, unless it is there; releases all kernels. */
+ts_status ts_cl_put_flags(ts_cl *cl);
+ts_status ts_cl_make_kernel(ts_cl *cl, ts_kernel kernel);
+void ts_cl_forget_programs(ts_cl *cl);
 typedef enum { TS_CL_READS, TS_CL_WRITES, TS_CL_OVERWRITES } ts_cl_access;
 
 /* memory.c: the device's copy of a buffer, made and brought up to date if need be, for what reads it, may write it

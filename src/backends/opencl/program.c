@@ -1,5 +1,6 @@
-/* The kernels' text, built by the driver, which keeps what it built in a cache of its own. The options are those of
- * CONTRACT section 1: no contraction (the text says so), correctly rounded quotients and roots, nothing unsafe. */
+/* The kernels' text: a program for each paragraph of kernels.def, built by the driver as the first of its kernels is
+ * launched; the driver keeps what it built in a cache of its own. The options are those of CONTRACT section 1: no
+ * contraction (the text says so), correctly rounded quotients and roots, nothing unsafe. */
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -8,13 +9,13 @@
 #include "program.inc"
 
 /* False if it says nothing. */
-static bool show_log(const ts_cl *cl)
+static bool show_log(const ts_cl *cl, cl_program program)
 {
 	size_t bytes = 0;
-	clGetProgramBuildInfo(cl->program, cl->device, CL_PROGRAM_BUILD_LOG, 0, NULL, &bytes);
+	clGetProgramBuildInfo(program, cl->device, CL_PROGRAM_BUILD_LOG, 0, NULL, &bytes);
 	char *log = calloc(bytes + 1, 1);
 	if (log == NULL) return false;
-	clGetProgramBuildInfo(cl->program, cl->device, CL_PROGRAM_BUILD_LOG, bytes, log, NULL);
+	clGetProgramBuildInfo(program, cl->device, CL_PROGRAM_BUILD_LOG, bytes, log, NULL);
 	size_t length = strlen(log);
 	while (length > 0 && strchr(" \n", log[length - 1]) != NULL) log[--length] = 0;
 	if (length > 0) fprintf(stderr, "%s\n", log);
@@ -22,7 +23,7 @@ static bool show_log(const ts_cl *cl)
 	return length > 0;
 }
 
-static ts_status put_flags(ts_cl *cl)
+ts_status ts_cl_put_flags(ts_cl *cl)
 {
 	char parts[64] = "";
 	const char *rounded = cl->about.rounded ? " -cl-fp32-correctly-rounded-divide-sqrt" : "";
@@ -34,25 +35,39 @@ static ts_status put_flags(ts_cl *cl)
 	return length >= 0 && (size_t)length < sizeof cl->flags ? TS_OK : ts_fail("--build: at most 128 characters are taken");
 }
 
-void ts_cl_forget_program(ts_cl *cl)
+void ts_cl_forget_programs(ts_cl *cl)
 {
 	for (u32 i = 0; i < TS_N_KERNELS; i++) {
 		if (cl->kernels[i] != NULL) clReleaseKernel(cl->kernels[i]);
 		cl->kernels[i] = NULL;
 	}
-	if (cl->program != NULL) clReleaseProgram(cl->program);
-	cl->program = NULL;
+	for (u32 i = 0; i < TS_CL_PROGRAMS; i++) {
+		if (cl->programs[i] != NULL) clReleaseProgram(cl->programs[i]);
+		cl->programs[i] = NULL;
+	}
 }
 
-ts_status ts_cl_build(ts_cl *cl)
+static ts_status build(ts_cl *cl, u32 index)
 {
 	const char *text = source;
-	ts_cl_forget_program(cl);
-	if (put_flags(cl) != TS_OK) return TS_ERROR;
+	char flags[sizeof cl->flags + 32];
 	cl_int status;
-	cl->program = clCreateProgramWithSource(cl->context, 1, &text, NULL, &status);
-	if (status != CL_SUCCESS) return ts_cl_failed("the program", status);
-	status = clBuildProgram(cl->program, 1, &cl->device, cl->flags, NULL, NULL);
+	snprintf(flags, sizeof flags, "%s -DTS_PROGRAM=%u", cl->flags, index);
+	cl_program program = clCreateProgramWithSource(cl->context, 1, &text, NULL, &status);
+	if (status != CL_SUCCESS) return ts_cl_failed("a program", status);
+	cl->programs[index] = program;
+	status = clBuildProgram(program, 1, &cl->device, flags, NULL, NULL);
 	if (status == CL_SUCCESS) return TS_OK;
-	return ts_cl_failed(show_log(cl) ? "building the kernels, whose log stands above" : "building the kernels", status);
+	bool told = show_log(cl, program);
+	return ts_cl_failed(told ? "building the kernels, whose log stands above" : "building the kernels", status);
+}
+
+ts_status ts_cl_make_kernel(ts_cl *cl, ts_kernel kernel)
+{
+	const ts_cl_kernel *k = &ts_cl_kernels[kernel];
+	cl_int status;
+	if (cl->kernels[kernel] != NULL) return TS_OK;
+	if (cl->programs[k->program] == NULL && build(cl, k->program) != TS_OK) return TS_ERROR;
+	cl->kernels[kernel] = clCreateKernel(cl->programs[k->program], k->name, &status);
+	return status == CL_SUCCESS ? TS_OK : ts_cl_failed(k->name, status);
 }

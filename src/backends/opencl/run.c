@@ -103,7 +103,8 @@ static ts_status admit(ts_cl *cl, const ts_buffer *buffer)
 {
 	if (buffer->bytes <= cl->about.most || cl->part_bytes != 0) return TS_OK;
 	cl->part_bytes = largest_power(cl->about.most);
-	return ts_cl_build(cl);
+	ts_cl_forget_programs(cl);
+	return ts_cl_put_flags(cl);
 }
 
 static ts_status admit_all(ts_cl *cl, ts_frame *frame, ts_kernel kernel, const void *args)
@@ -132,17 +133,15 @@ static ts_status launch(ts_backend *backend, ts_frame *frame, ts_kernel kernel, 
 		kernel = TS_KERNEL_splat_pieces;
 		n = ((const ts_splat_args *)args)->n_pieces;
 	}
-	cl_int status = CL_SUCCESS;
 	frame->residence = &ts_cl_residence;
 	if (n == 0) return TS_OK;
 	if (admit_all(cl, frame, kernel, args) != TS_OK) return TS_ERROR;
-	if (cl->kernels[kernel] == NULL) cl->kernels[kernel] = clCreateKernel(cl->program, ts_cl_kernels[kernel].name, &status);
-	if (status != CL_SUCCESS) return ts_cl_failed(ts_cl_kernels[kernel].name, status);
+	if (ts_cl_make_kernel(cl, kernel) != TS_OK) return TS_ERROR;
 	if (set_arguments(cl, frame, kernel, args, n) != TS_OK) return TS_ERROR;
 	size_t group = cl->work_group;
 	size_t items = group != 0 ? (n + group - 1) / group * group : n;
 	const size_t *local = group != 0 ? &group : NULL;
-	status = clEnqueueNDRangeKernel(cl->queue, cl->kernels[kernel], 1, NULL, &items, local, 0, NULL, NULL);
+	cl_int status = clEnqueueNDRangeKernel(cl->queue, cl->kernels[kernel], 1, NULL, &items, local, 0, NULL, NULL);
 	cl->busy = true;
 	return status == CL_SUCCESS ? TS_OK : ts_cl_failed(ts_cl_kernels[kernel].name, status);
 }
@@ -197,7 +196,7 @@ static ts_status finish(ts_backend *backend) { return ts_cl_finish((ts_cl *)back
 static void end(ts_backend *backend)
 {
 	ts_cl *cl = (ts_cl *)backend;
-	ts_cl_forget_program(cl);
+	ts_cl_forget_programs(cl);
 	if (cl->queue != NULL) clReleaseCommandQueue(cl->queue);
 	if (cl->context != NULL) clReleaseContext(cl->context);
 	free(cl);
@@ -225,7 +224,8 @@ static ts_status begin(ts_cl *cl, const ts_backend_options *options)
 	if (status != CL_SUCCESS) return ts_cl_failed("a queue", status);
 	cl->options = options->build;
 	cl->part_bytes = options->part_bytes;
-	return ts_cl_build(cl);
+	if (ts_cl_put_flags(cl) != TS_OK) return TS_ERROR;
+	return ts_cl_make_kernel(cl, TS_KERNEL_vectors); /* the first that runs: what the compiler refuses shows here */
 }
 
 static ts_status open_device(ts_backend **backend, const ts_backend_options *options)
