@@ -308,7 +308,7 @@ static void test_refused(void **state)
 	refuses("--device 31: there are ", (ts_backend_options){.device = 31, .build = ""});
 	refuses("--build: at most", (ts_backend_options){.build = many});
 	refuses("building the kernels", (ts_backend_options){.build = "-no-such-option"});
-	refuses("building the kernels, whose log stands above", (ts_backend_options){.build = "-Dts_k_scan_item=1"});
+	refuses("building the kernels, whose log stands above", (ts_backend_options){.build = "-Dts_k_vectors_item=1"});
 }
 
 /* What the arithmetic vectors find with these options. */
