@@ -289,6 +289,27 @@ static void copy_cubes(ts_candidate *c, const ts_trace *trace, ts_buffer_id id)
 	free(cubes);
 }
 
+/* Depth maps from below, one by one. */
+static void copy_maps(ts_candidate *c, const ts_trace *trace, ts_buffer_id id)
+{
+	u32 *texels = load(trace, id);
+	ts_offscreen *views = load(trace, TS_B_offscreen_view);
+	ts_candidate_open(c, ts_buffer_table[id].name, 1, trace->item[id].npy.shape);
+	for (u64 v = 0; v < trace->item[TS_B_offscreen_view].npy.n; v++) {
+		u64 width = views[v].width, height = views[v].height;
+		u32 *map = malloc(width * height * sizeof *map);
+		const uint64_t shape[2] = {height, width};
+		const ts_candidate_view view = {map + (height - 1) * width, {-(ptrdiff_t)width * 4, 4}};
+		for (u64 y = 0; y < height; y++) {
+			memcpy(map + (height - 1 - y) * width, texels + views[v].offset + y * width, width * sizeof *map);
+		}
+		ts_candidate_put(c, 2, shape, &view);
+		free(map);
+	}
+	free(texels);
+	free(views);
+}
+
 /* Points as a port has them: centre and length in a vector of 4, the rest apart. */
 static void copy_points(ts_candidate *c, const ts_trace *trace, ts_buffer_id id)
 {
@@ -334,6 +355,8 @@ static void copy_buffer(ts_candidate *c, const ts_trace *trace, ts_buffer_id id)
 		copy_keys(c, trace, id);
 	} else if (id == TS_B_splat_depth_index) {
 		copy_cubes(c, trace, id);
+	} else if (id == TS_B_scatter_depth) {
+		copy_maps(c, trace, id);
 	} else if (id == TS_B_points_record) {
 		copy_points(c, trace, id);
 	} else if (id == TS_B_shade_radiance) {

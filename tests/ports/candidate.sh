@@ -4,18 +4,29 @@
 . "$(dirname "$0")/../cli/tap.bash"
 . "$(dirname "$0")/ports.bash"
 
+# copied METHOD TRACE FILES: a copy of the trace, of more files than that, is the same.
+copied() {
+	rm -rf "$scratch/copy" && mkdir "$scratch/copy"
+	"${BUILD:-build/release}/tests/ports/candidate" copy "$2" "$scratch/copy"
+	verdict $? "$1: a candidate of every buffer"
+	run compare "$2" "$scratch/copy"
+	[ "$status" -eq 0 ] && grep -q ' 0 different, 0 missing' "$scratch/stdout"
+	verdict $? "$1: which compare finds the same"
+	for file in "$scratch"/copy/*.npy; do
+		cmp "$file" "$2/"??-"${file##*/}"
+	done > "$scratch/files" 2>&1
+	[ ! -s "$scratch/files" ] && [ "$(ls "$scratch"/copy/*.npy | wc -l)" -gt "$3" ]
+	verdict $? "$1: file for file"
+}
+
 trace whole atrium:triangles=10000 --size 96x54 --reflectors 2 --set reflector_px=30 --set face_max=64
-mkdir "$scratch/copy"
-"${BUILD:-build/release}/tests/ports/candidate" copy "$scratch/whole/trace-epr" "$scratch/copy"
-verdict $? 'a candidate of every buffer'
-run compare "$scratch/whole/trace-epr" "$scratch/copy"
-[ "$status" -eq 0 ] && grep -q ' 0 different, 0 missing' "$scratch/stdout"
-verdict $? 'which compare finds the same'
-for file in "$scratch"/copy/*.npy; do
-	cmp "$file" "$scratch/whole/trace-epr/"??-"${file##*/}"
-done > "$scratch/files" 2>&1
-[ ! -s "$scratch/files" ] && [ "$(ls "$scratch"/copy/*.npy | wc -l)" -gt 30 ]
-verdict $? 'file for file'
+copied 'reflections epr' "$scratch/whole/trace-epr" 30
+shadows=(atrium:triangles=10000 --size 96x54 --reflectors 0 --set views=5 --set light_samples=2 --set map_px=24 --trace --no-images)
+for words in 'soft-shadows ivir' 'omni-shadows epr'; do
+	read -r effect method <<< "$words"
+	run render "$effect" "${shadows[@]}" --method "$method" --set buffered=on -o "$scratch/$effect"
+	copied "$words" "$scratch/$effect/trace-$method" 25
+done
 
 cat > "$scratch/example.c" << 'END'
 #include <touchstone/candidate.h>
