@@ -86,8 +86,9 @@ TS_FN void ts_k_shadow_cover(const ts_scatter_args *args, ts_shadow_caster *cast
 }
 
 /* The splat is no longer than a texel from corner to corner, at a scale from the plane to the image of at most f d / z^2: so
- * the lattice meets each texel with a point. 1/128 more makes up for rounding and for the scale's change within a texel, at
- * most 1/(2 f): of faces under 128 texels some points near their corners are written alone where they should be splats. */
+ * the lattice meets each texel with a point. 1/128 more makes up for rounding and for the scale's change from a texel's
+ * middle to its border, at most 1/(4 f): of faces under 64 texels some points at their borders are written alone where they
+ * should be splats. */
 TS_FN bool ts_k_is_within_texel(const ts_camera_k *view, const ts_corner *p, f32 length)
 {
 	if (p->z < view->near) return false;
