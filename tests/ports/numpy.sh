@@ -1,5 +1,5 @@
 #!/bin/bash
-# The port of two stages to numpy: equal bits on two scenes and on the small ones, and each damaged line is found.
+# The port of three stages to numpy: equal bits on two scenes, the small ones and shadows, and each damaged line is found.
 . "$(dirname "$0")/../cli/tap.bash"
 . "$(dirname "$0")/ports.bash"
 find_numpy || exit 0
@@ -57,5 +57,21 @@ catches 2 small '06 visibility'
 for damage in 3 4 5; do catches $damage small '12 splat'; done
 catches 6 triangle_side '12 splat'
 catches 9 triangle_behind '12 splat'
+
+# scatters EFFECT METHOD OPTION...: stored points in depth maps, as they are and half a texel away.
+scatters() {
+	local effect=$1 method=$2 from=$scratch/$1/trace-$2 to=$scratch/$1/numpy
+	shift 2
+	run render "$effect" atrium:triangles=10000 --method "$method" --size 96x54 --reflectors 0 --set views=67 \
+		--set light_samples=2 --set map_px=32 --set buffered=on "$@" --trace --no-images -o "$scratch/$effect"
+	"$python" tests/ports/numpy/port.py "$from" "$to" --stages scatter && run compare "$from" "$to"
+	[ "$status" -eq 0 ] && grep -q '^1 buffers judged, 0 different' "$scratch/stdout"
+	verdict $? "numpy has the same bits: $effect by $method"
+	"$python" tests/ports/numpy/port.py "$from" "$to" --stages scatter --break 3 && run compare "$from" "$to"
+	[ "$status" -eq 1 ] && tail -n 1 "$scratch/stdout" | grep -q '^stage .. scatter, buffer scatter.depth'
+	verdict $? "numpy with damage 3: stage scatter differs in $effect by $method"
+}
+scatters soft-shadows ivir --set lamp=scene
+scatters omni-shadows vir
 
 finish

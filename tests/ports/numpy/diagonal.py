@@ -41,7 +41,7 @@ def picture(trace):
 
 def main(folder, candidate):
 	trace = Trace(folder)
-	write_candidate(candidate, 'epr', 'canonical', trace.params, {'eye.depth_triangle': picture(trace)})
+	write_candidate(candidate, trace, 'canonical', {'eye.depth_triangle': picture(trace)})
 
 
 if __name__ == '__main__':

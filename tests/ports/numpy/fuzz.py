@@ -166,7 +166,7 @@ def main():
 	stage, inputs = STAGES[given.stage]
 	buffers = inputs(np.random.RandomState(given.seed), trace)
 	trace.update(buffers)
-	write_candidate(given.candidate, 'epr', 'canonical', trace.params, buffers | stage.run(trace, given.broken))
+	write_candidate(given.candidate, trace, 'canonical', buffers | stage.run(trace, given.broken))
 
 
 if __name__ == '__main__':

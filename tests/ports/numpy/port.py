@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""Two stages of EPR, visibility and splat, in numpy, from a trace to a candidate: PORTING.md, section 4.
+"""Two stages of EPR, visibility and splat, and one of iVIR, scatter, in numpy, from a trace to a candidate: PORTING.md,
+sections 4 and 8.
 
 port.py TRACE CANDIDATE [--stages visibility,splat] [--arrival] [--break N]
 
@@ -7,7 +8,7 @@ port.py TRACE CANDIDATE [--stages visibility,splat] [--arrival] [--break N]
 
 --break N damages one line, for tests of the comparison:
 	1 a plane of the frustum belongs to the outside     2 back faces are seen
-	3 splats half a texel to the right and down         4 clip=off: the whole box of a splat, not only the piece's texels
+	3 all half a texel to the right and down            4 clip=off: the whole box of a splat, not only the piece's texels
 	5 axial depth instead of distance
 and these take what the documents say otherwise, where few scenes tell:
 	6 rule 19: a polygon without area keeps its box     7 rule 16: sides through the axis, 1 for f
@@ -15,11 +16,14 @@ and these take what the documents say otherwise, where few scenes tell:
 """
 import argparse
 
+import scatter
 import splat
 import visibility
 from traces import Trace, write_candidate
 
-STAGES = {'visibility': visibility, 'splat': splat}
+STAGES = {'visibility': visibility, 'splat': splat, 'scatter': scatter}
+METHODS = {'reflections': {'epr': ('visibility', 'splat')}, 'soft-shadows': {'ivir': ('scatter',), 'vir': ('scatter',)},
+           'omni-shadows': {'ivir': ('scatter',), 'vir': ('scatter',)}}
 SUPPORTED = {'visibility': ('plane', 'vertex'), 'clip': ('on', 'off'), 'planedepth': ('off',)}
 
 
@@ -34,11 +38,9 @@ def arguments():
 
 
 def refuse(trace, stages):
-	if trace.pipeline != 'epr':
-		raise SystemExit(f'pipeline {trace.pipeline} is not supported')
 	for name in stages:
-		if name not in STAGES:
-			raise SystemExit(f'stage {name} is not supported')
+		if name not in METHODS[trace.effect].get(trace.pipeline, ()):
+			raise SystemExit(f'stage {name} of {trace.effect} by {trace.pipeline} is not supported')
 	for name, values in SUPPORTED.items():
 		if trace.params[name] not in values:
 			raise SystemExit(f'{name}={trace.params[name]} is not supported')
@@ -54,7 +56,7 @@ def main():
 			buffers[name] = trace[name] = trace[name][::-1]
 	for name in given.stages:
 		buffers.update(STAGES[name].run(trace, given.broken))
-	write_candidate(given.candidate, trace.pipeline, 'arrival' if given.arrival else 'canonical', trace.params, buffers)
+	write_candidate(given.candidate, trace, 'arrival' if given.arrival else 'canonical', buffers)
 
 
 if __name__ == '__main__':

@@ -12,7 +12,7 @@ class Trace(dict):
 		super().__init__()
 		self.folder = pathlib.Path(folder)
 		about = json.loads((self.folder / 'trace.json').read_text())
-		self.pipeline, self.params = about['pipeline'], about['params']
+		self.effect, self.pipeline, self.params = about['effect'], about['pipeline'], about['params']
 		self.files = {buffer['name']: buffer['file'] for buffer in about['buffers']}
 
 	def __missing__(self, name):
@@ -22,14 +22,15 @@ class Trace(dict):
 		return self[name]
 
 
-def write_candidate(folder, pipeline, order, params, buffers):
+def write_candidate(folder, reference, order, buffers):
+	"""Of the same run as the reference."""
 	folder = pathlib.Path(folder)
 	folder.mkdir(parents=True, exist_ok=True)
 	for name, array in buffers.items():
 		np.save(folder / f'{name}.npy', np.ascontiguousarray(array))
 	about = {
-		'format': 'touchstone-trace', 'version': 1, 'contract': 1, 'order': order, 'pipeline': pipeline,
-		'producer': {'name': 'numpy port', 'version': '1'}, 'params': params,
+		'format': 'touchstone-trace', 'version': 1, 'contract': 1, 'order': order, 'effect': reference.effect,
+		'pipeline': reference.pipeline, 'producer': {'name': 'numpy port', 'version': '1'}, 'params': reference.params,
 		'buffers': [{'name': name, 'file': f'{name}.npy'} for name in buffers],
 	}
 	(folder / 'trace.json').write_text(json.dumps(about, indent=1) + '\n')
