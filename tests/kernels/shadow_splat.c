@@ -1,9 +1,10 @@
 /* Points of any density in depth maps: no holes and the plane's depth whatever the rate, the points alone where they are
- * dense and no hole there, and nothing that depends on order, batches or storing. */
+ * dense and no hole there, nothing of what misses a view, and nothing that depends on order, batches or storing. */
 #include "views.h"
 #include "../../src/kernels/shadow_splat.h"
 
-enum { N_VIEWS = 40, SIDE = 64, N_TEXELS = SIDE * SIDE, N_SINGLE = 400, N_PLANES = 50000, STRIDE = 1000003 };
+enum { N_VIEWS = 40, SIDE = 64, N_TEXELS = SIDE * SIDE, N_SINGLE = 400, STRIDE = 1000003 };
+enum { N_PLANES = 50000, N_BESIDE = 40000 };
 
 static u32 texels[2][N_VIEWS * N_TEXELS];
 
@@ -281,11 +282,66 @@ static void test_written_alone(void **state)
 	for (u32 n = 64; n <= 1024; n += n / 8) assert_int_equal(count_holes(n), 0);
 }
 
+/* A piece about a border of a view's image, or its near plane, of few samples. */
+static void make_beside(single *w)
+{
+	mesh_begin(&w->m);
+	do {
+		w->view = view_from(uniform3(-2, 2), unit3(), uniform_power(-2, 2), SIDE, uniform_power(-5, -2), 0);
+		bool beside = random_bits() % 2 != 0;
+		f32 z = beside ? uniform(0, 4) : w->view.near * uniform(0.5f, 1), size = z * uniform_power(-8, -1);
+		d3_ray ray = view_ray(&w->view, uniform(0, SIDE), beside ? random_bits() % 2 * SIDE : SIDE / 2);
+		d3 middle = d3_mad(ray.from, ray.way, z);
+		ts_v3 at = ts_v3_make((f32)middle.x, (f32)middle.y, (f32)middle.z);
+		for (u32 k = 0; k < 3; k++) w->corner[k] = ts_mad(at, uniform3(-1, 1), size);
+	} while (is_degenerate(w->corner));
+	f32 length;
+	w->m.bits[mesh_triangle(&w->m, w->corner[0], w->corner[1], w->corner[2], 1, 0) * 2] = 1;
+	ts_k_longest_edge(w->corner[0], w->corner[1], w->corner[2], &length);
+	mesh_whole(&w->m, uniform_power(-2, 3) / length);
+	mesh_align(&w->m);
+}
+
+/* The texels that all points of the piece offer a depth to, whether it misses the view or not. */
+static i64 count_offers(const ts_shadow_splat_args *args, bool *misses)
+{
+	ts_cover cover = ts_k_lattice_cover(&args->of.from.frames[0], args->of.from.half_size);
+	ts_flight point = ts_k_flight_of_piece(&args->of.from, 0);
+	ts_shadow_tally tally = ts_k_shadow_none();
+	ts_shadow_group group = { .caster = { ts_k_shadow_caster(&args->of, 0, &point) }, .n = 1 };
+	*misses = group.caster[0].misses;
+	ts_k_shadow_piece_into(args, &cover, &point, &group, &tally);
+	return tally.of.writes + tally.texels;
+}
+
+/* A piece that misses a view leaves nothing there, whatever its points; few others leave nothing. */
+static void test_misses(void **state)
+{
+	(void)state;
+	static single w;
+	u32 n_missing = 0, n_in_vain = 0;
+	n_random = 0;
+	for (u32 i = 0; i < N_BESIDE; i++) {
+		bool misses;
+		make_beside(&w);
+		ts_points_args how = { .half_size = 129, .snap = i & 1 };
+		ts_shadow_splat_args args = arguments(&w.m, &w.view, 1, how, w.tally, texels[0]);
+		args.clip = 0;
+		i64 n_offers = count_offers(&args, &misses);
+		assert_true(!misses || n_offers == 0);
+		n_missing += misses;
+		n_in_vain += !misses && n_offers == 0;
+		mesh_clear(&w.m);
+	}
+	print_message("%u pieces miss the view, %u are tried in vain\n", (unsigned)n_missing, (unsigned)n_in_vain);
+	assert_true(n_missing > N_BESIDE / 20 && n_in_vain < N_BESIDE / 4);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_buffered), cmocka_unit_test(test_no_holes), cmocka_unit_test(test_dense),
-		cmocka_unit_test(test_point_depth), cmocka_unit_test(test_written_alone),
+		cmocka_unit_test(test_point_depth), cmocka_unit_test(test_written_alone), cmocka_unit_test(test_misses),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
