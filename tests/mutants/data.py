@@ -78,13 +78,18 @@ def texels_where(trace, tied):
 	return [i for i, key in enumerate(trace["splat.depth_index"].words()) if key != EMPTY and marks[i] == tied]
 
 
-def edit(candidate, buffer, index, change):
-	"""Replaces one word of a buffer of scalars."""
+def put_words(candidate, buffer, words):
+	"""Replaces a buffer of scalars, as long as before."""
 	data = candidate[buffer]
-	words = data.words()
-	words[index] = change(words[index])
 	data.set_words(words)
 	candidate.put(buffer, data)
+
+
+def edit(candidate, buffer, index, change):
+	"""Replaces one word of a buffer of scalars."""
+	words = candidate[buffer].words()
+	words[index] = change(words[index])
+	put_words(candidate, buffer, words)
 
 
 @mutant("point dropped", arrival=True)
@@ -327,3 +332,85 @@ def _(ref, cand, _bench):
 	faces.data = faces.data[:-8]
 	cand.put("resize.face", faces)
 	return Planted(refused="resize.face.npy: ")
+
+
+@mutant("pieces swapped", of="soft")
+def _(ref, cand, _bench):
+	pieces = cand["split.triangle"]
+	a, b = pieces.element(pieces.n // 2), pieces.element(pieces.n // 2 + 1)
+	pieces.put(pieces.n // 2, b)
+	pieces.put(pieces.n // 2 + 1, a)
+	cand.put("split.triangle", pieces)
+	planted = first(ref, cand, "split.triangle")
+	assert planted.n == 2, planted.n
+	return planted
+
+
+@mutant("piece dropped", of="soft")
+def _(ref, cand, _bench):
+	pieces = cand["split.triangle"]
+	pieces.set_elements(pieces.elements()[:-1])
+	cand.put("split.triangle", pieces)
+	return Planted("split.triangle", f"{ref['split.triangle'].n} elements, candidate {pieces.n}", None, None)
+
+
+@mutant("-0 for the density of the unseen", of="soft")
+def _(ref, cand, _bench):
+	at = ref["split.scale"].words().index(0)
+	edit(cand, "split.scale", at, lambda _: -0.0)
+	return Planted("split.scale", ref.where("split.scale", at), None, 1)
+
+
+@mutant("NaN in a depth map", of="soft")
+def _(ref, cand, _bench):
+	at = ref["scatter.depth"].n // 2
+	edit(cand, "scatter.depth", at, lambda _: 0x7fc00000)
+	return Planted("scatter.depth", ref.texel(at), None, 1)
+
+
+@mutant("depth map from below", of="soft")
+def _(ref, cand, _bench):
+	n, = ref["offscreen.view"].get(3, "width")
+	at, = ref["offscreen.view"].get(3, "offset")
+	depths = ref["scatter.depth"].words()
+	rows = [depths[at + y * n:at + (y + 1) * n] for y in range(n)]
+	depths[at:at + n * n] = sum(reversed(rows), [])
+	put_words(cand, "scatter.depth", depths)
+	planted = first(ref, cand, "scatter.depth")
+	assert planted.where.startswith("view 3,"), planted.where
+	return planted
+
+
+@mutant("batches of depth maps swapped", of="soft")
+def _(ref, cand, _bench):
+	at, = ref["offscreen.view"].get(2, "offset")
+	depths = ref["scatter.depth"].words()
+	put_words(cand, "scatter.depth", depths[at:2 * at] + depths[:at] + depths[2 * at:])
+	planted = first(ref, cand, "scatter.depth")
+	assert planted.where.startswith("view 0,"), planted.where
+	return planted
+
+
+@mutant("cubes of light samples swapped", of="splats")
+def _(ref, cand, _bench):
+	at, = ref["resize.face"].get(1, "offset")
+	depths = ref["scatter.depth"].words()
+	put_words(cand, "scatter.depth", depths[at:] + depths[:at])
+	planted = first(ref, cand, "scatter.depth")
+	assert planted.where.startswith("sample 0,"), planted.where
+	return planted
+
+
+@mutant("lit transposed", of="soft")
+def _(ref, cand, _bench):
+	height, width, _ = ref["resolve.lit"].shape
+	lit = ref["resolve.lit"].words()
+	put_words(cand, "resolve.lit", [lit[y * width + x] for x in range(width) for y in range(height)])
+	return first(ref, cand, "resolve.lit")
+
+
+@mutant("samples in shadow for the lit", of="soft")
+def _(ref, cand, _bench):
+	samples, = ref["lamp.shape"].get(0, "samples")
+	put_words(cand, "resolve.lit", [samples - lit for lit in ref["resolve.lit"].words()])
+	return first(ref, cand, "resolve.lit")
