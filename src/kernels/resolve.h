@@ -54,6 +54,20 @@ TS_FN f32 ts_k_shadow_bias(const ts_resolve_args *args, const ts_camera_k *view,
 
 TS_FN i32 ts_k_into(i32 i, i32 n) { return ts_max_i32(ts_min_i32(i, n - 1), 0); }
 
+/* What a texel of a view's map holds; outside the map nothing. Places beside a cube's face are on its border. */
+TS_FN u32 ts_k_map_texel(const ts_resolve_args *args, TS_GLOBAL const ts_offscreen *offscreen, u64 first_texel, i32 i,
+                         i32 j)
+{
+	i32 width = (i32)offscreen->width;
+	i32 height = (i32)offscreen->height;
+	if (args->cubes != 0u) {
+		i = ts_k_into(i, width);
+		j = ts_k_into(j, height);
+	}
+	if (i < 0 || j < 0 || i >= width || j >= height) return TS_NONE;
+	return args->depths[(offscreen->offset - first_texel) + (u64)j * (u64)width + (u64)i];
+}
+
 /* The light sample of a view reaches the point. */
 TS_FN bool ts_k_reaches(const ts_resolve_args *args, TS_GLOBAL const ts_offscreen *offscreen, const ts_receiver *at,
                         u64 first_texel)
@@ -62,15 +76,15 @@ TS_FN bool ts_k_reaches(const ts_resolve_args *args, TS_GLOBAL const ts_offscree
 	ts_corner p = ts_k_to_view(&view, at->p);
 	if (!(p.z >= view.near)) return true;
 	ts_v2 place = ts_k_project(&view, &p);
-	i32 i = ts_floor_i32(place.x);
-	i32 j = ts_floor_i32(place.y);
-	if (args->cubes != 0u) {
-		i = ts_k_into(i, view.width);
-		j = ts_k_into(j, view.height);
-	}
-	if (i < 0 || j < 0 || i >= view.width || j >= view.height) return true;
-	u32 depth = args->depths[(offscreen->offset - first_texel) + (u64)j * (u64)view.width + (u64)i];
+	u32 depth = ts_k_map_texel(args, offscreen, first_texel, ts_floor_i32(place.x), ts_floor_i32(place.y));
 	return depth == TS_NONE || p.z <= ts_u2f(depth) + ts_k_shadow_bias(args, &view, at, p.z);
+}
+
+/* The view that answers for the sample of view v: of cubes the face that the point falls into. */
+TS_FN TS_GLOBAL const ts_offscreen *ts_k_asked_view(const ts_resolve_args *args, u32 v, const ts_receiver *at)
+{
+	u32 face = args->cubes != 0u ? ts_k_cube_place(ts_sub(at->p, ts_load3(args->views[v].eye))).face : 0u;
+	return &args->views[v + face];
 }
 
 /* map over pixels: adds what the views of the batch let through */
@@ -84,8 +98,7 @@ TS_FN void ts_k_resolve_item(const ts_resolve_args *args, u64 i)
 	u64 first_texel = args->views[args->first_view].offset;
 	u32 step = args->cubes != 0u ? 6u : 1u;
 	for (u32 v = args->first_view; v < args->first_view + args->n_views; v += step) {
-		u32 face = args->cubes != 0u ? ts_k_cube_place(ts_sub(at.p, ts_load3(args->views[v].eye))).face : 0u;
-		TS_GLOBAL const ts_offscreen *view = &args->views[v + face];
+		TS_GLOBAL const ts_offscreen *view = ts_k_asked_view(args, v, &at);
 		args->lit[i * args->n_lamps + view->light] += ts_k_reaches(args, view, &at, first_texel) ? 1u : 0u;
 	}
 }
