@@ -70,13 +70,15 @@ static bool is_clean(const judge *j, const u8 *ref, const u8 *cand, u64 n)
 	return true;
 }
 
-/* The floats of two values: their own, or the depths of keys that name the same thing. False: there are none. */
-static bool floats_of(const ts_field *field, const ts_difference *d, u64 *ref, u64 *cand)
+/* The floats of two values: their own, or depths: of maps, and of keys that name the same thing. False: there are none. */
+static bool floats_of(const judge *j, const ts_difference *d, u64 *ref, u64 *cand)
 {
+	const ts_field *field = &j->fields.field[d->field];
+	bool depth = j->id == TS_B_scatter_depth && d->ref != TS_NONE && d->cand != TS_NONE;
 	bool key = field->bytes == 8 && field->of != NULL && d->ref != TS_EMPTY && d->cand != TS_EMPTY;
 	*ref = key ? d->ref >> 32 : d->ref;
 	*cand = key ? d->cand >> 32 : d->cand;
-	return field->kind == 'f' || (key && (u32)d->ref == (u32)d->cand);
+	return field->kind == 'f' || depth || (key && (u32)d->ref == (u32)d->cand);
 }
 
 static void note_worst(judge *j, const ts_difference *d, u64 ref, u64 cand)
@@ -102,7 +104,7 @@ static ts_status judge_value(judge *j, const ts_difference *d, outcome *result)
 	j->verdict->n_tied += tied;
 	if (tied) return TS_OK;
 	*result = DIFFERENT;
-	if (!floats_of(field, d, &ref, &cand)) return TS_OK;
+	if (!floats_of(j, d, &ref, &cand)) return TS_OK;
 	note_worst(j, d, ref, cand);
 	if (ts_relax_close(j->relaxations, ref, cand)) *result = RELAXED;
 	return TS_OK;
@@ -217,7 +219,9 @@ static void find_fields(judge *j)
 static u32 elements_a_pixel(ts_buffer_id id, const ts_trace_item *item, const ts_relaxations *r)
 {
 	if (r->mask == NULL || strncmp(ts_buffer_table[id].shape, "H W", 3) != 0) return 0;
-	return item->npy.n_dims > 2 ? (u32)item->npy.shape[2] : 1;
+	u64 elements = 1;
+	for (u32 i = 2; i < item->npy.n_dims; i++) elements *= item->npy.shape[i];
+	return (u32)elements;
 }
 
 static ts_status check_mask(ts_buffer_id id, const ts_trace_item *item, const ts_relaxations *r)
