@@ -138,7 +138,9 @@ static const ts_candidate_buffer ts_candidate_buffers[] = {
 	{"face.mip", 4, 2, "'<f4'"},
 	{"scatter.depth", 4, 1, "'<u4'"},
 	{"scatter.colour", 4, 1, "'<u4'"},
+	{"depth.margin", 8, 2, "'<u8'"},
 	{"resolve.lit", 4, 3, "'<u4'"},
+	{"resolve.margin", 8, 4, "'<u8'"},
 	{"image.radiance", 4, 3, "'<f4'"},
 	{"image.srgb", 1, 3, "'|u1'"},
 };

@@ -13,6 +13,7 @@
 #include "../kernels/pixel.h"
 #include "../kernels/resize.h"
 #include "../kernels/resolve.h"
+#include "../kernels/resolve_margin.h"
 #include "../kernels/cull.h"
 #include "../kernels/scan.h"
 #include "../kernels/scatter.h"

@@ -7,15 +7,38 @@
 #include "draw.h"
 
 /* Two minima a pixel, as f32 bits: the distance to an edge, in 1/256 pixel along the axes; and how far another depth is
- * behind, in what one such step in the image changes in the depths of both. */
+ * behind, in what one such step in the image changes in the depths of both. Of depths alone, whose triangles are not
+ * known, the step is that of the other: what comes no nearer than the depth that is held cannot take its place. */
 typedef struct {
 	ts_arrays scene;
 	TS_GLOBAL const ts_view *view;       /* of the eye */
 	TS_GLOBAL const ts_face *cubes;
-	TS_GLOBAL const u64 *depth_triangle; /* what was decided */
+	TS_GLOBAL const ts_offscreen *views;
+	TS_GLOBAL const u64 *depth_triangle; /* what was decided: keys, or depths alone; the other is NULL */
+	TS_GLOBAL const u32 *depths;
 	TS_GLOBAL u64 *margin;               /* [2] a pixel, all ones at first */
-	u32 first_cube, n_cubes;             /* the batch */
+	u32 first_unit, n_units;             /* the batch: cubes, or views */
 } ts_margin_args;
+
+/* What was decided at a pixel. `other` than it is each triangle but its own, of depths each with another depth. */
+typedef struct { f32 z; u32 triangle; bool is_empty, is_known; } ts_shown;
+
+TS_FN ts_shown ts_k_shown(const ts_margin_args *args, u64 pixel)
+{
+	u64 key = args->depth_triangle != NULL ? args->depth_triangle[pixel] : (u64)args->depths[pixel] << 32;
+	ts_shown r;
+	r.is_known = args->depth_triangle != NULL;
+	r.is_empty = (u32)(key >> 32) == TS_NONE;
+	r.triangle = (u32)key;
+	r.z = r.is_empty ? 0.0f : ts_u2f((u32)(key >> 32));
+	return r;
+}
+
+TS_FN bool ts_k_is_other(const ts_shown *shown, u32 triangle, f32 z)
+{
+	if (shown->is_empty) return false;
+	return shown->is_known ? shown->triangle != triangle : shown->z != z;
+}
 
 #define TS_MARGIN_REACH 4.0f                    /* edges farther outside do not matter, in 1/256 pixel */
 #define TS_MARGIN_NEAR 0.015625f                /* nor do depths that are this part farther behind, and four steps */
@@ -37,10 +60,12 @@ TS_FN f32 ts_k_edge_distance(const ts_setup *t, const ts_edges *e)
 	return least;
 }
 
-/* Twice what a step of 1/256 pixel in x and in y changes in the depth z: z^2 |grad(1/z)|; twice, for the corners may step
- * apart. */
-TS_FN f32 ts_k_depth_step(const ts_setup *t, const ts_corner *a, const ts_corner *b, const ts_corner *c, f32 z)
+/* Twice what a step of 1/256 pixel in x and in y changes in the depth z: z^2 |grad(1/z)|, orthographic |grad z|; twice, for
+ * the corners may step apart. */
+TS_FN f32 ts_k_depth_step(const ts_camera_k *view, const ts_setup *t, const ts_corner *a, const ts_corner *b,
+                          const ts_corner *c, f32 z)
 {
+	bool parallel = view->orthographic != 0u;
 	const ts_corner *corner[3];
 	corner[0] = a;
 	corner[1] = b;
@@ -51,11 +76,12 @@ TS_FN f32 ts_k_depth_step(const ts_setup *t, const ts_corner *a, const ts_corner
 	for (u32 k = 0u; k < 3u; k++) {
 		ts_snapped p = t->v[k == 2u ? 0u : k + 1u];
 		ts_snapped q = t->v[k == 0u ? 2u : k - 1u];
-		f32 over = area * corner[t->from[k]]->z;
+		f32 own = corner[t->from[k]]->z;
+		f32 over = parallel ? area / own : area * own;
 		x = x - (f32)(q.y - p.y) / over;
 		y = y + (f32)(q.x - p.x) / over;
 	}
-	return (2.0f * (z * z)) * (ts_abs(x) + ts_abs(y));
+	return (parallel ? 2.0f : 2.0f * (z * z)) * (ts_abs(x) + ts_abs(y));
 }
 
 /* The same of a triangle at a pixel, on the part of its fan that covers the pixel; 0: none does. */
@@ -72,7 +98,9 @@ TS_FN f32 ts_k_depth_step_at(const ts_arrays *scene, const ts_camera_k *view, u3
 		                            ts_k_snap(ts_k_project(view, c)));
 		if (setup.area == 0) continue;
 		ts_edges e = ts_k_edges(&setup, i * 256 + 128, j * 256 + 128);
-		if (ts_k_covers(&setup, &e)) return ts_k_depth_step(&setup, a, b, c, ts_k_fragment(&setup, &e, a, b, c).z);
+		if (ts_k_covers(&setup, &e)) {
+			return ts_k_depth_step(view, &setup, a, b, c, ts_k_view_fragment(view, &setup, &e, a, b, c).z);
+		}
 	}
 	return 0.0f;
 }
@@ -90,16 +118,17 @@ TS_FN bool ts_k_margin_mask(const ts_arrays *scene, const ts_corners *t, ts_near
 	return above > -TS_MARGIN_ALPHA;
 }
 
-TS_FN void ts_k_margin_pixel(const ts_arrays *scene, const ts_camera_k *view, const ts_corners *t, ts_near *near, u64 won,
-                             TS_GLOBAL u64 *margin)
+TS_FN void ts_k_margin_pixel(const ts_arrays *scene, const ts_camera_k *view, const ts_corners *t, ts_near *near,
+                             ts_shown shown, TS_GLOBAL u64 *margin)
 {
 	if (!(near->f.z > 0.0f)) return;
-	bool other = won != TS_EMPTY && (u32)won != near->triangle;
-	f32 behind = other ? near->f.z - ts_u2f((u32)(won >> 32)) : 0.0f;
+	bool other = ts_k_is_other(&shown, near->triangle, near->f.z);
+	f32 behind = other ? near->f.z - shown.z : 0.0f;
 	if (behind > 4.0f * near->step + near->f.z * TS_MARGIN_NEAR || !ts_k_margin_mask(scene, t, near)) return;
 	f32 apart = 0.0f;
 	if (other) {
-		f32 step = near->step + ts_k_depth_step_at(scene, view, (u32)won, near->x, near->y);
+		f32 step = near->step;
+		if (shown.is_known) step = step + ts_k_depth_step_at(scene, view, shown.triangle, near->x, near->y);
 		apart = ts_max(behind, 0.0f) / (step + near->f.z * TS_MARGIN_ROUNDING);
 	}
 	if (apart <= 1.0f) ts_min_u64(&margin[0], (u64)ts_f2u(ts_put(ts_abs(near->distance))));
@@ -125,12 +154,12 @@ TS_FN void ts_k_margin_fan(const ts_margin_args *args, const ts_camera_k *view, 
 			near.triangle = triangle;
 			near.x = i;
 			near.y = j;
-			near.f = ts_k_fragment(&setup, &e, a, b, c);
+			near.f = ts_k_view_fragment(view, &setup, &e, a, b, c);
 			near.footprint = ts_k_fragment_footprint(view, t, &near.f);
 			near.distance = distance;
-			near.step = ts_k_depth_step(&setup, a, b, c, near.f.z);
+			near.step = ts_k_depth_step(view, &setup, a, b, c, near.f.z);
 			u64 pixel = first + (u64)j * (u64)view->width + (u64)i;
-			ts_k_margin_pixel(&args->scene, view, t, &near, args->depth_triangle[pixel], args->margin + pixel * 2u);
+			ts_k_margin_pixel(&args->scene, view, t, &near, ts_k_shown(args, pixel), args->margin + pixel * 2u);
 		}
 	}
 }
@@ -161,15 +190,30 @@ TS_FN void ts_k_face_margin_item(const ts_margin_args *args, u64 i)
 {
 	u32 triangle = (u32)i;
 	ts_corners t = ts_k_corners(&args->scene, triangle);
-	if (args->n_cubes == 0u || ts_k_is_degenerate(t.n)) return;
-	u64 first_texel = args->cubes[args->first_cube].offset;
-	for (u32 r = args->first_cube; r < args->first_cube + args->n_cubes; r++) {
+	if (args->n_units == 0u || ts_k_is_degenerate(t.n)) return;
+	u64 first_texel = args->cubes[args->first_unit].offset;
+	for (u32 r = args->first_unit; r < args->first_unit + args->n_units; r++) {
 		TS_GLOBAL const ts_face *cube = &args->cubes[r];
 		if (!ts_k_may_show(&args->scene, cube, triangle, &t)) continue;
 		for (u32 face = 0u; face < 6u; face++) {
 			ts_camera_k view = ts_k_cube_view(cube, face);
 			ts_k_margin_draw(args, &view, &t, triangle, cube->offset - first_texel + (u64)face * cube->n * cube->n);
 		}
+	}
+}
+
+/* scatter over triangles, as ts_k_depth_item */
+TS_FN void ts_k_depth_margin_item(const ts_margin_args *args, u64 i)
+{
+	u32 triangle = (u32)i;
+	ts_corners t = ts_k_corners(&args->scene, triangle);
+	if (args->n_units == 0u || ts_k_is_degenerate(t.n)) return;
+	u64 first_texel = args->views[args->first_unit].offset;
+	for (u32 v = args->first_unit; v < args->first_unit + args->n_units; v++) {
+		TS_GLOBAL const ts_offscreen *offscreen = &args->views[v];
+		if (!ts_k_offscreen_may_show(&args->scene, offscreen, triangle, &t)) continue;
+		ts_camera_k view = ts_k_offscreen(offscreen);
+		ts_k_margin_draw(args, &view, &t, triangle, offscreen->offset - first_texel);
 	}
 }
 

@@ -75,6 +75,7 @@ const ts_step ts_epr_omni_steps[] = {
 	{.stage = "points", .stored = TS_STORED_IF_ASKED},
 	{.stage = "shadow_splat", .each_batch = true},    /* small points directly, large ones as splats */
 	{.stage = "resolve", .each_batch = true},
+	{.stage = "resolve_margin", .only_margins = true, .each_batch = true},
 	{.stage = "shadow_image"},
 	{0},
 };

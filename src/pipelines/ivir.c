@@ -55,6 +55,7 @@ const ts_step ts_ivir_soft_steps[] = {
 	{.stage = "points", .stored = TS_STORED_IF_ASKED},
 	{.stage = "scatter", .each_batch = true},         /* 4: 32 depth maps a pass */
 	{.stage = "resolve", .each_batch = true},
+	{.stage = "resolve_margin", .only_margins = true, .each_batch = true},
 	{.stage = "shadow_image"},
 	{0},
 };
@@ -71,6 +72,7 @@ const ts_step ts_ivir_omni_steps[] = {
 	{.stage = "points", .stored = TS_STORED_IF_ASKED},
 	{.stage = "scatter", .each_batch = true},
 	{.stage = "resolve", .each_batch = true},
+	{.stage = "resolve_margin", .only_margins = true, .each_batch = true},
 	{.stage = "shadow_image"},
 	{0},
 };

@@ -38,7 +38,9 @@ const ts_step ts_mvr_soft_steps[] = {
 	{.stage = "eye"},
 	{.stage = "eye_margin", .only_margins = true},
 	{.stage = "depth", .each_batch = true},          /* geometry into every depth map */
+	{.stage = "depth_margin", .only_margins = true, .each_batch = true},
 	{.stage = "resolve", .each_batch = true},
+	{.stage = "resolve_margin", .only_margins = true, .each_batch = true},
 	{.stage = "shadow_image"},
 	{0},
 };
@@ -52,7 +54,9 @@ const ts_step ts_mvr_omni_steps[] = {
 	{.stage = "eye"},
 	{.stage = "eye_margin", .only_margins = true},
 	{.stage = "depth", .each_batch = true},
+	{.stage = "depth_margin", .only_margins = true, .each_batch = true},
 	{.stage = "resolve", .each_batch = true},
+	{.stage = "resolve_margin", .only_margins = true, .each_batch = true},
 	{.stage = "shadow_image"},
 	{0},
 };

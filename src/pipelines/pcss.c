@@ -22,6 +22,7 @@ const ts_step ts_pcss_steps[] = {
 	{.stage = "eye"},
 	{.stage = "eye_margin", .only_margins = true},
 	{.stage = "depth", .each_batch = true},  /* MVR's raster */
+	{.stage = "depth_margin", .only_margins = true, .each_batch = true},
 	{.stage = "pcss", .each_batch = true},   /* blockers, penumbra, filter */
 	{.stage = "shadow_image"},
 	{0},

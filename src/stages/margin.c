@@ -27,10 +27,40 @@ ts_status ts_stage_face_margin(ts_run *run)
 	ts_margin_args args = {
 		.cubes = ts_frame_handle(&run->frame, TS_B_resize_face),
 		.depth_triangle = ts_frame_handle(&run->frame, TS_B_face_depth_triangle),
-		.first_cube = run->first_unit,
-		.n_cubes = run->n_units,
+		.first_unit = run->first_unit,
+		.n_units = run->n_units,
 	};
 	return margin_of_pixels(run, &args, TS_B_face_margin, 2, shape, TS_KERNEL_face_margin);
+}
+
+ts_status ts_stage_depth_margin(ts_run *run)
+{
+	const u64 shape[] = {ts_frame_n(&run->frame, TS_B_scatter_depth), 2};
+	ts_margin_args args = {
+		.views = ts_frame_handle(&run->frame, TS_B_offscreen_view),
+		.depths = ts_frame_handle(&run->frame, TS_B_scatter_depth),
+	};
+	ts_run_views(run, &args.first_unit, &args.n_units);
+	return margin_of_pixels(run, &args, TS_B_depth_margin, 2, shape, TS_KERNEL_depth_margin);
+}
+
+/* One buffer for all batches, as resolve.lit. */
+static ts_status make_resolve_margin(ts_run *run)
+{
+	const u64 shape[] = {run->params.height, run->params.width, ts_frame_n(&run->frame, TS_B_lamp_shape), 2};
+	if (run->first_unit != 0) return TS_OK;
+	if (ts_frame_make(&run->frame, TS_B_resolve_margin, 4, shape) == NULL) return TS_ERROR;
+	return ts_run_fill(run, TS_B_resolve_margin, 0xff);
+}
+
+ts_status ts_stage_resolve_margin(ts_run *run)
+{
+	if (make_resolve_margin(run) != TS_OK) return TS_ERROR;
+	ts_resolve_margin_args args = {
+		.of = ts_resolve_arguments(run),
+		.margin = ts_frame_handle(&run->frame, TS_B_resolve_margin),
+	};
+	return ts_run_launch(run, TS_KERNEL_resolve_margin, &args, ts_frame_n(&run->frame, TS_B_eye_depth_triangle));
 }
 
 ts_status ts_stage_cull_margin(ts_run *run)

@@ -43,7 +43,9 @@ ts_status ts_stage_shadow_resize(ts_run *run);
 ts_status ts_stage_shadow_split(ts_run *run);
 ts_status ts_stage_shadow_splat(ts_run *run);
 ts_status ts_stage_depth(ts_run *run);
+ts_status ts_stage_depth_margin(ts_run *run);
 ts_status ts_stage_resolve(ts_run *run);
+ts_status ts_stage_resolve_margin(ts_run *run);
 ts_status ts_stage_pcss(ts_run *run);
 ts_status ts_stage_shadow_image(ts_run *run);
 
@@ -64,8 +66,10 @@ bool ts_run_has_cubes(const ts_run *run);
 void ts_run_views(const ts_run *run, u32 *first, u32 *n);
 /* Arguments of the kernels that make points, without their output. */
 ts_points_args ts_points_arguments(const ts_run *run);
-/* Arguments of the kernels that ask depth maps; makes resolve.lit before the first batch. */
-ts_status ts_resolve_arguments(ts_run *run, ts_resolve_args *args);
+/* Arguments of the kernels that ask depth maps, without their output. */
+ts_resolve_args ts_resolve_arguments(const ts_run *run);
+/* resolve.lit, made before the first batch; NULL without memory. */
+u32 *ts_resolve_output(ts_run *run);
 /* Texels of units [first, first + n): cubes with all faces, or views. */
 u64 ts_run_n_texels(const ts_run *run, u32 first, u32 n);
 /* The run's backend at work: see backend.h. */

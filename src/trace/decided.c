@@ -9,18 +9,28 @@ static const struct { ts_buffer_id buffer, margin; } margins[] = {
 	{TS_B_face_depth_triangle, TS_B_face_margin},
 	{TS_B_cull_keep, TS_B_cull_margin},
 	{TS_B_splat_depth_index, TS_B_splat_tie},
+	{TS_B_scatter_depth, TS_B_depth_margin},
+	{TS_B_resolve_lit, TS_B_resolve_margin},
 };
+
+/* True if runs of the method have these margins; of a file alone that is not known. */
+static bool is_measured(const ts_trace *reference, ts_buffer_id margin)
+{
+	return reference->pipeline == NULL || ts_pipeline_maker(reference->pipeline, margin) != NULL;
+}
+
+/* Margins are pairs of f32 bits in words of 64, but those of chance and of ties. */
+static u64 every(ts_buffer_id margin) { return ts_buffer_table[margin].element_bytes == sizeof(u64) ? 2 : 1; }
 
 ts_status ts_decided_open(ts_decided *decided, const ts_trace *reference, ts_buffer_id id)
 {
 	*decided = (ts_decided){.margin = TS_N_BUFFERS};
 	for (u32 i = 0; i < sizeof margins / sizeof *margins; i++) {
-		if (margins[i].buffer == id) decided->margin = margins[i].margin;
+		if (margins[i].buffer == id && is_measured(reference, margins[i].margin)) decided->margin = margins[i].margin;
 	}
 	if (decided->margin == TS_N_BUFFERS) return TS_OK;
 	const ts_trace_item *item = &reference->item[decided->margin], *of = &reference->item[id];
-	u64 every = decided->margin == TS_B_eye_margin || decided->margin == TS_B_face_margin ? 2 : 1;
-	if (item->path == NULL || item->npy.n != of->npy.n * every) {
+	if (item->path == NULL || item->npy.n != of->npy.n * every(decided->margin)) {
 		return ts_fail("%s: --decided needs %s for each element of %s; render the reference with --margins", reference->dir,
 		               ts_buffer_table[decided->margin].name, ts_buffer_table[id].name);
 	}
@@ -52,12 +62,11 @@ ts_status ts_decided_is(ts_decided *decided, u64 element, bool *is)
 {
 	*is = true;
 	if (decided->reader == NULL) return TS_OK;
-	u64 held, every = decided->margin == TS_B_eye_margin || decided->margin == TS_B_face_margin ? 2 : 1;
-	u64 copy = 0;
-	const void *first = ts_reader_at(decided->reader, element * every, &held);
+	u64 held, n = every(decided->margin), copy = 0;
+	const void *first = ts_reader_at(decided->reader, element * n, &held);
 	if (first == NULL) return TS_ERROR;
-	memcpy(&copy, first, every == 2 ? sizeof copy : ts_buffer_table[decided->margin].element_bytes);
-	const void *second = every == 2 ? ts_reader_at(decided->reader, element * 2 + 1, &held) : &copy;
+	memcpy(&copy, first, ts_buffer_table[decided->margin].element_bytes);
+	const void *second = n == 2 ? ts_reader_at(decided->reader, element * 2 + 1, &held) : &copy;
 	if (second == NULL) return TS_ERROR;
 	*is = is_decided(decided->margin, &copy, second);
 	return TS_OK;

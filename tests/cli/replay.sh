@@ -105,7 +105,7 @@ run render reflections atrium:triangles=10000 --method epr --size 64x48 --reflec
 refuses 'order is "arrival"; a reference must be canonical' replay arrival/trace-epr --stage splat
 # Depth maps made in batches are one file, whose stages are replayed on the whole.
 shadows=(atrium:triangles=10000 --size 64x48 --set views=5 --set light_samples=3 --set map_px=24 --trace --no-images)
-for words in 'soft-shadows ivir --margins --set lamp=scene' 'omni-shadows epr --set buffered=on' 'soft-shadows pcss'; do
+for words in 'soft-shadows ivir --margins --set lamp=scene' 'omni-shadows epr --set buffered=on' 'soft-shadows pcss' 'omni-shadows mvr --margins'; do
 	read -r effect method options <<< "$words"
 	# shellcheck disable=SC2086
 	run render "$effect" "${shadows[@]}" --method "$method" $options --set pass=2 -o batches
