@@ -7,18 +7,24 @@
 #include "probe.h"
 #include "reader.h"
 
+enum { TS_PROBE_SIDE = 16384 }; /* the largest of views and images */
+
 struct ts_probe {
 	ts_trace *trace;
 	ts_reader *reader[TS_N_BUFFERS]; /* NULL: not opened yet */
 	ts_fields fields[TS_N_BUFFERS];
-	ts_arrays scene;      /* after ts_probe_scene; vertices are this frame's */
+	ts_arrays scene;      /* after ts_probe_scene; vertices are this frame's, of shadows lights the lamps */
 	u64 n_vertices, n_materials, n_slots, n_images, n_texels, n_lights, n_objects;
 	u64 *texels;          /* of images that were asked for */
 	u8 *image_read;
 	ts_view view;         /* the eye, after ts_probe_scene */
 	ts_face *cubes;       /* after ts_probe_scene */
 	u32 n_cubes, n_words;
-	bool mvr;
+	bool mvr, shadows;
+	ts_offscreen *views;  /* of shadows, with the lamps; else NULL */
+	u32 n_views;
+	ts_lamp *lamps;
+	u32 *lit;             /* samples of each that reach the pixel; NULL: all light does */
 	bool failed;          /* out of memory while an answer was made */
 };
 
@@ -43,6 +49,8 @@ ts_status ts_probe_scene(ts_probe *probe);
 /* Reads the images of a triangle's material; before its surface or alpha is computed. */
 ts_status ts_probe_textures(ts_probe *probe, u32 triangle);
 void ts_probe_scene_free(ts_probe *probe);
+/* A whole buffer, released by free(); NULL on failure. */
+void *ts_probe_load(ts_probe *probe, ts_buffer_id id, u64 *n);
 
 /* ---- answers (probe_json.c) ---- */
 /* object[key] = value, which is taken over; without memory probe->failed is set. */
@@ -137,6 +145,12 @@ ts_status ts_probe_put_samples(ts_probe *probe, json_t *object, const ts_probe_s
  * bits of shade.radiance if all is well. */
 ts_status ts_probe_mirror(ts_probe *probe, u64 entry, json_t *object, ts_v3 *total);
 ts_status ts_probe_mip(ts_probe *probe, u64 entry, json_t *object, ts_v3 *total);
+/* Off-screen views and lamps, read and checked with the scene; what light reaches pixel (x, y), whose key is not empty: sets
+ * probe->lit (probe_shadow.c). */
+ts_status ts_probe_lamps(ts_probe *probe);
+ts_status ts_probe_shadow(ts_probe *probe, u32 x, u32 y, u64 key, json_t *object);
+/* Fails with what is explained of shadows. */
+ts_status ts_probe_of_reflections(const ts_probe *probe);
 /* A piece of a triangle: density, culling, frame (probe_piece.c). */
 ts_status ts_probe_piece(ts_probe *probe, u64 piece, json_t *object, bool *kept);
 /* Which faces may see a triangle, and why others may not; its density and who set it (probe_density.c). `bits` receives

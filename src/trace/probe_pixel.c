@@ -73,6 +73,7 @@ static ts_status describe(ts_probe *p, json_t *o, u32 x, u32 y, u64 key, const u
 	ts_status status = put_contest(p, o, x, y, key);
 	bool mirror = offset[1] != offset[0];
 	if (status == TS_OK && key != TS_EMPTY) status = put_surface(p, o, (u32)key, x, y, &surface);
+	if (status == TS_OK && key != TS_EMPTY && p->shadows) status = ts_probe_shadow(p, x, y, key, o);
 	if (status == TS_OK && mirror) {
 		status = put_mirror(p, o, offset[0], y * p->view.width + x, &total);
 	} else if (status == TS_OK && key != TS_EMPTY) {
@@ -86,12 +87,13 @@ static ts_status describe(ts_probe *p, json_t *o, u32 x, u32 y, u64 key, const u
 
 ts_status ts_probe_pixel(ts_probe *p, u32 x, u32 y, json_t **answer)
 {
-	static const ts_buffer_id needed[] = {TS_B_eye_depth_triangle, TS_B_pixel_offset, TS_B_pixel_record, TS_N_BUFFERS};
+	static const ts_buffer_id mirrors[] = {TS_B_eye_depth_triangle, TS_B_pixel_offset, TS_B_pixel_record, TS_N_BUFFERS};
+	static const ts_buffer_id shadows[] = {TS_B_eye_depth_triangle, TS_B_scatter_depth, TS_N_BUFFERS};
 	u64 key;
-	u32 offset[2];
+	u32 offset[2] = {0, 0};
 	bool there;
 	*answer = NULL;
-	if (ts_probe_scene(p) != TS_OK || ts_probe_require(p, needed) != TS_OK) return TS_ERROR;
+	if (ts_probe_scene(p) != TS_OK || ts_probe_require(p, p->shadows ? shadows : mirrors) != TS_OK) return TS_ERROR;
 	if (x >= p->view.width || y >= p->view.height) {
 		return ts_fail("%s: no pixel (%u, %u); the eye has %u x %u", p->trace->dir, (unsigned)x, (unsigned)y,
 		               (unsigned)p->view.width, (unsigned)p->view.height);
@@ -101,7 +103,7 @@ ts_status ts_probe_pixel(ts_probe *p, u32 x, u32 y, json_t **answer)
 		return ts_fail("%s: pixel (%u, %u) is outside its crop", p->trace->item[TS_B_eye_depth_triangle].path,
 		               (unsigned)x, (unsigned)y);
 	}
-	if (ts_probe_fetch(p, TS_B_pixel_offset, (u64)y * p->view.width + x, 2, offset) != TS_OK) return TS_ERROR;
+	if (!p->shadows && ts_probe_fetch(p, TS_B_pixel_offset, (u64)y * p->view.width + x, 2, offset) != TS_OK) return TS_ERROR;
 	json_t *o = json_object();
 	ts_probe_put(p, o, "pixel", ts_probe_pair(x, y));
 	ts_probe_put(p, o, "method", json_string(p->trace->pipeline->name));

@@ -4,11 +4,12 @@
 #include <stdlib.h>
 #include "probe_parts.h"
 
-/* Points of iVIR and depth maps have other ways. */
+static bool is_of_shadows(const ts_pipeline *pipeline) { return strcmp(pipeline->effect, "reflections") != 0; }
+
+/* Points of iVIR in environment maps have other ways. */
 static bool is_explained(const ts_pipeline *pipeline)
 {
-	bool known = strcmp(pipeline->name, "epr") == 0 || strcmp(pipeline->name, "mvr") == 0;
-	return known && strcmp(pipeline->effect, "reflections") == 0;
+	return is_of_shadows(pipeline) || strcmp(pipeline->name, "epr") == 0 || strcmp(pipeline->name, "mvr") == 0;
 }
 
 ts_status ts_probe_open(ts_probe **probe, const char *dir)
@@ -21,13 +22,14 @@ ts_status ts_probe_open(ts_probe **probe, const char *dir)
 		status = ts_fail("%s: trace.json has no params, and without them nothing can be computed again", dir);
 	}
 	if (status == TS_OK && !is_explained(made->trace->pipeline)) {
-		status = ts_fail("%s: probe explains reflections by epr and mvr; this is %s by %s, which compare and replay judge",
-		                 dir, made->trace->pipeline->effect, made->trace->pipeline->name);
+		status = ts_fail("%s: probe explains reflections by epr and mvr, and shadows; this is %s by %s, which compare and "
+		                 "replay judge", dir, made->trace->pipeline->effect, made->trace->pipeline->name);
 	}
 	if (status != TS_OK) {
 		ts_probe_close(made);
 		return status;
 	}
+	made->shadows = is_of_shadows(made->trace->pipeline);
 	made->mvr = strcmp(made->trace->pipeline->name, "mvr") == 0;
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) made->fields[id] = ts_fields_of((ts_buffer_id)id);
 	*probe = made;
@@ -65,11 +67,12 @@ static u64 size_of(const ts_probe *p, const char *name)
 	static const struct { const char *name; ts_buffer_id owner; } owners[] = {
 		{"V", TS_B_pose_vertex}, {"T", TS_B_scene_triangle}, {"M", TS_B_scene_material}, {"S", TS_B_scene_slot},
 		{"I", TS_B_scene_image}, {"O", TS_B_scene_object}, {"R", TS_B_resize_face}, {"B", TS_B_resize_face},
-		{"Q", TS_B_split_triangle},
+		{"Q", TS_B_split_triangle}, {"A", TS_B_lamp_light},
 		{"N", TS_B_points_record}, {"H*W", TS_B_eye_depth_triangle}, {"P*K", TS_B_lookup_point},
 		{"P2*4", TS_B_lookup2_point},
 	};
 	for (size_t i = 0; i < sizeof owners / sizeof *owners; i++) {
+		if (p->shadows && strcmp(name, "R") == 0) continue; /* cubes are light samples */
 		bool known = ts_probe_has(p, owners[i].owner) && !p->trace->item[owners[i].owner].cropped;
 		if (strcmp(owners[i].name, name) == 0 && known) return ts_probe_n(p, owners[i].owner);
 	}

@@ -4,10 +4,7 @@
 #include <stdlib.h>
 #include "probe_parts.h"
 
-enum { MOST_SIDE = 16384 };
-
-/* A whole buffer; NULL on failure. */
-static void *load(ts_probe *p, ts_buffer_id id, u64 *n)
+void *ts_probe_load(ts_probe *p, ts_buffer_id id, u64 *n)
 {
 	const ts_buffer_id needed[] = {id, TS_N_BUFFERS};
 	if (ts_probe_require(p, needed) != TS_OK) return NULL;
@@ -34,14 +31,15 @@ static void give_sizes(const ts_probe *p, ts_sizes *sizes)
 		{"V", TS_B_pose_vertex}, {"T", TS_B_scene_triangle}, {"M", TS_B_scene_material}, {"S", TS_B_scene_slot},
 		{"I", TS_B_scene_image}, {"X", TS_B_scene_texel}, {"L", TS_B_scene_light}, {"O", TS_B_scene_object},
 		{"R", TS_B_resize_face}, {"B", TS_B_resize_face}, {"Q", TS_B_split_triangle}, {"N", TS_B_points_record},
-		{"P", TS_B_pixel_record},
+		{"P", TS_B_pixel_record}, {"A", TS_B_lamp_light}, {"U", TS_B_offscreen_view},
 		{"P2", TS_B_lookup2_parent}, {"P3", TS_B_lookup3_parent},
 	};
 	for (size_t i = 0; i < sizeof owners / sizeof *owners; i++) {
 		if (ts_probe_has(p, owners[i].owner)) ts_sizes_set(sizes, owners[i].name, ts_probe_n(p, owners[i].owner));
 	}
 	u64 texels = 0;
-	for (u32 r = 0; r < p->n_cubes; r++) texels += (u64)6 * p->cubes[r].n * p->cubes[r].n;
+	for (u32 r = 0; r < p->n_cubes && !p->shadows; r++) texels += (u64)6 * p->cubes[r].n * p->cubes[r].n;
+	for (u32 v = 0; v < p->n_views; v++) texels += (u64)p->views[v].width * p->views[v].height;
 	ts_sizes_set(sizes, "C", texels);
 	ts_sizes_set(sizes, "H", p->view.height);
 	ts_sizes_set(sizes, "W", p->view.width);
@@ -75,7 +73,7 @@ static ts_status check_images(const ts_probe *p)
 		const ts_image *image = &p->scene.images[i];
 		u64 texels = 0, w = image->width, h = image->height;
 		bool right =
-			w >= 1 && h >= 1 && w <= MOST_SIDE && h <= MOST_SIDE && image->n_levels >= 1 && image->n_levels <= 15;
+			w >= 1 && h >= 1 && w <= TS_PROBE_SIDE && h <= TS_PROBE_SIDE && image->n_levels >= 1 && image->n_levels <= 15;
 		for (u32 l = 0; right && l < image->n_levels; l++) {
 			texels += w * h;
 			w = w > 1 ? w / 2 : 1;
@@ -97,7 +95,7 @@ static ts_status check_cubes(const ts_probe *p)
 	u64 offset = 0;
 	const char *path = p->trace->item[TS_B_resize_face].path;
 	for (u32 r = 0; r < p->n_cubes; r++) {
-		if (p->cubes[r].n > MOST_SIDE || p->cubes[r].offset != offset) {
+		if (p->cubes[r].n > TS_PROBE_SIDE || p->cubes[r].offset != offset) {
 			return ts_fail("%s: element %u: size %u at texel %" PRIu64 "; it would begin at %" PRIu64, path,
 			               (unsigned)r, (unsigned)p->cubes[r].n, p->cubes[r].offset, offset);
 		}
@@ -109,28 +107,29 @@ static ts_status check_cubes(const ts_probe *p)
 static ts_status check_view(const ts_probe *p)
 {
 	u32 w = p->view.width, h = p->view.height;
-	if (w >= 1 && h >= 1 && w <= MOST_SIDE && h <= MOST_SIDE) return TS_OK;
+	if (w >= 1 && h >= 1 && w <= TS_PROBE_SIDE && h <= TS_PROBE_SIDE) return TS_OK;
 	return ts_fail("%s: %u x %u pixels; at most %d x %d", p->trace->item[TS_B_eye_view].path, (unsigned)w, (unsigned)h,
-	               MOST_SIDE, MOST_SIDE);
+	               TS_PROBE_SIDE, TS_PROBE_SIDE);
 }
 
 static ts_status load_arrays(ts_probe *p)
 {
 	ts_arrays *s = &p->scene;
-	u64 n_triangles, n_cubes, n;
-	ts_info *info = load(p, TS_B_scene_info, &n);
+	u64 n_triangles, n_cubes = 0, n;
+	bool cubes = ts_pipeline_maker(p->trace->pipeline, TS_B_resize_face) != NULL;
+	ts_info *info = ts_probe_load(p, TS_B_scene_info, &n);
 	s->ambient = info != NULL && n > 0 ? info->ambient : 0.0f;
 	free(info);
 	if (info == NULL) return TS_ERROR;
-	s->vertices = load(p, TS_B_pose_vertex, &p->n_vertices);
-	s->triangles = s->vertices != NULL ? load(p, TS_B_scene_triangle, &n_triangles) : NULL;
-	s->materials = s->triangles != NULL ? load(p, TS_B_scene_material, &p->n_materials) : NULL;
-	s->slots = s->materials != NULL ? load(p, TS_B_scene_slot, &p->n_slots) : NULL;
-	s->images = s->slots != NULL ? load(p, TS_B_scene_image, &p->n_images) : NULL;
-	s->lights = s->images != NULL ? load(p, TS_B_scene_light, &p->n_lights) : NULL;
-	s->objects = s->lights != NULL ? load(p, TS_B_scene_object, &p->n_objects) : NULL;
-	p->cubes = s->objects != NULL ? load(p, TS_B_resize_face, &n_cubes) : NULL;
-	if (p->cubes == NULL) return TS_ERROR;
+	s->vertices = ts_probe_load(p, TS_B_pose_vertex, &p->n_vertices);
+	s->triangles = s->vertices != NULL ? ts_probe_load(p, TS_B_scene_triangle, &n_triangles) : NULL;
+	s->materials = s->triangles != NULL ? ts_probe_load(p, TS_B_scene_material, &p->n_materials) : NULL;
+	s->slots = s->materials != NULL ? ts_probe_load(p, TS_B_scene_slot, &p->n_slots) : NULL;
+	s->images = s->slots != NULL ? ts_probe_load(p, TS_B_scene_image, &p->n_images) : NULL;
+	s->lights = s->images != NULL ? ts_probe_load(p, p->shadows ? TS_B_lamp_light : TS_B_scene_light, &p->n_lights) : NULL;
+	s->objects = s->lights != NULL ? ts_probe_load(p, TS_B_scene_object, &p->n_objects) : NULL;
+	p->cubes = s->objects != NULL && cubes ? ts_probe_load(p, TS_B_resize_face, &n_cubes) : NULL;
+	if (s->objects == NULL || (cubes && p->cubes == NULL)) return TS_ERROR;
 	if (n_triangles >= TS_NONE || n_cubes > 65536 || p->n_lights >= TS_NONE)
 		return ts_fail("%s: too large", p->trace->dir);
 	s->n_triangles = (u32)n_triangles;
@@ -144,10 +143,10 @@ static ts_status load_scene(ts_probe *p)
 {
 	static const ts_buffer_id needed[] = {TS_B_scene_triangle, TS_B_scene_material, TS_B_scene_slot, TS_B_scene_image,
 		TS_B_scene_texel, TS_B_scene_light, TS_B_scene_object, TS_B_scene_info, TS_B_eye_view, TS_B_pose_vertex,
-		TS_B_resize_face, TS_N_BUFFERS};
+		TS_N_BUFFERS};
 	if (ts_probe_require(p, needed) != TS_OK) return TS_ERROR;
 	if (ts_probe_fetch(p, TS_B_eye_view, 0, 1, &p->view) != TS_OK || check_view(p) != TS_OK) return TS_ERROR;
-	if (load_arrays(p) != TS_OK) return TS_ERROR;
+	if (load_arrays(p) != TS_OK || (p->shadows && ts_probe_lamps(p) != TS_OK)) return TS_ERROR;
 	p->n_texels = ts_probe_n(p, TS_B_scene_texel);
 	if (check_cubes(p) != TS_OK || check_shapes(p) != TS_OK || check_images(p) != TS_OK) return TS_ERROR;
 	p->image_read = ts_alloc_zero((size_t)p->n_images, 1, "images");
@@ -173,10 +172,16 @@ void ts_probe_scene_free(ts_probe *p)
 	free((void *)p->scene.lights);
 	free((void *)p->scene.objects);
 	free(p->cubes);
+	free(p->views);
+	free(p->lamps);
+	free(p->lit);
 	free(p->texels);
 	free(p->image_read);
 	p->scene = (ts_arrays){.vertices = NULL};
 	p->cubes = NULL;
+	p->views = NULL;
+	p->lamps = NULL;
+	p->lit = NULL;
 	p->texels = NULL;
 	p->image_read = NULL;
 }

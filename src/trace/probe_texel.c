@@ -130,7 +130,7 @@ static ts_status put_triangles(ts_probe *p, const place *at, json_t *o)
 ts_status ts_probe_texel(ts_probe *p, u32 reflector, u32 face, u32 x, u32 y, json_t **answer)
 {
 	*answer = NULL;
-	if (ts_probe_scene(p) != TS_OK) return TS_ERROR;
+	if (ts_probe_of_reflections(p) != TS_OK || ts_probe_scene(p) != TS_OK) return TS_ERROR;
 	if (reflector >= p->n_cubes || face >= 6) {
 		return ts_fail("%s: no face %u.%u; there are %u reflectors, from 0, of faces 0 to 5", p->trace->dir,
 		               (unsigned)reflector, (unsigned)face, (unsigned)p->n_cubes);

@@ -231,7 +231,7 @@ static void put_corners(ts_probe *p, json_t *o, u32 triangle)
 ts_status ts_probe_triangle(ts_probe *p, u64 triangle, json_t **answer)
 {
 	*answer = NULL;
-	if (ts_probe_scene(p) != TS_OK || require(p) != TS_OK) return TS_ERROR;
+	if (ts_probe_of_reflections(p) != TS_OK || ts_probe_scene(p) != TS_OK || require(p) != TS_OK) return TS_ERROR;
 	if (triangle >= p->scene.n_triangles) {
 		return ts_fail("%s: no triangle %" PRIu64 "; there are %u, from 0", p->trace->dir, triangle,
 		               (unsigned)p->scene.n_triangles);
@@ -278,6 +278,7 @@ ts_status ts_probe_point(ts_probe *p, u64 point, json_t **answer)
 	ts_point record;
 	ts_piece piece;
 	*answer = NULL;
+	if (ts_probe_of_reflections(p) != TS_OK) return TS_ERROR;
 	if (p->mvr) return ts_fail("%s: a trace of mvr, which has no points", p->trace->dir);
 	if (ts_probe_scene(p) != TS_OK || require(p) != TS_OK) return TS_ERROR;
 	if (point >= ts_probe_n(p, TS_B_points_record) || point >= TS_NONE) {
@@ -293,6 +294,7 @@ ts_status ts_probe_point_of_key(ts_probe *p, u64 key, u64 *point)
 {
 	static const ts_buffer_id needed[] = {TS_B_points_key, TS_N_BUFFERS};
 	u64 held;
+	if (ts_probe_of_reflections(p) != TS_OK) return TS_ERROR;
 	if (p->mvr) return ts_fail("%s: a trace of mvr, which has no points", p->trace->dir);
 	if (ts_probe_require(p, needed) != TS_OK) return TS_ERROR;
 	for (*point = 0; *point < ts_probe_n(p, TS_B_points_key); ++*point) {

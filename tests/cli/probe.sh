@@ -65,6 +65,22 @@ refuses 'no point of key' probe $epr --point 0,32000,0
 refuses 'no points' probe $mvr --point 0
 refuses 'trace.json' probe /nonexistent --pixel 0,0
 
+# Shadows: each sample's question, and what adds up to the picture.
+shadows=(atrium:triangles=10000 --size 64x64 --set views=4 --set light_samples=2 --set map_px=64 --no-images --trace)
+for words in 'soft-shadows mvr' 'soft-shadows pcss' 'omni-shadows epr'; do
+	read -r effect method <<< "$words"
+	"$touchstone" render "$effect" "${shadows[@]}" --method "$method" -o "$effect-$method" > /dev/null
+	says 'bits agree with resolve.lit' probe "$effect-$method/trace-$method" --pixel 20,40
+	says 'bits agree with image.radiance' probe "$effect-$method/trace-$method" --pixel 33,60
+done
+soft=soft-shadows-mvr/trace-mvr
+prints 'answer: reaches' probe $soft --pixel 33,60
+prints 'blocker_depth\|search_radius' probe soft-shadows-pcss/trace-pcss --pixel 33,60
+refuses 'a trace of soft-shadows, of which probe explains the eye' probe $soft --triangle 4
+refuses 'of which probe explains the eye' probe omni-shadows-epr/trace-epr --pixel 3,3 --view 0.+X
+run render soft-shadows "${shadows[@]}" --method ivir --trace-only scene,eye,view,pose,lamp,lamp_view,resolve -o lacks
+refuses 'this needs scatter.depth' probe lacks/trace-ivir --pixel 33,60
+
 # A trace without some stages names all that it lacks.
 "$touchstone" render reflections atrium:triangles=10000 --size 64x64 --reflectors 2 --set reflector_px=24 --set face_max=16 \
 	--method epr --no-images --trace-only scene,eye,pixel,view,pose,resize,image -o part > /dev/null 2>&1 ||
@@ -97,6 +113,15 @@ lies 00-scene.image.npy 0 '\xff\xff\x00\x00' 'no mip chain' --pixel 0,0
 lies 01-eye.view.npy 7 '\xff\xff\xff\x7f' 'pixels; at most' --pixel 0,0
 lies 15-lookup2.offset.npy 1 '\x09\x00\x00\x00' 'one entry at most' --pixel "$mirror"
 lies 05-pixel.offset.npy "$index" '\x21\x00\x00\x00' 'pixel.offset names it for pixel' --pixel "$mirror"
+epr=$soft
+lies 04-offscreen.view.npy 7 '\xff\xff\xff\x7f' 'element 0: 2147483647 x 64' --pixel 33,60
+lies 04-offscreen.view.npy 22 '\x01\x00\x00\x00' 'names 1 of 1' --pixel 33,60
+lies 03-lamp.shape.npy 1 '\x05\x00\x00\x00' 'there are 4 views' --pixel 33,60
+rm -rf bad
+cp -r $soft bad
+rm bad/06-scatter.depth.npy
+refuses 'scatter.depth' probe bad --pixel 33,60
+epr=out/trace-epr
 
 # A wrong value is no lie that breaks anything: the check tells.
 rm -rf bad

@@ -16,6 +16,12 @@ typedef struct {
 } traced;
 
 static traced epr, mvr, plane; /* plane: EPR with the depth of planes, which ties often */
+static const struct { const char *effect, *method; } shadow_methods[] = {
+	{"soft-shadows", "mvr"}, {"soft-shadows", "ivir"}, {"soft-shadows", "pcss"}, {"omni-shadows", "mvr"},
+	{"omni-shadows", "epr"},
+};
+enum { N_SHADOWS = sizeof shadow_methods / sizeof *shadow_methods };
+static traced shadows[N_SHADOWS];
 static u32 n_random;
 static u32 below(u32 n) { return (u32)(((u64)ts_random(n_random++, STREAM, 17) * n) >> 32); }
 
@@ -37,16 +43,16 @@ static void require(ts_status status)
 	if (status != TS_OK) fail_msg("%s", ts_error_message());
 }
 
-static void make(traced *t, const char *method, const ts_params *params)
+static void make(traced *t, const char *effect, const char *method, const ts_params *params)
 {
-	const ts_pipeline *pipeline = ts_pipeline_find("reflections", method);
-	ts_trace_options options = {.place = place, .user = t};
+	const ts_pipeline *pipeline = ts_pipeline_find(effect, method);
+	ts_trace_options options = {.margins = true, .place = place, .user = t};
 	const char *tmp = getenv("TMPDIR");
 	snprintf(t->dir, sizeof t->dir, "%s/touchstone-probe-XXXXXX", tmp != NULL ? tmp : "/tmp");
 	assert_non_null(mkdtemp(t->dir));
 	t->scene = small_scene(params);
 	ts_run_begin(&t->run, t->scene, params, 2);
-	t->run.traced = true;
+	t->run.traced = t->run.margins = true;
 	require(ts_trace_write_begin(&t->writer, pipeline, &t->run, &options));
 	t->run.hook = hook;
 	t->run.hook_user = t;
@@ -78,10 +84,14 @@ static int make_all(void **state)
 	params.reflector_px = 40;
 	params.bounces = 2;
 	params.mvr_faces = TS_MVR_FACES_ADAPTIVE;
-	make(&epr, "epr", &params);
-	make(&mvr, "mvr", &params);
+	make(&epr, "reflections", "epr", &params);
+	make(&mvr, "reflections", "mvr", &params);
 	params.planedepth = 1;
-	make(&plane, "epr", &params);
+	make(&plane, "reflections", "epr", &params);
+	params.views = params.light_samples = 5;
+	params.map_px = 64;
+	params.pass = 2;
+	for (u32 i = 0; i < N_SHADOWS; i++) make(&shadows[i], shadow_methods[i].effect, shadow_methods[i].method, &params);
 	return 0;
 }
 
@@ -91,6 +101,7 @@ static int drop_all(void **state)
 	drop(&epr);
 	drop(&mvr);
 	drop(&plane);
+	for (u32 i = 0; i < N_SHADOWS; i++) drop(&shadows[i]);
 	return 0;
 }
 
@@ -238,6 +249,70 @@ static void test_texels_mvr(void **state)
 	}
 }
 
+/* The least of a figure of the samples, as its bits; all ones: none has it. */
+static u64 least_of(const json_t *samples, const char *name)
+{
+	f32 least = INFINITY;
+	size_t i;
+	json_t *sample;
+	json_array_foreach((json_t *)samples, i, sample) {
+		const json_t *own = json_object_get(sample, name);
+		if (own != NULL) least = fminf(least, (f32)json_real_value(own));
+	}
+	return isinf(least) ? TS_EMPTY : ts_f2u(least);
+}
+
+static u32 n_reaching(const json_t *samples)
+{
+	u32 n = 0;
+	size_t i;
+	json_t *sample;
+	json_array_foreach((json_t *)samples, i, sample) {
+		n += strncmp(json_string_value(json_object_get(sample, "answer")), "reaches", 7) == 0;
+	}
+	return n;
+}
+
+/* The samples add up to the buffers: those that reach the pixel, and of their margins the least. Returns how many do. */
+static u32 try_shadow(const traced *t, u32 pixel)
+{
+	json_t *answer;
+	u32 width = t->run.params.width, lit = ((const u32 *)data(t, TS_B_resolve_lit))[pixel];
+	if (((const u64 *)data(t, TS_B_eye_depth_triangle))[pixel] == TS_EMPTY) return 0;
+	require(ts_probe_pixel(t->probe, pixel % width, pixel / width, &answer));
+	const json_t *light = json_array_get(json_object_get(answer, "shadow"), 0);
+	const json_t *samples = json_object_get(light, "by_sample");
+	assert_int_equal(figure(light, "reach"), lit);
+	if (samples != NULL) {
+		const u64 *margin = (const u64 *)data(t, TS_B_resolve_margin) + pixel * 2;
+		assert_int_equal(n_reaching(samples), lit);
+		assert_int_equal(json_array_size(samples), 5);
+		assert_true(least_of(samples, "edge_margin") == margin[0]);
+		assert_true(least_of(samples, "depth_margin") == margin[1]);
+	}
+	json_decref(answer);
+	return lit;
+}
+
+static void test_shadows(void **state)
+{
+	(void)state;
+	for (u32 i = 0; i < N_SHADOWS; i++) {
+		const traced *t = &shadows[i];
+		u32 n_lit = 0, most = i == 2 ? 64 : 5;
+		json_t *answer;
+		for (u32 k = 0; k < N_TRIED; k++) {
+			u32 pixel = below(t->run.params.width * t->run.params.height);
+			try_pixel(t, pixel);
+			n_lit += try_shadow(t, pixel);
+		}
+		assert_true(n_lit > N_TRIED / 8 * most && n_lit < N_TRIED * most);
+		assert_int_equal(ts_probe_texel(t->probe, 0, 0, 0, 0, &answer), TS_ERROR);
+		assert_int_equal(ts_probe_triangle(t->probe, 0, &answer), TS_ERROR);
+		assert_int_equal(ts_probe_point(t->probe, 0, &answer), TS_ERROR);
+	}
+}
+
 static u32 triangle_of(u32 point)
 {
 	const ts_point *points = data(&epr, TS_B_points_record);
@@ -352,6 +427,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_pixels_epr), cmocka_unit_test(test_pixels_mvr), cmocka_unit_test(test_pixels_of_bounces),
 		cmocka_unit_test(test_texels), cmocka_unit_test(test_texels_mvr), cmocka_unit_test(test_ties),
+		cmocka_unit_test(test_shadows),
 		cmocka_unit_test(test_triangles), cmocka_unit_test(test_points), cmocka_unit_test(test_nothing_there),
 	};
 	return cmocka_run_group_tests(tests, make_all, drop_all);
