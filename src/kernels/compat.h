@@ -16,10 +16,11 @@ typedef uint u32;
 typedef long i64;
 typedef ulong u64;
 typedef uchar u8;
-/* Compilers of OpenCL leave long functions out of line, which costs a third of a frame; those called from many places, whose
- * copies take seconds to compile, are TS_CALL. */
+/* Compilers of OpenCL leave long functions out of line, which costs a third of a frame; but of those called from many places
+ * copies take long to compile. TS_CALL is out of line, TS_HOT on devices alone. */
 #define TS_FN static inline __attribute__((always_inline))
 #define TS_CALL static __attribute__((noinline, unused))
+#define TS_HOT TS_CALL
 #define TS_GLOBAL __global
 #define TS_CONSTANT __constant
 #define ts_f2u(x) as_uint(x)
@@ -51,6 +52,7 @@ typedef unsigned long long u64;
 typedef unsigned char u8;
 #define TS_FN static __device__ __forceinline__
 #define TS_CALL static __device__ __noinline__
+#define TS_HOT TS_CALL
 #define TS_GLOBAL
 #define TS_CONSTANT static __constant__
 #define ts_f2u(x) __float_as_uint(x)
@@ -85,7 +87,12 @@ typedef int64_t i64;
 typedef uint64_t u64;
 typedef uint8_t u8;
 #define TS_FN static inline
+#if defined(__GNUC__)
+#define TS_CALL static __attribute__((noinline, unused))
+#else
 #define TS_CALL static inline
+#endif
+#define TS_HOT static inline
 #define TS_GLOBAL
 #define TS_CONSTANT static const
 static inline u32 ts_f2u(f32 x) { u32 u; memcpy(&u, &x, 4); return u; }

@@ -47,7 +47,7 @@ TS_FN ts_v2 ts_k_slot_uv(TS_GLOBAL const ts_slot *slot, TS_GLOBAL const ts_verte
 	return ts_v2_make(s + m[2], t + m[5]);
 }
 
-TS_CALL ts_rgba ts_k_slot_sample(const ts_arrays *scene, const ts_sample *s, u32 slot_index)
+TS_HOT ts_rgba ts_k_slot_sample(const ts_arrays *scene, const ts_sample *s, u32 slot_index)
 {
 	TS_GLOBAL const ts_slot *slot = &scene->slots[slot_index];
 	ts_v2 a = ts_k_slot_uv(slot, s->a);
