@@ -163,9 +163,9 @@ static u64 bytes_of_area(const ts_pipeline *method, const ts_scene *scene, const
 	const ts_pipeline *mvr = ts_pipeline_find(method->effect, "mvr");
 	ts_sizes sizes = { .n = 0 };
 	ts_params many = *params;
-	u64 bytes = 0;
+	u64 bytes = 0, views = (u64)params->area_samples * (params->lamp == TS_LAMP_SCENE ? scene->n_lights : 1);
 	many.light_samples = params->area_samples;
-	many.views = params->area_samples * (params->lamp == TS_LAMP_SCENE ? scene->n_lights : 1);
+	many.views = views < TS_NONE ? (u32)views : TS_NONE;
 	ts_run_sizes(&sizes, scene, &many);
 	if (mvr != NULL) mvr->expect(&sizes, scene, &many);
 	for (u32 i = 0; i < sizeof ids / sizeof ids[0]; i++) bytes += ts_pipeline_bytes(ids[i], &sizes);

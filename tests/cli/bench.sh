@@ -1,6 +1,7 @@
 #!/bin/bash
 # The papers' tables: our figures, and the paper's below them. The backends' tables: with and without a device.
 . "$(dirname "$0")/tap.bash"
+. "$(dirname "$0")/opencl.bash"
 small=(--scene atrium:triangles=10000 --objects 1,2 --size 96x54 --set reflector_px=30 --set face_max=64)
 
 run bench epr-1 "${small[@]}"
