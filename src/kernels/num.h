@@ -113,6 +113,32 @@ TS_FN f32 ts_log2(f32 x)
 	return s + (f32)k;
 }
 
+/* e^x within 0.96 ulp for x in [-87.33654, 88.72283]; +0 below the domain, its largest value above it and for NaN. */
+TS_FN f32 ts_exp(f32 x)
+{
+	f32 top = x < 88.72283172607421875f ? x : 88.72283172607421875f;
+	f32 in = top > -87.33654022216796875f ? top : -87.33654022216796875f;
+	f32 t = in * 1.44269502162933349609375f;
+	f32 shifted = t + 12582912.0f;
+	u32 n = ts_f2u(shifted) - 0x4b400000u;
+	f32 whole = shifted - 12582912.0f;
+	f32 high = whole * 0.693359375f;
+	f32 low = whole * -0.000212194441701285541057586669921875f;
+	f32 r = in - high;
+	r = r - low;
+	f32 p = 1.95779386558569967746734619140625e-4f;
+	p = p * r; p = p + 1.393576501868665218353271484375e-3f;
+	p = p * r; p = p + 8.333886973559856414794921875e-3f;
+	p = p * r; p = p + 4.1666455566883087158203125e-2f;
+	p = p * r; p = p + 0.16666664183139801025390625f;
+	p = p * r; p = p + 0.5f;
+	f32 r2 = r * r;
+	p = p * r2;
+	p = p + r;
+	p = p + 1.0f;
+	return top >= -87.33654022216796875f ? ts_u2f(ts_f2u(p) + (n << 23)) : 0.0f;
+}
+
 /* sin (quarter 0) or cos (quarter 1) of t turns, |error| <= 7.5e-8; |t| >= 2^22 counts as 0. */
 TS_FN f32 ts_sincos_turn(f32 t, u32 quarter)
 {
@@ -142,5 +168,35 @@ TS_FN f32 ts_sincos_turn(f32 t, u32 quarter)
 }
 TS_FN f32 ts_sin_turn(f32 t) { return ts_sincos_turn(t, 0u); }
 TS_FN f32 ts_cos_turn(f32 t) { return ts_sincos_turn(t, 1u); }
+
+/* The angle of (x, y) in (-pi, pi], within 2.13 ulp, of sanitized coordinates; that of (0, 0) is 0, and ratios below
+ * 2^-100 count as 0. */
+TS_FN f32 ts_atan2(f32 y, f32 x)
+{
+	f32 ax = ts_abs(x);
+	f32 ay = ts_abs(y);
+	bool steep = ay > ax;
+	f32 less = steep ? ax : ay;
+	f32 more = steep ? ay : ax;
+	f32 a = less / (more > 0.0f ? more : 1.0f);
+	a = ts_flush(a);
+	f32 z = a * a;
+	f32 p = 2.9202033765614032745361328125e-3f;
+	p = p * z; p = p - 1.636600308120250701904296875e-2f;
+	p = p * z; p = p + 4.32087592780590057373046875e-2f;
+	p = p * z; p = p - 7.551951706409454345703125e-2f;
+	p = p * z; p = p + 0.10665880143642425537109375f;
+	p = p * z; p = p - 0.14211022853851318359375f;
+	p = p * z; p = p + 0.19993768632411956787109375f;
+	p = p * z; p = p - 0.333331525325775146484375f;
+	f32 az = a * z;
+	f32 r = p * az;
+	r = r + a;
+	f32 other = 1.57079637050628662109375f - r;
+	r = steep ? other : r;
+	f32 back = 3.1415927410125732421875f - r;
+	r = x < 0.0f ? back : r;
+	return y < 0.0f ? -r : r;
+}
 
 #endif

@@ -155,6 +155,47 @@ static void test_sincos(void **state)
 	}
 }
 
+static void test_exp(void **state)
+{
+	(void)state;
+	double worst = 0;
+	for (u32 sign = 0; sign < 2; sign++) {
+		for (u32 u = 0; u < 0x42b20000u; u += 211) {
+			f32 x = ts_u2f(u | sign << 31);
+			if (x < -87.33654f || x > 88.72283f) continue;
+			double y = exp((double)x);
+			worst = fmax(worst, fabs(ts_exp(x) - y) / ulp(y));
+		}
+	}
+	assert_true(worst > 0.5 && worst <= 0.96);
+	const f32 below_it[] = { -87.337f, -100, -1e30f, -INFINITY }, above_it[] = { 88.723f, 100, 1e30f, INFINITY, NAN };
+	for (u32 i = 0; i < 4; i++) assert_true(same_bits(ts_exp(below_it[i]), 0));
+	for (u32 i = 0; i < 5; i++) assert_true(same_bits(ts_exp(above_it[i]), ts_exp(88.72283172607421875f)));
+	assert_true(isfinite(ts_exp(INFINITY)) && ts_exp(INFINITY) > 3.4e38f);
+	assert_true(ts_exp(0) == 1 && ts_exp(-0.0f) == 1 && ts_exp(ldexpf(1, -149)) == 1);
+}
+
+/* All quadrants; the shorter coordinate from as long as the other down to 2^-60 of it. */
+static void test_atan2(void **state)
+{
+	(void)state;
+	double worst = 0;
+	for (u32 i = 0; i < 2000000; i++) {
+		f32 x = ldexpf(1 + uniform(0, 1), -(i32)below(30)), y = ldexpf(1 + uniform(0, 1), -(i32)below(i % 2 == 0 ? 2 : 60));
+		u32 signs = bits();
+		x = (signs & 1) != 0 ? -x : x;
+		y = (signs & 2) != 0 ? -y : y;
+		double right = atan2((double)y, (double)x);
+		worst = fmax(worst, fabs(ts_atan2(y, x) - right) / ulp(right));
+		assert_true(ts_atan2(-y, x) == -ts_atan2(y, x));
+	}
+	assert_true(worst > 0.5 && worst <= 2.13);
+	const f32 half = 1.57079637050628662109375f;
+	assert_true(same_bits(ts_atan2(0, 0), 0) && ts_atan2(0, 3) == 0 && ts_atan2(3, 0) == half && ts_atan2(-3, 0) == -half);
+	assert_true(ts_atan2(0, -3) == 2 * half && ts_atan2(5, 5) == half / 2 && ts_atan2(-5, 5) == -half / 2);
+	assert_true(ts_atan2(ldexpf(1, -101), 1) == 0 && ts_atan2(ldexpf(1, -99), 1) == ldexpf(1, -99));
+}
+
 static u32 inverse(u32 odd)
 {
 	u32 x = odd;
@@ -204,7 +245,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		seeded_test(test_fix),   seeded_test(test_fix_exponents), seeded_test(test_fix_ties), seeded_test(test_san),
 		seeded_test(test_order), seeded_test(test_integers),      seeded_test(test_log2),     seeded_test(test_sincos),
-		seeded_test(test_pcg),   seeded_test(test_random),
+		seeded_test(test_exp),   seeded_test(test_atan2),         seeded_test(test_pcg),      seeded_test(test_random),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
