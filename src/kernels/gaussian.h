@@ -1,0 +1,207 @@
+/* Spherical Gaussians (SSAGH, section 4; SPEC 3.5, 3.7): G(mu, lambda, phi) is mu e^(lambda (phi.w - 1)) in direction w,
+ * phi a unit vector; and its integrals: over the sphere, and with the cosine to a normal n over the hemisphere about n.
+ * Sharpness is from 0 to 1e5, an integral of amplitude 1. Where the paper's forms cancel or overflow in single precision,
+ * others that do not take their place: within 8e-7 of the exact integrals. */
+#ifndef TS_KERNELS_GAUSSIAN_H
+#define TS_KERNELS_GAUSSIAN_H
+#include "gaussian_quadrature.h"
+
+#define TS_COSINE_IS_OURS 0u       /* eqs 15 to 18 */
+#define TS_COSINE_IS_CONSTANT 1u   /* eq 7 */
+#define TS_COSINE_IS_SG 2u         /* eq 8 */
+#define TS_COSINE_IS_QUADRATURE 3u /* eq 12 */
+
+typedef struct { ts_v3 phi; f32 mu, lambda; } ts_sg;
+
+TS_FN ts_sg ts_sg_make(f32 mu, f32 lambda, ts_v3 phi)
+{
+	ts_sg r;
+	r.phi = phi;
+	r.mu = mu;
+	r.lambda = lambda;
+	return r;
+}
+
+/* Eq 1: in the direction w. */
+TS_FN f32 ts_k_sg_value(const ts_sg *g, ts_v3 w)
+{
+	f32 d = ts_dot(g->phi, w) - 1.0f;
+	return g->mu * ts_exp(g->lambda * d);
+}
+
+/* Eq 3. The exponent lambda3 - lambda1 - lambda2 is -lambda1 lambda2 |phi1 - phi2|^2 over the sum of the three. */
+TS_FN ts_sg ts_k_sg_product(const ts_sg *a, const ts_sg *b)
+{
+	ts_v3 both = ts_mad(ts_scale(a->phi, a->lambda), b->phi, b->lambda);
+	ts_v3 apart = ts_sub(a->phi, b->phi);
+	f32 lambda = ts_length(both);
+	f32 all = (a->lambda + b->lambda) + lambda;
+	f32 lost = (a->lambda * b->lambda) * ts_dot(apart, apart);
+	lost = all > 0.0f ? lost / all : 0.0f;
+	return ts_sg_make((a->mu * b->mu) * ts_exp(-lost), lambda, ts_normalize(both));
+}
+
+/* Eq 2: A(lambda) = 2 pi / lambda (1 - e^(-2 lambda)); below 1/4 by 4 pi times the sum of (-2 lambda)^j / (j + 1)!. */
+TS_FN f32 ts_k_sg_integral(f32 lambda)
+{
+	f32 x = 2.0f * lambda;
+	f32 p = -0.000024801587642286904156208038330078125f;
+	p = p * x; p = p + 0.000198412701138295233249664306640625f;
+	p = p * x; p = p - 0.001388888922519981861114501953125f;
+	p = p * x; p = p + 0.008333333767950534820556640625f;
+	p = p * x; p = p - 0.0416666679084300994873046875f;
+	p = p * x; p = p + 0.16666667163372039794921875f;
+	p = p * x; p = p - 0.5f;
+	p = p * x; p = p + 1.0f;
+	f32 closed = x > 0.0f ? (1.0f - ts_exp(-x)) / x : 1.0f;
+	return 12.56637096405029296875f * (x < 0.5f ? p : closed);
+}
+
+/* Eqs 9 and 10 as they are printed, lambda above 0: they cancel where lambda is small, and e^lambda is at most the largest
+ * float. */
+TS_FN f32 ts_k_sg_printed(f32 lambda, bool lower)
+{
+	f32 scale = 6.283185482025146484375f / (lambda * lambda);
+	f32 upper = (ts_exp(-lambda) - 1.0f) + lambda;
+	f32 rest = (ts_exp(lambda) - 1.0f) - lambda;
+	f32 faded = scale * ts_flush(ts_exp(-2.0f * lambda));
+	return lower ? faded * rest : scale * upper;
+}
+
+/* Eq 9: A_u(lambda) = 2 pi / lambda^2 (e^-lambda - 1 + lambda), where n is phi; below 1/2 by 2 pi times the sum of
+ * (-lambda)^j / (j + 2)!. */
+TS_FN f32 ts_k_sg_upper(f32 lambda, u32 printed)
+{
+	if (printed != 0u && lambda > 0.0f) return ts_k_sg_printed(lambda, false);
+	f32 p = -0.000002755731884462875314056873321533203125f;
+	p = p * lambda; p = p + 0.000024801587642286904156208038330078125f;
+	p = p * lambda; p = p - 0.000198412701138295233249664306640625f;
+	p = p * lambda; p = p + 0.001388888922519981861114501953125f;
+	p = p * lambda; p = p - 0.008333333767950534820556640625f;
+	p = p * lambda; p = p + 0.0416666679084300994873046875f;
+	p = p * lambda; p = p - 0.16666667163372039794921875f;
+	p = p * lambda; p = p + 0.5f;
+	if (lambda < 0.5f) return 6.283185482025146484375f * p;
+	f32 m = (ts_exp(-lambda) - 1.0f) + lambda;
+	return (6.283185482025146484375f * m) / (lambda * lambda);
+}
+
+/* Eq 10: A_b(lambda) = 2 pi / lambda^2 e^(-2 lambda) (e^lambda - 1 - lambda), where n is -phi; below 1/2 by 2 pi e^-lambda
+ * times the sum of (-lambda)^j (j + 1) / (j + 2)!. */
+TS_FN f32 ts_k_sg_lower(f32 lambda, u32 printed)
+{
+	if (printed != 0u && lambda > 0.0f) return ts_k_sg_printed(lambda, true);
+	f32 e = ts_flush(ts_exp(-lambda));
+	f32 p = -0.000022045855075703002512454986572265625f;
+	p = p * lambda; p = p + 0.000173611115314997732639312744140625f;
+	p = p * lambda; p = p - 0.001190476235933601856231689453125f;
+	p = p * lambda; p = p + 0.0069444444961845874786376953125f;
+	p = p * lambda; p = p - 0.0333333350718021392822265625f;
+	p = p * lambda; p = p + 0.125f;
+	p = p * lambda; p = p - 0.3333333432674407958984375f;
+	p = p * lambda; p = p + 0.5f;
+	f32 scale = 6.283185482025146484375f * e;
+	if (lambda < 0.5f) return scale * p;
+	f32 le = lambda * e;
+	f32 m = (1.0f - e) - le;
+	return (scale * m) / (lambda * lambda);
+}
+
+/* Eq 18: the steepness of the logistic curve. */
+TS_FN f32 ts_k_sg_t(f32 lambda)
+{
+	f32 part = lambda / (lambda + 4.465300083160400390625f);
+	f32 root = 2.100699901580810546875f * ts_sqrt(lambda);
+	return root * part;
+}
+
+/* Eq 17, 1 / u = 0.2958 t + 0.5033: how much of the cosine over the whole sphere there is. */
+TS_FN f32 ts_k_sg_s(f32 t, f32 cos_beta)
+{
+	f32 per_u = 0.2958000004291534423828125f * t;
+	per_u = per_u + 0.503300011157989501953125f;
+	f32 x = ts_flush(ts_exp(-(ts_abs(cos_beta) * t)));
+	return (x / (1.0f + x)) / per_u;
+}
+
+/* Eq 16: from the cosine over the whole sphere to the clamped one. */
+TS_FN f32 ts_k_sg_c(f32 s, f32 cos_beta)
+{
+	f32 whole = 0.5f * cos_beta;
+	whole = whole + 0.5f;
+	f32 clamped = ts_max(0.0f, cos_beta);
+	f32 a = s * whole;
+	f32 b = (1.0f - s) * clamped;
+	return ts_flush(a + b);
+}
+
+/* Eq 15: A_h from A_u and A_b. */
+TS_FN f32 ts_k_sg_ours(f32 lambda, f32 cos_beta, u32 printed)
+{
+	f32 c = ts_k_sg_c(ts_k_sg_s(ts_k_sg_t(lambda), cos_beta), cos_beta);
+	f32 upper = c * ts_k_sg_upper(lambda, printed);
+	f32 lower = (1.0f - c) * ts_k_sg_lower(lambda, printed);
+	return upper + lower;
+}
+
+/* Eq 8: the cosine as G(1, 2, n), here n = (0, 0, 1). */
+TS_FN f32 ts_k_sg_as_sg(f32 lambda, f32 cos_beta)
+{
+	f32 sine = ts_sqrt((1.0f - cos_beta) * (1.0f + cos_beta));
+	ts_sg light = ts_sg_make(1.0f, lambda, ts_v3_make(sine, 0.0f, cos_beta));
+	ts_sg cosine = ts_sg_make(1.0f, 2.0f, ts_v3_make(0.0f, 0.0f, 1.0f));
+	ts_sg both = ts_k_sg_product(&light, &cosine);
+	return both.mu * ts_k_sg_integral(both.lambda);
+}
+
+/* A_h, the integral of G(1, lambda, phi) with the clamped cosine to n, cos_beta = n.phi, by one of TS_COSINE_IS_*;
+ * printed: of eqs 9 and 10 the printed forms. */
+TS_FN f32 ts_k_sg_cosine(f32 lambda, f32 cos_beta, u32 method, u32 printed)
+{
+	f32 c = ts_clamp(cos_beta, -1.0f, 1.0f);
+	if (method == TS_COSINE_IS_CONSTANT) return ts_max(0.0f, c) * ts_k_sg_integral(lambda);
+	if (method == TS_COSINE_IS_SG) return ts_k_sg_as_sg(lambda, c);
+	if (method == TS_COSINE_IS_QUADRATURE) return ts_k_sg_quadrature(lambda, c);
+	return ts_k_sg_ours(lambda, c, printed);
+}
+
+/* The mean's length of a von Mises-Fisher distribution, a Gaussian normalized: coth k - 1 / k; below 1/2 by its series. */
+TS_FN f32 ts_k_sg_mean(f32 k)
+{
+	f32 z = k * k;
+	f32 p = -0.000211640217457897961139678955078125f;
+	p = p * z; p = p + 0.0021164021454751491546630859375f;
+	p = p * z; p = p - 0.02222222276031970977783203125f;
+	p = p * z; p = p + 0.3333333432674407958984375f;
+	if (k < 0.5f) return p * k;
+	f32 e = ts_exp(-2.0f * k);
+	f32 coth = (1.0f + e) / (1.0f - e);
+	return coth - 1.0f / k;
+}
+
+/* Its inverse. From within 5 %, k = r (3 - r^2) / (1 - r^2), by Newton's steps, the slope being 1 - 2 r / k - r^2; beyond
+ * 0.9, where coth k is 1 but for 4e-9, 1 / (1 - r). */
+TS_FN f32 ts_k_sg_vmf(f32 r)
+{
+	if (!(r > 0.0f)) return 0.0f;
+	if (r > 0.89999997615814208984375f) return 1.0f / (1.0f - r);
+	f32 r2 = r * r;
+	f32 k = (r * (3.0f - r2)) / (1.0f - r2);
+	for (u32 i = 0u; i < 3u; i++) {
+		f32 at = ts_k_sg_mean(k);
+		f32 square = at * at;
+		f32 slope = (1.0f - square) - (2.0f * at) / k;
+		k = k - (at - r) / slope;
+	}
+	return k;
+}
+
+/* Eq 4: the sharpness of a light whose directions have a mean of length r, at most 1 - 1e-5: Toksvig's r / (1 - r), or
+ * that of the von Mises-Fisher distribution of that mean. */
+TS_FN f32 ts_k_sg_sharpness(f32 r, u32 vmf)
+{
+	f32 at = ts_clamp(r, 0.0f, 0.999989986419677734375f);
+	return vmf != 0u ? ts_k_sg_vmf(at) : at / (1.0f - at);
+}
+
+#endif
