@@ -2,6 +2,7 @@
  * that ts_vector_make fills. */
 #ifndef TS_KERNELS_VECTORS_H
 #define TS_KERNELS_VECTORS_H
+#include "vectors_light.h"
 #include "vectors_number.h"
 #include "vectors_raster.h"
 #include "vectors_texture.h"

@@ -73,14 +73,26 @@ FLOAT_ITEM(nearest_away, roundf(A) + 0.0f)
 static double reduced(f32 t) { return ts_abs(t) < 4194304.0f ? t - rint(t) : 0; }
 
 FLOAT_ITEM(logarithm_builtin, A >= FLT_MIN ? (f32)log2(A) : -126.0f)
+FLOAT_ITEM(exponential_builtin, A < -87.33654f ? 0 : A > 88.72283f ? ts_exp(A) : (f32)exp((double)A))
 FLOAT_ITEM(sine_builtin, (f32)sin(TURN * reduced(A)))
 FLOAT_ITEM(cosine_builtin, (f32)cos(TURN * reduced(A)))
+
+FLOAT_ITEM(angle_builtin, (f32)atan2((double)A, (double)B))
+
+/* Three times in four of sizes that differ by less than a factor of four. */
+static void relate_angle(u32 *in, u32 random)
+{
+	if ((random & 3) == 0 || in[0] == 0 || in[1] == 0) return;
+	in[0] = (in[0] & 0x80ffffffu) | 0x3f000000u;
+	in[1] = (in[1] & 0x80ffffffu) | 0x3f000000u;
+}
 
 static const f32 san_edges[] = { 0x1p-39f, 0x1p62f, -0x1p-39f, -0x1p62f, FLT_MAX, FLT_MIN };
 static const f32 put_edges[] = { 0x1p-100f, -0x1p-100f, FLT_MIN, -FLT_MIN };
 static const f32 int_edges[] = { 0x1p31f, -0x1p31f, 0x1p24f, -0x1p24f, 0x1p23f, -0x1p23f, 1, -1, 2, -2, 100, -100 };
 static const f32 rint_edges[] = { 0.5f, 1.5f, 2.5f, 3.5f, -0.5f, -1.5f, -2.5f, 2097151.5f, 0x1.fffffep21f };
 static const f32 log_edges[] = { FLT_MIN, 0x1.6a09e6p0f, 0x1.6a09e6p-1f, 1, 2, 0.5f, 0x1p-100f, FLT_MAX };
+static const f32 exp_edges[] = { 88.7228317f, -87.3365402f, 89, -88, 0.34657359f, -0.34657359f, 1, -1, 128, -128 };
 static const f32 turn_edges[] = { 0x1p22f, -0x1p22f, 0.125f, 0.25f, 0.375f, 0.5f, 0.625f, 0.75f, 0.875f, 1, -0.125f };
 
 const ts_vector ts_vectors_number[] = {
@@ -116,9 +128,13 @@ const ts_vector ts_vectors_number[] = {
 	{ PRIMITIVE(uniform), "29", "(h >> 8) * 2^-24", { ALL_U32("h", 1) }, { TS_VECTOR_F32, 1 } },
 	{ PRIMITIVE(log2), "9", "ts_log2", { ANY("x", 1) }, { TS_VECTOR_F32, 1 },
 	  { { TS_FAULT_BUILTIN, logarithm_builtin } }, EDGES(log_edges) },
+	{ PRIMITIVE(exp), "9", "ts_exp", { { "x", TS_VECTOR_F32, 1, 103, 133, true } }, { TS_VECTOR_F32, 1 },
+	  { { TS_FAULT_BUILTIN, exponential_builtin } }, EDGES(exp_edges) },
 	{ PRIMITIVE(sin_turn), "9", "sine of t turns", { { "t", TS_VECTOR_F32, 1, 88, 255, true } }, { TS_VECTOR_F32, 1 },
 	  { { TS_FAULT_BUILTIN, sine_builtin } }, EDGES(turn_edges) },
 	{ PRIMITIVE(cos_turn), "9", "cosine of t turns", { { "t", TS_VECTOR_F32, 1, 88, 255, true } }, { TS_VECTOR_F32, 1 },
 	  { { TS_FAULT_BUILTIN, cosine_builtin } }, EDGES(turn_edges) },
+	{ PRIMITIVE(atan2), "9", "ts_atan2: the angle of (x, y)", { SANE("y", 1), SANE("x", 1) }, { TS_VECTOR_F32, 1 },
+	  { { TS_FAULT_BUILTIN, angle_builtin } }, .relate = relate_angle },
 	{ 0 }
 };

@@ -6,6 +6,7 @@
 
 static const ts_vector *const tables[] = {
 	ts_vectors_arithmetic, ts_vectors_number, ts_vectors_vector, ts_vectors_raster, ts_vectors_cube, ts_vectors_texture,
+	ts_vectors_light,
 };
 enum { N_TABLES = sizeof tables / sizeof tables[0] };
 

@@ -2,6 +2,8 @@
  * integers, or within the error that the contract states. And every fault that a port may have is found and named. */
 #include "../core/test.h"
 #include "../../src/core/digest.h"
+#include "../kernels/form_factor_truth.h"
+#include "../kernels/gaussian_truth.h"
 #include "vectors_truth.h"
 
 static u32 in[TS_VECTOR_ITEMS * TS_VECTOR_WORDS];
@@ -56,6 +58,20 @@ static void test_bounded(void **state)
 			assert_true(fabs(ts_u2f(out[i]) - (k == 0 ? sin(turn * r) : cos(turn * r))) <= 7.5e-8);
 		}
 	}
+	ts_vector_make(ts_vectors_find("exp"), in, out);
+	for (u32 i = 0; i < TS_VECTOR_ITEMS; i++) {
+		f32 x = ts_u2f(in[i]), y = ts_u2f(out[i]);
+		double right = exp((double)x);
+		if (x < -87.33654f) assert_int_equal(out[i], 0);
+		if (x > 88.72283f) assert_true(y > 3.4e38f && isfinite(y));
+		if (x >= -87.33654f && x <= 88.72283f) assert_true(fabs(y - right) <= 0.96 * ulp(right));
+	}
+	ts_vector_make(ts_vectors_find("atan2"), in, out);
+	for (u32 i = 0; i < TS_VECTOR_ITEMS; i++) {
+		double y = ts_u2f(in[2 * i]), x = ts_u2f(in[2 * i + 1]), right = atan2(y, x);
+		if (x > 0 && fabs(y) < x * 0x1p-99) right = ts_u2f(out[i]) == 0 ? 0 : right;
+		assert_true(fabs(ts_u2f(out[i]) - right) <= 2.13 * ulp(right));
+	}
 	ts_vector_make(ts_vectors_find("texture_lod"), in, out);
 	for (u32 i = 0; i < TS_VECTOR_ITEMS; i++) {
 		const u32 *row = in + (size_t)i * 5;
@@ -65,13 +81,64 @@ static void test_bounded(void **state)
 	}
 }
 
+/* Of the printed forms, where they neither cancel nor overflow. */
+static double cosine_error(f32 ours, double lambda, double c, u32 method, bool printed)
+{
+	if (method == TS_COSINE_IS_OURS && printed && (lambda < 2 || lambda > 30)) return 0;
+	double right = method == TS_COSINE_IS_OURS ? sg_closed(lambda, c) : method == TS_COSINE_IS_SG ? sg_as_sg(lambda, c)
+		: method == TS_COSINE_IS_CONSTANT ? fmax(0, c) * sg_sphere(lambda) : sg_truth(lambda, c);
+	return fabs(ours - right) / sg_up(lambda);
+}
+
+/* A triangle behind the first words of a row. Where it is seen from the side by so little that rounding decides, any
+ * value in range is right. */
+static void judge_light(const u32 *row, u32 at, f32 ours, bool factor)
+{
+	double3 p = d3_of(ts_row_v3(row, 0)), corner[3];
+	double size = 0;
+	for (u32 k = 0; k < 3; k++) {
+		corner[k] = d3_sub(d3_of(ts_row_v3(row, at + 3 * k)), p);
+		size = fmax(size, d3_length(corner[k]));
+	}
+	double3 normal = d3_cross(d3_sub(corner[1], corner[0]), d3_sub(corner[2], corner[0]));
+	double side = -d3_dot(normal, corner[0]), limit = factor ? 1 : 2 * ff_pi;
+	assert_true(ours >= 0 && ours <= (f32)limit);
+	if (fabs(side) < 1e-2 * size * size * size) return;
+	double right = !factor ? ff_solid(corner[0], corner[1], corner[2])
+		: side > 0 ? ff_factor(d3_of(ts_row_v3(row, 3)), corner) : 0;
+	assert_near(ours, right, factor ? 1e-6 : 2e-5);
+}
+
+/* And of spherical Gaussians and of triangles that shine: rounding. */
+static void test_light(void **state)
+{
+	(void)state;
+	ts_vector_make(ts_vectors_find("sg_cosine"), in, out);
+	for (u32 i = 0; i < TS_VECTOR_ITEMS; i++) {
+		const u32 *row = in + (size_t)i * 4;
+		double c = fmin(fmax(ts_row_f32(row, 1), -1), 1);
+		double error = cosine_error(ts_u2f(out[i]), ts_row_f32(row, 0), c, row[2], row[3] != 0);
+		assert_true(error <= (row[3] != 0 ? 6e-6 : 1.3e-6));
+	}
+	ts_vector_make(ts_vectors_find("sg_sharpness"), in, out);
+	for (u32 i = 0; i < TS_VECTOR_ITEMS; i++) {
+		double r = fmin(ts_u2f(in[2 * i]), 0.999989986), k = ts_u2f(out[i]);
+		double mean = in[2 * i + 1] == 0 ? k / (1 + k) : k < 0.01 ? k / 3 - k * k * k / 45 : 1 / tanh(k) - 1 / k;
+		assert_true(fabs(mean - r) <= 3e-6 * r);
+	}
+	ts_vector_make(ts_vectors_find("solid_angle"), in, out);
+	for (u32 i = 0; i < TS_VECTOR_ITEMS; i++) judge_light(in + (size_t)i * 12, 3, ts_u2f(out[i]), false);
+	ts_vector_make(ts_vectors_find("form_factor"), in, out);
+	for (u32 i = 0; i < TS_VECTOR_ITEMS; i++) judge_light(in + (size_t)i * 15, 6, ts_u2f(out[i]), true);
+}
+
 /* Nothing is left without a truth. */
 static void test_complete(void **state)
 {
 	(void)state;
-	assert_int_equal(ts_vectors_count(), N_EXACT + 4);
+	assert_int_equal(ts_vectors_count(), N_EXACT + 10);
 	assert_null(ts_vectors_at(ts_vectors_count()));
-	assert_null(ts_vectors_find("exp"));
+	assert_null(ts_vectors_find("tan"));
 	for (u32 i = 0; i < ts_vectors_count(); i++) {
 		const ts_vector *v = ts_vectors_at(i);
 		assert_ptr_equal(ts_vectors_find(v->name), v);
@@ -128,7 +195,7 @@ static void test_digest(void **state)
 		ts_digest_add(&digest, out, ts_vector_out_words(v) * TS_VECTOR_ITEMS * sizeof *out);
 	}
 	ts_digest_end(&digest, hex);
-	assert_string_equal(hex, "c077065f7f5e074b5284ef2ba1dbbaf67188c9b914e25866807c36a5e651945c");
+	assert_string_equal(hex, "afeaa70e2247b206c1ef4c02008c22d3a9bb53f9591d416ee1ceac0d591eccda");
 }
 
 static void compute(ts_vector_item *item, const ts_vector *v)
@@ -272,6 +339,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_exact),
 		cmocka_unit_test(test_bounded),
+		cmocka_unit_test(test_light),
 		cmocka_unit_test(test_complete),
 		cmocka_unit_test(test_ranges),
 		cmocka_unit_test(test_digest),
