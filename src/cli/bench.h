@@ -3,6 +3,7 @@
 #define TS_CLI_BENCH_H
 #include "cli.h"
 #include "measure.h"
+#include "plot.h"
 #include "table.h"
 
 enum { TS_BENCH_OBJECTS = 1000 }; /* at most */
@@ -16,9 +17,8 @@ void ts_bench_head(ts_report *report, const ts_cli *cli);
 typedef ts_status ts_bench_work(const ts_cli *cli, ts_report *report, const void *user);
 /* Prints the report; with -o also writes it to that folder, with every table as KEY.csv. */
 ts_status ts_bench_with_report(const ts_cli *cli, ts_bench_work *work, const void *user);
-/* A file of that folder, to be closed by ts_bench_file_end; NULL with the message set on failure. */
-FILE *ts_bench_file(const char *name);
-ts_status ts_bench_file_end(FILE *file, const char *name);
+/* Writes a plot to that folder. */
+ts_status ts_bench_plot(const char *name, const ts_plot *plot);
 
 /* Tables of a file each. */
 ts_status ts_bench_backends(const ts_cli *cli);

@@ -41,17 +41,8 @@ static void put_rows(FILE *out, json_t *rows)
 	json_array_foreach(rows, i, row) put_line(out, row, false);
 }
 
-static ts_status write_csv(const char *key, json_t *rows)
-{
-	char name[64];
-	snprintf(name, sizeof name, "%s.csv", key);
-	FILE *file = ts_bench_file(name);
-	if (file == NULL) return TS_ERROR;
-	put_rows(file, rows);
-	return ts_bench_file_end(file, name);
-}
-
-FILE *ts_bench_file(const char *name)
+/* NULL with the message set on failure. */
+static FILE *open_file(const char *name)
 {
 	const char *path = ts_folder_file(name);
 	FILE *file = path != NULL ? fopen(path, "w") : NULL;
@@ -59,25 +50,43 @@ FILE *ts_bench_file(const char *name)
 	return file;
 }
 
-ts_status ts_bench_file_end(FILE *file, const char *name)
+static ts_status end_file(FILE *file, const char *name)
 {
 	bool failed = ferror(file) != 0;
 	failed |= fclose(file) != 0;
 	return failed ? ts_fail("%s: cannot be written; the disk may be full", name) : TS_OK;
 }
 
+static ts_status write_csv(const char *key, json_t *rows)
+{
+	char name[64];
+	snprintf(name, sizeof name, "%s.csv", key);
+	FILE *file = open_file(name);
+	if (file == NULL) return TS_ERROR;
+	put_rows(file, rows);
+	return end_file(file, name);
+}
+
+ts_status ts_bench_plot(const char *name, const ts_plot *plot)
+{
+	FILE *file = open_file(name);
+	if (file == NULL) return TS_ERROR;
+	ts_plot_svg(plot, file);
+	return end_file(file, name);
+}
+
 /* "program" and "files" are what a later --force goes by. */
 static ts_status write_report(ts_report *report)
 {
 	json_t *files = ts_folder_list();
-	FILE *file = files != NULL ? ts_bench_file("report.json") : NULL;
+	FILE *file = files != NULL ? open_file("report.json") : NULL;
 	if (file == NULL) {
 		json_decref(files);
 		return TS_ERROR;
 	}
 	ts_report_value(report, "files", files);
 	ts_report_write(report, file);
-	return ts_bench_file_end(file, "report.json");
+	return end_file(file, "report.json");
 }
 
 static ts_status write_files(ts_report *report)

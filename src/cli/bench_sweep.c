@@ -4,7 +4,6 @@
 #include <touchstone/image.h>
 #include "bench.h"
 #include "bench_case.h"
-#include "plot.h"
 
 /* A point of a curve: what is set for it, and its label. */
 typedef struct {
@@ -74,7 +73,7 @@ static ts_status measure(ts_plot_point *points, ts_bench_case *c)
 	for (u32 v = 0; v < N_MARKS && status == TS_OK; v++) {
 		u32 w = c->params.width, h = c->params.height;
 		double rmse = ts_metrics_compare(c->truth.srgb, c->images[v].srgb, NULL, w, h).rmse;
-		points[v] = (ts_plot_point){ marks[v].curve, marks[v].label, ts_median(times + v * runs, runs), rmse };
+		points[v] = (ts_plot_point){ marks[v].curve, marks[v].label, ts_median(times + v * runs, runs), rmse, false };
 	}
 	free(times);
 	return status;
@@ -82,17 +81,14 @@ static ts_status measure(ts_plot_point *points, ts_bench_case *c)
 
 static ts_status write_plot(const ts_bench_case *c, const ts_plot_point *points)
 {
-	static const char names[] = "CAB", name[] = "epr_6.svg";
+	static const char names[] = "CAB";
 	char title[160], y_axis[64];
 	ts_plot plot = { .title = title, .x_axis = "whole frame, ms", .y_axis = y_axis, .points = points, .n_points = N_MARKS };
 	snprintf(title, sizeof title, "%.60s, %u mirrors, %u x %u (EPR: rho_scale; MVR: largest face)", c->scene->name,
 	         (unsigned)c->scene->info.n_reflectors, (unsigned)c->params.width, (unsigned)c->params.height);
 	snprintf(y_axis, sizeof y_axis, "RMSE to truth %c, grey levels", names[c->truths & 3]);
 	for (u32 k = 0; k < sizeof curves / sizeof curves[0]; k++) plot.curves[plot.n_curves++] = curves[k];
-	FILE *file = ts_bench_file(name);
-	if (file == NULL) return TS_ERROR;
-	ts_plot_svg(&plot, file);
-	return ts_bench_file_end(file, name);
+	return ts_bench_plot("epr_6.svg", &plot);
 }
 
 static ts_status work_on(const ts_cli *cli, ts_report *report, const void *user)

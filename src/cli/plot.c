@@ -7,27 +7,33 @@ enum { WIDTH = 800, HEIGHT = 560, LEFT = 70, RIGHT = 770, TOP = 50, BOTTOM = 500
 /* Told apart by any eye (Okabe and Ito 2002). */
 static const char *const colours[TS_PLOT_CURVES] = { "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00" };
 
-/* From values to pixels, logarithmically. */
-typedef struct { double low, high, from, to; } axis;
+/* From values to pixels, evenly or logarithmically. */
+typedef struct { double low, high, from, to; bool even; } axis;
 
 /* What is not more than 0 has no logarithm: it stands at the low end. */
 static double place(axis a, double value)
 {
 	double from_low = value > a.low ? log(value / a.low) : 0;
-	return a.from + (a.to - a.from) * from_low / log(a.high / a.low);
+	double share = a.even ? (value - a.low) / (a.high - a.low) : from_low / log(a.high / a.low);
+	return a.from + (a.to - a.from) * share;
 }
 
-/* A fifth more on either side than the points need. */
+/* A fifth more on either side than the points need; of even steps a third more above, where the legend stands. */
 static axis axis_of(const ts_plot *plot, bool across)
 {
-	double least = INFINITY, most = 0;
+	double least = INFINITY, most = -INFINITY;
 	for (u32 i = 0; i < plot->n_points; i++) {
 		double value = across ? plot->points[i].x : plot->points[i].y;
-		least = value > 0 && value < least ? value : least;
-		most = value > most ? value : most;
+		if (value > 0 || plot->even) least = fmin(least, value);
+		most = fmax(most, value);
 	}
-	if (!(most > 0)) least = most = 1;
-	return across ? (axis){ least / 1.2, most * 1.2, LEFT, RIGHT } : (axis){ least / 1.2, most * 1.2, BOTTOM, TOP };
+	if (!plot->even && !(most > 0)) least = most = 1;
+	axis r = { least / 1.2, most * 1.2, across ? LEFT : BOTTOM, across ? RIGHT : TOP, plot->even };
+	if (plot->even) {
+		r.low = least;
+		r.high = across ? most : most + (most - least) / 3;
+	}
+	return r;
 }
 
 static void put_text(FILE *out, const char *text)
@@ -68,18 +74,18 @@ static void tick(FILE *out, axis a, double value, bool across)
 	}
 }
 
-/* At 1, 2 and 5 times the powers of ten; where the axis is short at even steps. */
+/* At 1, 2 and 5 times the powers of ten, or at these alone if they are many; where the axis is short at even steps. */
 static void ticks(FILE *out, axis a, bool across)
 {
 	double length = a.high - a.low, power = pow(10, floor(log10(a.low))), step = pow(10, floor(log10(length)));
-	if (length < 4 * step) step /= 2;
-	if (a.high / a.low < 5) {
-		for (double k = ceil(a.low / step); k * step <= a.high; k++) tick(out, a, k * step, across);
+	if (length < 4 * step) step /= length < 2 * step ? 5 : 2;
+	if (a.even || a.high / a.low < 5) {
+		for (double k = ceil(a.low / step); k * step <= a.high; k++) tick(out, a, k * step + 0.0, across); /* no -0 */
 		return;
 	}
 	for (; power <= a.high; power *= 10) {
 		static const double at[] = { 1, 2, 5 };
-		for (u32 k = 0; k < 3; k++) {
+		for (u32 k = 0; k < (a.high / a.low < 1e4 ? 3 : 1); k++) {
 			if (power * at[k] >= a.low && power * at[k] <= a.high) tick(out, a, power * at[k], across);
 		}
 	}
@@ -90,12 +96,12 @@ static void curve(FILE *out, const ts_plot *plot, u32 c, axis x, axis y)
 	fprintf(out, "<polyline fill=\"none\" stroke=\"%s\" stroke-width=\"2\" points=\"", colours[c]);
 	for (u32 i = 0; i < plot->n_points; i++) {
 		const ts_plot_point *p = &plot->points[i];
-		if (p->curve == c) fprintf(out, "%.1f,%.1f ", place(x, p->x), place(y, p->y));
+		if (p->curve == c && !p->apart) fprintf(out, "%.1f,%.1f ", place(x, p->x), place(y, p->y));
 	}
 	fputs("\"/>\n", out);
 	for (u32 i = 0; i < plot->n_points; i++) {
 		const ts_plot_point *p = &plot->points[i];
-		if (p->curve != c) continue;
+		if (p->curve != c || p->label == NULL) continue;
 		fprintf(out, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"4\" fill=\"%s\"/>\n", place(x, p->x), place(y, p->y), colours[c]);
 		text_at(out, place(x, p->x) + 7, place(y, p->y) + (c % 2 == 0 ? -7 : 15), "font-size=\"11\"", p->label);
 	}
@@ -113,7 +119,7 @@ void ts_plot_svg(const ts_plot *plot, FILE *out)
 	line(out, LEFT, BOTTOM, RIGHT, BOTTOM, "#000");
 	line(out, LEFT, TOP, LEFT, BOTTOM, "#000");
 	text_at(out, (LEFT + RIGHT) / 2, BOTTOM + 42, "text-anchor=\"middle\"", plot->x_axis);
-	text_at(out, 0, 0, "text-anchor=\"middle\" transform=\"translate(22 275) rotate(-90)\"", plot->y_axis);
+	text_at(out, 0, 0, "text-anchor=\"middle\" transform=\"translate(14 275) rotate(-90)\"", plot->y_axis);
 	for (u32 c = 0; c < plot->n_curves; c++) {
 		curve(out, plot, c, x, y);
 		line(out, LEGEND, TOP + 12 + 18 * c, LEGEND + 24, TOP + 12 + 18 * c, colours[c]);
