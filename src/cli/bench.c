@@ -49,6 +49,8 @@ static const struct {
 	{ "epr-3", TS_OPT_METHOD | TS_OPT_TRUTH, &ts_epr_3, NULL },
 	{ "epr-6", TS_OPT_METHOD, NULL, ts_bench_sweep },
 	{ "backends", TS_OPT_TRUTH | FILES, NULL, ts_bench_backends },
+	{ "ssagh-5", ~(FILES | TS_OPT_JSON), NULL, ts_bench_curves },
+	{ "ssagh-7", ~(FILES | TS_OPT_JSON), NULL, ts_bench_cosines },
 	{ "start", TS_OPT_TRUTH | FILES, NULL, ts_bench_start },
 };
 enum { N_TABLES = sizeof tables / sizeof tables[0] };

@@ -23,6 +23,8 @@ ts_status ts_bench_plot(const char *name, const ts_plot *plot);
 /* Tables of a file each. */
 ts_status ts_bench_backends(const ts_cli *cli);
 ts_status ts_bench_start(const ts_cli *cli);
+ts_status ts_bench_cosines(const ts_cli *cli);
+ts_status ts_bench_curves(const ts_cli *cli);
 
 ts_status ts_bench_sweep(const ts_cli *cli);
 /* The one truth that --truth names, C without it. */
