@@ -90,7 +90,7 @@ TS_CALL ts_fragment ts_k_fragment_at(const ts_camera_k *view, const ts_corners *
 		                            ts_k_snap(ts_k_project(view, c)));
 		if (setup.area == 0) continue;
 		ts_edges e = ts_k_edges(&setup, i * 256 + 128, j * 256 + 128);
-		if (ts_k_covers(&setup, &e)) return ts_k_fragment(&setup, &e, a, b, c);
+		if (ts_k_covers(&setup, &e)) return ts_k_view_fragment(view, &setup, &e, a, b, c);
 	}
 	return r;
 }

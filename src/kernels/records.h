@@ -12,6 +12,7 @@
 #define TS_FIELD_4(type, name) type name[4];
 #define TS_FIELD_5(type, name) type name[5];
 #define TS_FIELD_6(type, name) type name[6];
+#define TS_FIELD_9(type, name) type name[9];
 #include "../../include/touchstone/records.def"
 
 #define RECORD_END(name, bytes) TS_ASSERT_SIZE(name, bytes);

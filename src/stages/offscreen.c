@@ -1,7 +1,7 @@
 /* Cubes as off-screen views, and which off-screen views may see a triangle. */
 #include "stages.h"
 
-static void set_view(ts_offscreen *view, const ts_face *cube, u32 face, u32 light)
+void ts_offscreen_of_face(ts_offscreen *view, const ts_face *cube, u32 face, u32 light)
 {
 	ts_camera_k from = ts_k_cube_view(cube, face);
 	memset(view, 0, sizeof *view);
@@ -26,7 +26,7 @@ ts_status ts_stage_offscreen(ts_run *run)
 	u32 n = ts_run_n_cubes(run), light = lights->made && lights->n > 0 ? 0 : TS_NONE;
 	ts_offscreen *views = ts_frame_make1(&run->frame, TS_B_offscreen_view, (u64)6 * n);
 	if (views == NULL) return TS_ERROR;
-	for (u32 v = 0; v < 6 * n; v++) set_view(&views[v], &cubes[v / 6], v % 6, light);
+	for (u32 v = 0; v < 6 * n; v++) ts_offscreen_of_face(&views[v], &cubes[v / 6], v % 6, light);
 	return TS_OK;
 }
 

@@ -48,6 +48,14 @@ ts_status ts_stage_resolve(ts_run *run);
 ts_status ts_stage_resolve_margin(ts_run *run);
 ts_status ts_stage_pcss(ts_run *run);
 ts_status ts_stage_shadow_image(ts_run *run);
+ts_status ts_stage_rsm_view(ts_run *run);
+ts_status ts_stage_rsm(ts_run *run);
+ts_status ts_stage_rsm_patch(ts_run *run);
+ts_status ts_stage_gbuffer(ts_run *run);
+ts_status ts_stage_nearest(ts_run *run);
+ts_status ts_stage_segment(ts_run *run);
+ts_status ts_stage_range(ts_run *run);
+ts_status ts_stage_box(ts_run *run);
 
 /* Shared by the stages (run.c). The arrays of the frame that shading kernels read; the vertices are this frame's. */
 ts_arrays ts_run_arrays(const ts_run *run);
@@ -64,6 +72,10 @@ u32 ts_run_n_words(const ts_run *run);
 bool ts_run_has_cubes(const ts_run *run);
 /* The off-screen views of the batch. */
 void ts_run_views(const ts_run *run, u32 *first, u32 *n);
+/* A face of a cube as a view, of the light or TS_NONE (offscreen.c). */
+void ts_offscreen_of_face(ts_offscreen *view, const ts_face *cube, u32 face, u32 light);
+/* Views of a light's reflective shadow maps: six of a point light (rsm.c). */
+u32 ts_rsm_views(const ts_light *light);
 /* Arguments of the kernels that make points, without their output. */
 ts_points_args ts_points_arguments(const ts_run *run);
 /* Arguments of the kernels that ask depth maps, without their output. */

@@ -1,0 +1,52 @@
+/* The G-buffer of screen-space methods (SSAGH section 3; SPEC 3.1). Its depth is zn = 1 - near / z: that of a far plane at
+ * infinity, so that 1 - zn is exactly proportional to 1 / z, which thresholds and interpolation build on. 1 is the sky, and
+ * nothing else is. */
+#ifndef TS_KERNELS_GBUFFER_H
+#define TS_KERNELS_GBUFFER_H
+#include "rsm.h"
+
+typedef struct {
+	ts_arrays scene;
+	TS_GLOBAL const ts_view *view;
+	TS_GLOBAL const u64 *depth_triangle; /* eye.depth_triangle */
+	TS_GLOBAL ts_gpixel *pixels;         /* gbuffer.pixel */
+} ts_gbuffer_args;
+
+#define TS_SKY 1.0f
+
+/* zn of an axial depth. */
+TS_FN f32 ts_k_screen_depth(f32 near, f32 z)
+{
+	f32 inverse = near / z;
+	return ts_clamp(1.0f - inverse, 0.0f, 0.999999940395355224609375f);
+}
+
+TS_FN void ts_k_gpixel_store(TS_GLOBAL ts_gpixel *pixel, ts_v3 p, f32 depth, ts_v3 n, ts_v3 albedo)
+{
+	ts_store3(pixel->position, p);
+	pixel->depth = ts_put(depth);
+	ts_store3(pixel->normal, n);
+	ts_store3(pixel->albedo, albedo);
+	pixel->pad0 = 0u;
+	pixel->pad1 = 0u;
+}
+
+/* map over pixels */
+TS_FN void ts_k_gbuffer_item(const ts_gbuffer_args *args, u64 i)
+{
+	u64 key = args->depth_triangle[i];
+	ts_v3 zero = ts_v3_make(0.0f, 0.0f, 0.0f);
+	if (key == TS_EMPTY) {
+		ts_k_gpixel_store(&args->pixels[i], zero, TS_SKY, zero, zero);
+		return;
+	}
+	ts_camera_k view = ts_k_view(args->view);
+	i32 x = (i32)(i % (u64)view.width);
+	i32 y = (i32)(i / (u64)view.width);
+	ts_surface s = ts_k_surface_seen(&args->scene, &view, (u32)key, x, y);
+	ts_v3 n = ts_k_facing_normal(&s, ts_sub(view.eye, s.p));
+	f32 depth = ts_k_screen_depth(view.near, ts_u2f((u32)(key >> 32)));
+	ts_k_gpixel_store(&args->pixels[i], s.p, depth, n, ts_k_albedo(&s));
+}
+
+#endif
