@@ -31,6 +31,8 @@ static json_t *methods_json(const ts_render *render)
 
 static bool has_mirrors(const ts_render *render) { return strcmp(render->effect, "reflections") == 0; }
 
+static bool has_shadows(const ts_render *render) { return render->pictures[0].n_samples > 0; }
+
 void ts_render_report_head(const ts_render *render, ts_report *report)
 {
 	const ts_params *p = &render->cli->params;
@@ -301,7 +303,7 @@ void ts_render_report_body(const ts_render *render, ts_report *report)
 	report_memory(render, report);
 	if (has_mirrors(render)) {
 		report_ratio(render, report);
-	} else {
+	} else if (has_shadows(render)) {
 		report_shadows(render, report);
 	}
 	report_metrics(render, report);

@@ -1,5 +1,6 @@
 /* The ground truths, and reading their names. */
 #include "truths.h"
+#include <stdio.h>
 #include <string.h>
 #include <strings.h>
 
@@ -13,7 +14,18 @@ const ts_truth_kind ts_truth_kinds[TS_N_TRUTHS] = {
 	{ TS_TRUTH_AREA, "area", "truth-area", "rays to as good as the whole lights", "both", true },
 };
 
-static bool is_shadow(const char *effect) { return strcmp(effect, "reflections") != 0; }
+static bool is_of(const ts_truth_kind *kind, const char *effect)
+{
+	return kind->shadows ? strstr(effect, "shadows") != NULL : strcmp(effect, "reflections") == 0;
+}
+
+/* The message names what there is. */
+static ts_status no_truth(const char *which, const char *effect)
+{
+	bool shadows = strstr(effect, "shadows") != NULL, mirrors = strcmp(effect, "reflections") == 0;
+	return ts_fail("--truth%s: no truth of %s; there %s", which, effect,
+	               shadows ? "are samples and area, or none" : mirrors ? "are A, B and C, or none" : "is none");
+}
 
 static const ts_truth_kind *find(const char *name)
 {
@@ -41,18 +53,17 @@ ts_status ts_truths_parse(u32 *truths, const char *text)
 
 ts_status ts_truths_check(u32 *truths, const char *effect)
 {
-	bool shadows = is_shadow(effect), each = (*truths & EACH) != 0;
+	bool each = (*truths & EACH) != 0;
+	char which[16];
 	for (u32 i = 0; i < TS_N_TRUTHS; i++) {
 		const ts_truth_kind *kind = &ts_truth_kinds[i];
-		if ((*truths & kind->bit) == 0 || kind->shadows == shadows) continue;
-		if (!each) {
-			return ts_fail("--truth %s: no truth of %s; there are %s, or none", kind->name, effect,
-			               shadows ? "samples and area" : "A, B and C");
-		}
+		if ((*truths & kind->bit) == 0 || is_of(kind, effect)) continue;
+		snprintf(which, sizeof which, " %s", kind->name);
+		if (!each) return no_truth(which, effect);
 		*truths &= ~kind->bit;
 	}
 	*truths &= ALL;
-	return TS_OK;
+	return each && *truths == 0 ? no_truth("", effect) : TS_OK;
 }
 
 bool ts_truths_named(const char *text)

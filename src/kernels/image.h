@@ -30,15 +30,21 @@ TS_FN ts_v3 ts_k_eye_radiance(const ts_image_args *args, u64 i)
 	return ts_k_shade_lit(&args->scene, &s, ts_normalize(ts_sub(view.eye, s.p)), lit, args->lamps);
 }
 
+/* Three channels as they are, and as a display shows them. */
+TS_FN void ts_k_show(TS_GLOBAL f32 *radiance, TS_GLOBAL u8 *srgb, ts_v3 value, f32 exposure)
+{
+	ts_store3(radiance, value);
+	for (u32 channel = 0u; channel < 3u; channel++) {
+		srgb[channel] = (u8)ts_srgb_byte(radiance[channel] * exposure);
+	}
+}
+
 /* map over pixels */
 TS_FN void ts_k_image_item(const ts_image_args *args, u64 i)
 {
 	bool mirror = args->offset != NULL && args->offset[i + 1u] != args->offset[i];
 	ts_v3 radiance = mirror ? ts_load3(args->reflected + (u64)args->offset[i] * 3u) : ts_k_eye_radiance(args, i);
-	ts_store3(args->radiance + i * 3u, radiance);
-	for (u32 channel = 0u; channel < 3u; channel++) {
-		args->srgb[i * 3u + channel] = (u8)ts_srgb_byte(args->radiance[i * 3u + channel] * args->exposure);
-	}
+	ts_k_show(args->radiance + i * 3u, args->srgb + i * 3u, radiance, args->exposure);
 }
 
 #endif

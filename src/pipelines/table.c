@@ -29,6 +29,11 @@ const ts_pipeline ts_pipeline_table[] = {
 	 ts_epr_omni_steps, ts_ivir_omni_prepare, ts_omni_expect, false},
 	{"mvr", "omni-shadows", "iVIR 6", "one pass over the geometry for every face of every cube", ts_mvr_omni_steps,
 	 ts_omni_prepare, ts_omni_expect, false},
+	{"hulls", "indirect", "SSAGH 3 and 4",
+	 "screen-space approximate Gaussian hulls: light gathered at the corners of depth segments",
+	 ts_hulls_steps, ts_indirect_prepare, ts_hulls_expect, false},
+	{"direct", "indirect", "SSAGH 5", "the same light gathered by every pixel", ts_direct_steps, ts_indirect_prepare,
+	 ts_hulls_expect, false},
 	{0},
 };
 

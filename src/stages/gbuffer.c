@@ -15,12 +15,17 @@ ts_status ts_stage_gbuffer(ts_run *run)
 	return ts_run_launch(run, TS_KERNEL_gbuffer, &args, width * height);
 }
 
+ts_status ts_grid_check(const ts_params *params)
+{
+	u32 grid = params->grid_px;
+	if (grid % TS_BLOCK == 0) return TS_OK;
+	return ts_fail("grid_px=%" PRIu32 ": a multiple of 32, as %" PRIu32 ", would be right", grid, grid - grid % TS_BLOCK);
+}
+
 ts_status ts_stage_nearest(ts_run *run)
 {
 	u64 grid = run->params.grid_px;
-	if (grid % TS_BLOCK != 0) {
-		return ts_fail("grid_px=%" PRIu64 ": a multiple of 32, as %" PRIu64 ", would be right", grid, grid / 32 * 32);
-	}
+	if (ts_grid_check(&run->params) != TS_OK) return TS_ERROR;
 	ts_nearest_args args = {
 		.pixels = ts_frame_handle(&run->frame, TS_B_gbuffer_pixel),
 		.depths = ts_frame_make2(&run->frame, TS_B_nearest_depth, grid, grid),

@@ -36,3 +36,19 @@ ts_status ts_stage_shadow_image(ts_run *run)
 	args.scene.n_lights = (u32)ts_frame_n(&run->frame, TS_B_lamp_light);
 	return image(run, args);
 }
+
+/* In indirect light alone. */
+ts_status ts_stage_indirect_image(ts_run *run)
+{
+	u64 width = run->params.width;
+	u64 height = run->params.height;
+	ts_indirect_args args = {
+		.pixels = ts_frame_handle(&run->frame, TS_B_gbuffer_pixel),
+		.irradiance = ts_frame_handle(&run->frame, TS_B_indirect_irradiance),
+		.radiance = ts_frame_make3(&run->frame, TS_B_image_radiance, height, width, 3),
+		.srgb = ts_frame_make3(&run->frame, TS_B_image_srgb, height, width, 3),
+		.exposure = run->params.exposure,
+	};
+	if (args.radiance == NULL || args.srgb == NULL) return TS_ERROR;
+	return ts_run_launch(run, TS_KERNEL_indirect_image, &args, width * height);
+}

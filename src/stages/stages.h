@@ -56,6 +56,11 @@ ts_status ts_stage_nearest(ts_run *run);
 ts_status ts_stage_segment(ts_run *run);
 ts_status ts_stage_range(ts_run *run);
 ts_status ts_stage_box(ts_run *run);
+ts_status ts_stage_gather(ts_run *run);
+ts_status ts_stage_fit(ts_run *run);
+ts_status ts_stage_hull(ts_run *run);
+ts_status ts_stage_direct(ts_run *run);
+ts_status ts_stage_indirect_image(ts_run *run);
 
 /* Shared by the stages (run.c). The arrays of the frame that shading kernels read; the vertices are this frame's. */
 ts_arrays ts_run_arrays(const ts_run *run);
@@ -76,6 +81,8 @@ void ts_run_views(const ts_run *run, u32 *first, u32 *n);
 void ts_offscreen_of_face(ts_offscreen *view, const ts_face *cube, u32 face, u32 light);
 /* Views of a light's reflective shadow maps: six of a point light (rsm.c). */
 u32 ts_rsm_views(const ts_light *light);
+/* grid_px must be a multiple of 32 (gbuffer.c). */
+ts_status ts_grid_check(const ts_params *params);
 /* Arguments of the kernels that make points, without their output. */
 ts_points_args ts_points_arguments(const ts_run *run);
 /* Arguments of the kernels that ask depth maps, without their output. */

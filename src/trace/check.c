@@ -51,7 +51,7 @@ static const ts_size *find_size(const ts_sizes *sizes, const char *name, size_t 
 
 /* Names of the sizes that buffers define: the first dimension, where it is a name and nothing else. */
 static const char *const defined[] = {"V", "T", "M", "S", "I",  "X",  "L", "O", "A", "B", "U",
-                                      "R", "P", "Q", "N", "P2", "P3", "C", "C4"};
+                                      "R", "P", "Q", "N", "P2", "P3", "C", "C4", "Z"};
 
 static void define(ts_sizes *sizes, ts_buffer_id id, u64 n)
 {
@@ -68,6 +68,7 @@ void ts_check_sizes(ts_load *load, const ts_stage *stage)
 	ts_sizes *sizes = &load->sizes;
 	ts_sizes_set(sizes, "H", load->run.params.height);
 	ts_sizes_set(sizes, "W", load->run.params.width);
+	ts_sizes_set(sizes, "G", load->run.params.grid_px);
 	ts_sizes_set(sizes, "K", TS_N_SAMPLES);
 	if (load->item[TS_B_scene_info] != NULL) ts_sizes_set(sizes, "R", load->scene.info.n_reflectors);
 	bool cubes = load->item[TS_B_resize_face] != NULL, views = load->item[TS_B_offscreen_view] != NULL;

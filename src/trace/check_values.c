@@ -31,7 +31,7 @@ static const struct {
 	const char *size;
 } sums[] = {
 	{TS_B_pixel_offset, "P"},    {TS_B_split_offset, "Q"},    {TS_B_count_offset, "N"},
-	{TS_B_lookup2_offset, "P2"}, {TS_B_lookup3_offset, "P3"},
+	{TS_B_lookup2_offset, "P2"}, {TS_B_lookup3_offset, "P3"}, {TS_B_box_offset, "Z"},
 };
 
 static ts_status check_sums(const ts_load *load)
@@ -248,6 +248,23 @@ static ts_status check_counts(const ts_load *load, const ts_stage *stage)
 	return status;
 }
 
+/* Segments of a grid in whole blocks. */
+static ts_status check_segments(const ts_load *load)
+{
+	const ts_buffer_id id = TS_B_box_record;
+	u64 n;
+	const ts_segment *boxes = elements(load, id, &n);
+	bool grid = ts_pipeline_maker(load->pipeline, TS_B_nearest_depth) != NULL;
+	if (grid && ts_grid_check(&load->run.params) != TS_OK) return TS_ERROR;
+	for (u64 i = 0; i < n; i++) {
+		for (u32 k = 0; k < 2; k++) {
+			if (boxes[i].high[k] >= boxes[i].low[k]) continue;
+			return ts_check_refuse(load, id, i, "high", k, "at least %" PRIu32 ", as low,", boxes[i].low[k]);
+		}
+	}
+	return TS_OK;
+}
+
 ts_status ts_check_values(const ts_load *load, const ts_stage *stage)
 {
 	if (load->scene.info.n_reflectors > MAX_REFLECTORS) {
@@ -261,5 +278,6 @@ ts_status ts_check_values(const ts_load *load, const ts_stage *stage)
 	if (check_sums(load) != TS_OK || check_images(load) != TS_OK || check_slots(load) != TS_OK) return TS_ERROR;
 	if (check_lights(load) != TS_OK || check_objects(load) != TS_OK || check_view(load) != TS_OK) return TS_ERROR;
 	if (ts_check_lamps(load, stage) != TS_OK || check_frames(load, stage) != TS_OK) return TS_ERROR;
+	if (check_segments(load) != TS_OK) return TS_ERROR;
 	return check_counts(load, stage);
 }

@@ -56,7 +56,8 @@ static ts_status check_owners(const ts_load *load, const ts_stage *stage)
 {
 	u64 n;
 	const ts_offscreen *views = elements(load, TS_B_offscreen_view, &n);
-	for (u64 v = 0; v < n && ts_stage_writes(stage, TS_B_resolve_lit); v++) {
+	bool asks = ts_stage_writes(stage, TS_B_resolve_lit) || ts_stage_writes(stage, TS_B_rsm_patch);
+	for (u64 v = 0; v < n && asks; v++) {
 		if (views[v].light == TS_NONE) return ts_check_refuse(load, TS_B_offscreen_view, v, "light", 0, "a light");
 	}
 	return TS_OK;

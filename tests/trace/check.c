@@ -78,7 +78,9 @@ static void test_shapes(void **state)
 		TS_B_count_offset,    TS_B_points_record,  TS_B_splat_depth_index,   TS_B_lookup_point,
 		TS_B_lookup2_offset,  TS_B_lookup3_offset, TS_B_face_depth_triangle, TS_B_face_mip,
 		TS_B_lamp_shape,      TS_B_offscreen_view, TS_B_scatter_depth,       TS_B_scatter_colour,
-		TS_B_resolve_lit,
+		TS_B_resolve_lit,     TS_B_rsm_depth_triangle, TS_B_gbuffer_pixel,   TS_B_nearest_depth,
+		TS_B_segment_label,   TS_B_range_least,    TS_B_box_offset,          TS_B_gather_moment,
+		TS_B_fit_lobes,       TS_B_indirect_irradiance,
 	};
 	for (u32 i = 0; i < sizeof counted / sizeof *counted; i++) {
 		u32 m;

@@ -71,6 +71,28 @@ static void test_views(void **state)
 	refuses(TRACES_SOFT, image, TS_B_resolve_lit, 7, "", 0, 6);
 }
 
+/* Boxes that are inside out, views of no light, sums of boxes, and a grid that is not of whole blocks. */
+static void test_segments(void **state)
+{
+	(void)state;
+	const ts_stage *gather = ts_stage_find("gather"), *hull = ts_stage_find("hull"), *range = ts_stage_find("range");
+	const ts_buffer_id box = TS_B_box_record;
+	refuses(TRACES_HULLS, gather, box, 0, "low", 0, 63);
+	refuses(TRACES_HULLS, hull, box, 1, "low", 1, 64);
+	refuses(TRACES_HULLS, hull, box, 0, "high", 0, 64);
+	refuses(TRACES_HULLS, hull, TS_B_box_offset, 0, "", 0, 1);
+	refuses(TRACES_HULLS, hull, TS_B_box_offset, 4096, "", 0, 0);
+	refuses(TRACES_HULLS, hull, TS_B_box_offset, 2048, "", 0, TS_NONE);
+	refuses(TRACES_HULLS, range, TS_B_segment_label, 5, "", 0, 1024);
+	refuses(TRACES_HULLS, ts_stage_find("rsm_patch"), TS_B_offscreen_view, 0, "light", 0, TS_NONE);
+	refuses(TRACES_HULLS, ts_stage_find("rsm"), TS_B_offscreen_view, 0, "width", 0, 5);
+	traces[TRACES_HULLS]->params.grid_px = 63;
+	ts_load *load;
+	assert_int_equal(ts_replay(&load, range, traces[TRACES_HULLS], NULL, 1), TS_ERROR);
+	assert_non_null(strstr(ts_error_message(), "would be right"));
+	traces[TRACES_HULLS]->params.grid_px = 64;
+}
+
 /* Fewer samples than views, which would leave views unmade; and no light at all. */
 static void test_lamps(void **state)
 {
@@ -225,6 +247,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_values),
 		cmocka_unit_test(test_views),
+		cmocka_unit_test(test_segments),
 		cmocka_unit_test(test_lamps),
 		cmocka_unit_test(test_sums),
 		cmocka_unit_test(test_squares),

@@ -21,8 +21,10 @@ static const struct { const char *effect, *method; u32 lamp, buffered; } traces_
 	{"soft-shadows", "mvr", 0, 0},
 	{"soft-shadows", "pcss", TS_LAMP_SCENE, 0},
 	{"omni-shadows", "epr", 0, 0},
+	{"indirect", "hulls", TS_LAMP_SCENE, 0},
+	{"indirect", "direct", 0, 0},
 };
-enum { TRACES_IVIR = 2, TRACES_SOFT, TRACES_OMNI, TRACES_DEPTH, TRACES_PCSS, TRACES_EPR, N_TRACES };
+enum { TRACES_IVIR = 2, TRACES_SOFT, TRACES_OMNI, TRACES_DEPTH, TRACES_PCSS, TRACES_EPR, TRACES_HULLS, N_TRACES = TRACES_HULLS + 2 };
 static ts_trace *traces[N_TRACES];
 static ts_trace_writer *traces_writer;
 static u32 traces_m;
@@ -74,6 +76,8 @@ static inline ts_params traces_params(u32 m)
 	params.light_samples = 3;
 	params.pass = 2;
 	params.map_px = 24;
+	params.rsm_px = 4;
+	params.grid_px = 64;
 	params.lamp = traces_runs[m].lamp;
 	params.buffered = traces_runs[m].buffered;
 	return params;

@@ -1,0 +1,75 @@
+/* Screen-space approximate Gaussian hulls: indirect light of one bounce (SPEC 3).
+ * Meder and Bruederlin, "Screen Space Approximate Gaussian Hulls" (2018).
+ *
+ * What the lights see in reflective shadow maps is light itself, a triangle a texel. The screen's depth is down-sampled and
+ * segmented in blocks; at the corners of each segment's box the light of all triangles is gathered as spherical Gaussians, one
+ * a channel. Each pixel interpolates those of its segment and integrates them with the cosine of its own normal. `direct`, the
+ * paper's ground truth, gathers at every pixel instead. Neither asks whether something stands between triangle and receiver.
+ *
+ * Deviations:
+ * - what the paper leaves open is in SPEC 3: triangles are equilateral and as large as what their texel sees, the threshold of
+ *   segments is a fiftieth of the depth, the box of a pixel is the thinnest that holds it;
+ * - the far plane is at infinity, so that thresholds and interpolation know the depth's reciprocal exactly (gbuffer.h);
+ * - a pixel that no segment holds takes the nearest; surface=paper leaves it dark;
+ * - a corner on the surface of a triangle of light does not face it, however rounding falls (gather.h);
+ * - a corner without light, or with the same from all sides, has no direction, and gives none to those that it is blended with;
+ * - the picture is of indirect light alone. */
+#include "../stages/stages.h"
+#include "pipelines.h"
+
+const ts_step ts_hulls_steps[] = {
+	{.stage = "view"},
+	{.stage = "pose"},
+	{.stage = "lamp"},
+	{.stage = "rsm_view"},
+	{.stage = "rsm"},        /* what each light sees */
+	{.stage = "rsm_patch"},
+	{.stage = "eye"},
+	{.stage = "eye_margin", .only_margins = true},
+	{.stage = "gbuffer"},
+	{.stage = "nearest"},    /* down-sampled depth */
+	{.stage = "segment"},
+	{.stage = "range"},
+	{.stage = "box"},
+	{.stage = "gather"},     /* light at the corners of the boxes */
+	{.stage = "fit"},
+	{.stage = "hull"},       /* interpolation and integration */
+	{.stage = "indirect_image"},
+	{0},
+};
+
+const ts_step ts_direct_steps[] = {
+	{.stage = "view"},
+	{.stage = "pose"},
+	{.stage = "lamp"},
+	{.stage = "rsm_view"},
+	{.stage = "rsm"},
+	{.stage = "rsm_patch"},
+	{.stage = "eye"},
+	{.stage = "eye_margin", .only_margins = true},
+	{.stage = "gbuffer"},
+	{.stage = "direct"},
+	{.stage = "indirect_image"},
+	{0},
+};
+
+void ts_indirect_prepare(ts_run *run)
+{
+	run->taps = 1;
+	run->fixed_face = run->params.rsm_px;
+	run->all_units = run->n_units = run->params.lamp == TS_LAMP_SCENE ? run->scene->n_lights : 1;
+}
+
+enum { BOXES_A_BLOCK = 8 };
+
+void ts_hulls_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params)
+{
+	bool own = params->lamp == TS_LAMP_SCENE;
+	u64 n_lights = own ? scene->n_lights : 1, n_views = 0, blocks = (u64)params->grid_px / 32 * (params->grid_px / 32);
+	for (u32 i = 0; i < n_lights; i++) n_views += own ? ts_rsm_views(&scene->lights[i]) : 1;
+	ts_sizes_views(sizes, n_views);
+	ts_sizes_set(sizes, "B", 0);
+	ts_sizes_set(sizes, "A", n_lights);
+	ts_sizes_set(sizes, "C", n_views * params->rsm_px * params->rsm_px);
+	ts_sizes_set(sizes, "Z", blocks * BOXES_A_BLOCK);
+}
