@@ -184,8 +184,16 @@ static ts_status check_index(const ts_load *load, u32 row)
 	return TS_OK;
 }
 
+/* Of methods that have one. */
+static ts_status check_grid(const ts_load *load)
+{
+	bool any = ts_pipeline_maker(load->pipeline, TS_B_nearest_depth) != NULL;
+	return any ? ts_grid_check(&load->run.params) : TS_OK;
+}
+
 ts_status ts_check(ts_load *load, const ts_stage *stage)
 {
+	if (check_grid(load) != TS_OK) return TS_ERROR;
 	if (ts_check_faces(load) != TS_OK || ts_check_views(load) != TS_OK) return TS_ERROR;
 	ts_check_sizes(load, stage);
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) {

@@ -248,14 +248,11 @@ static ts_status check_counts(const ts_load *load, const ts_stage *stage)
 	return status;
 }
 
-/* Segments of a grid in whole blocks. */
 static ts_status check_segments(const ts_load *load)
 {
 	const ts_buffer_id id = TS_B_box_record;
 	u64 n;
 	const ts_segment *boxes = elements(load, id, &n);
-	bool grid = ts_pipeline_maker(load->pipeline, TS_B_nearest_depth) != NULL;
-	if (grid && ts_grid_check(&load->run.params) != TS_OK) return TS_ERROR;
 	for (u64 i = 0; i < n; i++) {
 		for (u32 k = 0; k < 2; k++) {
 			if (boxes[i].high[k] >= boxes[i].low[k]) continue;

@@ -239,6 +239,10 @@ static const struct { const char *effect, *method; u32 reflectors; const char *s
 	{"soft-shadows", "pcss", 0, {{"lamp", "scene"}}},
 	{"omni-shadows", "vir", 2, {{"buffered", "on"}}},
 	{"omni-shadows", "mvr", 0, {{"bias", "0"}}},
+	{"indirect", "hulls", 0, {{"lamp", "scene"}, {"cosine", "ours"}, {"segmentation", "sweeps"}}},
+	{"indirect", "hulls", 2, {{"segmentation", "components"}, {"sharpness", "vmf"}, {"interpolation", "moments"}}},
+	{"indirect", "hulls", 0, {{"cosine", "quadrature"}, {"surface", "paper"}, {"integrals", "printed"}}},
+	{"indirect", "direct", 0, {{"lamp", "lamp"}}},
 };
 enum { N_RUNS = sizeof runs / sizeof *runs };
 
@@ -255,6 +259,8 @@ static ts_params params_of(u32 run)
 	params.light_samples = 3;
 	params.pass = 2;
 	params.map_px = 24;
+	params.rsm_px = 6;
+	params.grid_px = 64;
 	for (u32 i = 0; i < 3 && runs[run].set[i][0] != NULL; i++) {
 		assert_int_equal(ts_params_set(&params, runs[run].set[i][0], runs[run].set[i][1]), TS_OK);
 	}

@@ -119,6 +119,15 @@ for words in 'soft-shadows ivir --margins --set lamp=scene' 'omni-shadows epr --
 	verdict $? "$effect by $method: batches change no buffer"
 	rm -rf batches whole
 done
+for words in 'hulls --margins --set lamp=scene' 'hulls --set segmentation=components --set cosine=quadrature' direct; do
+	# shellcheck disable=SC2086
+	run render indirect atrium:triangles=10000 --size 64x48 --set grid_px=64 --set rsm_px=4 --trace --no-images -o light \
+		--method $words
+	run replay "light/trace-${words%% *}"
+	[ "$status" -eq 0 ] && [ "$(grep -c ': same$' "$scratch/stdout")" -ge 8 ] && ! grep -vq ': same$' "$scratch/stdout"
+	verdict $? "indirect by $words: every stage gives the same bits from its own trace"
+	rm -rf light
+done
 refuses 'No such file' replay nowhere
 refuses 'No such file' replay $epr --inputs nowhere
 refuses 'write touchstone replay TRACE' replay

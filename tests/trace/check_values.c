@@ -82,7 +82,7 @@ static void test_segments(void **state)
 	refuses(TRACES_HULLS, hull, box, 0, "high", 0, 64);
 	refuses(TRACES_HULLS, hull, TS_B_box_offset, 0, "", 0, 1);
 	refuses(TRACES_HULLS, hull, TS_B_box_offset, 4096, "", 0, 0);
-	refuses(TRACES_HULLS, hull, TS_B_box_offset, 2048, "", 0, TS_NONE);
+	refuses(TRACES_HULLS, hull, TS_B_box_offset, 2049, "", 0, 0);
 	refuses(TRACES_HULLS, range, TS_B_segment_label, 5, "", 0, 1024);
 	refuses(TRACES_HULLS, ts_stage_find("rsm_patch"), TS_B_offscreen_view, 0, "light", 0, TS_NONE);
 	refuses(TRACES_HULLS, ts_stage_find("rsm"), TS_B_offscreen_view, 0, "width", 0, 5);
