@@ -141,6 +141,28 @@ static const ts_candidate_buffer ts_candidate_buffers[] = {
 	{"depth.margin", 8, 2, "'<u8'"},
 	{"resolve.lit", 4, 3, "'<u4'"},
 	{"resolve.margin", 8, 4, "'<u8'"},
+	{"rsm.depth_triangle", 8, 1, "'<u8'"},
+	{"rsm_patch.light", 64, 1,
+		"[('a', '<f4', (3,)), ('b', '<f4', (3,)), ('c', '<f4', (3,)), ('normal', '<f4', (3,)), "
+		"('exitance', '<f4', (3,)), ('pad', '<u4')]"},
+	{"gbuffer.pixel", 48, 2,
+		"[('position', '<f4', (3,)), ('depth', '<f4'), ('normal', '<f4', (3,)), ('pad0', '<u4'), "
+		"('albedo', '<f4', (3,)), ('pad1', '<u4')]"},
+	{"nearest.depth", 4, 2, "'<f4'"},
+	{"segment.label", 4, 2, "'<u4'"},
+	{"range.least", 4, 2, "'<u4'"},
+	{"box.offset", 4, 1, "'<u4'"},
+	{"box.record", 32, 1,
+		"[('low', '<u4', (2,)), ('high', '<u4', (2,)), ('nearest', '<f4'), ('farthest', '<f4'), "
+		"('label', '<u4'), ('pad', '<u4')]"},
+	{"gather.moment", 64, 2,
+		"[('position', '<f4', (3,)), ('depth', '<f4'), ('sum', '<f4', (3,)), "
+		"('direction', '<f4', (9,))]"},
+	{"fit.lobes", 64, 2,
+		"[('mu', '<f4', (3,)), ('lambda', '<f4', (3,)), ('phi', '<f4', (9,)), "
+		"('pad', '<u4')]"},
+	{"hull.box", 4, 2, "'<u4'"},
+	{"indirect.irradiance", 4, 3, "'<f4'"},
 	{"image.radiance", 4, 3, "'<f4'"},
 	{"image.srgb", 1, 3, "'|u1'"},
 };

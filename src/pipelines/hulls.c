@@ -1,18 +1,20 @@
 /* Screen-space approximate Gaussian hulls: indirect light of one bounce (SPEC 3).
  * Meder and Bruederlin, "Screen Space Approximate Gaussian Hulls" (2018).
  *
- * What the lights see in reflective shadow maps is light itself, a triangle a texel. The screen's depth is down-sampled and
- * segmented in blocks; at the corners of each segment's box the light of all triangles is gathered as spherical Gaussians, one
- * a channel. Each pixel interpolates those of its segment and integrates them with the cosine of its own normal. `direct`, the
- * paper's ground truth, gathers at every pixel instead. Neither asks whether something stands between triangle and receiver.
+ * What the lights see in reflective shadow maps is light itself, a triangle a texel. The screen's depth is down-sampled
+ * and segmented in blocks; at the corners of each segment's box the light of all triangles is gathered as spherical
+ * Gaussians, one a channel. Each pixel interpolates those of its segment and integrates them with the cosine of its own
+ * normal. `direct`, the paper's ground truth, gathers at every pixel instead. Neither asks whether something stands
+ * between triangle and receiver.
  *
  * Deviations:
- * - what the paper leaves open is in SPEC 3: triangles are equilateral and as large as what their texel sees, the threshold of
- *   segments is a fiftieth of the depth, the box of a pixel is the thinnest that holds it;
+ * - what the paper leaves open is in SPEC 3: triangles are equilateral and as large as what their texel sees, the
+ *   threshold of segments is a fiftieth of the depth, the box of a pixel is the thinnest that holds it;
  * - the far plane is at infinity, so that thresholds and interpolation know the depth's reciprocal exactly (gbuffer.h);
  * - a pixel that no segment holds takes the nearest; surface=paper leaves it dark;
  * - a corner on the surface of a triangle of light does not face it, however rounding falls (gather.h);
- * - a corner without light, or with the same from all sides, has no direction, and gives none to those that it is blended with;
+ * - a corner without light, or with the same from all sides, has no direction, and gives none to those that it is
+ *   blended with;
  * - the picture is of indirect light alone. */
 #include "../stages/stages.h"
 #include "pipelines.h"

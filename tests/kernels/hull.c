@@ -1,5 +1,5 @@
-/* From triangles of light to pixels: their shape, what corners of boxes gather, the lobes of it, which box lights a pixel, and
- * interpolation on planes, where it is exact; truths in double precision that share no formula with the kernels. */
+/* From triangles of light to pixels: their shape, what corners of boxes gather, the lobes of it, which box lights a pixel,
+ * and interpolation on planes, where it is exact; truths in double precision that share no formula with the kernels. */
 #include <stdlib.h>
 #include <string.h>
 #include "../../src/kernels/direct.h"
@@ -17,7 +17,8 @@ static void test_patch(void **state)
 	(void)state;
 	for (u32 i = 0; i < N; i++) {
 		ts_patch patch;
-		ts_v3 p = uniform3(-9, 9), n = i < 6 ? ts_v3_make(i / 2 == 0 ? 1.0f : 0, i / 2 == 1 ? 1.0f : 0, i / 2 == 2 ? 1.0f : 0) : direction();
+		ts_v3 p = uniform3(-9, 9), n = direction();
+		if (i < 6) n = ts_v3_make(i / 2 == 0 ? 1.0f : 0, i / 2 == 1 ? 1.0f : 0, i / 2 == 2 ? 1.0f : 0);
 		if (i % 2 != 0) n = ts_neg(n);
 		f32 area = uniform(0.001f, 4);
 		ts_k_patch_corners(&patch, p, n, area);
@@ -315,12 +316,14 @@ static void test_shares(void **state)
 			corners[k] = (ts_moment){ .depth = (f32)(1 - near / z) };
 		}
 		if (!seen) continue;
-		ts_hull_args args = { .choice = { .boxes = &box, .grid = GRID }, .moments = corners, .width = WIDTH, .height = HEIGHT };
+		ts_hull_args args = { .choice = { .boxes = &box, .grid = GRID }, .moments = corners };
+		args.width = WIDTH;
+		args.height = HEIGHT;
 		for (u32 k = 0; k < 10; k++) {
 			u32 x = below(WIDTH), y = below(HEIGHT);
 			ts_shares shares = ts_k_box_shares(&args, 0, x, y);
 			double px = fmin(fmax(x + 0.5, low[0]), high[0]), py = fmin(fmax(y + 0.5, low[1]), high[1]), sum = 0;
-			double3 way = { (px - WIDTH / 2.0) / focal, (HEIGHT / 2.0 - py) / focal, -1 }, found = { 0, 0, 0 };
+			double3 way = { (px - WIDTH / 2.0) / focal, (HEIGHT / 2.0 - py) / focal, -1 }, found = { 0 };
 			double3 right = d3_scale(way, d / d3_dot(normal, way));
 			for (u32 c = 0; c < 4; c++) {
 				found = d3_mad(found, point[c], shares.of[c]);
@@ -353,7 +356,8 @@ static void test_one_light(void **state)
 		ts_direct_args whole = { .pixels = &pixel, .patches = &patch, .irradiance = direct, .n_patches = 1 };
 		ts_k_direct_item(&whole, 0);
 		ts_sg g = ts_k_fit(sum.w.x, sum.red, i % 2);
-		ts_hull_args args = { .cosine = i % 3 == 0 ? TS_COSINE_IS_OURS : i % 3 == 1 ? TS_COSINE_IS_CONSTANT : TS_COSINE_IS_QUADRATURE };
+		static const u32 ways[] = { TS_COSINE_IS_OURS, TS_COSINE_IS_CONSTANT, TS_COSINE_IS_QUADRATURE };
+		ts_hull_args args = { .cosine = ways[i % 3] };
 		f32 e = ts_k_lobe_irradiance(&args, &g, n);
 		if (cosine > 0.1f) assert_near(e, direct[0], 0.02 * direct[0]);
 		if (cosine < -0.1f) assert_true(direct[0] == 0 && e < 1e-6f);

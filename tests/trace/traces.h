@@ -24,7 +24,8 @@ static const struct { const char *effect, *method; u32 lamp, buffered; } traces_
 	{"indirect", "hulls", TS_LAMP_SCENE, 0},
 	{"indirect", "direct", 0, 0},
 };
-enum { TRACES_IVIR = 2, TRACES_SOFT, TRACES_OMNI, TRACES_DEPTH, TRACES_PCSS, TRACES_EPR, TRACES_HULLS, N_TRACES = TRACES_HULLS + 2 };
+enum { TRACES_IVIR = 2, TRACES_SOFT, TRACES_OMNI, TRACES_DEPTH, TRACES_PCSS, TRACES_EPR, TRACES_HULLS, TRACES_DIRECT,
+       N_TRACES };
 static ts_trace *traces[N_TRACES];
 static ts_trace_writer *traces_writer;
 static u32 traces_m;
