@@ -1,7 +1,7 @@
-/* The box whose lobes light a pixel (SSAGH section 3; SPEC 3.8): of the boxes of the pixel's block that hold its column, row
- * and depth the thinnest in depth, then the least label; the paper names no order. Where there is none, surface=robust goes
- * on: a box that covers the pixel and, widened by t (1 - zn), holds its depth; one that covers it and whose depth is nearest;
- * another of the block, then of the blocks around it, ring by ring. */
+/* The box whose lobes light a pixel (SSAGH section 3; SPEC 3.8): of the boxes of the pixel's block that hold its column,
+ * row and depth the thinnest in depth, then the least label; the paper names no order. Where there is none,
+ * surface=robust goes on: a box that covers the pixel and, widened by t (1 - zn), holds its depth; one that covers it
+ * and whose depth is nearest; another of the block, then of the blocks around it, ring by ring. */
 #ifndef TS_KERNELS_HULL_CHOICE_H
 #define TS_KERNELS_HULL_CHOICE_H
 #include "grid.h"
@@ -17,7 +17,8 @@ typedef struct {
 /* A texel of the grid and a depth in it. */
 typedef struct { u32 x, y; f32 depth; } ts_grid_place;
 
-/* Ranks: 0 holds it, 1 widened, 2 covers it, 3 lies elsewhere. The least measure of the least rank wins, the first of equals. */
+/* Ranks: 0 holds it, 1 widened, 2 covers it, 3 lies elsewhere. The least measure of the least rank wins, the first of
+ * equals. */
 typedef struct { u32 box, rank; f32 measure; } ts_choice;
 
 TS_FN void ts_k_choice_offer(const ts_choice_args *args, ts_grid_place at, u32 b, ts_choice *best)
