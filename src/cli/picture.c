@@ -1,5 +1,6 @@
 /* Pictures: of runs, and of the truths. */
 #include "picture.h"
+#include "truths.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include "../kernels/srgb.h"
@@ -99,31 +100,49 @@ ts_status ts_picture_truth_c(ts_picture *picture, const ts_scene *scene, const t
 	return status;
 }
 
-/* One truth of shadows, and the picture from it. */
-static ts_status take_shadows(ts_picture *picture, const char *name, ts_truth *tree, ts_run *run,
-                              ts_status (*resolve)(ts_truth *tree, ts_run *run))
+/* Truths that start from a run of their own: their effects, what leads to them, and the stage that shows them. */
+typedef struct {
+	const char *of;
+	ts_status (*begin)(ts_run *run, const char *effect);
+	const char *image;
+	struct { u32 truth; ts_status (*trace)(ts_truth *tree, ts_run *run); } truths[2]; /* of ts_truth_kinds */
+} traced;
+
+static const traced traced_truths[] = {
+	{ "shadows", ts_truth_shadow_begin, "shadow_image", { { 3, ts_truth_samples }, { 4, ts_truth_area } } },
+	{ "indirect", ts_truth_indirect_begin, "indirect_image", { { 5, ts_truth_lights }, { 6, ts_truth_bounce } } },
+};
+
+static const traced *traced_of(const char *effect)
+{
+	const traced *of = traced_truths;
+	while (strstr(effect, of->of) == NULL) of++;
+	return of;
+}
+
+/* One of them, and the picture from it. */
+static ts_status take_traced(ts_picture *picture, const traced *of, u32 k, ts_truth *tree, ts_run *run)
 {
 	double begin = ts_seconds();
-	ts_status status = resolve(tree, run);
-	if (status == TS_OK) status = ts_run_stage(run, ts_stage_find("shadow_image"));
-	if (status == TS_OK) status = ts_picture_take(picture, name, run);
+	ts_status status = of->truths[k].trace(tree, run);
+	if (status == TS_OK) status = ts_run_stage(run, ts_stage_find(of->image));
+	if (status == TS_OK) status = ts_picture_take(picture, ts_truth_kinds[of->truths[k].truth].picture, run);
 	picture->seconds = ts_seconds() - begin;
 	return status;
 }
 
-ts_status ts_picture_truth_shadows(ts_picture *samples, ts_picture *area, u32 truths, const char *effect,
-                                   const ts_scene *scene, const ts_params *params, u32 threads)
+ts_status ts_picture_truth_traced(ts_picture *pictures, u32 truths, const char *effect, const ts_scene *scene,
+                                  const ts_params *params, u32 threads)
 {
 	ts_run run;
 	ts_truth *tree = NULL;
+	const traced *of = traced_of(effect);
 	ts_run_begin(&run, scene, params, threads);
-	ts_status status = ts_truth_shadow_begin(&run, effect);
+	ts_status status = of->begin(&run, effect);
 	if (status == TS_OK) status = ts_truth_new(&tree, &run);
-	if (status == TS_OK && (truths & TS_TRUTH_SAMPLES) != 0) {
-		status = take_shadows(samples, "truth-samples", tree, &run, ts_truth_samples);
-	}
-	if (status == TS_OK && (truths & TS_TRUTH_AREA) != 0) {
-		status = take_shadows(area, "truth-area", tree, &run, ts_truth_area);
+	for (u32 k = 0; k < 2 && status == TS_OK; k++) {
+		u32 truth = of->truths[k].truth;
+		if ((truths & ts_truth_kinds[truth].bit) != 0) status = take_traced(&pictures[truth], of, k, tree, &run);
 	}
 	ts_truth_free(tree);
 	ts_run_end(&run);

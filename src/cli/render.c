@@ -91,9 +91,9 @@ static ts_status run_all(ts_render *render)
 		status = ts_measure_run(&unseen, ts_pipeline_find(render->effect, "epr"), render->scene, &cli->params,
 		                        &cli->how, take_truths, render);
 	}
-	if (status == TS_OK && wants(render, TS_TRUTH_SAMPLES | TS_TRUTH_AREA)) {
-		status = ts_picture_truth_shadows(&render->truths[3], &render->truths[4], cli->truths, render->effect, render->scene,
-		                                  &cli->params, cli->how.threads);
+	if (status == TS_OK && wants(render, TS_TRUTH_SAMPLES | TS_TRUTH_AREA | TS_TRUTH_LIGHTS | TS_TRUTH_BOUNCE)) {
+		status = ts_picture_truth_traced(render->truths, cli->truths, render->effect, render->scene, &cli->params,
+		                                 cli->how.threads);
 	}
 	if (status == TS_OK && wants(render, TS_TRUTH_C)) {
 		ts_progress("truth C", 0, 1);
@@ -128,6 +128,7 @@ static void compare_all(ts_render *render)
 	}
 	compare(render, &render->truths[1], &render->truths[0], "method");
 	compare(render, &render->truths[4], &render->truths[3], "sampling");
+	compare(render, &render->truths[6], &render->truths[5], "");
 	for (u32 i = 0; i < render->n_methods; i++) {
 		for (u32 j = i + 1; j < render->n_methods; j++) compare(render, &render->pictures[j], &render->pictures[i], "");
 	}

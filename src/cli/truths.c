@@ -7,24 +7,23 @@
 enum { ALL = (1 << TS_N_TRUTHS) - 1, EACH = 1 << TS_N_TRUTHS }; /* EACH: nothing was named */
 
 const ts_truth_kind ts_truth_kinds[TS_N_TRUTHS] = {
-	{ TS_TRUTH_A, "A", "truth-a", "rays from the cube's centre", "sampling", false },
-	{ TS_TRUTH_B, "B", "truth-b", "true reflections", "both", false },
-	{ TS_TRUTH_C, "C", "truth-c", "MVR at 4 times the resolution", "", false },
-	{ TS_TRUTH_SAMPLES, "samples", "truth-samples", "rays to the very samples of the lights", "method", true },
-	{ TS_TRUTH_AREA, "area", "truth-area", "rays to as good as the whole lights", "both", true },
+	{ TS_TRUTH_A, "A", "truth-a", "rays from the cube's centre", "sampling", "reflections" },
+	{ TS_TRUTH_B, "B", "truth-b", "true reflections", "both", "reflections" },
+	{ TS_TRUTH_C, "C", "truth-c", "MVR at 4 times the resolution", "", "reflections" },
+	{ TS_TRUTH_SAMPLES, "samples", "truth-samples", "rays to the very samples of the lights", "method", "shadows" },
+	{ TS_TRUTH_AREA, "area", "truth-area", "rays to as good as the whole lights", "both", "shadows" },
+	{ TS_TRUTH_LIGHTS, "lights", "truth-lights", "the method's triangles of light, as far as they are seen", "", "indirect" },
+	{ TS_TRUTH_BOUNCE, "bounce", "truth-bounce", "light after one bounce, path by path", "", "indirect" },
 };
 
-static bool is_of(const ts_truth_kind *kind, const char *effect)
-{
-	return kind->shadows ? strstr(effect, "shadows") != NULL : strcmp(effect, "reflections") == 0;
-}
+static bool is_of(const ts_truth_kind *kind, const char *effect) { return strstr(effect, kind->of) != NULL; }
 
 /* The message names what there is. */
 static ts_status no_truth(const char *which, const char *effect)
 {
-	bool shadows = strstr(effect, "shadows") != NULL, mirrors = strcmp(effect, "reflections") == 0;
-	return ts_fail("--truth%s: no truth of %s; there %s", which, effect,
-	               shadows ? "are samples and area, or none" : mirrors ? "are A, B and C, or none" : "is none");
+	return ts_fail("--truth%s: no truth of %s; there are %s, or none", which, effect,
+	               strstr(effect, "shadows") != NULL      ? "samples and area"
+	               : strcmp(effect, "reflections") == 0 ? "A, B and C" : "lights and bounce");
 }
 
 static const ts_truth_kind *find(const char *name)
@@ -44,7 +43,7 @@ ts_status ts_truths_parse(u32 *truths, const char *text)
 		const ts_truth_kind *kind = find(item);
 		if (kind == NULL) {
 			return ts_fail("--truth %s: \"%s\" is no truth; there are A, B and C of reflections, samples and area of "
-			               "shadows, or none", text, item);
+			               "shadows, lights and bounce of indirect, or none", text, item);
 		}
 		*truths |= kind->bit;
 	}

@@ -3,7 +3,7 @@
 #define TS_CLI_TRUTHS_H
 #include "cli.h"
 
-enum { TS_N_TRUTHS = 5 };
+enum { TS_N_TRUTHS = 7 };
 
 typedef struct {
 	u32 bit;             /* TS_TRUTH_* */
@@ -11,7 +11,7 @@ typedef struct {
 	const char *picture; /* name of its picture: "truth-a" */
 	const char *doc;     /* what that shows */
 	const char *share;   /* whose error a method is apart from it by: "method", "sampling", "both" or "" */
-	bool shadows;        /* of shadows, else of reflections */
+	const char *of;      /* "reflections", "shadows" or "indirect", which names of effects contain */
 } ts_truth_kind;
 
 /* In the order of their bits. */
