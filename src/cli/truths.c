@@ -12,7 +12,7 @@ const ts_truth_kind ts_truth_kinds[TS_N_TRUTHS] = {
 	{ TS_TRUTH_C, "C", "truth-c", "MVR at 4 times the resolution", "", "reflections" },
 	{ TS_TRUTH_SAMPLES, "samples", "truth-samples", "rays to the very samples of the lights", "method", "shadows" },
 	{ TS_TRUTH_AREA, "area", "truth-area", "rays to as good as the whole lights", "both", "shadows" },
-	{ TS_TRUTH_LIGHTS, "lights", "truth-lights", "the method's triangles of light, as far as they are seen", "", "indirect" },
+	{ TS_TRUTH_LIGHTS, "lights", "truth-lights", "the method's triangles of light, where they are seen", "", "indirect" },
 	{ TS_TRUTH_BOUNCE, "bounce", "truth-bounce", "light after one bounce, path by path", "", "indirect" },
 };
 

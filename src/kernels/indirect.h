@@ -4,6 +4,8 @@
 #include "gbuffer.h"
 #include "image.h"
 
+#define TS_INDIRECT_EXPOSURE 8.0f /* beside direct light what comes from one bounce is dim */
+
 typedef struct {
 	TS_GLOBAL const ts_gpixel *pixels; /* gbuffer.pixel */
 	TS_GLOBAL const f32 *irradiance;   /* indirect.irradiance */
@@ -17,8 +19,10 @@ TS_FN void ts_k_indirect_image_item(const ts_indirect_args *args, u64 i)
 {
 	TS_GLOBAL const ts_gpixel *pixel = &args->pixels[i];
 	ts_v3 light = ts_scale(ts_load3(args->irradiance + i * 3u), 0.3183098733425140380859375f);
-	ts_v3 radiance = pixel->depth == TS_SKY ? ts_k_background() : ts_mul(ts_load3(pixel->albedo), light);
-	ts_k_show(args->radiance + i * 3u, args->srgb + i * 3u, radiance, args->exposure);
+	bool sky = pixel->depth == TS_SKY;
+	ts_v3 radiance = sky ? ts_k_background() : ts_mul(ts_load3(pixel->albedo), light);
+	f32 exposure = args->exposure * (sky ? 1.0f : TS_INDIRECT_EXPOSURE);
+	ts_k_show(args->radiance + i * 3u, args->srgb + i * 3u, radiance, exposure);
 }
 
 #endif

@@ -1,7 +1,7 @@
-/* Truths of indirect light by rays (SPEC 3.10), which tell the errors of a method apart. `lights` gathers from the very triangles
- * of light that the methods have, as `direct` does, but only from those whose texel's point the pixel sees. `bounce` has no
- * triangles of light: its rays leave the pixel as the cosine wants them, and bring what the lights themselves send to where
- * they end.
+/* Truths of indirect light by rays (SPEC 3.10), which tell the errors of a method apart. `lights` gathers from the very
+ * triangles of light that the methods have, as `direct` does, but only from those whose middle the pixel sees. `bounce` has
+ * no triangles of light: its rays leave the pixel as the cosine wants them, and bring what the lights themselves send to
+ * where they end.
  *
  * Rays begin and end 2^-12 of the greatest coordinate off their surfaces. The rays of `bounce` are the seeds of a sunflower
  * (Vogel 1979) in the pixel's tangent disc, lifted to the hemisphere (Malley), at a random turn a pixel. */
@@ -35,7 +35,8 @@ static f32 skip(ts_v3 p) { return ts_max(ts_max(ts_abs(p.x), ts_abs(p.y)), ts_ab
 static bool sees(const tracer *t, ts_v3 from, ts_v3 to)
 {
 	ts_v3 way = ts_sub(to, from);
-	ts_truth_query ray = {.origin = from, .direction = ts_normalize(way), .near = skip(from), .masked = TS_NONE, .from = from};
+	ts_truth_query ray = {
+		.origin = from, .direction = ts_normalize(way), .near = skip(from), .masked = TS_NONE, .from = from};
 	ts_truth_hit hit = ts_truth_cast(t->truth, &ray);
 	return hit.triangle == TS_NONE || hit.t >= ts_length(way) - skip(to);
 }

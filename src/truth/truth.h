@@ -42,12 +42,12 @@ ts_status ts_truth_samples(ts_truth *truth, ts_run *run);
  * 2^20 samples of all lights. */
 ts_status ts_truth_area(ts_truth *truth, ts_run *run);
 
-/* Truth of indirect light (indirect.c). Runs what comes before `direct`, in a run that has just begun: pose, lights, what they
- * see, eye and G-buffer, the same for both methods. */
+/* Truth of indirect light (indirect.c). Runs what comes before `direct`, in a run that has just begun: pose, lights, what
+ * they see, eye and G-buffer, the same for both methods. */
 ts_status ts_truth_indirect_begin(ts_run *run, const char *effect);
-/* As `direct`, but only of the triangles of light whose middle the pixel sees, which tells what visibility would change. Reads
- * gbuffer.pixel and rsm_patch.light; makes indirect.irradiance in run->frame, from which stage `indirect_image` makes the
- * picture. Fails without memory. */
+/* As `direct`, but only of the triangles of light whose middle the pixel sees, which tells what visibility would change.
+ * Reads gbuffer.pixel and rsm_patch.light; makes indirect.irradiance in run->frame, from which stage `indirect_image` makes
+ * the picture. Fails without memory. */
 ts_status ts_truth_lights(ts_truth *truth, ts_run *run);
 /* Light after one diffuse bounce by params.bounce_rays rays a pixel, without triangles of light, which with the other leaves
  * what the reflective shadow map costs. Reads gbuffer.pixel and lamp.light; makes the same. */
