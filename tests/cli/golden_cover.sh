@@ -22,11 +22,14 @@ methods = [(m["effect"], m["name"]) for m in table["methods"]]
 of = lambda *methods: [case for case in cases.values() if (case["effect"], case["method"]) in methods]
 # Who must take every choice of a parameter, if not EPR's reflections.
 views = [("reflections", "ivir"), ("soft-shadows", "ivir"), ("omni-shadows", "ivir")]
-soft, omni = ([m for m in methods if m[0] == effect] for effect in ("soft-shadows", "omni-shadows"))
+soft, omni, indirect = ([m for m in methods if m[0] == effect] for effect in ("soft-shadows", "omni-shadows", "indirect"))
+hulls = [("indirect", "hulls")]
 takers = {"rate": views, "buffered": views, "snap": views, "lamp": soft[:1], "lamp.radius": soft, "lamp.fov": soft,
           "views": soft, "pass": soft + omni, "map_px": soft + omni, "light_samples": omni, "bias": soft + omni,
           "bias.slope": soft + omni, "pcss.near": [("soft-shadows", "pcss")],
           **{p: [("omni-shadows", "epr")] for p in ("shadow.rate", "shadow.depth", "shadow.resize")},
+          "rsm_px": indirect, **{p: hulls for p in ("grid_px", "segmentation", "segment.step", "surface", "interpolation",
+                                                    "cosine", "sharpness", "integrals")},
           "conservative": views + [("reflections", "epr"), ("reflections", "vir")],
           **{p: [("reflections", "mvr")] for p in ("mvr.faces", "mvr.filter")}}
 steps_of = {(m["effect"], m["name"]): [s for s in m["stages"].split() if not s.endswith("_margin")]
@@ -51,7 +54,7 @@ elif what == "stages":
 		missing += [f"{'/'.join(m)}: {s}" for s in steps if not writes[s] or not set(writes[s]) <= made]
 elif what == "scenes":
 	reflections = [m for m in methods if m[0] == "reflections" and m[1] in ("epr", "mvr")]
-	groups = [[m] for m in reflections] + [views[:1], soft, omni]
+	groups = [[m] for m in reflections] + [views[:1], soft, omni, indirect]
 	missing = [f"{s['name']} by {group[0]}" for group in groups for s in table["scenes"]
 	           if s["name"] not in {case["scene"].split(":")[0] for case in of(*group)}]
 print("".join(f"# missing: {text}\n" for text in missing), end="")
