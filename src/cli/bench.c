@@ -16,12 +16,13 @@ double ts_median(double *values, u32 n)
 	return n % 2 == 1 ? values[n / 2] : (values[n / 2 - 1] + values[n / 2]) / 2;
 }
 
-/* The parameters are as typed; each row says how many mirrors it has. */
-void ts_bench_head(ts_report *report, const ts_cli *cli)
+/* The parameters are as typed; each row says how many mirrors or pixels it has. */
+void ts_bench_head(ts_report *report, const ts_cli *cli, bool sized)
 {
 	const ts_params *p = &cli->params;
-	ts_report_line(report, "%u x %u pixels, frame %u, %u threads", (unsigned)p->width, (unsigned)p->height,
-	               (unsigned)p->frame, (unsigned)cli->how.threads);
+	char size[48] = "";
+	if (sized) snprintf(size, sizeof size, "%u x %u pixels, ", (unsigned)p->width, (unsigned)p->height);
+	ts_report_line(report, "%sframe %u, %u threads", size, (unsigned)p->frame, (unsigned)cli->how.threads);
 	ts_report_run(report, cli);
 }
 
@@ -49,6 +50,7 @@ static const struct {
 	{ "epr-3", TS_OPT_METHOD | TS_OPT_TRUTH, &ts_epr_3, NULL },
 	{ "epr-6", TS_OPT_METHOD, NULL, ts_bench_sweep },
 	{ "backends", TS_OPT_TRUTH | FILES, NULL, ts_bench_backends },
+	{ "ssagh-1", TS_OPT_METHOD | TS_OPT_TRUTH | TS_OPT_SIZE, &ts_ssagh_1, NULL },
 	{ "ssagh-5", ~(FILES | TS_OPT_JSON), NULL, ts_bench_curves },
 	{ "ssagh-7", ~(FILES | TS_OPT_JSON), NULL, ts_bench_cosines },
 	{ "start", TS_OPT_TRUTH | FILES, NULL, ts_bench_start },

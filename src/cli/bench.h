@@ -10,8 +10,8 @@ enum { TS_BENCH_OBJECTS = 1000 }; /* at most */
 
 /* Sorts them. */
 double ts_median(double *values, u32 n);
-/* What a report opens with: size, frame, threads; program and parameters. */
-void ts_bench_head(ts_report *report, const ts_cli *cli);
+/* What a report opens with: size, where all rows have the same, frame, threads; program and parameters. */
+void ts_bench_head(ts_report *report, const ts_cli *cli, bool sized);
 
 /* Does the work of a table into a report. */
 typedef ts_status ts_bench_work(const ts_cli *cli, ts_report *report, const void *user);

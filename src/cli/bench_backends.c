@@ -71,7 +71,7 @@ static void print_notes(ts_bench_table *table)
 static ts_status print(ts_bench_table *table)
 {
 	ts_report *report = table->report;
-	ts_bench_head(report, table->cli);
+	ts_bench_head(report, table->cli, true);
 	ts_bench_frame_report(&table->frame, report);
 	ts_report_line(report, "median of %u, the columns by turns", (unsigned)table->n_runs);
 	ts_report_value(report, "runs", json_integer(table->n_runs));

@@ -34,6 +34,7 @@ static double rmse(const ts_bench_case *c, u32 variant, u32 other)
 static double measured(const ts_bench_figure *f, const ts_bench_case *c)
 {
 	if (f->kind == TS_FIGURE_TRIANGLES) return c->scene->n_triangles;
+	if (f->kind == TS_FIGURE_PIXELS) return 1e-6 * c->params.width * c->params.height;
 	if (f->kind >= TS_FIGURE_DERIVED || c->methods[f->a] == NULL) return NAN;
 	const ts_measure *m = &c->measures[f->a];
 	double points = milliseconds(m, point_stages), views = milliseconds(m, view_stages), all = 1e3 * m->seconds;
@@ -60,6 +61,7 @@ static double derived(ts_figure_kind kind, double a, double b)
 {
 	if (kind == TS_FIGURE_MORE) return 100 * (a - b) / 255;
 	if (!(b > 0)) return NAN;
+	if (kind == TS_FIGURE_RATE) return 1e3 / b;
 	return kind == TS_FIGURE_RATIO ? a / b : 100 * (1 - a / b);
 }
 

@@ -9,6 +9,7 @@ enum { TS_BENCH_FIGURES = 48 }; /* at most */
 /* Measured: of variant a. Derived: of figures a and b, of our row or of the paper's. */
 typedef enum {
 	TS_FIGURE_TRIANGLES,  /* of the scene */
+	TS_FIGURE_PIXELS,     /* of the eye's image, millions */
 	TS_FIGURE_COUNTER,    /* named in `what` */
 	TS_FIGURE_TRAVERSED,  /* triangles in all passes over the geometry but the eye's */
 	TS_FIGURE_DIAMETER,   /* mean side of the cubes in sight, texels */
@@ -22,6 +23,7 @@ typedef enum {
 	TS_FIGURE_RATIO = TS_FIGURE_DERIVED, /* a / b */
 	TS_FIGURE_SAVED,      /* 100 (1 - a / b) */
 	TS_FIGURE_MORE,       /* 100 (a - b) / 255 */
+	TS_FIGURE_RATE,       /* a second, of b in ms */
 } ts_figure_kind;
 
 typedef struct {

@@ -55,6 +55,18 @@ static ts_status measure_line(ts_paper_line *line, const work *w, const char *sp
 	return status;
 }
 
+/* What a row varies: a number of objects, or the size of the image. */
+static ts_status vary(u32 *objects, ts_params *params, const ts_paper_table *table, const char *item)
+{
+	if (table->objects_param == NULL) {
+		ts_status status = ts_cli_size(params, item, "--objects");
+		*objects = params->width * params->height;
+		return status;
+	}
+	ts_status status = ts_cli_count(objects, item, 1, TS_BENCH_OBJECTS, "--objects");
+	return status == TS_OK ? ts_params_set(params, table->objects_param, item) : status;
+}
+
 static ts_status add_line(work *w, const char *spec, const char *objects)
 {
 	ts_params params = w->cli->params;
@@ -64,10 +76,7 @@ static ts_status add_line(work *w, const char *spec, const char *objects)
 	w->lines = lines;
 	ts_paper_line *line = &w->lines[w->n_lines];
 	*line = (ts_paper_line){ .objects = 0 };
-	if (objects != NULL) {
-		status = ts_cli_count(&line->objects, objects, 1, TS_BENCH_OBJECTS, "--objects");
-		if (status == TS_OK) status = ts_params_set(&params, w->table->objects_param, objects);
-	}
+	if (objects != NULL) status = vary(&line->objects, &params, w->table, objects);
 	if (status == TS_OK) status = measure_line(line, w, spec, &params);
 	w->n_lines += status == TS_OK;
 	return status;
@@ -109,7 +118,8 @@ static ts_status check_lists(const work *w, const char *scenes)
 	u32 count;
 	ts_status status = TS_OK;
 	while (status == TS_OK && ts_cli_item(&objects, item, sizeof item)) {
-		status = ts_cli_count(&count, item, 1, TS_BENCH_OBJECTS, "--objects");
+		ts_params params = w->cli->params;
+		status = vary(&count, &params, w->table, item);
 	}
 	while (status == TS_OK && w->cli->scenes != NULL && ts_cli_item(&scenes, spec, sizeof spec)) {
 		ts_scene *scene = NULL;
@@ -150,7 +160,7 @@ static ts_status work_on(const ts_cli *cli, ts_report *report, const void *user)
 	const ts_paper_table *table = user;
 	work w = { .cli = cli, .table = table };
 	ts_status status = table->judged ? ts_bench_truth(&w.truths, cli) : TS_OK;
-	ts_bench_head(report, cli);
+	ts_bench_head(report, cli, table->objects_head == NULL || table->objects_param != NULL);
 	report_variants(report, table);
 	if (status == TS_OK) status = measure_lines(&w, report);
 	if (status == TS_OK) ts_paper_report(report, table, w.lines, (u32)w.n_lines);

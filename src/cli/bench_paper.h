@@ -11,7 +11,7 @@ typedef struct {
 	const char *name;           /* of the paper's scene */
 	const char *builtin;        /* our scene of its kind */
 	const char *file;           /* what the name of a file of it begins with */
-	u32 objects;
+	u32 objects;                /* or pixels */
 	double figures[TS_BENCH_FIGURES]; /* 0: not printed, or derived here */
 } ts_paper_row;
 
@@ -21,10 +21,11 @@ typedef struct {
 	u8 figures[TS_MAX_COLUMNS - 2];
 } ts_paper_part;
 
-typedef enum { TS_AT_MOST, TS_AT_LEAST, TS_BETWEEN, TS_RISES_WITH } ts_relation_kind;
+typedef enum { TS_AT_MOST, TS_AT_LEAST, TS_BETWEEN, TS_RISES_WITH, TS_GROWS, TS_STEADY } ts_relation_kind;
 
 /* What a figure must be, in rows whose figure `given` is at least `least` and at most `most`; TS_RISES_WITH is over all rows
- * at once, in nine pairs out of ten. */
+ * at once, in nine pairs out of ten; bounds of TS_GROWS are of the least of a row by the one before, those of TS_STEADY of
+ * the greatest by the least, in the rows of a scene. */
 typedef struct {
 	const char *text;
 	u32 figure;
@@ -41,8 +42,8 @@ typedef struct {
 	const char *effect;
 	const char *scenes;         /* unless --scene says otherwise */
 	const char *models;         /* files of the folder TS_SCENES, as far as there are any; or NULL */
-	const char *objects_head;   /* "mirrors", "lights"; NULL: a row a scene */
-	const char *objects_param;
+	const char *objects_head;   /* "mirrors", "lights", "pixels"; NULL: a row a scene */
+	const char *objects_param;  /* NULL: objects are sizes, WxH */
 	const char *objects;        /* unless --objects says otherwise */
 	const char *set;            /* for all rows */
 	const char *defaults;       /* for all rows, of parameters that have their defaults */
@@ -62,7 +63,7 @@ typedef struct {
 #define TS_IVIR_DEFAULTS "rate=paper,snap=off"
 #define TS_OMNI_NOTE "Depth maps of 256 x 256 instead of the paper's 1024 x 1024, for VIR's points."
 
-extern const ts_paper_table ts_ivir_1, ts_ivir_2, ts_ivir_3, ts_epr_1, ts_epr_2, ts_epr_3;
+extern const ts_paper_table ts_ivir_1, ts_ivir_2, ts_ivir_3, ts_epr_1, ts_epr_2, ts_epr_3, ts_ssagh_1;
 
 /* A row of ours, and the paper's beside it. */
 typedef struct {

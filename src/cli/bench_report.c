@@ -1,5 +1,6 @@
 /* What a paper's table prints: its parts, ours above the paper's, and whether the paper's claims hold here. */
 #include <math.h>
+#include <string.h>
 #include "bench_paper.h"
 
 typedef struct {
@@ -66,8 +67,8 @@ static bool is_judged(const ts_paper_relation *r, const ts_paper_line *line)
 static void bound_text(char *text, size_t bytes, const ts_paper_relation *r)
 {
 	switch (r->kind) {
-	case TS_AT_MOST: snprintf(text, bytes, "at most %g", r->high); break;
-	case TS_AT_LEAST: snprintf(text, bytes, "at least %g", r->low); break;
+	case TS_AT_MOST: case TS_STEADY: snprintf(text, bytes, "at most %g", r->high); break;
+	case TS_AT_LEAST: case TS_GROWS: snprintf(text, bytes, "at least %g", r->low); break;
 	default: snprintf(text, bytes, "%g to %g", r->low, r->high); break;
 	}
 }
@@ -128,6 +129,57 @@ static void rising_row(ts_table *t, const ts_paper_table *table, const ts_paper_
 	ts_table_text(t, 10 * rise >= 9 * pairs ? "holds" : r->because);
 }
 
+/* Of the rows of a scene: the least of one by the one before, or the greatest by the least. */
+static double change(const ts_paper_relation *r, const ts_paper_line *lines, u32 n, bool paper)
+{
+	double least = INFINITY, most = 0, step = INFINITY, before = NAN;
+	for (u32 i = 0; i < n; i++) {
+		double value = (paper ? lines[i].paper : lines[i].here)[r->figure];
+		if (isnan(value)) return NAN;
+		least = fmin(least, value);
+		most = fmax(most, value);
+		step = fmin(step, value / before);
+		before = value;
+	}
+	return r->kind == TS_GROWS ? step : most / least;
+}
+
+static void change_row(ts_table *t, const ts_paper_table *table, const ts_paper_relation *r, const ts_paper_line *lines,
+                       u32 n)
+{
+	char bound[64];
+	double here = change(r, lines, n, false), paper = change(r, lines, n, true);
+	if (n < 2 || isnan(here)) return;
+	bound_text(bound, sizeof bound, r);
+	ts_table_text(t, r->text);
+	head_cells(t, table, lines[0].scene, 0);
+	ts_table_text(t, bound);
+	ts_table_real(t, here, 3);
+	if (isnan(paper)) {
+		ts_table_none(t);
+	} else {
+		ts_table_real(t, paper, 3);
+	}
+	bool right = r->kind == TS_GROWS ? here >= r->low : here <= r->high;
+	ts_table_text(t, right ? "holds" : r->because);
+}
+
+static void change_rows(ts_table *t, const ts_paper_table *table, const ts_paper_relation *r, const ts_paper_line *lines,
+                        u32 n)
+{
+	for (u32 i = 0, end; i < n; i = end) {
+		for (end = i; end < n && strcmp(lines[end].scene, lines[i].scene) == 0; end++) continue;
+		change_row(t, table, r, lines + i, end - i);
+	}
+}
+
+typedef void rows_of(ts_table *t, const ts_paper_table *table, const ts_paper_relation *r, const ts_paper_line *lines,
+                     u32 n);
+static rows_of *const rows_of_kind[] = {
+	[TS_AT_MOST] = relation_rows, [TS_AT_LEAST] = relation_rows, [TS_BETWEEN] = relation_rows,
+	[TS_RISES_WITH] = rising_row, [TS_GROWS] = change_rows, [TS_STEADY] = change_rows,
+};
+
 static void report_relations(ts_report *report, const ts_paper_table *table, const ts_paper_line *lines, u32 n)
 {
 	sheet s = { .columns = { { 0 } } };
@@ -140,7 +192,7 @@ static void report_relations(ts_report *report, const ts_paper_table *table, con
 	add_column(&s, &k, "verdict", "verdict", false);
 	s.table = ts_table_begin("relations", "What the paper claims", s.columns);
 	for (const ts_paper_relation *r = table->relations; r->text != NULL; r++) {
-		(r->kind == TS_RISES_WITH ? rising_row : relation_rows)(&s.table, table, r, lines, n);
+		rows_of_kind[r->kind](&s.table, table, r, lines, n);
 	}
 	if (s.table.n_cells == 0) return;
 	ts_report_table(report, &s.table);

@@ -39,7 +39,7 @@ static ts_status report(const ts_bench_started *started, const ts_bench_frame *f
 {
 	ts_report r;
 	ts_report_begin(&r, ts_cli_given(cli, TS_OPT_JSON));
-	ts_bench_head(&r, cli);
+	ts_bench_head(&r, cli, true);
 	ts_bench_frame_report(frame, &r);
 	ts_table table = ts_table_begin("start", "Start", columns);
 	ts_table_text(&table, cli->backend->name);

@@ -104,7 +104,7 @@ static ts_status work_on(const ts_cli *cli, ts_report *report, const void *user)
 	}
 	if (status == TS_OK) status = measure(points, c);
 	if (status == TS_OK) {
-		ts_bench_head(report, cli);
+		ts_bench_head(report, cli, true);
 		report_rows(report, c, points);
 		if (cli->output != NULL) status = write_plot(c, points);
 	}

@@ -139,6 +139,8 @@ bool ts_cli_given(const ts_cli *cli, u64 option);
 
 /* Reads a decimal count in [min, max]; `what` names it in the message. */
 ts_status ts_cli_count(u32 *value, const char *text, u32 min, u32 max, const char *what);
+/* Reads "WxH" into width and height; `what` names it in the message. */
+ts_status ts_cli_size(ts_params *params, const char *text, const char *what);
 /* Copies the next item of a comma-separated list to `item` and moves *list behind it: false at the end. An item that
  * does not fit is cut, and so matches no name. */
 bool ts_cli_item(const char **list, char *item, size_t item_bytes);

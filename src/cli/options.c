@@ -23,7 +23,7 @@ const ts_option ts_option_table[] = {
 	{ TS_OPT_REFLECTOR, "reflector", "NAME", "node of the file to make a mirror of", "" },
 	{ TS_OPT_CAMERA, "camera", "NAME", "camera of the file; without it the eye circles the scene", "" },
 	{ TS_OPT_SCENE, "scene", "SPEC,...", "scenes to measure, instead of the table's", "" },
-	{ TS_OPT_OBJECTS, "objects", "N,...", "numbers of mirrors, or light samples, to measure instead of the table's", "" },
+	{ TS_OPT_OBJECTS, "objects", "N,...", "numbers of mirrors or light samples, or sizes, instead of the table's", "" },
 	{ TS_OPT_RUNS, "runs", "N", "runs of which the median is taken (3; bench backends: 5)", "" },
 	{ TS_OPT_SET, "set", "NAME=VALUE", "any parameter, repeatable", "params" },
 	{ TS_OPT_THREADS, "threads", "N", "threads, by default one a core; never changes a result", "" },
@@ -120,17 +120,17 @@ static ts_status set_param(ts_cli *cli, const char *assignment)
 
 #define DIGITS "0123456789"
 
-static ts_status set_size(ts_cli *cli, const char *text)
+ts_status ts_cli_size(ts_params *params, const char *text, const char *what)
 {
 	char width[32];
 	const char *x = strpbrk(text, "xX");
 	if (x == NULL || x - text >= (ptrdiff_t)sizeof width || strspn(text, DIGITS) != (size_t)(x - text) || x == text ||
 	    x[1] == 0 || x[1 + strspn(x + 1, DIGITS)] != 0) {
-		return ts_fail("--size %s: not a size; write WIDTHxHEIGHT, for instance 1920x1080", text);
+		return ts_fail("%s %s: not a size; write WIDTHxHEIGHT, for instance 1920x1080", what, text);
 	}
 	snprintf(width, sizeof width, "%.*s", (int)(x - text), text);
-	ts_status status = ts_params_set(&cli->params, "width", width);
-	return status != TS_OK ? status : ts_params_set(&cli->params, "height", x + 1);
+	ts_status status = ts_params_set(params, "width", width);
+	return status != TS_OK ? status : ts_params_set(params, "height", x + 1);
 }
 
 static ts_status set_number(u64 *value, const char *text, const char *what)
@@ -166,7 +166,7 @@ static ts_status take(ts_cli *cli, u64 bit, const char *text)
 	case TS_OPT_EFFECT: cli->effect = text; break;
 	case TS_OPT_METHOD: cli->method = text; break;
 	case TS_OPT_TRUTH: return ts_truths_parse(&cli->truths, text);
-	case TS_OPT_SIZE: return set_size(cli, text);
+	case TS_OPT_SIZE: return ts_cli_size(&cli->params, text, "--size");
 	case TS_OPT_FRAME: return ts_params_set(&cli->params, "frame", text);
 	case TS_OPT_REFLECTORS: return ts_params_set(&cli->params, "reflectors", text);
 	case TS_OPT_REFLECTOR: cli->scene.reflector = text; break;

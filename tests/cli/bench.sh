@@ -110,6 +110,39 @@ verdict $? 'bench epr-6: CSV, and a plot of all its points'
 refuses 'needs a truth' bench epr-6 --truth=none
 refuses 'one scene' bench epr-6 --scene atrium,gallery
 
+# Rows of sizes. Gathers of direct are pixels by triangles, those of hulls corners by triangles, whatever the size.
+run bench ssagh-1 --scene atrium:triangles=10000 --objects 96x54,192x108,1280x720 --set rsm_px=2 --set grid_px=64 \
+	--runs 1 -o "$scratch/ssagh-1"
+[ "$status" -eq 0 ] && grep -q '^Crytek Sponza .* 921,600 .*paper .* 28.3800 .* 142.2600 .* 5.01 ' "$scratch/stdout" &&
+	awk 'length > 120 || / $/ { exit 1 }' "$scratch/stdout"
+verdict $? 'bench ssagh-1 fits 120 columns and has the paper'
+python3 - "$scratch/ssagh-1/report.json" <<'PY'
+import json, sys
+report = json.load(open(sys.argv[1]))
+here = [[r for r in report[part] if r["source"] == "here"] for part in ("ssagh_1", "ssagh_1_gathers")]
+assert [r["pixels"] for r in here[0]] == [96 * 54, 192 * 108, 1280 * 720]
+for frame, work in zip(*here):
+	assert abs(frame["speedup"] - frame["direct_ms"] / frame["hulls_ms"]) < 1e-6
+	assert abs(frame["direct_rate"] * frame["direct_ms"] - 1e3) < 1e-4 and frame["hulls_rate"] > 0
+	assert abs(frame["direct_ns"] * frame["pixels"] / 1e6 - frame["direct_ms"]) < 1e-6 * frame["direct_ms"]
+	assert work["direct_gathers"] == 4 * work["pixels"] and work["hulls_gathers"] == 16 * work["boxes"] > 0
+	assert work["rmse"] > 0
+judged = {r["relation"]: (r["here"], r["verdict"]) for r in report["relations"]}
+def agrees(relation, values, right):
+	value, verdict = judged[relation]
+	assert abs(value - values) < 1e-6 * values and (verdict == "holds") == right(values), (relation, value, values)
+speed, gathers, cost = ([r[k] for r in part] for part, k in
+                        ((here[0], "speedup"), (here[1], "hulls_gathers"), (here[0], "direct_ns")))
+agrees("direct / hulls", speed[2], lambda v: v >= 5.01)
+agrees("direct / hulls, from size to size", min(b / a for a, b in zip(speed, speed[1:])), lambda v: v >= 1)
+agrees("gathers of hulls, most by least", max(gathers) / min(gathers), lambda v: v <= 1.1)
+agrees("direct, ns a pixel, most by least", max(cost) / min(cost), lambda v: v <= 1.25)
+assert len(judged) == 4 and all(v == "holds" or v.startswith("differs: ") for _, v in judged.values())
+paper = [r for r in report["ssagh_1"] if r["source"] == "paper"]
+assert len(paper) == 1 and round(paper[0]["direct_ns"], 1) == 38.2
+PY
+verdict $? 'bench ssagh-1: gathers, speed-ups and verdicts are those of its rows'
+
 # RMSE by quadrature in double precision, apart from this program: all angles alike, and by solid angle.
 run bench ssagh-7 -o "$scratch/ssagh-7"
 [ "$status" -eq 0 ] && [ "$(grep -c ' within 2 %$' "$scratch/stdout")" -eq 3 ] &&

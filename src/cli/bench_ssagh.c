@@ -1,0 +1,78 @@
+/* The SSAGH paper's table of frames a second, as the images grow. Speed-ups are of the paper's own frames a second. */
+#include "bench_paper.h"
+
+enum { M_HULLS, M_DIRECT };
+
+static const ts_bench_variant variants[] = {
+	[M_HULLS] = { "hulls", "", true, false },
+	[M_DIRECT] = { "direct", "", true, false },
+	{ 0 }
+};
+
+enum { PIXELS, DIRECT_MS, HULLS_MS, DIRECT_RATE, HULLS_RATE, SPEEDUP, COST, BOXES, GATHERS, DIRECT_GATHERS, SAVED, RMSE };
+
+static const ts_bench_figure figures[] = {
+	[PIXELS] = { "megapixels", "Mpixels", TS_FIGURE_PIXELS, 0, 0, 2, "" },
+	[DIRECT_MS] = { "direct_ms", "direct, ms", TS_FIGURE_TIME, M_DIRECT, 0, 2, "" },
+	[HULLS_MS] = { "hulls_ms", "hulls, ms", TS_FIGURE_TIME, M_HULLS, 0, 2, "" },
+	[DIRECT_RATE] = { "direct_rate", "direct, 1/s", TS_FIGURE_RATE, DIRECT_MS, DIRECT_MS, 4, "" },
+	[HULLS_RATE] = { "hulls_rate", "hulls, 1/s", TS_FIGURE_RATE, HULLS_MS, HULLS_MS, 4, "" },
+	[SPEEDUP] = { "speedup", "direct / hulls", TS_FIGURE_RATIO, DIRECT_MS, HULLS_MS, 2, "" },
+	[COST] = { "direct_ns", "direct, ns a pixel", TS_FIGURE_RATIO, DIRECT_MS, PIXELS, 1, "" },
+	[BOXES] = { "boxes", "boxes", TS_FIGURE_COUNTER, M_HULLS, 0, TS_WHOLE, "boxes" },
+	[GATHERS] = { "hulls_gathers", "hulls", TS_FIGURE_COUNTER, M_HULLS, 0, TS_WHOLE, "gathers" },
+	[DIRECT_GATHERS] = { "direct_gathers", "direct", TS_FIGURE_COUNTER, M_DIRECT, 0, TS_WHOLE, "gathers" },
+	[SAVED] = { "gathers_ratio", "direct / hulls", TS_FIGURE_RATIO, DIRECT_GATHERS, GATHERS, 2, "" },
+	[RMSE] = { "rmse", "RMSE", TS_FIGURE_RMSE, M_HULLS, M_DIRECT, 3, "" },
+	{ 0 }
+};
+
+static const ts_paper_part parts[] = {
+	{ "ssagh_1", "SSAGH, table 1: whole frames", { DIRECT_MS, HULLS_MS, DIRECT_RATE, HULLS_RATE, SPEEDUP, COST,
+	  TS_NO_FIGURE } },
+	{ "ssagh_1_gathers", "Gathers, pixels or corners by triangles of light; RMSE of hulls to direct, grey levels", {
+	  BOXES, GATHERS, DIRECT_GATHERS, SAVED, RMSE, TS_NO_FIGURE } },
+	{ 0 }
+};
+
+/* The least of the paper's scenes, for images of so many million pixels. */
+#define FASTER(bound, least, most) \
+	{ "direct / hulls", SPEEDUP, TS_AT_LEAST, bound, 0, PIXELS, least, most, "gathers are not most of the work", SAVED }
+
+static const ts_paper_relation relations[] = {
+	FASTER(5.01, 0.92, 2.07), FASTER(9.48, 2.07, 4.09), FASTER(11.92, 4.09, 9.21), FASTER(16.80, 9.21, 1e6),
+	{ "direct / hulls, from size to size", SPEEDUP, TS_GROWS, 1, 0, TS_NO_FIGURE, 0, 0, "differs: it falls", SAVED },
+	{ "gathers of hulls, most by least", GATHERS, TS_STEADY, 0, 1.1, TS_NO_FIGURE, 0, 0,
+	  "differs: more or fewer boxes", BOXES },
+	{ "direct, ns a pixel, most by least", COST, TS_STEADY, 0, 1.25, TS_NO_FIGURE, 0, 0,
+	  "differs: a busy machine, or more or less sky", DIRECT_MS },
+	{ 0 }
+};
+
+#define ROW(scene, builtin, file, w, h, direct, hulls) \
+	{ scene, builtin, file, (w) * (h), { [PIXELS] = 1e-6 * (w) * (h), [DIRECT_MS] = 1e3 / (direct), \
+	  [HULLS_MS] = 1e3 / (hulls) } }
+
+static const ts_paper_row rows[] = {
+	ROW("Bunny/Sphere/Dragon", "gallery", "bunny", 1280, 720, 30.45, 179.34),
+	ROW("Bunny/Sphere/Dragon", "gallery", "bunny", 1920, 1080, 11.37, 172.51),
+	ROW("Bunny/Sphere/Dragon", "gallery", "bunny", 2560, 1600, 6.27, 130.16),
+	ROW("Bunny/Sphere/Dragon", "gallery", "bunny", 3840, 2400, 2.71, 80.48),
+	ROW("Crytek Sponza", "atrium", "sponza", 1280, 720, 28.38, 142.26),
+	ROW("Crytek Sponza", "atrium", "sponza", 1920, 1080, 10.59, 100.36),
+	ROW("Crytek Sponza", "atrium", "sponza", 2560, 1600, 6.10, 72.71),
+	ROW("Crytek Sponza", "atrium", "sponza", 3840, 2400, 2.44, 40.98),
+	ROW("Conference", "dining", "breakfast", 1280, 720, 28.55, 170.42),
+	ROW("Conference", "dining", "breakfast", 1920, 1080, 10.67, 145.11),
+	ROW("Conference", "dining", "breakfast", 2560, 1600, 6.22, 103.10),
+	ROW("Conference", "dining", "breakfast", 3840, 2400, 2.52, 63.23),
+	{ 0 }
+};
+
+const ts_paper_table ts_ssagh_1 = {
+	.name = "ssagh-1", .title = "SSAGH, table 1: who runs", .effect = "indirect", .scenes = "atrium,gallery,dining",
+	.models = "sponza.glb,sibenik.glb,breakfast_room.glb", .objects_head = "pixels",
+	.objects = "1280x720,1920x1080,2560x1600,3840x2400", .set = "reflectors=0", .defaults = "",
+	.note = "A light of the paper is 256 triangles.",
+	.timed = true, .variants = variants, .figures = figures, .parts = parts, .relations = relations, .rows = rows,
+};
