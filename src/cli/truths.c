@@ -1,6 +1,5 @@
 /* The ground truths, and reading their names. */
 #include "truths.h"
-#include <stdio.h>
 #include <string.h>
 #include <strings.h>
 
@@ -17,14 +16,6 @@ const ts_truth_kind ts_truth_kinds[TS_N_TRUTHS] = {
 };
 
 static bool is_of(const ts_truth_kind *kind, const char *effect) { return strstr(effect, kind->of) != NULL; }
-
-/* The message names what there is. */
-static ts_status no_truth(const char *which, const char *effect)
-{
-	return ts_fail("--truth%s: no truth of %s; there are %s, or none", which, effect,
-	               strstr(effect, "shadows") != NULL      ? "samples and area"
-	               : strcmp(effect, "reflections") == 0 ? "A, B and C" : "lights and bounce");
-}
 
 static const ts_truth_kind *find(const char *name)
 {
@@ -53,16 +44,18 @@ ts_status ts_truths_parse(u32 *truths, const char *text)
 ts_status ts_truths_check(u32 *truths, const char *effect)
 {
 	bool each = (*truths & EACH) != 0;
-	char which[16];
 	for (u32 i = 0; i < TS_N_TRUTHS; i++) {
 		const ts_truth_kind *kind = &ts_truth_kinds[i];
 		if ((*truths & kind->bit) == 0 || is_of(kind, effect)) continue;
-		snprintf(which, sizeof which, " %s", kind->name);
-		if (!each) return no_truth(which, effect);
+		if (!each) {
+			const char *there = strcmp(effect, "indirect") == 0    ? "lights and bounce"
+			                    : strcmp(effect, "reflections") == 0 ? "A, B and C" : "samples and area";
+			return ts_fail("--truth %s: no truth of %s; there are %s, or none", kind->name, effect, there);
+		}
 		*truths &= ~kind->bit;
 	}
 	*truths &= ALL;
-	return each && *truths == 0 ? no_truth("", effect) : TS_OK;
+	return TS_OK;
 }
 
 bool ts_truths_named(const char *text)
