@@ -71,7 +71,7 @@ LIBS := -lembree$(EMBREE) $(call packages,--libs,jansson libcrypto zlib OpenCL) 
 IMAGE_LIBS := $(call packages,--libs,OpenImageIO)
 CORE_LIBS = -lcrypto -lm
 # These do without, or install it first.
-WITHOUT := core %/touchstone-core golden demo test fuzz matrix matrix-short mutants style format deps uninstall clean help
+WITHOUT := core %/touchstone-core golden demo test test-long fuzz matrix matrix-short mutants style format deps uninstall clean help
 ifeq (,$(EMBREE))
 ifneq (,$(filter-out $(WITHOUT),$(or $(MAKECMDGOALS),all)))
 $(error Embree 3 or 4 is not installed: run scripts/install-deps (or make demo))
@@ -185,10 +185,14 @@ demo: deps
 	$(Q)$(MAKE) --no-print-directory all
 	build/touchstone render reflections atrium --method epr,ivir,mvr --truth=A,B --size 960x540 -o out/demo --force
 
-##   test               install what is missing, build, run every test; also with config=asan|ubsan|tsan
+##   test               install what is missing, build, run the tests; T="PARTS OF NAMES"; also with config=asan|ubsan|tsan
 test: deps
 	$(Q)$(MAKE) --no-print-directory all tests
 	$(Q)CC='$(CC)' CXX='$(CXX)' BUILD='$(BUILD)' scripts/run-tests $(T)
+
+##   test-long          the same for the tests of tests/long.txt, which take minutes
+test-long:
+	$(Q)$(MAKE) --no-print-directory test T=--long
 
 tests: $(TESTS) $(BUILD)/touchstone-core
 
@@ -263,4 +267,4 @@ help:
 	@sed -n 's/^##//p' $(firstword $(MAKEFILE_LIST))
 
 FORCE:
-.PHONY: all core golden demo test tests fuzz matrix matrix-short mutants bench style format deps install uninstall clean help FORCE
+.PHONY: all core golden demo test test-long tests fuzz matrix matrix-short mutants bench style format deps install uninstall clean help FORCE
