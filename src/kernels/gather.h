@@ -31,20 +31,27 @@ TS_FN ts_v3 ts_k_pixel_point(const ts_camera_k *view, u32 x, u32 y, f32 depth)
 
 typedef struct { ts_v3 p; f32 depth; } ts_box_corner;
 
-/* Corner 0 to 3: top left, top right, bottom left, bottom right. What the G-buffer shows there; where that lies out of the
- * box, the middle of the box on the same ray. */
-TS_FN ts_box_corner ts_k_box_corner(const ts_gather_args *args, const ts_camera_k *view, TS_GLOBAL const ts_segment *box,
-                                    u32 corner)
+/* The pixel at a corner: 0 to 3 are top left, top right, bottom left, bottom right. */
+typedef struct { u32 x, y; } ts_corner_pixel;
+
+TS_FN ts_corner_pixel ts_k_corner_pixel(const ts_camera_k *view, TS_GLOBAL const ts_segment *box, u32 grid, u32 corner)
 {
-	u32 x = ts_k_resample((corner & 1u) != 0u ? box->high[0] : box->low[0], args->grid, (u32)view->width);
-	u32 y = ts_k_resample((corner & 2u) != 0u ? box->high[1] : box->low[1], args->grid, (u32)view->height);
-	TS_GLOBAL const ts_gpixel *pixel = &args->pixels[(u64)y * (u64)view->width + x];
+	ts_corner_pixel at;
+	at.x = ts_k_resample((corner & 1u) != 0u ? box->high[0] : box->low[0], grid, (u32)view->width);
+	at.y = ts_k_resample((corner & 2u) != 0u ? box->high[1] : box->low[1], grid, (u32)view->height);
+	return at;
+}
+
+/* What the G-buffer shows there; where that lies out of the box, the middle of the box on the same ray. */
+TS_FN ts_box_corner ts_k_box_corner(const ts_camera_k *view, TS_GLOBAL const ts_segment *box,
+                                    TS_GLOBAL const ts_gpixel *pixel, ts_corner_pixel at)
+{
 	ts_box_corner r;
 	r.p = ts_load3(pixel->position);
 	r.depth = pixel->depth;
 	if (r.depth >= box->nearest && r.depth <= box->farthest) return r;
 	r.depth = (box->nearest + box->farthest) * 0.5f;
-	r.p = ts_k_pixel_point(view, x, y, r.depth);
+	r.p = ts_k_pixel_point(view, at.x, at.y, r.depth);
 	return r;
 }
 
@@ -70,24 +77,30 @@ TS_FN void ts_k_gather(ts_gathered *sum, TS_GLOBAL const ts_patch *patch, ts_v3 
 	sum->blue = ts_mad(sum->blue, ways, w.z / 3.0f);
 }
 
-/* map over corners of boxes */
-TS_FN void ts_k_gather_item(const ts_gather_args *args, u64 i)
+TS_FN void ts_k_gather_all(TS_GLOBAL ts_moment *out, TS_GLOBAL const ts_patch *patches, u64 n_patches, ts_box_corner corner)
 {
-	ts_camera_k view = ts_k_view(args->view);
-	ts_box_corner corner = ts_k_box_corner(args, &view, &args->boxes[i / 4u], (u32)(i % 4u));
-	TS_GLOBAL ts_moment *out = &args->moments[i];
 	ts_gathered sum;
 	sum.w = ts_v3_make(0.0f, 0.0f, 0.0f);
 	sum.red = sum.w;
 	sum.green = sum.w;
 	sum.blue = sum.w;
-	for (u64 k = 0u; k < args->n_patches; k++) ts_k_gather(&sum, &args->patches[k], corner.p);
+	for (u64 k = 0u; k < n_patches; k++) ts_k_gather(&sum, &patches[k], corner.p);
 	ts_store3(out->position, corner.p);
 	out->depth = ts_put(corner.depth);
 	ts_store3(out->sum, sum.w);
 	ts_store3(out->direction, sum.red);
 	ts_store3(out->direction + 3, sum.green);
 	ts_store3(out->direction + 6, sum.blue);
+}
+
+/* map over corners of boxes */
+TS_FN void ts_k_gather_item(const ts_gather_args *args, u64 i)
+{
+	TS_GLOBAL const ts_segment *box = &args->boxes[i / 4u];
+	ts_camera_k view = ts_k_view(args->view);
+	ts_corner_pixel at = ts_k_corner_pixel(&view, box, args->grid, (u32)(i % 4u));
+	TS_GLOBAL const ts_gpixel *pixel = &args->pixels[(u64)at.y * (u64)view.width + at.x];
+	ts_k_gather_all(&args->moments[i], args->patches, args->n_patches, ts_k_box_corner(&view, box, pixel, at));
 }
 
 #endif

@@ -31,22 +31,27 @@ TS_FN void ts_k_gpixel_store(TS_GLOBAL ts_gpixel *pixel, ts_v3 p, f32 depth, ts_
 	pixel->pad1 = 0u;
 }
 
+/* Of what a key of eye.depth_triangle names at pixel (x, y). */
+TS_FN void ts_k_gpixel(TS_GLOBAL ts_gpixel *pixel, const ts_arrays *scene, const ts_camera_k *view, u64 key, i32 x, i32 y)
+{
+	ts_v3 zero = ts_v3_make(0.0f, 0.0f, 0.0f);
+	if (key == TS_EMPTY) {
+		ts_k_gpixel_store(pixel, zero, TS_SKY, zero, zero);
+		return;
+	}
+	ts_surface s = ts_k_surface_seen(scene, view, (u32)key, x, y);
+	ts_v3 n = ts_k_facing_normal(&s, ts_sub(view->eye, s.p));
+	f32 depth = ts_k_screen_depth(view->near, ts_u2f((u32)(key >> 32)));
+	ts_k_gpixel_store(pixel, s.p, depth, n, ts_k_albedo(&s));
+}
+
 /* map over pixels */
 TS_FN void ts_k_gbuffer_item(const ts_gbuffer_args *args, u64 i)
 {
-	u64 key = args->depth_triangle[i];
-	ts_v3 zero = ts_v3_make(0.0f, 0.0f, 0.0f);
-	if (key == TS_EMPTY) {
-		ts_k_gpixel_store(&args->pixels[i], zero, TS_SKY, zero, zero);
-		return;
-	}
 	ts_camera_k view = ts_k_view(args->view);
 	i32 x = (i32)(i % (u64)view.width);
 	i32 y = (i32)(i / (u64)view.width);
-	ts_surface s = ts_k_surface_seen(&args->scene, &view, (u32)key, x, y);
-	ts_v3 n = ts_k_facing_normal(&s, ts_sub(view.eye, s.p));
-	f32 depth = ts_k_screen_depth(view.near, ts_u2f((u32)(key >> 32)));
-	ts_k_gpixel_store(&args->pixels[i], s.p, depth, n, ts_k_albedo(&s));
+	ts_k_gpixel(&args->pixels[i], &args->scene, &view, args->depth_triangle[i], x, y);
 }
 
 #endif

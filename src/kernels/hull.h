@@ -35,10 +35,10 @@ TS_FN f32 ts_k_box_place(u32 i, u32 pixels, u32 grid, u32 low, u32 high)
 	return ts_clamp((at - (f32)low) / (f32)(high + 1u - low), 0.0f, 1.0f);
 }
 
-TS_FN ts_shares ts_k_box_shares(const ts_hull_args *args, u32 b, u32 x, u32 y)
+/* On the screen, before perspective. */
+TS_FN ts_shares ts_k_box_weights(const ts_hull_args *args, u32 b, u32 x, u32 y)
 {
 	TS_GLOBAL const ts_segment *box = &args->choice.boxes[b];
-	TS_GLOBAL const ts_moment *corner = &args->moments[(u64)b * 4u];
 	f32 s = ts_k_box_place(x, args->width, args->choice.grid, box->low[0], box->high[0]);
 	f32 t = ts_k_box_place(y, args->height, args->choice.grid, box->low[1], box->high[1]);
 	ts_shares r;
@@ -46,6 +46,13 @@ TS_FN ts_shares ts_k_box_shares(const ts_hull_args *args, u32 b, u32 x, u32 y)
 	r.of[1] = ts_max(s - t, 0.0f);
 	r.of[2] = ts_max(t - s, 0.0f);
 	r.of[3] = ts_min(s, t);
+	return r;
+}
+
+TS_FN ts_shares ts_k_box_shares(const ts_hull_args *args, u32 b, u32 x, u32 y)
+{
+	TS_GLOBAL const ts_moment *corner = &args->moments[(u64)b * 4u];
+	ts_shares r = ts_k_box_weights(args, b, x, y);
 	f32 sum = 0.0f;
 	for (u32 k = 0u; k < 4u; k++) {
 		r.of[k] = r.of[k] * (1.0f - corner[k].depth);
@@ -86,12 +93,11 @@ TS_FN f32 ts_k_lobe_irradiance(const ts_hull_args *args, const ts_sg *g, ts_v3 n
 	return e > 0.0f && e < 4611686018427387904.0f ? e : 0.0f;
 }
 
-TS_FN f32 ts_k_hull_irradiance(const ts_hull_args *args, u32 b, const ts_shares *shares, ts_v3 n, u32 channel)
+TS_FN ts_sg ts_k_hull_lobe(const ts_hull_args *args, u32 b, const ts_shares *shares, u32 channel)
 {
 	u64 first = (u64)b * 4u;
-	ts_sg g = args->by_moments != 0u ? ts_k_lobe_of_moments(args->moments + first, shares, channel, args->vmf)
-	                                 : ts_k_lobe_of_lobes(args->lobes + first, shares, channel);
-	return ts_k_lobe_irradiance(args, &g, n);
+	if (args->by_moments != 0u) return ts_k_lobe_of_moments(args->moments + first, shares, channel, args->vmf);
+	return ts_k_lobe_of_lobes(args->lobes + first, shares, channel);
 }
 
 /* map over pixels */
@@ -113,7 +119,8 @@ TS_FN void ts_k_hull_item(const ts_hull_args *args, u64 i)
 	ts_shares shares = ts_k_box_shares(args, box, x, y);
 	ts_v3 n = ts_load3(pixel->normal);
 	for (u32 channel = 0u; channel < 3u; channel++) {
-		args->irradiance[i * 3u + channel] = ts_k_hull_irradiance(args, box, &shares, n, channel);
+		ts_sg g = ts_k_hull_lobe(args, box, &shares, channel);
+		args->irradiance[i * 3u + channel] = ts_k_lobe_irradiance(args, &g, n);
 	}
 }
 

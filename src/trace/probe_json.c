@@ -78,3 +78,30 @@ void ts_probe_put_check(ts_probe *p, json_t *object, ts_buffer_id id, const f32 
 	         same ? "" : ", which holds", bits);
 	ts_probe_put(p, object, "check", json_string(text));
 }
+
+void ts_probe_put_record_check(ts_probe *p, json_t *object, ts_buffer_id id, const void *computed, const void *held)
+{
+	char name[64], value[TS_VALUE_TEXT];
+	const char *buffer = ts_buffer_table[id].name;
+	json_t *text = NULL;
+	for (u32 f = 0; f < p->fields[id].n; f++) {
+		const ts_field *field = &p->fields[id].field[f];
+		for (u32 k = 0; k < field->count && text == NULL; k++) {
+			u64 bits = ts_field_bits(field, held, k);
+			if (ts_field_bits(field, computed, k) == bits) continue;
+			ts_field_name(name, field, k);
+			ts_field_show(value, field, bits);
+			text = json_sprintf("bits differ from %s, which holds%s%s %s", buffer, name[0] != 0 ? " in " : "", name, value);
+		}
+	}
+	ts_probe_put(p, object, "check", text != NULL ? text : json_sprintf("bits agree with %s", buffer));
+}
+
+void ts_probe_put_sum(ts_probe *p, json_t *object, ts_v3 sum, ts_v3 total)
+{
+	f32 a[3], b[3];
+	ts_store3(a, sum);
+	ts_store3(b, total);
+	ts_probe_put(p, object, "sum", json_string(memcmp(a, b, sizeof a) == 0 ? "terms add up to the bits of the total"
+	                                                                       : "terms do not add up to the total"));
+}

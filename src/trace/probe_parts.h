@@ -2,7 +2,7 @@
 #ifndef TS_TRACE_PROBE_PARTS_H
 #define TS_TRACE_PROBE_PARTS_H
 #include "../kernels/draw.h"
-#include "../kernels/shade.h"
+#include "../kernels/hull.h"
 #include "field.h"
 #include "probe.h"
 #include "reader.h"
@@ -13,15 +13,16 @@ struct ts_probe {
 	ts_trace *trace;
 	ts_reader *reader[TS_N_BUFFERS]; /* NULL: not opened yet */
 	ts_fields fields[TS_N_BUFFERS];
-	ts_arrays scene;      /* after ts_probe_scene; vertices are this frame's, of shadows lights the lamps */
+	ts_arrays scene;      /* after ts_probe_scene; vertices are this frame's, with lamps lights are these */
 	u64 n_vertices, n_materials, n_slots, n_images, n_texels, n_lights, n_objects;
 	u64 *texels;          /* of images that were asked for */
 	u8 *image_read;
 	ts_view view;         /* the eye, after ts_probe_scene */
 	ts_face *cubes;       /* after ts_probe_scene */
 	u32 n_cubes, n_words;
-	bool mvr, shadows;
-	ts_offscreen *views;  /* of shadows, with the lamps; else NULL */
+	bool mvr, indirect;
+	bool has_lamps;       /* of shadows and indirect light: the lights are lamps, with views of their own */
+	ts_offscreen *views;  /* of the lamps; else NULL */
 	u32 n_views;
 	ts_lamp *lamps;
 	u32 *lit;             /* samples of each that reach the pixel; NULL: all light does */
@@ -73,6 +74,10 @@ json_t *ts_probe_face_name(u32 reflector, u32 face);
 void ts_probe_put_margin(ts_probe *probe, json_t *object, f32 winner, f32 depth);
 /* Puts `check`: "bits agree with BUFFER" or "bits differ from BUFFER: <its bits>" . */
 void ts_probe_put_check(ts_probe *probe, json_t *object, ts_buffer_id id, const f32 *computed, const f32 *held, u32 n);
+/* The same of one element, by its first field that differs. */
+void ts_probe_put_record_check(ts_probe *probe, json_t *object, ts_buffer_id id, const void *computed, const void *held);
+/* Puts `sum`: whether the terms that were put have the bits of the total. */
+void ts_probe_put_sum(ts_probe *probe, json_t *object, ts_v3 sum, ts_v3 total);
 
 /* ---- surfaces (probe_surface.c) ---- */
 /* Puts triangle, material, object, reflector. */
@@ -149,7 +154,13 @@ ts_status ts_probe_mip(ts_probe *probe, u64 entry, json_t *object, ts_v3 *total)
  * probe->lit (probe_shadow.c). */
 ts_status ts_probe_lamps(ts_probe *probe);
 ts_status ts_probe_shadow(ts_probe *probe, u32 x, u32 y, u64 key, json_t *object);
-/* Fails with what is explained of shadows. */
+/* Indirect light at pixel (x, y), whose key is not empty: the radiance, and what led to it (probe_indirect.c). */
+ts_status ts_probe_indirect(ts_probe *probe, u32 x, u32 y, u64 key, json_t *object, ts_v3 *total);
+/* Its irradiance by hulls (probe_hull.c), of one channel from its lobe (probe_lobe.c), and by direct (probe_direct.c). */
+ts_status ts_probe_hull(ts_probe *probe, u32 x, u32 y, const ts_gpixel *pixel, json_t *object, f32 irradiance[3]);
+json_t *ts_probe_lobe(ts_probe *probe, const ts_hull_args *args, const ts_sg *g, ts_v3 n, u32 channel);
+ts_status ts_probe_direct(ts_probe *probe, const ts_gpixel *pixel, json_t *object, f32 irradiance[3]);
+/* Fails with what is explained of the others. */
 ts_status ts_probe_of_reflections(const ts_probe *probe);
 /* A piece of a triangle: density, culling, frame (probe_piece.c). */
 ts_status ts_probe_piece(ts_probe *probe, u64 piece, json_t *object, bool *kept);

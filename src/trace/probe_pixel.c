@@ -66,6 +66,16 @@ static ts_status put_radiance(ts_probe *p, json_t *o, u32 x, u32 y, ts_v3 total)
 	return status;
 }
 
+/* Of what is no mirror. */
+static ts_status put_light(ts_probe *p, json_t *o, u32 x, u32 y, u64 key, const ts_surface *surface, ts_v3 *total)
+{
+	if (p->indirect) return ts_probe_indirect(p, x, y, key, o, total);
+	if (p->has_lamps && ts_probe_shadow(p, x, y, key, o) != TS_OK) return TS_ERROR;
+	ts_v3 v = ts_normalize(ts_sub(ts_load3(p->view.eye), surface->p));
+	ts_probe_put(p, o, "shading", ts_probe_shading(p, surface, v, total));
+	return TS_OK;
+}
+
 static ts_status describe(ts_probe *p, json_t *o, u32 x, u32 y, u64 key, const u32 offset[2])
 {
 	ts_surface surface;
@@ -73,27 +83,32 @@ static ts_status describe(ts_probe *p, json_t *o, u32 x, u32 y, u64 key, const u
 	ts_status status = put_contest(p, o, x, y, key);
 	bool mirror = offset[1] != offset[0];
 	if (status == TS_OK && key != TS_EMPTY) status = put_surface(p, o, (u32)key, x, y, &surface);
-	if (status == TS_OK && key != TS_EMPTY && p->shadows) status = ts_probe_shadow(p, x, y, key, o);
 	if (status == TS_OK && mirror) {
 		status = put_mirror(p, o, offset[0], y * p->view.width + x, &total);
 	} else if (status == TS_OK && key != TS_EMPTY) {
-		ts_v3 v = ts_normalize(ts_sub(ts_load3(p->view.eye), surface.p));
-		ts_probe_put(p, o, "shading", ts_probe_shading(p, &surface, v, &total));
+		status = put_light(p, o, x, y, key, &surface, &total);
 	} else if (status == TS_OK) {
 		ts_probe_put(p, o, "shading", json_string("nothing is here: background"));
 	}
 	return status == TS_OK ? put_radiance(p, o, x, y, total) : status;
 }
 
-ts_status ts_probe_pixel(ts_probe *p, u32 x, u32 y, json_t **answer)
+/* What the description of a pixel begins with. */
+static ts_status require(const ts_probe *p)
 {
 	static const ts_buffer_id mirrors[] = {TS_B_eye_depth_triangle, TS_B_pixel_offset, TS_B_pixel_record, TS_N_BUFFERS};
 	static const ts_buffer_id shadows[] = {TS_B_eye_depth_triangle, TS_B_scatter_depth, TS_N_BUFFERS};
+	static const ts_buffer_id indirect[] = {TS_B_eye_depth_triangle, TS_B_rsm_patch, TS_N_BUFFERS};
+	return ts_probe_require(p, p->indirect ? indirect : p->has_lamps ? shadows : mirrors);
+}
+
+ts_status ts_probe_pixel(ts_probe *p, u32 x, u32 y, json_t **answer)
+{
 	u64 key;
 	u32 offset[2] = {0, 0};
 	bool there;
 	*answer = NULL;
-	if (ts_probe_scene(p) != TS_OK || ts_probe_require(p, p->shadows ? shadows : mirrors) != TS_OK) return TS_ERROR;
+	if (ts_probe_scene(p) != TS_OK || require(p) != TS_OK) return TS_ERROR;
 	if (x >= p->view.width || y >= p->view.height) {
 		return ts_fail("%s: no pixel (%u, %u); the eye has %u x %u", p->trace->dir, (unsigned)x, (unsigned)y,
 		               (unsigned)p->view.width, (unsigned)p->view.height);
@@ -103,7 +118,8 @@ ts_status ts_probe_pixel(ts_probe *p, u32 x, u32 y, json_t **answer)
 		return ts_fail("%s: pixel (%u, %u) is outside its crop", p->trace->item[TS_B_eye_depth_triangle].path,
 		               (unsigned)x, (unsigned)y);
 	}
-	if (!p->shadows && ts_probe_fetch(p, TS_B_pixel_offset, (u64)y * p->view.width + x, 2, offset) != TS_OK) return TS_ERROR;
+	if (!p->has_lamps && ts_probe_fetch(p, TS_B_pixel_offset, (u64)y * p->view.width + x, 2, offset) != TS_OK)
+		return TS_ERROR;
 	json_t *o = json_object();
 	ts_probe_put(p, o, "pixel", ts_probe_pair(x, y));
 	ts_probe_put(p, o, "method", json_string(p->trace->pipeline->name));

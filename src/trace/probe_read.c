@@ -4,12 +4,13 @@
 #include <stdlib.h>
 #include "probe_parts.h"
 
-static bool is_of_shadows(const ts_pipeline *pipeline) { return strcmp(pipeline->effect, "reflections") != 0; }
+static bool is_of(const ts_pipeline *pipeline, const char *effect) { return strcmp(pipeline->effect, effect) == 0; }
 
 /* Points of iVIR in environment maps have other ways. */
 static bool is_explained(const ts_pipeline *pipeline)
 {
-	return is_of_shadows(pipeline) || strcmp(pipeline->name, "epr") == 0 || strcmp(pipeline->name, "mvr") == 0;
+	bool explained = strcmp(pipeline->name, "epr") == 0 || strcmp(pipeline->name, "mvr") == 0;
+	return explained || !is_of(pipeline, "reflections");
 }
 
 ts_status ts_probe_open(ts_probe **probe, const char *dir)
@@ -22,14 +23,16 @@ ts_status ts_probe_open(ts_probe **probe, const char *dir)
 		status = ts_fail("%s: trace.json has no params, and without them nothing can be computed again", dir);
 	}
 	if (status == TS_OK && !is_explained(made->trace->pipeline)) {
-		status = ts_fail("%s: probe explains reflections by epr and mvr, and shadows; this is %s by %s, which compare and "
-		                 "replay judge", dir, made->trace->pipeline->effect, made->trace->pipeline->name);
+		status = ts_fail("%s: probe explains reflections by epr and mvr, shadows, and indirect light; this is %s by %s, "
+		                 "which compare and replay judge", dir, made->trace->pipeline->effect,
+		                 made->trace->pipeline->name);
 	}
 	if (status != TS_OK) {
 		ts_probe_close(made);
 		return status;
 	}
-	made->shadows = is_of_shadows(made->trace->pipeline);
+	made->has_lamps = !is_of(made->trace->pipeline, "reflections");
+	made->indirect = is_of(made->trace->pipeline, "indirect");
 	made->mvr = strcmp(made->trace->pipeline->name, "mvr") == 0;
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) made->fields[id] = ts_fields_of((ts_buffer_id)id);
 	*probe = made;
@@ -72,7 +75,7 @@ static u64 size_of(const ts_probe *p, const char *name)
 		{"P2*4", TS_B_lookup2_point},
 	};
 	for (size_t i = 0; i < sizeof owners / sizeof *owners; i++) {
-		if (p->shadows && strcmp(name, "R") == 0) continue; /* cubes are light samples */
+		if (p->has_lamps && strcmp(name, "R") == 0) continue; /* cubes are light samples */
 		bool known = ts_probe_has(p, owners[i].owner) && !p->trace->item[owners[i].owner].cropped;
 		if (strcmp(owners[i].name, name) == 0 && known) return ts_probe_n(p, owners[i].owner);
 	}

@@ -32,17 +32,18 @@ static void give_sizes(const ts_probe *p, ts_sizes *sizes)
 		{"I", TS_B_scene_image}, {"X", TS_B_scene_texel}, {"L", TS_B_scene_light}, {"O", TS_B_scene_object},
 		{"R", TS_B_resize_face}, {"B", TS_B_resize_face}, {"Q", TS_B_split_triangle}, {"N", TS_B_points_record},
 		{"P", TS_B_pixel_record}, {"A", TS_B_lamp_light}, {"U", TS_B_offscreen_view},
-		{"P2", TS_B_lookup2_parent}, {"P3", TS_B_lookup3_parent},
+		{"P2", TS_B_lookup2_parent}, {"P3", TS_B_lookup3_parent}, {"Z", TS_B_box_record},
 	};
 	for (size_t i = 0; i < sizeof owners / sizeof *owners; i++) {
 		if (ts_probe_has(p, owners[i].owner)) ts_sizes_set(sizes, owners[i].name, ts_probe_n(p, owners[i].owner));
 	}
 	u64 texels = 0;
-	for (u32 r = 0; r < p->n_cubes && !p->shadows; r++) texels += (u64)6 * p->cubes[r].n * p->cubes[r].n;
+	for (u32 r = 0; r < p->n_cubes && !p->has_lamps; r++) texels += (u64)6 * p->cubes[r].n * p->cubes[r].n;
 	for (u32 v = 0; v < p->n_views; v++) texels += (u64)p->views[v].width * p->views[v].height;
 	ts_sizes_set(sizes, "C", texels);
 	ts_sizes_set(sizes, "H", p->view.height);
 	ts_sizes_set(sizes, "W", p->view.width);
+	ts_sizes_set(sizes, "G", p->trace->params.grid_px);
 	ts_sizes_set(sizes, "K", 25);
 	ts_sizes_set(sizes, "w", p->n_words);
 }
@@ -126,7 +127,7 @@ static ts_status load_arrays(ts_probe *p)
 	s->materials = s->triangles != NULL ? ts_probe_load(p, TS_B_scene_material, &p->n_materials) : NULL;
 	s->slots = s->materials != NULL ? ts_probe_load(p, TS_B_scene_slot, &p->n_slots) : NULL;
 	s->images = s->slots != NULL ? ts_probe_load(p, TS_B_scene_image, &p->n_images) : NULL;
-	s->lights = s->images != NULL ? ts_probe_load(p, p->shadows ? TS_B_lamp_light : TS_B_scene_light, &p->n_lights) : NULL;
+	s->lights = s->images != NULL ? ts_probe_load(p, p->has_lamps ? TS_B_lamp_light : TS_B_scene_light, &p->n_lights) : NULL;
 	s->objects = s->lights != NULL ? ts_probe_load(p, TS_B_scene_object, &p->n_objects) : NULL;
 	p->cubes = s->objects != NULL && cubes ? ts_probe_load(p, TS_B_resize_face, &n_cubes) : NULL;
 	if (s->objects == NULL || (cubes && p->cubes == NULL)) return TS_ERROR;
@@ -146,7 +147,7 @@ static ts_status load_scene(ts_probe *p)
 		TS_N_BUFFERS};
 	if (ts_probe_require(p, needed) != TS_OK) return TS_ERROR;
 	if (ts_probe_fetch(p, TS_B_eye_view, 0, 1, &p->view) != TS_OK || check_view(p) != TS_OK) return TS_ERROR;
-	if (load_arrays(p) != TS_OK || (p->shadows && ts_probe_lamps(p) != TS_OK)) return TS_ERROR;
+	if (load_arrays(p) != TS_OK || (p->has_lamps && ts_probe_lamps(p) != TS_OK)) return TS_ERROR;
 	p->n_texels = ts_probe_n(p, TS_B_scene_texel);
 	if (check_cubes(p) != TS_OK || check_shapes(p) != TS_OK || check_images(p) != TS_OK) return TS_ERROR;
 	p->image_read = ts_alloc_zero((size_t)p->n_images, 1, "images");

@@ -92,11 +92,7 @@ json_t *ts_probe_shading(ts_probe *p, const ts_surface *s, ts_v3 v, ts_v3 *total
 		ts_probe_put(p, o, "emissive", ts_probe_v3_bits(s->emissive));
 		ts_probe_put(p, o, "ambient", ts_probe_v3_bits(ambient));
 		ts_v3 sum = put_lights(p, o, s, v, ts_add(s->emissive, ambient));
-		f32 a[3], b[3];
-		ts_store3(a, sum);
-		ts_store3(b, *total);
-		ts_probe_put(p, o, "sum", json_string(memcmp(a, b, sizeof a) == 0 ? "terms add up to the bits of the total"
-		                                                                  : "terms do not add up to the total"));
+		ts_probe_put_sum(p, o, sum, *total);
 	}
 	ts_probe_put(p, o, "total", ts_probe_v3_bits(*total));
 	return o;

@@ -81,6 +81,22 @@ refuses 'of which probe explains the eye' probe omni-shadows-epr/trace-epr --pix
 run render soft-shadows "${shadows[@]}" --method ivir --trace-only scene,eye,view,pose,lamp,lamp_view,resolve -o lacks
 refuses 'this needs scatter.depth' probe lacks/trace-ivir --pixel 33,60
 
+# Indirect light: why this box, what its corners gathered, and the lobes; or the triangles of light.
+for method in hulls direct; do
+	"$touchstone" render indirect atrium:triangles=10000 --size 64x64 --set grid_px=64 --set rsm_px=4 --no-images --trace \
+		--method $method -o indirect-$method > /dev/null
+	says 'bits agree with indirect.irradiance' probe indirect-$method/trace-$method --pixel 20,40
+	says 'bits agree with image.radiance' probe indirect-$method/trace-$method --pixel 33,60
+	refuses 'a trace of indirect, of which probe explains the eye' probe indirect-$method/trace-$method --triangle 4
+done
+hulls=indirect-hulls/trace-hulls direct=indirect-direct/trace-direct
+prints 'bits agree with hull.box' probe $hulls --pixel 20,40
+prints 'fit: holds the pixel; thickness: ' probe $hulls --pixel 20,40
+prints 'form_factor: ' probe $direct --pixel 20,40
+run render indirect atrium:triangles=10000 --size 64x64 --set grid_px=64 --set rsm_px=4 --method hulls \
+	--trace-only scene,eye,view,pose,lamp,rsm_view,rsm_patch -o lacks-hulls
+refuses 'this needs box.offset, box.record, gather.moment, fit.lobes' probe lacks-hulls/trace-hulls --pixel 33,60
+
 # A trace without some stages names all that it lacks.
 "$touchstone" render reflections atrium:triangles=10000 --size 64x64 --reflectors 2 --set reflector_px=24 --set face_max=16 \
 	--method epr --no-images --trace-only scene,eye,pixel,view,pose,resize,image -o part > /dev/null 2>&1 ||
@@ -113,6 +129,10 @@ lies 00-scene.image.npy 0 '\xff\xff\x00\x00' 'no mip chain' --pixel 0,0
 lies 01-eye.view.npy 7 '\xff\xff\xff\x7f' 'pixels; at most' --pixel 0,0
 lies 15-lookup2.offset.npy 1 '\x09\x00\x00\x00' 'one entry at most' --pixel "$mirror"
 lies 05-pixel.offset.npy "$index" '\x21\x00\x00\x00' 'pixel.offset names it for pixel' --pixel "$mirror"
+epr=$hulls
+lies 12-box.offset.npy 9 '\xff\xff\xff\x7f' 'element 9 is 2147483647, after ' --pixel 20,40
+lies 12-box.record.npy 2 '\x40\x00\x00\x00' 'element 0: columns .* of 64' --pixel 20,40
+lies 06-rsm_patch.light.npy 3 '\x00\x00\xc0\x7f' 'not a finite' --pixel 20,40
 epr=$soft
 lies 04-offscreen.view.npy 7 '\xff\xff\xff\x7f' 'element 0: 2147483647 x 64' --pixel 33,60
 lies 04-offscreen.view.npy 22 '\x01\x00\x00\x00' 'names 1 of 1' --pixel 33,60

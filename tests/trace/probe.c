@@ -22,6 +22,15 @@ static const struct { const char *effect, *method; } shadow_methods[] = {
 };
 enum { N_SHADOWS = sizeof shadow_methods / sizeof *shadow_methods };
 static traced shadows[N_SHADOWS];
+static const struct { const char *method; u32 surface, interpolation, sharpness, cosine, integrals; } indirect_methods[] = {
+	{"direct", 0, 0, 0, 0, 0},
+	{"hulls", TS_SURFACE_ROBUST, 0, 0, TS_COSINE_IS_OURS, 0},
+	{"hulls", TS_SURFACE_PAPER, TS_INTERPOLATION_MOMENTS, TS_SHARPNESS_VMF, TS_COSINE_IS_OURS, TS_INTEGRALS_PRINTED},
+	{"hulls", TS_SURFACE_ROBUST, 0, 0, TS_COSINE_IS_CONSTANT, 0},
+	{"hulls", TS_SURFACE_ROBUST, 0, 0, TS_COSINE_IS_SG, 0},
+};
+enum { N_INDIRECT = sizeof indirect_methods / sizeof *indirect_methods };
+static traced indirect[N_INDIRECT];
 static u32 n_random;
 static u32 below(u32 n) { return (u32)(((u64)ts_random(n_random++, STREAM, 17) * n) >> 32); }
 
@@ -76,6 +85,21 @@ static void drop(traced *t)
 	rmdir(t->dir);
 }
 
+static void make_indirect(void)
+{
+	ts_params params = small_params(96, 64);
+	params.grid_px = 64;
+	params.rsm_px = 4;
+	for (u32 i = 0; i < N_INDIRECT; i++) {
+		params.surface = indirect_methods[i].surface;
+		params.interpolation = indirect_methods[i].interpolation;
+		params.sharpness = indirect_methods[i].sharpness;
+		params.cosine = indirect_methods[i].cosine;
+		params.integrals = indirect_methods[i].integrals;
+		make(&indirect[i], "indirect", indirect_methods[i].method, &params);
+	}
+}
+
 static int make_all(void **state)
 {
 	(void)state;
@@ -92,6 +116,7 @@ static int make_all(void **state)
 	params.map_px = 64;
 	params.pass = 2;
 	for (u32 i = 0; i < N_SHADOWS; i++) make(&shadows[i], shadow_methods[i].effect, shadow_methods[i].method, &params);
+	make_indirect();
 	return 0;
 }
 
@@ -102,6 +127,7 @@ static int drop_all(void **state)
 	drop(&mvr);
 	drop(&plane);
 	for (u32 i = 0; i < N_SHADOWS; i++) drop(&shadows[i]);
+	for (u32 i = 0; i < N_INDIRECT; i++) drop(&indirect[i]);
 	return 0;
 }
 
@@ -313,6 +339,102 @@ static void test_shadows(void **state)
 	}
 }
 
+/* A float that an answer shows with its bits; of a vector component c. */
+static f32 shown(const json_t *v, const char *key, u32 c)
+{
+	const json_t *bits = json_object_get(json_object_get(v, key), "bits");
+	return ts_u2f(bits_of(json_is_array(bits) ? json_array_get(bits, c) : bits));
+}
+
+static void assert_bits(f32 found, f32 right) { assert_int_equal(ts_f2u(found), ts_f2u(right)); }
+
+/* The corners' parameters by their shares are the lobe's, these its integral, and that the irradiance. */
+static void try_lobe(const ts_params *params, const json_t *corners, const json_t *lobe, u32 c, f32 irradiance)
+{
+	f32 mu = 0, lambda = 0, shares = 0, integral = shown(lobe, "A_h", 0);
+	for (u32 k = 0; k < 4; k++) {
+		const json_t *corner = json_array_get(corners, k), *fitted = json_object_get(corner, "fitted");
+		f32 share = shown(corner, "share", 0);
+		shares += share;
+		mu += share * shown(fitted, "mu", c);
+		lambda += share * shown(fitted, "lambda", c);
+	}
+	assert_true(fabsf(shares - 1) < 1e-6f);
+	if (params->interpolation == TS_INTERPOLATION_PARAMETERS) {
+		assert_bits(shown(lobe, "mu", 0), mu);
+		assert_bits(shown(lobe, "lambda", 0), lambda);
+	}
+	if (params->cosine == TS_COSINE_IS_OURS) {
+		f32 share = shown(lobe, "c", 0), up = share * shown(lobe, "A_u", 0), down = (1 - share) * shown(lobe, "A_b", 0);
+		assert_bits(integral, up + down);
+	}
+	if (params->cosine == TS_COSINE_IS_CONSTANT) {
+		assert_bits(integral, fmaxf(0, shown(lobe, "cos_beta", 0)) * shown(lobe, "A", 0));
+	}
+	f32 product = shown(lobe, "mu", 0) * integral;
+	assert_bits(irradiance, product * 0.318309873f);
+}
+
+/* Every triangle of light that gives something, in their own order. */
+static f32 sum_of(const json_t *terms, u32 n, u32 c)
+{
+	f32 sum = 0;
+	for (u32 patch = 0; patch < n; patch++) {
+		size_t i;
+		json_t *term;
+		json_array_foreach((json_t *)terms, i, term) {
+			if (figure(term, "patch") != patch) continue;
+			assert_bits(shown(term, "irradiance", c), shown(term, "exitance", c) * shown(term, "form_factor", 0));
+			sum += shown(term, "irradiance", c);
+		}
+	}
+	return sum;
+}
+
+/* Returns whether there is light. */
+static bool try_indirect(const traced *t, u32 pixel)
+{
+	json_t *answer;
+	u32 width = t->run.params.width;
+	const f32 *irradiance = (const f32 *)data(t, TS_B_indirect_irradiance) + pixel * 3;
+	const f32 *radiance = (const f32 *)data(t, TS_B_image_radiance) + pixel * 3;
+	if (((const u64 *)data(t, TS_B_eye_depth_triangle))[pixel] == TS_EMPTY) return false;
+	require(ts_probe_pixel(t->probe, pixel % width, pixel / width, &answer));
+	const json_t *lobes = json_object_get(answer, "lobes"), *corners = json_object_get(answer, "corners");
+	const json_t *direct = json_object_get(answer, "direct");
+	for (u32 c = 0; c < 3; c++) {
+		assert_bits(shown(json_object_get(answer, "light"), "irradiance", c), irradiance[c]);
+		assert_bits(radiance[c], shown(json_object_get(answer, "gbuffer"), "albedo", c) * (irradiance[c] * 0.318309873f));
+		if (direct != NULL) assert_bits(irradiance[c], sum_of(json_object_get(direct, "brightest"), 16, c));
+		if (lobes != NULL) try_lobe(&t->run.params, corners, json_array_get(lobes, c), c, irradiance[c]);
+	}
+	if (direct == NULL) {
+		u32 box = ((const u32 *)data(t, TS_B_hull_box))[pixel];
+		const json_t *found = json_object_get(json_object_get(answer, "hull"), "box");
+		assert_true(box == TS_NONE ? lobes == NULL && json_is_string(found) : (u32)json_integer_value(found) == box);
+		assert_true(assert_agrees(answer) >= (box == TS_NONE ? 4 : 16));
+	}
+	json_decref(answer);
+	return irradiance[0] > 0;
+}
+
+static void test_indirect(void **state)
+{
+	(void)state;
+	for (u32 i = 0; i < N_INDIRECT; i++) {
+		const traced *t = &indirect[i];
+		u32 n_lit = 0;
+		json_t *answer;
+		for (u32 k = 0; k < N_TRIED; k++) {
+			u32 pixel = below(t->run.params.width * t->run.params.height);
+			try_pixel(t, pixel);
+			n_lit += try_indirect(t, pixel);
+		}
+		assert_true(n_lit > N_TRIED / 4);
+		assert_int_equal(ts_probe_triangle(t->probe, 0, &answer), TS_ERROR);
+	}
+}
+
 static u32 triangle_of(u32 point)
 {
 	const ts_point *points = data(&epr, TS_B_points_record);
@@ -427,7 +549,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_pixels_epr), cmocka_unit_test(test_pixels_mvr), cmocka_unit_test(test_pixels_of_bounces),
 		cmocka_unit_test(test_texels), cmocka_unit_test(test_texels_mvr), cmocka_unit_test(test_ties),
-		cmocka_unit_test(test_shadows),
+		cmocka_unit_test(test_shadows), cmocka_unit_test(test_indirect),
 		cmocka_unit_test(test_triangles), cmocka_unit_test(test_points), cmocka_unit_test(test_nothing_there),
 	};
 	return cmocka_run_group_tests(tests, make_all, drop_all);
