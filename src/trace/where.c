@@ -91,7 +91,7 @@ static const char *noun(const char *shape)
 {
 	static const struct { const char *size, *noun; } nouns[] = {
 		{"V", "vertex"}, {"T", "triangle"}, {"T+1", "triangle"}, {"Q", "piece"}, {"Q+1", "piece"}, {"R", "reflector"},
-		{"A", "light"}, {"B", "cube"}, {"U", "view"},
+		{"A", "light"}, {"B", "cube"}, {"U", "view"}, {"Z", "box"},
 		{"P2", "entry of bounce 2"}, {"P3", "entry of bounce 3"}, {"H*W+1", "pixel"},
 	};
 	size_t n = strcspn(shape, " ");

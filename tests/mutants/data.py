@@ -414,3 +414,67 @@ def _(ref, cand, _bench):
 	samples, = ref["lamp.shape"].get(0, "samples")
 	put_words(cand, "resolve.lit", [samples - lit for lit in ref["resolve.lit"].words()])
 	return first(ref, cand, "resolve.lit")
+
+
+@mutant("boxes swapped", of="hulls")
+def _(ref, cand, _bench):
+	boxes = cand["box.record"]
+	at = boxes.n // 2
+	a, b = boxes.element(at), boxes.element(at + 1)
+	boxes.put(at, b)
+	boxes.put(at + 1, a)
+	cand.put("box.record", boxes)
+	planted = first(ref, cand, "box.record")
+	assert planted.n == 2, planted.n
+	return planted
+
+
+@mutant("box dropped", of="hulls")
+def _(ref, cand, _bench):
+	boxes = cand["box.record"]
+	boxes.set_elements(boxes.elements()[:-1])
+	cand.put("box.record", boxes)
+	return Planted("box.record", f"{ref['box.record'].n} elements, candidate {boxes.n}", None, None)
+
+
+@mutant("corners swapped", of="hulls")
+def _(ref, cand, _bench):
+	"""Top right and bottom left of one box whose corners see other light."""
+	moments = cand["gather.moment"]
+	at = next(i for i in range(moments.n // 8 * 4, moments.n, 4) if moments.element(i + 1) != moments.element(i + 2))
+	a, b = moments.element(at + 1), moments.element(at + 2)
+	moments.put(at + 1, b)
+	moments.put(at + 2, a)
+	cand.put("gather.moment", moments)
+	return Planted("gather.moment", ref.where("gather.moment", at + 1), None, 2)
+
+
+@mutant("NaN in a lobe", of="hulls")
+def _(ref, cand, _bench):
+	at = ref["fit.lobes"].n // 3
+	put_float(cand, "fit.lobes", at, "lambda", 1, 0x7fc00000)
+	return Planted("fit.lobes", ref.where("fit.lobes", at), "lambda[1]", 1)
+
+
+@mutant("box for none", of="hulls")
+def _(ref, cand, _bench):
+	"""The sky's pixels have box 0, not none."""
+	put_words(cand, "hull.box", [0 if box == NONE else box for box in ref["hull.box"].words()])
+	return first(ref, cand, "hull.box")
+
+
+@mutant("irradiance transposed", of="hulls")
+def _(ref, cand, _bench):
+	irradiance = cand["indirect.irradiance"]
+	height, width, _ = irradiance.shape
+	pixels = [irradiance.data[i * 12:i * 12 + 12] for i in range(height * width)]
+	irradiance.data = bytearray(b"".join(pixels[y * width + x] for x in range(width) for y in range(height)))
+	cand.put("indirect.irradiance", irradiance)
+	return first(ref, cand, "indirect.irradiance")
+
+
+@mutant("-0 for no irradiance", of="hulls")
+def _(ref, cand, _bench):
+	at = ref["indirect.irradiance"].words().index(0)
+	edit(cand, "indirect.irradiance", at, lambda _: -0.0)
+	return Planted("indirect.irradiance", ref.where("indirect.irradiance", at), None, 1)

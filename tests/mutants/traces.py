@@ -144,7 +144,7 @@ class Trace:
 		if shape[0] == "C":
 			return self.texel(row)
 		nouns = {"V": "vertex", "T": "triangle", "T+1": "triangle", "Q": "piece", "Q+1": "piece", "R": "reflector",
-		         "A": "light", "B": "cube", "U": "view",
+		         "A": "light", "B": "cube", "U": "view", "Z": "box",
 		         "H*W+1": "pixel"}
 		return f"{nouns.get(shape[0], 'element')} {row}"
 
