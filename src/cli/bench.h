@@ -25,6 +25,8 @@ ts_status ts_bench_backends(const ts_cli *cli);
 ts_status ts_bench_start(const ts_cli *cli);
 ts_status ts_bench_cosines(const ts_cli *cli);
 ts_status ts_bench_curves(const ts_cli *cli);
+/* Of ssagh-7: what single precision leaves of the integrals as they are printed. */
+void ts_bench_printed(ts_report *report);
 
 ts_status ts_bench_sweep(const ts_cli *cli);
 /* The one truth that --truth names, C without it. */

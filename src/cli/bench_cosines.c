@@ -130,6 +130,7 @@ static ts_status work_on(const ts_cli *cli, ts_report *report, const void *user)
 	ts_report_run(report, cli);
 	report_rows(report, rows);
 	report_claims(report, rows);
+	ts_bench_printed(report);
 	return cli->output != NULL ? plot(rows) : TS_OK;
 }
 

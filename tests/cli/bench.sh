@@ -149,6 +149,19 @@ run bench ssagh-7 -o "$scratch/ssagh-7"
 	awk 'length > 120 || / $/ { exit 1 }' "$scratch/stdout"
 verdict $? 'bench ssagh-7 holds what the paper says'
 python3 - "$scratch/ssagh-7" <<'PY'
+import csv, math, sys
+with open(sys.argv[1] + "/printed.csv") as file:
+	rows = [{key: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
+errors = {float("%.3g" % row["lambda"]): row for row in rows}
+for e in errors.values():
+	assert e["upper_stable"] < 8e-7 and e["lower_stable"] < 4e-7
+for kind in ("upper_printed", "lower_printed", "upper_expf", "lower_expf"):
+	assert 0.015 < errors[0.001][kind] < 0.06 and errors[0.0001][kind] > 1 and errors[10][kind] < 1e-6
+assert errors[88]["lower_expf"] < 1e-30 and errors[90]["lower_printed"] < 1e-30
+assert math.isnan(errors[90]["lower_expf"]) and not any(math.isnan(e["lower_printed"]) for e in errors.values())
+PY
+verdict $? 'bench ssagh-7: what is printed fails, and what takes its place does not'
+python3 - "$scratch/ssagh-7" <<'PY'
 import csv, sys, xml.etree.ElementTree as xml
 double = """1e-05 6.523e-08 4.935 5.754e-02 7.931e-08 4.056 5.754e-02
 0.000915 5.771e-06 4.929 5.749e-02 7.019e-06 4.051 5.749e-02
