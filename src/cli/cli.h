@@ -62,9 +62,11 @@
 #define TS_OPT_EFFECT TS_OPT(50)
 #define TS_OPT_HELP TS_OPT(51)
 
-/* Truths, as bits. */
-enum { TS_TRUTH_A = 1, TS_TRUTH_B = 2, TS_TRUTH_C = 4, TS_TRUTH_SAMPLES = 8, TS_TRUTH_AREA = 16,
-	TS_TRUTH_LIGHTS = 32, TS_TRUTH_BOUNCE = 64 };
+/* Truths: their places in lists of all, and as bits of sets. */
+enum { TS_AT_A, TS_AT_B, TS_AT_C, TS_AT_SAMPLES, TS_AT_AREA, TS_AT_LIGHTS, TS_AT_BOUNCE, TS_N_TRUTHS };
+enum { TS_TRUTH_A = 1 << TS_AT_A, TS_TRUTH_B = 1 << TS_AT_B, TS_TRUTH_C = 1 << TS_AT_C,
+	TS_TRUTH_SAMPLES = 1 << TS_AT_SAMPLES, TS_TRUTH_AREA = 1 << TS_AT_AREA, TS_TRUTH_LIGHTS = 1 << TS_AT_LIGHTS,
+	TS_TRUTH_BOUNCE = 1 << TS_AT_BOUNCE };
 
 enum { TS_MAX_ARGUMENTS = 2, TS_MAX_SWEEPS = 8, TS_SWEEP_TEXT = 48 };
 

@@ -105,12 +105,14 @@ typedef struct {
 	const char *of;
 	ts_status (*begin)(ts_run *run, const char *effect);
 	const char *image;
-	struct { u32 truth; ts_status (*trace)(ts_truth *tree, ts_run *run); } truths[2]; /* of ts_truth_kinds */
+	struct { u32 at; ts_status (*trace)(ts_truth *tree, ts_run *run); } truths[2]; /* TS_AT_* */
 } traced;
 
 static const traced traced_truths[] = {
-	{ "shadows", ts_truth_shadow_begin, "shadow_image", { { 3, ts_truth_samples }, { 4, ts_truth_area } } },
-	{ "indirect", ts_truth_indirect_begin, "indirect_image", { { 5, ts_truth_lights }, { 6, ts_truth_bounce } } },
+	{ "shadows", ts_truth_shadow_begin, "shadow_image",
+	  { { TS_AT_SAMPLES, ts_truth_samples }, { TS_AT_AREA, ts_truth_area } } },
+	{ "indirect", ts_truth_indirect_begin, "indirect_image",
+	  { { TS_AT_LIGHTS, ts_truth_lights }, { TS_AT_BOUNCE, ts_truth_bounce } } },
 };
 
 static const traced *traced_of(const char *effect)
@@ -126,7 +128,7 @@ static ts_status take_traced(ts_picture *picture, const traced *of, u32 k, ts_tr
 	double begin = ts_seconds();
 	ts_status status = of->truths[k].trace(tree, run);
 	if (status == TS_OK) status = ts_run_stage(run, ts_stage_find(of->image));
-	if (status == TS_OK) status = ts_picture_take(picture, ts_truth_kinds[of->truths[k].truth].picture, run);
+	if (status == TS_OK) status = ts_picture_take(picture, ts_truth_kinds[of->truths[k].at].picture, run);
 	picture->seconds = ts_seconds() - begin;
 	return status;
 }
@@ -141,8 +143,8 @@ ts_status ts_picture_truth_traced(ts_picture *pictures, u32 truths, const char *
 	ts_status status = of->begin(&run, effect);
 	if (status == TS_OK) status = ts_truth_new(&tree, &run);
 	for (u32 k = 0; k < 2 && status == TS_OK; k++) {
-		u32 truth = of->truths[k].truth;
-		if ((truths & ts_truth_kinds[truth].bit) != 0) status = take_traced(&pictures[truth], of, k, tree, &run);
+		u32 at = of->truths[k].at;
+		if ((truths & 1u << at) != 0) status = take_traced(&pictures[at], of, k, tree, &run);
 	}
 	ts_truth_free(tree);
 	ts_run_end(&run);

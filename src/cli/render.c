@@ -45,11 +45,11 @@ static ts_status take_truths(ts_run *run, void *user)
 	ts_status status = TS_OK;
 	if (wants(render, TS_TRUTH_A)) {
 		ts_progress("truth A", 0, 1);
-		status = ts_picture_truth(&render->truths[0], TS_TRUTH_A, run);
+		status = ts_picture_truth(&render->truths[TS_AT_A], TS_TRUTH_A, run);
 	}
 	if (status == TS_OK && wants(render, TS_TRUTH_B)) {
 		ts_progress("truth B", 0, 1);
-		status = ts_picture_truth(&render->truths[1], TS_TRUTH_B, run);
+		status = ts_picture_truth(&render->truths[TS_AT_B], TS_TRUTH_B, run);
 	}
 	return status;
 }
@@ -97,7 +97,7 @@ static ts_status run_all(ts_render *render)
 	}
 	if (status == TS_OK && wants(render, TS_TRUTH_C)) {
 		ts_progress("truth C", 0, 1);
-		status = ts_picture_truth_c(&render->truths[2], render->scene, &cli->params, cli->how.threads);
+		status = ts_picture_truth_c(&render->truths[TS_AT_C], render->scene, &cli->params, cli->how.threads);
 	}
 	ts_progress("truth", 1, 1);
 	return status;
@@ -126,9 +126,9 @@ static void compare_all(ts_render *render)
 			compare(render, &render->truths[t], &render->pictures[i], ts_truth_kinds[t].share);
 		}
 	}
-	compare(render, &render->truths[1], &render->truths[0], "method");
-	compare(render, &render->truths[4], &render->truths[3], "sampling");
-	compare(render, &render->truths[6], &render->truths[5], "");
+	compare(render, &render->truths[TS_AT_B], &render->truths[TS_AT_A], "method");
+	compare(render, &render->truths[TS_AT_AREA], &render->truths[TS_AT_SAMPLES], "sampling");
+	compare(render, &render->truths[TS_AT_BOUNCE], &render->truths[TS_AT_LIGHTS], "");
 	for (u32 i = 0; i < render->n_methods; i++) {
 		for (u32 j = i + 1; j < render->n_methods; j++) compare(render, &render->pictures[j], &render->pictures[i], "");
 	}

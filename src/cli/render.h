@@ -29,7 +29,7 @@ typedef struct {
 	ts_stage_pictures stages[TS_MAX_METHODS];
 	ts_tracing tracings[TS_MAX_METHODS];
 	ts_picture pictures[TS_MAX_METHODS];   /* as methods */
-	ts_picture truths[TS_N_TRUTHS];        /* as ts_truth_kinds; those not asked for are empty */
+	ts_picture truths[TS_N_TRUTHS];        /* at TS_AT_*; those not asked for are empty */
 	u8 *mask;                     /* 1: a reflective pixel; NULL: the effect has none */
 	u64 n_reflective;
 	ts_pair pairs[TS_MAX_PAIRS];

@@ -240,7 +240,7 @@ static void report_metrics(const ts_render *render, ts_report *report)
 	static const ts_column masked[] = { METRICS, { "reflective_rmse", "refl. RMSE", true },
 		{ "reflective_psnr", "PSNR, dB", true }, { "reflective_ssim", "SSIM", true }, SHARE };
 	bool mask = render->mask != NULL;
-	const ts_picture *a = &render->truths[0];
+	const ts_picture *a = &render->truths[TS_AT_A];
 	if (render->n_pairs == 0) return;
 	if (a->n_hits > 0) {
 		ts_report_line(report, "empty look-ups of EPR where a ray of truth A hits: %" PRIu64 " of %" PRIu64 ", %.5f %%",

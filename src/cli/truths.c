@@ -6,23 +6,24 @@
 enum { ALL = (1 << TS_N_TRUTHS) - 1, EACH = 1 << TS_N_TRUTHS }; /* EACH: nothing was named */
 
 const ts_truth_kind ts_truth_kinds[TS_N_TRUTHS] = {
-	{ TS_TRUTH_A, "A", "truth-a", "rays from the cube's centre", "sampling", "reflections" },
-	{ TS_TRUTH_B, "B", "truth-b", "true reflections", "both", "reflections" },
-	{ TS_TRUTH_C, "C", "truth-c", "MVR at 4 times the resolution", "", "reflections" },
-	{ TS_TRUTH_SAMPLES, "samples", "truth-samples", "rays to the very samples of the lights", "method", "shadows" },
-	{ TS_TRUTH_AREA, "area", "truth-area", "rays to as good as the whole lights", "both", "shadows" },
-	{ TS_TRUTH_LIGHTS, "lights", "truth-lights", "the method's triangles of light, where they are seen", "", "indirect" },
-	{ TS_TRUTH_BOUNCE, "bounce", "truth-bounce", "light after one bounce, path by path", "", "indirect" },
+	[TS_AT_A] = { "A", "truth-a", "rays from the cube's centre", "sampling", "reflections" },
+	[TS_AT_B] = { "B", "truth-b", "true reflections", "both", "reflections" },
+	[TS_AT_C] = { "C", "truth-c", "MVR at 4 times the resolution", "", "reflections" },
+	[TS_AT_SAMPLES] = { "samples", "truth-samples", "rays to the very samples of the lights", "method", "shadows" },
+	[TS_AT_AREA] = { "area", "truth-area", "rays to as good as the whole lights", "both", "shadows" },
+	[TS_AT_LIGHTS] = { "lights", "truth-lights", "the method's triangles of light, where they are seen", "", "indirect" },
+	[TS_AT_BOUNCE] = { "bounce", "truth-bounce", "light after one bounce, path by path", "", "indirect" },
 };
 
 static bool is_of(const ts_truth_kind *kind, const char *effect) { return strstr(effect, kind->of) != NULL; }
 
-static const ts_truth_kind *find(const char *name)
+/* Its bit; 0: there is none. */
+static u32 find(const char *name)
 {
 	for (u32 i = 0; i < TS_N_TRUTHS; i++) {
-		if (strcasecmp(name, ts_truth_kinds[i].name) == 0) return &ts_truth_kinds[i];
+		if (strcasecmp(name, ts_truth_kinds[i].name) == 0) return 1u << i;
 	}
-	return NULL;
+	return 0;
 }
 
 ts_status ts_truths_parse(u32 *truths, const char *text)
@@ -31,12 +32,12 @@ ts_status ts_truths_parse(u32 *truths, const char *text)
 	*truths = text == NULL ? ALL | EACH : 0;
 	if (text == NULL || strcmp(text, "none") == 0) return TS_OK;
 	for (const char *list = text; ts_cli_item(&list, item, sizeof item);) {
-		const ts_truth_kind *kind = find(item);
-		if (kind == NULL) {
+		u32 bit = find(item);
+		if (bit == 0) {
 			return ts_fail("--truth %s: \"%s\" is no truth; there are A, B and C of reflections, samples and area of "
 			               "shadows, lights and bounce of indirect, or none", text, item);
 		}
-		*truths |= kind->bit;
+		*truths |= bit;
 	}
 	return TS_OK;
 }
@@ -46,13 +47,13 @@ ts_status ts_truths_check(u32 *truths, const char *effect)
 	bool each = (*truths & EACH) != 0;
 	for (u32 i = 0; i < TS_N_TRUTHS; i++) {
 		const ts_truth_kind *kind = &ts_truth_kinds[i];
-		if ((*truths & kind->bit) == 0 || is_of(kind, effect)) continue;
+		if ((*truths & 1u << i) == 0 || is_of(kind, effect)) continue;
 		if (!each) {
 			const char *there = strcmp(effect, "indirect") == 0    ? "lights and bounce"
 			                    : strcmp(effect, "reflections") == 0 ? "A, B and C" : "samples and area";
 			return ts_fail("--truth %s: no truth of %s; there are %s, or none", kind->name, effect, there);
 		}
-		*truths &= ~kind->bit;
+		*truths &= ~(1u << i);
 	}
 	*truths &= ALL;
 	return TS_OK;
@@ -62,6 +63,6 @@ bool ts_truths_named(const char *text)
 {
 	char item[16];
 	bool any = text[0] != 0;
-	while (any && text != NULL && ts_cli_item(&text, item, sizeof item)) any = find(item) != NULL;
+	while (any && text != NULL && ts_cli_item(&text, item, sizeof item)) any = find(item) != 0;
 	return any;
 }

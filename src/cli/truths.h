@@ -3,10 +3,7 @@
 #define TS_CLI_TRUTHS_H
 #include "cli.h"
 
-enum { TS_N_TRUTHS = 7 };
-
 typedef struct {
-	u32 bit;             /* TS_TRUTH_* */
 	const char *name;    /* as typed */
 	const char *picture; /* name of its picture: "truth-a" */
 	const char *doc;     /* what that shows */
@@ -14,7 +11,7 @@ typedef struct {
 	const char *of;      /* "reflections", "shadows" or "indirect", which names of effects contain */
 } ts_truth_kind;
 
-/* In the order of their bits. */
+/* At TS_AT_*. */
 extern const ts_truth_kind ts_truth_kinds[TS_N_TRUTHS];
 
 /* Reads a comma-separated list of names; NULL: each truth that the effect has; "none": none. */

@@ -3,7 +3,6 @@
 #include "../kernels/shade.h"
 #include "view.h"
 
-#define GOLDEN_TURN 0.61803400516510009765625f
 #define WIDEST 3.73205089569091796875f /* tangent of 75 degrees */
 
 static f32 diagonal(ts_space space) { return ts_length(space.half); }
@@ -76,7 +75,7 @@ f32 ts_lamp_radius(const ts_light *light, const ts_info *info, const ts_params *
 static ts_v2 seed(u32 k, u32 n)
 {
 	f32 r = n > 1 ? ts_sqrt(((f32)k + 0.5f) / (f32)n) : 0.0f;
-	f32 turns = GOLDEN_TURN * (f32)k;
+	f32 turns = TS_GOLDEN_TURN * (f32)k;
 	return ts_v2_make(r * ts_cos_turn(turns), r * ts_sin_turn(turns));
 }
 
@@ -152,7 +151,7 @@ void ts_lamp_cube(ts_face *cube, const ts_light *light, f32 radius, u32 k, u32 n
                   const ts_params *params)
 {
 	f32 y = n > 1 ? 1.0f - (2.0f * (f32)k + 1.0f) / (f32)n : 0.0f;
-	f32 r = n > 1 ? ts_sqrt(ts_max(1.0f - y * y, 0.0f)) : 0.0f, turns = GOLDEN_TURN * (f32)k;
+	f32 r = n > 1 ? ts_sqrt(ts_max(1.0f - y * y, 0.0f)) : 0.0f, turns = TS_GOLDEN_TURN * (f32)k;
 	ts_v3 at = ts_scale(ts_v3_make(r * ts_cos_turn(turns), y, r * ts_sin_turn(turns)), radius);
 	ts_v3 centre = ts_add(ts_load3(light->position), at);
 	memset(cube, 0, sizeof *cube);

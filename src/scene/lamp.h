@@ -4,6 +4,9 @@
 #include <touchstone/params.h>
 #include "../kernels/records.h"
 
+/* Between two seeds of a sunflower, in turns (Vogel 1979). */
+#define TS_GOLDEN_TURN 0.61803400516510009765625f
+
 /* The lamp of soft shadows: a spot light under a corner of the hall, aimed across it at the floor; of a scene without walls,
  * above and beside it. Its cone keeps within the depth maps of all samples, where it is aimed, if lamp.fov is 40
  * degrees or more and lamp.radius 1/36 or less. Its irradiance there is params->light_irradiance. */

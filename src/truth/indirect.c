@@ -7,10 +7,10 @@
  * (Vogel 1979) in the pixel's tangent disc, lifted to the hemisphere (Malley), at a random turn a pixel. */
 #include "../kernels/direct.h"
 #include "../pipelines/pipeline.h"
+#include "../scene/lamp.h"
 #include "../stages/stages.h"
 #include "query.h"
 
-#define GOLDEN_TURN 0.61803400516510009765625f
 #define SKIP 0.000244140625f /* of the greatest coordinate */
 
 enum { CHUNK = 4096 }; /* pixels between two signs of progress */
@@ -91,7 +91,7 @@ static ts_v3 from_bounce(const tracer *t, u64 pixel, ts_v3 p, ts_v3 n)
 	ts_v3 u = ts_k_across(n), v = ts_cross(n, u), sum = {0, 0, 0};
 	f32 turn = ts_uniform(ts_random((u32)pixel, 0, 0));
 	for (u32 k = 0; k < t->n_rays; k++) {
-		f32 share = ((f32)k + 0.5f) / (f32)t->n_rays, r = ts_sqrt(share), turns = turn + GOLDEN_TURN * (f32)k;
+		f32 share = ((f32)k + 0.5f) / (f32)t->n_rays, r = ts_sqrt(share), turns = turn + TS_GOLDEN_TURN * (f32)k;
 		ts_v3 aside = ts_add(ts_scale(u, r * ts_cos_turn(turns)), ts_scale(v, r * ts_sin_turn(turns)));
 		ts_v3 d = ts_normalize(ts_mad(aside, n, ts_sqrt(1.0f - share)));
 		ts_truth_query ray = {.origin = p, .direction = d, .near = skip(p), .masked = TS_NONE, .from = p};
