@@ -40,6 +40,12 @@ typedef struct {
 TS_API ts_metrics ts_metrics_compare(const uint8_t *reference, const uint8_t *image, const uint8_t *mask,
                                      uint32_t width, uint32_t height);
 
+/* How far apart two images of light are, RGB in linear radiance: the root of the mean over pixels and channels of (image -
+ * reference)^2, by the mean of the reference (SPEC 3.10). 0 if they are equal or nothing is judged; infinite beside a
+ * reference without light. mask: as above. */
+TS_API double ts_metrics_relative(const float *reference, const float *image, const uint8_t *mask, uint32_t width,
+                                  uint32_t height);
+
 #ifdef __cplusplus
 }
 #endif

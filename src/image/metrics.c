@@ -1,6 +1,6 @@
 /* How far apart two images are (SPEC 0.3.12): RMSE and PSNR over 8-bit values, SSIM of Wang et al. 2004 ("Image quality
- * assessment: from error visibility to structural similarity") with its 11 by 11 Gaussian of sigma 1.5 over luma.
- * Sums run left to right, top to bottom. */
+ * assessment: from error visibility to structural similarity") with its 11 by 11 Gaussian of sigma 1.5 over luma; and of
+ * light the RMSE by the mean (SPEC 3.10). Sums run left to right, top to bottom. */
 #include <math.h>
 #include <stdbool.h>
 #include <string.h>
@@ -114,4 +114,20 @@ ts_metrics ts_metrics_compare(const uint8_t *reference, const uint8_t *image, co
 	set_weights(&p);
 	if (!mean_similarity(&p, true, &m.ssim)) mean_similarity(&p, false, &m.ssim);
 	return m;
+}
+
+double ts_metrics_relative(const float *reference, const float *image, const uint8_t *mask, uint32_t width, uint32_t height)
+{
+	double squares = 0, sum = 0;
+	uint64_t n = 0;
+	for (size_t i = 0; i < (size_t)width * height; i++) {
+		if (mask && !mask[i]) continue;
+		n += 3;
+		for (size_t c = 3 * i; c < 3 * i + 3; c++) {
+			double d = (double)image[c] - (double)reference[c];
+			squares += d * d;
+			sum += (double)reference[c];
+		}
+	}
+	return squares > 0 ? sqrt(squares / (double)n) / (sum / (double)n) : 0;
 }

@@ -131,6 +131,35 @@ static void test_mask(void **state)
 	assert_true(m.pixels == 0 && m.rmse == 0 && m.ssim == 1);
 }
 
+/* Light scaled by k is |k - 1| times its root mean square away, by its mean; a constant that is added, by the mean. */
+static void test_relative(void **state)
+{
+	(void)state;
+	static float light[PIXELS * 3], scaled[PIXELS * 3], raised[PIXELS * 3], dark[PIXELS * 3];
+	double sum = 0, squares = 0;
+	uint64_t n = 0;
+	for (size_t i = 0; i < PIXELS * 3; i++) {
+		light[i] = reference[i] / 16.0f; /* exact, and so are the others */
+		scaled[i] = 1.25f * light[i];
+		raised[i] = light[i] + 0.5f;
+		if (mask[i / 3]) {
+			n++;
+			sum += light[i];
+			squares += light[i] * light[i];
+		} else {
+			scaled[i] = raised[i] = -1e6f;
+		}
+	}
+	double mean = sum / (double)n, root = sqrt(squares / (double)n);
+	assert_close(ts_metrics_relative(light, scaled, mask, WIDTH, HEIGHT), 0.25 * root / mean);
+	assert_close(ts_metrics_relative(light, raised, mask, WIDTH, HEIGHT), 0.5 / mean);
+	assert_true(ts_metrics_relative(light, raised, NULL, WIDTH, HEIGHT) > 1e3);
+	assert_true(ts_metrics_relative(light, light, NULL, WIDTH, HEIGHT) == 0);
+	assert_true(isinf(ts_metrics_relative(dark, light, mask, WIDTH, HEIGHT)));
+	memset(mask, 0, sizeof mask);
+	assert_true(ts_metrics_relative(light, scaled, mask, WIDTH, HEIGHT) == 0);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -138,6 +167,7 @@ int main(void)
 		cmocka_unit_test(test_equal),
 		cmocka_unit_test(test_flat),
 		cmocka_unit_test(test_mask),
+		cmocka_unit_test(test_relative),
 	};
 	return cmocka_run_group_tests(tests, set_up, NULL);
 }
