@@ -28,15 +28,23 @@ static void count_lit(ts_picture *picture, const ts_run *run)
 	}
 }
 
+static void mark_seen(ts_picture *picture, const ts_run *run)
+{
+	const u64 *seen = ts_frame_data(&run->frame, TS_B_eye_depth_triangle);
+	for (u64 i = 0; i < ts_frame_n(&run->frame, TS_B_eye_depth_triangle); i++) picture->seen[i] = seen[i] != TS_EMPTY;
+}
+
 ts_status ts_picture_take(ts_picture *picture, const char *name, const ts_run *run)
 {
 	size_t n = (size_t)run->params.width * run->params.height * 3;
 	snprintf(picture->name, sizeof picture->name, "%s", name);
 	picture->radiance = ts_alloc(n, sizeof(f32), "a picture");
 	picture->srgb = ts_alloc(n, 1, "a picture");
-	if (picture->radiance == NULL || picture->srgb == NULL) return TS_ERROR;
+	picture->seen = ts_alloc(n / 3, 1, "a picture");
+	if (picture->radiance == NULL || picture->srgb == NULL || picture->seen == NULL) return TS_ERROR;
 	memcpy(picture->radiance, ts_frame_data(&run->frame, TS_B_image_radiance), n * sizeof(f32));
 	memcpy(picture->srgb, ts_frame_data(&run->frame, TS_B_image_srgb), n);
+	mark_seen(picture, run);
 	if (run->frame.buffer[TS_B_resolve_lit].made) count_lit(picture, run);
 	return TS_OK;
 }
@@ -57,8 +65,10 @@ void ts_picture_free(ts_picture *picture)
 {
 	free(picture->radiance);
 	free(picture->srgb);
+	free(picture->seen);
 	picture->radiance = NULL;
 	picture->srgb = NULL;
+	picture->seen = NULL;
 }
 
 static ts_status count_missed(ts_picture *picture, ts_truth *tree, const ts_run *run)

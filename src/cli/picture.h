@@ -13,13 +13,15 @@ typedef struct {
 	char name[24];   /* "epr", "truth-a", ... */
 	f32 *radiance;
 	u8 *srgb;
+	u8 *seen;        /* 1: the eye sees a surface, 0: the sky; NULL: not known */
 	double seconds;  /* that it took */
 	u64 n_hits, n_missed; /* of truth A: its rays that hit something, and EPR's look-ups that are empty there */
 	ts_lit lit;      /* of shadows */
 	u64 n_lamps, n_samples; /* lights, and samples of all of them */
 } ts_picture;
 
-/* Copies image.radiance and image.srgb of the run, and counts what is lit. Released by ts_picture_free, also on failure. */
+/* Copies image.radiance and image.srgb of the run, marks what is seen, and counts what is lit. Released by
+ * ts_picture_free, also on failure. */
 ts_status ts_picture_take(ts_picture *picture, const char *name, const ts_run *run);
 /* Makes a picture of radiance, which it takes over. */
 ts_status ts_picture_make(ts_picture *picture, const char *name, f32 *radiance, const ts_params *params);

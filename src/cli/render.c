@@ -112,6 +112,7 @@ static void compare(ts_render *render, const ts_picture *reference, const ts_pic
 	pair->image = image;
 	pair->share = share;
 	pair->all = ts_metrics_compare(reference->srgb, image->srgb, NULL, p->width, p->height);
+	pair->relative = ts_metrics_relative(reference->radiance, image->radiance, image->seen, p->width, p->height);
 	if (render->mask != NULL) {
 		pair->reflective = ts_metrics_compare(reference->srgb, image->srgb, render->mask, p->width, p->height);
 	}

@@ -9,12 +9,13 @@
 #include "trace.h"
 #include "truths.h"
 
-enum { TS_MAX_PAIRS = 256, TS_DIFFERENCE_SCALE = 8 };
+enum { TS_MAX_PAIRS = 256 };
 
 /* Two pictures that were compared. */
 typedef struct {
 	const ts_picture *reference, *image;
 	ts_metrics all, reflective;   /* over the image and, if there is a mask, over its reflective pixels */
+	double relative;              /* RMSE in radiance by the mean of the reference, over what is no sky */
 	const char *share;            /* whose error this is: "method", "sampling", "both" or "" */
 } ts_pair;
 
@@ -36,6 +37,8 @@ typedef struct {
 	u32 n_pairs;
 } ts_render;
 
+/* Pictures of differences are so many times as bright: 8, of indirect light 4, as in SSAGH's figure 8. */
+int ts_render_difference_scale(const ts_render *render);
 /* Writes all pictures by ts_folder_file. */
 ts_status ts_render_write(ts_render *render);
 /* The tables, and the figures they are made of. */

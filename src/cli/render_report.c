@@ -236,7 +236,7 @@ static void report_metrics(const ts_render *render, ts_report *report)
 	{ "image", "image", false }, { "reference", "against", false }, { "rmse", "RMSE", true }, { "psnr", "PSNR, dB", true }, \
 	{ "ssim", "SSIM", true }
 #define SHARE { "share", "error of the", false }, { 0 }
-	static const ts_column plain[] = { METRICS, SHARE };
+	static const ts_column plain[] = { METRICS, { "relative_rmse", "relative RMSE", true }, SHARE };
 	static const ts_column masked[] = { METRICS, { "reflective_rmse", "refl. RMSE", true },
 		{ "reflective_psnr", "PSNR, dB", true }, { "reflective_ssim", "SSIM", true }, SHARE };
 	bool mask = render->mask != NULL;
@@ -250,14 +250,18 @@ static void report_metrics(const ts_render *render, ts_report *report)
 		ts_report_value(report, "missed_lookups", json_integer((json_int_t)a->n_missed));
 	}
 	const char *title = mask ? "Metrics, in grey levels, over the image and over its reflective pixels"
-	                         : "Metrics, in grey levels";
+	                         : "Metrics, in grey levels; relative RMSE in radiance, by the mean, without the sky";
 	ts_table table = ts_table_begin("metrics", title, mask ? masked : plain);
 	for (u32 i = 0; i < render->n_pairs; i++) {
 		const ts_pair *pair = &render->pairs[i];
 		ts_table_text(&table, pair->image->name);
 		ts_table_text(&table, pair->reference->name);
 		metric_cells(&table, &pair->all);
-		if (mask) metric_cells(&table, &pair->reflective);
+		if (mask) {
+			metric_cells(&table, &pair->reflective);
+		} else {
+			ts_table_real(&table, pair->relative, 5);
+		}
 		ts_table_text(&table, pair->share);
 	}
 	ts_report_table(report, &table);
@@ -290,7 +294,8 @@ static void report_pictures(const ts_render *render, ts_report *report)
 		}
 	}
 	if (render->n_pairs > 0) {
-		snprintf(what, sizeof what, "grey levels apart, times %d (.exr: signed radiance)", (int)TS_DIFFERENCE_SCALE);
+		snprintf(what, sizeof what, "grey levels apart, times %d (.exr: signed radiance)",
+		         ts_render_difference_scale(render));
 		picture_row(&table, "difference-*.png .exr", what);
 	}
 	ts_report_table(report, &table);

@@ -24,8 +24,10 @@ static ts_status write_picture(const ts_picture *picture, const ts_params *param
 		: write_pair(picture->name, picture->srgb, picture->radiance, params->width, params->height);
 }
 
+int ts_render_difference_scale(const ts_render *render) { return strcmp(render->effect, "indirect") == 0 ? 4 : 8; }
+
 /* PNG: the distance in grey levels, scaled; EXR: image - reference in radiance. */
-static ts_status write_difference(const ts_pair *pair, const ts_params *params)
+static ts_status write_difference(const ts_pair *pair, const ts_params *params, int scale)
 {
 	char stem[64];
 	size_t n = (size_t)params->width * params->height * 3;
@@ -33,7 +35,7 @@ static ts_status write_difference(const ts_pair *pair, const ts_params *params)
 	u8 *grey = ts_alloc(n, 1, "a difference");
 	ts_status status = radiance != NULL && grey != NULL ? TS_OK : TS_ERROR;
 	for (size_t i = 0; i < n && status == TS_OK; i++) {
-		int d = abs(pair->image->srgb[i] - pair->reference->srgb[i]) * TS_DIFFERENCE_SCALE;
+		int d = abs(pair->image->srgb[i] - pair->reference->srgb[i]) * scale;
 		grey[i] = (u8)(d < 255 ? d : 255);
 		radiance[i] = pair->image->radiance[i] - pair->reference->radiance[i];
 	}
@@ -67,6 +69,8 @@ ts_status ts_render_write(ts_render *render)
 		if (status == TS_OK) status = write_stages(&render->stages[i], render->methods[i]->name);
 	}
 	for (u32 t = 0; t < TS_N_TRUTHS && status == TS_OK; t++) status = write_picture(&render->truths[t], params);
-	for (u32 i = 0; i < render->n_pairs && status == TS_OK; i++) status = write_difference(&render->pairs[i], params);
+	for (u32 i = 0; i < render->n_pairs && status == TS_OK; i++) {
+		status = write_difference(&render->pairs[i], params, ts_render_difference_scale(render));
+	}
 	return status;
 }

@@ -1,11 +1,12 @@
 /* Pictures of what the stages made: points per triangle, splat sizes, face resolutions, index buffers, faces, depth maps,
- * light that arrives. */
+ * light that arrives. Those of hulls: hull_pictures.c. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include "../image/falsecolour.h"
 #include "../kernels/illuminate.h"
 #include "../kernels/srgb.h"
+#include "hull_pictures.h"
 #include "stage_pictures.h"
 
 /* Where the faces +X -X +Y -Y +Z -Z stand in a cross of 4 by 3, so that edges meet. */
@@ -13,7 +14,7 @@ static const u8 cross_column[6] = { 2, 0, 1, 1, 1, 3 };
 static const u8 cross_row[6] = { 1, 1, 0, 2, 1, 1 };
 static const u8 nothing[3] = { 40, 40, 40 };
 
-static ts_stage_picture *add(ts_stage_pictures *pictures, const char *name, u32 width, u32 height, bool masked)
+ts_stage_picture *ts_stage_pictures_add(ts_stage_pictures *pictures, const char *name, u32 width, u32 height, bool masked)
 {
 	if (pictures->n == TS_MAX_STAGE_PICTURES) {
 		ts_fail("picture %s: one more than %d", name, TS_MAX_STAGE_PICTURES);
@@ -23,17 +24,18 @@ static ts_stage_picture *add(ts_stage_pictures *pictures, const char *name, u32 
 	snprintf(p->name, sizeof p->name, "%s", name);
 	p->width = width;
 	p->height = height;
+	p->zoom = 1;
 	p->rgb = ts_alloc_zero((size_t)width * height, 3, "a stage picture");
 	p->mask = masked ? ts_alloc_zero((size_t)width, height, "a stage picture") : NULL;
 	return p->rgb != NULL && (!masked || p->mask != NULL) ? p : NULL;
 }
 
-static bool is_taken(const ts_stage_pictures *pictures, const char *name)
+ts_stage_picture *ts_stage_pictures_find(ts_stage_pictures *pictures, const char *name)
 {
 	for (u32 i = 0; i < pictures->n; i++) {
-		if (strcmp(pictures->picture[i].name, name) == 0) return true;
+		if (strcmp(pictures->picture[i].name, name) == 0) return &pictures->picture[i];
 	}
-	return false;
+	return NULL;
 }
 
 static bool has(const ts_run *run, ts_buffer_id id) { return run->frame.buffer[id].made; }
@@ -52,7 +54,7 @@ static u32 *points_per_triangle(const ts_run *run)
 static ts_status take_points(ts_stage_pictures *pictures, const ts_run *run)
 {
 	if (!has(run, TS_B_eye_depth_triangle) || !has(run, TS_B_split_triangle)) return TS_OK;
-	ts_stage_picture *p = add(pictures, "points", run->params.width, run->params.height, false);
+	ts_stage_picture *p = ts_stage_pictures_add(pictures, "points", run->params.width, run->params.height, false);
 	u32 *points = p != NULL ? points_per_triangle(run) : NULL;
 	if (points == NULL) return TS_ERROR;
 	const u64 *eye = ts_frame_data(&run->frame, TS_B_eye_depth_triangle);
@@ -81,7 +83,7 @@ static ts_status take_splats(ts_stage_pictures *pictures, const ts_run *run)
 {
 	const ts_frame *frame = &run->frame;
 	u64 n = ts_frame_n(frame, TS_B_pixel_record);
-	ts_stage_picture *p = add(pictures, "splats", run->params.width, run->params.height, true);
+	ts_stage_picture *p = ts_stage_pictures_add(pictures, "splats", run->params.width, run->params.height, true);
 	if (p == NULL) return TS_ERROR;
 	const ts_pixel *pixels = ts_frame_data(frame, TS_B_pixel_record);
 	const ts_face *faces = ts_frame_data(frame, TS_B_resize_face);
@@ -98,7 +100,7 @@ static ts_status take_splats(ts_stage_pictures *pictures, const ts_run *run)
 
 static ts_status take_faces(ts_stage_pictures *pictures, const ts_run *run)
 {
-	ts_stage_picture *p = add(pictures, "faces", run->params.width, run->params.height, true);
+	ts_stage_picture *p = ts_stage_pictures_add(pictures, "faces", run->params.width, run->params.height, true);
 	if (p == NULL) return TS_ERROR;
 	const ts_pixel *pixels = ts_frame_data(&run->frame, TS_B_pixel_record);
 	const ts_face *faces = ts_frame_data(&run->frame, TS_B_resize_face);
@@ -153,10 +155,11 @@ static ts_status take_cube(ts_stage_pictures *pictures, const ts_run *run, ts_bu
                            const char *what)
 {
 	u32 r;
-	if (!has(run, TS_B_resize_face) || !largest_cube(run, &r) || is_taken(pictures, name)) return TS_OK;
+	if (!has(run, TS_B_resize_face) || !largest_cube(run, &r)) return TS_OK;
+	if (ts_stage_pictures_find(pictures, name) != NULL) return TS_OK;
 	const ts_face *faces = ts_frame_data(&run->frame, TS_B_resize_face);
 	u32 n = faces[r].n;
-	ts_stage_picture *p = add(pictures, name, 4 * n, 3 * n, false);
+	ts_stage_picture *p = ts_stage_pictures_add(pictures, name, 4 * n, 3 * n, false);
 	if (p == NULL) return TS_ERROR;
 	if (id == TS_B_face_mip) {
 		u64 first = 4 * ts_k_mip_first(faces, run->first_unit, r);
@@ -204,9 +207,11 @@ static ts_status take_depth(ts_stage_pictures *pictures, const ts_run *run)
 {
 	bool cubes = has(run, TS_B_resize_face) && ts_frame_n(&run->frame, TS_B_resize_face) > 0;
 	const ts_offscreen *view = ts_frame_data(&run->frame, TS_B_offscreen_view);
-	if (run->first_unit != 0 || view->width == 0 || view->width != view->height || is_taken(pictures, "depth")) return TS_OK;
+	if (run->first_unit != 0 || view->width == 0 || view->width != view->height) return TS_OK;
+	if (ts_stage_pictures_find(pictures, "depth") != NULL) return TS_OK;
 	depth_map map = depth_map_of(ts_frame_data(&run->frame, TS_B_scatter_depth), view->width, cubes);
-	ts_stage_picture *p = add(pictures, "depth", cubes ? 4 * map.n : map.n, cubes ? 3 * map.n : map.n, false);
+	u32 width = cubes ? 4 * map.n : map.n, height = cubes ? 3 * map.n : map.n;
+	ts_stage_picture *p = ts_stage_pictures_add(pictures, "depth", width, height, false);
 	if (p == NULL) return TS_ERROR;
 	if (cubes) {
 		paint_cross(p, map.n, &map, colour_depth);
@@ -222,7 +227,7 @@ static ts_status take_depth(ts_stage_pictures *pictures, const ts_run *run)
 static ts_status take_lit(ts_stage_pictures *pictures, const ts_run *run)
 {
 	if (run->first_unit + run->n_units != run->all_units) return TS_OK;
-	ts_stage_picture *p = add(pictures, "lit", run->params.width, run->params.height, false);
+	ts_stage_picture *p = ts_stage_pictures_add(pictures, "lit", run->params.width, run->params.height, false);
 	if (p == NULL) return TS_ERROR;
 	const u32 *lit = ts_frame_data(&run->frame, TS_B_resolve_lit);
 	const ts_lamp *lamps = ts_frame_data(&run->frame, TS_B_lamp_shape);
@@ -248,6 +253,9 @@ static ts_status take(ts_stage_pictures *pictures, const ts_run *run, ts_buffer_
 	case TS_B_scatter_depth: return take_depth(pictures, run);
 	case TS_B_resolve_lit: return take_lit(pictures, run);
 	case TS_B_face_mip: return take_cube(pictures, run, id, "cube", "radiance");
+	case TS_B_segment_label: return ts_hull_pictures_segments(pictures, run);
+	case TS_B_box_record: return ts_hull_pictures_boxes(pictures, run);
+	case TS_B_fit_lobes: return ts_hull_pictures_lobes(pictures, run);
 	default: return TS_OK;
 	}
 }
@@ -266,10 +274,8 @@ void ts_stage_pictures_finish(ts_stage_pictures *pictures, const u8 *srgb)
 	for (u32 k = 0; k < pictures->n; k++) {
 		ts_stage_picture *p = &pictures->picture[k];
 		for (u64 i = 0; p->mask != NULL && i < (u64)p->width * p->height; i++) {
-			if (p->mask[i] == 0) {
-				u32 grey = (srgb[3 * i] + 2u * srgb[3 * i + 1] + srgb[3 * i + 2]) / 12;
-				memset(p->rgb + 3 * i, (int)grey, 3);
-			}
+			const u8 *pixel = srgb + 3 * (i / p->width / p->zoom * (p->width / p->zoom) + i % p->width / p->zoom);
+			if (p->mask[i] == 0) memset(p->rgb + 3 * i, (pixel[0] + 2 * pixel[1] + pixel[2]) / 12, 3);
 		}
 	}
 }
