@@ -24,11 +24,15 @@ static double counted(const ts_measure *m, const char *name)
 	return counter != NULL ? (double)counter->value : NAN;
 }
 
-static double rmse(const ts_bench_case *c, u32 variant, u32 other)
+static double rmse(const ts_bench_case *c, ts_figure_kind kind, u32 variant, u32 other)
 {
 	const ts_picture *image = &c->images[variant], *reference = c->truths != 0 ? &c->truth : &c->images[other];
 	if (image->srgb == NULL || reference->srgb == NULL || image == reference) return NAN;
-	return ts_metrics_compare(reference->srgb, image->srgb, NULL, c->params.width, c->params.height).rmse;
+	u32 width = c->params.width, height = c->params.height;
+	if (kind == TS_FIGURE_RELATIVE) {
+		return ts_metrics_relative(reference->radiance, image->radiance, image->seen, width, height);
+	}
+	return ts_metrics_compare(reference->srgb, image->srgb, NULL, width, height).rmse;
 }
 
 static double measured(const ts_bench_figure *f, const ts_bench_case *c)
@@ -47,7 +51,8 @@ static double measured(const ts_bench_figure *f, const ts_bench_case *c)
 	case TS_FIGURE_VIEW_TIME: return views;
 	case TS_FIGURE_MAP_TIME: return points + views;
 	case TS_FIGURE_REST_TIME: return all - points - views;
-	case TS_FIGURE_RMSE: return rmse(c, f->a, f->b);
+	case TS_FIGURE_RMSE:
+	case TS_FIGURE_RELATIVE: return rmse(c, f->kind, f->a, f->b);
 	default: return NAN;
 	}
 }

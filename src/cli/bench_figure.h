@@ -19,6 +19,7 @@ typedef enum {
 	TS_FIGURE_MAP_TIME,   /* both: what the iVIR paper's totals are of */
 	TS_FIGURE_REST_TIME,  /* neither */
 	TS_FIGURE_RMSE,       /* to the truth or, where a table has none, to variant b; grey levels */
+	TS_FIGURE_RELATIVE,   /* the same in radiance by the mean of the other's, without the sky */
 	TS_FIGURE_DERIVED,    /* from here on */
 	TS_FIGURE_RATIO = TS_FIGURE_DERIVED, /* a / b */
 	TS_FIGURE_SAVED,      /* 100 (1 - a / b) */

@@ -1,15 +1,17 @@
 /* The SSAGH paper's table of frames a second, as the images grow. Speed-ups are of the paper's own frames a second. */
 #include "bench_paper.h"
 
-enum { M_HULLS, M_DIRECT };
+enum { M_HULLS, M_DIRECT, M_VMF };
 
 static const ts_bench_variant variants[] = {
 	[M_HULLS] = { "hulls", "", true, false },
 	[M_DIRECT] = { "direct", "", true, false },
+	[M_VMF] = { "hulls", "sharpness=vmf", true, true },
 	{ 0 }
 };
 
-enum { PIXELS, DIRECT_MS, HULLS_MS, DIRECT_RATE, HULLS_RATE, SPEEDUP, COST, BOXES, GATHERS, DIRECT_GATHERS, SAVED, RMSE };
+enum { PIXELS, DIRECT_MS, HULLS_MS, DIRECT_RATE, HULLS_RATE, SPEEDUP, COST, BOXES, GATHERS, DIRECT_GATHERS, SAVED, RMSE,
+       RELATIVE, RELATIVE_VMF };
 
 static const ts_bench_figure figures[] = {
 	[PIXELS] = { "megapixels", "Mpixels", TS_FIGURE_PIXELS, 0, 0, 2, "" },
@@ -24,14 +26,17 @@ static const ts_bench_figure figures[] = {
 	[DIRECT_GATHERS] = { "direct_gathers", "direct", TS_FIGURE_COUNTER, M_DIRECT, 0, TS_WHOLE, "gathers" },
 	[SAVED] = { "gathers_ratio", "direct / hulls", TS_FIGURE_RATIO, DIRECT_GATHERS, GATHERS, 2, "" },
 	[RMSE] = { "rmse", "RMSE", TS_FIGURE_RMSE, M_HULLS, M_DIRECT, 3, "" },
+	[RELATIVE] = { "relative_rmse", "relative", TS_FIGURE_RELATIVE, M_HULLS, M_DIRECT, 4, "" },
+	[RELATIVE_VMF] = { "relative_rmse_vmf", "with vmf", TS_FIGURE_RELATIVE, M_VMF, M_DIRECT, 4, "" },
 	{ 0 }
 };
 
 static const ts_paper_part parts[] = {
 	{ "ssagh_1", "SSAGH, table 1: whole frames", { DIRECT_MS, HULLS_MS, DIRECT_RATE, HULLS_RATE, SPEEDUP, COST,
 	  TS_NO_FIGURE } },
-	{ "ssagh_1_gathers", "Gathers, pixels or corners by triangles of light; RMSE of hulls to direct, grey levels", {
-	  BOXES, GATHERS, DIRECT_GATHERS, SAVED, RMSE, TS_NO_FIGURE } },
+	{ "ssagh_1_gathers", "Gathers, pixels or corners by triangles of light; RMSE of hulls to direct, grey levels; and "
+	  "in radiance", { BOXES, GATHERS, DIRECT_GATHERS, SAVED, RMSE, RELATIVE,
+	  RELATIVE_VMF, TS_NO_FIGURE } },
 	{ 0 }
 };
 

@@ -125,7 +125,7 @@ for frame, work in zip(*here):
 	assert abs(frame["direct_rate"] * frame["direct_ms"] - 1e3) < 1e-4 and frame["hulls_rate"] > 0
 	assert abs(frame["direct_ns"] * frame["pixels"] / 1e6 - frame["direct_ms"]) < 1e-6 * frame["direct_ms"]
 	assert work["direct_gathers"] == 4 * work["pixels"] and work["hulls_gathers"] == 16 * work["boxes"] > 0
-	assert work["rmse"] > 0
+	assert work["rmse"] > 0 and 0 < work["relative_rmse"] != work["relative_rmse_vmf"] > 0
 judged = {r["relation"]: (r["here"], r["verdict"]) for r in report["relations"]}
 def agrees(relation, values, right):
 	value, verdict = judged[relation]
