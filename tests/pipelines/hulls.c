@@ -117,6 +117,71 @@ static void test_against_direct(void **state)
 	ts_scene_free(scene);
 }
 
+/* The least place of a block that a texel hangs together with, found by looking until nothing changes. */
+static void components_of(u32 *component, const f32 *depths, u32 grid, u32 block, f32 step)
+{
+	for (u32 p = 0; p < TS_BLOCK_TEXELS; p++) component[p] = p;
+	for (bool changed = true; changed;) {
+		changed = false;
+		for (u32 k = 0; k < 2 * TS_BLOCK_TEXELS; k++) {
+			u32 p = k / 2, q = k % 2 == 0 ? p + 1 : p + TS_BLOCK;
+			if (q >= TS_BLOCK_TEXELS || (k % 2 == 0 && q % TS_BLOCK == 0)) continue;
+			f32 a = depths[ts_k_block_texel(grid, block, p % TS_BLOCK, p / TS_BLOCK)];
+			f32 b = depths[ts_k_block_texel(grid, block, q % TS_BLOCK, q / TS_BLOCK)];
+			f32 gap = fabsf(a - b), room_a = step * (1 - a), room_b = step * (1 - b);
+			u32 least = component[p] < component[q] ? component[p] : component[q];
+			if (component[p] == component[q] || (gap > room_a && gap > room_b)) continue;
+			component[p] = component[q] = least;
+			changed = true;
+		}
+	}
+}
+
+/* Of rendered depth: no label spans two components, and the other segmentation has them. */
+static void check_segments(const ts_scene *scene, const ts_params *params, u64 *n_more)
+{
+	static u32 component[TS_BLOCK_TEXELS];
+	ts_run swept, exact;
+	ts_params other = *params;
+	other.segmentation = TS_SEGMENTATION_COMPONENTS;
+	run_of(&swept, scene, params, "hulls");
+	run_of(&exact, scene, &other, "hulls");
+	const f32 *depths = ts_frame_data(&swept.frame, TS_B_nearest_depth);
+	const u32 *labels = ts_frame_data(&swept.frame, TS_B_segment_label);
+	const u32 *components = ts_frame_data(&exact.frame, TS_B_segment_label);
+	for (u32 block = 0; block < params->grid_px / TS_BLOCK * (params->grid_px / TS_BLOCK); block++) {
+		components_of(component, depths, params->grid_px, block, params->segment_step);
+		for (u32 p = 0; p < TS_BLOCK_TEXELS; p++) {
+			u64 at = ts_k_block_texel(params->grid_px, block, p % TS_BLOCK, p / TS_BLOCK);
+			assert_int_equal(component[labels[at]], component[p]);
+			assert_int_equal(components[at], component[p]);
+		}
+	}
+	*n_more += (u64)(ts_run_counter(&swept, "labels") - ts_run_counter(&exact, "labels"));
+	assert_true(ts_run_counter(&swept, "labels") >= ts_run_counter(&exact, "labels"));
+	ts_run_end(&swept);
+	ts_run_end(&exact);
+}
+
+static void test_segments(void **state)
+{
+	(void)state;
+	static const char *const specs[] = { SMALL_SCENE, "gallery", "dining" };
+	u64 n_more = 0;
+	for (u32 i = 0; i < sizeof specs / sizeof *specs; i++) {
+		ts_params params = tiny_params();
+		ts_scene *scene;
+		params.width = 320;
+		params.height = 180;
+		params.grid_px = 256;
+		params.rsm_px = 1;
+		if (ts_scene_open(&scene, specs[i], &params, NULL) != TS_OK) fail_msg("%s", ts_error_message());
+		check_segments(scene, &params, &n_more);
+		ts_scene_free(scene);
+	}
+	assert_true(n_more > 50);
+}
+
 static u64 count_unlit(const ts_run *run)
 {
 	const ts_gpixel *pixels = ts_frame_data(&run->frame, TS_B_gbuffer_pixel);
@@ -302,7 +367,8 @@ static void test_refused(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_threads), cmocka_unit_test(test_against_direct), cmocka_unit_test(test_surface),
+		cmocka_unit_test(test_threads), cmocka_unit_test(test_against_direct), cmocka_unit_test(test_segments),
+		cmocka_unit_test(test_surface),
 		cmocka_unit_test(test_whole_grid), cmocka_unit_test(test_sky), cmocka_unit_test(test_lights),
 		cmocka_unit_test(test_dark), cmocka_unit_test(test_refused),
 	};
