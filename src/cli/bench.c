@@ -51,6 +51,7 @@ static const struct {
 	{ "epr-6", TS_OPT_METHOD, NULL, ts_bench_sweep },
 	{ "backends", TS_OPT_TRUTH | FILES, NULL, ts_bench_backends },
 	{ "ssagh-1", TS_OPT_METHOD | TS_OPT_TRUTH | TS_OPT_SIZE, &ts_ssagh_1, NULL },
+	{ "ssagh-segments", TS_OPT_METHOD | TS_OPT_OBJECTS | TS_OPT_RUNS | TS_OPT_TRUTH, NULL, ts_bench_segments },
 	{ "ssagh-5", ~(FILES | TS_OPT_JSON), NULL, ts_bench_curves },
 	{ "ssagh-7", ~(FILES | TS_OPT_JSON), NULL, ts_bench_cosines },
 	{ "start", TS_OPT_TRUTH | FILES, NULL, ts_bench_start },

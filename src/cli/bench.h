@@ -13,6 +13,12 @@ double ts_median(double *values, u32 n);
 /* What a report opens with: size, where all rows have the same, frame, threads; program and parameters. */
 void ts_bench_head(ts_report *report, const ts_cli *cli, bool sized);
 
+/* Calls `each` for the scenes of --scene, else for the list `scenes` and those of the files `models` in the folder TS_SCENES
+ * that are there; a line says which are not. `models` may be NULL. */
+typedef ts_status ts_bench_scene(void *user, const char *spec);
+ts_status ts_bench_scenes(const ts_cli *cli, const char *scenes, const char *models, ts_report *report,
+                          ts_bench_scene *each, void *user);
+
 /* Does the work of a table into a report. */
 typedef ts_status ts_bench_work(const ts_cli *cli, ts_report *report, const void *user);
 /* Prints the report; with -o also writes it to that folder, with every table as KEY.csv. */
@@ -28,6 +34,7 @@ ts_status ts_bench_curves(const ts_cli *cli);
 /* Of ssagh-7: what single precision leaves of the integrals as they are printed. */
 void ts_bench_printed(ts_report *report);
 
+ts_status ts_bench_segments(const ts_cli *cli);
 ts_status ts_bench_sweep(const ts_cli *cli);
 /* The one truth that --truth names, C without it. */
 ts_status ts_bench_truth(u32 *truths, const ts_cli *cli);

@@ -1,7 +1,6 @@
 /* Measuring a paper's table. Times are medians, and ratios are of one run. */
 #include <math.h>
 #include <stdlib.h>
-#include <unistd.h>
 #include "bench.h"
 #include "bench_paper.h"
 
@@ -82,31 +81,14 @@ static ts_status add_line(work *w, const char *spec, const char *objects)
 	return status;
 }
 
-static ts_status add_scene(work *w, const char *spec)
+static ts_status add_scene(void *user, const char *spec)
 {
+	work *w = user;
 	const char *list = w->cli->objects != NULL ? w->cli->objects : w->table->objects;
 	char item[32];
 	ts_status status = TS_OK;
 	if (w->table->objects_head == NULL) return add_line(w, spec, NULL);
 	while (status == TS_OK && ts_cli_item(&list, item, sizeof item)) status = add_line(w, spec, item);
-	return status;
-}
-
-/* Models that are not there are left out, and a line says so. */
-static ts_status add_models(work *w, ts_report *report)
-{
-	const char *folder = getenv("TS_SCENES") != NULL ? getenv("TS_SCENES") : "../shared/scenes";
-	const char *list = w->cli->scenes == NULL ? w->table->models : NULL;
-	char item[64], path[SPEC_BYTES];
-	ts_status status = TS_OK;
-	while (status == TS_OK && ts_cli_item(&list, item, sizeof item)) {
-		snprintf(path, sizeof path, "%s/%s", folder, item);
-		if (access(path, R_OK) == 0) {
-			status = add_scene(w, path);
-		} else {
-			ts_report_line(report, "%s: not in TS_SCENES; left out", item);
-		}
-	}
 	return status;
 }
 
@@ -121,7 +103,7 @@ static ts_status check_lists(const work *w, const char *scenes)
 		ts_params params = w->cli->params;
 		status = vary(&count, &params, w->table, item);
 	}
-	while (status == TS_OK && w->cli->scenes != NULL && ts_cli_item(&scenes, spec, sizeof spec)) {
+	while (status == TS_OK && ts_cli_item(&scenes, spec, sizeof spec)) {
 		ts_scene *scene = NULL;
 		ts_params params = w->cli->params;
 		params.reflectors = 1;
@@ -133,11 +115,8 @@ static ts_status check_lists(const work *w, const char *scenes)
 
 static ts_status measure_lines(work *w, ts_report *report)
 {
-	const char *list = w->cli->scenes != NULL ? w->cli->scenes : w->table->scenes;
-	char spec[SPEC_BYTES];
-	ts_status status = check_lists(w, list);
-	while (status == TS_OK && ts_cli_item(&list, spec, sizeof spec)) status = add_scene(w, spec);
-	return status == TS_OK ? add_models(w, report) : status;
+	ts_status status = check_lists(w, w->cli->scenes);
+	return status == TS_OK ? ts_bench_scenes(w->cli, w->table->scenes, w->table->models, report, add_scene, w) : status;
 }
 
 static const ts_column variant_columns[] = { { "method", "method", false }, { "set", "set for it", false }, { 0 } };

@@ -142,6 +142,36 @@ assert len(paper) == 1 and round(paper[0]["direct_ns"], 1) == 38.2
 PY
 verdict $? 'bench ssagh-1: gathers, speed-ups and verdicts are those of its rows'
 
+# Labels of a depth image, counted again from traces of both segmentations.
+one=(atrium:triangles=10000 --size 96x54 --set grid_px=64)
+run bench ssagh-segments --scene "${one[@]:0:1}" "${one[@]:1}" -o "$scratch/segments"
+[ "$status" -eq 0 ] && awk 'length > 120 || / $/ { exit 1 }' "$scratch/stdout" &&
+	grep -q '^No label joins components: holds$' "$scratch/stdout"
+verdict $? 'bench ssagh-segments fits 120 columns'
+for segmentation in sweeps components; do
+	"$touchstone" render indirect "${one[@]}" --set rsm_px=2 --set segmentation=$segmentation --method hulls --no-images \
+		--trace-only segment -o "$scratch/$segmentation" > "$scratch/stdout" 2> "$scratch/stderr"
+done
+python3 - "$scratch" <<'PY'
+import glob, json, struct, sys
+def blocks(name):
+	data = open(glob.glob(f"{sys.argv[1]}/{name}/trace-hulls/*segment.label.npy")[0], "rb").read()
+	labels = memoryview(data[10 + struct.unpack_from("<H", data, 8)[0]:]).cast("I")
+	return [[labels[(y + j) * 64 + x + i] for j in range(32) for i in range(32)] for y in (0, 32) for x in (0, 32)]
+pairs = [(len(set(a)), len(set(b))) for a, b in zip(blocks("sweeps"), blocks("components"))]
+rows = {(r["scene"], r["of"]): r for r in json.load(open(f"{sys.argv[1]}/segments/report.json"))["ssagh_segments"]}
+for of, of_these in ("all", pairs), ("parted", [p for p in pairs if p[1] > 1]):
+	row, n = rows["atrium:triangles=10000", of], len(of_these)
+	labels, components = zip(*of_these)
+	assert (row["blocks"], row["most_labels"], row["most_components"]) == (n, max(labels), max(components))
+	assert abs(row["labels"] - sum(labels) / n) < 1e-6 and abs(row["components"] - sum(components) / n) < 1e-6
+	assert abs(row["excess"] - row["labels"] + row["components"]) < 1e-6
+	assert row["most_excess"] == max(a - b for a, b in of_these) > 0
+	assert row["equal_percent"] == 100 * sum(a == b for a, b in of_these) / n and row["joined"] == 0
+PY
+verdict $? 'bench ssagh-segments counts what traces have'
+refuses 'takes no --runs' bench ssagh-segments --runs 2
+
 # RMSE by quadrature in double precision, apart from this program: all angles alike, and by solid angle.
 run bench ssagh-7 -o "$scratch/ssagh-7"
 [ "$status" -eq 0 ] && [ "$(grep -c ' within 2 %$' "$scratch/stdout")" -eq 3 ] &&

@@ -1,0 +1,32 @@
+/* The scenes that a table measures. */
+#include <stdlib.h>
+#include <unistd.h>
+#include "bench.h"
+
+enum { SPEC_BYTES = 4096 };
+
+static ts_status each_model(const char *list, ts_report *report, ts_bench_scene *each, void *user)
+{
+	const char *folder = getenv("TS_SCENES") != NULL ? getenv("TS_SCENES") : "../shared/scenes";
+	char item[64], path[SPEC_BYTES];
+	ts_status status = TS_OK;
+	while (status == TS_OK && ts_cli_item(&list, item, sizeof item)) {
+		snprintf(path, sizeof path, "%s/%s", folder, item);
+		if (access(path, R_OK) == 0) {
+			status = each(user, path);
+		} else {
+			ts_report_line(report, "%s: not in TS_SCENES; left out", item);
+		}
+	}
+	return status;
+}
+
+ts_status ts_bench_scenes(const ts_cli *cli, const char *scenes, const char *models, ts_report *report,
+                          ts_bench_scene *each, void *user)
+{
+	const char *list = cli->scenes != NULL ? cli->scenes : scenes;
+	char spec[SPEC_BYTES];
+	ts_status status = TS_OK;
+	while (status == TS_OK && ts_cli_item(&list, spec, sizeof spec)) status = each(user, spec);
+	return status == TS_OK && cli->scenes == NULL ? each_model(models, report, each, user) : status;
+}
