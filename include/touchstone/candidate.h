@@ -150,6 +150,7 @@ static const ts_candidate_buffer ts_candidate_buffers[] = {
 		"('albedo', '<f4', (3,)), ('pad1', '<u4')]"},
 	{"nearest.depth", 4, 2, "'<f4'"},
 	{"segment.label", 4, 2, "'<u4'"},
+	{"segment.margin", 4, 2, "'<f4'"},
 	{"range.least", 4, 2, "'<u4'"},
 	{"box.offset", 4, 1, "'<u4'"},
 	{"box.record", 32, 1,
@@ -162,6 +163,7 @@ static const ts_candidate_buffer ts_candidate_buffers[] = {
 		"[('mu', '<f4', (3,)), ('lambda', '<f4', (3,)), ('phi', '<f4', (9,)), "
 		"('pad', '<u4')]"},
 	{"hull.box", 4, 2, "'<u4'"},
+	{"hull.margin", 4, 2, "'<f4'"},
 	{"indirect.irradiance", 4, 3, "'<f4'"},
 	{"image.radiance", 4, 3, "'<f4'"},
 	{"image.srgb", 1, 3, "'|u1'"},

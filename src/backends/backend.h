@@ -8,6 +8,7 @@
 #include "../kernels/draw.h"
 #include "../kernels/gather.h"
 #include "../kernels/hull.h"
+#include "../kernels/hull_margin.h"
 #include "../kernels/image.h"
 #include "../kernels/indirect.h"
 #include "../kernels/lookup.h"

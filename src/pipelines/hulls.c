@@ -31,11 +31,13 @@ const ts_step ts_hulls_steps[] = {
 	{.stage = "gbuffer"},
 	{.stage = "nearest"},    /* down-sampled depth */
 	{.stage = "segment"},
+	{.stage = "segment_margin", .only_margins = true},
 	{.stage = "range"},
 	{.stage = "box"},
 	{.stage = "gather"},     /* light at the corners of the boxes */
 	{.stage = "fit"},
 	{.stage = "hull"},       /* interpolation and integration */
+	{.stage = "hull_margin", .only_margins = true},
 	{.stage = "indirect_image"},
 	{0},
 };

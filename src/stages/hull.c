@@ -30,7 +30,7 @@ ts_status ts_stage_fit(ts_run *run)
 	return ts_run_launch(run, TS_KERNEL_fit, &args, n);
 }
 
-static ts_choice_args choice_arguments(const ts_run *run)
+ts_choice_args ts_choice_arguments(const ts_run *run)
 {
 	return (ts_choice_args){
 		.offset = ts_frame_handle(&run->frame, TS_B_box_offset),
@@ -45,7 +45,7 @@ ts_status ts_stage_hull(ts_run *run)
 {
 	u64 width = run->params.width, height = run->params.height;
 	ts_hull_args args = {
-		.choice = choice_arguments(run),
+		.choice = ts_choice_arguments(run),
 		.pixels = ts_frame_handle(&run->frame, TS_B_gbuffer_pixel),
 		.moments = ts_frame_handle(&run->frame, TS_B_gather_moment),
 		.lobes = ts_frame_handle(&run->frame, TS_B_fit_lobes),

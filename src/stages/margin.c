@@ -70,3 +70,31 @@ ts_status ts_stage_cull_margin(ts_run *run)
 	if (args.margin == NULL) return TS_ERROR;
 	return ts_run_launch(run, TS_KERNEL_cull_margin, &args, n);
 }
+
+ts_status ts_stage_segment_margin(ts_run *run)
+{
+	u32 grid = run->params.grid_px;
+	ts_segment_margin_args args = {
+		.depths = ts_frame_handle(&run->frame, TS_B_nearest_depth),
+		.margin = ts_frame_make2(&run->frame, TS_B_segment_margin, grid, grid),
+		.grid = grid,
+		.step = run->params.segment_step,
+	};
+	if (args.margin == NULL) return TS_ERROR;
+	return ts_run_launch(run, TS_KERNEL_segment_margin, &args, (u64)grid * grid / TS_BLOCK_TEXELS);
+}
+
+ts_status ts_stage_hull_margin(ts_run *run)
+{
+	u64 width = run->params.width, height = run->params.height;
+	ts_hull_margin_args args = {
+		.choice = ts_choice_arguments(run),
+		.pixels = ts_frame_handle(&run->frame, TS_B_gbuffer_pixel),
+		.box = ts_frame_handle(&run->frame, TS_B_hull_box),
+		.margin = ts_frame_make2(&run->frame, TS_B_hull_margin, height, width),
+		.width = (u32)width,
+		.height = (u32)height,
+	};
+	if (args.margin == NULL) return TS_ERROR;
+	return ts_run_launch(run, TS_KERNEL_hull_margin, &args, width * height);
+}

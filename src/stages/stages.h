@@ -54,11 +54,13 @@ ts_status ts_stage_rsm_patch(ts_run *run);
 ts_status ts_stage_gbuffer(ts_run *run);
 ts_status ts_stage_nearest(ts_run *run);
 ts_status ts_stage_segment(ts_run *run);
+ts_status ts_stage_segment_margin(ts_run *run);
 ts_status ts_stage_range(ts_run *run);
 ts_status ts_stage_box(ts_run *run);
 ts_status ts_stage_gather(ts_run *run);
 ts_status ts_stage_fit(ts_run *run);
 ts_status ts_stage_hull(ts_run *run);
+ts_status ts_stage_hull_margin(ts_run *run);
 ts_status ts_stage_direct(ts_run *run);
 ts_status ts_stage_indirect_image(ts_run *run);
 
@@ -83,6 +85,8 @@ void ts_offscreen_of_face(ts_offscreen *view, const ts_face *cube, u32 face, u32
 u32 ts_rsm_views(const ts_light *light);
 /* grid_px must be a multiple of 32 (gbuffer.c). */
 ts_status ts_grid_check(const ts_params *params);
+/* How pixels choose a box (hull.c). */
+ts_choice_args ts_choice_arguments(const ts_run *run);
 /* Arguments of the kernels that make points, without their output. */
 ts_points_args ts_points_arguments(const ts_run *run);
 /* Arguments of the kernels that ask depth maps, without their output. */

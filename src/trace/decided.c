@@ -2,7 +2,7 @@
 #include "decided.h"
 #include "../kernels/num.h"
 
-static const f32 sub_pixels = 1.0f, chance = 0.00000095367431640625f;
+static const f32 steps = 1.0f, chance = 0.00000095367431640625f;
 
 static const struct { ts_buffer_id buffer, margin; } margins[] = {
 	{TS_B_eye_depth_triangle, TS_B_eye_margin},
@@ -11,6 +11,8 @@ static const struct { ts_buffer_id buffer, margin; } margins[] = {
 	{TS_B_splat_depth_index, TS_B_splat_tie},
 	{TS_B_scatter_depth, TS_B_depth_margin},
 	{TS_B_resolve_lit, TS_B_resolve_margin},
+	{TS_B_segment_label, TS_B_segment_margin},
+	{TS_B_hull_box, TS_B_hull_margin},
 };
 
 /* True if runs of the method have these margins; of a file alone that is not known. */
@@ -19,7 +21,7 @@ static bool is_measured(const ts_trace *reference, ts_buffer_id margin)
 	return reference->pipeline == NULL || ts_pipeline_maker(reference->pipeline, margin) != NULL;
 }
 
-/* Margins are pairs of f32 bits in words of 64, but those of chance and of ties. */
+/* Margins are pairs of f32 bits in words of 64, a f32, or of ties a byte. */
 static u64 every(ts_buffer_id margin) { return ts_buffer_table[margin].element_bytes == sizeof(u64) ? 2 : 1; }
 
 ts_status ts_decided_open(ts_decided *decided, const ts_trace *reference, ts_buffer_id id)
@@ -49,13 +51,13 @@ static bool is_decided(ts_buffer_id margin, const void *first, const void *secon
 	u64 edge, depth;
 	f32 number;
 	if (margin == TS_B_splat_tie) return *(const u8 *)first == 0;
-	if (margin == TS_B_cull_margin) {
+	if (every(margin) == 1) {
 		memcpy(&number, first, sizeof number);
-		return number > chance;
+		return number > (margin == TS_B_cull_margin ? chance : steps);
 	}
 	memcpy(&edge, first, sizeof edge);
 	memcpy(&depth, second, sizeof depth);
-	return (edge == TS_EMPTY || ts_u2f((u32)edge) > sub_pixels) && (depth == TS_EMPTY || ts_u2f((u32)depth) > sub_pixels);
+	return (edge == TS_EMPTY || ts_u2f((u32)edge) > steps) && (depth == TS_EMPTY || ts_u2f((u32)depth) > steps);
 }
 
 ts_status ts_decided_is(ts_decided *decided, u64 element, bool *is)

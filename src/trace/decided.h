@@ -1,9 +1,10 @@
 /* What a reference does not decide: places where a port with other sub-pixel bits, or other snapping, may legally answer
  * otherwise. An element is decided if every edge that matters is more than one sub-pixel (1/256 pixel) from it and every
  * other depth farther behind than such a step, and rounding, change the two depths; if its random number is more than
- * 2^-20 from the threshold; for splats, if no other point offered the same distance; and for shadows, if no comparison
- * with a depth map turns within such a step. Undecided can be elements of eye.depth_triangle, face.depth_triangle,
- * cull.keep, splat.depth_index, resolve.lit but of PCSS, and scatter.depth of triangles; of other buffers every element is
+ * 2^-20 from the threshold; for splats, if no other point offered the same distance; for shadows, if no comparison with a
+ * depth map turns within such a step; and for segments of depth and the boxes of pixels, if no comparison of depths turns
+ * by rounding. Undecided can be elements of eye.depth_triangle, face.depth_triangle, cull.keep, splat.depth_index,
+ * resolve.lit but of PCSS, scatter.depth of triangles, segment.label and hull.box; of other buffers every element is
  * decided. The reference must hold the margins (render --margins). */
 #ifndef TS_TRACE_DECIDED_H
 #define TS_TRACE_DECIDED_H

@@ -1,6 +1,7 @@
 #!/bin/bash
 # `compare --decided` of shadows: comparisons that turn by less than a step are undecided and no others, what a depth map
-# holds is judged by its margins, and a method that has none is judged whole.
+# holds is judged by its margins, and a method that has none is judged whole. Of hulls: segments of depths that nearly tie
+# with the step are undecided and no others, and boxes of pixels are judged.
 . "$(dirname "$0")/tap.bash"
 cd "$scratch" || exit 2
 small=(atrium:triangles=10000 --size 96x54 --no-images --set views=8 --set map_px=128 --set light_samples=4 --set pass=3
@@ -63,5 +64,47 @@ prints ' 0 different' compare pcss/trace-pcss other --decided
 run render soft-shadows "${small[@]}" --method mvr --trace -o without
 refuses 'needs depth.margin for each element of scatter.depth; render the reference with --margins' \
 	compare without/trace-mvr ref/trace-mvr --layout scatter.depth=06-scatter.depth.npy --decided
+
+# Steps beside that at which two neighbours of different segments would tie, 4 ulps off.
+hulls=(render indirect atrium:triangles=10000 --size 96x54 --set grid_px=64 --set rsm_px=2 --method hulls --no-images)
+run "${hulls[@]}" --trace -o plain
+read -r below above beyond < <(python3 - plain/trace-hulls <<'PY'
+import glob, struct, sys
+def buffer(name, kind):
+	data = open(glob.glob(f"{sys.argv[1]}/*-{name}.npy")[0], "rb").read()
+	return memoryview(data[10 + struct.unpack_from("<H", data, 8)[0]:]).cast(kind)
+depth, label = buffer("nearest.depth", "f"), buffer("segment.label", "I")
+pairs = [(p, p + 1) for p in range(64 * 64) if p % 32 < 31]
+ties = (abs(depth[p] - depth[q]) / (1 - min(depth[p], depth[q])) for p, q in pairs
+        if label[p] != label[q] and depth[p] != depth[q] and min(depth[p], depth[q]) < 1)
+tie = min(t for t in ties if t > 0.02)
+print(*(f"{tie * f:.12f}" for f in (1 - 2 ** -21, 1 + 2 ** -21, 1.1)))
+PY
+)
+run "${hulls[@]}" --set segment.step="$below" --margins -o low
+run "${hulls[@]}" --set segment.step="$above" --trace -o high
+run "${hulls[@]}" --set segment.step="$beyond" --trace -o higher
+run compare low/trace-hulls high/trace-hulls
+read -r different undecided <<< "$(row segment.label)"
+[ "$status" -eq 1 ] && [ "$different" -gt 0 ] && [ "$undecided" = - ]
+verdict $? 'hulls: 8 ulps of the step turn a test'
+run compare low/trace-hulls high/trace-hulls --decided
+[ "$(row segment.label)" = "0 $different" ]
+verdict $? 'hulls: what hangs together with it is undecided'
+run compare low/trace-hulls higher/trace-hulls --decided
+read -r different undecided <<< "$(row segment.label)"
+[ "$different" -gt 20 ]
+verdict $? 'hulls: more turns those that are decided'
+
+rm -rf other
+cp -r low/trace-hulls other
+box=$(cd other && echo *-hull.box.npy)
+header=$((10 + $(od -An -tu2 -j8 -N2 "other/$box")))
+printf '\x01\x00\x00\x00' | dd of="other/$box" bs=1 seek=$((header + 4 * 50 * 96)) conv=notrunc 2> /dev/null
+run compare low/trace-hulls other --decided
+[ "$status" -eq 1 ] && [ "$(row hull.box)" = '1 -' ] && [ "$(row segment.label)" = '0 -' ]
+verdict $? 'the box of a pixel that is decided is judged'
+refuses 'needs segment.margin for each element of segment.label; render the reference with --margins' \
+	compare plain/trace-hulls high/trace-hulls --layout segment.label="$(cd plain/trace-hulls && echo *-segment.label.npy)" --decided
 
 finish

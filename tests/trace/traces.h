@@ -92,8 +92,9 @@ static inline void traces_make(u32 m, const ts_scene *scene)
 	snprintf(dir, sizeof dir, "%s/%u", traces_root, (unsigned)m);
 	assert_int_equal(mkdir(dir, 0700), 0);
 	ts_run run;
-	ts_trace_options options = {.place = traces_place};
+	ts_trace_options options = {.place = traces_place, .margins = m == TRACES_HULLS};
 	ts_run_begin(&run, scene, &params, 2);
+	run.margins = options.margins;
 	run.traced = true;
 	run.hook = traces_hook;
 	const ts_pipeline *pipeline = ts_pipeline_find(traces_runs[m].effect, traces_runs[m].method);
