@@ -1,8 +1,8 @@
 /* Light gathered at the corners of a box (SSAGH section 3; SPEC 3.5): of every triangle of light that faces the corner w
  * = M Omega, exitance times projected area on the unit sphere, a third of it from each of its three vertices. The
  * surface's own horizon is not asked for: the normal is the pixel's, not the corner's. So a corner on the very surface
- * that sends light on must not face it by rounding, for then half a sphere is light: it is above the triangle's plane by
- * more than a sixteenth of its side. Sums are in the order of the triangles. */
+ * that sends light on must not face it by rounding, for then half a sphere is light: a triangle counts from a sixteenth of
+ * its side above its plane on, more and more, and in full from five sixteenths on. Sums are in the order of the triangles. */
 #ifndef TS_KERNELS_GATHER_H
 #define TS_KERNELS_GATHER_H
 #include "form_factor.h"
@@ -58,8 +58,13 @@ TS_FN ts_box_corner ts_k_box_corner(const ts_camera_k *view, TS_GLOBAL const ts_
 /* Sums over triangles of w, and of w times direction for each channel. */
 typedef struct { ts_v3 w, red, green, blue; } ts_gathered;
 
-/* Height above a triangle's plane, of its side. */
-#define TS_LEAST_HEIGHT 0.0625f
+/* How much of a triangle counts at that height above its plane, from 0 to 1. */
+TS_FN f32 ts_k_facing(f32 height, f32 side)
+{
+	f32 above = height - side * 0.0625f;
+	if (!(above > 0.0f && side > 0.0f)) return 0.0f;
+	return ts_min(above / (side * 0.25f), 1.0f);
+}
 
 TS_FN void ts_k_gather(ts_gathered *sum, TS_GLOBAL const ts_patch *patch, ts_v3 p)
 {
@@ -67,8 +72,9 @@ TS_FN void ts_k_gather(ts_gathered *sum, TS_GLOBAL const ts_patch *patch, ts_v3 
 	ts_v3 b = ts_load3(patch->b);
 	ts_v3 c = ts_load3(patch->c);
 	f32 height = ts_flush(ts_dot(ts_load3(patch->normal), ts_sub(p, a)));
-	if (!(height > TS_LEAST_HEIGHT * ts_length(ts_sub(b, a)))) return;
-	ts_v3 w = ts_scale(ts_load3(patch->exitance), ts_k_solid_angle(p, a, b, c));
+	f32 facing = ts_k_facing(height, ts_length(ts_sub(b, a)));
+	if (facing == 0.0f) return;
+	ts_v3 w = ts_scale(ts_load3(patch->exitance), ts_k_solid_angle(p, a, b, c) * facing);
 	ts_v3 ways = ts_add(ts_normalize(ts_sub(a, p)), ts_normalize(ts_sub(b, p)));
 	ways = ts_add(ways, ts_normalize(ts_sub(c, p)));
 	sum->w = ts_add(sum->w, w);

@@ -12,7 +12,8 @@
  *   threshold of segments is a fiftieth of the depth, the box of a pixel is the thinnest that holds it;
  * - the far plane is at infinity, so that thresholds and interpolation know the depth's reciprocal exactly (gbuffer.h);
  * - a pixel that no segment holds takes the nearest; surface=paper leaves it dark;
- * - a corner on the surface of a triangle of light does not face it, however rounding falls (gather.h);
+ * - a corner faces a triangle of light the more, the higher it is above its plane, and not at all on it, however rounding
+ *   falls (gather.h);
  * - a corner without light, or with the same from all sides, has no direction, and gives none to those that it is
  *   blended with;
  * - the picture is of indirect light alone. */
