@@ -153,8 +153,9 @@ static void check_light(const world *w, const ts_moment *m)
 		const ts_patch *light = &w->patches[k];
 		double3 vertex[3] = { d3_of(ts_load3(light->a)), d3_of(ts_load3(light->b)), d3_of(ts_load3(light->c)) };
 		double height = d3_dot(d3_of(ts_load3(light->normal)), d3_sub(p, vertex[0]));
-		if (!(height > d3_distance(vertex[0], vertex[2]) / 16)) continue;
-		double omega = solid_angle(p, vertex[0], vertex[1], vertex[2]);
+		double side = d3_distance(vertex[0], vertex[2]), facing = side > 0 ? fmin(4 * height / side - 0.25, 1) : 0;
+		if (!(facing > 0)) continue;
+		double omega = facing * solid_angle(p, vertex[0], vertex[1], vertex[2]);
 		for (u32 c = 0; c < 3; c++) {
 			double share = light->exitance[c] * omega;
 			sum[c] += share;
