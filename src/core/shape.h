@@ -5,7 +5,7 @@
 #include "../kernels/compat.h"
 #include "core.h"
 
-enum { TS_MAX_SIZES = 32, TS_MAX_DIMS = 4 };
+enum { TS_MAX_SIZES = 48, TS_MAX_DIMS = 4 };
 
 typedef struct { const char *name; u64 n; } ts_size;
 typedef struct { ts_size size[TS_MAX_SIZES]; u32 n; } ts_sizes;
