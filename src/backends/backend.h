@@ -14,6 +14,8 @@
 #include "../kernels/lookup.h"
 #include "../kernels/margin.h"
 #include "../kernels/mirror.h"
+#include "../kernels/octree.h"
+#include "../kernels/octree_surface.h"
 #include "../kernels/pcss.h"
 #include "../kernels/pixel.h"
 #include "../kernels/resize.h"
@@ -28,6 +30,10 @@
 #include "../kernels/split.h"
 #include "../kernels/splat_pieces.h"
 #include "../kernels/vectors.h"
+#include "../kernels/view_cone.h"
+#include "../kernels/view_octree.h"
+#include "../kernels/voxel.h"
+#include "../kernels/vpl.h"
 
 #define KERNEL(name, args) TS_KERNEL_##name,
 typedef enum {

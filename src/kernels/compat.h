@@ -31,8 +31,10 @@ typedef uchar u8;
 #define ts_min_u64(p, v) do { if ((uint)((v) >> 32) <= ((volatile __global uint *)(p))[1]) atom_min((p), (v)); } while (0)
 #define ts_min_u32(p, v) do { if ((v) < *(volatile __global uint *)(p)) atomic_min((p), (v)); } while (0)
 #define ts_peek_u32(p) (*(volatile __global uint *)(p))
+#define ts_or_u64(p, v) do { if (((v) & ~*(volatile __global ulong *)(p)) != 0u) atom_or((p), (v)); } while (0)
 #define ts_add_i64(p, v) ((void)atom_add((p), (v)))
 #define ts_next_i64(p) atom_inc(p)
+#define ts_next_u32(p) atomic_inc(p)
 #define ts_mark_u8(p) (*(p) = 1)
 /* In as many parts as the device needs: the program is built with TS_PARTS and TS_PART_BYTES, a power of two. */
 #if TS_PARTS > 1
@@ -62,8 +64,10 @@ typedef unsigned char u8;
 #define ts_min_u64(p, v) do { if ((v) < *(p)) atomicMin((p), (v)); } while (0)
 #define ts_min_u32(p, v) do { if ((v) < *(p)) atomicMin((p), (v)); } while (0)
 #define ts_peek_u32(p) (*(volatile u32 *)(p))
+#define ts_or_u64(p, v) do { if (((v) & ~*(p)) != 0u) atomicOr((p), (v)); } while (0)
 #define ts_add_i64(p, v) ((void)atomicAdd((u64 *)(p), (u64)(v)))
 #define ts_next_i64(p) ((i64)atomicAdd((u64 *)(p), (u64)1u))
+#define ts_next_u32(p) atomicAdd((p), 1u)
 #define ts_mark_u8(p) (*(p) = 1)
 #define TS_ASSERT_SIZE(type, bytes) static_assert(sizeof(type) == (bytes), #type)
 
@@ -114,9 +118,15 @@ static inline void ts_min_u32(u32 *p, u32 v)
 }
 /* While others lower it. */
 static inline u32 ts_peek_u32(const u32 *p) { return __atomic_load_n(p, __ATOMIC_RELAXED); }
+/* The same of bits, which are only ever set. */
+static inline void ts_or_u64(u64 *p, u64 v)
+{
+	if ((v & ~__atomic_load_n(p, __ATOMIC_RELAXED)) != 0u) __atomic_fetch_or(p, v, __ATOMIC_RELAXED);
+}
 static inline void ts_add_i64(i64 *p, i64 v) { __atomic_fetch_add(p, v, __ATOMIC_RELAXED); }
 /* The value before it is raised by 1. */
 static inline i64 ts_next_i64(i64 *p) { return __atomic_fetch_add(p, 1, __ATOMIC_RELAXED); }
+static inline u32 ts_next_u32(u32 *p) { return __atomic_fetch_add(p, 1u, __ATOMIC_RELAXED); }
 /* 1, whoever else says so at the same time. */
 static inline void ts_mark_u8(u8 *p) { __atomic_store_n(p, 1, __ATOMIC_RELAXED); }
 #define TS_ASSERT_SIZE(type, bytes) _Static_assert(sizeof(type) == (bytes), #type " has padding")

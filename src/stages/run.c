@@ -187,6 +187,7 @@ void ts_run_sizes(ts_sizes *sizes, const ts_scene *scene, const ts_params *param
 		{"I", scene->n_images}, {"X", scene->n_texels}, {"L", scene->n_lights}, {"O", scene->n_objects},
 		{"R", scene->info.n_reflectors}, {"H", params->height},
 		{"W", params->width}, {"G", params->grid_px}, {"K", TS_N_SAMPLES}, {"P", ts_expected_pixels(scene, params)},
+		{"l", params->levels + 1}, {"Y", ts_k_mask_first(params->levels + 1)},
 	};
 	for (u32 i = 0; i < sizeof known / sizeof *known; i++) ts_sizes_set(sizes, known[i].name, known[i].n);
 	ts_sizes_cubes(sizes, scene->info.n_reflectors);

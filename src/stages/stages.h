@@ -63,6 +63,14 @@ ts_status ts_stage_hull(ts_run *run);
 ts_status ts_stage_hull_margin(ts_run *run);
 ts_status ts_stage_direct(ts_run *run);
 ts_status ts_stage_indirect_image(ts_run *run);
+ts_status ts_stage_root(ts_run *run);
+ts_status ts_stage_voxel(ts_run *run);
+ts_status ts_stage_octree(ts_run *run);
+ts_status ts_stage_octree_surface(ts_run *run);
+ts_status ts_stage_vpl(ts_run *run);
+ts_status ts_stage_view_voxel(ts_run *run);
+ts_status ts_stage_view_octree(ts_run *run);
+ts_status ts_stage_view_cone(ts_run *run);
 
 /* Shared by the stages (run.c). The arrays of the frame that shading kernels read; the vertices are this frame's. */
 ts_arrays ts_run_arrays(const ts_run *run);

@@ -1,0 +1,46 @@
+/* The octree of the views, here virtual point lights: every view in the leaf voxel that holds it (SPEC 4.1). */
+#ifndef TS_KERNELS_VIEW_OCTREE_H
+#define TS_KERNELS_VIEW_OCTREE_H
+#include "mask.h"
+#include "root.h"
+
+typedef struct {
+	TS_GLOBAL const ts_root *root;
+	TS_GLOBAL const ts_vpl *views;
+	TS_GLOBAL u64 *mask;       /* view_voxel.mask, no bit set at first */
+	TS_GLOBAL const u64 *bits; /* it, done */
+	TS_GLOBAL const u32 *before;
+	TS_GLOBAL u32 *leaf;       /* view_octree.leaf */
+	TS_GLOBAL u32 *offset;     /* of view_octree.offset, one later */
+	TS_GLOBAL u32 *entries;    /* view_octree.view */
+	u32 levels;
+	u32 first_leaf;            /* a node */
+} ts_view_octree_args;
+
+TS_FN u64 ts_k_view_code(const ts_view_octree_args *args, u64 i)
+{
+	return ts_k_morton(ts_k_voxel_of(args->root, args->levels, ts_load3(args->views[i].position)));
+}
+
+/* scatter over views: into the mask */
+TS_FN void ts_k_view_voxel_item(const ts_view_octree_args *args, u64 i)
+{
+	u64 code = ts_k_view_code(args, i);
+	ts_or_u64(&args->mask[ts_k_mask_word(args->levels, code)], ts_k_mask_bit(code));
+}
+
+/* scatter over views: counts of the leaves */
+TS_FN void ts_k_view_leaf_item(const ts_view_octree_args *args, u64 i)
+{
+	u32 leaf = ts_k_mask_id(args->bits, args->before, args->levels, ts_k_view_code(args, i));
+	args->leaf[i] = leaf;
+	(void)ts_next_u32(&args->offset[leaf - args->first_leaf + 1u]);
+}
+
+/* scatter over views: lists of the leaves */
+TS_FN void ts_k_view_list_item(const ts_view_octree_args *args, u64 i)
+{
+	args->entries[ts_next_u32(&args->offset[args->leaf[i] - args->first_leaf + 1u])] = (u32)i;
+}
+
+#endif
