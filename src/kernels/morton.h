@@ -28,7 +28,10 @@ TS_FN i32 ts_k_gather_bits(u64 x)
 	return (i32)r;
 }
 
-TS_FN u64 ts_k_morton(ts_i3 p) { return ts_k_spread((u32)p.x) | (ts_k_spread((u32)p.y) << 1) | (ts_k_spread((u32)p.z) << 2); }
+TS_FN u64 ts_k_morton(ts_i3 p)
+{
+	return ts_k_spread((u32)p.x) | (ts_k_spread((u32)p.y) << 1) | (ts_k_spread((u32)p.z) << 2);
+}
 
 TS_FN ts_i3 ts_k_unmorton(u64 code)
 {

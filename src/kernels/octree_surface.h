@@ -5,6 +5,7 @@
 #define TS_KERNELS_OCTREE_SURFACE_H
 #include "closest.h"
 #include "hit.h"
+#include "morton.h"
 #include "rsm.h"
 
 typedef struct {

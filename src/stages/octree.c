@@ -124,7 +124,8 @@ ts_status ts_stage_octree_surface(ts_run *run)
 	for (u32 level = args.levels + 1; level-- > 0;) {
 		ts_kernel kernel = level == args.levels ? TS_KERNEL_leaf_surface : TS_KERNEL_inner_surface;
 		args.first = ts_octree_first(run, octree, level);
-		if (ts_run_launch(run, kernel, &args, ts_octree_first(run, octree, level + 1) - args.first) != TS_OK) return TS_ERROR;
+		u64 n_nodes = ts_octree_first(run, octree, level + 1) - args.first;
+		if (ts_run_launch(run, kernel, &args, n_nodes) != TS_OK) return TS_ERROR;
 	}
 	return TS_OK;
 }

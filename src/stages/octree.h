@@ -14,7 +14,8 @@ extern const ts_octree ts_scene_octree, ts_view_octree;
 u64 *ts_octree_mask(ts_run *run, const ts_octree *octree);
 /* The levels above the leaves, and the ids. */
 ts_status ts_octree_ids(ts_run *run, const ts_octree *octree);
-/* The nodes, and the offsets of the leaves' lists as zeros, one more than there will be: counts stand one later than the leaf. */
+/* The nodes, and the offsets of the leaves' lists as zeros, one more than there will be: counts stand one later than their
+ * leaf. */
 ts_status ts_octree_nodes(ts_run *run, const ts_octree *octree);
 /* Counts to sums: where each leaf begins now stands one later, and has moved to its place when as many entries were written
  * there as were counted. Makes the entries. */

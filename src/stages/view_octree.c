@@ -60,7 +60,8 @@ ts_status ts_stage_view_cone(ts_run *run)
 	for (u32 level = run->params.levels + 1; level-- > 0;) {
 		ts_kernel kernel = level == run->params.levels ? TS_KERNEL_cone_leaf : TS_KERNEL_cone_inner;
 		args.first = ts_octree_first(run, octree, level);
-		if (ts_run_launch(run, kernel, &args, ts_octree_first(run, octree, level + 1) - args.first) != TS_OK) return TS_ERROR;
+		u64 n_nodes = ts_octree_first(run, octree, level + 1) - args.first;
+		if (ts_run_launch(run, kernel, &args, n_nodes) != TS_OK) return TS_ERROR;
 	}
 	if (ts_run_fill(run, TS_B_view_cone_least, 0xff) != TS_OK) return TS_ERROR;
 	u64 n_views = ts_frame_n(&run->frame, TS_B_vpl_light);

@@ -1,4 +1,4 @@
-/* What the tests of the stages share: small runs of both methods on the atrium. */
+/* What the tests of the stages share: small runs of both methods on the atrium; and one stage alone. */
 #ifndef TS_TESTS_STAGES_SMALL_H
 #define TS_TESTS_STAGES_SMALL_H
 #include <setjmp.h>
@@ -39,6 +39,49 @@ static inline void small_run(ts_run *run, const ts_scene *scene, const ts_params
 	run->hook_user = user;
 	ts_status status = ts_pipeline_run(ts_pipeline_find("reflections", method), run);
 	if (status != TS_OK) fail_msg("%s: %s", method, ts_error_message());
+}
+
+static inline bool small_in(const ts_buffer_id *list, ts_buffer_id id)
+{
+	for (; *list != TS_N_BUFFERS; list++) {
+		if (*list == id) return true;
+	}
+	return false;
+}
+
+/* A copy of the frame for one stage: what it does not claim to read is all zero, what it writes is not there. */
+static inline void small_blind(ts_run *copy, const ts_run *run, const ts_stage *stage)
+{
+	*copy = *run;
+	copy->hook = NULL;
+	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
+		ts_buffer *b = &copy->frame.buffer[id];
+		if (!b->made || small_in(stage->reads, (ts_buffer_id)id)) continue;
+		if (small_in(stage->writes, (ts_buffer_id)id)) {
+			*b = (ts_buffer){ .made = false };
+			continue;
+		}
+		b->data = calloc(b->n + 1, ts_buffer_table[id].element_bytes);
+		assert_non_null(b->data);
+	}
+}
+
+static inline void small_release_blind(ts_run *copy, const ts_run *run)
+{
+	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
+		if (copy->frame.buffer[id].data != run->frame.buffer[id].data) free(copy->frame.buffer[id].data);
+	}
+}
+
+static inline void small_assert_same_outputs(const ts_run *copy, const ts_run *run, const ts_stage *stage)
+{
+	for (u32 i = 0; stage->writes[i] != TS_N_BUFFERS; i++) {
+		const ts_buffer *a = &run->frame.buffer[stage->writes[i]], *b = &copy->frame.buffer[stage->writes[i]];
+		const ts_buffer_info *info = &ts_buffer_table[stage->writes[i]];
+		if (a->n != b->n || memcmp(a->data, b->data, a->n * info->element_bytes) != 0) {
+			fail_msg("%s: %s depends on a buffer that the stage does not claim to read", stage->name, info->name);
+		}
+	}
 }
 
 #endif

@@ -1,0 +1,250 @@
+/* The two octrees of MegaViews, from the scene to the cones of the views, by a pipeline of this test: the same bits on any
+ * number of threads and on OpenCL; leaves that hold just their triangles; surfaces; lights; every stage from what it claims
+ * to read. */
+#include "../stages/small.h"
+#include <math.h>
+#include "../../src/kernels/voxel.h"
+#include "../../src/pipelines/pipelines.h"
+#include "../../src/stages/stages.h"
+#include "../../src/trace/sums.h"
+#include "../backends/device.h"
+
+static const ts_step steps[] = {
+	{.stage = "pose"}, {.stage = "lamp"}, {.stage = "rsm_view"}, {.stage = "rsm"}, {.stage = "rsm_patch"}, {.stage = "root"},
+	{.stage = "voxel"}, {.stage = "octree"}, {.stage = "octree_surface"}, {.stage = "vpl"}, {.stage = "view_voxel"},
+	{.stage = "view_octree"}, {.stage = "view_cone"}, {0},
+};
+static const ts_pipeline pipeline = {
+	"octrees", "indirect", "MegaViews 3", "", steps, ts_indirect_prepare, ts_hulls_expect, false,
+};
+
+static ts_params params_of(u32 levels, u32 vpls)
+{
+	ts_params params = small_params(96, 64);
+	params.reflectors = 0;
+	params.rsm_px = 24;
+	params.levels = levels;
+	params.vpls = vpls;
+	return params;
+}
+
+static void run_of(ts_run *run, const ts_scene *scene, const ts_params *params)
+{
+	ts_run_begin(run, scene, params, 2);
+	if (ts_pipeline_run(&pipeline, run) != TS_OK) fail_msg("%s", ts_error_message());
+}
+
+static void sums_of(ts_sums *sums, const ts_scene *scene, const ts_params *params, u32 threads, ts_backend *backend)
+{
+	const ts_how how = {.threads = threads, .backend = backend};
+	if (ts_sums_of(sums, &pipeline, scene, params, &how) != TS_OK) fail_msg("%s", ts_error_message());
+	assert_int_equal(strlen(sums->hex[TS_B_view_cone_node]), 64);
+}
+
+static void assert_same(const ts_sums *a, const ts_sums *b)
+{
+	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
+		if (strcmp(a->hex[id], b->hex[id]) != 0) fail_msg("%s differs", ts_buffer_table[id].name);
+	}
+}
+
+static void test_threads(void **state)
+{
+	(void)state;
+	static ts_sums one, seven;
+	ts_params params = params_of(6, 1000);
+	ts_scene *scene = small_scene(&params);
+	sums_of(&one, scene, &params, 1, NULL);
+	sums_of(&seven, scene, &params, 7, NULL);
+	assert_same(&one, &seven);
+	ts_scene_free(scene);
+}
+
+static void test_opencl(void **state)
+{
+	(void)state;
+	device_need();
+	static ts_sums c, cl;
+	const ts_backend_options options = {.work_group = 5, .build = ""};
+	for (u32 levels = 1; levels <= 6; levels += 5) {
+		ts_backend *backend = NULL;
+		ts_params params = params_of(levels, levels == 1 ? 0 : 300);
+		ts_scene *scene = small_scene(&params);
+		sums_of(&c, scene, &params, 2, NULL);
+		if (ts_opencl_kind.open(&backend, &options) != TS_OK) fail_msg("%s", ts_error_message());
+		sums_of(&cl, scene, &params, 1, backend);
+		assert_same(&c, &cl);
+		backend->close(backend);
+		ts_scene_free(scene);
+	}
+}
+
+static bool is_listed(const u32 *offset, const u32 *entries, u32 leaf, u32 triangle)
+{
+	for (u32 k = offset[leaf]; k < offset[leaf + 1]; k++) {
+		if (entries[k] == triangle) return true;
+	}
+	return false;
+}
+
+/* Every leaf lists triangles in order, each once, and those whose corner it holds are there. */
+static void test_lists(void **state)
+{
+	(void)state;
+	ts_run run;
+	ts_params params = params_of(6, 0);
+	ts_scene *scene = small_scene(&params);
+	run_of(&run, scene, &params);
+	const u32 *offset = ts_frame_data(&run.frame, TS_B_octree_offset), *entries = ts_frame_data(&run.frame, TS_B_octree_triangle);
+	const u32 *before = ts_frame_data(&run.frame, TS_B_voxel_before), *level = ts_frame_data(&run.frame, TS_B_octree_level);
+	const u64 *mask = ts_frame_data(&run.frame, TS_B_voxel_mask);
+	const ts_root *root = ts_frame_data(&run.frame, TS_B_root_cube);
+	u64 n_leaves = ts_frame_n(&run.frame, TS_B_octree_offset) - 1;
+	assert_int_equal(n_leaves, level[7] - level[6]);
+	assert_int_equal(offset[n_leaves], ts_frame_n(&run.frame, TS_B_octree_triangle));
+	for (u64 i = 0; i < n_leaves; i++) {
+		assert_true(offset[i] < offset[i + 1]);
+		for (u32 k = offset[i] + 1; k < offset[i + 1]; k++) assert_true(entries[k - 1] < entries[k]);
+	}
+	const ts_arrays arrays = ts_run_arrays(&run);
+	for (u32 t = 0; t < scene->n_triangles; t++) {
+		ts_corners corners = ts_k_corners(&arrays, t);
+		if (ts_k_is_degenerate(corners.n)) continue;
+		u64 code = ts_k_morton(ts_k_voxel_of(root, 6, corners.b));
+		u64 word = ts_k_mask_word(6, code);
+		assert_true((mask[word] & ts_k_mask_bit(code)) != 0);
+		assert_true(is_listed(offset, entries, ts_k_mask_id(mask, before, 6, code) - level[6], t));
+	}
+	assert_int_equal(ts_run_counter(&run, "scene leaves"), n_leaves);
+	assert_int_equal(ts_run_counter(&run, "scene nodes"), level[7]);
+	ts_run_end(&run);
+	ts_scene_free(scene);
+}
+
+/* Albedos are those of materials; inner nodes are means of their children. */
+static void test_surfaces(void **state)
+{
+	(void)state;
+	ts_run run;
+	ts_params params = params_of(5, 0);
+	ts_scene *scene = small_scene(&params);
+	run_of(&run, scene, &params);
+	const ts_node *nodes = ts_frame_data(&run.frame, TS_B_octree_node);
+	const ts_node_surface *surfaces = ts_frame_data(&run.frame, TS_B_octree_surface_node);
+	u64 n = ts_frame_n(&run.frame, TS_B_octree_node);
+	u32 n_coloured = 0;
+	for (u64 i = 0; i < n; i++) {
+		double albedo[3] = {0, 0, 0}, normal[3] = {0, 0, 0};
+		u32 children = ts_k_count_bits(nodes[i].children);
+		for (u32 k = 0; k < 3; k++) {
+			assert_true(surfaces[i].albedo[k] >= 0 && surfaces[i].albedo[k] <= 1);
+			assert_true(fabsf(surfaces[i].normal[k]) <= 1.000001f);
+			for (u32 c = 0; c < children; c++) {
+				albedo[k] += (double)surfaces[nodes[i].child + c].albedo[k] / children;
+				normal[k] += (double)surfaces[nodes[i].child + c].normal[k] / children;
+			}
+			if (children == 0) continue;
+			assert_true(fabs(albedo[k] - (double)surfaces[i].albedo[k]) < 1e-6);
+			assert_true(fabs(normal[k] - (double)surfaces[i].normal[k]) < 1e-6);
+		}
+		n_coloured += surfaces[i].albedo[0] != surfaces[i].albedo[1];
+	}
+	assert_true(n_coloured > n / 10);
+	ts_run_end(&run);
+	ts_scene_free(scene);
+}
+
+/* Flux of all lights, of red. */
+static double flux_of(const ts_run *run)
+{
+	double sum = 0;
+	const ts_vpl *lights = ts_frame_data(&run->frame, TS_B_vpl_light);
+	for (u64 i = 0; i < ts_frame_n(&run->frame, TS_B_vpl_light); i++) sum += (double)lights[i].flux[0];
+	return sum;
+}
+
+/* All lights send what their texels do, half a leaf above them; so many at random send as much in all. */
+static void test_lights(void **state)
+{
+	(void)state;
+	ts_run all, some;
+	ts_params params = params_of(6, 0);
+	ts_scene *scene = small_scene(&params);
+	run_of(&all, scene, &params);
+	const ts_vpl *lights = ts_frame_data(&all.frame, TS_B_vpl_light);
+	const ts_patch *patches = ts_frame_data(&all.frame, TS_B_rsm_patch);
+	const ts_root *root = ts_frame_data(&all.frame, TS_B_root_cube);
+	u64 n = 0;
+	double sum = 0, half_leaf = (double)root->side / 128;
+	for (u64 i = 0; i < ts_frame_n(&all.frame, TS_B_rsm_patch); i++) {
+		const ts_patch *p = &patches[i];
+		if (!(p->exitance[0] > 0 || p->exitance[1] > 0 || p->exitance[2] > 0)) continue;
+		double side = 0, away = 0;
+		for (u32 k = 0; k < 3; k++) {
+			double middle = ((double)p->a[k] + (double)p->b[k] + (double)p->c[k]) / 3;
+			side += ((double)p->b[k] - (double)p->a[k]) * ((double)p->b[k] - (double)p->a[k]);
+			away += ((double)lights[n].position[k] - middle) * (double)p->normal[k];
+		}
+		double flux = (double)p->exitance[0] * sqrt(3) / 4 * side;
+		assert_true(fabs((double)lights[n].flux[0] - flux) <= 1e-4 * flux + 1e-9);
+		assert_true(fabs(away - half_leaf) < 1e-3 * half_leaf && lights[n].bounce == 1);
+		assert_memory_equal(lights[n].normal, p->normal, sizeof p->normal);
+		sum += flux;
+		n++;
+	}
+	assert_int_equal(n, ts_frame_n(&all.frame, TS_B_vpl_light));
+	params.vpls = 100000;
+	run_of(&some, scene, &params);
+	assert_int_equal(ts_frame_n(&some.frame, TS_B_vpl_light), 100000);
+	assert_true(fabs(flux_of(&some) - sum) < 0.02 * sum);
+	ts_run_end(&some);
+	ts_run_end(&all);
+	ts_scene_free(scene);
+}
+
+/* A lamp that meets nothing: no lights, an octree without nodes. */
+static void test_dark(void **state)
+{
+	(void)state;
+	ts_run run;
+	ts_params params = params_of(4, 50);
+	params.light_irradiance = 0;
+	ts_scene *scene = small_scene(&params);
+	run_of(&run, scene, &params);
+	assert_int_equal(ts_frame_n(&run.frame, TS_B_vpl_light), 0);
+	assert_int_equal(ts_frame_n(&run.frame, TS_B_view_octree_node), 0);
+	assert_int_equal(ts_frame_n(&run.frame, TS_B_view_cone_node), 0);
+	assert_true(ts_frame_n(&run.frame, TS_B_octree_node) > 0);
+	ts_run_end(&run);
+	ts_scene_free(scene);
+}
+
+/* Every stage again from a frame where all that it does not claim to read is zero. */
+static void test_claims(void **state)
+{
+	(void)state;
+	ts_run run, copy;
+	ts_params params = params_of(5, 200);
+	ts_scene *scene = small_scene(&params);
+	run_of(&run, scene, &params);
+	for (const ts_step *step = steps; step->stage != NULL; step++) {
+		const ts_stage *stage = ts_stage_find(step->stage);
+		small_blind(&copy, &run, stage);
+		if (ts_run_stage(&copy, stage) != TS_OK) fail_msg("%s", ts_error_message());
+		small_assert_same_outputs(&copy, &run, stage);
+		small_release_blind(&copy, &run);
+	}
+	ts_run_end(&run);
+	ts_scene_free(scene);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_threads), cmocka_unit_test(test_opencl),   cmocka_unit_test(test_lists),
+		cmocka_unit_test(test_surfaces), cmocka_unit_test(test_lights),  cmocka_unit_test(test_dark),
+		cmocka_unit_test(test_claims),
+	};
+	device_keep_kernels();
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
