@@ -2,9 +2,9 @@
  * inputs, so whatever could make a stage read or write elsewhere, never end, or do what C leaves undefined is
  * refused first:
  *
- * - sizes: every buffer has the shape of records.def, with V T M S I X L O A B U P Q N P2 P3 taken from what is there,
- *   R from scene.info, w from U or B, H W from the parameters and C C4 from resize.face, or C from offscreen.view.
- *   So an index below its size is an element of its array.
+ * - sizes: every buffer has the shape of records.def, with V T M S I X L O A B U P Q N P2 P3 D E F J taken from
+ *   what is there, R from scene.info, w from U or B, H W l Y from the parameters and C C4 from resize.face, or C from
+ *   offscreen.view. So an index below its size is an element of its array.
  * - indices: every INDEX row of records.def. A key is all ones or its low half is an index: kernels ask for the
  *   former. An index of a size that is not known has no array that is loaded, and no stage follows it.
  * - floats are finite. No kernel turns a float into an integer but by ts_f2i and ts_fix, which take any float, so
@@ -19,6 +19,10 @@
  * - scene.image: whole mip chains inside scene.texel, sides below 2^22, so that 24.8 fixed point names every
  *   texel; scene.slot: uv_set and wrap; scene.object: ranges one after the other inside scene.vertex, and for each
  *   reflector just one object, with vertices; scene.light: kind; scene.info: at most 2^20 reflectors.
+ * - voxel.mask, voxel.before and those of the views are what stages voxel and view_voxel make of the same triangles and
+ *   views, for lists are written where their bits say. octree.level and view_octree.level begin at 0, never fall and end at
+ *   the nodes; a node has the level that they say, its parent before it, and, but for leaves, children behind it that
+ *   name it. Every leaf of the views has some, and those name it; view_cone.node names views that are there.
  * - align.frame: q within 24.8 of the lattice, so that edges fit 64 bits, s not negative; for count, points and what
  *   makes points without storing them, fewer than 2^34 lattice squares in the boxes of all pieces.
  *
@@ -48,6 +52,12 @@ ts_status ts_check_faces(const ts_load *load);
 ts_status ts_check_views(const ts_load *load);
 /* Area lights, their samples, and what reaches pixels; shapes and indices must have been checked. */
 ts_status ts_check_lamps(const ts_load *load, const ts_stage *stage);
+/* The leaves of the octrees (D1, E1), if their levels were loaded (check_octree.c). */
+void ts_check_leaves(ts_load *load);
+/* Masks, levels, nodes and cones of the octrees; shapes, indices and sums must have been checked. */
+ts_status ts_check_octrees(const ts_load *load, const ts_stage *stage);
+/* What was loaded of a stage's outputs is just what the stage makes of the rest, which `from` stands for. */
+ts_status ts_check_again(const ts_load *load, const char *maker, const char *from);
 /* Fails with one line about a loaded buffer: its file, the place, its value, and "RIGHT would be right". */
 ts_status ts_check_refuse(const ts_load *load, ts_buffer_id id, u64 element, const char *field, u32 component,
                           const char *right, ...) __attribute__((format(printf, 6, 7)));

@@ -32,6 +32,7 @@ static const struct {
 } sums[] = {
 	{TS_B_pixel_offset, "P"},    {TS_B_split_offset, "Q"},    {TS_B_count_offset, "N"},
 	{TS_B_lookup2_offset, "P2"}, {TS_B_lookup3_offset, "P3"}, {TS_B_box_offset, "Z"},
+	{TS_B_octree_offset, "F"},   {TS_B_view_octree_offset, "J"},
 };
 
 static ts_status check_sums(const ts_load *load)
@@ -230,22 +231,7 @@ static ts_status check_frames(const ts_load *load, const ts_stage *stage)
 /* Points are written where count.offset says: the sums that stage count makes of the same pieces. */
 static ts_status check_counts(const ts_load *load, const ts_stage *stage)
 {
-	const ts_buffer_id id = TS_B_count_offset;
-	u64 n;
-	const u32 *offset = elements(load, id, &n);
-	if (strcmp(stage->name, "points") != 0) return TS_OK;
-	ts_run again = load->run;
-	again.hook = NULL;
-	again.frame.buffer[id] = (ts_buffer){.made = false};
-	ts_status status = ts_run_stage(&again, ts_stage_find("count"));
-	const u32 *right = status == TS_OK ? ts_frame_data(&again.frame, id) : NULL;
-	for (u64 i = 0; i < n && status == TS_OK; i++) {
-		if (offset[i] == right[i]) continue;
-		status = ts_check_refuse(load, id, i, "", 0, "%" PRIu32 ", which stage count makes of the same align.frame,",
-		                         right[i]);
-	}
-	ts_frame_drop(&again.frame, id);
-	return status;
+	return strcmp(stage->name, "points") == 0 ? ts_check_again(load, "count", "align.frame") : TS_OK;
 }
 
 static ts_status check_segments(const ts_load *load)
@@ -275,6 +261,6 @@ ts_status ts_check_values(const ts_load *load, const ts_stage *stage)
 	if (check_sums(load) != TS_OK || check_images(load) != TS_OK || check_slots(load) != TS_OK) return TS_ERROR;
 	if (check_lights(load) != TS_OK || check_objects(load) != TS_OK || check_view(load) != TS_OK) return TS_ERROR;
 	if (ts_check_lamps(load, stage) != TS_OK || check_frames(load, stage) != TS_OK) return TS_ERROR;
-	if (check_segments(load) != TS_OK) return TS_ERROR;
+	if (check_segments(load) != TS_OK || ts_check_octrees(load, stage) != TS_OK) return TS_ERROR;
 	return check_counts(load, stage);
 }

@@ -83,7 +83,8 @@ static void check_box(const tree *t, const ts_node *node, u32 level, u32 code)
 	for (u32 axis = 0; axis < 3; axis++) {
 		u32 place = 0;
 		for (u32 b = 0; b < level; b++) place |= (code >> (3 * b + axis) & 1) << b;
-		assert_near(node->centre[axis], (double)t->root.lower[axis] + (place + 0.5) * side, 1e-5 * ((double)t->root.side + 50));
+		double right = (double)t->root.lower[axis] + (place + 0.5) * side;
+		assert_near(node->centre[axis], right, 1e-5 * ((double)t->root.side + 50));
 	}
 	double radius = sqrt(3) / 2 * side;
 	assert_near(node->radius, radius, 1e-7 * radius);

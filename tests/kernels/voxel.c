@@ -1,5 +1,5 @@
-/* Voxels that triangles touch, against another way to tell: a triangle meets a box if one of its edges does, or if one of the
- * box's edges meets it; in integers, so without doubt. The root cube and its lattice; Morton codes, bit by bit. */
+/* Voxels that triangles touch, against another way to tell: a triangle meets a box if one of its edges does, or if one of
+ * the box's edges meets it; in integers, so without doubt. The root cube and its lattice; Morton codes, bit by bit. */
 #include <stdlib.h>
 #include <string.h>
 #include "../../src/kernels/voxel.h"
@@ -23,7 +23,8 @@ static bool segment_meets(const point *p, const point *q, const i64 voxel[3])
 		i64 low = voxel[k] * TS_VOXEL - p->c[k], high = low + TS_VOXEL, d = q->c[k] - p->c[k];
 		if (d == 0 && (low > 0 || high < 0)) return false;
 		if (d == 0) continue;
-		ratio enters = d > 0 ? (ratio){ low, d } : (ratio){ -high, -d }, leaves = d > 0 ? (ratio){ high, d } : (ratio){ -low, -d };
+		ratio enters = d > 0 ? (ratio){ low, d } : (ratio){ -high, -d };
+		ratio leaves = d > 0 ? (ratio){ high, d } : (ratio){ -low, -d };
 		if (less(from, enters)) from = enters;
 		if (less(leaves, to)) to = leaves;
 	}
@@ -91,7 +92,10 @@ static void fill(point t[3], u32 kind, i64 steps, i64 near)
 
 static ts_i3 corner(const point *p) { return ts_i3_make((i32)p->c[0], (i32)p->c[1], (i32)p->c[2]); }
 
-static ts_touch touch_of(const point t[3], i32 last) { return ts_k_touch(corner(&t[0]), corner(&t[1]), corner(&t[2]), last); }
+static ts_touch touch_of(const point t[3], i32 last)
+{
+	return ts_k_touch(corner(&t[0]), corner(&t[1]), corner(&t[2]), last);
+}
 
 /* What the loops of the kernel ask of one voxel. */
 static bool touches(const ts_touch *t, const i64 voxel[3])
@@ -122,7 +126,9 @@ static void test_small(void **state)
 		point t[3];
 		fill(t, i, STEPS, i % 4 < 2 ? 40 : 700);
 		ts_touch touch = touch_of(t, SIDE - 1);
-		for (i64 v = 0; v < SIDE * SIDE * SIDE; v++) compare(&touch, t, (i64[]){ v % SIDE, v / SIDE % SIDE, v / SIDE / SIDE }, counts);
+		for (i64 v = 0; v < SIDE * SIDE * SIDE; v++) {
+			compare(&touch, t, (i64[]){ v % SIDE, v / SIDE % SIDE, v / SIDE / SIDE }, counts);
+		}
 	}
 	assert_true(counts[0] > 100000 && counts[1] > 30000);
 }
@@ -141,7 +147,7 @@ static void test_large(void **state)
 			ts_v3 w = random_weights();
 			i64 voxel[3];
 			for (u32 k = 0; k < 3; k++) {
-				double p = (double)w.x * (double)t[0].c[k] + (double)w.y * (double)t[1].c[k] + (double)w.z * (double)t[2].c[k];
+				f32 p = ts_blend1(w, (f32)t[0].c[k], (f32)t[1].c[k], (f32)t[2].c[k]);
 				voxel[k] = (i64)(p / TS_VOXEL) + (i64)below(3) - 1;
 				voxel[k] = voxel[k] < 0 ? 0 : voxel[k] > SIDE_LARGE - 1 ? SIDE_LARGE - 1 : voxel[k];
 			}

@@ -95,7 +95,8 @@ static void test_lists(void **state)
 	ts_params params = params_of(6, 0);
 	ts_scene *scene = small_scene(&params);
 	run_of(&run, scene, &params);
-	const u32 *offset = ts_frame_data(&run.frame, TS_B_octree_offset), *entries = ts_frame_data(&run.frame, TS_B_octree_triangle);
+	const u32 *offset = ts_frame_data(&run.frame, TS_B_octree_offset);
+	const u32 *entries = ts_frame_data(&run.frame, TS_B_octree_triangle);
 	const u32 *before = ts_frame_data(&run.frame, TS_B_voxel_before), *level = ts_frame_data(&run.frame, TS_B_octree_level);
 	const u64 *mask = ts_frame_data(&run.frame, TS_B_voxel_mask);
 	const ts_root *root = ts_frame_data(&run.frame, TS_B_root_cube);

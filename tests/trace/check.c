@@ -13,6 +13,15 @@ static const ts_stage *reader_of(ts_buffer_id id, const char *size, u32 *m)
 	return NULL;
 }
 
+/* By some method: no trace holds another buffer (tests/trace/check_octree.c). */
+static bool is_made(ts_buffer_id id)
+{
+	for (const ts_pipeline *p = ts_pipeline_table; p->name != NULL; p++) {
+		if (ts_emit_is_scene(id) || ts_pipeline_maker(p, id) != NULL) return true;
+	}
+	return false;
+}
+
 static const struct { ts_buffer_id id; const char *field, *size; bool none; } indices[] = {
 #define INDEX(buffer, field, size, none) {TS_B_##buffer, field, size, none},
 #include <touchstone/records.def>
@@ -26,6 +35,7 @@ static void test_indices(void **state)
 		u32 m, n_dims;
 		ts_buffer_id id = indices[row].id, ids[TS_N_BUFFERS + 1];
 		const ts_stage *stage = reader_of(id, indices[row].size, &m);
+		if (!is_made(id)) continue;
 		assert_non_null(stage);
 		ts_load *load;
 		ts_replay_reads(ids, stage, traces[m]->pipeline, &traces[m]->params);

@@ -1,0 +1,205 @@
+/* Checks of the octrees of MegaViews: faults in what its stages read, planted in buffers of a run. */
+#include "../stages/small.h"
+#include "../../src/pipelines/pipelines.h"
+#include "../../src/trace/check.h"
+#include "../../src/trace/field.h"
+
+static const ts_step steps[] = {
+	{.stage = "pose"}, {.stage = "lamp"}, {.stage = "rsm_view"}, {.stage = "rsm"}, {.stage = "rsm_patch"}, {.stage = "root"},
+	{.stage = "voxel"}, {.stage = "octree"}, {.stage = "octree_surface"}, {.stage = "vpl"}, {.stage = "view_voxel"},
+	{.stage = "view_octree"}, {.stage = "view_cone"}, {0},
+};
+static const ts_pipeline pipeline = {
+	"octrees", "indirect", "MegaViews 3", "", steps, ts_indirect_prepare, ts_hulls_expect, false,
+};
+enum { LEVELS = 4, LIGHTS = 200 };
+
+static ts_run run;
+static ts_scene *scene;
+static ts_trace trace;
+
+/* The run's buffers as those of a trace. */
+static int begin(void **state)
+{
+	(void)state;
+	ts_params params = small_params(64, 48);
+	params.reflectors = 0;
+	params.levels = LEVELS;
+	params.vpls = LIGHTS;
+	scene = small_scene(&params);
+	ts_run_begin(&run, scene, &params, 2);
+	if (ts_pipeline_run(&pipeline, &run) != TS_OK) fail_msg("%s", ts_error_message());
+	trace.pipeline = &pipeline;
+	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
+		const ts_buffer *buffer = &run.frame.buffer[id];
+		if (!buffer->made) continue;
+		ts_trace_item *item = &trace.item[id];
+		item->path = (char *)(uintptr_t)ts_buffer_table[id].name;
+		item->npy.n = buffer->n;
+		item->npy.n_dims = buffer->n_dims;
+		memcpy(item->npy.shape, buffer->shape, sizeof buffer->shape);
+	}
+	return 0;
+}
+
+static int end(void **state)
+{
+	(void)state;
+	ts_run_end(&run);
+	ts_scene_free(scene);
+	return 0;
+}
+
+/* What a stage reads, loaded. */
+static void load_for(ts_load *load, const ts_stage *stage)
+{
+	*load = (ts_load){.run = run, .scene = *scene, .pipeline = &pipeline, .reference = &trace};
+	load->run.scene = &load->scene;
+	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
+		if (ts_stage_reads(stage, (ts_buffer_id)id)) load->item[id] = &trace.item[id];
+	}
+}
+
+/* The stage refuses the value, and names the place, in one line. */
+static void refuses(const char *name, ts_buffer_id id, u64 element, const char *field, u64 value)
+{
+	ts_load load;
+	const ts_stage *stage = ts_stage_find(name);
+	ts_buffer *buffer = &run.frame.buffer[id];
+	const ts_fields fields = ts_fields_of(id);
+	u32 f = 0;
+	while (strcmp(fields.field[f].name, field) != 0) f++;
+	u8 *at = (u8 *)buffer->data + element * ts_buffer_table[id].element_bytes + fields.field[f].offset;
+	u64 kept = 0;
+	assert_true(element < buffer->n);
+	memcpy(&kept, at, fields.field[f].bytes);
+	memcpy(at, &value, fields.field[f].bytes);
+	load_for(&load, stage);
+	ts_status status = ts_check(&load, stage);
+	memcpy(at, &kept, fields.field[f].bytes);
+	char place[64];
+	snprintf(place, sizeof place, ": element %u", (unsigned)element);
+	const char *message = ts_error_message();
+	bool told = strncmp(message, ts_buffer_table[id].name, strlen(ts_buffer_table[id].name)) == 0 &&
+	            strstr(message, place) != NULL && strstr(message, "would be right") != NULL && strchr(message, '\n') == NULL;
+	if (status != TS_ERROR || !told) fail_msg("%s, %s of %s: %s", name, field, ts_buffer_table[id].name, message);
+}
+
+/* Nothing is wrong with any of them. */
+static void test_right(void **state)
+{
+	(void)state;
+	for (const ts_step *step = steps; step->stage != NULL; step++) {
+		ts_load load;
+		const ts_stage *stage = ts_stage_find(step->stage);
+		load_for(&load, stage);
+		if (ts_check(&load, stage) != TS_OK) fail_msg("%s: %s", step->stage, ts_error_message());
+	}
+}
+
+static const struct { ts_buffer_id id; const char *field, *size; bool none; } indices[] = {
+#define INDEX(buffer, field, size, none) {TS_B_##buffer, field, size, none},
+#include <touchstone/records.def>
+};
+
+/* Every index of what these stages make, where one of them reads it. */
+static void test_indices(void **state)
+{
+	(void)state;
+	u32 n_tested = 0;
+	for (u32 row = 0; row < sizeof indices / sizeof *indices; row++) {
+		ts_buffer_id id = indices[row].id;
+		for (const ts_step *step = steps; step->stage != NULL; step++) {
+			ts_load load;
+			u32 n_dims;
+			u64 size[TS_MAX_DIMS];
+			const ts_stage *stage = ts_stage_find(step->stage);
+			if (!ts_stage_reads(stage, id) || ts_frame_n(&run.frame, id) == 0 || id < TS_B_root_least) continue;
+			load_for(&load, stage);
+			assert_int_equal(ts_check(&load, stage), TS_OK);
+			assert_true(ts_shape_dims(indices[row].size, &load.sizes, &n_dims, size));
+			refuses(step->stage, id, ts_frame_n(&run.frame, id) - 1, indices[row].field, size[0]);
+			refuses(step->stage, id, 0, indices[row].field, 0xfffffffe);
+			n_tested++;
+		}
+	}
+	assert_true(n_tested >= 9);
+}
+
+/* Lists are written where bits say. */
+static void test_masks(void **state)
+{
+	(void)state;
+	const u64 *mask = ts_frame_data(&run.frame, TS_B_voxel_mask), *views = ts_frame_data(&run.frame, TS_B_view_voxel_mask);
+	u64 last = ts_k_mask_first(LEVELS + 1) - 1;
+	refuses("octree", TS_B_voxel_mask, last, "", ~mask[last]);
+	refuses("octree", TS_B_voxel_mask, 0, "", 0);
+	refuses("octree", TS_B_voxel_before, 3, "", 4000000000);
+	refuses("octree", TS_B_voxel_before, last + 1, "", 0);
+	refuses("view_octree", TS_B_view_voxel_mask, last, "", views[last] ^ 1);
+	refuses("view_octree", TS_B_view_voxel_before, last, "", 0);
+}
+
+static void test_nodes(void **state)
+{
+	(void)state;
+	const u32 *level = ts_frame_data(&run.frame, TS_B_octree_level), leaf = level[LEVELS], n = level[LEVELS + 1];
+	const ts_node *nodes = ts_frame_data(&run.frame, TS_B_octree_node);
+	refuses("octree_surface", TS_B_octree_level, 0, "", 1);
+	refuses("octree_surface", TS_B_octree_level, 2, "", 0);
+	refuses("octree_surface", TS_B_octree_node, 0, "level", 1);
+	refuses("octree_surface", TS_B_octree_node, 0, "children", 0);
+	refuses("octree_surface", TS_B_octree_node, 0, "children", 256);
+	refuses("octree_surface", TS_B_octree_node, leaf, "children", 1);
+	refuses("octree_surface", TS_B_octree_node, leaf - 1, "children", 511);
+	refuses("octree_surface", TS_B_octree_node, 0, "child", 0);
+	refuses("octree_surface", TS_B_octree_node, 2, "child", nodes[1].child);
+	refuses("octree_surface", TS_B_octree_node, leaf - 1, "child", n - 1);
+	refuses("octree_surface", TS_B_octree_node, leaf, "child", leaf + 1);
+	refuses("octree_surface", TS_B_octree_node, 0, "parent", 0);
+	refuses("octree_surface", TS_B_octree_offset, 1, "", 0xfffffff0);
+	refuses("octree_surface", TS_B_octree_offset, n - leaf, "", 0);
+	refuses("view_cone", TS_B_view_octree_offset, 1, "", 0);
+	refuses("view_cone", TS_B_view_octree_view, 0, "", *(u32 *)ts_frame_data(&run.frame, TS_B_view_octree_view) ^ 1);
+	refuses("view_cone", TS_B_view_octree_node, 1, "child", 1);
+}
+
+/* A fault in the parent of a node shows where the parent's children are read. */
+static void test_parents(void **state)
+{
+	(void)state;
+	ts_load load;
+	ts_node *nodes = ts_frame_data(&run.frame, TS_B_view_octree_node);
+	const u32 n = (u32)ts_frame_n(&run.frame, TS_B_view_octree_node);
+	for (u32 i = 1; i < n; i += n / 7) {
+		u32 kept = nodes[i].parent;
+		nodes[i].parent = i % 2 == 0 ? i : TS_NONE;
+		load_for(&load, ts_stage_find("view_cone"));
+		assert_int_equal(ts_check(&load, ts_stage_find("view_cone")), TS_ERROR);
+		nodes[i].parent = kept;
+	}
+}
+
+/* As many leaves as there are, behind nodes that are not there. */
+static void test_levels(void **state)
+{
+	(void)state;
+	ts_load load;
+	u32 *level = ts_frame_data(&run.frame, TS_B_octree_level);
+	level[LEVELS]++;
+	level[LEVELS + 1]++;
+	load_for(&load, ts_stage_find("octree_surface"));
+	assert_int_equal(ts_check(&load, ts_stage_find("octree_surface")), TS_ERROR);
+	level[LEVELS]--;
+	level[LEVELS + 1]--;
+	assert_non_null(strstr(ts_error_message(), "octree.level: element 5"));
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_right), cmocka_unit_test(test_indices), cmocka_unit_test(test_masks),
+		cmocka_unit_test(test_nodes), cmocka_unit_test(test_parents), cmocka_unit_test(test_levels),
+	};
+	return cmocka_run_group_tests(tests, begin, end);
+}
