@@ -1,21 +1,26 @@
-/* Virtual point lights (instant radiosity, MegaViews section 4.1; SPEC 4.9): the texels of the reflective shadow maps that
- * send light on, all of them or so many at random, with repetition. Half a leaf's side above the surface, for a light in the
- * voxel of its own surface is in its shadow (SPEC 4.7). */
+/* Virtual point lights (instant radiosity, MegaViews section 4.1; SPEC 4.9): paths from the texels of the reflective shadow
+ * maps that send light on, from all of them or from so many at random, with repetition. A path leaves a light there and at
+ * each of its later reflections, whose directions are cosine-distributed, so that the albedo is all that is lost. Lights
+ * stand half a leaf's side above the surface, for in the voxel of its own surface a light is in its shadow (SPEC 4.7). */
 #ifndef TS_KERNELS_VPL_H
 #define TS_KERNELS_VPL_H
-#include "records.h"
-#include "vec.h"
+#include "cast.h"
+#include "rsm.h"
 
 typedef struct {
+	ts_cast_args cast;
 	TS_GLOBAL const ts_patch *patches; /* rsm_patch.light */
-	TS_GLOBAL const ts_root *root;
 	TS_GLOBAL u32 *offset;             /* vpl.offset: counts, then their prefix sums */
+	TS_GLOBAL u32 *paths;              /* vpl.path: counts, then their prefix sums */
 	TS_GLOBAL ts_vpl *lights;
 	u64 n_patches;
 	u32 n_lit;                         /* patches that send light on */
-	u32 n;                             /* lights; n_lit unless random */
-	u32 random, seed, levels;
+	u32 n;                             /* paths; n_lit unless random */
+	u32 random, seed, bounces;
 } ts_vpl_args;
+
+/* A light in registers. */
+typedef struct { ts_v3 p, n, flux; u32 bounce; } ts_light_k;
 
 #define TS_STREAM_VPL 4u
 
@@ -40,27 +45,88 @@ TS_FN u64 ts_k_vpl_texel(const ts_vpl_args *args, u32 rank)
 	return low;
 }
 
-/* map over lights; there is a texel that sends light on */
-TS_FN void ts_k_vpl_item(const ts_vpl_args *args, u64 i)
+/* Random number `which` of a path. */
+TS_FN u32 ts_k_vpl_random(const ts_vpl_args *args, u32 path, u32 which)
 {
-	u32 chance = ts_random((u32)i, TS_STREAM_VPL, args->seed);
-	u32 rank = args->random != 0u ? (u32)(((u64)chance * args->n_lit) >> 32) : (u32)i;
+	return ts_random(path ^ ts_pcg(which), TS_STREAM_VPL, args->seed);
+}
+
+/* Where a path begins: the triangle of light of its texel. */
+TS_FN ts_light_k ts_k_vpl_first(const ts_vpl_args *args, u32 path)
+{
+	u32 chance = ts_k_vpl_random(args, path, 0u);
+	u32 rank = args->random != 0u ? (u32)(((u64)chance * args->n_lit) >> 32) : path;
 	TS_GLOBAL const ts_patch *patch = &args->patches[ts_k_vpl_texel(args, rank)];
-	TS_GLOBAL ts_vpl *light = &args->lights[i];
 	ts_v3 a = ts_load3(patch->a);
 	ts_v3 b = ts_load3(patch->b);
 	ts_v3 c = ts_load3(patch->c);
-	ts_v3 n = ts_load3(patch->normal);
-	f32 third = 0.3333333432674407958984375f;
-	f32 leaf = args->root->side / (f32)(1 << args->levels);
+	ts_v3 third = ts_k_hit_weights(0.0f, 0.0f, 0.0f);
 	f32 area = ts_length(ts_cross(ts_sub(b, a), ts_sub(c, a))) * 0.5f;
 	f32 share = (f32)args->n_lit / (f32)args->n;
-	ts_store3(light->position, ts_mad(ts_blend(ts_v3_make(third, third, third), a, b, c), n, leaf * 0.5f));
-	ts_store3(light->normal, n);
-	ts_store3(light->flux, ts_scale(ts_load3(patch->exitance), ts_flush(area * share)));
-	light->bounce = 1u;
-	light->pad0 = 0u;
-	light->pad1 = 0u;
+	ts_light_k r;
+	r.n = ts_load3(patch->normal);
+	r.p = ts_mad(ts_blend(third, a, b, c), r.n, args->cast.leaf * 0.5f);
+	r.flux = ts_scale(ts_load3(patch->exitance), ts_flush(area * share));
+	r.bounce = 1u;
+	return r;
+}
+
+/* Cosine-distributed about n: a point of the unit disc across n, raised to the sphere. */
+TS_FN ts_v3 ts_k_vpl_direction(const ts_vpl_args *args, u32 path, u32 bounce, ts_v3 n)
+{
+	f32 square = ts_uniform(ts_k_vpl_random(args, path, 2u * bounce - 1u));
+	f32 turn = ts_uniform(ts_k_vpl_random(args, path, 2u * bounce));
+	ts_v3 u = ts_k_across(n);
+	ts_v3 v = ts_cross(n, u);
+	f32 r = ts_sqrt(square);
+	f32 up = ts_sqrt(1.0f - square);
+	ts_v3 across = ts_mad(ts_scale(u, r * ts_cos_turn(turn)), v, r * ts_sin_turn(turn));
+	return ts_normalize(ts_mad(across, n, up));
+}
+
+/* The next light of a path; false if it leaves the scene or meets what is black. */
+TS_FN bool ts_k_vpl_next(const ts_vpl_args *args, u32 path, ts_light_k *light)
+{
+	ts_v3 d = ts_k_vpl_direction(args, path, light->bounce, light->n);
+	ts_cast_hit hit = ts_k_cast(&args->cast, light->p, d);
+	if (hit.triangle == TS_NONE) return false;
+	ts_surface s = ts_k_surface(&args->cast.scene, hit.triangle, hit.weights, args->cast.leaf);
+	light->n = ts_dot(s.face, d) > 0.0f ? ts_neg(s.face) : s.face;
+	light->p = ts_mad(s.p, light->n, args->cast.leaf * 0.5f);
+	light->flux = ts_mul(light->flux, ts_k_albedo(&s));
+	light->bounce++;
+	return light->flux.x > 0.0f || light->flux.y > 0.0f || light->flux.z > 0.0f;
+}
+
+/* map over paths: how many lights each leaves */
+TS_FN void ts_k_vpl_path_item(const ts_vpl_args *args, u64 i)
+{
+	ts_light_k light = ts_k_vpl_first(args, (u32)i);
+	u32 n = 1u;
+	while (n < args->bounces && ts_k_vpl_next(args, (u32)i, &light)) n++;
+	args->paths[i] = n;
+}
+
+TS_FN void ts_k_vpl_store(TS_GLOBAL ts_vpl *to, const ts_light_k *light)
+{
+	ts_store3(to->position, light->p);
+	ts_store3(to->normal, light->n);
+	ts_store3(to->flux, light->flux);
+	to->bounce = light->bounce;
+	to->pad0 = 0u;
+	to->pad1 = 0u;
+}
+
+/* emit over paths */
+TS_FN void ts_k_vpl_item(const ts_vpl_args *args, u64 i)
+{
+	ts_light_k light = ts_k_vpl_first(args, (u32)i);
+	TS_GLOBAL ts_vpl *to = args->lights + args->paths[i];
+	ts_k_vpl_store(to, &light);
+	for (u32 k = 1u; k < args->paths[i + 1u] - args->paths[i]; k++) {
+		ts_k_vpl_next(args, (u32)i, &light);
+		ts_k_vpl_store(to + k, &light);
+	}
 }
 
 #endif

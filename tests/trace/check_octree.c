@@ -26,6 +26,7 @@ static int begin(void **state)
 	params.reflectors = 0;
 	params.levels = LEVELS;
 	params.vpls = LIGHTS;
+	params.vpl_bounces = 2;
 	scene = small_scene(&params);
 	ts_run_begin(&run, scene, &params, 2);
 	if (ts_pipeline_run(&pipeline, &run) != TS_OK) fail_msg("%s", ts_error_message());
@@ -159,6 +160,8 @@ static void test_nodes(void **state)
 	refuses("octree_surface", TS_B_octree_node, 0, "parent", 0);
 	refuses("octree_surface", TS_B_octree_offset, 0, "", 1);
 	refuses("octree_surface", TS_B_octree_offset, n - leaf, "", 0);
+	refuses("vpl", TS_B_octree_node, leaf - 1, "children", 0);
+	refuses("vpl", TS_B_octree_offset, 0, "", 1);
 	refuses("view_cone", TS_B_view_octree_offset, 1, "", 0);
 	refuses("view_cone", TS_B_view_octree_view, 0, "", *(u32 *)ts_frame_data(&run.frame, TS_B_view_octree_view) ^ 1);
 	refuses("view_cone", TS_B_view_octree_node, 1, "child", 1);
