@@ -1,0 +1,107 @@
+/* What becomes of a pair of a node of the scene and a node of views (MegaViews section 3.2, figures 4, 6 and 8, whose text
+ * is lost; SPEC 4.4 to 4.6). Figure 4 without angles: with c = vs . n and s = |vs x n|, s cos psi - c sin psi is
+ * |vs| sin(alpha - psi), and c cos psi + s sin psi is |vs| cos(alpha - psi). */
+#ifndef TS_KERNELS_PAIR_H
+#define TS_KERNELS_PAIR_H
+#include "paraboloid.h"
+#include "records.h"
+
+typedef struct { ts_v3 p; f32 r; bool leaf; } ts_ball;
+/* The directions of the views of a node: no farther from the axis than theta. */
+typedef struct { ts_v3 axis; f32 cosine; } ts_spread;
+/* Half the field of view of all of them, phi. */
+typedef struct { f32 cosine, sine; } ts_aperture;
+
+/* What becomes of a pair. */
+#define TS_PAIR_SPLIT_SCENE 0u
+#define TS_PAIR_SPLIT_VIEW 1u
+#define TS_PAIR_RENDER 2u
+#define TS_PAIR_CULL 3u
+#define TS_PAIR_TOUCH 4u
+
+/* Stored cosines and what follows are rounded: nothing is culled within so much of the bounds. */
+#define TS_CULL_COSINE 0.0000002384185791015625f
+#define TS_CULL_DISTANCE 0.00000095367431640625f
+
+TS_FN ts_ball ts_k_node_ball(TS_GLOBAL const ts_node *node)
+{
+	ts_ball r;
+	r.p = ts_load3(node->centre);
+	r.r = node->radius;
+	r.leaf = node->children == 0u;
+	return r;
+}
+
+TS_FN ts_spread ts_k_cone_spread(TS_GLOBAL const ts_cone *cone)
+{
+	ts_spread r;
+	r.axis = ts_load3(cone->axis);
+	r.cosine = cone->cosine;
+	return r;
+}
+
+/* Cosine and sine of psi = theta + phi. */
+TS_FN ts_aperture ts_k_pair_psi(const ts_spread *spread, const ts_aperture *phi)
+{
+	f32 c = ts_max(spread->cosine - TS_CULL_COSINE, -1.0f);
+	f32 square = c * c;
+	f32 s = ts_sqrt(ts_flush(ts_max(1.0f - square, 0.0f)));
+	ts_aperture r;
+	r.cosine = ts_diff_of_products(c, phi->cosine, s, phi->sine);
+	f32 sc = s * phi->cosine;
+	f32 cs = c * phi->sine;
+	r.sine = sc + cs;
+	return r;
+}
+
+/* Figure 4: the ball lies outside what any of the views can see. psi passes pi where its sine is no longer positive, alpha
+ * is at most psi where the sine of alpha - psi is not, and alpha - psi passes a right angle where its cosine is not. */
+TS_FN bool ts_k_pair_is_culled(const ts_ball *s, const ts_ball *v, const ts_spread *spread, const ts_aperture *phi)
+{
+	ts_aperture psi = ts_k_pair_psi(spread, phi);
+	if (!(psi.sine > 0.0f)) return false;
+	ts_v3 vs = ts_sub(s->p, v->p);
+	f32 along = ts_dot(vs, spread->axis);
+	f32 aside = ts_length(ts_cross(vs, spread->axis));
+	f32 sine = ts_diff_of_products(aside, psi.cosine, along, psi.sine);
+	if (!(sine > 0.0f)) return false;
+	f32 d = ts_length(vs);
+	f32 cc = along * psi.cosine;
+	f32 ss = aside * psi.sine;
+	f32 fs = cc + ss > 0.0f ? sine : d;
+	f32 slack = d * TS_CULL_DISTANCE;
+	return fs > (s->r + v->r) + slack;
+}
+
+/* Texels that the ball of s is wide, seen from the nearest place in the ball of v; -1: that may lie in the ball of s. */
+TS_FN f32 ts_k_pair_size(const ts_ball *s, const ts_ball *v, u32 n)
+{
+	ts_v3 vs = ts_sub(s->p, v->p);
+	f32 d = ts_length(vs);
+	f32 nearest = d - v->r;
+	if (!(nearest > s->r)) return -1.0f;
+	return ts_k_paraboloid_size(ts_abs(vs.x) / d, s->r / nearest, n);
+}
+
+/* Figure 6: all of the views show s in the same texel, or one of its neighbours. */
+TS_FN bool ts_k_pair_is_equivalent(const ts_ball *s, const ts_ball *v, u32 n)
+{
+	f32 size = ts_k_pair_size(s, v, n);
+	return size >= 0.0f && size < 1.0f && v->r <= s->r;
+}
+
+/* Figure 8: keeps the views' ball no larger than the scene's. */
+TS_FN bool ts_k_pair_splits_view(const ts_ball *s, const ts_ball *v)
+{
+	f32 child = s->r * 0.5f;
+	return s->leaf || (!v->leaf && child < v->r);
+}
+
+/* Two leaves that touch; a view alone stands for a leaf as large as that of the scene. */
+TS_FN bool ts_k_pair_touches(const ts_ball *s, const ts_ball *v)
+{
+	f32 reach = s->r + ts_max(s->r, v->r);
+	return s->leaf && v->leaf && ts_length(ts_sub(s->p, v->p)) < reach;
+}
+
+#endif
