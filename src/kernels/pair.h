@@ -8,7 +8,7 @@
 
 typedef struct { ts_v3 p; f32 r; bool leaf; } ts_ball;
 /* The directions of the views of a node: no farther from the axis than theta. */
-typedef struct { ts_v3 axis; f32 cosine; } ts_spread;
+typedef struct { ts_v3 axis; f32 cosine; } ts_cone_k;
 /* Half the field of view of all of them, phi. */
 typedef struct { f32 cosine, sine; } ts_aperture;
 
@@ -32,18 +32,18 @@ TS_FN ts_ball ts_k_node_ball(TS_GLOBAL const ts_node *node)
 	return r;
 }
 
-TS_FN ts_spread ts_k_cone_spread(TS_GLOBAL const ts_cone *cone)
+TS_FN ts_cone_k ts_k_load_cone(TS_GLOBAL const ts_cone *cone)
 {
-	ts_spread r;
+	ts_cone_k r;
 	r.axis = ts_load3(cone->axis);
 	r.cosine = cone->cosine;
 	return r;
 }
 
 /* Cosine and sine of psi = theta + phi. */
-TS_FN ts_aperture ts_k_pair_psi(const ts_spread *spread, const ts_aperture *phi)
+TS_FN ts_aperture ts_k_pair_psi(const ts_cone_k *cone, const ts_aperture *phi)
 {
-	f32 c = ts_max(spread->cosine - TS_CULL_COSINE, -1.0f);
+	f32 c = ts_max(cone->cosine - TS_CULL_COSINE, -1.0f);
 	f32 square = c * c;
 	f32 s = ts_sqrt(ts_flush(ts_max(1.0f - square, 0.0f)));
 	ts_aperture r;
@@ -56,13 +56,13 @@ TS_FN ts_aperture ts_k_pair_psi(const ts_spread *spread, const ts_aperture *phi)
 
 /* Figure 4: the ball lies outside what any of the views can see. psi passes pi where its sine is no longer positive, alpha
  * is at most psi where the sine of alpha - psi is not, and alpha - psi passes a right angle where its cosine is not. */
-TS_FN bool ts_k_pair_is_culled(const ts_ball *s, const ts_ball *v, const ts_spread *spread, const ts_aperture *phi)
+TS_FN bool ts_k_pair_is_culled(const ts_ball *s, const ts_ball *v, const ts_cone_k *cone, const ts_aperture *phi)
 {
-	ts_aperture psi = ts_k_pair_psi(spread, phi);
+	ts_aperture psi = ts_k_pair_psi(cone, phi);
 	if (!(psi.sine > 0.0f)) return false;
 	ts_v3 vs = ts_sub(s->p, v->p);
-	f32 along = ts_dot(vs, spread->axis);
-	f32 aside = ts_length(ts_cross(vs, spread->axis));
+	f32 along = ts_dot(vs, cone->axis);
+	f32 aside = ts_length(ts_cross(vs, cone->axis));
 	f32 sine = ts_diff_of_products(aside, psi.cosine, along, psi.sine);
 	if (!(sine > 0.0f)) return false;
 	f32 d = ts_length(vs);

@@ -71,6 +71,11 @@ ts_status ts_stage_vpl(ts_run *run);
 ts_status ts_stage_view_voxel(ts_run *run);
 ts_status ts_stage_view_octree(ts_run *run);
 ts_status ts_stage_view_cone(ts_run *run);
+ts_status ts_stage_traverse(ts_run *run);
+ts_status ts_stage_map(ts_run *run);
+ts_status ts_stage_fuse(ts_run *run);
+ts_status ts_stage_view_alone(ts_run *run);
+ts_status ts_stage_map_all(ts_run *run);
 
 /* Shared by the stages (run.c). The arrays of the frame that shading kernels read; the vertices are this frame's. */
 ts_arrays ts_run_arrays(const ts_run *run);

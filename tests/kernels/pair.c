@@ -59,9 +59,9 @@ static ts_v3 v3_of(double3 a) { return ts_v3_make((f32)a.x, (f32)a.y, (f32)a.z);
 static bool is_culled(const world *w, double rv)
 {
 	ts_ball s = { .p = v3_of(w->at), .r = (f32)w->rs }, v = { .p = { 0, 0, 0 }, .r = (f32)rv };
-	ts_spread spread = { .axis = v3_of(w->axis), .cosine = (f32)cos(w->theta) };
+	ts_cone_k cone = { .axis = v3_of(w->axis), .cosine = (f32)cos(w->theta) };
 	ts_aperture phi = { .cosine = w->phi == pi / 2 ? 0 : (f32)cos(w->phi), .sine = (f32)sin(w->phi) };
-	return ts_k_pair_is_culled(&s, &v, &spread, &phi);
+	return ts_k_pair_is_culled(&s, &v, &cone, &phi);
 }
 
 /* A view that is moved and turned towards the ball of the scene. */
@@ -143,7 +143,8 @@ static void compare(shares *sum, ts_v3 at, f32 rv, u32 n)
 	u32 middle = ts_k_paraboloid_texel(at, n);
 	for (u32 k = 0; k < N_CHILDREN; k++) {
 		u32 t = ts_k_paraboloid_texel(ts_sub(at, v3_of(in_ball((double)rv))), n);
-		u32 columns = apart(t % n, middle % n), rows = apart(t / n % n, middle / n % n), far = columns > rows ? columns : rows;
+		u32 columns = apart(t % n, middle % n), rows = apart(t / n % n, middle / n % n);
+		u32 far = columns > rows ? columns : rows;
 		sum->n_children++;
 		if (t / (n * n) != middle / (n * n)) sum->n_other++;
 		else if (far == 0) sum->n_same++;

@@ -1,0 +1,63 @@
+/* Whole maps for every node of views (MegaViews section 3.2, "Image Queries"; SPEC 4.7): what a parent's map shows is moved
+ * to the child's middle, within its texel, level by level from the root. fusion=min keeps the nearer of that and the child's
+ * own, fusion=paper the child's own wherever there is one. The same for one texel, without making maps, is a query. */
+#ifndef TS_KERNELS_FUSE_H
+#define TS_KERNELS_FUSE_H
+#include "map.h"
+
+typedef struct {
+	TS_GLOBAL const ts_node *views;  /* view_octree.node */
+	TS_GLOBAL const u64 *texels;     /* map.depth_node */
+	TS_GLOBAL u32 *depths;           /* fuse.depth */
+	ts_pyramid pyramid;
+	u32 first;                       /* node of the level */
+	u32 nearest;                     /* fusion=min */
+} ts_fuse_args;
+
+/* The distance from b to what lies at that distance from a in the middle of a texel. */
+TS_FN f32 ts_k_moved_depth(ts_v3 a, f32 distance, ts_v3 b, u32 texel, u32 n)
+{
+	ts_v3 q = ts_mad(a, ts_k_paraboloid_direction(texel, n), distance);
+	return ts_length(ts_sub(q, b));
+}
+
+/* What a node shows in a texel, by the bits of its parent's distance there; TS_NONE: empty. */
+TS_FN u32 ts_k_fused(const ts_fuse_args *args, u32 node, u32 above, u32 texel)
+{
+	u64 first = (u64)node * ts_k_pyramid_texels(&args->pyramid);
+	u32 own = ts_k_map_depth(args->texels + first, &args->pyramid, texel);
+	if (above == TS_NONE || (own != TS_NONE && args->nearest == 0u)) return own;
+	ts_v3 a = ts_load3(args->views[args->views[node].parent].centre);
+	ts_v3 b = ts_load3(args->views[node].centre);
+	u32 moved = ts_f2u(ts_put(ts_k_moved_depth(a, ts_u2f(above), b, texel, args->pyramid.n)));
+	return moved < own ? moved : own;
+}
+
+/* map over the texels of the nodes of a level */
+TS_FN void ts_k_fuse_item(const ts_fuse_args *args, u64 i)
+{
+	u32 n_texels = 2u * args->pyramid.n * args->pyramid.n;
+	u32 node = args->first + (u32)(i / n_texels);
+	u32 texel = (u32)(i % n_texels);
+	u32 parent = args->views[node].parent;
+	u32 above = parent != TS_NONE ? args->depths[(u64)parent * n_texels + texel] : TS_NONE;
+	args->depths[(u64)node * n_texels + texel] = ts_k_fused(args, node, above, texel);
+}
+
+TS_FN u32 ts_k_ancestor(TS_GLOBAL const ts_node *nodes, u32 node, u32 level)
+{
+	while (nodes[node].level > level) node = nodes[node].parent;
+	return node;
+}
+
+/* The same as fuse.depth of a node, by a walk from the root. */
+TS_FN u32 ts_k_fuse_query(const ts_fuse_args *args, u32 node, u32 texel)
+{
+	u32 bits = TS_NONE;
+	for (u32 level = 0u; level <= args->views[node].level; level++) {
+		bits = ts_k_fused(args, ts_k_ancestor(args->views, node, level), bits, texel);
+	}
+	return bits;
+}
+
+#endif

@@ -1,0 +1,53 @@
+/* Views without a hierarchy, as ManyLoDs renders them (MegaViews section 4.1; SPEC 4.8): every virtual point light is a root
+ * and a leaf of its own, of radius 0. And every pair of a leaf of the scene and such a view, for maps by brute force. */
+#ifndef TS_KERNELS_VIEW_ALONE_H
+#define TS_KERNELS_VIEW_ALONE_H
+#include "map.h"
+
+typedef struct {
+	TS_GLOBAL const ts_vpl *lights;  /* vpl.light */
+	TS_GLOBAL ts_node *nodes;        /* view_octree.node */
+	TS_GLOBAL ts_cone *cones;        /* view_cone.node */
+	TS_GLOBAL u32 *views;            /* view_octree.view */
+	TS_GLOBAL u32 *leaves;           /* view_octree.leaf */
+} ts_view_alone_args;
+
+/* map over virtual point lights */
+TS_FN void ts_k_view_alone_item(const ts_view_alone_args *args, u64 i)
+{
+	TS_GLOBAL ts_node *node = &args->nodes[i];
+	TS_GLOBAL ts_cone *cone = &args->cones[i];
+	ts_store3(node->centre, ts_load3(args->lights[i].position));
+	node->radius = 0.0f;
+	node->child = TS_NONE;
+	node->children = 0u;
+	node->parent = TS_NONE;
+	node->level = 0u;
+	ts_store3(cone->axis, ts_load3(args->lights[i].normal));
+	cone->cosine = 1.0f;
+	cone->first = (u32)i;
+	cone->views = 1u;
+	cone->pad[0] = 0u;
+	cone->pad[1] = 0u;
+	args->views[i] = (u32)i;
+	args->leaves[i] = (u32)i;
+}
+
+typedef struct {
+	ts_traverse_args of;
+	ts_map_args to;
+	TS_GLOBAL i64 *n_rendered;
+	u32 n_nodes;
+} ts_map_all_args;
+
+/* scatter over all nodes of the scene for each view: the leaves that it may see */
+TS_FN void ts_k_map_all_item(const ts_map_all_args *args, u64 i)
+{
+	u32 node = (u32)(i % args->n_nodes);
+	u64 pair = ts_k_pair(node, (u32)(i / args->n_nodes));
+	if (args->of.nodes[node].children != 0u || ts_k_pair_fate(&args->of, pair) != TS_PAIR_RENDER) return;
+	ts_add_i64(args->n_rendered, 1);
+	ts_k_map_pair(&args->to, pair);
+}
+
+#endif

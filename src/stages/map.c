@@ -1,0 +1,76 @@
+/* Rendered pairs in maps, and whole maps for every node of views. */
+#include "traverse.h"
+
+static ts_pyramid pyramid_of(const ts_run *run)
+{
+	ts_pyramid r = {.n = run->params.view_px, .levels = 1};
+	while (run->params.multipixel && r.n >> r.levels > 0) r.levels++;
+	return r;
+}
+
+static ts_status map_piece(ts_run *run, ts_traverse_piece *piece, void *user)
+{
+	ts_map_args *args = user;
+	u64 n_rendered;
+	if (ts_traverse_tally(run, piece, &n_rendered) != TS_OK) return TS_ERROR;
+	args->pairs = piece->args.queue;
+	return n_rendered > 0 ? ts_run_launch(run, TS_KERNEL_map, args, piece->n) : TS_OK;
+}
+
+/* Makes the maps, all empty. */
+static ts_status begin(ts_run *run, ts_map_args *args)
+{
+	ts_pyramid pyramid = pyramid_of(run);
+	u64 n = ts_frame_n(&run->frame, TS_B_view_octree_node);
+	*args = (ts_map_args){
+		.nodes = ts_frame_handle(&run->frame, TS_B_octree_node),
+		.views = ts_frame_handle(&run->frame, TS_B_view_octree_node),
+		.texels = ts_frame_make2(&run->frame, TS_B_map_depth_node, n, ts_k_pyramid_texels(&pyramid)),
+		.pyramid = pyramid,
+	};
+	return args->texels != NULL ? ts_run_fill(run, TS_B_map_depth_node, 0xff) : TS_ERROR;
+}
+
+/* Those that were kept, or all as the traversal comes by them. */
+ts_status ts_stage_map(ts_run *run)
+{
+	ts_map_args args;
+	if (begin(run, &args) != TS_OK) return TS_ERROR;
+	if (!run->frame.buffer[TS_B_traverse_rendered].made) return ts_traverse(run, map_piece, &args);
+	args.pairs = ts_frame_handle(&run->frame, TS_B_traverse_rendered);
+	return ts_run_launch(run, TS_KERNEL_map, &args, ts_frame_n(&run->frame, TS_B_traverse_rendered));
+}
+
+/* By brute force: every leaf of the scene that a view may see. */
+ts_status ts_stage_map_all(ts_run *run)
+{
+	ts_map_all_args args = {.n_nodes = (u32)ts_frame_n(&run->frame, TS_B_octree_node)};
+	u64 n = args.n_nodes * ts_frame_n(&run->frame, TS_B_view_octree_node);
+	if (begin(run, &args.to) != TS_OK || ts_traverse_arguments(run, &args.of) != TS_OK) return TS_ERROR;
+	args.n_rendered = ts_frame_tallies(&run->frame);
+	if (ts_run_launch(run, TS_KERNEL_map_all, &args, n) != TS_OK) return TS_ERROR;
+	ts_run_count(run, "pairs", (i64)n);
+	ts_run_count(run, "pairs rendered", ts_frame_tally(&run->frame, 0));
+	return TS_OK;
+}
+
+ts_status ts_stage_fuse(ts_run *run)
+{
+	u64 n = ts_frame_n(&run->frame, TS_B_view_octree_node), n_levels = ts_frame_n(&run->frame, TS_B_view_octree_level) - 1;
+	u64 n_texels = (u64)2 * run->params.view_px * run->params.view_px;
+	const u32 *before = ts_frame_data(&run->frame, TS_B_view_octree_level);
+	ts_fuse_args args = {
+		.views = ts_frame_handle(&run->frame, TS_B_view_octree_node),
+		.texels = ts_frame_handle(&run->frame, TS_B_map_depth_node),
+		.depths = ts_frame_make2(&run->frame, TS_B_fuse_depth, n, n_texels),
+		.pyramid = pyramid_of(run),
+		.nearest = run->params.fusion == TS_FUSION_MIN,
+	};
+	if (args.depths == NULL) return TS_ERROR;
+	for (u64 level = 0; level < n_levels; level++) {
+		args.first = before[level];
+		u64 n_nodes = before[level + 1] - before[level];
+		if (ts_run_launch(run, TS_KERNEL_fuse, &args, n_nodes * n_texels) != TS_OK) return TS_ERROR;
+	}
+	return TS_OK;
+}

@@ -1,0 +1,188 @@
+/* The traversal of two octrees at once: a queue of pairs a step, carried to its end in pieces where it is longer than its
+ * memory. */
+#include "traverse.h"
+
+#include <stdlib.h>
+
+enum { SCAN_CHUNK = 2048, BYTES_A_PAIR = 8 * TS_STEPS + 4 + 1 };
+
+typedef struct {
+	ts_run *run;
+	ts_traverse_sink *sink;
+	void *user;
+	ts_traverse_piece piece;
+	u64 room;                                  /* pairs of a step; no less than the children of one */
+	u64 *queue;                                /* room for each step */
+	struct { u64 at, end; } waiting[TS_STEPS]; /* of each step's queue */
+} traversal;
+
+ts_status ts_traverse_arguments(const ts_run *run, ts_traverse_args *args)
+{
+	static const ts_aperture fields[] = {{.cosine = 0, .sine = 1}, {.cosine = -1, .sine = 0}};
+	u32 n = run->params.view_px;
+	if ((n & (n - 1)) != 0) return ts_fail("view_px: %u is not a power of two", n);
+	*args = (ts_traverse_args){
+		.nodes = ts_frame_handle(&run->frame, TS_B_octree_node),
+		.views = ts_frame_handle(&run->frame, TS_B_view_octree_node),
+		.cones = ts_frame_handle(&run->frame, TS_B_view_cone_node),
+		.phi = fields[run->params.view_field],
+		.n = n,
+		.touching = run->params.touching == TS_TOUCHING_RENDER,
+	};
+	return TS_OK;
+}
+
+/* Prefix sum of the piece's offsets. */
+static ts_status scan(ts_run *run, ts_traverse_piece *piece, u64 *total)
+{
+	ts_scan_args args = {.counts = piece->args.offset, .sums = piece->sums, .n = piece->n, .chunk = SCAN_CHUNK};
+	args.n_chunks = (args.n + SCAN_CHUNK - 1) / SCAN_CHUNK;
+	ts_frame_lend(&run->frame, TS_LENT_OTHER, args.sums, (args.n_chunks + 1) * sizeof *args.sums);
+	if (ts_run_launch(run, TS_KERNEL_scan_sum, &args, args.n_chunks) != TS_OK) return TS_ERROR;
+	if (ts_run_launch(run, TS_KERNEL_scan_chunks, &args, 1) != TS_OK) return TS_ERROR;
+	if (ts_run_launch(run, TS_KERNEL_scan, &args, args.n_chunks) != TS_OK) return TS_ERROR;
+	if (ts_frame_recall(&run->frame, TS_LENT_OTHER) != TS_OK) return TS_ERROR;
+	*total = args.sums[args.n_chunks];
+	return TS_OK;
+}
+
+/* Decides the piece, or so much of it that its children have room. */
+static ts_status decide(traversal *t, u64 *children)
+{
+	ts_traverse_piece *piece = &t->piece;
+	for (;;) {
+		if (ts_run_launch(t->run, TS_KERNEL_traverse_count, &piece->args, piece->n) != TS_OK) return TS_ERROR;
+		if (scan(t->run, piece, children) != TS_OK) return TS_ERROR;
+		if (*children <= t->room) return TS_OK;
+		piece->n = (piece->n + 1) / 2;
+	}
+}
+
+/* A piece of a step's queue: its children are the queue of the next step. */
+static ts_status take_piece(traversal *t, u32 step)
+{
+	ts_traverse_piece *piece = &t->piece;
+	u64 at = t->waiting[step].at, children;
+	piece->step = step;
+	piece->n = t->waiting[step].end - at;
+	piece->args.queue = t->queue + step * t->room + at;
+	piece->args.next = step + 1 < TS_STEPS ? t->queue + (step + 1) * t->room : NULL;
+	if (decide(t, &children) != TS_OK) return TS_ERROR;
+	if (children > 0 && piece->args.next == NULL) return ts_fail("the octrees have more than %u steps", TS_STEPS);
+	if (ts_run_launch(t->run, TS_KERNEL_traverse, &piece->args, piece->n) != TS_OK) return TS_ERROR;
+	t->waiting[step].at += piece->n;
+	if (children > 0) {
+		t->waiting[step + 1].at = 0;
+		t->waiting[step + 1].end = children;
+	}
+	if (t->sink(t->run, piece, t->user) != TS_OK) return TS_ERROR;
+	piece->n_waiting += children - piece->n;
+	return TS_OK;
+}
+
+/* What waits, the last step first, so that no queue is ever longer than its room. */
+static ts_status carry(traversal *t)
+{
+	for (u32 step = TS_STEPS; step-- > 0;) {
+		if (t->waiting[step].at == t->waiting[step].end) continue;
+		if (take_piece(t, step) != TS_OK) return TS_ERROR;
+		step = TS_STEPS;
+	}
+	return TS_OK;
+}
+
+static ts_status start(traversal *t)
+{
+	const u32 *before = ts_frame_data(&t->run->frame, TS_B_view_octree_level);
+	u64 n = ts_frame_n(&t->run->frame, TS_B_octree_node) > 0 ? before[1] : 0;
+	for (u64 first = 0; first < n; first += t->room) {
+		u64 n_pairs = n - first < t->room ? n - first : t->room;
+		t->piece.args.queue = t->queue;
+		t->piece.args.first_view = (u32)first;
+		if (ts_run_launch(t->run, TS_KERNEL_traverse_start, &t->piece.args, n_pairs) != TS_OK) return TS_ERROR;
+		t->waiting[0].at = 0;
+		t->waiting[0].end = t->piece.n_waiting = n_pairs;
+		if (carry(t) != TS_OK) return TS_ERROR;
+	}
+	return TS_OK;
+}
+
+static ts_status with_memory(traversal *t)
+{
+	u64 chunks = (t->room + SCAN_CHUNK - 1) / SCAN_CHUNK, n_pairs = TS_STEPS * t->room;
+	t->queue = ts_alloc(n_pairs, sizeof *t->queue, "queues of pairs");
+	t->piece.args.offset = ts_alloc(t->room + 1, sizeof(u32), "children of pairs");
+	t->piece.sums = ts_alloc(chunks + 1, sizeof(u64), "sums of children");
+	if (t->queue == NULL || t->piece.args.offset == NULL || t->piece.sums == NULL) return TS_ERROR;
+	ts_frame_lend(&t->run->frame, TS_LENT_QUEUE, t->queue, n_pairs * sizeof *t->queue);
+	ts_frame_lend(&t->run->frame, TS_LENT_COUNTS, t->piece.args.offset, (t->room + 1) * sizeof(u32));
+	return start(t);
+}
+
+ts_status ts_traverse(ts_run *run, ts_traverse_sink *sink, void *user)
+{
+	traversal t = {.run = run, .sink = sink, .user = user};
+	t.room = ((u64)run->params.queue_mb << 20) / BYTES_A_PAIR;
+	if (ts_traverse_arguments(run, &t.piece.args) != TS_OK) return TS_ERROR;
+	ts_status status = with_memory(&t);
+	for (u32 slot = TS_LENT_OTHER; slot <= TS_LENT_COUNTS; slot++) ts_frame_lend(&run->frame, slot, NULL, 0);
+	free(t.queue);
+	free(t.piece.args.offset);
+	free(t.piece.sums);
+	return status;
+}
+
+static void raise_counter(ts_run *run, const char *name, u64 value)
+{
+	i64 before = ts_run_counter(run, name);
+	ts_run_count(run, name, (i64)value > before ? (i64)value - before : 0);
+}
+
+ts_status ts_traverse_tally(ts_run *run, ts_traverse_piece *piece, u64 *n_rendered)
+{
+	static const char *const names[] = {"pairs culled", "pairs touching", "pairs rendered", "pairs wider than a texel",
+	                                    "views served"};
+	u64 lots = (piece->n + TS_TALLY_PAIRS - 1) / TS_TALLY_PAIRS;
+	piece->args.n_pairs = piece->n;
+	piece->args.tallies = ts_frame_tallies(&run->frame);
+	if (ts_run_launch(run, TS_KERNEL_traverse_tally, &piece->args, lots) != TS_OK) return TS_ERROR;
+	ts_run_count(run, "pairs", (i64)piece->n);
+	for (u32 i = 0; i < sizeof names / sizeof *names; i++) ts_run_count(run, names[i], ts_frame_tally(&run->frame, i));
+	ts_run_count(run, "pieces of queues", 1);
+	raise_counter(run, "longest queue", piece->n_waiting);
+	*n_rendered = (u64)ts_frame_tally(&run->frame, 2);
+	return TS_OK;
+}
+
+/* By step, the rendered pairs; then where the next of them go. */
+static ts_status count_rendered(ts_run *run, ts_traverse_piece *piece, void *user)
+{
+	u64 n;
+	if (ts_traverse_tally(run, piece, &n) != TS_OK) return TS_ERROR;
+	((u64 *)user)[piece->step] += n;
+	return TS_OK;
+}
+
+static ts_status keep_rendered(ts_run *run, ts_traverse_piece *piece, void *user)
+{
+	u64 *at = &((u64 *)user)[piece->step], n;
+	u64 *rendered = ts_frame_handle(&run->frame, TS_B_traverse_rendered);
+	if (ts_run_launch(run, TS_KERNEL_render_count, &piece->args, piece->n) != TS_OK) return TS_ERROR;
+	if (scan(run, piece, &n) != TS_OK) return TS_ERROR;
+	piece->args.rendered = rendered + *at;
+	*at += n;
+	return n > 0 ? ts_run_launch(run, TS_KERNEL_render, &piece->args, piece->n) : TS_OK;
+}
+
+ts_status ts_stage_traverse(ts_run *run)
+{
+	u64 next[TS_STEPS] = {0}, total = 0;
+	if (ts_traverse(run, count_rendered, next) != TS_OK) return TS_ERROR;
+	for (u32 step = 0; step < TS_STEPS; step++) {
+		u64 n = next[step];
+		next[step] = total;
+		total += n;
+	}
+	if (ts_frame_make1(&run->frame, TS_B_traverse_rendered, total) == NULL) return TS_ERROR;
+	return ts_traverse(run, keep_rendered, next);
+}

@@ -1,0 +1,489 @@
+/* The traversal of two octrees: the pairs that a recursion renders, whatever the queues' memory; maps of those pairs; and
+ * whole maps that show what each view by itself would, as often as in the prototype (SPEC 4.13). */
+#include "grove.h"
+
+static ts_params params_of(u32 n)
+{
+	ts_params params = small_params(64, 64);
+	params.reflectors = 0;
+	params.view_px = n;
+	return params;
+}
+
+static ts_scene *scene;
+
+static int open_scene(void **state)
+{
+	(void)state;
+	ts_params params = params_of(16);
+	scene = small_scene(&params);
+	return 0;
+}
+
+static int close_scene(void **state)
+{
+	(void)state;
+	ts_scene_free(scene);
+	return 0;
+}
+
+static int restart(void **state)
+{
+	(void)state;
+	grove_state = 1234567;
+	return 0;
+}
+
+#define grown_test(f) cmocka_unit_test_setup(f, restart)
+
+/* Anywhere, looking anywhere. */
+static grove_place noise(void)
+{
+	f32 x = (f32)grove_uniform(), y = (f32)grove_uniform(), z = (f32)grove_uniform();
+	f32 a = (f32)grove_uniform() - 0.5f, b = (f32)grove_uniform() - 0.5f;
+	return (grove_place){ { 0.02f + 0.96f * x, 0.02f + 0.96f * y, 0.02f + 0.96f * z }, ts_normalize((ts_v3){ a, b, 0.3f }) };
+}
+
+/* The recursion of SPEC 4.3, by the tested parts of pair.h. */
+typedef struct {
+	const grove *g;
+	const ts_params *params;
+	u64 *rendered, n, room;
+	i64 pairs, culled, touching, wide, served;
+} recursion;
+
+static void add(recursion *r, u32 s, u32 v)
+{
+	if (r->n == r->room) {
+		r->room = 2 * r->room + 1024;
+		r->rendered = realloc(r->rendered, r->room * sizeof *r->rendered);
+		assert_non_null(r->rendered);
+	}
+	r->rendered[r->n++] = (u64)s << 32 | v;
+	r->served += r->g->cones[v].views;
+}
+
+static void visit(recursion *r, u32 s, u32 v)
+{
+	const ts_node *node = &r->g->scene.nodes[s], *view = &r->g->views.nodes[v];
+	ts_ball a = ts_k_node_ball(node), b = ts_k_node_ball(view);
+	ts_cone_k cone = ts_k_load_cone(&r->g->cones[v]);
+	bool all = r->params->view_field == TS_VIEW_FIELD_ALL;
+	ts_aperture phi = { .cosine = all ? -1 : 0, .sine = all ? 0 : 1 };
+	r->pairs++;
+	if (ts_k_pair_is_culled(&a, &b, &cone, &phi)) {
+		r->culled++;
+	} else if (ts_k_pair_is_equivalent(&a, &b, r->params->view_px)) {
+		add(r, s, v);
+	} else if (a.leaf && b.leaf) {
+		bool touches = r->params->touching == TS_TOUCHING_SKIP && ts_k_pair_touches(&a, &b);
+		r->touching += touches;
+		r->wide += !touches;
+		if (!touches) add(r, s, v);
+	} else if (ts_k_pair_splits_view(&a, &b)) {
+		for (u32 k = 0, child = view->child; k < 8; k++) {
+			if ((view->children >> k & 1) != 0) visit(r, s, child++);
+		}
+	} else {
+		for (u32 k = 0, child = node->child; k < 8; k++) {
+			if ((node->children >> k & 1) != 0) visit(r, child++, v);
+		}
+	}
+}
+
+static u64 *sorted(const u64 *keys, u64 n)
+{
+	u64 *copy = malloc((n + 1) * sizeof *copy);
+	assert_non_null(copy);
+	memcpy(copy, keys, n * sizeof *copy);
+	qsort(copy, n, sizeof *copy, grove_order);
+	return copy;
+}
+
+static void assert_same_pairs(const ts_run *run, const recursion *r)
+{
+	u64 n = ts_frame_n(&run->frame, TS_B_traverse_rendered);
+	u64 *a = sorted(ts_frame_data(&run->frame, TS_B_traverse_rendered), n), *b = sorted(r->rendered, r->n);
+	assert_int_equal(n, r->n);
+	assert_memory_equal(a, b, n * sizeof *a);
+	for (u64 i = 1; i < n; i++) assert_true(a[i] != a[i - 1]);
+	free(a);
+	free(b);
+}
+
+static void assert_same_counters(const ts_run *run, const recursion *r)
+{
+	i64 split = r->pairs - r->culled - r->touching - (i64)r->n;
+	assert_true(r->pairs > 100 && split > 0);
+	assert_int_equal(ts_run_counter(run, "pairs"), r->pairs);
+	assert_int_equal(ts_run_counter(run, "pairs culled"), r->culled);
+	assert_int_equal(ts_run_counter(run, "pairs touching"), r->touching);
+	assert_int_equal(ts_run_counter(run, "pairs rendered"), (i64)r->n);
+	assert_int_equal(ts_run_counter(run, "pairs wider than a texel"), r->wide);
+	assert_int_equal(ts_run_counter(run, "views served"), r->served);
+}
+
+static void test_recursion(void **state)
+{
+	(void)state;
+	i64 culled = 0, touching = 0, wide = 0, narrow = 0;
+	for (u32 i = 0; i < 40; i++) {
+		ts_params params = params_of(4u << grove_below(5));
+		params.view_field = grove_below(4) == 0;
+		params.touching = grove_below(3) == 0;
+		grove g;
+		grove_plant(&g, 1 + grove_below(5), 1 + grove_below(5), 1 + grove_below(600), noise, 1 + grove_below(100), noise);
+		recursion r = { .g = &g, .params = &params };
+		visit(&r, 0, 0);
+		ts_run run;
+		grove_begin(&run, scene, &params, 1 + grove_below(4), &g);
+		grove_stage(&run, "traverse");
+		assert_same_pairs(&run, &r);
+		if (r.pairs > 100) assert_same_counters(&run, &r);
+		culled += r.culled;
+		touching += r.touching;
+		wide += r.wide;
+		narrow += (i64)r.n - r.wide;
+		ts_run_end(&run);
+		grove_free(&g);
+		free(r.rendered);
+	}
+	assert_true(culled > 1000 && touching > 1000 && wide > 1000 && narrow > 1000);
+}
+
+/* Copies of a run's buffers. */
+typedef struct { u64 n_pairs, n_maps, n_depths; u64 *pairs, *maps; u32 *depths; i64 pieces, longest; } outcome;
+
+static void *copy_of(const ts_run *run, ts_buffer_id id, u64 *n)
+{
+	const ts_buffer *b = &run->frame.buffer[id];
+	void *copy = malloc(b->bytes + 1);
+	assert_non_null(copy);
+	memcpy(copy, ts_frame_data(&run->frame, id), b->bytes);
+	*n = b->n;
+	return copy;
+}
+
+static outcome run_all(const grove *g, const ts_params *params, u32 threads, bool traced)
+{
+	ts_run run;
+	outcome r = { .pairs = NULL };
+	grove_begin(&run, scene, params, threads, g);
+	if (traced) grove_stage(&run, "traverse");
+	grove_stage(&run, "map");
+	grove_stage(&run, "fuse");
+	if (traced) r.pairs = copy_of(&run, TS_B_traverse_rendered, &r.n_pairs);
+	r.maps = copy_of(&run, TS_B_map_depth_node, &r.n_maps);
+	r.depths = copy_of(&run, TS_B_fuse_depth, &r.n_depths);
+	r.pieces = ts_run_counter(&run, "pieces of queues");
+	r.longest = ts_run_counter(&run, "longest queue");
+	ts_run_end(&run);
+	return r;
+}
+
+static void free_outcome(outcome *r)
+{
+	free(r->pairs);
+	free(r->maps);
+	free(r->depths);
+}
+
+/* The order of the kept pairs, too, is the same whatever the memory; and so are maps without keeping them. */
+static void test_memory(void **state)
+{
+	(void)state;
+	static const struct { u32 queue_mb, threads; bool traced; } ways[] = {
+		{ 1, 1, true }, { 1, 2, false }, { 2, 3, true }, { 1024, 3, true }, { 1024, 2, false },
+	};
+	ts_params params = params_of(16);
+	grove g;
+	grove_plant(&g, 5, 5, 20000, grove_surface, 600, grove_surface);
+	outcome one = run_all(&g, &params, 1, true);
+	assert_true(one.n_pairs > 100000);
+	for (u32 i = 0; i < sizeof ways / sizeof *ways; i++) {
+		params.queue_mb = ways[i].queue_mb;
+		outcome other = run_all(&g, &params, ways[i].threads, ways[i].traced);
+		assert_true(ways[i].queue_mb > 1 || other.pieces > 4 * one.pieces);
+		assert_true(ways[i].queue_mb > 1 || other.longest < one.longest);
+		if (ways[i].traced) {
+			assert_int_equal(other.n_pairs, one.n_pairs);
+			assert_memory_equal(other.pairs, one.pairs, one.n_pairs * sizeof *one.pairs);
+		}
+		assert_memory_equal(other.maps, one.maps, one.n_maps * sizeof *one.maps);
+		assert_memory_equal(other.depths, one.depths, one.n_depths * sizeof *one.depths);
+		free_outcome(&other);
+	}
+	free_outcome(&one);
+	grove_free(&g);
+}
+
+/* The nearest node of each texel's pairs, the first of equals; nothing elsewhere. */
+static void test_map(void **state)
+{
+	(void)state;
+	ts_params params = params_of(8);
+	grove g;
+	grove_plant(&g, 5, 4, 20000, grove_surface, 300, grove_surface);
+	outcome r = run_all(&g, &params, 2, true);
+	u64 *expected = malloc(r.n_maps * sizeof *expected);
+	assert_non_null(expected);
+	memset(expected, 0xff, r.n_maps * sizeof *expected);
+	assert_int_equal(r.n_maps, (u64)g.views.before[5] * 128);
+	for (u64 i = 0; i < r.n_pairs; i++) {
+		u32 s = (u32)(r.pairs[i] >> 32), v = (u32)r.pairs[i];
+		ts_v3 way = ts_sub(ts_load3(g.scene.nodes[s].centre), ts_load3(g.views.nodes[v].centre));
+		u64 *texel = &expected[v * 128 + ts_k_paraboloid_texel(way, 8)], key = (u64)ts_f2u(ts_length(way)) << 32 | s;
+		*texel = key < *texel ? key : *texel;
+	}
+	assert_memory_equal(r.maps, expected, r.n_maps * sizeof *expected);
+	free(expected);
+	free_outcome(&r);
+	grove_free(&g);
+}
+
+/* A walk from the root finds what the fused maps hold; of the two fusions, one takes the nearest, the other its own. */
+static void test_fuse(void **state)
+{
+	(void)state;
+	ts_params params = params_of(8), paper = params;
+	paper.fusion = TS_FUSION_PAPER;
+	grove g;
+	grove_plant(&g, 5, 6, 20000, grove_surface, 300, grove_surface);
+	outcome least = run_all(&g, &params, 2, false), own = run_all(&g, &paper, 2, false);
+	ts_fuse_args args = { .views = g.views.nodes, .texels = least.maps, .pyramid = { 8, 1 }, .nearest = 1 };
+	ts_fuse_args own_args = args;
+	own_args.nearest = 0;
+	u64 n_moved = 0, n_nearer = 0;
+	for (u64 i = 0; i < least.n_depths; i++) {
+		u32 map = (u32)(least.maps[i] >> 32);
+		assert_int_equal(ts_k_fuse_query(&args, (u32)(i / 128), (u32)(i % 128)), least.depths[i]);
+		assert_int_equal(ts_k_fuse_query(&own_args, (u32)(i / 128), (u32)(i % 128)), own.depths[i]);
+		assert_true(least.depths[i] <= map && least.depths[i] <= own.depths[i]);
+		assert_true(map == TS_NONE || own.depths[i] == map);
+		assert_true(i >= 128 || least.depths[i] == map);
+		n_moved += map == TS_NONE && least.depths[i] != TS_NONE;
+		n_nearer += least.depths[i] < own.depths[i];
+	}
+	assert_true(n_moved > least.n_depths / 10 && n_nearer > 100);
+	free_outcome(&least);
+	free_outcome(&own);
+	grove_free(&g);
+}
+
+/* Moved depth is the distance of the same point from the other place. */
+static void test_moved(void **state)
+{
+	(void)state;
+	for (u32 i = 0; i < 20000; i++) {
+		u32 n = 4u << grove_below(7), texel = grove_below(2 * n * n);
+		ts_v3 a = noise().p, b = noise().p, d = ts_k_paraboloid_direction(texel, n);
+		double t = 3 * grove_uniform(), x = a.x + t * d.x - b.x, y = a.y + t * d.y - b.y, z = a.z + t * d.z - b.z;
+		double expected = sqrt(x * x + y * y + z * z);
+		assert_true(fabs((double)ts_k_moved_depth(a, (f32)t, b, texel, n) - expected) < 1e-6);
+		assert_true(fabs((double)ts_k_moved_depth(a, (f32)t, a, texel, n) - t) < 1e-6);
+	}
+}
+
+/* Splatted into a pyramid, wide leaves leave no holes about them: fine texels stay what they are, if they are of leaves no
+ * wider than a texel; the others are filled from the level of their width. */
+static void test_multipixel(void **state)
+{
+	(void)state;
+	ts_params params = params_of(64), splats = params;
+	splats.multipixel = 1;
+	grove g;
+	grove_plant(&g, 5, 5, 60000, grove_surface, 60, grove_floor);
+	outcome off = run_all(&g, &params, 2, false), on = run_all(&g, &splats, 2, false);
+	assert_int_equal(on.n_depths, off.n_depths);
+	assert_int_equal(on.n_maps * 4096, off.n_maps * 5461);
+	u64 n_off = 0, n_on = 0, n_lost = 0;
+	for (u64 i = 0; i < on.n_depths; i++) {
+		n_off += off.depths[i] != TS_NONE;
+		n_on += on.depths[i] != TS_NONE;
+		n_lost += off.depths[i] != TS_NONE && on.depths[i] == TS_NONE;
+	}
+	assert_int_equal(n_lost, 0);
+	assert_true(n_on > n_off + n_off / 20);
+	free_outcome(&off);
+	free_outcome(&on);
+	grove_free(&g);
+}
+
+/* A run with views alone, some of those of the grove. */
+static void begin_alone(ts_run *run, const ts_params *params, const grove *g, ts_vpl *lights, u32 n)
+{
+	ts_run_begin(run, scene, params, 2);
+	for (u32 i = 0; i < n; i++) {
+		const grove_place *place = &g->places[(u64)i * g->n_places / n];
+		lights[i] = (ts_vpl){ .bounce = 1 };
+		ts_store3(lights[i].position, place->p);
+		ts_store3(lights[i].normal, place->n);
+	}
+	ts_frame_borrow(&run->frame, TS_B_octree_node, g->scene.nodes, g->scene.before[g->scene.levels + 1]);
+	ts_frame_borrow(&run->frame, TS_B_vpl_light, lights, n);
+	grove_stage(run, "view_alone");
+}
+
+/* Where every leaf is wider than a texel, views alone show just what brute force does. */
+static void test_alone(void **state)
+{
+	(void)state;
+	ts_params params = params_of(256);
+	ts_vpl lights[40];
+	grove g;
+	ts_run run;
+	grove_plant(&g, 3, 3, 3000, noise, 40, noise);
+	begin_alone(&run, &params, &g, lights, 40);
+	grove_stage(&run, "map");
+	u64 n, n_all;
+	i64 rendered = ts_run_counter(&run, "pairs rendered");
+	u64 *maps = copy_of(&run, TS_B_map_depth_node, &n);
+	assert_int_equal(ts_run_counter(&run, "pairs wider than a texel"), rendered);
+	assert_int_equal(ts_run_counter(&run, "views served"), rendered);
+	grove_stage(&run, "map_all");
+	u64 *all = copy_of(&run, TS_B_map_depth_node, &n_all);
+	assert_int_equal(n, n_all);
+	assert_memory_equal(maps, all, n * sizeof *maps);
+	assert_int_equal(ts_run_counter(&run, "pairs rendered"), 2 * rendered);
+	grove_stage(&run, "fuse");
+	const u32 *depths = ts_frame_data(&run.frame, TS_B_fuse_depth);
+	u64 n_wrong = 0;
+	for (u64 i = 0; i < n; i++) n_wrong += depths[i] != maps[i] >> 32;
+	assert_int_equal(n_wrong, 0);
+	free(maps);
+	free(all);
+	ts_run_end(&run);
+	grove_free(&g);
+}
+
+static void test_errors(void **state)
+{
+	(void)state;
+	ts_params params = params_of(24);
+	grove g;
+	ts_run run;
+	grove_plant(&g, 2, 2, 10, noise, 10, noise);
+	grove_begin(&run, scene, &params, 1, &g);
+	assert_int_equal(ts_run_stage(&run, ts_stage_find("traverse")), TS_ERROR);
+	assert_non_null(strstr(ts_error_message(), "view_px: 24 is not a power of two"));
+	run.params.view_px = 16;
+	g.scene.nodes[g.scene.before[2]].child = 0; /* a circle */
+	g.scene.nodes[g.scene.before[2]].children = 1;
+	assert_int_equal(ts_run_stage(&run, ts_stage_find("traverse")), TS_ERROR);
+	assert_non_null(strstr(ts_error_message(), "more than 23 steps"));
+	ts_run_end(&run);
+	grove_free(&g);
+}
+
+/* Shares of texels: of the same depth, and with one beside them that has it. */
+typedef struct { double same, near, missing; u64 n; } likeness;
+
+static bool is_like(u32 a, u32 b, f32 slack)
+{
+	if (a == TS_NONE || b == TS_NONE) return a == b;
+	return ts_abs(ts_u2f(a) - ts_u2f(b)) < 0.05f * ts_u2f(a) + slack;
+}
+
+static bool is_like_near(const u32 *fused, u32 texel, u32 n, u32 own, f32 slack)
+{
+	i32 side = (i32)n, row = (i32)(texel / n % n), column = (i32)(texel % n);
+	for (i32 y = ts_max_i32(row - 1, 0); y <= ts_min_i32(row + 1, side - 1); y++) {
+		for (i32 x = ts_max_i32(column - 1, 0); x <= ts_min_i32(column + 1, side - 1); x++) {
+			if (is_like(own, fused[texel / (n * n) * n * n + (u32)(y * side + x)], slack)) return true;
+		}
+	}
+	return false;
+}
+
+/* Texels in the middle of the view's field: the prototype's measure. */
+static void compare(likeness *sum, const u32 *alone, const u32 *fused, const grove_place *place, u32 n, f32 slack)
+{
+	for (u32 t = 0; t < 2 * n * n; t++) {
+		if (!ts_k_paraboloid_is_used(t, n) || ts_dot(ts_k_paraboloid_direction(t, n), place->n) < 0.15f) continue;
+		bool same = is_like(alone[t], fused[t], slack);
+		sum->n++;
+		sum->same += same;
+		sum->near += same || is_like_near(fused, t, n, alone[t], slack);
+		sum->missing += alone[t] != TS_NONE && fused[t] == TS_NONE;
+	}
+}
+
+static void print_run(const char *what, const ts_run *run)
+{
+	static const char *const names[] = { "pairs", "pairs culled", "pairs touching", "pairs rendered",
+	                                     "pairs wider than a texel", "views served", "longest queue", "pieces of queues" };
+	print_message("%s:", what);
+	for (u32 i = 0; i < sizeof names / sizeof *names; i++) {
+		print_message(" %s %lld", names[i], (long long)ts_run_counter(run, names[i]));
+	}
+	for (u32 i = 0; i < run->n_timings; i++) print_message(" %s %.3f s", run->timings[i].stage, run->timings[i].seconds);
+	print_message("\n");
+}
+
+/* The prototype's row, and what runs here may be off by: its radii and cosines are rounded otherwise. */
+typedef struct { u32 n_views; grove_source *view; double pairs, ratio, sharing, wide, same, near; } row;
+
+static void check_row(const row *expected, u64 n_points, u32 levels, u32 n)
+{
+	enum { SAMPLE = 200 };
+	static ts_vpl lights[SAMPLE];
+	ts_params params = params_of(n);
+	grove g;
+	ts_run run, alone;
+	grove_plant(&g, levels, levels, n_points, grove_surface, expected->n_views, expected->view);
+	grove_begin(&run, scene, &params, 2, &g);
+	grove_stage(&run, "map");
+	grove_stage(&run, "fuse");
+	print_run("together", &run);
+	begin_alone(&alone, &params, &g, lights, SAMPLE);
+	grove_stage(&alone, "map");
+	print_run("alone", &alone);
+	const u32 *fused = ts_frame_data(&run.frame, TS_B_fuse_depth);
+	const u64 *maps = ts_frame_data(&alone.frame, TS_B_map_depth_node);
+	u32 *own = malloc(2 * n * n * sizeof *own);
+	likeness sum = { 0, 0, 0, 0 };
+	for (u32 i = 0; i < SAMPLE; i++) {
+		u64 place = (u64)i * g.n_places / SAMPLE;
+		for (u32 t = 0; t < 2 * n * n; t++) own[t] = (u32)(maps[i * 2 * n * n + t] >> 32);
+		compare(&sum, own, fused + (u64)g.leaf[place] * 2 * n * n, &g.places[place], n, 3 / (f32)(1u << levels));
+	}
+	double pairs = (double)ts_run_counter(&run, "pairs"), rendered = (double)ts_run_counter(&run, "pairs rendered");
+	double ratio = (double)ts_run_counter(&alone, "pairs") / SAMPLE * expected->n_views / pairs;
+	double sharing = (double)ts_run_counter(&run, "views served") / rendered;
+	double wide = 100 * (double)ts_run_counter(&run, "pairs wider than a texel") / rendered;
+	double same = 100 * sum.same / (double)sum.n, near = 100 * sum.near / (double)sum.n;
+	print_message("saved %.2f times, shared by %.2f, wide %.2f %%, same %.2f %%, near %.2f %%, missing %.3f %%\n", ratio,
+	              sharing, wide, same, near, 100 * sum.missing / (double)sum.n);
+	assert_true(fabs(pairs / expected->pairs - 1) < 0.01);
+	assert_true(fabs(ratio / expected->ratio - 1) < 0.02);
+	assert_true(fabs(sharing / expected->sharing - 1) < 0.02);
+	assert_true(fabs(wide - expected->wide) < 0.5);
+	assert_true(same > expected->same - 0.5 && near > expected->near - 0.2);
+	free(own);
+	ts_run_end(&run);
+	ts_run_end(&alone);
+	grove_free(&g);
+}
+
+static void test_prototype(void **state)
+{
+	(void)state;
+	static const row rows[] = {
+		{ 256, grove_floor, 1704665, 1.22, 1.51, 6.98, 92.58, 98.69 },
+		{ 4096, grove_floor, 6502386, 5.12, 5.82, 13.92, 92.76, 98.69 },
+	};
+	for (u32 i = 0; i < sizeof rows / sizeof *rows; i++) {
+		grove_state = 1234567;
+		check_row(&rows[i], 40 * 16384, 7, 16);
+	}
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		grown_test(test_recursion),  grown_test(test_memory), grown_test(test_map),   grown_test(test_fuse),
+		grown_test(test_moved),      grown_test(test_multipixel), grown_test(test_alone), grown_test(test_errors),
+		grown_test(test_prototype),
+	};
+	return cmocka_run_group_tests(tests, open_scene, close_scene);
+}
