@@ -246,4 +246,67 @@ static inline void grove_stage(ts_run *run, const char *name)
 	if (ts_run_stage(run, ts_stage_find(name)) != TS_OK) fail_msg("%s", ts_error_message());
 }
 
+/* What a run made. */
+typedef struct {
+	u64 n_pairs, n_maps, n_depths;
+	u64 *pairs, *maps;              /* pairs: if it was traced */
+	u32 *depths;
+	i64 pieces, longest;            /* of the queues */
+} grove_outcome;
+
+static inline void *grove_copy(const ts_run *run, ts_buffer_id id, u64 *n)
+{
+	const ts_buffer *b = &run->frame.buffer[id];
+	void *copy = malloc(b->bytes + 1);
+	assert_non_null(copy);
+	memcpy(copy, ts_frame_data(&run->frame, id), b->bytes);
+	*n = b->n;
+	return copy;
+}
+
+static inline grove_outcome grove_run(const grove *g, const ts_scene *scene, const ts_params *params, u32 threads,
+                                      ts_backend *backend, bool traced)
+{
+	ts_run run;
+	grove_outcome r = { .pairs = NULL };
+	grove_begin(&run, scene, params, threads, g);
+	run.backend = backend;
+	if (traced) grove_stage(&run, "traverse");
+	grove_stage(&run, "map");
+	grove_stage(&run, "fuse");
+	if (traced) r.pairs = grove_copy(&run, TS_B_traverse_rendered, &r.n_pairs);
+	r.maps = grove_copy(&run, TS_B_map_depth_node, &r.n_maps);
+	r.depths = grove_copy(&run, TS_B_fuse_depth, &r.n_depths);
+	r.pieces = ts_run_counter(&run, "pieces of queues");
+	r.longest = ts_run_counter(&run, "longest queue");
+	ts_run_end(&run);
+	return r;
+}
+
+static inline void grove_assert_same(const grove_outcome *a, const grove_outcome *b)
+{
+	assert_true(a->n_maps == b->n_maps && a->n_depths == b->n_depths);
+	assert_memory_equal(a->maps, b->maps, a->n_maps * sizeof *a->maps);
+	assert_memory_equal(a->depths, b->depths, a->n_depths * sizeof *a->depths);
+	if (a->pairs == NULL || b->pairs == NULL) return;
+	assert_int_equal(a->n_pairs, b->n_pairs);
+	assert_memory_equal(a->pairs, b->pairs, a->n_pairs * sizeof *a->pairs);
+}
+
+static inline void grove_outcome_free(grove_outcome *r)
+{
+	free(r->pairs);
+	free(r->maps);
+	free(r->depths);
+}
+
+/* Anywhere, looking anywhere. */
+static inline grove_place grove_noise(void)
+{
+	f32 x = (f32)grove_uniform(), y = (f32)grove_uniform(), z = (f32)grove_uniform();
+	f32 a = (f32)grove_uniform() - 0.5f, b = (f32)grove_uniform() - 0.5f;
+	ts_v3 p = ts_v3_make(0.02f + 0.96f * x, 0.02f + 0.96f * y, 0.02f + 0.96f * z);
+	return (grove_place){ p, ts_normalize(ts_v3_make(a, b, 0.3f)) };
+}
+
 #endif

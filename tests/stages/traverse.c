@@ -36,14 +36,6 @@ static int restart(void **state)
 
 #define grown_test(f) cmocka_unit_test_setup(f, restart)
 
-/* Anywhere, looking anywhere. */
-static grove_place noise(void)
-{
-	f32 x = (f32)grove_uniform(), y = (f32)grove_uniform(), z = (f32)grove_uniform();
-	f32 a = (f32)grove_uniform() - 0.5f, b = (f32)grove_uniform() - 0.5f;
-	return (grove_place){ { 0.02f + 0.96f * x, 0.02f + 0.96f * y, 0.02f + 0.96f * z }, ts_normalize((ts_v3){ a, b, 0.3f }) };
-}
-
 /* The recursion of SPEC 4.3, by the tested parts of pair.h. */
 typedef struct {
 	const grove *g;
@@ -132,7 +124,8 @@ static void test_recursion(void **state)
 		params.view_field = grove_below(4) == 0;
 		params.touching = grove_below(3) == 0;
 		grove g;
-		grove_plant(&g, 1 + grove_below(5), 1 + grove_below(5), 1 + grove_below(600), noise, 1 + grove_below(100), noise);
+		u32 levels = 1 + grove_below(5), view_levels = 1 + grove_below(5), n = 1 + grove_below(600);
+		grove_plant(&g, levels, view_levels, n, grove_noise, 1 + grove_below(100), grove_noise);
 		recursion r = { .g = &g, .params = &params };
 		visit(&r, 0, 0);
 		ts_run run;
@@ -151,43 +144,6 @@ static void test_recursion(void **state)
 	assert_true(culled > 1000 && touching > 1000 && wide > 1000 && narrow > 1000);
 }
 
-/* Copies of a run's buffers. */
-typedef struct { u64 n_pairs, n_maps, n_depths; u64 *pairs, *maps; u32 *depths; i64 pieces, longest; } outcome;
-
-static void *copy_of(const ts_run *run, ts_buffer_id id, u64 *n)
-{
-	const ts_buffer *b = &run->frame.buffer[id];
-	void *copy = malloc(b->bytes + 1);
-	assert_non_null(copy);
-	memcpy(copy, ts_frame_data(&run->frame, id), b->bytes);
-	*n = b->n;
-	return copy;
-}
-
-static outcome run_all(const grove *g, const ts_params *params, u32 threads, bool traced)
-{
-	ts_run run;
-	outcome r = { .pairs = NULL };
-	grove_begin(&run, scene, params, threads, g);
-	if (traced) grove_stage(&run, "traverse");
-	grove_stage(&run, "map");
-	grove_stage(&run, "fuse");
-	if (traced) r.pairs = copy_of(&run, TS_B_traverse_rendered, &r.n_pairs);
-	r.maps = copy_of(&run, TS_B_map_depth_node, &r.n_maps);
-	r.depths = copy_of(&run, TS_B_fuse_depth, &r.n_depths);
-	r.pieces = ts_run_counter(&run, "pieces of queues");
-	r.longest = ts_run_counter(&run, "longest queue");
-	ts_run_end(&run);
-	return r;
-}
-
-static void free_outcome(outcome *r)
-{
-	free(r->pairs);
-	free(r->maps);
-	free(r->depths);
-}
-
 /* The order of the kept pairs, too, is the same whatever the memory; and so are maps without keeping them. */
 static void test_memory(void **state)
 {
@@ -197,23 +153,17 @@ static void test_memory(void **state)
 	};
 	ts_params params = params_of(16);
 	grove g;
-	grove_plant(&g, 5, 5, 20000, grove_surface, 600, grove_surface);
-	outcome one = run_all(&g, &params, 1, true);
+	grove_plant(&g, 5, 5, 20000, grove_surface, 250, grove_surface);
+	grove_outcome one = grove_run(&g, scene, &params, 1, NULL, true);
 	assert_true(one.n_pairs > 100000);
 	for (u32 i = 0; i < sizeof ways / sizeof *ways; i++) {
 		params.queue_mb = ways[i].queue_mb;
-		outcome other = run_all(&g, &params, ways[i].threads, ways[i].traced);
-		assert_true(ways[i].queue_mb > 1 || other.pieces > 4 * one.pieces);
-		assert_true(ways[i].queue_mb > 1 || other.longest < one.longest);
-		if (ways[i].traced) {
-			assert_int_equal(other.n_pairs, one.n_pairs);
-			assert_memory_equal(other.pairs, one.pairs, one.n_pairs * sizeof *one.pairs);
-		}
-		assert_memory_equal(other.maps, one.maps, one.n_maps * sizeof *one.maps);
-		assert_memory_equal(other.depths, one.depths, one.n_depths * sizeof *one.depths);
-		free_outcome(&other);
+		grove_outcome other = grove_run(&g, scene, &params, ways[i].threads, NULL, ways[i].traced);
+		assert_true(ways[i].queue_mb > 1 || (other.pieces > 4 * one.pieces && other.longest < one.longest));
+		grove_assert_same(&one, &other);
+		grove_outcome_free(&other);
 	}
-	free_outcome(&one);
+	grove_outcome_free(&one);
 	grove_free(&g);
 }
 
@@ -224,7 +174,7 @@ static void test_map(void **state)
 	ts_params params = params_of(8);
 	grove g;
 	grove_plant(&g, 5, 4, 20000, grove_surface, 300, grove_surface);
-	outcome r = run_all(&g, &params, 2, true);
+	grove_outcome r = grove_run(&g, scene, &params, 2, NULL, true);
 	u64 *expected = malloc(r.n_maps * sizeof *expected);
 	assert_non_null(expected);
 	memset(expected, 0xff, r.n_maps * sizeof *expected);
@@ -237,7 +187,7 @@ static void test_map(void **state)
 	}
 	assert_memory_equal(r.maps, expected, r.n_maps * sizeof *expected);
 	free(expected);
-	free_outcome(&r);
+	grove_outcome_free(&r);
 	grove_free(&g);
 }
 
@@ -249,7 +199,7 @@ static void test_fuse(void **state)
 	paper.fusion = TS_FUSION_PAPER;
 	grove g;
 	grove_plant(&g, 5, 6, 20000, grove_surface, 300, grove_surface);
-	outcome least = run_all(&g, &params, 2, false), own = run_all(&g, &paper, 2, false);
+	grove_outcome least = grove_run(&g, scene, &params, 2, NULL, false), own = grove_run(&g, scene, &paper, 2, NULL, false);
 	ts_fuse_args args = { .views = g.views.nodes, .texels = least.maps, .pyramid = { 8, 1 }, .nearest = 1 };
 	ts_fuse_args own_args = args;
 	own_args.nearest = 0;
@@ -265,8 +215,8 @@ static void test_fuse(void **state)
 		n_nearer += least.depths[i] < own.depths[i];
 	}
 	assert_true(n_moved > least.n_depths / 10 && n_nearer > 100);
-	free_outcome(&least);
-	free_outcome(&own);
+	grove_outcome_free(&least);
+	grove_outcome_free(&own);
 	grove_free(&g);
 }
 
@@ -276,7 +226,7 @@ static void test_moved(void **state)
 	(void)state;
 	for (u32 i = 0; i < 20000; i++) {
 		u32 n = 4u << grove_below(7), texel = grove_below(2 * n * n);
-		ts_v3 a = noise().p, b = noise().p, d = ts_k_paraboloid_direction(texel, n);
+		ts_v3 a = grove_noise().p, b = grove_noise().p, d = ts_k_paraboloid_direction(texel, n);
 		double t = 3 * grove_uniform(), x = a.x + t * d.x - b.x, y = a.y + t * d.y - b.y, z = a.z + t * d.z - b.z;
 		double expected = sqrt(x * x + y * y + z * z);
 		assert_true(fabs((double)ts_k_moved_depth(a, (f32)t, b, texel, n) - expected) < 1e-6);
@@ -293,7 +243,7 @@ static void test_multipixel(void **state)
 	splats.multipixel = 1;
 	grove g;
 	grove_plant(&g, 5, 5, 60000, grove_surface, 60, grove_floor);
-	outcome off = run_all(&g, &params, 2, false), on = run_all(&g, &splats, 2, false);
+	grove_outcome off = grove_run(&g, scene, &params, 2, NULL, false), on = grove_run(&g, scene, &splats, 2, NULL, false);
 	assert_int_equal(on.n_depths, off.n_depths);
 	assert_int_equal(on.n_maps * 4096, off.n_maps * 5461);
 	u64 n_off = 0, n_on = 0, n_lost = 0;
@@ -304,8 +254,8 @@ static void test_multipixel(void **state)
 	}
 	assert_int_equal(n_lost, 0);
 	assert_true(n_on > n_off + n_off / 20);
-	free_outcome(&off);
-	free_outcome(&on);
+	grove_outcome_free(&off);
+	grove_outcome_free(&on);
 	grove_free(&g);
 }
 
@@ -332,16 +282,16 @@ static void test_alone(void **state)
 	ts_vpl lights[40];
 	grove g;
 	ts_run run;
-	grove_plant(&g, 3, 3, 3000, noise, 40, noise);
+	grove_plant(&g, 3, 3, 3000, grove_noise, 40, grove_noise);
 	begin_alone(&run, &params, &g, lights, 40);
 	grove_stage(&run, "map");
 	u64 n, n_all;
 	i64 rendered = ts_run_counter(&run, "pairs rendered");
-	u64 *maps = copy_of(&run, TS_B_map_depth_node, &n);
+	u64 *maps = grove_copy(&run, TS_B_map_depth_node, &n);
 	assert_int_equal(ts_run_counter(&run, "pairs wider than a texel"), rendered);
 	assert_int_equal(ts_run_counter(&run, "views served"), rendered);
 	grove_stage(&run, "map_all");
-	u64 *all = copy_of(&run, TS_B_map_depth_node, &n_all);
+	u64 *all = grove_copy(&run, TS_B_map_depth_node, &n_all);
 	assert_int_equal(n, n_all);
 	assert_memory_equal(maps, all, n * sizeof *maps);
 	assert_int_equal(ts_run_counter(&run, "pairs rendered"), 2 * rendered);
@@ -362,7 +312,7 @@ static void test_errors(void **state)
 	ts_params params = params_of(24);
 	grove g;
 	ts_run run;
-	grove_plant(&g, 2, 2, 10, noise, 10, noise);
+	grove_plant(&g, 2, 2, 10, grove_noise, 10, grove_noise);
 	grove_begin(&run, scene, &params, 1, &g);
 	assert_int_equal(ts_run_stage(&run, ts_stage_find("traverse")), TS_ERROR);
 	assert_non_null(strstr(ts_error_message(), "view_px: 24 is not a power of two"));
@@ -465,6 +415,30 @@ static void check_row(const row *expected, u64 n_points, u32 levels, u32 n)
 	grove_free(&g);
 }
 
+/* The octrees of the scene and its virtual point lights, as the stages before make them. */
+static void test_stages(void **state)
+{
+	(void)state;
+	static const char *const stages[] = { "view", "pose", "lamp", "rsm_view", "rsm", "rsm_patch", "root", "voxel", "octree",
+	                                      "vpl", "view_voxel", "view_octree", "view_cone", "traverse", "map", "fuse" };
+	ts_params params = params_of(16);
+	params.levels = 5;
+	ts_run run;
+	ts_run_begin(&run, scene, &params, 2);
+	ts_pipeline_find("indirect", "direct")->prepare(&run);
+	for (u32 i = 0; i < sizeof stages / sizeof *stages; i++) grove_stage(&run, stages[i]);
+	grove g = { .scene.nodes = ts_frame_data(&run.frame, TS_B_octree_node),
+	            .views.nodes = ts_frame_data(&run.frame, TS_B_view_octree_node),
+	            .cones = ts_frame_data(&run.frame, TS_B_view_cone_node) };
+	recursion r = { .g = &g, .params = &params };
+	visit(&r, 0, 0);
+	assert_same_pairs(&run, &r);
+	assert_same_counters(&run, &r);
+	print_run("atrium", &run);
+	free(r.rendered);
+	ts_run_end(&run);
+}
+
 static void test_prototype(void **state)
 {
 	(void)state;
@@ -483,7 +457,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		grown_test(test_recursion),  grown_test(test_memory), grown_test(test_map),   grown_test(test_fuse),
 		grown_test(test_moved),      grown_test(test_multipixel), grown_test(test_alone), grown_test(test_errors),
-		grown_test(test_prototype),
+		grown_test(test_stages),     grown_test(test_prototype),
 	};
 	return cmocka_run_group_tests(tests, open_scene, close_scene);
 }

@@ -1,0 +1,38 @@
+/* The traversal on a device: queues in memory that is lent, the same pairs and maps. */
+#include "device.h"
+#include "../stages/grove.h"
+
+/* In the host's memory and in copies, kept or mapped at once, by one queue or in pieces. */
+static void test_traverse(void **state)
+{
+	(void)state;
+	device_need();
+	ts_params params = small_params(64, 64);
+	ts_scene *scene = small_scene(&params);
+	grove g;
+	grove_state = 1234567;
+	grove_plant(&g, 5, 5, 20000, grove_surface, 200, grove_surface);
+	params.multipixel = 1;
+	grove_outcome expected = grove_run(&g, scene, &params, 2, NULL, true);
+	assert_true(expected.n_pairs > 10000);
+	for (u32 i = 0; i < 4; i++) {
+		ts_backend *backend;
+		ts_backend_options options = { .work_group = 64, .build = "", .copies = i % 2 == 1 };
+		assert_int_equal(ts_opencl_kind.open(&backend, &options), TS_OK);
+		params.queue_mb = i < 2 ? 16 : 1;
+		grove_outcome found = grove_run(&g, scene, &params, 1, backend, i % 3 == 0);
+		grove_assert_same(&expected, &found);
+		grove_outcome_free(&found);
+		backend->close(backend);
+	}
+	grove_outcome_free(&expected);
+	grove_free(&g);
+	ts_scene_free(scene);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = { cmocka_unit_test(test_traverse) };
+	device_keep_kernels();
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
