@@ -42,7 +42,7 @@ typedef struct {
 	void (*release)(void *resident);
 } ts_residence;
 
-enum { TS_TALLIES = 5, TS_LENT_TALLIES = 0, TS_LENT_OTHER, TS_LENT_QUEUE, TS_LENT_COUNTS, TS_LENT };
+enum { TS_TALLIES = 5, TS_LENT_TALLIES = 0, TS_LENT_OTHER, TS_LENT_QUEUE, TS_LENT_COUNTS, TS_LENT_KEPT, TS_LENT };
 
 typedef struct {
 	ts_buffer buffer[TS_N_BUFFERS];

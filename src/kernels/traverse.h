@@ -23,7 +23,7 @@ typedef struct {
 	TS_GLOBAL u64 *queue;            /* of this step */
 	TS_GLOBAL u64 *next;             /* of the next step */
 	TS_GLOBAL u32 *offset;           /* children, later rendered pairs, before each: counts, then their prefix sums */
-	TS_GLOBAL u64 *rendered;         /* traverse.rendered, from the first of the queue on */
+	TS_GLOBAL u64 *rendered;         /* the rendered pairs of the queue */
 	TS_GLOBAL i64 *tallies;          /* pairs culled, touching, rendered, of these wider than a texel; views served */
 	u64 n_pairs;
 	ts_aperture phi;

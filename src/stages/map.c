@@ -1,10 +1,17 @@
 /* Rendered pairs in maps, and whole maps for every node of views. */
 #include "traverse.h"
+#include <inttypes.h>
 
-static ts_pyramid pyramid_of(const ts_run *run)
+ts_status ts_view_px_check(const ts_params *params)
 {
-	ts_pyramid r = {.n = run->params.view_px, .levels = 1};
-	while (run->params.multipixel && r.n >> r.levels > 0) r.levels++;
+	u32 n = params->view_px;
+	return (n & (n - 1)) == 0 ? TS_OK : ts_fail("view_px=%" PRIu32 ": a power of two would be right", n);
+}
+
+ts_pyramid ts_view_pyramid(const ts_params *params)
+{
+	ts_pyramid r = {.n = params->view_px, .levels = 1};
+	while (params->multipixel && r.n >> r.levels > 0) r.levels++;
 	return r;
 }
 
@@ -20,7 +27,7 @@ static ts_status map_piece(ts_run *run, ts_traverse_piece *piece, void *user)
 /* Makes the maps, all empty. */
 static ts_status begin(ts_run *run, ts_map_args *args)
 {
-	ts_pyramid pyramid = pyramid_of(run);
+	ts_pyramid pyramid = ts_view_pyramid(&run->params);
 	u64 n = ts_frame_n(&run->frame, TS_B_view_octree_node);
 	*args = (ts_map_args){
 		.nodes = ts_frame_handle(&run->frame, TS_B_octree_node),
@@ -28,7 +35,8 @@ static ts_status begin(ts_run *run, ts_map_args *args)
 		.texels = ts_frame_make2(&run->frame, TS_B_map_depth_node, n, ts_k_pyramid_texels(&pyramid)),
 		.pyramid = pyramid,
 	};
-	return args->texels != NULL ? ts_run_fill(run, TS_B_map_depth_node, 0xff) : TS_ERROR;
+	if (args->texels == NULL || ts_view_px_check(&run->params) != TS_OK) return TS_ERROR;
+	return ts_run_fill(run, TS_B_map_depth_node, 0xff);
 }
 
 /* Those that were kept, or all as the traversal comes by them. */
@@ -63,10 +71,10 @@ ts_status ts_stage_fuse(ts_run *run)
 		.views = ts_frame_handle(&run->frame, TS_B_view_octree_node),
 		.texels = ts_frame_handle(&run->frame, TS_B_map_depth_node),
 		.depths = ts_frame_make2(&run->frame, TS_B_fuse_depth, n, n_texels),
-		.pyramid = pyramid_of(run),
+		.pyramid = ts_view_pyramid(&run->params),
 		.nearest = run->params.fusion == TS_FUSION_MIN,
 	};
-	if (args.depths == NULL) return TS_ERROR;
+	if (args.depths == NULL || ts_view_px_check(&run->params) != TS_OK) return TS_ERROR;
 	for (u64 level = 0; level < n_levels; level++) {
 		args.first = before[level];
 		u64 n_nodes = before[level + 1] - before[level];

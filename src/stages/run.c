@@ -182,12 +182,14 @@ u64 ts_expected_face(const ts_params *params)
 
 void ts_run_sizes(ts_sizes *sizes, const ts_scene *scene, const ts_params *params)
 {
+	ts_pyramid pyramid = ts_view_pyramid(params);
 	const ts_size known[] = {
 		{"V", scene->n_vertices}, {"T", scene->n_triangles}, {"M", scene->n_materials}, {"S", scene->n_slots},
 		{"I", scene->n_images}, {"X", scene->n_texels}, {"L", scene->n_lights}, {"O", scene->n_objects},
 		{"R", scene->info.n_reflectors}, {"H", params->height},
 		{"W", params->width}, {"G", params->grid_px}, {"K", TS_N_SAMPLES}, {"P", ts_expected_pixels(scene, params)},
 		{"l", params->levels + 1}, {"Y", ts_k_mask_first(params->levels + 1)},
+		{"v", params->view_px}, {"m", ts_k_pyramid_texels(&pyramid)},
 	};
 	for (u32 i = 0; i < sizeof known / sizeof *known; i++) ts_sizes_set(sizes, known[i].name, known[i].n);
 	ts_sizes_cubes(sizes, scene->info.n_reflectors);

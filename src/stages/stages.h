@@ -100,6 +100,9 @@ u32 ts_rsm_views(const ts_light *light);
 ts_status ts_grid_check(const ts_params *params);
 /* How pixels choose a box (hull.c). */
 ts_choice_args ts_choice_arguments(const ts_run *run);
+/* view_px must be a power of two; the levels of a view's map (map.c). */
+ts_status ts_view_px_check(const ts_params *params);
+ts_pyramid ts_view_pyramid(const ts_params *params);
 /* Arguments of the kernels that make points, without their output. */
 ts_points_args ts_points_arguments(const ts_run *run);
 /* Arguments of the kernels that ask depth maps, without their output. */

@@ -19,14 +19,13 @@ typedef struct {
 ts_status ts_traverse_arguments(const ts_run *run, ts_traverse_args *args)
 {
 	static const ts_aperture fields[] = {{.cosine = 0, .sine = 1}, {.cosine = -1, .sine = 0}};
-	u32 n = run->params.view_px;
-	if ((n & (n - 1)) != 0) return ts_fail("view_px: %u is not a power of two", n);
+	if (ts_view_px_check(&run->params) != TS_OK) return TS_ERROR;
 	*args = (ts_traverse_args){
 		.nodes = ts_frame_handle(&run->frame, TS_B_octree_node),
 		.views = ts_frame_handle(&run->frame, TS_B_view_octree_node),
 		.cones = ts_frame_handle(&run->frame, TS_B_view_cone_node),
 		.phi = fields[run->params.view_field],
-		.n = n,
+		.n = run->params.view_px,
 		.touching = run->params.touching == TS_TOUCHING_RENDER,
 	};
 	return TS_OK;
@@ -63,7 +62,6 @@ static ts_status take_piece(traversal *t, u32 step)
 {
 	ts_traverse_piece *piece = &t->piece;
 	u64 at = t->waiting[step].at, children;
-	piece->step = step;
 	piece->n = t->waiting[step].end - at;
 	piece->args.queue = t->queue + step * t->room + at;
 	piece->args.next = step + 1 < TS_STEPS ? t->queue + (step + 1) * t->room : NULL;
@@ -154,35 +152,50 @@ ts_status ts_traverse_tally(ts_run *run, ts_traverse_piece *piece, u64 *n_render
 	return TS_OK;
 }
 
-/* By step, the rendered pairs; then where the next of them go. */
 static ts_status count_rendered(ts_run *run, ts_traverse_piece *piece, void *user)
 {
 	u64 n;
 	if (ts_traverse_tally(run, piece, &n) != TS_OK) return TS_ERROR;
-	((u64 *)user)[piece->step] += n;
+	*(u64 *)user += n;
 	return TS_OK;
 }
 
 static ts_status keep_rendered(ts_run *run, ts_traverse_piece *piece, void *user)
 {
-	u64 *at = &((u64 *)user)[piece->step], n;
-	u64 *rendered = ts_frame_handle(&run->frame, TS_B_traverse_rendered);
+	u64 **next = user, n;
 	if (ts_run_launch(run, TS_KERNEL_render_count, &piece->args, piece->n) != TS_OK) return TS_ERROR;
 	if (scan(run, piece, &n) != TS_OK) return TS_ERROR;
-	piece->args.rendered = rendered + *at;
-	*at += n;
+	piece->args.rendered = *next;
+	*next += n;
 	return n > 0 ? ts_run_launch(run, TS_KERNEL_render, &piece->args, piece->n) : TS_OK;
+}
+
+static int ascending(const void *a, const void *b)
+{
+	u64 x = *(const u64 *)a, y = *(const u64 *)b;
+	return x < y ? -1 : x > y;
+}
+
+/* Pieces come in another order where queues have less memory. */
+static ts_status keep_sorted(ts_run *run, u64 *pairs, u64 n)
+{
+	u64 *next = pairs;
+	ts_frame_lend(&run->frame, TS_LENT_KEPT, pairs, n * sizeof *pairs);
+	ts_status status = ts_traverse(run, keep_rendered, &next);
+	if (ts_frame_recall(&run->frame, TS_LENT_KEPT) != TS_OK || status != TS_OK) return TS_ERROR;
+	qsort(pairs, n, sizeof *pairs, ascending);
+	u64 *rendered = ts_frame_make1(&run->frame, TS_B_traverse_rendered, n);
+	if (rendered == NULL) return TS_ERROR;
+	memcpy(rendered, pairs, n * sizeof *pairs);
+	return TS_OK;
 }
 
 ts_status ts_stage_traverse(ts_run *run)
 {
-	u64 next[TS_STEPS] = {0}, total = 0;
-	if (ts_traverse(run, count_rendered, next) != TS_OK) return TS_ERROR;
-	for (u32 step = 0; step < TS_STEPS; step++) {
-		u64 n = next[step];
-		next[step] = total;
-		total += n;
-	}
-	if (ts_frame_make1(&run->frame, TS_B_traverse_rendered, total) == NULL) return TS_ERROR;
-	return ts_traverse(run, keep_rendered, next);
+	u64 n = 0;
+	if (ts_traverse(run, count_rendered, &n) != TS_OK) return TS_ERROR;
+	u64 *pairs = ts_alloc(n, sizeof *pairs, "rendered pairs");
+	ts_status status = pairs != NULL ? keep_sorted(run, pairs, n) : TS_ERROR;
+	free(pairs);
+	return status;
 }

@@ -7,18 +7,17 @@
 typedef struct {
 	ts_traverse_args args;
 	u64 n;
-	u32 step;
 	u64 n_waiting;  /* pairs that are in queues */
 	u64 *sums;      /* work memory of ts_traverse_scan */
 } ts_traverse_piece;
 
 typedef ts_status ts_traverse_sink(ts_run *run, ts_traverse_piece *piece, void *user);
 
-/* Gives all pairs to the sink, the pieces of each step in the order of its queue. */
+/* Gives all pairs to the sink; in which order depends on queue_mb. */
 ts_status ts_traverse(ts_run *run, ts_traverse_sink *sink, void *user);
 /* For sinks: adds a piece to the run's counters and says how many of its pairs are rendered. */
 ts_status ts_traverse_tally(ts_run *run, ts_traverse_piece *piece, u64 *n_rendered);
-/* Arguments of the kernels that decide pairs, without queues; view_px must be a power of two. */
+/* Arguments of the kernels that decide pairs, without queues. */
 ts_status ts_traverse_arguments(const ts_run *run, ts_traverse_args *args);
 
 #endif

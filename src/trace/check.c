@@ -51,7 +51,7 @@ static const ts_size *find_size(const ts_sizes *sizes, const char *name, size_t 
 
 /* Names of the sizes that buffers define: the first dimension, where it is a name and nothing else. */
 static const char *const defined[] = {"V", "T", "M", "S", "I",  "X",  "L", "O", "A", "B", "U",
-                                      "R", "P", "Q", "N", "P2", "P3", "C", "C4", "Z", "D", "E", "F", "J"};
+                                      "R", "P", "Q", "N", "P2", "P3", "C", "C4", "Z", "D", "E", "F", "J", "p"};
 
 static void define(ts_sizes *sizes, ts_buffer_id id, u64 n)
 {
@@ -73,6 +73,9 @@ void ts_check_sizes(ts_load *load, const ts_stage *stage)
 	ts_sizes_set(sizes, "l", load->run.params.levels + 1);
 	ts_sizes_set(sizes, "Y", ts_k_mask_first(load->run.params.levels + 1));
 	ts_check_leaves(load);
+	ts_pyramid pyramid = ts_view_pyramid(&load->run.params);
+	ts_sizes_set(sizes, "v", pyramid.n);
+	ts_sizes_set(sizes, "m", ts_k_pyramid_texels(&pyramid));
 	if (load->item[TS_B_scene_info] != NULL) ts_sizes_set(sizes, "R", load->scene.info.n_reflectors);
 	bool cubes = load->item[TS_B_resize_face] != NULL, views = load->item[TS_B_offscreen_view] != NULL;
 	u32 units = cubes ? ts_run_n_cubes(&load->run) : views ? (u32)ts_frame_n(&load->run.frame, TS_B_offscreen_view) : 0;

@@ -248,6 +248,20 @@ static ts_status check_segments(const ts_load *load)
 	return TS_OK;
 }
 
+/* The low halves are indices. */
+static ts_status check_rendered(const ts_load *load)
+{
+	u64 n, n_nodes;
+	const u64 *pairs = elements(load, TS_B_traverse_rendered, &n);
+	bool known = size_of(load, "D", &n_nodes);
+	for (u64 i = 0; known && i < n; i++) {
+		if (pairs[i] >> 32 < n_nodes) continue;
+		return ts_check_refuse(load, TS_B_traverse_rendered, i, "", 0, "less than %" PRIu64 " (D) in the high half",
+		                       n_nodes);
+	}
+	return TS_OK;
+}
+
 ts_status ts_check_values(const ts_load *load, const ts_stage *stage)
 {
 	if (load->scene.info.n_reflectors > MAX_REFLECTORS) {
@@ -261,6 +275,7 @@ ts_status ts_check_values(const ts_load *load, const ts_stage *stage)
 	if (check_sums(load) != TS_OK || check_images(load) != TS_OK || check_slots(load) != TS_OK) return TS_ERROR;
 	if (check_lights(load) != TS_OK || check_objects(load) != TS_OK || check_view(load) != TS_OK) return TS_ERROR;
 	if (ts_check_lamps(load, stage) != TS_OK || check_frames(load, stage) != TS_OK) return TS_ERROR;
-	if (check_segments(load) != TS_OK || ts_check_octrees(load, stage) != TS_OK) return TS_ERROR;
+	if (check_segments(load) != TS_OK || check_rendered(load) != TS_OK) return TS_ERROR;
+	if (ts_check_octrees(load, stage) != TS_OK) return TS_ERROR;
 	return check_counts(load, stage);
 }

@@ -315,7 +315,7 @@ static void test_errors(void **state)
 	grove_plant(&g, 2, 2, 10, grove_noise, 10, grove_noise);
 	grove_begin(&run, scene, &params, 1, &g);
 	assert_int_equal(ts_run_stage(&run, ts_stage_find("traverse")), TS_ERROR);
-	assert_non_null(strstr(ts_error_message(), "view_px: 24 is not a power of two"));
+	assert_non_null(strstr(ts_error_message(), "view_px=24: a power of two"));
 	run.params.view_px = 16;
 	g.scene.nodes[g.scene.before[2]].child = 0; /* a circle */
 	g.scene.nodes[g.scene.before[2]].children = 1;
