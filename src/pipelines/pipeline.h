@@ -10,7 +10,7 @@ enum { TS_STORED_ANYHOW, TS_STORED_BY_DEFAULT, TS_STORED_IF_ASKED };
 typedef struct {
 	const char *stage;
 	u32 least_bounces;   /* runs only if so many bounces are followed */
-	bool only_traced;    /* runs only for a trace: no later stage reads what it makes */
+	bool only_traced;    /* runs only for a trace: later stages do without what it makes */
 	bool only_margins;   /* the same, and only if run->margins asks for it */
 	bool only_ordered;   /* points that arrive in any order do without */
 	u32 stored;          /* TS_STORED_*: runs only if points are */

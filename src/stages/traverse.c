@@ -11,9 +11,9 @@ typedef struct {
 	ts_traverse_sink *sink;
 	void *user;
 	ts_traverse_piece piece;
-	u64 room;                                  /* pairs of a step; no less than the children of one */
-	u64 *queue;                                /* room for each step */
-	struct { u64 at, end; } waiting[TS_STEPS]; /* of each step's queue */
+	u64 room;                                      /* pairs of a step; no less than the children of one */
+	u64 *queue;                                    /* room for each step */
+	struct { u64 at, end; } waiting[TS_STEPS + 1]; /* of each step's queue; behind the last nothing ever does */
 } traversal;
 
 ts_status ts_traverse_arguments(const ts_run *run, ts_traverse_args *args)
@@ -69,24 +69,23 @@ static ts_status take_piece(traversal *t, u32 step)
 	if (children > 0 && piece->args.next == NULL) return ts_fail("the octrees have more than %u steps", TS_STEPS);
 	if (ts_run_launch(t->run, TS_KERNEL_traverse, &piece->args, piece->n) != TS_OK) return TS_ERROR;
 	t->waiting[step].at += piece->n;
-	if (children > 0) {
-		t->waiting[step + 1].at = 0;
-		t->waiting[step + 1].end = children;
-	}
+	t->waiting[step + 1].at = 0;
+	t->waiting[step + 1].end = children;
 	if (t->sink(t->run, piece, t->user) != TS_OK) return TS_ERROR;
 	piece->n_waiting += children - piece->n;
 	return TS_OK;
 }
 
-/* What waits, the last step first, so that no queue is ever longer than its room. */
+/* What waits, later steps first: a queue is empty when the next piece of the one before it is taken. */
 static ts_status carry(traversal *t)
 {
-	for (u32 step = TS_STEPS; step-- > 0;) {
-		if (t->waiting[step].at == t->waiting[step].end) continue;
-		if (take_piece(t, step) != TS_OK) return TS_ERROR;
-		step = TS_STEPS;
+	for (u32 step = 0;;) {
+		if (t->waiting[step].at < t->waiting[step].end) {
+			if (take_piece(t, step++) != TS_OK) return TS_ERROR;
+		} else if (step-- == 0) {
+			return TS_OK;
+		}
 	}
-	return TS_OK;
 }
 
 static ts_status start(traversal *t)
