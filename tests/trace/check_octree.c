@@ -1,4 +1,4 @@
-/* Checks of the octrees of MegaViews: faults in what its stages read, planted in buffers of a run. */
+/* Checks of MegaViews, of its octrees and pairs: faults in what its stages read, planted in buffers of a run. */
 #include "../stages/small.h"
 #include "../../src/pipelines/pipelines.h"
 #include "../../src/trace/check.h"
@@ -7,7 +7,7 @@
 static const ts_step steps[] = {
 	{.stage = "pose"}, {.stage = "lamp"}, {.stage = "rsm_view"}, {.stage = "rsm"}, {.stage = "rsm_patch"}, {.stage = "root"},
 	{.stage = "voxel"}, {.stage = "octree"}, {.stage = "octree_surface"}, {.stage = "vpl"}, {.stage = "view_voxel"},
-	{.stage = "view_octree"}, {.stage = "view_cone"}, {0},
+	{.stage = "view_octree"}, {.stage = "view_cone"}, {.stage = "traverse"}, {.stage = "map"}, {.stage = "fuse"}, {0},
 };
 static const ts_pipeline pipeline = {
 	"octrees", "indirect", "MegaViews 3", "", steps, ts_indirect_prepare, ts_hulls_expect, false,
@@ -198,11 +198,27 @@ static void test_levels(void **state)
 	assert_non_null(strstr(ts_error_message(), "octree.level: element 5"));
 }
 
+/* Both halves of a pair are indices; the maps are as large as view_px says. */
+static void test_pairs(void **state)
+{
+	(void)state;
+	ts_load load;
+	u64 n = ts_frame_n(&run.frame, TS_B_traverse_rendered), n_nodes = ts_frame_n(&run.frame, TS_B_octree_node);
+	assert_true(n > 1000);
+	refuses("map", TS_B_traverse_rendered, 0, "", n_nodes << 32);
+	refuses("map", TS_B_traverse_rendered, n - 1, "", UINT64_MAX << 32);
+	load_for(&load, ts_stage_find("fuse"));
+	load.run.params.view_px *= 2;
+	assert_int_equal(ts_check(&load, ts_stage_find("fuse")), TS_ERROR);
+	assert_non_null(strstr(ts_error_message(), "map.depth_node"));
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_right), cmocka_unit_test(test_indices), cmocka_unit_test(test_masks),
 		cmocka_unit_test(test_nodes), cmocka_unit_test(test_parents), cmocka_unit_test(test_levels),
+		cmocka_unit_test(test_pairs),
 	};
 	return cmocka_run_group_tests(tests, begin, end);
 }
