@@ -36,6 +36,7 @@ static ts_status begin(ts_run *run, ts_map_args *args)
 		.pyramid = pyramid,
 	};
 	if (args->texels == NULL || ts_view_px_check(&run->params) != TS_OK) return TS_ERROR;
+	ts_run_count(run, "map bytes", (i64)run->frame.buffer[TS_B_map_depth_node].bytes);
 	return ts_run_fill(run, TS_B_map_depth_node, 0xff);
 }
 
@@ -75,6 +76,7 @@ ts_status ts_stage_fuse(ts_run *run)
 		.nearest = run->params.fusion == TS_FUSION_MIN,
 	};
 	if (args.depths == NULL || ts_view_px_check(&run->params) != TS_OK) return TS_ERROR;
+	ts_run_count(run, "map bytes", (i64)run->frame.buffer[TS_B_fuse_depth].bytes);
 	for (u64 level = 0; level < n_levels; level++) {
 		args.first = before[level];
 		u64 n_nodes = before[level + 1] - before[level];

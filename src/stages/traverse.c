@@ -111,6 +111,7 @@ static ts_status with_memory(traversal *t)
 	t->piece.args.offset = ts_alloc(t->room + 1, sizeof(u32), "children of pairs");
 	t->piece.sums = ts_alloc(chunks + 1, sizeof(u64), "sums of children");
 	if (t->queue == NULL || t->piece.args.offset == NULL || t->piece.sums == NULL) return TS_ERROR;
+	t->piece.bytes = n_pairs * sizeof *t->queue + (t->room + 1) * sizeof(u32) + (chunks + 1) * sizeof(u64);
 	ts_frame_lend(&t->run->frame, TS_LENT_QUEUE, t->queue, n_pairs * sizeof *t->queue);
 	ts_frame_lend(&t->run->frame, TS_LENT_COUNTS, t->piece.args.offset, (t->room + 1) * sizeof(u32));
 	return start(t);
@@ -147,6 +148,7 @@ ts_status ts_traverse_tally(ts_run *run, ts_traverse_piece *piece, u64 *n_render
 	for (u32 i = 0; i < sizeof names / sizeof *names; i++) ts_run_count(run, names[i], ts_frame_tally(&run->frame, i));
 	ts_run_count(run, "pieces of queues", 1);
 	raise_counter(run, "longest queue", piece->n_waiting);
+	raise_counter(run, "queue bytes", piece->bytes);
 	*n_rendered = (u64)ts_frame_tally(&run->frame, 2);
 	return TS_OK;
 }

@@ -8,7 +8,8 @@ typedef struct {
 	ts_traverse_args args;
 	u64 n;
 	u64 n_waiting;  /* pairs that are in queues */
-	u64 *sums;      /* work memory of ts_traverse_scan */
+	u64 *sums;      /* work memory of prefix sums */
+	u64 bytes;      /* of all work memory */
 } ts_traverse_piece;
 
 typedef ts_status ts_traverse_sink(ts_run *run, ts_traverse_piece *piece, void *user);
