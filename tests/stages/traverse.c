@@ -358,18 +358,6 @@ static void compare(likeness *sum, const u32 *alone, const u32 *fused, const gro
 	}
 }
 
-static void print_run(const char *what, const ts_run *run)
-{
-	static const char *const names[] = { "pairs", "pairs culled", "pairs touching", "pairs rendered",
-	                                     "pairs wider than a texel", "views served", "longest queue", "pieces of queues" };
-	print_message("%s:", what);
-	for (u32 i = 0; i < sizeof names / sizeof *names; i++) {
-		print_message(" %s %lld", names[i], (long long)ts_run_counter(run, names[i]));
-	}
-	for (u32 i = 0; i < run->n_timings; i++) print_message(" %s %.3f s", run->timings[i].stage, run->timings[i].seconds);
-	print_message("\n");
-}
-
 /* The prototype's row, and what runs here may be off by: its radii and cosines are rounded otherwise. */
 typedef struct { u32 n_views; grove_source *view; double pairs, ratio, sharing, wide, same, near; } row;
 
@@ -384,10 +372,8 @@ static void check_row(const row *expected, u64 n_points, u32 levels, u32 n)
 	grove_begin(&run, scene, &params, 2, &g);
 	grove_stage(&run, "map");
 	grove_stage(&run, "fuse");
-	print_run("together", &run);
 	begin_alone(&alone, &params, &g, lights, SAMPLE);
 	grove_stage(&alone, "map");
-	print_run("alone", &alone);
 	const u32 *fused = ts_frame_data(&run.frame, TS_B_fuse_depth);
 	const u64 *maps = ts_frame_data(&alone.frame, TS_B_map_depth_node);
 	u32 *own = malloc(2 * n * n * sizeof *own);
@@ -446,7 +432,6 @@ static void test_stages(void **state)
 	visit(&r, 0, 0);
 	assert_same_pairs(&run, &r);
 	assert_same_counters(&run, &r);
-	print_run("atrium", &run);
 	free(r.rendered);
 	ts_run_end(&run);
 }
