@@ -3,6 +3,7 @@
 #define TS_BACKENDS_BACKEND_H
 #include "../core/frame.h"
 #include "../kernels/bench.h"
+#include "../kernels/bilateral.h"
 #include "../kernels/copy.h"
 #include "../kernels/direct.h"
 #include "../kernels/draw.h"
@@ -36,6 +37,8 @@
 #include "../kernels/view_octree.h"
 #include "../kernels/voxel.h"
 #include "../kernels/vpl.h"
+#include "../kernels/vpl_gather.h"
+#include "../kernels/vpl_pairs.h"
 
 #define KERNEL(name, args) TS_KERNEL_##name,
 typedef enum {

@@ -97,6 +97,9 @@ TS_FN bool ts_k_pair_splits_view(const ts_ball *s, const ts_ball *v)
 	return s->leaf || (!v->leaf && child < v->r);
 }
 
+/* From the nearest place in one ball to that in the other; at most 0 where they touch. */
+TS_FN f32 ts_k_pair_gap(const ts_ball *s, const ts_ball *v) { return ts_length(ts_sub(s->p, v->p)) - (s->r + v->r); }
+
 /* Two leaves that touch; a view alone stands for a leaf as large as that of the scene. */
 TS_FN bool ts_k_pair_touches(const ts_ball *s, const ts_ball *v)
 {

@@ -30,19 +30,30 @@ typedef struct {
 	u32 n;                           /* texels a side of a map */
 	u32 first_view;
 	u32 touching;                    /* leaves that touch are rendered, too */
+	u32 last;                        /* nodes of this level count as leaves */
+	u32 to_last;                     /* only pairs of leaves are rendered */
+	f32 cutoff;                      /* pairs farther apart are culled; 0: none */
 } ts_traverse_args;
 
 TS_FN u64 ts_k_pair(u32 node, u32 views) { return ((u64)node << 32) | views; }
 TS_FN u32 ts_k_pair_node(u64 pair) { return (u32)(pair >> 32); }
 TS_FN u32 ts_k_pair_views(u64 pair) { return (u32)pair; }
 
+TS_FN ts_ball ts_k_pair_ball(const ts_traverse_args *args, TS_GLOBAL const ts_node *node)
+{
+	ts_ball r = ts_k_node_ball(node);
+	r.leaf = r.leaf || node->level >= args->last;
+	return r;
+}
+
 TS_FN u32 ts_k_pair_fate(const ts_traverse_args *args, u64 pair)
 {
-	ts_ball s = ts_k_node_ball(&args->nodes[ts_k_pair_node(pair)]);
-	ts_ball v = ts_k_node_ball(&args->views[ts_k_pair_views(pair)]);
+	ts_ball s = ts_k_pair_ball(args, &args->nodes[ts_k_pair_node(pair)]);
+	ts_ball v = ts_k_pair_ball(args, &args->views[ts_k_pair_views(pair)]);
 	ts_cone_k cone = ts_k_load_cone(&args->cones[ts_k_pair_views(pair)]);
 	if (ts_k_pair_is_culled(&s, &v, &cone, &args->phi)) return TS_PAIR_CULL;
-	if (ts_k_pair_is_equivalent(&s, &v, args->n)) return TS_PAIR_RENDER;
+	if (args->cutoff > 0.0f && ts_k_pair_gap(&s, &v) > args->cutoff) return TS_PAIR_CULL;
+	if (args->to_last == 0u && ts_k_pair_is_equivalent(&s, &v, args->n)) return TS_PAIR_RENDER;
 	if (args->touching == 0u && ts_k_pair_touches(&s, &v)) return TS_PAIR_TOUCH;
 	if (s.leaf && v.leaf) return TS_PAIR_RENDER;
 	return ts_k_pair_splits_view(&s, &v) ? TS_PAIR_SPLIT_VIEW : TS_PAIR_SPLIT_SCENE;
@@ -75,8 +86,8 @@ TS_FN void ts_k_traverse_item(const ts_traverse_args *args, u64 i)
 	if (n == 0u) return;
 	u32 s = ts_k_pair_node(args->queue[i]);
 	u32 v = ts_k_pair_views(args->queue[i]);
-	ts_ball node = ts_k_node_ball(&args->nodes[s]);
-	ts_ball view = ts_k_node_ball(&args->views[v]);
+	ts_ball node = ts_k_pair_ball(args, &args->nodes[s]);
+	ts_ball view = ts_k_pair_ball(args, &args->views[v]);
 	bool splits_view = ts_k_pair_splits_view(&node, &view);
 	for (u32 k = 0u; k < n; k++) {
 		args->next[at + k] = splits_view ? ts_k_pair(s, args->views[v].child + k) : ts_k_pair(args->nodes[s].child + k, v);
@@ -87,8 +98,8 @@ TS_FN void ts_k_traverse_item(const ts_traverse_args *args, u64 i)
 /* A pair that could not be split further: no wider than a texel it would have been equivalent. */
 TS_FN bool ts_k_pair_is_wide(const ts_traverse_args *args, u64 pair)
 {
-	ts_ball s = ts_k_node_ball(&args->nodes[ts_k_pair_node(pair)]);
-	ts_ball v = ts_k_node_ball(&args->views[ts_k_pair_views(pair)]);
+	ts_ball s = ts_k_pair_ball(args, &args->nodes[ts_k_pair_node(pair)]);
+	ts_ball v = ts_k_pair_ball(args, &args->views[ts_k_pair_views(pair)]);
 	return s.leaf && v.leaf && !ts_k_pair_is_equivalent(&s, &v, args->n);
 }
 

@@ -34,6 +34,10 @@ extern const ts_step ts_hulls_steps[], ts_direct_steps[];
 void ts_indirect_prepare(ts_run *run);
 void ts_hulls_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params);
 
+extern const ts_step ts_megaviews_steps[], ts_manylods_steps[];
+void ts_megaviews_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params);
+void ts_manylods_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params);
+
 /* Soft and omnidirectional shadows, by any method. */
 void ts_soft_prepare(ts_run *run);
 void ts_soft_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params);

@@ -34,6 +34,11 @@ const ts_pipeline ts_pipeline_table[] = {
 	 ts_hulls_steps, ts_indirect_prepare, ts_hulls_expect, false},
 	{"direct", "indirect", "SSAGH 5", "the same light gathered by every pixel", ts_direct_steps, ts_indirect_prepare,
 	 ts_hulls_expect, false},
+	{"megaviews", "indirect", "MegaViews 3 and 5.1",
+	 "many small views at once: virtual point lights with maps that octrees of scene and views share",
+	 ts_megaviews_steps, ts_indirect_prepare, ts_megaviews_expect, false},
+	{"manylods", "indirect", "MegaViews 4.1", "the same lights, the map of each by a traversal of its own",
+	 ts_manylods_steps, ts_indirect_prepare, ts_manylods_expect, false},
 	{0},
 };
 

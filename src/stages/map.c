@@ -44,8 +44,9 @@ static ts_status begin(ts_run *run, ts_map_args *args)
 ts_status ts_stage_map(ts_run *run)
 {
 	ts_map_args args;
-	if (begin(run, &args) != TS_OK) return TS_ERROR;
-	if (!run->frame.buffer[TS_B_traverse_rendered].made) return ts_traverse(run, map_piece, &args);
+	ts_traverse_args how;
+	if (begin(run, &args) != TS_OK || ts_traverse_arguments(run, &how) != TS_OK) return TS_ERROR;
+	if (!run->frame.buffer[TS_B_traverse_rendered].made) return ts_traverse(run, &how, map_piece, &args);
 	args.pairs = ts_frame_handle(&run->frame, TS_B_traverse_rendered);
 	return ts_run_launch(run, TS_KERNEL_map, &args, ts_frame_n(&run->frame, TS_B_traverse_rendered));
 }

@@ -76,6 +76,9 @@ ts_status ts_stage_map(ts_run *run);
 ts_status ts_stage_fuse(ts_run *run);
 ts_status ts_stage_view_alone(ts_run *run);
 ts_status ts_stage_map_all(ts_run *run);
+ts_status ts_stage_vpl_pairs(ts_run *run);
+ts_status ts_stage_vpl_gather(ts_run *run);
+ts_status ts_stage_bilateral(ts_run *run);
 
 /* Shared by the stages (run.c). The arrays of the frame that shading kernels read; the vertices are this frame's. */
 ts_arrays ts_run_arrays(const ts_run *run);
@@ -103,6 +106,8 @@ ts_choice_args ts_choice_arguments(const ts_run *run);
 /* view_px must be a power of two; the levels of a view's map (map.c). */
 ts_status ts_view_px_check(const ts_params *params);
 ts_pyramid ts_view_pyramid(const ts_params *params);
+/* The level of the lists of vpl_pairs: gather_level, or that of the leaves; 0 where views have no hierarchy (vpl_gather.c). */
+u32 ts_gather_level(const ts_run *run);
 /* Arguments of the kernels that make points, without their output. */
 ts_points_args ts_points_arguments(const ts_run *run);
 /* Arguments of the kernels that ask depth maps, without their output. */

@@ -27,6 +27,7 @@ ts_status ts_traverse_arguments(const ts_run *run, ts_traverse_args *args)
 		.phi = fields[run->params.view_field],
 		.n = run->params.view_px,
 		.touching = run->params.touching == TS_TOUCHING_RENDER,
+		.last = TS_NONE,
 	};
 	return TS_OK;
 }
@@ -117,11 +118,10 @@ static ts_status with_memory(traversal *t)
 	return start(t);
 }
 
-ts_status ts_traverse(ts_run *run, ts_traverse_sink *sink, void *user)
+ts_status ts_traverse(ts_run *run, const ts_traverse_args *how, ts_traverse_sink *sink, void *user)
 {
-	traversal t = {.run = run, .sink = sink, .user = user};
+	traversal t = {.run = run, .sink = sink, .user = user, .piece.args = *how};
 	t.room = ((u64)run->params.queue_mb << 20) / BYTES_A_PAIR;
-	if (ts_traverse_arguments(run, &t.piece.args) != TS_OK) return TS_ERROR;
 	ts_status status = with_memory(&t);
 	for (u32 slot = TS_LENT_OTHER; slot <= TS_LENT_COUNTS; slot++) ts_frame_lend(&run->frame, slot, NULL, 0);
 	free(t.queue);
@@ -178,11 +178,11 @@ static int ascending(const void *a, const void *b)
 }
 
 /* Pieces come in another order where queues have less memory. */
-static ts_status keep_sorted(ts_run *run, u64 *pairs, u64 n)
+static ts_status keep_sorted(ts_run *run, const ts_traverse_args *how, u64 *pairs, u64 n)
 {
 	u64 *next = pairs;
 	ts_frame_lend(&run->frame, TS_LENT_KEPT, pairs, n * sizeof *pairs);
-	ts_status status = ts_traverse(run, keep_rendered, &next);
+	ts_status status = ts_traverse(run, how, keep_rendered, &next);
 	if (ts_frame_recall(&run->frame, TS_LENT_KEPT) != TS_OK || status != TS_OK) return TS_ERROR;
 	qsort(pairs, n, sizeof *pairs, ascending);
 	u64 *rendered = ts_frame_make1(&run->frame, TS_B_traverse_rendered, n);
@@ -194,9 +194,10 @@ static ts_status keep_sorted(ts_run *run, u64 *pairs, u64 n)
 ts_status ts_stage_traverse(ts_run *run)
 {
 	u64 n = 0;
-	if (ts_traverse(run, count_rendered, &n) != TS_OK) return TS_ERROR;
+	ts_traverse_args how;
+	if (ts_traverse_arguments(run, &how) != TS_OK || ts_traverse(run, &how, count_rendered, &n) != TS_OK) return TS_ERROR;
 	u64 *pairs = ts_alloc(n, sizeof *pairs, "rendered pairs");
-	ts_status status = pairs != NULL ? keep_sorted(run, pairs, n) : TS_ERROR;
+	ts_status status = pairs != NULL ? keep_sorted(run, &how, pairs, n) : TS_ERROR;
 	free(pairs);
 	return status;
 }

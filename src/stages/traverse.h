@@ -14,8 +14,9 @@ typedef struct {
 
 typedef ts_status ts_traverse_sink(ts_run *run, ts_traverse_piece *piece, void *user);
 
-/* Gives all pairs to the sink; in which order depends on queue_mb. */
-ts_status ts_traverse(ts_run *run, ts_traverse_sink *sink, void *user);
+/* Gives all pairs to the sink; in which order depends on queue_mb. `how`: as ts_traverse_arguments has it, or with its own
+ * last, to_last, cutoff and touching. */
+ts_status ts_traverse(ts_run *run, const ts_traverse_args *how, ts_traverse_sink *sink, void *user);
 /* For sinks: adds a piece to the run's counters and says how many of its pairs are rendered. */
 ts_status ts_traverse_tally(ts_run *run, ts_traverse_piece *piece, u64 *n_rendered);
 /* Arguments of the kernels that decide pairs, without queues. */

@@ -1,0 +1,158 @@
+/* Light that pixels gather from virtual point lights (MegaViews section 5.1; SPEC 4.9): of the views in the list of the
+ * pixel's node so many at random, with repetition, or each. A light is a small Lambertian patch, E = flux / pi cos cos /
+ * d^2, whose d is bounded from below, which keeps a near light from being a bright spot. Its own leaf's map, moved to where
+ * it is itself, tells what is in its shadow. */
+#ifndef TS_KERNELS_VPL_GATHER_H
+#define TS_KERNELS_VPL_GATHER_H
+#include "fuse.h"
+#include "gbuffer.h"
+#include "mask.h"
+#include "root.h"
+#include "vpl.h"
+
+typedef struct {
+	TS_GLOBAL const ts_gpixel *pixels;  /* gbuffer.pixel */
+	TS_GLOBAL const ts_root *root;
+	TS_GLOBAL const u64 *mask;          /* voxel.mask */
+	TS_GLOBAL const u32 *before;        /* voxel.before */
+	TS_GLOBAL const u32 *offset;        /* vpl_pairs.offset */
+	TS_GLOBAL const u32 *list;          /* vpl_pairs.node */
+	TS_GLOBAL const u32 *sums;          /* vpl_pairs.views */
+	TS_GLOBAL const ts_cone *cones;     /* view_cone.node */
+	TS_GLOBAL const u32 *views;         /* view_octree.view */
+	TS_GLOBAL const u32 *leaves;        /* view_octree.leaf */
+	TS_GLOBAL const ts_node *nodes;     /* view_octree.node */
+	TS_GLOBAL const ts_vpl *lights;
+	TS_GLOBAL const u32 *depths;        /* fuse.depth */
+	TS_GLOBAL f32 *irradiance;          /* vpl_gather.irradiance */
+	TS_GLOBAL i64 *n_astray;            /* pixels that no node of the level holds */
+	u32 levels;
+	u32 level;                          /* of the lists */
+	u32 first;                          /* node of list 0 */
+	u32 n_lights;
+	u32 draws;                          /* 0: every light of the list */
+	u32 seed;
+	u32 n;                              /* texels a side of a map */
+	u32 shadows;
+	f32 near;                           /* sides of a leaf */
+	f32 bias;                           /* diagonals of a leaf */
+	f32 bias_px, bias_slope;            /* texels of a map */
+} ts_vpl_gather_args;
+
+TS_FN f32 ts_k_leaf_side(const ts_vpl_gather_args *args) { return args->root->side / (f32)(1 << args->levels); }
+
+/* Entries from `from` on, up to `to`; TS_NONE, TS_NONE: all views. */
+typedef struct { u32 from, to, views; } ts_view_list;
+
+TS_FN ts_view_list ts_k_pixel_list(const ts_vpl_gather_args *args, ts_v3 p)
+{
+	u64 code = ts_k_morton(ts_k_voxel_of(args->root, args->levels, p)) >> (3u * (args->levels - args->level));
+	ts_view_list r;
+	r.from = TS_NONE;
+	r.to = TS_NONE;
+	r.views = args->n_lights;
+	if ((args->mask[ts_k_mask_word(args->level, code)] & ts_k_mask_bit(code)) == 0u) return r;
+	u32 list = ts_k_mask_id(args->mask, args->before, args->level, code) - args->first;
+	r.from = args->offset[list];
+	r.to = args->offset[list + 1u];
+	r.views = r.from < r.to ? args->sums[r.to - 1u] : 0u;
+	return r;
+}
+
+/* The view before which there are `rank` others. */
+TS_FN u32 ts_k_list_view(const ts_vpl_gather_args *args, const ts_view_list *list, u32 rank)
+{
+	if (list->from == TS_NONE) return rank;
+	u32 low = list->from;
+	u32 high = list->to - 1u;
+	while (low < high) {
+		u32 middle = low + (high - low) / 2u;
+		bool before = args->sums[middle] <= rank;
+		low = before ? middle + 1u : low;
+		high = before ? high : middle;
+	}
+	u32 first = low > list->from ? args->sums[low - 1u] : 0u;
+	return args->views[args->cones[args->list[low]].first + (rank - first)];
+}
+
+/* How far behind what a map shows a place is lit: so many diagonals of a leaf, and as far as the surface there reaches back
+ * within so many texels, each (d + |x|) 2 / N wide. */
+TS_FN f32 ts_k_vpl_slack(const ts_vpl_gather_args *args, ts_v3 way, ts_v3 n)
+{
+	f32 d = ts_length(way);
+	f32 texel = (d + ts_abs(way.x)) * (2.0f / (f32)args->n);
+	f32 across = ts_abs(ts_dot(way, n));
+	f32 aside = ts_length(ts_cross(way, n));
+	f32 slope = aside / ts_max(across, d * 0.0625f);
+	f32 texels = args->bias_slope * slope;
+	texels = texels + args->bias_px;
+	f32 diagonal = ts_k_leaf_side(args) * 1.73205077648162841796875f;
+	f32 leaf = args->bias * diagonal;
+	f32 wide = texel * texels;
+	return wide + leaf;
+}
+
+/* Nothing that its leaf's map shows stops light on its way to a place. */
+TS_FN bool ts_k_vpl_reaches(const ts_vpl_gather_args *args, u32 view, ts_v3 way, ts_v3 n)
+{
+	u32 leaf = args->leaves[view];
+	u32 texel = ts_k_paraboloid_texel(way, args->n);
+	u32 bits = args->depths[(u64)leaf * (2u * args->n * args->n) + texel];
+	if (bits == TS_NONE) return true;
+	ts_v3 centre = ts_load3(args->nodes[leaf].centre);
+	f32 depth = ts_k_moved_depth(centre, ts_u2f(bits), ts_load3(args->lights[view].position), texel, args->n);
+	return ts_length(way) <= depth + ts_k_vpl_slack(args, way, n);
+}
+
+/* Cosine at the light by cosine at the place by 1 / (pi max(d, near)^2). */
+TS_FN f32 ts_k_vpl_form(ts_v3 way, ts_v3 from, ts_v3 n, f32 near)
+{
+	ts_v3 direction = ts_normalize(way);
+	f32 leaves = ts_dot(direction, from);
+	f32 arrives = -ts_dot(direction, n);
+	if (!(leaves > 0.0f) || !(arrives > 0.0f)) return 0.0f;
+	f32 least = near * near;
+	f32 square = ts_max(ts_dot(way, way), least);
+	f32 cosines = leaves * arrives;
+	f32 projected = cosines * 0.3183098733425140380859375f;
+	return ts_flush(projected / square);
+}
+
+TS_FN ts_v3 ts_k_vpl_light(const ts_vpl_gather_args *args, u32 view, ts_v3 p, ts_v3 n)
+{
+	TS_GLOBAL const ts_vpl *light = &args->lights[view];
+	ts_v3 way = ts_sub(p, ts_load3(light->position));
+	f32 form = ts_k_vpl_form(way, ts_load3(light->normal), n, args->near * ts_k_leaf_side(args));
+	bool lit = form > 0.0f && (args->shadows == 0u || ts_k_vpl_reaches(args, view, way, n));
+	return ts_scale(ts_load3(light->flux), lit ? form : 0.0f);
+}
+
+TS_FN ts_v3 ts_k_vpl_sum(const ts_vpl_gather_args *args, const ts_view_list *list, u32 pixel, ts_v3 p, ts_v3 n)
+{
+	u32 draws = args->draws != 0u ? args->draws : list->views;
+	ts_v3 sum = ts_v3_make(0.0f, 0.0f, 0.0f);
+	if (list->views == 0u) return sum;
+	for (u32 k = 0u; k < draws; k++) {
+		u32 chance = ts_random(pixel * draws + k, TS_STREAM_VPL, args->seed);
+		u32 rank = args->draws != 0u ? (u32)(((u64)chance * list->views) >> 32) : k;
+		sum = ts_add(sum, ts_k_vpl_light(args, ts_k_list_view(args, list, rank), p, n));
+	}
+	f32 share = (f32)list->views / (f32)draws;
+	return ts_scale(sum, share);
+}
+
+/* map over pixels */
+TS_FN void ts_k_vpl_gather_item(const ts_vpl_gather_args *args, u64 i)
+{
+	TS_GLOBAL const ts_gpixel *pixel = &args->pixels[i];
+	ts_v3 sum = ts_v3_make(0.0f, 0.0f, 0.0f);
+	if (pixel->depth != TS_SKY) {
+		ts_v3 p = ts_load3(pixel->position);
+		ts_view_list list = ts_k_pixel_list(args, p);
+		if (list.from == TS_NONE) ts_add_i64(args->n_astray, 1);
+		sum = ts_k_vpl_sum(args, &list, (u32)i, p, ts_load3(pixel->normal));
+	}
+	ts_store3(args->irradiance + i * 3u, sum);
+}
+
+#endif

@@ -1,0 +1,115 @@
+/* MegaViews: indirect light of one bounce by instant radiosity with a small map of what is around each of many lights.
+ * Kol, Bauszat, Lee and Eisemann, "MegaViews: Scalable Many-View Rendering with Concurrent Scene-View Hierarchy Traversal"
+ * (2019). And ManyLoDs, what the paper compares itself to: Hollaender, Ritschel, Eisemann and Boubekeur (2011).
+ *
+ * Texels of reflective shadow maps become virtual point lights, each of them a view (section 3.1). Pairs of a node of the
+ * scene's octree and one of the views' are culled, rendered or split (section 3.2), and fused into whole maps. Pixels gather
+ * the light of a few of the views that the same culling leaves them, and a cross-bilateral filter makes that smooth
+ * (section 5.1). ManyLoDs has no octree of views: each is rendered by itself, and pixels draw from all of them.
+ *
+ * Deviations:
+ * - culling, equivalence and subdivision are reconstructed, for the text of figures 4, 6 and 8 is lost (METHODS 13);
+ * - queues that are longer than their memory are carried on piece by piece, not by children of the root;
+ * - lights stand half a leaf's side above their surface, and leaves that touch theirs are not rendered, for else they would
+ *   be in their own shadow, of which the paper does not speak; touching=render is the paper;
+ * - nor does it of near lights and of a bias: distances are at least light_near leaves' sides, and what lies less than
+ *   light_bias leaves' diagonals behind what a map shows is lit;
+ * - lists end at the nodes of gather_level, where the paper leaves open whether leaves of views are culled one by one;
+ * - the picture is of indirect light alone. */
+#include "../stages/stages.h"
+#include "pipelines.h"
+
+const ts_step ts_megaviews_steps[] = {
+	{.stage = "view"},
+	{.stage = "pose"},
+	{.stage = "lamp"},
+	{.stage = "rsm_view"},
+	{.stage = "rsm"},
+	{.stage = "rsm_patch"},
+	{.stage = "root"},
+	{.stage = "vpl"},            /* light from their texels */
+	{.stage = "voxel"},
+	{.stage = "octree"},         /* of the scene */
+	{.stage = "octree_surface", .only_traced = true},
+	{.stage = "view_voxel"},
+	{.stage = "view_octree"},    /* of the views */
+	{.stage = "view_cone"},
+	{.stage = "traverse", .only_traced = true},
+	{.stage = "map"},            /* the traversal, and what it renders */
+	{.stage = "fuse"},
+	{.stage = "eye"},
+	{.stage = "eye_margin", .only_margins = true},
+	{.stage = "gbuffer"},
+	{.stage = "vpl_pairs"},      /* the traversal again: which views may light what */
+	{.stage = "vpl_gather"},
+	{.stage = "bilateral"},
+	{.stage = "indirect_image"},
+	{0},
+};
+
+const ts_step ts_manylods_steps[] = {
+	{.stage = "view"},
+	{.stage = "pose"},
+	{.stage = "lamp"},
+	{.stage = "rsm_view"},
+	{.stage = "rsm"},
+	{.stage = "rsm_patch"},
+	{.stage = "root"},
+	{.stage = "vpl"},
+	{.stage = "voxel"},
+	{.stage = "octree"},
+	{.stage = "octree_surface", .only_traced = true},
+	{.stage = "view_alone"},
+	{.stage = "traverse", .only_traced = true},
+	{.stage = "map"},
+	{.stage = "fuse"},
+	{.stage = "eye"},
+	{.stage = "eye_margin", .only_margins = true},
+	{.stage = "gbuffer"},
+	{.stage = "vpl_pairs"},
+	{.stage = "vpl_gather"},
+	{.stage = "bilateral"},
+	{.stage = "indirect_image"},
+	{0},
+};
+
+enum { LEAVES_A_FACE = 8, PAIRS_A_VIEW = 1024 };
+
+static u64 least(u64 a, u64 b) { return a < b ? a : b; }
+
+/* Surfaces fill as many voxels of a level as some faces of the root, and nodes above them are a third as many. */
+static u64 expected_nodes(u32 level) { return least((u64)LEAVES_A_FACE << 2 * level, 1ull << 3 * level); }
+
+static void expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params, bool alone)
+{
+	ts_hulls_expect(sizes, scene, params);
+	u32 n_dims, levels = params->levels, level = alone ? 0 : (u32)least(params->gather_level, levels);
+	u64 texels[TS_MAX_DIMS], leaves = expected_nodes(levels);
+	if (!ts_shape_dims("C", sizes, &n_dims, texels)) texels[0] = 0;
+	u64 n_lights = params->vpls != 0 ? params->vpls : texels[0], view_leaves = alone ? n_lights : least(n_lights, leaves);
+	u64 lists = expected_nodes(level), n_pairs = lists * (alone ? n_lights : least(view_leaves, lists));
+	ts_pyramid pyramid = ts_view_pyramid(params);
+	ts_sizes_set(sizes, "l", levels + 1);
+	ts_sizes_set(sizes, "Y", ts_k_mask_first(levels + 1));
+	ts_sizes_set(sizes, "D", leaves + leaves / 3);
+	ts_sizes_set(sizes, "D1", leaves);
+	ts_sizes_set(sizes, "F", scene->n_triangles + 2 * leaves);
+	ts_sizes_set(sizes, "J", n_lights);
+	ts_sizes_set(sizes, "E", alone ? n_lights : 2 * view_leaves);
+	ts_sizes_set(sizes, "E1", view_leaves);
+	ts_sizes_set(sizes, "v", pyramid.n);
+	ts_sizes_set(sizes, "m", ts_k_pyramid_texels(&pyramid));
+	ts_sizes_set(sizes, "p", n_lights * PAIRS_A_VIEW);
+	ts_sizes_set(sizes, "D2", lists);
+	ts_sizes_set(sizes, "p2", n_pairs);
+}
+
+void ts_megaviews_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params)
+{
+	expect(sizes, scene, params, false);
+}
+
+void ts_manylods_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params)
+{
+	expect(sizes, scene, params, true);
+}
