@@ -110,19 +110,21 @@ ts_status ts_picture_truth_c(ts_picture *picture, const ts_scene *scene, const t
 	return status;
 }
 
+enum { MOST_TRACED = 3 };
+
 /* Truths that start from a run of their own: their effects, what leads to them, and the stage that shows them. */
 typedef struct {
 	const char *of;
 	ts_status (*begin)(ts_run *run, const char *effect);
 	const char *image;
-	struct { u32 at; ts_status (*trace)(ts_truth *tree, ts_run *run); } truths[2]; /* TS_AT_* */
+	struct { u32 at; ts_status (*trace)(ts_truth *tree, ts_run *run); } truths[MOST_TRACED]; /* TS_AT_* */
 } traced;
 
 static const traced traced_truths[] = {
 	{ "shadows", ts_truth_shadow_begin, "shadow_image",
 	  { { TS_AT_SAMPLES, ts_truth_samples }, { TS_AT_AREA, ts_truth_area } } },
 	{ "indirect", ts_truth_indirect_begin, "indirect_image",
-	  { { TS_AT_LIGHTS, ts_truth_lights }, { TS_AT_BOUNCE, ts_truth_bounce } } },
+	  { { TS_AT_LIGHTS, ts_truth_lights }, { TS_AT_BOUNCE, ts_truth_bounce }, { TS_AT_VPLS, ts_truth_vpls } } },
 };
 
 static const traced *traced_of(const char *effect)
@@ -152,7 +154,7 @@ ts_status ts_picture_truth_traced(ts_picture *pictures, u32 truths, const char *
 	ts_run_begin(&run, scene, params, threads);
 	ts_status status = of->begin(&run, effect);
 	if (status == TS_OK) status = ts_truth_new(&tree, &run);
-	for (u32 k = 0; k < 2 && status == TS_OK; k++) {
+	for (u32 k = 0; k < MOST_TRACED && of->truths[k].trace != NULL && status == TS_OK; k++) {
 		u32 at = of->truths[k].at;
 		if ((truths & 1u << at) != 0) status = take_traced(&pictures[at], of, k, tree, &run);
 	}

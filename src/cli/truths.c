@@ -13,6 +13,7 @@ const ts_truth_kind ts_truth_kinds[TS_N_TRUTHS] = {
 	[TS_AT_AREA] = { "area", "truth-area", "rays to as good as the whole lights", "both", "shadows" },
 	[TS_AT_LIGHTS] = { "lights", "truth-lights", "the method's triangles of light, where they are seen", "", "indirect" },
 	[TS_AT_BOUNCE] = { "bounce", "truth-bounce", "light after one bounce, path by path", "", "indirect" },
+	[TS_AT_VPLS] = { "vpls", "truth-vpls", "all virtual point lights, where they are seen", "method", "indirect" },
 };
 
 static bool is_of(const ts_truth_kind *kind, const char *effect) { return strstr(effect, kind->of) != NULL; }
@@ -35,7 +36,7 @@ ts_status ts_truths_parse(u32 *truths, const char *text)
 		u32 bit = find(item);
 		if (bit == 0) {
 			return ts_fail("--truth %s: \"%s\" is no truth; there are A, B and C of reflections, samples and area of "
-			               "shadows, lights and bounce of indirect, or none", text, item);
+			               "shadows, lights, bounce and vpls of indirect, or none", text, item);
 		}
 		*truths |= bit;
 	}
@@ -49,7 +50,7 @@ ts_status ts_truths_check(u32 *truths, const char *effect)
 		const ts_truth_kind *kind = &ts_truth_kinds[i];
 		if ((*truths & 1u << i) == 0 || is_of(kind, effect)) continue;
 		if (!each) {
-			const char *there = strcmp(effect, "indirect") == 0    ? "lights and bounce"
+			const char *there = strcmp(effect, "indirect") == 0    ? "lights, bounce and vpls"
 			                    : strcmp(effect, "reflections") == 0 ? "A, B and C" : "samples and area";
 			return ts_fail("--truth %s: no truth of %s; there are %s, or none", kind->name, effect, there);
 		}

@@ -1,11 +1,12 @@
-/* Truths of indirect light by rays (SPEC 3.10), which tell the errors of a method apart. `lights` gathers from the very
+/* Truths of indirect light by rays (SPEC 3.10 and 4.12), which tell the errors of a method apart. `lights` gathers from the very
  * triangles of light that the methods have, as `direct` does, but only from those whose middle the pixel sees. `bounce` has
  * no triangles of light: its rays leave the pixel as the cosine wants them, and bring what the lights themselves send to
- * where they end.
+ * where they end. `vpls` gathers from all virtual point lights of MegaViews.
  *
  * Rays begin and end 2^-12 of the greatest coordinate off their surfaces. The rays of `bounce` are the seeds of a sunflower
  * (Vogel 1979) in the pixel's tangent disc, lifted to the hemisphere (Malley), at a random turn a pixel. */
 #include "../kernels/direct.h"
+#include "../kernels/vpl_gather.h"
 #include "../pipelines/pipeline.h"
 #include "../scene/lamp.h"
 #include "../stages/stages.h"
@@ -21,6 +22,8 @@ typedef struct {
 	const ts_gpixel *pixels; u64 n_pixels;
 	const ts_patch *patches; u64 n_patches;
 	const ts_light *lamps; u32 n_lamps;
+	const ts_vpl *vpls; u64 n_vpls;
+	f32 near, reach;      /* world units: least distance of a virtual point light, and what about it stops nothing */
 	f32 beyond;           /* farther than the scene reaches */
 	u32 n_rays;
 	f32 *irradiance;
@@ -31,14 +34,14 @@ typedef ts_v3 gather(const tracer *t, u64 pixel, ts_v3 p, ts_v3 n);
 
 static f32 skip(ts_v3 p) { return ts_max(ts_max(ts_abs(p.x), ts_abs(p.y)), ts_abs(p.z)) * SKIP; }
 
-/* Nothing between two points stops a ray that leaves the first. */
-static bool sees(const tracer *t, ts_v3 from, ts_v3 to)
+/* Nothing between two points, but within `reach` of the second, stops a ray that leaves the first. */
+static bool sees(const tracer *t, ts_v3 from, ts_v3 to, f32 reach)
 {
 	ts_v3 way = ts_sub(to, from);
 	ts_truth_query ray = {
 		.origin = from, .direction = ts_normalize(way), .near = skip(from), .masked = TS_NONE, .from = from};
 	ts_truth_hit hit = ts_truth_cast(t->truth, &ray);
-	return hit.triangle == TS_NONE || hit.t >= ts_length(way) - skip(to);
+	return hit.triangle == TS_NONE || hit.t >= ts_length(way) - reach;
 }
 
 static ts_v3 from_lights(const tracer *t, u64 pixel, ts_v3 p, ts_v3 n)
@@ -51,7 +54,7 @@ static ts_v3 from_lights(const tracer *t, u64 pixel, ts_v3 p, ts_v3 n)
 		if (!(light.x + light.y + light.z > 0.0f)) continue;
 		ts_v3 third = {1.0f / 3.0f, 1.0f / 3.0f, 1.0f / 3.0f};
 		ts_v3 middle = ts_blend(third, ts_load3(patch->a), ts_load3(patch->b), ts_load3(patch->c));
-		if (sees(t, p, middle)) sum = ts_add(sum, light);
+		if (sees(t, p, middle, skip(middle))) sum = ts_add(sum, light);
 	}
 	return sum;
 }
@@ -69,7 +72,7 @@ static ts_v3 irradiance_at(const tracer *t, ts_v3 p, ts_v3 n)
 	ts_v3 sum = {0, 0, 0}, l;
 	for (u32 k = 0; k < t->n_lamps; k++) {
 		f32 arrives = ts_k_light(&t->lamps[k], p, &l) * ts_dot(n, l);
-		if (!(arrives > 0.0f) || !sees(t, origin_of(t, &t->lamps[k], p, l), p)) continue;
+		if (!(arrives > 0.0f) || !sees(t, origin_of(t, &t->lamps[k], p, l), p, skip(p))) continue;
 		sum = ts_mad(sum, ts_load3(t->lamps[k].intensity), arrives);
 	}
 	return sum;
@@ -100,6 +103,19 @@ static ts_v3 from_bounce(const tracer *t, u64 pixel, ts_v3 p, ts_v3 n)
 	return ts_scale(sum, 1.0f / (f32)t->n_rays);
 }
 
+static ts_v3 from_vpls(const tracer *t, u64 pixel, ts_v3 p, ts_v3 n)
+{
+	(void)pixel;
+	ts_v3 sum = {0, 0, 0};
+	for (u64 k = 0; k < t->n_vpls; k++) {
+		const ts_vpl *light = &t->vpls[k];
+		ts_v3 from = ts_load3(light->position);
+		f32 form = ts_k_vpl_form(ts_sub(p, from), ts_load3(light->normal), n, t->near);
+		if (form > 0.0f && sees(t, p, from, t->reach)) sum = ts_mad(sum, ts_load3(light->flux), form);
+	}
+	return sum;
+}
+
 static void light_pixel(const tracer *t, u64 i, gather *light)
 {
 	const ts_gpixel *pixel = &t->pixels[i];
@@ -109,6 +125,18 @@ static void light_pixel(const tracer *t, u64 i, gather *light)
 }
 
 static f32 extent(const ts_info *info) { return ts_length(ts_sub(ts_load3(info->box_max), ts_load3(info->box_min))); }
+
+/* What only some truths have. */
+static void take_vpls(tracer *t, const ts_run *run)
+{
+	if (!run->frame.buffer[TS_B_vpl_light].made) return;
+	const ts_root *root = ts_frame_data(&run->frame, TS_B_root_cube);
+	f32 leaf = root->side / (f32)(1 << run->params.levels);
+	t->vpls = ts_frame_data(&run->frame, TS_B_vpl_light);
+	t->n_vpls = ts_frame_n(&run->frame, TS_B_vpl_light);
+	t->near = run->params.light_near * leaf;
+	t->reach = leaf * 1.73205077648162841796875f;
+}
 
 static ts_status trace(const ts_truth *truth, ts_run *run, gather *light, const char *label)
 {
@@ -128,6 +156,7 @@ static ts_status trace(const ts_truth *truth, ts_run *run, gather *light, const 
 		.n_threads = (int)run->c.threads,
 	};
 	if (t.irradiance == NULL) return TS_ERROR;
+	take_vpls(&t, run);
 	for (u64 first = 0; first < t.n_pixels; first += CHUNK) {
 		u64 end = first + CHUNK < t.n_pixels ? first + CHUNK : t.n_pixels;
 		ts_progress(label, first, t.n_pixels);
@@ -152,3 +181,9 @@ ts_status ts_truth_indirect_begin(ts_run *run, const char *effect)
 ts_status ts_truth_lights(ts_truth *truth, ts_run *run) { return trace(truth, run, from_lights, "truth lights"); }
 
 ts_status ts_truth_bounce(ts_truth *truth, ts_run *run) { return trace(truth, run, from_bounce, "truth bounce"); }
+
+ts_status ts_truth_vpls(ts_truth *truth, ts_run *run)
+{
+	if (ts_run_stage(run, ts_stage_find("root")) != TS_OK || ts_run_stage(run, ts_stage_find("vpl")) != TS_OK) return TS_ERROR;
+	return trace(truth, run, from_vpls, "truth vpls");
+}

@@ -53,6 +53,11 @@ ts_status ts_truth_lights(ts_truth *truth, ts_run *run);
  * what the reflective shadow map costs. Reads gbuffer.pixel and lamp.light; makes the same. */
 ts_status ts_truth_bounce(ts_truth *truth, ts_run *run);
 
+/* All virtual point lights of params.vpls, each with its distance bounded as in vpl_gather, if nothing stands between pixel
+ * and light but within a leaf's diagonal of the light, which the methods skip, too. Runs what makes them. Reads
+ * gbuffer.pixel and rsm_patch.light; makes the same. */
+ts_status ts_truth_vpls(ts_truth *truth, ts_run *run);
+
 /* Truth of off-screen buffers (texels.c): a ray through the centre of every texel. */
 typedef struct {
 	u64 covered; /* texels whose ray hits a triangle that the view may show and that has no alpha mask */
