@@ -27,9 +27,9 @@ const ts_step ts_megaviews_steps[] = {
 	{.stage = "rsm"},
 	{.stage = "rsm_patch"},
 	{.stage = "root"},
-	{.stage = "vpl"},            /* light from their texels */
 	{.stage = "voxel"},
 	{.stage = "octree"},         /* of the scene */
+	{.stage = "vpl"},            /* light from the maps' texels */
 	{.stage = "octree_surface", .only_traced = true},
 	{.stage = "view_voxel"},
 	{.stage = "view_octree"},    /* of the views */
@@ -55,9 +55,9 @@ const ts_step ts_manylods_steps[] = {
 	{.stage = "rsm"},
 	{.stage = "rsm_patch"},
 	{.stage = "root"},
-	{.stage = "vpl"},
 	{.stage = "voxel"},
 	{.stage = "octree"},
+	{.stage = "vpl"},
 	{.stage = "octree_surface", .only_traced = true},
 	{.stage = "view_alone"},
 	{.stage = "traverse", .only_traced = true},
@@ -86,7 +86,8 @@ static void expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *para
 	u32 n_dims, levels = params->levels, level = alone ? 0 : (u32)least(params->gather_level, levels);
 	u64 texels[TS_MAX_DIMS], leaves = expected_nodes(levels);
 	if (!ts_shape_dims("C", sizes, &n_dims, texels)) texels[0] = 0;
-	u64 n_lights = params->vpls != 0 ? params->vpls : texels[0], view_leaves = alone ? n_lights : least(n_lights, leaves);
+	u64 n_paths = params->vpls != 0 ? params->vpls : texels[0], n_lights = n_paths * params->vpl_bounces;
+	u64 view_leaves = alone ? n_lights : least(n_lights, leaves);
 	u64 lists = expected_nodes(level), n_pairs = lists * (alone ? n_lights : least(view_leaves, lists));
 	ts_pyramid pyramid = ts_view_pyramid(params);
 	ts_sizes_set(sizes, "l", levels + 1);
@@ -94,6 +95,7 @@ static void expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *para
 	ts_sizes_set(sizes, "D", leaves + leaves / 3);
 	ts_sizes_set(sizes, "D1", leaves);
 	ts_sizes_set(sizes, "F", scene->n_triangles + 2 * leaves);
+	ts_sizes_set(sizes, "J1", n_paths);
 	ts_sizes_set(sizes, "J", n_lights);
 	ts_sizes_set(sizes, "E", alone ? n_lights : 2 * view_leaves);
 	ts_sizes_set(sizes, "E1", view_leaves);

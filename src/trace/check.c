@@ -51,7 +51,7 @@ static const ts_size *find_size(const ts_sizes *sizes, const char *name, size_t 
 
 /* Names of the sizes that buffers define: the first dimension, where it is a name and nothing else. */
 static const char *const defined[] = {"V", "T", "M", "S", "I",  "X",  "L", "O", "A", "B", "U",
-                                      "R", "P", "Q", "N", "P2", "P3", "C", "C4", "Z", "D", "E", "F", "J", "p"};
+                                      "R", "P", "Q", "N", "P2", "P3", "C", "C4", "Z", "D", "E", "F", "J", "p", "p2"};
 
 static void define(ts_sizes *sizes, ts_buffer_id id, u64 n)
 {
@@ -73,6 +73,7 @@ void ts_check_sizes(ts_load *load, const ts_stage *stage)
 	ts_sizes_set(sizes, "l", load->run.params.levels + 1);
 	ts_sizes_set(sizes, "Y", ts_k_mask_first(load->run.params.levels + 1));
 	ts_check_leaves(load);
+	ts_check_lists(load);
 	ts_pyramid pyramid = ts_view_pyramid(&load->run.params);
 	ts_sizes_set(sizes, "v", pyramid.n);
 	ts_sizes_set(sizes, "m", ts_k_pyramid_texels(&pyramid));

@@ -54,8 +54,12 @@ ts_status ts_check_views(const ts_load *load);
 ts_status ts_check_lamps(const ts_load *load, const ts_stage *stage);
 /* The leaves of the octrees (D1, E1), if their levels were loaded (check_octree.c). */
 void ts_check_leaves(ts_load *load);
+/* The lists of vpl_pairs (D2), if the levels of both octrees were loaded. */
+void ts_check_lists(ts_load *load);
 /* Masks, levels, nodes and cones of the octrees; shapes, indices and sums must have been checked. */
 ts_status ts_check_octrees(const ts_load *load, const ts_stage *stage);
+/* Lists of views that pixels draw from (check_gather.c); cones must have been checked. */
+ts_status ts_check_gather(const ts_load *load, const ts_stage *stage);
 /* What was loaded of a stage's outputs is just what the stage makes of the rest, which `from` stands for. */
 ts_status ts_check_again(const ts_load *load, const char *maker, const char *from);
 /* Fails with one line about a loaded buffer: its file, the place, its value, and "RIGHT would be right". */

@@ -5,16 +5,30 @@
 
 static bool is_loaded(const ts_load *load, ts_buffer_id id) { return load->item[id] != NULL; }
 
+/* The levels of an octree were loaded, and are as many as they should be. */
+static bool knows_levels(const ts_load *load, ts_buffer_id id)
+{
+	return is_loaded(load, id) && ts_frame_n(&load->run.frame, id) == load->run.params.levels + 2;
+}
+
 void ts_check_leaves(ts_load *load)
 {
 	const ts_octree *octrees[] = {&ts_scene_octree, &ts_view_octree};
 	u32 levels = load->run.params.levels;
 	for (u32 k = 0; k < 2; k++) {
 		ts_buffer_id id = octrees[k]->level;
-		if (!is_loaded(load, id) || ts_frame_n(&load->run.frame, id) != levels + 2) continue;
+		if (!knows_levels(load, id)) continue;
 		const u32 *level = ts_frame_data(&load->run.frame, id);
 		ts_sizes_set(&load->sizes, k == 0 ? "D1" : "E1", level[levels + 1] - level[levels]);
 	}
+}
+
+void ts_check_lists(ts_load *load)
+{
+	bool views = knows_levels(load, TS_B_view_octree_level) && is_loaded(load, TS_B_view_octree_node);
+	if (!views || !knows_levels(load, TS_B_octree_level)) return;
+	const u32 *level = (const u32 *)ts_frame_data(&load->run.frame, TS_B_octree_level) + ts_gather_level(&load->run);
+	ts_sizes_set(&load->sizes, "D2", level[1] - level[0]);
 }
 
 static ts_status compare(const ts_load *load, const ts_frame *right, ts_buffer_id id, const char *maker, const char *from)
@@ -104,6 +118,19 @@ static ts_status check_nodes(const ts_load *load, const ts_octree *octree)
 	return TS_OK;
 }
 
+/* Views without a hierarchy are roots and leaves. */
+static ts_status check_alone(const ts_load *load)
+{
+	const ts_buffer_id id = TS_B_view_octree_node;
+	const ts_node *nodes = ts_frame_data(&load->run.frame, id);
+	for (u64 i = 0, n = ts_frame_n(&load->run.frame, id); i < n; i++) {
+		if (nodes[i].children != 0) return ts_check_refuse(load, id, i, "children", 0, "0, of a leaf,");
+		if (nodes[i].parent != TS_NONE) return ts_check_refuse(load, id, i, "parent", 0, "4294967295, of a root,");
+		if (nodes[i].level != 0) return ts_check_refuse(load, id, i, "level", 0, "0, of a root,");
+	}
+	return TS_OK;
+}
+
 /* Every leaf has views, and those say so. */
 static ts_status check_leaves(const ts_load *load)
 {
@@ -145,11 +172,14 @@ ts_status ts_check_octrees(const ts_load *load, const ts_stage *stage)
 		const ts_octree *octree = octrees[k];
 		const char *size = k == 0 ? "D" : "E";
 		if (is_loaded(load, octree->level) && check_levels(load, octree, size) != TS_OK) return TS_ERROR;
-		if (is_loaded(load, octree->node) && check_nodes(load, octree) != TS_OK) return TS_ERROR;
+		bool alone = ts_pipeline_maker(load->pipeline, octree->offset) == NULL;
+		ts_status status = !is_loaded(load, octree->node) ? TS_OK : alone ? check_alone(load) : check_nodes(load, octree);
+		if (status != TS_OK) return status;
 		const char *from = k == 0 ? "pose.vertex and root.cube" : "vpl.light and root.cube";
-		bool lists = ts_stage_writes(stage, octree->entries);
+		bool lists = !alone && ts_stage_writes(stage, octree->entries);
 		if (lists && ts_check_again(load, k == 0 ? "voxel" : "view_voxel", from) != TS_OK) return TS_ERROR;
 	}
-	if (is_loaded(load, TS_B_view_octree_leaf) && check_leaves(load) != TS_OK) return TS_ERROR;
+	if (is_loaded(load, TS_B_view_octree_offset) && is_loaded(load, TS_B_view_octree_leaf) &&
+	    check_leaves(load) != TS_OK) return TS_ERROR;
 	return is_loaded(load, TS_B_view_cone_node) ? check_cones(load) : TS_OK;
 }

@@ -32,7 +32,7 @@ static const struct {
 } sums[] = {
 	{TS_B_pixel_offset, "P"},    {TS_B_split_offset, "Q"},    {TS_B_count_offset, "N"},
 	{TS_B_lookup2_offset, "P2"}, {TS_B_lookup3_offset, "P3"}, {TS_B_box_offset, "Z"},
-	{TS_B_octree_offset, "F"},   {TS_B_view_octree_offset, "J"},
+	{TS_B_octree_offset, "F"},   {TS_B_view_octree_offset, "J"}, {TS_B_vpl_pairs_offset, "p2"},
 };
 
 static ts_status check_sums(const ts_load *load)
@@ -276,6 +276,6 @@ ts_status ts_check_values(const ts_load *load, const ts_stage *stage)
 	if (check_lights(load) != TS_OK || check_objects(load) != TS_OK || check_view(load) != TS_OK) return TS_ERROR;
 	if (ts_check_lamps(load, stage) != TS_OK || check_frames(load, stage) != TS_OK) return TS_ERROR;
 	if (check_segments(load) != TS_OK || check_rendered(load) != TS_OK) return TS_ERROR;
-	if (ts_check_octrees(load, stage) != TS_OK) return TS_ERROR;
+	if (ts_check_octrees(load, stage) != TS_OK || ts_check_gather(load, stage) != TS_OK) return TS_ERROR;
 	return check_counts(load, stage);
 }

@@ -184,6 +184,9 @@ ts_status ts_truth_bounce(ts_truth *truth, ts_run *run) { return trace(truth, ru
 
 ts_status ts_truth_vpls(ts_truth *truth, ts_run *run)
 {
-	if (ts_run_stage(run, ts_stage_find("root")) != TS_OK || ts_run_stage(run, ts_stage_find("vpl")) != TS_OK) return TS_ERROR;
+	static const char *const makers[] = {"root", "voxel", "octree", "vpl"};
+	for (u32 k = 0; k < sizeof makers / sizeof *makers; k++) {
+		if (ts_run_stage(run, ts_stage_find(makers[k])) != TS_OK) return TS_ERROR;
+	}
 	return trace(truth, run, from_vpls, "truth vpls");
 }

@@ -243,6 +243,9 @@ static const struct { const char *effect, *method; u32 reflectors; const char *s
 	{"indirect", "hulls", 2, {{"segmentation", "components"}, {"sharpness", "vmf"}, {"interpolation", "moments"}}},
 	{"indirect", "hulls", 0, {{"cosine", "quadrature"}, {"surface", "paper"}, {"integrals", "printed"}}},
 	{"indirect", "direct", 0, {{"lamp", "lamp"}}},
+	{"indirect", "megaviews", 0, {{"vpls", "90"}, {"queue_mb", "1"}, {"filter_px", "3"}}},
+	{"indirect", "megaviews", 2, {{"gather_lights", "0"}, {"cutoff", "5"}, {"multipixel", "on"}}},
+	{"indirect", "manylods", 0, {{"vpls", "90"}, {"fusion", "paper"}, {"shadows", "off"}}},
 };
 enum { N_RUNS = sizeof runs / sizeof *runs };
 
@@ -261,6 +264,7 @@ static ts_params params_of(u32 run)
 	params.map_px = 24;
 	params.rsm_px = 6;
 	params.grid_px = 64;
+	params.levels = 4;
 	for (u32 i = 0; i < 3 && runs[run].set[i][0] != NULL; i++) {
 		assert_int_equal(ts_params_set(&params, runs[run].set[i][0], runs[run].set[i][1]), TS_OK);
 	}

@@ -119,7 +119,8 @@ for words in 'soft-shadows ivir --margins --set lamp=scene' 'omni-shadows epr --
 	verdict $? "$effect by $method: batches change no buffer"
 	rm -rf batches whole
 done
-for words in 'hulls --margins --set lamp=scene' 'hulls --set segmentation=components --set cosine=quadrature' direct; do
+for words in 'hulls --margins --set lamp=scene' 'hulls --set segmentation=components --set cosine=quadrature' direct \
+	'megaviews --margins --set levels=4 --set vpls=60 --set vpl.bounces=2' 'manylods --set levels=4 --set gather_lights=0'; do
 	# shellcheck disable=SC2086
 	run render indirect atrium:triangles=10000 --size 64x48 --set grid_px=64 --set rsm_px=4 --trace --no-images -o light \
 		--method $words

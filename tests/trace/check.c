@@ -13,11 +13,11 @@ static const ts_stage *reader_of(ts_buffer_id id, const char *size, u32 *m)
 	return NULL;
 }
 
-/* By some method: no trace holds another buffer (tests/trace/check_octree.c). */
+/* By a method of the traces: others are of tests/trace/check_octree.c. */
 static bool is_made(ts_buffer_id id)
 {
-	for (const ts_pipeline *p = ts_pipeline_table; p->name != NULL; p++) {
-		if (ts_emit_is_scene(id) || ts_pipeline_maker(p, id) != NULL) return true;
+	for (u32 m = 0; m < N_TRACES; m++) {
+		if (ts_emit_is_scene(id) || ts_pipeline_maker(traces[m]->pipeline, id) != NULL) return true;
 	}
 	return false;
 }

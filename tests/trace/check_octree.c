@@ -5,9 +5,10 @@
 #include "../../src/trace/field.h"
 
 static const ts_step steps[] = {
-	{.stage = "pose"}, {.stage = "lamp"}, {.stage = "rsm_view"}, {.stage = "rsm"}, {.stage = "rsm_patch"}, {.stage = "root"},
+	{.stage = "view"}, {.stage = "pose"}, {.stage = "lamp"}, {.stage = "rsm_view"}, {.stage = "rsm"}, {.stage = "rsm_patch"}, {.stage = "root"},
 	{.stage = "voxel"}, {.stage = "octree"}, {.stage = "octree_surface"}, {.stage = "vpl"}, {.stage = "view_voxel"},
-	{.stage = "view_octree"}, {.stage = "view_cone"}, {.stage = "traverse"}, {.stage = "map"}, {.stage = "fuse"}, {0},
+	{.stage = "view_octree"}, {.stage = "view_cone"}, {.stage = "traverse"}, {.stage = "map"}, {.stage = "fuse"},
+	{.stage = "eye"}, {.stage = "gbuffer"}, {.stage = "vpl_pairs"}, {.stage = "vpl_gather"}, {.stage = "bilateral"}, {0},
 };
 static const ts_pipeline pipeline = {
 	"octrees", "indirect", "MegaViews 3", "", steps, ts_indirect_prepare, ts_hulls_expect, false,
@@ -27,6 +28,7 @@ static int begin(void **state)
 	params.levels = LEVELS;
 	params.vpls = LIGHTS;
 	params.vpl_bounces = 2;
+	params.gather_level = 2;
 	scene = small_scene(&params);
 	ts_run_begin(&run, scene, &params, 2);
 	if (ts_pipeline_run(&pipeline, &run) != TS_OK) fail_msg("%s", ts_error_message());
@@ -213,12 +215,37 @@ static void test_pairs(void **state)
 	assert_non_null(strstr(ts_error_message(), "map.depth_node"));
 }
 
+/* What pixels draw is a view, and the voxel that they are in a node. */
+static void test_lists(void **state)
+{
+	(void)state;
+	const u32 *views = ts_frame_data(&run.frame, TS_B_vpl_pairs_views);
+	const u32 *before = ts_frame_data(&run.frame, TS_B_voxel_before);
+	const u32 *level = ts_frame_data(&run.frame, TS_B_octree_level);
+	const u64 *mask = ts_frame_data(&run.frame, TS_B_voxel_mask);
+	u64 n = ts_frame_n(&run.frame, TS_B_vpl_pairs_views), n_lists = ts_frame_n(&run.frame, TS_B_vpl_pairs_offset) - 1;
+	u64 last = ts_frame_n(&run.frame, TS_B_voxel_before) - 1;
+	refuses("vpl_gather", TS_B_vpl_pairs_views, n - 1, "", views[n - 1] + 1);
+	refuses("vpl_gather", TS_B_vpl_pairs_views, 0, "", 0xffffffff);
+	refuses("vpl_gather", TS_B_vpl_pairs_offset, 0, "", 1);
+	refuses("vpl_gather", TS_B_vpl_pairs_offset, n_lists, "", n + 1);
+	refuses("vpl_gather", TS_B_voxel_before, last, "", before[last] + 1);
+	refuses("vpl_gather", TS_B_octree_level, 4, "", level[4] + 1);
+	ts_load load;
+	u64 *bits = ts_frame_data(&run.frame, TS_B_voxel_mask);
+	bits[last - 1] = ~mask[last - 1];
+	load_for(&load, ts_stage_find("vpl_gather"));
+	ts_status status = ts_check(&load, ts_stage_find("vpl_gather"));
+	bits[last - 1] = ~bits[last - 1];
+	assert_int_equal(status, TS_ERROR);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_right), cmocka_unit_test(test_indices), cmocka_unit_test(test_masks),
 		cmocka_unit_test(test_nodes), cmocka_unit_test(test_parents), cmocka_unit_test(test_levels),
-		cmocka_unit_test(test_pairs),
+		cmocka_unit_test(test_pairs), cmocka_unit_test(test_lists),
 	};
 	return cmocka_run_group_tests(tests, begin, end);
 }
