@@ -24,12 +24,16 @@ of = lambda *methods: [case for case in cases.values() if (case["effect"], case[
 views = [("reflections", "ivir"), ("soft-shadows", "ivir"), ("omni-shadows", "ivir")]
 soft, omni, indirect = ([m for m in methods if m[0] == effect] for effect in ("soft-shadows", "omni-shadows", "indirect"))
 hulls = [("indirect", "hulls")]
+megaviews = [("indirect", "megaviews"), ("indirect", "manylods")]
 takers = {"rate": views, "buffered": views, "snap": views, "lamp": soft[:1], "lamp.radius": soft, "lamp.fov": soft,
           "views": soft, "pass": soft + omni, "map_px": soft + omni, "light_samples": omni, "bias": soft + omni,
           "bias.slope": soft + omni, "pcss.near": [("soft-shadows", "pcss")],
           **{p: [("omni-shadows", "epr")] for p in ("shadow.rate", "shadow.depth", "shadow.resize")},
           "rsm_px": indirect, **{p: hulls for p in ("grid_px", "segmentation", "segment.step", "surface", "interpolation",
                                                     "cosine", "sharpness", "integrals")},
+          **{p: megaviews for p in ("levels", "vpls", "vpl.bounces", "view_px", "view_field", "touching", "multipixel", "fusion",
+                                    "queue_mb", "gather_level", "cutoff", "gather_lights", "light_near", "light_bias", "shadows",
+                                    "filter_px")},
           "conservative": views + [("reflections", "epr"), ("reflections", "vir")],
           **{p: [("reflections", "mvr")] for p in ("mvr.faces", "mvr.filter")}}
 steps_of = {(m["effect"], m["name"]): [s for s in m["stages"].split() if not s.endswith("_margin")]
