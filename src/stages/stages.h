@@ -106,7 +106,7 @@ ts_choice_args ts_choice_arguments(const ts_run *run);
 /* view_px must be a power of two; the levels of a view's map (map.c). */
 ts_status ts_view_px_check(const ts_params *params);
 ts_pyramid ts_view_pyramid(const ts_params *params);
-/* The level of the lists of vpl_pairs: gather_level, or that of the leaves; 0 where views have no hierarchy (vpl_gather.c). */
+/* The level of the lists of vpl_pairs: gather_level, at most levels; 0 where views have no hierarchy (vpl_gather.c). */
 u32 ts_gather_level(const ts_run *run);
 /* Arguments of the kernels that make points, without their output. */
 ts_points_args ts_points_arguments(const ts_run *run);

@@ -1,7 +1,7 @@
-/* Truths of indirect light by rays (SPEC 3.10 and 4.12), which tell the errors of a method apart. `lights` gathers from the very
- * triangles of light that the methods have, as `direct` does, but only from those whose middle the pixel sees. `bounce` has
- * no triangles of light: its rays leave the pixel as the cosine wants them, and bring what the lights themselves send to
- * where they end. `vpls` gathers from all virtual point lights of MegaViews.
+/* Truths of indirect light by rays (SPEC 3.10 and 4.12), which tell the errors of a method apart. `lights` gathers from the
+ * very triangles of light that the methods have, as `direct` does, but only from those whose middle the pixel sees. `bounce`
+ * has no triangles of light: its rays leave the pixel as the cosine wants them, and bring what the lights themselves send
+ * to where they end. `vpls` gathers from all virtual point lights of MegaViews.
  *
  * Rays begin and end 2^-12 of the greatest coordinate off their surfaces. The rays of `bounce` are the seeds of a sunflower
  * (Vogel 1979) in the pixel's tangent disc, lifted to the hemisphere (Malley), at a random turn a pixel. */

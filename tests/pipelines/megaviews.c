@@ -111,7 +111,8 @@ static void test_lists(void **state)
 	run_of(&run, scene, &params, "megaviews");
 	const ts_node *nodes = ts_frame_data(&run.frame, TS_B_octree_node);
 	const ts_node *views = ts_frame_data(&run.frame, TS_B_view_octree_node);
-	const u32 *level = ts_frame_data(&run.frame, TS_B_octree_level), *leaf = ts_frame_data(&run.frame, TS_B_view_octree_leaf);
+	const u32 *level = ts_frame_data(&run.frame, TS_B_octree_level);
+	const u32 *leaf = ts_frame_data(&run.frame, TS_B_view_octree_leaf);
 	const ts_vpl *lights = ts_frame_data(&run.frame, TS_B_vpl_light);
 	u64 n_left_out = 0, n_lists = ts_frame_n(&run.frame, TS_B_vpl_pairs_offset) - 1;
 	assert_int_equal(n_lists, level[6] - level[5]);
@@ -122,8 +123,8 @@ static void test_lists(void **state)
 			if (lists(&run, list, above(views, leaf[v], 5))) continue;
 			n_left_out++;
 			for (u32 k = 0; k < 8; k++) {
-				ts_v3 way = ts_sub(ts_load3(node->centre), ts_load3(lights[v].position));
-				way = ts_add(way, ts_v3_make((k & 1) != 0 ? half : -half, (k & 2) != 0 ? half : -half, (k & 4) != 0 ? half : -half));
+				ts_v3 corner = {(k & 1) != 0 ? half : -half, (k & 2) != 0 ? half : -half, (k & 4) != 0 ? half : -half};
+				ts_v3 way = ts_add(ts_sub(ts_load3(node->centre), ts_load3(lights[v].position)), corner);
 				assert_true(ts_dot(way, ts_load3(lights[v].normal)) < 0.001f);
 			}
 		}
@@ -189,7 +190,8 @@ static void test_units(void **state)
 	run_of(&views, scene, &params, "megaviews");
 	run_of(&alone, scene, &params, "manylods");
 	u64 n = ts_frame_n(&direct.frame, TS_B_indirect_irradiance);
-	double of_direct = apart(light_of(&views), light_of(&direct), n), of_alone = apart(light_of(&views), light_of(&alone), n);
+	double of_direct = apart(light_of(&views), light_of(&direct), n);
+	double of_alone = apart(light_of(&views), light_of(&alone), n);
 	if (!(of_direct < 0.06)) fail_msg("%g of the light of triangles apart", of_direct);
 	if (!(of_alone < 1e-5)) fail_msg("%g apart without a hierarchy", of_alone);
 	ts_run_end(&direct);

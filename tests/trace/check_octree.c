@@ -5,10 +5,11 @@
 #include "../../src/trace/field.h"
 
 static const ts_step steps[] = {
-	{.stage = "view"}, {.stage = "pose"}, {.stage = "lamp"}, {.stage = "rsm_view"}, {.stage = "rsm"}, {.stage = "rsm_patch"}, {.stage = "root"},
-	{.stage = "voxel"}, {.stage = "octree"}, {.stage = "octree_surface"}, {.stage = "vpl"}, {.stage = "view_voxel"},
-	{.stage = "view_octree"}, {.stage = "view_cone"}, {.stage = "traverse"}, {.stage = "map"}, {.stage = "fuse"},
-	{.stage = "eye"}, {.stage = "gbuffer"}, {.stage = "vpl_pairs"}, {.stage = "vpl_gather"}, {.stage = "bilateral"}, {0},
+	{.stage = "view"}, {.stage = "pose"}, {.stage = "lamp"}, {.stage = "rsm_view"}, {.stage = "rsm"}, {.stage = "rsm_patch"},
+	{.stage = "root"}, {.stage = "voxel"}, {.stage = "octree"}, {.stage = "octree_surface"}, {.stage = "vpl"},
+	{.stage = "view_voxel"}, {.stage = "view_octree"}, {.stage = "view_cone"}, {.stage = "traverse"}, {.stage = "map"},
+	{.stage = "fuse"}, {.stage = "eye"}, {.stage = "gbuffer"}, {.stage = "vpl_pairs"}, {.stage = "vpl_gather"},
+	{.stage = "bilateral"}, {0},
 };
 static const ts_pipeline pipeline = {
 	"octrees", "indirect", "MegaViews 3", "", steps, ts_indirect_prepare, ts_hulls_expect, false,
