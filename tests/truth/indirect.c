@@ -144,8 +144,8 @@ static void test_covered(void **state)
 	}
 }
 
-/* Means of irradiance over the picture: of both truths, and of `direct`, which asks for no visibility. */
-typedef struct { double lights, bounce, direct; } means;
+/* Means of irradiance over the picture: of the truths, and of `direct`, which asks for no visibility. */
+typedef struct { double lights, bounce, vpls, direct; } means;
 
 static double mean(const ts_run *run)
 {
@@ -169,6 +169,7 @@ static means means_of(const char *spec, u32 rsm_px)
 	params.reflectors = 0;
 	params.rsm_px = rsm_px;
 	params.bounce_rays = 256;
+	params.light_near = 1;
 	if (ts_scene_open(&scene, spec, &params, NULL) != TS_OK) fail_msg("%s", ts_error_message());
 	ts_run_begin(&run, scene, &params, 2);
 	assert_int_equal(ts_truth_indirect_begin(&run, "indirect"), TS_OK);
@@ -179,10 +180,13 @@ static means means_of(const char *spec, u32 rsm_px)
 	m.lights = mean(&run);
 	assert_int_equal(ts_truth_bounce(truth, &run), TS_OK);
 	m.bounce = mean(&run);
+	assert_int_equal(ts_truth_vpls(truth, &run), TS_OK);
+	m.vpls = mean(&run);
 	ts_truth_free(truth);
 	ts_run_end(&run);
 	ts_scene_free(scene);
-	print_message("%u px: direct %.5f, lights %.5f, bounce %.5f\n", (unsigned)rsm_px, m.direct, m.lights, m.bounce);
+	print_message("%u px: direct %.5f, lights %.5f, bounce %.5f, vpls %.5f\n", (unsigned)rsm_px, m.direct, m.lights, m.bounce,
+	              m.vpls);
 	return m;
 }
 
@@ -192,6 +196,7 @@ static void test_scene(void **state)
 	means coarse = means_of("dining:triangles=10000", 8), fine = means_of("dining:triangles=10000", 64);
 	assert_true(fine.lights < fine.direct && coarse.lights < coarse.direct);
 	assert_true(fabs(fine.lights / fine.bounce - 1) < 0.05);
+	assert_true(fabs(fine.vpls / fine.lights - 1) < 0.05);
 }
 
 int main(void)
