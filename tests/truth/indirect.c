@@ -185,8 +185,8 @@ static means means_of(const char *spec, u32 rsm_px)
 	ts_truth_free(truth);
 	ts_run_end(&run);
 	ts_scene_free(scene);
-	print_message("%u px: direct %.5f, lights %.5f, bounce %.5f, vpls %.5f\n", (unsigned)rsm_px, m.direct, m.lights, m.bounce,
-	              m.vpls);
+	print_message("%u px: direct %.5f, lights %.5f, bounce %.5f, vpls %.5f\n", (unsigned)rsm_px, m.direct, m.lights,
+	              m.bounce, m.vpls);
 	return m;
 }
 
