@@ -49,5 +49,5 @@ void ts_paper_compare(ts_paper_line *line, const ts_paper_table *table, const ch
 		double printed = line->row != NULL ? line->row->figures[i] : 0;
 		line->paper[i] = printed != 0 ? printed : NAN;
 	}
-	ts_bench_derive(line->paper, table->figures);
+	ts_bench_derive(line->paper, NULL, table->figures);
 }

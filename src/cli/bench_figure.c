@@ -1,5 +1,6 @@
 /* The figures of a table. */
 #include <math.h>
+#include <stdlib.h>
 #include <touchstone/image.h>
 #include "bench_figure.h"
 
@@ -7,6 +8,44 @@ static const char *const point_stages[] = { "visibility", "offscreen_visibility"
 	"cull", "align", "count", "points", NULL };
 static const char *const view_stages[] = { "splat", "scatter", "scatter_colour", "copy", "face", "depth",
 	"shadow_resize", "shadow_splat", NULL };
+
+static double parameter(const ts_params *params, const char *name)
+{
+	char text[64];
+	size_t n, row = 0;
+	const ts_param_info *table = ts_param_table(&n);
+	while (row + 1 < n && strcmp(table[row].name, name) != 0) row++;
+	ts_params_format(params, row, text, sizeof text);
+	return strtod(text, NULL);
+}
+
+/* NAN if none of the stages ran. */
+static double listed_milliseconds(const ts_measure *m, const char *list)
+{
+	char stage[32];
+	double sum = NAN;
+	while (ts_cli_item(&list, stage, sizeof stage)) {
+		const ts_timing *timing = ts_measure_timing(m, stage);
+		if (timing != NULL) sum = (isnan(sum) ? 0 : sum) + 1e3 * timing->seconds;
+	}
+	return sum;
+}
+
+static double buffer_bytes(const ts_measure *m, const char *list)
+{
+	char stage[32];
+	double sum = 0;
+	while (ts_cli_item(&list, stage, sizeof stage)) {
+		size_t n = strlen(stage);
+		for (u32 id = 0; id < TS_N_BUFFERS; id++) {
+			const char *name = ts_buffer_table[id].name;
+			if (strncmp(name, stage, n) == 0 && name[n] == '.') sum += (double)m->bytes[id];
+		}
+	}
+	return sum;
+}
+
+static double mebibytes(double bytes) { return bytes / (1 << 20); }
 
 static double milliseconds(const ts_measure *m, const char *const *stages)
 {
@@ -39,20 +78,25 @@ static double measured(const ts_bench_figure *f, const ts_bench_case *c)
 {
 	if (f->kind == TS_FIGURE_TRIANGLES) return c->scene->n_triangles;
 	if (f->kind == TS_FIGURE_PIXELS) return 1e-6 * c->params.width * c->params.height;
+	if (f->kind == TS_FIGURE_PARAM) return parameter(&c->params, f->what);
 	if (f->kind >= TS_FIGURE_DERIVED || c->methods[f->a] == NULL) return NAN;
 	const ts_measure *m = &c->measures[f->a];
 	double points = milliseconds(m, point_stages), views = milliseconds(m, view_stages), all = 1e3 * m->seconds;
 	switch (f->kind) {
 	case TS_FIGURE_COUNTER: return counted(m, f->what);
+	case TS_FIGURE_MEMORY: return mebibytes(counted(m, f->what) * f->b);
+	case TS_FIGURE_BUFFERS: return mebibytes(buffer_bytes(m, f->what));
 	case TS_FIGURE_TRAVERSED: return (counted(m, "geometry traversals") - 1) * c->scene->n_triangles;
 	case TS_FIGURE_DIAMETER: return m->mean_diameter;
 	case TS_FIGURE_TIME: return all;
+	case TS_FIGURE_STAGE_TIME: return listed_milliseconds(m, f->what);
 	case TS_FIGURE_POINT_TIME: return points;
 	case TS_FIGURE_VIEW_TIME: return views;
 	case TS_FIGURE_MAP_TIME: return points + views;
 	case TS_FIGURE_REST_TIME: return all - points - views;
 	case TS_FIGURE_RMSE:
 	case TS_FIGURE_RELATIVE: return rmse(c, f->kind, f->a, f->b);
+	case TS_FIGURE_EMPTY: return 100 * c->empty[f->a];
 	default: return NAN;
 	}
 }
@@ -67,14 +111,33 @@ static double derived(ts_figure_kind kind, double a, double b)
 	if (kind == TS_FIGURE_MORE) return 100 * (a - b) / 255;
 	if (!(b > 0)) return NAN;
 	if (kind == TS_FIGURE_RATE) return 1e3 / b;
+	if (kind == TS_FIGURE_PERCENT) return 100 * a / b;
 	return kind == TS_FIGURE_RATIO ? a / b : 100 * (1 - a / b);
 }
 
-void ts_bench_derive(double *values, const ts_bench_figure *figures)
+static double sum(const double *values, const ts_bench_figure *f)
+{
+	double r = 0;
+	for (u32 i = f->a; i <= f->b; i++) r += values[i];
+	return r;
+}
+
+static double growth(const double *values, const double *before, const ts_bench_figure *f)
+{
+	double e = before != NULL ? log(values[f->a] / before[f->a]) / log(values[f->b] / before[f->b]) : NAN;
+	return isfinite(e) ? e : NAN;
+}
+
+void ts_bench_derive(double *values, const double *before, const ts_bench_figure *figures)
 {
 	for (u32 i = 0; figures[i].key != NULL; i++) {
 		const ts_bench_figure *f = &figures[i];
-		if (f->kind >= TS_FIGURE_DERIVED && isnan(values[i])) values[i] = derived(f->kind, values[f->a], values[f->b]);
+		if (f->kind < TS_FIGURE_DERIVED || !isnan(values[i])) continue;
+		switch (f->kind) {
+		case TS_FIGURE_SUM: values[i] = sum(values, f); break;
+		case TS_FIGURE_GROWTH: values[i] = growth(values, before, f); break;
+		default: values[i] = derived(f->kind, values[f->a], values[f->b]);
+		}
 	}
 }
 

@@ -10,20 +10,28 @@ enum { TS_BENCH_FIGURES = 48 }; /* at most */
 typedef enum {
 	TS_FIGURE_TRIANGLES,  /* of the scene */
 	TS_FIGURE_PIXELS,     /* of the eye's image, millions */
+	TS_FIGURE_PARAM,      /* the parameter named in `what` */
 	TS_FIGURE_COUNTER,    /* named in `what` */
+	TS_FIGURE_MEMORY,     /* of what that counter counts, b bytes each, MiB */
+	TS_FIGURE_BUFFERS,    /* memory of the buffers of the stages named in `what`, MiB */
 	TS_FIGURE_TRAVERSED,  /* triangles in all passes over the geometry but the eye's */
 	TS_FIGURE_DIAMETER,   /* mean side of the cubes in sight, texels */
 	TS_FIGURE_TIME,       /* of the whole frame, ms */
+	TS_FIGURE_STAGE_TIME, /* of the stages named in `what`, ms */
 	TS_FIGURE_POINT_TIME, /* making points, ms */
 	TS_FIGURE_VIEW_TIME,  /* filling off-screen views, ms */
 	TS_FIGURE_MAP_TIME,   /* both: what the iVIR paper's totals are of */
 	TS_FIGURE_REST_TIME,  /* neither */
 	TS_FIGURE_RMSE,       /* to the truth or, where a table has none, to variant b; grey levels */
 	TS_FIGURE_RELATIVE,   /* the same in radiance by the mean of the other's, without the sky */
+	TS_FIGURE_EMPTY,      /* texels that nothing was rendered to in whole maps of leaves of views, % */
 	TS_FIGURE_DERIVED,    /* from here on */
 	TS_FIGURE_RATIO = TS_FIGURE_DERIVED, /* a / b */
 	TS_FIGURE_SAVED,      /* 100 (1 - a / b) */
+	TS_FIGURE_PERCENT,    /* 100 a / b */
 	TS_FIGURE_MORE,       /* 100 (a - b) / 255 */
+	TS_FIGURE_SUM,        /* of all from a to b */
+	TS_FIGURE_GROWTH,     /* e, where a grows as b^e since the row before */
 	TS_FIGURE_RATE,       /* a second, of b in ms */
 } ts_figure_kind;
 
@@ -32,14 +40,15 @@ typedef struct {
 	ts_figure_kind kind;
 	u32 a, b;
 	int decimals;           /* TS_WHOLE: a count */
-	const char *what;
+	const char *what;       /* of stages several, separated by commas */
 } ts_bench_figure;
 enum { TS_WHOLE = -1 };
 
 /* Figures measured of a case; those that are not there are NAN. `derive` then fills in the others where both of theirs are
- * there and they are not, figure after figure. `figures` is ended by one without a key. */
+ * there and they are not, figure after figure; `before` is the row before it of the scene, or NULL. `figures` is ended by
+ * one without a key. */
 void ts_bench_measure(double *values, const ts_bench_figure *figures, const ts_bench_case *c);
-void ts_bench_derive(double *values, const ts_bench_figure *figures);
+void ts_bench_derive(double *values, const double *before, const ts_bench_figure *figures);
 /* Appends it as a cell. */
 void ts_bench_cell(ts_table *table, const ts_bench_figure *figure, double value);
 

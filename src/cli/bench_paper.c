@@ -1,6 +1,7 @@
 /* Measuring a paper's table. Times are medians, and ratios are of one run. */
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 #include "bench.h"
 #include "bench_paper.h"
 
@@ -15,7 +16,7 @@ typedef struct {
 } work;
 
 /* The median of each figure over the runs. */
-static ts_status run_case(double *values, ts_bench_case *c, const work *w)
+static ts_status run_case(double *values, const double *before, ts_bench_case *c, const work *w)
 {
 	u32 runs = w->table->timed ? w->cli->runs : 1;
 	double *of_run = ts_alloc(runs, TS_BENCH_FIGURES * sizeof *of_run, "the figures");
@@ -25,7 +26,7 @@ static ts_status run_case(double *values, ts_bench_case *c, const work *w)
 		status = ts_bench_case_run(c, i);
 		if (status != TS_OK) break;
 		ts_bench_measure(of_run + (size_t)i * TS_BENCH_FIGURES, w->table->figures, c);
-		ts_bench_derive(of_run + (size_t)i * TS_BENCH_FIGURES, w->table->figures);
+		ts_bench_derive(of_run + (size_t)i * TS_BENCH_FIGURES, before, w->table->figures);
 	}
 	for (u32 f = 0; status == TS_OK && w->table->figures[f].key != NULL; f++) {
 		for (u32 i = 0; i < runs; i++) one[i] = of_run[(size_t)i * TS_BENCH_FIGURES + f];
@@ -34,6 +35,13 @@ static ts_status run_case(double *values, ts_bench_case *c, const work *w)
 	free(of_run);
 	free(one);
 	return status;
+}
+
+/* The figures of the line before, if it is of the same scene. */
+static const double *before(const work *w, const ts_paper_line *line)
+{
+	bool same = line > w->lines && strcmp(line[-1].scene, line->scene) == 0;
+	return same ? line[-1].here : NULL;
 }
 
 static ts_status measure_line(ts_paper_line *line, const work *w, const char *spec, const ts_params *params)
@@ -47,7 +55,7 @@ static ts_status measure_line(ts_paper_line *line, const work *w, const char *sp
 	c->truths = w->truths;
 	snprintf(line->scene, sizeof line->scene, "%s", slash != NULL ? slash + 1 : spec);
 	ts_status status = ts_bench_case_open(c, spec, params);
-	if (status == TS_OK) status = run_case(line->here, c, w);
+	if (status == TS_OK) status = run_case(line->here, before(w, line), c, w);
 	if (status == TS_OK) ts_paper_compare(line, w->table, spec);
 	ts_bench_case_close(c);
 	free(c);
@@ -62,7 +70,7 @@ static ts_status vary(u32 *objects, ts_params *params, const ts_paper_table *tab
 		*objects = params->width * params->height;
 		return status;
 	}
-	ts_status status = ts_cli_count(objects, item, 1, TS_BENCH_OBJECTS, "--objects");
+	ts_status status = ts_cli_count(objects, item, 1, table->most > 0 ? table->most : TS_BENCH_OBJECTS, "--objects");
 	return status == TS_OK ? ts_params_set(params, table->objects_param, item) : status;
 }
 
@@ -143,6 +151,8 @@ static ts_status work_on(const ts_cli *cli, ts_report *report, const void *user)
 	report_variants(report, table);
 	if (status == TS_OK) status = measure_lines(&w, report);
 	if (status == TS_OK) ts_paper_report(report, table, w.lines, (u32)w.n_lines);
+	bool plots = table->plot != NULL && cli->output != NULL;
+	if (status == TS_OK && plots) status = ts_paper_plots(table, w.lines, (u32)w.n_lines);
 	free(w.lines);
 	return status;
 }

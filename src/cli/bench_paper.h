@@ -2,6 +2,7 @@
 #ifndef TS_CLI_BENCH_PAPER_H
 #define TS_CLI_BENCH_PAPER_H
 #include "bench_figure.h"
+#include "plot.h"
 
 /* Lists of figures end with this one. */
 enum { TS_NO_FIGURE = 255, TS_PAPER_PARTS = 6 };
@@ -37,6 +38,14 @@ typedef struct {
 	u32 cause;
 } ts_paper_relation;
 
+/* A plot of a scene's rows, with a curve a figure. */
+typedef struct {
+	const char *x_axis, *y_axis;
+	u32 x;
+	u8 curves[TS_PLOT_CURVES + 1];
+	bool rises;                 /* as in a ts_plot */
+} ts_paper_plot;
+
 typedef struct {
 	const char *name, *title;
 	const char *effect;
@@ -45,6 +54,7 @@ typedef struct {
 	const char *objects_head;   /* "mirrors", "lights", "pixels"; NULL: a row a scene */
 	const char *objects_param;  /* NULL: objects are sizes, WxH */
 	const char *objects;        /* unless --objects says otherwise */
+	u32 most;                   /* of them; 0: TS_BENCH_OBJECTS */
 	const char *set;            /* for all rows */
 	const char *defaults;       /* for all rows, of parameters that have their defaults */
 	const char *size;           /* unless --size says otherwise; NULL: 1920 x 1080 */
@@ -56,6 +66,7 @@ typedef struct {
 	const ts_bench_figure *figures;
 	const ts_paper_part *parts;         /* ended by one without a key */
 	const ts_paper_relation *relations; /* ended by one without a text; or NULL */
+	const ts_paper_plot *plot;          /* with -o; or NULL */
 	const ts_paper_row *rows;           /* ended by one without a name */
 } ts_paper_table;
 
@@ -64,6 +75,7 @@ typedef struct {
 #define TS_OMNI_NOTE "Depth maps of 256 x 256 instead of the paper's 1024 x 1024, for VIR's points."
 
 extern const ts_paper_table ts_ivir_1, ts_ivir_2, ts_ivir_3, ts_epr_1, ts_epr_2, ts_epr_3, ts_ssagh_1;
+extern const ts_paper_table ts_mega_10, ts_mega_12, ts_mega_13, ts_mega_16;
 
 /* A row of ours, and the paper's beside it. */
 typedef struct {
@@ -78,6 +90,8 @@ typedef struct {
 void ts_paper_compare(ts_paper_line *line, const ts_paper_table *table, const char *spec);
 /* The parts and the relations. */
 void ts_paper_report(ts_report *report, const ts_paper_table *table, const ts_paper_line *lines, u32 n);
+/* Writes a plot a scene, PART_1.svg and so on, named after the first part. */
+ts_status ts_paper_plots(const ts_paper_table *table, const ts_paper_line *lines, u32 n);
 /* Measures and prints it all. */
 ts_status ts_paper_bench(const ts_cli *cli, const ts_paper_table *table);
 

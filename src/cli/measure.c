@@ -79,12 +79,13 @@ static void keep(ts_measure *m, const ts_run *run)
 	m->peak_bytes = run->frame.peak_bytes;
 }
 
-/* What truths A and B, the mask of reflective pixels and the count of lit ones are made of after the run. */
+/* What truths A and B, the mask of reflective pixels and the counts of lit ones and of empty texels are made of after the
+ * run. */
 static void keep_for_truths(ts_run *run)
 {
 	static const ts_buffer_id ids[] = { TS_B_eye_view, TS_B_pose_vertex, TS_B_resize_face, TS_B_eye_depth_triangle,
 		TS_B_pixel_offset, TS_B_pixel_record, TS_B_lookup_point, TS_B_shade_radiance,
-		TS_B_lamp_shape, TS_B_resolve_lit };
+		TS_B_lamp_shape, TS_B_resolve_lit, TS_B_view_octree_node, TS_B_fuse_depth };
 	run->lean = true;
 	for (u32 i = 0; i < sizeof ids / sizeof ids[0]; i++) run->keep[ids[i]] = true;
 }

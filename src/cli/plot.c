@@ -120,10 +120,11 @@ void ts_plot_svg(const ts_plot *plot, FILE *out)
 	line(out, LEFT, TOP, LEFT, BOTTOM, "#000");
 	text_at(out, (LEFT + RIGHT) / 2, BOTTOM + 42, "text-anchor=\"middle\"", plot->x_axis);
 	text_at(out, 0, 0, "text-anchor=\"middle\" transform=\"translate(14 275) rotate(-90)\"", plot->y_axis);
-	for (u32 c = 0; c < plot->n_curves; c++) {
+	u32 at = plot->rises ? BOTTOM - 6 - 18 * plot->n_curves : TOP + 12;
+	for (u32 c = 0; c < plot->n_curves; c++, at += 18) {
 		curve(out, plot, c, x, y);
-		line(out, LEGEND, TOP + 12 + 18 * c, LEGEND + 24, TOP + 12 + 18 * c, colours[c]);
-		text_at(out, LEGEND + 30, TOP + 16 + 18 * c, "", plot->curves[c]);
+		line(out, LEGEND, at, LEGEND + 24, at, colours[c]);
+		text_at(out, LEGEND + 30, at + 4, "", plot->curves[c]);
 	}
 	fputs("</svg>\n", out);
 }

@@ -21,6 +21,7 @@ typedef struct {
 	const ts_plot_point *points;
 	u32 n_points;            /* at least one */
 	bool even;               /* axes of even steps, not logarithmic ones */
+	bool rises;              /* the legend stands below, not above */
 } ts_plot;
 
 /* Writes it with axes, a legend and a label at every dot. Whether all was written is the stream's to say. */
