@@ -32,19 +32,22 @@ const ts_command ts_command_table[] = {
 	{ "list", "WHAT", "tables: stages, buffers, params, methods, scenes or backends", "",
 	  1, 1, TS_OPT_JSON, ts_list_command },
 	{ "bench", "TABLE", "the papers' tables, measured here; and what the backends take",
-	  "TABLE: of the iVIR paper ivir-1 (soft shadows), ivir-2 (reflections), ivir-3 (omnidirectional shadows); of the\n"
-	  "EPR paper epr-1 (shading operations), epr-2 (times, points and errors), epr-3 (omnidirectional shadows). The\n"
-	  "paper's figures stand below ours, and behind them what must hold, and whether it does. Their GPU's times are not\n"
-	  "ours: compare ratios. Errors of epr-2 are against truth C unless --truth says otherwise. Models of ivir-1 and of\n"
-	  "SSAGH are in the folder TS_SCENES (../shared/scenes). epr-6: speed against accuracy, as density, sampling and\n"
-	  "faces vary, of one scene (atrium) with one number of mirrors (10). Of the SSAGH paper ssagh-1 (frames a second,\n"
-	  "by size; --objects takes sizes, WxH), ssagh-segments (labels of its algorithm 1 beside connected components), and\n"
-	  "ssagh-5 (its curves c and s) and ssagh-7 (errors of integrals with the cosine), which need no scene. With -o DIR\n"
-	  "the report, each table as CSV, and plots, as SVG, are written to DIR. Or backends: each stage in C, with 1 and\n"
-	  "with --threads threads, and on every OpenCL device, or the one of --backend or --device, which takes the cores it\n"
-	  "likes; one frame by one --method (epr), of one scene (atrium) with one number of mirrors (10); what bounds\n"
-	  "scattering; and how long the kernels take to build, in a process of its own, with an empty cache too where it is\n"
-	  "PoCL's. Or start: the seconds from opening --backend to its first frames.",
+	  "TABLE: of the iVIR paper ivir-1 (soft shadows), ivir-2 (reflections), ivir-3 (omnidirectional shadows); of the EPR\n"
+	  "paper epr-1 (shading operations), epr-2 (times, points and errors), epr-3 (omnidirectional shadows). The paper's\n"
+	  "figures stand below ours, and behind them what must hold, and whether it does. Their GPU's times are not ours:\n"
+	  "compare ratios. Errors of epr-2 are against truth C unless --truth says otherwise. Models of ivir-1 and of SSAGH\n"
+	  "are in the folder TS_SCENES (../shared/scenes). epr-6: speed against accuracy, as density, sampling and faces\n"
+	  "vary, of one scene (atrium) with one number of mirrors (10). Of the SSAGH paper ssagh-1 (frames a second, by size;\n"
+	  "--objects takes sizes, WxH), ssagh-segments (labels of its algorithm 1 beside connected components), and ssagh-5\n"
+	  "(its curves c and s) and ssagh-7 (errors of integrals with the cosine), which need no scene. Of the MegaViews\n"
+	  "paper mega-10 (MegaViews and ManyLoDs as views become many), mega-12 (as maps become large), mega-13 (as octrees\n"
+	  "become deep) and mega-16 (what gathering culls), of the atrium unless --scene says otherwise; --objects are paths\n"
+	  "of light, texels a side, levels, and levels. With -o DIR the report, each table as CSV, and plots, as SVG, are\n"
+	  "written to DIR. Or backends: each stage in C, with 1 and with --threads threads, and on every OpenCL device, or\n"
+	  "the one of --backend or --device, which takes the cores it likes; one frame by one --method (epr), of one scene\n"
+	  "(atrium) with one number of mirrors (10); what bounds scattering; and how long the kernels take to build, in a\n"
+	  "process of its own, with an empty cache too where it is PoCL's. Or start: the seconds from opening --backend to\n"
+	  "its first frames.",
 	  1, 1, TS_OPT_METHOD | TS_OPT_SCENE | TS_OPT_OBJECTS | TS_OPT_RUNS | TS_OPT_TRUTH | TS_OPT_SIZE | TS_OPT_FRAME |
 	  TS_OPT_SET | HOW | TS_OPT_OUTPUT | TS_OPT_FORCE | TS_OPT_JSON, ts_bench_command },
 	{ "compare", "REFERENCE CANDIDATE", "two traces, buffers or images: where they first differ, and how much",

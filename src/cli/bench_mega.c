@@ -1,0 +1,123 @@
+/* MegaViews beside ManyLoDs as views become many: what the paper's figure 10 plots, of which only what the text says is
+ * known. The stages `map` and `fuse` render maps. */
+#include "bench_paper.h"
+
+enum { M_MEGA, M_LODS, M_WIDE };
+
+static const ts_bench_variant variants[] = {
+	[M_MEGA] = { "megaviews", "", true, false },
+	[M_LODS] = { "manylods", "", true, false },
+	[M_WIDE] = { "megaviews", "view_field=all", true, false },
+	{ 0 }
+};
+
+enum { VIEWS, MS, LODS_MS, WIDE_MS, SPEEDUP, CULLING, TREE_MS, GATHER_MS, LODS_GATHER_MS, MS_GROWTH, LODS_MS_GROWTH,
+	PAIRS, LODS_PAIRS, SAVED, A_VIEW, LODS_A_VIEW, PAIRS_GROWTH, LODS_PAIRS_GROWTH, SERVED, RENDERED, SHARING, CULLED,
+	CULLED_SHARE, WIDE_PAIRS, PAIRS_SAVED, WIDER, WIDER_SHARE, EMPTY, WIDE_EMPTY, SCENE_LEAVES, LEAVES, SCENE_MIB,
+	TREE_MIB, QUEUE_MIB, MAPS_MIB, MIB, LODS_SCENE_MIB, LODS_VIEWS_MIB, LODS_QUEUE_MIB, LODS_MAPS_MIB, LODS_MIB, LESS };
+
+static const ts_bench_figure figures[] = {
+	[VIEWS] = { "views", "views", TS_FIGURE_COUNTER, M_MEGA, 0, TS_WHOLE, "virtual point lights" },
+	[MS] = { "megaviews_ms", "MegaViews", TS_FIGURE_STAGE_TIME, M_MEGA, 0, 2, "map,fuse" },
+	[LODS_MS] = { "manylods_ms", "ManyLoDs", TS_FIGURE_STAGE_TIME, M_LODS, 0, 2, "map,fuse" },
+	[WIDE_MS] = { "unculled_ms", "no culling", TS_FIGURE_STAGE_TIME, M_WIDE, 0, 2, "map,fuse" },
+	[SPEEDUP] = { "speedup", "ManyLoDs / MegaViews", TS_FIGURE_RATIO, LODS_MS, MS, 2, "" },
+	[CULLING] = { "culling_percent", "culling saves, %", TS_FIGURE_SAVED, MS, WIDE_MS, 1, "" },
+	[TREE_MS] = { "hierarchy_ms", "hierarchy of views", TS_FIGURE_STAGE_TIME, M_MEGA, 0, 2,
+	              "view_voxel,view_octree,view_cone" },
+	[GATHER_MS] = { "gather_ms", "gathering", TS_FIGURE_STAGE_TIME, M_MEGA, 0, 2, "vpl_pairs,vpl_gather" },
+	[LODS_GATHER_MS] = { "manylods_gather_ms", "ManyLoDs'", TS_FIGURE_STAGE_TIME, M_LODS, 0, 2, "vpl_pairs,vpl_gather" },
+	[MS_GROWTH] = { "ms_exponent", "exponent", TS_FIGURE_GROWTH, MS, VIEWS, 3, "" },
+	[LODS_MS_GROWTH] = { "manylods_ms_exponent", "ManyLoDs'", TS_FIGURE_GROWTH, LODS_MS, VIEWS, 3, "" },
+	[PAIRS] = { "pairs", "pairs", TS_FIGURE_COUNTER, M_MEGA, 0, TS_WHOLE, "pairs" },
+	[LODS_PAIRS] = { "manylods_pairs", "ManyLoDs'", TS_FIGURE_COUNTER, M_LODS, 0, TS_WHOLE, "pairs" },
+	[SAVED] = { "pairs_ratio", "by ours", TS_FIGURE_RATIO, LODS_PAIRS, PAIRS, 2, "" },
+	[A_VIEW] = { "pairs_a_view", "a view", TS_FIGURE_RATIO, PAIRS, VIEWS, 1, "" },
+	[LODS_A_VIEW] = { "manylods_pairs_a_view", "ManyLoDs'", TS_FIGURE_RATIO, LODS_PAIRS, VIEWS, 1, "" },
+	[PAIRS_GROWTH] = { "pairs_exponent", "exponent", TS_FIGURE_GROWTH, PAIRS, VIEWS, 3, "" },
+	[LODS_PAIRS_GROWTH] = { "manylods_pairs_exponent", "ManyLoDs'", TS_FIGURE_GROWTH, LODS_PAIRS, VIEWS, 3, "" },
+	[SERVED] = { "served", "views served", TS_FIGURE_COUNTER, M_MEGA, 0, TS_WHOLE, "views served" },
+	[RENDERED] = { "rendered", "rendered", TS_FIGURE_COUNTER, M_MEGA, 0, TS_WHOLE, "pairs rendered" },
+	[SHARING] = { "sharing", "views a pair", TS_FIGURE_RATIO, SERVED, RENDERED, 2, "" },
+	[CULLED] = { "culled", "culled", TS_FIGURE_COUNTER, M_MEGA, 0, TS_WHOLE, "pairs culled" },
+	[CULLED_SHARE] = { "culled_percent", "culled, %", TS_FIGURE_PERCENT, CULLED, PAIRS, 2, "" },
+	[WIDE_PAIRS] = { "unculled_pairs", "without", TS_FIGURE_COUNTER, M_WIDE, 0, TS_WHOLE, "pairs" },
+	[PAIRS_SAVED] = { "pairs_culling_percent", "pairs saved, %", TS_FIGURE_SAVED, PAIRS, WIDE_PAIRS, 2, "" },
+	[WIDER] = { "wider", "wider than a texel", TS_FIGURE_COUNTER, M_MEGA, 0, TS_WHOLE, "pairs wider than a texel" },
+	[WIDER_SHARE] = { "wider_percent", "wider, %", TS_FIGURE_PERCENT, WIDER, RENDERED, 2, "" },
+	[EMPTY] = { "empty_percent", "empty, %", TS_FIGURE_EMPTY, M_MEGA, 0, 1, "" },
+	[WIDE_EMPTY] = { "unculled_empty_percent", "not culled, %", TS_FIGURE_EMPTY, M_WIDE, 0, 1, "" },
+	[SCENE_LEAVES] = { "scene_leaves", "leaves of the scene", TS_FIGURE_COUNTER, M_MEGA, 0, TS_WHOLE, "scene leaves" },
+	[LEAVES] = { "leaves", "of views", TS_FIGURE_COUNTER, M_MEGA, 0, TS_WHOLE, "view leaves" },
+	[SCENE_MIB] = { "scene_mib", "scene", TS_FIGURE_BUFFERS, M_MEGA, 0, 1, "voxel,octree" },
+	[TREE_MIB] = { "views_mib", "views", TS_FIGURE_BUFFERS, M_MEGA, 0, 1, "view_voxel,view_octree,view_cone" },
+	[QUEUE_MIB] = { "queue_mib", "queue", TS_FIGURE_MEMORY, M_MEGA, 8, 1, "longest queue" },
+	[MAPS_MIB] = { "maps_mib", "maps", TS_FIGURE_BUFFERS, M_MEGA, 0, 1, "map,fuse" },
+	[MIB] = { "mib", "all", TS_FIGURE_SUM, SCENE_MIB, MAPS_MIB, 1, "" },
+	[LODS_SCENE_MIB] = { "manylods_scene_mib", "scene", TS_FIGURE_BUFFERS, M_LODS, 0, 1, "voxel,octree" },
+	[LODS_VIEWS_MIB] = { "manylods_views_mib", "views", TS_FIGURE_BUFFERS, M_LODS, 0, 1, "view_octree,view_cone" },
+	[LODS_QUEUE_MIB] = { "manylods_queue_mib", "queue", TS_FIGURE_MEMORY, M_LODS, 8, 1, "longest queue" },
+	[LODS_MAPS_MIB] = { "manylods_maps_mib", "maps", TS_FIGURE_BUFFERS, M_LODS, 0, 1, "map,fuse" },
+	[LODS_MIB] = { "manylods_mib", "all", TS_FIGURE_SUM, LODS_SCENE_MIB, LODS_MAPS_MIB, 1, "" },
+	[LESS] = { "mib_ratio", "by ours", TS_FIGURE_RATIO, LODS_MIB, MIB, 2, "" },
+	{ 0 }
+};
+
+static const ts_paper_part parts[] = {
+	{ "mega_10", "MegaViews, figure 10: maps, ms; exponents of views since the row above", { VIEWS, MS, LODS_MS, SPEEDUP,
+	  MS_GROWTH, LODS_MS_GROWTH, WIDE_MS, CULLING, TS_NO_FIGURE } },
+	{ "mega_10_ms", "The rest, ms", { TREE_MS, GATHER_MS, LODS_GATHER_MS, TS_NO_FIGURE } },
+	{ "mega_10_pairs", "Pairs, and ManyLoDs'", { PAIRS, LODS_PAIRS, SAVED, A_VIEW, LODS_A_VIEW, PAIRS_GROWTH,
+	  LODS_PAIRS_GROWTH, TS_NO_FIGURE } },
+	{ "mega_10_fates", "What becomes of pairs", { RENDERED, WIDER, WIDER_SHARE, CULLED, CULLED_SHARE, WIDE_PAIRS,
+	  PAIRS_SAVED, TS_NO_FIGURE } },
+	{ "mega_10_sharing", "Views of rendered pairs, and texels of whole maps of leaves", { SERVED, SHARING, EMPTY,
+	  WIDE_EMPTY, TS_NO_FIGURE } },
+	{ "mega_10_mib", "Memory of MegaViews, MiB: octrees, queue at its longest, maps of all nodes and whole ones", {
+	  SCENE_LEAVES, LEAVES, SCENE_MIB, TREE_MIB, QUEUE_MIB, MAPS_MIB, MIB, TS_NO_FIGURE } },
+	{ "mega_10_manylods_mib", "Memory of ManyLoDs, MiB", { LODS_SCENE_MIB, LODS_VIEWS_MIB, LODS_QUEUE_MIB, LODS_MAPS_MIB,
+	  LODS_MIB, LESS, TS_NO_FIGURE } },
+	{ 0 }
+};
+
+#define MILLION VIEWS, 900e3, 1e9
+#define ALL TS_NO_FIGURE, 0, 0
+
+static const ts_paper_relation relations[] = {
+	{ "time of ManyLoDs / MegaViews, a million views", SPEEDUP, TS_AT_LEAST, 10, 0, MILLION,
+	  "less is shared, or fusion takes longer", SHARING },
+	{ "the same, below 2,048 views: parity", SPEEDUP, TS_BETWEEN, 0.5, 2, VIEWS, 0, 2048, "more or less is shared",
+	  SHARING },
+	{ "the same, from row to row", SPEEDUP, TS_GROWS, 1, 0, ALL, "differs: it falls", SPEEDUP },
+	{ "memory of ManyLoDs / MegaViews, a million views", LESS, TS_AT_LEAST, 10, 0, MILLION,
+	  "maps of inner nodes, and before they are fused, count", LEAVES },
+	{ "time grows slower than views: exponent", MS_GROWTH, TS_AT_MOST, 0, 1, ALL, "a busy machine, or little shared",
+	  SHARING },
+	{ "pairs grow slower than views: exponent", PAIRS_GROWTH, TS_AT_MOST, 0, 1, ALL, "little shared", SHARING },
+	{ "views that share a pair, from row to row", SHARING, TS_GROWS, 1, 0, ALL, "differs: it falls", SHARING },
+	{ "time that culling saves, %", CULLING, TS_BETWEEN, 0, 20, ALL, "a busy machine, or more or less is behind views",
+	  PAIRS_SAVED },
+	{ "pairs that culling saves, %", PAIRS_SAVED, TS_BETWEEN, 0, 20, ALL, "more or less is behind views", CULLED_SHARE },
+	{ "rendered pairs wider than a texel, %", WIDER_SHARE, TS_AT_MOST, 0, 5, ALL, "larger leaves than the paper's",
+	  SCENE_LEAVES },
+	{ "empty texels of maps of all directions, %", WIDE_EMPTY, TS_BETWEEN, 25, 35, ALL,
+	  "12.5 are outside the discs; of the rest those to the sky and into walls", WIDE_EMPTY },
+	{ 0 }
+};
+
+/* On average of four scenes. */
+static const ts_paper_row rows[] = {
+	{ "four scenes", "atrium", "sponza", 2048, { [SPEEDUP] = 1 } },
+	{ "four scenes", "atrium", "sponza", 1048576, { [SPEEDUP] = 10, [LESS] = 10 } },
+	{ 0 }
+};
+
+static const ts_paper_plot plot = { "views", "maps, ms", VIEWS, { MS, LODS_MS, TS_NO_FIGURE }, true };
+
+const ts_paper_table ts_mega_10 = {
+	.name = "mega-10", .title = "MegaViews, figure 10", .effect = "indirect", .scenes = "atrium", .objects_head = "paths",
+	.objects_param = "vpls", .objects = "256,1024,4096", .most = 1 << 24, .set = "reflectors=0",
+	.defaults = "levels=7,rsm_px=256", .size = "width=320,height=180", .timed = true,
+	.note = "A path leaves vpl.bounces views; the paper has 1 or 4, and 11 levels.",
+	.variants = variants, .figures = figures, .parts = parts, .relations = relations, .plot = &plot, .rows = rows,
+};

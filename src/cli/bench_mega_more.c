@@ -1,0 +1,178 @@
+/* MegaViews as maps, octrees and gathering vary: the paper's figures 12, 13 and 16, of which only what the text says is
+ * known. */
+#include "bench_paper.h"
+
+#define ALL TS_NO_FIGURE, 0, 0
+
+/* Figure 12. */
+enum { M_MEGA, M_LODS };
+
+static const ts_bench_variant splat_variants[] = {
+	[M_MEGA] = { "megaviews", "multipixel=on", true, false },
+	[M_LODS] = { "manylods", "multipixel=on", true, false },
+	{ 0 }
+};
+
+enum { SIDE, MS, LODS_MS, SPEEDUP, MS_GROWTH, LODS_MS_GROWTH, PAIRS, LODS_PAIRS, SAVED, PAIRS_GROWTH, SERVED, RENDERED,
+	SHARING, SHARING_GROWTH, WIDER, WIDER_SHARE, QUEUE_MIB, MAPS_MIB, LODS_QUEUE_MIB, LODS_MAPS_MIB, RMSE };
+
+#define SHARED_FIGURES \
+	[MS] = { "megaviews_ms", "MegaViews", TS_FIGURE_STAGE_TIME, M_MEGA, 0, 2, "map,fuse" }, \
+	[LODS_MS] = { "manylods_ms", "ManyLoDs", TS_FIGURE_STAGE_TIME, M_LODS, 0, 2, "map,fuse" }, \
+	[SPEEDUP] = { "speedup", "ManyLoDs / MegaViews", TS_FIGURE_RATIO, LODS_MS, MS, 2, "" }, \
+	[MS_GROWTH] = { "ms_exponent", "exponent", TS_FIGURE_GROWTH, MS, SIDE, 3, "" }, \
+	[LODS_MS_GROWTH] = { "manylods_ms_exponent", "ManyLoDs'", TS_FIGURE_GROWTH, LODS_MS, SIDE, 3, "" }, \
+	[PAIRS] = { "pairs", "pairs", TS_FIGURE_COUNTER, M_MEGA, 0, TS_WHOLE, "pairs" }, \
+	[LODS_PAIRS] = { "manylods_pairs", "ManyLoDs'", TS_FIGURE_COUNTER, M_LODS, 0, TS_WHOLE, "pairs" }, \
+	[SAVED] = { "pairs_ratio", "by ours", TS_FIGURE_RATIO, LODS_PAIRS, PAIRS, 2, "" }, \
+	[PAIRS_GROWTH] = { "pairs_exponent", "exponent", TS_FIGURE_GROWTH, PAIRS, SIDE, 3, "" }, \
+	[SERVED] = { "served", "views served", TS_FIGURE_COUNTER, M_MEGA, 0, TS_WHOLE, "views served" }, \
+	[RENDERED] = { "rendered", "rendered", TS_FIGURE_COUNTER, M_MEGA, 0, TS_WHOLE, "pairs rendered" }, \
+	[SHARING] = { "sharing", "views a pair", TS_FIGURE_RATIO, SERVED, RENDERED, 2, "" }, \
+	[SHARING_GROWTH] = { "sharing_exponent", "exponent", TS_FIGURE_GROWTH, SHARING, SIDE, 3, "" }, \
+	[WIDER] = { "wider", "wider than a texel", TS_FIGURE_COUNTER, M_MEGA, 0, TS_WHOLE, "pairs wider than a texel" }, \
+	[WIDER_SHARE] = { "wider_percent", "wider, %", TS_FIGURE_PERCENT, WIDER, RENDERED, 2, "" }, \
+	[QUEUE_MIB] = { "queue_mib", "queue, MiB", TS_FIGURE_MEMORY, M_MEGA, 8, 1, "longest queue" }, \
+	[MAPS_MIB] = { "maps_mib", "maps, MiB", TS_FIGURE_BUFFERS, M_MEGA, 0, 1, "map,fuse" }, \
+	[LODS_QUEUE_MIB] = { "manylods_queue_mib", "ManyLoDs' queue", TS_FIGURE_MEMORY, M_LODS, 8, 1, "longest queue" }, \
+	[LODS_MAPS_MIB] = { "manylods_maps_mib", "maps", TS_FIGURE_BUFFERS, M_LODS, 0, 1, "map,fuse" }, \
+	[RMSE] = { "rmse", "RMSE to ManyLoDs'", TS_FIGURE_RMSE, M_MEGA, M_LODS, 3, "" }
+
+static const ts_bench_figure side_figures[] = {
+	[SIDE] = { "side", "texels a side", TS_FIGURE_PARAM, 0, 0, TS_WHOLE, "view_px" }, SHARED_FIGURES, { 0 }
+};
+
+static const ts_paper_part side_parts[] = {
+	{ "mega_12", "MegaViews, figure 12: maps, ms; exponents of texels a side since the row above", { MS, LODS_MS, SPEEDUP,
+	  MS_GROWTH, LODS_MS_GROWTH, RMSE, TS_NO_FIGURE } },
+	{ "mega_12_pairs", "Pairs, and ManyLoDs'", { PAIRS, LODS_PAIRS, SAVED, PAIRS_GROWTH, SHARING, SHARING_GROWTH,
+	  WIDER_SHARE, TS_NO_FIGURE } },
+	{ "mega_12_mib", "Memory", { QUEUE_MIB, MAPS_MIB, LODS_QUEUE_MIB, LODS_MAPS_MIB, TS_NO_FIGURE } },
+	{ 0 }
+};
+
+static const ts_paper_relation side_relations[] = {
+	{ "time of MegaViews, quadruple for twice the side: exponent", MS_GROWTH, TS_BETWEEN, 1.7, 2.5, ALL,
+	  "more leaves are wider than a texel, or a busy machine", WIDER_SHARE },
+	{ "time of ManyLoDs, the same", LODS_MS_GROWTH, TS_BETWEEN, 1.7, 2.5, ALL,
+	  "more leaves are wider than a texel, or a busy machine", WIDER_SHARE },
+	{ "ManyLoDs / MegaViews", SPEEDUP, TS_AT_LEAST, 1, 0, ALL, "few views share", SHARING },
+	{ "views that share a pair become fewer: exponent", SHARING_GROWTH, TS_AT_MOST, 0, 0, ALL, "more share", SHARING },
+	{ 0 }
+};
+
+static const ts_paper_row none[] = { { 0 } };
+static const ts_paper_plot side_plot = { "texels a side", "maps, ms", SIDE, { MS, LODS_MS, TS_NO_FIGURE }, true };
+
+const ts_paper_table ts_mega_12 = {
+	.name = "mega-12", .title = "MegaViews, figure 12", .effect = "indirect", .scenes = "atrium",
+	.objects_head = "view_px", .objects_param = "view_px", .objects = "16,32,64", .set = "reflectors=0",
+	.defaults = "levels=7,vpls=1024,rsm_px=256", .size = "width=320,height=180", .timed = true,
+	.note = "The paper has a million views, and 11 levels.", .variants = splat_variants, .figures = side_figures,
+	.parts = side_parts, .relations = side_relations, .plot = &side_plot, .rows = none,
+};
+
+/* Figure 13. */
+static const ts_bench_variant variants[] = {
+	[M_MEGA] = { "megaviews", "", true, false },
+	[M_LODS] = { "manylods", "", true, false },
+	{ 0 }
+};
+
+static const ts_bench_figure level_figures[] = {
+	[SIDE] = { "leaves", "leaves", TS_FIGURE_COUNTER, M_MEGA, 0, TS_WHOLE, "scene leaves" }, SHARED_FIGURES, { 0 }
+};
+
+static const ts_paper_part level_parts[] = {
+	{ "mega_13", "MegaViews, figure 13: maps, ms; exponents of leaves of the scene since the row above", { SIDE, MS, LODS_MS,
+	  SPEEDUP, MS_GROWTH, LODS_MS_GROWTH, RMSE, TS_NO_FIGURE } },
+	{ "mega_13_pairs", "Pairs, and ManyLoDs'", { PAIRS, LODS_PAIRS, SAVED, PAIRS_GROWTH, SHARING, WIDER, WIDER_SHARE,
+	  TS_NO_FIGURE } },
+	{ 0 }
+};
+
+static const ts_paper_relation level_relations[] = {
+	{ "time grows with levels", MS, TS_GROWS, 1, 0, ALL, "differs: it falls", MS },
+	{ "time grows slower than leaves: exponent", MS_GROWTH, TS_AT_MOST, 0, 1, ALL, "a busy machine, or little shared",
+	  SHARING },
+	{ "pairs grow slower than leaves: exponent", PAIRS_GROWTH, TS_AT_MOST, 0, 1, ALL, "little shared", SHARING },
+	{ "rendered pairs wider than a texel, %, most by least", WIDER_SHARE, TS_STEADY, 0, 15, ALL,
+	  "differs: more than the paper's pairs", WIDER_SHARE },
+	{ 0 }
+};
+
+/* With 64K paths of four bounces. */
+static const ts_paper_row level_rows[] = {
+	{ "Sibenik", "atrium", "sibenik", 8, { [MS] = 7 } },
+	{ "Sibenik", "atrium", "sibenik", 11, { [MS] = 31 } },
+	{ 0 }
+};
+
+static const ts_paper_plot level_plot = { "leaves of the scene", "maps, ms", SIDE, { MS, LODS_MS, TS_NO_FIGURE }, true };
+
+const ts_paper_table ts_mega_13 = {
+	.name = "mega-13", .title = "MegaViews, figure 13", .effect = "indirect", .scenes = "atrium",
+	.objects_head = "levels", .objects_param = "levels", .objects = "5,6,7,8", .set = "reflectors=0",
+	.defaults = "vpls=256,vpl.bounces=4,rsm_px=256", .size = "width=320,height=180", .timed = true,
+	.note = "The paper has 65,536 views.", .variants = variants, .figures = level_figures,
+	.parts = level_parts, .relations = level_relations, .plot = &level_plot, .rows = level_rows,
+};
+
+/* Figure 16. Noise is that of a few lights a pixel, without the filter; all lights have none. */
+enum { M_CULLED, M_UNCULLED, M_EVERY };
+
+static const ts_bench_variant gather_variants[] = {
+	[M_CULLED] = { "megaviews", "filter_px=0", true, true },
+	[M_UNCULLED] = { "megaviews", "filter_px=0,gather_level=0", true, true },
+	[M_EVERY] = { "megaviews", "filter_px=0,gather_lights=0", true, true },
+	{ 0 }
+};
+
+enum { LISTED, STRUCK, LISTED_AND_STRUCK, STRUCK_SHARE, LISTS_MS, GATHER_MS, EVERY_MS, NOISE, UNCULLED_NOISE, NOISE_RATIO,
+	LEVEL };
+
+static const ts_bench_figure gather_figures[] = {
+	[LISTED] = { "listed", "left", TS_FIGURE_COUNTER, M_CULLED, 0, TS_WHOLE, "gather pairs" },
+	[STRUCK] = { "culled", "culled", TS_FIGURE_COUNTER, M_CULLED, 0, TS_WHOLE, "gather pairs culled" },
+	[LISTED_AND_STRUCK] = { "pairs", "pairs of nodes", TS_FIGURE_SUM, LISTED, STRUCK, TS_WHOLE, "" },
+	[STRUCK_SHARE] = { "culled_percent", "culled, %", TS_FIGURE_PERCENT, STRUCK, LISTED_AND_STRUCK, 2, "" },
+	[LISTS_MS] = { "lists_ms", "lists, ms", TS_FIGURE_STAGE_TIME, M_CULLED, 0, 2, "vpl_pairs" },
+	[GATHER_MS] = { "gather_ms", "gathering, ms", TS_FIGURE_STAGE_TIME, M_CULLED, 0, 2, "vpl_gather" },
+	[EVERY_MS] = { "every_ms", "of all, ms", TS_FIGURE_STAGE_TIME, M_EVERY, 0, 2, "vpl_gather" },
+	[NOISE] = { "noise", "RMSE", TS_FIGURE_RMSE, M_CULLED, M_EVERY, 3, "" },
+	[UNCULLED_NOISE] = { "unculled_noise", "not culled", TS_FIGURE_RMSE, M_UNCULLED, M_EVERY, 3, "" },
+	[NOISE_RATIO] = { "noise_ratio", "by that", TS_FIGURE_RATIO, NOISE, UNCULLED_NOISE, 3, "" },
+	[LEVEL] = { "level", "level", TS_FIGURE_PARAM, 0, 0, TS_WHOLE, "gather_level" },
+	{ 0 }
+};
+
+static const ts_paper_part gather_parts[] = {
+	{ "mega_16", "MegaViews, figure 16: nodes of views culled; RMSE to all lights, grey levels", { LISTED_AND_STRUCK, STRUCK,
+	  STRUCK_SHARE, LISTS_MS, GATHER_MS, EVERY_MS, NOISE, UNCULLED_NOISE, NOISE_RATIO, TS_NO_FIGURE } },
+	{ 0 }
+};
+
+static const ts_paper_relation gather_relations[] = {
+	{ "nodes of views culled at level 6, %", STRUCK_SHARE, TS_AT_LEAST, 94, 0, LEVEL, 6, 6,
+	  "none are cut off by distance, and few are behind", STRUCK_SHARE },
+	{ "they are more from level to level", STRUCK_SHARE, TS_GROWS, 1, 0, ALL, "differs: fewer", STRUCK_SHARE },
+	{ "noise by that without culling", NOISE_RATIO, TS_AT_MOST, 0, 1, ALL, "few views are culled", STRUCK_SHARE },
+	{ 0 }
+};
+
+static const ts_paper_row gather_rows[] = {
+	{ "Sponza", "atrium", "sponza", 6, { [STRUCK_SHARE] = 94 } },
+	{ 0 }
+};
+
+static const ts_paper_plot gather_plot = { "level", "RMSE, grey levels", LEVEL, { NOISE, UNCULLED_NOISE, TS_NO_FIGURE },
+	true };
+
+const ts_paper_table ts_mega_16 = {
+	.name = "mega-16", .title = "MegaViews, figure 16", .effect = "indirect", .scenes = "atrium",
+	.objects_head = "gather_level", .objects_param = "gather_level", .objects = "2,3,4,5,6", .set = "reflectors=0",
+	.defaults = "levels=7,vpls=1024,rsm_px=256", .size = "width=160,height=90",
+	.note = "The paper has a million views, 11 levels, and a cut-off: --set cutoff=DISTANCE, beyond which light is lost.",
+	.variants = gather_variants, .figures = gather_figures, .parts = gather_parts, .relations = gather_relations,
+	.plot = &gather_plot, .rows = gather_rows,
+};
