@@ -243,4 +243,112 @@ PY
 verdict $? 'bench ssagh-5: the closed form beside quadrature, and plots'
 refuses 'takes no --size' bench ssagh-7 --size 64x64
 
+# Counts are those of the renders that the table is of, and empty texels those of a trace.
+room=scenes/room.gltf
+maps=(--set levels=4 --set rsm_px=64 --set gather_level=2 --size 48x27)
+run bench mega-10 --scene "$room" --objects 64,256 "${maps[@]}" --runs 1 -o "$scratch/mega-10"
+[ "$status" -eq 0 ] && awk 'length > 120 || / $/ { exit 1 }' "$scratch/stdout"
+verdict $? 'bench mega-10 fits 120 columns'
+run render indirect "$room" --method megaviews,manylods --set vpls=256 "${maps[@]}" --no-images --json
+cp "$scratch/stdout" "$scratch/mega-render"
+run render indirect "$room" --method megaviews --set vpls=256 "${maps[@]}" --no-images --trace \
+	--trace-only view_octree,fuse -o "$scratch/mega-trace"
+python3 - "$scratch/mega-10/report.json" "$scratch/mega-render" "$scratch/mega-trace/trace-megaviews" <<'PY'
+import glob, json, math, struct, sys
+report, render = (json.load(open(path)) for path in sys.argv[1:3])
+names = ("mega_10", "mega_10_pairs", "mega_10_fates", "mega_10_sharing", "mega_10_mib", "mega_10_manylods_mib")
+rows = [{k: v for name in names for k, v in report[name][i].items()} for i in (0, 1)]
+lods = [report["mega_10_manylods_mib"][i] for i in (0, 1)]
+ours = [report["mega_10_mib"][i] for i in (0, 1)]
+few, many = rows
+def near(a, b):
+	assert abs(a - b) <= 1e-6 * abs(b), (a, b)
+for method, columns in (("megaviews", {"pairs": "pairs", "pairs culled": "culled", "pairs rendered": "rendered",
+                         "views served": "served", "pairs wider than a texel": "wider", "view leaves": "leaves",
+                         "scene leaves": "scene_leaves"}), ("manylods", {"pairs": "manylods_pairs"})):
+	counted = {c["counter"]: c[method] for c in render["counters"]}
+	assert all(counted[name] == many[key] > 0 for name, key in columns.items()), (counted, many)
+	sizes = {b["buffer"]: b[method] for b in render["bytes"]}
+	mib = ours[1]["maps_mib"] if method == "megaviews" else lods[1]["manylods_maps_mib"]
+	near(mib, (sizes["map.depth_node"] + sizes["fuse.depth"]) / 2 ** 20)
+	near(ours[1]["scene_mib"], sum(n for b, n in sizes.items() if b.split(".")[0] in ("voxel", "octree")) / 2 ** 20)
+for r, m, l in zip(rows, ours, lods):
+	near(r["speedup"], r["manylods_ms"] / r["megaviews_ms"])
+	near(r["pairs_a_view"], r["pairs"] / r["views"])
+	near(r["sharing"], r["served"] / r["rendered"])
+	near(r["culled_percent"], 100 * r["culled"] / r["pairs"])
+	near(r["pairs_culling_percent"], 100 * (1 - r["pairs"] / r["unculled_pairs"]))
+	near(r["wider_percent"], 100 * r["wider"] / r["rendered"])
+	near(m["mib"], m["scene_mib"] + m["views_mib"] + m["queue_mib"] + m["maps_mib"])
+	near(l["mib_ratio"], l["manylods_mib"] / m["mib"])
+	near(l["manylods_maps_mib"], r["views"] * 2 * 16 * 16 * 12 / 2 ** 20)
+	assert 21 < r["unculled_empty_percent"] < r["empty_percent"] < 100 and r["sharing"] > 1
+assert (few["views"], many["views"]) == (64, 256) and few["pairs_exponent"] is None
+near(many["pairs_exponent"], math.log(many["pairs"] / few["pairs"]) / math.log(4))
+near(many["ms_exponent"], math.log(many["megaviews_ms"] / few["megaviews_ms"]) / math.log(4))
+def data(name):
+	raw = open(glob.glob(f"{sys.argv[3]}/*-{name}.npy")[0], "rb").read()
+	return raw[10 + struct.unpack_from("<H", raw, 8)[0]:]
+nodes, depths, empty, leaves = data("view_octree.node"), memoryview(data("fuse.depth")).cast("I"), 0, 0
+for i in range(len(nodes) // 32):
+	if struct.unpack_from("<I", nodes, 32 * i + 20)[0] == 0:
+		leaves += 1
+		empty += sum(d == 0xffffffff for d in depths[512 * i:512 * i + 512])
+assert leaves == many["leaves"]
+near(many["empty_percent"], 100 * empty / (512 * leaves))
+judged = {(r["relation"], r["paths"]): r["verdict"] for r in report["relations"]}
+assert all(v == "holds" or v.startswith("differs: ") for v in judged.values())
+grows = judged["pairs grow slower than views: exponent", 256] == "holds"
+assert grows == (many["pairs_exponent"] <= 1) and len(judged) == 14
+PY
+verdict $? 'bench mega-10: pairs, memory, exponents and empty texels, counted again'
+python3 - "$scratch/mega-10" <<'PY'
+import csv, sys, xml.etree.ElementTree as xml
+rows = list(csv.DictReader(open(sys.argv[1] + "/mega_10.csv")))
+svg = xml.parse(sys.argv[1] + "/mega_10_1.svg").getroot()
+tag = "{http://www.w3.org/2000/svg}"
+texts = [t.text for t in svg.iter(tag + "text")]
+dots = [(float(c.get("cx")), float(c.get("cy"))) for c in svg.iter(tag + "circle")]
+assert {"MegaViews", "ManyLoDs", "views", "maps, ms"} <= set(texts)
+assert len(list(svg.iter(tag + "polyline"))) == 2 and len(dots) == 4 == 2 * len(rows)
+assert all(70 <= x <= 770 and 50 <= y <= 500 for x, y in dots) and dots[0][0] < dots[1][0]
+ms = [float(r[k]) for k in ("megaviews_ms", "manylods_ms") for r in rows]
+assert sorted(range(4), key=lambda i: ms[i]) == sorted(range(4), key=lambda i: -dots[i][1])
+PY
+verdict $? 'bench mega-10: CSV, and a plot of a curve a method'
+
+run bench mega-12 --scene "$room" --objects 8,16 --set vpls=64 "${maps[@]}" --runs 1 --json
+cp "$scratch/stdout" "$scratch/mega-12"
+run bench mega-13 --scene "$room" --objects 3,4 --set vpls=64 "${maps[@]}" --runs 1 --json
+cp "$scratch/stdout" "$scratch/mega-13"
+run bench mega-16 --scene "$room" --objects 1,4 --set vpls=64 --set levels=4 --set rsm_px=64 --size 48x27 \
+	-o "$scratch/mega-16"
+python3 - "$scratch/mega-12" "$scratch/mega-13" "$scratch/mega-16/report.json" <<'PY'
+import json, math, sys
+sides, levels, gather = (json.load(open(path)) for path in sys.argv[1:])
+def near(a, b):
+	assert abs(a - b) <= 1e-6 * abs(b), (a, b)
+def here(report, name):
+	return [r for r in report[name] if r["source"] == "here"]
+a, b = here(sides, "mega_12_pairs")
+near(b["pairs_exponent"], math.log2(b["pairs"] / a["pairs"]))
+near(b["sharing_exponent"], math.log2(b["sharing"] / a["sharing"]))
+a, b = here(sides, "mega_12_mib")
+near(b["manylods_maps_mib"], 64 * 2 * (12 * 16 * 16 + 8 * (64 + 16 + 4 + 1)) / 2 ** 20)
+a, b = (dict(x, **y) for x, y in zip(here(levels, "mega_13"), here(levels, "mega_13_pairs")))
+assert (a["levels"], b["levels"]) == (3, 4) and 0 < a["leaves"] < b["leaves"]
+near(b["pairs_exponent"], math.log(b["pairs"] / a["pairs"]) / math.log(b["leaves"] / a["leaves"]))
+near(b["ms_exponent"], math.log(b["megaviews_ms"] / a["megaviews_ms"]) / math.log(b["leaves"] / a["leaves"]))
+a, b = here(gather, "mega_16")
+assert b["pairs"] > b["culled"] > 0 == a["culled"] and a["noise"] > 0
+near(b["culled_percent"], 100 * b["culled"] / b["pairs"])
+near(b["noise_ratio"], b["noise"] / b["unculled_noise"])
+assert a["unculled_noise"] == b["unculled_noise"] and b["noise"] != b["unculled_noise"]
+for report in (sides, levels, gather):
+	assert all(r["verdict"] == "holds" or r["verdict"].startswith("differs: ") for r in report["relations"])
+PY
+verdict $? 'bench mega-12, mega-13 and mega-16: exponents, maps and culled pairs, counted again'
+refuses 'mega-10: takes no --truth' bench mega-10 --truth=vpls
+refuses '16777216' bench mega-10 --objects 16777217
+
 finish
