@@ -18,6 +18,7 @@
 #include "../kernels/mirror.h"
 #include "../kernels/octree.h"
 #include "../kernels/octree_surface.h"
+#include "../kernels/particle.h"
 #include "../kernels/pcss.h"
 #include "../kernels/pixel.h"
 #include "../kernels/resize.h"

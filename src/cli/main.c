@@ -13,8 +13,8 @@ const ts_backend_kind *const ts_backend_kinds[] = { &ts_c_kind, &ts_opencl_kind,
 const ts_command ts_command_table[] = {
 	{ "render", "EFFECT [SCENE]", "render an effect by one or more methods, and judge them by ground truth",
 	  "EFFECT: reflections; soft-shadows, of a lamp or the scene's lights; omni-shadows, of a ball of light in the middle;\n"
-	  "indirect, the light of a lamp or the scene's lights after one bounce.\n"
-	  "Shadows and indirect light are shown without mirrors unless --reflectors says how many.\n"
+	  "indirect, the light of a lamp or the scene's lights after one bounce; particles, the light of many in the air.\n"
+	  "Shadows, indirect light and particles are shown without mirrors unless --reflectors says how many.\n"
 	  "SCENE: atrium (the default), gallery or dining, each also with \":triangles=COUNT\"; or a .gltf or .glb file.\n"
 	  "Writes METHOD.png and .exr, truth-NAME.png, differences, pictures of the stages, traces and report.json to DIR,\n"
 	  "and prints times, counters, memory and metrics.\n"

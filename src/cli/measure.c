@@ -185,10 +185,12 @@ ts_status ts_measure_estimate(u64 *bytes, const ts_pipeline *const *methods, u32
 	if (*bytes > limit) {
 		bool mirrors = strcmp(methods[0]->effect, "reflections") == 0;
 		bool indirect = strcmp(methods[0]->effect, "indirect") == 0;
+		bool particles = strcmp(methods[0]->effect, "particles") == 0;
 		return ts_fail("%s: needs about %.1f GB of memory and may use %.1f GB of this machine's %.1f GB; choose a smaller "
 		               "--size, %s%s", scene->name, (double)*bytes / 1e9, (double)limit / 1e9,
 		               (double)ts_memory_total() / 1e9,
-		               mirrors ? "fewer --reflectors" : indirect ? "grid_px or rsm_px" : "map_px or pass",
+		               mirrors ? "fewer --reflectors" : indirect ? "grid_px or rsm_px" : particles ? "levels or particles"
+		                                                                               : "map_px or pass",
 		               (truths & TS_TRUTH_C) != 0 ? ", or no truth C" : "");
 	}
 	return TS_OK;

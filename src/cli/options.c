@@ -15,7 +15,8 @@ const ts_option ts_option_table[] = {
 	{ TS_OPT_TRUTH, "truth", "[=NAME,...]", "ground truth to judge by. Of reflections: A rays from the cube's centre, B\n"
 	  "true reflections, C MVR at 4 times the resolution. Of shadows: samples, rays to the very\n"
 	  "samples of the lights, area, rays to as good as the whole lights. Of indirect: lights, the\n"
-	  "triangles of light as far as they are seen, bounce, paths. Without names each; \"none\".\n"
+	  "triangles of light as far as they are seen, bounce, paths. Of particles: glow, rays to each\n"
+	  "of them. Without names each; \"none\".\n"
 	  "Also rays through every off-screen texel: holes, leaks, wrong depths", "" },
 	{ TS_OPT_SIZE, "size", "WxH", "size of the eye image in pixels", "" },
 	{ TS_OPT_FRAME, "frame", "K", "frame of the animation", "" },

@@ -125,6 +125,7 @@ static const traced traced_truths[] = {
 	  { { TS_AT_SAMPLES, ts_truth_samples }, { TS_AT_AREA, ts_truth_area } } },
 	{ "indirect", ts_truth_indirect_begin, "indirect_image",
 	  { { TS_AT_LIGHTS, ts_truth_lights }, { TS_AT_BOUNCE, ts_truth_bounce }, { TS_AT_VPLS, ts_truth_vpls } } },
+	{ "particles", ts_truth_particles_begin, "indirect_image", { { TS_AT_GLOW, ts_truth_glow } } },
 };
 
 static const traced *traced_of(const char *effect)

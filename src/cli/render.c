@@ -91,8 +91,7 @@ static ts_status run_all(ts_render *render)
 		status = ts_measure_run(&unseen, ts_pipeline_find(render->effect, "epr"), render->scene, &cli->params,
 		                        &cli->how, take_truths, render);
 	}
-	const u32 traced = TS_TRUTH_SAMPLES | TS_TRUTH_AREA | TS_TRUTH_LIGHTS | TS_TRUTH_BOUNCE | TS_TRUTH_VPLS;
-	if (status == TS_OK && wants(render, traced)) {
+	if (status == TS_OK && wants(render, ~(u32)(TS_TRUTH_A | TS_TRUTH_B | TS_TRUTH_C))) {
 		status = ts_picture_truth_traced(render->truths, cli->truths, render->effect, render->scene, &cli->params,
 		                                 cli->how.threads);
 	}

@@ -14,6 +14,7 @@ const ts_truth_kind ts_truth_kinds[TS_N_TRUTHS] = {
 	[TS_AT_LIGHTS] = { "lights", "truth-lights", "the method's triangles of light, where they are seen", "", "indirect" },
 	[TS_AT_BOUNCE] = { "bounce", "truth-bounce", "light after one bounce, path by path", "", "indirect" },
 	[TS_AT_VPLS] = { "vpls", "truth-vpls", "all virtual point lights, where they are seen", "method", "indirect" },
+	[TS_AT_GLOW] = { "glow", "truth-glow", "all particles, where they are seen", "method", "particles" },
 };
 
 static bool is_of(const ts_truth_kind *kind, const char *effect) { return strstr(effect, kind->of) != NULL; }
@@ -36,11 +37,18 @@ ts_status ts_truths_parse(u32 *truths, const char *text)
 		u32 bit = find(item);
 		if (bit == 0) {
 			return ts_fail("--truth %s: \"%s\" is no truth; there are A, B and C of reflections, samples and area of "
-			               "shadows, lights, bounce and vpls of indirect, or none", text, item);
+			               "shadows, lights, bounce and vpls of indirect, glow of particles, or none", text, item);
 		}
 		*truths |= bit;
 	}
 	return TS_OK;
+}
+
+static const char *names_of(const char *effect)
+{
+	if (strcmp(effect, "particles") == 0) return "is glow";
+	if (strcmp(effect, "indirect") == 0) return "are lights, bounce and vpls";
+	return strcmp(effect, "reflections") == 0 ? "are A, B and C" : "are samples and area";
 }
 
 ts_status ts_truths_check(u32 *truths, const char *effect)
@@ -50,9 +58,7 @@ ts_status ts_truths_check(u32 *truths, const char *effect)
 		const ts_truth_kind *kind = &ts_truth_kinds[i];
 		if ((*truths & 1u << i) == 0 || is_of(kind, effect)) continue;
 		if (!each) {
-			const char *there = strcmp(effect, "indirect") == 0    ? "lights, bounce and vpls"
-			                    : strcmp(effect, "reflections") == 0 ? "A, B and C" : "samples and area";
-			return ts_fail("--truth %s: no truth of %s; there are %s, or none", kind->name, effect, there);
+			return ts_fail("--truth %s: no truth of %s; there %s, or none", kind->name, effect, names_of(effect));
 		}
 		*truths &= ~(1u << i);
 	}

@@ -1,7 +1,8 @@
 /* Light that pixels gather from virtual point lights (MegaViews section 5.1; SPEC 4.9): of the views in the list of the
  * pixel's node so many at random, with repetition, or each. A light is a small Lambertian patch, E = flux / pi cos cos /
- * d^2, whose d is bounded from below, which keeps a near light from being a bright spot. Its own leaf's map, moved to where
- * it is itself, tells what is in its shadow. */
+ * d^2, whose d is bounded from below, which keeps a near light from being a bright spot; or without a direction sends the
+ * same to all sides, E = flux / (4 pi) cos / d^2. Its own leaf's map, moved to where it is itself, tells what is in its
+ * shadow. */
 #ifndef TS_KERNELS_VPL_GATHER_H
 #define TS_KERNELS_VPL_GATHER_H
 #include "fuse.h"
@@ -104,11 +105,18 @@ TS_FN bool ts_k_vpl_reaches(const ts_vpl_gather_args *args, u32 view, ts_v3 way,
 	return ts_length(way) <= depth + ts_k_vpl_slack(args, way, n);
 }
 
-/* Cosine at the light by cosine at the place by 1 / (pi max(d, near)^2). */
+/* How much of its flux a light sends where it sends it, by pi: the cosine, or without a direction a quarter. */
+TS_FN f32 ts_k_vpl_leaves(ts_v3 direction, ts_v3 from)
+{
+	bool all = from.x == 0.0f && from.y == 0.0f && from.z == 0.0f;
+	return all ? 0.25f : ts_dot(direction, from);
+}
+
+/* That by the cosine at the place by 1 / (pi max(d, near)^2). */
 TS_FN f32 ts_k_vpl_form(ts_v3 way, ts_v3 from, ts_v3 n, f32 near)
 {
 	ts_v3 direction = ts_normalize(way);
-	f32 leaves = ts_dot(direction, from);
+	f32 leaves = ts_k_vpl_leaves(direction, from);
 	f32 arrives = -ts_dot(direction, n);
 	if (!(leaves > 0.0f) || !(arrives > 0.0f)) return 0.0f;
 	f32 least = near * near;

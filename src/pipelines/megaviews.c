@@ -80,14 +80,10 @@ static u64 least(u64 a, u64 b) { return a < b ? a : b; }
 /* Surfaces fill as many voxels of a level as some faces of the root, and nodes above them are a third as many. */
 static u64 expected_nodes(u32 level) { return least((u64)LEAVES_A_FACE << 2 * level, 1ull << 3 * level); }
 
-static void expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params, bool alone)
+void ts_expect_views(ts_sizes *sizes, const ts_scene *scene, const ts_params *params, u64 n_lights, bool alone)
 {
-	ts_hulls_expect(sizes, scene, params);
-	u32 n_dims, levels = params->levels, level = alone ? 0 : (u32)least(params->gather_level, levels);
-	u64 texels[TS_MAX_DIMS], leaves = expected_nodes(levels);
-	if (!ts_shape_dims("C", sizes, &n_dims, texels)) texels[0] = 0;
-	u64 n_paths = params->vpls != 0 ? params->vpls : texels[0], n_lights = n_paths * params->vpl_bounces;
-	u64 view_leaves = alone ? n_lights : least(n_lights, leaves);
+	u32 levels = params->levels, level = ts_gather_level_of(params, alone);
+	u64 leaves = expected_nodes(levels), view_leaves = alone ? n_lights : least(n_lights, leaves);
 	u64 lists = expected_nodes(level), n_pairs = lists * (alone ? n_lights : least(view_leaves, lists));
 	ts_pyramid pyramid = ts_view_pyramid(params);
 	ts_sizes_set(sizes, "l", levels + 1);
@@ -95,7 +91,6 @@ static void expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *para
 	ts_sizes_set(sizes, "D", leaves + leaves / 3);
 	ts_sizes_set(sizes, "D1", leaves);
 	ts_sizes_set(sizes, "F", scene->n_triangles + 2 * leaves);
-	ts_sizes_set(sizes, "J1", n_paths);
 	ts_sizes_set(sizes, "J", n_lights);
 	ts_sizes_set(sizes, "E", alone ? n_lights : 2 * view_leaves);
 	ts_sizes_set(sizes, "E1", view_leaves);
@@ -104,6 +99,17 @@ static void expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *para
 	ts_sizes_set(sizes, "p", n_lights * PAIRS_A_VIEW);
 	ts_sizes_set(sizes, "D2", lists);
 	ts_sizes_set(sizes, "p2", n_pairs);
+}
+
+static void expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params, bool alone)
+{
+	u32 n_dims;
+	u64 texels[TS_MAX_DIMS];
+	ts_hulls_expect(sizes, scene, params);
+	if (!ts_shape_dims("C", sizes, &n_dims, texels)) texels[0] = 0;
+	u64 n_paths = params->vpls != 0 ? params->vpls : texels[0];
+	ts_sizes_set(sizes, "J1", n_paths);
+	ts_expect_views(sizes, scene, params, n_paths * params->vpl_bounces, alone);
 }
 
 void ts_megaviews_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params)

@@ -68,6 +68,7 @@ ts_status ts_stage_voxel(ts_run *run);
 ts_status ts_stage_octree(ts_run *run);
 ts_status ts_stage_octree_surface(ts_run *run);
 ts_status ts_stage_vpl(ts_run *run);
+ts_status ts_stage_particle(ts_run *run);
 ts_status ts_stage_view_voxel(ts_run *run);
 ts_status ts_stage_view_octree(ts_run *run);
 ts_status ts_stage_view_cone(ts_run *run);
@@ -106,8 +107,10 @@ ts_choice_args ts_choice_arguments(const ts_run *run);
 /* view_px must be a power of two; the levels of a view's map (map.c). */
 ts_status ts_view_px_check(const ts_params *params);
 ts_pyramid ts_view_pyramid(const ts_params *params);
-/* The level of the lists of vpl_pairs: gather_level, at most levels; 0 where views have no hierarchy (vpl_gather.c). */
+/* The level of the lists of vpl_pairs (vpl_gather.c): gather_level, at most levels; 0 where views have no hierarchy, alone,
+ * or nothing is culled. */
 u32 ts_gather_level(const ts_run *run);
+u32 ts_gather_level_of(const ts_params *params, bool alone);
 /* Arguments of the kernels that make points, without their output. */
 ts_points_args ts_points_arguments(const ts_run *run);
 /* Arguments of the kernels that ask depth maps, without their output. */

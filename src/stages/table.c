@@ -183,6 +183,8 @@ const ts_stage ts_stage_table[] = {
 	  TS_B_octree_triangle, END},
 	 {TS_B_vpl_offset, TS_B_vpl_path, TS_B_vpl_light, END}, ts_stage_vpl, "MegaViews 4.1",
 	 "virtual point lights where paths from the lamps end and are reflected, each of them a view"},
+	{"particle", "map", {TS_B_scene_info, END}, {TS_B_vpl_light, END}, ts_stage_particle, "MegaViews 5.2",
+	 "glowing particles, each of them a virtual point light to all sides and a view"},
 	{"view_voxel", "scatter", {TS_B_root_cube, TS_B_vpl_light, END}, {TS_B_view_voxel_mask, TS_B_view_voxel_before, END},
 	 ts_stage_view_voxel, "MegaViews 3.1", "voxels that views are in, and those above them"},
 	{"view_octree", "emit",

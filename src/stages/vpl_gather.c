@@ -2,11 +2,17 @@
 #include "octree.h"
 #include "traverse.h"
 
+u32 ts_gather_level_of(const ts_params *params, bool alone)
+{
+	bool culls = params->view_field == TS_VIEW_FIELD_HALF || params->cutoff > 0;
+	u32 level = params->gather_level < params->levels ? params->gather_level : params->levels;
+	return alone || !culls ? 0 : level;
+}
+
 u32 ts_gather_level(const ts_run *run)
 {
 	bool alone = ts_octree_first(run, &ts_view_octree, 1) == ts_frame_n(&run->frame, TS_B_view_octree_node);
-	u32 level = run->params.gather_level < run->params.levels ? run->params.gather_level : run->params.levels;
-	return alone ? 0 : level;
+	return ts_gather_level_of(&run->params, alone);
 }
 
 /* A traversal for lists of that level. */

@@ -1,7 +1,7 @@
 /* Truths of indirect light by rays (SPEC 3.10 and 4.12), which tell the errors of a method apart. `lights` gathers from the
  * very triangles of light that the methods have, as `direct` does, but only from those whose middle the pixel sees. `bounce`
- * has no triangles of light: its rays leave the pixel as the cosine wants them, and bring what the lights themselves send
- * to where they end. `vpls` gathers from all virtual point lights of MegaViews.
+ * has no triangles of light: its rays leave the pixel as the cosine wants them, and bring what the lights themselves send to
+ * where they end. `vpls` gathers from all virtual point lights of MegaViews, `glow` from all its particles.
  *
  * Rays begin and end 2^-12 of the greatest coordinate off their surfaces. The rays of `bounce` are the seeds of a sunflower
  * (Vogel 1979) in the pixel's tangent disc, lifted to the hemisphere (Malley), at a random turn a pixel. */
@@ -127,6 +127,15 @@ static void light_pixel(const tracer *t, u64 i, gather *light)
 static f32 extent(const ts_info *info) { return ts_length(ts_sub(ts_load3(info->box_max), ts_load3(info->box_min))); }
 
 /* What only some truths have. */
+static void take_lamps(tracer *t, const ts_run *run)
+{
+	if (!run->frame.buffer[TS_B_rsm_patch].made) return;
+	t->patches = ts_frame_data(&run->frame, TS_B_rsm_patch);
+	t->n_patches = ts_frame_n(&run->frame, TS_B_rsm_patch);
+	t->lamps = ts_frame_data(&run->frame, TS_B_lamp_light);
+	t->n_lamps = (u32)ts_frame_n(&run->frame, TS_B_lamp_light);
+}
+
 static void take_vpls(tracer *t, const ts_run *run)
 {
 	if (!run->frame.buffer[TS_B_vpl_light].made) return;
@@ -146,16 +155,13 @@ static ts_status trace(const ts_truth *truth, ts_run *run, gather *light, const 
 		.scene = ts_truth_scene(truth),
 		.pixels = ts_frame_data(&run->frame, TS_B_gbuffer_pixel),
 		.n_pixels = width * height,
-		.patches = ts_frame_data(&run->frame, TS_B_rsm_patch),
-		.n_patches = ts_frame_n(&run->frame, TS_B_rsm_patch),
-		.lamps = ts_frame_data(&run->frame, TS_B_lamp_light),
-		.n_lamps = (u32)ts_frame_n(&run->frame, TS_B_lamp_light),
 		.beyond = 2.0f * extent(ts_run_info(run)),
 		.n_rays = run->params.bounce_rays,
 		.irradiance = ts_frame_make3(&run->frame, TS_B_indirect_irradiance, height, width, 3),
 		.n_threads = (int)run->c.threads,
 	};
 	if (t.irradiance == NULL) return TS_ERROR;
+	take_lamps(&t, run);
 	take_vpls(&t, run);
 	for (u64 first = 0; first < t.n_pixels; first += CHUNK) {
 		u64 end = first + CHUNK < t.n_pixels ? first + CHUNK : t.n_pixels;
@@ -167,16 +173,30 @@ static ts_status trace(const ts_truth *truth, ts_run *run, gather *light, const 
 	return TS_OK;
 }
 
-ts_status ts_truth_indirect_begin(ts_run *run, const char *effect)
+/* The steps of a method before a stage, in a run that has just begun. */
+static ts_status begin(ts_run *run, const char *effect, const char *method, const char *stage)
 {
-	const ts_pipeline *direct = ts_pipeline_find(effect, "direct");
-	if (direct == NULL) return ts_fail("truth of %s: there is no method direct for it", effect);
-	direct->prepare(run);
-	for (const ts_step *step = direct->steps; strcmp(step->stage, "direct") != 0; step++) {
+	const ts_pipeline *pipeline = ts_pipeline_find(effect, method);
+	if (pipeline == NULL) return ts_fail("truth of %s: there is no method %s for it", effect, method);
+	pipeline->prepare(run);
+	for (const ts_step *step = pipeline->steps; strcmp(step->stage, stage) != 0; step++) {
 		if (!step->only_margins && ts_run_stage(run, ts_stage_find(step->stage)) != TS_OK) return TS_ERROR;
 	}
 	return TS_OK;
 }
+
+/* From lights that stages make, in order; ended by NULL. */
+static ts_status trace_views(ts_truth *truth, ts_run *run, const char *const *makers, const char *label)
+{
+	for (; *makers != NULL; makers++) {
+		if (ts_run_stage(run, ts_stage_find(*makers)) != TS_OK) return TS_ERROR;
+	}
+	return trace(truth, run, from_vpls, label);
+}
+
+ts_status ts_truth_indirect_begin(ts_run *run, const char *effect) { return begin(run, effect, "direct", "direct"); }
+
+ts_status ts_truth_particles_begin(ts_run *run, const char *effect) { return begin(run, effect, "megaviews", "root"); }
 
 ts_status ts_truth_lights(ts_truth *truth, ts_run *run) { return trace(truth, run, from_lights, "truth lights"); }
 
@@ -184,9 +204,12 @@ ts_status ts_truth_bounce(ts_truth *truth, ts_run *run) { return trace(truth, ru
 
 ts_status ts_truth_vpls(ts_truth *truth, ts_run *run)
 {
-	static const char *const makers[] = {"root", "voxel", "octree", "vpl"};
-	for (u32 k = 0; k < sizeof makers / sizeof *makers; k++) {
-		if (ts_run_stage(run, ts_stage_find(makers[k])) != TS_OK) return TS_ERROR;
-	}
-	return trace(truth, run, from_vpls, "truth vpls");
+	static const char *const makers[] = {"root", "voxel", "octree", "vpl", NULL};
+	return trace_views(truth, run, makers, "truth vpls");
+}
+
+ts_status ts_truth_glow(ts_truth *truth, ts_run *run)
+{
+	static const char *const makers[] = {"root", "particle", NULL};
+	return trace_views(truth, run, makers, "truth glow");
 }

@@ -58,6 +58,12 @@ ts_status ts_truth_bounce(ts_truth *truth, ts_run *run);
  * gbuffer.pixel and rsm_patch.light; makes the same. */
 ts_status ts_truth_vpls(ts_truth *truth, ts_run *run);
 
+/* Truth of glowing particles: the same of all params.particles. Runs what comes before the particles of `effect`, in a run
+ * that has just begun. */
+ts_status ts_truth_particles_begin(ts_run *run, const char *effect);
+/* Reads gbuffer.pixel; makes the same. */
+ts_status ts_truth_glow(ts_truth *truth, ts_run *run);
+
 /* Truth of off-screen buffers (texels.c): a ray through the centre of every texel. */
 typedef struct {
 	u64 covered; /* texels whose ray hits a triangle that the view may show and that has no alpha mask */
