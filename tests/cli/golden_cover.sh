@@ -22,7 +22,8 @@ methods = [(m["effect"], m["name"]) for m in table["methods"]]
 of = lambda *methods: [case for case in cases.values() if (case["effect"], case["method"]) in methods]
 # Who must take every choice of a parameter, if not EPR's reflections.
 views = [("reflections", "ivir"), ("soft-shadows", "ivir"), ("omni-shadows", "ivir")]
-soft, omni, indirect = ([m for m in methods if m[0] == effect] for effect in ("soft-shadows", "omni-shadows", "indirect"))
+soft, omni, indirect, particles = ([m for m in methods if m[0] == effect]
+                                   for effect in ("soft-shadows", "omni-shadows", "indirect", "particles"))
 hulls = [("indirect", "hulls")]
 megaviews = [("indirect", "megaviews"), ("indirect", "manylods")]
 takers = {"rate": views, "buffered": views, "snap": views, "lamp": soft[:1], "lamp.radius": soft, "lamp.fov": soft,
@@ -34,6 +35,7 @@ takers = {"rate": views, "buffered": views, "snap": views, "lamp": soft[:1], "la
           **{p: megaviews for p in ("levels", "vpls", "vpl.bounces", "view_px", "view_field", "touching", "multipixel", "fusion",
                                     "queue_mb", "gather_level", "cutoff", "gather_lights", "light_near", "light_bias", "shadows",
                                     "filter_px")},
+          "particles": particles, "glow": particles,
           "conservative": views + [("reflections", "epr"), ("reflections", "vir")],
           **{p: [("reflections", "mvr")] for p in ("mvr.faces", "mvr.filter")}}
 steps_of = {(m["effect"], m["name"]): [s for s in m["stages"].split() if not s.endswith("_margin")]
@@ -58,7 +60,7 @@ elif what == "stages":
 		missing += [f"{'/'.join(m)}: {s}" for s in steps if not writes[s] or not set(writes[s]) <= made]
 elif what == "scenes":
 	reflections = [m for m in methods if m[0] == "reflections" and m[1] in ("epr", "mvr")]
-	groups = [[m] for m in reflections] + [views[:1], soft, omni, indirect]
+	groups = [[m] for m in reflections] + [views[:1], soft, omni, indirect, particles]
 	missing = [f"{s['name']} by {group[0]}" for group in groups for s in table["scenes"]
 	           if s["name"] not in {case["scene"].split(":")[0] for case in of(*group)}]
 print("".join(f"# missing: {text}\n" for text in missing), end="")
