@@ -246,6 +246,8 @@ static const struct { const char *effect, *method; u32 reflectors; const char *s
 	{"indirect", "megaviews", 0, {{"vpls", "90"}, {"queue_mb", "1"}, {"filter_px", "3"}}},
 	{"indirect", "megaviews", 2, {{"gather_lights", "0"}, {"cutoff", "5"}, {"multipixel", "on"}}},
 	{"indirect", "manylods", 0, {{"vpls", "90"}, {"fusion", "paper"}, {"shadows", "off"}}},
+	{"particles", "megaviews", 0, {{"particles", "200"}, {"queue_mb", "1"}}},
+	{"particles", "manylods", 0, {{"particles", "90"}, {"cutoff", "5"}}},
 };
 enum { N_RUNS = sizeof runs / sizeof *runs };
 

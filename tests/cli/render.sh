@@ -129,4 +129,11 @@ refuses 'memory' render reflections atrium:triangles=10000 --size 16384x16384 --
 [ ! -e work/huge ] && [ ! -e work/huge.partial ]
 verdict $? 'nor does one that needs too much memory'
 
+run render particles dining:triangles=10000 --size 64x36 --set levels=5 --set particles=50 --truth --json -o work/particles
+[ "$status" -eq 0 ] && [ -s work/particles/megaviews.png ] && [ -s work/particles/manylods.png ] &&
+	[ -s work/particles/truth-glow.png ] && grep -q 'truth-glow' stdout
+verdict $? 'particles by both methods, and their truth'
+refuses 'there is glow, or none' render particles --truth=vpls
+refuses 'levels or particles' render particles dining:triangles=10000 --set levels=11 --set particles=16000000 --set view_px=256
+
 finish

@@ -119,14 +119,18 @@ for words in 'soft-shadows ivir --margins --set lamp=scene' 'omni-shadows epr --
 	verdict $? "$effect by $method: batches change no buffer"
 	rm -rf batches whole
 done
-for words in 'hulls --margins --set lamp=scene' 'hulls --set segmentation=components --set cosine=quadrature' direct \
-	'megaviews --margins --set levels=4 --set vpls=60 --set vpl.bounces=2' 'manylods --set levels=4 --set gather_lights=0'; do
+for words in 'indirect hulls --margins --set lamp=scene' 'indirect direct' \
+	'indirect hulls --set segmentation=components --set cosine=quadrature' \
+	'indirect megaviews --margins --set levels=4 --set vpls=60 --set vpl.bounces=2' \
+	'indirect manylods --set levels=4 --set gather_lights=0' \
+	'particles megaviews --margins --set levels=4 --set particles=60' 'particles manylods --set levels=4 --set particles=60'; do
+	read -r effect method how <<< "$words"
 	# shellcheck disable=SC2086
-	run render indirect atrium:triangles=10000 --size 64x48 --set grid_px=64 --set rsm_px=4 --trace --no-images -o light \
-		--method $words
-	run replay "light/trace-${words%% *}"
+	run render $effect atrium:triangles=10000 --size 64x48 --set grid_px=64 --set rsm_px=4 --trace --no-images -o light \
+		--method $method $how
+	run replay "light/trace-$method"
 	[ "$status" -eq 0 ] && [ "$(grep -c ': same$' "$scratch/stdout")" -ge 8 ] && ! grep -vq ': same$' "$scratch/stdout"
-	verdict $? "indirect by $words: every stage gives the same bits from its own trace"
+	verdict $? "$words: every stage gives the same bits from its own trace"
 	rm -rf light
 done
 refuses 'No such file' replay nowhere

@@ -1,5 +1,5 @@
-/* Truth of indirect light: form factors of a square that a sun lights, what stands in the way, and a scene in which the two
- * truths tend to each other as reflective shadow maps grow. */
+/* Truth of indirect light: form factors of a square that a sun lights, what stands in the way, also of
+ * particles, and a scene in which the two truths tend to each other as reflective shadow maps grow. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -199,11 +199,58 @@ static void test_scene(void **state)
 	assert_true(fabs(fine.vpls / fine.lights - 1) < 0.05);
 }
 
+#define COVER 1.75f /* height of a cover above all receivers, among the particles */
+
+/* Light of one particle in red: cos / (4 pi d^2), unless its way leads through the cover, `reach` or more away from it. */
+static double from_particle(const ts_gpixel *at, const ts_vpl *light, double reach, bool covered)
+{
+	double way[3], d2 = 0, cosine = 0;
+	for (u32 k = 0; k < 3; k++) {
+		way[k] = (double)light->position[k] - (double)at->position[k];
+		d2 += way[k] * way[k];
+		cosine += way[k] * (double)at->normal[k];
+	}
+	double above = (double)light->position[1] - (double)COVER;
+	if (!(cosine > 0) || (covered && above > 0 && above / way[1] * sqrt(d2) > reach)) return 0;
+	return (double)light->flux[0] * cosine / (4 * acos(-1) * d2 * sqrt(d2));
+}
+
+/* Receivers below a row of particles, with a cover in between and without. */
+static void test_particles(void **state)
+{
+	(void)state;
+	double sum[2] = {0};
+	for (u32 covered = 0; covered < 2; covered++) {
+		world *w = world_new();
+		f32 y = covered ? COVER : 9;
+		world_quad(w, ts_v3_make(-9, y, -9), ts_v3_make(-9, y, 9), ts_v3_make(9, y, 9), ts_v3_make(9, y, -9), TWO_SIDED, 0);
+		world_pose(w);
+		ts_gpixel *pixels = make_receivers(w);
+		for (u32 i = 0; i < N_RECEIVERS; i++) pixels[i].normal[1] = -pixels[i].normal[1];
+		w->run.params.particles = 100;
+		w->run.params.light_near = 0.0009765625f;
+		const f32 *found = traced(w, ts_truth_glow);
+		const ts_vpl *lights = ts_frame_data(&w->run.frame, TS_B_vpl_light);
+		const ts_root *root = ts_frame_data(&w->run.frame, TS_B_root_cube);
+		double reach = (double)root->side / 512 * sqrt(3);
+		for (u32 i = 0; i < N_RECEIVERS; i++) {
+			double light = 0;
+			for (u32 k = 0; k < 100; k++) light += from_particle(&pixels[i], &lights[k], reach, covered != 0);
+			double is = (double)found[(u64)i * 3];
+			if (!(fabs(is - light) <= light * 1e-5)) fail_msg("receiver %u: %g for %g", (unsigned)i, is, light);
+			sum[covered] += light;
+		}
+		world_done(w);
+	}
+	assert_true(sum[1] < sum[0] * 0.9);
+}
+
 int main(void)
 {
 	const struct CMUnitTest indirect[] = {
 		cmocka_unit_test(test_square),
 		cmocka_unit_test(test_covered),
+		cmocka_unit_test(test_particles),
 		cmocka_unit_test(test_scene),
 	};
 	return cmocka_run_group_tests(indirect, NULL, NULL);
