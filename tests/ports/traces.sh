@@ -13,6 +13,15 @@ verdict $status 'a cropped trace'
 /usr/bin/python3 tests/ports/schema.py "$scratch"/whole/trace-{epr,mvr} "$scratch/part/trace-mvr" > "$scratch/schema"
 verdict $? 'the schema holds for them, and refuses what is damaged'
 grep -A5 '^not ok' "$scratch/schema" | sed 's/^/# /'
+run list methods --json
+python3 - "$scratch/stdout" <<'PY'
+import json, sys
+methods = json.load(open(sys.argv[1]))["methods"]
+schema = json.load(open("reference/trace.schema.json"))["properties"]
+for word, key in (("pipeline", "name"), ("effect", "effect")):
+	assert schema[word]["enum"] == list(dict.fromkeys(m[key] for m in methods)), word
+PY
+verdict $? 'and knows every method and effect'
 
 # The minimal candidate of the document, as it is but for the names of its files.
 from=$scratch/whole/trace-epr
