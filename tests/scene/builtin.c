@@ -80,6 +80,7 @@ static void test_counts(void **state)
 	} ask[] = {{"10000", 10000}, {"12.347k", 12347}, {"100k", 100000}, {"1.05M", 1050000}, {"3M", 3000000}};
 	for (u32 k = 0; k < 3; k++) {
 		for (u32 i = 0; i < sizeof ask / sizeof *ask; i++) {
+			if (ask[i].count > 1000000 && i % 3 != k) continue; /* millions of one scene each */
 			ts_scene *scene = make_count(k, ask[i].text);
 			if (scene->n_triangles != ask[i].count)
 				fail_msg("%s:triangles=%s has %u", names[k], ask[i].text, scene->n_triangles);
