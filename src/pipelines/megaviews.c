@@ -1,4 +1,4 @@
-/* MegaViews: indirect light of one bounce by instant radiosity with a small map of what is around each of many lights.
+/* MegaViews: indirect light by instant radiosity with a small map of what is around each of many lights.
  * Kol, Bauszat, Lee and Eisemann, "MegaViews: Scalable Many-View Rendering with Concurrent Scene-View Hierarchy Traversal"
  * (2019). And ManyLoDs, what the paper compares itself to: Hollaender, Ritschel, Eisemann and Boubekeur (2011).
  *
@@ -12,8 +12,8 @@
  * - queues that are longer than their memory are carried on piece by piece, not by children of the root;
  * - lights stand half a leaf's side above their surface, and leaves that touch theirs are not rendered, for else they would
  *   be in their own shadow, of which the paper does not speak; touching=render is the paper;
- * - nor does it of near lights and of a bias: distances are at least light_near leaves' sides, and what lies less than
- *   light_bias leaves' diagonals behind what a map shows is lit;
+ * - nor does it of near lights and of a bias: distances are at least light_near leaves' sides, and what lies behind what a
+ *   map shows is lit up to light_bias leaves' diagonals, and what bias and bias.slope make of the width of a texel;
  * - lists end at the nodes of gather_level, where the paper leaves open whether leaves of views are culled one by one;
  * - the picture is of indirect light alone. */
 #include "../stages/stages.h"
