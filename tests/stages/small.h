@@ -84,4 +84,14 @@ static inline void small_assert_same_outputs(const ts_run *copy, const ts_run *r
 	}
 }
 
+/* The stage again, alone, from what it claims to read. */
+static inline void small_assert_claims(const ts_run *run, const ts_stage *stage)
+{
+	ts_run copy;
+	small_blind(&copy, run, stage);
+	if (ts_run_stage(&copy, stage) != TS_OK) fail_msg("%s", ts_error_message());
+	small_assert_same_outputs(&copy, run, stage);
+	small_release_blind(&copy, run);
+}
+
 #endif

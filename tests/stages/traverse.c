@@ -401,17 +401,6 @@ static void check_row(const row *expected, u64 n_points, u32 levels, u32 n)
 	grove_free(&g);
 }
 
-/* Again, alone, from what the stage claims to read. */
-static void assert_claims(const ts_run *run, const ts_stage *stage)
-{
-	ts_run copy;
-	small_blind(&copy, run, stage);
-	if (ts_run_stage(&copy, stage) != TS_OK) fail_msg("%s", ts_error_message());
-	small_assert_same_outputs(&copy, run, stage);
-	for (u32 i = 0; stage->writes[i] != TS_N_BUFFERS; i++) ts_frame_drop(&copy.frame, stage->writes[i]);
-	small_release_blind(&copy, run);
-}
-
 /* The octrees of the scene and its virtual point lights, as the stages before make them. */
 static void test_stages(void **state)
 {
@@ -424,7 +413,7 @@ static void test_stages(void **state)
 	ts_run_begin(&run, scene, &params, 2);
 	ts_pipeline_find("indirect", "direct")->prepare(&run);
 	for (u32 i = 0; i < sizeof stages / sizeof *stages; i++) grove_stage(&run, stages[i]);
-	for (u32 i = 13; i < 16; i++) assert_claims(&run, ts_stage_find(stages[i]));
+	for (u32 i = 13; i < 16; i++) small_assert_claims(&run, ts_stage_find(stages[i]));
 	grove g = { .scene.nodes = ts_frame_data(&run.frame, TS_B_octree_node),
 	            .views.nodes = ts_frame_data(&run.frame, TS_B_view_octree_node),
 	            .cones = ts_frame_data(&run.frame, TS_B_view_cone_node) };
