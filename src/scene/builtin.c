@@ -1,12 +1,18 @@
-/* The built-in scenes by name: reading "atrium:triangles=1.05M", choosing the detail that gives the count, building.
- * The detail is found by bisection over the same code that builds, in counting mode; what is left goes to one part. */
+/* The built-in scenes by name: reading "atrium:triangles=1.05M:texels=64", choosing the detail that gives the count,
+ * building. The detail is found by bisection over the same code that builds, in counting mode; what is left goes to one
+ * part. */
 #include <stdio.h>
 #include "../core/core.h"
 #include "builtin.h"
 #include "sources.h"
 
 enum { ATRIUM, GALLERY, DINING, N_SCENES };
-enum { LEAST = 10000, MOST = 3000000, USUAL = 300000 };
+enum { TRIANGLES, TEXELS, N_OPTIONS };
+
+static const struct {
+	const char *name;
+	u32 least, most, usual;
+} options[N_OPTIONS] = {[TRIANGLES] = {"triangles", 10000, 3000000, 300000}, [TEXELS] = {"texels", 16, 512, 512}};
 
 static const ts_builtin_info table[N_SCENES] = {
 	[ATRIUM] = {"atrium", "a colonnaded court of two storeys with hanging cloth, plants and flags; open to the sky"},
@@ -45,9 +51,9 @@ static const ts_builtin *find(const char *spec)
 
 bool ts_builtin_is(const char *spec) { return find(spec) != NULL; }
 
-/* Digits, perhaps with a fraction, and perhaps k or M; counted in integers. False if it is none or more than ten digits
- * long. */
-static bool read_count(u64 *count, const char *text)
+/* Digits, perhaps with a fraction, and perhaps k or M; counted in integers. Returns what follows, or NULL if it is none
+ * or more than ten digits long. */
+static const char *read_count(u64 *count, const char *text)
 {
 	u64 value = 0, scale = 1;
 	u32 digits = 0;
@@ -57,7 +63,7 @@ static bool read_count(u64 *count, const char *text)
 			fraction = true;
 			continue;
 		}
-		if (++digits > 10) return false;
+		if (++digits > 10) return NULL;
 		value = value * 10 + (u64)(*text - '0');
 		if (fraction) scale *= 10;
 	}
@@ -65,28 +71,47 @@ static bool read_count(u64 *count, const char *text)
 	if (*text == 'M') value *= 1000000;
 	if (*text == 'k' || *text == 'M') text++;
 	*count = value / scale;
-	return digits > 0 && *text == '\0';
+	return digits > 0 ? text : NULL;
 }
 
-static bool read_spec(u32 *count, ts_build *build, const char *spec)
+/* Reads one option; returns what follows it, or NULL with the build failed. */
+static const char *read_option(u32 *choice, ts_build *build, const char *spec, const char *text)
 {
-	static const char key[] = ":triangles=";
-	const char *options = spec + strcspn(spec, ":");
-	u64 wanted = USUAL;
-	bool known = *options == '\0' || strncmp(options, key, sizeof key - 1) == 0;
-	bool number = *options == '\0' || (known && read_count(&wanted, options + sizeof key - 1));
-	*count = (u32)wanted;
-	if (!known) {
-		ts_build_fail(build, "%s: unknown option \"%s\"; write NAME or NAME:triangles=COUNT", spec, options + 1);
-	} else if (!number) {
-		ts_build_fail(build, "%s: \"%s\" is no count; write digits, perhaps with k or M, as in triangles=1.05M", spec,
-					  options + sizeof key - 1);
-	} else if (wanted < LEAST || wanted > MOST) {
-		ts_build_fail(build, "%s: %llu triangles are out of range; %d to %d", spec, (unsigned long long)wanted, LEAST,
-					  MOST);
-		return false;
+	size_t length = strcspn(text, "="), which = 0;
+	while (which < N_OPTIONS &&
+		   (strlen(options[which].name) != length || memcmp(options[which].name, text, length) != 0))
+		which++;
+	if (which == N_OPTIONS) {
+		ts_build_fail(build, "%s: unknown option \"%s\"; write NAME or NAME:triangles=COUNT:texels=SIDE", spec, text);
+		return NULL;
 	}
-	return known && number;
+	u64 count = 0;
+	const char *value = text + length + 1, *rest = text[length] == '=' ? read_count(&count, value) : NULL;
+	if (rest == NULL || (*rest != '\0' && *rest != ':')) {
+		ts_build_fail(build, "%s: \"%s\" is no count; write digits, perhaps with k or M, as in triangles=1.05M", spec,
+					  text[length] == '=' ? value : "");
+		return NULL;
+	}
+	if (count < options[which].least || count > options[which].most) {
+		ts_build_fail(build, "%s: %llu %s are out of range; %u to %u", spec, (unsigned long long)count,
+					  options[which].name, options[which].least, options[which].most);
+		return NULL;
+	}
+	choice[which] = (u32)count;
+	return rest;
+}
+
+static bool read_spec(u32 choice[N_OPTIONS], ts_build *build, const char *spec)
+{
+	const char *text = spec + strcspn(spec, ":");
+	for (u32 i = 0; i < N_OPTIONS; i++)
+		choice[i] = options[i].usual;
+	while (text != NULL && *text != '\0')
+		text = read_option(choice, build, spec, text + 1);
+	if (text == NULL) return false;
+	u32 side = choice[TEXELS];
+	if ((side & (side - 1)) != 0) ts_build_fail(build, "%s: %u texels a side; write a power of two", spec, side);
+	return (side & (side - 1)) == 0;
 }
 
 static u64 count_at(const ts_builtin *scene, const u32 *material, f32 detail, u32 seed)
@@ -114,10 +139,14 @@ static f32 find_detail(const ts_builtin *scene, const u32 *material, u32 count, 
 void ts_builtin_make(ts_build *build, const char *spec, u32 seed)
 {
 	const ts_builtin *scene = find(spec);
-	u32 material[TS_MAX_PAINTS] = {0}, count;
-	if (!read_spec(&count, build, spec)) return;
-	for (u32 i = 0; i < scene->n_paints; i++)
-		material[i] = ts_paint_add(build, &scene->paints[i], seed + 1000u * i);
+	u32 material[TS_MAX_PAINTS] = {0}, choice[N_OPTIONS];
+	if (!read_spec(choice, build, spec)) return;
+	u32 count = choice[TRIANGLES];
+	for (u32 i = 0; i < scene->n_paints; i++) {
+		ts_paint paint = scene->paints[i];
+		if (paint.size > choice[TEXELS]) paint.size = choice[TEXELS];
+		material[i] = ts_paint_add(build, &paint, seed + 1000u * i);
+	}
 	ts_mesh mesh = {
 		.build = build, .seed = seed, .detail = find_detail(scene, material, count, seed), .place = ts_place_world()};
 	scene->shape(&mesh, material);

@@ -280,7 +280,7 @@ static void digests(ts_sums *sums, u32 run, ts_backend *backend)
 	ts_params params = params_of(run);
 	const ts_how how = {.threads = 2, .backend = backend};
 	ts_scene **scene = &scenes[params.reflectors != 0];
-	if (*scene == NULL) assert_int_equal(ts_builtin_open(scene, "dining:triangles=10000", &params, NULL), TS_OK);
+	if (*scene == NULL) assert_int_equal(ts_builtin_open(scene, "dining:triangles=10000:texels=32", &params, NULL), TS_OK);
 	ts_status status = ts_sums_of(sums, ts_pipeline_find(runs[run].effect, runs[run].method), *scene, &params, &how);
 	if (status != TS_OK) fail_msg("%s", ts_error_message());
 }

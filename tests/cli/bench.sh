@@ -1,7 +1,7 @@
 #!/bin/bash
 # The papers' tables: our figures, and the paper's below them.
 . "$(dirname "$0")/tap.bash"
-small=(--scene atrium:triangles=10000 --objects 1,2 --size 96x54 --set reflector_px=30 --set face_max=64)
+small=(--scene atrium:triangles=10000:texels=32 --objects 1,2 --size 96x54 --set reflector_px=30 --set face_max=64)
 
 run bench epr-1 "${small[@]}"
 [ "$status" -eq 0 ] && grep -q '^96 x 54 pixels' "$scratch/stdout" && grep -q '^Sponza .*paper .*1,510,000' "$scratch/stdout"
@@ -45,7 +45,7 @@ verdict $? 'bench -o writes the report, and each table as CSV with its rows'
 
 # What the iVIR paper claims of points holds in every scene. Passes: 17 views in passes of 8 are three.
 views=(--set views=17 --set pass=8 --set map_px=64 --set light_samples=2 --set face_max=64 --size 64x36 --runs 1)
-run bench ivir-1 "${views[@]}" --scene atrium:triangles=10000,gallery:triangles=10000 -o "$scratch/ivir-1"
+run bench ivir-1 "${views[@]}" --scene atrium:triangles=10000:texels=32,gallery:triangles=10000:texels=32 -o "$scratch/ivir-1"
 [ "$status" -eq 0 ] && awk 'length > 120 || / $/ { exit 1 }' "$scratch/stdout" &&
 	grep -q "^iVIR points / VIR's .* at most 1 .* holds" "$scratch/stdout"
 verdict $? 'bench ivir-1 fits 120 columns and judges'
@@ -68,9 +68,9 @@ assert verdicts and all(v == "holds" or v.startswith("differs: ") for v in verdi
 PY
 verdict $? 'bench ivir-1: points, passes over the geometry and scatters are those of SPEC 1.10'
 
-run bench ivir-2 "${views[@]}" --scene dining:triangles=10000 --objects 2 --set reflector_px=12 --json
+run bench ivir-2 "${views[@]}" --scene dining:triangles=10000:texels=32 --objects 2 --set reflector_px=12 --json
 cp "$scratch/stdout" "$scratch/mirrors"
-run bench ivir-3 "${views[@]}" --scene dining:triangles=10000 --objects 1,2 --json
+run bench ivir-3 "${views[@]}" --scene dining:triangles=10000:texels=32 --objects 1,2 --json
 python3 - "$scratch/mirrors" "$scratch/stdout" <<'PY'
 import json, sys
 mirrors, lights = (json.load(open(path)) for path in sys.argv[1:])
@@ -85,10 +85,10 @@ assert [r["vir_points"] for r in paper] == [14310000] and round(paper[0]["saved_
 PY
 verdict $? 'bench ivir-2 and ivir-3: points saved, here and in the paper'
 
-prints '^Breakfast .* paper  *8,590,000 ' bench epr-3 "${views[@]}" --scene dining:triangles=10000 --objects 1
+prints '^Breakfast .* paper  *8,590,000 ' bench epr-3 "${views[@]}" --scene dining:triangles=10000:texels=32 --objects 1
 
 # A plot has a curve of each kind and labels for all points.
-plot=(--scene atrium:triangles=10000 --objects 1 --size 48x28 --set reflector_px=16 --runs 1 --truth=A)
+plot=(--scene atrium:triangles=10000:texels=32 --objects 1 --size 48x28 --set reflector_px=16 --runs 1 --truth=A)
 run bench epr-6 "${plot[@]}" -o "$scratch/epr-6"
 python3 - "$scratch/epr-6" <<'PY'
 import csv, sys, xml.etree.ElementTree as xml
@@ -110,7 +110,7 @@ refuses 'needs a truth' bench epr-6 --truth=none
 refuses 'one scene' bench epr-6 --scene atrium,gallery
 
 # Rows of sizes. Gathers of direct are pixels by triangles, those of hulls corners by triangles, whatever the size.
-run bench ssagh-1 --scene atrium:triangles=10000 --objects 96x54,192x108,1280x720 --set rsm_px=2 --set grid_px=64 \
+run bench ssagh-1 --scene atrium:triangles=10000:texels=32 --objects 96x54,192x108,1280x720 --set rsm_px=2 --set grid_px=64 \
 	--runs 1 -o "$scratch/ssagh-1"
 [ "$status" -eq 0 ] && grep -q '^Crytek Sponza .* 921,600 .*paper .* 28.3800 .* 142.2600 .* 5.01 ' "$scratch/stdout" &&
 	awk 'length > 120 || / $/ { exit 1 }' "$scratch/stdout"
@@ -143,7 +143,7 @@ PY
 verdict $? 'bench ssagh-1: gathers, speed-ups and verdicts are those of its rows'
 
 # Labels of a depth image, counted again from traces of both segmentations.
-one=(atrium:triangles=10000 --size 96x54 --set grid_px=64)
+one=(atrium:triangles=10000:texels=32 --size 96x54 --set grid_px=64)
 run bench ssagh-segments --scene "${one[@]:0:1}" "${one[@]:1}" -o "$scratch/segments"
 [ "$status" -eq 0 ] && awk 'length > 120 || / $/ { exit 1 }' "$scratch/stdout" &&
 	grep -q '^No label joins components: holds$' "$scratch/stdout"
@@ -161,7 +161,7 @@ def blocks(name):
 pairs = [(len(set(a)), len(set(b))) for a, b in zip(blocks("sweeps"), blocks("components"))]
 rows = {(r["scene"], r["of"]): r for r in json.load(open(f"{sys.argv[1]}/segments/report.json"))["ssagh_segments"]}
 for of, of_these in ("all", pairs), ("parted", [p for p in pairs if p[1] > 1]):
-	row, n = rows["atrium:triangles=10000", of], len(of_these)
+	row, n = rows["atrium:triangles=10000:texels=32", of], len(of_these)
 	labels, components = zip(*of_these)
 	assert (row["blocks"], row["most_labels"], row["most_components"]) == (n, max(labels), max(components))
 	assert abs(row["labels"] - sum(labels) / n) < 1e-6 and abs(row["components"] - sum(components) / n) < 1e-6

@@ -4,7 +4,7 @@
 # with the step are undecided and no others, and boxes of pixels are judged.
 . "$(dirname "$0")/tap.bash"
 cd "$scratch" || exit 2
-small=(atrium:triangles=10000 --size 96x54 --no-images --set views=8 --set map_px=128 --set light_samples=4 --set pass=3
+small=(atrium:triangles=10000:texels=32 --size 96x54 --no-images --set views=8 --set map_px=128 --set light_samples=4 --set pass=3
 	--set bias=0)
 
 # row BUFFER: different and undecided of a line of the table.
@@ -66,7 +66,7 @@ refuses 'needs depth.margin for each element of scatter.depth; render the refere
 	compare without/trace-mvr ref/trace-mvr --layout scatter.depth=06-scatter.depth.npy --decided
 
 # Steps beside that at which two neighbours of different segments would tie, 4 ulps off.
-hulls=(render indirect atrium:triangles=10000 --size 96x54 --set grid_px=64 --set rsm_px=2 --method hulls --no-images)
+hulls=(render indirect atrium:triangles=10000:texels=32 --size 96x54 --set grid_px=64 --set rsm_px=2 --method hulls --no-images)
 run "${hulls[@]}" --trace -o plain
 read -r below above beyond < <(python3 - plain/trace-hulls <<'PY'
 import glob, struct, sys

@@ -1,7 +1,7 @@
 #!/bin/bash
 # Digests: one line a buffer, the same for any number of threads and with denormals flushed.
 . "$(dirname "$0")/tap.bash"
-small=(digest atrium:triangles=10000 --size 96x54 --reflectors 2 --set reflector_px=30 --set face_max=64)
+small=(digest atrium:triangles=10000:texels=32 --size 96x54 --reflectors 2 --set reflector_px=30 --set face_max=64)
 
 for method in epr mvr; do
 	run "${small[@]}" --method $method --threads 1
@@ -21,7 +21,7 @@ for method in epr mvr; do
 done
 
 # Buffers of all views are one file, however few are made at once; and shadows fall without mirrors.
-shadows=(digest atrium:triangles=10000 --size 96x54 --set views=7 --set light_samples=3 --set map_px=32)
+shadows=(digest atrium:triangles=10000:texels=32 --size 96x54 --set views=7 --set light_samples=3 --set map_px=32)
 for effect in soft-shadows omni-shadows; do
 	for method in mvr ivir; do
 		run "${shadows[@]}" --effect $effect --method $method

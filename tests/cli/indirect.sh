@@ -1,7 +1,7 @@
 #!/bin/bash
 # Renders of indirect light: what the pictures show and how far apart the methods are, against the buffers of a trace.
 . "$(dirname "$0")/tap.bash"
-small=(atrium:triangles=10000 --size 96x54 --set rsm_px=4 --set grid_px=64)
+small=(atrium:triangles=10000:texels=32 --size 96x54 --set rsm_px=4 --set grid_px=64)
 cd "$scratch" || exit 2
 
 cat > read.py <<'PY'

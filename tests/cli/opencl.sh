@@ -38,9 +38,9 @@ verdict $? 'options that the compiler refuses'
 
 # digests METHOD OPTION...: of C and of OpenCL.
 digests() {
-	run digest dining:triangles=10000 "${small[@]}" --method "$@"
+	run digest dining:triangles=10000:texels=32 "${small[@]}" --method "$@"
 	cp "$scratch/stdout" "$scratch/expected"
-	run digest dining:triangles=10000 "${small[@]}" --method "$@" "${cl[@]}"
+	run digest dining:triangles=10000:texels=32 "${small[@]}" --method "$@" "${cl[@]}"
 	[ "$status" -eq 0 ] && grep -q image.srgb "$scratch/stdout" && cmp -s "$scratch/stdout" "$scratch/expected"
 	verdict $? "the digests of C: $*"
 }

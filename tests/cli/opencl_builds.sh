@@ -12,7 +12,7 @@ render() { run "${frame[@]}" --method "$1" --trace -o "$scratch/$2" "${@:3}"; }
 export POCL_DEVICES='basic pthread'
 run list backends
 if [ "$(grep -c '^opencl ' "$scratch/stdout")" -eq 2 ]; then
-	digest=(digest dining:triangles=10000 "${small[@]}" --method mvr --reflectors 0)
+	digest=(digest dining:triangles=10000:texels=32 "${small[@]}" --method mvr --reflectors 0)
 	run "${digest[@]}"
 	cp "$scratch/stdout" "$scratch/expected"
 	run "${digest[@]}" "${cl[@]}" --device 1
@@ -45,7 +45,7 @@ assert a["contraction"] is True and a["selftest"] > 0 and a["rounding"] == "near
 assert "-DTS_CANARY_CONTRACTS" in trace["producer"]["flags"]
 PY
 verdict $? 'and its trace says what is wrong with the arithmetic'
-run digest dining:triangles=10000 "${small[@]}" --reflectors 0 --method mvr "${cl[@]}" --build -DTS_CANARY_CONTRACTS --inexact
+run digest dining:triangles=10000:texels=32 "${small[@]}" --reflectors 0 --method mvr "${cl[@]}" --build -DTS_CANARY_CONTRACTS --inexact
 [ "$status" -eq 0 ] && grep -q image.srgb "$scratch/stdout"
 verdict $? 'digests too'
 

@@ -2,7 +2,7 @@
 # `probe`: text and JSON, what is not there, buffers that are missing, and traces that lie.
 . "$(dirname "$0")/tap.bash"
 cd "$scratch" || exit 2
-"$touchstone" render reflections atrium:triangles=10000 --size 64x64 --reflectors 2 --set reflector_px=24 --set face_max=16 \
+"$touchstone" render reflections atrium:triangles=10000:texels=32 --size 64x64 --reflectors 2 --set reflector_px=24 --set face_max=16 \
 	--set bounces=2 --no-images --trace -o out > /dev/null || { echo "Bail out! no trace"; exit 1; }
 epr=out/trace-epr mvr=out/trace-mvr
 
@@ -66,7 +66,7 @@ refuses 'no points' probe $mvr --point 0
 refuses 'trace.json' probe /nonexistent --pixel 0,0
 
 # Shadows: each sample's question, and what adds up to the picture.
-shadows=(atrium:triangles=10000 --size 64x64 --set views=4 --set light_samples=2 --set map_px=64 --no-images --trace)
+shadows=(atrium:triangles=10000:texels=32 --size 64x64 --set views=4 --set light_samples=2 --set map_px=64 --no-images --trace)
 for words in 'soft-shadows mvr' 'soft-shadows pcss' 'omni-shadows epr'; do
 	read -r effect method <<< "$words"
 	"$touchstone" render "$effect" "${shadows[@]}" --method "$method" -o "$effect-$method" > /dev/null
@@ -83,7 +83,7 @@ refuses 'this needs scatter.depth' probe lacks/trace-ivir --pixel 33,60
 
 # Indirect light: why this box, what its corners gathered, and the lobes; or the triangles of light.
 for method in hulls direct; do
-	"$touchstone" render indirect atrium:triangles=10000 --size 64x64 --set grid_px=64 --set rsm_px=4 --no-images --trace \
+	"$touchstone" render indirect atrium:triangles=10000:texels=32 --size 64x64 --set grid_px=64 --set rsm_px=4 --no-images --trace \
 		--method $method -o indirect-$method > /dev/null
 	says 'bits agree with indirect.irradiance' probe indirect-$method/trace-$method --pixel 20,40
 	says 'bits agree with image.radiance' probe indirect-$method/trace-$method --pixel 33,60
@@ -93,14 +93,14 @@ hulls=indirect-hulls/trace-hulls direct=indirect-direct/trace-direct
 prints 'bits agree with hull.box' probe $hulls --pixel 20,40
 prints 'fit: holds the pixel; thickness: ' probe $hulls --pixel 20,40
 prints 'form_factor: ' probe $direct --pixel 20,40
-run render indirect atrium:triangles=10000 --size 64x64 --set grid_px=64 --set rsm_px=4 --method hulls \
+run render indirect atrium:triangles=10000:texels=32 --size 64x64 --set grid_px=64 --set rsm_px=4 --method hulls \
 	--trace-only scene,eye,view,pose,lamp,rsm_view,rsm_patch -o lacks-hulls
 refuses 'this needs box.offset, box.record, gather.moment, fit.lobes' probe lacks-hulls/trace-hulls --pixel 33,60
 
 # A trace without some stages names all that it lacks.
-"$touchstone" render reflections atrium:triangles=10000 --size 64x64 --reflectors 2 --set reflector_px=24 --set face_max=16 \
+"$touchstone" render reflections atrium:triangles=10000:texels=32 --size 64x64 --reflectors 2 --set reflector_px=24 --set face_max=16 \
 	--method epr --no-images --trace-only scene,eye,pixel,view,pose,resize,image -o part > /dev/null 2>&1 ||
-	"$touchstone" render reflections atrium:triangles=10000 --size 64x64 --reflectors 2 --set reflector_px=24 \
+	"$touchstone" render reflections atrium:triangles=10000:texels=32 --size 64x64 --reflectors 2 --set reflector_px=24 \
 		--set face_max=16 --method epr --no-images --trace --trace-only scene,eye,pixel,view,pose,resize,image -o part > /dev/null
 prints 'bits agree with image.radiance' probe part/trace-epr --pixel 3,60
 refuses 'needs lookup.point, points.record' probe part/trace-epr --pixel "$mirror"

@@ -1,7 +1,7 @@
 #!/bin/bash
 # What a render writes and prints, and that nothing half-written stays behind.
 . "$(dirname "$0")/tap.bash"
-small=(render reflections atrium:triangles=10000 --size 96x54 --reflectors 2 --set reflector_px=30 --set face_max=64)
+small=(render reflections atrium:triangles=10000:texels=32 --size 96x54 --reflectors 2 --set reflector_px=30 --set face_max=64)
 cd "$scratch" || exit 2
 mkdir work
 
@@ -125,15 +125,15 @@ timeout --foreground -s INT 1 "$touchstone" render reflections atrium --size 192
 [ $? -ne 0 ] && [ ! -e work/deep ]
 verdict $? 'an interrupted render leaves nothing behind'
 
-refuses 'memory' render reflections atrium:triangles=10000 --size 16384x16384 --truth=C -o work/huge
+refuses 'memory' render reflections atrium:triangles=10000:texels=32 --size 16384x16384 --truth=C -o work/huge
 [ ! -e work/huge ] && [ ! -e work/huge.partial ]
 verdict $? 'nor does one that needs too much memory'
 
-run render particles dining:triangles=10000 --size 64x36 --set levels=5 --set particles=50 --truth --json -o work/particles
+run render particles dining:triangles=10000:texels=32 --size 64x36 --set levels=5 --set particles=50 --truth --json -o work/particles
 [ "$status" -eq 0 ] && [ -s work/particles/megaviews.png ] && [ -s work/particles/manylods.png ] &&
 	[ -s work/particles/truth-glow.png ] && grep -q 'truth-glow' stdout
 verdict $? 'particles by both methods, and their truth'
 refuses 'there is glow, or none' render particles --truth=vpls
-refuses 'levels or particles' render particles dining:triangles=10000 --set levels=11 --set particles=16000000 --set view_px=256
+refuses 'levels or particles' render particles dining:triangles=10000:texels=32 --set levels=11 --set particles=16000000 --set view_px=256
 
 finish

@@ -2,7 +2,7 @@
 # Replay: every stage from its own trace, a port's stages from the port's buffers, and what cannot be replayed.
 . "$(dirname "$0")/tap.bash"
 cd "$scratch" || exit 2
-run render reflections atrium:triangles=10000 --method epr,mvr --size 64x48 --reflectors 2 --set reflector_px=24 --set face_max=32 \
+run render reflections atrium:triangles=10000:texels=32 --method epr,mvr --size 64x48 --reflectors 2 --set reflector_px=24 --set face_max=32 \
 	--set bounces=3 --trace -o out
 [ "$status" -eq 0 ] || cat stderr
 epr=out/trace-epr
@@ -88,7 +88,7 @@ run replay bad
 	grep -q ' of 20 stages could not be replayed$' stderr
 verdict $? 'the other stages are replayed'
 
-run render reflections atrium:triangles=10000 --method epr --size 64x48 --reflectors 2 --trace-only split,align -o part
+run render reflections atrium:triangles=10000:texels=32 --method epr --size 64x48 --reflectors 2 --trace-only split,align -o part
 refuses 'stage count: part/trace-epr: no file of scene.triangle' replay part/trace-epr --stage count -o x
 [ ! -e x ] && [ ! -e x.partial ]
 verdict $? 'nothing is left of it'
@@ -101,10 +101,10 @@ refuses 'is no stage of epr' replay $epr --stage face
 refuses 'needs 2' replay part/trace-epr --stage lookup2
 refuses 'of method mvr' replay $epr --inputs out/trace-mvr
 refuses 'parameter reflector_px is 115' replay $epr --inputs part/trace-epr
-run render reflections atrium:triangles=10000 --method epr --size 64x48 --reflectors 1 --order arrival --trace --no-images -o arrival
+run render reflections atrium:triangles=10000:texels=32 --method epr --size 64x48 --reflectors 1 --order arrival --trace --no-images -o arrival
 refuses 'order is "arrival"; a reference must be canonical' replay arrival/trace-epr --stage splat
 # Depth maps made in batches are one file, whose stages are replayed on the whole.
-shadows=(atrium:triangles=10000 --size 64x48 --set views=5 --set light_samples=3 --set map_px=24 --trace --no-images)
+shadows=(atrium:triangles=10000:texels=32 --size 64x48 --set views=5 --set light_samples=3 --set map_px=24 --trace --no-images)
 for words in 'soft-shadows ivir --margins --set lamp=scene' 'omni-shadows epr --set buffered=on' 'soft-shadows pcss' 'omni-shadows mvr --margins'; do
 	read -r effect method options <<< "$words"
 	# shellcheck disable=SC2086
@@ -126,7 +126,7 @@ for words in 'indirect hulls --margins --set lamp=scene' 'indirect direct' \
 	'particles megaviews --margins --set levels=4 --set particles=60' 'particles manylods --set levels=4 --set particles=60'; do
 	read -r effect method how <<< "$words"
 	# shellcheck disable=SC2086
-	run render $effect atrium:triangles=10000 --size 64x48 --set grid_px=64 --set rsm_px=4 --trace --no-images -o light \
+	run render $effect atrium:triangles=10000:texels=32 --size 64x48 --set grid_px=64 --set rsm_px=4 --trace --no-images -o light \
 		--method $method $how
 	run replay "light/trace-$method"
 	[ "$status" -eq 0 ] && [ "$(grep -c ': same$' "$scratch/stdout")" -ge 8 ] && ! grep -vq ': same$' "$scratch/stdout"

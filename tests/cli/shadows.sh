@@ -1,7 +1,7 @@
 #!/bin/bash
 # Renders of shadows: truths, tables, pictures, and what is refused.
 . "$(dirname "$0")/tap.bash"
-small=(atrium:triangles=10000 --size 96x54 --set map_px=64 --set views=4 --set pass=3 --set light_samples=2
+small=(atrium:triangles=10000:texels=32 --size 96x54 --set map_px=64 --set views=4 --set pass=3 --set light_samples=2
 	--set area_samples=16)
 cd "$scratch" || exit 2
 
@@ -58,6 +58,6 @@ refuses 'of reflections; there are A, B and C' render reflections --truth=area
 refuses 'of reflections' bench epr-2 --truth=area
 refuses 'write --truth=samples,area' render omni-shadows --truth samples,area
 refuses 'samples and area of shadows' render omni-shadows --truth=sample
-refuses 'memory' render omni-shadows atrium:triangles=10000 --set map_px=8192 --set pass=1024 --set light_samples=1024 \
+refuses 'memory' render omni-shadows atrium:triangles=10000:texels=32 --set map_px=8192 --set pass=1024 --set light_samples=1024 \
 	--method mvr --no-images
 finish

@@ -11,7 +11,7 @@ run "${frame[@]}" --method epr,mvr --trace --threads 1 --reference -o b
 [ "$status" -eq 0 ] && diff -r a/trace-epr b/trace-epr && diff -r a/trace-mvr b/trace-mvr
 verdict $? 'a second run gives the same bytes, with other threads and without fast paths'
 
-built_in=(atrium:triangles=10000 --size 64x36 --reflectors 1 --set face_max=32)
+built_in=(atrium:triangles=10000:texels=32 --size 64x36 --reflectors 1 --set face_max=32)
 run render reflections "${built_in[@]}" --no-images --trace -o built-in
 for method in epr mvr; do
 	"$touchstone" digest "${built_in[@]}" --method $method 2> stderr | grep -v '^#' > sums
@@ -109,13 +109,13 @@ run render reflections $'sc\xe9ne.gltf' --size 64x36 --reflectors 1 --no-images 
 verdict $? 'a scene with a name of any bytes is traced'
 
 # Six mirrors of which the eye sees not the last.
-run render reflections atrium:triangles=10000 --size 96x54 --reflectors 6 --set eye=near --set fov=20 --set mvr.faces=adaptive \
+run render reflections atrium:triangles=10000:texels=32 --size 96x54 --reflectors 6 --set eye=near --set fov=20 --set mvr.faces=adaptive \
 	--set face_max=16 --no-images --trace --method mvr -o unseen
 [ "$status" -eq 0 ] && digests_hold unseen/trace-mvr
 verdict $? 'the last mirrors may be out of sight'
 
 # Copies for viewers: a PLY of as many points as the trace has, and pictures; the trace is the same with and without.
-run render reflections atrium:triangles=10000 --size 64x36 --reflectors 1 --no-images --viewer --method epr -o seen
+run render reflections atrium:triangles=10000:texels=32 --size 64x36 --reflectors 1 --no-images --viewer --method epr -o seen
 rows=$("$touchstone" compare seen/trace-epr seen/trace-epr --json | grep -A1 '"points.key"' | grep -o '[0-9]\+')
 [ "$status" -eq 0 ] && grep -aq "^element vertex $rows\$" seen/view-epr/points.ply && [ -s seen/view-epr/eye.depth.exr ] &&
 	[ -s seen/view-epr/image.srgb.png ]

@@ -3,7 +3,7 @@
 . "$(dirname "$0")/../cli/tap.bash"
 cp "$touchstone" "$scratch/alone"
 touchstone=$scratch/alone
-small=(reflections atrium:triangles=10000 --size 64x36 --reflectors 1)
+small=(reflections atrium:triangles=10000:texels=32 --size 64x36 --reflectors 1)
 
 ! ldd "$touchstone" | grep -q OpenImageIO
 verdict $? 'the command does not load OpenImageIO'

@@ -16,7 +16,7 @@ static ts_scene *open_scene(ts_params *params)
 	assert_int_equal(ts_params_set(params, "height", "64"), TS_OK);
 	assert_int_equal(ts_params_set(params, "reflectors", "2"), TS_OK);
 	assert_int_equal(ts_params_set(params, "face_max", "32"), TS_OK);
-	assert_int_equal(ts_scene_open(&scene, "gallery:triangles=10000", params, NULL), TS_OK);
+	assert_int_equal(ts_scene_open(&scene, "gallery:triangles=10000:texels=32", params, NULL), TS_OK);
 	return scene;
 }
 

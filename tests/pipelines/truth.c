@@ -322,7 +322,7 @@ static void test_three_bounces(void **state)
 
 int main(void)
 {
-	static char atrium[] = "atrium:triangles=10000";
+	static char atrium[] = "atrium:triangles=10000:texels=32";
 	const struct CMUnitTest tests[] = {
 		{ "faces: soup", test_faces, NULL, NULL, NULL },
 		{ "faces: atrium", test_faces, NULL, NULL, atrium },

@@ -19,9 +19,9 @@ copied() {
 	verdict $? "$1: file for file"
 }
 
-trace whole atrium:triangles=10000 --size 96x54 --reflectors 2 --set reflector_px=30 --set face_max=64
+trace whole atrium:triangles=10000:texels=32 --size 96x54 --reflectors 2 --set reflector_px=30 --set face_max=64
 copied 'reflections epr' "$scratch/whole/trace-epr" 30
-shadows=(atrium:triangles=10000 --size 96x54 --reflectors 0 --set views=5 --set light_samples=2 --set map_px=24 --trace --no-images)
+shadows=(atrium:triangles=10000:texels=32 --size 96x54 --reflectors 0 --set views=5 --set light_samples=2 --set map_px=24 --trace --no-images)
 for words in 'soft-shadows ivir' 'omni-shadows epr'; do
 	read -r effect method <<< "$words"
 	run render "$effect" "${shadows[@]}" --method "$method" --set buffered=on -o "$scratch/$effect"

@@ -4,7 +4,7 @@
 . "$(dirname "$0")/ports.bash"
 small=(--size 96x54 --reflectors 2 --set reflector_px=30 --set face_max=64)
 
-run render reflections atrium:triangles=10000 "${small[@]}" --set bounces=3 --method all --margins --no-images \
+run render reflections atrium:triangles=10000:texels=32 "${small[@]}" --set bounces=3 --method all --margins --no-images \
 	-o "$scratch/whole"
 verdict $status 'traces of both methods'
 run render reflections scenes/room.gltf "${small[@]}" --method mvr --trace --trace-only eye,image --crop 8,4,32,16 \

@@ -107,7 +107,14 @@ static void test_refused(void **state)
 										 {"gallery:triangles=9999", "out of range"},
 										 {"gallery:triangles=3000001", "out of range"},
 										 {"gallery:triangles=9999999999M", "out of range"},
-										 {"gallery:triangles=0", "out of range"}};
+										 {"gallery:triangles=0", "out of range"},
+										 {"atrium:texels=48", "48 texels a side; write a power of two"},
+										 {"atrium:texels=8", "8 texels are out of range; 16 to 512"},
+										 {"atrium:texels=1k", "1000 texels are out of range"},
+										 {"atrium:texels", "no count"},
+										 {"atrium:texels=64:", "unknown option"},
+										 {"atrium:texels=64;triangles=10k", "no count"},
+										 {"atrium:triangles=10k:texel=64", "unknown option \"texel=64\""}};
 	ts_params params;
 	ts_params_default(&params);
 	for (u32 i = 0; i < sizeof bad / sizeof *bad; i++) {
@@ -139,6 +146,20 @@ static void test_same_on_any_threads(void **state)
 		assert_true(same(least[k], three));
 		ts_scene_free(three);
 	}
+}
+
+/* The same shapes with smaller textures, in either order of the options. */
+static void test_texels(void **state)
+{
+	(void)state;
+	ts_scene *small = make("dining:triangles=10k:texels=16", 0), *turned = make("dining:texels=16:triangles=10k", 0);
+	const ts_scene *full = least[2];
+	assert_true(same(small, turned));
+	assert_int_equal(small->n_triangles, full->n_triangles);
+	assert_memory_equal(small->vertices, full->vertices, full->n_vertices * sizeof *full->vertices);
+	assert_true(small->n_texels < full->n_texels / 200);
+	ts_scene_free(small);
+	ts_scene_free(turned);
 }
 
 static void test_seed_changes_the_scene(void **state)
@@ -319,6 +340,7 @@ int main(void)
 		cmocka_unit_test(test_counts),
 		cmocka_unit_test(test_refused),
 		cmocka_unit_test(test_same_on_any_threads),
+		cmocka_unit_test(test_texels),
 		cmocka_unit_test(test_seed_changes_the_scene),
 		cmocka_unit_test(test_normals),
 		cmocka_unit_test(test_rooms_are_closed),

@@ -12,7 +12,7 @@
 #include "../../src/kernels/samples.h"
 #include "../../src/pipelines/pipeline.h"
 
-#define SMALL_SCENE "atrium:triangles=10000"
+#define SMALL_SCENE "atrium:triangles=10000:texels=32"
 
 static inline ts_params small_params(u32 width, u32 height)
 {

@@ -5,7 +5,7 @@
 #include "../../src/pipelines/pipeline.h"
 #include "../../src/trace/write.h"
 
-#define SMALL_SCENE "atrium:triangles=10000"
+#define SMALL_SCENE "atrium:triangles=10000:texels=32"
 
 /* The files that a trace was given, in order. */
 typedef struct {

@@ -75,8 +75,8 @@ static void test_paper(void **state) { check(*state, TS_RATE_PAPER); }
 
 int main(void)
 {
-	static char atrium[] = "atrium:triangles=10000", gallery[] = "gallery:triangles=10000";
-	static char dining[] = "dining:triangles=10000";
+	static char atrium[] = "atrium:triangles=10000:texels=32", gallery[] = "gallery:triangles=10000:texels=32";
+	static char dining[] = "dining:triangles=10000:texels=32";
 	const struct CMUnitTest tests[] = {
 		{ "watertight: atrium", test_watertight, NULL, NULL, atrium },
 		{ "watertight: gallery", test_watertight, NULL, NULL, gallery },

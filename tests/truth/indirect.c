@@ -193,7 +193,7 @@ static means means_of(const char *spec, u32 rsm_px)
 static void test_scene(void **state)
 {
 	(void)state;
-	means coarse = means_of("dining:triangles=10000", 8), fine = means_of("dining:triangles=10000", 64);
+	means coarse = means_of("dining:triangles=10000:texels=32", 8), fine = means_of("dining:triangles=10000:texels=32", 64);
 	assert_true(fine.lights < fine.direct && coarse.lights < coarse.direct);
 	assert_true(fabs(fine.lights / fine.bounce - 1) < 0.05);
 	assert_true(fabs(fine.vpls / fine.lights - 1) < 0.05);

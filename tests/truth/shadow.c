@@ -306,7 +306,7 @@ static void test_too_many(void **state)
 
 int main(void)
 {
-	static char atrium[] = "atrium:triangles=10000", gallery[] = "gallery:triangles=10000";
+	static char atrium[] = "atrium:triangles=10000:texels=32", gallery[] = "gallery:triangles=10000:texels=32";
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_square),  cmocka_unit_test(test_sides),
 		cmocka_unit_test(test_contact), cmocka_unit_test(test_penumbra),
