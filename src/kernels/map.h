@@ -66,14 +66,20 @@ TS_FN void ts_k_map_item(const ts_map_args *args, u64 i)
 	if (args->pairs[i] < TS_STRUCK) ts_k_map_pair(args, args->pairs[i]);
 }
 
-/* Bits of the distance in a texel of the map at `texels`, or of the finest level above that has one; TS_NONE: empty. */
+/* What is in a texel of the map at `texels`, or in the finest level above that has something; TS_EMPTY: none has. */
+TS_FN u64 ts_k_map_key(TS_GLOBAL const u64 *texels, const ts_pyramid *pyramid, u32 texel)
+{
+	u64 key = TS_EMPTY;
+	for (u32 level = 0u; level < pyramid->levels && key == TS_EMPTY; level++) {
+		key = texels[ts_k_pyramid_above(pyramid, texel, level)];
+	}
+	return key;
+}
+
+/* Bits of the distance there; TS_NONE: empty. */
 TS_FN u32 ts_k_map_depth(TS_GLOBAL const u64 *texels, const ts_pyramid *pyramid, u32 texel)
 {
-	u32 bits = TS_NONE;
-	for (u32 level = 0u; level < pyramid->levels && bits == TS_NONE; level++) {
-		bits = (u32)(texels[ts_k_pyramid_above(pyramid, texel, level)] >> 32);
-	}
-	return bits;
+	return (u32)(ts_k_map_key(texels, pyramid, texel) >> 32);
 }
 
 #endif

@@ -51,12 +51,17 @@ TS_FN u32 ts_k_vpl_random(const ts_vpl_args *args, u32 path, u32 which)
 	return ts_random(path ^ ts_pcg(which), TS_STREAM_VPL, args->seed);
 }
 
-/* Where a path begins: the triangle of light of its texel. */
-TS_FN ts_light_k ts_k_vpl_first(const ts_vpl_args *args, u32 path)
+/* The texel that a path begins at. */
+TS_FN u64 ts_k_vpl_start(const ts_vpl_args *args, u32 path)
 {
 	u32 chance = ts_k_vpl_random(args, path, 0u);
-	u32 rank = args->random != 0u ? (u32)(((u64)chance * args->n_lit) >> 32) : path;
-	TS_GLOBAL const ts_patch *patch = &args->patches[ts_k_vpl_texel(args, rank)];
+	return ts_k_vpl_texel(args, args->random != 0u ? (u32)(((u64)chance * args->n_lit) >> 32) : path);
+}
+
+/* The first light of a path: the triangle of light of its texel. */
+TS_FN ts_light_k ts_k_vpl_first(const ts_vpl_args *args, u32 path)
+{
+	TS_GLOBAL const ts_patch *patch = &args->patches[ts_k_vpl_start(args, path)];
 	ts_v3 a = ts_load3(patch->a);
 	ts_v3 b = ts_load3(patch->b);
 	ts_v3 c = ts_load3(patch->c);

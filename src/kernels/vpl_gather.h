@@ -45,15 +45,23 @@ TS_FN f32 ts_k_leaf_side(const ts_vpl_gather_args *args) { return args->root->si
 /* Entries from `from` on, up to `to`; TS_NONE, TS_NONE: all views. */
 typedef struct { u32 from, to, views; } ts_view_list;
 
-TS_FN ts_view_list ts_k_pixel_list(const ts_vpl_gather_args *args, ts_v3 p)
+/* The node of the lists' level that holds a place; TS_NONE: there is none. */
+TS_FN u32 ts_k_list_node(const ts_vpl_gather_args *args, ts_v3 p)
 {
 	u64 code = ts_k_morton(ts_k_voxel_of(args->root, args->levels, p)) >> (3u * (args->levels - args->level));
+	bool there = (args->mask[ts_k_mask_word(args->level, code)] & ts_k_mask_bit(code)) != 0u;
+	return there ? ts_k_mask_id(args->mask, args->before, args->level, code) : TS_NONE;
+}
+
+TS_FN ts_view_list ts_k_pixel_list(const ts_vpl_gather_args *args, ts_v3 p)
+{
+	u32 node = ts_k_list_node(args, p);
 	ts_view_list r;
 	r.from = TS_NONE;
 	r.to = TS_NONE;
 	r.views = args->n_lights;
-	if ((args->mask[ts_k_mask_word(args->level, code)] & ts_k_mask_bit(code)) == 0u) return r;
-	u32 list = ts_k_mask_id(args->mask, args->before, args->level, code) - args->first;
+	if (node == TS_NONE) return r;
+	u32 list = node - args->first;
 	r.from = args->offset[list];
 	r.to = args->offset[list + 1u];
 	r.views = r.from < r.to ? args->sums[r.to - 1u] : 0u;
@@ -135,15 +143,27 @@ TS_FN ts_v3 ts_k_vpl_light(const ts_vpl_gather_args *args, u32 view, ts_v3 p, ts
 	return ts_scale(ts_load3(light->flux), lit ? form : 0.0f);
 }
 
+/* Lights that a pixel takes of a list. */
+TS_FN u32 ts_k_list_draws(const ts_vpl_gather_args *args, const ts_view_list *list)
+{
+	return args->draws != 0u ? args->draws : list->views;
+}
+
+/* The view of draw k of a pixel. */
+TS_FN u32 ts_k_drawn_view(const ts_vpl_gather_args *args, const ts_view_list *list, u32 pixel, u32 k)
+{
+	u32 chance = ts_random(pixel * args->draws + k, TS_STREAM_VPL, args->seed);
+	u32 rank = args->draws != 0u ? (u32)(((u64)chance * list->views) >> 32) : k;
+	return ts_k_list_view(args, list, rank);
+}
+
 TS_FN ts_v3 ts_k_vpl_sum(const ts_vpl_gather_args *args, const ts_view_list *list, u32 pixel, ts_v3 p, ts_v3 n)
 {
-	u32 draws = args->draws != 0u ? args->draws : list->views;
+	u32 draws = ts_k_list_draws(args, list);
 	ts_v3 sum = ts_v3_make(0.0f, 0.0f, 0.0f);
 	if (list->views == 0u) return sum;
 	for (u32 k = 0u; k < draws; k++) {
-		u32 chance = ts_random(pixel * draws + k, TS_STREAM_VPL, args->seed);
-		u32 rank = args->draws != 0u ? (u32)(((u64)chance * list->views) >> 32) : k;
-		sum = ts_add(sum, ts_k_vpl_light(args, ts_k_list_view(args, list, rank), p, n));
+		sum = ts_add(sum, ts_k_vpl_light(args, ts_k_drawn_view(args, list, pixel, k), p, n));
 	}
 	f32 share = (f32)list->views / (f32)draws;
 	return ts_scale(sum, share);

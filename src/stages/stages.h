@@ -111,6 +111,11 @@ ts_pyramid ts_view_pyramid(const ts_params *params);
  * or nothing is culled. */
 u32 ts_gather_level(const ts_run *run);
 u32 ts_gather_level_of(const ts_params *params, bool alone);
+/* Arguments of the kernels that make virtual point lights and particles, without offset, paths and lights. */
+ts_vpl_args ts_vpl_arguments(const ts_run *run);
+ts_particle_args ts_particle_arguments(const ts_run *run);
+/* How pixels gather from them, without the output. */
+ts_vpl_gather_args ts_vpl_gather_arguments(const ts_run *run);
 /* Arguments of the kernels that make points, without their output. */
 ts_points_args ts_points_arguments(const ts_run *run);
 /* Arguments of the kernels that ask depth maps, without their output. */

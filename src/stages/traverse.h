@@ -21,5 +21,7 @@ ts_status ts_traverse(ts_run *run, const ts_traverse_args *how, ts_traverse_sink
 ts_status ts_traverse_tally(ts_run *run, ts_traverse_piece *piece, u64 *n_rendered);
 /* Arguments of the kernels that decide pairs, without queues. */
 ts_status ts_traverse_arguments(const ts_run *run, ts_traverse_args *args);
+/* The same for the lists of vpl_pairs (vpl_gather.c). */
+ts_status ts_vpl_pairs_arguments(const ts_run *run, ts_traverse_args *args);
 
 #endif

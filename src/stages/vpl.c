@@ -28,11 +28,10 @@ static ts_status find_lit(ts_run *run, ts_vpl_args *args)
 	return TS_OK;
 }
 
-ts_status ts_stage_vpl(ts_run *run)
+ts_vpl_args ts_vpl_arguments(const ts_run *run)
 {
-	u64 total;
 	bool empty = ts_frame_n(&run->frame, ts_scene_octree.node) == 0;
-	ts_vpl_args args = {
+	return (ts_vpl_args){
 		.cast = scene_of(run),
 		.patches = ts_frame_handle(&run->frame, TS_B_rsm_patch),
 		.n_patches = ts_frame_n(&run->frame, TS_B_rsm_patch),
@@ -40,6 +39,12 @@ ts_status ts_stage_vpl(ts_run *run)
 		.seed = run->params.seed,
 		.bounces = empty ? 1 : run->params.vpl_bounces,
 	};
+}
+
+ts_status ts_stage_vpl(ts_run *run)
+{
+	u64 total;
+	ts_vpl_args args = ts_vpl_arguments(run);
 	if (find_lit(run, &args) != TS_OK) return TS_ERROR;
 	args.paths = ts_frame_make1(&run->frame, TS_B_vpl_path, (u64)args.n + 1);
 	if (args.paths == NULL || ts_run_launch(run, TS_KERNEL_vpl_path, &args, args.n) != TS_OK) return TS_ERROR;

@@ -15,15 +15,19 @@ u32 ts_gather_level(const ts_run *run)
 	return ts_gather_level_of(&run->params, alone);
 }
 
-/* A traversal for lists of that level. */
-static ts_status traverse(ts_run *run, u32 level, ts_traverse_sink *sink, ts_vpl_pairs_args *args)
+ts_status ts_vpl_pairs_arguments(const ts_run *run, ts_traverse_args *args)
+{
+	if (ts_traverse_arguments(run, args) != TS_OK) return TS_ERROR;
+	args->last = ts_gather_level(run);
+	args->to_last = args->touching = 1;
+	args->cutoff = run->params.cutoff;
+	return TS_OK;
+}
+
+static ts_status traverse(ts_run *run, ts_traverse_sink *sink, ts_vpl_pairs_args *args)
 {
 	ts_traverse_args how;
-	if (ts_traverse_arguments(run, &how) != TS_OK) return TS_ERROR;
-	how.last = level;
-	how.to_last = how.touching = 1;
-	how.cutoff = run->params.cutoff;
-	return ts_traverse(run, &how, sink, args);
+	return ts_vpl_pairs_arguments(run, &how) == TS_OK ? ts_traverse(run, &how, sink, args) : TS_ERROR;
 }
 
 static ts_status count_piece(ts_run *run, ts_traverse_piece *piece, void *user)
@@ -46,15 +50,15 @@ static u64 nodes_of(const ts_run *run, const ts_octree *octree, u32 level)
 }
 
 /* Where lists begin stands one later while they are written, as in octrees. */
-static ts_status make_lists(ts_run *run, u32 level, ts_vpl_pairs_args *args, u64 *n)
+static ts_status make_lists(ts_run *run, ts_vpl_pairs_args *args, u64 *n)
 {
 	if (ts_run_fill(run, TS_B_vpl_pairs_offset, 0) != TS_OK) return TS_ERROR;
-	if (traverse(run, level, count_piece, args) != TS_OK) return TS_ERROR;
+	if (traverse(run, count_piece, args) != TS_OK) return TS_ERROR;
 	if (ts_run_scan(run, TS_B_vpl_pairs_offset, "nodes of views that may light nodes", n) != TS_OK) return TS_ERROR;
 	args->nodes = ts_frame_make1(&run->frame, TS_B_vpl_pairs_node, *n);
 	args->views = ts_frame_make1(&run->frame, TS_B_vpl_pairs_views, *n);
 	if (args->nodes == NULL || args->views == NULL) return TS_ERROR;
-	return traverse(run, level, list_piece, args);
+	return traverse(run, list_piece, args);
 }
 
 ts_status ts_stage_vpl_pairs(ts_run *run)
@@ -66,7 +70,7 @@ ts_status ts_stage_vpl_pairs(ts_run *run)
 		.offset = ts_frame_make1(&run->frame, TS_B_vpl_pairs_offset, n_lists + 2),
 		.first = ts_octree_first(run, &ts_scene_octree, level),
 	};
-	if (args.offset == NULL || make_lists(run, level, &args, &n) != TS_OK) return TS_ERROR;
+	if (args.offset == NULL || make_lists(run, &args, &n) != TS_OK) return TS_ERROR;
 	ts_frame_cut(&run->frame, TS_B_vpl_pairs_offset, n_lists + 1);
 	ts_sort_args sort = {.offset = args.offset, .entries = args.nodes};
 	if (ts_run_launch(run, TS_KERNEL_leaf_sort, &sort, n_lists) != TS_OK) return TS_ERROR;
@@ -75,7 +79,7 @@ ts_status ts_stage_vpl_pairs(ts_run *run)
 	return ts_run_launch(run, TS_KERNEL_vpl_pairs_sum, &args, n_lists);
 }
 
-static ts_vpl_gather_args arguments(const ts_run *run)
+ts_vpl_gather_args ts_vpl_gather_arguments(const ts_run *run)
 {
 	const ts_params *params = &run->params;
 	u32 level = ts_gather_level(run);
@@ -111,7 +115,7 @@ static ts_vpl_gather_args arguments(const ts_run *run)
 ts_status ts_stage_vpl_gather(ts_run *run)
 {
 	u64 width = run->params.width, height = run->params.height;
-	ts_vpl_gather_args args = arguments(run);
+	ts_vpl_gather_args args = ts_vpl_gather_arguments(run);
 	args.irradiance = ts_frame_make3(&run->frame, TS_B_vpl_gather_irradiance, height, width, 3);
 	args.n_astray = ts_frame_tallies(&run->frame);
 	if (args.irradiance == NULL) return TS_ERROR;

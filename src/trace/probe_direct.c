@@ -14,8 +14,7 @@ static int by_light(const void *a, const void *b)
 	return x != y ? (x < y) - (x > y) : (s->patch > t->patch) - (s->patch < t->patch);
 }
 
-/* What a texel of a reflective shadow map is as a light. */
-static ts_status put_patch(ts_probe *p, json_t *o, u32 index, const ts_patch *patch)
+ts_status ts_probe_put_patch(ts_probe *p, json_t *o, u32 index, const ts_patch *patch)
 {
 	u64 key;
 	const ts_offscreen *view = &p->views[ts_k_view_of_texel(p->views, p->n_views, index)];
@@ -44,7 +43,7 @@ static ts_status put_terms(ts_probe *p, json_t *o, const ts_gpixel *pixel, const
 		json_t *entry = json_object();
 		const ts_patch *patch = &patches[terms[i].patch];
 		ts_v3 at = ts_load3(pixel->position), a = ts_load3(patch->a), b = ts_load3(patch->b), c = ts_load3(patch->c);
-		status = put_patch(p, entry, terms[i].patch, patch);
+		status = ts_probe_put_patch(p, entry, terms[i].patch, patch);
 		ts_probe_put(p, entry, "form_factor", ts_probe_bits(ts_k_form_factor(at, ts_load3(pixel->normal), a, b, c)));
 		ts_probe_put(p, entry, "irradiance", ts_probe_v3_bits(terms[i].light));
 		ts_probe_append(p, list, entry);

@@ -38,7 +38,10 @@ ts_status ts_probe_indirect(ts_probe *p, u32 x, u32 y, u64 key, json_t *o, ts_v3
 	u8 srgb[3];
 	if (put_gbuffer(p, o, x, y, key, &pixel) != TS_OK) return TS_ERROR;
 	bool hulls = ts_pipeline_maker(p->trace->pipeline, TS_B_hull_box) != NULL;
-	ts_status status = hulls ? ts_probe_hull(p, x, y, &pixel, o, irradiance) : ts_probe_direct(p, &pixel, o, irradiance);
+	bool views = ts_pipeline_maker(p->trace->pipeline, TS_B_vpl_light) != NULL;
+	ts_status status = hulls   ? ts_probe_hull(p, x, y, &pixel, o, irradiance)
+	                   : views ? ts_probe_views(p, x, y, o, irradiance)
+	                           : ts_probe_direct(p, &pixel, o, irradiance);
 	if (status != TS_OK || put_irradiance(p, o, x, y, irradiance) != TS_OK) return TS_ERROR;
 	ts_indirect_args args = {.pixels = &pixel, .irradiance = irradiance, .radiance = radiance, .srgb = srgb,
 	                         .exposure = p->trace->params.exposure};

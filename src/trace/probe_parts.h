@@ -4,6 +4,7 @@
 #include "../kernels/draw.h"
 #include "../kernels/hull.h"
 #include "field.h"
+#include "load.h"
 #include "probe.h"
 #include "reader.h"
 
@@ -20,8 +21,10 @@ struct ts_probe {
 	ts_view view;         /* the eye, after ts_probe_scene */
 	ts_face *cubes;       /* after ts_probe_scene */
 	u32 n_cubes, n_words;
-	bool mvr, indirect;
-	bool has_lamps;       /* of shadows and indirect light: the lights are lamps, with views of their own */
+	bool mirrors, mvr;    /* of reflections; by MVR */
+	bool gathers;         /* pixels have indirect light or that of particles, and no other */
+	bool has_lamps;       /* the lights are lamps, with views of their own */
+	ts_load *load;        /* of MegaViews: what its light is gathered from, checked; NULL: not loaded yet */
 	ts_offscreen *views;  /* of the lamps; else NULL */
 	u32 n_views;
 	ts_lamp *lamps;
@@ -160,6 +163,29 @@ ts_status ts_probe_indirect(ts_probe *probe, u32 x, u32 y, u64 key, json_t *obje
 ts_status ts_probe_hull(ts_probe *probe, u32 x, u32 y, const ts_gpixel *pixel, json_t *object, f32 irradiance[3]);
 json_t *ts_probe_lobe(ts_probe *probe, const ts_hull_args *args, const ts_sg *g, ts_v3 n, u32 channel);
 ts_status ts_probe_direct(ts_probe *probe, const ts_gpixel *pixel, json_t *object, f32 irradiance[3]);
+/* Its irradiance from virtual point lights: what culling leaves, what is drawn (probe_views.c), what the filter makes of that
+ * (probe_filter.c). */
+ts_status ts_probe_views(ts_probe *p, u32 x, u32 y, json_t *object, f32 irradiance[3]);
+ts_status ts_probe_filter(ts_probe *p, u32 x, u32 y, json_t *object, f32 irradiance[3]);
+/* What those parts share. */
+typedef struct {
+	ts_vpl_gather_args args;
+	ts_gpixel pixel;         /* of the G-buffer */
+	ts_vpl_args vpl;         /* indirect light: where its paths come from, of which there are n_paths */
+	u32 *offset, *paths;
+	u64 n_paths;
+} ts_probe_gather;
+/* Loads and checks p->load, once. */
+ts_status ts_probe_load_views(ts_probe *probe);
+const void *ts_probe_loaded(const ts_probe *probe, ts_buffer_id id);
+/* The paths that virtual point lights stand on; offset and paths are released by free(), also on failure (probe_vpl.c). */
+ts_status ts_probe_read_paths(ts_probe *probe, ts_probe_gather *gather);
+/* Puts a virtual point light or particle: where it comes from, what it sends to the pixel, and what its map answers. */
+ts_status ts_probe_vpl(ts_probe *probe, json_t *object, const ts_probe_gather *gather, u32 view);
+/* Puts the pair of nodes that a texel of the whole map of a node of views shows (probe_map.c). */
+ts_status ts_probe_put_pair(ts_probe *probe, json_t *object, u32 node, u32 texel);
+/* Puts what a texel of a reflective shadow map is as a light (probe_direct.c). */
+ts_status ts_probe_put_patch(ts_probe *probe, json_t *object, u32 index, const ts_patch *patch);
 /* Fails with what is explained of the others. */
 ts_status ts_probe_of_reflections(const ts_probe *probe);
 /* A piece of a triangle: density, culling, frame (probe_piece.c). */

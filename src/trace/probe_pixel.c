@@ -69,7 +69,7 @@ static ts_status put_radiance(ts_probe *p, json_t *o, u32 x, u32 y, ts_v3 total)
 /* Of what is no mirror. */
 static ts_status put_light(ts_probe *p, json_t *o, u32 x, u32 y, u64 key, const ts_surface *surface, ts_v3 *total)
 {
-	if (p->indirect) return ts_probe_indirect(p, x, y, key, o, total);
+	if (p->gathers) return ts_probe_indirect(p, x, y, key, o, total);
 	if (p->has_lamps && ts_probe_shadow(p, x, y, key, o) != TS_OK) return TS_ERROR;
 	ts_v3 v = ts_normalize(ts_sub(ts_load3(p->view.eye), surface->p));
 	ts_probe_put(p, o, "shading", ts_probe_shading(p, surface, v, total));
@@ -99,7 +99,9 @@ static ts_status require(const ts_probe *p)
 	static const ts_buffer_id mirrors[] = {TS_B_eye_depth_triangle, TS_B_pixel_offset, TS_B_pixel_record, TS_N_BUFFERS};
 	static const ts_buffer_id shadows[] = {TS_B_eye_depth_triangle, TS_B_scatter_depth, TS_N_BUFFERS};
 	static const ts_buffer_id indirect[] = {TS_B_eye_depth_triangle, TS_B_rsm_patch, TS_N_BUFFERS};
-	return ts_probe_require(p, p->indirect ? indirect : p->has_lamps ? shadows : mirrors);
+	static const ts_buffer_id particles[] = {TS_B_eye_depth_triangle, TS_B_vpl_light, TS_N_BUFFERS};
+	if (p->gathers) return ts_probe_require(p, p->has_lamps ? indirect : particles);
+	return ts_probe_require(p, p->has_lamps ? shadows : mirrors);
 }
 
 ts_status ts_probe_pixel(ts_probe *p, u32 x, u32 y, json_t **answer)
@@ -118,7 +120,7 @@ ts_status ts_probe_pixel(ts_probe *p, u32 x, u32 y, json_t **answer)
 		return ts_fail("%s: pixel (%u, %u) is outside its crop", p->trace->item[TS_B_eye_depth_triangle].path,
 		               (unsigned)x, (unsigned)y);
 	}
-	if (!p->has_lamps && ts_probe_fetch(p, TS_B_pixel_offset, (u64)y * p->view.width + x, 2, offset) != TS_OK)
+	if (p->mirrors && ts_probe_fetch(p, TS_B_pixel_offset, (u64)y * p->view.width + x, 2, offset) != TS_OK)
 		return TS_ERROR;
 	json_t *o = json_object();
 	ts_probe_put(p, o, "pixel", ts_probe_pair(x, y));

@@ -6,11 +6,11 @@
 
 static bool is_of(const ts_pipeline *pipeline, const char *effect) { return strcmp(pipeline->effect, effect) == 0; }
 
-/* Points of iVIR in environment maps have other ways, and particles other lights. */
+/* Points of iVIR in environment maps have other ways. */
 static bool is_explained(const ts_pipeline *pipeline)
 {
 	bool explained = strcmp(pipeline->name, "epr") == 0 || strcmp(pipeline->name, "mvr") == 0;
-	return explained || !(is_of(pipeline, "reflections") || is_of(pipeline, "particles"));
+	return explained || !is_of(pipeline, "reflections");
 }
 
 ts_status ts_probe_open(ts_probe **probe, const char *dir)
@@ -23,16 +23,17 @@ ts_status ts_probe_open(ts_probe **probe, const char *dir)
 		status = ts_fail("%s: trace.json has no params, and without them nothing can be computed again", dir);
 	}
 	if (status == TS_OK && !is_explained(made->trace->pipeline)) {
-		status = ts_fail("%s: probe explains reflections by epr and mvr, shadows, and indirect light; this is %s by %s, "
-		                 "which compare and replay judge", dir, made->trace->pipeline->effect,
+		status = ts_fail("%s: probe explains reflections by epr and mvr, shadows, indirect light and particles; this is %s "
+		                 "by %s, which compare and replay judge", dir, made->trace->pipeline->effect,
 		                 made->trace->pipeline->name);
 	}
 	if (status != TS_OK) {
 		ts_probe_close(made);
 		return status;
 	}
-	made->has_lamps = !is_of(made->trace->pipeline, "reflections");
-	made->indirect = is_of(made->trace->pipeline, "indirect");
+	made->mirrors = is_of(made->trace->pipeline, "reflections");
+	made->gathers = ts_pipeline_maker(made->trace->pipeline, TS_B_indirect_irradiance) != NULL;
+	made->has_lamps = ts_pipeline_maker(made->trace->pipeline, TS_B_lamp_shape) != NULL;
 	made->mvr = strcmp(made->trace->pipeline->name, "mvr") == 0;
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) made->fields[id] = ts_fields_of((ts_buffer_id)id);
 	*probe = made;
@@ -44,6 +45,7 @@ void ts_probe_close(ts_probe *p)
 	if (p == NULL) return;
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) ts_reader_close(p->reader[id]);
 	ts_probe_scene_free(p);
+	ts_load_end(p->load);
 	ts_trace_close(p->trace);
 	free(p);
 }
@@ -72,10 +74,10 @@ static u64 size_of(const ts_probe *p, const char *name)
 		{"I", TS_B_scene_image}, {"O", TS_B_scene_object}, {"R", TS_B_resize_face}, {"B", TS_B_resize_face},
 		{"Q", TS_B_split_triangle}, {"A", TS_B_lamp_light},
 		{"N", TS_B_points_record}, {"H*W", TS_B_eye_depth_triangle}, {"P*K", TS_B_lookup_point},
-		{"P2*4", TS_B_lookup2_point},
+		{"P2*4", TS_B_lookup2_point}, {"D", TS_B_octree_node}, {"E", TS_B_view_octree_node}, {"J", TS_B_vpl_light},
 	};
 	for (size_t i = 0; i < sizeof owners / sizeof *owners; i++) {
-		if (p->has_lamps && strcmp(name, "R") == 0) continue; /* cubes are light samples */
+		if (!p->mirrors && strcmp(name, "R") == 0) continue; /* cubes are light samples */
 		bool known = ts_probe_has(p, owners[i].owner) && !p->trace->item[owners[i].owner].cropped;
 		if (strcmp(owners[i].name, name) == 0 && known) return ts_probe_n(p, owners[i].owner);
 	}

@@ -2,6 +2,7 @@
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include "../stages/stages.h"
 #include "probe_parts.h"
 
 void *ts_probe_load(ts_probe *p, ts_buffer_id id, u64 *n)
@@ -32,18 +33,21 @@ static void give_sizes(const ts_probe *p, ts_sizes *sizes)
 		{"I", TS_B_scene_image}, {"X", TS_B_scene_texel}, {"L", TS_B_scene_light}, {"O", TS_B_scene_object},
 		{"R", TS_B_resize_face}, {"B", TS_B_resize_face}, {"Q", TS_B_split_triangle}, {"N", TS_B_points_record},
 		{"P", TS_B_pixel_record}, {"A", TS_B_lamp_light}, {"U", TS_B_offscreen_view},
-		{"P2", TS_B_lookup2_parent}, {"P3", TS_B_lookup3_parent}, {"Z", TS_B_box_record},
+		{"P2", TS_B_lookup2_parent}, {"P3", TS_B_lookup3_parent}, {"Z", TS_B_box_record}, {"D", TS_B_octree_node},
+		{"E", TS_B_view_octree_node}, {"J", TS_B_vpl_light},
 	};
 	for (size_t i = 0; i < sizeof owners / sizeof *owners; i++) {
 		if (ts_probe_has(p, owners[i].owner)) ts_sizes_set(sizes, owners[i].name, ts_probe_n(p, owners[i].owner));
 	}
+	ts_pyramid pyramid = ts_view_pyramid(&p->trace->params);
 	u64 texels = 0;
-	for (u32 r = 0; r < p->n_cubes && !p->has_lamps; r++) texels += (u64)6 * p->cubes[r].n * p->cubes[r].n;
+	for (u32 r = 0; r < p->n_cubes && p->mirrors; r++) texels += (u64)6 * p->cubes[r].n * p->cubes[r].n;
 	for (u32 v = 0; v < p->n_views; v++) texels += (u64)p->views[v].width * p->views[v].height;
 	ts_sizes_set(sizes, "C", texels);
 	ts_sizes_set(sizes, "H", p->view.height);
 	ts_sizes_set(sizes, "W", p->view.width);
 	ts_sizes_set(sizes, "G", p->trace->params.grid_px);
+	ts_sizes_set(sizes, "m", ts_k_pyramid_texels(&pyramid));
 	ts_sizes_set(sizes, "K", 25);
 	ts_sizes_set(sizes, "w", p->n_words);
 }

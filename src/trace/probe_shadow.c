@@ -214,7 +214,7 @@ ts_status ts_probe_shadow(ts_probe *p, u32 x, u32 y, u64 key, json_t *object)
 
 ts_status ts_probe_of_reflections(const ts_probe *p)
 {
-	if (!p->has_lamps) return TS_OK;
+	if (p->mirrors) return TS_OK;
 	return ts_fail("%s: a trace of %s, of which probe explains the eye's pixels; --pixel X,Y would be right", p->trace->dir,
 	               p->trace->pipeline->effect);
 }
