@@ -97,6 +97,26 @@ run render indirect atrium:triangles=10000:texels=32 --size 64x64 --set grid_px=
 	--trace-only scene,eye,view,pose,lamp,rsm_view,rsm_patch -o lacks-hulls
 refuses 'this needs box.offset, box.record, gather.moment, fit.lobes' probe lacks-hulls/trace-hulls --pixel 33,60
 
+# Many views: what culling leaves, the lights that are drawn, what their maps show, and the filter.
+views=(atrium:triangles=10000 --size 64x64 --set levels=5 --set rsm_px=4 --set particles=64 --no-images)
+for words in 'indirect megaviews' 'indirect manylods' 'particles megaviews' 'particles manylods'; do
+	read -r effect method <<< "$words"
+	"$touchstone" render "$effect" "${views[@]}" --set vpl.bounces=2 --trace --method "$method" -o "$effect-$method" > /dev/null
+	says 'bits agree with vpl_gather.irradiance' probe "$effect-$method/trace-$method" --pixel 20,40
+	says 'bits agree with indirect.irradiance' probe "$effect-$method/trace-$method" --pixel 33,60
+	prints 'terms add up to the bits of the total' probe "$effect-$method/trace-$method" --pixel 33,60
+	refuses "a trace of $effect, of which probe explains the eye" probe "$effect-$method/trace-$method" --triangle 4
+done
+mega=indirect-megaviews/trace-megaviews glow=particles-megaviews/trace-megaviews
+for pattern in 'bits agree with vpl_pairs.node' 'bounce: 2; triangle: ' 'answer: in shadow' 'why: both are leaves' \
+	'bits agree with map.depth_node' 'bits agree with bilateral.row'; do
+	prints "$pattern" probe $mega --pixel 20,40
+done
+run render indirect "${views[@]}" --method megaviews --trace-only scene,eye,view,pose,lamp,rsm_view,rsm_patch -o lacks-views
+refuses 'no file of gbuffer.pixel, .*vpl_pairs.views' probe lacks-views/trace-megaviews --pixel 33,60
+run render particles "${views[@]}" --method megaviews --trace-only scene,eye,view,pose -o lacks-glow
+refuses 'this needs vpl.light' probe lacks-glow/trace-megaviews --pixel 33,60
+
 # A trace without some stages names all that it lacks.
 "$touchstone" render reflections atrium:triangles=10000:texels=32 --size 64x64 --reflectors 2 --set reflector_px=24 --set face_max=16 \
 	--method epr --no-images --trace-only scene,eye,pixel,view,pose,resize,image -o part > /dev/null 2>&1 ||
@@ -133,6 +153,17 @@ epr=$hulls
 lies 12-box.offset.npy 9 '\xff\xff\xff\x7f' 'element 9 is 2147483647, after ' --pixel 20,40
 lies 12-box.record.npy 2 '\x40\x00\x00\x00' 'element 0: columns .* of 64' --pixel 20,40
 lies 06-rsm_patch.light.npy 3 '\x00\x00\xc0\x7f' 'not a finite' --pixel 20,40
+epr=$mega
+lies 10-vpl.path.npy 1 '\xff\xff\xff\x7f' 'element 1 is 2147483647' --pixel 20,40
+lies 13-view_octree.node.npy 6 '\xff\xff\xff\x7f' 'element 0, field parent' --pixel 20,40
+lies 13-view_octree.leaf.npy 0 '\xff\xff\xff\x7f' 'less than .* (E) would be right' --pixel 20,40
+lies 16-map.depth_node.npy 0 '\xff\xff\xff\x7f' 'names 2147483647' --pixel 20,40
+lies 20-vpl_pairs.node.npy 0 '\xff\xff\xff\x7f' 'less than' --pixel 20,40
+lies 20-vpl_pairs.offset.npy 1 '\xff\xff\xff\x7f' 'sum' --pixel 20,40
+lies 14-view_cone.node.npy 5 '\xff\xff\xff\x7f' 'field views' --pixel 20,40
+lies 01-eye.view.npy 7 '\x20\x00\x00\x00' 'would be right' --pixel 20,40
+epr=$glow
+lies 06-vpl.light.npy 0 '\x00\x00\xc0\x7f' 'a finite number' --pixel 20,40
 epr=$soft
 lies 04-offscreen.view.npy 7 '\xff\xff\xff\x7f' 'element 0: 2147483647 x 64' --pixel 33,60
 lies 04-offscreen.view.npy 22 '\x01\x00\x00\x00' 'names 1 of 1' --pixel 33,60
