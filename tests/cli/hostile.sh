@@ -1,7 +1,8 @@
 #!/bin/bash
 # Every fourth file of the corpus of malformed and odd glTF, $TS_SCENES/hostile, through the command, or each with
 # TS_HOSTILE=all: it ends within 10 seconds, with exit code 0 or 2, one line on stderr if 2 and none if 0, and a render
-# leaves its folder or nothing. tests/scene/hostile.c loads every file.
+# leaves its folder or nothing. Every twelfth also by MegaViews, whose parameters are taken to their ends and beyond.
+# tests/scene/hostile.c loads every file.
 . "$(dirname "$0")/tap.bash"
 hostile=$(realpath -m "${TS_SCENES:-../shared/scenes}")/hostile
 if [ ! -r "$hostile/manifest.tsv" ]; then
@@ -10,6 +11,7 @@ if [ ! -r "$hostile/manifest.tsv" ]; then
 fi
 cd "$scratch" || exit 2
 small=(--size 64x64 --reflectors 2 --set reflector_px=16 --set face_max=16 --threads 1)
+views=(--size 32x32 --set levels=5 --set rsm_px=4 --set particles=50 --threads 1)
 wrong=0 n=0 every=$([ "${TS_HOSTILE:-}" = all ] && echo 1 || echo 4)
 
 complain() {
@@ -17,7 +19,8 @@ complain() {
 	echo "# $1: exit code $status: $(head -c 300 stderr)"
 }
 
-# behaves EXPECTED ARGUMENT...: "ok" asks for 0, "error" for 2, "either" for one of them.
+# behaves EXPECTED ARGUMENT...: "ok" asks for 0, "error" for 2 before anything is printed, "late" for 2, "either" for one
+# of them.
 behaves() {
 	local expected=$1
 	shift
@@ -26,6 +29,7 @@ behaves() {
 	case $expected-$status in
 	ok-0 | either-0) [ ! -s stderr ] ;;
 	error-2 | either-2) [ "$(wc -l < stderr)" -eq 1 ] && [ ! -s stdout ] ;;
+	late-2) [ "$(wc -l < stderr)" -eq 1 ] ;;
 	*) false ;;
 	esac
 }
@@ -41,8 +45,49 @@ while IFS=$'\t' read -r file expected _; do
 	fi
 	[ "$(ls)" = $'stderr\nstdout' ] || complain "left behind by $file"
 	rm -rf out out.partial
+	[ $((n % (3 * every))) -eq 0 ] || continue
+	for words in 'indirect megaviews' 'particles manylods'; do
+		read -r effect method <<< "$words"
+		behaves "$expected" render "$effect" "$hostile/$file" "${views[@]}" --method "$method" -o out ||
+			complain "render $effect $file"
+		[ "$status" -eq 2 ] || [ -s "out/$method.png" ] || complain "picture of $effect $file"
+		rm -rf out
+		[ "$(ls)" = $'stderr\nstdout' ] || complain "left behind by $effect $file"
+	done
 done < <(tail -n +2 "$hostile/manifest.tsv")
 [ "$wrong" -eq 0 ] && [ "$n" -gt 100 ]
 verdict $? "one in $every of $n files"
+
+# levels=11, and the most views, are right, and take longer.
+wrong=0
+while read -r expected effect setting; do
+	behaves "$expected" render "$effect" atrium:triangles=10000 "${views[@]}" --method megaviews --set "$setting" -o out ||
+		complain "$effect $setting"
+	rm -rf out out.partial
+done <<'END'
+ok indirect levels=1
+error indirect levels=0
+error indirect levels=12
+ok indirect vpls=1
+error indirect vpls=16777217
+ok indirect view_px=4
+ok indirect view_px=256
+late indirect view_px=48
+error indirect view_px=2
+error indirect view_px=512
+ok indirect queue_mb=1
+error indirect queue_mb=0
+error indirect queue_mb=65537
+ok indirect gather_level=0
+ok indirect gather_level=11
+error indirect gather_level=12
+ok indirect filter_px=64
+ok particles particles=1
+error particles particles=0
+error particles particles=16777217
+error particles glow=-1
+END
+[ "$wrong" -eq 0 ]
+verdict $? 'parameters of MegaViews at their ends and beyond'
 
 finish
