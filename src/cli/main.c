@@ -61,8 +61,8 @@ const ts_command ts_command_table[] = {
 	  TS_OPT_LAYOUT | TS_OPT_ORDER | TS_OPT_JUNIT | TS_OPT_TAP | TS_OPT_OUTPUT | TS_OPT_FORCE | TS_OPT_JSON,
 	  ts_compare_command },
 	{ "probe", "TRACE", "why a pixel, texel, triangle or point of a trace is what it is",
-	  "TRACE: a folder that render --trace wrote, or a port's, of reflections by epr or mvr; --pixel also of shadows and\n"
-	  "indirect light.\n"
+	  "TRACE: a folder that render --trace wrote, or a port's, of reflections by epr or mvr; --pixel also of shadows,\n"
+	  "indirect light and particles.\n"
 	  "--pixel: who competed for it, who won by how much, what each sample looked up, each term of its light.\n"
 	  "--triangle, --point: where it went, and which stage lost it.\n"
 	  "What the buffers do not hold is computed again; each \"check\" says whether that has the bits of a buffer.",

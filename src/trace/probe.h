@@ -8,8 +8,8 @@
 
 typedef struct ts_probe ts_probe;
 
-/* Opens the trace in folder `dir`: of reflections by EPR or MVR, or of shadows or indirect light, of which pixels are told.
- * On failure *probe is NULL; else release it by ts_probe_close. */
+/* Opens the trace in folder `dir`: of reflections by EPR or MVR, or of shadows, indirect light or particles, of which pixels
+ * are told. On failure *probe is NULL; else release it by ts_probe_close. */
 ts_status ts_probe_open(ts_probe **probe, const char *dir);
 /* NULL is allowed. */
 void ts_probe_close(ts_probe *probe);
@@ -22,7 +22,9 @@ void ts_probe_close(ts_probe *probe);
  * sample where it is a mirror. Of shadows also what each sample of each light found in its depth map: the texel, its depth
  * and that of the pixel's point, the bias, the answer, and how near it was to another (kernels/resolve_margin.h). Of
  * indirect light by hulls the boxes of the pixel's block in the order of their claims, what the corners of its box gathered
- * and how much each counts, and its lobes with the terms of their integrals; by direct the brightest triangles of light. */
+ * and how much each counts, and its lobes with the terms of their integrals; by direct the brightest triangles of light; by
+ * many views, and of particles, the nodes of views that culling leaves it, the brightest of the lights that it draws, each
+ * with its path and what its map answers, and the neighbours that the filter takes it with. */
 ts_status ts_probe_pixel(ts_probe *probe, u32 x, u32 y, json_t **answer);
 /* Texel (x, y) of a face, 0 to 5, of a reflector's cube: the points, of MVR the triangles, that competed for it. */
 ts_status ts_probe_texel(ts_probe *probe, u32 reflector, u32 face, u32 x, u32 y, json_t **answer);

@@ -163,8 +163,8 @@ ts_status ts_probe_indirect(ts_probe *probe, u32 x, u32 y, u64 key, json_t *obje
 ts_status ts_probe_hull(ts_probe *probe, u32 x, u32 y, const ts_gpixel *pixel, json_t *object, f32 irradiance[3]);
 json_t *ts_probe_lobe(ts_probe *probe, const ts_hull_args *args, const ts_sg *g, ts_v3 n, u32 channel);
 ts_status ts_probe_direct(ts_probe *probe, const ts_gpixel *pixel, json_t *object, f32 irradiance[3]);
-/* Its irradiance from virtual point lights: what culling leaves, what is drawn (probe_views.c), what the filter makes of that
- * (probe_filter.c). */
+/* Its irradiance from virtual point lights: what culling leaves, what is drawn (probe_views.c), what the filter makes of
+ * that (probe_filter.c). */
 ts_status ts_probe_views(ts_probe *p, u32 x, u32 y, json_t *object, f32 irradiance[3]);
 ts_status ts_probe_filter(ts_probe *p, u32 x, u32 y, json_t *object, f32 irradiance[3]);
 /* What those parts share. */

@@ -113,10 +113,11 @@ static int by_view(const void *a, const void *b)
 	return (s->view > t->view) - (s->view < t->view);
 }
 
+static f32 strength(const term *t) { return (f32)t->times * (t->light.x + t->light.y + t->light.z); }
+
 static int by_light(const void *a, const void *b)
 {
-	const term *s = a, *t = b;
-	f32 x = (f32)s->times * (s->light.x + s->light.y + s->light.z), y = (f32)t->times * (t->light.x + t->light.y + t->light.z);
+	f32 x = strength(a), y = strength(b);
 	return x != y ? (x < y) - (x > y) : by_view(a, b);
 }
 
@@ -156,15 +157,14 @@ static ts_status put_terms(ts_probe *p, json_t *o, const ts_probe_gather *gather
 	json_t *list = json_array();
 	ts_status status = TS_OK;
 	f32 sum = 0.0f;
-	for (u32 k = 0; k < n; k++) sum += (f32)terms[k].times * (terms[k].light.x + terms[k].light.y + terms[k].light.z);
+	for (u32 k = 0; k < n; k++) sum += strength(&terms[k]);
 	for (u32 k = 0; k < n && k < MOST_LISTED && status == TS_OK; k++) {
 		const term *t = &terms[k];
 		json_t *entry = json_object();
-		f32 own = (f32)t->times * (t->light.x + t->light.y + t->light.z);
 		ts_probe_put(p, entry, "light", ts_probe_int(t->view));
 		ts_probe_put(p, entry, "drawn", ts_probe_int(t->times));
 		ts_probe_put(p, entry, "irradiance", ts_probe_v3_bits(t->light));
-		ts_probe_put(p, entry, "part", ts_probe_real(sum > 0.0f ? own / sum : 0.0f));
+		ts_probe_put(p, entry, "part", ts_probe_real(sum > 0.0f ? strength(t) / sum : 0.0f));
 		status = ts_probe_vpl(p, entry, gather, t->view);
 		ts_probe_append(p, list, entry);
 	}
