@@ -98,7 +98,7 @@ run render indirect atrium:triangles=10000:texels=32 --size 64x64 --set grid_px=
 refuses 'this needs box.offset, box.record, gather.moment, fit.lobes' probe lacks-hulls/trace-hulls --pixel 33,60
 
 # Many views: what culling leaves, the lights that are drawn, what their maps show, and the filter.
-views=(atrium:triangles=10000 --size 64x64 --set levels=5 --set rsm_px=4 --set particles=64 --no-images)
+views=(atrium:triangles=10000:texels=32 --size 64x64 --set levels=5 --set rsm_px=4 --set particles=64 --no-images)
 for words in 'indirect megaviews' 'indirect manylods' 'particles megaviews' 'particles manylods'; do
 	read -r effect method <<< "$words"
 	"$touchstone" render "$effect" "${views[@]}" --set vpl.bounces=2 --trace --method "$method" -o "$effect-$method" > /dev/null
