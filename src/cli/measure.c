@@ -173,24 +173,34 @@ static u64 bytes_of_area(const ts_pipeline *method, const ts_scene *scene, const
 	return bytes;
 }
 
+/* What takes most of a method's memory beside its image. */
+static const char *what_to_lower(const ts_pipeline *method)
+{
+	if (strcmp(method->effect, "reflections") == 0) return "fewer --reflectors";
+	if (strcmp(method->effect, "particles") == 0) return "levels, gather_level, view_px or particles";
+	if (strcmp(method->effect, "indirect") != 0) return "map_px or pass";
+	bool maps = ts_pipeline_maker(method, TS_B_map_depth_node) != NULL;
+	return maps ? "levels, gather_level, view_px or vpls" : "grid_px or rsm_px";
+}
+
 ts_status ts_measure_estimate(u64 *bytes, const ts_pipeline *const *methods, u32 n_methods, u32 truths,
                               const ts_scene *scene, const ts_params *params)
 {
+	const ts_pipeline *largest = methods[0];
 	*bytes = 0;
-	for (u32 i = 0; i < n_methods; i++) *bytes = larger(*bytes, ts_pipeline_estimate(methods[i], scene, params, true));
+	for (u32 i = 0; i < n_methods; i++) {
+		u64 own = ts_pipeline_estimate(methods[i], scene, params, true);
+		largest = own > *bytes ? methods[i] : largest;
+		*bytes = larger(*bytes, own);
+	}
 	if ((truths & TS_TRUTH_C) != 0) *bytes = larger(*bytes, bytes_of_c(scene, params));
 	bool rays = (truths & (TS_TRUTH_SAMPLES | TS_TRUTH_AREA)) != 0;
 	if (rays) *bytes = larger(*bytes, bytes_of_area(methods[0], scene, params));
 	u64 limit = ts_memory_limit();
 	if (*bytes > limit) {
-		bool mirrors = strcmp(methods[0]->effect, "reflections") == 0;
-		bool indirect = strcmp(methods[0]->effect, "indirect") == 0;
-		bool particles = strcmp(methods[0]->effect, "particles") == 0;
 		return ts_fail("%s: needs about %.1f GB of memory and may use %.1f GB of this machine's %.1f GB; choose a smaller "
 		               "--size, %s%s", scene->name, (double)*bytes / 1e9, (double)limit / 1e9,
-		               (double)ts_memory_total() / 1e9,
-		               mirrors ? "fewer --reflectors" : indirect ? "grid_px or rsm_px" : particles ? "levels or particles"
-		                                                                               : "map_px or pass",
+		               (double)ts_memory_total() / 1e9, what_to_lower(largest),
 		               (truths & TS_TRUTH_C) != 0 ? ", or no truth C" : "");
 	}
 	return TS_OK;

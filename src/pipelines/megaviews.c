@@ -99,6 +99,7 @@ void ts_expect_views(ts_sizes *sizes, const ts_scene *scene, const ts_params *pa
 	ts_sizes_set(sizes, "p", n_lights * PAIRS_A_VIEW);
 	ts_sizes_set(sizes, "D2", lists);
 	ts_sizes_set(sizes, "p2", n_pairs);
+	ts_sizes_set(sizes, "work", (u64)params->queue_mb << 20);
 }
 
 static void expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params, bool alone)

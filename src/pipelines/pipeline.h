@@ -25,7 +25,7 @@ typedef struct {
 	const ts_step *steps;            /* ended by a step without a stage */
 	void (*prepare)(ts_run *run);    /* settings that only this method has; may be NULL */
 	/* What the counts of views, points, pixels and texels (B U Q N C P P2 P3 of records.def) are expected to be, before
-	 * running; and "batches", how many are like that. */
+	 * running; and "batches", how many are like that, and "work", bytes that stages take beside buffers. */
 	void (*expect)(ts_sizes *sizes, const ts_scene *scene, const ts_params *params);
 	bool only_named;                 /* runs where --method names it, for it takes long */
 } ts_pipeline;
@@ -47,7 +47,8 @@ u64 ts_pipeline_bytes(ts_buffer_id id, const ts_sizes *sizes);
 /* How many batches the pipeline expects. */
 u64 ts_pipeline_batches(const ts_sizes *sizes);
 
-/* Estimated peak of the frame's buffers in bytes, before running, without those of a trace; `lean` as in ts_run. */
+/* Estimated peak of the frame's buffers and of work memory in bytes, before running, without what only a trace has; `lean`
+ * as in ts_run. */
 u64 ts_pipeline_estimate(const ts_pipeline *pipeline, const ts_scene *scene, const ts_params *params, bool lean);
 
 #endif

@@ -105,12 +105,14 @@ u64 ts_pipeline_bytes(ts_buffer_id id, const ts_sizes *sizes)
 	return n > most / info->element_bytes ? most : n * info->element_bytes;
 }
 
-u64 ts_pipeline_batches(const ts_sizes *sizes)
+static u64 size_of(const char *name, const ts_sizes *sizes, u64 otherwise)
 {
 	u32 n_dims;
 	u64 dims[TS_MAX_DIMS];
-	return ts_shape_dims("batches", sizes, &n_dims, dims) ? dims[0] : 1;
+	return ts_shape_dims(name, sizes, &n_dims, dims) ? dims[0] : otherwise;
 }
+
+u64 ts_pipeline_batches(const ts_sizes *sizes) { return size_of("batches", sizes, 1); }
 
 static u64 add(u64 a, u64 b) { return a > UINT64_MAX - b ? UINT64_MAX : a + b; }
 
@@ -140,5 +142,5 @@ u64 ts_pipeline_estimate(const ts_pipeline *pipeline, const ts_scene *scene, con
 		u64 bytes = bytes_at(pipeline, step, params, &sizes, lean);
 		peak = bytes > peak ? bytes : peak;
 	}
-	return peak;
+	return add(peak, size_of("work", &sizes, 0));
 }

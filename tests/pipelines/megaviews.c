@@ -309,12 +309,37 @@ static void test_little(void **state)
 	}
 }
 
+/* What a run is expected to take is no less than what it takes, its queues with it. */
+static void test_memory(void **state)
+{
+	(void)state;
+	for (u32 k = 0; k < 4; k++) {
+		const ts_pipeline *pipeline = ts_pipeline_find(k / 2 == 0 ? "indirect" : "particles", methods[k % 2]);
+		ts_params params = tiny_params();
+		params.particles = params.vpls;
+		params.queue_mb = 2;
+		ts_scene *scene = small_scene(&params);
+		u64 short_queue = ts_pipeline_estimate(pipeline, scene, &params, true);
+		params.queue_mb = 5;
+		assert_int_equal(ts_pipeline_estimate(pipeline, scene, &params, true) - short_queue, 3 << 20);
+		ts_run run;
+		ts_run_begin(&run, scene, &params, 2);
+		run.lean = true;
+		assert_int_equal(ts_pipeline_run(pipeline, &run), TS_OK);
+		u64 taken = run.frame.peak_bytes + (u64)ts_run_counter(&run, "queue bytes");
+		assert_true(taken <= short_queue + (3 << 20));
+		ts_run_end(&run);
+		ts_scene_free(scene);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_threads), cmocka_unit_test(test_claims), cmocka_unit_test(test_lists),
 		cmocka_unit_test(test_cutoff),  cmocka_unit_test(test_units),  cmocka_unit_test(test_draws),
 		cmocka_unit_test(test_filter),  cmocka_unit_test(test_edges),  cmocka_unit_test(test_little),
+		cmocka_unit_test(test_memory),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
