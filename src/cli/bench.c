@@ -55,9 +55,11 @@ static const struct {
 	{ "ssagh-5", ~(FILES | TS_OPT_JSON), NULL, ts_bench_curves },
 	{ "ssagh-7", ~(FILES | TS_OPT_JSON), NULL, ts_bench_cosines },
 	{ "mega-10", TS_OPT_METHOD | TS_OPT_TRUTH, &ts_mega_10, NULL },
+	{ "mega-10-bounces", TS_OPT_METHOD | TS_OPT_TRUTH, &ts_mega_10_bounces, NULL },
 	{ "mega-12", TS_OPT_METHOD | TS_OPT_TRUTH, &ts_mega_12, NULL },
 	{ "mega-13", TS_OPT_METHOD | TS_OPT_TRUTH, &ts_mega_13, NULL },
 	{ "mega-16", TS_OPT_METHOD | TS_OPT_TRUTH, &ts_mega_16, NULL },
+	{ "mega-particles", TS_OPT_METHOD | TS_OPT_TRUTH, &ts_mega_particles, NULL },
 	{ "start", TS_OPT_TRUTH | FILES, NULL, ts_bench_start },
 };
 enum { N_TABLES = sizeof tables / sizeof tables[0] };

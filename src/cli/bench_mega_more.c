@@ -1,45 +1,18 @@
 /* MegaViews as maps, octrees and gathering vary: the paper's figures 12, 13 and 16, of which only what the text says is
  * known. */
-#include "bench_paper.h"
+#include "bench_mega.h"
 
 #define ALL TS_NO_FIGURE, 0, 0
 
 /* Figure 12. */
-enum { M_MEGA, M_LODS };
-
 static const ts_bench_variant splat_variants[] = {
 	[M_MEGA] = { "megaviews", "multipixel=on", true, false },
 	[M_LODS] = { "manylods", "multipixel=on", true, false },
 	{ 0 }
 };
 
-enum { SIDE, MS, LODS_MS, SPEEDUP, MS_GROWTH, LODS_MS_GROWTH, PAIRS, LODS_PAIRS, SAVED, PAIRS_GROWTH, SERVED, RENDERED,
-	SHARING, SHARING_GROWTH, WIDER, WIDER_SHARE, QUEUE_MIB, MAPS_MIB, LODS_QUEUE_MIB, LODS_MAPS_MIB, RMSE };
-
-#define SHARED_FIGURES \
-	[MS] = { "megaviews_ms", "MegaViews", TS_FIGURE_STAGE_TIME, M_MEGA, 0, 2, "map,fuse" }, \
-	[LODS_MS] = { "manylods_ms", "ManyLoDs", TS_FIGURE_STAGE_TIME, M_LODS, 0, 2, "map,fuse" }, \
-	[SPEEDUP] = { "speedup", "ManyLoDs / MegaViews", TS_FIGURE_RATIO, LODS_MS, MS, 2, "" }, \
-	[MS_GROWTH] = { "ms_exponent", "exponent", TS_FIGURE_GROWTH, MS, SIDE, 3, "" }, \
-	[LODS_MS_GROWTH] = { "manylods_ms_exponent", "ManyLoDs'", TS_FIGURE_GROWTH, LODS_MS, SIDE, 3, "" }, \
-	[PAIRS] = { "pairs", "pairs", TS_FIGURE_COUNTER, M_MEGA, 0, TS_WHOLE, "pairs" }, \
-	[LODS_PAIRS] = { "manylods_pairs", "ManyLoDs'", TS_FIGURE_COUNTER, M_LODS, 0, TS_WHOLE, "pairs" }, \
-	[SAVED] = { "pairs_ratio", "by ours", TS_FIGURE_RATIO, LODS_PAIRS, PAIRS, 2, "" }, \
-	[PAIRS_GROWTH] = { "pairs_exponent", "exponent", TS_FIGURE_GROWTH, PAIRS, SIDE, 3, "" }, \
-	[SERVED] = { "served", "views served", TS_FIGURE_COUNTER, M_MEGA, 0, TS_WHOLE, "views served" }, \
-	[RENDERED] = { "rendered", "rendered", TS_FIGURE_COUNTER, M_MEGA, 0, TS_WHOLE, "pairs rendered" }, \
-	[SHARING] = { "sharing", "views a pair", TS_FIGURE_RATIO, SERVED, RENDERED, 2, "" }, \
-	[SHARING_GROWTH] = { "sharing_exponent", "exponent", TS_FIGURE_GROWTH, SHARING, SIDE, 3, "" }, \
-	[WIDER] = { "wider", "wider than a texel", TS_FIGURE_COUNTER, M_MEGA, 0, TS_WHOLE, "pairs wider than a texel" }, \
-	[WIDER_SHARE] = { "wider_percent", "wider, %", TS_FIGURE_PERCENT, WIDER, RENDERED, 2, "" }, \
-	[QUEUE_MIB] = { "queue_mib", "queue, MiB", TS_FIGURE_MEMORY, M_MEGA, 8, 1, "longest queue" }, \
-	[MAPS_MIB] = { "maps_mib", "maps, MiB", TS_FIGURE_BUFFERS, M_MEGA, 0, 1, "map,fuse" }, \
-	[LODS_QUEUE_MIB] = { "manylods_queue_mib", "ManyLoDs' queue", TS_FIGURE_MEMORY, M_LODS, 8, 1, "longest queue" }, \
-	[LODS_MAPS_MIB] = { "manylods_maps_mib", "maps", TS_FIGURE_BUFFERS, M_LODS, 0, 1, "map,fuse" }, \
-	[RMSE] = { "rmse", "RMSE to ManyLoDs'", TS_FIGURE_RMSE, M_MEGA, M_LODS, 3, "" }
-
 static const ts_bench_figure side_figures[] = {
-	[SIDE] = { "side", "texels a side", TS_FIGURE_PARAM, 0, 0, TS_WHOLE, "view_px" }, SHARED_FIGURES, { 0 }
+	[X] = { "side", "texels a side", TS_FIGURE_PARAM, 0, 0, TS_WHOLE, "view_px" }, TS_MEGA_FIGURES, { 0 }
 };
 
 static const ts_paper_part side_parts[] = {
@@ -47,7 +20,8 @@ static const ts_paper_part side_parts[] = {
 	  MS_GROWTH, LODS_MS_GROWTH, RMSE, TS_NO_FIGURE } },
 	{ "mega_12_pairs", "Pairs, and ManyLoDs'", { PAIRS, LODS_PAIRS, SAVED, PAIRS_GROWTH, SHARING, SHARING_GROWTH,
 	  WIDER_SHARE, TS_NO_FIGURE } },
-	{ "mega_12_mib", "Memory", { QUEUE_MIB, MAPS_MIB, LODS_QUEUE_MIB, LODS_MAPS_MIB, TS_NO_FIGURE } },
+	{ "mega_12_mib", "Memory", { QUEUE_MIB, MAPS_MIB, LODS_QUEUE_MIB, LODS_MAPS_MIB, MAPS_LESS,
+	  TS_NO_FIGURE } },
 	{ 0 }
 };
 
@@ -62,7 +36,7 @@ static const ts_paper_relation side_relations[] = {
 };
 
 static const ts_paper_row none[] = { { 0 } };
-static const ts_paper_plot side_plot = { "texels a side", "maps, ms", SIDE, { MS, LODS_MS, TS_NO_FIGURE }, true };
+static const ts_paper_plot side_plot = { "texels a side", "maps, ms", X, { MS, LODS_MS, TS_NO_FIGURE }, true };
 
 const ts_paper_table ts_mega_12 = {
 	.name = "mega-12", .title = "MegaViews, figure 12", .effect = "indirect", .scenes = "atrium",
@@ -80,11 +54,11 @@ static const ts_bench_variant variants[] = {
 };
 
 static const ts_bench_figure level_figures[] = {
-	[SIDE] = { "leaves", "leaves", TS_FIGURE_COUNTER, M_MEGA, 0, TS_WHOLE, "scene leaves" }, SHARED_FIGURES, { 0 }
+	[X] = { "leaves", "leaves", TS_FIGURE_COUNTER, M_MEGA, 0, TS_WHOLE, "scene leaves" }, TS_MEGA_FIGURES, { 0 }
 };
 
 static const ts_paper_part level_parts[] = {
-	{ "mega_13", "MegaViews, figure 13: maps, ms; exponents of leaves of the scene since the row above", { SIDE, MS, LODS_MS,
+	{ "mega_13", "MegaViews, figure 13: maps, ms; exponents of leaves of the scene since the row above", { X, MS, LODS_MS,
 	  SPEEDUP, MS_GROWTH, LODS_MS_GROWTH, RMSE, TS_NO_FIGURE } },
 	{ "mega_13_pairs", "Pairs, and ManyLoDs'", { PAIRS, LODS_PAIRS, SAVED, PAIRS_GROWTH, SHARING, WIDER, WIDER_SHARE,
 	  TS_NO_FIGURE } },
@@ -108,7 +82,7 @@ static const ts_paper_row level_rows[] = {
 	{ 0 }
 };
 
-static const ts_paper_plot level_plot = { "leaves of the scene", "maps, ms", SIDE, { MS, LODS_MS, TS_NO_FIGURE }, true };
+static const ts_paper_plot level_plot = { "leaves of the scene", "maps, ms", X, { MS, LODS_MS, TS_NO_FIGURE }, true };
 
 const ts_paper_table ts_mega_13 = {
 	.name = "mega-13", .title = "MegaViews, figure 13", .effect = "indirect", .scenes = "atrium",

@@ -75,7 +75,7 @@ typedef struct {
 #define TS_OMNI_NOTE "Depth maps of 256 x 256 instead of the paper's 1024 x 1024, for VIR's points."
 
 extern const ts_paper_table ts_ivir_1, ts_ivir_2, ts_ivir_3, ts_epr_1, ts_epr_2, ts_epr_3, ts_ssagh_1;
-extern const ts_paper_table ts_mega_10, ts_mega_12, ts_mega_13, ts_mega_16;
+extern const ts_paper_table ts_mega_10, ts_mega_10_bounces, ts_mega_12, ts_mega_13, ts_mega_16, ts_mega_particles;
 
 /* A row of ours, and the paper's beside it. */
 typedef struct {

@@ -317,6 +317,38 @@ assert sorted(range(4), key=lambda i: ms[i]) == sorted(range(4), key=lambda i: -
 PY
 verdict $? 'bench mega-10: CSV, and a plot of a curve a method'
 
+# Views of four bounces, and particles: pairs are those of the renders.
+run render indirect "$room" --method megaviews,manylods --set vpls=64 --set vpl.bounces=4 "${maps[@]}" --no-images --json
+cp "$scratch/stdout" "$scratch/bounces-render"
+run render particles "$room" --method megaviews,manylods --set particles=256 "${maps[@]}" --no-images --json
+cp "$scratch/stdout" "$scratch/particles-render"
+run bench mega-10-bounces --scene "$room" --objects 16,64 "${maps[@]}" --runs 1 -o "$scratch/mega-bounces"
+[ "$status" -eq 0 ] && awk 'length > 120 || / $/ { exit 1 }' "$scratch/stdout"
+verdict $? 'bench mega-10-bounces fits 120 columns'
+run bench mega-particles --scene "$room" --objects 64,256 "${maps[@]}" --runs 1 -o "$scratch/mega-particles"
+[ "$status" -eq 0 ] && awk 'length > 120 || / $/ { exit 1 }' "$scratch/stdout"
+verdict $? 'bench mega-particles fits 120 columns'
+python3 - "$scratch" <<'PY'
+import json, math, sys
+def near(a, b):
+	assert abs(a - b) <= 1e-6 * abs(b), (a, b)
+for name, key in ("bounces", "mega_10_bounces"), ("particles", "mega_particles"):
+	report = json.load(open(f"{sys.argv[1]}/mega-{name}/report.json"))
+	counted = json.load(open(f"{sys.argv[1]}/{name}-render"))
+	few, many = ({k: v for part in (key, key + "_pairs", key + "_mib") for k, v in report[part][i].items()} for i in (0, 1))
+	pairs = {c["counter"]: c for c in counted["counters"]}["pairs"]
+	assert (many["pairs"], many["manylods_pairs"]) == (pairs["megaviews"], pairs["manylods"]) and few["pairs"] > 0
+	a, b = (r["views"] if name == "bounces" else r["particles"] for r in (few, many))
+	assert 16 < a <= 64 and 64 < b <= 256
+	near(many["pairs_ratio"], many["manylods_pairs"] / many["pairs"])
+	near(many["pairs_exponent"], math.log(many["pairs"] / few["pairs"]) / math.log(b / a))
+	near(many["maps_ratio"], many["manylods_maps_mib"] / many["maps_mib"])
+	near(many["manylods_maps_mib"], b * 2 * 16 * 16 * 12 / 2 ** 20)
+	judged = {r["relation"]: r["verdict"] for r in report["relations"]}
+	assert len(judged) == 2 and all(v == "holds" or v.startswith("differs: ") for v in judged.values())
+PY
+verdict $? 'bench mega-10-bounces and mega-particles: pairs, maps and exponents, counted again'
+
 run bench mega-12 --scene "$room" --objects 8,16 --set vpls=64 "${maps[@]}" --runs 1 --json
 cp "$scratch/stdout" "$scratch/mega-12"
 run bench mega-13 --scene "$room" --objects 3,4 --set vpls=64 "${maps[@]}" --runs 1 --json
