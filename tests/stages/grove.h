@@ -3,7 +3,7 @@
 #define TS_TESTS_STAGES_GROVE_H
 #include "small.h"
 
-enum { GROVE_LEVELS = 8 };
+enum { GROVE_LEVELS = 9 };
 
 static u64 grove_state;
 
@@ -244,6 +244,22 @@ static inline void grove_begin(ts_run *run, const ts_scene *scene, const ts_para
 static inline void grove_stage(ts_run *run, const char *name)
 {
 	if (ts_run_stage(run, ts_stage_find(name)) != TS_OK) fail_msg("%s", ts_error_message());
+}
+
+/* A run with views alone, some of those of the grove. */
+static inline void grove_begin_alone(ts_run *run, const ts_scene *scene, const ts_params *params, const grove *g,
+                                     ts_vpl *lights, u32 n)
+{
+	ts_run_begin(run, scene, params, 2);
+	for (u32 i = 0; i < n; i++) {
+		const grove_place *place = &g->places[(u64)i * g->n_places / n];
+		lights[i] = (ts_vpl){ .bounce = 1 };
+		ts_store3(lights[i].position, place->p);
+		ts_store3(lights[i].normal, place->n);
+	}
+	ts_frame_borrow(&run->frame, TS_B_octree_node, g->scene.nodes, g->scene.before[g->scene.levels + 1]);
+	ts_frame_borrow(&run->frame, TS_B_vpl_light, lights, n);
+	grove_stage(run, "view_alone");
 }
 
 /* What a run made. */

@@ -1,5 +1,5 @@
-/* The traversal of two octrees: the pairs that a recursion renders, whatever the queues' memory; maps of those pairs; and
- * whole maps that show what each view by itself would, as often as in the prototype (SPEC 4.13). */
+/* The traversal of two octrees: the pairs that a recursion renders, whatever the queues' memory; maps of those pairs, and
+ * whole maps. */
 #include "grove.h"
 
 static ts_params params_of(u32 n)
@@ -259,21 +259,6 @@ static void test_multipixel(void **state)
 	grove_free(&g);
 }
 
-/* A run with views alone, some of those of the grove. */
-static void begin_alone(ts_run *run, const ts_params *params, const grove *g, ts_vpl *lights, u32 n)
-{
-	ts_run_begin(run, scene, params, 2);
-	for (u32 i = 0; i < n; i++) {
-		const grove_place *place = &g->places[(u64)i * g->n_places / n];
-		lights[i] = (ts_vpl){ .bounce = 1 };
-		ts_store3(lights[i].position, place->p);
-		ts_store3(lights[i].normal, place->n);
-	}
-	ts_frame_borrow(&run->frame, TS_B_octree_node, g->scene.nodes, g->scene.before[g->scene.levels + 1]);
-	ts_frame_borrow(&run->frame, TS_B_vpl_light, lights, n);
-	grove_stage(run, "view_alone");
-}
-
 /* Where every leaf is wider than a texel, views alone show just what brute force does. */
 static void test_alone(void **state)
 {
@@ -283,7 +268,7 @@ static void test_alone(void **state)
 	grove g;
 	ts_run run;
 	grove_plant(&g, 3, 3, 3000, grove_noise, 40, grove_noise);
-	begin_alone(&run, &params, &g, lights, 40);
+	grove_begin_alone(&run, scene, &params, &g, lights, 40);
 	grove_stage(&run, "map");
 	u64 n, n_all;
 	i64 rendered = ts_run_counter(&run, "pairs rendered");
@@ -325,82 +310,6 @@ static void test_errors(void **state)
 	grove_free(&g);
 }
 
-/* Shares of texels: of the same depth, and with one beside them that has it. */
-typedef struct { double same, near, missing; u64 n; } likeness;
-
-static bool is_like(u32 a, u32 b, f32 slack)
-{
-	if (a == TS_NONE || b == TS_NONE) return a == b;
-	return ts_abs(ts_u2f(a) - ts_u2f(b)) < 0.05f * ts_u2f(a) + slack;
-}
-
-static bool is_like_near(const u32 *fused, u32 texel, u32 n, u32 own, f32 slack)
-{
-	i32 side = (i32)n, row = (i32)(texel / n % n), column = (i32)(texel % n);
-	for (i32 y = ts_max_i32(row - 1, 0); y <= ts_min_i32(row + 1, side - 1); y++) {
-		for (i32 x = ts_max_i32(column - 1, 0); x <= ts_min_i32(column + 1, side - 1); x++) {
-			if (is_like(own, fused[texel / (n * n) * n * n + (u32)(y * side + x)], slack)) return true;
-		}
-	}
-	return false;
-}
-
-/* Texels in the middle of the view's field: the prototype's measure. */
-static void compare(likeness *sum, const u32 *alone, const u32 *fused, const grove_place *place, u32 n, f32 slack)
-{
-	for (u32 t = 0; t < 2 * n * n; t++) {
-		if (!ts_k_paraboloid_is_used(t, n) || ts_dot(ts_k_paraboloid_direction(t, n), place->n) < 0.15f) continue;
-		bool same = is_like(alone[t], fused[t], slack);
-		sum->n++;
-		sum->same += same;
-		sum->near += same || is_like_near(fused, t, n, alone[t], slack);
-		sum->missing += alone[t] != TS_NONE && fused[t] == TS_NONE;
-	}
-}
-
-/* The prototype's row, and what runs here may be off by: its radii and cosines are rounded otherwise. */
-typedef struct { u32 n_views; grove_source *view; double pairs, ratio, sharing, wide, same, near; } row;
-
-static void check_row(const row *expected, u64 n_points, u32 levels, u32 n)
-{
-	enum { SAMPLE = 200 };
-	static ts_vpl lights[SAMPLE];
-	ts_params params = params_of(n);
-	grove g;
-	ts_run run, alone;
-	grove_plant(&g, levels, levels, n_points, grove_surface, expected->n_views, expected->view);
-	grove_begin(&run, scene, &params, 2, &g);
-	grove_stage(&run, "map");
-	grove_stage(&run, "fuse");
-	begin_alone(&alone, &params, &g, lights, SAMPLE);
-	grove_stage(&alone, "map");
-	const u32 *fused = ts_frame_data(&run.frame, TS_B_fuse_depth);
-	const u64 *maps = ts_frame_data(&alone.frame, TS_B_map_depth_node);
-	u32 *own = malloc(2 * n * n * sizeof *own);
-	likeness sum = { 0, 0, 0, 0 };
-	for (u32 i = 0; i < SAMPLE; i++) {
-		u64 place = (u64)i * g.n_places / SAMPLE;
-		for (u32 t = 0; t < 2 * n * n; t++) own[t] = (u32)(maps[i * 2 * n * n + t] >> 32);
-		compare(&sum, own, fused + (u64)g.leaf[place] * 2 * n * n, &g.places[place], n, 3 / (f32)(1u << levels));
-	}
-	double pairs = (double)ts_run_counter(&run, "pairs"), rendered = (double)ts_run_counter(&run, "pairs rendered");
-	double ratio = (double)ts_run_counter(&alone, "pairs") / SAMPLE * expected->n_views / pairs;
-	double sharing = (double)ts_run_counter(&run, "views served") / rendered;
-	double wide = 100 * (double)ts_run_counter(&run, "pairs wider than a texel") / rendered;
-	double same = 100 * sum.same / (double)sum.n, near = 100 * sum.near / (double)sum.n;
-	print_message("saved %.2f times, shared by %.2f, wide %.2f %%, same %.2f %%, near %.2f %%, missing %.3f %%\n", ratio,
-	              sharing, wide, same, near, 100 * sum.missing / (double)sum.n);
-	assert_true(fabs(pairs / expected->pairs - 1) < 0.01);
-	assert_true(fabs(ratio / expected->ratio - 1) < 0.02);
-	assert_true(fabs(sharing / expected->sharing - 1) < 0.02);
-	assert_true(fabs(wide - expected->wide) < 0.5);
-	assert_true(same > expected->same - 0.5 && near > expected->near - 0.2);
-	free(own);
-	ts_run_end(&run);
-	ts_run_end(&alone);
-	grove_free(&g);
-}
-
 /* The octrees of the scene and its virtual point lights, as the stages before make them. */
 static void test_stages(void **state)
 {
@@ -425,25 +334,12 @@ static void test_stages(void **state)
 	ts_run_end(&run);
 }
 
-static void test_prototype(void **state)
-{
-	(void)state;
-	static const row rows[] = {
-		{ 256, grove_floor, 1704665, 1.22, 1.51, 6.98, 92.58, 98.69 },
-		{ 4096, grove_floor, 6502386, 5.12, 5.82, 13.92, 92.76, 98.69 },
-	};
-	for (u32 i = 0; i < sizeof rows / sizeof *rows; i++) {
-		grove_state = 1234567;
-		check_row(&rows[i], 40 * 16384, 7, 16);
-	}
-}
-
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		grown_test(test_recursion),  grown_test(test_memory), grown_test(test_map),   grown_test(test_fuse),
 		grown_test(test_moved),      grown_test(test_multipixel), grown_test(test_alone), grown_test(test_errors),
-		grown_test(test_stages),     grown_test(test_prototype),
+		grown_test(test_stages),
 	};
 	return cmocka_run_group_tests(tests, open_scene, close_scene);
 }
