@@ -80,11 +80,14 @@ static u64 least(u64 a, u64 b) { return a < b ? a : b; }
 /* Surfaces fill as many voxels of a level as some faces of the root, and nodes above them are a third as many. */
 static u64 expected_nodes(u32 level) { return least((u64)LEAVES_A_FACE << 2 * level, 1ull << 3 * level); }
 
+/* Of n voxels those that lights are in: nearly as many as are few lights, nearly all with many. */
+static u64 expected_lit(u64 n_lights, u64 n) { return n_lights > 0 ? n_lights * n / (n_lights + n) + 1 : 0; }
+
 void ts_expect_views(ts_sizes *sizes, const ts_scene *scene, const ts_params *params, u64 n_lights, bool alone)
 {
 	u32 levels = params->levels, level = ts_gather_level_of(params, alone);
-	u64 leaves = expected_nodes(levels), view_leaves = alone ? n_lights : least(n_lights, leaves);
-	u64 lists = expected_nodes(level), n_pairs = lists * (alone ? n_lights : least(view_leaves, lists));
+	u64 leaves = expected_nodes(levels), view_leaves = alone ? n_lights : expected_lit(n_lights, leaves);
+	u64 lists = expected_nodes(level), n_pairs = lists * (alone ? n_lights : expected_lit(view_leaves, lists));
 	ts_pyramid pyramid = ts_view_pyramid(params);
 	ts_sizes_set(sizes, "l", levels + 1);
 	ts_sizes_set(sizes, "Y", ts_k_mask_first(levels + 1));
