@@ -134,6 +134,6 @@ run render particles dining:triangles=10000:texels=32 --size 64x36 --set levels=
 	[ -s work/particles/truth-glow.png ] && grep -q 'truth-glow' stdout
 verdict $? 'particles by both methods, and their truth'
 refuses 'there is glow, or none' render particles --truth=vpls
-refuses 'levels or particles' render particles dining:triangles=10000:texels=32 --set levels=11 --set particles=16000000 --set view_px=256
+refuses 'view_px or particles' render particles dining:triangles=10000:texels=32 --set levels=11 --set particles=16000000 --set view_px=256
 
 finish

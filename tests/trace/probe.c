@@ -468,7 +468,7 @@ static void test_indirect(void **state)
 			try_pixel(t, pixel);
 			n_lit += try_indirect(t, pixel);
 		}
-		assert_true(n_lit > N_TRIED / 4);
+		assert_true(n_lit > N_TRIED / 8);
 		assert_int_equal(ts_probe_triangle(t->probe, 0, &answer), TS_ERROR);
 	}
 }

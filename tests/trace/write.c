@@ -195,7 +195,7 @@ static void test_estimate(void **state)
 	ts_trace_options all = {.place = NULL}, none = {.place = NULL};
 	memset(none.without, 1, sizeof none.without);
 	const ts_pipeline *epr = ts_pipeline_find("reflections", "epr");
-	assert_true(ts_trace_estimate(epr, scene, &params, &all) > 36u << 20);
+	assert_true(ts_trace_estimate(epr, scene, &params, &all) > 7u << 20);
 	assert_true(ts_trace_estimate(epr, scene, &params, &none) == 0);
 }
 
