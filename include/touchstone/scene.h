@@ -1,4 +1,10 @@
-/* Scenes: triangles, materials, textures, lights, cameras and reflectors. Immutable once opened. */
+/* Scenes: triangles, materials, textures, lights, cameras, reflectors and surfels. Immutable once opened.
+ *
+ * Surfels are records ts_surfel of records.def in world space: an ellipse by its centre and two half-axes, and its
+ * colour. They belong to the scene; a scene may have surfels only, triangles only, or both. Those that ask for pixels
+ * read them as the buffer scene.surfel; a scene without surfels has no such buffer. Every surfel of an opened scene has
+ * finite floats, coordinates within 2^24, half-axes longer than 0 and at a right angle to each other; which is longer
+ * is left open. The normal is not stored: it is the unit vector of u x v, made by the kernel that sets a surfel up. */
 #ifndef TOUCHSTONE_SCENE_H
 #define TOUCHSTONE_SCENE_H
 #include <stdint.h>

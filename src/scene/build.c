@@ -95,6 +95,7 @@ void ts_scene_free(ts_scene *scene)
 	free(scene->texels);
 	free(scene->lights);
 	free(scene->objects);
+	free(scene->surfels);
 	free(scene->cameras);
 	free(scene->notes);
 	free(scene);
@@ -229,6 +230,18 @@ u32 ts_build_object(ts_build *build, const ts_object *object, bool is_reflector)
 	return scene->n_objects++;
 }
 
+u32 ts_build_surfel(ts_build *build, const ts_surfel *surfel)
+{
+	ts_scene *scene = build->scene;
+	if (!countable(build, scene->n_surfels, "surfels") || !TS_BUILD_ROOM(build, surfels, "surfels")) return 0;
+	ts_surfel *s = &scene->surfels[scene->n_surfels];
+	sanitize(s->centre, surfel->centre, 3);
+	sanitize(s->u, surfel->u, 3);
+	sanitize(s->v, surfel->v, 3);
+	sanitize(s->colour, surfel->colour, 3);
+	return scene->n_surfels++;
+}
+
 void ts_build_note(ts_build *build, const char *format, ...)
 {
 	ts_scene *scene = build->scene;
@@ -243,24 +256,31 @@ void ts_build_note(ts_build *build, const char *format, ...)
 	if (note) scene->notes[scene->n_notes++] = note;
 }
 
+/* Makes the box hold p; *found counts what it holds. */
+static void hold(ts_info *info, ts_v3 p, u64 *found)
+{
+	bool first = (*found)++ == 0;
+	ts_store3(info->box_min, first ? p : ts_min3(ts_load3(info->box_min), p));
+	ts_store3(info->box_max, first ? p : ts_max3(ts_load3(info->box_max), p));
+}
+
 void ts_build_box(ts_scene *scene)
 {
-	for (int pass = 0, found = 0; pass < 2 && !found; pass++) {
-		ts_v3 low = ts_v3_make(0.0f, 0.0f, 0.0f), high = low;
+	ts_info *info = &scene->info;
+	u64 found = 0;
+	memset(info->box_min, 0, sizeof info->box_min);
+	memset(info->box_max, 0, sizeof info->box_max);
+	for (int pass = 0; pass < 2 && found == 0; pass++) {
 		for (u32 i = 0; i < scene->n_triangles; i++) {
 			for (u32 k = 0; k < 3; k++) {
 				u32 index = scene->triangles[i].vertex[k];
 				if (index >= scene->n_vertices) continue;
 				u32 object = scene->vertices[index].object;
 				if (pass == 0 ? object != 0 : scene->objects[object].period != 0) continue;
-				ts_v3 p = ts_load3(scene->vertices[index].position);
-				low = found ? ts_min3(low, p) : p;
-				high = found ? ts_max3(high, p) : p;
-				found = 1;
+				hold(info, ts_load3(scene->vertices[index].position), &found);
 			}
 		}
-		ts_store3(scene->info.box_min, low);
-		ts_store3(scene->info.box_max, high);
+		for (u32 i = 0; i < scene->n_surfels && pass == 0; i++) hold(info, ts_load3(scene->surfels[i].centre), &found);
 	}
 }
 

@@ -29,6 +29,8 @@ u32 ts_build_material(ts_build *build, const ts_material *material);
 u32 ts_build_slot(ts_build *build, const ts_slot *slot);
 /* The first light replaces the default sun. */
 void ts_build_light(ts_build *build, const ts_light *light);
+/* Both half-axes must be at right angles and longer than 0, every float finite: the loader's to check. */
+u32 ts_build_surfel(ts_build *build, const ts_surfel *surfel);
 /* The name is copied; of several cameras with one name the first can be chosen. */
 void ts_build_camera(ts_build *build, const ts_camera *camera);
 /* Vertices from here on belong to this object: first_vertex, n_vertices and reflector are filled in. With

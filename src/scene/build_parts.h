@@ -9,7 +9,7 @@ struct ts_build {
 	bool failed;
 	char message[512];
 	struct {
-		size_t vertices, triangles, materials, slots, images, texels, lights, objects, cameras, notes;
+		size_t vertices, triangles, materials, slots, images, texels, lights, objects, surfels, cameras, notes;
 	} capacity;
 };
 
@@ -23,8 +23,8 @@ void *ts_build_room(ts_build *build, void *array, u64 n, u64 more, size_t *capac
 	                                       &(build)->capacity.array, sizeof *(build)->scene->array, what), \
 	 !(build)->failed)
 
-/* The box of the triangles of object 0; where it has none, of all objects that stand still. Triangles whose corners
- * do not exist are passed over. */
+/* The box of the triangles of object 0 and the centres of the surfels; where there is neither, of all objects that
+ * stand still. Triangles whose corners do not exist are passed over. */
 void ts_build_box(ts_scene *scene);
 
 /* The hall, from the box and the triangles of object 0. Fails without memory. */

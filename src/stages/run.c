@@ -22,6 +22,7 @@ void ts_run_begin(ts_run *run, const ts_scene *scene, const ts_params *params, u
 	ts_frame_borrow(&run->frame, TS_B_scene_texel, scene->texels, scene->n_texels);
 	ts_frame_borrow(&run->frame, TS_B_scene_light, scene->lights, scene->n_lights);
 	ts_frame_borrow(&run->frame, TS_B_scene_object, scene->objects, scene->n_objects);
+	if (scene->n_surfels > 0) ts_frame_borrow(&run->frame, TS_B_scene_surfel, scene->surfels, scene->n_surfels);
 	ts_frame_borrow(&run->frame, TS_B_scene_info, &scene->info, 1);
 }
 
@@ -186,6 +187,7 @@ void ts_run_sizes(ts_sizes *sizes, const ts_scene *scene, const ts_params *param
 	const ts_size known[] = {
 		{"V", scene->n_vertices}, {"T", scene->n_triangles}, {"M", scene->n_materials}, {"S", scene->n_slots},
 		{"I", scene->n_images}, {"X", scene->n_texels}, {"L", scene->n_lights}, {"O", scene->n_objects},
+		{"s", scene->n_surfels},
 		{"R", scene->info.n_reflectors}, {"H", params->height},
 		{"W", params->width}, {"G", params->grid_px}, {"K", TS_N_SAMPLES}, {"P", ts_expected_pixels(scene, params)},
 		{"l", params->levels + 1}, {"Y", ts_k_mask_first(params->levels + 1)},

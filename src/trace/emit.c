@@ -39,7 +39,8 @@ static ts_status offer(const ts_run *run, ts_buffer_id id, ts_take_chunk *take, 
 ts_status ts_emit_scene(const ts_run *run, ts_take_chunk *take, void *user)
 {
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
-		if (ts_emit_is_scene((ts_buffer_id)id) && offer(run, (ts_buffer_id)id, take, user) != TS_OK) return TS_ERROR;
+		bool made = ts_emit_is_scene((ts_buffer_id)id) && run->frame.buffer[id].made;
+		if (made && offer(run, (ts_buffer_id)id, take, user) != TS_OK) return TS_ERROR;
 	}
 	return TS_OK;
 }

@@ -124,6 +124,10 @@ static void make_scene(ts_load *load)
 	scene->n_lights = (u32)ts_frame_n(frame, TS_B_scene_light);
 	scene->objects = ts_frame_data(frame, TS_B_scene_object);
 	scene->n_objects = (u32)ts_frame_n(frame, TS_B_scene_object);
+	if (load->item[TS_B_scene_surfel] != NULL) {
+		scene->surfels = ts_frame_data(frame, TS_B_scene_surfel);
+		scene->n_surfels = (u32)ts_frame_n(frame, TS_B_scene_surfel);
+	}
 	if (load->item[TS_B_scene_info] != NULL && ts_frame_n(frame, TS_B_scene_info) > 0) {
 		memcpy(&scene->info, ts_frame_data(frame, TS_B_scene_info), sizeof scene->info);
 	}
