@@ -34,7 +34,8 @@ typedef struct {
 extern const ts_pipeline ts_pipeline_table[];
 const ts_pipeline *ts_pipeline_find(const char *effect, const char *name);
 
-/* Runs every step. A buffer lives until its last reader if run->lean is set, else to the end. */
+/* Runs every step; refused if the pipeline draws surfels (a stage of it reads them) and the scene has none, or if it draws
+ * triangles and the scene has surfels only. A buffer lives until its last reader if run->lean is set, else to the end. */
 ts_status ts_pipeline_run(const ts_pipeline *pipeline, ts_run *run);
 
 /* True if the step is taken with these parameters, by a run that is traced or is not. */

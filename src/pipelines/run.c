@@ -75,8 +75,20 @@ static const ts_step *step_after(const ts_step *step)
 	return end;
 }
 
+static ts_status check_scene(const ts_pipeline *pipeline, const ts_run *run)
+{
+	const ts_scene *scene = run->scene;
+	bool draws_surfels = is_read_from(pipeline->steps, &run->params, TS_B_scene_surfel);
+	if (draws_surfels && scene->n_surfels == 0)
+		return ts_fail("%s: has no surfels", scene->name);
+	if (!draws_surfels && scene->n_surfels > 0 && scene->n_triangles == 0)
+		return ts_fail("%s: has surfels only; %s by %s draws triangles", scene->name, pipeline->effect, pipeline->name);
+	return TS_OK;
+}
+
 ts_status ts_pipeline_run(const ts_pipeline *pipeline, ts_run *run)
 {
+	if (check_scene(pipeline, run) != TS_OK) return TS_ERROR;
 	if (pipeline->prepare != NULL) pipeline->prepare(run);
 	const ts_step *end;
 	for (const ts_step *step = pipeline->steps; step->stage != NULL; step = end) {

@@ -3,6 +3,7 @@
 #include "build_parts.h"
 #include "../core/core.h"
 #include "../kernels/shade.h"
+#include "surfel.h"
 #include "view.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -187,12 +188,27 @@ static void choose_camera(ts_build *build, const char *name)
 	ts_build_fail(build, "%s: camera %s does not exist; there are: %s", scene->name, name, names);
 }
 
+static void check_surfels(ts_build *build)
+{
+	const ts_scene *scene = build->scene;
+	for (u32 i = 0; i < scene->n_surfels && !build->failed; i++) {
+		ts_surfel s = scene->surfels[i];
+		f32 far = ts_max(ts_max(ts_abs(s.centre[0]), ts_abs(s.centre[1])), ts_abs(s.centre[2]));
+		const char *fault = ts_surfel_ellipse(&s, NULL);
+		if (fault != NULL) ts_build_fail(build, "%s: surfel %u: %s", scene->name, i, fault);
+		if (far > COORDINATE_LIMIT)
+			ts_build_fail(build, "%s: surfel %u: coordinate %g; the limit is 16777216 after all transforms",
+			              scene->name, i, (double)far);
+	}
+}
+
 static void complete(ts_build *build, const ts_params *params, const char *camera)
 {
 	if (!build->failed) give_material(build);
 	if (!build->failed) give_light(build, params);
 	if (!build->failed) check_triangles(build);
 	if (!build->failed) check_vertices(build);
+	if (!build->failed) check_surfels(build);
 	if (!build->failed) check_materials(build);
 	if (!build->failed) check_lights(build);
 	if (!build->failed) group_vertices(build);

@@ -120,13 +120,14 @@ static void load(loader &in)
 
 } // namespace gltf
 
-void ts_gltf_load(ts_build *build, const char *path, const char *reflector)
+void ts_gltf_load(ts_build *build, const char *path, const char *reflector, u32 neighbours)
 {
 	try {
 		gltf::loader in{};
 		in.build = build;
 		in.path = path;
 		in.reflector = reflector;
+		in.neighbours = neighbours;
 		gltf::load(in);
 	} catch (const gltf::error &e) {
 		if (e.line.empty())

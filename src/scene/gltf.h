@@ -9,6 +9,7 @@
 #include "gltf_numbers.h"
 #include "place.h"
 #include "sources.h"
+#include "surfel.h"
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -73,6 +74,7 @@ struct loader {
 	ts_build *build;
 	std::string path;
 	const char *reflector; /* may be NULL */
+	u32 neighbours;        /* that give points without a size one */
 	bytes file;
 	container parts;
 	document doc;
@@ -99,8 +101,32 @@ enum : unsigned { AS_FLOAT = 1, AS_UNORM = 2, AS_INDEX = 4 };
 /* type: TINYGLTF_TYPE_*, or two of them as alternatives; forms: which component types are allowed. */
 view view_open(const loader &in, int accessor, int type, int other_type, unsigned forms, const std::string &what);
 
-/* gltf_mesh.cc: one primitive as triangles in the mesh's own space, and its copies in the world. */
+/* gltf_attributes.cc: which attributes of a primitive are read, and where they go. */
+struct form {
+	const char *name;
+	int type, other_type;
+	unsigned forms;
+	size_t offset; /* in floats of a record */
+};
+#define AT(record, field) (offsetof(record, field) / sizeof(f32))
+struct attributes {
+	const form *forms;
+	size_t n_forms;
+	std::map<std::string, view> views;
+	size_t count = 0;
+	template <size_t n> explicit attributes(const form (&list)[n]) : forms(list), n_forms(n) {}
+	void open(loader &in, const tinygltf::Primitive &primitive, const std::string &where);
+	bool has(const char *name) const { return views.count(name) != 0; }
+	/* Writes the fields of item i that the file has. */
+	void read(size_t i, f32 *field) const;
+};
+
+/* gltf_points.cc: a primitive of points as surfels in the mesh's own space. */
+std::vector<ts_surfel> points_decode(loader &in, const tinygltf::Primitive &primitive, const std::string &where);
+
+/* gltf_mesh.cc: one primitive as triangles or surfels in the mesh's own space, and its copies in the world. */
 struct piece {
+	std::vector<ts_surfel> surfels;
 	std::vector<ts_vertex> vertices;
 	std::vector<u32> corners; /* three a triangle */
 	u32 material;

@@ -27,58 +27,21 @@ static size_t triangle_count(loader &in, int mode, size_t n)
 	return count;
 }
 
-struct attributes {
-	std::map<std::string, view> views;
-	size_t count = 0;
-	void open(loader &in, const tinygltf::Primitive &primitive, const std::string &where);
-	ts_vertex read(size_t i) const;
+static const form vertex_forms[] = {
+	{"POSITION", TINYGLTF_TYPE_VEC3, TINYGLTF_TYPE_VEC3, AS_FLOAT, AT(ts_vertex, position)},
+	{"NORMAL", TINYGLTF_TYPE_VEC3, TINYGLTF_TYPE_VEC3, AS_FLOAT, AT(ts_vertex, normal)},
+	{"TANGENT", TINYGLTF_TYPE_VEC4, TINYGLTF_TYPE_VEC4, AS_FLOAT, AT(ts_vertex, tangent)},
+	{"TEXCOORD_0", TINYGLTF_TYPE_VEC2, TINYGLTF_TYPE_VEC2, AS_FLOAT | AS_UNORM, AT(ts_vertex, uv)},
+	{"TEXCOORD_1", TINYGLTF_TYPE_VEC2, TINYGLTF_TYPE_VEC2, AS_FLOAT | AS_UNORM, AT(ts_vertex, uv) + 2},
+	{"COLOR_0", TINYGLTF_TYPE_VEC3, TINYGLTF_TYPE_VEC4, AS_FLOAT | AS_UNORM, AT(ts_vertex, colour)},
 };
 
-struct form {
-	const char *name;
-	int type, other_type;
-	unsigned forms;
-	size_t offset; /* in floats of ts_vertex */
-};
-#define AT(field) (offsetof(ts_vertex, field) / sizeof(f32))
-static const form known_forms[] = {
-	{"POSITION", TINYGLTF_TYPE_VEC3, TINYGLTF_TYPE_VEC3, AS_FLOAT, AT(position)},
-	{"NORMAL", TINYGLTF_TYPE_VEC3, TINYGLTF_TYPE_VEC3, AS_FLOAT, AT(normal)},
-	{"TANGENT", TINYGLTF_TYPE_VEC4, TINYGLTF_TYPE_VEC4, AS_FLOAT, AT(tangent)},
-	{"TEXCOORD_0", TINYGLTF_TYPE_VEC2, TINYGLTF_TYPE_VEC2, AS_FLOAT | AS_UNORM, AT(uv)},
-	{"TEXCOORD_1", TINYGLTF_TYPE_VEC2, TINYGLTF_TYPE_VEC2, AS_FLOAT | AS_UNORM, AT(uv) + 2},
-	{"COLOR_0", TINYGLTF_TYPE_VEC3, TINYGLTF_TYPE_VEC4, AS_FLOAT | AS_UNORM, AT(colour)},
-};
-
-void attributes::open(loader &in, const tinygltf::Primitive &primitive, const std::string &where)
-{
-	for (const auto &attribute : primitive.attributes) {
-		const form *match = nullptr;
-		for (const form &f : known_forms)
-			if (attribute.first == f.name) match = &f;
-		if (!match) {
-			in.notes.insert("the vertex attribute " + quoted(attribute.first) + " is ignored");
-			continue;
-		}
-		view v = view_open(in, attribute.second, match->type, match->other_type, match->forms, attribute.first);
-		if (count != 0 && v.count != count)
-			fail("%s: %s has %zu items, another attribute has %zu", where.c_str(), match->name, v.count, count);
-		count = v.count;
-		views.emplace(attribute.first, std::move(v));
-	}
-}
-
-ts_vertex attributes::read(size_t i) const
+static ts_vertex read_vertex(const attributes &a, size_t i)
 {
 	f32 field[sizeof(ts_vertex) / sizeof(f32)] = {0.0f};
-	for (int k = 0; k < 4; k++)
-		field[AT(colour) + (size_t)k] = 1.0f;
-	for (const form &f : known_forms) {
-		auto found = views.find(f.name);
-		if (found == views.end()) continue;
-		for (int k = 0; k < found->second.components; k++)
-			field[f.offset + (size_t)k] = found->second.number(i, k);
-	}
+	for (size_t k = 0; k < 4; k++)
+		field[AT(ts_vertex, colour) + k] = 1.0f;
+	a.read(i, field);
 	ts_vertex vertex;
 	static_assert(sizeof vertex == sizeof field, "ts_vertex consists of 4-byte fields");
 	memcpy(&vertex, field, sizeof vertex);
@@ -105,7 +68,7 @@ static void collect(piece &out, const attributes &a, const std::vector<uint32_t>
 		u32 &place = is_small ? dense[corner] : spread.emplace(corner, TS_NONE).first->second;
 		if (place == TS_NONE) {
 			place = (u32)out.vertices.size();
-			out.vertices.push_back(a.read(corner));
+			out.vertices.push_back(read_vertex(a, corner));
 		}
 		out.corners.push_back(place);
 	}
@@ -135,11 +98,15 @@ static std::vector<uint32_t> read_corners(loader &in, const tinygltf::Primitive 
 piece piece_decode(loader &in, const tinygltf::Primitive &primitive, const std::string &where)
 {
 	piece out;
-	attributes a;
+	attributes a(vertex_forms);
 	int mode = primitive.mode < 0 ? TINYGLTF_MODE_TRIANGLES : primitive.mode;
 	out.material = TS_NONE;
+	if (mode == TINYGLTF_MODE_POINTS) {
+		out.surfels = points_decode(in, primitive, where);
+		return out;
+	}
 	if (mode < TINYGLTF_MODE_TRIANGLES) {
-		in.notes.insert("points and lines are not drawn");
+		in.notes.insert("lines are not drawn");
 		return out;
 	}
 	a.open(in, primitive, where);
@@ -156,8 +123,19 @@ piece piece_decode(loader &in, const tinygltf::Primitive &primitive, const std::
 	return out;
 }
 
+static void surfels_place(ts_build *build, const piece &piece, const ts_place &place)
+{
+	if (place.side == 0.0f && !piece.surfels.empty())
+		ts_build_note(build, "points that a node flattens are not drawn");
+	for (size_t i = 0; i < piece.surfels.size() && !ts_build_failed(build); i++) {
+		ts_surfel surfel;
+		if (ts_surfel_place(&surfel, &piece.surfels[i], &place)) ts_build_surfel(build, &surfel);
+	}
+}
+
 void piece_place(ts_build *build, const piece &piece, const ts_place &place)
 {
+	surfels_place(build, piece, place);
 	u32 first = 0;
 	for (size_t i = 0; i < piece.vertices.size() && !ts_build_failed(build); i++) {
 		ts_vertex vertex = ts_place_vertex(&place, &piece.vertices[i]);

@@ -18,7 +18,7 @@ struct walker {
 	std::vector<unsigned> uses; /* of each mesh by nodes still to come */
 	std::map<int, std::vector<piece>> pieces;
 	std::vector<visit> stack;
-	uint64_t n_triangles = 0, n_vertices = 0, reflector_start = 0;
+	uint64_t n_triangles = 0, n_vertices = 0, n_surfels = 0, reflector_start = 0;
 	bool in_reflector = false;
 	unsigned n_reflectors = 0;
 	void enter(const visit &from);
@@ -81,10 +81,11 @@ void walker::draw(int mesh, const ts_place &place)
 	for (const piece &p : list) {
 		n_triangles += p.corners.size() / 3;
 		n_vertices += p.vertices.size();
+		n_surfels += p.surfels.size();
 	}
-	uint64_t size = n_triangles * sizeof(ts_triangle) + n_vertices * sizeof(ts_vertex);
-	if (n_triangles > most_items || n_vertices > most_items || size > ts_memory_total() / 3)
-		fail("%s: more than %llu triangles or a third of this machine's memory, instances counted",
+	uint64_t size = n_triangles * sizeof(ts_triangle) + n_vertices * sizeof(ts_vertex) + n_surfels * sizeof(ts_surfel);
+	if (n_triangles > most_items || n_vertices > most_items || n_surfels > most_items || size > ts_memory_total() / 3)
+		fail("%s: more than %llu triangles or points or a third of this machine's memory, instances counted",
 			 ("meshes/" + std::to_string(mesh)).c_str(), (unsigned long long)most_items);
 	for (const piece &p : list)
 		piece_place(in.build, p, place);

@@ -43,7 +43,7 @@ ts_status ts_scene_open(ts_scene **scene, const char *spec, const ts_params *par
 	if (file_check(spec) != TS_OK) return TS_ERROR;
 	ts_build *build = ts_build_new(spec);
 	if (!build) return TS_ERROR;
-	ts_gltf_load(build, spec, reflector);
+	ts_gltf_load(build, spec, reflector, params->neighbours);
 	ts_ground_add(build, params);
 	ts_reflectors_add(build, params, camera);
 	return ts_build_finish(build, params, camera, scene);

@@ -104,12 +104,19 @@ bool ts_place_is_sane(const ts_place *place)
 	return most <= ELEMENT_LIMIT;
 }
 
+ts_v3 ts_place_point(const ts_place *place, ts_v3 point)
+{
+	return ts_add(ts_place_direction(place, point), ts_load3(place->origin));
+}
+
+ts_v3 ts_place_direction(const ts_place *place, ts_v3 direction) { return apply(place->linear, direction); }
+
 ts_vertex ts_place_vertex(const ts_place *place, const ts_vertex *vertex)
 {
 	ts_vertex v = *vertex;
 	ts_v3 normal = ts_normalize(ts_load3(vertex->normal));
 	ts_v3 tangent = ts_normalize(ts_load3(vertex->tangent));
-	ts_store3(v.position, ts_add(apply(place->linear, ts_load3(vertex->position)), ts_load3(place->origin)));
+	ts_store3(v.position, ts_place_point(place, ts_load3(vertex->position)));
 	ts_store3(v.normal, ts_normalize(ts_scale(apply(place->cofactor, normal), place->side)));
 	ts_store3(v.tangent, ts_normalize(apply(place->linear, tangent)));
 	v.tangent[3] = place->side < 0.0f ? ts_put(-vertex->tangent[3]) : vertex->tangent[3];

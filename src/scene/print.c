@@ -3,6 +3,7 @@
 #include "../kernels/num.h"
 #include "print.h"
 #include "scene.h"
+#include "surfel.h"
 #include <inttypes.h>
 #include <jansson.h>
 #include <stdlib.h>
@@ -12,12 +13,13 @@ static uint64_t scene_bytes(const ts_scene *s)
 	return s->n_vertices * (u64)sizeof *s->vertices + s->n_triangles * (u64)sizeof *s->triangles +
 	       s->n_materials * (u64)sizeof *s->materials + s->n_slots * (u64)sizeof *s->slots +
 	       s->n_images * (u64)sizeof *s->images + s->n_texels * sizeof *s->texels +
-	       s->n_lights * (u64)sizeof *s->lights + s->n_objects * (u64)sizeof *s->objects;
+	       s->n_lights * (u64)sizeof *s->lights + s->n_objects * (u64)sizeof *s->objects +
+	       s->n_surfels * (u64)sizeof *s->surfels;
 }
 
 /* Every figure once, for both formats. */
 typedef struct { const char *name; uint64_t value; const char *doc; } figure;
-enum { N_FIGURES = 13 };
+enum { N_FIGURES = 14 };
 
 static void figures_of(figure *f, const ts_scene *s)
 {
@@ -32,6 +34,7 @@ static void figures_of(figure *f, const ts_scene *s)
 		{"texture_references", s->n_slots, ""},
 		{"images", s->n_images, ""},
 		{"texels", s->n_texels, "with mip levels"},
+		{"surfels", s->n_surfels, ""},
 		{"lights", s->n_lights, ""},
 		{"cameras", s->n_cameras, ""},
 		{"bytes", scene_bytes(s), "of the scene's arrays"},
@@ -86,7 +89,10 @@ static json_t *json_of(const ts_scene *s)
 
 static ts_status print_json(const ts_scene *scene, FILE *out)
 {
+	f32 radius[TS_SURFEL_QUANTILES];
+	if (scene->n_surfels > 0 && ts_surfel_quantiles(radius, scene->surfels, scene->n_surfels) != TS_OK) return TS_ERROR;
 	json_t *root = json_of(scene);
+	if (scene->n_surfels > 0) json_object_set_new(root, "surfel_radius", json_floats(radius, TS_SURFEL_QUANTILES));
 	int failed = json_dumpf(root, out, JSON_INDENT(2) | JSON_REAL_PRECISION(9));
 	json_decref(root);
 	if (failed) return ts_fail("%s: its description could not be written as JSON", scene->name);
@@ -119,6 +125,16 @@ static void print_bounds(const ts_info *info, FILE *out)
 	print_range(out, "hall z", info->hall_min[1], info->hall_max[1]);
 }
 
+static ts_status print_surfels(const ts_scene *s, FILE *out)
+{
+	f32 r[TS_SURFEL_QUANTILES];
+	if (s->n_surfels == 0) return TS_OK;
+	if (ts_surfel_quantiles(r, s->surfels, s->n_surfels) != TS_OK) return TS_ERROR;
+	fprintf(out, "  %-21s %g to %g, quartiles %g %g %g; the longer half-axis\n", "surfel radius", (double)r[0],
+	        (double)r[4], (double)r[1], (double)r[2], (double)r[3]);
+	return TS_OK;
+}
+
 static void print_lights(const ts_scene *s, FILE *out)
 {
 	fprintf(out, "  ambient               %g\n", (double)s->info.ambient);
@@ -149,6 +165,7 @@ static ts_status print_text(const ts_scene *s, FILE *out)
 	for (size_t i = 0; i < N_FIGURES; i++)
 		fprintf(out, "  %-21s %12" PRIu64 "%s%s\n", f[i].name, f[i].value, *f[i].doc ? "  " : "", f[i].doc);
 	print_bounds(&s->info, out);
+	if (print_surfels(s, out) != TS_OK) return TS_ERROR;
 	print_lights(s, out);
 	if (print_cameras(s, out) != TS_OK) return TS_ERROR;
 	for (u32 i = 0; i < s->n_notes; i++) fprintf(out, "  note: %s\n", s->notes[i]);

@@ -7,8 +7,9 @@ extern "C" {
 #endif
 
 /* gltf.cc: a .gltf or .glb file. The node called `reflector` (may be NULL) and nodes with {"reflector": true} in their
- * extras become objects of their own, static, marked as reflectors. */
-void ts_gltf_load(ts_build *build, const char *path, const char *reflector);
+ * extras become objects of their own, static, marked as reflectors. Points without a size are given the mean distance to
+ * so many nearest neighbours, 1 to TS_MAX_NEIGHBOURS, of their primitive. */
+void ts_gltf_load(ts_build *build, const char *path, const char *reflector, u32 neighbours);
 
 /* builtin.c: whether spec is NAME or NAME:OPTIONS, NAME being one of ts_builtin_table. */
 bool ts_builtin_is(const char *spec);
@@ -23,7 +24,7 @@ ts_status ts_builtin_open(ts_scene **scene, const char *spec, const ts_params *p
 /* ground.c: a square under the scene, if the parameter asks for it. */
 void ts_ground_add(ts_build *build, const ts_params *params);
 
-/* reflectors.c: as many reflectors as the parameters say, on periodic paths (SPEC 0.3.8). */
+/* reflectors.c: as many reflectors as the parameters say, on periodic paths (SPEC 0.3.8); none for surfels. */
 void ts_reflectors_add(ts_build *build, const ts_params *params, const char *camera);
 
 #ifdef __cplusplus

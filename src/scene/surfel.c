@@ -1,0 +1,94 @@
+/* Surfels from points: circles, checked ellipses, and ellipses that a node carries into the world. */
+#include "surfel.h"
+#include <stdlib.h>
+#include "../core/core.h"
+#include "../kernels/vec.h"
+
+#define RIGHT 0.00390625f /* 1/256: the cosine of what still counts as a right angle */
+#define SKEW 1.52587890625e-5f /* 2^-16: more of it is not rounding */
+#define FACING 0.99f      /* least cosine between u x v and the normal */
+
+/* At a right angle to n, a unit vector: across it and the axis that it is farthest from. */
+static ts_v3 across(ts_v3 n)
+{
+	f32 x = ts_abs(n.x), y = ts_abs(n.y), z = ts_abs(n.z);
+	ts_v3 axis = ts_v3_make(x <= y && x <= z ? 1.0f : 0.0f, !(x <= y && x <= z) && y <= z ? 1.0f : 0.0f,
+	                        !(x <= y && x <= z) && !(y <= z) ? 1.0f : 0.0f);
+	return ts_normalize(ts_cross(axis, n));
+}
+
+static bool is_length(f32 x) { return x > 0.0f && x <= TS_SURFEL_LIMIT; }
+
+const char *ts_surfel_circle(ts_surfel *surfel, const f32 normal[3], f32 radius)
+{
+	ts_v3 n = ts_normalize(ts_load3(normal)), u = across(n);
+	if (!(ts_length(n) > 0.0f)) return "the normal has no length";
+	if (!is_length(radius)) return "the radius is not above 0 and at most 16777216";
+	ts_store3(surfel->u, ts_scale(u, radius));
+	ts_store3(surfel->v, ts_scale(ts_cross(n, u), radius));
+	return ts_length(ts_load3(surfel->u)) > 0.0f ? NULL : "the radius is too small";
+}
+
+static void exchange(ts_surfel *surfel)
+{
+	ts_v3 u = ts_load3(surfel->u);
+	ts_store3(surfel->u, ts_load3(surfel->v));
+	ts_store3(surfel->v, u);
+}
+
+const char *ts_surfel_ellipse(ts_surfel *surfel, const f32 normal[3])
+{
+	ts_v3 u = ts_normalize(ts_load3(surfel->u)), v = ts_normalize(ts_load3(surfel->v));
+	if (!is_length(ts_length(ts_load3(surfel->u)))) return "the half-axis u is not longer than 0, at most 16777216";
+	if (!is_length(ts_length(ts_load3(surfel->v)))) return "the half-axis v is not longer than 0, at most 16777216";
+	if (ts_abs(ts_dot(u, v)) > RIGHT) return "the half-axes u and v are not at a right angle";
+	if (normal == NULL) return NULL;
+	f32 facing = ts_dot(ts_cross(u, v), ts_normalize(ts_load3(normal)));
+	if (!(ts_abs(facing) >= FACING)) return "the half-axes are not at a right angle to the normal";
+	if (facing < 0.0f) exchange(surfel);
+	return NULL;
+}
+
+/* Turns two half-axes that belong together but are not at a right angle into the ellipse's own: one step of Jacobi's
+ * method, which diagonalises a symmetric matrix of two rows. */
+static void straighten(ts_v3 *u, ts_v3 *v)
+{
+	f32 uv = ts_dot(*u, *v), difference = ts_dot(*v, *v) - ts_dot(*u, *u);
+	if (ts_abs(uv) <= SKEW * ts_length(*u) * ts_length(*v)) return;
+	f32 cot = difference / (2.0f * uv);
+	f32 tan = 1.0f / (ts_abs(cot) + ts_sqrt(cot * cot + 1.0f));
+	if (cot < 0.0f) tan = -tan;
+	f32 cos = 1.0f / ts_sqrt(tan * tan + 1.0f), sin = tan * cos;
+	ts_v3 first = ts_sub(ts_scale(*u, cos), ts_scale(*v, sin));
+	*v = ts_add(ts_scale(*u, sin), ts_scale(*v, cos));
+	*u = first;
+}
+
+bool ts_surfel_place(ts_surfel *to, const ts_surfel *from, const ts_place *place)
+{
+	ts_v3 u = ts_place_direction(place, ts_load3(from->u)), v = ts_place_direction(place, ts_load3(from->v));
+	straighten(&u, &v);
+	*to = *from;
+	ts_store3(to->centre, ts_place_point(place, ts_load3(from->centre)));
+	ts_store3(to->u, u);
+	ts_store3(to->v, v);
+	if (place->side < 0.0f) exchange(to);
+	return place->side != 0.0f;
+}
+
+static int compare(const void *a, const void *b)
+{
+	f32 x = *(const f32 *)a, y = *(const f32 *)b;
+	return (x > y) - (x < y);
+}
+
+ts_status ts_surfel_quantiles(f32 quantile[TS_SURFEL_QUANTILES], const ts_surfel *surfels, u32 n)
+{
+	f32 *radius = ts_alloc(n, sizeof *radius, "radii of surfels");
+	if (radius == NULL) return TS_ERROR;
+	for (u32 i = 0; i < n; i++) radius[i] = ts_max(ts_length(ts_load3(surfels[i].u)), ts_length(ts_load3(surfels[i].v)));
+	qsort(radius, n, sizeof *radius, compare);
+	for (u64 k = 0; k < TS_SURFEL_QUANTILES; k++) quantile[k] = radius[(n - 1) * k / (TS_SURFEL_QUANTILES - 1)];
+	free(radius);
+	return TS_OK;
+}

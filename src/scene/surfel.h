@@ -1,0 +1,33 @@
+/* Making surfels of what files say of points, and what each must be (SPEC 5.1): two half-axes longer than 0, at a right
+ * angle to each other and to the normal. Only + - * / and the square root, so every build gives the same bits. */
+#ifndef TS_SCENE_SURFEL_H
+#define TS_SCENE_SURFEL_H
+#include "place.h"
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Axes of at most this length, and coordinates, as of vertices. */
+#define TS_SURFEL_LIMIT 16777216.0f
+
+/* Both return NULL, or what is wrong with the surfel: part of a line, for behind its name.
+ * A circle of `radius` in the plane of `normal`, which may be of any length above 0: sets u and v. */
+const char *ts_surfel_circle(ts_surfel *surfel, const f32 normal[3], f32 radius);
+/* Checks u and v, and exchanges them if u x v points against `normal` (NULL: u x v is the normal). Angles count as
+ * right to a cosine of 1/256. */
+const char *ts_surfel_ellipse(ts_surfel *surfel, const f32 normal[3]);
+
+/* The radius of a surfel: its longer half-axis. Quantiles of all: least, a quarter, half, three quarters, greatest. For at
+ * least one surfel. */
+enum { TS_SURFEL_QUANTILES = 5 };
+ts_status ts_surfel_quantiles(f32 quantile[TS_SURFEL_QUANTILES], const ts_surfel *surfels, u32 n);
+
+/* A surfel in world space. Its axes become those of the ellipse that the node makes of it, whatever the node does to
+ * angles; where it mirrors, they change places, so that the normal stays on the same side. False where the node
+ * flattens it. */
+bool ts_surfel_place(ts_surfel *to, const ts_surfel *from, const ts_place *place);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
