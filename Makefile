@@ -85,7 +85,7 @@ LIB_CC := $(filter-out $(IMAGE_CC),$(wildcard src/*/*.cc))
 CLI_C := $(filter-out src/cli/core_main.c,$(wildcard src/cli/*.c))
 CORE_C := $(wildcard src/core/*.c src/backends/c/*.c src/stages/*.c src/pipelines/*.c) \
 	$(wildcard $(patsubst %,src/trace/%.c,npy emit sums golden* vectors*)) \
-	$(filter-out src/scene/open.c src/scene/print% src/scene/gltf%,$(wildcard src/scene/*.c)) \
+	$(filter-out src/scene/open.c src/scene/print% src/scene/gltf% src/scene/ply%,$(wildcard src/scene/*.c)) \
 	$(wildcard $(patsubst %,src/cli/%.c,core_main backends command commit digest golden* help methods nearest options sweep truths))
 TEST_C := $(filter-out tests/fuzz/%,$(wildcard tests/*/*.c))
 

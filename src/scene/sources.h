@@ -11,6 +11,9 @@ extern "C" {
  * so many nearest neighbours, 1 to TS_MAX_NEIGHBOURS, of their primitive. */
 void ts_gltf_load(ts_build *build, const char *path, const char *reflector, u32 neighbours);
 
+/* ply.c: a .ply file of points. `neighbours` as above, of all points. */
+void ts_ply_load(ts_build *build, const char *path, u32 neighbours);
+
 /* builtin.c: whether spec is NAME or NAME:OPTIONS, NAME being one of ts_builtin_table. */
 bool ts_builtin_is(const char *spec);
 /* The names as words, "a, b and c", for a message. Cut to text_bytes. */

@@ -62,7 +62,7 @@ static void test_not_a_scene(void **state)
 	FILE *file = fopen(path, "w");
 	assert_non_null(file);
 	fclose(file);
-	refuse(path, NULL, "must end in .gltf or .glb");
+	refuse(path, NULL, "must end in .gltf, .glb or .ply");
 	assert_int_equal(unlink(path), 0);
 	path = in_folder("pipe.gltf");
 	assert_int_equal(mkfifo(path, 0600), 0);
