@@ -61,6 +61,7 @@
 #define TS_OPT_REQUIRE TS_OPT(49)
 #define TS_OPT_EFFECT TS_OPT(50)
 #define TS_OPT_HELP TS_OPT(51)
+#define TS_OPT_FROM_MESH TS_OPT(52)
 
 /* Truths: their places in lists of all, and as bits of sets. */
 enum { TS_AT_A, TS_AT_B, TS_AT_C, TS_AT_SAMPLES, TS_AT_AREA, TS_AT_LIGHTS, TS_AT_BOUNCE, TS_AT_VPLS,

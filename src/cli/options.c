@@ -22,6 +22,7 @@ const ts_option ts_option_table[] = {
 	{ TS_OPT_FRAME, "frame", "K", "frame of the animation", "" },
 	{ TS_OPT_REFLECTORS, "reflectors", "N", "mirrors that are added to the scene", "" },
 	{ TS_OPT_REFLECTOR, "reflector", "NAME", "node of the file to make a mirror of", "" },
+	{ TS_OPT_FROM_MESH, "from-mesh", "N", "sample about N surfels from the scene's triangles", "" },
 	{ TS_OPT_CAMERA, "camera", "NAME", "camera of the file; without it the eye circles the scene", "" },
 	{ TS_OPT_SCENE, "scene", "SPEC,...", "scenes to measure, instead of the table's", "" },
 	{ TS_OPT_OBJECTS, "objects", "N,...", "numbers of mirrors or light samples, or sizes, instead of the table's", "" },
@@ -170,6 +171,7 @@ static ts_status take(ts_cli *cli, u64 bit, const char *text)
 	case TS_OPT_SIZE: return ts_cli_size(&cli->params, text, "--size");
 	case TS_OPT_FRAME: return ts_params_set(&cli->params, "frame", text);
 	case TS_OPT_REFLECTORS: return ts_params_set(&cli->params, "reflectors", text);
+	case TS_OPT_FROM_MESH: return ts_params_set(&cli->params, "from_mesh", text);
 	case TS_OPT_REFLECTOR: cli->scene.reflector = text; break;
 	case TS_OPT_CAMERA: cli->scene.camera = text; break;
 	case TS_OPT_SCENE: cli->scenes = text; break;

@@ -3,6 +3,7 @@
 #include "build_parts.h"
 #include "../core/core.h"
 #include "../kernels/shade.h"
+#include "sample.h"
 #include "surfel.h"
 #include "view.h"
 #include <stdio.h>
@@ -208,7 +209,6 @@ static void complete(ts_build *build, const ts_params *params, const char *camer
 	if (!build->failed) give_light(build, params);
 	if (!build->failed) check_triangles(build);
 	if (!build->failed) check_vertices(build);
-	if (!build->failed) check_surfels(build);
 	if (!build->failed) check_materials(build);
 	if (!build->failed) check_lights(build);
 	if (!build->failed) group_vertices(build);
@@ -217,6 +217,8 @@ static void complete(ts_build *build, const ts_params *params, const char *camer
 	ts_build_box(build->scene);
 	ts_build_walls(build);
 	count_triangles(build->scene);
+	ts_sample_add(build, params);
+	check_surfels(build);
 }
 
 ts_status ts_build_finish(ts_build *build, const ts_params *params, const char *camera, ts_scene **scene)

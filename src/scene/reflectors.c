@@ -112,18 +112,18 @@ static u32 make_material(ts_build *build, const f32 tint[3])
 	return ts_build_material(build, &material);
 }
 
-/* Surfels show no mirrors: where there is nothing else, none are added. */
-static bool is_for_surfels(ts_build *build)
+/* Surfels show no mirrors: where there is nothing else, or is to be nothing else, none are added. */
+static bool is_for_surfels(ts_build *build, const ts_params *params)
 {
 	const ts_scene *scene = ts_build_peek(build);
-	return scene->n_surfels > 0 && scene->n_triangles == 0;
+	return params->from_mesh > 0 || (scene->n_surfels > 0 && scene->n_triangles == 0);
 }
 
 void ts_reflectors_add(ts_build *build, const ts_params *params, const char *camera)
 {
 	floor_plan plan;
 	u32 materials[N_TINTS];
-	if (params->reflectors == 0 || ts_build_failed(build) || is_for_surfels(build)) return;
+	if (params->reflectors == 0 || ts_build_failed(build) || is_for_surfels(build, params)) return;
 	plan_make(&plan, ts_build_peek(build), params, camera);
 	f32 radius = radius_for(build, &plan, params->reflector_px);
 	for (u32 i = 0; i < plan.n; i++) {

@@ -175,7 +175,8 @@ static void what_is_no_splat_is_refused(void **state)
 {
 	(void)state;
 	refuse("\"POSITION\":0,\"NORMAL\":1,\"_SPLAT_U\":2", "", "go together");
-	refuse("\"POSITION\":0,\"NORMAL\":1,\"_SPLAT_U\":2,\"_SPLAT_V\":5", "", "point 0: the half-axes u and v are not at a right");
+	refuse("\"POSITION\":0,\"NORMAL\":1,\"_SPLAT_U\":2,\"_SPLAT_V\":5", "",
+	       "point 0: the half-axes u and v are not at a right");
 	refuse("\"POSITION\":0,\"NORMAL\":1,\"_SPLAT_U\":2,\"_SPLAT_V\":6", "", "half-axis v is not longer than 0");
 	refuse("\"POSITION\":0,\"NORMAL\":2,\"_SPLAT_U\":2,\"_SPLAT_V\":3", "", "right angle to the normal");
 	refuse("\"POSITION\":0,\"NORMAL\":6", "", "the normal has no length");

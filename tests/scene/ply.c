@@ -90,7 +90,8 @@ static void colours_of_bytes_are_srgb_and_of_floats_linear(void **state)
 {
 	(void)state;
 	ts_build *build = load(POINTS("1") XYZ NORMAL RADIUS
-	                       "property uchar red\nproperty uint8 green\nproperty float blue\n" END "0 0 0 0 1 0 1 255 188 0.25");
+	                       "property uchar red\nproperty uint8 green\nproperty float blue\n" END
+	                       "0 0 0 0 1 0 1 255 188 0.25");
 	const f32 *colour = good(build)->surfels[0].colour;
 	assert_true(colour[0] == 1.0f && colour[2] == 0.25f);
 	assert_true(ts_abs(colour[1] - 0.50289f) < 1e-4f);
@@ -222,7 +223,8 @@ static void counts_are_held_to_the_bytes(void **state)
 	(void)state;
 	refuse(POINTS("4000000000") XYZ NORMAL END "1 2 3 0 0 1\n", "do not fit in the 12 bytes");
 	refuse(POINTS("999999999999999999") XYZ NORMAL END "1 2 3 0 0 1\n", "do not fit");
-	refuse("ply\nformat binary_little_endian 1.0\nelement vertex 2\n" XYZ NORMAL END "123456789012345678901234567890123456789012345",
+	refuse("ply\nformat binary_little_endian 1.0\nelement vertex 2\n" XYZ NORMAL END
+	       "123456789012345678901234567890123456789012345",
 	       "2 points of at least 24 bytes do not fit in the 45 bytes");
 	refuse(POINTS("2") XYZ NORMAL END "1.0000000 2.00000000 3 0 0 1\n", "point 1: x is no number");
 }
@@ -230,7 +232,8 @@ static void counts_are_held_to_the_bytes(void **state)
 static void properties_come_in_whole_groups(void **state)
 {
 	(void)state;
-	refuse(POINTS("1") "property float x\nproperty float y\n" NORMAL END "0 0 0 0 1 ", "of the properties with \"x\" 2 are there; it takes 3");
+	refuse(POINTS("1") "property float x\nproperty float y\n" NORMAL END "0 0 0 0 1 ",
+	       "of the properties with \"x\" 2 are there; it takes 3");
 	refuse(POINTS("1") XYZ "property float nx\n" END "0 0 0 1 ", "\"nx\" 1 are there; it takes 3");
 	refuse(POINTS("1") NORMAL END "0 0 1 ", "need the properties x, y and z");
 	refuse(POINTS("1") XYZ END "0 0 1 ", "points need normals");

@@ -156,7 +156,8 @@ static void quantiles_are_of_the_longer_axis(void **state)
 	(void)state;
 	ts_surfel s[9];
 	f32 q[TS_SURFEL_QUANTILES];
-	for (u32 i = 0; i < 9; i++) s[i] = i % 2 ? ellipse((f32)(9 - i), 0, 0, 0, 0.5f, 0) : ellipse(0.5f, 0, 0, 0, (f32)(9 - i), 0);
+	for (u32 i = 0; i < 9; i++)
+		s[i] = i % 2 ? ellipse((f32)(9 - i), 0, 0, 0, 0.5f, 0) : ellipse(0.5f, 0, 0, 0, (f32)(9 - i), 0);
 	assert_int_equal(ts_surfel_quantiles(q, s, 9), TS_OK);
 	for (u32 k = 0; k < 5; k++) assert_true(q[k] == (f32)(1 + 2 * k));
 	assert_int_equal(ts_surfel_quantiles(q, s, 1), TS_OK);
