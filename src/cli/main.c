@@ -16,9 +16,9 @@ const ts_command ts_command_table[] = {
 	  "EFFECT: reflections; soft-shadows, of a lamp or the scene's lights; omni-shadows, of a ball of light in the middle;\n"
 	  "indirect, the light of a lamp or the scene's lights after one bounce; particles, the light of many in the air.\n"
 	  "Shadows, indirect light and particles are shown without mirrors unless --reflectors says how many.\n"
-	  "SCENE: atrium (the default), gallery or dining, each also with \":triangles=COUNT:texels=SIDE\"; or a .gltf, .glb\n"
-	  "or .ply file. Writes METHOD.png and .exr, truth-NAME.png, differences, pictures of the stages, traces and\n"
-	  "report.json to DIR, and prints times, counters, memory and metrics.\n"
+	  "SCENE: atrium (the default), gallery or dining, each also with \":triangles=COUNT:texels=SIDE\"; checkerboard, of\n"
+	  "surfels, also with \":surfels=COUNT\"; or a .gltf, .glb or .ply file. Writes METHOD.png and .exr, truth-NAME.png,\n"
+	  "differences, pictures of the stages, traces and report.json to DIR, and prints times, counters, memory and metrics.\n"
 	  "Of a parameter with several values, --set NAME=A,B, every combination is rendered, and CSV is printed.",
 	  1, 2, TS_OPT_METHOD | TS_OPT_TRUTH | WHERE | HOW | TS_OPT_ORDER | TS_OPT_OUTPUT | TS_OPT_FORCE |
 	  TS_OPT_NO_IMAGES | TS_OPT_TRACE | TS_OPT_TRACE_ONLY | TS_OPT_CROP | TS_OPT_MARGINS |

@@ -1,29 +1,36 @@
 /* The built-in scenes by name: reading "atrium:triangles=1.05M:texels=64", choosing the detail that gives the count,
  * building. The detail is found by bisection over the same code that builds, in counting mode; what is left goes to one
- * part. */
+ * part. A scene of surfels is a grid, which counts for itself. */
 #include <stdio.h>
 #include "../core/core.h"
 #include "builtin.h"
 #include "sources.h"
 
-enum { ATRIUM, GALLERY, DINING, N_SCENES };
-enum { TRIANGLES, TEXELS, N_OPTIONS };
+enum { ATRIUM, GALLERY, DINING, CHECKERBOARD, N_SCENES };
+enum { TRIANGLES, TEXELS, SURFELS, N_OPTIONS };
 
 static const struct {
 	const char *name;
 	u32 least, most, usual;
-} options[N_OPTIONS] = {[TRIANGLES] = {"triangles", 10000, 3000000, 300000}, [TEXELS] = {"texels", 16, 512, 512}};
+	bool of_surfels; /* of scenes of surfels; else of the others */
+} options[N_OPTIONS] = {
+	[TRIANGLES] = {"triangles", 10000, 3000000, 300000, false},
+	[TEXELS] = {"texels", 16, 512, 512, false},
+	[SURFELS] = {"surfels", 10000, 3000000, 300000, true},
+};
 
 static const ts_builtin_info table[N_SCENES] = {
 	[ATRIUM] = {"atrium", "a colonnaded court of two storeys with hanging cloth, plants and flags; open to the sky"},
 	[GALLERY] = {"gallery", "a hall of pictures under a skylight, cabinets behind doorways, benches, a bicycle"},
 	[DINING] = {"dining", "a dining room: laid table, chairs, blinds, shelves of books, fireplace, chandelier"},
+	[CHECKERBOARD] = {"checkerboard", "surfels in a regular grid on a plane of squares that recedes before a camera"},
 };
 
 static const ts_builtin *const scenes[N_SCENES] = {
 	[ATRIUM] = &ts_builtin_atrium,
 	[GALLERY] = &ts_builtin_gallery,
 	[DINING] = &ts_builtin_dining,
+	[CHECKERBOARD] = &ts_builtin_checkerboard,
 };
 
 const ts_builtin_info *ts_builtin_table(size_t *n)
@@ -78,18 +85,20 @@ static const char *read_count(u64 *count, const char *text)
 static const char *read_option(u32 *choice, ts_build *build, const char *spec, const char *text)
 {
 	size_t length = strcspn(text, "="), which = 0;
-	while (which < N_OPTIONS &&
-		   (strlen(options[which].name) != length || memcmp(options[which].name, text, length) != 0))
+	bool of_surfels = find(spec)->surfels != NULL;
+	while (which < N_OPTIONS && (options[which].of_surfels != of_surfels || strlen(options[which].name) != length ||
+								 memcmp(options[which].name, text, length) != 0))
 		which++;
 	if (which == N_OPTIONS) {
-		ts_build_fail(build, "%s: unknown option \"%s\"; write NAME or NAME:triangles=COUNT:texels=SIDE", spec, text);
+		ts_build_fail(build, "%s: unknown option \"%s\"; write NAME or NAME:%s", spec, text,
+					  of_surfels ? "surfels=COUNT" : "triangles=COUNT:texels=SIDE");
 		return NULL;
 	}
 	u64 count = 0;
 	const char *value = text + length + 1, *rest = text[length] == '=' ? read_count(&count, value) : NULL;
 	if (rest == NULL || (*rest != '\0' && *rest != ':')) {
-		ts_build_fail(build, "%s: \"%s\" is no count; write digits, perhaps with k or M, as in triangles=1.05M", spec,
-					  text[length] == '=' ? value : "");
+		ts_build_fail(build, "%s: \"%s\" is no count; write digits, perhaps with k or M, as in %s=1.05M", spec,
+					  text[length] == '=' ? value : "", of_surfels ? "surfels" : "triangles");
 		return NULL;
 	}
 	if (count < options[which].least || count > options[which].most) {
@@ -136,12 +145,9 @@ static f32 find_detail(const ts_builtin *scene, const u32 *material, u32 count, 
 	return low;
 }
 
-void ts_builtin_make(ts_build *build, const char *spec, u32 seed)
+static void make_mesh(ts_build *build, const ts_builtin *scene, const u32 choice[N_OPTIONS], u32 seed)
 {
-	const ts_builtin *scene = find(spec);
-	u32 material[TS_MAX_PAINTS] = {0}, choice[N_OPTIONS];
-	if (!read_spec(choice, build, spec)) return;
-	u32 count = choice[TRIANGLES];
+	u32 material[TS_MAX_PAINTS] = {0}, count = choice[TRIANGLES];
 	for (u32 i = 0; i < scene->n_paints; i++) {
 		ts_paint paint = scene->paints[i];
 		if (paint.size > choice[TEXELS]) paint.size = choice[TEXELS];
@@ -155,6 +161,17 @@ void ts_builtin_make(ts_build *build, const char *spec, u32 seed)
 	ts_part_rug(&mesh, &scene->rug, (u32)(count - mesh.n));
 }
 
+void ts_builtin_make(ts_build *build, const char *spec, const ts_params *params)
+{
+	const ts_builtin *scene = find(spec);
+	u32 choice[N_OPTIONS];
+	if (!read_spec(choice, build, spec)) return;
+	if (scene->surfels != NULL)
+		scene->surfels(build, choice[SURFELS], params->splat_radius);
+	else
+		make_mesh(build, scene, choice, params->seed);
+}
+
 ts_status ts_builtin_open(ts_scene **scene, const char *spec, const ts_params *params, const char *camera)
 {
 	char names[128];
@@ -163,7 +180,7 @@ ts_status ts_builtin_open(ts_scene **scene, const char *spec, const ts_params *p
 	if (!ts_builtin_is(spec)) return ts_fail("\"%s\" is no built-in scene; there are %s", spec, names);
 	ts_build *build = ts_build_new(spec);
 	if (build == NULL) return TS_ERROR;
-	ts_builtin_make(build, spec, params->seed);
+	ts_builtin_make(build, spec, params);
 	ts_reflectors_add(build, params, camera);
 	return ts_build_finish(build, params, camera, scene);
 }

@@ -14,8 +14,10 @@ typedef struct {
 	/* material: indices of the paints in the build. The count must not fall when `detail` rises. */
 	void (*shape)(ts_mesh *mesh, const u32 *material);
 	ts_rug rug; /* made of exactly the triangles that are left; its material is a place in `paints` */
+	/* Of a scene of surfels instead of all that: at most so many, of a radius in spacings. */
+	void (*surfels)(ts_build *build, u32 count, f32 splat_radius);
 } ts_builtin;
 
-extern const ts_builtin ts_builtin_atrium, ts_builtin_gallery, ts_builtin_dining;
+extern const ts_builtin ts_builtin_atrium, ts_builtin_gallery, ts_builtin_dining, ts_builtin_checkerboard;
 
 #endif

@@ -129,7 +129,7 @@ static void surfels_place(ts_build *build, const piece &piece, const ts_place &p
 		ts_build_note(build, "points that a node flattens are not drawn");
 	for (size_t i = 0; i < piece.surfels.size() && !ts_build_failed(build); i++) {
 		ts_surfel surfel;
-		if (ts_surfel_place(&surfel, &piece.surfels[i], &place)) ts_build_surfel(build, &surfel);
+		if (ts_place_surfel(&place, &piece.surfels[i], &surfel)) ts_build_surfel(build, &surfel);
 	}
 }
 

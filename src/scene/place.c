@@ -2,6 +2,7 @@
  * inverse transpose. Elements pass ts_san after every product, so no chain of nodes leaves the contract's range. */
 #include "place.h"
 #include "../kernels/vec.h"
+#include "surfel.h"
 
 #define ELEMENT_LIMIT 16777216.0f
 
@@ -104,23 +105,32 @@ bool ts_place_is_sane(const ts_place *place)
 	return most <= ELEMENT_LIMIT;
 }
 
-ts_v3 ts_place_point(const ts_place *place, ts_v3 point)
+static ts_v3 point(const ts_place *place, const f32 *p)
 {
-	return ts_add(ts_place_direction(place, point), ts_load3(place->origin));
+	return ts_add(apply(place->linear, ts_load3(p)), ts_load3(place->origin));
 }
-
-ts_v3 ts_place_direction(const ts_place *place, ts_v3 direction) { return apply(place->linear, direction); }
 
 ts_vertex ts_place_vertex(const ts_place *place, const ts_vertex *vertex)
 {
 	ts_vertex v = *vertex;
 	ts_v3 normal = ts_normalize(ts_load3(vertex->normal));
 	ts_v3 tangent = ts_normalize(ts_load3(vertex->tangent));
-	ts_store3(v.position, ts_place_point(place, ts_load3(vertex->position)));
+	ts_store3(v.position, point(place, vertex->position));
 	ts_store3(v.normal, ts_normalize(ts_scale(apply(place->cofactor, normal), place->side)));
 	ts_store3(v.tangent, ts_normalize(apply(place->linear, tangent)));
 	v.tangent[3] = place->side < 0.0f ? ts_put(-vertex->tangent[3]) : vertex->tangent[3];
 	return v;
+}
+
+bool ts_place_surfel(const ts_place *place, const ts_surfel *from, ts_surfel *to)
+{
+	*to = *from;
+	ts_store3(to->centre, point(place, from->centre));
+	ts_store3(to->u, apply(place->linear, ts_load3(from->u)));
+	ts_store3(to->v, apply(place->linear, ts_load3(from->v)));
+	ts_surfel_straighten(to);
+	if (place->side < 0.0f) ts_surfel_turn(to);
+	return place->side != 0.0f;
 }
 
 void ts_place_aim(const ts_place *place, f32 position[3], f32 direction[3])

@@ -1,9 +1,8 @@
-/* Node transforms of a scene file: where a node stands in the world, and what that does to vertices, lights and
- * cameras. Only + - * / and the square root on binary32, in the order written (SPEC 0.3.9), so every build gives the
+/* Node transforms of a scene file: where a node stands in the world, and what that does to vertices, surfels, lights
+ * and cameras. Only + - * / and the square root on binary32, in the order written (SPEC 0.3.9), so every build gives the
  * same bits. */
 #ifndef TS_SCENE_PLACE_H
 #define TS_SCENE_PLACE_H
-#include "../kernels/vec.h"
 #include "scene.h"
 #ifdef __cplusplus
 extern "C" {
@@ -31,13 +30,13 @@ ts_place ts_place_compose(const ts_place *parent, const ts_place *local);
 /* Whether every element is within +-2^24, which keeps all that follows finite. */
 bool ts_place_is_sane(const ts_place *place);
 
-/* A point, and a direction with its length, in world space. */
-ts_v3 ts_place_point(const ts_place *place, ts_v3 point);
-ts_v3 ts_place_direction(const ts_place *place, ts_v3 direction);
-
 /* A vertex in world space. Where the node flattens, the normal is zero; where it mirrors, the tangent's handedness
  * flips. */
 ts_vertex ts_place_vertex(const ts_place *place, const ts_vertex *vertex);
+
+/* A surfel in world space: the ellipse that the node makes of it, whatever the node does to angles; where it mirrors, the
+ * axes change places, so that the normal stays on its side. False where the node flattens. */
+bool ts_place_surfel(const ts_place *place, const ts_surfel *from, ts_surfel *to);
 
 /* The node's origin, and the unit direction of its -z (a light's way), or zero. */
 void ts_place_aim(const ts_place *place, f32 position[3], f32 direction[3]);

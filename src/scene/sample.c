@@ -141,8 +141,8 @@ void ts_sample_add(ts_build *build, const ts_params *params)
 	if (params->from_mesh == 0) return;
 	sampler from = sampler_of(scene, params);
 	if (!(from.s > 0.0f) || !(from.radius > 0.0f) || from.s > FLT_MAX || from.radius > FLT_MAX) {
-		ts_build_fail(build, "%s: from_mesh: its triangles have no area, or too much, to sample %u surfels from", scene->name,
-		              params->from_mesh);
+		ts_build_fail(build, "%s: from_mesh: its triangles have no area, or too much, to sample %u surfels from",
+		              scene->name, params->from_mesh);
 		return;
 	}
 	double cells = cells_of(&from, scene->n_triangles);

@@ -1,4 +1,4 @@
-/* Surfels from points: circles, checked ellipses, and ellipses that a node carries into the world. */
+/* Surfels from points: circles, checked ellipses, and ellipses that a map has bent. */
 #include "surfel.h"
 #include <stdlib.h>
 #include "../core/core.h"
@@ -29,7 +29,7 @@ const char *ts_surfel_circle(ts_surfel *surfel, const f32 normal[3], f32 radius)
 	return ts_length(ts_load3(surfel->u)) > 0.0f ? NULL : "the radius is too small";
 }
 
-static void exchange(ts_surfel *surfel)
+void ts_surfel_turn(ts_surfel *surfel)
 {
 	ts_v3 u = ts_load3(surfel->u);
 	ts_store3(surfel->u, ts_load3(surfel->v));
@@ -45,35 +45,22 @@ const char *ts_surfel_ellipse(ts_surfel *surfel, const f32 normal[3])
 	if (normal == NULL) return NULL;
 	f32 facing = ts_dot(ts_cross(u, v), ts_normalize(ts_load3(normal)));
 	if (!(ts_abs(facing) >= FACING)) return "the half-axes are not at a right angle to the normal";
-	if (facing < 0.0f) exchange(surfel);
+	if (facing < 0.0f) ts_surfel_turn(surfel);
 	return NULL;
 }
 
-/* Turns two half-axes that belong together but are not at a right angle into the ellipse's own: one step of Jacobi's
- * method, which diagonalises a symmetric matrix of two rows. */
-static void straighten(ts_v3 *u, ts_v3 *v)
+/* One step of Jacobi's method, which diagonalises a symmetric matrix of two rows. */
+void ts_surfel_straighten(ts_surfel *surfel)
 {
-	f32 uv = ts_dot(*u, *v), difference = ts_dot(*v, *v) - ts_dot(*u, *u);
-	if (ts_abs(uv) <= SKEW * ts_length(*u) * ts_length(*v)) return;
+	ts_v3 u = ts_load3(surfel->u), v = ts_load3(surfel->v);
+	f32 uv = ts_dot(u, v), difference = ts_dot(v, v) - ts_dot(u, u);
+	if (ts_abs(uv) <= SKEW * ts_length(u) * ts_length(v)) return;
 	f32 cot = difference / (2.0f * uv);
 	f32 tan = 1.0f / (ts_abs(cot) + ts_sqrt(cot * cot + 1.0f));
 	if (cot < 0.0f) tan = -tan;
 	f32 cos = 1.0f / ts_sqrt(tan * tan + 1.0f), sin = tan * cos;
-	ts_v3 first = ts_sub(ts_scale(*u, cos), ts_scale(*v, sin));
-	*v = ts_add(ts_scale(*u, sin), ts_scale(*v, cos));
-	*u = first;
-}
-
-bool ts_surfel_place(ts_surfel *to, const ts_surfel *from, const ts_place *place)
-{
-	ts_v3 u = ts_place_direction(place, ts_load3(from->u)), v = ts_place_direction(place, ts_load3(from->v));
-	straighten(&u, &v);
-	*to = *from;
-	ts_store3(to->centre, ts_place_point(place, ts_load3(from->centre)));
-	ts_store3(to->u, u);
-	ts_store3(to->v, v);
-	if (place->side < 0.0f) exchange(to);
-	return place->side != 0.0f;
+	ts_store3(surfel->u, ts_sub(ts_scale(u, cos), ts_scale(v, sin)));
+	ts_store3(surfel->v, ts_add(ts_scale(u, sin), ts_scale(v, cos)));
 }
 
 static int compare(const void *a, const void *b)

@@ -2,7 +2,7 @@
  * angle to each other and to the normal. Only + - * / and the square root, so every build gives the same bits. */
 #ifndef TS_SCENE_SURFEL_H
 #define TS_SCENE_SURFEL_H
-#include "place.h"
+#include "scene.h"
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -22,10 +22,12 @@ const char *ts_surfel_ellipse(ts_surfel *surfel, const f32 normal[3]);
 enum { TS_SURFEL_QUANTILES = 5 };
 ts_status ts_surfel_quantiles(f32 quantile[TS_SURFEL_QUANTILES], const ts_surfel *surfels, u32 n);
 
-/* A surfel in world space. Its axes become those of the ellipse that the node makes of it, whatever the node does to
- * angles; where it mirrors, they change places, so that the normal stays on the same side. False where the node
- * flattens it. */
-bool ts_surfel_place(ts_surfel *to, const ts_surfel *from, const ts_place *place);
+/* Of half-axes that belong together but are at any angle, as an affine map leaves them: makes them those of the same
+ * ellipse at a right angle. */
+void ts_surfel_straighten(ts_surfel *surfel);
+
+/* Exchanges u and v, which turns the normal over. */
+void ts_surfel_turn(ts_surfel *surfel);
 
 #ifdef __cplusplus
 }

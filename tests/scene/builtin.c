@@ -21,7 +21,8 @@ static ts_scene *make(const char *spec, u32 seed)
 	ts_params_default(&params);
 	ts_build *build = ts_build_new(spec);
 	assert_non_null(build);
-	ts_builtin_make(build, spec, seed);
+	params.seed = seed;
+	ts_builtin_make(build, spec, &params);
 	if (ts_build_finish(build, &params, NULL, &scene) != TS_OK) fail_msg("%s", ts_error_message());
 	return scene;
 }
@@ -38,8 +39,9 @@ static void test_table(void **state)
 	(void)state;
 	size_t n;
 	const ts_builtin_info *table = ts_builtin_table(&n);
-	assert_int_equal(n, 3);
-	for (size_t i = 0; i < n; i++) {
+	assert_int_equal(n, 4);
+	assert_string_equal(table[3].name, "checkerboard");
+	for (size_t i = 0; i < 3; i++) {
 		assert_string_equal(table[i].name, names[i]);
 		assert_true(strlen(table[i].doc) > 0);
 		assert_true(ts_builtin_is(table[i].name));
@@ -56,7 +58,7 @@ static void test_names(void **state)
 	(void)state;
 	char text[64] = "";
 	ts_builtin_names(text, sizeof text);
-	assert_string_equal(text, "atrium, gallery and dining");
+	assert_string_equal(text, "atrium, gallery, dining and checkerboard");
 	ts_builtin_names(text, 10);
 	assert_string_equal(text, "atrium, g");
 }
@@ -69,7 +71,8 @@ static void test_unknown(void **state)
 	ts_scene *scene = (ts_scene *)&params;
 	assert_int_equal(ts_builtin_open(&scene, "atriums", &params, NULL), TS_ERROR);
 	assert_null(scene);
-	assert_string_equal(ts_error_message(), "\"atriums\" is no built-in scene; there are atrium, gallery and dining");
+	assert_string_equal(ts_error_message(), "\"atriums\" is no built-in scene; there are atrium, gallery, dining and "
+	                                       "checkerboard");
 }
 
 static void test_counts(void **state)
@@ -108,6 +111,7 @@ static void test_refused(void **state)
 										 {"gallery:triangles=3000001", "out of range"},
 										 {"gallery:triangles=9999999999M", "out of range"},
 										 {"gallery:triangles=0", "out of range"},
+										 {"atrium:surfels=20000", "unknown option"},
 										 {"atrium:texels=48", "48 texels a side; write a power of two"},
 										 {"atrium:texels=8", "8 texels are out of range; 16 to 512"},
 										 {"atrium:texels=1k", "1000 texels are out of range"},
@@ -120,7 +124,7 @@ static void test_refused(void **state)
 	for (u32 i = 0; i < sizeof bad / sizeof *bad; i++) {
 		ts_build *build = ts_build_new(bad[i][0]);
 		ts_scene *scene;
-		ts_builtin_make(build, bad[i][0], 0);
+		ts_builtin_make(build, bad[i][0], &params);
 		assert_int_equal(ts_build_finish(build, &params, NULL, &scene), TS_ERROR);
 		assert_null(scene);
 		if (!strstr(ts_error_message(), bad[i][1]))

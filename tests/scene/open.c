@@ -47,7 +47,7 @@ static void refuse(const char *spec, const ts_scene_options *options, const char
 static void test_missing(void **state)
 {
 	(void)state;
-	refuse("no-such-scene", NULL, "built in are atrium, gallery and dining");
+	refuse("no-such-scene", NULL, "built in are atrium, gallery, dining and checkerboard");
 	refuse("", NULL, "no such scene");
 	refuse("no-such-scene.gltf", NULL, "No such file");
 	refuse(in_folder("nothing.glb"), NULL, "No such file");

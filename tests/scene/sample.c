@@ -42,7 +42,8 @@ static void add_random(ts_build *build, u32 n)
 		f32 corner[3][3], size = ts_max(number(i, 50) * number(i, 51), 0.01f);
 		for (u32 k = 0; k < 9; k++) corner[k / 3][k % 3] = number(i, k % 3 + 40) * 8.0f + size * number(i, k);
 		if (i % 4 == 0)
-			for (u32 k = 0; k < 3; k++) corner[2][k] = corner[0][k] + 0.6f * (corner[1][k] - corner[0][k]) + 0.001f * number(i, k);
+			for (u32 k = 0; k < 3; k++)
+				corner[2][k] = corner[0][k] + 0.6f * (corner[1][k] - corner[0][k]) + 0.001f * number(i, k);
 		add_triangle(build, (const f32(*)[3])corner, TS_NONE);
 	}
 }
@@ -213,7 +214,8 @@ static void what_cannot_be_sampled_is_refused(void **state)
 {
 	(void)state;
 	ts_scene *scene;
-	static const f32 needle[3][3] = {{0, 0, 0}, {1e6f, 0, 0}, {1e6f, 1e-4f, 0}}, line[3][3] = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
+	static const f32 needle[3][3] = {{0, 0, 0}, {1e6f, 0, 0}, {1e6f, 1e-4f, 0}};
+	static const f32 line[3][3] = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
 	ts_build *build = ts_build_new("test");
 	params.from_mesh = 10000000;
 	add_triangle(build, needle, TS_NONE);

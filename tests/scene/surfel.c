@@ -1,5 +1,7 @@
 /* Surfels against double arithmetic: circles, what ellipses are refused, and what nodes make of them. */
 #include "../../src/scene/surfel.h"
+#include "../../src/kernels/num.h"
+#include "../../src/scene/place.h"
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -130,7 +132,7 @@ static void nodes_carry_ellipses_whatever_they_do_to_angles(void **state)
 		ts_surfel from = {.centre = {number(i, 30), number(i, 31), number(i, 32)}}, to;
 		assert_null(ts_surfel_circle(&from, n, 0.25f));
 		for (u32 k = 0; k < 3; k++) from.v[k] *= 0.3f;
-		assert_true(ts_surfel_place(&to, &from, &place));
+		assert_true(ts_place_surfel(&place, &from, &to));
 		assert_is_image(&to, &from, &place);
 		for (u32 k = 0; k < 3; k++)
 			assert_close((double)to.centre[k], dot(place.linear + 3 * k, from.centre) + (double)place.origin[k], 1e-5);
@@ -148,7 +150,7 @@ static void flattening_nodes_leave_nothing(void **state)
 	f32 none[3] = {0.0f, 0.0f, 0.0f}, turn[4] = {0.0f, 0.0f, 0.0f, 1.0f}, flat[3] = {1.0f, 0.0f, 1.0f};
 	ts_place place = ts_place_from_trs(none, turn, flat);
 	ts_surfel s = ellipse(0, 0, 2, 1, 0, 0), to;
-	assert_false(ts_surfel_place(&to, &s, &place));
+	assert_false(ts_place_surfel(&place, &s, &to));
 }
 
 static void quantiles_are_of_the_longer_axis(void **state)
