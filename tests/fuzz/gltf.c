@@ -1,7 +1,7 @@
 /* libFuzzer on scene files: `make fuzz`. By hand, for longer, or with a file to try again instead of the folders:
  *   make config=fuzz build/fuzz/tests/fuzz/gltf
  *   build/fuzz/tests/fuzz/gltf -max_total_time=3600 build/fuzz/corpus/gltf scenes
- * Each input becomes a file, .glb or .gltf by its first byte, which is opened with two mirrors and described. */
+ * Each input becomes a file, .glb, .ply or .gltf by its first byte, which is opened with two mirrors and described. */
 #include <assert.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -11,13 +11,14 @@
 #include <touchstone/scene.h>
 
 static char folder[] = "/tmp/touchstone-fuzz-XXXXXX";
-static char path[2][64];
+static char path[3][64];
 static FILE *nowhere;
 
 static void clear(void)
 {
 	unlink(path[0]);
 	unlink(path[1]);
+	unlink(path[2]);
 	rmdir(folder);
 }
 
@@ -27,12 +28,13 @@ static void begin(void)
 	if (!nowhere || !mkdtemp(folder)) abort();
 	snprintf(path[0], sizeof path[0], "%s/scene.gltf", folder);
 	snprintf(path[1], sizeof path[1], "%s/scene.glb", folder);
+	snprintf(path[2], sizeof path[2], "%s/scene.ply", folder);
 	atexit(clear);
 }
 
 static const char *keep(const uint8_t *data, size_t n)
 {
-	const char *to = path[n > 0 && data[0] == 'g'];
+	const char *to = path[n == 0 ? 0 : data[0] == 'g' ? 1 : data[0] == 'p' ? 2 : 0];
 	FILE *file = fopen(to, "wb");
 	if (!file || fwrite(data, 1, n, file) != n || fclose(file) != 0) abort();
 	return to;

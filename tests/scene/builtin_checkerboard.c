@@ -88,7 +88,8 @@ static void methods_of_triangles_refuse_it(void **state)
 	ts_scene *scene = open_scene("checkerboard:surfels=10000", NULL);
 	assert_int_equal(ts_render_run(&render, scene, &params, "reflections", "epr", 1), TS_ERROR);
 	assert_null(render);
-	assert_string_equal(ts_error_message(), "checkerboard:surfels=10000: has surfels only; reflections by epr draws triangles");
+	assert_string_equal(ts_error_message(),
+	                    "checkerboard:surfels=10000: has surfels only; reflections by epr draws triangles");
 	ts_scene_free(scene);
 }
 

@@ -88,6 +88,20 @@ static void test_points(void **state)
 	ts_scene_free(scene);
 }
 
+/* The same three ellipses in both formats. */
+static void test_splats(void **state)
+{
+	(void)state;
+	ts_scene *gltf = open_scene("scenes/splats.gltf", 2, NULL), *ply = open_scene("scenes/splats.ply", 2, NULL);
+	assert_int_equal(gltf->n_surfels, 3);
+	assert_int_equal(ply->n_surfels, 3);
+	assert_memory_equal(gltf->surfels, ply->surfels, 3 * sizeof *ply->surfels);
+	assert_true(ply->surfels[1].u[1] == 1.0f && ply->surfels[1].v[0] == -0.25f && ply->surfels[2].colour[2] == 1.0f);
+	assert_int_equal(ply->info.n_reflectors, 0);
+	ts_scene_free(gltf);
+	ts_scene_free(ply);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -95,6 +109,7 @@ int main(void)
 		cmocka_unit_test(test_camera),
 		cmocka_unit_test(test_instances),
 		cmocka_unit_test(test_points),
+		cmocka_unit_test(test_splats),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
