@@ -37,15 +37,14 @@ typedef struct {
 	ts_traverse_args of;
 	ts_map_args to;
 	TS_GLOBAL i64 *n_rendered;
-	u32 n_nodes;
+	u32 first, n_leaves; /* of the scene */
 } ts_map_all_args;
 
-/* scatter over all nodes of the scene for each view: the leaves that it may see */
+/* scatter over all leaves of the scene for each view: those that it may see */
 TS_FN void ts_k_map_all_item(const ts_map_all_args *args, u64 i)
 {
-	u32 node = (u32)(i % args->n_nodes);
-	u64 pair = ts_k_pair(node, (u32)(i / args->n_nodes));
-	if (args->of.nodes[node].children != 0u || ts_k_pair_fate(&args->of, pair) != TS_PAIR_RENDER) return;
+	u64 pair = ts_k_pair(args->first + (u32)(i % args->n_leaves), (u32)(i / args->n_leaves));
+	if (ts_k_pair_fate(&args->of, pair) != TS_PAIR_RENDER) return;
 	ts_add_i64(args->n_rendered, 1);
 	ts_k_map_pair(&args->to, pair);
 }

@@ -5,7 +5,8 @@
  * Texels of reflective shadow maps become virtual point lights, each of them a view (section 3.1). Pairs of a node of the
  * scene's octree and one of the views' are culled, rendered or split (section 3.2), and fused into whole maps. Pixels gather
  * the light of a few of the views that the same culling leaves them, and a cross-bilateral filter makes that smooth
- * (section 5.1). ManyLoDs has no octree of views: each is rendered by itself, and pixels draw from all of them.
+ * (section 5.1). ManyLoDs has no octree of views: each is rendered by itself, and pixels draw from all of them. Brute force
+ * has no use for the scene's inner nodes either: every leaf is rendered for every view.
  *
  * Deviations:
  * - culling, equivalence and subdivision are reconstructed, for the text of figures 4, 6 and 8 is lost (METHODS 13);
@@ -15,6 +16,7 @@
  * - nor does it of near lights and of a bias: distances are at least light_near leaves' sides, and what lies behind what a
  *   map shows is lit up to light_bias leaves' diagonals, and what bias and bias.slope make of the width of a texel;
  * - lists end at the nodes of gather_level, where the paper leaves open whether leaves of views are culled one by one;
+ * - brute force renders leaves, where the paper rasterizes triangles: what differs from ManyLoDs is then the hierarchy's;
  * - the picture is of indirect light alone. */
 #include "../stages/stages.h"
 #include "pipelines.h"
@@ -62,6 +64,31 @@ const ts_step ts_manylods_steps[] = {
 	{.stage = "view_alone"},
 	{.stage = "traverse", .only_traced = true},
 	{.stage = "map"},
+	{.stage = "fuse"},
+	{.stage = "eye"},
+	{.stage = "eye_margin", .only_margins = true},
+	{.stage = "gbuffer"},
+	{.stage = "vpl_pairs"},
+	{.stage = "vpl_gather"},
+	{.stage = "bilateral"},
+	{.stage = "indirect_image"},
+	{0},
+};
+
+const ts_step ts_bruteforce_steps[] = {
+	{.stage = "view"},
+	{.stage = "pose"},
+	{.stage = "lamp"},
+	{.stage = "rsm_view"},
+	{.stage = "rsm"},
+	{.stage = "rsm_patch"},
+	{.stage = "root"},
+	{.stage = "voxel"},
+	{.stage = "octree"},
+	{.stage = "vpl"},
+	{.stage = "octree_surface", .only_traced = true},
+	{.stage = "view_alone"},
+	{.stage = "map_all"},        /* no traversal */
 	{.stage = "fuse"},
 	{.stage = "eye"},
 	{.stage = "eye_margin", .only_margins = true},

@@ -1,4 +1,5 @@
-/* Glowing particles, whose light all surfaces cast shadows in, by MegaViews and ManyLoDs (see megaviews.c, section 5.2).
+/* Glowing particles, whose light all surfaces cast shadows in, by MegaViews, ManyLoDs and brute force (see megaviews.c,
+ * section 5.2).
  *
  * Particles are lights in the hall's air, each of them a view of all directions, so that nothing is culled. What follows is
  * what follows the virtual point lights of indirect light: the same octree of views, traversal, maps and gathering.
@@ -48,6 +49,27 @@ const ts_step ts_manylods_particles_steps[] = {
 	{.stage = "view_alone"},
 	{.stage = "traverse", .only_traced = true},
 	{.stage = "map"},
+	{.stage = "fuse"},
+	{.stage = "vpl_pairs"},
+	{.stage = "vpl_gather"},
+	{.stage = "bilateral"},
+	{.stage = "indirect_image"},
+	{0},
+};
+
+const ts_step ts_bruteforce_particles_steps[] = {
+	{.stage = "view"},
+	{.stage = "pose"},
+	{.stage = "eye"},
+	{.stage = "eye_margin", .only_margins = true},
+	{.stage = "gbuffer"},
+	{.stage = "root"},
+	{.stage = "particle"},
+	{.stage = "voxel"},
+	{.stage = "octree"},
+	{.stage = "octree_surface", .only_traced = true},
+	{.stage = "view_alone"},
+	{.stage = "map_all"},
 	{.stage = "fuse"},
 	{.stage = "vpl_pairs"},
 	{.stage = "vpl_gather"},

@@ -34,11 +34,11 @@ extern const ts_step ts_hulls_steps[], ts_direct_steps[];
 void ts_indirect_prepare(ts_run *run);
 void ts_hulls_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params);
 
-extern const ts_step ts_megaviews_steps[], ts_manylods_steps[];
+extern const ts_step ts_megaviews_steps[], ts_manylods_steps[], ts_bruteforce_steps[];
 void ts_megaviews_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params);
 void ts_manylods_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params);
 
-extern const ts_step ts_megaviews_particles_steps[], ts_manylods_particles_steps[];
+extern const ts_step ts_megaviews_particles_steps[], ts_manylods_particles_steps[], ts_bruteforce_particles_steps[];
 void ts_particles_prepare(ts_run *run);
 void ts_megaviews_particles_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params);
 void ts_manylods_particles_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params);

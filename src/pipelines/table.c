@@ -39,11 +39,15 @@ const ts_pipeline ts_pipeline_table[] = {
 	 ts_megaviews_steps, ts_indirect_prepare, ts_megaviews_expect, false},
 	{"manylods", "indirect", "MegaViews 4.1", "the same lights, the map of each by a traversal of its own",
 	 ts_manylods_steps, ts_indirect_prepare, ts_manylods_expect, false},
+	{"bruteforce", "indirect", "MegaViews 4.1", "the same lights, every leaf of the scene in the map of each",
+	 ts_bruteforce_steps, ts_indirect_prepare, ts_manylods_expect, true},
 	{"megaviews", "particles", "MegaViews 3 and 5.2",
 	 "many small views at once: glowing particles with maps that octrees of scene and views share",
 	 ts_megaviews_particles_steps, ts_particles_prepare, ts_megaviews_particles_expect, false},
 	{"manylods", "particles", "MegaViews 4.1", "the same particles, the map of each by a traversal of its own",
 	 ts_manylods_particles_steps, ts_particles_prepare, ts_manylods_particles_expect, false},
+	{"bruteforce", "particles", "MegaViews 4.1", "the same particles, every leaf of the scene in the map of each",
+	 ts_bruteforce_particles_steps, ts_particles_prepare, ts_manylods_particles_expect, true},
 	{0},
 };
 

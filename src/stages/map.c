@@ -1,4 +1,5 @@
 /* Rendered pairs in maps, and whole maps for every node of views. */
+#include "octree.h"
 #include "traverse.h"
 #include <inttypes.h>
 
@@ -51,11 +52,12 @@ ts_status ts_stage_map(ts_run *run)
 	return ts_run_launch(run, TS_KERNEL_map, &args, ts_frame_n(&run->frame, TS_B_traverse_rendered));
 }
 
-/* By brute force: every leaf of the scene that a view may see. */
+/* By brute force: every leaf of the scene for every view. */
 ts_status ts_stage_map_all(ts_run *run)
 {
-	ts_map_all_args args = {.n_nodes = (u32)ts_frame_n(&run->frame, TS_B_octree_node)};
-	u64 n = args.n_nodes * ts_frame_n(&run->frame, TS_B_view_octree_node);
+	ts_map_all_args args = {.first = ts_octree_first(run, &ts_scene_octree, run->params.levels)};
+	args.n_leaves = ts_octree_first(run, &ts_scene_octree, run->params.levels + 1) - args.first;
+	u64 n = args.n_leaves * ts_frame_n(&run->frame, TS_B_view_octree_node);
 	if (begin(run, &args.to) != TS_OK || ts_traverse_arguments(run, &args.of) != TS_OK) return TS_ERROR;
 	args.n_rendered = ts_frame_tallies(&run->frame);
 	if (ts_run_launch(run, TS_KERNEL_map_all, &args, n) != TS_OK) return TS_ERROR;

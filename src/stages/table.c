@@ -209,7 +209,7 @@ const ts_stage ts_stage_table[] = {
 	{"view_alone", "map", {TS_B_vpl_light, END},
 	 {TS_B_view_octree_level, TS_B_view_octree_node, TS_B_view_octree_view, TS_B_view_octree_leaf, TS_B_view_cone_node, END},
 	 ts_stage_view_alone, "MegaViews 4.1", "ManyLoDs: every view without a hierarchy, a root and a leaf"},
-	{"map_all", "scatter", {TS_B_octree_node, TS_B_view_octree_node, TS_B_view_cone_node, END},
+	{"map_all", "scatter", {TS_B_octree_level, TS_B_octree_node, TS_B_view_octree_node, TS_B_view_cone_node, END},
 	 {TS_B_map_depth_node, END}, ts_stage_map_all, "MegaViews 4.1", "every leaf of the scene in the map of every view"},
 	{"vpl_pairs", "emit",
 	 {TS_B_octree_level, TS_B_octree_node, TS_B_view_octree_level, TS_B_view_octree_node, TS_B_view_cone_node, END},

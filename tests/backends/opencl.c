@@ -246,6 +246,7 @@ static const struct { const char *effect, *method; u32 reflectors; const char *s
 	{"indirect", "megaviews", 0, {{"vpls", "90"}, {"queue_mb", "1"}, {"filter_px", "3"}}},
 	{"indirect", "megaviews", 2, {{"gather_lights", "0"}, {"cutoff", "5"}, {"multipixel", "on"}}},
 	{"indirect", "manylods", 0, {{"vpls", "90"}, {"fusion", "paper"}, {"shadows", "off"}}},
+	{"indirect", "bruteforce", 0, {{"vpls", "40"}, {"multipixel", "on"}, {"touching", "render"}}},
 	{"particles", "megaviews", 0, {{"particles", "200"}, {"queue_mb", "1"}}},
 	{"particles", "manylods", 0, {{"particles", "90"}, {"cutoff", "5"}}},
 };

@@ -25,7 +25,7 @@ views = [("reflections", "ivir"), ("soft-shadows", "ivir"), ("omni-shadows", "iv
 soft, omni, indirect, particles = ([m for m in methods if m[0] == effect]
                                    for effect in ("soft-shadows", "omni-shadows", "indirect", "particles"))
 hulls = [("indirect", "hulls")]
-megaviews = [("indirect", "megaviews"), ("indirect", "manylods")]
+megaviews = [("indirect", m) for m in ("megaviews", "manylods", "bruteforce")]
 takers = {"rate": views, "buffered": views, "snap": views, "lamp": soft[:1], "lamp.radius": soft, "lamp.fov": soft,
           "views": soft, "pass": soft + omni, "map_px": soft + omni, "light_samples": omni, "bias": soft + omni,
           "bias.slope": soft + omni, "pcss.near": [("soft-shadows", "pcss")],

@@ -122,7 +122,7 @@ done
 for words in 'indirect hulls --margins --set lamp=scene' 'indirect direct' \
 	'indirect hulls --set segmentation=components --set cosine=quadrature' \
 	'indirect megaviews --margins --set levels=4 --set vpls=60 --set vpl.bounces=2' \
-	'indirect manylods --set levels=4 --set gather_lights=0' \
+	'indirect manylods --set levels=4 --set gather_lights=0' 'indirect bruteforce --set levels=3 --set vpls=30' \
 	'particles megaviews --margins --set levels=4 --set particles=60' 'particles manylods --set levels=4 --set particles=60'; do
 	read -r effect method how <<< "$words"
 	# shellcheck disable=SC2086

@@ -1,12 +1,14 @@
 /* Indirect light by many small views, as whole runs: the same bits on any number of threads and by queues of any length;
  * lists that leave no light out; light that tends to what every pixel gathers from triangles of light; the filter; skies,
- * lamps and octrees that are hardly there; every stage from what it claims to read. */
+ * lamps and octrees that are hardly there; maps by brute force against a second reckoning, and against ManyLoDs; every stage
+ * from what it claims to read. */
 #include "../stages/small.h"
 #include <math.h>
 #include "../../src/kernels/vpl_gather.h"
 #include "../../src/trace/sums.h"
 
-static const char *const methods[] = {"megaviews", "manylods"};
+static const char *const methods[] = {"megaviews", "manylods", "bruteforce"};
+enum { N_METHODS = 3 };
 
 static ts_params tiny_params(void)
 {
@@ -43,7 +45,7 @@ static void assert_same(const ts_sums *a, const ts_sums *b)
 static void test_threads(void **state)
 {
 	(void)state;
-	for (u32 m = 0; m < 2; m++) {
+	for (u32 m = 0; m < N_METHODS; m++) {
 		static ts_sums one, three, pieces;
 		ts_params params = tiny_params();
 		params.levels = 6;
@@ -62,7 +64,7 @@ static void test_threads(void **state)
 static void test_claims(void **state)
 {
 	(void)state;
-	for (u32 m = 0; m < 2; m++) {
+	for (u32 m = 0; m < N_METHODS; m++) {
 		ts_run run;
 		ts_params params = tiny_params();
 		ts_scene *scene = small_scene(&params);
@@ -281,13 +283,14 @@ static void test_edges(void **state)
 static void test_little(void **state)
 {
 	(void)state;
-	for (u32 k = 0; k < 8; k++) {
+	for (u32 k = 0; k < 4 * N_METHODS; k++) {
 		ts_params params = tiny_params();
-		if (k / 2 == 1) params.light_irradiance = 0;
-		if (k / 2 == 2) params.vpls = 1;
-		if (k / 2 == 3) params.levels = 1;
+		u32 few = k / N_METHODS;
+		if (few == 1) params.light_irradiance = 0;
+		if (few == 2) params.vpls = 1;
+		if (few == 3) params.levels = 1;
 		ts_scene *scene = small_scene(&params);
-		if (k / 2 == 0) {
+		if (few == 0) {
 			scene->info.circles = 0;
 			ts_store3(scene->info.eye, ts_v3_make(60, 30, -2));
 			ts_store3(scene->info.back, ts_v3_make(-1, 0, 0));
@@ -295,15 +298,15 @@ static void test_little(void **state)
 			ts_store3(scene->info.up, ts_v3_make(0, 1, 0));
 		}
 		ts_run run;
-		run_of(&run, scene, &params, methods[k % 2]);
+		run_of(&run, scene, &params, methods[k % N_METHODS]);
 		double sum = 0;
 		for (u64 i = 0; i < ts_frame_n(&run.frame, TS_B_indirect_irradiance); i++) {
 			f32 e = light_of(&run)[i];
 			assert_true(e >= 0 && e < 1e6f);
 			sum += (double)e;
 		}
-		assert_true(k / 2 < 2 ? sum == 0 : sum >= 0);
-		assert_int_equal(ts_run_counter(&run, "virtual point lights"), k / 2 == 1 ? 0 : k / 2 == 2 ? 1 : 300);
+		assert_true(few < 2 ? sum == 0 : sum >= 0);
+		assert_int_equal(ts_run_counter(&run, "virtual point lights"), few == 1 ? 0 : few == 2 ? 1 : 300);
 		ts_run_end(&run);
 		ts_scene_free(scene);
 	}
@@ -313,8 +316,8 @@ static void test_little(void **state)
 static void test_memory(void **state)
 {
 	(void)state;
-	for (u32 k = 0; k < 4; k++) {
-		const ts_pipeline *pipeline = ts_pipeline_find(k / 2 == 0 ? "indirect" : "particles", methods[k % 2]);
+	for (u32 k = 0; k < 2 * N_METHODS; k++) {
+		const ts_pipeline *pipeline = ts_pipeline_find(k < N_METHODS ? "indirect" : "particles", methods[k % N_METHODS]);
 		ts_params params = tiny_params();
 		params.particles = params.vpls;
 		params.queue_mb = 2;
@@ -333,13 +336,133 @@ static void test_memory(void **state)
 	}
 }
 
+/* Where a leaf of the scene is in the map of a view, in double precision: place of the texel, how far the direction is from
+ * its edges in texels, and the distance; false: behind the view, or too near to be rendered, or nearly so: `unsure`. */
+typedef struct { u32 texel; double edge, distance; bool unsure; } spot;
+
+static bool place_of(spot *r, const ts_node *leaf, const ts_vpl *light, u32 n)
+{
+	double d[3], square = 0, ahead = 0, at[2];
+	for (u32 k = 0; k < 3; k++) {
+		d[k] = (double)leaf->centre[k] - (double)light->position[k];
+		square += d[k] * d[k];
+		ahead += d[k] * (double)light->normal[k];
+	}
+	r->distance = sqrt(square);
+	r->edge = 1;
+	for (u32 k = 0; k < 2; k++) {
+		at[k] = (d[k + 1] / (r->distance + fabs(d[0])) / 2 + 0.5) * n;
+		r->edge = fmin(r->edge, fabs(at[k] - round(at[k])));
+	}
+	r->texel = ((d[0] < 0 ? n : 0) + (u32)at[1]) * n + (u32)at[0];
+	double radius = (double)leaf->radius, apart = r->distance - 2 * radius, seen = ahead + radius;
+	r->unsure = fabs(apart) < 1e-4 || fabs(seen) < 2e-3 * r->distance;
+	return apart > 0 && seen > 0;
+}
+
+/* Every leaf that is surely seen well within a texel is there or behind what is; and what is there is such a leaf. */
+static void assert_brute(const ts_run *run, u32 view, u64 *n_leaves)
+{
+	u32 n = run->params.view_px;
+	const u64 *map = (const u64 *)ts_frame_data(&run->frame, TS_B_map_depth_node) + (u64)view * 2 * n * n;
+	const ts_node *nodes = ts_frame_data(&run->frame, TS_B_octree_node);
+	const ts_vpl *light = (const ts_vpl *)ts_frame_data(&run->frame, TS_B_vpl_light) + view;
+	const u32 *level = (const u32 *)ts_frame_data(&run->frame, TS_B_octree_level) + run->params.levels;
+	for (u32 i = level[0]; i < level[1]; i++) {
+		spot at;
+		if (!place_of(&at, &nodes[i], light, n) || at.unsure || at.edge < 1e-4) continue;
+		assert_true((double)ts_u2f((u32)(map[at.texel] >> 32)) < at.distance * 1.00001);
+		++*n_leaves;
+	}
+	for (u32 t = 0; t < 2 * n * n; t++) {
+		spot at;
+		u32 i = (u32)map[t];
+		if (map[t] == TS_EMPTY) continue;
+		assert_true(i >= level[0] && i < level[1] && (place_of(&at, &nodes[i], light, n) || at.unsure));
+		assert_true(fabs(at.distance / (double)ts_u2f((u32)(map[t] >> 32)) - 1) < 1e-5 && (at.texel == t || at.edge < 1e-4));
+	}
+}
+
+static int by_value(const void *a, const void *b)
+{
+	u64 x = *(const u64 *)a, y = *(const u64 *)b;
+	return x < y ? -1 : x > y;
+}
+
+/* Maps without the hierarchy: every leaf is in them; and they are those of ManyLoDs in texels that show a leaf in both, this
+ * one rendered by both. */
+static void test_brute(void **state)
+{
+	(void)state;
+	ts_params params = tiny_params();
+	params.levels = 6;
+	params.vpls = 40;
+	ts_scene *scene = small_scene(&params);
+	ts_run brute, alone;
+	run_of(&brute, scene, &params, "bruteforce");
+	ts_run_begin(&alone, scene, &params, 2);
+	alone.traced = true;
+	assert_int_equal(ts_pipeline_run(ts_pipeline_find("indirect", "manylods"), &alone), TS_OK);
+	u64 n = ts_frame_n(&brute.frame, TS_B_map_depth_node), n_leaves = 0, n_same = 0, n_differ = 0, n_shown = 0;
+	for (u32 v = 0; v < params.vpls; v++) assert_brute(&brute, v, &n_leaves);
+	const u64 *a = ts_frame_data(&brute.frame, TS_B_map_depth_node), *b = ts_frame_data(&alone.frame, TS_B_map_depth_node);
+	const u64 *pairs = ts_frame_data(&alone.frame, TS_B_traverse_rendered);
+	const ts_node *nodes = ts_frame_data(&brute.frame, TS_B_octree_node);
+	assert_int_equal(n, ts_frame_n(&alone.frame, TS_B_map_depth_node));
+	for (u64 i = 0; i < n; i++) {
+		u64 pair = (u64)(u32)a[i] << 32 | i / (2 * params.view_px * params.view_px);
+		u64 n_pairs = ts_frame_n(&alone.frame, TS_B_traverse_rendered);
+		bool both = a[i] != TS_EMPTY && b[i] != TS_EMPTY && nodes[(u32)b[i]].children == 0 &&
+		            bsearch(&pair, pairs, n_pairs, sizeof pair, by_value) != NULL;
+		if (both) assert_true(a[i] == b[i]);
+		n_same += both;
+		n_shown += a[i] != TS_EMPTY;
+		n_differ += a[i] != b[i];
+	}
+	i64 n_scene = ts_run_counter(&brute, "scene leaves");
+	assert_int_equal(ts_run_counter(&brute, "pairs"), n_scene * params.vpls);
+	double percent = 100.0 / (double)n_shown;
+	print_message("texels: %.1f %% that both show by a leaf, %.1f %% that differ\n", percent * (double)n_same,
+	              percent * (double)n_differ);
+	assert_true(n_leaves > 10000 && n_same > n_shown / 20 && n_differ > 0);
+	ts_run_end(&brute);
+	ts_run_end(&alone);
+	ts_scene_free(scene);
+}
+
+/* Where every leaf is wider than a texel all is the same, up to the light; for all views see the same leaves. */
+static void test_wide(void **state)
+{
+	(void)state;
+	ts_params params = tiny_params();
+	params.levels = 4;
+	params.view_px = 128;
+	params.vpls = 40;
+	ts_scene *scene = small_scene(&params);
+	ts_run brute, alone;
+	run_of(&brute, scene, &params, "bruteforce");
+	run_of(&alone, scene, &params, "manylods");
+	i64 rendered = ts_run_counter(&alone, "pairs rendered");
+	assert_int_equal(ts_run_counter(&alone, "pairs wider than a texel"), rendered);
+	assert_int_equal(ts_run_counter(&brute, "pairs rendered"), rendered);
+	static const ts_buffer_id same[] = {TS_B_map_depth_node, TS_B_fuse_depth, TS_B_vpl_gather_irradiance,
+	                                    TS_B_indirect_irradiance};
+	for (u32 i = 0; i < sizeof same / sizeof *same; i++) {
+		size_t bytes = ts_frame_n(&alone.frame, same[i]) * ts_buffer_table[same[i]].element_bytes;
+		assert_memory_equal(ts_frame_data(&brute.frame, same[i]), ts_frame_data(&alone.frame, same[i]), bytes);
+	}
+	ts_run_end(&brute);
+	ts_run_end(&alone);
+	ts_scene_free(scene);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_threads), cmocka_unit_test(test_claims), cmocka_unit_test(test_lists),
 		cmocka_unit_test(test_cutoff),  cmocka_unit_test(test_units),  cmocka_unit_test(test_draws),
 		cmocka_unit_test(test_filter),  cmocka_unit_test(test_edges),  cmocka_unit_test(test_little),
-		cmocka_unit_test(test_memory),
+		cmocka_unit_test(test_memory), cmocka_unit_test(test_brute),   cmocka_unit_test(test_wide),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -6,7 +6,8 @@
 #include "../../src/scene/view.h"
 #include "../../src/trace/sums.h"
 
-static const char *const methods[] = {"megaviews", "manylods"};
+static const char *const methods[] = {"megaviews", "manylods", "bruteforce"};
+enum { N_METHODS = 3 };
 
 static ts_params tiny_params(void)
 {
@@ -37,7 +38,7 @@ static void test_threads(void **state)
 	static ts_sums one, seven;
 	ts_params params = tiny_params();
 	ts_scene *scene = small_scene(&params);
-	for (u32 m = 0; m < 2; m++) {
+	for (u32 m = 0; m < N_METHODS; m++) {
 		sums_of(&one, scene, &params, methods[m], 1);
 		sums_of(&seven, scene, &params, methods[m], 7);
 		for (u32 id = 0; id < TS_N_BUFFERS; id++) assert_string_equal(one.hex[id], seven.hex[id]);
@@ -249,7 +250,7 @@ static void test_claims(void **state)
 	(void)state;
 	ts_params params = tiny_params();
 	ts_scene *scene = small_scene(&params);
-	for (u32 m = 0; m < 2; m++) {
+	for (u32 m = 0; m < N_METHODS; m++) {
 		ts_run run;
 		run_of(&run, scene, &params, methods[m]);
 		for (const ts_step *step = ts_pipeline_find("particles", methods[m])->steps; step->stage != NULL; step++) {
