@@ -55,6 +55,7 @@ ts_status ts_bench_case_open(ts_bench_case *c, const char *spec, const ts_params
 		u64 bytes;
 		c->n_variants++;
 		c->methods[v] = ts_pipeline_find(c->effect, c->variants[v].method);
+		if (c->methods[v] != NULL && c->methods[v]->only_named && c->hurried) c->methods[v] = NULL;
 		if (c->methods[v] == NULL) continue;
 		status = ts_bench_case_params(&own, c, v);
 		if (status == TS_OK) status = ts_measure_estimate(&bytes, &c->methods[v], 1, c->truths, c->scene, &own);

@@ -26,6 +26,7 @@ typedef struct {
 	const ts_pipeline *methods[TS_BENCH_VARIANTS];    /* NULL: there is none */
 	ts_measure measures[TS_BENCH_VARIANTS];           /* of the last run */
 	ts_picture images[TS_BENCH_VARIANTS], truth;      /* of the first run */
+	bool hurried;                       /* methods that take long are left out, as if there were none */
 	double empty[TS_BENCH_VARIANTS];    /* share of the texels of leaves' whole maps; of the first run if it is seen */
 } ts_bench_case;
 

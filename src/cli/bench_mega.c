@@ -2,25 +2,28 @@
  * known. The stages `map` and `fuse` render maps. */
 #include "bench_paper.h"
 
-enum { M_MEGA, M_LODS, M_WIDE };
+enum { M_MEGA, M_LODS, M_WIDE, M_BRUTE };
 
 static const ts_bench_variant variants[] = {
 	[M_MEGA] = { "megaviews", "", true, false },
 	[M_LODS] = { "manylods", "", true, false },
 	[M_WIDE] = { "megaviews", "view_field=all", true, false },
+	[M_BRUTE] = { "bruteforce", "", false, true },
 	{ 0 }
 };
 
-enum { VIEWS, MS, LODS_MS, WIDE_MS, SPEEDUP, CULLING, TREE_MS, GATHER_MS, LODS_GATHER_MS, MS_GROWTH, LODS_MS_GROWTH,
-	PAIRS, LODS_PAIRS, SAVED, A_VIEW, LODS_A_VIEW, PAIRS_GROWTH, LODS_PAIRS_GROWTH, SERVED, RENDERED, SHARING, CULLED,
-	CULLED_SHARE, WIDE_PAIRS, PAIRS_SAVED, WIDER, WIDER_SHARE, EMPTY, WIDE_EMPTY, SCENE_LEAVES, LEAVES, SCENE_MIB,
-	TREE_MIB, QUEUE_MIB, MAPS_MIB, MIB, LODS_SCENE_MIB, LODS_VIEWS_MIB, LODS_QUEUE_MIB, LODS_MAPS_MIB, LODS_MIB, LESS };
+enum { VIEWS, MS, LODS_MS, WIDE_MS, BRUTE_MS, SPEEDUP, CULLING, TREE_MS, GATHER_MS, LODS_GATHER_MS, MS_GROWTH,
+	LODS_MS_GROWTH, PAIRS, LODS_PAIRS, BRUTE_PAIRS, SAVED, A_VIEW, LODS_A_VIEW, PAIRS_GROWTH, LODS_PAIRS_GROWTH, SERVED,
+	RENDERED, SHARING, CULLED, CULLED_SHARE, WIDE_PAIRS, PAIRS_SAVED, WIDER, WIDER_SHARE, EMPTY, WIDE_EMPTY, SCENE_LEAVES,
+	LEAVES, SCENE_MIB, TREE_MIB, QUEUE_MIB, MAPS_MIB, MIB, LODS_SCENE_MIB, LODS_VIEWS_MIB, LODS_QUEUE_MIB, LODS_MAPS_MIB,
+	LODS_MIB, LESS };
 
 static const ts_bench_figure figures[] = {
 	[VIEWS] = { "views", "views", TS_FIGURE_COUNTER, M_MEGA, 0, TS_WHOLE, "virtual point lights" },
 	[MS] = { "megaviews_ms", "MegaViews", TS_FIGURE_STAGE_TIME, M_MEGA, 0, 2, "map,fuse" },
 	[LODS_MS] = { "manylods_ms", "ManyLoDs", TS_FIGURE_STAGE_TIME, M_LODS, 0, 2, "map,fuse" },
 	[WIDE_MS] = { "unculled_ms", "no culling", TS_FIGURE_STAGE_TIME, M_WIDE, 0, 2, "map,fuse" },
+	[BRUTE_MS] = { "bruteforce_ms", "brute force", TS_FIGURE_STAGE_TIME, M_BRUTE, 0, 2, "map_all,fuse" },
 	[SPEEDUP] = { "speedup", "ManyLoDs / MegaViews", TS_FIGURE_RATIO, LODS_MS, MS, 2, "" },
 	[CULLING] = { "culling_percent", "culling saves, %", TS_FIGURE_SAVED, MS, WIDE_MS, 1, "" },
 	[TREE_MS] = { "hierarchy_ms", "hierarchy of views", TS_FIGURE_STAGE_TIME, M_MEGA, 0, 2,
@@ -31,6 +34,7 @@ static const ts_bench_figure figures[] = {
 	[LODS_MS_GROWTH] = { "manylods_ms_exponent", "ManyLoDs'", TS_FIGURE_GROWTH, LODS_MS, VIEWS, 3, "" },
 	[PAIRS] = { "pairs", "pairs", TS_FIGURE_COUNTER, M_MEGA, 0, TS_WHOLE, "pairs" },
 	[LODS_PAIRS] = { "manylods_pairs", "ManyLoDs'", TS_FIGURE_COUNTER, M_LODS, 0, TS_WHOLE, "pairs" },
+	[BRUTE_PAIRS] = { "bruteforce_pairs", "leaves by views", TS_FIGURE_COUNTER, M_BRUTE, 0, TS_WHOLE, "pairs" },
 	[SAVED] = { "pairs_ratio", "by ours", TS_FIGURE_RATIO, LODS_PAIRS, PAIRS, 2, "" },
 	[A_VIEW] = { "pairs_a_view", "a view", TS_FIGURE_RATIO, PAIRS, VIEWS, 1, "" },
 	[LODS_A_VIEW] = { "manylods_pairs_a_view", "ManyLoDs'", TS_FIGURE_RATIO, LODS_PAIRS, VIEWS, 1, "" },
@@ -66,8 +70,8 @@ static const ts_bench_figure figures[] = {
 static const ts_paper_part parts[] = {
 	{ "mega_10", "MegaViews, figure 10: maps, ms; exponents of views since the row above", { VIEWS, MS, LODS_MS, SPEEDUP,
 	  MS_GROWTH, LODS_MS_GROWTH, WIDE_MS, CULLING, TS_NO_FIGURE } },
-	{ "mega_10_ms", "The rest, ms", { TREE_MS, GATHER_MS, LODS_GATHER_MS, TS_NO_FIGURE } },
-	{ "mega_10_pairs", "Pairs, and ManyLoDs'", { PAIRS, LODS_PAIRS, SAVED, A_VIEW, LODS_A_VIEW, PAIRS_GROWTH,
+	{ "mega_10_ms", "The rest, ms", { BRUTE_MS, TREE_MS, GATHER_MS, LODS_GATHER_MS, TS_NO_FIGURE } },
+	{ "mega_10_pairs", "Pairs, and ManyLoDs'", { PAIRS, LODS_PAIRS, BRUTE_PAIRS, SAVED, A_VIEW, LODS_A_VIEW, PAIRS_GROWTH,
 	  LODS_PAIRS_GROWTH, TS_NO_FIGURE } },
 	{ "mega_10_fates", "What becomes of pairs", { RENDERED, WIDER, WIDER_SHARE, CULLED, CULLED_SHARE, WIDE_PAIRS,
 	  PAIRS_SAVED, TS_NO_FIGURE } },
@@ -112,12 +116,12 @@ static const ts_paper_row rows[] = {
 	{ 0 }
 };
 
-static const ts_paper_plot plot = { "views", "maps, ms", VIEWS, { MS, LODS_MS, TS_NO_FIGURE }, true };
+static const ts_paper_plot plot = { "views", "maps, ms", VIEWS, { MS, LODS_MS, BRUTE_MS, TS_NO_FIGURE }, true };
 
 const ts_paper_table ts_mega_10 = {
 	.name = "mega-10", .title = "MegaViews, figure 10", .effect = "indirect", .scenes = "atrium", .objects_head = "paths",
-	.objects_param = "vpls", .objects = "256,1024,4096", .most = 1 << 24, .set = "reflectors=0",
+	.objects_param = "vpls", .objects = "256,1024,4096", .most = 1 << 24, .most_long = 1024, .set = "reflectors=0",
 	.defaults = "levels=7,rsm_px=256", .size = "width=320,height=180", .timed = true,
-	.note = "A path leaves vpl.bounces views; the paper has 1 or 4, and 11 levels.",
+	.note = "A path leaves vpl.bounces views; the paper has 1 or 4, and 11 levels. Brute force, one run, up to 1024 paths.",
 	.variants = variants, .figures = figures, .parts = parts, .relations = relations, .plot = &plot, .rows = rows,
 };

@@ -53,6 +53,7 @@ static ts_status measure_line(ts_paper_line *line, const work *w, const char *sp
 	c->effect = w->table->effect;
 	c->variants = w->table->variants;
 	c->truths = w->truths;
+	c->hurried = w->table->most_long != 0 && line->objects > w->table->most_long;
 	snprintf(line->scene, sizeof line->scene, "%s", slash != NULL ? slash + 1 : spec);
 	ts_status status = ts_bench_case_open(c, spec, params);
 	if (status == TS_OK) status = run_case(line->here, before(w, line), c, w);

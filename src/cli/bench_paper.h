@@ -55,6 +55,7 @@ typedef struct {
 	const char *objects_param;  /* NULL: objects are sizes, WxH */
 	const char *objects;        /* unless --objects says otherwise */
 	u32 most;                   /* of them; 0: TS_BENCH_OBJECTS */
+	u32 most_long;              /* methods that take long are left out where there are more; 0: never */
 	const char *set;            /* for all rows */
 	const char *defaults;       /* for all rows, of parameters that have their defaults */
 	const char *size;           /* unless --size says otherwise; NULL: 1920 x 1080 */

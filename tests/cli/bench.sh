@@ -256,7 +256,7 @@ run render indirect "$room" --method megaviews --set vpls=256 "${maps[@]}" --no-
 python3 - "$scratch/mega-10/report.json" "$scratch/mega-render" "$scratch/mega-trace/trace-megaviews" <<'PY'
 import glob, json, math, struct, sys
 report, render = (json.load(open(path)) for path in sys.argv[1:3])
-names = ("mega_10", "mega_10_pairs", "mega_10_fates", "mega_10_sharing", "mega_10_mib", "mega_10_manylods_mib")
+names = ("mega_10", "mega_10_ms", "mega_10_pairs", "mega_10_fates", "mega_10_sharing", "mega_10_mib", "mega_10_manylods_mib")
 rows = [{k: v for name in names for k, v in report[name][i].items()} for i in (0, 1)]
 lods = [report["mega_10_manylods_mib"][i] for i in (0, 1)]
 ours = [report["mega_10_mib"][i] for i in (0, 1)]
@@ -274,6 +274,7 @@ for method, columns in (("megaviews", {"pairs": "pairs", "pairs culled": "culled
 	near(ours[1]["scene_mib"], sum(n for b, n in sizes.items() if b.split(".")[0] in ("voxel", "octree")) / 2 ** 20)
 for r, m, l in zip(rows, ours, lods):
 	near(r["speedup"], r["manylods_ms"] / r["megaviews_ms"])
+	assert r["bruteforce_pairs"] == r["scene_leaves"] * r["views"]
 	near(r["pairs_a_view"], r["pairs"] / r["views"])
 	near(r["sharing"], r["served"] / r["rendered"])
 	near(r["culled_percent"], 100 * r["culled"] / r["pairs"])
@@ -304,16 +305,16 @@ PY
 verdict $? 'bench mega-10: pairs, memory, exponents and empty texels, counted again'
 python3 - "$scratch/mega-10" <<'PY'
 import csv, sys, xml.etree.ElementTree as xml
-rows = list(csv.DictReader(open(sys.argv[1] + "/mega_10.csv")))
+rows, rest = (list(csv.DictReader(open(f"{sys.argv[1]}/{name}.csv"))) for name in ("mega_10", "mega_10_ms"))
 svg = xml.parse(sys.argv[1] + "/mega_10_1.svg").getroot()
 tag = "{http://www.w3.org/2000/svg}"
 texts = [t.text for t in svg.iter(tag + "text")]
 dots = [(float(c.get("cx")), float(c.get("cy"))) for c in svg.iter(tag + "circle")]
 assert {"MegaViews", "ManyLoDs", "views", "maps, ms"} <= set(texts)
-assert len(list(svg.iter(tag + "polyline"))) == 2 and len(dots) == 4 == 2 * len(rows)
+assert len(list(svg.iter(tag + "polyline"))) == 3 and len(dots) == 6 == 3 * len(rows)
 assert all(70 <= x <= 770 and 50 <= y <= 500 for x, y in dots) and dots[0][0] < dots[1][0]
-ms = [float(r[k]) for k in ("megaviews_ms", "manylods_ms") for r in rows]
-assert sorted(range(4), key=lambda i: ms[i]) == sorted(range(4), key=lambda i: -dots[i][1])
+ms = [float(r[k]) for k in ("megaviews_ms", "manylods_ms") for r in rows] + [float(r["bruteforce_ms"]) for r in rest]
+assert sorted(range(6), key=lambda i: ms[i]) == sorted(range(6), key=lambda i: -dots[i][1])
 PY
 verdict $? 'bench mega-10: CSV, and a plot of a curve a method'
 
