@@ -38,7 +38,7 @@
 #include "../kernels/view_octree.h"
 #include "../kernels/voxel.h"
 #include "../kernels/vpl.h"
-#include "../kernels/vpl_gather.h"
+#include "../kernels/vpl_gather_margin.h"
 #include "../kernels/vpl_pairs.h"
 
 #define KERNEL(name, args) TS_KERNEL_##name,

@@ -54,23 +54,35 @@ TS_FN ts_aperture ts_k_pair_psi(const ts_cone_k *cone, const ts_aperture *phi)
 	return r;
 }
 
-/* Figure 4: the ball lies outside what any of the views can see. psi passes pi where its sine is no longer positive, alpha
- * is at most psi where the sine of alpha - psi is not, and alpha - psi passes a right angle where its cosine is not. */
-TS_FN bool ts_k_pair_is_culled(const ts_ball *s, const ts_ball *v, const ts_cone_k *cone, const ts_aperture *phi)
+/* Figure 4: fs, how far outside the cone the middle of the ball lies; at most 0 within. psi passes pi where its sine is no
+ * longer positive, alpha is at most psi where the sine of alpha - psi is not, and alpha - psi passes a right angle where its
+ * cosine is not. */
+TS_FN f32 ts_k_pair_outside(const ts_ball *s, const ts_ball *v, const ts_cone_k *cone, const ts_aperture *phi)
 {
 	ts_aperture psi = ts_k_pair_psi(cone, phi);
-	if (!(psi.sine > 0.0f)) return false;
 	ts_v3 vs = ts_sub(s->p, v->p);
+	f32 d = ts_length(vs);
+	if (!(psi.sine > 0.0f)) return -d;
 	f32 along = ts_dot(vs, cone->axis);
 	f32 aside = ts_length(ts_cross(vs, cone->axis));
 	f32 sine = ts_diff_of_products(aside, psi.cosine, along, psi.sine);
-	if (!(sine > 0.0f)) return false;
-	f32 d = ts_length(vs);
 	f32 cc = along * psi.cosine;
 	f32 ss = aside * psi.sine;
-	f32 fs = cc + ss > 0.0f ? sine : d;
-	f32 slack = d * TS_CULL_DISTANCE;
-	return fs > (s->r + v->r) + slack;
+	return cc + ss > 0.0f || !(sine > 0.0f) ? sine : d;
+}
+
+/* What fs must pass. */
+TS_FN f32 ts_k_pair_reach(const ts_ball *s, const ts_ball *v)
+{
+	f32 slack = ts_length(ts_sub(s->p, v->p)) * TS_CULL_DISTANCE;
+	return (s->r + v->r) + slack;
+}
+
+/* The ball lies outside what any of the views can see. */
+TS_FN bool ts_k_pair_is_culled(const ts_ball *s, const ts_ball *v, const ts_cone_k *cone, const ts_aperture *phi)
+{
+	f32 fs = ts_k_pair_outside(s, v, cone, phi);
+	return fs > 0.0f && fs > ts_k_pair_reach(s, v);
 }
 
 /* Texels that the ball of s is wide, seen from the nearest place in the ball of v; -1: that may lie in the ball of s. */
@@ -101,10 +113,11 @@ TS_FN bool ts_k_pair_splits_view(const ts_ball *s, const ts_ball *v)
 TS_FN f32 ts_k_pair_gap(const ts_ball *s, const ts_ball *v) { return ts_length(ts_sub(s->p, v->p)) - (s->r + v->r); }
 
 /* Two leaves that touch; a view alone stands for a leaf as large as that of the scene. */
+TS_FN f32 ts_k_pair_touch_reach(const ts_ball *s, const ts_ball *v) { return s->r + ts_max(s->r, v->r); }
+
 TS_FN bool ts_k_pair_touches(const ts_ball *s, const ts_ball *v)
 {
-	f32 reach = s->r + ts_max(s->r, v->r);
-	return s->leaf && v->leaf && ts_length(ts_sub(s->p, v->p)) < reach;
+	return s->leaf && v->leaf && ts_length(ts_sub(s->p, v->p)) < ts_k_pair_touch_reach(s, v);
 }
 
 #endif

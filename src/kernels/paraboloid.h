@@ -6,24 +6,35 @@
 #define TS_KERNELS_PARABOLOID_H
 #include "vec.h"
 
-/* min(n - 1, floor((u + 1) / 2 * n)) */
-TS_FN u32 ts_k_paraboloid_place(f32 u, u32 n)
+/* (u + 1) / 2 * n */
+TS_FN f32 ts_k_paraboloid_place(f32 u, u32 n)
 {
 	f32 unit = u * 0.5f;
 	unit = unit + 0.5f;
-	f32 at = unit * (f32)n;
-	return (u32)ts_min_i32(ts_max_i32(ts_floor_i32(at), 0), (i32)n - 1);
+	return unit * (f32)n;
 }
 
-/* Texel of a direction of any length; that of no direction is in the middle of the front. */
-TS_FN u32 ts_k_paraboloid_texel(ts_v3 d, u32 n)
+/* Where a direction of any length is in its map, in texels; no direction is in the middle. */
+TS_FN ts_v2 ts_k_paraboloid_at(ts_v3 d, u32 n)
 {
 	f32 sum = ts_length(d) + ts_abs(d.x);
 	f32 divisor = sum > 0.0f ? sum : 1.0f;
-	u32 column = ts_k_paraboloid_place(d.y / divisor, n);
-	u32 row = ts_k_paraboloid_place(d.z / divisor, n);
+	return ts_v2_make(ts_k_paraboloid_place(d.y / divisor, n), ts_k_paraboloid_place(d.z / divisor, n));
+}
+
+/* Texel of a column and a row, or of the nearest there is, in the map that shows d: no direction is in the front. */
+TS_FN u32 ts_k_paraboloid_index(ts_v3 d, i32 column, i32 row, u32 n)
+{
+	u32 i = (u32)ts_min_i32(ts_max_i32(column, 0), (i32)n - 1);
+	u32 j = (u32)ts_min_i32(ts_max_i32(row, 0), (i32)n - 1);
 	u32 back = d.x < 0.0f ? 1u : 0u;
-	return (back * n + row) * n + column;
+	return (back * n + j) * n + i;
+}
+
+TS_FN u32 ts_k_paraboloid_texel(ts_v3 d, u32 n)
+{
+	ts_v2 at = ts_k_paraboloid_at(d, n);
+	return ts_k_paraboloid_index(d, ts_floor_i32(at.x), ts_floor_i32(at.y), n);
 }
 
 /* Of the middle of texel i of n, in [-1, 1]. */

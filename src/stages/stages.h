@@ -77,8 +77,11 @@ ts_status ts_stage_map(ts_run *run);
 ts_status ts_stage_fuse(ts_run *run);
 ts_status ts_stage_view_alone(ts_run *run);
 ts_status ts_stage_map_all(ts_run *run);
+ts_status ts_stage_map_margin(ts_run *run);
+ts_status ts_stage_map_all_margin(ts_run *run);
 ts_status ts_stage_vpl_pairs(ts_run *run);
 ts_status ts_stage_vpl_gather(ts_run *run);
+ts_status ts_stage_vpl_gather_margin(ts_run *run);
 ts_status ts_stage_bilateral(ts_run *run);
 
 /* Shared by the stages (run.c). The arrays of the frame that shading kernels read; the vertices are this frame's. */

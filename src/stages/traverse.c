@@ -71,7 +71,7 @@ static ts_status take_piece(traversal *t, u32 step)
 	if (ts_run_launch(t->run, TS_KERNEL_traverse, &piece->args, piece->n) != TS_OK) return TS_ERROR;
 	t->waiting[step].at += piece->n;
 	t->waiting[step + 1].at = 0;
-	t->waiting[step + 1].end = children;
+	t->waiting[step + 1].end = piece->n_children = children;
 	if (t->sink(t->run, piece, t->user) != TS_OK) return TS_ERROR;
 	piece->n_waiting += children - piece->n;
 	return TS_OK;

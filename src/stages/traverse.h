@@ -1,4 +1,4 @@
-/* The traversal, which two stages go through: one keeps the rendered pairs, one maps them at once. */
+/* The traversal, which stages go through that keep the rendered pairs, map them at once, list them, or judge them all. */
 #ifndef TS_STAGES_TRAVERSE_H
 #define TS_STAGES_TRAVERSE_H
 #include "stages.h"
@@ -7,6 +7,7 @@
 typedef struct {
 	ts_traverse_args args;
 	u64 n;
+	u64 n_children; /* in args.next, not decided yet */
 	u64 n_waiting;  /* pairs that are in queues */
 	u64 *sums;      /* work memory of prefix sums */
 	u64 bytes;      /* of all work memory */

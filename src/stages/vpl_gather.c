@@ -123,3 +123,14 @@ ts_status ts_stage_vpl_gather(ts_run *run)
 	ts_run_count(run, "pixels in no node", ts_frame_tally(&run->frame, 0));
 	return TS_OK;
 }
+
+ts_status ts_stage_vpl_gather_margin(ts_run *run)
+{
+	u64 width = run->params.width, height = run->params.height;
+	ts_vpl_gather_margin_args args = {
+		.of = ts_vpl_gather_arguments(run),
+		.margin = ts_frame_make2(&run->frame, TS_B_vpl_gather_margin, height, width),
+	};
+	if (args.margin == NULL) return TS_ERROR;
+	return ts_run_launch(run, TS_KERNEL_vpl_gather_margin, &args, width * height);
+}

@@ -4,15 +4,18 @@
 
 static const f32 steps = 1.0f, chance = 0.00000095367431640625f;
 
-static const struct { ts_buffer_id buffer, margin; } margins[] = {
-	{TS_B_eye_depth_triangle, TS_B_eye_margin},
-	{TS_B_face_depth_triangle, TS_B_face_margin},
-	{TS_B_cull_keep, TS_B_cull_margin},
-	{TS_B_splat_depth_index, TS_B_splat_tie},
-	{TS_B_scatter_depth, TS_B_depth_margin},
-	{TS_B_resolve_lit, TS_B_resolve_margin},
-	{TS_B_segment_label, TS_B_segment_margin},
-	{TS_B_hull_box, TS_B_hull_margin},
+/* Margins of so many elements each. */
+static const struct { ts_buffer_id buffer, margin; u32 of; } margins[] = {
+	{TS_B_eye_depth_triangle, TS_B_eye_margin, 1},
+	{TS_B_face_depth_triangle, TS_B_face_margin, 1},
+	{TS_B_cull_keep, TS_B_cull_margin, 1},
+	{TS_B_splat_depth_index, TS_B_splat_tie, 1},
+	{TS_B_scatter_depth, TS_B_depth_margin, 1},
+	{TS_B_resolve_lit, TS_B_resolve_margin, 1},
+	{TS_B_segment_label, TS_B_segment_margin, 1},
+	{TS_B_hull_box, TS_B_hull_margin, 1},
+	{TS_B_map_depth_node, TS_B_map_margin, 1},
+	{TS_B_vpl_gather_irradiance, TS_B_vpl_gather_margin, 3},
 };
 
 /* True if runs of the method have these margins; of a file alone that is not known. */
@@ -28,11 +31,13 @@ ts_status ts_decided_open(ts_decided *decided, const ts_trace *reference, ts_buf
 {
 	*decided = (ts_decided){.margin = TS_N_BUFFERS};
 	for (u32 i = 0; i < sizeof margins / sizeof *margins; i++) {
-		if (margins[i].buffer == id && is_measured(reference, margins[i].margin)) decided->margin = margins[i].margin;
+		if (margins[i].buffer != id || !is_measured(reference, margins[i].margin)) continue;
+		decided->margin = margins[i].margin;
+		decided->of = margins[i].of;
 	}
 	if (decided->margin == TS_N_BUFFERS) return TS_OK;
 	const ts_trace_item *item = &reference->item[decided->margin], *of = &reference->item[id];
-	if (item->path == NULL || item->npy.n != of->npy.n * every(decided->margin)) {
+	if (item->path == NULL || item->npy.n * decided->of != of->npy.n * every(decided->margin)) {
 		return ts_fail("%s: --decided needs %s for each element of %s; render the reference with --margins", reference->dir,
 		               ts_buffer_table[decided->margin].name, ts_buffer_table[id].name);
 	}
@@ -53,7 +58,7 @@ static bool is_decided(ts_buffer_id margin, const void *first, const void *secon
 	if (margin == TS_B_splat_tie) return *(const u8 *)first == 0;
 	if (every(margin) == 1) {
 		memcpy(&number, first, sizeof number);
-		return number > (margin == TS_B_cull_margin ? chance : steps);
+		return !(number <= (margin == TS_B_cull_margin ? chance : steps)); /* all ones are none */
 	}
 	memcpy(&edge, first, sizeof edge);
 	memcpy(&depth, second, sizeof depth);
@@ -65,10 +70,10 @@ ts_status ts_decided_is(ts_decided *decided, u64 element, bool *is)
 	*is = true;
 	if (decided->reader == NULL) return TS_OK;
 	u64 held, n = every(decided->margin), copy = 0;
-	const void *first = ts_reader_at(decided->reader, element * n, &held);
+	const void *first = ts_reader_at(decided->reader, element / decided->of * n, &held);
 	if (first == NULL) return TS_ERROR;
 	memcpy(&copy, first, ts_buffer_table[decided->margin].element_bytes);
-	const void *second = n == 2 ? ts_reader_at(decided->reader, element * 2 + 1, &held) : &copy;
+	const void *second = n == 2 ? ts_reader_at(decided->reader, element / decided->of * 2 + 1, &held) : &copy;
 	if (second == NULL) return TS_ERROR;
 	*is = is_decided(decided->margin, &copy, second);
 	return TS_OK;

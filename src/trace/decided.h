@@ -2,10 +2,11 @@
  * otherwise. An element is decided if every edge that matters is more than one sub-pixel (1/256 pixel) from it and every
  * other depth farther behind than such a step, and rounding, change the two depths; if its random number is more than
  * 2^-20 from the threshold; for splats, if no other point offered the same distance; for shadows, if no comparison with a
- * depth map turns within such a step; and for segments of depth and the boxes of pixels, if no comparison of depths turns
- * by rounding. Undecided can be elements of eye.depth_triangle, face.depth_triangle, cull.keep, splat.depth_index,
- * resolve.lit but of PCSS, scatter.depth of triangles, segment.label and hull.box; of other buffers every element is
- * decided. The reference must hold the margins (render --margins). */
+ * depth map turns within such a step; for segments of depth and the boxes of pixels, if no comparison of depths turns
+ * by rounding; and for maps of many views and the light of pixels, if no test of a pair, of a texel's edge or of a shadow
+ * does. Undecided can be elements of eye.depth_triangle, face.depth_triangle, cull.keep, splat.depth_index,
+ * resolve.lit but of PCSS, scatter.depth of triangles, segment.label, hull.box, map.depth_node and vpl_gather.irradiance;
+ * of other buffers every element is decided. The reference must hold the margins (render --margins). */
 #ifndef TS_TRACE_DECIDED_H
 #define TS_TRACE_DECIDED_H
 #include "read.h"
@@ -13,6 +14,7 @@
 
 typedef struct {
 	ts_buffer_id margin; /* TS_N_BUFFERS: everything is decided */
+	u32 of;              /* elements to one of them */
 	ts_reader *reader;
 } ts_decided;
 

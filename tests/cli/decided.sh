@@ -1,7 +1,7 @@
 #!/bin/bash
 # `compare --decided` of shadows: comparisons that turn by less than a step are undecided and no others, what a depth map
 # holds is judged by its margins, and a method that has none is judged whole. Of hulls: segments of depths that nearly tie
-# with the step are undecided and no others, and boxes of pixels are judged.
+# with the step are undecided and no others, and boxes of pixels are judged. Of many views: texels of maps and pixels.
 . "$(dirname "$0")/tap.bash"
 cd "$scratch" || exit 2
 small=(atrium:triangles=10000:texels=32 --size 96x54 --no-images --set views=8 --set map_px=128 --set light_samples=4 --set pass=3
@@ -106,5 +106,43 @@ run compare low/trace-hulls other --decided
 verdict $? 'the box of a pixel that is decided is judged'
 refuses 'needs segment.margin for each element of segment.label; render the reference with --margins' \
 	compare plain/trace-hulls high/trace-hulls --layout segment.label="$(cd plain/trace-hulls && echo *-segment.label.npy)" --decided
+
+# Of many views: another value in the first element that is not decided passes, in the first that is it does not; and a bias
+# that is a hundredth more turns shadows that are decided.
+for method in megaviews bruteforce; do
+	views=(render indirect atrium:triangles=10000 --size 96x54 --set levels=5 --set vpls=1000 --set rsm_px=16 --no-images
+		--set gather_lights=0 --method "$method")
+	run "${views[@]}" --set bias=1 --margins -o ref
+	run "${views[@]}" --set bias=1.01 --trace -o far
+	run compare "ref/trace-$method" "far/trace-$method" --decided
+	read -r different undecided <<< "$(row vpl_gather.irradiance)"
+	[ "$different" -gt 100 ] && [ "$undecided" -lt 20 ]
+	verdict $? "$method: more bias turns what is decided"
+	for words in 'map.depth_node map.margin 8 1' 'vpl_gather.irradiance vpl_gather.margin 4 3'; do
+		read -r buffer margin bytes each <<< "$words"
+		for which in 1 0; do
+			rm -rf other
+			cp -r "ref/trace-$method" other
+			python3 - other "$buffer" "$margin" "$bytes" "$each" $which <<'PY'
+import glob, struct, sys
+folder, buffer, margin, bytes, each, undecided = *sys.argv[1:4], *map(int, sys.argv[4:])
+def opened(name):
+	path = glob.glob(f"{folder}/*-{name}.npy")[0]
+	data = bytearray(open(path, "rb").read())
+	return path, data, 10 + struct.unpack_from("<H", data, 8)[0]
+path, data, at = opened(margin)
+near = memoryview(data[at:]).cast("f")
+first = next(i for i, m in enumerate(near) if (m <= 1) == (undecided == 1))
+path, data, at = opened(buffer)
+data[at + bytes * (first * each + each - 1) + bytes - 2] ^= 0x40
+open(path, "wb").write(data)
+PY
+			run compare "ref/trace-$method" other --decided
+			[ "$status" -eq $((1 - which)) ] && [ "$(row "$buffer")" = "$([ $which = 1 ] && echo '0 1' || echo '1 -')" ]
+			verdict $? "$method: $buffer where it is $([ $which = 0 ] || echo un)decided"
+		done
+	done
+	rm -rf ref far
+done
 
 finish

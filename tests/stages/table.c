@@ -73,7 +73,8 @@ static void test_readers(void **state)
 	static const ts_buffer_id last[] = { TS_B_image_radiance, TS_B_image_srgb, TS_B_shade_used, TS_B_split_scale,
 	                                     TS_B_split_offset, TS_B_splat_tie, TS_B_eye_margin, TS_B_cull_margin,
 	                                     TS_B_face_margin, TS_B_depth_margin, TS_B_resolve_margin, TS_B_shadow_resize_least,
-	                                     TS_B_segment_margin, TS_B_hull_margin, TS_B_bilateral_row, TS_B_root_least,
+	                                     TS_B_segment_margin, TS_B_hull_margin, TS_B_map_margin, TS_B_vpl_gather_margin,
+	                                     TS_B_bilateral_row, TS_B_root_least,
 	                                     TS_B_octree_surface_node, TS_B_vpl_offset, TS_B_vpl_path, TS_B_view_cone_sum,
 	                                     TS_B_view_cone_least, TS_N_BUFFERS };
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) {

@@ -1,0 +1,107 @@
+/* How near the light that pixels gather was to another, for ports that round otherwise (DESIGN 7.1): a second pass, which
+ * changes nothing that vpl_gather.h decided of the lists and maps that it was given. A pixel may be of another node, and so
+ * of another list; and each of its lights may fall into another texel, or be seen or not be. Where light comes or goes at
+ * cosine 0, it is none. */
+#ifndef TS_KERNELS_VPL_GATHER_MARGIN_H
+#define TS_KERNELS_VPL_GATHER_MARGIN_H
+#include "map_margin.h"
+#include "vpl_gather.h"
+
+#define TS_MARGIN_SLOPE 0.00000762939453125f /* part of the slack that rounding may change: up to 16 steps of a cosine */
+
+typedef struct {
+	ts_vpl_gather_args of;
+	TS_GLOBAL f32 *margin; /* vpl_gather.margin */
+} ts_vpl_gather_margin_args;
+
+/* Of a coordinate and the nearest side of a node of the level of the lists, in 2^-20 of the root cube; none is outside it. */
+TS_FN f32 ts_k_side_margin(const ts_vpl_gather_args *args, f32 coordinate, f32 lower)
+{
+	f32 nodes = (f32)(1u << args->level);
+	f32 half_step = 0.5f / (f32)(TS_VOXEL << args->levels);
+	f32 share = (coordinate - lower) / args->root->side;
+	f32 at = (share + half_step) * nodes;
+	i32 side = ts_floor_i32(at + 0.5f);
+	if (side <= 0 || side >= (i32)(1u << args->level)) return TS_MARGIN_NOWHERE;
+	return ts_abs(at - (f32)side) / (nodes * TS_MARGIN_ROUNDING);
+}
+
+TS_FN f32 ts_k_list_margin(const ts_vpl_gather_args *args, ts_v3 p)
+{
+	f32 x = ts_k_side_margin(args, p.x, args->root->lower[0]);
+	f32 y = ts_k_side_margin(args, p.y, args->root->lower[1]);
+	f32 z = ts_k_side_margin(args, p.z, args->root->lower[2]);
+	return ts_min(x, ts_min(y, z));
+}
+
+/* What a texel of a light's map answers, and how near that was to the other answer, in what rounding changes of both. */
+typedef struct { bool reaches; f32 margin; } ts_answer;
+
+TS_FN ts_answer ts_k_vpl_answer(const ts_vpl_gather_args *args, u32 view, u32 texel, ts_v3 p, ts_v3 n)
+{
+	ts_v3 from = ts_load3(args->lights[view].position);
+	ts_v3 way = ts_sub(p, from);
+	u32 bits = args->depths[(u64)args->leaves[view] * (2u * args->n * args->n) + texel];
+	ts_answer r;
+	r.reaches = true;
+	r.margin = TS_MARGIN_NOWHERE;
+	if (bits == TS_NONE) return r;
+	f32 slack = ts_k_vpl_slack(args, way, n);
+	f32 depth = ts_k_moved_depth(ts_load3(args->nodes[args->leaves[view]].centre), ts_u2f(bits), from, texel, args->n);
+	f32 d = ts_length(way);
+	f32 far = (d + depth) + ts_length(p);
+	f32 step = far * TS_MARGIN_ROUNDING + slack * TS_MARGIN_SLOPE;
+	r.reaches = d <= depth + slack;
+	r.margin = ts_abs(d - (depth + slack)) / step;
+	return r;
+}
+
+/* The texel that a light's way falls into, and those behind its nearest edges. */
+TS_FN f32 ts_k_vpl_reach_margin(const ts_vpl_gather_args *args, u32 view, ts_v3 p, ts_v3 n)
+{
+	ts_v3 way = ts_sub(p, ts_load3(args->lights[view].position));
+	ts_v2 at = ts_k_paraboloid_at(way, args->n);
+	ts_beside x = ts_k_beside(at.x);
+	ts_beside y = ts_k_beside(at.y);
+	ts_answer own = ts_k_vpl_answer(args, view, ts_k_paraboloid_texel(way, args->n), p, n);
+	f32 least = own.margin;
+	for (u32 k = 1u; k < 4u; k++) {
+		f32 of_x = (k & 1u) != 0u ? ts_k_place_margin(way.y, &x, args->n) : 0.0f;
+		f32 of_y = (k & 2u) != 0u ? ts_k_place_margin(way.z, &y, args->n) : 0.0f;
+		f32 turns = ts_max(of_x, of_y);
+		if (turns > TS_MARGIN_REACH) continue;
+		u32 texel = ts_k_paraboloid_index(way, (k & 1u) != 0u ? x.next : x.own, (k & 2u) != 0u ? y.next : y.own, args->n);
+		ts_answer other = ts_k_vpl_answer(args, view, texel, p, n);
+		least = ts_min(least, other.reaches != own.reaches ? turns : ts_max(turns, other.margin));
+	}
+	return least;
+}
+
+TS_FN f32 ts_k_vpl_light_margin(const ts_vpl_gather_args *args, u32 view, ts_v3 p, ts_v3 n)
+{
+	TS_GLOBAL const ts_vpl *light = &args->lights[view];
+	ts_v3 way = ts_sub(p, ts_load3(light->position));
+	f32 form = ts_k_vpl_form(way, ts_load3(light->normal), n, args->near * ts_k_leaf_side(args));
+	return form > 0.0f && args->shadows != 0u ? ts_k_vpl_reach_margin(args, view, p, n) : TS_MARGIN_NOWHERE;
+}
+
+/* map over pixels, as ts_k_vpl_gather_item */
+TS_FN void ts_k_vpl_gather_margin_item(const ts_vpl_gather_margin_args *args, u64 i)
+{
+	const ts_vpl_gather_args *of = &args->of;
+	TS_GLOBAL const ts_gpixel *pixel = &of->pixels[i];
+	f32 least = TS_MARGIN_NOWHERE;
+	if (pixel->depth != TS_SKY) {
+		ts_v3 p = ts_load3(pixel->position);
+		ts_view_list list = ts_k_pixel_list(of, p);
+		u32 draws = list.views == 0u ? 0u : ts_k_list_draws(of, &list);
+		least = ts_k_list_margin(of, p);
+		for (u32 k = 0u; k < draws; k++) {
+			u32 view = ts_k_drawn_view(of, &list, (u32)i, k);
+			least = ts_min(least, ts_k_vpl_light_margin(of, view, p, ts_load3(pixel->normal)));
+		}
+	}
+	args->margin[i] = ts_put(least);
+}
+
+#endif
