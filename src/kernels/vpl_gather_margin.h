@@ -14,7 +14,7 @@ typedef struct {
 	TS_GLOBAL f32 *margin; /* vpl_gather.margin */
 } ts_vpl_gather_margin_args;
 
-/* Of a coordinate and the nearest side of a node of the level of the lists, in 2^-20 of the root cube; none is outside it. */
+/* Of a coordinate and the nearest side of a node of the lists' level, in 2^-20 of the root cube; none is outside it. */
 TS_FN f32 ts_k_side_margin(const ts_vpl_gather_args *args, f32 coordinate, f32 lower)
 {
 	f32 nodes = (f32)(1u << args->level);

@@ -109,6 +109,7 @@ refuses 'needs segment.margin for each element of segment.label; render the refe
 
 # Of many views: another value in the first element that is not decided passes, in the first that is it does not; and a bias
 # that is a hundredth more turns shadows that are decided.
+rm -rf ref
 for method in megaviews bruteforce; do
 	views=(render indirect atrium:triangles=10000 --size 96x54 --set levels=5 --set vpls=1000 --set rsm_px=16 --no-images
 		--set gather_lights=0 --method "$method")

@@ -43,7 +43,8 @@ static bool is_culled(const port *p, const way *w, const ts_node *s, const ts_no
 	if (c <= 0) return false;
 	double x = (double)cone->axis[0], y = (double)cone->axis[1], z = (double)cone->axis[2];
 	double along = off(p, w->x * x + w->y * y + w->z * z);
-	double a = w->y * z - w->z * y, b = w->z * x - w->x * z, e = w->x * y - w->y * x, aside = off(p, sqrt(a * a + b * b + e * e));
+	double a = w->y * z - w->z * y, b = w->z * x - w->x * z, e = w->x * y - w->y * x;
+	double aside = off(p, sqrt(a * a + b * b + e * e));
 	double fs = -aside * sine - along * c, ahead = -along * sine + aside * c;
 	if (fs > 0 && ahead <= 0) fs = w->d;
 	return fs > off(p, (double)s->radius + (double)v->radius) + (w->d * (double)TS_CULL_DISTANCE) * p->faults.cull;
@@ -175,8 +176,8 @@ static void test_rounding(void **state)
 	for (u32 choice = 0; choice < 3; choice++) {
 		sums r = { 0, 0, 0, 0 };
 		for (u32 px = 8; px <= 32; px *= 2) check(&r, &(faults){ 1, 1, 1 }, px, choice);
-		print_message("of %u texels %u undecided, %u differ, %u of these decided\n", (unsigned)r.shown, (unsigned)r.undecided,
-		              (unsigned)r.differ, (unsigned)r.wrong);
+		print_message("of %u texels %u undecided, %u differ, %u of these decided\n", (unsigned)r.shown,
+		              (unsigned)r.undecided, (unsigned)r.differ, (unsigned)r.wrong);
 		assert_true(r.wrong == 0 && r.differ > 100 && r.undecided < r.shown / 6);
 	}
 }
