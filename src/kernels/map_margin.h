@@ -207,7 +207,8 @@ TS_FN void ts_k_map_margin_item(const ts_map_margin_args *args, u64 i)
 	if (args->pairs != NULL) pair = args->pairs[i];
 	u32 fate = ts_k_pair_fate(&args->of, pair);
 	f32 margin = ts_k_fate_margin(&args->of, pair, fate);
-	bool leaves = args->of.nodes[ts_k_pair_node(pair)].children == 0u && args->of.views[ts_k_pair_views(pair)].children == 0u;
+	bool leaf = args->of.nodes[ts_k_pair_node(pair)].children == 0u;
+	bool leaves = leaf && args->of.views[ts_k_pair_views(pair)].children == 0u;
 	bool turns = margin <= TS_MARGIN_REACH;
 	if (turns && !leaves) ts_k_fate_margin_spread(args, pair, margin);
 	if (fate == TS_PAIR_RENDER || (turns && leaves)) ts_k_placed_margin(args, pair, margin, fate == TS_PAIR_RENDER);

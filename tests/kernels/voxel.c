@@ -117,6 +117,21 @@ static void compare(const ts_touch *touch, const point t[3], const i64 voxel[3],
 	         (int)voxel[0], (int)voxel[1], (int)voxel[2], !right);
 }
 
+/* Triangles of few steps about a corner of eight voxels: the plane passes it, or misses it by the least there is. */
+static void test_corners(void **state)
+{
+	(void)state;
+	u32 counts[2] = { 0, 0 };
+	for (u32 i = 0; i < 20 * N_TRIANGLES; i++) {
+		point t[3];
+		i64 at = 1 + below(SIDE - 1);
+		for (u32 k = 0; k < 9; k++) t[k / 3].c[k % 3] = at * TS_VOXEL + (i64)below(7) - 3;
+		ts_touch touch = touch_of(t, SIDE - 1);
+		for (i64 v = 0; v < 8; v++) compare(&touch, t, (i64[]){ at - v % 2, at - v / 2 % 2, at - v / 4 }, counts);
+	}
+	assert_true(counts[0] > 10000 && counts[1] > 10000);
+}
+
 /* Every voxel of a small lattice. */
 static void test_small(void **state)
 {
@@ -289,7 +304,8 @@ static void test_narrow(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		seeded_test(test_small), seeded_test(test_large), cmocka_unit_test(test_all), seeded_test(test_item),
+		seeded_test(test_corners), seeded_test(test_small), seeded_test(test_large), cmocka_unit_test(test_all),
+		seeded_test(test_item),
 		seeded_test(test_root), cmocka_unit_test(test_empty), seeded_test(test_codes), seeded_test(test_narrow),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
