@@ -16,6 +16,7 @@ const ts_command ts_command_table[] = {
 	  "EFFECT: reflections; soft-shadows, of a lamp or the scene's lights; omni-shadows, of a ball of light in the middle;\n"
 	  "indirect, the light of a lamp or the scene's lights after one bounce; particles, the light of many in the air.\n"
 	  "Shadows, indirect light and particles are shown without mirrors unless --reflectors says how many.\n"
+	  "surfels: elliptical splats of a file, or of triangles by --set from_mesh=COUNT; eye=outside sees all of a model.\n"
 	  "SCENE: atrium (the default), gallery or dining, each also with \":triangles=COUNT:texels=SIDE\"; checkerboard, of\n"
 	  "surfels, also with \":surfels=COUNT\"; or a .gltf, .glb or .ply file. Writes METHOD.png and .exr, truth-NAME.png,\n"
 	  "differences, pictures of the stages, traces and report.json to DIR, and prints times, counters, memory and metrics.\n"

@@ -84,7 +84,7 @@ static void keep(ts_measure *m, const ts_run *run)
 static void keep_for_truths(ts_run *run)
 {
 	static const ts_buffer_id ids[] = { TS_B_eye_view, TS_B_pose_vertex, TS_B_resize_face, TS_B_eye_depth_triangle,
-		TS_B_pixel_offset, TS_B_pixel_record, TS_B_lookup_point, TS_B_shade_radiance,
+		TS_B_blend_heaviest, TS_B_pixel_offset, TS_B_pixel_record, TS_B_lookup_point, TS_B_shade_radiance,
 		TS_B_lamp_shape, TS_B_resolve_lit, TS_B_view_octree_node, TS_B_fuse_depth };
 	run->lean = true;
 	for (u32 i = 0; i < sizeof ids / sizeof ids[0]; i++) run->keep[ids[i]] = true;
@@ -176,6 +176,7 @@ static u64 bytes_of_area(const ts_pipeline *method, const ts_scene *scene, const
 /* What takes most of a method's memory beside its image. */
 static const char *what_to_lower(const ts_pipeline *method)
 {
+	if (strcmp(method->effect, "surfels") == 0) return "map_px or from_mesh";
 	if (strcmp(method->effect, "reflections") == 0) return "fewer --reflectors";
 	if (strcmp(method->effect, "particles") == 0) return "levels, gather_level, view_px or particles";
 	if (strcmp(method->effect, "indirect") != 0) return "map_px or pass";

@@ -11,8 +11,8 @@ static void count_lit(ts_picture *picture, const ts_run *run)
 {
 	const ts_lamp *lamps = ts_frame_data(&run->frame, TS_B_lamp_shape);
 	const u32 *lit = ts_frame_data(&run->frame, TS_B_resolve_lit);
-	const u64 *seen = ts_frame_data(&run->frame, TS_B_eye_depth_triangle);
-	u64 n = ts_frame_n(&run->frame, TS_B_eye_depth_triangle), n_lamps = ts_frame_n(&run->frame, TS_B_lamp_shape), all = 0;
+	u64 n, n_lamps = ts_frame_n(&run->frame, TS_B_lamp_shape), all = 0;
+	const u64 *seen = ts_run_seen(run, &n);
 	for (u64 k = 0; k < n_lamps; k++) all += lamps[k].samples;
 	picture->n_lamps = n_lamps;
 	picture->n_samples = all;
@@ -30,8 +30,9 @@ static void count_lit(ts_picture *picture, const ts_run *run)
 
 static void mark_seen(ts_picture *picture, const ts_run *run)
 {
-	const u64 *seen = ts_frame_data(&run->frame, TS_B_eye_depth_triangle);
-	for (u64 i = 0; i < ts_frame_n(&run->frame, TS_B_eye_depth_triangle); i++) picture->seen[i] = seen[i] != TS_EMPTY;
+	u64 n;
+	const u64 *seen = ts_run_seen(run, &n);
+	for (u64 i = 0; i < n; i++) picture->seen[i] = seen[i] != TS_EMPTY;
 }
 
 ts_status ts_picture_take(ts_picture *picture, const char *name, const ts_run *run)

@@ -231,9 +231,9 @@ static ts_status take_lit(ts_stage_pictures *pictures, const ts_run *run)
 	if (p == NULL) return TS_ERROR;
 	const u32 *lit = ts_frame_data(&run->frame, TS_B_resolve_lit);
 	const ts_lamp *lamps = ts_frame_data(&run->frame, TS_B_lamp_shape);
-	const u64 *seen = ts_frame_data(&run->frame, TS_B_eye_depth_triangle);
-	u64 n_lamps = ts_frame_n(&run->frame, TS_B_lamp_shape);
-	for (u64 i = 0; i < (u64)p->width * p->height; i++) {
+	u64 n, n_lamps = ts_frame_n(&run->frame, TS_B_lamp_shape);
+	const u64 *seen = ts_run_seen(run, &n);
+	for (u64 i = 0; i < n; i++) {
 		double share = 0;
 		for (u64 k = 0; k < n_lamps; k++) share += (double)lit[i * n_lamps + k] / lamps[k].samples / (double)n_lamps;
 		memset(p->rgb + 3 * i, seen[i] != TS_EMPTY ? (int)(255 * share + 0.5) : nothing[0], 3);

@@ -47,6 +47,7 @@ ts_status ts_truths_parse(u32 *truths, const char *text)
 static const char *names_of(const char *effect)
 {
 	if (strcmp(effect, "particles") == 0) return "is glow";
+	if (strcmp(effect, "surfels") == 0) return "is none yet";
 	if (strcmp(effect, "indirect") == 0) return "are lights, bounce and vpls";
 	return strcmp(effect, "reflections") == 0 ? "are A, B and C" : "are samples and area";
 }

@@ -14,6 +14,7 @@ typedef struct {
 	bool only_margins;   /* the same, and only if run->margins asks for it */
 	bool only_ordered;   /* points that arrive in any order do without */
 	u32 stored;          /* TS_STORED_*: runs only if points are */
+	bool (*only_if)(const ts_params *params); /* NULL: whatever the parameters are */
 	bool each_batch;     /* neighbours with this mark run for one batch after the other */
 } ts_step;
 

@@ -42,6 +42,11 @@ extern const ts_step ts_megaviews_particles_steps[], ts_manylods_particles_steps
 void ts_particles_prepare(ts_run *run);
 void ts_megaviews_particles_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params);
 void ts_manylods_particles_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params);
+extern const ts_step ts_surfels_steps[];
+void ts_deferred_prepare(ts_run *run);
+void ts_ewa_prepare(ts_run *run);
+void ts_surfels_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params);
+
 /* What octrees, maps and lists of so many lights take; alone: without a hierarchy of views. */
 void ts_expect_views(ts_sizes *sizes, const ts_scene *scene, const ts_params *params, u64 n_lights, bool alone);
 

@@ -10,6 +10,7 @@ static bool stores(const ts_step *step, const ts_params *params)
 
 bool ts_pipeline_takes(const ts_step *step, const ts_params *params, bool traced)
 {
+	if (step->only_if != NULL && !step->only_if(params)) return false;
 	return params->bounces >= step->least_bounces && stores(step, params) &&
 	       (traced || !(step->only_traced || step->only_margins));
 }

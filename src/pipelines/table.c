@@ -48,6 +48,11 @@ const ts_pipeline ts_pipeline_table[] = {
 	 ts_manylods_particles_steps, ts_particles_prepare, ts_manylods_particles_expect, false},
 	{"bruteforce", "particles", "MegaViews 4.1", "the same particles, every leaf of the scene in the map of each",
 	 ts_bruteforce_particles_steps, ts_particles_prepare, ts_manylods_particles_expect, true},
+	{"deferred", "surfels", "NV40 3 to 5",
+	 "deferred surface splatting: surfels blended in three passes, filtered by the lesser radius",
+	 ts_surfels_steps, ts_deferred_prepare, ts_surfels_expect, false},
+	{"ewa", "surfels", "SPEC 5.6", "the same with the exact EWA filter", ts_surfels_steps, ts_ewa_prepare,
+	 ts_surfels_expect, false},
 	{0},
 };
 

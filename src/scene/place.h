@@ -3,6 +3,7 @@
  * same bits. */
 #ifndef TS_SCENE_PLACE_H
 #define TS_SCENE_PLACE_H
+#include "../kernels/vec.h"
 #include "scene.h"
 #ifdef __cplusplus
 extern "C" {
@@ -29,6 +30,10 @@ ts_place ts_place_compose(const ts_place *parent, const ts_place *local);
 
 /* Whether every element is within +-2^24, which keeps all that follows finite. */
 bool ts_place_is_sane(const ts_place *place);
+
+/* A point, and a direction with its length, in world space. */
+ts_v3 ts_place_point(const ts_place *place, ts_v3 point);
+ts_v3 ts_place_direction(const ts_place *place, ts_v3 direction);
 
 /* A vertex in world space. Where the node flattens, the normal is zero; where it mirrors, the tangent's handedness
  * flips. */

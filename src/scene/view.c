@@ -47,9 +47,21 @@ static void circle(ts_view *view, const ts_info *info, const ts_params *params)
 	look_at(view, eye, ts_v3_make(hall.middle.x, floor + height * TARGET_HEIGHT, hall.middle.z));
 }
 
+/* So far from the middle of the box that the ball about it fits into the image. */
+static void circle_outside(ts_view *view, const ts_info *info, const ts_params *params)
+{
+	ts_space box = ts_view_box(info);
+	f32 turns = (f32)(params->frame % TS_FRAMES_A_TURN) / (f32)TS_FRAMES_A_TURN;
+	f32 distance = ts_length(box.half) / ts_sin_turn(params->fov / 720.0f);
+	ts_v3 way = ts_normalize(ts_v3_make(ts_sin_turn(turns), EYE_HEIGHT, ts_cos_turn(turns)));
+	look_at(view, ts_mad(box.middle, way, distance), box.middle);
+}
+
 void ts_view_eye(ts_view *view, const ts_info *info, const ts_params *params)
 {
-	if (info->circles != 0) {
+	if (info->circles != 0 && params->eye == TS_EYE_OUTSIDE) {
+		circle_outside(view, info, params);
+	} else if (info->circles != 0) {
 		circle(view, info, params);
 	} else {
 		memcpy(view->eye, info->eye, sizeof view->eye);

@@ -107,6 +107,14 @@ ts_arrays ts_run_arrays(const ts_run *run)
 	};
 }
 
+const u64 *ts_run_seen(const ts_run *run, u64 *n)
+{
+	bool triangles = run->frame.buffer[TS_B_eye_depth_triangle].made;
+	ts_buffer_id id = triangles ? TS_B_eye_depth_triangle : TS_B_blend_heaviest;
+	*n = ts_frame_n(&run->frame, id);
+	return ts_frame_data(&run->frame, id);
+}
+
 u32 ts_run_n_cubes(const ts_run *run) { return (u32)ts_frame_n(&run->frame, TS_B_resize_face); }
 
 u32 ts_run_n_words(const ts_run *run) { return (ts_run_n_cubes(run) * 6 + 63) / 64; }

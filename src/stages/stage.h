@@ -39,6 +39,7 @@ struct ts_run {
 	bool arrival;              /* see ts_how */
 	u32 rate;                  /* TS_RATE_IS_*: whose resolution the points are made for */
 	u32 taps;                  /* of the one view of each light of soft shadows; 0: a view each sample of the light */
+	bool exact_ewa;            /* surfels: the exact EWA filter, not its approximation */
 	u32 fixed_face;            /* size of every cube or depth map, or 0: as the parameters say */
 	bool all_cubes;            /* also the cubes of reflectors that the eye does not see */
 	u32 all_units;             /* what batches are made of: cubes, or of soft shadows views */
@@ -65,6 +66,8 @@ const ts_backend *ts_run_backend(const ts_run *run);
 /* Adds to a counter by name. */
 void ts_run_count(ts_run *run, const char *name, i64 value);
 i64 ts_run_counter(const ts_run *run, const char *name);
+/* Keys of what the eye sees, a triangle or a surfel, TS_EMPTY where it is nothing; *n pixels. */
+const u64 *ts_run_seen(const ts_run *run, u64 *n);
 
 /* What is known of the sizes in records.def before a run: those of scene and image, and K; of cubes and views, as if each
  * reflector had a cube. Reflective pixels (P) are expected, not known. */

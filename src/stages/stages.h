@@ -83,6 +83,13 @@ ts_status ts_stage_vpl_pairs(ts_run *run);
 ts_status ts_stage_vpl_gather(ts_run *run);
 ts_status ts_stage_vpl_gather_margin(ts_run *run);
 ts_status ts_stage_bilateral(ts_run *run);
+ts_status ts_stage_surfel_setup(ts_run *run);
+ts_status ts_stage_surfel_depth(ts_run *run);
+ts_status ts_stage_blend(ts_run *run);
+ts_status ts_stage_surfel_mean(ts_run *run);
+ts_status ts_stage_surfel_shadow(ts_run *run);
+ts_status ts_stage_deferred_lit(ts_run *run);
+ts_status ts_stage_deferred(ts_run *run);
 
 /* Shared by the stages (run.c). The arrays of the frame that shading kernels read; the vertices are this frame's. */
 ts_arrays ts_run_arrays(const ts_run *run);
@@ -114,6 +121,8 @@ ts_pyramid ts_view_pyramid(const ts_params *params);
  * or nothing is culled. */
 u32 ts_gather_level(const ts_run *run);
 u32 ts_gather_level_of(const ts_params *params, bool alone);
+/* The parameter `shader` asks for shadows (surfel.c). */
+bool ts_shader_has_shadows(const ts_params *params);
 /* Arguments of the kernels that make virtual point lights and particles, without offset, paths and lights. */
 ts_vpl_args ts_vpl_arguments(const ts_run *run);
 ts_particle_args ts_particle_arguments(const ts_run *run);

@@ -58,6 +58,8 @@ void ts_check_leaves(ts_load *load);
 void ts_check_lists(ts_load *load);
 /* Masks, levels, nodes and cones of the octrees; shapes, indices and sums must have been checked. */
 ts_status ts_check_octrees(const ts_load *load, const ts_stage *stage);
+/* Boxes of surfels, and which of them are heaviest. */
+ts_status ts_check_surfels(const ts_load *load);
 /* Lists of views that pixels draw from (check_gather.c); cones must have been checked. */
 ts_status ts_check_gather(const ts_load *load, const ts_stage *stage);
 /* What was loaded of a stage's outputs is just what the stage makes of the rest, which `from` stands for. */

@@ -276,6 +276,7 @@ ts_status ts_check_values(const ts_load *load, const ts_stage *stage)
 	if (check_lights(load) != TS_OK || check_objects(load) != TS_OK || check_view(load) != TS_OK) return TS_ERROR;
 	if (ts_check_lamps(load, stage) != TS_OK || check_frames(load, stage) != TS_OK) return TS_ERROR;
 	if (check_segments(load) != TS_OK || check_rendered(load) != TS_OK) return TS_ERROR;
+	if (ts_check_surfels(load) != TS_OK) return TS_ERROR;
 	if (ts_check_octrees(load, stage) != TS_OK || ts_check_gather(load, stage) != TS_OK) return TS_ERROR;
 	return check_counts(load, stage);
 }

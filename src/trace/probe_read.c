@@ -6,11 +6,11 @@
 
 static bool is_of(const ts_pipeline *pipeline, const char *effect) { return strcmp(pipeline->effect, effect) == 0; }
 
-/* Points of iVIR in environment maps have other ways. */
+/* Points of iVIR in environment maps have other ways, and surfels no triangles. */
 static bool is_explained(const ts_pipeline *pipeline)
 {
 	bool explained = strcmp(pipeline->name, "epr") == 0 || strcmp(pipeline->name, "mvr") == 0;
-	return explained || !is_of(pipeline, "reflections");
+	return explained || !(is_of(pipeline, "reflections") || is_of(pipeline, "surfels"));
 }
 
 ts_status ts_probe_open(ts_probe **probe, const char *dir)

@@ -249,6 +249,8 @@ static const struct { const char *effect, *method; u32 reflectors; const char *s
 	{"indirect", "bruteforce", 0, {{"vpls", "40"}, {"multipixel", "on"}, {"touching", "render"}}},
 	{"particles", "megaviews", 0, {{"particles", "200"}, {"queue_mb", "1"}}},
 	{"particles", "manylods", 0, {{"particles", "90"}, {"cutoff", "5"}}},
+	{"surfels", "deferred", 0, {{"from_mesh", "3000"}, {"shader", "phong_shadow"}, {"map_px", "64"}}},
+	{"surfels", "ewa", 0, {{"from_mesh", "3000"}, {"shader", "npr"}}},
 };
 enum { N_RUNS = sizeof runs / sizeof *runs };
 

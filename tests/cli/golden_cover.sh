@@ -25,6 +25,7 @@ views = [("reflections", "ivir"), ("soft-shadows", "ivir"), ("omni-shadows", "iv
 soft, omni, indirect, particles = ([m for m in methods if m[0] == effect]
                                    for effect in ("soft-shadows", "omni-shadows", "indirect", "particles"))
 hulls = [("indirect", "hulls")]
+deferred, surfels = [("surfels", "deferred")], [m for m in methods if m[0] == "surfels"]
 megaviews = [("indirect", m) for m in ("megaviews", "manylods", "bruteforce")]
 takers = {"rate": views, "buffered": views, "snap": views, "lamp": soft[:1], "lamp.radius": soft, "lamp.fov": soft,
           "views": soft, "pass": soft + omni, "map_px": soft + omni, "light_samples": omni, "bias": soft + omni,
@@ -36,6 +37,8 @@ takers = {"rate": views, "buffered": views, "snap": views, "lamp": soft[:1], "la
                                     "queue_mb", "gather_level", "cutoff", "gather_lights", "light_near", "light_bias", "shadows",
                                     "filter_px")},
           "particles": particles, "glow": particles,
+          **{p: deferred for p in ("filter", "sigma", "sigma_k", "eps", "min_px", "bounds", "shader", "splat_radius")},
+          "sigma_h": [("surfels", "ewa")], "from_mesh": surfels, "eye": deferred + [("reflections", "epr")],
           "conservative": views + [("reflections", "epr"), ("reflections", "vir")],
           **{p: [("reflections", "mvr")] for p in ("mvr.faces", "mvr.filter")}}
 steps_of = {(m["effect"], m["name"]): [s for s in m["stages"].split() if not s.endswith("_margin")]
@@ -45,7 +48,7 @@ if what == "folders":
 	missing = sorted(names ^ cases.keys())
 elif what == "choices":
 	for p in table["params"]:
-		if p["name"] in ("area_samples", "bounce_rays", "ground"): # of truths and of files
+		if p["name"] in ("area_samples", "bounce_rays", "ground", "neighbours"): # of truths and of files
 			continue
 		taken = {case[p["name"]] for case in of(*takers.get(p["name"], [("reflections", "epr")])) if p["name"] in case}
 		missing += [f"{p['name']}={c}" for c in p["range"].split("|") if "|" in p["range"] and c not in taken]

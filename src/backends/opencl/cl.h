@@ -6,7 +6,7 @@
 #include <CL/cl.h>
 #include "../backend.h"
 
-enum { TS_CL_PROGRAMS = 24, TS_CL_POINTERS = 32, TS_CL_PARTS = 8, TS_CL_ARGUMENTS = 512, TS_CL_MESSAGE = 512 };
+enum { TS_CL_PROGRAMS = 32, TS_CL_POINTERS = 32, TS_CL_PARTS = 8, TS_CL_ARGUMENTS = 512, TS_CL_MESSAGE = 512 };
 
 /* A kernel's entry point: its name, its program, the bytes of its arguments, and where pointers stand in them. */
 typedef struct {

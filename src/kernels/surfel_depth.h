@@ -1,0 +1,61 @@
+/* Visibility of surfels (SPEC 5.2, pass 1; slides "3-Pass Deferred Shading"): every surfel that faces the view, inside its
+ * ellipse, as deep as the ray meets its plane and epsilon along the ray farther, by integer minimum: so the least depth is
+ * that of the nearest surfel, and what blends with it is before it. Depth maps of lights are made the same way. */
+#ifndef TS_KERNELS_SURFEL_DEPTH_H
+#define TS_KERNELS_SURFEL_DEPTH_H
+#include "draw.h"
+#include "fragment.h"
+
+TS_FN void ts_k_disc_draw(const ts_disc *disc, const ts_camera_k *view, f32 epsilon, u32 surfel, const ts_target *target)
+{
+	for (i32 y = disc->low[1]; y <= disc->high[1]; y++) {
+		for (i32 x = disc->low[0]; x <= disc->high[0]; x++) {
+			ts_v2 d = ts_k_disc_offset(disc, x, y);
+			ts_disc_hit hit = ts_k_disc_hit(disc, view->near, d.x, d.y);
+			if (!hit.inside) continue;
+			f32 z = ts_put(hit.z + ts_k_pixel_shift(view, epsilon, x, y));
+			ts_k_draw_texel(target, (u64)y * (u64)view->width + (u64)x, z, surfel);
+		}
+	}
+}
+
+typedef struct {
+	TS_GLOBAL const ts_view *view;
+	TS_GLOBAL const ts_disc *discs;      /* surfel_setup.disc */
+	TS_GLOBAL const f32 *epsilon;        /* surfel_setup.epsilon */
+	TS_GLOBAL u64 *keys;                 /* surfel_depth.surfel, all empty at first */
+} ts_surfel_depth_args;
+
+/* scatter over surfels */
+TS_FN void ts_k_surfel_depth_item(const ts_surfel_depth_args *args, u64 i)
+{
+	ts_camera_k view = ts_k_view(args->view);
+	ts_disc disc = args->discs[i];
+	ts_target target = ts_k_keys(args->keys);
+	ts_k_disc_draw(&disc, &view, args->epsilon[0], (u32)i, &target);
+}
+
+typedef struct {
+	TS_GLOBAL const ts_surfel *surfels;
+	TS_GLOBAL const ts_offscreen *views; /* one a light */
+	TS_GLOBAL const f32 *epsilon;
+	TS_GLOBAL u32 *depths;               /* scatter.depth, all empty at first */
+	ts_filter filter;
+	u32 n_views;
+} ts_surfel_shadow_args;
+
+/* scatter over surfels: into the depth map of every light */
+TS_FN void ts_k_surfel_shadow_item(const ts_surfel_shadow_args *args, u64 i)
+{
+	for (u32 v = 0u; v < args->n_views; v++) {
+		ts_disc disc;
+		ts_camera_k view = ts_k_offscreen(&args->views[v]);
+		if (ts_k_disc(&disc, &view, &args->filter, &args->surfels[i]) != TS_DISC_DRAWN) continue;
+		ts_target target;
+		target.keys = NULL;
+		target.depths = args->depths + args->views[v].offset;
+		ts_k_disc_draw(&disc, &view, args->epsilon[0], (u32)i, &target);
+	}
+}
+
+#endif

@@ -1,0 +1,56 @@
+/* Deferred surface splatting with an approximation of the EWA filter, and the exact filter beside it (SPEC 5).
+ * Botsch, Hornung, Zwicker and Kobbelt, "High-Quality Surface Splatting on Today's GPUs" (2005), from the slides.
+ * Zwicker, Pfister, van Baar and Gross, "EWA Splatting" (2001/2002).
+ *
+ * Surfels are elliptical discs, perspective-correct by casting the ray of each pixel into their plane. The first pass finds
+ * what is nearest, the second blends colours and normals of all that is no more than epsilon behind, the third divides by
+ * the sum of weights and shades, once a pixel. The filter is the lesser of the radii of an object-space and a screen-space
+ * kernel. `ewa` weighs by the convolution of both instead.
+ *
+ * Deviations:
+ * - sums are integers, not 16-bit floats, so that they do not depend on the order of surfels (blend.h);
+ * - "20 x 20" pixels of least size are read as 2 x 2, the screen filter's own width, for the reasons of SPEC 5.4;
+ * - boxes are those of the projected ellipse, where the paper's point sprites miss parts of it; bounds=botsch is the paper;
+ * - epsilon, sigma_k and the shaders are not given: epsilon is the median radius, sigma_k a half;
+ * - surfels whose centre is before the near plane are left out whole;
+ * - a fragment of the screen filter alone has the depth of the centre, for planes seen from the side are anywhere;
+ * - lights are the scene's, each of them a point or a sun with one depth map. */
+#include "../stages/stages.h"
+#include "pipelines.h"
+
+const ts_step ts_surfels_steps[] = {
+	{.stage = "view"},
+	{.stage = "lamp"},
+	{.stage = "surfel_setup"},
+	{.stage = "surfel_depth"},   /* visibility splatting */
+	{.stage = "blend"},          /* attribute splatting */
+	{.stage = "surfel_mean"},     /* normalization */
+	{.stage = "lamp_view", .only_if = ts_shader_has_shadows},
+	{.stage = "surfel_shadow", .only_if = ts_shader_has_shadows},
+	{.stage = "deferred_lit", .only_if = ts_shader_has_shadows},
+	{.stage = "deferred"},       /* shading */
+	{0},
+};
+
+void ts_deferred_prepare(ts_run *run)
+{
+	run->params.lamp = TS_LAMP_SCENE;
+	run->taps = 1;
+	run->fixed_face = run->params.map_px;
+	run->all_units = run->n_units = run->scene->n_lights;
+}
+
+void ts_ewa_prepare(ts_run *run)
+{
+	ts_deferred_prepare(run);
+	run->exact_ewa = true;
+}
+
+void ts_surfels_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params)
+{
+	u64 n_lights = scene->n_lights;
+	ts_sizes_views(sizes, n_lights);
+	ts_sizes_set(sizes, "B", 0);
+	ts_sizes_set(sizes, "A", n_lights);
+	ts_sizes_set(sizes, "C", (u64)params->map_px * params->map_px * n_lights);
+}
