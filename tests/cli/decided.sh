@@ -111,7 +111,7 @@ refuses 'needs segment.margin for each element of segment.label; render the refe
 # that is a hundredth more turns shadows that are decided.
 rm -rf ref
 for method in megaviews bruteforce; do
-	views=(render indirect atrium:triangles=10000 --size 96x54 --set levels=5 --set vpls=1000 --set rsm_px=16 --no-images
+	views=(render indirect atrium:triangles=10000:texels=32 --size 96x54 --set levels=5 --set vpls=1000 --set rsm_px=16 --no-images
 		--set gather_lights=0 --method "$method")
 	run "${views[@]}" --set bias=1 --margins -o ref
 	run "${views[@]}" --set bias=1.01 --trace -o far
