@@ -71,6 +71,9 @@ static const ts_candidate_buffer ts_candidate_buffers[] = {
 		"[('first_vertex', '<u4'), ('n_vertices', '<u4'), ('reflector', '<u4'), ('period', '<u4'), "
 		"('centre', '<f4', (3,)), ('phase', '<f4'), ('axis', '<f4', (2,)), ('bob', '<f4'), "
 		"('spin', '<f4')]"},
+	{"scene.surfel", 48, 1,
+		"[('centre', '<f4', (3,)), ('u', '<f4', (3,)), ('v', '<f4', (3,)), "
+		"('colour', '<f4', (3,))]"},
 	{"scene.info", 112, 1,
 		"[('eye', '<f4', (3,)), ('yfov', '<f4'), ('right', '<f4', (3,)), ('n_reflectors', '<u4'), "
 		"('up', '<f4', (3,)), ('circles', '<u4'), ('back', '<f4', (3,)), ('ambient', '<f4'), "
@@ -207,6 +210,15 @@ static const ts_candidate_buffer ts_candidate_buffers[] = {
 	{"vpl_gather.irradiance", 4, 3, "'<f4'"},
 	{"vpl_gather.margin", 4, 2, "'<f4'"},
 	{"bilateral.row", 4, 3, "'<f4'"},
+	{"surfel_setup.epsilon", 4, 1, "'<f4'"},
+	{"surfel_setup.disc", 96, 1,
+		"[('pixel', '<i4', (2,)), ('fraction', '<f4', (2,)), ('a', '<f4', (2,)), ('b', '<f4', (2,)), "
+		"('g', '<f4', (2,)), ('depth', '<f4'), ('flags', '<u4'), ('low', '<i4', (2,)), "
+		"('high', '<i4', (2,)), ('conic', '<f4', (3,)), ('peak', '<f4'), ('normal', '<f4', (3,)), "
+		"('pad', '<u4')]"},
+	{"surfel_depth.surfel", 8, 2, "'<u8'"},
+	{"blend.sum", 8, 3, "'<u8'"},
+	{"blend.heaviest", 8, 2, "'<u8'"},
 	{"image.radiance", 4, 3, "'<f4'"},
 	{"image.srgb", 1, 3, "'|u1'"},
 };

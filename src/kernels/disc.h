@@ -41,7 +41,7 @@ typedef struct {
 /* Why a surfel is not drawn. */
 #define TS_DISC_DRAWN 0u
 #define TS_DISC_TURNED 1u  /* it turns its back */
-#define TS_DISC_BEFORE 2u  /* its centre is before the near plane */
+#define TS_DISC_BEFORE 2u  /* its centre is before the near plane; of exact EWA also what comes to the eye's plane */
 #define TS_DISC_BESIDE 3u  /* it is beside the image */
 
 /* A float as the sum of two of 12 bits (Veltkamp). */
@@ -165,7 +165,7 @@ TS_FN void ts_k_disc_map(ts_disc *disc, const ts_disc_frame *f)
 }
 
 /* The inverse of V = sigma_k^2 J J^T + sigma_h^2 I, and |det(sigma_k J)| / sqrt(det V). */
-TS_FN void ts_k_disc_gaussian(ts_disc *disc, const ts_filter *filter, const ts_disc_frame *f, ts_v2 *room)
+TS_FN void ts_k_disc_gaussian(ts_disc *disc, const ts_filter *filter, const ts_disc_frame *f)
 {
 	f32 xx = filter->object2 * (f->xa * f->xa + f->xb * f->xb) + filter->screen2;
 	f32 xy = filter->object2 * (f->xa * f->ya + f->xb * f->yb);
@@ -178,7 +178,6 @@ TS_FN void ts_k_disc_gaussian(ts_disc *disc, const ts_filter *filter, const ts_d
 	disc->conic[1] = none ? 0.0f : ts_put(-xy / d);
 	disc->conic[2] = none ? 0.0f : ts_put(xx / d);
 	disc->peak = none ? 0.0f : ts_put(ts_min(area / ts_sqrt(d), 1.0f));
-	*room = none ? ts_v2_make(0.0f, 0.0f) : ts_v2_make(2.0f * ts_sqrt(xx), 2.0f * ts_sqrt(yy));
 }
 
 /* Pixels whose middles are from `least` to `most` of the centre along an axis, and a little more for rounding. */
@@ -192,8 +191,24 @@ TS_FN void ts_k_disc_side(ts_disc *disc, u32 axis, f32 least, f32 most, f32 room
 	disc->high[axis] = ts_min_i32(disc->pixel[axis] + ts_floor_i32(to), n - 1);
 }
 
-TS_FN void ts_k_disc_box(ts_disc *disc, const ts_camera_k *view, const ts_filter *filter, const ts_disc_frame *f,
-                         ts_v2 gaussian)
+/* Along an axis, what exact EWA covers with the ellipse: twice sigma_k of it, and twice sigma_h more. */
+TS_FN ts_v2 ts_k_blurred(const ts_filter *filter, ts_v2 ellipse, f32 j_a, f32 j_b, f32 u, f32 v)
+{
+	f32 s = 2.0f * ts_sqrt(filter->object2);
+	f32 room = 2.0f * ts_sqrt(filter->screen2);
+	ts_v2 wide = ts_k_extent(s * j_a, s * j_b, s * u, s * v);
+	return ts_v2_make(ts_min(ellipse.x, wide.x - room), ts_max(ellipse.y, wide.y + room));
+}
+
+/* Whether the ellipse, or twice sigma_k of it, comes to the eye's plane, where nothing is affine. */
+TS_FN bool ts_k_disc_is_close(const ts_disc_frame *f, const ts_filter *filter)
+{
+	f32 uz = f->u.z / f->c.z;
+	f32 vz = f->v.z / f->c.z;
+	return !((uz * uz + vz * vz) * ts_max(4.0f * filter->object2, 1.0f) < 1.0f);
+}
+
+TS_FN void ts_k_disc_box(ts_disc *disc, const ts_camera_k *view, const ts_filter *filter, const ts_disc_frame *f)
 {
 	f32 uz = view->orthographic != 0u ? 0.0f : f->u.z / f->z;
 	f32 vz = view->orthographic != 0u ? 0.0f : f->v.z / f->z;
@@ -204,8 +219,12 @@ TS_FN void ts_k_disc_box(ts_disc *disc, const ts_camera_k *view, const ts_filter
 	ts_v2 y = ts_k_extent(f->ya, f->yb, uz, vz);
 	if (filter->botsch != 0u) x = y = ts_v2_make(-square, square);
 	if (flat) x = y = ts_v2_make(0.0f, 0.0f);
-	ts_k_disc_side(disc, 0u, x.x, x.y, ts_max(filter->reach, gaussian.x), view->width);
-	ts_k_disc_side(disc, 1u, y.x, y.y, ts_max(filter->reach, gaussian.y), view->height);
+	if (filter->filter == TS_FILTER_IS_EWA) {
+		x = ts_k_blurred(filter, x, f->xa, f->xb, uz, vz);
+		y = ts_k_blurred(filter, y, f->ya, f->yb, uz, vz);
+	}
+	ts_k_disc_side(disc, 0u, x.x, x.y, filter->reach, view->width);
+	ts_k_disc_side(disc, 1u, y.x, y.y, filter->reach, view->height);
 }
 
 TS_FN void ts_k_disc_clear(ts_disc *disc)
@@ -238,15 +257,16 @@ TS_FN u32 ts_k_disc(ts_disc *disc, const ts_camera_k *view, const ts_filter *fil
 	if (!(slant > 0.0f)) return TS_DISC_TURNED;
 	ts_disc_frame frame = ts_k_disc_frame(view, surfel);
 	if (!(frame.c.z >= view->near)) return TS_DISC_BEFORE;
-	ts_v2 gaussian;
-	disc->flags = (slant < TS_LEAST_SLANT ? TS_DISC_FLAT : 0u) | (view->orthographic != 0u ? TS_DISC_PARALLEL : 0u);
+	bool parallel = view->orthographic != 0u;
+	if (filter->filter == TS_FILTER_IS_EWA && !parallel && ts_k_disc_is_close(&frame, filter)) return TS_DISC_BEFORE;
+	disc->flags = (slant < TS_LEAST_SLANT ? TS_DISC_FLAT : 0u) | (parallel ? TS_DISC_PARALLEL : 0u);
 	disc->normal[0] = ts_put(n.x);
 	disc->normal[1] = ts_put(n.y);
 	disc->normal[2] = ts_put(n.z);
 	ts_k_disc_place(disc, view, &frame);
 	ts_k_disc_map(disc, &frame);
-	ts_k_disc_gaussian(disc, filter, &frame, &gaussian);
-	ts_k_disc_box(disc, view, filter, &frame, gaussian);
+	ts_k_disc_gaussian(disc, filter, &frame);
+	ts_k_disc_box(disc, view, filter, &frame);
 	bool drawn = ts_k_disc_is_near(disc) && disc->low[0] <= disc->high[0] && disc->low[1] <= disc->high[1];
 	if (!drawn) ts_k_disc_clear(disc);
 	return drawn ? TS_DISC_DRAWN : TS_DISC_BESIDE;

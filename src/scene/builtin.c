@@ -181,6 +181,7 @@ ts_status ts_builtin_open(ts_scene **scene, const char *spec, const ts_params *p
 	ts_build *build = ts_build_new(spec);
 	if (build == NULL) return TS_ERROR;
 	ts_builtin_make(build, spec, params);
+	if (camera == NULL) camera = find(spec)->camera;
 	ts_reflectors_add(build, params, camera);
 	return ts_build_finish(build, params, camera, scene);
 }

@@ -16,6 +16,7 @@ typedef struct {
 	ts_rug rug; /* made of exactly the triangles that are left; its material is a place in `paints` */
 	/* Of a scene of surfels instead of all that: at most so many, of a radius in spacings. */
 	void (*surfels)(ts_build *build, u32 count, f32 splat_radius);
+	const char *camera; /* what looks if no camera is named; NULL: the circling eye */
 } ts_builtin;
 
 extern const ts_builtin ts_builtin_atrium, ts_builtin_gallery, ts_builtin_dining, ts_builtin_checkerboard;

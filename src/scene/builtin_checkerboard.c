@@ -44,4 +44,4 @@ static void add_grid(ts_build *build, u32 count, f32 splat_radius)
 	add_camera(build);
 }
 
-const ts_builtin ts_builtin_checkerboard = {.surfels = add_grid};
+const ts_builtin ts_builtin_checkerboard = {.surfels = add_grid, .camera = "receding"};

@@ -124,7 +124,7 @@ for words in 'indirect hulls --margins --set lamp=scene' 'indirect direct' \
 	'indirect megaviews --margins --set levels=4 --set vpls=60 --set vpl.bounces=2' \
 	'indirect manylods --set levels=4 --set gather_lights=0' 'indirect bruteforce --set levels=3 --set vpls=30' \
 	'particles megaviews --margins --set levels=4 --set particles=60' 'particles manylods --set levels=4 --set particles=60' \
-	'surfels deferred --set from_mesh=3000 --set shader=phong_shadow --set map_px=64' 'surfels ewa --set from_mesh=3000'; do
+	'surfels deferred --set from_mesh=3000 --set shader=phong_shadow --set map_px=64' 'surfels ewa --set from_mesh=3000 --set shader=npr_shadow --set map_px=64'; do
 	read -r effect method how <<< "$words"
 	# shellcheck disable=SC2086
 	run render $effect atrium:triangles=10000:texels=32 --size 64x48 --set grid_px=64 --set rsm_px=4 --trace --no-images -o light \

@@ -53,6 +53,25 @@ static void test_claims(void **state)
 	ts_scene_free(scene);
 }
 
+/* Within a room, large surfels near the eye and all, both filters show nearly the same. */
+static void test_room(void **state)
+{
+	(void)state;
+	ts_run run[2];
+	double sum = 0;
+	ts_params params = tiny_params();
+	params.from_mesh = 20000;
+	ts_scene *scene = small_scene(&params);
+	for (u32 m = 0; m < 2; m++) surfels_run(&run[m], scene, &params, methods[m], 2);
+	const u8 *a = ts_frame_data(&run[0].frame, TS_B_image_srgb), *b = ts_frame_data(&run[1].frame, TS_B_image_srgb);
+	u64 n = ts_frame_n(&run[0].frame, TS_B_image_srgb);
+	for (u64 i = 0; i < n; i++) sum += abs(a[i] - b[i]);
+	print_message("%.2f grey levels apart\n", sum / (double)n);
+	assert_true(sum / (double)n < 6);
+	for (u32 m = 0; m < 2; m++) ts_run_end(&run[m]);
+	ts_scene_free(scene);
+}
+
 /* The same surfels the other way round: sums and depths do not change, only what names them. */
 static void test_order(void **state)
 {
@@ -227,9 +246,9 @@ static void test_none(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_threads), cmocka_unit_test(test_claims), cmocka_unit_test(test_order),
-		cmocka_unit_test(test_sums), cmocka_unit_test(test_occlusion), cmocka_unit_test(test_shadows),
-		cmocka_unit_test(test_none),
+		cmocka_unit_test(test_threads), cmocka_unit_test(test_claims), cmocka_unit_test(test_room),
+		cmocka_unit_test(test_order), cmocka_unit_test(test_sums), cmocka_unit_test(test_occlusion),
+		cmocka_unit_test(test_shadows), cmocka_unit_test(test_none),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

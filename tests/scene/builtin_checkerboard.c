@@ -71,7 +71,7 @@ static void counts_and_radii_are_as_asked_for(void **state)
 static void a_camera_looks_along_it(void **state)
 {
 	(void)state;
-	ts_scene *scene = open_scene("checkerboard:surfels=10000", "receding");
+	ts_scene *scene = open_scene("checkerboard:surfels=10000", NULL);
 	const ts_info *info = &scene->info;
 	ts_v3 right = ts_load3(info->right), up = ts_load3(info->up), back = ts_load3(info->back);
 	assert_true(ts_abs(ts_dot(up, back)) < 1e-6f && ts_abs(ts_dot(up, up) - 1.0f) < 1e-6f);

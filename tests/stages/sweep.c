@@ -8,7 +8,8 @@ enum { N_RANDOM = 24 };
 /* Ends that would take a test too long. */
 static const struct { const char *name, *most; } shorter[] = {
 	{ "width", "300" },   { "height", "300" },  { "frame", "40" },     { "reflectors", "16" },
-	{ "face_max", "64" }, { "face_px", "96" },  { "rho_scale", "2" },  { NULL, NULL },
+	{ "face_max", "64" }, { "face_px", "96" },  { "rho_scale", "2" },  { "from_mesh", "2000" },
+	{ NULL, NULL },
 };
 
 /* What a scene is opened with; whatever else is set, the scene stays the same. */

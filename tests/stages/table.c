@@ -97,7 +97,8 @@ static ts_status watch(const ts_run *run, const ts_stage *stage, void *user)
 	}
 	for (u32 i = 0; stage->writes[i] != TS_N_BUFFERS; i++) p->made[stage->writes[i]] = true;
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
-		bool made = run->frame.buffer[id].made, claimed = p->made[id] || is_scene((ts_buffer_id)id);
+		bool of_scene = is_scene((ts_buffer_id)id) && (id != TS_B_scene_surfel || run->scene->n_surfels > 0);
+		bool made = run->frame.buffer[id].made, claimed = p->made[id] || of_scene;
 		if (made == claimed) continue;
 		fail_msg("after %s: %s %s", stage->name, ts_buffer_table[id].name, made ? "unclaimed" : "missing");
 	}
