@@ -1,6 +1,6 @@
 /* Deferred shaders over a G-buffer (SPEC 5.2, pass 3; slides "Phong Shading", "NPR Shading"): once a pixel, whatever
  * overlaps there. Phong is ambient light, Lambert's cosine and a highlight (r.v)^32; NPR paints in three tones without a
- * highlight, and outlines in black where the depth steps, where the sky begins and where the surface turns away. */
+ * highlight, and outlines in black where the surface ends before what is farther or the sky. */
 #ifndef TS_KERNELS_DEFERRED_H
 #define TS_KERNELS_DEFERRED_H
 #include "gbuffer.h"
@@ -12,8 +12,8 @@
 
 #define TS_HIGHLIGHT 0.25f       /* of the radiance of a diffuse white surface */
 #define TS_TONES 3.0f
-#define TS_OUTLINE_STEP 0.03125f /* of the depth */
-#define TS_OUTLINE_TURN 0.1875f  /* cosine between normal and viewer */
+#define TS_OUTLINE_STEP 0.03125f   /* of the depth */
+#define TS_OUTLINE_DROP 0.0078125f /* below the surface's plane, of the distance to the eye */
 #define TS_PER_PI 0.3183098733425140380859375f
 
 typedef struct {
@@ -53,24 +53,28 @@ TS_FN ts_v3 ts_k_deferred_light(const ts_deferred_args *args, u64 i, u32 k, ts_v
 	return ts_mul(all, ts_scale(ts_load3(args->lights[k].intensity), arrives * TS_PER_PI));
 }
 
-/* 1 - zn is proportional to 1 / z. */
-TS_FN bool ts_k_steps(const ts_deferred_args *args, i32 width, i32 height, i32 x, i32 y, f32 near)
+/* Whether the surface ends before that neighbour: it is farther (1 - zn is proportional to 1 / z), and behind the plane of
+ * the surface, in which a floor goes on however steep the view. */
+TS_FN bool ts_k_steps(const ts_deferred_args *args, i32 x, i32 y, u64 i, f32 least)
 {
-	if (x < 0 || y < 0 || x >= width || y >= height) return false;
-	f32 far = 1.0f - args->pixels[(u64)y * (u64)width + (u64)x].depth;
-	return near - far > TS_OUTLINE_STEP * near;
+	if (x < 0 || y < 0 || x >= (i32)args->view->width || y >= (i32)args->view->height) return false;
+	TS_GLOBAL const ts_gpixel *at = &args->pixels[i];
+	TS_GLOBAL const ts_gpixel *next = &args->pixels[(u64)y * (u64)args->view->width + (u64)x];
+	f32 near = 1.0f - at->depth;
+	f32 far = 1.0f - next->depth;
+	if (!(near - far > TS_OUTLINE_STEP * near)) return false;
+	f32 below = ts_dot(ts_load3(at->normal), ts_sub(ts_load3(at->position), ts_load3(next->position)));
+	return next->depth == TS_SKY || below > least;
 }
 
-TS_FN bool ts_k_is_outline(const ts_deferred_args *args, u64 i, ts_v3 n, ts_v3 v)
+TS_FN bool ts_k_is_outline(const ts_deferred_args *args, u64 i)
 {
-	i32 width = (i32)args->view->width;
-	i32 height = (i32)args->view->height;
 	i32 x = (i32)(i % (u64)args->view->width);
 	i32 y = (i32)(i / (u64)args->view->width);
-	f32 near = 1.0f - args->pixels[i].depth;
-	if (ts_dot(n, v) < TS_OUTLINE_TURN) return true;
-	return ts_k_steps(args, width, height, x - 1, y, near) || ts_k_steps(args, width, height, x + 1, y, near) ||
-	       ts_k_steps(args, width, height, x, y - 1, near) || ts_k_steps(args, width, height, x, y + 1, near);
+	f32 far = ts_length(ts_sub(ts_load3(args->view->eye), ts_load3(args->pixels[i].position)));
+	f32 least = TS_OUTLINE_DROP * far;
+	return ts_k_steps(args, x - 1, y, i, least) || ts_k_steps(args, x + 1, y, i, least) ||
+	       ts_k_steps(args, x, y - 1, i, least) || ts_k_steps(args, x, y + 1, i, least);
 }
 
 TS_FN ts_v3 ts_k_deferred(const ts_deferred_args *args, u64 i)
@@ -81,7 +85,7 @@ TS_FN ts_v3 ts_k_deferred(const ts_deferred_args *args, u64 i)
 	ts_v3 n = ts_load3(pixel->normal);
 	ts_v3 albedo = ts_load3(pixel->albedo);
 	ts_v3 v = ts_normalize(ts_sub(ts_load3(args->view->eye), p));
-	if (args->shader == TS_SHADER_IS_NPR && ts_k_is_outline(args, i, n, v)) return ts_v3_make(0.0f, 0.0f, 0.0f);
+	if (args->shader == TS_SHADER_IS_NPR && ts_k_is_outline(args, i)) return ts_v3_make(0.0f, 0.0f, 0.0f);
 	ts_v3 sum = ts_scale(albedo, args->ambient);
 	for (u32 k = 0u; k < args->n_lights; k++) sum = ts_add(sum, ts_k_deferred_light(args, i, k, p, n, v, albedo));
 	return sum;
