@@ -279,10 +279,10 @@ static ts_params params_of(u32 run)
 /* The digests of a run; NULL: by the C backend. */
 static void digests(ts_sums *sums, u32 run, ts_backend *backend)
 {
-	static ts_scene *scenes[2];
+	static ts_scene *scenes[3];
 	ts_params params = params_of(run);
 	const ts_how how = {.threads = 2, .backend = backend};
-	ts_scene **scene = &scenes[params.reflectors != 0];
+	ts_scene **scene = &scenes[params.from_mesh > 0 ? 2 : params.reflectors != 0];
 	if (*scene == NULL) assert_int_equal(ts_builtin_open(scene, "dining:triangles=10000:texels=32", &params, NULL), TS_OK);
 	ts_status status = ts_sums_of(sums, ts_pipeline_find(runs[run].effect, runs[run].method), *scene, &params, &how);
 	if (status != TS_OK) fail_msg("%s", ts_error_message());

@@ -45,7 +45,7 @@ verdict $? 'bench -o writes the report, and each table as CSV with its rows'
 
 # What the iVIR paper claims of points holds in every scene. Passes: 17 views in passes of 8 are three.
 views=(--set views=17 --set pass=8 --set map_px=64 --set light_samples=2 --set face_max=64 --size 64x36 --runs 1)
-run bench ivir-1 "${views[@]}" --scene atrium:triangles=10000:texels=32,gallery:triangles=10000:texels=32 -o "$scratch/ivir-1"
+run bench ivir-1 "${views[@]}" --scene atrium:triangles=10000,gallery:triangles=10000 -o "$scratch/ivir-1"
 [ "$status" -eq 0 ] && awk 'length > 120 || / $/ { exit 1 }' "$scratch/stdout" &&
 	grep -q "^iVIR points / VIR's .* at most 1 .* holds" "$scratch/stdout"
 verdict $? 'bench ivir-1 fits 120 columns and judges'
@@ -143,7 +143,7 @@ PY
 verdict $? 'bench ssagh-1: gathers, speed-ups and verdicts are those of its rows'
 
 # Labels of a depth image, counted again from traces of both segmentations.
-one=(atrium:triangles=10000:texels=32 --size 96x54 --set grid_px=64)
+one=(atrium:triangles=10000 --size 96x54 --set grid_px=64)
 run bench ssagh-segments --scene "${one[@]:0:1}" "${one[@]:1}" -o "$scratch/segments"
 [ "$status" -eq 0 ] && awk 'length > 120 || / $/ { exit 1 }' "$scratch/stdout" &&
 	grep -q '^No label joins components: holds$' "$scratch/stdout"
@@ -161,7 +161,7 @@ def blocks(name):
 pairs = [(len(set(a)), len(set(b))) for a, b in zip(blocks("sweeps"), blocks("components"))]
 rows = {(r["scene"], r["of"]): r for r in json.load(open(f"{sys.argv[1]}/segments/report.json"))["ssagh_segments"]}
 for of, of_these in ("all", pairs), ("parted", [p for p in pairs if p[1] > 1]):
-	row, n = rows["atrium:triangles=10000:texels=32", of], len(of_these)
+	row, n = rows["atrium:triangles=10000", of], len(of_these)
 	labels, components = zip(*of_these)
 	assert (row["blocks"], row["most_labels"], row["most_components"]) == (n, max(labels), max(components))
 	assert abs(row["labels"] - sum(labels) / n) < 1e-6 and abs(row["components"] - sum(components) / n) < 1e-6
