@@ -163,13 +163,6 @@ static int close_scene(void **state)
 	return 0;
 }
 
-static int restart(void **state)
-{
-	(void)state;
-	grove_state = 1234567;
-	return 0;
-}
-
 static void test_rounding(void **state)
 {
 	(void)state;
@@ -196,7 +189,7 @@ static void test_faults(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test_setup(test_rounding, restart), cmocka_unit_test_setup(test_faults, restart),
+		cmocka_unit_test_setup(test_rounding, grove_restart), cmocka_unit_test_setup(test_faults, grove_restart),
 	};
 	return cmocka_run_group_tests(tests, open_scene, close_scene);
 }

@@ -7,11 +7,8 @@ static void test_rows(void **state)
 		{ 7, 16, 256, grove_floor, TS_VIEW_FIELD_HALF, 1704665, 1.22, 1.51, 6.98, 92.58, 98.69 },
 		{ 7, 16, 4096, grove_floor, TS_VIEW_FIELD_HALF, 6502386, 5.12, 5.82, 13.92, 92.76, 98.69 },
 	};
-	ts_params params = small_params(64, 64);
-	ts_scene *scene = small_scene(&params);
 	(void)state;
-	for (u32 i = 0; i < sizeof rows / sizeof *rows; i++) prototype_check(scene, &rows[i]);
-	ts_scene_free(scene);
+	prototype_check_rows(rows, sizeof rows / sizeof *rows);
 }
 
 int main(void)

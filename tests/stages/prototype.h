@@ -154,4 +154,12 @@ static inline void prototype_check(const ts_scene *scene, const prototype_row *e
 	grove_free(&g);
 }
 
+static inline void prototype_check_rows(const prototype_row *rows, size_t n)
+{
+	ts_params params = small_params(64, 64);
+	ts_scene *scene = small_scene(&params);
+	for (size_t i = 0; i < n; i++) prototype_check(scene, &rows[i]);
+	ts_scene_free(scene);
+}
+
 #endif

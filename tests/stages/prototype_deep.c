@@ -19,11 +19,8 @@ static void test_rows(void **state)
 		{ 9, 32, 1024, grove_floor, TS_VIEW_FIELD_HALF, 30192572, 1.27, 1.50, 5.61, 95.91, 99.11 },
 		{ 9, 64, 1024, grove_floor, TS_VIEW_FIELD_HALF, 131737640, 1.02, 1.20, 5.22, 98.30, 99.83 },
 	};
-	ts_params params = small_params(64, 64);
-	ts_scene *scene = small_scene(&params);
 	(void)state;
-	for (u32 i = 0; i < sizeof rows / sizeof *rows; i++) prototype_check(scene, &rows[i]);
-	ts_scene_free(scene);
+	prototype_check_rows(rows, sizeof rows / sizeof *rows);
 }
 
 int main(void)

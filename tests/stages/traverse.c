@@ -27,14 +27,7 @@ static int close_scene(void **state)
 	return 0;
 }
 
-static int restart(void **state)
-{
-	(void)state;
-	grove_state = 1234567;
-	return 0;
-}
-
-#define grown_test(f) cmocka_unit_test_setup(f, restart)
+#define grown_test(f) cmocka_unit_test_setup(f, grove_restart)
 
 /* The recursion of SPEC 4.3, by the tested parts of pair.h. */
 typedef struct {
