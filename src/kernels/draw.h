@@ -51,12 +51,13 @@ TS_FN void ts_k_draw_fan(const ts_arrays *scene, const ts_camera_k *view, const 
 	if (setup.area == 0) return;
 	ts_box box = ts_k_box_meet(ts_k_touched_box(v, 3u, 0), ts_k_view_box(view));
 	ts_walk walk = ts_k_walk(&setup, box.x0, box.y0);
+	bool masked = ts_k_is_masked(scene, triangle);
 	for (i32 j = box.y0; j <= box.y1; j++, ts_k_step(&walk.at, walk.down)) {
 		ts_edges e = walk.at;
 		for (i32 i = box.x0; i <= box.x1; i++, ts_k_step(&e, walk.right)) {
 			if (!ts_k_walk_covers(&walk, &e)) continue;
 			ts_fragment f = ts_k_view_fragment(view, &setup, &e, a, b, c);
-			if (ts_k_is_cut(scene, triangle, f.w, t->n, ts_k_fragment_footprint(view, t, &f))) continue;
+			if (masked && ts_k_is_cut(scene, triangle, f.w, t->n, ts_k_fragment_footprint(view, t, &f))) continue;
 			ts_k_draw_texel(target, (u64)j * (u64)view->width + (u64)i, f.z, triangle);
 		}
 	}

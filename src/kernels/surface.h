@@ -69,10 +69,15 @@ TS_FN f32 ts_k_alpha(const ts_arrays *scene, const ts_sample *s)
 	return alpha * ts_k_slot_sample(scene, s, s->material->slot[0]).a;
 }
 
+TS_FN bool ts_k_is_masked(const ts_arrays *scene, u32 triangle)
+{
+	return (scene->materials[scene->triangles[triangle].material].flags & TS_MASKED) != 0u;
+}
+
 /* A masked sample with too little alpha is not there (SPEC 0.3.5). */
 TS_FN bool ts_k_is_cut(const ts_arrays *scene, u32 triangle, ts_v3 w, ts_v3 normal, f32 footprint)
 {
-	if ((scene->materials[scene->triangles[triangle].material].flags & TS_MASKED) == 0u) return false;
+	if (!ts_k_is_masked(scene, triangle)) return false;
 	ts_sample s = ts_k_sample(scene, triangle, w, normal, footprint);
 	return ts_k_alpha(scene, &s) < s.material->alpha_cutoff;
 }
