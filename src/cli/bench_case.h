@@ -11,7 +11,7 @@ typedef struct {
 	const char *method;
 	const char *set;     /* "NAME=VALUE,..." */
 	bool seen;           /* its image is kept */
-	bool once;           /* it is not timed: one run */
+	bool once;           /* one run */
 } ts_bench_variant;
 
 typedef struct {

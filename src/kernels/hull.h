@@ -62,7 +62,8 @@ TS_FN ts_shares ts_k_box_shares(const ts_hull_args *args, u32 b, u32 x, u32 y)
 	return r;
 }
 
-TS_FN ts_sg ts_k_lobe_of_lobes(TS_GLOBAL const ts_lobes *corner, const ts_shares *shares, u32 channel)
+/* Its direction is not yet a unit vector. */
+TS_FN ts_sg ts_k_lobes_blend(TS_GLOBAL const ts_lobes *corner, const ts_shares *shares, u32 channel)
 {
 	ts_sg g = ts_sg_make(0.0f, 0.0f, ts_v3_make(0.0f, 0.0f, 0.0f));
 	for (u32 k = 0u; k < 4u; k++) {
@@ -70,6 +71,12 @@ TS_FN ts_sg ts_k_lobe_of_lobes(TS_GLOBAL const ts_lobes *corner, const ts_shares
 		g.lambda = g.lambda + shares->of[k] * corner[k].lambda[channel];
 		g.phi = ts_mad(g.phi, ts_load3(corner[k].phi + channel * 3u), shares->of[k]);
 	}
+	return g;
+}
+
+TS_FN ts_sg ts_k_lobe_of_lobes(TS_GLOBAL const ts_lobes *corner, const ts_shares *shares, u32 channel)
+{
+	ts_sg g = ts_k_lobes_blend(corner, shares, channel);
 	g.phi = ts_normalize(g.phi);
 	return g;
 }
@@ -100,24 +107,30 @@ TS_FN ts_sg ts_k_hull_lobe(const ts_hull_args *args, u32 b, const ts_shares *sha
 	return ts_k_lobe_of_lobes(args->lobes + first, shares, channel);
 }
 
-/* map over pixels */
-TS_FN void ts_k_hull_item(const ts_hull_args *args, u64 i)
+/* The pixel's box, and no light yet. */
+TS_FN u32 ts_k_hull_box(const ts_hull_args *args, u64 i, u32 x, u32 y)
 {
-	TS_GLOBAL const ts_gpixel *pixel = &args->pixels[i];
-	u32 x = (u32)(i % args->width);
-	u32 y = (u32)(i / args->width);
 	ts_grid_place at;
 	at.x = ts_k_resample(x, args->width, args->choice.grid);
 	at.y = ts_k_resample(y, args->height, args->choice.grid);
-	at.depth = pixel->depth;
-	bool sky = pixel->depth == TS_SKY;
+	at.depth = args->pixels[i].depth;
+	bool sky = at.depth == TS_SKY;
 	u32 box = sky ? TS_NONE : ts_k_choose_box(&args->choice, at);
 	args->box[i] = box;
 	ts_store3(args->irradiance + i * 3u, ts_v3_make(0.0f, 0.0f, 0.0f));
 	if (!sky && box == TS_NONE) ts_add_i64(args->n_unlit, 1);
+	return box;
+}
+
+/* map over pixels */
+TS_FN void ts_k_hull_item(const ts_hull_args *args, u64 i)
+{
+	u32 x = (u32)(i % args->width);
+	u32 y = (u32)(i / args->width);
+	u32 box = ts_k_hull_box(args, i, x, y);
 	if (box == TS_NONE) return;
 	ts_shares shares = ts_k_box_shares(args, box, x, y);
-	ts_v3 n = ts_load3(pixel->normal);
+	ts_v3 n = ts_load3(args->pixels[i].normal);
 	for (u32 channel = 0u; channel < 3u; channel++) {
 		ts_sg g = ts_k_hull_lobe(args, box, &shares, channel);
 		args->irradiance[i * 3u + channel] = ts_k_lobe_irradiance(args, &g, n);

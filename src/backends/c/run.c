@@ -69,6 +69,8 @@ static bool has_fast_path(ts_kernel kernel, const void *args)
 	const ts_splat_args *splat = args;
 	const ts_lookup_args *lookup = args;
 	const ts_scatter_args *scatter = args;
+	const ts_hull_args *hull = args;
+	if (kernel == TS_KERNEL_hull) return hull->cosine == TS_COSINE_IS_OURS && !hull->printed && !hull->by_moments;
 	if (kernel == TS_KERNEL_scatter || kernel == TS_KERNEL_scatter_pieces) return scatter->depths != NULL;
 	if (kernel == TS_KERNEL_splat) return splat->offset != NULL && splat->mark == 0;
 	return kernel == TS_KERNEL_shade && lookup->adaptive == 0;
@@ -82,6 +84,8 @@ static ts_status launch(ts_backend *backend, ts_frame *frame, ts_kernel kernel, 
 		ts_c_launch(kernel, args, n, c->threads);
 	} else if (kernel == TS_KERNEL_splat) {
 		ts_c_splat_fast(args, c->threads);
+	} else if (kernel == TS_KERNEL_hull) {
+		ts_c_hull_fast(args, n, c->threads);
 	} else if (kernel == TS_KERNEL_scatter || kernel == TS_KERNEL_scatter_pieces) {
 		if (!ts_c_scatter_fast(args, n, kernel == TS_KERNEL_scatter, c->threads)) ts_c_launch(kernel, args, n, c->threads);
 	} else {
