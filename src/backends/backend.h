@@ -122,7 +122,7 @@ void ts_c_begin(ts_c_backend *backend, u32 threads);
 
 void ts_c_launch(ts_kernel kernel, const void *args, u64 n, u32 threads);
 
-/* Fast paths: the same bits as launching the kernel (tests/backends/splat_fast.c, hull_fast.c; tests/stages/run.c).
+/* Fast paths: the same bits as launching the kernel (tests/backends, tests/stages/run.c).
  * Splat: args->offset must be there, and nothing to mark. */
 void ts_c_splat_fast(const ts_splat_args *args, u32 threads);
 /* Scatter: of n stored points or n pieces, into depth maps; n_views must not be 0. False if there is no memory, or there are
@@ -130,6 +130,9 @@ void ts_c_splat_fast(const ts_splat_args *args, u32 threads);
 bool ts_c_scatter_fast(const ts_scatter_args *args, u64 n, bool stored, u32 threads);
 /* Shade: of n entries; adaptive must be 0. */
 void ts_c_shade_fast(const ts_lookup_args *args, u64 n, u32 threads);
+/* Split_count: of n triangles, by the point closest to each of perspective views. False if there is no memory: then nothing
+ * was done. */
+bool ts_c_density_fast(const ts_density_args *args, u64 n, u32 threads);
 /* Hull: of n pixels; by eqs 15 to 18 in their stable forms, of interpolated parameters. */
 void ts_c_hull_fast(const ts_hull_args *args, u64 n, u32 threads);
 

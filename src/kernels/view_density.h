@@ -109,12 +109,11 @@ TS_FN ts_need ts_k_clipped_rate(const ts_camera_k *view, ts_v3 n, ts_v3 a, ts_v3
 	return r;
 }
 
-/* At the point closest to the view; VIR: a pixel in the image's middle, at that distance, as dense as in its corner. The
+/* At the point q closest to the view; VIR: a pixel in the image's middle, at that distance, as dense as in its corner. The
  * closest point may lie beside the image, even behind it, where there are no pixels: it counts as in the corner, so that
  * iVIR never needs more than VIR. */
-TS_FN f32 ts_k_closest_rate(const ts_camera_k *view, const f32 reach[2], ts_v3 n, ts_v3 a, ts_v3 b, ts_v3 c, u32 rate)
+TS_FN f32 ts_k_closest_rate(const ts_camera_k *view, const f32 reach[2], ts_v3 n, ts_v3 q, u32 rate)
 {
-	ts_v3 q = ts_k_closest_on_triangle(view->eye, a, b, c);
 	f32 corner = 1.0f + (reach[0] * reach[0] + reach[1] * reach[1]); /* 1 / cos^2 */
 	f32 distance = ts_max(ts_length(ts_sub(q, view->eye)), view->near);
 	if (rate == TS_RATE_IS_VIR) return (view->focal * corner) / distance;
@@ -137,7 +136,7 @@ TS_CALL ts_need ts_k_one_view_density(const ts_density_args *args, u32 v, ts_v3 
 		f32 reach[2];
 		reach[0] = offscreen->reach[0];
 		reach[1] = offscreen->reach[1];
-		r.s = ts_k_closest_rate(&view, reach, n, a, b, c, args->rate);
+		r.s = ts_k_closest_rate(&view, reach, n, ts_k_closest_on_triangle(view.eye, a, b, c), args->rate);
 	}
 	return r;
 }

@@ -64,12 +64,21 @@ u64 ts_c_scan(u32 *counts, u64 n)
 	return sum;
 }
 
+/* The same rate of all views, and not by what clipping leaves. */
+static bool has_fast_density(const ts_density_args *args)
+{
+	bool has = args->views != NULL && args->shadow == TS_SHADOW_IS_NONE && args->rate >= TS_RATE_IS_PAPER;
+	for (u32 v = 0; has && v < args->n_views; v++) has = args->views[v].orthographic == 0;
+	return has;
+}
+
 static bool has_fast_path(ts_kernel kernel, const void *args)
 {
 	const ts_splat_args *splat = args;
 	const ts_lookup_args *lookup = args;
 	const ts_scatter_args *scatter = args;
 	const ts_hull_args *hull = args;
+	if (kernel == TS_KERNEL_split_count) return has_fast_density(args);
 	if (kernel == TS_KERNEL_hull) return hull->cosine == TS_COSINE_IS_OURS && !hull->printed && !hull->by_moments;
 	if (kernel == TS_KERNEL_scatter || kernel == TS_KERNEL_scatter_pieces) return scatter->depths != NULL;
 	if (kernel == TS_KERNEL_splat) return splat->offset != NULL && splat->mark == 0;
@@ -84,6 +93,8 @@ static ts_status launch(ts_backend *backend, ts_frame *frame, ts_kernel kernel, 
 		ts_c_launch(kernel, args, n, c->threads);
 	} else if (kernel == TS_KERNEL_splat) {
 		ts_c_splat_fast(args, c->threads);
+	} else if (kernel == TS_KERNEL_split_count) {
+		if (!ts_c_density_fast(args, n, c->threads)) ts_c_launch(kernel, args, n, c->threads);
 	} else if (kernel == TS_KERNEL_hull) {
 		ts_c_hull_fast(args, n, c->threads);
 	} else if (kernel == TS_KERNEL_scatter || kernel == TS_KERNEL_scatter_pieces) {

@@ -4,6 +4,7 @@
 #include <omp.h>
 #include <stdlib.h>
 #include "../backend.h"
+#include "wide.h"
 
 enum {
 	ROOM = (1 << 16) + 256, /* a row of a lattice, 24.8 and dilated, has at most 65538 points */
@@ -98,7 +99,7 @@ static void fill_pieces(job *j, pool *to)
 }
 
 /* Texel and depth bits of n points in a view; -1: none. `bit` is the view's in `seen`. Selects, so that it is vectorized. */
-static u32 place(ts_camera_k view, const f32 *restrict x, const f32 *restrict y, const f32 *restrict z,
+TS_WIDE static u32 place(ts_camera_k view, const f32 *restrict x, const f32 *restrict y, const f32 *restrict z,
                  const u32 *restrict seen, u32 bit, u32 n, i32 *restrict texel, u32 *restrict depth)
 {
 	f32 width = (f32)view.width, height = (f32)view.height;
