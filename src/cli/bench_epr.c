@@ -153,15 +153,20 @@ const ts_paper_table ts_epr_2 = {
 	.relations = relations, .rows = rows,
 };
 
-/* Table 3. */
+/* Table 3. EPR's points are those that no eye can miss; by the printed ratio, and by that of pixels, they are fewer. */
+enum { M_EPR_PAPER = M_IVIR + 1, M_EPR_UNIT };
+
 static const ts_bench_variant omni_variants[] = {
 	[M_EPR] = { "epr", "", true, false },
 	[M_MVR] = { "mvr", "", true, false },
 	[M_IVIR] = { "ivir", "buffered=on", true, false },
+	[M_EPR_PAPER] = { "epr", "shadow.rate=paper", true, true },
+	[M_EPR_UNIT] = { "epr", "shadow.rate=unit", true, true },
 	{ 0 }
 };
 
-enum { O_POINTS, O_MS, O_IVIR_POINTS, O_IVIR_MS, O_MVR_MS, O_SHARE, O_OVER_IVIR, O_OVER_MVR, O_RMSE, O_IVIR_RMSE };
+enum { O_POINTS, O_MS, O_IVIR_POINTS, O_IVIR_MS, O_MVR_MS, O_SHARE, O_OVER_IVIR, O_OVER_MVR, O_RMSE, O_IVIR_RMSE,
+       O_PAPER_POINTS, O_PAPER_SHARE, O_PAPER_RMSE, O_UNIT_POINTS, O_UNIT_SHARE, O_UNIT_RMSE };
 
 static const ts_bench_figure omni_figures[] = {
 	[O_POINTS] = { "points", "EPR points", TS_FIGURE_COUNTER, M_EPR, 0, TS_WHOLE, "points" },
@@ -174,12 +179,20 @@ static const ts_bench_figure omni_figures[] = {
 	[O_OVER_MVR] = { "over_mvr", "MVR / EPR", TS_FIGURE_RATIO, O_MVR_MS, O_MS, 2, "" },
 	[O_RMSE] = { "rmse", "EPR RMSE", TS_FIGURE_RMSE, M_EPR, M_MVR, 3, "" },
 	[O_IVIR_RMSE] = { "ivir_rmse", "iVIR RMSE", TS_FIGURE_RMSE, M_IVIR, M_MVR, 3, "" },
+	[O_PAPER_POINTS] = { "paper_points", "as printed", TS_FIGURE_COUNTER, M_EPR_PAPER, 0, TS_WHOLE, "points" },
+	[O_PAPER_SHARE] = { "paper_share", "by iVIR's", TS_FIGURE_RATIO, O_PAPER_POINTS, O_IVIR_POINTS, 3, "" },
+	[O_PAPER_RMSE] = { "paper_rmse", "RMSE", TS_FIGURE_RMSE, M_EPR_PAPER, M_MVR, 3, "" },
+	[O_UNIT_POINTS] = { "unit_points", "by pixels", TS_FIGURE_COUNTER, M_EPR_UNIT, 0, TS_WHOLE, "points" },
+	[O_UNIT_SHARE] = { "unit_share", "by iVIR's", TS_FIGURE_RATIO, O_UNIT_POINTS, O_IVIR_POINTS, 3, "" },
+	[O_UNIT_RMSE] = { "unit_rmse", "RMSE", TS_FIGURE_RMSE, M_EPR_UNIT, M_MVR, 3, "" },
 	{ 0 }
 };
 
 static const ts_paper_part omni_parts[] = {
 	{ "epr_3", "EPR, table 3: points, and RMSE to MVR's image in grey levels", { O_POINTS, O_IVIR_POINTS, O_SHARE,
 	  O_RMSE, O_IVIR_RMSE, TS_NO_FIGURE } },
+	{ "epr_3_rates", "EPR's points by the other rates, as printed and by the ratio in pixels (shadow.rate)", { O_PAPER_POINTS,
+	  O_PAPER_SHARE, O_PAPER_RMSE, O_UNIT_POINTS, O_UNIT_SHARE, O_UNIT_RMSE, TS_NO_FIGURE } },
 	{ "epr_3_ms", "EPR, table 3: points and depth maps, ms", { O_MS, O_IVIR_MS, O_MVR_MS, O_OVER_IVIR, O_OVER_MVR,
 	  TS_NO_FIGURE } },
 	{ 0 }
@@ -187,6 +200,8 @@ static const ts_paper_part omni_parts[] = {
 
 static const ts_paper_relation omni_relations[] = {
 	{ "EPR's points / iVIR's", O_SHARE, TS_AT_MOST, 0, 1, TS_NO_FIGURE, 0, 0, "more points than iVIR", O_POINTS },
+	{ "EPR's as printed / iVIR's", O_PAPER_SHARE, TS_AT_MOST, 0, 0.8, TS_NO_FIGURE, 0, 0, "eye and light as far from most",
+	  O_PAPER_POINTS },
 	{ 0 }
 };
 
