@@ -1,5 +1,5 @@
 /* Loops for vectors: compiled for each width that processors have, and the widest taken when the program starts. The bits
- * are the same, as nothing is contracted and no sum is reordered (CONTRACT rules 1 and 2). Not where threads are watched:
+ * are the same, as nothing is contracted and no sum is reordered (CONTRACT rule 4). Not where threads are watched:
  * what chooses runs before the watcher. */
 #ifndef TS_BACKENDS_C_WIDE_H
 #define TS_BACKENDS_C_WIDE_H
