@@ -28,7 +28,10 @@ static void random_scene(mesh *m, ts_offscreen *views, u32 n_views)
 		ts_v3 corner[3];
 		for (u32 k = 0; k < 3; k++) corner[k] = extreme_corner(&views[random_bits() % n_views]);
 		mesh_triangle(m, corner[0], corner[1], corner[2], 1, 0);
-		for (u32 w = 0; w < 2; w++) m->bits[t * 2 + w] = random_bits() % 4 == 0 ? 0 : (u64)random_bits() << 32 | random_bits();
+		for (u32 w = 0; w < 2; w++) {
+			u64 word = (u64)random_bits() << 32;
+			m->bits[t * 2 + w] = random_bits() % 4 == 0 ? 0 : word | random_bits();
+		}
 		u64 beyond = n_views < 64 ? ~0UL << n_views : 0;
 		m->bits[t * 2] &= ~beyond;
 		if (n_views < 128) m->bits[t * 2 + 1] &= n_views <= 64 ? 0 : ~(~0UL << (n_views - 64));
