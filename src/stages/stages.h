@@ -121,7 +121,9 @@ ts_pyramid ts_view_pyramid(const ts_params *params);
  * or nothing is culled. */
 u32 ts_gather_level(const ts_run *run);
 u32 ts_gather_level_of(const ts_params *params, bool alone);
-/* The parameter `shader` asks for shadows (surfel.c). */
+/* How surfels are filtered, as arguments of kernels have it (surfel_setup.c). */
+ts_filter ts_surfel_filter(const ts_run *run);
+/* The parameter `shader` asks for shadows (deferred.c). */
 bool ts_shader_has_shadows(const ts_params *params);
 /* Arguments of the kernels that make virtual point lights and particles, without offset, paths and lights. */
 ts_vpl_args ts_vpl_arguments(const ts_run *run);

@@ -1,0 +1,30 @@
+/* Sums of the attributes of surfels. */
+#include "stages.h"
+
+static ts_status clear_sums(ts_run *run)
+{
+	bool good = ts_frame_make3(&run->frame, TS_B_blend_sum, run->params.height, run->params.width, TS_BLEND_SUMS) != NULL &&
+	            ts_frame_make2(&run->frame, TS_B_blend_heaviest, run->params.height, run->params.width) != NULL &&
+	            ts_run_fill(run, TS_B_blend_sum, 0) == TS_OK && ts_run_fill(run, TS_B_blend_heaviest, 0xff) == TS_OK;
+	return good ? TS_OK : TS_ERROR;
+}
+
+ts_status ts_stage_blend(ts_run *run)
+{
+	if (clear_sums(run) != TS_OK) return TS_ERROR;
+	ts_blend_args args = {
+		.view = ts_frame_handle(&run->frame, TS_B_eye_view),
+		.surfels = ts_frame_handle(&run->frame, TS_B_scene_surfel),
+		.discs = ts_frame_handle(&run->frame, TS_B_surfel_setup_disc),
+		.keys = ts_frame_handle(&run->frame, TS_B_surfel_depth_surfel),
+		.sums = ts_frame_handle(&run->frame, TS_B_blend_sum),
+		.heaviest = ts_frame_handle(&run->frame, TS_B_blend_heaviest),
+		.tally = ts_frame_tallies(&run->frame),
+		.filter = ts_surfel_filter(run),
+	};
+	u64 n = ts_frame_n(&run->frame, TS_B_scene_surfel);
+	if (args.tally == NULL || ts_run_launch(run, TS_KERNEL_blend, &args, n) != TS_OK) return TS_ERROR;
+	ts_run_count(run, "fragments", ts_frame_tally(&run->frame, 0));
+	ts_run_count(run, "pixels of boxes", ts_frame_tally(&run->frame, 1));
+	return TS_OK;
+}
