@@ -63,19 +63,34 @@ void ts_surfel_straighten(ts_surfel *surfel)
 	ts_store3(surfel->v, ts_add(ts_scale(u, sin), ts_scale(v, cos)));
 }
 
-static int compare(const void *a, const void *b)
+/* Ascending, by one byte after another from the least. `room` is for as many. */
+static void sort(u32 *keys, u32 *room, u32 n)
 {
-	f32 x = *(const f32 *)a, y = *(const f32 *)b;
-	return (x > y) - (x < y);
+	for (u32 shift = 0; shift < 32; shift += 8) {
+		u32 start[257] = {0};
+		for (u32 i = 0; i < n; i++) start[(keys[i] >> shift & 255) + 1]++;
+		for (u32 byte = 0; byte < 256; byte++) start[byte + 1] += start[byte];
+		for (u32 i = 0; i < n; i++) room[start[keys[i] >> shift & 255]++] = keys[i];
+		u32 *sorted = room;
+		room = keys;
+		keys = sorted;
+	}
 }
 
+static f32 squared(ts_v3 a) { return ts_flush(ts_dot(a, a)); }
+
+/* Of squares, which have the order of what they are of, and of their bits. */
 ts_status ts_surfel_quantiles(f32 quantile[TS_SURFEL_QUANTILES], const ts_surfel *surfels, u32 n)
 {
-	f32 *radius = ts_alloc(n, sizeof *radius, "radii of surfels");
-	if (radius == NULL) return TS_ERROR;
-	for (u32 i = 0; i < n; i++) radius[i] = ts_max(ts_length(ts_load3(surfels[i].u)), ts_length(ts_load3(surfels[i].v)));
-	qsort(radius, n, sizeof *radius, compare);
-	for (u64 k = 0; k < TS_SURFEL_QUANTILES; k++) quantile[k] = radius[(n - 1) * k / (TS_SURFEL_QUANTILES - 1)];
-	free(radius);
+	u32 *key = ts_alloc(n, 2 * sizeof *key, "radii of surfels");
+	if (key == NULL) return TS_ERROR;
+	for (u32 i = 0; i < n; i++) {
+		key[i] = ts_f2u(ts_max(squared(ts_load3(surfels[i].u)), squared(ts_load3(surfels[i].v))));
+	}
+	sort(key, key + n, n);
+	for (u64 k = 0; k < TS_SURFEL_QUANTILES; k++) {
+		quantile[k] = ts_sqrt(ts_u2f(key[(n - 1) * k / (TS_SURFEL_QUANTILES - 1)]));
+	}
+	free(key);
 	return TS_OK;
 }

@@ -166,6 +166,39 @@ static void quantiles_are_of_the_longer_axis(void **state)
 	assert_true(q[0] == 9.0f && q[4] == 9.0f);
 }
 
+static int by_value(const void *a, const void *b)
+{
+	f32 x = *(const f32 *)a, y = *(const f32 *)b;
+	return (x > y) - (x < y);
+}
+
+static ts_v3 random_axis(u32 i, u32 stream, f32 range)
+{
+	f32 scale = exp2f(range * number(i, stream));
+	return ts_v3_make(scale * number(i, stream + 1), scale * number(i, stream + 2), scale * number(i, stream + 3));
+}
+
+static void quantiles_are_of_sorted_lengths(void **state)
+{
+	(void)state;
+	enum { MOST = 1000 };
+	ts_surfel s[MOST];
+	f32 length[MOST], q[TS_SURFEL_QUANTILES];
+	for (u32 run = 0; run < 60; run++) {
+		u32 n = run < 9 ? run + 1 : 1 + ts_random(run, 9, 3) % MOST;
+		for (u32 i = 0; i < n; i++) {
+			f32 range = run % 3 == 0 ? 30.0f : run % 3 == 1 ? 1.0f : 0.0f;
+			ts_v3 u = random_axis(i + 1000 * run, 1, range), v = random_axis(i + 1000 * run, 5, range);
+			ts_store3(s[i].u, u);
+			ts_store3(s[i].v, v);
+			length[i] = ts_max(ts_length(u), ts_length(v));
+		}
+		qsort(length, n, sizeof *length, by_value);
+		assert_int_equal(ts_surfel_quantiles(q, s, n), TS_OK);
+		for (u32 k = 0; k < 5; k++) assert_true(q[k] == length[(n - 1) * k / 4]);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -176,6 +209,7 @@ int main(void)
 		cmocka_unit_test(nodes_carry_ellipses_whatever_they_do_to_angles),
 		cmocka_unit_test(flattening_nodes_leave_nothing),
 		cmocka_unit_test(quantiles_are_of_the_longer_axis),
+		cmocka_unit_test(quantiles_are_of_sorted_lengths),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
