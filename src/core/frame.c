@@ -54,7 +54,9 @@ static void release(const ts_frame *frame, ts_buffer *buffer)
 	buffer->resident = NULL;
 }
 
-void *ts_frame_make(ts_frame *frame, ts_buffer_id id, u32 n_dims, const u64 *shape)
+typedef void *allocator(size_t count, size_t size, const char *what);
+
+static void *make(ts_frame *frame, ts_buffer_id id, u32 n_dims, const u64 *shape, allocator *allocate)
 {
 	assert(id < TS_N_BUFFERS && n_dims >= 1 && n_dims <= 4);
 	ts_frame_drop(frame, id);
@@ -71,7 +73,7 @@ void *ts_frame_make(ts_frame *frame, ts_buffer_id id, u32 n_dims, const u64 *sha
 		        (double)ts_memory_limit() / 1e9);
 		return NULL;
 	}
-	void *data = ts_alloc((size_t)n, info->element_bytes, info->name);
+	void *data = allocate((size_t)n, info->element_bytes, info->name);
 	if (!data) return NULL;
 	ts_buffer *buffer = &frame->buffer[id];
 	*buffer = (ts_buffer){.data = data, .n = n, .bytes = n * info->element_bytes, .n_dims = n_dims, .made = true};
@@ -79,6 +81,16 @@ void *ts_frame_make(ts_frame *frame, ts_buffer_id id, u32 n_dims, const u64 *sha
 	frame->bytes += buffer->bytes;
 	frame->peak_bytes = frame->bytes > frame->peak_bytes ? frame->bytes : frame->peak_bytes;
 	return data;
+}
+
+void *ts_frame_make(ts_frame *frame, ts_buffer_id id, u32 n_dims, const u64 *shape)
+{
+	return make(frame, id, n_dims, shape, ts_alloc);
+}
+
+void *ts_frame_zeros(ts_frame *frame, ts_buffer_id id, u32 n_dims, const u64 *shape)
+{
+	return make(frame, id, n_dims, shape, ts_alloc_zero);
 }
 
 void *ts_frame_make1(ts_frame *frame, ts_buffer_id id, u64 n)

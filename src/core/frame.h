@@ -58,6 +58,8 @@ void *ts_frame_make(ts_frame *frame, ts_buffer_id id, u32 n_dims, const u64 *sha
 void *ts_frame_make1(ts_frame *frame, ts_buffer_id id, u64 n);
 void *ts_frame_make2(ts_frame *frame, ts_buffer_id id, u64 n0, u64 n1);
 void *ts_frame_make3(ts_frame *frame, ts_buffer_id id, u64 n0, u64 n1, u64 n2);
+/* The same with zeros in host memory, of which those that nobody writes take none. */
+void *ts_frame_zeros(ts_frame *frame, ts_buffer_id id, u32 n_dims, const u64 *shape);
 /* Makes a buffer of memory that outlives the frame. */
 void ts_frame_borrow(ts_frame *frame, ts_buffer_id id, const void *data, u64 n);
 /* What arguments of kernels hold; the buffer must exist. Its contents may be elsewhere. */

@@ -42,7 +42,7 @@ TS_FN void ts_k_surfel_mean_item(const ts_surfel_mean_args *args, u64 i)
 	TS_GLOBAL const i64 *sums = args->sums + i * TS_BLEND_SUMS;
 	TS_GLOBAL ts_gpixel *pixel = &args->pixels[i];
 	ts_v3 zero = ts_v3_make(0.0f, 0.0f, 0.0f);
-	if (sums[TS_BLEND_WEIGHT] <= 0 || args->heaviest[i] == TS_EMPTY) {
+	if (args->heaviest[i] == TS_EMPTY || sums[TS_BLEND_WEIGHT] <= 0) {
 		ts_k_gpixel_store(pixel, zero, TS_SKY, zero, zero);
 		return;
 	}

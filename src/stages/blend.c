@@ -3,9 +3,10 @@
 
 static ts_status clear_sums(ts_run *run)
 {
-	bool good = ts_frame_make3(&run->frame, TS_B_blend_sum, run->params.height, run->params.width, TS_BLEND_SUMS) != NULL &&
-	            ts_frame_make2(&run->frame, TS_B_blend_heaviest, run->params.height, run->params.width) != NULL &&
-	            ts_run_fill(run, TS_B_blend_sum, 0) == TS_OK && ts_run_fill(run, TS_B_blend_heaviest, 0xff) == TS_OK;
+	const u64 shape[3] = {run->params.height, run->params.width, TS_BLEND_SUMS};
+	bool good = ts_run_zeros(run, TS_B_blend_sum, 3, shape) != NULL &&
+	            ts_frame_make(&run->frame, TS_B_blend_heaviest, 2, shape) != NULL &&
+	            ts_run_fill(run, TS_B_blend_heaviest, 0xff) == TS_OK;
 	return good ? TS_OK : TS_ERROR;
 }
 

@@ -156,6 +156,13 @@ ts_status ts_run_fill(ts_run *run, ts_buffer_id id, u8 byte)
 	return backend->fill(backend, &run->frame, id, byte);
 }
 
+void *ts_run_zeros(ts_run *run, ts_buffer_id id, u32 n_dims, const u64 *shape)
+{
+	void *data = ts_frame_zeros(&run->frame, id, n_dims, shape);
+	bool good = data != NULL && (run->backend == NULL || ts_run_fill(run, id, 0) == TS_OK);
+	return good ? data : NULL;
+}
+
 ts_status ts_run_scan(ts_run *run, ts_buffer_id id, const char *what, u64 *total)
 {
 	ts_backend *backend = backend_of(run);

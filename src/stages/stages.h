@@ -141,6 +141,8 @@ u64 ts_run_n_texels(const ts_run *run, u32 first, u32 n);
 /* The run's backend at work: see backend.h. */
 ts_status ts_run_launch(ts_run *run, ts_kernel kernel, const void *args, u64 n);
 ts_status ts_run_fill(ts_run *run, ts_buffer_id id, u8 byte);
+/* Makes a buffer of zeros, for what mostly stays zero. */
+void *ts_run_zeros(ts_run *run, ts_buffer_id id, u32 n_dims, const u64 *shape);
 /* The total must stay below 2^32 - 1; `what` names what is counted in the message. */
 ts_status ts_run_scan(ts_run *run, ts_buffer_id id, const char *what, u64 *total);
 /* The message of more. */

@@ -14,7 +14,8 @@ ts_status ts_stage_surfel_mean(ts_run *run)
 		.tally = ts_frame_tallies(&run->frame),
 	};
 	if (args.pixels == NULL || args.tally == NULL) return TS_ERROR;
-	if (ts_run_launch(run, TS_KERNEL_surfel_mean, &args, ts_frame_n(&run->frame, TS_B_gbuffer_pixel)) != TS_OK) return TS_ERROR;
+	u64 n = ts_frame_n(&run->frame, TS_B_gbuffer_pixel);
+	if (ts_run_launch(run, TS_KERNEL_surfel_mean, &args, n) != TS_OK) return TS_ERROR;
 	ts_run_count(run, "shading operations", ts_frame_tally(&run->frame, 0));
 	return TS_OK;
 }

@@ -1,0 +1,29 @@
+/* Which surfels each tile of an image has, so that a thread can own a tile. */
+#ifndef TS_BACKENDS_SURFEL_BINS_H
+#define TS_BACKENDS_SURFEL_BINS_H
+#include "../backend.h"
+
+/* Tiles that a surfel may touch; none where the last is before the first. */
+typedef struct { int16_t first[2], last[2]; } ts_surfel_span;
+
+/* In each tile the surfels of the first lot, then of the next; a lot is surfels beside each other, so all are in order. */
+typedef struct {
+	const ts_disc *discs;
+	u64 n;
+	u32 n_columns, n_tiles, n_lots;
+	u64 *place;            /* [lot][tile]: how many there are, then where the next belongs, then where they end */
+	u32 *surfel;
+	ts_surfel_span *spans; /* of all surfels */
+} ts_surfel_bins;
+
+/* Of n discs in a view. False without memory for them, or where they touch 16 tiles on average. Released by
+ * ts_surfel_bins_free, also where it is false. */
+bool ts_surfel_bins_make(ts_surfel_bins *bins, const ts_view *view, const ts_disc *discs, u64 n, u32 threads);
+void ts_surfel_bins_free(ts_surfel_bins *bins);
+/* Places in `surfel` of those of a tile. */
+u64 ts_surfel_bin_begin(const ts_surfel_bins *bins, u32 tile);
+u64 ts_surfel_bin_end(const ts_surfel_bins *bins, u32 tile);
+/* A surfel with as much of its box as is in the tile. */
+ts_disc ts_surfel_bins_disc(const ts_surfel_bins *bins, u32 tile, u32 surfel);
+
+#endif

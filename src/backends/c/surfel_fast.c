@@ -1,0 +1,275 @@
+/* Fast paths of the surfel kernels, with the same bits: a thread owns a tile of the image and draws the surfels of its bin,
+ * so there are no atomics; the order is that of the surfels, but sums of integers and minima would not show another. What
+ * all items count is counted by each thread first. */
+#include "../backend.h"
+#include "surfel_bins.h"
+#include "wide.h"
+
+enum { ITEMS = 1024 };
+
+/* Pixels of a box side by side, in fours of which the last are not used, for loops that compilers vectorize; and what a
+ * surfel has there. */
+enum { BLOCK = 64 };
+typedef struct {
+	u32 n;
+	u64 pixel[BLOCK];
+	i32 x[BLOCK], y[BLOCK], covers[BLOCK];
+	f32 dx[BLOCK], dy[BLOCK], r2[BLOCK], z[BLOCK], weight[BLOCK];
+} block;
+
+/* The next pixels of a box from (*x, *y) on; false behind the last. */
+static bool next_block(block *b, const ts_disc *disc, u64 width, i32 *x, i32 *y)
+{
+	b->n = 0;
+	while (*y <= disc->high[1] && b->n < BLOCK) {
+		b->pixel[b->n] = (u64)*y * width + (u64)*x;
+		b->x[b->n] = *x;
+		b->y[b->n++] = *y;
+		bool ends = ++*x > disc->high[0];
+		*x = ends ? disc->low[0] : *x;
+		*y += ends;
+	}
+	return b->n > 0;
+}
+
+/* Only those that are covered, without a branch, for half of them are not. */
+static void keep_covered(block *b)
+{
+	u32 n = 0;
+	for (u32 i = 0; i < b->n; i++) {
+		b->pixel[n] = b->pixel[i];
+		b->x[n] = b->x[i];
+		b->y[n] = b->y[i];
+		b->r2[n] = b->r2[i];
+		b->z[n] = b->z[i];
+		n += (u32)b->covers[i];
+	}
+	b->n = n;
+}
+
+static u32 padded(u32 n) { return (n + 3) / 4 * 4; }
+
+/* ts_k_disc_hit, by selects; `covers` is whether it is inside. */
+static void cast_block(block *b, ts_disc disc, f32 near)
+{
+	i32 faces = (disc.flags & TS_DISC_FLAT) == 0 ? 1 : 0;
+	bool parallel = (disc.flags & TS_DISC_PARALLEL) != 0;
+	for (u32 i = 0; i < padded(b->n); i++) {
+		f32 dx = (f32)(b->x[i] - disc.pixel[0]) - disc.fraction[0];
+		f32 dy = (f32)(b->y[i] - disc.pixel[1]) - disc.fraction[1];
+		f32 tilt = disc.g[0] * dx + disc.g[1] * dy;
+		f32 divisor = parallel ? 1.0f : 1.0f + tilt;
+		i32 in = divisor > 0.0f ? faces : 0;
+		f32 inverse = 1.0f / (in != 0 ? divisor : 1.0f);
+		f32 across = (disc.a[0] * dx + disc.a[1] * dy) * inverse;
+		f32 along = (disc.b[0] * dx + disc.b[1] * dy) * inverse;
+		f32 r2 = across * across + along * along;
+		f32 z = disc.depth * (parallel ? 1.0f - tilt : inverse);
+		in = r2 <= 1.0f ? in : 0;
+		in = z >= near ? in : 0;
+		b->dx[i] = dx;
+		b->dy[i] = dy;
+		b->r2[i] = r2;
+		b->z[i] = z;
+		b->covers[i] = in;
+	}
+}
+
+static void shift_block(block *b, ts_camera_k view, f32 epsilon)
+{
+	for (u32 i = 0; i < padded(b->n); i++) {
+		u32 bits = ts_f2u(b->z[i] + ts_k_pixel_shift(&view, epsilon, b->x[i], b->y[i]));
+		b->z[i] = ts_u2f((bits & 0x7fffffffu) < 0x0d800000u ? 0u : bits); /* ts_put */
+	}
+}
+
+static void depth_surfel(block *b, u64 *keys, const ts_camera_k *view, ts_disc disc, f32 epsilon, u32 surfel)
+{
+	i32 x = disc.low[0], y = disc.low[1];
+	while (next_block(b, &disc, (u64)view->width, &x, &y)) {
+		cast_block(b, disc, view->near);
+		keep_covered(b);
+		shift_block(b, *view, epsilon);
+		for (u32 i = 0; i < b->n; i++) {
+			u64 *at = &keys[b->pixel[i]], key = ((u64)ts_f2u(b->z[i]) << 32) | surfel;
+			*at = key < *at ? key : *at;
+		}
+	}
+}
+
+TS_WIDE __attribute__((flatten))
+static void depth_tile(const ts_surfel_depth_args *args, const ts_surfel_bins *b, u32 tile)
+{
+	block pixels = {.n = 0};
+	ts_camera_k view = ts_k_view(args->view);
+	for (u64 k = ts_surfel_bin_begin(b, tile); k < ts_surfel_bin_end(b, tile); k++) {
+		depth_surfel(&pixels, args->keys, &view, ts_surfel_bins_disc(b, tile, b->surfel[k]), args->epsilon[0], b->surfel[k]);
+	}
+}
+
+bool ts_c_surfel_depth_fast(const ts_surfel_depth_args *args, u64 n, u32 threads)
+{
+	ts_surfel_bins b;
+	bool made = ts_surfel_bins_make(&b, args->view, args->discs, n, threads);
+	if (made) {
+#pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
+		for (i64 tile = 0; tile < (i64)b.n_tiles; tile++) depth_tile(args, &b, (u32)tile);
+	}
+	ts_surfel_bins_free(&b);
+	return made;
+}
+
+/* What a surfel adds for a weight of 1, and the place of fragments. */
+typedef struct { f32 value[TS_BLEND_SUMS]; } terms;
+
+/* False where ts_fix may saturate. */
+static bool make_terms(terms *t, const ts_attributes *attributes)
+{
+	bool small = true;
+	memcpy(t->value, attributes->value, sizeof attributes->value);
+	t->value[TS_BLEND_WEIGHT] = 1.0f;
+	t->value[TS_BLEND_FRAGMENTS] = 0.0f;
+	for (u32 k = 0; k < TS_BLEND_WEIGHT; k++) small &= ts_abs(t->value[k]) < 1.5f;
+	return small;
+}
+
+typedef union { double number; i64 bits; } parts;
+
+/* ts_k_blend_add of weights up to 1: adding what has its last bit at 2^-30 rounds there. */
+static void blend_add(const ts_blend_args *args, u64 pixel, u32 surfel, const terms *t, f32 weight)
+{
+	const parts grid = {.number = 6291456.0};
+	i64 *sums = args->sums + pixel * TS_BLEND_SUMS;
+	for (u32 k = 0; k < TS_BLEND_SUMS; k++) {
+		parts sum = {.number = (double)(weight * t->value[k]) + grid.number};
+		sums[k] += sum.bits - grid.bits;
+	}
+	sums[TS_BLEND_FRAGMENTS]++;
+	u64 heavy = ((u64)~ts_f2u(ts_put(weight)) << 32) | surfel;
+	args->heaviest[pixel] = heavy < args->heaviest[pixel] ? heavy : args->heaviest[pixel];
+}
+
+/* ts_k_fragment_radius, by selects. */
+static void radius_block(block *b, f32 depth, ts_filter filter)
+{
+	i32 objects = filter.filter != TS_FILTER_IS_SCREEN ? 1 : 0;
+	i32 screens = filter.per_sigma2 > 0.0f && filter.filter != TS_FILTER_IS_OBJECT ? 1 : 0;
+	for (u32 i = 0; i < padded(b->n); i++) {
+		f32 object2 = b->r2[i], z = b->z[i];
+		f32 screen2 = (b->dx[i] * b->dx[i] + b->dy[i] * b->dy[i]) * filter.per_sigma2;
+		i32 inside = b->covers[i];
+		i32 object = inside & objects, screen = (screen2 <= 1.0f ? 1 : 0) & screens;
+		f32 lesser = screen2 < object2 ? screen2 : object2;
+		f32 both = screen != 0 ? lesser : object2;
+		f32 r2 = object != 0 ? both : screen2;
+		b->r2[i] = r2;
+		b->z[i] = inside != 0 ? z : depth;
+		b->covers[i] = object | screen;
+	}
+}
+
+static void keep_seen(block *b, const u64 *keys)
+{
+	for (u32 i = 0; i < b->n; i++) b->covers[i] &= ts_k_is_visible(keys[b->pixel[i]], b->z[i]) ? 1 : 0;
+	keep_covered(b);
+}
+
+static void weigh_block(block *b, f32 fall)
+{
+	for (u32 i = 0; i < padded(b->n); i++) b->weight[i] = ts_exp(-(b->r2[i] * fall));
+}
+
+static i64 blend_surfel(block *b, const ts_blend_args *args, const ts_camera_k *view, ts_disc disc, u32 surfel)
+{
+	ts_attributes attributes = ts_k_attributes(&args->surfels[surfel], &disc);
+	terms each;
+	bool small = make_terms(&each, &attributes);
+	i32 x = disc.low[0], y = disc.low[1];
+	i64 n = 0;
+	while (next_block(b, &disc, (u64)view->width, &x, &y)) {
+		cast_block(b, disc, view->near);
+		radius_block(b, disc.depth, args->filter);
+		keep_seen(b, args->keys);
+		weigh_block(b, args->filter.fall);
+		for (u32 k = 0; k < b->n; k++) {
+			if (small) {
+				blend_add(args, b->pixel[k], surfel, &each, b->weight[k]);
+			} else {
+				ts_k_blend_add(args, b->pixel[k], surfel, &attributes, b->weight[k]);
+			}
+		}
+		n += b->n;
+	}
+	return n;
+}
+
+TS_WIDE __attribute__((flatten))
+static void blend_tile(const ts_blend_args *args, const ts_surfel_bins *b, u32 tile)
+{
+	block in = {.n = 0};
+	ts_camera_k view = ts_k_view(args->view);
+	i64 n = 0, pixels = 0;
+	for (u64 k = ts_surfel_bin_begin(b, tile); k < ts_surfel_bin_end(b, tile); k++) {
+		ts_disc disc = ts_surfel_bins_disc(b, tile, b->surfel[k]);
+		n += blend_surfel(&in, args, &view, disc, b->surfel[k]);
+		pixels += (i64)(disc.high[0] - disc.low[0] + 1) * (i64)(disc.high[1] - disc.low[1] + 1);
+	}
+	ts_add_i64(&args->tally[0], n);
+	ts_add_i64(&args->tally[1], pixels);
+}
+
+bool ts_c_blend_fast(const ts_blend_args *args, u64 n, u32 threads)
+{
+	ts_surfel_bins b;
+	if (args->filter.filter == TS_FILTER_IS_EWA) return false;
+	bool made = ts_surfel_bins_make(&b, args->view, args->discs, n, threads);
+	if (made) {
+#pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
+		for (i64 tile = 0; tile < (i64)b.n_tiles; tile++) blend_tile(args, &b, (u32)tile);
+	}
+	ts_surfel_bins_free(&b);
+	return made;
+}
+
+void ts_c_surfel_setup_fast(const ts_surfel_setup_args *args, u64 n, u32 threads)
+{
+	enum { FATES = TS_DISC_BESIDE + 1 };
+#pragma omp parallel num_threads(threads)
+	{
+		i64 tally[FATES] = {0};
+		ts_surfel_setup_args own = *args;
+		own.tally = tally;
+#pragma omp for schedule(dynamic, ITEMS)
+		for (i64 i = 0; i < (i64)n; i++) ts_k_surfel_setup_item(&own, (u64)i);
+		for (u32 fate = 0; fate < FATES; fate++) ts_add_i64(&args->tally[fate], tally[fate]);
+	}
+}
+
+void ts_c_surfel_mean_fast(const ts_surfel_mean_args *args, u64 n, u32 threads)
+{
+#pragma omp parallel num_threads(threads)
+	{
+		i64 tally = 0;
+		ts_surfel_mean_args own = *args;
+		own.tally = &tally;
+#pragma omp for schedule(dynamic, ITEMS)
+		for (i64 i = 0; i < (i64)n; i++) ts_k_surfel_mean_item(&own, (u64)i);
+		ts_add_i64(&args->tally[0], tally);
+	}
+}
+
+void ts_c_deferred_fast(const ts_deferred_args *args, u64 n, u32 threads)
+{
+	f32 radiance[3];
+	u8 srgb[3];
+	ts_k_show(radiance, srgb, ts_k_background(), args->exposure);
+#pragma omp parallel for schedule(dynamic, ITEMS) num_threads(threads)
+	for (i64 i = 0; i < (i64)n; i++) {
+		if (args->pixels[i].depth == TS_SKY) {
+			memcpy(args->radiance + i * 3, radiance, sizeof radiance);
+			memcpy(args->srgb + i * 3, srgb, sizeof srgb);
+		} else {
+			ts_k_deferred_item(args, (u64)i);
+		}
+	}
+}
