@@ -232,7 +232,7 @@ mutants: deps
 
 ##   bench              the papers' tables, measured here, and every backend on one frame
 bench: all
-	for table in ivir-1 ivir-2 ivir-3 epr-1 epr-2 epr-3 epr-6 ssagh-1 ssagh-segments ssagh-5 ssagh-7 mega-10 mega-10-bounces mega-12 mega-13 mega-16 mega-particles backends; do build/touchstone bench $$table || exit; done
+	for table in ivir-1 ivir-2 ivir-3 epr-1 epr-2 epr-3 epr-6 ssagh-1 ssagh-segments ssagh-5 ssagh-7 mega-10 mega-10-bounces mega-12 mega-13 mega-16 mega-particles nv40 backends; do build/touchstone bench $$table || exit; done
 
 ##   style              the checks of the source text
 ##   format             clang-format of the C and C++ sources

@@ -63,6 +63,7 @@ static const struct {
 	{ "mega-13", TS_OPT_METHOD | TS_OPT_TRUTH, &ts_mega_13, NULL },
 	{ "mega-16", TS_OPT_METHOD | TS_OPT_TRUTH, &ts_mega_16, NULL },
 	{ "mega-particles", TS_OPT_METHOD | TS_OPT_TRUTH, &ts_mega_particles, NULL },
+	{ "nv40", TS_OPT_METHOD | TS_OPT_TRUTH | TS_OPT_SIZE, &ts_nv40, NULL },
 	{ "start", TS_OPT_TRUTH | FILES, NULL, ts_bench_start },
 };
 enum { N_TABLES = sizeof tables / sizeof tables[0] };

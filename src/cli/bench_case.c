@@ -45,11 +45,22 @@ ts_status ts_bench_case_params(ts_params *params, const ts_bench_case *c, u32 va
 	return ts_bench_set(params, c->variants[variant].set);
 }
 
+/* Again with surfels if it has none and needs some. */
+static ts_status open_scene(ts_bench_case *c)
+{
+	ts_status status = ts_scene_open(&c->scene, c->spec, &c->params, &c->cli->scene);
+	if (status != TS_OK || c->sampled == 0 || c->scene->n_surfels > 0) return status;
+	ts_scene_free(c->scene);
+	c->scene = NULL;
+	c->params.from_mesh = c->sampled;
+	return ts_scene_open(&c->scene, c->spec, &c->params, &c->cli->scene);
+}
+
 ts_status ts_bench_case_open(ts_bench_case *c, const char *spec, const ts_params *params)
 {
 	c->spec = spec;
 	c->params = *params;
-	ts_status status = ts_scene_open(&c->scene, spec, &c->params, &c->cli->scene);
+	ts_status status = open_scene(c);
 	for (u32 v = 0; status == TS_OK && c->variants[v].method != NULL; v++) {
 		ts_params own;
 		u64 bytes;
@@ -100,15 +111,17 @@ static ts_status run_variant(ts_bench_case *c, u32 v, bool first)
 	seen s = { c, v };
 	bool takes = first && c->variants[v].seen;
 	if (ts_bench_case_params(&params, c, v) != TS_OK) return TS_ERROR;
+	ts_how how = c->cli->how;
+	if (c->variants[v].runs == TS_ALONE) how.threads = 1;
 	c->measures[v] = (ts_measure){ .pictures = NULL };
-	return ts_measure_run(&c->measures[v], c->methods[v], c->scene, &params, &c->cli->how, takes ? take_image : NULL, &s);
+	return ts_measure_run(&c->measures[v], c->methods[v], c->scene, &params, &how, takes ? take_image : NULL, &s);
 }
 
 ts_status ts_bench_case_run(ts_bench_case *c, u32 run)
 {
 	ts_status status = TS_OK;
 	for (u32 v = 0; status == TS_OK && v < c->n_variants; v++) {
-		bool runs = c->methods[v] != NULL && (run == 0 || !c->variants[v].once);
+		bool runs = c->methods[v] != NULL && (run == 0 || c->variants[v].runs != TS_ONCE);
 		if (runs) status = run_variant(c, v, run == 0);
 	}
 	if (status == TS_OK && run == 0 && (c->truths & TS_TRUTH_C) != 0) {

@@ -6,12 +6,18 @@
 
 enum { TS_BENCH_VARIANTS = 24 }; /* at most */
 
+typedef enum {
+	TS_TIMED,
+	TS_ONCE,     /* one run */
+	TS_ALONE,    /* timed, of one thread */
+} ts_bench_runs;
+
 /* A method with what is set for it, beside what was typed. */
 typedef struct {
 	const char *method;
 	const char *set;     /* "NAME=VALUE,..." */
 	bool seen;           /* its image is kept */
-	bool once;           /* one run */
+	ts_bench_runs runs;
 } ts_bench_variant;
 
 typedef struct {
@@ -26,6 +32,7 @@ typedef struct {
 	const ts_pipeline *methods[TS_BENCH_VARIANTS];    /* NULL: there is none */
 	ts_measure measures[TS_BENCH_VARIANTS];           /* of the last run */
 	ts_picture images[TS_BENCH_VARIANTS], truth;      /* of the first run */
+	u32 sampled;                        /* surfels that scenes without some are sampled to; 0: none */
 	bool hurried;                       /* methods that take long are left out, as if there were none */
 	double empty[TS_BENCH_VARIANTS];    /* share of the texels of leaves' whole maps; of the first run if it is seen */
 } ts_bench_case;

@@ -7,8 +7,8 @@
 enum { M_EPR, M_MVR, M_IVIR, M_EPR_TWICE, M_IVIR_FIXED };
 
 static const ts_bench_variant work_variants[] = {
-	[M_EPR] = { "epr", "", false, false },
-	[M_MVR] = { "mvr", "", false, false },
+	[M_EPR] = { "epr", "", false, TS_TIMED },
+	[M_MVR] = { "mvr", "", false, TS_TIMED },
 	{ 0 }
 };
 
@@ -55,11 +55,11 @@ const ts_paper_table ts_epr_1 = {
 
 /* Table 2. Faces as large as the image asks for are EPR's own (EPR section 4.2): iVIR's points there are those of 512. */
 static const ts_bench_variant variants[] = {
-	[M_EPR] = { "epr", "bounces=1", true, false },
-	[M_MVR] = { "mvr", "bounces=1", true, false },
-	[M_IVIR] = { "ivir", "bounces=1,buffered=on", true, false },
-	[M_EPR_TWICE] = { "epr", "bounces=2", false, false },
-	[M_IVIR_FIXED] = { "ivir", "bounces=1,buffered=on,face_px=512", false, true },
+	[M_EPR] = { "epr", "bounces=1", true, TS_TIMED },
+	[M_MVR] = { "mvr", "bounces=1", true, TS_TIMED },
+	[M_IVIR] = { "ivir", "bounces=1,buffered=on", true, TS_TIMED },
+	[M_EPR_TWICE] = { "epr", "bounces=2", false, TS_TIMED },
+	[M_IVIR_FIXED] = { "ivir", "bounces=1,buffered=on,face_px=512", false, TS_ONCE },
 	{ 0 }
 };
 
@@ -160,11 +160,11 @@ const ts_paper_table ts_epr_2 = {
 enum { M_EPR_PAPER = M_IVIR + 1, M_EPR_UNIT };
 
 static const ts_bench_variant omni_variants[] = {
-	[M_EPR] = { "epr", "", true, false },
-	[M_MVR] = { "mvr", "", true, false },
-	[M_IVIR] = { "ivir", "buffered=on", true, false },
-	[M_EPR_PAPER] = { "epr", "shadow.rate=paper", true, true },
-	[M_EPR_UNIT] = { "epr", "shadow.rate=unit", true, true },
+	[M_EPR] = { "epr", "", true, TS_TIMED },
+	[M_MVR] = { "mvr", "", true, TS_TIMED },
+	[M_IVIR] = { "ivir", "buffered=on", true, TS_TIMED },
+	[M_EPR_PAPER] = { "epr", "shadow.rate=paper", true, TS_ONCE },
+	[M_EPR_UNIT] = { "epr", "shadow.rate=unit", true, TS_ONCE },
 	{ 0 }
 };
 

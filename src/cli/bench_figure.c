@@ -74,9 +74,18 @@ static double rmse(const ts_bench_case *c, ts_figure_kind kind, u32 variant, u32
 	return ts_metrics_compare(reference->srgb, image->srgb, NULL, width, height).rmse;
 }
 
+/* NAN of images that were not kept. */
+static double seen(const ts_picture *image, size_t n_pixels)
+{
+	size_t n = 0;
+	for (size_t i = 0; image->seen != NULL && i < n_pixels; i++) n += image->seen[i];
+	return image->seen != NULL ? (double)n : NAN;
+}
+
 static double measured(const ts_bench_figure *f, const ts_bench_case *c)
 {
 	if (f->kind == TS_FIGURE_TRIANGLES) return c->scene->n_triangles;
+	if (f->kind == TS_FIGURE_SURFELS) return c->scene->n_surfels;
 	if (f->kind == TS_FIGURE_PIXELS) return 1e-6 * c->params.width * c->params.height;
 	if (f->kind == TS_FIGURE_PARAM) return parameter(&c->params, f->what);
 	if (f->kind >= TS_FIGURE_DERIVED || c->methods[f->a] == NULL) return NAN;
@@ -89,6 +98,8 @@ static double measured(const ts_bench_figure *f, const ts_bench_case *c)
 	case TS_FIGURE_TRAVERSED: return (counted(m, "geometry traversals") - 1) * c->scene->n_triangles;
 	case TS_FIGURE_DIAMETER: return m->mean_diameter;
 	case TS_FIGURE_TIME: return all;
+	case TS_FIGURE_SURFEL_RATE: return 1e-6 * c->scene->n_surfels / m->seconds;
+	case TS_FIGURE_SEEN: return seen(&c->images[f->a], (size_t)c->params.width * c->params.height);
 	case TS_FIGURE_STAGE_TIME: return listed_milliseconds(m, f->what);
 	case TS_FIGURE_POINT_TIME: return points;
 	case TS_FIGURE_VIEW_TIME: return views;

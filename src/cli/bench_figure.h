@@ -9,6 +9,7 @@ enum { TS_BENCH_FIGURES = 48 }; /* at most */
 /* Measured: of variant a. Derived: of figures a and b, of our row or of the paper's. */
 typedef enum {
 	TS_FIGURE_TRIANGLES,  /* of the scene */
+	TS_FIGURE_SURFELS,
 	TS_FIGURE_PIXELS,     /* of the eye's image, millions */
 	TS_FIGURE_PARAM,      /* the parameter named in `what` */
 	TS_FIGURE_COUNTER,    /* named in `what` */
@@ -17,6 +18,8 @@ typedef enum {
 	TS_FIGURE_TRAVERSED,  /* triangles in all passes over the geometry but the eye's */
 	TS_FIGURE_DIAMETER,   /* mean side of the cubes in sight, texels */
 	TS_FIGURE_TIME,       /* of the whole frame, ms */
+	TS_FIGURE_SURFEL_RATE, /* surfels of the scene a second of that, millions */
+	TS_FIGURE_SEEN,       /* pixels with a surface, of the image */
 	TS_FIGURE_STAGE_TIME, /* of the stages named in `what`, ms */
 	TS_FIGURE_POINT_TIME, /* making points, ms */
 	TS_FIGURE_VIEW_TIME,  /* filling off-screen views, ms */

@@ -5,14 +5,14 @@
 enum { M_IVIR, M_IVIR_CULL, M_STORED, M_STORED_CULL, M_VIR, M_VIR_CULL, M_MVR, M_WATERTIGHT };
 
 static const ts_bench_variant soft_variants[] = {
-	[M_IVIR] = { "ivir", "buffered=off,cull=off", false, false },
-	[M_IVIR_CULL] = { "ivir", "buffered=off,cull=on", true, false },
-	[M_STORED] = { "ivir", "buffered=on,cull=off", false, false },
-	[M_STORED_CULL] = { "ivir", "buffered=on,cull=on", false, false },
-	[M_VIR] = { "vir", "buffered=on,cull=off", false, false },
-	[M_VIR_CULL] = { "vir", "buffered=on,cull=on", true, false },
-	[M_MVR] = { "mvr", "", true, false },
-	[M_WATERTIGHT] = { "ivir", "rate=watertight,snap=on,buffered=off", true, true },
+	[M_IVIR] = { "ivir", "buffered=off,cull=off", false, TS_TIMED },
+	[M_IVIR_CULL] = { "ivir", "buffered=off,cull=on", true, TS_TIMED },
+	[M_STORED] = { "ivir", "buffered=on,cull=off", false, TS_TIMED },
+	[M_STORED_CULL] = { "ivir", "buffered=on,cull=on", false, TS_TIMED },
+	[M_VIR] = { "vir", "buffered=on,cull=off", false, TS_TIMED },
+	[M_VIR_CULL] = { "vir", "buffered=on,cull=on", true, TS_TIMED },
+	[M_MVR] = { "mvr", "", true, TS_TIMED },
+	[M_WATERTIGHT] = { "ivir", "rate=watertight,snap=on,buffered=off", true, TS_ONCE },
 	{ 0 }
 };
 

@@ -4,10 +4,10 @@
 enum { M_IVIR, M_STORED, M_VIR, M_MVR };
 
 static const ts_bench_variant cube_variants[] = {
-	[M_IVIR] = { "ivir", "buffered=off", false, false },
-	[M_STORED] = { "ivir", "buffered=on", true, false },
-	[M_VIR] = { "vir", "buffered=on", true, false },
-	[M_MVR] = { "mvr", "", true, false },
+	[M_IVIR] = { "ivir", "buffered=off", false, TS_TIMED },
+	[M_STORED] = { "ivir", "buffered=on", true, TS_TIMED },
+	[M_VIR] = { "vir", "buffered=on", true, TS_TIMED },
+	[M_MVR] = { "mvr", "", true, TS_TIMED },
 	{ 0 }
 };
 

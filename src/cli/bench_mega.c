@@ -5,10 +5,10 @@
 enum { M_MEGA, M_LODS, M_WIDE, M_BRUTE };
 
 static const ts_bench_variant variants[] = {
-	[M_MEGA] = { "megaviews", "", true, false },
-	[M_LODS] = { "manylods", "", true, false },
-	[M_WIDE] = { "megaviews", "view_field=all", true, false },
-	[M_BRUTE] = { "bruteforce", "", false, true },
+	[M_MEGA] = { "megaviews", "", true, TS_TIMED },
+	[M_LODS] = { "manylods", "", true, TS_TIMED },
+	[M_WIDE] = { "megaviews", "view_field=all", true, TS_TIMED },
+	[M_BRUTE] = { "bruteforce", "", false, TS_ONCE },
 	{ 0 }
 };
 

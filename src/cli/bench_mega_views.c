@@ -6,8 +6,8 @@
 #define ALL TS_NO_FIGURE, 0, 0
 
 static const ts_bench_variant variants[] = {
-	[M_MEGA] = { "megaviews", "", true, false },
-	[M_LODS] = { "manylods", "", true, false },
+	[M_MEGA] = { "megaviews", "", true, TS_TIMED },
+	[M_LODS] = { "manylods", "", true, TS_TIMED },
 	{ 0 }
 };
 

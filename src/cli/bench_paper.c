@@ -53,6 +53,7 @@ static ts_status measure_line(ts_paper_line *line, const work *w, const char *sp
 	c->effect = w->table->effect;
 	c->variants = w->table->variants;
 	c->truths = w->truths;
+	c->sampled = w->table->sampled;
 	c->hurried = w->table->most_long != 0 && line->objects > w->table->most_long;
 	snprintf(line->scene, sizeof line->scene, "%s", slash != NULL ? slash + 1 : spec);
 	ts_status status = ts_bench_case_open(c, spec, params);
@@ -134,8 +135,10 @@ static void report_variants(ts_report *report, const ts_paper_table *table)
 {
 	ts_table t = ts_table_begin("variants", table->title, variant_columns);
 	for (const ts_bench_variant *v = table->variants; v->method != NULL; v++) {
+		char set[128];
+		snprintf(set, sizeof set, "%s%s", v->set, v->runs == TS_ALONE ? "; one thread" : "");
 		ts_table_text(&t, v->method);
-		ts_table_text(&t, v->set);
+		ts_table_text(&t, set);
 	}
 	if (table->set[0] != 0) ts_report_line(report, "set: %s", table->set);
 	if (table->defaults[0] != 0) ts_report_line(report, "set unless --set says otherwise: %s", table->defaults);

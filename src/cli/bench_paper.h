@@ -55,6 +55,7 @@ typedef struct {
 	const char *objects_param;  /* NULL: objects are sizes, WxH */
 	const char *objects;        /* unless --objects says otherwise */
 	u32 most;                   /* of them; 0: TS_BENCH_OBJECTS */
+	u32 sampled;                /* surfels that scenes without some are sampled to; 0: none */
 	u32 most_long;              /* methods that take long are left out where there are more; 0: never */
 	const char *set;            /* for all rows */
 	const char *defaults;       /* for all rows, of parameters that have their defaults */
@@ -75,7 +76,7 @@ typedef struct {
 #define TS_IVIR_DEFAULTS "rate=paper,snap=off"
 #define TS_OMNI_NOTE "Depth maps of 256 x 256 instead of the paper's 1024 x 1024, for VIR's points."
 
-extern const ts_paper_table ts_ivir_1, ts_ivir_2, ts_ivir_3, ts_epr_1, ts_epr_2, ts_epr_3, ts_ssagh_1;
+extern const ts_paper_table ts_ivir_1, ts_ivir_2, ts_ivir_3, ts_epr_1, ts_epr_2, ts_epr_3, ts_ssagh_1, ts_nv40;
 extern const ts_paper_table ts_mega_10, ts_mega_10_bounces, ts_mega_12, ts_mega_13, ts_mega_16, ts_mega_particles;
 
 /* A row of ours, and the paper's beside it. */

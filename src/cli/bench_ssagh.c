@@ -5,9 +5,9 @@ enum { M_HULLS, M_DIRECT, M_VMF };
 
 /* A minute of `direct` is timed once. */
 static const ts_bench_variant variants[] = {
-	[M_HULLS] = { "hulls", "", true, false },
-	[M_DIRECT] = { "direct", "", true, true },
-	[M_VMF] = { "hulls", "sharpness=vmf", true, true },
+	[M_HULLS] = { "hulls", "", true, TS_TIMED },
+	[M_DIRECT] = { "direct", "", true, TS_ONCE },
+	[M_VMF] = { "hulls", "sharpness=vmf", true, TS_ONCE },
 	{ 0 }
 };
 

@@ -384,4 +384,52 @@ verdict $? 'bench mega-12, mega-13 and mega-16: exponents, maps and culled pairs
 refuses 'mega-10: takes no --truth' bench mega-10 --truth=vpls
 refuses '16777216' bench mega-10 --objects 16777217
 
+# Fragments and pixels of renders and of a trace; a scene of triangles is sampled.
+grid=(checkerboard:surfels=20000 --size 64x36)
+run bench nv40 --scene "${grid[0]},scenes/room.gltf" --objects 64x36,240x135 --set map_px=64 --threads 2 --runs 1 \
+	-o "$scratch/nv40"
+[ "$status" -eq 0 ] && awk 'length > 120 || / $/ { exit 1 }' "$scratch/stdout" &&
+	grep -q '^slides .* 32,400  *paper .* 22.80 *21.30 *15.70 *15.00$' "$scratch/stdout"
+verdict $? 'bench nv40 fits 120 columns and has the slides'
+for filter in min object; do
+	run render surfels "${grid[@]}" --method deferred --set filter=$filter --no-images --json --trace \
+		--trace-only blend -o "$scratch/nv40-$filter"
+	cp "$scratch/stdout" "$scratch/nv40-$filter.json"
+done
+python3 - "$scratch" <<'PY'
+import glob, json, struct, sys
+report = json.load(open(sys.argv[1] + "/nv40/report.json"))
+parts = [[r for r in rows if r["source"] == "here"] for name, rows in report.items() if name.startswith("nv40")]
+grid, room = ({k: v for part in parts for k, v in part[i].items()} for i in (0, 2))
+assert (grid["scene"], grid["surfels"]) == ("checkerboard:surfels=20000", 19600) and room["surfels"] > 250000
+def near(a, b):
+	assert abs(a - b) <= 1e-6 * abs(b), (a, b)
+for row in grid, room:
+	rates = [row[s + f] for s in ("phong", "npr", "phong_shadow", "npr_shadow") for f in ("", "_object", "_alone", "_object_alone")]
+	assert min(rates) > 0 and len(set(rates)) == 16
+	near(row["npr_ratio"], row["npr"] / row["phong"])
+	near(row["npr_shadow_ratio"], row["npr_shadow"] / row["phong_shadow"])
+	near(row["shadow_ratio"], row["phong_shadow"] / row["phong"])
+	near(row["filter_ratio"], row["phong"] / row["phong_object"])
+	near(row["threads_ratio"], row["phong"] / row["phong_alone"])
+	near(row["overlap_ratio"], row["overlap"] / row["overlap_object"])
+for filter, end in ("min", ""), ("object", "_object"):
+	counters = json.load(open(f"{sys.argv[1]}/nv40-{filter}.json"))["counters"]
+	counted = {c["counter"]: c["deferred"] for c in counters}
+	raw = open(glob.glob(f"{sys.argv[1]}/nv40-{filter}/*/*-blend.heaviest.npy")[0], "rb").read()
+	keys = memoryview(raw[10 + struct.unpack_from("<H", raw, 8)[0]:]).cast("Q")
+	pixels = sum(k != 2 ** 64 - 1 for k in keys)
+	assert grid["covered" + end] == pixels == counted["shading operations"] == grid["shaded" + end]
+	near(grid["overlap" + end], counted["fragments"] / pixels)
+	assert grid["shaded_a_pixel" + end] == 1
+assert 20 <= grid["overlap"] <= 40 < room["overlap"] and 2 <= grid["overlap_ratio"] <= 6
+assert len(report["relations"]) >= 21
+assert all(r["verdict"] == "holds" or r["verdict"].startswith("differs: ") for r in report["relations"])
+more = [r for r in report["relations"] if "20 to 40" in r["relation"] and r["pixels"] == 64 * 36]
+assert [(r["verdict"], r["here"]) for r in more] == [("holds", grid["overlap_ratio"])]
+paper = [r for r in report["nv40_ratios"] if r["source"] == "paper"]
+assert len(paper) == 1 and round(paper[0]["npr_ratio"], 2) == 0.93
+PY
+verdict $? 'bench nv40: rates, ratios, fragments and pixels, counted again'
+
 finish

@@ -41,6 +41,7 @@ refuses 'nearest is buffers' list buffer
 refuses 'the nearest is epr-' bench epr-4
 refuses 'takes no --objects' bench ivir-1 --objects 1
 refuses 'takes no --size' bench ssagh-1 --size 96x54
+refuses 'takes no --size' bench nv40 --size 96x54
 refuses 'not a size' bench ssagh-1 --objects 96x54,192
 refuses 'takes no --output' bench start -o out
 refuses 'takes no --method' bench epr-1 --method epr
