@@ -13,8 +13,8 @@ typedef struct {
 
 static const char *const curves[] = { "EPR, 25 samples", "EPR, adaptive samples", "MVR, trilinear", "MVR, 25 samples" };
 
-#define EPR(rho, samples) { "epr", "rho_scale=" rho ",samples=" samples, true, false }
-#define MVR(px, filter) { "mvr", "face_max=" px ",mvr.filter=" filter, true, false }
+#define EPR(rho, samples) { "epr", "rho_scale=" rho ",samples=" samples, true, TS_TIMED }
+#define MVR(px, filter) { "mvr", "face_max=" px ",mvr.filter=" filter, true, TS_TIMED }
 
 static const ts_bench_variant variants[] = {
 	EPR("0.25", "fixed"), EPR("0.5", "fixed"), EPR("1", "fixed"), EPR("2", "fixed"),
