@@ -53,28 +53,42 @@ TS_FN ts_v3 ts_k_deferred_light(const ts_deferred_args *args, u64 i, u32 k, ts_v
 	return ts_mul(all, ts_scale(ts_load3(args->lights[k].intensity), arrives * TS_PER_PI));
 }
 
-/* Whether the surface ends before that neighbour: it is farther (1 - zn is proportional to 1 / z), and behind the plane of
- * the surface, in which a floor goes on however steep the view. */
-TS_FN bool ts_k_steps(const ts_deferred_args *args, i32 x, i32 y, u64 i, f32 least)
+/* A pixel and a neighbour: how much farther that is (1 - zn is proportional to 1 / z), and how far below the plane of the
+ * surface, in which a floor goes on however steep the view; and what both must pass for the surface to end there. */
+typedef struct { f32 farther, step, below, drop; i32 x, y; bool is, sky; } ts_border;
+
+/* Neighbour k: to the left, to the right, above, below. */
+TS_FN ts_border ts_k_border(const ts_deferred_args *args, u64 i, u32 k)
 {
-	if (x < 0 || y < 0 || x >= (i32)args->view->width || y >= (i32)args->view->height) return false;
+	ts_border r;
+	r.x = (i32)(i % (u64)args->view->width) + (k == 0u ? -1 : k == 1u ? 1 : 0);
+	r.y = (i32)(i / (u64)args->view->width) + (k == 2u ? -1 : k == 3u ? 1 : 0);
+	r.is = r.x >= 0 && r.y >= 0 && r.x < (i32)args->view->width && r.y < (i32)args->view->height;
 	TS_GLOBAL const ts_gpixel *at = &args->pixels[i];
-	TS_GLOBAL const ts_gpixel *next = &args->pixels[(u64)y * (u64)args->view->width + (u64)x];
+	TS_GLOBAL const ts_gpixel *next = r.is ? &args->pixels[(u64)r.y * (u64)args->view->width + (u64)r.x] : at;
 	f32 near = 1.0f - at->depth;
 	f32 far = 1.0f - next->depth;
-	if (!(near - far > TS_OUTLINE_STEP * near)) return false;
-	f32 below = ts_dot(ts_load3(at->normal), ts_sub(ts_load3(at->position), ts_load3(next->position)));
-	return next->depth == TS_SKY || below > least;
+	r.farther = near - far;
+	r.step = TS_OUTLINE_STEP * near;
+	r.below = ts_dot(ts_load3(at->normal), ts_sub(ts_load3(at->position), ts_load3(next->position)));
+	r.drop = TS_OUTLINE_DROP * ts_length(ts_sub(ts_load3(args->view->eye), ts_load3(at->position)));
+	r.sky = next->depth == TS_SKY;
+	return r;
+}
+
+/* Whether the surface ends before that neighbour. */
+TS_FN bool ts_k_ends(const ts_border *next)
+{
+	return next->is && next->farther > next->step && (next->sky || next->below > next->drop);
 }
 
 TS_FN bool ts_k_is_outline(const ts_deferred_args *args, u64 i)
 {
-	i32 x = (i32)(i % (u64)args->view->width);
-	i32 y = (i32)(i / (u64)args->view->width);
-	f32 far = ts_length(ts_sub(ts_load3(args->view->eye), ts_load3(args->pixels[i].position)));
-	f32 least = TS_OUTLINE_DROP * far;
-	return ts_k_steps(args, x - 1, y, i, least) || ts_k_steps(args, x + 1, y, i, least) ||
-	       ts_k_steps(args, x, y - 1, i, least) || ts_k_steps(args, x, y + 1, i, least);
+	for (u32 k = 0u; k < 4u; k++) {
+		ts_border next = ts_k_border(args, i, k);
+		if (ts_k_ends(&next)) return true;
+	}
+	return false;
 }
 
 TS_FN ts_v3 ts_k_deferred(const ts_deferred_args *args, u64 i)

@@ -14,8 +14,8 @@ typedef struct {
 	bool covers;  /* it is a fragment */
 } ts_surfel_fragment;
 
-/* Where the ray at an offset meets the surfel's plane; r2 is r3D squared. */
-typedef struct { f32 a, b, r2, z; bool inside; } ts_disc_hit;
+/* Where the ray at an offset meets the surfel's plane, if it does before the eye; r2 is r3D squared. */
+typedef struct { f32 a, b, r2, z; bool meets, inside; } ts_disc_hit;
 
 TS_FN ts_disc_hit ts_k_disc_hit(const ts_disc *disc, f32 near, f32 dx, f32 dy)
 {
@@ -23,13 +23,13 @@ TS_FN ts_disc_hit ts_k_disc_hit(const ts_disc *disc, f32 near, f32 dx, f32 dy)
 	bool parallel = (disc->flags & TS_DISC_PARALLEL) != 0u;
 	f32 tilt = disc->g[0] * dx + disc->g[1] * dy;
 	f32 divisor = parallel ? 1.0f : 1.0f + tilt;
-	bool before = divisor > 0.0f && (disc->flags & TS_DISC_FLAT) == 0u;
-	f32 inverse = 1.0f / (before ? divisor : 1.0f);
+	r.meets = divisor > 0.0f && (disc->flags & TS_DISC_FLAT) == 0u;
+	f32 inverse = 1.0f / (r.meets ? divisor : 1.0f);
 	r.a = (disc->a[0] * dx + disc->a[1] * dy) * inverse;
 	r.b = (disc->b[0] * dx + disc->b[1] * dy) * inverse;
 	r.r2 = r.a * r.a + r.b * r.b;
 	r.z = disc->depth * (parallel ? 1.0f - tilt : inverse);
-	r.inside = before && r.r2 <= 1.0f && r.z >= near;
+	r.inside = r.meets && r.r2 <= 1.0f && r.z >= near;
 	return r;
 }
 

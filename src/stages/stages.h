@@ -125,6 +125,9 @@ u32 ts_gather_level_of(const ts_params *params, bool alone);
 ts_filter ts_surfel_filter(const ts_run *run);
 /* The parameter `shader` asks for shadows (deferred.c). */
 bool ts_shader_has_shadows(const ts_params *params);
+/* Arguments of the kernels of deferred shading, without their outputs. */
+ts_deferred_lit_args ts_deferred_lit_arguments(const ts_run *run);
+ts_deferred_args ts_deferred_arguments(const ts_run *run);
 /* Arguments of the kernels that make virtual point lights and particles, without offset, paths and lights. */
 ts_vpl_args ts_vpl_arguments(const ts_run *run);
 ts_particle_args ts_particle_arguments(const ts_run *run);

@@ -8,8 +8,8 @@
 
 typedef struct ts_probe ts_probe;
 
-/* Opens the trace in folder `dir`: of reflections by EPR or MVR, or of shadows, indirect light or particles, of which pixels
- * are told. On failure *probe is NULL; else release it by ts_probe_close. */
+/* Opens the trace in folder `dir`: of reflections by EPR or MVR, or of shadows, indirect light, particles or surfels, of
+ * which pixels are told. On failure *probe is NULL; else release it by ts_probe_close. */
 ts_status ts_probe_open(ts_probe **probe, const char *dir);
 /* NULL is allowed. */
 void ts_probe_close(ts_probe *probe);
@@ -24,7 +24,9 @@ void ts_probe_close(ts_probe *probe);
  * indirect light by hulls the boxes of the pixel's block in the order of their claims, what the corners of its box gathered
  * and how much each counts, and its lobes with the terms of their integrals; by direct the brightest triangles of light; by
  * many views, and of particles, the nodes of views that culling leaves it, the brightest of the lights that it draws, each
- * with its path and what its map answers, and the neighbours that the filter takes it with. */
+ * with its path and what its map answers, and the neighbours that the filter takes it with. Of surfels the nearest, the
+ * heaviest of those that are blended and of those that epsilon hides, their sums, and the light and the outline of what
+ * is made of them. */
 ts_status ts_probe_pixel(ts_probe *probe, u32 x, u32 y, json_t **answer);
 /* Texel (x, y) of a face, 0 to 5, of a reflector's cube: the points, of MVR the triangles, that competed for it. */
 ts_status ts_probe_texel(ts_probe *probe, u32 reflector, u32 face, u32 x, u32 y, json_t **answer);

@@ -22,9 +22,10 @@ struct ts_probe {
 	ts_face *cubes;       /* after ts_probe_scene */
 	u32 n_cubes, n_words;
 	bool mirrors, mvr;    /* of reflections; by MVR */
+	bool surfels;         /* pixels show surfels, no triangles */
 	bool gathers;         /* pixels have indirect light or that of particles, and no other */
 	bool has_lamps;       /* the lights are lamps, with views of their own */
-	ts_load *load;        /* of MegaViews: what its light is gathered from, checked; NULL: not loaded yet */
+	ts_load *load;        /* of MegaViews and surfels: what pixels are made from, checked; NULL: not loaded yet */
 	ts_offscreen *views;  /* of the lamps; else NULL */
 	u32 n_views;
 	ts_lamp *lamps;
@@ -43,6 +44,9 @@ ts_status ts_probe_fetch(ts_probe *probe, ts_buffer_id id, u64 first, u64 n, voi
 /* The elements of pixel (x, y), `n` of them, of a buffer of rows and columns; *there is false outside its crop, or if
  * the trace lacks it. */
 ts_status ts_probe_fetch_pixel(ts_probe *probe, ts_buffer_id id, u32 x, u32 y, u32 n, void *to, bool *there);
+/* Loads into p->load, once, what these stages read, ended by NULL, and checks it all as for the last of them. */
+ts_status ts_probe_load_for(ts_probe *probe, const char *const *stages);
+const void *ts_probe_loaded(const ts_probe *probe, ts_buffer_id id);
 /* The piece of a point, its record, and the triangle. */
 ts_status ts_probe_fetch_point(ts_probe *probe, u64 point, ts_point *record, ts_piece *piece);
 
@@ -52,6 +56,8 @@ ts_status ts_probe_fetch_point(ts_probe *probe, u64 point, ts_point *record, ts_
 ts_status ts_probe_scene(ts_probe *probe);
 /* Reads the images of a triangle's material; before its surface or alpha is computed. */
 ts_status ts_probe_textures(ts_probe *probe, u32 triangle);
+/* All shapes of the trace against its sizes. */
+ts_status ts_probe_shapes(const ts_probe *probe);
 void ts_probe_scene_free(ts_probe *probe);
 /* A whole buffer, released by free(); NULL on failure. */
 void *ts_probe_load(ts_probe *probe, ts_buffer_id id, u64 *n);
@@ -153,10 +159,10 @@ ts_status ts_probe_put_samples(ts_probe *probe, json_t *object, const ts_probe_s
  * bits of shade.radiance if all is well. */
 ts_status ts_probe_mirror(ts_probe *probe, u64 entry, json_t *object, ts_v3 *total);
 ts_status ts_probe_mip(ts_probe *probe, u64 entry, json_t *object, ts_v3 *total);
-/* Off-screen views and lamps, read and checked with the scene; what light reaches pixel (x, y), whose key is not empty: sets
- * probe->lit (probe_shadow.c). */
+/* Off-screen views and lamps, read and checked with the scene; what light reaches pixel (x, y), where the eye sees `at`:
+ * sets probe->lit (probe_shadow.c). */
 ts_status ts_probe_lamps(ts_probe *probe);
-ts_status ts_probe_shadow(ts_probe *probe, u32 x, u32 y, u64 key, json_t *object);
+ts_status ts_probe_shadow(ts_probe *probe, u32 x, u32 y, const ts_receiver *at, json_t *object);
 /* Indirect light at pixel (x, y), whose key is not empty: the radiance, and what led to it (probe_indirect.c). */
 ts_status ts_probe_indirect(ts_probe *probe, u32 x, u32 y, u64 key, json_t *object, ts_v3 *total);
 /* Its irradiance by hulls (probe_hull.c), of one channel from its lobe (probe_lobe.c), and by direct (probe_direct.c). */
@@ -175,9 +181,13 @@ typedef struct {
 	u32 *offset, *paths;
 	u64 n_paths;
 } ts_probe_gather;
-/* Loads and checks p->load, once. */
+/* Pixel (x, y) of surfels: what is nearest, what is blended and what that makes, of which `pixel` is the G-buffer's
+ * (probe_surfel.c); its light, and whether it is outlined (probe_deferred.c). */
+ts_status ts_probe_load_surfels(ts_probe *probe);
+ts_status ts_probe_surfels(ts_probe *probe, u32 x, u32 y, json_t *object);
+ts_status ts_probe_deferred(ts_probe *probe, u32 x, u32 y, json_t *object, ts_v3 *total);
+/* Loads p->load of it. */
 ts_status ts_probe_load_views(ts_probe *probe);
-const void *ts_probe_loaded(const ts_probe *probe, ts_buffer_id id);
 /* The paths that virtual point lights stand on; offset and paths are released by free(), also on failure (probe_vpl.c). */
 ts_status ts_probe_read_paths(ts_probe *probe, ts_probe_gather *gather);
 /* Puts a virtual point light or particle: where it comes from, what it sends to the pixel, and what its map answers. */

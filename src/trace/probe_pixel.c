@@ -70,7 +70,9 @@ static ts_status put_radiance(ts_probe *p, json_t *o, u32 x, u32 y, ts_v3 total)
 static ts_status put_light(ts_probe *p, json_t *o, u32 x, u32 y, u64 key, const ts_surface *surface, ts_v3 *total)
 {
 	if (p->gathers) return ts_probe_indirect(p, x, y, key, o, total);
-	if (p->has_lamps && ts_probe_shadow(p, x, y, key, o) != TS_OK) return TS_ERROR;
+	ts_camera_k view = ts_k_view(&p->view);
+	ts_receiver at = ts_k_receiver(&p->scene, &view, key, (i32)x, (i32)y);
+	if (p->has_lamps && ts_probe_shadow(p, x, y, &at, o) != TS_OK) return TS_ERROR;
 	ts_v3 v = ts_normalize(ts_sub(ts_load3(p->view.eye), surface->p));
 	ts_probe_put(p, o, "shading", ts_probe_shading(p, surface, v, total));
 	return TS_OK;
@@ -93,28 +95,18 @@ static ts_status describe(ts_probe *p, json_t *o, u32 x, u32 y, u64 key, const u
 	return status == TS_OK ? put_radiance(p, o, x, y, total) : status;
 }
 
-/* What the description of a pixel begins with. */
-static ts_status require(const ts_probe *p)
+static ts_status describe_surfels(ts_probe *p, json_t *o, u32 x, u32 y)
 {
-	static const ts_buffer_id mirrors[] = {TS_B_eye_depth_triangle, TS_B_pixel_offset, TS_B_pixel_record, TS_N_BUFFERS};
-	static const ts_buffer_id shadows[] = {TS_B_eye_depth_triangle, TS_B_scatter_depth, TS_N_BUFFERS};
-	static const ts_buffer_id indirect[] = {TS_B_eye_depth_triangle, TS_B_rsm_patch, TS_N_BUFFERS};
-	static const ts_buffer_id particles[] = {TS_B_eye_depth_triangle, TS_B_vpl_light, TS_N_BUFFERS};
-	if (p->gathers) return ts_probe_require(p, p->has_lamps ? indirect : particles);
-	return ts_probe_require(p, p->has_lamps ? shadows : mirrors);
+	ts_v3 total;
+	if (ts_probe_surfels(p, x, y, o) != TS_OK || ts_probe_deferred(p, x, y, o, &total) != TS_OK) return TS_ERROR;
+	return put_radiance(p, o, x, y, total);
 }
 
-ts_status ts_probe_pixel(ts_probe *p, u32 x, u32 y, json_t **answer)
+static ts_status describe_triangles(ts_probe *p, json_t *o, u32 x, u32 y)
 {
 	u64 key;
 	u32 offset[2] = {0, 0};
 	bool there;
-	*answer = NULL;
-	if (ts_probe_scene(p) != TS_OK || require(p) != TS_OK) return TS_ERROR;
-	if (x >= p->view.width || y >= p->view.height) {
-		return ts_fail("%s: no pixel (%u, %u); the eye has %u x %u", p->trace->dir, (unsigned)x, (unsigned)y,
-		               (unsigned)p->view.width, (unsigned)p->view.height);
-	}
 	if (ts_probe_fetch_pixel(p, TS_B_eye_depth_triangle, x, y, 1, &key, &there) != TS_OK) return TS_ERROR;
 	if (!there) {
 		return ts_fail("%s: pixel (%u, %u) is outside its crop", p->trace->item[TS_B_eye_depth_triangle].path,
@@ -122,8 +114,33 @@ ts_status ts_probe_pixel(ts_probe *p, u32 x, u32 y, json_t **answer)
 	}
 	if (p->mirrors && ts_probe_fetch(p, TS_B_pixel_offset, (u64)y * p->view.width + x, 2, offset) != TS_OK)
 		return TS_ERROR;
+	return describe(p, o, x, y, key, offset);
+}
+
+/* What the description of a pixel begins with. */
+static ts_status begin(ts_probe *p)
+{
+	static const ts_buffer_id mirrors[] = {TS_B_eye_depth_triangle, TS_B_pixel_offset, TS_B_pixel_record, TS_N_BUFFERS};
+	static const ts_buffer_id shadows[] = {TS_B_eye_depth_triangle, TS_B_scatter_depth, TS_N_BUFFERS};
+	static const ts_buffer_id indirect[] = {TS_B_eye_depth_triangle, TS_B_rsm_patch, TS_N_BUFFERS};
+	static const ts_buffer_id particles[] = {TS_B_eye_depth_triangle, TS_B_vpl_light, TS_N_BUFFERS};
+	if (p->surfels) return ts_probe_load_surfels(p);
+	if (ts_probe_scene(p) != TS_OK) return TS_ERROR;
+	if (p->gathers) return ts_probe_require(p, p->has_lamps ? indirect : particles);
+	return ts_probe_require(p, p->has_lamps ? shadows : mirrors);
+}
+
+ts_status ts_probe_pixel(ts_probe *p, u32 x, u32 y, json_t **answer)
+{
+	*answer = NULL;
+	if (begin(p) != TS_OK) return TS_ERROR;
+	if (x >= p->view.width || y >= p->view.height) {
+		return ts_fail("%s: no pixel (%u, %u); the eye has %u x %u", p->trace->dir, (unsigned)x, (unsigned)y,
+		               (unsigned)p->view.width, (unsigned)p->view.height);
+	}
 	json_t *o = json_object();
 	ts_probe_put(p, o, "pixel", ts_probe_pair(x, y));
 	ts_probe_put(p, o, "method", json_string(p->trace->pipeline->name));
-	return ts_probe_answer(p, o, describe(p, o, x, y, key, offset), answer);
+	ts_status status = p->surfels ? describe_surfels(p, o, x, y) : describe_triangles(p, o, x, y);
+	return ts_probe_answer(p, o, status, answer);
 }

@@ -2,15 +2,17 @@
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include "check.h"
 #include "probe_parts.h"
+#include "replay.h"
 
 static bool is_of(const ts_pipeline *pipeline, const char *effect) { return strcmp(pipeline->effect, effect) == 0; }
 
-/* Points of iVIR in environment maps have other ways, and surfels no triangles. */
+/* Points of iVIR in environment maps have other ways. */
 static bool is_explained(const ts_pipeline *pipeline)
 {
 	bool explained = strcmp(pipeline->name, "epr") == 0 || strcmp(pipeline->name, "mvr") == 0;
-	return explained || !(is_of(pipeline, "reflections") || is_of(pipeline, "surfels"));
+	return explained || !is_of(pipeline, "reflections");
 }
 
 ts_status ts_probe_open(ts_probe **probe, const char *dir)
@@ -23,8 +25,8 @@ ts_status ts_probe_open(ts_probe **probe, const char *dir)
 		status = ts_fail("%s: trace.json has no params, and without them nothing can be computed again", dir);
 	}
 	if (status == TS_OK && !is_explained(made->trace->pipeline)) {
-		status = ts_fail("%s: probe explains reflections by epr and mvr, shadows, indirect light and particles; this is %s "
-		                 "by %s, which compare and replay judge", dir, made->trace->pipeline->effect,
+		status = ts_fail("%s: probe explains reflections by epr and mvr, shadows, indirect light, particles and surfels; "
+		                 "this is %s by %s, which compare and replay judge", dir, made->trace->pipeline->effect,
 		                 made->trace->pipeline->name);
 	}
 	if (status != TS_OK) {
@@ -32,6 +34,7 @@ ts_status ts_probe_open(ts_probe **probe, const char *dir)
 		return status;
 	}
 	made->mirrors = is_of(made->trace->pipeline, "reflections");
+	made->surfels = is_of(made->trace->pipeline, "surfels");
 	made->gathers = ts_pipeline_maker(made->trace->pipeline, TS_B_indirect_irradiance) != NULL;
 	made->has_lamps = ts_pipeline_maker(made->trace->pipeline, TS_B_lamp_shape) != NULL;
 	made->mvr = strcmp(made->trace->pipeline->name, "mvr") == 0;
@@ -72,7 +75,7 @@ static u64 size_of(const ts_probe *p, const char *name)
 	static const struct { const char *name; ts_buffer_id owner; } owners[] = {
 		{"V", TS_B_pose_vertex}, {"T", TS_B_scene_triangle}, {"M", TS_B_scene_material}, {"S", TS_B_scene_slot},
 		{"I", TS_B_scene_image}, {"O", TS_B_scene_object}, {"R", TS_B_resize_face}, {"B", TS_B_resize_face},
-		{"Q", TS_B_split_triangle}, {"A", TS_B_lamp_light},
+		{"Q", TS_B_split_triangle}, {"A", TS_B_lamp_light}, {"s", TS_B_scene_surfel},
 		{"N", TS_B_points_record}, {"H*W", TS_B_eye_depth_triangle}, {"P*K", TS_B_lookup_point},
 		{"P2*4", TS_B_lookup2_point}, {"D", TS_B_octree_node}, {"E", TS_B_view_octree_node}, {"J", TS_B_vpl_light},
 	};
@@ -164,3 +167,26 @@ ts_status ts_probe_fetch_point(ts_probe *p, u64 point, ts_point *record, ts_piec
 	if (ts_probe_fetch(p, TS_B_points_record, point, 1, record) != TS_OK) return TS_ERROR;
 	return ts_probe_fetch(p, TS_B_split_triangle, record->piece, 1, piece);
 }
+
+ts_status ts_probe_load_for(ts_probe *p, const char *const *stages)
+{
+	ts_buffer_id reads[TS_N_BUFFERS + 1], all[TS_N_BUFFERS + 1];
+	bool wanted[TS_N_BUFFERS] = {[TS_B_eye_view] = true};
+	u32 n = 0;
+	if (p->load != NULL) return TS_OK;
+	for (; *stages != NULL; stages++) {
+		ts_replay_reads(reads, ts_stage_find(*stages), p->trace->pipeline, &p->trace->params);
+		for (u32 i = 0; reads[i] != TS_N_BUFFERS; i++) wanted[reads[i]] = true;
+	}
+	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
+		if (wanted[id]) all[n++] = (ts_buffer_id)id;
+	}
+	all[n] = TS_N_BUFFERS;
+	if (ts_load_begin(&p->load, all, p->trace, NULL, 1) != TS_OK) return TS_ERROR;
+	if (ts_check(p->load, ts_stage_find(stages[-1])) == TS_OK) return TS_OK;
+	ts_load_end(p->load);
+	p->load = NULL;
+	return TS_ERROR;
+}
+
+const void *ts_probe_loaded(const ts_probe *p, ts_buffer_id id) { return ts_frame_data(&p->load->run.frame, id); }

@@ -34,7 +34,7 @@ static void give_sizes(const ts_probe *p, ts_sizes *sizes)
 		{"R", TS_B_resize_face}, {"B", TS_B_resize_face}, {"Q", TS_B_split_triangle}, {"N", TS_B_points_record},
 		{"P", TS_B_pixel_record}, {"A", TS_B_lamp_light}, {"U", TS_B_offscreen_view},
 		{"P2", TS_B_lookup2_parent}, {"P3", TS_B_lookup3_parent}, {"Z", TS_B_box_record}, {"D", TS_B_octree_node},
-		{"E", TS_B_view_octree_node}, {"J", TS_B_vpl_light},
+		{"E", TS_B_view_octree_node}, {"J", TS_B_vpl_light}, {"s", TS_B_scene_surfel},
 	};
 	for (size_t i = 0; i < sizeof owners / sizeof *owners; i++) {
 		if (ts_probe_has(p, owners[i].owner)) ts_sizes_set(sizes, owners[i].name, ts_probe_n(p, owners[i].owner));
@@ -52,7 +52,7 @@ static void give_sizes(const ts_probe *p, ts_sizes *sizes)
 	ts_sizes_set(sizes, "w", p->n_words);
 }
 
-static ts_status check_shapes(const ts_probe *p)
+ts_status ts_probe_shapes(const ts_probe *p)
 {
 	ts_sizes sizes = {.n = 0};
 	give_sizes(p, &sizes);
@@ -153,7 +153,7 @@ static ts_status load_scene(ts_probe *p)
 	if (ts_probe_fetch(p, TS_B_eye_view, 0, 1, &p->view) != TS_OK || check_view(p) != TS_OK) return TS_ERROR;
 	if (load_arrays(p) != TS_OK || (p->has_lamps && ts_probe_lamps(p) != TS_OK)) return TS_ERROR;
 	p->n_texels = ts_probe_n(p, TS_B_scene_texel);
-	if (check_cubes(p) != TS_OK || check_shapes(p) != TS_OK || check_images(p) != TS_OK) return TS_ERROR;
+	if (check_cubes(p) != TS_OK || ts_probe_shapes(p) != TS_OK || check_images(p) != TS_OK) return TS_ERROR;
 	p->image_read = ts_alloc_zero((size_t)p->n_images, 1, "images");
 	p->texels = p->image_read != NULL ? ts_alloc_zero((size_t)p->n_texels, sizeof(u64), "scene.texel") : NULL;
 	p->scene.texels = p->texels;

@@ -197,10 +197,10 @@ static ts_status put_lights(ts_probe *p, json_t *list, question *q, u32 x, u32 y
 	return status;
 }
 
-ts_status ts_probe_shadow(ts_probe *p, u32 x, u32 y, u64 key, json_t *object)
+ts_status ts_probe_shadow(ts_probe *p, u32 x, u32 y, const ts_receiver *at, json_t *object)
 {
 	ts_camera_k eye = ts_k_view(&p->view);
-	question q = {.at = ts_k_receiver(&p->scene, &eye, key, (i32)x, (i32)y)};
+	question q = {.at = *at};
 	q.args = (ts_resolve_args){.scene = p->scene, .view = &p->view, .views = p->views, .n_lamps = p->scene.n_lights,
 	                           .cubes = p->n_cubes > 0, .bias = p->trace->params.bias,
 	                           .slope = p->trace->params.bias_slope};

@@ -3,9 +3,7 @@
 #include <stdlib.h>
 #include "../stages/octree.h"
 #include "../stages/traverse.h"
-#include "check.h"
 #include "probe_parts.h"
-#include "replay.h"
 
 enum { MOST_LISTED = 16, MOST_DRAWN = 64 };
 
@@ -13,30 +11,10 @@ enum { MOST_LISTED = 16, MOST_DRAWN = 64 };
 typedef struct { u32 view, times; ts_v3 light; } term;
 typedef struct { u64 nodes, views; } tally;
 
-const void *ts_probe_loaded(const ts_probe *p, ts_buffer_id id) { return ts_frame_data(&p->load->run.frame, id); }
-
 ts_status ts_probe_load_views(ts_probe *p)
 {
-	const ts_pipeline *pipeline = p->trace->pipeline;
-	const char *const stages[] = {
-		ts_pipeline_maker(pipeline, TS_B_vpl_light)->stage, "vpl_pairs", "vpl_gather", "bilateral"};
-	ts_buffer_id reads[TS_N_BUFFERS + 1], all[TS_N_BUFFERS + 1];
-	bool wanted[TS_N_BUFFERS] = {[TS_B_eye_view] = true};
-	u32 n = 0;
-	if (p->load != NULL) return TS_OK;
-	for (u32 k = 0; k < sizeof stages / sizeof *stages; k++) {
-		ts_replay_reads(reads, ts_stage_find(stages[k]), pipeline, &p->trace->params);
-		for (u32 i = 0; reads[i] != TS_N_BUFFERS; i++) wanted[reads[i]] = true;
-	}
-	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
-		if (wanted[id]) all[n++] = (ts_buffer_id)id;
-	}
-	all[n] = TS_N_BUFFERS;
-	if (ts_load_begin(&p->load, all, p->trace, NULL, 1) != TS_OK) return TS_ERROR;
-	if (ts_check(p->load, ts_stage_find("vpl_gather")) == TS_OK) return TS_OK;
-	ts_load_end(p->load);
-	p->load = NULL;
-	return TS_ERROR;
+	const char *maker = ts_pipeline_maker(p->trace->pipeline, TS_B_vpl_light)->stage;
+	return ts_probe_load_for(p, (const char *const[]){maker, "vpl_pairs", "bilateral", "vpl_gather", NULL});
 }
 
 /* What becomes of the pair of nodes s and v: that of the first pair of nodes above them that is not split. */

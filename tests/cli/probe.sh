@@ -117,6 +117,24 @@ refuses 'no file of gbuffer.pixel, .*vpl_pairs.views' probe lacks-views/trace-me
 run render particles "${views[@]}" --method megaviews --trace-only scene,eye,view,pose -o lacks-glow
 refuses 'this needs vpl.light' probe lacks-glow/trace-megaviews --pixel 33,60
 
+# Surfels: what is nearest, blended, hidden, and made of it.
+splats=(atrium:triangles=10000:texels=32 --size 64x64 --set from_mesh=4000 --set map_px=64 --no-images)
+for words in 'deferred phong_shadow' 'ewa npr'; do
+	read -r method shader <<< "$words"
+	"$touchstone" render surfels "${splats[@]}" --set shader="$shader" --trace --method "$method" -o "surfels-$method" > /dev/null
+	for pattern in surfel_depth.surfel blend.sum blend.heaviest gbuffer.pixel image.radiance; do
+		says "bits agree with $pattern" probe "surfels-$method/trace-$method" --pixel 20,40
+	done
+	prints 'terms add up to the bits of the total' probe "surfels-$method/trace-$method" --pixel 33,60
+	refuses 'a trace of surfels, of which probe explains the eye' probe "surfels-$method/trace-$method" --triangle 4
+	refuses 'no pixel (64, 0); the eye has 64 x 64' probe "surfels-$method/trace-$method" --pixel 64,0
+done
+deferred=surfels-deferred/trace-deferred ewa=surfels-ewa/trace-ewa
+prints 'bits agree with resolve.lit' probe $deferred --pixel 33,60
+prints 'by_neighbour' probe $ewa --pixel 33,60
+run render surfels "${splats[@]}" --method deferred --trace-only scene,view,lamp,surfel_setup,surfel_depth -o lacks-surfels
+refuses 'no file of gbuffer.pixel, .*blend.sum' probe lacks-surfels/trace-deferred --pixel 33,60
+
 # A trace without some stages names all that it lacks.
 "$touchstone" render reflections atrium:triangles=10000:texels=32 --size 64x64 --reflectors 2 --set reflector_px=24 --set face_max=16 \
 	--method epr --no-images --trace-only scene,eye,pixel,view,pose,resize,image -o part > /dev/null 2>&1 ||
@@ -164,6 +182,14 @@ lies 14-view_cone.node.npy 5 '\xff\xff\xff\x7f' 'field views' --pixel 20,40
 lies 01-eye.view.npy 7 '\x20\x00\x00\x00' 'would be right' --pixel 20,40
 epr=$glow
 lies 06-vpl.light.npy 0 '\x00\x00\xc0\x7f' 'a finite number' --pixel 20,40
+epr=$deferred
+lies 00-scene.surfel.npy 3 '\x00\x00\xc0\x7f' 'a finite number' --pixel 33,60
+lies 03-surfel_setup.disc.npy 12 '\xff\xff\xff\xff' 'field low' --pixel 33,60
+lies 04-surfel_depth.surfel.npy 2 '\xff\xff\xff\x7f' 'element 1: .* less than' --pixel 33,60
+lies 05-blend.sum.npy 14 '\x00\x00\x00\x00' 'as blend.heaviest says' --pixel 33,60
+lies 06-gbuffer.pixel.npy 3 '\x00\x00\x80\x7f' 'a finite number' --pixel 33,60
+lies 07-offscreen.view.npy 7 '\xff\xff\xff\x7f' 'offscreen.view' --pixel 33,60
+lies 09-resolve.lit.npy 5 '\x02\x00\x00\x00' 'the light' --pixel 33,60
 epr=$soft
 lies 04-offscreen.view.npy 7 '\xff\xff\xff\x7f' 'element 0: 2147483647 x 64' --pixel 33,60
 lies 04-offscreen.view.npy 22 '\x01\x00\x00\x00' 'names 1 of 1' --pixel 33,60
