@@ -217,8 +217,11 @@ static const ts_candidate_buffer ts_candidate_buffers[] = {
 		"('high', '<i4', (2,)), ('conic', '<f4', (3,)), ('peak', '<f4'), ('normal', '<f4', (3,)), "
 		"('pad', '<u4')]"},
 	{"surfel_depth.surfel", 8, 2, "'<u8'"},
+	{"surfel_depth.margin", 8, 3, "'<u8'"},
 	{"blend.sum", 8, 3, "'<u8'"},
 	{"blend.heaviest", 8, 2, "'<u8'"},
+	{"blend.margin", 8, 3, "'<u8'"},
+	{"deferred.margin", 4, 2, "'<f4'"},
 	{"image.radiance", 4, 3, "'<f4'"},
 	{"image.srgb", 1, 3, "'|u1'"},
 };

@@ -116,13 +116,19 @@ typedef struct {
 	TS_GLOBAL const ts_gpixel *pixels; /* gbuffer.pixel */
 } ts_deferred_lit_args;
 
+TS_FN ts_receiver ts_k_deferred_receiver(TS_GLOBAL const ts_gpixel *pixel)
+{
+	ts_receiver r;
+	r.p = ts_load3(pixel->position);
+	r.n = ts_load3(pixel->normal);
+	r.seen = pixel->depth != TS_SKY;
+	return r;
+}
+
 /* map over pixels: the lights, a view each, that reach what is there */
 TS_FN void ts_k_deferred_lit_item(const ts_deferred_lit_args *args, u64 i)
 {
-	ts_receiver at;
-	at.p = ts_load3(args->pixels[i].position);
-	at.n = ts_load3(args->pixels[i].normal);
-	at.seen = args->pixels[i].depth != TS_SKY;
+	ts_receiver at = ts_k_deferred_receiver(&args->pixels[i]);
 	for (u32 v = 0u; v < args->of.n_views; v++) {
 		TS_GLOBAL const ts_offscreen *view = &args->of.views[v];
 		bool reaches = at.seen && ts_k_reaches(&args->of, view, &at, args->of.views[0].offset);

@@ -200,12 +200,12 @@ TS_FN ts_v2 ts_k_blurred(const ts_filter *filter, ts_v2 ellipse, f32 j_a, f32 j_
 	return ts_v2_make(ts_min(ellipse.x, wide.x - room), ts_max(ellipse.y, wide.y + room));
 }
 
-/* Whether the ellipse, or twice sigma_k of it, comes to the eye's plane, where nothing is affine. */
-TS_FN bool ts_k_disc_is_close(const ts_disc_frame *f, const ts_filter *filter)
+/* How near the ellipse, or twice sigma_k of it, comes to the eye's plane, squared: at 1 it does, and nothing is affine. */
+TS_FN f32 ts_k_disc_closeness(const ts_disc_frame *f, const ts_filter *filter)
 {
 	f32 uz = f->u.z / f->c.z;
 	f32 vz = f->v.z / f->c.z;
-	return !((uz * uz + vz * vz) * ts_max(4.0f * filter->object2, 1.0f) < 1.0f);
+	return (uz * uz + vz * vz) * ts_max(4.0f * filter->object2, 1.0f);
 }
 
 TS_FN void ts_k_disc_box(ts_disc *disc, const ts_camera_k *view, const ts_filter *filter, const ts_disc_frame *f)
@@ -248,28 +248,42 @@ TS_FN bool ts_k_disc_is_near(const ts_disc *disc)
 	return x < TS_FARTHEST_PIXEL && y < TS_FARTHEST_PIXEL;
 }
 
+TS_FN ts_v3 ts_k_disc_normal(TS_GLOBAL const ts_surfel *surfel)
+{
+	return ts_normalize(ts_cross(ts_load3(surfel->u), ts_load3(surfel->v)));
+}
+
+/* A surfel that is before the eye, and faces it: TS_DISC_DRAWN or TS_DISC_BESIDE. */
+TS_FN u32 ts_k_disc_make(ts_disc *disc, const ts_camera_k *view, const ts_filter *filter, const ts_disc_frame *frame,
+                         ts_v3 n, f32 slant)
+{
+	bool parallel = view->orthographic != 0u;
+	disc->flags = (slant < TS_LEAST_SLANT ? TS_DISC_FLAT : 0u) | (parallel ? TS_DISC_PARALLEL : 0u);
+	disc->normal[0] = ts_put(n.x);
+	disc->normal[1] = ts_put(n.y);
+	disc->normal[2] = ts_put(n.z);
+	ts_k_disc_place(disc, view, frame);
+	ts_k_disc_map(disc, frame);
+	ts_k_disc_gaussian(disc, filter, frame);
+	ts_k_disc_box(disc, view, filter, frame);
+	bool drawn = ts_k_disc_is_near(disc) && disc->low[0] <= disc->high[0] && disc->low[1] <= disc->high[1];
+	if (!drawn) ts_k_disc_clear(disc);
+	return drawn ? TS_DISC_DRAWN : TS_DISC_BESIDE;
+}
+
 /* One of TS_DISC_*; what is not drawn has an empty box, and zeros else. */
 TS_FN u32 ts_k_disc(ts_disc *disc, const ts_camera_k *view, const ts_filter *filter, TS_GLOBAL const ts_surfel *surfel)
 {
-	ts_v3 n = ts_normalize(ts_cross(ts_load3(surfel->u), ts_load3(surfel->v)));
+	ts_v3 n = ts_k_disc_normal(surfel);
 	f32 slant = ts_k_disc_slant(view, ts_load3(surfel->centre), n);
 	ts_k_disc_clear(disc);
 	if (!(slant > 0.0f)) return TS_DISC_TURNED;
 	ts_disc_frame frame = ts_k_disc_frame(view, surfel);
 	if (!(frame.c.z >= view->near)) return TS_DISC_BEFORE;
 	bool parallel = view->orthographic != 0u;
-	if (filter->filter == TS_FILTER_IS_EWA && !parallel && ts_k_disc_is_close(&frame, filter)) return TS_DISC_BEFORE;
-	disc->flags = (slant < TS_LEAST_SLANT ? TS_DISC_FLAT : 0u) | (parallel ? TS_DISC_PARALLEL : 0u);
-	disc->normal[0] = ts_put(n.x);
-	disc->normal[1] = ts_put(n.y);
-	disc->normal[2] = ts_put(n.z);
-	ts_k_disc_place(disc, view, &frame);
-	ts_k_disc_map(disc, &frame);
-	ts_k_disc_gaussian(disc, filter, &frame);
-	ts_k_disc_box(disc, view, filter, &frame);
-	bool drawn = ts_k_disc_is_near(disc) && disc->low[0] <= disc->high[0] && disc->low[1] <= disc->high[1];
-	if (!drawn) ts_k_disc_clear(disc);
-	return drawn ? TS_DISC_DRAWN : TS_DISC_BESIDE;
+	bool affine = parallel || filter->filter != TS_FILTER_IS_EWA || ts_k_disc_closeness(&frame, filter) < 1.0f;
+	if (!affine) return TS_DISC_BEFORE;
+	return ts_k_disc_make(disc, view, filter, &frame, n, slant);
 }
 
 typedef struct {

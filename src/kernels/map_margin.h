@@ -7,7 +7,6 @@
 #include "map.h"
 #include "resolve_margin.h"
 
-#define TS_MARGIN_NOWHERE 1048576.0f        /* where nothing is compared, or exactly */
 #define TS_MARGIN_SINE 0.0000002384185791015625f /* by its sine: what rounding changes in the sine of a cone */
 #define TS_MARGIN_LEAST_SINE 0.00048828125f
 
@@ -58,11 +57,6 @@ TS_FN f32 ts_k_fate_margin(const ts_traverse_args *args, u64 pair, u32 fate)
 	if (fate == TS_PAIR_CULL) return least;
 	least = ts_min(least, ts_k_equivalent_margin(&s, &v, args->n));
 	return args->touching == 0u ? ts_min(least, ts_k_touch_margin(&s, &v)) : least;
-}
-
-TS_FN void ts_k_least_bits(TS_GLOBAL u32 *least, f32 margin)
-{
-	if (margin <= TS_MARGIN_REACH) ts_min_u32(least, ts_f2u(ts_put(margin)));
 }
 
 /* Texels of an axis that a circle of the disc may reach. */

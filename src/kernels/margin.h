@@ -44,6 +44,12 @@ TS_FN bool ts_k_is_other(const ts_shown *shown, u32 triangle, f32 z)
 #define TS_MARGIN_NEAR 0.015625f                /* nor do depths that are this part farther behind, and four steps */
 #define TS_MARGIN_ROUNDING 0.00000095367431640625f /* part of a depth that rounding may change: 8 ulps */
 #define TS_MARGIN_ALPHA 0.00390625f             /* an alpha mask so near its cutoff decides nothing */
+#define TS_MARGIN_NOWHERE 1048576.0f            /* where nothing is compared, or exactly */
+
+TS_FN void ts_k_least_bits(TS_GLOBAL u32 *least, f32 margin)
+{
+	if (margin <= TS_MARGIN_REACH) ts_min_u32(least, ts_f2u(ts_put(margin)));
+}
 
 /* Least distance to an edge line, positive inside: |E| / (|dx| + |dy|). */
 TS_FN f32 ts_k_edge_distance(const ts_setup *t, const ts_edges *e)

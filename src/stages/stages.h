@@ -87,9 +87,13 @@ ts_status ts_stage_surfel_setup(ts_run *run);
 ts_status ts_stage_surfel_depth(ts_run *run);
 ts_status ts_stage_blend(ts_run *run);
 ts_status ts_stage_surfel_mean(ts_run *run);
+ts_status ts_stage_surfel_depth_margin(ts_run *run);
+ts_status ts_stage_blend_margin(ts_run *run);
 ts_status ts_stage_surfel_shadow(ts_run *run);
 ts_status ts_stage_deferred_lit(ts_run *run);
+ts_status ts_stage_deferred_lit_margin(ts_run *run);
 ts_status ts_stage_deferred(ts_run *run);
+ts_status ts_stage_deferred_margin(ts_run *run);
 
 /* Shared by the stages (run.c). The arrays of the frame that shading kernels read; the vertices are this frame's. */
 ts_arrays ts_run_arrays(const ts_run *run);

@@ -16,12 +16,17 @@ static const struct { ts_buffer_id buffer, margin; u32 of; } margins[] = {
 	{TS_B_hull_box, TS_B_hull_margin, 1},
 	{TS_B_map_depth_node, TS_B_map_margin, 1},
 	{TS_B_vpl_gather_irradiance, TS_B_vpl_gather_margin, 3},
+	{TS_B_surfel_depth_surfel, TS_B_surfel_depth_margin, 1},
+	{TS_B_blend_sum, TS_B_blend_margin, 8},
+	{TS_B_blend_heaviest, TS_B_blend_margin, 1},
+	{TS_B_image_radiance, TS_B_deferred_margin, 3},
 };
 
-/* True if runs of the method have these margins; of a file alone that is not known. */
+/* True if runs of the method have these margins. Of a file alone that is not known, but few pictures have any. */
 static bool is_measured(const ts_trace *reference, ts_buffer_id margin)
 {
-	return reference->pipeline == NULL || ts_pipeline_maker(reference->pipeline, margin) != NULL;
+	if (reference->pipeline == NULL) return margin != TS_B_deferred_margin;
+	return ts_pipeline_maker(reference->pipeline, margin) != NULL;
 }
 
 /* Margins are pairs of f32 bits in words of 64, a f32, or of ties a byte. */

@@ -73,7 +73,7 @@ ts_status ts_probe_deferred(ts_probe *p, u32 x, u32 y, json_t *object, ts_v3 *to
 	ts_deferred_args args = ts_deferred_arguments(&p->load->run);
 	u64 pixel = (u64)y * p->view.width + x;
 	const ts_gpixel *at = &args.pixels[pixel];
-	ts_receiver receiver = {.p = ts_load3(at->position), .n = ts_load3(at->normal), .seen = true};
+	ts_receiver receiver = ts_k_deferred_receiver(at);
 	*total = ts_k_deferred(&args, pixel);
 	if (at->depth == TS_SKY) {
 		ts_probe_put(p, object, "shading", json_string("nothing is here: background"));

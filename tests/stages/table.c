@@ -74,6 +74,7 @@ static void test_readers(void **state)
 	                                     TS_B_split_offset, TS_B_splat_tie, TS_B_eye_margin, TS_B_cull_margin,
 	                                     TS_B_face_margin, TS_B_depth_margin, TS_B_resolve_margin, TS_B_shadow_resize_least,
 	                                     TS_B_segment_margin, TS_B_hull_margin, TS_B_map_margin, TS_B_vpl_gather_margin,
+	                                     TS_B_surfel_depth_margin, TS_B_blend_margin, TS_B_deferred_margin,
 	                                     TS_B_bilateral_row, TS_B_root_least,
 	                                     TS_B_octree_surface_node, TS_B_vpl_offset, TS_B_vpl_path, TS_B_view_cone_sum,
 	                                     TS_B_view_cone_least, TS_N_BUFFERS };
