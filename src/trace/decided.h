@@ -3,10 +3,11 @@
  * other depth farther behind than such a step, and rounding, change the two depths; if its random number is more than
  * 2^-20 from the threshold; for splats, if no other point offered the same distance; for shadows, if no comparison with a
  * depth map turns within such a step; for segments of depth and the boxes of pixels, if no comparison of depths turns
- * by rounding; and for maps of many views and the light of pixels, if no test of a pair, of a texel's edge or of a shadow
- * does. Undecided can be elements of eye.depth_triangle, face.depth_triangle, cull.keep, splat.depth_index,
- * resolve.lit but of PCSS, scatter.depth of triangles, segment.label, hull.box, map.depth_node and vpl_gather.irradiance;
- * of other buffers every element is decided. The reference must hold the margins (render --margins). */
+ * by rounding; for maps of many views and the light of pixels, if no test of a pair, of a texel's edge or of a shadow
+ * does; and for surfels, if no surfel, fragment or outline comes or goes by rounding. Undecided can be elements of
+ * eye.depth_triangle, face.depth_triangle, cull.keep, splat.depth_index, resolve.lit but of PCSS, scatter.depth of
+ * triangles, segment.label, hull.box, map.depth_node, vpl_gather.irradiance, surfel_depth.surfel, blend.sum, blend.heaviest
+ * and image.radiance of surfels; of other buffers every element is decided. The reference must hold the margins (render --margins). */
 #ifndef TS_TRACE_DECIDED_H
 #define TS_TRACE_DECIDED_H
 #include "read.h"

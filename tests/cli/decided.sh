@@ -1,7 +1,8 @@
 #!/bin/bash
 # `compare --decided` of shadows: comparisons that turn by less than a step are undecided and no others, what a depth map
 # holds is judged by its margins, and a method that has none is judged whole. Of hulls: segments of depths that nearly tie
-# with the step are undecided and no others, and boxes of pixels are judged. Of many views: texels of maps and pixels.
+# with the step are undecided and no others, and boxes of pixels are judged. Of many views: texels of maps and pixels. Of
+# surfels: what is nearest, blended and shaded.
 . "$(dirname "$0")/tap.bash"
 cd "$scratch" || exit 2
 small=(atrium:triangles=10000:texels=32 --size 96x54 --no-images --set views=8 --set map_px=128 --set light_samples=4 --set pass=3
@@ -10,11 +11,12 @@ small=(atrium:triangles=10000:texels=32 --size 96x54 --no-images --set views=8 -
 # row BUFFER: different and undecided of a line of the table.
 row() { awk -v b="$1" '$2 == b { print $4, $7 }' stdout; }
 
-for words in 'soft-shadows mvr' 'omni-shadows epr'; do
-	read -r effect method <<< "$words"
-	run render "$effect" "${small[@]}" --method "$method" --set bias.slope=0 --margins -o ref
-	run render "$effect" "${small[@]}" --method "$method" --set bias.slope=0.005 --trace -o near
-	run render "$effect" "${small[@]}" --method "$method" --set bias.slope=0.1 --trace -o far
+for words in 'soft-shadows mvr' 'omni-shadows epr' 'surfels deferred --set from_mesh=5000 --set shader=phong_shadow'; do
+	read -r effect method more <<< "$words"
+	set -- $more
+	run render "$effect" "${small[@]}" "$@" --method "$method" --set bias.slope=0 --margins -o ref
+	run render "$effect" "${small[@]}" "$@" --method "$method" --set bias.slope=0.005 --trace -o near
+	run render "$effect" "${small[@]}" "$@" --method "$method" --set bias.slope=0.1 --trace -o far
 	run compare "ref/trace-$method" "near/trace-$method"
 	read -r different undecided <<< "$(row resolve.lit)"
 	[ "$status" -eq 1 ] && [ "$different" -gt 0 ] && [ "$undecided" = - ]
@@ -145,5 +147,39 @@ PY
 	done
 	rm -rf ref far
 done
+
+# Of surfels: the same; margins of two words are of pairs of f32 bits. An outline of which nothing is undecided is made so.
+run render surfels checkerboard:surfels=20000 --size 96x54 --no-images --set shader=npr --margins -o ref
+for words in 'surfel_depth.surfel surfel_depth.margin 8 1 2' 'blend.sum blend.margin 8 8 2' 'blend.heaviest blend.margin 8 1 2' \
+	'image.radiance deferred.margin 4 3 1'; do
+	read -r buffer margin bytes each pair <<< "$words"
+	for which in 1 0; do
+		rm -rf other
+		cp -r ref/trace-deferred other
+		python3 - other "$buffer" "$margin" "$bytes" "$each" "$pair" $which <<'PY'
+import glob, struct, sys
+folder, buffer, margin, bytes, each, pair, undecided = *sys.argv[1:4], *map(int, sys.argv[4:])
+def opened(name):
+	path = glob.glob(f"{folder}/*-{name}.npy")[0]
+	data = bytearray(open(path, "rb").read())
+	return path, data, 10 + struct.unpack_from("<H", data, 8)[0]
+path, data, at = opened(margin)
+near = list(memoryview(data[at:]).cast("f"))
+near = [a if a <= 1 else b for a, b in zip(near[::4], near[2::4])] if pair == 2 else near
+first = next((i for i, m in enumerate(near) if (m <= 1) == (undecided == 1)), None)
+if first is None:
+	first = len(near) // 2
+	struct.pack_into("<f", data, at + 4 * first, 0.5)
+	open(path.replace(folder, "ref/trace-deferred"), "wb").write(data)
+path, data, at = opened(buffer)
+data[at + bytes * (first * each + each - 1) + bytes - 2] ^= 0x40
+open(path, "wb").write(data)
+PY
+		run compare ref/trace-deferred other --decided --ignore "$margin"
+		[ "$status" -eq $((1 - which)) ] && [ "$(row "$buffer")" = "$([ $which = 1 ] && echo '0 1' || echo '1 -')" ]
+		verdict $? "surfels: $buffer where it is $([ $which = 0 ] || echo un)decided"
+	done
+done
+rm -rf ref
 
 finish
