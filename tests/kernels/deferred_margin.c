@@ -1,6 +1,6 @@
-/* The margins of deferred shading against ports that round otherwise: outlines and tones in double precision, of numbers that
- * are off by up to 4 ulps, each its own way, on a G-buffer whose steps, drops and cosines nearly tie. Whatever that changes is
- * undecided, most is decided, and a port of other thresholds differs where it is. */
+/* The margins of deferred shading against ports that round otherwise: outlines and tones in double precision, of numbers
+ * that are off by up to 4 ulps, each its own way, on a G-buffer whose steps, drops and cosines nearly tie. Whatever that
+ * changes is undecided, most is decided, and a port of other thresholds differs where it is. */
 #include <string.h>
 #include "../../src/kernels/deferred_margin.h"
 #include "seeded.h"
@@ -14,7 +14,10 @@ static const ts_view view = { .width = SIDE, .height = SIDE };
 static const ts_light sun = { .direction = { 0, 0, -1 }, .intensity = { 3, 3, 3 } };
 static u32 port; /* which way its numbers are off */
 
-static double off_of(double x, double of) { return x + of * (ts_uniform(ts_random(ts_f2u((f32)x), 3, port)) * 2 - 1) / 2097152; }
+static double off_of(double x, double of)
+{
+	return x + of * (ts_uniform(ts_random(ts_f2u((f32)x), 3, port)) * 2 - 1) / 2097152;
+}
 
 static f32 nearly(f32 x)
 {
@@ -27,7 +30,8 @@ static f32 nearly(f32 x)
 static void fill(void)
 {
 	for (u32 i = 0; i < N; i++) {
-		f32 far = 0.25f + 0.125f * (f32)below(4), cosine = nearly((f32)below(4) / 3) * (below(4) == 0 ? 0.98f : 1), depth = 1 - far;
+		f32 far = 0.25f + 0.125f * (f32)below(4), depth = 1 - far;
+		f32 cosine = nearly((f32)below(4) / 3) * (below(4) == 0 ? 0.98f : 1);
 		for (u32 k = below(4); k > 0; k--) far = far * (below(4) == 0 ? 0.9675f : 0.96875f);
 		if (below(2) == 0) depth = nearly(1 - far);
 		ts_v3 n = ts_v3_make(ts_sqrt(ts_max(1 - cosine * cosine, 0)), 0, cosine);

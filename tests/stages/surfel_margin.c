@@ -171,14 +171,15 @@ static void count(sums *r, const port *p)
 {
 	static pixel_sums pixels[N_PIXELS];
 	const ts_frame *frame = &p->run->frame;
-	const u64 *keys = ts_frame_data(frame, TS_B_surfel_depth_surfel), *heaviest = ts_frame_data(frame, TS_B_blend_heaviest);
+	const u64 *keys = ts_frame_data(frame, TS_B_surfel_depth_surfel);
+	const u64 *heaviest = ts_frame_data(frame, TS_B_blend_heaviest);
 	const u64 *blended = ts_frame_data(frame, TS_B_blend_sum), *depths = ts_frame_data(frame, TS_B_surfel_depth_margin);
 	const u64 *blends = ts_frame_data(frame, TS_B_blend_margin);
 	ts_filter filter = ts_surfel_filter(p->run);
 	for (u32 i = 0; i < N_PIXELS; i++) pixels[i] = (pixel_sums){ .nearest = 1e30, .surfel = TS_NONE, .heavy = TS_NONE };
 	for (u32 i = 0; i < ts_frame_n(frame, TS_B_scene_surfel); i++) add(p, pixels, i, &filter);
 	for (u32 i = 0; i < N_PIXELS; i++) {
-		if (keys[i] == TS_EMPTY && pixels[i].surfel == TS_NONE && pixels[i].fragments == 0 && blended[i * 8 + 7] == 0) continue;
+		if (keys[i] == TS_EMPTY && pixels[i].surfel == TS_NONE && pixels[i].fragments + blended[i * 8 + 7] == 0) continue;
 		r->n++;
 		note(r, 0, pixels[i].surfel != (u32)keys[i], is_undecided(&depths[i * 2], 2));
 		bool other = pixels[i].fragments != blended[i * 8 + 7] || pixels[i].heavy != (u32)heaviest[i];
@@ -205,7 +206,8 @@ static ts_scene *ties(const ts_params *params, u32 n)
 	surfels_random = 0;
 	for (u32 i = 0; i < n; i++) {
 		double z = 2 + 6 * (double)surfels_uniform(), x = floor((double)surfels_uniform() * WIDTH) + 0.5 - WIDTH / 2;
-		double y = floor((double)surfels_uniform() * HEIGHT) + 0.5 - HEIGHT / 2, turn = 6.2831853 * (double)surfels_uniform();
+		double y = floor((double)surfels_uniform() * HEIGHT) + 0.5 - HEIGHT / 2;
+		double turn = 6.2831853 * (double)surfels_uniform();
 		d3 n3 = { (double)surfels_uniform() - 0.5, (double)surfels_uniform() - 0.5, 0.6 };
 		d3 at = { (x + (i % 3 == 1 ? cos(turn) : 0)) * z / f, (y + (i % 3 == 1 ? sin(turn) : 0)) * z / f, -z }, c = at;
 		double radius = z / f * (1 + 5 * (double)surfels_uniform()), r = length(n3);
@@ -228,7 +230,10 @@ static ts_params margin_params(u32 filter)
 }
 
 static const struct { const char *method; u32 filter; } methods[] = {
-	{ "deferred", TS_FILTER_MIN }, { "deferred", TS_FILTER_OBJECT }, { "deferred", TS_FILTER_SCREEN }, { "ewa", TS_FILTER_MIN },
+	{ "deferred", TS_FILTER_MIN },
+	{ "deferred", TS_FILTER_OBJECT },
+	{ "deferred", TS_FILTER_SCREEN },
+	{ "ewa", TS_FILTER_MIN },
 };
 
 static void show(const sums *r, const char *method, const char *what)
