@@ -171,7 +171,8 @@ TS_FN void ts_k_surfel_depth_margin_pixel(const ts_surfel_margin_args *args, con
 	f32 rim = ts_k_inside_margin(&there, view->near);
 	bool shows = surfel->drawn && there.hit.inside;
 	bool nearest = key != TS_EMPTY && (u32)key == i;
-	f32 turns = shows ? ts_min(rim, surfel->fate) : ts_max(there.hit.inside ? 0.0f : rim, surfel->drawn ? 0.0f : surfel->fate);
+	f32 comes = ts_max(there.hit.inside ? 0.0f : rim, surfel->drawn ? 0.0f : surfel->fate);
+	f32 turns = shows ? ts_min(rim, surfel->fate) : comes;
 	if (!shows && turns > TS_MARGIN_REACH) return;
 	f32 z = there.hit.z + ts_k_pixel_shift(view, args->epsilon[0], x, y);
 	f32 behind = key == TS_EMPTY || nearest ? 0.0f : z - ts_u2f((u32)(key >> 32));
@@ -195,7 +196,7 @@ TS_FN void ts_k_surfel_depth_margin_item(const ts_surfel_margin_args *args, u64 
 	}
 }
 
-/* Its tests at a pixel, each as it was decided and by how many steps; of the depth, that of its centre and that of the ray. */
+/* Its tests at a pixel, each as it was decided and by how many steps; of the depth, that of its centre and the ray's. */
 typedef struct { bool inside, covers, before[2]; f32 inside_margin, covers_margin, before_margin[2]; } ts_blend_tests;
 
 /* Of a depth, of which a step is that much, and the depth that the visibility pass allows. */
@@ -268,8 +269,8 @@ TS_FN f32 ts_k_weight_margin(const ts_surfel_margin_args *args, const ts_camera_
 	return below / (most * step);
 }
 
-TS_FN void ts_k_blend_margin_pixel(const ts_surfel_margin_args *args, const ts_camera_k *view, u32 i, const ts_nearly *surfel,
-                                   i32 x, i32 y)
+TS_FN void ts_k_blend_margin_pixel(const ts_surfel_margin_args *args, const ts_camera_k *view, u32 i,
+                                   const ts_nearly *surfel, i32 x, i32 y)
 {
 	u64 pixel = (u64)y * (u64)view->width + (u64)x;
 	u64 heaviest = args->heaviest[pixel];

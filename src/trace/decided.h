@@ -7,7 +7,8 @@
  * does; and for surfels, if no surfel, fragment or outline comes or goes by rounding. Undecided can be elements of
  * eye.depth_triangle, face.depth_triangle, cull.keep, splat.depth_index, resolve.lit but of PCSS, scatter.depth of
  * triangles, segment.label, hull.box, map.depth_node, vpl_gather.irradiance, surfel_depth.surfel, blend.sum, blend.heaviest
- * and image.radiance of surfels; of other buffers every element is decided. The reference must hold the margins (render --margins). */
+ * and image.radiance of surfels; of other buffers every element is decided. The reference must hold the margins
+ * (render --margins). */
 #ifndef TS_TRACE_DECIDED_H
 #define TS_TRACE_DECIDED_H
 #include "read.h"

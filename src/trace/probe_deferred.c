@@ -21,7 +21,8 @@ static bool put_outline(ts_probe *p, json_t *object, const ts_deferred_args *arg
 			ts_probe_put(p, entry, "below", ts_probe_real(next.below));
 			ts_probe_put(p, entry, "more_than", ts_probe_real(next.drop));
 		}
-		ts_probe_put(p, entry, "answer", json_string(!ts_k_ends(&next) ? "goes on" : next.sky ? "ends before the sky" : "ends"));
+		const char *end = next.sky ? "ends before the sky" : "ends";
+		ts_probe_put(p, entry, "answer", json_string(ts_k_ends(&next) ? end : "goes on"));
 		ts_probe_append(p, list, entry);
 	}
 	ts_probe_put(p, o, "by_neighbour", list);

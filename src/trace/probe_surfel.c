@@ -268,7 +268,8 @@ static ts_status put_mean(ts_probe *p, json_t *object, const place *at)
 		ts_probe_put(p, o, "mean_of_normals", ts_probe_real(length));
 		ts_probe_put(p, o, "normal_of", json_string(length < TS_LEAST_NORMAL ? "the heaviest: they cancel" : "their mean"));
 		ts_probe_put(p, o, "normal", ts_probe_v3_bits(ts_load3(made->normal)));
-		ts_probe_put(p, o, "depth_of", json_string(args.keys[at->pixel] != TS_EMPTY ? "the nearest" : "the heaviest's centre"));
+		const char *of = args.keys[at->pixel] != TS_EMPTY ? "the nearest" : "the heaviest's centre";
+		ts_probe_put(p, o, "depth_of", json_string(of));
 		ts_probe_put(p, o, "depth", ts_probe_bits(ts_k_pixel_depth(&args, &at->view, at->pixel, at->x, at->y)));
 		ts_probe_put(p, o, "position", ts_probe_v3_bits(ts_load3(made->position)));
 	}

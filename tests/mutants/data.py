@@ -478,3 +478,38 @@ def _(ref, cand, _bench):
 	at = ref["indirect.irradiance"].words().index(0)
 	edit(cand, "indirect.irradiance", at, lambda _: -0.0)
 	return Planted("indirect.irradiance", ref.where("indirect.irradiance", at), None, 1)
+
+
+@mutant("fragment of a surfel not counted", of="surfels")
+def _(ref, cand, _bench):
+	sums = ref["blend.sum"].words()
+	at = next(i for i in range(7, len(sums), 8) if sums[i] > 3)
+	edit(cand, "blend.sum", at, lambda n: n - 1)
+	return Planted("blend.sum", ref.where("blend.sum", at), None, 1)
+
+
+@mutant("another surfel of the same depth", of="surfels")
+def _(ref, cand, _bench):
+	keys = ref["surfel_depth.surfel"].words()
+	at = next(i for i, key in enumerate(keys) if key != EMPTY)
+	edit(cand, "surfel_depth.surfel", at, lambda key: key ^ 1)
+	return Planted("surfel_depth.surfel", ref.where("surfel_depth.surfel", at), None, 1)
+
+
+@mutant("box of a surfel by a pixel less", of="surfels")
+def _(ref, cand, _bench):
+	discs = cand["surfel_setup.disc"]
+	at = next(i for i in range(discs.n) if discs.get(i, "high")[1] > discs.get(i, "low")[1])
+	put_field(discs, at, "high", 1, discs.get(at, "high")[1] - 1)
+	cand.put("surfel_setup.disc", discs)
+	return Planted("surfel_setup.disc", ref.where("surfel_setup.disc", at), "high[1]", 1)
+
+
+@mutant("-0 for 0 in a normal of a surfel", of="surfels")
+def _(ref, cand, _bench):
+	pixels = cand["gbuffer.pixel"]
+	at = next(i for i in range(pixels.n) if pixels.get(i, "depth")[0] < 1 and 0 in pixels.get(i, "normal"))
+	component = pixels.get(at, "normal").index(0)
+	put_field(pixels, at, "normal", component, 0x80000000)
+	cand.put("gbuffer.pixel", pixels)
+	return Planted("gbuffer.pixel", ref.where("gbuffer.pixel", at), f"normal[{component}]", 1)
