@@ -793,7 +793,7 @@ static u64 try_surfels(const traced *t, u32 x, u32 y)
 	if (others != NULL) sum += json_real_value(json_object_get(others, "weight"));
 	assert_true(fabs(sum - json_real_value(get(answer, "sums", "weight"))) < 1e-4);
 	assert_int_equal(figure(json_object_get(answer, "sums"), "fragments"), figure(blended, "fragments"));
-	try_nearest(t, json_object_get(answer, "visibility"), x, y);
+	if (x % 4 == 0) try_nearest(t, json_object_get(answer, "visibility"), x, y);
 	u64 n = figure(hidden, "fragments");
 	json_decref(answer);
 	return n;
