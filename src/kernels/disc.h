@@ -253,7 +253,7 @@ TS_FN ts_v3 ts_k_disc_normal(TS_GLOBAL const ts_surfel *surfel)
 	return ts_normalize(ts_cross(ts_load3(surfel->u), ts_load3(surfel->v)));
 }
 
-/* A surfel that is before the eye, and faces it: TS_DISC_DRAWN or TS_DISC_BESIDE. */
+/* A surfel that is before the eye, and faces it, into a disc that is clear: TS_DISC_DRAWN or TS_DISC_BESIDE. */
 TS_FN u32 ts_k_disc_make(ts_disc *disc, const ts_camera_k *view, const ts_filter *filter, const ts_disc_frame *frame,
                          ts_v3 n, f32 slant)
 {
@@ -265,8 +265,8 @@ TS_FN u32 ts_k_disc_make(ts_disc *disc, const ts_camera_k *view, const ts_filter
 	ts_k_disc_place(disc, view, frame);
 	ts_k_disc_map(disc, frame);
 	ts_k_disc_gaussian(disc, filter, frame);
-	ts_k_disc_box(disc, view, filter, frame);
-	bool drawn = ts_k_disc_is_near(disc) && disc->low[0] <= disc->high[0] && disc->low[1] <= disc->high[1];
+	if (ts_k_disc_is_near(disc)) ts_k_disc_box(disc, view, filter, frame);
+	bool drawn = disc->low[0] <= disc->high[0] && disc->low[1] <= disc->high[1];
 	if (!drawn) ts_k_disc_clear(disc);
 	return drawn ? TS_DISC_DRAWN : TS_DISC_BESIDE;
 }

@@ -63,6 +63,7 @@ TS_FN ts_nearly ts_k_nearly(const ts_surfel_margin_args *args, const ts_camera_k
 	r.deep = TS_MARGIN_ROUNDING * ((distance + ts_length(centre)) + radius);
 	r.fate = ts_k_disc_fate(view, &args->filter, &frame, slant, r.deep, distance);
 	if (!r.drawn && r.fate <= TS_MARGIN_REACH && frame.c.z > 0.0f) {
+		ts_k_disc_clear(&r.disc);
 		ts_k_disc_make(&r.disc, view, &args->filter, &frame, n, slant);
 	}
 	f32 z = ts_max(frame.z, view->near);
