@@ -1,0 +1,71 @@
+/* A tree of Embree. */
+#include "tree.h"
+#include <stdio.h>
+
+/* Embree calls this from the thread that failed, and ts_tree_check reports it from ours. */
+static void on_error(void *user, enum RTCError code, const char *text)
+{
+	ts_tree *tree = user;
+	ts_first_error_keep(&tree->error, (int)code, text);
+}
+
+/* Refuses what would take Embree beyond its share of the machine. */
+static bool on_memory(void *user, ssize_t bytes, bool post)
+{
+	ts_tree *tree = user;
+	i64 left = __atomic_sub_fetch(&tree->bytes_left, (i64)bytes, __ATOMIC_RELAXED);
+	return post || bytes <= 0 || left >= 0;
+}
+
+ts_status ts_tree_check(ts_tree *tree, const char *doing)
+{
+	bool failed = tree->device == NULL || rtcGetDeviceError(tree->device) != RTC_ERROR_NONE;
+	const char *error = ts_first_error_text(&tree->error);
+	if (!failed && error == NULL) return TS_OK;
+	return ts_fail("truth: Embree failed while %s: %s; it may take %llu MiB", doing,
+	               error != NULL ? error : "no reason given", (unsigned long long)(ts_memory_limit() >> 20));
+}
+
+ts_status ts_tree_begin(ts_tree *tree, u32 threads)
+{
+	char options[32];
+	snprintf(options, sizeof(options), "threads=%u", threads > 0 ? threads : 1);
+	*tree = (ts_tree){ .device = NULL };
+	ts_first_error_begin(&tree->error);
+	__atomic_store_n(&tree->bytes_left, (i64)ts_memory_limit(), __ATOMIC_RELEASE);
+	tree->device = rtcNewDevice(options);
+	if (tree->device == NULL) return ts_tree_check(tree, "starting");
+	rtcSetDeviceErrorFunction(tree->device, on_error, tree);
+	rtcSetDeviceMemoryMonitorFunction(tree->device, on_memory, tree);
+	tree->scene = rtcNewScene(tree->device);
+	if (tree->scene == NULL) return ts_tree_check(tree, "making a scene");
+	rtcSetSceneFlags(tree->scene, RTC_SCENE_FLAG_ROBUST);
+	return TS_OK;
+}
+
+ts_status ts_tree_build(ts_tree *tree)
+{
+	rtcCommitScene(tree->scene);
+	return ts_tree_check(tree, "building its tree") == TS_OK ? ts_selftest_require() : TS_ERROR;
+}
+
+void ts_tree_end(ts_tree *tree)
+{
+	if (tree->scene != NULL) rtcReleaseScene(tree->scene);
+	if (tree->device != NULL) rtcReleaseDevice(tree->device);
+	ts_first_error_end(&tree->error);
+}
+
+void ts_tree_cast(const ts_tree *tree, struct RTCRayHit *ray, ts_tree_context *context)
+{
+#if TS_EMBREE == 4
+	struct RTCIntersectArguments arguments;
+	rtcInitIntersectArguments(&arguments);
+	rtcInitRayQueryContext(context);
+	arguments.context = context;
+	rtcIntersect1(tree->scene, ray, &arguments);
+#else
+	rtcInitIntersectContext(context);
+	rtcIntersect1(tree->scene, context, ray);
+#endif
+}
