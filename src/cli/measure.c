@@ -34,7 +34,8 @@ static ts_status judge_texels(ts_measure *m, const ts_run *run, const ts_stage *
 {
 	for (u32 i = 0; stage->writes[i] < TS_N_BUFFERS; i++) {
 		ts_buffer_id id = stage->writes[i];
-		if (!ts_truth_judges(id) || !run->frame.buffer[id].made) continue;
+		bool triangles = run->frame.buffer[TS_B_pose_vertex].made;
+		if (!ts_truth_judges(id) || !triangles || !run->frame.buffer[id].made) continue;
 		if (m->tree == NULL && ts_truth_new(&m->tree, run) != TS_OK) return TS_ERROR;
 		if (ts_truth_texels(&m->texels, m->tree, run, id) != TS_OK) return TS_ERROR;
 	}

@@ -16,7 +16,8 @@ const ts_option ts_option_table[] = {
 	  "true reflections, C MVR at 4 times the resolution. Of shadows: samples, rays to the very\n"
 	  "samples of the lights, area, rays to as good as the whole lights. Of indirect: lights, the\n"
 	  "triangles of light as far as they are seen, bounce, paths. Of particles: glow, rays to each\n"
-	  "of them. Without names each; \"none\".\n"
+	  "of them. Of surfels: discs, rays into them, surface, into what they are samples of.\n"
+	  "Without names each; \"none\".\n"
 	  "Also rays through every off-screen texel: holes, leaks, wrong depths", "" },
 	{ TS_OPT_SIZE, "size", "WxH", "size of the eye image in pixels", "" },
 	{ TS_OPT_FRAME, "frame", "K", "frame of the animation", "" },

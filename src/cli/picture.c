@@ -111,6 +111,18 @@ ts_status ts_picture_truth_c(ts_picture *picture, const ts_scene *scene, const t
 	return status;
 }
 
+ts_status ts_picture_truth_surfels(ts_picture *picture, u32 at, const ts_scene *scene, const ts_params *params,
+                                   u32 threads)
+{
+	double begin = ts_seconds();
+	f32 *radiance;
+	ts_status status = at == TS_AT_DISCS ? ts_truth_discs(&radiance, scene, params, threads)
+	                                     : ts_truth_surface(&radiance, scene, params, threads);
+	if (status == TS_OK) status = ts_picture_make(picture, ts_truth_kinds[at].picture, radiance, params);
+	picture->seconds = ts_seconds() - begin;
+	return status;
+}
+
 enum { MOST_TRACED = 3 };
 
 /* Truths that start from a run of their own: their effects, what leads to them, and the stage that shows them. */

@@ -32,6 +32,10 @@ ts_status ts_picture_truth(ts_picture *picture, u32 truth, ts_run *run);
 /* Truth C. */
 ts_status ts_picture_truth_c(ts_picture *picture, const ts_scene *scene, const ts_params *params, u32 threads);
 
+/* A truth of surfels, TS_AT_DISCS or TS_AT_SURFACE. */
+ts_status ts_picture_truth_surfels(ts_picture *picture, u32 at, const ts_scene *scene, const ts_params *params,
+                                   u32 threads);
+
 /* Truths of shadows or of indirect light, those of `truths` (TS_TRUTH_*), in a run of their own; into
  * pictures[TS_AT_*]. */
 ts_status ts_picture_truth_traced(ts_picture pictures[], u32 truths, const char *effect, const ts_scene *scene,

@@ -71,6 +71,25 @@ static ts_status take_picture(ts_run *run, void *user)
 	return status == TS_OK && strcmp(name, "epr") == 0 ? take_truths(run, render) : status;
 }
 
+/* Surfels of a file are samples of what is not known. */
+static bool has_surface(const ts_render *render) { return ts_truth_has_surface(render->scene, &render->cli->params); }
+
+/* Truths that a method's run has no part in. */
+static ts_status take_own_truths(ts_render *render)
+{
+	const ts_cli *cli = render->cli;
+	ts_status status = TS_OK;
+	if (wants(render, TS_TRUTH_C)) {
+		ts_progress("truth C", 0, 1);
+		status = ts_picture_truth_c(&render->truths[TS_AT_C], render->scene, &cli->params, cli->how.threads);
+	}
+	for (u32 at = TS_AT_DISCS; at <= TS_AT_SURFACE && status == TS_OK; at++) {
+		if (!wants(render, 1u << at) || (at == TS_AT_SURFACE && !has_surface(render))) continue;
+		status = ts_picture_truth_surfels(&render->truths[at], at, render->scene, &cli->params, cli->how.threads);
+	}
+	return status;
+}
+
 static ts_status run_all(ts_render *render)
 {
 	const ts_cli *cli = render->cli;
@@ -91,14 +110,11 @@ static ts_status run_all(ts_render *render)
 		status = ts_measure_run(&unseen, ts_pipeline_find(render->effect, "epr"), render->scene, &cli->params,
 		                        &cli->how, take_truths, render);
 	}
-	if (status == TS_OK && wants(render, ~(u32)(TS_TRUTH_A | TS_TRUTH_B | TS_TRUTH_C))) {
+	if (status == TS_OK && wants(render, TS_TRUTHS_TRACED)) {
 		status = ts_picture_truth_traced(render->truths, cli->truths, render->effect, render->scene, &cli->params,
 		                                 cli->how.threads);
 	}
-	if (status == TS_OK && wants(render, TS_TRUTH_C)) {
-		ts_progress("truth C", 0, 1);
-		status = ts_picture_truth_c(&render->truths[TS_AT_C], render->scene, &cli->params, cli->how.threads);
-	}
+	if (status == TS_OK) status = take_own_truths(render);
 	ts_progress("truth", 1, 1);
 	return status;
 }
@@ -130,6 +146,7 @@ static void compare_all(ts_render *render)
 	compare(render, &render->truths[TS_AT_B], &render->truths[TS_AT_A], "method");
 	compare(render, &render->truths[TS_AT_AREA], &render->truths[TS_AT_SAMPLES], "sampling");
 	compare(render, &render->truths[TS_AT_BOUNCE], &render->truths[TS_AT_LIGHTS], "");
+	compare(render, &render->truths[TS_AT_SURFACE], &render->truths[TS_AT_DISCS], "sampling");
 	for (u32 i = 0; i < render->n_methods; i++) {
 		for (u32 j = i + 1; j < render->n_methods; j++) compare(render, &render->pictures[j], &render->pictures[i], "");
 	}
@@ -167,6 +184,10 @@ static ts_status work(ts_render *render, ts_report *report)
 	if (status == TS_OK) status = prepare_traces(render);
 	if (status != TS_OK) return status;
 	ts_render_report_head(render, report);
+	if (wants(render, TS_TRUTH_SURFACE) && !has_surface(render)) {
+		ts_report_line(report, "truth surface: none; what the surfels of %s are samples of is not known",
+		               render->scene->name);
+	}
 	status = ts_report_print(report);
 	if (status == TS_OK) status = run_all(render);
 	if (status != TS_OK) return status;

@@ -193,7 +193,7 @@ static void report_ratio(const ts_render *render, ts_report *report)
 
 static void lit_row(ts_table *table, const ts_picture *picture)
 {
-	if (picture->srgb == NULL) return;
+	if (picture->srgb == NULL || picture->n_samples == 0) return;
 	ts_table_text(table, picture->name);
 	ts_table_count(table, (i64)picture->n_samples);
 	ts_table_count(table, (i64)picture->lit.seen);

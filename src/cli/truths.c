@@ -15,6 +15,8 @@ const ts_truth_kind ts_truth_kinds[TS_N_TRUTHS] = {
 	[TS_AT_BOUNCE] = { "bounce", "truth-bounce", "light after one bounce, path by path", "", "indirect" },
 	[TS_AT_VPLS] = { "vpls", "truth-vpls", "all virtual point lights, where they are seen", "method", "indirect" },
 	[TS_AT_GLOW] = { "glow", "truth-glow", "all particles, where they are seen", "method", "particles" },
+	[TS_AT_DISCS] = { "discs", "truth-discs", "rays into the surfels themselves", "method", "surfels" },
+	[TS_AT_SURFACE] = { "surface", "truth-surface", "rays into what surfels are samples of", "both", "surfels" },
 };
 
 static bool is_of(const ts_truth_kind *kind, const char *effect) { return strstr(effect, kind->of) != NULL; }
@@ -37,7 +39,8 @@ ts_status ts_truths_parse(u32 *truths, const char *text)
 		u32 bit = find(item);
 		if (bit == 0) {
 			return ts_fail("--truth %s: \"%s\" is no truth; there are A, B and C of reflections, samples and area of "
-			               "shadows, lights, bounce and vpls of indirect, glow of particles, or none", text, item);
+			               "shadows, lights, bounce and vpls of indirect, glow of particles, discs and surface of surfels, "
+			               "or none", text, item);
 		}
 		*truths |= bit;
 	}
@@ -47,7 +50,7 @@ ts_status ts_truths_parse(u32 *truths, const char *text)
 static const char *names_of(const char *effect)
 {
 	if (strcmp(effect, "particles") == 0) return "is glow";
-	if (strcmp(effect, "surfels") == 0) return "is none yet";
+	if (strcmp(effect, "surfels") == 0) return "are discs and surface";
 	if (strcmp(effect, "indirect") == 0) return "are lights, bounce and vpls";
 	return strcmp(effect, "reflections") == 0 ? "are A, B and C" : "are samples and area";
 }

@@ -8,7 +8,7 @@ typedef struct {
 	const char *picture; /* name of its picture: "truth-a" */
 	const char *doc;     /* what that shows */
 	const char *share;   /* whose error a method is apart from it by: "method", "sampling", "both" or "" */
-	const char *of;      /* "reflections", "shadows", "indirect" or "particles", which names of effects contain */
+	const char *of;      /* "reflections", "shadows", "indirect", "particles" or "surfels", which names of effects contain */
 } ts_truth_kind;
 
 /* At TS_AT_*. */

@@ -1,6 +1,8 @@
 /* "checkerboard": surfels in a regular grid on a plane that recedes to where its squares are far smaller than a pixel,
  * what SPEC 5.6 measures filters on. 64 by 256 m of squares of 1 m; the camera "receding" looks along it. */
+#include "build_parts.h"
 #include "builtin.h"
+#include "checkerboard.h"
 #include "surfel.h"
 
 enum { WIDTH = 64, TIMES = 4 }; /* as many times as long as it is wide */
@@ -18,12 +20,20 @@ static void add_camera(ts_build *build)
 	ts_build_camera(build, &camera);
 }
 
+/* Squares lie by whole coordinates. */
+bool ts_checkerboard_at(f32 *albedo, f32 x, f32 z)
+{
+	if (!(ts_abs(x) <= 0.5f * (f32)WIDTH && z <= 0.0f && z >= -(f32)(WIDTH * TIMES))) return false;
+	*albedo = ((ts_floor_i32(x) + ts_floor_i32(z)) & 1) == 0 ? LIGHT : DARK;
+	return true;
+}
+
 /* The square that the centre is in gives the colour. */
 static void add_surfel(ts_build *build, f32 x, f32 z, f32 radius)
 {
 	static const f32 up[3] = {0.0f, 1.0f, 0.0f};
-	bool light = ((ts_floor_i32(x) + ts_floor_i32(z)) & 1) == 0;
-	f32 albedo = light ? LIGHT : DARK;
+	f32 albedo = DARK;
+	ts_checkerboard_at(&albedo, x, z);
 	ts_surfel s = {.centre = {x, 0.0f, z}, .colour = {albedo, albedo, albedo}};
 	ts_surfel_circle(&s, up, radius);
 	ts_build_surfel(build, &s);
@@ -42,6 +52,7 @@ static void add_grid(ts_build *build, u32 count, f32 splat_radius)
 		}
 	}
 	add_camera(build);
+	build->scene->is_checkerboard = true;
 }
 
 const ts_builtin ts_builtin_checkerboard = {.surfels = add_grid, .camera = "receding"};

@@ -21,6 +21,7 @@ struct ts_scene {
 	ts_light *lights; u32 n_lights;
 	ts_object *objects; u32 n_objects;
 	ts_surfel *surfels; u32 n_surfels; /* a scene may have these only, or triangles only, or both */
+	bool is_checkerboard;   /* they are those of builtin_checkerboard.c */
 	ts_info info;
 	ts_camera *cameras; u32 n_cameras;
 	u32 camera;             /* the chosen one or TS_NONE: the eye circles */

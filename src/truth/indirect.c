@@ -7,7 +7,6 @@
  * (Vogel 1979) in the pixel's tangent disc, lifted to the hemisphere (Malley), at a random turn a pixel. */
 #include "../kernels/direct.h"
 #include "../kernels/vpl_gather.h"
-#include "../pipelines/pipeline.h"
 #include "../scene/lamp.h"
 #include "../stages/stages.h"
 #include "query.h"
@@ -173,18 +172,6 @@ static ts_status trace(const ts_truth *truth, ts_run *run, gather *light, const 
 	return TS_OK;
 }
 
-/* The steps of a method before a stage, in a run that has just begun. */
-static ts_status begin(ts_run *run, const char *effect, const char *method, const char *stage)
-{
-	const ts_pipeline *pipeline = ts_pipeline_find(effect, method);
-	if (pipeline == NULL) return ts_fail("truth of %s: there is no method %s for it", effect, method);
-	pipeline->prepare(run);
-	for (const ts_step *step = pipeline->steps; strcmp(step->stage, stage) != 0; step++) {
-		if (!step->only_margins && ts_run_stage(run, ts_stage_find(step->stage)) != TS_OK) return TS_ERROR;
-	}
-	return TS_OK;
-}
-
 /* From lights that stages make, in order; ended by NULL. */
 static ts_status trace_views(ts_truth *truth, ts_run *run, const char *const *makers, const char *label)
 {
@@ -194,9 +181,15 @@ static ts_status trace_views(ts_truth *truth, ts_run *run, const char *const *ma
 	return trace(truth, run, from_vpls, label);
 }
 
-ts_status ts_truth_indirect_begin(ts_run *run, const char *effect) { return begin(run, effect, "direct", "direct"); }
+ts_status ts_truth_indirect_begin(ts_run *run, const char *effect)
+{
+	return ts_truth_begin(run, effect, "direct", "direct");
+}
 
-ts_status ts_truth_particles_begin(ts_run *run, const char *effect) { return begin(run, effect, "megaviews", "root"); }
+ts_status ts_truth_particles_begin(ts_run *run, const char *effect)
+{
+	return ts_truth_begin(run, effect, "megaviews", "root");
+}
 
 ts_status ts_truth_lights(ts_truth *truth, ts_run *run) { return trace(truth, run, from_lights, "truth lights"); }
 

@@ -64,6 +64,14 @@ ts_status ts_truth_particles_begin(ts_run *run, const char *effect);
 /* Reads gbuffer.pixel; makes the same. */
 ts_status ts_truth_glow(ts_truth *truth, ts_run *run);
 
+/* Truths of surfels (surfels.c), in a run of their own: the mean of params.grid_rays^2 pictures, each by rays through one
+ * place of a regular grid in every pixel. `discs` casts them into the surfels, `surface` into what these are samples of,
+ * which must be known. *radiance: width * height * 3 floats, by free(). NULL on failure: no memory, or Embree's error. */
+ts_status ts_truth_discs(f32 **radiance, const ts_scene *scene, const ts_params *params, u32 threads);
+ts_status ts_truth_surface(f32 **radiance, const ts_scene *scene, const ts_params *params, u32 threads);
+/* True if the surfels were sampled from the scene's triangles (params.from_mesh), or are the built-in checkerboard. */
+bool ts_truth_has_surface(const ts_scene *scene, const ts_params *params);
+
 /* Truth of off-screen buffers (texels.c): a ray through the centre of every texel. */
 typedef struct {
 	u64 covered; /* texels whose ray hits a triangle that the view may show and that has no alpha mask */

@@ -48,7 +48,7 @@ if what == "folders":
 	missing = sorted(names ^ cases.keys())
 elif what == "choices":
 	for p in table["params"]:
-		if p["name"] in ("area_samples", "bounce_rays", "ground", "neighbours"): # of truths and of files
+		if p["name"] in ("area_samples", "bounce_rays", "grid_rays", "ground", "neighbours"): # of truths and of files
 			continue
 		taken = {case[p["name"]] for case in of(*takers.get(p["name"], [("reflections", "epr")])) if p["name"] in case}
 		missing += [f"{p['name']}={c}" for c in p["range"].split("|") if "|" in p["range"] and c not in taken]

@@ -134,6 +134,21 @@ run render particles dining:triangles=10000:texels=32 --size 64x36 --set levels=
 	[ -s work/particles/truth-glow.png ] && grep -q 'truth-glow' stdout
 verdict $? 'particles by both methods, and their truth'
 refuses 'there is glow, or none' render particles --truth=vpls
+run render surfels checkerboard:surfels=10000 --size 64x36 --set grid_rays=2 --method deferred --truth --json -o work/surfels
+python3 - stdout <<'PY' && [ "$status" -eq 0 ] && [ -s work/surfels/difference-deferred-truth-discs.png ]
+import json, sys
+rows = {(r["image"], r["reference"]): r for r in json.load(open(sys.argv[1]))["metrics"]}
+assert rows["deferred", "truth-discs"]["share"] == "method" and rows["truth-discs", "truth-surface"]["share"] == "sampling"
+assert 0 < rows["deferred", "truth-discs"]["rmse"] < rows["deferred", "truth-surface"]["rmse"]
+PY
+verdict $? 'surfels and their truths'
+printf 'ply\nformat ascii 1.0\nelement vertex 1\n%sproperty float radius\nend_header\n0 0 0 0 0 1 1\n' \
+	"$(printf 'property float %s\n' x y z nx ny nz)
+" > one.ply
+run render surfels one.ply --size 64x36 --set eye=outside --truth --set shader=phong_shadow --set map_px=32 -o work/one
+[ "$status" -eq 0 ] && grep -q '^truth surface: none' stdout && grep -q 'truth-discs' stdout && ! grep -q 'truth-surface' stdout
+verdict $? 'surfels that are samples of nothing known'
+refuses 'there are discs and surface, or none' render surfels --truth=glow
 refuses 'view_px or particles' render particles dining:triangles=10000:texels=32 --set levels=11 --set particles=16000000 --set view_px=256
 
 finish
