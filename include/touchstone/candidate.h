@@ -218,6 +218,8 @@ static const ts_candidate_buffer ts_candidate_buffers[] = {
 		"('pad', '<u4')]"},
 	{"surfel_depth.surfel", 8, 2, "'<u8'"},
 	{"surfel_depth.margin", 8, 3, "'<u8'"},
+	{"fragment_list.offset", 4, 1, "'<u4'"},
+	{"fragment_list.surfel", 4, 1, "'<u4'"},
 	{"blend.sum", 8, 3, "'<u8'"},
 	{"blend.heaviest", 8, 2, "'<u8'"},
 	{"blend.margin", 8, 3, "'<u8'"},

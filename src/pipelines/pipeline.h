@@ -15,6 +15,7 @@ typedef struct {
 	bool only_ordered;   /* points that arrive in any order do without */
 	u32 stored;          /* TS_STORED_*: runs only if points are */
 	bool (*only_if)(const ts_params *params); /* NULL: whatever the parameters are */
+	bool unnumbered;     /* in traces it has the number of the step before, so that those behind keep theirs */
 	bool each_batch;     /* neighbours with this mark run for one batch after the other */
 } ts_step;
 

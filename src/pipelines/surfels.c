@@ -8,7 +8,8 @@
  * kernel. `ewa` weighs by the convolution of both instead.
  *
  * Deviations:
- * - sums are integers, not 16-bit floats, so that they do not depend on the order of surfels (blend.h);
+ * - sums are integers, not 16-bit floats, so that they do not depend on the order of surfels (blend.h); accumulation=half is
+ *   the paper;
  * - "20 x 20" pixels of least size are read as 2 x 2, the screen filter's own width, for the reasons of SPEC 5.4;
  * - boxes are those of the projected ellipse, where the paper's point sprites miss parts of it; bounds=botsch is the paper;
  * - epsilon, sigma_k and the shaders are not given: epsilon is the median radius, sigma_k a half;
@@ -18,12 +19,16 @@
 #include "../stages/stages.h"
 #include "pipelines.h"
 
+#define FRAGMENTS 30u /* of a pixel, on the slides */
+#define SPLAT 4u      /* fragments of a surfel below a pixel's size */
+
 const ts_step ts_surfels_steps[] = {
 	{.stage = "view"},
 	{.stage = "lamp"},
 	{.stage = "surfel_setup"},
 	{.stage = "surfel_depth"},   /* visibility splatting */
 	{.stage = "surfel_depth_margin", .only_margins = true},
+	{.stage = "fragment_list", .only_if = ts_accumulates_in_order, .unnumbered = true},
 	{.stage = "blend"},          /* attribute splatting */
 	{.stage = "blend_margin", .only_margins = true},
 	{.stage = "surfel_mean"},     /* normalization */
@@ -54,6 +59,7 @@ void ts_surfels_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *
 {
 	u64 n_lights = scene->n_lights;
 	ts_sizes_views(sizes, n_lights);
+	ts_sizes_set(sizes, "f", (u64)FRAGMENTS * params->width * params->height + (u64)SPLAT * scene->n_surfels);
 	ts_sizes_set(sizes, "B", 0);
 	ts_sizes_set(sizes, "A", n_lights);
 	ts_sizes_set(sizes, "C", (u64)params->map_px * params->map_px * n_lights);

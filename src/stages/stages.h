@@ -85,6 +85,7 @@ ts_status ts_stage_vpl_gather_margin(ts_run *run);
 ts_status ts_stage_bilateral(ts_run *run);
 ts_status ts_stage_surfel_setup(ts_run *run);
 ts_status ts_stage_surfel_depth(ts_run *run);
+ts_status ts_stage_fragment_list(ts_run *run);
 ts_status ts_stage_blend(ts_run *run);
 ts_status ts_stage_surfel_mean(ts_run *run);
 ts_status ts_stage_surfel_depth_margin(ts_run *run);
@@ -127,6 +128,10 @@ u32 ts_gather_level(const ts_run *run);
 u32 ts_gather_level_of(const ts_params *params, bool alone);
 /* How surfels are filtered, as arguments of kernels have it (surfel_setup.c). */
 ts_filter ts_surfel_filter(const ts_run *run);
+/* The sums of stage `blend` in the order of the surfels (fragment_list.c), and whether the parameter `accumulation` asks for
+ * them. */
+ts_status ts_blend_in_order(ts_run *run);
+bool ts_accumulates_in_order(const ts_params *params);
 /* The parameter `shader` asks for shadows (deferred.c). */
 bool ts_shader_has_shadows(const ts_params *params);
 /* Arguments of the kernels of deferred shading, without their outputs. */

@@ -50,8 +50,8 @@ static const ts_size *find_size(const ts_sizes *sizes, const char *name, size_t 
 }
 
 /* Names of the sizes that buffers define: the first dimension, where it is a name and nothing else. */
-static const char *const defined[] = {"V", "T", "M", "S", "I",  "X",  "L", "O", "A", "B", "U",
-                                      "R", "P", "Q", "N", "P2", "P3", "C", "C4", "Z", "D", "E", "F", "J", "p", "p2", "s"};
+static const char *const defined[] = {"V", "T", "M", "S", "I",  "X",  "L", "O", "A",  "B", "U", "R", "P", "Q",  "N",
+                                      "P2", "P3", "C", "C4", "Z", "D", "E", "F", "J", "p", "p2", "s", "f"};
 
 static void define(ts_sizes *sizes, ts_buffer_id id, u64 n)
 {

@@ -33,6 +33,7 @@ static const struct {
 	{TS_B_pixel_offset, "P"},    {TS_B_split_offset, "Q"},    {TS_B_count_offset, "N"},
 	{TS_B_lookup2_offset, "P2"}, {TS_B_lookup3_offset, "P3"}, {TS_B_box_offset, "Z"},
 	{TS_B_octree_offset, "F"},   {TS_B_view_octree_offset, "J"}, {TS_B_vpl_pairs_offset, "p2"},
+	{TS_B_fragment_list_offset, "f"},
 };
 
 static ts_status check_sums(const ts_load *load)

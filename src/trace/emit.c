@@ -58,7 +58,7 @@ u32 ts_emit_number(const ts_pipeline *pipeline, ts_buffer_id id)
 {
 	u32 number = 0;
 	for (const ts_step *step = pipeline->steps; step->stage != NULL; step++) {
-		number += !step->only_margins;
+		number += !step->only_margins && !step->unnumbered;
 		if (ts_stage_writes(ts_stage_find(step->stage), id)) return number;
 	}
 	return 0;

@@ -27,7 +27,8 @@ ts_status ts_emit_stage(const ts_run *run, const ts_stage *stage, ts_take_chunk 
 /* True of the buffers that the run began with. */
 bool ts_emit_is_scene(ts_buffer_id id);
 
-/* Place of the step that makes a buffer, from 1; margins have the number of what they speak of. 0: the scene. */
+/* Place of the step that makes a buffer, from 1; margins and what is unnumbered have that of the step
+ * before. 0: the scene. */
 u32 ts_emit_number(const ts_pipeline *pipeline, ts_buffer_id id);
 /* "04-eye.depth_triangle.npy". */
 void ts_emit_name(char name[TS_EMIT_NAME], const ts_pipeline *pipeline, ts_buffer_id id);

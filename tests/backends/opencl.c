@@ -251,6 +251,9 @@ static const struct { const char *effect, *method; u32 reflectors; const char *s
 	{"particles", "manylods", 0, {{"particles", "90"}, {"cutoff", "5"}}},
 	{"surfels", "deferred", 0, {{"from_mesh", "3000"}, {"shader", "phong_shadow"}, {"map_px", "64"}}},
 	{"surfels", "ewa", 0, {{"from_mesh", "3000"}, {"shader", "npr"}}},
+	{"surfels", "deferred", 0, {{"from_mesh", "3000"}, {"accumulation", "half"}}},
+	{"surfels", "deferred", 0, {{"from_mesh", "3000"}, {"accumulation", "8bit"}}},
+	{"surfels", "ewa", 0, {{"from_mesh", "3000"}, {"accumulation", "float32"}}},
 };
 enum { N_RUNS = sizeof runs / sizeof *runs };
 

@@ -37,7 +37,8 @@ takers = {"rate": views, "buffered": views, "snap": views, "lamp": soft[:1], "la
                                     "queue_mb", "gather_level", "cutoff", "gather_lights", "light_near", "light_bias", "shadows",
                                     "filter_px")},
           "particles": particles, "glow": particles,
-          **{p: deferred for p in ("filter", "sigma", "sigma_k", "eps", "min_px", "bounds", "shader", "splat_radius")},
+          **{p: deferred for p in ("filter", "sigma", "sigma_k", "eps", "min_px", "bounds", "shader", "splat_radius",
+                                    "accumulation")},
           "sigma_h": [("surfels", "ewa")], "from_mesh": surfels, "eye": deferred + [("reflections", "epr")],
           "conservative": views + [("reflections", "epr"), ("reflections", "vir")],
           **{p: [("reflections", "mvr")] for p in ("mvr.faces", "mvr.filter")}}

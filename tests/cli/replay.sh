@@ -124,6 +124,7 @@ for words in 'indirect hulls --margins --set lamp=scene' 'indirect direct' \
 	'indirect megaviews --margins --set levels=4 --set vpls=60 --set vpl.bounces=2' \
 	'indirect manylods --set levels=4 --set gather_lights=0' 'indirect bruteforce --set levels=3 --set vpls=30' \
 	'particles megaviews --margins --set levels=4 --set particles=60' 'particles manylods --set levels=4 --set particles=60' \
+	'surfels deferred --set from_mesh=3000 --set accumulation=half' \
 	'surfels deferred --set from_mesh=3000 --set shader=phong_shadow --set map_px=64' 'surfels ewa --set from_mesh=3000 --set shader=npr_shadow --set map_px=64'; do
 	read -r effect method how <<< "$words"
 	# shellcheck disable=SC2086
@@ -134,6 +135,26 @@ for words in 'indirect hulls --margins --set lamp=scene' 'indirect direct' \
 	verdict $? "$words: every stage gives the same bits from its own trace"
 	rm -rf light
 done
+# Lists of fragments that would lead a kernel beyond its buffers: NAME PLACE VALUE, of u32.
+spoil() {
+	python3 - "$@" <<'PY'
+import struct, sys
+name, place, value = sys.argv[1], int(sys.argv[2]), int(sys.argv[3])
+data = bytearray(open(f"lists/trace-deferred/04-fragment_list.{name}.npy", "rb").read())
+struct.pack_into("<I", data, 10 + struct.unpack_from("<H", data, 8)[0] + 4 * place, value)
+open(f"spoilt/trace-deferred/04-fragment_list.{name}.npy", "wb").write(data)
+PY
+}
+run render surfels atrium:triangles=10000:texels=32 --size 64x48 --trace --no-images -o lists --method deferred \
+	--set from_mesh=3000 --set accumulation=8bit
+for words in 'offset 0 1 where sums begin' 'offset 5 4000000000 the sum before it' 'offset 3072 4000000000 where sums end' \
+	'surfel 7 123456789 less than'; do
+	read -r name place value why <<< "$words"
+	rm -rf spoilt && cp -r lists spoilt
+	spoil "$name" "$place" "$value"
+	refuses "$why" replay spoilt/trace-deferred --stage blend
+done
+rm -rf lists spoilt
 refuses 'No such file' replay nowhere
 refuses 'No such file' replay $epr --inputs nowhere
 refuses 'write touchstone replay TRACE' replay

@@ -1,0 +1,31 @@
+/* Lists of the surfels of every pixel's fragments (SPEC 5.7): what sums that depend on an order are taken over. */
+#ifndef TS_KERNELS_FRAGMENT_LIST_H
+#define TS_KERNELS_FRAGMENT_LIST_H
+#include "blend.h"
+
+typedef struct {
+	TS_GLOBAL const ts_view *view;
+	TS_GLOBAL const ts_disc *discs; /* surfel_setup.disc */
+	TS_GLOBAL const u64 *keys;      /* surfel_depth.surfel */
+	TS_GLOBAL u32 *offset;          /* of fragment_list.offset, one later */
+	TS_GLOBAL u32 *surfels;         /* fragment_list.surfel; NULL: they are counted */
+	ts_filter filter;
+} ts_fragment_list_args;
+
+/* scatter over surfels: into the counts of the pixels, or their lists */
+TS_FN void ts_k_fragment_list_item(const ts_fragment_list_args *args, u64 i)
+{
+	ts_camera_k view = ts_k_view(args->view);
+	ts_disc disc = args->discs[i];
+	for (i32 y = disc.low[1]; y <= disc.high[1]; y++) {
+		for (i32 x = disc.low[0]; x <= disc.high[0]; x++) {
+			u64 pixel = (u64)y * (u64)view.width + (u64)x;
+			ts_surfel_fragment f = ts_k_surfel_fragment(&disc, &args->filter, view.near, x, y);
+			if (!f.covers || !ts_k_is_visible(args->keys[pixel], f.z)) continue;
+			u32 place = ts_next_u32(&args->offset[pixel + 1u]);
+			if (args->surfels != NULL) args->surfels[place] = (u32)i;
+		}
+	}
+}
+
+#endif
