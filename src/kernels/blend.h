@@ -42,6 +42,9 @@ TS_FN ts_attributes ts_k_attributes(TS_GLOBAL const ts_surfel *surfel, const ts_
 /* No deeper than what the visibility pass found; where that found nothing, however deep. */
 TS_FN bool ts_k_is_visible(u64 key, f32 z) { return key == TS_EMPTY || z <= ts_u2f((u32)(key >> 32)); }
 
+/* The least is of the heaviest. */
+TS_FN u64 ts_k_heavy(f32 weight, u32 surfel) { return ((u64)~ts_f2u(ts_put(weight)) << 32) | surfel; }
+
 TS_FN void ts_k_blend_add(const ts_blend_args *args, u64 pixel, u32 surfel, const ts_attributes *attributes, f32 weight)
 {
 	TS_GLOBAL i64 *sums = args->sums + pixel * TS_BLEND_SUMS;
@@ -51,7 +54,7 @@ TS_FN void ts_k_blend_add(const ts_blend_args *args, u64 pixel, u32 surfel, cons
 	}
 	ts_add_i64(&sums[TS_BLEND_WEIGHT], (i64)ts_fix(weight, TS_BLEND_BITS, 31));
 	ts_add_i64(&sums[TS_BLEND_FRAGMENTS], 1);
-	u64 heavy = ((u64)~ts_f2u(ts_put(weight)) << 32) | surfel;
+	u64 heavy = ts_k_heavy(weight, surfel);
 	ts_min_u64(&args->heaviest[pixel], heavy);
 }
 

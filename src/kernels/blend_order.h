@@ -60,14 +60,45 @@ TS_FN f32 ts_k_blend_number(u32 accumulation, u32 k, f32 sum, f32 weight)
 	return level / 255.0f;
 }
 
+/* A pixel of the target. */
+typedef struct { f32 sum[TS_BLEND_WEIGHT + 1u]; } ts_blend_target;
+
+TS_FN ts_blend_target ts_k_blend_none(void)
+{
+	ts_blend_target r;
+	for (u32 k = 0u; k <= TS_BLEND_WEIGHT; k++) r.sum[k] = 0.0f;
+	return r;
+}
+
+/* One more fragment. */
+TS_FN void ts_k_blend_next(u32 accumulation, ts_blend_target *target, const ts_attributes *attributes, f32 weight)
+{
+	bool moved = accumulation == TS_ACCUMULATION_IS_8BIT;
+	for (u32 k = 0u; k < TS_BLEND_WEIGHT; k++) {
+		f32 value = attributes->value[k];
+		f32 stored = moved && k >= TS_BLEND_NORMAL ? 0.5f * value + 0.5f : value;
+		target->sum[k] = ts_k_blended(accumulation, target->sum[k], weight * stored);
+	}
+	target->sum[TS_BLEND_WEIGHT] = ts_k_blended(accumulation, target->sum[TS_BLEND_WEIGHT], weight);
+}
+
+/* What comes of n of them. */
+TS_FN void ts_k_blend_end(u32 accumulation, const ts_blend_target *target, u32 n, TS_GLOBAL i64 *sums)
+{
+	f32 weight = target->sum[TS_BLEND_WEIGHT];
+	for (u32 k = 0u; k <= TS_BLEND_WEIGHT; k++) {
+		sums[k] = ts_k_blend_units(ts_k_blend_number(accumulation, k, target->sum[k], weight));
+	}
+	sums[TS_BLEND_FRAGMENTS] = (i64)n;
+}
+
 /* map over pixels */
 TS_FN void ts_k_blend_order_item(const ts_blend_order_args *args, u64 i)
 {
 	ts_camera_k view = ts_k_view(args->view);
 	i32 x = (i32)(i % (u64)view.width);
 	i32 y = (i32)(i / (u64)view.width);
-	f32 sum[TS_BLEND_WEIGHT + 1u] = {0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f};
-	bool moved = args->accumulation == TS_ACCUMULATION_IS_8BIT;
+	ts_blend_target target = ts_k_blend_none();
 	u64 heaviest = TS_EMPTY;
 	for (u32 at = args->offset[i]; at < args->offset[i + 1u]; at++) {
 		u32 surfel = args->list[at];
@@ -75,19 +106,11 @@ TS_FN void ts_k_blend_order_item(const ts_blend_order_args *args, u64 i)
 		ts_attributes attributes = ts_k_attributes(&args->surfels[surfel], &disc);
 		ts_surfel_fragment f = ts_k_surfel_fragment(&disc, &args->filter, view.near, x, y);
 		f32 weight = ts_k_fragment_weight(&f);
-		for (u32 k = 0u; k < TS_BLEND_WEIGHT; k++) {
-			f32 value = attributes.value[k];
-			f32 stored = moved && k >= TS_BLEND_NORMAL ? 0.5f * value + 0.5f : value;
-			sum[k] = ts_k_blended(args->accumulation, sum[k], weight * stored);
-		}
-		sum[TS_BLEND_WEIGHT] = ts_k_blended(args->accumulation, sum[TS_BLEND_WEIGHT], weight);
-		u64 heavy = ((u64)~ts_f2u(ts_put(weight)) << 32) | surfel;
+		ts_k_blend_next(args->accumulation, &target, &attributes, weight);
+		u64 heavy = ts_k_heavy(weight, surfel);
 		heaviest = heavy < heaviest ? heavy : heaviest;
 	}
-	TS_GLOBAL i64 *sums = args->sums + i * TS_BLEND_SUMS;
-	for (u32 k = 0u; k <= TS_BLEND_WEIGHT; k++)
-		sums[k] = ts_k_blend_units(ts_k_blend_number(args->accumulation, k, sum[k], sum[TS_BLEND_WEIGHT]));
-	sums[TS_BLEND_FRAGMENTS] = (i64)(args->offset[i + 1u] - args->offset[i]);
+	ts_k_blend_end(args->accumulation, &target, args->offset[i + 1u] - args->offset[i], args->sums + i * TS_BLEND_SUMS);
 	args->heaviest[i] = heaviest;
 }
 

@@ -117,7 +117,7 @@ static int by_weight(const void *a, const void *b)
 	return (s->surfel > t->surfel) - (s->surfel < t->surfel);
 }
 
-/* All fragments, the heaviest first. Release by free() of both, also on failure. */
+/* All fragments, in the order of their surfels. Release by free() of both, also on failure. */
 static ts_status find(const ts_probe *p, const place *at, u64 key, fragments *blended, fragments *hidden)
 {
 	u64 n = ts_frame_n(&p->load->run.frame, TS_B_surfel_setup_disc);
@@ -129,8 +129,6 @@ static ts_status find(const ts_probe *p, const place *at, u64 key, fragments *bl
 		f.weight = ts_k_fragment_weight(&f.is);
 		if (add(ts_k_is_visible(key, f.is.z) ? blended : hidden, f) != TS_OK) return TS_ERROR;
 	}
-	if (blended->n > 0) qsort(blended->fragment, blended->n, sizeof *blended->fragment, by_weight);
-	if (hidden->n > 0) qsort(hidden->fragment, hidden->n, sizeof *hidden->fragment, by_weight);
 	return TS_OK;
 }
 
@@ -156,11 +154,12 @@ static void put_fragment(ts_probe *p, json_t *list, const fragment *f, const pla
 	ts_probe_append(p, list, o);
 }
 
-/* The first that are listed, and the rest together. */
-static void put_fragments(ts_probe *p, json_t *object, const char *name, const fragments *all, const place *at, u64 key)
+/* The heaviest are listed, the rest told together. */
+static void put_fragments(ts_probe *p, json_t *object, const char *name, fragments *all, const place *at, u64 key)
 {
 	json_t *o = json_object(), *list = json_array(), *others = json_object();
 	f32 rest = 0.0f;
+	if (all->n > 0) qsort(all->fragment, all->n, sizeof *all->fragment, by_weight);
 	for (size_t i = 0; i < all->n; i++) {
 		if (i < MOST_LISTED) {
 			put_fragment(p, list, &all->fragment[i], at, key);
@@ -180,17 +179,22 @@ static void put_fragments(ts_probe *p, json_t *object, const char *name, const f
 	ts_probe_put(p, object, name, o);
 }
 
-/* As the kernel adds them, into the sums and the heaviest of this pixel alone. */
+/* As the kernels add them, into the sums and the heaviest of this pixel alone. */
 static void sum_up(const ts_probe *p, const fragments *blended, i64 *sums, u64 *heaviest)
 {
+	const ts_params *params = &p->trace->params;
 	const ts_disc *discs = ts_probe_loaded(p, TS_B_surfel_setup_disc);
 	const ts_surfel *surfels = ts_probe_loaded(p, TS_B_scene_surfel);
+	bool ordered = ts_accumulates_in_order(params);
 	ts_blend_args args = {.sums = sums, .heaviest = heaviest};
+	ts_blend_target target = ts_k_blend_none();
 	for (size_t i = 0; i < blended->n; i++) {
-		u32 surfel = blended->fragment[i].surfel;
-		ts_attributes attributes = ts_k_attributes(&surfels[surfel], &discs[surfel]);
-		ts_k_blend_add(&args, 0, surfel, &attributes, blended->fragment[i].weight);
+		const fragment *f = &blended->fragment[i];
+		ts_attributes attributes = ts_k_attributes(&surfels[f->surfel], &discs[f->surfel]);
+		ts_k_blend_add(&args, 0, f->surfel, &attributes, f->weight);
+		if (ordered) ts_k_blend_next(params->accumulation, &target, &attributes, f->weight);
 	}
+	if (ordered) ts_k_blend_end(params->accumulation, &target, (u32)blended->n, sums);
 }
 
 static json_t *real_of(i64 sum) { return json_real((double)sum / (1 << TS_BLEND_BITS)); }
@@ -234,9 +238,9 @@ static ts_status put_blend(ts_probe *p, json_t *o, const place *at)
 	fragments blended = {.fragment = NULL}, hidden = {.fragment = NULL};
 	ts_status status = find(p, at, key, &blended, &hidden);
 	if (status == TS_OK) {
+		sum_up(p, &blended, sums, &heaviest);
 		put_fragments(p, o, "blended", &blended, at, key);
 		put_fragments(p, o, "hidden_by_epsilon", &hidden, at, key);
-		sum_up(p, &blended, sums, &heaviest);
 		put_sums(p, o, sums, (const i64 *)ts_probe_loaded(p, TS_B_blend_sum) + at->pixel * TS_BLEND_SUMS);
 		put_heaviest(p, o, heaviest, ((const u64 *)ts_probe_loaded(p, TS_B_blend_heaviest))[at->pixel]);
 	}

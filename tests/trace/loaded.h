@@ -41,7 +41,8 @@ static inline void load_for(ts_load *load, const ts_stage *stage)
 	*load = (ts_load){.run = run, .scene = *scene, .pipeline = trace.pipeline, .reference = &trace};
 	load->run.scene = &load->scene;
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
-		if (ts_stage_reads(stage, (ts_buffer_id)id)) load->item[id] = &trace.item[id];
+		bool loaded = run.frame.buffer[id].made && ts_stage_reads(stage, (ts_buffer_id)id);
+		if (loaded) load->item[id] = &trace.item[id];
 	}
 }
 

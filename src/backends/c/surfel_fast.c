@@ -145,7 +145,7 @@ static void blend_add(const ts_blend_args *args, u64 pixel, u32 surfel, const te
 		sums[k] += sum.bits - grid.bits;
 	}
 	sums[TS_BLEND_FRAGMENTS]++;
-	u64 heavy = ((u64)~ts_f2u(ts_put(weight)) << 32) | surfel;
+	u64 heavy = ts_k_heavy(weight, surfel);
 	args->heaviest[pixel] = heavy < args->heaviest[pixel] ? heavy : args->heaviest[pixel];
 }
 
