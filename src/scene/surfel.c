@@ -1,6 +1,7 @@
 /* Surfels from points: circles, checked ellipses, and ellipses that a map has bent. */
 #include "surfel.h"
 #include <stdlib.h>
+#include <string.h>
 #include "../core/core.h"
 #include "../kernels/vec.h"
 
@@ -63,18 +64,17 @@ void ts_surfel_straighten(ts_surfel *surfel)
 	ts_store3(surfel->v, ts_add(ts_scale(u, sin), ts_scale(v, cos)));
 }
 
-/* Ascending, by one byte after another from the least. `room` is for as many. */
-static void sort(u32 *keys, u32 *room, u32 n)
+enum { HALVES = 1 << 16 };
+
+/* The key of this rank; `high` counts them by their high halves, `low` is room for as many counts. */
+static u32 key_of_rank(const u32 *keys, u32 n, u64 rank, const u32 *high, u32 *low)
 {
-	for (u32 shift = 0; shift < 32; shift += 8) {
-		u32 start[257] = {0};
-		for (u32 i = 0; i < n; i++) start[(keys[i] >> shift & 255) + 1]++;
-		for (u32 byte = 0; byte < 256; byte++) start[byte + 1] += start[byte];
-		for (u32 i = 0; i < n; i++) room[start[keys[i] >> shift & 255]++] = keys[i];
-		u32 *sorted = room;
-		room = keys;
-		keys = sorted;
-	}
+	u32 top = 0, bottom = 0;
+	while (rank >= high[top]) rank -= high[top++];
+	memset(low, 0, HALVES * sizeof *low);
+	for (u32 i = 0; i < n; i++) low[keys[i] & (HALVES - 1)] += keys[i] >> 16 == top;
+	while (rank >= low[bottom]) rank -= low[bottom++];
+	return top << 16 | bottom;
 }
 
 static f32 squared(ts_v3 a) { return ts_flush(ts_dot(a, a)); }
@@ -82,14 +82,17 @@ static f32 squared(ts_v3 a) { return ts_flush(ts_dot(a, a)); }
 /* Of squares, which have the order of what they are of, and of their bits. */
 ts_status ts_surfel_quantiles(f32 quantile[TS_SURFEL_QUANTILES], const ts_surfel *surfels, u32 n)
 {
-	u32 *key = ts_alloc(n, 2 * sizeof *key, "radii of surfels");
+	u32 *key = ts_alloc(n + (u64)2 * HALVES, sizeof *key, "radii of surfels");
 	if (key == NULL) return TS_ERROR;
+	u32 *high = key + n, *low = high + HALVES;
+	memset(high, 0, HALVES * sizeof *high);
 	for (u32 i = 0; i < n; i++) {
 		key[i] = ts_f2u(ts_max(squared(ts_load3(surfels[i].u)), squared(ts_load3(surfels[i].v))));
+		high[key[i] >> 16]++;
 	}
-	sort(key, key + n, n);
 	for (u64 k = 0; k < TS_SURFEL_QUANTILES; k++) {
-		quantile[k] = ts_sqrt(ts_u2f(key[(n - 1) * k / (TS_SURFEL_QUANTILES - 1)]));
+		u64 rank = (n - 1) * k / (TS_SURFEL_QUANTILES - 1);
+		quantile[k] = ts_sqrt(ts_u2f(key_of_rank(key, n, rank, high, low)));
 	}
 	free(key);
 	return TS_OK;
