@@ -102,7 +102,7 @@ ts_status ts_item_add_raw(ts_trace *trace, ts_buffer_id id, const char *name, co
 }
 
 /* Sizes that follow from what was computed, not from the scene and the parameters. */
-static bool is_counted(ts_buffer_id id) { return strchr("QNPCZ", ts_buffer_table[id].shape[0]) != NULL; }
+static bool is_counted(ts_buffer_id id) { return strchr("QNPCZDEFJpf", ts_buffer_table[id].shape[0]) != NULL; }
 
 ts_status ts_item_match(ts_buffer_id id, const ts_trace_item *ref, const ts_trace_item *cand)
 {

@@ -77,8 +77,7 @@ static ts_v3 closest(ts_v3 p, ts_v3 a, ts_v3 b, ts_v3 c)
 	return choose(all3(d1 <= 0.0f, d2 <= 0.0f, true), a, r);
 }
 
-TS_WIDE __attribute__((flatten))
-static void rates(f32 *restrict s, lanes l, u32 n, u32 rate, ts_v3 normal, ts_v3 a, ts_v3 b, ts_v3 c)
+TS_WIDE static void rates(f32 *restrict s, lanes l, u32 n, u32 rate, ts_v3 normal, ts_v3 a, ts_v3 b, ts_v3 c)
 {
 	ts_v3 none = ts_v3_make(0, 0, 0);
 	for (u32 v = 0; v < n; v++) {

@@ -97,8 +97,7 @@ static void depth_surfel(block *b, u64 *keys, const ts_camera_k *view, ts_disc d
 	}
 }
 
-TS_WIDE __attribute__((flatten))
-static void depth_tile(const ts_surfel_depth_args *args, const ts_surfel_bins *b, u32 tile)
+TS_WIDE static void depth_tile(const ts_surfel_depth_args *args, const ts_surfel_bins *b, u32 tile)
 {
 	block pixels = {.n = 0};
 	ts_camera_k view = ts_k_view(args->view);
@@ -203,8 +202,7 @@ static i64 blend_surfel(block *b, const ts_blend_args *args, const ts_camera_k *
 	return n;
 }
 
-TS_WIDE __attribute__((flatten))
-static void blend_tile(const ts_blend_args *args, const ts_surfel_bins *b, u32 tile)
+TS_WIDE static void blend_tile(const ts_blend_args *args, const ts_surfel_bins *b, u32 tile)
 {
 	block in = {.n = 0};
 	ts_camera_k view = ts_k_view(args->view);

@@ -1,6 +1,6 @@
-/* Loops for vectors: compiled for each width that processors have, and the widest taken when the program starts. The bits
- * are the same, as nothing is contracted and no sum is reordered (CONTRACT rule 4). Not where threads are watched:
- * what chooses runs before the watcher. */
+/* Loops for vectors: compiled for each width that processors have, with all that they call, and the widest taken when the
+ * program starts. The bits are the same, as nothing is contracted and no sum is reordered (CONTRACT rule 4). Not where
+ * threads are watched: what chooses runs before the watcher. */
 #ifndef TS_BACKENDS_C_WIDE_H
 #define TS_BACKENDS_C_WIDE_H
 
@@ -10,8 +10,13 @@
 #endif
 #endif
 
+#define TS_WIDTHS target_clones("avx512f", "avx2", "default")
 #if !defined(TS_WIDE) && defined(__x86_64__) && defined(__ELF__)
-#define TS_WIDE __attribute__((target_clones("avx512f", "avx2", "default")))
+#if defined(__clang__) /* which takes no other attribute beside it */
+#define TS_WIDE __attribute__((TS_WIDTHS))
+#else
+#define TS_WIDE __attribute__((TS_WIDTHS, flatten))
+#endif
 #elif !defined(TS_WIDE)
 #define TS_WIDE
 #endif
