@@ -159,13 +159,6 @@ static void test_threads(void **state)
 	ts_scene_free(scene);
 }
 
-static ts_status claims(const ts_run *run, const ts_stage *stage, void *user)
-{
-	(void)user;
-	small_assert_claims(run, stage);
-	return TS_OK;
-}
-
 static void test_claims(void **state)
 {
 	(void)state;
@@ -173,7 +166,7 @@ static void test_claims(void **state)
 	ts_params params = tiny_params(TS_ACCUMULATION_8BIT);
 	ts_scene *scene = surfels_balls(&params, 800);
 	ts_run_begin(&run, scene, &params, 2);
-	run.hook = claims;
+	run.hook = surfels_claims;
 	if (ts_pipeline_run(ts_pipeline_find("surfels", "deferred"), &run) != TS_OK) fail_msg("%s", ts_error_message());
 	ts_run_end(&run);
 	ts_scene_free(scene);

@@ -56,4 +56,12 @@ static inline void surfels_run(ts_run *run, const ts_scene *scene, const ts_para
 	if (ts_pipeline_run(ts_pipeline_find("surfels", method), run) != TS_OK) fail_msg("%s: %s", method, ts_error_message());
 }
 
+/* After a stage: the same again from what it claims to read. */
+static inline ts_status surfels_claims(const ts_run *run, const ts_stage *stage, void *user)
+{
+	(void)user;
+	small_assert_claims(run, stage);
+	return TS_OK;
+}
+
 #endif
