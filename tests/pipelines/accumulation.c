@@ -162,14 +162,8 @@ static void test_threads(void **state)
 static void test_claims(void **state)
 {
 	(void)state;
-	ts_run run;
 	ts_params params = tiny_params(TS_ACCUMULATION_8BIT);
-	ts_scene *scene = surfels_balls(&params, 800);
-	ts_run_begin(&run, scene, &params, 2);
-	run.hook = surfels_claims;
-	if (ts_pipeline_run(ts_pipeline_find("surfels", "deferred"), &run) != TS_OK) fail_msg("%s", ts_error_message());
-	ts_run_end(&run);
-	ts_scene_free(scene);
+	surfels_assert_claims(&params);
 }
 
 /* 30 fragments a pixel, and an offset; without lists nothing. */

@@ -64,4 +64,16 @@ static inline ts_status surfels_claims(const ts_run *run, const ts_stage *stage,
 	return TS_OK;
 }
 
+/* Every stage of a frame again, from what it claims to read. */
+static inline void surfels_assert_claims(const ts_params *params)
+{
+	ts_run run;
+	ts_scene *scene = surfels_balls(params, 800);
+	ts_run_begin(&run, scene, params, 2);
+	run.hook = surfels_claims;
+	if (ts_pipeline_run(ts_pipeline_find("surfels", "deferred"), &run) != TS_OK) fail_msg("%s", ts_error_message());
+	ts_run_end(&run);
+	ts_scene_free(scene);
+}
+
 #endif
