@@ -7,47 +7,37 @@
 
 enum { ITEMS = 1024 };
 
-/* Pixels of a box side by side, in fours of which the last are not used, for loops that compilers vectorize; and what a
- * surfel has there. */
-enum { BLOCK = 64 };
+/* Pixels of a box side by side, in full vectors of which the last pixels are not used, for loops that compilers vectorize;
+ * and what a surfel has there. */
+enum { BLOCK = 64, VECTOR = 16 };
 typedef struct {
 	u32 n;
-	u64 pixel[BLOCK];
 	i32 x[BLOCK], y[BLOCK], covers[BLOCK];
 	f32 dx[BLOCK], dy[BLOCK], r2[BLOCK], z[BLOCK], weight[BLOCK];
 } block;
 
-/* The next pixels of a box from (*x, *y) on; false behind the last. */
-static bool next_block(block *b, const ts_disc *disc, u64 width, i32 *x, i32 *y)
+static u32 padded(u32 n) { return (n + VECTOR - 1) / VECTOR * VECTOR; }
+
+/* The pixels of a box in a tile from `first` on. Rows are exact: a tile has 2^12 pixels and is 2^6 wide, and `inverse` is
+ * less than 1 above 2^20 / width. */
+static void place_block(block *b, const ts_disc *disc, u32 first, u32 n)
 {
-	b->n = 0;
-	while (*y <= disc->high[1] && b->n < BLOCK) {
-		b->pixel[b->n] = (u64)*y * width + (u64)*x;
-		b->x[b->n] = *x;
-		b->y[b->n++] = *y;
-		bool ends = ++*x > disc->high[0];
-		*x = ends ? disc->low[0] : *x;
-		*y += ends;
+	u32 width = (u32)(disc->high[0] - disc->low[0] + 1), inverse = ((1u << 20) + width - 1) / width;
+	i32 left = disc->low[0], top = disc->low[1];
+	b->n = n < BLOCK ? n : BLOCK;
+	for (u32 i = 0; i < padded(b->n); i++) {
+		u32 row = (first + i) * inverse >> 20;
+		b->x[i] = left + (i32)(first + i - row * width);
+		b->y[i] = top + (i32)row;
 	}
-	return b->n > 0;
 }
 
-/* Only those that are covered, without a branch, for half of them are not. */
-static void keep_covered(block *b)
+static u32 box_pixels(const ts_disc *disc)
 {
-	u32 n = 0;
-	for (u32 i = 0; i < b->n; i++) {
-		b->pixel[n] = b->pixel[i];
-		b->x[n] = b->x[i];
-		b->y[n] = b->y[i];
-		b->r2[n] = b->r2[i];
-		b->z[n] = b->z[i];
-		n += (u32)b->covers[i];
-	}
-	b->n = n;
+	return (u32)(disc->high[0] - disc->low[0] + 1) * (u32)(disc->high[1] - disc->low[1] + 1);
 }
 
-static u32 padded(u32 n) { return (n + 3) / 4 * 4; }
+static u64 pixel_of(const block *b, u32 i, i32 width) { return (u64)b->y[i] * (u64)width + (u64)b->x[i]; }
 
 /* ts_k_disc_hit, by selects; `covers` is whether it is inside. */
 static void cast_block(block *b, ts_disc disc, f32 near)
@@ -85,14 +75,14 @@ static void shift_block(block *b, ts_camera_k view, f32 epsilon)
 
 static void depth_surfel(block *b, u64 *keys, const ts_camera_k *view, ts_disc disc, f32 epsilon, u32 surfel)
 {
-	i32 x = disc.low[0], y = disc.low[1];
-	while (next_block(b, &disc, (u64)view->width, &x, &y)) {
+	u32 n = box_pixels(&disc);
+	for (u32 first = 0; first < n; first += BLOCK) {
+		place_block(b, &disc, first, n - first);
 		cast_block(b, disc, view->near);
-		keep_covered(b);
 		shift_block(b, *view, epsilon);
 		for (u32 i = 0; i < b->n; i++) {
-			u64 *at = &keys[b->pixel[i]], key = ((u64)ts_f2u(b->z[i]) << 32) | surfel;
-			*at = key < *at ? key : *at;
+			u64 *at = &keys[pixel_of(b, i, view->width)], key = ((u64)ts_f2u(b->z[i]) << 32) | surfel;
+			*at = b->covers[i] != 0 && key < *at ? key : *at;
 		}
 	}
 }
@@ -132,17 +122,16 @@ static bool make_terms(terms *t, const ts_attributes *attributes)
 	return small;
 }
 
-typedef union { double number; i64 bits; } parts;
-
-/* ts_k_blend_add of weights up to 1: adding what has its last bit at 2^-30 rounds there. */
+/* ts_k_blend_add of weights up to 1: adding what has its last bit at 2^-30, of which these are the bits, rounds there. */
 static void blend_add(const ts_blend_args *args, u64 pixel, u32 surfel, const terms *t, f32 weight)
 {
-	const parts grid = {.number = 6291456.0};
-	i64 *sums = args->sums + pixel * TS_BLEND_SUMS;
-	for (u32 k = 0; k < TS_BLEND_SUMS; k++) {
-		parts sum = {.number = (double)(weight * t->value[k]) + grid.number};
-		sums[k] += sum.bits - grid.bits;
-	}
+	const double grid = 6291456.0;
+	const i64 grid_bits = 0x4158000000000000;
+	double number[TS_BLEND_SUMS];
+	i64 bits[TS_BLEND_SUMS], *sums = args->sums + pixel * TS_BLEND_SUMS;
+	for (u32 k = 0; k < TS_BLEND_SUMS; k++) number[k] = (double)(weight * t->value[k]) + grid;
+	memcpy(bits, number, sizeof bits);
+	for (u32 k = 0; k < TS_BLEND_SUMS; k++) sums[k] += bits[k] - grid_bits;
 	sums[TS_BLEND_FRAGMENTS]++;
 	u64 heavy = ts_k_heavy(weight, surfel);
 	args->heaviest[pixel] = heavy < args->heaviest[pixel] ? heavy : args->heaviest[pixel];
@@ -167,10 +156,15 @@ static void radius_block(block *b, f32 depth, ts_filter filter)
 	}
 }
 
-static void keep_seen(block *b, const u64 *keys)
+/* Places of those that are seen, without a branch, for half of them are not; returns how many there are. */
+static u32 list_seen(u32 seen[BLOCK], const block *b, const u64 *keys, i32 width)
 {
-	for (u32 i = 0; i < b->n; i++) b->covers[i] &= ts_k_is_visible(keys[b->pixel[i]], b->z[i]) ? 1 : 0;
-	keep_covered(b);
+	u32 n = 0;
+	for (u32 i = 0; i < b->n; i++) {
+		seen[n] = i;
+		n += (u32)b->covers[i] & (ts_k_is_visible(keys[pixel_of(b, i, width)], b->z[i]) ? 1u : 0u);
+	}
+	return n;
 }
 
 static void weigh_block(block *b, f32 fall)
@@ -178,28 +172,29 @@ static void weigh_block(block *b, f32 fall)
 	for (u32 i = 0; i < padded(b->n); i++) b->weight[i] = ts_exp(-(b->r2[i] * fall));
 }
 
-static i64 blend_surfel(block *b, const ts_blend_args *args, const ts_camera_k *view, ts_disc disc, u32 surfel)
+static u32 blend_surfel(block *b, const ts_blend_args *args, const ts_camera_k *view, ts_disc disc, u32 surfel)
 {
 	ts_attributes attributes = ts_k_attributes(&args->surfels[surfel], &disc);
 	terms each;
 	bool small = make_terms(&each, &attributes);
-	i32 x = disc.low[0], y = disc.low[1];
-	i64 n = 0;
-	while (next_block(b, &disc, (u64)view->width, &x, &y)) {
+	u32 seen[BLOCK], n = box_pixels(&disc), fragments = 0;
+	for (u32 first = 0; first < n; first += BLOCK) {
+		place_block(b, &disc, first, n - first);
 		cast_block(b, disc, view->near);
 		radius_block(b, disc.depth, args->filter);
-		keep_seen(b, args->keys);
+		u32 n_seen = list_seen(seen, b, args->keys, view->width);
 		weigh_block(b, args->filter.fall);
-		for (u32 k = 0; k < b->n; k++) {
+		for (u32 k = 0; k < n_seen; k++) {
+			u64 pixel = pixel_of(b, seen[k], view->width);
 			if (small) {
-				blend_add(args, b->pixel[k], surfel, &each, b->weight[k]);
+				blend_add(args, pixel, surfel, &each, b->weight[seen[k]]);
 			} else {
-				ts_k_blend_add(args, b->pixel[k], surfel, &attributes, b->weight[k]);
+				ts_k_blend_add(args, pixel, surfel, &attributes, b->weight[seen[k]]);
 			}
 		}
-		n += b->n;
+		fragments += n_seen;
 	}
-	return n;
+	return fragments;
 }
 
 TS_WIDE static void blend_tile(const ts_blend_args *args, const ts_surfel_bins *b, u32 tile)
@@ -210,7 +205,7 @@ TS_WIDE static void blend_tile(const ts_blend_args *args, const ts_surfel_bins *
 	for (u64 k = ts_surfel_bin_begin(b, tile); k < ts_surfel_bin_end(b, tile); k++) {
 		ts_disc disc = ts_surfel_bins_disc(b, tile, b->surfel[k]);
 		n += blend_surfel(&in, args, &view, disc, b->surfel[k]);
-		pixels += (i64)(disc.high[0] - disc.low[0] + 1) * (i64)(disc.high[1] - disc.low[1] + 1);
+		pixels += box_pixels(&disc);
 	}
 	ts_add_i64(&args->tally[0], n);
 	ts_add_i64(&args->tally[1], pixels);
