@@ -141,7 +141,7 @@ bool ts_c_density_fast(const ts_density_args *args, u64 n, u32 threads);
 void ts_c_hull_fast(const ts_hull_args *args, u64 n, u32 threads);
 /* Surfels: of n surfels or, from surfel_mean on, n pixels. False if there is no memory, surfels are as large as the image,
  * or the filter is exact EWA: then nothing was done (tests/backends/surfel_fast.c). */
-void ts_c_surfel_setup_fast(const ts_surfel_setup_args *args, u64 n, u32 threads);
+bool ts_c_surfel_setup_fast(const ts_surfel_setup_args *args, u64 n, u32 threads);
 bool ts_c_surfel_depth_fast(const ts_surfel_depth_args *args, u64 n, u32 threads);
 bool ts_c_blend_fast(const ts_blend_args *args, u64 n, u32 threads);
 void ts_c_surfel_mean_fast(const ts_surfel_mean_args *args, u64 n, u32 threads);

@@ -37,11 +37,18 @@ static ts_view random_view(void)
 	return view;
 }
 
-/* Most face the eye and are a few pixels wide; some are as large as the image, thin, or seen from the side. */
+/* Just before the eye's plane, and so far aside that what reaches that plane covers no pixel, or just may. */
+static ts_v3 far_aside(const ts_view *view)
+{
+	f32 z = uniform(0.01f, 0.1f), x = (TS_FARTHEST_PIXEL + uniform(-300, 300)) / view->focal;
+	return ts_add(ts_load3(view->eye), ts_scale(ts_sub(ts_scale(ts_load3(view->right), x), ts_load3(view->back)), z));
+}
+
+/* Most face the eye and are a few pixels wide; some are as large as the image, thin, seen from the side, or far aside. */
 static void random_surfel(ts_surfel *s, const ts_view *view)
 {
 	ts_v3 p = ts_add(ts_load3(view->eye), ts_scale(ts_load3(view->back), uniform(-4, 0.2f)));
-	p = ts_add(p, uniform3(-2, 2));
+	p = below(40) == 0 ? far_aside(view) : ts_add(p, uniform3(-2, 2));
 	ts_v3 n = below(8) == 0 ? direction() : ts_normalize(ts_add(ts_load3(view->back), uniform3(-1.2f, 1.2f)));
 	ts_v3 u = ts_normalize(ts_cross(n, direction()));
 	f32 size = exp2f(below(8) == 0 ? uniform(-3, 3) : uniform(-12, -3));
@@ -75,7 +82,7 @@ static void begin(passes *p)
 static void setup(const frame *f, passes *p, bool fast)
 {
 	ts_surfel_setup_args args = {&f->view, f->surfel, p->disc, p->tally[0], f->filter};
-	if (fast) ts_c_surfel_setup_fast(&args, SURFELS, f->threads);
+	if (fast) assert_true(ts_c_surfel_setup_fast(&args, SURFELS, f->threads));
 	else ts_c_launch(TS_KERNEL_surfel_setup, &args, SURFELS, 1);
 }
 
@@ -172,9 +179,11 @@ static void test_refused(void **state)
 	}
 	ts_surfel_depth_args args = {&view, disc, &epsilon, keys};
 	ts_blend_args ewa = {.view = &view, .discs = disc, .filter = {.filter = TS_FILTER_IS_EWA}};
+	ts_surfel_setup_args ewa_setup = {.view = &view, .discs = disc, .filter = {.filter = TS_FILTER_IS_EWA}};
 	assert_false(ts_c_surfel_depth_fast(&args, SMALL, 2));
 	assert_memory_equal(keys, empty, sizeof keys);
 	assert_false(ts_c_blend_fast(&ewa, SMALL, 2));
+	assert_false(ts_c_surfel_setup_fast(&ewa_setup, SMALL, 2));
 	disc[0].high[0] = disc[1].high[0] = disc[2].high[0] = 63;
 	disc[3].high[0] = 64 * 13 - 1;
 	assert_true(ts_c_surfel_depth_fast(&args, SMALL, 2));

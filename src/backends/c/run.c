@@ -96,7 +96,7 @@ static bool launch_fast(ts_kernel kernel, const void *args, u64 n, u32 threads)
 		if (hull->cosine != TS_COSINE_IS_OURS || hull->printed || hull->by_moments) return false;
 		ts_c_hull_fast(hull, n, threads);
 		return true;
-	case TS_KERNEL_surfel_setup: ts_c_surfel_setup_fast(args, n, threads); return true;
+	case TS_KERNEL_surfel_setup: return ts_c_surfel_setup_fast(args, n, threads);
 	case TS_KERNEL_surfel_depth: return ts_c_surfel_depth_fast(args, n, threads);
 	case TS_KERNEL_blend: return ts_c_blend_fast(args, n, threads);
 	case TS_KERNEL_surfel_mean: ts_c_surfel_mean_fast(args, n, threads); return true;

@@ -224,20 +224,6 @@ bool ts_c_blend_fast(const ts_blend_args *args, u64 n, u32 threads)
 	return made;
 }
 
-void ts_c_surfel_setup_fast(const ts_surfel_setup_args *args, u64 n, u32 threads)
-{
-	enum { FATES = TS_DISC_BESIDE + 1 };
-#pragma omp parallel num_threads(threads)
-	{
-		i64 tally[FATES] = {0};
-		ts_surfel_setup_args own = *args;
-		own.tally = tally;
-#pragma omp for schedule(dynamic, ITEMS)
-		for (i64 i = 0; i < (i64)n; i++) ts_k_surfel_setup_item(&own, (u64)i);
-		for (u32 fate = 0; fate < FATES; fate++) ts_add_i64(&args->tally[fate], tally[fate]);
-	}
-}
-
 void ts_c_surfel_mean_fast(const ts_surfel_mean_args *args, u64 n, u32 threads)
 {
 #pragma omp parallel num_threads(threads)
