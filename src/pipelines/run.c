@@ -33,7 +33,8 @@ static bool is_over(const ts_pipeline *pipeline, const ts_step *next, const ts_p
 static void forget(const ts_pipeline *pipeline, const ts_step *next, ts_run *run)
 {
 	for (u32 id = 0; run->lean && id < TS_N_BUFFERS; id++) {
-		bool own = !run->keep[id] && !run->frame.buffer[id].borrowed;
+		const ts_buffer *buffer = &run->frame.buffer[id];
+		bool own = buffer->made && !buffer->borrowed && !run->keep[id];
 		if (own && is_over(pipeline, next, &run->params, (ts_buffer_id)id)) {
 			ts_frame_drop(&run->frame, (ts_buffer_id)id);
 		}
