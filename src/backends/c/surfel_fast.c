@@ -129,8 +129,10 @@ static void blend_add(const ts_blend_args *args, u64 pixel, u32 surfel, const te
 	const i64 grid_bits = 0x4158000000000000;
 	double number[TS_BLEND_SUMS];
 	i64 bits[TS_BLEND_SUMS], *sums = args->sums + pixel * TS_BLEND_SUMS;
+#pragma omp simd
 	for (u32 k = 0; k < TS_BLEND_SUMS; k++) number[k] = (double)(weight * t->value[k]) + grid;
 	memcpy(bits, number, sizeof bits);
+#pragma omp simd
 	for (u32 k = 0; k < TS_BLEND_SUMS; k++) sums[k] += bits[k] - grid_bits;
 	sums[TS_BLEND_FRAGMENTS]++;
 	u64 heavy = ts_k_heavy(weight, surfel);
