@@ -1,8 +1,5 @@
 /* `bench TABLE`: which tables there are. */
 #include <stdlib.h>
-#if defined(__GLIBC__)
-#include <malloc.h>
-#endif
 #include "bench.h"
 #include "bench_paper.h"
 #include "truths.h"
@@ -76,16 +73,6 @@ static ts_status unknown(const char *name)
 	               ts_program);
 }
 
-/* What a frame leaves serves the next, as a renderer's buffers do: else every frame would touch fresh pages, which costs
- * up to a fifth of large ones. */
-static void keep_memory(void)
-{
-#if defined(__GLIBC__)
-	mallopt(M_MMAP_MAX, 0);
-	mallopt(M_TRIM_THRESHOLD, -1);
-#endif
-}
-
 ts_status ts_bench_command(ts_cli *cli)
 {
 	size_t i = 0;
@@ -95,6 +82,6 @@ ts_status ts_bench_command(ts_cli *cli)
 	while (o->name != NULL && !ts_cli_given(cli, o->bit & tables[i].without)) o++;
 	if (o->name != NULL) return ts_fail("bench %s: takes no --%s", tables[i].name, o->name);
 	if (ts_selftest_require() != TS_OK) return TS_ERROR;
-	keep_memory();
+	ts_measure_keep_memory();
 	return tables[i].paper != NULL ? ts_paper_bench(cli, tables[i].paper) : tables[i].run(cli);
 }

@@ -1,6 +1,9 @@
 /* Running a method and keeping what is worth telling. */
 #include <stdio.h>
 #include <stdlib.h>
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
 #include "cli.h"
 #include "measure.h"
 #include "viewer.h"
@@ -206,4 +209,12 @@ ts_status ts_measure_estimate(u64 *bytes, const ts_pipeline *const *methods, u32
 		               (truths & TS_TRUTH_C) != 0 ? ", or no truth C" : "");
 	}
 	return TS_OK;
+}
+
+void ts_measure_keep_memory(void)
+{
+#if defined(__GLIBC__)
+	mallopt(M_MMAP_MAX, 0);
+	mallopt(M_TRIM_THRESHOLD, -1);
+#endif
 }

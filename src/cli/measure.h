@@ -37,6 +37,10 @@ typedef ts_status (*ts_measure_after)(ts_run *run, void *user);
 ts_status ts_measure_run(ts_measure *measure, const ts_pipeline *method, const ts_scene *scene, const ts_params *params,
                          const ts_how *how, ts_measure_after after, void *user);
 
+/* From then on freed memory serves what comes next, as a renderer's buffers do: what reading a scene leaves the first frame,
+ * and what that leaves the others. Fresh pages cost up to a third of a large frame to touch. */
+void ts_measure_keep_memory(void);
+
 /* NULL if that was not counted, or that stage did not run. */
 const ts_counter *ts_measure_counter(const ts_measure *measure, const char *name);
 const ts_timing *ts_measure_timing(const ts_measure *measure, const char *stage);

@@ -277,6 +277,7 @@ ts_status ts_render_command(ts_cli *cli)
 	const char *effect = cli->arguments[0];
 	if (ts_selftest_require() != TS_OK || ts_effect_check(effect) != TS_OK) return TS_ERROR;
 	if (ts_truths_check(&cli->truths, effect) != TS_OK) return TS_ERROR;
+	ts_measure_keep_memory();
 	ts_effect_params(cli, effect);
 	return cli->sweep.n > 0 ? sweep(cli) : with_render(cli, work_in_folder, NULL);
 }
