@@ -112,8 +112,9 @@ TS_FN void ts_k_deferred_item(const ts_deferred_args *args, u64 i)
 }
 
 typedef struct {
-	ts_resolve_args of;                /* without what the eye sees of triangles */
+	ts_resolve_args of;                /* without what the eye sees of triangles; cubes are those of point lights */
 	TS_GLOBAL const ts_gpixel *pixels; /* gbuffer.pixel */
+	TS_GLOBAL const ts_light *lights;  /* lamp.light, each with a view in order, or the six of a cube */
 } ts_deferred_lit_args;
 
 TS_FN ts_receiver ts_k_deferred_receiver(TS_GLOBAL const ts_gpixel *pixel)
@@ -125,14 +126,18 @@ TS_FN ts_receiver ts_k_deferred_receiver(TS_GLOBAL const ts_gpixel *pixel)
 	return r;
 }
 
-/* map over pixels: the lights, a view each, that reach what is there */
+/* map over pixels: the lights that reach what is there */
 TS_FN void ts_k_deferred_lit_item(const ts_deferred_lit_args *args, u64 i)
 {
+	u32 v = 0u;
+	ts_resolve_args of = args->of;
 	ts_receiver at = ts_k_deferred_receiver(&args->pixels[i]);
-	for (u32 v = 0u; v < args->of.n_views; v++) {
-		TS_GLOBAL const ts_offscreen *view = &args->of.views[v];
-		bool reaches = at.seen && ts_k_reaches(&args->of, view, &at, args->of.views[0].offset);
-		args->of.lit[i * args->of.n_lamps + view->light] = reaches ? 1u : 0u;
+	for (u32 k = 0u; k < of.n_lamps; k++) {
+		of.cubes = ts_k_has_cube(&args->lights[k]) ? 1u : 0u;
+		TS_GLOBAL const ts_offscreen *view = ts_k_asked_view(&of, v, &at);
+		bool reaches = at.seen && ts_k_reaches(&of, view, &at, of.views[0].offset);
+		of.lit[i * of.n_lamps + k] = reaches ? 1u : 0u;
+		v += of.cubes != 0u ? 6u : 1u;
 	}
 }
 

@@ -73,14 +73,17 @@ typedef struct {
 /* map over pixels, as ts_k_deferred_lit_item */
 TS_FN void ts_k_deferred_lit_margin_item(const ts_deferred_lit_margin_args *args, u64 i)
 {
-	const ts_resolve_args *of = &args->of.of;
+	u32 v = 0u;
+	ts_resolve_args of = args->of.of;
 	ts_receiver at = ts_k_deferred_receiver(&args->of.pixels[i]);
 	if (!at.seen) return;
 	ts_camera_k eye = ts_k_view(args->view);
 	f32 moves = ts_k_receiver_step(&eye, &at);
-	for (u32 v = 0u; v < of->n_views; v++) {
-		u64 light = i * of->n_lamps + of->views[v].light;
-		ts_k_reach_margin(of, &of->views[v], &at, moves, of->views[0].offset, args->margin + light * 2u);
+	for (u32 k = 0u; k < of.n_lamps; k++) {
+		of.cubes = ts_k_has_cube(&args->of.lights[k]) ? 1u : 0u;
+		TS_GLOBAL const ts_offscreen *view = ts_k_asked_view(&of, v, &at);
+		ts_k_reach_margin(&of, view, &at, moves, of.views[0].offset, args->margin + (i * of.n_lamps + k) * 2u);
+		v += of.cubes != 0u ? 6u : 1u;
 	}
 }
 

@@ -38,6 +38,9 @@ TS_FN f32 ts_k_light(TS_GLOBAL const ts_light *light, ts_v3 p, ts_v3 *l)
 	return ts_flush(arrives);
 }
 
+/* It shines all around, and what sees for it is a cube. */
+TS_FN bool ts_k_has_cube(TS_GLOBAL const ts_light *light) { return light->kind == TS_LIGHT_KIND_POINT; }
+
 /* BRDF times n.l for one light. v, l, n: unit; n_l > 0. */
 TS_FN ts_v3 ts_k_brdf(const ts_surface *s, ts_v3 n, ts_v3 v, ts_v3 l, f32 n_l)
 {

@@ -71,7 +71,7 @@ void ts_hulls_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *pa
 {
 	bool own = params->lamp == TS_LAMP_SCENE;
 	u64 n_lights = own ? scene->n_lights : 1, n_views = 0, blocks = (u64)params->grid_px / 32 * (params->grid_px / 32);
-	for (u32 i = 0; i < n_lights; i++) n_views += own ? ts_rsm_views(&scene->lights[i]) : 1;
+	for (u32 i = 0; i < n_lights; i++) n_views += own ? ts_light_views(&scene->lights[i]) : 1;
 	ts_sizes_views(sizes, n_views);
 	ts_sizes_set(sizes, "B", 0);
 	ts_sizes_set(sizes, "A", n_lights);

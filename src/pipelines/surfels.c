@@ -15,7 +15,8 @@
  * - epsilon, sigma_k and the shaders are not given: epsilon is the median radius, sigma_k a half;
  * - surfels whose centre is before the near plane are left out whole;
  * - a fragment of the screen filter alone has the depth of the centre, for planes seen from the side are anywhere;
- * - lights are the scene's, each of them a point or a sun with one depth map. */
+ * - lights are the scene's, each of them a point or a sun with one depth map, or for points without a direction a cube of
+ *   six. */
 #include "../stages/stages.h"
 #include "pipelines.h"
 
@@ -32,7 +33,7 @@ const ts_step ts_surfels_steps[] = {
 	{.stage = "blend"},          /* attribute splatting */
 	{.stage = "blend_margin", .only_margins = true},
 	{.stage = "surfel_mean"},     /* normalization */
-	{.stage = "lamp_view", .only_if = ts_shader_has_shadows},
+	{.stage = "light_view", .only_if = ts_shader_has_shadows},
 	{.stage = "surfel_shadow", .only_if = ts_shader_has_shadows},
 	{.stage = "deferred_lit", .only_if = ts_shader_has_shadows},
 	{.stage = "deferred_lit_margin", .only_margins = true, .only_if = ts_shader_has_shadows},
@@ -57,10 +58,11 @@ void ts_ewa_prepare(ts_run *run)
 
 void ts_surfels_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params)
 {
-	u64 n_lights = scene->n_lights;
-	ts_sizes_views(sizes, n_lights);
+	u64 n_lights = scene->n_lights, n_views = 0;
+	for (u32 i = 0; i < n_lights; i++) n_views += ts_light_views(&scene->lights[i]);
+	ts_sizes_views(sizes, n_views);
 	ts_sizes_set(sizes, "f", (u64)FRAGMENTS * params->width * params->height + (u64)SPLAT * scene->n_surfels);
 	ts_sizes_set(sizes, "B", 0);
 	ts_sizes_set(sizes, "A", n_lights);
-	ts_sizes_set(sizes, "C", (u64)params->map_px * params->map_px * n_lights);
+	ts_sizes_set(sizes, "C", (u64)params->map_px * params->map_px * n_views);
 }

@@ -18,6 +18,7 @@ ts_deferred_lit_args ts_deferred_lit_arguments(const ts_run *run)
 			.slope = run->params.bias_slope,
 		},
 		.pixels = ts_frame_handle(&run->frame, TS_B_gbuffer_pixel),
+		.lights = ts_frame_handle(&run->frame, TS_B_lamp_light),
 	};
 }
 

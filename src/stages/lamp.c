@@ -85,3 +85,39 @@ ts_status ts_stage_lamp_cube(ts_run *run)
 	}
 	return TS_OK;
 }
+
+u32 ts_light_views(const ts_light *light) { return ts_k_has_cube(light) ? 6 : 1; }
+
+/* View k of a light. */
+static void set_view(ts_offscreen *view, const ts_light *light, u32 k, u32 index, const ts_info *info,
+                     const ts_params *params)
+{
+	ts_face cube;
+	if (ts_k_has_cube(light)) {
+		ts_lamp_cube(&cube, light, 0.0f, 0, 1, info, params);
+		ts_offscreen_of_face(view, &cube, k, index);
+	} else {
+		ts_lamp_view(view, light, 0.0f, 0, 1, info, params);
+		view->light = index;
+	}
+}
+
+ts_status ts_light_views_make(ts_run *run, u32 side)
+{
+	const ts_light *lights = ts_frame_data(&run->frame, TS_B_lamp_light);
+	u64 n_lights = ts_frame_n(&run->frame, TS_B_lamp_light), n = 0, texels = (u64)side * side, offset = 0;
+	for (u64 i = 0; i < n_lights; i++) n += ts_light_views(&lights[i]);
+	ts_offscreen *view = ts_frame_make1(&run->frame, TS_B_offscreen_view, n);
+	if (view == NULL) return TS_ERROR;
+	ts_params params = run->params;
+	params.map_px = side;
+	for (u32 i = 0; i < n_lights; i++) {
+		for (u32 k = 0; k < ts_light_views(&lights[i]); k++, view++, offset += texels) {
+			set_view(view, &lights[i], k, i, ts_run_info(run), &params);
+			view->offset = offset;
+		}
+	}
+	return TS_OK;
+}
+
+ts_status ts_stage_light_view(ts_run *run) { return ts_light_views_make(run, run->params.map_px); }

@@ -32,6 +32,7 @@ ts_status ts_stage_face_margin(ts_run *run);
 ts_status ts_stage_lamp(ts_run *run);
 ts_status ts_stage_lamp_ball(ts_run *run);
 ts_status ts_stage_lamp_view(ts_run *run);
+ts_status ts_stage_light_view(ts_run *run);
 ts_status ts_stage_lamp_cube(ts_run *run);
 ts_status ts_stage_offscreen(ts_run *run);
 ts_status ts_stage_offscreen_visibility(ts_run *run);
@@ -113,8 +114,9 @@ bool ts_run_has_cubes(const ts_run *run);
 void ts_run_views(const ts_run *run, u32 *first, u32 *n);
 /* A face of a cube as a view, of the light or TS_NONE (offscreen.c). */
 void ts_offscreen_of_face(ts_offscreen *view, const ts_face *cube, u32 face, u32 light);
-/* Views of a light's reflective shadow maps: six of a point light (rsm.c). */
-u32 ts_rsm_views(const ts_light *light);
+/* Views from a light's middle, six of a point light; and those of all lamps, of so many texels a side (lamp.c). */
+u32 ts_light_views(const ts_light *light);
+ts_status ts_light_views_make(ts_run *run, u32 side);
 /* grid_px must be a multiple of 32 (gbuffer.c). */
 ts_status ts_grid_check(const ts_params *params);
 /* How pixels choose a box (hull.c). */

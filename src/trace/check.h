@@ -14,8 +14,9 @@
  *   align.frame.
  * - eye.view has the size of the picture; resize.face has no face larger than the parameters allow, and offsets
  *   that are the sums of 6 n^2: texels are addressed by both. offscreen.view: the same, square, six a cube where there
- *   are cubes; lights of stage resolve; lamp.shape: samples, of stage lamp_view one a view, in order, for views are
- *   written where they say; resolve.lit: at most the samples; lamp.light: at least one, and its kind.
+ *   are cubes, of stage deferred_lit one a light and six a point light; lights of stage resolve; lamp.shape: samples, of
+ *   stage lamp_view one a view, in order, for views are written where they say; resolve.lit: at most the samples;
+ *   lamp.light: at least one, and its kind.
  * - scene.image: whole mip chains inside scene.texel, sides below 2^22, so that 24.8 fixed point names every
  *   texel; scene.slot: uv_set and wrap; scene.object: ranges one after the other inside scene.vertex, and for each
  *   reflector just one object, with vertices; scene.light: kind; scene.info: at most 2^20 reflectors.

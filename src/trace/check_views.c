@@ -85,6 +85,20 @@ static ts_status check_samples(const ts_load *load, const ts_stage *stage)
 	return ts_fail("%s: lights with %" PRIu64 " views; %" PRIu64 " would be right", load->item[id]->path, first, all);
 }
 
+/* Deferred shading asks each light's view, or its cube, in order. */
+static ts_status check_cubes(const ts_load *load, const ts_stage *stage)
+{
+	u64 n, n_lights, wanted = 0;
+	const ts_light *lights = elements(load, TS_B_lamp_light, &n_lights);
+	const ts_offscreen *views = elements(load, TS_B_offscreen_view, &n);
+	bool asks = ts_stage_writes(stage, TS_B_resolve_lit) || ts_stage_writes(stage, TS_B_resolve_margin);
+	if (lights == NULL || views == NULL || !asks) return TS_OK;
+	for (u64 i = 0; i < n_lights; i++) wanted += ts_light_views(&lights[i]);
+	if (n == wanted) return TS_OK;
+	return ts_fail("%s: %" PRIu64 " views; %" PRIu64 ", one a light and six a point light, would be right",
+	               load->item[TS_B_offscreen_view]->path, n, wanted);
+}
+
 static ts_status check_lights(const ts_load *load)
 {
 	const ts_buffer_id id = TS_B_lamp_light;
@@ -113,5 +127,6 @@ static ts_status check_lit(const ts_load *load)
 ts_status ts_check_lamps(const ts_load *load, const ts_stage *stage)
 {
 	if (check_lights(load) != TS_OK || check_samples(load, stage) != TS_OK) return TS_ERROR;
-	return check_owners(load, stage) == TS_OK ? check_lit(load) : TS_ERROR;
+	if (check_owners(load, stage) != TS_OK || check_cubes(load, stage) != TS_OK) return TS_ERROR;
+	return check_lit(load);
 }

@@ -3,9 +3,27 @@
 #include <stdlib.h>
 #include "../kernels/pcss.h"
 #include "../kernels/resolve_margin.h"
+#include "../stages/stages.h"
 #include "probe_parts.h"
 
 static u32 views_a_sample(const ts_probe *p) { return p->n_cubes > 0 ? 6 : 1; }
+
+/* Of surfels, whose lights have a view or six each. */
+static const ts_light *lights_of(const ts_probe *p) { return ts_probe_loaded(p, TS_B_lamp_light); }
+
+static bool has_cube(const ts_probe *p, u32 light)
+{
+	return p->surfels ? ts_k_has_cube(&lights_of(p)[light]) : p->n_cubes > 0;
+}
+
+/* The view of a light's sample, or the first of its cube. */
+static u32 view_of(const ts_probe *p, u32 light, u32 k)
+{
+	u32 first = 0;
+	if (!p->surfels) return (p->lamps[light].first + k) * views_a_sample(p);
+	for (u32 i = 0; i < light; i++) first += ts_light_views(&lights_of(p)[i]);
+	return first;
+}
 
 static bool has_taps(const ts_probe *p) { return strcmp(p->trace->pipeline->name, "pcss") == 0; }
 
@@ -67,10 +85,12 @@ static ts_status read_rows(ts_probe *p, question *q, const ts_offscreen *view, u
 	                         : TS_ERROR;
 }
 
-static json_t *view_name(const ts_probe *p, const ts_offscreen *view)
+/* Of surfels a cube is named by its light. */
+static json_t *view_name(const ts_probe *p, const ts_offscreen *view, u32 light)
 {
 	u32 v = (u32)(view - p->views);
-	return p->n_cubes > 0 ? ts_probe_face_name(v / 6, v % 6) : ts_probe_int(v);
+	if (!has_cube(p, light)) return ts_probe_int(v);
+	return p->surfels ? ts_probe_face_name(light, v - view_of(p, light, 0)) : ts_probe_face_name(v / 6, v % 6);
 }
 
 /* The least of what the kernel measured, if it measured. */
@@ -109,14 +129,14 @@ static ts_status put_texel(ts_probe *p, json_t *o, question *q, const ts_offscre
 	return TS_OK;
 }
 
-static ts_status put_sample(ts_probe *p, json_t *list, question *q, u32 v, bool *reaches)
+static ts_status put_sample(ts_probe *p, json_t *list, question *q, u32 light, u32 k, bool *reaches)
 {
-	const ts_offscreen *offscreen = ts_k_asked_view(&q->args, v, &q->at);
+	const ts_offscreen *offscreen = ts_k_asked_view(&q->args, view_of(p, light, k), &q->at);
 	ts_camera_k view = ts_k_offscreen(offscreen);
 	f32 z = ts_k_to_view(&view, q->at.p).z;
 	ts_status status = TS_OK;
 	json_t *o = json_object();
-	ts_probe_put(p, o, "view", view_name(p, offscreen));
+	ts_probe_put(p, o, "view", view_name(p, offscreen, light));
 	ts_probe_put(p, o, "depth", ts_probe_bits(z));
 	*reaches = true;
 	if (z >= view.near) {
@@ -134,7 +154,7 @@ static ts_status put_samples(ts_probe *p, json_t *o, question *q, u32 light)
 	ts_status status = TS_OK;
 	for (u32 k = 0; k < p->lamps[light].samples && status == TS_OK; k++) {
 		bool reaches = false;
-		status = put_sample(p, samples, q, (p->lamps[light].first + k) * views_a_sample(p), &reaches);
+		status = put_sample(p, samples, q, light, k, &reaches);
 		p->lit[light] += reaches;
 	}
 	ts_probe_put(p, o, "by_sample", samples);
@@ -151,7 +171,7 @@ static ts_status put_taps(ts_probe *p, json_t *o, question *q, u32 light)
 	args.of.first_view = p->lamps[light].first;
 	ts_shaded r = ts_k_shaded(&args.of, view, &q->at);
 	p->lit[light] = ts_k_pcss(&args, view, &q->at);
-	ts_probe_put(p, o, "view", view_name(p, view));
+	ts_probe_put(p, o, "view", view_name(p, view, light));
 	ts_probe_put(p, o, "depth", ts_probe_bits(r.z));
 	ts_probe_put(p, o, "place", json_pack("[o,o]", ts_probe_real(r.place.x), ts_probe_real(r.place.y)));
 	ts_probe_put(p, o, "bias", ts_probe_bits(r.bias));
@@ -175,6 +195,7 @@ static ts_status put_light(ts_probe *p, json_t *list, question *q, u32 light, co
 {
 	json_t *o = json_object();
 	p->lit[light] = 0;
+	q->args.cubes = has_cube(p, light);
 	ts_probe_put(p, o, "light", ts_probe_int(light));
 	ts_status status = has_taps(p) ? put_taps(p, o, q, light) : put_samples(p, o, q, light);
 	ts_probe_put(p, o, "reach", ts_probe_int(p->lit[light]));
@@ -202,7 +223,7 @@ ts_status ts_probe_shadow(ts_probe *p, u32 x, u32 y, const ts_receiver *at, json
 	ts_camera_k eye = ts_k_view(&p->view);
 	question q = {.at = *at};
 	q.args = (ts_resolve_args){.scene = p->scene, .view = &p->view, .views = p->views, .n_lamps = p->scene.n_lights,
-	                           .cubes = p->n_cubes > 0, .bias = p->trace->params.bias,
+	                           .bias = p->trace->params.bias,
 	                           .slope = p->trace->params.bias_slope};
 	q.moves = ts_k_receiver_step(&eye, &q.at);
 	json_t *lights = json_array();

@@ -279,6 +279,17 @@ static ts_params params_of(u32 run)
 	return params;
 }
 
+/* One more, all around: in the middle of the box. */
+static void add_bulb(ts_scene *scene)
+{
+	ts_light *lights = realloc(scene->lights, (scene->n_lights + 1) * sizeof *lights);
+	assert_non_null(lights);
+	ts_v3 sum = ts_add(ts_load3(scene->info.box_min), ts_load3(scene->info.box_max));
+	lights[scene->n_lights] = (ts_light){.kind = TS_LIGHT_KIND_POINT, .intensity = {3, 3, 3}};
+	ts_store3(lights[scene->n_lights++].position, ts_scale(sum, 0.5f));
+	scene->lights = lights;
+}
+
 /* The digests of a run; NULL: by the C backend. */
 static void digests(ts_sums *sums, u32 run, ts_backend *backend)
 {
@@ -286,7 +297,10 @@ static void digests(ts_sums *sums, u32 run, ts_backend *backend)
 	ts_params params = params_of(run);
 	const ts_how how = {.threads = 2, .backend = backend};
 	ts_scene **scene = &scenes[params.from_mesh > 0 ? 2 : params.reflectors != 0];
-	if (*scene == NULL) assert_int_equal(ts_builtin_open(scene, "dining:triangles=10000:texels=32", &params, NULL), TS_OK);
+	if (*scene == NULL) {
+		assert_int_equal(ts_builtin_open(scene, "dining:triangles=10000:texels=32", &params, NULL), TS_OK);
+		if (params.from_mesh > 0) add_bulb(*scene);
+	}
 	ts_status status = ts_sums_of(sums, ts_pipeline_find(runs[run].effect, runs[run].method), *scene, &params, &how);
 	if (status != TS_OK) fail_msg("%s", ts_error_message());
 }

@@ -132,6 +132,12 @@ done
 deferred=surfels-deferred/trace-deferred ewa=surfels-ewa/trace-ewa
 prints 'bits agree with resolve.lit' probe $deferred --pixel 33,60
 prints 'by_neighbour' probe $ewa --pixel 33,60
+"$touchstone" render surfels "$OLDPWD/scenes/room.gltf" "${splats[@]:1}" --set shader=phong_shadow --trace --method deferred -o bulb > /dev/null
+for words in '33,60 -Y' '32,2 -X'; do
+	read -r pixel face <<< "$words"
+	prints "view: 0.$face; " probe bulb/trace-deferred --pixel "$pixel"
+	prints 'bits agree with resolve.lit' probe bulb/trace-deferred --pixel "$pixel"
+done
 run render surfels "${splats[@]}" --method deferred --trace-only scene,view,lamp,surfel_setup,surfel_depth -o lacks-surfels
 refuses 'no file of gbuffer.pixel, .*blend.sum' probe lacks-surfels/trace-deferred --pixel 33,60
 

@@ -135,6 +135,12 @@ for words in 'indirect hulls --margins --set lamp=scene' 'indirect direct' \
 	verdict $? "$words: every stage gives the same bits from its own trace"
 	rm -rf light
 done
+run render surfels "$OLDPWD/scenes/room.gltf" --size 64x48 --set from_mesh=3000 --set shader=phong_shadow --set map_px=64 --margins \
+	--no-images -o bulb --method deferred
+run replay bulb/trace-deferred
+[ "$status" -eq 0 ] && [ "$(grep -c ': same$' "$scratch/stdout")" -ge 8 ] && ! grep -vq ': same$' "$scratch/stdout"
+verdict $? "surfels about a point light: every stage gives the same bits from its own trace"
+rm -rf bulb
 # Lists of fragments that would lead a kernel beyond its buffers: NAME PLACE VALUE, of u32.
 spoil() {
 	python3 - "$@" <<'PY'

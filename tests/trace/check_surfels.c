@@ -116,11 +116,31 @@ static void test_keys(void **state)
 	}
 }
 
+/* A light that shines all around has six views. */
+static void test_cubes(void **state)
+{
+	(void)state;
+	static const char *const askers[] = {"deferred_lit", "deferred_lit_margin"};
+	ts_light *light = ts_frame_data(&run.frame, TS_B_lamp_light);
+	u32 kept = light->kind;
+	for (u32 k = 0; k < 2; k++) {
+		ts_load load;
+		light->kind = TS_LIGHT_KIND_POINT;
+		load_for(&load, ts_stage_find(askers[k]));
+		ts_status status = ts_check(&load, ts_stage_find(askers[k]));
+		light->kind = kept;
+		assert_int_equal(status, TS_ERROR);
+		assert_string_equal(ts_error_message(),
+		                    "offscreen.view: 1 views; 6, one a light and six a point light, would be right");
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_right), cmocka_unit_test(test_boxes), cmocka_unit_test(test_least),
 		cmocka_unit_test(test_sums), cmocka_unit_test(test_keys),
+		cmocka_unit_test(test_cubes),
 	};
 	return cmocka_run_group_tests(tests, begin, end);
 }
