@@ -11,7 +11,10 @@
  *
  * Bounds: offsets along an axis are J_a a + J_b b over 1 + (u_z a + v_z b) / c_z with a a + b b <= 1, whose extremes are the
  * roots of A x^2 - 2 B x + C = 0, A = 1 - U.U, B = -J.U, C = -J.J, with U = (u_z, v_z) / c_z. A <= 0: it reaches the eye's
- * plane, and may cover everything. */
+ * plane, and may cover everything.
+ *
+ * Of a surfel that only crosses the near plane, its centre before that, all this is about its farthest point, whose (a, b)
+ * are added. It has no image of a centre, so no screen filter either. */
 #ifndef TS_KERNELS_DISC_H
 #define TS_KERNELS_DISC_H
 #include "raster.h"
@@ -23,6 +26,7 @@
 
 #define TS_DISC_FLAT 1u        /* seen from the side: no footprint of its own */
 #define TS_DISC_PARALLEL 2u    /* of an orthographic view */
+#define TS_DISC_CROSSES 4u     /* about its farthest point, whose (a, b) are in `conic` */
 #define TS_LEAST_SLANT 0.0000009999999974752427078783512115478515625f /* 1e-6 */
 #define TS_FARTHEST_PIXEL 1048576.0f
 #define TS_A_LITTLE 0.0625f        /* pixels */
@@ -41,7 +45,8 @@ typedef struct {
 /* Why a surfel is not drawn. */
 #define TS_DISC_DRAWN 0u
 #define TS_DISC_TURNED 1u  /* it turns its back */
-#define TS_DISC_BEFORE 2u  /* its centre is before the near plane; of exact EWA also what comes to the eye's plane */
+#define TS_DISC_BEFORE 2u  /* it is before the near plane; of exact EWA also what comes to the eye's plane, and of this and
+                              the screen filter alone what has its centre before the near plane */
 #define TS_DISC_BESIDE 3u  /* it is beside the image */
 
 /* A float as the sum of two of 12 bits (Veltkamp). */
@@ -92,7 +97,9 @@ TS_FN ts_v2 ts_k_extent(f32 j_a, f32 j_b, f32 u, f32 v)
 
 /* The surfel's axes and their images. */
 typedef struct {
-	ts_corner c;         /* the centre in view space */
+	ts_corner c;         /* the centre in view space, or the farthest point */
+	f32 a, b;            /* which of its points c is */
+	bool crosses;        /* c is the farthest point */
 	ts_v3 u, v;          /* its axes there */
 	f32 z;               /* what divides; orthographic: 1 */
 	f32 xa, xb, ya, yb;  /* J */
@@ -110,20 +117,42 @@ TS_FN f32 ts_k_slope(f32 f, f32 axis, f32 z, f32 centre, f32 axis_z)
 	return ((f * across) / z) / z;
 }
 
-TS_FN ts_disc_frame ts_k_disc_frame(const ts_camera_k *view, TS_GLOBAL const ts_surfel *surfel)
+/* The images of the axes at c. */
+TS_FN void ts_k_disc_slopes(ts_disc_frame *r, const ts_camera_k *view)
+{
+	bool parallel = view->orthographic != 0u;
+	r->z = parallel ? 1.0f : r->c.z;
+	f32 uz = parallel ? 0.0f : r->u.z;
+	f32 vz = parallel ? 0.0f : r->v.z;
+	r->xa = ts_k_slope(view->focal, r->u.x, r->z, r->c.x, uz);
+	r->xb = ts_k_slope(view->focal, r->v.x, r->z, r->c.x, vz);
+	r->ya = -ts_k_slope(view->focal, r->u.y, r->z, r->c.y, uz);
+	r->yb = -ts_k_slope(view->focal, r->v.y, r->z, r->c.y, vz);
+}
+
+/* From the centre to the farthest point, if that is of use. */
+TS_FN void ts_k_disc_cross(ts_disc_frame *r, const ts_filter *filter)
+{
+	f32 deeper = ts_sqrt(ts_flush(r->u.z * r->u.z + r->v.z * r->v.z));
+	r->crosses = filter->filter < TS_FILTER_IS_SCREEN && deeper > 0.0f;
+	if (!r->crosses) return;
+	r->a = r->u.z / deeper;
+	r->b = r->v.z / deeper;
+	r->c.x = r->c.x + (r->a * r->u.x + r->b * r->v.x);
+	r->c.y = r->c.y + (r->a * r->u.y + r->b * r->v.y);
+	r->c.z = r->c.z + deeper;
+}
+
+TS_FN ts_disc_frame ts_k_disc_frame(const ts_camera_k *view, const ts_filter *filter, TS_GLOBAL const ts_surfel *surfel)
 {
 	ts_disc_frame r;
-	bool parallel = view->orthographic != 0u;
 	r.c = ts_k_to_view(view, ts_load3(surfel->centre));
 	r.u = ts_k_view_axis(view, ts_load3(surfel->u));
 	r.v = ts_k_view_axis(view, ts_load3(surfel->v));
-	r.z = parallel ? 1.0f : r.c.z;
-	f32 uz = parallel ? 0.0f : r.u.z;
-	f32 vz = parallel ? 0.0f : r.v.z;
-	r.xa = ts_k_slope(view->focal, r.u.x, r.z, r.c.x, uz);
-	r.xb = ts_k_slope(view->focal, r.v.x, r.z, r.c.x, vz);
-	r.ya = -ts_k_slope(view->focal, r.u.y, r.z, r.c.y, uz);
-	r.yb = -ts_k_slope(view->focal, r.v.y, r.z, r.c.y, vz);
+	r.a = r.b = 0.0f;
+	r.crosses = false;
+	if (r.c.z < view->near) ts_k_disc_cross(&r, filter);
+	ts_k_disc_slopes(&r, view);
 	return r;
 }
 
@@ -208,6 +237,20 @@ TS_FN f32 ts_k_disc_closeness(const ts_disc_frame *f, const ts_filter *filter)
 	return (uz * uz + vz * vz) * ts_max(4.0f * filter->object2, 1.0f);
 }
 
+/* Of what is in view along an axis, from c's image: coordinates from `low` to `high` at depths from near to c's. */
+TS_FN ts_v2 ts_k_crossing(const ts_camera_k *view, const ts_disc_frame *f, f32 c, f32 u, f32 v)
+{
+	f32 reach = ts_sqrt(ts_flush(u * u + v * v)) * TS_A_LITTLE_MORE;
+	f32 middle = c - (f->a * u + f->b * v);
+	f32 low = middle - reach;
+	f32 high = middle + reach;
+	bool parallel = view->orthographic != 0u;
+	f32 least = low / (parallel ? 1.0f : low < 0.0f ? view->near : f->z);
+	f32 most = high / (parallel ? 1.0f : high > 0.0f ? view->near : f->z);
+	f32 from = c / f->z;
+	return ts_v2_make(view->focal * (least - from), view->focal * (most - from));
+}
+
 TS_FN void ts_k_disc_box(ts_disc *disc, const ts_camera_k *view, const ts_filter *filter, const ts_disc_frame *f)
 {
 	f32 uz = view->orthographic != 0u ? 0.0f : f->u.z / f->z;
@@ -218,6 +261,10 @@ TS_FN void ts_k_disc_box(ts_disc *disc, const ts_camera_k *view, const ts_filter
 	ts_v2 x = ts_k_extent(f->xa, f->xb, uz, vz);
 	ts_v2 y = ts_k_extent(f->ya, f->yb, uz, vz);
 	if (filter->botsch != 0u) x = y = ts_v2_make(-square, square);
+	if (f->crosses) {
+		x = ts_k_crossing(view, f, f->c.x, f->u.x, f->v.x);
+		y = ts_k_crossing(view, f, -f->c.y, -f->u.y, -f->v.y);
+	}
 	if (flat) x = y = ts_v2_make(0.0f, 0.0f);
 	if (filter->filter == TS_FILTER_IS_EWA) {
 		x = ts_k_blurred(filter, x, f->xa, f->xb, uz, vz);
@@ -259,12 +306,17 @@ TS_FN u32 ts_k_disc_make(ts_disc *disc, const ts_camera_k *view, const ts_filter
 {
 	bool parallel = view->orthographic != 0u;
 	disc->flags = (slant < TS_LEAST_SLANT ? TS_DISC_FLAT : 0u) | (parallel ? TS_DISC_PARALLEL : 0u);
+	disc->flags = disc->flags | (frame->crosses ? TS_DISC_CROSSES : 0u);
 	disc->normal[0] = ts_put(n.x);
 	disc->normal[1] = ts_put(n.y);
 	disc->normal[2] = ts_put(n.z);
 	ts_k_disc_place(disc, view, frame);
 	ts_k_disc_map(disc, frame);
 	ts_k_disc_gaussian(disc, filter, frame);
+	if (frame->crosses) {
+		disc->conic[0] = ts_put(frame->a);
+		disc->conic[1] = ts_put(frame->b);
+	}
 	if (ts_k_disc_is_near(disc)) ts_k_disc_box(disc, view, filter, frame);
 	bool drawn = disc->low[0] <= disc->high[0] && disc->low[1] <= disc->high[1];
 	if (!drawn) ts_k_disc_clear(disc);
@@ -278,7 +330,7 @@ TS_FN u32 ts_k_disc(ts_disc *disc, const ts_camera_k *view, const ts_filter *fil
 	f32 slant = ts_k_disc_slant(view, ts_load3(surfel->centre), n);
 	ts_k_disc_clear(disc);
 	if (!(slant > 0.0f)) return TS_DISC_TURNED;
-	ts_disc_frame frame = ts_k_disc_frame(view, surfel);
+	ts_disc_frame frame = ts_k_disc_frame(view, filter, surfel);
 	if (!(frame.c.z >= view->near)) return TS_DISC_BEFORE;
 	bool parallel = view->orthographic != 0u;
 	bool affine = parallel || filter->filter != TS_FILTER_IS_EWA || ts_k_disc_closeness(&frame, filter) < 1.0f;

@@ -24,9 +24,10 @@ TS_FN ts_disc_hit ts_k_disc_hit(const ts_disc *disc, f32 near, f32 dx, f32 dy)
 	f32 tilt = disc->g[0] * dx + disc->g[1] * dy;
 	f32 divisor = parallel ? 1.0f : 1.0f + tilt;
 	r.meets = divisor > 0.0f && (disc->flags & TS_DISC_FLAT) == 0u;
+	bool crosses = (disc->flags & TS_DISC_CROSSES) != 0u;
 	f32 inverse = 1.0f / (r.meets ? divisor : 1.0f);
-	r.a = (disc->a[0] * dx + disc->a[1] * dy) * inverse;
-	r.b = (disc->b[0] * dx + disc->b[1] * dy) * inverse;
+	r.a = (disc->a[0] * dx + disc->a[1] * dy) * inverse + (crosses ? disc->conic[0] : 0.0f);
+	r.b = (disc->b[0] * dx + disc->b[1] * dy) * inverse + (crosses ? disc->conic[1] : 0.0f);
 	r.r2 = r.a * r.a + r.b * r.b;
 	r.z = disc->depth * (parallel ? 1.0f - tilt : inverse);
 	r.inside = r.meets && r.r2 <= 1.0f && r.z >= near;
@@ -50,12 +51,19 @@ TS_FN void ts_k_fragment_gaussian(ts_surfel_fragment *r, const ts_disc *disc, ts
 	r->peak = disc->peak;
 }
 
+TS_FN bool ts_k_has_screen(const ts_disc *disc, const ts_filter *filter)
+{
+	bool crosses = (disc->flags & TS_DISC_CROSSES) != 0u;
+	return filter->per_sigma2 > 0.0f && filter->filter != TS_FILTER_IS_OBJECT && !crosses;
+}
+
 /* Their approximation, and its parts. */
-TS_FN void ts_k_fragment_radius(ts_surfel_fragment *r, const ts_filter *filter, const ts_disc_hit *hit, ts_v2 d)
+TS_FN void ts_k_fragment_radius(ts_surfel_fragment *r, const ts_disc *disc, const ts_filter *filter,
+                                const ts_disc_hit *hit, ts_v2 d)
 {
 	bool object = hit->inside && filter->filter != TS_FILTER_IS_SCREEN;
 	f32 screen2 = (d.x * d.x + d.y * d.y) * filter->per_sigma2;
-	bool screen = filter->per_sigma2 > 0.0f && filter->filter != TS_FILTER_IS_OBJECT && screen2 <= 1.0f;
+	bool screen = ts_k_has_screen(disc, filter) && screen2 <= 1.0f;
 	f32 r2 = object ? hit->r2 : screen2;
 	r2 = object && screen ? ts_min(hit->r2, screen2) : r2;
 	r->covers = object || screen;
@@ -71,7 +79,7 @@ TS_FN ts_surfel_fragment ts_k_surfel_fragment(const ts_disc *disc, const ts_filt
 	if (filter->filter == TS_FILTER_IS_EWA) {
 		ts_k_fragment_gaussian(&r, disc, d);
 	} else {
-		ts_k_fragment_radius(&r, filter, &hit, d);
+		ts_k_fragment_radius(&r, disc, filter, &hit, d);
 	}
 	r.inside = hit.inside;
 	r.z = hit.inside ? hit.z : disc->depth;

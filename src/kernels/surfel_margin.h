@@ -36,6 +36,8 @@ TS_FN f32 ts_k_disc_fate(const ts_camera_k *view, const ts_filter *filter, const
                          f32 distance)
 {
 	f32 turned = (ts_abs(slant) * distance) / deep;
+	f32 centre = frame->c.z - (frame->a * frame->u.z + frame->b * frame->v.z);
+	f32 crossing = frame->crosses ? ts_abs(centre - view->near) / deep : TS_MARGIN_NOWHERE;
 	f32 before = ts_abs(frame->c.z - view->near) / deep;
 	bool close = filter->filter == TS_FILTER_IS_EWA && view->orthographic == 0u && frame->c.z > 0.0f;
 	f32 room = close ? 1.0f - ts_k_disc_closeness(frame, filter) : 1.0f;
@@ -43,7 +45,7 @@ TS_FN f32 ts_k_disc_fate(const ts_camera_k *view, const ts_filter *filter, const
 	bool faces = slant > 0.0f;
 	bool behind = frame->c.z >= view->near;
 	bool affine = room > 0.0f;
-	if (faces && behind && affine) return ts_min(turned, ts_min(before, closing));
+	if (faces && behind && affine) return ts_min(turned, ts_min(ts_min(before, crossing), closing));
 	return ts_max(faces ? 0.0f : turned, ts_max(behind ? 0.0f : before, affine ? 0.0f : closing));
 }
 
@@ -51,7 +53,7 @@ TS_FN f32 ts_k_disc_fate(const ts_camera_k *view, const ts_filter *filter, const
 TS_FN ts_nearly ts_k_nearly(const ts_surfel_margin_args *args, const ts_camera_k *view, u32 i)
 {
 	TS_GLOBAL const ts_surfel *surfel = &args->surfels[i];
-	ts_disc_frame frame = ts_k_disc_frame(view, surfel);
+	ts_disc_frame frame = ts_k_disc_frame(view, &args->filter, surfel);
 	ts_v3 centre = ts_load3(surfel->centre);
 	ts_v3 n = ts_k_disc_normal(surfel);
 	f32 slant = ts_k_disc_slant(view, centre, n);
@@ -84,9 +86,11 @@ TS_FN void ts_k_nearly_hit(ts_nearly_there *r, const ts_nearly *surfel, ts_v2 d)
 	f32 nearer = ts_max(r->hit.z / disc->depth, 0.0f); /* 1 / divisor */
 	f32 divided = parallel ? TS_MARGIN_ROUNDING : leaning * nearer;
 	f32 by = parallel ? surfel->off : surfel->off * nearer;
-	f32 a = ts_k_sizes(disc->a) * by + ts_abs(r->hit.a) * divided;
-	f32 b = ts_k_sizes(disc->b) * by + ts_abs(r->hit.b) * divided;
-	r->r2_step = 2.0f * (ts_abs(r->hit.a) * a + ts_abs(r->hit.b) * b) + TS_MARGIN_ROUNDING * r->hit.r2;
+	f32 from = (disc->flags & TS_DISC_CROSSES) != 0u ? 1.0f : 0.0f; /* of the farthest point, at most */
+	f32 a = ts_k_sizes(disc->a) * by + (ts_abs(r->hit.a) + from) * divided;
+	f32 b = ts_k_sizes(disc->b) * by + (ts_abs(r->hit.b) + from) * divided;
+	f32 rounding = TS_MARGIN_ROUNDING * (r->hit.r2 + from);
+	r->r2_step = 2.0f * (ts_abs(r->hit.a) * a + ts_abs(r->hit.b) * b) + rounding;
 	r->z_step = surfel->deep + (parallel ? disc->depth * leaning : ts_abs(r->hit.z) * divided);
 }
 
@@ -117,7 +121,7 @@ TS_FN void ts_k_nearly_radius(ts_nearly_there *r, const ts_filter *filter, const
 	r->flat = square * filter->per_sigma2;
 	r->flat_step = (far * surfel->off) * filter->per_sigma2 + TS_MARGIN_ROUNDING * r->flat;
 	bool object = r->hit.inside && filter->filter != TS_FILTER_IS_SCREEN;
-	bool lesser = filter->filter == TS_FILTER_IS_OBJECT || filter->per_sigma2 == 0.0f || r->hit.r2 < r->flat;
+	bool lesser = !ts_k_has_screen(&surfel->disc, filter) || r->hit.r2 < r->flat;
 	f32 r2_step = object && lesser ? r->r2_step : r->flat_step;
 	r->weight_step = r2_step * filter->fall + TS_MARGIN_ROUNDING;
 	r->peak_margin = TS_MARGIN_NOWHERE;
@@ -215,7 +219,8 @@ TS_FN ts_blend_tests ts_k_blend_tests(const ts_surfel_margin_args *args, const t
 {
 	ts_blend_tests r;
 	u64 key = args->keys[(u64)y * (u64)view->width + (u64)x];
-	bool filtered = args->filter.filter == TS_FILTER_IS_EWA ? surfel->disc.peak > 0.0f : args->filter.per_sigma2 > 0.0f;
+	bool ewa = args->filter.filter == TS_FILTER_IS_EWA;
+	bool filtered = ewa ? surfel->disc.peak > 0.0f : ts_k_has_screen(&surfel->disc, &args->filter);
 	bool within = there->flat <= 1.0f;
 	f32 of_flat = there->flat_step > 0.0f ? ts_abs(there->flat - 1.0f) / there->flat_step : TS_MARGIN_NOWHERE;
 	r.inside = there->hit.inside;

@@ -13,7 +13,8 @@
  * - "20 x 20" pixels of least size are read as 2 x 2, the screen filter's own width, for the reasons of SPEC 5.4;
  * - boxes are those of the projected ellipse, where the paper's point sprites miss parts of it; bounds=botsch is the paper;
  * - epsilon, sigma_k and the shaders are not given: epsilon is the median radius, sigma_k a half;
- * - surfels whose centre is before the near plane are left out whole;
+ * - surfels that cross the near plane are drawn as far as they are behind it, but by exact EWA and the screen filter alone,
+ *   which need an image of their centre, only if that is;
  * - a fragment of the screen filter alone has the depth of the centre, for planes seen from the side are anywhere;
  * - lights are the scene's, each of them a point or a sun with one depth map, or for points without a direction a cube of
  *   six. */

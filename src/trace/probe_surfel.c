@@ -60,7 +60,7 @@ static void put_hit(ts_probe *p, json_t *o, const ts_disc *disc, const place *at
 	} else {
 		ts_probe_put(p, o, "plane", json_string("not met"));
 	}
-	if (at->filter.per_sigma2 > 0.0f) {
+	if (at->filter.per_sigma2 > 0.0f && (disc->flags & TS_DISC_CROSSES) == 0) {
 		f32 square = (d.x * d.x + d.y * d.y) * at->filter.per_sigma2;
 		ts_probe_put(p, o, "r2D", ts_probe_real(ts_sqrt(ts_flush(square))));
 	}

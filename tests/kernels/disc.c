@@ -44,7 +44,8 @@ static hit3 cast(const ts_camera_k *view, const ts_disc_frame *f, double x, doub
 {
 	double i = (x - view->width / 2.0) / view->focal, j = (view->height / 2.0 - y) / view->focal;
 	bool parallel = view->orthographic != 0;
-	double3 c = { f->c.x, f->c.y, f->c.z }, u = d3_of(f->u), v = d3_of(f->v), n = d3_cross(u, v);
+	double3 u = d3_of(f->u), v = d3_of(f->v), n = d3_cross(u, v), far = { f->c.x, f->c.y, f->c.z };
+	double3 c = d3_mad(d3_mad(far, u, -(double)f->a), v, -(double)f->b);
 	double3 from = { parallel ? i : 0, parallel ? j : 0, 0 }, way = { parallel ? 0 : i, parallel ? 0 : j, 1 };
 	double t = d3_dot(d3_sub(c, from), n) / d3_dot(way, n);
 	double3 d = d3_sub(d3_mad(from, way, t), c);
@@ -69,7 +70,7 @@ static void test_plane_coordinates(void **state)
 		ts_filter filter = filter_of(1, false);
 		ts_surfel surfel = surfel_of(&view, 1);
 		if (ts_k_disc(&disc, &view, &filter, &surfel) != TS_DISC_DRAWN) continue;
-		ts_disc_frame frame = ts_k_disc_frame(&view, &surfel);
+		ts_disc_frame frame = ts_k_disc_frame(&view, &filter, &surfel);
 		for (i32 y = disc.low[1]; y <= disc.high[1]; y++) {
 			for (i32 x = disc.low[0]; x <= disc.high[0]; x++) {
 				hit3 truth = cast(&view, &frame, x + 0.5, y + 0.5);
@@ -112,10 +113,10 @@ static void test_bounds(void **state)
 	for (u32 i = 0; i < SURFELS; i++) {
 		ts_camera_k view = camera(i % 4 == 0);
 		ts_surfel surfel = surfel_of(&view, 8); /* some reach the eye's plane */
-		ts_disc_frame frame = ts_k_disc_frame(&view, &surfel);
 		for (u32 botsch = 0; botsch < 2; botsch++) {
 			ts_disc disc;
 			ts_filter filter = filter_of(0, botsch);
+			ts_disc_frame frame = ts_k_disc_frame(&view, &filter, &surfel);
 			if (ts_k_disc(&disc, &view, &filter, &surfel) != TS_DISC_DRAWN) continue;
 			u32 pixels = missed(&view, &disc, &frame);
 			n_missed[botsch] += pixels;
@@ -137,7 +138,7 @@ static void test_bounds_are_tight(void **state)
 		ts_camera_k view = camera(false);
 		ts_filter filter = filter_of(0, false);
 		ts_surfel surfel = surfel_of(&view, 0.4f);
-		ts_disc_frame frame = ts_k_disc_frame(&view, &surfel);
+		ts_disc_frame frame = ts_k_disc_frame(&view, &filter, &surfel);
 		if (ts_k_disc(&disc, &view, &filter, &surfel) != TS_DISC_DRAWN) continue;
 		double least = 1e9, most = -1e9;
 		for (u32 k = 0; k < 256; k++) {
@@ -150,6 +151,83 @@ static void test_bounds_are_tight(void **state)
 		assert_true(disc.low[0] >= fmin(fmax(floor(least - 0.5625), 0), WIDTH - 1));
 		assert_true(disc.high[0] <= fmax(fmin(floor(most + 0.5625), WIDTH - 1), 0));
 	}
+}
+
+typedef struct { u32 drawn, inside, outside; } crossings;
+
+/* What crosses the near plane is drawn where rays meet it behind that, and nowhere else. */
+static void check_crossing(crossings *n, const ts_camera_k *view, const ts_filter *filter, const ts_surfel *surfel)
+{
+	ts_disc disc;
+	ts_filter unmoved = { .filter = TS_FILTER_IS_SCREEN };
+	ts_disc_frame frame = ts_k_disc_frame(view, &unmoved, surfel);
+	u32 fate = ts_k_disc(&disc, view, filter, surfel);
+	if (fate == TS_DISC_TURNED || frame.c.z >= view->near) return;
+	n->drawn += fate == TS_DISC_DRAWN;
+	double3 c = { frame.c.x, frame.c.y, frame.c.z }, across = d3_cross(d3_of(frame.u), d3_of(frame.v));
+	double away = fabs(d3_dot(c, across)) / d3_length(across), size = d3_length(d3_of(frame.u)); /* of the plane; of it */
+	for (u32 i = 0; i < WIDTH * HEIGHT; i++) {
+		i32 x = (i32)(i % WIDTH), y = (i32)(i / WIDTH);
+		hit3 truth = cast(view, &frame, x + 0.5, y + 0.5);
+		double r2 = truth.a * truth.a + truth.b * truth.b, near = (double)view->near;
+		bool held = x >= disc.low[0] && x <= disc.high[0] && y >= disc.low[1] && y <= disc.high[1];
+		if (truth.slant * away < 1e-3 * size || fabs(r2 - 1) < 1e-2 || fabs(truth.z - near) < 1e-2 * near) continue;
+		ts_surfel_fragment f = ts_k_surfel_fragment(&disc, filter, view->near, x, y);
+		bool inside = is_inside(&truth, near);
+		assert_true(held ? f.inside == inside && f.covers == inside : !inside);
+		*(inside ? &n->inside : &n->outside) += 1;
+		if (!inside) continue;
+		double rounding = 1e-5 * fmax(size / away, 1) / truth.slant;
+		assert_true(fabs((double)f.z - truth.z) < rounding * truth.z);
+		assert_true(fabs((double)f.exponent - r2 * (double)filter->fall) < rounding);
+	}
+}
+
+static void test_crossing(void **state)
+{
+	(void)state;
+	crossings n = { 0, 0, 0 };
+	for (u32 i = 0; i < SURFELS; i++) {
+		ts_camera_k view = camera(i % 4 == 0);
+		ts_filter filter = filter_of(1, i % 8 == 1);
+		filter.filter = i % 3 == 0 ? TS_FILTER_IS_OBJECT : TS_FILTER_IS_MIN;
+		view.near = i % 5 == 0 ? 0.5f : 0.01f;
+		ts_surfel surfel = surfel_of(&view, 16);
+		ts_v3 beside = ts_mad(ts_scale(view.right, uniform(-2, 2)), view.up, uniform(-2, 2));
+		ts_store3(surfel.centre, ts_mad(ts_add(view.eye, beside), view.back, uniform(-0.5f, 2)));
+		check_crossing(&n, &view, &filter, &surfel);
+	}
+	print_message("# %u drawn, in %u pixels and not in %u\n", n.drawn, n.inside, n.outside);
+	assert_true(n.drawn > 200 && n.inside > 20000);
+}
+
+/* A round floor of radius 4, on which the eye stands, 1 above its centre: a row of pixels is f / (y - H/2) away. */
+static void test_floor(void **state)
+{
+	(void)state;
+	u32 n = 0;
+	ts_disc disc;
+	ts_camera_k view = { .right = { 1, 0, 0 }, .up = { 0, 1, 0 }, .back = { 0, 0, 1 }, .eye = { 0, 1, 0 }, .focal = 48,
+		.near = 0.01f, .width = WIDTH, .height = HEIGHT };
+	ts_filter filter = filter_of(1, false);
+	const ts_surfel surfel = { .u = { 0, 0, 4 }, .v = { 4, 0, 0 } };
+	assert_int_equal(ts_k_disc(&disc, &view, &filter, &surfel), TS_DISC_DRAWN);
+	assert_int_equal(disc.flags, TS_DISC_CROSSES);
+	for (i32 y = disc.low[1]; y <= disc.high[1]; y++) {
+		for (i32 x = disc.low[0]; x <= disc.high[0]; x++) {
+			double z = 48 / (y + 0.5 - HEIGHT / 2), across = (x + 0.5 - WIDTH / 2) / 48 * z;
+			ts_surfel_fragment f = ts_k_surfel_fragment(&disc, &filter, view.near, x, y);
+			assert_int_equal(f.covers, z > 0 && across * across + z * z <= 16);
+			n += f.covers;
+			if (f.covers) assert_true(fabs((double)f.z - z) < 1e-5 * z);
+		}
+	}
+	print_message("# %u pixels of a floor\n", n);
+	assert_true(disc.high[1] == HEIGHT - 1 && disc.low[0] == 0 && disc.high[0] == WIDTH - 1 && n > WIDTH * HEIGHT / 8);
+	filter.filter = TS_FILTER_IS_SCREEN;
+	assert_int_equal(ts_k_disc(&disc, &view, &filter, &surfel), TS_DISC_BEFORE);
+	filter.filter = TS_FILTER_IS_EWA;
+	assert_int_equal(ts_k_disc(&disc, &view, &filter, &surfel), TS_DISC_BEFORE);
 }
 
 /* The products of the centre's place are exact: against double, which holds 48 bits. */
@@ -201,7 +279,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		seeded_test(test_plane_coordinates), seeded_test(test_bounds), seeded_test(test_bounds_are_tight),
-		seeded_test(test_product), seeded_test(test_fates),
+		seeded_test(test_crossing), seeded_test(test_floor), seeded_test(test_product), seeded_test(test_fates),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -102,8 +102,8 @@ static ray_hit hit_of(const ts_view *view, const ts_surfel *s, double x, double 
 	d3 d = { q.x * t - c.x, q.y * t - c.y, q.z * t - c.z };
 	double a = d3_dot(d, u) / d3_dot(u, u), b = d3_dot(d, v) / d3_dot(v, v);
 	double px = w + f * c.x / -c.z - x, py = h - f * c.y / -c.z - y;
-	bool turned = d3_dot(n, c) >= 0 || -c.z < view->near;
-	return (ray_hit){ turned ? 1e9 : sqrt(a * a + b * b), turned ? 1e9 : sqrt(px * px + py * py), t };
+	bool turned = d3_dot(n, c) >= 0, met = !turned && t >= view->near, seen = !turned && -c.z >= view->near;
+	return (ray_hit){ met ? sqrt(a * a + b * b) : 1e9, seen ? sqrt(px * px + py * py) : 1e9, t };
 }
 
 typedef struct { double sum[8]; bool decided; } pixel_truth;

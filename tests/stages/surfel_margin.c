@@ -40,7 +40,7 @@ static d3 to_view(const port *p, const ts_view *view, d3 a, double of)
 }
 
 /* A surfel as the port has it; and what exact EWA has of it. */
-typedef struct { d3 c, u, v, n; double x, y, radius, xx, xy, yy, peak; bool drawn, flat; } splat;
+typedef struct { d3 c, u, v, n; double x, y, radius, xx, xy, yy, peak; bool drawn, ahead, flat; } splat;
 
 static void blur(const port *p, splat *s, const ts_filter *filter, double f)
 {
@@ -68,7 +68,9 @@ static splat splat_of(const port *p, const ts_surfel *surfel, const ts_filter *f
 	s.n = cross(s.u, s.v);
 	s.x = view->width / 2.0 + f * s.c.x / s.c.z;
 	s.y = view->height / 2.0 - f * s.c.y / s.c.z;
-	s.drawn = slant > p->faults.turned && s.c.z >= (double)view->near;
+	s.ahead = s.c.z >= (double)view->near;
+	bool crosses = filter->filter < TS_FILTER_IS_SCREEN && s.c.z + hypot(s.u.z, s.v.z) >= (double)view->near;
+	s.drawn = slant > p->faults.turned && (s.ahead || crosses);
 	s.flat = slant < 1e-6;
 	if (p->ewa && s.drawn) blur(p, &s, filter, f);
 	return s;
@@ -96,7 +98,7 @@ static hit hit_at(const port *p, const splat *s, const ts_filter *filter, u32 x,
 		return h;
 	}
 	bool object = h.inside && filter->filter != TS_FILTER_IS_SCREEN;
-	bool screen = filter->per_sigma2 > 0 && filter->filter != TS_FILTER_IS_OBJECT && h.flat <= p->faults.flat;
+	bool screen = s->ahead && filter->per_sigma2 > 0 && filter->filter != TS_FILTER_IS_OBJECT && h.flat <= p->faults.flat;
 	h.covers = object || screen;
 	h.weight = exp(-(double)filter->fall * (object && screen ? fmin(h.r2, h.flat) : object ? h.r2 : h.flat));
 	return h;

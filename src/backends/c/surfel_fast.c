@@ -43,7 +43,8 @@ static u64 pixel_of(const block *b, u32 i, i32 width) { return (u64)b->y[i] * (u
 static void cast_block(block *b, ts_disc disc, f32 near)
 {
 	i32 faces = (disc.flags & TS_DISC_FLAT) == 0 ? 1 : 0;
-	bool parallel = (disc.flags & TS_DISC_PARALLEL) != 0;
+	bool parallel = (disc.flags & TS_DISC_PARALLEL) != 0, crosses = (disc.flags & TS_DISC_CROSSES) != 0;
+	f32 a = crosses ? disc.conic[0] : 0.0f, c = crosses ? disc.conic[1] : 0.0f;
 	for (u32 i = 0; i < padded(b->n); i++) {
 		f32 dx = (f32)(b->x[i] - disc.pixel[0]) - disc.fraction[0];
 		f32 dy = (f32)(b->y[i] - disc.pixel[1]) - disc.fraction[1];
@@ -51,8 +52,8 @@ static void cast_block(block *b, ts_disc disc, f32 near)
 		f32 divisor = parallel ? 1.0f : 1.0f + tilt;
 		i32 in = divisor > 0.0f ? faces : 0;
 		f32 inverse = 1.0f / (in != 0 ? divisor : 1.0f);
-		f32 across = (disc.a[0] * dx + disc.a[1] * dy) * inverse;
-		f32 along = (disc.b[0] * dx + disc.b[1] * dy) * inverse;
+		f32 across = (disc.a[0] * dx + disc.a[1] * dy) * inverse + a;
+		f32 along = (disc.b[0] * dx + disc.b[1] * dy) * inverse + c;
 		f32 r2 = across * across + along * along;
 		f32 z = disc.depth * (parallel ? 1.0f - tilt : inverse);
 		in = r2 <= 1.0f ? in : 0;
@@ -140,10 +141,11 @@ static void blend_add(const ts_blend_args *args, u64 pixel, u32 surfel, const te
 }
 
 /* ts_k_fragment_radius, by selects. */
-static void radius_block(block *b, f32 depth, ts_filter filter)
+static void radius_block(block *b, const ts_disc *disc, ts_filter filter)
 {
+	f32 depth = disc->depth;
 	i32 objects = filter.filter != TS_FILTER_IS_SCREEN ? 1 : 0;
-	i32 screens = filter.per_sigma2 > 0.0f && filter.filter != TS_FILTER_IS_OBJECT ? 1 : 0;
+	i32 screens = ts_k_has_screen(disc, &filter) ? 1 : 0;
 	for (u32 i = 0; i < padded(b->n); i++) {
 		f32 object2 = b->r2[i], z = b->z[i];
 		f32 screen2 = (b->dx[i] * b->dx[i] + b->dy[i] * b->dy[i]) * filter.per_sigma2;
@@ -183,7 +185,7 @@ static u32 blend_surfel(block *b, const ts_blend_args *args, const ts_camera_k *
 	for (u32 first = 0; first < n; first += BLOCK) {
 		place_block(b, &disc, first, n - first);
 		cast_block(b, disc, view->near);
-		radius_block(b, disc.depth, args->filter);
+		radius_block(b, &disc, args->filter);
 		u32 n_seen = list_seen(seen, b, args->keys, view->width);
 		weigh_block(b, args->filter.fall);
 		for (u32 k = 0; k < n_seen; k++) {

@@ -50,15 +50,16 @@ static void keep_facing(lot *l, ts_camera_k view)
 	load(l);
 }
 
-/* ts_k_disc_make, by selects. */
+/* ts_k_disc_make, by selects; not of what may cross the near plane. */
 static void make(lot *l, ts_camera_k view, ts_filter filter)
 {
+	const ts_filter unmoved = {.filter = TS_FILTER_IS_SCREEN};
 	u32 parallel = view.orthographic != 0 ? TS_DISC_PARALLEL : 0;
 	for (u32 i = 0; i < padded(l->n); i++) {
 		ts_surfel s = surfel(l, i);
 		ts_v3 n = ts_k_disc_normal(&s);
 		f32 slant = ts_k_disc_slant(&view, ts_load3(s.centre), n);
-		ts_disc_frame frame = ts_k_disc_frame(&view, &s);
+		ts_disc_frame frame = ts_k_disc_frame(&view, &unmoved, &s);
 		ts_disc d = {.flags = (slant < TS_LEAST_SLANT ? TS_DISC_FLAT : 0) | parallel};
 		ts_k_disc_place(&d, &view, &frame);
 		ts_k_disc_map(&d, &frame);
@@ -102,19 +103,25 @@ static void store(ts_disc *d, const lot *l, u32 i)
 
 TS_WIDE static void set_up(const ts_surfel_setup_args *args, u64 first, u32 n, i64 tally[FATES])
 {
+	ts_camera_k view = ts_k_view(args->view);
 	lot l = {.first = args->surfels + first, .n = n};
 	for (u32 i = 0; i < n; i++) {
 		l.index[i] = i;
 		ts_k_disc_clear(&args->discs[first + i]);
 	}
 	load(&l);
-	keep_facing(&l, ts_k_view(args->view));
-	make(&l, ts_k_view(args->view), args->filter);
+	keep_facing(&l, view);
+	make(&l, view, args->filter);
 	tally[TS_DISC_TURNED] += n - l.n;
 	for (u32 i = 0; i < l.n; i++) {
 		bool beside = l.low[0][i] > l.high[0][i] || l.low[1][i] > l.high[1][i];
 		u32 fate = beside && l.fate[i] == TS_DISC_DRAWN ? TS_DISC_BESIDE : l.fate[i];
-		if (fate == TS_DISC_DRAWN) store(&args->discs[first + l.index[i]], &l, i);
+		u64 at = first + l.index[i];
+		if (fate == TS_DISC_BEFORE) {
+			fate = ts_k_disc(&args->discs[at], &view, &args->filter, &args->surfels[at]);
+		} else if (fate == TS_DISC_DRAWN) {
+			store(&args->discs[at], &l, i);
+		}
 		tally[fate]++;
 	}
 }
