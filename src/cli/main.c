@@ -68,6 +68,8 @@ const ts_command ts_command_table[] = {
 	  "TRACE: a folder that render --trace wrote, or a port's, of reflections by epr or mvr; --pixel also of shadows,\n"
 	  "indirect light and particles.\n"
 	  "--pixel: who competed for it, who won by how much, what each sample looked up, each term of its light.\n"
+	  "With --view a texel: of a face of a cube, or, of MegaViews, of half the map of a light's leaf or of a node of\n"
+	  "views: which pairs were rendered into it and into those above, by what tests, and what fusion made of them.\n"
 	  "--triangle, --point: where it went, and which stage lost it.\n"
 	  "What the buffers do not hold is computed again; each \"check\" says whether that has the bits of a buffer.",
 	  1, 1, TS_OPT_PIXEL | TS_OPT_VIEW | TS_OPT_TRIANGLE | TS_OPT_POINT | TS_OPT_JSON, ts_probe_command },

@@ -129,14 +129,17 @@ static ts_status read_pixel(const ts_cli *cli, u32 *x, u32 *y)
 	return ts_cli_count(y, list, 0, 65535, "--pixel Y");
 }
 
+/* What stands before the dot. */
+static void read_left(const ts_cli *cli, const char *dot, char left[16])
+{
+	snprintf(left, 16, "%.*s", dot - cli->view < 15 ? (int)(dot - cli->view) : 15, cli->view);
+}
+
 /* "R.F" */
-static ts_status read_face(const ts_cli *cli, u32 *reflector, u32 *face)
+static ts_status read_face(const ts_cli *cli, const char *dot, u32 *reflector, u32 *face)
 {
 	char left[16];
-	const char *dot = strchr(cli->view, '.');
-	if (dot == NULL)
-		return ts_fail("--view %s: neither \"eye\" nor REFLECTOR.FACE, for instance 3.+X or 3.0", cli->view);
-	snprintf(left, sizeof left, "%.*s", dot - cli->view < 15 ? (int)(dot - cli->view) : 15, cli->view);
+	read_left(cli, dot, left);
 	if (ts_cli_count(reflector, left, 0, 65535, "--view, reflector") != TS_OK) return TS_ERROR;
 	for (*face = 0; *face < 6; ++*face) {
 		if (strcmp(dot + 1, ts_where_face(*face)) == 0 || (dot[1] == (char)('0' + *face) && dot[2] == 0)) return TS_OK;
@@ -144,12 +147,31 @@ static ts_status read_face(const ts_cli *cli, u32 *reflector, u32 *face)
 	return ts_fail("--view %s: no face \"%s\"; there are +X, -X, +Y, -Y, +Z, -Z, or 0 to 5", cli->view, dot + 1);
 }
 
+/* "L.front", or "nodeN.back" */
+static ts_status read_map(const ts_cli *cli, const char *dot, ts_probe_map_id *map)
+{
+	char left[16];
+	read_left(cli, dot, left);
+	map->back = strcmp(dot, ".back") == 0;
+	map->of_light = strncmp(left, "node", 4) != 0;
+	return ts_cli_count(&map->index, map->of_light ? left : left + 4, 0, 4294967294u, "--view, light or node");
+}
+
 static ts_status probe_pixel(ts_probe *probe, const ts_cli *cli, json_t **answer)
 {
 	u32 x, y, reflector, face;
+	ts_probe_map_id map;
 	if (read_pixel(cli, &x, &y) != TS_OK) return TS_ERROR;
 	if (cli->view == NULL || strcmp(cli->view, "eye") == 0) return ts_probe_pixel(probe, x, y, answer);
-	if (read_face(cli, &reflector, &face) != TS_OK) return TS_ERROR;
+	const char *dot = strchr(cli->view, '.');
+	if (dot == NULL) {
+		return ts_fail("--view %s: neither \"eye\" nor REFLECTOR.FACE, for instance 3.+X or 3.0, nor LIGHT.front or "
+		               "nodeN.back", cli->view);
+	}
+	if (strcmp(dot, ".front") == 0 || strcmp(dot, ".back") == 0) {
+		return read_map(cli, dot, &map) == TS_OK ? ts_probe_map(probe, map, x, y, answer) : TS_ERROR;
+	}
+	if (read_face(cli, dot, &reflector, &face) != TS_OK) return TS_ERROR;
 	return ts_probe_texel(probe, reflector, face, x, y, answer);
 }
 

@@ -30,6 +30,13 @@ void ts_probe_close(ts_probe *probe);
 ts_status ts_probe_pixel(ts_probe *probe, u32 x, u32 y, json_t **answer);
 /* Texel (x, y) of a face, 0 to 5, of a reflector's cube: the points, of MVR the triangles, that competed for it. */
 ts_status ts_probe_texel(ts_probe *probe, u32 reflector, u32 face, u32 x, u32 y, json_t **answer);
+/* Texel (x, y) of half a map of MegaViews: the pairs of nodes that were rendered into it, by what tests, and what fusion
+ * made of them, for each of the nodes of views from the root to that of the map. */
+typedef struct {
+	u32 index;      /* of a node of views, or of a light, whose leaf it is then */
+	bool of_light, back;
+} ts_probe_map_id;
+ts_status ts_probe_map(ts_probe *probe, ts_probe_map_id map, u32 x, u32 y, json_t **answer);
 /* A triangle: where it went, or which stage lost it. */
 ts_status ts_probe_triangle(ts_probe *probe, u64 triangle, json_t **answer);
 /* A point of EPR, by its index: the same. */

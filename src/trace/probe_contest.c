@@ -82,7 +82,7 @@ static ts_status put_offer(ts_probe *p, json_t *list, const ts_offer *offer, con
 	return status;
 }
 
-static void put_held(ts_probe *p, json_t *o, ts_buffer_id id, u64 held, u64 found)
+void ts_probe_put_key_check(ts_probe *p, json_t *o, ts_buffer_id id, u64 found, u64 held)
 {
 	char buffer[64];
 	snprintf(buffer, sizeof buffer, "%s", ts_buffer_table[id].name);
@@ -119,6 +119,6 @@ ts_status ts_probe_put_offers(ts_probe *p, json_t *o, const ts_offers *offers, t
 	put_lead(p, o, winner, second);
 	if (offers->n > MOST_LISTED) ts_probe_put(p, o, "listed", ts_probe_int(MOST_LISTED));
 	ts_probe_put(p, o, "by_depth", list);
-	put_held(p, o, id, held, winner != NULL ? winner->key : TS_EMPTY);
+	ts_probe_put_key_check(p, o, id, winner != NULL ? winner->key : TS_EMPTY, held);
 	return status;
 }

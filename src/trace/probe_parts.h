@@ -25,7 +25,7 @@ struct ts_probe {
 	bool surfels;         /* pixels show surfels, no triangles */
 	bool gathers;         /* pixels have indirect light or that of particles, and no other */
 	bool has_lamps;       /* the lights are lamps, with views of their own */
-	ts_load *load;        /* of MegaViews and surfels: what pixels are made from, checked; NULL: not loaded yet */
+	ts_load *load;        /* of MegaViews and surfels: what the answer is made from, checked; NULL: not loaded yet */
 	ts_offscreen *views;  /* of the lamps; else NULL */
 	u32 n_views;
 	ts_lamp *lamps;
@@ -44,7 +44,8 @@ ts_status ts_probe_fetch(ts_probe *probe, ts_buffer_id id, u64 first, u64 n, voi
 /* The elements of pixel (x, y), `n` of them, of a buffer of rows and columns; *there is false outside its crop, or if
  * the trace lacks it. */
 ts_status ts_probe_fetch_pixel(ts_probe *probe, ts_buffer_id id, u32 x, u32 y, u32 n, void *to, bool *there);
-/* Loads into p->load, once, what these stages read, ended by NULL, and checks it all as for the last of them. */
+/* Loads into p->load what these stages read, ended by NULL, and checks it all as for the last of them; what was loaded
+ * stays if all of that is there. */
 ts_status ts_probe_load_for(ts_probe *probe, const char *const *stages);
 const void *ts_probe_loaded(const ts_probe *probe, ts_buffer_id id);
 /* The piece of a point, its record, and the triangle. */
@@ -85,6 +86,8 @@ void ts_probe_put_margin(ts_probe *probe, json_t *object, f32 winner, f32 depth)
 void ts_probe_put_check(ts_probe *probe, json_t *object, ts_buffer_id id, const f32 *computed, const f32 *held, u32 n);
 /* The same of one element, by its first field that differs. */
 void ts_probe_put_record_check(ts_probe *probe, json_t *object, ts_buffer_id id, const void *computed, const void *held);
+/* The same of keys, depth << 32 | index. */
+void ts_probe_put_key_check(ts_probe *probe, json_t *object, ts_buffer_id id, u64 found, u64 held);
 /* Puts `sum`: whether the terms that were put have the bits of the total. */
 void ts_probe_put_sum(ts_probe *probe, json_t *object, ts_v3 sum, ts_v3 total);
 
@@ -192,7 +195,21 @@ ts_status ts_probe_load_views(ts_probe *probe);
 ts_status ts_probe_read_paths(ts_probe *probe, ts_probe_gather *gather);
 /* Puts a virtual point light or particle: where it comes from, what it sends to the pixel, and what its map answers. */
 ts_status ts_probe_vpl(ts_probe *probe, json_t *object, const ts_probe_gather *gather, u32 view);
-/* Puts the pair of nodes that a texel of the whole map of a node of views shows (probe_map.c). */
+/* The nodes of views from the root to one of them, each the parent of the next, with their maps alone (probe_pair.c). */
+enum { TS_PROBE_LEVELS = 12 };
+typedef struct {
+	u32 n, id[TS_PROBE_LEVELS];
+	ts_node nodes[TS_PROBE_LEVELS];
+	u64 *texels;
+	ts_fuse_args args;
+} ts_probe_chain;
+/* Reads the chain to a node. Release by free() of texels, also on failure. */
+ts_status ts_probe_read_chain(ts_probe *probe, ts_probe_chain *chain, u32 node);
+/* What a node of the chain has of its own in a texel. */
+u64 ts_probe_own_key(const ts_probe_chain *chain, u32 i, u32 texel);
+/* Puts a pair of nodes that is in a map: what decided that, by numbers. */
+void ts_probe_put_decision(ts_probe *probe, json_t *object, const ts_traverse_args *how, u64 pair);
+/* Puts the pair of nodes that a texel of the whole map of a node of views shows. */
 ts_status ts_probe_put_pair(ts_probe *probe, json_t *object, u32 node, u32 texel);
 /* Puts what a texel of a reflective shadow map is as a light (probe_direct.c). */
 ts_status ts_probe_put_patch(ts_probe *probe, json_t *object, u32 index, const ts_patch *patch);

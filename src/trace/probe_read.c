@@ -168,22 +168,31 @@ ts_status ts_probe_fetch_point(ts_probe *p, u64 point, ts_point *record, ts_piec
 	return ts_probe_fetch(p, TS_B_split_triangle, record->piece, 1, piece);
 }
 
+static bool has_loaded(const ts_probe *p, const ts_buffer_id *ids)
+{
+	while (*ids != TS_N_BUFFERS && p->load->item[*ids] != NULL) ids++;
+	return *ids == TS_N_BUFFERS;
+}
+
 ts_status ts_probe_load_for(ts_probe *p, const char *const *stages)
 {
 	ts_buffer_id reads[TS_N_BUFFERS + 1], all[TS_N_BUFFERS + 1];
 	bool wanted[TS_N_BUFFERS] = {[TS_B_eye_view] = true};
 	u32 n = 0;
-	if (p->load != NULL) return TS_OK;
+	const ts_stage *last = NULL;
 	for (; *stages != NULL; stages++) {
-		ts_replay_reads(reads, ts_stage_find(*stages), p->trace->pipeline, &p->trace->params);
+		last = ts_stage_find(*stages);
+		ts_replay_reads(reads, last, p->trace->pipeline, &p->trace->params);
 		for (u32 i = 0; reads[i] != TS_N_BUFFERS; i++) wanted[reads[i]] = true;
 	}
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
 		if (wanted[id]) all[n++] = (ts_buffer_id)id;
 	}
 	all[n] = TS_N_BUFFERS;
+	if (p->load != NULL && has_loaded(p, all)) return TS_OK;
+	ts_load_end(p->load);
 	if (ts_load_begin(&p->load, all, p->trace, NULL, 1) != TS_OK) return TS_ERROR;
-	if (ts_check(p->load, ts_stage_find(stages[-1])) == TS_OK) return TS_OK;
+	if (ts_check(p->load, last) == TS_OK) return TS_OK;
 	ts_load_end(p->load);
 	p->load = NULL;
 	return TS_ERROR;

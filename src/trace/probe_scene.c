@@ -48,6 +48,7 @@ static void give_sizes(const ts_probe *p, ts_sizes *sizes)
 	ts_sizes_set(sizes, "W", p->view.width);
 	ts_sizes_set(sizes, "G", p->trace->params.grid_px);
 	ts_sizes_set(sizes, "m", ts_k_pyramid_texels(&pyramid));
+	ts_sizes_set(sizes, "v", pyramid.n);
 	ts_sizes_set(sizes, "K", 25);
 	ts_sizes_set(sizes, "w", p->n_words);
 }

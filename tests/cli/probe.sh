@@ -112,8 +112,23 @@ for pattern in 'bits agree with vpl_pairs.node' 'bounce: 2; triangle: ' 'answer:
 	'bits agree with map.depth_node' 'bits agree with bilateral.row'; do
 	prints "$pattern" probe $mega --pixel 20,40
 done
+"$touchstone" render indirect "${views[@]}" --trace --method bruteforce -o indirect-bruteforce > /dev/null
+for method in megaviews manylods bruteforce; do
+	says 'bits agree with fuse.depth' probe "indirect-$method/trace-$method" --pixel 8,9 --view 0.front
+	says 'bits agree with map.depth_node' probe "indirect-$method/trace-$method" --pixel 7,7 --view node1.back
+done
+prints 'direction: in the corner' probe $mega --pixel 0,0 --view 0.front
+refuses 'no texel (16, 0); halves of maps have 16 x 16' probe $mega --pixel 16,0 --view 0.front
+refuses 'no light 4000; there are' probe $mega --pixel 0,0 --view 4000.front
+refuses 'no node of views 4000; there are' probe $mega --pixel 0,0 --view node4000.front
+refuses 'whole number' probe $mega --pixel 0,0 --view nod4.front
+refuses 'neither' probe $mega --pixel 0,0 --view 4
+refuses 'of which probe explains the eye' probe $mega --pixel 0,0 --view 0.+X
+refuses 'which has no maps of lights' probe $epr --pixel 0,0 --view 0.front
+refuses 'which has no maps of lights' probe $soft --pixel 0,0 --view 0.front
 run render indirect "${views[@]}" --method megaviews --trace-only scene,eye,view,pose,lamp,rsm_view,rsm_patch -o lacks-views
 refuses 'no file of gbuffer.pixel, .*vpl_pairs.views' probe lacks-views/trace-megaviews --pixel 33,60
+refuses 'this needs map.depth_node, fuse.depth, view_octree.leaf' probe lacks-views/trace-megaviews --pixel 3,6 --view 0.front
 run render particles "${views[@]}" --method megaviews --trace-only scene,eye,view,pose -o lacks-glow
 refuses 'this needs vpl.light' probe lacks-glow/trace-megaviews --pixel 33,60
 
@@ -186,6 +201,11 @@ lies 20-vpl_pairs.node.npy 0 '\xff\xff\xff\x7f' 'less than' --pixel 20,40
 lies 20-vpl_pairs.offset.npy 1 '\xff\xff\xff\x7f' 'sum' --pixel 20,40
 lies 14-view_cone.node.npy 5 '\xff\xff\xff\x7f' 'field views' --pixel 20,40
 lies 01-eye.view.npy 7 '\x20\x00\x00\x00' 'would be right' --pixel 20,40
+lies 13-view_octree.node.npy 6 '\xff\xff\xff\x7f' 'element 0, field parent' --pixel 3,6 --view 0.back
+lies 13-view_octree.leaf.npy 0 '\xff\xff\xff\x7f' 'element 0 names 2147483647' --pixel 3,6 --view 0.back
+lies 16-map.depth_node.npy 0 '\xff\xff\xff\x7f' 'names 2147483647' --pixel 0,0 --view node0.front
+lies 14-view_cone.node.npy 0 '\x00\x00\xc0\x7f' 'a finite number' --pixel 3,6 --view node1.back
+lies 09-octree.node.npy 4 '\x00\x00\x00\x00' 'field child' --pixel 3,6 --view node1.back
 epr=$glow
 lies 06-vpl.light.npy 0 '\x00\x00\xc0\x7f' 'a finite number' --pixel 20,40
 epr=$deferred
@@ -212,5 +232,15 @@ cp -r $epr bad
 header=$((10 + $(od -An -tu2 -j8 -N2 bad/??-shade.radiance.npy)))
 printf '\x00\x00\x80\x3f' | dd of="$(echo bad/??-shade.radiance.npy)" bs=1 seek=$header conv=notrunc 2> /dev/null
 prints 'bits differ from shade.radiance, which holds 3f800000' probe bad --pixel "$mirror"
+
+# The same of a map and of fusion: only the node whose map is wrong is told to differ.
+for file in 16-map.depth_node 17-fuse.depth; do
+	rm -rf bad
+	cp -r $mega bad
+	header=$((10 + $(od -An -tu2 -j8 -N2 bad/$file.npy)))
+	printf '\x00\x00\x00\x00\x00\x00\x80\x3f' | dd of=bad/$file.npy bs=1 seek=$header conv=notrunc 2> /dev/null
+	prints "bits differ from ${file#*-}" probe bad --pixel 0,0 --view node0.front
+done
+prints 'bits agree with map.depth_node' probe bad --pixel 0,0 --view node0.front
 
 finish

@@ -1,20 +1,7 @@
 /* The probe against the buffers of the run that wrote the trace. */
-#include "../stages/small.h"
-#include <dirent.h>
-#include <math.h>
-#include <unistd.h>
-#include "../../src/trace/probe.h"
-#include "../../src/trace/write.h"
+#include "probed.h"
 
-enum { N_TRIED = 50, STREAM = 6 };
-
-typedef struct {
-	char dir[200], path[512];
-	ts_scene *scene;
-	ts_run run;
-	ts_probe *probe;
-	ts_trace_writer *writer;
-} traced;
+enum { N_TRIED = 50 };
 
 static traced epr, mvr, plane; /* plane: EPR with the depth of planes, which ties often */
 static const struct { const char *effect, *method; } shadow_methods[] = {
@@ -54,60 +41,6 @@ static const struct { const char *method; u32 filter, shader, accumulation; f32 
 };
 enum { N_SURFELS = sizeof surfel_methods / sizeof *surfel_methods };
 static traced surfels[N_SURFELS];
-static u32 n_random;
-static u32 below(u32 n) { return (u32)(((u64)ts_random(n_random++, STREAM, 17) * n) >> 32); }
-
-static const char *place(void *user, const char *name)
-{
-	traced *t = user;
-	snprintf(t->path, sizeof t->path, "%s/%s", t->dir, name);
-	return t->path;
-}
-
-static ts_status hook(const ts_run *run, const ts_stage *stage, void *user)
-{
-	traced *t = user;
-	return ts_trace_write_stage(t->writer, run, stage);
-}
-
-static void require(ts_status status)
-{
-	if (status != TS_OK) fail_msg("%s", ts_error_message());
-}
-
-static void make(traced *t, const char *effect, const char *method, const ts_params *params)
-{
-	const ts_pipeline *pipeline = ts_pipeline_find(effect, method);
-	ts_trace_options options = {.margins = true, .place = place, .user = t};
-	const char *tmp = getenv("TMPDIR");
-	snprintf(t->dir, sizeof t->dir, "%s/touchstone-probe-XXXXXX", tmp != NULL ? tmp : "/tmp");
-	assert_non_null(mkdtemp(t->dir));
-	t->scene = small_scene(params);
-	ts_run_begin(&t->run, t->scene, params, 2);
-	t->run.traced = t->run.margins = true;
-	require(ts_trace_write_begin(&t->writer, pipeline, &t->run, &options));
-	t->run.hook = hook;
-	t->run.hook_user = t;
-	require(ts_pipeline_run(pipeline, &t->run));
-	require(ts_trace_write_end(t->writer, &t->run));
-	require(ts_probe_open(&t->probe, t->dir));
-}
-
-static void drop(traced *t)
-{
-	struct dirent *entry;
-	DIR *dir = opendir(t->dir);
-	ts_probe_close(t->probe);
-	ts_trace_write_free(t->writer);
-	ts_run_end(&t->run);
-	ts_scene_free(t->scene);
-	while (dir != NULL && (entry = readdir(dir)) != NULL) {
-		if (entry->d_name[0] != '.') unlink(place(t, entry->d_name));
-	}
-	if (dir != NULL) closedir(dir);
-	rmdir(t->dir);
-}
-
 static void make_indirect(void)
 {
 	ts_params params = small_params(96, 64);
@@ -195,43 +128,6 @@ static int drop_all(void **state)
 	for (u32 i = 0; i < N_SURFELS; i++) drop(&surfels[i]);
 	return 0;
 }
-
-static const void *data(const traced *t, ts_buffer_id id) { return ts_frame_data(&t->run.frame, id); }
-static u64 count(const traced *t, ts_buffer_id id) { return ts_frame_n(&t->run.frame, id); }
-
-/* Every "check" and "sum" of an answer agrees. Returns how many there are. */
-static u32 assert_agrees(const json_t *v)
-{
-	const char *key;
-	json_t *member;
-	u32 n = 0;
-	size_t i;
-	json_object_foreach((json_t *)v, key, member) {
-		n += assert_agrees(member);
-		if (strcmp(key, "check") == 0) assert_memory_equal(json_string_value(member), "bits agree with ", 16);
-		if (strcmp(key, "sum") == 0)
-			assert_string_equal(json_string_value(member), "terms add up to the bits of the total");
-		n += strcmp(key, "check") == 0 || strcmp(key, "sum") == 0;
-	}
-	json_array_foreach((json_t *)v, i, member) n += assert_agrees(member);
-	return n;
-}
-
-static const json_t *get(const json_t *v, const char *a, const char *b)
-{
-	const json_t *found = json_object_get(json_object_get(v, a), b);
-	if (found == NULL) fail_msg("no %s.%s", a, b);
-	return found;
-}
-
-static u64 figure(const json_t *v, const char *key)
-{
-	const json_t *found = json_object_get(v, key);
-	if (!json_is_integer(found)) fail_msg("no %s", key);
-	return (u64)json_integer_value(found);
-}
-
-static u32 bits_of(const json_t *v) { return (u32)strtoul(json_string_value(v), NULL, 16); }
 
 static void try_pixel(const traced *t, u32 pixel)
 {
@@ -402,13 +298,6 @@ static void test_shadows(void **state)
 		assert_int_equal(ts_probe_triangle(t->probe, 0, &answer), TS_ERROR);
 		assert_int_equal(ts_probe_point(t->probe, 0, &answer), TS_ERROR);
 	}
-}
-
-/* A float that an answer shows with its bits; of a vector component c. */
-static f32 shown(const json_t *v, const char *key, u32 c)
-{
-	const json_t *bits = json_object_get(json_object_get(v, key), "bits");
-	return ts_u2f(bits_of(json_is_array(bits) ? json_array_get(bits, c) : bits));
 }
 
 static void assert_bits(f32 found, f32 right) { assert_int_equal(ts_f2u(found), ts_f2u(right)); }
