@@ -178,13 +178,14 @@ static u64 bytes_of_area(const ts_pipeline *method, const ts_scene *scene, const
 }
 
 /* What takes most of a method's memory beside its image. */
-static const char *what_to_lower(const ts_pipeline *method)
+static const char *what_to_lower(const ts_pipeline *method, const ts_params *params, u64 bytes)
 {
+	bool maps = ts_pipeline_maker(method, TS_B_map_depth_node) != NULL;
+	if (maps && (u64)params->queue_mb << 20 > bytes / 2) return "queue_mb";
 	if (strcmp(method->effect, "surfels") == 0) return "map_px or from_mesh";
 	if (strcmp(method->effect, "reflections") == 0) return "fewer --reflectors";
 	if (strcmp(method->effect, "particles") == 0) return "levels, gather_level, view_px or particles";
 	if (strcmp(method->effect, "indirect") != 0) return "map_px or pass";
-	bool maps = ts_pipeline_maker(method, TS_B_map_depth_node) != NULL;
 	return maps ? "levels, gather_level, view_px or vpls" : "grid_px or rsm_px";
 }
 
@@ -205,7 +206,7 @@ ts_status ts_measure_estimate(u64 *bytes, const ts_pipeline *const *methods, u32
 	if (*bytes > limit) {
 		return ts_fail("%s: needs about %.1f GB of memory and may use %.1f GB of this machine's %.1f GB; choose a smaller "
 		               "--size, %s%s", scene->name, (double)*bytes / 1e9, (double)limit / 1e9,
-		               (double)ts_memory_total() / 1e9, what_to_lower(largest),
+		               (double)ts_memory_total() / 1e9, what_to_lower(largest, params, *bytes),
 		               (truths & TS_TRUTH_C) != 0 ? ", or no truth C" : "");
 	}
 	return TS_OK;

@@ -80,6 +80,15 @@ static void format_f32(float value, char *text, size_t text_bytes)
 	}
 }
 
+/* A value that is halved until 1 is left. */
+static ts_status refuse_between(size_t row, uint32_t value)
+{
+	uint32_t below = 1;
+	while (2 * below < value) below *= 2;
+	return ts_fail("parameter %s: %" PRIu32 " is not a power of two; %" PRIu32 " or %" PRIu32 " would be right",
+	               table[row].name, value, below, 2 * below);
+}
+
 static ts_status set_u32(ts_params *params, size_t row, const char *text)
 {
 	const ts_param_info *info = &table[row];
@@ -90,6 +99,7 @@ static ts_status set_u32(ts_params *params, size_t row, const char *text)
 		return ts_fail("parameter %s: \"%.80s\" is not a whole number from %s to %s%s%s", info->name, text, info->min,
 		               info->max, *info->unit ? " " : "", info->unit);
 	}
+	if (offsets[row] == offsetof(ts_params, view_px) && (value & (value - 1)) != 0) return refuse_between(row, value);
 	store(params, row, &value);
 	return TS_OK;
 }

@@ -19,8 +19,7 @@ complain() {
 	echo "# $1: exit code $status: $(head -c 300 stderr)"
 }
 
-# behaves EXPECTED ARGUMENT...: "ok" asks for 0, "error" for 2 before anything is printed, "late" for 2, "either" for one
-# of them.
+# behaves EXPECTED ARGUMENT...: "ok" asks for 0, "error" for 2 before anything is printed, "either" for one of them.
 behaves() {
 	local expected=$1
 	shift
@@ -29,7 +28,6 @@ behaves() {
 	case $expected-$status in
 	ok-0 | either-0) [ ! -s stderr ] ;;
 	error-2 | either-2) [ "$(wc -l < stderr)" -eq 1 ] && [ ! -s stdout ] ;;
-	late-2) [ "$(wc -l < stderr)" -eq 1 ] ;;
 	*) false ;;
 	esac
 }
@@ -72,7 +70,7 @@ ok indirect vpls=1
 error indirect vpls=16777217
 ok indirect view_px=4
 ok indirect view_px=256
-late indirect view_px=48
+error indirect view_px=48
 error indirect view_px=2
 error indirect view_px=512
 ok indirect queue_mb=1

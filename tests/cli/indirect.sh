@@ -9,6 +9,13 @@ refuses 'levels, gather_level, view_px or vpls$' render indirect "${small[@]}" -
 refuses 'levels, gather_level, view_px or particles$' render particles "${small[@]}" --set view_px=256 \
 	--set particles=16777216
 
+refuses 'parameter view_px: 48 is not a power of two; 32 or 64 would be right$' render indirect "${small[@]}" --set view_px=48
+refuses 'parameter view_px: 255 is not a power of two; 128 or 256 would be right$' digest --set view_px=255
+if awk '/^MemTotal/ { exit $2 > 85e6 }' /proc/meminfo; then # kB: three quarters of that hold no 64 GiB
+	refuses 'about 68.* GB .* choose a smaller --size, queue_mb$' render indirect "${small[@]}" --method megaviews \
+		--set queue_mb=65536 --set vpls=20
+fi
+
 cat > read.py <<'PY'
 import glob, struct, sys, zlib
 
