@@ -205,8 +205,9 @@ static void damage_and_run(u32 m, const ts_stage *stage, ts_buffer_id id, damage
 	void *data = traces_read(&buffer, traces[m], id);
 	damage(&buffer, id, kind);
 	bool ran = replay_with(m, stage, id, &buffer) == TS_OK;
-	/* A mask that changes changes the counts of points. */
-	if (kind != ANYTHING && strcmp(stage->name, "points") != 0 && !ran) fail_msg("%s", ts_error_message());
+	/* A mask that changes changes the counts of points, a place that changes the leaves of octrees. */
+	bool counts = strcmp(stage->name, "points") == 0 || strstr(stage->name, "octree") != NULL;
+	if (kind != ANYTHING && !counts && !ran) fail_msg("%s", ts_error_message());
 	free(data);
 }
 

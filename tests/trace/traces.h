@@ -23,9 +23,11 @@ static const struct { const char *effect, *method; u32 lamp, buffered; } traces_
 	{"omni-shadows", "epr", 0, 0},
 	{"indirect", "hulls", TS_LAMP_SCENE, 0},
 	{"indirect", "direct", 0, 0},
+	{"indirect", "megaviews", 0, 0},
+	{"surfels", "deferred", 0, 0},
 };
 enum { TRACES_IVIR = 2, TRACES_SOFT, TRACES_OMNI, TRACES_DEPTH, TRACES_PCSS, TRACES_EPR, TRACES_HULLS, TRACES_DIRECT,
-       N_TRACES };
+       TRACES_MEGAVIEWS, TRACES_SURFELS, N_TRACES };
 static ts_trace *traces[N_TRACES];
 static ts_trace_writer *traces_writer;
 static u32 traces_m;
@@ -79,6 +81,11 @@ static inline ts_params traces_params(u32 m)
 	params.map_px = 24;
 	params.rsm_px = 4;
 	params.grid_px = 64;
+	params.levels = 3;
+	params.gather_level = 2;
+	params.view_px = 4;
+	params.vpls = 20;
+	if (m == TRACES_SURFELS) params.from_mesh = 300;
 	params.lamp = traces_runs[m].lamp;
 	params.buffered = traces_runs[m].buffered;
 	return params;
@@ -110,11 +117,12 @@ static inline int traces_begin(void **state)
 {
 	(void)state;
 	assert_non_null(mkdtemp(traces_root));
-	ts_params params = traces_params(0);
-	ts_scene *scene = small_scene(&params);
+	ts_params params = traces_params(0), of_surfels = traces_params(TRACES_SURFELS);
+	ts_scene *scene = small_scene(&params), *surfels = small_scene(&of_surfels);
 	traces_shrink(scene);
-	for (u32 m = 0; m < N_TRACES; m++) traces_make(m, scene);
+	for (u32 m = 0; m < N_TRACES; m++) traces_make(m, m == TRACES_SURFELS ? surfels : scene);
 	ts_scene_free(scene);
+	ts_scene_free(surfels);
 	return 0;
 }
 
