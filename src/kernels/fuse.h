@@ -9,6 +9,7 @@ typedef struct {
 	TS_GLOBAL const ts_node *views;  /* view_octree.node */
 	TS_GLOBAL const u64 *texels;     /* map.depth_node */
 	TS_GLOBAL u32 *depths;           /* fuse.depth */
+	TS_GLOBAL u32 *nodes;            /* fuse.node */
 	ts_pyramid pyramid;
 	u32 first;                       /* node of the level */
 	u32 nearest;                     /* fusion=min */
@@ -21,16 +22,17 @@ TS_FN f32 ts_k_moved_depth(ts_v3 a, f32 distance, ts_v3 b, u32 texel, u32 n)
 	return ts_length(ts_sub(q, b));
 }
 
-/* What a node shows in a texel, by the bits of its parent's distance there; TS_NONE: empty. */
-TS_FN u32 ts_k_fused(const ts_fuse_args *args, u32 node, u32 above, u32 texel)
+/* What a node shows in a texel, distance << 32 | node of the scene, by what its parent does there; TS_EMPTY: nothing. */
+TS_FN u64 ts_k_fused(const ts_fuse_args *args, u32 node, u64 above, u32 texel)
 {
 	u64 first = (u64)node * ts_k_pyramid_texels(&args->pyramid);
-	u32 own = ts_k_map_depth(args->texels + first, &args->pyramid, texel);
-	if (above == TS_NONE || (own != TS_NONE && args->nearest == 0u)) return own;
+	u64 own = ts_k_map_key(args->texels + first, &args->pyramid, texel);
+	if (above == TS_EMPTY || (own != TS_EMPTY && args->nearest == 0u)) return own;
 	ts_v3 a = ts_load3(args->views[args->views[node].parent].centre);
 	ts_v3 b = ts_load3(args->views[node].centre);
-	u32 moved = ts_f2u(ts_put(ts_k_moved_depth(a, ts_u2f(above), b, texel, args->pyramid.n)));
-	return moved < own ? moved : own;
+	f32 moved = ts_k_moved_depth(a, ts_u2f((u32)(above >> 32)), b, texel, args->pyramid.n);
+	u64 key = ((u64)ts_f2u(ts_put(moved)) << 32) | (u32)above;
+	return key < own ? key : own;
 }
 
 /* map over the texels of the nodes of a level */
@@ -40,8 +42,11 @@ TS_FN void ts_k_fuse_item(const ts_fuse_args *args, u64 i)
 	u32 node = args->first + (u32)(i / n_texels);
 	u32 texel = (u32)(i % n_texels);
 	u32 parent = args->views[node].parent;
-	u32 above = parent != TS_NONE ? args->depths[(u64)parent * n_texels + texel] : TS_NONE;
-	args->depths[(u64)node * n_texels + texel] = ts_k_fused(args, node, above, texel);
+	u64 of_parent = (u64)parent * n_texels + texel;
+	u64 above = parent != TS_NONE ? ((u64)args->depths[of_parent] << 32) | args->nodes[of_parent] : TS_EMPTY;
+	u64 key = ts_k_fused(args, node, above, texel);
+	args->depths[(u64)node * n_texels + texel] = (u32)(key >> 32);
+	args->nodes[(u64)node * n_texels + texel] = (u32)key;
 }
 
 TS_FN u32 ts_k_ancestor(TS_GLOBAL const ts_node *nodes, u32 node, u32 level)
@@ -50,14 +55,14 @@ TS_FN u32 ts_k_ancestor(TS_GLOBAL const ts_node *nodes, u32 node, u32 level)
 	return node;
 }
 
-/* The same as fuse.depth of a node, by a walk from the root. */
-TS_FN u32 ts_k_fuse_query(const ts_fuse_args *args, u32 node, u32 texel)
+/* The same as fuse.depth and fuse.node of a node, by a walk from the root. */
+TS_FN u64 ts_k_fuse_query(const ts_fuse_args *args, u32 node, u32 texel)
 {
-	u32 bits = TS_NONE;
+	u64 key = TS_EMPTY;
 	for (u32 level = 0u; level <= args->views[node].level; level++) {
-		bits = ts_k_fused(args, ts_k_ancestor(args->views, node, level), bits, texel);
+		key = ts_k_fused(args, ts_k_ancestor(args->views, node, level), key, texel);
 	}
-	return bits;
+	return key;
 }
 
 #endif

@@ -76,10 +76,4 @@ TS_FN u64 ts_k_map_key(TS_GLOBAL const u64 *texels, const ts_pyramid *pyramid, u
 	return key;
 }
 
-/* Bits of the distance there; TS_NONE: empty. */
-TS_FN u32 ts_k_map_depth(TS_GLOBAL const u64 *texels, const ts_pyramid *pyramid, u32 texel)
-{
-	return (u32)(ts_k_map_key(texels, pyramid, texel) >> 32);
-}
-
 #endif

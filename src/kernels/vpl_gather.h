@@ -25,6 +25,8 @@ typedef struct {
 	TS_GLOBAL const ts_node *nodes;     /* view_octree.node */
 	TS_GLOBAL const ts_vpl *lights;
 	TS_GLOBAL const u32 *depths;        /* fuse.depth */
+	TS_GLOBAL const u32 *shown;         /* fuse.node */
+	TS_GLOBAL const ts_node *scene;     /* octree.node */
 	TS_GLOBAL f32 *irradiance;          /* vpl_gather.irradiance */
 	TS_GLOBAL i64 *n_astray;            /* pixels that no node of the level holds */
 	u32 levels;
@@ -38,6 +40,8 @@ typedef struct {
 	f32 near;                           /* sides of a leaf */
 	f32 bias;                           /* diagonals of a leaf */
 	f32 bias_px, bias_slope;            /* texels of a map */
+	u32 by_plane;                       /* what stops light lies above the tangent plane */
+	f32 bias_plane;                     /* radii of a node */
 } ts_vpl_gather_args;
 
 TS_FN f32 ts_k_leaf_side(const ts_vpl_gather_args *args) { return args->root->side / (f32)(1 << args->levels); }
@@ -101,16 +105,37 @@ TS_FN f32 ts_k_vpl_slack(const ts_vpl_gather_args *args, ts_v3 way, ts_v3 n)
 	return wide + leaf;
 }
 
-/* Nothing that its leaf's map shows stops light on its way to a place. */
-TS_FN bool ts_k_vpl_reaches(const ts_vpl_gather_args *args, u32 view, ts_v3 way, ts_v3 n)
+/* How far a light reaches in the direction of a place by a texel of its leaf's map: as far as what that shows, and slack. */
+TS_FN f32 ts_k_vpl_reach(const ts_vpl_gather_args *args, u32 view, u32 texel, ts_v3 p, ts_v3 n)
 {
 	u32 leaf = args->leaves[view];
-	u32 texel = ts_k_paraboloid_texel(way, args->n);
 	u32 bits = args->depths[(u64)leaf * (2u * args->n * args->n) + texel];
-	if (bits == TS_NONE) return true;
 	ts_v3 centre = ts_load3(args->nodes[leaf].centre);
-	f32 depth = ts_k_moved_depth(centre, ts_u2f(bits), ts_load3(args->lights[view].position), texel, args->n);
-	return ts_length(way) <= depth + ts_k_vpl_slack(args, way, n);
+	ts_v3 light = ts_load3(args->lights[view].position);
+	return ts_k_moved_depth(centre, ts_u2f(bits), light, texel, args->n) + ts_k_vpl_slack(args, ts_sub(p, light), n);
+}
+
+/* How far the middle of a node lies above the tangent plane of a place. */
+TS_FN f32 ts_k_node_height(TS_GLOBAL const ts_node *node, ts_v3 p, ts_v3 n)
+{
+	return ts_dot(ts_sub(ts_load3(node->centre), p), n);
+}
+
+/* Up to so far above a tangent plane a node may be of the very surface, however much of that one texel shows. */
+TS_FN f32 ts_k_vpl_clear(const ts_vpl_gather_args *args, TS_GLOBAL const ts_node *node)
+{
+	return args->bias_plane * node->radius;
+}
+
+/* Nothing that a texel of its leaf's map shows stops light on its way to a place. */
+TS_FN bool ts_k_vpl_reaches(const ts_vpl_gather_args *args, u32 view, u32 texel, ts_v3 p, ts_v3 n)
+{
+	u32 shown = args->shown[(u64)args->leaves[view] * (2u * args->n * args->n) + texel];
+	if (shown == TS_NONE) return true;
+	f32 d = ts_length(ts_sub(p, ts_load3(args->lights[view].position)));
+	if (d <= ts_k_vpl_reach(args, view, texel, p, n)) return true;
+	TS_GLOBAL const ts_node *node = &args->scene[shown];
+	return args->by_plane != 0u && ts_k_node_height(node, p, n) <= ts_k_vpl_clear(args, node);
 }
 
 /* How much of its flux a light sends where it sends it, by pi: the cosine, or without a direction a quarter. */
@@ -139,7 +164,8 @@ TS_FN ts_v3 ts_k_vpl_light(const ts_vpl_gather_args *args, u32 view, ts_v3 p, ts
 	TS_GLOBAL const ts_vpl *light = &args->lights[view];
 	ts_v3 way = ts_sub(p, ts_load3(light->position));
 	f32 form = ts_k_vpl_form(way, ts_load3(light->normal), n, args->near * ts_k_leaf_side(args));
-	bool lit = form > 0.0f && (args->shadows == 0u || ts_k_vpl_reaches(args, view, way, n));
+	u32 texel = ts_k_paraboloid_texel(way, args->n);
+	bool lit = form > 0.0f && (args->shadows == 0u || ts_k_vpl_reaches(args, view, texel, p, n));
 	return ts_scale(ts_load3(light->flux), lit ? form : 0.0f);
 }
 

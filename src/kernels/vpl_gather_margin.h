@@ -34,25 +34,49 @@ TS_FN f32 ts_k_list_margin(const ts_vpl_gather_args *args, ts_v3 p)
 	return ts_min(x, ts_min(y, z));
 }
 
-/* What a texel of a light's map answers, and how near that was to the other answer, in what rounding changes of both. */
+/* What is answered, and how near that was to the other answer, in what rounding changes. */
 typedef struct { bool reaches; f32 margin; } ts_answer;
 
+/* What a texel of a light's map shows is too far to be in the way. */
+TS_FN ts_answer ts_k_vpl_depth_answer(const ts_vpl_gather_args *args, u32 view, u32 texel, ts_v3 p, ts_v3 n)
+{
+	ts_v3 way = ts_sub(p, ts_load3(args->lights[view].position));
+	f32 reach = ts_k_vpl_reach(args, view, texel, p, n);
+	f32 d = ts_length(way);
+	f32 far = (d + reach) + ts_length(p);
+	f32 step = far * TS_MARGIN_ROUNDING + ts_k_vpl_slack(args, way, n) * TS_MARGIN_SLOPE;
+	ts_answer r;
+	r.reaches = d <= reach;
+	r.margin = ts_abs(d - reach) / step;
+	return r;
+}
+
+/* It is too near the tangent plane to be. */
+TS_FN ts_answer ts_k_vpl_plane_answer(const ts_vpl_gather_args *args, u32 shown, ts_v3 p, ts_v3 n)
+{
+	TS_GLOBAL const ts_node *node = &args->scene[shown];
+	f32 height = ts_k_node_height(node, p, n);
+	f32 clear = ts_k_vpl_clear(args, node);
+	f32 far = (ts_length(ts_load3(node->centre)) + ts_length(p)) + clear;
+	ts_answer r;
+	r.reaches = args->by_plane != 0u && height <= clear;
+	r.margin = args->by_plane != 0u ? ts_abs(height - clear) / (far * TS_MARGIN_ROUNDING) : TS_MARGIN_NOWHERE;
+	return r;
+}
+
+/* Either lights the place. */
 TS_FN ts_answer ts_k_vpl_answer(const ts_vpl_gather_args *args, u32 view, u32 texel, ts_v3 p, ts_v3 n)
 {
-	ts_v3 from = ts_load3(args->lights[view].position);
-	ts_v3 way = ts_sub(p, from);
-	u32 bits = args->depths[(u64)args->leaves[view] * (2u * args->n * args->n) + texel];
+	u32 shown = args->shown[(u64)args->leaves[view] * (2u * args->n * args->n) + texel];
 	ts_answer r;
 	r.reaches = true;
 	r.margin = TS_MARGIN_NOWHERE;
-	if (bits == TS_NONE) return r;
-	f32 slack = ts_k_vpl_slack(args, way, n);
-	f32 depth = ts_k_moved_depth(ts_load3(args->nodes[args->leaves[view]].centre), ts_u2f(bits), from, texel, args->n);
-	f32 d = ts_length(way);
-	f32 far = (d + depth) + ts_length(p);
-	f32 step = far * TS_MARGIN_ROUNDING + slack * TS_MARGIN_SLOPE;
-	r.reaches = d <= depth + slack;
-	r.margin = ts_abs(d - (depth + slack)) / step;
+	if (shown == TS_NONE) return r;
+	ts_answer a = ts_k_vpl_depth_answer(args, view, texel, p, n);
+	ts_answer b = ts_k_vpl_plane_answer(args, shown, p, n);
+	f32 alike = a.reaches ? ts_max(a.margin, b.margin) : ts_min(a.margin, b.margin);
+	r.reaches = a.reaches || b.reaches;
+	r.margin = a.reaches == b.reaches ? alike : a.reaches ? a.margin : b.margin;
 	return r;
 }
 

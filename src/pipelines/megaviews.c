@@ -14,7 +14,9 @@
  * - lights stand half a leaf's side above their surface, and leaves that touch theirs are not rendered, for else they would
  *   be in their own shadow, of which the paper does not speak; touching=render is the paper;
  * - nor does it of near lights and of a bias: distances are at least light_near leaves' sides, and what lies behind what a
- *   map shows is lit up to light_bias leaves' diagonals, and what bias and bias.slope make of the width of a texel;
+ *   map shows is lit up to light_bias leaves' diagonals and bias texels' widths, and farther if that node is no more than
+ *   bias.plane of its radii above the place's tangent plane, for which maps tell the node, not its distance alone;
+ *   shadow.test=distance does without, where bias.slope keeps surfaces out of their own shadow and lets light through walls;
  * - lists end at the nodes of gather_level, where the paper leaves open whether leaves of views are culled one by one;
  * - brute force renders leaves, where the paper rasterizes triangles: what differs from ManyLoDs is then the hierarchy's;
  * - the picture is of indirect light alone. */

@@ -75,11 +75,13 @@ ts_status ts_stage_fuse(ts_run *run)
 		.views = ts_frame_handle(&run->frame, TS_B_view_octree_node),
 		.texels = ts_frame_handle(&run->frame, TS_B_map_depth_node),
 		.depths = ts_frame_make2(&run->frame, TS_B_fuse_depth, n, n_texels),
+		.nodes = ts_frame_make2(&run->frame, TS_B_fuse_node, n, n_texels),
 		.pyramid = ts_view_pyramid(&run->params),
 		.nearest = run->params.fusion == TS_FUSION_MIN,
 	};
-	if (args.depths == NULL || ts_view_px_check(&run->params) != TS_OK) return TS_ERROR;
+	if (args.depths == NULL || args.nodes == NULL || ts_view_px_check(&run->params) != TS_OK) return TS_ERROR;
 	ts_run_count(run, "map bytes", (i64)run->frame.buffer[TS_B_fuse_depth].bytes);
+	ts_run_count(run, "map bytes", (i64)run->frame.buffer[TS_B_fuse_node].bytes);
 	for (u64 level = 0; level < n_levels; level++) {
 		args.first = before[level];
 		u64 n_nodes = before[level + 1] - before[level];

@@ -83,6 +83,7 @@ ts_vpl_gather_args ts_vpl_gather_arguments(const ts_run *run)
 {
 	const ts_params *params = &run->params;
 	u32 level = ts_gather_level(run);
+	bool by_plane = params->shadow_test == TS_SHADOW_TEST_PLANE;
 	return (ts_vpl_gather_args){
 		.pixels = ts_frame_handle(&run->frame, TS_B_gbuffer_pixel),
 		.root = ts_frame_handle(&run->frame, TS_B_root_cube),
@@ -97,6 +98,8 @@ ts_vpl_gather_args ts_vpl_gather_arguments(const ts_run *run)
 		.nodes = ts_frame_handle(&run->frame, TS_B_view_octree_node),
 		.lights = ts_frame_handle(&run->frame, TS_B_vpl_light),
 		.depths = ts_frame_handle(&run->frame, TS_B_fuse_depth),
+		.shown = ts_frame_handle(&run->frame, TS_B_fuse_node),
+		.scene = ts_frame_handle(&run->frame, TS_B_octree_node),
 		.levels = params->levels,
 		.level = level,
 		.first = ts_octree_first(run, &ts_scene_octree, level),
@@ -108,7 +111,9 @@ ts_vpl_gather_args ts_vpl_gather_arguments(const ts_run *run)
 		.near = params->light_near,
 		.bias = params->light_bias,
 		.bias_px = params->bias,
-		.bias_slope = params->bias_slope,
+		.bias_slope = by_plane ? 0 : params->bias_slope,
+		.by_plane = by_plane,
+		.bias_plane = params->bias_plane,
 	};
 }
 

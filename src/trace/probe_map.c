@@ -142,35 +142,55 @@ static size_t put_own(ts_probe *p, json_t *object, const search *s, const offer 
 
 static json_t *depth_or_empty(u32 bits) { return bits == TS_NONE ? json_string("empty") : ts_probe_bits(ts_u2f(bits)); }
 
+/* The node of the scene at the distance that fusion found. */
+static void put_node(ts_probe *p, json_t *object, u32 node, u32 held)
+{
+	json_t *o = json_object();
+	ts_probe_put(p, o, "node", node == TS_NONE ? json_string("none") : ts_probe_int(node));
+	ts_probe_put_record_check(p, o, TS_B_fuse_node, &node, &held);
+	ts_probe_put(p, object, "shows", o);
+}
+
 /* What fusion makes of the node's own and of what its parent shows, `above`, in the trace. */
-static void put_fused(ts_probe *p, json_t *object, const search *s, u32 step, u32 above, u32 held)
+static void put_fused(ts_probe *p, json_t *object, const search *s, u32 step, u64 above, u64 held)
 {
 	const ts_fuse_args *args = &s->chain.args;
 	json_t *o = json_object();
-	u32 own = (u32)(ts_probe_own_key(&s->chain, step, s->texel) >> 32);
-	u32 bits = ts_k_fused(args, step, above, s->texel);
-	f32 moved = 0.0f, computed = ts_u2f(bits), there = ts_u2f(held);
-	if (above != TS_NONE) {
+	u64 own = ts_probe_own_key(&s->chain, step, s->texel), key = ts_k_fused(args, step, above, s->texel);
+	f32 moved = 0.0f, computed = ts_u2f((u32)(key >> 32)), there = ts_u2f((u32)(held >> 32));
+	if (above != TS_EMPTY) {
 		ts_v3 a = ts_load3(args->views[step - 1].centre), b = ts_load3(args->views[step].centre);
-		moved = ts_put(ts_k_moved_depth(a, ts_u2f(above), b, s->texel, args->pyramid.n));
+		moved = ts_put(ts_k_moved_depth(a, ts_u2f((u32)(above >> 32)), b, s->texel, args->pyramid.n));
 	}
-	ts_probe_put(p, o, "own", depth_or_empty(own));
-	ts_probe_put(p, o, "moved_from_above", depth_or_empty(above != TS_NONE ? ts_f2u(moved) : TS_NONE));
-	ts_probe_put(p, o, "depth", depth_or_empty(bits));
-	ts_probe_put(p, o, "is", json_string(bits == TS_NONE ? "empty" : bits == own ? "its own" : "moved from above"));
+	ts_probe_put(p, o, "own", depth_or_empty((u32)(own >> 32)));
+	ts_probe_put(p, o, "moved_from_above", depth_or_empty(above != TS_EMPTY ? ts_f2u(moved) : TS_NONE));
+	ts_probe_put(p, o, "depth", depth_or_empty((u32)(key >> 32)));
+	ts_probe_put(p, o, "is", json_string(key == TS_EMPTY ? "empty" : key == own ? "its own" : "moved from above"));
 	ts_probe_put_check(p, o, TS_B_fuse_depth, &computed, &there, 1);
+	put_node(p, o, (u32)key, (u32)held);
 	ts_probe_put(p, object, "fused", o);
+}
+
+/* What the whole map of a node of views shows, in the trace. */
+static ts_status fetch_fused(ts_probe *p, u64 element, u64 *key)
+{
+	u32 depth, node;
+	if (ts_probe_fetch(p, TS_B_fuse_depth, element, 1, &depth) != TS_OK) return TS_ERROR;
+	if (ts_probe_fetch(p, TS_B_fuse_node, element, 1, &node) != TS_OK) return TS_ERROR;
+	*key = (u64)depth << 32 | node;
+	return TS_OK;
 }
 
 static ts_status put_chain(ts_probe *p, json_t *object, const search *s)
 {
 	json_t *list = json_array();
 	const offer *next = s->offers;
-	u32 n_texels = 2 * s->chain.args.pyramid.n * s->chain.args.pyramid.n, above = TS_NONE, held;
+	u32 n_texels = 2 * s->chain.args.pyramid.n * s->chain.args.pyramid.n;
+	u64 above = TS_EMPTY, held = TS_EMPTY;
 	ts_status status = TS_OK;
 	for (u32 i = 0; i < s->chain.n && status == TS_OK; i++) {
 		json_t *o = json_object();
-		status = ts_probe_fetch(p, TS_B_fuse_depth, (u64)s->chain.id[i] * n_texels + s->texel, 1, &held);
+		status = fetch_fused(p, (u64)s->chain.id[i] * n_texels + s->texel, &held);
 		ts_probe_put(p, o, "views", ts_probe_int(s->chain.id[i]));
 		ts_probe_put(p, o, "level_of_views", ts_probe_int(i));
 		next += put_own(p, o, s, next, i);
@@ -180,7 +200,7 @@ static ts_status put_chain(ts_probe *p, json_t *object, const search *s)
 	}
 	ts_probe_put(p, object, "from_the_root", list);
 	ts_probe_put(p, object, "touching", ts_probe_int(s->n_touching));
-	if (status == TS_OK) ts_probe_put(p, object, "depth", depth_or_empty(held));
+	if (status == TS_OK) ts_probe_put(p, object, "depth", depth_or_empty((u32)(held >> 32)));
 	return status;
 }
 
@@ -211,7 +231,8 @@ static ts_status describe(ts_probe *p, json_t *o, u32 node, u32 texel)
 
 static ts_status load(ts_probe *p)
 {
-	static const ts_buffer_id needed[] = {TS_B_map_depth_node, TS_B_fuse_depth, TS_B_view_octree_leaf, TS_N_BUFFERS};
+	static const ts_buffer_id needed[] = {
+		TS_B_map_depth_node, TS_B_fuse_depth, TS_B_fuse_node, TS_B_view_octree_leaf, TS_N_BUFFERS};
 	const ts_step *maker = ts_pipeline_maker(p->trace->pipeline, TS_B_map_depth_node);
 	if (maker == NULL) {
 		return ts_fail("%s: a trace of %s by %s, which has no maps of lights; REFLECTOR.FACE or eye would be right",

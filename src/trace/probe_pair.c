@@ -31,15 +31,15 @@ u64 ts_probe_own_key(const ts_probe_chain *c, u32 i, u32 texel)
 	return ts_k_map_key(c->texels + (size_t)i * n_texels, &c->args.pyramid, texel);
 }
 
-/* Bits of what the last node shows; *from is the one that has it of its own. */
-static u32 shown(const ts_probe_chain *c, u32 texel, u32 *from)
+/* What the last node shows; *from is the one that has it of its own. */
+static u64 shown(const ts_probe_chain *c, u32 texel, u32 *from)
 {
-	u32 bits = TS_NONE;
+	u64 key = TS_EMPTY;
 	for (u32 i = 0; i < c->n; i++) {
-		bits = ts_k_fused(&c->args, i, bits, texel);
-		if (bits != TS_NONE && bits == ts_probe_own_key(c, i, texel) >> 32) *from = i;
+		key = ts_k_fused(&c->args, i, key, texel);
+		if (key != TS_EMPTY && key == ts_probe_own_key(c, i, texel)) *from = i;
 	}
-	return bits;
+	return key;
 }
 
 void ts_probe_put_decision(ts_probe *p, json_t *o, const ts_traverse_args *how, u64 pair)
@@ -85,8 +85,7 @@ ts_status ts_probe_put_pair(ts_probe *p, json_t *object, u32 node, u32 texel)
 	json_t *o = json_object();
 	ts_status status = ts_probe_require(p, needed);
 	if (status == TS_OK) status = ts_probe_read_chain(p, &c, node);
-	u32 bits = status == TS_OK ? shown(&c, texel, &from) : TS_NONE;
-	u64 key = bits != TS_NONE ? ts_probe_own_key(&c, from, texel) : TS_EMPTY;
+	u64 key = status == TS_OK && shown(&c, texel, &from) != TS_EMPTY ? ts_probe_own_key(&c, from, texel) : TS_EMPTY;
 	if (key != TS_EMPTY) status = put_rendered(p, o, ts_k_pair((u32)key, c.id[from]), (u32)(key >> 32));
 	ts_probe_put(p, object, "pair", o);
 	free(c.texels);

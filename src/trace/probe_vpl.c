@@ -95,25 +95,40 @@ static ts_status put_light(ts_probe *p, json_t *o, const ts_probe_gather *g, u32
 	return TS_OK;
 }
 
+/* Whether what a texel shows is far enough away, and if not, too near the tangent plane. */
+static void put_tests(ts_probe *p, json_t *o, const ts_probe_gather *g, u32 light, u32 texel, u32 shown)
+{
+	const ts_vpl_gather_args *args = &g->args;
+	u32 leaf = args->leaves[light];
+	f32 map = ts_u2f(args->depths[(u64)leaf * (2 * args->n * args->n) + texel]);
+	ts_v3 at = ts_load3(args->lights[light].position), centre = ts_load3(args->nodes[leaf].centre);
+	ts_v3 place = ts_load3(g->pixel.position), n = ts_load3(g->pixel.normal), way = ts_sub(place, at);
+	f32 reach = ts_k_vpl_reach(args, light, texel, place, n), d = ts_length(way);
+	ts_probe_put(p, o, "map", ts_probe_bits(map));
+	ts_probe_put(p, o, "moved_to_the_light", ts_probe_bits(ts_k_moved_depth(centre, map, at, texel, args->n)));
+	ts_probe_put(p, o, "bias", ts_probe_bits(ts_k_vpl_slack(args, way, n)));
+	ts_probe_put(p, o, "free", json_real((double)reach - (double)d));
+	if (args->by_plane == 0 || d <= reach) return;
+	ts_probe_put(p, o, "above_the_plane", ts_probe_bits(ts_k_node_height(&args->scene[shown], place, n)));
+	ts_probe_put(p, o, "clear_from", ts_probe_bits(ts_k_vpl_clear(args, &args->scene[shown])));
+}
+
 /* What the map of the light's leaf answers, with all that goes into it. */
-static ts_status put_question(ts_probe *p, json_t *object, const ts_probe_gather *g, u32 light, ts_v3 way, ts_v3 n)
+static ts_status put_question(ts_probe *p, json_t *object, const ts_probe_gather *g, u32 light, ts_v3 way)
 {
 	json_t *o = json_object();
 	ts_status status = TS_OK;
+	ts_v3 place = ts_load3(g->pixel.position), n = ts_load3(g->pixel.normal);
 	u32 side = g->args.n, leaf = g->args.leaves[light], texel = ts_k_paraboloid_texel(way, side);
-	u32 bits = g->args.depths[(u64)leaf * (2 * side * side) + texel];
+	u32 shown = g->args.shown[(u64)leaf * (2 * side * side) + texel];
 	ts_probe_put(p, o, "half", json_string(texel < side * side ? "front" : "back"));
 	ts_probe_put(p, o, "texel", ts_probe_pair(texel % side, texel / side % side));
-	if (bits == TS_NONE) {
+	if (shown == TS_NONE) {
 		ts_probe_put(p, o, "answer", json_string("lit: the texel is empty"));
 	} else {
-		ts_v3 centre = ts_load3(g->args.nodes[leaf].centre), at = ts_load3(g->args.lights[light].position);
-		f32 depth = ts_k_moved_depth(centre, ts_u2f(bits), at, texel, side), bias = ts_k_vpl_slack(&g->args, way, n);
-		ts_probe_put(p, o, "map", ts_probe_bits(ts_u2f(bits)));
-		ts_probe_put(p, o, "moved_to_the_light", ts_probe_bits(depth));
-		ts_probe_put(p, o, "bias", ts_probe_bits(bias));
-		ts_probe_put(p, o, "free", json_real((double)depth + (double)bias - (double)ts_length(way)));
-		ts_probe_put(p, o, "answer", json_string(ts_k_vpl_reaches(&g->args, light, way, n) ? "lit" : "in shadow"));
+		bool lit = ts_k_vpl_reaches(&g->args, light, texel, place, n);
+		put_tests(p, o, g, light, texel, shown);
+		ts_probe_put(p, o, "answer", json_string(lit ? "lit" : "in shadow"));
 		status = ts_probe_put_pair(p, o, leaf, texel);
 	}
 	ts_probe_put(p, object, "shadow", o);
@@ -131,7 +146,7 @@ ts_status ts_probe_vpl(ts_probe *p, json_t *o, const ts_probe_gather *g, u32 lig
 	ts_probe_put(p, o, "leaves_by", ts_probe_bits(ts_k_vpl_leaves(d, from)));
 	ts_probe_put(p, o, "arrives_by", ts_probe_bits(-ts_dot(d, n)));
 	ts_probe_put(p, o, "geometry", ts_probe_bits(form));
-	if (form > 0.0f && g->args.shadows != 0) return put_question(p, o, g, light, way, n);
+	if (form > 0.0f && g->args.shadows != 0) return put_question(p, o, g, light, way);
 	ts_probe_put(p, o, "shadow", json_string(form > 0.0f ? "not asked" : "turned away"));
 	return TS_OK;
 }

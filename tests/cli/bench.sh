@@ -270,7 +270,7 @@ for method, columns in (("megaviews", {"pairs": "pairs", "pairs culled": "culled
 	assert all(counted[name] == many[key] > 0 for name, key in columns.items()), (counted, many)
 	sizes = {b["buffer"]: b[method] for b in render["bytes"]}
 	mib = ours[1]["maps_mib"] if method == "megaviews" else lods[1]["manylods_maps_mib"]
-	near(mib, (sizes["map.depth_node"] + sizes["fuse.depth"]) / 2 ** 20)
+	near(mib, (sizes["map.depth_node"] + sizes["fuse.depth"] + sizes["fuse.node"]) / 2 ** 20)
 	near(ours[1]["scene_mib"], sum(n for b, n in sizes.items() if b.split(".")[0] in ("voxel", "octree")) / 2 ** 20)
 for r, m, l in zip(rows, ours, lods):
 	near(r["speedup"], r["manylods_ms"] / r["megaviews_ms"])

@@ -276,7 +276,7 @@ static inline void grove_begin_alone(ts_run *run, const ts_scene *scene, const t
 typedef struct {
 	u64 n_pairs, n_maps, n_depths;
 	u64 *pairs, *maps;              /* pairs: if it was traced */
-	u32 *depths;
+	u32 *depths, *shown;
 	i64 pieces, longest;            /* of the queues */
 } grove_outcome;
 
@@ -303,17 +303,22 @@ static inline grove_outcome grove_run(const grove *g, const ts_scene *scene, con
 	if (traced) r.pairs = grove_copy(&run, TS_B_traverse_rendered, &r.n_pairs);
 	r.maps = grove_copy(&run, TS_B_map_depth_node, &r.n_maps);
 	r.depths = grove_copy(&run, TS_B_fuse_depth, &r.n_depths);
+	r.shown = grove_copy(&run, TS_B_fuse_node, &r.n_depths);
 	r.pieces = ts_run_counter(&run, "pieces of queues");
 	r.longest = ts_run_counter(&run, "longest queue");
 	ts_run_end(&run);
 	return r;
 }
 
+/* What a texel of the whole maps shows, as in those of the pairs. */
+static inline u64 grove_fused(const grove_outcome *r, u64 i) { return (u64)r->depths[i] << 32 | r->shown[i]; }
+
 static inline void grove_assert_same(const grove_outcome *a, const grove_outcome *b)
 {
 	assert_true(a->n_maps == b->n_maps && a->n_depths == b->n_depths);
 	assert_memory_equal(a->maps, b->maps, a->n_maps * sizeof *a->maps);
 	assert_memory_equal(a->depths, b->depths, a->n_depths * sizeof *a->depths);
+	assert_memory_equal(a->shown, b->shown, a->n_depths * sizeof *a->shown);
 	if (a->pairs == NULL || b->pairs == NULL) return;
 	assert_int_equal(a->n_pairs, b->n_pairs);
 	assert_memory_equal(a->pairs, b->pairs, a->n_pairs * sizeof *a->pairs);
@@ -324,6 +329,7 @@ static inline void grove_outcome_free(grove_outcome *r)
 	free(r->pairs);
 	free(r->maps);
 	free(r->depths);
+	free(r->shown);
 }
 
 /* Anywhere, looking anywhere. */

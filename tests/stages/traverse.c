@@ -199,8 +199,8 @@ static void test_fuse(void **state)
 	u64 n_moved = 0, n_nearer = 0;
 	for (u64 i = 0; i < least.n_depths; i++) {
 		u32 map = (u32)(least.maps[i] >> 32);
-		assert_int_equal(ts_k_fuse_query(&args, (u32)(i / 128), (u32)(i % 128)), least.depths[i]);
-		assert_int_equal(ts_k_fuse_query(&own_args, (u32)(i / 128), (u32)(i % 128)), own.depths[i]);
+		assert_true(ts_k_fuse_query(&args, (u32)(i / 128), (u32)(i % 128)) == grove_fused(&least, i));
+		assert_true(ts_k_fuse_query(&own_args, (u32)(i / 128), (u32)(i % 128)) == grove_fused(&own, i));
 		assert_true(least.depths[i] <= map && least.depths[i] <= own.depths[i]);
 		assert_true(map == TS_NONE || own.depths[i] == map);
 		assert_true(i >= 128 || least.depths[i] == map);
@@ -275,8 +275,9 @@ static void test_alone(void **state)
 	assert_int_equal(ts_run_counter(&run, "pairs rendered"), 2 * rendered);
 	grove_stage(&run, "fuse");
 	const u32 *depths = ts_frame_data(&run.frame, TS_B_fuse_depth);
+	const u32 *shown = ts_frame_data(&run.frame, TS_B_fuse_node);
 	u64 n_wrong = 0;
-	for (u64 i = 0; i < n; i++) n_wrong += depths[i] != maps[i] >> 32;
+	for (u64 i = 0; i < n; i++) n_wrong += depths[i] != maps[i] >> 32 || shown[i] != (u32)maps[i];
 	assert_int_equal(n_wrong, 0);
 	free(maps);
 	free(all);

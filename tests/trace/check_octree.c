@@ -157,7 +157,7 @@ static void test_lists(void **state)
 	refuses("vpl_gather", TS_B_vpl_pairs_offset, 0, "", 1);
 	refuses("vpl_gather", TS_B_vpl_pairs_offset, n_lists, "", n + 1);
 	refuses("vpl_gather", TS_B_voxel_before, last, "", before[last] + 1);
-	refuses("vpl_gather", TS_B_octree_level, 4, "", level[4] + 1);
+	refuses("vpl_gather", TS_B_fuse_node, 0, "", level[LEVELS + 1]);
 	ts_load load;
 	u64 *bits = ts_frame_data(&run.frame, TS_B_voxel_mask);
 	bits[last - 1] = ~mask[last - 1];
@@ -165,6 +165,15 @@ static void test_lists(void **state)
 	ts_status status = ts_check(&load, ts_stage_find("vpl_gather"));
 	bits[last - 1] = ~bits[last - 1];
 	assert_int_equal(status, TS_ERROR);
+	u32 *sums = ts_frame_data(&run.frame, TS_B_voxel_before); /* of another octree: one leaf fewer */
+	u64 word = last - 1;
+	while (mask[word] == 0) word--;
+	u64 without = mask[word] & (mask[word] - 1), kept = mask[word];
+	for (u64 i = word + 1; i <= last; i++) sums[i]--;
+	bits[word] = without;
+	refuses("vpl_gather", TS_B_octree_level, LEVELS + 1, "", level[LEVELS + 1]);
+	bits[word] = kept;
+	for (u64 i = word + 1; i <= last; i++) sums[i]++;
 }
 
 int main(void)

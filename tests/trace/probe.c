@@ -409,7 +409,9 @@ static bool try_light(const traced *t, const json_t *entry)
 	const json_t *question = json_object_get(entry, "shadow");
 	bool dark = false;
 	if (json_is_object(question) && json_object_get(question, "free") != NULL) {
-		dark = json_real_value(json_object_get(question, "free")) < 0;
+		const json_t *height = json_object_get(question, "above_the_plane");
+		dark = json_real_value(json_object_get(question, "free")) < 0 &&
+		       (height == NULL || shown(question, "above_the_plane", 0) > shown(question, "clear_from", 0));
 		assert_string_equal(json_string_value(json_object_get(question, "answer")), dark ? "in shadow" : "lit");
 		assert_non_null(json_object_get(json_object_get(question, "pair"), "why"));
 	}
