@@ -282,7 +282,7 @@ for r, m, l in zip(rows, ours, lods):
 	near(r["wider_percent"], 100 * r["wider"] / r["rendered"])
 	near(m["mib"], m["scene_mib"] + m["views_mib"] + m["queue_mib"] + m["maps_mib"])
 	near(l["mib_ratio"], l["manylods_mib"] / m["mib"])
-	near(l["manylods_maps_mib"], r["views"] * 2 * 16 * 16 * 12 / 2 ** 20)
+	near(l["manylods_maps_mib"], r["views"] * 2 * 16 * 16 * 16 / 2 ** 20)
 	assert 21 < r["unculled_empty_percent"] < r["empty_percent"] < 100 and r["sharing"] > 1
 assert (few["views"], many["views"]) == (64, 256) and few["pairs_exponent"] is None
 near(many["pairs_exponent"], math.log(many["pairs"] / few["pairs"]) / math.log(4))
@@ -344,7 +344,7 @@ for name, key in ("bounces", "mega_10_bounces"), ("particles", "mega_particles")
 	near(many["pairs_ratio"], many["manylods_pairs"] / many["pairs"])
 	near(many["pairs_exponent"], math.log(many["pairs"] / few["pairs"]) / math.log(b / a))
 	near(many["maps_ratio"], many["manylods_maps_mib"] / many["maps_mib"])
-	near(many["manylods_maps_mib"], b * 2 * 16 * 16 * 12 / 2 ** 20)
+	near(many["manylods_maps_mib"], b * 2 * 16 * 16 * 16 / 2 ** 20)
 	judged = {r["relation"]: r["verdict"] for r in report["relations"]}
 	assert len(judged) == 2 and all(v == "holds" or v.startswith("differs: ") for v in judged.values())
 PY
@@ -367,7 +367,7 @@ a, b = here(sides, "mega_12_pairs")
 near(b["pairs_exponent"], math.log2(b["pairs"] / a["pairs"]))
 near(b["sharing_exponent"], math.log2(b["sharing"] / a["sharing"]))
 a, b = here(sides, "mega_12_mib")
-near(b["manylods_maps_mib"], 64 * 2 * (12 * 16 * 16 + 8 * (64 + 16 + 4 + 1)) / 2 ** 20)
+near(b["manylods_maps_mib"], 64 * 2 * (16 * 16 * 16 + 8 * (64 + 16 + 4 + 1)) / 2 ** 20)
 a, b = (dict(x, **y) for x, y in zip(here(levels, "mega_13"), here(levels, "mega_13_pairs")))
 assert (a["levels"], b["levels"]) == (3, 4) and 0 < a["leaves"] < b["leaves"]
 near(b["pairs_exponent"], math.log(b["pairs"] / a["pairs"]) / math.log(b["leaves"] / a["leaves"]))
