@@ -9,7 +9,7 @@ small=(atrium:triangles=10000:texels=32 --size 96x54 --no-images --set views=8 -
 	--set bias=0)
 
 # row BUFFER: different and undecided of a line of the table.
-row() { awk -v b="$1" '$2 == b { print $4, $7 }' stdout; }
+row() { awk -v b="$1" '$2 == b { gsub(",", ""); print $4, $7 }' stdout; }
 
 for words in 'soft-shadows mvr' 'omni-shadows epr' 'surfels deferred --set from_mesh=5000 --set shader=phong_shadow'; do
 	read -r effect method more <<< "$words"
