@@ -41,10 +41,11 @@ typedef struct { bool reaches; f32 margin; } ts_answer;
 TS_FN ts_answer ts_k_vpl_depth_answer(const ts_vpl_gather_args *args, u32 view, u32 texel, ts_v3 p, ts_v3 n)
 {
 	ts_v3 way = ts_sub(p, ts_load3(args->lights[view].position));
+	f32 slack = ts_k_vpl_slack(args, way, n);
 	f32 reach = ts_k_vpl_reach(args, view, texel, p, n);
 	f32 d = ts_length(way);
-	f32 far = (d + reach) + ts_length(p);
-	f32 step = far * TS_MARGIN_ROUNDING + ts_k_vpl_slack(args, way, n) * TS_MARGIN_SLOPE;
+	f32 far = (d + (reach - slack)) + ts_length(p);
+	f32 step = far * TS_MARGIN_ROUNDING + slack * TS_MARGIN_SLOPE;
 	ts_answer r;
 	r.reaches = d <= reach;
 	r.margin = ts_abs(d - reach) / step;

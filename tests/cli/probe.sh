@@ -128,7 +128,7 @@ refuses 'which has no maps of lights' probe $epr --pixel 0,0 --view 0.front
 refuses 'which has no maps of lights' probe $soft --pixel 0,0 --view 0.front
 run render indirect "${views[@]}" --method megaviews --trace-only scene,eye,view,pose,lamp,rsm_view,rsm_patch -o lacks-views
 refuses 'no file of gbuffer.pixel, .*vpl_pairs.views' probe lacks-views/trace-megaviews --pixel 33,60
-refuses 'this needs map.depth_node, fuse.depth, view_octree.leaf' probe lacks-views/trace-megaviews --pixel 3,6 --view 0.front
+refuses 'this needs map.depth_node, fuse.depth, fuse.node, view_octree.leaf' probe lacks-views/trace-megaviews --pixel 3,6 --view 0.front
 run render particles "${views[@]}" --method megaviews --trace-only scene,eye,view,pose -o lacks-glow
 refuses 'this needs vpl.light' probe lacks-glow/trace-megaviews --pixel 33,60
 

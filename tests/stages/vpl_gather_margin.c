@@ -9,8 +9,9 @@
 
 enum { N_PORTS = 4, N_TIES = 3000, WIDTH = 64, HEIGHT = 48 };
 
-/* How a port is off: by its slack, depths of maps, places in maps, in texels, and sides of nodes, in nodes. */
-typedef struct { double slack, depth, place, side; } faults;
+/* How a port is off: by its slack, depths of maps, places in maps, in texels, sides of nodes, in nodes, and how far above a
+ * tangent plane is clear of it. */
+typedef struct { double slack, depth, place, side, clear; } faults;
 
 typedef struct {
 	ts_vpl_gather_args of; /* the buffers and settings; no kernel is asked */
@@ -87,15 +88,24 @@ static double behind(const port *p, u32 view, u32 texel, d3 at, d3 n)
 	return length(p, way) - off(p, depth_of(p, view, texel) + slack_of(p, way, n));
 }
 
-static bool is_empty(const port *p, u32 view, u32 texel)
+static u32 shown(const port *p, u32 view, u32 texel)
 {
-	return p->of.depths[(u64)p->of.leaves[view] * 2 * p->of.n * p->of.n + texel] == TS_NONE;
+	return p->of.shown[(u64)p->of.leaves[view] * 2 * p->of.n * p->of.n + texel];
+}
+
+/* How far above the tangent plane of a place what a texel shows is, and clear of that. */
+static double above(const port *p, u32 view, u32 texel, d3 at, d3 n)
+{
+	const ts_node *node = &p->of.scene[shown(p, view, texel)];
+	double clear = off(p, (double)p->of.bias_plane * (double)node->radius) * p->faults.clear;
+	return dot(p, apart(p, make3(node->centre), at), n) - clear;
 }
 
 static bool is_seen(const port *p, u32 view, d3 at, d3 n)
 {
 	u32 texel = texel_of(p, apart(p, at, make3(p->of.lights[view].position)));
-	return is_empty(p, view, texel) || behind(p, view, texel, at, n) <= 0;
+	if (shown(p, view, texel) == TS_NONE || behind(p, view, texel, at, n) <= 0) return true;
+	return p->of.by_plane != 0 && above(p, view, texel, at, n) <= 0;
 }
 
 /* The node of the lists' level: places are snapped to the lattice first. */
@@ -123,14 +133,14 @@ static bool gives(const ts_vpl_gather_args *args, u32 view, ts_v3 at, ts_v3 n, b
 	const ts_vpl *light = &args->lights[view];
 	ts_v3 way = ts_sub(at, ts_load3(light->position));
 	*asked = ts_k_vpl_form(way, ts_load3(light->normal), n, args->near * ts_k_leaf_side(args)) > 0.0f;
-	return *asked && ts_k_vpl_reaches(args, view, way, n);
+	return *asked && ts_k_vpl_reaches(args, view, ts_k_paraboloid_texel(way, args->n), at, n);
 }
 
-/* loose: pixels that differ at an eighth of the margin or more. Ratios: by how much ours is off, in the step of its margin,
- * and in what is left of that without one of its terms. */
+/* loose: pixels that differ at a sixteenth of the margin or more. Ratios: by how much ours is off, in the step of its
+ * margin, and in what is left of that without one of its terms; and by how much the height above a plane is, in its step. */
 typedef struct {
 	u64 pixels, undecided, differ, wrong, loose;
-	double ratio, no_slack, no_distance;
+	double ratio, no_slack, no_distance, height;
 } sums;
 
 static bool differs(const port *p, u32 pixel, const ts_view_list *list)
@@ -156,24 +166,28 @@ static void try_pixel(sums *r, const port *p, u32 pixel, f32 margin)
 	r->undecided += margin <= 1;
 	r->differ += differ;
 	r->wrong += differ && margin > 1;
-	r->loose += differ && margin > 0.125f;
+	r->loose += differ && margin > 0.0625f;
 }
 
 static void try_term(sums *r, const port *p, u32 view, const ts_gpixel *of)
 {
 	ts_v3 at = ts_load3(of->position), n = ts_load3(of->normal), from = ts_load3(p->of.lights[view].position);
 	ts_v3 way = ts_sub(at, from);
-	u32 texel = ts_k_paraboloid_texel(way, p->of.n), leaf = p->of.leaves[view];
-	if (is_empty(p, view, texel)) return;
-	f32 bits = ts_u2f(p->of.depths[(u64)leaf * 2 * p->of.n * p->of.n + texel]);
-	f32 depth = ts_k_moved_depth(ts_load3(p->of.nodes[leaf].centre), bits, from, texel, p->of.n), d = ts_length(way);
-	f32 margin = ts_k_vpl_answer(&p->of, view, texel, at, n).margin;
-	double ours = (double)(d - (depth + ts_k_vpl_slack(&p->of, way, n)));
+	u32 texel = ts_k_paraboloid_texel(way, p->of.n), node = shown(p, view, texel);
+	if (node == TS_NONE) return;
+	f32 reach = ts_k_vpl_reach(&p->of, view, texel, at, n), d = ts_length(way);
+	f32 margin = ts_k_vpl_depth_answer(&p->of, view, texel, at, n).margin;
+	double ours = (double)(d - reach);
 	double apart = fabs(ours - behind(p, view, texel, make3(of->position), make3(of->normal)));
-	double step = fabs(ours) / (double)margin, of_distance = (double)(d + depth + ts_length(at)) / 1048576;
+	double step = fabs(ours) / (double)margin;
+	double of_distance = (double)(d + reach - ts_k_vpl_slack(&p->of, way, n) + ts_length(at)) / 1048576;
 	r->ratio = fmax(r->ratio, apart / step);
 	r->no_slack = fmax(r->no_slack, apart / of_distance);
 	r->no_distance = fmax(r->no_distance, apart / fmax(step - of_distance, 1e-12));
+	if (p->of.by_plane == 0) return;
+	double height = (double)(ts_k_node_height(&p->of.scene[node], at, n) - ts_k_vpl_clear(&p->of, &p->of.scene[node]));
+	double of_height = fabs(height) / (double)ts_k_vpl_plane_answer(&p->of, node, at, n).margin;
+	r->height = fmax(r->height, fabs(height - above(p, view, texel, make3(of->position), make3(of->normal))) / of_height);
 }
 
 static double random_below(double most) { return most * ts_uniform(ts_random(n_random++, 3, 99)); }
@@ -184,7 +198,7 @@ static bool tie_depth(const port *p, ts_gpixel *pixel, u32 view)
 	d3 from = make3(p->of.lights[view].position), at = make3(pixel->position), n = make3(pixel->normal);
 	u32 texel = texel_of(p, apart(p, at, from));
 	double low = 0.1, high = 10;
-	if (is_empty(p, view, texel)) return false;
+	if (shown(p, view, texel) == TS_NONE) return false;
 	for (u32 k = 0; k < 40; k++) {
 		double middle = (low + high) / 2;
 		d3 there = {from.x + middle * (at.x - from.x), from.y + middle * (at.y - from.y), from.z + middle * (at.z - from.z)};
@@ -221,6 +235,22 @@ static bool tie_side(const port *p, ts_gpixel *pixel)
 	return true;
 }
 
+/* On the light's way to the pixel, behind what its map shows, where that is just clear of the tangent plane. */
+static bool tie_plane(const port *p, ts_gpixel *pixel, u32 view)
+{
+	d3 from = make3(p->of.lights[view].position), at = make3(pixel->position), n = make3(pixel->normal);
+	d3 way = apart(p, at, from);
+	u32 texel = texel_of(p, way);
+	if (p->of.by_plane == 0 || shown(p, view, texel) == TS_NONE) return false;
+	double far = above(p, view, texel, from, n) / dot(p, way, n);
+	d3 there = {from.x + far * way.x, from.y + far * way.y, from.z + far * way.z};
+	if (!(far > 0.05 && far < 20) || behind(p, view, texel, there, n) <= 0) return false;
+	pixel->position[0] = (f32)there.x;
+	pixel->position[1] = (f32)there.y;
+	pixel->position[2] = (f32)there.z;
+	return true;
+}
+
 /* A pixel that is nearly something else. */
 static ts_gpixel tie(const port *p, u32 kind)
 {
@@ -228,16 +258,20 @@ static ts_gpixel tie(const port *p, u32 kind)
 		ts_gpixel pixel = p->of.pixels[(u32)random_below(WIDTH * HEIGHT)];
 		u32 view = (u32)random_below(p->of.n_lights);
 		if (pixel.depth == TS_SKY) continue;
-		bool made = kind == 0 ? tie_depth(p, &pixel, view) : kind == 1 ? tie_place(p, &pixel, view) : tie_side(p, &pixel);
+		bool made = kind == 0   ? tie_depth(p, &pixel, view)
+		            : kind == 1 ? tie_place(p, &pixel, view)
+		            : kind == 2 ? tie_side(p, &pixel)
+		                        : tie_plane(p, &pixel, view);
 		if (made) return pixel;
 	}
 }
 
-static const struct { const char *effect, *method; u32 px, draws; f32 bias, slope, light_bias; } cases[] = {
-	{"indirect", "megaviews", 16, 0, 0.25f, 0.25f, 0.5f},
-	{"indirect", "megaviews", 8, 16, 0, 2, 0},
-	{"indirect", "manylods", 16, 0, 0, 0, 1},
-	{"particles", "megaviews", 32, 0, 0, 0, 0},
+static const struct { const char *effect, *method; u32 px, draws, test; f32 bias, slope, light_bias; } cases[] = {
+	{"indirect", "megaviews", 16, 0, TS_SHADOW_TEST_DISTANCE, 0.25f, 0.25f, 0.5f},
+	{"indirect", "megaviews", 8, 16, TS_SHADOW_TEST_DISTANCE, 0, 2, 0},
+	{"indirect", "manylods", 16, 0, TS_SHADOW_TEST_DISTANCE, 0, 0, 1},
+	{"particles", "megaviews", 32, 0, TS_SHADOW_TEST_PLANE, 0, 0, 0},
+	{"indirect", "megaviews", 16, 0, TS_SHADOW_TEST_PLANE, 0.25f, 0, 0.5f},
 };
 enum { N_CASES = sizeof cases / sizeof *cases };
 static ts_run runs[N_CASES];
@@ -256,6 +290,7 @@ static int make_all(void **state)
 	for (u32 i = 0; i < N_CASES; i++) {
 		params.view_px = cases[i].px;
 		params.gather_lights = cases[i].draws;
+		params.shadow_test = cases[i].test;
 		params.bias = cases[i].bias;
 		params.bias_slope = cases[i].slope;
 		params.light_bias = cases[i].light_bias;
@@ -274,7 +309,7 @@ static int drop_all(void **state)
 	return 0;
 }
 
-static const faults none = {1, 1, 0, 0};
+static const faults none = {1, 1, 0, 0, 1};
 
 /* The pixels of the picture. */
 static sums check(u32 i, const faults *how)
@@ -324,30 +359,35 @@ static void test_ties(void **state)
 {
 	(void)state;
 	sums all = {.pixels = 0};
-	for (u32 kind = 0; kind < 3; kind++) {
+	for (u32 kind = 0; kind < 4; kind++) {
 		u64 differ = 0;
 		for (u32 i = 0; i < N_CASES; i++) {
+			if (kind == 3 && cases[i].test != TS_SHADOW_TEST_PLANE) continue;
 			sums r = check_ties(i, kind);
-			print_message("of %u ties %u undecided, %u differ, %u of these decided; off by %.3f of the step\n",
-			              (unsigned)r.pixels, (unsigned)r.undecided, (unsigned)r.differ, (unsigned)r.wrong, r.ratio);
-			assert_true(r.wrong == 0 && r.ratio <= 1);
+			print_message("of %u ties %u undecided, %u differ, %u decided; off by %.3f and %.3f of the step\n",
+			              (unsigned)r.pixels, (unsigned)r.undecided, (unsigned)r.differ, (unsigned)r.wrong, r.ratio,
+			              r.height);
+			assert_true(r.wrong == 0 && r.ratio <= 1 && r.height <= 1);
 			differ += r.differ;
 			all.loose += r.loose;
 			all.ratio = fmax(all.ratio, r.ratio);
 			all.no_slack = fmax(all.no_slack, r.no_slack);
+			all.height = fmax(all.height, r.height);
 			all.no_distance = fmax(all.no_distance, r.no_distance);
 		}
 		assert_true(differ > 100);
 	}
 	assert_true(all.loose > 0 && all.ratio > 0.25 && all.no_slack > 1 && all.no_distance > 1);
+	assert_true(all.height > 0.125);
 }
 
 static void test_faults(void **state)
 {
 	(void)state;
-	static const faults wrong[] = {{1.01, 1, 0, 0}, {1, 1.001, 0, 0}, {1, 1, 0.01, 0}, {1, 1, 0, 0.01}};
+	static const faults wrong[] = {
+		{1.01, 1, 0, 0, 1}, {1, 1.001, 0, 0, 1}, {1, 1, 0.01, 0, 1}, {1, 1, 0, 0.01, 1}, {1, 1, 0, 0, 1.01}};
 	for (u32 i = 0; i < sizeof wrong / sizeof *wrong; i++) {
-		if (check(0, &wrong[i]).wrong == 0) fail_msg("fault %u is not found", (unsigned)i);
+		if (check(i < 4 ? 0 : 4, &wrong[i]).wrong == 0) fail_msg("fault %u is not found", (unsigned)i);
 	}
 }
 

@@ -185,6 +185,9 @@ static bool try_fused(const traced *t, const json_t *fused, u32 view, u32 texel)
 	assert_int_equal(own, own_key(t, view, texel) >> 32);
 	assert_int_equal(depth, depths[(u64)view * 2 * n * n + texel]);
 	assert_int_equal(above == TS_NONE, held == TS_NONE);
+	u32 shows = ((const u32 *)data(t, TS_B_fuse_node))[(u64)view * 2 * n * n + texel];
+	const json_t *node = json_object_get(json_object_get(fused, "shows"), "node");
+	assert_true(shows == TS_NONE ? depth == TS_NONE : json_integer_value(node) == (json_int_t)shows);
 	bool first = own != TS_NONE && t->run.params.fusion == TS_FUSION_PAPER;
 	assert_int_equal(depth, first || own < above ? own : above);
 	if (held == TS_NONE) return false;
@@ -216,7 +219,7 @@ static json_t *ask(const traced *t, u32 index, bool of_light, u32 texel)
 	u32 n = t->run.params.view_px;
 	ts_probe_map_id map = {.index = index, .of_light = of_light, .back = texel >= n * n};
 	require(ts_probe_map(t->probe, map, texel % n, texel / n % n, &told));
-	assert_int_equal(assert_agrees(told), 2 * json_array_size(json_object_get(told, "from_the_root")));
+	assert_int_equal(assert_agrees(told), 3 * json_array_size(json_object_get(told, "from_the_root")));
 	return told;
 }
 
