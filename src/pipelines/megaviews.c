@@ -118,10 +118,11 @@ static u64 expected_nodes(u32 level) { return least((u64)LEAVES_A_FACE << 2 * le
 /* Of n voxels those that lights are in: nearly as many as are few lights, nearly all with many. */
 static u64 expected_lit(u64 n_lights, u64 n) { return n_lights > 0 ? n_lights * n / (n_lights + n) + 1 : 0; }
 
-void ts_expect_views(ts_sizes *sizes, const ts_scene *scene, const ts_params *params, u64 n_lights, bool alone)
+void ts_expect_views(ts_sizes *sizes, const ts_scene *scene, const ts_params *params, u64 n_lights, u64 n_places,
+                     bool alone)
 {
 	u32 levels = params->levels, level = ts_gather_level_of(params, alone);
-	u64 leaves = expected_nodes(levels), view_leaves = alone ? n_lights : expected_lit(n_lights, leaves);
+	u64 leaves = expected_nodes(levels), view_leaves = alone ? n_lights : expected_lit(n_places, leaves);
 	u64 lists = expected_nodes(level), n_pairs = lists * (alone ? n_lights : expected_lit(view_leaves, lists));
 	ts_pyramid pyramid = ts_view_pyramid(params);
 	ts_sizes_set(sizes, "l", levels + 1);
@@ -140,6 +141,7 @@ void ts_expect_views(ts_sizes *sizes, const ts_scene *scene, const ts_params *pa
 	ts_sizes_set(sizes, "work", (u64)params->queue_mb << 20);
 }
 
+/* Paths begin at the texels of the maps, and there several of them may: their first lights are in the same places. */
 static void expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params, bool alone)
 {
 	u32 n_dims;
@@ -148,7 +150,8 @@ static void expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *para
 	if (!ts_shape_dims("C", sizes, &n_dims, texels)) texels[0] = 0;
 	u64 n_paths = params->vpls != 0 ? params->vpls : texels[0];
 	ts_sizes_set(sizes, "J1", n_paths);
-	ts_expect_views(sizes, scene, params, n_paths * params->vpl_bounces, alone);
+	u64 n_lights = n_paths * params->vpl_bounces, n_places = least(n_paths, texels[0]) + n_lights - n_paths;
+	ts_expect_views(sizes, scene, params, n_lights, n_places, alone);
 }
 
 void ts_megaviews_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params)

@@ -96,7 +96,7 @@ static void expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *para
 	all.view_field = TS_VIEW_FIELD_ALL;
 	ts_sizes_views(sizes, 0);
 	ts_sizes_set(sizes, "B", 0);
-	ts_expect_views(sizes, scene, &all, params->particles, alone);
+	ts_expect_views(sizes, scene, &all, params->particles, params->particles, alone);
 }
 
 void ts_megaviews_particles_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params)

@@ -47,8 +47,10 @@ void ts_deferred_prepare(ts_run *run);
 void ts_ewa_prepare(ts_run *run);
 void ts_surfels_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params);
 
-/* What octrees, maps and lists of so many lights take; alone: without a hierarchy of views. */
-void ts_expect_views(ts_sizes *sizes, const ts_scene *scene, const ts_params *params, u64 n_lights, bool alone);
+/* What octrees, maps and lists of so many lights take, which are in at most so many places; alone: without a hierarchy of
+ * views. */
+void ts_expect_views(ts_sizes *sizes, const ts_scene *scene, const ts_params *params, u64 n_lights, u64 n_places,
+                     bool alone);
 
 /* Soft and omnidirectional shadows, by any method. */
 void ts_soft_prepare(ts_run *run);

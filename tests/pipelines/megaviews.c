@@ -336,6 +336,26 @@ static void test_memory(void **state)
 	}
 }
 
+/* Of many more paths than texels of the reflective shadow map maps are expected where those are. */
+static void test_memory_of_paths(void **state)
+{
+	(void)state;
+	const ts_pipeline *pipeline = ts_pipeline_find("indirect", "megaviews");
+	ts_params params = tiny_params();
+	params.queue_mb = 1;
+	params.rsm_px = 8;
+	params.levels = 9;
+	params.vpls = 64;
+	ts_scene *scene = small_scene(&params);
+	u64 few = ts_pipeline_estimate(pipeline, scene, &params, true);
+	params.vpls = 64000;
+	u64 many = ts_pipeline_estimate(pipeline, scene, &params, true);
+	assert_true(many > few && many - few < 64000 * 100);
+	params.vpl_bounces = 2;
+	assert_true(ts_pipeline_estimate(pipeline, scene, &params, true) - many > 64000ull * 2 * 16 * 16 * 16);
+	ts_scene_free(scene);
+}
+
 /* Where a leaf of the scene is in the map of a view, in double precision: place of the texel, how far the direction is from
  * its edges in texels, and the distance; false: behind the view, or too near to be rendered, or nearly so: `unsure`. */
 typedef struct { u32 texel; double edge, distance; bool unsure; } spot;
@@ -462,7 +482,8 @@ int main(void)
 		cmocka_unit_test(test_threads), cmocka_unit_test(test_claims), cmocka_unit_test(test_lists),
 		cmocka_unit_test(test_cutoff),  cmocka_unit_test(test_units),  cmocka_unit_test(test_draws),
 		cmocka_unit_test(test_filter),  cmocka_unit_test(test_edges),  cmocka_unit_test(test_little),
-		cmocka_unit_test(test_memory), cmocka_unit_test(test_brute),   cmocka_unit_test(test_wide),
+		cmocka_unit_test(test_memory), cmocka_unit_test(test_memory_of_paths), cmocka_unit_test(test_brute),
+		cmocka_unit_test(test_wide),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
