@@ -164,8 +164,8 @@ TS_FN ts_v3 ts_k_vpl_light(const ts_vpl_gather_args *args, u32 view, ts_v3 p, ts
 	TS_GLOBAL const ts_vpl *light = &args->lights[view];
 	ts_v3 way = ts_sub(p, ts_load3(light->position));
 	f32 form = ts_k_vpl_form(way, ts_load3(light->normal), n, args->near * ts_k_leaf_side(args));
-	u32 texel = ts_k_paraboloid_texel(way, args->n);
-	bool lit = form > 0.0f && (args->shadows == 0u || ts_k_vpl_reaches(args, view, texel, p, n));
+	bool lit = form > 0.0f;
+	if (lit && args->shadows != 0u) lit = ts_k_vpl_reaches(args, view, ts_k_paraboloid_texel(way, args->n), p, n);
 	return ts_scale(ts_load3(light->flux), lit ? form : 0.0f);
 }
 
