@@ -1,7 +1,8 @@
 /* Primitives of numbers: what IEEE 754 defines, one operation each and the two that compilers like to fuse (NUMERICS
- * rules 4 to 6), and the functions of num.h and vec.h. */
+ * rules 4 to 6), and the functions of num.h, half.h and vec.h. */
 #ifndef TS_KERNELS_VECTORS_NUMBER_H
 #define TS_KERNELS_VECTORS_NUMBER_H
+#include "half.h"
 #include "vectors_row.h"
 
 TS_VECTOR_FLOAT(add, TS_A + TS_B)
@@ -29,6 +30,7 @@ TS_VECTOR_FLOAT(abs, ts_abs(TS_A))
 TS_VECTOR_FLOAT(san, ts_san(TS_A))
 TS_VECTOR_FLOAT(put, ts_put(TS_A))
 TS_VECTOR_WORD(fix, ts_fix(TS_A, ts_row_i32(in, 1u), ts_row_i32(in, 2u)))
+TS_VECTOR_WORD(half, ts_f2u(ts_half(TS_A)))
 TS_VECTOR_WORD(f2i, ts_f2i(TS_A))
 TS_VECTOR_WORD(floor_i32, ts_floor_i32(TS_A))
 TS_VECTOR_FLOAT(rint, ts_rint(TS_A))

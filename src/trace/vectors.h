@@ -30,6 +30,7 @@ typedef void ts_vector_item(u32 *out, const u32 *in);
 typedef enum {
 	TS_FAULT_FMA,
 	TS_FAULT_FLUSH,
+	TS_FAULT_FLUSH_HALF,
 	TS_FAULT_RECIPROCAL,
 	TS_FAULT_ROOT,
 	TS_FAULT_BUILTIN,
@@ -81,8 +82,8 @@ void ts_vector_out_descr(char descr[TS_NPY_DESCR], const ts_vector *vector);
 u32 ts_vector_out_shape(u64 shape[TS_MAX_DIMS], const ts_vector *vector);
 
 /* Fills TS_VECTOR_ITEMS rows of inputs and of outputs, always the same: special values first, then random ones over
- * the whole range, then ones for which each of the primitive's faults gives another result. No output is infinite or
- * NaN. */
+ * the whole range, then ones for which each of the primitive's faults gives another result. No float that comes
+ * out is infinite or NaN. */
 void ts_vector_make(const ts_vector *vector, u32 *in, u32 *out);
 
 /* What a port's outputs are worth. */

@@ -1,4 +1,4 @@
-/* Primitives of kernels/num.h: sanitizing, fixed point, conversions, hashes, elementary functions. */
+/* Primitives of kernels/num.h and half.h: sanitizing, fixed point, conversions, hashes, elementary functions. */
 #include "vectors_row.h"
 
 static void clamped_chosen(u32 *out, const u32 *in)
@@ -34,13 +34,14 @@ static void relate_equal(u32 *in, u32 random)
 	if ((random & 7) == 0) in[1] = in[0] ^ (random >> 5 & 1) << 31;
 }
 
-typedef enum { TO_EVEN, AWAY, DOWN } rounding;
+typedef enum { AWAY, DOWN } rounding;
+
+static double whole(double y, rounding how) { return how == AWAY ? floor(y + 0.5) : floor(y); }
 
 static i32 fixed(f32 x, i32 frac, i32 bits, rounding how)
 {
 	if (isnan(x)) return 0;
-	double y = ldexp(fabs((double)x), frac), limit = ldexp(1, bits) - 1;
-	y = how == AWAY ? floor(y + 0.5) : how == DOWN ? floor(y) : rint(y);
+	double y = whole(ldexp(fabs((double)x), frac), how), limit = ldexp(1, bits) - 1;
 	y = y > limit ? limit : y;
 	return (i32)(x < 0 ? -y : y);
 }
@@ -61,6 +62,33 @@ static void relate_fix(u32 *in, u32 random)
 	u32 kept = (u32)(exponent - 126 + (i32)in[1]);
 	u32 mask = kept < 24 ? 0x7fffffu >> (kept - 1) : 0;
 	in[0] = (in[0] & 0x80000000u) | (u32)exponent << 23 | (((in[0] & 0x7fffffu) & ~mask) | (mask + 1) >> 1);
+}
+
+/* Towards zero nothing becomes infinite. */
+static f32 half(f32 x, rounding how)
+{
+	int e = ilogb((double)x) < -14 ? -14 : ilogb((double)x);
+	double y = ldexp(whole(ldexp(fabs((double)x), 10 - e), how), e - 10);
+	y = y < 65536 ? y : how == DOWN ? 65504 : INFINITY;
+	return copysignf((f32)y, x);
+}
+
+static f32 half_flushed(f32 x, f32 size) { return size < 0x1p-14f ? copysignf(0.0f, x) : ts_half(x); }
+
+FLOAT_ITEM(half_away, half(A, AWAY))
+FLOAT_ITEM(half_down, half(A, DOWN))
+FLOAT_ITEM(half_flushed_before, half_flushed(A, ts_abs(A)))
+FLOAT_ITEM(half_flushed_after, half_flushed(A, ts_abs(ts_half(A))))
+FLOAT_ITEM(half_reordered, ts_abs(A) < 0x1p-14f ? A : ts_half(A))
+
+/* Three times in four from half the least to twice the largest, and half of these ties. */
+static void relate_half(u32 *in, u32 random)
+{
+	if ((random & 3) == 0) return;
+	u32 exponent = 102 + (random >> 3) % 42, mantissa = in[0];
+	u32 tie = exponent < 113 ? 125 - exponent : 12;
+	if ((random & 4) != 0) mantissa = (mantissa >> tie | 1u) << tie;
+	in[0] = (in[0] & 0x80000000u) | exponent << 23 | (mantissa & 0x7fffffu);
 }
 
 WORD_ITEM(floor_i32_truncate, ts_f2i(A))
@@ -89,6 +117,8 @@ static void relate_angle(u32 *in, u32 random)
 
 static const f32 san_edges[] = { 0x1p-39f, 0x1p62f, -0x1p-39f, -0x1p62f, FLT_MAX, FLT_MIN };
 static const f32 put_edges[] = { 0x1p-100f, -0x1p-100f, FLT_MIN, -FLT_MIN };
+static const f32 half_edges[] = { 0x1p-25f, -0x1p-25f, 0x1p-24f, 0x1.8p-24f, 0x1.4p-23f, 0x1.ff8p-15f, 0x1.ffcp-15f,
+	0x1p-14f, 0x1.002p0f, 0x1.006p0f, -0x1.002p0f, 65504, 65520, -65520, 65536, FLT_MAX };
 static const f32 int_edges[] = { 0x1p31f, -0x1p31f, 0x1p24f, -0x1p24f, 0x1p23f, -0x1p23f, 1, -1, 2, -2, 100, -100 };
 static const f32 rint_edges[] = { 0.5f, 1.5f, 2.5f, 3.5f, -0.5f, -1.5f, -2.5f, 2097151.5f, 0x1.fffffep21f };
 static const f32 log_edges[] = { FLT_MIN, 0x1.6a09e6p0f, 0x1.6a09e6p-1f, 1, 2, 0.5f, 0x1p-100f, FLT_MAX };
@@ -112,6 +142,11 @@ const ts_vector ts_vectors_number[] = {
 	{ PRIMITIVE(fix), "13, 15", "x * 2^frac to the nearest integer, ties to even, saturating at 2^bits - 1",
 	  { ANY("x", 1), INTEGER("frac", 1, 0, 24), INTEGER("bits", 1, 12, 31) }, { TS_VECTOR_I32, 1 },
 	  { { TS_FAULT_AWAY, fix_away }, { TS_FAULT_TRUNCATE, fix_down } }, .relate = relate_fix },
+	{ PRIMITIVE(half), "13", "bits of the nearest binary16 as a float: ties to even, infinite from 65520 on",
+	  { FINITE("x", 1) }, { TS_VECTOR_U32, 1 },
+	  { { TS_FAULT_AWAY, half_away }, { TS_FAULT_TRUNCATE, half_down }, { TS_FAULT_FLUSH_HALF, half_flushed_before },
+	    { TS_FAULT_FLUSH_HALF, half_flushed_after }, { TS_FAULT_REORDER, half_reordered } },
+	  EDGES(half_edges), .relate = relate_half },
 	{ PRIMITIVE(f2i), "4", "truncating, saturating, NaN gives 0", { ANY("x", 1) }, { TS_VECTOR_I32, 1 },
 	  EDGES(int_edges) },
 	{ PRIMITIVE(floor_i32), "14", "the pixel that holds x",

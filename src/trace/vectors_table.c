@@ -13,6 +13,7 @@ enum { N_TABLES = sizeof tables / sizeof tables[0] };
 const ts_vector_fault_info ts_vector_fault_table[TS_N_FAULTS] = {
 	[TS_FAULT_FMA] = { "fused multiply-add", "turn contraction off: -ffp-contract=off, -fmad=false, precise" },
 	[TS_FAULT_FLUSH] = { "flush to zero", "keep denormals if the device can; put hides it in what is stored" },
+	[TS_FAULT_FLUSH_HALF] = { "flushed halves", "keep halves below 2^-14: they are multiples of 2^-24" },
 	[TS_FAULT_RECIPROCAL] = { "reciprocal division", "divide: -prec-div=true, or the repaired division of NUMERICS 7" },
 	[TS_FAULT_ROOT] = { "reciprocal square root", "take the root: -prec-sqrt=true, or the repaired one of NUMERICS 7" },
 	[TS_FAULT_BUILTIN] = { "built-in function", "port the text of the kernel instead" },

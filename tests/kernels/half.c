@@ -1,16 +1,8 @@
 /* Rounding to binary16 against the library's rounding in double: every binary16, and of every exponent and sign whatever
  * bits can tell roundings apart: all of the 14 leading ones, and four of each tail. */
+#include "half_truth.h"
 #include "seeded.h"
-#include <math.h>
 #include "../../src/kernels/half.h"
-
-static double half_of(double x)
-{
-	if (x == 0 || isinf(x)) return x;
-	int e = ilogb(x) < -14 ? -14 : ilogb(x);
-	double r = ldexp(nearbyint(ldexp(x, 10 - e)), e - 10);
-	return fabs(r) >= 65536 ? copysign(INFINITY, x) : r;
-}
 
 static void assert_half(u32 bits)
 {

@@ -195,7 +195,7 @@ static void test_digest(void **state)
 		ts_digest_add(&digest, out, ts_vector_out_words(v) * TS_VECTOR_ITEMS * sizeof *out);
 	}
 	ts_digest_end(&digest, hex);
-	assert_string_equal(hex, "afeaa70e2247b206c1ef4c02008c22d3a9bb53f9591d416ee1ceac0d591eccda");
+	assert_string_equal(hex, "4b97e37a9b2b595d84a8bdefbfe2dcaae864a6d6f93f2ccda171b69bfd22d35e");
 }
 
 static void compute(ts_vector_item *item, const ts_vector *v)
@@ -235,7 +235,7 @@ static ts_vector_verdict judge_by(const char *name, ts_vector_item *item)
 	return ts_vector_judge(v, in, out, found);
 }
 
-/* The three of the contract's own list, as a port would compute them. */
+/* The three of the contract's own list and two of halves, as a port would compute them. */
 static void test_named(void **state)
 {
 	(void)state;
@@ -244,8 +244,35 @@ static void test_named(void **state)
 	ts_vector_verdict r = judge_by("muladd", t_half_wrong);
 	assert_int_equal(r.fault, TS_FAULT_FMA);
 	assert_in_range(r.n_explained[TS_FAULT_FMA], 20, r.n_wrong - 1000);
+	r = judge_by("half", t_half_cut);
+	assert_int_equal(r.fault, TS_FAULT_TRUNCATE);
+	assert_int_equal(r.n_explained[TS_FAULT_TRUNCATE], r.n_wrong);
+	r = judge_by("half", t_half_flushed);
+	assert_int_equal(r.fault, TS_FAULT_FLUSH_HALF);
+	assert_int_equal(r.n_explained[TS_FAULT_FLUSH_HALF], r.n_wrong);
 	for (u32 f = 0; f < TS_N_FAULTS; f++) {
 		assert_true(ts_vector_fault_table[f].name != NULL && ts_vector_fault_table[f].remedy[0] != 0);
+	}
+}
+
+/* Rows of half: zeros of both signs from tiny floats, ties to even down and up of subnormal and normal halves, the
+ * largest half from below and above, and what is beyond it. */
+static void test_halves(void **state)
+{
+	(void)state;
+	u32 n_zero[2] = { 0 }, n_tie[2][2] = { { 0 } }, n_largest[2] = { 0 }, n_infinite[2] = { 0 };
+	ts_vector_make(ts_vectors_find("half"), in, out);
+	for (u32 i = 0; i < TS_VECTOR_ITEMS; i++) {
+		double x = fabs((double)ts_u2f(in[i])), y = fabs((double)ts_u2f(out[i]));
+		bool normal = x >= 0x1p-14;
+		double step = ldexp(1, normal ? ilogb(x) - 10 : -24);
+		if (x > 0 && x < FLT_MIN) n_zero[out[i] >> 31] += y == 0;
+		if (fabs(x - y) == step / 2) n_tie[normal][y > x]++;
+		if (y == 65504 && x != y) n_largest[x > y]++;
+		if (isinf(y)) n_infinite[x > 65520]++;
+	}
+	for (u32 k = 0; k < 2; k++) {
+		assert_true(n_zero[k] >= 3 && n_tie[k][0] >= 100 && n_tie[k][1] >= 100 && n_largest[k] >= 2 && n_infinite[k] >= 1);
 	}
 }
 
@@ -345,6 +372,7 @@ int main(void)
 		cmocka_unit_test(test_digest),
 		cmocka_unit_test(test_faults),
 		cmocka_unit_test(test_named),
+		cmocka_unit_test(test_halves),
 		cmocka_unit_test(test_flushing),
 		cmocka_unit_test(test_one_bit),
 		cmocka_unit_test(test_ulps),

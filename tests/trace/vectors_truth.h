@@ -4,6 +4,7 @@
 #define TS_TESTS_TRACE_VECTORS_TRUTH_H
 #include <stdlib.h>
 #include "../../src/trace/vectors_row.h"
+#include "../kernels/half_truth.h"
 
 /* y rounded to odd, when the exact value lies `error` beyond it. */
 static inline double to_odd(double y, double error)
@@ -81,6 +82,7 @@ static i64 fixed(f32 x, i32 frac, i32 bits)
 	return saturated(rint(ldexp((double)x, frac)), -limit, limit);
 }
 W(fix, fixed(A, ts_row_i32(in, 1), ts_row_i32(in, 2)))
+F(half, (f32)half_of((double)A))
 W(f2i, saturated(trunc((double)A), INT32_MIN, INT32_MAX))
 W(floor_i32, saturated(floor((double)A), INT32_MIN, INT32_MAX))
 F(rint, (f32)rint((double)A) + 0.0f)
@@ -265,7 +267,7 @@ W(srgb, srgb_of(A))
 static const struct { const char *name; truth *right; } exact[] = {
 #define T(name) { #name, t_##name },
 	T(add) T(sub) T(mul) T(div) T(sqrt) T(muladd) T(mulsub) T(compare) T(floor) T(i32_to_f32) T(u32_to_f32) T(i64_to_f32)
-	T(min) T(max) T(clamp) T(abs) T(san) T(put) T(fix) T(f2i) T(floor_i32) T(rint) T(pcg) T(random) T(uniform)
+	T(min) T(max) T(clamp) T(abs) T(san) T(put) T(fix) T(half) T(f2i) T(floor_i32) T(rint) T(pcg) T(random) T(uniform)
 	T(diff_of_products) T(dot) T(cross) T(mad) T(length) T(normalize) T(reflect) T(blend) T(cut) T(project) T(snap)
 	T(edge) T(top_left) T(covers) T(touches) T(fragment) T(cube_face) T(cube_place) T(cube_texel) T(key) T(key_min)
 	T(point_key) T(texture_wrap) T(texture_neighbour) T(texture_mix4) T(texture_mix2) T(texture_bilinear) T(srgb)
@@ -273,9 +275,12 @@ static const struct { const char *name; truth *right; } exact[] = {
 };
 enum { N_EXACT = sizeof exact / sizeof exact[0] };
 
-/* What a port with faults computes for muladd, for div, and for a part of muladd. */
+/* What a port with faults computes for muladd, for div, for a part of muladd, and for half. */
 F(fused, fmaf(A, B, C))
 F(scaled, A * (1 / B))
 F(half_wrong, (in[0] & 1) != 0 ? fmaf(A, B, C) : -1234.5f)
+F(half_cut, copysignf(fabsf(A) < 0x1p-14f ? floorf(fabsf(A) * 0x1p24f) * 0x1p-24f
+                  : fminf(ts_u2f(in[0] & 0x7fffe000u), 65504), A))
+F(half_flushed, fabs(half_of((double)A)) < 0x1p-14 ? copysignf(0, A) : (f32)half_of((double)A))
 
 #endif
