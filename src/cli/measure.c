@@ -4,6 +4,7 @@
 #if defined(__GLIBC__)
 #include <malloc.h>
 #endif
+#include "../stages/stages.h"
 #include "cli.h"
 #include "measure.h"
 #include "viewer.h"
@@ -177,6 +178,19 @@ static u64 bytes_of_area(const ts_pipeline *method, const ts_scene *scene, const
 	return bytes;
 }
 
+/* What truths of surfels make before the mean of their pictures, and the tree of `discs`. */
+static u64 bytes_of_surfels(const ts_pipeline *method, const ts_scene *scene, const ts_params *params, u32 truths)
+{
+	static const ts_buffer_id ids[] = { TS_B_surfel_setup_disc, TS_B_gbuffer_pixel, TS_B_image_radiance, TS_B_image_srgb };
+	ts_sizes sizes = { .n = 0 };
+	ts_run_sizes(&sizes, scene, params);
+	method->expect(&sizes, scene, params);
+	u64 bytes = ts_pipeline_bytes(TS_B_image_radiance, &sizes);
+	for (u32 i = 0; i < sizeof ids / sizeof ids[0]; i++) bytes += ts_pipeline_bytes(ids[i], &sizes);
+	if (ts_shader_has_shadows(params)) bytes += ts_pipeline_bytes(TS_B_resolve_lit, &sizes);
+	return bytes + ((truths & TS_TRUTH_DISCS) != 0 ? (u64)TS_TRUTH_DISC_BYTES * scene->n_surfels : 0);
+}
+
 /* What takes most of a method's memory beside its image. */
 static const char *what_to_lower(const ts_pipeline *method, const ts_params *params, u64 bytes)
 {
@@ -202,6 +216,8 @@ ts_status ts_measure_estimate(u64 *bytes, const ts_pipeline *const *methods, u32
 	if ((truths & TS_TRUTH_C) != 0) *bytes = larger(*bytes, bytes_of_c(scene, params));
 	bool rays = (truths & (TS_TRUTH_SAMPLES | TS_TRUTH_AREA)) != 0;
 	if (rays) *bytes = larger(*bytes, bytes_of_area(methods[0], scene, params));
+	bool surfels = (truths & (TS_TRUTH_DISCS | TS_TRUTH_SURFACE)) != 0;
+	if (surfels) *bytes = larger(*bytes, bytes_of_surfels(methods[0], scene, params, truths));
 	u64 limit = ts_memory_limit();
 	if (*bytes > limit) {
 		return ts_fail("%s: needs about %.1f GB of memory and may use %.1f GB of this machine's %.1f GB; choose a smaller "

@@ -142,6 +142,22 @@ assert rows["deferred", "truth-discs"]["share"] == "method" and rows["truth-disc
 assert 0 < rows["deferred", "truth-discs"]["rmse"] < rows["deferred", "truth-surface"]["rmse"]
 PY
 verdict $? 'surfels and their truths'
+# Of 10000 surfels in few pixels: 96 bytes each and 192 in the tree; a pixel has 48 in the G-buffer, 12 twice, 3, and 4 for
+# the light that throws shadows.
+for truth in none surface discs; do
+	for shader in phong phong_shadow; do
+		run render surfels checkerboard:surfels=10000 --size 16x16 --method deferred --truth=$truth --set grid_rays=1 \
+			--set shader=$shader --set map_px=32 --json --no-images
+		cp stdout "$truth-$shader.json"
+	done
+done
+python3 - << 'PY'
+import json
+for shader, lit in ("phong", 0), ("phong_shadow", 4):
+    none, surface, discs = (json.load(open(f"{t}-{shader}.json"))["estimated_bytes"] for t in ("none", "surface", "discs"))
+    assert none == surface and discs == 10000 * (96 + 192) + 256 * (48 + 2 * 12 + 3 + lit) > none
+PY
+verdict $? 'memory of the tree of surfels is counted'
 printf 'ply\nformat ascii 1.0\nelement vertex 1\n%sproperty float radius\nend_header\n0 0 0 0 0 1 1\n' \
 	"$(printf 'property float %s\n' x y z nx ny nz)
 " > one.ply
