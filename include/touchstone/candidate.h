@@ -204,6 +204,7 @@ static const ts_candidate_buffer ts_candidate_buffers[] = {
 	{"map.depth_node", 8, 2, "'<u8'"},
 	{"map.margin", 4, 2, "'<u4'"},
 	{"fuse.depth", 4, 2, "'<u4'"},
+	{"fuse.node", 4, 2, "'<u4'"},
 	{"vpl_pairs.offset", 4, 1, "'<u4'"},
 	{"vpl_pairs.node", 4, 1, "'<u4'"},
 	{"vpl_pairs.views", 4, 1, "'<u4'"},

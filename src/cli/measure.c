@@ -46,6 +46,14 @@ static ts_status judge_texels(ts_measure *m, const ts_run *run, const ts_stage *
 	return TS_OK;
 }
 
+/* Rays that ask what the maps of virtual point lights answered. */
+static ts_status judge_maps(ts_measure *m, const ts_run *run)
+{
+	if (m->tree == NULL && ts_truth_new(&m->tree, run) != TS_OK) return TS_ERROR;
+	ts_truth_maps(&m->maps, m->tree, run);
+	return TS_OK;
+}
+
 static ts_status after_stage(const ts_run *run, const ts_stage *stage, void *user)
 {
 	ts_measure *m = user;
@@ -63,15 +71,20 @@ static ts_status after_stage(const ts_run *run, const ts_stage *stage, void *use
 	}
 	ts_status status = m->pictures != NULL ? ts_stage_pictures_take(m->pictures, run, stage) : TS_OK;
 	if (status == TS_OK && m->rays) status = judge_texels(m, run, stage);
+	if (status == TS_OK && m->rays && ts_stage_writes(stage, TS_B_vpl_gather_irradiance)) status = judge_maps(m, run);
 	if (status == TS_OK && m->viewer != NULL) status = ts_viewer_take(run, stage, m->viewer);
 	return status == TS_OK && m->writer != NULL ? ts_trace_write_stage(m->writer, run, stage) : status;
 }
 
 static void keep_texels(ts_measure *m)
 {
-	const ts_counter counters[] = { { "texels covered by rays", (i64)m->texels.covered }, { "holes", (i64)m->texels.holes },
-		{ "leaks", (i64)m->texels.leaks }, { "wrong depths", (i64)m->texels.apart } };
-	for (u32 i = 0; i < 4 && m->n_counters < TS_MAX_COUNTERS; i++) m->counters[m->n_counters++] = counters[i];
+	const ts_counter counters[] = {
+		{ "texels covered by rays", (i64)(m->texels.covered + m->maps.covered) },
+		{ "holes", (i64)(m->texels.holes + m->maps.holes) }, { "leaks", (i64)(m->texels.leaks + m->maps.leaks) },
+		{ "wrong depths", (i64)(m->texels.apart + m->maps.apart) }, { "shadows asked of rays", (i64)m->maps.asked },
+		{ "lit but by rays", (i64)m->maps.lit }, { "dark but by rays", (i64)m->maps.dark } };
+	u32 n = m->maps.asked > 0 ? 7 : 4;
+	for (u32 i = 0; i < n && m->n_counters < TS_MAX_COUNTERS; i++) m->counters[m->n_counters++] = counters[i];
 }
 
 static void keep(ts_measure *m, const ts_run *run)

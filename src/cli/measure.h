@@ -26,6 +26,7 @@ typedef struct {
 	bool rays;                     /* count what rays through the off-screen texels say of them */
 	ts_truth *tree;                /* of those rays, while the run lasts */
 	ts_texel_counts texels;
+	ts_map_counts maps;
 	ts_trace_writer *writer;
 } ts_measure;
 

@@ -45,6 +45,7 @@ typedef struct {
 } ts_vpl_gather_args;
 
 TS_FN f32 ts_k_leaf_side(const ts_vpl_gather_args *args) { return args->root->side / (f32)(1 << args->levels); }
+TS_FN f32 ts_k_leaf_diagonal(const ts_vpl_gather_args *args) { return ts_k_leaf_side(args) * 1.73205077648162841796875f; }
 
 /* Entries from `from` on, up to `to`; TS_NONE, TS_NONE: all views. */
 typedef struct { u32 from, to, views; } ts_view_list;
@@ -99,8 +100,7 @@ TS_FN f32 ts_k_vpl_slack(const ts_vpl_gather_args *args, ts_v3 way, ts_v3 n)
 	f32 slope = aside / ts_max(across, d * 0.0625f);
 	f32 texels = args->bias_slope * slope;
 	texels = texels + args->bias_px;
-	f32 diagonal = ts_k_leaf_side(args) * 1.73205077648162841796875f;
-	f32 leaf = args->bias * diagonal;
+	f32 leaf = args->bias * ts_k_leaf_diagonal(args);
 	f32 wide = texel * texels;
 	return wide + leaf;
 }

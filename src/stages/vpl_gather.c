@@ -2,6 +2,8 @@
 #include "octree.h"
 #include "traverse.h"
 
+#define TEXEL_DIAGONAL 1.41421354f /* of its width: places in one texel are no farther apart */
+
 u32 ts_gather_level_of(const ts_params *params, bool alone)
 {
 	bool culls = params->view_field == TS_VIEW_FIELD_HALF || params->cutoff > 0;
@@ -110,7 +112,7 @@ ts_vpl_gather_args ts_vpl_gather_arguments(const ts_run *run)
 		.shadows = params->shadows,
 		.near = params->light_near,
 		.bias = params->light_bias,
-		.bias_px = params->bias,
+		.bias_px = by_plane ? params->bias * TEXEL_DIAGONAL : params->bias,
 		.bias_slope = by_plane ? 0 : params->bias_slope,
 		.by_plane = by_plane,
 		.bias_plane = params->bias_plane,

@@ -142,7 +142,7 @@ const ts_vector ts_vectors_number[] = {
 	{ PRIMITIVE(fix), "13, 15", "x * 2^frac to the nearest integer, ties to even, saturating at 2^bits - 1",
 	  { ANY("x", 1), INTEGER("frac", 1, 0, 24), INTEGER("bits", 1, 12, 31) }, { TS_VECTOR_I32, 1 },
 	  { { TS_FAULT_AWAY, fix_away }, { TS_FAULT_TRUNCATE, fix_down } }, .relate = relate_fix },
-	{ PRIMITIVE(half), "13", "bits of the nearest binary16 as a float: ties to even, infinite from 65520 on",
+	{ PRIMITIVE(to_half), "13", "bits of the nearest binary16 as a float: ties to even, infinite from 65520 on",
 	  { FINITE("x", 1) }, { TS_VECTOR_U32, 1 },
 	  { { TS_FAULT_AWAY, half_away }, { TS_FAULT_TRUNCATE, half_down }, { TS_FAULT_FLUSH_HALF, half_flushed_before },
 	    { TS_FAULT_FLUSH_HALF, half_flushed_after }, { TS_FAULT_REORDER, half_reordered } },

@@ -33,13 +33,12 @@ typedef ts_v3 gather(const tracer *t, u64 pixel, ts_v3 p, ts_v3 n);
 
 static f32 skip(ts_v3 p) { return ts_max(ts_max(ts_abs(p.x), ts_abs(p.y)), ts_abs(p.z)) * SKIP; }
 
-/* Nothing between two points, but within `reach` of the second, stops a ray that leaves the first. */
-static bool sees(const tracer *t, ts_v3 from, ts_v3 to, f32 reach)
+bool ts_truth_sees(const ts_truth *truth, ts_v3 from, ts_v3 to, f32 reach)
 {
 	ts_v3 way = ts_sub(to, from);
 	ts_truth_query ray = {
 		.origin = from, .direction = ts_normalize(way), .near = skip(from), .masked = TS_NONE, .from = from};
-	ts_truth_hit hit = ts_truth_cast(t->truth, &ray);
+	ts_truth_hit hit = ts_truth_cast(truth, &ray);
 	return hit.triangle == TS_NONE || hit.t >= ts_length(way) - reach;
 }
 
@@ -53,7 +52,7 @@ static ts_v3 from_lights(const tracer *t, u64 pixel, ts_v3 p, ts_v3 n)
 		if (!(light.x + light.y + light.z > 0.0f)) continue;
 		ts_v3 third = {1.0f / 3.0f, 1.0f / 3.0f, 1.0f / 3.0f};
 		ts_v3 middle = ts_blend(third, ts_load3(patch->a), ts_load3(patch->b), ts_load3(patch->c));
-		if (sees(t, p, middle, skip(middle))) sum = ts_add(sum, light);
+		if (ts_truth_sees(t->truth, p, middle, skip(middle))) sum = ts_add(sum, light);
 	}
 	return sum;
 }
@@ -71,7 +70,7 @@ static ts_v3 irradiance_at(const tracer *t, ts_v3 p, ts_v3 n)
 	ts_v3 sum = {0, 0, 0}, l;
 	for (u32 k = 0; k < t->n_lamps; k++) {
 		f32 arrives = ts_k_light(&t->lamps[k], p, &l) * ts_dot(n, l);
-		if (!(arrives > 0.0f) || !sees(t, origin_of(t, &t->lamps[k], p, l), p, skip(p))) continue;
+		if (!(arrives > 0.0f) || !ts_truth_sees(t->truth, origin_of(t, &t->lamps[k], p, l), p, skip(p))) continue;
 		sum = ts_mad(sum, ts_load3(t->lamps[k].intensity), arrives);
 	}
 	return sum;
@@ -110,7 +109,7 @@ static ts_v3 from_vpls(const tracer *t, u64 pixel, ts_v3 p, ts_v3 n)
 		const ts_vpl *light = &t->vpls[k];
 		ts_v3 from = ts_load3(light->position);
 		f32 form = ts_k_vpl_form(ts_sub(p, from), ts_load3(light->normal), n, t->near);
-		if (form > 0.0f && sees(t, p, from, t->reach)) sum = ts_mad(sum, ts_load3(light->flux), form);
+		if (form > 0.0f && ts_truth_sees(t->truth, p, from, t->reach)) sum = ts_mad(sum, ts_load3(light->flux), form);
 	}
 	return sum;
 }

@@ -27,6 +27,9 @@ const ts_arrays *ts_truth_scene(const ts_truth *truth);
 /* The nearest hit that no filter rejects. Safe to call from any number of threads. */
 ts_truth_hit ts_truth_cast(const ts_truth *truth, const ts_truth_query *query);
 
+/* Nothing between two points, but within `reach` of the second, stops a ray that leaves the first (indirect.c). */
+bool ts_truth_sees(const ts_truth *truth, ts_v3 from, ts_v3 to, f32 reach);
+
 /* Runs the steps of a method before a stage, in a run that has just begun (begin.c). */
 ts_status ts_truth_begin(ts_run *run, const char *effect, const char *method, const char *stage);
 

@@ -91,4 +91,19 @@ bool ts_truth_judges(ts_buffer_id id);
  * density.capped is counted. Never fails but with the device that the buffer is on. */
 ts_status ts_truth_texels(ts_texel_counts *counts, ts_truth *truth, const ts_run *run, ts_buffer_id id);
 
+/* Truth of the maps of virtual point lights and particles (maps.c), of up to 1024 lights, every so many-th. */
+typedef struct {
+	u64 covered; /* texels along whose middle, from the light on but for a leaf's diagonal, a ray hits something */
+	u64 holes;   /* of these, those that are empty */
+	u64 leaks;   /* of these, those whose depth, moved to the light, is more than three leaves' sides behind the hit */
+	u64 apart;   /* of these, leaks, and those as much before it: whatever of the texel is nearest */
+	u64 asked;   /* lights that 64 pixels each, at random, would have light of */
+	u64 lit;     /* of these, those that the map lets through, and something stops: light leaks */
+	u64 dark;    /* of these, those that the map stops, and nothing does */
+} ts_map_counts;
+
+/* Adds what the maps are like after stage vpl_gather, whose buffers are there, and how they answer with the parameters of
+ * shadows, whether these are on or off. */
+void ts_truth_maps(ts_map_counts *counts, const ts_truth *truth, const ts_run *run);
+
 #endif

@@ -5,7 +5,7 @@ small=(atrium:triangles=10000:texels=32 --size 96x54 --set rsm_px=4 --set grid_p
 cd "$scratch" || exit 2
 
 refuses 'levels, gather_level, view_px or vpls$' render indirect "${small[@]}" --method hulls,megaviews --set view_px=256 \
-	--set vpls=16777216
+	--set vpls=16777216 --set vpl.bounces=4
 refuses 'levels, gather_level, view_px or particles$' render particles "${small[@]}" --set view_px=256 \
 	--set particles=16777216
 

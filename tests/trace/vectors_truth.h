@@ -267,7 +267,7 @@ W(srgb, srgb_of(A))
 static const struct { const char *name; truth *right; } exact[] = {
 #define T(name) { #name, t_##name },
 	T(add) T(sub) T(mul) T(div) T(sqrt) T(muladd) T(mulsub) T(compare) T(floor) T(i32_to_f32) T(u32_to_f32) T(i64_to_f32)
-	T(min) T(max) T(clamp) T(abs) T(san) T(put) T(fix) T(half) T(f2i) T(floor_i32) T(rint) T(pcg) T(random) T(uniform)
+	T(min) T(max) T(clamp) T(abs) T(san) T(put) T(fix) T(to_half) T(f2i) T(floor_i32) T(rint) T(pcg) T(random) T(uniform)
 	T(diff_of_products) T(dot) T(cross) T(mad) T(length) T(normalize) T(reflect) T(blend) T(cut) T(project) T(snap)
 	T(edge) T(top_left) T(covers) T(touches) T(fragment) T(cube_face) T(cube_place) T(cube_texel) T(key) T(key_min)
 	T(point_key) T(texture_wrap) T(texture_neighbour) T(texture_mix4) T(texture_mix2) T(texture_bilinear) T(srgb)
