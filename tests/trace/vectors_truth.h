@@ -82,7 +82,7 @@ static i64 fixed(f32 x, i32 frac, i32 bits)
 	return saturated(rint(ldexp((double)x, frac)), -limit, limit);
 }
 W(fix, fixed(A, ts_row_i32(in, 1), ts_row_i32(in, 2)))
-F(half, (f32)half_of((double)A))
+F(to_half, (f32)half_of((double)A))
 W(f2i, saturated(trunc((double)A), INT32_MIN, INT32_MAX))
 W(floor_i32, saturated(floor((double)A), INT32_MIN, INT32_MAX))
 F(rint, (f32)rint((double)A) + 0.0f)
