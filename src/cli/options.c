@@ -18,7 +18,7 @@ const ts_option ts_option_table[] = {
 	  "triangles of light as far as they are seen, bounce, paths. Of particles: glow, rays to each\n"
 	  "of them. Of surfels: discs, rays into them, surface, into what they are samples of.\n"
 	  "Without names each; \"none\".\n"
-	  "Also rays through every off-screen texel, of some maps of many views: holes, leaks, wrong depths", "" },
+	  "Also rays through off-screen texels, and those of lights' maps: holes, leaks, wrong depths", "" },
 	{ TS_OPT_SIZE, "size", "WxH", "size of the eye image in pixels", "" },
 	{ TS_OPT_FRAME, "frame", "K", "frame of the animation", "" },
 	{ TS_OPT_REFLECTORS, "reflectors", "N", "mirrors that are added to the scene", "" },

@@ -4,8 +4,8 @@
 
 static const char *const counters[] = { "points", "shading operations", "look-ups", "empty look-ups", "cube texels",
 	"geometry traversals", "triangles processed", "pieces culled", "point-view scatters", "texel writes",
-	"texels covered by rays", "holes", "leaks", "wrong depths", "shadows asked of rays",
-	"lit but by rays", "dark but by rays", NULL };
+	"shadows asked of rays", "lit but by rays", "dark but by rays", "texels covered by rays", "holes", "leaks",
+	"wrong depths", NULL };
 
 /* "shading operations" to "shading_operations". */
 static void put_name(const char *name)

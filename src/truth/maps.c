@@ -37,7 +37,8 @@ static void judge_place(const judge *j, u32 view, u32 k, ts_map_counts *counts)
 	const ts_vpl *light = &j->of.lights[view];
 	const ts_gpixel *pixel = &j->of.pixels[((u64)ts_random(view * PLACES + k, 0, 0) * j->n_pixels) >> 32];
 	if (pixel->depth == TS_SKY) return;
-	ts_v3 from = ts_load3(light->position), p = ts_load3(pixel->position), n = ts_load3(pixel->normal), way = ts_sub(p, from);
+	ts_v3 from = ts_load3(light->position), p = ts_load3(pixel->position), n = ts_load3(pixel->normal);
+	ts_v3 way = ts_sub(p, from);
 	if (!(ts_k_vpl_form(way, ts_load3(light->normal), n, j->of.near * j->leaf) > 0.0f)) return;
 	bool lit = ts_k_vpl_reaches(&j->of, view, ts_k_paraboloid_texel(way, j->of.n), p, n);
 	bool sees = ts_truth_sees(j->truth, p, from, j->reach);
