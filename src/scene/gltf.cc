@@ -66,6 +66,34 @@ static bool file_fetch(bytes *out, std::string *, const std::string &key, void *
 	}
 }
 
+/* file_fetch gives as many bytes as the document says, or fails. */
+static bool file_size(size_t *out, std::string *, const std::string &key, void *user)
+{
+	*out = static_cast<files *>(user)->in.doc.buffers.at(key).byte_length;
+	return true;
+}
+
+static bool file_store(std::string *, const std::string &, const bytes &, void *) { return false; }
+
+/* tinygltf 2.9 refuses callbacks unless all are set, and has one more than 2.7: the size of a file. */
+template <typename callbacks> static auto file_size_set(callbacks &calls, int) -> decltype(void(calls.GetFileSizeInBytes))
+{
+	calls.GetFileSizeInBytes = file_size;
+}
+template <typename callbacks> static void file_size_set(callbacks &, long) {}
+
+static tinygltf::FsCallbacks file_callbacks(files *from)
+{
+	tinygltf::FsCallbacks calls{};
+	calls.FileExists = file_exists;
+	calls.ExpandFilePath = file_expand;
+	calls.ReadWholeFile = file_fetch;
+	calls.WriteWholeFile = file_store;
+	calls.user_data = from;
+	file_size_set(calls, 0);
+	return calls;
+}
+
 static bool image_keep(tinygltf::Image *image, const int, std::string *, std::string *, int, int,
 					   const unsigned char *data, int n, void *)
 {
@@ -78,7 +106,7 @@ static void parse(loader &in)
 	tinygltf::TinyGLTF parser;
 	std::string problem, warning;
 	files from{in, ""};
-	parser.SetFsCallbacks({file_exists, file_expand, file_fetch, nullptr, &from});
+	parser.SetFsCallbacks(file_callbacks(&from));
 	parser.SetImageLoader(image_keep, nullptr);
 	if (in.doc.json.size() > most_file_bytes)
 		fail("%zu bytes of JSON; at most 2147483647 are read", in.doc.json.size());

@@ -11,18 +11,18 @@ u32 ts_largest_face(const ts_params *params)
 	return most < 16 ? 16 : most;
 }
 
-static void replay(const ts_run *run, ts_resize_args *args, u32 n)
+static void replay(const ts_run *run, ts_resize_args args, u32 n)
 {
 	ts_params params = run->params;
 	ts_view view;
 	const ts_info *info = ts_run_info(run);
-	args->view = &view;
-	u32 first = args->fixed != 0 ? run->params.frame : 0;
+	args.view = &view;
+	u32 first = args.fixed != 0 ? run->params.frame : 0;
 	for (u32 frame = first; frame <= run->params.frame; frame++) {
 		params.frame = frame;
-		args->frame = frame;
+		args.frame = frame;
 		ts_view_eye(&view, info, &params);
-		ts_c_launch(TS_KERNEL_resize, args, n, run->c.threads);
+		ts_c_launch(TS_KERNEL_resize, &args, n, run->c.threads);
 	}
 }
 
@@ -50,7 +50,7 @@ ts_status ts_stage_resize(ts_run *run)
 		.fixed = run->fixed_face != 0 ? run->fixed_face : run->params.face_px,
 		.all = run->all_cubes || run->params.bounces > 1,
 	};
-	replay(run, &args, n);
+	replay(run, args, n);
 	free(objects);
 	u64 offset = 0;
 	for (u32 r = 0; r < n; r++) {
