@@ -49,8 +49,10 @@ $(error config=$(config): one of release debug native asan ubsan tsan fuzz cover
 endif
 BUILD ?= build/$(config)
 
+# Warnings are errors with WERROR=1, as in .ci/run: another compiler warns of other things.
+WERROR ?= 0
+WARN := -Wall -Wextra -Wshadow $(if $(filter 1,$(WERROR)),-Werror)
 # The numeric contract: these come after the user's flags.
-WARN := -Wall -Wextra -Wshadow -Werror
 EXACT := -ffp-contract=off -fno-math-errno -fno-trapping-math
 # gcc 12 stops with an internal error in its straight-line vectorizer when run.c is built for AVX-512.
 ifneq (,$(findstring -march=,$(OPT)))
@@ -137,7 +139,7 @@ $(BUILD)/touchstone-core: $(CORE_O)
 	$(Q)said=$$($(CC) $(LINK_FLAGS) $(CORE_STATIC) $^ $(CORE_LIBS) -o $@ 2>&1) || { echo "$$said"; exit 1; }
 
 # What a trace says of its maker.
-$(call object,src/backends/c/run.c): CPPFLAGS += -DTS_FLAGS='"-std=c11 $(OPT) $(EXACT)"'
+$(call object,src/backends/c/run.c): OWN := -DTS_FLAGS='"-std=c11 $(OPT) $(EXACT)"'
 ##   golden             runs the cases of reference/cases.txt again and compares; writes nothing
 golden:
 	$(Q)$(MAKE) --no-print-directory $(BUILD)/touchstone-core
@@ -150,7 +152,7 @@ $(PROGRAM): scripts/opencl-program src/backends/backend.h src/backends/kernels.d
 	$(Q)mkdir -p $(@D)
 	$(Q)scripts/opencl-program > $@
 $(call object,src/backends/opencl/program.c): $(PROGRAM)
-$(call object,src/backends/opencl/program.c): CPPFLAGS += -I$(BUILD)/gen
+$(call object,src/backends/opencl/program.c): OWN := -I$(BUILD)/gen
 
 # Objects are made again when the compiler or its flags change.
 $(BUILD)/flags: FORCE
@@ -165,13 +167,14 @@ COMMIT := $(or $(COMMIT),unknown)
 $(BUILD)/commit: FORCE
 	$(Q)mkdir -p $(@D)
 	$(Q)echo '$(COMMIT)' | cmp -s - $@ || echo '$(COMMIT)' > $@
-$(BUILD)/obj/src/core/commit.c.o: $(BUILD)/commit
-$(BUILD)/obj/src/core/commit.c.o: KNOWS := -DTS_COMMIT='"$(COMMIT)"'
+$(call object,src/core/commit.c): $(BUILD)/commit
+$(call object,src/core/commit.c): OWN := -DTS_COMMIT='"$(COMMIT)"'
 
+# OWN: flags of single objects. Not added to CPPFLAGS or OPT: what a user gives those on the command line cannot be added to.
 $(BUILD)/obj/%.c.o: %.c $(BUILD)/flags
 	$(call say,CC,$<)
 	$(Q)mkdir -p $(@D)
-	$(Q)$(CC) $(C_FLAGS) $(CPP_LIBS) $(KNOWS) -c $< -o $@
+	$(Q)$(CC) $(C_FLAGS) $(CPP_LIBS) $(OWN) -c $< -o $@
 
 $(BUILD)/obj/%.cc.o: %.cc $(BUILD)/flags
 	$(call say,CXX,$<)
@@ -197,7 +200,7 @@ test-long:
 tests: $(TESTS) $(BUILD)/touchstone-core
 
 # Most of them run for less time than -O3 takes to compile them.
-$(BUILD)/obj/tests/%: OPT += -O1
+$(BUILD)/obj/tests/%: OWN := -O1
 $(BUILD)/tests/%: $(BUILD)/obj/tests/%.c.o $(BUILD)/libtouchstone.a | $(BUILD)/libtouchstone-image.so
 	$(call say,LINK,$@)
 	$(Q)mkdir -p $(@D)
@@ -265,7 +268,8 @@ clean:
 
 ##   help               this list
 help:
-	@echo "make [TARGET] [config=release|debug|native|asan|ubsan|tsan|fuzz|coverage] [CC= CXX= CFLAGS= OPT= V=1 JOBS=N]"
+	@echo "make [TARGET] [config=release|debug|native|asan|ubsan|tsan|fuzz|coverage] [CC= CXX= CPPFLAGS= CFLAGS= CXXFLAGS= LDFLAGS= OPT=]"
+	@echo "     [WERROR=1 V=1 JOBS=N]"
 	@sed -n 's/^##//p' $(firstword $(MAKEFILE_LIST))
 
 FORCE:
