@@ -7,7 +7,7 @@ enum { SPEC_BYTES = 4096 };
 
 static ts_status each_model(const char *list, ts_report *report, ts_bench_scene *each, void *user)
 {
-	const char *folder = getenv("TS_SCENES") != NULL ? getenv("TS_SCENES") : "../shared/scenes";
+	const char *folder = getenv("TS_SCENES") != NULL ? getenv("TS_SCENES") : "scenes";
 	char item[64], path[SPEC_BYTES];
 	ts_status status = TS_OK;
 	while (status == TS_OK && ts_cli_item(&list, item, sizeof item)) {

@@ -38,7 +38,7 @@ const ts_command ts_command_table[] = {
 	  "paper epr-1 (shading operations), epr-2 (times, points and errors), epr-3 (omnidirectional shadows). The paper's\n"
 	  "figures stand below ours, and behind them what must hold, and whether it does. Their GPU's times are not ours:\n"
 	  "compare ratios. Errors of epr-2 are against truth C unless --truth says otherwise. Models of ivir-1 and of SSAGH\n"
-	  "are in the folder TS_SCENES (../shared/scenes). epr-6: speed against accuracy, as density, sampling and faces\n"
+	  "are in the folder TS_SCENES (scenes). epr-6: speed against accuracy, as density, sampling and faces\n"
 	  "vary, of one scene (atrium) with one number of mirrors (10). Of the SSAGH paper ssagh-1 (frames a second, by size;\n"
 	  "--objects takes sizes, WxH), ssagh-segments (labels of its algorithm 1 beside connected components), and ssagh-5\n"
 	  "(its curves c and s) and ssagh-7 (errors of integrals with the cosine), which need no scene. Of the MegaViews\n"

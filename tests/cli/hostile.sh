@@ -4,7 +4,7 @@
 # leaves its folder or nothing. Every twelfth also by MegaViews, whose parameters are taken to their ends and beyond.
 # tests/scene/hostile.c loads every file.
 . "$(dirname "$0")/tap.bash"
-hostile=$(realpath -m "${TS_SCENES:-../shared/scenes}")/hostile
+hostile=$(realpath -m "${TS_SCENES:-scenes}")/hostile
 if [ ! -r "$hostile/manifest.tsv" ]; then
 	echo "1..0 # skip $hostile is absent; set TS_SCENES"
 	exit 0

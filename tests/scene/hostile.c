@@ -12,6 +12,7 @@
 #include <unistd.h>
 #include "../../src/core/core.h"
 #include "../../src/scene/scene.h"
+#include "folder.h"
 
 #if defined(__SANITIZE_ADDRESS__)
 #define LIMIT_MEMORY 0
@@ -22,12 +23,6 @@
 typedef struct {
 	unsigned loaded, refused, wrong;
 } tally;
-
-static const char *scenes_folder(void)
-{
-	const char *folder = getenv("TS_SCENES");
-	return folder ? folder : "../shared/scenes";
-}
 
 static FILE *open_list(const char *name)
 {
@@ -111,7 +106,7 @@ static void test_validator(void **state)
 	assert_int_equal(walk("hostile/khronos-validator/expected.tsv", "hostile/khronos-validator").wrong, 0);
 }
 
-/* Of scenes/README.md. */
+/* The good scenes beside the corpus, as far as they are there. */
 static void test_good_scenes(void **state)
 {
 	static const struct {
@@ -150,13 +145,18 @@ static void test_good_scenes(void **state)
 	};
 	(void)state;
 	char path[4096];
-	fclose(open_list("README.md"));
+	u32 n = 0;
 	for (size_t i = 0; i < sizeof good / sizeof good[0]; i++) {
 		u32 triangles;
 		snprintf(path, sizeof path, "%s/%s", scenes_folder(), good[i].file);
 		if (access(path, R_OK) != 0) continue;
+		n++;
 		if (!load(path, &triangles)) fail_msg("%s", ts_error_message());
 		if (triangles != good[i].triangles) fail_msg("%s: %u triangles of %u", path, triangles, good[i].triangles);
+	}
+	if (n == 0) {
+		print_message("%s has none of them; set TS_SCENES\n", scenes_folder());
+		skip();
 	}
 }
 

@@ -1,6 +1,7 @@
 /* Surfels against rays through the middles of pixels: no pixel whose ray meets a surfel shows the sky, and nothing is
  * blended that lies farther behind the nearest than epsilon. Of balls, and of the dragon in $TS_SCENES at full size. */
 #include "../pipelines/surfels.h"
+#include "../scene/folder.h"
 #include "../../src/truth/discs.h"
 
 #define ROUNDING 0x1p-20 /* of the distance: the kernels' depths are 32-bit floats */
@@ -113,8 +114,7 @@ static void test_dragon(void **state)
 	ts_params params = small_params(1920, 1080);
 	params.reflectors = 0;
 	params.eye = TS_EYE_OUTSIDE;
-	const char *folder = getenv("TS_SCENES");
-	snprintf(path, sizeof path, "%s/dragon_splats.glb", folder != NULL ? folder : ".");
+	snprintf(path, sizeof path, "%s/dragon_splats.glb", scenes_folder());
 	FILE *file = fopen(path, "rb");
 	if (file == NULL) {
 		print_message("%s is absent; set TS_SCENES\n", path);
