@@ -26,12 +26,21 @@ void ts_bench_head(ts_report *report, const ts_cli *cli, bool sized)
 	ts_report_run(report, cli);
 }
 
-ts_status ts_bench_truth(u32 *truths, const ts_cli *cli)
+ts_status ts_bench_truth(const ts_truth_kind **judge, const ts_cli *cli)
 {
-	*truths = ts_cli_given(cli, TS_OPT_TRUTH) ? cli->truths : TS_TRUTH_C;
-	if (ts_truths_check(truths, "reflections") != TS_OK) return TS_ERROR;
-	bool several = (*truths & (*truths - 1)) != 0;
-	return several ? ts_fail("bench: one truth is compared with, not several; write --truth=A, B, C or none") : TS_OK;
+	u32 truths;
+	char names[64];
+	*judge = NULL;
+	const char *typed = ts_cli_given(cli, TS_OPT_TRUTH) ? cli->truth : "C";
+	if (ts_truths_find(&truths, "reflections", typed) != TS_OK) return TS_ERROR;
+	if ((truths & (truths - 1)) != 0) {
+		ts_truths_list(names, sizeof names, "reflections", ", ");
+		return ts_fail("bench: one truth is compared with, not several; write --truth=%s or none", names);
+	}
+	const ts_truth_kind *kind = ts_truth_table;
+	while (truths != 0 && ts_truth_bit(kind) != truths) kind++;
+	*judge = truths != 0 ? kind : NULL;
+	return TS_OK;
 }
 
 #define FILES (TS_OPT_OUTPUT | TS_OPT_FORCE)

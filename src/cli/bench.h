@@ -36,8 +36,8 @@ void ts_bench_printed(ts_report *report);
 
 ts_status ts_bench_segments(const ts_cli *cli);
 ts_status ts_bench_sweep(const ts_cli *cli);
-/* The one truth that --truth names, C without it. */
-ts_status ts_bench_truth(u32 *truths, const ts_cli *cli);
+/* The one truth of reflections that --truth names, C without it; NULL: "none". */
+ts_status ts_bench_truth(const ts_truth_kind **judge, const ts_cli *cli);
 
 /* The one frame that these measure: --scene and --objects name one each. */
 const char *ts_bench_frame_spec(const ts_cli *cli);

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <touchstone/image.h>
 #include "bench_case.h"
+#include "truths.h"
 
 /* Whose image is taken. */
 typedef struct {
@@ -58,6 +59,7 @@ static ts_status open_scene(ts_bench_case *c)
 
 ts_status ts_bench_case_open(ts_bench_case *c, const char *spec, const ts_params *params)
 {
+	u32 truths = c->judge != NULL ? ts_truth_bit(c->judge) : 0;
 	c->spec = spec;
 	c->params = *params;
 	ts_status status = open_scene(c);
@@ -69,7 +71,7 @@ ts_status ts_bench_case_open(ts_bench_case *c, const char *spec, const ts_params
 		if (c->methods[v] != NULL && c->methods[v]->only_named && c->hurried) c->methods[v] = NULL;
 		if (c->methods[v] == NULL) continue;
 		status = ts_bench_case_params(&own, c, v);
-		if (status == TS_OK) status = ts_measure_estimate(&bytes, &c->methods[v], 1, c->truths, c->scene, &own);
+		if (status == TS_OK) status = ts_measure_estimate(&bytes, &c->methods[v], 1, truths, c->scene, &own);
 	}
 	return status;
 }
@@ -90,19 +92,16 @@ static double empty_share(const ts_run *run)
 	return (double)empty / (double)all;
 }
 
-/* Truths A and B start from what EPR left. */
+/* With the truth that starts from the run. */
 static ts_status take_image(ts_run *run, void *user)
 {
 	seen *s = user;
 	ts_bench_case *c = s->c;
-	u32 rays = c->truths & (TS_TRUTH_A | TS_TRUTH_B);
-	const char *method = c->methods[s->variant]->name;
-	ts_status status = ts_picture_take(&c->images[s->variant], method, run);
+	const ts_pipeline *method = c->methods[s->variant];
+	ts_status status = ts_picture_take(&c->images[s->variant], method->name, run);
 	c->empty[s->variant] = empty_share(run);
-	if (status == TS_OK && rays != 0 && c->truth.srgb == NULL && strcmp(method, "epr") == 0) {
-		status = ts_picture_truth(&c->truth, rays, run);
-	}
-	return status;
+	bool judges = c->judge != NULL && c->truth.srgb == NULL && ts_truth_starts_from(c->judge, method);
+	return status == TS_OK && judges ? ts_picture_truth(&c->truth, c->judge, run) : status;
 }
 
 static ts_status run_variant(ts_bench_case *c, u32 v, bool first)
@@ -124,8 +123,8 @@ ts_status ts_bench_case_run(ts_bench_case *c, u32 run)
 		bool runs = c->methods[v] != NULL && (run == 0 || c->variants[v].runs != TS_ONCE);
 		if (runs) status = run_variant(c, v, run == 0);
 	}
-	if (status == TS_OK && run == 0 && (c->truths & TS_TRUTH_C) != 0) {
-		status = ts_picture_truth_c(&c->truth, c->scene, &c->params, c->cli->how.threads);
+	if (status == TS_OK && run == 0 && c->judge != NULL && c->judge->radiance != NULL) {
+		status = ts_picture_truth_alone(&c->truth, c->judge, c->scene, &c->params, c->cli->how.threads);
 	}
 	return status;
 }

@@ -25,7 +25,7 @@ typedef struct {
 	const char *effect;
 	const ts_bench_variant *variants;   /* ended by one without a method */
 	u32 n_variants;
-	u32 truths;                         /* TS_TRUTH_*, at most one */
+	const ts_truth_kind *judge;         /* the truth that images are compared with; NULL: none */
 	const char *spec;                   /* of the scene */
 	ts_scene *scene;
 	ts_params params;

@@ -65,7 +65,7 @@ static double counted(const ts_measure *m, const char *name)
 
 static double rmse(const ts_bench_case *c, ts_figure_kind kind, u32 variant, u32 other)
 {
-	const ts_picture *image = &c->images[variant], *reference = c->truths != 0 ? &c->truth : &c->images[other];
+	const ts_picture *image = &c->images[variant], *reference = c->judge != NULL ? &c->truth : &c->images[other];
 	if (image->srgb == NULL || reference->srgb == NULL || image == reference) return NAN;
 	u32 width = c->params.width, height = c->params.height;
 	if (kind == TS_FIGURE_RELATIVE) {

@@ -10,7 +10,7 @@ enum { SPEC_BYTES = 4096 };
 typedef struct {
 	const ts_cli *cli;
 	const ts_paper_table *table;
-	u32 truths;
+	const ts_truth_kind *judge;
 	ts_paper_line *lines;
 	size_t n_lines, capacity;
 } work;
@@ -52,7 +52,7 @@ static ts_status measure_line(ts_paper_line *line, const work *w, const char *sp
 	c->cli = w->cli;
 	c->effect = w->table->effect;
 	c->variants = w->table->variants;
-	c->truths = w->truths;
+	c->judge = w->judge;
 	c->sampled = w->table->sampled;
 	c->hurried = w->table->most_long != 0 && line->objects > w->table->most_long;
 	snprintf(line->scene, sizeof line->scene, "%s", slash != NULL ? slash + 1 : spec);
@@ -150,7 +150,7 @@ static ts_status work_on(const ts_cli *cli, ts_report *report, const void *user)
 {
 	const ts_paper_table *table = user;
 	work w = { .cli = cli, .table = table };
-	ts_status status = table->judged ? ts_bench_truth(&w.truths, cli) : TS_OK;
+	ts_status status = table->judged ? ts_bench_truth(&w.judge, cli) : TS_OK;
 	ts_bench_head(report, cli, table->objects_head == NULL || table->objects_param != NULL);
 	report_variants(report, table);
 	if (status == TS_OK) status = measure_lines(&w, report);

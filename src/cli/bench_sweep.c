@@ -4,6 +4,7 @@
 #include <touchstone/image.h>
 #include "bench.h"
 #include "bench_case.h"
+#include "truths.h"
 
 /* A point of a curve: what is set for it, and its label. */
 typedef struct {
@@ -81,25 +82,23 @@ static ts_status measure(ts_plot_point *points, ts_bench_case *c)
 
 static ts_status write_plot(const ts_bench_case *c, const ts_plot_point *points)
 {
-	static const char names[] = "CAB";
 	char title[160], y_axis[64];
 	ts_plot plot = { .title = title, .x_axis = "whole frame, ms", .y_axis = y_axis, .points = points, .n_points = N_MARKS };
 	snprintf(title, sizeof title, "%.60s, %u mirrors, %u x %u (EPR: rho_scale; MVR: largest face)", c->scene->name,
 	         (unsigned)c->scene->info.n_reflectors, (unsigned)c->params.width, (unsigned)c->params.height);
-	snprintf(y_axis, sizeof y_axis, "RMSE to truth %c, grey levels", names[c->truths & 3]);
+	snprintf(y_axis, sizeof y_axis, "RMSE to truth %s, grey levels", c->judge->name);
 	for (u32 k = 0; k < sizeof curves / sizeof curves[0]; k++) plot.curves[plot.n_curves++] = curves[k];
 	return ts_bench_plot("epr_6.svg", &plot);
 }
 
 static ts_status work_on(const ts_cli *cli, ts_report *report, const void *user)
 {
-	(void)user;
 	ts_plot_point points[N_MARKS];
 	ts_params params;
 	ts_bench_case *c = ts_alloc_zero(1, sizeof *c, "a case");
 	ts_status status = c != NULL ? ts_bench_frame_params(&params, cli) : TS_ERROR;
 	if (status == TS_OK) {
-		*c = (ts_bench_case){ .cli = cli, .effect = "reflections", .variants = variants, .truths = cli->truths };
+		*c = (ts_bench_case){ .cli = cli, .effect = "reflections", .variants = variants, .judge = user };
 		status = ts_bench_case_open(c, ts_bench_frame_spec(cli), &params);
 	}
 	if (status == TS_OK) status = measure(points, c);
@@ -115,8 +114,10 @@ static ts_status work_on(const ts_cli *cli, ts_report *report, const void *user)
 
 ts_status ts_bench_sweep(const ts_cli *cli)
 {
-	ts_cli own = *cli;
-	ts_status status = ts_bench_truth(&own.truths, cli);
-	if (status == TS_OK && own.truths == 0) return ts_fail("bench epr-6: accuracy needs a truth; write --truth=A, B or C");
-	return status == TS_OK ? ts_bench_with_report(&own, work_on, NULL) : status;
+	const ts_truth_kind *judge;
+	char names[64];
+	if (ts_bench_truth(&judge, cli) != TS_OK) return TS_ERROR;
+	if (judge != NULL) return ts_bench_with_report(cli, work_on, judge);
+	ts_truths_list(names, sizeof names, "reflections", " or ");
+	return ts_fail("bench epr-6: accuracy needs a truth; write --truth=%s", names);
 }

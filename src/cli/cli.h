@@ -63,16 +63,6 @@
 #define TS_OPT_HELP TS_OPT(51)
 #define TS_OPT_FROM_MESH TS_OPT(52)
 
-/* Truths: their places in lists of all, and as bits of sets. */
-enum { TS_AT_A, TS_AT_B, TS_AT_C, TS_AT_SAMPLES, TS_AT_AREA, TS_AT_LIGHTS, TS_AT_BOUNCE, TS_AT_VPLS,
-	TS_AT_GLOW, TS_AT_DISCS, TS_AT_SURFACE, TS_N_TRUTHS };
-enum { TS_TRUTH_A = 1 << TS_AT_A, TS_TRUTH_B = 1 << TS_AT_B, TS_TRUTH_C = 1 << TS_AT_C,
-	TS_TRUTH_SAMPLES = 1 << TS_AT_SAMPLES, TS_TRUTH_AREA = 1 << TS_AT_AREA, TS_TRUTH_LIGHTS = 1 << TS_AT_LIGHTS,
-	TS_TRUTH_BOUNCE = 1 << TS_AT_BOUNCE, TS_TRUTH_VPLS = 1 << TS_AT_VPLS,
-	TS_TRUTH_GLOW = 1 << TS_AT_GLOW, TS_TRUTH_DISCS = 1 << TS_AT_DISCS, TS_TRUTH_SURFACE = 1 << TS_AT_SURFACE,
-	TS_TRUTHS_TRACED =
-		TS_TRUTH_SAMPLES | TS_TRUTH_AREA | TS_TRUTH_LIGHTS | TS_TRUTH_BOUNCE | TS_TRUTH_VPLS | TS_TRUTH_GLOW };
-
 enum { TS_MAX_ARGUMENTS = 2, TS_MAX_SWEEPS = 8, TS_SWEEP_TEXT = 48 };
 
 /* A parameter of which several values were typed. */
@@ -101,8 +91,7 @@ struct ts_cli {
 	u64 ulp, allow, triangle;
 	double abs, rel;
 	const char *reason, *reference_dir;
-	const char *check, *stage, *inputs;
-	u32 truths;                     /* TS_TRUTH_*, by ts_truths_parse */
+	const char *check, *stage, *inputs, *truth;
 	ts_how how;                     /* its backend is opened before the command runs */
 	double open_s;                  /* that this took, its arithmetic checked */
 	u32 runs;

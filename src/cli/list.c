@@ -4,6 +4,7 @@
 #include "../pipelines/pipeline.h"
 #include "cli.h"
 #include "table.h"
+#include "truths.h"
 
 static const ts_column stage_columns[] = { { "name", "stage", false }, { "kind", "kind", false },
 	{ "paper", "paper", false }, { "doc", "what", false }, { "writes", "writes", false }, { "reads", "reads", false },
@@ -14,6 +15,9 @@ static const ts_column param_columns[] = { { "name", "parameter", false }, { "de
 	{ "range", "range", false }, { "unit", "unit", false }, { "source", "source", false }, { "doc", "what", false }, { 0 } };
 static const ts_column method_columns[] = { { "name", "method", false }, { "effect", "effect", false },
 	{ "paper", "paper", false }, { "doc", "what", false }, { "stages", "stages", false }, { 0 } };
+static const ts_column truth_columns[] = { { "name", "truth", false }, { "effects", "effects", false },
+	{ "doc", "what its picture shows", false }, { "share", "error of the", false },
+	{ "against", "against", false }, { "against_share", "error of the", false }, { 0 } };
 static const ts_column backend_columns[] = { { "name", "backend", false }, { "index", "device", true },
 	{ "device", "name", false }, { "rounded", "divide, root", false }, { "denormals", "denormals", false },
 	{ "atomics", "64-bit atomics", false }, { "memory_mib", "MiB", true }, { "most_mib", "MiB a buffer", true }, { 0 } };
@@ -104,6 +108,20 @@ static ts_table list_methods(void)
 	return table;
 }
 
+static ts_table list_truths(void)
+{
+	ts_table table = ts_table_begin("truths", "", truth_columns);
+	for (const ts_truth_kind *kind = ts_truth_table; kind->name != NULL; kind++) {
+		ts_table_text(&table, kind->name);
+		ts_table_text(&table, kind->effects);
+		ts_table_text(&table, kind->doc);
+		ts_table_text(&table, kind->share);
+		ts_table_text(&table, kind->against);
+		ts_table_text(&table, kind->against_share);
+	}
+	return table;
+}
+
 static ts_table list_scenes(void)
 {
 	size_t n;
@@ -141,14 +159,27 @@ static const struct {
 	ts_table (*make)(void);
 } lists[] = {
 	{ "stages", list_stages }, { "buffers", list_buffers }, { "params", list_params },
-	{ "methods", list_methods }, { "scenes", list_scenes }, { "backends", list_backends },
+	{ "methods", list_methods }, { "truths", list_truths }, { "scenes", list_scenes }, { "backends", list_backends },
 };
+
+enum { N_LISTS = sizeof lists / sizeof lists[0] };
+
+static ts_status unknown(const char *name)
+{
+	char names[128] = "";
+	ts_nearest nearest = ts_nearest_begin(name);
+	for (size_t i = 0; i < N_LISTS; i++) {
+		size_t used = strlen(names);
+		const char *between = i == 0 ? "" : i + 1 < N_LISTS ? ", " : " and ";
+		snprintf(names + used, sizeof names - used, "%s%s", between, lists[i].name);
+		ts_nearest_offer(&nearest, lists[i].name);
+	}
+	return ts_fail("list: no table \"%s\"; the nearest is %s; there are %s", name, nearest.best, names);
+}
 
 ts_status ts_list_command(ts_cli *cli)
 {
-	ts_nearest nearest = ts_nearest_begin(cli->arguments[0]);
-	for (size_t i = 0; i < sizeof lists / sizeof lists[0]; i++) {
-		ts_nearest_offer(&nearest, lists[i].name);
+	for (size_t i = 0; i < N_LISTS; i++) {
 		if (strcmp(lists[i].name, cli->arguments[0]) == 0) {
 			ts_report report;
 			ts_report_begin(&report, ts_cli_given(cli, TS_OPT_JSON));
@@ -157,6 +188,5 @@ ts_status ts_list_command(ts_cli *cli)
 			return ts_report_end(&report);
 		}
 	}
-	return ts_fail("list: no table \"%s\"; the nearest is %s; there are stages, buffers, params, methods, scenes and "
-	               "backends", cli->arguments[0], nearest.best);
+	return unknown(cli->arguments[0]);
 }

@@ -31,7 +31,7 @@ const ts_command ts_command_table[] = {
 	  1, 1, TS_OPT_STAGE | TS_OPT_INPUTS | TS_OPT_THREADS | TS_OPT_OUTPUT | TS_OPT_JSON, ts_replay_command },
 	{ "info", "SCENE", "what was loaded, and what in the file was not understood", "",
 	  1, 1, WHERE | TS_OPT_JSON, ts_info_command },
-	{ "list", "WHAT", "tables: stages, buffers, params, methods, scenes or backends", "",
+	{ "list", "WHAT", "tables: stages, buffers, params, methods, truths, scenes or backends", "",
 	  1, 1, TS_OPT_JSON, ts_list_command },
 	{ "bench", "TABLE", "the papers' tables, measured here; and what the backends take",
 	  "TABLE: of the iVIR paper ivir-1 (soft shadows), ivir-2 (reflections), ivir-3 (omnidirectional shadows); of the EPR\n"

@@ -97,15 +97,22 @@ static void keep(ts_measure *m, const ts_run *run)
 	m->peak_bytes = run->frame.peak_bytes;
 }
 
-/* What truths A and B, the mask of reflective pixels and the counts of lit ones and of empty texels are made of after the
- * run. */
-static void keep_for_truths(ts_run *run)
+static void keep_buffers(ts_run *run, const ts_buffer_id *ids)
 {
-	static const ts_buffer_id ids[] = { TS_B_eye_view, TS_B_pose_vertex, TS_B_resize_face, TS_B_eye_depth_triangle,
-		TS_B_blend_heaviest, TS_B_pixel_offset, TS_B_pixel_record, TS_B_lookup_point, TS_B_shade_radiance,
-		TS_B_lamp_shape, TS_B_resolve_lit, TS_B_view_octree_node, TS_B_fuse_depth };
+	for (; *ids != TS_N_BUFFERS; ids++) run->keep[*ids] = true;
+}
+
+/* What is looked at after the run: by truths that start from it, and for pictures, the mask of reflective pixels, and
+ * the counts of lit ones and of empty texels. */
+static void keep_for_after(ts_run *run)
+{
+	static const ts_buffer_id ids[] = { TS_B_eye_depth_triangle, TS_B_blend_heaviest, TS_B_pixel_record,
+		TS_B_lamp_shape, TS_B_resolve_lit, TS_B_view_octree_node, TS_B_fuse_depth, TS_N_BUFFERS };
 	run->lean = true;
-	for (u32 i = 0; i < sizeof ids / sizeof ids[0]; i++) run->keep[ids[i]] = true;
+	keep_buffers(run, ids);
+	for (const ts_truth_kind *kind = ts_truth_table; kind->name != NULL; kind++) {
+		if (kind->needs != NULL) keep_buffers(run, kind->needs);
+	}
 }
 
 ts_status ts_measure_run(ts_measure *measure, const ts_pipeline *method, const ts_scene *scene, const ts_params *params,
@@ -116,7 +123,7 @@ ts_status ts_measure_run(ts_measure *measure, const ts_pipeline *method, const t
 	ts_run run;
 	ts_run_begin(&run, scene, params, how->threads);
 	ts_run_how(&run, how);
-	keep_for_truths(&run);
+	keep_for_after(&run);
 	run.hook = after_stage;
 	run.hook_user = measure;
 	run.traced = measure->trace != NULL;
@@ -160,50 +167,6 @@ const ts_timing *ts_measure_timing(const ts_measure *measure, const char *stage)
 	return NULL;
 }
 
-static u64 larger(u64 a, u64 b) { return a > b ? a : b; }
-
-/* What truth C makes: MVR of a larger frame. */
-static u64 bytes_of_c(const ts_scene *scene, const ts_params *params)
-{
-	const ts_pipeline *mvr = ts_pipeline_find("reflections", "mvr");
-	ts_params big = *params;
-	big.width *= TS_TRUTH_C_FACTOR;
-	big.height *= TS_TRUTH_C_FACTOR;
-	big.face_max *= TS_TRUTH_C_FACTOR;
-	big.face_px *= TS_TRUTH_C_FACTOR;
-	return mvr != NULL ? ts_pipeline_estimate(mvr, scene, &big, true) : 0;
-}
-
-/* What truth `area` makes: views of all its samples, without their depth maps. */
-static u64 bytes_of_area(const ts_pipeline *method, const ts_scene *scene, const ts_params *params)
-{
-	static const ts_buffer_id ids[] = { TS_B_pose_vertex, TS_B_eye_depth_triangle, TS_B_resize_face, TS_B_offscreen_view,
-		TS_B_resolve_lit, TS_B_image_radiance, TS_B_image_srgb };
-	const ts_pipeline *mvr = ts_pipeline_find(method->effect, "mvr");
-	ts_sizes sizes = { .n = 0 };
-	ts_params many = *params;
-	u64 bytes = 0, views = (u64)params->area_samples * (params->lamp == TS_LAMP_SCENE ? scene->n_lights : 1);
-	many.light_samples = params->area_samples;
-	many.views = views < TS_NONE ? (u32)views : TS_NONE;
-	ts_run_sizes(&sizes, scene, &many);
-	if (mvr != NULL) mvr->expect(&sizes, scene, &many);
-	for (u32 i = 0; i < sizeof ids / sizeof ids[0]; i++) bytes += ts_pipeline_bytes(ids[i], &sizes);
-	return bytes;
-}
-
-/* What truths of surfels make before the mean of their pictures, and the tree of `discs`. */
-static u64 bytes_of_surfels(const ts_pipeline *method, const ts_scene *scene, const ts_params *params, u32 truths)
-{
-	static const ts_buffer_id ids[] = { TS_B_surfel_setup_disc, TS_B_gbuffer_pixel, TS_B_image_radiance, TS_B_image_srgb };
-	ts_sizes sizes = { .n = 0 };
-	ts_run_sizes(&sizes, scene, params);
-	method->expect(&sizes, scene, params);
-	u64 bytes = ts_pipeline_bytes(TS_B_image_radiance, &sizes);
-	for (u32 i = 0; i < sizeof ids / sizeof ids[0]; i++) bytes += ts_pipeline_bytes(ids[i], &sizes);
-	if (ts_shader_has_shadows(params)) bytes += ts_pipeline_bytes(TS_B_resolve_lit, &sizes);
-	return bytes + ((truths & TS_TRUTH_DISCS) != 0 ? (u64)TS_TRUTH_DISC_BYTES * scene->n_surfels : 0);
-}
-
 /* What takes most of a method's memory beside its image. */
 static const char *what_to_lower(const ts_pipeline *method, const ts_params *params, u64 bytes)
 {
@@ -216,6 +179,21 @@ static const char *what_to_lower(const ts_pipeline *method, const ts_params *par
 	return maps ? "levels, gather_level, view_px or vpls" : "grid_px or rsm_px";
 }
 
+/* The truth of `truths` that needs most memory; NULL if none needs more than *bytes, which becomes what is needed. */
+static const ts_truth_kind *largest_truth(u64 *bytes, u32 truths, const ts_pipeline *method, const ts_scene *scene,
+                                          const ts_params *params)
+{
+	const ts_truth_kind *largest = NULL;
+	for (u32 t = 0; ts_truth_table[t].name != NULL; t++) {
+		const ts_truth_kind *kind = &ts_truth_table[t];
+		if ((truths & 1u << t) == 0 || kind->bytes == NULL) continue;
+		u64 own = kind->bytes(method, scene, params);
+		largest = own > *bytes ? kind : largest;
+		*bytes = own > *bytes ? own : *bytes;
+	}
+	return largest;
+}
+
 ts_status ts_measure_estimate(u64 *bytes, const ts_pipeline *const *methods, u32 n_methods, u32 truths,
                               const ts_scene *scene, const ts_params *params)
 {
@@ -224,19 +202,15 @@ ts_status ts_measure_estimate(u64 *bytes, const ts_pipeline *const *methods, u32
 	for (u32 i = 0; i < n_methods; i++) {
 		u64 own = ts_pipeline_estimate(methods[i], scene, params, true);
 		largest = own > *bytes ? methods[i] : largest;
-		*bytes = larger(*bytes, own);
+		*bytes = own > *bytes ? own : *bytes;
 	}
-	if ((truths & TS_TRUTH_C) != 0) *bytes = larger(*bytes, bytes_of_c(scene, params));
-	bool rays = (truths & (TS_TRUTH_SAMPLES | TS_TRUTH_AREA)) != 0;
-	if (rays) *bytes = larger(*bytes, bytes_of_area(methods[0], scene, params));
-	bool surfels = (truths & (TS_TRUTH_DISCS | TS_TRUTH_SURFACE)) != 0;
-	if (surfels) *bytes = larger(*bytes, bytes_of_surfels(methods[0], scene, params, truths));
+	const ts_truth_kind *truth = largest_truth(bytes, truths, methods[0], scene, params);
 	u64 limit = ts_memory_limit();
 	if (*bytes > limit) {
 		return ts_fail("%s: needs about %.1f GB of memory and may use %.1f GB of this machine's %.1f GB; choose a smaller "
-		               "--size, %s%s", scene->name, (double)*bytes / 1e9, (double)limit / 1e9,
+		               "--size, %s%s%s", scene->name, (double)*bytes / 1e9, (double)limit / 1e9,
 		               (double)ts_memory_total() / 1e9, what_to_lower(largest, params, *bytes),
-		               (truths & TS_TRUTH_C) != 0 ? ", or no truth C" : "");
+		               truth != NULL ? ", or no truth " : "", truth != NULL ? truth->name : "");
 	}
 	return TS_OK;
 }

@@ -12,13 +12,9 @@
 const ts_option ts_option_table[] = {
 	{ TS_OPT_EFFECT, "effect", "EFFECT", "what is rendered (reflections)", "methods" },
 	{ TS_OPT_METHOD, "method", "NAME,...", "methods to run, or \"all\"; by default all but vir", "methods" },
-	{ TS_OPT_TRUTH, "truth", "[=NAME,...]", "ground truth to judge by. Of reflections: A rays from the cube's centre, B\n"
-	  "true reflections, C MVR at 4 times the resolution. Of shadows: samples, rays to the very\n"
-	  "samples of the lights, area, rays to as good as the whole lights. Of indirect: lights, the\n"
-	  "triangles of light as far as they are seen, bounce, paths. Of particles: glow, rays to each\n"
-	  "of them. Of surfels: discs, rays into them, surface, into what they are samples of.\n"
-	  "Without names each; \"none\".\n"
-	  "Also rays through off-screen texels, and those of lights' maps: holes, leaks, wrong depths", "" },
+	{ TS_OPT_TRUTH, "truth", "[=NAME,...]", "ground truth to judge by: those named, or without names each of the\n"
+	  "effect; \"none\". Also rays through off-screen texels, and those of lights' maps: holes,\n"
+	  "leaks, wrong depths", "truths" },
 	{ TS_OPT_SIZE, "size", "WxH", "size of the eye image in pixels", "" },
 	{ TS_OPT_FRAME, "frame", "K", "frame of the animation", "" },
 	{ TS_OPT_REFLECTORS, "reflectors", "N", "mirrors that are added to the scene", "" },
@@ -169,7 +165,7 @@ static ts_status take(ts_cli *cli, u64 bit, const char *text)
 	switch (bit) {
 	case TS_OPT_EFFECT: cli->effect = text; break;
 	case TS_OPT_METHOD: cli->method = text; break;
-	case TS_OPT_TRUTH: return ts_truths_parse(&cli->truths, text);
+	case TS_OPT_TRUTH: cli->truth = text; break;
 	case TS_OPT_SIZE: return ts_cli_size(&cli->params, text, "--size");
 	case TS_OPT_FRAME: return ts_params_set(&cli->params, "frame", text);
 	case TS_OPT_REFLECTORS: return ts_params_set(&cli->params, "reflectors", text);

@@ -1,11 +1,9 @@
 /* Pictures: of runs, and of the truths. */
 #include "picture.h"
-#include "truths.h"
+#include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include "../kernels/srgb.h"
-#include "../truth/truth.h"
-#include "cli.h"
 
 static void count_lit(ts_picture *picture, const ts_run *run)
 {
@@ -85,94 +83,65 @@ static ts_status count_missed(ts_picture *picture, ts_truth *tree, const ts_run 
 	return TS_OK;
 }
 
-ts_status ts_picture_truth(ts_picture *picture, u32 truth, ts_run *run)
+/* "truth-a", of the row's name. */
+static void name_truth(char *name, size_t bytes, const ts_truth_kind *kind)
+{
+	snprintf(name, bytes, "truth-%s", kind->name);
+	for (; *name != 0; name++) *name = (char)tolower(*name);
+}
+
+/* What it traces, shown by its stage. */
+static ts_status take_truth(ts_picture *picture, const ts_truth_kind *kind, ts_truth *tree, ts_run *run)
+{
+	double begin = ts_seconds();
+	char name[sizeof picture->name];
+	name_truth(name, sizeof name, kind);
+	ts_status status = kind->trace(tree, run);
+	if (status == TS_OK && kind->counts_missed) status = count_missed(picture, tree, run);
+	if (status == TS_OK) status = ts_run_stage(run, ts_stage_find(kind->image));
+	if (status == TS_OK) status = ts_frame_fetch(&run->frame);
+	if (status == TS_OK) status = ts_picture_take(picture, name, run);
+	picture->seconds = ts_seconds() - begin;
+	return status;
+}
+
+ts_status ts_picture_truth(ts_picture *picture, const ts_truth_kind *kind, ts_run *run)
 {
 	double begin = ts_seconds();
 	ts_truth *tree;
 	ts_status status = ts_truth_new(&tree, run);
-	if (status != TS_OK) return status;
-	status = truth == TS_TRUTH_A ? ts_truth_a(tree, run) : ts_truth_b(tree, run);
-	if (status == TS_OK && truth == TS_TRUTH_A) status = count_missed(picture, tree, run);
-	if (status == TS_OK) status = ts_run_stage(run, ts_stage_find("image"));
-	if (status == TS_OK) status = ts_frame_fetch(&run->frame);
-	if (status == TS_OK) status = ts_picture_take(picture, truth == TS_TRUTH_A ? "truth-a" : "truth-b", run);
+	if (status == TS_OK) status = take_truth(picture, kind, tree, run);
 	ts_truth_free(tree);
 	picture->seconds = ts_seconds() - begin;
 	return status;
 }
 
-ts_status ts_picture_truth_c(ts_picture *picture, const ts_scene *scene, const ts_params *params, u32 threads)
-{
-	double begin = ts_seconds();
-	f32 *radiance;
-	ts_status status = ts_truth_c(&radiance, scene, params, TS_TRUTH_C_FACTOR, threads);
-	if (status == TS_OK) status = ts_picture_make(picture, "truth-c", radiance, params);
-	picture->seconds = ts_seconds() - begin;
-	return status;
-}
-
-ts_status ts_picture_truth_surfels(ts_picture *picture, u32 at, const ts_scene *scene, const ts_params *params,
-                                   u32 threads)
-{
-	double begin = ts_seconds();
-	f32 *radiance;
-	ts_status status = at == TS_AT_DISCS ? ts_truth_discs(&radiance, scene, params, threads)
-	                                     : ts_truth_surface(&radiance, scene, params, threads);
-	if (status == TS_OK) status = ts_picture_make(picture, ts_truth_kinds[at].picture, radiance, params);
-	picture->seconds = ts_seconds() - begin;
-	return status;
-}
-
-enum { MOST_TRACED = 3 };
-
-/* Truths that start from a run of their own: their effects, what leads to them, and the stage that shows them. */
-typedef struct {
-	const char *of;
-	ts_status (*begin)(ts_run *run, const char *effect);
-	const char *image;
-	struct { u32 at; ts_status (*trace)(ts_truth *tree, ts_run *run); } truths[MOST_TRACED]; /* TS_AT_* */
-} traced;
-
-static const traced traced_truths[] = {
-	{ "shadows", ts_truth_shadow_begin, "shadow_image",
-	  { { TS_AT_SAMPLES, ts_truth_samples }, { TS_AT_AREA, ts_truth_area } } },
-	{ "indirect", ts_truth_indirect_begin, "indirect_image",
-	  { { TS_AT_LIGHTS, ts_truth_lights }, { TS_AT_BOUNCE, ts_truth_bounce }, { TS_AT_VPLS, ts_truth_vpls } } },
-	{ "particles", ts_truth_particles_begin, "indirect_image", { { TS_AT_GLOW, ts_truth_glow } } },
-};
-
-static const traced *traced_of(const char *effect)
-{
-	const traced *of = traced_truths;
-	while (strstr(effect, of->of) == NULL) of++;
-	return of;
-}
-
-/* One of them, and the picture from it. */
-static ts_status take_traced(ts_picture *picture, const traced *of, u32 k, ts_truth *tree, ts_run *run)
-{
-	double begin = ts_seconds();
-	ts_status status = of->truths[k].trace(tree, run);
-	if (status == TS_OK) status = ts_run_stage(run, ts_stage_find(of->image));
-	if (status == TS_OK) status = ts_picture_take(picture, ts_truth_kinds[of->truths[k].at].picture, run);
-	picture->seconds = ts_seconds() - begin;
-	return status;
-}
-
-ts_status ts_picture_truth_traced(ts_picture *pictures, u32 truths, const char *effect, const ts_scene *scene,
-                                  const ts_params *params, u32 threads)
+ts_status ts_picture_truths_begun(ts_picture pictures[], u32 truths, const ts_truth_kind *first, const char *effect,
+                                  const ts_scene *scene, const ts_params *params, u32 threads)
 {
 	ts_run run;
 	ts_truth *tree = NULL;
-	const traced *of = traced_of(effect);
 	ts_run_begin(&run, scene, params, threads);
-	ts_status status = of->begin(&run, effect);
+	ts_status status = first->begin(&run, effect);
 	if (status == TS_OK) status = ts_truth_new(&tree, &run);
-	for (u32 k = 0; k < MOST_TRACED && of->truths[k].trace != NULL && status == TS_OK; k++) {
-		u32 at = of->truths[k].at;
-		if ((truths & 1u << at) != 0) status = take_traced(&pictures[at], of, k, tree, &run);
+	for (u32 t = 0; ts_truth_table[t].name != NULL && status == TS_OK; t++) {
+		bool meant = (truths & 1u << t) != 0 && ts_truth_table[t].begin == first->begin;
+		if (meant) status = take_truth(&pictures[t], &ts_truth_table[t], tree, &run);
 	}
 	ts_truth_free(tree);
 	ts_run_end(&run);
+	return status;
+}
+
+ts_status ts_picture_truth_alone(ts_picture *picture, const ts_truth_kind *kind, const ts_scene *scene,
+                                 const ts_params *params, u32 threads)
+{
+	double begin = ts_seconds();
+	f32 *radiance;
+	char name[sizeof picture->name];
+	name_truth(name, sizeof name, kind);
+	ts_status status = kind->radiance(&radiance, scene, params, threads);
+	if (status == TS_OK) status = ts_picture_make(picture, name, radiance, params);
+	picture->seconds = ts_seconds() - begin;
 	return status;
 }

@@ -2,8 +2,7 @@
 #ifndef TS_CLI_PICTURE_H
 #define TS_CLI_PICTURE_H
 #include "../stages/stage.h"
-
-enum { TS_TRUTH_C_FACTOR = 4 };
+#include "../truth/table.h"
 
 /* Pixels of a picture with shadows: in sight; lit by all samples of all lights, by some, by none. */
 typedef struct { u64 seen, full, part, none; } ts_lit;
@@ -15,7 +14,7 @@ typedef struct {
 	u8 *srgb;
 	u8 *seen;        /* 1: the eye sees a surface, 0: the sky; NULL: not known */
 	double seconds;  /* that it took */
-	u64 n_hits, n_missed; /* of truth A: its rays that hit something, and EPR's look-ups that are empty there */
+	u64 n_hits, n_missed; /* of a truth that counts them: first rays that hit something, and look-ups empty there */
 	ts_lit lit;      /* of shadows */
 	u64 n_lamps, n_samples; /* lights, and samples of all of them */
 } ts_picture;
@@ -27,18 +26,14 @@ ts_status ts_picture_take(ts_picture *picture, const char *name, const ts_run *r
 ts_status ts_picture_make(ts_picture *picture, const char *name, f32 *radiance, const ts_params *params);
 void ts_picture_free(ts_picture *picture);
 
-/* Truths A, B (TS_TRUTH_* of cli.h) of an EPR run, into *picture; afterwards the run's image is the truth's. */
-ts_status ts_picture_truth(ts_picture *picture, u32 truth, ts_run *run);
-/* Truth C. */
-ts_status ts_picture_truth_c(ts_picture *picture, const ts_scene *scene, const ts_params *params, u32 threads);
-
-/* A truth of surfels, TS_AT_DISCS or TS_AT_SURFACE. */
-ts_status ts_picture_truth_surfels(ts_picture *picture, u32 at, const ts_scene *scene, const ts_params *params,
-                                   u32 threads);
-
-/* Truths of shadows or of indirect light, those of `truths` (TS_TRUTH_*), in a run of their own; into
- * pictures[TS_AT_*]. */
-ts_status ts_picture_truth_traced(ts_picture pictures[], u32 truths, const char *effect, const ts_scene *scene,
-                                  const ts_params *params, u32 threads);
+/* A truth that `trace` makes, in a run of a method that it starts from; afterwards the run's image is the truth's. */
+ts_status ts_picture_truth(ts_picture *picture, const ts_truth_kind *kind, ts_run *run);
+/* The truths of `truths` (bits of rows of ts_truth_table) that start as that row does, in one run of their own; into
+ * pictures at their rows. */
+ts_status ts_picture_truths_begun(ts_picture pictures[], u32 truths, const ts_truth_kind *first, const char *effect,
+                                  const ts_scene *scene, const ts_params *params, u32 threads);
+/* A truth that `radiance` makes. */
+ts_status ts_picture_truth_alone(ts_picture *picture, const ts_truth_kind *kind, const ts_scene *scene,
+                                 const ts_params *params, u32 threads);
 
 #endif

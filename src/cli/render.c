@@ -6,8 +6,6 @@
 #include "render_csv.h"
 #include "sweep.h"
 
-static bool wants(const ts_render *render, u32 truth) { return (render->cli->truths & truth) != 0; }
-
 static bool traces(const ts_cli *cli)
 {
 	return ts_cli_given(cli, TS_OPT_TRACE) || cli->trace_only != NULL || cli->crop != NULL ||
@@ -38,85 +36,37 @@ static ts_status take_mask(ts_render *render, const ts_run *run)
 	return render->mask != NULL ? TS_OK : TS_ERROR;
 }
 
-/* Truths A and B start from what EPR's eye pass left. */
-static ts_status take_truths(ts_run *run, void *user)
-{
-	ts_render *render = user;
-	ts_status status = TS_OK;
-	if (wants(render, TS_TRUTH_A)) {
-		ts_progress("truth A", 0, 1);
-		status = ts_picture_truth(&render->truths[TS_AT_A], TS_TRUTH_A, run);
-	}
-	if (status == TS_OK && wants(render, TS_TRUTH_B)) {
-		ts_progress("truth B", 0, 1);
-		status = ts_picture_truth(&render->truths[TS_AT_B], TS_TRUTH_B, run);
-	}
-	return status;
-}
-
 typedef struct {
 	ts_render *render;
-	u32 method;
+	const ts_pipeline *method;
+	u32 at;              /* its place in render->methods */
 } after_method;
 
 static ts_status take_picture(ts_run *run, void *user)
 {
 	after_method *after = user;
 	ts_render *render = after->render;
-	ts_picture *picture = &render->pictures[after->method];
-	const char *name = render->methods[after->method]->name;
-	ts_status status = ts_picture_take(picture, name, run);
-	picture->seconds = render->measures[after->method].seconds;
+	ts_picture *picture = &render->pictures[after->at];
+	ts_status status = ts_picture_take(picture, after->method->name, run);
+	picture->seconds = render->measures[after->at].seconds;
 	if (status == TS_OK) status = take_mask(render, run);
-	return status == TS_OK && strcmp(name, "epr") == 0 ? take_truths(run, render) : status;
-}
-
-/* Surfels of a file are samples of what is not known. */
-static bool has_surface(const ts_render *render) { return ts_truth_has_surface(render->scene, &render->cli->params); }
-
-/* Truths that a method's run has no part in. */
-static ts_status take_own_truths(ts_render *render)
-{
-	const ts_cli *cli = render->cli;
-	ts_status status = TS_OK;
-	if (wants(render, TS_TRUTH_C)) {
-		ts_progress("truth C", 0, 1);
-		status = ts_picture_truth_c(&render->truths[TS_AT_C], render->scene, &cli->params, cli->how.threads);
-	}
-	for (u32 at = TS_AT_DISCS; at <= TS_AT_SURFACE && status == TS_OK; at++) {
-		if (!wants(render, 1u << at) || (at == TS_AT_SURFACE && !has_surface(render))) continue;
-		status = ts_picture_truth_surfels(&render->truths[at], at, render->scene, &cli->params, cli->how.threads);
-	}
-	return status;
+	return status == TS_OK ? ts_render_truths_of(render, after->method, run) : status;
 }
 
 static ts_status run_all(ts_render *render)
 {
 	const ts_cli *cli = render->cli;
-	bool epr = false;
 	ts_status status = TS_OK;
 	for (u32 i = 0; i < render->n_methods && status == TS_OK; i++) {
-		after_method after = { render, i };
+		after_method after = { render, render->methods[i], i };
 		render->measures[i].pictures = ts_cli_given(cli, TS_OPT_NO_IMAGES) ? NULL : &render->stages[i];
-		render->measures[i].rays = cli->truths != 0;
+		render->measures[i].rays = render->truths_asked != 0;
 		render->measures[i].trace = traces(cli) ? &render->tracings[i].options : NULL;
 		render->measures[i].viewer = ts_cli_given(cli, TS_OPT_VIEWER) ? render->tracings[i].viewer : NULL;
-		epr |= strcmp(render->methods[i]->name, "epr") == 0;
 		status = ts_measure_run(&render->measures[i], render->methods[i], render->scene, &cli->params, &cli->how,
 		                        take_picture, &after);
 	}
-	if (status == TS_OK && !epr && (wants(render, TS_TRUTH_A) || wants(render, TS_TRUTH_B))) {
-		ts_measure unseen = { .pictures = NULL };
-		status = ts_measure_run(&unseen, ts_pipeline_find(render->effect, "epr"), render->scene, &cli->params,
-		                        &cli->how, take_truths, render);
-	}
-	if (status == TS_OK && wants(render, TS_TRUTHS_TRACED)) {
-		status = ts_picture_truth_traced(render->truths, cli->truths, render->effect, render->scene, &cli->params,
-		                                 cli->how.threads);
-	}
-	if (status == TS_OK) status = take_own_truths(render);
-	ts_progress("truth", 1, 1);
-	return status;
+	return status == TS_OK ? ts_render_truths_rest(render) : status;
 }
 
 static void compare(ts_render *render, const ts_picture *reference, const ts_picture *image, const char *share)
@@ -134,19 +84,25 @@ static void compare(ts_render *render, const ts_picture *reference, const ts_pic
 	}
 }
 
-/* Against A a method answers for its sampling alone; A against B is what the cube's centre costs every method. Against
- * rays to the samples of lights it answers for itself alone; these against the area are what sampling costs every method. */
+/* The truth of that name; NULL: it was not made, or "" names none. */
+static const ts_picture *truth_named(const ts_render *render, const char *name)
+{
+	u32 t = 0;
+	while (ts_truth_table[t].name != NULL && strcmp(ts_truth_table[t].name, name) != 0) t++;
+	return ts_truth_table[t].name != NULL ? &render->truths[t] : NULL;
+}
+
 static void compare_all(ts_render *render)
 {
-	for (u32 t = 0; t < TS_N_TRUTHS; t++) {
+	for (u32 t = 0; ts_truth_table[t].name != NULL; t++) {
 		for (u32 i = 0; i < render->n_methods; i++) {
-			compare(render, &render->truths[t], &render->pictures[i], ts_truth_kinds[t].share);
+			compare(render, &render->truths[t], &render->pictures[i], ts_truth_table[t].share);
 		}
 	}
-	compare(render, &render->truths[TS_AT_B], &render->truths[TS_AT_A], "method");
-	compare(render, &render->truths[TS_AT_AREA], &render->truths[TS_AT_SAMPLES], "sampling");
-	compare(render, &render->truths[TS_AT_BOUNCE], &render->truths[TS_AT_LIGHTS], "");
-	compare(render, &render->truths[TS_AT_SURFACE], &render->truths[TS_AT_DISCS], "sampling");
+	for (u32 t = 0; ts_truth_table[t].name != NULL; t++) {
+		const ts_picture *against = truth_named(render, ts_truth_table[t].against);
+		if (against != NULL) compare(render, against, &render->truths[t], ts_truth_table[t].against_share);
+	}
 	for (u32 i = 0; i < render->n_methods; i++) {
 		for (u32 j = i + 1; j < render->n_methods; j++) compare(render, &render->pictures[j], &render->pictures[i], "");
 	}
@@ -173,8 +129,8 @@ static ts_status open_scene(ts_render *render)
 	const char *spec = cli->n_arguments > 1 ? cli->arguments[1] : "atrium";
 	ts_status status = ts_scene_open(&render->scene, spec, &cli->params, &cli->scene);
 	if (status != TS_OK) return status;
-	return ts_measure_estimate(&render->estimate, render->methods, render->n_methods, cli->truths, render->scene,
-	                           &cli->params);
+	return ts_measure_estimate(&render->estimate, render->methods, render->n_methods, render->truths_asked,
+	                           render->scene, &cli->params);
 }
 
 static ts_status work(ts_render *render, ts_report *report)
@@ -184,10 +140,7 @@ static ts_status work(ts_render *render, ts_report *report)
 	if (status == TS_OK) status = prepare_traces(render);
 	if (status != TS_OK) return status;
 	ts_render_report_head(render, report);
-	if (wants(render, TS_TRUTH_SURFACE) && !has_surface(render)) {
-		ts_report_line(report, "truth surface: none; what the surfels of %s are samples of is not known",
-		               render->scene->name);
-	}
+	ts_render_truths_missing(render, report);
 	status = ts_report_print(report);
 	if (status == TS_OK) status = run_all(render);
 	if (status != TS_OK) return status;
@@ -205,7 +158,7 @@ static void release(ts_render *render)
 		ts_picture_free(&render->pictures[i]);
 		ts_stage_pictures_free(&render->stages[i]);
 	}
-	for (u32 t = 0; t < TS_N_TRUTHS; t++) ts_picture_free(&render->truths[t]);
+	for (u32 t = 0; t < TS_MAX_TRUTHS; t++) ts_picture_free(&render->truths[t]);
 	free(render->mask);
 	ts_scene_free(render->scene);
 	free(render);
@@ -236,12 +189,14 @@ static ts_status work_in_folder(ts_render *render, void *user)
 }
 
 /* A render whose method and truths are known, passed to `with`. */
-static ts_status with_render(const ts_cli *cli, ts_status (*with)(ts_render *render, void *user), void *user)
+static ts_status with_render(const ts_cli *cli, u32 truths, ts_status (*with)(ts_render *render, void *user),
+                             void *user)
 {
 	ts_render *render = ts_alloc_zero(1, sizeof *render, "a render");
 	if (render == NULL) return TS_ERROR;
 	render->cli = cli;
 	render->effect = cli->arguments[0];
+	render->truths_asked = truths;
 	ts_status status = ts_methods_find(render->methods, &render->n_methods, render->effect, cli->method);
 	if (status == TS_OK) status = with(render, user);
 	release(render);
@@ -258,7 +213,7 @@ static ts_status work_for_csv(ts_render *render, void *user)
 	return status;
 }
 
-static ts_status sweep(ts_cli *cli)
+static ts_status sweep(ts_cli *cli, u32 truths)
 {
 	ts_csv csv = { .sweep = &cli->sweep };
 	if (writes_files(cli) && cli->output != NULL) return ts_fail("-o: a sweep prints CSV and writes no files");
@@ -266,7 +221,7 @@ static ts_status sweep(ts_cli *cli)
 	cli->given |= TS_OPT_NO_IMAGES;
 	for (u32 i = 0; i < ts_sweep_count(&cli->sweep); i++) {
 		ts_status status = ts_sweep_set(&cli->sweep, i, &cli->params, csv.values);
-		if (status == TS_OK) status = with_render(cli, work_for_csv, &csv);
+		if (status == TS_OK) status = with_render(cli, truths, work_for_csv, &csv);
 		if (status != TS_OK) return status;
 	}
 	return TS_OK;
@@ -276,8 +231,9 @@ ts_status ts_render_command(ts_cli *cli)
 {
 	const char *effect = cli->arguments[0];
 	if (ts_selftest_require() != TS_OK || ts_effect_check(effect) != TS_OK) return TS_ERROR;
-	if (ts_truths_check(&cli->truths, effect) != TS_OK) return TS_ERROR;
+	u32 truths = 0;
+	if (ts_cli_given(cli, TS_OPT_TRUTH) && ts_truths_find(&truths, effect, cli->truth) != TS_OK) return TS_ERROR;
 	ts_measure_keep_memory();
 	ts_effect_params(cli, effect);
-	return cli->sweep.n > 0 ? sweep(cli) : with_render(cli, work_in_folder, NULL);
+	return cli->sweep.n > 0 ? sweep(cli, truths) : with_render(cli, truths, work_in_folder, NULL);
 }

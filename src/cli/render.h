@@ -30,13 +30,20 @@ typedef struct {
 	ts_stage_pictures stages[TS_MAX_METHODS];
 	ts_tracing tracings[TS_MAX_METHODS];
 	ts_picture pictures[TS_MAX_METHODS];   /* as methods */
-	ts_picture truths[TS_N_TRUTHS];        /* at TS_AT_*; those not asked for are empty */
+	u32 truths_asked;                      /* bits of rows of ts_truth_table */
+	ts_picture truths[TS_MAX_TRUTHS];      /* as that table; those not asked for are empty */
 	u8 *mask;                     /* 1: a reflective pixel; NULL: the effect has none */
 	u64 n_reflective;
 	ts_pair pairs[TS_MAX_PAIRS];
 	u32 n_pairs;
 } ts_render;
 
+/* Makes the truths asked for that start from a run of this method, if it is the one to start from. */
+ts_status ts_render_truths_of(ts_render *render, const ts_pipeline *method, ts_run *run);
+/* Makes those that are still missing, by a run of their own. */
+ts_status ts_render_truths_rest(ts_render *render);
+/* A line for each that the scene has none of. */
+void ts_render_truths_missing(const ts_render *render, ts_report *report);
 /* Pictures of differences are so many times as bright: 8, of indirect light 4, as in SSAGH's figure 8. */
 int ts_render_difference_scale(const ts_render *render);
 /* Writes all pictures by ts_folder_file. */

@@ -20,7 +20,7 @@ static void put_head(const ts_render *render, const ts_csv *csv)
 	printf("method,milliseconds");
 	if (render->mask != NULL) printf(",reflective_pixels");
 	for (u32 i = 0; counters[i] != NULL; i++) put_name(counters[i]);
-	for (u32 t = 0; t < TS_N_TRUTHS; t++) {
+	for (u32 t = 0; t < TS_MAX_TRUTHS; t++) {
 		const char *name = render->truths[t].name;
 		if (render->truths[t].srgb != NULL) printf(",rmse_%s", name);
 		if (render->truths[t].srgb != NULL && render->mask != NULL) printf(",reflective_rmse_%s", name);
@@ -32,7 +32,7 @@ static void put_errors(const ts_render *render, u32 method)
 {
 	for (u32 i = 0; i < render->n_pairs; i++) {
 		const ts_pair *pair = &render->pairs[i];
-		bool truth = pair->reference >= render->truths && pair->reference < render->truths + TS_N_TRUTHS;
+		bool truth = pair->reference >= render->truths && pair->reference < render->truths + TS_MAX_TRUTHS;
 		if (!truth || pair->image != &render->pictures[method]) continue;
 		printf(",%.6f", pair->all.rmse);
 		if (render->mask != NULL) printf(",%.6f", pair->reflective.rmse);

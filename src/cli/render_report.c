@@ -209,7 +209,7 @@ static void report_shadows(const ts_render *render, ts_report *report)
 		{ "none", "in shadow", true }, { 0 } };
 	ts_table table = ts_table_begin("shadows", "Shadows", columns);
 	for (u32 i = 0; i < render->n_methods; i++) lit_row(&table, &render->pictures[i]);
-	for (u32 t = 0; t < TS_N_TRUTHS; t++) lit_row(&table, &render->truths[t]);
+	for (u32 t = 0; t < TS_MAX_TRUTHS; t++) lit_row(&table, &render->truths[t]);
 	ts_report_line(report, "lights: %" PRIu64 "; a depth map has %u x %u texels", render->pictures[0].n_lamps,
 	               (unsigned)render->cli->params.map_px, (unsigned)render->cli->params.map_px);
 	ts_report_line(report, "%s", "");
@@ -230,6 +230,20 @@ static void metric_cells(ts_table *table, const ts_metrics *m)
 	ts_table_real(table, m->ssim, 5);
 }
 
+static void report_missed(const ts_render *render, ts_report *report)
+{
+	for (u32 t = 0; ts_truth_table[t].name != NULL; t++) {
+		const ts_picture *truth = &render->truths[t];
+		if (truth->n_hits == 0) continue;
+		double percent = 100.0 * (double)truth->n_missed / (double)truth->n_hits;
+		ts_report_line(report, "empty look-ups of EPR where a ray of truth %s hits: %" PRIu64 " of %" PRIu64 ", %.5f %%",
+		               ts_truth_table[t].name, truth->n_missed, truth->n_hits, percent);
+		ts_report_line(report, "%s", "");
+		ts_report_value(report, "hit_lookups", json_integer((json_int_t)truth->n_hits));
+		ts_report_value(report, "missed_lookups", json_integer((json_int_t)truth->n_missed));
+	}
+}
+
 static void report_metrics(const ts_render *render, ts_report *report)
 {
 #define METRICS \
@@ -240,15 +254,8 @@ static void report_metrics(const ts_render *render, ts_report *report)
 	static const ts_column masked[] = { METRICS, { "reflective_rmse", "refl. RMSE", true },
 		{ "reflective_psnr", "PSNR, dB", true }, { "reflective_ssim", "SSIM", true }, SHARE };
 	bool mask = render->mask != NULL;
-	const ts_picture *a = &render->truths[TS_AT_A];
 	if (render->n_pairs == 0) return;
-	if (a->n_hits > 0) {
-		ts_report_line(report, "empty look-ups of EPR where a ray of truth A hits: %" PRIu64 " of %" PRIu64 ", %.5f %%",
-		               a->n_missed, a->n_hits, 100.0 * (double)a->n_missed / (double)a->n_hits);
-		ts_report_line(report, "%s", "");
-		ts_report_value(report, "hit_lookups", json_integer((json_int_t)a->n_hits));
-		ts_report_value(report, "missed_lookups", json_integer((json_int_t)a->n_missed));
-	}
+	report_missed(render, report);
 	const char *title = mask ? "Metrics, in grey levels, over the image and over its reflective pixels"
 	                         : "Metrics, in grey levels; relative RMSE in radiance, by the mean, without the sky";
 	ts_table table = ts_table_begin("metrics", title, mask ? masked : plain);
@@ -286,10 +293,10 @@ static void report_pictures(const ts_render *render, ts_report *report)
 			picture_row(&table, name, render->stages[i].picture[k].caption);
 		}
 	}
-	for (u32 t = 0; t < TS_N_TRUTHS; t++) {
+	for (u32 t = 0; t < TS_MAX_TRUTHS; t++) {
 		if (render->truths[t].srgb != NULL) {
 			snprintf(name, sizeof name, "%s.png .exr", render->truths[t].name);
-			snprintf(what, sizeof what, "%s, in %.2f s", ts_truth_kinds[t].doc, render->truths[t].seconds);
+			snprintf(what, sizeof what, "%s, in %.2f s", ts_truth_table[t].doc, render->truths[t].seconds);
 			picture_row(&table, name, what);
 		}
 	}

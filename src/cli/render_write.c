@@ -68,7 +68,7 @@ ts_status ts_render_write(ts_render *render)
 		status = write_picture(&render->pictures[i], params);
 		if (status == TS_OK) status = write_stages(&render->stages[i], render->methods[i]->name);
 	}
-	for (u32 t = 0; t < TS_N_TRUTHS && status == TS_OK; t++) status = write_picture(&render->truths[t], params);
+	for (u32 t = 0; t < TS_MAX_TRUTHS && status == TS_OK; t++) status = write_picture(&render->truths[t], params);
 	for (u32 i = 0; i < render->n_pairs && status == TS_OK; i++) {
 		status = write_difference(&render->pairs[i], params, ts_render_difference_scale(render));
 	}

@@ -127,3 +127,19 @@ ts_status ts_truth_area(ts_truth *truth, ts_run *run)
 	}
 	return trace(truth, run, "truth area");
 }
+
+u64 ts_truth_shadow_bytes(const ts_pipeline *method, const ts_scene *scene, const ts_params *params)
+{
+	static const ts_buffer_id ids[] = { TS_B_pose_vertex, TS_B_eye_depth_triangle, TS_B_resize_face, TS_B_offscreen_view,
+		TS_B_resolve_lit, TS_B_image_radiance, TS_B_image_srgb };
+	const ts_pipeline *mvr = ts_pipeline_find(method->effect, "mvr");
+	ts_sizes sizes = { .n = 0 };
+	ts_params many = *params;
+	u64 bytes = 0, views = (u64)params->area_samples * (params->lamp == TS_LAMP_SCENE ? scene->n_lights : 1);
+	many.light_samples = params->area_samples;
+	many.views = views < TS_NONE ? (u32)views : TS_NONE;
+	ts_run_sizes(&sizes, scene, &many);
+	if (mvr != NULL) mvr->expect(&sizes, scene, &many);
+	for (u32 i = 0; i < sizeof ids / sizeof ids[0]; i++) bytes += ts_pipeline_bytes(ids[i], &sizes);
+	return bytes;
+}

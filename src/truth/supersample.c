@@ -77,3 +77,14 @@ ts_status ts_truth_c(f32 **radiance, const ts_scene *scene, const ts_params *par
 	ts_run_end(&run);
 	return status;
 }
+
+u64 ts_truth_c_bytes(const ts_pipeline *method, const ts_scene *scene, const ts_params *params)
+{
+	const ts_pipeline *mvr = ts_pipeline_find(method->effect, "mvr");
+	ts_params big = *params;
+	big.width *= TS_TRUTH_C_FACTOR;
+	big.height *= TS_TRUTH_C_FACTOR;
+	big.face_max *= TS_TRUTH_C_FACTOR;
+	big.face_px *= TS_TRUTH_C_FACTOR;
+	return mvr != NULL ? ts_pipeline_estimate(mvr, scene, &big, true) : 0;
+}

@@ -2,7 +2,7 @@
  * No result depends on threads. */
 #ifndef TS_TRUTH_TRUTH_H
 #define TS_TRUTH_TRUTH_H
-#include "../stages/stage.h"
+#include "../pipelines/pipeline.h"
 
 typedef struct ts_truth ts_truth;
 
@@ -28,6 +28,9 @@ ts_status ts_truth_hits(ts_truth *truth, const ts_run *run, u32 **hits);
  * in linear radiance down to width x height. *radiance: width * height * 3 floats, by free(). NULL on failure: a factor
  * that takes a parameter out of its range, or more memory than a run may use. */
 ts_status ts_truth_c(f32 **radiance, const ts_scene *scene, const ts_params *params, u32 factor, u32 threads);
+enum { TS_TRUTH_C_FACTOR = 4 }; /* of --truth=C */
+/* What it is estimated to need of memory at that factor. */
+u64 ts_truth_c_bytes(const ts_pipeline *method, const ts_scene *scene, const ts_params *params);
 
 /* Truth of shadows (shadow.c). Runs what comes before the first depth map of `effect`, soft-shadows or omni-shadows, in a
  * run that has just begun: pose, eye, lights and the views of their samples, the same for all methods. */
@@ -41,6 +44,8 @@ ts_status ts_truth_samples(ts_truth *truth, ts_run *run);
  * Afterwards lamp.shape, the views and the run's parameters are those of these samples. Fails without memory and beyond
  * 2^20 samples of all lights. */
 ts_status ts_truth_area(ts_truth *truth, ts_run *run);
+/* What `area` is estimated to need of memory: views of all its samples, without their depth maps. */
+u64 ts_truth_shadow_bytes(const ts_pipeline *method, const ts_scene *scene, const ts_params *params);
 
 /* Truth of indirect light (indirect.c). Runs what comes before `direct`, in a run that has just begun: pose, lights, what
  * they see, eye and G-buffer, the same for both methods. */
@@ -69,8 +74,9 @@ ts_status ts_truth_glow(ts_truth *truth, ts_run *run);
  * which must be known. *radiance: width * height * 3 floats, by free(). NULL on failure: no memory, or Embree's error. */
 ts_status ts_truth_discs(f32 **radiance, const ts_scene *scene, const ts_params *params, u32 threads);
 ts_status ts_truth_surface(f32 **radiance, const ts_scene *scene, const ts_params *params, u32 threads);
-/* What Embree's tree takes of memory for a surfel: 146 to 191 bytes of 300 000 to four million of them. */
-enum { TS_TRUTH_DISC_BYTES = 192 };
+/* What they are estimated to need of memory beside the mean of their pictures: a picture, and the tree of `discs`. */
+u64 ts_truth_discs_bytes(const ts_pipeline *method, const ts_scene *scene, const ts_params *params);
+u64 ts_truth_surface_bytes(const ts_pipeline *method, const ts_scene *scene, const ts_params *params);
 /* True if the surfels were sampled from the scene's triangles (params.from_mesh), or are the built-in checkerboard. */
 bool ts_truth_has_surface(const ts_scene *scene, const ts_params *params);
 

@@ -57,7 +57,7 @@ refuses 'of soft-shadows; there are samples and area' render soft-shadows --trut
 refuses 'of reflections; there are A, B and C' render reflections --truth=area
 refuses 'of reflections' bench epr-2 --truth=area
 refuses 'write --truth=samples,area' render omni-shadows --truth samples,area
-refuses 'samples and area of shadows' render omni-shadows --truth=sample
+refuses 'there are samples and area, or none' render omni-shadows --truth=sample
 refuses 'memory' render omni-shadows atrium:triangles=10000:texels=32 --set map_px=8192 --set pass=1024 --set light_samples=1024 \
 	--method mvr --no-images
 finish

@@ -16,7 +16,7 @@ prints '^c  *0  *[a-z]' list backends
 prints 'see: list backends' help render
 prints 'triangles' info atrium:triangles=10000 --reflectors 1
 
-for what in 'list stages' 'list buffers' 'list params' 'list methods' 'list scenes' 'list backends' help 'help render' \
+for what in 'list stages' 'list buffers' 'list params' 'list methods' 'list truths' 'list scenes' 'list backends' help 'help render' \
 	'help bench' 'info atrium:triangles=10000'; do
 	run $what
 	[ "$status" -eq 0 ] && awk 'length > 120 || / $/ { exit 1 }' "$scratch/stdout"
@@ -39,7 +39,7 @@ for i, key in enumerate(["name", "default", "range", "unit", "source", "doc"]):
 PY
 verdict $? 'wrapping loses nothing'
 
-for what in stages buffers params methods scenes backends; do
+for what in stages buffers params methods truths scenes backends; do
 	run list $what --json
 	python3 -c 'import json, sys; rows = json.load(open(sys.argv[1]))[sys.argv[2]]; assert all(r["name"] for r in rows) and rows' \
 		"$scratch/stdout" $what

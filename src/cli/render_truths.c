@@ -1,0 +1,94 @@
+/* The truths of a render. */
+#include "render.h"
+
+/* Whether the truth at that row was asked for and is not made yet. */
+static bool lacks(const ts_render *render, u32 truth)
+{
+	return (render->truths_asked & 1u << truth) != 0 && render->truths[truth].srgb == NULL;
+}
+
+/* The first chosen method, else the first of the effect, from whose run a truth starts; NULL: from none. */
+static const ts_pipeline *starts_from(const ts_render *render, const ts_truth_kind *kind)
+{
+	for (u32 i = 0; i < render->n_methods; i++) {
+		if (ts_truth_starts_from(kind, render->methods[i])) return render->methods[i];
+	}
+	for (const ts_pipeline *p = ts_pipeline_table; p->name != NULL; p++) {
+		if (strcmp(p->effect, render->effect) == 0 && ts_truth_starts_from(kind, p)) return p;
+	}
+	return NULL;
+}
+
+static void show_truth(const ts_truth_kind *kind)
+{
+	char label[32];
+	snprintf(label, sizeof label, "truth %s", kind->name);
+	ts_progress(label, 0, 1);
+}
+
+ts_status ts_render_truths_of(ts_render *render, const ts_pipeline *method, ts_run *run)
+{
+	ts_status status = TS_OK;
+	for (u32 t = 0; ts_truth_table[t].name != NULL && status == TS_OK; t++) {
+		const ts_truth_kind *kind = &ts_truth_table[t];
+		if (!lacks(render, t) || starts_from(render, kind) != method) continue;
+		show_truth(kind);
+		status = ts_picture_truth(&render->truths[t], kind, run);
+	}
+	return status;
+}
+
+static bool exists(const ts_render *render, const ts_truth_kind *kind)
+{
+	return kind->exists == NULL || kind->exists(render->scene, &render->cli->params);
+}
+
+typedef struct {
+	ts_render *render;
+	const ts_pipeline *method;
+} unseen;
+
+static ts_status take_after(ts_run *run, void *user)
+{
+	unseen *u = user;
+	return ts_render_truths_of(u->render, u->method, run);
+}
+
+static ts_status take_unseen(ts_render *render, const ts_pipeline *method)
+{
+	const ts_cli *cli = render->cli;
+	unseen u = { render, method };
+	ts_measure measure = { .pictures = NULL };
+	return ts_measure_run(&measure, method, render->scene, &cli->params, &cli->how, take_after, &u);
+}
+
+ts_status ts_render_truths_rest(ts_render *render)
+{
+	const ts_params *params = &render->cli->params;
+	u32 threads = render->cli->how.threads;
+	ts_status status = TS_OK;
+	for (u32 t = 0; ts_truth_table[t].name != NULL && status == TS_OK; t++) {
+		const ts_truth_kind *kind = &ts_truth_table[t];
+		if (!lacks(render, t) || !exists(render, kind)) continue;
+		show_truth(kind);
+		if (kind->radiance != NULL) {
+			status = ts_picture_truth_alone(&render->truths[t], kind, render->scene, params, threads);
+		} else if (kind->begin != NULL) {
+			status = ts_picture_truths_begun(render->truths, render->truths_asked, kind, render->effect, render->scene,
+			                                 params, threads);
+		} else {
+			status = take_unseen(render, starts_from(render, kind));
+		}
+	}
+	ts_progress("truth", 1, 1);
+	return status;
+}
+
+void ts_render_truths_missing(const ts_render *render, ts_report *report)
+{
+	for (u32 t = 0; ts_truth_table[t].name != NULL; t++) {
+		const ts_truth_kind *kind = &ts_truth_table[t];
+		if (!lacks(render, t) || exists(render, kind)) continue;
+		ts_report_line(report, "truth %s: none of %s; %s", kind->name, render->scene->name, kind->why_not);
+	}
+}

@@ -1,0 +1,98 @@
+/* The table of truths: every row can be made, in one way, of effects that there are. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <cmocka.h>
+#include <ctype.h>
+#include <string.h>
+#include "../../src/truth/table.h"
+
+static bool has_effect(const ts_truth_kind *kind, const char *effect)
+{
+	char text[128], *rest = NULL;
+	strncpy(text, kind->effects, sizeof text - 1);
+	text[sizeof text - 1] = 0;
+	for (char *word = strtok_r(text, " ", &rest); word != NULL; word = strtok_r(NULL, " ", &rest)) {
+		if (strcmp(word, effect) == 0) return true;
+	}
+	return false;
+}
+
+static void test_names(void **state)
+{
+	(void)state;
+	for (const ts_truth_kind *a = ts_truth_table; a->name != NULL; a++) {
+		assert_true(strlen(a->name) < 16 && strcmp(a->name, "none") != 0);
+		for (const char *c = a->name; *c != 0; c++) assert_true(isalpha((unsigned char)*c));
+		for (const ts_truth_kind *b = ts_truth_table; b < a; b++) assert_string_not_equal(a->name, b->name);
+	}
+}
+
+/* One of the three ways of table.h, and a stage that shows what is traced. */
+static void test_ways(void **state)
+{
+	(void)state;
+	for (const ts_truth_kind *kind = ts_truth_table; kind->name != NULL; kind++) {
+		assert_int_equal((kind->needs != NULL) + (kind->begin != NULL) + (kind->radiance != NULL), 1);
+		assert_int_equal(kind->trace != NULL, kind->radiance == NULL);
+		assert_int_equal(kind->image != NULL, kind->trace != NULL);
+		assert_int_equal(kind->exists != NULL, kind->why_not != NULL);
+		if (kind->image != NULL) assert_true(ts_stage_writes(ts_stage_find(kind->image), TS_B_image_srgb));
+	}
+}
+
+static void test_effects(void **state)
+{
+	(void)state;
+	for (const ts_pipeline *p = ts_pipeline_table; p->name != NULL; p++) {
+		u32 n = 0;
+		for (const ts_truth_kind *kind = ts_truth_table; kind->name != NULL; kind++) n += has_effect(kind, p->effect);
+		assert_true(n > 0);
+	}
+	for (const ts_truth_kind *kind = ts_truth_table; kind->name != NULL; kind++) {
+		size_t named = 1;
+		for (const char *c = kind->effects; *c != 0; c++) named += *c == ' ';
+		for (const ts_pipeline *p = ts_pipeline_table; p->name != NULL; p++) {
+			bool first = p == ts_pipeline_table || strcmp(p->effect, p[-1].effect) != 0;
+			if (first && has_effect(kind, p->effect)) named--;
+		}
+		assert_int_equal(named, 0);
+	}
+}
+
+static void test_against(void **state)
+{
+	(void)state;
+	for (const ts_truth_kind *kind = ts_truth_table; kind->name != NULL; kind++) {
+		const ts_truth_kind *other = ts_truth_table;
+		if (kind->against[0] == 0) continue;
+		while (other->name != NULL && strcmp(other->name, kind->against) != 0) other++;
+		assert_non_null(other->name);
+		assert_string_equal(other->effects, kind->effects);
+	}
+}
+
+/* What truths of reflections start from is EPR's, whichever methods run before it. */
+static void test_starts(void **state)
+{
+	(void)state;
+	u32 n = 0;
+	for (const ts_truth_kind *kind = ts_truth_table; kind->name != NULL; kind++) {
+		u32 n_methods = 0;
+		for (const ts_pipeline *p = ts_pipeline_table; p->name != NULL; p++) {
+			if (!has_effect(kind, p->effect) || !ts_truth_starts_from(kind, p)) continue;
+			assert_string_equal(p->name, "epr");
+			n_methods++;
+		}
+		assert_int_equal(n_methods, kind->needs != NULL);
+		n += n_methods;
+	}
+	assert_int_equal(n, 2);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = { cmocka_unit_test(test_names), cmocka_unit_test(test_ways),
+		cmocka_unit_test(test_effects), cmocka_unit_test(test_against), cmocka_unit_test(test_starts) };
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
