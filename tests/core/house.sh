@@ -1,0 +1,63 @@
+#!/bin/bash
+# The scripts that measure the tree see what they are for: arrows upward, changed digests, names in code. Prints TAP.
+set -u
+scripts=$(realpath scripts/house)
+export TOUCHSTONE=$(realpath "${TOUCHSTONE:-build/touchstone}")
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+n=0
+
+result() { # GOOD NAME
+	n=$((n + 1))
+	if [ "$1" -eq 0 ]; then
+		echo "ok $n - $2"
+	else
+		echo "not ok $n - $2"
+		sed 's/^/# /' "$folder/out"
+	fi
+}
+
+# gives STATUS TEXT NAME COMMAND...: the command's exit status, and a line that it prints.
+gives() {
+	local status=$1 text=$2 name=$3
+	shift 3
+	"$@" > "$folder/out" 2>&1
+	[ $? -eq "$status" ] && grep -qF -- "$text" "$folder/out"
+	result $? "$name"
+}
+
+gives 0 " 0 differences" "goldens have the digests of themselves" scripts/house/bits goldens reference
+cp -r reference "$folder/changed"
+sed -i '1s/^[0-9a-f]/x/' "$folder/changed/small-epr/SHA256SUMS"
+gives 1 "small-epr: scene.vertex was " "a digest that changed" scripts/house/bits goldens reference "$folder/changed"
+sed 's/\(-\)splat.tie/\1splat.equal/' reference/small-epr/SHA256SUMS > "$folder/changed/small-epr/SHA256SUMS"
+gives 1 "small-epr: splat.equal was not there" "a name that changed" scripts/house/bits goldens reference "$folder/changed"
+for case in reference/*/SHA256SUMS; do
+	sed 's/\(-\)splat.tie/\1splat.equal/; s/ [0-9]*-/ 99-/' "$case" > "$folder/changed/${case#reference/}"
+done
+echo 'RENAMED(buffer, "splat.tie", "splat.equal")' > "$folder/renamed.def"
+gives 0 " 0 differences" "a name of the table, and other numbers" \
+	env RENAMED="$folder/renamed.def" scripts/house/bits goldens reference "$folder/changed"
+mkdir "$folder/nothing"
+gives 1 "0 buffers" "nothing to compare" scripts/house/bits goldens "$folder/nothing" "$folder/nothing"
+
+mkdir -p "$folder"/tree/src/{core,trace,cli} "$folder"/tree/obj/src/{core,trace,cli}
+cd "$folder/tree" || exit
+echo '#include "../trace/b.h"' > src/core/a.h
+echo '#include "../core/a.h"' > src/trace/b.h
+printf 'int upper(void);\nint lower(void) { return upper(); }\n' > src/core/a.c
+printf 'int upper(void) { return 0; }\n' > src/cli/c.c
+for source in src/*/*.c; do ${CC:-gcc} -c "$source" -o "obj/$source.o"; done
+BUILD=. gives 1 "upward: core -> trace" "an include line that goes up a floor" "$scripts/rooms"
+BUILD=. gives 1 "circle: core trace" "rooms that include each other" "$scripts/rooms"
+BUILD=. gives 1 "src/core/a.c -> src/cli/c.c" "a symbol of a floor above" "$scripts/rooms" --files
+echo '#include "../core/a.h"' > src/cli/b.h
+rm src/trace/b.h src/core/a.c
+BUILD=. gives 0 "by symbol: 0 arrows" "rooms in order" "$scripts/rooms"
+
+printf 'bool epr = strcmp(method, "epr") == 0;\nbool eye = strcmp(stage->name, "eye") == 0;\n' > src/cli/d.c
+printf 'bool eye = strcmp(view, "eye") == 0;\n' >> src/cli/d.c
+gives 1 "2 names compared" "names of a method and a stage in code" "$scripts/named"
+rm src/cli/d.c
+gives 0 "0 names compared" "no names in code" "$scripts/named"
+echo "1..$n"
