@@ -107,21 +107,23 @@ static void report_scene(work *w, const char *spec, const u32 *swept, const u32 
 	w->joined += all.joined;
 }
 
-/* Labels by sweeps, then by components, of one depth image. */
-static ts_status segment(ts_run *run, u32 **swept)
+/* Labels by sweeps or by components; *labels by free(), NULL on failure. */
+static ts_status segment(u32 **labels, const work *w, const ts_scene *scene, const ts_params *params, u32 segmentation)
 {
+	ts_run run;
+	ts_params own = *params;
+	own.segmentation = segmentation;
+	*labels = NULL;
+	ts_run_begin(&run, scene, &own, w->cli->how.threads);
+	ts_run_how(&run, &w->cli->how);
 	ts_status status = TS_OK;
-	run->params.segmentation = TS_SEGMENTATION_SWEEPS;
-	for (u32 k = 0; stages[k] != NULL && status == TS_OK; k++) status = ts_run_stage(run, ts_stage_find(stages[k]));
-	if (status == TS_OK) status = ts_frame_fetch(&run->frame);
-	if (status != TS_OK) return status;
-	u64 n = ts_frame_n(&run->frame, TS_B_segment_label);
-	*swept = ts_alloc(n, sizeof **swept, "labels");
-	if (*swept == NULL) return TS_ERROR;
-	memcpy(*swept, ts_frame_data(&run->frame, TS_B_segment_label), n * sizeof **swept);
-	run->params.segmentation = TS_SEGMENTATION_COMPONENTS;
-	status = ts_run_stage(run, ts_stage_find("segment"));
-	return status == TS_OK ? ts_frame_fetch(&run->frame) : status;
+	for (u32 k = 0; stages[k] != NULL && status == TS_OK; k++) status = ts_run_stage(&run, ts_stage_find(stages[k]));
+	if (status == TS_OK) status = ts_frame_fetch(&run.frame);
+	u64 n = ts_frame_n(&run.frame, TS_B_segment_label);
+	if (status == TS_OK) *labels = ts_alloc(n, sizeof **labels, "labels");
+	if (*labels != NULL) memcpy(*labels, ts_frame_data(&run.frame, TS_B_segment_label), n * sizeof **labels);
+	ts_run_end(&run);
+	return *labels != NULL ? TS_OK : TS_ERROR;
 }
 
 static ts_status add_scene(void *user, const char *spec)
@@ -129,17 +131,13 @@ static ts_status add_scene(void *user, const char *spec)
 	work *w = user;
 	ts_scene *scene;
 	ts_params params = w->cli->params;
-	u32 *swept = NULL;
-	ts_run run;
+	u32 *swept = NULL, *exact = NULL;
 	if (ts_scene_open(&scene, spec, &params, &w->cli->scene) != TS_OK) return TS_ERROR;
-	ts_run_begin(&run, scene, &params, w->cli->how.threads);
-	ts_run_how(&run, &w->cli->how);
-	ts_status status = segment(&run, &swept);
-	if (status == TS_OK) {
-		report_scene(w, spec, swept, ts_frame_data(&run.frame, TS_B_segment_label), params.grid_px);
-	}
+	ts_status status = segment(&swept, w, scene, &params, TS_SEGMENTATION_SWEEPS);
+	if (status == TS_OK) status = segment(&exact, w, scene, &params, TS_SEGMENTATION_COMPONENTS);
+	if (status == TS_OK) report_scene(w, spec, swept, exact, params.grid_px);
 	free(swept);
-	ts_run_end(&run);
+	free(exact);
 	ts_scene_free(scene);
 	return status;
 }

@@ -27,7 +27,7 @@ static void show_progress(const ts_run *run, const ts_stage *stage, const char *
 	char label[64];
 	u64 done = (u64)(stage - ts_stage_table) + 1, total = done;
 	while (ts_stage_table[total - 1].name != NULL) total++;
-	if (run->n_units == run->all_units) {
+	if (run->n_units == run->plan.units) {
 		snprintf(label, sizeof label, "%s, after %s", method, stage->name);
 		ts_progress(label, done, total);
 	}

@@ -226,7 +226,7 @@ static ts_status take_depth(ts_stage_pictures *pictures, const ts_run *run)
 /* When the last batch has been resolved. */
 static ts_status take_lit(ts_stage_pictures *pictures, const ts_run *run)
 {
-	if (run->first_unit + run->n_units != run->all_units) return TS_OK;
+	if (run->first_unit + run->n_units != run->plan.units) return TS_OK;
 	ts_stage_picture *p = ts_stage_pictures_add(pictures, "lit", run->params.width, run->params.height, false);
 	if (p == NULL) return TS_ERROR;
 	const u32 *lit = ts_frame_data(&run->frame, TS_B_resolve_lit);

@@ -58,11 +58,12 @@ const ts_step ts_direct_steps[] = {
 	{0},
 };
 
-void ts_indirect_prepare(ts_run *run)
+void ts_indirect_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
 {
-	run->taps = 1;
-	run->fixed_face = run->params.rsm_px;
-	run->all_units = run->n_units = run->params.lamp == TS_LAMP_SCENE ? run->scene->n_lights : 1;
+	(void)request;
+	plan->lights.taps = 1;
+	plan->offscreen.side = params->rsm_px;
+	plan->units = plan->lights.own ? counts->lights : 1;
 }
 
 enum { BOXES_A_BLOCK = 8 };

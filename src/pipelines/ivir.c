@@ -77,18 +77,24 @@ const ts_step ts_ivir_omni_steps[] = {
 	{0},
 };
 
-void ts_ivir_prepare(ts_run *run) { run->rate = TS_RATE_IS_WATERTIGHT + run->params.rate; }
+static void set_rate(ts_plan *plan, const ts_params *params) { plan->points.rate = TS_RATE_IS_WATERTIGHT + params->rate; }
 
-void ts_ivir_soft_prepare(ts_run *run)
+void ts_ivir_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
 {
-	ts_ivir_prepare(run);
-	ts_soft_prepare(run);
+	(void)counts, (void)request;
+	set_rate(plan, params);
 }
 
-void ts_ivir_omni_prepare(ts_run *run)
+void ts_ivir_soft_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
 {
-	ts_ivir_prepare(run);
-	ts_omni_prepare(run);
+	set_rate(plan, params);
+	ts_soft_plan(plan, params, counts, request);
+}
+
+void ts_ivir_omni_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
+{
+	set_rate(plan, params);
+	ts_omni_plan(plan, params, counts, request);
 }
 
 /* All cubes' texels at once, one cube's mip chain. */

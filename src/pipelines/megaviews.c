@@ -121,7 +121,7 @@ static u64 expected_lit(u64 n_lights, u64 n) { return n_lights > 0 ? n_lights * 
 void ts_expect_views(ts_sizes *sizes, const ts_scene *scene, const ts_params *params, u64 n_lights, u64 n_places,
                      bool alone)
 {
-	u32 levels = params->levels, level = ts_gather_level_of(params, alone);
+	u32 levels = params->levels, level = ts_gather_level_of(params, params->view_field, alone);
 	u64 leaves = expected_nodes(levels), view_leaves = alone ? n_lights : expected_lit(n_places, leaves);
 	u64 lists = expected_nodes(level), n_pairs = lists * (alone ? n_lights : expected_lit(view_leaves, lists));
 	ts_pyramid pyramid = ts_view_pyramid(params);

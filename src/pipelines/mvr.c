@@ -23,11 +23,10 @@ const ts_step ts_mvr_steps[] = {
 	{0},
 };
 
-void ts_mvr_prepare(ts_run *run)
+void ts_mvr_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
 {
-	if (run->params.mvr_faces != TS_MVR_FACES_FIXED) return;
-	run->fixed_face = run->params.face_px != 0 ? run->params.face_px : run->params.face_max;
-	run->all_cubes = true;
+	(void)counts, (void)request;
+	if (params->mvr_faces == TS_MVR_FACES_FIXED) ts_plan_largest(plan, params);
 }
 
 const ts_step ts_mvr_soft_steps[] = {

@@ -84,19 +84,17 @@ const ts_step ts_bruteforce_particles_steps[] = {
 	{0},
 };
 
-void ts_particles_prepare(ts_run *run)
+void ts_particles_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
 {
-	run->params.view_field = TS_VIEW_FIELD_ALL;
-	run->all_units = run->n_units = 0;
+	(void)params, (void)counts, (void)request;
+	plan->units = 0;
 }
 
 static void expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params, bool alone)
 {
-	ts_params all = *params;
-	all.view_field = TS_VIEW_FIELD_ALL;
 	ts_sizes_views(sizes, 0);
 	ts_sizes_set(sizes, "B", 0);
-	ts_expect_views(sizes, scene, &all, params->particles, params->particles, alone);
+	ts_expect_views(sizes, scene, params, params->particles, params->particles, alone);
 }
 
 void ts_megaviews_particles_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params)

@@ -33,12 +33,13 @@ static u32 n_lights(const ts_scene *scene, const ts_params *params)
 	return params->lamp == TS_LAMP_SCENE ? scene->n_lights : 1;
 }
 
-void ts_pcss_prepare(ts_run *run)
+void ts_pcss_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
 {
-	run->taps = TS_N_FILTER;
-	run->fixed_face = run->params.map_px;
-	run->all_units = run->n_units = n_lights(run->scene, &run->params);
-	run->batch = run->params.pass;
+	(void)request;
+	plan->lights.taps = TS_N_FILTER;
+	plan->offscreen.side = params->map_px;
+	plan->units = plan->lights.own ? counts->lights : 1;
+	plan->batch = params->pass;
 }
 
 void ts_pcss_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params)

@@ -19,22 +19,33 @@ typedef struct {
 	bool each_batch;     /* neighbours with this mark run for one batch after the other */
 } ts_step;
 
-typedef struct {
+typedef void ts_planner(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request);
+
+typedef struct ts_pipeline {
 	const char *name;    /* as in --method */
 	const char *effect;  /* as in render EFFECT */
 	const char *paper;
 	const char *doc;
 	const ts_step *steps;            /* ended by a step without a stage */
-	void (*prepare)(ts_run *run);    /* settings that only this method has; may be NULL */
+	ts_planner *plan;                /* makes the default plan its own; may be NULL */
 	/* What the counts of views, points, pixels and texels (B U Q N C P P2 P3 of records.def) are expected to be, before
 	 * running; and "batches", how many are like that, and "work", bytes that stages take beside buffers. */
 	void (*expect)(ts_sizes *sizes, const ts_scene *scene, const ts_params *params);
 	bool only_named;                 /* runs where --method names it, for it takes long */
+	struct { const char *param, *value; } sets; /* a parameter that is this to the method, whatever was typed; or NULL */
 } ts_pipeline;
 
 /* All pipelines, ended by a row without a name. */
 extern const ts_pipeline ts_pipeline_table[];
 const ts_pipeline *ts_pipeline_find(const char *effect, const char *name);
+
+/* The parameters as the method takes them: what it sets itself is no longer what was typed. */
+ts_params ts_pipeline_params(const ts_pipeline *pipeline, const ts_params *typed);
+/* Makes the run's plan and its one batch of all units. Counts, of what a trace holds; NULL: of the run's scene, before the
+ * first stage. Request NULL: nothing. */
+void ts_pipeline_plan(const ts_pipeline *pipeline, ts_run *run, const ts_counts *counts, const ts_request *request);
+/* Sizes as far as they are known or expected before a run. */
+void ts_pipeline_expect(const ts_pipeline *pipeline, ts_sizes *sizes, const ts_scene *scene, const ts_params *typed);
 
 /* Runs every step; refused if the pipeline draws surfels (a stage of it reads them) and the scene has none, or if it draws
  * triangles and the scene has surfels only. A buffer lives until its last reader if run->lean is set, else to the end. */

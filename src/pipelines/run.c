@@ -56,10 +56,10 @@ static ts_status run_steps(const ts_step *step, const ts_step *end, ts_run *run)
 /* Batch after batch; a scene without reflectors is one empty batch. */
 static ts_status run_batches(const ts_pipeline *pipeline, const ts_step *step, const ts_step *end, ts_run *run)
 {
-	u32 n = run->all_units;
-	for (u32 first = 0; first == 0 || first < n; first += run->batch) {
+	u32 n = run->plan.units;
+	for (u32 first = 0; first == 0 || first < n; first += run->plan.batch) {
 		run->first_unit = first;
-		run->n_units = n - first < run->batch ? n - first : run->batch;
+		run->n_units = n - first < run->plan.batch ? n - first : run->plan.batch;
 		ts_progress(pipeline->name, first, n);
 		if (run_steps(step, end, run) != TS_OK) return TS_ERROR;
 	}
@@ -91,7 +91,7 @@ static ts_status check_scene(const ts_pipeline *pipeline, const ts_run *run)
 ts_status ts_pipeline_run(const ts_pipeline *pipeline, ts_run *run)
 {
 	if (check_scene(pipeline, run) != TS_OK) return TS_ERROR;
-	if (pipeline->prepare != NULL) pipeline->prepare(run);
+	ts_pipeline_plan(pipeline, run, NULL, NULL);
 	const ts_step *end;
 	for (const ts_step *step = pipeline->steps; step->stage != NULL; step = end) {
 		end = step_after(step);
@@ -149,8 +149,7 @@ static u64 bytes_at(const ts_pipeline *pipeline, const ts_step *step, const ts_p
 u64 ts_pipeline_estimate(const ts_pipeline *pipeline, const ts_scene *scene, const ts_params *params, bool lean)
 {
 	ts_sizes sizes = {.n = 0};
-	ts_run_sizes(&sizes, scene, params);
-	pipeline->expect(&sizes, scene, params);
+	ts_pipeline_expect(pipeline, &sizes, scene, params);
 	u64 peak = 0;
 	for (const ts_step *step = pipeline->steps; step->stage != NULL; step++) {
 		u64 bytes = bytes_at(pipeline, step, params, &sizes, lean);

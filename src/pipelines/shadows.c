@@ -1,21 +1,24 @@
 /* What all methods of soft and omnidirectional shadows share: batches of depth maps, and how large they are likely to be. */
 #include "pipelines.h"
 
-void ts_soft_prepare(ts_run *run)
+/* A view a sample, of all lights together. */
+void ts_soft_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
 {
-	run->all_units = run->n_units = run->params.views;
-	run->batch = run->params.pass;
-	run->fixed_face = run->params.map_px;
+	u32 n_lights = plan->lights.own ? counts->lights : 1;
+	plan->units = plan->lights.samples = request->samples != 0 ? request->samples * n_lights : params->views;
+	plan->batch = params->pass;
+	plan->offscreen.side = params->map_px;
 }
 
 /* Whole cubes in one pass over the geometry. */
 static u32 cubes_a_pass(const ts_params *params) { return params->pass < 12 ? 1 : params->pass / 6; }
 
-void ts_omni_prepare(ts_run *run)
+void ts_omni_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
 {
-	run->all_units = run->n_units = run->params.light_samples;
-	run->batch = cubes_a_pass(&run->params);
-	run->fixed_face = run->params.map_px;
+	(void)counts;
+	plan->units = plan->lights.samples = request->samples != 0 ? request->samples : params->light_samples;
+	plan->batch = cubes_a_pass(params);
+	plan->offscreen.side = params->map_px;
 }
 
 /* Two points for each small triangle, and four for each texel of the few views that a triangle's density comes from. */

@@ -43,18 +43,18 @@ const ts_step ts_surfels_steps[] = {
 	{0},
 };
 
-void ts_deferred_prepare(ts_run *run)
+void ts_deferred_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
 {
-	run->params.lamp = TS_LAMP_SCENE;
-	run->taps = 1;
-	run->fixed_face = run->params.map_px;
-	run->all_units = run->n_units = run->scene->n_lights;
+	(void)request;
+	plan->lights.taps = 1;
+	plan->offscreen.side = params->map_px;
+	plan->units = counts->lights;
 }
 
-void ts_ewa_prepare(ts_run *run)
+void ts_ewa_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
 {
-	ts_deferred_prepare(run);
-	run->exact_ewa = true;
+	ts_deferred_plan(plan, params, counts, request);
+	plan->surfels.exact = true;
 }
 
 void ts_surfels_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params)

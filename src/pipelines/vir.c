@@ -9,23 +9,23 @@
 #include "../kernels/view_density.h"
 #include "pipelines.h"
 
-void ts_vir_prepare(ts_run *run)
+void ts_vir_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
 {
-	run->rate = TS_RATE_IS_VIR;
-	run->fixed_face = run->params.face_px != 0 ? run->params.face_px : run->params.face_max;
-	run->all_cubes = true;
+	(void)counts, (void)request;
+	plan->points.rate = TS_RATE_IS_VIR;
+	ts_plan_largest(plan, params);
 }
 
-void ts_vir_soft_prepare(ts_run *run)
+void ts_vir_soft_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
 {
-	ts_vir_prepare(run);
-	ts_soft_prepare(run);
+	plan->points.rate = TS_RATE_IS_VIR;
+	ts_soft_plan(plan, params, counts, request);
 }
 
-void ts_vir_omni_prepare(ts_run *run)
+void ts_vir_omni_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
 {
-	ts_vir_prepare(run);
-	ts_omni_prepare(run);
+	plan->points.rate = TS_RATE_IS_VIR;
+	ts_omni_plan(plan, params, counts, request);
 }
 
 /* Nine points a texel: the corner's rate, 3, squared. */

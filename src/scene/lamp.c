@@ -118,19 +118,19 @@ static f32 cone_tangent(const ts_light *light)
 	return ts_sqrt(ts_max(1.0f - cosine * cosine, 0.0f)) / cosine;
 }
 
-static f32 tangent_of(const ts_light *light, const ts_params *params)
+static f32 tangent_of(const ts_light *light, const ts_lens *lens)
 {
-	bool own = params->lamp == TS_LAMP_SCENE && light->kind == TS_LIGHT_KIND_SPOT;
-	return ts_clamp(own ? cone_tangent(light) : half_tangent(params->lamp_fov), 0.015625f, WIDEST);
+	bool own = lens->own && light->kind == TS_LIGHT_KIND_SPOT;
+	return ts_clamp(own ? cone_tangent(light) : half_tangent(lens->fov), 0.015625f, WIDEST);
 }
 
 void ts_lamp_view(ts_offscreen *view, const ts_light *light, f32 radius, u32 k, u32 n, const ts_info *info,
-                  const ts_params *params)
+                  const ts_lens *lens)
 {
 	ts_v2 at = seed(k, n);
 	ts_v3 position = ts_load3(light->position);
 	memset(view, 0, sizeof *view);
-	view->width = view->height = params->map_px;
+	view->width = view->height = lens->side;
 	view->object = TS_NONE;
 	bool point = light->kind == TS_LIGHT_KIND_POINT;
 	ts_v3 back = point ? ts_normalize(ts_sub(position, lamp_target(info))) : ts_neg(ts_load3(light->direction));
@@ -139,7 +139,7 @@ void ts_lamp_view(ts_offscreen *view, const ts_light *light, f32 radius, u32 k, 
 		view_of_sun(view, a, at, radius, info);
 		return;
 	}
-	f32 tangent = tangent_of(light, params);
+	f32 tangent = tangent_of(light, lens);
 	set_axes(view, a);
 	ts_store3(view->eye, ts_mad(ts_mad(position, a.right, at.x * radius), a.up, at.y * radius));
 	view->near = ts_put(diagonal(ts_view_box(info)) * 0.0009765625f);
@@ -147,8 +147,7 @@ void ts_lamp_view(ts_offscreen *view, const ts_light *light, f32 radius, u32 k, 
 	view->reach[0] = view->reach[1] = ts_put(tangent);
 }
 
-void ts_lamp_cube(ts_face *cube, const ts_light *light, f32 radius, u32 k, u32 n, const ts_info *info,
-                  const ts_params *params)
+void ts_lamp_cube(ts_face *cube, const ts_light *light, f32 radius, u32 k, u32 n, const ts_info *info, u32 side)
 {
 	f32 y = n > 1 ? 1.0f - (2.0f * (f32)k + 1.0f) / (f32)n : 0.0f;
 	f32 r = n > 1 ? ts_sqrt(ts_max(1.0f - y * y, 0.0f)) : 0.0f, turns = TS_GOLDEN_TURN * (f32)k;
@@ -157,7 +156,7 @@ void ts_lamp_cube(ts_face *cube, const ts_light *light, f32 radius, u32 k, u32 n
 	memset(cube, 0, sizeof *cube);
 	cube->radius = ts_put(diagonal(ts_view_box(info)));
 	cube->near = ts_put(cube->radius * 0.0009765625f);
-	cube->n = params->map_px;
+	cube->n = side;
 	cube->object = TS_NONE;
 	ts_store3(cube->centre, centre);
 	ts_store3(cube->box_min, centre);

@@ -15,16 +15,22 @@ void ts_lamp_spot(ts_light *light, const ts_info *info, const ts_params *params)
  * it. */
 void ts_lamp_ball(ts_light *light, const ts_info *info, const ts_params *params);
 
+/* What a depth map shows of a light. */
+typedef struct {
+	u32 side;  /* texels */
+	f32 fov;   /* degrees */
+	bool own;  /* spot lights as wide as their cone, instead */
+} ts_lens;
+
 /* How far samples lie from the middle of a light: world units; of a sun the tangent of its angular radius. */
 f32 ts_lamp_radius(const ts_light *light, const ts_info *info, const ts_params *params);
 
 /* The depth map of sample k of n of a light, without its offset: on a disc across the light's direction, in the order of a
- * sunflower's seeds; one sample alone lies in the middle. Of spot lights as wide as their cone, of suns orthographic
- * and as wide as the scene. A point light looks at the middle of the hall. */
+ * sunflower's seeds; one sample alone lies in the middle. Of suns orthographic and as wide as
+ * the scene. A point light looks at the middle of the hall. */
 void ts_lamp_view(ts_offscreen *view, const ts_light *light, f32 radius, u32 k, u32 n, const ts_info *info,
-                  const ts_params *params);
-/* The cube of sample k of n of a point light, without its offset: on a ball. */
-void ts_lamp_cube(ts_face *cube, const ts_light *light, f32 radius, u32 k, u32 n, const ts_info *info,
-                  const ts_params *params);
+                  const ts_lens *lens);
+/* The cube of sample k of n of a point light, of `side` texels, without its offset: on a ball. */
+void ts_lamp_cube(ts_face *cube, const ts_light *light, f32 radius, u32 k, u32 n, const ts_info *info, u32 side);
 
 #endif

@@ -4,7 +4,7 @@
 /* Samples a pixel a side; the pixels of iVIR and VIR are samples. */
 static f32 cull_unit(const ts_run *run)
 {
-	bool eye = run->rate == TS_RATE_IS_EYE && run->params.cull_unit == TS_CULL_EYE;
+	bool eye = run->plan.points.rate == TS_RATE_IS_EYE && run->params.cull_unit == TS_CULL_EYE;
 	return eye ? ts_samples_a_pixel(&run->params) : 1.0f;
 }
 

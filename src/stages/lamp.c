@@ -21,22 +21,22 @@ ts_status ts_stage_lamp(ts_run *run)
 {
 	ts_light *lights;
 	ts_lamp *lamps;
-	bool own = run->params.lamp == TS_LAMP_SCENE;
-	u32 n = own ? run->scene->n_lights : 1, views = run->params.views, first = 0;
+	bool own = run->plan.lights.own;
+	u32 n = own ? run->scene->n_lights : 1, views = run->plan.lights.samples, taps = run->plan.lights.taps, first = 0;
 	if (n == 0) return ts_fail("lamp=scene: the scene has no lights; lamp=lamp would be right");
-	if (views < n && run->taps == 0) {
+	if (views < n && taps == 0) {
 		return ts_fail("views=%" PRIu32 ": at least %" PRIu32 ", one a light, would be right", views, n);
 	}
 	if (make_lamps(run, n, &lights, &lamps) != TS_OK) return TS_ERROR;
 	const ts_light *from = ts_frame_data(&run->frame, TS_B_scene_light);
 	for (u32 i = 0; i < n; i++) {
-		u32 own_views = run->taps != 0 ? 1 : views / n + (i < views % n);
+		u32 own_views = taps != 0 ? 1 : views / n + (i < views % n);
 		if (own) {
 			lights[i] = from[i];
 		} else {
 			ts_lamp_spot(&lights[i], ts_run_info(run), &run->params);
 		}
-		set_shape(&lamps[i], run, &lights[i], first, run->taps != 0 ? run->taps : own_views);
+		set_shape(&lamps[i], run, &lights[i], first, taps != 0 ? taps : own_views);
 		first += own_views;
 	}
 	return TS_OK;
@@ -48,22 +48,28 @@ ts_status ts_stage_lamp_ball(ts_run *run)
 	ts_lamp *lamp;
 	if (make_lamps(run, 1, &light, &lamp) != TS_OK) return TS_ERROR;
 	ts_lamp_ball(light, ts_run_info(run), &run->params);
-	set_shape(lamp, run, light, 0, run->params.light_samples);
+	set_shape(lamp, run, light, 0, run->plan.lights.samples);
 	return TS_OK;
+}
+
+static ts_lens lens_of(const ts_run *run)
+{
+	return (ts_lens){.side = run->plan.offscreen.side, .fov = run->params.lamp_fov, .own = run->plan.lights.own};
 }
 
 ts_status ts_stage_lamp_view(ts_run *run)
 {
+	ts_lens lens = lens_of(run);
 	u64 n_lamps = ts_frame_n(&run->frame, TS_B_lamp_light), offset = 0;
 	const ts_light *lights = ts_frame_data(&run->frame, TS_B_lamp_light);
 	const ts_lamp *lamps = ts_frame_data(&run->frame, TS_B_lamp_shape);
-	ts_offscreen *views = ts_frame_make1(&run->frame, TS_B_offscreen_view, run->all_units);
+	ts_offscreen *views = ts_frame_make1(&run->frame, TS_B_offscreen_view, run->plan.units);
 	if (views == NULL) return TS_ERROR;
 	for (u32 i = 0; i < n_lamps; i++) {
-		u32 n = run->taps != 0 ? 1 : lamps[i].samples;
+		u32 n = run->plan.lights.taps != 0 ? 1 : lamps[i].samples;
 		for (u32 k = 0; k < n; k++) {
 			ts_offscreen *view = &views[lamps[i].first + k];
-			ts_lamp_view(view, &lights[i], lamps[i].radius, k, n, ts_run_info(run), &run->params);
+			ts_lamp_view(view, &lights[i], lamps[i].radius, k, n, ts_run_info(run), &lens);
 			view->light = i;
 			view->offset = offset;
 			offset += (u64)view->width * view->height;
@@ -74,13 +80,13 @@ ts_status ts_stage_lamp_view(ts_run *run)
 
 ts_status ts_stage_lamp_cube(ts_run *run)
 {
-	u32 n = run->all_units;
+	u32 n = run->plan.units;
 	const ts_light *light = ts_frame_data(&run->frame, TS_B_lamp_light);
 	const ts_lamp *lamp = ts_frame_data(&run->frame, TS_B_lamp_shape);
 	ts_face *cubes = ts_frame_make1(&run->frame, TS_B_resize_face, n);
 	if (cubes == NULL) return TS_ERROR;
 	for (u32 k = 0; k < n; k++) {
-		ts_lamp_cube(&cubes[k], light, lamp->radius, k, n, ts_run_info(run), &run->params);
+		ts_lamp_cube(&cubes[k], light, lamp->radius, k, n, ts_run_info(run), run->plan.offscreen.side);
 		cubes[k].offset = k != 0 ? cubes[k - 1].offset + (u64)6 * cubes[k - 1].n * cubes[k - 1].n : 0;
 	}
 	return TS_OK;
@@ -89,35 +95,33 @@ ts_status ts_stage_lamp_cube(ts_run *run)
 u32 ts_light_views(const ts_light *light) { return ts_k_has_cube(light) ? 6 : 1; }
 
 /* View k of a light. */
-static void set_view(ts_offscreen *view, const ts_light *light, u32 k, u32 index, const ts_info *info,
-                     const ts_params *params)
+static void set_view(ts_offscreen *view, const ts_light *light, u32 k, u32 index, const ts_info *info, const ts_lens *lens)
 {
 	ts_face cube;
 	if (ts_k_has_cube(light)) {
-		ts_lamp_cube(&cube, light, 0.0f, 0, 1, info, params);
+		ts_lamp_cube(&cube, light, 0.0f, 0, 1, info, lens->side);
 		ts_offscreen_of_face(view, &cube, k, index);
 	} else {
-		ts_lamp_view(view, light, 0.0f, 0, 1, info, params);
+		ts_lamp_view(view, light, 0.0f, 0, 1, info, lens);
 		view->light = index;
 	}
 }
 
-ts_status ts_light_views_make(ts_run *run, u32 side)
+ts_status ts_light_views_make(ts_run *run)
 {
+	ts_lens lens = lens_of(run);
 	const ts_light *lights = ts_frame_data(&run->frame, TS_B_lamp_light);
-	u64 n_lights = ts_frame_n(&run->frame, TS_B_lamp_light), n = 0, texels = (u64)side * side, offset = 0;
+	u64 n_lights = ts_frame_n(&run->frame, TS_B_lamp_light), n = 0, texels = (u64)lens.side * lens.side, offset = 0;
 	for (u64 i = 0; i < n_lights; i++) n += ts_light_views(&lights[i]);
 	ts_offscreen *view = ts_frame_make1(&run->frame, TS_B_offscreen_view, n);
 	if (view == NULL) return TS_ERROR;
-	ts_params params = run->params;
-	params.map_px = side;
 	for (u32 i = 0; i < n_lights; i++) {
 		for (u32 k = 0; k < ts_light_views(&lights[i]); k++, view++, offset += texels) {
-			set_view(view, &lights[i], k, i, ts_run_info(run), &params);
+			set_view(view, &lights[i], k, i, ts_run_info(run), &lens);
 			view->offset = offset;
 		}
 	}
 	return TS_OK;
 }
 
-ts_status ts_stage_light_view(ts_run *run) { return ts_light_views_make(run, run->params.map_px); }
+ts_status ts_stage_light_view(ts_run *run) { return ts_light_views_make(run); }

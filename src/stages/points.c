@@ -10,7 +10,7 @@ ts_points_args ts_points_arguments(const ts_run *run)
 		.frames = ts_frame_handle(&run->frame, TS_B_align_frame),
 		.half_size = half_sizes[run->params.conservative],
 		.paper_splat = run->params.splat == TS_SPLAT_PAPER,
-		.snap = run->rate != TS_RATE_IS_EYE && run->params.snap,
+		.snap = run->plan.points.rate != TS_RATE_IS_EYE && run->params.snap,
 	};
 }
 

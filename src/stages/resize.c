@@ -47,8 +47,8 @@ ts_status ts_stage_resize(ts_run *run)
 		.cubes = cubes,
 		.n_max = ts_largest_face(&run->params),
 		.hysteresis = run->params.hysteresis,
-		.fixed = run->fixed_face != 0 ? run->fixed_face : run->params.face_px,
-		.all = run->all_cubes || run->params.bounces > 1,
+		.fixed = run->plan.offscreen.side != 0 ? run->plan.offscreen.side : run->params.face_px,
+		.all = run->plan.offscreen.all || run->params.bounces > 1,
 	};
 	replay(run, args, n);
 	free(objects);

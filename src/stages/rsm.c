@@ -1,7 +1,7 @@
 /* Reflective shadow maps, and their texels as lights. */
 #include "stages.h"
 
-ts_status ts_stage_rsm_view(ts_run *run) { return ts_light_views_make(run, run->params.rsm_px); }
+ts_status ts_stage_rsm_view(ts_run *run) { return ts_light_views_make(run); }
 
 static ts_rsm_args arguments(const ts_run *run)
 {

@@ -11,9 +11,9 @@ void ts_run_begin(ts_run *run, const ts_scene *scene, const ts_params *params, u
 	run->scene = scene;
 	run->params = *params;
 	ts_c_begin(&run->c, threads);
-	run->all_units = run->n_units = scene->info.n_reflectors;
-	run->rate = TS_RATE_IS_EYE;
-	run->batch = 1;
+	ts_counts counts = ts_scene_counts(scene);
+	ts_plan_default(&run->plan, params, &counts);
+	run->n_units = run->plan.units;
 	ts_frame_borrow(&run->frame, TS_B_scene_vertex, scene->vertices, scene->n_vertices);
 	ts_frame_borrow(&run->frame, TS_B_scene_triangle, scene->triangles, scene->n_triangles);
 	ts_frame_borrow(&run->frame, TS_B_scene_material, scene->materials, scene->n_materials);

@@ -35,13 +35,13 @@ static u32 side(const ts_params *params, u32 least)
 
 ts_status ts_stage_shadow_resize(ts_run *run)
 {
-	u32 n = run->all_units, *least = ts_frame_make1(&run->frame, TS_B_shadow_resize_least, 1);
+	u32 n = run->plan.units, *least = ts_frame_make1(&run->frame, TS_B_shadow_resize_least, 1);
 	const ts_light *light = ts_frame_data(&run->frame, TS_B_lamp_light);
 	const ts_lamp *lamp = ts_frame_data(&run->frame, TS_B_lamp_shape);
 	ts_face *cubes = ts_frame_make1(&run->frame, TS_B_resize_face, n), *copy = ts_alloc(n, sizeof *copy, "cubes");
 	ts_status status = least != NULL && cubes != NULL && copy != NULL ? TS_OK : TS_ERROR;
 	for (u32 k = 0; k < n && status == TS_OK; k++) {
-		ts_lamp_cube(&cubes[k], light, lamp->radius, k, n, ts_run_info(run), &run->params);
+		ts_lamp_cube(&cubes[k], light, lamp->radius, k, n, ts_run_info(run), run->plan.offscreen.side);
 		copy[k] = cubes[k];
 	}
 	if (status == TS_OK) status = find_least(run, copy, n);

@@ -48,7 +48,7 @@ static ts_status view_split(ts_run *run, u32 shadow)
 		.n_views = n_views,
 		.n_words = (n_views + 63) / 64,
 		.view = ts_frame_handle(&run->frame, TS_B_eye_view),
-		.rate = run->rate,
+		.rate = run->plan.points.rate,
 		.shadow = shadow,
 	};
 	return split(run, args);

@@ -4,6 +4,7 @@
 #include "../backends/backend.h"
 #include "../core/shape.h"
 #include "../scene/scene.h"
+#include "plan.h"
 
 typedef struct { const char *name; i64 value; } ts_counter;
 typedef struct { const char *stage; double seconds; } ts_timing;
@@ -33,17 +34,12 @@ typedef ts_status (*ts_stage_hook)(const ts_run *run, const ts_stage *stage, voi
 
 struct ts_run {
 	const ts_scene *scene;
-	ts_params params;
+	ts_params params;          /* as typed: read only */
+	ts_plan plan;              /* what follows from them: read only from the first stage on */
+	const struct ts_pipeline *pipeline; /* whose plan it is; NULL: the default one */
 	ts_c_backend c;
 	ts_backend *backend;       /* NULL: c */
 	bool arrival;              /* see ts_how */
-	u32 rate;                  /* TS_RATE_IS_*: whose resolution the points are made for */
-	u32 taps;                  /* of the one view of each light of soft shadows; 0: a view each sample of the light */
-	bool exact_ewa;            /* surfels: the exact EWA filter, not its approximation */
-	u32 fixed_face;            /* size of every cube or depth map, or 0: as the parameters say */
-	bool all_cubes;            /* also the cubes of reflectors that the eye does not see */
-	u32 all_units;             /* what batches are made of: cubes, or of soft shadows views */
-	u32 batch;                 /* units a batch */
 	u32 first_unit, n_units;   /* the batch that stages work on: all, but where a step goes by batches */
 	bool traced;               /* also the stages that only traces need */
 	bool margins;              /* also the stages that say how near the decisions were */

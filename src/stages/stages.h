@@ -114,9 +114,9 @@ bool ts_run_has_cubes(const ts_run *run);
 void ts_run_views(const ts_run *run, u32 *first, u32 *n);
 /* A face of a cube as a view, of the light or TS_NONE (offscreen.c). */
 void ts_offscreen_of_face(ts_offscreen *view, const ts_face *cube, u32 face, u32 light);
-/* Views from a light's middle, six of a point light; and those of all lamps, of so many texels a side (lamp.c). */
+/* Views from a light's middle, six of a point light; and those of all lamps (lamp.c). */
 u32 ts_light_views(const ts_light *light);
-ts_status ts_light_views_make(ts_run *run, u32 side);
+ts_status ts_light_views_make(ts_run *run);
 /* grid_px must be a multiple of 32 (gbuffer.c). */
 ts_status ts_grid_check(const ts_params *params);
 /* How pixels choose a box (hull.c). */
@@ -127,7 +127,7 @@ ts_pyramid ts_view_pyramid(const ts_params *params);
 /* The level of the lists of vpl_pairs (vpl_gather.c): gather_level, at most levels; 0 where views have no hierarchy, alone,
  * or nothing is culled. */
 u32 ts_gather_level(const ts_run *run);
-u32 ts_gather_level_of(const ts_params *params, bool alone);
+u32 ts_gather_level_of(const ts_params *params, u32 field, bool alone);
 /* How surfels are filtered, as arguments of kernels have it (surfel_setup.c). */
 ts_filter ts_surfel_filter(const ts_run *run);
 /* The sums of stage `blend` in the order of the surfels (fragment_list.c), and whether the parameter `accumulation` asks for

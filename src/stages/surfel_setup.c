@@ -9,7 +9,7 @@ ts_filter ts_surfel_filter(const ts_run *run)
 	f32 narrow = params->sigma_h != 0.0f ? params->sigma_h : sigma * params->sigma_k;
 	bool screen = sigma > 0.0f && params->filter != TS_FILTER_OBJECT;
 	return (ts_filter){
-		.filter = run->exact_ewa ? TS_FILTER_IS_EWA : params->filter,
+		.filter = run->plan.surfels.exact ? TS_FILTER_IS_EWA : params->filter,
 		.botsch = params->bounds == TS_BOUNDS_BOTSCH,
 		.per_sigma2 = screen ? 1.0f / (sigma * sigma) : 0.0f,
 		.reach = ts_max(screen ? sigma : 0.0f, params->min_px * 0.5f),

@@ -24,7 +24,7 @@ ts_status ts_traverse_arguments(const ts_run *run, ts_traverse_args *args)
 		.nodes = ts_frame_handle(&run->frame, TS_B_octree_node),
 		.views = ts_frame_handle(&run->frame, TS_B_view_octree_node),
 		.cones = ts_frame_handle(&run->frame, TS_B_view_cone_node),
-		.phi = fields[run->params.view_field],
+		.phi = fields[run->plan.views.field],
 		.n = run->params.view_px,
 		.touching = run->params.touching == TS_TOUCHING_RENDER,
 		.last = TS_NONE,

@@ -4,9 +4,9 @@
 
 #define TEXEL_DIAGONAL 1.41421354f /* of its width: places in one texel are no farther apart */
 
-u32 ts_gather_level_of(const ts_params *params, bool alone)
+u32 ts_gather_level_of(const ts_params *params, u32 field, bool alone)
 {
-	bool culls = params->view_field == TS_VIEW_FIELD_HALF || params->cutoff > 0;
+	bool culls = field == TS_VIEW_FIELD_HALF || params->cutoff > 0;
 	u32 level = params->gather_level < params->levels ? params->gather_level : params->levels;
 	return alone || !culls ? 0 : level;
 }
@@ -14,7 +14,7 @@ u32 ts_gather_level_of(const ts_params *params, bool alone)
 u32 ts_gather_level(const ts_run *run)
 {
 	bool alone = ts_octree_first(run, &ts_view_octree, 1) == ts_frame_n(&run->frame, TS_B_view_octree_node);
-	return ts_gather_level_of(&run->params, alone);
+	return ts_gather_level_of(&run->params, run->plan.views.field, alone);
 }
 
 ts_status ts_vpl_pairs_arguments(const ts_run *run, ts_traverse_args *args)

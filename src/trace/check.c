@@ -63,6 +63,12 @@ static void define(ts_sizes *sizes, ts_buffer_id id, u64 n)
 	}
 }
 
+static u32 size_or(const ts_sizes *sizes, const char *name, u32 otherwise)
+{
+	const ts_size *size = find_size(sizes, name, strlen(name));
+	return size != NULL ? (u32)size->n : otherwise;
+}
+
 void ts_check_sizes(ts_load *load, const ts_stage *stage)
 {
 	ts_sizes *sizes = &load->sizes;
@@ -72,16 +78,10 @@ void ts_check_sizes(ts_load *load, const ts_stage *stage)
 	ts_sizes_set(sizes, "K", TS_N_SAMPLES);
 	ts_sizes_set(sizes, "l", load->run.params.levels + 1);
 	ts_sizes_set(sizes, "Y", ts_k_mask_first(load->run.params.levels + 1));
-	ts_check_leaves(load);
-	ts_check_lists(load);
 	ts_pyramid pyramid = ts_view_pyramid(&load->run.params);
 	ts_sizes_set(sizes, "v", pyramid.n);
 	ts_sizes_set(sizes, "m", ts_k_pyramid_texels(&pyramid));
 	if (load->item[TS_B_scene_info] != NULL) ts_sizes_set(sizes, "R", load->scene.info.n_reflectors);
-	bool cubes = load->item[TS_B_resize_face] != NULL, views = load->item[TS_B_offscreen_view] != NULL;
-	u32 units = cubes ? ts_run_n_cubes(&load->run) : views ? (u32)ts_frame_n(&load->run.frame, TS_B_offscreen_view) : 0;
-	if (cubes || views) ts_sizes_set(sizes, "C", ts_run_n_texels(&load->run, 0, units));
-	if (cubes) ts_sizes_set(sizes, "C4", ts_k_mip_first(ts_frame_data(&load->run.frame, TS_B_resize_face), 0, units));
 	/* The scene, loaded or not; what was loaded; the rest. */
 	for (u32 pass = 0; pass < 3; pass++) {
 		for (u32 id = 0; id < TS_N_BUFFERS; id++) {
@@ -91,16 +91,25 @@ void ts_check_sizes(ts_load *load, const ts_stage *stage)
 			if (item != NULL && turn && !made) define(sizes, (ts_buffer_id)id, item->npy.shape[0]);
 		}
 	}
-	const ts_size *reflectors = find_size(sizes, "R", 1), *n_cubes = find_size(sizes, "B", 1);
-	const ts_size *n_views = find_size(sizes, "U", 1);
-	if (reflectors != NULL) load->scene.info.n_reflectors = (u32)reflectors->n;
-	if (n_cubes != NULL) load->run.all_units = load->run.n_units = (u32)n_cubes->n;
-	if (n_cubes != NULL && n_views == NULL) ts_sizes_cubes(sizes, n_cubes->n);
-	if (n_views != NULL) ts_sizes_views(sizes, n_views->n);
-	bool cubeless = ts_pipeline_maker(load->pipeline, TS_B_resize_face) == NULL;
-	const ts_size *lamps = find_size(sizes, "A", 1);
-	if (lamps != NULL && load->run.taps != 0) load->run.all_units = load->run.n_units = (u32)lamps->n;
-	if (n_views != NULL && cubeless) load->run.all_units = load->run.n_units = (u32)n_views->n;
+	load->scene.info.n_reflectors = size_or(sizes, "R", load->scene.info.n_reflectors);
+	ts_counts counts = {.reflectors = load->scene.info.n_reflectors, .lights = size_or(sizes, "L", load->scene.n_lights),
+	                    .cubes = size_or(sizes, "B", TS_NONE), .views = size_or(sizes, "U", TS_NONE),
+	                    .lamps = size_or(sizes, "A", TS_NONE)};
+	if (counts.views != TS_NONE) ts_sizes_views(sizes, counts.views);
+	else if (counts.cubes != TS_NONE) ts_sizes_cubes(sizes, counts.cubes);
+	ts_pipeline_plan(load->pipeline, &load->run, &counts, NULL);
+	ts_check_leaves(load);
+	ts_check_lists(load);
+}
+
+/* Texels of the cubes or views that were loaded, which are right. */
+static void count_texels(ts_load *load)
+{
+	bool cubes = load->item[TS_B_resize_face] != NULL, views = load->item[TS_B_offscreen_view] != NULL;
+	u32 units = cubes ? ts_run_n_cubes(&load->run) : views ? (u32)ts_frame_n(&load->run.frame, TS_B_offscreen_view) : 0;
+	if (cubes || views) ts_sizes_set(&load->sizes, "C", ts_run_n_texels(&load->run, 0, units));
+	if (!cubes) return;
+	ts_sizes_set(&load->sizes, "C4", ts_k_mip_first(ts_frame_data(&load->run.frame, TS_B_resize_face), 0, units));
 }
 
 static void print_dims(char text[DIMS_TEXT], u32 n, const u64 *dims)
@@ -201,8 +210,9 @@ static ts_status check_grid(const ts_load *load)
 ts_status ts_check(ts_load *load, const ts_stage *stage)
 {
 	if (check_grid(load) != TS_OK) return TS_ERROR;
-	if (ts_check_faces(load) != TS_OK || ts_check_views(load) != TS_OK) return TS_ERROR;
 	ts_check_sizes(load, stage);
+	if (ts_check_faces(load) != TS_OK || ts_check_views(load) != TS_OK) return TS_ERROR;
+	count_texels(load);
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
 		if (load->item[id] == NULL) continue;
 		if (check_shape(load, (ts_buffer_id)id) != TS_OK || check_floats(load, (ts_buffer_id)id) != TS_OK)

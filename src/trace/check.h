@@ -37,11 +37,11 @@
 #define TS_TRACE_CHECK_H
 #include "load.h"
 
-/* Checks all that was loaded for `stage`, and sets the sizes, the run's units and scene.info.n_reflectors. */
+/* Checks all that was loaded for `stage`, and sets the sizes, the run's plan and scene.info.n_reflectors. */
 ts_status ts_check(ts_load *load, const ts_stage *stage);
 
-/* Parts of it. What the sizes are: those of other buffers than the stage's outputs. resize.face must have been
- * checked. */
+/* Parts of it. What the sizes are: those of other buffers than the stage's outputs, but for C and C4; and the plan that
+ * follows from them. */
 void ts_check_sizes(ts_load *load, const ts_stage *stage);
 /* Values that kernels loop over or address by, other than indices (check_values.c); sizes must be known. */
 ts_status ts_check_values(const ts_load *load, const ts_stage *stage);

@@ -177,7 +177,7 @@ static ts_status check_view(const ts_load *load)
 
 u32 ts_check_largest(const ts_run *run)
 {
-	u32 fixed = run->fixed_face != 0 ? run->fixed_face : run->params.face_px;
+	u32 fixed = run->plan.offscreen.side != 0 ? run->plan.offscreen.side : run->params.face_px;
 	return fixed != 0 ? fixed : ts_largest_face(&run->params);
 }
 
@@ -269,9 +269,9 @@ ts_status ts_check_values(const ts_load *load, const ts_stage *stage)
 		return ts_fail("%s: %" PRIu32 " reflectors; at most %d would be right", load->reference->dir,
 		               load->scene.info.n_reflectors, MAX_REFLECTORS);
 	}
-	if (load->run.all_units > MAX_REFLECTORS) {
+	if (load->run.plan.units > MAX_REFLECTORS) {
 		return ts_fail("%s: %" PRIu32 " cubes or views; at most %d would be right", load->reference->dir,
-		               load->run.all_units, MAX_REFLECTORS);
+		               load->run.plan.units, MAX_REFLECTORS);
 	}
 	if (check_sums(load) != TS_OK || check_images(load) != TS_OK || check_slots(load) != TS_OK) return TS_ERROR;
 	if (check_lights(load) != TS_OK || check_objects(load) != TS_OK || check_view(load) != TS_OK) return TS_ERROR;

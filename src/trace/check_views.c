@@ -67,10 +67,10 @@ static ts_status check_owners(const ts_load *load, const ts_stage *stage)
 static ts_status check_samples(const ts_load *load, const ts_stage *stage)
 {
 	const ts_buffer_id id = TS_B_lamp_shape;
-	u64 n, first = 0, all = load->run.all_units;
+	u64 n, first = 0, all = load->run.plan.units;
 	const ts_lamp *lamps = elements(load, id, &n);
 	bool makes = ts_stage_writes(stage, TS_B_offscreen_view);
-	u32 taps = load->run.taps;
+	u32 taps = load->run.plan.lights.taps;
 	for (u64 i = 0; i < n; i++) {
 		u64 most = makes && taps == 0 ? all - first : TS_NONE;
 		if (lamps[i].samples == 0 || lamps[i].samples > most) {

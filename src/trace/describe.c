@@ -17,6 +17,18 @@ json_t *ts_trace_params(const ts_params *params)
 	return object;
 }
 
+static json_t *plan_of(const ts_plan *plan)
+{
+	json_t *object = json_object();
+	for (u32 i = 0; i < TS_PLAN_ROWS; i++) {
+		const ts_plan_row *row = &ts_plan_table[i];
+		char name[64];
+		snprintf(name, sizeof name, "%s%s%s", row->part, row->part[0] != 0 ? "." : "", row->name);
+		json_object_set_new(object, name, json_integer(ts_plan_value(plan, row)));
+	}
+	return object;
+}
+
 static json_t *names_of(const ts_trace_about *about, const ts_buffer_id *ids)
 {
 	json_t *names = json_array();
@@ -127,11 +139,12 @@ json_t *ts_trace_describe(const ts_trace_about *about)
 	                                     TS_B_scene_surfel, TS_B_scene_info, TS_N_BUFFERS};
 	const ts_pipeline *p = about->pipeline;
 	const char *order = about->run->arrival ? "arrival" : "canonical";
-	return json_pack("{s:s, s:i, s:i, s:s, s:s, s:s, s:s, s:{s:o, s:o}, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o}", "format",
-	                 "touchstone-trace", "version", TS_TRACE_VERSION, "contract", TS_CONTRACT_VERSION, "order", order,
-	                 "pipeline", p->name, "effect", p->effect, "paper", p->paper, "scene", "name",
+	return json_pack("{s:s, s:i, s:i, s:s, s:s, s:s, s:s, s:{s:o, s:o}, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o}",
+	                 "format", "touchstone-trace", "version", TS_TRACE_VERSION, "contract", TS_CONTRACT_VERSION, "order",
+	                 order, "pipeline", p->name, "effect", p->effect, "paper", p->paper, "scene", "name",
 	                 ts_text_json(about->run->scene->name), "sha256", chain(about, scene), "producer",
 	                 ts_producer(about->run), "arithmetic", ts_arithmetic(about->run), "conventions", conventions(),
-	                 "params", ts_trace_params(&about->run->params), "stages", stages_of(about), "buffers",
-	                 buffers_of(about), "records", records(), "counters", counters_of(about->run));
+	                 "params", ts_trace_params(&about->run->params), "plan", plan_of(&about->run->plan), "stages",
+	                 stages_of(about), "buffers", buffers_of(about), "records", records(), "counters",
+	                 counters_of(about->run));
 }

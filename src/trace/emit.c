@@ -9,19 +9,19 @@ bool ts_emit_is_scene(ts_buffer_id id) { return strncmp(ts_buffer_table[id].name
 /* Buffers over texels come a batch at a time. */
 static bool comes_in_batches(ts_buffer_id id) { return ts_buffer_table[id].shape[0] == 'C'; }
 
-static bool is_whole(const ts_run *run) { return run->n_units == run->all_units; }
+static bool is_whole(const ts_run *run) { return run->n_units == run->plan.units; }
 
 static bool is_last_batch(const ts_run *run)
 {
-	return run->first_unit + run->n_units == run->all_units;
+	return run->first_unit + run->n_units == run->plan.units;
 }
 
 /* Rows of a buffer over all units. */
 static u64 all_rows(const ts_run *run, ts_buffer_id id)
 {
 	bool mips = strncmp(ts_buffer_table[id].shape, "C4", 2) == 0;
-	return mips ? ts_k_mip_first(ts_frame_data(&run->frame, TS_B_resize_face), 0, run->all_units)
-	            : ts_run_n_texels(run, 0, run->all_units);
+	return mips ? ts_k_mip_first(ts_frame_data(&run->frame, TS_B_resize_face), 0, run->plan.units)
+	            : ts_run_n_texels(run, 0, run->plan.units);
 }
 
 static ts_status offer(const ts_run *run, ts_buffer_id id, ts_take_chunk *take, void *user)

@@ -4,7 +4,7 @@
 #include "read.h"
 
 typedef struct {
-	ts_run run;        /* its frame owns what was loaded; parameters are those of the reference, settings the method's */
+	ts_run run;        /* its frame owns what was loaded; parameters are those of the reference; its plan ts_check makes */
 	ts_scene scene;    /* the arrays of the frame that are the scene's; nothing else in it is set */
 	ts_sizes sizes;    /* of records.def, as far as they are known (ts_check_sizes) */
 	const ts_pipeline *pipeline;

@@ -158,8 +158,7 @@ u64 ts_trace_estimate(const ts_pipeline *pipeline, const ts_scene *scene, const 
                       const ts_trace_options *options)
 {
 	ts_sizes sizes = {.n = 0};
-	ts_run_sizes(&sizes, scene, params);
-	pipeline->expect(&sizes, scene, params);
+	ts_pipeline_expect(pipeline, &sizes, scene, params);
 	u64 bytes = 0;
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
 		const ts_step *step = ts_pipeline_maker(pipeline, (ts_buffer_id)id);

@@ -73,7 +73,7 @@ void ts_truth_maps(ts_map_counts *counts, const ts_truth *truth, const ts_run *r
 	j.n_pixels = (u64)run->params.width * run->params.height;
 	j.leaf = ts_k_leaf_side(&j.of);
 	j.reach = ts_k_leaf_diagonal(&j.of);
-	j.all = run->params.view_field == TS_VIEW_FIELD_ALL;
+	j.all = run->plan.views.field == TS_VIEW_FIELD_ALL;
 	ts_map_counts sum = {.asked = 0};
 #pragma omp parallel for num_threads((int)run->c.threads) schedule(dynamic, 4)
 	for (u32 view = 0; view < j.of.n_lights; view += step) {

@@ -100,7 +100,7 @@ ts_status ts_truth_shadow_begin(ts_run *run, const char *effect)
 {
 	const ts_pipeline *mvr = ts_pipeline_find(effect, "mvr");
 	if (mvr == NULL) return ts_fail("truth of %s: there is no method mvr for it", effect);
-	mvr->prepare(run);
+	ts_pipeline_plan(mvr, run, NULL, NULL);
 	for (const ts_step *step = mvr->steps; step->stage != NULL && !step->each_batch; step++) {
 		if (!step->only_margins && ts_run_stage(run, ts_stage_find(step->stage)) != TS_OK) return TS_ERROR;
 	}
@@ -118,10 +118,8 @@ ts_status ts_truth_area(ts_truth *truth, ts_run *run)
 		return ts_fail("area_samples=%u: of %u lights at most %u each would be right", (unsigned)n, (unsigned)n_lamps,
 		               (unsigned)(MOST_SAMPLES / n_lamps));
 	}
-	run->params.views = n * n_lamps;
-	run->params.light_samples = n;
 	const char *const *stage = ts_run_has_cubes(run) ? cubes : maps;
-	run->all_units = run->n_units = stage == cubes ? n : run->params.views;
+	ts_pipeline_plan(run->pipeline, run, NULL, &(ts_request){.samples = n});
 	for (; *stage != NULL; stage++) {
 		if (ts_run_stage(run, ts_stage_find(*stage)) != TS_OK) return TS_ERROR;
 	}
@@ -138,8 +136,7 @@ u64 ts_truth_shadow_bytes(const ts_pipeline *method, const ts_scene *scene, cons
 	u64 bytes = 0, views = (u64)params->area_samples * (params->lamp == TS_LAMP_SCENE ? scene->n_lights : 1);
 	many.light_samples = params->area_samples;
 	many.views = views < TS_NONE ? (u32)views : TS_NONE;
-	ts_run_sizes(&sizes, scene, &many);
-	if (mvr != NULL) mvr->expect(&sizes, scene, &many);
+	if (mvr != NULL) ts_pipeline_expect(mvr, &sizes, scene, &many);
 	for (u32 i = 0; i < sizeof ids / sizeof ids[0]; i++) bytes += ts_pipeline_bytes(ids[i], &sizes);
 	return bytes;
 }

@@ -41,7 +41,7 @@ ts_status ts_truth_shadow_begin(ts_run *run, const char *effect);
 ts_status ts_truth_samples(ts_truth *truth, ts_run *run);
 /* Rays to params.area_samples samples of each light, which with the other leaves what sampling the lights costs. They lie
  * as the methods' do, on the same disc, ball or cone, and see as much: a depth map's image, all around in omni-shadows.
- * Afterwards lamp.shape, the views and the run's parameters are those of these samples. Fails without memory and beyond
+ * Afterwards lamp.shape, the views and the run's plan are those of these samples. Fails without memory and beyond
  * 2^20 samples of all lights. */
 ts_status ts_truth_area(ts_truth *truth, ts_run *run);
 /* What `area` is estimated to need of memory: views of all its samples, without their depth maps. */

@@ -15,7 +15,7 @@ static const ts_step steps[] = {
 	{.stage = "view_octree"}, {.stage = "view_cone"}, {0},
 };
 static const ts_pipeline pipeline = {
-	"octrees", "indirect", "MegaViews 3", "", steps, ts_indirect_prepare, ts_hulls_expect, false,
+	.name = "octrees", .effect = "indirect", .steps = steps, .plan = ts_indirect_plan, .expect = ts_hulls_expect,
 };
 
 static ts_params params_of(u32 levels, u32 vpls)

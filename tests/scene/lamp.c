@@ -7,13 +7,14 @@
 enum { N = 400 };
 
 static ts_params params;
+static ts_lens lens;
 static ts_info infos[3];
 
 /* A room, a room longer than high, and a thing seen from outside. */
 static int set_up(void **state)
 {
 	ts_params_default(&params);
-	params.map_px = 256;
+	lens = (ts_lens){.side = 256, .fov = params.lamp_fov};
 	infos[0] = (ts_info){ .box_min = { -3, -1, 10 }, .box_max = { 5, 5, 40 },
 	                      .hall_min = { -2, 12 }, .hall_max = { 4, 36 } };
 	infos[1] = (ts_info){ .box_min = { -50, 0, -9 }, .box_max = { 50, 8, 9 },
@@ -45,7 +46,7 @@ static void check_axes(const ts_offscreen *view)
 		for (u32 j = 0; j < 3; j++) assert_near(d3_dot(axes[i], axes[j]), i == j, 1e-6);
 	}
 	assert_true(d3_dot(d3_cross(axes[0], axes[1]), axes[2]) > 0.99);
-	assert_true(view->width == params.map_px && view->height == params.map_px && view->object == TS_NONE);
+	assert_true(view->width == lens.side && view->height == lens.side && view->object == TS_NONE);
 	assert_true(view->near > 0 && view->reach[0] == view->reach[1]);
 	assert_near(view->focal * view->reach[0] * 2, view->width, 1e-4 * view->width);
 }
@@ -72,7 +73,7 @@ static void test_disc(void **state)
 		ts_offscreen first, before;
 		for (u32 k = 0; k < n; k++) {
 			ts_offscreen view;
-			ts_lamp_view(&view, &light, radius, k, n, &infos[i % 3], &params);
+			ts_lamp_view(&view, &light, radius, k, n, &infos[i % 3], &lens);
 			check_axes(&view);
 			assert_true(view.orthographic == 0);
 			double3 at = d3_sub(load(view.eye), position);
@@ -93,16 +94,16 @@ static void test_disc(void **state)
 static void test_axes(void **state)
 {
 	(void)state;
-	params.lamp = TS_LAMP_SCENE;
+	lens.own = true;
 	for (u32 i = 0; i < N; i++) {
 		ts_light light = random_light(TS_LIGHT_KIND_SPOT);
 		ts_offscreen view;
-		ts_lamp_view(&view, &light, 0, 0, 1, &infos[i % 3], &params);
+		ts_lamp_view(&view, &light, 0, 0, 1, &infos[i % 3], &lens);
 		assert_near(d3_dot(load(view.back), load(light.direction)), -1, 1e-6);
 		double cosine = -(double)light.spot_offset / light.spot_scale, tangent = sqrt(1 - cosine * cosine) / cosine;
 		assert_near(view.reach[0], fmin(tangent, 3.7320508), 2e-4 * tangent);
 		light.kind = TS_LIGHT_KIND_POINT;
-		ts_lamp_view(&view, &light, 0, 0, 1, &infos[i % 3], &params);
+		ts_lamp_view(&view, &light, 0, 0, 1, &infos[i % 3], &lens);
 		assert_near(view.reach[0], tan(22.5 * 0.017453292519943295), 1e-6);
 		ts_space hall = ts_view_hall(&infos[i % 3]);
 		double3 way = d3_mad(load(light.position), load(view.back), -d3_distance(load(light.position), d3_of(hall.middle)));
@@ -125,7 +126,7 @@ static void test_sun(void **state)
 		u32 n = 1 + below(9);
 		for (u32 k = 0; k < n; k++) {
 			ts_offscreen view;
-			ts_lamp_view(&view, &sun, radius, k, n, info, &params);
+			ts_lamp_view(&view, &sun, radius, k, n, info, &lens);
 			check_axes(&view);
 			assert_true(view.orthographic == 1);
 			double cosine = -d3_dot(load(view.back), load(sun.direction));
@@ -148,7 +149,7 @@ static void test_spot(void **state)
 	(void)state;
 	for (u32 i = 0; i < N; i++) {
 		const ts_info *info = &infos[i % 3];
-		params.lamp_fov = uniform(40, 60);
+		params.lamp_fov = lens.fov = uniform(40, 60);
 		params.lamp_radius = uniform(0, 1.0f / 36);
 		ts_light lamp;
 		ts_lamp_spot(&lamp, info, &params);
@@ -160,7 +161,7 @@ static void test_spot(void **state)
 		assert_true(lamp.direction[1] < 0 && target.y >= info->box_min[1] && target.y <= info->box_max[1]);
 		for (u32 k = 0; k < 24; k++) {
 			ts_offscreen view;
-			ts_lamp_view(&view, &lamp, (f32)radius, k, 24, info, &params);
+			ts_lamp_view(&view, &lamp, (f32)radius, k, 24, info, &lens);
 			for (u32 turn = 0; turn < 32; turn++) {
 				double a = turn * 0.19634954084936207, r = distance * tangent;
 				double3 p = d3_mad(d3_mad(target, load(view.right), r * cos(a)), load(view.up), r * sin(a));
@@ -184,10 +185,10 @@ static void test_ball(void **state)
 		double3 mean = { 0, 0, 0 };
 		for (u32 k = 0; k < n; k++) {
 			ts_face cube;
-			ts_lamp_cube(&cube, &ball, (f32)radius, k, n, info, &params);
+			ts_lamp_cube(&cube, &ball, (f32)radius, k, n, info, lens.side);
 			double3 at = d3_sub(load(cube.centre), load(ball.position));
 			assert_near(d3_length(at), n > 1 ? radius : 0, 1e-5 * (1 + d3_length(load(ball.position))));
-			assert_true(cube.n == params.map_px && cube.object == TS_NONE && cube.near * 1024 == cube.radius);
+			assert_true(cube.n == lens.side && cube.object == TS_NONE && cube.near * 1024 == cube.radius);
 			mean = d3_mad(mean, at, 1.0 / n);
 		}
 		if (n > 20) assert_true(d3_length(mean) <= 0.1 * radius);

@@ -314,7 +314,7 @@ static void test_stages(void **state)
 	params.levels = 5;
 	ts_run run;
 	ts_run_begin(&run, scene, &params, 2);
-	ts_pipeline_find("indirect", "direct")->prepare(&run);
+	ts_pipeline_plan(ts_pipeline_find("indirect", "direct"), &run, NULL, NULL);
 	for (u32 i = 0; i < sizeof stages / sizeof *stages; i++) grove_stage(&run, stages[i]);
 	for (u32 i = 13; i < 16; i++) small_assert_claims(&run, ts_stage_find(stages[i]));
 	grove g = { .scene.nodes = ts_frame_data(&run.frame, TS_B_octree_node),

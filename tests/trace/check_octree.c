@@ -10,7 +10,7 @@ static const ts_step steps[] = {
 	{.stage = "bilateral"}, {0},
 };
 static const ts_pipeline pipeline = {
-	"octrees", "indirect", "MegaViews 3", "", steps, ts_indirect_prepare, ts_hulls_expect, false,
+	.name = "octrees", .effect = "indirect", .steps = steps, .plan = ts_indirect_plan, .expect = ts_hulls_expect,
 };
 enum { LEVELS = 4, LIGHTS = 200 };
 

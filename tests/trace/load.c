@@ -143,12 +143,30 @@ static void test_match(void **state)
 	traces_drop(candidate);
 }
 
+/* Surfels are lit by the scene's lights, whatever is typed: old traces and ports tell that as the parameter. */
+static void test_set_by_method(void **state)
+{
+	(void)state;
+	ts_trace reference = *traces[TRACES_SURFELS], candidate = reference;
+	assert_int_equal(reference.params.lamp, TS_LAMP_LAMP);
+	candidate.params.lamp = TS_LAMP_SCENE;
+	assert_int_equal(ts_load_match(&reference, &candidate), TS_OK);
+	assert_int_equal(ts_load_match(&candidate, &reference), TS_OK);
+	candidate.params.min_px += 1;
+	assert_int_equal(ts_load_match(&reference, &candidate), TS_ERROR);
+	assert_told("parameter min_px");
+	reference = candidate = *traces[TRACES_PCSS];
+	candidate.params.lamp = TS_LAMP_LAMP;
+	assert_int_equal(ts_load_match(&reference, &candidate), TS_ERROR);
+	assert_told("parameter lamp");
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_contents), cmocka_unit_test(test_precedence), cmocka_unit_test(test_missing),
 		cmocka_unit_test(test_cropped),  cmocka_unit_test(test_large),      cmocka_unit_test(test_shrunk),
-		cmocka_unit_test(test_match),
+		cmocka_unit_test(test_match),    cmocka_unit_test(test_set_by_method),
 	};
 	return cmocka_run_group_tests(tests, traces_begin, traces_end);
 }

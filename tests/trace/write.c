@@ -199,11 +199,35 @@ static void test_estimate(void **state)
 	assert_true(ts_trace_estimate(epr, scene, &params, &none) == 0);
 }
 
+static json_int_t planned(const json_t *root, const char *name)
+{
+	const json_t *value = json_object_get(json_object_get(root, "plan"), name);
+	assert_true(json_is_integer(value));
+	return json_integer_value(value);
+}
+
+/* Parameters say what was typed, the plan what follows from it: all cubes of MVR as large as face_max. */
+static void test_plan(void **state)
+{
+	(void)state;
+	json_t *root;
+	small_trace(folder_path("planned"), "mvr", scene, &params, (ts_trace_options){.place = NULL});
+	buffers_of(&root, folder_path("planned"));
+	const json_t *face = json_object_get(json_object_get(root, "params"), "face_px");
+	assert_string_equal(json_string_value(face), "0");
+	assert_int_equal(json_object_size(json_object_get(root, "plan")), TS_PLAN_ROWS);
+	assert_int_equal(planned(root, "units"), 3);
+	assert_int_equal(planned(root, "offscreen.side"), 32);
+	assert_int_equal(planned(root, "offscreen.all"), 1);
+	json_decref(root);
+}
+
 int main(void)
 {
 	const struct CMUnitTest write[] = {
 		cmocka_unit_test(test_whole), cmocka_unit_test(test_batches),    cmocka_unit_test(test_without),
 		cmocka_unit_test(test_crop),  cmocka_unit_test(test_unwritable), cmocka_unit_test(test_estimate),
+		cmocka_unit_test(test_plan),
 	};
 	return cmocka_run_group_tests(write, begin, end);
 }

@@ -162,14 +162,12 @@ static double beyond(double t)
 /* The views of an area light that shines down, as the methods' are made. */
 static void shine_down(world *w, u32 kind, f32 radius, u32 n)
 {
-	ts_params params;
-	ts_params_default(&params);
-	params.lamp_fov = 120;
+	const ts_lens lens = { .side = 512, .fov = 120 };
 	ts_light light = { .kind = kind, .position = { 0, TOP, 0 }, .direction = { 0, -1, 0 } };
 	ts_info info = { .box_min = { -9, 0, -9 }, .box_max = { 9, TOP, 9 }, .hall_min = { -9, -9 }, .hall_max = { 9, 9 } };
 	ts_offscreen *views = make_views(w, n);
 	for (u32 k = 0; k < n; k++) {
-		ts_lamp_view(&views[k], &light, radius, k, n, &info, &params);
+		ts_lamp_view(&views[k], &light, radius, k, n, &info, &lens);
 		views[k].light = 0;
 	}
 }

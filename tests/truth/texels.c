@@ -32,7 +32,7 @@ static world *world_new(bool parallel)
 		                           .back = { 0, 0, 1 }, .near = 0.01f, .width = SIDE, .height = SIDE, .reach = { 1, 1 },
 		                           .orthographic = parallel, .offset = v * SIDE * SIDE, .object = TS_NONE };
 	}
-	w->run.all_units = w->run.n_units = 2;
+	w->run.plan.units = w->run.n_units = 2;
 	return w;
 }
 

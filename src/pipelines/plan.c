@@ -1,0 +1,47 @@
+/* The plan of a method, for its runs and for replays of its stages. */
+#include <assert.h>
+#include "pipelines.h"
+
+ts_params ts_pipeline_params(const ts_pipeline *pipeline, const ts_params *typed)
+{
+	ts_params params = *typed;
+	if (pipeline->sets.param == NULL) return params;
+	ts_status known = ts_params_set(&params, pipeline->sets.param, pipeline->sets.value);
+	assert(known == TS_OK);
+	return params;
+}
+
+/* Units that are there already, as a trace may have others than its parameters say. */
+static void count_units(ts_plan *plan, const ts_pipeline *pipeline, const ts_counts *counts)
+{
+	bool cubeless = ts_pipeline_maker(pipeline, TS_B_resize_face) == NULL;
+	if (counts->cubes != TS_NONE) plan->units = counts->cubes;
+	if (counts->lamps != TS_NONE && plan->lights.taps != 0) plan->units = counts->lamps;
+	if (counts->views != TS_NONE && cubeless) plan->units = counts->views;
+}
+
+void ts_pipeline_plan(const ts_pipeline *pipeline, ts_run *run, const ts_counts *counts, const ts_request *request)
+{
+	static const ts_request nothing;
+	const ts_counts fresh = ts_scene_counts(run->scene), *known = counts != NULL ? counts : &fresh;
+	ts_params params = ts_pipeline_params(pipeline, &run->params);
+	ts_plan_default(&run->plan, &params, known);
+	if (pipeline->plan != NULL) pipeline->plan(&run->plan, &params, known, request != NULL ? request : &nothing);
+	count_units(&run->plan, pipeline, known);
+	run->pipeline = pipeline;
+	run->first_unit = 0;
+	run->n_units = run->plan.units;
+}
+
+void ts_plan_largest(ts_plan *plan, const ts_params *params)
+{
+	plan->offscreen.side = params->face_px != 0 ? params->face_px : params->face_max;
+	plan->offscreen.all = true;
+}
+
+void ts_pipeline_expect(const ts_pipeline *pipeline, ts_sizes *sizes, const ts_scene *scene, const ts_params *typed)
+{
+	ts_params params = ts_pipeline_params(pipeline, typed);
+	ts_run_sizes(sizes, scene, &params);
+	pipeline->expect(sizes, scene, &params);
+}

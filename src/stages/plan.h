@@ -1,0 +1,48 @@
+/* A plan: what a method derives from the parameters, from what there is, and from what was asked for beside them. It is made
+ * before the first stage (ts_pipeline_plan) and read only from then on; parameters stay what was typed. */
+#ifndef TS_STAGES_PLAN_H
+#define TS_STAGES_PLAN_H
+#include <touchstone/params.h>
+#include "../scene/scene.h"
+
+/* How many there are; TS_NONE: not known yet, because a stage makes them. */
+typedef struct {
+	u32 reflectors, lights;  /* of the scene */
+	u32 cubes, views, lamps; /* made: cubes, off-screen views and area lights */
+} ts_counts;
+
+/* What truths ask of a plan beside the parameters; zeros: nothing. */
+typedef struct {
+	u32 samples; /* of each light, instead of views and light_samples */
+} ts_request;
+
+/* Every member is a u32, so that ts_plan_row can read it. */
+typedef struct {
+	u32 units;             /* what batches are made of: cubes, depth maps, or lights */
+	u32 batch;             /* units a batch */
+	struct {
+		u32 side;          /* texels a side of every cube face or map; 0: of cubes, as the parameters and the eye say */
+		u32 all;           /* true: also the cubes of reflectors that the eye does not see */
+	} offscreen;
+	struct {
+		u32 own;           /* true: the lights of the scene; else one lamp */
+		u32 samples;       /* depth maps of all lights, or cubes of the one light */
+		u32 taps;          /* of the one view of each light; 0: a view a sample */
+	} lights;
+	struct { u32 rate; } points;  /* TS_RATE_IS_*: whose resolution points are made for */
+	struct { u32 field; } views;  /* TS_VIEW_FIELD_*: what the views of many lights see */
+	struct { u32 exact; } surfels; /* true: the exact EWA filter, not its approximation */
+} ts_plan;
+
+/* A member of the plan as text. */
+typedef struct { const char *part, *name; size_t offset; } ts_plan_row;
+extern const ts_plan_row ts_plan_table[];
+enum { TS_PLAN_ROWS = sizeof(ts_plan) / sizeof(u32) };
+u32 ts_plan_value(const ts_plan *plan, const ts_plan_row *row);
+
+/* Counts of a scene of which no stage has made anything. */
+ts_counts ts_scene_counts(const ts_scene *scene);
+/* The plan of a method that derives nothing: a batch a reflector, points for the eye, lights as the parameters say. */
+void ts_plan_default(ts_plan *plan, const ts_params *params, const ts_counts *counts);
+
+#endif
