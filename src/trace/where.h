@@ -2,7 +2,7 @@
  * depth maps "view 5, texel (7, 9)", of a light's cubes "sample 3, face +Y, texel (7, 9)"; "pixel (12, 40), light 1". */
 #ifndef TS_TRACE_WHERE_H
 #define TS_TRACE_WHERE_H
-#include "compare.h"
+#include "read.h"
 
 enum { TS_WHERE_TEXT = 128 };
 
