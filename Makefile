@@ -88,7 +88,8 @@ CLI_C := $(filter-out src/cli/core_main.c,$(wildcard src/cli/*.c))
 CORE_C := $(wildcard src/core/*.c src/backends/c/*.c src/stages/*.c src/pipelines/*.c) \
 	$(wildcard $(patsubst %,src/trace/%.c,npy emit sums golden* vectors*)) \
 	$(filter-out src/scene/open.c src/scene/print% src/scene/gltf% src/scene/ply%,$(wildcard src/scene/*.c)) \
-	$(wildcard $(patsubst %,src/cli/%.c,core_main backends command commit digest golden* help methods nearest options sweep truths))
+	$(wildcard $(patsubst %,src/cli/%.c,core_main backends command commit digest golden* help methods nearest options parse \
+		sweep truths))
 TEST_C := $(filter-out tests/fuzz/%,$(wildcard tests/*/*.c))
 
 object = $(patsubst %,$(BUILD)/obj/%.o,$(1))
@@ -235,7 +236,8 @@ mutants: deps
 
 ##   bench              the papers' tables, measured here, and every backend on one frame
 bench: all
-	for table in ivir-1 ivir-2 ivir-3 epr-1 epr-2 epr-3 epr-6 ssagh-1 ssagh-segments ssagh-5 ssagh-7 mega-10 mega-10-bounces mega-12 mega-13 mega-16 mega-particles nv40 backends; do build/touchstone bench $$table || exit; done
+	for table in $$(build/touchstone list benches | awk 'NR > 1 && /^[a-z]/ { print $$1 }'); do \
+		build/touchstone bench $$table || exit; done
 
 ##   style              the checks of the source text
 ##   format             clang-format of the C and C++ sources

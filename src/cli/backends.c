@@ -3,17 +3,16 @@
 #include <stdio.h>
 #include <string.h>
 #include "../trace/vectors.h"
-#include "cli.h"
 
-ts_status ts_backend_open(ts_cli *cli)
+ts_status ts_backend_open(ts_job *job)
 {
-	const ts_backend_kind *kind = cli->backend;
-	if (kind->open == NULL || ts_cli_given(cli, TS_OPT_HELP)) return TS_OK;
+	const ts_backend_kind *kind = job->backend;
+	if (kind->open == NULL) return TS_OK;
 	double begin = ts_seconds();
-	ts_status status = kind->open(&cli->how.backend, &cli->device);
-	if (status == TS_OK) status = ts_vectors_verify(cli->how.backend, cli->device.inexact);
-	cli->open_s = ts_seconds() - begin;
-	return status == TS_SKIPPED && ts_cli_given(cli, TS_OPT_REQUIRE) ? TS_ERROR : status;
+	ts_status status = kind->open(&job->how.backend, &job->device);
+	if (status == TS_OK) status = ts_vectors_verify(job->how.backend, job->device.inexact);
+	job->open_s = ts_seconds() - begin;
+	return status == TS_SKIPPED && job->require ? TS_ERROR : status;
 }
 
 ts_status ts_backend_find(const ts_backend_kind **kind, const char *name)

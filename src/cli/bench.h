@@ -11,37 +11,40 @@ enum { TS_BENCH_OBJECTS = 1000 }; /* at most */
 /* Sorts them. */
 double ts_median(double *values, u32 n);
 /* What a report opens with: size, where all rows have the same, frame, threads; program and parameters. */
-void ts_bench_head(ts_report *report, const ts_cli *cli, bool sized);
+void ts_bench_head(ts_report *report, const ts_job *job, bool sized);
 
 /* Calls `each` for the scenes of --scene, else for the list `scenes` and those of the files `models` in the folder TS_SCENES
  * that are there; a line says which are not. `models` may be NULL. */
 typedef ts_status ts_bench_scene(void *user, const char *spec);
-ts_status ts_bench_scenes(const ts_cli *cli, const char *scenes, const char *models, ts_report *report,
+ts_status ts_bench_scenes(const ts_job *job, const char *scenes, const char *models, ts_report *report,
                           ts_bench_scene *each, void *user);
 
 /* Does the work of a table into a report. */
-typedef ts_status ts_bench_work(const ts_cli *cli, ts_report *report, const void *user);
+typedef ts_status ts_bench_work(const ts_job *job, ts_report *report, const void *user);
 /* Prints the report; with -o also writes it to that folder, with every table as KEY.csv. */
-ts_status ts_bench_with_report(const ts_cli *cli, ts_bench_work *work, const void *user);
+ts_status ts_bench_with_report(const ts_job *job, ts_bench_work *work, const void *user);
 /* Writes a plot to that folder. */
 ts_status ts_bench_plot(const char *name, const ts_plot *plot);
 
+/* The tables that there are, as `list benches` prints them. */
+ts_table ts_bench_list(void);
+
 /* Tables of a file each. */
-ts_status ts_bench_backends(const ts_cli *cli);
-ts_status ts_bench_start(const ts_cli *cli);
-ts_status ts_bench_cosines(const ts_cli *cli);
-ts_status ts_bench_curves(const ts_cli *cli);
+ts_status ts_bench_backends(const ts_job *job);
+ts_status ts_bench_start(const ts_job *job);
+ts_status ts_bench_cosines(const ts_job *job);
+ts_status ts_bench_curves(const ts_job *job);
 /* Of ssagh-7: what single precision leaves of the integrals as they are printed. */
 void ts_bench_printed(ts_report *report);
 
-ts_status ts_bench_segments(const ts_cli *cli);
-ts_status ts_bench_sweep(const ts_cli *cli);
+ts_status ts_bench_segments(const ts_job *job);
+ts_status ts_bench_sweep(const ts_job *job);
 /* The one truth of reflections that --truth names, C without it; NULL: "none". */
-ts_status ts_bench_truth(const ts_truth_kind **judge, const ts_cli *cli);
+ts_status ts_bench_truth(const ts_truth_kind **judge, const ts_job *job);
 
 /* The one frame that these measure: --scene and --objects name one each. */
-const char *ts_bench_frame_spec(const ts_cli *cli);
-ts_status ts_bench_frame_params(ts_params *params, const ts_cli *cli);
+const char *ts_bench_frame_spec(const ts_job *job);
+ts_status ts_bench_frame_params(ts_params *params, const ts_job *job);
 /* The same with one --method, or EPR. */
 typedef struct {
 	const ts_pipeline *method;
@@ -49,7 +52,7 @@ typedef struct {
 	ts_params params;
 } ts_bench_frame;
 /* A frame that is zero at first may be closed whether or not it was opened. */
-ts_status ts_bench_frame_open(ts_bench_frame *frame, const ts_cli *cli);
+ts_status ts_bench_frame_open(ts_bench_frame *frame, const ts_job *job);
 ts_status ts_bench_frame_run(const ts_bench_frame *frame, const ts_how *how, ts_measure *measure);
 void ts_bench_frame_close(ts_bench_frame *frame);
 /* A line of text, and figures of the JSON object. */
@@ -67,7 +70,8 @@ typedef struct {
 } ts_bench_started;
 /* The same measured in a process of its own, on a device of a backend. `set`: "VARIABLE=value" of its environment, or
  * NULL. */
-ts_status ts_bench_start_apart(ts_bench_started *started, const ts_cli *cli, const char *backend, u32 device, char *set);
+ts_status ts_bench_start_apart(ts_bench_started *started, const ts_job *job, const char *backend, u32 device,
+                               char *set);
 /* Rows of a table of these columns, from `open` on. */
 #define TS_BENCH_STARTED_COLUMNS \
 	{ "open_s", "open, s", true }, { "first_s", "first frame, s", true }, { "next_s", "next frame, s", true }

@@ -3,14 +3,12 @@
 #include <stdlib.h>
 #include "bench_backends.h"
 
-enum { RUNS = 5 };
-
 const u32 ts_bench_limit_mib[TS_BENCH_ATOMICS] = { 1, 16, 128 };
 
 static ts_status begin(ts_bench_table *table)
 {
 	u32 n_rows = TS_BENCH_COLUMNS * TS_BENCH_ROWS;
-	table->n_runs = ts_cli_given(table->cli, TS_OPT_RUNS) ? table->cli->runs : RUNS;
+	table->n_runs = table->job->runs;
 	table->notes = json_array();
 	table->samples = ts_alloc_zero(n_rows, table->n_runs * sizeof *table->samples, "the times");
 	ts_status status = table->samples != NULL ? ts_bench_columns_open(table) : TS_ERROR;
@@ -71,7 +69,7 @@ static void print_notes(ts_bench_table *table)
 static ts_status print(ts_bench_table *table)
 {
 	ts_report *report = table->report;
-	ts_bench_head(report, table->cli, true);
+	ts_bench_head(report, table->job, true);
 	ts_bench_frame_report(&table->frame, report);
 	ts_report_line(report, "median of %u, the columns by turns", (unsigned)table->n_runs);
 	ts_report_value(report, "runs", json_integer(table->n_runs));
@@ -83,14 +81,14 @@ static ts_status print(ts_bench_table *table)
 	return status;
 }
 
-ts_status ts_bench_backends(const ts_cli *cli)
+ts_status ts_bench_backends(const ts_job *job)
 {
 	ts_report report;
 	ts_bench_table *table = ts_alloc_zero(1, sizeof *table, "a table");
 	if (table == NULL) return TS_ERROR;
-	*table = (ts_bench_table){ .cli = cli, .report = &report };
-	ts_report_begin(&report, ts_cli_given(cli, TS_OPT_JSON));
-	ts_status status = ts_bench_frame_open(&table->frame, cli);
+	*table = (ts_bench_table){ .job = job, .report = &report };
+	ts_report_begin(&report, job->output.json);
+	ts_status status = ts_bench_frame_open(&table->frame, job);
 	if (status == TS_OK) status = begin(table);
 	if (status == TS_OK) status = measure(table);
 	if (status == TS_OK) status = print(table);

@@ -20,7 +20,7 @@ typedef struct {
 } ts_bench_column;
 
 typedef struct {
-	const ts_cli *cli;
+	const ts_job *job;
 	ts_report *report;
 	ts_bench_frame frame;
 	u32 n_runs;

@@ -27,7 +27,7 @@ static ts_status add_row(ts_table *t, const ts_bench_table *table, const ts_benc
                          char *set)
 {
 	ts_bench_started started;
-	ts_status status = ts_bench_start_apart(&started, table->cli, column->kind->name, column->index, set);
+	ts_status status = ts_bench_start_apart(&started, table->job, column->kind->name, column->index, set);
 	if (status != TS_OK) return status;
 	ts_table_text(t, column->name);
 	ts_table_text(t, cache);

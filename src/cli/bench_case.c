@@ -49,12 +49,12 @@ ts_status ts_bench_case_params(ts_params *params, const ts_bench_case *c, u32 va
 /* Again with surfels if it has none and needs some. */
 static ts_status open_scene(ts_bench_case *c)
 {
-	ts_status status = ts_scene_open(&c->scene, c->spec, &c->params, &c->cli->scene);
+	ts_status status = ts_scene_open(&c->scene, c->spec, &c->params, &c->job->scene);
 	if (status != TS_OK || c->sampled == 0 || c->scene->n_surfels > 0) return status;
 	ts_scene_free(c->scene);
 	c->scene = NULL;
 	c->params.from_mesh = c->sampled;
-	return ts_scene_open(&c->scene, c->spec, &c->params, &c->cli->scene);
+	return ts_scene_open(&c->scene, c->spec, &c->params, &c->job->scene);
 }
 
 ts_status ts_bench_case_open(ts_bench_case *c, const char *spec, const ts_params *params)
@@ -110,7 +110,7 @@ static ts_status run_variant(ts_bench_case *c, u32 v, bool first)
 	seen s = { c, v };
 	bool takes = first && c->variants[v].seen;
 	if (ts_bench_case_params(&params, c, v) != TS_OK) return TS_ERROR;
-	ts_how how = c->cli->how;
+	ts_how how = c->job->how;
 	if (c->variants[v].runs == TS_ALONE) how.threads = 1;
 	c->measures[v] = (ts_measure){ .pictures = NULL };
 	return ts_measure_run(&c->measures[v], c->methods[v], c->scene, &params, &how, takes ? take_image : NULL, &s);
@@ -124,7 +124,7 @@ ts_status ts_bench_case_run(ts_bench_case *c, u32 run)
 		if (runs) status = run_variant(c, v, run == 0);
 	}
 	if (status == TS_OK && run == 0 && c->judge != NULL && c->judge->radiance != NULL) {
-		status = ts_picture_truth_alone(&c->truth, c->judge, c->scene, &c->params, c->cli->how.threads);
+		status = ts_picture_truth_alone(&c->truth, c->judge, c->scene, &c->params, c->job->how.threads);
 	}
 	return status;
 }

@@ -21,7 +21,7 @@ typedef struct {
 } ts_bench_variant;
 
 typedef struct {
-	const ts_cli *cli;
+	const ts_job *job;
 	const char *effect;
 	const ts_bench_variant *variants;   /* ended by one without a method */
 	u32 n_variants;

@@ -17,7 +17,7 @@ void ts_bench_note(ts_bench_table *table, const char *format, ...)
 static ts_bench_column *add(ts_bench_table *table, const ts_backend_kind *kind, u32 index, const char *device)
 {
 	ts_bench_column *c = &table->column[table->n_columns++];
-	*c = (ts_bench_column){ .kind = kind, .index = index, .how = table->cli->how };
+	*c = (ts_bench_column){ .kind = kind, .index = index, .how = table->job->how };
 	snprintf(c->name, sizeof c->name, "%s%u", kind->name, (unsigned)index);
 	snprintf(c->device, sizeof c->device, "%s", device);
 	return c;
@@ -45,7 +45,7 @@ static void add_device(ts_bench_table *table, const ts_backend_kind *kind, u32 i
 
 static ts_status open_device(ts_bench_table *table, const ts_backend_kind *kind, u32 index)
 {
-	ts_backend_options options = table->cli->device;
+	ts_backend_options options = table->job->device;
 	ts_backend *backend;
 	options.device = index;
 	ts_status status = kind->open(&backend, &options);
@@ -76,25 +76,25 @@ static void open_all(ts_bench_table *table, const ts_backend_kind *kind)
 
 static ts_status open_devices(ts_bench_table *table)
 {
-	const ts_cli *cli = table->cli;
-	if (ts_cli_given(cli, TS_OPT_DEVICE)) return open_device(table, ts_backend_kinds[1], cli->device.device);
+	const ts_job *job = table->job;
+	if (job->device_named) return open_device(table, ts_backend_kinds[1], job->device.device);
 	for (u32 i = 1; ts_backend_kinds[i] != NULL; i++) open_all(table, ts_backend_kinds[i]);
-	bool lacks = table->n_columns == table->reference + 1 && ts_cli_given(cli, TS_OPT_REQUIRE);
+	bool lacks = table->n_columns == table->reference + 1 && job->require;
 	return lacks ? ts_fail("--require: no device can be measured; `touchstone list backends` names them") : TS_OK;
 }
 
 ts_status ts_bench_columns_open(ts_bench_table *table)
 {
-	const ts_cli *cli = table->cli;
+	const ts_job *job = table->job;
 	ts_status status = TS_OK;
 	add_c(table, 1);
-	if (cli->how.threads > 1) add_c(table, cli->how.threads);
-	if (cli->how.backend != NULL) {
-		add_device(table, cli->backend, cli->device.device, cli->how.backend, false);
-	} else if (!ts_cli_given(cli, TS_OPT_BACKEND)) {
+	if (job->how.threads > 1) add_c(table, job->how.threads);
+	if (job->how.backend != NULL) {
+		add_device(table, job->backend, job->device.device, job->how.backend, false);
+	} else if (!job->backend_named) {
 		status = open_devices(table);
 	}
-	return status == TS_SKIPPED && ts_cli_given(cli, TS_OPT_REQUIRE) ? TS_ERROR : status;
+	return status == TS_SKIPPED && job->require ? TS_ERROR : status;
 }
 
 void ts_bench_columns_close(ts_bench_table *table)

@@ -122,16 +122,16 @@ static ts_status plot(const errors *rows)
 	return ts_bench_plot("ssagh_7.svg", &p);
 }
 
-static ts_status work_on(const ts_cli *cli, ts_report *report, const void *user)
+static ts_status work_on(const ts_job *job, ts_report *report, const void *user)
 {
 	(void)user;
 	errors rows[N_SHARP];
 	for (u32 i = 0; i < N_SHARP; i++) rows[i] = compare((f32)(1e-5 * pow(700 / 1e-5, (double)i / (N_SHARP - 1))));
-	ts_report_run(report, cli);
+	ts_report_run(report, job);
 	report_rows(report, rows);
 	report_claims(report, rows);
 	ts_bench_printed(report);
-	return cli->output != NULL ? plot(rows) : TS_OK;
+	return job->output.dir != NULL ? plot(rows) : TS_OK;
 }
 
-ts_status ts_bench_cosines(const ts_cli *cli) { return ts_bench_with_report(cli, work_on, NULL); }
+ts_status ts_bench_cosines(const ts_job *job) { return ts_bench_with_report(job, work_on, NULL); }

@@ -70,18 +70,18 @@ static ts_status plot(const char *name, const char *title, const char *y_axis, v
 	return ts_bench_plot(name, &p);
 }
 
-static ts_status work_on(const ts_cli *cli, ts_report *report, const void *user)
+static ts_status work_on(const ts_job *job, ts_report *report, const void *user)
 {
 	(void)user;
 	figure f;
 	for (u32 i = 0; i < N_SHARP * N_ANGLES; i++) sample(&f, i / N_ANGLES, i % N_ANGLES);
-	ts_report_run(report, cli);
+	ts_report_run(report, job);
 	report_rows(report, "ssagh_5_c", "SSAGH, figure 5a: c by quadrature, and in closed form", c_columns, f.c);
 	report_rows(report, "ssagh_5_s", "SSAGH, figure 5b: s by quadrature, and in closed form", s_columns, f.s);
-	if (cli->output == NULL) return TS_OK;
+	if (job->output.dir == NULL) return TS_OK;
 	ts_status status = plot("ssagh_5_c.svg", "SSAGH, figure 5a. Lines: quadrature; dots: closed form", "c", f.c);
 	if (status == TS_OK) status = plot("ssagh_5_s.svg", "SSAGH, figure 5b. Lines: quadrature; dots: closed form", "s", f.s);
 	return status;
 }
 
-ts_status ts_bench_curves(const ts_cli *cli) { return ts_bench_with_report(cli, work_on, NULL); }
+ts_status ts_bench_curves(const ts_job *job) { return ts_bench_with_report(job, work_on, NULL); }

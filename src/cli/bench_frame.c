@@ -4,31 +4,36 @@
 #include "bench.h"
 #include "methods.h"
 
-const char *ts_bench_frame_spec(const ts_cli *cli) { return cli->scenes != NULL ? cli->scenes : "atrium"; }
+const char *ts_bench_frame_spec(const ts_job *job)
+{
+	return job->scenes != NULL ? job->scenes : "atrium";
+}
 
-ts_status ts_bench_frame_params(ts_params *params, const ts_cli *cli)
+ts_status ts_bench_frame_params(ts_params *params, const ts_job *job)
 {
 	u32 objects;
-	*params = cli->params;
-	if (strchr(ts_bench_frame_spec(cli), ',') != NULL) return ts_fail("--scene %s: this table takes one scene", cli->scenes);
-	if (ts_cli_count(&objects, cli->objects != NULL ? cli->objects : "10", 1, TS_BENCH_OBJECTS, "--objects") != TS_OK) {
-		return TS_ERROR;
+	*params = job->params;
+	if (strchr(ts_bench_frame_spec(job), ',') != NULL) {
+		return ts_fail("--scene %s: this table takes one scene", job->scenes);
 	}
+	const char *typed = job->objects != NULL ? job->objects : "10";
+	if (ts_cli_count(&objects, typed, 1, TS_BENCH_OBJECTS, "--objects") != TS_OK) return TS_ERROR;
 	params->reflectors = objects;
 	return TS_OK;
 }
 
-ts_status ts_bench_frame_open(ts_bench_frame *frame, const ts_cli *cli)
+ts_status ts_bench_frame_open(ts_bench_frame *frame, const ts_job *job)
 {
 	const ts_pipeline *methods[TS_MAX_METHODS];
 	ts_params params;
 	u32 n;
 	u64 bytes;
-	if (ts_bench_frame_params(&params, cli) != TS_OK ||
-	    ts_methods_find(methods, &n, "reflections", cli->method != NULL ? cli->method : "epr") != TS_OK) return TS_ERROR;
-	if (n != 1) return ts_fail("--method %s: this table takes one method", cli->method);
+	const char *typed = job->method != NULL ? job->method : "epr";
+	if (ts_bench_frame_params(&params, job) != TS_OK) return TS_ERROR;
+	if (ts_methods_find(methods, &n, "reflections", typed) != TS_OK) return TS_ERROR;
+	if (n != 1) return ts_fail("--method %s: this table takes one method", job->method);
 	*frame = (ts_bench_frame){ .method = methods[0], .params = params };
-	ts_status status = ts_scene_open(&frame->scene, ts_bench_frame_spec(cli), &frame->params, &cli->scene);
+	ts_status status = ts_scene_open(&frame->scene, ts_bench_frame_spec(job), &frame->params, &job->scene);
 	return status == TS_OK ? ts_measure_estimate(&bytes, methods, 1, 0, frame->scene, &frame->params) : status;
 }
 

@@ -102,14 +102,14 @@ static ts_status write_files(ts_report *report)
 	return status == TS_OK ? ts_folder_commit() : status;
 }
 
-ts_status ts_bench_with_report(const ts_cli *cli, ts_bench_work *work, const void *user)
+ts_status ts_bench_with_report(const ts_job *job, ts_bench_work *work, const void *user)
 {
 	ts_report report;
-	bool files = cli->output != NULL;
-	ts_status status = files ? ts_folder_begin(cli->output, ts_cli_given(cli, TS_OPT_FORCE)) : TS_OK;
+	bool files = job->output.dir != NULL;
+	ts_status status = files ? ts_folder_begin(job->output.dir, job->output.force) : TS_OK;
 	if (status != TS_OK) return status;
-	ts_report_begin(&report, ts_cli_given(cli, TS_OPT_JSON));
-	status = work(cli, &report, user);
+	ts_report_begin(&report, job->output.json);
+	status = work(job, &report, user);
 	if (status == TS_OK && files) status = write_files(&report);
 	if (status == TS_OK) return ts_report_end(&report);
 	if (files) ts_folder_discard();

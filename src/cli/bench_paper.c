@@ -8,7 +8,7 @@
 enum { SPEC_BYTES = 4096 };
 
 typedef struct {
-	const ts_cli *cli;
+	const ts_job *job;
 	const ts_paper_table *table;
 	const ts_truth_kind *judge;
 	ts_paper_line *lines;
@@ -18,7 +18,7 @@ typedef struct {
 /* The median of each figure over the runs. */
 static ts_status run_case(double *values, const double *before, ts_bench_case *c, const work *w)
 {
-	u32 runs = w->table->timed ? w->cli->runs : 1;
+	u32 runs = w->table->timed ? w->job->runs : 1;
 	double *of_run = ts_alloc(runs, TS_BENCH_FIGURES * sizeof *of_run, "the figures");
 	double *one = ts_alloc(runs, sizeof *one, "the figures");
 	ts_status status = of_run != NULL && one != NULL ? TS_OK : TS_ERROR;
@@ -49,7 +49,7 @@ static ts_status measure_line(ts_paper_line *line, const work *w, const char *sp
 	const char *slash = strrchr(spec, '/');
 	ts_bench_case *c = ts_alloc_zero(1, sizeof *c, "a case");
 	if (c == NULL) return TS_ERROR;
-	c->cli = w->cli;
+	c->job = w->job;
 	c->effect = w->table->effect;
 	c->variants = w->table->variants;
 	c->judge = w->judge;
@@ -78,7 +78,7 @@ static ts_status vary(u32 *objects, ts_params *params, const ts_paper_table *tab
 
 static ts_status add_line(work *w, const char *spec, const char *objects)
 {
-	ts_params params = w->cli->params;
+	ts_params params = w->job->params;
 	void *lines = w->lines;
 	ts_status status = ts_grow(&lines, &w->capacity, w->n_lines + 1, sizeof *w->lines, "the rows");
 	if (status != TS_OK) return status;
@@ -94,7 +94,7 @@ static ts_status add_line(work *w, const char *spec, const char *objects)
 static ts_status add_scene(void *user, const char *spec)
 {
 	work *w = user;
-	const char *list = w->cli->objects != NULL ? w->cli->objects : w->table->objects;
+	const char *list = w->job->objects != NULL ? w->job->objects : w->table->objects;
 	char item[32];
 	ts_status status = TS_OK;
 	if (w->table->objects_head == NULL) return add_line(w, spec, NULL);
@@ -105,19 +105,19 @@ static ts_status add_scene(void *user, const char *spec)
 /* Everything that is typed is read once before hours of work. */
 static ts_status check_lists(const work *w, const char *scenes)
 {
-	const char *objects = w->cli->objects;
+	const char *objects = w->job->objects;
 	char item[32], spec[SPEC_BYTES];
 	u32 count;
 	ts_status status = TS_OK;
 	while (status == TS_OK && ts_cli_item(&objects, item, sizeof item)) {
-		ts_params params = w->cli->params;
+		ts_params params = w->job->params;
 		status = vary(&count, &params, w->table, item);
 	}
 	while (status == TS_OK && ts_cli_item(&scenes, spec, sizeof spec)) {
 		ts_scene *scene = NULL;
-		ts_params params = w->cli->params;
+		ts_params params = w->job->params;
 		params.reflectors = 1;
-		status = ts_scene_open(&scene, spec, &params, &w->cli->scene);
+		status = ts_scene_open(&scene, spec, &params, &w->job->scene);
 		ts_scene_free(scene);
 	}
 	return status;
@@ -125,8 +125,9 @@ static ts_status check_lists(const work *w, const char *scenes)
 
 static ts_status measure_lines(work *w, ts_report *report)
 {
-	ts_status status = check_lists(w, w->cli->scenes);
-	return status == TS_OK ? ts_bench_scenes(w->cli, w->table->scenes, w->table->models, report, add_scene, w) : status;
+	ts_status status = check_lists(w, w->job->scenes);
+	if (status != TS_OK) return status;
+	return ts_bench_scenes(w->job, w->table->scenes, w->table->models, report, add_scene, w);
 }
 
 static const ts_column variant_columns[] = { { "method", "method", false }, { "set", "set for it", false }, { 0 } };
@@ -146,27 +147,27 @@ static void report_variants(ts_report *report, const ts_paper_table *table)
 	ts_report_table(report, &t);
 }
 
-static ts_status work_on(const ts_cli *cli, ts_report *report, const void *user)
+static ts_status work_on(const ts_job *job, ts_report *report, const void *user)
 {
 	const ts_paper_table *table = user;
-	work w = { .cli = cli, .table = table };
-	ts_status status = table->judged ? ts_bench_truth(&w.judge, cli) : TS_OK;
-	ts_bench_head(report, cli, table->objects_head == NULL || table->objects_param != NULL);
+	work w = { .job = job, .table = table };
+	ts_status status = table->judged ? ts_bench_truth(&w.judge, job) : TS_OK;
+	ts_bench_head(report, job, table->objects_head == NULL || table->objects_param != NULL);
 	report_variants(report, table);
 	if (status == TS_OK) status = measure_lines(&w, report);
 	if (status == TS_OK) ts_paper_report(report, table, w.lines, (u32)w.n_lines);
-	bool plots = table->plot != NULL && cli->output != NULL;
+	bool plots = table->plot != NULL && job->output.dir != NULL;
 	if (status == TS_OK && plots) status = ts_paper_plots(table, w.lines, (u32)w.n_lines);
 	free(w.lines);
 	return status;
 }
 
-ts_status ts_paper_bench(const ts_cli *cli, const ts_paper_table *table)
+ts_status ts_paper_bench(const ts_job *job, const ts_paper_table *table)
 {
-	ts_cli own = *cli;
+	ts_job own = *job;
 	ts_status status = ts_bench_set_defaults(&own.params, table->defaults);
 	if (status == TS_OK) status = ts_bench_set(&own.params, table->set);
-	bool sized = table->size == NULL || ts_cli_given(cli, TS_OPT_SIZE);
+	bool sized = table->size == NULL || job->sized;
 	if (status == TS_OK && !sized) status = ts_bench_set(&own.params, table->size);
 	return status == TS_OK ? ts_bench_with_report(&own, work_on, table) : status;
 }

@@ -95,6 +95,6 @@ void ts_paper_report(ts_report *report, const ts_paper_table *table, const ts_pa
 /* Writes a plot a scene, PART_1.svg and so on, named after the first part. */
 ts_status ts_paper_plots(const ts_paper_table *table, const ts_paper_line *lines, u32 n);
 /* Measures and prints it all. */
-ts_status ts_paper_bench(const ts_cli *cli, const ts_paper_table *table);
+ts_status ts_paper_bench(const ts_job *job, const ts_paper_table *table);
 
 #endif

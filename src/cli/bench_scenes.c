@@ -21,12 +21,12 @@ static ts_status each_model(const char *list, ts_report *report, ts_bench_scene 
 	return status;
 }
 
-ts_status ts_bench_scenes(const ts_cli *cli, const char *scenes, const char *models, ts_report *report,
+ts_status ts_bench_scenes(const ts_job *job, const char *scenes, const char *models, ts_report *report,
                           ts_bench_scene *each, void *user)
 {
-	const char *list = cli->scenes != NULL ? cli->scenes : scenes;
+	const char *list = job->scenes != NULL ? job->scenes : scenes;
 	char spec[SPEC_BYTES];
 	ts_status status = TS_OK;
 	while (status == TS_OK && ts_cli_item(&list, spec, sizeof spec)) status = each(user, spec);
-	return status == TS_OK && cli->scenes == NULL ? each_model(models, report, each, user) : status;
+	return status == TS_OK && job->scenes == NULL ? each_model(models, report, each, user) : status;
 }

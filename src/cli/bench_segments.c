@@ -15,7 +15,7 @@ typedef struct {
 } tally;
 
 typedef struct {
-	const ts_cli *cli;
+	const ts_job *job;
 	ts_table table;
 	i64 joined;
 } work;
@@ -114,8 +114,8 @@ static ts_status segment(u32 **labels, const work *w, const ts_scene *scene, con
 	ts_params own = *params;
 	own.segmentation = segmentation;
 	*labels = NULL;
-	ts_run_begin(&run, scene, &own, w->cli->how.threads);
-	ts_run_how(&run, &w->cli->how);
+	ts_run_begin(&run, scene, &own, w->job->how.threads);
+	ts_run_how(&run, &w->job->how);
 	ts_status status = TS_OK;
 	for (u32 k = 0; stages[k] != NULL && status == TS_OK; k++) status = ts_run_stage(&run, ts_stage_find(stages[k]));
 	if (status == TS_OK) status = ts_frame_fetch(&run.frame);
@@ -130,9 +130,9 @@ static ts_status add_scene(void *user, const char *spec)
 {
 	work *w = user;
 	ts_scene *scene;
-	ts_params params = w->cli->params;
+	ts_params params = w->job->params;
 	u32 *swept = NULL, *exact = NULL;
-	if (ts_scene_open(&scene, spec, &params, &w->cli->scene) != TS_OK) return TS_ERROR;
+	if (ts_scene_open(&scene, spec, &params, &w->job->scene) != TS_OK) return TS_ERROR;
 	ts_status status = segment(&swept, w, scene, &params, TS_SEGMENTATION_SWEEPS);
 	if (status == TS_OK) status = segment(&exact, w, scene, &params, TS_SEGMENTATION_COMPONENTS);
 	if (status == TS_OK) report_scene(w, spec, swept, exact, params.grid_px);
@@ -142,14 +142,14 @@ static ts_status add_scene(void *user, const char *spec)
 	return status;
 }
 
-static ts_status work_on(const ts_cli *cli, ts_report *report, const void *user)
+static ts_status work_on(const ts_job *job, ts_report *report, const void *user)
 {
 	(void)user;
-	work w = { .cli = cli };
+	work w = { .job = job };
 	w.table = ts_table_begin("ssagh_segments", "SSAGH, algorithm 1: labels by four sweeps", columns);
-	ts_bench_head(report, cli, true);
+	ts_bench_head(report, job, true);
 	ts_report_line(report, "Parted blocks have several components, and so have joined labels. Excess: labels too many.");
-	ts_status status = ts_bench_scenes(cli, "atrium,gallery,dining", "sponza.glb,sibenik.glb,breakfast_room.glb", report,
+	ts_status status = ts_bench_scenes(job, "atrium,gallery,dining", "sponza.glb,sibenik.glb,breakfast_room.glb", report,
 	                                   add_scene, &w);
 	if (status != TS_OK) {
 		ts_table_end(&w.table);
@@ -161,9 +161,9 @@ static ts_status work_on(const ts_cli *cli, ts_report *report, const void *user)
 	return TS_OK;
 }
 
-ts_status ts_bench_segments(const ts_cli *cli)
+ts_status ts_bench_segments(const ts_job *job)
 {
-	ts_cli own = *cli;
+	ts_job own = *job;
 	ts_status status = ts_bench_set(&own.params, "reflectors=0");
 	return status == TS_OK ? ts_bench_with_report(&own, work_on, NULL) : status;
 }

@@ -19,54 +19,54 @@ void ts_bench_started_cells(ts_table *table, const ts_bench_started *started)
 	ts_table_real(table, started->next, 3);
 }
 
-static ts_status measure(ts_bench_started *started, const ts_bench_frame *frame, const ts_cli *cli)
+static ts_status measure(ts_bench_started *started, const ts_bench_frame *frame, const ts_job *job)
 {
 	ts_measure m;
-	double *next = ts_alloc(cli->runs, sizeof *next, "the times");
+	double *next = ts_alloc(job->runs, sizeof *next, "the times");
 	if (next == NULL) return TS_ERROR;
-	ts_status status = ts_bench_frame_run(frame, &cli->how, &m);
-	*started = (ts_bench_started){ .open = cli->open_s, .first = m.seconds };
-	for (u32 i = 0; status == TS_OK && i < cli->runs; i++) {
-		status = ts_bench_frame_run(frame, &cli->how, &m);
+	ts_status status = ts_bench_frame_run(frame, &job->how, &m);
+	*started = (ts_bench_started){ .open = job->open_s, .first = m.seconds };
+	for (u32 i = 0; status == TS_OK && i < job->runs; i++) {
+		status = ts_bench_frame_run(frame, &job->how, &m);
 		next[i] = m.seconds;
 	}
-	if (status == TS_OK) started->next = ts_median(next, cli->runs);
+	if (status == TS_OK) started->next = ts_median(next, job->runs);
 	free(next);
 	return status;
 }
 
-static ts_status report(const ts_bench_started *started, const ts_bench_frame *frame, const ts_cli *cli)
+static ts_status report(const ts_bench_started *started, const ts_bench_frame *frame, const ts_job *job)
 {
 	ts_report r;
-	ts_report_begin(&r, ts_cli_given(cli, TS_OPT_JSON));
-	ts_bench_head(&r, cli, true);
+	ts_report_begin(&r, job->output.json);
+	ts_bench_head(&r, job, true);
 	ts_bench_frame_report(frame, &r);
 	ts_table table = ts_table_begin("start", "Start", columns);
-	ts_table_text(&table, cli->backend->name);
+	ts_table_text(&table, job->backend->name);
 	ts_bench_started_cells(&table, started);
 	ts_report_table(&r, &table);
 	return ts_report_end(&r);
 }
 
-ts_status ts_bench_start(const ts_cli *cli)
+ts_status ts_bench_start(const ts_job *job)
 {
 	ts_bench_frame frame = { .scene = NULL };
 	ts_bench_started started;
-	ts_status status = ts_bench_frame_open(&frame, cli);
-	if (status == TS_OK) status = measure(&started, &frame, cli);
-	if (status == TS_OK) status = report(&started, &frame, cli);
+	ts_status status = ts_bench_frame_open(&frame, job);
+	if (status == TS_OK) status = measure(&started, &frame, job);
+	if (status == TS_OK) status = report(&started, &frame, job);
 	ts_bench_frame_close(&frame);
 	return status;
 }
 
 /* What was typed, but of this backend. */
-static void child_arguments(char **to, const ts_cli *cli, char *backend, char *device)
+static void child_arguments(char **to, const ts_job *job, char *backend, char *device)
 {
-	u32 n = 0, n_options = cli->n_options;
-	if (n_options > 0 && strcmp(cli->options[n_options - 1], "--") == 0) n_options--;
+	u32 n = 0, n_options = job->n_typed;
+	if (n_options > 0 && strcmp(job->typed[n_options - 1], "--") == 0) n_options--;
 	to[n++] = "touchstone";
 	to[n++] = "bench";
-	for (u32 i = 0; i < n_options; i++) to[n++] = cli->options[i];
+	for (u32 i = 0; i < n_options; i++) to[n++] = job->typed[i];
 	char *const own[] = { "--backend", backend, "--device", device, "--runs", "1", "--json", "start", NULL };
 	memcpy(to + n, own, sizeof own);
 }
@@ -108,20 +108,21 @@ static ts_status read_times(ts_bench_started *started, FILE *out)
 	return started->next > 0 ? TS_OK : ts_fail("bench start: a process of its own told no times");
 }
 
-ts_status ts_bench_start_apart(ts_bench_started *started, const ts_cli *cli, const char *backend, u32 device, char *set)
+ts_status ts_bench_start_apart(ts_bench_started *started, const ts_job *job, const char *backend, u32 device,
+                               char *set)
 {
 	char name[32], number[16];
 	size_t n_environment = 0;
 	snprintf(name, sizeof name, "%s", backend);
 	snprintf(number, sizeof number, "%u", (unsigned)device);
 	while (environ[n_environment] != NULL) n_environment++;
-	char **arguments = ts_alloc(cli->n_options + 12, sizeof *arguments, "arguments");
+	char **arguments = ts_alloc(job->n_typed + 12, sizeof *arguments, "arguments");
 	char **environment = ts_alloc(n_environment + 2, sizeof *environment, "environment");
 	FILE *out = tmpfile();
 	ts_status status = arguments != NULL && environment != NULL ? TS_OK : TS_ERROR;
 	if (out == NULL) status = ts_fail("a temporary file: cannot be made; the disk may be full");
 	if (status == TS_OK) {
-		child_arguments(arguments, cli, name, number);
+		child_arguments(arguments, job, name, number);
 		child_environment(environment, set);
 		status = run_child(arguments, environment, out);
 	}

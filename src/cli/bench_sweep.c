@@ -64,7 +64,7 @@ static void report_rows(ts_report *report, const ts_bench_case *c, const ts_plot
 /* Medians over the runs; errors are of the first. */
 static ts_status measure(ts_plot_point *points, ts_bench_case *c)
 {
-	u32 runs = c->cli->runs;
+	u32 runs = c->job->runs;
 	double *times = ts_alloc(N_MARKS, runs * sizeof *times, "the times");
 	ts_status status = times != NULL ? TS_OK : TS_ERROR;
 	for (u32 i = 0; i < runs && status == TS_OK; i++) {
@@ -91,33 +91,33 @@ static ts_status write_plot(const ts_bench_case *c, const ts_plot_point *points)
 	return ts_bench_plot("epr_6.svg", &plot);
 }
 
-static ts_status work_on(const ts_cli *cli, ts_report *report, const void *user)
+static ts_status work_on(const ts_job *job, ts_report *report, const void *user)
 {
 	ts_plot_point points[N_MARKS];
 	ts_params params;
 	ts_bench_case *c = ts_alloc_zero(1, sizeof *c, "a case");
-	ts_status status = c != NULL ? ts_bench_frame_params(&params, cli) : TS_ERROR;
+	ts_status status = c != NULL ? ts_bench_frame_params(&params, job) : TS_ERROR;
 	if (status == TS_OK) {
-		*c = (ts_bench_case){ .cli = cli, .effect = "reflections", .variants = variants, .judge = user };
-		status = ts_bench_case_open(c, ts_bench_frame_spec(cli), &params);
+		*c = (ts_bench_case){ .job = job, .effect = "reflections", .variants = variants, .judge = user };
+		status = ts_bench_case_open(c, ts_bench_frame_spec(job), &params);
 	}
 	if (status == TS_OK) status = measure(points, c);
 	if (status == TS_OK) {
-		ts_bench_head(report, cli, true);
+		ts_bench_head(report, job, true);
 		report_rows(report, c, points);
-		if (cli->output != NULL) status = write_plot(c, points);
+		if (job->output.dir != NULL) status = write_plot(c, points);
 	}
 	if (c != NULL) ts_bench_case_close(c);
 	free(c);
 	return status;
 }
 
-ts_status ts_bench_sweep(const ts_cli *cli)
+ts_status ts_bench_sweep(const ts_job *job)
 {
 	const ts_truth_kind *judge;
 	char names[64];
-	if (ts_bench_truth(&judge, cli) != TS_OK) return TS_ERROR;
-	if (judge != NULL) return ts_bench_with_report(cli, work_on, judge);
+	if (ts_bench_truth(&judge, job) != TS_OK) return TS_ERROR;
+	if (judge != NULL) return ts_bench_with_report(job, work_on, judge);
 	ts_truths_list(names, sizeof names, "reflections", " or ");
 	return ts_fail("bench epr-6: accuracy needs a truth; write --truth=%s", names);
 }

@@ -1,101 +1,49 @@
 /* The command line: one table of commands, one table of options, one parser for all. */
 #ifndef TS_CLI_CLI_H
 #define TS_CLI_CLI_H
-#include <touchstone/params.h>
-#include <touchstone/scene.h>
 #include "../core/core.h"
 #include "../kernels/compat.h"
+#include "../trace/relax.h"
 #include "backends.h"
+#include "job.h"
 
-/* Options, as bits: a command names those it takes. */
-#define TS_OPT(n) (1ull << (n))
-#define TS_OPT_METHOD TS_OPT(0)
-#define TS_OPT_TRUTH TS_OPT(1)
-#define TS_OPT_SIZE TS_OPT(2)
-#define TS_OPT_FRAME TS_OPT(3)
-#define TS_OPT_REFLECTORS TS_OPT(4)
-#define TS_OPT_REFLECTOR TS_OPT(5)
-#define TS_OPT_CAMERA TS_OPT(6)
-#define TS_OPT_SET TS_OPT(7)
-#define TS_OPT_THREADS TS_OPT(8)
-#define TS_OPT_REFERENCE TS_OPT(9)
-#define TS_OPT_OUTPUT TS_OPT(10)
-#define TS_OPT_FORCE TS_OPT(11)
-#define TS_OPT_JSON TS_OPT(12)
-#define TS_OPT_NO_IMAGES TS_OPT(13)
-#define TS_OPT_FLUSH_DENORMALS TS_OPT(14)
-#define TS_OPT_SCENE TS_OPT(15)
-#define TS_OPT_OBJECTS TS_OPT(16)
-#define TS_OPT_RUNS TS_OPT(17)
-#define TS_OPT_BACKEND TS_OPT(18)
-#define TS_OPT_TRACE TS_OPT(19)
-#define TS_OPT_TRACE_ONLY TS_OPT(20)
-#define TS_OPT_CROP TS_OPT(21)
-#define TS_OPT_ULP TS_OPT(22)
-#define TS_OPT_ABS TS_OPT(23)
-#define TS_OPT_REL TS_OPT(24)
-#define TS_OPT_ALLOW TS_OPT(25)
-#define TS_OPT_IGNORE TS_OPT(26)
-#define TS_OPT_MASK TS_OPT(27)
-#define TS_OPT_LAYOUT TS_OPT(28)
-#define TS_OPT_ORDER TS_OPT(29)
-#define TS_OPT_JUNIT TS_OPT(30)
-#define TS_OPT_TAP TS_OPT(31)
-#define TS_OPT_DECIDED TS_OPT(32)
-#define TS_OPT_MARGINS TS_OPT(33)
-#define TS_OPT_REASON TS_OPT(34)
-#define TS_OPT_REFERENCE_DIR TS_OPT(35)
-#define TS_OPT_CHECK TS_OPT(36)
-#define TS_OPT_PIXEL TS_OPT(37)
-#define TS_OPT_VIEW TS_OPT(38)
-#define TS_OPT_TRIANGLE TS_OPT(39)
-#define TS_OPT_POINT TS_OPT(40)
-#define TS_OPT_STAGE TS_OPT(41)
-#define TS_OPT_INPUTS TS_OPT(42)
-#define TS_OPT_FORCED TS_OPT(43)
-#define TS_OPT_VIEWER TS_OPT(44)
-#define TS_OPT_DEVICE TS_OPT(45)
-#define TS_OPT_WORK_GROUP TS_OPT(46)
-#define TS_OPT_BUILD TS_OPT(47)
-#define TS_OPT_INEXACT TS_OPT(48)
-#define TS_OPT_REQUIRE TS_OPT(49)
-#define TS_OPT_EFFECT TS_OPT(50)
-#define TS_OPT_HELP TS_OPT(51)
-#define TS_OPT_FROM_MESH TS_OPT(52)
+/* Options: their places in the table, and their bits, by which a command says which it takes. */
+enum {
+#define OPTION(id, ...) TS_OPTION_##id,
+#include "options.def"
+#undef OPTION
+	TS_N_OPTIONS
+};
+#define TS_OPT(id) (1ull << TS_OPTION_##id)
+_Static_assert(TS_N_OPTIONS <= 64, "sets of options have 64 bits");
 
-enum { TS_MAX_ARGUMENTS = 2, TS_MAX_SWEEPS = 8, TS_SWEEP_TEXT = 48 };
+enum { TS_MAX_ARGUMENTS = 2 };
 
-/* A parameter of which several values were typed. */
+/* How a comparison judges, and what it writes. Strings are NULL if nothing was said. */
 typedef struct {
-	char name[TS_SWEEP_TEXT];
-	const char *values; /* separated by commas; belongs to argv */
-	u32 n;
-} ts_swept;
-typedef struct { ts_swept swept[TS_MAX_SWEEPS]; u32 n; } ts_sweep;
+	ts_relaxations relaxations;     /* but for the mask */
+	const char *mask;               /* file */
+	const char *layout;
+	bool forced;                    /* each stage by the candidate's own inputs */
+	const char *junit;
+	bool tap;
+} ts_judging;
 
 /* What was typed. Strings belong to argv. */
-struct ts_cli {
-	u64 given;                      /* TS_OPT_* that were typed */
+typedef struct {
+	u64 given;                      /* TS_OPT of the options */
 	const char *arguments[TS_MAX_ARGUMENTS];
 	u32 n_arguments;
-	char *const *options;           /* what else was typed */
-	u32 n_options;
-	ts_params params;
-	ts_sweep sweep;
-	ts_scene_options scene;
-	const ts_backend_kind *backend;
-	ts_backend_options device;      /* of the backend */
-	const char *effect, *method, *scenes, *objects, *output, *trace_only, *crop;
-	const char *ignore, *mask, *layout, *junit;
-	const char *pixel, *view, *point;
-	u64 ulp, allow, triangle;
-	double abs, rel;
-	const char *reason, *reference_dir;
-	const char *check, *stage, *inputs, *truth;
-	ts_how how;                     /* its backend is opened before the command runs */
-	double open_s;                  /* that this took, its arithmetic checked */
-	u32 runs;
-};
+	ts_job job;
+	ts_judging judging;             /* of compare */
+	struct {
+		const char *pixel, *view, *point;
+		u64 triangle;
+	} place;                        /* of probe */
+	struct { const char *reason, *dir; } golden;
+	const char *check, *stage, *inputs;
+	bool flush_denormals;
+} ts_cli;
 
 typedef struct {
 	const char *name;
@@ -103,24 +51,31 @@ typedef struct {
 	const char *doc;                /* one line */
 	const char *details;            /* for `help NAME`, may be empty */
 	u32 min_arguments, max_arguments;
-	u64 options;                    /* TS_OPT_* */
+	u64 options;                    /* TS_OPT of those it takes */
 	ts_status (*run)(ts_cli *cli);
 } ts_command;
 
-typedef struct {
-	u64 bit;
-	const char *name, *argument;    /* argument: "" none, "[...]" optional */
-	const char *help;
+typedef struct ts_option ts_option;
+struct ts_option {
+	const char *name;
+	char letter;                    /* its short form; 0: none */
+	const char *argument;           /* "" none, "[...]" optional */
+	ts_status (*take)(void *to, const ts_option *option, const char *text);
+	size_t at;                      /* of `to` in ts_cli */
+	u32 min, max;                   /* of a count */
+	const char *param;              /* that is set */
+	const char *help;               /* lines */
 	const char *list;               /* `list` tells more of its values; "" no */
-} ts_option;
+};
 
 /* Each program's own table, ended by a row without a name. */
 extern const ts_command ts_command_table[];
 /* The program's name in messages. */
 extern const char *const ts_program;
 
-/* All options, ended by a row without a name. */
-extern const ts_option ts_option_table[];
+extern const ts_option ts_option_table[TS_N_OPTIONS];
+/* Whether the command takes the option at that place of the table; each takes --help. */
+bool ts_command_takes(const ts_command *command, u32 option);
 
 /* The command of that name; NULL if this program has none. */
 const ts_command *ts_cli_find(const char *name);

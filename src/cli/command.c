@@ -25,9 +25,9 @@ const ts_command *ts_cli_require(const char *name)
 
 static ts_status run_with_backend(ts_cli *cli, const ts_command *command)
 {
-	ts_status status = ts_backend_open(cli);
+	ts_status status = ts_backend_open(&cli->job);
 	if (status == TS_OK) status = command->run(cli);
-	if (cli->how.backend != NULL) cli->how.backend->close(cli->how.backend);
+	if (cli->job.how.backend != NULL) cli->job.how.backend->close(cli->job.how.backend);
 	return status;
 }
 
@@ -46,11 +46,11 @@ static ts_status run(int argc, char **argv)
 	if (command == NULL) return TS_ERROR;
 	ts_cli cli;
 	ts_status status = ts_cli_parse(&cli, command, argc - 1, argv + 1);
-	if (status == TS_OK && ts_cli_given(&cli, TS_OPT_HELP)) {
+	if (status == TS_OK && ts_cli_given(&cli, TS_OPT(HELP))) {
 		ts_help_print(command);
-	} else if (status == TS_OK && cli.sweep.n > 0 && strcmp(command->name, "render") != 0) {
-		status = ts_fail("--set %s=%s: one value; only render takes lists", cli.sweep.swept[0].name,
-		                 cli.sweep.swept[0].values);
+	} else if (status == TS_OK && cli.job.sweep.n > 0 && strcmp(command->name, "render") != 0) {
+		status = ts_fail("--set %s=%s: one value; only render takes lists", cli.job.sweep.swept[0].name,
+		                 cli.job.sweep.swept[0].values);
 	} else if (status == TS_OK) {
 		status = run_with_backend(&cli, command);
 	}

@@ -19,7 +19,7 @@ typedef struct { ts_trace *reference, *candidate; u8 *mask; ts_relaxations relax
 static ts_status open_sides(sides *s, const ts_cli *cli)
 {
 	const char *ref = cli->arguments[0], *cand = cli->arguments[1];
-	if (ts_cli_given(cli, TS_OPT_ORDER) && cli->layout == NULL) {
+	if (ts_cli_given(cli, TS_OPT(ORDER)) && cli->judging.layout == NULL) {
 		return ts_fail("--order: only with --layout; a trace.json has its own");
 	}
 	if (ends_in(ref, ".npy")) {
@@ -30,8 +30,9 @@ static ts_status open_sides(sides *s, const ts_cli *cli)
 		return ts_fail("%s: holds %s, and the reference %s", cand, ts_buffer_table[b].name, ts_buffer_table[a].name);
 	}
 	if (ts_trace_open(&s->reference, ref) != TS_OK) return TS_ERROR;
-	return cli->layout != NULL ? ts_trace_open_layout(&s->candidate, cand, cli->layout, cli->how.arrival, s->reference)
-	                           : ts_trace_open(&s->candidate, cand);
+	const char *layout = cli->judging.layout;
+	if (layout == NULL) return ts_trace_open(&s->candidate, cand);
+	return ts_trace_open_layout(&s->candidate, cand, layout, cli->job.how.arrival, s->reference);
 }
 
 /* 1 where the picture is not black. */
@@ -95,16 +96,16 @@ static ts_status draw_all(const sides *s, const ts_comparison *c, ts_report *rep
 static ts_status tell(const sides *s, const ts_comparison *c, const ts_cli *cli)
 {
 	ts_report report;
-	ts_report_begin(&report, ts_cli_given(cli, TS_OPT_JSON));
-	ts_compare_report(&report, c, s->reference, s->candidate, cli);
+	ts_report_begin(&report, cli->job.output.json);
+	ts_compare_report(&report, c, s->reference, s->candidate, &cli->judging);
 	ts_status status = ts_report_check(&report);
-	if (status == TS_OK && cli->junit != NULL) status = ts_compare_junit(c, s->reference, cli->junit);
-	if (status == TS_OK && cli->output != NULL) {
-		status = ts_folder_begin(cli->output, ts_cli_given(cli, TS_OPT_FORCE));
+	if (status == TS_OK && cli->judging.junit != NULL) status = ts_compare_junit(c, s->reference, cli->judging.junit);
+	if (status == TS_OK && cli->job.output.dir != NULL) {
+		status = ts_folder_begin(cli->job.output.dir, cli->job.output.force);
 		if (status == TS_OK) status = draw_all(s, c, &report);
 		if (status != TS_OK) ts_folder_discard();
 	}
-	if (status == TS_OK && ts_cli_given(cli, TS_OPT_TAP)) {
+	if (status == TS_OK && cli->judging.tap) {
 		ts_compare_tap(c, s->reference, stdout);
 		ts_report_discard(&report);
 		return TS_OK;
@@ -116,21 +117,19 @@ static ts_status tell(const sides *s, const ts_comparison *c, const ts_cli *cli)
 
 static ts_status judge(const sides *s, ts_comparison *c, const ts_cli *cli)
 {
-	if (!ts_cli_given(cli, TS_OPT_FORCED)) return ts_compare(c, s->reference, s->candidate, &s->relaxations);
+	if (!cli->judging.forced) return ts_compare(c, s->reference, s->candidate, &s->relaxations);
 	if (ts_selftest_require() != TS_OK) return TS_ERROR;
-	return ts_compare_forced(c, s->reference, s->candidate, &s->relaxations, cli->how.threads);
+	return ts_compare_forced(c, s->reference, s->candidate, &s->relaxations, cli->job.how.threads);
 }
 
 ts_status ts_compare_command(ts_cli *cli)
 {
 	const char *ref = cli->arguments[0];
 	if (ends_in(ref, ".png") || ends_in(ref, ".exr")) return ts_compare_images(cli);
-	sides s = { .reference = NULL,
-		.relaxations = { .ulp = cli->ulp, .abs = cli->abs, .rel = cli->rel, .allow = cli->allow, .ignore = cli->ignore,
-		                 .decided = ts_cli_given(cli, TS_OPT_DECIDED) } };
+	sides s = { .relaxations = cli->judging.relaxations };
 	ts_comparison *c = ts_alloc_zero(1, sizeof *c, "a comparison");
 	ts_status status = c != NULL ? open_sides(&s, cli) : TS_ERROR;
-	if (status == TS_OK) status = read_mask(&s, cli->mask);
+	if (status == TS_OK) status = read_mask(&s, cli->judging.mask);
 	if (status == TS_OK) status = judge(&s, c, cli);
 	if (status != TS_ERROR && tell(&s, c, cli) != TS_OK) status = TS_ERROR;
 	ts_trace_close(s.reference);

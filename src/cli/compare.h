@@ -11,7 +11,7 @@ enum { TS_LINE_TEXT = 2048 };
 void ts_compare_line(char text[TS_LINE_TEXT], const ts_comparison *comparison, const ts_trace *reference, ts_buffer_id id);
 /* A row a buffer, the verdict, and the line of the first divergence; as text and as JSON. */
 void ts_compare_report(ts_report *report, const ts_comparison *comparison, const ts_trace *reference,
-                       const ts_trace *candidate, const ts_cli *cli);
+                       const ts_trace *candidate, const ts_judging *judging);
 /* A line a stage, in Test Anything Protocol. */
 void ts_compare_tap(const ts_comparison *comparison, const ts_trace *reference, FILE *out);
 /* JUnit XML, a uniquely named case a stage. */

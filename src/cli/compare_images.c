@@ -39,19 +39,19 @@ static void tell_first(ts_report *report, const picture *p, u64 first, u64 n_unl
 ts_status ts_compare_images(const ts_cli *cli)
 {
 	picture p[2] = { { .pixels = NULL }, { .pixels = NULL } };
-	ts_relaxations relaxations = { .ulp = cli->ulp, .abs = cli->abs, .rel = cli->rel };
+	const ts_relaxations *relaxations = &cli->judging.relaxations;
 	ts_status status = read_pictures(p, cli);
 	u64 n = (u64)p[0].width * p[0].height * p[0].channels, first = 0, n_unlike = 0;
 	double squares = 0;
 	for (u64 i = 0; status == TS_OK && i < n; i++) {
 		double apart = (double)p[0].pixels[i] - (double)p[1].pixels[i];
 		squares += apart * apart;
-		if (ts_relax_close(&relaxations, ts_f2u(p[0].pixels[i]), ts_f2u(p[1].pixels[i]))) continue;
+		if (ts_relax_close(relaxations, ts_f2u(p[0].pixels[i]), ts_f2u(p[1].pixels[i]))) continue;
 		if (n_unlike++ == 0) first = i;
 	}
 	if (status == TS_OK) {
 		ts_report report;
-		ts_report_begin(&report, ts_cli_given(cli, TS_OPT_JSON));
+		ts_report_begin(&report, cli->job.output.json);
 		ts_report_line(&report, "%" PRIu64 " values, %" PRIu64 " different, root mean square %.9g", n, n_unlike,
 		               n > 0 ? sqrt(squares / (double)n) : 0);
 		ts_report_value(&report, "values", json_integer((json_int_t)n));
@@ -61,5 +61,5 @@ ts_status ts_compare_images(const ts_cli *cli)
 	}
 	free(p[0].pixels);
 	free(p[1].pixels);
-	return status != TS_OK ? status : n_unlike > cli->allow ? TS_DIFFERENT : TS_OK;
+	return status != TS_OK ? status : n_unlike > relaxations->allow ? TS_DIFFERENT : TS_OK;
 }

@@ -114,24 +114,25 @@ static void row(ts_table *table, const ts_verdict *v, const char *stage, ts_buff
 	ts_table_text(table, words[v->judgement]);
 }
 
-/* All relaxations that were typed: they are part of the verdict. */
-static void relaxations_of(char *text, size_t bytes, const ts_cli *cli)
+/* All of them, as they are typed: they are part of the verdict. */
+static void relaxations_of(char *text, size_t bytes, const ts_judging *judging)
 {
+	const ts_relaxations *r = &judging->relaxations;
 	FILE *out = fmemopen(text, bytes, "w");
 	text[0] = 0;
 	if (out == NULL) return;
-	if (ts_cli_given(cli, TS_OPT_ULP)) fprintf(out, " --ulp %" PRIu64, cli->ulp);
-	if (ts_cli_given(cli, TS_OPT_ABS)) fprintf(out, " --abs %.17g", cli->abs);
-	if (ts_cli_given(cli, TS_OPT_REL)) fprintf(out, " --rel %.17g", cli->rel);
-	if (ts_cli_given(cli, TS_OPT_ALLOW)) fprintf(out, " --allow %" PRIu64, cli->allow);
-	if (ts_cli_given(cli, TS_OPT_DECIDED)) fprintf(out, " --decided");
-	if (cli->ignore != NULL) fprintf(out, " --ignore %.200s", cli->ignore);
-	if (cli->mask != NULL) fprintf(out, " --mask %.200s", cli->mask);
+	if (r->ulp > 0) fprintf(out, " --ulp %" PRIu64, r->ulp);
+	if (r->abs > 0) fprintf(out, " --abs %.17g", r->abs);
+	if (r->rel > 0) fprintf(out, " --rel %.17g", r->rel);
+	if (r->allow > 0) fprintf(out, " --allow %" PRIu64, r->allow);
+	if (r->decided) fprintf(out, " --decided");
+	if (r->ignore != NULL) fprintf(out, " --ignore %.200s", r->ignore);
+	if (judging->mask != NULL) fprintf(out, " --mask %.200s", judging->mask);
 	fclose(out);
 }
 
 void ts_compare_report(ts_report *report, const ts_comparison *c, const ts_trace *reference, const ts_trace *candidate,
-                       const ts_cli *cli)
+                       const ts_judging *judging)
 {
 	char line[TS_LINE_TEXT], relaxed[600];
 	ts_table table = ts_table_begin("buffers", "", columns);
@@ -143,7 +144,7 @@ void ts_compare_report(ts_report *report, const ts_comparison *c, const ts_trace
 			row(&table, &c->verdict[id], step != NULL ? step->stage : "scene", (ts_buffer_id)id);
 		}
 	}
-	relaxations_of(relaxed, sizeof relaxed, cli);
+	relaxations_of(relaxed, sizeof relaxed, judging);
 	ts_report_table(report, &table);
 	ts_report_line(report, "%s", "");
 	ts_report_line(report, "%u buffers judged, %u different, %u missing%s%s", (unsigned)c->n_judged, (unsigned)c->n_unlike,

@@ -9,11 +9,11 @@ const ts_backend_kind *const ts_backend_kinds[] = { &ts_c_kind, NULL };
 
 const ts_command ts_command_table[] = {
 	{ "digest", "[SCENE]", "SHA-256 of every buffer of a built-in scene, in pipeline order", "",
-	  0, 1, TS_OPT_EFFECT | TS_OPT_METHOD | TS_OPT_SIZE | TS_OPT_FRAME | TS_OPT_REFLECTORS | TS_OPT_SET | TS_OPT_THREADS |
-	  TS_OPT_REFERENCE | TS_OPT_FLUSH_DENORMALS, ts_digest_command },
+	  0, 1, TS_OPT(EFFECT) | TS_OPT(METHOD) | TS_OPT(SIZE) | TS_OPT(FRAME) | TS_OPT(REFLECTORS) | TS_OPT(SET) |
+	  TS_OPT(THREADS) | TS_OPT(REFERENCE) | TS_OPT(FLUSH_DENORMALS), ts_digest_command },
 	{ "golden", "ACTION [CASE]", "check, new or bless: the goldens of reference/",
 	  TS_GOLDEN_DETAILS,
-	  1, 2, TS_OPT_THREADS | TS_OPT_REFERENCE | TS_OPT_BACKEND | TS_OPT_REASON | TS_OPT_REFERENCE_DIR,
+	  1, 2, TS_OPT(THREADS) | TS_OPT(REFERENCE) | TS_OPT(BACKEND) | TS_OPT(REASON) | TS_OPT(REFERENCE_DIR),
 	  ts_golden_command },
 	{ "help", "[COMMAND]", "what a command does and takes", "", 0, 1, 0, ts_help_command },
 	{ 0 }

@@ -34,10 +34,10 @@ static ts_status flush_denormals(u32 threads)
 	return TS_OK;
 }
 
-static ts_status digest_method(const ts_cli *cli, const ts_scene *scene, const ts_pipeline *method)
+static ts_status digest_method(const ts_job *job, const ts_scene *scene, const ts_pipeline *method)
 {
 	ts_sums sums;
-	if (ts_sums_of(&sums, method, scene, &cli->params, &cli->how) != TS_OK) return TS_ERROR;
+	if (ts_sums_of(&sums, method, scene, &job->params, &job->how) != TS_OK) return TS_ERROR;
 	printf("# %s by %s\n", method->effect, method->name);
 	ts_sums_print(&sums, method, stdout);
 	return TS_OK;
@@ -48,13 +48,13 @@ ts_status ts_digest_command(ts_cli *cli)
 	const ts_pipeline *methods[TS_MAX_METHODS];
 	u32 n;
 	ts_scene *scene;
-	const char *effect = cli->effect != NULL ? cli->effect : "reflections";
-	ts_status status = ts_methods_find(methods, &n, effect, cli->method);
-	ts_effect_params(cli, effect);
+	const char *effect = cli->job.effect != NULL ? cli->job.effect : "reflections";
+	ts_status status = ts_methods_find(methods, &n, effect, cli->job.method);
+	ts_effect_params(&cli->job, effect);
 	if (status != TS_OK || (status = ts_selftest_require()) != TS_OK) return status;
-	if (ts_cli_given(cli, TS_OPT_FLUSH_DENORMALS) && (status = flush_denormals(cli->how.threads)) != TS_OK) return status;
-	status = ts_builtin_open(&scene, cli->n_arguments > 0 ? cli->arguments[0] : "atrium", &cli->params, NULL);
-	for (u32 i = 0; i < n && status == TS_OK; i++) status = digest_method(cli, scene, methods[i]);
+	if (cli->flush_denormals && (status = flush_denormals(cli->job.how.threads)) != TS_OK) return status;
+	status = ts_builtin_open(&scene, cli->n_arguments > 0 ? cli->arguments[0] : "atrium", &cli->job.params, NULL);
+	for (u32 i = 0; i < n && status == TS_OK; i++) status = digest_method(&cli->job, scene, methods[i]);
 	ts_scene_free(scene);
 	return status;
 }

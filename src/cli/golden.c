@@ -31,8 +31,9 @@ ts_status ts_golden_command(ts_cli *cli)
 		if (strcmp(typed, actions[i].name) == 0) action = i;
 	}
 	if (nearest.distance != 0) return ts_fail("golden: no action \"%.60s\"; the nearest is %s", typed, nearest.best);
-	goldens.cli = cli;
-	const char *dir = cli->reference_dir != NULL ? cli->reference_dir : "reference";
+	goldens.job = &cli->job;
+	goldens.reason = cli->golden.reason;
+	const char *dir = cli->golden.dir != NULL ? cli->golden.dir : "reference";
 	if (ts_selftest_require() != TS_OK || ts_golden_dir_open(&goldens.dir, NULL, dir) != TS_OK) return TS_ERROR;
 	ts_status status = ts_cases_read(&goldens);
 	if (status == TS_OK) status = run_action(&goldens, action, cli->n_arguments > 1 ? cli->arguments[1] : NULL);

@@ -23,7 +23,8 @@ typedef struct {
 
 /* What a `golden` command works on. */
 typedef struct {
-	const ts_cli *cli;
+	const ts_job *job;
+	const char *reason;  /* of bless; NULL: none was given */
 	ts_golden_dir dir; /* reference/ */
 	ts_case cases[TS_MAX_CASES];
 	u32 n_cases;

@@ -22,7 +22,7 @@ static ts_status check_reason(const char *reason)
 }
 
 /* Only what a known state of the source computed by the reference is accepted. */
-static ts_status check_build(const ts_cli *cli)
+static ts_status check_build(const ts_job *job)
 {
 	const char *commit = ts_commit();
 	if (strcmp(commit, "unknown") == 0) {
@@ -32,8 +32,9 @@ static ts_status check_build(const ts_cli *cli)
 		return ts_fail("golden bless: this build has changes that are not committed (%s); commit, and build again",
 		               commit);
 	}
-	if (cli->backend == ts_backend_kinds[0]) return TS_OK;
-	return ts_fail("golden bless: backend %s is not the reference, %s", cli->backend->name, ts_backend_kinds[0]->name);
+	if (job->backend == ts_backend_kinds[0]) return TS_OK;
+	return ts_fail("golden bless: backend %s is not the reference, %s", job->backend->name,
+	               ts_backend_kinds[0]->name);
 }
 
 static ts_status check_values(const ts_case *c, const ts_golden *golden)
@@ -58,7 +59,7 @@ static ts_status check_proposal(const ts_goldens *goldens, const ts_case *c, con
 		ts_golden_free(&proposed);
 		return TS_ERROR;
 	}
-	ts_how plain = {.threads = goldens->cli->how.threads, .reference = true};
+	ts_how plain = {.threads = goldens->job->how.threads, .reference = true};
 	status = ts_case_compute(&computed, c, &plain);
 	if (status == TS_OK) status = ts_golden_compare(text, sizeof text, &proposed, &computed, c->pipeline, c->small);
 	if (status == TS_DIFFERENT) {
@@ -81,7 +82,7 @@ static ts_status bless(const ts_goldens *goldens, const ts_case *c, const ts_gol
 		return ts_fail("golden bless: no preview.png.new in %s; touchstone-core writes none", dir->path);
 	}
 	if (check_proposal(goldens, c, dir) != TS_OK) return TS_ERROR;
-	snprintf(line, sizeof line, "%s: %s", c->name, goldens->cli->reason);
+	snprintf(line, sizeof line, "%s: %s", c->name, goldens->reason);
 	ts_status status = ts_golden_add_line(&goldens->dir, "CHANGES", line);
 	return status == TS_OK ? ts_golden_promote(dir, promoted) : status;
 }
@@ -90,7 +91,7 @@ ts_status ts_golden_bless_action(const ts_goldens *goldens, const ts_case *only)
 {
 	ts_golden_dir dir;
 	if (only == NULL) return ts_fail("golden bless: which case? Write golden bless CASE --reason TEXT");
-	if (check_reason(goldens->cli->reason) != TS_OK || check_build(goldens->cli) != TS_OK) return TS_ERROR;
+	if (check_reason(goldens->reason) != TS_OK || check_build(goldens->job) != TS_OK) return TS_ERROR;
 	if (!ts_golden_has(&goldens->dir, only->name)) {
 		return ts_fail("golden bless: nothing new: run \"golden new %s\" first", only->name);
 	}

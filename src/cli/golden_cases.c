@@ -12,7 +12,7 @@ enum { MOST_FILE_BYTES = 64 << 10, MOST_WORDS = 100, MOST_PIXELS = 1 << 20, MOST
 /* A line after its name is a command line of its own. */
 static const ts_command line_command = {
 	"golden", "[EFFECT/]METHOD SCENE [OPTION...]", "", "", 2, 2,
-	TS_OPT_SIZE | TS_OPT_FRAME | TS_OPT_REFLECTORS | TS_OPT_SET, NULL
+	TS_OPT(SIZE) | TS_OPT(FRAME) | TS_OPT(REFLECTORS) | TS_OPT(SET), NULL
 };
 
 bool ts_case_name(const char *text)
@@ -51,7 +51,7 @@ static ts_status parse_words(ts_cli *cli, bool *small, char *text)
 		}
 	}
 	ts_status status = ts_cli_parse(cli, &line_command, n, words);
-	if (status == TS_OK && ts_cli_given(cli, TS_OPT_HELP)) return ts_fail("--help is no part of a case");
+	if (status == TS_OK && ts_cli_given(cli, TS_OPT(HELP))) return ts_fail("--help is no part of a case");
 	return status;
 }
 
@@ -65,14 +65,14 @@ static ts_status find_method(ts_case *c, ts_cli *cli)
 	}
 	if (ts_effect_check(effect) != TS_OK) return TS_ERROR;
 	c->pipeline = ts_pipeline_find(effect, method);
-	ts_effect_params(cli, effect);
+	ts_effect_params(&cli->job, effect);
 	return c->pipeline != NULL ? TS_OK : ts_fail("no method \"%.60s\" of %s", method, effect);
 }
 
 static ts_status take_line(ts_case *c, ts_cli *cli)
 {
 	const char *scene = cli->arguments[1];
-	const ts_params *p = &cli->params;
+	const ts_params *p = &cli->job.params;
 	if (find_method(c, cli) != TS_OK) return TS_ERROR;
 	c->params = *p;
 	if (!ts_builtin_is(scene) || strlen(scene) >= TS_CASE_SCENE) {

@@ -18,7 +18,7 @@ static verdict compare(char *text, const ts_goldens *goldens, const ts_case *c, 
 	if (status != TS_OK) return of_status(status);
 	status = ts_golden_read(&stored, dir, c->pipeline, "");
 	if (status == TS_OK) {
-		status = ts_case_compute(&computed, c, &goldens->cli->how);
+		status = ts_case_compute(&computed, c, &goldens->job->how);
 		if (status == TS_OK) status = ts_golden_compare(text, TEXT_BYTES, &stored, &computed, c->pipeline, c->small);
 		ts_golden_free(&computed);
 	}

@@ -18,7 +18,7 @@ static ts_status propose(const ts_goldens *goldens, const ts_case *c)
 	ts_golden_dir dir;
 	ts_golden golden;
 	if (ts_golden_dir_make(&dir, &goldens->dir, c->name) != TS_OK) return TS_ERROR;
-	ts_status status = ts_case_compute(&golden, c, &goldens->cli->how);
+	ts_status status = ts_case_compute(&golden, c, &goldens->job->how);
 	if (status == TS_OK) status = write_preview(&golden, &dir);
 	if (status == TS_OK) status = ts_case_write_params(c, &dir, "params.txt.new");
 	if (status == TS_OK) status = ts_golden_propose(&golden, &dir, c->pipeline, c->small);

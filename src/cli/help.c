@@ -3,6 +3,7 @@
 #include <string.h>
 #include "cli.h"
 
+/* Below its names the lines of its help, and at their end its short form and the list that has its values. */
 static void print_option(const ts_option *option)
 {
 	char left[48];
@@ -11,6 +12,7 @@ static void print_option(const ts_option *option)
 	for (const char *line = option->help; line != NULL;) {
 		const char *end = strchr(line, '\n');
 		printf("  %-22s %.*s", line == option->help ? left : "", (int)strcspn(line, "\n"), line);
+		if (end == NULL && option->letter != 0) printf(". Short: -%c%s%s", option->letter, space, option->argument);
 		if (end == NULL && option->list[0] != 0 && ts_cli_find("list") != NULL) printf("; see: list %s", option->list);
 		putchar('\n');
 		line = end != NULL ? end + 1 : NULL;
@@ -22,8 +24,8 @@ static void print_command(const ts_command *command)
 	printf("%s %s %s\n  %s\n", ts_program, command->name, command->arguments, command->doc);
 	if (command->details[0] != 0) printf("\n%s\n", command->details);
 	printf("\nOptions:\n");
-	for (const ts_option *o = ts_option_table; o->name != NULL; o++) {
-		if ((command->options & o->bit) != 0 || o->bit == TS_OPT_HELP) print_option(o);
+	for (u32 i = 0; i < TS_N_OPTIONS; i++) {
+		if (ts_command_takes(command, i)) print_option(&ts_option_table[i]);
 	}
 }
 

@@ -2,8 +2,7 @@
 #include <string.h>
 #include "../core/frame.h"
 #include "../pipelines/pipeline.h"
-#include "cli.h"
-#include "table.h"
+#include "bench.h"
 #include "truths.h"
 
 static const ts_column stage_columns[] = { { "name", "stage", false }, { "kind", "kind", false },
@@ -159,7 +158,8 @@ static const struct {
 	ts_table (*make)(void);
 } lists[] = {
 	{ "stages", list_stages }, { "buffers", list_buffers }, { "params", list_params },
-	{ "methods", list_methods }, { "truths", list_truths }, { "scenes", list_scenes }, { "backends", list_backends },
+	{ "methods", list_methods }, { "truths", list_truths }, { "scenes", list_scenes },
+	{ "backends", list_backends }, { "benches", ts_bench_list },
 };
 
 enum { N_LISTS = sizeof lists / sizeof lists[0] };
@@ -182,7 +182,7 @@ ts_status ts_list_command(ts_cli *cli)
 	for (size_t i = 0; i < N_LISTS; i++) {
 		if (strcmp(lists[i].name, cli->arguments[0]) == 0) {
 			ts_report report;
-			ts_report_begin(&report, ts_cli_given(cli, TS_OPT_JSON));
+			ts_report_begin(&report, cli->job.output.json);
 			ts_table table = lists[i].make();
 			ts_report_table(&report, &table);
 			return ts_report_end(&report);

@@ -10,9 +10,9 @@ ts_status ts_effect_check(const char *effect)
 	return nearest.distance == 0 ? TS_OK : ts_fail("no effect \"%s\"; the nearest is %s", effect, nearest.best);
 }
 
-void ts_effect_params(ts_cli *cli, const char *effect)
+void ts_effect_params(ts_job *job, const char *effect)
 {
-	if (strcmp(effect, "reflections") != 0 && !ts_cli_given(cli, TS_OPT_REFLECTORS)) cli->params.reflectors = 0;
+	if (strcmp(effect, "reflections") != 0 && !job->mirrored) job->params.reflectors = 0;
 }
 
 static void add(const ts_pipeline *methods[TS_MAX_METHODS], u32 *n, const ts_pipeline *p)

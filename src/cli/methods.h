@@ -12,6 +12,6 @@ ts_status ts_methods_find(const ts_pipeline *methods[TS_MAX_METHODS], u32 *n, co
 /* Whether there is such an effect; if not, the message names the nearest. */
 ts_status ts_effect_check(const char *effect);
 /* What an effect makes of parameters that were not typed: shadows are shown without mirrors. */
-void ts_effect_params(ts_cli *cli, const char *effect);
+void ts_effect_params(ts_job *job, const char *effect);
 
 #endif

@@ -121,10 +121,10 @@ static void print(ts_report *report, json_t *v, int depth, bool item)
 static ts_status read_pixel(const ts_cli *cli, u32 *x, u32 *y)
 {
 	char item[16];
-	const char *list = cli->pixel;
+	const char *list = cli->place.pixel;
 	ts_cli_item(&list, item, sizeof item);
 	if (list == NULL || strchr(list, ',') != NULL)
-		return ts_fail("--pixel %s: not two numbers; write --pixel X,Y", cli->pixel);
+		return ts_fail("--pixel %s: not two numbers; write --pixel X,Y", cli->place.pixel);
 	if (ts_cli_count(x, item, 0, 65535, "--pixel X") != TS_OK) return TS_ERROR;
 	return ts_cli_count(y, list, 0, 65535, "--pixel Y");
 }
@@ -132,7 +132,7 @@ static ts_status read_pixel(const ts_cli *cli, u32 *x, u32 *y)
 /* What stands before the dot. */
 static void read_left(const ts_cli *cli, const char *dot, char left[16])
 {
-	snprintf(left, 16, "%.*s", dot - cli->view < 15 ? (int)(dot - cli->view) : 15, cli->view);
+	snprintf(left, 16, "%.*s", dot - cli->place.view < 15 ? (int)(dot - cli->place.view) : 15, cli->place.view);
 }
 
 /* "R.F" */
@@ -144,7 +144,7 @@ static ts_status read_face(const ts_cli *cli, const char *dot, u32 *reflector, u
 	for (*face = 0; *face < 6; ++*face) {
 		if (strcmp(dot + 1, ts_where_face(*face)) == 0 || (dot[1] == (char)('0' + *face) && dot[2] == 0)) return TS_OK;
 	}
-	return ts_fail("--view %s: no face \"%s\"; there are +X, -X, +Y, -Y, +Z, -Z, or 0 to 5", cli->view, dot + 1);
+	return ts_fail("--view %s: no face \"%s\"; there are +X, -X, +Y, -Y, +Z, -Z, or 0 to 5", cli->place.view, dot + 1);
 }
 
 /* "L.front", or "nodeN.back" */
@@ -162,11 +162,11 @@ static ts_status probe_pixel(ts_probe *probe, const ts_cli *cli, json_t **answer
 	u32 x, y, reflector, face;
 	ts_probe_map_id map;
 	if (read_pixel(cli, &x, &y) != TS_OK) return TS_ERROR;
-	if (cli->view == NULL || strcmp(cli->view, "eye") == 0) return ts_probe_pixel(probe, x, y, answer);
-	const char *dot = strchr(cli->view, '.');
+	if (cli->place.view == NULL || strcmp(cli->place.view, "eye") == 0) return ts_probe_pixel(probe, x, y, answer);
+	const char *dot = strchr(cli->place.view, '.');
 	if (dot == NULL) {
 		return ts_fail("--view %s: neither \"eye\" nor REFLECTOR.FACE, for instance 3.+X or 3.0, nor LIGHT.front or "
-		               "nodeN.back", cli->view);
+		               "nodeN.back", cli->place.view);
 	}
 	if (strcmp(dot, ".front") == 0 || strcmp(dot, ".back") == 0) {
 		return read_map(cli, dot, &map) == TS_OK ? ts_probe_map(probe, map, x, y, answer) : TS_ERROR;
@@ -188,12 +188,12 @@ static ts_status read_place(i32 *place, const char *text)
 static ts_status probe_point(ts_probe *probe, const ts_cli *cli, json_t **answer)
 {
 	char item[3][16];
-	const char *list = cli->point;
+	const char *list = cli->place.point;
 	u32 n = 0, first = 0;
 	i32 x, y;
 	u64 point;
 	while (n < 3 && ts_cli_item(&list, item[n], sizeof item[0])) n++;
-	if (list != NULL || n == 2) return ts_fail("--point %s: neither an index nor a key PIECE,X,Y", cli->point);
+	if (list != NULL || n == 2) return ts_fail("--point %s: neither an index nor a key PIECE,X,Y", cli->place.point);
 	if (ts_cli_count(&first, item[0], 0, 4294967294u, "--point") != TS_OK) return TS_ERROR;
 	if (n == 1) return ts_probe_point(probe, first, answer);
 	if (read_place(&x, item[1]) != TS_OK || read_place(&y, item[2]) != TS_OK) return TS_ERROR;
@@ -207,7 +207,7 @@ static ts_status tell(const ts_cli *cli, json_t *answer)
 	ts_report report;
 	const char *key;
 	json_t *v;
-	ts_report_begin(&report, ts_cli_given(cli, TS_OPT_JSON));
+	ts_report_begin(&report, cli->job.output.json);
 	print(&report, answer, 0, false);
 	ts_report_value(&report, "trace", json_string(cli->arguments[0]));
 	json_object_foreach(answer, key, v) ts_report_value(&report, key, json_incref(v));
@@ -218,13 +218,13 @@ ts_status ts_probe_command(ts_cli *cli)
 {
 	ts_probe *probe;
 	json_t *answer = NULL;
-	int asked = (cli->pixel != NULL) + (cli->point != NULL) + ts_cli_given(cli, TS_OPT_TRIANGLE);
+	int asked = (cli->place.pixel != NULL) + (cli->place.point != NULL) + ts_cli_given(cli, TS_OPT(TRIANGLE));
 	if (asked != 1) return ts_fail("probe: one of --pixel X,Y, --triangle T and --point P must be given");
-	if (cli->view != NULL && cli->pixel == NULL) return ts_fail("probe: --view goes with --pixel");
+	if (cli->place.view != NULL && cli->place.pixel == NULL) return ts_fail("probe: --view goes with --pixel");
 	if (ts_probe_open(&probe, cli->arguments[0]) != TS_OK) return TS_ERROR;
-	ts_status status = cli->pixel != NULL   ? probe_pixel(probe, cli, &answer)
-	                   : cli->point != NULL ? probe_point(probe, cli, &answer)
-	                                        : ts_probe_triangle(probe, cli->triangle, &answer);
+	ts_status status = cli->place.pixel != NULL   ? probe_pixel(probe, cli, &answer)
+	                   : cli->place.point != NULL ? probe_point(probe, cli, &answer)
+	                                        : ts_probe_triangle(probe, cli->place.triangle, &answer);
 	if (status == TS_OK) status = tell(cli, answer);
 	json_decref(answer);
 	ts_probe_close(probe);

@@ -6,24 +6,28 @@
 #include "render_csv.h"
 #include "sweep.h"
 
-static bool traces(const ts_cli *cli)
+static bool traces(const ts_job *job)
 {
-	return ts_cli_given(cli, TS_OPT_TRACE) || cli->trace_only != NULL || cli->crop != NULL ||
-	       ts_cli_given(cli, TS_OPT_MARGINS) || ts_cli_given(cli, TS_OPT_VIEWER);
+	return job->output.trace || job->output.trace_only != NULL || job->output.crop != NULL ||
+	       job->output.margins || job->output.viewer;
 }
 
-static bool writes_files(const ts_cli *cli) { return traces(cli) || !ts_cli_given(cli, TS_OPT_NO_IMAGES); }
+static bool writes_files(const ts_job *job) { return traces(job) || !job->output.no_images; }
 
-static const char *output(const ts_cli *cli) { return cli->output != NULL ? cli->output : "out"; }
+static const char *output(const ts_job *job)
+{
+	return job->output.dir != NULL ? job->output.dir : "out";
+}
 
 static ts_status prepare_traces(ts_render *render)
 {
-	const ts_cli *cli = render->cli;
-	if (!traces(cli)) return TS_OK;
+	const ts_job *job = render->job;
+	if (!traces(job)) return TS_OK;
 	for (u32 i = 0; i < render->n_methods; i++) {
-		if (ts_tracing_make(&render->tracings[i], cli, render->methods[i]) != TS_OK) return TS_ERROR;
+		if (ts_tracing_make(&render->tracings[i], job, render->methods[i]) != TS_OK) return TS_ERROR;
 	}
-	return ts_tracing_check(render->tracings, render->methods, render->n_methods, render->scene, &cli->params, output(cli));
+	return ts_tracing_check(render->tracings, render->methods, render->n_methods, render->scene, &job->params,
+	                        output(job));
 }
 
 static ts_status take_mask(ts_render *render, const ts_run *run)
@@ -55,23 +59,23 @@ static ts_status take_picture(ts_run *run, void *user)
 
 static ts_status run_all(ts_render *render)
 {
-	const ts_cli *cli = render->cli;
+	const ts_job *job = render->job;
 	ts_status status = TS_OK;
 	for (u32 i = 0; i < render->n_methods && status == TS_OK; i++) {
 		after_method after = { render, render->methods[i], i };
-		render->measures[i].pictures = ts_cli_given(cli, TS_OPT_NO_IMAGES) ? NULL : &render->stages[i];
-		render->measures[i].rays = render->truths_asked != 0;
-		render->measures[i].trace = traces(cli) ? &render->tracings[i].options : NULL;
-		render->measures[i].viewer = ts_cli_given(cli, TS_OPT_VIEWER) ? render->tracings[i].viewer : NULL;
-		status = ts_measure_run(&render->measures[i], render->methods[i], render->scene, &cli->params, &cli->how,
-		                        take_picture, &after);
+		render->measures[i].pictures = job->output.no_images ? NULL : &render->stages[i];
+		render->measures[i].rays = job->truths != 0;
+		render->measures[i].trace = traces(job) ? &render->tracings[i].options : NULL;
+		render->measures[i].viewer = job->output.viewer ? render->tracings[i].viewer : NULL;
+		status = ts_measure_run(&render->measures[i], render->methods[i], render->scene, &job->params,
+		                        &job->how, take_picture, &after);
 	}
 	return status == TS_OK ? ts_render_truths_rest(render) : status;
 }
 
 static void compare(ts_render *render, const ts_picture *reference, const ts_picture *image, const char *share)
 {
-	const ts_params *p = &render->cli->params;
+	const ts_params *p = &render->job->params;
 	if (reference->srgb == NULL || image->srgb == NULL || render->n_pairs == TS_MAX_PAIRS) return;
 	ts_pair *pair = &render->pairs[render->n_pairs++];
 	pair->reference = reference;
@@ -125,17 +129,16 @@ static ts_status write_report(ts_report *report)
 
 static ts_status open_scene(ts_render *render)
 {
-	const ts_cli *cli = render->cli;
-	const char *spec = cli->n_arguments > 1 ? cli->arguments[1] : "atrium";
-	ts_status status = ts_scene_open(&render->scene, spec, &cli->params, &cli->scene);
+	const ts_job *job = render->job;
+	ts_status status = ts_scene_open(&render->scene, job->scenes, &job->params, &job->scene);
 	if (status != TS_OK) return status;
-	return ts_measure_estimate(&render->estimate, render->methods, render->n_methods, render->truths_asked,
-	                           render->scene, &cli->params);
+	return ts_measure_estimate(&render->estimate, render->methods, render->n_methods, job->truths,
+	                           render->scene, &job->params);
 }
 
 static ts_status work(ts_render *render, ts_report *report)
 {
-	const ts_cli *cli = render->cli;
+	const ts_job *job = render->job;
 	ts_status status = open_scene(render);
 	if (status == TS_OK) status = prepare_traces(render);
 	if (status != TS_OK) return status;
@@ -147,8 +150,8 @@ static ts_status work(ts_render *render, ts_report *report)
 	compare_all(render);
 	ts_render_report_body(render, report);
 	status = ts_report_check(report);
-	if (status != TS_OK || !writes_files(cli)) return status;
-	if (!ts_cli_given(cli, TS_OPT_NO_IMAGES)) status = ts_render_write(render);
+	if (status != TS_OK || !writes_files(job)) return status;
+	if (!job->output.no_images) status = ts_render_write(render);
 	return status == TS_OK ? write_report(report) : status;
 }
 
@@ -167,16 +170,16 @@ static void release(ts_render *render)
 static ts_status work_in_folder(ts_render *render, void *user)
 {
 	(void)user;
-	const ts_cli *cli = render->cli;
-	bool files = writes_files(cli);
-	ts_status status = files ? ts_folder_begin(output(cli), ts_cli_given(cli, TS_OPT_FORCE)) : TS_OK;
+	const ts_job *job = render->job;
+	bool files = writes_files(job);
+	ts_status status = files ? ts_folder_begin(output(job), job->output.force) : TS_OK;
 	if (status != TS_OK) return status;
 	ts_report report;
-	ts_report_begin(&report, ts_cli_given(cli, TS_OPT_JSON));
+	ts_report_begin(&report, job->output.json);
 	status = work(render, &report);
 	if (status == TS_OK && files) {
 		ts_report_line(&report, "%s", "");
-		ts_report_line(&report, "The files are in %s", output(cli));
+		ts_report_line(&report, "The files are in %s", output(job));
 		status = ts_report_check(&report);
 	}
 	if (status == TS_OK && files) status = ts_folder_commit();
@@ -189,15 +192,13 @@ static ts_status work_in_folder(ts_render *render, void *user)
 }
 
 /* A render whose method and truths are known, passed to `with`. */
-static ts_status with_render(const ts_cli *cli, u32 truths, ts_status (*with)(ts_render *render, void *user),
-                             void *user)
+static ts_status with_render(const ts_job *job, ts_status (*with)(ts_render *render, void *user), void *user)
 {
 	ts_render *render = ts_alloc_zero(1, sizeof *render, "a render");
 	if (render == NULL) return TS_ERROR;
-	render->cli = cli;
-	render->effect = cli->arguments[0];
-	render->truths_asked = truths;
-	ts_status status = ts_methods_find(render->methods, &render->n_methods, render->effect, cli->method);
+	render->job = job;
+	render->effect = job->effect;
+	ts_status status = ts_methods_find(render->methods, &render->n_methods, render->effect, job->method);
 	if (status == TS_OK) status = with(render, user);
 	release(render);
 	return status;
@@ -213,15 +214,16 @@ static ts_status work_for_csv(ts_render *render, void *user)
 	return status;
 }
 
-static ts_status sweep(ts_cli *cli, u32 truths)
+static ts_status sweep(ts_job *job)
 {
-	ts_csv csv = { .sweep = &cli->sweep };
-	if (writes_files(cli) && cli->output != NULL) return ts_fail("-o: a sweep prints CSV and writes no files");
-	if (traces(cli)) return ts_fail("--trace: a sweep writes no traces");
-	cli->given |= TS_OPT_NO_IMAGES;
-	for (u32 i = 0; i < ts_sweep_count(&cli->sweep); i++) {
-		ts_status status = ts_sweep_set(&cli->sweep, i, &cli->params, csv.values);
-		if (status == TS_OK) status = with_render(cli, truths, work_for_csv, &csv);
+	ts_csv csv = { .sweep = &job->sweep };
+	bool files = writes_files(job) && job->output.dir != NULL;
+	if (files) return ts_fail("-o: a sweep prints CSV and writes no files");
+	if (traces(job)) return ts_fail("--trace: a sweep writes no traces");
+	job->output.no_images = true;
+	for (u32 i = 0; i < ts_sweep_count(&job->sweep); i++) {
+		ts_status status = ts_sweep_set(&job->sweep, i, &job->params, csv.values);
+		if (status == TS_OK) status = with_render(job, work_for_csv, &csv);
 		if (status != TS_OK) return status;
 	}
 	return TS_OK;
@@ -229,11 +231,12 @@ static ts_status sweep(ts_cli *cli, u32 truths)
 
 ts_status ts_render_command(ts_cli *cli)
 {
-	const char *effect = cli->arguments[0];
-	if (ts_selftest_require() != TS_OK || ts_effect_check(effect) != TS_OK) return TS_ERROR;
-	u32 truths = 0;
-	if (ts_cli_given(cli, TS_OPT_TRUTH) && ts_truths_find(&truths, effect, cli->truth) != TS_OK) return TS_ERROR;
+	ts_job *job = &cli->job;
+	job->effect = cli->arguments[0];
+	job->scenes = cli->n_arguments > 1 ? cli->arguments[1] : "atrium";
+	if (ts_selftest_require() != TS_OK || ts_effect_check(job->effect) != TS_OK) return TS_ERROR;
+	if (job->judged && ts_truths_find(&job->truths, job->effect, job->truth) != TS_OK) return TS_ERROR;
 	ts_measure_keep_memory();
-	ts_effect_params(cli, effect);
-	return cli->sweep.n > 0 ? sweep(cli, truths) : with_render(cli, truths, work_in_folder, NULL);
+	ts_effect_params(job, job->effect);
+	return job->sweep.n > 0 ? sweep(job) : with_render(job, work_in_folder, NULL);
 }

@@ -20,7 +20,7 @@ typedef struct {
 } ts_pair;
 
 typedef struct {
-	const ts_cli *cli;
+	const ts_job *job;
 	const char *effect;
 	ts_scene *scene;
 	u64 estimate;                 /* bytes */
@@ -30,7 +30,6 @@ typedef struct {
 	ts_stage_pictures stages[TS_MAX_METHODS];
 	ts_tracing tracings[TS_MAX_METHODS];
 	ts_picture pictures[TS_MAX_METHODS];   /* as methods */
-	u32 truths_asked;                      /* bits of rows of ts_truth_table */
 	ts_picture truths[TS_MAX_TRUTHS];      /* as that table; those not asked for are empty */
 	u8 *mask;                     /* 1: a reflective pixel; NULL: the effect has none */
 	u64 n_reflective;

@@ -35,16 +35,16 @@ static bool has_shadows(const ts_render *render) { return render->pictures[0].n_
 
 void ts_render_report_head(const ts_render *render, ts_report *report)
 {
-	const ts_params *p = &render->cli->params;
+	const ts_params *p = &render->job->params;
 	const ts_scene *scene = render->scene;
 	char mirrors[32] = "";
 	if (has_mirrors(render)) snprintf(mirrors, sizeof mirrors, ", %u mirrors", (unsigned)scene->info.n_reflectors);
 	ts_report_line(report, "%s: %u triangles%s; %u x %u pixels, frame %u, %u threads", scene->name,
 	               (unsigned)scene->n_triangles, mirrors, (unsigned)p->width, (unsigned)p->height, (unsigned)p->frame,
-	               (unsigned)render->cli->how.threads);
+	               (unsigned)render->job->how.threads);
 	ts_report_line(report, "memory: about %.2f GB at the peak, of %.2f GB", (double)render->estimate / 1e9,
 	               (double)ts_memory_total() / 1e9);
-	ts_report_run(report, render->cli);
+	ts_report_run(report, render->job);
 	ts_report_value(report, "effect", json_string(render->effect));
 	ts_report_value(report, "methods", methods_json(render));
 	ts_report_value(report, "scene", ts_text_json(scene->name));
@@ -211,7 +211,7 @@ static void report_shadows(const ts_render *render, ts_report *report)
 	for (u32 i = 0; i < render->n_methods; i++) lit_row(&table, &render->pictures[i]);
 	for (u32 t = 0; t < TS_MAX_TRUTHS; t++) lit_row(&table, &render->truths[t]);
 	ts_report_line(report, "lights: %" PRIu64 "; a depth map has %u x %u texels", render->pictures[0].n_lamps,
-	               (unsigned)render->cli->params.map_px, (unsigned)render->cli->params.map_px);
+	               (unsigned)render->job->params.map_px, (unsigned)render->job->params.map_px);
 	ts_report_line(report, "%s", "");
 	ts_report_value(report, "lights", json_integer((json_int_t)render->pictures[0].n_lamps));
 	ts_report_table(report, &table);
@@ -319,5 +319,5 @@ void ts_render_report_body(const ts_render *render, ts_report *report)
 		report_shadows(render, report);
 	}
 	report_metrics(render, report);
-	if (!ts_cli_given(render->cli, TS_OPT_NO_IMAGES)) report_pictures(render, report);
+	if (!render->job->output.no_images) report_pictures(render, report);
 }

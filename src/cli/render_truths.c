@@ -4,7 +4,7 @@
 /* Whether the truth at that row was asked for and is not made yet. */
 static bool lacks(const ts_render *render, u32 truth)
 {
-	return (render->truths_asked & 1u << truth) != 0 && render->truths[truth].srgb == NULL;
+	return (render->job->truths & 1u << truth) != 0 && render->truths[truth].srgb == NULL;
 }
 
 /* The first chosen method, else the first of the effect, from whose run a truth starts; NULL: from none. */
@@ -40,7 +40,7 @@ ts_status ts_render_truths_of(ts_render *render, const ts_pipeline *method, ts_r
 
 static bool exists(const ts_render *render, const ts_truth_kind *kind)
 {
-	return kind->exists == NULL || kind->exists(render->scene, &render->cli->params);
+	return kind->exists == NULL || kind->exists(render->scene, &render->job->params);
 }
 
 typedef struct {
@@ -56,16 +56,17 @@ static ts_status take_after(ts_run *run, void *user)
 
 static ts_status take_unseen(ts_render *render, const ts_pipeline *method)
 {
-	const ts_cli *cli = render->cli;
+	const ts_job *job = render->job;
 	unseen u = { render, method };
 	ts_measure measure = { .pictures = NULL };
-	return ts_measure_run(&measure, method, render->scene, &cli->params, &cli->how, take_after, &u);
+	return ts_measure_run(&measure, method, render->scene, &job->params, &job->how, take_after, &u);
 }
 
 ts_status ts_render_truths_rest(ts_render *render)
 {
-	const ts_params *params = &render->cli->params;
-	u32 threads = render->cli->how.threads;
+	const ts_job *job = render->job;
+	const ts_params *params = &job->params;
+	u32 threads = job->how.threads;
 	ts_status status = TS_OK;
 	for (u32 t = 0; ts_truth_table[t].name != NULL && status == TS_OK; t++) {
 		const ts_truth_kind *kind = &ts_truth_table[t];
@@ -74,7 +75,7 @@ ts_status ts_render_truths_rest(ts_render *render)
 		if (kind->radiance != NULL) {
 			status = ts_picture_truth_alone(&render->truths[t], kind, render->scene, params, threads);
 		} else if (kind->begin != NULL) {
-			status = ts_picture_truths_begun(render->truths, render->truths_asked, kind, render->effect, render->scene,
+			status = ts_picture_truths_begun(render->truths, job->truths, kind, render->effect, render->scene,
 			                                 params, threads);
 		} else {
 			status = take_unseen(render, starts_from(render, kind));

@@ -61,7 +61,7 @@ static ts_status write_stages(const ts_stage_pictures *pictures, const char *met
 
 ts_status ts_render_write(ts_render *render)
 {
-	const ts_params *params = &render->cli->params;
+	const ts_params *params = &render->job->params;
 	ts_status status = TS_OK;
 	for (u32 i = 0; i < render->n_methods && status == TS_OK; i++) {
 		ts_stage_pictures_finish(&render->stages[i], render->pictures[i].srgb);

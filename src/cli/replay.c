@@ -17,18 +17,19 @@ static const char *place(void *user, const char *name)
 static void replay(ts_replayed *r, const ts_cli *cli, const ts_trace *reference, const ts_trace *candidate)
 {
 	ts_load *load;
-	r->status = ts_replay(&load, r->stage, reference, candidate, cli->how.threads);
+	r->status = ts_replay(&load, r->stage, reference, candidate, cli->job.how.threads);
 	for (u32 i = 0; r->stage->writes[i] != TS_N_BUFFERS && r->status != TS_ERROR; i++) {
 		ts_status status = ts_judge(&r->judged[r->n_judged++], load, r->stage->writes[i], NULL);
 		if (status == TS_ERROR) ts_fail("stage %s: %s", r->stage->name, ts_error_message());
 		r->status = status > r->status ? status : r->status;
 	}
-	if (r->status != TS_ERROR && cli->output != NULL && ts_outputs_write(load, r->stage, place, NULL) != TS_OK) {
+	bool writes = r->status != TS_ERROR && cli->job.output.dir != NULL;
+	if (writes && ts_outputs_write(load, r->stage, place, NULL) != TS_OK) {
 		r->status = ts_fail("stage %s: %s", r->stage->name, ts_error_message());
 	}
 	bool any = false;
 	for (u32 i = 0; i < r->n_judged; i++) any |= r->judged[i].item != NULL;
-	if (r->status == TS_OK && !any && cli->output == NULL) {
+	if (r->status == TS_OK && !any && cli->job.output.dir == NULL) {
 		r->status = ts_fail("stage %s: no file of its outputs to compare with", r->stage->name);
 	}
 	if (r->status == TS_ERROR) snprintf(r->error, sizeof r->error, "%s", ts_error_message());
@@ -39,9 +40,9 @@ static ts_status replay_one(const ts_cli *cli, const ts_trace *reference, const 
 {
 	ts_replayed replayed = {.stage = ts_replay_find(cli->stage, reference->pipeline, &reference->params)};
 	if (replayed.stage == NULL) return TS_ERROR;
-	if (cli->output != NULL && ts_folder_begin(cli->output, false) != TS_OK) return TS_ERROR;
+	if (cli->job.output.dir != NULL && ts_folder_begin(cli->job.output.dir, false) != TS_OK) return TS_ERROR;
 	replay(&replayed, cli, reference, candidate);
-	if (cli->output != NULL && (replayed.status == TS_ERROR || ts_folder_commit() != TS_OK)) {
+	if (cli->job.output.dir != NULL && (replayed.status == TS_ERROR || ts_folder_commit() != TS_OK)) {
 		if (replayed.status != TS_ERROR) snprintf(replayed.error, sizeof replayed.error, "%s", ts_error_message());
 		replayed.status = TS_ERROR;
 		ts_folder_discard();
@@ -71,7 +72,7 @@ static ts_status replay_traces(const ts_cli *cli, const ts_trace *reference, con
 {
 	ts_report report;
 	if (ts_load_match(reference, candidate) != TS_OK) return TS_ERROR;
-	ts_report_begin(&report, ts_cli_given(cli, TS_OPT_JSON));
+	ts_report_begin(&report, cli->job.output.json);
 	ts_replay_report_begin(&report, reference, candidate);
 	ts_status status = cli->stage != NULL ? replay_one(cli, reference, candidate, &report)
 	                                      : replay_all(cli, reference, candidate, &report);
@@ -88,7 +89,7 @@ static ts_status replay_traces(const ts_cli *cli, const ts_trace *reference, con
 ts_status ts_replay_command(ts_cli *cli)
 {
 	ts_trace *reference, *candidate = NULL;
-	if (cli->output != NULL && cli->stage == NULL)
+	if (cli->job.output.dir != NULL && cli->stage == NULL)
 		return ts_fail("replay: -o is for the outputs of one stage; add --stage");
 	if (ts_selftest_require() != TS_OK || ts_trace_open(&reference, cli->arguments[0]) != TS_OK) return TS_ERROR;
 	ts_status status = TS_OK;

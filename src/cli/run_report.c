@@ -18,11 +18,11 @@ static json_t *params_json(const ts_params *params)
 	return object;
 }
 
-void ts_report_run(ts_report *report, const ts_cli *cli)
+void ts_report_run(ts_report *report, const ts_job *job)
 {
 	ts_report_value(report, "program", json_string(ts_program));
 	ts_report_value(report, "version", json_string(TS_VERSION));
-	ts_report_value(report, "backend", json_string(cli->backend->name));
-	ts_report_value(report, "threads", json_integer(cli->how.threads));
-	ts_report_value(report, "params", params_json(&cli->params));
+	ts_report_value(report, "backend", json_string(job->backend->name));
+	ts_report_value(report, "threads", json_integer(job->how.threads));
+	ts_report_value(report, "params", params_json(&job->params));
 }

@@ -1,6 +1,7 @@
 /* Combinations of parameters. */
 #include "sweep.h"
 #include <stdio.h>
+#include "cli.h"
 
 enum { MAX_COMBINATIONS = 10000 };
 

@@ -60,7 +60,7 @@ void ts_report_line(ts_report *report, const char *format, ...) __attribute__((f
 /* A figure of the JSON object only; takes the value over. */
 void ts_report_value(ts_report *report, const char *key, json_t *value);
 /* Program, version, backend, threads and parameters as figures of the JSON object (run_report.c). */
-void ts_report_run(ts_report *report, const ts_cli *cli);
+void ts_report_run(ts_report *report, const ts_job *job);
 /* Fails if the report is not whole. */
 ts_status ts_report_check(const ts_report *report);
 /* Prints the text so far, of which nothing is printed again. */

@@ -53,15 +53,16 @@ static ts_status read_crop(u32 crop[4], const ts_params *params, const char *tex
 	               (unsigned)params->height);
 }
 
-ts_status ts_tracing_make(ts_tracing *tracing, const ts_cli *cli, const ts_pipeline *method)
+ts_status ts_tracing_make(ts_tracing *tracing, const ts_job *job, const ts_pipeline *method)
 {
 	*tracing = (ts_tracing){ .options = { .place = place, .user = tracing } };
 	snprintf(tracing->folder, sizeof tracing->folder, "trace-%s", method->name);
 	snprintf(tracing->viewer, sizeof tracing->viewer, "view-%s", method->name);
 	ts_trace_options *options = &tracing->options;
-	options->margins = ts_cli_given(cli, TS_OPT_MARGINS);
-	if (cli->trace_only != NULL && keep_only(options, method, cli->trace_only) != TS_OK) return TS_ERROR;
-	return cli->crop != NULL ? read_crop(options->crop, &cli->params, cli->crop) : TS_OK;
+	options->margins = job->output.margins;
+	const ts_output *output = &job->output;
+	if (output->trace_only != NULL && keep_only(options, method, output->trace_only) != TS_OK) return TS_ERROR;
+	return output->crop != NULL ? read_crop(options->crop, &job->params, output->crop) : TS_OK;
 }
 
 /* Free bytes where `dir` is, or will be: the nearest folder above it that exists. */

@@ -11,7 +11,7 @@ typedef struct {
 } ts_tracing;
 
 /* Reads the options into *tracing, whose address must then stay. The message names what was typed. */
-ts_status ts_tracing_make(ts_tracing *tracing, const ts_cli *cli, const ts_pipeline *method);
+ts_status ts_tracing_make(ts_tracing *tracing, const ts_job *job, const ts_pipeline *method);
 /* Refuses traces that the disk which holds `dir`, or the folder it is to be made in, has no room for. */
 ts_status ts_tracing_check(const ts_tracing *tracings, const ts_pipeline *const *methods, u32 n, const ts_scene *scene,
                            const ts_params *params, const char *dir);

@@ -85,28 +85,28 @@ static ts_status write_all(void)
 static ts_status write_folder(const ts_cli *cli)
 {
 	ts_report report;
-	ts_status status = ts_folder_begin(cli->output, ts_cli_given(cli, TS_OPT_FORCE));
+	ts_status status = ts_folder_begin(cli->job.output.dir, cli->job.output.force);
 	if (status == TS_OK) status = write_all();
 	if (status == TS_OK) status = ts_folder_commit();
 	if (status != TS_OK) {
 		ts_folder_discard();
 		return status;
 	}
-	ts_report_begin(&report, ts_cli_given(cli, TS_OPT_JSON));
-	ts_report_value(&report, "folder", json_string(cli->output));
+	ts_report_begin(&report, cli->job.output.json);
+	ts_report_value(&report, "folder", json_string(cli->job.output.dir));
 	ts_report_value(&report, "contract", json_integer(TS_CONTRACT_VERSION));
 	ts_report_value(&report, "primitives", json_integer(ts_vectors_count()));
 	ts_report_value(&report, "items", json_integer(TS_VECTOR_ITEMS));
 	ts_report_line(&report, "%" PRIu32 " primitives of %d items each in %s; vectors.json tells of them",
-	               ts_vectors_count(), TS_VECTOR_ITEMS, cli->output);
+	               ts_vectors_count(), TS_VECTOR_ITEMS, cli->job.output.dir);
 	return ts_report_end(&report);
 }
 
 ts_status ts_vectors_command(ts_cli *cli)
 {
-	bool check = ts_cli_given(cli, TS_OPT_CHECK), write = ts_cli_given(cli, TS_OPT_OUTPUT);
+	bool check = cli->check != NULL, write = cli->job.output.dir != NULL;
 	if (check == write) return ts_fail("vectors: write them with -o DIR, or judge a port's with --check DIR");
-	if (check && ts_cli_given(cli, TS_OPT_FORCE)) return ts_fail("vectors: --check writes nothing; leave --force out");
+	if (check && cli->job.output.force) return ts_fail("vectors: --check writes nothing; leave --force out");
 	if (ts_selftest_require() != TS_OK) return TS_ERROR;
-	return check ? ts_vectors_check(cli->check, ts_cli_given(cli, TS_OPT_JSON)) : write_folder(cli);
+	return check ? ts_vectors_check(cli->check, cli->job.output.json) : write_folder(cli);
 }

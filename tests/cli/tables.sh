@@ -16,12 +16,20 @@ prints '^c  *0  *[a-z]' list backends
 prints 'see: list backends' help render
 prints 'triangles' info atrium:triangles=10000 --reflectors 1
 
-for what in 'list stages' 'list buffers' 'list params' 'list methods' 'list truths' 'list scenes' 'list backends' help 'help render' \
-	'help bench' 'info atrium:triangles=10000'; do
+for what in 'list stages' 'list buffers' 'list params' 'list methods' 'list truths' 'list scenes' 'list backends' \
+	'list benches' help 'help render' 'help bench' 'info atrium:triangles=10000'; do
 	run $what
 	[ "$status" -eq 0 ] && awk 'length > 120 || / $/ { exit 1 }' "$scratch/stdout"
 	verdict $? "fits 120 columns: $what"
 done
+
+# The commands take every option, and no other.
+for command in $("$touchstone" help | sed -n 's/^  \([a-z]*\) .*/\1/p'); do
+	"$touchstone" help "$command"
+done | sed -n 's/^  --\([a-z-]*\).*/\1/p' | sort -u > "$scratch/taken"
+sed -n 's/^OPTION([A-Z_]*, "\([a-z-]*\)".*/\1/p' src/cli/options.def | sort > "$scratch/options"
+[ -s "$scratch/options" ] && diff "$scratch/options" "$scratch/taken"
+verdict $? 'every option is taken by a command'
 
 # What wraps loses no word: the columns of a table, taken from their place under the heads.
 run list params --json
@@ -39,7 +47,12 @@ for i, key in enumerate(["name", "default", "range", "unit", "source", "doc"]):
 PY
 verdict $? 'wrapping loses nothing'
 
-for what in stages buffers params methods truths scenes backends; do
+run list ''
+lists=$(sed 's/.*there are //; s/,//g; s/ and / /' "$scratch/stderr")
+for what in $lists; do
+	run help list
+	grep -q "^  tables: .*\b$what\b" "$scratch/stdout"
+	verdict $? "help names the list $what"
 	run list $what --json
 	python3 -c 'import json, sys; rows = json.load(open(sys.argv[1]))[sys.argv[2]]; assert all(r["name"] for r in rows) and rows' \
 		"$scratch/stdout" $what
