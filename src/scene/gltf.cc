@@ -76,11 +76,12 @@ static bool file_size(size_t *out, std::string *, const std::string &key, void *
 static bool file_store(std::string *, const std::string &, const bytes &, void *) { return false; }
 
 /* tinygltf 2.9 refuses callbacks unless all are set, and has one more than 2.7: the size of a file. */
-template <typename callbacks> static auto file_size_set(callbacks &calls, int) -> decltype(void(calls.GetFileSizeInBytes))
+template <typename callbacks, typename function>
+static auto file_size_set(callbacks &calls, function *size) -> decltype(void(calls.GetFileSizeInBytes))
 {
-	calls.GetFileSizeInBytes = file_size;
+	calls.GetFileSizeInBytes = size;
 }
-template <typename callbacks> static void file_size_set(callbacks &, long) {}
+template <typename callbacks> static void file_size_set(callbacks &, ...) {}
 
 static tinygltf::FsCallbacks file_callbacks(files *from)
 {
@@ -90,7 +91,7 @@ static tinygltf::FsCallbacks file_callbacks(files *from)
 	calls.ReadWholeFile = file_fetch;
 	calls.WriteWholeFile = file_store;
 	calls.user_data = from;
-	file_size_set(calls, 0);
+	file_size_set(calls, file_size);
 	return calls;
 }
 
