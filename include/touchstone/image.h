@@ -9,7 +9,7 @@
 extern "C" {
 #endif
 
-/* Decodes a PNG or JPEG file held in memory to 8-bit RGBA (SPEC 0.3.13: unassociated alpha, 16-bit sources rounded to 8,
+/* Decodes a PNG or JPEG file held in memory to 8-bit RGBA (METHODS 4: unassociated alpha, 16-bit sources rounded to 8,
  * grey replicated, missing alpha 255). On success *rgba holds width * height * 4 bytes, rows from the top, to be released
  * with free(). On failure nothing is allocated. `what` names the image in the message. A header that claims more than
  * max_texels texels is refused before anything is allocated. */
@@ -28,7 +28,7 @@ TS_API ts_status ts_image_write_exr(const char *path, const float *pixels, uint3
 /* Reads any of the above as float (channels as in the file; 8-bit values divided by 255). *pixels by free(). */
 TS_API ts_status ts_image_read(float **pixels, uint32_t *width, uint32_t *height, uint32_t *channels, const char *path);
 
-/* How far apart two 8-bit RGB images are (SPEC 0.3.12). Values are in grey levels, 0 to 255. */
+/* How far apart two 8-bit RGB images are (METHODS 17). Values are in grey levels, 0 to 255. */
 typedef struct {
 	double rmse;       /* root of the mean over pixels and channels */
 	double psnr;       /* dB; infinite if equal */
@@ -41,7 +41,7 @@ TS_API ts_metrics ts_metrics_compare(const uint8_t *reference, const uint8_t *im
                                      uint32_t width, uint32_t height);
 
 /* How far apart two images of light are, RGB in linear radiance: the root of the mean over pixels and channels of (image -
- * reference)^2, by the mean of the reference (SPEC 3.10). 0 if they are equal or nothing is judged; infinite beside a
+ * reference)^2, by the mean of the reference (METHODS 17). 0 if they are equal or nothing is judged; infinite beside a
  * reference without light. mask: as above. */
 TS_API double ts_metrics_relative(const float *reference, const float *image, const uint8_t *mask, uint32_t width,
                                   uint32_t height);

@@ -80,7 +80,7 @@ static void add_row(ts_table *table, const char *scene, const char *of, const ta
 /* What numpy makes of 300 blocks of discs before slopes. */
 static void add_synthetic_row(ts_table *table)
 {
-	ts_table_text(table, "discs (SPEC 3.4)");
+	ts_table_text(table, "discs (FIGURES 7)");
 	ts_table_text(table, "all");
 	ts_table_count(table, 300);
 	ts_table_real(table, 12.45, 2);

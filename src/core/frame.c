@@ -1,4 +1,4 @@
-/* The buffers of one run, and the tables of records.def (DESIGN 3). */
+/* The buffers of one run, and the tables of records.def. */
 #include "frame.h"
 #include <assert.h>
 #include <pthread.h>

@@ -104,7 +104,7 @@ static ts_status set_u32(ts_params *params, size_t row, const char *text)
 	return TS_OK;
 }
 
-/* Kernels take what is nearer to zero than 2^-39 for zero (NUMERICS rule 10): refuse it rather than change it. */
+/* Kernels take what is nearer to zero than 2^-39 for zero (CONTRACT rule 10): refuse it rather than change it. */
 static ts_status set_f32(ts_params *params, size_t row, const char *text)
 {
 	const ts_param_info *info = &table[row];

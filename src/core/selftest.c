@@ -1,4 +1,4 @@
-/* Does this process compute as the numeric contract says (NUMERICS rule 8)? Each primitive gets operands for which a
+/* Does this process compute as the numeric contract says (CONTRACT rule 8)? Each primitive gets operands for which a
  * contracted, flushed, re-associated or otherwise approximate evaluation has other bits than the IEEE result. Compiled
  * with the flags of the kernels; operands are volatile, so that nothing is folded while compiling. */
 #include "../kernels/compat.h"

@@ -1,5 +1,5 @@
 /* T_epr = S T_align: a piece into its own plane, centroid on a sample, longest edge along x (EPR section 3.2, eq. 1;
- * SPEC 1.4). q = s (u.(v - c), v.(v - c)) + (1/2, 1/2), snapped to 24.8. */
+ * METHODS 2). q = s (u.(v - c), v.(v - c)) + (1/2, 1/2), snapped to 24.8. */
 #ifndef TS_KERNELS_ALIGN_H
 #define TS_KERNELS_ALIGN_H
 #include "area.h"

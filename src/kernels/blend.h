@@ -1,7 +1,7 @@
-/* Attributes of surfels (SPEC 5.2, pass 2): every fragment that is no deeper than the visibility pass allows adds its
- * colour, its normal and 1, each times its weight.
+/* Attributes of surfels (NV40: 3-Pass Deferred Shading; METHODS 16): every fragment that is no deeper than the
+ * visibility pass allows adds its colour, its normal and 1, each times its weight.
  *
- * Sums are integers in 2^-30 (NUMERICS rule 30), so that no order is seen. A surfel has at most one fragment at a
+ * Sums are integers in 2^-30 (CONTRACT rule 30), so that no order is seen. A surfel has at most one fragment at a
  * pixel and there are at most 2^32 - 1 of them; weights are at most 1, colours are clamped to [0,1], a component of a
  * normal is at most 1 + 2^-22, so that no term passes 2^31 - 1 and no sum 2^63. A term is within 2^-31 of the exact
  * one, the mean of n fragments within n 2^-30 of their sum of weights, which at a covered pixel is at least e^(-1/2

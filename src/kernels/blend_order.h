@@ -1,4 +1,4 @@
-/* Attributes of surfels as frame buffers blend them (SPEC 5.7; slides "Deferred Shading": 16-bit floats, unclamped): pixel
+/* Attributes of surfels as frame buffers blend them (NV40: Floating Point Precision; METHODS 16): pixel
  * by pixel in the order of the surfels, every partial sum in the format of the target.
  *
  *     float32  every sum is rounded to binary32

@@ -1,4 +1,4 @@
-/* Closest points: on a triangle (Voronoi regions, SPEC 0.2.2), on a segment, on a triangle's border; and the centre of a
+/* Closest points: on a triangle (by its Voronoi regions), on a segment, on a triangle's border; and the centre of a
  * triangle's circle. */
 #ifndef TS_KERNELS_CLOSEST_H
 #define TS_KERNELS_CLOSEST_H

@@ -1,5 +1,5 @@
 /* The copy pass of environment maps: colours of the nearest points into level 0 of the mip chain (iVIR section 5;
- * SPEC 1.6). */
+ * METHODS 9). */
 #ifndef TS_KERNELS_COPY_H
 #define TS_KERNELS_COPY_H
 #include "illuminate.h"

@@ -1,4 +1,5 @@
-/* Cube maps: the six faces of OpenGL's table as views from the inside, and the texel of a direction (SPEC 0.1). */
+/* Cube maps: the six faces of OpenGL's table as views from the inside, and the texel of a direction (CONTRACT
+ * rule 36). */
 #ifndef TS_KERNELS_CUBE_H
 #define TS_KERNELS_CUBE_H
 #include "raster.h"

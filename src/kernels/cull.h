@@ -1,5 +1,5 @@
 /* Stochastic culling of triangles of less than a tenth of a pixel: dropped with probability 1 - 10 A (EPR section 3.2;
- * SPEC 1.5). The same triangles in every frame. */
+ * METHODS 2). The same triangles in every frame. */
 #ifndef TS_KERNELS_CULL_H
 #define TS_KERNELS_CULL_H
 #include "area.h"

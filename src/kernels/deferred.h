@@ -1,4 +1,4 @@
-/* Deferred shaders over a G-buffer (SPEC 5.2, pass 3; slides "Phong Shading", "NPR Shading"): once a pixel, whatever
+/* Deferred shaders over a G-buffer (NV40: Phong Shading, NV40: NPR Shading; METHODS 16): once a pixel, whatever
  * overlaps there. Phong is ambient light, Lambert's cosine and a highlight (r.v)^32; NPR paints in three tones without a
  * highlight, and outlines in black where the surface ends before what is farther or the sky. */
 #ifndef TS_KERNELS_DEFERRED_H

@@ -1,4 +1,4 @@
-/* How near deferred shading was to another answer, for ports that round otherwise (DESIGN 7.1): a second pass over the
+/* How near deferred shading was to another answer, for ports that round otherwise (PORTING 7): a second pass over the
  * G-buffer that deferred.h was given, which changes nothing of what that decided. A step is 8 ulps of what is compared. */
 #ifndef TS_KERNELS_DEFERRED_MARGIN_H
 #define TS_KERNELS_DEFERRED_MARGIN_H

@@ -1,4 +1,4 @@
-/* Density of the points from the eye's resolution (EPR section 4.1.1, eqs 2 and 3; SPEC 2.3):
+/* Density of the points from the eye's resolution (EPR section 4.1.1, eqs 2 and 3; METHODS 2):
  * s = min(rho f_e / min_r d_r, max_r f_r / d_rt) samples a world unit over the reflectors r that may see the triangle. */
 #ifndef TS_KERNELS_DENSITY_H
 #define TS_KERNELS_DENSITY_H

@@ -1,5 +1,5 @@
 /* The ground truth of SSAGH section 5: every pixel gathers from every triangle of light itself, E = sum of M F with F the
- * form factor of the triangle's part above the pixel's horizon, if it faces the pixel (SPEC 3.10). In the order of the
+ * form factor of the triangle's part above the pixel's horizon, if it faces the pixel (METHODS 11). In the order of the
  * triangles. */
 #ifndef TS_KERNELS_DIRECT_H
 #define TS_KERNELS_DIRECT_H

@@ -1,4 +1,4 @@
-/* A surfel in a view (SPEC 5.3, 5.5, 5.6; Botsch et al. 2005, slides "Perspectively Correct Rendering"): what finds the
+/* A surfel in a view (NV40: Perspectively Correct Rendering; METHODS 16): what finds the
  * plane coordinates (a, b) and the depth of the ray through a pixel, the box of pixels that it may cover, and the Gaussian
  * of exact EWA.
  *

@@ -1,5 +1,5 @@
 /* Drawing triangles into a depth << 32 | triangle buffer, the eye and MVR's cube faces, or into one of depths alone, MVR's
- * shadow maps. Standard rasterization, axial depth, equal depth to the lowest triangle (NUMERICS rules 18, 22, 24). */
+ * shadow maps. Standard rasterization, axial depth, equal depth to the lowest triangle (CONTRACT rules 18, 22, 24). */
 #ifndef TS_KERNELS_DRAW_H
 #define TS_KERNELS_DRAW_H
 #include "offscreen.h"

@@ -1,6 +1,7 @@
-/* Spherical Gaussians of the light that a corner gathered, one a channel (SSAGH eqs 4 and 5; SPEC 3.5): with m the sum
- * of the weights, phi' that of weights times directions over m and r its length, phi = phi' / r, lambda of r, mu = m /
- * A(lambda). No light: mu 0, lambda 1. Nearly no direction, r < 1e-6: phi 0, as the lobe is the same on all sides. */
+/* Spherical Gaussians of the light that a corner gathered, one a channel (SSAGH eqs 4 and 5; METHODS 11): with m the
+ * sum of the weights, phi' that of weights times directions over m and r its length, phi = phi' / r, lambda of r, mu =
+ * m / A(lambda). No light: mu 0, lambda 1. Nearly no direction, r < 1e-6: phi 0, as the lobe is the same on all
+ * sides. */
 #ifndef TS_KERNELS_FIT_H
 #define TS_KERNELS_FIT_H
 #include "gaussian.h"

@@ -1,9 +1,10 @@
-/* What a triangle is to a point p (SPEC 3.5, 3.10): the solid angle it is seen under (Van Oosterom and Strackee 1983),
- * and the share that reaches it of all that a surface at p sends out, the form factor (Baum, Rushmeier and Winget 1989),
- * of a triangle that shines to the side from which its corners turn left, and of its part above the surface's horizon.
- * Its edges enter as they are, not as differences of directions: the solid angle of a small triangle is within 1e-6 of
- * itself over the cosine by which it is turned away, a form factor within 1e-7. With p at a corner, on an edge or in the
- * plane, and of a triangle without area, each is a number in its range: what has no direction counts as 0. */
+/* What a triangle is to a point p (CONTRACT rule 42): the solid angle it is seen under (Van Oosterom and Strackee
+ * 1983), and the share that reaches it of all that a surface at p sends out, the form factor (Baum, Rushmeier and
+ * Winget 1989), of a triangle that shines to the side from which its corners turn left, and of its part above the
+ * surface's horizon. Its edges enter as they are, not as differences of directions: the solid angle of a small triangle
+ * is within 1e-6 of itself over the cosine by which it is turned away, a form factor within 1e-7. With p at a corner,
+ * on an edge or in the plane, and of a triangle without area, each is a number in its range: what has no direction
+ * counts as 0. */
 #ifndef TS_KERNELS_FORM_FACTOR_H
 #define TS_KERNELS_FORM_FACTOR_H
 #include "vec.h"

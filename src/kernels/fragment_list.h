@@ -1,4 +1,4 @@
-/* Lists of the surfels of every pixel's fragments (SPEC 5.7): what sums that depend on an order are taken over. */
+/* Lists of the surfels of every pixel's fragments (METHODS 16): what sums that depend on an order are taken over. */
 #ifndef TS_KERNELS_FRAGMENT_LIST_H
 #define TS_KERNELS_FRAGMENT_LIST_H
 #include "blend.h"

@@ -1,6 +1,7 @@
-/* Whole maps for every node of views (MegaViews section 3.2, "Image Queries"; SPEC 4.7): what a parent's map shows is moved
- * to the child's middle, within its texel, level by level from the root. fusion=min keeps the nearer of that and the child's
- * own, fusion=paper the child's own wherever there is one. The same for one texel, without making maps, is a query. */
+/* Whole maps for every node of views (MegaViews section 3.2, "Image Queries"; METHODS 13): what a parent's map shows is
+ * moved to the child's middle, within its texel, level by level from the root. fusion=min keeps the nearer of that and
+ * the child's own, fusion=paper the child's own wherever there is one. The same for one texel, without making maps, is
+ * a query. */
 #ifndef TS_KERNELS_FUSE_H
 #define TS_KERNELS_FUSE_H
 #include "map.h"

@@ -1,9 +1,9 @@
-/* Light gathered at the corners of a box (SSAGH section 3; SPEC 3.5): of every triangle of light that faces the corner w
- * = M Omega, exitance times projected area on the unit sphere, a third of it from each of its three vertices. The
- * surface's own horizon is not asked for: the normal is the pixel's, not the corner's. So a corner on the very surface
- * that sends light on must not face it by rounding, for then half a sphere is light: a triangle counts from a sixteenth
- * of its side above its plane on, more and more, and in full from five sixteenths on. Sums are in the order of the
- * triangles. */
+/* Light gathered at the corners of a box (SSAGH section 3; METHODS 11): of every triangle of light that faces the
+ * corner w = M Omega, exitance times projected area on the unit sphere, a third of it from each of its three vertices.
+ * The surface's own horizon is not asked for: the normal is the pixel's, not the corner's. So a corner on the very
+ * surface that sends light on must not face it by rounding, for then half a sphere is light: a triangle counts from a
+ * sixteenth of its side above its plane on, more and more, and in full from five sixteenths on. Sums are in the order
+ * of the triangles. */
 #ifndef TS_KERNELS_GATHER_H
 #define TS_KERNELS_GATHER_H
 #include "form_factor.h"

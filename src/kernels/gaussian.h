@@ -1,7 +1,7 @@
-/* Spherical Gaussians (SSAGH, section 4; SPEC 3.5, 3.7): G(mu, lambda, phi) is mu e^(lambda (phi.w - 1)) in direction w,
- * phi a unit vector; and its integrals: over the sphere, and with the cosine to a normal n over the hemisphere about n.
- * Sharpness is from 0 to 1e5, an integral of amplitude 1. Where the paper's forms cancel or overflow in single precision,
- * others that do not take their place: within 8e-7 of the exact integrals. */
+/* Spherical Gaussians (SSAGH, section 4; CONTRACT rule 41): G(mu, lambda, phi) is mu e^(lambda (phi.w - 1)) in
+ * direction w, phi a unit vector; and its integrals: over the sphere, and with the cosine to a normal n over the
+ * hemisphere about n. Sharpness is from 0 to 1e5, an integral of amplitude 1. Where the paper's forms cancel or
+ * overflow in single precision, others that do not take their place: within 8e-7 of the exact integrals. */
 #ifndef TS_KERNELS_GAUSSIAN_H
 #define TS_KERNELS_GAUSSIAN_H
 #include "gaussian_quadrature.h"

@@ -1,6 +1,6 @@
 /* The depth grid: the screen's depth down-sampled to G x G, G a multiple of 32, in blocks of 32 x 32 (SSAGH section 3).
- * The stretch need not be uniform. Texel i shows the pixel at its centre, and pixel x lies in the texel at its own (SPEC
- * 3.12). */
+ * The stretch need not be uniform. Texel i shows the pixel at its centre, and pixel x lies in the texel at its own
+ * (METHODS 11). */
 #ifndef TS_KERNELS_GRID_H
 #define TS_KERNELS_GRID_H
 #include "records.h"

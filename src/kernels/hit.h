@@ -1,4 +1,4 @@
-/* Where a ray meets the plane of a triangle, and the triangle's weights there (SPEC 0.3.6).
+/* Where a ray meets the plane of a triangle, and the triangle's weights there (METHODS 17).
  * Which triangle is met is decided elsewhere: this only measures, so every input gives finite numbers. */
 #ifndef TS_KERNELS_HIT_H
 #define TS_KERNELS_HIT_H

@@ -1,4 +1,4 @@
-/* How near the choice of a pixel's box was to another, for ports that round otherwise (DESIGN 7.1): a second pass, which
+/* How near the choice of a pixel's box was to another, for ports that round otherwise (PORTING 7): a second pass, which
  * changes nothing that hull_choice.h decided of the boxes and depths that it was given. Whether a box holds a depth is not
  * rounded, and the first of boxes of the same measure is taken; the slack is rounded, and measures that differ are. */
 #ifndef TS_KERNELS_HULL_MARGIN_H

@@ -1,4 +1,4 @@
-/* MVR: deferred shading of every texel of the cube faces, and their mip chain (SPEC 1.7). */
+/* MVR: deferred shading of every texel of the cube faces, and their mip chain (METHODS 3). */
 #ifndef TS_KERNELS_ILLUMINATE_H
 #define TS_KERNELS_ILLUMINATE_H
 #include "draw.h"

@@ -1,4 +1,4 @@
-/* The picture of indirect light alone: Lo = albedo / pi E (SPEC 3.7), and the background in the sky. */
+/* The picture of indirect light alone: Lo = albedo / pi E (METHODS 11), and the background in the sky. */
 #ifndef TS_KERNELS_INDIRECT_H
 #define TS_KERNELS_INDIRECT_H
 #include "gbuffer.h"

@@ -1,5 +1,5 @@
 /* Eye-based deferred shading: the samples of reflective pixels look up points in cubes, points on mirrors are queued for
- * the next bounce, and every sample has the colour of its point (EPR sections 4.1.2 to 4.1.4; SPEC 2.7). */
+ * the next bounce, and every sample has the colour of its point (EPR sections 4.1.2 to 4.1.4; METHODS 2). */
 #ifndef TS_KERNELS_LOOKUP_H
 #define TS_KERNELS_LOOKUP_H
 #include "points.h"

@@ -1,6 +1,6 @@
-/* Rendered pairs in dual-paraboloid maps, one a node of views (MegaViews section 3.2; SPEC 4.7): the distance between the
- * middles of the two nodes in one texel, by 64-bit minimum. Leaves wider than a texel may be splatted into a coarser level
- * of a pyramid over the map, whose texels show through where finer ones are empty. */
+/* Rendered pairs in dual-paraboloid maps, one a node of views (MegaViews section 3.2; METHODS 13): the distance between
+ * the middles of the two nodes in one texel, by 64-bit minimum. Leaves wider than a texel may be splatted into a
+ * coarser level of a pyramid over the map, whose texels show through where finer ones are empty. */
 #ifndef TS_KERNELS_MAP_H
 #define TS_KERNELS_MAP_H
 #include "traverse.h"

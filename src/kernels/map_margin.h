@@ -1,7 +1,8 @@
-/* How near what maps show was to another answer, for ports that round otherwise (DESIGN 7.1): a second pass over the pairs
- * that map.h got its own from, which changes nothing that was decided of the octrees that it was given. Where the fate of a
- * pair turns, it and all pairs below it may come or go, in texels that its ball may cover in the maps of its views. Where
- * the texel of a rendered pair turns, it may leave one for another. What comes behind what a texel shows changes nothing. */
+/* How near what maps show was to another answer, for ports that round otherwise (PORTING 7): a second pass over the
+ * pairs that map.h got its own from, which changes nothing that was decided of the octrees that it was given. Where the
+ * fate of a pair turns, it and all pairs below it may come or go, in texels that its ball may cover in the maps of its
+ * views. Where the texel of a rendered pair turns, it may leave one for another. What comes behind what a texel shows
+ * changes nothing. */
 #ifndef TS_KERNELS_MAP_MARGIN_H
 #define TS_KERNELS_MAP_MARGIN_H
 #include "map.h"

@@ -1,5 +1,5 @@
 /* How near each decision was, for ports that may legally decide otherwise: the second pass of a margin stage, which changes
- * nothing that was decided (DESIGN 7.1). Standard rasterization: distance of a pixel's centre from the edges that matter
+ * nothing that was decided (PORTING 7). Standard rasterization: distance of a pixel's centre from the edges that matter
  * there, and from the depth that nearly won. Culling: distance of the random number from its threshold. */
 #ifndef TS_KERNELS_MARGIN_H
 #define TS_KERNELS_MARGIN_H

@@ -1,4 +1,4 @@
-/* MVR: reflective pixels look up the mip-mapped cube faces (SPEC 1.7). */
+/* MVR: reflective pixels look up the mip-mapped cube faces (METHODS 3). */
 #ifndef TS_KERNELS_MIRROR_H
 #define TS_KERNELS_MIRROR_H
 #include "illuminate.h"

@@ -1,5 +1,5 @@
 /* The nodes of an octree from the masks of its levels: ids are the places of the bits, so by level and Morton code
- * (SPEC 4.1). And the lists of its leaves, in order. */
+ * (METHODS 12). And the lists of its leaves, in order. */
 #ifndef TS_KERNELS_OCTREE_H
 #define TS_KERNELS_OCTREE_H
 #include "mask.h"

@@ -1,5 +1,5 @@
 /* Off-screen views: cube faces, and the depth maps of lights. Which of them may see a triangle (iVIR section 3.1;
- * SPEC 0.2.4). */
+ * METHODS 9). */
 #ifndef TS_KERNELS_OFFSCREEN_H
 #define TS_KERNELS_OFFSCREEN_H
 #include "cube.h"

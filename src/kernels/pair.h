@@ -1,5 +1,5 @@
 /* What becomes of a pair of a node of the scene and a node of views (MegaViews section 3.2, figures 4, 6 and 8, whose text
- * is lost; SPEC 4.4 to 4.6). Figure 4 without angles: with c = vs . n and s = |vs x n|, s cos psi - c sin psi is
+ * is lost; METHODS 13). Figure 4 without angles: with c = vs . n and s = |vs x n|, s cos psi - c sin psi is
  * |vs| sin(alpha - psi), and c cos psi + s sin psi is |vs| cos(alpha - psi). */
 #ifndef TS_KERNELS_PAIR_H
 #define TS_KERNELS_PAIR_H

@@ -1,7 +1,7 @@
-/* Dual-paraboloid maps, one parametrisation for all views (MegaViews section 3.1; SPEC 4.2). The front map looks along +x,
- * the back map along -x; a direction d is at (d.y, d.z) / (|d| + |d.x|) of the unit disc, which fills N x N texels, columns
- * along y and rows along z. Texels of a map: front before back, rows in order. The mapping is stereographic: circles stay
- * circles. */
+/* Dual-paraboloid maps, one parametrisation for all views (MegaViews section 3.1; METHODS 13). The front map looks
+ * along +x, the back map along -x; a direction d is at (d.y, d.z) / (|d| + |d.x|) of the unit disc, which fills N x N
+ * texels, columns along y and rows along z. Texels of a map: front before back, rows in order. The mapping is
+ * stereographic: circles stay circles. */
 #ifndef TS_KERNELS_PARABOLOID_H
 #define TS_KERNELS_PARABOLOID_H
 #include "vec.h"

@@ -1,4 +1,4 @@
-/* Percentage-closer soft shadows from one depth map a light (Fernando 2005; SPEC 1.7). What the map shows around a receiver
+/* Percentage-closer soft shadows from one depth map a light (PCSS; METHODS 10). What the map shows around a receiver
  * at depth d_R, over the width w_L (d_R - near) / d_R on the plane at depth near, and nearer than it, are blockers; with
  * their mean depth d_B the penumbra is w = (d_R - d_B) w_L / d_B wide, and the share of the map that lets light through is
  * taken over w near / d_R of that plane. Parallel light of tangent t: widths 2 t (d_R - near) and w = 2 t (d_R - d_B).

@@ -1,5 +1,5 @@
-/* Reflective pixels of the eye: the surface and how it changes to the neighbouring pixels (EPR section 4.1.3; SPEC 2.2,
- * stage 0). Gradients are central differences inside the same object, one-sided at its border, else 0. */
+/* Reflective pixels of the eye: the surface and how it changes to the neighbouring pixels (EPR section 4.1.3;
+ * METHODS 2). Gradients are central differences inside the same object, one-sided at its border, else 0. */
 #ifndef TS_KERNELS_PIXEL_H
 #define TS_KERNELS_PIXEL_H
 #include "draw.h"

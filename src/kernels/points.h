@@ -1,4 +1,4 @@
-/* Points: the samples that an aligned piece touches, conservatively, row by row (EPR sections 3.3, 3.4; SPEC 2.4, 2.5). */
+/* Points: the samples that an aligned piece touches, conservatively, row by row (EPR sections 3.3, 3.4; METHODS 2). */
 #ifndef TS_KERNELS_POINTS_H
 #define TS_KERNELS_POINTS_H
 #include "align.h"
@@ -35,7 +35,7 @@ TS_FN ts_cover ts_k_lattice_cover(TS_GLOBAL const ts_align *frame, i32 half_size
 }
 
 /* Weights of a sample on the source triangle: areas in the lattice, from unsnapped corners; a sample beside the triangle
- * moves to its border (NUMERICS rule 22). */
+ * moves to its border (CONTRACT rule 22). */
 TS_FN ts_v3 ts_k_lattice_weights(const ts_arrays *scene, TS_GLOBAL const ts_align *frame, u32 triangle, i32 x, i32 y)
 {
 	ts_v3 c = ts_load3(frame->c);

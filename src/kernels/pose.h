@@ -1,4 +1,4 @@
-/* Poses: moving objects follow an ellipse, one turn in `period` frames (SPEC 0.3.8). */
+/* Poses: moving objects follow an ellipse, one turn in `period` frames (METHODS 2). */
 #ifndef TS_KERNELS_POSE_H
 #define TS_KERNELS_POSE_H
 #include "records.h"

@@ -1,5 +1,5 @@
 /* Triangle rasterization: clip, project, snap to 24.8 fixed point, cover by integer edge functions; standard (top-left
- * rule) and conservative (NUMERICS rules 14 to 23, SPEC 0.2.3, 0.3.10). y grows downward.
+ * rule) and conservative (CONTRACT rules 14 to 23). y grows downward.
  * Numeric format: snapped coordinates are i32 with 8 fraction bits and |x| < 2^23; edges are i64 with |E| <= 2^49. */
 #ifndef TS_KERNELS_RASTER_H
 #define TS_KERNELS_RASTER_H
@@ -144,7 +144,7 @@ TS_FN bool ts_k_is_outside(const ts_camera_k *view, const ts_polygon *polygon)
 	return false;
 }
 
-/* Near, then the sides at the end of the snapping range (SPEC 0.3.10, rule 16). */
+/* Near, then the sides at the end of the snapping range (CONTRACT rule 16). */
 TS_FN void ts_k_clip_to_range(const ts_camera_k *view, ts_polygon *polygon)
 {
 	ts_plane near = ts_plane_make(0.0f, 0.0f, 1.0f, -view->near);
@@ -307,7 +307,7 @@ TS_FN bool ts_k_square_meets(ts_snapped a, ts_snapped b, bool turned, i32 x, i32
 	return (turned ? -e : e) + reach >= 0;
 }
 
-/* A convex polygon of snapped corners for the conservative test: its edges and its box (SPEC 0.3.10). */
+/* A convex polygon of snapped corners for the conservative test: its edges and its box (CONTRACT rule 19). */
 typedef struct { ts_snapped v[TS_MAX_CORNERS]; u32 n; bool turned; ts_box touched; i32 half_size; } ts_cover;
 
 TS_FN void ts_k_cover_finish(ts_cover *c, i32 half_size)

@@ -1,5 +1,5 @@
-/* Cube sizes from the eye's resolution (EPR section 3.5; SPEC 2.8): the larger side of the projected box of the reflector,
- * with hysteresis. */
+/* Cube sizes from the eye's resolution (EPR section 3.5; METHODS 2): the larger side of the projected box of the
+ * reflector, with hysteresis. */
 #ifndef TS_KERNELS_RESIZE_H
 #define TS_KERNELS_RESIZE_H
 #include "pose.h"
@@ -65,7 +65,7 @@ TS_FN u32 ts_k_resize_n(const ts_resize_args *args, const ts_camera_k *view, ts_
 	return before != 0u && change < (i32)args->hysteresis ? before : (u32)wanted;
 }
 
-/* map over reflectors: the box and ball of this frame's vertices (SPEC 0.3.7) and the cube's size */
+/* map over reflectors: the box and ball of this frame's vertices (METHODS 2) and the cube's size */
 TS_FN void ts_k_resize_item(const ts_resize_args *args, u64 i)
 {
 	TS_GLOBAL const ts_object *object = &args->objects[args->reflector_objects[i]];

@@ -1,7 +1,8 @@
-/* Shadows by depth maps: how many samples of each light reach a pixel of the eye, one rule for all methods (SPEC 1.6).
- * A sample reaches p if z <= map + bias in the texel that p falls into; outside the map and in an empty texel it does.
- * bias = b w + b_s slope: w the width of a texel at p, slope the change of the surface's depth from texel to texel, which
- * is z^2 |n_xy| / (f |n.(eye - p)|) [1/z is linear in the image]; orthographic w = 1/f and |n_xy| / (f |n_z|). */
+/* Shadows by depth maps: how many samples of each light reach a pixel of the eye, one rule for all methods
+ * (METHODS 10). A sample reaches p if z <= map + bias in the texel that p falls into; outside the map and in an empty
+ * texel it does. bias = b w + b_s slope: w the width of a texel at p, slope the change of the surface's depth from
+ * texel to texel, which is z^2 |n_xy| / (f |n.(eye - p)|) [1/z is linear in the image]; orthographic w = 1/f and |n_xy|
+ * / (f |n_z|). */
 #ifndef TS_KERNELS_RESOLVE_H
 #define TS_KERNELS_RESOLVE_H
 #include "draw.h"

@@ -1,7 +1,7 @@
-/* How near the answers of depth maps were to others, for ports that round or snap otherwise (DESIGN 7.1): the second pass of
- * resolve.h, which changes nothing that was decided. One step is 1/256 texel of the map, and what 1/256 pixel of the eye
- * moves the receiver there. Depths of maps move as the receiver's surface does; what they show is decided elsewhere
- * (margin.h), and so is the eye's triangle. */
+/* How near the answers of depth maps were to others, for ports that round or snap otherwise (PORTING 7): the second
+ * pass of resolve.h, which changes nothing that was decided. One step is 1/256 texel of the map, and what 1/256 pixel
+ * of the eye moves the receiver there. Depths of maps move as the receiver's surface does; what they show is decided
+ * elsewhere (margin.h), and so is the eye's triangle. */
 #ifndef TS_KERNELS_RESOLVE_MARGIN_H
 #define TS_KERNELS_RESOLVE_MARGIN_H
 #include "margin.h"

@@ -1,5 +1,6 @@
-/* The root cube of both octrees, about all vertices of the frame, and its lattice: 256 steps to a leaf voxel (SPEC 4.1).
- * Least and greatest coordinates by integer minimum of ordered bits, so that no order of the vertices changes them. */
+/* The root cube of both octrees, about all vertices of the frame, and its lattice: 256 steps to a leaf voxel
+ * (METHODS 12). Least and greatest coordinates by integer minimum of ordered bits, so that no order of the vertices
+ * changes them. */
 #ifndef TS_KERNELS_ROOT_H
 #define TS_KERNELS_ROOT_H
 #include "morton.h"

@@ -1,5 +1,5 @@
 /* Reflective shadow maps (Dachsbacher and Stamminger 2005): what a light sees, a triangle a texel as in SSAGH section 5,
- * and those triangles as lights (SPEC 3.3).
+ * and those triangles as lights (METHODS 11).
  *
  * A texel with its hit x_p at axial depth z and distance d from the light, angle theta between the surface's normal and the
  * way to the light, sees of the surface A = (z / f)^2 (z / d) / cos theta; orthographic (1 / f)^2 / cos theta. It becomes an

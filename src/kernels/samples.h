@@ -1,5 +1,5 @@
 /* The samples of a reflective pixel: 25 offsets of a toroidal Poisson-disc set, the same in every pixel, the first four
- * of them for later bounces (EPR section 4.1.3; SPEC 0.3.11, 2.7). */
+ * of them for later bounces (EPR section 4.1.3; METHODS 2). */
 #ifndef TS_KERNELS_SAMPLES_H
 #define TS_KERNELS_SAMPLES_H
 #include "records.h"

@@ -1,6 +1,6 @@
 /* Scattering: every point into every off-screen view that may see it, one texel each, by atomic minimum (iVIR section 4;
- * SPEC 1.6). Of depth maps the texel is the axial depth; of environment maps 13 bits of depth and 19 of colour, 6-7-6.
- * The points are stored ones, or made on the spot. */
+ * METHODS 9 and 10). Of depth maps the texel is the axial depth; of environment maps 13 bits of depth and 19 of colour,
+ * 6-7-6. The points are stored ones, or made on the spot. */
 #ifndef TS_KERNELS_SCATTER_H
 #define TS_KERNELS_SCATTER_H
 #include "offscreen.h"

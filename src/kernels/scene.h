@@ -36,7 +36,7 @@ TS_FN ts_corners ts_k_corners(const ts_arrays *scene, u32 triangle)
 	return r;
 }
 
-/* A triangle without area is dropped everywhere (SPEC 0.2.1). */
+/* A triangle without area is dropped everywhere (CONTRACT rule 35). */
 TS_FN bool ts_k_is_degenerate(ts_v3 n) { return !(ts_flush(ts_dot(n, n)) > 0.0f); }
 
 TS_FN bool ts_k_is_two_sided(const ts_arrays *scene, u32 triangle)
@@ -44,7 +44,7 @@ TS_FN bool ts_k_is_two_sided(const ts_arrays *scene, u32 triangle)
 	return (scene->materials[scene->triangles[triangle].material].flags & TS_DOUBLE_SIDED) != 0u;
 }
 
-/* Seen from the front, or two-sided (SPEC 0.1: never read from screen winding). */
+/* Seen from the front, or two-sided (CONTRACT rule 35: never read from screen winding). */
 TS_FN bool ts_k_is_facing(const ts_arrays *scene, u32 triangle, const ts_corners *t, ts_v3 eye)
 {
 	if (ts_k_is_two_sided(scene, triangle)) return true;

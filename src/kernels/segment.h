@@ -1,6 +1,6 @@
-/* Depth segments of each block of the grid (SSAGH section 3, algorithm 1; SPEC 3.4). Two neighbours are apart, seen from
- * depth d_c to d_n, if |d_c - d_n| > t (1 - d_c): as 1 - zn is proportional to 1 / z, a relative step of the eye's depth.
- * The sky, 1, is apart from everything else. */
+/* Depth segments of each block of the grid (SSAGH section 3, algorithm 1; METHODS 11). Two neighbours are apart, seen
+ * from depth d_c to d_n, if |d_c - d_n| > t (1 - d_c): as 1 - zn is proportional to 1 / z, a relative step of the eye's
+ * depth. The sky, 1, is apart from everything else. */
 #ifndef TS_KERNELS_SEGMENT_H
 #define TS_KERNELS_SEGMENT_H
 #include "grid.h"

@@ -1,6 +1,6 @@
-/* The boxes of the segments in columns, rows and depth (SSAGH section 3; SPEC 3.4): least and greatest by integer minimum,
- * as the bits of floats from +0 on are in their order, then those of labels that some texel has and that are not the
- * sky's. */
+/* The boxes of the segments in columns, rows and depth (SSAGH section 3; METHODS 11): least and greatest by integer
+ * minimum, as the bits of floats from +0 on are in their order, then those of labels that some texel has and that are
+ * not the sky's. */
 #ifndef TS_KERNELS_SEGMENT_BOX_H
 #define TS_KERNELS_SEGMENT_BOX_H
 #include "segment.h"

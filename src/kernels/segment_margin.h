@@ -1,6 +1,7 @@
-/* How near the segments of a block were to others, for ports that round otherwise (DESIGN 7.1): a second pass, which changes
- * nothing that segment.h decided of the depths that it was given. Where one test of two neighbours turns, the labels of all
- * that hangs together with either may be others, by sweeps as by components; the rest of the block stays. */
+/* How near the segments of a block were to others, for ports that round otherwise (PORTING 7): a second pass, which
+ * changes nothing that segment.h decided of the depths that it was given. Where one test of two neighbours turns, the
+ * labels of all that hangs together with either may be others, by sweeps as by components; the rest of the block
+ * stays. */
 #ifndef TS_KERNELS_SEGMENT_MARGIN_H
 #define TS_KERNELS_SEGMENT_MARGIN_H
 #include "segment.h"

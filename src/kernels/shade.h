@@ -1,5 +1,5 @@
 /* Lighting: emissive + ambient * base * (1 - metallic) + punctual lights through the BRDF of glTF 2.0 appendix B
- * (GGX, Smith, Schlick, Lambert) (SPEC 0.3.1, 0.3.2). */
+ * (GGX, Smith, Schlick, Lambert) (METHODS 4). */
 #ifndef TS_KERNELS_SHADE_H
 #define TS_KERNELS_SHADE_H
 #include "surface.h"

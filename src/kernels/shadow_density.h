@@ -1,4 +1,4 @@
-/* Density of the points of omnidirectional shadows from the eye's resolution (EPR section 5.1, eq. 5; SPEC 2.9).
+/* Density of the points of omnidirectional shadows from the eye's resolution (EPR section 5.1, eq. 5; METHODS 10).
  *
  * Of each light sample l that may see the triangle: d_lt is the distance to it, d_ev the eye's from its shadow volume, s_l
  * what iVIR wants for the six views of l (view_density.h). A detail of the triangle is magnified by d_lx / d_lt on a

@@ -1,5 +1,5 @@
-/* The resolution of shadow cubes from the eye's (EPR section 5.1, eq. 6; SPEC 2.9): Res_max times the largest d_lt / d_er of
- * the triangles in sight and the light samples, distances from the triangle to the sample and to the eye. */
+/* The resolution of shadow cubes from the eye's (EPR section 5.1, eq. 6; METHODS 10): Res_max times the largest d_lt /
+ * d_er of the triangles in sight and the light samples, distances from the triangle to the sample and to the eye. */
 #ifndef TS_KERNELS_SHADOW_RESIZE_H
 #define TS_KERNELS_SHADOW_RESIZE_H
 #include "closest.h"

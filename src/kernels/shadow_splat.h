@@ -1,4 +1,4 @@
-/* Points made for the eye's resolution into the depth maps of cubes (EPR section 5.1; SPEC 2.9): those whose splat is
+/* Points made for the eye's resolution into the depth maps of cubes (EPR section 5.1; METHODS 10): those whose splat is
  * smaller than a texel are written as they are (scatter.h), larger ones as squares (splat.h), of depths alone.
  *
  * Resolving compares the depth of a receiver with that of each texel, and one depth for a splat of many texels would put

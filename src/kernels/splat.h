@@ -1,5 +1,5 @@
 /* Splatting: every point as a square into every face that may see it; 64-bit minimum of distance << 32 | point
- * (EPR section 3.5; SPEC 2.6). One distance a splat, unless plane depth is asked for. */
+ * (EPR section 3.5; METHODS 2). One distance a splat, unless plane depth is asked for. */
 #ifndef TS_KERNELS_SPLAT_H
 #define TS_KERNELS_SPLAT_H
 #include "points.h"

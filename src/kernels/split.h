@@ -1,6 +1,6 @@
-/* Splitting of triangles too large for one density (SPEC 1.4): bisected while they have more than 2^16 samples, or more than
- * 2^14 along an edge; for the watertight rate of iVIR also while some view needs 1.5 times as many at one end as at the
- * other (SPEC 1.3). */
+/* Splitting of triangles too large for one density (METHODS 2): bisected while they have more than 2^16 samples, or
+ * more than 2^14 along an edge; for the watertight rate of iVIR also while some view needs 1.5 times as many at one end
+ * as at the other (METHODS 9). */
 #ifndef TS_KERNELS_SPLIT_H
 #define TS_KERNELS_SPLIT_H
 #include "area.h"

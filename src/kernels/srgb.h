@@ -1,4 +1,4 @@
-/* Display values (SPEC 0.3.12): the 8-bit sRGB value of a radiance is the number of thresholds that it reaches.
+/* Display values (CONTRACT rule 38): the 8-bit sRGB value of a radiance is the number of thresholds that it reaches.
  * Threshold k, from 1, is the least binary32 not below decode((k - 1/2) / 255), decode of IEC 61966-2-1. */
 #ifndef TS_KERNELS_SRGB_H
 #define TS_KERNELS_SRGB_H

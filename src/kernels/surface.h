@@ -1,5 +1,5 @@
 /* The one surface: (triangle, weights of its corners) to position, normal and material, for eye pixels, face texels,
- * points and ray hits alike (SPEC 0.3.4). A footprint is the width of the sample in world units. */
+ * points and ray hits alike (METHODS 4). A footprint is the width of the sample in world units. */
 #ifndef TS_KERNELS_SURFACE_H
 #define TS_KERNELS_SURFACE_H
 #include "texture.h"
@@ -74,7 +74,7 @@ TS_FN bool ts_k_is_masked(const ts_arrays *scene, u32 triangle)
 	return (scene->materials[scene->triangles[triangle].material].flags & TS_MASKED) != 0u;
 }
 
-/* A masked sample with too little alpha is not there (SPEC 0.3.5). */
+/* A masked sample with too little alpha is not there (METHODS 4). */
 TS_FN bool ts_k_is_cut(const ts_arrays *scene, u32 triangle, ts_v3 w, ts_v3 normal, f32 footprint)
 {
 	if (!ts_k_is_masked(scene, triangle)) return false;
@@ -104,7 +104,7 @@ TS_FN ts_tangent ts_k_tangent_of_uv(const ts_sample *s, TS_GLOBAL const ts_slot 
 	return r;
 }
 
-/* From TANGENT, else from the uv gradient of the triangle (SPEC 0.3.4). */
+/* From TANGENT, else from the uv gradient of the triangle (METHODS 4). */
 TS_FN ts_tangent ts_k_tangent(const ts_sample *s, TS_GLOBAL const ts_slot *slot)
 {
 	ts_tangent r;
@@ -171,7 +171,7 @@ TS_FN void ts_k_surface_material(const ts_arrays *scene, const ts_sample *s, ts_
 	}
 }
 
-/* A mirror whose reflection is not followed is diffuse in its own colour (SPEC 2.7). */
+/* A mirror whose reflection is not followed is diffuse in its own colour (METHODS 2). */
 TS_FN void ts_k_surface_mirror(const ts_arrays *scene, u32 triangle, ts_surface *r)
 {
 	if (ts_k_reflector_of(scene, triangle) == TS_NONE) return;

@@ -1,4 +1,4 @@
-/* Visibility of surfels (SPEC 5.2, pass 1; slides "3-Pass Deferred Shading"): every surfel that faces the view, inside its
+/* Visibility of surfels (NV40: 3-Pass Deferred Shading; METHODS 16): every surfel that faces the view, inside its
  * ellipse, as deep as the ray meets its plane and epsilon along the ray farther, by integer minimum: so the least depth is
  * that of the nearest surfel, and what blends with it is before it. Depth maps of lights are made the same way. */
 #ifndef TS_KERNELS_SURFEL_DEPTH_H

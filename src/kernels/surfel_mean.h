@@ -1,6 +1,6 @@
-/* Normalization (SPEC 5.2, pass 3; slides "Deferred Shading"): what was blended, divided by the sum of weights, as the same
- * G-buffer that meshes have, so that any deferred shader works on it, once a pixel. Where normals cancel, the heaviest
- * fragment's counts; where none is inside its ellipse, that one's depth. */
+/* Normalization (NV40: 3-Pass Deferred Shading; METHODS 16): what was blended, divided by the sum of weights, as the
+ * same G-buffer that meshes have, so that any deferred shader works on it, once a pixel. Where normals cancel, the
+ * heaviest fragment's counts; where none is inside its ellipse, that one's depth. */
 #ifndef TS_KERNELS_SURFEL_MEAN_H
 #define TS_KERNELS_SURFEL_MEAN_H
 #include "blend.h"

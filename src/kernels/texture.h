@@ -1,5 +1,5 @@
-/* Textures: fixed-point bilinear weights, trilinear between two mip levels, an exact rule for the level (SPEC 0.3.3).
- * Texels are linear, 16 bits a channel, four channels in a u64, red lowest. */
+/* Textures: fixed-point bilinear weights, trilinear between two mip levels, an exact rule for the level (CONTRACT
+ * rule 37). Texels are linear, 16 bits a channel, four channels in a u64, red lowest. */
 #ifndef TS_KERNELS_TEXTURE_H
 #define TS_KERNELS_TEXTURE_H
 #include "scene.h"

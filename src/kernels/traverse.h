@@ -1,4 +1,4 @@
-/* The concurrent traversal of two octrees, of the scene and of views (MegaViews section 3.2; SPEC 4.3). A pair is
+/* The concurrent traversal of two octrees, of the scene and of views (MegaViews section 3.2; METHODS 13). A pair is
  * scene << 32 | views, two ids of nodes. In a step's queue pairs that go no further are struck out when they are decided,
  * and those that are split when their children stand in the next queue: what is left is rendered. A decision knows nothing
  * but its pair, so no pair is reached twice, and any piece of a queue may be carried to its end before the rest. */

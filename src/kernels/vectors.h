@@ -1,4 +1,4 @@
-/* Arithmetic vectors: every primitive that a device must compute with the same bits (NUMERICS rule 32), over the rows
+/* Arithmetic vectors: every primitive that a device must compute with the same bits (CONTRACT rule 32), over the rows
  * that ts_vector_make fills. */
 #ifndef TS_KERNELS_VECTORS_H
 #define TS_KERNELS_VECTORS_H

@@ -1,4 +1,4 @@
-/* Primitives of numbers: what IEEE 754 defines, one operation each and the two that compilers like to fuse (NUMERICS
+/* Primitives of numbers: what IEEE 754 defines, one operation each and the two that compilers like to fuse (CONTRACT
  * rules 4 to 6), and the functions of num.h, half.h and vec.h. */
 #ifndef TS_KERNELS_VECTORS_NUMBER_H
 #define TS_KERNELS_VECTORS_NUMBER_H

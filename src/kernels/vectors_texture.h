@@ -1,4 +1,4 @@
-/* Primitives of cube maps and of what is written to them (cube.h, NUMERICS rule 24), and of textures, display values
+/* Primitives of cube maps and of what is written to them (cube.h, CONTRACT rule 24), and of textures, display values
  * and culling (texture.h, srgb.h, cull.h). */
 #ifndef TS_KERNELS_VECTORS_TEXTURE_H
 #define TS_KERNELS_VECTORS_TEXTURE_H

@@ -1,5 +1,6 @@
-/* Views without a hierarchy, as ManyLoDs renders them (MegaViews section 4.1; SPEC 4.8): every virtual point light is a root
- * and a leaf of its own, of radius 0. And every pair of a leaf of the scene and such a view, for maps by brute force. */
+/* Views without a hierarchy, as ManyLoDs renders them (MegaViews section 4.1; METHODS 13): every virtual point light is
+ * a root and a leaf of its own, of radius 0. And every pair of a leaf of the scene and such a view, for maps by brute
+ * force. */
 #ifndef TS_KERNELS_VIEW_ALONE_H
 #define TS_KERNELS_VIEW_ALONE_H
 #include "map.h"

@@ -1,4 +1,4 @@
-/* The cones of the view octree (MegaViews section 3.1, figure 3; SPEC 4.1): of each node the axis is the sum of the
+/* The cones of the view octree (MegaViews section 3.1, figure 3; METHODS 12): of each node the axis is the sum of the
  * directions of the views below it, the angle the greatest to one of them. Sums are of integers in 2^-30, of fewer than
  * 2^32 views: below 2^62. The least cosine is a minimum of ordered bits (root.h). */
 #ifndef TS_KERNELS_VIEW_CONE_H

@@ -1,5 +1,5 @@
-/* Density of the points from the resolution of the off-screen views (iVIR section 3.1, eqs 2 and 3; SPEC 1.3), and that of
- * VIR (SPEC 1.7): s = max_v sqrt(1 / A_P(v)) samples a world unit over the views v that may see the triangle, A_P the area
+/* Density of the points from the resolution of the off-screen views (iVIR section 3.1, eqs 2 and 3; METHODS 9), and
+ * that of VIR: s = max_v sqrt(1 / A_P(v)) samples a world unit over the views v that may see the triangle, A_P the area
  * on the triangle that one pixel of v covers: z^3 / (f^2 h) at axial depth z, h the distance of v from the plane. */
 #ifndef TS_KERNELS_VIEW_DENSITY_H
 #define TS_KERNELS_VIEW_DENSITY_H

@@ -1,4 +1,4 @@
-/* The octree of the views, here virtual point lights: every view in the leaf voxel that holds it (SPEC 4.1). */
+/* The octree of the views, here virtual point lights: every view in the leaf voxel that holds it (METHODS 12). */
 #ifndef TS_KERNELS_VIEW_OCTREE_H
 #define TS_KERNELS_VIEW_OCTREE_H
 #include "mask.h"

@@ -1,4 +1,4 @@
-/* Visibility bits: which faces of which cubes may see a triangle (EPR section 3.1; SPEC 0.2.4, 0.3.7). Bit 6 r + f.
+/* Visibility bits: which faces of which cubes may see a triangle (EPR section 3.1; METHODS 2). Bit 6 r + f.
  * Faces have tan of half the field of view 1. */
 #ifndef TS_KERNELS_VISIBILITY_H
 #define TS_KERNELS_VISIBILITY_H

@@ -1,7 +1,8 @@
-/* Virtual point lights (instant radiosity, MegaViews section 4.1; SPEC 4.9): paths from the texels of the reflective shadow
- * maps that send light on, from all of them or from so many at random, with repetition. A path leaves a light there and at
- * each of its later reflections, whose directions are cosine-distributed, so that the albedo is all that is lost. Lights
- * stand half a leaf's side above the surface, for in the voxel of its own surface a light is in its shadow (SPEC 4.7). */
+/* Virtual point lights (instant radiosity, MegaViews section 4.1; METHODS 12): paths from the texels of the reflective
+ * shadow maps that send light on, from all of them or from so many at random, with repetition. A path leaves a light
+ * there and at each of its later reflections, whose directions are cosine-distributed, so that the albedo is all that
+ * is lost. Lights stand half a leaf's side above the surface, for in the voxel of its own surface a light is in its
+ * shadow (METHODS 13). */
 #ifndef TS_KERNELS_VPL_H
 #define TS_KERNELS_VPL_H
 #include "cast.h"

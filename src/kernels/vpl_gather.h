@@ -1,8 +1,8 @@
-/* Light that pixels gather from virtual point lights (MegaViews section 5.1; SPEC 4.9): of the views in the list of the
- * pixel's node so many at random, with repetition, or each. A light is a small Lambertian patch, E = flux / pi cos cos /
- * d^2, whose d is bounded from below, which keeps a near light from being a bright spot; or without a direction sends the
- * same to all sides, E = flux / (4 pi) cos / d^2. Its own leaf's map, moved to where it is itself, tells what is in its
- * shadow. */
+/* Light that pixels gather from virtual point lights (MegaViews section 5.1; METHODS 14): of the views in the list of
+ * the pixel's node so many at random, with repetition, or each. A light is a small Lambertian patch, E = flux / pi cos
+ * cos / d^2, whose d is bounded from below, which keeps a near light from being a bright spot; or without a direction
+ * sends the same to all sides, E = flux / (4 pi) cos / d^2. Its own leaf's map, moved to where it is itself, tells what
+ * is in its shadow. */
 #ifndef TS_KERNELS_VPL_GATHER_H
 #define TS_KERNELS_VPL_GATHER_H
 #include "fuse.h"

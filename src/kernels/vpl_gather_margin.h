@@ -1,7 +1,7 @@
-/* How near the light that pixels gather was to another, for ports that round otherwise (DESIGN 7.1): a second pass, which
- * changes nothing that vpl_gather.h decided of the lists and maps that it was given. A pixel may be of another node, and so
- * of another list; and each of its lights may fall into another texel, or be seen or not be. Where light comes or goes at
- * cosine 0, it is none. */
+/* How near the light that pixels gather was to another, for ports that round otherwise (PORTING 7): a second pass,
+ * which changes nothing that vpl_gather.h decided of the lists and maps that it was given. A pixel may be of another
+ * node, and so of another list; and each of its lights may fall into another texel, or be seen or not be. Where light
+ * comes or goes at cosine 0, it is none. */
 #ifndef TS_KERNELS_VPL_GATHER_MARGIN_H
 #define TS_KERNELS_VPL_GATHER_MARGIN_H
 #include "map_margin.h"

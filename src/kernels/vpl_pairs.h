@@ -1,6 +1,6 @@
 /* Which views may light what: for every node of the scene of one level a list of the nodes of views of that level that
- * culling leaves, by the same traversal (MegaViews section 5.1; SPEC 4.9). With the sums of their views one random number
- * names a view. */
+ * culling leaves, by the same traversal (MegaViews section 5.1; METHODS 14). With the sums of their views one random
+ * number names a view. */
 #ifndef TS_KERNELS_VPL_PAIRS_H
 #define TS_KERNELS_VPL_PAIRS_H
 #include "traverse.h"

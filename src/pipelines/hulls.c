@@ -1,4 +1,4 @@
-/* Screen-space approximate Gaussian hulls: indirect light of one bounce (SPEC 3).
+/* Screen-space approximate Gaussian hulls: indirect light of one bounce (METHODS 11).
  * Meder and Bruederlin, "Screen Space Approximate Gaussian Hulls" (2018).
  *
  * What the lights see in reflective shadow maps is light itself, a triangle a texel. The screen's depth is down-sampled
@@ -8,7 +8,7 @@
  * between triangle and receiver.
  *
  * Deviations:
- * - what the paper leaves open is in SPEC 3: triangles are equilateral and as large as what their texel sees, the
+ * - what the paper leaves open is in METHODS 11: triangles are equilateral and as large as what their texel sees, the
  *   threshold of segments is a fiftieth of the depth, the box of a pixel is the thinnest that holds it;
  * - the far plane is at infinity, so that thresholds and interpolation know the depth's reciprocal exactly (gbuffer.h);
  * - a pixel that no segment holds takes the nearest; surface=paper leaves it dark;

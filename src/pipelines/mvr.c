@@ -1,4 +1,4 @@
-/* Classic multi-view rendering: the baseline of EPR section 4.2 and of iVIR sections 4 to 6 (SPEC 1.7).
+/* Classic multi-view rendering: the baseline of EPR section 4.2 and of iVIR sections 4 to 6 (METHODS 3).
  *
  * For every reflector the whole scene is rasterized into the six faces of its cube, every texel is shaded, a mip chain is
  * made, and the eye's reflective pixels look it up. For shadows the scene is rasterized into every depth map.

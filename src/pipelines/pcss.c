@@ -1,4 +1,4 @@
-/* Percentage-closer soft shadows: the single-view baseline of iVIR section 4 (SPEC 1.7).
+/* Percentage-closer soft shadows: the single-view baseline of iVIR section 4 (PCSS; METHODS 10).
  * Fernando, "Percentage-Closer Soft Shadows" (SIGGRAPH 2005 sketches).
  *
  * The scene is rasterized into one depth map a light, from its middle. About each receiver 32 taps look for what comes

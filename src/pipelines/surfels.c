@@ -1,4 +1,4 @@
-/* Deferred surface splatting with an approximation of the EWA filter, and the exact filter beside it (SPEC 5).
+/* Deferred surface splatting with an approximation of the EWA filter, and the exact filter beside it (METHODS 16).
  * Botsch, Hornung, Zwicker and Kobbelt, "High-Quality Surface Splatting on Today's GPUs" (2005), from the slides.
  * Zwicker, Pfister, van Baar and Gross, "EWA Splatting" (2001/2002).
  *
@@ -10,7 +10,7 @@
  * Deviations:
  * - sums are integers, not 16-bit floats, so that they do not depend on the order of surfels (blend.h); accumulation=half is
  *   the paper;
- * - "20 x 20" pixels of least size are read as 2 x 2, the screen filter's own width, for the reasons of SPEC 5.4;
+ * - "20 x 20" pixels of least size are read as 2 x 2, the screen filter's own width, for the reasons of FIGURES 12;
  * - boxes are those of the projected ellipse, where the paper's point sprites miss parts of it; bounds=botsch is the paper;
  * - epsilon, sigma_k and the shaders are not given: epsilon is the median radius, sigma_k a half;
  * - surfels that cross the near plane are drawn as far as they are behind it, but by exact EWA and the screen filter alone,

@@ -111,13 +111,13 @@ const ts_pipeline ts_pipeline_table[] = {
 		.sets = {"view_field", "all"},
 	},
 	{
-		.name = "deferred", .effect = "surfels", .paper = "NV40 3 to 5",
+		.name = "deferred", .effect = "surfels", .paper = "NV40: 3-Pass Deferred Shading",
 		.doc = "deferred surface splatting: surfels blended in three passes, filtered by the lesser radius",
 		.steps = ts_surfels_steps, .plan = ts_deferred_plan, .expect = ts_surfels_expect,
 		.sets = {"lamp", "scene"},
 	},
 	{
-		.name = "ewa", .effect = "surfels", .paper = "SPEC 5.6",
+		.name = "ewa", .effect = "surfels", .paper = "EWA",
 		.doc = "the same with the exact EWA filter",
 		.steps = ts_surfels_steps, .plan = ts_ewa_plan, .expect = ts_surfels_expect,
 		.sets = {"lamp", "scene"},

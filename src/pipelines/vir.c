@@ -1,5 +1,5 @@
-/* View-independent rendering: the method that iVIR improves on, as iVIR's sections 3 to 6 compare with it (SPEC 1.7).
- * Marrs, Watson and Healey, "Real-Time View Independent Rasterization for Multi-View Rendering" (2017).
+/* View-independent rendering: the method that iVIR improves on, as iVIR's sections 3 to 6 compare with it (VIR;
+ * METHODS 9). Marrs, Watson and Healey, "Real-Time View Independent Rasterization for Multi-View Rendering" (2017).
  *
  * The stages are iVIR's, with the rate that one point of view asks for: a triangle is as dense all over as the view's
  * densest pixel at the triangle's nearest distance, by the worst perspective of any view, and off-screen buffers keep their

@@ -1,4 +1,4 @@
-/* Building a scene: appending records. Every float is sanitized (NUMERICS rule 10) and every padding field is zero,
+/* Building a scene: appending records. Every float is sanitized (CONTRACT rule 10) and every padding field is zero,
  * because the arrays are hashed. build_finish.c checks and freezes. */
 #include "build_parts.h"
 #include "../core/core.h"

@@ -37,8 +37,8 @@ void ts_build_camera(ts_build *build, const ts_camera *camera);
  * `object` NULL they belong to object 0 again. Returns the object's index. */
 u32 ts_build_object(ts_build *build, const ts_object *object, bool is_reflector);
 
-/* Appends an image with its mip chain (SPEC 0.3.3). rgba: width * height * 4 bytes, rows from the top, each side 1 to
- * 65536; srgb: red, green and blue are sRGB-coded. The caller keeps rgba. */
+/* Appends an image with its mip chain (CONTRACT rule 37). rgba: width * height * 4 bytes, rows from the top, each side
+ * 1 to 65536; srgb: red, green and blue are sRGB-coded. The caller keeps rgba. */
 u32 ts_build_image(ts_build *build, const u8 *rgba, u32 width, u32 height, bool srgb);
 
 /* A default for every field: white, roughness 1, metallic 0, no texture, opaque. */

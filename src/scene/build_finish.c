@@ -1,4 +1,4 @@
-/* Freezing a scene: what it lacks is added (SPEC 0.3.1), every index and range is checked, so that no kernel has to,
+/* Freezing a scene: what it lacks is added (METHODS 4), every index and range is checked, so that no kernel has to,
  * and the vertices of each object are made one range. */
 #include "build_parts.h"
 #include "../core/core.h"
@@ -151,7 +151,7 @@ static void group_vertices(ts_build *build)
 	free(next);
 }
 
-/* Of the triangles that stand still: those of the file. Degenerate by SPEC 0.2.1. */
+/* Of the triangles that stand still: those of the file. Degenerate by CONTRACT rule 35. */
 static void count_triangles(ts_scene *scene)
 {
 	for (u32 i = 0; i < scene->n_triangles; i++) {

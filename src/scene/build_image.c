@@ -1,4 +1,4 @@
-/* Images as the kernels read them: 16-bit linear texels and their mip chain (SPEC 0.3.3). Integers only. */
+/* Images as the kernels read them: 16-bit linear texels and their mip chain (CONTRACT rule 37). Integers only. */
 #include "build_parts.h"
 #include "../core/core.h"
 #include "srgb_table.h"

@@ -1,4 +1,4 @@
-/* The hall of a scene: how far the eye and the added reflectors may go (view.h, the deviation from SPEC 0.3.8). A wall
+/* The hall of a scene: how far the eye and the added reflectors may go (view.h says why). A wall
  * is what stops level rays both at eye height and above furniture; a fan of rays decides, so that one post does not. */
 #include "build_parts.h"
 #include "../core/core.h"

@@ -1,5 +1,5 @@
 /* "checkerboard": surfels in a regular grid on a plane that recedes to where its squares are far smaller than a pixel,
- * what SPEC 5.6 measures filters on. 64 by 256 m of squares of 1 m; the camera "receding" looks along it. */
+ * what FIGURES 12 measures filters on. 64 by 256 m of squares of 1 m; the camera "receding" looks along it. */
 #include "build_parts.h"
 #include "builtin.h"
 #include "checkerboard.h"

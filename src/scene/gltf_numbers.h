@@ -1,4 +1,4 @@
-/* Numbers of a glTF file on their way into the scene's records: rounded once to binary32, then sanitized (NUMERICS rule
+/* Numbers of a glTF file on their way into the scene's records: rounded once to binary32, then sanitized (CONTRACT rule
  * 10), and the few that need arithmetic. */
 #ifndef TS_SCENE_GLTF_NUMBERS_H
 #define TS_SCENE_GLTF_NUMBERS_H

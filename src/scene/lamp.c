@@ -1,4 +1,4 @@
-/* Area lights and the samples that stand for them. All arithmetic is the kernels' (SPEC 0.3.9). */
+/* Area lights and the samples that stand for them. All arithmetic is the kernels' (CONTRACT rule 4). */
 #include "lamp.h"
 #include "../kernels/shade.h"
 #include "view.h"

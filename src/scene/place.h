@@ -1,6 +1,6 @@
 /* Node transforms of a scene file: where a node stands in the world, and what that does to vertices, surfels, lights
- * and cameras. Only + - * / and the square root on binary32, in the order written (SPEC 0.3.9), so every build gives the
- * same bits. */
+ * and cameras. Only + - * / and the square root on binary32, in the order written (CONTRACT rule 4), so every build
+ * gives the same bits. */
 #ifndef TS_SCENE_PLACE_H
 #define TS_SCENE_PLACE_H
 #include "../kernels/vec.h"

@@ -63,7 +63,7 @@ static u32 sample_part(const sampler *from, u32 triangle, const ts_part *part, t
 	return n;
 }
 
-/* Bisects a triangle until its parts fit in a lattice (SPEC 1.4), and samples them in order. */
+/* Bisects a triangle until its parts fit in a lattice (METHODS 2), and samples them in order. */
 static u32 sample_triangle(const sampler *from, u32 triangle, ts_surfel *out)
 {
 	ts_corners t = ts_k_corners(&from->scene, triangle);

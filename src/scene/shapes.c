@@ -1,4 +1,4 @@
-/* Shapes of the added reflectors (SPEC 0.3.8): profiles in a half plane, turned about an axis. */
+/* Shapes of the added reflectors (METHODS 4): profiles in a half plane, turned about an axis. */
 #include "shapes.h"
 #include "../kernels/vec.h"
 #include <assert.h>

@@ -27,7 +27,7 @@ ts_status ts_builtin_open(ts_scene **scene, const char *spec, const ts_params *p
 /* ground.c: a square under the scene, if the parameter asks for it. */
 void ts_ground_add(ts_build *build, const ts_params *params);
 
-/* reflectors.c: as many reflectors as the parameters say, on periodic paths (SPEC 0.3.8); none for surfels. */
+/* reflectors.c: as many reflectors as the parameters say, on periodic paths (METHODS 4); none for surfels. */
 void ts_reflectors_add(ts_build *build, const ts_params *params, const char *camera);
 
 #ifdef __cplusplus

@@ -1,4 +1,5 @@
-/* Linear value of each 8-bit sRGB code, 65535 at 255: round(65535 decode(v / 255)), decode of IEC 61966-2-1 (SPEC 0.3.3). */
+/* Linear value of each 8-bit sRGB code, 65535 at 255: round(65535 decode(v / 255)), decode of IEC 61966-2-1 (CONTRACT
+ * rule 37). */
 #ifndef TS_SCENE_SRGB_TABLE_H
 #define TS_SCENE_SRGB_TABLE_H
 #include <stdint.h>

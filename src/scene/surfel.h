@@ -1,5 +1,5 @@
-/* Making surfels of what files say of points, and what each must be (SPEC 5.1): two half-axes longer than 0, at a right
- * angle to each other and to the normal. Only + - * / and the square root, so every build gives the same bits. */
+/* Making surfels of what files say of points, and what each must be (METHODS 16): two half-axes longer than 0, at a
+ * right angle to each other and to the normal. Only + - * / and the square root, so every build gives the same bits. */
 #ifndef TS_SCENE_SURFEL_H
 #define TS_SCENE_SURFEL_H
 #include "scene.h"

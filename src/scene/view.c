@@ -1,4 +1,4 @@
-/* The eye: a camera of the scene, or on an ellipse around the middle of the hall (SPEC 0.3.8, 0.3.9). */
+/* The eye: a camera of the scene, or on an ellipse around the middle of the hall (METHODS 2). */
 #include "view.h"
 
 #define EYE_HEIGHT 0.35f    /* of the box, above its floor: inside a room the picture is that of a visitor */

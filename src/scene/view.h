@@ -18,13 +18,13 @@ ts_space ts_view_box(const ts_info *info);
  * its middle halfway between them. Where there are not walls on all four sides, as around a thing seen from outside,
  * the hall is the box. The walls are found once, when the scene is made (build_walls.c).
  *
- * Deviation from SPEC 0.3.8, which measures the paths of the eye and of the reflectors in the box: many a box is larger
+ * Paths of the eye and of the reflectors are measured in the hall and not in the box: many a box is larger
  * than the room in it (a court among galleries, a nave among aisles), or beside it, and the eye would circle behind
  * walls. */
 ts_space ts_view_hall(const ts_info *info);
 
 /* The eye of frame params->frame: the scene's chosen camera, which stands still, or else circling the middle of the
- * hall (SPEC 0.3.8): one turn in 240 frames, from +x towards +z, on 0.35 or 0.9 of half the hall, at 0.35 of its
+ * hall (METHODS 2): one turn in 240 frames, from +x towards +z, on 0.35 or 0.9 of half the hall, at 0.35 of its
  * height, looking at its middle a little below.
  * near is 2^-10 of half the box's diagonal. Reads params->{frame, eye, fov, width, height}. */
 void ts_view_eye(ts_view *view, const ts_info *info, const ts_params *params);

@@ -1,7 +1,7 @@
 /* Sums of the attributes of surfels. */
 #include "stages.h"
 
-/* NUMERICS rule 30: as many terms as there can be surfels, each the largest that ts_fix gives. */
+/* CONTRACT rule 30: as many terms as there can be surfels, each the largest that ts_fix gives. */
 _Static_assert((u64)TS_NONE * INT32_MAX <= (u64)INT64_MAX, "sums of surfels may overflow");
 
 static ts_status clear_sums(ts_run *run)

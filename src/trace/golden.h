@@ -1,4 +1,5 @@
-/* Goldens (DESIGN 7.4): the digests of a run's files, and the contents of the small ones; computed now, or stored in
+/* Goldens (CONTRIBUTING, Goldens): the digests of a run's files, and the contents of the small ones; computed now, or
+ * stored in
  *   <case>/SHA256SUMS   what ts_sums_print prints
  *   <case>/small/       some of the files that it names
  * What is being proposed has ".new" behind these names. Stored files are untrusted. Part of the core. */

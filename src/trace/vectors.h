@@ -1,4 +1,4 @@
-/* Arithmetic vectors: inputs and outputs of every primitive that a port must compute with the same bits (NUMERICS
+/* Arithmetic vectors: inputs and outputs of every primitive that a port must compute with the same bits (CONTRACT
  * rule 32), and the judgement of what a port computed from these inputs. A row holds the columns of one item as
  * little-endian words of 32 bits without padding, 64-bit values low word first: as a structured dtype of numpy. */
 #ifndef TS_TRACE_VECTORS_H
@@ -54,7 +54,7 @@ typedef struct { ts_vector_fault fault; ts_vector_item *item; } ts_vector_varian
 typedef struct {
 	const char *name;      /* NULL ends a table */
 	ts_vector_item *item;  /* of the kernels */
-	const char *rule;      /* of NUMERICS section 11, or the kernel that defines it */
+	const char *rule;      /* of CONTRACT, or the kernel that defines it */
 	const char *doc;       /* one line */
 	ts_vector_column in[TS_VECTOR_COLUMNS + 1];
 	struct { ts_vector_type type; u32 count; } out;

@@ -1,4 +1,4 @@
-/* Primitives: what IEEE 754 defines, one operation each and the two that compilers like to fuse (NUMERICS rules 4 to
+/* Primitives: what IEEE 754 defines, one operation each and the two that compilers like to fuse (CONTRACT rules 4 to
  * 6). */
 #include "vectors_row.h"
 

@@ -1,4 +1,4 @@
-/* Primitives of cube maps and of what is written to them: places, texels, keys (kernels/cube.h, NUMERICS rule 24). */
+/* Primitives of cube maps and of what is written to them: places, texels, keys (kernels/cube.h, CONTRACT rule 24). */
 #include "vectors_row.h"
 
 static void cube_place_reciprocal(u32 *out, const u32 *in)

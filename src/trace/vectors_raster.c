@@ -1,4 +1,4 @@
-/* Primitives of kernels/raster.h: projection, snapping, edges, coverage, interpolation (NUMERICS rules 15 to 22). */
+/* Primitives of kernels/raster.h: projection, snapping, edges, coverage, interpolation (CONTRACT rules 15 to 22). */
 #include "vectors_row.h"
 
 enum { SNAPPED_MAX = (1 << 23) - 1, PIXEL_MAX = 32767 };

@@ -33,7 +33,7 @@ static void learn(ts_measured *a, const ts_vector *v, const ts_vector_verdict *v
 	if (strcmp(v->name, "add") == 0) a->rounds_to_nearest = verdict->n_wrong == verdict->n_explained[TS_FAULT_FLUSH];
 }
 
-/* The contract holds with denormals flushed too: its kernels flush what would tell (NUMERICS rule 11). */
+/* The contract holds with denormals flushed too: its kernels flush what would tell (CONTRACT rule 11). */
 static bool is_right(const ts_vector_verdict *verdict)
 {
 	return verdict->n_wrong == verdict->n_explained[TS_FAULT_FLUSH];

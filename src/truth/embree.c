@@ -1,4 +1,4 @@
-/* Rays into the triangles: Embree finds the nearest, our own kernel measures the hit (SPEC 0.3.5, 0.3.6).
+/* Rays into the triangles: Embree finds the nearest, our own kernel measures the hit (METHODS 17).
  * Filters see what the rasters see: facing by the ray's origin, alpha at the hit's footprint, the masked reflector. */
 #include <assert.h>
 #include <math.h>

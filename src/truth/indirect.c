@@ -1,4 +1,4 @@
-/* Truths of indirect light by rays (SPEC 3.10 and 4.12), which tell the errors of a method apart. `lights` gathers from the
+/* Truths of indirect light by rays (METHODS 17), which tell the errors of a method apart. `lights` gathers from the
  * very triangles of light that the methods have, as `direct` does, but only from those whose middle the pixel sees. `bounce`
  * has no triangles of light: its rays leave the pixel as the cosine wants them, and bring what the lights themselves send to
  * where they end. `vpls` gathers from all virtual point lights of MegaViews, `glow` from all its particles.

@@ -1,5 +1,5 @@
-/* Maps of many views against rays (SPEC 4.12): what whole maps show along the middles of their texels, and what they answer
- * about places that pixels see. Of views beyond some, every so many-th. */
+/* Maps of many views against rays (METHODS 17): what whole maps show along the middles of their texels, and what they
+ * answer about places that pixels see. Of views beyond some, every so many-th. */
 #include "../stages/traverse.h"
 #include "query.h"
 

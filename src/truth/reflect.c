@@ -1,5 +1,5 @@
 /* Truth of reflections by rays: A from the cube's centre in the very directions of EPR's samples, B from the surface
- * (SPEC 2.7, 6). A is EPR with cubes of infinite resolution; B has no cubes at all. */
+ * (METHODS 17). A is EPR with cubes of infinite resolution; B has no cubes at all. */
 #include <stdlib.h>
 #include "../kernels/density.h"
 #include "../kernels/samples.h"
@@ -148,7 +148,7 @@ static ts_v3 sample_b(const tracer *t, const ts_pixel *pixel, u32 k)
 	return see_from_surface(t, &query, t->bounces - 1);
 }
 
-/* Mean of the samples in order, tinted (SPEC 2.7). */
+/* Mean of the samples in order, tinted (METHODS 2). */
 static ts_v3 pixel_radiance(const tracer *t, const ts_pixel *pixel, sample *look)
 {
 	ts_v3 sum = { 0, 0, 0 };

@@ -1,5 +1,5 @@
-/* Truth C: MVR at several times the linear resolution of eye and cubes, box-filtered in linear radiance (SPEC 6; the
- * reference of the EPR paper). The scene is the same, so reflectors keep their places and sizes. */
+/* Truth C: MVR at several times the linear resolution of eye and cubes, box-filtered in linear radiance (METHODS 17;
+ * the reference of EPR 4.2). The scene is the same, so reflectors keep their places and sizes. */
 #include <stdio.h>
 #include <stdlib.h>
 #include "../kernels/num.h"

@@ -1,7 +1,7 @@
-/* Truths of surfels by rays (SPEC 6), shaded by the methods' own deferred shader: `discs`, the surfels themselves, each ray
- * blending what it meets no more than epsilon behind the nearest by the object-space Gaussian; `surface`, what surfels are
- * samples of, triangles or the checkerboard. Their rays stand on a regular grid in every pixel: a picture for each place in
- * it, and their mean in linear light.
+/* Truths of surfels by rays (METHODS 17), shaded by the methods' own deferred shader: `discs`, the surfels themselves,
+ * each ray blending what it meets no more than epsilon behind the nearest by the object-space Gaussian; `surface`, what
+ * surfels are samples of, triangles or the checkerboard. Their rays stand on a regular grid in every pixel: a picture
+ * for each place in it, and their mean in linear light.
  *
  * Shadows are rays from the light. Surfels stop none that are no more than epsilon before the point, as in their depth maps;
  * triangles none in the last 2^-12 of the greatest coordinate. */

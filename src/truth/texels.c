@@ -1,4 +1,4 @@
-/* Off-screen buffers against rays through the centres of their texels: holes, leaks and wrong depths (SPEC 1.3, 6).
+/* Off-screen buffers against rays through the centres of their texels: holes, leaks and wrong depths (METHODS 17).
  *
  * The theorem behind rate=watertight: let the ray hit triangle t, in front, at x. The squares of the lattice of t's piece
  * cover it, so x is in one whose sample, moved to the piece if need be, is within sqrt(1/2) / s of x; no way of that length

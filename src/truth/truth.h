@@ -7,15 +7,15 @@
 typedef struct ts_truth ts_truth;
 
 /* Builds Embree's tree over run->frame's pose.vertex and scene.triangle; degenerate triangles are left out,
- * single-sided back faces and masked texels are skipped by a filter (SPEC 0.3.5). *truth by ts_truth_free, before the
+ * single-sided back faces and masked texels are skipped by a filter (METHODS 17). *truth by ts_truth_free, before the
  * run ends; NULL on failure: no memory, or Embree's own error. */
 ts_status ts_truth_new(ts_truth **truth, const ts_run *run);
 /* Releases a tree; NULL is allowed. */
 void ts_truth_free(ts_truth *truth);
 
 /* A: rays from the cube's centre along the very same directions as EPR's samples, all params.bounces, own reflector
- * masked. Reads pose.vertex, resize.face, eye.view and pixel.record; makes shade.radiance (P x 3, tinted as SPEC 2.7)
- * in run->frame, from which stage `image` makes the picture. Fails without memory. */
+ * masked. Reads pose.vertex, resize.face, eye.view and pixel.record; makes shade.radiance (P x 3, tinted as in
+ * METHODS 2) in run->frame, from which stage `image` makes the picture. Fails without memory. */
 ts_status ts_truth_a(ts_truth *truth, ts_run *run);
 /* B: the same with true reflections from the surface point, 25 rays a pixel; the own reflector may be hit. */
 ts_status ts_truth_b(ts_truth *truth, ts_run *run);

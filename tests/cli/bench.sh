@@ -66,7 +66,7 @@ for row in here["ivir_1_rmse"]:
 verdicts = [r["verdict"] for r in report["relations"]]
 assert verdicts and all(v == "holds" or v.startswith("differs: ") for v in verdicts)
 PY
-verdict $? 'bench ivir-1: points, passes over the geometry and scatters are those of SPEC 1.10'
+verdict $? 'bench ivir-1: points, passes over the geometry and scatters are those that iVIR table 1 compares'
 
 run bench ivir-2 "${views[@]}" --scene dining:triangles=10000:texels=32 --objects 2 --set reflector_px=12 --json
 cp "$scratch/stdout" "$scratch/mirrors"

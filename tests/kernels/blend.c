@@ -1,5 +1,5 @@
-/* The bound of the sums of surfels (NUMERICS rule 30): no term is above 2^31 - 1, whatever the surfel, and 2^32 - 1 of these
- * still have room; more surfels are refused. */
+/* The bound of the sums of surfels (CONTRACT rule 30): no term is above 2^31 - 1, whatever the surfel, and 2^32 - 1 of
+ * these still have room; more surfels are refused. */
 #include "../stages/small.h"
 #include <inttypes.h>
 #include "../../src/stages/stages.h"

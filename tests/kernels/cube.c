@@ -4,7 +4,7 @@
 
 enum { N = 100000 };
 
-/* The table of SPEC 0.1. */
+/* The table of CONTRACT rule 36. */
 static u32 look_up(double3 d, double *s, double *t)
 {
 	double x = fabs(d.x), y = fabs(d.y), z = fabs(d.z);

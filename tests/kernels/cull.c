@@ -1,4 +1,4 @@
-/* Stochastic culling: its closed forms (SPEC 1.5), independence, and what is never dropped. */
+/* Stochastic culling: its closed forms (FIGURES 3), independence, and what is never dropped. */
 #include "mesh.h"
 
 enum { N = 200000 };

@@ -84,8 +84,8 @@ static int by_value(const void *a, const void *b)
 	return (x > y) - (x < y);
 }
 
-/* SPEC 2.3: never below the safe bound or the true way; for small triangles 0.45 % above it on average and 2.9 % at the
- * 99th percentile. For points and eyes no nearer than here 9.3 % is the most there is. */
+/* FIGURES 5: never below the safe bound or the true way; for small triangles 0.45 % above it on average and 2.9 % at
+ * the 99th percentile. For points and eyes no nearer than here 9.3 % is the most there is. */
 static void test_path_of_small(void **state)
 {
 	(void)state;

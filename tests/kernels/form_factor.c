@@ -105,7 +105,7 @@ static void test_rectangle(void **state)
 	}
 }
 
-/* SPEC 3.10: A / (pi d^2). */
+/* Far away A / (pi d^2). */
 static void test_far(void **state)
 {
 	(void)state;

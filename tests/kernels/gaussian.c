@@ -12,7 +12,7 @@ static f32 cosine(u32 k) { return ts_cos_turn((f32)k / (2 * (N_BETA - 1))); }
 
 static double relative(double found, double right) { return fabs(found - right) / right; }
 
-/* SPEC 7: numbers worked out apart from this project. */
+/* FIGURES 9: numbers worked out apart from this project. */
 static void test_numbers(void **state)
 {
 	(void)state;
@@ -101,7 +101,7 @@ static void test_quadrature(void **state)
 	assert_near(ts_k_sg_cosine(0, 0.3f, TS_COSINE_IS_QUADRATURE, 0), sg_pi, 4e-6);
 }
 
-/* Eqs 15 to 18: as near as SPEC 3.7 says, and nearer than the rivals. */
+/* Eqs 15 to 18: as near as FIGURES 9 says, and nearer than the rivals. */
 static void test_ours(void **state)
 {
 	(void)state;
@@ -143,7 +143,7 @@ static void test_closed(void **state)
 	assert_near(ts_k_sg_s(0, 0.5f), 0.5 / 0.5033, 1e-6);
 }
 
-/* The rivals by their own definitions, and figures of SPEC 3.7. */
+/* The rivals by their own definitions, and figures of FIGURES 9. */
 static void test_rivals(void **state)
 {
 	(void)state;
@@ -185,7 +185,7 @@ static void test_product(void **state)
 	assert_near(flat.mu, 10 * exp(-6), 1e-7);
 }
 
-/* Eq 4, and the inverse of coth k - 1 / k; SPEC 3.5 has the table. */
+/* Eq 4, and the inverse of coth k - 1 / k; FIGURES 8 has the table. */
 static void test_sharpness(void **state)
 {
 	(void)state;

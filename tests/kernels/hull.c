@@ -243,7 +243,7 @@ static void random_hulls(hulls *h, u32 most)
 	h->offset[TEXELS] = h->n;
 }
 
-/* SPEC 3.8 by sorting reasons: how far the block is, whether the box covers, how the depth fits. */
+/* METHODS 11 by sorting reasons: how far the block is, whether the box covers, how the depth fits. */
 static u32 choose(const hulls *h, ts_grid_place at, bool robust, f32 step)
 {
 	u32 best = TS_NONE, best_class = 0;

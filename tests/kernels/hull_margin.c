@@ -158,7 +158,7 @@ static void random_hulls(hulls *h, u32 most)
 	h->offset[TEXELS] = h->n;
 }
 
-/* SPEC 3.8 in the port. */
+/* METHODS 11 in the port. */
 static u32 choose(const hulls *h, ts_grid_place at, bool robust, f32 step)
 {
 	u32 best = TS_NONE, best_class = 0;

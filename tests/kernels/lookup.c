@@ -41,7 +41,7 @@ static void world_begin(world *w)
 
 static void world_end(world *w) { mesh_clear(&w->mesh); }
 
-/* The texel of a direction, from SPEC 0.1's table in double precision. */
+/* The texel of a direction, from CONTRACT's table in double precision. */
 static u32 texel_of(d3 d)
 {
 	double x = fabs(d.x), y = fabs(d.y), z = fabs(d.z), ma, sc, tc;
@@ -102,7 +102,7 @@ static ts_pixel random_pixel(f32 change)
 	return p;
 }
 
-/* Sample k reflects at the position and normal moved by its offset (SPEC 2.7). */
+/* Sample k reflects at the position and normal moved by its offset (METHODS 2). */
 static void test_samples(void **state)
 {
 	(void)state;

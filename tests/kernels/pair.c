@@ -1,5 +1,5 @@
 /* Pairs of nodes: nothing that a view could see is culled, equivalent pairs fall into the same texel of all views or the
- * next, and splitting keeps the views' ball no larger than the scene's: the figures of SPEC 4.4 to 4.6. */
+ * next, and splitting keeps the views' ball no larger than the scene's: FIGURES 10. */
 #include "../../src/kernels/pair.h"
 #include "seeded.h"
 
@@ -153,7 +153,7 @@ static void compare(shares *sum, ts_v3 at, f32 rv, u32 n)
 	}
 }
 
-/* SPEC 4.5: shares of N = 8, 16, 64 and 256, the views' ball as large as the scene's, or half. */
+/* FIGURES 10: shares of N = 8, 16, 64 and 256, the views' ball as large as the scene's, or half. */
 static void test_equivalence(void **state)
 {
 	(void)state;
@@ -177,7 +177,8 @@ static void test_equivalence(void **state)
 	}
 }
 
-/* The formula of SPEC 4.5 in double precision, where it is sure; larger views, and views that may be inside, never are. */
+/* The formula of METHODS 13 in double precision, where it is sure; larger views, and views that may be inside, never
+ * are. */
 static void test_equivalence_formula(void **state)
 {
 	(void)state;

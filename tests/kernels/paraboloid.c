@@ -1,5 +1,5 @@
-/* Dual-paraboloid maps: every used texel's direction leads back to it, directions are where the formula of SPEC 4.2 puts
- * them, sizes are those of the images of circles, and 1 - pi / 4 of the texels are unused. */
+/* Dual-paraboloid maps: every used texel's direction leads back to it, directions are where the formula of METHODS 13
+ * puts them, sizes are those of the images of circles, and 1 - pi / 4 of the texels are unused. */
 #include "../../src/kernels/paraboloid.h"
 #include "seeded.h"
 

@@ -176,8 +176,8 @@ static void test_weights(void **state)
 	assert_true(n_inside > N);
 }
 
-/* Mean points of a random triangle of A samples: the figures of SPEC 1.4, which 800 triangles gave, within four standard
- * errors of both samples; and exactly as many as the definition counts, but for squares that just touch. */
+/* Mean points of a random triangle of A samples: the figures of FIGURES 1, which 800 triangles gave, within four
+ * standard errors of both samples; and exactly as many as the definition counts, but for squares that just touch. */
 static void test_mean_count(void **state)
 {
 	(void)state;

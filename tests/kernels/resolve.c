@@ -1,5 +1,5 @@
 /* Shadows from depth maps: the bias is the depth that its formula says, a plane does not shadow itself, what is behind
- * another is in its shadow, and where a map says nothing there is light (SPEC 1.6). */
+ * another is in its shadow, and where a map says nothing there is light (METHODS 10). */
 #include "views.h"
 #include "../../src/kernels/resolve.h"
 

@@ -1,4 +1,4 @@
-/* The sample set is the one of SPEC 0.3.11, and rays leave mirrors by the law of reflection. */
+/* The sample set is the one of CONTRACT rule 40, and rays leave mirrors by the law of reflection. */
 #include "seeded.h"
 #include "../../src/kernels/samples.h"
 

@@ -1,5 +1,5 @@
 /* Scattering: where a point lands, that nothing depends on the order or on storing the points, and the codes of depth and
- * colour against their formulas (SPEC 1.6). */
+ * colour against their formulas (METHODS 9 and 10). */
 #include "views.h"
 
 enum { N_VIEWS = 70, N_TEXELS = 64 * 64 };
@@ -332,7 +332,7 @@ static void test_nearer_colour(void **state)
 
 /* How many points. */
 
-/* With the centroid on a sample a triangle much smaller than a texel makes one point (SPEC 1.4). */
+/* With the centroid on a sample a triangle much smaller than a texel makes one point (FIGURES 1). */
 static void test_tiny(void **state)
 {
 	(void)state;

@@ -1,5 +1,5 @@
 /* The eye's rate through shadows: the distance from a shadow volume against its definition, the safe rate against what
- * receivers need, and the shares that the other readings of eq. 5 fall short in (SPEC 2.9). */
+ * receivers need, and the shares that the other readings of eq. 5 fall short in (FIGURES 6). */
 #include "views.h"
 
 enum { N_DISTANCES = 600, N_VOLUMES = 1500, N_RATES = 3000, N_TRIANGLES = 4000, N_RECEIVERS = 40 };
@@ -139,8 +139,8 @@ static double need_behind(d3 light, d3 occluder, d3 eye, double focal)
 	return most;
 }
 
-/* SPEC 2.9: of 3000 set-ups the paper's rate is below the need in 85.8 %, on average 0.56 of iVIR's; the one in pixels in
- * 53.6 %, 0.80 of it; the safe one never. */
+/* FIGURES 6: of 3000 set-ups the paper's rate is below the need in 85.8 %, on average 0.56 of iVIR's; the one in pixels
+ * in 53.6 %, 0.80 of it; the safe one never. */
 static void test_rates(void **state)
 {
 	(void)state;

@@ -1,5 +1,5 @@
 /* Splitting for the rates of iVIR: pieces that are even enough, that cover their triangle without moving a corner, and that
- * meet their neighbours' in the same bits (SPEC 1.3, 1.4). Limits and paths: tests/kernels/density.c. */
+ * meet their neighbours' in the same bits (METHODS 2 and 9). Limits and paths: tests/kernels/density.c. */
 #include "views.h"
 
 enum { N = 300, N_VIEWS = 5 };

@@ -1,5 +1,5 @@
 /* The densities of iVIR and VIR: their closed forms against constructions in double precision, and the holes that points of
- * such densities leave, by the whole chain of kernels (SPEC 1.3). */
+ * such densities leave, by the whole chain of kernels (FIGURES 2). */
 #include "views.h"
 
 enum { N = 20000, SIZE = 96, FULL = 128 };
@@ -326,7 +326,7 @@ static double holes_of_slant(double degrees, u32 n, double *error)
 	return sum / n;
 }
 
-/* The figures of SPEC 1.3 are of six lattices each, which leaves them an error of a few per cent; these are of 2000, counted
+/* FIGURES 2, of 2000 lattices each, counted
  * in double precision without the kernels. */
 static void test_slants(void **state)
 {
@@ -346,7 +346,7 @@ static f32 normal_random(void)
 	return (f32)(sqrt(-2 * log(1 - (double)ts_uniform(random_bits()))) * cos(6.283185307179586 * uniform(0, 1)));
 }
 
-/* As verify/jac.py draws them: as large as their distance, and not seen along their plane. */
+/* Triangles of FIGURES 2: as large as their distance, and not seen along their plane. */
 static bool perspective_corners(ts_v3 corner[3])
 {
 	f32 z = uniform(1.5f, 4), x = uniform(-0.5f, 0.5f) * z, y = uniform(-0.5f, 0.5f) * z;
@@ -404,8 +404,8 @@ static tally holes_of_perspective(u32 rate, bool clipped, u32 n, double *error)
 	return sum;
 }
 
-/* SPEC 1.3 has 0.72 % of some fifty triangles, an error of 0.3, at 6.2 points a texel; what lies beside the image costs a
- * clipped triangle no points, and makes it no denser. Watertight: none. */
+/* FIGURES 2 has 0.72 % of some fifty triangles, an error of 0.3, at 6.2 points a texel; what lies beside the image
+ * costs a clipped triangle no points, and makes it no denser. Watertight: none. */
 static void test_perspective(void **state)
 {
 	(void)state;

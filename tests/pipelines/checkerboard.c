@@ -1,8 +1,9 @@
-/* The receding checkerboard of surfels, with each filter, against its supersampled pattern (SPEC 5.4, 5.6): what the screen
- * filter is for, how near its approximation comes to exact EWA, and how many fragments that takes. */
+/* The receding checkerboard of surfels, with each filter, against its supersampled pattern (FIGURES 12): what the
+ * screen filter is for, how near its approximation comes to exact EWA, and how many fragments that takes. */
 #include "surfels.h"
 
-/* The image of SPEC's figures is the lower part of this: the horizon 20 rows above row TOP, its first four rows left out. */
+/* The image of FIGURES 12 is the lower part of this: the horizon 20 rows above row TOP, its first four rows left
+ * out. */
 enum { WIDTH = 320, HEIGHT = 360, HORIZON = 180, TOP = 184, FAR_END = 210, MIDDLE_END = 250 };
 #define FOCAL 220.0
 #define SPACING 0.1

@@ -224,7 +224,7 @@ static lookup_judge lookups(const char *spec, u32 planedepth, u32 visibility)
 	return judge;
 }
 
-/* A theorem (SPEC 2.4): the tiles of a triangle cover it, so without culling something is found where a ray hits, and
+/* A theorem (METHODS 2): the tiles of a triangle cover it, so without culling something is found where a ray hits, and
  * nothing behind it. */
 static void check_lookups(const char *spec)
 {

@@ -15,7 +15,7 @@ static inline int grove_restart(void **state)
 	return 0;
 }
 
-/* Xorshift in [0, 1), as the prototype that the figures of SPEC 4.13 come from. */
+/* Xorshift in [0, 1), as the prototype that FIGURES 11 comes from. */
 static inline double grove_uniform(void)
 {
 	grove_state ^= grove_state << 13;

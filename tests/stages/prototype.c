@@ -1,4 +1,4 @@
-/* Whole maps show what each view by itself would, as often as in the prototype (SPEC 4.13). */
+/* Whole maps show what each view by itself would, as often as in the prototype (FIGURES 11). */
 #include "prototype.h"
 
 static void test_rows(void **state)

@@ -1,4 +1,4 @@
-/* Maps of a grove beside the prototype that the figures of SPEC 4.13 come from, and beside what each view by itself sees. */
+/* Maps of a grove beside the prototype that FIGURES 11 comes from, and beside what each view by itself sees. */
 #ifndef TS_TESTS_STAGES_PROTOTYPE_H
 #define TS_TESTS_STAGES_PROTOTYPE_H
 #include <math.h>

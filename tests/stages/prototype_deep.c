@@ -1,4 +1,4 @@
-/* The prototype's rows of more and of deeper octrees, larger maps, and views anywhere (SPEC 4.13). */
+/* The prototype's rows of more and of deeper octrees, larger maps, and views anywhere (FIGURES 11). */
 #include "prototype.h"
 
 /* In the air, all looking up. */

@@ -29,7 +29,7 @@ static int close_scene(void **state)
 
 #define grown_test(f) cmocka_unit_test_setup(f, grove_restart)
 
-/* The recursion of SPEC 4.3, by the tested parts of pair.h. */
+/* The recursion of METHODS 13, by the tested parts of pair.h. */
 typedef struct {
 	const grove *g;
 	const ts_params *params;

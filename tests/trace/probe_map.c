@@ -68,7 +68,7 @@ static apart between(const ts_node *s, const ts_node *v)
 	return a;
 }
 
-/* SPEC 4.2 and 4.7: does the pair come to a texel of the map? */
+/* METHODS 13: does the pair come to a texel of the map? */
 static answer comes_to(const traced *t, const apart *a, u32 texel)
 {
 	u32 n = t->run.params.view_px, n_mips = 1;

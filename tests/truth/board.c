@@ -1,5 +1,5 @@
 /* The filters of surfels by the truth of the built-in checkerboard: where its squares are small the screen filter halves the
- * error at least, and its approximation is as good as exact EWA (SPEC 5.6). The same geometry as SPEC's figures, twice as
+ * error at least, and its approximation is as good as exact EWA (FIGURES 12). The same geometry as there, twice as
  * large: 5 surfels a square. */
 #include "../pipelines/surfels.h"
 #include "../../src/truth/truth.h"
