@@ -243,6 +243,7 @@ bench: all
 ##   format             clang-format of the C and C++ sources
 style:
 	$(Q)scripts/style-check
+	$(Q)scripts/cite-check
 	$(Q)scripts/lint-kernels
 format:
 	clang-format -i $(shell git ls-files '*.c' '*.h' '*.cc')
