@@ -48,7 +48,7 @@ ts_status ts_digest_command(ts_cli *cli)
 	const ts_pipeline *methods[TS_MAX_METHODS];
 	u32 n;
 	ts_scene *scene;
-	const char *effect = cli->job.effect != NULL ? cli->job.effect : "reflections";
+	const char *effect = cli->job.effect != NULL ? cli->job.effect : ts_effect_table[0].name;
 	ts_status status = ts_methods_find(methods, &n, effect, cli->job.method);
 	ts_effect_params(&cli->job, effect);
 	if (status != TS_OK || (status = ts_selftest_require()) != TS_OK) return status;

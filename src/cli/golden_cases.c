@@ -57,8 +57,9 @@ static ts_status parse_words(ts_cli *cli, bool *small, char *text)
 
 static ts_status find_method(ts_case *c, ts_cli *cli)
 {
-	char effect[32] = "reflections";
+	char effect[32];
 	const char *method = cli->arguments[0], *slash = strchr(method, '/');
+	snprintf(effect, sizeof effect, "%s", ts_effect_table[0].name);
 	if (slash != NULL) {
 		snprintf(effect, sizeof effect, "%.*s", (int)(slash - method < 31 ? slash - method : 31), method);
 		method = slash + 1;

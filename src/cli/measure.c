@@ -172,11 +172,7 @@ static const char *what_to_lower(const ts_pipeline *method, const ts_params *par
 {
 	bool maps = ts_pipeline_maker(method, TS_B_map_depth_node) != NULL;
 	if (maps && (u64)params->queue_mb << 20 > bytes / 2) return "queue_mb";
-	if (strcmp(method->effect, "surfels") == 0) return "map_px or from_mesh";
-	if (strcmp(method->effect, "reflections") == 0) return "fewer --reflectors";
-	if (strcmp(method->effect, "particles") == 0) return "levels, gather_level, view_px or particles";
-	if (strcmp(method->effect, "indirect") != 0) return "map_px or pass";
-	return maps ? "levels, gather_level, view_px or vpls" : "grid_px or rsm_px";
+	return method->lower != NULL ? method->lower : ts_effect_find(method->effect)->lower;
 }
 
 /* The truth of `truths` that needs most memory; NULL if none needs more than *bytes, which becomes what is needed. */

@@ -12,7 +12,9 @@ ts_status ts_effect_check(const char *effect)
 
 void ts_effect_params(ts_job *job, const char *effect)
 {
-	if (strcmp(effect, "reflections") != 0 && !job->mirrored) job->params.reflectors = 0;
+	const ts_effect *meant = ts_effect_find(effect);
+	bool mirrors = meant != NULL && meant->mirrors;
+	if (!mirrors && !job->mirrored) job->params.reflectors = 0;
 }
 
 static void add(const ts_pipeline *methods[TS_MAX_METHODS], u32 *n, const ts_pipeline *p)

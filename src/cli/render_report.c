@@ -29,7 +29,7 @@ static json_t *methods_json(const ts_render *render)
 	return names;
 }
 
-static bool has_mirrors(const ts_render *render) { return strcmp(render->effect, "reflections") == 0; }
+static bool has_mirrors(const ts_render *render) { return ts_effect_find(render->effect)->mirrors; }
 
 static bool has_shadows(const ts_render *render) { return render->pictures[0].n_samples > 0; }
 
@@ -158,10 +158,11 @@ static void report_memory(const ts_render *render, ts_report *report)
 	ts_report_table(report, &table);
 }
 
-static const ts_measure *find_measure(const ts_render *render, const char *name)
+/* Of the first method that makes the buffer. */
+static const ts_measure *find_measure(const ts_render *render, ts_buffer_id id)
 {
 	for (u32 i = 0; i < render->n_methods; i++) {
-		if (strcmp(render->methods[i]->name, name) == 0) return &render->measures[i];
+		if (ts_pipeline_maker(render->methods[i], id) != NULL) return &render->measures[i];
 	}
 	return NULL;
 }
@@ -170,7 +171,7 @@ static const ts_measure *find_measure(const ts_render *render, const char *name)
 static void report_ratio(const ts_render *render, ts_report *report)
 {
 	static const ts_column columns[] = { { "figure", "figure", false }, { "value", "value", true }, { 0 } };
-	const ts_measure *epr = find_measure(render, "epr"), *mvr = find_measure(render, "mvr");
+	const ts_measure *epr = find_measure(render, TS_B_lookup_point), *mvr = find_measure(render, TS_B_face_depth_triangle);
 	const ts_measure *any = epr != NULL ? epr : &render->measures[0];
 	ts_table table = ts_table_begin("shading", "Shading", columns);
 	ts_table_text(&table, "reflective pixels in sight");

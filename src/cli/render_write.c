@@ -24,7 +24,10 @@ static ts_status write_picture(const ts_picture *picture, const ts_params *param
 		: write_pair(picture->name, picture->srgb, picture->radiance, params->width, params->height);
 }
 
-int ts_render_difference_scale(const ts_render *render) { return strcmp(render->effect, "indirect") == 0 ? 4 : 8; }
+int ts_render_difference_scale(const ts_render *render)
+{
+	return (int)ts_effect_find(render->effect)->difference_scale;
+}
 
 /* PNG: the distance in grey levels, scaled; EXR: image - reference in radiance. */
 static ts_status write_difference(const ts_pair *pair, const ts_params *params, int scale)

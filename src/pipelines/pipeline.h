@@ -4,6 +4,18 @@
 #include "../core/shape.h"
 #include "../stages/stage.h"
 
+typedef struct {
+	const char *name;    /* as in render EFFECT */
+	bool mirrors;        /* the eye sees mirrors that show cubes; scenes get added reflectors */
+	u32 difference_scale; /* of pictures of differences between methods */
+	const char *lower;   /* what takes most memory beside the image, in a message */
+} ts_effect;
+
+/* All effects, ended by a row without a name; the first is meant where none is named. */
+extern const ts_effect ts_effect_table[];
+/* NULL: there is none of that name. */
+const ts_effect *ts_effect_find(const char *name);
+
 /* When points are stored: see the parameter `buffered`. */
 enum { TS_STORED_ANYHOW, TS_STORED_BY_DEFAULT, TS_STORED_IF_ASKED };
 
@@ -32,6 +44,7 @@ typedef struct ts_pipeline {
 	 * running; and "batches", how many are like that, and "work", bytes that stages take beside buffers. */
 	void (*expect)(ts_sizes *sizes, const ts_scene *scene, const ts_params *params);
 	bool only_named;                 /* runs where --method names it, for it takes long */
+	const char *lower;               /* as of its effect; NULL: that */
 	struct { const char *param, *value; } sets; /* a parameter that is this to the method, whatever was typed; or NULL */
 } ts_pipeline;
 
@@ -39,10 +52,19 @@ typedef struct ts_pipeline {
 extern const ts_pipeline ts_pipeline_table[];
 const ts_pipeline *ts_pipeline_find(const char *effect, const char *name);
 
+/* The first method of the effect, NULL: of any, that makes all of the buffers, ended by TS_N_BUFFERS; NULL: none does. */
+const ts_pipeline *ts_pipeline_making(const char *effect, const ts_buffer_id *ids);
+bool ts_pipeline_makes(const ts_pipeline *pipeline, const ts_buffer_id *ids);
+/* A step's stage reads the buffer. */
+bool ts_pipeline_reads(const ts_pipeline *pipeline, ts_buffer_id id);
+
 /* The parameters as the method takes them: what it sets itself is no longer what was typed. */
 ts_params ts_pipeline_params(const ts_pipeline *pipeline, const ts_params *typed);
+/* What follows from parameters and counts. Request NULL: nothing. */
+void ts_plan_make(ts_plan *plan, const ts_pipeline *pipeline, const ts_params *typed, const ts_counts *counts,
+                  const ts_request *request);
 /* Makes the run's plan and its one batch of all units. Counts, of what a trace holds; NULL: of the run's scene, before the
- * first stage. Request NULL: nothing. */
+ * first stage. */
 void ts_pipeline_plan(const ts_pipeline *pipeline, ts_run *run, const ts_counts *counts, const ts_request *request);
 /* Sizes as far as they are known or expected before a run. */
 void ts_pipeline_expect(const ts_pipeline *pipeline, ts_sizes *sizes, const ts_scene *scene, const ts_params *typed);

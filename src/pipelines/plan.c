@@ -20,14 +20,20 @@ static void count_units(ts_plan *plan, const ts_pipeline *pipeline, const ts_cou
 	if (counts->views != TS_NONE && cubeless) plan->units = counts->views;
 }
 
-void ts_pipeline_plan(const ts_pipeline *pipeline, ts_run *run, const ts_counts *counts, const ts_request *request)
+void ts_plan_make(ts_plan *plan, const ts_pipeline *pipeline, const ts_params *typed, const ts_counts *counts,
+                  const ts_request *request)
 {
 	static const ts_request nothing;
-	const ts_counts fresh = ts_scene_counts(run->scene), *known = counts != NULL ? counts : &fresh;
-	ts_params params = ts_pipeline_params(pipeline, &run->params);
-	ts_plan_default(&run->plan, &params, known);
-	if (pipeline->plan != NULL) pipeline->plan(&run->plan, &params, known, request != NULL ? request : &nothing);
-	count_units(&run->plan, pipeline, known);
+	ts_params params = ts_pipeline_params(pipeline, typed);
+	ts_plan_default(plan, &params, counts);
+	if (pipeline->plan != NULL) pipeline->plan(plan, &params, counts, request != NULL ? request : &nothing);
+	count_units(plan, pipeline, counts);
+}
+
+void ts_pipeline_plan(const ts_pipeline *pipeline, ts_run *run, const ts_counts *counts, const ts_request *request)
+{
+	const ts_counts fresh = ts_scene_counts(run->scene);
+	ts_plan_make(&run->plan, pipeline, &run->params, counts != NULL ? counts : &fresh, request);
 	run->pipeline = pipeline;
 	run->first_unit = 0;
 	run->n_units = run->plan.units;

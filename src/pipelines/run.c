@@ -24,6 +24,13 @@ static bool is_read_from(const ts_step *step, const ts_params *params, ts_buffer
 	return false;
 }
 
+bool ts_pipeline_reads(const ts_pipeline *pipeline, ts_buffer_id id)
+{
+	const ts_step *step = pipeline->steps;
+	while (step->stage != NULL && !ts_stage_reads(ts_stage_find(step->stage), id)) step++;
+	return step->stage != NULL;
+}
+
 /* True if some step reads it, and none from `next` on: an answer that no stage reads stays. */
 static bool is_over(const ts_pipeline *pipeline, const ts_step *next, const ts_params *params, ts_buffer_id id)
 {
@@ -80,7 +87,7 @@ static const ts_step *step_after(const ts_step *step)
 static ts_status check_scene(const ts_pipeline *pipeline, const ts_run *run)
 {
 	const ts_scene *scene = run->scene;
-	bool draws_surfels = is_read_from(pipeline->steps, &run->params, TS_B_scene_surfel);
+	bool draws_surfels = ts_pipeline_reads(pipeline, TS_B_scene_surfel);
 	if (draws_surfels && scene->n_surfels == 0)
 		return ts_fail("%s: has no surfels; --from-mesh COUNT samples some from its triangles", scene->name);
 	if (!draws_surfels && scene->n_surfels > 0 && scene->n_triangles == 0)

@@ -1,5 +1,15 @@
-/* What pipelines there are. */
+/* What effects and pipelines there are. */
 #include "pipelines.h"
+
+const ts_effect ts_effect_table[] = {
+	{.name = "reflections", .mirrors = true, .difference_scale = 8, .lower = "fewer --reflectors"},
+	{.name = "soft-shadows", .difference_scale = 8, .lower = "map_px or pass"},
+	{.name = "omni-shadows", .difference_scale = 8, .lower = "map_px or pass"},
+	{.name = "indirect", .difference_scale = 4, .lower = "grid_px or rsm_px"},
+	{.name = "particles", .difference_scale = 8, .lower = "levels, gather_level, view_px or particles"},
+	{.name = "surfels", .difference_scale = 8, .lower = "map_px or from_mesh"},
+	{0},
+};
 
 const ts_pipeline ts_pipeline_table[] = {
 	{
@@ -79,16 +89,19 @@ const ts_pipeline ts_pipeline_table[] = {
 		.name = "megaviews", .effect = "indirect", .paper = "MegaViews 3 and 5.1",
 		.doc = "many small views at once: virtual point lights with maps that octrees of scene and views share",
 		.steps = ts_megaviews_steps, .plan = ts_indirect_plan, .expect = ts_megaviews_expect,
+		.lower = "levels, gather_level, view_px or vpls",
 	},
 	{
 		.name = "manylods", .effect = "indirect", .paper = "MegaViews 4.1",
 		.doc = "the same lights, the map of each by a traversal of its own",
 		.steps = ts_manylods_steps, .plan = ts_indirect_plan, .expect = ts_manylods_expect,
+		.lower = "levels, gather_level, view_px or vpls",
 	},
 	{
 		.name = "bruteforce", .effect = "indirect", .paper = "MegaViews 4.1",
 		.doc = "the same lights, every leaf of the scene in the map of each",
 		.steps = ts_bruteforce_steps, .plan = ts_indirect_plan, .expect = ts_manylods_expect,
+		.lower = "levels, gather_level, view_px or vpls",
 		.only_named = true,
 	},
 	{
@@ -129,6 +142,28 @@ const ts_pipeline *ts_pipeline_find(const char *effect, const char *name)
 {
 	for (const ts_pipeline *p = ts_pipeline_table; p->name != NULL; p++) {
 		if (strcmp(p->effect, effect) == 0 && strcmp(p->name, name) == 0) return p;
+	}
+	return NULL;
+}
+
+const ts_effect *ts_effect_find(const char *name)
+{
+	const ts_effect *effect = ts_effect_table;
+	while (effect->name != NULL && strcmp(effect->name, name) != 0) effect++;
+	return effect->name != NULL ? effect : NULL;
+}
+
+bool ts_pipeline_makes(const ts_pipeline *pipeline, const ts_buffer_id *ids)
+{
+	while (*ids != TS_N_BUFFERS && ts_pipeline_maker(pipeline, *ids) != NULL) ids++;
+	return *ids == TS_N_BUFFERS;
+}
+
+const ts_pipeline *ts_pipeline_making(const char *effect, const ts_buffer_id *ids)
+{
+	for (const ts_pipeline *p = ts_pipeline_table; p->name != NULL; p++) {
+		bool meant = effect == NULL || strcmp(p->effect, effect) == 0;
+		if (meant && ts_pipeline_makes(p, ids)) return p;
 	}
 	return NULL;
 }

@@ -232,7 +232,8 @@ static ts_status check_frames(const ts_load *load, const ts_stage *stage)
 /* Points are written where count.offset says: the sums that stage count makes of the same pieces. */
 static ts_status check_counts(const ts_load *load, const ts_stage *stage)
 {
-	return strcmp(stage->name, "points") == 0 ? ts_check_again(load, "count", "align.frame") : TS_OK;
+	if (!ts_stage_writes(stage, TS_B_points_record)) return TS_OK;
+	return ts_check_again(load, ts_pipeline_maker(load->pipeline, TS_B_count_offset)->stage, "align.frame");
 }
 
 static ts_status check_segments(const ts_load *load)

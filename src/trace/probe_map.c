@@ -107,7 +107,7 @@ static int by_win(const void *a, const void *b)
 static ts_status find_offers(ts_probe *p, search *s)
 {
 	u64 n_nodes = ts_frame_n(&p->load->run.frame, TS_B_octree_node);
-	bool all = strcmp(ts_pipeline_maker(p->trace->pipeline, TS_B_map_depth_node)->stage, "map_all") == 0;
+	bool all = ts_pipeline_maker(p->trace->pipeline, TS_B_traverse_rendered) == NULL;
 	s->map = ts_alloc_zero(ts_k_pyramid_texels(&s->chain.args.pyramid), sizeof *s->map, "a map");
 	if (s->map == NULL || ts_traverse_arguments(&p->load->run, &s->how) != TS_OK) return TS_ERROR;
 	ts_status status = n_nodes == 0 ? TS_OK : all ? try_all(s, n_nodes) : traverse(s);
@@ -238,7 +238,8 @@ static ts_status load(ts_probe *p)
 		return ts_fail("%s: a trace of %s by %s, which has no maps of lights; REFLECTOR.FACE or eye would be right",
 		               p->trace->dir, p->trace->pipeline->effect, p->trace->pipeline->name);
 	}
-	const char *stage = strcmp(maker->stage, "map_all") == 0 ? "map_all" : "traverse";
+	const ts_step *traverse = ts_pipeline_maker(p->trace->pipeline, TS_B_traverse_rendered);
+	const char *stage = (traverse != NULL ? traverse : maker)->stage;
 	if (ts_probe_scene(p) != TS_OK || ts_probe_require(p, needed) != TS_OK) return TS_ERROR;
 	return ts_probe_load_for(p, (const char *const[]){stage, NULL});
 }

@@ -21,7 +21,8 @@ struct ts_probe {
 	ts_view view;         /* the eye, after ts_probe_scene */
 	ts_face *cubes;       /* after ts_probe_scene */
 	u32 n_cubes, n_words;
-	bool mirrors, mvr;    /* of reflections; by MVR */
+	bool mirrors, faces;  /* of reflections; triangles are drawn into the faces of cubes */
+	bool has_taps;        /* many, of the one view of each light */
 	bool surfels;         /* pixels show surfels, no triangles */
 	bool gathers;         /* pixels have indirect light or that of particles, and no other */
 	bool has_lamps;       /* the lights are lamps, with views of their own */

@@ -43,7 +43,7 @@ static ts_status put_mirror(ts_probe *p, json_t *o, u32 entry, u32 index, ts_v3 
 	ts_probe_put(p, record, "normal_dx", ts_probe_v3(ts_load3(pixel.normal_dx)));
 	ts_probe_put(p, record, "normal_dy", ts_probe_v3(ts_load3(pixel.normal_dy)));
 	ts_probe_put(p, o, "record", record);
-	ts_status status = p->mvr ? ts_probe_mip(p, entry, mirror, total) : ts_probe_mirror(p, entry, mirror, total);
+	ts_status status = p->faces ? ts_probe_mip(p, entry, mirror, total) : ts_probe_mirror(p, entry, mirror, total);
 	ts_probe_put(p, o, "reflection", mirror);
 	return status;
 }

@@ -6,13 +6,24 @@
 #include "probe_parts.h"
 #include "replay.h"
 
-static bool is_of(const ts_pipeline *pipeline, const char *effect) { return strcmp(pipeline->effect, effect) == 0; }
+static bool makes(const ts_pipeline *pipeline, ts_buffer_id id) { return ts_pipeline_maker(pipeline, id) != NULL; }
 
 /* Points of iVIR in environment maps have other ways. */
-static bool is_explained(const ts_pipeline *pipeline)
+static bool is_explained(const ts_pipeline *pipeline) { return !makes(pipeline, TS_B_scatter_colour); }
+
+/* What answers depend on, of the method. */
+static void ask_method(ts_probe *p)
 {
-	bool explained = strcmp(pipeline->name, "epr") == 0 || strcmp(pipeline->name, "mvr") == 0;
-	return explained || !is_of(pipeline, "reflections");
+	const ts_pipeline *pipeline = p->trace->pipeline;
+	const ts_counts none = {.cubes = TS_NONE, .views = TS_NONE, .lamps = TS_NONE};
+	ts_plan plan;
+	ts_plan_make(&plan, pipeline, &p->trace->params, &none, NULL);
+	p->has_taps = plan.lights.taps > 1;
+	p->mirrors = ts_effect_find(pipeline->effect)->mirrors;
+	p->surfels = ts_pipeline_reads(pipeline, TS_B_scene_surfel);
+	p->gathers = makes(pipeline, TS_B_indirect_irradiance);
+	p->has_lamps = makes(pipeline, TS_B_lamp_shape);
+	p->faces = makes(pipeline, TS_B_face_depth_triangle);
 }
 
 ts_status ts_probe_open(ts_probe **probe, const char *dir)
@@ -33,11 +44,7 @@ ts_status ts_probe_open(ts_probe **probe, const char *dir)
 		ts_probe_close(made);
 		return status;
 	}
-	made->mirrors = is_of(made->trace->pipeline, "reflections");
-	made->surfels = is_of(made->trace->pipeline, "surfels");
-	made->gathers = ts_pipeline_maker(made->trace->pipeline, TS_B_indirect_irradiance) != NULL;
-	made->has_lamps = ts_pipeline_maker(made->trace->pipeline, TS_B_lamp_shape) != NULL;
-	made->mvr = strcmp(made->trace->pipeline->name, "mvr") == 0;
+	ask_method(made);
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) made->fields[id] = ts_fields_of((ts_buffer_id)id);
 	*probe = made;
 	return TS_OK;

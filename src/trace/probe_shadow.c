@@ -25,8 +25,6 @@ static u32 view_of(const ts_probe *p, u32 light, u32 k)
 	return first;
 }
 
-static bool has_taps(const ts_probe *p) { return strcmp(p->trace->pipeline->name, "pcss") == 0; }
-
 static ts_status check_views(const ts_probe *p)
 {
 	u64 offset = 0;
@@ -50,7 +48,7 @@ static ts_status check_lamps(const ts_probe *p, u64 n_lamps)
 	const char *path = p->trace->item[TS_B_lamp_shape].path;
 	if (n_lamps != p->scene.n_lights) return ts_fail("%s: as many as lamp.light would be right", path);
 	for (u32 i = 0; i < n_lamps; i++) {
-		u64 first = p->lamps[i].first, n = has_taps(p) ? 1 : p->lamps[i].samples;
+		u64 first = p->lamps[i].first, n = p->has_taps ? 1 : p->lamps[i].samples;
 		if (p->lamps[i].samples > 0 && (first + n) * views_a_sample(p) <= p->n_views) continue;
 		return ts_fail("%s: element %u: %u samples from %" PRIu64 " on; there are %u views", path, (unsigned)i,
 		               (unsigned)p->lamps[i].samples, first, (unsigned)p->n_views);
@@ -197,9 +195,9 @@ static ts_status put_light(ts_probe *p, json_t *list, question *q, u32 light, co
 	p->lit[light] = 0;
 	q->args.cubes = has_cube(p, light);
 	ts_probe_put(p, o, "light", ts_probe_int(light));
-	ts_status status = has_taps(p) ? put_taps(p, o, q, light) : put_samples(p, o, q, light);
+	ts_status status = p->has_taps ? put_taps(p, o, q, light) : put_samples(p, o, q, light);
 	ts_probe_put(p, o, "reach", ts_probe_int(p->lit[light]));
-	ts_probe_put(p, o, has_taps(p) ? "taps" : "samples", ts_probe_int(p->lamps[light].samples));
+	ts_probe_put(p, o, p->has_taps ? "taps" : "samples", ts_probe_int(p->lamps[light].samples));
 	if (held != NULL) put_check(p, o, p->lit[light], held[light]);
 	ts_probe_append(p, list, o);
 	return status;

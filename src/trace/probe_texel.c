@@ -149,5 +149,5 @@ ts_status ts_probe_texel(ts_probe *p, u32 reflector, u32 face, u32 x, u32 y, jso
 	ts_probe_put(p, o, "texel", ts_probe_pair(x, y));
 	ts_probe_put(p, o, "element", ts_probe_int(at.texel));
 	ts_probe_put(p, o, "method", json_string(p->trace->pipeline->name));
-	return ts_probe_answer(p, o, p->mvr ? put_triangles(p, &at, o) : put_points(p, &at, o), answer);
+	return ts_probe_answer(p, o, p->faces ? put_triangles(p, &at, o) : put_points(p, &at, o), answer);
 }

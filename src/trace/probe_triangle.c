@@ -212,7 +212,7 @@ static ts_status require(const ts_probe *p)
 		TS_B_density_scale, TS_B_cull_keep, TS_B_align_frame, TS_B_points_record, TS_B_splat_depth_index,
 		TS_B_pixel_record, TS_B_lookup_point, TS_N_BUFFERS};
 	static const ts_buffer_id mvr[] = {TS_B_face_depth_triangle, TS_N_BUFFERS};
-	return ts_probe_require(p, p->mvr ? mvr : epr);
+	return ts_probe_require(p, p->faces ? mvr : epr);
 }
 
 static void put_corners(ts_probe *p, json_t *o, u32 triangle)
@@ -239,7 +239,7 @@ ts_status ts_probe_triangle(ts_probe *p, u64 triangle, json_t **answer)
 	json_t *o = json_object();
 	put_corners(p, o, (u32)triangle);
 	ts_status status = put_eye(p, (u32)triangle, o);
-	if (status == TS_OK) status = p->mvr ? describe_mvr(p, (u32)triangle, o) : describe_epr(p, (u32)triangle, o);
+	if (status == TS_OK) status = p->faces ? describe_mvr(p, (u32)triangle, o) : describe_epr(p, (u32)triangle, o);
 	return ts_probe_answer(p, o, status, answer);
 }
 
@@ -279,7 +279,7 @@ ts_status ts_probe_point(ts_probe *p, u64 point, json_t **answer)
 	ts_piece piece;
 	*answer = NULL;
 	if (ts_probe_of_reflections(p) != TS_OK) return TS_ERROR;
-	if (p->mvr) return ts_fail("%s: a trace of mvr, which has no points", p->trace->dir);
+	if (p->faces) return ts_fail("%s: a trace of mvr, which has no points", p->trace->dir);
 	if (ts_probe_scene(p) != TS_OK || require(p) != TS_OK) return TS_ERROR;
 	if (point >= ts_probe_n(p, TS_B_points_record) || point >= TS_NONE) {
 		return ts_fail("%s: no point %" PRIu64 "; there are %" PRIu64 ", from 0", p->trace->dir, point,
@@ -295,7 +295,7 @@ ts_status ts_probe_point_of_key(ts_probe *p, u64 key, u64 *point)
 	static const ts_buffer_id needed[] = {TS_B_points_key, TS_N_BUFFERS};
 	u64 held;
 	if (ts_probe_of_reflections(p) != TS_OK) return TS_ERROR;
-	if (p->mvr) return ts_fail("%s: a trace of mvr, which has no points", p->trace->dir);
+	if (p->faces) return ts_fail("%s: a trace of mvr, which has no points", p->trace->dir);
 	if (ts_probe_require(p, needed) != TS_OK) return TS_ERROR;
 	for (*point = 0; *point < ts_probe_n(p, TS_B_points_key); ++*point) {
 		if (ts_probe_fetch(p, TS_B_points_key, *point, 1, &held) != TS_OK) return TS_ERROR;

@@ -98,7 +98,7 @@ static ts_status read_root(ts_trace *trace, const char *path, json_t *root)
 	if (!trace->arrival && strcmp(order, "canonical") != 0) {
 		return ts_fail("%s: order is \"%.40s\"; \"canonical\" or \"arrival\" would be right", path, order);
 	}
-	trace->pipeline = ts_pipeline_find(effect[0] != 0 ? effect : "reflections", text_of(root, "pipeline"));
+	trace->pipeline = ts_pipeline_find(effect[0] != 0 ? effect : ts_effect_table[0].name, text_of(root, "pipeline"));
 	if (trace->pipeline == NULL) {
 		return ts_fail("%s: no pipeline \"%.40s\"; touchstone list methods names all", path, text_of(root, "pipeline"));
 	}

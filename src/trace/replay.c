@@ -57,7 +57,7 @@ ts_status ts_replay_stage(ts_run *run, const ts_stage *stage)
 			ts_frame_borrow(&run->frame, (ts_buffer_id)id, NULL, 0);
 		}
 	}
-	run->arrival = strcmp(stage->name, "splat") == 0;
+	run->arrival = ts_stage_writes(stage, TS_B_splat_depth_index);
 	return ts_run_stage(run, stage);
 }
 

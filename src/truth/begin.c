@@ -2,12 +2,18 @@
 #include "../pipelines/pipeline.h"
 #include "query.h"
 
-ts_status ts_truth_begin(ts_run *run, const char *effect, const char *method, const char *stage)
+static bool has_made(const ts_run *run, const ts_buffer_id *ids)
 {
-	const ts_pipeline *pipeline = ts_pipeline_find(effect, method);
-	if (pipeline == NULL) return ts_fail("truth of %s: there is no method %s for it", effect, method);
+	while (*ids != TS_N_BUFFERS && run->frame.buffer[*ids].made) ids++;
+	return *ids == TS_N_BUFFERS;
+}
+
+ts_status ts_truth_begin(ts_run *run, const char *effect, const ts_buffer_id *needs)
+{
+	const ts_pipeline *pipeline = ts_pipeline_making(effect, needs);
+	if (pipeline == NULL) return ts_fail("truth: no method makes what it starts from");
 	ts_pipeline_plan(pipeline, run, NULL, NULL);
-	for (const ts_step *step = pipeline->steps; strcmp(step->stage, stage) != 0; step++) {
+	for (const ts_step *step = pipeline->steps; !has_made(run, needs); step++) {
 		if (!step->only_margins && ts_run_stage(run, ts_stage_find(step->stage)) != TS_OK) return TS_ERROR;
 	}
 	return TS_OK;

@@ -182,12 +182,14 @@ static ts_status trace_views(ts_truth *truth, ts_run *run, const char *const *ma
 
 ts_status ts_truth_indirect_begin(ts_run *run, const char *effect)
 {
-	return ts_truth_begin(run, effect, "direct", "direct");
+	static const ts_buffer_id needs[] = {TS_B_rsm_patch, TS_B_gbuffer_pixel, TS_N_BUFFERS};
+	return ts_truth_begin(run, effect, needs);
 }
 
 ts_status ts_truth_particles_begin(ts_run *run, const char *effect)
 {
-	return ts_truth_begin(run, effect, "megaviews", "root");
+	static const ts_buffer_id needs[] = {TS_B_gbuffer_pixel, TS_N_BUFFERS};
+	return ts_truth_begin(run, effect, needs);
 }
 
 ts_status ts_truth_lights(ts_truth *truth, ts_run *run) { return trace(truth, run, from_lights, "truth lights"); }

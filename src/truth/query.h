@@ -30,7 +30,8 @@ ts_truth_hit ts_truth_cast(const ts_truth *truth, const ts_truth_query *query);
 /* Nothing between two points, but within `reach` of the second, stops a ray that leaves the first (indirect.c). */
 bool ts_truth_sees(const ts_truth *truth, ts_v3 from, ts_v3 to, f32 reach);
 
-/* Runs the steps of a method before a stage, in a run that has just begun (begin.c). */
-ts_status ts_truth_begin(ts_run *run, const char *effect, const char *method, const char *stage);
+/* Runs, in a run that has just begun, the first method of the effect, NULL: of any, that makes all of the buffers `needs`,
+ * ended by TS_N_BUFFERS, until they are there (begin.c). */
+ts_status ts_truth_begin(ts_run *run, const char *effect, const ts_buffer_id *needs);
 
 #endif

@@ -96,16 +96,10 @@ static ts_status trace(const ts_truth *truth, ts_run *run, const char *label)
 	return TS_OK;
 }
 
-ts_status ts_truth_shadow_begin(ts_run *run, const char *effect)
-{
-	const ts_pipeline *mvr = ts_pipeline_find(effect, "mvr");
-	if (mvr == NULL) return ts_fail("truth of %s: there is no method mvr for it", effect);
-	ts_pipeline_plan(mvr, run, NULL, NULL);
-	for (const ts_step *step = mvr->steps; step->stage != NULL && !step->each_batch; step++) {
-		if (!step->only_margins && ts_run_stage(run, ts_stage_find(step->stage)) != TS_OK) return TS_ERROR;
-	}
-	return TS_OK;
-}
+/* What rays to samples of lights start from. */
+static const ts_buffer_id needs[] = {TS_B_eye_depth_triangle, TS_B_lamp_shape, TS_B_offscreen_view, TS_N_BUFFERS};
+
+ts_status ts_truth_shadow_begin(ts_run *run, const char *effect) { return ts_truth_begin(run, effect, needs); }
 
 ts_status ts_truth_samples(ts_truth *truth, ts_run *run) { return trace(truth, run, "truth samples"); }
 
@@ -130,13 +124,13 @@ u64 ts_truth_shadow_bytes(const ts_pipeline *method, const ts_scene *scene, cons
 {
 	static const ts_buffer_id ids[] = { TS_B_pose_vertex, TS_B_eye_depth_triangle, TS_B_resize_face, TS_B_offscreen_view,
 		TS_B_resolve_lit, TS_B_image_radiance, TS_B_image_srgb };
-	const ts_pipeline *mvr = ts_pipeline_find(method->effect, "mvr");
+	const ts_pipeline *start = ts_pipeline_making(method->effect, needs);
 	ts_sizes sizes = { .n = 0 };
 	ts_params many = *params;
 	u64 bytes = 0, views = (u64)params->area_samples * (params->lamp == TS_LAMP_SCENE ? scene->n_lights : 1);
 	many.light_samples = params->area_samples;
 	many.views = views < TS_NONE ? (u32)views : TS_NONE;
-	if (mvr != NULL) ts_pipeline_expect(mvr, &sizes, scene, &many);
+	if (start != NULL) ts_pipeline_expect(start, &sizes, scene, &many);
 	for (u32 i = 0; i < sizeof ids / sizeof ids[0]; i++) bytes += ts_pipeline_bytes(ids[i], &sizes);
 	return bytes;
 }

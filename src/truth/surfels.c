@@ -280,7 +280,7 @@ static ts_status trace_scene(f32 **radiance, const world *into, const ts_scene *
 	ts_run run;
 	*radiance = NULL;
 	ts_run_begin(&run, scene, params, threads > 0 ? threads : 1);
-	ts_status status = ts_truth_begin(&run, "surfels", "deferred", "surfel_depth");
+	ts_status status = ts_truth_begin(&run, NULL, (const ts_buffer_id[]){TS_B_surfel_setup_disc, TS_N_BUFFERS});
 	if (status == TS_OK) status = trace(radiance, into, &run);
 	ts_run_end(&run);
 	if (status == TS_OK) return TS_OK;

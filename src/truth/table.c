@@ -44,7 +44,5 @@ _Static_assert(sizeof ts_truth_table / sizeof ts_truth_table[0] <= TS_MAX_TRUTHS
 
 bool ts_truth_starts_from(const ts_truth_kind *kind, const ts_pipeline *method)
 {
-	const ts_buffer_id *id = kind->needs;
-	while (id != NULL && *id != TS_N_BUFFERS && ts_pipeline_maker(method, *id) != NULL) id++;
-	return id != NULL && *id == TS_N_BUFFERS;
+	return kind->needs != NULL && ts_pipeline_makes(method, kind->needs);
 }

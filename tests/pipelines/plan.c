@@ -130,7 +130,8 @@ static void test_counts(void **state)
 {
 	(void)state;
 	ts_counts none = ts_scene_counts(scene), counts = none;
-	ts_plan plan = plan_of("reflections", "epr", &params, &none, NULL), same = plan_of("reflections", "epr", &params, NULL, NULL);
+	ts_plan plan = plan_of("reflections", "epr", &params, &none, NULL);
+	ts_plan same = plan_of("reflections", "epr", &params, NULL, NULL);
 	assert_memory_equal(&plan, &same, sizeof plan);
 	counts.cubes = 2;
 	counts.views = 12;
