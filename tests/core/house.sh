@@ -31,7 +31,8 @@ cp -r reference "$folder/changed"
 sed -i '1s/^[0-9a-f]/x/' "$folder/changed/small-epr/SHA256SUMS"
 gives 1 "small-epr: scene.vertex was " "a digest that changed" scripts/house/bits goldens reference "$folder/changed"
 sed 's/\(-\)splat.tie/\1splat.equal/' reference/small-epr/SHA256SUMS > "$folder/changed/small-epr/SHA256SUMS"
-gives 1 "small-epr: splat.equal was not there" "a name that changed" scripts/house/bits goldens reference "$folder/changed"
+gives 1 "small-epr: splat.equal was not there" "a name that changed" \
+	scripts/house/bits goldens reference "$folder/changed"
 for case in reference/*/SHA256SUMS; do
 	sed 's/\(-\)splat.tie/\1splat.equal/; s/ [0-9]*-/ 99-/' "$case" > "$folder/changed/${case#reference/}"
 done
@@ -60,4 +61,32 @@ printf 'bool eye = strcmp(view, "eye") == 0;\n' >> src/cli/d.c
 gives 1 "2 names compared" "names of a method and a stage in code" "$scripts/named"
 rm src/cli/d.c
 gives 0 "0 names compared" "no names in code" "$scripts/named"
+
+mkdir -p src/kernels/points src/stages tests/kernels include/touchstone
+: > src/kernels/points/eye.h
+for i in $(seq 30); do
+	: > "src/core/$i.c"
+	echo "obj/$i.o: src/core/$i.c src/core/../kernels/points/eye.h" > "obj/src/core/$i.d"
+done
+BUILD=. gives 1 "30 of 30  src/kernels/points/eye.h" "a kernel that rebuilds too much" "$scripts/rebuilt" eye.h
+rm src/core/30.c
+BUILD=. gives 0 "29 of 29  src/kernels/points/eye.h" "a kernel that does not" "$scripts/rebuilt" eye.h
+
+echo 'BUFFER(eye_view, "eye.view", ts_view, "H W", sequence, "", "")' > include/touchstone/records.def
+echo 'bool rows = strcmp(of, "H") == 0;' > src/trace/rows.c
+gives 1 "1 lines look at letters" "a dimension that is a letter" "$scripts/letters"
+echo 'BUFFER(eye_view, "eye.view", ts_view, "rows", sequence, "", "")' > include/touchstone/records.def
+gives 0 "0 dimensions are letters" "dimensions that have names" "$scripts/letters"
+echo 'ts_frame_n(frame, TS_B_eye_view); handle(TS_B_eye_view);' > src/stages/b.c
+gives 1 "1 buffers are named" "a stage body that names a buffer" "$scripts/letters"
+
+printf 'ts_status ts_stage_eye(ts_run *run)\n{\n\tTS_KERNEL_eye;\n}\n' > src/stages/eye.c
+gives 1 "0 of 1 stages" "a stage without a test of its name" "$scripts/nouns"
+: > tests/kernels/eye.c
+gives 0 "1 of 1 stages" "a stage with kernel, body and test of its name" "$scripts/nouns"
+
+git init -q . && git add src
+gives 0 "lines, columns: 0 over" "lines and functions that are short" "$scripts/lengths"
+{ printf 'int long_one(void)\n{\n'; yes '	;' | head -n 41; printf '}\n'; } > src/cli/c.c
+gives 1 "   41 src/cli/c.c:2" "a function that is long" "$scripts/lengths"
 echo "1..$n"
