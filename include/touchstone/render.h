@@ -22,8 +22,8 @@ extern "C" {
 
 typedef struct ts_render ts_render;
 
-/* Runs `method` ("epr" or "mvr") of `effect` ("reflections") on `threads` threads (0 counts as 1), which never change a
- * result. On success *render owns the buffers and must be released with ts_render_free before the scene; on failure it
+/* Runs `method` of `effect`, a row of `touchstone list methods`, on `threads` threads (0 counts as 1), which never change
+ * a result. On success *render owns the buffers and must be released with ts_render_free before the scene; on failure it
  * is NULL. A process whose arithmetic breaks the numeric contract is refused. The scene's mirrors are those of the
  * parameters it was opened with; frame, size and everything else are taken from params. */
 TS_API ts_status ts_render_run(ts_render **render, const ts_scene *scene, const ts_params *params, const char *effect,
@@ -44,8 +44,8 @@ typedef struct {
 	const char *key;      /* of a set: the buffer that holds its keys; else "" */
 } ts_buffer_view;
 
-/* TS_ERROR if there is no such buffer, or this method did not make it. MVR works one reflector at a time: of its
- * face.* buffers the last reflector's remain. */
+/* TS_ERROR if there is no such buffer, or this method did not make it. Methods that work in batches, of cubes or depth
+ * maps, leave those buffers of the last batch. */
 TS_API ts_status ts_render_buffer(const ts_render *render, const char *name, ts_buffer_view *view);
 
 /* What was counted: "points", "shading operations", ... 0 if this method does not count that. */

@@ -13,7 +13,7 @@ static const ts_column buffer_columns[] = { { "name", "buffer", false }, { "elem
 static const ts_column param_columns[] = { { "name", "parameter", false }, { "default", "default", false },
 	{ "range", "range", false }, { "unit", "unit", false }, { "source", "source", false }, { "doc", "what", false }, { 0 } };
 static const ts_column method_columns[] = { { "name", "method", false }, { "effect", "effect", false },
-	{ "paper", "paper", false }, { "doc", "what", false }, { "stages", "stages", false }, { 0 } };
+	{ "runs", "runs", false }, { "paper", "paper", false }, { "doc", "what", false }, { "stages", "stages", false }, { 0 } };
 static const ts_column truth_columns[] = { { "name", "truth", false }, { "effects", "effects", false },
 	{ "doc", "what its picture shows", false }, { "share", "error of the", false },
 	{ "against", "against", false }, { "against_share", "error of the", false }, { 0 } };
@@ -100,6 +100,7 @@ static ts_table list_methods(void)
 	for (const ts_pipeline *p = ts_pipeline_table; p->name != NULL; p++) {
 		ts_table_text(&table, p->name);
 		ts_table_text(&table, p->effect);
+		ts_table_text(&table, p->only_named ? "if named" : "by default");
 		ts_table_text(&table, p->paper);
 		ts_table_text(&table, p->doc);
 		cell_steps(&table, p->steps);

@@ -57,8 +57,8 @@ const ts_command ts_command_table[] = {
 	  TS_OPT(LAYOUT) | TS_OPT(ORDER) | TS_OPT(JUNIT) | TS_OPT(TAP) | TS_OPT(OUTPUT) | TS_OPT(FORCE) | TS_OPT(JSON),
 	  ts_compare_command },
 	{ "probe", "TRACE", "why a pixel, texel, triangle or point of a trace is what it is",
-	  "TRACE: a folder that render --trace wrote, or a port's, of reflections by epr or mvr; --pixel also of shadows,\n"
-	  "indirect light and particles.\n"
+	  "TRACE: a folder that render --trace wrote, or a port's. Where a method has no answer, the message says for which\n"
+	  "there are some.\n"
 	  "--pixel: who competed for it, who won by how much, what each sample looked up, each term of its light.\n"
 	  "With --view a texel: of a face of a cube, or, of MegaViews, of half the map of a light's leaf or of a node of\n"
 	  "views: which pairs were rendered into it and into those above, by what tests, and what fusion made of them.\n"

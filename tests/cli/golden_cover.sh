@@ -8,7 +8,7 @@ done
 # cover WHAT: what of that kind no case takes, from the tables of the program and the stored files; nothing is right.
 cover() {
 	python3 - "$1" "$scratch" <<'PY'
-import glob, json, os, re, sys
+import glob, json, os, re, subprocess, sys
 what, scratch = sys.argv[1:]
 table = {k: json.load(open(f"{scratch}/{k}.json"))[k] for k in ("params", "stages", "methods", "scenes")}
 cases = {}
@@ -45,7 +45,14 @@ takers = {"rate": views, "buffered": views, "snap": views, "lamp": soft[:1], "la
 steps_of = {(m["effect"], m["name"]): [s for s in m["stages"].split() if not s.endswith("_margin")]
             for m in table["methods"]}
 missing = []
-if what == "folders":
+if what == "matrix":
+	listed = subprocess.run(["scripts/matrix", "--list"], stdout=subprocess.PIPE, text=True, check=True).stdout
+	taken = set()
+	for line in listed.splitlines():
+		effect, names = (re.search(f"--{word} (\\S+)", line) for word in ("effect", "method"))
+		taken |= {(effect[1] if effect else "reflections", name) for name in names[1].split(",")}
+	missing = [" by ".join(pair) for pair in sorted(taken ^ set(methods))]
+elif what == "folders":
 	missing = sorted(names ^ cases.keys())
 elif what == "choices":
 	for p in table["params"]:
@@ -78,6 +85,8 @@ for what in folders choices stages scenes; do
 	cover $what
 	verdict $? "the cases take all $what"
 done
+cover matrix
+verdict $? "the cases of scripts/matrix take every method of every effect"
 for folder in reference/*/; do
 	[ -f "$folder/preview.png" ] && [ -f "$folder/SHA256SUMS" ] && { [ ! -d "$folder/small" ] ||
 		(cd "$folder/small" && sha256sum -c --ignore-missing --status ../SHA256SUMS); }

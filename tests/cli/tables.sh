@@ -23,6 +23,17 @@ for what in 'list stages' 'list buffers' 'list params' 'list methods' 'list trut
 	verdict $? "fits 120 columns: $what"
 done
 
+# What `help` says of effects and scenes is all of them.
+names() {
+	"$touchstone" list "$1" --json | python3 -c 'import json, sys
+print(*{row[sys.argv[2]] for row in json.load(sys.stdin)[sys.argv[1]]})' "$1" "$2"
+}
+run help render
+for name in $(names methods effect) $(names scenes name); do
+	sed -n '/^EFFECT:/,/^$/p' "$scratch/stdout" | grep -qw -- "$name"
+	verdict $? "help render says what $name is"
+done
+
 # The commands take every option, and no other.
 for command in $("$touchstone" help | sed -n 's/^  \([a-z]*\) .*/\1/p'); do
 	"$touchstone" help "$command"

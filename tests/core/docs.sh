@@ -12,7 +12,7 @@ result() { # GOOD NAME
 }
 
 # The command's lists, once.
-for list in stages buffers params methods; do
+for list in stages buffers params methods truths benches; do
 	"$TOUCHSTONE" list "$list" --json > "$folder/$list.json"
 done
 printf '#!/bin/sh\ncat "%s/$2.json"\n' "$folder" > "$folder/lists"
@@ -20,11 +20,11 @@ chmod +x "$folder/lists"
 export TOUCHSTONE=$folder/lists
 
 scripts/docs-check | sed 's/^/# /'
-result "${PIPESTATUS[0]}" "reference/CONTRACT.md, METHODS.md and FIGURES.md"
+result "${PIPESTATUS[0]}" "CONTRACT.md, METHODS.md, FIGURES.md, README.md and CONTRIBUTING.md"
 
 # sees REASON FILE SED-SCRIPT: the check names the damage that the script does to a copy.
 sees() {
-	cp reference/CONTRACT.md reference/METHODS.md reference/FIGURES.md "$folder/"
+	cp reference/CONTRACT.md reference/METHODS.md reference/FIGURES.md README.md CONTRIBUTING.md "$folder/"
 	sed -i "$3" "$folder/$2"
 	scripts/docs-check "$folder" > "$folder/out"
 	[ $? -eq 1 ] && grep -q "$2:[0-9]*: .*$1" "$folder/out"
@@ -45,7 +45,15 @@ sees "no kernel has the constant 0x1.94aa36p-4" CONTRACT.md 's/`0x1.0001p-16`/`0
 sees "ts_log2: its coefficients" CONTRACT.md 's/1.709a16p-3/1.8b4f7ap-3/'
 sees "ts_sincos_turn: its coefficients" CONTRACT.md 's/s \* 0x1.921fb6p+2/s/'
 sees "not numbered" CONTRACT.md 's/^\*\*12\. /**13. /'
+sees "stale" METHODS.md '/^## 5\. /s/$/ and more/'
+sees "there is no method megaview" README.md 's/^| `megaviews`/| `megaview`/'
+sees "truth vpls is not in the table" README.md '/^| vpls |/d'
+sees "effect omni-shadows is not shown" README.md 's/render omni-shadows/render shadows/'
+sees "there is no table epr-4 of bench" README.md 's/bench epr-1 /bench epr-4 /'
+sees ".ci/run runs make golden" CONTRIBUTING.md 's/`make golden` and `make mutants`/`make mutants`/'
+sees ".ci/run does not run make test-long" CONTRIBUTING.md 's/runs both, `make golden`/runs both, `make test-long`, &/'
 
+rm "$folder"/*.md
 cp reference/CONTRACT.md reference/METHODS.md reference/FIGURES.md "$folder/"
 sed -i 's/"EPR 3.3"/"NIL 3.3"/' "$folder/stages.json"
 scripts/docs-check "$folder" | grep -q "count: its paper, NIL 3.3"
