@@ -88,8 +88,8 @@ CLI_C := $(filter-out src/cli/core_main.c,$(wildcard src/cli/*.c))
 CORE_C := $(wildcard src/core/*.c src/backends/c/*.c src/stages/*.c src/pipelines/*.c) \
 	$(wildcard $(patsubst %,src/trace/%.c,npy emit sums golden* vectors*)) \
 	$(filter-out src/scene/open.c src/scene/print% src/scene/gltf% src/scene/ply%,$(wildcard src/scene/*.c)) \
-	$(wildcard $(patsubst %,src/cli/%.c,core_main backends command commit digest golden* help methods nearest options parse \
-		sweep truths))
+	$(wildcard $(foreach in,cli study,$(patsubst %,src/$(in)/%.c,core_main backends command commit digest golden* help \
+		methods nearest options parse sweep truths words)))
 TEST_C := $(filter-out tests/fuzz/%,$(wildcard tests/*/*.c))
 
 object = $(patsubst %,$(BUILD)/obj/%.o,$(1))

@@ -1,8 +1,10 @@
-/* `bench TABLE`: which tables there are. */
+/* Which tables `bench` has. */
 #include <stdlib.h>
 #include "bench.h"
 #include "bench_paper.h"
 #include "truths.h"
+
+enum { RUNS = 3 };
 
 static int by_value(const void *a, const void *b)
 {
@@ -43,32 +45,24 @@ ts_status ts_bench_truth(const ts_truth_kind **judge, const ts_job *job)
 	return TS_OK;
 }
 
-#define FILES (TS_OPT(OUTPUT) | TS_OPT(FORCE))
+#define BY_ITSELF "method truth"
+#define FILES "output force"
 
-#define BY_ITSELF (TS_OPT(METHOD) | TS_OPT(TRUTH))
-
-/* A paper's table, or what `run` measures. */
-static const struct {
-	const char *name, *doc;
-	u64 without;                  /* options that say nothing here */
-	const ts_paper_table *paper;
-	ts_status (*run)(const ts_job *job);
-	u32 runs;                     /* unless --runs says how many; 0: RUNS */
-} tables[] = {
-	{ "ivir-1", "iVIR: soft shadows; also of models in TS_SCENES", BY_ITSELF | TS_OPT(OBJECTS), .paper = &ts_ivir_1 },
+const ts_bench_row ts_bench_rows[] = {
+	{ "ivir-1", "iVIR: soft shadows; also of models in TS_SCENES", BY_ITSELF " objects", .paper = &ts_ivir_1 },
 	{ "ivir-2", "iVIR: reflections", BY_ITSELF, .paper = &ts_ivir_2 },
 	{ "ivir-3", "iVIR: omnidirectional shadows", BY_ITSELF, .paper = &ts_ivir_3 },
 	{ "epr-1", "EPR: shading operations", BY_ITSELF, .paper = &ts_epr_1 },
-	{ "epr-2", "EPR: times, points, and errors against truth C or --truth", TS_OPT(METHOD), .paper = &ts_epr_2 },
+	{ "epr-2", "EPR: times, points, and errors against truth C or --truth", "method", .paper = &ts_epr_2 },
 	{ "epr-3", "EPR: omnidirectional shadows", BY_ITSELF, .paper = &ts_epr_3 },
-	{ "epr-6", "EPR: speed against accuracy as density, sampling and faces vary", TS_OPT(METHOD),
+	{ "epr-6", "EPR: speed against accuracy as density, sampling and faces vary", "method",
 	  .run = ts_bench_sweep },
 	{ "ssagh-1", "SSAGH: frames a second by size of the image; --objects takes sizes, WxH; also of models in TS_SCENES",
-	  BY_ITSELF | TS_OPT(SIZE), .paper = &ts_ssagh_1 },
+	  BY_ITSELF " size", .paper = &ts_ssagh_1 },
 	{ "ssagh-segments", "SSAGH: labels of algorithm 1 beside connected components",
-	  BY_ITSELF | TS_OPT(OBJECTS) | TS_OPT(RUNS), .run = ts_bench_segments },
-	{ "ssagh-5", "SSAGH: the curves c and s; no scene", ~(FILES | TS_OPT(JSON)), .run = ts_bench_curves },
-	{ "ssagh-7", "SSAGH: errors of integrals with the cosine; no scene", ~(FILES | TS_OPT(JSON)),
+	  BY_ITSELF " objects runs", .run = ts_bench_segments },
+	{ "ssagh-5", "SSAGH: the curves c and s; no scene", "", .takes = FILES " json", .run = ts_bench_curves },
+	{ "ssagh-7", "SSAGH: errors of integrals with the cosine; no scene", "", .takes = FILES " json",
 	  .run = ts_bench_cosines },
 	{ "mega-10", "MegaViews and ManyLoDs as views become many; --objects are paths of light", BY_ITSELF,
 	  .paper = &ts_mega_10 },
@@ -79,43 +73,29 @@ static const struct {
 	{ "mega-particles", "MegaViews: of particles at random in the air; --objects are how many", BY_ITSELF,
 	  .paper = &ts_mega_particles },
 	{ "nv40", "surface splatting: surfels a second and fragments a pixel; --objects takes sizes",
-	  BY_ITSELF | TS_OPT(SIZE), .paper = &ts_nv40 },
+	  BY_ITSELF " size", .paper = &ts_nv40 },
 	{ "backends", "each stage in C and on every OpenCL device, of one frame by one --method (epr); and builds",
-	  TS_OPT(TRUTH) | FILES, .run = ts_bench_backends, .runs = 5 },
-	{ "start", "the seconds from opening --backend to its first frames", TS_OPT(TRUTH) | FILES, .run = ts_bench_start },
+	  "truth " FILES, .run = ts_bench_backends, .runs = 5 },
+	{ "start", "the seconds from opening --backend to its first frames", "truth " FILES, .run = ts_bench_start },
+	{ 0 }
 };
-enum { RUNS = 3, N_TABLES = sizeof tables / sizeof tables[0] };
 
 ts_table ts_bench_list(void)
 {
 	static const ts_column columns[] = { { "name", "table", false }, { "doc", "what it measures", false }, { 0 } };
 	ts_table table = ts_table_begin("benches", "", columns);
-	for (size_t i = 0; i < N_TABLES; i++) {
-		ts_table_text(&table, tables[i].name);
-		ts_table_text(&table, tables[i].doc);
+	for (const ts_bench_row *row = ts_bench_rows; row->name != NULL; row++) {
+		ts_table_text(&table, row->name);
+		ts_table_text(&table, row->doc);
 	}
 	return table;
 }
 
-static ts_status unknown(const char *name)
+ts_status ts_bench_run(const ts_bench_row *row, const ts_job *job)
 {
-	ts_nearest nearest = ts_nearest_begin(name);
-	for (size_t i = 0; i < N_TABLES; i++) ts_nearest_offer(&nearest, tables[i].name);
-	return ts_fail("bench: no table \"%s\"; the nearest is %s, and \"%s list benches\" lists all", name, nearest.best,
-	               ts_program);
-}
-
-ts_status ts_bench_command(ts_cli *cli)
-{
-	size_t i = 0;
-	while (i < N_TABLES && strcmp(tables[i].name, cli->arguments[0]) != 0) i++;
-	if (i == N_TABLES) return unknown(cli->arguments[0]);
-	for (u32 k = 0; k < TS_N_OPTIONS; k++) {
-		bool refused = (cli->given & tables[i].without) >> k & 1;
-		if (refused) return ts_fail("bench %s: takes no --%s", tables[i].name, ts_option_table[k].name);
-	}
-	if (cli->job.runs == 0) cli->job.runs = tables[i].runs != 0 ? tables[i].runs : RUNS;
+	ts_job own = *job;
+	if (own.runs == 0) own.runs = row->runs != 0 ? row->runs : RUNS;
 	if (ts_selftest_require() != TS_OK) return TS_ERROR;
 	ts_measure_keep_memory();
-	return tables[i].paper != NULL ? ts_paper_bench(&cli->job, tables[i].paper) : tables[i].run(&cli->job);
+	return row->paper != NULL ? ts_paper_bench(&own, row->paper) : row->run(&own);
 }

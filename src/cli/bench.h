@@ -1,7 +1,7 @@
 /* What the tables of `bench` share. */
 #ifndef TS_CLI_BENCH_H
 #define TS_CLI_BENCH_H
-#include "cli.h"
+#include "job.h"
 #include "measure.h"
 #include "plot.h"
 #include "table.h"
@@ -26,7 +26,22 @@ ts_status ts_bench_with_report(const ts_job *job, ts_bench_work *work, const voi
 /* Writes a plot to that folder. */
 ts_status ts_bench_plot(const char *name, const ts_plot *plot);
 
-/* The tables that there are, as `list benches` prints them. */
+typedef struct ts_paper_table ts_paper_table;
+
+/* A table: a paper's, or what `run` measures. */
+typedef struct {
+	const char *name, *doc;
+	const char *without;          /* names of options that say nothing here, separated by blanks */
+	const char *takes;            /* of the only ones that say something; NULL: all others */
+	const ts_paper_table *paper;
+	ts_status (*run)(const ts_job *job);
+	u32 runs;                     /* unless the job says how many; 0: three */
+} ts_bench_row;
+
+/* All of them, ended by a row without a name. */
+extern const ts_bench_row ts_bench_rows[];
+ts_status ts_bench_run(const ts_bench_row *row, const ts_job *job);
+/* As `list benches` prints them. */
 ts_table ts_bench_list(void);
 
 /* Tables of a file each. */

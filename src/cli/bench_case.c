@@ -4,6 +4,7 @@
 #include <touchstone/image.h>
 #include "bench_case.h"
 #include "truths.h"
+#include "words.h"
 
 /* Whose image is taken. */
 typedef struct {
@@ -29,7 +30,7 @@ static ts_status set(ts_params *params, const char *list, bool defaults)
 	char item[64];
 	ts_status status = TS_OK;
 	if (list[0] == 0) list = NULL;
-	while (status == TS_OK && ts_cli_item(&list, item, sizeof item)) {
+	while (status == TS_OK && ts_words_item(&list, item, sizeof item)) {
 		char *value = strchr(item, '=');
 		*value = 0;
 		if (!defaults || has_default(params, item)) status = ts_params_set(params, item, value + 1);

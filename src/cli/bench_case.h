@@ -1,7 +1,7 @@
 /* One scene with one number of mirrors or lights, by several methods that take turns. */
 #ifndef TS_CLI_BENCH_CASE_H
 #define TS_CLI_BENCH_CASE_H
-#include "cli.h"
+#include "job.h"
 #include "measure.h"
 
 enum { TS_BENCH_VARIANTS = 24 }; /* at most */

@@ -77,8 +77,8 @@ static void open_all(ts_bench_table *table, const ts_backend_kind *kind)
 static ts_status open_devices(ts_bench_table *table)
 {
 	const ts_job *job = table->job;
-	if (job->device_named) return open_device(table, ts_backend_kinds[1], job->device.device);
-	for (u32 i = 1; ts_backend_kinds[i] != NULL; i++) open_all(table, ts_backend_kinds[i]);
+	if (job->device_named) return open_device(table, job->backends[1], job->device.device);
+	for (u32 i = 1; job->backends[i] != NULL; i++) open_all(table, job->backends[i]);
 	bool lacks = table->n_columns == table->reference + 1 && job->require;
 	return lacks ? ts_fail("--require: no device can be measured; `touchstone list backends` names them") : TS_OK;
 }

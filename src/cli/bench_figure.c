@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <touchstone/image.h>
 #include "bench_figure.h"
+#include "words.h"
 
 static const char *const point_stages[] = { "visibility", "offscreen_visibility", "split", "view_split", "shadow_split",
 	"cull", "align", "count", "points", NULL };
@@ -24,7 +25,7 @@ static double listed_milliseconds(const ts_measure *m, const char *list)
 {
 	char stage[32];
 	double sum = NAN;
-	while (ts_cli_item(&list, stage, sizeof stage)) {
+	while (ts_words_item(&list, stage, sizeof stage)) {
 		const ts_timing *timing = ts_measure_timing(m, stage);
 		if (timing != NULL) sum = (isnan(sum) ? 0 : sum) + 1e3 * timing->seconds;
 	}
@@ -35,7 +36,7 @@ static double buffer_bytes(const ts_measure *m, const char *list)
 {
 	char stage[32];
 	double sum = 0;
-	while (ts_cli_item(&list, stage, sizeof stage)) {
+	while (ts_words_item(&list, stage, sizeof stage)) {
 		size_t n = strlen(stage);
 		for (u32 id = 0; id < TS_N_BUFFERS; id++) {
 			const char *name = ts_buffer_table[id].name;

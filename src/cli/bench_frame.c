@@ -3,6 +3,7 @@
 #include "../scene/print.h"
 #include "bench.h"
 #include "methods.h"
+#include "words.h"
 
 const char *ts_bench_frame_spec(const ts_job *job)
 {
@@ -17,7 +18,7 @@ ts_status ts_bench_frame_params(ts_params *params, const ts_job *job)
 		return ts_fail("--scene %s: this table takes one scene", job->scenes);
 	}
 	const char *typed = job->objects != NULL ? job->objects : "10";
-	if (ts_cli_count(&objects, typed, 1, TS_BENCH_OBJECTS, "--objects") != TS_OK) return TS_ERROR;
+	if (ts_words_count(&objects, typed, 1, TS_BENCH_OBJECTS, "--objects") != TS_OK) return TS_ERROR;
 	params->reflectors = objects;
 	return TS_OK;
 }

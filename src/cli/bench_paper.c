@@ -4,6 +4,7 @@
 #include <string.h>
 #include "bench.h"
 #include "bench_paper.h"
+#include "words.h"
 
 enum { SPEC_BYTES = 4096 };
 
@@ -68,11 +69,11 @@ static ts_status measure_line(ts_paper_line *line, const work *w, const char *sp
 static ts_status vary(u32 *objects, ts_params *params, const ts_paper_table *table, const char *item)
 {
 	if (table->objects_param == NULL) {
-		ts_status status = ts_cli_size(params, item, "--objects");
+		ts_status status = ts_words_size(params, item, "--objects");
 		*objects = params->width * params->height;
 		return status;
 	}
-	ts_status status = ts_cli_count(objects, item, 1, table->most > 0 ? table->most : TS_BENCH_OBJECTS, "--objects");
+	ts_status status = ts_words_count(objects, item, 1, table->most > 0 ? table->most : TS_BENCH_OBJECTS, "--objects");
 	return status == TS_OK ? ts_params_set(params, table->objects_param, item) : status;
 }
 
@@ -98,7 +99,7 @@ static ts_status add_scene(void *user, const char *spec)
 	char item[32];
 	ts_status status = TS_OK;
 	if (w->table->objects_head == NULL) return add_line(w, spec, NULL);
-	while (status == TS_OK && ts_cli_item(&list, item, sizeof item)) status = add_line(w, spec, item);
+	while (status == TS_OK && ts_words_item(&list, item, sizeof item)) status = add_line(w, spec, item);
 	return status;
 }
 
@@ -109,11 +110,11 @@ static ts_status check_lists(const work *w, const char *scenes)
 	char item[32], spec[SPEC_BYTES];
 	u32 count;
 	ts_status status = TS_OK;
-	while (status == TS_OK && ts_cli_item(&objects, item, sizeof item)) {
+	while (status == TS_OK && ts_words_item(&objects, item, sizeof item)) {
 		ts_params params = w->job->params;
 		status = vary(&count, &params, w->table, item);
 	}
-	while (status == TS_OK && ts_cli_item(&scenes, spec, sizeof spec)) {
+	while (status == TS_OK && ts_words_item(&scenes, spec, sizeof spec)) {
 		ts_scene *scene = NULL;
 		ts_params params = w->job->params;
 		params.reflectors = 1;

@@ -46,7 +46,7 @@ typedef struct {
 	bool rises;                 /* as in a ts_plot */
 } ts_paper_plot;
 
-typedef struct {
+typedef struct ts_paper_table {
 	const char *name, *title;
 	const char *effect;
 	const char *scenes;         /* unless --scene says otherwise */

@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include <unistd.h>
 #include "bench.h"
+#include "words.h"
 
 enum { SPEC_BYTES = 4096 };
 
@@ -10,7 +11,7 @@ static ts_status each_model(const char *list, ts_report *report, ts_bench_scene 
 	const char *folder = getenv("TS_SCENES") != NULL ? getenv("TS_SCENES") : "scenes";
 	char item[64], path[SPEC_BYTES];
 	ts_status status = TS_OK;
-	while (status == TS_OK && ts_cli_item(&list, item, sizeof item)) {
+	while (status == TS_OK && ts_words_item(&list, item, sizeof item)) {
 		snprintf(path, sizeof path, "%s/%s", folder, item);
 		if (access(path, R_OK) == 0) {
 			status = each(user, path);
@@ -27,6 +28,6 @@ ts_status ts_bench_scenes(const ts_job *job, const char *scenes, const char *mod
 	const char *list = job->scenes != NULL ? job->scenes : scenes;
 	char spec[SPEC_BYTES];
 	ts_status status = TS_OK;
-	while (status == TS_OK && ts_cli_item(&list, spec, sizeof spec)) status = each(user, spec);
+	while (status == TS_OK && ts_words_item(&list, spec, sizeof spec)) status = each(user, spec);
 	return status == TS_OK && job->scenes == NULL ? each_model(models, report, each, user) : status;
 }

@@ -6,6 +6,7 @@
 #include "../trace/relax.h"
 #include "backends.h"
 #include "job.h"
+#include "words.h"
 
 /* Options: their places in the table, and their bits, by which a command says which it takes. */
 enum {
@@ -87,22 +88,6 @@ int ts_cli_main(int argc, char **argv);
 /* Reads argv[1...] of a command into *cli. */
 ts_status ts_cli_parse(ts_cli *cli, const ts_command *command, int argc, char **argv);
 bool ts_cli_given(const ts_cli *cli, u64 option);
-
-/* Reads a decimal count in [min, max]; `what` names it in the message. */
-ts_status ts_cli_count(u32 *value, const char *text, u32 min, u32 max, const char *what);
-/* Reads "WxH" into width and height; `what` names it in the message. */
-ts_status ts_cli_size(ts_params *params, const char *text, const char *what);
-/* Copies the next item of a comma-separated list to `item` and moves *list behind it: false at the end. An item that
- * does not fit is cut, and so matches no name. */
-bool ts_cli_item(const char **list, char *item, size_t item_bytes);
-
-/* The nearest of the names offered so far to what was typed, for "did you mean". */
-typedef struct {
-	const char *typed, *best;
-	u32 distance;
-} ts_nearest;
-ts_nearest ts_nearest_begin(const char *typed);
-void ts_nearest_offer(ts_nearest *nearest, const char *name);
 
 /* Commands. */
 ts_status ts_help_command(ts_cli *cli);

@@ -2,6 +2,7 @@
 #ifndef TS_CLI_COMPARE_H
 #define TS_CLI_COMPARE_H
 #include "../trace/compare.h"
+#include "cli.h"
 #include "table.h"
 
 enum { TS_LINE_TEXT = 2048 };

@@ -27,6 +27,8 @@ typedef struct {
 
 /* Strings are NULL if nothing was said. */
 typedef struct {
+	const char *program;          /* its name */
+	const ts_backend_kind *const *backends; /* that it has, the reference first, ended by NULL */
 	const char *effect;
 	const char *method;           /* names */
 	bool judged;                  /* by the truths of the names `truth`, or by all */

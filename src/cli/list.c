@@ -3,6 +3,7 @@
 #include "../core/frame.h"
 #include "../pipelines/pipeline.h"
 #include "bench.h"
+#include "cli.h"
 #include "truths.h"
 
 static const ts_column stage_columns[] = { { "name", "stage", false }, { "kind", "kind", false },

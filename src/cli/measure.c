@@ -5,7 +5,6 @@
 #include <malloc.h>
 #endif
 #include "../stages/stages.h"
-#include "cli.h"
 #include "measure.h"
 #include "viewer.h"
 

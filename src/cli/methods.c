@@ -1,7 +1,7 @@
 /* Which pipelines --method names. */
 #include <string.h>
-#include "cli.h"
 #include "methods.h"
+#include "words.h"
 
 ts_status ts_effect_check(const char *effect)
 {
@@ -35,7 +35,7 @@ ts_status ts_methods_find(const ts_pipeline *methods[TS_MAX_METHODS], u32 *n, co
 		bool meant = names != NULL || !p->only_named;
 		if (strcmp(p->effect, effect) == 0 && meant) add(methods, n, p);
 	}
-	while (!all && ts_cli_item(&names, item, sizeof item)) {
+	while (!all && ts_words_item(&names, item, sizeof item)) {
 		ts_nearest nearest = ts_nearest_begin(item);
 		for (const ts_pipeline *p = ts_pipeline_table; p->name != NULL; p++) {
 			if (strcmp(p->effect, effect) == 0) ts_nearest_offer(&nearest, p->name);

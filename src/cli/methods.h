@@ -2,7 +2,7 @@
 #ifndef TS_CLI_METHODS_H
 #define TS_CLI_METHODS_H
 #include "../pipelines/pipeline.h"
-#include "cli.h"
+#include "job.h"
 
 enum { TS_MAX_METHODS = 16 };
 

@@ -1,6 +1,7 @@
 /* "Did you mean": the offered name at the least edit distance (Levenshtein) from what was typed. */
 #include <stdlib.h>
-#include "cli.h"
+#include <string.h>
+#include "words.h"
 
 enum { MAX_NAME = 64 };
 

@@ -1,46 +1,8 @@
 /* The table of options, and what each makes of its value. */
-#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include "cli.h"
 #include "sweep.h"
-
-#define DIGITS "0123456789"
-
-ts_status ts_cli_count(u32 *value, const char *text, u32 min, u32 max, const char *what)
-{
-	char *end;
-	errno = 0;
-	unsigned long n = strtoul(text, &end, 10);
-	if (text[0] < '0' || text[0] > '9' || *end != 0 || errno != 0 || n < min || n > max) {
-		return ts_fail("%s: \"%s\" is not a whole number from %u to %u", what, text, (unsigned)min, (unsigned)max);
-	}
-	*value = (u32)n;
-	return TS_OK;
-}
-
-bool ts_cli_item(const char **list, char *item, size_t item_bytes)
-{
-	if (*list == NULL) return false;
-	const char *comma = strchr(*list, ',');
-	size_t n = comma != NULL ? (size_t)(comma - *list) : strlen(*list);
-	snprintf(item, item_bytes, "%.*s", (int)(n < item_bytes ? n : item_bytes - 1), *list);
-	*list = comma != NULL ? comma + 1 : NULL;
-	return true;
-}
-
-ts_status ts_cli_size(ts_params *params, const char *text, const char *what)
-{
-	char width[32];
-	const char *x = strpbrk(text, "xX");
-	if (x == NULL || x - text >= (ptrdiff_t)sizeof width || strspn(text, DIGITS) != (size_t)(x - text) || x == text ||
-	    x[1] == 0 || x[1 + strspn(x + 1, DIGITS)] != 0) {
-		return ts_fail("%s %s: not a size; write WIDTHxHEIGHT, for instance 1920x1080", what, text);
-	}
-	snprintf(width, sizeof width, "%.*s", (int)(x - text), text);
-	ts_status status = ts_params_set(params, "width", width);
-	return status != TS_OK ? status : ts_params_set(params, "height", x + 1);
-}
 
 static ts_status take_nothing(void *to, const ts_option *option, const char *text)
 {
@@ -74,7 +36,7 @@ static ts_status take_count(void *to, const ts_option *option, const char *text)
 {
 	char what[32];
 	snprintf(what, sizeof what, "--%s", option->name);
-	return ts_cli_count(to, text, option->min, option->max, what);
+	return ts_words_count(to, text, option->min, option->max, what);
 }
 
 static ts_status take_number(void *to, const ts_option *option, const char *text)
@@ -82,7 +44,7 @@ static ts_status take_number(void *to, const ts_option *option, const char *text
 	u32 n = 0;
 	char what[32];
 	snprintf(what, sizeof what, "--%s", option->name);
-	ts_status status = ts_cli_count(&n, text, 0, 4294967295u, what);
+	ts_status status = ts_words_count(&n, text, 0, 4294967295u, what);
 	*(u64 *)to = n;
 	return status;
 }
@@ -112,7 +74,7 @@ static ts_status take_size(void *to, const ts_option *option, const char *text)
 	(void)option;
 	ts_job *job = &((ts_cli *)to)->job;
 	job->sized = true;
-	return ts_cli_size(&job->params, text, "--size");
+	return ts_words_size(&job->params, text, "--size");
 }
 
 static ts_status take_mirrors(void *to, const ts_option *option, const char *text)
@@ -136,7 +98,7 @@ static ts_status take_device(void *to, const ts_option *option, const char *text
 	(void)option;
 	ts_job *job = &((ts_cli *)to)->job;
 	job->device_named = true;
-	return ts_cli_count(&job->device.device, text, 0, TS_MAX_DEVICES - 1, "--device");
+	return ts_words_count(&job->device.device, text, 0, TS_MAX_DEVICES - 1, "--device");
 }
 
 static ts_status take_order(void *to, const ts_option *option, const char *text)

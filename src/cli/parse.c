@@ -101,6 +101,8 @@ static void set_defaults(ts_cli *cli)
 	ts_job *job = &cli->job;
 	memset(cli, 0, sizeof *cli);
 	ts_params_default(&job->params);
+	job->program = ts_program;
+	job->backends = ts_backend_kinds;
 	job->backend = ts_backend_kinds[0];
 	job->device = (ts_backend_options){ .work_group = 64, .build = "" };
 	job->how.threads = (u32)omp_get_num_procs();

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include "../trace/probe.h"
 #include "../trace/where.h"
+#include "cli.h"
 #include "table.h"
 
 enum { WIDTH = 118, ITEM_TEXT = 512 };
@@ -122,11 +123,11 @@ static ts_status read_pixel(const ts_cli *cli, u32 *x, u32 *y)
 {
 	char item[16];
 	const char *list = cli->place.pixel;
-	ts_cli_item(&list, item, sizeof item);
+	ts_words_item(&list, item, sizeof item);
 	if (list == NULL || strchr(list, ',') != NULL)
 		return ts_fail("--pixel %s: not two numbers; write --pixel X,Y", cli->place.pixel);
-	if (ts_cli_count(x, item, 0, 65535, "--pixel X") != TS_OK) return TS_ERROR;
-	return ts_cli_count(y, list, 0, 65535, "--pixel Y");
+	if (ts_words_count(x, item, 0, 65535, "--pixel X") != TS_OK) return TS_ERROR;
+	return ts_words_count(y, list, 0, 65535, "--pixel Y");
 }
 
 /* What stands before the dot. */
@@ -140,7 +141,7 @@ static ts_status read_face(const ts_cli *cli, const char *dot, u32 *reflector, u
 {
 	char left[16];
 	read_left(cli, dot, left);
-	if (ts_cli_count(reflector, left, 0, 65535, "--view, reflector") != TS_OK) return TS_ERROR;
+	if (ts_words_count(reflector, left, 0, 65535, "--view, reflector") != TS_OK) return TS_ERROR;
 	for (*face = 0; *face < 6; ++*face) {
 		if (strcmp(dot + 1, ts_where_face(*face)) == 0 || (dot[1] == (char)('0' + *face) && dot[2] == 0)) return TS_OK;
 	}
@@ -154,7 +155,7 @@ static ts_status read_map(const ts_cli *cli, const char *dot, ts_probe_map_id *m
 	read_left(cli, dot, left);
 	map->back = strcmp(dot, ".back") == 0;
 	map->of_light = strncmp(left, "node", 4) != 0;
-	return ts_cli_count(&map->index, map->of_light ? left : left + 4, 0, 4294967294u, "--view, light or node");
+	return ts_words_count(&map->index, map->of_light ? left : left + 4, 0, 4294967294u, "--view, light or node");
 }
 
 static ts_status probe_pixel(ts_probe *probe, const ts_cli *cli, json_t **answer)
@@ -180,7 +181,7 @@ static ts_status read_place(i32 *place, const char *text)
 {
 	u32 n;
 	bool minus = text[0] == '-';
-	if (ts_cli_count(&n, text + minus, 0, 32767 + minus, "--point x, y") != TS_OK) return TS_ERROR;
+	if (ts_words_count(&n, text + minus, 0, 32767 + minus, "--point x, y") != TS_OK) return TS_ERROR;
 	*place = minus ? -(i32)n : (i32)n;
 	return TS_OK;
 }
@@ -192,9 +193,9 @@ static ts_status probe_point(ts_probe *probe, const ts_cli *cli, json_t **answer
 	u32 n = 0, first = 0;
 	i32 x, y;
 	u64 point;
-	while (n < 3 && ts_cli_item(&list, item[n], sizeof item[0])) n++;
+	while (n < 3 && ts_words_item(&list, item[n], sizeof item[0])) n++;
 	if (list != NULL || n == 2) return ts_fail("--point %s: neither an index nor a key PIECE,X,Y", cli->place.point);
-	if (ts_cli_count(&first, item[0], 0, 4294967294u, "--point") != TS_OK) return TS_ERROR;
+	if (ts_words_count(&first, item[0], 0, 4294967294u, "--point") != TS_OK) return TS_ERROR;
 	if (n == 1) return ts_probe_point(probe, first, answer);
 	if (read_place(&x, item[1]) != TS_OK || read_place(&y, item[2]) != TS_OK) return TS_ERROR;
 	u64 key = (u64)first << 32 | (u64)(u32)(y + 32768) << 16 | (u64)(u32)(x + 32768);

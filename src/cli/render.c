@@ -1,6 +1,7 @@
 /* `render EFFECT [SCENE]`: runs methods and truths on one frame, compares them, writes what came of it, and only then
  * prints it: a reader that went away costs no picture. */
 #include <stdlib.h>
+#include "cli.h"
 #include "folder.h"
 #include "render.h"
 #include "render_csv.h"

@@ -2,7 +2,7 @@
 #ifndef TS_CLI_RENDER_H
 #define TS_CLI_RENDER_H
 #include <touchstone/image.h>
-#include "cli.h"
+#include "job.h"
 #include "measure.h"
 #include "methods.h"
 #include "table.h"

@@ -1,6 +1,5 @@
 /* What every report of measurements opens with: by which program, and how it was run. */
 #include <string.h>
-#include "cli.h"
 #include "table.h"
 
 static json_t *params_json(const ts_params *params)
@@ -20,7 +19,7 @@ static json_t *params_json(const ts_params *params)
 
 void ts_report_run(ts_report *report, const ts_job *job)
 {
-	ts_report_value(report, "program", json_string(ts_program));
+	ts_report_value(report, "program", json_string(job->program));
 	ts_report_value(report, "version", json_string(TS_VERSION));
 	ts_report_value(report, "backend", json_string(job->backend->name));
 	ts_report_value(report, "threads", json_integer(job->how.threads));

@@ -1,7 +1,7 @@
 /* Combinations of parameters. */
 #include "sweep.h"
 #include <stdio.h>
-#include "cli.h"
+#include "words.h"
 
 enum { MAX_COMBINATIONS = 10000 };
 
@@ -9,7 +9,7 @@ static u32 count_values(const char *values)
 {
 	char item[TS_SWEEP_TEXT];
 	u32 n = 0;
-	while (ts_cli_item(&values, item, sizeof item)) n++;
+	while (ts_words_item(&values, item, sizeof item)) n++;
 	return n;
 }
 
@@ -18,7 +18,7 @@ ts_status ts_sweep_add(ts_sweep *sweep, const ts_params *params, const char *nam
 	ts_params trial = *params;
 	char item[TS_SWEEP_TEXT];
 	if (sweep->n == TS_MAX_SWEEPS) return ts_fail("--set %s: at most %d parameters can have lists", name, TS_MAX_SWEEPS);
-	for (const char *list = values; ts_cli_item(&list, item, sizeof item);) {
+	for (const char *list = values; ts_words_item(&list, item, sizeof item);) {
 		if (ts_params_set(&trial, name, item) != TS_OK) return TS_ERROR;
 	}
 	ts_swept *swept = &sweep->swept[sweep->n++];
@@ -41,7 +41,7 @@ ts_status ts_sweep_set(const ts_sweep *sweep, u32 i, ts_params *params, char val
 	for (u32 k = sweep->n; k-- > 0;) {
 		const ts_swept *swept = &sweep->swept[k];
 		const char *list = swept->values;
-		for (u32 place = 0; place <= i % swept->n; place++) ts_cli_item(&list, values[k], TS_SWEEP_TEXT);
+		for (u32 place = 0; place <= i % swept->n; place++) ts_words_item(&list, values[k], TS_SWEEP_TEXT);
 		i /= swept->n;
 		if (ts_params_set(params, swept->name, values[k]) != TS_OK) return TS_ERROR;
 	}

@@ -3,7 +3,7 @@
 #define TS_CLI_TABLE_H
 #include <jansson.h>
 #include <stdio.h>
-#include "cli.h"
+#include "job.h"
 
 enum { TS_MAX_COLUMNS = 16 };
 

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <sys/statvfs.h>
 #include "folder.h"
+#include "words.h"
 
 static const char *place(void *user, const char *name)
 {
@@ -23,7 +24,7 @@ static ts_status keep_only(ts_trace_options *options, const ts_pipeline *method,
 {
 	char item[32];
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) options->without[id] = true;
-	while (ts_cli_item(&stages, item, sizeof item)) {
+	while (ts_words_item(&stages, item, sizeof item)) {
 		const ts_stage *stage = ts_stage_find(item);
 		bool scene = strcmp(item, "scene") == 0, known = scene;
 		for (const ts_step *s = method->steps; s->stage != NULL; s++) known |= strcmp(s->stage, item) == 0;
@@ -43,8 +44,8 @@ static ts_status read_crop(u32 crop[4], const ts_params *params, const char *tex
 	const char *list = text;
 	char item[16];
 	u32 n = 0;
-	for (; n < 4 && ts_cli_item(&list, item, sizeof item); n++) {
-		if (ts_cli_count(&crop[n], item, 0, 16384, "--crop") != TS_OK) return TS_ERROR;
+	for (; n < 4 && ts_words_item(&list, item, sizeof item); n++) {
+		if (ts_words_count(&crop[n], item, 0, 16384, "--crop") != TS_OK) return TS_ERROR;
 	}
 	if (n == 4 && list == NULL && crop[2] > 0 && crop[3] > 0 && crop[0] + crop[2] <= params->width &&
 	    crop[1] + crop[3] <= params->height)

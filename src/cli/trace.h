@@ -2,7 +2,7 @@
 #ifndef TS_CLI_TRACE_H
 #define TS_CLI_TRACE_H
 #include "../trace/write.h"
-#include "cli.h"
+#include "job.h"
 
 /* A method's trace in the output folder, under trace-METHOD. */
 typedef struct {

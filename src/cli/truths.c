@@ -3,25 +3,13 @@
 #include <stdio.h>
 #include <string.h>
 #include <strings.h>
-
-/* A word of the row's effects. */
-static bool is_of(const ts_truth_kind *kind, const char *effect)
-{
-	size_t n = strlen(effect);
-	const char *at = kind->effects;
-	while (strcspn(at, " ") != n || strncmp(at, effect, n) != 0) {
-		at += strcspn(at, " ");
-		if (at[0] == 0) return false;
-		at++;
-	}
-	return true;
-}
+#include "words.h"
 
 /* Of any effect if that is NULL; NULL: there is none. */
 static const ts_truth_kind *find(const char *name, const char *effect)
 {
 	for (const ts_truth_kind *kind = ts_truth_table; kind->name != NULL; kind++) {
-		if (strcasecmp(name, kind->name) == 0 && (effect == NULL || is_of(kind, effect))) return kind;
+		if (strcasecmp(name, kind->name) == 0 && (effect == NULL || ts_words_have(kind->effects, effect))) return kind;
 	}
 	return NULL;
 }
@@ -33,7 +21,7 @@ void ts_truths_list(char *text, size_t bytes, const char *effect, const char *la
 	const char *names[TS_MAX_TRUTHS];
 	u32 n = 0;
 	for (const ts_truth_kind *kind = ts_truth_table; kind->name != NULL; kind++) {
-		if (is_of(kind, effect)) names[n++] = kind->name;
+		if (ts_words_have(kind->effects, effect)) names[n++] = kind->name;
 	}
 	text[0] = 0;
 	for (u32 i = 0; i < n; i++) {
@@ -56,10 +44,10 @@ ts_status ts_truths_find(u32 *truths, const char *effect, const char *names)
 	char item[16];
 	*truths = 0;
 	for (const ts_truth_kind *kind = ts_truth_table; names == NULL && kind->name != NULL; kind++) {
-		if (is_of(kind, effect)) *truths |= ts_truth_bit(kind);
+		if (ts_words_have(kind->effects, effect)) *truths |= ts_truth_bit(kind);
 	}
 	if (names == NULL || strcmp(names, "none") == 0) return TS_OK;
-	while (ts_cli_item(&names, item, sizeof item)) {
+	while (ts_words_item(&names, item, sizeof item)) {
 		const ts_truth_kind *kind = find(item, effect);
 		if (kind == NULL) return refuse(item, effect);
 		*truths |= ts_truth_bit(kind);
@@ -71,6 +59,6 @@ bool ts_truths_named(const char *text)
 {
 	char item[16];
 	bool any = text[0] != 0;
-	while (any && text != NULL && ts_cli_item(&text, item, sizeof item)) any = find(item, NULL) != NULL;
+	while (any && text != NULL && ts_words_item(&text, item, sizeof item)) any = find(item, NULL) != NULL;
 	return any;
 }

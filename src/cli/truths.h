@@ -2,7 +2,7 @@
 #ifndef TS_CLI_TRUTHS_H
 #define TS_CLI_TRUTHS_H
 #include "../truth/table.h"
-#include "cli.h"
+#include "../kernels/compat.h"
 
 /* The truths of `effect` that the comma-separated `names` name, each as the bit of its row in ts_truth_table; NULL: all
  * of them; "none": none. Fails on the first name that is no truth of the effect. */

@@ -1,0 +1,30 @@
+/* `bench TABLE`: measures one of the tables. */
+#include <string.h>
+#include "bench.h"
+#include "cli.h"
+
+static ts_status unknown(const char *name)
+{
+	ts_nearest nearest = ts_nearest_begin(name);
+	for (const ts_bench_row *row = ts_bench_rows; row->name != NULL; row++) ts_nearest_offer(&nearest, row->name);
+	return ts_fail("bench: no table \"%s\"; the nearest is %s, and \"%s list benches\" lists all", name, nearest.best,
+	               ts_program);
+}
+
+static bool says_nothing(const ts_bench_row *row, const char *option)
+{
+	return ts_words_have(row->without, option) || (row->takes != NULL && !ts_words_have(row->takes, option));
+}
+
+ts_status ts_bench_command(ts_cli *cli)
+{
+	const ts_bench_row *row = ts_bench_rows;
+	while (row->name != NULL && strcmp(row->name, cli->arguments[0]) != 0) row++;
+	if (row->name == NULL) return unknown(cli->arguments[0]);
+	for (u32 i = 0; i < TS_N_OPTIONS; i++) {
+		const char *option = ts_option_table[i].name;
+		bool given = ts_cli_given(cli, 1ull << i);
+		if (given && says_nothing(row, option)) return ts_fail("bench %s: takes no --%s", row->name, option);
+	}
+	return ts_bench_run(row, &cli->job);
+}
