@@ -177,7 +177,7 @@ void ts_compare_tap(const ts_comparison *c, const ts_trace *reference, FILE *out
 {
 	char line[TS_LINE_TEXT];
 	u32 n = 0;
-	for (const ts_step *step = reference->pipeline->steps; step->stage != NULL; step++) {
+	for (const ts_step *step = ts_pipeline_steps(reference->pipeline); step->stage != NULL; step++) {
 		ts_buffer_id unlike = TS_N_BUFFERS;
 		ts_judgement verdict = stage_verdict(c, ts_stage_find(step->stage), &unlike);
 		if (verdict == TS_NOT_JUDGED) continue;
@@ -228,7 +228,7 @@ static void put_case(const ts_comparison *c, const ts_trace *reference, const ts
 ts_status ts_compare_junit(const ts_comparison *c, const ts_trace *reference, const char *path)
 {
 	u32 n = 0, n_unlike = 0, n_skipped = 0;
-	for (const ts_step *step = reference->pipeline->steps; step->stage != NULL; step++) {
+	for (const ts_step *step = ts_pipeline_steps(reference->pipeline); step->stage != NULL; step++) {
 		ts_buffer_id unlike;
 		ts_judgement verdict = stage_verdict(c, ts_stage_find(step->stage), &unlike);
 		n += verdict != TS_NOT_JUDGED;
@@ -240,7 +240,7 @@ ts_status ts_compare_junit(const ts_comparison *c, const ts_trace *reference, co
 	fputs("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n", out);
 	fprintf(out, "<testsuite name=\"touchstone compare\" tests=\"%u\" failures=\"%u\" skipped=\"%u\">\n", (unsigned)n,
 	        (unsigned)n_unlike, (unsigned)n_skipped);
-	for (const ts_step *s = reference->pipeline->steps; s->stage != NULL; s++) put_case(c, reference, s, out);
+	for (const ts_step *s = ts_pipeline_steps(reference->pipeline); s->stage != NULL; s++) put_case(c, reference, s, out);
 	fputs("</testsuite>\n", out);
 	bool bad = ferror(out) != 0;
 	bad |= fclose(out) != 0;

@@ -104,7 +104,7 @@ static ts_table list_methods(void)
 		ts_table_text(&table, p->only_named ? "if named" : "by default");
 		ts_table_text(&table, p->paper);
 		ts_table_text(&table, p->doc);
-		cell_steps(&table, p->steps);
+		cell_steps(&table, ts_pipeline_steps(p));
 	}
 	return table;
 }

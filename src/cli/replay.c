@@ -55,7 +55,7 @@ static ts_status replay_one(const ts_cli *cli, const ts_trace *reference, const 
 static ts_status replay_all(const ts_cli *cli, const ts_trace *reference, const ts_trace *candidate, ts_report *report)
 {
 	u32 n = 0, n_failed = 0, n_different = 0;
-	for (const ts_step *step = reference->pipeline->steps; step->stage != NULL; step++) {
+	for (const ts_step *step = ts_pipeline_steps(reference->pipeline); step->stage != NULL; step++) {
 		if (!ts_replay_takes(step, reference)) continue;
 		ts_replayed replayed = {.stage = ts_stage_find(step->stage)};
 		replay(&replayed, cli, reference, candidate);

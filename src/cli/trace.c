@@ -27,7 +27,7 @@ static ts_status keep_only(ts_trace_options *options, const ts_pipeline *method,
 	while (ts_words_item(&stages, item, sizeof item)) {
 		const ts_stage *stage = ts_stage_find(item);
 		bool scene = strcmp(item, "scene") == 0, known = scene;
-		for (const ts_step *s = method->steps; s->stage != NULL; s++) known |= strcmp(s->stage, item) == 0;
+		for (const ts_step *s = ts_pipeline_steps(method); s->stage != NULL; s++) known |= strcmp(s->stage, item) == 0;
 		if (!known) {
 			return ts_fail("--trace-only: \"%s\" is no stage of %s; see: touchstone list stages", item, method->name);
 		}

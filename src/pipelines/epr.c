@@ -33,16 +33,13 @@
 #include "pipelines.h"
 
 const ts_step ts_epr_steps[] = {
-	{.stage = "view"},       /* where the eye is */
-	{.stage = "pose"},       /* where everything else is */
+	{.run = ts_frame_run},
 	{.stage = "resize"},     /* 3.5: cubes as large as their reflectors in the eye */
 	{.stage = "eye"},        /* the eye's G-buffer */
-	{.stage = "eye_margin", .only_margins = true},
 	{.stage = "pixel"},      /* 4.1.3: reflective pixels and their normal gradients */
 	{.stage = "visibility"}, /* 3.1: which faces may see a triangle */
 	{.stage = "split"},      /* 4.1.1: eye-resolution density */
 	{.stage = "cull"},       /* 3.2: stochastic culling */
-	{.stage = "cull_margin", .only_margins = true},
 	{.stage = "align"},      /* 3.2: T_epr */
 	{.stage = "count", .only_ordered = true}, /* 3.3: conservative rasterization in the triangle's plane */
 	{.stage = "points"},     /* 3.4: the point buffers */
@@ -59,24 +56,19 @@ const ts_step ts_epr_steps[] = {
 };
 
 const ts_step ts_epr_omni_steps[] = {
-	{.stage = "view"},
-	{.stage = "pose"},
+	{.run = ts_frame_run},
 	{.stage = "lamp_ball"},
 	{.stage = "eye"},
-	{.stage = "eye_margin", .only_margins = true},
 	{.stage = "shadow_resize"},                       /* eq. 6: cubes as large as the eye needs */
 	{.stage = "offscreen"},
 	{.stage = "offscreen_visibility"},
 	{.stage = "shadow_split"},                        /* eq. 5: eye-resolution density */
 	{.stage = "cull"},
-	{.stage = "cull_margin", .only_margins = true},
 	{.stage = "align"},
 	{.stage = "count", .only_ordered = true, .stored = TS_STORED_IF_ASKED},
 	{.stage = "points", .stored = TS_STORED_IF_ASKED},
 	{.stage = "shadow_splat", .each_batch = true},    /* small points directly, large ones as splats */
-	{.stage = "resolve", .each_batch = true},
-	{.stage = "resolve_margin", .only_margins = true, .each_batch = true},
-	{.stage = "shadow_image"},
+	{.run = ts_resolve_run},
 	{0},
 };
 

@@ -21,38 +21,22 @@
 #include "pipelines.h"
 
 const ts_step ts_hulls_steps[] = {
-	{.stage = "view"},
-	{.stage = "pose"},
-	{.stage = "lamp"},
-	{.stage = "rsm_view"},
-	{.stage = "rsm"},        /* what each light sees */
-	{.stage = "rsm_patch"},
-	{.stage = "eye"},
-	{.stage = "eye_margin", .only_margins = true},
-	{.stage = "gbuffer"},
+	{.run = ts_rsm_run},
+	{.run = ts_gbuffer_run},
 	{.stage = "nearest"},    /* down-sampled depth */
 	{.stage = "segment"},
-	{.stage = "segment_margin", .only_margins = true},
 	{.stage = "range"},
 	{.stage = "box"},
 	{.stage = "gather"},     /* light at the corners of the boxes */
 	{.stage = "fit"},
 	{.stage = "hull"},       /* interpolation and integration */
-	{.stage = "hull_margin", .only_margins = true},
 	{.stage = "indirect_image"},
 	{0},
 };
 
 const ts_step ts_direct_steps[] = {
-	{.stage = "view"},
-	{.stage = "pose"},
-	{.stage = "lamp"},
-	{.stage = "rsm_view"},
-	{.stage = "rsm"},
-	{.stage = "rsm_patch"},
-	{.stage = "eye"},
-	{.stage = "eye_margin", .only_margins = true},
-	{.stage = "gbuffer"},
+	{.run = ts_rsm_run},
+	{.run = ts_gbuffer_run},
 	{.stage = "direct"},
 	{.stage = "indirect_image"},
 	{0},

@@ -19,22 +19,30 @@
 #include "../kernels/view_density.h"
 #include "pipelines.h"
 
-#define EYE {.stage = "view"}, {.stage = "pose"}
-#define POINTS \
-	{.stage = "offscreen_visibility"},                /* 3.1: which views may see a triangle */ \
-	{.stage = "view_split"},                          /* 3.1: the density of the most demanding one */ \
-	{.stage = "cull"},                                /* 3.3: stochastic culling */ \
-	{.stage = "cull_margin", .only_margins = true}, \
-	{.stage = "align"}                                /* 3.2: T_align, eq. 1, and S, eq. 4 */
+static const ts_step point_run[] = {
+	{.stage = "offscreen_visibility"},                /* 3.1: which views may see a triangle */
+	{.stage = "view_split"},                          /* 3.1: the density of the most demanding one */
+	{.stage = "cull"},                                /* 3.3: stochastic culling */
+	{.stage = "align"},                               /* 3.2: T_align, eq. 1, and S, eq. 4 */
+	{0},
+};
+
+static const ts_step shadow_run[] = {
+	{.run = point_run},
+	{.stage = "count", .only_ordered = true, .stored = TS_STORED_IF_ASKED},
+	{.stage = "points", .stored = TS_STORED_IF_ASKED},
+	{.stage = "scatter", .each_batch = true},         /* 4: 32 depth maps a pass */
+	{.run = ts_resolve_run},
+	{0},
+};
 
 const ts_step ts_ivir_reflections_steps[] = {
-	EYE,
+	{.run = ts_frame_run},
 	{.stage = "resize"},
 	{.stage = "offscreen"},
 	{.stage = "eye"},
-	{.stage = "eye_margin", .only_margins = true},
 	{.stage = "pixel"},
-	POINTS,
+	{.run = point_run},
 	{.stage = "count", .only_ordered = true, .stored = TS_STORED_BY_DEFAULT},
 	{.stage = "points", .stored = TS_STORED_BY_DEFAULT},
 	{.stage = "scatter_colour"},                      /* 5: 13 bits of depth, 19 of colour */
@@ -45,35 +53,14 @@ const ts_step ts_ivir_reflections_steps[] = {
 };
 
 const ts_step ts_ivir_soft_steps[] = {
-	EYE,
-	{.stage = "lamp"},
-	{.stage = "lamp_view"},
-	{.stage = "eye"},
-	{.stage = "eye_margin", .only_margins = true},
-	POINTS,
-	{.stage = "count", .only_ordered = true, .stored = TS_STORED_IF_ASKED},
-	{.stage = "points", .stored = TS_STORED_IF_ASKED},
-	{.stage = "scatter", .each_batch = true},         /* 4: 32 depth maps a pass */
-	{.stage = "resolve", .each_batch = true},
-	{.stage = "resolve_margin", .only_margins = true, .each_batch = true},
-	{.stage = "shadow_image"},
+	{.run = ts_soft_run},
+	{.run = shadow_run},
 	{0},
 };
 
 const ts_step ts_ivir_omni_steps[] = {
-	EYE,
-	{.stage = "lamp_ball"},
-	{.stage = "lamp_cube"},
-	{.stage = "offscreen"},
-	{.stage = "eye"},
-	{.stage = "eye_margin", .only_margins = true},
-	POINTS,
-	{.stage = "count", .only_ordered = true, .stored = TS_STORED_IF_ASKED},
-	{.stage = "points", .stored = TS_STORED_IF_ASKED},
-	{.stage = "scatter", .each_batch = true},
-	{.stage = "resolve", .each_batch = true},
-	{.stage = "resolve_margin", .only_margins = true, .each_batch = true},
-	{.stage = "shadow_image"},
+	{.run = ts_omni_run},
+	{.run = shadow_run},
 	{0},
 };
 

@@ -23,88 +23,40 @@
 #include "../stages/stages.h"
 #include "pipelines.h"
 
-const ts_step ts_megaviews_steps[] = {
-	{.stage = "view"},
-	{.stage = "pose"},
-	{.stage = "lamp"},
-	{.stage = "rsm_view"},
-	{.stage = "rsm"},
-	{.stage = "rsm_patch"},
+/* The octree of the scene, and light from the maps' texels. */
+static const ts_step vpl_run[] = {
 	{.stage = "root"},
 	{.stage = "voxel"},
-	{.stage = "octree"},         /* of the scene */
-	{.stage = "vpl"},            /* light from the maps' texels */
+	{.stage = "octree"},
+	{.stage = "vpl"},
 	{.stage = "octree_surface", .only_traced = true},
-	{.stage = "view_voxel"},
-	{.stage = "view_octree"},    /* of the views */
-	{.stage = "view_cone"},
-	{.stage = "traverse", .only_traced = true},
-	{.stage = "map"},            /* the traversal, and what it renders */
-	{.stage = "map_margin", .only_margins = true},
-	{.stage = "fuse"},
-	{.stage = "eye"},
-	{.stage = "eye_margin", .only_margins = true},
-	{.stage = "gbuffer"},
-	{.stage = "vpl_pairs"},      /* the traversal again: which views may light what */
-	{.stage = "vpl_gather"},
-	{.stage = "vpl_gather_margin", .only_margins = true},
-	{.stage = "bilateral"},
-	{.stage = "indirect_image"},
+	{0},
+};
+
+const ts_step ts_megaviews_steps[] = {
+	{.run = ts_rsm_run},
+	{.run = vpl_run},
+	{.run = ts_shared_maps_run},
+	{.run = ts_gbuffer_run},
+	{.run = ts_gather_run},
 	{0},
 };
 
 const ts_step ts_manylods_steps[] = {
-	{.stage = "view"},
-	{.stage = "pose"},
-	{.stage = "lamp"},
-	{.stage = "rsm_view"},
-	{.stage = "rsm"},
-	{.stage = "rsm_patch"},
-	{.stage = "root"},
-	{.stage = "voxel"},
-	{.stage = "octree"},
-	{.stage = "vpl"},
-	{.stage = "octree_surface", .only_traced = true},
-	{.stage = "view_alone"},
-	{.stage = "traverse", .only_traced = true},
-	{.stage = "map"},
-	{.stage = "map_margin", .only_margins = true},
-	{.stage = "fuse"},
-	{.stage = "eye"},
-	{.stage = "eye_margin", .only_margins = true},
-	{.stage = "gbuffer"},
-	{.stage = "vpl_pairs"},
-	{.stage = "vpl_gather"},
-	{.stage = "vpl_gather_margin", .only_margins = true},
-	{.stage = "bilateral"},
-	{.stage = "indirect_image"},
+	{.run = ts_rsm_run},
+	{.run = vpl_run},
+	{.run = ts_own_maps_run},
+	{.run = ts_gbuffer_run},
+	{.run = ts_gather_run},
 	{0},
 };
 
 const ts_step ts_bruteforce_steps[] = {
-	{.stage = "view"},
-	{.stage = "pose"},
-	{.stage = "lamp"},
-	{.stage = "rsm_view"},
-	{.stage = "rsm"},
-	{.stage = "rsm_patch"},
-	{.stage = "root"},
-	{.stage = "voxel"},
-	{.stage = "octree"},
-	{.stage = "vpl"},
-	{.stage = "octree_surface", .only_traced = true},
-	{.stage = "view_alone"},
-	{.stage = "map_all"},        /* no traversal */
-	{.stage = "map_all_margin", .only_margins = true},
-	{.stage = "fuse"},
-	{.stage = "eye"},
-	{.stage = "eye_margin", .only_margins = true},
-	{.stage = "gbuffer"},
-	{.stage = "vpl_pairs"},
-	{.stage = "vpl_gather"},
-	{.stage = "vpl_gather_margin", .only_margins = true},
-	{.stage = "bilateral"},
-	{.stage = "indirect_image"},
+	{.run = ts_rsm_run},
+	{.run = vpl_run},
+	{.run = ts_all_maps_run},
+	{.run = ts_gbuffer_run},
+	{.run = ts_gather_run},
 	{0},
 };
 

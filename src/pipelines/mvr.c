@@ -9,14 +9,11 @@
 #include "pipelines.h"
 
 const ts_step ts_mvr_steps[] = {
-	{.stage = "view"},
-	{.stage = "pose"},
+	{.run = ts_frame_run},
 	{.stage = "resize"},
 	{.stage = "eye"},
-	{.stage = "eye_margin", .only_margins = true},
 	{.stage = "pixel"},
 	{.stage = "face", .each_batch = true},       /* geometry into six faces */
-	{.stage = "face_margin", .only_margins = true, .each_batch = true},
 	{.stage = "illuminate", .each_batch = true}, /* shading of every texel; mip-mapping */
 	{.stage = "mirror", .each_batch = true},     /* the eye's look-ups */
 	{.stage = "image"},
@@ -30,33 +27,16 @@ void ts_mvr_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts
 }
 
 const ts_step ts_mvr_soft_steps[] = {
-	{.stage = "view"},
-	{.stage = "pose"},
-	{.stage = "lamp"},
-	{.stage = "lamp_view"},
-	{.stage = "eye"},
-	{.stage = "eye_margin", .only_margins = true},
-	{.stage = "depth", .each_batch = true},          /* geometry into every depth map */
-	{.stage = "depth_margin", .only_margins = true, .each_batch = true},
-	{.stage = "resolve", .each_batch = true},
-	{.stage = "resolve_margin", .only_margins = true, .each_batch = true},
-	{.stage = "shadow_image"},
+	{.run = ts_soft_run},
+	{.stage = "depth", .each_batch = true},      /* geometry into every depth map */
+	{.run = ts_resolve_run},
 	{0},
 };
 
 const ts_step ts_mvr_omni_steps[] = {
-	{.stage = "view"},
-	{.stage = "pose"},
-	{.stage = "lamp_ball"},
-	{.stage = "lamp_cube"},
-	{.stage = "offscreen"},
-	{.stage = "eye"},
-	{.stage = "eye_margin", .only_margins = true},
+	{.run = ts_omni_run},
 	{.stage = "depth", .each_batch = true},
-	{.stage = "depth_margin", .only_margins = true, .each_batch = true},
-	{.stage = "resolve", .each_batch = true},
-	{.stage = "resolve_margin", .only_margins = true, .each_batch = true},
-	{.stage = "shadow_image"},
+	{.run = ts_resolve_run},
 	{0},
 };
 

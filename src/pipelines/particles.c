@@ -11,76 +11,36 @@
 #include "../stages/stages.h"
 #include "pipelines.h"
 
-const ts_step ts_megaviews_particles_steps[] = {
-	{.stage = "view"},
-	{.stage = "pose"},
-	{.stage = "eye"},
-	{.stage = "eye_margin", .only_margins = true},
-	{.stage = "gbuffer"},
+/* What the eye sees, particles, and the octree of the scene. */
+static const ts_step particle_run[] = {
+	{.run = ts_frame_run},
+	{.run = ts_gbuffer_run},
 	{.stage = "root"},
 	{.stage = "particle"},
 	{.stage = "voxel"},
-	{.stage = "octree"},         /* of the scene */
+	{.stage = "octree"},
 	{.stage = "octree_surface", .only_traced = true},
-	{.stage = "view_voxel"},
-	{.stage = "view_octree"},    /* of the particles */
-	{.stage = "view_cone"},
-	{.stage = "traverse", .only_traced = true},
-	{.stage = "map"},
-	{.stage = "map_margin", .only_margins = true},
-	{.stage = "fuse"},
-	{.stage = "vpl_pairs"},
-	{.stage = "vpl_gather"},
-	{.stage = "vpl_gather_margin", .only_margins = true},
-	{.stage = "bilateral"},
-	{.stage = "indirect_image"},
+	{0},
+};
+
+const ts_step ts_megaviews_particles_steps[] = {
+	{.run = particle_run},
+	{.run = ts_shared_maps_run},
+	{.run = ts_gather_run},
 	{0},
 };
 
 const ts_step ts_manylods_particles_steps[] = {
-	{.stage = "view"},
-	{.stage = "pose"},
-	{.stage = "eye"},
-	{.stage = "eye_margin", .only_margins = true},
-	{.stage = "gbuffer"},
-	{.stage = "root"},
-	{.stage = "particle"},
-	{.stage = "voxel"},
-	{.stage = "octree"},
-	{.stage = "octree_surface", .only_traced = true},
-	{.stage = "view_alone"},
-	{.stage = "traverse", .only_traced = true},
-	{.stage = "map"},
-	{.stage = "map_margin", .only_margins = true},
-	{.stage = "fuse"},
-	{.stage = "vpl_pairs"},
-	{.stage = "vpl_gather"},
-	{.stage = "vpl_gather_margin", .only_margins = true},
-	{.stage = "bilateral"},
-	{.stage = "indirect_image"},
+	{.run = particle_run},
+	{.run = ts_own_maps_run},
+	{.run = ts_gather_run},
 	{0},
 };
 
 const ts_step ts_bruteforce_particles_steps[] = {
-	{.stage = "view"},
-	{.stage = "pose"},
-	{.stage = "eye"},
-	{.stage = "eye_margin", .only_margins = true},
-	{.stage = "gbuffer"},
-	{.stage = "root"},
-	{.stage = "particle"},
-	{.stage = "voxel"},
-	{.stage = "octree"},
-	{.stage = "octree_surface", .only_traced = true},
-	{.stage = "view_alone"},
-	{.stage = "map_all"},
-	{.stage = "map_all_margin", .only_margins = true},
-	{.stage = "fuse"},
-	{.stage = "vpl_pairs"},
-	{.stage = "vpl_gather"},
-	{.stage = "vpl_gather_margin", .only_margins = true},
-	{.stage = "bilateral"},
-	{.stage = "indirect_image"},
+	{.run = particle_run},
+	{.run = ts_all_maps_run},
+	{.run = ts_gather_run},
 	{0},
 };
 

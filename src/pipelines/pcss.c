@@ -15,14 +15,8 @@
 #include "pipelines.h"
 
 const ts_step ts_pcss_steps[] = {
-	{.stage = "view"},
-	{.stage = "pose"},
-	{.stage = "lamp"},
-	{.stage = "lamp_view"},                  /* from the middle of each light */
-	{.stage = "eye"},
-	{.stage = "eye_margin", .only_margins = true},
+	{.run = ts_soft_run},                    /* a view from the middle of each light */
 	{.stage = "depth", .each_batch = true},  /* MVR's raster */
-	{.stage = "depth_margin", .only_margins = true, .each_batch = true},
 	{.stage = "pcss", .each_batch = true},   /* blockers, penumbra, filter */
 	{.stage = "shadow_image"},
 	{0},

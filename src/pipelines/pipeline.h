@@ -19,11 +19,12 @@ const ts_effect *ts_effect_find(const char *name);
 /* When points are stored: see the parameter `buffered`. */
 enum { TS_STORED_ANYHOW, TS_STORED_BY_DEFAULT, TS_STORED_IF_ASKED };
 
-typedef struct {
+typedef struct ts_step {
 	const char *stage;
+	const struct ts_step *run; /* instead of a stage: steps that several methods share, ended as a pipeline's */
 	u32 least_bounces;   /* runs only if so many bounces are followed */
 	bool only_traced;    /* runs only for a trace: later stages do without what it makes */
-	bool only_margins;   /* the same, and only if run->margins asks for it */
+	bool only_margins;   /* of ts_pipeline_steps: the margin of the stage before, run only if run->margins asks for it */
 	bool only_ordered;   /* points that arrive in any order do without */
 	u32 stored;          /* TS_STORED_*: runs only if points are */
 	bool (*only_if)(const ts_params *params); /* NULL: whatever the parameters are */
@@ -38,7 +39,7 @@ typedef struct ts_pipeline {
 	const char *effect;  /* as in render EFFECT */
 	const char *paper;
 	const char *doc;
-	const ts_step *steps;            /* ended by a step without a stage */
+	const ts_step *steps;            /* as written, ended by a step without stage and run; read ts_pipeline_steps */
 	ts_planner *plan;                /* makes the default plan its own; may be NULL */
 	/* What the counts of views, points, pixels and texels (B U Q N C P P2 P3 of records.def) are expected to be, before
 	 * running; and "batches", how many are like that, and "work", bytes that stages take beside buffers. */
@@ -52,6 +53,9 @@ typedef struct ts_pipeline {
 extern const ts_pipeline ts_pipeline_table[];
 const ts_pipeline *ts_pipeline_find(const char *effect, const char *name);
 
+/* The steps of a row of the table, ended by one without a stage: runs of steps in their place, and behind each stage its
+ * margin, like it in all but its name. Other pipelines have neither runs nor margins. */
+const ts_step *ts_pipeline_steps(const ts_pipeline *pipeline);
 /* The first method of the effect, NULL: of any, that makes all of the buffers, ended by TS_N_BUFFERS; NULL: none does. */
 const ts_pipeline *ts_pipeline_making(const char *effect, const ts_buffer_id *ids);
 bool ts_pipeline_makes(const ts_pipeline *pipeline, const ts_buffer_id *ids);

@@ -3,6 +3,12 @@
 #define TS_PIPELINES_PIPELINES_H
 #include "pipeline.h"
 
+/* Runs of steps (shared.c): eye and scene of the frame; the lights of shadows, their views, and what the eye sees; pictures
+ * from depth maps; reflective shadow maps; what the eye sees, with its G-buffer. */
+extern const ts_step ts_frame_run[], ts_soft_run[], ts_omni_run[], ts_resolve_run[], ts_rsm_run[], ts_gbuffer_run[];
+/* Maps of many views: by an octree of views, each by itself, of every leaf; and the light gathered through them. */
+extern const ts_step ts_shared_maps_run[], ts_own_maps_run[], ts_all_maps_run[], ts_gather_run[];
+
 extern const ts_step ts_epr_steps[], ts_epr_omni_steps[];
 void ts_epr_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params);
 

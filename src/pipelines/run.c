@@ -26,7 +26,7 @@ static bool is_read_from(const ts_step *step, const ts_params *params, ts_buffer
 
 bool ts_pipeline_reads(const ts_pipeline *pipeline, ts_buffer_id id)
 {
-	const ts_step *step = pipeline->steps;
+	const ts_step *step = ts_pipeline_steps(pipeline);
 	while (step->stage != NULL && !ts_stage_reads(ts_stage_find(step->stage), id)) step++;
 	return step->stage != NULL;
 }
@@ -34,7 +34,7 @@ bool ts_pipeline_reads(const ts_pipeline *pipeline, ts_buffer_id id)
 /* True if some step reads it, and none from `next` on: an answer that no stage reads stays. */
 static bool is_over(const ts_pipeline *pipeline, const ts_step *next, const ts_params *params, ts_buffer_id id)
 {
-	return is_read_from(pipeline->steps, params, id) && !is_read_from(next, params, id);
+	return is_read_from(ts_pipeline_steps(pipeline), params, id) && !is_read_from(next, params, id);
 }
 
 static void forget(const ts_pipeline *pipeline, const ts_step *next, ts_run *run)
@@ -100,7 +100,7 @@ ts_status ts_pipeline_run(const ts_pipeline *pipeline, ts_run *run)
 	if (check_scene(pipeline, run) != TS_OK) return TS_ERROR;
 	ts_pipeline_plan(pipeline, run, NULL, NULL);
 	const ts_step *end;
-	for (const ts_step *step = pipeline->steps; step->stage != NULL; step = end) {
+	for (const ts_step *step = ts_pipeline_steps(pipeline); step->stage != NULL; step = end) {
 		end = step_after(step);
 		ts_status status = step->each_batch ? run_batches(pipeline, step, end, run) : run_steps(step, end, run);
 		if (status != TS_OK) return status;
@@ -111,7 +111,7 @@ ts_status ts_pipeline_run(const ts_pipeline *pipeline, ts_run *run)
 
 const ts_step *ts_pipeline_maker(const ts_pipeline *pipeline, ts_buffer_id id)
 {
-	for (const ts_step *step = pipeline->steps; step->stage != NULL; step++) {
+	for (const ts_step *step = ts_pipeline_steps(pipeline); step->stage != NULL; step++) {
 		if (ts_stage_writes(ts_stage_find(step->stage), id)) return step;
 	}
 	return NULL;
@@ -144,7 +144,7 @@ static u64 bytes_at(const ts_pipeline *pipeline, const ts_step *step, const ts_p
 	u64 bytes = 0;
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
 		bool made = false;
-		for (const ts_step *s = pipeline->steps; s <= step; s++) {
+		for (const ts_step *s = ts_pipeline_steps(pipeline); s <= step; s++) {
 			made |= ts_pipeline_takes(s, params, false) && ts_stage_writes(ts_stage_find(s->stage), (ts_buffer_id)id);
 		}
 		bool alive = made && !(lean && is_over(pipeline, step, params, (ts_buffer_id)id));
@@ -158,7 +158,7 @@ u64 ts_pipeline_estimate(const ts_pipeline *pipeline, const ts_scene *scene, con
 	ts_sizes sizes = {.n = 0};
 	ts_pipeline_expect(pipeline, &sizes, scene, params);
 	u64 peak = 0;
-	for (const ts_step *step = pipeline->steps; step->stage != NULL; step++) {
+	for (const ts_step *step = ts_pipeline_steps(pipeline); step->stage != NULL; step++) {
 		u64 bytes = bytes_at(pipeline, step, params, &sizes, lean);
 		peak = bytes > peak ? bytes : peak;
 	}

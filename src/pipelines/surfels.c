@@ -29,17 +29,13 @@ const ts_step ts_surfels_steps[] = {
 	{.stage = "lamp"},
 	{.stage = "surfel_setup"},
 	{.stage = "surfel_depth"},   /* visibility splatting */
-	{.stage = "surfel_depth_margin", .only_margins = true},
 	{.stage = "fragment_list", .only_if = ts_accumulates_in_order, .unnumbered = true},
 	{.stage = "blend"},          /* attribute splatting */
-	{.stage = "blend_margin", .only_margins = true},
 	{.stage = "surfel_mean"},     /* normalization */
 	{.stage = "light_view", .only_if = ts_shader_has_shadows},
 	{.stage = "surfel_shadow", .only_if = ts_shader_has_shadows},
 	{.stage = "deferred_lit", .only_if = ts_shader_has_shadows},
-	{.stage = "deferred_lit_margin", .only_margins = true, .only_if = ts_shader_has_shadows},
 	{.stage = "deferred"},       /* shading */
-	{.stage = "deferred_margin", .only_margins = true},
 	{0},
 };
 

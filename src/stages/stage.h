@@ -79,6 +79,9 @@ u64 ts_expected_face(const ts_params *params);
 /* All stages, ended by a row without a name (table.c). */
 extern const ts_stage ts_stage_table[];
 const ts_stage *ts_stage_find(const char *name);
+/* The stage that says how near the decisions of this one were, and runs right behind it where margins are asked for; NULL:
+ * it has none. */
+const ts_stage *ts_stage_margin(const ts_stage *stage);
 bool ts_stage_reads(const ts_stage *stage, ts_buffer_id id);
 bool ts_stage_writes(const ts_stage *stage, ts_buffer_id id);
 

@@ -288,6 +288,31 @@ const ts_stage ts_stage_table[] = {
 	{0},
 };
 
+static const struct { const char *of, *margin; } margins[] = {
+	{"eye", "eye_margin"},
+	{"cull", "cull_margin"},
+	{"face", "face_margin"},
+	{"depth", "depth_margin"},
+	{"resolve", "resolve_margin"},
+	{"segment", "segment_margin"},
+	{"hull", "hull_margin"},
+	{"map", "map_margin"},
+	{"map_all", "map_all_margin"},
+	{"vpl_gather", "vpl_gather_margin"},
+	{"surfel_depth", "surfel_depth_margin"},
+	{"blend", "blend_margin"},
+	{"deferred_lit", "deferred_lit_margin"},
+	{"deferred", "deferred_margin"},
+};
+
+const ts_stage *ts_stage_margin(const ts_stage *stage)
+{
+	for (u32 i = 0; i < sizeof margins / sizeof *margins; i++) {
+		if (strcmp(margins[i].of, stage->name) == 0) return ts_stage_find(margins[i].margin);
+	}
+	return NULL;
+}
+
 const ts_stage *ts_stage_find(const char *name)
 {
 	for (const ts_stage *stage = ts_stage_table; stage->name != NULL; stage++) {

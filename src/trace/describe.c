@@ -64,7 +64,7 @@ static json_t *stage_of(const ts_trace_about *about, const ts_stage *stage, u32 
 static json_t *stages_of(const ts_trace_about *about)
 {
 	json_t *stages = json_array();
-	for (const ts_step *step = about->pipeline->steps; step->stage != NULL; step++) {
+	for (const ts_step *step = ts_pipeline_steps(about->pipeline); step->stage != NULL; step++) {
 		const ts_stage *stage = ts_stage_find(step->stage);
 		if (!ts_pipeline_takes(step, &about->run->params, true) || !about->files[stage->writes[0]].made) continue;
 		json_array_append_new(stages, stage_of(about, stage, ts_emit_number(about->pipeline, stage->writes[0])));

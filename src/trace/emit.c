@@ -57,7 +57,7 @@ ts_status ts_emit_stage(const ts_run *run, const ts_stage *stage, ts_take_chunk 
 u32 ts_emit_number(const ts_pipeline *pipeline, ts_buffer_id id)
 {
 	u32 number = 0;
-	for (const ts_step *step = pipeline->steps; step->stage != NULL; step++) {
+	for (const ts_step *step = ts_pipeline_steps(pipeline); step->stage != NULL; step++) {
 		number += !step->only_margins && !step->unnumbered;
 		if (ts_stage_writes(ts_stage_find(step->stage), id)) return number;
 	}

@@ -67,7 +67,7 @@ static void settle(ts_comparison *c, ts_buffer_id id, const ts_trace *reference,
 
 static void find_first(ts_comparison *c, const ts_pipeline *pipeline)
 {
-	for (const ts_step *step = pipeline->steps; step->stage != NULL && c->first == TS_N_BUFFERS; step++) {
+	for (const ts_step *step = ts_pipeline_steps(pipeline); step->stage != NULL && c->first == TS_N_BUFFERS; step++) {
 		const ts_stage *stage = ts_stage_find(step->stage);
 		for (u32 i = 0; stage->writes[i] != TS_N_BUFFERS; i++) {
 			bool unlike = c->verdict[stage->writes[i]].judgement == TS_UNLIKE;
@@ -81,7 +81,7 @@ ts_status ts_compare_forced(ts_comparison *c, const ts_trace *reference, const t
 {
 	*c = (ts_comparison){.first = TS_N_BUFFERS, .forced = true};
 	if (ts_load_match(reference, candidate) != TS_OK || ts_relax_check(relaxations) != TS_OK) return TS_ERROR;
-	for (const ts_step *step = reference->pipeline->steps; step->stage != NULL; step++) {
+	for (const ts_step *step = ts_pipeline_steps(reference->pipeline); step->stage != NULL; step++) {
 		const ts_stage *stage = ts_stage_find(step->stage);
 		bool judged = ts_replay_takes(step, reference) && has_output(stage, candidate, relaxations);
 		if (!judged || mixes(stage, reference, candidate)) continue;

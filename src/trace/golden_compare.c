@@ -123,7 +123,7 @@ ts_status ts_golden_compare(char *text, size_t text_bytes, const ts_golden *stor
                             const ts_pipeline *pipeline, bool small)
 {
 	u32 n_steps = 0;
-	while (pipeline->steps[n_steps].stage != NULL) n_steps++;
+	while (ts_pipeline_steps(pipeline)[n_steps].stage != NULL) n_steps++;
 	for (u32 number = 0; number <= n_steps; number++) {
 		for (u32 id = 0; id < TS_N_BUFFERS; id++) {
 			char name[TS_EMIT_NAME];

@@ -5,7 +5,7 @@
 
 static const ts_step *find_step(const char *name, const ts_pipeline *pipeline)
 {
-	for (const ts_step *step = pipeline->steps; step->stage != NULL; step++) {
+	for (const ts_step *step = ts_pipeline_steps(pipeline); step->stage != NULL; step++) {
 		if (strcmp(step->stage, name) == 0) return step;
 	}
 	return NULL;

@@ -46,7 +46,7 @@ ts_status ts_sums_of(ts_sums *sums, const ts_pipeline *pipeline, const ts_scene 
 void ts_sums_print(const ts_sums *sums, const ts_pipeline *pipeline, FILE *out)
 {
 	u32 n_steps = 0;
-	while (pipeline->steps[n_steps].stage != NULL) n_steps++;
+	while (ts_pipeline_steps(pipeline)[n_steps].stage != NULL) n_steps++;
 	for (u32 number = 0; number <= n_steps; number++) {
 		for (u32 id = 0; id < TS_N_BUFFERS; id++) {
 			char name[TS_EMIT_NAME];

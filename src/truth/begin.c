@@ -13,7 +13,7 @@ ts_status ts_truth_begin(ts_run *run, const char *effect, const ts_buffer_id *ne
 	const ts_pipeline *pipeline = ts_pipeline_making(effect, needs);
 	if (pipeline == NULL) return ts_fail("truth: no method makes what it starts from");
 	ts_pipeline_plan(pipeline, run, NULL, NULL);
-	for (const ts_step *step = pipeline->steps; !has_made(run, needs); step++) {
+	for (const ts_step *step = ts_pipeline_steps(pipeline); !has_made(run, needs); step++) {
 		if (!step->only_margins && ts_run_stage(run, ts_stage_find(step->stage)) != TS_OK) return TS_ERROR;
 	}
 	return TS_OK;

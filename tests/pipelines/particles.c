@@ -253,7 +253,8 @@ static void test_claims(void **state)
 	for (u32 m = 0; m < N_METHODS; m++) {
 		ts_run run;
 		run_of(&run, scene, &params, methods[m]);
-		for (const ts_step *step = ts_pipeline_find("particles", methods[m])->steps; step->stage != NULL; step++) {
+		const ts_step *step = ts_pipeline_steps(ts_pipeline_find("particles", methods[m]));
+		for (; step->stage != NULL; step++) {
 			const ts_stage *stage = ts_stage_find(step->stage);
 			if (step->only_traced || step->only_margins) continue;
 			small_assert_claims(&run, stage);

@@ -40,7 +40,7 @@ static void test_rows(void **state)
 static bool is_written_once(const ts_pipeline *pipeline, ts_buffer_id id)
 {
 	u32 n = 0;
-	for (const ts_step *step = pipeline->steps; step->stage != NULL; step++) {
+	for (const ts_step *step = ts_pipeline_steps(pipeline); step->stage != NULL; step++) {
 		n += ts_stage_writes(ts_stage_find(step->stage), id);
 	}
 	return n <= 1;

@@ -75,7 +75,7 @@ static inline void refuses(const char *name, ts_buffer_id id, u64 element, const
 static void test_right(void **state)
 {
 	(void)state;
-	for (const ts_step *step = trace.pipeline->steps; step->stage != NULL; step++) {
+	for (const ts_step *step = ts_pipeline_steps(trace.pipeline); step->stage != NULL; step++) {
 		if (!ts_pipeline_takes(step, &run.params, true)) continue;
 		ts_load load;
 		const ts_stage *stage = ts_stage_find(step->stage);

@@ -204,7 +204,7 @@ static inline void traces_drop(ts_trace *trace)
 /* The next stage of a method behind `stage`; NULL: the first, or there is none. */
 static inline const ts_stage *traces_next(u32 m, const ts_stage *stage)
 {
-	const ts_step *step = traces[m]->pipeline->steps;
+	const ts_step *step = ts_pipeline_steps(traces[m]->pipeline);
 	while (stage != NULL && strcmp(step->stage, stage->name) != 0) step++;
 	if (stage != NULL) step++;
 	while (step->stage != NULL && !ts_replay_takes(step, traces[m])) step++;
