@@ -240,13 +240,13 @@ bench: all
 		build/touchstone bench $$table || exit; done
 
 ##   style              the checks of the source text
-##   format             clang-format of the C and C++ sources
+##   format             clang-format, version 14, of the C and C++ sources; scripts/format-check compares only
 style:
 	$(Q)scripts/style-check
 	$(Q)scripts/cite-check
 	$(Q)scripts/lint-kernels
 format:
-	clang-format -i $(shell git ls-files '*.c' '*.h' '*.cc')
+	$(Q)scripts/format-check --write
 
 deps:
 	$(Q)scripts/install-deps

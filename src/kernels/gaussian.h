@@ -41,6 +41,7 @@ TS_FN ts_sg ts_k_sg_product(const ts_sg *a, const ts_sg *b)
 	return ts_sg_make((a->mu * b->mu) * ts_exp(-lost), lambda, ts_normalize(both));
 }
 
+/* clang-format off */
 /* Eq 2: A(lambda) = 2 pi / lambda (1 - e^(-2 lambda)); below 1/4 by 4 pi times the sum of (-2 lambda)^j / (j + 1)!. */
 TS_FN f32 ts_k_sg_integral(f32 lambda)
 {
@@ -178,6 +179,7 @@ TS_FN f32 ts_k_sg_mean(f32 k)
 	f32 coth = (1.0f + e) / (1.0f - e);
 	return coth - 1.0f / k;
 }
+/* clang-format on */
 
 /* Its inverse. From within 5 %, k = r (3 - r^2) / (1 - r^2), by Newton's steps, the slope being 1 - 2 r / k - r^2; beyond
  * 0.9, where coth k is 1 but for 4e-9, 1 / (1 - r). */

@@ -87,6 +87,7 @@ TS_FN u32 ts_random(u32 id, u32 stream, u32 seed) { return ts_pcg(id ^ ts_pcg(st
 /* Uniform in [0,1), a multiple of 2^-24. */
 TS_FN f32 ts_uniform(u32 h) { return (f32)(h >> 8) * 5.9604644775390625e-8f; }
 
+/* clang-format off */
 /* log2 x for x in [2^-126, max], within 2.2 ulp; -126 below the domain and for NaN. */
 TS_FN f32 ts_log2(f32 x)
 {
@@ -198,5 +199,6 @@ TS_FN f32 ts_atan2(f32 y, f32 x)
 	r = x < 0.0f ? back : r;
 	return y < 0.0f ? -r : r;
 }
+/* clang-format on */
 
 #endif
