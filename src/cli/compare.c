@@ -78,7 +78,7 @@ static ts_status draw_marks(const sides *s, ts_buffer_id id)
 static ts_status draw_all(const sides *s, const ts_comparison *c, ts_report *report)
 {
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
-		bool pixels = strncmp(ts_buffer_table[id].shape, "H W", 3) == 0;
+		bool pixels = ts_shape_is_image(ts_buffer_shape(id));
 		if (!pixels || c->verdict[id].judgement != TS_UNLIKE || s->reference->item[id].npy.n == 0) continue;
 		if (draw_marks(s, (ts_buffer_id)id) != TS_OK) return TS_ERROR;
 	}

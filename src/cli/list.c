@@ -11,6 +11,8 @@ static const ts_column stage_columns[] = { { "name", "stage", false }, { "kind",
 	{ 0 } };
 static const ts_column buffer_columns[] = { { "name", "buffer", false }, { "element", "element", false },
 	{ "bytes", "bytes", true }, { "shape", "shape", false }, { "order", "order", false }, { "doc", "what", false }, { 0 } };
+static const ts_column size_columns[] = { { "name", "size", false }, { "noun", "one of them", false },
+	{ "doc", "what", false }, { 0 } };
 static const ts_column param_columns[] = { { "name", "parameter", false }, { "default", "default", false },
 	{ "range", "range", false }, { "unit", "unit", false }, { "source", "source", false }, { "doc", "what", false }, { 0 } };
 static const ts_column method_columns[] = { { "name", "method", false }, { "effect", "effect", false },
@@ -60,6 +62,17 @@ static ts_table list_buffers(void)
 		ts_table_text(&table, b->shape);
 		ts_table_text(&table, order);
 		ts_table_text(&table, b->doc);
+	}
+	return table;
+}
+
+static ts_table list_sizes(void)
+{
+	ts_table table = ts_table_begin("sizes", "", size_columns);
+	for (u32 dim = 0; dim < TS_N_DIMS; dim++) {
+		ts_table_text(&table, ts_dim_table[dim].name);
+		ts_table_text(&table, ts_dim_table[dim].noun);
+		ts_table_text(&table, ts_dim_table[dim].doc);
 	}
 	return table;
 }
@@ -159,9 +172,9 @@ static const struct {
 	const char *name;
 	ts_table (*make)(void);
 } lists[] = {
-	{ "stages", list_stages }, { "buffers", list_buffers }, { "params", list_params },
-	{ "methods", list_methods }, { "truths", list_truths }, { "scenes", list_scenes },
-	{ "backends", list_backends }, { "benches", ts_bench_list },
+	{ "stages", list_stages }, { "buffers", list_buffers }, { "sizes", list_sizes },
+	{ "params", list_params }, { "methods", list_methods }, { "truths", list_truths },
+	{ "scenes", list_scenes }, { "backends", list_backends }, { "benches", ts_bench_list },
 };
 
 enum { N_LISTS = sizeof lists / sizeof lists[0] };

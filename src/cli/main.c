@@ -33,7 +33,7 @@ const ts_command ts_command_table[] = {
 	  1, 1, TS_OPT(STAGE) | TS_OPT(INPUTS) | TS_OPT(THREADS) | TS_OPT(OUTPUT) | TS_OPT(JSON), ts_replay_command },
 	{ "info", "SCENE", "what was loaded, and what in the file was not understood", "",
 	  1, 1, WHERE | TS_OPT(JSON), ts_info_command },
-	{ "list", "WHAT", "tables: stages, buffers, params, methods, truths, scenes, backends or benches", "",
+	{ "list", "WHAT", "tables: stages, buffers, sizes, params, methods, truths, scenes, backends or benches", "",
 	  1, 1, TS_OPT(JSON), ts_list_command },
 	{ "bench", "TABLE", "the papers' tables, measured here; and what the backends take",
 	  "TABLE: one of `list benches`. Below a paper's table stand its own figures, and behind them what must hold, and\n"

@@ -1,47 +1,8 @@
-/* The buffers of one run, and the tables of records.def. */
+/* The buffers of one run. */
 #include "frame.h"
 #include <assert.h>
-#include <pthread.h>
 #include <stdlib.h>
 #include "shape.h"
-
-#define BUFFER(id, name, element, shape, order, key, doc) {name, #element, sizeof(element), shape, #order, key, doc},
-const ts_buffer_info ts_buffer_table[TS_N_BUFFERS] = {
-#include <touchstone/records.def>
-};
-
-/* A row without a field opens a record. */
-#define RECORD(name, doc) {#name, NULL, NULL, 0, NULL},
-#define FIELD(type, name, count, doc) {NULL, #type, #name, count, doc},
-static const ts_field_info lines[] = {
-#include <touchstone/records.def>
-};
-
-enum { N_LINES = sizeof lines / sizeof *lines };
-
-static ts_field_info fields[N_LINES];
-static size_t n_fields;
-
-static void fill_fields(void)
-{
-	const char *record = NULL;
-	for (size_t i = 0; i < N_LINES; i++) {
-		if (lines[i].record) {
-			record = lines[i].record;
-		} else {
-			fields[n_fields] = lines[i];
-			fields[n_fields++].record = record;
-		}
-	}
-}
-
-const ts_field_info *ts_field_table(size_t *n)
-{
-	static pthread_once_t once = PTHREAD_ONCE_INIT;
-	pthread_once(&once, fill_fields);
-	*n = n_fields;
-	return fields;
-}
 
 static ts_status fetch(const ts_frame *frame, const ts_buffer *buffer)
 {

@@ -1,30 +1,7 @@
 /* A frame: the buffers of one run by name. A stage reads some and adds some. */
 #ifndef TS_CORE_FRAME_H
 #define TS_CORE_FRAME_H
-#include "../kernels/records.h"
-#include "core.h"
-
-#define BUFFER(id, name, element, shape, order, key, doc) TS_B_##id,
-typedef enum {
-#include <touchstone/records.def>
-	TS_N_BUFFERS
-} ts_buffer_id;
-
-/* One BUFFER row of records.def. */
-typedef struct {
-	const char *name, *element;
-	size_t element_bytes;
-	const char *shape, *order, *key, *doc;
-} ts_buffer_info;
-extern const ts_buffer_info ts_buffer_table[TS_N_BUFFERS];
-
-/* One FIELD row of records.def; `record` groups them. */
-typedef struct {
-	const char *record, *type, *name;
-	u32 count;
-	const char *doc;
-} ts_field_info;
-const ts_field_info *ts_field_table(size_t *n);
+#include "table.h"
 
 typedef struct {
 	void *data;

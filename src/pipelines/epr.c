@@ -73,7 +73,7 @@ const ts_step ts_epr_omni_steps[] = {
 };
 
 /* Points: two for each small triangle, and as many as the cubes' texels can hold or the eye's pixels tell apart. */
-void ts_epr_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params)
+void ts_epr_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
 {
 	u64 triangles = scene->n_triangles;
 	u64 pixels = (u64)params->width * params->height;
@@ -81,10 +81,10 @@ void ts_epr_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *para
 	u64 texels = 6 * face * face * scene->info.n_reflectors;
 	double wanted = 8.0 * (double)params->rho_scale * (double)params->rho_scale * (double)pixels;
 	u64 points = params->cap && wanted > 4.0 * (double)texels ? 4 * texels : (u64)wanted;
-	u64 entries = ts_expected_pixels(scene, params);
-	ts_sizes_set(sizes, "Q", triangles + triangles / 16);
-	ts_sizes_set(sizes, "N", 2 * triangles + points);
-	ts_sizes_set(sizes, "C", texels);
-	ts_sizes_set(sizes, "P2", entries * TS_N_SAMPLES / 8);
-	ts_sizes_set(sizes, "P3", entries * TS_N_SAMPLES / 16);
+	u64 *n = expected->sizes.n, entries = ts_expect_mirrors(expected, scene, params);
+	n[TS_DIM_pieces] = triangles + triangles / 16;
+	n[TS_DIM_points] = 2 * triangles + points;
+	n[TS_DIM_texels] = texels;
+	n[TS_DIM_entries2] = entries * TS_N_SAMPLES / 8;
+	n[TS_DIM_entries3] = entries * TS_N_SAMPLES / 16;
 }

@@ -52,14 +52,14 @@ void ts_indirect_plan(ts_plan *plan, const ts_params *params, const ts_counts *c
 
 enum { BOXES_A_BLOCK = 8 };
 
-void ts_hulls_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params)
+void ts_hulls_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
 {
 	bool own = params->lamp == TS_LAMP_SCENE;
 	u64 n_lights = own ? scene->n_lights : 1, n_views = 0, blocks = (u64)params->grid_px / 32 * (params->grid_px / 32);
 	for (u32 i = 0; i < n_lights; i++) n_views += own ? ts_light_views(&scene->lights[i]) : 1;
-	ts_sizes_views(sizes, n_views);
-	ts_sizes_set(sizes, "B", 0);
-	ts_sizes_set(sizes, "A", n_lights);
-	ts_sizes_set(sizes, "C", n_views * params->rsm_px * params->rsm_px);
-	ts_sizes_set(sizes, "Z", blocks * BOXES_A_BLOCK);
+	u64 *n = expected->sizes.n;
+	n[TS_DIM_views] = n_views;
+	n[TS_DIM_lamps] = n_lights;
+	n[TS_DIM_texels] = n_views * params->rsm_px * params->rsm_px;
+	n[TS_DIM_boxes] = blocks * BOXES_A_BLOCK;
 }

@@ -85,16 +85,17 @@ void ts_ivir_omni_plan(ts_plan *plan, const ts_params *params, const ts_counts *
 }
 
 /* All cubes' texels at once, one cube's mip chain. */
-void ts_expect_cubes(ts_sizes *sizes, const ts_scene *scene, u64 face)
+void ts_expect_cubes(ts_expected *expected, const ts_scene *scene, const ts_params *params, u64 face)
 {
-	u64 cubes = scene->info.n_reflectors, texels = 6 * face * face * cubes;
-	ts_sizes_set(sizes, "C", texels);
-	ts_sizes_set(sizes, "C4", cubes != 0 ? ts_k_mip_texels((u32)face, TS_NONE) : 0);
-	ts_sizes_set(sizes, "batches", cubes);
-	ts_expect_points(sizes, scene, texels);
+	u64 *n = expected->sizes.n, cubes = scene->info.n_reflectors, texels = 6 * face * face * cubes;
+	ts_expect_mirrors(expected, scene, params);
+	n[TS_DIM_texels] = texels;
+	n[TS_DIM_mip_texels] = cubes != 0 ? ts_k_mip_texels((u32)face, TS_NONE) : 0;
+	expected->batches = cubes;
+	ts_expect_points(expected, scene, texels);
 }
 
-void ts_ivir_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params)
+void ts_ivir_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
 {
-	ts_expect_cubes(sizes, scene, ts_expected_face(params));
+	ts_expect_cubes(expected, scene, params, ts_expected_face(params));
 }

@@ -70,48 +70,41 @@ static u64 expected_nodes(u32 level) { return least((u64)LEAVES_A_FACE << 2 * le
 /* Of n voxels those that lights are in: nearly as many as are few lights, nearly all with many. */
 static u64 expected_lit(u64 n_lights, u64 n) { return n_lights > 0 ? n_lights * n / (n_lights + n) + 1 : 0; }
 
-void ts_expect_views(ts_sizes *sizes, const ts_scene *scene, const ts_params *params, u64 n_lights, u64 n_places,
+void ts_expect_views(ts_expected *expected, const ts_scene *scene, const ts_params *params, u64 n_lights, u64 n_places,
                      bool alone)
 {
 	u32 levels = params->levels, level = ts_gather_level_of(params, params->view_field, alone);
 	u64 leaves = expected_nodes(levels), view_leaves = alone ? n_lights : expected_lit(n_places, leaves);
 	u64 lists = expected_nodes(level), n_pairs = lists * (alone ? n_lights : expected_lit(view_leaves, lists));
-	ts_pyramid pyramid = ts_view_pyramid(params);
-	ts_sizes_set(sizes, "l", levels + 1);
-	ts_sizes_set(sizes, "Y", ts_k_mask_first(levels + 1));
-	ts_sizes_set(sizes, "D", leaves + leaves / 3);
-	ts_sizes_set(sizes, "D1", leaves);
-	ts_sizes_set(sizes, "F", scene->n_triangles + 2 * leaves);
-	ts_sizes_set(sizes, "J", n_lights);
-	ts_sizes_set(sizes, "E", alone ? n_lights : 2 * view_leaves);
-	ts_sizes_set(sizes, "E1", view_leaves);
-	ts_sizes_set(sizes, "v", pyramid.n);
-	ts_sizes_set(sizes, "m", ts_k_pyramid_texels(&pyramid));
-	ts_sizes_set(sizes, "p", n_lights * PAIRS_A_VIEW);
-	ts_sizes_set(sizes, "D2", lists);
-	ts_sizes_set(sizes, "p2", n_pairs);
-	ts_sizes_set(sizes, "work", (u64)params->queue_mb << 20);
+	u64 *n = expected->sizes.n;
+	n[TS_DIM_nodes] = leaves + leaves / 3;
+	n[TS_DIM_leaves] = leaves;
+	n[TS_DIM_leaf_triangles] = scene->n_triangles + 2 * leaves;
+	n[TS_DIM_vpls] = n_lights;
+	n[TS_DIM_view_nodes] = alone ? n_lights : 2 * view_leaves;
+	n[TS_DIM_view_leaves] = view_leaves;
+	n[TS_DIM_rendered] = n_lights * PAIRS_A_VIEW;
+	n[TS_DIM_gather_nodes] = lists;
+	n[TS_DIM_gather_pairs] = n_pairs;
+	expected->work = (u64)params->queue_mb << 20;
 }
 
 /* Paths begin at the texels of the maps, and there several of them may: their first lights are in the same places. */
-static void expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params, bool alone)
+static void expect(ts_expected *expected, const ts_scene *scene, const ts_params *params, bool alone)
 {
-	u32 n_dims;
-	u64 texels[TS_MAX_DIMS];
-	ts_hulls_expect(sizes, scene, params);
-	if (!ts_shape_dims("C", sizes, &n_dims, texels)) texels[0] = 0;
-	u64 n_paths = params->vpls != 0 ? params->vpls : texels[0];
-	ts_sizes_set(sizes, "J1", n_paths);
-	u64 n_lights = n_paths * params->vpl_bounces, n_places = least(n_paths, texels[0]) + n_lights - n_paths;
-	ts_expect_views(sizes, scene, params, n_lights, n_places, alone);
+	ts_hulls_expect(expected, scene, params);
+	u64 texels = expected->sizes.n[TS_DIM_texels], n_paths = params->vpls != 0 ? params->vpls : texels;
+	expected->sizes.n[TS_DIM_paths] = n_paths;
+	u64 n_lights = n_paths * params->vpl_bounces, n_places = least(n_paths, texels) + n_lights - n_paths;
+	ts_expect_views(expected, scene, params, n_lights, n_places, alone);
 }
 
-void ts_megaviews_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params)
+void ts_megaviews_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
 {
-	expect(sizes, scene, params, false);
+	expect(expected, scene, params, false);
 }
 
-void ts_manylods_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params)
+void ts_manylods_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
 {
-	expect(sizes, scene, params, true);
+	expect(expected, scene, params, true);
 }

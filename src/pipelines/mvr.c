@@ -41,11 +41,13 @@ const ts_step ts_mvr_omni_steps[] = {
 };
 
 /* The cubes of one reflector at a time. */
-void ts_mvr_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params)
+void ts_mvr_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
 {
 	u64 face = params->face_px != 0 ? params->face_px : params->face_max;
 	u64 cubes = scene->info.n_reflectors != 0 ? 1 : 0;
-	ts_sizes_set(sizes, "batches", scene->info.n_reflectors);
-	ts_sizes_set(sizes, "C", cubes * 6 * face * face);
-	ts_sizes_set(sizes, "C4", cubes * ts_k_mip_texels((u32)face, TS_NONE));
+	u64 *n = expected->sizes.n;
+	ts_expect_mirrors(expected, scene, params);
+	expected->batches = scene->info.n_reflectors;
+	n[TS_DIM_texels] = cubes * 6 * face * face;
+	n[TS_DIM_mip_texels] = cubes * ts_k_mip_texels((u32)face, TS_NONE);
 }

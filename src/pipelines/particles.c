@@ -50,19 +50,18 @@ void ts_particles_plan(ts_plan *plan, const ts_params *params, const ts_counts *
 	plan->units = 0;
 }
 
-static void expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params, bool alone)
+static void expect(ts_expected *expected, const ts_scene *scene, const ts_params *params, bool alone)
 {
-	ts_sizes_views(sizes, 0);
-	ts_sizes_set(sizes, "B", 0);
-	ts_expect_views(sizes, scene, params, params->particles, params->particles, alone);
+	expected->sizes.n[TS_DIM_views] = 0;
+	ts_expect_views(expected, scene, params, params->particles, params->particles, alone);
 }
 
-void ts_megaviews_particles_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params)
+void ts_megaviews_particles_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
 {
-	expect(sizes, scene, params, false);
+	expect(expected, scene, params, false);
 }
 
-void ts_manylods_particles_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params)
+void ts_manylods_particles_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
 {
-	expect(sizes, scene, params, true);
+	expect(expected, scene, params, true);
 }

@@ -36,12 +36,11 @@ void ts_pcss_plan(ts_plan *plan, const ts_params *params, const ts_counts *count
 	plan->batch = params->pass;
 }
 
-void ts_pcss_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params)
+void ts_pcss_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
 {
-	u32 n = n_lights(scene, params), batch = params->pass < n ? params->pass : n;
-	ts_sizes_views(sizes, n);
-	ts_sizes_set(sizes, "B", 0);
-	ts_sizes_set(sizes, "A", n);
-	ts_sizes_set(sizes, "C", (u64)params->map_px * params->map_px * batch);
-	ts_sizes_set(sizes, "batches", batch != 0 ? (n + batch - 1) / batch : 0);
+	u64 *n = expected->sizes.n, lights = n_lights(scene, params), batch = params->pass < lights ? params->pass : lights;
+	n[TS_DIM_views] = lights;
+	n[TS_DIM_lamps] = lights;
+	n[TS_DIM_texels] = (u64)params->map_px * params->map_px * batch;
+	expected->batches = batch != 0 ? (lights + batch - 1) / batch : 0;
 }

@@ -34,6 +34,13 @@ typedef struct ts_step {
 
 typedef void ts_planner(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request);
 
+/* What a run is expected to make. */
+typedef struct {
+	ts_sizes sizes; /* batched: of one batch */
+	u64 batches;    /* as many like that */
+	u64 work;       /* bytes that stages take beside buffers */
+} ts_expected;
+
 typedef struct ts_pipeline {
 	const char *name;    /* as in --method */
 	const char *effect;  /* as in render EFFECT */
@@ -41,9 +48,8 @@ typedef struct ts_pipeline {
 	const char *doc;
 	const ts_step *steps;            /* as written, ended by a step without stage and run; read ts_pipeline_steps */
 	ts_planner *plan;                /* makes the default plan its own; may be NULL */
-	/* What the counts of views, points, pixels and texels (B U Q N C P P2 P3 of records.def) are expected to be, before
-	 * running; and "batches", how many are like that, and "work", bytes that stages take beside buffers. */
-	void (*expect)(ts_sizes *sizes, const ts_scene *scene, const ts_params *params);
+	/* Sets what of `expected` neither the scene has nor the parameters give. */
+	void (*expect)(ts_expected *expected, const ts_scene *scene, const ts_params *params);
 	bool only_named;                 /* runs where --method names it, for it takes long */
 	const char *lower;               /* as of its effect; NULL: that */
 	struct { const char *param, *value; } sets; /* a parameter that is this to the method, whatever was typed; or NULL */
@@ -70,8 +76,8 @@ void ts_plan_make(ts_plan *plan, const ts_pipeline *pipeline, const ts_params *t
 /* Makes the run's plan and its one batch of all units. Counts, of what a trace holds; NULL: of the run's scene, before the
  * first stage. */
 void ts_pipeline_plan(const ts_pipeline *pipeline, ts_run *run, const ts_counts *counts, const ts_request *request);
-/* Sizes as far as they are known or expected before a run. */
-void ts_pipeline_expect(const ts_pipeline *pipeline, ts_sizes *sizes, const ts_scene *scene, const ts_params *typed);
+/* Before a run. */
+ts_expected ts_pipeline_expect(const ts_pipeline *pipeline, const ts_scene *scene, const ts_params *typed);
 
 /* Runs every step; refused if the pipeline draws surfels (a stage of it reads them) and the scene has none, or if it draws
  * triangles and the scene has surfels only. A buffer lives until its last reader if run->lean is set, else to the end. */
@@ -84,9 +90,6 @@ bool ts_pipeline_takes(const ts_step *step, const ts_params *params, bool traced
 const ts_step *ts_pipeline_maker(const ts_pipeline *pipeline, ts_buffer_id id);
 /* Bytes of a buffer of its shape in records.def; 2^63 if that is unknown or more. */
 u64 ts_pipeline_bytes(ts_buffer_id id, const ts_sizes *sizes);
-/* How many batches the pipeline expects. */
-u64 ts_pipeline_batches(const ts_sizes *sizes);
-
 /* Estimated peak of the frame's buffers and of work memory in bytes, before running, without what only a trace has; `lean`
  * as in ts_run. */
 u64 ts_pipeline_estimate(const ts_pipeline *pipeline, const ts_scene *scene, const ts_params *params, bool lean);

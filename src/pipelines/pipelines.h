@@ -9,12 +9,17 @@ extern const ts_step ts_frame_run[], ts_soft_run[], ts_omni_run[], ts_resolve_ru
 /* Maps of many views: by an octree of views, each by itself, of every leaf; and the light gathered through them. */
 extern const ts_step ts_shared_maps_run[], ts_own_maps_run[], ts_all_maps_run[], ts_gather_run[];
 
+/* Cubes, their views and the reflective pixels, and how many of those; texels a side of a cube that adapts to the eye: twice
+ * the size asked for, as mirrors come nearer than their average (reflections.c). */
+u64 ts_expect_mirrors(ts_expected *expected, const ts_scene *scene, const ts_params *params);
+u64 ts_expected_face(const ts_params *params);
+
 extern const ts_step ts_epr_steps[], ts_epr_omni_steps[];
-void ts_epr_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params);
+void ts_epr_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params);
 
 extern const ts_step ts_mvr_steps[];
 ts_planner ts_mvr_plan;
-void ts_mvr_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params);
+void ts_mvr_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params);
 
 extern const ts_step ts_mvr_soft_steps[], ts_mvr_omni_steps[];
 
@@ -22,40 +27,40 @@ extern const ts_step ts_ivir_reflections_steps[], ts_ivir_soft_steps[], ts_ivir_
 ts_planner ts_ivir_plan;
 ts_planner ts_ivir_soft_plan;
 ts_planner ts_ivir_omni_plan;
-void ts_ivir_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params);
+void ts_ivir_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params);
 /* What points for cubes of so many texels a side take. */
-void ts_expect_cubes(ts_sizes *sizes, const ts_scene *scene, u64 face);
+void ts_expect_cubes(ts_expected *expected, const ts_scene *scene, const ts_params *params, u64 face);
 
 extern const ts_step ts_pcss_steps[];
 ts_planner ts_pcss_plan;
-void ts_pcss_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params);
+void ts_pcss_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params);
 
 ts_planner ts_vir_plan;
-void ts_vir_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params);
+void ts_vir_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params);
 ts_planner ts_vir_soft_plan;
 ts_planner ts_vir_omni_plan;
-void ts_vir_omni_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params);
+void ts_vir_omni_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params);
 
 extern const ts_step ts_hulls_steps[], ts_direct_steps[];
 ts_planner ts_indirect_plan;
-void ts_hulls_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params);
+void ts_hulls_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params);
 
 extern const ts_step ts_megaviews_steps[], ts_manylods_steps[], ts_bruteforce_steps[];
-void ts_megaviews_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params);
-void ts_manylods_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params);
+void ts_megaviews_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params);
+void ts_manylods_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params);
 
 extern const ts_step ts_megaviews_particles_steps[], ts_manylods_particles_steps[], ts_bruteforce_particles_steps[];
 ts_planner ts_particles_plan;
-void ts_megaviews_particles_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params);
-void ts_manylods_particles_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params);
+void ts_megaviews_particles_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params);
+void ts_manylods_particles_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params);
 extern const ts_step ts_surfels_steps[];
 ts_planner ts_deferred_plan;
 ts_planner ts_ewa_plan;
-void ts_surfels_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params);
+void ts_surfels_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params);
 
 /* What octrees, maps and lists of so many lights take, which are in at most so many places; alone: without a hierarchy of
  * views. */
-void ts_expect_views(ts_sizes *sizes, const ts_scene *scene, const ts_params *params, u64 n_lights, u64 n_places,
+void ts_expect_views(ts_expected *expected, const ts_scene *scene, const ts_params *params, u64 n_lights, u64 n_places,
                      bool alone);
 
 /* All cubes, seen or not, of the largest size. */
@@ -63,10 +68,10 @@ void ts_plan_largest(ts_plan *plan, const ts_params *params);
 
 /* Soft and omnidirectional shadows, by any method. */
 ts_planner ts_soft_plan;
-void ts_soft_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params);
+void ts_soft_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params);
 ts_planner ts_omni_plan;
-void ts_omni_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params);
+void ts_omni_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params);
 /* Pieces and points of iVIR, where the densest view of a triangle has so many texels. */
-void ts_expect_points(ts_sizes *sizes, const ts_scene *scene, u64 texels);
+void ts_expect_points(ts_expected *expected, const ts_scene *scene, u64 texels);
 
 #endif

@@ -45,9 +45,13 @@ void ts_plan_largest(ts_plan *plan, const ts_params *params)
 	plan->offscreen.all = true;
 }
 
-void ts_pipeline_expect(const ts_pipeline *pipeline, ts_sizes *sizes, const ts_scene *scene, const ts_params *typed)
+ts_expected ts_pipeline_expect(const ts_pipeline *pipeline, const ts_scene *scene, const ts_params *typed)
 {
-	ts_params params = ts_pipeline_params(pipeline, typed);
-	ts_run_sizes(sizes, scene, &params);
-	pipeline->expect(sizes, scene, &params);
+	const ts_run run = {.scene = scene, .params = ts_pipeline_params(pipeline, typed)};
+	ts_expected expected = {.batches = 1};
+	ts_sizes_clear(&expected.sizes);
+	ts_sizes_scene(&expected.sizes, scene);
+	pipeline->expect(&expected, scene, &run.params);
+	ts_sizes_give(&expected.sizes, &run);
+	return expected;
 }

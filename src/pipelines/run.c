@@ -119,21 +119,12 @@ const ts_step *ts_pipeline_maker(const ts_pipeline *pipeline, ts_buffer_id id)
 
 u64 ts_pipeline_bytes(ts_buffer_id id, const ts_sizes *sizes)
 {
-	u32 n_dims;
-	u64 dims[TS_MAX_DIMS], n, most = 1ull << 63;
-	const ts_buffer_info *info = &ts_buffer_table[id];
-	if (!ts_shape_dims(info->shape, sizes, &n_dims, dims) || !ts_shape_count(&n, n_dims, dims)) return most;
-	return n > most / info->element_bytes ? most : n * info->element_bytes;
+	u64 dims[TS_MAX_DIMS], n, bytes, most = 1ull << 63;
+	const ts_shape *shape = ts_buffer_shape(id);
+	bool known = ts_shape_dims(shape, sizes, dims) && ts_shape_count(&n, shape->n, dims) &&
+	             ts_shape_count(&bytes, 2, (u64[]){n, ts_buffer_table[id].element_bytes});
+	return known && bytes < most ? bytes : most;
 }
-
-static u64 size_of(const char *name, const ts_sizes *sizes, u64 otherwise)
-{
-	u32 n_dims;
-	u64 dims[TS_MAX_DIMS];
-	return ts_shape_dims(name, sizes, &n_dims, dims) ? dims[0] : otherwise;
-}
-
-u64 ts_pipeline_batches(const ts_sizes *sizes) { return size_of("batches", sizes, 1); }
 
 static u64 add(u64 a, u64 b) { return a > UINT64_MAX - b ? UINT64_MAX : a + b; }
 
@@ -155,12 +146,11 @@ static u64 bytes_at(const ts_pipeline *pipeline, const ts_step *step, const ts_p
 
 u64 ts_pipeline_estimate(const ts_pipeline *pipeline, const ts_scene *scene, const ts_params *params, bool lean)
 {
-	ts_sizes sizes = {.n = 0};
-	ts_pipeline_expect(pipeline, &sizes, scene, params);
+	const ts_expected expected = ts_pipeline_expect(pipeline, scene, params);
 	u64 peak = 0;
 	for (const ts_step *step = ts_pipeline_steps(pipeline); step->stage != NULL; step++) {
-		u64 bytes = bytes_at(pipeline, step, params, &sizes, lean);
+		u64 bytes = bytes_at(pipeline, step, params, &expected.sizes, lean);
 		peak = bytes > peak ? bytes : peak;
 	}
-	return add(peak, size_of("work", &sizes, 0));
+	return add(peak, expected.work);
 }

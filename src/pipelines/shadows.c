@@ -22,30 +22,32 @@ void ts_omni_plan(ts_plan *plan, const ts_params *params, const ts_counts *count
 }
 
 /* Two points for each small triangle, and four for each texel of the few views that a triangle's density comes from. */
-void ts_expect_points(ts_sizes *sizes, const ts_scene *scene, u64 texels)
+void ts_expect_points(ts_expected *expected, const ts_scene *scene, u64 texels)
 {
-	u64 triangles = scene->n_triangles;
-	ts_sizes_set(sizes, "Q", triangles + triangles / 4);
-	ts_sizes_set(sizes, "N", 2 * triangles + 4 * texels);
+	u64 *n = expected->sizes.n, triangles = scene->n_triangles;
+	n[TS_DIM_pieces] = triangles + triangles / 4;
+	n[TS_DIM_points] = 2 * triangles + 4 * texels;
 }
 
-void ts_soft_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params)
+void ts_soft_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
 {
 	u64 map = (u64)params->map_px * params->map_px, batch = params->pass < params->views ? params->pass : params->views;
-	ts_sizes_views(sizes, params->views);
-	ts_sizes_set(sizes, "B", 0);
-	ts_sizes_set(sizes, "A", params->lamp == TS_LAMP_SCENE ? scene->n_lights : 1);
-	ts_sizes_set(sizes, "C", map * batch);
-	ts_sizes_set(sizes, "batches", (params->views + batch - 1) / batch);
-	ts_expect_points(sizes, scene, map);
+	u64 *n = expected->sizes.n;
+	n[TS_DIM_cubes] = 0;
+	n[TS_DIM_views] = params->views;
+	n[TS_DIM_lamps] = params->lamp == TS_LAMP_SCENE ? scene->n_lights : 1;
+	n[TS_DIM_texels] = map * batch;
+	expected->batches = (params->views + batch - 1) / batch;
+	ts_expect_points(expected, scene, map);
 }
 
-void ts_omni_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params)
+void ts_omni_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
 {
 	u64 map = 6 * (u64)params->map_px * params->map_px, batch = cubes_a_pass(params);
-	ts_sizes_cubes(sizes, params->light_samples);
-	ts_sizes_set(sizes, "A", 1);
-	ts_sizes_set(sizes, "C", map * (batch < params->light_samples ? batch : params->light_samples));
-	ts_sizes_set(sizes, "batches", (params->light_samples + batch - 1) / batch);
-	ts_expect_points(sizes, scene, map);
+	u64 *n = expected->sizes.n;
+	ts_sizes_cubes(&expected->sizes, params->light_samples);
+	n[TS_DIM_lamps] = 1;
+	n[TS_DIM_texels] = map * (batch < params->light_samples ? batch : params->light_samples);
+	expected->batches = (params->light_samples + batch - 1) / batch;
+	ts_expect_points(expected, scene, map);
 }

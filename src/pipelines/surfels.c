@@ -53,13 +53,13 @@ void ts_ewa_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts
 	plan->surfels.exact = true;
 }
 
-void ts_surfels_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params)
+void ts_surfels_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
 {
 	u64 n_lights = scene->n_lights, n_views = 0;
 	for (u32 i = 0; i < n_lights; i++) n_views += ts_light_views(&scene->lights[i]);
-	ts_sizes_views(sizes, n_views);
-	ts_sizes_set(sizes, "f", (u64)FRAGMENTS * params->width * params->height + (u64)SPLAT * scene->n_surfels);
-	ts_sizes_set(sizes, "B", 0);
-	ts_sizes_set(sizes, "A", n_lights);
-	ts_sizes_set(sizes, "C", (u64)params->map_px * params->map_px * n_views);
+	u64 *n = expected->sizes.n;
+	n[TS_DIM_views] = n_views;
+	n[TS_DIM_fragments] = (u64)FRAGMENTS * params->width * params->height + (u64)SPLAT * scene->n_surfels;
+	n[TS_DIM_lamps] = n_lights;
+	n[TS_DIM_texels] = (u64)params->map_px * params->map_px * n_views;
 }

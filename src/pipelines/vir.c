@@ -29,15 +29,15 @@ void ts_vir_omni_plan(ts_plan *plan, const ts_params *params, const ts_counts *c
 }
 
 /* Nine points a texel: the corner's rate, 3, squared. */
-void ts_vir_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params)
+void ts_vir_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
 {
 	u64 face = params->face_px != 0 ? params->face_px : params->face_max;
-	ts_expect_cubes(sizes, scene, face);
-	ts_sizes_set(sizes, "N", 2 * (u64)scene->n_triangles + 9 * 6 * face * face * scene->info.n_reflectors);
+	ts_expect_cubes(expected, scene, params, face);
+	expected->sizes.n[TS_DIM_points] = 2 * (u64)scene->n_triangles + 9 * 6 * face * face * scene->info.n_reflectors;
 }
 
-void ts_vir_omni_expect(ts_sizes *sizes, const ts_scene *scene, const ts_params *params)
+void ts_vir_omni_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
 {
-	ts_omni_expect(sizes, scene, params);
-	ts_sizes_set(sizes, "N", 2 * (u64)scene->n_triangles + 9 * 6 * (u64)params->map_px * params->map_px);
+	ts_omni_expect(expected, scene, params);
+	expected->sizes.n[TS_DIM_points] = 2 * (u64)scene->n_triangles + 9 * 6 * (u64)params->map_px * params->map_px;
 }

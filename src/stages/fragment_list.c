@@ -19,7 +19,7 @@ ts_status ts_stage_fragment_list(ts_run *run)
 	u64 total, n_pixels = (u64)run->params.width * run->params.height;
 	if (ts_frame_make1(&run->frame, TS_B_fragment_list_offset, n_pixels + 2) == NULL) return TS_ERROR;
 	if (ts_run_fill(run, TS_B_fragment_list_offset, 0) != TS_OK || list(run, NULL) != TS_OK) return TS_ERROR;
-	if (ts_run_scan(run, TS_B_fragment_list_offset, "fragments", &total) != TS_OK) return TS_ERROR;
+	if (ts_run_scan(run, TS_B_fragment_list_offset, &total) != TS_OK) return TS_ERROR;
 	u32 *surfels = ts_frame_make1(&run->frame, TS_B_fragment_list_surfel, total);
 	if (surfels == NULL || list(run, surfels) != TS_OK) return TS_ERROR;
 	ts_frame_cut(&run->frame, TS_B_fragment_list_offset, n_pixels + 1);

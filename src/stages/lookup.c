@@ -64,7 +64,7 @@ static ts_status make_queue(ts_run *run, u32 bounce)
 	if (before.offset == NULL) return TS_ERROR;
 	if (ts_run_launch(run, TS_KERNEL_bounce_count, &before, n) != TS_OK) return TS_ERROR;
 	u64 total;
-	if (ts_run_scan(run, ts_bounce_table[bounce].offset, "look-ups of a later bounce", &total) != TS_OK) return TS_ERROR;
+	if (ts_run_scan(run, ts_bounce_table[bounce].offset, &total) != TS_OK) return TS_ERROR;
 	before.next_queue = ts_frame_make1(&run->frame, ts_bounce_table[bounce].queue, total);
 	if (before.next_queue == NULL) return TS_ERROR;
 	if (ts_run_launch(run, TS_KERNEL_bounce_queue, &before, n) != TS_OK) return TS_ERROR;

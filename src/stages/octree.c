@@ -25,7 +25,7 @@ ts_status ts_octree_ids(ts_run *run, const ts_octree *octree)
 		if (ts_run_launch(run, TS_KERNEL_mask_up, &args, words) != TS_OK) return TS_ERROR;
 	}
 	if (ts_run_launch(run, TS_KERNEL_mask_count, &args, n) != TS_OK) return TS_ERROR;
-	return ts_run_scan(run, octree->before, "voxels", &total);
+	return ts_run_scan(run, octree->before, &total);
 }
 
 u32 ts_octree_first(const ts_run *run, const ts_octree *octree, u32 level)
@@ -53,10 +53,10 @@ ts_status ts_octree_nodes(ts_run *run, const ts_octree *octree)
 	return ts_run_launch(run, TS_KERNEL_octree, &args, ts_frame_n(&run->frame, octree->mask));
 }
 
-ts_status ts_octree_lists(ts_run *run, const ts_octree *octree, const char *what)
+ts_status ts_octree_lists(ts_run *run, const ts_octree *octree)
 {
 	u64 total;
-	if (ts_run_scan(run, octree->offset, what, &total) != TS_OK) return TS_ERROR;
+	if (ts_run_scan(run, octree->offset, &total) != TS_OK) return TS_ERROR;
 	return ts_frame_make1(&run->frame, octree->entries, total) != NULL ? TS_OK : TS_ERROR;
 }
 
@@ -101,7 +101,7 @@ ts_status ts_stage_octree(ts_run *run)
 	args.offset = ts_frame_handle(&run->frame, octree->offset);
 	args.first_leaf = ts_octree_first(run, octree, args.levels);
 	if (ts_run_launch(run, TS_KERNEL_voxel, &args, args.scene.n_triangles) != TS_OK) return TS_ERROR;
-	if (ts_octree_lists(run, octree, "triangles of leaves") != TS_OK) return TS_ERROR;
+	if (ts_octree_lists(run, octree) != TS_OK) return TS_ERROR;
 	args.triangles = ts_frame_handle(&run->frame, octree->entries);
 	if (ts_run_launch(run, TS_KERNEL_voxel, &args, args.scene.n_triangles) != TS_OK) return TS_ERROR;
 	ts_run_count(run, "geometry traversals", 2);

@@ -19,7 +19,7 @@ ts_status ts_octree_ids(ts_run *run, const ts_octree *octree);
 ts_status ts_octree_nodes(ts_run *run, const ts_octree *octree);
 /* Counts to sums: where each leaf begins now stands one later, and has moved to its place when as many entries were written
  * there as were counted. Makes the entries. */
-ts_status ts_octree_lists(ts_run *run, const ts_octree *octree, const char *what);
+ts_status ts_octree_lists(ts_run *run, const ts_octree *octree);
 /* The entries of each leaf in order. */
 ts_status ts_octree_sort(ts_run *run, const ts_octree *octree);
 /* The first node of a level; of level levels + 1 the number of nodes. */

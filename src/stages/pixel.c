@@ -13,7 +13,7 @@ ts_status ts_stage_pixel(ts_run *run)
 	if (args.offset == NULL) return TS_ERROR;
 	if (ts_run_launch(run, TS_KERNEL_pixel_count, &args, n) != TS_OK) return TS_ERROR;
 	u64 total;
-	if (ts_run_scan(run, TS_B_pixel_offset, "reflective pixels", &total) != TS_OK) return TS_ERROR;
+	if (ts_run_scan(run, TS_B_pixel_offset, &total) != TS_OK) return TS_ERROR;
 	args.pixels = ts_frame_make1(&run->frame, TS_B_pixel_record, total);
 	if (args.pixels == NULL) return TS_ERROR;
 	if (ts_run_launch(run, TS_KERNEL_pixel, &args, n) != TS_OK) return TS_ERROR;

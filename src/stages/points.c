@@ -22,7 +22,7 @@ ts_status ts_stage_count(ts_run *run)
 	if (args.offset == NULL) return TS_ERROR;
 	if (ts_run_launch(run, TS_KERNEL_count, &args, n) != TS_OK) return TS_ERROR;
 	u64 total;
-	if (ts_run_scan(run, TS_B_count_offset, "points", &total) != TS_OK) return TS_ERROR;
+	if (ts_run_scan(run, TS_B_count_offset, &total) != TS_OK) return TS_ERROR;
 	ts_run_count(run, "points", (i64)total);
 	return TS_OK;
 }

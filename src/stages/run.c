@@ -10,6 +10,8 @@ void ts_run_begin(ts_run *run, const ts_scene *scene, const ts_params *params, u
 	memset(run, 0, sizeof *run);
 	run->scene = scene;
 	run->params = *params;
+	ts_sizes_clear(&run->sizes);
+	ts_sizes_scene(&run->sizes, scene);
 	ts_c_begin(&run->c, threads);
 	ts_counts counts = ts_scene_counts(scene);
 	ts_plan_default(&run->plan, params, &counts);
@@ -163,11 +165,14 @@ void *ts_run_zeros(ts_run *run, ts_buffer_id id, u32 n_dims, const u64 *shape)
 	return good ? data : NULL;
 }
 
-ts_status ts_run_scan(ts_run *run, ts_buffer_id id, const char *what, u64 *total)
+ts_status ts_run_scan(ts_run *run, ts_buffer_id id, u64 *total)
 {
 	ts_backend *backend = backend_of(run);
+	const ts_sum_info *sum = ts_sum_of(id);
 	if (backend->scan(backend, &run->frame, id, total) != TS_OK) return TS_ERROR;
-	return *total < TS_NONE ? TS_OK : ts_run_too_many(*total, what);
+	if (*total >= TS_NONE) return ts_run_too_many(*total, sum->what);
+	if (sum->size != TS_DIM_none) ts_run_set_size(run, sum->size, *total);
+	return TS_OK;
 }
 
 ts_status ts_run_too_many(u64 n, const char *what)
@@ -179,47 +184,4 @@ ts_status ts_run_too_many(u64 n, const char *what)
 f32 ts_samples_a_pixel(const ts_params *params)
 {
 	return params->rho_is_area ? ts_sqrt(params->rho_scale) : params->rho_scale;
-}
-
-u64 ts_expected_pixels(const ts_scene *scene, const ts_params *params)
-{
-	double pixels = (double)params->width * (double)params->height;
-	double side = (double)params->reflector_px;
-	double covered = params->reflectors != 0 ? side * side * (double)scene->info.n_reflectors : pixels / 4;
-	return (u64)(covered < pixels ? covered : pixels);
-}
-
-u64 ts_expected_face(const ts_params *params)
-{
-	u64 largest = ts_largest_face(params), side = (u64)(2 * params->reflector_px);
-	if (params->face_px != 0) return params->face_px;
-	return params->reflectors == 0 || side > largest ? largest : side;
-}
-
-void ts_run_sizes(ts_sizes *sizes, const ts_scene *scene, const ts_params *params)
-{
-	ts_pyramid pyramid = ts_view_pyramid(params);
-	const ts_size known[] = {
-		{"V", scene->n_vertices}, {"T", scene->n_triangles}, {"M", scene->n_materials}, {"S", scene->n_slots},
-		{"I", scene->n_images}, {"X", scene->n_texels}, {"L", scene->n_lights}, {"O", scene->n_objects},
-		{"s", scene->n_surfels},
-		{"R", scene->info.n_reflectors}, {"H", params->height},
-		{"W", params->width}, {"G", params->grid_px}, {"K", TS_N_SAMPLES}, {"P", ts_expected_pixels(scene, params)},
-		{"l", params->levels + 1}, {"Y", ts_k_mask_first(params->levels + 1)},
-		{"v", params->view_px}, {"m", ts_k_pyramid_texels(&pyramid)},
-	};
-	for (u32 i = 0; i < sizeof known / sizeof *known; i++) ts_sizes_set(sizes, known[i].name, known[i].n);
-	ts_sizes_cubes(sizes, scene->info.n_reflectors);
-}
-
-void ts_sizes_cubes(ts_sizes *sizes, u64 n)
-{
-	ts_sizes_set(sizes, "B", n);
-	ts_sizes_views(sizes, 6 * n);
-}
-
-void ts_sizes_views(ts_sizes *sizes, u64 n)
-{
-	ts_sizes_set(sizes, "U", n);
-	ts_sizes_set(sizes, "w", (n + 63) / 64);
 }

@@ -43,7 +43,7 @@ ts_status ts_stage_box(ts_run *run)
 		.n_labels = ts_frame_tallies(&run->frame),
 	};
 	if (args.offset == NULL || ts_run_launch(run, TS_KERNEL_box_count, &args, n) != TS_OK) return TS_ERROR;
-	if (ts_run_scan(run, TS_B_box_offset, "boxes", &total) != TS_OK) return TS_ERROR;
+	if (ts_run_scan(run, TS_B_box_offset, &total) != TS_OK) return TS_ERROR;
 	args.boxes = ts_frame_make1(&run->frame, TS_B_box_record, total);
 	if (args.boxes == NULL || ts_run_launch(run, TS_KERNEL_box, &args, n) != TS_OK) return TS_ERROR;
 	ts_run_count(run, "blocks", (i64)(n / TS_BLOCK_TEXELS));

@@ -13,7 +13,7 @@ static ts_status split(ts_run *run, ts_density_args args)
 	if (args.whole == NULL || args.offset == NULL) return TS_ERROR;
 	if (ts_run_launch(run, TS_KERNEL_split_count, &args, n) != TS_OK) return TS_ERROR;
 	u64 total;
-	if (ts_run_scan(run, TS_B_split_offset, "pieces of triangles", &total) != TS_OK) return TS_ERROR;
+	if (ts_run_scan(run, TS_B_split_offset, &total) != TS_OK) return TS_ERROR;
 	args.pieces = ts_frame_make1(&run->frame, TS_B_split_triangle, total);
 	args.scale = ts_frame_make1(&run->frame, TS_B_density_scale, total);
 	if (args.pieces == NULL || args.scale == NULL) return TS_ERROR;

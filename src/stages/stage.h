@@ -46,6 +46,7 @@ struct ts_run {
 	bool lean;                 /* a buffer lives until its last reader; digests and replays want all of them */
 	bool keep[TS_N_BUFFERS];   /* even so, these stay */
 	ts_frame frame;
+	ts_sizes sizes;            /* of the scene, and what stages counted */
 	ts_counter counters[TS_MAX_COUNTERS]; u32 n_counters;
 	ts_timing timings[TS_MAX_TIMINGS]; u32 n_timings;
 	ts_stage_hook hook; void *hook_user;
@@ -65,16 +66,16 @@ i64 ts_run_counter(const ts_run *run, const char *name);
 /* Keys of what the eye sees, a triangle or a surfel, TS_EMPTY where it is nothing; *n pixels. */
 const u64 *ts_run_seen(const ts_run *run, u64 *n);
 
-/* What is known of the sizes in records.def before a run: those of scene and image, and K; of cubes and views, as if each
- * reflector had a cube. Reflective pixels (P) are expected, not known. */
-void ts_run_sizes(ts_sizes *sizes, const ts_scene *scene, const ts_params *params);
-/* Off-screen views: n cubes, or n that are no cubes' faces. */
+/* Sizes of records.def (sizes.c). A run has those of the scene and what stages counted; the others are computed when they
+ * are asked for, of the batch if batched. TS_UNKNOWN where neither is there. */
+void ts_run_set_size(ts_run *run, ts_dim dim, u64 n);
+u64 ts_run_size(const ts_run *run, ts_dim dim);
+/* Computes what is still unknown, of all batches. */
+void ts_sizes_give(ts_sizes *sizes, const ts_run *run);
+/* Sets what a scene has. */
+void ts_sizes_scene(ts_sizes *sizes, const ts_scene *scene);
+/* Sets n cubes and the off-screen views that are their faces. */
 void ts_sizes_cubes(ts_sizes *sizes, u64 n);
-void ts_sizes_views(ts_sizes *sizes, u64 n);
-/* Reflective pixels: a square about every added reflector, or a quarter of the image. */
-u64 ts_expected_pixels(const ts_scene *scene, const ts_params *params);
-/* Texels a side of a cube that adapts to the eye: twice the size asked for, as mirrors come nearer than their average. */
-u64 ts_expected_face(const ts_params *params);
 
 /* All stages, ended by a row without a name (table.c). */
 extern const ts_stage ts_stage_table[];

@@ -157,9 +157,9 @@ ts_status ts_run_launch(ts_run *run, ts_kernel kernel, const void *args, u64 n);
 ts_status ts_run_fill(ts_run *run, ts_buffer_id id, u8 byte);
 /* Makes a buffer of zeros, for what mostly stays zero. */
 void *ts_run_zeros(ts_run *run, ts_buffer_id id, u32 n_dims, const u64 *shape);
-/* The total must stay below 2^32 - 1; `what` names what is counted in the message. */
-ts_status ts_run_scan(ts_run *run, ts_buffer_id id, const char *what, u64 *total);
-/* The message of more. */
+/* Of a buffer with a SUM row, whose size is then known. The total must stay below 2^32 - 1. */
+ts_status ts_run_scan(ts_run *run, ts_buffer_id id, u64 *total);
+/* The message of more; `what` names what is counted. */
 ts_status ts_run_too_many(u64 n, const char *what);
 
 #endif

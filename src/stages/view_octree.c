@@ -36,7 +36,7 @@ ts_status ts_stage_view_octree(ts_run *run)
 	args.offset = ts_frame_handle(&run->frame, octree->offset);
 	args.first_leaf = ts_octree_first(run, octree, args.levels);
 	if (args.leaf == NULL || ts_run_launch(run, TS_KERNEL_view_leaf, &args, n) != TS_OK) return TS_ERROR;
-	if (ts_octree_lists(run, octree, "views of leaves") != TS_OK) return TS_ERROR;
+	if (ts_octree_lists(run, octree) != TS_OK) return TS_ERROR;
 	args.entries = ts_frame_handle(&run->frame, octree->entries);
 	if (ts_run_launch(run, TS_KERNEL_view_list, &args, n) != TS_OK) return TS_ERROR;
 	return ts_octree_sort(run, octree);

@@ -22,7 +22,7 @@ static ts_status find_lit(ts_run *run, ts_vpl_args *args)
 	u64 n_lit;
 	args->offset = ts_frame_make1(&run->frame, TS_B_vpl_offset, args->n_patches + 1);
 	if (args->offset == NULL || ts_run_launch(run, TS_KERNEL_vpl_count, args, args->n_patches) != TS_OK) return TS_ERROR;
-	if (ts_run_scan(run, TS_B_vpl_offset, "lit texels", &n_lit) != TS_OK) return TS_ERROR;
+	if (ts_run_scan(run, TS_B_vpl_offset, &n_lit) != TS_OK) return TS_ERROR;
 	args->n_lit = (u32)n_lit;
 	args->n = args->random && n_lit != 0 ? run->params.vpls : args->n_lit;
 	return TS_OK;
@@ -48,7 +48,7 @@ ts_status ts_stage_vpl(ts_run *run)
 	if (find_lit(run, &args) != TS_OK) return TS_ERROR;
 	args.paths = ts_frame_make1(&run->frame, TS_B_vpl_path, (u64)args.n + 1);
 	if (args.paths == NULL || ts_run_launch(run, TS_KERNEL_vpl_path, &args, args.n) != TS_OK) return TS_ERROR;
-	if (ts_run_scan(run, TS_B_vpl_path, "virtual point lights", &total) != TS_OK) return TS_ERROR;
+	if (ts_run_scan(run, TS_B_vpl_path, &total) != TS_OK) return TS_ERROR;
 	args.lights = ts_frame_make1(&run->frame, TS_B_vpl_light, total);
 	if (args.lights == NULL) return TS_ERROR;
 	ts_run_count(run, "paths of light", args.n);

@@ -56,7 +56,7 @@ static ts_status make_lists(ts_run *run, ts_vpl_pairs_args *args, u64 *n)
 {
 	if (ts_run_fill(run, TS_B_vpl_pairs_offset, 0) != TS_OK) return TS_ERROR;
 	if (traverse(run, count_piece, args) != TS_OK) return TS_ERROR;
-	if (ts_run_scan(run, TS_B_vpl_pairs_offset, "nodes of views that may light nodes", n) != TS_OK) return TS_ERROR;
+	if (ts_run_scan(run, TS_B_vpl_pairs_offset, n) != TS_OK) return TS_ERROR;
 	args->nodes = ts_frame_make1(&run->frame, TS_B_vpl_pairs_node, *n);
 	args->views = ts_frame_make1(&run->frame, TS_B_vpl_pairs_views, *n);
 	if (args->nodes == NULL || args->views == NULL) return TS_ERROR;

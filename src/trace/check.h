@@ -2,9 +2,9 @@
  * inputs, so whatever could make a stage read or write elsewhere, never end, or do what C leaves undefined is
  * refused first:
  *
- * - sizes: every buffer has the shape of records.def, with V T M S I X L O A B U P Q N P2 P3 D E F J taken from
- *   what is there, R from scene.info, w from U or B, H W l Y from the parameters and C C4 from resize.face, or C from
- *   offscreen.view. So an index below its size is an element of its array.
+ * - sizes: every buffer has the shape of records.def. What is fixed or counted is taken from the first dimensions of what
+ *   is there, the number of reflectors from scene.info; the rest is computed as a run does it (stages/sizes.c). So an
+ *   index below its size is an element of its array.
  * - indices: every INDEX row of records.def. A key is all ones or its low half is an index: kernels ask for the
  *   former. An index of a size that is not known has no array that is loaded, and no stage follows it.
  * - floats are finite. No kernel turns a float into an integer but by ts_f2i and ts_fix, which take any float, so
@@ -53,10 +53,6 @@ ts_status ts_check_faces(const ts_load *load);
 ts_status ts_check_views(const ts_load *load);
 /* Area lights, their samples, and what reaches pixels; shapes and indices must have been checked. */
 ts_status ts_check_lamps(const ts_load *load, const ts_stage *stage);
-/* The leaves of the octrees (D1, E1), if their levels were loaded (check_octree.c). */
-void ts_check_leaves(ts_load *load);
-/* The lists of vpl_pairs (D2), if the levels of both octrees were loaded. */
-void ts_check_lists(ts_load *load);
 /* Masks, levels, nodes and cones of the octrees; shapes, indices and sums must have been checked. */
 ts_status ts_check_octrees(const ts_load *load, const ts_stage *stage);
 /* Boxes of surfels, and which of them are heaviest. */

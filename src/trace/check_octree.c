@@ -5,32 +5,6 @@
 
 static bool is_loaded(const ts_load *load, ts_buffer_id id) { return load->item[id] != NULL; }
 
-/* The levels of an octree were loaded, and are as many as they should be. */
-static bool knows_levels(const ts_load *load, ts_buffer_id id)
-{
-	return is_loaded(load, id) && ts_frame_n(&load->run.frame, id) == load->run.params.levels + 2;
-}
-
-void ts_check_leaves(ts_load *load)
-{
-	const ts_octree *octrees[] = {&ts_scene_octree, &ts_view_octree};
-	u32 levels = load->run.params.levels;
-	for (u32 k = 0; k < 2; k++) {
-		ts_buffer_id id = octrees[k]->level;
-		if (!knows_levels(load, id)) continue;
-		const u32 *level = ts_frame_data(&load->run.frame, id);
-		ts_sizes_set(&load->sizes, k == 0 ? "D1" : "E1", level[levels + 1] - level[levels]);
-	}
-}
-
-void ts_check_lists(ts_load *load)
-{
-	bool views = knows_levels(load, TS_B_view_octree_level) && is_loaded(load, TS_B_view_octree_node);
-	if (!views || !knows_levels(load, TS_B_octree_level)) return;
-	const u32 *level = (const u32 *)ts_frame_data(&load->run.frame, TS_B_octree_level) + ts_gather_level(&load->run);
-	ts_sizes_set(&load->sizes, "D2", level[1] - level[0]);
-}
-
 static ts_status compare(const ts_load *load, const ts_frame *right, ts_buffer_id id, const char *maker, const char *from)
 {
 	size_t bytes = ts_buffer_table[id].element_bytes;
@@ -60,19 +34,19 @@ ts_status ts_check_again(const ts_load *load, const char *maker, const char *fro
 	return status;
 }
 
-static ts_status check_levels(const ts_load *load, const ts_octree *octree, const char *size)
+static ts_status check_levels(const ts_load *load, const ts_octree *octree)
 {
-	u32 n_dims;
-	u64 n = ts_frame_n(&load->run.frame, octree->level), dims[TS_MAX_DIMS];
+	ts_dim of = ts_buffer_counts(octree->node);
+	u64 n = ts_frame_n(&load->run.frame, octree->level), n_nodes = load->sizes.n[of];
 	const u32 *level = ts_frame_data(&load->run.frame, octree->level);
-	bool known = ts_shape_dims(size, &load->sizes, &n_dims, dims);
 	if (level[0] != 0) return ts_check_refuse(load, octree->level, 0, "", 0, "0, where levels begin,");
 	for (u64 i = 1; i < n; i++) {
 		if (level[i] >= level[i - 1]) continue;
 		return ts_check_refuse(load, octree->level, i, "", 0, "at least %" PRIu32 ", as before,", level[i - 1]);
 	}
-	if (!known || level[n - 1] == dims[0]) return TS_OK;
-	return ts_check_refuse(load, octree->level, n - 1, "", 0, "%" PRIu64 " (%s), all nodes,", dims[0], size);
+	if (n_nodes == TS_UNKNOWN || level[n - 1] == n_nodes) return TS_OK;
+	return ts_check_refuse(load, octree->level, n - 1, "", 0, "%" PRIu64 " (%s), all nodes,", n_nodes,
+	                       ts_dim_table[of].name);
 }
 
 /* The children name a node as their parent, and are of the next level. */
@@ -153,12 +127,11 @@ static ts_status check_leaves(const ts_load *load)
 static ts_status check_cones(const ts_load *load)
 {
 	const ts_buffer_id id = TS_B_view_cone_node;
-	u32 n_dims;
-	u64 n_views[TS_MAX_DIMS];
+	u64 n_views = load->sizes.n[TS_DIM_vpls];
 	const ts_cone *cones = ts_frame_data(&load->run.frame, id);
-	if (!ts_shape_dims("J", &load->sizes, &n_dims, n_views)) return TS_OK;
+	if (n_views == TS_UNKNOWN) return TS_OK;
 	for (u64 i = 0, n = ts_frame_n(&load->run.frame, id); i < n; i++) {
-		u64 left = n_views[0] - cones[i].first;
+		u64 left = n_views - cones[i].first;
 		if (cones[i].views >= 1 && cones[i].views <= left) continue;
 		return ts_check_refuse(load, id, i, "views", 0, "1 to %" PRIu64, left);
 	}
@@ -170,8 +143,7 @@ ts_status ts_check_octrees(const ts_load *load, const ts_stage *stage)
 	const ts_octree *octrees[] = {&ts_scene_octree, &ts_view_octree};
 	for (u32 k = 0; k < 2; k++) {
 		const ts_octree *octree = octrees[k];
-		const char *size = k == 0 ? "D" : "E";
-		if (is_loaded(load, octree->level) && check_levels(load, octree, size) != TS_OK) return TS_ERROR;
+		if (is_loaded(load, octree->level) && check_levels(load, octree) != TS_OK) return TS_ERROR;
 		bool alone = ts_pipeline_maker(load->pipeline, octree->offset) == NULL;
 		ts_status status = !is_loaded(load, octree->node) ? TS_OK : alone ? check_alone(load) : check_nodes(load, octree);
 		if (status != TS_OK) return status;

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include "../kernels/points.h"
 #include "../kernels/shade.h"
-#include "../stages/stages.h"
+#include "../stages/octree.h"
 #include "check.h"
 
 enum { MAX_SIDE = 1 << 22, MAX_REFLECTORS = 1 << 20, MAX_LATTICE = (1 << 23) - 1 };
@@ -16,42 +16,31 @@ static const void *elements(const ts_load *load, ts_buffer_id id, u64 *n)
 	return load->item[id] != NULL ? ts_frame_data(&load->run.frame, id) : NULL;
 }
 
-/* False if the size is not known. */
-static bool size_of(const ts_load *load, const char *name, u64 *size)
+static ts_status check_sum(const ts_load *load, const ts_sum_info *sum)
 {
-	u32 n_dims;
-	u64 dims[TS_MAX_DIMS];
-	bool known = ts_shape_dims(name, &load->sizes, &n_dims, dims);
-	*size = known ? dims[0] : UINT64_MAX;
-	return known;
+	u64 n, total = sum->size != TS_DIM_none ? load->sizes.n[sum->size] : TS_UNKNOWN;
+	ts_buffer_id id = sum->buffer;
+	const u32 *offset = elements(load, id, &n);
+	if (n != 0 && offset[0] != 0) return ts_check_refuse(load, id, 0, "", 0, "0, where sums begin,");
+	for (u64 i = 1; i < n; i++) {
+		if (offset[i] < offset[i - 1]) {
+			return ts_check_refuse(load, id, i, "", 0, "at least %" PRIu32 ", the sum before it,", offset[i - 1]);
+		}
+	}
+	if (n == 0 || total == TS_UNKNOWN || offset[n - 1] == total) return TS_OK;
+	return ts_check_refuse(load, id, n - 1, "", 0, "%" PRIu64 " (%s), where sums end,", total,
+	                       ts_dim_table[sum->size].name);
 }
 
-static const struct {
-	ts_buffer_id id;
-	const char *size;
-} sums[] = {
-	{TS_B_pixel_offset, "P"},    {TS_B_split_offset, "Q"},    {TS_B_count_offset, "N"},
-	{TS_B_lookup2_offset, "P2"}, {TS_B_lookup3_offset, "P3"}, {TS_B_box_offset, "Z"},
-	{TS_B_octree_offset, "F"},   {TS_B_view_octree_offset, "J"}, {TS_B_vpl_pairs_offset, "p2"},
-	{TS_B_fragment_list_offset, "f"},
-};
+/* Ids of octrees are compared with their masks (check_octree.c, check_gather.c). */
+static bool are_ids(ts_buffer_id id) { return id == ts_scene_octree.before || id == ts_view_octree.before; }
 
 static ts_status check_sums(const ts_load *load)
 {
-	for (u32 row = 0; row < sizeof sums / sizeof *sums; row++) {
-		u64 n, total;
-		ts_buffer_id id = sums[row].id;
-		const u32 *offset = elements(load, id, &n);
-		bool known = size_of(load, sums[row].size, &total);
-		if (n != 0 && offset[0] != 0) return ts_check_refuse(load, id, 0, "", 0, "0, where sums begin,");
-		for (u64 i = 1; i < n; i++) {
-			if (offset[i] < offset[i - 1]) {
-				return ts_check_refuse(load, id, i, "", 0, "at least %" PRIu32 ", the sum before it,", offset[i - 1]);
-			}
-		}
-		if (n != 0 && known && offset[n - 1] != total) {
-			return ts_check_refuse(load, id, n - 1, "", 0, "%" PRIu64 " (%s), where sums end,", total, sums[row].size);
-		}
+	size_t n;
+	const ts_sum_info *sums = ts_sum_table(&n);
+	for (size_t row = 0; row < n; row++) {
+		if (!are_ids(sums[row].buffer) && check_sum(load, &sums[row]) != TS_OK) return TS_ERROR;
 	}
 	return TS_OK;
 }
@@ -71,9 +60,8 @@ static u64 chain(u32 width, u32 height, u32 *n_levels)
 static ts_status check_images(const ts_load *load)
 {
 	const ts_buffer_id id = TS_B_scene_image;
-	u64 n, n_texels;
+	u64 n, n_texels = load->sizes.n[TS_DIM_image_texels];
 	const ts_image *images = elements(load, id, &n);
-	size_of(load, "X", &n_texels);
 	for (u64 i = 0; i < n; i++) {
 		u32 levels;
 		const ts_image *image = &images[i];
@@ -138,16 +126,15 @@ static ts_status check_reflectors(const ts_load *load, const ts_object *objects,
 	}
 	free(owner);
 	if (status != TS_OK || named == n_reflectors) return status;
-	return ts_fail("%s: %" PRIu32 " objects are reflectors; %" PRIu32 " (R) would be right",
+	return ts_fail("%s: %" PRIu32 " objects are reflectors; %" PRIu32 " (reflectors) would be right",
 	               load->item[TS_B_scene_object]->path, named, n_reflectors);
 }
 
 static ts_status check_objects(const ts_load *load)
 {
 	const ts_buffer_id id = TS_B_scene_object;
-	u64 n, n_vertices, next = 0;
+	u64 n, n_vertices = load->sizes.n[TS_DIM_vertices], next = 0;
 	const ts_object *objects = elements(load, id, &n);
-	size_of(load, "V", &n_vertices);
 	for (u64 i = 0; i < n; i++) {
 		if (objects[i].first_vertex != next) return ts_check_refuse(load, id, i, "first_vertex", 0, "%" PRIu64, next);
 		if (objects[i].n_vertices > n_vertices - next) {
@@ -155,8 +142,7 @@ static ts_status check_objects(const ts_load *load)
 		}
 		next += objects[i].n_vertices;
 	}
-	u64 n_reflectors;
-	bool any = load->item[id] != NULL && size_of(load, "R", &n_reflectors);
+	bool any = load->item[id] != NULL && load->sizes.n[TS_DIM_reflectors] != TS_UNKNOWN;
 	return any ? check_reflectors(load, objects, n) : TS_OK;
 }
 
@@ -253,12 +239,11 @@ static ts_status check_segments(const ts_load *load)
 /* The low halves are indices. */
 static ts_status check_rendered(const ts_load *load)
 {
-	u64 n, n_nodes;
+	u64 n, n_nodes = load->sizes.n[TS_DIM_nodes];
 	const u64 *pairs = elements(load, TS_B_traverse_rendered, &n);
-	bool known = size_of(load, "D", &n_nodes);
-	for (u64 i = 0; known && i < n; i++) {
+	for (u64 i = 0; i < n; i++) {
 		if (pairs[i] >> 32 < n_nodes) continue;
-		return ts_check_refuse(load, TS_B_traverse_rendered, i, "", 0, "less than %" PRIu64 " (D) in the high half",
+		return ts_check_refuse(load, TS_B_traverse_rendered, i, "", 0, "less than %" PRIu64 " (nodes) in the high half",
 		                       n_nodes);
 	}
 	return TS_OK;

@@ -31,7 +31,7 @@ typedef struct {
 /* True of a field of points' indices, where points stand in another order. */
 static bool is_mapped(const judge *j, const ts_field *field)
 {
-	return j->order->given && field->of != NULL && strcmp(field->of, "N") == 0;
+	return j->order->given && ts_field_names(field, TS_DIM_points);
 }
 
 /* Up to RUN elements of the candidate, mapped; they may be copied to `scratch`. */
@@ -218,7 +218,7 @@ static void find_fields(judge *j)
 /* Elements a pixel; 0: no mask speaks of the buffer. */
 static u32 elements_a_pixel(ts_buffer_id id, const ts_trace_item *item, const ts_relaxations *r)
 {
-	if (r->mask == NULL || strncmp(ts_buffer_table[id].shape, "H W", 3) != 0) return 0;
+	if (r->mask == NULL || !ts_shape_is_image(ts_buffer_shape(id))) return 0;
 	u64 elements = 1;
 	for (u32 i = 2; i < item->npy.n_dims; i++) elements *= item->npy.shape[i];
 	return (u32)elements;

@@ -1,13 +1,14 @@
 /* From a run's buffers to the parts of files. */
 #include "emit.h"
 #include <stdio.h>
-#include "../kernels/illuminate.h"
-#include "../stages/stages.h"
 
 bool ts_emit_is_scene(ts_buffer_id id) { return strncmp(ts_buffer_table[id].name, "scene.", 6) == 0; }
 
-/* Buffers over texels come a batch at a time. */
-static bool comes_in_batches(ts_buffer_id id) { return ts_buffer_table[id].shape[0] == 'C'; }
+bool ts_emit_is_batched(ts_buffer_id id)
+{
+	ts_dim dim = ts_buffer_counts(id);
+	return dim != TS_DIM_none && ts_dim_table[dim].how == TS_IS_batched;
+}
 
 static bool is_whole(const ts_run *run) { return run->n_units == run->plan.units; }
 
@@ -19,15 +20,15 @@ static bool is_last_batch(const ts_run *run)
 /* Rows of a buffer over all units. */
 static u64 all_rows(const ts_run *run, ts_buffer_id id)
 {
-	bool mips = strncmp(ts_buffer_table[id].shape, "C4", 2) == 0;
-	return mips ? ts_k_mip_first(ts_frame_data(&run->frame, TS_B_resize_face), 0, run->plan.units)
-	            : ts_run_n_texels(run, 0, run->plan.units);
+	ts_sizes sizes = run->sizes;
+	ts_sizes_give(&sizes, run);
+	return ts_axis_size(&ts_buffer_shape(id)->axis[0], &sizes);
 }
 
 static ts_status offer(const ts_run *run, ts_buffer_id id, ts_take_chunk *take, void *user)
 {
 	const ts_buffer *buffer = &run->frame.buffer[id];
-	bool part = comes_in_batches(id) && !is_whole(run);
+	bool part = ts_emit_is_batched(id) && !is_whole(run);
 	if (!part && !is_last_batch(run)) return TS_OK;
 	ts_chunk p = {.id = id, .n_dims = buffer->n_dims, .first = !part || run->first_unit == 0,
 	              .data = ts_frame_data(&run->frame, id), .bytes = buffer->bytes};

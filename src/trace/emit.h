@@ -26,6 +26,8 @@ ts_status ts_emit_stage(const ts_run *run, const ts_stage *stage, ts_take_chunk 
 
 /* True of the buffers that the run began with. */
 bool ts_emit_is_scene(ts_buffer_id id);
+/* True of the buffers that a run by batches makes a part at a time. */
+bool ts_emit_is_batched(ts_buffer_id id);
 
 /* Place of the step that makes a buffer, from 1; margins and what is unnumbered have that of the step
  * before. 0: the scene. */

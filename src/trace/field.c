@@ -5,13 +5,6 @@
 #include <inttypes.h>
 #include <stdio.h>
 
-typedef struct { ts_buffer_id buffer; const char *field, *of; bool none; } index_row;
-
-#define INDEX(buffer, field, size, none) {TS_B_##buffer, field, size, none},
-static const index_row indices[] = {
-#include <touchstone/records.def>
-};
-
 static const struct { const char *type; char kind; u32 bytes; } types[] = {
 	{"f32", 'f', 4}, {"i32", 'i', 4}, {"u32", 'u', 4}, {"u64", 'u', 8}, {"u8", 'u', 1},
 };
@@ -24,9 +17,11 @@ static ts_field field_of(ts_buffer_id id, const char *name, const char *type, u3
 		field.kind = types[i].kind;
 		field.bytes = types[i].bytes;
 	}
-	for (size_t i = 0; i < sizeof indices / sizeof *indices; i++) {
+	size_t n;
+	const ts_index_info *indices = ts_index_table(&n);
+	for (size_t i = 0; i < n; i++) {
 		if (indices[i].buffer != id || strcmp(indices[i].field, name) != 0) continue;
-		field.of = indices[i].of;
+		field.of = &indices[i].of;
 		field.none = indices[i].none;
 	}
 	return field;
@@ -53,6 +48,8 @@ ts_fields ts_fields_of(ts_buffer_id id)
 	assert(offset == info->element_bytes);
 	return fields;
 }
+
+bool ts_field_names(const ts_field *field, ts_dim dim) { return field->of != NULL && ts_axis_counts(field->of) == dim; }
 
 u64 ts_field_bits(const ts_field *field, const void *data, u32 component)
 {

@@ -11,17 +11,19 @@ enum { TS_MAX_FIELDS = 24, TS_VALUE_TEXT = 96 };
 /* A field of a buffer's elements; of scalars the one field is called "". */
 typedef struct {
 	const char *name;
-	char kind;      /* f: f32; i: i32; u: u8, u32 or u64 */
-	u32 count;      /* components */
-	u32 bytes;      /* of one component */
-	u32 offset;     /* in the element */
-	const char *of; /* size of records.def that it is an index into; NULL: it is none */
-	bool none;      /* the index may also be 0xffffffff */
+	char kind;         /* f: f32; i: i32; u: u8, u32 or u64 */
+	u32 count;         /* components */
+	u32 bytes;         /* of one component */
+	u32 offset;        /* in the element */
+	const ts_axis *of; /* how many things there are that it names one of; NULL: it is no index */
+	bool none;         /* the index may also be 0xffffffff */
 } ts_field;
 
 typedef struct { ts_field field[TS_MAX_FIELDS]; u32 n; } ts_fields;
 
 ts_fields ts_fields_of(ts_buffer_id id);
+/* True of indices of such things. */
+bool ts_field_names(const ts_field *field, ts_dim dim);
 
 /* The bits of a component of the element at `data`. */
 u64 ts_field_bits(const ts_field *field, const void *data, u32 component);

@@ -53,15 +53,11 @@ static ts_status read_header(ts_npy *npy, const char *path, ts_buffer_id id, ts_
 /* As many dimensions as the shape of records.def has, and where that holds a number, that number. */
 static bool fits(ts_buffer_id id, const ts_npy *npy)
 {
-	u32 n_dims = 0;
-	for (const char *s = ts_buffer_table[id].shape; s != NULL; s = strchr(s, ' ') != NULL ? strchr(s, ' ') + 1 : NULL) {
-		char *end;
-		u64 n = strtoull(s, &end, 10);
-		bool fixed = end != s && (*end == ' ' || *end == 0);
-		if (n_dims == npy->n_dims || (fixed && npy->shape[n_dims] != n)) return false;
-		n_dims++;
+	const ts_shape *shape = ts_buffer_shape(id);
+	for (u32 i = 0; i < shape->n && i < npy->n_dims; i++) {
+		if (shape->axis[i].n_factors == 0 && npy->shape[i] != shape->axis[i].number) return false;
 	}
-	return n_dims == npy->n_dims;
+	return npy->n_dims == shape->n;
 }
 
 ts_status ts_item_add(ts_trace *trace, ts_buffer_id id, const char *name, ts_trust trust)
@@ -101,8 +97,17 @@ ts_status ts_item_add_raw(ts_trace *trace, ts_buffer_id id, const char *name, co
 	return item->path != NULL ? TS_OK : ts_fail("%s: out of memory", path);
 }
 
-/* Sizes that follow from what was computed, not from the scene and the parameters. */
-static bool is_counted(ts_buffer_id id) { return strchr("QNPCZDEFJpf", ts_buffer_table[id].shape[0]) != NULL; }
+/* The first dimension follows from what was computed, not from the scene and the parameters. */
+static bool is_computed(ts_buffer_id id)
+{
+	bool computed = false;
+	const ts_axis *axis = &ts_buffer_shape(id)->axis[0];
+	for (u32 k = 0; k < axis->n_factors; k++) {
+		ts_how_known how = ts_dim_table[axis->factor[k]].how;
+		computed |= how == TS_IS_counted || how == TS_IS_found || how == TS_IS_batched;
+	}
+	return computed;
+}
 
 ts_status ts_item_match(ts_buffer_id id, const ts_trace_item *ref, const ts_trace_item *cand)
 {
@@ -113,7 +118,7 @@ ts_status ts_item_match(ts_buffer_id id, const ts_trace_item *ref, const ts_trac
 		               (unsigned)a[2], (unsigned)a[3]);
 	}
 	bool same = true;
-	for (u32 i = is_counted(id) ? 1 : 0; i < ref->npy.n_dims; i++) same &= ref->npy.shape[i] == cand->npy.shape[i];
+	for (u32 i = is_computed(id) ? 1 : 0; i < ref->npy.n_dims; i++) same &= ref->npy.shape[i] == cand->npy.shape[i];
 	if (same) return TS_OK;
 	char text[2][128];
 	for (u32 t = 0; t < 2; t++) {

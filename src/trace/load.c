@@ -46,8 +46,8 @@ ts_status ts_load_match(const ts_trace *reference, const ts_trace *candidate)
 static ts_status check_item(const ts_trace_item *item, ts_buffer_id id)
 {
 	if (item->cropped) return ts_fail("%s: is cropped to a part of the picture; a stage needs all of it", item->path);
-	char of = ts_buffer_table[id].shape[0];
-	bool named = of != 'X' && of != 'C'; /* texels are found by 64 bits */
+	ts_dim of = ts_buffer_counts(id);
+	bool named = of == TS_DIM_none || ts_dim_table[of].bits == 32;
 	u64 most = named && item->npy.n_dims == 1 ? TS_NONE : UINT64_MAX;
 	if (item->npy.shape[0] <= most) return TS_OK;
 	return ts_fail("%s: %" PRIu64 " elements are more than 32-bit indices can name", item->path, item->npy.shape[0]);

@@ -14,6 +14,7 @@ struct ts_probe {
 	ts_trace *trace;
 	ts_reader *reader[TS_N_BUFFERS]; /* NULL: not opened yet */
 	ts_fields fields[TS_N_BUFFERS];
+	ts_sizes sizes;       /* of records.def: counted, and what the parameters give */
 	ts_arrays scene;      /* after ts_probe_scene; vertices are this frame's, with lamps lights are these */
 	u64 n_vertices, n_materials, n_slots, n_images, n_texels, n_lights, n_objects;
 	u64 *texels;          /* of images that were asked for */

@@ -26,6 +26,23 @@ static void ask_method(ts_probe *p)
 	p->faces = makes(pipeline, TS_B_face_depth_triangle);
 }
 
+/* First dimensions of what is there; where files disagree, the least, so that what is below it is in all of them. */
+static void find_sizes(ts_probe *p)
+{
+	u64 *n = p->sizes.n;
+	const ts_run run = {.params = p->trace->params};
+	ts_sizes_clear(&p->sizes);
+	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
+		const ts_trace_item *item = &p->trace->item[id];
+		ts_dim of = ts_buffer_tells((ts_buffer_id)id);
+		if (item->path == NULL || item->cropped || of == TS_DIM_none) continue;
+		if (item->npy.shape[0] < n[of]) n[of] = item->npy.shape[0];
+	}
+	if (n[TS_DIM_cubes] != TS_UNKNOWN && n[TS_DIM_views] == TS_UNKNOWN) ts_sizes_cubes(&p->sizes, n[TS_DIM_cubes]);
+	if (p->mirrors) n[TS_DIM_reflectors] = n[TS_DIM_cubes];
+	ts_sizes_give(&p->sizes, &run);
+}
+
 ts_status ts_probe_open(ts_probe **probe, const char *dir)
 {
 	*probe = NULL;
@@ -46,6 +63,7 @@ ts_status ts_probe_open(ts_probe **probe, const char *dir)
 	}
 	ask_method(made);
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) made->fields[id] = ts_fields_of((ts_buffer_id)id);
+	find_sizes(made);
 	*probe = made;
 	return TS_OK;
 }
@@ -76,24 +94,6 @@ ts_status ts_probe_require(const ts_probe *p, const ts_buffer_id *ids)
 	                 : ts_fail("%s: this needs %s; a trace that was written whole has them", p->trace->dir, missing);
 }
 
-/* How many things an index of this kind may name; all, if the trace cannot tell. */
-static u64 size_of(const ts_probe *p, const char *name)
-{
-	static const struct { const char *name; ts_buffer_id owner; } owners[] = {
-		{"V", TS_B_pose_vertex}, {"T", TS_B_scene_triangle}, {"M", TS_B_scene_material}, {"S", TS_B_scene_slot},
-		{"I", TS_B_scene_image}, {"O", TS_B_scene_object}, {"R", TS_B_resize_face}, {"B", TS_B_resize_face},
-		{"Q", TS_B_split_triangle}, {"A", TS_B_lamp_light}, {"s", TS_B_scene_surfel},
-		{"N", TS_B_points_record}, {"H*W", TS_B_eye_depth_triangle}, {"P*K", TS_B_lookup_point},
-		{"P2*4", TS_B_lookup2_point}, {"D", TS_B_octree_node}, {"E", TS_B_view_octree_node}, {"J", TS_B_vpl_light},
-	};
-	for (size_t i = 0; i < sizeof owners / sizeof *owners; i++) {
-		if (!p->mirrors && strcmp(name, "R") == 0) continue; /* cubes are light samples */
-		bool known = ts_probe_has(p, owners[i].owner) && !p->trace->item[owners[i].owner].cropped;
-		if (strcmp(owners[i].name, name) == 0 && known) return ts_probe_n(p, owners[i].owner);
-	}
-	return UINT64_MAX;
-}
-
 static ts_status check_value(const ts_probe *p, ts_buffer_id id, u64 element, const ts_field *field, u64 bits)
 {
 	const char *path = p->trace->item[id].path, *dot = field->name[0] != 0 ? " field " : "";
@@ -103,9 +103,10 @@ static ts_status check_value(const ts_probe *p, ts_buffer_id id, u64 element, co
 	}
 	bool none = field->none && (field->bytes == 8 ? bits == UINT64_MAX : bits == TS_NONE);
 	u64 index = field->bytes == 8 ? bits & 0xffffffffu : bits;
-	if (field->of == NULL || none || index < size_of(p, field->of)) return TS_OK;
+	u64 size = field->of != NULL ? ts_axis_size(field->of, &p->sizes) : TS_UNKNOWN;
+	if (none || index < size || size == TS_UNKNOWN) return TS_OK;
 	return ts_fail("%s: element %" PRIu64 "%s%s names %" PRIu64 " of %" PRIu64, path, element, dot, field->name, index,
-	               size_of(p, field->of));
+	               size);
 }
 
 static ts_status check(const ts_probe *p, ts_buffer_id id, u64 element, const void *data)

@@ -25,48 +25,28 @@ static void shape_text(char *text, size_t bytes, u32 n, const u64 *dims)
 		used += (size_t)snprintf(text + used, bytes - used, "%s%" PRIu64, i > 0 ? " x " : "", dims[i]);
 }
 
-/* The first dimension of a buffer is how many of a thing there are. */
-static void give_sizes(const ts_probe *p, ts_sizes *sizes)
+/* Texels of cubes, and of views that are no cubes' faces. */
+static u64 texels_of(const ts_probe *p)
 {
-	static const struct { const char *name; ts_buffer_id owner; } owners[] = {
-		{"V", TS_B_pose_vertex}, {"T", TS_B_scene_triangle}, {"M", TS_B_scene_material}, {"S", TS_B_scene_slot},
-		{"I", TS_B_scene_image}, {"X", TS_B_scene_texel}, {"L", TS_B_scene_light}, {"O", TS_B_scene_object},
-		{"R", TS_B_resize_face}, {"B", TS_B_resize_face}, {"Q", TS_B_split_triangle}, {"N", TS_B_points_record},
-		{"P", TS_B_pixel_record}, {"A", TS_B_lamp_light}, {"U", TS_B_offscreen_view},
-		{"P2", TS_B_lookup2_parent}, {"P3", TS_B_lookup3_parent}, {"Z", TS_B_box_record}, {"D", TS_B_octree_node},
-		{"E", TS_B_view_octree_node}, {"J", TS_B_vpl_light}, {"s", TS_B_scene_surfel},
-	};
-	for (size_t i = 0; i < sizeof owners / sizeof *owners; i++) {
-		if (ts_probe_has(p, owners[i].owner)) ts_sizes_set(sizes, owners[i].name, ts_probe_n(p, owners[i].owner));
-	}
-	ts_pyramid pyramid = ts_view_pyramid(&p->trace->params);
 	u64 texels = 0;
 	for (u32 r = 0; r < p->n_cubes && p->mirrors; r++) texels += (u64)6 * p->cubes[r].n * p->cubes[r].n;
 	for (u32 v = 0; v < p->n_views; v++) texels += (u64)p->views[v].width * p->views[v].height;
-	ts_sizes_set(sizes, "C", texels);
-	ts_sizes_set(sizes, "H", p->view.height);
-	ts_sizes_set(sizes, "W", p->view.width);
-	ts_sizes_set(sizes, "G", p->trace->params.grid_px);
-	ts_sizes_set(sizes, "m", ts_k_pyramid_texels(&pyramid));
-	ts_sizes_set(sizes, "v", pyramid.n);
-	ts_sizes_set(sizes, "K", 25);
-	ts_sizes_set(sizes, "w", p->n_words);
+	return texels;
 }
 
 ts_status ts_probe_shapes(const ts_probe *p)
 {
-	ts_sizes sizes = {.n = 0};
-	give_sizes(p, &sizes);
+	ts_sizes sizes = p->sizes;
+	sizes.n[TS_DIM_texels] = texels_of(p);
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
 		const ts_trace_item *item = &p->trace->item[id];
-		u32 n;
+		const ts_shape *shape = ts_buffer_shape((ts_buffer_id)id);
 		u64 dims[TS_MAX_DIMS];
 		char is[96], right[96];
-		bool known = ts_shape_dims(ts_buffer_table[id].shape, &sizes, &n, dims);
-		if (item->path == NULL || !known || item->cropped) continue;
-		if (memcmp(dims, item->npy.shape, n * sizeof *dims) == 0) continue;
-		shape_text(is, sizeof is, n, item->npy.shape);
-		shape_text(right, sizeof right, n, dims);
+		if (item->path == NULL || item->cropped || !ts_shape_dims(shape, &sizes, dims)) continue;
+		if (memcmp(dims, item->npy.shape, shape->n * sizeof *dims) == 0) continue;
+		shape_text(is, sizeof is, shape->n, item->npy.shape);
+		shape_text(right, sizeof right, shape->n, dims);
 		return ts_fail("%s: shape %s; %s, %s, would be right", item->path, is, right, ts_buffer_table[id].shape);
 	}
 	return TS_OK;
@@ -113,9 +93,13 @@ static ts_status check_cubes(const ts_probe *p)
 static ts_status check_view(const ts_probe *p)
 {
 	u32 w = p->view.width, h = p->view.height;
-	if (w >= 1 && h >= 1 && w <= TS_PROBE_SIDE && h <= TS_PROBE_SIDE) return TS_OK;
-	return ts_fail("%s: %u x %u pixels; at most %d x %d", p->trace->item[TS_B_eye_view].path, (unsigned)w, (unsigned)h,
-	               TS_PROBE_SIDE, TS_PROBE_SIDE);
+	const char *path = p->trace->item[TS_B_eye_view].path;
+	if (w < 1 || h < 1 || w > TS_PROBE_SIDE || h > TS_PROBE_SIDE) {
+		return ts_fail("%s: %u x %u pixels; at most %d x %d", path, (unsigned)w, (unsigned)h, TS_PROBE_SIDE, TS_PROBE_SIDE);
+	}
+	if (w == p->sizes.n[TS_DIM_width] && h == p->sizes.n[TS_DIM_height]) return TS_OK;
+	return ts_fail("%s: %u x %u pixels; %" PRIu64 " x %" PRIu64 ", as the parameters, would be right", path, (unsigned)w,
+	               (unsigned)h, p->sizes.n[TS_DIM_width], p->sizes.n[TS_DIM_height]);
 }
 
 static ts_status load_arrays(ts_probe *p)

@@ -29,7 +29,7 @@ static const char *text_of(const json_t *root, const char *key)
 static ts_status add_crop(ts_trace *trace, ts_buffer_id id, const char *path, const json_t *crop)
 {
 	ts_trace_item *item = &trace->item[id];
-	bool pixels = strncmp(ts_buffer_table[id].shape, "H W", 3) == 0;
+	bool pixels = ts_shape_is_image(ts_buffer_shape(id));
 	if (crop == NULL) return TS_OK;
 	for (u32 i = 0; i < 4; i++) {
 		json_int_t n = json_integer_value(json_array_get(crop, i));

@@ -24,9 +24,10 @@ void ts_where_key(char text[TS_WHERE_TEXT], u64 key)
 	         (int)(key >> 16 & 0xffff) - 32768);
 }
 
-static bool where_point(char *text, const ts_trace *reference, u64 point)
+static bool where_point(char *text, const ts_trace *reference, ts_buffer_id id, u64 point)
 {
 	u64 key;
+	(void)id;
 	if (!fetch(reference, TS_B_points_key, point, &key)) return false;
 	char inside[TS_WHERE_TEXT];
 	ts_where_key(inside, key);
@@ -34,9 +35,10 @@ static bool where_point(char *text, const ts_trace *reference, u64 point)
 	return true;
 }
 
-static bool where_pixel(char *text, const ts_trace *reference, u64 pixel)
+static bool where_pixel(char *text, const ts_trace *reference, ts_buffer_id id, u64 pixel)
 {
 	ts_pixel record;
+	(void)id;
 	if (!fetch(reference, TS_B_pixel_record, pixel, &record) || reference->params.width == 0) return false;
 	snprintf(text, TS_WHERE_TEXT, "pixel (%u, %u)", (unsigned)(record.index % reference->params.width),
 	         (unsigned)(record.index / reference->params.width));
@@ -63,8 +65,9 @@ static bool where_view(char *text, const ts_trace *reference, u64 texel)
 	return false;
 }
 
-static bool where_texel(char *text, const ts_trace *reference, u64 texel)
+static bool where_texel(char *text, const ts_trace *reference, ts_buffer_id id, u64 texel)
 {
+	(void)id;
 	ts_face cube;
 	if (reference->item[TS_B_resize_face].path == NULL) return where_view(text, reference, texel);
 	for (u64 r = 0; fetch(reference, TS_B_resize_face, r, &cube); r++) {
@@ -78,45 +81,48 @@ static bool where_texel(char *text, const ts_trace *reference, u64 texel)
 	return false;
 }
 
-static bool where_image(char *text, const ts_trace_item *item, u64 element)
+static bool where_image(char *text, const ts_trace *reference, ts_buffer_id id, u64 element)
 {
+	const ts_trace_item *item = &reference->item[id];
 	u64 x = element % item->npy.shape[1] + (item->cropped ? item->crop[0] : 0);
 	u64 y = element / item->npy.shape[1] + (item->cropped ? item->crop[1] : 0);
 	snprintf(text, TS_WHERE_TEXT, "pixel (%" PRIu64 ", %" PRIu64 ")", x, y);
 	return true;
 }
 
-/* What the first dimension counts. */
-static const char *noun(const char *shape)
+/* Things that say more of their place than their number. */
+static const struct {
+	ts_dim of;
+	bool (*where)(char *text, const ts_trace *reference, ts_buffer_id id, u64 index);
+} places[] = {
+	{TS_DIM_points, where_point},
+	{TS_DIM_mirror_pixels, where_pixel},
+	{TS_DIM_texels, where_texel},
+	{TS_DIM_height, where_image},
+};
+
+/* What the first dimension counts; of a product the last. */
+static const char *noun(const ts_axis *axis)
 {
-	static const struct { const char *size, *noun; } nouns[] = {
-		{"V", "vertex"}, {"T", "triangle"}, {"T+1", "triangle"}, {"Q", "piece"}, {"Q+1", "piece"}, {"R", "reflector"},
-		{"A", "light"}, {"B", "cube"}, {"U", "view"}, {"Z", "box"},
-		{"P2", "entry of bounce 2"}, {"P3", "entry of bounce 3"}, {"H*W+1", "pixel"},
-	};
-	size_t n = strcspn(shape, " ");
-	for (size_t i = 0; i < sizeof nouns / sizeof *nouns; i++) {
-		if (strlen(nouns[i].size) == n && strncmp(nouns[i].size, shape, n) == 0) return nouns[i].noun;
-	}
-	return "element";
+	bool named = axis->n_factors != 0 && axis->number == 1;
+	return named ? ts_dim_table[axis->factor[axis->n_factors - 1]].noun : "element";
 }
 
 void ts_where(char text[TS_WHERE_TEXT], const ts_trace *reference, ts_buffer_id id, u64 element)
 {
-	const char *shape = ts_buffer_table[id].shape;
-	const ts_trace_item *item = &reference->item[id];
+	const ts_shape *shape = ts_buffer_shape(id);
+	const ts_npy *npy = &reference->item[id].npy;
+	ts_dim of = ts_buffer_counts(id);
 	u64 row_elements = 1;
+	bool found = false;
 	char row_text[TS_WHERE_TEXT] = "";
-	for (u32 i = strncmp(shape, "H W", 3) == 0 ? 2 : 1; i < item->npy.n_dims; i++) row_elements *= item->npy.shape[i];
+	for (u32 i = ts_shape_is_image(shape) ? 2 : 1; i < npy->n_dims; i++) row_elements *= npy->shape[i];
 	u64 row = row_elements != 0 ? element / row_elements : 0, inside = row_elements != 0 ? element % row_elements : 0;
-	bool found = strcmp(shape, "N") == 0           ? where_point(row_text, reference, row)
-	             : strncmp(shape, "H W", 3) == 0   ? where_image(row_text, item, row)
-	             : strncmp(shape, "C4", 2) == 0    ? false
-	             : shape[0] == 'C'                 ? where_texel(row_text, reference, row)
-	             : shape[0] == 'P' && (shape[1] == 0 || shape[1] == ' ') ? where_pixel(row_text, reference, row)
-	                                               : false;
-	if (!found) snprintf(row_text, sizeof row_text, "%s %" PRIu64, noun(shape), row);
-	bool lights = strcmp(shape, "H W A") == 0;
+	for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
+		if (places[i].of == of) found = places[i].where(row_text, reference, id, row);
+	}
+	if (!found) snprintf(row_text, sizeof row_text, "%s %" PRIu64, noun(&shape->axis[0]), row);
+	bool lights = shape->n == 3 && ts_axis_counts(&shape->axis[2]) == TS_DIM_lamps;
 	const char *format = lights ? "%.90s, light %" PRIu64 : row_elements > 1 ? "%.90s [%" PRIu64 "]" : "%.90s";
 	snprintf(text, TS_WHERE_TEXT, format, row_text, inside);
 }

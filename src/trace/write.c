@@ -32,7 +32,7 @@ static ts_status put(ts_trace_writer *w, ts_buffer_id id, const void *data, u64 
 
 static bool is_cropped(const ts_trace_writer *w, ts_buffer_id id)
 {
-	return w->options.crop[2] != 0 && strncmp(ts_buffer_table[id].shape, "H W", 3) == 0;
+	return w->options.crop[2] != 0 && ts_shape_is_image(ts_buffer_shape(id));
 }
 
 static ts_status open_file(ts_trace_writer *w, const ts_chunk *chunk)
@@ -157,17 +157,16 @@ void ts_trace_write_free(ts_trace_writer *w)
 u64 ts_trace_estimate(const ts_pipeline *pipeline, const ts_scene *scene, const ts_params *params,
                       const ts_trace_options *options)
 {
-	ts_sizes sizes = {.n = 0};
-	ts_pipeline_expect(pipeline, &sizes, scene, params);
+	const ts_expected expected = ts_pipeline_expect(pipeline, scene, params);
 	u64 bytes = 0;
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
 		const ts_step *step = ts_pipeline_maker(pipeline, (ts_buffer_id)id);
 		if (options->without[id] || (step != NULL && !ts_pipeline_takes(step, params, true))) continue;
 		if (step != NULL && step->only_margins && !options->margins) continue;
 		if (step == NULL && !ts_emit_is_scene((ts_buffer_id)id)) continue;
-		bool batches = step != NULL && step->each_batch && ts_buffer_table[id].shape[0] == 'C';
-		u64 part = ts_pipeline_bytes((ts_buffer_id)id, &sizes);
-		bytes += TS_NPY_HEADER + (part * (batches ? ts_pipeline_batches(&sizes) : 1));
+		bool batches = step != NULL && step->each_batch && ts_emit_is_batched((ts_buffer_id)id);
+		u64 part = ts_pipeline_bytes((ts_buffer_id)id, &expected.sizes);
+		bytes += TS_NPY_HEADER + (part * (batches ? expected.batches : 1));
 	}
 	return bytes;
 }

@@ -125,12 +125,11 @@ u64 ts_truth_shadow_bytes(const ts_pipeline *method, const ts_scene *scene, cons
 	static const ts_buffer_id ids[] = { TS_B_pose_vertex, TS_B_eye_depth_triangle, TS_B_resize_face, TS_B_offscreen_view,
 		TS_B_resolve_lit, TS_B_image_radiance, TS_B_image_srgb };
 	const ts_pipeline *start = ts_pipeline_making(method->effect, needs);
-	ts_sizes sizes = { .n = 0 };
 	ts_params many = *params;
 	u64 bytes = 0, views = (u64)params->area_samples * (params->lamp == TS_LAMP_SCENE ? scene->n_lights : 1);
 	many.light_samples = params->area_samples;
 	many.views = views < TS_NONE ? (u32)views : TS_NONE;
-	if (start != NULL) ts_pipeline_expect(start, &sizes, scene, &many);
-	for (u32 i = 0; i < sizeof ids / sizeof ids[0]; i++) bytes += ts_pipeline_bytes(ids[i], &sizes);
+	const ts_expected expected = ts_pipeline_expect(start != NULL ? start : method, scene, &many);
+	for (u32 i = 0; i < sizeof ids / sizeof ids[0]; i++) bytes += ts_pipeline_bytes(ids[i], &expected.sizes);
 	return bytes;
 }

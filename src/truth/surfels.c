@@ -307,11 +307,11 @@ ts_status ts_truth_surface(f32 **radiance, const ts_scene *scene, const ts_param
 u64 ts_truth_surface_bytes(const ts_pipeline *method, const ts_scene *scene, const ts_params *params)
 {
 	static const ts_buffer_id ids[] = { TS_B_surfel_setup_disc, TS_B_gbuffer_pixel, TS_B_image_radiance, TS_B_image_srgb };
-	ts_sizes sizes = { .n = 0 };
-	ts_pipeline_expect(method, &sizes, scene, params);
-	u64 bytes = ts_pipeline_bytes(TS_B_image_radiance, &sizes);
-	for (u32 i = 0; i < sizeof ids / sizeof ids[0]; i++) bytes += ts_pipeline_bytes(ids[i], &sizes);
-	if (ts_shader_has_shadows(params)) bytes += ts_pipeline_bytes(TS_B_resolve_lit, &sizes);
+	const ts_expected expected = ts_pipeline_expect(method, scene, params);
+	const ts_sizes *sizes = &expected.sizes;
+	u64 bytes = ts_pipeline_bytes(TS_B_image_radiance, sizes);
+	for (u32 i = 0; i < sizeof ids / sizeof ids[0]; i++) bytes += ts_pipeline_bytes(ids[i], sizes);
+	if (ts_shader_has_shadows(params)) bytes += ts_pipeline_bytes(TS_B_resolve_lit, sizes);
 	return bytes;
 }
 

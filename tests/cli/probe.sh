@@ -190,12 +190,13 @@ lies 15-lookup2.offset.npy 1 '\x09\x00\x00\x00' 'one entry at most' --pixel "$mi
 lies 05-pixel.offset.npy "$index" '\x21\x00\x00\x00' 'pixel.offset names it for pixel' --pixel "$mirror"
 epr=$hulls
 lies 12-box.offset.npy 9 '\xff\xff\xff\x7f' 'element 9 is 2147483647, after ' --pixel 20,40
-lies 12-box.record.npy 2 '\x40\x00\x00\x00' 'element 0: columns .* of 64' --pixel 20,40
+lies 12-box.record.npy 2 '\x40\x00\x00\x00' 'element 0 field high names 64 of 64' --pixel 20,40
+lies 12-box.record.npy 0 '\x3f\x00\x00\x00' 'element 0: columns 63 to .* of 64' --pixel 20,40
 lies 06-rsm_patch.light.npy 3 '\x00\x00\xc0\x7f' 'not a finite' --pixel 20,40
 epr=$mega
 lies 10-vpl.path.npy 1 '\xff\xff\xff\x7f' 'element 1 is 2147483647' --pixel 20,40
 lies 13-view_octree.node.npy 6 '\xff\xff\xff\x7f' 'element 0, field parent' --pixel 20,40
-lies 13-view_octree.leaf.npy 0 '\xff\xff\xff\x7f' 'less than .* (E) would be right' --pixel 20,40
+lies 13-view_octree.leaf.npy 0 '\xff\xff\xff\x7f' 'less than .* (view_nodes) would be right' --pixel 20,40
 lies 16-map.depth_node.npy 0 '\xff\xff\xff\x7f' 'names 2147483647' --pixel 20,40
 lies 20-vpl_pairs.node.npy 0 '\xff\xff\xff\x7f' 'less than' --pixel 20,40
 lies 20-vpl_pairs.offset.npy 1 '\xff\xff\xff\x7f' 'sum' --pixel 20,40

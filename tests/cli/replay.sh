@@ -81,7 +81,7 @@ verdict $? '--json says the same'
 
 cp -r $epr bad
 printf '\xff\xff\xff\x7f' | dd of=bad/11-points.record.npy bs=1 seek=$(($(stat -c %s bad/11-points.record.npy) - 16)) conv=notrunc 2> /dev/null
-refuses 'points.record.npy: element [0-9]*, field piece: 2147483647 (7fffffff); less than [0-9]* (Q) would be right$' \
+refuses 'points.record.npy: element [0-9]*, field piece: 2147483647 (7fffffff); less than [0-9]* (pieces) would be right$' \
 	replay bad --stage splat
 run replay bad
 [ "$status" -eq 2 ] && grep -q '^stage 12 splat: not replayed: .*field piece' stdout && grep -q '^stage 09 align: same$' stdout &&

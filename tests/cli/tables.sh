@@ -16,8 +16,8 @@ prints '^c  *0  *[a-z]' list backends
 prints 'see: list backends' help render
 prints 'triangles' info atrium:triangles=10000 --reflectors 1
 
-for what in 'list stages' 'list buffers' 'list params' 'list methods' 'list truths' 'list scenes' 'list backends' \
-	'list benches' help 'help render' 'help bench' 'info atrium:triangles=10000'; do
+for what in 'list stages' 'list buffers' 'list sizes' 'list params' 'list methods' 'list truths' 'list scenes' \
+	'list backends' 'list benches' help 'help render' 'help bench' 'info atrium:triangles=10000'; do
 	run $what
 	[ "$status" -eq 0 ] && awk 'length > 120 || / $/ { exit 1 }' "$scratch/stdout"
 	verdict $? "fits 120 columns: $what"

@@ -12,7 +12,7 @@ result() { # GOOD NAME
 }
 
 # The command's lists, once.
-for list in stages buffers params methods truths benches; do
+for list in stages buffers sizes params methods truths benches; do
 	"$TOUCHSTONE" list "$list" --json > "$folder/$list.json"
 done
 printf '#!/bin/sh\ncat "%s/$2.json"\n' "$folder" > "$folder/lists"

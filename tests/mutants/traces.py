@@ -11,6 +11,8 @@ SIZES = {"f4": 4, "u4": 4, "i4": 4, "u8": 8, "u1": 1}
 FACES = ("+X", "-X", "+Y", "-Y", "+Z", "-Z")
 NONE = 0xffffffff
 EMPTY = 0xffffffffffffffff
+with open("include/touchstone/records.def", encoding="utf-8") as definitions:
+	NOUNS = dict(re.findall(r'^DIM\((\w+), "([^"]+)"', definitions.read(), re.M))
 
 
 class Field:
@@ -125,28 +127,26 @@ class Trace:
 		"""How a report names an element."""
 		shape, buffer = self.about[name]["sizes"].split(), self[name]
 		inside = 1
-		for size in buffer.shape[2 if shape[:2] == ["H", "W"] else 1:]:
+		for size in buffer.shape[2 if shape[:2] == ["height", "width"] else 1:]:
 			inside *= size
 		row = element // inside
-		if shape == ["H", "W", "A"]:
+		if shape == ["height", "width", "lamps"]:
 			return self.place(shape, row) + f", light {element % inside}"
 		return self.place(shape, row) + (f" [{element % inside}]" if inside > 1 else "")
 
 	def place(self, shape, row):
 		width = int(self.json["params"]["width"])
-		if shape[:2] == ["H", "W"]:
+		if shape[:2] == ["height", "width"]:
 			return f"pixel ({row % width}, {row // width})"
-		if shape[0] == "P":
+		if shape[0] == "mirror_pixels":
 			index, = self["pixel.record"].get(row, "index")
 			return f"pixel ({index % width}, {index // width})"
-		if shape[0] == "N":
+		if shape[0] == "points":
 			return f"key ({self.key(self['points.key'].words()[row])})"
-		if shape[0] == "C":
+		if shape[0] == "texels":
 			return self.texel(row)
-		nouns = {"V": "vertex", "T": "triangle", "T+1": "triangle", "Q": "piece", "Q+1": "piece", "R": "reflector",
-		         "A": "light", "B": "cube", "U": "view", "Z": "box",
-		         "H*W+1": "pixel"}
-		return f"{nouns.get(shape[0], 'element')} {row}"
+		last = shape[0].removesuffix("+1").split("*")[-1]
+		return f"{NOUNS.get(last, 'element')} {row}"
 
 	@staticmethod
 	def key(key):

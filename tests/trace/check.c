@@ -3,9 +3,9 @@
 
 /* The first stage of any method that reads a buffer of its trace; NULL: none. Indices into lights need a method that has
  * some. */
-static const ts_stage *reader_of(ts_buffer_id id, const char *size, u32 *m)
+static const ts_stage *reader_of(ts_buffer_id id, const ts_axis *of, u32 *m)
 {
-	for (*m = strcmp(size, "A") == 0 ? TRACES_SOFT : 0; *m < N_TRACES; ++*m) {
+	for (*m = of != NULL && ts_axis_counts(of) == TS_DIM_lamps ? TRACES_SOFT : 0; *m < N_TRACES; ++*m) {
 		if (traces[*m]->item[id].path == NULL) continue;
 		FOR_STAGES(*m, stage) {
 			if (ts_stage_reads(stage, id)) return stage;
@@ -14,11 +14,6 @@ static const ts_stage *reader_of(ts_buffer_id id, const char *size, u32 *m)
 	*m = 0;
 	return NULL;
 }
-
-static const struct { ts_buffer_id id; const char *field, *size; bool none; } indices[] = {
-#define INDEX(buffer, field, size, none) {TS_B_##buffer, field, size, none},
-#include <touchstone/records.def>
-};
 
 /* Whether there is none is told elsewhere, too: by reflectors, sums, or what a node has for children and parent. */
 static bool is_bound(ts_buffer_id id)
@@ -31,21 +26,23 @@ static bool is_bound(ts_buffer_id id)
 static void test_indices(void **state)
 {
 	(void)state;
-	for (u32 row = 0; row < sizeof indices / sizeof *indices; row++) {
-		u32 m, n_dims;
-		ts_buffer_id id = indices[row].id, ids[TS_N_BUFFERS + 1];
-		const ts_stage *stage = reader_of(id, indices[row].size, &m);
+	size_t n_indices;
+	const ts_index_info *indices = ts_index_table(&n_indices);
+	for (size_t row = 0; row < n_indices; row++) {
+		u32 m;
+		ts_buffer_id id = indices[row].buffer, ids[TS_N_BUFFERS + 1];
+		const ts_stage *stage = reader_of(id, &indices[row].of, &m);
 		if (id == TS_B_fragment_list_surfel) continue; /* where sums have an order alone */
 		assert_non_null(stage);
 		ts_load *load;
 		ts_replay_reads(ids, stage, traces[m]->pipeline, &traces[m]->params);
 		assert_int_equal(ts_load_begin(&load, ids, traces[m], NULL, 1), TS_OK);
 		assert_int_equal(ts_check(load, stage), TS_OK);
-		u64 size[TS_MAX_DIMS], n = ts_frame_n(&load->run.frame, id), last = n - 1;
-		assert_true(ts_shape_dims(indices[row].size, &load->sizes, &n_dims, size));
+		u64 size = ts_axis_size(&indices[row].of, &load->sizes), n = ts_frame_n(&load->run.frame, id), last = n - 1;
+		assert_true(size != TS_UNKNOWN);
 		ts_load_end(load);
 		bool key = ts_buffer_table[id].element_bytes == 8 && strcmp(ts_buffer_table[id].element, "u64") == 0;
-		refuses(m, stage, id, last, indices[row].field, 0, size[0]);
+		refuses(m, stage, id, last, indices[row].field, 0, size);
 		refuses(m, stage, id, 0, indices[row].field, 0, 0xfffffffe);
 		if (key) refuses(m, stage, id, last, "", 0, 0x3f800000ffffffffull);
 		if (!indices[row].none) {
@@ -64,7 +61,7 @@ static void test_floats(void **state)
 	u32 n_tested = 0;
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
 		u32 m;
-		const ts_stage *stage = reader_of((ts_buffer_id)id, "", &m);
+		const ts_stage *stage = reader_of((ts_buffer_id)id, NULL, &m);
 		const ts_fields fields = ts_fields_of((ts_buffer_id)id);
 	u32 n = fields.n;
 		for (u32 f = 0; f < n && stage != NULL; f++) {

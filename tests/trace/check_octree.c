@@ -27,28 +27,24 @@ static int begin(void **state)
 	return 0;
 }
 
-static const struct { ts_buffer_id id; const char *field, *size; bool none; } indices[] = {
-#define INDEX(buffer, field, size, none) {TS_B_##buffer, field, size, none},
-#include <touchstone/records.def>
-};
-
 /* Every index of what these stages make, where one of them reads it. */
 static void test_indices(void **state)
 {
 	(void)state;
 	u32 n_tested = 0;
-	for (u32 row = 0; row < sizeof indices / sizeof *indices; row++) {
-		ts_buffer_id id = indices[row].id;
+	size_t n_indices;
+	const ts_index_info *indices = ts_index_table(&n_indices);
+	for (size_t row = 0; row < n_indices; row++) {
+		ts_buffer_id id = indices[row].buffer;
 		for (const ts_step *step = steps; step->stage != NULL; step++) {
 			ts_load load;
-			u32 n_dims;
-			u64 size[TS_MAX_DIMS];
 			const ts_stage *stage = ts_stage_find(step->stage);
 			if (!ts_stage_reads(stage, id) || ts_frame_n(&run.frame, id) == 0 || id < TS_B_root_least) continue;
 			load_for(&load, stage);
 			assert_int_equal(ts_check(&load, stage), TS_OK);
-			assert_true(ts_shape_dims(indices[row].size, &load.sizes, &n_dims, size));
-			refuses(step->stage, id, ts_frame_n(&run.frame, id) - 1, indices[row].field, size[0]);
+			u64 size = ts_axis_size(&indices[row].of, &load.sizes);
+			assert_true(size != TS_UNKNOWN);
+			refuses(step->stage, id, ts_frame_n(&run.frame, id) - 1, indices[row].field, size);
 			refuses(step->stage, id, 0, indices[row].field, 0xfffffffe);
 			n_tested++;
 		}

@@ -72,9 +72,10 @@ static void test_show(void **state)
 	const ts_field real = {.kind = 'f', .count = 1, .bytes = 4}, whole = {.kind = 'i', .count = 1, .bytes = 4};
 	const ts_field byte = {.kind = 'u', .count = 1, .bytes = 1}, word = {.kind = 'u', .count = 1, .bytes = 4};
 	const ts_field wide = {.kind = 'u', .count = 1, .bytes = 8};
-	const ts_field key = {.kind = 'u', .count = 1, .bytes = 8, .of = "N", .none = true};
-	const ts_field index = {.kind = 'u', .count = 1, .bytes = 4, .of = "N", .none = true};
-	const ts_field must = {.kind = 'u', .count = 1, .bytes = 4, .of = "N"};
+	static const ts_axis points = {.number = 1, .n_factors = 1, .factor = {TS_DIM_points}};
+	const ts_field key = {.kind = 'u', .count = 1, .bytes = 8, .of = &points, .none = true};
+	const ts_field index = {.kind = 'u', .count = 1, .bytes = 4, .of = &points, .none = true};
+	const ts_field must = {.kind = 'u', .count = 1, .bytes = 4, .of = &points};
 	shows(&real, 0x40400000u, "3 = 0x1.8p+1 (40400000)");
 	shows(&real, 0x80000000u, "-0 = -0x0p+0 (80000000)");
 	shows(&real, 0x7f800000u, "inf = inf (7f800000)");
@@ -95,7 +96,8 @@ static void test_fields(void **state)
 	assert_int_equal(f.n, 5);
 	assert_true(f.field[0].kind == 'f' && f.field[0].count == 3 && f.field[0].offset == offsetof(ts_point, centre));
 	assert_true(f.field[2].kind == 'u' && f.field[2].offset == offsetof(ts_point, piece) &&
-	            strcmp(f.field[2].of, "Q") == 0);
+	            ts_field_names(&f.field[2], TS_DIM_pieces) && !ts_field_names(&f.field[2], TS_DIM_points) &&
+	            !ts_field_names(&f.field[0], TS_DIM_pieces));
 	ts_point point = {.centre = {1, 2, 3}, .piece = 812};
 	assert_true(ts_field_bits(&f.field[0], &point, 2) == 0x40400000u && ts_field_bits(&f.field[2], &point, 0) == 812);
 	char name[64];
