@@ -85,7 +85,7 @@ LIB_C := $(filter-out src/cli/%,$(wildcard src/*/*.c src/*/*/*.c))
 IMAGE_CC := src/image/openimageio.cc
 LIB_CC := $(filter-out $(IMAGE_CC),$(wildcard src/*/*.cc))
 CLI_C := $(filter-out src/cli/core_main.c,$(wildcard src/cli/*.c))
-CORE_C := $(wildcard src/core/*.c src/backends/c/*.c src/stages/*.c src/pipelines/*.c) \
+CORE_C := $(wildcard src/core/*.c src/backends/*.c src/backends/c/*.c src/stages/*.c src/pipelines/*.c) \
 	$(wildcard $(patsubst %,src/trace/%.c,npy emit sums golden* vectors*)) \
 	$(filter-out src/scene/open.c src/scene/print% src/scene/gltf% src/scene/ply%,$(wildcard src/scene/*.c)) \
 	$(wildcard $(foreach in,cli study,$(patsubst %,src/$(in)/%.c,core_main backends command commit digest golden* help \
@@ -148,7 +148,7 @@ golden:
 
 # The kernels as the text of an OpenCL program.
 PROGRAM := $(BUILD)/gen/program.inc
-$(PROGRAM): scripts/opencl-program src/backends/backend.h src/backends/kernels.def $(wildcard src/kernels/*) include/touchstone/records.def
+$(PROGRAM): scripts/opencl-program src/backends/kernels.h src/backends/kernels.def $(wildcard src/kernels/*) include/touchstone/records.def
 	$(call say,GEN,$@)
 	$(Q)mkdir -p $(@D)
 	$(Q)scripts/opencl-program > $@

@@ -2,58 +2,7 @@
 #ifndef TS_BACKENDS_BACKEND_H
 #define TS_BACKENDS_BACKEND_H
 #include "../core/frame.h"
-#include "../kernels/bench.h"
-#include "../kernels/bilateral.h"
-#include "../kernels/blend_order.h"
-#include "../kernels/copy.h"
-#include "../kernels/deferred.h"
-#include "../kernels/deferred_margin.h"
-#include "../kernels/direct.h"
-#include "../kernels/draw.h"
-#include "../kernels/fragment_list.h"
-#include "../kernels/fuse.h"
-#include "../kernels/gather.h"
-#include "../kernels/hull.h"
-#include "../kernels/hull_margin.h"
-#include "../kernels/image.h"
-#include "../kernels/indirect.h"
-#include "../kernels/lookup.h"
-#include "../kernels/margin.h"
-#include "../kernels/mirror.h"
-#include "../kernels/octree.h"
-#include "../kernels/octree_surface.h"
-#include "../kernels/particle.h"
-#include "../kernels/pcss.h"
-#include "../kernels/pixel.h"
-#include "../kernels/resize.h"
-#include "../kernels/resolve.h"
-#include "../kernels/resolve_margin.h"
-#include "../kernels/cull.h"
-#include "../kernels/scan.h"
-#include "../kernels/scatter.h"
-#include "../kernels/segment_box.h"
-#include "../kernels/shadow_resize.h"
-#include "../kernels/shadow_splat.h"
-#include "../kernels/split.h"
-#include "../kernels/surfel_depth.h"
-#include "../kernels/surfel_margin.h"
-#include "../kernels/surfel_mean.h"
-#include "../kernels/splat_pieces.h"
-#include "../kernels/vectors.h"
-#include "../kernels/view_alone.h"
-#include "../kernels/view_cone.h"
-#include "../kernels/view_octree.h"
-#include "../kernels/voxel.h"
-#include "../kernels/vpl.h"
-#include "../kernels/vpl_gather_margin.h"
-#include "../kernels/vpl_pairs.h"
-
-#define KERNEL(name, args) TS_KERNEL_##name,
-typedef enum {
-#include "kernels.def"
-	TS_N_KERNELS
-} ts_kernel;
-#undef KERNEL
+#include "args.h"
 
 /* One place that runs kernels. What the functions do is ordered: each sees what those before it did. A failure may show
  * at a later call; `finish` shows them all. Contents go by ts_frame: the pointers in `args` are ts_frame_handle's. */
@@ -70,13 +19,13 @@ struct ts_backend {
 	const char *device;     /* one line that names the hardware */
 	const char *compiler, *flags; /* of the kernels */
 	ts_measured arithmetic;
-	/* Runs items [0, n); args is the kernel's argument struct. The order of the items is not defined and never changes a
-	 * result. */
-	ts_status (*launch)(ts_backend *backend, ts_frame *frame, ts_kernel kernel, const void *args, u64 n);
+	/* Runs items [0, n) of the launch's kernel; args is its argument struct, whose pointers point to, or into, what
+	 * the launch binds. The order of the items is not defined and never changes a result. */
+	ts_status (*launch)(ts_backend *backend, ts_frame *frame, const ts_launch *launch, const void *args, u64 n);
 	/* Sets every byte of a buffer. */
 	ts_status (*fill)(ts_backend *backend, ts_frame *frame, ts_buffer_id id, u8 byte);
-	/* Exclusive prefix sum in place, of all elements but the last, which becomes the total: 32-bit counts. A total that does
-	 * not fit is told all the same and must be refused. */
+	/* Exclusive prefix sum in place, of all elements but the last, which becomes the total: 32-bit counts. A total
+	 * that does not fit is told all the same and must be refused. */
 	ts_status (*scan)(ts_backend *backend, ts_frame *frame, ts_buffer_id id, u64 *total);
 	/* Waits for all of it. */
 	ts_status (*finish)(ts_backend *backend);
@@ -110,8 +59,9 @@ typedef struct {
 	const char *name;   /* as in --backend */
 	/* Describes at most TS_MAX_DEVICES and returns their number; 0 where there is no driver. */
 	u32 (*devices)(ts_device devices[TS_MAX_DEVICES]);
-	/* TS_SKIPPED if there is no device; TS_ERROR if not this one, or it lacks what the contract needs and inexact is not
-	 * set, or its compiler fails: what that said goes to standard error. NULL: the reference, which every run brings. */
+	/* TS_SKIPPED if there is no device; TS_ERROR if not this one, or it lacks what the contract needs and inexact is
+	 * not set, or its compiler fails: what that said goes to standard error. NULL: the reference, which every run
+	 * brings. */
 	ts_status (*open)(ts_backend **backend, const ts_backend_options *options);
 } ts_backend_kind;
 extern const ts_backend_kind ts_c_kind, ts_opencl_kind;
@@ -124,29 +74,8 @@ typedef struct {
 } ts_c_backend;
 void ts_c_begin(ts_c_backend *backend, u32 threads);
 
+/* The reference's loop over the items of a kernel, for arguments that are in no frame. */
 void ts_c_launch(ts_kernel kernel, const void *args, u64 n, u32 threads);
-
-/* Fast paths: the same bits as launching the kernel (tests/backends, tests/stages/run.c).
- * Splat: args->offset must be there, and nothing to mark. */
-void ts_c_splat_fast(const ts_splat_args *args, u32 threads);
-/* Scatter: of n stored points or n pieces, into depth maps; n_views must not be 0. False if there is no memory, or there are
- * more than 2048 views: then nothing was done. */
-bool ts_c_scatter_fast(const ts_scatter_args *args, u64 n, bool stored, u32 threads);
-/* Shade: of n entries; adaptive must be 0. */
-void ts_c_shade_fast(const ts_lookup_args *args, u64 n, u32 threads);
-/* Split_count: of n triangles, by the point closest to each of perspective views. False if there is no memory: then nothing
- * was done. */
-bool ts_c_density_fast(const ts_density_args *args, u64 n, u32 threads);
-/* Hull: of n pixels; by eqs 15 to 18 in their stable forms, of interpolated parameters. */
-void ts_c_hull_fast(const ts_hull_args *args, u64 n, u32 threads);
-/* Surfels: of n surfels or, from surfel_mean on, n pixels. False if there is no memory, surfels are as large as the image,
- * or the filter is exact EWA: then nothing was done (tests/backends/surfel_fast.c). */
-bool ts_c_surfel_setup_fast(const ts_surfel_setup_args *args, u64 n, u32 threads);
-bool ts_c_surfel_depth_fast(const ts_surfel_depth_args *args, u64 n, u32 threads);
-bool ts_c_blend_fast(const ts_blend_args *args, u64 n, u32 threads);
-void ts_c_surfel_mean_fast(const ts_surfel_mean_args *args, u64 n, u32 threads);
-void ts_c_deferred_fast(const ts_deferred_args *args, u64 n, u32 threads);
-
 /* counts[0 .. n-1] become the sums before each, counts[n] the total, which is also returned. */
 u64 ts_c_scan(u32 *counts, u64 n);
 

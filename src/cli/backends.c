@@ -1,8 +1,8 @@
 /* What backends there are. */
 #include "backends.h"
+#include <stdio.h>
 #include <string.h>
 #include "../trace/vectors.h"
-#include "words.h"
 
 ts_status ts_backend_open(ts_job *job)
 {
@@ -19,8 +19,9 @@ ts_status ts_backend_find(const ts_backend_kind **kind, const char *name)
 {
 	char names[128] = "";
 	for (u32 i = 0; ts_backend_kinds[i] != NULL; i++) {
+		size_t used = strlen(names);
 		*kind = ts_backend_kinds[i];
-		ts_words_add(names, sizeof names, i > 0 ? ", " : "", (*kind)->name);
+		snprintf(names + used, sizeof names - used, "%s%s", used > 0 ? ", " : "", (*kind)->name);
 		if (strcmp((*kind)->name, name) == 0) return TS_OK;
 	}
 	return ts_fail("--backend: no backend \"%s\"; there is: %s", name, names);

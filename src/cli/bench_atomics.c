@@ -1,7 +1,10 @@
 /* The atomic limit of a machine: the kernel bench_min on a buffer like splat.depth_index. */
+#include "../kernels/bench.h"
 #include "bench.h"
 
 enum { OFFERS = 1 << 23 }; /* at least */
+
+static const ts_launch bench_min = TS_LAUNCH(bench_min, TS_ALL);
 
 static ts_status fill(ts_backend *backend, ts_frame *frame, u64 n)
 {
@@ -16,7 +19,7 @@ static ts_status offer(ts_backend *backend, ts_frame *frame, u32 n, u32 launches
 	ts_bench_min_args args = { .texels = ts_frame_handle(frame, TS_B_splat_depth_index), .n_texels = n };
 	ts_status status = TS_OK;
 	for (args.distance = launches; status == TS_OK && args.distance-- > 0;) {
-		status = backend->launch(backend, frame, TS_KERNEL_bench_min, &args, n);
+		status = backend->launch(backend, frame, &bench_min, &args, n);
 	}
 	return status == TS_OK ? backend->finish(backend) : status;
 }

@@ -1,7 +1,8 @@
-/* One scene with one number of mirrors or lights, by several methods that take turns: whatever else the machine does meets
- * all alike. */
+/* One scene with one number of mirrors or lights, by several methods that take turns: whatever else the machine does
+ * meets all alike. */
 #include <math.h>
 #include <touchstone/image.h>
+#include "../kernels/num.h"
 #include "bench_case.h"
 #include "truths.h"
 #include "words.h"

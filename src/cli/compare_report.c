@@ -17,8 +17,8 @@ static void inputs_of(char text[INPUTS_TEXT], const ts_comparison *c, const ts_t
 	char absent[INPUTS_TEXT - 64] = "";
 	size_t used = 0;
 	u32 n_given = 0;
-	for (u32 i = 0; stage != NULL && stage->reads[i] != TS_N_BUFFERS; i++) {
-		ts_buffer_id id = stage->reads[i];
+	for (u32 i = 0; stage != NULL && ts_stage_inputs(stage)[i] != TS_N_BUFFERS; i++) {
+		ts_buffer_id id = ts_stage_inputs(stage)[i];
 		const char *name = ts_buffer_table[id].name;
 		ts_judgement judgement = c->verdict[id].judgement;
 		bool given = judgement != TS_MISSING && judgement != TS_NOT_JUDGED;
@@ -165,9 +165,9 @@ void ts_compare_report(ts_report *report, const ts_comparison *c, const ts_trace
 static ts_judgement stage_verdict(const ts_comparison *c, const ts_stage *stage, ts_buffer_id *unlike)
 {
 	ts_judgement verdict = TS_NOT_JUDGED;
-	for (u32 i = 0; stage->writes[i] != TS_N_BUFFERS; i++) {
-		ts_judgement judgement = c->verdict[stage->writes[i]].judgement;
-		if (judgement == TS_UNLIKE && verdict != TS_UNLIKE) *unlike = stage->writes[i];
+	for (const ts_buffer_id *id = ts_stage_outputs(stage); *id != TS_N_BUFFERS; id++) {
+		ts_judgement judgement = c->verdict[*id].judgement;
+		if (judgement == TS_UNLIKE && verdict != TS_UNLIKE) *unlike = *id;
 		verdict = judgement > verdict ? judgement : verdict;
 	}
 	return verdict;

@@ -1,7 +1,9 @@
-/* Pictures of what hulls are made of: the segments of each block with their boxes, and the lobes at the boxes' corners. */
+/* Pictures of what hulls are made of: the segments of each block with their boxes, and the lobes at the boxes'
+ * corners. */
 #include <math.h>
 #include <stdio.h>
 #include "../image/falsecolour.h"
+#include "../kernels/gbuffer.h"
 #include "../kernels/raster.h"
 #include "../kernels/segment_box.h"
 #include "../kernels/srgb.h"

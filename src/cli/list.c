@@ -25,11 +25,12 @@ static const ts_column backend_columns[] = { { "name", "backend", false }, { "in
 	{ "atomics", "64-bit atomics", false }, { "memory_mib", "MiB", true }, { "most_mib", "MiB a buffer", true }, { 0 } };
 static const ts_column plain_columns[] = { { "name", "name", false }, { "doc", "what", false }, { 0 } };
 
-static void cell_buffers(ts_table *table, const ts_buffer_id *ids, u32 n)
+static void cell_buffers(ts_table *table, const ts_buffer_id *ids)
 {
-	char text[512] = "";
-	for (u32 i = 0; i < n && ids[i] < TS_N_BUFFERS; i++) {
-		ts_words_add(text, sizeof text, i > 0 ? " " : "", ts_buffer_table[ids[i]].name);
+	char text[1024] = "";
+	for (u32 i = 0; ids[i] != TS_N_BUFFERS; i++) {
+		size_t used = strlen(text);
+		snprintf(text + used, sizeof text - used, "%s%s", i > 0 ? " " : "", ts_buffer_table[ids[i]].name);
 	}
 	ts_table_text(table, text);
 }
@@ -37,13 +38,14 @@ static void cell_buffers(ts_table *table, const ts_buffer_id *ids, u32 n)
 static ts_table list_stages(void)
 {
 	ts_table table = ts_table_begin("stages", "", stage_columns);
-	for (const ts_stage *s = ts_stage_table; s->name != NULL; s++) {
+	for (const ts_stage *const *at = ts_stage_table; *at != NULL; at++) {
+		const ts_stage *s = *at;
 		ts_table_text(&table, s->name);
 		ts_table_text(&table, s->kind);
 		ts_table_text(&table, s->paper);
 		ts_table_text(&table, s->doc);
-		cell_buffers(&table, s->writes, sizeof s->writes / sizeof s->writes[0]);
-		cell_buffers(&table, s->reads, sizeof s->reads / sizeof s->reads[0]);
+		cell_buffers(&table, ts_stage_outputs(s));
+		cell_buffers(&table, ts_stage_inputs(s));
 	}
 	return table;
 }
@@ -99,21 +101,12 @@ static ts_table list_params(void)
 
 static void cell_steps(ts_table *table, const ts_step *steps)
 {
-	char text[512] = "";
+	char text[1024] = "";
 	for (const ts_step *step = steps; step->stage != NULL; step++) {
-		ts_words_add(text, sizeof text, step > steps ? " " : "", step->stage);
+		size_t used = strlen(text);
+		snprintf(text + used, sizeof text - used, "%s%s", used > 0 ? " " : "", step->stage);
 	}
 	ts_table_text(table, text);
-}
-
-static ts_table list_effects(void)
-{
-	ts_table table = ts_table_begin("effects", "", plain_columns);
-	for (const ts_effect *effect = ts_effect_table; effect->name != NULL; effect++) {
-		ts_table_text(&table, effect->name);
-		ts_table_text(&table, effect->doc);
-	}
-	return table;
 }
 
 static ts_table list_methods(void)
@@ -181,9 +174,8 @@ static const struct {
 	ts_table (*make)(void);
 } lists[] = {
 	{ "stages", list_stages }, { "buffers", list_buffers }, { "sizes", list_sizes },
-	{ "params", list_params }, { "effects", list_effects }, { "methods", list_methods },
-	{ "truths", list_truths }, { "scenes", list_scenes }, { "backends", list_backends },
-	{ "benches", ts_bench_list },
+	{ "params", list_params }, { "methods", list_methods }, { "truths", list_truths },
+	{ "scenes", list_scenes }, { "backends", list_backends }, { "benches", ts_bench_list },
 };
 
 enum { N_LISTS = sizeof lists / sizeof lists[0] };
@@ -193,7 +185,9 @@ static ts_status unknown(const char *name)
 	char names[128] = "";
 	ts_nearest nearest = ts_nearest_begin(name);
 	for (size_t i = 0; i < N_LISTS; i++) {
-		ts_words_add(names, sizeof names, i == 0 ? "" : i + 1 < N_LISTS ? ", " : " and ", lists[i].name);
+		size_t used = strlen(names);
+		const char *between = i == 0 ? "" : i + 1 < N_LISTS ? ", " : " and ";
+		snprintf(names + used, sizeof names - used, "%s%s", between, lists[i].name);
 		ts_nearest_offer(&nearest, lists[i].name);
 	}
 	return ts_fail("list: no table \"%s\"; the nearest is %s; there are %s", name, nearest.best, names);

@@ -15,11 +15,13 @@ const ts_backend_kind *const ts_backend_kinds[] = { &ts_c_kind, &ts_opencl_kind,
 
 const ts_command ts_command_table[] = {
 	{ "render", "EFFECT [SCENE]", "render an effect by one or more methods, and judge them by ground truth",
-	  "EFFECT: one of `list effects`; all but reflections without mirrors unless --reflectors says how many.\n"
-	  "SCENE: one of `list scenes` (atrium), also with \":triangles=COUNT:texels=SIDE\", that of surfels with\n"
-	  "\":surfels=COUNT\"; or a .gltf, .glb or .ply file.\n"
-	  "Writes METHOD.png and .exr, truth-NAME.png, differences, pictures of the stages, traces and report.json to\n"
-	  "DIR, and prints times, counters, memory and metrics.\n"
+	  "EFFECT: reflections; soft-shadows, of a lamp or the scene's lights; omni-shadows, of a ball of light in the middle;\n"
+	  "indirect, the light of a lamp or the scene's lights after one bounce; particles, the light of many in the air.\n"
+	  "Shadows, indirect light and particles are shown without mirrors unless --reflectors says how many.\n"
+	  "surfels: elliptical splats of a file, or of triangles by --set from_mesh=COUNT; eye=outside sees all of a model.\n"
+	  "SCENE: atrium (the default), gallery or dining, each also with \":triangles=COUNT:texels=SIDE\"; checkerboard, of\n"
+	  "surfels, also with \":surfels=COUNT\"; or a .gltf, .glb or .ply file. Writes METHOD.png and .exr, truth-NAME.png,\n"
+	  "differences, pictures of the stages, traces and report.json to DIR, and prints times, counters, memory and metrics.\n"
 	  "Of a parameter with several values, --set NAME=A,B, every combination is rendered, and CSV is printed.",
 	  1, 2, TS_OPT(METHOD) | TS_OPT(TRUTH) | WHERE | HOW | TS_OPT(ORDER) | TS_OPT(OUTPUT) | TS_OPT(FORCE) |
 	  TS_OPT(NO_IMAGES) | TS_OPT(TRACE) | TS_OPT(TRACE_ONLY) | TS_OPT(CROP) | TS_OPT(MARGINS) |
@@ -31,7 +33,7 @@ const ts_command ts_command_table[] = {
 	  1, 1, TS_OPT(STAGE) | TS_OPT(INPUTS) | TS_OPT(THREADS) | TS_OPT(OUTPUT) | TS_OPT(JSON), ts_replay_command },
 	{ "info", "SCENE", "what was loaded, and what in the file was not understood", "",
 	  1, 1, WHERE | TS_OPT(JSON), ts_info_command },
-	{ "list", "WHAT", "stages, buffers, sizes, params, effects, methods, truths, scenes, backends or benches", "",
+	{ "list", "WHAT", "tables: stages, buffers, sizes, params, methods, truths, scenes, backends or benches", "",
 	  1, 1, TS_OPT(JSON), ts_list_command },
 	{ "bench", "TABLE", "the papers' tables, measured here; and what the backends take",
 	  "TABLE: one of `list benches`. Below a paper's table stand its own figures, and behind them what must hold, and\n"

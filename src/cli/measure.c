@@ -24,8 +24,9 @@ static void measure_faces(ts_measure *m, const ts_frame *frame)
 static void show_progress(const ts_run *run, const ts_stage *stage, const char *method)
 {
 	char label[64];
-	u64 done = (u64)(stage - ts_stage_table) + 1, total = done;
-	while (ts_stage_table[total - 1].name != NULL) total++;
+	u64 done = 0, total = 0;
+	while (ts_stage_table[done++] != stage) continue;
+	while (ts_stage_table[total] != NULL) total++;
 	if (run->n_units == run->plan.units) {
 		snprintf(label, sizeof label, "%s, after %s", method, stage->name);
 		ts_progress(label, done, total);
@@ -35,8 +36,8 @@ static void show_progress(const ts_run *run, const ts_stage *stage, const char *
 /* Rays through the texels of what the stage wrote, if they can judge it. */
 static ts_status judge_texels(ts_measure *m, const ts_run *run, const ts_stage *stage)
 {
-	for (u32 i = 0; stage->writes[i] < TS_N_BUFFERS; i++) {
-		ts_buffer_id id = stage->writes[i];
+	for (const ts_buffer_id *at = ts_stage_outputs(stage); *at != TS_N_BUFFERS; at++) {
+		ts_buffer_id id = *at;
 		bool triangles = run->frame.buffer[TS_B_pose_vertex].made;
 		if (!ts_truth_judges(id) || !triangles || !run->frame.buffer[id].made) continue;
 		if (m->tree == NULL && ts_truth_new(&m->tree, run) != TS_OK) return TS_ERROR;
@@ -49,16 +50,15 @@ static ts_status judge_texels(ts_measure *m, const ts_run *run, const ts_stage *
 static ts_status judge_maps(ts_measure *m, const ts_run *run)
 {
 	if (m->tree == NULL && ts_truth_new(&m->tree, run) != TS_OK) return TS_ERROR;
-	ts_truth_maps(&m->maps, m->tree, run);
-	return TS_OK;
+	return ts_truth_maps(&m->maps, m->tree, run);
 }
 
 static ts_status after_stage(const ts_run *run, const ts_stage *stage, void *user)
 {
 	ts_measure *m = user;
 	show_progress(run, stage, m->method->name);
-	for (size_t i = 0; i < sizeof stage->writes / sizeof stage->writes[0] && stage->writes[i] < TS_N_BUFFERS; i++) {
-		ts_buffer_id id = stage->writes[i];
+	for (const ts_buffer_id *at = ts_stage_outputs(stage); *at != TS_N_BUFFERS; at++) {
+		ts_buffer_id id = *at;
 		if (!run->frame.buffer[id].made) continue;
 		u64 n = ts_frame_n(&run->frame, id), bytes = n * ts_buffer_table[id].element_bytes;
 		m->elements[id] += n;

@@ -13,7 +13,10 @@ static const ts_pipeline *starts_from(const ts_render *render, const ts_truth_ki
 	for (u32 i = 0; i < render->n_methods; i++) {
 		if (ts_truth_starts_from(kind, render->methods[i])) return render->methods[i];
 	}
-	return kind->needs != NULL ? ts_pipeline_making(render->effect, kind->needs) : NULL;
+	for (const ts_pipeline *p = ts_pipeline_table; p->name != NULL; p++) {
+		if (strcmp(p->effect, render->effect) == 0 && ts_truth_starts_from(kind, p)) return p;
+	}
+	return NULL;
 }
 
 static void show_truth(const ts_truth_kind *kind)

@@ -18,8 +18,8 @@ static void replay(ts_replayed *r, const ts_cli *cli, const ts_trace *reference,
 {
 	ts_load *load;
 	r->status = ts_replay(&load, r->stage, reference, candidate, cli->job.how.threads);
-	for (u32 i = 0; r->stage->writes[i] != TS_N_BUFFERS && r->status != TS_ERROR; i++) {
-		ts_status status = ts_judge(&r->judged[r->n_judged++], load, r->stage->writes[i], NULL);
+	for (u32 i = 0; ts_stage_outputs(r->stage)[i] != TS_N_BUFFERS && r->status != TS_ERROR; i++) {
+		ts_status status = ts_judge(&r->judged[r->n_judged++], load, ts_stage_outputs(r->stage)[i], NULL);
 		if (status == TS_ERROR) ts_fail("stage %s: %s", r->stage->name, ts_error_message());
 		r->status = status > r->status ? status : r->status;
 	}

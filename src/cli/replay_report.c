@@ -66,7 +66,7 @@ static void add_stage(ts_report *report, const ts_replayed *r, u32 number)
 void ts_replay_report_outputs(ts_report *report, const ts_replayed *r, const ts_pipeline *pipeline)
 {
 	char text[LINE];
-	u32 number = ts_emit_number(pipeline, r->stage->writes[0]);
+	u32 number = ts_emit_number(pipeline, ts_stage_outputs(r->stage)[0]);
 	for (u32 i = 0; i < r->n_judged; i++) {
 		describe(text, &r->judged[i]);
 		ts_report_line(report, "stage %02u %s, buffer %s: %s", (unsigned)number, r->stage->name,
@@ -79,7 +79,7 @@ void ts_replay_report_stage(ts_report *report, const ts_replayed *r, const ts_pi
 {
 	char text[LINE] = "same";
 	const char *buffer = "";
-	u32 number = ts_emit_number(pipeline, r->stage->writes[0]);
+	u32 number = ts_emit_number(pipeline, ts_stage_outputs(r->stage)[0]);
 	for (u32 i = r->n_judged; i-- > 0;) {
 		const ts_judged *v = &r->judged[i];
 		if (v->item != NULL && !v->shape_differs && v->verdict.n_different == 0) continue;

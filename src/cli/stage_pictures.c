@@ -1,5 +1,5 @@
-/* Pictures of what the stages made: points per triangle, splat sizes, face resolutions, index buffers, faces, depth maps,
- * light that arrives. Those of hulls: hull_pictures.c. */
+/* Pictures of what the stages made: points per triangle, splat sizes, face resolutions, index buffers, faces, depth
+ * maps, light that arrives. Those of hulls: hull_pictures.c. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -263,8 +263,8 @@ static ts_status take(ts_stage_pictures *pictures, const ts_run *run, ts_buffer_
 ts_status ts_stage_pictures_take(ts_stage_pictures *pictures, const ts_run *run, const ts_stage *stage)
 {
 	ts_status status = TS_OK;
-	for (size_t i = 0; i < sizeof stage->writes / sizeof stage->writes[0] && stage->writes[i] < TS_N_BUFFERS; i++) {
-		if (status == TS_OK && has(run, stage->writes[i])) status = take(pictures, run, stage->writes[i]);
+	for (const ts_buffer_id *id = ts_stage_outputs(stage); *id != TS_N_BUFFERS; id++) {
+		if (status == TS_OK && has(run, *id)) status = take(pictures, run, *id);
 	}
 	return status;
 }

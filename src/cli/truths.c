@@ -1,5 +1,6 @@
 /* Which ground truths --truth names. */
 #include "truths.h"
+#include <stdio.h>
 #include <string.h>
 #include <strings.h>
 #include "words.h"
@@ -23,7 +24,11 @@ void ts_truths_list(char *text, size_t bytes, const char *effect, const char *la
 		if (ts_words_have(kind->effects, effect)) names[n++] = kind->name;
 	}
 	text[0] = 0;
-	for (u32 i = 0; i < n; i++) ts_words_add(text, bytes, i == 0 ? "" : i + 1 < n ? ", " : last, names[i]);
+	for (u32 i = 0; i < n; i++) {
+		size_t used = strlen(text);
+		const char *between = i == 0 ? "" : i + 1 < n ? ", " : last;
+		snprintf(text + used, bytes - used, "%s%s", between, names[i]);
+	}
 }
 
 static ts_status refuse(const char *name, const char *effect)

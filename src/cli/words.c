@@ -52,9 +52,3 @@ bool ts_words_have(const char *text, const char *word)
 	}
 	return true;
 }
-
-void ts_words_add(char *text, size_t bytes, const char *between, const char *word)
-{
-	size_t used = strlen(text);
-	snprintf(text + used, bytes - used, "%s%s", between, word);
-}

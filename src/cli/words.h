@@ -16,9 +16,6 @@ bool ts_words_item(const char **list, char *item, size_t item_bytes);
 /* Whether it is one of the words of a text, which blanks separate. */
 bool ts_words_have(const char *text, const char *word);
 
-/* Appends a word, behind `between`, to a text of so many bytes, as far as it fits. */
-void ts_words_add(char *text, size_t bytes, const char *between, const char *word);
-
 /* The nearest of the names offered so far to what was typed, for "did you mean" (nearest.c). */
 typedef struct {
 	const char *typed, *best;

@@ -113,14 +113,14 @@ ts_status ts_frame_recall(ts_frame *frame, u32 slot)
 
 i64 *ts_frame_tallies(ts_frame *frame)
 {
-	ts_frame_lend(frame, TS_LENT_TALLIES, frame->tally, sizeof frame->tally);
+	ts_frame_lend(frame, TS_WORK_tallies, frame->tally, sizeof frame->tally);
 	memset(frame->tally, 0, sizeof frame->tally);
 	return frame->tally;
 }
 
 i64 ts_frame_tally(ts_frame *frame, u32 index)
 {
-	fetch(frame, &frame->lent[TS_LENT_TALLIES]);
+	fetch(frame, &frame->lent[TS_WORK_tallies]);
 	return frame->tally[index];
 }
 
@@ -153,6 +153,6 @@ void ts_frame_drop(ts_frame *frame, ts_buffer_id id)
 
 void ts_frame_clear(ts_frame *frame)
 {
-	for (u32 slot = 0; slot < TS_LENT; slot++) ts_frame_lend(frame, slot, NULL, 0);
+	for (u32 slot = 0; slot < TS_N_WORK; slot++) ts_frame_lend(frame, slot, NULL, 0);
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) ts_frame_drop(frame, (ts_buffer_id)id);
 }

@@ -19,13 +19,13 @@ typedef struct {
 	void (*release)(void *resident);
 } ts_residence;
 
-enum { TS_TALLIES = 5, TS_LENT_TALLIES = 0, TS_LENT_OTHER, TS_LENT_QUEUE, TS_LENT_COUNTS, TS_LENT_KEPT, TS_LENT };
+enum { TS_TALLIES = 5, TS_WORK_tallies = 0, TS_WORK_other, TS_WORK_queue, TS_WORK_counts, TS_WORK_kept, TS_N_WORK };
 
 typedef struct {
 	ts_buffer buffer[TS_N_BUFFERS];
 	u64 bytes, peak_bytes; /* owned by the frame */
 	i64 tally[TS_TALLIES]; /* sums that the kernels of a stage add to */
-	ts_buffer lent[TS_LENT]; /* memory without a name that kernels work on */
+	ts_buffer lent[TS_N_WORK]; /* memory without a name that kernels work on */
 	const ts_residence *residence; /* NULL: all is in host memory */
 } ts_frame;
 

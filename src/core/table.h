@@ -7,7 +7,8 @@
 #define BUFFER(id, name, element, shape, order, key, doc) TS_B_##id,
 typedef enum {
 #include <touchstone/records.def>
-	TS_N_BUFFERS
+	TS_N_BUFFERS,
+	TS_B_none = TS_N_BUFFERS
 } ts_buffer_id;
 
 /* One BUFFER row. */
@@ -19,9 +20,11 @@ typedef struct {
 extern const ts_buffer_info ts_buffer_table[TS_N_BUFFERS];
 
 const ts_shape *ts_buffer_shape(ts_buffer_id id);
-/* What the first dimension of a buffer counts, if that is one size, or sums before each of it; otherwise TS_DIM_none. */
+/* What the first dimension of a buffer counts, if that is one size, or sums before each of it; otherwise
+ * TS_DIM_none. */
 ts_dim ts_buffer_counts(ts_buffer_id id);
-/* The size that the first dimension of a buffer tells, if it is one that parameters do not give; otherwise TS_DIM_none. */
+/* The size that the first dimension of a buffer tells, if it is one that parameters do not give; otherwise
+ * TS_DIM_none. */
 ts_dim ts_buffer_tells(ts_buffer_id id);
 
 /* One FIELD row; `record` groups them. */

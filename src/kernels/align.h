@@ -2,15 +2,16 @@
  * METHODS 2). q = s (u.(v - c), v.(v - c)) + (1/2, 1/2), snapped to 24.8. */
 #ifndef TS_KERNELS_ALIGN_H
 #define TS_KERNELS_ALIGN_H
+#include "args.h"
 #include "area.h"
 #include "records.h"
 
-typedef struct {
-	TS_GLOBAL const ts_piece *pieces;
-	TS_GLOBAL const f32 *scale;
-	TS_GLOBAL const u32 *keep;
-	TS_GLOBAL ts_align *frames; /* align.frame */
-} ts_align_args;
+#define TS_ROWS_ts_align_args(ARG) \
+	ARG(IN, ts_piece, pieces, split_triangle) \
+	ARG(IN, f32, scale, density_scale) \
+	ARG(IN, u32, keep, cull_keep) \
+	ARG(OUT, ts_align, frames, align_frame)
+TS_ARGS(ts_align_args);
 
 /* A point of the plane in the lattice. */
 TS_FN ts_v2 ts_k_lattice(ts_v3 c, ts_v3 u, ts_v3 v, f32 s, ts_v3 p)

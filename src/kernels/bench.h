@@ -1,13 +1,14 @@
 /* What bounds scattering: 64-bit minima at random texels. `touchstone bench backends` measures it; no stage runs it. */
 #ifndef TS_KERNELS_BENCH_H
 #define TS_KERNELS_BENCH_H
+#include "args.h"
 #include "num.h"
 
-typedef struct {
-	TS_GLOBAL u64 *texels; /* all empty before the first launch */
-	u32 n_texels;
-	u32 distance;          /* of every key; less in each launch, which so finds the texels as good as empty */
-} ts_bench_min_args;
+#define TS_ROWS_ts_bench_min_args(ARG) \
+	ARG(OUT, u64, texels, splat_depth_index) /* all empty before the first launch */ \
+	ARG(VALUE, u32, n_texels, none) \
+	ARG(VALUE, u32, distance, none) /* of every key; less in each launch, which so finds the texels as good as empty */
+TS_ARGS(ts_bench_min_args);
 
 /* scatter over offers; of as many as there are texels, four in five lower their texel, in any order */
 TS_FN void ts_k_bench_min_item(const ts_bench_min_args *args, u64 i)

@@ -1,22 +1,24 @@
-/* The cross-bilateral filter of gathered light (MegaViews section 5.1), along rows, then along columns. A neighbour's weight
- * falls with its distance in pixels, with how far it is off the pixel's tangent plane, seen from the pixel, and with the
- * angle between their normals. The sky takes no part. */
+/* The cross-bilateral filter of gathered light (MegaViews section 5.1), along rows, then along columns. A
+ * neighbour's weight falls with its distance in pixels, with how far it is off the pixel's tangent plane, seen from
+ * the pixel, and with the angle between their normals. The sky takes no part. */
 #ifndef TS_KERNELS_BILATERAL_H
 #define TS_KERNELS_BILATERAL_H
+#include "args.h"
 #include "gbuffer.h"
 
 /* Of the squared sine of the angle off the plane, deviation 1/16; of 1 - cosine between normals. */
 #define TS_BILATERAL_PLANE 128.0f
 #define TS_BILATERAL_NORMAL 32.0f
 
-typedef struct {
-	TS_GLOBAL const ts_gpixel *pixels; /* gbuffer.pixel */
-	TS_GLOBAL const f32 *from;         /* irradiance */
-	TS_GLOBAL f32 *to;
-	u32 width, height;
-	u32 radius;                        /* pixels; a deviation is half of it */
-	u32 columns;                       /* along them, not along rows */
-} ts_bilateral_args;
+#define TS_ROWS_ts_bilateral_args(ARG) \
+	ARG(IN, ts_gpixel, pixels, gbuffer_pixel) \
+	ARG(IN, f32, from, none) /* irradiance */ \
+	ARG(OUT, f32, to, none) \
+	ARG(VALUE, u32, width, none) \
+	ARG(VALUE, u32, height, none) \
+	ARG(VALUE, u32, radius, none) /* pixels; a deviation is half of it */ \
+	ARG(VALUE, u32, columns, none) /* along them, not along rows */
+TS_ARGS(ts_bilateral_args);
 
 /* Logarithm of the weight, negated, but for the distance in pixels. */
 TS_FN f32 ts_k_bilateral_apart(TS_GLOBAL const ts_gpixel *a, TS_GLOBAL const ts_gpixel *b)

@@ -8,6 +8,7 @@
  * sigma_k^-2). */
 #ifndef TS_KERNELS_BLEND_H
 #define TS_KERNELS_BLEND_H
+#include "args.h"
 #include "fragment.h"
 
 #define TS_BLEND_BITS 30
@@ -15,16 +16,16 @@
 #define TS_BLEND_FRAGMENTS 7u
 #define TS_BLEND_SUMS 8u
 
-typedef struct {
-	TS_GLOBAL const ts_view *view;
-	TS_GLOBAL const ts_surfel *surfels;
-	TS_GLOBAL const ts_disc *discs;     /* surfel_setup.disc */
-	TS_GLOBAL const u64 *keys;          /* surfel_depth.surfel */
-	TS_GLOBAL i64 *sums;                /* blend.sum, 0 at first */
-	TS_GLOBAL u64 *heaviest;            /* blend.heaviest, all empty at first */
-	TS_GLOBAL i64 *tally;               /* [0] fragments, [1] pixels of the boxes */
-	ts_filter filter;
-} ts_blend_args;
+#define TS_ROWS_ts_blend_args(ARG) \
+	ARG(IN, ts_view, view, eye_view) \
+	ARG(IN, ts_surfel, surfels, scene_surfel) \
+	ARG(IN, ts_disc, discs, surfel_setup_disc) \
+	ARG(IN, u64, keys, surfel_depth_surfel) \
+	ARG(SUM, i64, sums, blend_sum) \
+	ARG(MIN, u64, heaviest, blend_heaviest) \
+	ARG(TALLY, i64, tally, 0) /* [0] fragments, [1] pixels of the boxes */ \
+	ARG(VALUE, ts_filter, filter, none)
+TS_ARGS(ts_blend_args);
 
 /* What a surfel adds for a weight of 1. */
 typedef struct { f32 value[6]; } ts_attributes;

@@ -8,6 +8,7 @@
  * What comes of it is written in 2^-30, as integer sums are: sums of at least 2^-6 exactly, smaller ones to the nearest. */
 #ifndef TS_KERNELS_BLEND_ORDER_H
 #define TS_KERNELS_BLEND_ORDER_H
+#include "args.h"
 #include "blend.h"
 #include "half.h"
 
@@ -17,17 +18,17 @@
 
 #define TS_BLEND_NORMAL 3u /* place of the normal in a pixel's sums */
 
-typedef struct {
-	TS_GLOBAL const ts_view *view;
-	TS_GLOBAL const ts_surfel *surfels;
-	TS_GLOBAL const ts_disc *discs;     /* surfel_setup.disc */
-	TS_GLOBAL const u32 *offset;        /* fragment_list.offset */
-	TS_GLOBAL const u32 *list;          /* fragment_list.surfel */
-	TS_GLOBAL i64 *sums;                /* blend.sum */
-	TS_GLOBAL u64 *heaviest;            /* blend.heaviest */
-	ts_filter filter;
-	u32 accumulation;                   /* TS_ACCUMULATION_IS_* */
-} ts_blend_order_args;
+#define TS_ROWS_ts_blend_order_args(ARG) \
+	ARG(IN, ts_view, view, eye_view) \
+	ARG(IN, ts_surfel, surfels, scene_surfel) \
+	ARG(IN, ts_disc, discs, surfel_setup_disc) \
+	ARG(IN, u32, offset, fragment_list_offset) \
+	ARG(IN, u32, list, fragment_list_surfel) \
+	ARG(SUM, i64, sums, blend_sum) \
+	ARG(MIN, u64, heaviest, blend_heaviest) \
+	ARG(VALUE, ts_filter, filter, none) \
+	ARG(VALUE, u32, accumulation, none) /* TS_ACCUMULATION_IS_* */
+TS_ARGS(ts_blend_order_args);
 
 /* A partial sum and one more term. */
 TS_FN f32 ts_k_blended(u32 accumulation, f32 sum, f32 term)

@@ -5,6 +5,7 @@
  * Boxes are taken a 128th of their half side larger, which is more than what snapping and rounding move. */
 #ifndef TS_KERNELS_CAST_H
 #define TS_KERNELS_CAST_H
+#include "args.h"
 #include "hit.h"
 #include "morton.h"
 #include "records.h"
@@ -12,14 +13,14 @@
 
 #define TS_CAST_STACK 96 /* 7 siblings a level and a node */
 
-typedef struct {
-	ts_arrays scene;
-	TS_GLOBAL const ts_node *nodes;    /* octree.node, not empty */
-	TS_GLOBAL const u32 *offset;       /* octree.offset */
-	TS_GLOBAL const u32 *triangles;    /* octree.triangle */
-	u32 first_leaf;                    /* a node */
-	f32 leaf;                          /* its side */
-} ts_cast_args;
+#define TS_ROWS_ts_cast_args(ARG) \
+	ARG(INNER, ts_arrays, scene, none) \
+	ARG(IN, ts_node, nodes, octree_node) /* not empty */ \
+	ARG(IN, u32, offset, octree_offset) \
+	ARG(IN, u32, triangles, octree_triangle) \
+	ARG(VALUE, u32, first_leaf, none) /* a node */ \
+	ARG(VALUE, f32, leaf, none) /* its side */
+TS_ARGS(ts_cast_args);
 
 typedef struct { ts_v3 o, d, inverse; } ts_cast_ray;
 typedef struct { f32 t; u32 triangle; ts_v3 weights; } ts_cast_hit; /* triangle TS_NONE: none */
@@ -56,7 +57,8 @@ TS_FN bool ts_k_cast_meets(const ts_cast_ray *ray, TS_GLOBAL const ts_node *node
 	return enters <= leaves;
 }
 
-/* The ray passes all edges on the same side; d.(b x a) and its like are as they are for the neighbour, but for the sign. */
+/* The ray passes all edges on the same side; d.(b x a) and its like are as they are for the neighbour, but for the
+ * sign. */
 TS_FN bool ts_k_cast_inside(const ts_cast_ray *ray, const ts_corners *t)
 {
 	ts_v3 a = ts_sub(t->a, ray->o);

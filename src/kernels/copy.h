@@ -2,14 +2,15 @@
  * METHODS 9). */
 #ifndef TS_KERNELS_COPY_H
 #define TS_KERNELS_COPY_H
+#include "args.h"
 #include "illuminate.h"
 #include "scatter.h"
 
-typedef struct {
-	ts_illuminate_args to;         /* without its depth_triangle */
-	TS_GLOBAL const u32 *colours;  /* scatter.colour of all cubes */
-	f32 exposure;
-} ts_copy_args;
+#define TS_ROWS_ts_copy_args(ARG) \
+	ARG(INNER, ts_illuminate_args, to, none) /* without its depth_triangle */ \
+	ARG(IN, u32, colours, scatter_colour) /* of all cubes */ \
+	ARG(VALUE, f32, exposure, none)
+TS_ARGS(ts_copy_args);
 
 /* map over texels of the batch */
 TS_FN void ts_k_copy_item(const ts_copy_args *args, u64 i)

@@ -2,16 +2,18 @@
  * METHODS 2). The same triangles in every frame. */
 #ifndef TS_KERNELS_CULL_H
 #define TS_KERNELS_CULL_H
+#include "args.h"
 #include "area.h"
 #include "records.h"
 
-typedef struct {
-	TS_GLOBAL const ts_piece *pieces;
-	TS_GLOBAL const f32 *scale; /* density.scale */
-	TS_GLOBAL u32 *keep;        /* cull.keep */
-	f32 unit;                   /* samples a pixel a side: rho_scale to measure eye pixels, 1 for the raster's */
-	u32 seed, enabled;
-} ts_cull_args;
+#define TS_ROWS_ts_cull_args(ARG) \
+	ARG(IN, ts_piece, pieces, split_triangle) \
+	ARG(IN, f32, scale, density_scale) \
+	ARG(OUT, u32, keep, cull_keep) \
+	ARG(VALUE, f32, unit, none) /* samples a pixel a side: rho_scale to measure eye pixels, 1 for the raster's */ \
+	ARG(VALUE, u32, seed, none) \
+	ARG(VALUE, u32, enabled, none)
+TS_ARGS(ts_cull_args);
 
 #define TS_STREAM_CULL 1u
 

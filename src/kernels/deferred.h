@@ -1,8 +1,9 @@
 /* Deferred shaders over a G-buffer (NV40: Phong Shading, NV40: NPR Shading; METHODS 16): once a pixel, whatever
- * overlaps there. Phong is ambient light, Lambert's cosine and a highlight (r.v)^32; NPR paints in three tones without a
- * highlight, and outlines in black where the surface ends before what is farther or the sky. */
+ * overlaps there. Phong is ambient light, Lambert's cosine and a highlight (r.v)^32; NPR paints in three tones
+ * without a highlight, and outlines in black where the surface ends before what is farther or the sky. */
 #ifndef TS_KERNELS_DEFERRED_H
 #define TS_KERNELS_DEFERRED_H
+#include "args.h"
 #include "gbuffer.h"
 #include "image.h"
 #include "resolve.h"
@@ -16,17 +17,19 @@
 #define TS_OUTLINE_DROP 0.0078125f /* below the surface's plane, of the distance to the eye */
 #define TS_PER_PI 0.3183098733425140380859375f
 
-typedef struct {
-	TS_GLOBAL const ts_view *view;
-	TS_GLOBAL const ts_gpixel *pixels; /* gbuffer.pixel */
-	TS_GLOBAL const ts_light *lights;  /* lamp.light */
-	TS_GLOBAL const ts_lamp *lamps;
-	TS_GLOBAL const u32 *lit;          /* resolve.lit; NULL: there are no shadows */
-	TS_GLOBAL f32 *radiance;           /* image.radiance */
-	TS_GLOBAL u8 *srgb;                /* image.srgb */
-	u32 n_lights, shader;
-	f32 ambient, exposure;
-} ts_deferred_args;
+#define TS_ROWS_ts_deferred_args(ARG) \
+	ARG(IN, ts_view, view, eye_view) \
+	ARG(IN, ts_gpixel, pixels, gbuffer_pixel) \
+	ARG(IN, ts_light, lights, lamp_light) \
+	ARG(IN, ts_lamp, lamps, lamp_shape) \
+	ARG(IN_OPT, u32, lit, resolve_lit) /* NULL: there are no shadows */ \
+	ARG(OUT, f32, radiance, image_radiance) \
+	ARG(OUT, u8, srgb, image_srgb) \
+	ARG(VALUE, u32, n_lights, none) \
+	ARG(VALUE, u32, shader, none) \
+	ARG(VALUE, f32, ambient, none) \
+	ARG(VALUE, f32, exposure, none)
+TS_ARGS(ts_deferred_args);
 
 /* The cosine in equal tones. */
 TS_FN f32 ts_k_tone(f32 cosine) { return ts_min(ts_floor(cosine * TS_TONES + 1.0f), TS_TONES) / TS_TONES; }
@@ -53,8 +56,9 @@ TS_FN ts_v3 ts_k_deferred_light(const ts_deferred_args *args, u64 i, u32 k, ts_v
 	return ts_mul(all, ts_scale(ts_load3(args->lights[k].intensity), arrives * TS_PER_PI));
 }
 
-/* A pixel and a neighbour: how much farther that is (1 - zn is proportional to 1 / z), and how far below the plane of the
- * surface, in which a floor goes on however steep the view; and what both must pass for the surface to end there. */
+/* A pixel and a neighbour: how much farther that is (1 - zn is proportional to 1 / z), and how far below the plane
+ * of the surface, in which a floor goes on however steep the view; and what both must pass for the surface to end
+ * there. */
 typedef struct { f32 farther, step, below, drop; i32 x, y; bool is, sky; } ts_border;
 
 /* Neighbour k: to the left, to the right, above, below. */
@@ -111,11 +115,11 @@ TS_FN void ts_k_deferred_item(const ts_deferred_args *args, u64 i)
 	ts_k_show(args->radiance + i * 3u, args->srgb + i * 3u, ts_k_deferred(args, i), args->exposure);
 }
 
-typedef struct {
-	ts_resolve_args of;                /* without what the eye sees of triangles; cubes are those of point lights */
-	TS_GLOBAL const ts_gpixel *pixels; /* gbuffer.pixel */
-	TS_GLOBAL const ts_light *lights;  /* lamp.light, each with a view in order, or the six of a cube */
-} ts_deferred_lit_args;
+#define TS_ROWS_ts_deferred_lit_args(ARG) \
+	ARG(INNER, ts_resolve_args, of, none) /* but what the eye sees of triangles; cubes are those of point lights */ \
+	ARG(IN, ts_gpixel, pixels, gbuffer_pixel) \
+	ARG(IN, ts_light, lights, lamp_light) /* each with a view in order, or the six of a cube */
+TS_ARGS(ts_deferred_lit_args);
 
 TS_FN ts_receiver ts_k_deferred_receiver(TS_GLOBAL const ts_gpixel *pixel)
 {

@@ -1,16 +1,19 @@
-/* How near deferred shading was to another answer, for ports that round otherwise (PORTING 7): a second pass over the
- * G-buffer that deferred.h was given, which changes nothing of what that decided. A step is 8 ulps of what is compared. */
+/* How near deferred shading was to another answer, for ports that round otherwise (PORTING 7): a second pass over
+ * the G-buffer that deferred.h was given, which changes nothing of what that decided. A step is 8 ulps of what is
+ * compared. */
 #ifndef TS_KERNELS_DEFERRED_MARGIN_H
 #define TS_KERNELS_DEFERRED_MARGIN_H
+#include "args.h"
 #include "deferred.h"
 #include "resolve_margin.h"
 
-typedef struct {
-	ts_deferred_args of;
-	TS_GLOBAL f32 *margin; /* deferred.margin */
-} ts_deferred_margin_args;
+#define TS_ROWS_ts_deferred_margin_args(ARG) \
+	ARG(INNER, ts_deferred_args, of, none) \
+	ARG(OUT, f32, margin, deferred_margin)
+TS_ARGS(ts_deferred_margin_args);
 
-/* The least of the tests by which the surface ends before a neighbour, or the greatest of those by which it does not. */
+/* The least of the tests by which the surface ends before a neighbour, or the greatest of those by which it does
+ * not. */
 TS_FN f32 ts_k_border_margin(const ts_border *next)
 {
 	bool farther = next->farther > next->step;
@@ -64,11 +67,11 @@ TS_FN void ts_k_deferred_margin_item(const ts_deferred_margin_args *args, u64 i)
 	args->margin[i] = ts_put(least);
 }
 
-typedef struct {
-	ts_deferred_lit_args of;
-	TS_GLOBAL const ts_view *view;
-	TS_GLOBAL u64 *margin; /* resolve.margin, [2] a pixel and light, all ones at first */
-} ts_deferred_lit_margin_args;
+#define TS_ROWS_ts_deferred_lit_margin_args(ARG) \
+	ARG(INNER, ts_deferred_lit_args, of, none) \
+	ARG(IN, ts_view, view, eye_view) \
+	ARG(MIN, u64, margin, resolve_margin) /* [2] a pixel and light */
+TS_ARGS(ts_deferred_lit_margin_args);
 
 /* map over pixels, as ts_k_deferred_lit_item */
 TS_FN void ts_k_deferred_lit_margin_item(const ts_deferred_lit_margin_args *args, u64 i)

@@ -1,29 +1,34 @@
-/* Density of the points from the eye's resolution (EPR section 4.1.1, eqs 2 and 3; METHODS 2):
- * s = min(rho f_e / min_r d_r, max_r f_r / d_rt) samples a world unit over the reflectors r that may see the triangle. */
+/* Density of the points from the eye's resolution (EPR section 4.1.1, eqs 2 and 3; METHODS 2): s = min(rho f_e /
+ * min_r d_r, max_r f_r / d_rt) samples a world unit over the reflectors r that may see the triangle. */
 #ifndef TS_KERNELS_DENSITY_H
 #define TS_KERNELS_DENSITY_H
+#include "args.h"
 #include "area.h"
 #include "closest.h"
 #include "visibility.h"
 
-typedef struct {
-	ts_arrays scene;
-	TS_GLOBAL const ts_face *cubes;
-	TS_GLOBAL const ts_view *view;
-	TS_GLOBAL const u64 *bits;    /* visibility.bits */
-	TS_GLOBAL f32 *whole;         /* split.scale */
-	TS_GLOBAL u32 *offset;        /* pieces before each triangle: counts, then their prefix sums */
-	TS_GLOBAL ts_piece *pieces;   /* split.triangle */
-	TS_GLOBAL f32 *scale;         /* density.scale */
-	TS_GLOBAL i64 *n_capped;      /* pieces whose density was lowered at the end of splitting */
-	f32 rho;                      /* samples a pixel a side */
-	u32 n_cubes, n_words;
-	u32 paper, cap, offaxis, split;
-	TS_GLOBAL const ts_offscreen *views; /* whose resolution counts, not the eye's; or NULL */
-	u32 n_views;
-	u32 rate;                     /* TS_RATE_* of view_density.h */
-	u32 shadow;                   /* TS_SHADOW_* of shadow_density.h: the eye's resolution counts too, through shadows */
-} ts_density_args;
+#define TS_ROWS_ts_density_args(ARG) \
+	ARG(INNER, ts_arrays, scene, none) \
+	ARG(IN, ts_face, cubes, resize_face) \
+	ARG(IN, ts_view, view, eye_view) \
+	ARG(IN, u64, bits, visibility_bits) \
+	ARG(OUT, f32, whole, split_scale) \
+	ARG(OUT, u32, offset, split_offset) /* pieces before each triangle: counts, then their prefix sums */ \
+	ARG(OUT, ts_piece, pieces, split_triangle) \
+	ARG(OUT, f32, scale, density_scale) \
+	ARG(TALLY, i64, n_capped, 0) /* pieces whose density was lowered at the end of splitting */ \
+	ARG(VALUE, f32, rho, none) /* samples a pixel a side */ \
+	ARG(VALUE, u32, n_cubes, none) \
+	ARG(VALUE, u32, n_words, none) \
+	ARG(VALUE, u32, paper, none) \
+	ARG(VALUE, u32, cap, none) \
+	ARG(VALUE, u32, offaxis, none) \
+	ARG(VALUE, u32, split, none) \
+	ARG(IN_OPT, ts_offscreen, views, offscreen_view) /* whose resolution counts, not the eye's; or NULL */ \
+	ARG(VALUE, u32, n_views, none) \
+	ARG(VALUE, u32, rate, none) /* TS_RATE_* of view_density.h */ \
+	ARG(VALUE, u32, shadow, none) /* TS_SHADOW_* of shadow_density.h: the eye counts too, through shadows */
+TS_ARGS(ts_density_args);
 
 /* Shortest way of light from the triangle to the eye by the ball of a reflector. */
 TS_FN f32 ts_k_path_length(ts_v3 eye, ts_v3 centre, f32 radius, ts_v3 a, ts_v3 b, ts_v3 c, bool paper)

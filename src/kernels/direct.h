@@ -1,17 +1,18 @@
-/* The ground truth of SSAGH section 5: every pixel gathers from every triangle of light itself, E = sum of M F with F the
- * form factor of the triangle's part above the pixel's horizon, if it faces the pixel (METHODS 11). In the order of the
- * triangles. */
+/* The ground truth of SSAGH section 5: every pixel gathers from every triangle of light itself, E = sum of M F with
+ * F the form factor of the triangle's part above the pixel's horizon, if it faces the pixel (METHODS 11). In the
+ * order of the triangles. */
 #ifndef TS_KERNELS_DIRECT_H
 #define TS_KERNELS_DIRECT_H
+#include "args.h"
 #include "form_factor.h"
 #include "gbuffer.h"
 
-typedef struct {
-	TS_GLOBAL const ts_gpixel *pixels; /* gbuffer.pixel */
-	TS_GLOBAL const ts_patch *patches; /* rsm_patch.light */
-	TS_GLOBAL f32 *irradiance;         /* indirect.irradiance */
-	u64 n_patches;
-} ts_direct_args;
+#define TS_ROWS_ts_direct_args(ARG) \
+	ARG(IN, ts_gpixel, pixels, gbuffer_pixel) \
+	ARG(IN, ts_patch, patches, rsm_patch) \
+	ARG(OUT, f32, irradiance, indirect_irradiance) \
+	ARG(VALUE, u64, n_patches, none)
+TS_ARGS(ts_direct_args);
 
 TS_FN ts_v3 ts_k_direct(TS_GLOBAL const ts_patch *patch, ts_v3 p, ts_v3 n)
 {

@@ -17,6 +17,7 @@
  * are added. It has no image of a centre, so no screen filter either. */
 #ifndef TS_KERNELS_DISC_H
 #define TS_KERNELS_DISC_H
+#include "args.h"
 #include "raster.h"
 
 #define TS_FILTER_IS_MIN 0u    /* r = min(r3D, r2D) */
@@ -229,7 +230,8 @@ TS_FN ts_v2 ts_k_blurred(const ts_filter *filter, ts_v2 ellipse, f32 j_a, f32 j_
 	return ts_v2_make(ts_min(ellipse.x, wide.x - room), ts_max(ellipse.y, wide.y + room));
 }
 
-/* How near the ellipse, or twice sigma_k of it, comes to the eye's plane, squared: at 1 it does, and nothing is affine. */
+/* How near the ellipse, or twice sigma_k of it, comes to the eye's plane, squared: at 1 it does, and nothing is
+ * affine. */
 TS_FN f32 ts_k_disc_closeness(const ts_disc_frame *f, const ts_filter *filter)
 {
 	f32 uz = f->u.z / f->c.z;
@@ -338,13 +340,13 @@ TS_FN u32 ts_k_disc(ts_disc *disc, const ts_camera_k *view, const ts_filter *fil
 	return ts_k_disc_make(disc, view, filter, &frame, n, slant);
 }
 
-typedef struct {
-	TS_GLOBAL const ts_view *view;
-	TS_GLOBAL const ts_surfel *surfels;
-	TS_GLOBAL ts_disc *discs;       /* surfel_setup.disc */
-	TS_GLOBAL i64 *tally;           /* by TS_DISC_* */
-	ts_filter filter;
-} ts_surfel_setup_args;
+#define TS_ROWS_ts_surfel_setup_args(ARG) \
+	ARG(IN, ts_view, view, eye_view) \
+	ARG(IN, ts_surfel, surfels, scene_surfel) \
+	ARG(OUT, ts_disc, discs, surfel_setup_disc) \
+	ARG(TALLY, i64, tally, 0) /* by TS_DISC_* */ \
+	ARG(VALUE, ts_filter, filter, none)
+TS_ARGS(ts_surfel_setup_args);
 
 /* map over surfels */
 TS_FN void ts_k_surfel_setup_item(const ts_surfel_setup_args *args, u64 i)

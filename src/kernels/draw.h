@@ -1,7 +1,9 @@
-/* Drawing triangles into a depth << 32 | triangle buffer, the eye and MVR's cube faces, or into one of depths alone, MVR's
- * shadow maps. Standard rasterization, axial depth, equal depth to the lowest triangle (CONTRACT rules 18, 22, 24). */
+/* Drawing triangles into a depth << 32 | triangle buffer, the eye and MVR's cube faces, or into one of depths alone,
+ * MVR's shadow maps. Standard rasterization, axial depth, equal depth to the lowest triangle (CONTRACT rules 18, 22,
+ * 24). */
 #ifndef TS_KERNELS_DRAW_H
 #define TS_KERNELS_DRAW_H
+#include "args.h"
 #include "offscreen.h"
 #include "surface.h"
 
@@ -104,11 +106,11 @@ TS_FN ts_surface ts_k_surface_seen(const ts_arrays *scene, const ts_camera_k *vi
 	return ts_k_surface(scene, triangle, f.w, ts_k_fragment_footprint(view, &t, &f));
 }
 
-typedef struct {
-	ts_arrays scene;
-	TS_GLOBAL const ts_view *view;
-	TS_GLOBAL u64 *texels; /* eye.depth_triangle, all empty at first */
-} ts_eye_args;
+#define TS_ROWS_ts_eye_args(ARG) \
+	ARG(INNER, ts_arrays, scene, none) \
+	ARG(IN, ts_view, view, eye_view) \
+	ARG(MIN, u64, texels, eye_depth_triangle)
+TS_ARGS(ts_eye_args);
 
 /* scatter over triangles */
 TS_FN void ts_k_eye_item(const ts_eye_args *args, u64 i)
@@ -121,12 +123,13 @@ TS_FN void ts_k_eye_item(const ts_eye_args *args, u64 i)
 	ts_k_draw(&args->scene, &view, &t, triangle, &target);
 }
 
-typedef struct {
-	ts_arrays scene;
-	TS_GLOBAL const ts_face *cubes;
-	TS_GLOBAL u64 *texels;     /* face.depth_triangle of the batch, all empty at first */
-	u32 first_cube, n_cubes;   /* the batch */
-} ts_face_args;
+#define TS_ROWS_ts_face_args(ARG) \
+	ARG(INNER, ts_arrays, scene, none) \
+	ARG(IN, ts_face, cubes, resize_face) \
+	ARG(MIN, u64, texels, face_depth_triangle) /* of the batch */ \
+	ARG(VALUE, u32, first_cube, none) \
+	ARG(VALUE, u32, n_cubes, none) /* the batch */
+TS_ARGS(ts_face_args);
 
 /* scatter over triangles: into every face of every cube of the batch, but not into a reflector's own cube */
 TS_FN void ts_k_face_item(const ts_face_args *args, u64 i)
@@ -147,12 +150,13 @@ TS_FN void ts_k_face_item(const ts_face_args *args, u64 i)
 	}
 }
 
-typedef struct {
-	ts_arrays scene;
-	TS_GLOBAL const ts_offscreen *views;
-	TS_GLOBAL u32 *depths;     /* scatter.depth of the batch, all empty at first */
-	u32 first_view, n_views;   /* the batch */
-} ts_depth_args;
+#define TS_ROWS_ts_depth_args(ARG) \
+	ARG(INNER, ts_arrays, scene, none) \
+	ARG(IN, ts_offscreen, views, offscreen_view) \
+	ARG(MIN, u32, depths, scatter_depth) /* of the batch */ \
+	ARG(VALUE, u32, first_view, none) \
+	ARG(VALUE, u32, n_views, none) /* the batch */
+TS_ARGS(ts_depth_args);
 
 /* scatter over triangles: into every view of the batch */
 TS_FN void ts_k_depth_item(const ts_depth_args *args, u64 i)

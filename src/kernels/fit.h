@@ -4,6 +4,7 @@
  * sides. */
 #ifndef TS_KERNELS_FIT_H
 #define TS_KERNELS_FIT_H
+#include "args.h"
 #include "gaussian.h"
 #include "records.h"
 
@@ -18,11 +19,11 @@ TS_FN ts_sg ts_k_fit(f32 m, ts_v3 directions, u32 vmf)
 	return ts_sg_make(m / ts_k_sg_integral(lambda), lambda, phi);
 }
 
-typedef struct {
-	TS_GLOBAL const ts_moment *moments; /* gather.moment */
-	TS_GLOBAL ts_lobes *lobes;          /* fit.lobes */
-	u32 vmf;                            /* sharpness=vmf */
-} ts_fit_args;
+#define TS_ROWS_ts_fit_args(ARG) \
+	ARG(IN, ts_moment, moments, gather_moment) \
+	ARG(OUT, ts_lobes, lobes, fit_lobes) \
+	ARG(VALUE, u32, vmf, none) /* sharpness=vmf */
+TS_ARGS(ts_fit_args);
 
 /* map over corners of boxes */
 TS_FN void ts_k_fit_item(const ts_fit_args *args, u64 i)

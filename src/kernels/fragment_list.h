@@ -1,16 +1,17 @@
 /* Lists of the surfels of every pixel's fragments (METHODS 16): what sums that depend on an order are taken over. */
 #ifndef TS_KERNELS_FRAGMENT_LIST_H
 #define TS_KERNELS_FRAGMENT_LIST_H
+#include "args.h"
 #include "blend.h"
 
-typedef struct {
-	TS_GLOBAL const ts_view *view;
-	TS_GLOBAL const ts_disc *discs; /* surfel_setup.disc */
-	TS_GLOBAL const u64 *keys;      /* surfel_depth.surfel */
-	TS_GLOBAL u32 *offset;          /* of fragment_list.offset, one later */
-	TS_GLOBAL u32 *surfels;         /* fragment_list.surfel; NULL: they are counted */
-	ts_filter filter;
-} ts_fragment_list_args;
+#define TS_ROWS_ts_fragment_list_args(ARG) \
+	ARG(IN, ts_view, view, eye_view) \
+	ARG(IN, ts_disc, discs, surfel_setup_disc) \
+	ARG(IN, u64, keys, surfel_depth_surfel) \
+	ARG(SUM, u32, offset, fragment_list_offset) /* one later */ \
+	ARG(OUT_OPT, u32, surfels, fragment_list_surfel) /* NULL: they are counted */ \
+	ARG(VALUE, ts_filter, filter, none)
+TS_ARGS(ts_fragment_list_args);
 
 /* scatter over surfels: into the counts of the pixels, or their lists */
 TS_FN void ts_k_fragment_list_item(const ts_fragment_list_args *args, u64 i)

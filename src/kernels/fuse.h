@@ -4,17 +4,18 @@
  * a query. */
 #ifndef TS_KERNELS_FUSE_H
 #define TS_KERNELS_FUSE_H
+#include "args.h"
 #include "map.h"
 
-typedef struct {
-	TS_GLOBAL const ts_node *views;  /* view_octree.node */
-	TS_GLOBAL const u64 *texels;     /* map.depth_node */
-	TS_GLOBAL u32 *depths;           /* fuse.depth */
-	TS_GLOBAL u32 *nodes;            /* fuse.node */
-	ts_pyramid pyramid;
-	u32 first;                       /* node of the level */
-	u32 nearest;                     /* fusion=min */
-} ts_fuse_args;
+#define TS_ROWS_ts_fuse_args(ARG) \
+	ARG(IN, ts_node, views, view_octree_node) \
+	ARG(IN, u64, texels, map_depth_node) \
+	ARG(OUT, u32, depths, fuse_depth) \
+	ARG(OUT, u32, nodes, fuse_node) \
+	ARG(VALUE, ts_pyramid, pyramid, none) \
+	ARG(VALUE, u32, first, none) /* node of the level */ \
+	ARG(VALUE, u32, nearest, none) /* fusion=min */
+TS_ARGS(ts_fuse_args);
 
 /* The distance from b to what lies at that distance from a in the middle of a texel. */
 TS_FN f32 ts_k_moved_depth(ts_v3 a, f32 distance, ts_v3 b, u32 texel, u32 n)
@@ -23,7 +24,8 @@ TS_FN f32 ts_k_moved_depth(ts_v3 a, f32 distance, ts_v3 b, u32 texel, u32 n)
 	return ts_length(ts_sub(q, b));
 }
 
-/* What a node shows in a texel, distance << 32 | node of the scene, by what its parent does there; TS_EMPTY: nothing. */
+/* What a node shows in a texel, distance << 32 | node of the scene, by what its parent does there; TS_EMPTY:
+ * nothing. */
 TS_FN u64 ts_k_fused(const ts_fuse_args *args, u32 node, u64 above, u32 texel)
 {
 	u64 first = (u64)node * ts_k_pyramid_texels(&args->pyramid);

@@ -6,19 +6,20 @@
  * of the triangles. */
 #ifndef TS_KERNELS_GATHER_H
 #define TS_KERNELS_GATHER_H
+#include "args.h"
 #include "form_factor.h"
 #include "grid.h"
 #include "raster.h"
 
-typedef struct {
-	TS_GLOBAL const ts_view *view;
-	TS_GLOBAL const ts_gpixel *pixels;   /* gbuffer.pixel */
-	TS_GLOBAL const ts_patch *patches;   /* rsm_patch.light */
-	TS_GLOBAL const ts_segment *boxes;   /* box.record */
-	TS_GLOBAL ts_moment *moments;        /* gather.moment */
-	u64 n_patches;
-	u32 grid;
-} ts_gather_args;
+#define TS_ROWS_ts_gather_args(ARG) \
+	ARG(IN, ts_view, view, eye_view) \
+	ARG(IN, ts_gpixel, pixels, gbuffer_pixel) \
+	ARG(IN, ts_patch, patches, rsm_patch) \
+	ARG(IN, ts_segment, boxes, box_record) \
+	ARG(OUT, ts_moment, moments, gather_moment) \
+	ARG(VALUE, u64, n_patches, none) \
+	ARG(VALUE, u32, grid, none)
+TS_ARGS(ts_gather_args);
 
 /* The point of a pixel's ray at depth zn. */
 TS_FN ts_v3 ts_k_pixel_point(const ts_camera_k *view, u32 x, u32 y, f32 depth)

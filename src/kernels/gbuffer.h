@@ -3,14 +3,15 @@
  * the sky, and nothing else is. */
 #ifndef TS_KERNELS_GBUFFER_H
 #define TS_KERNELS_GBUFFER_H
+#include "args.h"
 #include "rsm.h"
 
-typedef struct {
-	ts_arrays scene;
-	TS_GLOBAL const ts_view *view;
-	TS_GLOBAL const u64 *depth_triangle; /* eye.depth_triangle */
-	TS_GLOBAL ts_gpixel *pixels;         /* gbuffer.pixel */
-} ts_gbuffer_args;
+#define TS_ROWS_ts_gbuffer_args(ARG) \
+	ARG(INNER, ts_arrays, scene, none) \
+	ARG(IN, ts_view, view, eye_view) \
+	ARG(IN, u64, depth_triangle, eye_depth_triangle) \
+	ARG(OUT, ts_gpixel, pixels, gbuffer_pixel)
+TS_ARGS(ts_gbuffer_args);
 
 #define TS_SKY 1.0f
 

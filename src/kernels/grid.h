@@ -3,6 +3,7 @@
  * (METHODS 11). */
 #ifndef TS_KERNELS_GRID_H
 #define TS_KERNELS_GRID_H
+#include "args.h"
 #include "records.h"
 #include "vec.h"
 
@@ -28,11 +29,13 @@ TS_FN u64 ts_k_grid_pixel(u32 grid, u32 width, u32 height, u32 x, u32 y)
 	return (u64)ts_k_resample(y, grid, height) * width + ts_k_resample(x, grid, width);
 }
 
-typedef struct {
-	TS_GLOBAL const ts_gpixel *pixels; /* gbuffer.pixel */
-	TS_GLOBAL f32 *depths;             /* nearest.depth */
-	u32 grid, width, height;
-} ts_nearest_args;
+#define TS_ROWS_ts_nearest_args(ARG) \
+	ARG(IN, ts_gpixel, pixels, gbuffer_pixel) \
+	ARG(OUT, f32, depths, nearest_depth) \
+	ARG(VALUE, u32, grid, none) \
+	ARG(VALUE, u32, width, none) \
+	ARG(VALUE, u32, height, none)
+TS_ARGS(ts_nearest_args);
 
 /* map over texels of the grid */
 TS_FN void ts_k_nearest_item(const ts_nearest_args *args, u64 i)

@@ -6,24 +6,26 @@
  * exitance and radiance is a pi-th of that. */
 #ifndef TS_KERNELS_HULL_H
 #define TS_KERNELS_HULL_H
+#include "args.h"
 #include "fit.h"
 #include "gbuffer.h"
 #include "hull_choice.h"
 
-typedef struct {
-	ts_choice_args choice;
-	TS_GLOBAL const ts_gpixel *pixels;  /* gbuffer.pixel */
-	TS_GLOBAL const ts_moment *moments; /* gather.moment */
-	TS_GLOBAL const ts_lobes *lobes;    /* fit.lobes */
-	TS_GLOBAL u32 *box;                 /* hull.box */
-	TS_GLOBAL f32 *irradiance;          /* indirect.irradiance */
-	TS_GLOBAL i64 *n_unlit;             /* pixels but of the sky without a box */
-	u32 width, height;
-	u32 cosine;                         /* TS_COSINE_IS_* */
-	u32 by_moments;                     /* interpolation=moments */
-	u32 vmf;                            /* sharpness=vmf */
-	u32 printed;                        /* integrals=printed */
-} ts_hull_args;
+#define TS_ROWS_ts_hull_args(ARG) \
+	ARG(INNER, ts_choice_args, choice, none) \
+	ARG(IN, ts_gpixel, pixels, gbuffer_pixel) \
+	ARG(IN, ts_moment, moments, gather_moment) \
+	ARG(IN, ts_lobes, lobes, fit_lobes) \
+	ARG(OUT, u32, box, hull_box) \
+	ARG(OUT, f32, irradiance, indirect_irradiance) \
+	ARG(TALLY, i64, n_unlit, 0) /* pixels but of the sky without a box */ \
+	ARG(VALUE, u32, width, none) \
+	ARG(VALUE, u32, height, none) \
+	ARG(VALUE, u32, cosine, none) /* TS_COSINE_IS_* */ \
+	ARG(VALUE, u32, by_moments, none) /* interpolation=moments */ \
+	ARG(VALUE, u32, vmf, none) /* sharpness=vmf */ \
+	ARG(VALUE, u32, printed, none) /* integrals=printed */
+TS_ARGS(ts_hull_args);
 
 /* Of the corners of a box: sum 1. */
 typedef struct { f32 of[4]; } ts_shares;

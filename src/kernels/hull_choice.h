@@ -4,15 +4,16 @@
  * and whose depth is nearest; another of the block, then of the blocks around it, ring by ring. */
 #ifndef TS_KERNELS_HULL_CHOICE_H
 #define TS_KERNELS_HULL_CHOICE_H
+#include "args.h"
 #include "grid.h"
 
-typedef struct {
-	TS_GLOBAL const u32 *offset;         /* box.offset */
-	TS_GLOBAL const ts_segment *boxes;   /* box.record */
-	u32 grid;
-	u32 robust;
-	f32 step;                            /* t */
-} ts_choice_args;
+#define TS_ROWS_ts_choice_args(ARG) \
+	ARG(IN, u32, offset, box_offset) \
+	ARG(IN, ts_segment, boxes, box_record) \
+	ARG(VALUE, u32, grid, none) \
+	ARG(VALUE, u32, robust, none) \
+	ARG(VALUE, f32, step, none) /* t */
+TS_ARGS(ts_choice_args);
 
 /* A texel of the grid and a depth in it. */
 typedef struct { u32 x, y; f32 depth; } ts_grid_place;

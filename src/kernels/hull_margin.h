@@ -1,19 +1,22 @@
-/* How near the choice of a pixel's box was to another, for ports that round otherwise (PORTING 7): a second pass, which
- * changes nothing that hull_choice.h decided of the boxes and depths that it was given. Whether a box holds a depth is not
- * rounded, and the first of boxes of the same measure is taken; the slack is rounded, and measures that differ are. */
+/* How near the choice of a pixel's box was to another, for ports that round otherwise (PORTING 7): a second pass,
+ * which changes nothing that hull_choice.h decided of the boxes and depths that it was given. Whether a box holds a
+ * depth is not rounded, and the first of boxes of the same measure is taken; the slack is rounded, and measures that
+ * differ are. */
 #ifndef TS_KERNELS_HULL_MARGIN_H
 #define TS_KERNELS_HULL_MARGIN_H
+#include "args.h"
 #include "gbuffer.h"
 #include "hull_choice.h"
 #include "segment_margin.h"
 
-typedef struct {
-	ts_choice_args choice;
-	TS_GLOBAL const ts_gpixel *pixels; /* gbuffer.pixel */
-	TS_GLOBAL const u32 *box;          /* hull.box */
-	TS_GLOBAL f32 *margin;             /* hull.margin */
-	u32 width, height;
-} ts_hull_margin_args;
+#define TS_ROWS_ts_hull_margin_args(ARG) \
+	ARG(INNER, ts_choice_args, choice, none) \
+	ARG(IN, ts_gpixel, pixels, gbuffer_pixel) \
+	ARG(IN, u32, box, hull_box) \
+	ARG(OUT, f32, margin, hull_margin) \
+	ARG(VALUE, u32, width, none) \
+	ARG(VALUE, u32, height, none)
+TS_ARGS(ts_hull_margin_args);
 
 /* The rank of a box and its measure, as if it alone were offered; and how near its gap is to the slack. */
 typedef struct { ts_choice as; f32 slack_margin, thickness; } ts_offered;

@@ -1,17 +1,19 @@
 /* MVR: deferred shading of every texel of the cube faces, and their mip chain (METHODS 3). */
 #ifndef TS_KERNELS_ILLUMINATE_H
 #define TS_KERNELS_ILLUMINATE_H
+#include "args.h"
 #include "draw.h"
 #include "shade.h"
 
-typedef struct {
-	ts_arrays scene;
-	TS_GLOBAL const ts_face *cubes;
-	TS_GLOBAL const u64 *depth_triangle; /* face.depth_triangle of the batch */
-	TS_GLOBAL f32 *mip;                  /* face.mip of the batch: 4 floats a texel */
-	u32 first_cube, n_cubes;             /* the batch */
-	u32 level;                           /* that `mip` makes from the level before */
-} ts_illuminate_args;
+#define TS_ROWS_ts_illuminate_args(ARG) \
+	ARG(INNER, ts_arrays, scene, none) \
+	ARG(IN, ts_face, cubes, resize_face) \
+	ARG(IN, u64, depth_triangle, face_depth_triangle) /* of the batch */ \
+	ARG(OUT, f32, mip, face_mip) /* of the batch: 4 floats a texel */ \
+	ARG(VALUE, u32, first_cube, none) \
+	ARG(VALUE, u32, n_cubes, none) /* the batch */ \
+	ARG(VALUE, u32, level, none) /* that `mip` makes from the level before */
+TS_ARGS(ts_illuminate_args);
 
 /* Texels of the levels of one cube before `level`; level TS_NONE: of all of them. */
 TS_FN u64 ts_k_mip_texels(u32 n, u32 level)

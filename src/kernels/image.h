@@ -1,22 +1,24 @@
-/* The picture: mirrors show their reflection, everything else is shaded where the eye sees it, in what light reaches it. */
+/* The picture: mirrors show their reflection, everything else is shaded where the eye sees it, in what light reaches
+ * it. */
 #ifndef TS_KERNELS_IMAGE_H
 #define TS_KERNELS_IMAGE_H
+#include "args.h"
 #include "draw.h"
 #include "shade.h"
 #include "srgb.h"
 
-typedef struct {
-	ts_arrays scene;
-	TS_GLOBAL const ts_view *view;
-	TS_GLOBAL const u64 *depth_triangle; /* eye.depth_triangle */
-	TS_GLOBAL const u32 *offset;         /* pixel.offset; NULL: there are no mirrors */
-	TS_GLOBAL const f32 *reflected;      /* shade.radiance */
-	TS_GLOBAL const u32 *lit;            /* resolve.lit; NULL: there are no shadows */
-	TS_GLOBAL const ts_lamp *lamps;
-	TS_GLOBAL f32 *radiance;             /* image.radiance */
-	TS_GLOBAL u8 *srgb;                  /* image.srgb */
-	f32 exposure;
-} ts_image_args;
+#define TS_ROWS_ts_image_args(ARG) \
+	ARG(INNER, ts_arrays, scene, none) \
+	ARG(IN, ts_view, view, eye_view) \
+	ARG(IN, u64, depth_triangle, eye_depth_triangle) \
+	ARG(IN_OPT, u32, offset, pixel_offset) /* NULL: there are no mirrors */ \
+	ARG(IN_OPT, f32, reflected, shade_radiance) \
+	ARG(IN_OPT, u32, lit, resolve_lit) /* NULL: there are no shadows */ \
+	ARG(IN_OPT, ts_lamp, lamps, lamp_shape) \
+	ARG(OUT, f32, radiance, image_radiance) \
+	ARG(OUT, u8, srgb, image_srgb) \
+	ARG(VALUE, f32, exposure, none)
+TS_ARGS(ts_image_args);
 
 TS_FN ts_v3 ts_k_eye_radiance(const ts_image_args *args, u64 i)
 {

@@ -1,18 +1,19 @@
 /* The picture of indirect light alone: Lo = albedo / pi E (METHODS 11), and the background in the sky. */
 #ifndef TS_KERNELS_INDIRECT_H
 #define TS_KERNELS_INDIRECT_H
+#include "args.h"
 #include "gbuffer.h"
 #include "image.h"
 
 #define TS_INDIRECT_EXPOSURE 8.0f /* beside direct light what comes from one bounce is dim */
 
-typedef struct {
-	TS_GLOBAL const ts_gpixel *pixels; /* gbuffer.pixel */
-	TS_GLOBAL const f32 *irradiance;   /* indirect.irradiance */
-	TS_GLOBAL f32 *radiance;           /* image.radiance */
-	TS_GLOBAL u8 *srgb;                /* image.srgb */
-	f32 exposure;
-} ts_indirect_args;
+#define TS_ROWS_ts_indirect_args(ARG) \
+	ARG(IN, ts_gpixel, pixels, gbuffer_pixel) \
+	ARG(IN, f32, irradiance, indirect_irradiance) \
+	ARG(OUT, f32, radiance, image_radiance) \
+	ARG(OUT, u8, srgb, image_srgb) \
+	ARG(VALUE, f32, exposure, none)
+TS_ARGS(ts_indirect_args);
 
 /* map over pixels */
 TS_FN void ts_k_indirect_image_item(const ts_indirect_args *args, u64 i)

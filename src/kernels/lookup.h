@@ -1,34 +1,35 @@
-/* Eye-based deferred shading: the samples of reflective pixels look up points in cubes, points on mirrors are queued for
- * the next bounce, and every sample has the colour of its point (EPR sections 4.1.2 to 4.1.4; METHODS 2). */
+/* Eye-based deferred shading: the samples of reflective pixels look up points in cubes, points on mirrors are queued
+ * for the next bounce, and every sample has the colour of its point (EPR sections 4.1.2 to 4.1.4; METHODS 2). */
 #ifndef TS_KERNELS_LOOKUP_H
 #define TS_KERNELS_LOOKUP_H
+#include "args.h"
 #include "points.h"
 #include "cube.h"
 #include "samples.h"
 #include "shade.h"
 
-typedef struct {
-	ts_arrays scene;
-	TS_GLOBAL const ts_view *view;
-	TS_GLOBAL const ts_face *cubes;
-	TS_GLOBAL const ts_piece *pieces;
-	TS_GLOBAL const ts_align *frames;
-	TS_PARTED(const u64, keys);
-	TS_PARTED(const ts_point, points);
-	TS_PARTED(const u64, texels);      /* splat.depth_index */
-	TS_GLOBAL const ts_pixel *pixels;
-	TS_GLOBAL const ts_bounce *queue;  /* entries of this bounce; none at the first */
-	TS_GLOBAL u32 *found;              /* points that the samples of this bounce see */
-	TS_GLOBAL u32 *offset;             /* entries of the next bounce before each sample */
-	TS_GLOBAL ts_bounce *next_queue;
-	TS_GLOBAL const f32 *next_radiance;
-	TS_GLOBAL f32 *radiance;           /* of this bounce's entries */
-	TS_GLOBAL u32 *used;               /* samples shaded; first bounce only */
-	u32 n_samples;                     /* an entry: 25 at the first bounce, then 4 */
-	u32 first;                         /* entries are pixels */
-	u32 follow;                        /* there is a next bounce */
-	u32 adaptive;
-} ts_lookup_args;
+#define TS_ROWS_ts_lookup_args(ARG) \
+	ARG(INNER, ts_arrays, scene, none) \
+	ARG(IN_OPT, ts_view, view, eye_view) \
+	ARG(IN, ts_face, cubes, resize_face) \
+	ARG(IN, ts_piece, pieces, split_triangle) \
+	ARG(IN, ts_align, frames, align_frame) \
+	ARG(IN_PARTS, u64, keys, points_key) \
+	ARG(IN_PARTS, ts_point, points, points_record) \
+	ARG(IN_PARTS_OPT, u64, texels, splat_depth_index) \
+	ARG(IN, ts_pixel, pixels, pixel_record) \
+	ARG(IN_OPT, ts_bounce, queue, none) /* entries of this bounce; none at the first */ \
+	ARG(OUT_OPT, u32, found, none) /* points that the samples of this bounce see */ \
+	ARG(OUT_OPT, u32, offset, none) /* entries of the next bounce before each sample */ \
+	ARG(OUT_OPT, ts_bounce, next_queue, none) \
+	ARG(IN_OPT, f32, next_radiance, none) \
+	ARG(OUT_OPT, f32, radiance, none) /* of this bounce's entries */ \
+	ARG(OUT_OPT, u32, used, shade_used) /* samples shaded; first bounce only */ \
+	ARG(VALUE, u32, n_samples, none) /* an entry: 25 at the first bounce, then 4 */ \
+	ARG(VALUE, u32, first, none) /* entries are pixels */ \
+	ARG(VALUE, u32, follow, none) /* there is a next bounce */ \
+	ARG(VALUE, u32, adaptive, none)
+TS_ARGS(ts_lookup_args);
 
 TS_FN u32 ts_k_lookup(const ts_lookup_args *args, u32 cube_index, ts_v3 direction)
 {
@@ -130,7 +131,8 @@ TS_FN ts_v3 ts_k_next_radiance(const ts_lookup_args *args, u64 first, u32 k, ts_
 	return same < k ? seen[same] : ts_k_sample_radiance(args, first + k, centre);
 }
 
-/* Variance of n numbers from their sums (EPR 4.1.3: "until color variance stopped declining"); the numbers are r + g + b. */
+/* Variance of n numbers from their sums (EPR 4.1.3: "until color variance stopped declining"); the numbers are r + g
+ * + b. */
 TS_FN f32 ts_k_variance(f32 sum, f32 squares, u32 n)
 {
 	f32 count = (f32)n;

@@ -3,6 +3,7 @@
  * coarser level of a pyramid over the map, whose texels show through where finer ones are empty. */
 #ifndef TS_KERNELS_MAP_H
 #define TS_KERNELS_MAP_H
+#include "args.h"
 #include "traverse.h"
 
 /* A pyramid: level l is two maps of n >> l texels a side. */
@@ -28,13 +29,13 @@ TS_FN u32 ts_k_pyramid_above(const ts_pyramid *pyramid, u32 texel, u32 level)
 	return ts_k_pyramid_first(pyramid, level) + ((texel / (n * n)) * side + row) * side + column;
 }
 
-typedef struct {
-	TS_GLOBAL const ts_node *nodes;  /* octree.node */
-	TS_GLOBAL const ts_node *views;  /* view_octree.node */
-	TS_GLOBAL const u64 *pairs;      /* traverse.rendered, or what is left of a queue */
-	TS_GLOBAL u64 *texels;           /* map.depth_node, all empty at first */
-	ts_pyramid pyramid;
-} ts_map_args;
+#define TS_ROWS_ts_map_args(ARG) \
+	ARG(IN, ts_node, nodes, octree_node) \
+	ARG(IN, ts_node, views, view_octree_node) \
+	ARG(IN, u64, pairs, traverse_rendered) /* or what is left of a queue */ \
+	ARG(MIN, u64, texels, map_depth_node) \
+	ARG(VALUE, ts_pyramid, pyramid, none)
+TS_ARGS(ts_map_args);
 
 /* ceil(log2(size)), seen from the middle of the views; at most the last. */
 TS_FN u32 ts_k_map_level(const ts_pyramid *pyramid, ts_v3 vs, f32 d, f32 radius)

@@ -5,20 +5,22 @@
  * changes nothing. */
 #ifndef TS_KERNELS_MAP_MARGIN_H
 #define TS_KERNELS_MAP_MARGIN_H
+#include "args.h"
 #include "map.h"
 #include "resolve_margin.h"
 
 #define TS_MARGIN_SINE 0.0000002384185791015625f /* by its sine: what rounding changes in the sine of a cone */
 #define TS_MARGIN_LEAST_SINE 0.00048828125f
 
-typedef struct {
-	ts_traverse_args of;         /* how pairs are decided */
-	TS_GLOBAL const u64 *pairs;  /* not yet decided; NULL: each of n_nodes from `first` on with each view */
-	TS_GLOBAL const u64 *texels; /* map.depth_node */
-	TS_GLOBAL u32 *margin;       /* map.margin: f32 bits, all ones at first */
-	ts_pyramid pyramid;
-	u32 first, n_nodes;
-} ts_map_margin_args;
+#define TS_ROWS_ts_map_margin_args(ARG) \
+	ARG(INNER, ts_traverse_args, of, none) /* how pairs are decided */ \
+	ARG(WORK_IN, u64, pairs, queue) /* not yet decided; NULL: each of n_nodes from `first` on with each view */ \
+	ARG(IN, u64, texels, map_depth_node) \
+	ARG(MIN, u32, margin, map_margin) /* f32 bits */ \
+	ARG(VALUE, ts_pyramid, pyramid, none) \
+	ARG(VALUE, u32, first, none) \
+	ARG(VALUE, u32, n_nodes, none)
+TS_ARGS(ts_map_margin_args);
 
 /* Of fs and what it must pass, in 8 ulps of the distance and what rounding changes in the sine of the cone. */
 TS_FN f32 ts_k_cull_side_margin(const ts_ball *s, const ts_ball *v, const ts_cone_k *cone, const ts_aperture *phi)
@@ -71,8 +73,9 @@ TS_FN ts_reach ts_k_circle_reach(f32 middle, f32 radius, u32 n)
 	return r;
 }
 
-/* Texels of one of two maps that a ball may be in, but those that show what is nearer: the image of a ball is a circle about
- * the middle (y, z) / (x + c), c^2 = d^2 - r^2, of radius r / (x + c); or its outside, if the ball covers the map's back. */
+/* Texels of one of two maps that a ball may be in, but those that show what is nearer: the image of a ball is a
+ * circle about the middle (y, z) / (x + c), c^2 = d^2 - r^2, of radius r / (x + c); or its outside, if the ball
+ * covers the map's back. */
 TS_FN void ts_k_ball_margin_map(const ts_map_margin_args *args, u64 first, ts_v3 vs, f32 r, u32 level, bool back, f32 margin)
 {
 	u32 n = args->pyramid.n >> level;
@@ -124,14 +127,16 @@ TS_FN void ts_k_fate_margin_spread(const ts_map_margin_args *args, u64 pair, f32
 	}
 }
 
-/* Of a place along an axis and the nearest edge of a texel, in 2^-20 of the map; no rounding makes the middle another. */
+/* Of a place along an axis and the nearest edge of a texel, in 2^-20 of the map; no rounding makes the middle
+ * another. */
 TS_FN f32 ts_k_place_margin(f32 component, const ts_beside *beside, u32 n)
 {
 	f32 texels = beside->distance * 0.00390625f;
 	return component == 0.0f ? TS_MARGIN_NOWHERE : texels / ((f32)n * TS_MARGIN_ROUNDING);
 }
 
-/* The level of the pyramid whose width is the nearest to the ball's, beside its own; of the sine only 1 is not rounded. */
+/* The level of the pyramid whose width is the nearest to the ball's, beside its own; of the sine only 1 is not
+ * rounded. */
 typedef struct { u32 own, next; f32 margin; } ts_level_beside;
 
 TS_FN ts_level_beside ts_k_level_beside(const ts_pyramid *pyramid, ts_v3 vs, f32 d, f32 radius)
@@ -154,8 +159,8 @@ TS_FN ts_level_beside ts_k_level_beside(const ts_pyramid *pyramid, ts_v3 vs, f32
 /* Where a pair of the distance d is in a map, and how near it is to be rendered, or not to be. */
 typedef struct { u64 own; u32 node; f32 d, fate; bool rendered; } ts_placed;
 
-/* A pair may come to a texel where rounding turns that much: not behind what the texel shows, or so near behind that this
- * turns, too. And it leaves its own. */
+/* A pair may come to a texel where rounding turns that much: not behind what the texel shows, or so near behind that
+ * this turns, too. And it leaves its own. */
 TS_FN void ts_k_come_margin(const ts_map_margin_args *args, const ts_placed *pair, u64 there, f32 turns)
 {
 	u64 key = args->texels[there];

@@ -1,24 +1,26 @@
-/* How near each decision was, for ports that may legally decide otherwise: the second pass of a margin stage, which changes
- * nothing that was decided (PORTING 7). Standard rasterization: distance of a pixel's centre from the edges that matter
- * there, and from the depth that nearly won. Culling: distance of the random number from its threshold. */
+/* How near each decision was, for ports that may legally decide otherwise: the second pass of a margin stage, which
+ * changes nothing that was decided (PORTING 7). Standard rasterization: distance of a pixel's centre from the edges
+ * that matter there, and from the depth that nearly won. Culling: distance of the random number from its threshold. */
 #ifndef TS_KERNELS_MARGIN_H
 #define TS_KERNELS_MARGIN_H
+#include "args.h"
 #include "cull.h"
 #include "draw.h"
 
 /* Two minima a pixel, as f32 bits: the distance to an edge, in 1/256 pixel along the axes; and how far another depth is
  * behind, in what one such step in the image changes in the depths of both. Of depths alone, whose triangles are not
  * known, the step is that of the other: what comes no nearer than the depth that is held cannot take its place. */
-typedef struct {
-	ts_arrays scene;
-	TS_GLOBAL const ts_view *view;       /* of the eye */
-	TS_GLOBAL const ts_face *cubes;
-	TS_GLOBAL const ts_offscreen *views;
-	TS_GLOBAL const u64 *depth_triangle; /* what was decided: keys, or depths alone; the other is NULL */
-	TS_GLOBAL const u32 *depths;
-	TS_GLOBAL u64 *margin;               /* [2] a pixel, all ones at first */
-	u32 first_unit, n_units;             /* the batch: cubes, or views */
-} ts_margin_args;
+#define TS_ROWS_ts_margin_args(ARG) \
+	ARG(INNER, ts_arrays, scene, none) \
+	ARG(IN_OPT, ts_view, view, eye_view) /* of the eye */ \
+	ARG(IN_OPT, ts_face, cubes, resize_face) \
+	ARG(IN_OPT, ts_offscreen, views, offscreen_view) \
+	ARG(IN_OPT, u64, depth_triangle, none) /* what was decided: keys, or depths alone */ \
+	ARG(IN_OPT, u32, depths, scatter_depth) \
+	ARG(MIN, u64, margin, none) /* [2] a pixel */ \
+	ARG(VALUE, u32, first_unit, none) \
+	ARG(VALUE, u32, n_units, none) /* the batch: cubes, or views */
+TS_ARGS(ts_margin_args);
 
 /* What was decided at a pixel. `other` than it is each triangle but its own, of depths each with another depth. */
 typedef struct { f32 z; u32 triangle; bool is_empty, is_known; } ts_shown;
@@ -66,8 +68,8 @@ TS_FN f32 ts_k_edge_distance(const ts_setup *t, const ts_edges *e)
 	return least;
 }
 
-/* Twice what a step of 1/256 pixel in x and in y changes in the depth z: z^2 |grad(1/z)|, orthographic |grad z|; twice, for
- * the corners may step apart. */
+/* Twice what a step of 1/256 pixel in x and in y changes in the depth z: z^2 |grad(1/z)|, orthographic |grad z|;
+ * twice, for the corners may step apart. */
 TS_FN f32 ts_k_depth_step(const ts_camera_k *view, const ts_setup *t, const ts_corner *a, const ts_corner *b,
                           const ts_corner *c, f32 z)
 {
@@ -223,10 +225,10 @@ TS_FN void ts_k_depth_margin_item(const ts_margin_args *args, u64 i)
 	}
 }
 
-typedef struct {
-	ts_cull_args cull;
-	TS_GLOBAL f32 *margin; /* cull.margin */
-} ts_cull_margin_args;
+#define TS_ROWS_ts_cull_margin_args(ARG) \
+	ARG(INNER, ts_cull_args, cull, none) \
+	ARG(OUT, f32, margin, cull_margin)
+TS_ARGS(ts_cull_margin_args);
 
 /* map over pieces: the random number's distance from its threshold, of 1; 1 where nothing is left to chance */
 TS_FN void ts_k_cull_margin_item(const ts_cull_margin_args *args, u64 i)

@@ -1,7 +1,9 @@
-/* The masks of an octree's levels: a bit a voxel in Morton order, 1 where there is something, all levels in one array from
- * the root on. Level l has 8^l bits; levels 0 and 1 fill a word each. The set bits before a bit are the id of its node. */
+/* The masks of an octree's levels: a bit a voxel in Morton order, 1 where there is something, all levels in one
+ * array from the root on. Level l has 8^l bits; levels 0 and 1 fill a word each. The set bits before a bit are the
+ * id of its node. */
 #ifndef TS_KERNELS_MASK_H
 #define TS_KERNELS_MASK_H
+#include "args.h"
 #include "morton.h"
 
 /* The first word of a level: l for l < 2, else 2 + the sum of 8^(k - 2) over the levels k before it. */
@@ -20,11 +22,11 @@ TS_FN u32 ts_k_mask_id(TS_GLOBAL const u64 *mask, TS_GLOBAL const u32 *before, u
 	return before[word] + ts_k_count_bits(mask[word] & (ts_k_mask_bit(code) - 1u));
 }
 
-typedef struct {
-	TS_GLOBAL u64 *mask;
-	TS_GLOBAL u32 *before; /* counts, then their prefix sums */
-	u32 level;             /* that is made of the one below it */
-} ts_mask_args;
+#define TS_ROWS_ts_mask_args(ARG) \
+	ARG(OUT, u64, mask, voxel_mask) \
+	ARG(OUT, u32, before, voxel_before) /* counts, then their prefix sums */ \
+	ARG(VALUE, u32, level, none) /* that is made of the one below it */
+TS_ARGS(ts_mask_args);
 
 /* One bit for each of the bytes. */
 TS_FN u64 ts_k_mask_used(u64 bytes)

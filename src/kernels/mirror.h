@@ -1,18 +1,20 @@
 /* MVR: reflective pixels look up the mip-mapped cube faces (METHODS 3). */
 #ifndef TS_KERNELS_MIRROR_H
 #define TS_KERNELS_MIRROR_H
+#include "args.h"
 #include "illuminate.h"
 #include "samples.h"
 
-typedef struct {
-	TS_GLOBAL const ts_view *view;
-	TS_GLOBAL const ts_face *cubes;
-	TS_GLOBAL const ts_pixel *pixels;
-	TS_GLOBAL const f32 *mip;   /* face.mip of the batch */
-	TS_GLOBAL f32 *radiance;    /* shade.radiance */
-	u32 first_cube, n_cubes;    /* the batch */
-	u32 supersample;            /* 25 nearest look-ups in level 0, as EPR does */
-} ts_mirror_args;
+#define TS_ROWS_ts_mirror_args(ARG) \
+	ARG(IN, ts_view, view, eye_view) \
+	ARG(IN, ts_face, cubes, resize_face) \
+	ARG(IN, ts_pixel, pixels, pixel_record) \
+	ARG(IN, f32, mip, face_mip) /* of the batch */ \
+	ARG(SUM, f32, radiance, shade_radiance) \
+	ARG(VALUE, u32, first_cube, none) \
+	ARG(VALUE, u32, n_cubes, none) /* the batch */ \
+	ARG(VALUE, u32, supersample, none) /* 25 nearest look-ups in level 0, as EPR does */
+TS_ARGS(ts_mirror_args);
 
 /* One cube's chain. */
 typedef struct { TS_GLOBAL const f32 *texels; u32 n; } ts_mip_cube;

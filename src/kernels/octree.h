@@ -2,17 +2,18 @@
  * (METHODS 12). And the lists of its leaves, in order. */
 #ifndef TS_KERNELS_OCTREE_H
 #define TS_KERNELS_OCTREE_H
+#include "args.h"
 #include "mask.h"
 #include "root.h"
 
-typedef struct {
-	TS_GLOBAL const ts_root *root;
-	TS_GLOBAL const u64 *mask;
-	TS_GLOBAL const u32 *before;
-	TS_GLOBAL u32 *level;    /* nodes before each level */
-	TS_GLOBAL ts_node *nodes;
-	u32 levels;
-} ts_octree_args;
+#define TS_ROWS_ts_octree_args(ARG) \
+	ARG(IN, ts_root, root, root_cube) \
+	ARG(IN, u64, mask, voxel_mask) \
+	ARG(IN, u32, before, voxel_before) \
+	ARG(OUT, u32, level, octree_level) /* nodes before each level */ \
+	ARG(OUT, ts_node, nodes, octree_node) \
+	ARG(VALUE, u32, levels, none)
+TS_ARGS(ts_octree_args);
 
 /* map over levels, and one more: all nodes */
 TS_FN void ts_k_octree_level_item(const ts_octree_args *args, u64 i)
@@ -58,10 +59,10 @@ TS_FN void ts_k_octree_item(const ts_octree_args *args, u64 i)
 	}
 }
 
-typedef struct {
-	TS_GLOBAL const u32 *offset; /* of each leaf */
-	TS_GLOBAL u32 *entries;
-} ts_sort_args;
+#define TS_ROWS_ts_sort_args(ARG) \
+	ARG(IN, u32, offset, none) /* of each leaf */ \
+	ARG(OUT, u32, entries, none)
+TS_ARGS(ts_sort_args);
 
 /* Lets entry k of a heap of n fall to its place. */
 TS_FN void ts_k_sift(TS_GLOBAL u32 *heap, u32 k, u32 n)

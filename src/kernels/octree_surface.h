@@ -1,23 +1,24 @@
-/* What is in each node of the scene's octree: in a leaf the mean of its triangles, each seen at its point nearest to the
- * middle, a leaf's side wide; in an inner node the mean of its children (MegaViews section 3.1). Sums go by the order of
- * triangles and of octants. */
+/* What is in each node of the scene's octree: in a leaf the mean of its triangles, each seen at its point nearest to
+ * the middle, a leaf's side wide; in an inner node the mean of its children (MegaViews section 3.1). Sums go by the
+ * order of triangles and of octants. */
 #ifndef TS_KERNELS_OCTREE_SURFACE_H
 #define TS_KERNELS_OCTREE_SURFACE_H
+#include "args.h"
 #include "closest.h"
 #include "hit.h"
 #include "morton.h"
 #include "rsm.h"
 
-typedef struct {
-	ts_arrays scene;
-	TS_GLOBAL const ts_root *root;
-	TS_GLOBAL const ts_node *nodes;
-	TS_GLOBAL const u32 *offset;         /* octree.offset */
-	TS_GLOBAL const u32 *triangles;      /* octree.triangle */
-	TS_GLOBAL ts_node_surface *surfaces;
-	u32 levels;
-	u32 first;                           /* node of item 0 */
-} ts_octree_surface_args;
+#define TS_ROWS_ts_octree_surface_args(ARG) \
+	ARG(INNER, ts_arrays, scene, none) \
+	ARG(IN, ts_root, root, root_cube) \
+	ARG(IN, ts_node, nodes, octree_node) \
+	ARG(IN, u32, offset, octree_offset) \
+	ARG(IN, u32, triangles, octree_triangle) \
+	ARG(OUT, ts_node_surface, surfaces, octree_surface_node) \
+	ARG(VALUE, u32, levels, none) \
+	ARG(VALUE, u32, first, none) /* node of item 0 */
+TS_ARGS(ts_octree_surface_args);
 
 TS_FN void ts_k_node_surface_store(TS_GLOBAL ts_node_surface *node, ts_v3 albedo, ts_v3 normal, u32 n)
 {

@@ -2,6 +2,7 @@
  * METHODS 9). */
 #ifndef TS_KERNELS_OFFSCREEN_H
 #define TS_KERNELS_OFFSCREEN_H
+#include "args.h"
 #include "cube.h"
 #include "visibility.h"
 
@@ -20,7 +21,8 @@ TS_FN ts_camera_k ts_k_offscreen(TS_GLOBAL const ts_offscreen *view)
 	return r;
 }
 
-/* A view may show the triangle: it is in sight, does not belong to what the view leaves out, and does not turn its back. */
+/* A view may show the triangle: it is in sight, does not belong to what the view leaves out, and does not turn its
+ * back. */
 TS_FN bool ts_k_offscreen_may_show(const ts_arrays *scene, TS_GLOBAL const ts_offscreen *view, u32 triangle,
                                    const ts_corners *t)
 {
@@ -29,13 +31,14 @@ TS_FN bool ts_k_offscreen_may_show(const ts_arrays *scene, TS_GLOBAL const ts_of
 	return ts_k_is_two_sided(scene, triangle) || ts_flush(ts_dot(t->n, ts_load3(view->back))) > 0.0f;
 }
 
-typedef struct {
-	ts_arrays scene;
-	TS_GLOBAL const ts_offscreen *views;
-	TS_GLOBAL u64 *bits; /* n_triangles * n_words */
-	u32 n_views, n_words;
-	u32 vertex_mode;
-} ts_offscreen_args;
+#define TS_ROWS_ts_offscreen_args(ARG) \
+	ARG(INNER, ts_arrays, scene, none) \
+	ARG(IN, ts_offscreen, views, offscreen_view) \
+	ARG(OUT, u64, bits, visibility_bits) /* n_triangles * n_words */ \
+	ARG(VALUE, u32, n_views, none) \
+	ARG(VALUE, u32, n_words, none) \
+	ARG(VALUE, u32, vertex_mode, none)
+TS_ARGS(ts_offscreen_args);
 
 TS_FN bool ts_k_offscreen_sees(const ts_offscreen_args *args, TS_GLOBAL const ts_offscreen *view, u32 triangle,
                                const ts_corners *t)

@@ -4,6 +4,7 @@
  * needs. */
 #ifndef TS_KERNELS_PARTICLE_H
 #define TS_KERNELS_PARTICLE_H
+#include "args.h"
 #include "records.h"
 #include "vec.h"
 
@@ -11,13 +12,15 @@
 #define TS_PARTICLE_REACH 0.75f /* of half the hall */
 #define TS_N_GLOWS 4u
 
-typedef struct {
-	TS_GLOBAL ts_vpl *lights;
-	ts_v3 middle, extent;    /* of the hall; half of it each way */
-	f32 turns;               /* since frame 0, in [0,1) */
-	f32 glow;
-	u32 n, seed;
-} ts_particle_args;
+#define TS_ROWS_ts_particle_args(ARG) \
+	ARG(OUT, ts_vpl, lights, vpl_light) \
+	ARG(VALUE, ts_v3, middle, none) \
+	ARG(VALUE, ts_v3, extent, none) /* of the hall; half of it each way */ \
+	ARG(VALUE, f32, turns, none) /* since frame 0, in [0,1) */ \
+	ARG(VALUE, f32, glow, none) \
+	ARG(VALUE, u32, n, none) \
+	ARG(VALUE, u32, seed, none)
+TS_ARGS(ts_particle_args);
 
 /* Colours, each as strong as white and all of them together white. */
 TS_CONSTANT f32 ts_particle_glow[4][3] = {

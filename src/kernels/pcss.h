@@ -7,6 +7,7 @@
  * the receiver: a surface does not shade itself, however steep. Beyond this the bias is that of all methods (resolve.h). */
 #ifndef TS_KERNELS_PCSS_H
 #define TS_KERNELS_PCSS_H
+#include "args.h"
 #include "plane.h"
 #include "resolve.h"
 
@@ -30,11 +31,11 @@ TS_CONSTANT i32 ts_pcss_filter[64][2] = {
 	{-120, 28}, {108, 61}, {-39, -119}, {-52, 115}, {117, -50},
 };
 
-typedef struct {
-	ts_resolve_args of;              /* one view a light */
-	TS_GLOBAL const ts_lamp *lamps;
-	f32 near;                        /* depth of the search's plane, of the receiver's */
-} ts_pcss_args;
+#define TS_ROWS_ts_pcss_args(ARG) \
+	ARG(INNER, ts_resolve_args, of, none) /* one view a light */ \
+	ARG(IN, ts_lamp, lamps, lamp_shape) \
+	ARG(VALUE, f32, near, none) /* depth of the search's plane, of the receiver's */
+TS_ARGS(ts_pcss_args);
 
 /* A receiver as a light's view sees it. */
 typedef struct {

@@ -2,15 +2,16 @@
  * METHODS 2). Gradients are central differences inside the same object, one-sided at its border, else 0. */
 #ifndef TS_KERNELS_PIXEL_H
 #define TS_KERNELS_PIXEL_H
+#include "args.h"
 #include "draw.h"
 
-typedef struct {
-	ts_arrays scene;
-	TS_GLOBAL const ts_view *view;
-	TS_GLOBAL const u64 *depth_triangle; /* eye.depth_triangle */
-	TS_GLOBAL u32 *offset;               /* pixel.offset: counts, then their prefix sums */
-	TS_GLOBAL ts_pixel *pixels;          /* pixel.record */
-} ts_pixel_args;
+#define TS_ROWS_ts_pixel_args(ARG) \
+	ARG(INNER, ts_arrays, scene, none) \
+	ARG(IN, ts_view, view, eye_view) \
+	ARG(IN, u64, depth_triangle, eye_depth_triangle) \
+	ARG(OUT, u32, offset, pixel_offset) /* counts, then their prefix sums */ \
+	ARG(OUT, ts_pixel, pixels, pixel_record)
+TS_ARGS(ts_pixel_args);
 
 TS_FN u32 ts_k_seen_reflector(const ts_arrays *scene, u64 key)
 {

@@ -1,24 +1,25 @@
 /* Points: the samples that an aligned piece touches, conservatively, row by row (EPR sections 3.3, 3.4; METHODS 2). */
 #ifndef TS_KERNELS_POINTS_H
 #define TS_KERNELS_POINTS_H
+#include "args.h"
 #include "align.h"
 #include "closest.h"
 #include "raster.h"
 #include "surface.h"
 
-typedef struct {
-	ts_arrays scene;
-	TS_GLOBAL const ts_piece *pieces;
-	TS_GLOBAL const ts_align *frames;
-	TS_GLOBAL u32 *offset;       /* count.offset: counts, then their prefix sums */
-	TS_PARTED(u64, keys);        /* points.key */
-	TS_PARTED(ts_point, points); /* points.record */
-	TS_GLOBAL i64 *n_points;     /* appended so far */
-	u64 room;                    /* points that the arrays can hold */
-	i32 half_size;               /* of a lattice square, in 1/256: 129 safe, 128 exact, 0 its centre alone */
-	u32 paper_splat;             /* sub-pixel pieces get a splat of their own area */
-	u32 snap;                    /* samples beside their piece move to its border */
-} ts_points_args;
+#define TS_ROWS_ts_points_args(ARG) \
+	ARG(INNER, ts_arrays, scene, none) \
+	ARG(IN, ts_piece, pieces, split_triangle) \
+	ARG(IN, ts_align, frames, align_frame) \
+	ARG(OUT_OPT, u32, offset, count_offset) /* counts, then their prefix sums */ \
+	ARG(OUT_PARTS_OPT, u64, keys, points_key) \
+	ARG(OUT_PARTS_OPT, ts_point, points, points_record) \
+	ARG(TALLY_OPT, i64, n_points, 0) /* appended so far */ \
+	ARG(VALUE, u64, room, none) /* points that the arrays can hold */ \
+	ARG(VALUE, i32, half_size, none) /* of a lattice square, in 1/256: 129 safe, 128 exact, 0 its centre alone */ \
+	ARG(VALUE, u32, paper_splat, none) /* sub-pixel pieces get a splat of their own area */ \
+	ARG(VALUE, u32, snap, none) /* samples beside their piece move to its border */
+TS_ARGS(ts_points_args);
 
 #define TS_POINT_TINY 1u
 
@@ -34,8 +35,8 @@ TS_FN ts_cover ts_k_lattice_cover(TS_GLOBAL const ts_align *frame, i32 half_size
 	return r;
 }
 
-/* Weights of a sample on the source triangle: areas in the lattice, from unsnapped corners; a sample beside the triangle
- * moves to its border (CONTRACT rule 22). */
+/* Weights of a sample on the source triangle: areas in the lattice, from unsnapped corners; a sample beside the
+ * triangle moves to its border (CONTRACT rule 22). */
 TS_FN ts_v3 ts_k_lattice_weights(const ts_arrays *scene, TS_GLOBAL const ts_align *frame, u32 triangle, i32 x, i32 y)
 {
 	ts_v3 c = ts_load3(frame->c);
@@ -108,8 +109,8 @@ TS_FN ts_v3 ts_k_lattice_point(TS_GLOBAL const ts_align *frame, i32 x, i32 y)
 	return ts_mad(ts_mad(ts_load3(frame->c), ts_load3(frame->u), du), ts_load3(frame->v), dv);
 }
 
-/* The sample lies in its piece: on the inner side of the edges, in the lattice, where their longest is an axis. In space
- * the sides of long thin pieces would be lost in rounding. */
+/* The sample lies in its piece: on the inner side of the edges, in the lattice, where their longest is an axis. In
+ * space the sides of long thin pieces would be lost in rounding. */
 TS_FN bool ts_k_is_in_piece(TS_GLOBAL const ts_align *frame, ts_v3 a, ts_v3 b, ts_v3 c, i32 x, i32 y)
 {
 	ts_v3 corner[3];
@@ -191,8 +192,8 @@ TS_FN void ts_k_points_item(const ts_points_args *args, u64 i)
 	}
 }
 
-/* scatter over pieces: the same points in the order of arrival, as the papers' GPUs append them. Those that find no room
- * are counted only. */
+/* scatter over pieces: the same points in the order of arrival, as the papers' GPUs append them. Those that find no
+ * room are counted only. */
 TS_FN void ts_k_points_append_item(const ts_points_args *args, u64 i)
 {
 	if (!(args->frames[i].s > 0.0f)) return;

@@ -1,6 +1,7 @@
 /* Poses: moving objects follow an ellipse, one turn in `period` frames (METHODS 2). */
 #ifndef TS_KERNELS_POSE_H
 #define TS_KERNELS_POSE_H
+#include "args.h"
 #include "records.h"
 #include "vec.h"
 
@@ -38,12 +39,12 @@ TS_FN ts_v3 ts_k_pose_point(const ts_pose *pose, ts_v3 p)
 	return pose->moves != 0u ? ts_add(pose->centre, ts_k_pose_turn(pose, p)) : p;
 }
 
-typedef struct {
-	TS_GLOBAL const ts_vertex *vertices;
-	TS_GLOBAL const ts_object *objects;
-	TS_GLOBAL ts_vertex *posed;
-	u32 frame;
-} ts_pose_args;
+#define TS_ROWS_ts_pose_args(ARG) \
+	ARG(IN, ts_vertex, vertices, scene_vertex) \
+	ARG(IN, ts_object, objects, scene_object) \
+	ARG(OUT, ts_vertex, posed, pose_vertex) \
+	ARG(VALUE, u32, frame, none)
+TS_ARGS(ts_pose_args);
 
 /* map over vertices */
 TS_FN void ts_k_pose_item(const ts_pose_args *args, u64 i)

@@ -2,19 +2,22 @@
  * reflector, with hysteresis. */
 #ifndef TS_KERNELS_RESIZE_H
 #define TS_KERNELS_RESIZE_H
+#include "args.h"
 #include "pose.h"
 #include "raster.h"
 
-typedef struct {
-	TS_GLOBAL const ts_vertex *vertices; /* scene.vertex */
-	TS_GLOBAL const ts_object *objects;
-	TS_GLOBAL const u32 *reflector_objects; /* object of each reflector */
-	TS_GLOBAL const ts_view *view;
-	TS_GLOBAL ts_face *cubes; /* n holds the size of the frame before, 0 at first; offset is left to the stage */
-	u32 frame, n_max, hysteresis;
-	u32 fixed;                /* size of every cube, or 0: adapt */
-	u32 all;                  /* also those out of sight */
-} ts_resize_args;
+#define TS_ROWS_ts_resize_args(ARG) \
+	ARG(IN, ts_vertex, vertices, scene_vertex) \
+	ARG(IN, ts_object, objects, scene_object) \
+	ARG(WORK_IN, u32, reflector_objects, other) /* object of each reflector */ \
+	ARG(IN, ts_view, view, eye_view) \
+	ARG(OUT, ts_face, cubes, resize_face) /* n: the size of the frame before, 0 at first */ \
+	ARG(VALUE, u32, frame, none) \
+	ARG(VALUE, u32, n_max, none) \
+	ARG(VALUE, u32, hysteresis, none) \
+	ARG(VALUE, u32, fixed, none) /* size of every cube, or 0: adapt */ \
+	ARG(VALUE, u32, all, none) /* also those out of sight */
+TS_ARGS(ts_resize_args);
 
 typedef struct { f32 x0, y0, x1, y1; u32 seen; } ts_extent;
 

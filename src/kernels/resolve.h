@@ -5,20 +5,23 @@
  * / (f |n_z|). */
 #ifndef TS_KERNELS_RESOLVE_H
 #define TS_KERNELS_RESOLVE_H
+#include "args.h"
 #include "draw.h"
 
-typedef struct {
-	ts_arrays scene;
-	TS_GLOBAL const ts_view *view;
-	TS_GLOBAL const u64 *depth_triangle;  /* eye.depth_triangle */
-	TS_GLOBAL const ts_offscreen *views;
-	TS_GLOBAL const u32 *depths;          /* scatter.depth of the batch */
-	TS_GLOBAL u32 *lit;                   /* resolve.lit */
-	u32 first_view, n_views;              /* the batch */
-	u32 n_lamps;
-	u32 cubes;                            /* the views are faces of cubes: the one that p falls into counts */
-	f32 bias, slope;
-} ts_resolve_args;
+#define TS_ROWS_ts_resolve_args(ARG) \
+	ARG(INNER, ts_arrays, scene, none) \
+	ARG(IN, ts_view, view, eye_view) \
+	ARG(IN, u64, depth_triangle, eye_depth_triangle) \
+	ARG(IN, ts_offscreen, views, offscreen_view) \
+	ARG(IN, u32, depths, scatter_depth) /* of the batch */ \
+	ARG(SUM, u32, lit, resolve_lit) \
+	ARG(VALUE, u32, first_view, none) \
+	ARG(VALUE, u32, n_views, none) /* the batch */ \
+	ARG(VALUE, u32, n_lamps, none) \
+	ARG(VALUE, u32, cubes, none) /* the views are faces of cubes: the one that p falls into counts */ \
+	ARG(VALUE, f32, bias, none) \
+	ARG(VALUE, f32, slope, none)
+TS_ARGS(ts_resolve_args);
 
 /* What the eye sees at a pixel: a point and the face's normal, unit. */
 typedef struct { ts_v3 p, n; bool seen; } ts_receiver;

@@ -4,15 +4,17 @@
  * elsewhere (margin.h), and so is the eye's triangle. */
 #ifndef TS_KERNELS_RESOLVE_MARGIN_H
 #define TS_KERNELS_RESOLVE_MARGIN_H
+#include "args.h"
 #include "margin.h"
 #include "resolve.h"
 
 /* Two minima a pixel and light, over its views, as f32 bits: the distance to an edge between texels that answer
- * otherwise, in steps along the axes; and how far z is from map + bias, in what a step changes in the depths of both. */
-typedef struct {
-	ts_resolve_args of;
-	TS_GLOBAL u64 *margin; /* [2] a pixel and light, all ones at first */
-} ts_resolve_margin_args;
+ * otherwise, in steps along the axes; and how far z is from map + bias, in what a step changes in the depths of
+ * both. */
+#define TS_ROWS_ts_resolve_margin_args(ARG) \
+	ARG(INNER, ts_resolve_args, of, none) \
+	ARG(MIN, u64, margin, resolve_margin) /* [2] a pixel and light */
+TS_ARGS(ts_resolve_margin_args);
 
 /* How far the point moves on its surface from pixel to pixel of the eye, at most: world units. */
 TS_FN f32 ts_k_receiver_step(const ts_camera_k *eye, const ts_receiver *at)
@@ -44,7 +46,8 @@ TS_FN ts_asking ts_k_asking(const ts_resolve_args *args, const ts_camera_k *view
 	return r;
 }
 
-/* The nearest edge of a texel along an axis, in 1/256 texel, and the texel behind it; far outside the map all are empty. */
+/* The nearest edge of a texel along an axis, in 1/256 texel, and the texel behind it; far outside the map all are
+ * empty. */
 typedef struct { i32 own, next; f32 distance; } ts_beside;
 
 TS_FN ts_beside ts_k_beside(f32 place)
@@ -64,7 +67,8 @@ TS_FN void ts_k_least_margin(TS_GLOBAL u64 *margin, f32 distance)
 	*margin = bits < *margin ? bits : *margin;
 }
 
-/* One view: the texel that the point falls into, and those behind its nearest edges. `moves`: see ts_k_receiver_step. */
+/* One view: the texel that the point falls into, and those behind its nearest edges. `moves`: see
+ * ts_k_receiver_step. */
 TS_FN void ts_k_reach_margin(const ts_resolve_args *args, TS_GLOBAL const ts_offscreen *offscreen, const ts_receiver *at,
                              f32 moves, u64 first_texel, TS_GLOBAL u64 *margin)
 {

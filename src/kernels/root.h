@@ -3,6 +3,7 @@
  * changes them. */
 #ifndef TS_KERNELS_ROOT_H
 #define TS_KERNELS_ROOT_H
+#include "args.h"
 #include "morton.h"
 #include "records.h"
 #include "vec.h"
@@ -16,11 +17,11 @@ TS_FN u32 ts_k_ordered(f32 x)
 
 TS_FN f32 ts_k_of_ordered(u32 o) { return ts_u2f((o & 0x80000000u) != 0u ? o & 0x7fffffffu : ~o); }
 
-typedef struct {
-	TS_GLOBAL const ts_vertex *vertices; /* pose.vertex */
-	TS_GLOBAL u32 *least;                /* root.least, all ones at first */
-	TS_GLOBAL ts_root *root;
-} ts_root_args;
+#define TS_ROWS_ts_root_args(ARG) \
+	ARG(IN, ts_vertex, vertices, pose_vertex) \
+	ARG(MIN, u32, least, root_least) \
+	ARG(OUT, ts_root, root, root_cube)
+TS_ARGS(ts_root_args);
 
 TS_FN void ts_k_root_least(TS_GLOBAL u32 *least, u32 axis, f32 x)
 {
@@ -35,8 +36,9 @@ TS_FN void ts_k_root_least_item(const ts_root_args *args, u64 i)
 	for (u32 axis = 0u; axis < 3u; axis++) ts_k_root_least(args->least, axis, args->vertices[i].position[axis]);
 }
 
-/* item 0. With the greatest extent e and the greatest coordinate m of either sign, the side is e (1 + 2^-10) + m 2^-20:
- * what rounding takes, at most 3 m 2^-24, leaves every vertex inside, even after it is snapped at 2^11 voxels a side. */
+/* item 0. With the greatest extent e and the greatest coordinate m of either sign, the side is e (1 + 2^-10) + m
+ * 2^-20: what rounding takes, at most 3 m 2^-24, leaves every vertex inside, even after it is snapped at 2^11 voxels
+ * a side. */
 TS_FN void ts_k_root_item(const ts_root_args *args, u64 i)
 {
 	if (i != 0u) return;

@@ -7,17 +7,18 @@
  * M = rho E, E the irradiance at x_p, rho base colour times 1 - metallic. cos theta >= 2^-6 in A. */
 #ifndef TS_KERNELS_RSM_H
 #define TS_KERNELS_RSM_H
+#include "args.h"
 #include "draw.h"
 #include "shade.h"
 
-typedef struct {
-	ts_arrays scene;
-	TS_GLOBAL const ts_offscreen *views;
-	TS_GLOBAL const ts_light *lamps;      /* lamp.light */
-	TS_GLOBAL u64 *depth_triangle;        /* rsm.depth_triangle, all empty at first */
-	TS_GLOBAL ts_patch *patches;          /* rsm_patch.light */
-	u32 n_views;
-} ts_rsm_args;
+#define TS_ROWS_ts_rsm_args(ARG) \
+	ARG(INNER, ts_arrays, scene, none) \
+	ARG(IN, ts_offscreen, views, offscreen_view) \
+	ARG(IN_OPT, ts_light, lamps, lamp_light) \
+	ARG(MIN, u64, depth_triangle, rsm_depth_triangle) \
+	ARG(OUT_OPT, ts_patch, patches, rsm_patch) \
+	ARG(VALUE, u32, n_views, none)
+TS_ARGS(ts_rsm_args);
 
 /* scatter over triangles: into every view */
 TS_FN void ts_k_rsm_item(const ts_rsm_args *args, u64 i)

@@ -2,14 +2,16 @@
  * counts before every element. Integers, so the chunks' size never changes a result. */
 #ifndef TS_KERNELS_SCAN_H
 #define TS_KERNELS_SCAN_H
+#include "args.h"
 #include "compat.h"
 
-typedef struct {
-	TS_GLOBAL u32 *counts; /* n, and one more for the total */
-	TS_GLOBAL u64 *sums;   /* of the chunks, and one more for the total */
-	u64 n, n_chunks;
-	u32 chunk;             /* elements */
-} ts_scan_args;
+#define TS_ROWS_ts_scan_args(ARG) \
+	ARG(OUT, u32, counts, none) /* n, and one more for the total */ \
+	ARG(WORK, u64, sums, other) /* of the chunks, and one more for the total */ \
+	ARG(VALUE, u64, n, none) \
+	ARG(VALUE, u64, n_chunks, none) \
+	ARG(VALUE, u32, chunk, none) /* elements */
+TS_ARGS(ts_scan_args);
 
 /* map over chunks */
 TS_FN void ts_k_scan_sum_item(const ts_scan_args *args, u64 i)

@@ -1,23 +1,27 @@
-/* Scattering: every point into every off-screen view that may see it, one texel each, by atomic minimum (iVIR section 4;
- * METHODS 9 and 10). Of depth maps the texel is the axial depth; of environment maps 13 bits of depth and 19 of colour,
- * 6-7-6. The points are stored ones, or made on the spot. */
+/* Scattering: every point into every off-screen view that may see it, one texel each, by atomic minimum (iVIR
+ * section 4; METHODS 9 and 10). Of depth maps the texel is the axial depth; of environment maps 13 bits of depth and
+ * 19 of colour, 6-7-6. The points are stored ones, or made on the spot. */
 #ifndef TS_KERNELS_SCATTER_H
 #define TS_KERNELS_SCATTER_H
+#include "args.h"
 #include "offscreen.h"
 #include "points.h"
 #include "shade.h"
 
-typedef struct {
-	ts_points_args from;
-	TS_GLOBAL const ts_offscreen *views;
-	TS_GLOBAL const u64 *bits;            /* visibility.bits, by triangle */
-	TS_GLOBAL u32 *depths;                /* scatter.depth of the batch, all empty at first; or NULL */
-	TS_GLOBAL u32 *colours;               /* scatter.colour of the batch, all empty at first; or NULL */
-	TS_GLOBAL i64 *n_points, *n_scatters, *n_writes; /* points made; views they were offered to; texels */
-	u32 first_view, n_views;              /* the batch */
-	u32 n_words;
-	f32 exposure;                         /* what colours are stored at */
-} ts_scatter_args;
+#define TS_ROWS_ts_scatter_args(ARG) \
+	ARG(INNER, ts_points_args, from, none) \
+	ARG(IN, ts_offscreen, views, offscreen_view) \
+	ARG(IN, u64, bits, visibility_bits) /* by triangle */ \
+	ARG(MIN_OPT, u32, depths, scatter_depth) /* of the batch */ \
+	ARG(MIN_OPT, u32, colours, scatter_colour) /* of the batch */ \
+	ARG(TALLY, i64, n_points, 0) \
+	ARG(TALLY, i64, n_scatters, 1) \
+	ARG(TALLY, i64, n_writes, 2) /* points made; views they were offered to; texels */ \
+	ARG(VALUE, u32, first_view, none) \
+	ARG(VALUE, u32, n_views, none) /* the batch */ \
+	ARG(VALUE, u32, n_words, none) \
+	ARG(VALUE, f32, exposure, none) /* what colours are stored at */
+TS_ARGS(ts_scatter_args);
 
 /* A point on its way. */
 typedef struct { u64 piece; i32 x, y; ts_v3 centre; f32 length; u32 flags; } ts_flight;

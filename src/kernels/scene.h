@@ -1,22 +1,23 @@
 /* The arrays of the scene that shading kernels read. */
 #ifndef TS_KERNELS_SCENE_H
 #define TS_KERNELS_SCENE_H
+#include "args.h"
 #include "records.h"
 #include "vec.h"
 
-typedef struct {
-	TS_GLOBAL const ts_vertex *vertices; /* pose.vertex: world space, this frame */
-	TS_GLOBAL const ts_triangle *triangles;
-	TS_GLOBAL const ts_material *materials;
-	TS_GLOBAL const ts_slot *slots;
-	TS_GLOBAL const ts_image *images;
-	TS_GLOBAL const u64 *texels;
-	TS_GLOBAL const ts_light *lights;
-	TS_GLOBAL const ts_object *objects;
-	u32 n_triangles;
-	u32 n_lights;
-	f32 ambient;
-} ts_arrays;
+#define TS_ROWS_ts_arrays(ARG) \
+	ARG(IN, ts_vertex, vertices, pose_vertex) /* world space, this frame */ \
+	ARG(IN, ts_triangle, triangles, scene_triangle) \
+	ARG(IN, ts_material, materials, scene_material) \
+	ARG(IN, ts_slot, slots, scene_slot) \
+	ARG(IN, ts_image, images, scene_image) \
+	ARG(IN, u64, texels, scene_texel) \
+	ARG(IN, ts_light, lights, scene_light) \
+	ARG(IN, ts_object, objects, scene_object) \
+	ARG(VALUE, u32, n_triangles, none) \
+	ARG(VALUE, u32, n_lights, none) \
+	ARG(VALUE, f32, ambient, none)
+TS_ARGS(ts_arrays);
 
 #define TS_DOUBLE_SIDED 1u
 #define TS_MASKED 2u

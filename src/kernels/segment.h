@@ -3,15 +3,16 @@
  * depth. The sky, 1, is apart from everything else. */
 #ifndef TS_KERNELS_SEGMENT_H
 #define TS_KERNELS_SEGMENT_H
+#include "args.h"
 #include "grid.h"
 
-typedef struct {
-	TS_GLOBAL const f32 *depths; /* nearest.depth */
-	TS_GLOBAL u32 *labels;       /* segment.label */
-	u32 grid;
-	u32 sweep;                   /* 0 right, 1 down, 2 left, 3 up */
-	f32 step;                    /* t */
-} ts_segment_args;
+#define TS_ROWS_ts_segment_args(ARG) \
+	ARG(IN, f32, depths, nearest_depth) \
+	ARG(OUT, u32, labels, segment_label) \
+	ARG(VALUE, u32, grid, none) \
+	ARG(VALUE, u32, sweep, none) /* 0 right, 1 down, 2 left, 3 up */ \
+	ARG(VALUE, f32, step, none) /* t */
+TS_ARGS(ts_segment_args);
 
 TS_FN bool ts_k_is_apart(f32 from, f32 to, f32 step)
 {

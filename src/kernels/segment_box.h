@@ -3,17 +3,18 @@
  * not the sky's. */
 #ifndef TS_KERNELS_SEGMENT_BOX_H
 #define TS_KERNELS_SEGMENT_BOX_H
+#include "args.h"
 #include "segment.h"
 
 #define TS_RANGE 6u /* least column, row and their complements, bits of depth and their complement */
 #define TS_SKY_BITS 0x3f800000u
 
-typedef struct {
-	TS_GLOBAL const f32 *depths; /* nearest.depth */
-	TS_GLOBAL const u32 *labels; /* segment.label */
-	TS_GLOBAL u32 *least;        /* range.least, all ones at first */
-	u32 grid;
-} ts_range_args;
+#define TS_ROWS_ts_range_args(ARG) \
+	ARG(IN, f32, depths, nearest_depth) \
+	ARG(IN, u32, labels, segment_label) \
+	ARG(MIN, u32, least, range_least) \
+	ARG(VALUE, u32, grid, none)
+TS_ARGS(ts_range_args);
 
 /* scatter over texels of the grid */
 TS_FN void ts_k_range_item(const ts_range_args *args, u64 i)
@@ -31,12 +32,12 @@ TS_FN void ts_k_range_item(const ts_range_args *args, u64 i)
 	ts_min_u32(&least[5], ~bits);
 }
 
-typedef struct {
-	TS_GLOBAL const u32 *least;   /* range.least */
-	TS_GLOBAL u32 *offset;        /* box.offset: counts, then their prefix sums */
-	TS_GLOBAL ts_segment *boxes;  /* box.record */
-	TS_GLOBAL i64 *n_labels;      /* that some texel has */
-} ts_box_args;
+#define TS_ROWS_ts_box_args(ARG) \
+	ARG(IN, u32, least, range_least) \
+	ARG(OUT, u32, offset, box_offset) /* counts, then their prefix sums */ \
+	ARG(OUT, ts_segment, boxes, box_record) \
+	ARG(TALLY, i64, n_labels, 0) /* that some texel has */
+TS_ARGS(ts_box_args);
 
 /* map over labels: 1 where there is a box */
 TS_FN void ts_k_box_count_item(const ts_box_args *args, u64 i)

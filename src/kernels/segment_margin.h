@@ -4,17 +4,18 @@
  * stays. */
 #ifndef TS_KERNELS_SEGMENT_MARGIN_H
 #define TS_KERNELS_SEGMENT_MARGIN_H
+#include "args.h"
 #include "segment.h"
 
 #define TS_MARGIN_FAR 1048576.0f /* in 8 ulps: what one of two numbers is when the other is 0 */
 #define TS_BLOCK_PAIRS 2048u     /* of neighbours, and of texels with what is beyond the block */
 
-typedef struct {
-	TS_GLOBAL const f32 *depths; /* nearest.depth */
-	TS_GLOBAL f32 *margin;       /* segment.margin */
-	u32 grid;
-	f32 step;                    /* t */
-} ts_segment_margin_args;
+#define TS_ROWS_ts_segment_margin_args(ARG) \
+	ARG(IN, f32, depths, nearest_depth) \
+	ARG(OUT, f32, margin, segment_margin) \
+	ARG(VALUE, u32, grid, none) \
+	ARG(VALUE, f32, step, none) /* t */
+TS_ARGS(ts_segment_margin_args);
 
 /* How far two numbers from 0 on are apart, in 8 ulps of the greater; of zeros none has been rounded. */
 TS_FN f32 ts_k_margin_between(f32 a, f32 b)

@@ -2,18 +2,19 @@
  * d_er of the triangles in sight and the light samples, distances from the triangle to the sample and to the eye. */
 #ifndef TS_KERNELS_SHADOW_RESIZE_H
 #define TS_KERNELS_SHADOW_RESIZE_H
+#include "args.h"
 #include "closest.h"
 #include "raster.h"
 #include "scene.h"
 
-typedef struct {
-	ts_arrays scene;
-	TS_GLOBAL const ts_view *view;
-	TS_GLOBAL const u64 *depth_triangle; /* eye.depth_triangle */
-	TS_GLOBAL const ts_face *cubes;      /* of the light samples */
-	TS_GLOBAL u32 *least;                /* shadow_resize.least: all ones at first */
-	u32 n_cubes;
-} ts_shadow_resize_args;
+#define TS_ROWS_ts_shadow_resize_args(ARG) \
+	ARG(INNER, ts_arrays, scene, none) \
+	ARG(IN, ts_view, view, eye_view) \
+	ARG(IN, u64, depth_triangle, eye_depth_triangle) \
+	ARG(IN, ts_face, cubes, resize_face) /* of the light samples */ \
+	ARG(MIN, u32, least, shadow_resize_least) \
+	ARG(VALUE, u32, n_cubes, none)
+TS_ARGS(ts_shadow_resize_args);
 
 /* scatter over pixels: the least d_er / max_l d_lt. What the pixel to the left has said is not said again. */
 TS_FN void ts_k_shadow_resize_item(const ts_shadow_resize_args *args, u64 i)

@@ -5,15 +5,18 @@
  * shadows on the surface itself: the depth is that of the piece's plane in each texel, kept within the piece's own. */
 #ifndef TS_KERNELS_SHADOW_SPLAT_H
 #define TS_KERNELS_SHADOW_SPLAT_H
+#include "args.h"
 #include "plane.h"
 #include "scatter.h"
 #include "splat.h"
 
-typedef struct {
-	ts_scatter_args of;                 /* of depths; its n_writes are those of points smaller than a texel */
-	TS_GLOBAL i64 *n_splats, *n_texels; /* points larger than a texel; texels that they offered a depth to */
-	u32 clip, plane_depth;
-} ts_shadow_splat_args;
+#define TS_ROWS_ts_shadow_splat_args(ARG) \
+	ARG(INNER, ts_scatter_args, of, none) /* of depths; its n_writes are those of points smaller than a texel */ \
+	ARG(TALLY, i64, n_splats, 3) \
+	ARG(TALLY, i64, n_texels, 4) /* points larger than a texel; texels that they offered a depth to */ \
+	ARG(VALUE, u32, clip, none) \
+	ARG(VALUE, u32, plane_depth, none)
+TS_ARGS(ts_shadow_splat_args);
 
 typedef struct { ts_scatter_tally of; i64 splats, texels; } ts_shadow_tally;
 
@@ -27,8 +30,8 @@ typedef struct {
 	f32 nearest, farthest;
 } ts_shadow_caster;
 
-/* All of it lies so far outside one plane of the view that no point reaches in: points and the corners of their splats are
- * within 1.5 cells of the piece, which is 1.5 sqrt(1 + reach^2) in x - reach z. */
+/* All of it lies so far outside one plane of the view that no point reaches in: points and the corners of their
+ * splats are within 1.5 cells of the piece, which is 1.5 sqrt(1 + reach^2) in x - reach z. */
 TS_FN bool ts_k_misses(const ts_camera_k *view, TS_GLOBAL const ts_offscreen *offscreen, TS_GLOBAL const ts_piece *piece,
                        f32 cell)
 {
@@ -85,10 +88,10 @@ TS_FN void ts_k_shadow_cover(const ts_scatter_args *args, ts_shadow_caster *cast
 	}
 }
 
-/* The splat is no longer than a texel from corner to corner, at a scale from the plane to the image of at most f d / z^2: so
- * the lattice meets each texel with a point. 1/128 more makes up for rounding and for the scale's change from a texel's
- * middle to its border, at most 1/(4 f): of faces under 64 texels some points at their borders are written alone where they
- * should be splats. */
+/* The splat is no longer than a texel from corner to corner, at a scale from the plane to the image of at most f d /
+ * z^2: so the lattice meets each texel with a point. 1/128 more makes up for rounding and for the scale's change
+ * from a texel's middle to its border, at most 1/(4 f): of faces under 64 texels some points at their borders are
+ * written alone where they should be splats. */
 TS_FN bool ts_k_is_within_texel(const ts_camera_k *view, const ts_corner *p, f32 length)
 {
 	if (p->z < view->near) return false;

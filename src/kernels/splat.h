@@ -2,23 +2,28 @@
  * (EPR section 3.5; METHODS 2). One distance a splat, unless plane depth is asked for. */
 #ifndef TS_KERNELS_SPLAT_H
 #define TS_KERNELS_SPLAT_H
+#include "args.h"
 #include "points.h"
 #include "visibility.h"
 
-typedef struct {
-	TS_GLOBAL const ts_face *cubes;
-	TS_GLOBAL const ts_piece *pieces;
-	TS_GLOBAL const ts_align *frames;
-	TS_GLOBAL const u64 *bits;        /* visibility.bits, by triangle */
-	TS_PARTED(const ts_point, points);
-	TS_GLOBAL const u32 *offset;      /* points before each piece; NULL: they are in no order */
-	TS_PARTED(u64, texels);           /* splat.depth_index, all empty at first */
-	TS_PARTED(u8, tie);               /* splat.tie, all 0 at first */
-	TS_GLOBAL i64 *n_scatters, *n_writes; /* splats, and texels they offered a key to */
-	u32 n_cubes, n_words, n_pieces;
-	u32 clip, plane_depth;
-	u32 mark;                         /* the texels are there: mark ties */
-} ts_splat_args;
+#define TS_ROWS_ts_splat_args(ARG) \
+	ARG(IN, ts_face, cubes, resize_face) \
+	ARG(IN, ts_piece, pieces, split_triangle) \
+	ARG(IN, ts_align, frames, align_frame) \
+	ARG(IN, u64, bits, visibility_bits) /* by triangle */ \
+	ARG(IN_PARTS, ts_point, points, points_record) \
+	ARG(IN_OPT, u32, offset, count_offset) /* points before each piece; NULL: they are in no order */ \
+	ARG(MIN_PARTS, u64, texels, splat_depth_index) \
+	ARG(SUM_PARTS_OPT, u8, tie, splat_tie) \
+	ARG(TALLY, i64, n_scatters, 0) \
+	ARG(TALLY, i64, n_writes, 1) /* splats, and texels they offered a key to */ \
+	ARG(VALUE, u32, n_cubes, none) \
+	ARG(VALUE, u32, n_words, none) \
+	ARG(VALUE, u32, n_pieces, none) \
+	ARG(VALUE, u32, clip, none) \
+	ARG(VALUE, u32, plane_depth, none) \
+	ARG(VALUE, u32, mark, none) /* the texels are there: mark ties */
+TS_ARGS(ts_splat_args);
 
 TS_FN ts_cover ts_k_cover_of(const ts_camera_k *view, const ts_polygon *polygon, i32 half_size)
 {
@@ -79,8 +84,8 @@ TS_FN ts_box ts_k_splat_box(const ts_camera_k *view, ts_v3 c, ts_v3 u, ts_v3 v, 
 	return ts_k_box_meet(ts_k_extent_box(lo, hi), ts_k_view_box(view));
 }
 
-/* Distance at which the ray through a texel's centre meets the piece's plane, kept within a tile of the point's own, which
- * also stands in where the ray does not meet it. */
+/* Distance at which the ray through a texel's centre meets the piece's plane, kept within a tile of the point's own,
+ * which also stands in where the ray does not meet it. */
 TS_FN f32 ts_k_plane_distance(const ts_camera_k *view, ts_v3 n, ts_v3 c, f32 distance, f32 length, i32 i, i32 j)
 {
 	f32 x = ((f32)i + 0.5f) - (f32)view->width * 0.5f;

@@ -1,8 +1,10 @@
 /* Visibility of surfels (NV40: 3-Pass Deferred Shading; METHODS 16): every surfel that faces the view, inside its
- * ellipse, as deep as the ray meets its plane and epsilon along the ray farther, by integer minimum: so the least depth is
- * that of the nearest surfel, and what blends with it is before it. Depth maps of lights are made the same way. */
+ * ellipse, as deep as the ray meets its plane and epsilon along the ray farther, by integer minimum: so the least
+ * depth is that of the nearest surfel, and what blends with it is before it. Depth maps of lights are made the same
+ * way. */
 #ifndef TS_KERNELS_SURFEL_DEPTH_H
 #define TS_KERNELS_SURFEL_DEPTH_H
+#include "args.h"
 #include "draw.h"
 #include "fragment.h"
 
@@ -19,12 +21,12 @@ TS_FN void ts_k_disc_draw(const ts_disc *disc, const ts_camera_k *view, f32 epsi
 	}
 }
 
-typedef struct {
-	TS_GLOBAL const ts_view *view;
-	TS_GLOBAL const ts_disc *discs;      /* surfel_setup.disc */
-	TS_GLOBAL const f32 *epsilon;        /* surfel_setup.epsilon */
-	TS_GLOBAL u64 *keys;                 /* surfel_depth.surfel, all empty at first */
-} ts_surfel_depth_args;
+#define TS_ROWS_ts_surfel_depth_args(ARG) \
+	ARG(IN, ts_view, view, eye_view) \
+	ARG(IN, ts_disc, discs, surfel_setup_disc) \
+	ARG(IN, f32, epsilon, surfel_setup_epsilon) \
+	ARG(MIN, u64, keys, surfel_depth_surfel)
+TS_ARGS(ts_surfel_depth_args);
 
 /* scatter over surfels */
 TS_FN void ts_k_surfel_depth_item(const ts_surfel_depth_args *args, u64 i)
@@ -35,14 +37,14 @@ TS_FN void ts_k_surfel_depth_item(const ts_surfel_depth_args *args, u64 i)
 	ts_k_disc_draw(&disc, &view, args->epsilon[0], (u32)i, &target);
 }
 
-typedef struct {
-	TS_GLOBAL const ts_surfel *surfels;
-	TS_GLOBAL const ts_offscreen *views; /* one a light */
-	TS_GLOBAL const f32 *epsilon;
-	TS_GLOBAL u32 *depths;               /* scatter.depth, all empty at first */
-	ts_filter filter;
-	u32 n_views;
-} ts_surfel_shadow_args;
+#define TS_ROWS_ts_surfel_shadow_args(ARG) \
+	ARG(IN, ts_surfel, surfels, scene_surfel) \
+	ARG(IN, ts_offscreen, views, offscreen_view) /* one a light */ \
+	ARG(IN, f32, epsilon, surfel_setup_epsilon) \
+	ARG(MIN, u32, depths, scatter_depth) \
+	ARG(VALUE, ts_filter, filter, none) \
+	ARG(VALUE, u32, n_views, none)
+TS_ARGS(ts_surfel_shadow_args);
 
 /* scatter over surfels: into the depth map of every light */
 TS_FN void ts_k_surfel_shadow_item(const ts_surfel_shadow_args *args, u64 i)

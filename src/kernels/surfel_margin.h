@@ -5,26 +5,27 @@
  * bounds=botsch ellipses. */
 #ifndef TS_KERNELS_SURFEL_MARGIN_H
 #define TS_KERNELS_SURFEL_MARGIN_H
+#include "args.h"
 #include "blend.h"
 #include "margin.h"
 
-typedef struct {
-	TS_GLOBAL const ts_view *view;
-	TS_GLOBAL const ts_surfel *surfels;
-	TS_GLOBAL const ts_disc *discs;     /* surfel_setup.disc */
-	TS_GLOBAL const f32 *epsilon;       /* surfel_setup.epsilon */
-	TS_GLOBAL const u64 *keys;          /* surfel_depth.surfel */
-	TS_GLOBAL const u64 *heaviest;      /* blend.heaviest; NULL: of surfel_depth */
-	TS_GLOBAL u64 *margin;              /* [2] a pixel, f32 bits, all ones at first */
-	ts_filter filter;
-} ts_surfel_margin_args;
+#define TS_ROWS_ts_surfel_margin_args(ARG) \
+	ARG(IN, ts_view, view, eye_view) \
+	ARG(IN, ts_surfel, surfels, scene_surfel) \
+	ARG(IN, ts_disc, discs, surfel_setup_disc) \
+	ARG(IN, f32, epsilon, surfel_setup_epsilon) \
+	ARG(IN, u64, keys, surfel_depth_surfel) \
+	ARG(IN_OPT, u64, heaviest, blend_heaviest) /* NULL: of surfel_depth */ \
+	ARG(MIN, u64, margin, none) /* [2] a pixel, f32 bits */ \
+	ARG(VALUE, ts_filter, filter, none)
+TS_ARGS(ts_surfel_margin_args);
 
-/* A surfel as it is drawn, or would be if it were; in steps how near it is to be drawn or not; and what a step is in the
- * depth of its centre, and in pixels of its image; and its radius in pixels. */
+/* A surfel as it is drawn, or would be if it were; in steps how near it is to be drawn or not; and what a step is in
+ * the depth of its centre, and in pixels of its image; and its radius in pixels. */
 typedef struct { ts_disc disc; bool drawn; f32 fate, deep, off, wide; } ts_nearly;
 
-/* A surfel at a pixel, and what a step is in r3D^2, in the depth there, and in what the screen filter or exact EWA compares,
- * which is at most 1; in its weight, of that; and how many steps its peak is from 0. */
+/* A surfel at a pixel, and what a step is in r3D^2, in the depth there, and in what the screen filter or exact EWA
+ * compares, which is at most 1; in its weight, of that; and how many steps its peak is from 0. */
 typedef struct {
 	ts_surfel_fragment is;
 	ts_disc_hit hit;
@@ -201,7 +202,8 @@ TS_FN void ts_k_surfel_depth_margin_item(const ts_surfel_margin_args *args, u64 
 	}
 }
 
-/* Its tests at a pixel, each as it was decided and by how many steps; of the depth, that of its centre and the ray's. */
+/* Its tests at a pixel, each as it was decided and by how many steps; of the depth, that of its centre and the
+ * ray's. */
 typedef struct { bool inside, covers, before[2]; f32 inside_margin, covers_margin, before_margin[2]; } ts_blend_tests;
 
 /* Of a depth, of which a step is that much, and the depth that the visibility pass allows. */
@@ -235,8 +237,8 @@ TS_FN ts_blend_tests ts_k_blend_tests(const ts_surfel_margin_args *args, const t
 	return r;
 }
 
-/* Whether it is blended if the tests of `turned` are decided otherwise: 1 that of r3D, 2 that of r2D or EWA, 4 that of the
- * depth; and the greatest of their margins. */
+/* Whether it is blended if the tests of `turned` are decided otherwise: 1 that of r3D, 2 that of r2D or EWA, 4 that
+ * of the depth; and the greatest of their margins. */
 TS_FN bool ts_k_is_blended(const ts_filter *filter, const ts_blend_tests *tests, u32 turned, f32 *margin)
 {
 	bool inside = tests->inside != ((turned & 1u) != 0u);

@@ -3,21 +3,22 @@
  * heaviest fragment's counts; where none is inside its ellipse, that one's depth. */
 #ifndef TS_KERNELS_SURFEL_MEAN_H
 #define TS_KERNELS_SURFEL_MEAN_H
+#include "args.h"
 #include "blend.h"
 #include "gbuffer.h"
 
 #define TS_LEAST_NORMAL TS_LEAST_SLANT /* of the mean of unit normals */
 
-typedef struct {
-	TS_GLOBAL const ts_view *view;
-	TS_GLOBAL const ts_disc *discs;      /* surfel_setup.disc */
-	TS_GLOBAL const f32 *epsilon;        /* surfel_setup.epsilon */
-	TS_GLOBAL const u64 *keys;           /* surfel_depth.surfel */
-	TS_GLOBAL const i64 *sums;           /* blend.sum */
-	TS_GLOBAL const u64 *heaviest;       /* blend.heaviest */
-	TS_GLOBAL ts_gpixel *pixels;         /* gbuffer.pixel */
-	TS_GLOBAL i64 *tally;                /* [0] pixels with a surface, each shaded once */
-} ts_surfel_mean_args;
+#define TS_ROWS_ts_surfel_mean_args(ARG) \
+	ARG(IN, ts_view, view, eye_view) \
+	ARG(IN, ts_disc, discs, surfel_setup_disc) \
+	ARG(IN, f32, epsilon, surfel_setup_epsilon) \
+	ARG(IN, u64, keys, surfel_depth_surfel) \
+	ARG(IN, i64, sums, blend_sum) \
+	ARG(IN, u64, heaviest, blend_heaviest) \
+	ARG(OUT, ts_gpixel, pixels, gbuffer_pixel) \
+	ARG(TALLY, i64, tally, 0) /* [0] pixels with a surface, each shaded once */
+TS_ARGS(ts_surfel_mean_args);
 
 /* Axial depth of the nearest surfel. */
 TS_FN f32 ts_k_pixel_depth(const ts_surfel_mean_args *args, const ts_camera_k *view, u64 i, i32 x, i32 y)

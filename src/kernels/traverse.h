@@ -1,9 +1,11 @@
 /* The concurrent traversal of two octrees, of the scene and of views (MegaViews section 3.2; METHODS 13). A pair is
- * scene << 32 | views, two ids of nodes. In a step's queue pairs that go no further are struck out when they are decided,
- * and those that are split when their children stand in the next queue: what is left is rendered. A decision knows nothing
- * but its pair, so no pair is reached twice, and any piece of a queue may be carried to its end before the rest. */
+ * scene << 32 | views, two ids of nodes. In a step's queue pairs that go no further are struck out when they are
+ * decided, and those that are split when their children stand in the next queue: what is left is rendered. A
+ * decision knows nothing but its pair, so no pair is reached twice, and any piece of a queue may be carried to its
+ * end before the rest. */
 #ifndef TS_KERNELS_TRAVERSE_H
 #define TS_KERNELS_TRAVERSE_H
+#include "args.h"
 #include "morton.h"
 #include "pair.h"
 
@@ -16,24 +18,24 @@
 #define TS_STEPS 23u /* from two roots to leaves 11 levels below them */
 #define TS_TALLY_PAIRS 1024u
 
-typedef struct {
-	TS_GLOBAL const ts_node *nodes;  /* octree.node */
-	TS_GLOBAL const ts_node *views;  /* view_octree.node */
-	TS_GLOBAL const ts_cone *cones;  /* view_cone.node */
-	TS_GLOBAL u64 *queue;            /* of this step */
-	TS_GLOBAL u64 *next;             /* of the next step */
-	TS_GLOBAL u32 *offset;           /* children, later rendered pairs, before each: counts, then their prefix sums */
-	TS_GLOBAL u64 *rendered;         /* the rendered pairs of the queue */
-	TS_GLOBAL i64 *tallies;          /* pairs culled, touching, rendered, of these wider than a texel; views served */
-	u64 n_pairs;
-	ts_aperture phi;
-	u32 n;                           /* texels a side of a map */
-	u32 first_view;
-	u32 touching;                    /* leaves that touch are rendered, too */
-	u32 last;                        /* nodes of this level count as leaves */
-	u32 to_last;                     /* only pairs of leaves are rendered */
-	f32 cutoff;                      /* pairs farther apart are culled; 0: none */
-} ts_traverse_args;
+#define TS_ROWS_ts_traverse_args(ARG) \
+	ARG(IN, ts_node, nodes, octree_node) \
+	ARG(IN, ts_node, views, view_octree_node) \
+	ARG(IN, ts_cone, cones, view_cone_node) \
+	ARG(WORK, u64, queue, queue) /* of this step */ \
+	ARG(WORK, u64, next, queue) /* of the next step */ \
+	ARG(WORK, u32, offset, counts) /* children, later rendered pairs, before each: counts, then their prefix sums */ \
+	ARG(WORK, u64, rendered, kept) /* the rendered pairs of the queue */ \
+	ARG(TALLY_OPT, i64, tallies, 0) /* pairs culled, touching, rendered, of these wider than a texel; views served */ \
+	ARG(VALUE, u64, n_pairs, none) \
+	ARG(VALUE, ts_aperture, phi, none) \
+	ARG(VALUE, u32, n, none) /* texels a side of a map */ \
+	ARG(VALUE, u32, first_view, none) \
+	ARG(VALUE, u32, touching, none) /* leaves that touch are rendered, too */ \
+	ARG(VALUE, u32, last, none) /* nodes of this level count as leaves */ \
+	ARG(VALUE, u32, to_last, none) /* only pairs of leaves are rendered */ \
+	ARG(VALUE, f32, cutoff, none) /* pairs farther apart are culled; 0: none */
+TS_ARGS(ts_traverse_args);
 
 TS_FN u64 ts_k_pair(u32 node, u32 views) { return ((u64)node << 32) | views; }
 TS_FN u32 ts_k_pair_node(u64 pair) { return (u32)(pair >> 32); }

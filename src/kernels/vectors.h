@@ -2,6 +2,7 @@
  * that ts_vector_make fills. */
 #ifndef TS_KERNELS_VECTORS_H
 #define TS_KERNELS_VECTORS_H
+#include "args.h"
 #include "vectors_light.h"
 #include "vectors_number.h"
 #include "vectors_raster.h"
@@ -14,12 +15,13 @@ typedef enum {
 } ts_primitive;
 #undef VECTOR
 
-typedef struct {
-	TS_GLOBAL const u32 *in; /* rows of in_words */
-	TS_GLOBAL u32 *out;      /* rows of out_words, from a multiple of 8 bytes on */
-	u32 primitive;           /* ts_primitive */
-	u32 in_words, out_words;
-} ts_vectors_args;
+#define TS_ROWS_ts_vectors_args(ARG) \
+	ARG(WORK_IN, u32, in, tallies) /* rows of in_words */ \
+	ARG(WORK, u32, out, other) /* rows of out_words, from a multiple of 8 bytes on */ \
+	ARG(VALUE, u32, primitive, none) /* ts_primitive */ \
+	ARG(VALUE, u32, in_words, none) \
+	ARG(VALUE, u32, out_words, none)
+TS_ARGS(ts_vectors_args);
 
 /* map over rows */
 TS_FN void ts_k_vectors_item(const ts_vectors_args *args, u64 i)

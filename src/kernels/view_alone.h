@@ -3,15 +3,16 @@
  * force. */
 #ifndef TS_KERNELS_VIEW_ALONE_H
 #define TS_KERNELS_VIEW_ALONE_H
+#include "args.h"
 #include "map.h"
 
-typedef struct {
-	TS_GLOBAL const ts_vpl *lights;  /* vpl.light */
-	TS_GLOBAL ts_node *nodes;        /* view_octree.node */
-	TS_GLOBAL ts_cone *cones;        /* view_cone.node */
-	TS_GLOBAL u32 *views;            /* view_octree.view */
-	TS_GLOBAL u32 *leaves;           /* view_octree.leaf */
-} ts_view_alone_args;
+#define TS_ROWS_ts_view_alone_args(ARG) \
+	ARG(IN, ts_vpl, lights, vpl_light) \
+	ARG(OUT, ts_node, nodes, view_octree_node) \
+	ARG(OUT, ts_cone, cones, view_cone_node) \
+	ARG(OUT, u32, views, view_octree_view) \
+	ARG(OUT, u32, leaves, view_octree_leaf)
+TS_ARGS(ts_view_alone_args);
 
 /* map over virtual point lights */
 TS_FN void ts_k_view_alone_item(const ts_view_alone_args *args, u64 i)
@@ -34,12 +35,13 @@ TS_FN void ts_k_view_alone_item(const ts_view_alone_args *args, u64 i)
 	args->leaves[i] = (u32)i;
 }
 
-typedef struct {
-	ts_traverse_args of;
-	ts_map_args to;
-	TS_GLOBAL i64 *n_rendered;
-	u32 first, n_leaves; /* of the scene */
-} ts_map_all_args;
+#define TS_ROWS_ts_map_all_args(ARG) \
+	ARG(INNER, ts_traverse_args, of, none) \
+	ARG(INNER, ts_map_args, to, none) \
+	ARG(TALLY, i64, n_rendered, 0) \
+	ARG(VALUE, u32, first, none) \
+	ARG(VALUE, u32, n_leaves, none) /* of the scene */
+TS_ARGS(ts_map_all_args);
 
 /* scatter over all leaves of the scene for each view: those that it may see */
 TS_FN void ts_k_map_all_item(const ts_map_all_args *args, u64 i)

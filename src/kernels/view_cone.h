@@ -3,20 +3,21 @@
  * 2^32 views: below 2^62. The least cosine is a minimum of ordered bits (root.h). */
 #ifndef TS_KERNELS_VIEW_CONE_H
 #define TS_KERNELS_VIEW_CONE_H
+#include "args.h"
 #include "mask.h"
 #include "root.h"
 
-typedef struct {
-	TS_GLOBAL const ts_vpl *views;
-	TS_GLOBAL const ts_node *nodes;  /* view_octree.node */
-	TS_GLOBAL const u32 *offset;     /* view_octree.offset */
-	TS_GLOBAL const u32 *entries;    /* view_octree.view */
-	TS_GLOBAL const u32 *leaf;       /* view_octree.leaf */
-	TS_GLOBAL u64 *sums;             /* view_cone.sum */
-	TS_GLOBAL u32 *least;            /* view_cone.least, all ones at first */
-	TS_GLOBAL ts_cone *cones;
-	u32 first;                       /* node of item 0 */
-} ts_cone_args;
+#define TS_ROWS_ts_cone_args(ARG) \
+	ARG(IN, ts_vpl, views, vpl_light) \
+	ARG(IN, ts_node, nodes, view_octree_node) \
+	ARG(IN, u32, offset, view_octree_offset) \
+	ARG(IN, u32, entries, view_octree_view) \
+	ARG(IN, u32, leaf, view_octree_leaf) \
+	ARG(OUT, u64, sums, view_cone_sum) \
+	ARG(MIN, u32, least, view_cone_least) \
+	ARG(OUT, ts_cone, cones, view_cone_node) \
+	ARG(VALUE, u32, first, none) /* node of item 0 */
+TS_ARGS(ts_cone_args);
 
 TS_FN void ts_k_cone_store(const ts_cone_args *args, u64 node, const u64 *sum, u32 first, u32 n)
 {

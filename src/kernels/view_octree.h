@@ -1,21 +1,22 @@
 /* The octree of the views, here virtual point lights: every view in the leaf voxel that holds it (METHODS 12). */
 #ifndef TS_KERNELS_VIEW_OCTREE_H
 #define TS_KERNELS_VIEW_OCTREE_H
+#include "args.h"
 #include "mask.h"
 #include "root.h"
 
-typedef struct {
-	TS_GLOBAL const ts_root *root;
-	TS_GLOBAL const ts_vpl *views;
-	TS_GLOBAL u64 *mask;       /* view_voxel.mask, no bit set at first */
-	TS_GLOBAL const u64 *bits; /* it, done */
-	TS_GLOBAL const u32 *before;
-	TS_GLOBAL u32 *leaf;       /* view_octree.leaf */
-	TS_GLOBAL u32 *offset;     /* of view_octree.offset, one later */
-	TS_GLOBAL u32 *entries;    /* view_octree.view */
-	u32 levels;
-	u32 first_leaf;            /* a node */
-} ts_view_octree_args;
+#define TS_ROWS_ts_view_octree_args(ARG) \
+	ARG(IN, ts_root, root, root_cube) \
+	ARG(IN, ts_vpl, views, vpl_light) \
+	ARG(SUM, u64, mask, view_voxel_mask) \
+	ARG(IN, u64, bits, view_voxel_mask) /* it, done */ \
+	ARG(IN, u32, before, view_voxel_before) \
+	ARG(OUT, u32, leaf, view_octree_leaf) \
+	ARG(SUM, u32, offset, view_octree_offset) /* one later */ \
+	ARG(OUT, u32, entries, view_octree_view) \
+	ARG(VALUE, u32, levels, none) \
+	ARG(VALUE, u32, first_leaf, none) /* a node */
+TS_ARGS(ts_view_octree_args);
 
 TS_FN u64 ts_k_view_code(const ts_view_octree_args *args, u64 i)
 {

@@ -2,16 +2,18 @@
  * Faces have tan of half the field of view 1. */
 #ifndef TS_KERNELS_VISIBILITY_H
 #define TS_KERNELS_VISIBILITY_H
+#include "args.h"
 #include "cube.h"
 #include "scene.h"
 
-typedef struct {
-	ts_arrays scene;
-	TS_GLOBAL const ts_face *cubes;
-	TS_GLOBAL u64 *bits; /* n_triangles * n_words */
-	u32 n_cubes, n_words;
-	u32 vertex_mode;
-} ts_visibility_args;
+#define TS_ROWS_ts_visibility_args(ARG) \
+	ARG(INNER, ts_arrays, scene, none) \
+	ARG(IN, ts_face, cubes, resize_face) \
+	ARG(OUT, u64, bits, visibility_bits) /* n_triangles * n_words */ \
+	ARG(VALUE, u32, n_cubes, none) \
+	ARG(VALUE, u32, n_words, none) \
+	ARG(VALUE, u32, vertex_mode, none)
+TS_ARGS(ts_visibility_args);
 
 /* A corner relative to a cube's centre, on the axes of a face. */
 TS_FN ts_v3 ts_k_face_axes(u32 face, ts_v3 d)

@@ -10,6 +10,7 @@
  * normal's 2^47 and 3 2^58, so that differences of two stay below 2^62. */
 #ifndef TS_KERNELS_VOXEL_H
 #define TS_KERNELS_VOXEL_H
+#include "args.h"
 #include "mask.h"
 #include "root.h"
 #include "scene.h"
@@ -59,7 +60,8 @@ TS_FN ts_form ts_k_form(i64 a, i64 b, i64 c, i64 low, i64 high)
 	return r;
 }
 
-/* The normal (a, b) of the edge from p to q seen along an axis, with the triangle between the edge and o: its interval. */
+/* The normal (a, b) of the edge from p to q seen along an axis, with the triangle between the edge and o: its
+ * interval. */
 typedef struct { i64 a, b, low, high; } ts_side;
 
 TS_FN ts_side ts_k_side(i64 pu, i64 pv, i64 qu, i64 qv, i64 ou, i64 ov)
@@ -180,17 +182,17 @@ TS_FN bool ts_k_touch_voxel(const ts_touch *t, i64 i, i64 j, i64 k)
 	return true;
 }
 
-typedef struct {
-	ts_arrays scene;
-	TS_GLOBAL const ts_root *root;
-	TS_GLOBAL u64 *mask;          /* voxel.mask, no bit set at first; NULL: it is done, and lists are made */
-	TS_GLOBAL const u64 *bits;    /* it, done */
-	TS_GLOBAL const u32 *before;
-	TS_GLOBAL u32 *offset;        /* of octree.offset, one later */
-	TS_GLOBAL u32 *triangles;     /* octree.triangle; NULL: they are counted */
-	u32 levels;
-	u32 first_leaf;               /* a node */
-} ts_voxel_args;
+#define TS_ROWS_ts_voxel_args(ARG) \
+	ARG(INNER, ts_arrays, scene, none) \
+	ARG(IN, ts_root, root, root_cube) \
+	ARG(SUM_OPT, u64, mask, voxel_mask) /* NULL: it is done, and lists are made */ \
+	ARG(IN, u64, bits, voxel_mask) /* it, done */ \
+	ARG(IN, u32, before, voxel_before) \
+	ARG(SUM, u32, offset, octree_offset) /* one later */ \
+	ARG(OUT_OPT, u32, triangles, octree_triangle) /* NULL: they are counted */ \
+	ARG(VALUE, u32, levels, none) \
+	ARG(VALUE, u32, first_leaf, none) /* a node */
+TS_ARGS(ts_voxel_args);
 
 TS_FN void ts_k_voxel_meet(const ts_voxel_args *args, u32 triangle, ts_i3 voxel)
 {

@@ -5,20 +5,23 @@
  * shadow (METHODS 13). */
 #ifndef TS_KERNELS_VPL_H
 #define TS_KERNELS_VPL_H
+#include "args.h"
 #include "cast.h"
 #include "rsm.h"
 
-typedef struct {
-	ts_cast_args cast;
-	TS_GLOBAL const ts_patch *patches; /* rsm_patch.light */
-	TS_GLOBAL u32 *offset;             /* vpl.offset: counts, then their prefix sums */
-	TS_GLOBAL u32 *paths;              /* vpl.path: counts, then their prefix sums */
-	TS_GLOBAL ts_vpl *lights;
-	u64 n_patches;
-	u32 n_lit;                         /* patches that send light on */
-	u32 n;                             /* paths; n_lit unless random */
-	u32 random, seed, bounces;
-} ts_vpl_args;
+#define TS_ROWS_ts_vpl_args(ARG) \
+	ARG(INNER, ts_cast_args, cast, none) \
+	ARG(IN, ts_patch, patches, rsm_patch) \
+	ARG(OUT, u32, offset, vpl_offset) /* counts, then their prefix sums */ \
+	ARG(OUT, u32, paths, vpl_path) /* counts, then their prefix sums */ \
+	ARG(OUT, ts_vpl, lights, vpl_light) \
+	ARG(VALUE, u64, n_patches, none) \
+	ARG(VALUE, u32, n_lit, none) /* patches that send light on */ \
+	ARG(VALUE, u32, n, none) /* paths; n_lit unless random */ \
+	ARG(VALUE, u32, random, none) \
+	ARG(VALUE, u32, seed, none) \
+	ARG(VALUE, u32, bounces, none)
+TS_ARGS(ts_vpl_args);
 
 /* A light in registers. */
 typedef struct { ts_v3 p, n, flux; u32 bounce; } ts_light_k;

@@ -5,44 +5,46 @@
  * is in its shadow. */
 #ifndef TS_KERNELS_VPL_GATHER_H
 #define TS_KERNELS_VPL_GATHER_H
+#include "args.h"
 #include "fuse.h"
 #include "gbuffer.h"
 #include "mask.h"
 #include "root.h"
 #include "vpl.h"
 
-typedef struct {
-	TS_GLOBAL const ts_gpixel *pixels;  /* gbuffer.pixel */
-	TS_GLOBAL const ts_root *root;
-	TS_GLOBAL const u64 *mask;          /* voxel.mask */
-	TS_GLOBAL const u32 *before;        /* voxel.before */
-	TS_GLOBAL const u32 *offset;        /* vpl_pairs.offset */
-	TS_GLOBAL const u32 *list;          /* vpl_pairs.node */
-	TS_GLOBAL const u32 *sums;          /* vpl_pairs.views */
-	TS_GLOBAL const ts_cone *cones;     /* view_cone.node */
-	TS_GLOBAL const u32 *views;         /* view_octree.view */
-	TS_GLOBAL const u32 *leaves;        /* view_octree.leaf */
-	TS_GLOBAL const ts_node *nodes;     /* view_octree.node */
-	TS_GLOBAL const ts_vpl *lights;
-	TS_GLOBAL const u32 *depths;        /* fuse.depth */
-	TS_GLOBAL const u32 *shown;         /* fuse.node */
-	TS_GLOBAL const ts_node *scene;     /* octree.node */
-	TS_GLOBAL f32 *irradiance;          /* vpl_gather.irradiance */
-	TS_GLOBAL i64 *n_astray;            /* pixels that no node of the level holds */
-	u32 levels;
-	u32 level;                          /* of the lists */
-	u32 first;                          /* node of list 0 */
-	u32 n_lights;
-	u32 draws;                          /* 0: every light of the list */
-	u32 seed;
-	u32 n;                              /* texels a side of a map */
-	u32 shadows;
-	f32 near;                           /* sides of a leaf */
-	f32 bias;                           /* diagonals of a leaf */
-	f32 bias_px, bias_slope;            /* texels of a map */
-	u32 by_plane;                       /* what stops light lies above the tangent plane */
-	f32 bias_plane;                     /* radii of a node */
-} ts_vpl_gather_args;
+#define TS_ROWS_ts_vpl_gather_args(ARG) \
+	ARG(IN, ts_gpixel, pixels, gbuffer_pixel) \
+	ARG(IN, ts_root, root, root_cube) \
+	ARG(IN, u64, mask, voxel_mask) \
+	ARG(IN, u32, before, voxel_before) \
+	ARG(IN, u32, offset, vpl_pairs_offset) \
+	ARG(IN, u32, list, vpl_pairs_node) \
+	ARG(IN, u32, sums, vpl_pairs_views) \
+	ARG(IN, ts_cone, cones, view_cone_node) \
+	ARG(IN, u32, views, view_octree_view) \
+	ARG(IN, u32, leaves, view_octree_leaf) \
+	ARG(IN, ts_node, nodes, view_octree_node) \
+	ARG(IN, ts_vpl, lights, vpl_light) \
+	ARG(IN, u32, depths, fuse_depth) \
+	ARG(IN, u32, shown, fuse_node) \
+	ARG(IN, ts_node, scene, octree_node) \
+	ARG(OUT, f32, irradiance, vpl_gather_irradiance) \
+	ARG(TALLY, i64, n_astray, 0) /* pixels that no node of the level holds */ \
+	ARG(VALUE, u32, levels, none) \
+	ARG(VALUE, u32, level, none) /* of the lists */ \
+	ARG(VALUE, u32, first, none) /* node of list 0 */ \
+	ARG(VALUE, u32, n_lights, none) \
+	ARG(VALUE, u32, draws, none) /* 0: every light of the list */ \
+	ARG(VALUE, u32, seed, none) \
+	ARG(VALUE, u32, n, none) /* texels a side of a map */ \
+	ARG(VALUE, u32, shadows, none) \
+	ARG(VALUE, f32, near, none) /* sides of a leaf */ \
+	ARG(VALUE, f32, bias, none) /* diagonals of a leaf */ \
+	ARG(VALUE, f32, bias_px, none) \
+	ARG(VALUE, f32, bias_slope, none) /* texels of a map */ \
+	ARG(VALUE, u32, by_plane, none) /* what stops light lies above the tangent plane */ \
+	ARG(VALUE, f32, bias_plane, none) /* radii of a node */
+TS_ARGS(ts_vpl_gather_args);
 
 TS_FN f32 ts_k_leaf_side(const ts_vpl_gather_args *args) { return args->root->side / (f32)(1 << args->levels); }
 TS_FN f32 ts_k_leaf_diagonal(const ts_vpl_gather_args *args) { return ts_k_leaf_side(args) * 1.73205077648162841796875f; }
@@ -89,8 +91,8 @@ TS_FN u32 ts_k_list_view(const ts_vpl_gather_args *args, const ts_view_list *lis
 	return args->views[args->cones[args->list[low]].first + (rank - first)];
 }
 
-/* How far behind what a map shows a place is lit: so many diagonals of a leaf, and as far as the surface there reaches back
- * within so many texels, each (d + |x|) 2 / N wide. */
+/* How far behind what a map shows a place is lit: so many diagonals of a leaf, and as far as the surface there
+ * reaches back within so many texels, each (d + |x|) 2 / N wide. */
 TS_FN f32 ts_k_vpl_slack(const ts_vpl_gather_args *args, ts_v3 way, ts_v3 n)
 {
 	f32 d = ts_length(way);
@@ -105,7 +107,8 @@ TS_FN f32 ts_k_vpl_slack(const ts_vpl_gather_args *args, ts_v3 way, ts_v3 n)
 	return wide + leaf;
 }
 
-/* How far a light reaches in the direction of a place by a texel of its leaf's map: as far as what that shows, and slack. */
+/* How far a light reaches in the direction of a place by a texel of its leaf's map: as far as what that shows, and
+ * slack. */
 TS_FN f32 ts_k_vpl_reach(const ts_vpl_gather_args *args, u32 view, u32 texel, ts_v3 p, ts_v3 n)
 {
 	u32 leaf = args->leaves[view];

@@ -4,15 +4,16 @@
  * comes or goes at cosine 0, it is none. */
 #ifndef TS_KERNELS_VPL_GATHER_MARGIN_H
 #define TS_KERNELS_VPL_GATHER_MARGIN_H
+#include "args.h"
 #include "map_margin.h"
 #include "vpl_gather.h"
 
 #define TS_MARGIN_SLOPE 0.00000762939453125f /* part of the slack that rounding may change: up to 16 steps of a cosine */
 
-typedef struct {
-	ts_vpl_gather_args of;
-	TS_GLOBAL f32 *margin; /* vpl_gather.margin */
-} ts_vpl_gather_margin_args;
+#define TS_ROWS_ts_vpl_gather_margin_args(ARG) \
+	ARG(INNER, ts_vpl_gather_args, of, none) \
+	ARG(OUT, f32, margin, vpl_gather_margin)
+TS_ARGS(ts_vpl_gather_margin_args);
 
 /* Of a coordinate and the nearest side of a node of the lists' level, in 2^-20 of the root cube; none is outside it. */
 TS_FN f32 ts_k_side_margin(const ts_vpl_gather_args *args, f32 coordinate, f32 lower)

@@ -3,16 +3,17 @@
  * number names a view. */
 #ifndef TS_KERNELS_VPL_PAIRS_H
 #define TS_KERNELS_VPL_PAIRS_H
+#include "args.h"
 #include "traverse.h"
 
-typedef struct {
-	TS_GLOBAL const u64 *pairs;     /* what is left of a queue */
-	TS_GLOBAL const ts_cone *cones; /* view_cone.node */
-	TS_GLOBAL u32 *offset;          /* of vpl_pairs.offset, one later */
-	TS_GLOBAL u32 *nodes;           /* vpl_pairs.node */
-	TS_GLOBAL u32 *views;           /* vpl_pairs.views */
-	u32 first;                      /* node of list 0 */
-} ts_vpl_pairs_args;
+#define TS_ROWS_ts_vpl_pairs_args(ARG) \
+	ARG(WORK_IN, u64, pairs, queue) /* what is left of a queue */ \
+	ARG(IN, ts_cone, cones, view_cone_node) \
+	ARG(SUM, u32, offset, vpl_pairs_offset) /* one later */ \
+	ARG(OUT, u32, nodes, vpl_pairs_node) \
+	ARG(OUT, u32, views, vpl_pairs_views) \
+	ARG(VALUE, u32, first, none) /* node of list 0 */
+TS_ARGS(ts_vpl_pairs_args);
 
 /* scatter over pairs: counts of the lists */
 TS_FN void ts_k_vpl_pairs_count_item(const ts_vpl_pairs_args *args, u64 i)

@@ -29,6 +29,7 @@
  *   a hysteresis, which needs the G-buffers of all frames before, it is a multiple of 32 (hysteresis);
  * - points are made for every eight views, not kept (buffered=on); what is counted is one pass over the
  *   geometry a batch. */
+#include "../kernels/samples.h"
 #include "../stages/stages.h"
 #include "pipelines.h"
 

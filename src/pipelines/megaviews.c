@@ -20,6 +20,7 @@
  * - lists end at the nodes of gather_level, where the paper leaves open whether leaves of views are culled one by one;
  * - brute force renders leaves, where the paper rasterizes triangles: what differs from ManyLoDs is then the hierarchy's;
  * - the picture is of indirect light alone. */
+#include "../stages/views.h"
 #include "../stages/stages.h"
 #include "pipelines.h"
 

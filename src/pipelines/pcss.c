@@ -12,6 +12,7 @@
  *   not block itself; the bias beyond that is the one of all methods;
  * - lights are discs, not squares, and the taps the seeds of a sunflower;
  * - parallel light needs no projection: its widths grow with the distance from the receiver. */
+#include "../kernels/pcss.h"
 #include "pipelines.h"
 
 const ts_step ts_pcss_steps[] = {

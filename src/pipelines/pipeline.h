@@ -6,7 +6,6 @@
 
 typedef struct {
 	const char *name;    /* as in render EFFECT */
-	const char *doc;     /* what is seen */
 	bool mirrors;        /* the eye sees mirrors that show cubes; scenes get added reflectors */
 	u32 difference_scale; /* of pictures of differences between methods */
 	const char *lower;   /* what takes most memory beside the image, in a message */

@@ -1,5 +1,6 @@
 /* The plan of a method, for its runs and for replays of its stages. */
 #include <assert.h>
+#include "../kernels/num.h"
 #include "pipelines.h"
 
 ts_params ts_pipeline_params(const ts_pipeline *pipeline, const ts_params *typed)

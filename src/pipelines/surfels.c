@@ -18,6 +18,7 @@
  * - a fragment of the screen filter alone has the depth of the centre, for planes seen from the side are anywhere;
  * - lights are the scene's, each of them a point or a sun with one depth map, or for points without a direction a cube of
  *   six. */
+#include "../stages/surfels.h"
 #include "../stages/stages.h"
 #include "pipelines.h"
 

@@ -2,18 +2,12 @@
 #include "pipelines.h"
 
 const ts_effect ts_effect_table[] = {
-	{.name = "reflections", .mirrors = true, .difference_scale = 8, .lower = "fewer --reflectors",
-	 .doc = "mirrors, added or the file's own, and what they show"},
-	{.name = "soft-shadows", .difference_scale = 8, .lower = "map_px or pass",
-	 .doc = "shadows of a lamp or, by lamp=scene, the scene's lights"},
-	{.name = "omni-shadows", .difference_scale = 8, .lower = "map_px or pass",
-	 .doc = "shadows of a ball of light in the middle"},
-	{.name = "indirect", .difference_scale = 4, .lower = "grid_px or rsm_px",
-	 .doc = "the light of a lamp or, by lamp=scene, the scene's lights after one bounce"},
-	{.name = "particles", .difference_scale = 8, .lower = "levels, gather_level, view_px or particles",
-	 .doc = "the light of many particles in the air"},
-	{.name = "surfels", .difference_scale = 8, .lower = "map_px or from_mesh",
-	 .doc = "elliptical splats of a file or, by from_mesh, of triangles; eye=outside sees all of a model"},
+	{.name = "reflections", .mirrors = true, .difference_scale = 8, .lower = "fewer --reflectors"},
+	{.name = "soft-shadows", .difference_scale = 8, .lower = "map_px or pass"},
+	{.name = "omni-shadows", .difference_scale = 8, .lower = "map_px or pass"},
+	{.name = "indirect", .difference_scale = 4, .lower = "grid_px or rsm_px"},
+	{.name = "particles", .difference_scale = 8, .lower = "levels, gather_level, view_px or particles"},
+	{.name = "surfels", .difference_scale = 8, .lower = "map_px or from_mesh"},
 	{0},
 };
 

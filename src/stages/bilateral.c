@@ -1,23 +1,22 @@
 /* Gathered light, filtered. */
+#include "../kernels/bilateral.h"
 #include "stages.h"
 
-ts_status ts_stage_bilateral(ts_run *run)
+static const ts_launch along_rows = TS_LAUNCH(bilateral, TS_IN(from, vpl_gather_irradiance), TS_OUT(to, bilateral_row));
+static const ts_launch along_columns =
+	TS_LAUNCH(bilateral, TS_IN(from, bilateral_row), TS_OUT(to, indirect_irradiance));
+
+static ts_status bilateral(ts_run *run)
 {
-	u64 width = run->params.width, height = run->params.height;
-	f32 *rows = ts_frame_make3(&run->frame, TS_B_bilateral_row, height, width, 3);
-	f32 *irradiance = ts_frame_make3(&run->frame, TS_B_indirect_irradiance, height, width, 3);
-	ts_bilateral_args args = {
-		.pixels = ts_frame_handle(&run->frame, TS_B_gbuffer_pixel),
-		.from = ts_frame_handle(&run->frame, TS_B_vpl_gather_irradiance),
-		.to = rows,
-		.width = (u32)width,
-		.height = (u32)height,
-		.radius = run->params.filter_px,
-	};
-	if (rows == NULL || irradiance == NULL) return TS_ERROR;
-	if (ts_run_launch(run, TS_KERNEL_bilateral, &args, width * height) != TS_OK) return TS_ERROR;
-	args.from = rows;
-	args.to = irradiance;
+	const ts_params *params = &run->params;
+	ts_bilateral_args args = {.width = params->width, .height = params->height, .radius = params->filter_px};
+	u64 n = (u64)args.width * args.height;
+	if (TS_RUN(run, &along_rows, &args, n) != TS_OK) return TS_ERROR;
 	args.columns = 1;
-	return ts_run_launch(run, TS_KERNEL_bilateral, &args, width * height);
+	return TS_RUN(run, &along_columns, &args, n);
 }
+
+const ts_stage ts_stage_bilateral = {
+	.name = "bilateral", .kind = "map", .paper = "MegaViews 5.1", .doc = "that light filtered, but not over edges",
+	.run = bilateral, .launches = TS_LAUNCHES(&along_rows, &along_columns),
+};

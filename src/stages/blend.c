@@ -1,36 +1,35 @@
 /* Sums of the attributes of surfels. */
-#include "stages.h"
+#include "../kernels/blend_order.h"
+#include "../kernels/blend.h"
+#include "surfels.h"
+
+static const ts_launch in_any_order = TS_LAUNCH(blend, TS_ALL);
+static const ts_launch in_order = TS_LAUNCH(blend_order, TS_ALL);
 
 /* CONTRACT rule 30: as many terms as there can be surfels, each the largest that ts_fix gives. */
 _Static_assert((u64)TS_NONE * INT32_MAX <= (u64)INT64_MAX, "sums of surfels may overflow");
 
-static ts_status clear_sums(ts_run *run)
+static ts_status blend_in_order(ts_run *run)
 {
-	const u64 shape[3] = {run->params.height, run->params.width, TS_BLEND_SUMS};
-	bool good = ts_run_zeros(run, TS_B_blend_sum, 3, shape) != NULL &&
-	            ts_frame_make(&run->frame, TS_B_blend_heaviest, 2, shape) != NULL &&
-	            ts_run_fill(run, TS_B_blend_heaviest, 0xff) == TS_OK;
-	return good ? TS_OK : TS_ERROR;
+	ts_blend_order_args args = {.filter = ts_surfel_filter(run), .accumulation = run->params.accumulation};
+	ts_run_count(run, "fragments", (i64)ts_run_size(run, TS_DIM_fragments));
+	return TS_RUN(run, &in_order, &args, (u64)run->params.width * run->params.height);
 }
 
-ts_status ts_stage_blend(ts_run *run)
+static ts_status blend(ts_run *run)
 {
-	u64 n = ts_frame_n(&run->frame, TS_B_scene_surfel);
+	u64 n = ts_run_size(run, TS_DIM_surfels);
+	ts_blend_args args = {.filter = ts_surfel_filter(run)};
 	if (n > TS_NONE) return ts_run_too_many(n, "surfels");
-	if (clear_sums(run) != TS_OK) return TS_ERROR;
-	if (ts_accumulates_in_order(&run->params)) return ts_blend_in_order(run);
-	ts_blend_args args = {
-		.view = ts_frame_handle(&run->frame, TS_B_eye_view),
-		.surfels = ts_frame_handle(&run->frame, TS_B_scene_surfel),
-		.discs = ts_frame_handle(&run->frame, TS_B_surfel_setup_disc),
-		.keys = ts_frame_handle(&run->frame, TS_B_surfel_depth_surfel),
-		.sums = ts_frame_handle(&run->frame, TS_B_blend_sum),
-		.heaviest = ts_frame_handle(&run->frame, TS_B_blend_heaviest),
-		.tally = ts_frame_tallies(&run->frame),
-		.filter = ts_surfel_filter(run),
-	};
-	if (args.tally == NULL || ts_run_launch(run, TS_KERNEL_blend, &args, n) != TS_OK) return TS_ERROR;
+	if (ts_accumulates_in_order(&run->params)) return blend_in_order(run);
+	if (TS_RUN(run, &in_any_order, &args, n) != TS_OK) return TS_ERROR;
 	ts_run_count(run, "fragments", ts_frame_tally(&run->frame, 0));
 	ts_run_count(run, "pixels of boxes", ts_frame_tally(&run->frame, 1));
 	return TS_OK;
 }
+
+const ts_stage ts_stage_blend = {
+	.name = "blend", .kind = "scatter", .paper = "NV40: Approximate EWA Filtering",
+	.doc = "attributes: colours and normals of the surfels before that depth, by integer sums or in order",
+	.run = blend, .launches = TS_LAUNCHES(&in_any_order, &in_order),
+};

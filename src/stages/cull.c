@@ -1,5 +1,15 @@
 /* Which pieces stay. */
-#include "stages.h"
+#include "../kernels/margin.h"
+#include "../kernels/view_density.h"
+#include "points.h"
+
+static const ts_launch launch = TS_LAUNCH(cull, TS_ALL);
+static const ts_launch measured = TS_LAUNCH(cull_margin, TS_BUT(cull.keep));
+
+f32 ts_samples_a_pixel(const ts_params *params)
+{
+	return params->rho_is_area ? ts_sqrt(params->rho_scale) : params->rho_scale;
+}
 
 /* Samples a pixel a side; the pixels of iVIR and VIR are samples. */
 static f32 cull_unit(const ts_run *run)
@@ -8,29 +18,37 @@ static f32 cull_unit(const ts_run *run)
 	return eye ? ts_samples_a_pixel(&run->params) : 1.0f;
 }
 
-ts_cull_args ts_cull_arguments(const ts_run *run)
+static ts_cull_args values(const ts_run *run)
 {
-	const ts_params *params = &run->params;
-	return (ts_cull_args){
-		.pieces = ts_frame_handle(&run->frame, TS_B_split_triangle),
-		.scale = ts_frame_handle(&run->frame, TS_B_density_scale),
-		.unit = cull_unit(run),
-		.seed = params->seed,
-		.enabled = params->cull,
-	};
+	return (ts_cull_args){.unit = cull_unit(run), .seed = run->params.seed, .enabled = run->params.cull};
 }
 
-ts_status ts_stage_cull(ts_run *run)
+static ts_status cull(ts_run *run)
 {
-	u64 n = ts_frame_n(&run->frame, TS_B_split_triangle);
-	ts_cull_args args = ts_cull_arguments(run);
-	args.keep = ts_frame_make1(&run->frame, TS_B_cull_keep, n);
-	if (args.keep == NULL) return TS_ERROR;
-	if (ts_run_launch(run, TS_KERNEL_cull, &args, n) != TS_OK) return TS_ERROR;
-	i64 kept = 0;
+	ts_cull_args args = values(run);
+	if (TS_RUN(run, &launch, &args, ts_run_size(run, TS_DIM_pieces)) != TS_OK) return TS_ERROR;
 	const u32 *keep = ts_frame_data(&run->frame, TS_B_cull_keep);
+	u64 n = ts_frame_n(&run->frame, TS_B_cull_keep);
+	i64 kept = 0;
 	for (u64 i = 0; i < n; i++) kept += keep[i];
 	ts_run_count(run, "pieces kept", kept);
 	ts_run_count(run, "pieces culled", (i64)n - kept);
 	return TS_OK;
 }
+
+static ts_status cull_margin(ts_run *run)
+{
+	ts_cull_margin_args args = {.cull = values(run)};
+	return TS_RUN(run, &measured, &args, ts_run_size(run, TS_DIM_pieces));
+}
+
+const ts_stage ts_stage_cull = {
+	.name = "cull", .kind = "map", .paper = "EPR 3.2", .doc = "stochastic culling of sub-pixel pieces",
+	.run = cull, .launches = TS_LAUNCHES(&launch),
+};
+
+const ts_stage ts_stage_cull_margin = {
+	.name = "cull_margin", .kind = "map", .margin_of = "cull", .paper = "EPR 3.2",
+	.doc = "how near the random numbers were to their thresholds",
+	.run = cull_margin, .launches = TS_LAUNCHES(&measured),
+};

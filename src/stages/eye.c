@@ -1,18 +1,18 @@
 /* The eye's depth and triangle. */
+#include "../kernels/draw.h"
 #include "stages.h"
 
-ts_status ts_stage_eye(ts_run *run)
+static const ts_launch launch = TS_LAUNCH(eye, TS_ALL);
+
+static ts_status eye(ts_run *run)
 {
-	u64 width = run->params.width;
-	u64 height = run->params.height;
-	u64 *texels = ts_frame_make2(&run->frame, TS_B_eye_depth_triangle, height, width);
-	if (texels == NULL || ts_run_fill(run, TS_B_eye_depth_triangle, 0xff) != TS_OK) return TS_ERROR;
-	ts_eye_args args = {
-		.scene = ts_run_arrays(run),
-		.view = ts_frame_handle(&run->frame, TS_B_eye_view),
-		.texels = texels,
-	};
-	if (ts_run_launch(run, TS_KERNEL_eye, &args, args.scene.n_triangles) != TS_OK) return TS_ERROR;
+	ts_eye_args args = {.scene = ts_run_scene(run)};
+	if (TS_RUN(run, &launch, &args, args.scene.n_triangles) != TS_OK) return TS_ERROR;
 	ts_run_count(run, "geometry traversals", 1);
 	return TS_OK;
 }
+
+const ts_stage ts_stage_eye = {
+	.name = "eye", .kind = "scatter", .paper = "EPR 4.1.3", .doc = "standard rasterization of the eye's view",
+	.run = eye, .launches = TS_LAUNCHES(&launch), .looks_at = TS_BUFFERS(TS_B_scene_info),
+};

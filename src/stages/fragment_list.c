@@ -1,50 +1,31 @@
-/* Lists of fragments, and sums in their order. */
-#include "stages.h"
+/* Lists of fragments, for sums in their order. */
+#include "../kernels/fragment_list.h"
+#include "../kernels/octree.h"
+#include "surfels.h"
 
-static ts_status list(ts_run *run, u32 *surfels)
-{
-	ts_fragment_list_args args = {
-		.view = ts_frame_handle(&run->frame, TS_B_eye_view),
-		.discs = ts_frame_handle(&run->frame, TS_B_surfel_setup_disc),
-		.keys = ts_frame_handle(&run->frame, TS_B_surfel_depth_surfel),
-		.offset = ts_frame_handle(&run->frame, TS_B_fragment_list_offset),
-		.surfels = surfels,
-		.filter = ts_surfel_filter(run),
-	};
-	return ts_run_launch(run, TS_KERNEL_fragment_list, &args, ts_frame_n(&run->frame, TS_B_surfel_setup_disc));
-}
+/* Where a pixel's list begins stands one later until it is written. */
+static const ts_launch counted = TS_LAUNCH(fragment_list, TS_ALL);
+static const ts_launch listed = TS_LAUNCH(fragment_list, TS_WITH(surfels));
+static const ts_launch sorted =
+	TS_LAUNCH(leaf_sort, TS_IN(offset, fragment_list_offset), TS_OUT(entries, fragment_list_surfel));
 
-ts_status ts_stage_fragment_list(ts_run *run)
+static ts_status fragment_list(ts_run *run)
 {
-	u64 total, n_pixels = (u64)run->params.width * run->params.height;
-	if (ts_frame_make1(&run->frame, TS_B_fragment_list_offset, n_pixels + 2) == NULL) return TS_ERROR;
-	if (ts_run_fill(run, TS_B_fragment_list_offset, 0) != TS_OK || list(run, NULL) != TS_OK) return TS_ERROR;
-	if (ts_run_scan(run, TS_B_fragment_list_offset, &total) != TS_OK) return TS_ERROR;
-	u32 *surfels = ts_frame_make1(&run->frame, TS_B_fragment_list_surfel, total);
-	if (surfels == NULL || list(run, surfels) != TS_OK) return TS_ERROR;
-	ts_frame_cut(&run->frame, TS_B_fragment_list_offset, n_pixels + 1);
-	ts_sort_args args = {
-		.offset = ts_frame_handle(&run->frame, TS_B_fragment_list_offset),
-		.entries = ts_frame_handle(&run->frame, TS_B_fragment_list_surfel),
-	};
-	return ts_run_launch(run, TS_KERNEL_leaf_sort, &args, n_pixels);
-}
-
-ts_status ts_blend_in_order(ts_run *run)
-{
-	ts_blend_order_args args = {
-		.view = ts_frame_handle(&run->frame, TS_B_eye_view),
-		.surfels = ts_frame_handle(&run->frame, TS_B_scene_surfel),
-		.discs = ts_frame_handle(&run->frame, TS_B_surfel_setup_disc),
-		.offset = ts_frame_handle(&run->frame, TS_B_fragment_list_offset),
-		.list = ts_frame_handle(&run->frame, TS_B_fragment_list_surfel),
-		.sums = ts_frame_handle(&run->frame, TS_B_blend_sum),
-		.heaviest = ts_frame_handle(&run->frame, TS_B_blend_heaviest),
-		.filter = ts_surfel_filter(run),
-		.accumulation = run->params.accumulation,
-	};
-	ts_run_count(run, "fragments", (i64)ts_frame_n(&run->frame, TS_B_fragment_list_surfel));
-	return ts_run_launch(run, TS_KERNEL_blend_order, &args, ts_frame_n(&run->frame, TS_B_blend_heaviest));
+	u64 total, n = ts_run_size(run, TS_DIM_surfels), n_pixels = (u64)run->params.width * run->params.height;
+	ts_fragment_list_args args = {.filter = ts_surfel_filter(run)};
+	ts_sort_args sort;
+	if (ts_launch_make(run, &counted, "offset", 1) != TS_OK) return TS_ERROR;
+	if (TS_RUN(run, &counted, &args, n) != TS_OK) return TS_ERROR;
+	if (ts_launch_sum(run, &counted, "offset", &total) != TS_OK) return TS_ERROR;
+	if (TS_RUN(run, &listed, &args, n) != TS_OK) return TS_ERROR;
+	ts_launch_cut(run, &counted, "offset", 1);
+	return TS_RUN(run, &sorted, &sort, n_pixels);
 }
 
 bool ts_accumulates_in_order(const ts_params *params) { return params->accumulation != TS_ACCUMULATION_FIXED; }
+
+const ts_stage ts_stage_fragment_list = {
+	.name = "fragment_list", .kind = "emit", .paper = "NV40: Floating Point Precision",
+	.doc = "which surfels are blended at each pixel, in order",
+	.run = fragment_list, .launches = TS_LAUNCHES(&counted, &listed, &sorted),
+};

@@ -1,18 +1,16 @@
 /* The G-buffer, and its depth down-sampled. */
+#include "../kernels/gbuffer.h"
+#include "../kernels/grid.h"
 #include <inttypes.h>
 #include "stages.h"
 
-ts_status ts_stage_gbuffer(ts_run *run)
+static const ts_launch surfaces = TS_LAUNCH(gbuffer, TS_ALL);
+static const ts_launch sampled = TS_LAUNCH(nearest, TS_ALL);
+
+static ts_status gbuffer(ts_run *run)
 {
-	u64 width = run->params.width, height = run->params.height;
-	ts_gbuffer_args args = {
-		.scene = ts_run_arrays(run),
-		.view = ts_frame_handle(&run->frame, TS_B_eye_view),
-		.depth_triangle = ts_frame_handle(&run->frame, TS_B_eye_depth_triangle),
-		.pixels = ts_frame_make2(&run->frame, TS_B_gbuffer_pixel, height, width),
-	};
-	if (args.pixels == NULL) return TS_ERROR;
-	return ts_run_launch(run, TS_KERNEL_gbuffer, &args, width * height);
+	ts_gbuffer_args args = {.scene = ts_run_scene(run)};
+	return TS_RUN(run, &surfaces, &args, (u64)run->params.width * run->params.height);
 }
 
 ts_status ts_grid_check(const ts_params *params)
@@ -22,17 +20,19 @@ ts_status ts_grid_check(const ts_params *params)
 	return ts_fail("grid_px=%" PRIu32 ": a multiple of 32, as %" PRIu32 ", would be right", grid, grid - grid % TS_BLOCK);
 }
 
-ts_status ts_stage_nearest(ts_run *run)
+static ts_status nearest(ts_run *run)
 {
-	u64 grid = run->params.grid_px;
+	ts_nearest_args args = {.grid = run->params.grid_px, .width = run->params.width, .height = run->params.height};
 	if (ts_grid_check(&run->params) != TS_OK) return TS_ERROR;
-	ts_nearest_args args = {
-		.pixels = ts_frame_handle(&run->frame, TS_B_gbuffer_pixel),
-		.depths = ts_frame_make2(&run->frame, TS_B_nearest_depth, grid, grid),
-		.grid = (u32)grid,
-		.width = run->params.width,
-		.height = run->params.height,
-	};
-	if (args.depths == NULL) return TS_ERROR;
-	return ts_run_launch(run, TS_KERNEL_nearest, &args, grid * grid);
+	return TS_RUN(run, &sampled, &args, (u64)args.grid * args.grid);
 }
+
+const ts_stage ts_stage_gbuffer = {
+	.name = "gbuffer", .kind = "map", .paper = "SSAGH 3", .doc = "position, normal and albedo of every pixel",
+	.run = gbuffer, .launches = TS_LAUNCHES(&surfaces), .looks_at = TS_BUFFERS(TS_B_scene_info),
+};
+
+const ts_stage ts_stage_nearest = {
+	.name = "nearest", .kind = "map", .paper = "SSAGH 3", .doc = "the screen's depth down-sampled",
+	.run = nearest, .launches = TS_LAUNCHES(&sampled),
+};

@@ -1,80 +1,96 @@
 /* Light at the corners of the segments' boxes, as lobes, at every pixel; or gathered by every pixel itself. */
+#include "../kernels/direct.h"
+#include "../kernels/fit.h"
+#include "../kernels/gather.h"
+#include "../kernels/hull_margin.h"
+#include "../kernels/hull.h"
 #include "stages.h"
 
-ts_status ts_stage_gather(ts_run *run)
+static const ts_launch gathered = TS_LAUNCH(gather, TS_ALL);
+static const ts_launch fitted = TS_LAUNCH(fit, TS_ALL);
+static const ts_launch interpolated = TS_LAUNCH(hull, TS_ALL);
+static const ts_launch measured = TS_LAUNCH(hull_margin, TS_ALL);
+static const ts_launch everywhere = TS_LAUNCH(direct, TS_ALL);
+
+static u64 n_pixels(const ts_run *run) { return (u64)run->params.width * run->params.height; }
+
+static ts_status gather(ts_run *run)
 {
-	u64 n = ts_frame_n(&run->frame, TS_B_box_record);
-	ts_gather_args args = {
-		.view = ts_frame_handle(&run->frame, TS_B_eye_view),
-		.pixels = ts_frame_handle(&run->frame, TS_B_gbuffer_pixel),
-		.patches = ts_frame_handle(&run->frame, TS_B_rsm_patch),
-		.boxes = ts_frame_handle(&run->frame, TS_B_box_record),
-		.moments = ts_frame_make2(&run->frame, TS_B_gather_moment, n, 4),
-		.n_patches = ts_frame_n(&run->frame, TS_B_rsm_patch),
-		.grid = run->params.grid_px,
-	};
-	if (args.moments == NULL) return TS_ERROR;
-	ts_run_count(run, "gathers", (i64)(4 * n * args.n_patches));
-	return ts_run_launch(run, TS_KERNEL_gather, &args, 4 * n);
+	u64 n = 4 * ts_run_size(run, TS_DIM_boxes);
+	ts_gather_args args = {.n_patches = ts_frame_n(&run->frame, TS_B_rsm_patch), .grid = run->params.grid_px};
+	ts_run_count(run, "gathers", (i64)(n * args.n_patches));
+	return TS_RUN(run, &gathered, &args, n);
 }
 
-ts_status ts_stage_fit(ts_run *run)
+static ts_status fit(ts_run *run)
 {
-	u64 n = ts_frame_n(&run->frame, TS_B_gather_moment);
-	ts_fit_args args = {
-		.moments = ts_frame_handle(&run->frame, TS_B_gather_moment),
-		.lobes = ts_frame_make2(&run->frame, TS_B_fit_lobes, n / 4, 4),
-		.vmf = run->params.sharpness == TS_SHARPNESS_VMF,
-	};
-	if (args.lobes == NULL) return TS_ERROR;
-	return ts_run_launch(run, TS_KERNEL_fit, &args, n);
+	ts_fit_args args = {.vmf = run->params.sharpness == TS_SHARPNESS_VMF};
+	return TS_RUN(run, &fitted, &args, 4 * ts_run_size(run, TS_DIM_boxes));
 }
 
-ts_choice_args ts_choice_arguments(const ts_run *run)
+static ts_choice_args choice(const ts_run *run)
 {
 	return (ts_choice_args){
-		.offset = ts_frame_handle(&run->frame, TS_B_box_offset),
-		.boxes = ts_frame_handle(&run->frame, TS_B_box_record),
 		.grid = run->params.grid_px,
 		.robust = run->params.surface == TS_SURFACE_ROBUST,
 		.step = run->params.segment_step,
 	};
 }
 
-ts_status ts_stage_hull(ts_run *run)
+static ts_status hull(ts_run *run)
 {
-	u64 width = run->params.width, height = run->params.height;
 	ts_hull_args args = {
-		.choice = ts_choice_arguments(run),
-		.pixels = ts_frame_handle(&run->frame, TS_B_gbuffer_pixel),
-		.moments = ts_frame_handle(&run->frame, TS_B_gather_moment),
-		.lobes = ts_frame_handle(&run->frame, TS_B_fit_lobes),
-		.box = ts_frame_make2(&run->frame, TS_B_hull_box, height, width),
-		.irradiance = ts_frame_make3(&run->frame, TS_B_indirect_irradiance, height, width, 3),
-		.n_unlit = ts_frame_tallies(&run->frame),
-		.width = (u32)width,
-		.height = (u32)height,
+		.choice = choice(run),
+		.width = run->params.width,
+		.height = run->params.height,
 		.cosine = run->params.cosine,
 		.by_moments = run->params.interpolation == TS_INTERPOLATION_MOMENTS,
 		.vmf = run->params.sharpness == TS_SHARPNESS_VMF,
 		.printed = run->params.integrals == TS_INTEGRALS_PRINTED,
 	};
-	if (args.box == NULL || args.irradiance == NULL) return TS_ERROR;
-	if (ts_run_launch(run, TS_KERNEL_hull, &args, width * height) != TS_OK) return TS_ERROR;
+	if (TS_RUN(run, &interpolated, &args, n_pixels(run)) != TS_OK) return TS_ERROR;
 	ts_run_count(run, "pixels without a segment", ts_frame_tally(&run->frame, 0));
 	return TS_OK;
 }
 
-ts_status ts_stage_direct(ts_run *run)
+static ts_status hull_margin(ts_run *run)
 {
-	u64 width = run->params.width, height = run->params.height;
-	ts_direct_args args = {
-		.pixels = ts_frame_handle(&run->frame, TS_B_gbuffer_pixel),
-		.patches = ts_frame_handle(&run->frame, TS_B_rsm_patch),
-		.irradiance = ts_frame_make3(&run->frame, TS_B_indirect_irradiance, height, width, 3),
-		.n_patches = ts_frame_n(&run->frame, TS_B_rsm_patch),
-	};
-	if (args.irradiance == NULL) return TS_ERROR;
-	ts_run_count(run, "gathers", (i64)(width * height * args.n_patches));
-	return ts_run_launch(run, TS_KERNEL_direct, &args, width * height);
+	ts_hull_margin_args args = {.choice = choice(run), .width = run->params.width, .height = run->params.height};
+	return TS_RUN(run, &measured, &args, n_pixels(run));
 }
+
+static ts_status direct(ts_run *run)
+{
+	ts_direct_args args = {.n_patches = ts_frame_n(&run->frame, TS_B_rsm_patch)};
+	ts_run_count(run, "gathers", (i64)(n_pixels(run) * args.n_patches));
+	return TS_RUN(run, &everywhere, &args, n_pixels(run));
+}
+
+const ts_stage ts_stage_gather = {
+	.name = "gather", .kind = "map", .paper = "SSAGH 3", .doc = "light at the corners of every box",
+	.run = gather, .launches = TS_LAUNCHES(&gathered),
+};
+
+const ts_stage ts_stage_fit = {
+	.name = "fit", .kind = "map", .paper = "SSAGH 4, eqs 4 and 5",
+	.doc = "that light as spherical Gaussians, one a channel",
+	.run = fit, .launches = TS_LAUNCHES(&fitted),
+};
+
+const ts_stage ts_stage_hull = {
+	.name = "hull", .kind = "map", .paper = "SSAGH 4, eqs 15 to 18",
+	.doc = "each pixel's box, its lobes between the corners, and their integral with the cosine",
+	.run = hull, .launches = TS_LAUNCHES(&interpolated),
+};
+
+const ts_stage ts_stage_hull_margin = {
+	.name = "hull_margin", .kind = "map", .margin_of = "hull", .paper = "SSAGH 3",
+	.doc = "how near each pixel's choice was to another box",
+	.run = hull_margin, .launches = TS_LAUNCHES(&measured),
+};
+
+const ts_stage ts_stage_direct = {
+	.name = "direct", .kind = "map", .paper = "SSAGH 5",
+	.doc = "light of every triangle at every pixel by form factors",
+	.run = direct, .launches = TS_LAUNCHES(&everywhere),
+};

@@ -1,54 +1,46 @@
 /* The picture. */
+#include "../kernels/image.h"
+#include "../kernels/indirect.h"
 #include "stages.h"
 
-static ts_status image(ts_run *run, ts_image_args args)
-{
-	u64 width = run->params.width;
-	u64 height = run->params.height;
-	args.view = ts_frame_handle(&run->frame, TS_B_eye_view);
-	args.depth_triangle = ts_frame_handle(&run->frame, TS_B_eye_depth_triangle);
-	args.radiance = ts_frame_make3(&run->frame, TS_B_image_radiance, height, width, 3);
-	args.srgb = ts_frame_make3(&run->frame, TS_B_image_srgb, height, width, 3);
-	args.exposure = run->params.exposure;
-	if (args.radiance == NULL || args.srgb == NULL) return TS_ERROR;
-	return ts_run_launch(run, TS_KERNEL_image, &args, width * height);
-}
+static const ts_launch with_mirrors = TS_LAUNCH(image, TS_WITH(offset), TS_WITH(reflected));
+static const ts_launch with_shadows = TS_LAUNCH(image, TS_IN(scene.lights, lamp_light), TS_WITH(lit), TS_WITH(lamps));
+static const ts_launch of_indirect = TS_LAUNCH(indirect_image, TS_ALL);
 
-ts_status ts_stage_image(ts_run *run)
+static u64 n_pixels(const ts_run *run) { return (u64)run->params.width * run->params.height; }
+
+static ts_status image(ts_run *run)
 {
-	ts_image_args args = {
-		.scene = ts_run_arrays(run),
-		.offset = ts_frame_handle(&run->frame, TS_B_pixel_offset),
-		.reflected = ts_frame_handle(&run->frame, TS_B_shade_radiance),
-	};
-	return image(run, args);
+	ts_image_args args = {.scene = ts_run_scene(run), .exposure = run->params.exposure};
+	return TS_RUN(run, &with_mirrors, &args, n_pixels(run));
 }
 
 /* In the light of the lamps, as far as it reaches. */
-ts_status ts_stage_shadow_image(ts_run *run)
+static ts_status shadow_image(ts_run *run)
 {
-	ts_image_args args = {
-		.scene = ts_run_arrays(run),
-		.lit = ts_frame_handle(&run->frame, TS_B_resolve_lit),
-		.lamps = ts_frame_handle(&run->frame, TS_B_lamp_shape),
-	};
-	args.scene.lights = ts_frame_handle(&run->frame, TS_B_lamp_light);
-	args.scene.n_lights = (u32)ts_frame_n(&run->frame, TS_B_lamp_light);
-	return image(run, args);
+	ts_image_args args = {.scene = ts_run_scene(run), .exposure = run->params.exposure};
+	args.scene.n_lights = (u32)ts_run_size(run, TS_DIM_lamps);
+	return TS_RUN(run, &with_shadows, &args, n_pixels(run));
 }
 
 /* In indirect light alone. */
-ts_status ts_stage_indirect_image(ts_run *run)
+static ts_status indirect_image(ts_run *run)
 {
-	u64 width = run->params.width;
-	u64 height = run->params.height;
-	ts_indirect_args args = {
-		.pixels = ts_frame_handle(&run->frame, TS_B_gbuffer_pixel),
-		.irradiance = ts_frame_handle(&run->frame, TS_B_indirect_irradiance),
-		.radiance = ts_frame_make3(&run->frame, TS_B_image_radiance, height, width, 3),
-		.srgb = ts_frame_make3(&run->frame, TS_B_image_srgb, height, width, 3),
-		.exposure = run->params.exposure,
-	};
-	if (args.radiance == NULL || args.srgb == NULL) return TS_ERROR;
-	return ts_run_launch(run, TS_KERNEL_indirect_image, &args, width * height);
+	ts_indirect_args args = {.exposure = run->params.exposure};
+	return TS_RUN(run, &of_indirect, &args, n_pixels(run));
 }
+
+const ts_stage ts_stage_image = {
+	.name = "image", .kind = "map", .paper = "EPR 4.1.2", .doc = "the picture",
+	.run = image, .launches = TS_LAUNCHES(&with_mirrors), .looks_at = TS_BUFFERS(TS_B_scene_info),
+};
+
+const ts_stage ts_stage_shadow_image = {
+	.name = "shadow_image", .kind = "map", .paper = "iVIR 4", .doc = "the picture with its shadows",
+	.run = shadow_image, .launches = TS_LAUNCHES(&with_shadows), .looks_at = TS_BUFFERS(TS_B_scene_info),
+};
+
+const ts_stage ts_stage_indirect_image = {
+	.name = "indirect_image", .kind = "map", .paper = "SSAGH 4, eq. 6", .doc = "the picture of indirect light",
+	.run = indirect_image, .launches = TS_LAUNCHES(&of_indirect),
+};

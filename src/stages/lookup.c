@@ -1,25 +1,37 @@
 /* Look-ups of the first bounce, and queue and look-ups of each later one. */
-#include <inttypes.h>
 #include "lookup.h"
+#include <inttypes.h>
 
 const ts_bounce_buffers ts_bounce_table[TS_MAX_BOUNCES] = {
-	{TS_N_BUFFERS, TS_B_pixel_record, TS_B_lookup_point, TS_B_shade_radiance},
-	{TS_B_lookup2_offset, TS_B_lookup2_parent, TS_B_lookup2_point, TS_B_shade2_radiance},
-	{TS_B_lookup3_offset, TS_B_lookup3_parent, TS_B_lookup3_point, TS_B_shade3_radiance},
+	{TS_DIM_mirror_pixels, TS_B_none, TS_B_pixel_record, TS_B_lookup_point, TS_B_shade_radiance},
+	{TS_DIM_entries2, TS_B_lookup2_offset, TS_B_lookup2_parent, TS_B_lookup2_point, TS_B_shade2_radiance},
+	{TS_DIM_entries3, TS_B_lookup3_offset, TS_B_lookup3_parent, TS_B_lookup3_point, TS_B_shade3_radiance},
 };
 
-ts_lookup_args ts_lookup_arguments(const ts_run *run, u32 bounce)
+/* Mirrors tell which pixel sees which point, and nothing of points. */
+static const ts_launch first =
+	TS_LAUNCH(lookup, TS_WITH(view), TS_WITH(texels), TS_OUT(found, lookup_point), TS_BUT(scene), TS_BUT(pieces),
+	          TS_BUT(frames), TS_BUT(keys), TS_BUT(points));
+/* A later bounce: samples of the one before that see a mirror are counted and queued, then look up. */
+typedef struct { ts_launch count, queue, look_up; } later;
+
+static const later second = {
+	TS_LAUNCH(bounce_count, TS_IN(found, lookup_point), TS_OUT(offset, lookup2_offset)),
+	TS_LAUNCH(bounce_queue, TS_IN(found, lookup_point), TS_IN(offset, lookup2_offset),
+	          TS_OUT(next_queue, lookup2_parent)),
+	TS_LAUNCH(bounce, TS_WITH(texels), TS_IN(queue, lookup2_parent), TS_OUT(found, lookup2_point)),
+};
+static const later third = {
+	TS_LAUNCH(bounce_count, TS_IN(found, lookup2_point), TS_OUT(offset, lookup3_offset), TS_BUT(pixels)),
+	TS_LAUNCH(bounce_queue, TS_IN(found, lookup2_point), TS_IN(offset, lookup3_offset),
+	          TS_OUT(next_queue, lookup3_parent), TS_IN(queue, lookup2_parent), TS_BUT(pixels)),
+	TS_LAUNCH(bounce, TS_WITH(texels), TS_IN(queue, lookup3_parent), TS_OUT(found, lookup3_point), TS_BUT(pixels)),
+};
+
+ts_lookup_args ts_lookup_values(const ts_run *run, u32 bounce)
 {
-	const ts_bounce_buffers *own = &ts_bounce_table[bounce];
 	return (ts_lookup_args){
-		.scene = ts_run_arrays(run),
-		.cubes = ts_frame_handle(&run->frame, TS_B_resize_face),
-		.pieces = ts_frame_handle(&run->frame, TS_B_split_triangle),
-		.frames = ts_frame_handle(&run->frame, TS_B_align_frame),
-		.keys = ts_frame_handle(&run->frame, TS_B_points_key),
-		.points = ts_frame_handle(&run->frame, TS_B_points_record),
-		.pixels = ts_frame_handle(&run->frame, TS_B_pixel_record),
-		.queue = bounce > 0 ? ts_frame_handle(&run->frame, own->queue) : NULL,
+		.scene = ts_run_scene(run),
 		.n_samples = bounce > 0 ? TS_N_BOUNCE_SAMPLES : TS_N_SAMPLES,
 		.first = bounce == 0,
 	};
@@ -35,49 +47,51 @@ static void count_empty(ts_run *run, ts_buffer_id id)
 	ts_run_count(run, "empty look-ups", empty);
 }
 
-static ts_status look_up(ts_run *run, ts_lookup_args *args, u32 bounce, ts_kernel kernel)
+static ts_status look_up(ts_run *run, const ts_launch *launch, u32 bounce)
 {
-	u64 n = ts_frame_n(&run->frame, ts_bounce_table[bounce].queue);
-	args->texels = ts_frame_handle(&run->frame, TS_B_splat_depth_index);
-	args->found = ts_frame_make2(&run->frame, ts_bounce_table[bounce].found, n, args->n_samples);
-	if (args->found == NULL) return TS_ERROR;
-	if (ts_run_launch(run, kernel, args, n) != TS_OK) return TS_ERROR;
+	ts_lookup_args args = ts_lookup_values(run, bounce);
+	u64 n = ts_run_size(run, ts_bounce_table[bounce].entries);
+	if (TS_RUN(run, launch, &args, n) != TS_OK) return TS_ERROR;
 	count_empty(run, ts_bounce_table[bounce].found);
 	return TS_OK;
 }
 
-ts_status ts_stage_lookup(ts_run *run)
-{
-	ts_lookup_args args = ts_lookup_arguments(run, 0);
-	args.view = ts_frame_handle(&run->frame, TS_B_eye_view);
-	return look_up(run, &args, 0, TS_KERNEL_lookup);
-}
+static ts_status lookup(ts_run *run) { return look_up(run, &first, 0); }
 
 /* The queue of a bounce: the samples of the one before that see a mirror. */
-static ts_status make_queue(ts_run *run, u32 bounce)
+static ts_status make_queue(ts_run *run, const later *own, u32 bounce)
 {
-	ts_lookup_args before = ts_lookup_arguments(run, bounce - 1);
-	before.found = ts_frame_handle(&run->frame, ts_bounce_table[bounce - 1].found);
-	u64 n = ts_frame_n(&run->frame, ts_bounce_table[bounce - 1].found);
+	ts_lookup_args before = ts_lookup_values(run, bounce - 1);
+	u64 total, n = ts_run_size(run, ts_bounce_table[bounce - 1].entries) * before.n_samples;
 	if (n >= TS_NONE) return ts_fail("%" PRIu64 " samples are more than 32-bit indices can name; take a smaller image", n);
-	before.offset = ts_frame_make1(&run->frame, ts_bounce_table[bounce].offset, n + 1);
-	if (before.offset == NULL) return TS_ERROR;
-	if (ts_run_launch(run, TS_KERNEL_bounce_count, &before, n) != TS_OK) return TS_ERROR;
-	u64 total;
-	if (ts_run_scan(run, ts_bounce_table[bounce].offset, &total) != TS_OK) return TS_ERROR;
-	before.next_queue = ts_frame_make1(&run->frame, ts_bounce_table[bounce].queue, total);
-	if (before.next_queue == NULL) return TS_ERROR;
-	if (ts_run_launch(run, TS_KERNEL_bounce_queue, &before, n) != TS_OK) return TS_ERROR;
+	if (TS_RUN(run, &own->count, &before, n) != TS_OK) return TS_ERROR;
+	if (ts_launch_sum(run, &own->count, "offset", &total) != TS_OK) return TS_ERROR;
+	if (TS_RUN(run, &own->queue, &before, n) != TS_OK) return TS_ERROR;
 	ts_run_count(run, "later look-ups", (i64)total);
 	return TS_OK;
 }
 
-static ts_status bounce_stage(ts_run *run, u32 bounce)
+static ts_status look_up_later(ts_run *run, const later *own, u32 bounce)
 {
-	if (make_queue(run, bounce) != TS_OK) return TS_ERROR;
-	ts_lookup_args args = ts_lookup_arguments(run, bounce);
-	return look_up(run, &args, bounce, TS_KERNEL_bounce);
+	return make_queue(run, own, bounce) == TS_OK ? look_up(run, &own->look_up, bounce) : TS_ERROR;
 }
 
-ts_status ts_stage_lookup2(ts_run *run) { return bounce_stage(run, 1); }
-ts_status ts_stage_lookup3(ts_run *run) { return bounce_stage(run, 2); }
+static ts_status lookup2(ts_run *run) { return look_up_later(run, &second, 1); }
+static ts_status lookup3(ts_run *run) { return look_up_later(run, &third, 2); }
+
+const ts_stage ts_stage_lookup = {
+	.name = "lookup", .kind = "map", .paper = "EPR 4.1.3", .doc = "25 look-ups a reflective pixel",
+	.run = lookup, .launches = TS_LAUNCHES(&first),
+};
+
+const ts_stage ts_stage_lookup2 = {
+	.name = "lookup2", .kind = "emit", .paper = "EPR 4.1.4", .doc = "four look-ups for each sample that sees a mirror",
+	.run = lookup2, .launches = TS_LAUNCHES(&second.count, &second.queue, &second.look_up),
+	.looks_at = TS_BUFFERS(TS_B_scene_info),
+};
+
+const ts_stage ts_stage_lookup3 = {
+	.name = "lookup3", .kind = "emit", .paper = "EPR 4.1.4", .doc = "the same once more",
+	.run = lookup3, .launches = TS_LAUNCHES(&third.count, &third.queue, &third.look_up),
+	.looks_at = TS_BUFFERS(TS_B_scene_info),
+};

@@ -1,21 +1,20 @@
-/* MVR: reflective pixels of the batch's reflectors look up their cubes. */
+/* MVR: reflective pixels of the batch's reflectors look up their cubes; pixels of other batches stay as they are. */
+#include "../kernels/mirror.h"
 #include "stages.h"
 
-ts_status ts_stage_mirror(ts_run *run)
+static const ts_launch launch = TS_LAUNCH(mirror, TS_ALL);
+
+static ts_status mirror(ts_run *run)
 {
-	u64 n = ts_frame_n(&run->frame, TS_B_pixel_record);
-	bool first = run->first_unit == 0;
-	if (first && ts_frame_make2(&run->frame, TS_B_shade_radiance, n, 3) == NULL) return TS_ERROR;
-	if (first && ts_run_fill(run, TS_B_shade_radiance, 0) != TS_OK) return TS_ERROR;
 	ts_mirror_args args = {
-		.view = ts_frame_handle(&run->frame, TS_B_eye_view),
-		.cubes = ts_frame_handle(&run->frame, TS_B_resize_face),
-		.pixels = ts_frame_handle(&run->frame, TS_B_pixel_record),
-		.mip = ts_frame_handle(&run->frame, TS_B_face_mip),
-		.radiance = ts_frame_handle(&run->frame, TS_B_shade_radiance),
 		.first_cube = run->first_unit,
 		.n_cubes = run->n_units,
 		.supersample = run->params.mvr_filter == TS_MVR_SUPERSAMPLE,
 	};
-	return ts_run_launch(run, TS_KERNEL_mirror, &args, n);
+	return TS_RUN(run, &launch, &args, ts_run_size(run, TS_DIM_mirror_pixels));
 }
+
+const ts_stage ts_stage_mirror = {
+	.name = "mirror", .kind = "map", .paper = "EPR 4.2", .doc = "MVR: mip-mapped look-ups of the reflective pixels",
+	.run = mirror, .launches = TS_LAUNCHES(&launch),
+};

@@ -1,5 +1,8 @@
 /* Cubes as off-screen views, and which off-screen views may see a triangle. */
+#include "../kernels/offscreen.h"
 #include "stages.h"
+
+static const ts_launch launch = TS_LAUNCH(offscreen_visibility, TS_BUT_SURFACES);
 
 void ts_offscreen_of_face(ts_offscreen *view, const ts_face *cube, u32 face, u32 light)
 {
@@ -19,31 +22,38 @@ void ts_offscreen_of_face(ts_offscreen *view, const ts_face *cube, u32 face, u32
 }
 
 /* Six a cube: they are a few, and the host makes them. */
-ts_status ts_stage_offscreen(ts_run *run)
+static ts_status offscreen(ts_run *run)
 {
 	const ts_face *cubes = ts_frame_data(&run->frame, TS_B_resize_face);
-	const ts_buffer *lights = &run->frame.buffer[TS_B_lamp_light];
-	u32 n = ts_run_n_cubes(run), light = lights->made && lights->n > 0 ? 0 : TS_NONE;
-	ts_offscreen *views = ts_frame_make1(&run->frame, TS_B_offscreen_view, (u64)6 * n);
+	u32 n = (u32)ts_run_size(run, TS_DIM_cubes), light = ts_run_has(run, TS_B_lamp_light) ? 0 : TS_NONE;
+	ts_run_set_size(run, TS_DIM_views, (u64)6 * n);
+	ts_offscreen *views = ts_run_make(run, TS_B_offscreen_view);
 	if (views == NULL) return TS_ERROR;
 	for (u32 v = 0; v < 6 * n; v++) ts_offscreen_of_face(&views[v], &cubes[v / 6], v % 6, light);
 	return TS_OK;
 }
 
-ts_status ts_stage_offscreen_visibility(ts_run *run)
+static ts_status offscreen_visibility(ts_run *run)
 {
-	u64 n = run->scene->n_triangles;
-	u32 n_views = (u32)ts_frame_n(&run->frame, TS_B_offscreen_view), n_words = (n_views + 63) / 64;
+	u64 n = ts_run_size(run, TS_DIM_triangles);
 	ts_offscreen_args args = {
-		.scene = ts_run_arrays(run),
-		.views = ts_frame_handle(&run->frame, TS_B_offscreen_view),
-		.bits = ts_frame_make2(&run->frame, TS_B_visibility_bits, n, n_words),
-		.n_views = n_views,
-		.n_words = n_words,
+		.scene.n_triangles = (u32)n,
+		.n_views = (u32)ts_run_size(run, TS_DIM_views),
+		.n_words = (u32)ts_run_size(run, TS_DIM_view_words),
 		.vertex_mode = run->params.visibility == TS_VISIBILITY_VERTEX,
 	};
-	if (args.bits == NULL) return TS_ERROR;
-	if (ts_run_launch(run, TS_KERNEL_offscreen_visibility, &args, n) != TS_OK) return TS_ERROR;
+	if (TS_RUN(run, &launch, &args, n) != TS_OK) return TS_ERROR;
 	ts_run_count(run, "triangles processed", (i64)n);
 	return TS_OK;
 }
+
+const ts_stage ts_stage_offscreen = {
+	.name = "offscreen", .kind = "map", .paper = "iVIR 5", .doc = "six off-screen views a cube",
+	.run = offscreen, .looks_at = TS_BUFFERS(TS_B_resize_face, TS_B_lamp_light),
+	.makes = TS_BUFFERS(TS_B_offscreen_view),
+};
+
+const ts_stage ts_stage_offscreen_visibility = {
+	.name = "offscreen_visibility", .kind = "map", .paper = "iVIR 3.1", .doc = "one bit a triangle and off-screen view",
+	.run = offscreen_visibility, .launches = TS_LAUNCHES(&launch),
+};

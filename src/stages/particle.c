@@ -1,8 +1,11 @@
 /* Glowing particles as virtual point lights. */
+#include "../kernels/particle.h"
 #include "../scene/view.h"
-#include "stages.h"
+#include "views.h"
 
-ts_particle_args ts_particle_arguments(const ts_run *run)
+static const ts_launch launch = TS_LAUNCH(particle, TS_ALL);
+
+ts_particle_args ts_particle_values(const ts_run *run)
 {
 	const ts_params *params = &run->params;
 	ts_space hall = ts_view_hall(ts_run_info(run));
@@ -16,9 +19,15 @@ ts_particle_args ts_particle_arguments(const ts_run *run)
 	};
 }
 
-ts_status ts_stage_particle(ts_run *run)
+static ts_status particle(ts_run *run)
 {
-	ts_particle_args args = ts_particle_arguments(run);
-	args.lights = ts_frame_make1(&run->frame, TS_B_vpl_light, args.n);
-	return args.lights != NULL ? ts_run_launch(run, TS_KERNEL_particle, &args, args.n) : TS_ERROR;
+	ts_particle_args args = ts_particle_values(run);
+	ts_run_set_size(run, TS_DIM_vpls, args.n);
+	return TS_RUN(run, &launch, &args, args.n);
 }
+
+const ts_stage ts_stage_particle = {
+	.name = "particle", .kind = "map", .paper = "MegaViews 5.2",
+	.doc = "glowing particles, each of them a virtual point light to all sides and a view",
+	.run = particle, .launches = TS_LAUNCHES(&launch), .looks_at = TS_BUFFERS(TS_B_scene_info),
+};

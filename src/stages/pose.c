@@ -1,15 +1,16 @@
 /* Vertices of this frame in world space. */
+#include "../kernels/pose.h"
 #include "stages.h"
 
-ts_status ts_stage_pose(ts_run *run)
+static const ts_launch launch = TS_LAUNCH(pose, TS_ALL);
+
+static ts_status pose(ts_run *run)
 {
-	u64 n = ts_frame_n(&run->frame, TS_B_scene_vertex);
-	ts_pose_args args = {
-		.vertices = ts_frame_handle(&run->frame, TS_B_scene_vertex),
-		.objects = ts_frame_handle(&run->frame, TS_B_scene_object),
-		.posed = ts_frame_make1(&run->frame, TS_B_pose_vertex, n),
-		.frame = run->params.frame,
-	};
-	if (args.posed == NULL) return TS_ERROR;
-	return ts_run_launch(run, TS_KERNEL_pose, &args, n);
+	ts_pose_args args = {.frame = run->params.frame};
+	return TS_RUN(run, &launch, &args, ts_run_size(run, TS_DIM_vertices));
 }
+
+const ts_stage ts_stage_pose = {
+	.name = "pose", .kind = "map", .paper = "EPR 4.2", .doc = "moving objects to their place in this frame",
+	.run = pose, .launches = TS_LAUNCHES(&launch),
+};

@@ -2,6 +2,7 @@
  * state between frames (METHODS 2). A few items a frame, so the C backend does it whatever the others run on. */
 #include <stdlib.h>
 #include "../scene/view.h"
+#include "../kernels/resize.h"
 #include "stages.h"
 
 u32 ts_largest_face(const ts_params *params)
@@ -26,10 +27,11 @@ static void replay(const ts_run *run, ts_resize_args args, u32 n)
 	}
 }
 
-ts_status ts_stage_resize(ts_run *run)
+static ts_status resize(ts_run *run)
 {
 	u32 n = ts_run_info(run)->n_reflectors;
-	ts_face *cubes = ts_frame_make1(&run->frame, TS_B_resize_face, n);
+	ts_sizes_cubes(&run->sizes, n);
+	ts_face *cubes = ts_run_make(run, TS_B_resize_face);
 	u32 *objects = ts_alloc(n, sizeof *objects, "reflectors");
 	if (cubes == NULL || objects == NULL) {
 		free(objects);
@@ -60,3 +62,9 @@ ts_status ts_stage_resize(ts_run *run)
 	ts_run_count(run, "cube texels", (i64)offset);
 	return TS_OK;
 }
+
+const ts_stage ts_stage_resize = {
+	.name = "resize", .kind = "map", .paper = "EPR 3.5", .doc = "box, ball and cube size of every reflector",
+	.run = resize, .looks_at = TS_BUFFERS(TS_B_scene_vertex, TS_B_scene_object, TS_B_scene_info),
+	.makes = TS_BUFFERS(TS_B_resize_face),
+};

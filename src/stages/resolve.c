@@ -1,25 +1,20 @@
-/* Shadows from depth maps. */
+/* Shadows from depth maps: how many samples of each light reach a pixel, how many taps of its one map, and how near the
+ * comparisons were. */
+#include "../kernels/pcss.h"
+#include "../kernels/resolve_margin.h"
 #include "stages.h"
 
-u32 *ts_resolve_output(ts_run *run)
-{
-	u32 n_lamps = (u32)ts_frame_n(&run->frame, TS_B_lamp_shape);
-	if (run->first_unit == 0) {
-		u32 *lit = ts_frame_make3(&run->frame, TS_B_resolve_lit, run->params.height, run->params.width, n_lamps);
-		if (lit == NULL || ts_run_fill(run, TS_B_resolve_lit, 0) != TS_OK) return NULL;
-	}
-	return ts_frame_handle(&run->frame, TS_B_resolve_lit);
-}
+static const ts_launch resolved = TS_LAUNCH(resolve, TS_ALL);
+static const ts_launch measured = TS_LAUNCH(resolve_margin, TS_BUT(of.lit));
+static const ts_launch filtered = TS_LAUNCH(pcss, TS_ALL);
 
-ts_resolve_args ts_resolve_arguments(const ts_run *run)
+static u64 n_pixels(const ts_run *run) { return (u64)run->params.width * run->params.height; }
+
+static ts_resolve_args values(const ts_run *run)
 {
 	ts_resolve_args args = {
-		.scene = ts_run_arrays(run),
-		.view = ts_frame_handle(&run->frame, TS_B_eye_view),
-		.depth_triangle = ts_frame_handle(&run->frame, TS_B_eye_depth_triangle),
-		.views = ts_frame_handle(&run->frame, TS_B_offscreen_view),
-		.depths = ts_frame_handle(&run->frame, TS_B_scatter_depth),
-		.n_lamps = (u32)ts_frame_n(&run->frame, TS_B_lamp_shape),
+		.scene = ts_run_scene(run),
+		.n_lamps = (u32)ts_run_size(run, TS_DIM_lamps),
 		.cubes = ts_run_has_cubes(run),
 		.bias = run->params.bias,
 		.slope = run->params.bias_slope,
@@ -28,10 +23,38 @@ ts_resolve_args ts_resolve_arguments(const ts_run *run)
 	return args;
 }
 
-ts_status ts_stage_resolve(ts_run *run)
+static ts_status resolve(ts_run *run)
 {
-	ts_resolve_args args = ts_resolve_arguments(run);
-	args.lit = ts_resolve_output(run);
-	if (args.lit == NULL) return TS_ERROR;
-	return ts_run_launch(run, TS_KERNEL_resolve, &args, ts_frame_n(&run->frame, TS_B_eye_depth_triangle));
+	ts_resolve_args args = values(run);
+	return TS_RUN(run, &resolved, &args, n_pixels(run));
 }
+
+static ts_status resolve_margin(ts_run *run)
+{
+	ts_resolve_margin_args args = {.of = values(run)};
+	return TS_RUN(run, &measured, &args, n_pixels(run));
+}
+
+static ts_status pcss(ts_run *run)
+{
+	ts_pcss_args args = {.of = values(run), .near = run->params.pcss_near};
+	return TS_RUN(run, &filtered, &args, n_pixels(run));
+}
+
+const ts_stage ts_stage_resolve = {
+	.name = "resolve", .kind = "map", .paper = "iVIR 4", .doc = "how many light samples reach each pixel",
+	.run = resolve, .launches = TS_LAUNCHES(&resolved),
+	.looks_at = TS_BUFFERS(TS_B_scene_info, TS_B_resize_face, TS_B_lamp_shape),
+};
+
+const ts_stage ts_stage_resolve_margin = {
+	.name = "resolve_margin", .kind = "map", .margin_of = "resolve", .paper = "iVIR 4",
+	.doc = "how near the comparisons with depth maps were to another answer",
+	.run = resolve_margin, .launches = TS_LAUNCHES(&measured),
+	.looks_at = TS_BUFFERS(TS_B_scene_info, TS_B_resize_face, TS_B_lamp_shape),
+};
+
+const ts_stage ts_stage_pcss = {
+	.name = "pcss", .kind = "map", .paper = "iVIR 4", .doc = "how many taps about each pixel let light through",
+	.run = pcss, .launches = TS_LAUNCHES(&filtered), .looks_at = TS_BUFFERS(TS_B_scene_info),
+};

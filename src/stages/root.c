@@ -1,16 +1,19 @@
 /* The cube that both octrees divide. */
+#include "../kernels/root.h"
 #include "stages.h"
 
-ts_status ts_stage_root(ts_run *run)
+static const ts_launch extent = TS_LAUNCH(root_least, TS_BUT(root));
+static const ts_launch cube = TS_LAUNCH(root, TS_IN(least, root_least), TS_BUT(vertices));
+
+static ts_status root(ts_run *run)
 {
-	ts_root_args args = {
-		.vertices = ts_frame_handle(&run->frame, TS_B_pose_vertex),
-		.least = ts_frame_make1(&run->frame, TS_B_root_least, 6),
-		.root = ts_frame_make1(&run->frame, TS_B_root_cube, 1),
-	};
-	if (args.least == NULL || args.root == NULL) return TS_ERROR;
-	if (ts_run_fill(run, TS_B_root_least, 0xff) != TS_OK) return TS_ERROR;
-	u64 n = ts_frame_n(&run->frame, TS_B_pose_vertex);
-	if (ts_run_launch(run, TS_KERNEL_root_least, &args, n) != TS_OK) return TS_ERROR;
-	return ts_run_launch(run, TS_KERNEL_root, &args, 1);
+	ts_root_args args;
+	if (TS_RUN(run, &extent, &args, ts_run_size(run, TS_DIM_vertices)) != TS_OK) return TS_ERROR;
+	return TS_RUN(run, &cube, &args, 1);
 }
+
+const ts_stage ts_stage_root = {
+	.name = "root", .kind = "map", .paper = "MegaViews 3.1",
+	.doc = "the cube about all vertices that both octrees divide",
+	.run = root, .launches = TS_LAUNCHES(&extent, &cube),
+};

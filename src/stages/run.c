@@ -38,7 +38,7 @@ void ts_run_how(ts_run *run, const ts_how *how)
 
 void ts_run_end(ts_run *run) { ts_frame_clear(&run->frame); }
 
-static ts_backend *backend_of(ts_run *run) { return run->backend != NULL ? run->backend : &run->c.backend; }
+ts_backend *ts_run_backend_of(ts_run *run) { return run->backend != NULL ? run->backend : &run->c.backend; }
 
 const ts_backend *ts_run_backend(const ts_run *run) { return run->backend != NULL ? run->backend : &run->c.backend; }
 
@@ -57,13 +57,14 @@ static void add_timing(ts_run *run, const char *stage, double seconds)
 /* What failed on the device is why what came after it failed, if it did. */
 static ts_status finish(ts_run *run, ts_status status)
 {
-	ts_status finished = backend_of(run)->finish(backend_of(run));
+	ts_status finished = ts_run_backend_of(run)->finish(ts_run_backend_of(run));
 	return finished != TS_OK ? finished : status;
 }
 
 ts_status ts_run_stage(ts_run *run, const ts_stage *stage)
 {
 	double start = ts_seconds();
+	memset(run->made, 0, sizeof run->made);
 	if (finish(run, stage->run(run)) != TS_OK) return ts_fail("stage %s: %s", stage->name, ts_error_message());
 	add_timing(run, stage->name, ts_seconds() - start);
 	return run->hook != NULL ? finish(run, run->hook(run, stage, run->hook_user)) : TS_OK;
@@ -109,6 +110,15 @@ ts_arrays ts_run_arrays(const ts_run *run)
 	};
 }
 
+ts_arrays ts_run_scene(const ts_run *run)
+{
+	return (ts_arrays){
+		.n_triangles = (u32)ts_run_size(run, TS_DIM_triangles),
+		.n_lights = (u32)ts_run_size(run, TS_DIM_lights),
+		.ambient = ts_run_info(run)->ambient,
+	};
+}
+
 const u64 *ts_run_seen(const ts_run *run, u64 *n)
 {
 	bool triangles = run->frame.buffer[TS_B_eye_depth_triangle].made;
@@ -117,9 +127,12 @@ const u64 *ts_run_seen(const ts_run *run, u64 *n)
 	return ts_frame_data(&run->frame, id);
 }
 
-u32 ts_run_n_cubes(const ts_run *run) { return (u32)ts_frame_n(&run->frame, TS_B_resize_face); }
+bool ts_run_has(const ts_run *run, ts_buffer_id id)
+{
+	return run->frame.buffer[id].made && run->frame.buffer[id].n > 0;
+}
 
-u32 ts_run_n_words(const ts_run *run) { return (ts_run_n_cubes(run) * 6 + 63) / 64; }
+u32 ts_run_n_cubes(const ts_run *run) { return (u32)ts_frame_n(&run->frame, TS_B_resize_face); }
 
 u64 ts_run_n_texels(const ts_run *run, u32 first, u32 n)
 {
@@ -146,15 +159,9 @@ void ts_run_views(const ts_run *run, u32 *first, u32 *n)
 	*n = ts_frame_n(&run->frame, TS_B_offscreen_view) > 0 ? each * run->n_units : 0;
 }
 
-ts_status ts_run_launch(ts_run *run, ts_kernel kernel, const void *args, u64 n)
-{
-	ts_backend *backend = backend_of(run);
-	return backend->launch(backend, &run->frame, kernel, args, n);
-}
-
 ts_status ts_run_fill(ts_run *run, ts_buffer_id id, u8 byte)
 {
-	ts_backend *backend = backend_of(run);
+	ts_backend *backend = ts_run_backend_of(run);
 	return backend->fill(backend, &run->frame, id, byte);
 }
 
@@ -167,7 +174,7 @@ void *ts_run_zeros(ts_run *run, ts_buffer_id id, u32 n_dims, const u64 *shape)
 
 ts_status ts_run_scan(ts_run *run, ts_buffer_id id, u64 *total)
 {
-	ts_backend *backend = backend_of(run);
+	ts_backend *backend = ts_run_backend_of(run);
 	const ts_sum_info *sum = ts_sum_of(id);
 	if (backend->scan(backend, &run->frame, id, total) != TS_OK) return TS_ERROR;
 	if (*total >= TS_NONE) return ts_run_too_many(*total, sum->what);
@@ -179,9 +186,4 @@ ts_status ts_run_too_many(u64 n, const char *what)
 {
 	return ts_fail("%" PRIu64 " %s are more than 32-bit indices can name; lower rho_scale, map_px, face_max or the image's "
 	               "size", n, what);
-}
-
-f32 ts_samples_a_pixel(const ts_params *params)
-{
-	return params->rho_is_area ? ts_sqrt(params->rho_scale) : params->rho_scale;
 }

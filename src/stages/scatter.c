@@ -1,83 +1,74 @@
 /* Points into the off-screen views of the batch: stored ones, or made from the pieces on the spot. */
-#include "stages.h"
+#include "../kernels/draw.h"
+#include "../kernels/shadow_splat.h"
+#include "points.h"
 
-static bool is_buffered(const ts_run *run)
-{
-	const ts_buffer *stored = &run->frame.buffer[TS_B_points_record];
-	return stored->made && stored->n > 0;
-}
+/* Of points that are stored, and of pieces. */
+typedef struct { ts_launch stored, pieces; } launches;
 
-/* Without the texels. */
-static ts_scatter_args arguments(ts_run *run)
+#define STORED(path) TS_IN(path.keys, points_key), TS_IN(path.points, points_record)
+static const launches into_depths = {
+	TS_LAUNCH(scatter, STORED(from), TS_WITH(depths)),
+	TS_LAUNCH(scatter_pieces, TS_WITH(depths)),
+};
+static const launches into_colours = {
+	TS_LAUNCH(scatter, STORED(from), TS_WITH(colours)),
+	TS_LAUNCH(scatter_pieces, TS_WITH(colours)),
+};
+static const launches splats = {
+	TS_LAUNCH(shadow_splat, STORED(of.from), TS_WITH(of.depths)),
+	TS_LAUNCH(shadow_splat_pieces, TS_WITH(of.depths)),
+};
+static const ts_launch rasterized = TS_LAUNCH(depth, TS_ALL);
+
+static ts_scatter_args values(const ts_run *run)
 {
-	i64 *tallies = ts_frame_tallies(&run->frame);
 	ts_scatter_args args = {
-		.from = ts_points_arguments(run),
-		.views = ts_frame_handle(&run->frame, TS_B_offscreen_view),
-		.bits = ts_frame_handle(&run->frame, TS_B_visibility_bits),
-		.n_points = &tallies[0],
-		.n_scatters = &tallies[1],
-		.n_writes = &tallies[2],
-		.n_words = ((u32)ts_frame_n(&run->frame, TS_B_offscreen_view) + 63) / 64,
+		.from = ts_points_values(run),
+		.n_words = (u32)ts_run_size(run, TS_DIM_view_words),
 		.exposure = run->params.exposure,
 	};
 	ts_run_views(run, &args.first_view, &args.n_views);
-	if (is_buffered(run)) {
-		args.from.keys = ts_frame_handle(&run->frame, TS_B_points_key);
-		args.from.points = ts_frame_handle(&run->frame, TS_B_points_record);
-	}
 	return args;
 }
 
-/* By the kernel for points that are stored, or by that for pieces. */
-static ts_status launch(ts_run *run, ts_kernel stored, ts_kernel pieces, const void *args)
+/* Without views there is nothing to scatter into. */
+static ts_status launch(ts_run *run, const launches *own, void *args, size_t bytes, u32 n_views)
 {
-	bool buffered = is_buffered(run);
-	u64 n = ts_frame_n(&run->frame, buffered ? TS_B_points_record : TS_B_align_frame);
-	if (ts_run_launch(run, buffered ? stored : pieces, args, n) != TS_OK) return TS_ERROR;
-	if (!buffered || run->first_unit == 0) ts_run_count(run, "geometry traversals", 1);
-	if (!buffered && run->first_unit == 0) ts_run_count(run, "points", ts_frame_tally(&run->frame, 0));
+	bool stored = ts_run_has(run, TS_B_points_record);
+	const ts_launch *taken = stored ? &own->stored : &own->pieces;
+	if (ts_launch_fill(run, taken, args, bytes) != TS_OK) return TS_ERROR;
+	if (n_views == 0) return TS_OK;
+	u64 n = ts_run_size(run, stored ? TS_DIM_points : TS_DIM_pieces);
+	if (ts_launch_items(run, taken, args, n) != TS_OK) return TS_ERROR;
+	if (!stored || run->first_unit == 0) ts_run_count(run, "geometry traversals", 1);
+	if (!stored && run->first_unit == 0) ts_run_count(run, "points", ts_frame_tally(&run->frame, 0));
 	ts_run_count(run, "point-view scatters", ts_frame_tally(&run->frame, 1));
 	ts_run_count(run, "texel writes", ts_frame_tally(&run->frame, 2));
 	return TS_OK;
 }
 
-static ts_status scatter(ts_run *run, const ts_scatter_args *args, ts_buffer_id into)
+static ts_status scatter(ts_run *run)
 {
-	if (args->n_views == 0) return TS_OK;
-	if (ts_run_fill(run, into, 0xff) != TS_OK) return TS_ERROR;
-	return launch(run, TS_KERNEL_scatter, TS_KERNEL_scatter_pieces, args);
+	ts_scatter_args args = values(run);
+	return launch(run, &into_depths, &args, sizeof args, args.n_views);
 }
 
-static u64 n_texels(const ts_run *run) { return ts_run_n_texels(run, run->first_unit, run->n_units); }
-
-ts_status ts_stage_scatter(ts_run *run)
+static ts_status scatter_colour(ts_run *run)
 {
-	ts_scatter_args args = arguments(run);
-	args.depths = ts_frame_make1(&run->frame, TS_B_scatter_depth, n_texels(run));
-	return args.depths != NULL ? scatter(run, &args, TS_B_scatter_depth) : TS_ERROR;
-}
-
-ts_status ts_stage_scatter_colour(ts_run *run)
-{
-	ts_scatter_args args = arguments(run);
-	args.colours = ts_frame_make1(&run->frame, TS_B_scatter_colour, n_texels(run));
-	return args.colours != NULL ? scatter(run, &args, TS_B_scatter_colour) : TS_ERROR;
+	ts_scatter_args args = values(run);
+	return launch(run, &into_colours, &args, sizeof args, args.n_views);
 }
 
 /* EPR: points smaller than a texel as they are, larger ones as squares. */
-ts_status ts_stage_shadow_splat(ts_run *run)
+static ts_status shadow_splat(ts_run *run)
 {
 	ts_shadow_splat_args args = {
-		.of = arguments(run),
+		.of = values(run),
 		.clip = run->params.clip,
 		.plane_depth = run->params.shadow_depth == TS_SHADOW_DEPTH_PLANE,
 	};
-	args.n_splats = args.of.n_points + 3;
-	args.n_texels = args.of.n_points + 4;
-	args.of.depths = ts_frame_make1(&run->frame, TS_B_scatter_depth, n_texels(run));
-	if (args.of.depths == NULL || ts_run_fill(run, TS_B_scatter_depth, 0xff) != TS_OK) return TS_ERROR;
-	if (launch(run, TS_KERNEL_shadow_splat, TS_KERNEL_shadow_splat_pieces, &args) != TS_OK) return TS_ERROR;
+	if (launch(run, &splats, &args, sizeof args, args.of.n_views) != TS_OK) return TS_ERROR;
 	ts_run_count(run, "direct writes", ts_frame_tally(&run->frame, 2));
 	ts_run_count(run, "splats", ts_frame_tally(&run->frame, 3));
 	ts_run_count(run, "texel writes", ts_frame_tally(&run->frame, 4));
@@ -85,17 +76,37 @@ ts_status ts_stage_shadow_splat(ts_run *run)
 }
 
 /* MVR: every triangle into every view of the batch. */
-ts_status ts_stage_depth(ts_run *run)
+static ts_status depth(ts_run *run)
 {
-	ts_depth_args args = {
-		.scene = ts_run_arrays(run),
-		.views = ts_frame_handle(&run->frame, TS_B_offscreen_view),
-		.depths = ts_frame_make1(&run->frame, TS_B_scatter_depth, n_texels(run)),
-	};
+	ts_depth_args args = {.scene = ts_run_scene(run)};
 	ts_run_views(run, &args.first_view, &args.n_views);
-	if (args.depths == NULL || ts_run_fill(run, TS_B_scatter_depth, 0xff) != TS_OK) return TS_ERROR;
-	if (ts_run_launch(run, TS_KERNEL_depth, &args, args.scene.n_triangles) != TS_OK) return TS_ERROR;
+	if (TS_RUN(run, &rasterized, &args, args.scene.n_triangles) != TS_OK) return TS_ERROR;
 	ts_run_count(run, "geometry traversals", args.n_views);
 	ts_run_count(run, "triangles processed", (i64)args.scene.n_triangles * args.n_views);
 	return TS_OK;
 }
+
+const ts_stage ts_stage_scatter = {
+	.name = "scatter", .kind = "scatter", .paper = "iVIR 4", .doc = "points into depth maps by 32-bit minimum",
+	.run = scatter, .launches = TS_LAUNCHES(&into_depths.stored, &into_depths.pieces),
+	.looks_at = TS_BUFFERS(TS_B_scene_info, TS_B_resize_face),
+};
+
+const ts_stage ts_stage_scatter_colour = {
+	.name = "scatter_colour", .kind = "scatter", .paper = "iVIR 5",
+	.doc = "points into environment maps: 13 bits of depth, 19 of colour",
+	.run = scatter_colour, .launches = TS_LAUNCHES(&into_colours.stored, &into_colours.pieces),
+	.looks_at = TS_BUFFERS(TS_B_scene_info, TS_B_resize_face),
+};
+
+const ts_stage ts_stage_shadow_splat = {
+	.name = "shadow_splat", .kind = "scatter", .paper = "EPR 5.1",
+	.doc = "points into depth maps: small ones as they are, large ones as squares",
+	.run = shadow_splat, .launches = TS_LAUNCHES(&splats.stored, &splats.pieces),
+	.looks_at = TS_BUFFERS(TS_B_scene_info, TS_B_resize_face),
+};
+
+const ts_stage ts_stage_depth = {
+	.name = "depth", .kind = "scatter", .paper = "iVIR 4", .doc = "MVR: standard rasterization into every depth map",
+	.run = depth, .launches = TS_LAUNCHES(&rasterized), .looks_at = TS_BUFFERS(TS_B_scene_info, TS_B_resize_face),
+};

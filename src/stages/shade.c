@@ -2,31 +2,37 @@
 #include <stdlib.h>
 #include "lookup.h"
 
-static ts_status shade(ts_run *run, u32 bounce)
+/* With what the next bounce answered, or without. */
+typedef struct { ts_launch last, followed; } launches;
+
+static const launches of_pixels = {
+	TS_LAUNCH(shade, TS_IN(found, lookup_point), TS_OUT(radiance, shade_radiance), TS_WITH(used)),
+	TS_LAUNCH(shade, TS_IN(found, lookup_point), TS_OUT(radiance, shade_radiance), TS_WITH(used),
+	          TS_IN(offset, lookup2_offset), TS_IN(next_radiance, shade2_radiance)),
+};
+static const launches of_second = {
+	TS_LAUNCH(shade, TS_IN(found, lookup2_point), TS_OUT(radiance, shade2_radiance), TS_IN(queue, lookup2_parent),
+	          TS_BUT(pixels)),
+	TS_LAUNCH(shade, TS_IN(found, lookup2_point), TS_OUT(radiance, shade2_radiance), TS_IN(queue, lookup2_parent),
+	          TS_IN(offset, lookup3_offset), TS_IN(next_radiance, shade3_radiance), TS_BUT(pixels)),
+};
+static const ts_launch of_third =
+	TS_LAUNCH(shade, TS_IN(found, lookup3_point), TS_OUT(radiance, shade3_radiance), TS_IN(queue, lookup3_parent),
+	          TS_BUT(pixels));
+
+static ts_status shade(ts_run *run, u32 bounce, const launches *own)
 {
-	const ts_bounce_buffers *own = &ts_bounce_table[bounce];
-	u64 n = ts_frame_n(&run->frame, own->queue);
-	ts_lookup_args args = ts_lookup_arguments(run, bounce);
-	args.found = ts_frame_handle(&run->frame, own->found);
-	args.follow = bounce + 1 < TS_MAX_BOUNCES && bounce + 1 < run->params.bounces;
+	ts_lookup_args args = ts_lookup_values(run, bounce);
+	args.follow = bounce + 1 < run->params.bounces;
 	args.adaptive = bounce == 0 && run->params.samples == TS_SAMPLES_ADAPTIVE;
-	if (args.follow) {
-		args.offset = ts_frame_handle(&run->frame, ts_bounce_table[bounce + 1].offset);
-		args.next_radiance = ts_frame_handle(&run->frame, ts_bounce_table[bounce + 1].radiance);
-	}
-	args.radiance = ts_frame_make2(&run->frame, own->radiance, n, 3);
-	if (args.radiance == NULL) return TS_ERROR;
-	if (bounce == 0) {
-		args.used = ts_frame_make1(&run->frame, TS_B_shade_used, n);
-		if (args.used == NULL) return TS_ERROR;
-	}
-	return ts_run_launch(run, TS_KERNEL_shade, &args, n);
+	const ts_launch *launch = args.follow ? &own->followed : &own->last;
+	return TS_RUN(run, launch, &args, ts_run_size(run, ts_bounce_table[bounce].entries));
 }
 
 /* Shading operations if every point were shaded once and remembered. */
 static ts_status count_distinct(ts_run *run)
 {
-	u64 n_points = ts_frame_n(&run->frame, TS_B_points_record);
+	u64 n_points = ts_run_size(run, TS_DIM_points);
 	uint8_t *seen = ts_alloc_zero(n_points, 1, "points seen");
 	if (seen == NULL) return TS_ERROR;
 	i64 distinct = 0;
@@ -44,23 +50,27 @@ static ts_status count_distinct(ts_run *run)
 	return TS_OK;
 }
 
-ts_status ts_stage_shade3(ts_run *run)
+static void count_operations(ts_run *run, ts_dim entries)
 {
-	ts_run_count(run, "shading operations",
-	             (i64)(ts_frame_n(&run->frame, TS_B_lookup3_parent) * TS_N_BOUNCE_SAMPLES));
-	return shade(run, 2);
+	ts_run_count(run, "shading operations", (i64)(ts_run_size(run, entries) * TS_N_BOUNCE_SAMPLES));
 }
 
-ts_status ts_stage_shade2(ts_run *run)
+static ts_status shade_third(ts_run *run)
 {
-	ts_run_count(run, "shading operations",
-	             (i64)(ts_frame_n(&run->frame, TS_B_lookup2_parent) * TS_N_BOUNCE_SAMPLES));
-	return shade(run, 1);
+	ts_lookup_args args = ts_lookup_values(run, 2);
+	count_operations(run, TS_DIM_entries3);
+	return TS_RUN(run, &of_third, &args, ts_run_size(run, TS_DIM_entries3));
 }
 
-ts_status ts_stage_shade(ts_run *run)
+static ts_status shade_second(ts_run *run)
 {
-	if (shade(run, 0) != TS_OK) return TS_ERROR;
+	count_operations(run, TS_DIM_entries2);
+	return shade(run, 1, &of_second);
+}
+
+static ts_status shade_pixels(ts_run *run)
+{
+	if (shade(run, 0, &of_pixels) != TS_OK) return TS_ERROR;
 	const u32 *used = ts_frame_data(&run->frame, TS_B_shade_used);
 	u64 n = ts_frame_n(&run->frame, TS_B_shade_used);
 	i64 operations = 0;
@@ -68,3 +78,20 @@ ts_status ts_stage_shade(ts_run *run)
 	ts_run_count(run, "shading operations", operations);
 	return count_distinct(run);
 }
+
+const ts_stage ts_stage_shade3 = {
+	.name = "shade3", .kind = "map", .paper = "EPR 4.1.4", .doc = "deferred shading of the third bounce",
+	.run = shade_third, .launches = TS_LAUNCHES(&of_third), .looks_at = TS_BUFFERS(TS_B_scene_info),
+};
+
+const ts_stage ts_stage_shade2 = {
+	.name = "shade2", .kind = "map", .paper = "EPR 4.1.4", .doc = "deferred shading of the second bounce",
+	.run = shade_second, .launches = TS_LAUNCHES(&of_second.last, &of_second.followed),
+	.looks_at = TS_BUFFERS(TS_B_scene_info),
+};
+
+const ts_stage ts_stage_shade = {
+	.name = "shade", .kind = "map", .paper = "EPR 4.1.2", .doc = "eye-based deferred shading",
+	.run = shade_pixels, .launches = TS_LAUNCHES(&of_pixels.last, &of_pixels.followed),
+	.looks_at = TS_BUFFERS(TS_B_scene_info, TS_B_lookup2_point, TS_B_lookup3_point),
+};

@@ -115,7 +115,8 @@ void ts_run_set_size(ts_run *run, ts_dim dim, u64 n)
 u64 ts_run_size(const ts_run *run, ts_dim dim)
 {
 	const question q = {run, &run->sizes, run->n_units == run->plan.units};
-	return answers[dim] != NULL ? answers[dim](&q) : run->sizes.n[dim];
+	u64 n = answers[dim] != NULL ? answers[dim](&q) : TS_UNKNOWN;
+	return n != TS_UNKNOWN ? n : run->sizes.n[dim];
 }
 
 void ts_sizes_give(ts_sizes *sizes, const ts_run *run)

@@ -1,59 +1,76 @@
 /* Pieces of triangles, each with its density. */
-#include "stages.h"
+#include "../kernels/split.h"
+#include "points.h"
 
-static ts_status split(ts_run *run, ts_density_args args)
+/* Counted, then written: for the eye, as it sees cubes; for off-screen views; for the eye through the shadows in
+ * them. */
+typedef struct { ts_launch count, write; } launches;
+
+#define COUNT TS_BUT_SURFACES, TS_BUT(pieces), TS_BUT(scale), TS_BUT(n_capped)
+#define WRITE TS_BUT_SURFACES, TS_IN(whole, split_scale), TS_IN(offset, split_offset)
+#define OF_VIEWS TS_BUT(cubes), TS_WITH(views)
+static const launches of_eye = {TS_LAUNCH(split_count, COUNT), TS_LAUNCH(split, WRITE)};
+static const launches of_views = {TS_LAUNCH(split_count, COUNT, OF_VIEWS), TS_LAUNCH(split, WRITE, OF_VIEWS)};
+
+static ts_status divide(ts_run *run, const launches *own, ts_density_args args)
 {
-	u64 n = run->scene->n_triangles;
-	args.scene = ts_run_arrays(run);
-	args.bits = ts_frame_handle(&run->frame, TS_B_visibility_bits);
-	args.whole = ts_frame_make1(&run->frame, TS_B_split_scale, n);
-	args.offset = ts_frame_make1(&run->frame, TS_B_split_offset, n + 1);
-	args.n_capped = ts_frame_tallies(&run->frame);
+	u64 total, n = ts_run_size(run, TS_DIM_triangles);
+	args.scene.n_triangles = (u32)n;
+	args.n_words = (u32)ts_run_size(run, TS_DIM_view_words);
 	args.split = run->params.split;
-	if (args.whole == NULL || args.offset == NULL) return TS_ERROR;
-	if (ts_run_launch(run, TS_KERNEL_split_count, &args, n) != TS_OK) return TS_ERROR;
-	u64 total;
-	if (ts_run_scan(run, TS_B_split_offset, &total) != TS_OK) return TS_ERROR;
-	args.pieces = ts_frame_make1(&run->frame, TS_B_split_triangle, total);
-	args.scale = ts_frame_make1(&run->frame, TS_B_density_scale, total);
-	if (args.pieces == NULL || args.scale == NULL) return TS_ERROR;
-	if (ts_run_launch(run, TS_KERNEL_split, &args, n) != TS_OK) return TS_ERROR;
+	if (TS_RUN(run, &own->count, &args, n) != TS_OK) return TS_ERROR;
+	if (ts_launch_sum(run, &own->count, "offset", &total) != TS_OK) return TS_ERROR;
+	if (TS_RUN(run, &own->write, &args, n) != TS_OK) return TS_ERROR;
 	ts_run_count(run, "pieces", (i64)total);
 	ts_run_count(run, "density.capped", ts_frame_tally(&run->frame, 0));
 	return TS_OK;
 }
 
-ts_status ts_stage_split(ts_run *run)
+static ts_status split(ts_run *run)
 {
-	ts_density_args args = {
-		.cubes = ts_frame_handle(&run->frame, TS_B_resize_face),
-		.view = ts_frame_handle(&run->frame, TS_B_eye_view),
+	const ts_density_args args = {
 		.rho = ts_samples_a_pixel(&run->params),
-		.n_cubes = ts_run_n_cubes(run),
-		.n_words = ts_run_n_words(run),
+		.n_cubes = (u32)ts_run_size(run, TS_DIM_cubes),
 		.paper = run->params.density == TS_DENSITY_PAPER,
 		.cap = run->params.cap,
 		.offaxis = run->params.offaxis,
 		.rate = TS_RATE_IS_EYE,
 	};
-	return split(run, args);
+	return divide(run, &of_eye, args);
 }
 
 /* iVIR's density; EPR's shadows need less where the eye sees less. */
-static ts_status view_split(ts_run *run, u32 shadow)
+static ts_status divide_for_views(ts_run *run, u32 shadow)
 {
-	u32 n_views = (u32)ts_frame_n(&run->frame, TS_B_offscreen_view);
-	ts_density_args args = {
-		.views = ts_frame_handle(&run->frame, TS_B_offscreen_view),
-		.n_views = n_views,
-		.n_words = (n_views + 63) / 64,
-		.view = ts_frame_handle(&run->frame, TS_B_eye_view),
+	const ts_density_args args = {
+		.n_views = (u32)ts_run_size(run, TS_DIM_views),
 		.rate = run->plan.points.rate,
 		.shadow = shadow,
 	};
-	return split(run, args);
+	return divide(run, &of_views, args);
 }
 
-ts_status ts_stage_view_split(ts_run *run) { return view_split(run, TS_SHADOW_IS_NONE); }
+static ts_status view_split(ts_run *run) { return divide_for_views(run, TS_SHADOW_IS_NONE); }
 
-ts_status ts_stage_shadow_split(ts_run *run) { return view_split(run, TS_SHADOW_IS_SAFE + run->params.shadow_rate); }
+static ts_status shadow_split(ts_run *run)
+{
+	return divide_for_views(run, TS_SHADOW_IS_SAFE + run->params.shadow_rate);
+}
+
+const ts_stage ts_stage_split = {
+	.name = "split", .kind = "emit", .paper = "EPR 4.1.1, eqs 2 and 3",
+	.doc = "density of every triangle; large ones in pieces",
+	.run = split, .launches = TS_LAUNCHES(&of_eye.count, &of_eye.write),
+};
+
+const ts_stage ts_stage_view_split = {
+	.name = "view_split", .kind = "emit", .paper = "iVIR 3.1, eqs 2 and 3",
+	.doc = "density of every triangle from the off-screen views; uneven and large ones in pieces",
+	.run = view_split, .launches = TS_LAUNCHES(&of_views.count, &of_views.write),
+};
+
+const ts_stage ts_stage_shadow_split = {
+	.name = "shadow_split", .kind = "emit", .paper = "EPR 5.1, eq. 5",
+	.doc = "density of every triangle from the off-screen views and the eye",
+	.run = shadow_split, .launches = TS_LAUNCHES(&of_views.count, &of_views.write),
+};

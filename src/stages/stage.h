@@ -23,11 +23,17 @@ typedef struct {
 typedef struct {
 	const char *name;
 	const char *kind;               /* map, emit or scatter */
-	ts_buffer_id reads[24], writes[6]; /* ended by TS_N_BUFFERS; those of a step that was not taken are not there */
+	const ts_launch *const *launches;  /* ended by NULL; NULL: none */
+	const ts_buffer_id *looks_at, *makes; /* what its host code does beside; ended by TS_N_BUFFERS; NULL: nothing */
 	ts_status (*run)(ts_run *run);
+	const char *margin_of;          /* of a margin: the stage whose decisions it is about; NULL: it is none */
 	const char *paper;
 	const char *doc;
 } ts_stage;
+
+/* Lists for those members. */
+#define TS_LAUNCHES(...) ((const ts_launch *const[]){__VA_ARGS__, NULL})
+#define TS_BUFFERS(...) ((const ts_buffer_id[]){__VA_ARGS__, TS_N_BUFFERS})
 
 /* Called after every stage, with what it wrote in run->frame. */
 typedef ts_status (*ts_stage_hook)(const ts_run *run, const ts_stage *stage, void *user);
@@ -45,6 +51,7 @@ struct ts_run {
 	bool margins;              /* also the stages that say how near the decisions were */
 	bool lean;                 /* a buffer lives until its last reader; digests and replays want all of them */
 	bool keep[TS_N_BUFFERS];   /* even so, these stay */
+	bool made[TS_N_BUFFERS];   /* by the stage that runs */
 	ts_frame frame;
 	ts_sizes sizes;            /* of the scene, and what stages counted */
 	ts_counter counters[TS_MAX_COUNTERS]; u32 n_counters;
@@ -60,14 +67,15 @@ void ts_run_end(ts_run *run);
 /* Runs one stage: times it, calls the hook, names the stage in the message of a failure. */
 ts_status ts_run_stage(ts_run *run, const ts_stage *stage);
 const ts_backend *ts_run_backend(const ts_run *run);
+ts_backend *ts_run_backend_of(ts_run *run);
 /* Adds to a counter by name. */
 void ts_run_count(ts_run *run, const char *name, i64 value);
 i64 ts_run_counter(const ts_run *run, const char *name);
 /* Keys of what the eye sees, a triangle or a surfel, TS_EMPTY where it is nothing; *n pixels. */
 const u64 *ts_run_seen(const ts_run *run, u64 *n);
 
-/* Sizes of records.def (sizes.c). A run has those of the scene and what stages counted; the others are computed when they
- * are asked for, of the batch if batched. TS_UNKNOWN where neither is there. */
+/* Sizes of records.def (sizes.c). A run has those of the scene and what stages counted; the others are computed when
+ * they are asked for, of the batch if batched. TS_UNKNOWN where neither is there. */
 void ts_run_set_size(ts_run *run, ts_dim dim, u64 n);
 u64 ts_run_size(const ts_run *run, ts_dim dim);
 /* Computes what is still unknown, of all batches. */
@@ -77,12 +85,49 @@ void ts_sizes_scene(ts_sizes *sizes, const ts_scene *scene);
 /* Sets n cubes and the off-screen views that are their faces. */
 void ts_sizes_cubes(ts_sizes *sizes, u64 n);
 
-/* All stages, ended by a row without a name (table.c). */
-extern const ts_stage ts_stage_table[];
+/* The run's backend at work: see backend.h. */
+ts_status ts_run_fill(ts_run *run, ts_buffer_id id, u8 byte);
+/* Makes a buffer of zeros, for what mostly stays zero. */
+void *ts_run_zeros(ts_run *run, ts_buffer_id id, u32 n_dims, const u64 *shape);
+/* Counts to the sums before each, in place, of a buffer with a SUM row, whose size is then known. The total must
+ * stay below 2^32 - 1. */
+ts_status ts_run_scan(ts_run *run, ts_buffer_id id, u64 *total);
+
+/* Makes what the host writes, by its shape; NULL with the message set. */
+void *ts_run_make(ts_run *run, ts_buffer_id id);
+
+/* What launches need (launch.c). A launch's pointers are set by its kernel's rows and by what it binds otherwise;
+ * what it writes is made, by its shape in records.def, where this stage has not made it yet: of all batches by the
+ * first, unless its shape has batched sizes. Pointers that it does not bind are NULL; those to lent memory stay as
+ * the stage set them. */
+ts_status ts_launch_fill(ts_run *run, const ts_launch *launch, void *args, size_t bytes);
+/* Runs items [0, n) with arguments that were filled. */
+ts_status ts_launch_items(ts_run *run, const ts_launch *launch, const void *args, u64 n);
+/* Both. */
+ts_status ts_launch_run(ts_run *run, const ts_launch *launch, void *args, size_t bytes, u64 n);
+/* As a filling, for who asks what a kernel would answer: only what it reads is bound, and nothing is made. */
+ts_status ts_launch_ask(const ts_run *run, const ts_launch *launch, void *args, size_t bytes);
+#define TS_ASK(run, launch, args) ts_launch_ask(run, launch, args, sizeof *(args))
+#define TS_FILL(run, launch, args) ts_launch_fill(run, launch, args, sizeof *(args))
+#define TS_RUN(run, launch, args, n) ts_launch_run(run, launch, args, sizeof *(args), n)
+/* Makes what a launch writes, `more` elements longer than its shape says; and cuts that off again. */
+ts_status ts_launch_make(ts_run *run, const ts_launch *launch, const char *name, u32 more);
+/* What a launch writes is made once more by its next filling, for sizes have changed. */
+void ts_launch_make_again(ts_run *run, const ts_launch *launch);
+void ts_launch_cut(ts_run *run, const ts_launch *launch, const char *name, u32 less);
+/* Counts to the sums before each, in place, and the size that SUM of records.def names; it must stay below 2^32 - 1. */
+ts_status ts_launch_sum(ts_run *run, const ts_launch *launch, const char *name, u64 *total);
+
+/* All stages, ended by NULL (table.c). */
+extern const ts_stage *const ts_stage_table[];
 const ts_stage *ts_stage_find(const char *name);
-/* The stage that says how near the decisions of this one were, and runs right behind it where margins are asked for; NULL:
- * it has none. */
+/* The stage that says how near the decisions of this one were, and runs right behind it where margins are asked for;
+ * NULL: it has none. */
 const ts_stage *ts_stage_margin(const ts_stage *stage);
+/* What its launches and its host code read, but what they make, and what they write; in the order of records.def,
+ * ended by TS_N_BUFFERS. Those of a step that was not taken are not there. */
+const ts_buffer_id *ts_stage_inputs(const ts_stage *stage);
+const ts_buffer_id *ts_stage_outputs(const ts_stage *stage);
 bool ts_stage_reads(const ts_stage *stage, ts_buffer_id id);
 bool ts_stage_writes(const ts_stage *stage, ts_buffer_id id);
 

@@ -1,30 +1,30 @@
 /* Visibility of surfels, from the eye and from lights. */
-#include "stages.h"
+#include "../kernels/surfel_depth.h"
+#include "surfels.h"
 
-ts_status ts_stage_surfel_depth(ts_run *run)
+static const ts_launch from_eye = TS_LAUNCH(surfel_depth, TS_ALL);
+static const ts_launch from_lights = TS_LAUNCH(surfel_shadow, TS_ALL);
+
+static ts_status surfel_depth(ts_run *run)
 {
-	ts_surfel_depth_args args = {
-		.view = ts_frame_handle(&run->frame, TS_B_eye_view),
-		.discs = ts_frame_handle(&run->frame, TS_B_surfel_setup_disc),
-		.epsilon = ts_frame_handle(&run->frame, TS_B_surfel_setup_epsilon),
-		.keys = ts_frame_make2(&run->frame, TS_B_surfel_depth_surfel, run->params.height, run->params.width),
-	};
-	if (args.keys == NULL || ts_run_fill(run, TS_B_surfel_depth_surfel, 0xff) != TS_OK) return TS_ERROR;
-	return ts_run_launch(run, TS_KERNEL_surfel_depth, &args, ts_frame_n(&run->frame, TS_B_surfel_setup_disc));
+	ts_surfel_depth_args args;
+	return TS_RUN(run, &from_eye, &args, ts_run_size(run, TS_DIM_surfels));
 }
 
-ts_status ts_stage_surfel_shadow(ts_run *run)
+static ts_status surfel_shadow(ts_run *run)
 {
-	u32 n_views = (u32)ts_frame_n(&run->frame, TS_B_offscreen_view);
-	if (ts_frame_make1(&run->frame, TS_B_scatter_depth, ts_run_n_texels(run, 0, n_views)) == NULL) return TS_ERROR;
-	if (ts_run_fill(run, TS_B_scatter_depth, 0xff) != TS_OK) return TS_ERROR;
-	ts_surfel_shadow_args args = {
-		.surfels = ts_frame_handle(&run->frame, TS_B_scene_surfel),
-		.views = ts_frame_handle(&run->frame, TS_B_offscreen_view),
-		.epsilon = ts_frame_handle(&run->frame, TS_B_surfel_setup_epsilon),
-		.depths = ts_frame_handle(&run->frame, TS_B_scatter_depth),
-		.filter = ts_surfel_filter(run),
-		.n_views = n_views,
-	};
-	return ts_run_launch(run, TS_KERNEL_surfel_shadow, &args, ts_frame_n(&run->frame, TS_B_scene_surfel));
+	ts_surfel_shadow_args args = {.filter = ts_surfel_filter(run), .n_views = (u32)ts_run_size(run, TS_DIM_views)};
+	return TS_RUN(run, &from_lights, &args, ts_run_size(run, TS_DIM_surfels));
 }
+
+const ts_stage ts_stage_surfel_depth = {
+	.name = "surfel_depth", .kind = "scatter", .paper = "NV40: 3-Pass Deferred Shading",
+	.doc = "visibility: the nearest surfel of every pixel, epsilon farther, by 64-bit minimum",
+	.run = surfel_depth, .launches = TS_LAUNCHES(&from_eye),
+};
+
+const ts_stage ts_stage_surfel_shadow = {
+	.name = "surfel_shadow", .kind = "scatter", .paper = "NV40: Timings & Comparison",
+	.doc = "visibility from every light",
+	.run = surfel_shadow, .launches = TS_LAUNCHES(&from_lights),
+};

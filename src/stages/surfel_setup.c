@@ -1,6 +1,9 @@
 /* Surfels in the eye's view, and how far behind the nearest others are blended with it. */
+#include "../kernels/disc.h"
 #include "../scene/surfel.h"
-#include "stages.h"
+#include "surfels.h"
+
+static const ts_launch launch = TS_LAUNCH(surfel_setup, TS_ALL);
 
 ts_filter ts_surfel_filter(const ts_run *run)
 {
@@ -23,7 +26,7 @@ static ts_status set_epsilon(ts_run *run)
 {
 	enum { MEDIAN = 2 };
 	f32 quantile[TS_SURFEL_QUANTILES];
-	f32 *epsilon = ts_frame_make1(&run->frame, TS_B_surfel_setup_epsilon, 1);
+	f32 *epsilon = ts_run_make(run, TS_B_surfel_setup_epsilon);
 	const ts_surfel *surfels = ts_frame_data(&run->frame, TS_B_scene_surfel);
 	u32 n = (u32)ts_frame_n(&run->frame, TS_B_scene_surfel);
 	if (epsilon == NULL || ts_surfel_quantiles(quantile, surfels, n) != TS_OK) return TS_ERROR;
@@ -31,21 +34,19 @@ static ts_status set_epsilon(ts_run *run)
 	return TS_OK;
 }
 
-ts_status ts_stage_surfel_setup(ts_run *run)
+static ts_status surfel_setup(ts_run *run)
 {
 	static const char *const fates[] = {"surfels drawn", "surfels turned away", "surfels before the near plane",
 	                                    "surfels beside the image"};
+	ts_surfel_setup_args args = {.filter = ts_surfel_filter(run)};
 	if (set_epsilon(run) != TS_OK) return TS_ERROR;
-	u64 n = ts_frame_n(&run->frame, TS_B_scene_surfel);
-	ts_surfel_setup_args args = {
-		.view = ts_frame_handle(&run->frame, TS_B_eye_view),
-		.surfels = ts_frame_handle(&run->frame, TS_B_scene_surfel),
-		.discs = ts_frame_make1(&run->frame, TS_B_surfel_setup_disc, n),
-		.tally = ts_frame_tallies(&run->frame),
-		.filter = ts_surfel_filter(run),
-	};
-	if (args.discs == NULL || args.tally == NULL) return TS_ERROR;
-	if (ts_run_launch(run, TS_KERNEL_surfel_setup, &args, n) != TS_OK) return TS_ERROR;
+	if (TS_RUN(run, &launch, &args, ts_run_size(run, TS_DIM_surfels)) != TS_OK) return TS_ERROR;
 	for (u32 fate = 0; fate < 4; fate++) ts_run_count(run, fates[fate], ts_frame_tally(&run->frame, fate));
 	return TS_OK;
 }
+
+const ts_stage ts_stage_surfel_setup = {
+	.name = "surfel_setup", .kind = "map", .paper = "NV40: Perspectively Correct Rendering",
+	.doc = "surfels in the eye's view: what casts rays into their planes, and their boxes",
+	.run = surfel_setup, .launches = TS_LAUNCHES(&launch), .makes = TS_BUFFERS(TS_B_surfel_setup_epsilon),
+};

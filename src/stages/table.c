@@ -1,333 +1,99 @@
-/* What stages there are: what each reads, writes and computes. */
-#include "stages.h"
+/* All stages, and what each reads and writes. */
+#include "stage.h"
+#include <assert.h>
+#include <pthread.h>
 
-#define SCENE \
-	TS_B_pose_vertex, TS_B_scene_triangle, TS_B_scene_material, TS_B_scene_slot, TS_B_scene_image, TS_B_scene_texel, \
-		TS_B_scene_light, TS_B_scene_object, TS_B_scene_info
-#define SHAPES TS_B_pose_vertex, TS_B_scene_triangle, TS_B_scene_material, TS_B_scene_object
-/* What turns a point into a surface. */
-#define POINTS SCENE, TS_B_resize_face, TS_B_split_triangle, TS_B_align_frame, TS_B_points_key, TS_B_points_record
-#define LAMPS TS_B_lamp_light, TS_B_lamp_shape
-/* What points are made from without being stored. */
-#define PIECES SCENE, TS_B_split_triangle, TS_B_align_frame
-#define END TS_N_BUFFERS
+#define STAGE(name) extern const ts_stage ts_stage_##name;
+#include "stages.def"
+#undef STAGE
 
-const ts_stage ts_stage_table[] = {
-	{"view", "map", {TS_B_scene_info, END}, {TS_B_eye_view, END}, ts_stage_view, "EPR 4.2",
-	 "the eye, circling the scene or the file's camera"},
-	{"pose", "map", {TS_B_scene_vertex, TS_B_scene_object, END}, {TS_B_pose_vertex, END}, ts_stage_pose, "EPR 4.2",
-	 "moving objects to their place in this frame"},
-	{"resize", "map", {TS_B_scene_vertex, TS_B_scene_object, TS_B_scene_info, END}, {TS_B_resize_face, END},
-	 ts_stage_resize, "EPR 3.5", "box, ball and cube size of every reflector"},
-	{"eye", "scatter", {SCENE, TS_B_eye_view, END}, {TS_B_eye_depth_triangle, END}, ts_stage_eye, "EPR 4.1.3",
-	 "standard rasterization of the eye's view"},
-	{"eye_margin", "scatter", {SCENE, TS_B_eye_view, TS_B_eye_depth_triangle, END}, {TS_B_eye_margin, END},
-	 ts_stage_eye_margin, "EPR 4.1.3", "how near the eye's coverage and depths were to another answer"},
-	{"pixel", "emit", {SCENE, TS_B_eye_view, TS_B_eye_depth_triangle, END}, {TS_B_pixel_offset, TS_B_pixel_record, END},
-	 ts_stage_pixel, "EPR 4.1.3", "reflective pixels with gradients of position and normal"},
-	{"visibility", "map", {SHAPES, TS_B_resize_face, END}, {TS_B_visibility_bits, END}, ts_stage_visibility, "EPR 3.1",
-	 "one bit a triangle and cube face"},
-	{"split", "emit", {SHAPES, TS_B_resize_face, TS_B_eye_view, TS_B_visibility_bits, END},
-	 {TS_B_split_scale, TS_B_split_offset, TS_B_split_triangle, TS_B_density_scale, END}, ts_stage_split,
-	 "EPR 4.1.1, eqs 2 and 3",
-	 "density of every triangle; large ones in pieces"},
-	{"cull", "map", {TS_B_split_triangle, TS_B_density_scale, END}, {TS_B_cull_keep, END}, ts_stage_cull, "EPR 3.2",
-	 "stochastic culling of sub-pixel pieces"},
-	{"cull_margin", "map", {TS_B_split_triangle, TS_B_density_scale, END}, {TS_B_cull_margin, END}, ts_stage_cull_margin,
-	 "EPR 3.2", "how near the random numbers were to their thresholds"},
-	{"align", "map", {TS_B_split_triangle, TS_B_density_scale, TS_B_cull_keep, END}, {TS_B_align_frame, END},
-	 ts_stage_align, "EPR 3.2, eq. 1", "T_epr: every piece in its own plane"},
-	{"count", "emit", {SCENE, TS_B_split_triangle, TS_B_align_frame, END}, {TS_B_count_offset, END}, ts_stage_count,
-	 "EPR 3.3", "points of every piece, counted and summed"},
-	{"points", "emit", {SCENE, TS_B_split_triangle, TS_B_align_frame, TS_B_count_offset, END},
-	 {TS_B_points_key, TS_B_points_record, END}, ts_stage_points, "EPR 3.4, eq. 4", "points with splat lengths"},
-	{"splat", "scatter",
-	 {TS_B_resize_face, TS_B_split_triangle, TS_B_align_frame, TS_B_visibility_bits, TS_B_count_offset, TS_B_points_record,
-	  END},
-	 {TS_B_splat_depth_index, END}, ts_stage_splat, "EPR 3.5", "points into cube faces by 64-bit minimum"},
-	{"tie", "scatter",
-	 {TS_B_resize_face, TS_B_split_triangle, TS_B_align_frame, TS_B_visibility_bits, TS_B_points_record,
-	  TS_B_splat_depth_index, END},
-	 {TS_B_splat_tie, END}, ts_stage_tie, "EPR 3.5", "texels that another point of the same distance might have won"},
-	{"lookup", "map",
-	 {TS_B_eye_view, TS_B_resize_face, TS_B_splat_depth_index, TS_B_pixel_record, END}, {TS_B_lookup_point, END},
-	 ts_stage_lookup, "EPR 4.1.3", "25 look-ups a reflective pixel"},
-	{"lookup2", "emit",
-	 {POINTS, TS_B_splat_depth_index, TS_B_pixel_record, TS_B_lookup_point, END},
-	 {TS_B_lookup2_offset, TS_B_lookup2_parent, TS_B_lookup2_point, END}, ts_stage_lookup2, "EPR 4.1.4",
-	 "four look-ups for each sample that sees a mirror"},
-	{"lookup3", "emit",
-	 {POINTS, TS_B_splat_depth_index, TS_B_lookup2_point, TS_B_lookup2_parent, END},
-	 {TS_B_lookup3_offset, TS_B_lookup3_parent, TS_B_lookup3_point, END}, ts_stage_lookup3, "EPR 4.1.4",
-	 "the same once more"},
-	{"shade3", "map", {POINTS, TS_B_lookup3_point, TS_B_lookup3_parent, END},
-	 {TS_B_shade3_radiance, END}, ts_stage_shade3, "EPR 4.1.4", "deferred shading of the third bounce"},
-	{"shade2", "map",
-	 {POINTS, TS_B_lookup2_point, TS_B_lookup2_parent, TS_B_lookup3_offset, TS_B_shade3_radiance, END},
-	 {TS_B_shade2_radiance, END}, ts_stage_shade2, "EPR 4.1.4", "deferred shading of the second bounce"},
-	{"shade", "map",
-	 {POINTS, TS_B_pixel_record, TS_B_lookup_point, TS_B_lookup2_offset, TS_B_lookup2_point, TS_B_lookup3_point,
-	  TS_B_shade2_radiance, END},
-	 {TS_B_shade_radiance, TS_B_shade_used, END}, ts_stage_shade, "EPR 4.1.2", "eye-based deferred shading"},
-	{"face", "scatter", {SCENE, TS_B_resize_face, END}, {TS_B_face_depth_triangle, END}, ts_stage_face, "EPR 4.2",
-	 "MVR: standard rasterization into six faces a reflector"},
-	{"face_margin", "scatter", {SCENE, TS_B_resize_face, TS_B_face_depth_triangle, END}, {TS_B_face_margin, END},
-	 ts_stage_face_margin, "EPR 4.2", "how near the faces' coverage and depths were to another answer"},
-	{"illuminate", "map", {SCENE, TS_B_resize_face, TS_B_face_depth_triangle, END}, {TS_B_face_mip, END},
-	 ts_stage_illuminate, "EPR 4.2", "MVR: deferred shading of every texel, and the mip chain"},
-	{"mirror", "map", {TS_B_eye_view, TS_B_resize_face, TS_B_pixel_record, TS_B_face_mip, END},
-	 {TS_B_shade_radiance, END}, ts_stage_mirror, "EPR 4.2", "MVR: mip-mapped look-ups of the reflective pixels"},
-	{"image", "map", {SCENE, TS_B_eye_view, TS_B_eye_depth_triangle, TS_B_pixel_offset, TS_B_shade_radiance, END},
-	 {TS_B_image_radiance, TS_B_image_srgb, END}, ts_stage_image, "EPR 4.1.2", "the picture"},
-	{"lamp", "map", {TS_B_scene_info, TS_B_scene_light, END}, {LAMPS, END}, ts_stage_lamp, "iVIR 4",
-	 "the lights whose shadows are soft"},
-	{"lamp_view", "map", {TS_B_scene_info, LAMPS, END}, {TS_B_offscreen_view, END}, ts_stage_lamp_view, "iVIR 4",
-	 "a depth map for each sample of each light"},
-	{"light_view", "map", {TS_B_scene_info, TS_B_lamp_light, END}, {TS_B_offscreen_view, END}, ts_stage_light_view,
-	 "NV40: Timings & Comparison", "a depth map for each light, six for a point light"},
-	{"lamp_ball", "map", {TS_B_scene_info, END}, {LAMPS, END}, ts_stage_lamp_ball, "iVIR 6",
-	 "the light whose shadows fall all around it"},
-	{"lamp_cube", "map", {TS_B_scene_info, LAMPS, END}, {TS_B_resize_face, END}, ts_stage_lamp_cube, "iVIR 6",
-	 "a cube for each sample of the light"},
-	{"offscreen", "map", {TS_B_resize_face, TS_B_lamp_light, END}, {TS_B_offscreen_view, END}, ts_stage_offscreen, "iVIR 5",
-	 "six off-screen views a cube"},
-	{"offscreen_visibility", "map", {SHAPES, TS_B_offscreen_view, END}, {TS_B_visibility_bits, END},
-	 ts_stage_offscreen_visibility, "iVIR 3.1", "one bit a triangle and off-screen view"},
-	{"view_split", "emit", {SHAPES, TS_B_eye_view, TS_B_offscreen_view, TS_B_visibility_bits, END},
-	 {TS_B_split_scale, TS_B_split_offset, TS_B_split_triangle, TS_B_density_scale, END}, ts_stage_view_split,
-	 "iVIR 3.1, eqs 2 and 3", "density of every triangle from the off-screen views; uneven and large ones in pieces"},
-	{"scatter", "scatter",
-	 {PIECES, TS_B_resize_face, TS_B_offscreen_view, TS_B_visibility_bits, TS_B_points_key, TS_B_points_record, END},
-	 {TS_B_scatter_depth, END}, ts_stage_scatter, "iVIR 4", "points into depth maps by 32-bit minimum"},
-	{"scatter_colour", "scatter",
-	 {PIECES, TS_B_resize_face, TS_B_offscreen_view, TS_B_visibility_bits, TS_B_points_key, TS_B_points_record, END},
-	 {TS_B_scatter_colour, END}, ts_stage_scatter_colour, "iVIR 5",
-	 "points into environment maps: 13 bits of depth, 19 of colour"},
-	{"shadow_resize", "scatter", {SHAPES, TS_B_scene_info, TS_B_eye_view, TS_B_eye_depth_triangle, LAMPS, END},
-	 {TS_B_shadow_resize_least, TS_B_resize_face, END}, ts_stage_shadow_resize, "EPR 5.1, eq. 6",
-	 "a cube for each sample of the light, as large as the eye needs it"},
-	{"shadow_split", "emit", {SHAPES, TS_B_eye_view, TS_B_offscreen_view, TS_B_visibility_bits, END},
-	 {TS_B_split_scale, TS_B_split_offset, TS_B_split_triangle, TS_B_density_scale, END}, ts_stage_shadow_split,
-	 "EPR 5.1, eq. 5", "density of every triangle from the off-screen views and the eye"},
-	{"shadow_splat", "scatter",
-	 {PIECES, TS_B_resize_face, TS_B_offscreen_view, TS_B_visibility_bits, TS_B_points_key, TS_B_points_record, END},
-	 {TS_B_scatter_depth, END}, ts_stage_shadow_splat, "EPR 5.1",
-	 "points into depth maps: small ones as they are, large ones as squares"},
-	{"copy", "map", {TS_B_resize_face, TS_B_scatter_colour, END}, {TS_B_face_mip, END}, ts_stage_copy, "iVIR 5",
-	 "environment maps into mip chains"},
-	{"depth", "scatter", {SCENE, TS_B_resize_face, TS_B_offscreen_view, END}, {TS_B_scatter_depth, END}, ts_stage_depth,
-	 "iVIR 4", "MVR: standard rasterization into every depth map"},
-	{"depth_margin", "scatter", {SCENE, TS_B_resize_face, TS_B_offscreen_view, TS_B_scatter_depth, END},
-	 {TS_B_depth_margin, END}, ts_stage_depth_margin, "iVIR 4",
-	 "how near the depth maps' coverage and depths were to another answer"},
-	{"resolve", "map",
-	 {SCENE, TS_B_resize_face, TS_B_eye_view, TS_B_eye_depth_triangle, TS_B_lamp_shape, TS_B_offscreen_view,
-	  TS_B_scatter_depth, END},
-	 {TS_B_resolve_lit, END}, ts_stage_resolve, "iVIR 4", "how many light samples reach each pixel"},
-	{"resolve_margin", "map",
-	 {SCENE, TS_B_resize_face, TS_B_eye_view, TS_B_eye_depth_triangle, TS_B_lamp_shape, TS_B_offscreen_view,
-	  TS_B_scatter_depth, END},
-	 {TS_B_resolve_margin, END}, ts_stage_resolve_margin, "iVIR 4",
-	 "how near the comparisons with depth maps were to another answer"},
-	{"pcss", "map",
-	 {SCENE, TS_B_eye_view, TS_B_eye_depth_triangle, TS_B_lamp_shape, TS_B_offscreen_view, TS_B_scatter_depth, END},
-	 {TS_B_resolve_lit, END}, ts_stage_pcss, "iVIR 4", "how many taps about each pixel let light through"},
-	{"shadow_image", "map",
-	 {SCENE, TS_B_eye_view, TS_B_eye_depth_triangle, LAMPS, TS_B_resolve_lit, END},
-	 {TS_B_image_radiance, TS_B_image_srgb, END}, ts_stage_shadow_image, "iVIR 4", "the picture with its shadows"},
-	{"rsm_view", "map", {TS_B_scene_info, TS_B_lamp_light, END}, {TS_B_offscreen_view, END}, ts_stage_rsm_view, "SSAGH 5",
-	 "a reflective shadow map for each light, six for a point light"},
-	{"rsm", "scatter", {SCENE, TS_B_offscreen_view, END}, {TS_B_rsm_depth_triangle, END}, ts_stage_rsm, "SSAGH 5",
-	 "standard rasterization into every reflective shadow map"},
-	{"rsm_patch", "map", {SCENE, TS_B_lamp_light, TS_B_offscreen_view, TS_B_rsm_depth_triangle, END},
-	 {TS_B_rsm_patch, END}, ts_stage_rsm_patch, "SSAGH 5", "what each of their texels sees as a triangle of light"},
-	{"gbuffer", "map", {SCENE, TS_B_eye_view, TS_B_eye_depth_triangle, END}, {TS_B_gbuffer_pixel, END}, ts_stage_gbuffer,
-	 "SSAGH 3", "position, normal and albedo of every pixel"},
-	{"nearest", "map", {TS_B_gbuffer_pixel, END}, {TS_B_nearest_depth, END}, ts_stage_nearest, "SSAGH 3",
-	 "the screen's depth down-sampled"},
-	{"segment", "map", {TS_B_nearest_depth, END}, {TS_B_segment_label, END}, ts_stage_segment, "SSAGH 3, algorithm 1",
-	 "segments of like depth in each block"},
-	{"segment_margin", "map", {TS_B_nearest_depth, END}, {TS_B_segment_margin, END},
-	 ts_stage_segment_margin, "SSAGH 3, algorithm 1", "how near what hangs together was to other segments"},
-	{"range", "scatter", {TS_B_nearest_depth, TS_B_segment_label, END}, {TS_B_range_least, END}, ts_stage_range, "SSAGH 3",
-	 "extent of each segment by integer minimum"},
-	{"box", "emit", {TS_B_range_least, END}, {TS_B_box_offset, TS_B_box_record, END}, ts_stage_box, "SSAGH 3",
-	 "the segments' boxes, but of the sky"},
-	{"gather", "map", {TS_B_eye_view, TS_B_rsm_patch, TS_B_gbuffer_pixel, TS_B_box_record, END}, {TS_B_gather_moment, END},
-	 ts_stage_gather, "SSAGH 3", "light at the corners of every box"},
-	{"fit", "map", {TS_B_gather_moment, END}, {TS_B_fit_lobes, END}, ts_stage_fit, "SSAGH 4, eqs 4 and 5",
-	 "that light as spherical Gaussians, one a channel"},
-	{"hull", "map",
-	 {TS_B_gbuffer_pixel, TS_B_box_offset, TS_B_box_record, TS_B_gather_moment, TS_B_fit_lobes, END},
-	 {TS_B_hull_box, TS_B_indirect_irradiance, END}, ts_stage_hull, "SSAGH 4, eqs 15 to 18",
-	 "each pixel's box, its lobes between the corners, and their integral with the cosine"},
-	{"hull_margin", "map", {TS_B_gbuffer_pixel, TS_B_box_offset, TS_B_box_record, TS_B_hull_box, END},
-	 {TS_B_hull_margin, END}, ts_stage_hull_margin, "SSAGH 3", "how near each pixel's choice was to another box"},
-	{"direct", "map", {TS_B_rsm_patch, TS_B_gbuffer_pixel, END}, {TS_B_indirect_irradiance, END}, ts_stage_direct,
-	 "SSAGH 5", "light of every triangle at every pixel by form factors"},
-	{"indirect_image", "map", {TS_B_gbuffer_pixel, TS_B_indirect_irradiance, END},
-	 {TS_B_image_radiance, TS_B_image_srgb, END}, ts_stage_indirect_image, "SSAGH 4, eq. 6",
-	 "the picture of indirect light"},
-	{"root", "map", {TS_B_pose_vertex, END}, {TS_B_root_least, TS_B_root_cube, END}, ts_stage_root, "MegaViews 3.1",
-	 "the cube about all vertices that both octrees divide"},
-	{"voxel", "scatter", {TS_B_pose_vertex, TS_B_scene_triangle, TS_B_root_cube, END},
-	 {TS_B_voxel_mask, TS_B_voxel_before, END}, ts_stage_voxel, "MegaViews 4.1",
-	 "voxels that triangles touch, and those above them"},
-	{"octree", "emit",
-	 {TS_B_pose_vertex, TS_B_scene_triangle, TS_B_root_cube, TS_B_voxel_mask, TS_B_voxel_before, END},
-	 {TS_B_octree_level, TS_B_octree_node, TS_B_octree_offset, TS_B_octree_triangle, END}, ts_stage_octree,
-	 "MegaViews 3.1", "the scene's octree, and the triangles of its leaves"},
-	{"octree_surface", "map",
-	 {SCENE, TS_B_root_cube, TS_B_octree_level, TS_B_octree_node, TS_B_octree_offset, TS_B_octree_triangle, END},
-	 {TS_B_octree_surface_node, END}, ts_stage_octree_surface, "MegaViews 3.1", "mean albedo and normal of every node"},
-	{"vpl", "emit",
-	 {SCENE, TS_B_rsm_patch, TS_B_root_cube, TS_B_octree_level, TS_B_octree_node, TS_B_octree_offset,
-	  TS_B_octree_triangle, END},
-	 {TS_B_vpl_offset, TS_B_vpl_path, TS_B_vpl_light, END}, ts_stage_vpl, "MegaViews 4.1",
-	 "virtual point lights where paths from the lamps end and are reflected, each of them a view"},
-	{"particle", "map", {TS_B_scene_info, END}, {TS_B_vpl_light, END}, ts_stage_particle, "MegaViews 5.2",
-	 "glowing particles, each of them a virtual point light to all sides and a view"},
-	{"view_voxel", "scatter", {TS_B_root_cube, TS_B_vpl_light, END}, {TS_B_view_voxel_mask, TS_B_view_voxel_before, END},
-	 ts_stage_view_voxel, "MegaViews 3.1", "voxels that views are in, and those above them"},
-	{"view_octree", "emit",
-	 {TS_B_root_cube, TS_B_vpl_light, TS_B_view_voxel_mask, TS_B_view_voxel_before, END},
-	 {TS_B_view_octree_level, TS_B_view_octree_node, TS_B_view_octree_offset, TS_B_view_octree_view, TS_B_view_octree_leaf,
-	  END},
-	 ts_stage_view_octree, "MegaViews 3.1", "the octree of the views, and the views of its leaves"},
-	{"view_cone", "map",
-	 {TS_B_vpl_light, TS_B_view_octree_level, TS_B_view_octree_node, TS_B_view_octree_offset, TS_B_view_octree_view,
-	  TS_B_view_octree_leaf, END},
-	 {TS_B_view_cone_sum, TS_B_view_cone_least, TS_B_view_cone_node, END}, ts_stage_view_cone, "MegaViews 3.1",
-	 "the cone of the directions of the views in every node"},
-	{"traverse", "emit", {TS_B_octree_node, TS_B_view_octree_level, TS_B_view_octree_node, TS_B_view_cone_node, END},
-	 {TS_B_traverse_rendered, END}, ts_stage_traverse, "MegaViews 3.2, figures 4, 6 and 8",
-	 "pairs of a node of the scene and one of views that are rendered"},
-	{"map", "scatter",
-	 {TS_B_octree_node, TS_B_view_octree_level, TS_B_view_octree_node, TS_B_view_cone_node, TS_B_traverse_rendered, END},
-	 {TS_B_map_depth_node, END}, ts_stage_map, "MegaViews 3.2",
-	 "those pairs in dual-paraboloid maps of the nodes of views by 64-bit minimum"},
-	{"fuse", "map", {TS_B_view_octree_level, TS_B_view_octree_node, TS_B_map_depth_node, END},
-	 {TS_B_fuse_depth, TS_B_fuse_node, END}, ts_stage_fuse, "MegaViews 3.2",
-	 "whole maps: what the nodes above show, seen from each node"},
-	{"view_alone", "map", {TS_B_vpl_light, END},
-	 {TS_B_view_octree_level, TS_B_view_octree_node, TS_B_view_octree_view, TS_B_view_octree_leaf, TS_B_view_cone_node, END},
-	 ts_stage_view_alone, "MegaViews 4.1", "ManyLoDs: every view without a hierarchy, a root and a leaf"},
-	{"map_all", "scatter", {TS_B_octree_level, TS_B_octree_node, TS_B_view_octree_node, TS_B_view_cone_node, END},
-	 {TS_B_map_depth_node, END}, ts_stage_map_all, "MegaViews 4.1", "every leaf of the scene in the map of every view"},
-	{"map_margin", "scatter",
-	 {TS_B_octree_node, TS_B_view_octree_level, TS_B_view_octree_node, TS_B_view_cone_node, TS_B_map_depth_node, END},
-	 {TS_B_map_margin, END}, ts_stage_map_margin, "MegaViews 3.2", "how near what maps show was to another answer"},
-	{"map_all_margin", "scatter",
-	 {TS_B_octree_level, TS_B_octree_node, TS_B_view_octree_node, TS_B_view_cone_node, TS_B_map_depth_node, END},
-	 {TS_B_map_margin, END}, ts_stage_map_all_margin, "MegaViews 4.1", "the same of brute force"},
-	{"vpl_pairs", "emit",
-	 {TS_B_octree_level, TS_B_octree_node, TS_B_view_octree_level, TS_B_view_octree_node, TS_B_view_cone_node, END},
-	 {TS_B_vpl_pairs_offset, TS_B_vpl_pairs_node, TS_B_vpl_pairs_views, END}, ts_stage_vpl_pairs, "MegaViews 5.1",
-	 "for every node of the scene of one level the nodes of views that may light it"},
-	{"vpl_gather", "map",
-	 {TS_B_gbuffer_pixel, TS_B_root_cube, TS_B_voxel_mask, TS_B_voxel_before, TS_B_octree_level, TS_B_octree_node,
-	  TS_B_vpl_light, TS_B_view_octree_level, TS_B_view_octree_node, TS_B_view_octree_view, TS_B_view_octree_leaf,
-	  TS_B_view_cone_node, TS_B_fuse_depth, TS_B_fuse_node, TS_B_vpl_pairs_offset, TS_B_vpl_pairs_node,
-	  TS_B_vpl_pairs_views, END},
-	 {TS_B_vpl_gather_irradiance, END}, ts_stage_vpl_gather, "MegaViews 5.1",
-	 "light of some of them at every pixel, if their maps show nothing in between"},
-	{"vpl_gather_margin", "map",
-	 {TS_B_gbuffer_pixel, TS_B_root_cube, TS_B_voxel_mask, TS_B_voxel_before, TS_B_octree_level, TS_B_octree_node,
-	  TS_B_vpl_light, TS_B_view_octree_level, TS_B_view_octree_node, TS_B_view_octree_view, TS_B_view_octree_leaf,
-	  TS_B_view_cone_node, TS_B_fuse_depth, TS_B_fuse_node, TS_B_vpl_pairs_offset, TS_B_vpl_pairs_node,
-	  TS_B_vpl_pairs_views, END},
-	 {TS_B_vpl_gather_margin, END}, ts_stage_vpl_gather_margin, "MegaViews 5.1",
-	 "how near the light of pixels was to that of another list or to other shadows"},
-	{"bilateral", "map", {TS_B_gbuffer_pixel, TS_B_vpl_gather_irradiance, END},
-	 {TS_B_bilateral_row, TS_B_indirect_irradiance, END}, ts_stage_bilateral, "MegaViews 5.1",
-	 "that light filtered, but not over edges"},
-	{"surfel_setup", "map", {TS_B_scene_surfel, TS_B_eye_view, END},
-	 {TS_B_surfel_setup_epsilon, TS_B_surfel_setup_disc, END}, ts_stage_surfel_setup,
-	 "NV40: Perspectively Correct Rendering",
-	 "surfels in the eye's view: what casts rays into their planes, and their boxes"},
-	{"surfel_depth", "scatter", {TS_B_eye_view, TS_B_surfel_setup_epsilon, TS_B_surfel_setup_disc, END},
-	 {TS_B_surfel_depth_surfel, END}, ts_stage_surfel_depth, "NV40: 3-Pass Deferred Shading",
-	 "visibility: the nearest surfel of every pixel, epsilon farther, by 64-bit minimum"},
-	{"surfel_depth_margin", "scatter",
-	 {TS_B_scene_surfel, TS_B_eye_view, TS_B_surfel_setup_epsilon, TS_B_surfel_setup_disc, TS_B_surfel_depth_surfel, END},
-	 {TS_B_surfel_depth_margin, END}, ts_stage_surfel_depth_margin, "NV40: 3-Pass Deferred Shading",
-	 "how near the nearest of every pixel was to another"},
-	{"fragment_list", "emit", {TS_B_eye_view, TS_B_surfel_setup_disc, TS_B_surfel_depth_surfel, END},
-	 {TS_B_fragment_list_offset, TS_B_fragment_list_surfel, END}, ts_stage_fragment_list,
-	 "NV40: Floating Point Precision",
-	 "which surfels are blended at each pixel, in order"},
-	{"blend", "scatter",
-	 {TS_B_scene_surfel, TS_B_eye_view, TS_B_surfel_setup_disc, TS_B_surfel_depth_surfel, TS_B_fragment_list_offset,
-	  TS_B_fragment_list_surfel, END},
-	 {TS_B_blend_sum, TS_B_blend_heaviest, END}, ts_stage_blend, "NV40: Approximate EWA Filtering",
-	 "attributes: colours and normals of the surfels before that depth, by integer sums or in order"},
-	{"blend_margin", "scatter",
-	 {TS_B_scene_surfel, TS_B_eye_view, TS_B_surfel_setup_disc, TS_B_surfel_depth_surfel, TS_B_blend_heaviest, END},
-	 {TS_B_blend_margin, END}, ts_stage_blend_margin, "NV40: Approximate EWA Filtering",
-	 "how near fragments were to come or go"},
-	{"surfel_mean", "map",
-	 {TS_B_eye_view, TS_B_surfel_setup_epsilon, TS_B_surfel_setup_disc, TS_B_surfel_depth_surfel, TS_B_blend_sum,
-	  TS_B_blend_heaviest, END},
-	 {TS_B_gbuffer_pixel, END}, ts_stage_surfel_mean,
-	 "NV40: 3-Pass Deferred Shading", "those sums by their weights: a G-buffer"},
-	{"surfel_shadow", "scatter", {TS_B_scene_surfel, TS_B_surfel_setup_epsilon, TS_B_offscreen_view, END},
-	 {TS_B_scatter_depth, END}, ts_stage_surfel_shadow, "NV40: Timings & Comparison", "visibility from every light"},
-	{"deferred_lit", "map", {TS_B_gbuffer_pixel, LAMPS, TS_B_offscreen_view, TS_B_scatter_depth, END},
-	 {TS_B_resolve_lit, END}, ts_stage_deferred_lit, "NV40: Timings & Comparison", "which lights reach each pixel"},
-	{"deferred_lit_margin", "map",
-	 {TS_B_eye_view, TS_B_gbuffer_pixel, LAMPS, TS_B_offscreen_view, TS_B_scatter_depth, END},
-	 {TS_B_resolve_margin, END}, ts_stage_deferred_lit_margin, "NV40: Timings & Comparison",
-	 "how near the comparisons with their depth maps were to another answer"},
-	{"deferred", "map", {TS_B_scene_info, TS_B_eye_view, TS_B_gbuffer_pixel, LAMPS, TS_B_resolve_lit, END},
-	 {TS_B_image_radiance, TS_B_image_srgb, END}, ts_stage_deferred, "NV40: Deferred Shading",
-	 "the picture, shaded once a pixel"},
-	{"deferred_margin", "map",
-	 {TS_B_scene_info, TS_B_eye_view, TS_B_gbuffer_pixel, LAMPS, TS_B_resolve_lit, END},
-	 {TS_B_deferred_margin, END}, ts_stage_deferred_margin, "NV40: Deferred Shading",
-	 "how near outlines, tones and the beginnings of light were"},
-	{0},
+#define STAGE(name) &ts_stage_##name,
+const ts_stage *const ts_stage_table[] = {
+#include "stages.def"
+	NULL,
 };
+#undef STAGE
 
-static const struct { const char *of, *margin; } margins[] = {
-	{"eye", "eye_margin"},
-	{"cull", "cull_margin"},
-	{"face", "face_margin"},
-	{"depth", "depth_margin"},
-	{"resolve", "resolve_margin"},
-	{"segment", "segment_margin"},
-	{"hull", "hull_margin"},
-	{"map", "map_margin"},
-	{"map_all", "map_all_margin"},
-	{"vpl_gather", "vpl_gather_margin"},
-	{"surfel_depth", "surfel_depth_margin"},
-	{"blend", "blend_margin"},
-	{"deferred_lit", "deferred_lit_margin"},
-	{"deferred", "deferred_margin"},
-};
+enum { N_STAGES = sizeof ts_stage_table / sizeof *ts_stage_table - 1, LIST = 40 };
 
-const ts_stage *ts_stage_margin(const ts_stage *stage)
-{
-	for (u32 i = 0; i < sizeof margins / sizeof *margins; i++) {
-		if (strcmp(margins[i].of, stage->name) == 0) return ts_stage_find(margins[i].margin);
-	}
-	return NULL;
-}
+static struct { ts_buffer_id inputs[LIST], outputs[LIST]; } lists[N_STAGES];
 
 const ts_stage *ts_stage_find(const char *name)
 {
-	for (const ts_stage *stage = ts_stage_table; stage->name != NULL; stage++) {
-		if (strcmp(stage->name, name) == 0) return stage;
+	for (const ts_stage *const *stage = ts_stage_table; *stage != NULL; stage++) {
+		if (strcmp((*stage)->name, name) == 0) return *stage;
 	}
 	return NULL;
 }
 
-static bool is_in(const ts_buffer_id *list, ts_buffer_id id)
+const ts_stage *ts_stage_margin(const ts_stage *stage)
 {
-	for (; *list != TS_N_BUFFERS; list++) {
-		if (*list == id) return true;
+	for (const ts_stage *const *margin = ts_stage_table; *margin != NULL; margin++) {
+		if ((*margin)->margin_of != NULL && strcmp((*margin)->margin_of, stage->name) == 0) return *margin;
+	}
+	return NULL;
+}
+
+static void mark(bool *set, const ts_buffer_id *ids)
+{
+	for (; ids != NULL && *ids != TS_N_BUFFERS; ids++) set[*ids] = true;
+}
+
+static void mark_launch(bool *reads, bool *writes, const ts_launch *launch)
+{
+	const ts_pointers *p = ts_kernel_pointers(launch->kernel);
+	for (u32 i = 0; i < p->n; i++) {
+		const ts_bound bound = ts_launch_bound(launch, &p->pointer[i]);
+		if (!bound.bound || bound.role > TS_ROLE_SUM) continue;
+		*(bound.role == TS_ROLE_IN ? &reads[bound.to] : &writes[bound.to]) = true;
+	}
+}
+
+static void list(ts_buffer_id ids[LIST], const bool *set, const bool *without)
+{
+	u32 n = 0;
+	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
+		assert(n + 1 < LIST);
+		if (set[id] && !without[id]) ids[n++] = (ts_buffer_id)id;
+	}
+	ids[n] = TS_N_BUFFERS;
+}
+
+static void fill(void)
+{
+	static const bool none[TS_N_BUFFERS];
+	for (u32 i = 0; i < N_STAGES; i++) {
+		const ts_stage *stage = ts_stage_table[i];
+		bool reads[TS_N_BUFFERS] = {false}, writes[TS_N_BUFFERS] = {false};
+		mark(reads, stage->looks_at);
+		mark(writes, stage->makes);
+		for (u32 k = 0; stage->launches != NULL && stage->launches[k] != NULL; k++) {
+			mark_launch(reads, writes, stage->launches[k]);
+		}
+		list(lists[i].inputs, reads, writes);
+		list(lists[i].outputs, writes, none);
+	}
+}
+
+static u32 place_of(const ts_stage *stage)
+{
+	static pthread_once_t once = PTHREAD_ONCE_INIT;
+	u32 i = 0;
+	pthread_once(&once, fill);
+	while (ts_stage_table[i] != stage) i++;
+	return i;
+}
+
+const ts_buffer_id *ts_stage_inputs(const ts_stage *stage) { return lists[place_of(stage)].inputs; }
+const ts_buffer_id *ts_stage_outputs(const ts_stage *stage) { return lists[place_of(stage)].outputs; }
+
+static bool is_in(const ts_buffer_id *ids, ts_buffer_id id)
+{
+	for (; *ids != TS_N_BUFFERS; ids++) {
+		if (*ids == id) return true;
 	}
 	return false;
 }
 
-bool ts_stage_reads(const ts_stage *stage, ts_buffer_id id) { return is_in(stage->reads, id); }
-bool ts_stage_writes(const ts_stage *stage, ts_buffer_id id) { return is_in(stage->writes, id); }
+bool ts_stage_reads(const ts_stage *stage, ts_buffer_id id) { return is_in(ts_stage_inputs(stage), id); }
+bool ts_stage_writes(const ts_stage *stage, ts_buffer_id id) { return is_in(ts_stage_outputs(stage), id); }

@@ -1,7 +1,9 @@
-/* The traversal, which stages go through that keep the rendered pairs, map them at once, list them, or judge them all. */
+/* The traversal, which stages go through that keep the rendered pairs, map them at once, list them, or judge them
+ * all. */
 #ifndef TS_STAGES_TRAVERSE_H
 #define TS_STAGES_TRAVERSE_H
-#include "stages.h"
+#include "../kernels/traverse.h"
+#include "views.h"
 
 /* Pairs of a step's queue that are decided: what is left of n pairs from args.queue on is rendered. */
 typedef struct {
@@ -15,14 +17,21 @@ typedef struct {
 
 typedef ts_status ts_traverse_sink(ts_run *run, ts_traverse_piece *piece, void *user);
 
-/* Gives all pairs to the sink; in which order depends on queue_mb. `how`: as ts_traverse_arguments has it, or with its own
- * last, to_last, cutoff and touching. */
+/* What a traversal launches, in every stage that has one. */
+enum { TS_TRAVERSE_START, TS_TRAVERSE_COUNT, TS_TRAVERSE_SPLIT, TS_TRAVERSE_TALLY };
+extern const ts_launch ts_traverse_launches[];
+#define TS_TRAVERSE_LAUNCHES \
+	&ts_traverse_launches[TS_TRAVERSE_START], &ts_traverse_launches[TS_TRAVERSE_COUNT], \
+		&ts_traverse_launches[TS_TRAVERSE_SPLIT], &ts_traverse_launches[TS_TRAVERSE_TALLY]
+
+/* Gives all pairs to the sink; in which order depends on queue_mb. `how`: as ts_traverse_arguments has it, or with
+ * its own last, to_last, cutoff and touching. */
 ts_status ts_traverse(ts_run *run, const ts_traverse_args *how, ts_traverse_sink *sink, void *user);
 /* For sinks: adds a piece to the run's counters and says how many of its pairs are rendered. */
 ts_status ts_traverse_tally(ts_run *run, ts_traverse_piece *piece, u64 *n_rendered);
 /* Arguments of the kernels that decide pairs, without queues. */
-ts_status ts_traverse_arguments(const ts_run *run, ts_traverse_args *args);
+ts_status ts_traverse_arguments(ts_run *run, ts_traverse_args *args);
 /* The same for the lists of vpl_pairs (vpl_gather.c). */
-ts_status ts_vpl_pairs_arguments(const ts_run *run, ts_traverse_args *args);
+ts_status ts_vpl_pairs_arguments(ts_run *run, ts_traverse_args *args);
 
 #endif

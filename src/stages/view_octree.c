@@ -1,70 +1,73 @@
 /* The octree of the views, and the cones of their directions. */
 #include "octree.h"
+#include "../kernels/view_cone.h"
+#include "../kernels/view_octree.h"
 
-const ts_octree ts_view_octree = {
-	TS_B_view_voxel_mask, TS_B_view_voxel_before, TS_B_view_octree_level, TS_B_view_octree_node, TS_B_view_octree_offset,
-	TS_B_view_octree_view, "view nodes", "view leaves", "view octree bytes",
-};
+const ts_octree ts_view_octree =
+	TS_OCTREE(view_voxel_mask, view_voxel_before, view_octree_level, view_octree_node, view_octree_offset,
+	          view_octree_view, view_nodes, "view");
 
-static ts_view_octree_args arguments(const ts_run *run)
+/* Views in voxels: marked, then counted by leaf, then listed. */
+static const ts_launch marked =
+	TS_LAUNCH(view_voxel, TS_BUT(bits), TS_BUT(before), TS_BUT(leaf), TS_BUT(offset), TS_BUT(entries));
+static const ts_launch counted = TS_LAUNCH(view_leaf, TS_BUT(mask), TS_BUT(entries));
+static const ts_launch listed = TS_LAUNCH(view_list, TS_BUT(mask));
+/* Sums of directions, then the least cosine with them. */
+static const ts_launch of_leaves = TS_LAUNCH(cone_leaf, TS_ALL);
+static const ts_launch of_nodes = TS_LAUNCH(cone_inner, TS_ALL);
+static const ts_launch narrowed = TS_LAUNCH(cone_least, TS_ALL);
+static const ts_launch finished = TS_LAUNCH(cone, TS_ALL);
+
+static ts_status view_voxel(ts_run *run)
 {
-	return (ts_view_octree_args){
-		.root = ts_frame_handle(&run->frame, TS_B_root_cube),
-		.views = ts_frame_handle(&run->frame, TS_B_vpl_light),
-		.levels = run->params.levels,
-	};
-}
-
-ts_status ts_stage_view_voxel(ts_run *run)
-{
-	ts_view_octree_args args = arguments(run);
-	args.mask = ts_octree_mask(run, &ts_view_octree);
-	u64 n = ts_frame_n(&run->frame, TS_B_vpl_light);
-	if (args.mask == NULL || ts_run_launch(run, TS_KERNEL_view_voxel, &args, n) != TS_OK) return TS_ERROR;
+	ts_view_octree_args args = {.levels = run->params.levels};
+	if (TS_RUN(run, &marked, &args, ts_run_size(run, TS_DIM_vpls)) != TS_OK) return TS_ERROR;
 	return ts_octree_ids(run, &ts_view_octree);
 }
 
-ts_status ts_stage_view_octree(ts_run *run)
+static ts_status view_octree(ts_run *run)
 {
-	const ts_octree *octree = &ts_view_octree;
-	u64 n = ts_frame_n(&run->frame, TS_B_vpl_light);
-	if (ts_octree_nodes(run, octree) != TS_OK) return TS_ERROR;
-	ts_view_octree_args args = arguments(run);
-	args.bits = ts_frame_handle(&run->frame, octree->mask);
-	args.before = ts_frame_handle(&run->frame, octree->before);
-	args.leaf = ts_frame_make1(&run->frame, TS_B_view_octree_leaf, n);
-	args.offset = ts_frame_handle(&run->frame, octree->offset);
-	args.first_leaf = ts_octree_first(run, octree, args.levels);
-	if (args.leaf == NULL || ts_run_launch(run, TS_KERNEL_view_leaf, &args, n) != TS_OK) return TS_ERROR;
-	if (ts_octree_lists(run, octree) != TS_OK) return TS_ERROR;
-	args.entries = ts_frame_handle(&run->frame, octree->entries);
-	if (ts_run_launch(run, TS_KERNEL_view_list, &args, n) != TS_OK) return TS_ERROR;
-	return ts_octree_sort(run, octree);
+	u64 total, n = ts_run_size(run, TS_DIM_vpls);
+	ts_view_octree_args args = {.levels = run->params.levels};
+	if (ts_octree_nodes(run, &ts_view_octree) != TS_OK) return TS_ERROR;
+	args.first_leaf = ts_octree_first(run, &ts_view_octree, args.levels);
+	if (ts_launch_make(run, &counted, "offset", 1) != TS_OK) return TS_ERROR;
+	if (TS_RUN(run, &counted, &args, n) != TS_OK) return TS_ERROR;
+	if (ts_launch_sum(run, &counted, "offset", &total) != TS_OK) return TS_ERROR;
+	if (TS_RUN(run, &listed, &args, n) != TS_OK) return TS_ERROR;
+	return ts_octree_sort(run, &ts_view_octree);
 }
 
-ts_status ts_stage_view_cone(ts_run *run)
+static ts_status view_cone(ts_run *run)
 {
-	const ts_octree *octree = &ts_view_octree;
-	u64 n = ts_frame_n(&run->frame, octree->node);
-	ts_cone_args args = {
-		.views = ts_frame_handle(&run->frame, TS_B_vpl_light),
-		.nodes = ts_frame_handle(&run->frame, octree->node),
-		.offset = ts_frame_handle(&run->frame, octree->offset),
-		.entries = ts_frame_handle(&run->frame, octree->entries),
-		.leaf = ts_frame_handle(&run->frame, TS_B_view_octree_leaf),
-		.sums = ts_frame_make2(&run->frame, TS_B_view_cone_sum, n, 3),
-		.least = ts_frame_make1(&run->frame, TS_B_view_cone_least, n),
-		.cones = ts_frame_make1(&run->frame, TS_B_view_cone_node, n),
-	};
-	if (args.sums == NULL || args.least == NULL || args.cones == NULL) return TS_ERROR;
+	ts_cone_args args;
+	if (TS_FILL(run, &of_leaves, &args) != TS_OK) return TS_ERROR;
 	for (u32 level = run->params.levels + 1; level-- > 0;) {
-		ts_kernel kernel = level == run->params.levels ? TS_KERNEL_cone_leaf : TS_KERNEL_cone_inner;
-		args.first = ts_octree_first(run, octree, level);
-		u64 n_nodes = ts_octree_first(run, octree, level + 1) - args.first;
-		if (ts_run_launch(run, kernel, &args, n_nodes) != TS_OK) return TS_ERROR;
+		const ts_launch *launch = level == run->params.levels ? &of_leaves : &of_nodes;
+		args.first = ts_octree_first(run, &ts_view_octree, level);
+		u64 n_nodes = ts_octree_first(run, &ts_view_octree, level + 1) - args.first;
+		if (ts_launch_items(run, launch, &args, n_nodes) != TS_OK) return TS_ERROR;
 	}
-	if (ts_run_fill(run, TS_B_view_cone_least, 0xff) != TS_OK) return TS_ERROR;
-	u64 n_views = ts_frame_n(&run->frame, TS_B_vpl_light);
-	if (ts_run_launch(run, TS_KERNEL_cone_least, &args, n_views) != TS_OK) return TS_ERROR;
-	return ts_run_launch(run, TS_KERNEL_cone, &args, n);
+	if (ts_launch_items(run, &narrowed, &args, ts_run_size(run, TS_DIM_vpls)) != TS_OK) return TS_ERROR;
+	return ts_launch_items(run, &finished, &args, ts_run_size(run, TS_DIM_view_nodes));
 }
+
+const ts_stage ts_stage_view_voxel = {
+	.name = "view_voxel", .kind = "scatter", .paper = "MegaViews 3.1",
+	.doc = "voxels that views are in, and those above them",
+	.run = view_voxel, .launches = TS_LAUNCHES(&marked, &ts_view_octree.raised, &ts_view_octree.counted),
+};
+
+const ts_stage ts_stage_view_octree = {
+	.name = "view_octree", .kind = "emit", .paper = "MegaViews 3.1",
+	.doc = "the octree of the views, and the views of its leaves",
+	.run = view_octree,
+	.launches = TS_LAUNCHES(&ts_view_octree.levels, &ts_view_octree.nodes, &counted, &listed, &ts_view_octree.sorted),
+};
+
+const ts_stage ts_stage_view_cone = {
+	.name = "view_cone", .kind = "map", .paper = "MegaViews 3.1",
+	.doc = "the cone of the directions of the views in every node",
+	.run = view_cone, .launches = TS_LAUNCHES(&of_leaves, &of_nodes, &narrowed, &finished),
+	.looks_at = TS_BUFFERS(TS_B_view_octree_level),
+};

@@ -1,39 +1,29 @@
 /* Virtual point lights from the reflective shadow maps. */
+#include "../kernels/vpl.h"
 #include "octree.h"
 
+/* Texels that send light on; lights of each path; the lights. */
+static const ts_launch lit = TS_LAUNCH(vpl_count, TS_BUT(paths), TS_BUT(lights));
+static const ts_launch counted = TS_LAUNCH(vpl_path, TS_IN(offset, vpl_offset), TS_BUT(lights));
+static const ts_launch written = TS_LAUNCH(vpl, TS_IN(offset, vpl_offset), TS_IN(paths, vpl_path));
+static const ts_launch asked = TS_LAUNCH(vpl, TS_BUT(offset), TS_BUT(paths));
+
 /* Leaf sides are those of both octrees. */
-static ts_cast_args scene_of(const ts_run *run)
+static ts_cast_args cast(const ts_run *run)
 {
-	const ts_octree *octree = &ts_scene_octree;
 	const ts_root *root = ts_frame_data(&run->frame, TS_B_root_cube);
 	return (ts_cast_args){
-		.scene = ts_run_arrays(run),
-		.nodes = ts_frame_handle(&run->frame, octree->node),
-		.offset = ts_frame_handle(&run->frame, octree->offset),
-		.triangles = ts_frame_handle(&run->frame, octree->entries),
-		.first_leaf = ts_octree_first(run, octree, run->params.levels),
+		.scene = ts_run_scene(run),
+		.first_leaf = ts_octree_first(run, &ts_scene_octree, run->params.levels),
 		.leaf = root->side / (f32)(1 << run->params.levels),
 	};
 }
 
-/* Texels that send light on. */
-static ts_status find_lit(ts_run *run, ts_vpl_args *args)
+static ts_vpl_args values(const ts_run *run)
 {
-	u64 n_lit;
-	args->offset = ts_frame_make1(&run->frame, TS_B_vpl_offset, args->n_patches + 1);
-	if (args->offset == NULL || ts_run_launch(run, TS_KERNEL_vpl_count, args, args->n_patches) != TS_OK) return TS_ERROR;
-	if (ts_run_scan(run, TS_B_vpl_offset, &n_lit) != TS_OK) return TS_ERROR;
-	args->n_lit = (u32)n_lit;
-	args->n = args->random && n_lit != 0 ? run->params.vpls : args->n_lit;
-	return TS_OK;
-}
-
-ts_vpl_args ts_vpl_arguments(const ts_run *run)
-{
-	bool empty = ts_frame_n(&run->frame, ts_scene_octree.node) == 0;
+	bool empty = ts_frame_n(&run->frame, TS_B_octree_node) == 0;
 	return (ts_vpl_args){
-		.cast = scene_of(run),
-		.patches = ts_frame_handle(&run->frame, TS_B_rsm_patch),
+		.cast = cast(run),
 		.n_patches = ts_frame_n(&run->frame, TS_B_rsm_patch),
 		.random = run->params.vpls != 0,
 		.seed = run->params.seed,
@@ -41,17 +31,38 @@ ts_vpl_args ts_vpl_arguments(const ts_run *run)
 	};
 }
 
-ts_status ts_stage_vpl(ts_run *run)
+ts_status ts_vpl_ask(const ts_run *run, ts_vpl_args *args)
+{
+	*args = values(run);
+	return TS_ASK(run, &asked, args);
+}
+
+static ts_status find_lit(ts_run *run, ts_vpl_args *args)
+{
+	u64 n_lit;
+	if (TS_RUN(run, &lit, args, args->n_patches) != TS_OK) return TS_ERROR;
+	if (ts_launch_sum(run, &lit, "offset", &n_lit) != TS_OK) return TS_ERROR;
+	args->n_lit = (u32)n_lit;
+	args->n = args->random && n_lit != 0 ? run->params.vpls : args->n_lit;
+	ts_run_set_size(run, TS_DIM_paths, args->n);
+	return TS_OK;
+}
+
+static ts_status vpl(ts_run *run)
 {
 	u64 total;
-	ts_vpl_args args = ts_vpl_arguments(run);
+	ts_vpl_args args = values(run);
 	if (find_lit(run, &args) != TS_OK) return TS_ERROR;
-	args.paths = ts_frame_make1(&run->frame, TS_B_vpl_path, (u64)args.n + 1);
-	if (args.paths == NULL || ts_run_launch(run, TS_KERNEL_vpl_path, &args, args.n) != TS_OK) return TS_ERROR;
-	if (ts_run_scan(run, TS_B_vpl_path, &total) != TS_OK) return TS_ERROR;
-	args.lights = ts_frame_make1(&run->frame, TS_B_vpl_light, total);
-	if (args.lights == NULL) return TS_ERROR;
+	if (TS_RUN(run, &counted, &args, args.n) != TS_OK) return TS_ERROR;
+	if (ts_launch_sum(run, &counted, "paths", &total) != TS_OK) return TS_ERROR;
 	ts_run_count(run, "paths of light", args.n);
 	ts_run_count(run, "virtual point lights", (i64)total);
-	return ts_run_launch(run, TS_KERNEL_vpl, &args, args.n);
+	return TS_RUN(run, &written, &args, args.n);
 }
+
+const ts_stage ts_stage_vpl = {
+	.name = "vpl", .kind = "emit", .paper = "MegaViews 4.1",
+	.doc = "virtual point lights where paths from the lamps end and are reflected, each of them a view",
+	.run = vpl, .launches = TS_LAUNCHES(&lit, &counted, &written),
+	.looks_at = TS_BUFFERS(TS_B_scene_info, TS_B_offscreen_view, TS_B_root_cube, TS_B_octree_level),
+};

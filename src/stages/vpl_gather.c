@@ -1,8 +1,18 @@
 /* Light from virtual point lights: which nodes of views may light which nodes of the scene, and what pixels gather. */
+#include "../kernels/vpl_gather_margin.h"
+#include "../kernels/vpl_pairs.h"
 #include "octree.h"
 #include "traverse.h"
 
 #define TEXEL_DIAGONAL 1.41421354f /* of its width: places in one texel are no farther apart */
+
+/* Views of the level of gathering, by node of the scene: counted, listed, sorted, and summed up. */
+static const ts_launch counted = TS_LAUNCH(vpl_pairs_count, TS_BUT(nodes), TS_BUT(views));
+static const ts_launch listed = TS_LAUNCH(vpl_pairs_list, TS_ALL);
+static const ts_launch sorted = TS_LAUNCH(leaf_sort, TS_IN(offset, vpl_pairs_offset), TS_OUT(entries, vpl_pairs_node));
+static const ts_launch summed = TS_LAUNCH(vpl_pairs_sum, TS_BUT(pairs));
+static const ts_launch gathered = TS_LAUNCH(vpl_gather, TS_ALL);
+static const ts_launch measured = TS_LAUNCH(vpl_gather_margin, TS_BUT(of.irradiance), TS_BUT(of.n_astray));
 
 u32 ts_gather_level_of(const ts_params *params, u32 field, bool alone)
 {
@@ -17,7 +27,7 @@ u32 ts_gather_level(const ts_run *run)
 	return ts_gather_level_of(&run->params, run->plan.views.field, alone);
 }
 
-ts_status ts_vpl_pairs_arguments(const ts_run *run, ts_traverse_args *args)
+ts_status ts_vpl_pairs_arguments(ts_run *run, ts_traverse_args *args)
 {
 	if (ts_traverse_arguments(run, args) != TS_OK) return TS_ERROR;
 	args->last = ts_gather_level(run);
@@ -36,14 +46,14 @@ static ts_status count_piece(ts_run *run, ts_traverse_piece *piece, void *user)
 {
 	ts_vpl_pairs_args *args = user;
 	args->pairs = piece->args.queue;
-	return ts_run_launch(run, TS_KERNEL_vpl_pairs_count, args, piece->n);
+	return ts_launch_items(run, &counted, args, piece->n);
 }
 
 static ts_status list_piece(ts_run *run, ts_traverse_piece *piece, void *user)
 {
 	ts_vpl_pairs_args *args = user;
 	args->pairs = piece->args.queue;
-	return ts_run_launch(run, TS_KERNEL_vpl_pairs_list, args, piece->n);
+	return ts_launch_items(run, &listed, args, piece->n);
 }
 
 static u64 nodes_of(const ts_run *run, const ts_octree *octree, u32 level)
@@ -54,58 +64,36 @@ static u64 nodes_of(const ts_run *run, const ts_octree *octree, u32 level)
 /* Where lists begin stands one later while they are written, as in octrees. */
 static ts_status make_lists(ts_run *run, ts_vpl_pairs_args *args, u64 *n)
 {
-	if (ts_run_fill(run, TS_B_vpl_pairs_offset, 0) != TS_OK) return TS_ERROR;
+	if (ts_launch_make(run, &counted, "offset", 1) != TS_OK || TS_FILL(run, &counted, args) != TS_OK) return TS_ERROR;
 	if (traverse(run, count_piece, args) != TS_OK) return TS_ERROR;
-	if (ts_run_scan(run, TS_B_vpl_pairs_offset, n) != TS_OK) return TS_ERROR;
-	args->nodes = ts_frame_make1(&run->frame, TS_B_vpl_pairs_node, *n);
-	args->views = ts_frame_make1(&run->frame, TS_B_vpl_pairs_views, *n);
-	if (args->nodes == NULL || args->views == NULL) return TS_ERROR;
-	return traverse(run, list_piece, args);
+	if (ts_launch_sum(run, &counted, "offset", n) != TS_OK) return TS_ERROR;
+	if (TS_FILL(run, &listed, args) != TS_OK || traverse(run, list_piece, args) != TS_OK) return TS_ERROR;
+	ts_launch_cut(run, &counted, "offset", 1);
+	return TS_OK;
 }
 
-ts_status ts_stage_vpl_pairs(ts_run *run)
+static ts_status vpl_pairs(ts_run *run)
 {
 	u32 level = ts_gather_level(run);
 	u64 n_lists = nodes_of(run, &ts_scene_octree, level), n_views = nodes_of(run, &ts_view_octree, level), n;
-	ts_vpl_pairs_args args = {
-		.cones = ts_frame_handle(&run->frame, TS_B_view_cone_node),
-		.offset = ts_frame_make1(&run->frame, TS_B_vpl_pairs_offset, n_lists + 2),
-		.first = ts_octree_first(run, &ts_scene_octree, level),
-	};
-	if (args.offset == NULL || make_lists(run, &args, &n) != TS_OK) return TS_ERROR;
-	ts_frame_cut(&run->frame, TS_B_vpl_pairs_offset, n_lists + 1);
-	ts_sort_args sort = {.offset = args.offset, .entries = args.nodes};
-	if (ts_run_launch(run, TS_KERNEL_leaf_sort, &sort, n_lists) != TS_OK) return TS_ERROR;
+	ts_vpl_pairs_args args = {.first = ts_octree_first(run, &ts_scene_octree, level)};
+	ts_sort_args sort;
+	if (make_lists(run, &args, &n) != TS_OK || TS_RUN(run, &sorted, &sort, n_lists) != TS_OK) return TS_ERROR;
 	ts_run_count(run, "gather pairs", (i64)n);
 	ts_run_count(run, "gather pairs culled", (i64)(n_lists * n_views - n));
-	return ts_run_launch(run, TS_KERNEL_vpl_pairs_sum, &args, n_lists);
+	return ts_launch_items(run, &summed, &args, n_lists);
 }
 
-ts_vpl_gather_args ts_vpl_gather_arguments(const ts_run *run)
+static ts_vpl_gather_args values(const ts_run *run)
 {
 	const ts_params *params = &run->params;
 	u32 level = ts_gather_level(run);
 	bool by_plane = params->shadow_test == TS_SHADOW_TEST_PLANE;
 	return (ts_vpl_gather_args){
-		.pixels = ts_frame_handle(&run->frame, TS_B_gbuffer_pixel),
-		.root = ts_frame_handle(&run->frame, TS_B_root_cube),
-		.mask = ts_frame_handle(&run->frame, TS_B_voxel_mask),
-		.before = ts_frame_handle(&run->frame, TS_B_voxel_before),
-		.offset = ts_frame_handle(&run->frame, TS_B_vpl_pairs_offset),
-		.list = ts_frame_handle(&run->frame, TS_B_vpl_pairs_node),
-		.sums = ts_frame_handle(&run->frame, TS_B_vpl_pairs_views),
-		.cones = ts_frame_handle(&run->frame, TS_B_view_cone_node),
-		.views = ts_frame_handle(&run->frame, TS_B_view_octree_view),
-		.leaves = ts_frame_handle(&run->frame, TS_B_view_octree_leaf),
-		.nodes = ts_frame_handle(&run->frame, TS_B_view_octree_node),
-		.lights = ts_frame_handle(&run->frame, TS_B_vpl_light),
-		.depths = ts_frame_handle(&run->frame, TS_B_fuse_depth),
-		.shown = ts_frame_handle(&run->frame, TS_B_fuse_node),
-		.scene = ts_frame_handle(&run->frame, TS_B_octree_node),
 		.levels = params->levels,
 		.level = level,
 		.first = ts_octree_first(run, &ts_scene_octree, level),
-		.n_lights = (u32)ts_frame_n(&run->frame, TS_B_vpl_light),
+		.n_lights = (u32)ts_run_size(run, TS_DIM_vpls),
 		.draws = params->gather_lights,
 		.seed = params->seed,
 		.n = params->view_px,
@@ -119,25 +107,43 @@ ts_vpl_gather_args ts_vpl_gather_arguments(const ts_run *run)
 	};
 }
 
-ts_status ts_stage_vpl_gather(ts_run *run)
+ts_status ts_vpl_gather_ask(const ts_run *run, ts_vpl_gather_args *args)
 {
-	u64 width = run->params.width, height = run->params.height;
-	ts_vpl_gather_args args = ts_vpl_gather_arguments(run);
-	args.irradiance = ts_frame_make3(&run->frame, TS_B_vpl_gather_irradiance, height, width, 3);
-	args.n_astray = ts_frame_tallies(&run->frame);
-	if (args.irradiance == NULL) return TS_ERROR;
-	if (ts_run_launch(run, TS_KERNEL_vpl_gather, &args, width * height) != TS_OK) return TS_ERROR;
+	*args = values(run);
+	return TS_ASK(run, &gathered, args);
+}
+
+static ts_status vpl_gather(ts_run *run)
+{
+	ts_vpl_gather_args args = values(run);
+	if (TS_RUN(run, &gathered, &args, (u64)run->params.width * run->params.height) != TS_OK) return TS_ERROR;
 	ts_run_count(run, "pixels in no node", ts_frame_tally(&run->frame, 0));
 	return TS_OK;
 }
 
-ts_status ts_stage_vpl_gather_margin(ts_run *run)
+static ts_status vpl_gather_margin(ts_run *run)
 {
-	u64 width = run->params.width, height = run->params.height;
-	ts_vpl_gather_margin_args args = {
-		.of = ts_vpl_gather_arguments(run),
-		.margin = ts_frame_make2(&run->frame, TS_B_vpl_gather_margin, height, width),
-	};
-	if (args.margin == NULL) return TS_ERROR;
-	return ts_run_launch(run, TS_KERNEL_vpl_gather_margin, &args, width * height);
+	ts_vpl_gather_margin_args args = {.of = values(run)};
+	return TS_RUN(run, &measured, &args, (u64)run->params.width * run->params.height);
 }
+
+const ts_stage ts_stage_vpl_pairs = {
+	.name = "vpl_pairs", .kind = "emit", .paper = "MegaViews 5.1",
+	.doc = "for every node of the scene of one level the nodes of views that may light it",
+	.run = vpl_pairs, .launches = TS_LAUNCHES(TS_TRAVERSE_LAUNCHES, &counted, &listed, &sorted, &summed),
+	.looks_at = TS_BUFFERS(TS_B_octree_level, TS_B_view_octree_level),
+};
+
+const ts_stage ts_stage_vpl_gather = {
+	.name = "vpl_gather", .kind = "map", .paper = "MegaViews 5.1",
+	.doc = "light of some of them at every pixel, if their maps show nothing in between",
+	.run = vpl_gather, .launches = TS_LAUNCHES(&gathered),
+	.looks_at = TS_BUFFERS(TS_B_octree_level, TS_B_view_octree_level),
+};
+
+const ts_stage ts_stage_vpl_gather_margin = {
+	.name = "vpl_gather_margin", .kind = "map", .margin_of = "vpl_gather", .paper = "MegaViews 5.1",
+	.doc = "how near the light of pixels was to that of another list or to other shadows",
+	.run = vpl_gather_margin, .launches = TS_LAUNCHES(&measured),
+	.looks_at = TS_BUFFERS(TS_B_octree_level, TS_B_view_octree_level),
+};

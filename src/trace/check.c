@@ -76,6 +76,7 @@ static void compute_sizes(ts_load *load)
 	if (cubes || views) n[TS_DIM_texels] = TS_UNKNOWN;
 	if (cubes) n[TS_DIM_mip_texels] = TS_UNKNOWN;
 	ts_sizes_give(&load->sizes, &load->run);
+	load->run.sizes = load->sizes;
 }
 
 static void print_dims(char text[DIMS_TEXT], u32 n, const u64 *dims)

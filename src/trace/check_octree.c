@@ -23,11 +23,11 @@ ts_status ts_check_again(const ts_load *load, const char *maker, const char *fro
 	const ts_stage *stage = ts_stage_find(maker);
 	ts_run again = load->run;
 	again.hook = NULL;
-	for (const ts_buffer_id *id = stage->writes; *id != TS_N_BUFFERS; id++) {
+	for (const ts_buffer_id *id = ts_stage_outputs(stage); *id != TS_N_BUFFERS; id++) {
 		again.frame.buffer[*id] = (ts_buffer){.made = false};
 	}
 	ts_status status = ts_run_stage(&again, stage);
-	for (const ts_buffer_id *id = stage->writes; *id != TS_N_BUFFERS; id++) {
+	for (const ts_buffer_id *id = ts_stage_outputs(stage); *id != TS_N_BUFFERS; id++) {
 		if (status == TS_OK && is_loaded(load, *id)) status = compare(load, &again.frame, *id, maker, from);
 		ts_frame_drop(&again.frame, *id);
 	}

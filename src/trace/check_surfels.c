@@ -1,5 +1,6 @@
 /* Surfels in a view: what kernels loop over, and look up by. */
 #include <inttypes.h>
+#include "../kernels/blend_order.h"
 #include "../stages/stages.h"
 #include "check.h"
 

@@ -56,9 +56,10 @@ static json_t *chain(const ts_trace_about *about, const ts_buffer_id *ids)
 
 static json_t *stage_of(const ts_trace_about *about, const ts_stage *stage, u32 number)
 {
+	const ts_buffer_id *inputs = ts_stage_inputs(stage);
 	return json_pack("{s:i, s:s, s:s, s:s, s:s, s:o, s:o, s:o}", "number", (int)number, "name", stage->name, "kind",
-	                 stage->kind, "paper", stage->paper, "doc", stage->doc, "reads", names_of(about, stage->reads),
-	                 "writes", names_of(about, stage->writes), "inputs_sha256", chain(about, stage->reads));
+	                 stage->kind, "paper", stage->paper, "doc", stage->doc, "reads", names_of(about, inputs), "writes",
+	                 names_of(about, ts_stage_outputs(stage)), "inputs_sha256", chain(about, inputs));
 }
 
 static json_t *stages_of(const ts_trace_about *about)
@@ -66,8 +67,9 @@ static json_t *stages_of(const ts_trace_about *about)
 	json_t *stages = json_array();
 	for (const ts_step *step = ts_pipeline_steps(about->pipeline); step->stage != NULL; step++) {
 		const ts_stage *stage = ts_stage_find(step->stage);
-		if (!ts_pipeline_takes(step, &about->run->params, true) || !about->files[stage->writes[0]].made) continue;
-		json_array_append_new(stages, stage_of(about, stage, ts_emit_number(about->pipeline, stage->writes[0])));
+		ts_buffer_id first = ts_stage_outputs(stage)[0];
+		if (!ts_pipeline_takes(step, &about->run->params, true) || !about->files[first].made) continue;
+		json_array_append_new(stages, stage_of(about, stage, ts_emit_number(about->pipeline, first)));
 	}
 	return stages;
 }

@@ -48,9 +48,9 @@ ts_status ts_emit_scene(const ts_run *run, ts_take_chunk *take, void *user)
 
 ts_status ts_emit_stage(const ts_run *run, const ts_stage *stage, ts_take_chunk *take, void *user)
 {
-	for (u32 i = 0; stage->writes[i] != TS_N_BUFFERS; i++) {
-		bool made = run->frame.buffer[stage->writes[i]].made;
-		if (made && offer(run, stage->writes[i], take, user) != TS_OK) return TS_ERROR;
+	for (const ts_buffer_id *id = ts_stage_outputs(stage); *id != TS_N_BUFFERS; id++) {
+		bool made = run->frame.buffer[*id].made;
+		if (made && offer(run, *id, take, user) != TS_OK) return TS_ERROR;
 	}
 	return TS_OK;
 }

@@ -28,9 +28,9 @@ static bool mixes(const ts_stage *stage, const ts_trace *reference, const ts_tra
 
 static bool has_output(const ts_stage *stage, const ts_trace *candidate, const ts_relaxations *relaxations)
 {
-	for (u32 i = 0; stage->writes[i] != TS_N_BUFFERS; i++) {
-		bool ignored = ts_relax_ignores(relaxations, ts_buffer_table[stage->writes[i]].name);
-		if (candidate->item[stage->writes[i]].path != NULL && !ignored) return true;
+	for (const ts_buffer_id *id = ts_stage_outputs(stage); *id != TS_N_BUFFERS; id++) {
+		bool ignored = ts_relax_ignores(relaxations, ts_buffer_table[*id].name);
+		if (candidate->item[*id].path != NULL && !ignored) return true;
 	}
 	return false;
 }
@@ -40,8 +40,8 @@ static ts_status judge_stage(ts_comparison *c, const ts_stage *stage, const ts_t
 {
 	ts_load *load;
 	ts_status status = ts_replay(&load, stage, reference, candidate, threads);
-	for (u32 i = 0; status == TS_OK && stage->writes[i] != TS_N_BUFFERS; i++) {
-		ts_buffer_id id = stage->writes[i];
+	for (u32 i = 0; status == TS_OK && ts_stage_outputs(stage)[i] != TS_N_BUFFERS; i++) {
+		ts_buffer_id id = ts_stage_outputs(stage)[i];
 		ts_judged judged;
 		bool ignored = ts_relax_ignores(relaxations, ts_buffer_table[id].name);
 		if (candidate->item[id].path == NULL || ignored) continue;
@@ -69,9 +69,9 @@ static void find_first(ts_comparison *c, const ts_pipeline *pipeline)
 {
 	for (const ts_step *step = ts_pipeline_steps(pipeline); step->stage != NULL && c->first == TS_N_BUFFERS; step++) {
 		const ts_stage *stage = ts_stage_find(step->stage);
-		for (u32 i = 0; stage->writes[i] != TS_N_BUFFERS; i++) {
-			bool unlike = c->verdict[stage->writes[i]].judgement == TS_UNLIKE;
-			if (unlike && c->first == TS_N_BUFFERS) c->first = stage->writes[i];
+		for (const ts_buffer_id *id = ts_stage_outputs(stage); *id != TS_N_BUFFERS; id++) {
+			bool unlike = c->verdict[*id].judgement == TS_UNLIKE;
+			if (unlike && c->first == TS_N_BUFFERS) c->first = *id;
 		}
 	}
 }

@@ -53,8 +53,8 @@ ts_status ts_outputs_write(const ts_load *load, const ts_stage *stage, ts_trace_
 {
 	json_t *list = json_array();
 	ts_status status = list != NULL ? TS_OK : ts_fail("trace.json: out of memory");
-	for (u32 i = 0; stage->writes[i] != TS_N_BUFFERS && status == TS_OK; i++) {
-		status = add_buffer(list, load, stage->writes[i], place, user);
+	for (u32 i = 0; ts_stage_outputs(stage)[i] != TS_N_BUFFERS && status == TS_OK; i++) {
+		status = add_buffer(list, load, ts_stage_outputs(stage)[i], place, user);
 	}
 	const char *path = status == TS_OK ? place(user, "trace.json") : NULL;
 	if (path == NULL) {

@@ -1,4 +1,5 @@
 /* A pixel of a deferred shader: its lights one by one with their shadows, and whether the surface ends there. */
+#include "../stages/surfels.h"
 #include "../stages/stages.h"
 #include "probe_parts.h"
 
@@ -71,7 +72,8 @@ static void put_shading(ts_probe *p, json_t *object, const ts_deferred_args *arg
 
 ts_status ts_probe_deferred(ts_probe *p, u32 x, u32 y, json_t *object, ts_v3 *total)
 {
-	ts_deferred_args args = ts_deferred_arguments(&p->load->run);
+	ts_deferred_args args;
+	if (ts_deferred_ask(&p->load->run, &args) != TS_OK) return TS_ERROR;
 	u64 pixel = (u64)y * p->view.width + x;
 	const ts_gpixel *at = &args.pixels[pixel];
 	ts_receiver receiver = ts_k_deferred_receiver(at);

@@ -1,6 +1,7 @@
 /* Which faces may see a triangle, and how densely it is sampled for whom. The kernels are asked again about one
  * reflector at a time. */
 #include <stdlib.h>
+#include "../stages/points.h"
 #include "../kernels/density.h"
 #include "../stages/stages.h"
 #include "probe_parts.h"

@@ -1,5 +1,6 @@
 /* What the cross-bilateral filter makes of a pixel's light: its neighbours along its row, then along its column. */
 #include <stdlib.h>
+#include "../kernels/bilateral.h"
 #include "../stages/stages.h"
 #include "probe_parts.h"
 

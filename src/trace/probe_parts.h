@@ -3,6 +3,8 @@
 #define TS_TRACE_PROBE_PARTS_H
 #include "../kernels/draw.h"
 #include "../kernels/hull.h"
+#include "../kernels/pcss.h"
+#include "../kernels/vpl_gather.h"
 #include "field.h"
 #include "load.h"
 #include "probe.h"
@@ -164,18 +166,19 @@ ts_status ts_probe_put_samples(ts_probe *probe, json_t *object, const ts_probe_s
  * bits of shade.radiance if all is well. */
 ts_status ts_probe_mirror(ts_probe *probe, u64 entry, json_t *object, ts_v3 *total);
 ts_status ts_probe_mip(ts_probe *probe, u64 entry, json_t *object, ts_v3 *total);
-/* Off-screen views and lamps, read and checked with the scene; what light reaches pixel (x, y), where the eye sees `at`:
- * sets probe->lit (probe_shadow.c). */
+/* Off-screen views and lamps, read and checked with the scene; what light reaches pixel (x, y), where the eye sees
+ * `at`: sets probe->lit (probe_shadow.c). */
 ts_status ts_probe_lamps(ts_probe *probe);
 ts_status ts_probe_shadow(ts_probe *probe, u32 x, u32 y, const ts_receiver *at, json_t *object);
 /* Indirect light at pixel (x, y), whose key is not empty: the radiance, and what led to it (probe_indirect.c). */
 ts_status ts_probe_indirect(ts_probe *probe, u32 x, u32 y, u64 key, json_t *object, ts_v3 *total);
-/* Its irradiance by hulls (probe_hull.c), of one channel from its lobe (probe_lobe.c), and by direct (probe_direct.c). */
+/* Its irradiance by hulls (probe_hull.c), of one channel from its lobe (probe_lobe.c), and by direct
+ * (probe_direct.c). */
 ts_status ts_probe_hull(ts_probe *probe, u32 x, u32 y, const ts_gpixel *pixel, json_t *object, f32 irradiance[3]);
 json_t *ts_probe_lobe(ts_probe *probe, const ts_hull_args *args, const ts_sg *g, ts_v3 n, u32 channel);
 ts_status ts_probe_direct(ts_probe *probe, const ts_gpixel *pixel, json_t *object, f32 irradiance[3]);
-/* Its irradiance from virtual point lights: what culling leaves, what is drawn (probe_views.c), what the filter makes of
- * that (probe_filter.c). */
+/* Its irradiance from virtual point lights: what culling leaves, what is drawn (probe_views.c), what the filter
+ * makes of that (probe_filter.c). */
 ts_status ts_probe_views(ts_probe *p, u32 x, u32 y, json_t *object, f32 irradiance[3]);
 ts_status ts_probe_filter(ts_probe *p, u32 x, u32 y, json_t *object, f32 irradiance[3]);
 /* What those parts share. */
@@ -193,11 +196,13 @@ ts_status ts_probe_surfels(ts_probe *probe, u32 x, u32 y, json_t *object);
 ts_status ts_probe_deferred(ts_probe *probe, u32 x, u32 y, json_t *object, ts_v3 *total);
 /* Loads p->load of it. */
 ts_status ts_probe_load_views(ts_probe *probe);
-/* The paths that virtual point lights stand on; offset and paths are released by free(), also on failure (probe_vpl.c). */
+/* The paths that virtual point lights stand on; offset and paths are released by free(), also on failure
+ * (probe_vpl.c). */
 ts_status ts_probe_read_paths(ts_probe *probe, ts_probe_gather *gather);
 /* Puts a virtual point light or particle: where it comes from, what it sends to the pixel, and what its map answers. */
 ts_status ts_probe_vpl(ts_probe *probe, json_t *object, const ts_probe_gather *gather, u32 view);
-/* The nodes of views from the root to one of them, each the parent of the next, with their maps alone (probe_pair.c). */
+/* The nodes of views from the root to one of them, each the parent of the next, with their maps alone
+ * (probe_pair.c). */
 enum { TS_PROBE_LEVELS = 12 };
 typedef struct {
 	u32 n, id[TS_PROBE_LEVELS];

@@ -1,4 +1,5 @@
 /* A piece of a triangle: how dense, kept or dropped. */
+#include "../stages/points.h"
 #include "../kernels/cull.h"
 #include "../stages/stages.h"
 #include "probe_parts.h"

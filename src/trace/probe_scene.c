@@ -2,6 +2,7 @@
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include "../stages/views.h"
 #include "../stages/stages.h"
 #include "probe_parts.h"
 

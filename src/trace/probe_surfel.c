@@ -1,6 +1,9 @@
-/* A pixel of surfels: which is nearest, which fragments are blended and which hidden, and what is made of their sums. */
+/* A pixel of surfels: which is nearest, which fragments are blended and which hidden, and what is made of their
+ * sums. */
 #include <inttypes.h>
 #include <stdlib.h>
+#include "../kernels/blend_order.h"
+#include "../stages/surfels.h"
 #include "../kernels/surfel_mean.h"
 #include "../stages/stages.h"
 #include "probe_parts.h"

@@ -1,5 +1,5 @@
-/* A pixel that virtual point lights or particles light: which nodes of views culling leaves its node of the scene, which of
- * their lights it draws, and what each gives. */
+/* A pixel that virtual point lights or particles light: which nodes of views culling leaves its node of the scene,
+ * which of their lights it draws, and what each gives. */
 #include <stdlib.h>
 #include "../stages/octree.h"
 #include "../stages/traverse.h"
@@ -199,7 +199,7 @@ ts_status ts_probe_views(ts_probe *p, u32 x, u32 y, json_t *object, f32 irradian
 	u32 pixel = y * p->view.width + x;
 	ts_probe_gather gather = {.offset = NULL};
 	if (ts_probe_load_views(p) != TS_OK) return TS_ERROR;
-	gather.args = ts_vpl_gather_arguments(&p->load->run);
+	if (ts_vpl_gather_ask(&p->load->run, &gather.args) != TS_OK) return TS_ERROR;
 	gather.pixel = gather.args.pixels[pixel];
 	ts_status status = ts_probe_read_paths(p, &gather);
 	if (status == TS_OK) status = put_lights(p, object, &gather, pixel);

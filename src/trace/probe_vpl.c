@@ -1,6 +1,7 @@
 /* A virtual point light or particle that a pixel draws: where it comes from, and what it gives. */
 #include <inttypes.h>
 #include <stdlib.h>
+#include "../stages/views.h"
 #include "../stages/stages.h"
 #include "probe_parts.h"
 
@@ -30,7 +31,7 @@ ts_status ts_probe_read_paths(ts_probe *p, ts_probe_gather *g)
 	if (g->paths == NULL) return TS_ERROR;
 	if (n == 0) return ts_fail("%s: one more than there are paths would be right", p->trace->item[TS_B_vpl_path].path);
 	g->n_paths = n - 1;
-	g->vpl = ts_vpl_arguments(&p->load->run);
+	if (ts_vpl_ask(&p->load->run, &g->vpl) != TS_OK) return TS_ERROR;
 	g->vpl.offset = g->offset;
 	g->vpl.paths = g->paths;
 	g->vpl.n = (u32)g->n_paths;
@@ -72,7 +73,7 @@ static ts_status put_path(ts_probe *p, json_t *o, const ts_probe_gather *g, u32 
 
 static ts_status make_particle(ts_probe *p, u32 particle, ts_vpl *made)
 {
-	ts_particle_args args = ts_particle_arguments(&p->load->run);
+	ts_particle_args args = ts_particle_values(&p->load->run);
 	args.lights = ts_alloc_zero(particle + (size_t)1, sizeof *args.lights, "particles");
 	if (args.lights == NULL) return TS_ERROR;
 	ts_k_particle_item(&args, particle);

@@ -31,7 +31,7 @@ const ts_stage *ts_replay_find(const char *name, const ts_pipeline *pipeline, co
 bool ts_replay_takes(const ts_step *step, const ts_trace *reference)
 {
 	const ts_stage *stage = ts_stage_find(step->stage);
-	bool margins = !step->only_margins || reference->item[stage->writes[0]].path != NULL;
+	bool margins = !step->only_margins || reference->item[ts_stage_outputs(stage)[0]].path != NULL;
 	return margins && ts_pipeline_takes(step, &reference->params, true);
 }
 

@@ -11,16 +11,18 @@ typedef struct {
 	_Alignas(8) u32 found[TS_VECTOR_ITEMS * TS_VECTOR_WORDS];
 } rows;
 
+static const ts_launch vectors = TS_LAUNCH(vectors, TS_ALL);
+
 static ts_status compute(ts_backend *backend, rows *r, const ts_vector *v, u32 primitive)
 {
 	ts_frame frame;
 	memset(&frame, 0, sizeof frame);
 	ts_vectors_args args = {r->in, r->found, primitive, ts_vector_in_words(v), ts_vector_out_words(v)};
 	memset(r->found, 0, sizeof r->found);
-	ts_frame_lend(&frame, TS_LENT_TALLIES, r->in, (u64)TS_VECTOR_ITEMS * args.in_words * sizeof(u32));
-	ts_frame_lend(&frame, TS_LENT_OTHER, r->found, (u64)TS_VECTOR_ITEMS * args.out_words * sizeof(u32));
-	ts_status status = backend->launch(backend, &frame, TS_KERNEL_vectors, &args, TS_VECTOR_ITEMS);
-	ts_status recalled = ts_frame_recall(&frame, TS_LENT_OTHER);
+	ts_frame_lend(&frame, TS_WORK_tallies, r->in, (u64)TS_VECTOR_ITEMS * args.in_words * sizeof(u32));
+	ts_frame_lend(&frame, TS_WORK_other, r->found, (u64)TS_VECTOR_ITEMS * args.out_words * sizeof(u32));
+	ts_status status = backend->launch(backend, &frame, &vectors, &args, TS_VECTOR_ITEMS);
+	ts_status recalled = ts_frame_recall(&frame, TS_WORK_other);
 	ts_frame_clear(&frame);
 	return status == TS_OK ? recalled : status;
 }

@@ -1,5 +1,6 @@
 /* Maps of many views against rays (METHODS 17): what whole maps show along the middles of their texels, and what they
  * answer about places that pixels see. Of views beyond some, every so many-th. */
+#include "../stages/views.h"
 #include "../stages/traverse.h"
 #include "query.h"
 
@@ -66,9 +67,10 @@ static void add(ts_map_counts *sum, const ts_map_counts *counts)
 	sum->dark += counts->dark;
 }
 
-void ts_truth_maps(ts_map_counts *counts, const ts_truth *truth, const ts_run *run)
+ts_status ts_truth_maps(ts_map_counts *counts, const ts_truth *truth, const ts_run *run)
 {
-	judge j = {.truth = truth, .of = ts_vpl_gather_arguments(run)};
+	judge j = {.truth = truth};
+	if (ts_vpl_gather_ask(run, &j.of) != TS_OK) return TS_ERROR;
 	u32 step = (j.of.n_lights + MOST_VIEWS - 1) / MOST_VIEWS;
 	j.n_pixels = (u64)run->params.width * run->params.height;
 	j.leaf = ts_k_leaf_side(&j.of);
@@ -82,4 +84,5 @@ void ts_truth_maps(ts_map_counts *counts, const ts_truth *truth, const ts_run *r
 		add(&sum, &one);
 	}
 	add(counts, &sum);
+	return TS_OK;
 }

@@ -7,6 +7,8 @@
  * triangles none in the last 2^-12 of the greatest coordinate. */
 #include <math.h>
 #include <stdlib.h>
+#include "../stages/surfels.h"
+#include "../kernels/surfel_mean.h"
 #include "../pipelines/pipeline.h"
 #include "../scene/checkerboard.h"
 #include "../stages/stages.h"

@@ -32,46 +32,47 @@ enum { TS_TRUTH_C_FACTOR = 4 }; /* of --truth=C */
 /* What it is estimated to need of memory at that factor. */
 u64 ts_truth_c_bytes(const ts_pipeline *method, const ts_scene *scene, const ts_params *params);
 
-/* Truth of shadows (shadow.c). Runs what comes before the first depth map of `effect`, soft-shadows or omni-shadows, in a
- * run that has just begun: pose, eye, lights and the views of their samples, the same for all methods. */
+/* Truth of shadows (shadow.c). Runs what comes before the first depth map of `effect`, soft-shadows or omni-shadows,
+ * in a run that has just begun: pose, eye, lights and the views of their samples, the same for all methods. */
 ts_status ts_truth_shadow_begin(ts_run *run, const char *effect);
-/* Rays to the very samples that the methods have depth maps of, which leaves the error of the maps. Reads pose.vertex,
- * eye.view, eye.depth_triangle, offscreen.view, lamp.shape and, if the views are of cubes, resize.face; makes resolve.lit
- * in run->frame, from which stage `shadow_image` makes the picture. Fails without memory. */
+/* Rays to the very samples that the methods have depth maps of, which leaves the error of the maps. Reads
+ * pose.vertex, eye.view, eye.depth_triangle, offscreen.view, lamp.shape and, if the views are of cubes, resize.face;
+ * makes resolve.lit in run->frame, from which stage `shadow_image` makes the picture. Fails without memory. */
 ts_status ts_truth_samples(ts_truth *truth, ts_run *run);
-/* Rays to params.area_samples samples of each light, which with the other leaves what sampling the lights costs. They lie
- * as the methods' do, on the same disc, ball or cone, and see as much: a depth map's image, all around in omni-shadows.
- * Afterwards lamp.shape, the views and the run's plan are those of these samples. Fails without memory and beyond
- * 2^20 samples of all lights. */
+/* Rays to params.area_samples samples of each light, which with the other leaves what sampling the lights costs.
+ * They lie as the methods' do, on the same disc, ball or cone, and see as much: a depth map's image, all around in
+ * omni-shadows. Afterwards lamp.shape, the views and the run's plan are those of these samples. Fails without memory
+ * and beyond 2^20 samples of all lights. */
 ts_status ts_truth_area(ts_truth *truth, ts_run *run);
 /* What `area` is estimated to need of memory: views of all its samples, without their depth maps. */
 u64 ts_truth_shadow_bytes(const ts_pipeline *method, const ts_scene *scene, const ts_params *params);
 
-/* Truth of indirect light (indirect.c). Runs what comes before `direct`, in a run that has just begun: pose, lights, what
- * they see, eye and G-buffer, the same for both methods. */
+/* Truth of indirect light (indirect.c). Runs what comes before `direct`, in a run that has just begun: pose, lights,
+ * what they see, eye and G-buffer, the same for both methods. */
 ts_status ts_truth_indirect_begin(ts_run *run, const char *effect);
-/* As `direct`, but only of the triangles of light whose middle the pixel sees, which tells what visibility would change.
- * Reads gbuffer.pixel and rsm_patch.light; makes indirect.irradiance in run->frame, from which stage `indirect_image` makes
- * the picture. Fails without memory. */
+/* As `direct`, but only of the triangles of light whose middle the pixel sees, which tells what visibility would
+ * change. Reads gbuffer.pixel and rsm_patch.light; makes indirect.irradiance in run->frame, from which stage
+ * `indirect_image` makes the picture. Fails without memory. */
 ts_status ts_truth_lights(ts_truth *truth, ts_run *run);
-/* Light after one diffuse bounce by params.bounce_rays rays a pixel, without triangles of light, which with the other leaves
- * what the reflective shadow map costs. Reads gbuffer.pixel and lamp.light; makes the same. */
+/* Light after one diffuse bounce by params.bounce_rays rays a pixel, without triangles of light, which with the
+ * other leaves what the reflective shadow map costs. Reads gbuffer.pixel and lamp.light; makes the same. */
 ts_status ts_truth_bounce(ts_truth *truth, ts_run *run);
 
-/* All virtual point lights of params.vpls, each with its distance bounded as in vpl_gather, if nothing stands between pixel
- * and light but within a leaf's diagonal of the light, which the methods skip, too. Runs what makes them. Reads
- * gbuffer.pixel and rsm_patch.light; makes the same. */
+/* All virtual point lights of params.vpls, each with its distance bounded as in vpl_gather, if nothing stands
+ * between pixel and light but within a leaf's diagonal of the light, which the methods skip, too. Runs what makes
+ * them. Reads gbuffer.pixel and rsm_patch.light; makes the same. */
 ts_status ts_truth_vpls(ts_truth *truth, ts_run *run);
 
-/* Truth of glowing particles: the same of all params.particles. Runs what comes before the particles of `effect`, in a run
- * that has just begun. */
+/* Truth of glowing particles: the same of all params.particles. Runs what comes before the particles of `effect`, in
+ * a run that has just begun. */
 ts_status ts_truth_particles_begin(ts_run *run, const char *effect);
 /* Reads gbuffer.pixel; makes the same. */
 ts_status ts_truth_glow(ts_truth *truth, ts_run *run);
 
-/* Truths of surfels (surfels.c), in a run of their own: the mean of params.grid_rays^2 pictures, each by rays through one
- * place of a regular grid in every pixel. `discs` casts them into the surfels, `surface` into what these are samples of,
- * which must be known. *radiance: width * height * 3 floats, by free(). NULL on failure: no memory, or Embree's error. */
+/* Truths of surfels (surfels.c), in a run of their own: the mean of params.grid_rays^2 pictures, each by rays
+ * through one place of a regular grid in every pixel. `discs` casts them into the surfels, `surface` into what these
+ * are samples of, which must be known. *radiance: width * height * 3 floats, by free(). NULL on failure: no memory,
+ * or Embree's error. */
 ts_status ts_truth_discs(f32 **radiance, const ts_scene *scene, const ts_params *params, u32 threads);
 ts_status ts_truth_surface(f32 **radiance, const ts_scene *scene, const ts_params *params, u32 threads);
 /* What they are estimated to need of memory beside the mean of their pictures: a picture, and the tree of `discs`. */
@@ -92,9 +93,9 @@ typedef struct {
 
 /* True of the buffers that can be judged: scatter.depth, scatter.colour and face.depth_triangle. */
 bool ts_truth_judges(ts_buffer_id id);
-/* Adds what buffer `id` of the run's batch is like to *counts. Reads also offscreen.view or, of cubes, resize.face. With
- * cull=off, and rate, snap, visibility and conservative as they are by default, there are no holes and no leaks, unless
- * density.capped is counted. Never fails but with the device that the buffer is on. */
+/* Adds what buffer `id` of the run's batch is like to *counts. Reads also offscreen.view or, of cubes, resize.face.
+ * With cull=off, and rate, snap, visibility and conservative as they are by default, there are no holes and no
+ * leaks, unless density.capped is counted. Never fails but with the device that the buffer is on. */
 ts_status ts_truth_texels(ts_texel_counts *counts, ts_truth *truth, const ts_run *run, ts_buffer_id id);
 
 /* Truth of the maps of virtual point lights and particles (maps.c), of up to 1024 lights, every so many-th. */
@@ -108,8 +109,8 @@ typedef struct {
 	u64 dark;    /* of these, those that the map stops, and nothing does */
 } ts_map_counts;
 
-/* Adds what the maps are like after stage vpl_gather, whose buffers are there, and how they answer with the parameters of
- * shadows, whether these are on or off. */
-void ts_truth_maps(ts_map_counts *counts, const ts_truth *truth, const ts_run *run);
+/* Adds what the maps are like after stage vpl_gather, whose buffers are there, and how they answer with the
+ * parameters of shadows, whether these are on or off. Fails if a buffer is not there. */
+ts_status ts_truth_maps(ts_map_counts *counts, const ts_truth *truth, const ts_run *run);
 
 #endif

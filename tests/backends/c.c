@@ -1,6 +1,6 @@
 /* The C backend: every item once whatever the threads, prefix sums, filled buffers. */
 #include "../kernels/mesh.h"
-#include "../../src/backends/backend.h"
+#include "../../src/backends/c/fast.h"
 
 /* Prefix sums against their definition; the total may need more than 32 bits. */
 static void test_scan(void **state)

@@ -1,7 +1,7 @@
 /* The fast densities equal the plain kernel bit for bit: of triangles in all places about many views, biased to the
  * extremes. */
 #include "../kernels/views.h"
-#include "../../src/backends/backend.h"
+#include "../../src/backends/c/fast.h"
 
 enum { N = 1500, VIEWS = 128 };
 

@@ -1,8 +1,8 @@
-/* The fast hulls equal the plain kernel bit for bit: boxes, irradiance and counter, of random boxes and lobes biased to the
- * extremes. */
+/* The fast hulls equal the plain kernel bit for bit: boxes, irradiance and counter, of random boxes and lobes biased
+ * to the extremes. */
 #include <string.h>
 #include "../kernels/seeded.h"
-#include "../../src/backends/backend.h"
+#include "../../src/backends/c/fast.h"
 
 enum { N = 400, GRID = 64, TEXELS = GRID * GRID, MOST_BOXES = 64, MOST_PIXELS = 2048 };
 

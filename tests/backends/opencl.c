@@ -4,6 +4,7 @@
 #include "../../src/pipelines/pipeline.h"
 #include "../../src/scene/sources.h"
 #include "../../src/trace/sums.h"
+#include "../../src/backends/kernels.h"
 #include "../../src/trace/vectors.h"
 
 enum { MOST = 6000, GROUPS = 5 };
@@ -62,21 +63,25 @@ static void free_pieces(pieces *p)
 	free(p);
 }
 
-/* Culls n pieces from `first` on, and writes from keep[to] on. */
-static void cull(ts_backend *backend, pieces *p, u32 first, u32 *keep, u64 n)
+/* Into the frame's buffer, or into memory that is lent. */
+static const ts_launch into_buffer = TS_LAUNCH(cull, TS_ALL);
+static const ts_launch into_lent = TS_LAUNCH(cull, TS_WORK(keep, other));
+
+/* Culls n pieces from `first` on, and writes from `keep` on. */
+static void cull(ts_backend *backend, const ts_launch *launch, pieces *p, u32 first, u32 *keep, u64 n)
 {
 	ts_cull_args args = {.pieces = (ts_piece *)ts_frame_handle(&p->frame, TS_B_split_triangle) + first,
 	                     .scale = (f32 *)ts_frame_handle(&p->frame, TS_B_density_scale) + first,
 	                     .keep = keep, .unit = 1, .enabled = 1};
 	/* The chance is of the piece's own number, so an offset shows. */
-	assert_int_equal(backend->launch(backend, &p->frame, TS_KERNEL_cull, &args, n), TS_OK);
+	assert_int_equal(backend->launch(backend, &p->frame, launch, &args, n), TS_OK);
 }
 
 /* n items of each kind and no other, wherever in their buffers they start. */
 static void launch(ts_backend *backend, pieces *p, u32 first, u32 to, u32 n)
 {
 	fill(backend, &p->frame, TS_B_cull_keep, 0xee);
-	cull(backend, p, first, (u32 *)ts_frame_handle(&p->frame, TS_B_cull_keep) + to, n);
+	cull(backend, &into_buffer, p, first, (u32 *)ts_frame_handle(&p->frame, TS_B_cull_keep) + to, n);
 	const u32 *keep = ts_frame_data(&p->frame, TS_B_cull_keep);
 	for (u32 i = 0; i < to; i++) assert_int_equal(keep[i], 0xeeeeeeee);
 	assert_memory_equal(keep + to, p->expected + first, n * sizeof *keep);
@@ -110,16 +115,16 @@ static void lend(ts_backend *backend)
 	pieces *p = make_pieces();
 	for (u32 run = 0; run < 4; run++) {
 		memset(own, 0x11 + (int)run, sizeof own);
-		ts_frame_lend(&p->frame, TS_LENT_OTHER, own, sizeof own);
-		cull(backend, p, run, own + 1, MOST - run);
-		assert_int_equal(ts_frame_recall(&p->frame, TS_LENT_OTHER), TS_OK);
+		ts_frame_lend(&p->frame, TS_WORK_other, own, sizeof own);
+		cull(backend, &into_lent, p, run, own + 1, MOST - run);
+		assert_int_equal(ts_frame_recall(&p->frame, TS_WORK_other), TS_OK);
 		assert_memory_equal(own + 1, p->expected + run, (MOST - run) * sizeof *own);
 		assert_int_equal(own[0], 0x11111111 + run * 0x01010101);
 		assert_int_equal(own[MOST + 1], 0x11111111 + run * 0x01010101);
 	}
-	assert_int_equal(ts_frame_recall(&p->frame, TS_LENT_OTHER), TS_OK);
-	ts_frame_lend(&p->frame, TS_LENT_OTHER, own, sizeof own);
-	cull(backend, p, 0, own, MOST);
+	assert_int_equal(ts_frame_recall(&p->frame, TS_WORK_other), TS_OK);
+	ts_frame_lend(&p->frame, TS_WORK_other, own, sizeof own);
+	cull(backend, &into_lent, p, 0, own, MOST);
 	free_pieces(p); /* while the device may be at work on it */
 	assert_int_equal(backend->finish(backend), TS_OK);
 }
@@ -140,7 +145,7 @@ static void in_turn(ts_backend *backend)
 		for (u32 pass = 0; pass < 3; pass++) {
 			fill(backend, &p->frame, TS_B_cull_keep, (u8)(run + pass));
 			if (pass != 1) assert_int_equal(*(u8 *)ts_frame_data(&p->frame, TS_B_cull_keep), run + pass);
-			cull(backend, p, 0, ts_frame_handle(&p->frame, TS_B_cull_keep), n);
+			cull(backend, &into_buffer, p, 0, ts_frame_handle(&p->frame, TS_B_cull_keep), n);
 			const u32 *keep = ts_frame_data(&p->frame, TS_B_cull_keep);
 			assert_memory_equal(keep, p->expected, n * sizeof *keep);
 			assert_true(n == MOST || keep[n] == (run + pass) * 0x01010101);
@@ -220,8 +225,8 @@ static void test_scan(void **state)
 	}
 }
 
-/* What is run: with mirrors and without, where buffers of points and pixels are empty; depth maps of every projection and
- * cubes, made from stored points and on the spot, in batches that do not come out even. */
+/* What is run: with mirrors and without, where buffers of points and pixels are empty; depth maps of every
+ * projection and cubes, made from stored points and on the spot, in batches that do not come out even. */
 static const struct { const char *effect, *method; u32 reflectors; const char *set[3][2]; } runs[] = {
 	{"reflections", "epr", 2, {{"seed", "0"}}},
 	{"reflections", "mvr", 2, {{"seed", "0"}}},

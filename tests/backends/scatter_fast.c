@@ -1,6 +1,7 @@
-/* The fast path of the scatter kernels gives the kernels' bits and tallies: random pieces into random views, perspective and
- * orthographic, of stored points and of points made on the spot, at coordinates where views begin and end. */
-#include "../../src/backends/backend.h"
+/* The fast path of the scatter kernels gives the kernels' bits and tallies: random pieces into random views,
+ * perspective and orthographic, of stored points and of points made on the spot, at coordinates where views begin
+ * and end. */
+#include "../../src/backends/c/fast.h"
 #include "../kernels/mesh.h"
 
 enum { N = 24, MOST_VIEWS = 80 };
@@ -16,7 +17,8 @@ static void random_axes(ts_offscreen *view)
 	ts_store3(view->up, ts_v3_make((f32)up.x, (f32)up.y, (f32)up.z));
 }
 
-/* Views of different sizes; some see along the world's axes, where points lie on borders of texels. Returns the texels. */
+/* Views of different sizes; some see along the world's axes, where points lie on borders of texels. Returns the
+ * texels. */
 static u64 random_views(u32 n)
 {
 	u64 offset = 0;

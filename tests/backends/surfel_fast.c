@@ -1,7 +1,7 @@
-/* The fast paths of surfels give the kernels' bits and tallies, pass after pass: surfels of all sizes and shapes, before,
- * beside and around the eye, in images of several tiles and of parts of one, by all filters, of normals and colours that
- * sums saturate at. */
-#include "../../src/backends/backend.h"
+/* The fast paths of surfels give the kernels' bits and tallies, pass after pass: surfels of all sizes and shapes,
+ * before, beside and around the eye, in images of several tiles and of parts of one, by all filters, of normals and
+ * colours that sums saturate at. */
+#include "../../src/backends/c/fast.h"
 #include "../kernels/seeded.h"
 #include <stdlib.h>
 
@@ -44,7 +44,8 @@ static ts_v3 far_aside(const ts_view *view)
 	return ts_add(ts_load3(view->eye), ts_scale(ts_sub(ts_scale(ts_load3(view->right), x), ts_load3(view->back)), z));
 }
 
-/* Most face the eye and are a few pixels wide; some are as large as the image, thin, seen from the side, or far aside. */
+/* Most face the eye and are a few pixels wide; some are as large as the image, thin, seen from the side, or far
+ * aside. */
 static void random_surfel(ts_surfel *s, const ts_view *view)
 {
 	ts_v3 p = ts_add(ts_load3(view->eye), ts_scale(ts_load3(view->back), uniform(-4, 0.2f)));

@@ -10,20 +10,28 @@ prints '^splat ' list stages
 prints '^points.record .*ts_point' list buffers
 prints '^rho_scale .*0.5' list params
 prints '^eye  *far ' list params
-prints '^particles ' list effects
 prints '^epr .*reflections' list methods
-prints '^area .*soft-shadows' list truths
-prints '^epr-2 ' list benches
 prints '^atrium ' list scenes
 prints '^c  *0  *[a-z]' list backends
 prints 'see: list backends' help render
 prints 'triangles' info atrium:triangles=10000 --reflectors 1
 
-for what in 'list stages' 'list buffers' 'list sizes' 'list params' 'list effects' 'list methods' 'list truths' \
-	'list scenes' 'list backends' 'list benches' help 'help render' 'help bench' 'info atrium:triangles=10000'; do
+for what in 'list stages' 'list buffers' 'list sizes' 'list params' 'list methods' 'list truths' 'list scenes' \
+	'list backends' 'list benches' help 'help render' 'help bench' 'info atrium:triangles=10000'; do
 	run $what
 	[ "$status" -eq 0 ] && awk 'length > 120 || / $/ { exit 1 }' "$scratch/stdout"
 	verdict $? "fits 120 columns: $what"
+done
+
+# What `help` says of effects and scenes is all of them.
+names() {
+	"$touchstone" list "$1" --json | python3 -c 'import json, sys
+print(*{row[sys.argv[2]] for row in json.load(sys.stdin)[sys.argv[1]]})' "$1" "$2"
+}
+run help render
+for name in $(names methods effect) $(names scenes name); do
+	sed -n '/^EFFECT:/,/^$/p' "$scratch/stdout" | grep -qw -- "$name"
+	verdict $? "help render says what $name is"
 done
 
 # The commands take every option, and no other.
@@ -54,7 +62,7 @@ run list ''
 lists=$(sed 's/.*there are //; s/,//g; s/ and / /' "$scratch/stderr")
 for what in $lists; do
 	run help list
-	sed -n 2p "$scratch/stdout" | grep -qw "$what"
+	grep -q "^  tables: .*\b$what\b" "$scratch/stdout"
 	verdict $? "help names the list $what"
 	run list $what --json
 	python3 -c 'import json, sys; rows = json.load(open(sys.argv[1]))[sys.argv[2]]; assert all(r["name"] for r in rows) and rows' \

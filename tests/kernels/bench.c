@@ -1,7 +1,8 @@
-/* The kernel of the atomic limit: the least key of each texel whatever the threads, as spread as it says, and every launch
- * as if into empty texels. */
+/* The kernel of the atomic limit: the least key of each texel whatever the threads, as spread as it says, and every
+ * launch as if into empty texels. */
 #include "seeded.h"
 #include <stdlib.h>
+#include "../../src/backends/kernels.h"
 #include "../../src/backends/backend.h"
 
 enum { MOST = 1 << 17 };
@@ -48,7 +49,8 @@ static void test_least(void **state)
 	}
 }
 
-/* As many offers as texels: 1 - 1/e of these met, and of the offers Ein(1) = 0.7966 lower their texel, in every launch. */
+/* As many offers as texels: 1 - 1/e of these met, and of the offers Ein(1) = 0.7966 lower their texel, in every
+ * launch. */
 static void test_spread(void **state)
 {
 	(void)state;

@@ -1,5 +1,6 @@
 /* The bound of the sums of surfels (CONTRACT rule 30): no term is above 2^31 - 1, whatever the surfel, and 2^32 - 1 of
  * these still have room; more surfels are refused. */
+#include "../../src/kernels/blend.h"
 #include "../stages/small.h"
 #include <inttypes.h>
 #include "../../src/stages/stages.h"
@@ -74,6 +75,7 @@ static void test_refused(void **state)
 	ts_scene *scene = small_scene(&params);
 	ts_run_begin(&run, scene, &params, 1);
 	ts_frame_borrow(&run.frame, TS_B_scene_surfel, &one, (u64)1 << 32);
+	ts_run_set_size(&run, TS_DIM_surfels, (u64)1 << 32);
 	assert_int_equal(ts_run_stage(&run, ts_stage_find("blend")), TS_ERROR);
 	assert_non_null(strstr(ts_error_message(), "4294967296 surfels are more than"));
 	ts_run_end(&run);

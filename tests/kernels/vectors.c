@@ -1,6 +1,7 @@
 /* The kernel of the arithmetic vectors: each primitive of the list is the one of that place and name in the tables, and
  * gives the rows that ts_vector_make gives, whatever the threads. */
 #include "../core/test.h"
+#include "../../src/backends/kernels.h"
 #include "../../src/backends/backend.h"
 #include "../../src/trace/vectors.h"
 

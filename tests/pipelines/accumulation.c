@@ -1,5 +1,8 @@
-/* Sums of surfels in the formats of frame buffers: the lists of fragments against all surfels tried at every pixel, the sums
- * over them against models of their own, how far apart the formats are, and what the lists are expected to take. */
+/* Sums of surfels in the formats of frame buffers: the lists of fragments against all surfels tried at every pixel,
+ * the sums over them against models of their own, how far apart the formats are, and what the lists are expected to
+ * take. */
+#include "../../src/kernels/blend_order.h"
+#include "../../src/stages/surfels.h"
 #include "surfels.h"
 #include <touchstone/image.h>
 #include "../../src/stages/stages.h"

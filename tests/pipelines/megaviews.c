@@ -1,7 +1,8 @@
-/* Indirect light by many small views, as whole runs: the same bits on any number of threads and by queues of any length;
- * lists that leave no light out; light that tends to what every pixel gathers from triangles of light; the filter; skies,
- * lamps and octrees that are hardly there; maps by brute force against a second reckoning, and against ManyLoDs; every stage
- * from what it claims to read. */
+/* Indirect light by many small views, as whole runs: the same bits on any number of threads and by queues of any
+ * length; lists that leave no light out; light that tends to what every pixel gathers from triangles of light; the
+ * filter; skies, lamps and octrees that are hardly there; maps by brute force against a second reckoning, and
+ * against ManyLoDs; every stage from what it claims to read. */
+#include "../../src/kernels/bilateral.h"
 #include "../stages/small.h"
 #include <math.h>
 #include "../../src/kernels/vpl_gather.h"
@@ -94,7 +95,8 @@ static bool lists(const ts_run *run, u64 list, u32 views)
 	return false;
 }
 
-/* What a list leaves out cannot light any place in its node, here the eight corners of the node's box; sums are of views. */
+/* What a list leaves out cannot light any place in its node, here the eight corners of the node's box; sums are of
+ * views. */
 static void test_lists(void **state)
 {
 	(void)state;
@@ -170,8 +172,8 @@ static double apart(const f32 *a, const f32 *b, u64 n)
 
 static const f32 *light_of(const ts_run *run) { return ts_frame_data(&run->frame, TS_B_indirect_irradiance); }
 
-/* Without shadows, filter and chance the lights are the triangles of light, as points: leaves' sides off their surfaces, and
- * as good only from afar. */
+/* Without shadows, filter and chance the lights are the triangles of light, as points: leaves' sides off their
+ * surfaces, and as good only from afar. */
 static void test_units(void **state)
 {
 	(void)state;
@@ -356,8 +358,9 @@ static void test_memory_of_paths(void **state)
 	ts_scene_free(scene);
 }
 
-/* Where a leaf of the scene is in the map of a view, in double precision: place of the texel, how far the direction is from
- * its edges in texels, and the distance; false: behind the view, or too near to be rendered, or nearly so: `unsure`. */
+/* Where a leaf of the scene is in the map of a view, in double precision: place of the texel, how far the direction
+ * is from its edges in texels, and the distance; false: behind the view, or too near to be rendered, or nearly so:
+ * `unsure`. */
 typedef struct { u32 texel; double edge, distance; bool unsure; } spot;
 
 static bool place_of(spot *r, const ts_node *leaf, const ts_vpl *light, u32 n)
@@ -409,8 +412,8 @@ static int by_value(const void *a, const void *b)
 	return x < y ? -1 : x > y;
 }
 
-/* Maps without the hierarchy: every leaf is in them; and they are those of ManyLoDs in texels that show a leaf in both, this
- * one rendered by both. */
+/* Maps without the hierarchy: every leaf is in them; and they are those of ManyLoDs in texels that show a leaf in
+ * both, this one rendered by both. */
 static void test_brute(void **state)
 {
 	(void)state;

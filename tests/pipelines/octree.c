@@ -1,6 +1,8 @@
-/* The two octrees of MegaViews, from the scene to the cones of the views, by a pipeline of this test: the same bits on any
- * number of threads and on OpenCL; leaves that hold just their triangles; surfaces; lights; every stage from what it claims
- * to read. */
+/* The two octrees of MegaViews, from the scene to the cones of the views, by a pipeline of this test: the same bits
+ * on any number of threads and on OpenCL; leaves that hold just their triangles; surfaces; lights; every stage from
+ * what it claims to read. */
+#include "../../src/stages/views.h"
+#include "../../src/kernels/cast.h"
 #include "../stages/small.h"
 #include <math.h>
 #include "../../src/kernels/voxel.h"

@@ -1,5 +1,5 @@
-/* Flat steps: no run is left, every margin stands behind its stage and is like it in all but its name, and numbers of files
- * are those of the steps without margins. */
+/* Flat steps: no run is left, every margin stands behind its stage and is like it in all but its name, and numbers
+ * of files are those of the steps without margins. */
 #include "../stages/small.h"
 #include "../../src/trace/emit.h"
 
@@ -29,7 +29,7 @@ static void check(const ts_pipeline *p)
 		if (margin == NULL) continue;
 		assert_string_equal(step[1].stage, margin->name);
 		assert_true(step[1].only_margins && !step->only_margins && same_but_margin(step[0], step[1]));
-		assert_int_equal(ts_emit_number(p, margin->writes[0]), ts_emit_number(p, stage->writes[0]));
+		assert_int_equal(ts_emit_number(p, ts_stage_outputs(margin)[0]), ts_emit_number(p, ts_stage_outputs(stage)[0]));
 	}
 	assert_int_equal(n, count(p->steps));
 	assert_ptr_equal(ts_pipeline_steps(p), ts_pipeline_steps(p));
@@ -41,15 +41,17 @@ static void test_flat(void **state)
 	for (const ts_pipeline *p = ts_pipeline_table; p->name != NULL; p++) check(p);
 }
 
-/* The margin of each stage is one, of no other stage, and has none itself; no stage that is called a margin is left out. */
+/* The margin of each stage is one, of no other stage, and has none itself; no stage that is called a margin is left
+ * out. */
 static void test_margins(void **state)
 {
 	(void)state;
-	for (const ts_stage *s = ts_stage_table; s->name != NULL; s++) {
+	for (const ts_stage *const *at = ts_stage_table; *at != NULL; at++) {
+		const ts_stage *s = *at;
 		size_t n = strlen(s->name);
 		bool called = n > 7 && strcmp(s->name + n - 7, "_margin") == 0;
 		u32 owners = 0;
-		for (const ts_stage *of = ts_stage_table; of->name != NULL; of++) owners += ts_stage_margin(of) == s;
+		for (const ts_stage *const *of = ts_stage_table; *of != NULL; of++) owners += ts_stage_margin(*of) == s;
 		assert_int_equal(owners, called);
 		if (called) assert_null(ts_stage_margin(s));
 	}

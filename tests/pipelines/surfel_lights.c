@@ -1,6 +1,8 @@
-/* Shadows of surfels by a point light, whose maps are the faces of a cube: rays from the light in double precision, found by
- * Embree, on every wall of a room with blockers all around the light, on edges and corners of the cube too; without blockers
- * no line where the faces meet; and each of several lights has its own views. */
+/* Shadows of surfels by a point light, whose maps are the faces of a cube: rays from the light in double precision,
+ * found by Embree, on every wall of a room with blockers all around the light, on edges and corners of the cube too;
+ * without blockers no line where the faces meet; and each of several lights has its own views. */
+#include "../../src/kernels/shade.h"
+#include "../../src/kernels/gbuffer.h"
 #include "surfels.h"
 #include "../../src/kernels/cube.h"
 #include "../../src/truth/discs.h"
@@ -87,7 +89,8 @@ static ts_light bulb(void)
 	return light;
 }
 
-/* Something stands in the first three quarters of the way from the light, beside the point by so much of its distance. */
+/* Something stands in the first three quarters of the way from the light, beside the point by so much of its
+ * distance. */
 static bool is_blocked(const ts_discs *discs, ts_v3 p, f32 right, f32 up)
 {
 	ts_v3 way = ts_sub(p, light_at), d = ts_normalize(way);

@@ -1,6 +1,7 @@
-/* Deferred surface splatting: the same bits on any number of threads and in any order of the surfels; every stage from what
- * it claims to read; sums against sums in double precision over rays cast in double; visibility, occlusion and shadows; and
- * that a pixel is shaded once, whatever overlaps there. */
+/* Deferred surface splatting: the same bits on any number of threads and in any order of the surfels; every stage
+ * from what it claims to read; sums against sums in double precision over rays cast in double; visibility, occlusion
+ * and shadows; and that a pixel is shaded once, whatever overlaps there. */
+#include "../../src/kernels/gbuffer.h"
 #include "surfels.h"
 #include "../../src/trace/sums.h"
 

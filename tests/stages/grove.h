@@ -1,4 +1,5 @@
-/* Octrees for tests: a room with balls and pillars, or noise, in the unit cube, and views in it; built by sorting codes. */
+/* Octrees for tests: a room with balls and pillars, or noise, in the unit cube, and views in it; built by sorting
+ * codes. */
 #ifndef TS_TESTS_STAGES_GROVE_H
 #define TS_TESTS_STAGES_GROVE_H
 #include "small.h"
@@ -238,6 +239,16 @@ static inline void grove_free(grove *g)
 	free(g->leaf);
 }
 
+/* Sizes are what buffers tell that were not made by stages. */
+static inline void grove_sizes(ts_run *run)
+{
+	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
+		ts_dim of = ts_buffer_tells((ts_buffer_id)id);
+		bool counts = run->frame.buffer[id].made && of != TS_DIM_none && ts_dim_table[of].how == TS_IS_counted;
+		if (counts) ts_run_set_size(run, of, run->frame.buffer[id].shape[0]);
+	}
+}
+
 /* A run in whose frame the octrees are; its stages run one by one. */
 static inline void grove_begin(ts_run *run, const ts_scene *scene, const ts_params *params, u32 threads, const grove *g)
 {
@@ -247,6 +258,7 @@ static inline void grove_begin(ts_run *run, const ts_scene *scene, const ts_para
 	ts_frame_borrow(&run->frame, TS_B_view_octree_node, g->views.nodes, n);
 	ts_frame_borrow(&run->frame, TS_B_view_octree_level, g->views.before, g->views.levels + 2);
 	ts_frame_borrow(&run->frame, TS_B_view_cone_node, g->cones, n);
+	grove_sizes(run);
 }
 
 static inline void grove_stage(ts_run *run, const char *name)
@@ -269,6 +281,7 @@ static inline void grove_begin_alone(ts_run *run, const ts_scene *scene, const t
 	ts_frame_borrow(&run->frame, TS_B_octree_node, g->scene.nodes, g->scene.before[g->scene.levels + 1]);
 	ts_frame_borrow(&run->frame, TS_B_octree_level, g->scene.before, g->scene.levels + 2);
 	ts_frame_borrow(&run->frame, TS_B_vpl_light, lights, n);
+	grove_sizes(run);
 	grove_stage(run, "view_alone");
 }
 

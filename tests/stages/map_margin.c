@@ -1,6 +1,7 @@
-/* The margins of maps of views against ports that round otherwise: a traversal in double precision, in which every number
- * that is compared is off by up to 2 ulps, each its own way. Texels that show another node, or none, are undecided; few are;
- * and a port whose thresholds are off by more than rounding differs in texels that are decided. */
+/* The margins of maps of views against ports that round otherwise: a traversal in double precision, in which every
+ * number that is compared is off by up to 2 ulps, each its own way. Texels that show another node, or none, are
+ * undecided; few are; and a port whose thresholds are off by more than rounding differs in texels that are decided. */
+#include "../../src/stages/views.h"
 #include "grove.h"
 #include "../../src/kernels/map_margin.h"
 #include "../../src/stages/stages.h"

@@ -173,14 +173,14 @@ static void test_mvr_counters(void **state)
 static ts_status check_floats(const ts_run *run, const ts_stage *stage, void *user)
 {
 	(void)user;
-	for (u32 i = 0; stage->writes[i] != TS_N_BUFFERS; i++) {
-		const ts_buffer *b = &run->frame.buffer[stage->writes[i]];
-		if (strcmp(ts_buffer_table[stage->writes[i]].element, "f32") != 0) continue;
+	for (const ts_buffer_id *id = ts_stage_outputs(stage); *id != TS_N_BUFFERS; id++) {
+		const ts_buffer *b = &run->frame.buffer[*id];
+		if (strcmp(ts_buffer_table[*id].element, "f32") != 0) continue;
 		const f32 *x = b->data;
 		for (u64 k = 0; k < b->n; k++) {
 			u32 bits = ts_f2u(x[k]), magnitude = bits & 0x7fffffff;
 			bool bad = magnitude >= 0x7f800000 || (magnitude < 0x00800000 && bits != 0);
-			if (bad) fail_msg("%s[%llu] is %a", ts_buffer_table[stage->writes[i]].name, (unsigned long long)k, (double)x[k]);
+			if (bad) fail_msg("%s[%llu] is %a", ts_buffer_table[*id].name, (unsigned long long)k, (double)x[k]);
 		}
 	}
 	return TS_OK;
@@ -221,10 +221,10 @@ static ts_status check_shapes(const ts_run *run, const ts_stage *stage, void *us
 		if (ts_dim_table[dim].how == TS_IS_batched) sizes.n[dim] = ts_run_size(run, (ts_dim)dim);
 	}
 	ts_sizes_give(&sizes, run);
-	for (u32 i = 0; stage->writes[i] != TS_N_BUFFERS; i++) {
-		const ts_buffer *buffer = &run->frame.buffer[stage->writes[i]];
-		const ts_buffer_info *info = &ts_buffer_table[stage->writes[i]];
-		const ts_shape *shape = ts_buffer_shape(stage->writes[i]);
+	for (const ts_buffer_id *id = ts_stage_outputs(stage); *id != TS_N_BUFFERS; id++) {
+		const ts_buffer *buffer = &run->frame.buffer[*id];
+		const ts_buffer_info *info = &ts_buffer_table[*id];
+		const ts_shape *shape = ts_buffer_shape(*id);
 		u64 dims[TS_MAX_DIMS];
 		if (!ts_shape_dims(shape, &sizes, dims)) fail_msg("%s: shape %s", info->name, info->shape);
 		assert_int_equal(shape->n, buffer->n_dims);

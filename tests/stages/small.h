@@ -56,8 +56,8 @@ static inline void small_blind(ts_run *copy, const ts_run *run, const ts_stage *
 	copy->hook = NULL;
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
 		ts_buffer *b = &copy->frame.buffer[id];
-		if (!b->made || small_in(stage->reads, (ts_buffer_id)id)) continue;
-		if (small_in(stage->writes, (ts_buffer_id)id)) {
+		if (!b->made || small_in(ts_stage_inputs(stage), (ts_buffer_id)id)) continue;
+		if (small_in(ts_stage_outputs(stage), (ts_buffer_id)id)) {
 			*b = (ts_buffer){ .made = false };
 			continue;
 		}
@@ -75,9 +75,9 @@ static inline void small_release_blind(ts_run *copy, const ts_run *run)
 
 static inline void small_assert_same_outputs(const ts_run *copy, const ts_run *run, const ts_stage *stage)
 {
-	for (u32 i = 0; stage->writes[i] != TS_N_BUFFERS; i++) {
-		const ts_buffer *a = &run->frame.buffer[stage->writes[i]], *b = &copy->frame.buffer[stage->writes[i]];
-		const ts_buffer_info *info = &ts_buffer_table[stage->writes[i]];
+	for (const ts_buffer_id *id = ts_stage_outputs(stage); *id != TS_N_BUFFERS; id++) {
+		const ts_buffer *a = &run->frame.buffer[*id], *b = &copy->frame.buffer[*id];
+		const ts_buffer_info *info = &ts_buffer_table[*id];
 		if (a->n != b->n || memcmp(a->data, b->data, a->n * info->element_bytes) != 0) {
 			fail_msg("%s: %s depends on a buffer that the stage does not claim to read", stage->name, info->name);
 		}

@@ -1,6 +1,7 @@
-/* The margins of surfels against ports that round otherwise: rays in double precision, in which every number is off by some
- * ulps, each its own way. Pixels that show another nearest surfel or blend others are undecided; few are; and a port whose
- * thresholds are off by more than rounding differs in pixels that are decided. */
+/* The margins of surfels against ports that round otherwise: rays in double precision, in which every number is off
+ * by some ulps, each its own way. Pixels that show another nearest surfel or blend others are undecided; few are;
+ * and a port whose thresholds are off by more than rounding differs in pixels that are decided. */
+#include "../../src/stages/surfels.h"
 #include "../pipelines/surfels.h"
 #include "../../src/kernels/surfel_margin.h"
 #include "../../src/stages/stages.h"
@@ -199,8 +200,8 @@ static void check(sums *r, const ts_scene *scene, const ts_params *params, const
 	ts_run_end(&run);
 }
 
-/* Surfels before an eye in the origin that looks along -z: of each three one has a pixel's middle on its rim, one has it
- * sigma from its centre, and one is seen from the side. */
+/* Surfels before an eye in the origin that looks along -z: of each three one has a pixel's middle on its rim, one
+ * has it sigma from its centre, and one is seen from the side. */
 static ts_scene *ties(const ts_params *params, u32 n)
 {
 	ts_build *build = ts_build_new("ties");

@@ -1,5 +1,5 @@
-/* The table of the stages: complete, in an order that makes every buffer before it is read, and true: a stage depends on
- * what it claims to read and on nothing else. */
+/* The table of the stages: complete, in an order that makes every buffer before it is read, and true: a stage
+ * depends on what it claims to read and on nothing else. */
 #include "small.h"
 
 /* Buffers of the scene: there before any stage. */
@@ -16,20 +16,19 @@ static void test_rows(void **state)
 {
 	(void)state;
 	u32 n = 0;
-	for (const ts_stage *s = ts_stage_table; s->name != NULL; s++, n++) {
+	for (const ts_stage *const *at = ts_stage_table; *at != NULL; at++, n++) {
+		const ts_stage *s = *at;
 		assert_ptr_equal(ts_stage_find(s->name), s);
 		assert_true(strcmp(s->kind, "map") == 0 || strcmp(s->kind, "emit") == 0 || strcmp(s->kind, "scatter") == 0);
 		assert_true(s->run != NULL && s->paper[0] != 0 && s->doc[0] != 0);
-		assert_true(s->writes[0] != TS_N_BUFFERS && s->reads[0] != TS_N_BUFFERS);
-		for (u32 i = 0; s->reads[i] != TS_N_BUFFERS; i++) {
-			assert_true(i + 1 < sizeof s->reads / sizeof *s->reads);
-			assert_false(small_in(s->reads + i + 1, s->reads[i]));
-			assert_false(small_in(s->writes, s->reads[i]));
+		assert_true(ts_stage_outputs(s)[0] != TS_N_BUFFERS && ts_stage_inputs(s)[0] != TS_N_BUFFERS);
+		for (u32 i = 0; ts_stage_inputs(s)[i] != TS_N_BUFFERS; i++) {
+			assert_false(small_in(ts_stage_inputs(s) + i + 1, ts_stage_inputs(s)[i]));
+			assert_false(small_in(ts_stage_outputs(s), ts_stage_inputs(s)[i]));
 		}
-		for (u32 i = 0; s->writes[i] != TS_N_BUFFERS; i++) {
-			assert_true(i + 1 < sizeof s->writes / sizeof *s->writes);
-			assert_false(small_in(s->writes + i + 1, s->writes[i]));
-			assert_false(is_scene(s->writes[i]));
+		for (u32 i = 0; ts_stage_outputs(s)[i] != TS_N_BUFFERS; i++) {
+			assert_false(small_in(ts_stage_outputs(s) + i + 1, ts_stage_outputs(s)[i]));
+			assert_false(is_scene(ts_stage_outputs(s)[i]));
 		}
 	}
 	assert_true(n > 0 && n <= TS_MAX_TIMINGS);
@@ -52,8 +51,9 @@ static void test_writers(void **state)
 	(void)state;
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
 		u32 n = 0, n_named = 0;
-		for (const ts_stage *s = ts_stage_table; s->name != NULL; s++) {
-			if (!small_in(s->writes, (ts_buffer_id)id)) continue;
+		for (const ts_stage *const *at = ts_stage_table; *at != NULL; at++) {
+			const ts_stage *s = *at;
+			if (!small_in(ts_stage_outputs(s), (ts_buffer_id)id)) continue;
 			n++;
 			n_named += is_named_for(ts_buffer_table[id].name, s);
 		}
@@ -80,7 +80,9 @@ static void test_readers(void **state)
 	                                     TS_B_view_cone_least, TS_N_BUFFERS };
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
 		u32 n = 0;
-		for (const ts_stage *s = ts_stage_table; s->name != NULL; s++) n += small_in(s->reads, (ts_buffer_id)id);
+		for (const ts_stage *const *s = ts_stage_table; *s != NULL; s++) {
+			n += small_in(ts_stage_inputs(*s), (ts_buffer_id)id);
+		}
 		if (n == 0 && !small_in(last, (ts_buffer_id)id)) fail_msg("nobody reads %s", ts_buffer_table[id].name);
 	}
 }
@@ -92,11 +94,11 @@ static ts_status watch(const ts_run *run, const ts_stage *stage, void *user)
 {
 	progress *p = user;
 	p->n_stages++;
-	for (u32 i = 0; stage->reads[i] != TS_N_BUFFERS; i++) {
-		ts_buffer_id id = stage->reads[i];
+	for (const ts_buffer_id *at = ts_stage_inputs(stage); *at != TS_N_BUFFERS; at++) {
+		ts_buffer_id id = *at;
 		if (!is_scene(id) && !p->made[id]) fail_msg("%s reads %s too early", stage->name, ts_buffer_table[id].name);
 	}
-	for (u32 i = 0; stage->writes[i] != TS_N_BUFFERS; i++) p->made[stage->writes[i]] = true;
+	for (const ts_buffer_id *id = ts_stage_outputs(stage); *id != TS_N_BUFFERS; id++) p->made[*id] = true;
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
 		bool of_scene = is_scene((ts_buffer_id)id) && (id != TS_B_scene_surfel || run->scene->n_surfels > 0);
 		bool made = run->frame.buffer[id].made, claimed = p->made[id] || of_scene;

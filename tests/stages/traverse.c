@@ -1,6 +1,7 @@
-/* The traversal of two octrees: the pairs that a recursion renders, whatever the queues' memory; maps of those pairs, and
- * whole maps. */
+/* The traversal of two octrees: the pairs that a recursion renders, whatever the queues' memory; maps of those
+ * pairs, and whole maps. */
 #include "grove.h"
+#include "../../src/backends/kernels.h"
 
 static ts_params params_of(u32 n)
 {
@@ -227,8 +228,8 @@ static void test_moved(void **state)
 	}
 }
 
-/* Splatted into a pyramid, wide leaves leave no holes about them: fine texels stay what they are, if they are of leaves no
- * wider than a texel; the others are filled from the level of their width. */
+/* Splatted into a pyramid, wide leaves leave no holes about them: fine texels stay what they are, if they are of
+ * leaves no wider than a texel; the others are filled from the level of their width. */
 static void test_multipixel(void **state)
 {
 	(void)state;

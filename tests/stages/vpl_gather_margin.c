@@ -1,16 +1,17 @@
-/* The margins of gathered light against ports that round otherwise: the gather in double precision, in which every number
- * is off by up to 2 ulps, each its own way. What it compares is off by no more than the step that margins are counted in.
- * Pixels that draw from another list, or with a light that one sees and the other does not, are undecided, and few are;
- * and a port that is off by more differs in pixels that are decided. */
+/* The margins of gathered light against ports that round otherwise: the gather in double precision, in which every
+ * number is off by up to 2 ulps, each its own way. What it compares is off by no more than the step that margins are
+ * counted in. Pixels that draw from another list, or with a light that one sees and the other does not, are
+ * undecided, and few are; and a port that is off by more differs in pixels that are decided. */
 #include <math.h>
+#include "../../src/stages/views.h"
 #include "small.h"
 #include "../../src/kernels/vpl_gather_margin.h"
 #include "../../src/stages/stages.h"
 
 enum { N_PORTS = 4, N_TIES = 3000, WIDTH = 64, HEIGHT = 48 };
 
-/* How a port is off: by its slack, depths of maps, places in maps, in texels, sides of nodes, in nodes, and how far above a
- * tangent plane is clear of it. */
+/* How a port is off: by its slack, depths of maps, places in maps, in texels, sides of nodes, in nodes, and how far
+ * above a tangent plane is clear of it. */
 typedef struct { double slack, depth, place, side, clear; } faults;
 
 typedef struct {
@@ -136,8 +137,9 @@ static bool gives(const ts_vpl_gather_args *args, u32 view, ts_v3 at, ts_v3 n, b
 	return *asked && ts_k_vpl_reaches(args, view, ts_k_paraboloid_texel(way, args->n), at, n);
 }
 
-/* loose: pixels that differ at a sixteenth of the margin or more. Ratios: by how much ours is off, in the step of its
- * margin, and in what is left of that without one of its terms; and by how much the height above a plane is, in its step. */
+/* loose: pixels that differ at a sixteenth of the margin or more. Ratios: by how much ours is off, in the step of
+ * its margin, and in what is left of that without one of its terms; and by how much the height above a plane is, in
+ * its step. */
 typedef struct {
 	u64 pixels, undecided, differ, wrong, loose;
 	double ratio, no_slack, no_distance, height;
@@ -315,7 +317,8 @@ static const faults none = {1, 1, 0, 0, 1};
 static sums check(u32 i, const faults *how)
 {
 	sums r = {.pixels = 0};
-	port p = {.of = ts_vpl_gather_arguments(&runs[i]), .faults = *how};
+	port p = {.faults = *how};
+	assert_int_equal(ts_vpl_gather_ask(&runs[i], &p.of), TS_OK);
 	const f32 *margin = ts_frame_data(&runs[i].frame, TS_B_vpl_gather_margin);
 	for (p.number = 0; p.number < N_PORTS; p.number++) {
 		for (u32 pixel = 0; pixel < WIDTH * HEIGHT; pixel++) try_pixel(&r, &p, pixel, margin[pixel]);
@@ -329,7 +332,8 @@ static sums check_ties(u32 i, u32 kind)
 	sums r = {.pixels = 0};
 	static ts_gpixel pixels[N_TIES];
 	static f32 margins[N_TIES];
-	port p = {.of = ts_vpl_gather_arguments(&runs[i]), .faults = none, .number = N_PORTS};
+	port p = {.faults = none, .number = N_PORTS};
+	assert_int_equal(ts_vpl_gather_ask(&runs[i], &p.of), TS_OK);
 	for (u32 k = 0; k < N_TIES; k++) pixels[k] = tie(&p, kind);
 	p.of.pixels = pixels;
 	ts_vpl_gather_margin_args args = {.of = p.of, .margin = margins};

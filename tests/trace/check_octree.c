@@ -1,4 +1,5 @@
 /* Checks of MegaViews, of its octrees and pairs: faults in what its stages read, planted in buffers of a run. */
+#include "../../src/kernels/mask.h"
 #include "loaded.h"
 #include "../../src/pipelines/pipelines.h"
 

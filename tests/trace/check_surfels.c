@@ -1,4 +1,5 @@
 /* Checks of surfels: faults in what their stages read, planted in buffers of a run. */
+#include "../../src/kernels/shade.h"
 #include "loaded.h"
 
 static int begin(void **state)

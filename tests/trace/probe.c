@@ -1,4 +1,6 @@
 /* The probe against the buffers of the run that wrote the trace. */
+#include "../../src/kernels/disc.h"
+#include "../../src/kernels/hull.h"
 #include "probed.h"
 
 enum { N_TRIED = 50 };
@@ -260,7 +262,8 @@ static u32 n_reaching(const json_t *samples)
 	return n;
 }
 
-/* The samples add up to the buffers: those that reach the pixel, and of their margins the least. Returns how many do. */
+/* The samples add up to the buffers: those that reach the pixel, and of their margins the least. Returns how many
+ * do. */
 static u32 try_shadow(const traced *t, u32 pixel)
 {
 	json_t *answer;
@@ -401,7 +404,8 @@ static const json_t *listed(const json_t *lights, u64 light)
 	return NULL;
 }
 
-/* What the light sends is its flux by the geometry, or nothing where its map says so. Returns whether it is in shadow. */
+/* What the light sends is its flux by the geometry, or nothing where its map says so. Returns whether it is in
+ * shadow. */
 static bool try_light(const traced *t, const json_t *entry)
 {
 	u64 view = figure(entry, "light");
@@ -603,7 +607,8 @@ static void test_points(void **state)
 
 static double dot3(const double *a, const double *b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-/* Where the ray of a pixel meets the plane of a surfel, r3D and how deep, and how far the pixel is from its centre, r2D. */
+/* Where the ray of a pixel meets the plane of a surfel, r3D and how deep, and how far the pixel is from its centre,
+ * r2D. */
 typedef struct { double r3, r2, z; } met;
 
 static met meet(const traced *t, u32 surfel, u32 x, u32 y)
@@ -662,8 +667,8 @@ static void try_nearest(const traced *t, const json_t *visibility, u32 x, u32 y)
 	}
 }
 
-/* Every fragment where rays say; listed ones and the others make up the sum of weights; what hides is nearer than what is
- * hidden. Returns how many are hidden. */
+/* Every fragment where rays say; listed ones and the others make up the sum of weights; what hides is nearer than
+ * what is hidden. Returns how many are hidden. */
 static u64 try_surfels(const traced *t, u32 x, u32 y)
 {
 	json_t *answer, *fragment;

@@ -10,9 +10,9 @@ static void test_same(void **state)
 			for (u32 threads = 1; threads <= 3; threads += 2) {
 				ts_load *load;
 				if (ts_replay(&load, stage, traces[m], NULL, threads) != TS_OK) fail_msg("%s", ts_error_message());
-				for (u32 i = 0; stage->writes[i] != TS_N_BUFFERS; i++) {
+				for (const ts_buffer_id *id = ts_stage_outputs(stage); *id != TS_N_BUFFERS; id++) {
 					ts_judged v;
-					if (ts_judge(&v, load, stage->writes[i], NULL) != TS_OK) fail_msg("%s: %s", stage->name, v.text);
+					if (ts_judge(&v, load, *id, NULL) != TS_OK) fail_msg("%s: %s", stage->name, v.text);
 					assert_true(v.item != NULL && v.verdict.n_ref == v.item->npy.n);
 					assert_true(v.verdict.n_ref > 0 && v.verdict.n_different == 0);
 				}
@@ -57,8 +57,8 @@ static void test_planted(void **state)
 		FOR_STAGES(m, stage) {
 			ts_load *load;
 			assert_int_equal(ts_replay(&load, stage, traces[m], NULL, 2), TS_OK);
-			for (u32 i = 0; stage->writes[i] != TS_N_BUFFERS; i++)
-				plant_and_find(m, stage, load, stage->writes[i], seed++);
+			for (const ts_buffer_id *id = ts_stage_outputs(stage); *id != TS_N_BUFFERS; id++)
+				plant_and_find(m, stage, load, *id, seed++);
 			ts_load_end(load);
 		}
 	}

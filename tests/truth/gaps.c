@@ -1,5 +1,6 @@
 /* Surfels against rays through the middles of pixels: no pixel whose ray meets a surfel shows the sky, and nothing is
  * blended that lies farther behind the nearest than epsilon. Of balls, and of the dragon in $TS_SCENES at full size. */
+#include "../../src/kernels/gbuffer.h"
 #include "../pipelines/surfels.h"
 #include "../scene/folder.h"
 #include "../../src/truth/discs.h"

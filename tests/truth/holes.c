@@ -1,5 +1,5 @@
-/* The off-screen buffers of iVIR against rays: the watertight rate leaves no hole and no leak, a theorem (texels.c); the
- * paper's rate leaves both, which shows that this test can fail. */
+/* The off-screen buffers of iVIR against rays: the watertight rate leaves no hole and no leak, a theorem (texels.c);
+ * the paper's rate leaves both, which shows that this test can fail. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -13,9 +13,9 @@ typedef struct { ts_truth *truth; ts_texel_counts counts; } tally;
 static ts_status judge(const ts_run *run, const ts_stage *stage, void *user)
 {
 	tally *t = user;
-	if (!ts_truth_judges(stage->writes[0])) return TS_OK;
+	if (!ts_truth_judges(ts_stage_outputs(stage)[0])) return TS_OK;
 	if (t->truth == NULL && ts_truth_new(&t->truth, run) != TS_OK) return TS_ERROR;
-	return ts_truth_texels(&t->counts, t->truth, run, stage->writes[0]);
+	return ts_truth_texels(&t->counts, t->truth, run, ts_stage_outputs(stage)[0]);
 }
 
 /* Batches are of several views, and the last one is smaller. */

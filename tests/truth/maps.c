@@ -1,5 +1,5 @@
-/* Maps of virtual point lights against rays: coarse ones stop more light than fine ones, and by distance let more through
- * than by the plane; emptied or filled maps are found to be. */
+/* Maps of virtual point lights against rays: coarse ones stop more light than fine ones, and by distance let more
+ * through than by the plane; emptied or filled maps are found to be. */
 #include "../stages/small.h"
 #include "../../src/truth/truth.h"
 
@@ -20,7 +20,7 @@ static ts_map_counts judge(const ts_run *run)
 	ts_truth *truth;
 	ts_map_counts counts = {.asked = 0};
 	assert_int_equal(ts_truth_new(&truth, run), TS_OK);
-	ts_truth_maps(&counts, truth, run);
+	assert_int_equal(ts_truth_maps(&counts, truth, run), TS_OK);
 	ts_truth_free(truth);
 	print_message("%u texels, %u holes, %u leaks, %u apart; %u asked, %u lit, %u dark\n", (unsigned)counts.covered,
 	              (unsigned)counts.holes, (unsigned)counts.leaks, (unsigned)counts.apart, (unsigned)counts.asked,

@@ -2,7 +2,7 @@
  * views, which compilers vectorize. */
 #include <omp.h>
 #include <stdlib.h>
-#include "../backend.h"
+#include "fast.h"
 #include "wide.h"
 
 enum { ENTRIES = 10, TRIANGLES_A_CHUNK = 256 };
@@ -43,8 +43,8 @@ static u32 all3(bool x, bool y, bool z)
 	return z ? r : 0u;
 }
 
-/* ts_k_closest_on_triangle without branches: the first region that holds p of a, b, the edge ab, c, the edges ac and bc, the
- * inside. */
+/* ts_k_closest_on_triangle without branches: the first region that holds p of a, b, the edge ab, c, the edges ac and
+ * bc, the inside. */
 static ts_v3 closest(ts_v3 p, ts_v3 a, ts_v3 b, ts_v3 c)
 {
 	ts_v3 ab = ts_sub(b, a);

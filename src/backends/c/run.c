@@ -1,5 +1,5 @@
 /* The reference backend: a threaded loop over the items of a kernel. The Makefile gives TS_FLAGS. */
-#include "../backend.h"
+#include "fast.h"
 
 #ifndef TS_FLAGS
 #define TS_FLAGS "unknown"
@@ -64,52 +64,12 @@ u64 ts_c_scan(u32 *counts, u64 n)
 	return sum;
 }
 
-/* The same rate of all views, and not by what clipping leaves. */
-static bool has_fast_density(const ts_density_args *args)
-{
-	bool has = args->views != NULL && args->shadow == TS_SHADOW_IS_NONE && args->rate >= TS_RATE_IS_PAPER;
-	for (u32 v = 0; has && v < args->n_views; v++) has = args->views[v].orthographic == 0;
-	return has;
-}
-
-/* False where there is no fast path, or none for these arguments: then nothing was done. */
-static bool launch_fast(ts_kernel kernel, const void *args, u64 n, u32 threads)
-{
-	const ts_splat_args *splat = args;
-	const ts_lookup_args *lookup = args;
-	const ts_scatter_args *scatter = args;
-	const ts_hull_args *hull = args;
-	switch (kernel) {
-	case TS_KERNEL_splat:
-		if (splat->offset == NULL || splat->mark != 0) return false;
-		ts_c_splat_fast(splat, threads);
-		return true;
-	case TS_KERNEL_scatter:
-	case TS_KERNEL_scatter_pieces:
-		return scatter->depths != NULL && ts_c_scatter_fast(scatter, n, kernel == TS_KERNEL_scatter, threads);
-	case TS_KERNEL_shade:
-		if (lookup->adaptive != 0) return false;
-		ts_c_shade_fast(lookup, n, threads);
-		return true;
-	case TS_KERNEL_split_count: return has_fast_density(args) && ts_c_density_fast(args, n, threads);
-	case TS_KERNEL_hull:
-		if (hull->cosine != TS_COSINE_IS_OURS || hull->printed || hull->by_moments) return false;
-		ts_c_hull_fast(hull, n, threads);
-		return true;
-	case TS_KERNEL_surfel_setup: return ts_c_surfel_setup_fast(args, n, threads);
-	case TS_KERNEL_surfel_depth: return ts_c_surfel_depth_fast(args, n, threads);
-	case TS_KERNEL_blend: return ts_c_blend_fast(args, n, threads);
-	case TS_KERNEL_surfel_mean: ts_c_surfel_mean_fast(args, n, threads); return true;
-	case TS_KERNEL_deferred: ts_c_deferred_fast(args, n, threads); return true;
-	default: return false;
-	}
-}
-
-static ts_status launch(ts_backend *backend, ts_frame *frame, ts_kernel kernel, const void *args, u64 n)
+static ts_status launch(ts_backend *backend, ts_frame *frame, const ts_launch *launch, const void *args, u64 n)
 {
 	(void)frame;
 	const ts_c_backend *c = (const ts_c_backend *)backend;
-	if (c->reference || !launch_fast(kernel, args, n, c->threads)) ts_c_launch(kernel, args, n, c->threads);
+	bool done = !c->reference && ts_c_fast(launch->kernel, args, n, c->threads);
+	if (!done) ts_c_launch(launch->kernel, args, n, c->threads);
 	return TS_OK;
 }
 

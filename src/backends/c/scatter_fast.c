@@ -1,9 +1,9 @@
-/* Fast path of the scatter kernels for depth maps, with the same bits: the threads fill pools with points, then each takes
- * whole depth maps and scatters all pools into them, so there are no atomics; a block of points goes side by side through a
- * view's transform, in loops that compilers vectorize. */
+/* Fast path of the scatter kernels for depth maps, with the same bits: the threads fill pools with points, then each
+ * takes whole depth maps and scatters all pools into them, so there are no atomics; a block of points goes side by
+ * side through a view's transform, in loops that compilers vectorize. */
 #include <omp.h>
 #include <stdlib.h>
-#include "../backend.h"
+#include "fast.h"
 #include "wide.h"
 
 enum {
@@ -98,7 +98,8 @@ static void fill_pieces(job *j, pool *to)
 	}
 }
 
-/* Texel and depth bits of n points in a view; -1: none. `bit` is the view's in `seen`. Selects, so that it is vectorized. */
+/* Texel and depth bits of n points in a view; -1: none. `bit` is the view's in `seen`. Selects, so that it is
+ * vectorized. */
 TS_WIDE static u32 place(ts_camera_k view, const f32 *restrict x, const f32 *restrict y, const f32 *restrict z,
                  const u32 *restrict seen, u32 bit, u32 n, i32 *restrict texel, u32 *restrict depth)
 {

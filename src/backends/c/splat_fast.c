@@ -1,7 +1,7 @@
 /* Fast path of the splat kernel, with the same bits: a thread owns a cube face, so there are no atomics; a piece is
- * projected once for all its points; the squares of a block of points go side by side through a face's axes, which are the
- * world's but for sign and order, in loops that compilers vectorize; edges are evaluated as lines in (i, j). */
-#include "../backend.h"
+ * projected once for all its points; the squares of a block of points go side by side through a face's axes, which
+ * are the world's but for sign and order, in loops that compilers vectorize; edges are evaluated as lines in (i, j). */
+#include "fast.h"
 
 /* A piece as one face sees it. */
 typedef struct {

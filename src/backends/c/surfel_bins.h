@@ -1,12 +1,14 @@
 /* Which surfels each tile of an image has, so that a thread can own a tile. */
 #ifndef TS_BACKENDS_SURFEL_BINS_H
 #define TS_BACKENDS_SURFEL_BINS_H
+#include "../../kernels/num.h"
 #include "../backend.h"
 
 /* Tiles that a surfel may touch; none where the last is before the first. */
 typedef struct { int16_t first[2], last[2]; } ts_surfel_span;
 
-/* In each tile the surfels of the first lot, then of the next; a lot is surfels beside each other, so all are in order. */
+/* In each tile the surfels of the first lot, then of the next; a lot is surfels beside each other, so all are in
+ * order. */
 typedef struct {
 	const ts_disc *discs;
 	u64 n;

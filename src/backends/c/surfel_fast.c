@@ -1,14 +1,14 @@
-/* Fast paths of the surfel kernels, with the same bits: a thread owns a tile of the image and draws the surfels of its bin,
- * so there are no atomics; the order is that of the surfels, but sums of integers and minima would not show another. What
- * all items count is counted by each thread first. */
-#include "../backend.h"
+/* Fast paths of the surfel kernels, with the same bits: a thread owns a tile of the image and draws the surfels of
+ * its bin, so there are no atomics; the order is that of the surfels, but sums of integers and minima would not show
+ * another. What all items count is counted by each thread first. */
+#include "fast.h"
 #include "surfel_bins.h"
 #include "wide.h"
 
 enum { ITEMS = 1024 };
 
-/* Pixels of a box side by side, in full vectors of which the last pixels are not used, for loops that compilers vectorize;
- * and what a surfel has there. */
+/* Pixels of a box side by side, in full vectors of which the last pixels are not used, for loops that compilers
+ * vectorize; and what a surfel has there. */
 enum { BLOCK = 64, VECTOR = 16 };
 typedef struct {
 	u32 n;
@@ -18,8 +18,8 @@ typedef struct {
 
 static u32 padded(u32 n) { return (n + VECTOR - 1) / VECTOR * VECTOR; }
 
-/* The pixels of a box in a tile from `first` on. Rows are exact: a tile has 2^12 pixels and is 2^6 wide, and `inverse` is
- * less than 1 above 2^20 / width. */
+/* The pixels of a box in a tile from `first` on. Rows are exact: a tile has 2^12 pixels and is 2^6 wide, and
+ * `inverse` is less than 1 above 2^20 / width. */
 static void place_block(block *b, const ts_disc *disc, u32 first, u32 n)
 {
 	u32 width = (u32)(disc->high[0] - disc->low[0] + 1), inverse = ((1u << 20) + width - 1) / width;
@@ -123,7 +123,8 @@ static bool make_terms(terms *t, const ts_attributes *attributes)
 	return small;
 }
 
-/* ts_k_blend_add of weights up to 1: adding what has its last bit at 2^-30, of which these are the bits, rounds there. */
+/* ts_k_blend_add of weights up to 1: adding what has its last bit at 2^-30, of which these are the bits, rounds
+ * there. */
 static void blend_add(const ts_blend_args *args, u64 pixel, u32 surfel, const terms *t, f32 weight)
 {
 	const double grid = 6291456.0;

@@ -1,22 +1,12 @@
-/* The kernels on OpenCL 1.2 devices with 64-bit atomics, shared by the files of this folder, the only one that names OpenCL.
- * The loader finds the drivers. */
+/* The kernels on OpenCL 1.2 devices with 64-bit atomics, shared by the files of this folder, the only one that names
+ * OpenCL. The loader finds the drivers. */
 #ifndef TS_BACKENDS_OPENCL_CL_H
 #define TS_BACKENDS_OPENCL_CL_H
 #define CL_TARGET_OPENCL_VERSION 120
 #include <CL/cl.h>
 #include "../backend.h"
 
-enum { TS_CL_PROGRAMS = 32, TS_CL_POINTERS = 32, TS_CL_PARTS = 8, TS_CL_ARGUMENTS = 512, TS_CL_MESSAGE = 512 };
-
-/* A kernel's entry point: its name, its program, the bytes of its arguments, and where pointers stand in them. */
-typedef struct {
-	const char *name;
-	u32 program;
-	size_t bytes;
-	u32 n_pointers;
-	struct { size_t at; bool constant, parted; } pointer[TS_CL_POINTERS];
-} ts_cl_kernel;
-extern const ts_cl_kernel ts_cl_kernels[TS_N_KERNELS];
+enum { TS_CL_PROGRAMS = 32, TS_CL_PARTS = 8, TS_CL_ARGUMENTS = 512, TS_CL_MESSAGE = 512 };
 
 typedef struct {
 	ts_backend backend;
@@ -42,7 +32,11 @@ void ts_cl_keep(ts_cl *cl, const char *what, cl_int status);
 /* device.c: ts_opencl_kind's devices, and the one of an index. */
 u32 ts_cl_devices(ts_device devices[TS_MAX_DEVICES]);
 ts_status ts_cl_find(cl_device_id *device, ts_device *about, u32 index);
-/* program.c: sets cl->flags, for cl->part_bytes; makes a kernel, unless it is there; releases all kernels. */
+/* entry.c: the entry points of a program's kernels, which the caller frees; NULL without memory. */
+char *ts_cl_entries(const ts_cl *cl, u32 program);
+/* program.c: the program of each kernel; sets cl->flags, for cl->part_bytes; makes a kernel, unless it is there;
+ * releases all kernels. */
+extern const u32 ts_cl_program_of[TS_N_KERNELS];
 ts_status ts_cl_put_flags(ts_cl *cl);
 ts_status ts_cl_make_kernel(ts_cl *cl, ts_kernel kernel);
 void ts_cl_forget_programs(ts_cl *cl);

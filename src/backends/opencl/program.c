@@ -49,11 +49,14 @@ void ts_cl_forget_programs(ts_cl *cl)
 
 static ts_status build(ts_cl *cl, u32 index)
 {
-	const char *text = source;
+	char *entries = ts_cl_entries(cl, index);
+	const char *text[] = {source, entries};
 	char flags[sizeof cl->flags + 32];
 	cl_int status;
 	snprintf(flags, sizeof flags, "%s -DTS_PROGRAM=%u", cl->flags, index);
-	cl_program program = clCreateProgramWithSource(cl->context, 1, &text, NULL, &status);
+	if (entries == NULL) return ts_fail("out of memory for the text of kernels");
+	cl_program program = clCreateProgramWithSource(cl->context, 2, text, NULL, &status);
+	free(entries);
 	if (status != CL_SUCCESS) return ts_cl_failed("a program", status);
 	cl->programs[index] = program;
 	status = clBuildProgram(program, 1, &cl->device, flags, NULL, NULL);
@@ -64,10 +67,11 @@ static ts_status build(ts_cl *cl, u32 index)
 
 ts_status ts_cl_make_kernel(ts_cl *cl, ts_kernel kernel)
 {
-	const ts_cl_kernel *k = &ts_cl_kernels[kernel];
+	u32 program = ts_cl_program_of[kernel];
+	const char *name = ts_kernel_name(kernel);
 	cl_int status;
 	if (cl->kernels[kernel] != NULL) return TS_OK;
-	if (cl->programs[k->program] == NULL && build(cl, k->program) != TS_OK) return TS_ERROR;
-	cl->kernels[kernel] = clCreateKernel(cl->programs[k->program], k->name, &status);
-	return status == CL_SUCCESS ? TS_OK : ts_cl_failed(k->name, status);
+	if (cl->programs[program] == NULL && build(cl, program) != TS_OK) return TS_ERROR;
+	cl->kernels[kernel] = clCreateKernel(cl->programs[program], name, &status);
+	return status == CL_SUCCESS ? TS_OK : ts_cl_failed(name, status);
 }

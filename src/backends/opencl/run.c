@@ -1,7 +1,9 @@
 /* Kernels on a device: an in-order queue; the arguments' pointers become buffers and offsets. */
+#include <assert.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "../kernels.h"
 #include "cl.h"
 
 _Static_assert(sizeof(void *) == 8, "offsets take the place of pointers");
@@ -38,57 +40,70 @@ void ts_cl_keep(ts_cl *cl, const char *what, cl_int status)
 	if (cl->failure[0] == 0) explain(cl->failure, what, status);
 }
 
-/* The buffer that a pointer points into. */
-static ts_buffer *owner(ts_frame *frame, const void *pointer)
-{
-	for (u32 i = 0; i < TS_N_BUFFERS + TS_LENT; i++) {
-		ts_buffer *b = i < TS_N_BUFFERS ? &frame->buffer[i] : &frame->lent[i - TS_N_BUFFERS];
-		const u8 *begin = b->data;
-		const u8 *at = pointer;
-		if (begin != NULL && at >= begin && (at < begin + b->bytes || at == begin)) return b;
-	}
-	return NULL;
-}
-
 static ts_status set(cl_kernel kernel, u32 index, size_t bytes, const void *value)
 {
 	cl_int status = clSetKernelArg(kernel, index, bytes, value);
 	return status == CL_SUCCESS ? TS_OK : ts_cl_failed("a kernel's argument", status);
 }
 
-/* The arguments of one pointer, from *index on; the offset takes its place among the values. */
-static ts_status set_buffer(ts_cl *cl, ts_frame *frame, ts_kernel kernel, u32 pointer_index, u8 *values, u32 *index)
+/* The frame's buffer that a pointer points to, or into; NULL: none. */
+static ts_buffer *buffer_of(ts_frame *frame, const ts_launch *launch, const ts_pointer *pointer, const void *args)
 {
-	const ts_cl_kernel *k = &ts_cl_kernels[kernel];
-	const u8 *pointer;
-	u64 offset = 0, part_bytes = k->pointer[pointer_index].parted ? cl->part_bytes : 0;
+	const u8 *at;
+	memcpy(&at, (const u8 *)args + pointer->offset, sizeof at);
+	if (at == NULL) return NULL;
+	const ts_bound bound = ts_launch_bound(launch, pointer);
+	if (!bound.bound) return NULL;
+	ts_buffer *buffer = bound.role == TS_ROLE_WORK    ? &frame->lent[bound.to]
+	                    : bound.role == TS_ROLE_TALLY ? &frame->lent[TS_WORK_tallies]
+	                                                  : &frame->buffer[bound.to];
+	const u8 *begin = buffer->data;
+	assert(at >= begin && (at < begin + buffer->bytes || at == begin));
+	return buffer;
+}
+
+/* A launch that reads a buffer leaves what the host has of it as it is. */
+static ts_cl_access access_of(const ts_launch *launch, const ts_pointer *pointer)
+{
+	bool reads = pointer->row->constant || ts_launch_bound(launch, pointer).role == TS_ROLE_IN;
+	return reads ? TS_CL_READS : TS_CL_WRITES;
+}
+
+/* The arguments of one pointer, from *index on; the offset takes its place among the values. */
+static ts_status set_buffer(ts_cl *cl, ts_frame *frame, const ts_launch *launch, const ts_pointer *pointer, u8 *values,
+                            u32 *index)
+{
+	u64 offset = 0, part_bytes = pointer->row->parted ? cl->part_bytes : 0;
 	cl_mem parts[TS_CL_PARTS] = {NULL};
-	memcpy(&pointer, values + k->pointer[pointer_index].at, sizeof pointer);
-	ts_buffer *buffer = pointer != NULL ? owner(frame, pointer) : NULL;
+	ts_buffer *buffer = buffer_of(frame, launch, pointer, values);
 	if (buffer != NULL) {
-		offset = (u64)(pointer - (const u8 *)buffer->data);
-		ts_cl_access access = k->pointer[pointer_index].constant ? TS_CL_READS : TS_CL_WRITES;
-		if (ts_cl_use(cl, parts, buffer, part_bytes, access) != TS_OK) return TS_ERROR;
+		const u8 *at;
+		memcpy(&at, values + pointer->offset, sizeof at);
+		offset = (u64)(at - (const u8 *)buffer->data);
+		if (ts_cl_use(cl, parts, buffer, part_bytes, access_of(launch, pointer)) != TS_OK) return TS_ERROR;
 	}
-	memcpy(values + k->pointer[pointer_index].at, &offset, sizeof offset);
+	memcpy(values + pointer->offset, &offset, sizeof offset);
 	for (u32 i = 0; i < (part_bytes != 0 ? TS_CL_PARTS : 1); i++) {
-		if (set(cl->kernels[kernel], (*index)++, sizeof parts[i], &parts[i]) != TS_OK) return TS_ERROR;
+		if (set(cl->kernels[launch->kernel], (*index)++, sizeof parts[i], &parts[i]) != TS_OK) return TS_ERROR;
 	}
 	return TS_OK;
 }
 
 /* Arguments 0 and 1 are the values and n; then come the buffers. */
-static ts_status set_arguments(ts_cl *cl, ts_frame *frame, ts_kernel kernel, const void *args, u64 n)
+static ts_status set_arguments(ts_cl *cl, ts_frame *frame, const ts_launch *launch, const void *args, u64 n)
 {
-	const ts_cl_kernel *k = &ts_cl_kernels[kernel];
+	const ts_pointers *pointers = ts_kernel_pointers(launch->kernel);
+	size_t bytes = ts_kernel_args(launch->kernel)->bytes;
+	cl_kernel kernel = cl->kernels[launch->kernel];
 	u8 values[TS_CL_ARGUMENTS];
 	u32 index = 2;
-	memcpy(values, args, k->bytes);
-	for (u32 i = 0; i < k->n_pointers; i++) {
-		if (set_buffer(cl, frame, kernel, i, values, &index) != TS_OK) return TS_ERROR;
+	assert(bytes <= sizeof values);
+	memcpy(values, args, bytes);
+	for (u32 i = 0; i < pointers->n; i++) {
+		if (set_buffer(cl, frame, launch, &pointers->pointer[i], values, &index) != TS_OK) return TS_ERROR;
 	}
-	if (set(cl->kernels[kernel], 0, k->bytes, values) != TS_OK) return TS_ERROR;
-	return set(cl->kernels[kernel], 1, sizeof n, &n);
+	if (set(kernel, 0, bytes, values) != TS_OK) return TS_ERROR;
+	return set(kernel, 1, sizeof n, &n);
 }
 
 static u64 largest_power(u64 most)
@@ -107,13 +122,12 @@ static ts_status admit(ts_cl *cl, const ts_buffer *buffer)
 	return ts_cl_put_flags(cl);
 }
 
-static ts_status admit_all(ts_cl *cl, ts_frame *frame, ts_kernel kernel, const void *args)
+static ts_status admit_all(ts_cl *cl, ts_frame *frame, const ts_launch *launch, const void *args)
 {
-	const ts_cl_kernel *k = &ts_cl_kernels[kernel];
-	for (u32 i = 0; i < k->n_pointers; i++) {
-		const u8 *pointer;
-		memcpy(&pointer, (const u8 *)args + k->pointer[i].at, sizeof pointer);
-		ts_buffer *buffer = pointer != NULL && k->pointer[i].parted ? owner(frame, pointer) : NULL;
+	const ts_pointers *pointers = ts_kernel_pointers(launch->kernel);
+	for (u32 i = 0; i < pointers->n; i++) {
+		const ts_pointer *pointer = &pointers->pointer[i];
+		ts_buffer *buffer = pointer->row->parted ? buffer_of(frame, launch, pointer, args) : NULL;
 		if (buffer != NULL && admit(cl, buffer) != TS_OK) return TS_ERROR;
 	}
 	return TS_OK;
@@ -126,28 +140,30 @@ static bool by_pieces(ts_kernel kernel, const void *args)
 	return kernel == TS_KERNEL_splat && splat->offset != NULL && splat->mark == 0;
 }
 
-static ts_status launch(ts_backend *backend, ts_frame *frame, ts_kernel kernel, const void *args, u64 n)
+static ts_status enqueue(ts_cl *cl, ts_frame *frame, const ts_launch *launch, const void *args, u64 n)
 {
-	ts_cl *cl = (ts_cl *)backend;
-	if (by_pieces(kernel, args)) {
-		kernel = TS_KERNEL_splat_pieces;
-		n = ((const ts_splat_args *)args)->n_pieces;
-	}
-	frame->residence = &ts_cl_residence;
-	if (n == 0) return TS_OK;
-	if (admit_all(cl, frame, kernel, args) != TS_OK) return TS_ERROR;
-	if (ts_cl_make_kernel(cl, kernel) != TS_OK) return TS_ERROR;
-	if (set_arguments(cl, frame, kernel, args, n) != TS_OK) return TS_ERROR;
+	if (admit_all(cl, frame, launch, args) != TS_OK) return TS_ERROR;
+	if (ts_cl_make_kernel(cl, launch->kernel) != TS_OK) return TS_ERROR;
+	if (set_arguments(cl, frame, launch, args, n) != TS_OK) return TS_ERROR;
 	size_t group = cl->work_group;
 	size_t items = group != 0 ? (n + group - 1) / group * group : n;
 	const size_t *local = group != 0 ? &group : NULL;
-	cl_int status = clEnqueueNDRangeKernel(cl->queue, cl->kernels[kernel], 1, NULL, &items, local, 0, NULL, NULL);
+	cl_kernel kernel = cl->kernels[launch->kernel];
+	cl_int status = clEnqueueNDRangeKernel(cl->queue, kernel, 1, NULL, &items, local, 0, NULL, NULL);
 	cl->busy = true;
-	return status == CL_SUCCESS ? TS_OK : ts_cl_failed(ts_cl_kernels[kernel].name, status);
+	return status == CL_SUCCESS ? TS_OK : ts_cl_failed(ts_kernel_name(launch->kernel), status);
 }
 
-/* Of buffers that may be in parts, those are filled. */
-static bool may_be_parted(ts_buffer_id id) { return id == TS_B_splat_depth_index || id == TS_B_splat_tie; }
+static ts_status launch(ts_backend *backend, ts_frame *frame, const ts_launch *launch, const void *args, u64 n)
+{
+	frame->residence = &ts_cl_residence;
+	ts_launch taken = *launch;
+	if (by_pieces(launch->kernel, args)) {
+		taken.kernel = TS_KERNEL_splat_pieces;
+		n = ((const ts_splat_args *)args)->n_pieces;
+	}
+	return n != 0 ? enqueue((ts_cl *)backend, frame, &taken, args, n) : TS_OK;
+}
 
 static ts_status fill(ts_backend *backend, ts_frame *frame, ts_buffer_id id, u8 byte)
 {
@@ -155,8 +171,8 @@ static ts_status fill(ts_backend *backend, ts_frame *frame, ts_buffer_id id, u8 
 	ts_buffer *buffer = &frame->buffer[id];
 	cl_mem parts[TS_CL_PARTS];
 	frame->residence = &ts_cl_residence;
-	if (may_be_parted(id) && admit(cl, buffer) != TS_OK) return TS_ERROR;
-	u64 part_bytes = may_be_parted(id) ? cl->part_bytes : 0;
+	if (ts_may_be_parted(id) && admit(cl, buffer) != TS_OK) return TS_ERROR;
+	u64 part_bytes = ts_may_be_parted(id) ? cl->part_bytes : 0;
 	if (ts_cl_use(cl, parts, buffer, part_bytes, TS_CL_OVERWRITES) != TS_OK) return TS_ERROR;
 	cl_int status = CL_SUCCESS;
 	for (u32 i = 0; i < TS_CL_PARTS && parts[i] != NULL && status == CL_SUCCESS; i++) {
@@ -168,13 +184,16 @@ static ts_status fill(ts_backend *backend, ts_frame *frame, ts_buffer_id id, u8 
 	return status == CL_SUCCESS ? TS_OK : ts_cl_failed("a fill", status);
 }
 
-static ts_status scan_in(ts_backend *backend, ts_frame *frame, ts_scan_args *args)
+static ts_status scan_in(ts_backend *backend, ts_frame *frame, ts_buffer_id id, ts_scan_args *args)
 {
-	ts_frame_lend(frame, TS_LENT_OTHER, args->sums, (args->n_chunks + 1) * sizeof *args->sums);
-	ts_status status = launch(backend, frame, TS_KERNEL_scan_sum, args, args->n_chunks);
-	if (status == TS_OK) status = launch(backend, frame, TS_KERNEL_scan_chunks, args, 1);
-	if (status == TS_OK) status = launch(backend, frame, TS_KERNEL_scan, args, args->n_chunks);
-	ts_status recalled = ts_frame_recall(frame, TS_LENT_OTHER);
+	ts_launch step = {TS_KERNEL_scan_sum, {{TS_BINDS_TO, "counts", TS_ROLE_OUT, id}}};
+	ts_frame_lend(frame, TS_WORK_other, args->sums, (args->n_chunks + 1) * sizeof *args->sums);
+	ts_status status = launch(backend, frame, &step, args, args->n_chunks);
+	step.kernel = TS_KERNEL_scan_chunks;
+	if (status == TS_OK) status = launch(backend, frame, &step, args, 1);
+	step.kernel = TS_KERNEL_scan;
+	if (status == TS_OK) status = launch(backend, frame, &step, args, args->n_chunks);
+	ts_status recalled = ts_frame_recall(frame, TS_WORK_other);
 	return status == TS_OK ? recalled : status;
 }
 
@@ -185,7 +204,7 @@ static ts_status scan(ts_backend *backend, ts_frame *frame, ts_buffer_id id, u64
 		.counts = ts_frame_handle(frame, id), .n = n, .n_chunks = (n + SCAN_CHUNK - 1) / SCAN_CHUNK, .chunk = SCAN_CHUNK};
 	args.sums = ts_alloc(args.n_chunks + 1, sizeof *args.sums, "prefix sums");
 	if (args.sums == NULL) return TS_ERROR;
-	ts_status status = scan_in(backend, frame, &args);
+	ts_status status = scan_in(backend, frame, id, &args);
 	if (status == TS_OK) *total = args.sums[args.n_chunks];
 	free(args.sums);
 	return status;

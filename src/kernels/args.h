@@ -1,0 +1,50 @@
+/* Arguments of kernels, declared once: a struct's members as rows
+ *
+ *   #define TS_ROWS_ts_splat_args(ARG) \
+ *       ARG(IN, ts_face, cubes, resize_face) \
+ *       ARG(VALUE, u32, n_cubes, none)
+ *   TS_ARGS(ts_splat_args);
+ *
+ * make the struct here, and in backends/args.c what backends and stages know of it. A row is a role, a type, a name, and
+ * the buffer of records.def that it is bound to unless a launch binds another; or none.
+ *
+ *   IN     elements that are read          OUT   that are written, or read where the same launch wrote them
+ *   MIN    the least of what is offered; all ones at first       SUM   what is added, set or marked; zero at first
+ *   WORK   memory that a stage lends; WORK_IN: it is read
+ *   TALLY  counts for the report: the place among the stage's tallies
+ *   VALUE  a number, or a struct of numbers    INNER  a struct of arguments
+ *   ..._PARTS  may be larger than what a device allocates at once: its elements are ts_at(name, i)
+ *   ..._OPT    NULL unless a launch asks for it
+ *
+ * The lists have no variable number of arguments, for OpenCL C has none. */
+#ifndef TS_KERNELS_ARGS_H
+#define TS_KERNELS_ARGS_H
+#include "compat.h"
+
+#ifndef TS_ARGS_ALSO /* what backends/args.c makes of them */
+#define TS_ARGS_ALSO(type)
+#endif
+#define TS_ARGS(type) typedef struct { TS_ROWS_##type(TS_MEMBER) } type TS_ARGS_ALSO(type)
+#define TS_MEMBER(role, type, name, from) TS_MEMBER_##role(type, name)
+#define TS_MEMBER_IN(type, name) TS_GLOBAL const type *name;
+#define TS_MEMBER_IN_OPT(type, name) TS_MEMBER_IN(type, name)
+#define TS_MEMBER_IN_PARTS(type, name) TS_PARTED(const type, name);
+#define TS_MEMBER_IN_PARTS_OPT(type, name) TS_MEMBER_IN_PARTS(type, name)
+#define TS_MEMBER_OUT(type, name) TS_GLOBAL type *name;
+#define TS_MEMBER_OUT_OPT(type, name) TS_MEMBER_OUT(type, name)
+#define TS_MEMBER_OUT_PARTS(type, name) TS_PARTED(type, name);
+#define TS_MEMBER_OUT_PARTS_OPT(type, name) TS_MEMBER_OUT_PARTS(type, name)
+#define TS_MEMBER_MIN(type, name) TS_MEMBER_OUT(type, name)
+#define TS_MEMBER_MIN_OPT(type, name) TS_MEMBER_OUT(type, name)
+#define TS_MEMBER_MIN_PARTS(type, name) TS_MEMBER_OUT_PARTS(type, name)
+#define TS_MEMBER_SUM(type, name) TS_MEMBER_OUT(type, name)
+#define TS_MEMBER_SUM_OPT(type, name) TS_MEMBER_OUT(type, name)
+#define TS_MEMBER_SUM_PARTS_OPT(type, name) TS_MEMBER_OUT_PARTS(type, name)
+#define TS_MEMBER_WORK(type, name) TS_MEMBER_OUT(type, name)
+#define TS_MEMBER_WORK_IN(type, name) TS_MEMBER_IN(type, name)
+#define TS_MEMBER_TALLY(type, name) TS_MEMBER_OUT(type, name)
+#define TS_MEMBER_TALLY_OPT(type, name) TS_MEMBER_OUT(type, name)
+#define TS_MEMBER_VALUE(type, name) type name;
+#define TS_MEMBER_INNER(type, name) type name;
+
+#endif

@@ -1,0 +1,97 @@
+/* What kernels take as rows: they cover the structs, and launches bind what they say and nothing else. */
+#include "../../src/backends/args.h"
+#include "../../src/backends/kernels.h"
+#include "../core/test.h"
+
+static size_t bytes_of(const ts_arg *row, size_t next) { return next - row->offset; }
+
+/* Rows stand in the order of the members, without a gap that alignment does not ask for. */
+static void test_rows_cover(void **state)
+{
+	(void)state;
+	for (u32 kernel = 0; kernel < TS_N_KERNELS; kernel++) {
+		const ts_arg_list *list = ts_kernel_args((ts_kernel)kernel);
+		assert_true(list->n > 0 && list->rows[0].offset == 0);
+		for (u32 i = 0; i < list->n; i++) {
+			const ts_arg *row = &list->rows[i];
+			size_t bytes = bytes_of(row, i + 1 < list->n ? list->rows[i + 1].offset : list->bytes);
+			bool pointer = row->role != TS_ROLE_VALUE && row->role != TS_ROLE_INNER;
+			if (pointer) assert_true(bytes == sizeof(void *));
+			if (row->role == TS_ROLE_INNER) assert_true((bytes + 7) / 8 == (row->inner()->bytes + 7) / 8);
+			assert_true(bytes > 0);
+		}
+	}
+}
+
+static void test_names(void **state)
+{
+	(void)state;
+	assert_string_equal(ts_kernel_name(TS_KERNEL_splat), "splat");
+	const ts_pointers *p = ts_kernel_pointers(TS_KERNEL_deferred_lit_margin);
+	bool inner = false;
+	for (u32 i = 0; i < p->n; i++) {
+		for (u32 k = i + 1; k < p->n; k++) assert_string_not_equal(p->pointer[i].name, p->pointer[k].name);
+		inner |= strcmp(p->pointer[i].name, "of.of.scene.vertices") == 0 &&
+		         p->pointer[i].offset == offsetof(ts_deferred_lit_margin_args, of.of.scene.vertices);
+	}
+	assert_true(inner);
+}
+
+static ts_bound bound(const ts_launch *launch, const char *name)
+{
+	const ts_pointers *p = ts_kernel_pointers(launch->kernel);
+	for (u32 i = 0; i < p->n; i++) {
+		if (strcmp(p->pointer[i].name, name) == 0) return ts_launch_bound(launch, &p->pointer[i]);
+	}
+	fail_msg("no %s", name);
+	return (ts_bound){false, TS_ROLE_IN, 0};
+}
+
+static void test_binds(void **state)
+{
+	(void)state;
+	static const ts_launch plain = TS_LAUNCH(splat, TS_ALL);
+	static const ts_launch ties = TS_LAUNCH(splat, TS_IN(texels, splat_depth_index), TS_WITH(tie), TS_BUT(bits));
+	ts_bound b = bound(&plain, "texels");
+	assert_true(b.bound && b.role == TS_ROLE_MIN && b.to == TS_B_splat_depth_index);
+	assert_false(bound(&plain, "tie").bound);
+	assert_false(bound(&plain, "offset").bound);
+	b = bound(&plain, "n_writes");
+	assert_true(b.bound && b.role == TS_ROLE_TALLY && b.to == 1);
+	b = bound(&ties, "texels");
+	assert_true(b.bound && b.role == TS_ROLE_IN && b.to == TS_B_splat_depth_index);
+	b = bound(&ties, "tie");
+	assert_true(b.bound && b.role == TS_ROLE_SUM && b.to == TS_B_splat_tie);
+	assert_false(bound(&ties, "bits").bound);
+}
+
+/* The name of a struct stands for all in it, and for nothing that only begins like it. */
+static void test_binds_of_structs(void **state)
+{
+	(void)state;
+	static const ts_launch half = TS_LAUNCH(lookup, TS_BUT(scene));
+	static const ts_launch part = TS_LAUNCH(lookup, TS_BUT(scene.v));
+	assert_false(bound(&half, "scene.vertices").bound);
+	assert_false(bound(&half, "scene.objects").bound);
+	assert_true(bound(&half, "cubes").bound);
+	assert_true(bound(&part, "scene.vertices").bound);
+	assert_true(ts_launch_knows(&half, "scene") && ts_launch_knows(&half, "scene.texels"));
+	assert_false(ts_launch_knows(&part, "scene.v"));
+	assert_false(ts_launch_knows(&part, "n_samples"));
+}
+
+static void test_parts(void **state)
+{
+	(void)state;
+	assert_true(ts_may_be_parted(TS_B_splat_depth_index) && ts_may_be_parted(TS_B_points_key));
+	assert_false(ts_may_be_parted(TS_B_eye_view) || ts_may_be_parted(TS_B_pixel_record));
+}
+
+int main(void)
+{
+	const struct CMUnitTest args[] = {
+		cmocka_unit_test(test_rows_cover),       cmocka_unit_test(test_names), cmocka_unit_test(test_binds),
+		cmocka_unit_test(test_binds_of_structs), cmocka_unit_test(test_parts),
+	};
+	return cmocka_run_group_tests(args, NULL, NULL);
+}
