@@ -28,14 +28,14 @@ ts_status ts_bench_frame_open(ts_bench_frame *frame, const ts_job *job)
 	const ts_pipeline *methods[TS_MAX_METHODS];
 	ts_params params;
 	u32 n;
-	u64 bytes;
+	ts_estimate estimate;
 	const char *typed = job->method != NULL ? job->method : "epr";
 	if (ts_bench_frame_params(&params, job) != TS_OK) return TS_ERROR;
 	if (ts_methods_find(methods, &n, "reflections", typed) != TS_OK) return TS_ERROR;
 	if (n != 1) return ts_fail("--method %s: this table takes one method", job->method);
 	*frame = (ts_bench_frame){ .method = methods[0], .params = params };
 	ts_status status = ts_scene_open(&frame->scene, ts_bench_frame_spec(job), &frame->params, &job->scene);
-	return status == TS_OK ? ts_measure_estimate(&bytes, methods, 1, 0, frame->scene, &frame->params) : status;
+	return status == TS_OK ? ts_measure_estimate(&estimate, methods, 1, 0, frame->scene, &frame->params) : status;
 }
 
 ts_status ts_bench_frame_run(const ts_bench_frame *frame, const ts_how *how, ts_measure *measure)

@@ -189,25 +189,23 @@ static const ts_truth_kind *largest_truth(u64 *bytes, u32 truths, const ts_pipel
 	return largest;
 }
 
-ts_status ts_measure_estimate(u64 *bytes, const ts_pipeline *const *methods, u32 n_methods, u32 truths,
+ts_status ts_measure_estimate(ts_estimate *estimate, const ts_pipeline *const *methods, u32 n_methods, u32 truths,
                               const ts_scene *scene, const ts_params *params)
 {
 	const ts_pipeline *largest = methods[0];
-	*bytes = 0;
+	u64 run = 0, limit = ts_memory_limit();
 	for (u32 i = 0; i < n_methods; i++) {
 		u64 own = ts_pipeline_estimate(methods[i], scene, params, true);
-		largest = own > *bytes ? methods[i] : largest;
-		*bytes = own > *bytes ? own : *bytes;
+		largest = own > run ? methods[i] : largest;
+		run = own > run ? own : run;
 	}
-	const ts_truth_kind *truth = largest_truth(bytes, truths, methods[0], scene, params);
-	u64 limit = ts_memory_limit();
-	if (*bytes > limit) {
-		return ts_fail("%s: needs about %.1f GB of memory and may use %.1f GB of this machine's %.1f GB; choose a smaller "
-		               "--size, %s%s%s", scene->name, (double)*bytes / 1e9, (double)limit / 1e9,
-		               (double)ts_memory_total() / 1e9, what_to_lower(largest, params, *bytes),
-		               truth != NULL ? ", or no truth " : "", truth != NULL ? truth->name : "");
-	}
-	return TS_OK;
+	const ts_truth_kind *truth = largest_truth(&run, truths, methods[0], scene, params);
+	*estimate = (ts_estimate){.held = ts_memory_used(), .run = run};
+	if (estimate->held <= limit && run <= limit - estimate->held) return TS_OK;
+	return ts_fail("%s: needs about %.1f GB of memory and may use %.1f GB of this machine's %.1f GB; choose a smaller "
+	               "--size, %s%s%s", scene->name, (double)estimate->held / 1e9 + (double)run / 1e9, (double)limit / 1e9,
+	               (double)ts_memory_total() / 1e9, what_to_lower(largest, params, run),
+	               truth != NULL ? ", or no truth " : "", truth != NULL ? truth->name : "");
 }
 
 void ts_measure_keep_memory(void)

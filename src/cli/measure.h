@@ -48,9 +48,11 @@ const ts_timing *ts_measure_timing(const ts_measure *measure, const char *stage)
 /* Shading operations, the paper's measure of work. */
 i64 ts_measure_shading(const ts_measure *measure);
 
-/* Bytes that a run of these methods, with the truths of `truths` (bits of rows of ts_truth_table), is estimated to need
- * at its peak; refused with one line beyond three quarters of the machine's memory. */
-ts_status ts_measure_estimate(u64 *bytes, const ts_pipeline *const *methods, u32 n_methods, u32 truths,
+/* Bytes that the process holds, the scene's arrays among them, and that a run is estimated to need at its peak beside. */
+typedef struct { u64 held, run; } ts_estimate;
+/* Of a run of these methods with the truths of `truths` (bits of rows of ts_truth_table), after the scene was opened;
+ * refused with one line beyond three quarters of the machine's memory. */
+ts_status ts_measure_estimate(ts_estimate *estimate, const ts_pipeline *const *methods, u32 n_methods, u32 truths,
                               const ts_scene *scene, const ts_params *params);
 
 #endif

@@ -23,7 +23,7 @@ typedef struct {
 	const ts_job *job;
 	const char *effect;
 	ts_scene *scene;
-	u64 estimate;                 /* bytes */
+	ts_estimate estimate;
 	const ts_pipeline *methods[TS_MAX_METHODS];
 	u32 n_methods;
 	ts_measure measures[TS_MAX_METHODS];

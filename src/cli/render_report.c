@@ -42,7 +42,8 @@ void ts_render_report_head(const ts_render *render, ts_report *report)
 	ts_report_line(report, "%s: %u triangles%s; %u x %u pixels, frame %u, %u threads", scene->name,
 	               (unsigned)scene->n_triangles, mirrors, (unsigned)p->width, (unsigned)p->height, (unsigned)p->frame,
 	               (unsigned)render->job->how.threads);
-	ts_report_line(report, "memory: about %.2f GB at the peak, of %.2f GB", (double)render->estimate / 1e9,
+	u64 peak = render->estimate.held + render->estimate.run;
+	ts_report_line(report, "memory: about %.2f GB at the peak, of %.2f GB", (double)peak / 1e9,
 	               (double)ts_memory_total() / 1e9);
 	ts_report_run(report, render->job);
 	ts_report_value(report, "effect", json_string(render->effect));
@@ -50,7 +51,8 @@ void ts_render_report_head(const ts_render *render, ts_report *report)
 	ts_report_value(report, "scene", ts_text_json(scene->name));
 	ts_report_value(report, "triangles", json_integer(scene->n_triangles));
 	if (has_mirrors(render)) ts_report_value(report, "mirrors", json_integer(scene->info.n_reflectors));
-	ts_report_value(report, "estimated_bytes", json_integer((json_int_t)render->estimate));
+	ts_report_value(report, "estimated_bytes", json_integer((json_int_t)peak));
+	ts_report_value(report, "held_bytes", json_integer((json_int_t)render->estimate.held));
 }
 
 static void report_times(const ts_render *render, ts_report *report)

@@ -29,6 +29,8 @@ void *ts_alloc_zero(size_t count, size_t size, const char *what);
 /* Grows *array (of *capacity elements) to hold at least `need`, at least doubling. */
 ts_status ts_grow(void **array, size_t *capacity, size_t need, size_t size, const char *what);
 
+/* Bytes that this process has in memory: of files, such as libraries, and what it allocated, without what it released. */
+uint64_t ts_memory_used(void);
 /* Memory of the machine in bytes. */
 uint64_t ts_memory_total(void);
 /* What one run may use of it: three quarters. */

@@ -80,7 +80,7 @@ void ts_epr_expect(ts_expected *expected, const ts_scene *scene, const ts_params
 	u64 pixels = (u64)params->width * params->height;
 	u64 face = ts_expected_face(params);
 	u64 texels = 6 * face * face * scene->info.n_reflectors;
-	double wanted = 8.0 * (double)params->rho_scale * (double)params->rho_scale * (double)pixels;
+	double wanted = 6.0 * (double)params->rho_scale * (double)params->rho_scale * (double)pixels;
 	u64 points = params->cap && wanted > 4.0 * (double)texels ? 4 * texels : (u64)wanted;
 	u64 *n = expected->sizes.n, entries = ts_expect_mirrors(expected, scene, params);
 	n[TS_DIM_pieces] = triangles + triangles / 16;

@@ -20,7 +20,8 @@
  * - lists end at the nodes of gather_level, where the paper leaves open whether leaves of views are culled one by one;
  * - brute force renders leaves, where the paper rasterizes triangles: what differs from ManyLoDs is then the hierarchy's;
  * - the picture is of indirect light alone. */
-#include "../stages/views.h"
+#include <math.h>
+#include "../scene/lamp.h"
 #include "../stages/stages.h"
 #include "pipelines.h"
 
@@ -61,43 +62,32 @@ const ts_step ts_bruteforce_steps[] = {
 	{0},
 };
 
-enum { LEAVES_A_FACE = 8, PAIRS_A_VIEW = 1024 };
+#define IN_CONE 0.68 /* share of the lamp's map that its cone lights: pi/4 of the square, to 15/16 of half its angle */
 
-static u64 least(u64 a, u64 b) { return a < b ? a : b; }
+#define SLANT 3      /* area of the surfaces in the lamp's cone, which are slanted, and some farther away */
 
-/* Surfaces fill as many voxels of a level as some faces of the root, and nodes above them are a third as many. */
-static u64 expected_nodes(u32 level) { return least((u64)LEAVES_A_FACE << 2 * level, 1ull << 3 * level); }
-
-/* Of n voxels those that lights are in: nearly as many as are few lights, nearly all with many. */
-static u64 expected_lit(u64 n_lights, u64 n) { return n_lights > 0 ? n_lights * n / (n_lights + n) + 1 : 0; }
-
-void ts_expect_views(ts_expected *expected, const ts_scene *scene, const ts_params *params, u64 n_lights, u64 n_places,
-                     bool alone)
+/* What the lamp's cone cuts out of them, of which a plane across would be where its irradiance is light_irradiance. */
+static double lamp_area(const ts_scene *scene, const ts_params *params)
 {
-	u32 levels = params->levels, level = ts_gather_level_of(params, params->view_field, alone);
-	u64 leaves = expected_nodes(levels), view_leaves = alone ? n_lights : expected_lit(n_places, leaves);
-	u64 lists = expected_nodes(level), n_pairs = lists * (alone ? n_lights : expected_lit(view_leaves, lists));
-	u64 *n = expected->sizes.n;
-	n[TS_DIM_nodes] = leaves + leaves / 3;
-	n[TS_DIM_leaves] = leaves;
-	n[TS_DIM_leaf_triangles] = scene->n_triangles + 2 * leaves;
-	n[TS_DIM_vpls] = n_lights;
-	n[TS_DIM_view_nodes] = alone ? n_lights : 2 * view_leaves;
-	n[TS_DIM_view_leaves] = view_leaves;
-	n[TS_DIM_rendered] = n_lights * PAIRS_A_VIEW;
-	n[TS_DIM_gather_nodes] = lists;
-	n[TS_DIM_gather_pairs] = n_pairs;
-	expected->work = (u64)params->queue_mb << 20;
+	ts_light lamp;
+	ts_lamp_spot(&lamp, &scene->info, params);
+	double cosine = -(double)lamp.spot_offset / (double)lamp.spot_scale; /* of the cone's border */
+	double square = (double)lamp.intensity[0] / (double)params->light_irradiance;
+	return SLANT * 3.14159265 * square * (1 / (cosine * cosine) - 1);
 }
 
-/* Paths begin at the texels of the maps, and there several of them may: their first lights are in the same places. */
+/* Paths begin at the lit texels of the maps, and there several of them may: their first lights are in the same places. */
 static void expect(ts_expected *expected, const ts_scene *scene, const ts_params *params, bool alone)
 {
 	ts_hulls_expect(expected, scene, params);
-	u64 texels = expected->sizes.n[TS_DIM_texels], n_paths = params->vpls != 0 ? params->vpls : texels;
+	bool own = params->lamp == TS_LAMP_SCENE;
+	u64 texels = expected->sizes.n[TS_DIM_texels], lit = own ? texels : (u64)(IN_CONE * (double)texels);
+	u64 n_paths = params->vpls != 0 ? params->vpls : lit, n_first = n_paths < lit ? n_paths : lit;
+	ts_expected_lights lights = {.n = n_paths * params->vpl_bounces, .alone = alone};
+	lights.n_places = n_first + lights.n - n_paths;
+	lights.area = own || params->vpl_bounces > 1 ? INFINITY : lamp_area(scene, params);
 	expected->sizes.n[TS_DIM_paths] = n_paths;
-	u64 n_lights = n_paths * params->vpl_bounces, n_places = least(n_paths, texels) + n_lights - n_paths;
-	ts_expect_views(expected, scene, params, n_lights, n_places, alone);
+	ts_expect_views(expected, scene, params, &lights);
 }
 
 void ts_megaviews_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)

@@ -8,6 +8,7 @@
  * - the paper does not say where particles are and how they move: they are on ellipses about the middle of the hall;
  * - as nothing is culled, pixels draw from all particles, unless cutoff leaves those that are far away;
  * - the picture is of the light of particles alone, and particles themselves are not seen. */
+#include <math.h>
 #include "../stages/stages.h"
 #include "pipelines.h"
 
@@ -53,7 +54,8 @@ void ts_particles_plan(ts_plan *plan, const ts_params *params, const ts_counts *
 static void expect(ts_expected *expected, const ts_scene *scene, const ts_params *params, bool alone)
 {
 	expected->sizes.n[TS_DIM_views] = 0;
-	ts_expect_views(expected, scene, params, params->particles, params->particles, alone);
+	const ts_expected_lights lights = {params->particles, params->particles, INFINITY, alone};
+	ts_expect_views(expected, scene, params, &lights);
 }
 
 void ts_megaviews_particles_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)

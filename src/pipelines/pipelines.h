@@ -58,10 +58,12 @@ ts_planner ts_deferred_plan;
 ts_planner ts_ewa_plan;
 void ts_surfels_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params);
 
-/* What octrees, maps and lists of so many lights take, which are in at most so many places; alone: without a hierarchy of
- * views. */
-void ts_expect_views(ts_expected *expected, const ts_scene *scene, const ts_params *params, u64 n_lights, u64 n_places,
-                     bool alone);
+/* Virtual point lights or particles: how many; in how many places at most; the area of the surfaces that they are on,
+ * INFINITY: everywhere; and whether each is a view by itself, without a hierarchy. */
+typedef struct { u64 n, n_places; double area; bool alone; } ts_expected_lights;
+/* What octrees, maps and lists of them take (view_sizes.c). */
+void ts_expect_views(ts_expected *expected, const ts_scene *scene, const ts_params *params,
+                     const ts_expected_lights *lights);
 
 /* All cubes, seen or not, of the largest size. */
 void ts_plan_largest(ts_plan *plan, const ts_params *params);

@@ -7,6 +7,8 @@
 
 enum { SCAN_CHUNK = 2048, BYTES_A_PAIR = 8 * TS_STEPS + 4 + 1 };
 
+u64 ts_traverse_room(const ts_params *params) { return ((u64)params->queue_mb << 20) / BYTES_A_PAIR; }
+
 typedef struct {
 	ts_run *run;
 	ts_traverse_sink *sink;
@@ -136,7 +138,7 @@ static ts_status with_memory(traversal *t)
 ts_status ts_traverse(ts_run *run, const ts_traverse_args *how, ts_traverse_sink *sink, void *user)
 {
 	traversal t = {.run = run, .sink = sink, .user = user, .piece.args = *how};
-	t.room = ((u64)run->params.queue_mb << 20) / BYTES_A_PAIR;
+	t.room = ts_traverse_room(&run->params);
 	ts_status status = with_memory(&t);
 	for (u32 slot = TS_WORK_other; slot <= TS_WORK_counts; slot++) ts_frame_lend(&run->frame, slot, NULL, 0);
 	free(t.queue);

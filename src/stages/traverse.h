@@ -24,6 +24,8 @@ extern const ts_launch ts_traverse_launches[];
 	&ts_traverse_launches[TS_TRAVERSE_START], &ts_traverse_launches[TS_TRAVERSE_COUNT], \
 		&ts_traverse_launches[TS_TRAVERSE_SPLIT], &ts_traverse_launches[TS_TRAVERSE_TALLY]
 
+/* Pairs of one step that queues have memory for. */
+u64 ts_traverse_room(const ts_params *params);
 /* Gives all pairs to the sink; in which order depends on queue_mb. `how`: as ts_traverse_arguments has it, or with
  * its own last, to_last, cutoff and touching. */
 ts_status ts_traverse(ts_run *run, const ts_traverse_args *how, ts_traverse_sink *sink, void *user);

@@ -154,7 +154,8 @@ done
 python3 - << 'PY'
 import json
 for shader, lit in ("phong", 0), ("phong_shadow", 4):
-    none, surface, discs = (json.load(open(f"{t}-{shader}.json"))["estimated_bytes"] for t in ("none", "surface", "discs"))
+    reports = (json.load(open(f"{t}-{shader}.json")) for t in ("none", "surface", "discs"))
+    none, surface, discs = (report["estimated_bytes"] - report["held_bytes"] for report in reports)
     assert none == surface and discs == 10000 * (96 + 192) + 256 * (48 + 2 * 12 + 3 + lit) > none
 PY
 verdict $? 'memory of the tree of surfels is counted'

@@ -81,6 +81,22 @@ static void memory_of_the_machine_is_plausible(void **state)
 	assert_in_range(ts_memory_total(), (uint64_t)1 << 26, (uint64_t)1 << 50);
 }
 
+/* 64 MiB more and, when released, less. */
+static void memory_in_use_is_counted(void **state)
+{
+	(void)state;
+	size_t bytes = (size_t)64 << 20;
+	uint64_t before = ts_memory_used();
+	char *memory = ts_alloc(bytes, 1, "bytes");
+	assert_non_null(memory);
+	memset(memory, 1, bytes);
+	assert_int_equal(memory[bytes / 2], 1);
+	uint64_t full = ts_memory_used();
+	free(memory);
+	assert_in_range(full, before + bytes / 2, before + 2 * bytes);
+	assert_true(ts_memory_used() < full);
+}
+
 static void the_clock_never_goes_back(void **state)
 {
 	(void)state;
@@ -101,6 +117,7 @@ int main(void)
 		cmocka_unit_test(growing_keeps_the_contents),
 		cmocka_unit_test(failed_growth_leaves_the_array),
 		cmocka_unit_test(memory_of_the_machine_is_plausible),
+		cmocka_unit_test(memory_in_use_is_counted),
 		cmocka_unit_test(the_clock_never_goes_back),
 	};
 	return cmocka_run_group_tests(memory, NULL, NULL);

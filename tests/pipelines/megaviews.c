@@ -314,7 +314,14 @@ static void test_little(void **state)
 	}
 }
 
-/* What a run is expected to take is no less than what it takes, its queues with it. */
+static void is_near(const char *what, u64 expected, u64 made, double factor)
+{
+	double ratio = ((double)expected + 1) / ((double)made + 1);
+	if (ratio > factor || ratio < 1 / factor) fail_msg("%s: %llu expected, %llu made", what, (unsigned long long)expected,
+	                                                   (unsigned long long)made);
+}
+
+/* What a run is expected to take is near what it takes; queues take no more than they may, and with more pairs more. */
 static void test_memory(void **state)
 {
 	(void)state;
@@ -322,20 +329,45 @@ static void test_memory(void **state)
 		const ts_pipeline *pipeline = ts_pipeline_find(k < N_METHODS ? "indirect" : "particles", methods[k % N_METHODS]);
 		ts_params params = tiny_params();
 		params.particles = params.vpls;
-		params.queue_mb = 2;
+		params.queue_mb = 64;
 		ts_scene *scene = small_scene(&params);
-		u64 short_queue = ts_pipeline_estimate(pipeline, scene, &params, true);
-		params.queue_mb = 5;
-		assert_int_equal(ts_pipeline_estimate(pipeline, scene, &params, true) - short_queue, 3 << 20);
+		ts_expected expected = ts_pipeline_expect(pipeline, scene, &params);
+		u64 estimate = ts_pipeline_estimate(pipeline, scene, &params, true);
+		assert_true(expected.work <= 64 << 20);
+		params.queue_mb = 1;
+		u64 least = ts_pipeline_expect(pipeline, scene, &params).work;
+		assert_true(least <= 1 << 20 && least <= expected.work);
 		ts_run run;
 		ts_run_begin(&run, scene, &params, 2);
 		run.lean = true;
 		assert_int_equal(ts_pipeline_run(pipeline, &run), TS_OK);
-		u64 taken = run.frame.peak_bytes + (u64)ts_run_counter(&run, "queue bytes");
-		assert_true(taken <= short_queue + (3 << 20));
+		is_near("bytes", estimate - expected.work, run.frame.peak_bytes, 1.5);
+		is_near("nodes", expected.sizes.n[TS_DIM_nodes], (u64)ts_run_counter(&run, "scene nodes"), 1.5);
+		is_near("pairs", expected.sizes.n[TS_DIM_gather_pairs], (u64)ts_run_counter(&run, "gather pairs"), 3);
 		ts_run_end(&run);
 		ts_scene_free(scene);
 	}
+}
+
+/* A distance beyond which nothing is gathered leaves few pairs, a map of finer texels more in the queues. */
+static void test_memory_of_pairs(void **state)
+{
+	(void)state;
+	const ts_pipeline *pipeline = ts_pipeline_find("indirect", "megaviews");
+	ts_params params = tiny_params();
+	params.levels = 9;
+	params.queue_mb = 256;
+	ts_scene *scene = small_scene(&params);
+	ts_expected all = ts_pipeline_expect(pipeline, scene, &params);
+	params.cutoff = 0.01f;
+	ts_expected few = ts_pipeline_expect(pipeline, scene, &params);
+	assert_true(few.sizes.n[TS_DIM_gather_pairs] < all.sizes.n[TS_DIM_gather_pairs] / 2);
+	params.view_px *= 2;
+	assert_true(ts_pipeline_expect(pipeline, scene, &params).work > few.work);
+	params.view_field = TS_VIEW_FIELD_ALL;
+	params.cutoff = 0;
+	assert_int_equal(ts_pipeline_expect(pipeline, scene, &params).sizes.n[TS_DIM_gather_nodes], 1);
+	ts_scene_free(scene);
 }
 
 /* Of many more paths than texels of the reflective shadow map maps are expected where those are. */
@@ -485,8 +517,8 @@ int main(void)
 		cmocka_unit_test(test_threads), cmocka_unit_test(test_claims), cmocka_unit_test(test_lists),
 		cmocka_unit_test(test_cutoff),  cmocka_unit_test(test_units),  cmocka_unit_test(test_draws),
 		cmocka_unit_test(test_filter),  cmocka_unit_test(test_edges),  cmocka_unit_test(test_little),
-		cmocka_unit_test(test_memory), cmocka_unit_test(test_memory_of_paths), cmocka_unit_test(test_brute),
-		cmocka_unit_test(test_wide),
+		cmocka_unit_test(test_memory),  cmocka_unit_test(test_memory_of_pairs), cmocka_unit_test(test_memory_of_paths),
+		cmocka_unit_test(test_brute),   cmocka_unit_test(test_wide),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
