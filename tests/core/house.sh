@@ -77,10 +77,19 @@ echo 'bool rows = strcmp(of, "H") == 0;' > src/trace/rows.c
 gives 1 "1 lines look at letters" "a dimension that is a letter" "$scripts/letters"
 echo 'BUFFER(eye_view, "eye.view", ts_view, "rows", sequence, "", "")' > include/touchstone/records.def
 gives 0 "0 dimensions are letters" "dimensions that have names" "$scripts/letters"
-echo 'ts_frame_n(frame, TS_B_eye_view); handle(TS_B_eye_view);' > src/stages/b.c
+mkdir -p tests/stages
+echo 'b: reads eye.view; writes eye.view' > tests/stages/sets.txt
+row='const ts_stage ts_stage_b = {\n\t.looks_at = TS_BUFFERS(TS_B_eye_view),\n};\n'
+printf "f(ts_frame_n(frame, TS_B_eye_view));\n\n$row" > src/stages/b.c
+gives 0 "0 buffers are named" "a stage body that looks at what its row declares" "$scripts/letters"
+printf "handle(TS_B_eye_view);\n\n$row" > src/stages/b.c
 gives 1 "1 buffers are named" "a stage body that names a buffer" "$scripts/letters"
+printf "f(ts_frame_n(frame, TS_B_eye_view));\n\n$row" > src/stages/b.c
+echo 'b: reads scene.info; writes scene.info' > tests/stages/sets.txt
+echo 'BUFFER(scene_info, "scene.info", ts_info, "1", sequence, "", "")' >> include/touchstone/records.def
+gives 1 "1 buffers are named" "a stage body that looks at what it does not declare" "$scripts/letters"
 
-printf 'ts_status ts_stage_lookup2(ts_run *run)\n{\n\tTS_KERNEL_lookup2;\n}\n' > src/stages/lookup2.c
+printf 'const ts_stage ts_stage_lookup2 = {\n\t.launches = TS_LAUNCHES(&first),\n};\n' > src/stages/lookup2.c
 gives 1 "0 of 1 stages" "a stage without a test of its name" "$scripts/nouns"
 : > tests/kernels/lookup2.c
 gives 0 "1 of 1 stages" "a stage with kernel, body and test of its name" "$scripts/nouns"
