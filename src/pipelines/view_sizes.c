@@ -65,10 +65,11 @@ static double share_in_reach(const surfaces *s, const ts_params *params, u32 lev
 }
 
 /* What queues take of their memory for so many pairs, half of them in the last step, and in each step half of those of the
- * next. */
+ * next; all of it where that is more than a run may have, which is refused. */
 static u64 queue_bytes(double pairs, const ts_params *params)
 {
-	u64 bytes = 0, room = ts_traverse_room(params);
+	u64 bytes = 0, room = ts_traverse_room(params), all = (u64)params->queue_mb << 20;
+	if (all > ts_memory_limit()) return all;
 	for (u64 step = (u64)(pairs / 2); step > 0; step /= 2) {
 		bytes += (step < room ? step : room) * sizeof(u64);
 	}
