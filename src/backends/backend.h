@@ -4,8 +4,8 @@
 #include "../core/frame.h"
 #include "args.h"
 
-/* One place that runs kernels. What the functions do is ordered: each sees what those before it did. A failure may show
- * at a later call; `finish` shows them all. Contents go by ts_frame: the pointers in `args` are ts_frame_handle's. */
+/* One place that runs kernels. Its functions take effect in the order of their calls. A failure may show at a later call;
+ * `finish` shows all failures. Contents are the frame's: the pointers in `args` are those of ts_frame_handle. */
 typedef struct ts_backend ts_backend;
 
 /* What running the arithmetic vectors told of a backend. */

@@ -132,8 +132,6 @@ bool ts_run_has(const ts_run *run, ts_buffer_id id)
 	return run->frame.buffer[id].made && run->frame.buffer[id].n > 0;
 }
 
-u32 ts_run_n_cubes(const ts_run *run) { return (u32)ts_frame_n(&run->frame, TS_B_resize_face); }
-
 u64 ts_run_n_texels(const ts_run *run, u32 first, u32 n)
 {
 	u64 texels = 0;
@@ -147,10 +145,7 @@ u64 ts_run_n_texels(const ts_run *run, u32 first, u32 n)
 	return texels;
 }
 
-bool ts_run_has_cubes(const ts_run *run)
-{
-	return run->frame.buffer[TS_B_resize_face].made && ts_run_n_cubes(run) > 0;
-}
+bool ts_run_has_cubes(const ts_run *run) { return ts_run_has(run, TS_B_resize_face); }
 
 void ts_run_views(const ts_run *run, u32 *first, u32 *n)
 {

@@ -16,7 +16,6 @@ const ts_info *ts_run_info(const ts_run *run);
 u32 ts_largest_face(const ts_params *params);
 /* A buffer was made, and is not empty. */
 bool ts_run_has(const ts_run *run, ts_buffer_id id);
-u32 ts_run_n_cubes(const ts_run *run);
 /* The off-screen views are faces of cubes. */
 bool ts_run_has_cubes(const ts_run *run);
 /* The off-screen views of the batch. */
