@@ -81,20 +81,21 @@ endif
 endif
 
 # Sources, by folder.
-LIB_C := $(filter-out src/cli/%,$(wildcard src/*/*.c src/*/*/*.c))
+every = $(wildcard $(foreach in,* */* */*/* */*/*/*,$(1)/$(in).$(2)))
+LIB_C := $(filter-out src/cli/% src/study/%,$(call every,src,c))
 IMAGE_CC := src/image/openimageio.cc
-LIB_CC := $(filter-out $(IMAGE_CC),$(wildcard src/*/*.cc))
-CLI_C := $(filter-out src/cli/core_main.c,$(wildcard src/cli/*.c))
-CORE_C := $(wildcard src/core/*.c src/backends/*.c src/backends/c/*.c src/stages/*.c src/pipelines/*.c) \
-	$(wildcard $(patsubst %,src/trace/%.c,npy emit sums golden* vectors*)) \
-	$(filter-out src/scene/open.c src/scene/print% src/scene/gltf% src/scene/ply%,$(wildcard src/scene/*.c)) \
+LIB_CC := $(filter-out $(IMAGE_CC),$(call every,src,cc))
+CLI_C := $(filter-out src/cli/core_main.c,$(wildcard src/cli/*.c src/study/*.c))
+CORE_C := $(wildcard src/model/*.c src/backends/*.c src/backends/c/*.c src/methods/*.c src/methods/*/*.c src/golden/*.c src/vectors/*.c) \
+	$(wildcard $(patsubst %,src/trace/%.c,npy emit sums)) \
+	$(filter-out src/scene/print% src/scene/numbers.c,$(wildcard src/scene/*.c src/scene/builtin/*.c)) \
 	$(wildcard $(foreach in,cli study,$(patsubst %,src/$(in)/%.c,core_main backends command commit digest golden* help \
 		methods nearest options parse sweep truths words)))
-TEST_C := $(filter-out tests/fuzz/%,$(wildcard tests/*/*.c))
+TEST_C := $(filter-out tests/fuzz/% tests/cli/preload/%,$(call every,tests,c))
 
 object = $(patsubst %,$(BUILD)/obj/%.o,$(1))
 LIB_O := $(call object,$(LIB_C) $(LIB_CC))
-IMAGE_O := $(call object,$(IMAGE_CC) $(patsubst %,src/core/%.c,error memory text))
+IMAGE_O := $(call object,$(IMAGE_CC) $(patsubst %,src/model/%.c,error memory text))
 CLI_O := $(call object,$(CLI_C))
 CORE_O := $(call object,$(CORE_C))
 TESTS := $(TEST_C:tests/%.c=$(BUILD)/tests/%)
@@ -148,7 +149,7 @@ golden:
 
 # The kernels as the text of an OpenCL program.
 PROGRAM := $(BUILD)/gen/program.inc
-$(PROGRAM): scripts/opencl-program src/backends/kernels.h src/backends/kernels.def $(wildcard src/kernels/*) include/touchstone/records.def
+$(PROGRAM): scripts/opencl-program src/backends/kernels.h src/backends/kernels.def $(wildcard src/kernels/*/*) include/touchstone/records.def
 	$(call say,GEN,$@)
 	$(Q)mkdir -p $(@D)
 	$(Q)scripts/opencl-program > $@
@@ -168,8 +169,8 @@ COMMIT := $(or $(COMMIT),unknown)
 $(BUILD)/commit: FORCE
 	$(Q)mkdir -p $(@D)
 	$(Q)echo '$(COMMIT)' | cmp -s - $@ || echo '$(COMMIT)' > $@
-$(call object,src/core/commit.c): $(BUILD)/commit
-$(call object,src/core/commit.c): OWN := -DTS_COMMIT='"$(COMMIT)"'
+$(call object,src/model/commit.c): $(BUILD)/commit
+$(call object,src/model/commit.c): OWN := -DTS_COMMIT='"$(COMMIT)"'
 
 # OWN: flags of single objects. Not added to CPPFLAGS or OPT: what a user gives those on the command line cannot be added to.
 $(BUILD)/obj/%.c.o: %.c $(BUILD)/flags
@@ -205,7 +206,7 @@ $(BUILD)/obj/tests/%: OWN := -O1
 $(BUILD)/tests/%: $(BUILD)/obj/tests/%.c.o $(BUILD)/libtouchstone.a | $(BUILD)/libtouchstone-image.so
 	$(call say,LINK,$@)
 	$(Q)mkdir -p $(@D)
-	$(Q)$(CXX) $(LINK_FLAGS) $(FIND_MODULE):'$$ORIGIN/../..' $^ $(LIBS) -lcmocka $(TEST_LIBS) -o $@
+	$(Q)$(CXX) $(LINK_FLAGS) $(FIND_MODULE):'$$ORIGIN/../..:$$ORIGIN/../../..:$$ORIGIN/../../../..' $^ $(LIBS) -lcmocka $(TEST_LIBS) -o $@
 
 $(BUILD)/tests/kernels/opencl_compile: TEST_LIBS = $(call packages,--libs,OpenCL)
 

@@ -2,7 +2,7 @@
  * arguments, what a stage reads and writes, and what a device is told. */
 #ifndef TS_BACKENDS_ARGS_H
 #define TS_BACKENDS_ARGS_H
-#include "../core/frame.h"
+#include "../model/frame.h"
 
 #define KERNEL(name, args) TS_KERNEL_##name,
 typedef enum {
@@ -11,7 +11,7 @@ typedef enum {
 } ts_kernel;
 #undef KERNEL
 
-/* Of kernels/args.h. */
+/* Of kernels/base/args.h. */
 typedef enum {
 	TS_ROLE_IN, TS_ROLE_OUT, TS_ROLE_MIN, TS_ROLE_SUM, TS_ROLE_WORK, TS_ROLE_TALLY, TS_ROLE_VALUE, TS_ROLE_INNER
 } ts_role;

@@ -1,7 +1,7 @@
 /* Backends run a kernel over all its items. */
 #ifndef TS_BACKENDS_BACKEND_H
 #define TS_BACKENDS_BACKEND_H
-#include "../core/frame.h"
+#include "../model/frame.h"
 #include "args.h"
 
 /* One place that runs kernels. Its functions take effect in the order of their calls. A failure may show at a later call;

@@ -2,7 +2,7 @@
 #include "backends.h"
 #include <stdio.h>
 #include <string.h>
-#include "../trace/vectors.h"
+#include "../vectors/vectors.h"
 
 ts_status ts_backend_open(ts_job *job)
 {

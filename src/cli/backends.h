@@ -1,7 +1,7 @@
 /* What --backend and the options behind it name. */
 #ifndef TS_CLI_BACKENDS_H
 #define TS_CLI_BACKENDS_H
-#include "job.h"
+#include "../study/job.h"
 
 /* Each program's own, the reference first, ended by NULL. */
 extern const ts_backend_kind *const ts_backend_kinds[];

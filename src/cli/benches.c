@@ -1,6 +1,6 @@
 /* `bench TABLE`: measures one of the tables. */
 #include <string.h>
-#include "bench.h"
+#include "../study/bench.h"
 #include "cli.h"
 
 static ts_status unknown(const char *name)

@@ -1,12 +1,12 @@
 /* The command line: one table of commands, one table of options, one parser for all. */
 #ifndef TS_CLI_CLI_H
 #define TS_CLI_CLI_H
-#include "../core/core.h"
-#include "../kernels/compat.h"
-#include "../trace/relax.h"
+#include "../model/core.h"
+#include "../kernels/base/compat.h"
+#include "../compare/relax.h"
 #include "backends.h"
-#include "job.h"
-#include "words.h"
+#include "../study/job.h"
+#include "../study/words.h"
 
 /* Options: their places in the table, and their bits, by which a command says which it takes. */
 enum {

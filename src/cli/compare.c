@@ -4,9 +4,9 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <touchstone/image.h>
-#include "../trace/forced.h"
+#include "../replay/forced.h"
 #include "compare_images.h"
-#include "folder.h"
+#include "../study/folder.h"
 
 static bool ends_in(const char *path, const char *suffix)
 {

@@ -1,9 +1,9 @@
 /* What a comparison says, in each of its forms. */
 #ifndef TS_CLI_COMPARE_H
 #define TS_CLI_COMPARE_H
-#include "../trace/compare.h"
+#include "../compare/compare.h"
 #include "cli.h"
-#include "table.h"
+#include "../study/table.h"
 
 enum { TS_LINE_TEXT = 2048 };
 

@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include <touchstone/image.h>
 #include "../trace/field.h"
-#include "../trace/relax.h"
-#include "table.h"
+#include "../compare/relax.h"
+#include "../study/table.h"
 
 typedef struct { f32 *pixels; u32 width, height, channels; } picture;
 

@@ -4,7 +4,7 @@
 #include "../scene/sources.h"
 #include "../trace/sums.h"
 #include "cli.h"
-#include "methods.h"
+#include "../study/methods.h"
 
 #if defined(__SSE__)
 #include <xmmintrin.h>

@@ -1,7 +1,7 @@
 /* Goldens as a command: reference/cases.txt says what is run, reference/<case>/ what came of it. Part of the core. */
 #ifndef TS_CLI_GOLDEN_H
 #define TS_CLI_GOLDEN_H
-#include "../trace/golden.h"
+#include "../golden/golden.h"
 #include "cli.h"
 
 enum { TS_MAX_CASES = 100, TS_CASE_NAME = 41, TS_CASE_SCENE = 64, TS_REASON_BYTES = 400 };

@@ -5,7 +5,7 @@
 #include <string.h>
 #include "../scene/sources.h"
 #include "golden.h"
-#include "methods.h"
+#include "../study/methods.h"
 
 enum { MOST_FILE_BYTES = 64 << 10, MOST_WORDS = 100, MOST_PIXELS = 1 << 20, MOST_FRAME = 1000 };
 

@@ -1,10 +1,10 @@
 /* `list WHAT`: the program's own tables, so never stale. */
 #include <string.h>
-#include "../core/frame.h"
-#include "../pipelines/pipeline.h"
-#include "bench.h"
+#include "../model/frame.h"
+#include "../methods/pipeline.h"
+#include "../study/bench.h"
 #include "cli.h"
-#include "truths.h"
+#include "../study/truths.h"
 
 static const ts_column stage_columns[] = { { "name", "stage", false }, { "kind", "kind", false },
 	{ "paper", "paper", false }, { "doc", "what", false }, { "writes", "writes", false }, { "reads", "reads", false },

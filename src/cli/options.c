@@ -2,7 +2,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include "cli.h"
-#include "sweep.h"
+#include "../study/sweep.h"
 
 static ts_status take_nothing(void *to, const ts_option *option, const char *text)
 {

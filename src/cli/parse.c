@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 #include "cli.h"
-#include "truths.h"
+#include "../study/truths.h"
 
 /* What getopt_long answers for the first long option, above every letter. */
 enum { LONG = 256 };

@@ -1,10 +1,10 @@
 /* `probe TRACE`: why a pixel, a texel, a triangle or a point is what it is. One description, printed as text or as
  * JSON. */
 #include <stdlib.h>
-#include "../trace/probe.h"
+#include "../probe/probe.h"
 #include "../trace/where.h"
 #include "cli.h"
-#include "table.h"
+#include "../study/table.h"
 
 enum { WIDTH = 118, ITEM_TEXT = 512 };
 

@@ -2,10 +2,10 @@
  * prints it: a reader that went away costs no picture. */
 #include <stdlib.h>
 #include "cli.h"
-#include "folder.h"
+#include "../study/folder.h"
 #include "render.h"
 #include "render_csv.h"
-#include "sweep.h"
+#include "../study/sweep.h"
 
 static bool traces(const ts_job *job)
 {

@@ -2,12 +2,12 @@
 #ifndef TS_CLI_RENDER_H
 #define TS_CLI_RENDER_H
 #include <touchstone/image.h>
-#include "job.h"
-#include "measure.h"
-#include "methods.h"
-#include "table.h"
-#include "trace.h"
-#include "truths.h"
+#include "../study/job.h"
+#include "../study/measure.h"
+#include "../study/methods.h"
+#include "../study/table.h"
+#include "../study/trace.h"
+#include "../study/truths.h"
 
 enum { TS_MAX_PAIRS = 256 };
 

@@ -1,6 +1,6 @@
 /* The files of a render: every method, truth and difference as PNG and EXR, and the pictures of the stages. */
 #include <stdlib.h>
-#include "folder.h"
+#include "../study/folder.h"
 #include "render.h"
 
 static const char *file(const char *stem, const char *suffix)

@@ -1,10 +1,10 @@
 /* `replay TRACE`: one stage again, or every stage, from the buffers of a trace or of a port, judged by what they
  * hold. */
 #include <stdio.h>
-#include "../trace/judge.h"
-#include "../trace/outputs.h"
+#include "../replay/judge.h"
+#include "../replay/outputs.h"
 #include "cli.h"
-#include "folder.h"
+#include "../study/folder.h"
 #include "replay_report.h"
 
 static const char *place(void *user, const char *name)

@@ -1,8 +1,8 @@
 /* What `replay` prints, as text and as JSON. */
 #ifndef TS_CLI_REPLAY_REPORT_H
 #define TS_CLI_REPLAY_REPORT_H
-#include "../trace/judge.h"
-#include "table.h"
+#include "../replay/judge.h"
+#include "../study/table.h"
 
 enum { TS_MAX_OUTPUTS = 6 };
 

@@ -2,8 +2,8 @@
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include "folder.h"
-#include "table.h"
+#include "../study/folder.h"
+#include "../study/table.h"
 #include "vectors.h"
 
 static ts_status write_file(const char *name, const char *descr, u32 n_dims, const u64 *shape, const void *data,

@@ -1,7 +1,7 @@
 /* Files of arithmetic vectors: a folder of PRIMITIVE.in.npy, PRIMITIVE.out.npy and vectors.json. */
 #ifndef TS_CLI_VECTORS_H
 #define TS_CLI_VECTORS_H
-#include "../trace/vectors.h"
+#include "../vectors/vectors.h"
 #include "cli.h"
 
 /* Room for the rows of any primitive. */

@@ -2,7 +2,7 @@
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include "table.h"
+#include "../study/table.h"
 #include "vectors.h"
 
 typedef struct {

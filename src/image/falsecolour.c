@@ -1,5 +1,5 @@
 /* Colours for figures and names. */
-#include "../kernels/num.h"
+#include "../kernels/base/num.h"
 #include "falsecolour.h"
 
 static const uint8_t ramp[][3] = {

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <touchstone/image.h>
-#include "../core/core.h"
+#include "../model/core.h"
 #include "codec.h"
 #include "png.h"
 

@@ -1,5 +1,5 @@
 /* The module libtouchstone-image.so: image files through OpenImageIO, which is named nowhere else. */
-#include "../core/core.h"
+#include "../model/core.h"
 #include "codec.h"
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>

@@ -1,6 +1,6 @@
 /* PNG files from strangers: every chunk that pixels depend on is checked and copied (PNG 1.2, sections 3 to 5). */
 #include "png.h"
-#include "../core/core.h"
+#include "../model/core.h"
 #include <stdlib.h>
 #include <string.h>
 #include <zlib.h>

@@ -1,8 +1,8 @@
 /* Building a scene: appending records. Every float is sanitized (CONTRACT rule 10) and every padding field is zero,
  * because the arrays are hashed. build_finish.c checks and freezes. */
 #include "build_parts.h"
-#include "../core/core.h"
-#include "../kernels/vec.h"
+#include "../model/core.h"
+#include "../kernels/base/vec.h"
 #include <stdio.h>
 #include <stdlib.h>
 

@@ -1,8 +1,8 @@
 /* Freezing a scene: what it lacks is added (METHODS 4), every index and range is checked, so that no kernel has to,
  * and the vertices of each object are made one range. */
 #include "build_parts.h"
-#include "../core/core.h"
-#include "../kernels/shade.h"
+#include "../model/core.h"
+#include "../kernels/base/shade.h"
 #include "sample.h"
 #include "surfel.h"
 #include "view.h"

@@ -1,6 +1,6 @@
 /* Images as the kernels read them: 16-bit linear texels and their mip chain (CONTRACT rule 37). Integers only. */
 #include "build_parts.h"
-#include "../core/core.h"
+#include "../model/core.h"
 #include "srgb_table.h"
 
 #define SIDE_LIMIT 65536u

@@ -1,8 +1,8 @@
 /* The hall of a scene: how far the eye and the added reflectors may go (view.h says why). A wall
  * is what stops level rays both at eye height and above furniture; a fan of rays decides, so that one post does not. */
 #include "build_parts.h"
-#include "../core/core.h"
-#include "../kernels/scene.h"
+#include "../model/core.h"
+#include "../kernels/base/scene.h"
 #include <stdlib.h>
 
 #define N_HEIGHTS 2

@@ -1,5 +1,5 @@
 /* A ground under a model that brings none: shadows need something to fall on. */
-#include "../kernels/vec.h"
+#include "../kernels/base/vec.h"
 #include "sources.h"
 #include "view.h"
 

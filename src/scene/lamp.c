@@ -1,6 +1,6 @@
 /* Area lights and the samples that stand for them. All arithmetic is the kernels' (CONTRACT rule 4). */
 #include "lamp.h"
-#include "../kernels/shade.h"
+#include "../kernels/base/shade.h"
 #include "view.h"
 
 #define WIDEST 3.73205089569091796875f /* tangent of 75 degrees */

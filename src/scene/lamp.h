@@ -2,7 +2,7 @@
 #ifndef TS_SCENE_LAMP_H
 #define TS_SCENE_LAMP_H
 #include <touchstone/params.h>
-#include "../kernels/records.h"
+#include "../kernels/base/records.h"
 
 /* Between two seeds of a sunflower, in turns (Vogel 1979). */
 #define TS_GOLDEN_TURN 0.61803400516510009765625f

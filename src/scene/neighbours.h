@@ -2,8 +2,8 @@
  * is one, whatever the threads; as many points in one place as there may be cost no more than others. */
 #ifndef TS_SCENE_NEIGHBOURS_H
 #define TS_SCENE_NEIGHBOURS_H
-#include "../core/core.h"
-#include "../kernels/vec.h"
+#include "../model/core.h"
+#include "../kernels/base/vec.h"
 #ifdef __cplusplus
 extern "C" {
 #endif

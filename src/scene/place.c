@@ -1,7 +1,7 @@
 /* Node transforms: glTF 2.0 section 3.5.3 (local = translation rotation scale, world = parent local), normals by the
  * inverse transpose. Elements pass ts_san after every product, so no chain of nodes leaves the contract's range. */
 #include "place.h"
-#include "../kernels/vec.h"
+#include "../kernels/base/vec.h"
 #include "surfel.h"
 
 #define ELEMENT_LIMIT 16777216.0f

@@ -3,7 +3,7 @@
  * gives the same bits. */
 #ifndef TS_SCENE_PLACE_H
 #define TS_SCENE_PLACE_H
-#include "../kernels/vec.h"
+#include "../kernels/base/vec.h"
 #include "scene.h"
 #ifdef __cplusplus
 extern "C" {

@@ -1,6 +1,6 @@
 /* `touchstone info`: what was loaded, and what in the file was not understood, as text or JSON. */
-#include "../core/core.h"
-#include "../kernels/num.h"
+#include "../model/core.h"
+#include "../kernels/base/num.h"
 #include "print.h"
 #include "scene.h"
 #include "surfel.h"

@@ -2,7 +2,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../core/core.h"
+#include "../model/core.h"
 #include "print.h"
 
 enum { ESCAPE_BYTES = 4 };

@@ -1,6 +1,6 @@
 /* The added reflectors (EPR 4.2; METHODS 4): golden-angle phases on ellipses around the middle of the hall's floor,
  * turning as the eye does, and one radius for all, so that their mean projected diameter at frame 0 is reflector_px. */
-#include "../kernels/pose.h"
+#include "../kernels/base/pose.h"
 #include "shapes.h"
 #include "sources.h"
 #include "view.h"

@@ -2,9 +2,9 @@
  * write where the sums of the counts say. */
 #include "sample.h"
 #include <stdlib.h>
-#include "../core/core.h"
-#include "../kernels/points.h"
-#include "../kernels/split.h"
+#include "../model/core.h"
+#include "../kernels/points/points.h"
+#include "../kernels/points/split.h"
 #include "build_parts.h"
 
 enum { SAFE = 129, CENTRE = 0, MOST_PARTS = 64 }; /* half sizes of a lattice square, in 1/256 */

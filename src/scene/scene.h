@@ -2,7 +2,7 @@
 #ifndef TS_SCENE_SCENE_H
 #define TS_SCENE_SCENE_H
 #include <touchstone/scene.h>
-#include "../kernels/records.h"
+#include "../kernels/base/records.h"
 
 typedef struct {
 	char *name;
@@ -30,7 +30,7 @@ struct ts_scene {
 	char **notes; u32 n_notes; /* what in the file was not understood, a line each */
 };
 
-/* Places in ts_material's slot. Flags, wrap modes and kinds of light: kernels/scene.h, texture.h, shade.h. */
+/* Places in ts_material's slot. Flags, wrap modes and kinds of light: kernels/base/scene.h, texture.h, shade.h. */
 enum { TS_SLOT_BASE, TS_SLOT_METALROUGH, TS_SLOT_NORMAL, TS_SLOT_OCCLUSION, TS_SLOT_EMISSIVE, TS_N_SLOTS };
 
 #endif

@@ -1,6 +1,6 @@
 /* Shapes of the added reflectors (METHODS 4): profiles in a half plane, turned about an axis. */
 #include "shapes.h"
-#include "../kernels/vec.h"
+#include "../kernels/base/vec.h"
 #include <assert.h>
 
 #define MAX_ROWS 64

@@ -2,8 +2,8 @@
 #include "surfel.h"
 #include <stdlib.h>
 #include <string.h>
-#include "../core/core.h"
-#include "../kernels/vec.h"
+#include "../model/core.h"
+#include "../kernels/base/vec.h"
 
 #define RIGHT 0.00390625f /* 1/256: the cosine of what still counts as a right angle */
 #define SKEW 1.52587890625e-5f /* 2^-16: more of it is not rounding */

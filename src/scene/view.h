@@ -1,7 +1,7 @@
 /* The eye, and where it and the added reflectors move. */
 #ifndef TS_SCENE_VIEW_H
 #define TS_SCENE_VIEW_H
-#include "../kernels/vec.h"
+#include "../kernels/base/vec.h"
 #include "scene.h"
 
 /* Frames in which the eye, and each added reflector, comes around once. */

@@ -2,7 +2,7 @@
 #ifndef TS_TRACE_DESCRIBE_H
 #define TS_TRACE_DESCRIBE_H
 #include <jansson.h>
-#include "../core/digest.h"
+#include "../model/digest.h"
 #include "emit.h"
 
 enum { TS_TRACE_VERSION = 1 };

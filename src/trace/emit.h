@@ -2,7 +2,7 @@
  * buffer over cubes in parts; here they are one file. */
 #ifndef TS_TRACE_EMIT_H
 #define TS_TRACE_EMIT_H
-#include "../pipelines/pipeline.h"
+#include "../methods/pipeline.h"
 #include "npy.h"
 
 enum { TS_EMIT_NAME = 64 };

@@ -1,6 +1,6 @@
 /* Fields of records.def's elements. */
 #include "field.h"
-#include "../kernels/scene.h"
+#include "../kernels/base/scene.h"
 #include <assert.h>
 #include <inttypes.h>
 #include <stdio.h>

@@ -1,7 +1,7 @@
 /* Elements of buffers, field by field, and how their values are told apart and shown. */
 #ifndef TS_TRACE_FIELD_H
 #define TS_TRACE_FIELD_H
-#include "../core/frame.h"
+#include "../model/frame.h"
 
 /* What stands for an index of the candidate that names no point of the reference. */
 #define TS_NO_PARTNER 0xfffffffeu

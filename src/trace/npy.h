@@ -3,8 +3,8 @@
  * they say. */
 #ifndef TS_TRACE_NPY_H
 #define TS_TRACE_NPY_H
-#include "../core/frame.h"
-#include "../core/shape.h"
+#include "../model/frame.h"
+#include "../model/shape.h"
 
 enum { TS_NPY_HEADER = 4096, TS_NPY_DESCR = 2048 };
 

@@ -1,7 +1,7 @@
 /* What this build says of itself. */
 #include "producer.h"
-#include "../core/core.h"
-#include "../kernels/compat.h"
+#include "../model/core.h"
+#include "../kernels/base/compat.h"
 
 json_t *ts_producer(const ts_run *run)
 {

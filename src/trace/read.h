@@ -2,7 +2,7 @@
  * anything is read, and no file outside the folder is opened. */
 #ifndef TS_TRACE_READ_H
 #define TS_TRACE_READ_H
-#include "../pipelines/pipeline.h"
+#include "../methods/pipeline.h"
 #include "npy.h"
 #include "reader.h"
 

@@ -3,7 +3,7 @@
 #ifndef TS_TRACE_SUMS_H
 #define TS_TRACE_SUMS_H
 #include <stdio.h>
-#include "../core/digest.h"
+#include "../model/digest.h"
 #include "emit.h"
 
 typedef struct {

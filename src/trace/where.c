@@ -2,7 +2,7 @@
 #include "where.h"
 #include <inttypes.h>
 #include <stdio.h>
-#include "../kernels/num.h"
+#include "../kernels/base/num.h"
 #include "reader.h"
 
 /* Copies element `index` of a buffer of the reference; false if it is not there. */

@@ -1,5 +1,5 @@
 /* What truths start from: the first steps of a method of their effect. */
-#include "../pipelines/pipeline.h"
+#include "../methods/pipeline.h"
 #include "query.h"
 
 static bool has_made(const ts_run *run, const ts_buffer_id *ids)

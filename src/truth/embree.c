@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../kernels/surface.h"
+#include "../kernels/base/surface.h"
 #include "query.h"
 #include "tree.h"
 

@@ -1,7 +1,7 @@
 /* One ray into Embree's tree: what reflect.c asks of embree.c. */
 #ifndef TS_TRUTH_QUERY_H
 #define TS_TRUTH_QUERY_H
-#include "../kernels/hit.h"
+#include "../kernels/base/hit.h"
 #include "truth.h"
 
 /* A leg of a light path that began at the eye. A hit q has a footprint of spread * (path + |from - q|) world units. */

@@ -1,7 +1,7 @@
 /* The table of ground truths. A row holds all that the command, its reports and the documents know of a truth. */
 #ifndef TS_TRUTH_TABLE_H
 #define TS_TRUTH_TABLE_H
-#include "../pipelines/pipeline.h"
+#include "../methods/pipeline.h"
 #include "truth.h"
 
 enum { TS_MAX_TRUTHS = 32 }; /* sets of them are the bits of a u32 */

@@ -1,7 +1,7 @@
 /* Embree, version 3 or 4: a device and a scene in it, what failed in them, and how much memory they may take. */
 #ifndef TS_TRUTH_TREE_H
 #define TS_TRUTH_TREE_H
-#include "../stages/stages.h"
+#include "../methods/stages.h"
 #include "first_error.h"
 #if TS_EMBREE == 4
 #include <embree4/rtcore.h>

@@ -1,5 +1,5 @@
 /* The C backend: every item once whatever the threads, prefix sums, filled buffers. */
-#include "../kernels/mesh.h"
+#include "../kernels/points/mesh.h"
 #include "../../src/backends/c/fast.h"
 
 /* Prefix sums against their definition; the total may need more than 32 bits. */

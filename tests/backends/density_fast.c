@@ -1,6 +1,6 @@
 /* The fast densities equal the plain kernel bit for bit: of triangles in all places about many views, biased to the
  * extremes. */
-#include "../kernels/views.h"
+#include "../kernels/points/views.h"
 #include "../../src/backends/c/fast.h"
 
 enum { N = 1500, VIEWS = 128 };

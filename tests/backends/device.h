@@ -1,7 +1,7 @@
 /* What tests on OpenCL devices need. */
 #ifndef TS_TESTS_BACKENDS_DEVICE_H
 #define TS_TESTS_BACKENDS_DEVICE_H
-#include "../core/test.h"
+#include "../model/test.h"
 #include "../../src/backends/backend.h"
 
 /* Skips the test where there is no device, or fails it if TS_REQUIRE names opencl. */

@@ -1,11 +1,11 @@
 /* The OpenCL backend through its functions: where memory is, work groups, offsets, prefix sums, what it refuses. */
 #include "device.h"
-#include "../kernels/mesh.h"
-#include "../../src/pipelines/pipeline.h"
+#include "../kernels/points/mesh.h"
+#include "../../src/methods/pipeline.h"
 #include "../../src/scene/sources.h"
 #include "../../src/trace/sums.h"
 #include "../../src/backends/kernels.h"
-#include "../../src/trace/vectors.h"
+#include "../../src/vectors/vectors.h"
 
 enum { MOST = 6000, GROUPS = 5 };
 static const u32 groups[GROUPS] = {1, 32, 64, 256, 0};

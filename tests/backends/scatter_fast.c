@@ -2,7 +2,7 @@
  * perspective and orthographic, of stored points and of points made on the spot, at coordinates where views begin
  * and end. */
 #include "../../src/backends/c/fast.h"
-#include "../kernels/mesh.h"
+#include "../kernels/points/mesh.h"
 
 enum { N = 24, MOST_VIEWS = 80 };
 

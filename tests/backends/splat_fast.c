@@ -1,5 +1,5 @@
 /* The fast splats equal the plain kernel bit for bit: texels and counters, on random meshes biased to the extremes. */
-#include "../kernels/mesh.h"
+#include "../kernels/points/mesh.h"
 #include "../../src/backends/c/fast.h"
 
 enum { N = 1500 };

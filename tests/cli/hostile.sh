@@ -2,7 +2,7 @@
 # Every fourth file of the corpus of malformed and odd glTF, $TS_SCENES/hostile, through the command, or each with
 # TS_HOSTILE=all: it ends within 10 seconds, with exit code 0 or 2, one line on stderr if 2 and none if 0, and a render
 # leaves its folder or nothing. Every twelfth also by MegaViews, whose parameters are taken to their ends and beyond.
-# tests/scene/hostile.c loads every file.
+# tests/scene/gltf/hostile.c loads every file.
 . "$(dirname "$0")/tap.bash"
 hostile=$(realpath -m "${TS_SCENES:-scenes}")/hostile
 if [ ! -r "$hostile/manifest.tsv" ]; then

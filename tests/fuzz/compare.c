@@ -3,8 +3,8 @@
  * reference, and its first divergence put into words. */
 #include <assert.h>
 #include "folder.h"
-#include "../../src/kernels/num.h"
-#include "../../src/trace/compare.h"
+#include "../../src/kernels/base/num.h"
+#include "../../src/compare/compare.h"
 #include "../../src/trace/where.h"
 
 enum { N_POINTS = 6, N_TEXELS = 24, N_FILES = 5 };

@@ -2,7 +2,7 @@
  * bytes; what is taken is compared with itself. */
 #include <assert.h>
 #include "folder.h"
-#include "../../src/trace/compare.h"
+#include "../../src/compare/compare.h"
 
 static const char *json;
 

@@ -1,6 +1,6 @@
 /* PNG files from strangers: every legal kind passes, and no damage does. */
 #include "../../src/image/png.h"
-#include "../../src/kernels/num.h"
+#include "../../src/kernels/base/num.h"
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

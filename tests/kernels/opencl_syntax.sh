@@ -9,14 +9,14 @@ check() { # NAME COMPILER FLAG...
 	n=$((n + 1))
 	if ! command -v "$1" >/dev/null; then
 		echo "ok $n - $name # SKIP no $1"
-	elif printf '#include "%s"\n' "$(basename "$header")" | "$@" -Isrc/kernels -fsyntax-only -Wall -Wextra -Werror -; then
+	elif printf '#include "%s"\n' "${header#src/kernels/}" | "$@" -Isrc/kernels -fsyntax-only -Wall -Wextra -Werror -; then
 		echo "ok $n - $name"
 	else
 		echo "not ok $n - $name"
 	fi
 }
 
-for header in src/kernels/*.h; do
+for header in src/kernels/*/*.h; do
 	check "$header as C11" gcc -std=c11 -Wno-unused-function -Wno-unused-const-variable -x c
 	check "$header as OpenCL C 1.2" clang -x cl -cl-std=CL1.2 -Xclang -finclude-default-header -Wno-unused-function
 done

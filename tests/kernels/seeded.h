@@ -7,7 +7,7 @@
 #include <stdint.h>
 #include <math.h>
 #include <cmocka.h>
-#include "../../src/kernels/vec.h"
+#include "../../src/kernels/base/vec.h"
 
 enum { SEED = 17, STREAM = 6 };
 

@@ -2,7 +2,7 @@
 #ifndef TS_TESTS_KERNELS_SMALL_H
 #define TS_TESTS_KERNELS_SMALL_H
 #include "seeded.h"
-#include "../../src/kernels/scene.h"
+#include "../../src/kernels/base/scene.h"
 
 enum { MAX_TRIANGLES = 1024, MAX_TEXELS = 4096 };
 

@@ -2,7 +2,7 @@
  * convention that it undoes. Beside the tests:
  *   candidate table              prints the rows between the header's markers
  *   candidate copy TRACE FOLDER  a candidate of the trace's buffers, held as a port holds them */
-#include "../core/test.h"
+#include "../model/test.h"
 #include <sys/stat.h>
 #include <touchstone/candidate.h>
 #include "../../src/trace/read.h"

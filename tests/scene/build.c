@@ -1,6 +1,6 @@
 /* Building a scene: what is added, what is refused, what is kept, and the mip chains. */
 #include "../../src/scene/build.h"
-#include "../../src/kernels/shade.h"
+#include "../../src/kernels/base/shade.h"
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdio.h>

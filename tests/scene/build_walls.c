@@ -1,6 +1,6 @@
 /* The hall of a scene: rooms of known size with all that could mislead the rays. */
 #include "../../src/scene/build.h"
-#include "../../src/kernels/scene.h"
+#include "../../src/kernels/base/scene.h"
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

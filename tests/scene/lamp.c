@@ -1,7 +1,7 @@
 /* Area lights: where their samples lie and what the views from them see, against double arithmetic. */
 #include "../../src/scene/lamp.h"
 #include "../../src/scene/view.h"
-#include "../../src/kernels/shade.h"
+#include "../../src/kernels/base/shade.h"
 #include "../kernels/seeded.h"
 
 enum { N = 400 };

@@ -1,5 +1,5 @@
 /* The added reflectors: their mean size, that they stay in the scene and apart, and what they are made of. */
-#include "../../src/kernels/pose.h"
+#include "../../src/kernels/base/pose.h"
 #include "../../src/scene/sources.h"
 #include "../../src/scene/view.h"
 #include <setjmp.h>

@@ -1,8 +1,8 @@
 /* Surfels sampled from triangles: that they lie on them, cover them, look like them, and are as many as asked for. */
 #include "../../src/scene/sample.h"
-#include "../../src/core/core.h"
-#include "../../src/kernels/texture.h"
-#include "../../src/kernels/vec.h"
+#include "../../src/model/core.h"
+#include "../../src/kernels/base/texture.h"
+#include "../../src/kernels/base/vec.h"
 #include <omp.h>
 #include <setjmp.h>
 #include <stdarg.h>

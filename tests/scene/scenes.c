@@ -1,5 +1,5 @@
 /* The files in scenes/, as scenes/README.md describes them. */
-#include "../../src/kernels/texture.h"
+#include "../../src/kernels/base/texture.h"
 #include "../../src/scene/scene.h"
 #include <setjmp.h>
 #include <stdarg.h>

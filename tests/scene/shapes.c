@@ -1,6 +1,6 @@
 /* The shapes of the added reflectors: closed, outward, of the right volume, their normals agreeing with their faces. */
 #include "../../src/scene/shapes.h"
-#include "../../src/kernels/vec.h"
+#include "../../src/kernels/base/vec.h"
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdlib.h>

@@ -1,6 +1,6 @@
 /* Surfels against double arithmetic: circles, what ellipses are refused, and what nodes make of them. */
 #include "../../src/scene/surfel.h"
-#include "../../src/kernels/num.h"
+#include "../../src/kernels/base/num.h"
 #include "../../src/scene/place.h"
 #include <math.h>
 #include <setjmp.h>

@@ -1,8 +1,8 @@
 /* Floats apart, by closed forms; fields by the offsets of the structs; values as they are shown. */
 #include <math.h>
 #include "folder.h"
-#include "../../src/kernels/compat.h"
-#include "../../src/kernels/num.h"
+#include "../../src/kernels/base/compat.h"
+#include "../../src/kernels/base/num.h"
 #include "../../src/trace/field.h"
 
 static void test_ulps(void **state)

@@ -1,6 +1,6 @@
 /* Reading elements in any order against the plain file, and files that change meanwhile. */
 #include "folder.h"
-#include "../../src/core/core.h"
+#include "../../src/model/core.h"
 #include "../../src/trace/reader.h"
 
 static u32 seed = 17;

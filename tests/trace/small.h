@@ -2,7 +2,7 @@
 #ifndef TS_TESTS_TRACE_SMALL_H
 #define TS_TESTS_TRACE_SMALL_H
 #include "folder.h"
-#include "../../src/pipelines/pipeline.h"
+#include "../../src/methods/pipeline.h"
 #include "../../src/trace/write.h"
 
 #define SMALL_SCENE "atrium:triangles=10000:texels=32"

@@ -1,6 +1,6 @@
 /* What a trace holds: the same files as the digests say, each by its own name; whole, of some stages, or cropped. */
 #include "small.h"
-#include "../../src/core/digest.h"
+#include "../../src/model/digest.h"
 #include "../../src/trace/read.h"
 #include "../../src/trace/sums.h"
 

@@ -2,7 +2,7 @@
 #ifndef TS_TESTS_TRUTH_SOUP_H
 #define TS_TESTS_TRUTH_SOUP_H
 #include <stddef.h>
-#include "../../src/kernels/scene.h"
+#include "../../src/kernels/base/scene.h"
 #include "../../src/scene/sources.h"
 
 enum { SOUP_MATERIALS = 8, SOUP_STREAM = 6, SOUP_SEED = 21 };

@@ -3,7 +3,7 @@
 #define TS_TESTS_TRUTH_WORLD_H
 #include <assert.h>
 #include <string.h>
-#include "../../src/kernels/texture.h"
+#include "../../src/kernels/base/texture.h"
 #include "../../src/truth/truth.h"
 
 enum { WORLD_TRIANGLES = 8192, WORLD_OBJECTS = 4, WORLD_MATERIALS = 11 };

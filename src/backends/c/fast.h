@@ -7,7 +7,7 @@
 /* Runs a kernel's fast path. False if it has none, or none for these arguments: then nothing was done. */
 bool ts_c_fast(ts_kernel kernel, const void *args, u64 n, u32 threads);
 
-/* The same bits as launching the kernel (tests/backends, tests/stages/run.c).
+/* The same bits as launching the kernel (tests/backends, tests/methods/run.c).
  * Splat: args->offset must be there, and nothing to mark. */
 void ts_c_splat_fast(const ts_splat_args *args, u32 threads);
 /* Scatter: of n stored points or n pieces, into depth maps; n_views must not be 0. False if there is no memory, or

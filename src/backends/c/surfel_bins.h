@@ -1,7 +1,7 @@
 /* Which surfels each tile of an image has, so that a thread can own a tile. */
 #ifndef TS_BACKENDS_SURFEL_BINS_H
 #define TS_BACKENDS_SURFEL_BINS_H
-#include "../../kernels/num.h"
+#include "../../kernels/base/num.h"
 #include "../backend.h"
 
 /* Tiles that a surfel may touch; none where the last is before the first. */

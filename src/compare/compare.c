@@ -1,0 +1,65 @@
+/* Comparison of two traces. */
+#include "compare.h"
+#include "../trace/emit.h"
+
+static void count(ts_comparison *c, ts_buffer_id id)
+{
+	ts_judgement judgement = c->verdict[id].judgement;
+	c->n_judged += judgement == TS_SAME || judgement == TS_UNLIKE;
+	c->n_unlike += judgement == TS_UNLIKE;
+	c->n_missing += judgement == TS_MISSING;
+	if (judgement == TS_UNLIKE && c->first == TS_N_BUFFERS) c->first = id;
+}
+
+static ts_status judge_one(ts_comparison *c, ts_buffer_id id, const ts_trace *reference, const ts_trace *candidate,
+                           const ts_order *order, const ts_relaxations *relaxations)
+{
+	ts_verdict *v = &c->verdict[id];
+	ts_status status = TS_OK;
+	if (reference->item[id].path == NULL) return TS_OK;
+	if (ts_relax_ignores(relaxations, ts_buffer_table[id].name)) {
+		v->judgement = TS_IGNORED;
+	} else if (candidate->item[id].path == NULL) {
+		v->judgement = TS_MISSING;
+	} else {
+		status = ts_compare_buffer(v, id, reference, candidate, order, relaxations);
+	}
+	count(c, id);
+	return status;
+}
+
+static ts_status judge_all(ts_comparison *c, const ts_trace *reference, const ts_trace *candidate, const ts_order *order,
+                           const ts_relaxations *relaxations)
+{
+	u32 numbers[TS_N_BUFFERS];
+	for (u32 id = 0; id < TS_N_BUFFERS; id++) numbers[id] = ts_emit_number(reference->pipeline, (ts_buffer_id)id);
+	for (u32 number = 0; number <= TS_N_BUFFERS; number++) {
+		for (u32 id = 0; id < TS_N_BUFFERS; id++) {
+			if (numbers[id] != number) continue;
+			ts_status status = judge_one(c, (ts_buffer_id)id, reference, candidate, order, relaxations);
+			if (status != TS_OK) return status;
+		}
+	}
+	return TS_OK;
+}
+
+ts_status ts_compare(ts_comparison *comparison, const ts_trace *reference, const ts_trace *candidate,
+                     const ts_relaxations *relaxations)
+{
+	ts_order order;
+	*comparison = (ts_comparison){.first = TS_N_BUFFERS};
+	if (reference->pipeline != candidate->pipeline) {
+		return ts_fail("%s: a trace of %s; the reference's is of %s", candidate->dir, candidate->pipeline->name,
+		               reference->pipeline->name);
+	}
+	if (reference->arrival) return ts_fail("%s: in order of arrival, so it is no reference", reference->dir);
+	if (ts_relax_check(relaxations) != TS_OK) return TS_ERROR;
+	ts_status status = ts_order_make(&order, reference, candidate);
+	if (status == TS_OK) status = judge_all(comparison, reference, candidate, &order, relaxations);
+	ts_order_free(&order);
+	if (status != TS_OK) return status;
+	if (comparison->n_judged == 0) {
+		return ts_fail("%s: no buffer that the reference has too: nothing to judge", candidate->dir);
+	}
+	return comparison->n_unlike > 0 ? TS_DIFFERENT : TS_OK;
+}

@@ -1,0 +1,189 @@
+/* Finding a candidate's keys among the reference's. 16 bytes a record at most. */
+#include "order.h"
+#include <stdlib.h>
+#include "../kernels/base/num.h"
+#include "../trace/reader.h"
+
+enum { MOST_SLICES = 1 << 20, AHEAD = 32 };
+
+/* The reference's keys, and where those begin that share the upper bits; slices[n_slices] ends the last. */
+typedef struct {
+	u64 *keys;
+	u32 *slices, n_slices;
+	u32 shift;
+} key_index;
+
+static ts_reader *open_keys(const ts_trace *trace)
+{
+	const ts_trace_item *item = &trace->item[TS_B_points_key];
+	return ts_trace_read(item, TS_B_points_key);
+}
+
+static ts_status read_keys(u64 *keys, const ts_trace *trace, u64 n)
+{
+	u64 held = 0;
+	ts_reader *reader = open_keys(trace);
+	if (reader == NULL) return TS_ERROR;
+	for (u64 i = 0; i < n; i += held) {
+		const u64 *part = ts_reader_at(reader, i, &held);
+		if (part == NULL) {
+			ts_reader_close(reader);
+			return TS_ERROR;
+		}
+		memcpy(keys + i, part, (size_t)held * sizeof *keys);
+	}
+	ts_reader_close(reader);
+	for (u64 i = 1; i < n; i++) {
+		if (keys[i - 1] >= keys[i]) {
+			return ts_fail("%s: keys do not ascend, so it is no reference", trace->item[TS_B_points_key].path);
+		}
+	}
+	return TS_OK;
+}
+
+static void make_slices(key_index *index, u64 n)
+{
+	u64 at = 0, most = n > 0 ? index->keys[n - 1] : 0;
+	while (most >> index->shift >= index->n_slices) index->shift++;
+	for (u32 s = 0; s <= index->n_slices; s++) {
+		while (at < n && index->keys[at] >> index->shift < s) at++;
+		index->slices[s] = (u32)at;
+	}
+}
+
+static void free_index(key_index *index)
+{
+	free(index->keys);
+	free(index->slices);
+}
+
+static ts_status make_index(key_index *index, const ts_trace *reference, u64 n)
+{
+	u32 n_slices = n < MOST_SLICES ? (u32)n + 1 : MOST_SLICES;
+	*index = (key_index){.keys = ts_alloc((size_t)n, sizeof(u64), "keys of points"), .n_slices = n_slices,
+	                     .slices = ts_alloc((size_t)n_slices + 1, sizeof(u32), "an index of keys")};
+	bool there = index->keys != NULL && index->slices != NULL;
+	if (!there || read_keys(index->keys, reference, n) != TS_OK) {
+		free_index(index);
+		return TS_ERROR;
+	}
+	make_slices(index, n);
+	return TS_OK;
+}
+
+/* The place of a key, or TS_NONE. */
+static u32 find(const key_index *index, u64 key)
+{
+	u64 slice = key >> index->shift;
+	if (slice >= index->n_slices) return TS_NONE;
+	u32 low = index->slices[slice], end = index->slices[slice + 1], high = end;
+	while (low < high) {
+		u32 middle = low + (high - low) / 2;
+		if (index->keys[middle] < key) {
+			low = middle + 1;
+		} else {
+			high = middle;
+		}
+	}
+	return low < end && index->keys[low] == key ? low : TS_NONE;
+}
+
+/* Has what the keys behind this one need fetched from memory. */
+static void fetch_ahead(const key_index *index, const u32 *cand_of_ref, const u64 *keys, u64 n)
+{
+	u64 far = n > AHEAD ? keys[AHEAD] >> index->shift : 0, near = n > AHEAD / 2 ? keys[AHEAD / 2] >> index->shift : 0;
+	if (far < index->n_slices) __builtin_prefetch(&index->slices[far]);
+	if (near >= index->n_slices) return;
+	__builtin_prefetch(&index->keys[index->slices[near]]);
+	__builtin_prefetch(&cand_of_ref[index->slices[near]]);
+}
+
+/* A key that the reference lacks, or that came before. */
+static void count_extra(ts_order *order, u64 key, bool twice)
+{
+	order->n_twice += twice;
+	if (order->n_extra++ == 0 || key < order->extra) order->extra = key;
+}
+
+static ts_status meet(ts_order *order, const key_index *index, const ts_trace *candidate)
+{
+	u64 held = 0;
+	ts_reader *reader = open_keys(candidate);
+	if (reader == NULL) return TS_ERROR;
+	for (u64 i = 0; i < order->n_cand; i += held) {
+		const u64 *keys = ts_reader_at(reader, i, &held);
+		if (keys == NULL) {
+			ts_reader_close(reader);
+			return TS_ERROR;
+		}
+		for (u64 k = 0; k < held; k++) {
+			fetch_ahead(index, order->cand_of_ref, keys + k, held - k);
+			u32 place = find(index, keys[k]);
+			bool twice = place != TS_NONE && order->cand_of_ref[place] != TS_NONE;
+			bool met = place != TS_NONE && !twice;
+			order->ref_of_cand[i + k] = met ? place : TS_NONE;
+			if (met) {
+				order->cand_of_ref[place] = (u32)(i + k);
+			} else {
+				count_extra(order, keys[k], twice);
+			}
+		}
+	}
+	ts_reader_close(reader);
+	for (u64 i = order->n_ref; i-- > 0;) {
+		if (order->cand_of_ref[i] != TS_NONE) continue;
+		order->n_missing++;
+		order->missing = index->keys[i];
+	}
+	return TS_OK;
+}
+
+ts_status ts_order_make(ts_order *order, const ts_trace *reference, const ts_trace *candidate)
+{
+	*order = (ts_order){.given = false};
+	const ts_trace_item *ref = &reference->item[TS_B_points_key], *cand = &candidate->item[TS_B_points_key];
+	if (!candidate->arrival || ref->path == NULL || cand->path == NULL) return TS_OK;
+	order->given = true;
+	order->n_ref = ref->npy.n;
+	order->n_cand = cand->npy.n;
+	if (order->n_ref >= TS_NONE || order->n_cand >= TS_NONE) {
+		return ts_fail("%s: more points than 32-bit indices can name", cand->path);
+	}
+	key_index index;
+	if (make_index(&index, reference, order->n_ref) != TS_OK) return TS_ERROR;
+	order->cand_of_ref = ts_alloc((size_t)order->n_ref, sizeof(u32), "places of points");
+	order->ref_of_cand = ts_alloc((size_t)order->n_cand, sizeof(u32), "places of points");
+	ts_status status = order->cand_of_ref != NULL && order->ref_of_cand != NULL ? TS_OK : TS_ERROR;
+	if (status == TS_OK) {
+		memset(order->cand_of_ref, 0xff, (size_t)order->n_ref * sizeof(u32));
+		status = meet(order, &index, candidate);
+	}
+	free_index(&index);
+	return status;
+}
+
+void ts_order_free(ts_order *order)
+{
+	free(order->cand_of_ref);
+	free(order->ref_of_cand);
+	*order = (ts_order){.given = false};
+}
+
+u32 ts_order_map(const ts_order *order, u32 index)
+{
+	if (!order->given) return index;
+	u32 mapped = index < order->n_cand ? order->ref_of_cand[index] : index < order->n_ref ? TS_NONE : index;
+	return mapped != TS_NONE || index == TS_NONE ? mapped : TS_NO_PARTNER;
+}
+
+void ts_order_map_field(const ts_order *order, const ts_field *field, u8 *elements, u64 n, size_t element_bytes)
+{
+	for (u64 k = 0; k < n * field->count; k++) {
+		u8 *at = elements + k / field->count * element_bytes + field->offset + k % field->count * field->bytes;
+		u32 index; /* of a 64-bit key the low half: files are little-endian */
+		memcpy(&index, at, sizeof index);
+		bool empty = field->bytes == 8 ? ts_field_bits(field, at - field->offset, 0) == TS_EMPTY : index == TS_NONE;
+		if (!empty) index = ts_order_map(order, index);
+		memcpy(at, &index, sizeof index);
+	}
+}

@@ -1,0 +1,70 @@
+/* Goldens (CONTRIBUTING, Goldens): the digests of a run's files, and the contents of the small ones; computed now, or
+ * stored in
+ *   <case>/SHA256SUMS   what ts_sums_print prints
+ *   <case>/small/       some of the files that it names
+ * What is being proposed has ".new" behind these names. Stored files are untrusted. Part of the core. */
+#ifndef TS_TRACE_GOLDEN_H
+#define TS_TRACE_GOLDEN_H
+#include "file.h"
+#include "../trace/sums.h"
+
+/* The largest file that is stored as it is. */
+enum { TS_GOLDEN_SMALL_BYTES = 192 << 10 };
+
+typedef struct {
+	char *data;      /* a whole .npy file; NULL: not kept */
+	size_t bytes;
+	size_t taken;    /* so many of them are there */
+	ts_npy npy;      /* what its header says */
+	char hex[TS_DIGEST_BYTES]; /* its own digest, where it was read */
+} ts_golden_file;
+
+typedef struct {
+	ts_sums sums;
+	ts_golden_file file[TS_N_BUFFERS];
+	/* Only where it was computed: */
+	u64 bytes[TS_N_BUFFERS]; /* of each file, kept or not */
+	ts_buffer_id infinite;   /* the first buffer with a float that is no number or not finite; TS_N_BUFFERS: none */
+	u64 n_infinite;          /* such floats in all */
+} ts_golden;
+
+/* How to compute one. */
+typedef struct {
+	const ts_pipeline *pipeline;
+	const ts_scene *scene;
+	const ts_params *params;
+	ts_how how;
+} ts_golden_job;
+
+/* Computes the digests, and keeps image.srgb and all files of at most TS_GOLDEN_SMALL_BYTES. ts_golden_free also after
+ * a failure. */
+ts_status ts_golden_compute(ts_golden *golden, const ts_golden_job *job);
+/* Reads SHA256SUMS and small/ of a case's folder; suffix "" or ".new". Lines that a run of the pipeline cannot print
+ * and files that SHA256SUMS does not name are refused. ts_golden_free also after a failure. */
+ts_status ts_golden_read(ts_golden *golden, const ts_golden_dir *dir, const ts_pipeline *pipeline, const char *suffix);
+/* Writes SHA256SUMS.new and, with `small`, small.new/, in place of what is there of those names. */
+ts_status ts_golden_propose(const ts_golden *golden, const ts_golden_dir *dir, const ts_pipeline *pipeline, bool small);
+/* Renames what was proposed, other files too if `files` (ended by NULL) names them: each NAME.new to NAME. */
+ts_status ts_golden_promote(const ts_golden_dir *dir, const char *const *files);
+/* Releases what it holds. */
+void ts_golden_free(ts_golden *golden);
+
+/* Floats in elements of a buffer that are no numbers or not finite. */
+u64 ts_golden_infinite(ts_buffer_id id, const void *data, u64 bytes);
+/* True if each pixel of the computed image.srgb is the same, or there is none. */
+bool ts_golden_is_constant(const ts_golden *golden);
+/* The pixels of the computed image.srgb. */
+const u8 *ts_golden_image(const ts_golden *golden, u32 *width, u32 *height);
+
+/* True if the buffer's file is one that a case with `small` must have. */
+bool ts_golden_is_small(const ts_golden *computed, ts_buffer_id id);
+/* The first file in the order of the pipeline that differs. TS_OK: none. TS_DIFFERENT: `text` says which and where.
+ * TS_ERROR, with the message set: `small` and a file that should be stored is not. */
+ts_status ts_golden_compare(char *text, size_t text_bytes, const ts_golden *stored, const ts_golden *computed,
+                            const ts_pipeline *pipeline, bool small);
+/* The first difference of two files of one buffer, as "element [3, 5], field centre[2]: golden ... here ..."; `text` is
+ * empty if there is none. */
+void ts_golden_first(char *text, size_t text_bytes, ts_buffer_id id, const ts_golden_file *stored,
+                     const ts_golden_file *computed);
+
+#endif

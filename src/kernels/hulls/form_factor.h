@@ -1,0 +1,69 @@
+/* What a triangle is to a point p (CONTRACT rule 42): the solid angle it is seen under (Van Oosterom and Strackee
+ * 1983), and the share that reaches it of all that a surface at p sends out, the form factor (Baum, Rushmeier and
+ * Winget 1989), of a triangle that shines to the side from which its corners turn left, and of its part above the
+ * surface's horizon. Its edges enter as they are, not as differences of directions: the solid angle of a small triangle
+ * is within 1e-6 of itself over the cosine by which it is turned away, a form factor within 1e-7. With p at a corner,
+ * on an edge or in the plane, and of a triangle without area, each is a number in its range: what has no direction
+ * counts as 0. */
+#ifndef TS_KERNELS_FORM_FACTOR_H
+#define TS_KERNELS_FORM_FACTOR_H
+#include "../base/vec.h"
+
+/* From 0 to 2 pi: tan(half of it) = |a.(b x c)| / (1 + a.b + b.c + c.a), unit vectors from p to the corners. */
+TS_FN f32 ts_k_solid_angle(ts_v3 p, ts_v3 a, ts_v3 b, ts_v3 c)
+{
+	ts_v3 normal = ts_cross(ts_sub(b, a), ts_sub(c, a));
+	ts_v3 to_b = ts_sub(b, p);
+	ts_v3 to_c = ts_sub(c, p);
+	ts_v3 ua = ts_normalize(ts_sub(a, p));
+	ts_v3 ub = ts_normalize(to_b);
+	ts_v3 uc = ts_normalize(to_c);
+	f32 far = ts_flush(ts_length(to_b) * ts_length(to_c));
+	f32 volume = far > 0.0f ? ts_abs(ts_dot(ua, normal)) / far : 0.0f;
+	f32 sum = 1.0f + ts_dot(ua, ub);
+	sum = sum + ts_dot(ub, uc);
+	sum = sum + ts_dot(uc, ua);
+	return 2.0f * ts_atan2(ts_flush(volume), ts_flush(sum));
+}
+
+/* Gamma_i.n of the edge between two points: the angle it is seen under, along the normal of its plane through p. */
+TS_FN f32 ts_k_form_edge(ts_v3 p, ts_v3 n, ts_v3 from, ts_v3 to)
+{
+	ts_v3 r = ts_normalize(ts_sub(from, p));
+	ts_v3 across = ts_cross(r, ts_sub(to, from));
+	f32 length = ts_length(across);
+	f32 angle = ts_atan2(length, ts_flush(ts_dot(r, ts_sub(to, p))));
+	f32 along = ts_flush(ts_dot(across, n));
+	return length > 0.0f ? (along / length) * angle : 0.0f;
+}
+
+/* The point of an edge on the horizon, from the corner above it to the one below (rule 16). */
+TS_FN ts_v3 ts_k_form_cut(ts_v3 above, f32 d_above, ts_v3 below, f32 d_below)
+{
+	f32 t = d_above / (d_above - d_below);
+	return ts_mad(above, ts_sub(below, above), t);
+}
+
+/* From 0 to 1, n a unit vector: F = |sum of Gamma_i.n| / 2 pi over the edges above the horizon and, where it cuts the
+ * triangle, the edge on it. 0 unless p is in front of the triangle. */
+TS_FN f32 ts_k_form_factor(ts_v3 p, ts_v3 n, ts_v3 a, ts_v3 b, ts_v3 c)
+{
+	ts_v3 light = ts_cross(ts_sub(b, a), ts_sub(c, a));
+	if (!(ts_flush(ts_dot(light, ts_sub(p, a))) > 0.0f)) return 0.0f;
+	ts_v3 enters = a;
+	ts_v3 leaves = a;
+	f32 sum = 0.0f;
+	for (u32 i = 0u; i < 3u; i++) {
+		ts_v3 from = i == 0u ? a : i == 1u ? b : c;
+		ts_v3 to = i == 0u ? b : i == 1u ? c : a;
+		f32 d_from = ts_flush(ts_dot(n, ts_sub(from, p)));
+		f32 d_to = ts_flush(ts_dot(n, ts_sub(to, p)));
+		if (d_from >= 0.0f && d_to < 0.0f) to = leaves = ts_k_form_cut(from, d_from, to, d_to);
+		if (d_from < 0.0f && d_to >= 0.0f) from = enters = ts_k_form_cut(to, d_to, from, d_from);
+		if (d_from >= 0.0f || d_to >= 0.0f) sum = sum + ts_k_form_edge(p, n, from, to);
+	}
+	sum = sum + ts_k_form_edge(p, n, leaves, enters);
+	return ts_min(ts_abs(sum) * 0.15915493667125701904296875f, 1.0f);
+}
+
+#endif

@@ -1,0 +1,142 @@
+/* The light of each pixel from the hull (SSAGH sections 3 and 4; METHODS 11): the lobes of its box, interpolated
+ * between the corners, and integrated with the cosine of the pixel's own normal.
+ *
+ * The box is drawn over [low, high + 1] of the grid as two triangles, parted from top left to bottom right. Interpolation is
+ * perspective-correct: corners count by 1 / z, which is 1 - zn but for a factor. E = mu A_h(lambda, n.phi) / pi, as mu is of
+ * exitance and radiance is a pi-th of that. */
+#ifndef TS_KERNELS_HULL_H
+#define TS_KERNELS_HULL_H
+#include "../base/args.h"
+#include "fit.h"
+#include "../raster/gbuffer.h"
+#include "hull_choice.h"
+
+#define TS_ROWS_ts_hull_args(ARG) \
+	ARG(INNER, ts_choice_args, choice, none) \
+	ARG(IN, ts_gpixel, pixels, gbuffer_pixel) \
+	ARG(IN, ts_moment, moments, gather_moment) \
+	ARG(IN, ts_lobes, lobes, fit_lobes) \
+	ARG(OUT, u32, box, hull_box) \
+	ARG(OUT, f32, irradiance, indirect_irradiance) \
+	ARG(TALLY, i64, n_unlit, 0) /* pixels but of the sky without a box */ \
+	ARG(VALUE, u32, width, none) \
+	ARG(VALUE, u32, height, none) \
+	ARG(VALUE, u32, cosine, none) /* TS_COSINE_IS_* */ \
+	ARG(VALUE, u32, by_moments, none) /* interpolation=moments */ \
+	ARG(VALUE, u32, vmf, none) /* sharpness=vmf */ \
+	ARG(VALUE, u32, printed, none) /* integrals=printed */
+TS_ARGS(ts_hull_args);
+
+/* Of the corners of a box: sum 1. */
+typedef struct { f32 of[4]; } ts_shares;
+
+/* Where between low and high + 1 the centre of pixel i lies, 0 to 1. */
+TS_FN f32 ts_k_box_place(u32 i, u32 pixels, u32 grid, u32 low, u32 high)
+{
+	f32 at = (((f32)i + 0.5f) * (f32)grid) / (f32)pixels;
+	return ts_clamp((at - (f32)low) / (f32)(high + 1u - low), 0.0f, 1.0f);
+}
+
+/* On the screen, before perspective. */
+TS_FN ts_shares ts_k_box_weights(const ts_hull_args *args, u32 b, u32 x, u32 y)
+{
+	TS_GLOBAL const ts_segment *box = &args->choice.boxes[b];
+	f32 s = ts_k_box_place(x, args->width, args->choice.grid, box->low[0], box->high[0]);
+	f32 t = ts_k_box_place(y, args->height, args->choice.grid, box->low[1], box->high[1]);
+	ts_shares r;
+	r.of[0] = 1.0f - ts_max(s, t);
+	r.of[1] = ts_max(s - t, 0.0f);
+	r.of[2] = ts_max(t - s, 0.0f);
+	r.of[3] = ts_min(s, t);
+	return r;
+}
+
+TS_FN ts_shares ts_k_box_shares(const ts_hull_args *args, u32 b, u32 x, u32 y)
+{
+	TS_GLOBAL const ts_moment *corner = &args->moments[(u64)b * 4u];
+	ts_shares r = ts_k_box_weights(args, b, x, y);
+	f32 sum = 0.0f;
+	for (u32 k = 0u; k < 4u; k++) {
+		r.of[k] = r.of[k] * (1.0f - corner[k].depth);
+		sum = sum + r.of[k];
+	}
+	for (u32 k = 0u; k < 4u; k++) r.of[k] = r.of[k] / (sum > 0.0f ? sum : 1.0f);
+	return r;
+}
+
+/* Its direction is not yet a unit vector. */
+TS_FN ts_sg ts_k_lobes_blend(TS_GLOBAL const ts_lobes *corner, const ts_shares *shares, u32 channel)
+{
+	ts_sg g = ts_sg_make(0.0f, 0.0f, ts_v3_make(0.0f, 0.0f, 0.0f));
+	for (u32 k = 0u; k < 4u; k++) {
+		g.mu = g.mu + shares->of[k] * corner[k].mu[channel];
+		g.lambda = g.lambda + shares->of[k] * corner[k].lambda[channel];
+		g.phi = ts_mad(g.phi, ts_load3(corner[k].phi + channel * 3u), shares->of[k]);
+	}
+	return g;
+}
+
+TS_FN ts_sg ts_k_lobe_of_lobes(TS_GLOBAL const ts_lobes *corner, const ts_shares *shares, u32 channel)
+{
+	ts_sg g = ts_k_lobes_blend(corner, shares, channel);
+	g.phi = ts_normalize(g.phi);
+	return g;
+}
+
+TS_FN ts_sg ts_k_lobe_of_moments(TS_GLOBAL const ts_moment *corner, const ts_shares *shares, u32 channel, u32 vmf)
+{
+	f32 m = 0.0f;
+	ts_v3 directions = ts_v3_make(0.0f, 0.0f, 0.0f);
+	for (u32 k = 0u; k < 4u; k++) {
+		m = m + shares->of[k] * corner[k].sum[channel];
+		directions = ts_mad(directions, ts_load3(corner[k].direction + channel * 3u), shares->of[k]);
+	}
+	return ts_k_fit(m, directions, vmf);
+}
+
+/* Printed forms divide by lambda squared, which may be as good as 0: what is no number is dark. */
+TS_FN f32 ts_k_lobe_irradiance(const ts_hull_args *args, const ts_sg *g, ts_v3 n)
+{
+	f32 integral = ts_k_sg_cosine(g->lambda, ts_dot(n, g->phi), args->cosine, args->printed);
+	f32 e = ts_flush((g->mu * integral) * 0.3183098733425140380859375f);
+	return e > 0.0f && e < 4611686018427387904.0f ? e : 0.0f;
+}
+
+TS_FN ts_sg ts_k_hull_lobe(const ts_hull_args *args, u32 b, const ts_shares *shares, u32 channel)
+{
+	u64 first = (u64)b * 4u;
+	if (args->by_moments != 0u) return ts_k_lobe_of_moments(args->moments + first, shares, channel, args->vmf);
+	return ts_k_lobe_of_lobes(args->lobes + first, shares, channel);
+}
+
+/* The pixel's box, and no light yet. */
+TS_FN u32 ts_k_hull_box(const ts_hull_args *args, u64 i, u32 x, u32 y)
+{
+	ts_grid_place at;
+	at.x = ts_k_resample(x, args->width, args->choice.grid);
+	at.y = ts_k_resample(y, args->height, args->choice.grid);
+	at.depth = args->pixels[i].depth;
+	bool sky = at.depth == TS_SKY;
+	u32 box = sky ? TS_NONE : ts_k_choose_box(&args->choice, at);
+	args->box[i] = box;
+	ts_store3(args->irradiance + i * 3u, ts_v3_make(0.0f, 0.0f, 0.0f));
+	if (!sky && box == TS_NONE) ts_add_i64(args->n_unlit, 1);
+	return box;
+}
+
+/* map over pixels */
+TS_FN void ts_k_hull_item(const ts_hull_args *args, u64 i)
+{
+	u32 x = (u32)(i % args->width);
+	u32 y = (u32)(i / args->width);
+	u32 box = ts_k_hull_box(args, i, x, y);
+	if (box == TS_NONE) return;
+	ts_shares shares = ts_k_box_shares(args, box, x, y);
+	ts_v3 n = ts_load3(args->pixels[i].normal);
+	for (u32 channel = 0u; channel < 3u; channel++) {
+		ts_sg g = ts_k_hull_lobe(args, box, &shares, channel);
+		args->irradiance[i * 3u + channel] = ts_k_lobe_irradiance(args, &g, n);
+	}
+}
+
+#endif

@@ -1,0 +1,67 @@
+/* The boxes of the segments in columns, rows and depth (SSAGH section 3; METHODS 11): least and greatest by integer
+ * minimum, as the bits of floats from +0 on are in their order, then those of labels that some texel has and that are
+ * not the sky's. */
+#ifndef TS_KERNELS_SEGMENT_BOX_H
+#define TS_KERNELS_SEGMENT_BOX_H
+#include "../base/args.h"
+#include "segment.h"
+
+#define TS_RANGE 6u /* least column, row and their complements, bits of depth and their complement */
+#define TS_SKY_BITS 0x3f800000u
+
+#define TS_ROWS_ts_range_args(ARG) \
+	ARG(IN, f32, depths, nearest_depth) \
+	ARG(IN, u32, labels, segment_label) \
+	ARG(MIN, u32, least, range_least) \
+	ARG(VALUE, u32, grid, none)
+TS_ARGS(ts_range_args);
+
+/* scatter over texels of the grid */
+TS_FN void ts_k_range_item(const ts_range_args *args, u64 i)
+{
+	u32 x = (u32)(i % args->grid);
+	u32 y = (u32)(i / args->grid);
+	u32 bits = ts_f2u(args->depths[i]);
+	u64 label = (u64)ts_k_block_of(args->grid, x, y) * TS_BLOCK_TEXELS + args->labels[i];
+	TS_GLOBAL u32 *least = args->least + label * TS_RANGE;
+	ts_min_u32(&least[0], x);
+	ts_min_u32(&least[1], y);
+	ts_min_u32(&least[2], ~x);
+	ts_min_u32(&least[3], ~y);
+	ts_min_u32(&least[4], bits);
+	ts_min_u32(&least[5], ~bits);
+}
+
+#define TS_ROWS_ts_box_args(ARG) \
+	ARG(IN, u32, least, range_least) \
+	ARG(OUT, u32, offset, box_offset) /* counts, then their prefix sums */ \
+	ARG(OUT, ts_segment, boxes, box_record) \
+	ARG(TALLY, i64, n_labels, 0) /* that some texel has */
+TS_ARGS(ts_box_args);
+
+/* map over labels: 1 where there is a box */
+TS_FN void ts_k_box_count_item(const ts_box_args *args, u64 i)
+{
+	TS_GLOBAL const u32 *least = args->least + i * TS_RANGE;
+	bool used = least[0] != TS_NONE;
+	if (used) ts_add_i64(args->n_labels, 1);
+	args->offset[i] = used && least[4] < TS_SKY_BITS ? 1u : 0u;
+}
+
+/* emit over labels */
+TS_FN void ts_k_box_item(const ts_box_args *args, u64 i)
+{
+	if (args->offset[i + 1u] == args->offset[i]) return;
+	TS_GLOBAL const u32 *least = args->least + i * TS_RANGE;
+	TS_GLOBAL ts_segment *box = &args->boxes[args->offset[i]];
+	box->low[0] = least[0];
+	box->low[1] = least[1];
+	box->high[0] = ~least[2];
+	box->high[1] = ~least[3];
+	box->nearest = ts_u2f(least[4]);
+	box->farthest = ts_u2f(~least[5]);
+	box->label = (u32)i;
+	box->pad = 0u;
+}
+
+#endif

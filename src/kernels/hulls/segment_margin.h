@@ -1,0 +1,93 @@
+/* How near the segments of a block were to others, for ports that round otherwise (PORTING 7): a second pass, which
+ * changes nothing that segment.h decided of the depths that it was given. Where one test of two neighbours turns, the
+ * labels of all that hangs together with either may be others, by sweeps as by components; the rest of the block
+ * stays. */
+#ifndef TS_KERNELS_SEGMENT_MARGIN_H
+#define TS_KERNELS_SEGMENT_MARGIN_H
+#include "../base/args.h"
+#include "segment.h"
+
+#define TS_MARGIN_FAR 1048576.0f /* in 8 ulps: what one of two numbers is when the other is 0 */
+#define TS_BLOCK_PAIRS 2048u     /* of neighbours, and of texels with what is beyond the block */
+
+#define TS_ROWS_ts_segment_margin_args(ARG) \
+	ARG(IN, f32, depths, nearest_depth) \
+	ARG(OUT, f32, margin, segment_margin) \
+	ARG(VALUE, u32, grid, none) \
+	ARG(VALUE, f32, step, none) /* t */
+TS_ARGS(ts_segment_margin_args);
+
+/* How far two numbers from 0 on are apart, in 8 ulps of the greater; of zeros none has been rounded. */
+TS_FN f32 ts_k_margin_between(f32 a, f32 b)
+{
+	f32 most = ts_max(a, b);
+	return most > 0.0f ? (ts_abs(a - b) / most) * TS_MARGIN_FAR : TS_MARGIN_FAR;
+}
+
+TS_FN f32 ts_k_apart_margin(f32 from, f32 to, f32 step)
+{
+	f32 room = step * (1.0f - from);
+	return ts_k_margin_between(ts_abs(from - to), room);
+}
+
+/* Two neighbours of a block as texels of the grid; no others: they would be of two blocks. */
+typedef struct { u64 p, q; bool is; } ts_neighbours;
+
+/* Pair k: a texel, row by row, and the one to its right, or below it. */
+TS_FN ts_neighbours ts_k_neighbours(u32 grid, u32 block, u32 k)
+{
+	u32 x = (k / 2u) % TS_BLOCK;
+	u32 y = (k / 2u) / TS_BLOCK;
+	u32 right = x + 1u - k % 2u;
+	u32 below = y + k % 2u;
+	ts_neighbours r;
+	r.is = right < TS_BLOCK && below < TS_BLOCK;
+	r.p = ts_k_block_texel(grid, block, x, y);
+	r.q = r.is ? ts_k_block_texel(grid, block, right, below) : r.p;
+	return r;
+}
+
+TS_FN void ts_k_segment_margin_pair(const ts_segment_margin_args *args, const ts_neighbours *pair)
+{
+	f32 a = args->depths[pair->p];
+	f32 b = args->depths[pair->q];
+	f32 margin = ts_put(ts_min(ts_k_apart_margin(a, b, args->step), ts_k_apart_margin(b, a, args->step)));
+	args->margin[pair->p] = ts_min(args->margin[pair->p], margin);
+	args->margin[pair->q] = ts_min(args->margin[pair->q], margin);
+}
+
+/* The lesser margin for both of a pair that hangs together; true if one had another. */
+TS_FN bool ts_k_segment_margin_spread(const ts_segment_margin_args *args, const ts_neighbours *pair)
+{
+	f32 a = args->depths[pair->p];
+	f32 b = args->depths[pair->q];
+	f32 p = args->margin[pair->p];
+	f32 q = args->margin[pair->q];
+	if (p == q || (ts_k_is_apart(a, b, args->step) && ts_k_is_apart(b, a, args->step))) return false;
+	args->margin[pair->p] = ts_min(p, q);
+	args->margin[pair->q] = ts_min(p, q);
+	return true;
+}
+
+/* map over blocks: forth and back over its pairs until all that hangs together has the least margin of its tests */
+TS_FN void ts_k_segment_margin_item(const ts_segment_margin_args *args, u64 i)
+{
+	u32 block = (u32)i;
+	bool spreads = true;
+	for (u32 p = 0u; p < TS_BLOCK_TEXELS; p++) {
+		args->margin[ts_k_block_texel(args->grid, block, p % TS_BLOCK, p / TS_BLOCK)] = TS_MARGIN_FAR;
+	}
+	for (u32 k = 0u; k < TS_BLOCK_PAIRS; k++) {
+		ts_neighbours pair = ts_k_neighbours(args->grid, block, k);
+		if (pair.is) ts_k_segment_margin_pair(args, &pair);
+	}
+	for (u32 pass = 0u; spreads; pass++) {
+		spreads = false;
+		for (u32 k = 0u; k < TS_BLOCK_PAIRS; k++) {
+			ts_neighbours pair = ts_k_neighbours(args->grid, block, pass % 2u == 0u ? k : TS_BLOCK_PAIRS - 1u - k);
+			if (pair.is && ts_k_segment_margin_spread(args, &pair)) spreads = true;
+		}
+	}
+}
+
+#endif

@@ -1,0 +1,50 @@
+/* Stochastic culling of triangles of less than a tenth of a pixel: dropped with probability 1 - 10 A (EPR section 3.2;
+ * METHODS 2). The same triangles in every frame. */
+#ifndef TS_KERNELS_CULL_H
+#define TS_KERNELS_CULL_H
+#include "../base/args.h"
+#include "../base/area.h"
+#include "../base/records.h"
+
+#define TS_ROWS_ts_cull_args(ARG) \
+	ARG(IN, ts_piece, pieces, split_triangle) \
+	ARG(IN, f32, scale, density_scale) \
+	ARG(OUT, u32, keep, cull_keep) \
+	ARG(VALUE, f32, unit, none) /* samples a pixel a side: rho_scale to measure eye pixels, 1 for the raster's */ \
+	ARG(VALUE, u32, seed, none) \
+	ARG(VALUE, u32, enabled, none)
+TS_ARGS(ts_cull_args);
+
+#define TS_STREAM_CULL 1u
+
+/* Drop probability in 2^-24: 0 from a tenth of a pixel up. */
+TS_FN i32 ts_k_cull_threshold(f32 pixels)
+{
+	f32 p = 1.0f - 10.0f * pixels;
+	return ts_max_i32(ts_fix(p, 24, 25), 0);
+}
+
+/* The piece's area. */
+TS_FN f32 ts_k_cull_pixels(const ts_cull_args *args, u64 i)
+{
+	TS_GLOBAL const ts_piece *piece = &args->pieces[i];
+	f32 s = args->scale[i] / args->unit;
+	return (ts_k_area(ts_load3(piece->a), ts_load3(piece->b), ts_load3(piece->c)) * s) * s;
+}
+
+/* The piece's random number, in 2^-24. */
+TS_FN i32 ts_k_cull_chance(const ts_cull_args *args, u64 i)
+{
+	TS_GLOBAL const ts_piece *piece = &args->pieces[i];
+	u32 id = piece->path == 1u ? piece->triangle : piece->triangle ^ ts_pcg(piece->path);
+	return (i32)(ts_random(id, TS_STREAM_CULL, args->seed) >> 8);
+}
+
+/* map over pieces */
+TS_FN void ts_k_cull_item(const ts_cull_args *args, u64 i)
+{
+	bool drop = args->enabled != 0u && ts_k_cull_chance(args, i) < ts_k_cull_threshold(ts_k_cull_pixels(args, i));
+	args->keep[i] = args->scale[i] > 0.0f && !drop ? 1u : 0u;
+}
+
+#endif

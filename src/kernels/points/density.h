@@ -1,0 +1,83 @@
+/* Density of the points from the eye's resolution (EPR section 4.1.1, eqs 2 and 3; METHODS 2): s = min(rho f_e /
+ * min_r d_r, max_r f_r / d_rt) samples a world unit over the reflectors r that may see the triangle. */
+#ifndef TS_KERNELS_DENSITY_H
+#define TS_KERNELS_DENSITY_H
+#include "../base/args.h"
+#include "../base/area.h"
+#include "../base/closest.h"
+#include "../raster/visibility.h"
+
+#define TS_ROWS_ts_density_args(ARG) \
+	ARG(INNER, ts_arrays, scene, none) \
+	ARG(IN, ts_face, cubes, resize_face) \
+	ARG(IN, ts_view, view, eye_view) \
+	ARG(IN, u64, bits, visibility_bits) \
+	ARG(OUT, f32, whole, split_scale) \
+	ARG(OUT, u32, offset, split_offset) /* pieces before each triangle: counts, then their prefix sums */ \
+	ARG(OUT, ts_piece, pieces, split_triangle) \
+	ARG(OUT, f32, scale, density_scale) \
+	ARG(TALLY, i64, n_capped, 0) /* pieces whose density was lowered at the end of splitting */ \
+	ARG(VALUE, f32, rho, none) /* samples a pixel a side */ \
+	ARG(VALUE, u32, n_cubes, none) \
+	ARG(VALUE, u32, n_words, none) \
+	ARG(VALUE, u32, paper, none) \
+	ARG(VALUE, u32, cap, none) \
+	ARG(VALUE, u32, offaxis, none) \
+	ARG(VALUE, u32, split, none) \
+	ARG(IN_OPT, ts_offscreen, views, offscreen_view) /* whose resolution counts, not the eye's; or NULL */ \
+	ARG(VALUE, u32, n_views, none) \
+	ARG(VALUE, u32, rate, none) /* TS_RATE_* of view_density.h */ \
+	ARG(VALUE, u32, shadow, none) /* TS_SHADOW_* of shadow_density.h: the eye counts too, through shadows */
+TS_ARGS(ts_density_args);
+
+/* Shortest way of light from the triangle to the eye by the ball of a reflector. */
+TS_FN f32 ts_k_path_length(ts_v3 eye, ts_v3 centre, f32 radius, ts_v3 a, ts_v3 b, ts_v3 c, bool paper)
+{
+	if (ts_length(ts_sub(eye, centre)) <= radius) return ts_length(ts_sub(eye, ts_k_closest_on_triangle(eye, a, b, c)));
+	ts_v3 t = paper ? ts_k_circumcentre(a, b, c) : ts_k_closest_on_triangle(centre, a, b, c);
+	ts_v3 cp = t;
+	for (u32 step = 0u; step < 2u; step++) {
+		ts_v3 near = ts_k_closest_on_segment(centre, t, eye);
+		ts_v3 out = ts_sub(near, centre);
+		f32 distance = ts_length(out);
+		bool meets = distance <= radius;
+		if (meets && (paper || step == 1u)) return ts_length(ts_sub(eye, t));
+		cp = meets ? near : ts_mad(centre, out, radius / distance);
+		if (paper) break;
+		if (step == 0u) t = ts_k_closest_on_triangle(cp, a, b, c);
+	}
+	return ts_length(ts_sub(eye, cp)) + ts_length(ts_sub(cp, t));
+}
+
+/* Samples a world unit on triangle a b c, seen by the reflectors of `words`; 0: by none. */
+TS_FN f32 ts_k_density(const ts_density_args *args, TS_GLOBAL const u64 *words, ts_v3 a, ts_v3 b, ts_v3 c)
+{
+	ts_camera_k view = ts_k_view(args->view);
+	f32 shortest = 0.0f;
+	f32 densest = 0.0f;
+	bool any = false;
+	for (u32 r = 0u; r < args->n_cubes; r++) {
+		if (ts_k_cube_bits(words, r) == 0u) continue;
+		TS_GLOBAL const ts_face *cube = &args->cubes[r];
+		ts_v3 centre = ts_load3(cube->centre);
+		f32 least = ts_flush(cube->radius * 0.0009765625f);
+		f32 way = ts_k_path_length(view.eye, centre, cube->radius, a, b, c, args->paper != 0u);
+		if (args->offaxis != 0u) {
+			ts_corner p = ts_k_to_view(&view, centre);
+			f32 distance = ts_length(ts_sub(centre, view.eye));
+			bool ahead = p.z > 0.0f && distance > 0.0f; /* behind the eye there is no pixel to be finer than */
+			way = way * ts_clamp(ahead ? p.z / distance : 1.0f, 0.015625f, 1.0f);
+		}
+		way = ts_max(way, least);
+		f32 to_triangle = ts_length(ts_sub(ts_k_closest_on_triangle(centre, a, b, c), centre));
+		f32 need = ((f32)cube->n * 0.5f) / ts_max(to_triangle, least);
+		shortest = any ? ts_min(shortest, way) : way;
+		densest = any ? ts_max(densest, need) : need;
+		any = true;
+	}
+	if (!any) return 0.0f;
+	f32 wanted = (args->rho * view.focal) / shortest;
+	return args->cap != 0u ? ts_min(wanted, densest) : wanted;
+}
+
+#endif

@@ -1,0 +1,115 @@
+/* MVR: deferred shading of every texel of the cube faces, and their mip chain (METHODS 3). */
+#ifndef TS_KERNELS_ILLUMINATE_H
+#define TS_KERNELS_ILLUMINATE_H
+#include "../base/args.h"
+#include "../raster/draw.h"
+#include "../base/shade.h"
+
+#define TS_ROWS_ts_illuminate_args(ARG) \
+	ARG(INNER, ts_arrays, scene, none) \
+	ARG(IN, ts_face, cubes, resize_face) \
+	ARG(IN, u64, depth_triangle, face_depth_triangle) /* of the batch */ \
+	ARG(OUT, f32, mip, face_mip) /* of the batch: 4 floats a texel */ \
+	ARG(VALUE, u32, first_cube, none) \
+	ARG(VALUE, u32, n_cubes, none) /* the batch */ \
+	ARG(VALUE, u32, level, none) /* that `mip` makes from the level before */
+TS_ARGS(ts_illuminate_args);
+
+/* Texels of the levels of one cube before `level`; level TS_NONE: of all of them. */
+TS_FN u64 ts_k_mip_texels(u32 n, u32 level)
+{
+	u64 sum = 0u;
+	for (u32 l = 0u; l < level && n != 0u; l++) {
+		sum += (u64)6u * n * n;
+		if (n == 1u) break;
+		n = n >> 1;
+	}
+	return sum;
+}
+
+TS_FN u32 ts_k_mip_size(u32 n, u32 level)
+{
+	u32 size = n >> level;
+	return size != 0u ? size : 1u;
+}
+
+TS_FN u32 ts_k_mip_levels(u32 n)
+{
+	u32 levels = 1u;
+	for (; n > 1u; n = n >> 1) levels++;
+	return levels;
+}
+
+/* First texel of a cube's chain in the batch. */
+TS_FN u64 ts_k_mip_first(TS_GLOBAL const ts_face *cubes, u32 first_cube, u32 cube)
+{
+	u64 sum = 0u;
+	for (u32 r = first_cube; r < cube; r++) sum += ts_k_mip_texels(cubes[r].n, TS_NONE);
+	return sum;
+}
+
+/* Where a texel of the batch lies. */
+typedef struct { u32 cube, face, x, y; u64 inside; } ts_texel_place;
+
+TS_FN ts_texel_place ts_k_texel_place(const ts_illuminate_args *args, u64 i)
+{
+	u64 first = args->cubes[args->first_cube].offset;
+	ts_texel_place r;
+	r.cube = args->first_cube;
+	for (u32 k = r.cube + 1u; k < args->first_cube + args->n_cubes; k++) {
+		r.cube = args->cubes[k].offset - first <= i ? k : r.cube;
+	}
+	u64 n = args->cubes[r.cube].n;
+	r.inside = i - (args->cubes[r.cube].offset - first);
+	r.face = (u32)(r.inside / (n * n));
+	r.y = (u32)(r.inside / n % n);
+	r.x = (u32)(r.inside % n);
+	return r;
+}
+
+/* What the centre of a cube sees of a triangle through a texel. */
+TS_FN ts_v3 ts_k_texel_radiance(const ts_illuminate_args *args, const ts_texel_place *place, u32 triangle)
+{
+	ts_camera_k view = ts_k_cube_view(&args->cubes[place->cube], place->face);
+	ts_surface s = ts_k_surface_seen(&args->scene, &view, triangle, (i32)place->x, (i32)place->y);
+	return ts_k_shade(&args->scene, &s, ts_normalize(ts_sub(view.eye, s.p)));
+}
+
+/* map over texels of the batch */
+TS_FN void ts_k_illuminate_item(const ts_illuminate_args *args, u64 i)
+{
+	ts_texel_place place = ts_k_texel_place(args, i);
+	u64 key = args->depth_triangle[i];
+	ts_v3 radiance = key != TS_EMPTY ? ts_k_texel_radiance(args, &place, (u32)key) : ts_k_background();
+	TS_GLOBAL f32 *out = args->mip + (ts_k_mip_first(args->cubes, args->first_cube, place.cube) + place.inside) * 4u;
+	ts_store3(out, radiance);
+	out[3] = 1.0f;
+}
+
+/* map over texels of one level of one cube, the first of the batch: ((a + b) + (c + d)) / 4, indices clamped */
+TS_FN void ts_k_mip_item(const ts_illuminate_args *args, u64 i)
+{
+	u32 n = args->cubes[args->first_cube].n;
+	u32 above = ts_k_mip_size(n, args->level - 1u);
+	u32 size = ts_k_mip_size(n, args->level);
+	u64 face = i / ((u64)size * size);
+	u32 y = (u32)(i / size) % size;
+	u32 x = (u32)(i % size);
+	TS_GLOBAL const f32 *from = args->mip + (ts_k_mip_texels(n, args->level - 1u) + face * above * above) * 4u;
+	TS_GLOBAL f32 *out = args->mip + (ts_k_mip_texels(n, args->level) + i) * 4u;
+	u64 x0 = 2u * x;
+	u64 x1 = x0 + 1u < above ? x0 + 1u : above - 1u;
+	u64 y0 = 2u * y;
+	u64 y1 = y0 + 1u < above ? y0 + 1u : above - 1u;
+	for (u32 channel = 0u; channel < 4u; channel++) {
+		f32 a = from[(y0 * above + x0) * 4u + channel];
+		f32 b = from[(y0 * above + x1) * 4u + channel];
+		f32 c = from[(y1 * above + x0) * 4u + channel];
+		f32 d = from[(y1 * above + x1) * 4u + channel];
+		f32 top = a + b;
+		f32 low = c + d;
+		out[channel] = ts_put((top + low) * 0.25f);
+	}
+}
+
+#endif

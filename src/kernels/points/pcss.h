@@ -1,0 +1,140 @@
+/* Percentage-closer soft shadows from one depth map a light (PCSS; METHODS 10). What the map shows around a receiver
+ * at depth d_R, over the width w_L (d_R - near) / d_R on the plane at depth near, and nearer than it, are blockers; with
+ * their mean depth d_B the penumbra is w = (d_R - d_B) w_L / d_B wide, and the share of the map that lets light through is
+ * taken over w near / d_R of that plane. Parallel light of tangent t: widths 2 t (d_R - near) and w = 2 t (d_R - d_B).
+ *
+ * Taps lie far from the receiver, so what they see is compared with the receiver's plane there, where that is nearer than
+ * the receiver: a surface does not shade itself, however steep. Beyond this the bias is that of all methods (resolve.h). */
+#ifndef TS_KERNELS_PCSS_H
+#define TS_KERNELS_PCSS_H
+#include "../base/args.h"
+#include "plane.h"
+#include "../raster/resolve.h"
+
+#define TS_N_SEARCH 32u
+#define TS_N_FILTER 64u
+
+/* Seeds of sunflowers, in 1/128 of the radius (Vogel 1979). */
+TS_CONSTANT i32 ts_pcss_search[32][2] = {
+	{16, 0}, {-20, -19}, {3, 36}, {26, -34}, {-47, 8}, {45, 28}, {-15, -56}, {-29, 55}, {62, -23}, {-64, -27},
+	{31, 66}, {23, -73}, {-69, 40}, {81, 18}, {-50, -70}, {-11, 88}, {70, -59}, {-95, -4}, {69, 69}, {-5, -100},
+	{-66, 79}, {104, -14}, {-88, -61}, {24, 107}, {56, -97}, {-109, 35}, {106, 49}, {-46, -109}, {-41, 114},
+	{109, -57}, {-121, -32}, {69, 107},
+};
+TS_CONSTANT i32 ts_pcss_filter[64][2] = {
+	{11, 0}, {-14, -13}, {2, 25}, {18, -24}, {-33, 6}, {32, 20}, {-11, -39}, {-20, 39}, {44, -16}, {-46, -19},
+	{22, 47}, {16, -52}, {-49, 28}, {57, 13}, {-35, -50}, {-8, 62}, {50, -42}, {-67, -3}, {49, 49}, {-3, -71},
+	{-46, 56}, {74, -10}, {-62, -43}, {17, 76}, {39, -69}, {-77, 25}, {75, 35}, {-32, -77}, {-29, 80}, {77, -40},
+	{-85, -23}, {49, 76}, {15, -90}, {-73, 57}, {94, 8}, {-65, -70}, {0, 97}, {66, -73}, {-99, 9}, {80, 61},
+	{-18, -100}, {-55, 87}, {101, -28}, {-94, -48}, {37, 100}, {41, -100}, {-99, 47}, {105, 32}, {-56, -96},
+	{-24, 110}, {93, -66}, {-114, -14}, {75, 88}, {4, -117}, {-83, 84}, {119, -6}, {-93, -77}, {17, 120}, {69, -101},
+	{-120, 28}, {108, 61}, {-39, -119}, {-52, 115}, {117, -50},
+};
+
+#define TS_ROWS_ts_pcss_args(ARG) \
+	ARG(INNER, ts_resolve_args, of, none) /* one view a light */ \
+	ARG(IN, ts_lamp, lamps, lamp_shape) \
+	ARG(VALUE, f32, near, none) /* depth of the search's plane, of the receiver's */
+TS_ARGS(ts_pcss_args);
+
+/* A receiver as a light's view sees it. */
+typedef struct {
+	ts_camera_k view;
+	ts_v2 place;
+	ts_image_plane plane;
+	f32 z, bias;
+	TS_GLOBAL const u32 *depths;     /* of the view */
+} ts_shaded;
+
+TS_FN ts_shaded ts_k_shaded(const ts_resolve_args *args, TS_GLOBAL const ts_offscreen *offscreen, const ts_receiver *at)
+{
+	ts_shaded r;
+	r.view = ts_k_offscreen(offscreen);
+	ts_corner p = ts_k_to_view(&r.view, at->p);
+	r.place = ts_k_project(&r.view, &p);
+	r.plane = ts_k_image_plane(&r.view, at->p, at->n);
+	r.z = p.z;
+	r.bias = ts_k_shadow_bias(args, &r.view, at, ts_max(p.z, r.view.near));
+	r.depths = args->depths + (offscreen->offset - args->views[args->first_view].offset);
+	return r;
+}
+
+/* The depth up to which light must travel at a place of the map: that of the receiver's plane, or the receiver's own if
+ * that is nearer, or if the plane is not met there. */
+TS_FN f32 ts_k_free_depth(const ts_shaded *r, f32 x, f32 y)
+{
+	return ts_min(ts_k_plane_depth(&r->view, &r->plane, x, y, r->z), r->z);
+}
+
+/* What the map shows at a tap if it comes between the light and the receiver's plane, else 0. */
+TS_CALL f32 ts_k_blocker(const ts_shaded *r, f32 radius, i32 tap_x, i32 tap_y)
+{
+	f32 x = r->place.x + radius * ((f32)tap_x * 0.0078125f);
+	f32 y = r->place.y + radius * ((f32)tap_y * 0.0078125f);
+	i32 i = ts_floor_i32(x);
+	i32 j = ts_floor_i32(y);
+	if (i < 0 || j < 0 || i >= r->view.width || j >= r->view.height) return 0.0f;
+	u32 depth = r->depths[(u64)j * (u64)r->view.width + (u64)i];
+	f32 free = ts_k_free_depth(r, (f32)i + 0.5f, (f32)j + 0.5f);
+	bool blocks = depth != TS_NONE && free > ts_u2f(depth) + r->bias;
+	return blocks ? ts_u2f(depth) : 0.0f;
+}
+
+/* Mean depth of the blockers; 0: there are none. */
+TS_FN f32 ts_k_blocker_depth(const ts_shaded *r, f32 radius)
+{
+	f32 sum = 0.0f;
+	u32 n = 0u;
+	for (u32 k = 0u; k < TS_N_SEARCH; k++) {
+		f32 depth = ts_k_blocker(r, radius, ts_pcss_search[k][0], ts_pcss_search[k][1]);
+		sum = sum + depth;
+		n += depth > 0.0f ? 1u : 0u;
+	}
+	return n != 0u ? sum / (f32)n : 0.0f;
+}
+
+/* Radii in texels: a width on the plane at depth near is focal / near texels, of parallel light focal. */
+TS_FN f32 ts_k_search_radius(const ts_shaded *r, f32 light, f32 near)
+{
+	if (r->view.orthographic != 0u) return (light * (r->z - near)) * r->view.focal;
+	return (light * (r->z - near) / r->z) * (r->view.focal / near);
+}
+
+TS_FN f32 ts_k_filter_radius(const ts_shaded *r, f32 light, f32 blocker)
+{
+	f32 above = r->z - blocker;
+	if (r->view.orthographic != 0u) return (light * above) * r->view.focal;
+	return ((above * light) / blocker) * (r->view.focal / r->z);
+}
+
+/* How many of the filter's taps see no blocker. */
+TS_CALL u32 ts_k_pcss(const ts_pcss_args *args, TS_GLOBAL const ts_offscreen *offscreen, const ts_receiver *at)
+{
+	ts_shaded r = ts_k_shaded(&args->of, offscreen, at);
+	f32 light = args->lamps[offscreen->light].radius;
+	if (!(r.z >= r.view.near)) return TS_N_FILTER;
+	f32 blocker = ts_k_blocker_depth(&r, ts_k_search_radius(&r, light, args->near * r.z));
+	if (!(blocker > 0.0f)) return TS_N_FILTER;
+	f32 radius = ts_k_filter_radius(&r, light, blocker);
+	u32 lit = 0u;
+	for (u32 k = 0u; k < TS_N_FILTER; k++) {
+		lit += ts_k_blocker(&r, radius, ts_pcss_filter[k][0], ts_pcss_filter[k][1]) > 0.0f ? 0u : 1u;
+	}
+	return lit;
+}
+
+/* map over pixels */
+TS_FN void ts_k_pcss_item(const ts_pcss_args *args, u64 i)
+{
+	ts_camera_k eye = ts_k_view(args->of.view);
+	i32 x = (i32)(i % (u64)eye.width);
+	i32 y = (i32)(i / (u64)eye.width);
+	ts_receiver at = ts_k_receiver(&args->of.scene, &eye, args->of.depth_triangle[i], x, y);
+	if (!at.seen) return;
+	for (u32 v = args->of.first_view; v < args->of.first_view + args->of.n_views; v++) {
+		TS_GLOBAL const ts_offscreen *view = &args->of.views[v];
+		args->of.lit[i * args->of.n_lamps + view->light] += ts_k_pcss(args, view, &at);
+	}
+}
+
+#endif

@@ -1,0 +1,36 @@
+/* A surface's plane on the axes of a view, and its axial depth at a place of the image: the ray (x, y, focal) meets
+ * n.p = d at z = d focal / (n.(x, y, focal)), x and y in pixels from the middle; orthographic rays are (x / focal,
+ * y / focal) aside and straight ahead. */
+#ifndef TS_KERNELS_PLANE_H
+#define TS_KERNELS_PLANE_H
+#include "../raster/raster.h"
+
+typedef struct { ts_v3 n; f32 d; } ts_image_plane;
+
+/* Through p with the normal n, world. */
+TS_FN ts_image_plane ts_k_image_plane(const ts_camera_k *view, ts_v3 p, ts_v3 n)
+{
+	ts_corner at = ts_k_to_view(view, p);
+	ts_image_plane r;
+	r.n = ts_v3_make(ts_dot(view->right, n), ts_dot(view->up, n), -ts_dot(view->back, n));
+	r.d = ts_dot(r.n, ts_v3_make(at.x, at.y, at.z));
+	return r;
+}
+
+/* `otherwise` where the plane is not met ahead. */
+TS_FN f32 ts_k_plane_depth(const ts_camera_k *view, const ts_image_plane *plane, f32 x, f32 y, f32 otherwise)
+{
+	bool parallel = view->orthographic != 0u;
+	f32 right = plane->n.x * (x - (f32)view->width * 0.5f);
+	f32 up = plane->n.y * ((f32)view->height * 0.5f - y);
+	f32 across = right + up;
+	f32 ahead = plane->n.z * view->focal;
+	f32 reach = plane->d * view->focal;
+	f32 top = parallel ? reach - across : reach;
+	f32 bottom = ts_flush(parallel ? ahead : across + ahead);
+	if (bottom == 0.0f) return otherwise;
+	f32 z = ts_flush(top / bottom);
+	return parallel || z > 0.0f ? z : otherwise;
+}
+
+#endif

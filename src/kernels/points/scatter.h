@@ -1,0 +1,198 @@
+/* Scattering: every point into every off-screen view that may see it, one texel each, by atomic minimum (iVIR
+ * section 4; METHODS 9 and 10). Of depth maps the texel is the axial depth; of environment maps 13 bits of depth and
+ * 19 of colour, 6-7-6. The points are stored ones, or made on the spot. */
+#ifndef TS_KERNELS_SCATTER_H
+#define TS_KERNELS_SCATTER_H
+#include "../base/args.h"
+#include "../raster/offscreen.h"
+#include "points.h"
+#include "../base/shade.h"
+
+#define TS_ROWS_ts_scatter_args(ARG) \
+	ARG(INNER, ts_points_args, from, none) \
+	ARG(IN, ts_offscreen, views, offscreen_view) \
+	ARG(IN, u64, bits, visibility_bits) /* by triangle */ \
+	ARG(MIN_OPT, u32, depths, scatter_depth) /* of the batch */ \
+	ARG(MIN_OPT, u32, colours, scatter_colour) /* of the batch */ \
+	ARG(TALLY, i64, n_points, 0) \
+	ARG(TALLY, i64, n_scatters, 1) \
+	ARG(TALLY, i64, n_writes, 2) /* points made; views they were offered to; texels */ \
+	ARG(VALUE, u32, first_view, none) \
+	ARG(VALUE, u32, n_views, none) /* the batch */ \
+	ARG(VALUE, u32, n_words, none) \
+	ARG(VALUE, f32, exposure, none) /* what colours are stored at */
+TS_ARGS(ts_scatter_args);
+
+/* A point on its way. */
+typedef struct { u64 piece; i32 x, y; ts_v3 centre; f32 length; u32 flags; } ts_flight;
+
+TS_FN ts_flight ts_k_flight_stored(const ts_points_args *from, u64 i)
+{
+	TS_GLOBAL const ts_point *record = ts_at(from->points, i);
+	u64 key = *ts_at(from->keys, i);
+	ts_flight r;
+	r.piece = record->piece;
+	r.x = (i32)(key & 0xffffu) - 32768;
+	r.y = (i32)((key >> 16) & 0xffffu) - 32768;
+	r.centre = ts_load3(record->centre);
+	r.length = record->length;
+	r.flags = record->flags;
+	return r;
+}
+
+/* What all points of a piece have in common; the rest is ts_k_flight_start's. */
+TS_FN ts_flight ts_k_flight_of_piece(const ts_points_args *from, u64 piece)
+{
+	ts_flight r;
+	r.piece = piece;
+	r.x = 0;
+	r.y = 0;
+	r.centre = ts_v3_make(0.0f, 0.0f, 0.0f);
+	r.length = ts_put(ts_k_splat_length(from, &from->pieces[piece], from->frames[piece].s, &r.flags));
+	return r;
+}
+
+TS_FN void ts_k_flight_start(const ts_points_args *from, ts_flight *point, i32 x, i32 y)
+{
+	ts_v3 centre = ts_k_point_centre(from, point->piece, x, y);
+	point->x = x;
+	point->y = y;
+	point->centre = ts_v3_make(ts_put(centre.x), ts_put(centre.y), ts_put(centre.z));
+}
+
+#define TS_FAR_BITS 20.0f /* the farthest depth that is told apart is so many doublings of the nearest */
+
+/* floor(8191 log(d / near) / log(far / near)), at most 8190: 0.17 per cent a step. */
+TS_FN u32 ts_k_depth_code(f32 distance, f32 near)
+{
+	f32 doublings = ts_log2(ts_max(distance / near, 1.0f));
+	return (u32)ts_min_i32(ts_floor_i32((8191.0f * doublings) / TS_FAR_BITS), 8190);
+}
+
+/* The square root, which spends the few bits where the eye tells shades apart, of what is shown at most as white. */
+TS_FN u32 ts_k_channel_code(f32 radiance, f32 exposure, f32 most)
+{
+	return (u32)ts_fix(ts_sqrt(ts_flush(ts_clamp(radiance * exposure, 0.0f, 1.0f))) * most, 0, 7);
+}
+
+TS_FN f32 ts_k_channel_radiance(u32 code, f32 exposure, f32 most)
+{
+	f32 root = (f32)code / most;
+	return (root * root) / exposure;
+}
+
+TS_FN u32 ts_k_colour_code(ts_v3 radiance, f32 exposure)
+{
+	return (ts_k_channel_code(radiance.x, exposure, 63.0f) << 13) | (ts_k_channel_code(radiance.y, exposure, 127.0f) << 6) |
+	       ts_k_channel_code(radiance.z, exposure, 63.0f);
+}
+
+TS_FN ts_v3 ts_k_colour_radiance(u32 code, f32 exposure)
+{
+	return ts_v3_make(ts_k_channel_radiance((code >> 13) & 63u, exposure, 63.0f),
+	                  ts_k_channel_radiance((code >> 6) & 127u, exposure, 127.0f),
+	                  ts_k_channel_radiance(code & 63u, exposure, 63.0f));
+}
+
+/* What the point, at axial depth z, looks like from a view: its textures as the view's texels see them. */
+TS_CALL u32 ts_k_flight_colour(const ts_scatter_args *args, const ts_camera_k *view, const ts_flight *point, f32 z)
+{
+	u32 triangle = args->from.pieces[point->piece].triangle;
+	ts_v3 way = ts_sub(point->centre, view->eye);
+	f32 footprint = ts_k_footprint(z / view->focal, way, ts_k_corners(&args->from.scene, triangle).n);
+	ts_surface s = ts_k_lattice_surface(&args->from.scene, &args->from.frames[point->piece], triangle, point->x, point->y,
+	                                    point->centre, footprint);
+	return ts_k_colour_code(ts_k_shade(&args->from.scene, &s, ts_normalize(ts_neg(way))), args->exposure);
+}
+
+/* A texel nearer than the point's depth would stay, whatever the point's colour: it is not computed. */
+TS_FN void ts_k_offer_colour(const ts_scatter_args *args, const ts_camera_k *view, const ts_flight *point, f32 z,
+                             u64 texel)
+{
+	f32 distance = ts_length(ts_sub(point->centre, view->eye));
+	u32 depth = ts_k_depth_code(distance, view->near) << 19;
+	if (depth <= ts_peek_u32(&args->colours[texel])) {
+		u32 code = depth | ts_k_flight_colour(args, view, point, z);
+		ts_min_u32(&args->colours[texel], code);
+	}
+}
+
+/* One point into one view. Returns the texels offered: 0 behind the near plane and outside the image. */
+TS_CALL u32 ts_k_scatter_into(const ts_scatter_args *args, TS_GLOBAL const ts_offscreen *offscreen, const ts_flight *point,
+                            u64 first_texel)
+{
+	ts_camera_k view = ts_k_offscreen(offscreen);
+	ts_corner p = ts_k_to_view(&view, point->centre);
+	if (!(p.z >= view.near)) return 0u;
+	ts_v2 at = ts_k_project(&view, &p);
+	i32 i = ts_floor_i32(at.x);
+	i32 j = ts_floor_i32(at.y);
+	if (i < 0 || j < 0 || i >= view.width || j >= view.height) return 0u;
+	u64 texel = (offscreen->offset - first_texel) + (u64)j * (u64)view.width + (u64)i;
+	if (args->depths != NULL) {
+		ts_min_u32(&args->depths[texel], ts_f2u(ts_put(p.z)));
+	} else {
+		ts_k_offer_colour(args, &view, point, p.z, texel);
+	}
+	return 1u;
+}
+
+typedef struct { i64 points, scatters, writes; } ts_scatter_tally;
+
+/* One point into every view of the batch that may see its triangle. */
+TS_FN void ts_k_scatter_point(const ts_scatter_args *args, const ts_flight *point, ts_scatter_tally *tally)
+{
+	TS_GLOBAL const u64 *words = args->bits + (u64)args->from.pieces[point->piece].triangle * args->n_words;
+	u64 first_texel = args->views[args->first_view].offset;
+	tally->points++;
+	for (u32 v = args->first_view; v < args->first_view + args->n_views; v++) {
+		if (!ts_k_offscreen_bit(words, v)) continue;
+		tally->scatters++;
+		tally->writes += ts_k_scatter_into(args, &args->views[v], point, first_texel);
+	}
+}
+
+TS_FN void ts_k_scatter_count(const ts_scatter_args *args, const ts_scatter_tally *tally)
+{
+	ts_add_i64(args->n_points, tally->points);
+	ts_add_i64(args->n_scatters, tally->scatters);
+	ts_add_i64(args->n_writes, tally->writes);
+}
+
+TS_FN ts_scatter_tally ts_k_scatter_none(void)
+{
+	ts_scatter_tally r;
+	r.points = 0;
+	r.scatters = 0;
+	r.writes = 0;
+	return r;
+}
+
+/* scatter over stored points */
+TS_FN void ts_k_scatter_item(const ts_scatter_args *args, u64 i)
+{
+	ts_scatter_tally tally = ts_k_scatter_none();
+	ts_flight point = ts_k_flight_stored(&args->from, i);
+	ts_k_scatter_point(args, &point, &tally);
+	ts_k_scatter_count(args, &tally);
+}
+
+/* scatter over pieces: their points are made, and not kept */
+TS_FN void ts_k_scatter_pieces_item(const ts_scatter_args *args, u64 i)
+{
+	TS_GLOBAL const ts_align *frame = &args->from.frames[i];
+	if (!(frame->s > 0.0f)) return;
+	ts_cover cover = ts_k_lattice_cover(frame, args->from.half_size);
+	ts_scatter_tally tally = ts_k_scatter_none();
+	ts_flight point = ts_k_flight_of_piece(&args->from, i);
+	for (i32 y = cover.touched.y0; y <= cover.touched.y1; y++) {
+		for (i32 x = cover.touched.x0; x <= cover.touched.x1; x++) {
+			if (!ts_k_is_point(&args->from, &cover, i, x, y)) continue;
+			ts_k_flight_start(&args->from, &point, x, y);
+			ts_k_scatter_point(args, &point, &tally);
+		}
+	}
+	ts_k_scatter_count(args, &tally);
+}
+
+#endif

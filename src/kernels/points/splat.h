@@ -1,0 +1,160 @@
+/* Splatting: every point as a square into every face that may see it; 64-bit minimum of distance << 32 | point
+ * (EPR section 3.5; METHODS 2). One distance a splat, unless plane depth is asked for. */
+#ifndef TS_KERNELS_SPLAT_H
+#define TS_KERNELS_SPLAT_H
+#include "../base/args.h"
+#include "points.h"
+#include "../raster/visibility.h"
+
+#define TS_ROWS_ts_splat_args(ARG) \
+	ARG(IN, ts_face, cubes, resize_face) \
+	ARG(IN, ts_piece, pieces, split_triangle) \
+	ARG(IN, ts_align, frames, align_frame) \
+	ARG(IN, u64, bits, visibility_bits) /* by triangle */ \
+	ARG(IN_PARTS, ts_point, points, points_record) \
+	ARG(IN_OPT, u32, offset, count_offset) /* points before each piece; NULL: they are in no order */ \
+	ARG(MIN_PARTS, u64, texels, splat_depth_index) \
+	ARG(SUM_PARTS_OPT, u8, tie, splat_tie) \
+	ARG(TALLY, i64, n_scatters, 0) \
+	ARG(TALLY, i64, n_writes, 1) /* splats, and texels they offered a key to */ \
+	ARG(VALUE, u32, n_cubes, none) \
+	ARG(VALUE, u32, n_words, none) \
+	ARG(VALUE, u32, n_pieces, none) \
+	ARG(VALUE, u32, clip, none) \
+	ARG(VALUE, u32, plane_depth, none) \
+	ARG(VALUE, u32, mark, none) /* the texels are there: mark ties */
+TS_ARGS(ts_splat_args);
+
+TS_FN ts_cover ts_k_cover_of(const ts_camera_k *view, const ts_polygon *polygon, i32 half_size)
+{
+	ts_cover r;
+	r.n = polygon->n;
+	for (u32 k = 0u; k < polygon->n; k++) r.v[k] = ts_k_snap(ts_k_project(view, &polygon->corner[k]));
+	ts_k_cover_finish(&r, half_size);
+	return r;
+}
+
+/* The piece as a face sees it. n = 0: not at all. */
+TS_FN ts_cover ts_k_splat_triangle(const ts_camera_k *view, TS_GLOBAL const ts_piece *piece)
+{
+	ts_polygon t = ts_k_polygon(view, ts_load3(piece->a), ts_load3(piece->b), ts_load3(piece->c));
+	ts_k_clip_to_range(view, &t);
+	if (t.n == 0u) {
+		ts_cover none;
+		none.n = 0u;
+		return none;
+	}
+	return ts_k_cover_of(view, &t, 129);
+}
+
+TS_FN ts_box ts_k_extent_box(ts_v2 lo, ts_v2 hi)
+{
+	ts_box r;
+	r.x0 = ts_floor_i32(lo.x);
+	r.y0 = ts_floor_i32(lo.y);
+	r.x1 = ts_floor_i32(hi.x);
+	r.y1 = ts_floor_i32(hi.y);
+	return r;
+}
+
+/* The texels of the box of the projected square c +- (l/2) u +- (l/2) v, near-clipped; empty if it is behind. */
+TS_FN ts_box ts_k_splat_box(const ts_camera_k *view, ts_v3 c, ts_v3 u, ts_v3 v, f32 length)
+{
+	f32 half_length = length * 0.5f;
+	ts_v3 du = ts_scale(u, half_length);
+	ts_v3 dv = ts_scale(v, half_length);
+	ts_polygon square;
+	square.n = 4u;
+	square.corner[0] = ts_k_to_view(view, ts_sub(ts_sub(c, du), dv));
+	square.corner[1] = ts_k_to_view(view, ts_sub(ts_add(c, du), dv));
+	square.corner[2] = ts_k_to_view(view, ts_add(ts_add(c, du), dv));
+	square.corner[3] = ts_k_to_view(view, ts_add(ts_sub(c, du), dv));
+	ts_plane near = ts_plane_make(0.0f, 0.0f, 1.0f, -view->near);
+	if (ts_k_any_behind(&square, near)) ts_k_clip(&square, near);
+	ts_box none;
+	none.x0 = 0; none.y0 = 0; none.x1 = -1; none.y1 = -1;
+	if (square.n == 0u) return none;
+	ts_v2 lo = ts_k_project(view, &square.corner[0]);
+	ts_v2 hi = lo;
+	for (u32 k = 1u; k < square.n; k++) {
+		ts_v2 p = ts_k_project(view, &square.corner[k]);
+		lo = ts_v2_make(ts_min(lo.x, p.x), ts_min(lo.y, p.y));
+		hi = ts_v2_make(ts_max(hi.x, p.x), ts_max(hi.y, p.y));
+	}
+	return ts_k_box_meet(ts_k_extent_box(lo, hi), ts_k_view_box(view));
+}
+
+/* Distance at which the ray through a texel's centre meets the piece's plane, kept within a tile of the point's own,
+ * which also stands in where the ray does not meet it. */
+TS_FN f32 ts_k_plane_distance(const ts_camera_k *view, ts_v3 n, ts_v3 c, f32 distance, f32 length, i32 i, i32 j)
+{
+	f32 x = ((f32)i + 0.5f) - (f32)view->width * 0.5f;
+	f32 y = (f32)view->height * 0.5f - ((f32)j + 0.5f);
+	ts_v3 d = ts_mad(ts_mad(ts_scale(view->back, -view->focal), view->right, x), view->up, y);
+	f32 along = ts_flush(ts_dot(n, d));
+	f32 t = along != 0.0f ? ts_dot(n, ts_sub(c, view->eye)) / along : 0.0f;
+	f32 met = t * ts_length(d);
+	return met > 0.0f ? ts_clamp(met, distance - length, distance + length) : distance;
+}
+
+/* The least key wins a texel; afterwards, whoever lost by its index alone marks a tie. */
+TS_FN void ts_k_splat_offer(const ts_splat_args *args, u64 texel, u64 key)
+{
+	TS_GLOBAL u64 *least = ts_at(args->texels, texel);
+	if (args->mark == 0u) {
+		ts_min_u64(least, key);
+	} else if (key != *least && (key >> 32) == (*least >> 32)) {
+		ts_mark_u8(ts_at(args->tie, texel));
+	}
+}
+
+/* One point into the face whose texels begin at `first`. Returns the texels offered. */
+TS_FN u32 ts_k_splat(const ts_splat_args *args, const ts_camera_k *view, const ts_cover *triangle, u32 index, u64 first)
+{
+	TS_GLOBAL const ts_point *point = ts_at(args->points, index);
+	TS_GLOBAL const ts_align *frame = &args->frames[point->piece];
+	ts_v3 c = ts_load3(point->centre);
+	ts_v3 u = ts_load3(frame->u);
+	ts_v3 v = ts_load3(frame->v);
+	ts_box box = ts_k_splat_box(view, c, u, v, point->length);
+	if (args->clip != 0u || (point->flags & TS_POINT_TINY) != 0u) box = ts_k_box_meet(box, triangle->touched);
+	f32 distance = ts_put(ts_length(ts_sub(c, view->eye)));
+	ts_v3 n = ts_cross(u, v);
+	u32 count = 0u;
+	for (i32 j = box.y0; j <= box.y1; j++) {
+		for (i32 i = box.x0; i <= box.x1; i++) {
+			if (args->clip != 0u && !ts_k_touches(triangle, i, j)) continue;
+			f32 d = distance;
+			if (args->plane_depth != 0u) d = ts_put(ts_k_plane_distance(view, n, c, distance, point->length, i, j));
+			ts_k_splat_offer(args, first + (u64)j * (u64)view->width + (u64)i, ((u64)ts_f2u(d) << 32) | index);
+			count++;
+		}
+	}
+	return count;
+}
+
+/* scatter over points */
+TS_FN void ts_k_splat_item(const ts_splat_args *args, u64 i)
+{
+	TS_GLOBAL const ts_piece *piece = &args->pieces[ts_at(args->points, i)->piece];
+	TS_GLOBAL const u64 *words = args->bits + (u64)piece->triangle * args->n_words;
+	i64 scatters = 0;
+	i64 writes = 0;
+	for (u32 r = 0u; r < args->n_cubes; r++) {
+		u32 faces = ts_k_cube_bits(words, r);
+		TS_GLOBAL const ts_face *cube = &args->cubes[r];
+		for (u32 face = 0u; faces != 0u; face++, faces >>= 1) {
+			if ((faces & 1u) == 0u) continue;
+			ts_camera_k view = ts_k_cube_view(cube, face);
+			ts_cover triangle = ts_k_splat_triangle(&view, piece);
+			if (triangle.n == 0u) continue;
+			u64 offset = cube->offset + (u64)face * cube->n * cube->n;
+			scatters++;
+			writes += ts_k_splat(args, &view, &triangle, (u32)i, offset);
+		}
+	}
+	ts_add_i64(args->n_scatters, scatters);
+	ts_add_i64(args->n_writes, writes);
+}
+
+#endif

@@ -1,0 +1,165 @@
+/* Density of the points from the resolution of the off-screen views (iVIR section 3.1, eqs 2 and 3; METHODS 9), and
+ * that of VIR: s = max_v sqrt(1 / A_P(v)) samples a world unit over the views v that may see the triangle, A_P the area
+ * on the triangle that one pixel of v covers: z^3 / (f^2 h) at axial depth z, h the distance of v from the plane. */
+#ifndef TS_KERNELS_VIEW_DENSITY_H
+#define TS_KERNELS_VIEW_DENSITY_H
+#include "density.h"
+#include "../raster/offscreen.h"
+
+/* So that each texel whose centre sees the triangle gets a sample; at the least depth of what the frustum leaves of it; at
+ * the point closest to the view (the paper); VIR's worst case. */
+#define TS_RATE_IS_EYE 0u /* EPR: see density.h */
+#define TS_RATE_IS_WATERTIGHT 1u
+#define TS_RATE_IS_EXACT 2u
+#define TS_RATE_IS_PAPER 3u
+#define TS_RATE_IS_VIR 4u
+
+#define TS_LEAST_COSINE 0.001000000047497451305389404296875f /* of the normal to the way to the view */
+
+/* Samples a world unit, and how many times as many at one end of the triangle as at the other. */
+typedef struct { f32 s, uneven; } ts_need;
+
+/* f sqrt(h / z^3) = sqrt(1 / A_P) at a point p of the plane with the normal n, unit. */
+TS_FN f32 ts_k_pixel_rate(const ts_camera_k *view, ts_v3 n, ts_v3 p, f32 z)
+{
+	ts_v3 way = ts_sub(view->eye, p);
+	f32 h = ts_max(ts_abs(ts_dot(n, way)), ts_length(way) * TS_LEAST_COSINE);
+	return (view->focal / z) * ts_sqrt(ts_flush(h / z));
+}
+
+/* Of an orthographic view: A_P = 1 / (f^2 |cos|). */
+TS_FN f32 ts_k_parallel_rate(const ts_camera_k *view, ts_v3 n, u32 rate)
+{
+	if (rate == TS_RATE_IS_VIR) return view->focal;
+	f32 cosine = ts_max(ts_abs(ts_dot(n, view->back)), TS_LEAST_COSINE);
+	return view->focal * ts_sqrt(cosine);
+}
+
+/* What lies in the frustum, a pixel wider on each side. */
+TS_FN ts_polygon ts_k_in_frustum(const ts_camera_k *view, ts_v3 a, ts_v3 b, ts_v3 c)
+{
+	ts_polygon r = ts_k_polygon(view, a, b, c);
+	ts_plane near = ts_plane_make(0.0f, 0.0f, 1.0f, -view->near);
+	if (ts_k_any_behind(&r, near)) ts_k_clip(&r, near);
+	for (u32 side = 0u; side < 4u; side++) {
+		f32 pixels = (f32)(side < 2u ? view->width : view->height) * 0.5f + 1.0f;
+		ts_plane plane = ts_k_side_plane(view, side, pixels);
+		if (r.n != 0u && ts_k_any_behind(&r, plane)) ts_k_clip(&r, plane);
+	}
+	return r;
+}
+
+#define TS_ROUNDING 9.5367431640625e-7f /* 2^-20 of the largest coordinate: what computing a sample may move it by */
+
+TS_FN f32 ts_k_largest(ts_v3 p) { return ts_max(ts_max(ts_abs(p.x), ts_abs(p.y)), ts_abs(p.z)); }
+
+/* Every texel whose centre sees a triangle at p gets a sample of it, if the lattice's spacing is a <= 1 / (sqrt(2) most),
+ * `most` pixels a world unit at the most. Proof: the nearest sample q of the lattice is within a / sqrt(2) of p; its square
+ * holds p, so it is emitted; moved to the closest point of the triangle, which is convex, it comes no farther from p; and
+ * the way from p to q lies in the triangle, so in the image it is no longer than most a / sqrt(2) <= 1/2: q is in p's texel.
+ * (No promise within near / (2 f) of the near plane, since q may lie before it; without `snap`; of what `cull` drops; of
+ * capped densities.)
+ * 1/64 is left over for rounding in the image, and as many pixels as rounding moves samples by, up to a quarter of one. */
+TS_FN f32 ts_k_watertight_rate(const ts_camera_k *view, f32 most, ts_v3 a, ts_v3 b, ts_v3 c)
+{
+	f32 largest = ts_max(ts_k_largest(view->eye), ts_max(ts_k_largest(a), ts_max(ts_k_largest(b), ts_k_largest(c))));
+	f32 moved = ts_min(most * (largest * TS_ROUNDING), 0.25f);
+	return (most * 1.43631064891815185546875f) / (1.0f - 2.0f * moved); /* sqrt(2) 65/64 */
+}
+
+/* Pixels a world unit: the largest singular value from the plane to the image, at most f d / z^2 = f (1/z) (d/z). Each of
+ * the two factors is greatest at a corner, their product need not be: so the product of the greatest. */
+TS_FN ts_need ts_k_watertight(const ts_camera_k *view, const ts_polygon *polygon, ts_v3 a, ts_v3 b, ts_v3 c)
+{
+	f32 nearest = 0.0f;
+	f32 widest = 0.0f;
+	f32 least = 0.0f;
+	for (u32 k = 0u; k < polygon->n; k++) {
+		const ts_corner *p = &polygon->corner[k];
+		f32 over_z = 1.0f / ts_max(p->z, view->near);
+		f32 d = ts_length(ts_v3_make(p->x, p->y, p->z)) * over_z;
+		f32 here = over_z * d;
+		nearest = ts_max(nearest, over_z);
+		widest = ts_max(widest, d);
+		least = k == 0u ? here : ts_min(least, here);
+	}
+	f32 most = nearest * widest;
+	ts_need r;
+	r.s = ts_k_watertight_rate(view, view->focal * most, a, b, c);
+	r.uneven = least > 0.0f ? most / least : 1.0f;
+	return r;
+}
+
+TS_FN ts_need ts_k_clipped_rate(const ts_camera_k *view, ts_v3 n, ts_v3 a, ts_v3 b, ts_v3 c, u32 rate)
+{
+	ts_polygon polygon = ts_k_in_frustum(view, a, b, c);
+	ts_need r;
+	r.s = 0.0f;
+	r.uneven = 1.0f;
+	if (polygon.n == 0u) return r;
+	if (rate == TS_RATE_IS_WATERTIGHT) return ts_k_watertight(view, &polygon, a, b, c);
+	f32 z = polygon.corner[0].z;
+	u32 nearest = 0u;
+	for (u32 k = 1u; k < polygon.n; k++) {
+		nearest = polygon.corner[k].z < z ? k : nearest;
+		z = ts_min(z, polygon.corner[k].z);
+	}
+	ts_v3 p = ts_blend(polygon.corner[nearest].w, a, b, c);
+	r.s = ts_k_pixel_rate(view, n, p, ts_max(z, view->near));
+	return r;
+}
+
+/* At the point q closest to the view; VIR: a pixel in the image's middle, at that distance, as dense as in its corner. The
+ * closest point may lie beside the image, even behind it, where there are no pixels: it counts as in the corner, so that
+ * iVIR never needs more than VIR. */
+TS_FN f32 ts_k_closest_rate(const ts_camera_k *view, const f32 reach[2], ts_v3 n, ts_v3 q, u32 rate)
+{
+	f32 corner = 1.0f + (reach[0] * reach[0] + reach[1] * reach[1]); /* 1 / cos^2 */
+	f32 distance = ts_max(ts_length(ts_sub(q, view->eye)), view->near);
+	if (rate == TS_RATE_IS_VIR) return (view->focal * corner) / distance;
+	f32 least = ts_max(distance / ts_sqrt(corner), view->near);
+	return ts_k_pixel_rate(view, n, q, ts_max(ts_k_to_view(view, q).z, least));
+}
+
+TS_CALL ts_need ts_k_one_view_density(const ts_density_args *args, u32 v, ts_v3 n, ts_v3 a, ts_v3 b, ts_v3 c)
+{
+	TS_GLOBAL const ts_offscreen *offscreen = &args->views[v];
+	ts_camera_k view = ts_k_offscreen(offscreen);
+	ts_need r;
+	r.uneven = 1.0f;
+	if (view.orthographic != 0u) {
+		bool watertight = args->rate == TS_RATE_IS_WATERTIGHT;
+		r.s = watertight ? ts_k_watertight_rate(&view, view.focal, a, b, c) : ts_k_parallel_rate(&view, n, args->rate);
+	} else if (args->rate < TS_RATE_IS_PAPER) {
+		r = ts_k_clipped_rate(&view, n, a, b, c, args->rate);
+	} else {
+		f32 reach[2];
+		reach[0] = offscreen->reach[0];
+		reach[1] = offscreen->reach[1];
+		r.s = ts_k_closest_rate(&view, reach, n, ts_k_closest_on_triangle(view.eye, a, b, c), args->rate);
+	}
+	return r;
+}
+
+/* The largest need of those of views [first, end) that are in `words`; 0: there is none. */
+TS_FN ts_need ts_k_views_density(const ts_density_args *args, TS_GLOBAL const u64 *words, u32 first, u32 end, ts_v3 a,
+                                 ts_v3 b, ts_v3 c)
+{
+	ts_v3 n = ts_normalize(ts_cross(ts_sub(b, a), ts_sub(c, a)));
+	ts_need r;
+	r.s = 0.0f;
+	r.uneven = 1.0f;
+	for (u32 v = first; v < end; v++) {
+		if (!ts_k_offscreen_bit(words, v)) continue;
+		ts_need one = ts_k_one_view_density(args, v, n, a, b, c);
+		r = one.s > r.s ? one : r;
+	}
+	return r;
+}
+
+TS_FN ts_need ts_k_view_density(const ts_density_args *args, TS_GLOBAL const u64 *words, ts_v3 a, ts_v3 b, ts_v3 c)
+{
+	return ts_k_views_density(args, words, 0u, args->n_views, a, b, c);
+}
+
+#endif

@@ -1,0 +1,179 @@
+/* Drawing triangles into a depth << 32 | triangle buffer, the eye and MVR's cube faces, or into one of depths alone,
+ * MVR's shadow maps. Standard rasterization, axial depth, equal depth to the lowest triangle (CONTRACT rules 18, 22,
+ * 24). */
+#ifndef TS_KERNELS_DRAW_H
+#define TS_KERNELS_DRAW_H
+#include "../base/args.h"
+#include "offscreen.h"
+#include "../base/surface.h"
+
+/* Width of a pixel in world units at axial depth z, on this triangle, where the fragment lies. */
+TS_FN f32 ts_k_fragment_footprint(const ts_camera_k *view, const ts_corners *t, const ts_fragment *fragment)
+{
+	if (view->orthographic != 0u) return ts_k_footprint(1.0f / view->focal, view->back, t->n);
+	ts_v3 p = ts_blend(fragment->w, t->a, t->b, t->c);
+	return ts_k_footprint(fragment->z / view->focal, ts_sub(p, view->eye), t->n);
+}
+
+/* Texels of one view: keys, or depths alone; the other is NULL. */
+typedef struct { TS_GLOBAL u64 *keys; TS_GLOBAL u32 *depths; } ts_target;
+
+TS_FN ts_target ts_k_keys(TS_GLOBAL u64 *keys)
+{
+	ts_target r;
+	r.keys = keys;
+	r.depths = NULL;
+	return r;
+}
+
+TS_FN void ts_k_draw_texel(const ts_target *target, u64 at, f32 z, u32 triangle)
+{
+	if (target->keys != NULL) {
+		ts_min_u64(&target->keys[at], ((u64)ts_f2u(z) << 32) | triangle);
+	} else {
+		ts_min_u32(&target->depths[at], ts_f2u(z));
+	}
+}
+
+TS_FN ts_fragment ts_k_view_fragment(const ts_camera_k *view, const ts_setup *t, const ts_edges *e, const ts_corner *a,
+                                     const ts_corner *b, const ts_corner *c)
+{
+	return view->orthographic != 0u ? ts_k_fragment_parallel(t, e, a, b, c) : ts_k_fragment(t, e, a, b, c);
+}
+
+/* Visits a triangle of the fan of a clipped polygon. */
+TS_FN void ts_k_draw_fan(const ts_arrays *scene, const ts_camera_k *view, const ts_corners *t, u32 triangle,
+                         const ts_corner *a, const ts_corner *b, const ts_corner *c, const ts_target *target)
+{
+	ts_snapped v[3];
+	v[0] = ts_k_snap(ts_k_project(view, a));
+	v[1] = ts_k_snap(ts_k_project(view, b));
+	v[2] = ts_k_snap(ts_k_project(view, c));
+	ts_setup setup = ts_k_setup(v[0], v[1], v[2]);
+	if (setup.area == 0) return;
+	ts_box box = ts_k_box_meet(ts_k_touched_box(v, 3u, 0), ts_k_view_box(view));
+	ts_walk walk = ts_k_walk(&setup, box.x0, box.y0);
+	bool masked = ts_k_is_masked(scene, triangle);
+	for (i32 j = box.y0; j <= box.y1; j++, ts_k_step(&walk.at, walk.down)) {
+		ts_edges e = walk.at;
+		for (i32 i = box.x0; i <= box.x1; i++, ts_k_step(&e, walk.right)) {
+			if (!ts_k_walk_covers(&walk, &e)) continue;
+			ts_fragment f = ts_k_view_fragment(view, &setup, &e, a, b, c);
+			if (masked && ts_k_is_cut(scene, triangle, f.w, t->n, ts_k_fragment_footprint(view, t, &f))) continue;
+			ts_k_draw_texel(target, (u64)j * (u64)view->width + (u64)i, f.z, triangle);
+		}
+	}
+}
+
+/* One triangle, facing and not degenerate, into one view. */
+TS_CALL void ts_k_draw(const ts_arrays *scene, const ts_camera_k *view, const ts_corners *t, u32 triangle,
+                     const ts_target *target)
+{
+	ts_polygon polygon = ts_k_polygon(view, t->a, t->b, t->c);
+	if (ts_k_is_outside(view, &polygon)) return;
+	ts_k_clip_to_range(view, &polygon);
+	for (u32 k = 2u; k < polygon.n; k++) {
+		ts_k_draw_fan(scene, view, t, triangle, &polygon.corner[0], &polygon.corner[k - 1u], &polygon.corner[k], target);
+	}
+}
+
+/* The fragment of a triangle at a pixel that it covers, computed again. */
+TS_CALL ts_fragment ts_k_fragment_at(const ts_camera_k *view, const ts_corners *t, i32 i, i32 j)
+{
+	ts_polygon polygon = ts_k_polygon(view, t->a, t->b, t->c);
+	ts_k_clip_to_range(view, &polygon);
+	ts_fragment r;
+	r.z = 0.0f;
+	r.w = ts_v3_make(1.0f, 0.0f, 0.0f);
+	for (u32 k = 2u; k < polygon.n; k++) {
+		const ts_corner *a = &polygon.corner[0];
+		const ts_corner *b = &polygon.corner[k - 1u];
+		const ts_corner *c = &polygon.corner[k];
+		ts_setup setup = ts_k_setup(ts_k_snap(ts_k_project(view, a)), ts_k_snap(ts_k_project(view, b)),
+		                            ts_k_snap(ts_k_project(view, c)));
+		if (setup.area == 0) continue;
+		ts_edges e = ts_k_edges(&setup, i * 256 + 128, j * 256 + 128);
+		if (ts_k_covers(&setup, &e)) return ts_k_view_fragment(view, &setup, &e, a, b, c);
+	}
+	return r;
+}
+
+/* The surface of a triangle that a view sees at a pixel: what deferred shading starts from. */
+TS_FN ts_surface ts_k_surface_seen(const ts_arrays *scene, const ts_camera_k *view, u32 triangle, i32 x, i32 y)
+{
+	ts_corners t = ts_k_corners(scene, triangle);
+	ts_fragment f = ts_k_fragment_at(view, &t, x, y);
+	return ts_k_surface(scene, triangle, f.w, ts_k_fragment_footprint(view, &t, &f));
+}
+
+#define TS_ROWS_ts_eye_args(ARG) \
+	ARG(INNER, ts_arrays, scene, none) \
+	ARG(IN, ts_view, view, eye_view) \
+	ARG(MIN, u64, texels, eye_depth_triangle)
+TS_ARGS(ts_eye_args);
+
+/* scatter over triangles */
+TS_FN void ts_k_eye_item(const ts_eye_args *args, u64 i)
+{
+	u32 triangle = (u32)i;
+	ts_camera_k view = ts_k_view(args->view);
+	ts_corners t = ts_k_corners(&args->scene, triangle);
+	if (ts_k_is_degenerate(t.n) || !ts_k_is_facing(&args->scene, triangle, &t, view.eye)) return;
+	ts_target target = ts_k_keys(args->texels);
+	ts_k_draw(&args->scene, &view, &t, triangle, &target);
+}
+
+#define TS_ROWS_ts_face_args(ARG) \
+	ARG(INNER, ts_arrays, scene, none) \
+	ARG(IN, ts_face, cubes, resize_face) \
+	ARG(MIN, u64, texels, face_depth_triangle) /* of the batch */ \
+	ARG(VALUE, u32, first_cube, none) \
+	ARG(VALUE, u32, n_cubes, none) /* the batch */
+TS_ARGS(ts_face_args);
+
+/* scatter over triangles: into every face of every cube of the batch, but not into a reflector's own cube */
+TS_FN void ts_k_face_item(const ts_face_args *args, u64 i)
+{
+	u32 triangle = (u32)i;
+	ts_corners t = ts_k_corners(&args->scene, triangle);
+	if (args->n_cubes == 0u || ts_k_is_degenerate(t.n)) return;
+	u64 first_texel = args->cubes[args->first_cube].offset;
+	for (u32 r = args->first_cube; r < args->first_cube + args->n_cubes; r++) {
+		TS_GLOBAL const ts_face *cube = &args->cubes[r];
+		if (!ts_k_may_show(&args->scene, cube, triangle, &t)) continue;
+		for (u32 face = 0u; face < 6u; face++) {
+			ts_camera_k view = ts_k_cube_view(cube, face);
+			u64 offset = cube->offset - first_texel + (u64)face * cube->n * cube->n;
+			ts_target target = ts_k_keys(args->texels + offset);
+			ts_k_draw(&args->scene, &view, &t, triangle, &target);
+		}
+	}
+}
+
+#define TS_ROWS_ts_depth_args(ARG) \
+	ARG(INNER, ts_arrays, scene, none) \
+	ARG(IN, ts_offscreen, views, offscreen_view) \
+	ARG(MIN, u32, depths, scatter_depth) /* of the batch */ \
+	ARG(VALUE, u32, first_view, none) \
+	ARG(VALUE, u32, n_views, none) /* the batch */
+TS_ARGS(ts_depth_args);
+
+/* scatter over triangles: into every view of the batch */
+TS_FN void ts_k_depth_item(const ts_depth_args *args, u64 i)
+{
+	u32 triangle = (u32)i;
+	ts_corners t = ts_k_corners(&args->scene, triangle);
+	if (args->n_views == 0u || ts_k_is_degenerate(t.n)) return;
+	u64 first_texel = args->views[args->first_view].offset;
+	for (u32 v = args->first_view; v < args->first_view + args->n_views; v++) {
+		TS_GLOBAL const ts_offscreen *offscreen = &args->views[v];
+		if (!ts_k_offscreen_may_show(&args->scene, offscreen, triangle, &t)) continue;
+		ts_camera_k view = ts_k_offscreen(offscreen);
+		ts_target target;
+		target.keys = NULL;
+		target.depths = args->depths + (offscreen->offset - first_texel);
+		ts_k_draw(&args->scene, &view, &t, triangle, &target);
+	}
+}
+
+#endif

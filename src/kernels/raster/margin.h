@@ -1,0 +1,242 @@
+/* How near each decision was, for ports that may legally decide otherwise: the second pass of a margin stage, which
+ * changes nothing that was decided (PORTING 7). Standard rasterization: distance of a pixel's centre from the edges
+ * that matter there, and from the depth that nearly won. Culling: distance of the random number from its threshold. */
+#ifndef TS_KERNELS_MARGIN_H
+#define TS_KERNELS_MARGIN_H
+#include "../base/args.h"
+#include "../points/cull.h"
+#include "draw.h"
+
+/* Two minima a pixel, as f32 bits: the distance to an edge, in 1/256 pixel along the axes; and how far another depth is
+ * behind, in what one such step in the image changes in the depths of both. Of depths alone, whose triangles are not
+ * known, the step is that of the other: what comes no nearer than the depth that is held cannot take its place. */
+#define TS_ROWS_ts_margin_args(ARG) \
+	ARG(INNER, ts_arrays, scene, none) \
+	ARG(IN_OPT, ts_view, view, eye_view) /* of the eye */ \
+	ARG(IN_OPT, ts_face, cubes, resize_face) \
+	ARG(IN_OPT, ts_offscreen, views, offscreen_view) \
+	ARG(IN_OPT, u64, depth_triangle, none) /* what was decided: keys, or depths alone */ \
+	ARG(IN_OPT, u32, depths, scatter_depth) \
+	ARG(MIN, u64, margin, none) /* [2] a pixel */ \
+	ARG(VALUE, u32, first_unit, none) \
+	ARG(VALUE, u32, n_units, none) /* the batch: cubes, or views */
+TS_ARGS(ts_margin_args);
+
+/* What was decided at a pixel. `other` than it is each triangle but its own, of depths each with another depth. */
+typedef struct { f32 z; u32 triangle; bool is_empty, is_known; } ts_shown;
+
+TS_FN ts_shown ts_k_shown(const ts_margin_args *args, u64 pixel)
+{
+	u64 key = args->depth_triangle != NULL ? args->depth_triangle[pixel] : (u64)args->depths[pixel] << 32;
+	ts_shown r;
+	r.is_known = args->depth_triangle != NULL;
+	r.is_empty = (u32)(key >> 32) == TS_NONE;
+	r.triangle = (u32)key;
+	r.z = r.is_empty ? 0.0f : ts_u2f((u32)(key >> 32));
+	return r;
+}
+
+TS_FN bool ts_k_is_other(const ts_shown *shown, u32 triangle, f32 z)
+{
+	if (shown->is_empty) return false;
+	return shown->is_known ? shown->triangle != triangle : shown->z != z;
+}
+
+#define TS_MARGIN_REACH 4.0f                    /* edges farther outside do not matter, in 1/256 pixel */
+#define TS_MARGIN_NEAR 0.015625f                /* nor do depths that are this part farther behind, and four steps */
+#define TS_MARGIN_ROUNDING 0.00000095367431640625f /* part of a depth that rounding may change: 8 ulps */
+#define TS_MARGIN_ALPHA 0.00390625f             /* an alpha mask so near its cutoff decides nothing */
+#define TS_MARGIN_NOWHERE 1048576.0f            /* where nothing is compared, or exactly */
+
+TS_FN void ts_k_least_bits(TS_GLOBAL u32 *least, f32 margin)
+{
+	if (margin <= TS_MARGIN_REACH) ts_min_u32(least, ts_f2u(ts_put(margin)));
+}
+
+/* Least distance to an edge line, positive inside: |E| / (|dx| + |dy|). */
+TS_FN f32 ts_k_edge_distance(const ts_setup *t, const ts_edges *e)
+{
+	f32 least = 0.0f;
+	for (u32 k = 0u; k < 3u; k++) {
+		ts_snapped a = t->v[k == 2u ? 0u : k + 1u];
+		ts_snapped b = t->v[k == 0u ? 2u : k - 1u];
+		i32 dx = b.x - a.x;
+		i32 dy = b.y - a.y;
+		f32 d = (f32)e->e[k] / (f32)((dx < 0 ? -dx : dx) + (dy < 0 ? -dy : dy));
+		least = k == 0u ? d : ts_min(least, d);
+	}
+	return least;
+}
+
+/* Twice what a step of 1/256 pixel in x and in y changes in the depth z: z^2 |grad(1/z)|, orthographic |grad z|;
+ * twice, for the corners may step apart. */
+TS_FN f32 ts_k_depth_step(const ts_camera_k *view, const ts_setup *t, const ts_corner *a, const ts_corner *b,
+                          const ts_corner *c, f32 z)
+{
+	bool parallel = view->orthographic != 0u;
+	const ts_corner *corner[3];
+	corner[0] = a;
+	corner[1] = b;
+	corner[2] = c;
+	f32 area = (f32)t->area;
+	f32 x = 0.0f;
+	f32 y = 0.0f;
+	for (u32 k = 0u; k < 3u; k++) {
+		ts_snapped p = t->v[k == 2u ? 0u : k + 1u];
+		ts_snapped q = t->v[k == 0u ? 2u : k - 1u];
+		f32 own = corner[t->from[k]]->z;
+		f32 over = parallel ? area / own : area * own;
+		x = x - (f32)(q.y - p.y) / over;
+		y = y + (f32)(q.x - p.x) / over;
+	}
+	return (parallel ? 2.0f : 2.0f * (z * z)) * (ts_abs(x) + ts_abs(y));
+}
+
+/* The same of a triangle at a pixel, on the part of its fan that covers the pixel; 0: none does. */
+TS_FN f32 ts_k_depth_step_at(const ts_arrays *scene, const ts_camera_k *view, u32 triangle, i32 i, i32 j)
+{
+	ts_corners t = ts_k_corners(scene, triangle);
+	ts_polygon polygon = ts_k_polygon(view, t.a, t.b, t.c);
+	ts_k_clip_to_range(view, &polygon);
+	for (u32 k = 2u; k < polygon.n; k++) {
+		const ts_corner *a = &polygon.corner[0];
+		const ts_corner *b = &polygon.corner[k - 1u];
+		const ts_corner *c = &polygon.corner[k];
+		ts_setup setup = ts_k_setup(ts_k_snap(ts_k_project(view, a)), ts_k_snap(ts_k_project(view, b)),
+		                            ts_k_snap(ts_k_project(view, c)));
+		if (setup.area == 0) continue;
+		ts_edges e = ts_k_edges(&setup, i * 256 + 128, j * 256 + 128);
+		if (ts_k_covers(&setup, &e)) {
+			return ts_k_depth_step(view, &setup, a, b, c, ts_k_view_fragment(view, &setup, &e, a, b, c).z);
+		}
+	}
+	return 0.0f;
+}
+
+/* A triangle near a pixel's centre. */
+typedef struct { u32 triangle; i32 x, y; ts_fragment f; f32 footprint, distance, step; } ts_near;
+
+/* Where the alpha mask nearly decides, the distance is 0; where it cuts, there is nothing. */
+TS_FN bool ts_k_margin_mask(const ts_arrays *scene, const ts_corners *t, ts_near *near)
+{
+	ts_sample s = ts_k_sample(scene, near->triangle, near->f.w, t->n, near->footprint);
+	if ((s.material->flags & TS_MASKED) == 0u) return true;
+	f32 above = ts_k_alpha(scene, &s) - s.material->alpha_cutoff;
+	near->distance = above < TS_MARGIN_ALPHA ? 0.0f : near->distance;
+	return above > -TS_MARGIN_ALPHA;
+}
+
+TS_FN void ts_k_margin_pixel(const ts_arrays *scene, const ts_camera_k *view, const ts_corners *t, ts_near *near,
+                             ts_shown shown, TS_GLOBAL u64 *margin)
+{
+	if (!(near->f.z > 0.0f)) return;
+	bool other = ts_k_is_other(&shown, near->triangle, near->f.z);
+	f32 behind = other ? near->f.z - shown.z : 0.0f;
+	if (behind > 4.0f * near->step + near->f.z * TS_MARGIN_NEAR || !ts_k_margin_mask(scene, t, near)) return;
+	f32 apart = 0.0f;
+	if (other) {
+		f32 step = near->step;
+		if (shown.is_known) step = step + ts_k_depth_step_at(scene, view, shown.triangle, near->x, near->y);
+		apart = ts_max(behind, 0.0f) / (step + near->f.z * TS_MARGIN_ROUNDING);
+	}
+	if (apart <= 1.0f) ts_min_u64(&margin[0], (u64)ts_f2u(ts_put(ts_abs(near->distance))));
+	if (other && near->distance >= 0.0f) ts_min_u64(&margin[1], (u64)ts_f2u(ts_put(apart)));
+}
+
+TS_FN void ts_k_margin_fan(const ts_margin_args *args, const ts_camera_k *view, const ts_corners *t, u32 triangle,
+                           const ts_corner *a, const ts_corner *b, const ts_corner *c, u64 first)
+{
+	ts_snapped v[3];
+	v[0] = ts_k_snap(ts_k_project(view, a));
+	v[1] = ts_k_snap(ts_k_project(view, b));
+	v[2] = ts_k_snap(ts_k_project(view, c));
+	ts_setup setup = ts_k_setup(v[0], v[1], v[2]);
+	if (setup.area == 0) return;
+	ts_box box = ts_k_box_meet(ts_k_touched_box(v, 3u, 4), ts_k_view_box(view));
+	for (i32 j = box.y0; j <= box.y1; j++) {
+		for (i32 i = box.x0; i <= box.x1; i++) {
+			ts_edges e = ts_k_edges(&setup, i * 256 + 128, j * 256 + 128);
+			f32 distance = ts_k_edge_distance(&setup, &e);
+			if (distance < -TS_MARGIN_REACH) continue;
+			ts_near near;
+			near.triangle = triangle;
+			near.x = i;
+			near.y = j;
+			near.f = ts_k_view_fragment(view, &setup, &e, a, b, c);
+			near.footprint = ts_k_fragment_footprint(view, t, &near.f);
+			near.distance = distance;
+			near.step = ts_k_depth_step(view, &setup, a, b, c, near.f.z);
+			u64 pixel = first + (u64)j * (u64)view->width + (u64)i;
+			ts_k_margin_pixel(&args->scene, view, t, &near, ts_k_shown(args, pixel), args->margin + pixel * 2u);
+		}
+	}
+}
+
+TS_FN void ts_k_margin_draw(const ts_margin_args *args, const ts_camera_k *view, const ts_corners *t, u32 triangle,
+                            u64 first)
+{
+	ts_polygon polygon = ts_k_polygon(view, t->a, t->b, t->c);
+	if (ts_k_is_outside(view, &polygon)) return;
+	ts_k_clip_to_range(view, &polygon);
+	for (u32 k = 2u; k < polygon.n; k++) {
+		ts_k_margin_fan(args, view, t, triangle, &polygon.corner[0], &polygon.corner[k - 1u], &polygon.corner[k], first);
+	}
+}
+
+/* scatter over triangles, as ts_k_eye_item */
+TS_FN void ts_k_eye_margin_item(const ts_margin_args *args, u64 i)
+{
+	u32 triangle = (u32)i;
+	ts_camera_k view = ts_k_view(args->view);
+	ts_corners t = ts_k_corners(&args->scene, triangle);
+	if (ts_k_is_degenerate(t.n) || !ts_k_is_facing(&args->scene, triangle, &t, view.eye)) return;
+	ts_k_margin_draw(args, &view, &t, triangle, 0u);
+}
+
+/* scatter over triangles, as ts_k_face_item */
+TS_FN void ts_k_face_margin_item(const ts_margin_args *args, u64 i)
+{
+	u32 triangle = (u32)i;
+	ts_corners t = ts_k_corners(&args->scene, triangle);
+	if (args->n_units == 0u || ts_k_is_degenerate(t.n)) return;
+	u64 first_texel = args->cubes[args->first_unit].offset;
+	for (u32 r = args->first_unit; r < args->first_unit + args->n_units; r++) {
+		TS_GLOBAL const ts_face *cube = &args->cubes[r];
+		if (!ts_k_may_show(&args->scene, cube, triangle, &t)) continue;
+		for (u32 face = 0u; face < 6u; face++) {
+			ts_camera_k view = ts_k_cube_view(cube, face);
+			ts_k_margin_draw(args, &view, &t, triangle, cube->offset - first_texel + (u64)face * cube->n * cube->n);
+		}
+	}
+}
+
+/* scatter over triangles, as ts_k_depth_item */
+TS_FN void ts_k_depth_margin_item(const ts_margin_args *args, u64 i)
+{
+	u32 triangle = (u32)i;
+	ts_corners t = ts_k_corners(&args->scene, triangle);
+	if (args->n_units == 0u || ts_k_is_degenerate(t.n)) return;
+	u64 first_texel = args->views[args->first_unit].offset;
+	for (u32 v = args->first_unit; v < args->first_unit + args->n_units; v++) {
+		TS_GLOBAL const ts_offscreen *offscreen = &args->views[v];
+		if (!ts_k_offscreen_may_show(&args->scene, offscreen, triangle, &t)) continue;
+		ts_camera_k view = ts_k_offscreen(offscreen);
+		ts_k_margin_draw(args, &view, &t, triangle, offscreen->offset - first_texel);
+	}
+}
+
+#define TS_ROWS_ts_cull_margin_args(ARG) \
+	ARG(INNER, ts_cull_args, cull, none) \
+	ARG(OUT, f32, margin, cull_margin)
+TS_ARGS(ts_cull_margin_args);
+
+/* map over pieces: the random number's distance from its threshold, of 1; 1 where nothing is left to chance */
+TS_FN void ts_k_cull_margin_item(const ts_cull_margin_args *args, u64 i)
+{
+	i32 threshold = ts_k_cull_threshold(ts_k_cull_pixels(&args->cull, i));
+	i32 apart = ts_k_cull_chance(&args->cull, i) - threshold;
+	bool chance = args->cull.enabled != 0u && threshold > 0;
+	args->margin[i] = chance ? (f32)(apart < 0 ? -apart : apart) * 0.000000059604644775390625f : 1.0f;
+}
+
+#endif

@@ -1,0 +1,122 @@
+/* Reflective shadow maps (Dachsbacher and Stamminger 2005): what a light sees, a triangle a texel as in SSAGH section 5,
+ * and those triangles as lights (METHODS 11).
+ *
+ * A texel with its hit x_p at axial depth z and distance d from the light, angle theta between the surface's normal and the
+ * way to the light, sees of the surface A = (z / f)^2 (z / d) / cos theta; orthographic (1 / f)^2 / cos theta. It becomes an
+ * equilateral triangle of this area about x_p, in the plane of the face: a flat wall does not light itself. Its exitance is
+ * M = rho E, E the irradiance at x_p, rho base colour times 1 - metallic. cos theta >= 2^-6 in A. */
+#ifndef TS_KERNELS_RSM_H
+#define TS_KERNELS_RSM_H
+#include "../base/args.h"
+#include "draw.h"
+#include "../base/shade.h"
+
+#define TS_ROWS_ts_rsm_args(ARG) \
+	ARG(INNER, ts_arrays, scene, none) \
+	ARG(IN, ts_offscreen, views, offscreen_view) \
+	ARG(IN_OPT, ts_light, lamps, lamp_light) \
+	ARG(MIN, u64, depth_triangle, rsm_depth_triangle) \
+	ARG(OUT_OPT, ts_patch, patches, rsm_patch) \
+	ARG(VALUE, u32, n_views, none)
+TS_ARGS(ts_rsm_args);
+
+/* scatter over triangles: into every view */
+TS_FN void ts_k_rsm_item(const ts_rsm_args *args, u64 i)
+{
+	u32 triangle = (u32)i;
+	ts_corners t = ts_k_corners(&args->scene, triangle);
+	if (ts_k_is_degenerate(t.n)) return;
+	for (u32 v = 0u; v < args->n_views; v++) {
+		TS_GLOBAL const ts_offscreen *offscreen = &args->views[v];
+		if (!ts_k_offscreen_may_show(&args->scene, offscreen, triangle, &t)) continue;
+		ts_camera_k view = ts_k_offscreen(offscreen);
+		ts_target target = ts_k_keys(args->depth_triangle + offscreen->offset);
+		ts_k_draw(&args->scene, &view, &t, triangle, &target);
+	}
+}
+
+/* The view that a texel is of: the last that begins before it or there. */
+TS_FN u32 ts_k_view_of_texel(TS_GLOBAL const ts_offscreen *views, u32 n, u64 texel)
+{
+	u32 v = 0u;
+	for (u32 k = 1u; k < n; k++) v = views[k].offset <= texel ? k : v;
+	return v;
+}
+
+#define TS_LEAST_LIT 0.015625f
+
+/* Area that a texel sees of a surface at p, at the cosine from the direction of the light. */
+TS_FN f32 ts_k_texel_area(const ts_camera_k *view, ts_v3 p, f32 cosine)
+{
+	ts_corner at = ts_k_to_view(view, p);
+	f32 d = ts_length(ts_v3_make(at.x, at.y, at.z));
+	f32 width = view->orthographic != 0u ? 1.0f / view->focal : at.z / view->focal;
+	f32 across = width * width;
+	f32 facing = view->orthographic != 0u || !(d > 0.0f) ? 1.0f : at.z / d;
+	return (across * facing) / ts_max(cosine, TS_LEAST_LIT);
+}
+
+/* An axis across n, unit: +y or, of an n near it, +x turned into n's plane. */
+TS_FN ts_v3 ts_k_across(ts_v3 n)
+{
+	ts_v3 pole = ts_abs(n.y) < 0.75f ? ts_v3_make(0.0f, 1.0f, 0.0f) : ts_v3_make(1.0f, 0.0f, 0.0f);
+	return ts_normalize(ts_cross(pole, n));
+}
+
+/* Equilateral, of the given area, about p, counter-clockwise about n: circumradius sqrt(4 A / (3 sqrt 3)). */
+TS_FN void ts_k_patch_corners(TS_GLOBAL ts_patch *patch, ts_v3 p, ts_v3 n, f32 area)
+{
+	f32 radius = ts_sqrt(ts_flush(area * 0.769800364971160888671875f));
+	ts_v3 u = ts_k_across(n);
+	ts_v3 v = ts_cross(n, u);
+	f32 back = radius * -0.5f;
+	f32 aside = radius * 0.866025388240814208984375f;
+	ts_v3 behind = ts_mad(p, u, back);
+	ts_store3(patch->a, ts_mad(p, u, radius));
+	ts_store3(patch->b, ts_mad(behind, v, aside));
+	ts_store3(patch->c, ts_mad(behind, v, -aside));
+	ts_store3(patch->normal, n);
+}
+
+TS_FN void ts_k_patch_clear(TS_GLOBAL ts_patch *patch)
+{
+	ts_v3 zero = ts_v3_make(0.0f, 0.0f, 0.0f);
+	ts_store3(patch->a, zero);
+	ts_store3(patch->b, zero);
+	ts_store3(patch->c, zero);
+	ts_store3(patch->normal, zero);
+	ts_store3(patch->exitance, zero);
+	patch->pad = 0u;
+}
+
+/* What is left of a light by diffuse reflection; unlit materials reflect nothing. */
+TS_FN ts_v3 ts_k_albedo(const ts_surface *s)
+{
+	return ts_scale(s->base, (s->flags & TS_UNLIT) != 0u ? 0.0f : 1.0f - s->metallic);
+}
+
+/* map over texels */
+TS_FN void ts_k_rsm_patch_item(const ts_rsm_args *args, u64 i)
+{
+	TS_GLOBAL ts_patch *patch = &args->patches[i];
+	u64 key = args->depth_triangle[i];
+	ts_k_patch_clear(patch);
+	if (key == TS_EMPTY) return;
+	TS_GLOBAL const ts_offscreen *offscreen = &args->views[ts_k_view_of_texel(args->views, args->n_views, i)];
+	ts_camera_k view = ts_k_offscreen(offscreen);
+	u64 texel = i - offscreen->offset;
+	i32 x = (i32)(texel % (u64)view.width);
+	i32 y = (i32)(texel / (u64)view.width);
+	ts_surface s = ts_k_surface_seen(&args->scene, &view, (u32)key, x, y);
+	TS_GLOBAL const ts_light *light = &args->lamps[offscreen->light];
+	ts_v3 l;
+	f32 arrives = ts_k_light(light, s.p, &l);
+	ts_v3 n = ts_dot(s.face, l) < 0.0f ? ts_neg(s.face) : s.face;
+	f32 cosine = ts_flush(ts_dot(n, l));
+	if (!(arrives > 0.0f) || !(cosine > 0.0f)) return;
+	ts_v3 irradiance = ts_scale(ts_load3(light->intensity), ts_flush(arrives * cosine));
+	ts_k_patch_corners(patch, s.p, n, ts_k_texel_area(&view, s.p, cosine));
+	ts_store3(patch->exitance, ts_mul(ts_k_albedo(&s), irradiance));
+}
+
+#endif

@@ -1,0 +1,127 @@
+/* The first triangle that a ray meets, by the scene's octree: least distance, then least index, so that no order changes it.
+ * Back faces of single-sided materials and cut-out parts of masked ones let it pass.
+ *
+ * Two triangles with an edge in common decide on it with the same numbers of opposite signs: no ray slips between them.
+ * Boxes are taken a 128th of their half side larger, which is more than what snapping and rounding move. */
+#ifndef TS_KERNELS_CAST_H
+#define TS_KERNELS_CAST_H
+#include "../base/args.h"
+#include "../base/hit.h"
+#include "../base/morton.h"
+#include "../base/records.h"
+#include "../base/surface.h"
+
+#define TS_CAST_STACK 96 /* 7 siblings a level and a node */
+
+#define TS_ROWS_ts_cast_args(ARG) \
+	ARG(INNER, ts_arrays, scene, none) \
+	ARG(IN, ts_node, nodes, octree_node) /* not empty */ \
+	ARG(IN, u32, offset, octree_offset) \
+	ARG(IN, u32, triangles, octree_triangle) \
+	ARG(VALUE, u32, first_leaf, none) /* a node */ \
+	ARG(VALUE, f32, leaf, none) /* its side */
+TS_ARGS(ts_cast_args);
+
+typedef struct { ts_v3 o, d, inverse; } ts_cast_ray;
+typedef struct { f32 t; u32 triangle; ts_v3 weights; } ts_cast_hit; /* triangle TS_NONE: none */
+
+/* 1 / x, or 2^60 where that is more. */
+TS_FN f32 ts_k_cast_inverse(f32 x)
+{
+	f32 most = 1152921504606846976.0f;
+	if (ts_abs(x) < 8.67361737988403547205962240695953369140625e-19f) return x < 0.0f ? -most : most;
+	return 1.0f / x;
+}
+
+TS_FN ts_cast_ray ts_k_cast_ray(ts_v3 o, ts_v3 d)
+{
+	ts_cast_ray r;
+	r.o = o;
+	r.d = d;
+	r.inverse = ts_v3_make(ts_k_cast_inverse(d.x), ts_k_cast_inverse(d.y), ts_k_cast_inverse(d.z));
+	return r;
+}
+
+/* The ray is in a node's box somewhere between 0 and `most`. */
+TS_FN bool ts_k_cast_meets(const ts_cast_ray *ray, TS_GLOBAL const ts_node *node, f32 most)
+{
+	f32 half_side = node->radius * 0.581860840320587158203125f; /* 129 / 128 of 1 / sqrt 3 */
+	ts_v3 extent = ts_v3_make(half_side, half_side, half_side);
+	ts_v3 to = ts_sub(ts_load3(node->centre), ray->o);
+	ts_v3 a = ts_mul(ts_sub(to, extent), ray->inverse);
+	ts_v3 b = ts_mul(ts_add(to, extent), ray->inverse);
+	ts_v3 low = ts_min3(a, b);
+	ts_v3 high = ts_max3(a, b);
+	f32 enters = ts_max(ts_max(low.x, low.y), ts_max(low.z, 0.0f));
+	f32 leaves = ts_min(ts_min(high.x, high.y), ts_min(high.z, most));
+	return enters <= leaves;
+}
+
+/* The ray passes all edges on the same side; d.(b x a) and its like are as they are for the neighbour, but for the
+ * sign. */
+TS_FN bool ts_k_cast_inside(const ts_cast_ray *ray, const ts_corners *t)
+{
+	ts_v3 a = ts_sub(t->a, ray->o);
+	ts_v3 b = ts_sub(t->b, ray->o);
+	ts_v3 c = ts_sub(t->c, ray->o);
+	f32 u = ts_flush(ts_dot(ray->d, ts_cross(c, b)));
+	f32 v = ts_flush(ts_dot(ray->d, ts_cross(a, c)));
+	f32 w = ts_flush(ts_dot(ray->d, ts_cross(b, a)));
+	return (u >= 0.0f && v >= 0.0f && w >= 0.0f) || (u <= 0.0f && v <= 0.0f && w <= 0.0f);
+}
+
+TS_FN void ts_k_cast_triangle(const ts_cast_args *args, const ts_cast_ray *ray, u32 triangle, ts_cast_hit *best)
+{
+	ts_corners t = ts_k_corners(&args->scene, triangle);
+	if (ts_k_is_degenerate(t.n) || !ts_k_is_facing(&args->scene, triangle, &t, ray->o)) return;
+	if (!ts_k_cast_inside(ray, &t)) return;
+	ts_hit hit = ts_k_hit(ray->o, ray->d, &t);
+	if (!(hit.t > 0.0f) || hit.t > best->t || (hit.t == best->t && triangle >= best->triangle)) return;
+	if (ts_k_is_cut(&args->scene, triangle, hit.weights, t.n, args->leaf)) return;
+	best->t = hit.t;
+	best->triangle = triangle;
+	best->weights = hit.weights;
+}
+
+/* The children of a node, the nearest last: octants in the ray's order, from behind. */
+TS_FN u32 ts_k_cast_push(const ts_cast_ray *ray, TS_GLOBAL const ts_node *node, u32 *stack, u32 n)
+{
+	u32 turn = (ray->d.x < 0.0f ? 1u : 0u) | (ray->d.y < 0.0f ? 2u : 0u) | (ray->d.z < 0.0f ? 4u : 0u);
+	for (u32 k = 8u; k-- > 0u;) {
+		u32 octant = k ^ turn;
+		if (((node->children >> octant) & 1u) == 0u) continue;
+		stack[n] = node->child + ts_k_count_bits(node->children & ((1u << octant) - 1u));
+		n++;
+	}
+	return n;
+}
+
+/* d: unit. */
+TS_FN ts_cast_hit ts_k_cast(const ts_cast_args *args, ts_v3 o, ts_v3 d)
+{
+	u32 stack[TS_CAST_STACK];
+	u32 n = 1u;
+	ts_cast_ray ray = ts_k_cast_ray(o, d);
+	ts_cast_hit best;
+	best.t = 4611686018427387904.0f;
+	best.triangle = TS_NONE;
+	best.weights = ts_v3_make(0.0f, 0.0f, 0.0f);
+	stack[0] = 0u;
+	while (n > 0u) {
+		n--;
+		u32 id = stack[n];
+		TS_GLOBAL const ts_node *node = &args->nodes[id];
+		if (!ts_k_cast_meets(&ray, node, best.t)) continue;
+		if (node->children != 0u) {
+			n = ts_k_cast_push(&ray, node, stack, n);
+			continue;
+		}
+		u32 leaf = id - args->first_leaf;
+		for (u32 k = args->offset[leaf]; k < args->offset[leaf + 1u]; k++) {
+			ts_k_cast_triangle(args, &ray, args->triangles[k], &best);
+		}
+	}
+	return best;
+}
+
+#endif

@@ -1,0 +1,94 @@
+/* The nodes of an octree from the masks of its levels: ids are the places of the bits, so by level and Morton code
+ * (METHODS 12). And the lists of its leaves, in order. */
+#ifndef TS_KERNELS_OCTREE_H
+#define TS_KERNELS_OCTREE_H
+#include "../base/args.h"
+#include "mask.h"
+#include "root.h"
+
+#define TS_ROWS_ts_octree_args(ARG) \
+	ARG(IN, ts_root, root, root_cube) \
+	ARG(IN, u64, mask, voxel_mask) \
+	ARG(IN, u32, before, voxel_before) \
+	ARG(OUT, u32, level, octree_level) /* nodes before each level */ \
+	ARG(OUT, ts_node, nodes, octree_node) \
+	ARG(VALUE, u32, levels, none)
+TS_ARGS(ts_octree_args);
+
+/* map over levels, and one more: all nodes */
+TS_FN void ts_k_octree_level_item(const ts_octree_args *args, u64 i)
+{
+	args->level[i] = args->before[ts_k_mask_first((u32)i)];
+}
+
+/* The box of a voxel: its centre and half its diagonal. */
+TS_FN void ts_k_octree_ball(TS_GLOBAL ts_node *node, TS_GLOBAL const ts_root *root, u32 level, u64 code)
+{
+	ts_i3 voxel = ts_k_unmorton(code);
+	f32 side = root->side / (f32)(1 << level);
+	ts_v3 middle = ts_v3_make((f32)voxel.x + 0.5f, (f32)voxel.y + 0.5f, (f32)voxel.z + 0.5f);
+	ts_store3(node->centre, ts_mad(ts_load3(root->lower), middle, side));
+	node->radius = ts_put(side * 0.866025388240814208984375f);
+}
+
+TS_FN void ts_k_octree_links(const ts_octree_args *args, TS_GLOBAL ts_node *node, u32 level, u64 code)
+{
+	node->level = level;
+	node->parent = level == 0u ? TS_NONE : ts_k_mask_id(args->mask, args->before, level - 1u, code >> 3);
+	node->child = TS_NONE;
+	node->children = 0u;
+	if (level == args->levels) return;
+	u64 octants = args->mask[ts_k_mask_word(level + 1u, code << 3)] >> ((code << 3) & 63u);
+	node->child = ts_k_mask_id(args->mask, args->before, level + 1u, code << 3);
+	node->children = (u32)octants & 255u;
+}
+
+/* emit over words of the mask */
+TS_FN void ts_k_octree_item(const ts_octree_args *args, u64 i)
+{
+	u64 bits = args->mask[i];
+	u32 level = 0u;
+	TS_GLOBAL ts_node *node = args->nodes + args->before[i];
+	while (level < args->levels && ts_k_mask_first(level + 1u) <= i) level++;
+	u64 code = (i - ts_k_mask_first(level)) << 6;
+	for (; bits != 0u; bits >>= 1, code++) {
+		if ((bits & 1u) == 0u) continue;
+		ts_k_octree_ball(node, args->root, level, code);
+		ts_k_octree_links(args, node, level, code);
+		node++;
+	}
+}
+
+#define TS_ROWS_ts_sort_args(ARG) \
+	ARG(IN, u32, offset, none) /* of each leaf */ \
+	ARG(OUT, u32, entries, none)
+TS_ARGS(ts_sort_args);
+
+/* Lets entry k of a heap of n fall to its place. */
+TS_FN void ts_k_sift(TS_GLOBAL u32 *heap, u32 k, u32 n)
+{
+	u32 value = heap[k];
+	for (u32 child = 2u * k + 1u; child < n; child = 2u * k + 1u) {
+		if (child + 1u < n && heap[child] < heap[child + 1u]) child++;
+		if (heap[child] <= value) break;
+		heap[k] = heap[child];
+		k = child;
+	}
+	heap[k] = value;
+}
+
+/* map over leaves: its entries, which came in any order, sorted */
+TS_FN void ts_k_leaf_sort_item(const ts_sort_args *args, u64 i)
+{
+	TS_GLOBAL u32 *heap = args->entries + args->offset[i];
+	u32 n = args->offset[i + 1u] - args->offset[i];
+	for (u32 k = n / 2u; k-- > 0u;) ts_k_sift(heap, k, n);
+	for (u32 left = n; left-- > 1u;) {
+		u32 greatest = heap[0];
+		heap[0] = heap[left];
+		heap[left] = greatest;
+		ts_k_sift(heap, 0u, left);
+	}
+}
+
+#endif

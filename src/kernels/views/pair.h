@@ -1,0 +1,123 @@
+/* What becomes of a pair of a node of the scene and a node of views (MegaViews section 3.2, figures 4, 6 and 8, whose text
+ * is lost; METHODS 13). Figure 4 without angles: with c = vs . n and s = |vs x n|, s cos psi - c sin psi is
+ * |vs| sin(alpha - psi), and c cos psi + s sin psi is |vs| cos(alpha - psi). */
+#ifndef TS_KERNELS_PAIR_H
+#define TS_KERNELS_PAIR_H
+#include "paraboloid.h"
+#include "../base/records.h"
+
+typedef struct { ts_v3 p; f32 r; bool leaf; } ts_ball;
+/* The directions of the views of a node: no farther from the axis than theta. */
+typedef struct { ts_v3 axis; f32 cosine; } ts_cone_k;
+/* Half the field of view of all of them, phi. */
+typedef struct { f32 cosine, sine; } ts_aperture;
+
+/* What becomes of a pair. */
+#define TS_PAIR_SPLIT_SCENE 0u
+#define TS_PAIR_SPLIT_VIEW 1u
+#define TS_PAIR_RENDER 2u
+#define TS_PAIR_CULL 3u
+#define TS_PAIR_TOUCH 4u
+
+/* Stored cosines and what follows are rounded: nothing is culled within so much of the bounds. */
+#define TS_CULL_COSINE 0.0000002384185791015625f
+#define TS_CULL_DISTANCE 0.00000095367431640625f
+
+TS_FN ts_ball ts_k_node_ball(TS_GLOBAL const ts_node *node)
+{
+	ts_ball r;
+	r.p = ts_load3(node->centre);
+	r.r = node->radius;
+	r.leaf = node->children == 0u;
+	return r;
+}
+
+TS_FN ts_cone_k ts_k_load_cone(TS_GLOBAL const ts_cone *cone)
+{
+	ts_cone_k r;
+	r.axis = ts_load3(cone->axis);
+	r.cosine = cone->cosine;
+	return r;
+}
+
+/* Cosine and sine of psi = theta + phi. */
+TS_FN ts_aperture ts_k_pair_psi(const ts_cone_k *cone, const ts_aperture *phi)
+{
+	f32 c = ts_max(cone->cosine - TS_CULL_COSINE, -1.0f);
+	f32 square = c * c;
+	f32 s = ts_sqrt(ts_flush(ts_max(1.0f - square, 0.0f)));
+	ts_aperture r;
+	r.cosine = ts_diff_of_products(c, phi->cosine, s, phi->sine);
+	f32 sc = s * phi->cosine;
+	f32 cs = c * phi->sine;
+	r.sine = sc + cs;
+	return r;
+}
+
+/* Figure 4: fs, how far outside the cone the middle of the ball lies; at most 0 within. psi passes pi where its sine is no
+ * longer positive, alpha is at most psi where the sine of alpha - psi is not, and alpha - psi passes a right angle where its
+ * cosine is not. */
+TS_FN f32 ts_k_pair_outside(const ts_ball *s, const ts_ball *v, const ts_cone_k *cone, const ts_aperture *phi)
+{
+	ts_aperture psi = ts_k_pair_psi(cone, phi);
+	ts_v3 vs = ts_sub(s->p, v->p);
+	f32 d = ts_length(vs);
+	if (!(psi.sine > 0.0f)) return -d;
+	f32 along = ts_dot(vs, cone->axis);
+	f32 aside = ts_length(ts_cross(vs, cone->axis));
+	f32 sine = ts_diff_of_products(aside, psi.cosine, along, psi.sine);
+	f32 cc = along * psi.cosine;
+	f32 ss = aside * psi.sine;
+	return cc + ss > 0.0f || !(sine > 0.0f) ? sine : d;
+}
+
+/* What fs must pass. */
+TS_FN f32 ts_k_pair_reach(const ts_ball *s, const ts_ball *v)
+{
+	f32 slack = ts_length(ts_sub(s->p, v->p)) * TS_CULL_DISTANCE;
+	return (s->r + v->r) + slack;
+}
+
+/* The ball lies outside what any of the views can see. */
+TS_FN bool ts_k_pair_is_culled(const ts_ball *s, const ts_ball *v, const ts_cone_k *cone, const ts_aperture *phi)
+{
+	f32 fs = ts_k_pair_outside(s, v, cone, phi);
+	return fs > 0.0f && fs > ts_k_pair_reach(s, v);
+}
+
+/* Texels that the ball of s is wide, seen from the nearest place in the ball of v; -1: that may lie in the ball of s. */
+TS_FN f32 ts_k_pair_size(const ts_ball *s, const ts_ball *v, u32 n)
+{
+	ts_v3 vs = ts_sub(s->p, v->p);
+	f32 d = ts_length(vs);
+	f32 nearest = d - v->r;
+	if (!(nearest > s->r)) return -1.0f;
+	return ts_k_paraboloid_size(ts_abs(vs.x) / d, s->r / nearest, n);
+}
+
+/* Figure 6: all of the views show s in the same texel, or one of its neighbours. */
+TS_FN bool ts_k_pair_is_equivalent(const ts_ball *s, const ts_ball *v, u32 n)
+{
+	f32 size = ts_k_pair_size(s, v, n);
+	return size >= 0.0f && size < 1.0f && v->r <= s->r;
+}
+
+/* Figure 8: keeps the views' ball no larger than the scene's. */
+TS_FN bool ts_k_pair_splits_view(const ts_ball *s, const ts_ball *v)
+{
+	f32 child = s->r * 0.5f;
+	return s->leaf || (!v->leaf && child < v->r);
+}
+
+/* From the nearest place in one ball to that in the other; at most 0 where they touch. */
+TS_FN f32 ts_k_pair_gap(const ts_ball *s, const ts_ball *v) { return ts_length(ts_sub(s->p, v->p)) - (s->r + v->r); }
+
+/* Two leaves that touch; a view alone stands for a leaf as large as that of the scene. */
+TS_FN f32 ts_k_pair_touch_reach(const ts_ball *s, const ts_ball *v) { return s->r + ts_max(s->r, v->r); }
+
+TS_FN bool ts_k_pair_touches(const ts_ball *s, const ts_ball *v)
+{
+	return s->leaf && v->leaf && ts_length(ts_sub(s->p, v->p)) < ts_k_pair_touch_reach(s, v);
+}
+
+#endif

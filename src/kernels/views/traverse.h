@@ -1,0 +1,141 @@
+/* The concurrent traversal of two octrees, of the scene and of views (MegaViews section 3.2; METHODS 13). A pair is
+ * scene << 32 | views, two ids of nodes. In a step's queue pairs that go no further are struck out when they are
+ * decided, and those that are split when their children stand in the next queue: what is left is rendered. A
+ * decision knows nothing but its pair, so no pair is reached twice, and any piece of a queue may be carried to its
+ * end before the rest. */
+#ifndef TS_KERNELS_TRAVERSE_H
+#define TS_KERNELS_TRAVERSE_H
+#include "../base/args.h"
+#include "../base/morton.h"
+#include "pair.h"
+
+/* In the place of a pair. */
+#define TS_STRUCK 0xfffffffffffffffdUL /* the least of them */
+#define TS_STRUCK_CULLED 0xfffffffffffffffdUL
+#define TS_STRUCK_TOUCHING 0xfffffffffffffffeUL
+#define TS_STRUCK_SPLIT 0xffffffffffffffffUL
+
+#define TS_STEPS 23u /* from two roots to leaves 11 levels below them */
+#define TS_TALLY_PAIRS 1024u
+
+#define TS_ROWS_ts_traverse_args(ARG) \
+	ARG(IN, ts_node, nodes, octree_node) \
+	ARG(IN, ts_node, views, view_octree_node) \
+	ARG(IN, ts_cone, cones, view_cone_node) \
+	ARG(WORK, u64, queue, queue) /* of this step */ \
+	ARG(WORK, u64, next, queue) /* of the next step */ \
+	ARG(WORK, u32, offset, counts) /* children, later rendered pairs, before each: counts, then their prefix sums */ \
+	ARG(WORK, u64, rendered, kept) /* the rendered pairs of the queue */ \
+	ARG(TALLY_OPT, i64, tallies, 0) /* pairs culled, touching, rendered, of these wider than a texel; views served */ \
+	ARG(VALUE, u64, n_pairs, none) \
+	ARG(VALUE, ts_aperture, phi, none) \
+	ARG(VALUE, u32, n, none) /* texels a side of a map */ \
+	ARG(VALUE, u32, first_view, none) \
+	ARG(VALUE, u32, touching, none) /* leaves that touch are rendered, too */ \
+	ARG(VALUE, u32, last, none) /* nodes of this level count as leaves */ \
+	ARG(VALUE, u32, to_last, none) /* only pairs of leaves are rendered */ \
+	ARG(VALUE, f32, cutoff, none) /* pairs farther apart are culled; 0: none */
+TS_ARGS(ts_traverse_args);
+
+TS_FN u64 ts_k_pair(u32 node, u32 views) { return ((u64)node << 32) | views; }
+TS_FN u32 ts_k_pair_node(u64 pair) { return (u32)(pair >> 32); }
+TS_FN u32 ts_k_pair_views(u64 pair) { return (u32)pair; }
+
+TS_FN ts_ball ts_k_pair_ball(const ts_traverse_args *args, TS_GLOBAL const ts_node *node)
+{
+	ts_ball r = ts_k_node_ball(node);
+	r.leaf = r.leaf || node->level >= args->last;
+	return r;
+}
+
+TS_FN u32 ts_k_pair_fate(const ts_traverse_args *args, u64 pair)
+{
+	ts_ball s = ts_k_pair_ball(args, &args->nodes[ts_k_pair_node(pair)]);
+	ts_ball v = ts_k_pair_ball(args, &args->views[ts_k_pair_views(pair)]);
+	ts_cone_k cone = ts_k_load_cone(&args->cones[ts_k_pair_views(pair)]);
+	if (ts_k_pair_is_culled(&s, &v, &cone, &args->phi)) return TS_PAIR_CULL;
+	if (args->cutoff > 0.0f && ts_k_pair_gap(&s, &v) > args->cutoff) return TS_PAIR_CULL;
+	if (args->to_last == 0u && ts_k_pair_is_equivalent(&s, &v, args->n)) return TS_PAIR_RENDER;
+	if (args->touching == 0u && ts_k_pair_touches(&s, &v)) return TS_PAIR_TOUCH;
+	if (s.leaf && v.leaf) return TS_PAIR_RENDER;
+	return ts_k_pair_splits_view(&s, &v) ? TS_PAIR_SPLIT_VIEW : TS_PAIR_SPLIT_SCENE;
+}
+
+/* map over views without a parent: each with the scene's root */
+TS_FN void ts_k_traverse_start_item(const ts_traverse_args *args, u64 i)
+{
+	args->queue[i] = ts_k_pair(0u, args->first_view + (u32)i);
+}
+
+/* map over pairs: decides; again over some of them, it decides the same */
+TS_FN void ts_k_traverse_count_item(const ts_traverse_args *args, u64 i)
+{
+	u64 pair = args->queue[i];
+	args->offset[i] = 0u;
+	if (pair >= TS_STRUCK) return;
+	u32 fate = ts_k_pair_fate(args, pair);
+	if (fate == TS_PAIR_CULL) args->queue[i] = TS_STRUCK_CULLED;
+	if (fate == TS_PAIR_TOUCH) args->queue[i] = TS_STRUCK_TOUCHING;
+	if (fate == TS_PAIR_SPLIT_SCENE) args->offset[i] = ts_k_count_bits(args->nodes[ts_k_pair_node(pair)].children);
+	if (fate == TS_PAIR_SPLIT_VIEW) args->offset[i] = ts_k_count_bits(args->views[ts_k_pair_views(pair)].children);
+}
+
+/* emit over pairs: the children of those that are split */
+TS_FN void ts_k_traverse_item(const ts_traverse_args *args, u64 i)
+{
+	u32 at = args->offset[i];
+	u32 n = args->offset[i + 1u] - at;
+	if (n == 0u) return;
+	u32 s = ts_k_pair_node(args->queue[i]);
+	u32 v = ts_k_pair_views(args->queue[i]);
+	ts_ball node = ts_k_pair_ball(args, &args->nodes[s]);
+	ts_ball view = ts_k_pair_ball(args, &args->views[v]);
+	bool splits_view = ts_k_pair_splits_view(&node, &view);
+	for (u32 k = 0u; k < n; k++) {
+		args->next[at + k] = splits_view ? ts_k_pair(s, args->views[v].child + k) : ts_k_pair(args->nodes[s].child + k, v);
+	}
+	args->queue[i] = TS_STRUCK_SPLIT;
+}
+
+/* A pair that could not be split further: no wider than a texel it would have been equivalent. */
+TS_FN bool ts_k_pair_is_wide(const ts_traverse_args *args, u64 pair)
+{
+	ts_ball s = ts_k_pair_ball(args, &args->nodes[ts_k_pair_node(pair)]);
+	ts_ball v = ts_k_pair_ball(args, &args->views[ts_k_pair_views(pair)]);
+	return s.leaf && v.leaf && !ts_k_pair_is_equivalent(&s, &v, args->n);
+}
+
+/* map over lots of TS_TALLY_PAIRS pairs */
+TS_FN void ts_k_traverse_tally_item(const ts_traverse_args *args, u64 i)
+{
+	u64 end = (i + 1u) * TS_TALLY_PAIRS;
+	i64 culled = 0, touching = 0, rendered = 0, wide = 0, served = 0;
+	for (u64 k = i * TS_TALLY_PAIRS; k < end && k < args->n_pairs; k++) {
+		u64 pair = args->queue[k];
+		culled += pair == TS_STRUCK_CULLED ? 1 : 0;
+		touching += pair == TS_STRUCK_TOUCHING ? 1 : 0;
+		if (pair >= TS_STRUCK) continue;
+		rendered++;
+		wide += ts_k_pair_is_wide(args, pair) ? 1 : 0;
+		served += (i64)args->cones[ts_k_pair_views(pair)].views;
+	}
+	ts_add_i64(&args->tallies[0], culled);
+	ts_add_i64(&args->tallies[1], touching);
+	ts_add_i64(&args->tallies[2], rendered);
+	ts_add_i64(&args->tallies[3], wide);
+	ts_add_i64(&args->tallies[4], served);
+}
+
+/* map over pairs: 1 where one is left */
+TS_FN void ts_k_render_count_item(const ts_traverse_args *args, u64 i)
+{
+	args->offset[i] = args->queue[i] < TS_STRUCK ? 1u : 0u;
+}
+
+/* emit over pairs: those that are left */
+TS_FN void ts_k_render_item(const ts_traverse_args *args, u64 i)
+{
+	if (args->offset[i + 1u] != args->offset[i]) args->rendered[args->offset[i]] = args->queue[i];
+}
+
+#endif

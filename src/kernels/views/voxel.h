@@ -1,0 +1,230 @@
+/* Which leaf voxels a triangle touches: exactly those whose closed box meets the triangle snapped to the lattice (root.h).
+ * The posed triangle is at most half a step away from that, and what rounding adds, below a hundredth of a voxel.
+ *
+ * Box and triangle meet unless one of 13 axes parts them: the box's three, the normal and the products of edges and box
+ * axes, which are the edges' normals seen along each axis (Schwarz and Seidel 2010). Each asks that a linear form of the
+ * voxel's indices is in a range, so that voxels are found by narrowing ranges: rows, then columns along the normal's longest
+ * component, then the few voxels of a column. Triangles that are a line or a point in the lattice are no exception.
+ *
+ * Coordinates are at most 2^19 in the lattice. Of an edge's form the factors are at most 2^27, its values 2^40; of the
+ * normal's 2^47 and 3 2^58, so that differences of two stay below 2^62. */
+#ifndef TS_KERNELS_VOXEL_H
+#define TS_KERNELS_VOXEL_H
+#include "../base/args.h"
+#include "mask.h"
+#include "root.h"
+#include "../base/scene.h"
+
+/* low <= a i + b j + c k <= high */
+typedef struct { i64 a, b, c, low, high; } ts_form;
+typedef struct { i64 first, last; } ts_range;
+
+/* In coordinates that are turned until the normal's longest component is the third. */
+typedef struct {
+	ts_range box[3];
+	ts_form edge[9]; /* seen along the third axis, the first, the second */
+	ts_form plane;
+	u32 turn;        /* the axis that is the third one here */
+} ts_touch;
+
+TS_FN i64 ts_k_least_i64(i64 a, i64 b) { return b < a ? b : a; }
+TS_FN i64 ts_k_most_i64(i64 a, i64 b) { return a < b ? b : a; }
+
+/* What of a range fulfils low <= step k <= high. */
+TS_FN ts_range ts_k_narrow(ts_range r, i64 step, i64 low, i64 high)
+{
+	i64 from = step < 0 ? -high : low;
+	i64 to = step < 0 ? -low : high;
+	i64 size = step < 0 ? -step : step;
+	i64 above = from - size * r.first;
+	i64 room = to - size * r.first;
+	ts_range none;
+	none.first = 0;
+	none.last = -1;
+	if (room < 0 || (size == 0 && above > 0)) return none;
+	if (size == 0) return r;
+	r.last = ts_k_least_i64(r.last, r.first + room / size);
+	r.first = above > 0 ? r.first + (above + size - 1) / size : r.first;
+	return r;
+}
+
+/* n.(256 (i, j, k) + box) meets [low, high]: of voxels' lower corners. */
+TS_FN ts_form ts_k_form(i64 a, i64 b, i64 c, i64 low, i64 high)
+{
+	ts_form r;
+	r.a = TS_VOXEL * a;
+	r.b = TS_VOXEL * b;
+	r.c = TS_VOXEL * c;
+	r.low = low - (ts_k_most_i64(r.a, 0) + ts_k_most_i64(r.b, 0) + ts_k_most_i64(r.c, 0));
+	r.high = high - (ts_k_least_i64(r.a, 0) + ts_k_least_i64(r.b, 0) + ts_k_least_i64(r.c, 0));
+	return r;
+}
+
+/* The normal (a, b) of the edge from p to q seen along an axis, with the triangle between the edge and o: its
+ * interval. */
+typedef struct { i64 a, b, low, high; } ts_side;
+
+TS_FN ts_side ts_k_side(i64 pu, i64 pv, i64 qu, i64 qv, i64 ou, i64 ov)
+{
+	ts_side r;
+	r.a = pv - qv;
+	r.b = qu - pu;
+	i64 at = r.a * pu + r.b * pv;
+	i64 beyond = r.a * ou + r.b * ov;
+	r.low = ts_k_least_i64(at, beyond);
+	r.high = ts_k_most_i64(at, beyond);
+	return r;
+}
+
+/* The edge seen along the three axes. */
+TS_FN void ts_k_touch_edge(ts_form *edge, const ts_i3 *p, const ts_i3 *q, const ts_i3 *o)
+{
+	ts_side s = ts_k_side(p->x, p->y, q->x, q->y, o->x, o->y);
+	edge[0] = ts_k_form(s.a, s.b, 0, s.low, s.high);
+	s = ts_k_side(p->y, p->z, q->y, q->z, o->y, o->z);
+	edge[3] = ts_k_form(0, s.a, s.b, s.low, s.high);
+	s = ts_k_side(p->z, p->x, q->z, q->x, o->z, o->x);
+	edge[6] = ts_k_form(s.b, 0, s.a, s.low, s.high);
+}
+
+/* Voxels whose closed interval meets that of the coordinates. */
+TS_FN ts_range ts_k_touch_range(i32 a, i32 b, i32 c, i32 last)
+{
+	i32 low = ts_min_i32(a, ts_min_i32(b, c));
+	i32 high = ts_max_i32(a, ts_max_i32(b, c));
+	ts_range r;
+	r.first = ts_max_i32(((low + TS_VOXEL - 1) >> TS_VOXEL_BITS) - 1, 0);
+	r.last = ts_min_i32(high >> TS_VOXEL_BITS, last);
+	return r;
+}
+
+typedef struct { i64 x, y, z; } ts_l3;
+
+TS_FN ts_l3 ts_k_lattice_normal(ts_i3 a, ts_i3 b, ts_i3 c)
+{
+	ts_l3 r;
+	i64 ux = b.x - a.x;
+	i64 uy = b.y - a.y;
+	i64 uz = b.z - a.z;
+	i64 vx = c.x - a.x;
+	i64 vy = c.y - a.y;
+	i64 vz = c.z - a.z;
+	r.x = uy * vz - uz * vy;
+	r.y = uz * vx - ux * vz;
+	r.z = ux * vy - uy * vx;
+	return r;
+}
+
+TS_FN ts_i3 ts_k_turned(ts_i3 p, u32 turn)
+{
+	return turn == 0u ? ts_i3_make(p.y, p.z, p.x) : turn == 1u ? ts_i3_make(p.z, p.x, p.y) : p;
+}
+
+TS_FN ts_i3 ts_k_turned_back(ts_i3 p, u32 turn)
+{
+	return turn == 0u ? ts_i3_make(p.z, p.x, p.y) : turn == 1u ? ts_i3_make(p.y, p.z, p.x) : p;
+}
+
+/* The axis of the normal's longest component, the lowest on ties. */
+TS_FN u32 ts_k_touch_turn(ts_l3 n)
+{
+	i64 x = n.x < 0 ? -n.x : n.x;
+	i64 y = n.y < 0 ? -n.y : n.y;
+	i64 z = n.z < 0 ? -n.z : n.z;
+	return x >= y && x >= z ? 0u : y >= z ? 1u : 2u;
+}
+
+/* Corners in the lattice; voxels have indices up to last. */
+TS_FN ts_touch ts_k_touch(ts_i3 a, ts_i3 b, ts_i3 c, i32 last)
+{
+	ts_touch r;
+	r.turn = ts_k_touch_turn(ts_k_lattice_normal(a, b, c));
+	a = ts_k_turned(a, r.turn);
+	b = ts_k_turned(b, r.turn);
+	c = ts_k_turned(c, r.turn);
+	r.box[0] = ts_k_touch_range(a.x, b.x, c.x, last);
+	r.box[1] = ts_k_touch_range(a.y, b.y, c.y, last);
+	r.box[2] = ts_k_touch_range(a.z, b.z, c.z, last);
+	ts_k_touch_edge(&r.edge[0], &a, &b, &c);
+	ts_k_touch_edge(&r.edge[1], &b, &c, &a);
+	ts_k_touch_edge(&r.edge[2], &c, &a, &b);
+	ts_l3 n = ts_k_lattice_normal(a, b, c);
+	i64 at = n.x * a.x + n.y * a.y + n.z * a.z;
+	r.plane = ts_k_form(n.x, n.y, n.z, at, at);
+	return r;
+}
+
+/* Voxels i of row j, seen along the third axis. */
+TS_FN ts_range ts_k_touch_row(const ts_touch *t, i64 j)
+{
+	ts_range r = t->box[0];
+	for (u32 e = 0u; e < 3u; e++) {
+		i64 at = t->edge[e].b * j;
+		r = ts_k_narrow(r, t->edge[e].a, t->edge[e].low - at, t->edge[e].high - at);
+	}
+	return r;
+}
+
+/* Voxels k of column (i, j) that the plane meets. */
+TS_FN ts_range ts_k_touch_column(const ts_touch *t, i64 i, i64 j)
+{
+	i64 at = t->plane.a * i + t->plane.b * j;
+	return ts_k_narrow(t->box[2], t->plane.c, t->plane.low - at, t->plane.high - at);
+}
+
+/* The axes that are left. */
+TS_FN bool ts_k_touch_voxel(const ts_touch *t, i64 i, i64 j, i64 k)
+{
+	for (u32 e = 3u; e < 9u; e++) {
+		i64 at = t->edge[e].a * i + t->edge[e].b * j + t->edge[e].c * k;
+		if (at < t->edge[e].low || at > t->edge[e].high) return false;
+	}
+	return true;
+}
+
+#define TS_ROWS_ts_voxel_args(ARG) \
+	ARG(INNER, ts_arrays, scene, none) \
+	ARG(IN, ts_root, root, root_cube) \
+	ARG(SUM_OPT, u64, mask, voxel_mask) /* NULL: it is done, and lists are made */ \
+	ARG(IN, u64, bits, voxel_mask) /* it, done */ \
+	ARG(IN, u32, before, voxel_before) \
+	ARG(SUM, u32, offset, octree_offset) /* one later */ \
+	ARG(OUT_OPT, u32, triangles, octree_triangle) /* NULL: they are counted */ \
+	ARG(VALUE, u32, levels, none) \
+	ARG(VALUE, u32, first_leaf, none) /* a node */
+TS_ARGS(ts_voxel_args);
+
+TS_FN void ts_k_voxel_meet(const ts_voxel_args *args, u32 triangle, ts_i3 voxel)
+{
+	u64 code = ts_k_morton(voxel);
+	if (args->mask != NULL) {
+		ts_or_u64(&args->mask[ts_k_mask_word(args->levels, code)], ts_k_mask_bit(code));
+		return;
+	}
+	u32 leaf = ts_k_mask_id(args->bits, args->before, args->levels, code) - args->first_leaf;
+	u32 place = ts_next_u32(&args->offset[leaf + 1u]);
+	if (args->triangles != NULL) args->triangles[place] = triangle;
+}
+
+/* scatter over triangles: into the mask, the counts of the leaves, or their lists */
+TS_FN void ts_k_voxel_item(const ts_voxel_args *args, u64 i)
+{
+	ts_corners t = ts_k_corners(&args->scene, (u32)i);
+	if (ts_k_is_degenerate(t.n)) return;
+	ts_i3 a = ts_k_root_place(args->root, args->levels, t.a);
+	ts_i3 b = ts_k_root_place(args->root, args->levels, t.b);
+	ts_i3 c = ts_k_root_place(args->root, args->levels, t.c);
+	ts_touch touch = ts_k_touch(a, b, c, (1 << args->levels) - 1);
+	for (i64 y = touch.box[1].first; y <= touch.box[1].last; y++) {
+		ts_range row = ts_k_touch_row(&touch, y);
+		for (i64 x = row.first; x <= row.last; x++) {
+			ts_range column = ts_k_touch_column(&touch, x, y);
+			for (i64 z = column.first; z <= column.last; z++) {
+				if (!ts_k_touch_voxel(&touch, x, y, z)) continue;
+				ts_k_voxel_meet(args, (u32)i, ts_k_turned_back(ts_i3_make((i32)x, (i32)y, (i32)z), touch.turn));
+			}
+		}
+	}
+}
+
+#endif

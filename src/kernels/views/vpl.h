@@ -1,0 +1,141 @@
+/* Virtual point lights (instant radiosity, MegaViews section 4.1; METHODS 12): paths from the texels of the reflective
+ * shadow maps that send light on, from all of them or from so many at random, with repetition. A path leaves a light
+ * there and at each of its later reflections, whose directions are cosine-distributed, so that the albedo is all that
+ * is lost. Lights stand half a leaf's side above the surface, for in the voxel of its own surface a light is in its
+ * shadow (METHODS 13). */
+#ifndef TS_KERNELS_VPL_H
+#define TS_KERNELS_VPL_H
+#include "../base/args.h"
+#include "cast.h"
+#include "../raster/rsm.h"
+
+#define TS_ROWS_ts_vpl_args(ARG) \
+	ARG(INNER, ts_cast_args, cast, none) \
+	ARG(IN, ts_patch, patches, rsm_patch) \
+	ARG(OUT, u32, offset, vpl_offset) /* counts, then their prefix sums */ \
+	ARG(OUT, u32, paths, vpl_path) /* counts, then their prefix sums */ \
+	ARG(OUT, ts_vpl, lights, vpl_light) \
+	ARG(VALUE, u64, n_patches, none) \
+	ARG(VALUE, u32, n_lit, none) /* patches that send light on */ \
+	ARG(VALUE, u32, n, none) /* paths; n_lit unless random */ \
+	ARG(VALUE, u32, random, none) \
+	ARG(VALUE, u32, seed, none) \
+	ARG(VALUE, u32, bounces, none)
+TS_ARGS(ts_vpl_args);
+
+/* A light in registers. */
+typedef struct { ts_v3 p, n, flux; u32 bounce; } ts_light_k;
+
+#define TS_STREAM_VPL 4u
+
+/* map over texels: 1 where it sends light on */
+TS_FN void ts_k_vpl_count_item(const ts_vpl_args *args, u64 i)
+{
+	TS_GLOBAL const f32 *exitance = args->patches[i].exitance;
+	args->offset[i] = exitance[0] > 0.0f || exitance[1] > 0.0f || exitance[2] > 0.0f ? 1u : 0u;
+}
+
+/* The texel that sends light on before which there are `rank` others. */
+TS_FN u64 ts_k_vpl_texel(const ts_vpl_args *args, u32 rank)
+{
+	u64 low = 0u;
+	u64 high = args->n_patches - 1u;
+	while (low < high) {
+		u64 middle = (low + high) / 2u;
+		bool before = args->offset[middle + 1u] <= rank;
+		low = before ? middle + 1u : low;
+		high = before ? high : middle;
+	}
+	return low;
+}
+
+/* Random number `which` of a path. */
+TS_FN u32 ts_k_vpl_random(const ts_vpl_args *args, u32 path, u32 which)
+{
+	return ts_random(path ^ ts_pcg(which), TS_STREAM_VPL, args->seed);
+}
+
+/* The texel that a path begins at. */
+TS_FN u64 ts_k_vpl_start(const ts_vpl_args *args, u32 path)
+{
+	u32 chance = ts_k_vpl_random(args, path, 0u);
+	return ts_k_vpl_texel(args, args->random != 0u ? (u32)(((u64)chance * args->n_lit) >> 32) : path);
+}
+
+/* The first light of a path: the triangle of light of its texel. */
+TS_FN ts_light_k ts_k_vpl_first(const ts_vpl_args *args, u32 path)
+{
+	TS_GLOBAL const ts_patch *patch = &args->patches[ts_k_vpl_start(args, path)];
+	ts_v3 a = ts_load3(patch->a);
+	ts_v3 b = ts_load3(patch->b);
+	ts_v3 c = ts_load3(patch->c);
+	ts_v3 third = ts_k_hit_weights(0.0f, 0.0f, 0.0f);
+	f32 area = ts_length(ts_cross(ts_sub(b, a), ts_sub(c, a))) * 0.5f;
+	f32 share = (f32)args->n_lit / (f32)args->n;
+	ts_light_k r;
+	r.n = ts_load3(patch->normal);
+	r.p = ts_mad(ts_blend(third, a, b, c), r.n, args->cast.leaf * 0.5f);
+	r.flux = ts_scale(ts_load3(patch->exitance), ts_flush(area * share));
+	r.bounce = 1u;
+	return r;
+}
+
+/* Cosine-distributed about n: a point of the unit disc across n, raised to the sphere. */
+TS_FN ts_v3 ts_k_vpl_direction(const ts_vpl_args *args, u32 path, u32 bounce, ts_v3 n)
+{
+	f32 square = ts_uniform(ts_k_vpl_random(args, path, 2u * bounce - 1u));
+	f32 turn = ts_uniform(ts_k_vpl_random(args, path, 2u * bounce));
+	ts_v3 u = ts_k_across(n);
+	ts_v3 v = ts_cross(n, u);
+	f32 r = ts_sqrt(square);
+	f32 up = ts_sqrt(1.0f - square);
+	ts_v3 across = ts_mad(ts_scale(u, r * ts_cos_turn(turn)), v, r * ts_sin_turn(turn));
+	return ts_normalize(ts_mad(across, n, up));
+}
+
+/* The next light of a path; false if it leaves the scene or meets what is black. */
+TS_FN bool ts_k_vpl_next(const ts_vpl_args *args, u32 path, ts_light_k *light)
+{
+	ts_v3 d = ts_k_vpl_direction(args, path, light->bounce, light->n);
+	ts_cast_hit hit = ts_k_cast(&args->cast, light->p, d);
+	if (hit.triangle == TS_NONE) return false;
+	ts_surface s = ts_k_surface(&args->cast.scene, hit.triangle, hit.weights, args->cast.leaf);
+	light->n = ts_dot(s.face, d) > 0.0f ? ts_neg(s.face) : s.face;
+	light->p = ts_mad(s.p, light->n, args->cast.leaf * 0.5f);
+	light->flux = ts_mul(light->flux, ts_k_albedo(&s));
+	light->bounce++;
+	return light->flux.x > 0.0f || light->flux.y > 0.0f || light->flux.z > 0.0f;
+}
+
+/* map over paths: how many lights each leaves */
+TS_FN void ts_k_vpl_path_item(const ts_vpl_args *args, u64 i)
+{
+	ts_light_k light = ts_k_vpl_first(args, (u32)i);
+	u32 n = 1u;
+	while (n < args->bounces && ts_k_vpl_next(args, (u32)i, &light)) n++;
+	args->paths[i] = n;
+}
+
+TS_FN void ts_k_vpl_store(TS_GLOBAL ts_vpl *to, const ts_light_k *light)
+{
+	ts_store3(to->position, light->p);
+	ts_store3(to->normal, light->n);
+	ts_store3(to->flux, light->flux);
+	to->bounce = light->bounce;
+	to->pad0 = 0u;
+	to->pad1 = 0u;
+}
+
+/* emit over paths */
+TS_FN void ts_k_vpl_item(const ts_vpl_args *args, u64 i)
+{
+	ts_light_k light = ts_k_vpl_first(args, (u32)i);
+	TS_GLOBAL ts_vpl *to = args->lights + args->paths[i];
+	ts_k_vpl_store(to, &light);
+	for (u32 k = 1u; k < args->paths[i + 1u] - args->paths[i]; k++) {
+		ts_k_vpl_next(args, (u32)i, &light);
+		ts_k_vpl_store(to + k, &light);
+	}
+}
+
+#endif

@@ -1,0 +1,58 @@
+/* The plan of a method, for its runs and for replays of its stages. */
+#include <assert.h>
+#include "../kernels/base/num.h"
+#include "pipelines.h"
+
+ts_params ts_pipeline_params(const ts_pipeline *pipeline, const ts_params *typed)
+{
+	ts_params params = *typed;
+	if (pipeline->sets.param == NULL) return params;
+	ts_status known = ts_params_set(&params, pipeline->sets.param, pipeline->sets.value);
+	assert(known == TS_OK);
+	return params;
+}
+
+/* Units that are there already, as a trace may have others than its parameters say. */
+static void count_units(ts_plan *plan, const ts_pipeline *pipeline, const ts_counts *counts)
+{
+	bool cubeless = ts_pipeline_maker(pipeline, TS_B_resize_face) == NULL;
+	if (counts->cubes != TS_NONE) plan->units = counts->cubes;
+	if (counts->lamps != TS_NONE && plan->lights.taps != 0) plan->units = counts->lamps;
+	if (counts->views != TS_NONE && cubeless) plan->units = counts->views;
+}
+
+void ts_plan_make(ts_plan *plan, const ts_pipeline *pipeline, const ts_params *typed, const ts_counts *counts,
+                  const ts_request *request)
+{
+	static const ts_request nothing;
+	ts_params params = ts_pipeline_params(pipeline, typed);
+	ts_plan_default(plan, &params, counts);
+	if (pipeline->plan != NULL) pipeline->plan(plan, &params, counts, request != NULL ? request : &nothing);
+	count_units(plan, pipeline, counts);
+}
+
+void ts_pipeline_plan(const ts_pipeline *pipeline, ts_run *run, const ts_counts *counts, const ts_request *request)
+{
+	const ts_counts fresh = ts_scene_counts(run->scene);
+	ts_plan_make(&run->plan, pipeline, &run->params, counts != NULL ? counts : &fresh, request);
+	run->pipeline = pipeline;
+	run->first_unit = 0;
+	run->n_units = run->plan.units;
+}
+
+void ts_plan_largest(ts_plan *plan, const ts_params *params)
+{
+	plan->offscreen.side = params->face_px != 0 ? params->face_px : params->face_max;
+	plan->offscreen.all = true;
+}
+
+ts_expected ts_pipeline_expect(const ts_pipeline *pipeline, const ts_scene *scene, const ts_params *typed)
+{
+	const ts_run run = {.scene = scene, .params = ts_pipeline_params(pipeline, typed)};
+	ts_expected expected = {.batches = 1};
+	ts_sizes_clear(&expected.sizes);
+	ts_sizes_scene(&expected.sizes, scene);
+	pipeline->expect(&expected, scene, &run.params);
+	ts_sizes_give(&expected.sizes, &run);
+	return expected;
+}

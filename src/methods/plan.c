@@ -1,0 +1,44 @@
+/* Plans that no method has made its own, and the table of their members. */
+#include "plan.h"
+#include <assert.h>
+#include <string.h>
+#include "../kernels/points/view_density.h"
+
+#define ALONE(member) {"", #member, offsetof(ts_plan, member)},
+#define ROW(part, member) {#part, #member, offsetof(ts_plan, part.member)},
+const ts_plan_row ts_plan_table[] = {
+	ALONE(units)
+	ALONE(batch)
+	ROW(offscreen, side)
+	ROW(offscreen, all)
+	ROW(lights, own)
+	ROW(lights, samples)
+	ROW(lights, taps)
+	ROW(points, rate)
+	ROW(views, field)
+	ROW(surfels, exact)
+};
+static_assert(sizeof ts_plan_table / sizeof *ts_plan_table == TS_PLAN_ROWS, "every member has a row");
+
+u32 ts_plan_value(const ts_plan *plan, const ts_plan_row *row)
+{
+	u32 value;
+	memcpy(&value, (const char *)plan + row->offset, sizeof value);
+	return value;
+}
+
+ts_counts ts_scene_counts(const ts_scene *scene)
+{
+	return (ts_counts){scene->info.n_reflectors, scene->n_lights, TS_NONE, TS_NONE, TS_NONE};
+}
+
+void ts_plan_default(ts_plan *plan, const ts_params *params, const ts_counts *counts)
+{
+	*plan = (ts_plan){
+		.units = counts->reflectors,
+		.batch = 1,
+		.lights = {.own = params->lamp == TS_LAMP_SCENE, .samples = params->views},
+		.points.rate = TS_RATE_IS_EYE,
+		.views.field = params->view_field,
+	};
+}

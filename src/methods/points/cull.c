@@ -1,0 +1,54 @@
+/* Which pieces stay. */
+#include "../../kernels/raster/margin.h"
+#include "../../kernels/points/view_density.h"
+#include "points.h"
+
+static const ts_launch launch = TS_LAUNCH(cull, TS_ALL);
+static const ts_launch measured = TS_LAUNCH(cull_margin, TS_BUT(cull.keep));
+
+f32 ts_samples_a_pixel(const ts_params *params)
+{
+	return params->rho_is_area ? ts_sqrt(params->rho_scale) : params->rho_scale;
+}
+
+/* Samples a pixel a side; the pixels of iVIR and VIR are samples. */
+static f32 cull_unit(const ts_run *run)
+{
+	bool eye = run->plan.points.rate == TS_RATE_IS_EYE && run->params.cull_unit == TS_CULL_EYE;
+	return eye ? ts_samples_a_pixel(&run->params) : 1.0f;
+}
+
+static ts_cull_args values(const ts_run *run)
+{
+	return (ts_cull_args){.unit = cull_unit(run), .seed = run->params.seed, .enabled = run->params.cull};
+}
+
+static ts_status cull(ts_run *run)
+{
+	ts_cull_args args = values(run);
+	if (TS_RUN(run, &launch, &args, ts_run_size(run, TS_DIM_pieces)) != TS_OK) return TS_ERROR;
+	const u32 *keep = ts_frame_data(&run->frame, TS_B_cull_keep);
+	u64 n = ts_frame_n(&run->frame, TS_B_cull_keep);
+	i64 kept = 0;
+	for (u64 i = 0; i < n; i++) kept += keep[i];
+	ts_run_count(run, "pieces kept", kept);
+	ts_run_count(run, "pieces culled", (i64)n - kept);
+	return TS_OK;
+}
+
+static ts_status cull_margin(ts_run *run)
+{
+	ts_cull_margin_args args = {.cull = values(run)};
+	return TS_RUN(run, &measured, &args, ts_run_size(run, TS_DIM_pieces));
+}
+
+const ts_stage ts_stage_cull = {
+	.name = "cull", .kind = "map", .paper = "EPR 3.2", .doc = "stochastic culling of sub-pixel pieces",
+	.run = cull, .launches = TS_LAUNCHES(&launch),
+};
+
+const ts_stage ts_stage_cull_margin = {
+	.name = "cull_margin", .kind = "map", .margin_of = "cull", .paper = "EPR 3.2",
+	.doc = "how near the random numbers were to their thresholds",
+	.run = cull_margin, .launches = TS_LAUNCHES(&measured),
+};

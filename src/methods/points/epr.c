@@ -1,0 +1,91 @@
+/* Eye-based point rendering of cube-mapped reflections.
+ * Paper: "Eye-Based Point Rendering for Dynamic Multiview Effects" (2022), sections 3 and 4.
+ *
+ * Once a frame the triangles become points, no denser than the eye can tell in any mirror (section 4.1.1); the points are
+ * splatted into cube maps sized for the eye, which store indices, not colours (3.5); and the eye's reflective pixels shade
+ * just the points they see, recursively where those lie on mirrors (4.1.2 to 4.1.4).
+ *
+ * Deviations, each with the switch that restores the paper:
+ * - density uses the triangle's point nearest the path, not its circumcentre, which can lie far outside (density=paper);
+ * - visibility clears a bit only if all corners lie outside one plane: corners in enlarged frusta, the paper's test, lose
+ *   large triangles (visibility=vertex);
+ * - triangles of more than 2^16 samples are bisected, so that one density serves each piece (split=off);
+ * - the tenth of a pixel below which triangles may be culled is the eye's, not the point raster's, whose survivors are
+ *   too few at rho_scale 1/2 (cull_unit=raster);
+ * - a sub-pixel triangle keeps the splat length 1/s inside its own box: the square root of its area leaves gaps
+ *   (splat=paper);
+ * - an edge of more than 2^14 samples is bisected and limited too, so that lattices stay within 2^15 (split=off);
+ * - points lie in the order of the pieces, so that two runs have the same bytes (--order arrival);
+ * - one bounce by default, so that MVR and truth C show the same thing (bounces=2, bounces=3).
+ *
+ * Omnidirectional soft shadows (section 5): points no denser than the eye can tell in any shadow are written or splatted
+ * into the cubes of a light's samples, which are resolved as iVIR's. Deviations:
+ * - eq. 5 sets a ratio of distances against a scale; by default the rate is a bound on what the eye can tell, with the
+ *   magnification from occluder to receiver, and at most iVIR's (shadow.rate=paper: the ratio is a share of iVIR's scale, of
+ *   the light sample where it is largest; shadow.rate=unit: pixels a unit for distances);
+ * - iVIR's scale is the one that gives each texel a sample, as there (rate=paper), and of one light sample, not of all;
+ * - splats have the depth of the triangle's plane in each texel: one a splat shadows its own surface (shadow.depth=point);
+ * - eq. 6 takes the distances from triangles, not from pixels, and one resolution serves all cubes, as printed; instead of
+ *   a hysteresis, which needs the G-buffers of all frames before, it is a multiple of 32 (hysteresis);
+ * - points are made for every eight views, not kept (buffered=on); what is counted is one pass over the
+ *   geometry a batch. */
+#include "../../kernels/points/samples.h"
+#include "../stages.h"
+#include "../pipelines.h"
+
+const ts_step ts_epr_steps[] = {
+	{.run = ts_frame_run},
+	{.stage = "resize"},     /* 3.5: cubes as large as their reflectors in the eye */
+	{.stage = "eye"},        /* the eye's G-buffer */
+	{.stage = "pixel"},      /* 4.1.3: reflective pixels and their normal gradients */
+	{.stage = "visibility"}, /* 3.1: which faces may see a triangle */
+	{.stage = "split"},      /* 4.1.1: eye-resolution density */
+	{.stage = "cull"},       /* 3.2: stochastic culling */
+	{.stage = "align"},      /* 3.2: T_epr */
+	{.stage = "count", .only_ordered = true}, /* 3.3: conservative rasterization in the triangle's plane */
+	{.stage = "points"},     /* 3.4: the point buffers */
+	{.stage = "splat"},      /* 3.5: indexed G-buffer cubes */
+	{.stage = "tie", .only_traced = true},
+	{.stage = "lookup"},     /* 4.1.3: 25 samples a reflective pixel */
+	{.stage = "lookup2", .least_bounces = 2}, /* 4.1.4: points on mirrors look up again */
+	{.stage = "lookup3", .least_bounces = 3},
+	{.stage = "shade3", .least_bounces = 3},  /* 4.1.2: only what was looked up is shaded */
+	{.stage = "shade2", .least_bounces = 2},
+	{.stage = "shade"},
+	{.stage = "image"},
+	{0},
+};
+
+const ts_step ts_epr_omni_steps[] = {
+	{.run = ts_frame_run},
+	{.stage = "lamp_ball"},
+	{.stage = "eye"},
+	{.stage = "shadow_resize"},                       /* eq. 6: cubes as large as the eye needs */
+	{.stage = "offscreen"},
+	{.stage = "offscreen_visibility"},
+	{.stage = "shadow_split"},                        /* eq. 5: eye-resolution density */
+	{.stage = "cull"},
+	{.stage = "align"},
+	{.stage = "count", .only_ordered = true, .stored = TS_STORED_IF_ASKED},
+	{.stage = "points", .stored = TS_STORED_IF_ASKED},
+	{.stage = "shadow_splat", .each_batch = true},    /* small points directly, large ones as splats */
+	{.run = ts_resolve_run},
+	{0},
+};
+
+/* Points: two for each small triangle, and as many as the cubes' texels can hold or the eye's pixels tell apart. */
+void ts_epr_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
+{
+	u64 triangles = scene->n_triangles;
+	u64 pixels = (u64)params->width * params->height;
+	u64 face = ts_expected_face(params);
+	u64 texels = 6 * face * face * scene->info.n_reflectors;
+	double wanted = 6.0 * (double)params->rho_scale * (double)params->rho_scale * (double)pixels;
+	u64 points = params->cap && wanted > 4.0 * (double)texels ? 4 * texels : (u64)wanted;
+	u64 *n = expected->sizes.n, entries = ts_expect_mirrors(expected, scene, params);
+	n[TS_DIM_pieces] = triangles + triangles / 16;
+	n[TS_DIM_points] = 2 * triangles + points;
+	n[TS_DIM_texels] = texels;
+	n[TS_DIM_entries2] = entries * TS_N_SAMPLES / 8;
+	n[TS_DIM_entries3] = entries * TS_N_SAMPLES / 16;
+}

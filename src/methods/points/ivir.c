@@ -1,0 +1,101 @@
+/* Improved view-independent rendering of cube-mapped reflections and of shadows.
+ * Paper: "Improving View Independent Rendering for Multiview Effects" (2022), sections 3 to 6.
+ *
+ * Once a frame each triangle becomes points, as dense as the most demanding off-screen view asks for (section 3.1), which
+ * are scattered to all views that may see it: no view needs another pass over the geometry. Depth maps take a point's depth,
+ * environment maps 13 bits of depth and 19 of colour, and are copied into mip maps (5).
+ *
+ * Deviations, each with the switch that restores the paper:
+ * - the rate gives each texel that sees a triangle one of its samples; the paper's leaves holes
+ *   (rate=paper), and has no bound where a triangle is closest beside a view's image: there it counts as in the corner;
+ * - a sample beside its triangle moves to the triangle's border (snap=off), so that it shows what it stands for;
+ * - triangles of more than 2^16 samples, and those that need far more of them at one end, are bisected (split=off);
+ * - visibility clears a bit only if all corners lie outside one plane (visibility=vertex);
+ * - the points serve all views at once; without storing them (buffered=off) they are made once for every 32 depth maps
+ *   (pass=32), with a density that is still that of all;
+ * - the depth code of environment maps is logarithmic, 2^20 from the nearest to the farthest, and their colours are stored
+ *   as square roots: the paper names the bits only. */
+#include "../../kernels/points/illuminate.h"
+#include "../../kernels/points/view_density.h"
+#include "../pipelines.h"
+
+static const ts_step point_run[] = {
+	{.stage = "offscreen_visibility"},                /* 3.1: which views may see a triangle */
+	{.stage = "view_split"},                          /* 3.1: the density of the most demanding one */
+	{.stage = "cull"},                                /* 3.3: stochastic culling */
+	{.stage = "align"},                               /* 3.2: T_align, eq. 1, and S, eq. 4 */
+	{0},
+};
+
+static const ts_step shadow_run[] = {
+	{.run = point_run},
+	{.stage = "count", .only_ordered = true, .stored = TS_STORED_IF_ASKED},
+	{.stage = "points", .stored = TS_STORED_IF_ASKED},
+	{.stage = "scatter", .each_batch = true},         /* 4: 32 depth maps a pass */
+	{.run = ts_resolve_run},
+	{0},
+};
+
+const ts_step ts_ivir_reflections_steps[] = {
+	{.run = ts_frame_run},
+	{.stage = "resize"},
+	{.stage = "offscreen"},
+	{.stage = "eye"},
+	{.stage = "pixel"},
+	{.run = point_run},
+	{.stage = "count", .only_ordered = true, .stored = TS_STORED_BY_DEFAULT},
+	{.stage = "points", .stored = TS_STORED_BY_DEFAULT},
+	{.stage = "scatter_colour"},                      /* 5: 13 bits of depth, 19 of colour */
+	{.stage = "copy", .each_batch = true},            /* 5: the copy pass into mip maps */
+	{.stage = "mirror", .each_batch = true},          /* the eye's look-ups, as MVR's */
+	{.stage = "image"},
+	{0},
+};
+
+const ts_step ts_ivir_soft_steps[] = {
+	{.run = ts_soft_run},
+	{.run = shadow_run},
+	{0},
+};
+
+const ts_step ts_ivir_omni_steps[] = {
+	{.run = ts_omni_run},
+	{.run = shadow_run},
+	{0},
+};
+
+static void set_rate(ts_plan *plan, const ts_params *params) { plan->points.rate = TS_RATE_IS_WATERTIGHT + params->rate; }
+
+void ts_ivir_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
+{
+	(void)counts, (void)request;
+	set_rate(plan, params);
+}
+
+void ts_ivir_soft_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
+{
+	set_rate(plan, params);
+	ts_soft_plan(plan, params, counts, request);
+}
+
+void ts_ivir_omni_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
+{
+	set_rate(plan, params);
+	ts_omni_plan(plan, params, counts, request);
+}
+
+/* All cubes' texels at once, one cube's mip chain. */
+void ts_expect_cubes(ts_expected *expected, const ts_scene *scene, const ts_params *params, u64 face)
+{
+	u64 *n = expected->sizes.n, cubes = scene->info.n_reflectors, texels = 6 * face * face * cubes;
+	ts_expect_mirrors(expected, scene, params);
+	n[TS_DIM_texels] = texels;
+	n[TS_DIM_mip_texels] = cubes != 0 ? ts_k_mip_texels((u32)face, TS_NONE) : 0;
+	expected->batches = cubes;
+	ts_expect_points(expected, scene, texels);
+}
+
+void ts_ivir_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
+{
+	ts_expect_cubes(expected, scene, params, ts_expected_face(params));
+}

@@ -1,0 +1,53 @@
+/* Classic multi-view rendering: the baseline of EPR section 4.2 and of iVIR sections 4 to 6 (METHODS 3).
+ *
+ * For every reflector the whole scene is rasterized into the six faces of its cube, every texel is shaded, a mip chain is
+ * made, and the eye's reflective pixels look it up. For shadows the scene is rasterized into every depth map.
+ *
+ * Deviations: deferred shading by the same kernels as EPR's, so that only the method differs; one reflector at a time, so
+ * that memory does not grow with their number. One bounce, whatever the parameter says. */
+#include "../../kernels/points/illuminate.h"
+#include "../pipelines.h"
+
+const ts_step ts_mvr_steps[] = {
+	{.run = ts_frame_run},
+	{.stage = "resize"},
+	{.stage = "eye"},
+	{.stage = "pixel"},
+	{.stage = "face", .each_batch = true},       /* geometry into six faces */
+	{.stage = "illuminate", .each_batch = true}, /* shading of every texel; mip-mapping */
+	{.stage = "mirror", .each_batch = true},     /* the eye's look-ups */
+	{.stage = "image"},
+	{0},
+};
+
+void ts_mvr_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
+{
+	(void)counts, (void)request;
+	if (params->mvr_faces == TS_MVR_FACES_FIXED) ts_plan_largest(plan, params);
+}
+
+const ts_step ts_mvr_soft_steps[] = {
+	{.run = ts_soft_run},
+	{.stage = "depth", .each_batch = true},      /* geometry into every depth map */
+	{.run = ts_resolve_run},
+	{0},
+};
+
+const ts_step ts_mvr_omni_steps[] = {
+	{.run = ts_omni_run},
+	{.stage = "depth", .each_batch = true},
+	{.run = ts_resolve_run},
+	{0},
+};
+
+/* The cubes of one reflector at a time. */
+void ts_mvr_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
+{
+	u64 face = params->face_px != 0 ? params->face_px : params->face_max;
+	u64 cubes = scene->info.n_reflectors != 0 ? 1 : 0;
+	u64 *n = expected->sizes.n;
+	ts_expect_mirrors(expected, scene, params);
+	expected->batches = scene->info.n_reflectors;
+	n[TS_DIM_texels] = cubes * 6 * face * face;
+	n[TS_DIM_mip_texels] = cubes * ts_k_mip_texels((u32)face, TS_NONE);
+}

@@ -1,0 +1,47 @@
+/* Percentage-closer soft shadows: the single-view baseline of iVIR section 4 (PCSS; METHODS 10).
+ * Fernando, "Percentage-Closer Soft Shadows" (SIGGRAPH 2005 sketches).
+ *
+ * The scene is rasterized into one depth map a light, from its middle. About each receiver 32 taps look for what comes
+ * between; their mean depth tells how wide the penumbra is, over which 64 more are filtered.
+ *
+ * Deviations:
+ * - the search needs a plane that the light is projected onto, which the sketch calls the light's near plane. The depth
+ *   maps' own is so near that the width on it is many maps; a plane at half the receiver's depth finds all blockers in the
+ *   farther half of the way, and of nearer ones those that reach into it (pcss.near);
+ * - a tap is compared with the depth of the receiver's plane at the tap, not of the receiver, so that a slanted surface does
+ *   not block itself; the bias beyond that is the one of all methods;
+ * - lights are discs, not squares, and the taps the seeds of a sunflower;
+ * - parallel light needs no projection: its widths grow with the distance from the receiver. */
+#include "../../kernels/points/pcss.h"
+#include "../pipelines.h"
+
+const ts_step ts_pcss_steps[] = {
+	{.run = ts_soft_run},                    /* a view from the middle of each light */
+	{.stage = "depth", .each_batch = true},  /* MVR's raster */
+	{.stage = "pcss", .each_batch = true},   /* blockers, penumbra, filter */
+	{.stage = "shadow_image"},
+	{0},
+};
+
+static u32 n_lights(const ts_scene *scene, const ts_params *params)
+{
+	return params->lamp == TS_LAMP_SCENE ? scene->n_lights : 1;
+}
+
+void ts_pcss_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
+{
+	(void)request;
+	plan->lights.taps = TS_N_FILTER;
+	plan->offscreen.side = params->map_px;
+	plan->units = plan->lights.own ? counts->lights : 1;
+	plan->batch = params->pass;
+}
+
+void ts_pcss_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
+{
+	u64 *n = expected->sizes.n, lights = n_lights(scene, params), batch = params->pass < lights ? params->pass : lights;
+	n[TS_DIM_views] = lights;
+	n[TS_DIM_lamps] = lights;
+	n[TS_DIM_texels] = (u64)params->map_px * params->map_px * batch;
+	expected->batches = batch != 0 ? (lights + batch - 1) / batch : 0;
+}

@@ -1,0 +1,27 @@
+/* What all methods of reflections share: how much of the eye and of the cubes mirrors are likely to fill. */
+#include "../stages.h"
+#include "../pipelines.h"
+
+/* A square about every added reflector, or a quarter of the image. */
+static u64 reflective_pixels(const ts_scene *scene, const ts_params *params)
+{
+	double pixels = (double)params->width * (double)params->height;
+	double side = (double)params->reflector_px;
+	double covered = params->reflectors != 0 ? side * side * (double)scene->info.n_reflectors : pixels / 4;
+	return (u64)(covered < pixels ? covered : pixels);
+}
+
+u64 ts_expect_mirrors(ts_expected *expected, const ts_scene *scene, const ts_params *params)
+{
+	u64 *n = expected->sizes.n;
+	ts_sizes_cubes(&expected->sizes, scene->info.n_reflectors);
+	n[TS_DIM_mirror_pixels] = reflective_pixels(scene, params);
+	return n[TS_DIM_mirror_pixels];
+}
+
+u64 ts_expected_face(const ts_params *params)
+{
+	u64 largest = ts_largest_face(params), side = (u64)(2 * params->reflector_px);
+	if (params->face_px != 0) return params->face_px;
+	return params->reflectors == 0 || side > largest ? largest : side;
+}

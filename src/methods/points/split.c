@@ -1,0 +1,76 @@
+/* Pieces of triangles, each with its density. */
+#include "../../kernels/points/split.h"
+#include "points.h"
+
+/* Counted, then written: for the eye, as it sees cubes; for off-screen views; for the eye through the shadows in
+ * them. */
+typedef struct { ts_launch count, write; } launches;
+
+#define COUNT TS_BUT_SURFACES, TS_BUT(pieces), TS_BUT(scale), TS_BUT(n_capped)
+#define WRITE TS_BUT_SURFACES, TS_IN(whole, split_scale), TS_IN(offset, split_offset)
+#define OF_VIEWS TS_BUT(cubes), TS_WITH(views)
+static const launches of_eye = {TS_LAUNCH(split_count, COUNT), TS_LAUNCH(split, WRITE)};
+static const launches of_views = {TS_LAUNCH(split_count, COUNT, OF_VIEWS), TS_LAUNCH(split, WRITE, OF_VIEWS)};
+
+static ts_status divide(ts_run *run, const launches *own, ts_density_args args)
+{
+	u64 total, n = ts_run_size(run, TS_DIM_triangles);
+	args.scene.n_triangles = (u32)n;
+	args.n_words = (u32)ts_run_size(run, TS_DIM_view_words);
+	args.split = run->params.split;
+	if (TS_RUN(run, &own->count, &args, n) != TS_OK) return TS_ERROR;
+	if (ts_launch_sum(run, &own->count, "offset", &total) != TS_OK) return TS_ERROR;
+	if (TS_RUN(run, &own->write, &args, n) != TS_OK) return TS_ERROR;
+	ts_run_count(run, "pieces", (i64)total);
+	ts_run_count(run, "density.capped", ts_frame_tally(&run->frame, 0));
+	return TS_OK;
+}
+
+static ts_status split(ts_run *run)
+{
+	const ts_density_args args = {
+		.rho = ts_samples_a_pixel(&run->params),
+		.n_cubes = (u32)ts_run_size(run, TS_DIM_cubes),
+		.paper = run->params.density == TS_DENSITY_PAPER,
+		.cap = run->params.cap,
+		.offaxis = run->params.offaxis,
+		.rate = TS_RATE_IS_EYE,
+	};
+	return divide(run, &of_eye, args);
+}
+
+/* iVIR's density; EPR's shadows need less where the eye sees less. */
+static ts_status divide_for_views(ts_run *run, u32 shadow)
+{
+	const ts_density_args args = {
+		.n_views = (u32)ts_run_size(run, TS_DIM_views),
+		.rate = run->plan.points.rate,
+		.shadow = shadow,
+	};
+	return divide(run, &of_views, args);
+}
+
+static ts_status view_split(ts_run *run) { return divide_for_views(run, TS_SHADOW_IS_NONE); }
+
+static ts_status shadow_split(ts_run *run)
+{
+	return divide_for_views(run, TS_SHADOW_IS_SAFE + run->params.shadow_rate);
+}
+
+const ts_stage ts_stage_split = {
+	.name = "split", .kind = "emit", .paper = "EPR 4.1.1, eqs 2 and 3",
+	.doc = "density of every triangle; large ones in pieces",
+	.run = split, .launches = TS_LAUNCHES(&of_eye.count, &of_eye.write),
+};
+
+const ts_stage ts_stage_view_split = {
+	.name = "view_split", .kind = "emit", .paper = "iVIR 3.1, eqs 2 and 3",
+	.doc = "density of every triangle from the off-screen views; uneven and large ones in pieces",
+	.run = view_split, .launches = TS_LAUNCHES(&of_views.count, &of_views.write),
+};
+
+const ts_stage ts_stage_shadow_split = {
+	.name = "shadow_split", .kind = "emit", .paper = "EPR 5.1, eq. 5",
+	.doc = "density of every triangle from the off-screen views and the eye",
+	.run = shadow_split, .launches = TS_LAUNCHES(&of_views.count, &of_views.write),
+};

@@ -1,0 +1,196 @@
+/* Truth of reflections by rays: A from the cube's centre in the very directions of EPR's samples, B from the surface
+ * (METHODS 17). A is EPR with cubes of infinite resolution; B has no cubes at all. */
+#include <stdlib.h>
+#include "../../../kernels/points/density.h"
+#include "../../../kernels/points/samples.h"
+#include "../../../kernels/base/shade.h"
+#include "../../../truth/query.h"
+
+typedef struct {
+	const ts_truth *truth;
+	const ts_arrays *scene;
+	const ts_face *faces;
+	const ts_pixel *pixels; u64 n_pixels;
+	ts_v3 eye;
+	f32 spread;  /* footprint of a unit of path */
+	u32 bounces;
+	int n_threads;
+} tracer;
+
+/* Radiance of sample k of a pixel, before its tint. */
+typedef ts_v3 sample(const tracer *t, const ts_pixel *pixel, u32 k);
+
+enum { CHUNK = 16384 }; /* pixels between two signs of progress */
+
+static tracer tracer_of(const ts_truth *truth, const ts_run *run)
+{
+	const ts_view *eye = ts_frame_data(&run->frame, TS_B_eye_view);
+	return (tracer){
+		.truth = truth,
+		.scene = ts_truth_scene(truth),
+		.faces = ts_frame_data(&run->frame, TS_B_resize_face),
+		.pixels = ts_frame_data(&run->frame, TS_B_pixel_record),
+		.n_pixels = ts_frame_n(&run->frame, TS_B_pixel_record),
+		.eye = ts_load3(eye->eye),
+		.spread = 1.0f / eye->focal,
+		.bounces = run->params.bounces,
+		.n_threads = (int)run->c.threads,
+	};
+}
+
+/* The leg from p through the cube of `reflector`. */
+static ts_truth_query from_centre(const tracer *t, u32 reflector, ts_v3 p, ts_v3 direction, f32 path)
+{
+	return (ts_truth_query){ .origin = ts_load3(t->faces[reflector].centre), .direction = direction,
+	                         .masked = reflector, .from = p, .path = path, .spread = t->spread };
+}
+
+static f32 greatest(ts_v3 p)
+{
+	return ts_max(ts_max(ts_abs(p.x), ts_abs(p.y)), ts_abs(p.z));
+}
+
+/* The leg from p, on `reflector`, itself. It skips 2^-12 |p|max to get off the surface; the radius stands in where p is
+ * near the world's origin. */
+static ts_truth_query from_surface(const tracer *t, u32 reflector, ts_v3 p, ts_v3 direction, f32 path)
+{
+	f32 reach = ts_max(greatest(p), t->faces[reflector].radius);
+	return (ts_truth_query){ .origin = p, .direction = direction, .near = reach * 0.000244140625f, .masked = TS_NONE,
+	                         .from = p, .path = path, .spread = t->spread };
+}
+
+static ts_v3 shade_towards(const tracer *t, const ts_surface *s, ts_v3 viewer)
+{
+	return ts_k_shade(t->scene, s, ts_normalize(ts_sub(viewer, s->p)));
+}
+
+/* The normal turned, if need be, against a ray that arrives along d. */
+static ts_v3 facing_normal(const ts_surface *s, ts_v3 d)
+{
+	return ts_dot(s->face, d) > 0.0f ? ts_neg(s->n) : s->n;
+}
+
+/* Axes of a hit's footprint as EPR's tiles have them: along the longest edge, and across it. */
+static void tile_axes(const ts_corners *t, ts_v3 *u, ts_v3 *v)
+{
+	const ts_v3 corner[4] = { t->a, t->b, t->c, t->a };
+	f32 length;
+	u32 edge = ts_k_longest_edge(t->a, t->b, t->c, &length);
+	*u = ts_normalize(ts_sub(corner[edge + 1], corner[edge]));
+	*v = ts_normalize(ts_cross(ts_normalize(t->n), *u));
+}
+
+/* Where a leg meets a reflector that sends it on. */
+typedef struct {
+	ts_truth_hit hit;
+	ts_surface s;
+	ts_v3 n; /* against the ray */
+	u32 reflector;
+} bounce;
+
+/* False if the light path ends here: then *radiance is what it brings. */
+static bool goes_on(const tracer *t, const ts_truth_query *query, u32 left, bounce *at, ts_v3 *radiance)
+{
+	at->hit = ts_truth_cast(t->truth, query);
+	*radiance = ts_k_background();
+	if (at->hit.triangle == TS_NONE) return false;
+	at->s = ts_k_surface(t->scene, at->hit.triangle, at->hit.weights, at->hit.footprint);
+	at->n = facing_normal(&at->s, query->direction);
+	at->reflector = left > 0 ? ts_k_reflector_of(t->scene, at->hit.triangle) : TS_NONE;
+	if (at->reflector == TS_NONE) *radiance = shade_towards(t, &at->s, query->origin);
+	return at->reflector != TS_NONE;
+}
+
+/* Radiance that the cube of query->masked sees; `left` more reflectors are followed, four rays each. */
+static ts_v3 see_from_centre(const tracer *t, const ts_truth_query *query, u32 left)
+{
+	bounce at;
+	ts_v3 radiance, u, v, sum = { 0, 0, 0 };
+	if (!goes_on(t, query, left, &at, &radiance)) return radiance;
+	ts_corners corner = ts_k_corners(t->scene, at.hit.triangle);
+	tile_axes(&corner, &u, &v);
+	f32 radius = t->faces[at.reflector].radius, spread = radius > 0.0f ? at.hit.footprint / radius : 0.0f;
+	for (u32 k = 0; k < TS_N_BOUNCE_SAMPLES; k++) {
+		ts_v3 d = ts_k_bounce_direction(at.s.p, at.n, u, v, query->origin, spread, k);
+		ts_truth_query next = from_centre(t, at.reflector, at.s.p, d, at.hit.path);
+		sum = ts_add(sum, see_from_centre(t, &next, left - 1));
+	}
+	return ts_mul(ts_scale(sum, 1.0f / (f32)TS_N_BOUNCE_SAMPLES), at.s.base);
+}
+
+/* Radiance that arrives along a true ray; every reflector on its way sends on one ray. */
+static ts_v3 see_from_surface(const tracer *t, const ts_truth_query *query, u32 left)
+{
+	bounce at;
+	ts_v3 radiance;
+	if (!goes_on(t, query, left, &at, &radiance)) return radiance;
+	ts_v3 d = ts_normalize(ts_reflect(query->direction, at.n));
+	ts_truth_query next = from_surface(t, at.reflector, at.s.p, d, at.hit.path);
+	return ts_mul(see_from_surface(t, &next, left - 1), at.s.base);
+}
+
+static ts_truth_query first_from_centre(const tracer *t, const ts_pixel *pixel, u32 k)
+{
+	ts_ray ray = ts_k_sample_ray(pixel, t->eye, k);
+	return from_centre(t, pixel->reflector, ray.p, ray.direction, ts_length(ts_sub(ray.p, t->eye)));
+}
+
+static ts_v3 sample_a(const tracer *t, const ts_pixel *pixel, u32 k)
+{
+	ts_truth_query query = first_from_centre(t, pixel, k);
+	return see_from_centre(t, &query, t->bounces - 1);
+}
+
+static ts_v3 sample_b(const tracer *t, const ts_pixel *pixel, u32 k)
+{
+	ts_ray ray = ts_k_sample_ray(pixel, t->eye, k);
+	ts_truth_query query = from_surface(t, pixel->reflector, ray.p, ray.direction, ts_length(ts_sub(ray.p, t->eye)));
+	return see_from_surface(t, &query, t->bounces - 1);
+}
+
+/* Mean of the samples in order, tinted (METHODS 2). */
+static ts_v3 pixel_radiance(const tracer *t, const ts_pixel *pixel, sample *look)
+{
+	ts_v3 sum = { 0, 0, 0 };
+	for (u32 k = 0; k < TS_N_SAMPLES; k++) sum = ts_add(sum, look(t, pixel, k));
+	f32 n = (f32)TS_N_SAMPLES;
+	ts_v3 mean = ts_v3_make(sum.x / n, sum.y / n, sum.z / n);
+	return ts_mul(mean, ts_v3_make(pixel->tint_r, pixel->tint_g, pixel->tint_b));
+}
+
+static ts_status trace(ts_truth *truth, ts_run *run, sample *look, const char *label)
+{
+	tracer t = tracer_of(truth, run);
+	f32 *radiance = ts_frame_make2(&run->frame, TS_B_shade_radiance, t.n_pixels, 3);
+	if (radiance == NULL) return TS_ERROR;
+	for (u64 first = 0; first < t.n_pixels; first += CHUNK) {
+		u64 end = first + CHUNK < t.n_pixels ? first + CHUNK : t.n_pixels;
+#pragma omp parallel for num_threads(t.n_threads) schedule(dynamic, 64)
+		for (u64 i = first; i < end; i++) ts_store3(radiance + i * 3, pixel_radiance(&t, &t.pixels[i], look));
+		ts_progress(label, end, t.n_pixels);
+	}
+	return TS_OK;
+}
+
+ts_status ts_truth_a(ts_truth *truth, ts_run *run)
+{
+	return trace(truth, run, sample_a, "truth A");
+}
+
+ts_status ts_truth_b(ts_truth *truth, ts_run *run)
+{
+	return trace(truth, run, sample_b, "truth B");
+}
+
+ts_status ts_truth_hits(ts_truth *truth, const ts_run *run, u32 **hits)
+{
+	tracer t = tracer_of(truth, run);
+	u32 *made = *hits = ts_alloc((size_t)t.n_pixels * TS_N_SAMPLES, sizeof(u32), "truth's hits");
+	if (made == NULL) return TS_ERROR;
+#pragma omp parallel for num_threads(t.n_threads) schedule(dynamic, 64)
+	for (u64 i = 0; i < t.n_pixels * TS_N_SAMPLES; i++) {
+		ts_truth_query query = first_from_centre(&t, &t.pixels[i / TS_N_SAMPLES], (u32)(i % TS_N_SAMPLES));
+		made[i] = ts_truth_cast(t.truth, &query).triangle;
+	}
+	return TS_OK;
+}

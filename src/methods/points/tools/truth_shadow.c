@@ -1,0 +1,135 @@
+/* Truth of shadows by rays: how many samples of each light reach what the eye sees (iVIR sections 4 and 6; METHODS 17),
+ * by the very samples that the methods have depth maps of, or by so many that a light is an area. As
+ * kernels/raster/resolve.h has it a sample reaches what lies outside of its view's image or before its near plane.
+ *
+ * A ray goes from the sample towards the point, so that it meets what faces the sample, as the sample's depth map does. The
+ * point's own triangle stops no ray, and nothing does that is nearer than 2^-20 of the greatest coordinate, 16 roundings,
+ * to that triangle's plane, measured along the ray: what touches a receiver cannot be told from it, and neither can
+ * the neighbours in its plane. There is no other bias. */
+#include "../../../kernels/raster/resolve.h"
+#include "../../pipeline.h"
+#include "../../stages.h"
+#include "../../../truth/query.h"
+
+enum { CHUNK = 4096, MOST_SAMPLES = 1 << 20 }; /* pixels between two signs of progress; samples of all lights */
+
+typedef struct {
+	const ts_truth *truth;
+	const ts_arrays *scene;
+	ts_camera_k eye;
+	const u64 *seen;            /* eye.depth_triangle */
+	const ts_offscreen *views;
+	u32 n_views, n_lamps, step; /* step: views a sample */
+	u32 *lit;
+	int n_threads;
+} tracer;
+
+static f32 greatest(ts_v3 p) { return ts_max(ts_max(ts_abs(p.x), ts_abs(p.y)), ts_abs(p.z)); }
+
+/* The point falls into the image of a perspective or orthographic view; into a cube always. */
+static bool is_in_image(const ts_camera_k *view, const ts_corner *p)
+{
+	ts_v2 at = ts_k_project(view, p);
+	i32 i = ts_floor_i32(at.x), j = ts_floor_i32(at.y);
+	return i >= 0 && j >= 0 && i < view->width && j < view->height;
+}
+
+/* From the sample, or from the plane in which an orthographic view's image lies. The footprint is a texel's; of an
+ * orthographic view the finest level stands for it. */
+static ts_truth_query ray_to(const ts_camera_k *view, ts_v3 p, f32 z)
+{
+	bool parallel = view->orthographic != 0;
+	ts_v3 from = parallel ? ts_mad(p, view->back, z) : view->eye;
+	ts_v3 way = ts_sub(p, from);
+	return (ts_truth_query){ .origin = from, .direction = ts_normalize(way), .near = view->near * (ts_length(way) / z),
+	                         .masked = TS_NONE, .from = from, .spread = parallel ? 0.0f : 1.0f / view->focal };
+}
+
+static bool reaches(const tracer *t, const ts_offscreen *offscreen, const ts_receiver *at, u32 triangle)
+{
+	ts_camera_k view = ts_k_offscreen(offscreen);
+	ts_corner p = ts_k_to_view(&view, at->p);
+	if (p.z < view.near || (t->step == 1 && !is_in_image(&view, &p))) return true;
+	ts_truth_query ray = ray_to(&view, at->p, p.z);
+	ts_truth_hit hit = ts_truth_cast(t->truth, &ray);
+	if (hit.triangle == TS_NONE || hit.triangle == triangle) return true;
+	f32 height = ts_max(greatest(at->p), greatest(ray.origin)) * 9.5367431640625e-7f;
+	f32 slope = ts_max(ts_abs(ts_dot(at->n, ray.direction)), TS_LEAST_FACING);
+	return hit.t >= ts_length(ts_sub(at->p, ray.origin)) - height / slope;
+}
+
+static void resolve(const tracer *t, u64 i)
+{
+	i32 x = (i32)(i % (u64)t->eye.width), y = (i32)(i / (u64)t->eye.width);
+	ts_receiver at = ts_k_receiver(t->scene, &t->eye, t->seen[i], x, y);
+	for (u32 k = 0; k < t->n_lamps; k++) t->lit[i * t->n_lamps + k] = 0;
+	for (u32 v = 0; at.seen && v < t->n_views; v += t->step) {
+		u32 face = t->step == 6 ? ts_k_cube_place(ts_sub(at.p, ts_load3(t->views[v].eye))).face : 0;
+		const ts_offscreen *view = &t->views[v + face];
+		t->lit[i * t->n_lamps + view->light] += reaches(t, view, &at, (u32)t->seen[i]);
+	}
+}
+
+static ts_status trace(const ts_truth *truth, ts_run *run, const char *label)
+{
+	u64 width = run->params.width, height = run->params.height, n = width * height;
+	tracer t = {
+		.truth = truth,
+		.scene = ts_truth_scene(truth),
+		.eye = ts_k_view(ts_frame_data(&run->frame, TS_B_eye_view)),
+		.seen = ts_frame_data(&run->frame, TS_B_eye_depth_triangle),
+		.views = ts_frame_data(&run->frame, TS_B_offscreen_view),
+		.n_views = (u32)ts_frame_n(&run->frame, TS_B_offscreen_view),
+		.n_lamps = (u32)ts_frame_n(&run->frame, TS_B_lamp_shape),
+		.step = ts_run_has_cubes(run) ? 6 : 1,
+		.n_threads = (int)run->c.threads,
+	};
+	t.lit = ts_frame_make3(&run->frame, TS_B_resolve_lit, height, width, t.n_lamps);
+	if (t.lit == NULL) return TS_ERROR;
+	for (u64 first = 0; first < n; first += CHUNK) {
+		u64 end = first + CHUNK < n ? first + CHUNK : n;
+		ts_progress(label, first, n);
+#pragma omp parallel for num_threads(t.n_threads) schedule(dynamic, 64)
+		for (u64 i = first; i < end; i++) resolve(&t, i);
+	}
+	ts_progress(label, n, n);
+	return TS_OK;
+}
+
+/* What rays to samples of lights start from. */
+static const ts_buffer_id needs[] = {TS_B_eye_depth_triangle, TS_B_lamp_shape, TS_B_offscreen_view, TS_N_BUFFERS};
+
+ts_status ts_truth_shadow_begin(ts_run *run, const char *effect) { return ts_truth_begin(run, effect, needs); }
+
+ts_status ts_truth_samples(ts_truth *truth, ts_run *run) { return trace(truth, run, "truth samples"); }
+
+ts_status ts_truth_area(ts_truth *truth, ts_run *run)
+{
+	static const char *const maps[] = { "lamp", "lamp_view", NULL };
+	static const char *const cubes[] = { "lamp_ball", "lamp_cube", "offscreen", NULL };
+	u32 n = run->params.area_samples, n_lamps = (u32)ts_frame_n(&run->frame, TS_B_lamp_shape);
+	if ((u64)n * n_lamps > MOST_SAMPLES) {
+		return ts_fail("area_samples=%u: of %u lights at most %u each would be right", (unsigned)n, (unsigned)n_lamps,
+		               (unsigned)(MOST_SAMPLES / n_lamps));
+	}
+	const char *const *stage = ts_run_has_cubes(run) ? cubes : maps;
+	ts_pipeline_plan(run->pipeline, run, NULL, &(ts_request){.samples = n});
+	for (; *stage != NULL; stage++) {
+		if (ts_run_stage(run, ts_stage_find(*stage)) != TS_OK) return TS_ERROR;
+	}
+	return trace(truth, run, "truth area");
+}
+
+u64 ts_truth_shadow_bytes(const ts_pipeline *method, const ts_scene *scene, const ts_params *params)
+{
+	static const ts_buffer_id ids[] = { TS_B_pose_vertex, TS_B_eye_depth_triangle, TS_B_resize_face, TS_B_offscreen_view,
+		TS_B_resolve_lit, TS_B_image_radiance, TS_B_image_srgb };
+	const ts_pipeline *start = ts_pipeline_making(method->effect, needs);
+	ts_params many = *params;
+	u64 bytes = 0, views = (u64)params->area_samples * (params->lamp == TS_LAMP_SCENE ? scene->n_lights : 1);
+	many.light_samples = params->area_samples;
+	many.views = views < TS_NONE ? (u32)views : TS_NONE;
+	const ts_expected expected = ts_pipeline_expect(start != NULL ? start : method, scene, &many);
+	for (u32 i = 0; i < sizeof ids / sizeof ids[0]; i++) bytes += ts_pipeline_bytes(ids[i], &expected.sizes);
+	return bytes;
+}

@@ -1,0 +1,171 @@
+/* Off-screen buffers against rays through the centres of their texels: holes, leaks and wrong depths (METHODS 17).
+ *
+ * The theorem behind rate=watertight: let the ray hit triangle t, in front, at x. The squares of the lattice of t's piece
+ * cover it, so x is in one whose sample, moved to the piece if need be, is within sqrt(1/2) / s of x; no way of that length
+ * on t is longer than half a texel in the image, so t has a sample within half a texel of the centre, which is in the
+ * texel. So the texel holds something, and nothing farther than t is anywhere within half a texel of its centre. That holds
+ * for all triangles that are neither culled, nor capped, nor masked; not for their parts before the near plane. */
+#include <float.h>
+#include <math.h>
+#include <omp.h>
+#include "../../../kernels/raster/resolve.h"
+#include "../../../kernels/points/scatter.h"
+#include "../../stages.h"
+#include "../../../truth/query.h"
+
+#define ROUNDING 1.00001
+
+/* What a texel holds: a depth, or as near as its code tells. Radial if it is an environment map's, else axial. */
+typedef struct { double least, most; bool any; } held;
+
+typedef struct {
+	const ts_truth *truth;
+	const ts_arrays *scene;
+	ts_resolve_args rule;      /* its bias */
+	const void *texels;        /* of the batch */
+	ts_buffer_id id;
+	u64 first_texel;
+	int n_threads;
+} judge;
+
+/* One view: what it sees, of which no triangle of reflector `masked`. */
+typedef struct { ts_camera_k camera; u64 offset; u32 masked; } window;
+
+static held held_depth(u32 bits)
+{
+	double z = bits != TS_NONE ? (double)ts_u2f(bits) : 0;
+	return (held){ z, z, bits != TS_NONE };
+}
+
+/* The ends of the interval of a logarithmic code; the last one has no end. */
+static held held_colour(u32 code, f32 near)
+{
+	double step = (double)TS_FAR_BITS / 8191, q = code >> 19;
+	double most = q < 8190 ? (double)near * exp2(step * (q + 1)) * ROUNDING : DBL_MAX;
+	return (held){ (double)near * exp2(step * q) / ROUNDING, most, code != TS_NONE };
+}
+
+static held held_in(const judge *j, u64 texel, f32 near)
+{
+	switch (j->id) {
+	case TS_B_scatter_depth: return held_depth(((const u32 *)j->texels)[texel]);
+	case TS_B_scatter_colour: return held_colour(((const u32 *)j->texels)[texel], near);
+	default: return held_depth((u32)(((const u64 *)j->texels)[texel] >> 32));
+	}
+}
+
+static ts_truth_query ray_through(const window *w, u32 x, u32 y)
+{
+	const ts_camera_k *view = &w->camera;
+	bool parallel = view->orthographic != 0;
+	f32 right = ((f32)x + 0.5f - (f32)view->width * 0.5f) / view->focal;
+	f32 up = ((f32)view->height * 0.5f - (f32)y - 0.5f) / view->focal;
+	ts_v3 aside = ts_mad(ts_scale(view->right, right), view->up, up);
+	ts_v3 ahead = parallel ? ts_neg(view->back) : ts_sub(aside, view->back);
+	ts_v3 from = parallel ? ts_add(view->eye, aside) : view->eye;
+	return (ts_truth_query){ .origin = from, .direction = ts_normalize(ahead), .near = view->near * ts_length(ahead),
+	                         .masked = w->masked, .from = from, .spread = parallel ? 0.0f : 1.0f / view->focal };
+}
+
+/* How much deeper the plane of a triangle is half a texel away than here at most, as a factor: 1/z is linear in the
+ * image. Orthographic, z itself is. Infinite if the plane is seen on edge within half a texel. */
+static double farther(const ts_camera_k *view, const ts_corners *t, const ts_truth_query *ray, double z)
+{
+	double x = (double)ts_dot(view->right, t->n), y = (double)ts_dot(view->up, t->n);
+	double turn = 0.5 * hypot(x, y) / (double)view->focal;
+	if (view->orthographic != 0) return 1 + turn / fabs((double)ts_dot(view->back, t->n)) / z;
+	double ahead = -(double)ts_dot(view->back, ray->direction);
+	double facing = fabs((double)ts_dot(t->n, ray->direction)) / ahead;
+	return turn < facing ? facing / (facing - turn) : INFINITY;
+}
+
+static double deepest_corner(const ts_camera_k *view, const ts_corners *t)
+{
+	f32 z = ts_max(ts_k_to_view(view, t->a).z, ts_k_to_view(view, t->b).z);
+	return (double)ts_max(z, ts_k_to_view(view, t->c).z);
+}
+
+/* Compares what the texel holds with the triangle that its ray hits at t. */
+static ts_texel_counts compare(const judge *j, const ts_camera_k *view, const ts_truth_query *ray, const ts_truth_hit *hit,
+                               held has)
+{
+	if (!has.any) return (ts_texel_counts){ .covered = 1, .holes = 1 };
+	ts_corners corner = ts_k_corners(j->scene, hit->triangle);
+	ts_receiver at = { ts_mad(ray->origin, ray->direction, hit->t), ts_normalize(corner.n), true };
+	double z = (double)(hit->t * -ts_dot(view->back, ray->direction));
+	double bias = (double)ts_k_shadow_bias(&j->rule, view, &at, (f32)z);
+	double reach = fmin(z * farther(view, &corner, ray, z), deepest_corner(view, &corner));
+	bool is_radial = j->id == TS_B_scatter_colour;
+	double radial = is_radial ? (double)hit->t / z : 1;
+	double slant = is_radial ? 1 + 0.5 / (double)view->focal : 1; /* of the radial distance, half a texel away */
+	double limit = fmax(z + bias, reach * slant) * radial * ROUNDING;
+	bool apart = has.least > (z + bias) * radial * ROUNDING || has.most < (z - bias) * radial / ROUNDING;
+	return (ts_texel_counts){ .covered = 1, .leaks = has.least > limit, .apart = apart };
+}
+
+static ts_texel_counts judge_texel(const judge *j, const window *w, u32 x, u32 y)
+{
+	ts_truth_query ray = ray_through(w, x, y);
+	ts_truth_hit hit = ts_truth_cast(j->truth, &ray);
+	bool counts = hit.triangle != TS_NONE &&
+		(j->scene->materials[j->scene->triangles[hit.triangle].material].flags & TS_MASKED) == 0;
+	if (!counts) return (ts_texel_counts){ 0 };
+	u64 texel = w->offset - j->first_texel + (u64)y * (u64)w->camera.width + x;
+	return compare(j, &w->camera, &ray, &hit, held_in(j, texel, w->camera.near));
+}
+
+static void judge_view(const judge *j, const window *w, ts_texel_counts *counts)
+{
+	u64 covered = 0, holes = 0, leaks = 0, apart = 0;
+#pragma omp parallel for num_threads(j->n_threads) schedule(dynamic, 4) reduction(+ : covered, holes, leaks, apart)
+	for (i32 y = 0; y < w->camera.height; y++) {
+		for (i32 x = 0; x < w->camera.width; x++) {
+			ts_texel_counts one = judge_texel(j, w, (u32)x, (u32)y);
+			covered += one.covered;
+			holes += one.holes;
+			leaks += one.leaks;
+			apart += one.apart;
+		}
+	}
+	counts->covered += covered;
+	counts->holes += holes;
+	counts->leaks += leaks;
+	counts->apart += apart;
+}
+
+static u32 reflector_of(const judge *j, u32 object)
+{
+	return object != TS_NONE ? j->scene->objects[object].reflector : TS_NONE;
+}
+
+static window face_of(const judge *j, const ts_face *cube, u32 face)
+{
+	u64 first = cube->offset + (u64)face * cube->n * cube->n;
+	return (window){ ts_k_cube_view(cube, face), first, reflector_of(j, cube->object) };
+}
+
+bool ts_truth_judges(ts_buffer_id id)
+{
+	return id == TS_B_scatter_depth || id == TS_B_scatter_colour || id == TS_B_face_depth_triangle;
+}
+
+ts_status ts_truth_texels(ts_texel_counts *counts, ts_truth *truth, const ts_run *run, ts_buffer_id id)
+{
+	if (run->n_units == 0) return TS_OK;
+	judge j = { .truth = truth, .scene = ts_truth_scene(truth), .id = id, .n_threads = (int)run->c.threads,
+	            .rule = { .bias = run->params.bias, .slope = run->params.bias_slope },
+	            .texels = ts_frame_data(&run->frame, id) };
+	bool cubes = ts_run_has_cubes(run);
+	const ts_face *faces = cubes ? ts_frame_data(&run->frame, TS_B_resize_face) : NULL;
+	const ts_offscreen *views = cubes ? NULL : ts_frame_data(&run->frame, TS_B_offscreen_view);
+	for (u32 u = run->first_unit; u < run->first_unit + run->n_units; u++) {
+		if (u == run->first_unit) j.first_texel = cubes ? faces[u].offset : views[u].offset;
+		for (u32 face = 0; face < (cubes ? 6u : 1u); face++) {
+			window w = cubes ? face_of(&j, &faces[u], face)
+			                 : (window){ ts_k_offscreen(&views[u]), views[u].offset, reflector_of(&j, views[u].object) };
+			judge_view(&j, &w, counts);
+		}
+		ts_progress("texels against rays", u + 1 - run->first_unit, run->n_units);
+	}
+	return TS_OK;
+}

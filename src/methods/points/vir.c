@@ -1,0 +1,43 @@
+/* View-independent rendering: the method that iVIR improves on, as iVIR's sections 3 to 6 compare with it (VIR;
+ * METHODS 9). Marrs, Watson and Healey, "Real-Time View Independent Rasterization for Multi-View Rendering" (2017).
+ *
+ * The stages are iVIR's, with the rate that one point of view asks for: a triangle is as dense all over as the view's
+ * densest pixel at the triangle's nearest distance, by the worst perspective of any view, and off-screen buffers keep their
+ * largest size.
+ *
+ * Deviations: the rate is a reconstruction; only the ratio of its points to iVIR's is compared. */
+#include "../../kernels/points/view_density.h"
+#include "../pipelines.h"
+
+void ts_vir_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
+{
+	(void)counts, (void)request;
+	plan->points.rate = TS_RATE_IS_VIR;
+	ts_plan_largest(plan, params);
+}
+
+void ts_vir_soft_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
+{
+	plan->points.rate = TS_RATE_IS_VIR;
+	ts_soft_plan(plan, params, counts, request);
+}
+
+void ts_vir_omni_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
+{
+	plan->points.rate = TS_RATE_IS_VIR;
+	ts_omni_plan(plan, params, counts, request);
+}
+
+/* Nine points a texel: the corner's rate, 3, squared. */
+void ts_vir_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
+{
+	u64 face = params->face_px != 0 ? params->face_px : params->face_max;
+	ts_expect_cubes(expected, scene, params, face);
+	expected->sizes.n[TS_DIM_points] = 2 * (u64)scene->n_triangles + 9 * 6 * face * face * scene->info.n_reflectors;
+}
+
+void ts_vir_omni_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
+{
+	ts_omni_expect(expected, scene, params);
+	expected->sizes.n[TS_DIM_points] = 2 * (u64)scene->n_triangles + 9 * 6 * (u64)params->map_px * params->map_px;
+}

@@ -1,0 +1,46 @@
+/* The picture. */
+#include "../../kernels/raster/image.h"
+#include "../../kernels/raster/indirect.h"
+#include "../stages.h"
+
+static const ts_launch with_mirrors = TS_LAUNCH(image, TS_WITH(offset), TS_WITH(reflected));
+static const ts_launch with_shadows = TS_LAUNCH(image, TS_IN(scene.lights, lamp_light), TS_WITH(lit), TS_WITH(lamps));
+static const ts_launch of_indirect = TS_LAUNCH(indirect_image, TS_ALL);
+
+static u64 n_pixels(const ts_run *run) { return (u64)run->params.width * run->params.height; }
+
+static ts_status image(ts_run *run)
+{
+	ts_image_args args = {.scene = ts_run_scene(run), .exposure = run->params.exposure};
+	return TS_RUN(run, &with_mirrors, &args, n_pixels(run));
+}
+
+/* In the light of the lamps, as far as it reaches. */
+static ts_status shadow_image(ts_run *run)
+{
+	ts_image_args args = {.scene = ts_run_scene(run), .exposure = run->params.exposure};
+	args.scene.n_lights = (u32)ts_run_size(run, TS_DIM_lamps);
+	return TS_RUN(run, &with_shadows, &args, n_pixels(run));
+}
+
+/* In indirect light alone. */
+static ts_status indirect_image(ts_run *run)
+{
+	ts_indirect_args args = {.exposure = run->params.exposure};
+	return TS_RUN(run, &of_indirect, &args, n_pixels(run));
+}
+
+const ts_stage ts_stage_image = {
+	.name = "image", .kind = "map", .paper = "EPR 4.1.2", .doc = "the picture",
+	.run = image, .launches = TS_LAUNCHES(&with_mirrors), .looks_at = TS_BUFFERS(TS_B_scene_info),
+};
+
+const ts_stage ts_stage_shadow_image = {
+	.name = "shadow_image", .kind = "map", .paper = "iVIR 4", .doc = "the picture with its shadows",
+	.run = shadow_image, .launches = TS_LAUNCHES(&with_shadows), .looks_at = TS_BUFFERS(TS_B_scene_info),
+};
+
+const ts_stage ts_stage_indirect_image = {
+	.name = "indirect_image", .kind = "map", .paper = "SSAGH 4, eq. 6", .doc = "the picture of indirect light",
+	.run = indirect_image, .launches = TS_LAUNCHES(&of_indirect),
+};

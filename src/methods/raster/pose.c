@@ -1,0 +1,16 @@
+/* Vertices of this frame in world space. */
+#include "../../kernels/base/pose.h"
+#include "../stages.h"
+
+static const ts_launch launch = TS_LAUNCH(pose, TS_ALL);
+
+static ts_status pose(ts_run *run)
+{
+	ts_pose_args args = {.frame = run->params.frame};
+	return TS_RUN(run, &launch, &args, ts_run_size(run, TS_DIM_vertices));
+}
+
+const ts_stage ts_stage_pose = {
+	.name = "pose", .kind = "map", .paper = "EPR 4.2", .doc = "moving objects to their place in this frame",
+	.run = pose, .launches = TS_LAUNCHES(&launch),
+};

@@ -1,0 +1,16 @@
+/* The eye of this frame. */
+#include "../../scene/view.h"
+#include "../stages.h"
+
+static ts_status view(ts_run *run)
+{
+	ts_view *eye = ts_run_make(run, TS_B_eye_view);
+	if (eye == NULL) return TS_ERROR;
+	ts_view_eye(eye, ts_run_info(run), &run->params);
+	return TS_OK;
+}
+
+const ts_stage ts_stage_view = {
+	.name = "view", .kind = "map", .paper = "EPR 4.2", .doc = "the eye, circling the scene or the file's camera",
+	.run = view, .looks_at = TS_BUFFERS(TS_B_scene_info), .makes = TS_BUFFERS(TS_B_eye_view),
+};

@@ -1,0 +1,97 @@
+/* Deferred shading of a G-buffer, with the shadows of its lights, and how near their decisions were. */
+#include "../../kernels/surfels/deferred_margin.h"
+#include "surfel.h"
+
+#define BUT_TRIANGLES(path) TS_BUT(path.scene), TS_BUT(path.view), TS_BUT(path.depth_triangle)
+static const ts_launch lit = TS_LAUNCH(deferred_lit, BUT_TRIANGLES(of));
+static const ts_launch lit_measured = TS_LAUNCH(deferred_lit_margin, BUT_TRIANGLES(of.of), TS_BUT(of.of.lit));
+/* Without shadows, and with them. */
+static const ts_launch shaded[] = {TS_LAUNCH(deferred, TS_ALL), TS_LAUNCH(deferred, TS_WITH(lit))};
+#define MEASURED TS_BUT(of.radiance), TS_BUT(of.srgb)
+static const ts_launch measured[] = {
+	TS_LAUNCH(deferred_margin, MEASURED), TS_LAUNCH(deferred_margin, MEASURED, TS_WITH(of.lit)),
+};
+
+bool ts_shader_has_shadows(const ts_params *params)
+{
+	return params->shader == TS_SHADER_PHONG_SHADOW || params->shader == TS_SHADER_NPR_SHADOW;
+}
+
+static u64 n_pixels(const ts_run *run) { return (u64)run->params.width * run->params.height; }
+
+static ts_deferred_lit_args lit_values(const ts_run *run)
+{
+	return (ts_deferred_lit_args){
+		.of = {
+			.n_views = (u32)ts_run_size(run, TS_DIM_views),
+			.n_lamps = (u32)ts_run_size(run, TS_DIM_lamps),
+			.bias = run->params.bias,
+			.slope = run->params.bias_slope,
+		},
+	};
+}
+
+static ts_status deferred_lit(ts_run *run)
+{
+	ts_deferred_lit_args args = lit_values(run);
+	return TS_RUN(run, &lit, &args, n_pixels(run));
+}
+
+static ts_status deferred_lit_margin(ts_run *run)
+{
+	ts_deferred_lit_margin_args args = {.of = lit_values(run)};
+	return TS_RUN(run, &lit_measured, &args, n_pixels(run));
+}
+
+static ts_deferred_args values(const ts_run *run)
+{
+	u32 shader = run->params.shader;
+	return (ts_deferred_args){
+		.n_lights = (u32)ts_run_size(run, TS_DIM_lamps),
+		.shader = shader == TS_SHADER_NPR || shader == TS_SHADER_NPR_SHADOW ? TS_SHADER_IS_NPR : TS_SHADER_IS_PHONG,
+		.ambient = ts_run_info(run)->ambient,
+		.exposure = run->params.exposure,
+	};
+}
+
+ts_status ts_deferred_ask(const ts_run *run, ts_deferred_args *args)
+{
+	*args = values(run);
+	return TS_ASK(run, &shaded[ts_shader_has_shadows(&run->params)], args);
+}
+
+static ts_status deferred(ts_run *run)
+{
+	ts_deferred_args args = values(run);
+	return TS_RUN(run, &shaded[ts_shader_has_shadows(&run->params)], &args, n_pixels(run));
+}
+
+static ts_status deferred_margin(ts_run *run)
+{
+	ts_deferred_margin_args args = {.of = values(run)};
+	return TS_RUN(run, &measured[ts_shader_has_shadows(&run->params)], &args, n_pixels(run));
+}
+
+const ts_stage ts_stage_deferred_lit = {
+	.name = "deferred_lit", .kind = "map", .paper = "NV40: Timings & Comparison",
+	.doc = "which lights reach each pixel",
+	.run = deferred_lit, .launches = TS_LAUNCHES(&lit),
+};
+
+const ts_stage ts_stage_deferred_lit_margin = {
+	.name = "deferred_lit_margin", .kind = "map", .margin_of = "deferred_lit", .paper = "NV40: Timings & Comparison",
+	.doc = "how near the comparisons with their depth maps were to another answer",
+	.run = deferred_lit_margin, .launches = TS_LAUNCHES(&lit_measured),
+};
+
+const ts_stage ts_stage_deferred = {
+	.name = "deferred", .kind = "map", .paper = "NV40: Deferred Shading", .doc = "the picture, shaded once a pixel",
+	.run = deferred, .launches = TS_LAUNCHES(&shaded[0], &shaded[1]), .looks_at = TS_BUFFERS(TS_B_scene_info),
+};
+
+const ts_stage ts_stage_deferred_margin = {
+	.name = "deferred_margin", .kind = "map", .margin_of = "deferred", .paper = "NV40: Deferred Shading",
+	.doc = "how near outlines, tones and the beginnings of light were",
+	.run = deferred_margin, .launches = TS_LAUNCHES(&measured[0], &measured[1]),
+	.looks_at = TS_BUFFERS(TS_B_scene_info),
+};

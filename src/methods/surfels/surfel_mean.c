@@ -1,0 +1,19 @@
+/* The G-buffer of surfels: sums by their weights. */
+#include "../../kernels/surfels/surfel_mean.h"
+#include "../stages.h"
+
+static const ts_launch launch = TS_LAUNCH(surfel_mean, TS_ALL);
+
+static ts_status surfel_mean(ts_run *run)
+{
+	ts_surfel_mean_args args;
+	if (TS_RUN(run, &launch, &args, (u64)run->params.width * run->params.height) != TS_OK) return TS_ERROR;
+	ts_run_count(run, "shading operations", ts_frame_tally(&run->frame, 0));
+	return TS_OK;
+}
+
+const ts_stage ts_stage_surfel_mean = {
+	.name = "surfel_mean", .kind = "map", .paper = "NV40: 3-Pass Deferred Shading",
+	.doc = "those sums by their weights: a G-buffer",
+	.run = surfel_mean, .launches = TS_LAUNCHES(&launch),
+};

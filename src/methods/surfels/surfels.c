@@ -1,0 +1,66 @@
+/* Deferred surface splatting with an approximation of the EWA filter, and the exact filter beside it (METHODS 16).
+ * Botsch, Hornung, Zwicker and Kobbelt, "High-Quality Surface Splatting on Today's GPUs" (2005), from the slides.
+ * Zwicker, Pfister, van Baar and Gross, "EWA Splatting" (2001/2002).
+ *
+ * Surfels are elliptical discs, perspective-correct by casting the ray of each pixel into their plane. The first pass finds
+ * what is nearest, the second blends colours and normals of all that is no more than epsilon behind, the third divides by
+ * the sum of weights and shades, once a pixel. The filter is the lesser of the radii of an object-space and a screen-space
+ * kernel. `ewa` weighs by the convolution of both instead.
+ *
+ * Deviations:
+ * - sums are integers, not 16-bit floats, so that they do not depend on the order of surfels (blend.h); accumulation=half is
+ *   the paper;
+ * - "20 x 20" pixels of least size are read as 2 x 2, the screen filter's own width, for the reasons of FIGURES 12;
+ * - boxes are those of the projected ellipse, where the paper's point sprites miss parts of it; bounds=botsch is the paper;
+ * - epsilon, sigma_k and the shaders are not given: epsilon is the median radius, sigma_k a half;
+ * - surfels that cross the near plane are drawn as far as they are behind it, but by exact EWA and the screen filter alone,
+ *   which need an image of their centre, only if that is;
+ * - a fragment of the screen filter alone has the depth of the centre, for planes seen from the side are anywhere;
+ * - lights are the scene's, each of them a point or a sun with one depth map, or for points without a direction a cube of
+ *   six. */
+#include "surfel.h"
+#include "../stages.h"
+#include "../pipelines.h"
+
+#define FRAGMENTS 30u /* of a pixel, on the slides */
+#define SPLAT 4u      /* fragments of a surfel below a pixel's size */
+
+const ts_step ts_surfels_steps[] = {
+	{.stage = "view"},
+	{.stage = "lamp"},
+	{.stage = "surfel_setup"},
+	{.stage = "surfel_depth"},   /* visibility splatting */
+	{.stage = "fragment_list", .only_if = ts_accumulates_in_order, .unnumbered = true},
+	{.stage = "blend"},          /* attribute splatting */
+	{.stage = "surfel_mean"},     /* normalization */
+	{.stage = "light_view", .only_if = ts_shader_has_shadows},
+	{.stage = "surfel_shadow", .only_if = ts_shader_has_shadows},
+	{.stage = "deferred_lit", .only_if = ts_shader_has_shadows},
+	{.stage = "deferred"},       /* shading */
+	{0},
+};
+
+void ts_deferred_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
+{
+	(void)request;
+	plan->lights.taps = 1;
+	plan->offscreen.side = params->map_px;
+	plan->units = counts->lights;
+}
+
+void ts_ewa_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
+{
+	ts_deferred_plan(plan, params, counts, request);
+	plan->surfels.exact = true;
+}
+
+void ts_surfels_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
+{
+	u64 n_lights = scene->n_lights, n_views = 0;
+	for (u32 i = 0; i < n_lights; i++) n_views += ts_light_views(&scene->lights[i]);
+	u64 *n = expected->sizes.n;
+	n[TS_DIM_views] = n_views;
+	n[TS_DIM_fragments] = (u64)FRAGMENTS * params->width * params->height + (u64)SPLAT * scene->n_surfels;
+	n[TS_DIM_lamps] = n_lights;
+	n[TS_DIM_texels] = (u64)params->map_px * params->map_px * n_views;
+}

@@ -1,0 +1,52 @@
+/* Surfels in a view: what kernels loop over, and look up by. */
+#include <inttypes.h>
+#include "../../../kernels/surfels/blend_order.h"
+#include "../../stages.h"
+#include "../../../replay/check.h"
+
+static const void *elements(const ts_load *load, ts_buffer_id id, u64 *n)
+{
+	*n = load->item[id] != NULL ? ts_frame_n(&load->run.frame, id) : 0;
+	return load->item[id] != NULL ? ts_frame_data(&load->run.frame, id) : NULL;
+}
+
+/* Boxes are in the image, or empty. */
+static ts_status check_discs(const ts_load *load)
+{
+	const ts_buffer_id id = TS_B_surfel_setup_disc;
+	u64 n;
+	const ts_disc *discs = elements(load, id, &n);
+	const i32 size[2] = {(i32)load->run.params.width, (i32)load->run.params.height};
+	for (u64 i = 0; i < n; i++) {
+		for (u32 k = 0; k < 2; k++) {
+			if (discs[i].low[k] < 0) return ts_check_refuse(load, id, i, "low", k, "0 or more");
+			if (discs[i].high[k] >= size[k] || discs[i].high[k] < -1) {
+				return ts_check_refuse(load, id, i, "high", k, "from -1 to %" PRId32, size[k] - 1);
+			}
+			bool near = discs[i].pixel[k] > -(1 << 21) && discs[i].pixel[k] < 1 << 21;
+			if (!near) return ts_check_refuse(load, id, i, "pixel", k, "within 2^21");
+		}
+	}
+	return TS_OK;
+}
+
+/* Where there is a fragment the heaviest has a name. */
+static ts_status check_sums(const ts_load *load)
+{
+	const ts_buffer_id id = TS_B_blend_sum;
+	u64 n, n_pixels;
+	const i64 *sums = elements(load, id, &n);
+	const u64 *heaviest = elements(load, TS_B_blend_heaviest, &n_pixels);
+	for (u64 i = 0; heaviest != NULL && i < n / TS_BLEND_SUMS; i++) {
+		bool named = heaviest[i] != TS_EMPTY, summed = sums[TS_BLEND_SUMS * i + TS_BLEND_FRAGMENTS] != 0;
+		if (named == summed) continue;
+		return ts_check_refuse(load, id, TS_BLEND_SUMS * i + TS_BLEND_FRAGMENTS, "", 0, "%s, as blend.heaviest says,",
+		                       named ? "at least 1 fragment" : "no fragment");
+	}
+	return TS_OK;
+}
+
+ts_status ts_check_surfels(const ts_load *load)
+{
+	return check_discs(load) == TS_OK ? check_sums(load) : TS_ERROR;
+}

@@ -1,0 +1,295 @@
+/* A pixel of surfels: which is nearest, which fragments are blended and which hidden, and what is made of their
+ * sums. */
+#include <inttypes.h>
+#include <stdlib.h>
+#include "../../../kernels/surfels/blend_order.h"
+#include "../surfel.h"
+#include "../../../kernels/surfels/surfel_mean.h"
+#include "../../stages.h"
+#include "../../../probe/parts.h"
+
+enum { MOST_LISTED = 16 };
+
+/* Where the pixel is. */
+typedef struct { ts_camera_k view; ts_filter filter; i32 x, y; u64 pixel; f32 shift; } place;
+
+/* A surfel that covers the pixel. */
+typedef struct { u32 surfel; f32 weight; ts_surfel_fragment is; } fragment;
+typedef struct { fragment *fragment; size_t n, capacity; } fragments;
+
+ts_status ts_probe_load_surfels(ts_probe *p)
+{
+	static const char *const stages[] = {"surfel_depth", "blend", "surfel_mean", "deferred", NULL};
+	if (p->load != NULL) return TS_OK;
+	if (ts_probe_load_for(p, stages) != TS_OK) return TS_ERROR;
+	memcpy(&p->view, ts_probe_loaded(p, TS_B_eye_view), sizeof p->view);
+	p->scene.n_lights = (u32)ts_frame_n(&p->load->run.frame, TS_B_lamp_light);
+	bool good = !ts_shader_has_shadows(&p->trace->params) || ts_probe_lamps(p) == TS_OK;
+	if (good && ts_probe_shapes(p) == TS_OK) return TS_OK;
+	ts_load_end(p->load);
+	p->load = NULL;
+	ts_probe_scene_free(p);
+	return TS_ERROR;
+}
+
+static place place_of(const ts_probe *p, u32 x, u32 y)
+{
+	const f32 *epsilon = ts_probe_loaded(p, TS_B_surfel_setup_epsilon);
+	place at = {.view = ts_k_view(&p->view), .filter = ts_surfel_filter(&p->load->run), .x = (i32)x, .y = (i32)y};
+	at.pixel = (u64)y * p->view.width + x;
+	at.shift = ts_k_pixel_shift(&at.view, *epsilon, at.x, at.y);
+	return at;
+}
+
+static bool is_in_box(const ts_disc *disc, const place *at)
+{
+	return at->x >= disc->low[0] && at->x <= disc->high[0] && at->y >= disc->low[1] && at->y <= disc->high[1];
+}
+
+static ts_disc_hit hit_of(const ts_disc *disc, const place *at)
+{
+	ts_v2 d = ts_k_disc_offset(disc, at->x, at->y);
+	return ts_k_disc_hit(disc, at->view.near, d.x, d.y);
+}
+
+/* Where the ray meets the plane, and how far that is from the centre by either filter. */
+static void put_hit(ts_probe *p, json_t *o, const ts_disc *disc, const place *at)
+{
+	ts_v2 d = ts_k_disc_offset(disc, at->x, at->y);
+	ts_disc_hit hit = hit_of(disc, at);
+	if (hit.meets) {
+		ts_probe_put(p, o, "plane", json_pack("[o,o]", ts_probe_real(hit.a), ts_probe_real(hit.b)));
+		ts_probe_put(p, o, "r3D", ts_probe_real(ts_sqrt(ts_flush(hit.r2))));
+	} else {
+		ts_probe_put(p, o, "plane", json_string("not met"));
+	}
+	if (at->filter.per_sigma2 > 0.0f && (disc->flags & TS_DISC_CROSSES) == 0) {
+		f32 square = (d.x * d.x + d.y * d.y) * at->filter.per_sigma2;
+		ts_probe_put(p, o, "r2D", ts_probe_real(ts_sqrt(ts_flush(square))));
+	}
+}
+
+/* The least key of all, and how many are inside their ellipse here. */
+static u64 nearest_of(const ts_probe *p, const place *at, u64 *n_inside)
+{
+	u64 least = TS_EMPTY, n = ts_frame_n(&p->load->run.frame, TS_B_surfel_setup_disc);
+	const ts_disc *discs = ts_probe_loaded(p, TS_B_surfel_setup_disc);
+	*n_inside = 0;
+	for (u64 i = 0; i < n; i++) {
+		if (!is_in_box(&discs[i], at)) continue;
+		ts_disc_hit hit = hit_of(&discs[i], at);
+		u64 key = (u64)ts_f2u(ts_put(hit.z + at->shift)) << 32 | i;
+		*n_inside += hit.inside;
+		if (hit.inside && key < least) least = key;
+	}
+	return least;
+}
+
+static void put_visibility(ts_probe *p, json_t *object, const place *at)
+{
+	json_t *o = json_object();
+	u64 n_inside, nearest = nearest_of(p, at, &n_inside);
+	u64 held = ((const u64 *)ts_probe_loaded(p, TS_B_surfel_depth_surfel))[at->pixel];
+	ts_probe_put(p, o, "surfels", ts_probe_int(n_inside));
+	if (nearest != TS_EMPTY) {
+		const ts_disc *disc = (const ts_disc *)ts_probe_loaded(p, TS_B_surfel_setup_disc) + (u32)nearest;
+		ts_probe_put(p, o, "nearest", ts_probe_int((u32)nearest));
+		put_hit(p, o, disc, at);
+		ts_probe_put(p, o, "depth", ts_probe_bits(hit_of(disc, at).z));
+		ts_probe_put(p, o, "epsilon", ts_probe_real(*(const f32 *)ts_probe_loaded(p, TS_B_surfel_setup_epsilon)));
+		ts_probe_put(p, o, "epsilon_in_depth", ts_probe_bits(at->shift));
+		ts_probe_put(p, o, "visible_to", ts_probe_bits(ts_u2f((u32)(nearest >> 32))));
+	}
+	ts_probe_put_record_check(p, o, TS_B_surfel_depth_surfel, &nearest, &held);
+	ts_probe_put(p, object, "visibility", o);
+}
+
+static ts_status add(fragments *list, fragment f)
+{
+	void *array = list->fragment;
+	if (ts_grow(&array, &list->capacity, list->n + 1, sizeof f, "fragments") != TS_OK) return TS_ERROR;
+	list->fragment = array;
+	list->fragment[list->n++] = f;
+	return TS_OK;
+}
+
+static int by_weight(const void *a, const void *b)
+{
+	const fragment *s = a, *t = b;
+	if (s->weight != t->weight) return s->weight > t->weight ? -1 : 1;
+	return (s->surfel > t->surfel) - (s->surfel < t->surfel);
+}
+
+/* All fragments, in the order of their surfels. Release by free() of both, also on failure. */
+static ts_status find(const ts_probe *p, const place *at, u64 key, fragments *blended, fragments *hidden)
+{
+	u64 n = ts_frame_n(&p->load->run.frame, TS_B_surfel_setup_disc);
+	const ts_disc *discs = ts_probe_loaded(p, TS_B_surfel_setup_disc);
+	for (u64 i = 0; i < n; i++) {
+		if (!is_in_box(&discs[i], at)) continue;
+		fragment f = {(u32)i, 0, ts_k_surfel_fragment(&discs[i], &at->filter, at->view.near, at->x, at->y)};
+		if (!f.is.covers) continue;
+		f.weight = ts_k_fragment_weight(&f.is);
+		if (add(ts_k_is_visible(key, f.is.z) ? blended : hidden, f) != TS_OK) return TS_ERROR;
+	}
+	return TS_OK;
+}
+
+static void put_fragment(ts_probe *p, json_t *list, const fragment *f, const place *at, u64 key)
+{
+	json_t *o = json_object();
+	f32 limit = ts_u2f((u32)(key >> 32));
+	const ts_disc *disc = (const ts_disc *)ts_probe_loaded(p, TS_B_surfel_setup_disc) + f->surfel;
+	ts_probe_put(p, o, "surfel", ts_probe_int(f->surfel));
+	ts_probe_put(p, o, "weight", ts_probe_bits(f->weight));
+	put_hit(p, o, disc, at);
+	if (at->filter.filter == TS_FILTER_IS_EWA) {
+		ts_probe_put(p, o, "peak", ts_probe_real(f->is.peak));
+		ts_probe_put(p, o, "exponent", ts_probe_real(f->is.exponent));
+	}
+	ts_probe_put(p, o, "depth", ts_probe_bits(f->is.z));
+	if (!f->is.inside) ts_probe_put(p, o, "depth_of", json_string("its centre"));
+	if (key != TS_EMPTY && f->is.z <= limit) {
+		ts_probe_put(p, o, "before", json_real((double)limit - (double)f->is.z));
+	} else if (key != TS_EMPTY) {
+		ts_probe_put_margin(p, o, limit, f->is.z);
+	}
+	ts_probe_append(p, list, o);
+}
+
+/* The heaviest are listed, the rest told together. */
+static void put_fragments(ts_probe *p, json_t *object, const char *name, fragments *all, const place *at, u64 key)
+{
+	json_t *o = json_object(), *list = json_array(), *others = json_object();
+	f32 rest = 0.0f;
+	if (all->n > 0) qsort(all->fragment, all->n, sizeof *all->fragment, by_weight);
+	for (size_t i = 0; i < all->n; i++) {
+		if (i < MOST_LISTED) {
+			put_fragment(p, list, &all->fragment[i], at, key);
+		} else {
+			rest += all->fragment[i].weight;
+		}
+	}
+	ts_probe_put(p, o, "fragments", ts_probe_int(all->n));
+	ts_probe_put(p, o, "heaviest", list);
+	if (all->n > MOST_LISTED) {
+		ts_probe_put(p, others, "fragments", ts_probe_int(all->n - MOST_LISTED));
+		ts_probe_put(p, others, "weight", ts_probe_real(rest));
+		ts_probe_put(p, o, "others", others);
+	} else {
+		json_decref(others);
+	}
+	ts_probe_put(p, object, name, o);
+}
+
+/* As the kernels add them, into the sums and the heaviest of this pixel alone. */
+static void sum_up(const ts_probe *p, const fragments *blended, i64 *sums, u64 *heaviest)
+{
+	const ts_params *params = &p->trace->params;
+	const ts_disc *discs = ts_probe_loaded(p, TS_B_surfel_setup_disc);
+	const ts_surfel *surfels = ts_probe_loaded(p, TS_B_scene_surfel);
+	bool ordered = ts_accumulates_in_order(params);
+	ts_blend_args args = {.sums = sums, .heaviest = heaviest};
+	ts_blend_target target = ts_k_blend_none();
+	for (size_t i = 0; i < blended->n; i++) {
+		const fragment *f = &blended->fragment[i];
+		ts_attributes attributes = ts_k_attributes(&surfels[f->surfel], &discs[f->surfel]);
+		ts_k_blend_add(&args, 0, f->surfel, &attributes, f->weight);
+		if (ordered) ts_k_blend_next(params->accumulation, &target, &attributes, f->weight);
+	}
+	if (ordered) ts_k_blend_end(params->accumulation, &target, (u32)blended->n, sums);
+}
+
+static json_t *real_of(i64 sum) { return json_real((double)sum / (1 << TS_BLEND_BITS)); }
+
+static json_t *real3_of(const i64 *sums)
+{
+	return json_pack("[o,o,o]", real_of(sums[0]), real_of(sums[1]), real_of(sums[2]));
+}
+
+static void put_sums(ts_probe *p, json_t *object, const i64 *sums, const i64 *held)
+{
+	json_t *o = json_object();
+	u32 k = 0;
+	while (k < TS_BLEND_SUMS && sums[k] == held[k]) k++;
+	ts_probe_put(p, o, "colour", real3_of(sums));
+	ts_probe_put(p, o, "normal", real3_of(sums + 3));
+	ts_probe_put(p, o, "weight", real_of(sums[TS_BLEND_WEIGHT]));
+	ts_probe_put(p, o, "fragments", json_integer((json_int_t)sums[TS_BLEND_FRAGMENTS]));
+	ts_probe_put(p, o, "check", k == TS_BLEND_SUMS
+	                                ? json_string("bits agree with blend.sum")
+	                                : json_sprintf("bits differ from blend.sum, whose sum %u is %" PRId64 ", not %" PRId64,
+	                                               (unsigned)k, held[k], sums[k]));
+	ts_probe_put(p, object, "sums", o);
+}
+
+static void put_heaviest(ts_probe *p, json_t *object, u64 heaviest, u64 held)
+{
+	json_t *o = json_object();
+	if (heaviest != TS_EMPTY) {
+		ts_probe_put(p, o, "surfel", ts_probe_int((u32)heaviest));
+		ts_probe_put(p, o, "weight", ts_probe_bits(ts_u2f(~(u32)(heaviest >> 32))));
+	}
+	ts_probe_put_record_check(p, o, TS_B_blend_heaviest, &heaviest, &held);
+	ts_probe_put(p, object, "heaviest", o);
+}
+
+static ts_status put_blend(ts_probe *p, json_t *o, const place *at)
+{
+	i64 sums[TS_BLEND_SUMS] = {0};
+	u64 heaviest = TS_EMPTY, key = ((const u64 *)ts_probe_loaded(p, TS_B_surfel_depth_surfel))[at->pixel];
+	fragments blended = {.fragment = NULL}, hidden = {.fragment = NULL};
+	ts_status status = find(p, at, key, &blended, &hidden);
+	if (status == TS_OK) {
+		sum_up(p, &blended, sums, &heaviest);
+		put_fragments(p, o, "blended", &blended, at, key);
+		put_fragments(p, o, "hidden_by_epsilon", &hidden, at, key);
+		put_sums(p, o, sums, (const i64 *)ts_probe_loaded(p, TS_B_blend_sum) + at->pixel * TS_BLEND_SUMS);
+		put_heaviest(p, o, heaviest, ((const u64 *)ts_probe_loaded(p, TS_B_blend_heaviest))[at->pixel]);
+	}
+	free(blended.fragment);
+	free(hidden.fragment);
+	return status;
+}
+
+/* From the sums that are held. */
+static ts_status put_mean(ts_probe *p, json_t *object, const place *at)
+{
+	i64 tally = 0;
+	json_t *o = json_object();
+	u64 n = (u64)p->view.width * p->view.height;
+	const i64 *sums = (const i64 *)ts_probe_loaded(p, TS_B_blend_sum) + at->pixel * TS_BLEND_SUMS;
+	const ts_gpixel *held = (const ts_gpixel *)ts_probe_loaded(p, TS_B_gbuffer_pixel) + at->pixel;
+	ts_gpixel *pixels = ts_alloc_zero((size_t)n, sizeof *pixels, "a G-buffer");
+	ts_surfel_mean_args args = {
+		.view = &p->view, .discs = ts_probe_loaded(p, TS_B_surfel_setup_disc),
+		.epsilon = ts_probe_loaded(p, TS_B_surfel_setup_epsilon), .keys = ts_probe_loaded(p, TS_B_surfel_depth_surfel),
+		.sums = ts_probe_loaded(p, TS_B_blend_sum), .heaviest = ts_probe_loaded(p, TS_B_blend_heaviest), .pixels = pixels,
+		.tally = &tally};
+	if (pixels == NULL) return TS_ERROR;
+	ts_k_surfel_mean_item(&args, at->pixel);
+	const ts_gpixel *made = &pixels[at->pixel];
+	if (tally > 0) {
+		f32 length = ts_length(ts_k_mean(sums + 3, (f32)sums[TS_BLEND_WEIGHT]));
+		ts_probe_put(p, o, "albedo", ts_probe_v3_bits(ts_load3(made->albedo)));
+		ts_probe_put(p, o, "mean_of_normals", ts_probe_real(length));
+		ts_probe_put(p, o, "normal_of", json_string(length < TS_LEAST_NORMAL ? "the heaviest: they cancel" : "their mean"));
+		ts_probe_put(p, o, "normal", ts_probe_v3_bits(ts_load3(made->normal)));
+		const char *of = args.keys[at->pixel] != TS_EMPTY ? "the nearest" : "the heaviest's centre";
+		ts_probe_put(p, o, "depth_of", json_string(of));
+		ts_probe_put(p, o, "depth", ts_probe_bits(ts_k_pixel_depth(&args, &at->view, at->pixel, at->x, at->y)));
+		ts_probe_put(p, o, "position", ts_probe_v3_bits(ts_load3(made->position)));
+	}
+	ts_probe_put(p, o, "zn", ts_probe_bits(made->depth));
+	ts_probe_put_record_check(p, o, TS_B_gbuffer_pixel, made, held);
+	free(pixels);
+	ts_probe_put(p, object, "mean", o);
+	return TS_OK;
+}
+
+ts_status ts_probe_surfels(ts_probe *p, u32 x, u32 y, json_t *object)
+{
+	place at = place_of(p, x, y);
+	put_visibility(p, object, &at);
+	return put_blend(p, object, &at) == TS_OK ? put_mean(p, object, &at) : TS_ERROR;
+}

@@ -1,0 +1,22 @@
+/* Gathered light, filtered. */
+#include "../../kernels/views/bilateral.h"
+#include "../stages.h"
+
+static const ts_launch along_rows = TS_LAUNCH(bilateral, TS_IN(from, vpl_gather_irradiance), TS_OUT(to, bilateral_row));
+static const ts_launch along_columns =
+	TS_LAUNCH(bilateral, TS_IN(from, bilateral_row), TS_OUT(to, indirect_irradiance));
+
+static ts_status bilateral(ts_run *run)
+{
+	const ts_params *params = &run->params;
+	ts_bilateral_args args = {.width = params->width, .height = params->height, .radius = params->filter_px};
+	u64 n = (u64)args.width * args.height;
+	if (TS_RUN(run, &along_rows, &args, n) != TS_OK) return TS_ERROR;
+	args.columns = 1;
+	return TS_RUN(run, &along_columns, &args, n);
+}
+
+const ts_stage ts_stage_bilateral = {
+	.name = "bilateral", .kind = "map", .paper = "MegaViews 5.1", .doc = "that light filtered, but not over edges",
+	.run = bilateral, .launches = TS_LAUNCHES(&along_rows, &along_columns),
+};

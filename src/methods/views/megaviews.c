@@ -1,0 +1,101 @@
+/* MegaViews: indirect light by instant radiosity with a small map of what is around each of many lights.
+ * Kol, Bauszat, Lee and Eisemann, "MegaViews: Scalable Many-View Rendering with Concurrent Scene-View Hierarchy Traversal"
+ * (2019). And ManyLoDs, what the paper compares itself to: Hollaender, Ritschel, Eisemann and Boubekeur (2011).
+ *
+ * Texels of reflective shadow maps become virtual point lights, each of them a view (section 3.1). Pairs of a node of the
+ * scene's octree and one of the views' are culled, rendered or split (section 3.2), and fused into whole maps. Pixels gather
+ * the light of a few of the views that the same culling leaves them, and a cross-bilateral filter makes that smooth
+ * (section 5.1). ManyLoDs has no octree of views: each is rendered by itself, and pixels draw from all of them. Brute force
+ * has no use for the scene's inner nodes either: every leaf is rendered for every view.
+ *
+ * Deviations:
+ * - culling, equivalence and subdivision are reconstructed, for the text of figures 4, 6 and 8 is lost (METHODS 13);
+ * - queues that are longer than their memory are carried on piece by piece, not by children of the root;
+ * - lights stand half a leaf's side above their surface, and leaves that touch theirs are not rendered, for else they would
+ *   be in their own shadow, of which the paper does not speak; touching=render is the paper;
+ * - nor does it of near lights and of a bias: distances are at least light_near leaves' sides, and what lies behind what a
+ *   map shows is lit up to light_bias leaves' diagonals and bias texels' widths, and farther if that node is no more than
+ *   bias.plane of its radii above the place's tangent plane, for which maps tell the node, not its distance alone;
+ *   shadow.test=distance does without, where bias.slope keeps surfaces out of their own shadow and lets light through walls;
+ * - lists end at the nodes of gather_level, where the paper leaves open whether leaves of views are culled one by one;
+ * - brute force renders leaves, where the paper rasterizes triangles: what differs from ManyLoDs is then the hierarchy's;
+ * - the picture is of indirect light alone. */
+#include <math.h>
+#include "../../scene/lamp.h"
+#include "../stages.h"
+#include "../pipelines.h"
+
+/* The octree of the scene, and light from the maps' texels. */
+static const ts_step vpl_run[] = {
+	{.stage = "root"},
+	{.stage = "voxel"},
+	{.stage = "octree"},
+	{.stage = "vpl"},
+	{.stage = "octree_surface", .only_traced = true},
+	{0},
+};
+
+const ts_step ts_megaviews_steps[] = {
+	{.run = ts_rsm_run},
+	{.run = vpl_run},
+	{.run = ts_shared_maps_run},
+	{.run = ts_gbuffer_run},
+	{.run = ts_gather_run},
+	{0},
+};
+
+const ts_step ts_manylods_steps[] = {
+	{.run = ts_rsm_run},
+	{.run = vpl_run},
+	{.run = ts_own_maps_run},
+	{.run = ts_gbuffer_run},
+	{.run = ts_gather_run},
+	{0},
+};
+
+const ts_step ts_bruteforce_steps[] = {
+	{.run = ts_rsm_run},
+	{.run = vpl_run},
+	{.run = ts_all_maps_run},
+	{.run = ts_gbuffer_run},
+	{.run = ts_gather_run},
+	{0},
+};
+
+#define IN_CONE 0.68 /* share of the lamp's map that its cone lights: pi/4 of the square, to 15/16 of half its angle */
+
+#define SLANT 3      /* area of the surfaces in the lamp's cone, which are slanted, and some farther away */
+
+/* What the lamp's cone cuts out of them, of which a plane across would be where its irradiance is light_irradiance. */
+static double lamp_area(const ts_scene *scene, const ts_params *params)
+{
+	ts_light lamp;
+	ts_lamp_spot(&lamp, &scene->info, params);
+	double cosine = -(double)lamp.spot_offset / (double)lamp.spot_scale; /* of the cone's border */
+	double square = (double)lamp.intensity[0] / (double)params->light_irradiance;
+	return SLANT * 3.14159265 * square * (1 / (cosine * cosine) - 1);
+}
+
+/* Paths begin at the lit texels of the maps, and there several of them may: their first lights are in the same places. */
+static void expect(ts_expected *expected, const ts_scene *scene, const ts_params *params, bool alone)
+{
+	ts_hulls_expect(expected, scene, params);
+	bool own = params->lamp == TS_LAMP_SCENE;
+	u64 texels = expected->sizes.n[TS_DIM_texels], lit = own ? texels : (u64)(IN_CONE * (double)texels);
+	u64 n_paths = params->vpls != 0 ? params->vpls : lit, n_first = n_paths < lit ? n_paths : lit;
+	ts_expected_lights lights = {.n = n_paths * params->vpl_bounces, .alone = alone};
+	lights.n_places = n_first + lights.n - n_paths;
+	lights.area = own || params->vpl_bounces > 1 ? INFINITY : lamp_area(scene, params);
+	expected->sizes.n[TS_DIM_paths] = n_paths;
+	ts_expect_views(expected, scene, params, &lights);
+}
+
+void ts_megaviews_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
+{
+	expect(expected, scene, params, false);
+}
+
+void ts_manylods_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
+{
+	expect(expected, scene, params, true);
+}

@@ -1,0 +1,118 @@
+/* Octrees: masks, nodes and the lists of the leaves; that of the scene. */
+#include "octree.h"
+#include "../../kernels/views/octree_surface.h"
+#include "../../kernels/views/voxel.h"
+
+const ts_octree ts_scene_octree =
+	TS_OCTREE(voxel_mask, voxel_before, octree_level, octree_node, octree_offset, octree_triangle, nodes, "scene");
+
+ts_status ts_octree_ids(ts_run *run, const ts_octree *octree)
+{
+	u64 total;
+	ts_mask_args args;
+	if (TS_FILL(run, &octree->raised, &args) != TS_OK) return TS_ERROR;
+	for (args.level = run->params.levels; args.level-- > 0;) {
+		u64 words = ts_k_mask_first(args.level + 1) - ts_k_mask_first(args.level);
+		if (ts_launch_items(run, &octree->raised, &args, words) != TS_OK) return TS_ERROR;
+	}
+	if (TS_RUN(run, &octree->counted, &args, ts_run_size(run, TS_DIM_mask_words)) != TS_OK) return TS_ERROR;
+	return ts_launch_sum(run, &octree->counted, "before", &total);
+}
+
+u32 ts_octree_first(const ts_run *run, const ts_octree *octree, u32 level)
+{
+	return ((const u32 *)ts_frame_data(&run->frame, octree->level))[level];
+}
+
+ts_status ts_octree_nodes(ts_run *run, const ts_octree *octree)
+{
+	u32 levels = run->params.levels;
+	ts_octree_args args = {.levels = levels};
+	if (TS_RUN(run, &octree->levels, &args, levels + 2) != TS_OK) return TS_ERROR;
+	u32 n = ts_octree_first(run, octree, levels + 1), first_leaf = ts_octree_first(run, octree, levels);
+	ts_run_set_size(run, octree->n_nodes, n);
+	ts_run_count(run, octree->name_nodes, n);
+	ts_run_count(run, octree->name_leaves, n - first_leaf);
+	return TS_RUN(run, &octree->nodes, &args, ts_run_size(run, TS_DIM_mask_words));
+}
+
+ts_status ts_octree_sort(ts_run *run, const ts_octree *octree)
+{
+	const ts_buffer_id made[] = {octree->level, octree->node, octree->offset, octree->entries};
+	ts_sort_args args;
+	ts_launch_cut(run, &octree->sorted, "offset", 1);
+	for (u32 k = 0; k < 4; k++) ts_run_count(run, octree->name_bytes, (i64)run->frame.buffer[made[k]].bytes);
+	return TS_RUN(run, &octree->sorted, &args, ts_frame_n(&run->frame, octree->offset) - 1);
+}
+
+/* Triangles in voxels: marked, then counted by leaf, then listed. */
+#define WHERE TS_BUT_SURFACES, TS_BUT(scene.materials), TS_BUT(scene.objects)
+static const ts_launch marked = TS_LAUNCH(voxel, TS_WITH(mask), TS_BUT(bits), TS_BUT(before), TS_BUT(offset), WHERE);
+static const ts_launch counted = TS_LAUNCH(voxel, WHERE);
+static const ts_launch listed = TS_LAUNCH(voxel, TS_WITH(triangles), WHERE);
+static const ts_launch of_leaves = TS_LAUNCH(leaf_surface, TS_ALL);
+static const ts_launch of_nodes = TS_LAUNCH(inner_surface, TS_ALL);
+
+static ts_voxel_args values(const ts_run *run)
+{
+	return (ts_voxel_args){
+		.scene.n_triangles = (u32)ts_run_size(run, TS_DIM_triangles),
+		.levels = run->params.levels,
+	};
+}
+
+static ts_status voxel(ts_run *run)
+{
+	ts_voxel_args args = values(run);
+	if (TS_RUN(run, &marked, &args, args.scene.n_triangles) != TS_OK) return TS_ERROR;
+	ts_run_count(run, "geometry traversals", 1);
+	return ts_octree_ids(run, &ts_scene_octree);
+}
+
+static ts_status octree(ts_run *run)
+{
+	u64 total;
+	ts_voxel_args args = values(run);
+	u32 n = args.scene.n_triangles;
+	if (ts_octree_nodes(run, &ts_scene_octree) != TS_OK) return TS_ERROR;
+	args.first_leaf = ts_octree_first(run, &ts_scene_octree, args.levels);
+	if (ts_launch_make(run, &counted, "offset", 1) != TS_OK) return TS_ERROR;
+	if (TS_RUN(run, &counted, &args, n) != TS_OK) return TS_ERROR;
+	if (ts_launch_sum(run, &counted, "offset", &total) != TS_OK) return TS_ERROR;
+	if (TS_RUN(run, &listed, &args, n) != TS_OK) return TS_ERROR;
+	ts_run_count(run, "geometry traversals", 2);
+	return ts_octree_sort(run, &ts_scene_octree);
+}
+
+static ts_status octree_surface(ts_run *run)
+{
+	ts_octree_surface_args args = {.scene = ts_run_scene(run), .levels = run->params.levels};
+	if (TS_FILL(run, &of_leaves, &args) != TS_OK) return TS_ERROR;
+	for (u32 level = args.levels + 1; level-- > 0;) {
+		args.first = ts_octree_first(run, &ts_scene_octree, level);
+		u64 n_nodes = ts_octree_first(run, &ts_scene_octree, level + 1) - args.first;
+		const ts_launch *launch = level == args.levels ? &of_leaves : &of_nodes;
+		if (ts_launch_items(run, launch, &args, n_nodes) != TS_OK) return TS_ERROR;
+	}
+	return TS_OK;
+}
+
+const ts_stage ts_stage_voxel = {
+	.name = "voxel", .kind = "scatter", .paper = "MegaViews 4.1",
+	.doc = "voxels that triangles touch, and those above them",
+	.run = voxel, .launches = TS_LAUNCHES(&marked, &ts_scene_octree.raised, &ts_scene_octree.counted),
+};
+
+const ts_stage ts_stage_octree = {
+	.name = "octree", .kind = "emit", .paper = "MegaViews 3.1",
+	.doc = "the scene's octree, and the triangles of its leaves",
+	.run = octree,
+	.launches = TS_LAUNCHES(&ts_scene_octree.levels, &ts_scene_octree.nodes, &counted, &listed,
+	                        &ts_scene_octree.sorted),
+};
+
+const ts_stage ts_stage_octree_surface = {
+	.name = "octree_surface", .kind = "map", .paper = "MegaViews 3.1", .doc = "mean albedo and normal of every node",
+	.run = octree_surface, .launches = TS_LAUNCHES(&of_leaves, &of_nodes),
+	.looks_at = TS_BUFFERS(TS_B_scene_info, TS_B_octree_level),
+};

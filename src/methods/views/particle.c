@@ -1,0 +1,33 @@
+/* Glowing particles as virtual point lights. */
+#include "../../kernels/views/particle.h"
+#include "../../scene/view.h"
+#include "views.h"
+
+static const ts_launch launch = TS_LAUNCH(particle, TS_ALL);
+
+ts_particle_args ts_particle_values(const ts_run *run)
+{
+	const ts_params *params = &run->params;
+	ts_space hall = ts_view_hall(ts_run_info(run));
+	return (ts_particle_args){
+		.middle = hall.middle,
+		.extent = hall.half,
+		.turns = (f32)(params->frame % TS_FRAMES_A_TURN) / (f32)TS_FRAMES_A_TURN,
+		.glow = params->glow,
+		.n = params->particles,
+		.seed = params->seed,
+	};
+}
+
+static ts_status particle(ts_run *run)
+{
+	ts_particle_args args = ts_particle_values(run);
+	ts_run_set_size(run, TS_DIM_vpls, args.n);
+	return TS_RUN(run, &launch, &args, args.n);
+}
+
+const ts_stage ts_stage_particle = {
+	.name = "particle", .kind = "map", .paper = "MegaViews 5.2",
+	.doc = "glowing particles, each of them a virtual point light to all sides and a view",
+	.run = particle, .launches = TS_LAUNCHES(&launch), .looks_at = TS_BUFFERS(TS_B_scene_info),
+};

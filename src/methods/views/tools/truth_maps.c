@@ -1,0 +1,88 @@
+/* Maps of many views against rays (METHODS 17): what whole maps show along the middles of their texels, and what they
+ * answer about places that pixels see. Of views beyond some, every so many-th. */
+#include "../views.h"
+#include "../traverse.h"
+#include "../../../truth/query.h"
+
+enum { MOST_VIEWS = 1024, PLACES = 64, WRONG_LEAVES = 3 };
+
+typedef struct {
+	const ts_truth *truth;
+	ts_vpl_gather_args of;
+	u64 n_pixels;
+	f32 leaf, reach;    /* side of a leaf; what is so near a light stops nothing */
+	bool all;           /* views see all directions */
+} judge;
+
+static void judge_texel(const judge *j, u32 view, u32 texel, ts_map_counts *counts)
+{
+	const ts_vpl *light = &j->of.lights[view];
+	ts_v3 from = ts_load3(light->position), d = ts_k_paraboloid_direction(texel, j->of.n);
+	bool seen = j->all || ts_dot(d, ts_load3(light->normal)) > 0.0f;
+	if (!seen || !ts_k_paraboloid_is_used(texel, j->of.n)) return;
+	ts_truth_query ray = {.origin = from, .direction = d, .near = j->reach, .masked = TS_NONE, .from = from};
+	ts_truth_hit hit = ts_truth_cast(j->truth, &ray);
+	u32 leaf = j->of.leaves[view], bits = j->of.depths[(u64)leaf * (2 * j->of.n * j->of.n) + texel];
+	if (hit.triangle == TS_NONE) return;
+	counts->covered++;
+	counts->holes += bits == TS_NONE;
+	if (bits == TS_NONE) return;
+	f32 depth = ts_k_moved_depth(ts_load3(j->of.nodes[leaf].centre), ts_u2f(bits), from, texel, j->of.n);
+	counts->leaks += depth > hit.t + j->leaf * WRONG_LEAVES;
+	counts->apart += ts_abs(depth - hit.t) > j->leaf * WRONG_LEAVES;
+}
+
+/* Pixel of a view's place k, the same for all methods. */
+static void judge_place(const judge *j, u32 view, u32 k, ts_map_counts *counts)
+{
+	const ts_vpl *light = &j->of.lights[view];
+	const ts_gpixel *pixel = &j->of.pixels[((u64)ts_random(view * PLACES + k, 0, 0) * j->n_pixels) >> 32];
+	if (pixel->depth == TS_SKY) return;
+	ts_v3 from = ts_load3(light->position), p = ts_load3(pixel->position), n = ts_load3(pixel->normal);
+	ts_v3 way = ts_sub(p, from);
+	if (!(ts_k_vpl_form(way, ts_load3(light->normal), n, j->of.near * j->leaf) > 0.0f)) return;
+	bool lit = ts_k_vpl_reaches(&j->of, view, ts_k_paraboloid_texel(way, j->of.n), p, n);
+	bool sees = ts_truth_sees(j->truth, p, from, j->reach);
+	counts->asked++;
+	counts->lit += lit && !sees;
+	counts->dark += !lit && sees;
+}
+
+static ts_map_counts judge_view(const judge *j, u32 view)
+{
+	ts_map_counts counts = {.asked = 0};
+	for (u32 texel = 0; texel < 2 * j->of.n * j->of.n; texel++) judge_texel(j, view, texel, &counts);
+	for (u32 k = 0; k < PLACES; k++) judge_place(j, view, k, &counts);
+	return counts;
+}
+
+static void add(ts_map_counts *sum, const ts_map_counts *counts)
+{
+	sum->covered += counts->covered;
+	sum->holes += counts->holes;
+	sum->leaks += counts->leaks;
+	sum->apart += counts->apart;
+	sum->asked += counts->asked;
+	sum->lit += counts->lit;
+	sum->dark += counts->dark;
+}
+
+ts_status ts_truth_maps(ts_map_counts *counts, const ts_truth *truth, const ts_run *run)
+{
+	judge j = {.truth = truth};
+	if (ts_vpl_gather_ask(run, &j.of) != TS_OK) return TS_ERROR;
+	u32 step = (j.of.n_lights + MOST_VIEWS - 1) / MOST_VIEWS;
+	j.n_pixels = (u64)run->params.width * run->params.height;
+	j.leaf = ts_k_leaf_side(&j.of);
+	j.reach = ts_k_leaf_diagonal(&j.of);
+	j.all = run->plan.views.field == TS_VIEW_FIELD_ALL;
+	ts_map_counts sum = {.asked = 0};
+#pragma omp parallel for num_threads((int)run->c.threads) schedule(dynamic, 4)
+	for (u32 view = 0; view < j.of.n_lights; view += step) {
+		ts_map_counts one = judge_view(&j, view);
+#pragma omp critical(maps)
+		add(&sum, &one);
+	}
+	add(counts, &sum);
+	return TS_OK;
+}

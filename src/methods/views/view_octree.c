@@ -1,0 +1,73 @@
+/* The octree of the views, and the cones of their directions. */
+#include "octree.h"
+#include "../../kernels/views/view_cone.h"
+#include "../../kernels/views/view_octree.h"
+
+const ts_octree ts_view_octree =
+	TS_OCTREE(view_voxel_mask, view_voxel_before, view_octree_level, view_octree_node, view_octree_offset,
+	          view_octree_view, view_nodes, "view");
+
+/* Views in voxels: marked, then counted by leaf, then listed. */
+static const ts_launch marked =
+	TS_LAUNCH(view_voxel, TS_BUT(bits), TS_BUT(before), TS_BUT(leaf), TS_BUT(offset), TS_BUT(entries));
+static const ts_launch counted = TS_LAUNCH(view_leaf, TS_BUT(mask), TS_BUT(entries));
+static const ts_launch listed = TS_LAUNCH(view_list, TS_BUT(mask));
+/* Sums of directions, then the least cosine with them. */
+static const ts_launch of_leaves = TS_LAUNCH(cone_leaf, TS_ALL);
+static const ts_launch of_nodes = TS_LAUNCH(cone_inner, TS_ALL);
+static const ts_launch narrowed = TS_LAUNCH(cone_least, TS_ALL);
+static const ts_launch finished = TS_LAUNCH(cone, TS_ALL);
+
+static ts_status view_voxel(ts_run *run)
+{
+	ts_view_octree_args args = {.levels = run->params.levels};
+	if (TS_RUN(run, &marked, &args, ts_run_size(run, TS_DIM_vpls)) != TS_OK) return TS_ERROR;
+	return ts_octree_ids(run, &ts_view_octree);
+}
+
+static ts_status view_octree(ts_run *run)
+{
+	u64 total, n = ts_run_size(run, TS_DIM_vpls);
+	ts_view_octree_args args = {.levels = run->params.levels};
+	if (ts_octree_nodes(run, &ts_view_octree) != TS_OK) return TS_ERROR;
+	args.first_leaf = ts_octree_first(run, &ts_view_octree, args.levels);
+	if (ts_launch_make(run, &counted, "offset", 1) != TS_OK) return TS_ERROR;
+	if (TS_RUN(run, &counted, &args, n) != TS_OK) return TS_ERROR;
+	if (ts_launch_sum(run, &counted, "offset", &total) != TS_OK) return TS_ERROR;
+	if (TS_RUN(run, &listed, &args, n) != TS_OK) return TS_ERROR;
+	return ts_octree_sort(run, &ts_view_octree);
+}
+
+static ts_status view_cone(ts_run *run)
+{
+	ts_cone_args args;
+	if (TS_FILL(run, &of_leaves, &args) != TS_OK) return TS_ERROR;
+	for (u32 level = run->params.levels + 1; level-- > 0;) {
+		const ts_launch *launch = level == run->params.levels ? &of_leaves : &of_nodes;
+		args.first = ts_octree_first(run, &ts_view_octree, level);
+		u64 n_nodes = ts_octree_first(run, &ts_view_octree, level + 1) - args.first;
+		if (ts_launch_items(run, launch, &args, n_nodes) != TS_OK) return TS_ERROR;
+	}
+	if (ts_launch_items(run, &narrowed, &args, ts_run_size(run, TS_DIM_vpls)) != TS_OK) return TS_ERROR;
+	return ts_launch_items(run, &finished, &args, ts_run_size(run, TS_DIM_view_nodes));
+}
+
+const ts_stage ts_stage_view_voxel = {
+	.name = "view_voxel", .kind = "scatter", .paper = "MegaViews 3.1",
+	.doc = "voxels that views are in, and those above them",
+	.run = view_voxel, .launches = TS_LAUNCHES(&marked, &ts_view_octree.raised, &ts_view_octree.counted),
+};
+
+const ts_stage ts_stage_view_octree = {
+	.name = "view_octree", .kind = "emit", .paper = "MegaViews 3.1",
+	.doc = "the octree of the views, and the views of its leaves",
+	.run = view_octree,
+	.launches = TS_LAUNCHES(&ts_view_octree.levels, &ts_view_octree.nodes, &counted, &listed, &ts_view_octree.sorted),
+};
+
+const ts_stage ts_stage_view_cone = {
+	.name = "view_cone", .kind = "map", .paper = "MegaViews 3.1",
+	.doc = "the cone of the directions of the views in every node",
+	.run = view_cone, .launches = TS_LAUNCHES(&of_leaves, &of_nodes, &narrowed, &finished),
+	.looks_at = TS_BUFFERS(TS_B_view_octree_level),
+};

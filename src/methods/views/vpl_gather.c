@@ -1,0 +1,149 @@
+/* Light from virtual point lights: which nodes of views may light which nodes of the scene, and what pixels gather. */
+#include "../../kernels/views/vpl_gather_margin.h"
+#include "../../kernels/views/vpl_pairs.h"
+#include "octree.h"
+#include "traverse.h"
+
+#define TEXEL_DIAGONAL 1.41421354f /* of its width: places in one texel are no farther apart */
+
+/* Views of the level of gathering, by node of the scene: counted, listed, sorted, and summed up. */
+static const ts_launch counted = TS_LAUNCH(vpl_pairs_count, TS_BUT(nodes), TS_BUT(views));
+static const ts_launch listed = TS_LAUNCH(vpl_pairs_list, TS_ALL);
+static const ts_launch sorted = TS_LAUNCH(leaf_sort, TS_IN(offset, vpl_pairs_offset), TS_OUT(entries, vpl_pairs_node));
+static const ts_launch summed = TS_LAUNCH(vpl_pairs_sum, TS_BUT(pairs));
+static const ts_launch gathered = TS_LAUNCH(vpl_gather, TS_ALL);
+static const ts_launch measured = TS_LAUNCH(vpl_gather_margin, TS_BUT(of.irradiance), TS_BUT(of.n_astray));
+
+u32 ts_gather_level_of(const ts_params *params, u32 field, bool alone)
+{
+	bool culls = field == TS_VIEW_FIELD_HALF || params->cutoff > 0;
+	u32 level = params->gather_level < params->levels ? params->gather_level : params->levels;
+	return alone || !culls ? 0 : level;
+}
+
+u32 ts_gather_level(const ts_run *run)
+{
+	bool alone = ts_octree_first(run, &ts_view_octree, 1) == ts_frame_n(&run->frame, TS_B_view_octree_node);
+	return ts_gather_level_of(&run->params, run->plan.views.field, alone);
+}
+
+ts_status ts_vpl_pairs_arguments(ts_run *run, ts_traverse_args *args)
+{
+	if (ts_traverse_arguments(run, args) != TS_OK) return TS_ERROR;
+	args->last = ts_gather_level(run);
+	args->to_last = args->touching = 1;
+	args->cutoff = run->params.cutoff;
+	return TS_OK;
+}
+
+static ts_status traverse(ts_run *run, ts_traverse_sink *sink, ts_vpl_pairs_args *args)
+{
+	ts_traverse_args how;
+	return ts_vpl_pairs_arguments(run, &how) == TS_OK ? ts_traverse(run, &how, sink, args) : TS_ERROR;
+}
+
+static ts_status count_piece(ts_run *run, ts_traverse_piece *piece, void *user)
+{
+	ts_vpl_pairs_args *args = user;
+	args->pairs = piece->args.queue;
+	return ts_launch_items(run, &counted, args, piece->n);
+}
+
+static ts_status list_piece(ts_run *run, ts_traverse_piece *piece, void *user)
+{
+	ts_vpl_pairs_args *args = user;
+	args->pairs = piece->args.queue;
+	return ts_launch_items(run, &listed, args, piece->n);
+}
+
+static u64 nodes_of(const ts_run *run, const ts_octree *octree, u32 level)
+{
+	return ts_octree_first(run, octree, level + 1) - ts_octree_first(run, octree, level);
+}
+
+/* Where lists begin stands one later while they are written, as in octrees. */
+static ts_status make_lists(ts_run *run, ts_vpl_pairs_args *args, u64 *n)
+{
+	if (ts_launch_make(run, &counted, "offset", 1) != TS_OK || TS_FILL(run, &counted, args) != TS_OK) return TS_ERROR;
+	if (traverse(run, count_piece, args) != TS_OK) return TS_ERROR;
+	if (ts_launch_sum(run, &counted, "offset", n) != TS_OK) return TS_ERROR;
+	if (TS_FILL(run, &listed, args) != TS_OK || traverse(run, list_piece, args) != TS_OK) return TS_ERROR;
+	ts_launch_cut(run, &counted, "offset", 1);
+	return TS_OK;
+}
+
+static ts_status vpl_pairs(ts_run *run)
+{
+	u32 level = ts_gather_level(run);
+	u64 n_lists = nodes_of(run, &ts_scene_octree, level), n_views = nodes_of(run, &ts_view_octree, level), n;
+	ts_vpl_pairs_args args = {.first = ts_octree_first(run, &ts_scene_octree, level)};
+	ts_sort_args sort;
+	if (make_lists(run, &args, &n) != TS_OK || TS_RUN(run, &sorted, &sort, n_lists) != TS_OK) return TS_ERROR;
+	ts_run_count(run, "gather pairs", (i64)n);
+	ts_run_count(run, "gather pairs culled", (i64)(n_lists * n_views - n));
+	return ts_launch_items(run, &summed, &args, n_lists);
+}
+
+static ts_vpl_gather_args values(const ts_run *run)
+{
+	const ts_params *params = &run->params;
+	u32 level = ts_gather_level(run);
+	bool by_plane = params->shadow_test == TS_SHADOW_TEST_PLANE;
+	return (ts_vpl_gather_args){
+		.levels = params->levels,
+		.level = level,
+		.first = ts_octree_first(run, &ts_scene_octree, level),
+		.n_lights = (u32)ts_run_size(run, TS_DIM_vpls),
+		.draws = params->gather_lights,
+		.seed = params->seed,
+		.n = params->view_px,
+		.shadows = params->shadows,
+		.near = params->light_near,
+		.bias = params->light_bias,
+		.bias_px = by_plane ? params->bias * TEXEL_DIAGONAL : params->bias,
+		.bias_slope = by_plane ? 0 : params->bias_slope,
+		.by_plane = by_plane,
+		.bias_plane = params->bias_plane,
+	};
+}
+
+ts_status ts_vpl_gather_ask(const ts_run *run, ts_vpl_gather_args *args)
+{
+	*args = values(run);
+	return TS_ASK(run, &gathered, args);
+}
+
+static ts_status vpl_gather(ts_run *run)
+{
+	ts_vpl_gather_args args = values(run);
+	if (TS_RUN(run, &gathered, &args, (u64)run->params.width * run->params.height) != TS_OK) return TS_ERROR;
+	ts_run_count(run, "pixels in no node", ts_frame_tally(&run->frame, 0));
+	return TS_OK;
+}
+
+static ts_status vpl_gather_margin(ts_run *run)
+{
+	ts_vpl_gather_margin_args args = {.of = values(run)};
+	return TS_RUN(run, &measured, &args, (u64)run->params.width * run->params.height);
+}
+
+const ts_stage ts_stage_vpl_pairs = {
+	.name = "vpl_pairs", .kind = "emit", .paper = "MegaViews 5.1",
+	.doc = "for every node of the scene of one level the nodes of views that may light it",
+	.run = vpl_pairs, .launches = TS_LAUNCHES(TS_TRAVERSE_LAUNCHES, &counted, &listed, &sorted, &summed),
+	.looks_at = TS_BUFFERS(TS_B_octree_level, TS_B_view_octree_level),
+};
+
+const ts_stage ts_stage_vpl_gather = {
+	.name = "vpl_gather", .kind = "map", .paper = "MegaViews 5.1",
+	.doc = "light of some of them at every pixel, if their maps show nothing in between",
+	.run = vpl_gather, .launches = TS_LAUNCHES(&gathered),
+	.looks_at = TS_BUFFERS(TS_B_octree_level, TS_B_view_octree_level),
+};
+
+const ts_stage ts_stage_vpl_gather_margin = {
+	.name = "vpl_gather_margin", .kind = "map", .margin_of = "vpl_gather", .paper = "MegaViews 5.1",
+	.doc = "how near the light of pixels was to that of another list or to other shadows",
+	.run = vpl_gather_margin, .launches = TS_LAUNCHES(&measured),
+	.looks_at = TS_BUFFERS(TS_B_octree_level, TS_B_view_octree_level),
+};

@@ -1,0 +1,56 @@
+/* The rows of records.def: buffers, fields of their elements, what they sum, and what their fields are indices into. */
+#ifndef TS_CORE_TABLE_H
+#define TS_CORE_TABLE_H
+#include "../kernels/base/records.h"
+#include "shape.h"
+
+#define BUFFER(id, name, element, shape, order, key, doc) TS_B_##id,
+typedef enum {
+#include <touchstone/records.def>
+	TS_N_BUFFERS,
+	TS_B_none = TS_N_BUFFERS
+} ts_buffer_id;
+
+/* One BUFFER row. */
+typedef struct {
+	const char *name, *element;
+	size_t element_bytes;
+	const char *shape, *order, *key, *doc;
+} ts_buffer_info;
+extern const ts_buffer_info ts_buffer_table[TS_N_BUFFERS];
+
+const ts_shape *ts_buffer_shape(ts_buffer_id id);
+/* What the first dimension of a buffer counts, if that is one size, or sums before each of it; otherwise
+ * TS_DIM_none. */
+ts_dim ts_buffer_counts(ts_buffer_id id);
+/* The size that the first dimension of a buffer tells, if it is one that parameters do not give; otherwise
+ * TS_DIM_none. */
+ts_dim ts_buffer_tells(ts_buffer_id id);
+
+/* One FIELD row; `record` groups them. */
+typedef struct {
+	const char *record, *type, *name;
+	u32 count;
+	const char *doc;
+} ts_field_info;
+const ts_field_info *ts_field_table(size_t *n);
+
+/* One SUM row; NULL: the buffer has no sums. */
+typedef struct {
+	ts_buffer_id buffer;
+	ts_dim size;
+	const char *what;
+} ts_sum_info;
+const ts_sum_info *ts_sum_table(size_t *n);
+const ts_sum_info *ts_sum_of(ts_buffer_id id);
+
+/* One INDEX row; `of` is what `size` says. */
+typedef struct {
+	ts_buffer_id buffer;
+	const char *field, *size;
+	bool none;
+	ts_axis of;
+} ts_index_info;
+const ts_index_info *ts_index_table(size_t *n);
+
+#endif

@@ -1,0 +1,13 @@
+/* Teacher forcing: each stage of a candidate, given the candidate's own buffers before it. What it had no buffers of is
+ * the reference's. So one early error does not hide whether the stages behind it are right. */
+#ifndef TS_TRACE_FORCED_H
+#define TS_TRACE_FORCED_H
+#include "../compare/compare.h"
+
+/* As ts_compare, but the reference of each buffer is what its stage makes of the candidate's inputs: stages of which the
+ * candidate has outputs are replayed, and its inputs are checked first. Points in the order of their arrival cannot be mixed
+ * with the reference's: a stage that reads or makes points' indices is not judged unless the candidate has them all. */
+ts_status ts_compare_forced(ts_comparison *comparison, const ts_trace *reference, const ts_trace *candidate,
+                            const ts_relaxations *relaxations, u32 threads);
+
+#endif

@@ -1,0 +1,76 @@
+/* Files of one stage's outputs. */
+#include "outputs.h"
+#include <errno.h>
+#include <stdio.h>
+#include <unistd.h>
+#include "../trace/describe.h"
+#include "../trace/producer.h"
+
+/* Gives the file to the disk and closes it. */
+static ts_status finish(FILE *file, const char *path, bool good)
+{
+	good = good && fflush(file) == 0 && fsync(fileno(file)) == 0;
+	int error = errno;
+	bool closed = file == NULL || fclose(file) == 0;
+	if (good && closed) return TS_OK;
+	error = error != 0 ? error : errno;
+	return ts_fail("%s: cannot be written: %s", path, error != 0 ? strerror(error) : "unknown reason");
+}
+
+static ts_status write_buffer(const ts_buffer *buffer, ts_buffer_id id, const char *path, char sha256[TS_DIGEST_BYTES])
+{
+	char header[TS_NPY_HEADER], descr[TS_NPY_DESCR];
+	ts_digest digest;
+	ts_npy_descr(descr, id);
+	size_t header_bytes = ts_npy_header(header, descr, buffer->n_dims, buffer->shape);
+	size_t bytes = (size_t)buffer->n * ts_buffer_table[id].element_bytes;
+	if (ts_digest_begin(&digest) != TS_OK) return TS_ERROR;
+	ts_digest_add(&digest, header, header_bytes);
+	ts_digest_add(&digest, buffer->data, bytes);
+	ts_digest_end(&digest, sha256);
+	errno = 0;
+	FILE *file = fopen(path, "wb");
+	bool good = file != NULL && fwrite(header, 1, header_bytes, file) == header_bytes &&
+	            fwrite(buffer->data, 1, bytes, file) == bytes;
+	return finish(file, path, good);
+}
+
+static ts_status add_buffer(json_t *list, const ts_load *load, ts_buffer_id id, ts_trace_place *place, void *user)
+{
+	char name[TS_EMIT_NAME], sha256[TS_DIGEST_BYTES];
+	const ts_buffer *buffer = &load->run.frame.buffer[id];
+	ts_emit_name(name, load->pipeline, id);
+	const char *path = place(user, name);
+	if (path == NULL || write_buffer(buffer, id, path, sha256) != TS_OK) return TS_ERROR;
+	json_t *shape = json_array();
+	for (u32 i = 0; i < buffer->n_dims; i++) json_array_append_new(shape, json_integer((json_int_t)buffer->shape[i]));
+	json_t *entry = json_pack("{s:s, s:s, s:s, s:o, s:s}", "name", ts_buffer_table[id].name, "file", name, "element",
+	                          ts_buffer_table[id].element, "shape", shape, "sha256", sha256);
+	return json_array_append_new(list, entry) == 0 ? TS_OK : ts_fail("%s: out of memory", path);
+}
+
+ts_status ts_outputs_write(const ts_load *load, const ts_stage *stage, ts_trace_place *place, void *user)
+{
+	json_t *list = json_array();
+	ts_status status = list != NULL ? TS_OK : ts_fail("trace.json: out of memory");
+	for (u32 i = 0; ts_stage_outputs(stage)[i] != TS_N_BUFFERS && status == TS_OK; i++) {
+		status = add_buffer(list, load, ts_stage_outputs(stage)[i], place, user);
+	}
+	const char *path = status == TS_OK ? place(user, "trace.json") : NULL;
+	if (path == NULL) {
+		json_decref(list);
+		return TS_ERROR;
+	}
+	const ts_pipeline *p = load->pipeline;
+	json_t *root =
+		json_pack("{s:s, s:i, s:i, s:s, s:s, s:s, s:s, s:o, s:o, s:o, s:o}", "format", "touchstone-trace", "version",
+	              TS_TRACE_VERSION, "contract", TS_CONTRACT_VERSION, "order", "canonical", "pipeline", p->name,
+	              "effect", p->effect, "replayed", stage->name, "producer", ts_producer(&load->run), "arithmetic",
+	              ts_arithmetic(&load->run), "params", ts_trace_params(&load->run.params), "buffers", list);
+	if (root == NULL) return ts_fail("%s: out of memory", path);
+	errno = 0;
+	FILE *file = fopen(path, "wb");
+	bool good = file != NULL && json_dumpf(root, file, JSON_INDENT(1)) == 0 && fputc('\n', file) != EOF;
+	json_decref(root);
+	return finish(file, path, good);
+}

@@ -1,0 +1,80 @@
+/* One stage alone. */
+#include "replay.h"
+#include <inttypes.h>
+#include "../trace/emit.h"
+
+static const ts_step *find_step(const char *name, const ts_pipeline *pipeline)
+{
+	for (const ts_step *step = ts_pipeline_steps(pipeline); step->stage != NULL; step++) {
+		if (strcmp(step->stage, name) == 0) return step;
+	}
+	return NULL;
+}
+
+const ts_stage *ts_replay_find(const char *name, const ts_pipeline *pipeline, const ts_params *params)
+{
+	const ts_step *step = find_step(name, pipeline);
+	if (step == NULL) {
+		ts_fail("\"%.40s\" is no stage of %s; see: touchstone list stages", name, pipeline->name);
+		return NULL;
+	}
+	if (ts_pipeline_takes(step, params, true)) return ts_stage_find(name);
+	if (params->bounces >= step->least_bounces) {
+		ts_fail("stage %s is not run where points are not stored; it needs buffered=on", name);
+	} else {
+		ts_fail("stage %s is not run with bounces=%" PRIu32 "; it needs %" PRIu32, name, params->bounces,
+		        step->least_bounces);
+	}
+	return NULL;
+}
+
+bool ts_replay_takes(const ts_step *step, const ts_trace *reference)
+{
+	const ts_stage *stage = ts_stage_find(step->stage);
+	bool margins = !step->only_margins || reference->item[ts_stage_outputs(stage)[0]].path != NULL;
+	return margins && ts_pipeline_takes(step, &reference->params, true);
+}
+
+void ts_replay_reads(ts_buffer_id ids[TS_N_BUFFERS + 1], const ts_stage *stage, const ts_pipeline *pipeline,
+                     const ts_params *params)
+{
+	u32 n = 0;
+	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
+		const ts_step *maker = ts_pipeline_maker(pipeline, (ts_buffer_id)id);
+		bool there = ts_emit_is_scene((ts_buffer_id)id) || (maker != NULL && ts_pipeline_takes(maker, params, true));
+		if (there && ts_stage_reads(stage, (ts_buffer_id)id)) ids[n++] = (ts_buffer_id)id;
+	}
+	ids[n] = TS_N_BUFFERS;
+}
+
+ts_status ts_replay_stage(ts_run *run, const ts_stage *stage)
+{
+	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
+		bool made = run->frame.buffer[id].made;
+		if (ts_stage_writes(stage, (ts_buffer_id)id)) {
+			ts_frame_drop(&run->frame, (ts_buffer_id)id);
+		} else if (!made) {
+			ts_frame_borrow(&run->frame, (ts_buffer_id)id, NULL, 0);
+		}
+	}
+	run->arrival = ts_stage_writes(stage, TS_B_splat_depth_index);
+	return ts_run_stage(run, stage);
+}
+
+ts_status ts_replay(ts_load **load, const ts_stage *stage, const ts_trace *reference, const ts_trace *candidate,
+                    u32 threads)
+{
+	ts_buffer_id ids[TS_N_BUFFERS + 1];
+	ts_replay_reads(ids, stage, reference->pipeline, &reference->params);
+	if (ts_load_begin(load, ids, reference, candidate, threads) != TS_OK) {
+		return ts_fail("stage %s: %s", stage->name, ts_error_message());
+	}
+	ts_status status = ts_check(*load, stage);
+	if (status != TS_OK) ts_fail("stage %s: %s", stage->name, ts_error_message());
+	if (status == TS_OK) status = ts_replay_stage(&(*load)->run, stage);
+	if (status != TS_OK) {
+		ts_load_end(*load);
+		*load = NULL;
+	}
+	return status;
+}

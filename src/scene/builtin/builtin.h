@@ -1,0 +1,24 @@
+/* What a built-in scene is made of: it paints its materials, puts its shapes together, and fills up to an exact count.
+ * builtin.c knows them by name. */
+#ifndef TS_SCENE_BUILTIN_H
+#define TS_SCENE_BUILTIN_H
+#include "mesh.h"
+#include "paint.h"
+#include "parts.h"
+
+enum { TS_MAX_PAINTS = 40 };
+
+typedef struct {
+	const ts_paint *paints; /* its materials, in order */
+	u32 n_paints;
+	/* material: indices of the paints in the build. The count must not fall when `detail` rises. */
+	void (*shape)(ts_mesh *mesh, const u32 *material);
+	ts_rug rug; /* made of exactly the triangles that are left; its material is a place in `paints` */
+	/* Of a scene of surfels instead of all that: at most so many, of a radius in spacings. */
+	void (*surfels)(ts_build *build, u32 count, f32 splat_radius);
+	const char *camera; /* what looks if no camera is named; NULL: the circling eye */
+} ts_builtin;
+
+extern const ts_builtin ts_builtin_atrium, ts_builtin_gallery, ts_builtin_dining, ts_builtin_checkerboard;
+
+#endif

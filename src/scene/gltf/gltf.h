@@ -1,0 +1,153 @@
+/* What the gltf_*.cc files share. Internal C++17: every function may throw gltf::error (or std::exception), and only
+ * ts_gltf_load in gltf.cc, the one entry from C, catches. */
+#ifndef TS_SCENE_GLTF_H
+#define TS_SCENE_GLTF_H
+#ifndef __clang__
+#define _Static_assert static_assert /* the kernels' headers are C11 */
+#endif
+#include "../../kernels/base/num.h"
+#include "../numbers.h"
+#include "../place.h"
+#include "../sources.h"
+#include "../surfel.h"
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <tiny_gltf.h>
+#include <utility>
+#include <vector>
+
+namespace gltf {
+
+using bytes = std::vector<unsigned char>;
+
+/* One line: what, where, what would be right; without the file's name. */
+struct error {
+	std::string line;
+};
+[[noreturn]] void fail(const char *format, ...) __attribute__((format(printf, 1, 2)));
+
+/* A name from the file, for a message: in quotes, NULs replaced, cut to 48 bytes. What prints it cleans the rest. */
+std::string quoted(const std::string &name);
+
+/* gltf_file.cc: files. Refuses what is not a regular file and what is longer than `limit` bytes. */
+bytes file_read(const std::string &path, uint64_t limit);
+/* Reads `relative`, a path from path_from_uri, in the folder of the file `base`; nothing outside that folder, by name
+ * or by link, is opened. */
+bytes file_read_beside(const std::string &base, const std::string &relative, uint64_t limit);
+/* The relative path that a URI names; absolute ones, schemes, backslashes, NULs and ways out of the folder are refused.
+ */
+std::string path_from_uri(const std::string &uri, const std::string &where);
+/* Checks a base64 data URI of one of the media types `types` (separated by spaces) and returns the number of bytes it
+ * holds. */
+uint64_t data_uri_check(const std::string &uri, const char *types, const std::string &where);
+
+/* gltf_container.cc: the parts of a .glb, as ranges of the file; a .gltf is JSON as a whole. */
+struct container {
+	size_t json_begin = 0, json_bytes = 0;
+	size_t bin_begin = 0, bin_bytes = 0;
+	bool has_bin = false;
+	size_t trailing_bytes = 0;
+};
+container container_split(const bytes &file, bool expect_glb);
+
+/* gltf_guard.cc: the JSON after strict checks, with nothing but what the loader knows in it: every index is in range,
+ * every type and length is right, every buffer view lies inside its buffer. URIs of buffers are replaced by keys of
+ * `buffers`, URIs of images by keys of `images`; data URIs stay. */
+struct source {
+	std::string path; /* "" is the BIN chunk */
+	uint64_t byte_length;
+};
+struct document {
+	std::string json;
+	std::map<std::string, source> buffers;
+	std::map<std::string, std::string> images;
+	std::set<std::string> notes;
+};
+document guard(const char *text, size_t n, const container &parts);
+
+/* One file being loaded. */
+struct loader {
+	ts_build *build;
+	std::string path;
+	const char *reflector; /* may be NULL */
+	u32 neighbours;        /* that give points without a size one */
+	bytes file;
+	container parts;
+	document doc;
+	tinygltf::Model model;
+	std::set<std::string> notes;
+	uint64_t texel_budget = 0;                  /* what the bytes read so far justify */
+	std::vector<u32> materials;                 /* of the scene, TS_NONE until used */
+	std::map<std::pair<int, bool>, u32> images; /* (image, sRGB) to index in the scene */
+};
+
+/* gltf_accessor.cc: typed, bounds-checked reading. */
+struct view {
+	const unsigned char *data; /* null: zeros */
+	size_t count, stride, item_bytes;
+	int component_type, components;
+	std::vector<uint32_t> sparse_index; /* increasing */
+	const unsigned char *sparse_data;
+	int id; /* for messages */
+	const unsigned char *item(size_t i) const;
+	f32 number(size_t i, int component) const;
+	uint32_t index(size_t i) const;
+};
+enum : unsigned { AS_FLOAT = 1, AS_UNORM = 2, AS_INDEX = 4 };
+/* type: TINYGLTF_TYPE_*, or two of them as alternatives; forms: which component types are allowed. */
+view view_open(const loader &in, int accessor, int type, int other_type, unsigned forms, const std::string &what);
+
+/* gltf_attributes.cc: which attributes of a primitive are read, and where they go. */
+struct form {
+	const char *name;
+	int type, other_type;
+	unsigned forms;
+	size_t offset; /* in floats of a record */
+};
+#define AT(record, field) (offsetof(record, field) / sizeof(f32))
+struct attributes {
+	const form *forms;
+	size_t n_forms;
+	std::map<std::string, view> views;
+	size_t count = 0;
+	template <size_t n> explicit attributes(const form (&list)[n]) : forms(list), n_forms(n) {}
+	void open(loader &in, const tinygltf::Primitive &primitive, const std::string &where);
+	bool has(const char *name) const { return views.count(name) != 0; }
+	/* Writes the fields of item i that the file has. */
+	void read(size_t i, f32 *field) const;
+};
+
+/* gltf_points.cc: a primitive of points as surfels in the mesh's own space. */
+std::vector<ts_surfel> points_decode(loader &in, const tinygltf::Primitive &primitive, const std::string &where);
+
+/* gltf_mesh.cc: one primitive as triangles or surfels in the mesh's own space, and its copies in the world. */
+struct piece {
+	std::vector<ts_surfel> surfels;
+	std::vector<ts_vertex> vertices;
+	std::vector<u32> corners; /* three a triangle */
+	u32 material;
+};
+piece piece_decode(loader &in, const tinygltf::Primitive &primitive, const std::string &where);
+void piece_place(ts_build *build, const piece &piece, const ts_place &place);
+
+/* gltf_material.cc: the index in the scene of material `index` (-1: none). */
+u32 material_build(loader &in, int index);
+/* How many texels a file of so many bytes may decode to, in all. */
+uint64_t texel_budget(uint64_t file_bytes);
+/* Which texture coordinate sets the material reads: bit 0 set 0, bit 1 set 1. */
+unsigned material_uv_sets(const loader &in, int index);
+
+/* gltf_node.cc: walks the scene and builds what it draws. */
+void nodes_walk(loader &in);
+
+/* gltf_light.cc: lights and cameras at nodes. */
+void light_build(loader &in, int light, const ts_place &place);
+void camera_build(loader &in, const tinygltf::Node &node, const ts_place &place);
+
+} // namespace gltf
+
+#endif

@@ -1,0 +1,373 @@
+/* The guard before tinygltf, which checks neither types nor references: the JSON is parsed strictly, held against the
+ * table of gltf_rules.h, and written anew, so that tinygltf reads only what was checked. */
+#include "gltf.h"
+#include "rules.h"
+#include <cstring>
+#include <jansson.h>
+#include <memory>
+
+namespace gltf {
+
+static constexpr int most_depth = 64;
+
+struct checker {
+	document doc;
+	std::map<std::string, std::vector<const rule *>> children; /* by path of the parent */
+	std::map<std::string, size_t> lengths;                     /* of the lists that indices name */
+	void check_object(json_t *object, const std::string &path, const std::string &where);
+	void check_value(json_t *parent, const char *key, json_t *value, const rule &r, const std::string &where);
+	void check_list(json_t *list, const rule &r, const std::string &where);
+	void check_extras(json_t *parent, const char *key, json_t *value, const rule &r, const std::string &where);
+	void check_indices(json_t *list, const rule &r, const std::string &where) const;
+	void check_attributes(json_t *object, const rule &r, const std::string &where) const;
+	json_int_t check_index(json_t *value, const rule &r, const std::string &where) const;
+};
+
+using owned = std::unique_ptr<json_t, void (*)(json_t *)>;
+
+static void check_depth(const char *text, size_t n)
+{
+	int depth = 0;
+	bool in_string = false;
+	for (size_t i = 0; i < n; i++) {
+		if (in_string && text[i] == '\\')
+			i++;
+		else if (text[i] == '"')
+			in_string = !in_string;
+		else if (!in_string && (text[i] == '{' || text[i] == '[') && ++depth > most_depth)
+			fail("JSON nested more than %d deep", most_depth);
+		else if (!in_string && (text[i] == '}' || text[i] == ']'))
+			depth--;
+	}
+}
+
+static owned parse(const char *text, size_t n)
+{
+	json_error_t problem;
+	check_depth(text, n);
+	owned root(json_loadb(text, n, JSON_REJECT_DUPLICATES | JSON_ALLOW_NUL, &problem), json_decref);
+	if (!root) fail("line %d, column %d: %s; JSON is expected", problem.line, problem.column, problem.text);
+	if (!json_is_object(root.get())) fail("the JSON is not an object");
+	return root;
+}
+
+static std::string shown(const json_t *value)
+{
+	std::unique_ptr<char, void (*)(void *)> text(json_dumps(value, JSON_ENCODE_ANY | JSON_COMPACT), free);
+	std::string line = text ? text.get() : "unreadable";
+	return line.size() > 40 ? line.substr(0, 37) + "..." : line;
+}
+
+[[noreturn]] static void refuse(const std::string &where, const json_t *value, const char *expected)
+{
+	fail("%s is %s; %s is expected", where.c_str(), shown(value).c_str(), expected);
+}
+
+/* 3.0 is as good as 3. */
+static bool is_whole(const json_t *value, double low, double high)
+{
+	if (!json_is_number(value)) return false;
+	double x = json_number_value(value);
+	return x >= low && x <= high && x == (double)(json_int_t)x;
+}
+
+static bool is_number(const json_t *value, double low, double high)
+{
+	return json_is_number(value) && json_number_value(value) >= low && json_number_value(value) <= high;
+}
+
+static std::string range_text(const char *what, double low, double high)
+{
+	char text[96];
+	if (high >= most_number)
+		snprintf(text, sizeof text, low <= -most_number ? "%s" : "%s from %.10g", what, low);
+	else
+		snprintf(text, sizeof text, "%s from %.10g to %.10g", what, low, high);
+	return text;
+}
+
+json_int_t checker::check_index(json_t *value, const rule &r, const std::string &where) const
+{
+	size_t n = lengths.at(r.of);
+	if (n == 0) fail("%s is %s; the file has no %s", where.c_str(), shown(value).c_str(), r.of);
+	if (!is_whole(value, 0, (double)n - 1))
+		refuse(where, value, range_text("a whole number", 0, (double)n - 1).c_str());
+	return (json_int_t)json_number_value(value);
+}
+
+static void check_numbers(const json_t *value, const rule &r, const std::string &where)
+{
+	if (!json_is_array(value) || json_array_size(value) != r.n)
+		refuse(where, value, ("an array of " + std::to_string(r.n) + " numbers").c_str());
+	for (size_t i = 0; i < r.n; i++)
+		if (!is_number(json_array_get(value, i), r.low, r.high))
+			refuse(where + "/" + std::to_string(i), json_array_get(value, i),
+				   range_text("a number", r.low, r.high).c_str());
+}
+
+static void check_text(const json_t *value, const rule &r, const std::string &where)
+{
+	if (!json_is_string(value)) refuse(where, value, "a string");
+	if (!r.of) return;
+	std::string word(json_string_value(value), json_string_length(value));
+	std::string all = std::string(" ") + r.of + " ";
+	if (word.find(' ') != std::string::npos || all.find(" " + word + " ") == std::string::npos)
+		refuse(where, value, (std::string("one of ") + r.of).c_str());
+}
+
+static void check_whole(json_t *parent, const char *key, json_t *value, const rule &r, const std::string &where)
+{
+	if (!is_whole(value, r.low, r.high)) refuse(where, value, range_text("a whole number", r.low, r.high).c_str());
+	json_object_set_new(parent, key, json_integer((json_int_t)json_number_value(value)));
+}
+
+void checker::check_list(json_t *list, const rule &r, const std::string &where)
+{
+	size_t i;
+	json_t *item;
+	if (!json_is_array(list) || (r.required && json_array_size(list) == 0))
+		refuse(where, list, r.required ? "an array with something in it" : "an array");
+	json_array_foreach(list, i, item) {
+		std::string place = where + "/" + std::to_string(i);
+		if (!json_is_object(item)) refuse(place, item, "an object");
+		check_object(item, std::string(r.path) + "[]", place);
+	}
+}
+
+void checker::check_indices(json_t *list, const rule &r, const std::string &where) const
+{
+	size_t i;
+	json_t *item;
+	if (!json_is_array(list)) refuse(where, list, "an array");
+	json_array_foreach(list, i, item) {
+		json_array_set_new(list, i, json_integer(check_index(item, r, where + "/" + std::to_string(i))));
+	}
+}
+
+void checker::check_attributes(json_t *object, const rule &r, const std::string &where) const
+{
+	const char *name;
+	json_t *item;
+	void *next;
+	if (!json_is_object(object) || json_object_size(object) == 0) refuse(where, object, "an object with attributes");
+	json_object_foreach_safe(object, next, name, item) {
+		json_object_set_new(object, name, json_integer(check_index(item, r, where + "/" + name)));
+	}
+}
+
+void checker::check_extras(json_t *parent, const char *key, json_t *value, const rule &r, const std::string &where)
+{
+	if (json_is_object(value))
+		check_object(value, r.path, where);
+	else
+		json_object_del(parent, key);
+}
+
+/* Holds a value against its rule. A number that may be written in several ways is stored in one. */
+void checker::check_value(json_t *parent, const char *key, json_t *value, const rule &r, const std::string &where)
+{
+	switch (r.type) {
+	case EXTRAS: check_extras(parent, key, value, r, where); break;
+	case OBJECT:
+		if (!json_is_object(value)) refuse(where, value, "an object");
+		check_object(value, r.of ? r.of : r.path, where);
+		break;
+	case LIST: check_list(value, r, where); break;
+	case TEXT: check_text(value, r, where); break;
+	case FLAG:
+		if (!json_is_boolean(value)) refuse(where, value, "true or false");
+		break;
+	case WHOLE: check_whole(parent, key, value, r, where); break;
+	case NUMBER:
+		if (!is_number(value, r.low, r.high)) refuse(where, value, range_text("a number", r.low, r.high).c_str());
+		break;
+	case NUMBERS: check_numbers(value, r, where); break;
+	case INDEX: json_object_set_new(parent, key, json_integer(check_index(value, r, where))); break;
+	case INDICES: check_indices(value, r, where); break;
+	case ATTRIBUTES: check_attributes(value, r, where); break;
+	case NOTED:
+		doc.notes.insert(r.of);
+		json_object_del(parent, key);
+		break;
+	}
+}
+
+void checker::check_object(json_t *object, const std::string &path, const std::string &where)
+{
+	static const std::vector<const rule *> none;
+	auto found = children.find(path);
+	const std::vector<const rule *> &known = found == children.end() ? none : found->second;
+	size_t prefix = path.empty() ? 0 : path.size() + 1;
+	std::string start = where.empty() ? where : where + "/";
+	const char *key;
+	json_t *value;
+	void *next;
+	json_object_foreach_safe(object, next, key, value) {
+		const rule *match = nullptr;
+		for (const rule *r : known)
+			if (strcmp(r->path + prefix, key) == 0) match = r;
+		if (match)
+			check_value(object, key, value, *match, start + key);
+		else
+			json_object_del(object, key);
+	}
+	for (const rule *r : known)
+		if (r->required && !json_object_get(object, r->path + prefix))
+			fail("%s%s is missing", start.c_str(), r->path + prefix);
+}
+
+/* Extensions: what the file requires must be known, what it uses and is unknown is noted. */
+static void check_extensions(checker &check, const json_t *root)
+{
+	static const std::set<std::string> known = {"KHR_lights_punctual", "KHR_texture_transform", "KHR_materials_unlit",
+												"KHR_materials_emissive_strength"};
+	for (const char *list : {"extensionsRequired", "extensionsUsed"}) {
+		const json_t *names = json_object_get(root, list), *name;
+		size_t i;
+		if (!names) continue;
+		if (!json_is_array(names)) refuse(list, names, "an array of strings");
+		json_array_foreach(names, i, name) {
+			if (!json_is_string(name)) refuse(std::string(list) + "/" + std::to_string(i), name, "a string");
+			std::string text(json_string_value(name), json_string_length(name));
+			if (known.count(text)) continue;
+			if (text == "KHR_materials_pbrSpecularGlossiness") {
+				check.doc.notes.insert("specular-glossiness materials are drawn by their metallic-roughness fallback");
+				continue;
+			}
+			if (list[10] == 'R')
+				fail("the file requires the extension %s, which is not supported", quoted(text).c_str());
+			check.doc.notes.insert("the extension " + quoted(text) + " is not supported and ignored");
+		}
+	}
+}
+
+static size_t list_length(const json_t *parent, const char *key)
+{
+	const json_t *list = parent ? json_object_get(parent, key) : nullptr;
+	if (list && !json_is_array(list)) refuse(key, list, "an array");
+	return list ? json_array_size(list) : 0;
+}
+
+static void measure_lists(checker &check, const json_t *root)
+{
+	for (const char *name : {"scenes", "nodes", "meshes", "accessors", "bufferViews", "buffers", "images", "samplers",
+							 "textures", "materials", "cameras", "skins"})
+		check.lengths[name] = list_length(root, name);
+	const json_t *extensions = json_object_get(root, "extensions");
+	const json_t *punctual = extensions ? json_object_get(extensions, "KHR_lights_punctual") : nullptr;
+	check.lengths["lights"] = list_length(punctual, "lights");
+}
+
+static void check_version(const json_t *root)
+{
+	const json_t *asset = json_object_get(root, "asset");
+	std::string version = json_string_value(json_object_get(asset, "version"));
+	const char *least = json_string_value(json_object_get(asset, "minVersion"));
+	if (version.compare(0, 2, "2.") != 0) fail("asset/version is %s; 2.0 is expected", quoted(version).c_str());
+	if (least && strcmp(least, "2.0") != 0) fail("asset/minVersion is %s; 2.0 is supported", quoted(least).c_str());
+}
+
+static uint64_t whole(const json_t *object, const char *key)
+{
+	const json_t *value = json_object_get(object, key);
+	return value ? (uint64_t)json_integer_value(value) : 0;
+}
+
+static void check_transforms(const json_t *root)
+{
+	const json_t *node;
+	size_t i;
+	json_array_foreach(json_object_get(root, "nodes"), i, node) {
+		for (const char *part : {"translation", "rotation", "scale"})
+			if (json_object_get(node, part) && json_object_get(node, "matrix"))
+				fail("nodes/%zu has both matrix and %s; one of them is expected", i, part);
+	}
+}
+
+/* `lengths` are the buffers' own words for their lengths. */
+static void check_views(const json_t *root, const std::vector<uint64_t> &lengths)
+{
+	const json_t *view;
+	size_t i;
+	json_array_foreach(json_object_get(root, "bufferViews"), i, view) {
+		uint64_t id = whole(view, "buffer"), end = whole(view, "byteOffset") + whole(view, "byteLength");
+		if (end > lengths.at(id))
+			fail("bufferViews/%zu ends at byte %llu; buffer %llu has %llu", i, (unsigned long long)end,
+				 (unsigned long long)id, (unsigned long long)lengths.at(id));
+	}
+}
+
+/* A buffer that holds more than it says is as long as it says, or, as a data URI, as long as it is. */
+static void take_buffer(checker &check, json_t *buffer, size_t i, const container &parts, std::set<std::string> &paths)
+{
+	std::string where = "buffers/" + std::to_string(i) + "/uri", key = "buffer-" + std::to_string(i);
+	const json_t *text = json_object_get(buffer, "uri");
+	uint64_t length = whole(buffer, "byteLength");
+	if (!text) {
+		if (i != 0 || !parts.has_bin) fail("%s is missing and there is no BIN chunk for this buffer", where.c_str());
+		if (length > parts.bin_bytes)
+			fail("buffers/0/byteLength is %llu; the BIN chunk has %zu bytes", (unsigned long long)length,
+				 parts.bin_bytes);
+		check.doc.buffers[key] = {"", length};
+	} else {
+		std::string uri(json_string_value(text), json_string_length(text));
+		if (uri.compare(0, 5, "data:") == 0) {
+			uint64_t held = data_uri_check(uri, "application/octet-stream application/gltf-buffer", where);
+			if (held < length)
+				fail("%s holds %llu bytes; byteLength says %llu", where.c_str(), (unsigned long long)held,
+					 (unsigned long long)length);
+			json_object_set_new(buffer, "byteLength", json_integer((json_int_t)held));
+			return;
+		}
+		std::string path = path_from_uri(uri, where);
+		if (!paths.insert(path).second) fail("%s: %s is a buffer already", where.c_str(), quoted(path).c_str());
+		check.doc.buffers[key] = {path, length};
+	}
+	json_object_set_new(buffer, "uri", json_string(key.c_str()));
+}
+
+static void take_image(checker &check, json_t *image, size_t i)
+{
+	std::string where = "images/" + std::to_string(i), key = "image-" + std::to_string(i);
+	const json_t *text = json_object_get(image, "uri");
+	if (!text == !json_object_get(image, "bufferView")) fail("%s must have either uri or bufferView", where.c_str());
+	if (!text) return;
+	std::string uri(json_string_value(text), json_string_length(text));
+	if (uri.compare(0, 5, "data:") == 0) {
+		data_uri_check(uri, "image/png image/jpeg", where + "/uri");
+		return;
+	}
+	check.doc.images[key] = path_from_uri(uri, where + "/uri");
+	json_object_set_new(image, "uri", json_string(key.c_str()));
+}
+
+document guard(const char *text, size_t n, const container &parts)
+{
+	checker check;
+	owned root = parse(text, n);
+	for (const rule &r : rules) {
+		const char *dot = strrchr(r.path, '.');
+		check.children[dot ? std::string(r.path, dot) : std::string()].push_back(&r);
+	}
+	check_extensions(check, root.get());
+	measure_lists(check, root.get());
+	check.check_object(root.get(), "", "");
+	check_version(root.get());
+	check_transforms(root.get());
+	size_t i;
+	json_t *item;
+	std::set<std::string> paths;
+	std::vector<uint64_t> lengths;
+	json_array_foreach(json_object_get(root.get(), "buffers"), i, item) {
+		lengths.push_back(whole(item, "byteLength"));
+		take_buffer(check, item, i, parts, paths);
+	}
+	json_array_foreach(json_object_get(root.get(), "images"), i, item) take_image(check, item, i);
+	check_views(root.get(), lengths);
+	std::unique_ptr<char, void (*)(void *)> json(json_dumps(root.get(), JSON_COMPACT | JSON_REAL_PRECISION(17)), free);
+	if (!json) fail("no memory for a copy of the JSON");
+	check.doc.json = json.get();
+	return std::move(check.doc);
+}
+
+} // namespace gltf

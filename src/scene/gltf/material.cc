@@ -1,0 +1,177 @@
+/* Materials, textures, samplers and images, glTF 2.0 sections 3.8 and 3.9, KHR_texture_transform, KHR_materials_unlit,
+ * KHR_materials_emissive_strength. Base colour and emissive images are sRGB, the others linear. */
+#include "gltf.h"
+#include "../../kernels/base/texture.h"
+#include <algorithm>
+#include <cstdlib>
+#include <memory>
+#include <touchstone/image.h>
+
+namespace gltf {
+
+/* A byte of a PNG holds at most 1032 bytes of a flat 8-bit image, a byte of a JPEG far fewer texels. */
+static constexpr uint64_t texels_a_byte = 1032, free_texels = 65536, most_texels = 1u << 28,
+						  most_image_bytes = 1u << 30;
+
+uint64_t texel_budget(uint64_t file_bytes) { return std::min(most_texels, free_texels + file_bytes * texels_a_byte); }
+
+static u32 image_build(loader &in, int index, bool srgb)
+{
+	auto known = in.images.find({index, srgb});
+	if (known != in.images.end()) return known->second;
+	const tinygltf::Image &image = in.model.images.at((size_t)index);
+	std::string what = in.path + ": images/" + std::to_string(index);
+	const unsigned char *data = image.image.data();
+	size_t n = image.image.size();
+	bytes external;
+	if (image.bufferView >= 0) {
+		const tinygltf::BufferView &view = in.model.bufferViews.at((size_t)image.bufferView);
+		data = in.model.buffers.at((size_t)view.buffer).data.data() + view.byteOffset;
+		n = view.byteLength;
+	} else if (n == 0) {
+		external = file_read_beside(in.path, in.doc.images.at(image.uri), most_image_bytes);
+		data = external.data();
+		n = external.size();
+		in.texel_budget = std::min(most_texels, in.texel_budget + n * texels_a_byte);
+	}
+	uint8_t *rgba = nullptr;
+	uint32_t width = 0, height = 0;
+	uint64_t limit = std::min(in.texel_budget, free_texels + n * texels_a_byte);
+	if (ts_image_decode(&rgba, &width, &height, data, n, limit, what.c_str()) != TS_OK) throw error{""};
+	std::unique_ptr<uint8_t, void (*)(void *)> owner(rgba, free);
+	in.texel_budget -= (uint64_t)width * height;
+	u32 built = ts_build_image(in.build, rgba, width, height, srgb);
+	in.images[{index, srgb}] = built;
+	return built;
+}
+
+static u32 wrap_mode(int mode, int sampler)
+{
+	switch (mode) {
+	case TINYGLTF_TEXTURE_WRAP_REPEAT: return TS_REPEAT;
+	case TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT: return TS_MIRROR;
+	case TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE: return TS_CLAMP;
+	default: fail("samplers/%d: wrap mode %d; 10497, 33071 or 33648 is expected", sampler, mode);
+	}
+}
+
+static f32 number_at(const tinygltf::Value &object, const char *key, size_t i, f32 otherwise)
+{
+	if (!object.Has(key)) return otherwise;
+	const tinygltf::Value &value = object.Get(key);
+	return ts_number((value.IsArray() ? value.Get(i) : value).GetNumberAsDouble());
+}
+
+static const tinygltf::Value *transform_of(const tinygltf::ExtensionMap &extensions)
+{
+	auto found = extensions.find("KHR_texture_transform");
+	return found == extensions.end() ? nullptr : &found->second;
+}
+
+static int uv_set_of(int tex_coord, const tinygltf::ExtensionMap &extensions)
+{
+	const tinygltf::Value *t = transform_of(extensions);
+	return t && t->Has("texCoord") ? t->Get("texCoord").GetNumberAsInt() : tex_coord;
+}
+
+static u32 slot_build(loader &in, int index, int tex_coord, const tinygltf::ExtensionMap &extensions, bool srgb)
+{
+	if (index < 0) return TS_NONE;
+	const tinygltf::Texture &texture = in.model.textures.at((size_t)index);
+	ts_slot slot = {};
+	if (texture.source < 0) fail("textures/%d has no source; an image is expected", index);
+	if (texture.sampler >= 0) {
+		const tinygltf::Sampler &sampler = in.model.samplers.at((size_t)texture.sampler);
+		slot.wrap[0] = wrap_mode(sampler.wrapS, texture.sampler);
+		slot.wrap[1] = wrap_mode(sampler.wrapT, texture.sampler);
+	}
+	f32 offset[2] = {0.0f, 0.0f}, scale[2] = {1.0f, 1.0f}, rotation = 0.0f;
+	if (const tinygltf::Value *t = transform_of(extensions)) {
+		for (size_t i = 0; i < 2; i++)
+			offset[i] = number_at(*t, "offset", i, 0.0f);
+		for (size_t i = 0; i < 2; i++)
+			scale[i] = number_at(*t, "scale", i, 1.0f);
+		rotation = number_at(*t, "rotation", 0, 0.0f);
+	}
+	ts_number_uv_transform(slot.transform, offset, rotation, scale);
+	slot.uv_set = (u32)uv_set_of(tex_coord, extensions);
+	slot.image = image_build(in, texture.source, srgb);
+	return ts_build_slot(in.build, &slot);
+}
+
+static void take_slots(loader &in, ts_material &m, const tinygltf::Material &from)
+{
+	const auto &pbr = from.pbrMetallicRoughness;
+	const auto &base = pbr.baseColorTexture, &rough = pbr.metallicRoughnessTexture, &emissive = from.emissiveTexture;
+	const auto &normal = from.normalTexture;
+	const auto &occlusion = from.occlusionTexture;
+	m.slot[TS_SLOT_BASE] = slot_build(in, base.index, base.texCoord, base.extensions, true);
+	m.slot[TS_SLOT_METALROUGH] = slot_build(in, rough.index, rough.texCoord, rough.extensions, false);
+	m.slot[TS_SLOT_NORMAL] = slot_build(in, normal.index, normal.texCoord, normal.extensions, false);
+	m.slot[TS_SLOT_OCCLUSION] = slot_build(in, occlusion.index, occlusion.texCoord, occlusion.extensions, false);
+	m.slot[TS_SLOT_EMISSIVE] = slot_build(in, emissive.index, emissive.texCoord, emissive.extensions, true);
+	m.normal_scale = ts_number(normal.scale);
+	m.occlusion = ts_number(occlusion.strength);
+}
+
+static void take_factors(ts_material &m, const tinygltf::Material &from)
+{
+	const auto &pbr = from.pbrMetallicRoughness;
+	f32 emissive[3], strength = 1.0f;
+	auto found = from.extensions.find("KHR_materials_emissive_strength");
+	if (found != from.extensions.end()) strength = number_at(found->second, "emissiveStrength", 0, 1.0f);
+	for (size_t i = 0; i < 4; i++)
+		m.base[i] = ts_number(pbr.baseColorFactor.at(i));
+	for (size_t i = 0; i < 3; i++)
+		emissive[i] = ts_number(from.emissiveFactor.at(i));
+	ts_number_scale3(m.emissive, emissive, strength);
+	m.metallic = ts_number(pbr.metallicFactor);
+	m.roughness = ts_number(pbr.roughnessFactor);
+}
+
+static void take_flags(loader &in, ts_material &m, const tinygltf::Material &from)
+{
+	if (from.doubleSided) m.flags |= TS_DOUBLE_SIDED;
+	if (from.extensions.count("KHR_materials_unlit")) m.flags |= TS_UNLIT;
+	if (from.alphaMode == "MASK") {
+		m.flags |= TS_MASKED;
+		m.alpha_cutoff = ts_number(from.alphaCutoff);
+	}
+	if (from.alphaMode == "BLEND") {
+		m.flags |= TS_MASKED;
+		m.alpha_cutoff = 0.5f;
+		in.notes.insert("the blended material " + quoted(from.name) + " is drawn as a mask with cutoff 0.5");
+	}
+}
+
+u32 material_build(loader &in, int index)
+{
+	if (index < 0) return TS_NONE;
+	u32 &place = in.materials.at((size_t)index);
+	if (place != TS_NONE) return place;
+	const tinygltf::Material &from = in.model.materials.at((size_t)index);
+	ts_material m = ts_material_default();
+	take_factors(m, from);
+	take_flags(in, m, from);
+	take_slots(in, m, from);
+	place = ts_build_material(in.build, &m);
+	return place;
+}
+
+unsigned material_uv_sets(const loader &in, int index)
+{
+	unsigned sets = 0;
+	if (index < 0) return sets;
+	const tinygltf::Material &m = in.model.materials.at((size_t)index);
+	auto add = [&sets](const auto &info) {
+		if (info.index >= 0) sets |= 1u << uv_set_of(info.texCoord, info.extensions);
+	};
+	add(m.pbrMetallicRoughness.baseColorTexture);
+	add(m.pbrMetallicRoughness.metallicRoughnessTexture);
+	add(m.normalTexture);
+	add(m.occlusionTexture);
+	add(m.emissiveTexture);
+	return sets;
+}
+
+} // namespace gltf

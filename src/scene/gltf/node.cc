@@ -1,0 +1,166 @@
+/* The scene graph, glTF 2.0 section 3.5: walked from its roots without recursion, parents before children, children in
+ * order. Every instance of a mesh becomes triangles of its own in world space. */
+#include "gltf.h"
+#include "../../model/core.h"
+
+namespace gltf {
+
+static constexpr uint64_t most_items = 1u << 28; /* triangles or vertices of a scene */
+
+struct visit {
+	int node;
+	ts_place parent;
+	bool leave; /* the reflector that began at this node ends */
+};
+
+struct walker {
+	loader &in;
+	std::vector<unsigned> uses; /* of each mesh by nodes still to come */
+	std::map<int, std::vector<piece>> pieces;
+	std::vector<visit> stack;
+	uint64_t n_triangles = 0, n_vertices = 0, n_surfels = 0, reflector_start = 0;
+	bool in_reflector = false;
+	unsigned n_reflectors = 0;
+	void enter(const visit &from);
+	void draw(int mesh, const ts_place &place);
+	void begin_reflector(const visit &from);
+	void end_reflector(int node);
+};
+
+static std::string where_of(int node) { return "nodes/" + std::to_string(node); }
+
+/* The nodes that the scene reaches form a tree if no node is listed twice. */
+static const std::vector<int> &check_tree(const loader &in)
+{
+	static const std::vector<int> none;
+	std::vector<bool> listed(in.model.nodes.size());
+	size_t scene = in.model.defaultScene < 0 ? 0 : (size_t)in.model.defaultScene;
+	const std::vector<int> &roots = in.model.scenes.empty() ? none : in.model.scenes.at(scene).nodes;
+	auto list = [&listed](const std::vector<int> &nodes) {
+		for (int node : nodes) {
+			if (listed.at((size_t)node))
+				fail("%s has several parents or is a child and a root", where_of(node).c_str());
+			listed[(size_t)node] = true;
+		}
+	};
+	list(roots);
+	for (const tinygltf::Node &node : in.model.nodes)
+		list(node.children);
+	return roots;
+}
+
+static ts_place place_of(const tinygltf::Node &node, int index)
+{
+	f32 matrix[16], translation[3] = {0.0f, 0.0f, 0.0f}, rotation[4] = {0.0f, 0.0f, 0.0f, 1.0f};
+	f32 scale[3] = {1.0f, 1.0f, 1.0f};
+	for (size_t i = 0; i < node.matrix.size(); i++)
+		matrix[i] = ts_number(node.matrix[i]);
+	for (size_t i = 0; i < node.translation.size(); i++)
+		translation[i] = ts_number(node.translation[i]);
+	for (size_t i = 0; i < node.rotation.size(); i++)
+		rotation[i] = ts_number(node.rotation[i]);
+	for (size_t i = 0; i < node.scale.size(); i++)
+		scale[i] = ts_number(node.scale[i]);
+	bool turns = rotation[0] != 0.0f || rotation[1] != 0.0f || rotation[2] != 0.0f || rotation[3] != 0.0f;
+	if (!turns)
+		fail("%s/rotation is a quaternion of length 0; 0 0 0 1 stands for no rotation", where_of(index).c_str());
+	if (node.matrix.empty()) return ts_place_from_trs(translation, rotation, scale);
+	if (matrix[3] != 0.0f || matrix[7] != 0.0f || matrix[11] != 0.0f || matrix[15] != 1.0f)
+		fail("%s/matrix: the last row must be 0 0 0 1", where_of(index).c_str());
+	return ts_place_from_matrix(matrix);
+}
+
+void walker::draw(int mesh, const ts_place &place)
+{
+	const tinygltf::Mesh &from = in.model.meshes.at((size_t)mesh);
+	std::string where = "meshes/" + std::to_string(mesh) + "/primitives/";
+	auto entry = pieces.emplace(mesh, std::vector<piece>());
+	std::vector<piece> &list = entry.first->second;
+	for (size_t i = 0; entry.second && i < from.primitives.size(); i++)
+		list.push_back(piece_decode(in, from.primitives[i], where + std::to_string(i)));
+	for (const piece &p : list) {
+		n_triangles += p.corners.size() / 3;
+		n_vertices += p.vertices.size();
+		n_surfels += p.surfels.size();
+	}
+	uint64_t size = n_triangles * sizeof(ts_triangle) + n_vertices * sizeof(ts_vertex) + n_surfels * sizeof(ts_surfel);
+	if (n_triangles > most_items || n_vertices > most_items || n_surfels > most_items || size > ts_memory_total() / 3)
+		fail("%s: more than %llu triangles or points or a third of this machine's memory, instances counted",
+			 ("meshes/" + std::to_string(mesh)).c_str(), (unsigned long long)most_items);
+	for (const piece &p : list)
+		piece_place(in.build, p, place);
+	if (--uses.at((size_t)mesh) == 0) pieces.erase(mesh);
+}
+
+static bool is_marked(const loader &in, const tinygltf::Node &node)
+{
+	if (in.reflector) return node.name == in.reflector;
+	return node.extras.IsObject() && node.extras.Has("reflector") && node.extras.Get("reflector").Get<bool>();
+}
+
+void walker::begin_reflector(const visit &from)
+{
+	ts_object object = {};
+	ts_build_object(in.build, &object, true);
+	in_reflector = true;
+	reflector_start = n_triangles;
+	n_reflectors++;
+	stack.push_back({from.node, from.parent, true});
+}
+
+void walker::end_reflector(int node)
+{
+	if (n_triangles == reflector_start)
+		fail("%s: the reflector %s has no triangles", where_of(node).c_str(),
+			 quoted(in.model.nodes.at((size_t)node).name).c_str());
+	ts_build_object(in.build, nullptr, false);
+	in_reflector = false;
+}
+
+void walker::enter(const visit &from)
+{
+	const tinygltf::Node &node = in.model.nodes.at((size_t)from.node);
+	ts_place local = place_of(node, from.node);
+	ts_place place = ts_place_compose(&from.parent, &local);
+	if (!ts_place_is_sane(&place))
+		fail("%s: a number of its world matrix is beyond 16777216", where_of(from.node).c_str());
+	if (!in_reflector && is_marked(in, node)) begin_reflector(from);
+	if (node.mesh >= 0) draw(node.mesh, place);
+	if (node.camera >= 0) camera_build(in, node, place);
+	auto light = node.extensions.find("KHR_lights_punctual");
+	if (light != node.extensions.end()) light_build(in, light->second.Get("light").GetNumberAsInt(), place);
+	for (size_t i = node.children.size(); i-- > 0;)
+		stack.push_back({node.children[i], place, false});
+}
+
+static void fail_unknown_reflector(const loader &in)
+{
+	std::string names;
+	unsigned n = 0;
+	for (const tinygltf::Node &node : in.model.nodes)
+		if (!node.name.empty() && n++ < 5) names += (n > 1 ? ", " : "") + quoted(node.name);
+	fail("no node of the scene is named %s; there are %u names%s%s%s", quoted(in.reflector).c_str(), n, n ? ": " : "",
+		 names.c_str(), n > 5 ? ", ..." : "");
+}
+
+void nodes_walk(loader &in)
+{
+	walker walk{in, std::vector<unsigned>(in.model.meshes.size()), {}, {}};
+	const std::vector<int> &roots = check_tree(in);
+	if (in.model.scenes.empty()) in.notes.insert("the file has no scene: nothing is drawn");
+	for (const tinygltf::Node &node : in.model.nodes)
+		if (node.mesh >= 0) walk.uses.at((size_t)node.mesh)++;
+	for (size_t i = roots.size(); i-- > 0;)
+		walk.stack.push_back({roots[i], ts_place_identity(), false});
+	while (!walk.stack.empty() && !ts_build_failed(in.build)) {
+		visit next = walk.stack.back();
+		walk.stack.pop_back();
+		if (next.leave)
+			walk.end_reflector(next.node);
+		else
+			walk.enter(next);
+	}
+	if (in.reflector && walk.n_reflectors == 0) fail_unknown_reflector(in);
+}
+
+} // namespace gltf

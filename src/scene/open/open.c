@@ -1,0 +1,60 @@
+/* Opening a scene: which source makes it, the reflectors that are added, the checks. */
+#include "../../model/core.h"
+#include "../sources.h"
+#include <errno.h>
+#include <sys/stat.h>
+
+static bool has_suffix(const char *text, const char *suffix)
+{
+	size_t n = strlen(text), m = strlen(suffix);
+	if (n <= m) return false;
+	for (size_t i = 0; i < m; i++) {
+		char c = text[n - m + i];
+		if ((c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c) != suffix[i]) return false;
+	}
+	return true;
+}
+
+static void file_load(ts_build *build, const char *path, const char *reflector, const ts_params *params)
+{
+	if (!has_suffix(path, ".ply"))
+		ts_gltf_load(build, path, reflector, params->neighbours);
+	else if (reflector)
+		ts_build_fail(build, "%s: reflector %s: .ply files have no named nodes", path, reflector);
+	else
+		ts_ply_load(build, path, params->neighbours);
+}
+
+static ts_status file_check(const char *path)
+{
+	struct stat info;
+	char names[128];
+	bool is_known = has_suffix(path, ".gltf") || has_suffix(path, ".glb") || has_suffix(path, ".ply");
+	ts_builtin_names(names, sizeof names);
+	if (!is_known && !strchr(path, '/') && stat(path, &info) != 0)
+		return ts_fail("%s: no such scene; built in are %s, files end in .gltf, .glb or .ply", path, names);
+	if (stat(path, &info) != 0)
+		return ts_fail("%s: %s; a .gltf, .glb or .ply file or a built-in scene is needed", path, strerror(errno));
+	if (S_ISDIR(info.st_mode)) return ts_fail("%s: is a directory; name the .gltf, .glb or .ply file inside it", path);
+	if (!S_ISREG(info.st_mode)) return ts_fail("%s: not a regular file; a .gltf, .glb or .ply file is needed", path);
+	if (!is_known) return ts_fail("%s: the name of a scene's file must end in .gltf, .glb or .ply", path);
+	return TS_OK;
+}
+
+ts_status ts_scene_open(ts_scene **scene, const char *spec, const ts_params *params, const ts_scene_options *options)
+{
+	const char *camera = options ? options->camera : NULL;
+	const char *reflector = options ? options->reflector : NULL;
+	bool builtin = ts_builtin_is(spec);
+	*scene = NULL;
+	if (builtin && reflector)
+		return ts_fail("%s: reflector %s: built-in scenes have no named nodes; use a file", spec, reflector);
+	if (builtin) return ts_builtin_open(scene, spec, params, camera);
+	if (file_check(spec) != TS_OK) return TS_ERROR;
+	ts_build *build = ts_build_new(spec);
+	if (!build) return TS_ERROR;
+	file_load(build, spec, reflector, params);
+	ts_ground_add(build, params);
+	ts_reflectors_add(build, params, camera);
+	return ts_build_finish(build, params, camera, scene);
+}

@@ -1,0 +1,139 @@
+/* One scene with one number of mirrors or lights, by several methods that take turns: whatever else the machine does
+ * meets all alike. */
+#include <math.h>
+#include <touchstone/image.h>
+#include "../kernels/base/num.h"
+#include "bench_case.h"
+#include "truths.h"
+#include "words.h"
+
+/* Whose image is taken. */
+typedef struct {
+	ts_bench_case *c;
+	u32 variant;
+} seen;
+
+static bool has_default(const ts_params *params, const char *name)
+{
+	char here[64], there[64];
+	size_t n, row = 0;
+	ts_params defaults;
+	const ts_param_info *table = ts_param_table(&n);
+	while (row + 1 < n && strcmp(table[row].name, name) != 0) row++;
+	ts_params_default(&defaults);
+	ts_params_format(params, row, here, sizeof here);
+	ts_params_format(&defaults, row, there, sizeof there);
+	return strcmp(here, there) == 0;
+}
+
+static ts_status set(ts_params *params, const char *list, bool defaults)
+{
+	char item[64];
+	ts_status status = TS_OK;
+	if (list[0] == 0) list = NULL;
+	while (status == TS_OK && ts_words_item(&list, item, sizeof item)) {
+		char *value = strchr(item, '=');
+		*value = 0;
+		if (!defaults || has_default(params, item)) status = ts_params_set(params, item, value + 1);
+	}
+	return status;
+}
+
+ts_status ts_bench_set(ts_params *params, const char *list) { return set(params, list, false); }
+ts_status ts_bench_set_defaults(ts_params *params, const char *list) { return set(params, list, true); }
+
+ts_status ts_bench_case_params(ts_params *params, const ts_bench_case *c, u32 variant)
+{
+	*params = c->params;
+	return ts_bench_set(params, c->variants[variant].set);
+}
+
+/* Again with surfels if it has none and needs some. */
+static ts_status open_scene(ts_bench_case *c)
+{
+	ts_status status = ts_scene_open(&c->scene, c->spec, &c->params, &c->job->scene);
+	if (status != TS_OK || c->sampled == 0 || c->scene->n_surfels > 0) return status;
+	ts_scene_free(c->scene);
+	c->scene = NULL;
+	c->params.from_mesh = c->sampled;
+	return ts_scene_open(&c->scene, c->spec, &c->params, &c->job->scene);
+}
+
+ts_status ts_bench_case_open(ts_bench_case *c, const char *spec, const ts_params *params)
+{
+	u32 truths = c->judge != NULL ? ts_truth_bit(c->judge) : 0;
+	c->spec = spec;
+	c->params = *params;
+	ts_status status = open_scene(c);
+	for (u32 v = 0; status == TS_OK && c->variants[v].method != NULL; v++) {
+		ts_params own;
+		ts_estimate estimate;
+		c->n_variants++;
+		c->methods[v] = ts_pipeline_find(c->effect, c->variants[v].method);
+		if (c->methods[v] != NULL && c->methods[v]->only_named && c->hurried) c->methods[v] = NULL;
+		if (c->methods[v] == NULL) continue;
+		status = ts_bench_case_params(&own, c, v);
+		if (status == TS_OK) status = ts_measure_estimate(&estimate, &c->methods[v], 1, truths, c->scene, &own);
+	}
+	return status;
+}
+
+/* NAN without maps. */
+static double empty_share(const ts_run *run)
+{
+	if (!run->frame.buffer[TS_B_fuse_depth].made) return NAN;
+	const u32 *depth = ts_frame_data(&run->frame, TS_B_fuse_depth);
+	const ts_node *node = ts_frame_data(&run->frame, TS_B_view_octree_node);
+	u64 n = ts_frame_n(&run->frame, TS_B_view_octree_node), all = 0, empty = 0;
+	u64 n_texels = (u64)2 * run->params.view_px * run->params.view_px;
+	for (u64 i = 0; i < n; i++) {
+		if (node[i].children != 0) continue;
+		for (u64 k = 0; k < n_texels; k++) empty += depth[i * n_texels + k] == TS_NONE;
+		all += n_texels;
+	}
+	return (double)empty / (double)all;
+}
+
+/* With the truth that starts from the run. */
+static ts_status take_image(ts_run *run, void *user)
+{
+	seen *s = user;
+	ts_bench_case *c = s->c;
+	const ts_pipeline *method = c->methods[s->variant];
+	ts_status status = ts_picture_take(&c->images[s->variant], method->name, run);
+	c->empty[s->variant] = empty_share(run);
+	bool judges = c->judge != NULL && c->truth.srgb == NULL && ts_truth_starts_from(c->judge, method);
+	return status == TS_OK && judges ? ts_picture_truth(&c->truth, c->judge, run) : status;
+}
+
+static ts_status run_variant(ts_bench_case *c, u32 v, bool first)
+{
+	ts_params params;
+	seen s = { c, v };
+	bool takes = first && c->variants[v].seen;
+	if (ts_bench_case_params(&params, c, v) != TS_OK) return TS_ERROR;
+	ts_how how = c->job->how;
+	if (c->variants[v].runs == TS_ALONE) how.threads = 1;
+	c->measures[v] = (ts_measure){ .pictures = NULL };
+	return ts_measure_run(&c->measures[v], c->methods[v], c->scene, &params, &how, takes ? take_image : NULL, &s);
+}
+
+ts_status ts_bench_case_run(ts_bench_case *c, u32 run)
+{
+	ts_status status = TS_OK;
+	for (u32 v = 0; status == TS_OK && v < c->n_variants; v++) {
+		bool runs = c->methods[v] != NULL && (run == 0 || c->variants[v].runs != TS_ONCE);
+		if (runs) status = run_variant(c, v, run == 0);
+	}
+	if (status == TS_OK && run == 0 && c->judge != NULL && c->judge->radiance != NULL) {
+		status = ts_picture_truth_alone(&c->truth, c->judge, c->scene, &c->params, c->job->how.threads);
+	}
+	return status;
+}
+
+void ts_bench_case_close(ts_bench_case *c)
+{
+	for (u32 v = 0; v < c->n_variants; v++) ts_picture_free(&c->images[v]);
+	ts_picture_free(&c->truth);
+	ts_scene_free(c->scene);
+}

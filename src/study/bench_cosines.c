@@ -1,0 +1,137 @@
+/* `bench ssagh-7`: the error of each way to integrate a spherical Gaussian with the cosine, over all angles between the two;
+ * SSAGH's figure 7. Quadrature and methods are the kernels', in single precision: errors below 1e-6 are its rounding. */
+#include <math.h>
+#include "../kernels/hulls/gaussian.h"
+#include "bench.h"
+
+enum { N_SHARP = 61, N_ANGLES = 181, N_METHODS = 3, DOT_STEP = 3 };
+
+static const char *const methods[N_METHODS] = {
+	[TS_COSINE_IS_OURS] = "SSAGH (eqs 15 to 18)",
+	[TS_COSINE_IS_CONSTANT] = "constant cosine (eq 7)",
+	[TS_COSINE_IS_SG] = "cosine as a Gaussian (eq 8)",
+};
+
+/* Of one sharpness: the root of the mean squared error, of all angles alike and by solid angle. */
+typedef struct {
+	f32 lambda;
+	double alike[N_METHODS], solid[N_METHODS];
+} errors;
+
+/* What a greatest error must be within 2 %: in double precision, apart from this program, and in the paper. */
+typedef struct {
+	u32 method;
+	bool solid;
+	double right;
+	const char *paper;
+} claim;
+
+static const claim claims[] = {
+	{ TS_COSINE_IS_CONSTANT, true, 4.056, "up to 4" },
+	{ TS_COSINE_IS_SG, false, 0.1319, "" },
+	{ TS_COSINE_IS_OURS, false, 4.722e-3, "" },
+};
+
+static const ts_column columns[] = { { "lambda", "lambda", true }, { "ssagh", "SSAGH", true },
+	{ "constant", "constant", true }, { "gaussian", "Gaussian", true }, { "ssagh_solid", "by solid angle: SSAGH", true },
+	{ "constant_solid", "constant", true }, { "gaussian_solid", "Gaussian", true }, { 0 } };
+
+static const ts_column claim_columns[] = { { "what", "greatest RMSE of", false }, { "lambda", "at lambda", true },
+	{ "here", "here", true }, { "double", "in doubles", true }, { "paper", "paper", false },
+	{ "verdict", "verdict", false }, { 0 } };
+
+static errors compare(f32 lambda)
+{
+	errors r = { .lambda = lambda };
+	double sines = 0;
+	for (u32 k = 0; k < N_ANGLES; k++) {
+		f32 turn = (f32)k / (2 * (N_ANGLES - 1)), c = ts_cos_turn(turn);
+		double right = ts_k_sg_cosine(lambda, c, TS_COSINE_IS_QUADRATURE, 0), sine = ts_sin_turn(turn);
+		for (u32 m = 0; m < N_METHODS; m++) {
+			double d = ts_k_sg_cosine(lambda, c, m, 0) - right;
+			r.alike[m] += d * d;
+			r.solid[m] += sine * d * d;
+		}
+		sines += sine;
+	}
+	for (u32 m = 0; m < N_METHODS; m++) {
+		r.alike[m] = sqrt(r.alike[m] / N_ANGLES);
+		r.solid[m] = sqrt(r.solid[m] / sines);
+	}
+	return r;
+}
+
+static void report_rows(ts_report *report, const errors *rows)
+{
+	ts_table t = ts_table_begin("ssagh_7", "SSAGH, figure 7: RMSE to quadrature, amplitude 1", columns);
+	for (u32 i = 0; i < N_SHARP; i++) {
+		ts_table_real(&t, rows[i].lambda, 6);
+		for (u32 m = 0; m < N_METHODS; m++) ts_table_real(&t, rows[i].alike[m], 8);
+		for (u32 m = 0; m < N_METHODS; m++) ts_table_real(&t, rows[i].solid[m], 8);
+	}
+	ts_report_table(report, &t);
+}
+
+static void claim_row(ts_table *t, const claim *c, const errors *rows)
+{
+	char what[80];
+	u32 at = 0;
+	double most = 0;
+	for (u32 i = 0; i < N_SHARP; i++) {
+		double error = c->solid ? rows[i].solid[c->method] : rows[i].alike[c->method];
+		at = error > most ? i : at;
+		most = error > most ? error : most;
+	}
+	snprintf(what, sizeof what, "%s%s", methods[c->method], c->solid ? ", by solid angle" : "");
+	ts_table_text(t, what);
+	ts_table_real(t, rows[at].lambda, 5);
+	ts_table_real(t, most, 5);
+	ts_table_real(t, c->right, 5);
+	ts_table_text(t, c->paper);
+	ts_table_text(t, fabs(most / c->right - 1) <= 0.02 ? "within 2 %" : "differs");
+}
+
+static void report_claims(ts_report *report, const errors *rows)
+{
+	ts_table t = ts_table_begin("claims", "What must hold", claim_columns);
+	u32 n_least = 0;
+	for (u32 k = 0; k < sizeof claims / sizeof claims[0]; k++) claim_row(&t, &claims[k], rows);
+	ts_report_table(report, &t);
+	for (u32 i = 0; i < N_SHARP; i++) {
+		const double *e = rows[i].alike, *s = rows[i].solid;
+		n_least += e[0] < e[1] && e[0] < e[2] && s[0] < s[1] && s[0] < s[2];
+	}
+	ts_report_line(report, "SSAGH has the least error at %u of %d sharpnesses: %s", (unsigned)n_least, N_SHARP,
+	               n_least == N_SHARP ? "holds" : "differs");
+	ts_report_value(report, "least_at", json_integer(n_least));
+}
+
+static ts_status plot(const errors *rows)
+{
+	ts_plot_point points[2 * N_METHODS * N_SHARP];
+	ts_plot p = { .title = "SSAGH, figure 7. Lines: all angles alike; dots: by solid angle", .x_axis = "lambda",
+		.y_axis = "RMSE over the angle", .curves = { methods[0], methods[1], methods[2] }, .n_curves = N_METHODS,
+		.points = points };
+	for (u32 m = 0; m < N_METHODS; m++) {
+		for (u32 i = 0; i < N_SHARP; i++) {
+			double lambda = rows[i].lambda;
+			points[p.n_points++] = (ts_plot_point){ m, NULL, lambda, rows[i].alike[m], false };
+			if (i % DOT_STEP == 0) points[p.n_points++] = (ts_plot_point){ m, "", lambda, rows[i].solid[m], true };
+		}
+	}
+	return ts_bench_plot("ssagh_7.svg", &p);
+}
+
+static ts_status work_on(const ts_job *job, ts_report *report, const void *user)
+{
+	(void)user;
+	errors rows[N_SHARP];
+	for (u32 i = 0; i < N_SHARP; i++) rows[i] = compare((f32)(1e-5 * pow(700 / 1e-5, (double)i / (N_SHARP - 1))));
+	ts_report_run(report, job);
+	report_rows(report, rows);
+	report_claims(report, rows);
+	ts_bench_printed(report);
+	return job->output.dir != NULL ? plot(rows) : TS_OK;
+}
+
+ts_status ts_bench_cosines(const ts_job *job) { return ts_bench_with_report(job, work_on, NULL); }

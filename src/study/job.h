@@ -1,0 +1,54 @@
+/* What is asked of a render or a measurement: what it shows, how it runs, and what it leaves. */
+#ifndef TS_CLI_JOB_H
+#define TS_CLI_JOB_H
+#include <touchstone/params.h>
+#include <touchstone/scene.h>
+#include "../methods/stage.h"
+
+enum { TS_MAX_SWEEPS = 8, TS_SWEEP_TEXT = 48 };
+
+/* Parameters of which several values were said: every combination is rendered. */
+typedef struct {
+	char name[TS_SWEEP_TEXT];
+	const char *values; /* separated by commas */
+	u32 n;
+} ts_swept;
+typedef struct { ts_swept swept[TS_MAX_SWEEPS]; u32 n; } ts_sweep;
+
+/* Files and text. */
+typedef struct {
+	const char *dir;              /* NULL: not said */
+	bool force;                   /* replace what an earlier run wrote there */
+	bool no_images;
+	bool json;                    /* one object instead of text */
+	bool trace, margins, viewer;
+	const char *trace_only, *crop; /* NULL: all; either is a trace, too */
+} ts_output;
+
+/* Strings are NULL if nothing was said. */
+typedef struct {
+	const char *program;          /* its name */
+	const ts_backend_kind *const *backends; /* that it has, the reference first, ended by NULL */
+	const char *effect;
+	const char *method;           /* names */
+	bool judged;                  /* by the truths of the names `truth`, or by all */
+	const char *truth;
+	u32 truths;                   /* of a render: what these are, bits of rows of ts_truth_table */
+	ts_params params;
+	bool sized, mirrored;         /* the parameters' size was said; how many mirrors */
+	ts_sweep sweep;
+	const char *scenes, *objects; /* specs, of a render one; objects of a table */
+	ts_scene_options scene;
+	u32 runs;                     /* of which the median is taken; 0: as the table has it */
+	ts_how how;                   /* its backend is opened before */
+	const ts_backend_kind *backend;
+	ts_backend_options device;    /* of the backend */
+	bool backend_named, device_named; /* they were said */
+	bool require;                 /* the device must be there */
+	double open_s;                /* that opening it took, its arithmetic checked */
+	ts_output output;
+	char *const *typed;           /* the options, as a process of its own takes them */
+	u32 n_typed;
+} ts_job;
+
+#endif

@@ -1,0 +1,217 @@
+/* Running a method and keeping what is worth telling. */
+#include <stdio.h>
+#include <stdlib.h>
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
+#include "../methods/stages.h"
+#include "measure.h"
+#include "viewer.h"
+
+static void measure_faces(ts_measure *m, const ts_frame *frame)
+{
+	const ts_face *faces = ts_frame_data(frame, TS_B_resize_face);
+	u64 n = ts_frame_n(frame, TS_B_resize_face), sum = 0;
+	m->n_in_sight = 0;
+	for (u64 r = 0; r < n; r++) {
+		sum += faces[r].n;
+		m->n_in_sight += faces[r].n > 0;
+	}
+	m->mean_diameter = m->n_in_sight > 0 ? (double)sum / m->n_in_sight : 0;
+}
+
+/* Pipelines that work in batches show their own progress. */
+static void show_progress(const ts_run *run, const ts_stage *stage, const char *method)
+{
+	char label[64];
+	u64 done = 0, total = 0;
+	while (ts_stage_table[done++] != stage) continue;
+	while (ts_stage_table[total] != NULL) total++;
+	if (run->n_units == run->plan.units) {
+		snprintf(label, sizeof label, "%s, after %s", method, stage->name);
+		ts_progress(label, done, total);
+	}
+}
+
+/* Rays through the texels of what the stage wrote, if they can judge it. */
+static ts_status judge_texels(ts_measure *m, const ts_run *run, const ts_stage *stage)
+{
+	for (const ts_buffer_id *at = ts_stage_outputs(stage); *at != TS_N_BUFFERS; at++) {
+		ts_buffer_id id = *at;
+		bool triangles = run->frame.buffer[TS_B_pose_vertex].made;
+		if (!ts_truth_judges(id) || !triangles || !run->frame.buffer[id].made) continue;
+		if (m->tree == NULL && ts_truth_new(&m->tree, run) != TS_OK) return TS_ERROR;
+		if (ts_truth_texels(&m->texels, m->tree, run, id) != TS_OK) return TS_ERROR;
+	}
+	return TS_OK;
+}
+
+/* Rays that ask what the maps of virtual point lights answered. */
+static ts_status judge_maps(ts_measure *m, const ts_run *run)
+{
+	if (m->tree == NULL && ts_truth_new(&m->tree, run) != TS_OK) return TS_ERROR;
+	return ts_truth_maps(&m->maps, m->tree, run);
+}
+
+static ts_status after_stage(const ts_run *run, const ts_stage *stage, void *user)
+{
+	ts_measure *m = user;
+	show_progress(run, stage, m->method->name);
+	for (const ts_buffer_id *at = ts_stage_outputs(stage); *at != TS_N_BUFFERS; at++) {
+		ts_buffer_id id = *at;
+		if (!run->frame.buffer[id].made) continue;
+		u64 n = ts_frame_n(&run->frame, id), bytes = n * ts_buffer_table[id].element_bytes;
+		m->elements[id] += n;
+		m->bytes[id] = bytes > m->bytes[id] ? bytes : m->bytes[id];
+		if (id == TS_B_resize_face) {
+			m->elements[id] = n;
+			measure_faces(m, &run->frame);
+		}
+	}
+	ts_status status = m->pictures != NULL ? ts_stage_pictures_take(m->pictures, run, stage) : TS_OK;
+	if (status == TS_OK && m->rays) status = judge_texels(m, run, stage);
+	if (status == TS_OK && m->rays && ts_stage_writes(stage, TS_B_vpl_gather_irradiance)) status = judge_maps(m, run);
+	if (status == TS_OK && m->viewer != NULL) status = ts_viewer_take(run, stage, m->viewer);
+	return status == TS_OK && m->writer != NULL ? ts_trace_write_stage(m->writer, run, stage) : status;
+}
+
+static void keep_texels(ts_measure *m)
+{
+	const ts_counter counters[] = {
+		{ "texels covered by rays", (i64)(m->texels.covered + m->maps.covered) },
+		{ "holes", (i64)(m->texels.holes + m->maps.holes) }, { "leaks", (i64)(m->texels.leaks + m->maps.leaks) },
+		{ "wrong depths", (i64)(m->texels.apart + m->maps.apart) }, { "shadows asked of rays", (i64)m->maps.asked },
+		{ "lit but by rays", (i64)m->maps.lit }, { "dark but by rays", (i64)m->maps.dark } };
+	u32 n = m->maps.asked > 0 ? 7 : 4;
+	for (u32 i = 0; i < n && m->n_counters < TS_MAX_COUNTERS; i++) m->counters[m->n_counters++] = counters[i];
+}
+
+static void keep(ts_measure *m, const ts_run *run)
+{
+	m->n_counters = run->n_counters;
+	m->n_timings = run->n_timings;
+	memcpy(m->counters, run->counters, sizeof m->counters);
+	if (m->tree != NULL) keep_texels(m);
+	memcpy(m->timings, run->timings, sizeof m->timings);
+	m->peak_bytes = run->frame.peak_bytes;
+}
+
+static void keep_buffers(ts_run *run, const ts_buffer_id *ids)
+{
+	for (; *ids != TS_N_BUFFERS; ids++) run->keep[*ids] = true;
+}
+
+/* What is looked at after the run: by truths that start from it, and for pictures, the mask of reflective pixels, and
+ * the counts of lit ones and of empty texels. */
+static void keep_for_after(ts_run *run)
+{
+	static const ts_buffer_id ids[] = { TS_B_eye_depth_triangle, TS_B_blend_heaviest, TS_B_pixel_record,
+		TS_B_lamp_shape, TS_B_resolve_lit, TS_B_view_octree_node, TS_B_fuse_depth, TS_N_BUFFERS };
+	run->lean = true;
+	keep_buffers(run, ids);
+	for (const ts_truth_kind *kind = ts_truth_table; kind->name != NULL; kind++) {
+		if (kind->needs != NULL) keep_buffers(run, kind->needs);
+	}
+}
+
+ts_status ts_measure_run(ts_measure *measure, const ts_pipeline *method, const ts_scene *scene, const ts_params *params,
+                         const ts_how *how, ts_measure_after after, void *user)
+{
+	*measure = (ts_measure){ .method = method, .pictures = measure->pictures, .trace = measure->trace,
+	                         .viewer = measure->viewer, .rays = measure->rays };
+	ts_run run;
+	ts_run_begin(&run, scene, params, how->threads);
+	ts_run_how(&run, how);
+	keep_for_after(&run);
+	run.hook = after_stage;
+	run.hook_user = measure;
+	run.traced = measure->trace != NULL;
+	run.margins = run.traced && measure->trace->margins;
+	ts_status status = TS_OK;
+	if (run.traced) status = ts_trace_write_begin(&measure->writer, method, &run, measure->trace);
+	if (status == TS_OK) status = ts_pipeline_run(method, &run);
+	if (status == TS_OK && run.traced) status = ts_trace_write_end(measure->writer, &run);
+	ts_trace_write_free(measure->writer);
+	measure->writer = NULL;
+	keep(measure, &run);
+	ts_truth_free(measure->tree);
+	measure->tree = NULL;
+	for (u32 i = 0; i < measure->n_timings; i++) measure->seconds += measure->timings[i].seconds;
+	run.hook = NULL;
+	if (status == TS_OK && after != NULL) status = after(&run, user);
+	ts_progress(method->name, 1, 1);
+	ts_run_end(&run);
+	return status;
+}
+
+const ts_counter *ts_measure_counter(const ts_measure *measure, const char *name)
+{
+	for (u32 i = 0; i < measure->n_counters; i++) {
+		if (strcmp(measure->counters[i].name, name) == 0) return &measure->counters[i];
+	}
+	return NULL;
+}
+
+i64 ts_measure_shading(const ts_measure *measure)
+{
+	const ts_counter *counter = ts_measure_counter(measure, "shading operations");
+	return counter != NULL ? counter->value : 0;
+}
+
+const ts_timing *ts_measure_timing(const ts_measure *measure, const char *stage)
+{
+	for (u32 i = 0; i < measure->n_timings; i++) {
+		if (strcmp(measure->timings[i].stage, stage) == 0) return &measure->timings[i];
+	}
+	return NULL;
+}
+
+/* What takes most of a method's memory beside its image. */
+static const char *what_to_lower(const ts_pipeline *method, const ts_params *params, u64 bytes)
+{
+	bool maps = ts_pipeline_maker(method, TS_B_map_depth_node) != NULL;
+	if (maps && (u64)params->queue_mb << 20 > bytes / 2) return "queue_mb";
+	return method->lower != NULL ? method->lower : ts_effect_find(method->effect)->lower;
+}
+
+/* The truth of `truths` that needs most memory; NULL if none needs more than *bytes, which becomes what is needed. */
+static const ts_truth_kind *largest_truth(u64 *bytes, u32 truths, const ts_pipeline *method, const ts_scene *scene,
+                                          const ts_params *params)
+{
+	const ts_truth_kind *largest = NULL;
+	for (u32 t = 0; ts_truth_table[t].name != NULL; t++) {
+		const ts_truth_kind *kind = &ts_truth_table[t];
+		if ((truths & 1u << t) == 0 || kind->bytes == NULL) continue;
+		u64 own = kind->bytes(method, scene, params);
+		largest = own > *bytes ? kind : largest;
+		*bytes = own > *bytes ? own : *bytes;
+	}
+	return largest;
+}
+
+ts_status ts_measure_estimate(ts_estimate *estimate, const ts_pipeline *const *methods, u32 n_methods, u32 truths,
+                              const ts_scene *scene, const ts_params *params)
+{
+	const ts_pipeline *largest = methods[0];
+	u64 run = 0, limit = ts_memory_limit();
+	for (u32 i = 0; i < n_methods; i++) {
+		u64 own = ts_pipeline_estimate(methods[i], scene, params, true);
+		largest = own > run ? methods[i] : largest;
+		run = own > run ? own : run;
+	}
+	const ts_truth_kind *truth = largest_truth(&run, truths, methods[0], scene, params);
+	*estimate = (ts_estimate){.held = ts_memory_used(), .run = run};
+	if (estimate->held <= limit && run <= limit - estimate->held) return TS_OK;
+	return ts_fail("%s: needs about %.1f GB of memory and may use %.1f GB of this machine's %.1f GB; choose a smaller "
+	               "--size, %s%s%s", scene->name, (double)estimate->held / 1e9 + (double)run / 1e9, (double)limit / 1e9,
+	               (double)ts_memory_total() / 1e9, what_to_lower(largest, params, run),
+	               truth != NULL ? ", or no truth " : "", truth != NULL ? truth->name : "");
+}
+
+void ts_measure_keep_memory(void)
+{
+#if defined(__GLIBC__)
+	mallopt(M_MMAP_MAX, 0);
+	mallopt(M_TRIM_THRESHOLD, -1);
+#endif
+}

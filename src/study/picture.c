@@ -1,0 +1,147 @@
+/* Pictures: of runs, and of the truths. */
+#include "picture.h"
+#include <ctype.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include "../kernels/base/srgb.h"
+
+static void count_lit(ts_picture *picture, const ts_run *run)
+{
+	const ts_lamp *lamps = ts_frame_data(&run->frame, TS_B_lamp_shape);
+	const u32 *lit = ts_frame_data(&run->frame, TS_B_resolve_lit);
+	u64 n, n_lamps = ts_frame_n(&run->frame, TS_B_lamp_shape), all = 0;
+	const u64 *seen = ts_run_seen(run, &n);
+	for (u64 k = 0; k < n_lamps; k++) all += lamps[k].samples;
+	picture->n_lamps = n_lamps;
+	picture->n_samples = all;
+	picture->lit = (ts_lit){ 0 };
+	for (u64 i = 0; i < n; i++) {
+		if (seen[i] == TS_EMPTY) continue;
+		u64 reach = 0;
+		for (u64 k = 0; k < n_lamps; k++) reach += lit[i * n_lamps + k];
+		picture->lit.seen++;
+		picture->lit.full += reach == all;
+		picture->lit.part += reach > 0 && reach < all;
+		picture->lit.none += reach == 0;
+	}
+}
+
+static void mark_seen(ts_picture *picture, const ts_run *run)
+{
+	u64 n;
+	const u64 *seen = ts_run_seen(run, &n);
+	for (u64 i = 0; i < n; i++) picture->seen[i] = seen[i] != TS_EMPTY;
+}
+
+ts_status ts_picture_take(ts_picture *picture, const char *name, const ts_run *run)
+{
+	size_t n = (size_t)run->params.width * run->params.height * 3;
+	snprintf(picture->name, sizeof picture->name, "%s", name);
+	picture->radiance = ts_alloc(n, sizeof(f32), "a picture");
+	picture->srgb = ts_alloc(n, 1, "a picture");
+	picture->seen = ts_alloc(n / 3, 1, "a picture");
+	if (picture->radiance == NULL || picture->srgb == NULL || picture->seen == NULL) return TS_ERROR;
+	memcpy(picture->radiance, ts_frame_data(&run->frame, TS_B_image_radiance), n * sizeof(f32));
+	memcpy(picture->srgb, ts_frame_data(&run->frame, TS_B_image_srgb), n);
+	mark_seen(picture, run);
+	if (run->frame.buffer[TS_B_resolve_lit].made) count_lit(picture, run);
+	return TS_OK;
+}
+
+ts_status ts_picture_make(ts_picture *picture, const char *name, f32 *radiance, const ts_params *params)
+{
+	size_t n = (size_t)params->width * params->height * 3;
+	snprintf(picture->name, sizeof picture->name, "%s", name);
+	picture->radiance = radiance;
+	picture->srgb = ts_alloc(n, 1, "a picture");
+	for (size_t i = 0; i < n && picture->srgb != NULL; i++) {
+		picture->srgb[i] = (u8)ts_srgb_byte(params->exposure * radiance[i]);
+	}
+	return picture->srgb != NULL ? TS_OK : TS_ERROR;
+}
+
+void ts_picture_free(ts_picture *picture)
+{
+	free(picture->radiance);
+	free(picture->srgb);
+	free(picture->seen);
+	picture->radiance = NULL;
+	picture->srgb = NULL;
+	picture->seen = NULL;
+}
+
+static ts_status count_missed(ts_picture *picture, ts_truth *tree, const ts_run *run)
+{
+	u32 *hits;
+	const u32 *found = ts_frame_data(&run->frame, TS_B_lookup_point);
+	if (ts_truth_hits(tree, run, &hits) != TS_OK) return TS_ERROR;
+	for (u64 i = 0; i < ts_frame_n(&run->frame, TS_B_lookup_point); i++) {
+		picture->n_hits += hits[i] != TS_NONE;
+		picture->n_missed += hits[i] != TS_NONE && found[i] == TS_NONE;
+	}
+	free(hits);
+	return TS_OK;
+}
+
+/* "truth-a", of the row's name. */
+static void name_truth(char *name, size_t bytes, const ts_truth_kind *kind)
+{
+	snprintf(name, bytes, "truth-%s", kind->name);
+	for (; *name != 0; name++) *name = (char)tolower(*name);
+}
+
+/* What it traces, shown by its stage. */
+static ts_status take_truth(ts_picture *picture, const ts_truth_kind *kind, ts_truth *tree, ts_run *run)
+{
+	double begin = ts_seconds();
+	char name[sizeof picture->name];
+	name_truth(name, sizeof name, kind);
+	ts_status status = kind->trace(tree, run);
+	if (status == TS_OK && kind->counts_missed) status = count_missed(picture, tree, run);
+	if (status == TS_OK) status = ts_run_stage(run, ts_stage_find(kind->image));
+	if (status == TS_OK) status = ts_frame_fetch(&run->frame);
+	if (status == TS_OK) status = ts_picture_take(picture, name, run);
+	picture->seconds = ts_seconds() - begin;
+	return status;
+}
+
+ts_status ts_picture_truth(ts_picture *picture, const ts_truth_kind *kind, ts_run *run)
+{
+	double begin = ts_seconds();
+	ts_truth *tree;
+	ts_status status = ts_truth_new(&tree, run);
+	if (status == TS_OK) status = take_truth(picture, kind, tree, run);
+	ts_truth_free(tree);
+	picture->seconds = ts_seconds() - begin;
+	return status;
+}
+
+ts_status ts_picture_truths_begun(ts_picture pictures[], u32 truths, const ts_truth_kind *first, const char *effect,
+                                  const ts_scene *scene, const ts_params *params, u32 threads)
+{
+	ts_run run;
+	ts_truth *tree = NULL;
+	ts_run_begin(&run, scene, params, threads);
+	ts_status status = first->begin(&run, effect);
+	if (status == TS_OK) status = ts_truth_new(&tree, &run);
+	for (u32 t = 0; ts_truth_table[t].name != NULL && status == TS_OK; t++) {
+		bool meant = (truths & 1u << t) != 0 && ts_truth_table[t].begin == first->begin;
+		if (meant) status = take_truth(&pictures[t], &ts_truth_table[t], tree, &run);
+	}
+	ts_truth_free(tree);
+	ts_run_end(&run);
+	return status;
+}
+
+ts_status ts_picture_truth_alone(ts_picture *picture, const ts_truth_kind *kind, const ts_scene *scene,
+                                 const ts_params *params, u32 threads)
+{
+	double begin = ts_seconds();
+	f32 *radiance;
+	char name[sizeof picture->name];
+	name_truth(name, sizeof name, kind);
+	ts_status status = kind->radiance(&radiance, scene, params, threads);
+	if (status == TS_OK) status = ts_picture_make(picture, name, radiance, params);
+	picture->seconds = ts_seconds() - begin;
+	return status;
+}

@@ -1,0 +1,30 @@
+/* A plot of curves as SVG. */
+#ifndef TS_CLI_PLOT_H
+#define TS_CLI_PLOT_H
+#include <stdio.h>
+#include "../kernels/base/compat.h"
+
+enum { TS_PLOT_CURVES = 5 }; /* at most */
+
+typedef struct {
+	u32 curve;
+	const char *label;       /* of its dot; NULL: no dot */
+	double x, y;             /* positive where axes are logarithmic */
+	bool apart;              /* joined to nothing */
+} ts_plot_point;
+
+/* The other points of a curve are joined in their order. Texts may hold any UTF-8. */
+typedef struct {
+	const char *title, *x_axis, *y_axis;
+	const char *curves[TS_PLOT_CURVES];
+	u32 n_curves;
+	const ts_plot_point *points;
+	u32 n_points;            /* at least one */
+	bool even;               /* axes of even steps, not logarithmic ones */
+	bool rises;              /* the legend stands below, not above */
+} ts_plot;
+
+/* Writes it with axes, a legend and a label at every dot. Whether all was written is the stream's to say. */
+void ts_plot_svg(const ts_plot *plot, FILE *out);
+
+#endif

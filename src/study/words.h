@@ -1,0 +1,27 @@
+/* Reading words that were typed. */
+#ifndef TS_CLI_WORDS_H
+#define TS_CLI_WORDS_H
+#include <touchstone/params.h>
+#include "../model/core.h"
+#include "../kernels/base/compat.h"
+
+/* Reads a decimal count in [min, max]; `what` names it in the message. */
+ts_status ts_words_count(u32 *value, const char *text, u32 min, u32 max, const char *what);
+/* Reads "WxH" into width and height; `what` names it in the message. */
+ts_status ts_words_size(ts_params *params, const char *text, const char *what);
+/* Copies the next item of a comma-separated list to `item` and moves *list behind it: false at the end. An item that
+ * does not fit is cut, and so matches no name. */
+bool ts_words_item(const char **list, char *item, size_t item_bytes);
+
+/* Whether it is one of the words of a text, which blanks separate. */
+bool ts_words_have(const char *text, const char *word);
+
+/* The nearest of the names offered so far to what was typed, for "did you mean" (nearest.c). */
+typedef struct {
+	const char *typed, *best;
+	u32 distance;
+} ts_nearest;
+ts_nearest ts_nearest_begin(const char *typed);
+void ts_nearest_offer(ts_nearest *nearest, const char *name);
+
+#endif

@@ -1,0 +1,52 @@
+/* A port's outputs against ours, bit by bit, and which well-known fault would have made them. */
+#include "row.h"
+
+static i64 ordinal(u32 u)
+{
+	i64 m = u & 0x7fffffffu;
+	return u >> 31 != 0 ? -1 - m : m;
+}
+
+i64 ts_vector_ulps(u32 from, u32 to) { return ordinal(to) - ordinal(from); }
+
+/* The faults that reproduce an item, as bits. */
+static u32 explain(const ts_vector *v, const u32 *in, const u32 *found)
+{
+	u32 faults = 0, out[TS_VECTOR_WORDS];
+	for (const ts_vector_variant *variant = v->variants; variant->item != NULL; variant++) {
+		variant->item(out, in);
+		if (memcmp(out, found, ts_vector_out_words(v) * sizeof *out) == 0) faults |= 1u << variant->fault;
+	}
+	return faults;
+}
+
+static u32 first_difference(const ts_vector *v, const u32 *out, const u32 *found)
+{
+	u32 words = ts_vector_type_words(v->out.type), k = 0;
+	while (memcmp(out + k * words, found + k * words, words * sizeof *out) == 0) k++;
+	return k;
+}
+
+ts_vector_verdict ts_vector_judge(const ts_vector *vector, const u32 *in, const u32 *out, const u32 *found)
+{
+	ts_vector_verdict r;
+	memset(&r, 0, sizeof r);
+	r.fault = TS_N_FAULTS;
+	u32 in_words = ts_vector_in_words(vector), out_words = ts_vector_out_words(vector);
+	for (u32 i = 0; i < TS_VECTOR_ITEMS; i++, in += in_words, out += out_words, found += out_words) {
+		if (memcmp(out, found, out_words * sizeof *out) == 0) continue;
+		u32 faults = explain(vector, in, found);
+		if (r.n_wrong++ == 0) {
+			r.first = i;
+			r.first_element = first_difference(vector, out, found);
+			r.first_faults = faults;
+		}
+		for (u32 f = 0; f < TS_N_FAULTS; f++) r.n_explained[f] += faults >> f & 1;
+	}
+	u32 most = 0;
+	for (u32 f = 0; f < TS_N_FAULTS; f++) {
+		if (r.n_explained[f] > most) r.fault = (ts_vector_fault)f;
+		most = r.n_explained[f] > most ? r.n_explained[f] : most;
+	}
+	return r;
+}

@@ -1,0 +1,47 @@
+/* Primitives of light that is gathered (kernels/hulls/gaussian.h, form_factor.h). */
+#include "row.h"
+
+enum { P = 0, NORMAL = 3 };
+
+/* Sizes from 1/2 to 2, so that triangles and points are near each other. */
+static void bring_near(u32 *words, u32 n)
+{
+	for (u32 k = 0; k < n; k++) {
+		if (words[k] != 0) words[k] = (words[k] & 0x80ffffffu) | 0x3f000000u;
+	}
+}
+
+/* Three times in four near each other; now and then the point is a corner. */
+static void relate_point(u32 *in, u32 random)
+{
+	if ((random & 3) != 0) bring_near(in, 12);
+	if ((random & 63) == 1) memcpy(in + P, in + 9, 3 * sizeof *in);
+}
+
+/* And n is a unit vector. */
+static void relate_surface(u32 *in, u32 random)
+{
+	ts_v3 n = ts_v3_make((f32)(random >> 8 & 255) - 128, (f32)(random >> 16 & 255) - 128, (f32)(random >> 24) - 127.5f);
+	if ((random & 3) != 0) bring_near(in, 15);
+	if ((random & 63) == 1) memcpy(in + P, in + 12, 3 * sizeof *in);
+	ts_set_v3(in + NORMAL, ts_normalize(n));
+}
+
+static const f32 sharpness_edges[] = { 0.5f, 0.25f, 0.89999998f, 0.99998999f, 1, 0.16395f };
+
+#define SPACE(name) { name, TS_VECTOR_F32, 3, 107, 137, true }
+
+const ts_vector ts_vectors_light[] = {
+	{ PRIMITIVE(sg_cosine), "ts_k_sg_cosine",
+	  "integral of a spherical Gaussian and the cosine; method 0 SSAGH's, 1 constant, 2 a Gaussian, 3 quadrature",
+	  { POSITIVE("lambda", 1, 107, 143), { "cos_beta", TS_VECTOR_F32, 1, 97, 127, true },
+	    UNSIGNED("method", 1, TS_COSINE_IS_OURS, TS_COSINE_IS_QUADRATURE), UNSIGNED("printed", 1, 0, 1) },
+	  { TS_VECTOR_F32, 1 } },
+	{ PRIMITIVE(sg_sharpness), "ts_k_sg_sharpness", "of the length of a mean; vmf 0 Toksvig's, 1 of a von Mises-Fisher",
+	  { POSITIVE("r", 1, 97, 127), UNSIGNED("vmf", 1, 0, 1) }, { TS_VECTOR_F32, 1 }, EDGES(sharpness_edges) },
+	{ PRIMITIVE(solid_angle), "ts_k_solid_angle", "of a triangle seen from p",
+	  { SPACE("p"), SPACE("a"), SPACE("b"), SPACE("c") }, { TS_VECTOR_F32, 1 }, .relate = relate_point },
+	{ PRIMITIVE(form_factor), "ts_k_form_factor", "of a triangle that shines on p, n the normal there",
+	  { SPACE("p"), SPACE("n"), SPACE("a"), SPACE("b"), SPACE("c") }, { TS_VECTOR_F32, 1 }, .relate = relate_surface },
+	{ 0 }
+};

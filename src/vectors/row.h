@@ -1,0 +1,47 @@
+/* What the tables of primitives share: models of faults, ranges of arguments. */
+#ifndef TS_TRACE_VECTORS_ROW_H
+#define TS_TRACE_VECTORS_ROW_H
+#include "../kernels/vectors/vectors.h"
+#include "vectors.h"
+
+/* The tables, each ended by a row without a name. */
+extern const ts_vector ts_vectors_arithmetic[], ts_vectors_number[], ts_vectors_vector[], ts_vectors_raster[],
+	ts_vectors_cube[], ts_vectors_texture[], ts_vectors_light[];
+
+/* The first fields of a ts_vector: the kernels' item of that name. */
+#define PRIMITIVE(n) .name = #n, .item = ts_k_vector_##n
+
+/* A faulty item that is one expression of the first words of its row. */
+#define FLOAT_ITEM(name, expression) \
+	static void name(u32 *out, const u32 *in) { ts_set_f32(out, 0, (expression)); }
+#define WORD_ITEM(name, expression) \
+	static void name(u32 *out, const u32 *in) { out[0] = (u32)(expression); }
+#define WIDE_ITEM(name, expression) \
+	static void name(u32 *out, const u32 *in) { ts_set_u64(out, 0, (u64)(expression)); }
+#define A TS_A
+#define B TS_B
+#define C TS_C
+
+/* What a processor that flushes makes of a denormal. */
+static inline f32 flushed(f32 x) { return ts_abs(x) < FLT_MIN ? copysignf(0.0f, x) : x; }
+
+/* What it makes of an exact or nearly exact result: tiny is what rounds to less than the smallest normal number where
+ * denormals are none. */
+static inline f32 flushed_result(double x)
+{
+	return fabs(x) < FLT_MIN * (1 - 0x1p-25) ? copysignf(0.0f, (f32)x) : (f32)x;
+}
+
+/* Columns. ANY holds every pattern of bits; SANE what ts_san lets through (rule 10); WORLD coordinates (rule 11). */
+#define ANY(name, count) { name, TS_VECTOR_F32, count, 0, 255, true }
+#define FINITE(name, count) { name, TS_VECTOR_F32, count, 0, 254, true }
+#define SANE(name, count) { name, TS_VECTOR_F32, count, 88, 188, true }
+#define WORLD(name, count) { name, TS_VECTOR_F32, count, 88, 150, true }
+#define POSITIVE(name, count, low, high) { name, TS_VECTOR_F32, count, low, high, false }
+#define INTEGER(name, count, low, high) { name, TS_VECTOR_I32, count, low, high, true }
+#define UNSIGNED(name, count, low, high) { name, TS_VECTOR_U32, count, low, high, false }
+#define ALL_U32(name, count) UNSIGNED(name, count, 0, UINT32_MAX)
+
+#define EDGES(list) .edges = list, .n_edges = sizeof list / sizeof list[0]
+
+#endif

@@ -1,0 +1,104 @@
+/* All primitives as one list, and what follows from their columns. The rows stand beside the functions they name. */
+#include <assert.h>
+#include <inttypes.h>
+#include <stdio.h>
+#include "row.h"
+
+static const ts_vector *const tables[] = {
+	ts_vectors_arithmetic, ts_vectors_number, ts_vectors_vector, ts_vectors_raster, ts_vectors_cube, ts_vectors_texture,
+	ts_vectors_light,
+};
+enum { N_TABLES = sizeof tables / sizeof tables[0] };
+
+const ts_vector_fault_info ts_vector_fault_table[TS_N_FAULTS] = {
+	[TS_FAULT_FMA] = { "fused multiply-add", "turn contraction off: -ffp-contract=off, -fmad=false, precise" },
+	[TS_FAULT_FLUSH] = { "flush to zero", "keep denormals if the device can; put hides it in what is stored" },
+	[TS_FAULT_FLUSH_HALF] = { "flushed halves", "keep halves below 2^-14: they are multiples of 2^-24" },
+	[TS_FAULT_RECIPROCAL] = { "reciprocal division", "divide: -prec-div=true, or the repaired division of CONTRACT rule 4" },
+	[TS_FAULT_ROOT] = { "reciprocal square root", "take the root: -prec-sqrt=true, or the repaired one of CONTRACT rule 4" },
+	[TS_FAULT_BUILTIN] = { "built-in function", "port the text of the kernel instead" },
+	[TS_FAULT_REORDER] = { "re-association", "keep the order that is written: no fast or unsafe math" },
+	[TS_FAULT_AWAY] = { "ties away from zero", "round ties to even" },
+	[TS_FAULT_TRUNCATE] = { "truncation", "round to the nearest where it says so, down where it says floor" },
+	[TS_FAULT_TWICE] = { "rounding twice", "convert in one step, not through another float" },
+	[TS_FAULT_NARROW] = { "32-bit integers", "compute in 64 bits" },
+	[TS_FAULT_FLOAT] = { "integers in float", "compute in 64-bit integers" },
+	[TS_FAULT_DEPTH24] = { "24-bit depth", "keep all 32 bits of the depth" },
+	[TS_FAULT_INCLUSIVE] = { "inclusive edges", "count what lies on an edge for top and left edges only" },
+};
+
+u32 ts_vectors_count(void)
+{
+	u32 n = 0;
+	for (u32 t = 0; t < N_TABLES; t++) {
+		for (const ts_vector *v = tables[t]; v->name != NULL; v++) n++;
+	}
+	return n;
+}
+
+const ts_vector *ts_vectors_at(u32 index)
+{
+	for (u32 t = 0; t < N_TABLES; t++) {
+		for (const ts_vector *v = tables[t]; v->name != NULL; v++) {
+			if (index-- == 0) return v;
+		}
+	}
+	return NULL;
+}
+
+const ts_vector *ts_vectors_find(const char *name)
+{
+	const ts_vector *v;
+	for (u32 i = 0; (v = ts_vectors_at(i)) != NULL; i++) {
+		if (strcmp(v->name, name) == 0) return v;
+	}
+	return NULL;
+}
+
+u32 ts_vector_type_words(ts_vector_type type) { return type == TS_VECTOR_I64 || type == TS_VECTOR_U64 ? 2 : 1; }
+
+u32 ts_vector_in_words(const ts_vector *vector)
+{
+	u32 n = 0;
+	for (const ts_vector_column *c = vector->in; c->name != NULL; c++) n += c->count * ts_vector_type_words(c->type);
+	assert(n <= TS_VECTOR_WORDS);
+	return n;
+}
+
+u32 ts_vector_out_words(const ts_vector *vector)
+{
+	return vector->out.count * ts_vector_type_words(vector->out.type);
+}
+
+static const char *type_descr(ts_vector_type type)
+{
+	static const char *const descr[] = {
+		[TS_VECTOR_F32] = "<f4", [TS_VECTOR_I32] = "<i4", [TS_VECTOR_U32] = "<u4", [TS_VECTOR_I64] = "<i8",
+		[TS_VECTOR_U64] = "<u8",
+	};
+	return descr[type];
+}
+
+void ts_vector_in_descr(char descr[TS_NPY_DESCR], const ts_vector *vector)
+{
+	size_t used = 0;
+	for (const ts_vector_column *c = vector->in; c->name != NULL; c++) {
+		char count[24] = "";
+		if (c->count > 1) snprintf(count, sizeof count, ", (%" PRIu32 ",)", c->count);
+		used += (size_t)snprintf(descr + used, TS_NPY_DESCR - used, "%s('%s', '%s'%s)", used == 0 ? "[" : ", ", c->name,
+		                         type_descr(c->type), count);
+	}
+	snprintf(descr + used, TS_NPY_DESCR - used, "]");
+}
+
+void ts_vector_out_descr(char descr[TS_NPY_DESCR], const ts_vector *vector)
+{
+	snprintf(descr, TS_NPY_DESCR, "'%s'", type_descr(vector->out.type));
+}
+
+u32 ts_vector_out_shape(u64 shape[TS_MAX_DIMS], const ts_vector *vector)
+{
+	shape[0] = TS_VECTOR_ITEMS;
+	shape[1] = vector->out.count;
+	return vector->out.count > 1 ? 2 : 1;
+}

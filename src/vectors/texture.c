@@ -1,0 +1,105 @@
+/* Primitives of textures, display values and culling (kernels/base/texture.h, srgb.h, cull.h). */
+#include "row.h"
+
+/* At most one texel outside. */
+static void relate_neighbour(u32 *in, u32 random)
+{
+	u32 n = in[1];
+	in[0] = (random & 7) == 0 ? 0u - 1u : (random & 7) == 1 ? n : (random >> 3) % n;
+}
+
+/* uv on the lattice of 1/256 texel, cut instead of rounded. */
+static void bilinear_truncate(u32 *out, const u32 *in)
+{
+	f32 u = floorf(ts_row_f32(in, 8) * 512.0f), v = floorf(ts_row_f32(in, 9) * 512.0f);
+	ts_k_vector_sample(out, in, ts_v2_make(u * 0.001953125f, v * 0.001953125f));
+}
+
+/* Half-way between two weights. */
+static void relate_bilinear(u32 *in, u32 random)
+{
+	if ((random & 3) != 0) return;
+	ts_set_f32(in, 8, ((f32)(random >> 8 & 511) + 0.5f) / 512.0f);
+	ts_set_f32(in, 9, ((f32)(random >> 17 & 511) + 0.5f) / 512.0f);
+}
+
+static void lod_by(u32 *out, const u32 *in, bool builtin)
+{
+	f32 texels = (f32)in[0] * (f32)in[1];
+	f32 r = 1.0f / ts_row_f32(in, 4);
+	f32 density = texels * (builtin ? ts_row_f32(in, 3) / ts_row_f32(in, 4) : ts_row_f32(in, 3) * r);
+	f32 k = ts_max(1.0f, (ts_row_f32(in, 2) * ts_row_f32(in, 2)) * density);
+	out[0] = (u32)ts_fix(0.5f * (builtin ? (f32)log2(k) : ts_log2(k)), 8, 12);
+}
+
+static void lod_reciprocal(u32 *out, const u32 *in) { lod_by(out, in, false); }
+static void lod_builtin(u32 *out, const u32 *in) { lod_by(out, in, true); }
+
+/* 2^(n / 256) by square roots, the same on every machine. */
+static double power_of_two(u32 n)
+{
+	double r = ldexp(1, (int)(n / 256)), root = 2;
+	for (u32 bit = 128; bit != 0; bit >>= 1) {
+		root = sqrt(root);
+		if ((n & bit) != 0) r *= root;
+	}
+	return r;
+}
+
+/* A level that is not 0, half-way between two of its steps as near as floats come. */
+static void relate_lod(u32 *in, u32 random)
+{
+	if (in[4] == 0) in[4] = 0x3f800000u;
+	if ((random & 3) == 0) return;
+	in[0] = 1024;
+	in[1] = 512;
+	double k = power_of_two(2 * (random >> 8 & 4095) + 1);
+	f32 area = ts_row_f32(in, 4);
+	f32 uv = (f32)(k * (double)area / (1024 * 512.0));
+	in[2] = 0x3f800000u;
+	if (uv > 0x1p-38f && uv < 0x1p9f) in[3] = ts_f2u(uv) + (random >> 2 & 1) - (random >> 3 & 1);
+}
+
+static u32 srgb_encoded(f32 l)
+{
+	f32 x = l > 0 ? ts_min(l, 1) : 0;
+	f32 e = x <= 0.0031308f ? 12.92f * x : 1.055f * powf(x, 1 / 2.4f) - 0.055f;
+	return (u32)(e * 255.0f + 0.5f);
+}
+
+WORD_ITEM(srgb_builtin, srgb_encoded(A))
+
+WORD_ITEM(cull_fused, ts_max_i32(ts_fix(fmaf(-10.0f, A, 1.0f), 24, 25), 0))
+
+static const f32 wrap_edges[] = { 1, 2, 3, -1, -2, -3, 0x1p-39f, -0x1p-39f, 0x1p-24f, -0x1p-24f, 0x1p24f, 8388607.5f };
+static const f32 cull_edges[] = { 0.1f, 0.05f, 0.01f, 0.001f, 0.0999999f, 0x1p-28f };
+
+#define WRAP(name, count) UNSIGNED(name, count, TS_REPEAT, TS_CLAMP)
+#define CHANNELS(name, count) UNSIGNED(name, count, 0, 65535)
+#define FRACTIONS(name, count) UNSIGNED(name, count, 0, 255)
+
+const ts_vector ts_vectors_texture[] = {
+	{ PRIMITIVE(texture_wrap), "ts_k_texture_wrap", "u to [0, 1]; wrap 0 repeats, 1 mirrors, 2 clamps", { SANE("u", 1),
+	    WRAP("wrap", 1) }, { TS_VECTOR_F32, 1 }, EDGES(wrap_edges) },
+	{ PRIMITIVE(texture_neighbour), "ts_k_texture_neighbour", "texel i of n, one outside at most",
+	  { INTEGER("i", 1, -1, 16384), INTEGER("n", 1, 1, 16384), WRAP("wrap", 1) }, { TS_VECTOR_U32, 1 },
+	  .relate = relate_neighbour },
+	{ PRIMITIVE(texture_mix4), "ts_k_texture_mix4", "four texels by weights of 1/256 in x and y",
+	  { CHANNELS("texels", 4), FRACTIONS("f", 2) }, { TS_VECTOR_U32, 1 } },
+	{ PRIMITIVE(texture_mix2), "ts_k_texture_mix2", "two levels by a weight of 1/256",
+	  { CHANNELS("texels", 2), FRACTIONS("f", 1) }, { TS_VECTOR_U32, 1 } },
+	{ PRIMITIVE(texture_bilinear), "ts_k_texture_bilinear",
+	  "channels of an image of 2 x 2 texels, u64 with red lowest, at uv",
+	  { { "texels", TS_VECTOR_U64, 4, INT64_MIN, INT64_MAX, false }, POSITIVE("uv", 2, 88, 126), WRAP("wrap", 2) },
+	  { TS_VECTOR_U32, 4 }, { { TS_FAULT_TRUNCATE, bilinear_truncate } }, .relate = relate_bilinear },
+	{ PRIMITIVE(texture_lod), "ts_k_texture_lod",
+	  "level in 1/256 for a footprint in a triangle of `area` and `uv_area`",
+	  { UNSIGNED("size", 2, 1, 16384), POSITIVE("footprint", 1, 107, 137), POSITIVE("uv_area", 1, 88, 137),
+	    POSITIVE("area", 1, 97, 147) }, { TS_VECTOR_U32, 1 },
+	  { { TS_FAULT_RECIPROCAL, lod_reciprocal }, { TS_FAULT_BUILTIN, lod_builtin } }, .relate = relate_lod },
+	{ PRIMITIVE(srgb), "ts_srgb_byte", "8-bit sRGB value of a linear one", { ANY("l", 1) }, { TS_VECTOR_U32, 1 },
+	  { { TS_FAULT_BUILTIN, srgb_builtin } }, EDGES(ts_srgb_threshold) },
+	{ PRIMITIVE(cull_threshold), "29", "fix(1 - 10 pixels, 24, 25), not below 0", { POSITIVE("pixels", 1, 88, 150) },
+	  { TS_VECTOR_I32, 1 }, { { TS_FAULT_FMA, cull_fused } }, EDGES(cull_edges) },
+	{ 0 }
+};

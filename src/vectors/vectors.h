@@ -1,0 +1,107 @@
+/* Arithmetic vectors: inputs and outputs of every primitive that a port must compute with the same bits (CONTRACT
+ * rule 32), and the judgement of what a port computed from these inputs. A row holds the columns of one item as
+ * little-endian words of 32 bits without padding, 64-bit values low word first: as a structured dtype of numpy. */
+#ifndef TS_TRACE_VECTORS_H
+#define TS_TRACE_VECTORS_H
+#include "../backends/backend.h"
+#include "../model/core.h"
+#include "../kernels/base/compat.h"
+#include "../trace/npy.h"
+
+
+enum { TS_VECTOR_ITEMS = 4096, TS_VECTOR_COLUMNS = 5, TS_VECTOR_WORDS = 16, TS_VECTOR_VARIANTS = 6 };
+
+typedef enum { TS_VECTOR_F32, TS_VECTOR_I32, TS_VECTOR_U32, TS_VECTOR_I64, TS_VECTOR_U64 } ts_vector_type;
+
+/* Values of one argument. Floats: biased exponents from `low` to `high`, and zero; -0 and denormals only where low is
+ * 0, infinity and NaN only where high is 255. Integers: from low to high. */
+typedef struct {
+	const char *name;      /* NULL ends the columns */
+	ts_vector_type type;
+	u32 count;             /* elements */
+	i64 low, high;
+	bool is_signed;        /* floats */
+} ts_vector_column;
+
+/* Computes one item from its row. Results of 64 bits are at a multiple of 8 bytes. */
+typedef void ts_vector_item(u32 *out, const u32 *in);
+
+/* What ports get wrong, in the order of ts_vector_fault_table. */
+typedef enum {
+	TS_FAULT_FMA,
+	TS_FAULT_FLUSH,
+	TS_FAULT_FLUSH_HALF,
+	TS_FAULT_RECIPROCAL,
+	TS_FAULT_ROOT,
+	TS_FAULT_BUILTIN,
+	TS_FAULT_REORDER,
+	TS_FAULT_AWAY,
+	TS_FAULT_TRUNCATE,
+	TS_FAULT_TWICE,
+	TS_FAULT_NARROW,
+	TS_FAULT_FLOAT,
+	TS_FAULT_DEPTH24,
+	TS_FAULT_INCLUSIVE,
+	TS_N_FAULTS
+} ts_vector_fault;
+
+typedef struct { const char *name, *remedy; } ts_vector_fault_info;
+extern const ts_vector_fault_info ts_vector_fault_table[TS_N_FAULTS];
+
+/* The same item computed with a fault. */
+typedef struct { ts_vector_fault fault; ts_vector_item *item; } ts_vector_variant;
+
+typedef struct {
+	const char *name;      /* NULL ends a table */
+	ts_vector_item *item;  /* of the kernels */
+	const char *rule;      /* of CONTRACT, or the kernel that defines it */
+	const char *doc;       /* one line */
+	ts_vector_column in[TS_VECTOR_COLUMNS + 1];
+	struct { ts_vector_type type; u32 count; } out;
+	ts_vector_variant variants[TS_VECTOR_VARIANTS + 1]; /* ended by one without an item */
+	const f32 *edges;      /* values at which the primitive changes its mind */
+	u32 n_edges;
+	/* Brings the arguments of a row into a relation, with random bits; NULL: they have none. Keeps the ranges. */
+	void (*relate)(u32 *in, u32 random);
+} ts_vector;
+
+/* The primitives, in the order of kernels/vectors/vectors.def, in which a porter meets them: each relies on those
+ * before it. */
+u32 ts_vectors_count(void);
+const ts_vector *ts_vectors_at(u32 index);
+/* NULL: no such primitive. */
+const ts_vector *ts_vectors_find(const char *name);
+
+/* Words of a row of inputs, of outputs, of a value. */
+u32 ts_vector_in_words(const ts_vector *vector);
+u32 ts_vector_out_words(const ts_vector *vector);
+u32 ts_vector_type_words(ts_vector_type type);
+/* The dtypes of the two files as numpy writes them. */
+void ts_vector_in_descr(char descr[TS_NPY_DESCR], const ts_vector *vector);
+void ts_vector_out_descr(char descr[TS_NPY_DESCR], const ts_vector *vector);
+/* The shape of the file of outputs: items, and elements if there are several. Returns the dimensions. */
+u32 ts_vector_out_shape(u64 shape[TS_MAX_DIMS], const ts_vector *vector);
+
+/* Fills TS_VECTOR_ITEMS rows of inputs and of outputs, always the same: special values first, then random ones over
+ * the whole range, then ones for which each of the primitive's faults gives another result. No float that comes
+ * out is infinite or NaN. */
+void ts_vector_make(const ts_vector *vector, u32 *in, u32 *out);
+
+/* What a port's outputs are worth. */
+typedef struct {
+	u32 n_wrong, first;             /* items; the first wrong one */
+	u32 first_element;              /* of its output */
+	u32 n_explained[TS_N_FAULTS];   /* wrong items that the fault reproduces */
+	u32 first_faults;               /* faults that reproduce the first, as bits */
+	ts_vector_fault fault;          /* the one that reproduces most; TS_N_FAULTS: none reproduces any */
+} ts_vector_verdict;
+ts_vector_verdict ts_vector_judge(const ts_vector *vector, const u32 *in, const u32 *out, const u32 *found);
+
+/* Runs every primitive on a backend and keeps what that told in backend->arithmetic. A backend that computes one of them
+ * otherwise is refused with a message that names it, unless `inexact`; flushed denormals are no such difference. */
+ts_status ts_vectors_verify(ts_backend *backend, bool inexact);
+
+/* Steps between two floats on the line of all floats, on which -0 lies one below +0; NaN is as far as its bits say. */
+i64 ts_vector_ulps(u32 from, u32 to);
+
+#endif

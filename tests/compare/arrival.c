@@ -1,0 +1,261 @@
+/* Candidates whose points stand in the order of their arrival: the same by their keys, different where a record, an
+ * index or a key is; and the memory that this takes. */
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include "../trace/small.h"
+#include "../../src/kernels/base/num.h"
+#include "../../src/compare/compare.h"
+
+static ts_trace *ref, *cand;
+static ts_comparison c;
+static u32 *place; /* of the reference's points among the candidate's */
+static u64 n_points;
+static u32 seed = 17;
+
+static u32 draw(u32 n)
+{
+	seed = seed * 1664525u + 1013904223u;
+	return (u32)(((u64)seed * n) >> 32);
+}
+
+static void shuffle(u32 *items, u64 n)
+{
+	for (u64 i = 0; i < n; i++) items[i] = (u32)i;
+	for (u64 i = n; i > 1; i--) {
+		u32 j = draw((u32)i), kept = items[i - 1];
+		items[i - 1] = items[j];
+		items[j] = kept;
+	}
+}
+
+/* Moves the records of a set to their places. */
+static void move(ts_buffer_id id)
+{
+	size_t bytes, element = ts_buffer_table[id].element_bytes;
+	u64 at = ref->item[id].npy.data_at;
+	char *from = file_read(ref->item[id].path, &bytes), *to = file_read(ref->item[id].path, &bytes);
+	for (u64 i = 0; i < n_points; i++) memcpy(to + at + place[i] * element, from + at + i * element, element);
+	file_write(cand->item[id].path, to, bytes);
+	free(from);
+	free(to);
+}
+
+/* Renames the points that 32-bit words of a buffer name. */
+static void rename_points(ts_buffer_id id, u32 first, u32 apart)
+{
+	size_t bytes;
+	char *data = file_read(ref->item[id].path, &bytes);
+	for (size_t at = ref->item[id].npy.data_at + first; at < bytes; at += apart) {
+		u32 index;
+		memcpy(&index, data + at, 4);
+		if (index != TS_NONE) index = place[index];
+		memcpy(data + at, &index, 4);
+	}
+	file_write(cand->item[id].path, data, bytes);
+	free(data);
+}
+
+static void arrive(json_t *root, const void *user)
+{
+	(void)user;
+	json_object_set_new(root, "order", json_string("arrival"));
+}
+
+static int begin(void **state)
+{
+	char dir[2][FOLDER_PATH];
+	ts_params params = small_params();
+	ts_trace_options options = {.without = {[TS_B_scene_texel] = true}};
+	if (folder_begin(state) != 0) return -1;
+	ts_scene *scene = small_scene(&params);
+	snprintf(dir[0], sizeof dir[0], "%s", folder_path("ref"));
+	snprintf(dir[1], sizeof dir[1], "%s", folder_path("cand"));
+	small_trace(dir[0], "epr", scene, &params, options);
+	ts_scene_free(scene);
+	small_copy(dir[1], dir[0]);
+	small_edit(dir[1], arrive, NULL);
+	assert_int_equal(ts_trace_open(&ref, dir[0]), TS_OK);
+	assert_int_equal(ts_trace_open(&cand, dir[1]), TS_OK);
+	n_points = ref->item[TS_B_points_key].npy.n;
+	place = malloc(n_points * sizeof *place);
+	assert_true(place != NULL && n_points > 1000);
+	shuffle(place, n_points);
+	move(TS_B_points_key);
+	move(TS_B_points_record);
+	rename_points(TS_B_splat_depth_index, 0, 8);
+	rename_points(TS_B_lookup_point, 0, 4);
+	rename_points(TS_B_lookup2_point, 0, 4);
+	rename_points(TS_B_lookup3_point, 0, 4);
+	rename_points(TS_B_lookup2_parent, offsetof(ts_bounce, point), sizeof(ts_bounce));
+	rename_points(TS_B_lookup3_parent, offsetof(ts_bounce, point), sizeof(ts_bounce));
+	return 0;
+}
+
+static int end(void **state)
+{
+	ts_trace_close(ref);
+	ts_trace_close(cand);
+	free(place);
+	return folder_end(state);
+}
+
+static ts_status compare(void)
+{
+	const ts_relaxations exact = {.ulp = 0};
+	return ts_compare(&c, ref, cand, &exact);
+}
+
+static void poke(ts_buffer_id id, u64 element, u32 offset, const void *data, void *old, size_t n)
+{
+	FILE *file = fopen(cand->item[id].path, "r+b");
+	long at = (long)(cand->item[id].npy.data_at + element * ts_buffer_table[id].element_bytes + offset);
+	assert_non_null(file);
+	fseek(file, at, SEEK_SET);
+	assert_int_equal(fread(old, 1, n, file), n);
+	fseek(file, at, SEEK_SET);
+	assert_int_equal(fwrite(data, 1, n, file), n);
+	fclose(file);
+}
+
+static void test_same(void **state)
+{
+	(void)state;
+	if (compare() != TS_OK) fail_msg("%s", c.first < TS_N_BUFFERS ? ts_buffer_table[c.first].name : ts_error_message());
+	assert_true(c.n_judged >= 39);
+	cand->arrival = false;
+	assert_int_equal(compare(), TS_DIFFERENT);
+	assert_int_equal(c.first, TS_B_points_key);
+	cand->arrival = true;
+}
+
+/* A field of one record is found at the reference's place. */
+static void test_record(void **state)
+{
+	(void)state;
+	f32 old, wrong = 0.77f;
+	poke(TS_B_points_record, place[123], offsetof(ts_point, centre) + 4, &wrong, &old, 4);
+	assert_int_equal(compare(), TS_DIFFERENT);
+	const ts_verdict *v = &c.verdict[TS_B_points_record];
+	assert_true(c.first == TS_B_points_record && c.n_unlike == 1 && v->n_different == 1 && v->first.element == 123);
+	assert_true(v->first.field == 0 && v->first.component == 1);
+	poke(TS_B_points_record, place[123], offsetof(ts_point, centre) + 4, &old, &wrong, 4);
+}
+
+/* A wrong index, one that is right only before mapping, and one that names nothing. */
+static void test_index(void **state)
+{
+	(void)state;
+	const u32 wrongs[] = {place[5], 5, (u32)n_points, TS_NONE - 1};
+	u64 element = 0, k;
+	u32 old, index;
+	FILE *file = fopen(ref->item[TS_B_lookup_point].path, "rb");
+	assert_non_null(file);
+	fseek(file, (long)ref->item[TS_B_lookup_point].npy.data_at, SEEK_SET);
+	while (fread(&index, 4, 1, file) == 1 && (index == TS_NONE || index == 5)) element++;
+	fclose(file);
+	for (k = 0; k < 4; k++) {
+		if (wrongs[k] == place[index]) continue;
+		poke(TS_B_lookup_point, element, 0, &wrongs[k], &old, 4);
+		assert_int_equal(old, place[index]);
+		assert_int_equal(compare(), TS_DIFFERENT);
+		const ts_verdict *v = &c.verdict[TS_B_lookup_point];
+		assert_true(c.first == TS_B_lookup_point && v->n_different == 1 && v->first.element == element);
+		assert_int_equal(v->first.ref, index);
+		if (k == 0) assert_int_equal(v->first.cand, 5);
+		poke(TS_B_lookup_point, element, 0, &old, &(u32){0}, 4);
+	}
+}
+
+/* A changed key is a record that is missing and one that is beside; those that name it name nothing. */
+static void test_key(void **state)
+{
+	(void)state;
+	u64 old, wrong = 3;
+	poke(TS_B_points_key, place[200], 0, &wrong, &old, 8);
+	assert_int_equal(compare(), TS_DIFFERENT);
+	const ts_verdict *v = &c.verdict[TS_B_points_record];
+	assert_true(c.first == TS_B_points_key && v->n_missing == 1 && v->n_extra == 1 && v->n_different == 2 &&
+	            !v->has_first);
+	assert_true(v->missing_key == old && v->extra_key == 3);
+	poke(TS_B_points_key, place[200], 0, &old, &wrong, 8);
+}
+
+/* A trace of points alone. */
+static ts_trace *points(const char *name, u64 n, bool arrival)
+{
+	ts_trace *trace;
+	u32 *order = malloc(n * sizeof *order);
+	u64 *keys = malloc(n * sizeof *keys);
+	assert_true(order != NULL && keys != NULL);
+	shuffle(order, n);
+	for (u64 i = 0; i < n; i++) keys[i] = (u64)(arrival ? order[i] : i) << 30;
+	assert_int_equal(mkdir(folder_path("%s", name), 0777), 0);
+	file_write(folder_path("%s/key", name), keys, n * sizeof *keys);
+	file_write(folder_path("%s/record", name), "", 0);
+	assert_int_equal(truncate(folder_path("%s/record", name), (off_t)(n * sizeof(ts_point))), 0);
+	assert_int_equal(
+		ts_trace_open_layout(&trace, folder_path("%s", name), "points.key=key,points.record=record", arrival, ref),
+		TS_OK);
+	free(order);
+	free(keys);
+	return trace;
+}
+
+static long most_kib(void)
+{
+	struct rusage usage;
+	getrusage(RUSAGE_SELF, &usage);
+	return usage.ru_maxrss;
+}
+
+/* 64 MiB and 16 bytes a record, beyond what the process has without comparing. */
+static void test_memory(void **state)
+{
+	(void)state;
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+	skip();
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+	skip();
+#endif
+#endif
+	enum { N = 3000000 };
+	int result;
+	ts_trace *a = points("a", N, false), *b = points("b", N, true);
+	pid_t child = fork();
+	if (child == 0) {
+		const ts_relaxations exact = {.ulp = 0};
+		long before = most_kib();
+		ts_status status = ts_compare(&c, a, b, &exact);
+		long grown = most_kib() - before;
+		if (status != TS_OK) fprintf(stderr, "# %s\n", ts_error_message());
+		if (grown > (64 << 10) + 16l * N / 1024) fprintf(stderr, "# %ld KiB\n", grown);
+		_exit(status != TS_OK || grown > (64 << 10) + 16l * N / 1024);
+	}
+	assert_int_equal(waitpid(child, &result, 0), child);
+	assert_int_equal(result, 0);
+	ts_trace_close(a);
+	ts_trace_close(b);
+}
+
+/* Fewer records than keys are refused. */
+static void test_fewer_records(void **state)
+{
+	(void)state;
+	const ts_relaxations exact = {.ulp = 0};
+	ts_trace *a = points("more", 1000, false), *b = points("fewer", 1000, true);
+	b->item[TS_B_points_record].npy.n = b->item[TS_B_points_record].npy.shape[0] = 999;
+	assert_int_equal(ts_compare(&c, a, b, &exact), TS_ERROR);
+	says("as many records as keys");
+	ts_trace_close(a);
+	ts_trace_close(b);
+}
+
+int main(void)
+{
+	const struct CMUnitTest arrival[] = {
+		cmocka_unit_test(test_same), cmocka_unit_test(test_record), cmocka_unit_test(test_index),
+		cmocka_unit_test(test_key),  cmocka_unit_test(test_memory), cmocka_unit_test(test_fewer_records),
+	};
+	return cmocka_run_group_tests(arrival, begin, end);
+}

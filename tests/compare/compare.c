@@ -1,0 +1,306 @@
+/* Comparing a traced frame with copies of it that differ in one place, everywhere, and in what may differ. */
+#include <math.h>
+#include "../trace/small.h"
+#include "../../src/kernels/base/num.h"
+#include "../../src/compare/compare.h"
+
+static ts_trace *ref, *cand;
+static char dir[2][FOLDER_PATH];
+static ts_comparison c;
+
+static void open_both(void)
+{
+	if (ts_trace_open(&ref, dir[0]) != TS_OK || ts_trace_open(&cand, dir[1]) != TS_OK)
+		fail_msg("%s", ts_error_message());
+}
+
+static int begin(void **state)
+{
+	ts_params params = small_params();
+	ts_trace_options options = {.without = {[TS_B_scene_texel] = true}};
+	if (folder_begin(state) != 0) return -1;
+	ts_scene *scene = small_scene(&params);
+	snprintf(dir[0], sizeof dir[0], "%s", folder_path("ref"));
+	snprintf(dir[1], sizeof dir[1], "%s", folder_path("cand"));
+	small_trace(dir[0], "epr", scene, &params, options);
+	small_copy(dir[1], dir[0]);
+	ts_scene_free(scene);
+	open_both();
+	return 0;
+}
+
+static int end(void **state)
+{
+	ts_trace_close(ref);
+	ts_trace_close(cand);
+	return folder_end(state);
+}
+
+/* Replaces bytes of an element of a trace; returns those that were there in `old`, if wanted. */
+static void poke(const ts_trace *trace, ts_buffer_id id, u64 element, u32 offset, const void *data, size_t n, void *old)
+{
+	FILE *file = fopen(trace->item[id].path, "r+b");
+	long at = (long)(trace->item[id].npy.data_at + element * ts_buffer_table[id].element_bytes + offset);
+	assert_non_null(file);
+	assert_int_equal(fseek(file, at, SEEK_SET), 0);
+	if (old != NULL) assert_int_equal(fread(old, 1, n, file), n);
+	assert_int_equal(fseek(file, at, SEEK_SET), 0);
+	assert_int_equal(fwrite(data, 1, n, file), n);
+	assert_int_equal(fclose(file), 0);
+}
+
+static ts_status compare(ts_relaxations relaxations) { return ts_compare(&c, ref, cand, &relaxations); }
+
+static void test_same(void **state)
+{
+	(void)state;
+	assert_int_equal(compare((ts_relaxations){.ulp = 0}), TS_OK);
+	assert_true(c.n_judged >= 39 && c.n_unlike == 0 && c.n_missing == 0 && c.first == TS_N_BUFFERS);
+	for (u32 id = 0; id < TS_N_BUFFERS; id++)
+		assert_true(c.verdict[id].n_different == 0 && c.verdict[id].n_relaxed == 0);
+}
+
+/* One bit of one component of every field of every buffer: found there, and nowhere else. */
+static void test_every_field(void **state)
+{
+	(void)state;
+	u32 seed = 17, n = 0;
+	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
+		ts_fields fields = ts_fields_of((ts_buffer_id)id);
+		u64 elements = ref->item[id].path != NULL ? ref->item[id].npy.n : 0;
+		for (u32 f = 0; f < fields.n && elements > 0; f++) {
+			const ts_field *field = &fields.field[f];
+			u8 old, new;
+			seed = seed * 1664525u + 1013904223u;
+			u32 component = (seed >> 8) % field->count, offset = field->offset + component * field->bytes;
+			u64 element = (u64)seed * elements >> 32;
+			poke(cand, (ts_buffer_id)id, element, offset, "", 1, &old);
+			new = old ^ 1;
+			poke(cand, (ts_buffer_id)id, element, offset, &new, 1, NULL);
+			assert_int_equal(compare((ts_relaxations){.ulp = 0}), TS_DIFFERENT);
+			const ts_verdict *v = &c.verdict[id];
+			assert_true(c.n_unlike == 1 && c.first == id && v->n_different == 1 && v->has_first);
+			assert_true(v->first.element == element && v->first.field == f && v->first.component == component);
+			assert_true((v->first.ref ^ v->first.cand) == 1);
+			poke(cand, (ts_buffer_id)id, element, offset, &old, 1, NULL);
+			n++;
+		}
+	}
+	assert_true(n > 100);
+	assert_int_equal(compare((ts_relaxations){.ulp = 0}), TS_OK);
+}
+
+/* Values of one float, the reference's and the candidate's, and what each relaxation says of them. */
+static void test_floats(void **state)
+{
+	(void)state;
+	enum { ULP1, ULP3, ABS, REL, N };
+	static const ts_relaxations relaxed[N] = {{.ulp = 1}, {.ulp = 3}, {.abs = 0.25}, {.rel = 0.25}};
+	static const struct {
+		f32 ref, cand;
+		bool same, passes[N];
+	} cases[] = {
+		{1.0f, 1.0f, true, {true, true, true, true}},
+		{1.0f, 0x1.000002p+0f, false, {true, true, true, true}},
+		{1.0f, 0x1.000006p+0f, false, {false, true, true, true}},
+		{1.0f, 1.25f, false, {false, false, true, true}},
+		{1.0f, 1.2500001f, false, {false, false, false, false}},
+		{4.0f, 3.0f, false, {false, false, false, true}},
+		{0.0f, -0.0f, false, {true, true, true, true}},
+		{0.0f, 0x1p-149f, false, {true, true, true, false}},
+		{0.0f, 0.25f, false, {false, false, true, false}},
+		{INFINITY, 5.0f, false, {false, false, false, false}},
+		{5.0f, INFINITY, false, {false, false, false, false}},
+		{INFINITY, -INFINITY, false, {false, false, false, false}},
+		{INFINITY, INFINITY, true, {true, true, true, true}},
+		{NAN, NAN, false, {false, false, false, false}},
+		{1.0f, NAN, false, {false, false, false, false}},
+		{NAN, 1.0f, false, {false, false, false, false}},
+		{-1.0f, 1.0f, false, {false, false, false, false}},
+	};
+	f32 old;
+	for (u32 i = 0; i < sizeof cases / sizeof *cases; i++) {
+		poke(ref, TS_B_image_radiance, 777, 0, &cases[i].ref, 4, &old);
+		poke(cand, TS_B_image_radiance, 777, 0, &cases[i].cand, 4, NULL);
+		ts_status exact = compare((ts_relaxations){.ulp = 0});
+		if (exact != (cases[i].same ? TS_OK : TS_DIFFERENT)) fail_msg("case %u, exactly", (unsigned)i);
+		for (u32 r = 0; r < N; r++) {
+			if (compare(relaxed[r]) != (cases[i].passes[r] ? TS_OK : TS_DIFFERENT))
+				fail_msg("case %u, %u", (unsigned)i, (unsigned)r);
+			bool used = cases[i].passes[r] && !cases[i].same;
+			assert_int_equal(c.verdict[TS_B_image_radiance].n_relaxed, used);
+		}
+		poke(ref, TS_B_image_radiance, 777, 0, &old, 4, NULL);
+		poke(cand, TS_B_image_radiance, 777, 0, &old, 4, NULL);
+	}
+}
+
+/* A NaN in a record of other fields, in both, with all else equal; none in what only looks like one. */
+static void test_nan(void **state)
+{
+	(void)state;
+	u32 nan = 0xffc00000u, old, centre;
+	for (u32 i = 0; i < 2; i++) {
+		ts_trace *t = i == 0 ? ref : cand;
+		poke(t, TS_B_points_record, 3, offsetof(ts_point, flags), &nan, 4, &old);
+	}
+	assert_int_equal(compare((ts_relaxations){.ulp = 0}), TS_OK);
+	for (u32 i = 0; i < 2; i++) {
+		ts_trace *t = i == 0 ? ref : cand;
+		poke(t, TS_B_points_record, 3, offsetof(ts_point, flags), &old, 4, NULL);
+		poke(t, TS_B_points_record, 3, offsetof(ts_point, centre) + 8, &nan, 4, i == 0 ? &centre : NULL);
+	}
+	assert_int_equal(compare((ts_relaxations){.ulp = 9, .abs = 9, .rel = 9}), TS_DIFFERENT);
+	assert_true(c.first == TS_B_points_record && c.verdict[c.first].first.element == 3 &&
+	            c.verdict[c.first].first.component == 2);
+	assert_int_equal(compare((ts_relaxations){.ignore = "points.record.centre"}), TS_OK);
+	for (u32 i = 0; i < 2; i++)
+		poke(i == 0 ? ref : cand, TS_B_points_record, 3, offsetof(ts_point, centre) + 8, &centre, 4, NULL);
+}
+
+static void test_allow_and_ignore(void **state)
+{
+	(void)state;
+	static const struct {
+		const char *ignore;
+		ts_status status;
+	} cases[] = {
+		{"pixel.record", TS_OK},
+		{"pixel.record.normal", TS_OK},
+		{"cull.keep,pixel.record.normal", TS_OK},
+		{"pixel.record.position", TS_DIFFERENT},
+		{"pixel.offset", TS_DIFFERENT},
+		{"pixel", TS_ERROR},
+		{"pixel.record.", TS_ERROR},
+		{"pixel.record.normals", TS_ERROR},
+		{"pixel.record,", TS_ERROR},
+		{"", TS_ERROR},
+		{" pixel.record", TS_ERROR},
+		{"image.srgb.", TS_ERROR},
+		{"pixel.record.norma", TS_ERROR},
+	};
+	f32 old[2], value = 0.123f;
+	u32 at = offsetof(ts_pixel, normal);
+	for (u32 i = 0; i < 2; i++) poke(cand, TS_B_pixel_record, 5 + i, at, &value, 4, &old[i]);
+	for (u32 i = 0; i < sizeof cases / sizeof *cases; i++) {
+		if (compare((ts_relaxations){.ignore = cases[i].ignore}) != cases[i].status)
+			fail_msg("--ignore \"%s\"", cases[i].ignore);
+		if (cases[i].status == TS_ERROR) says("no buffer and no field");
+	}
+	assert_int_equal(compare((ts_relaxations){.allow = 1}), TS_DIFFERENT);
+	assert_int_equal(c.verdict[TS_B_pixel_record].n_different, 2);
+	assert_int_equal(compare((ts_relaxations){.allow = 2}), TS_OK);
+	assert_int_equal(c.verdict[TS_B_pixel_record].n_different, 2);
+	for (u32 i = 0; i < 2; i++) poke(cand, TS_B_pixel_record, 5 + i, at, &old[i], 4, NULL);
+	assert_int_equal(compare((ts_relaxations){.ignore = "image.srgb"}), TS_OK);
+	assert_int_equal(c.verdict[TS_B_image_srgb].judgement, TS_IGNORED);
+}
+
+static void test_mask(void **state)
+{
+	(void)state;
+	static u8 mask[64 * 36];
+	u8 old, new;
+	u64 pixel = 20 * 64 + 33;
+	poke(cand, TS_B_image_srgb, 3 * pixel + 1, 0, "", 1, &old);
+	new = old ^ 0x55;
+	poke(cand, TS_B_image_srgb, 3 * pixel + 1, 0, &new, 1, NULL);
+	memset(mask, 1, sizeof mask);
+	ts_relaxations r = {.mask = mask, .mask_width = 64, .mask_height = 36};
+	assert_int_equal(compare(r), TS_DIFFERENT);
+	assert_int_equal(c.verdict[TS_B_image_srgb].first.element, 3 * pixel + 1);
+	mask[pixel] = 0;
+	assert_int_equal(compare(r), TS_OK);
+	assert_true(c.verdict[TS_B_image_srgb].n_masked == 3 && c.verdict[TS_B_eye_depth_triangle].n_masked == 1);
+	assert_int_equal(c.verdict[TS_B_points_record].n_masked, 0);
+	mask[pixel] = 1;
+	mask[pixel + 1] = 0;
+	assert_int_equal(compare(r), TS_DIFFERENT);
+	static u8 marks[64 * 36 * 3];
+	ts_verdict v = {.marks = marks};
+	const ts_order same = {.given = false};
+	r.mask = NULL;
+	assert_int_equal(ts_compare_buffer(&v, TS_B_image_srgb, ref, cand, &same, &r), TS_OK);
+	for (u64 i = 0; i < sizeof marks; i++) assert_int_equal(marks[i], i == 3 * pixel + 1);
+	poke(cand, TS_B_image_srgb, 3 * pixel + 1, 0, &old, 1, NULL);
+}
+
+/* Writes a buffer of the candidate again with other rows, and opens it. */
+static void resized(ts_buffer_id id, const char *shape, i64 rows)
+{
+	size_t bytes;
+	char descr[TS_NPY_DESCR];
+	u64 at = cand->item[id].npy.data_at, row = ts_buffer_table[id].element_bytes;
+	char *data = file_read(ref->item[id].path, &bytes), *path = strdup(cand->item[id].path);
+	data = realloc(data, bytes + 4096);
+	assert_non_null(data);
+	memset(data + bytes, 0, 4096);
+	ts_npy_descr(descr, id);
+	npy_write(path, descr, shape, data + at, (size_t)((i64)(ref->item[id].npy.n * row) + rows * (i64)row));
+	ts_trace_close(cand);
+	if (ts_trace_open(&cand, dir[1]) != TS_OK) fail_msg("%s", ts_error_message());
+	free(path);
+	free(data);
+}
+
+static void restored(ts_buffer_id id)
+{
+	size_t bytes;
+	char *data = file_read(ref->item[id].path, &bytes);
+	file_write(cand->item[id].path, data, bytes);
+	free(data);
+	ts_trace_close(cand);
+	assert_int_equal(ts_trace_open(&cand, dir[1]), TS_OK);
+}
+
+static void test_counts(void **state)
+{
+	(void)state;
+	char shape[64];
+	u64 n = ref->item[TS_B_split_triangle].npy.n;
+	snprintf(shape, sizeof shape, "(%u,)", (unsigned)n - 2);
+	resized(TS_B_split_triangle, shape, -2);
+	assert_int_equal(compare((ts_relaxations){.ulp = 0}), TS_DIFFERENT);
+	const ts_verdict *v = &c.verdict[TS_B_split_triangle];
+	assert_true(c.first == TS_B_split_triangle && v->n_different == 2 && !v->has_first && v->n_cand == n - 2);
+	snprintf(shape, sizeof shape, "(%u,)", (unsigned)n + 3);
+	resized(TS_B_split_triangle, shape, 3);
+	assert_int_equal(compare((ts_relaxations){.ulp = 0}), TS_DIFFERENT);
+	assert_int_equal(v->n_different, 3);
+	restored(TS_B_split_triangle);
+	resized(TS_B_image_srgb, "(35, 64, 3)", -64 * 3);
+	assert_int_equal(compare((ts_relaxations){.ulp = 0}), TS_ERROR);
+	says("shape 35 x 64 x 3; the reference's is 36 x 64 x 3");
+	resized(TS_B_image_srgb, "(64, 36, 3)", 0);
+	assert_int_equal(compare((ts_relaxations){.ulp = 0}), TS_ERROR);
+	restored(TS_B_image_srgb);
+}
+
+static void test_nothing(void **state)
+{
+	(void)state;
+	ts_trace *none, *other;
+	ts_relaxations exact = {.ulp = 0};
+	assert_int_equal(ts_trace_open_layout(&none, dir[1], "", false, ref), TS_OK);
+	assert_int_equal(ts_compare(&c, ref, none, &exact), TS_ERROR);
+	says("nothing to judge");
+	assert_true(c.n_missing >= 39 && c.verdict[TS_B_image_srgb].judgement == TS_MISSING);
+	none->pipeline = ts_pipeline_find("reflections", "mvr");
+	assert_int_equal(ts_compare(&c, ref, none, &exact), TS_ERROR);
+	says("a trace of mvr; the reference's is of epr");
+	ts_trace_close(none);
+	assert_int_equal(ts_trace_open_layout(&other, dir[1], "points.key=11-points.key.npy", true, ref), TS_OK);
+	assert_int_equal(ts_compare(&c, other, ref, &exact), TS_ERROR);
+	says("in order of arrival, so it is no reference");
+	ts_trace_close(other);
+}
+
+int main(void)
+{
+	const struct CMUnitTest compare_tests[] = {
+		cmocka_unit_test(test_same),   cmocka_unit_test(test_every_field),      cmocka_unit_test(test_floats),
+		cmocka_unit_test(test_nan),    cmocka_unit_test(test_allow_and_ignore), cmocka_unit_test(test_mask),
+		cmocka_unit_test(test_counts), cmocka_unit_test(test_nothing),
+	};
+	return cmocka_run_group_tests(compare_tests, begin, end);
+}

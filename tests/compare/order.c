@@ -1,0 +1,208 @@
+/* Keys that meet in any order against a plain search, window by window; and what is missing, extra or repeated. */
+#include "../trace/folder.h"
+#include "../../src/kernels/base/num.h"
+#include "../../src/compare/gather.h"
+#include "../../src/compare/order.h"
+
+enum { MOST = 3000 };
+
+static u32 seed = 17;
+static u32 draw(u32 n)
+{
+	seed = seed * 1664525u + 1013904223u;
+	return (u32)(((u64)seed * n) >> 32);
+}
+
+static ts_trace side(const char *name, const u64 *keys, u64 n, bool arrival)
+{
+	ts_trace trace = {.arrival = arrival};
+	ts_trace_item *item = &trace.item[TS_B_points_key];
+	item->path = strdup(folder_path("%s", name));
+	assert_non_null(item->path);
+	item->npy = (ts_npy){.n_dims = 1, .shape = {n}, .n = n};
+	file_write(item->path, keys, n * sizeof *keys);
+	return trace;
+}
+
+static ts_status make(ts_order *order, const u64 *ref, u64 n_ref, const u64 *cand, u64 n_cand, bool arrival)
+{
+	ts_trace a = side("ref", ref, n_ref, false), b = side("cand", cand, n_cand, arrival);
+	ts_status status = ts_order_make(order, &a, &b);
+	free(a.item[TS_B_points_key].path);
+	free(b.item[TS_B_points_key].path);
+	return status;
+}
+
+/* Ascending keys: of points, or with every bit in use. */
+static u64 make_keys(u64 *keys, bool wide)
+{
+	u64 n = draw(MOST), key = wide ? 0 : 5;
+	for (u64 i = 0; i < n; i++) {
+		key += 1 + (wide ? (u64)draw(UINT32_MAX) << 20 : draw(9) == 0 ? (u64)draw(7) << 32 : draw(3));
+		keys[i] = key;
+	}
+	if (wide && n > 0) keys[n - 1] = UINT64_MAX;
+	return n;
+}
+
+static u64 place_of(const u64 *keys, u64 n, u64 key)
+{
+	for (u64 i = 0; i < n; i++) {
+		if (keys[i] == key) return i;
+	}
+	return TS_NONE;
+}
+
+static void shuffle(u64 *keys, u64 n)
+{
+	for (u64 i = n; i > 1; i--) {
+		u64 j = draw((u32)i), kept = keys[i - 1];
+		keys[i - 1] = keys[j];
+		keys[j] = kept;
+	}
+}
+
+static void test_permutations(void **state)
+{
+	(void)state;
+	static u64 ref[MOST], cand[MOST];
+	for (u32 round = 0; round < 40; round++) {
+		ts_order order;
+		u64 n = make_keys(ref, round % 2 == 1);
+		memcpy(cand, ref, sizeof cand);
+		shuffle(cand, n);
+		assert_int_equal(make(&order, ref, n, cand, n, true), TS_OK);
+		assert_true(order.given && order.n_missing == 0 && order.n_extra == 0 && order.n_twice == 0);
+		for (u64 i = 0; i < n; i++) {
+			assert_int_equal(ref[ts_order_map(&order, (u32)i)], cand[i]);
+			assert_int_equal(cand[order.cand_of_ref[i]], ref[i]);
+		}
+		ts_order_free(&order);
+	}
+}
+
+/* Drops, repeats and invents keys; the counts are found by plain search. */
+static void test_unlike(void **state)
+{
+	(void)state;
+	static u64 ref[MOST], cand[2 * MOST];
+	for (u32 round = 0; round < 20; round++) {
+		ts_order order;
+		u64 n = make_keys(ref, round % 2 == 1), m = 0, missing = 0, least_missing = 0, extra = 0, twice = 0,
+			least = UINT64_MAX;
+		for (u64 i = 0; i < n; i++) {
+			u32 fate = draw(8);
+			if (fate > 0) cand[m++] = ref[i];
+			if (fate == 1) cand[m++] = ref[i];
+			if (fate == 2) cand[m++] = ref[i] + 1;
+		}
+		shuffle(cand, m);
+		for (u64 i = n; i-- > 0;) {
+			if (place_of(cand, m, ref[i]) != TS_NONE) continue;
+			missing++;
+			least_missing = ref[i];
+		}
+		for (u64 i = 0; i < m; i++) {
+			bool known = place_of(ref, n, cand[i]) != TS_NONE, again = place_of(cand, i, cand[i]) != TS_NONE;
+			if (known && !again) continue;
+			extra++;
+			twice += known;
+			least = cand[i] < least ? cand[i] : least;
+		}
+		assert_int_equal(make(&order, ref, n, cand, m, true), TS_OK);
+		assert_true(order.n_missing == missing && order.n_extra == extra && order.n_twice == twice);
+		assert_true(missing == 0 || order.missing == least_missing);
+		assert_true(extra == 0 || order.extra == least);
+		for (u64 i = 0; i < m; i++) {
+			u64 place = place_of(ref, n, cand[i]);
+			u32 mapped = ts_order_map(&order, (u32)i);
+			assert_true(mapped == place || mapped >= n);
+			if (place_of(cand, i, cand[i]) == TS_NONE && place != TS_NONE) assert_int_equal(mapped, place);
+		}
+		ts_order_free(&order);
+	}
+}
+
+/* An index that names nothing never becomes one that does. */
+static void test_out_of_range(void **state)
+{
+	(void)state;
+	const u64 ref[] = {1, 2, 3, 4, 5}, cand[] = {9, 2, 1};
+	ts_order order;
+	assert_int_equal(make(&order, ref, 5, cand, 3, true), TS_OK);
+	static const u32 outside[] = {0, 3, 4, 5, 6, TS_NONE - 1, TS_NONE};
+	for (u32 i = 0; i < 7; i++) assert_true(ts_order_map(&order, outside[i]) >= 5);
+	assert_int_equal(ts_order_map(&order, 1), 1);
+	assert_int_equal(ts_order_map(&order, 2), 0);
+	assert_int_equal(ts_order_map(&order, TS_NONE), TS_NONE);
+	assert_int_not_equal(ts_order_map(&order, 0), TS_NONE);
+	ts_order_free(&order);
+}
+
+static void test_ends(void **state)
+{
+	(void)state;
+	const u64 ref[] = {0, 7, UINT64_MAX}, cand[] = {UINT64_MAX, 3, UINT64_MAX, UINT64_MAX, 0}, down[] = {1, 3, 2};
+	ts_order order;
+	assert_int_equal(make(&order, ref, 3, cand, 5, true), TS_OK);
+	assert_true(order.n_missing == 1 && order.missing == 7 && order.n_extra == 3 && order.n_twice == 2 &&
+	            order.extra == 3);
+	ts_order_free(&order);
+	assert_int_equal(make(&order, ref, 0, cand, 5, true), TS_OK);
+	assert_true(order.n_missing == 0 && order.n_extra == 5);
+	ts_order_free(&order);
+	assert_int_equal(make(&order, ref, 3, cand, 0, true), TS_OK);
+	assert_true(order.n_missing == 3 && order.missing == 0 && order.n_extra == 0);
+	ts_order_free(&order);
+	assert_int_equal(make(&order, ref, 3, cand, 5, false), TS_OK);
+	assert_true(!order.given && ts_order_map(&order, 4) == 4);
+	ts_order_free(&order);
+	assert_int_equal(make(&order, down, 3, cand, 5, true), TS_ERROR);
+	says("keys do not ascend");
+	ts_order_free(&order);
+}
+
+/* Records larger than a window, in random order, with some missing. */
+static void test_gather(void **state)
+{
+	(void)state;
+	enum { N = 900000, BYTES = 80 };
+	u64 *ref = malloc(N * sizeof *ref), *cand = malloc(N * sizeof *cand), held;
+	u8 *records = calloc(N, BYTES);
+	assert_true(ref != NULL && cand != NULL && records != NULL);
+	for (u64 i = 0; i < N; i++) ref[i] = cand[i] = 3 * i;
+	shuffle(cand, N);
+	for (u64 i = 0; i < N; i += 1000) cand[i]++;
+	for (u64 i = 0; i < N; i++) memcpy(records + i * BYTES + BYTES - 8, &cand[i], 8);
+	ts_order order;
+	assert_int_equal(make(&order, ref, N, cand, N, true), TS_OK);
+	ts_trace_item item = {.path = strdup(folder_path("records")), .npy = {.n_dims = 1, .shape = {N}, .n = N}};
+	file_write(item.path, records, (size_t)N * BYTES);
+	ts_gather *g = ts_gather_open(&item, BYTES, &order);
+	assert_non_null(g);
+	u32 windows = 0;
+	for (u64 i = 0; i < N; i += held, windows++) {
+		const u8 *at = ts_gather_at(g, i, &held);
+		assert_non_null(at);
+		for (u64 k = 0; k < held; k++) {
+			u64 expected = order.cand_of_ref[i + k] != TS_NONE ? ref[i + k] : 0;
+			assert_memory_equal(at + k * BYTES + BYTES - 8, &expected, 8);
+		}
+	}
+	assert_true(windows > 1);
+	ts_gather_close(g);
+	ts_order_free(&order);
+	free(item.path);
+	free(ref);
+	free(cand);
+	free(records);
+}
+
+int main(void)
+{
+	const struct CMUnitTest order[] = {
+		cmocka_unit_test(test_permutations), cmocka_unit_test(test_unlike), cmocka_unit_test(test_out_of_range),
+		cmocka_unit_test(test_ends),         cmocka_unit_test(test_gather),
+	};
+	return cmocka_run_group_tests(order, folder_begin, folder_end);
+}

@@ -1,0 +1,359 @@
+/* Coverage: every triangle and every edge-sharing pair of a small lattice, the exact counts of the conservative cover,
+ * and covers that miss nothing of the triangle before snapping. */
+#include <stdlib.h>
+#include "../seeded.h"
+#include "../../../src/kernels/raster/raster.h"
+
+/* Lattice points are half pixels apart: every second one is a pixel's centre. Pixels of [-1, 3]^2 hold them all. */
+enum { SIDE = 7, N_POINTS = SIDE * SIDE, N_PIXELS = 25 };
+
+static ts_snapped point(u32 k) { return (ts_snapped){ (i32)(k % SIDE) * 128, (i32)(k / SIDE) * 128 }; }
+static i32 centre(i32 pixel) { return pixel * 256 + 128; }
+
+/* The pixels a triangle covers, a bit each. */
+static u32 coverage(ts_snapped a, ts_snapped b, ts_snapped c)
+{
+	u32 mask = 0;
+	ts_setup t = ts_k_setup(a, b, c);
+	if (t.area == 0) return 0;
+	for (i32 k = 0; k < N_PIXELS; k++) {
+		ts_edges e = ts_k_edges(&t, centre(k % 5 - 1), centre(k / 5 - 1));
+		mask |= (u32)ts_k_covers(&t, &e) << k;
+	}
+	return mask;
+}
+
+static i64 side(ts_snapped a, ts_snapped b, i64 x, i64 y) { return (b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x); }
+
+/* The top-left rule without edges' names: what holds a centre pushed a hair to the right, and a hair's hair down, which
+ * lies on no edge. All coordinates times 2^20; one unit is too little to cross an edge that the centre is not on. */
+static bool holds(ts_snapped a, ts_snapped b, ts_snapped c, i32 x, i32 y)
+{
+	i64 px = (i64)x * 1048576 + 1024, py = (i64)y * 1048576 + 1;
+	ts_snapped v[3] = { { a.x << 20, a.y << 20 }, { b.x << 20, b.y << 20 }, { c.x << 20, c.y << 20 } };
+	u32 n_left = 0, n_right = 0;
+	for (u32 k = 0; k < 3; k++) {
+		ts_snapped p = v[k], q = v[(k + 1) % 3];
+		i64 e = ((i64)q.x - p.x) * (py - p.y) - ((i64)q.y - p.y) * (px - p.x);
+		n_left += e > 0;
+		n_right += e < 0;
+	}
+	return n_left == 3 || n_right == 3;
+}
+
+/* Every ordered triangle: coverage is the perturbed centre's, in every order and winding. */
+static void test_all_triangles(void **state)
+{
+	(void)state;
+	u32 n_triangles = 0;
+	for (u32 k = 0; k < N_POINTS * N_POINTS * N_POINTS; k++) {
+		ts_snapped a = point(k / N_POINTS / N_POINTS), b = point(k / N_POINTS % N_POINTS), c = point(k % N_POINTS);
+		u32 expected = 0;
+		n_triangles += side(a, b, c.x, c.y) > 0;
+		for (i32 p = 0; p < N_PIXELS; p++) {
+			expected |= (u32)holds(a, b, c, centre(p % 5 - 1), centre(p / 5 - 1)) << p;
+		}
+		if (coverage(a, b, c) == expected) continue;
+		print_error("(%d %d) (%d %d) (%d %d) covers %x, not %x\n", a.x, a.y, b.x, b.y, c.x, c.y, coverage(a, b, c),
+		            expected);
+		fail();
+	}
+	assert_int_equal(n_triangles, 52800);
+}
+
+/* Pixels whose centre is on the open segment. */
+static u32 crossed(ts_snapped a, ts_snapped b)
+{
+	u32 mask = 0;
+	for (i32 k = 0; k < N_PIXELS; k++) {
+		i64 x = centre(k % 5 - 1), y = centre(k / 5 - 1);
+		bool between = (x - a.x) * (x - b.x) + (y - a.y) * (y - b.y) < 0;
+		mask |= (u32)(between && side(a, b, x, y) == 0) << k;
+	}
+	return mask;
+}
+
+/* Every pair on the two sides of every edge, run both ways: no pixel twice, and each centre on the edge once. */
+static void test_all_pairs(void **state)
+{
+	(void)state;
+	u32 n_pairs = 0, n_twice = 0, n_never = 0, left[N_POINTS], right[N_POINTS];
+	for (u32 k = 0; k < N_POINTS * N_POINTS; k++) {
+		ts_snapped a = point(k / N_POINTS), b = point(k % N_POINTS);
+		u32 n_left = 0, n_right = 0;
+		for (u32 c = 0; c < N_POINTS; c++) {
+			i64 e = side(a, b, point(c).x, point(c).y);
+			if (e > 0) left[n_left++] = coverage(a, b, point(c));
+			if (e < 0) right[n_right++] = coverage(a, b, point(c));
+		}
+		u32 edge = crossed(a, b);
+		for (u32 p = 0; p < n_left * n_right; p++) {
+			u32 one = left[p / n_right], other = right[p % n_right];
+			n_pairs++;
+			n_twice += (one & other) != 0;
+			n_never += (edge & ~(one | other)) != 0;
+		}
+	}
+	assert_int_equal(n_pairs, 864704);
+	assert_int_equal(n_twice, 0);
+	assert_int_equal(n_never, 0);
+}
+
+/* In the whole range of snapping. */
+static ts_snapped anywhere(void)
+{
+	i32 x = (i32)below(16777215) - 8388607;
+	return (ts_snapped){ x, (i32)below(16777215) - 8388607 };
+}
+
+/* A turned triangle has positive area, its edges sum to it everywhere, and it knows where its corners came from. */
+static void test_setup(void **state)
+{
+	(void)state;
+	for (u32 i = 0; i < 100000; i++) {
+		ts_snapped v[3];
+		for (u32 k = 0; k < 3; k++) v[k] = anywhere();
+		ts_setup t = ts_k_setup(v[0], v[1], v[2]);
+		ts_snapped p = anywhere();
+		ts_edges e = ts_k_edges(&t, p.x, p.y);
+		assert_true(t.area == llabs(side(v[0], v[1], v[2].x, v[2].y)));
+		assert_true(e.e[0] + e.e[1] + e.e[2] == t.area);
+		for (u32 k = 0; k < 3; k++) {
+			assert_true(llabs(e.e[k]) <= 1LL << 49);
+			assert_memory_equal(&t.v[k], &v[t.from[k]], sizeof t.v[k]);
+			ts_edges at = ts_k_edges(&t, t.v[k].x, t.v[k].y);
+			assert_true(at.e[k] == t.area);
+		}
+		assert_int_equal(1u << t.from[0] | 1u << t.from[1] | 1u << t.from[2], 7);
+	}
+}
+
+static void test_snap(void **state)
+{
+	(void)state;
+	for (u32 i = 0; i < 100000; i++) {
+		ts_v2 p = { uniform(-40000, 40000), uniform(-40000, 40000) };
+		ts_snapped s = ts_k_snap(p);
+		assert_int_equal(s.x, (i32)fmax(fmin(rint(256 * (double)p.x), 8388607), -8388607));
+		assert_int_equal(s.y, (i32)fmax(fmin(rint(256 * (double)p.y), 8388607), -8388607));
+	}
+}
+
+/* The box holds just the pixels whose centre is within the half size of the corners' box. */
+static void test_touched_box(void **state)
+{
+	(void)state;
+	const i32 half_sizes[] = { 0, 128, 129 };
+	for (u32 i = 0; i < 30000; i++) {
+		ts_snapped v[5];
+		u32 n = 1 + below(5);
+		i32 h = half_sizes[i % 3], x0 = 9999, x1 = -9999, y0 = 9999, y1 = -9999;
+		for (u32 k = 0; k < n; k++) {
+			v[k] = (ts_snapped){ (i32)below(1537) - 768, (i32)below(1537) - 768 };
+			x0 = v[k].x < x0 ? v[k].x : x0;
+			x1 = v[k].x > x1 ? v[k].x : x1;
+			y0 = v[k].y < y0 ? v[k].y : y0;
+			y1 = v[k].y > y1 ? v[k].y : y1;
+		}
+		ts_box box = ts_k_touched_box(v, n, h);
+		for (i32 p = -6; p < 6; p++) {
+			assert_true((p >= box.x0 && p <= box.x1) == (centre(p) >= x0 - h && centre(p) <= x1 + h));
+			assert_true((p >= box.y0 && p <= box.y1) == (centre(p) >= y0 - h && centre(p) <= y1 + h));
+		}
+	}
+	ts_camera_k view = { .width = 7, .height = 5 };
+	ts_box met = ts_k_box_meet(ts_k_view_box(&view), (ts_box){ -3, 2, 4, 9 });
+	assert_true(met.x0 == 0 && met.y0 == 2 && met.x1 == 4 && met.y1 == 4);
+}
+
+static i32 common_divisor(i32 a, i32 b)
+{
+	a = abs(a);
+	b = abs(b);
+	while (b != 0) {
+		i32 r = a % b;
+		a = b;
+		b = r;
+	}
+	return a;
+}
+
+static u32 n_touched(const ts_cover *c)
+{
+	u32 n = 0;
+	for (i32 j = c->touched.y0; j <= c->touched.y1; j++) {
+		for (i32 i = c->touched.x0; i <= c->touched.x1; i++) n += ts_k_touches(c, i, j);
+	}
+	return n;
+}
+
+static ts_cover cover(const ts_snapped *v, u32 n, i32 dx, i32 dy, i32 half_size)
+{
+	ts_cover c = { .n = n };
+	for (u32 k = 0; k < n; k++) c.v[k] = (ts_snapped){ v[k].x + dx, v[k].y + dy };
+	ts_k_cover_finish(&c, half_size);
+	return c;
+}
+
+/* Pixels touched, summed over all 256 x 256 places of a polygon within a pixel, are the lattice points of polygon plus
+ * square: by Pick's theorem its area, half its border and 1. The mean is A + k (w + h) + k^2, k = 2 half sizes. */
+static void judge_count(const ts_snapped *v, u32 n, i32 half_size)
+{
+	i64 twice_area = 0, border = 8 * half_size, total = 0;
+	i32 x0 = v[0].x, x1 = v[0].x, y0 = v[0].y, y1 = v[0].y;
+	for (u32 k = 0; k < n; k++) {
+		ts_snapped a = v[k], b = v[(k + 1) % n];
+		twice_area += (i64)a.x * b.y - (i64)b.x * a.y;
+		border += common_divisor(b.x - a.x, b.y - a.y);
+		x0 = a.x < x0 ? a.x : x0;
+		x1 = a.x > x1 ? a.x : x1;
+		y0 = a.y < y0 ? a.y : y0;
+		y1 = a.y > y1 ? a.y : y1;
+	}
+	for (i32 place = 0; place < 65536; place++) {
+		ts_cover c = cover(v, n, place & 255, place >> 8, half_size);
+		total += n_touched(&c);
+	}
+	i64 w = x1 - x0, h = y1 - y0, twice_sum = llabs(twice_area) + 4 * half_size * (w + h) + 8 * half_size * half_size;
+	assert_true(2 * total == twice_sum + border + 2);
+	double k = half_size / 128.0, mean = llabs(twice_area) / 131072.0 + k * (double)(w + h) / 256 + k * k;
+	assert_near(total / 65536.0, mean, (double)(border + 2) / 131072);
+}
+
+static void test_count(void **state)
+{
+	(void)state;
+	for (u32 i = 0; i < 12; i++) {
+		i32 size = 16 << i % 6;
+		ts_snapped v[3];
+		for (u32 k = 0; k < 3; k++) v[k] = (ts_snapped){ (i32)below((u32)size), (i32)below((u32)size) };
+		judge_count(v, 3, 128);
+		judge_count(v, 3, 129);
+	}
+}
+
+/* Without area: a point, a segment; with more corners: a hexagon, both ways round. */
+static void test_count_of_others(void **state)
+{
+	(void)state;
+	const ts_snapped point_[3] = { { 5, 7 }, { 5, 7 }, { 5, 7 } };
+	const ts_snapped segment[3] = { { 0, 0 }, { 600, 200 }, { 300, 100 } };
+	const ts_snapped hexagon[6] = { { 100, 0 }, { 500, 30 }, { 620, 200 }, { 410, 420 }, { 90, 400 }, { 0, 230 } };
+	const ts_snapped turned[6] = { { 0, 230 }, { 90, 400 }, { 410, 420 }, { 620, 200 }, { 500, 30 }, { 100, 0 } };
+	judge_count(point_, 3, 128);
+	judge_count(segment, 3, 129);
+	judge_count(hexagon, 6, 128);
+	judge_count(hexagon, 6, 129);
+	judge_count(turned, 6, 129);
+}
+
+typedef struct { double x, y; } place;
+
+/* How far two convex shapes are apart along a direction; not positive if they may meet. */
+static double gap(const place *t, place c, double nx, double ny)
+{
+	double t0 = 1e9, t1 = -1e9, reach = 0.5 * (fabs(nx) + fabs(ny)), at = c.x * nx + c.y * ny;
+	for (u32 k = 0; k < 3; k++) {
+		t0 = fmin(t0, t[k].x * nx + t[k].y * ny);
+		t1 = fmax(t1, t[k].x * nx + t[k].y * ny);
+	}
+	return fmax(t0 - (at + reach), at - reach - t1);
+}
+
+/* The closed pixel and the triangle before snapping have a point in common: no separating axis. */
+static bool really_touches(const place *t, i32 i, i32 j)
+{
+	place c = { i + 0.5, j + 0.5 };
+	if (gap(t, c, 1, 0) > 0 || gap(t, c, 0, 1) > 0) return false;
+	for (u32 k = 0; k < 3; k++) {
+		place a = t[k], b = t[(k + 1) % 3];
+		if (gap(t, c, a.y - b.y, b.x - a.x) > 0) return false;
+	}
+	return true;
+}
+
+/* With half size 129 nothing that the unsnapped triangle touches is missed; 128 does miss some, so this can see. */
+static void test_nothing_missed(void **state)
+{
+	(void)state;
+	u32 n_missed[2] = { 0 }, n_touched_really = 0;
+	for (u32 n = 0; n < 200000; n++) {
+		f32 size = ldexpf(1, (int)below(6) - 2), x = uniform(-100, 100), y = uniform(-100, 100);
+		place t[3];
+		ts_snapped v[3];
+		for (u32 k = 0; k < 3; k++) {
+			ts_v2 p = { x + uniform(-size, size), y + uniform(-size, size) };
+			t[k] = (place){ p.x, p.y };
+			v[k] = ts_k_snap(p);
+		}
+		ts_cover c[2] = { cover(v, 3, 0, 0, 128), cover(v, 3, 0, 0, 129) };
+		for (i32 j = c[1].touched.y0 - 1; j <= c[1].touched.y1 + 1; j++) {
+			for (i32 i = c[1].touched.x0 - 1; i <= c[1].touched.x1 + 1; i++) {
+				if (!really_touches(t, i, j)) continue;
+				n_touched_really++;
+				for (u32 h = 0; h < 2; h++) {
+					ts_box box = c[h].touched;
+					bool inside = i >= box.x0 && i <= box.x1 && j >= box.y0 && j <= box.y1;
+					n_missed[h] += !inside || !ts_k_touches(&c[h], i, j);
+				}
+			}
+		}
+	}
+	assert_true(n_touched_really > 1000000);
+	assert_true(n_missed[0] > 0 && n_missed[0] < n_touched_really / 1000);
+	assert_int_equal(n_missed[1], 0);
+}
+
+/* An orthographic view: the projection is a multiple of the place on its axes, whatever the depth; out of sight is what its
+ * box does not reach; and a fragment shows what the ray through its pixel meets. */
+static void test_orthographic(void **state)
+{
+	(void)state;
+	const ts_camera_k view = { .right = { 1, 0, 0 }, .up = { 0, 1, 0 }, .back = { 0, 0, 1 }, .focal = 8, .near = 0.5f,
+	                           .width = 64, .height = 32, .orthographic = 1 };
+	u32 n_seen = 0, n_outside = 0;
+	for (u32 i = 0; i < 3000; i++) {
+		ts_v3 v[3];
+		for (u32 k = 0; k < 3; k++) v[k] = ts_v3_make(uniform(-9, 9), uniform(-9, 9), uniform(-8, 1));
+		ts_polygon p = ts_k_polygon(&view, v[0], v[1], v[2]);
+		double low[3] = { INFINITY, INFINITY, INFINITY }, high[3] = { -INFINITY, -INFINITY, -INFINITY };
+		for (u32 k = 0; k < 3; k++) {
+			const double at[3] = { 32 + 8 * (double)v[k].x, 16 - 8 * (double)v[k].y, -(double)v[k].z };
+			ts_v2 q = ts_k_project(&view, &p.corner[k]);
+			assert_true(fabs((double)q.x - at[0]) <= 1e-5 && fabs((double)q.y - at[1]) <= 1e-5);
+			for (u32 a = 0; a < 3; a++) low[a] = fmin(low[a], at[a]), high[a] = fmax(high[a], at[a]);
+		}
+		bool outside = high[0] < 0 || high[1] < 0 || low[0] > 64 || low[1] > 32 || high[2] < 0.5;
+		assert_true(ts_k_is_outside(&view, &p) == outside);
+		n_outside += outside;
+		if (outside || low[2] < 0.5) continue;
+		ts_snapped s[3];
+		for (u32 k = 0; k < 3; k++) s[k] = ts_k_snap(ts_k_project(&view, &p.corner[k]));
+		ts_setup setup = ts_k_setup(s[0], s[1], s[2]);
+		if (setup.area < 1 << 18) continue;
+		for (i32 k = 0; k < 64 * 32; k += 7) {
+			ts_edges e = ts_k_edges(&setup, centre(k % 64), centre(k / 64));
+			if (!ts_k_covers(&setup, &e)) continue;
+			ts_fragment f = ts_k_fragment_parallel(&setup, &e, &p.corner[0], &p.corner[1], &p.corner[2]);
+			double3 n = d3_cross(d3_sub(d3_of(v[1]), d3_of(v[0])), d3_sub(d3_of(v[2]), d3_of(v[0])));
+			double x = (k % 64 + 0.5 - 32) / 8, y = (16 - k / 64 - 0.5) / 8;
+			double z = (n.x * (x - (double)v[0].x) + n.y * (y - (double)v[0].y)) / n.z - (double)v[0].z;
+			double slope = 1 + hypot(n.x, n.y) / fabs(n.z);
+			double3 at = d3_blend(f.w, d3_of(v[0]), d3_of(v[1]), d3_of(v[2]));
+			assert_true(fabs((double)f.z - z) <= 2e-3 * slope);
+			assert_true(fabs(at.x - x) <= 2e-3 && fabs(at.y - y) <= 2e-3 && fabs(at.z + (double)f.z) <= 1e-5);
+			n_seen++;
+		}
+	}
+	assert_true(n_seen > 10000 && n_outside > 100);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		seeded_test(test_all_triangles),   seeded_test(test_all_pairs),   seeded_test(test_setup),
+		seeded_test(test_snap),            seeded_test(test_touched_box), seeded_test(test_count),
+		seeded_test(test_count_of_others), seeded_test(test_nothing_missed), seeded_test(test_orthographic),
+	};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,118 @@
+/* The margins of deferred shading against ports that round otherwise: outlines and tones in double precision, of numbers
+ * that are off by up to 4 ulps, each its own way, on a G-buffer whose steps, drops and cosines nearly tie. Whatever that
+ * changes is undecided, most is decided, and a port of other thresholds differs where it is. */
+#include <string.h>
+#include "../../../src/kernels/surfels/deferred_margin.h"
+#include "../seeded.h"
+
+enum { SIDE = 48, N = SIDE * SIDE, N_WORLDS = 40 };
+
+typedef struct { double step, drop, tone; } faults; /* of its thresholds */
+static const faults none = { 1, 1, 1 };
+static ts_gpixel pixels[N];
+static const ts_view view = { .width = SIDE, .height = SIDE };
+static const ts_light sun = { .direction = { 0, 0, -1 }, .intensity = { 3, 3, 3 } };
+static u32 port; /* which way its numbers are off */
+
+static double off_of(double x, double of)
+{
+	return x + of * (ts_uniform(ts_random(ts_f2u((f32)x), 3, port)) * 2 - 1) / 2097152;
+}
+
+static f32 nearly(f32 x)
+{
+	i32 ulps = (i32)below(5) - 2;
+	return x != 0 ? ts_u2f(ts_f2u(x) + (u32)ulps) : (f32)ulps / 8388608;
+}
+
+/* The eye is in the origin; each is as deep as another by the step, and as far below it as the drop, or nearly; and some are
+ * less near to that. */
+static void fill(void)
+{
+	for (u32 i = 0; i < N; i++) {
+		f32 far = 0.25f + 0.125f * (f32)below(4), depth = 1 - far;
+		f32 cosine = nearly((f32)below(4) / 3) * (below(4) == 0 ? 0.98f : 1);
+		for (u32 k = below(4); k > 0; k--) far = far * (below(4) == 0 ? 0.9675f : 0.96875f);
+		if (below(2) == 0) depth = nearly(1 - far);
+		ts_v3 n = ts_v3_make(ts_sqrt(ts_max(1 - cosine * cosine, 0)), 0, cosine);
+		ts_v3 p = ts_v3_make(0, 0, nearly(-1 - (below(4) == 0 ? 0.008f : 0.0078125f) * (f32)below(4)));
+		pixels[i] = (ts_gpixel){ .depth = below(8) == 0 ? 1 : depth };
+		if (below(3) == 0) n = ts_v3_make(0, 0, 1);
+		ts_store3(pixels[i].position, p);
+		ts_store3(pixels[i].normal, n);
+		ts_store3(pixels[i].albedo, ts_v3_make(1, 1, 1));
+	}
+}
+
+static bool ends(const ts_gpixel *at, i32 x, i32 y, const faults *how)
+{
+	if (x < 0 || y < 0 || x >= SIDE || y >= SIDE) return false;
+	const ts_gpixel *next = &pixels[y * SIDE + x];
+	double near = 1 - (double)at->depth, z = at->position[2];
+	double farther = off_of(near - (1 - (double)next->depth), near);
+	double lower = off_of((z - (double)next->position[2]) * (double)at->normal[2], -z);
+	return farther > how->step * near / 32 && (next->depth == 1 || lower > how->drop * -z / 128);
+}
+
+/* Red, of white. */
+static double paint(u32 i, bool npr, const faults *how)
+{
+	const ts_gpixel *at = &pixels[i];
+	i32 x = (i32)(i % SIDE), y = (i32)(i / SIDE);
+	double cosine = off_of(at->normal[2], 1), p = 0.31830988618379067, shine = pow(fmax(2 * cosine * cosine - 1, 0), 32) / 4;
+	bool outline = ends(at, x - 1, y, how) || ends(at, x + 1, y, how) || ends(at, x, y - 1, how) || ends(at, x, y + 1, how);
+	if (npr && outline) return 0;
+	if (cosine <= 0) return 0.25;
+	return 0.25 + 3 * p * (npr ? fmin(floor(cosine * 3 * how->tone + 1), 3) / 3 : cosine + shine);
+}
+
+typedef struct { u32 n, undecided, differ, wrong; } sums;
+
+static void check(sums *r, bool npr, const faults *how)
+{
+	static f32 radiance[3 * N], margin[N];
+	static u8 srgb[3 * N];
+	u32 shader = npr ? TS_SHADER_IS_NPR : TS_SHADER_IS_PHONG;
+	ts_deferred_args args = { .view = &view, .pixels = pixels, .lights = &sun, .radiance = radiance, .srgb = srgb,
+		.n_lights = 1, .shader = shader, .ambient = 0.25f, .exposure = 1 };
+	ts_deferred_margin_args margins = { .of = args, .margin = margin };
+	fill();
+	for (u32 i = 0; i < N; i++) {
+		ts_k_deferred_item(&args, i);
+		ts_k_deferred_margin_item(&margins, i);
+		if (pixels[i].depth == 1) continue;
+		bool differs = fabs(paint(i, npr, how) - (double)radiance[3 * i]) > 1e-3, undecided = margin[i] <= 1;
+		r->n++;
+		r->undecided += undecided;
+		r->differ += differs;
+		r->wrong += differs && !undecided;
+	}
+}
+
+static void test_rounding(void **state)
+{
+	(void)state;
+	sums r = { 0, 0, 0, 0 }, phong = { 0, 0, 0, 0 };
+	for (port = 0; port < N_WORLDS; port++) check(&r, true, &none);
+	for (port = 0; port < N_WORLDS; port++) check(&phong, false, &none);
+	print_message("# of %u pixels %u undecided, %u differ, %u of these decided\n", r.n, r.undecided, r.differ, r.wrong);
+	assert_true(r.wrong == 0 && r.differ > 1000 && r.undecided < r.n / 2);
+	assert_true(phong.wrong == 0);
+}
+
+static void test_faults(void **state)
+{
+	(void)state;
+	static const faults all[] = { { 1.05, 1, 1 }, { 1, 1.05, 1 }, { 1, 1, 1.05 } };
+	for (u32 i = 0; i < sizeof all / sizeof *all; i++) {
+		sums r = { 0, 0, 0, 0 };
+		for (port = 0; port < 4; port++) check(&r, true, &all[i]);
+		if (r.wrong == 0) fail_msg("fault %u is not found", (unsigned)i);
+	}
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = { seeded_test(test_rounding), seeded_test(test_faults) };
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,376 @@
+/* Screen-space approximate Gaussian hulls and the light they approximate, as whole runs: the same bits on any number of
+ * threads; views of every light; the counters; pictures that look alike; what is refused; and skies, lamps and colours that
+ * are not there. */
+#include "../small.h"
+#include <math.h>
+#include "../../../src/kernels/hulls/segment_box.h"
+#include "../../../src/kernels/base/shade.h"
+#include "../../../src/trace/sums.h"
+
+static ts_params tiny_params(void)
+{
+	ts_params params = small_params(100, 54);
+	params.reflectors = 0;
+	params.grid_px = 64;
+	params.rsm_px = 8;
+	return params;
+}
+
+static void run_of(ts_run *run, const ts_scene *scene, const ts_params *params, const char *method)
+{
+	ts_run_begin(run, scene, params, 2);
+	if (ts_pipeline_run(ts_pipeline_find("indirect", method), run) != TS_OK) fail_msg("%s: %s", method, ts_error_message());
+}
+
+static void sums_of(ts_sums *sums, const ts_scene *scene, const ts_params *params, const char *method, u32 threads)
+{
+	const ts_how how = { .threads = threads };
+	ts_status status = ts_sums_of(sums, ts_pipeline_find("indirect", method), scene, params, &how);
+	if (status != TS_OK) fail_msg("%s: %s", method, ts_error_message());
+}
+
+/* Every way to compute, on any number of threads. */
+static void test_threads(void **state)
+{
+	(void)state;
+	static const struct { const char *method, *set[4][2]; } rows[] = {
+		{ "hulls", { { "segmentation", "components" }, { "sharpness", "vmf" }, { "interpolation", "moments" } } },
+		{ "hulls", { { "surface", "paper" }, { "cosine", "quadrature" } } },
+		{ "hulls", { { "cosine", "sg" }, { "lamp", "scene" } } },
+		{ "direct", { { "lamp", "lamp" } } },
+	};
+	for (u32 row = 0; row < sizeof rows / sizeof *rows; row++) {
+		static ts_sums one, seven;
+		ts_params params = tiny_params();
+		ts_scene *scene = small_scene(&params);
+		for (u32 i = 0; i < 4 && rows[row].set[i][0] != NULL; i++) {
+			assert_int_equal(ts_params_set(&params, rows[row].set[i][0], rows[row].set[i][1]), TS_OK);
+		}
+		sums_of(&one, scene, &params, rows[row].method, 1);
+		sums_of(&seven, scene, &params, rows[row].method, 7);
+		for (u32 id = 0; id < TS_N_BUFFERS; id++) assert_string_equal(one.hex[id], seven.hex[id]);
+		assert_int_equal(strlen(one.hex[TS_B_indirect_irradiance]), 64);
+		ts_scene_free(scene);
+	}
+}
+
+/* Sums over all pixels and channels of the light that two runs disagree on, of what the second has. */
+static double apart(const ts_run *a, const ts_run *b)
+{
+	const f32 *p = ts_frame_data(&a->frame, TS_B_indirect_irradiance);
+	const f32 *q = ts_frame_data(&b->frame, TS_B_indirect_irradiance);
+	double difference = 0, all = 0;
+	for (u64 i = 0; i < ts_frame_n(&a->frame, TS_B_indirect_irradiance); i++) {
+		difference += fabs((double)p[i] - (double)q[i]);
+		all += (double)q[i];
+	}
+	return difference / all;
+}
+
+/* Of the sky and of nothing else no light arrives at, and what arrives is finite. */
+static void check_light(const ts_run *run)
+{
+	const ts_gpixel *pixels = ts_frame_data(&run->frame, TS_B_gbuffer_pixel);
+	const f32 *light = ts_frame_data(&run->frame, TS_B_indirect_irradiance);
+	const f32 *radiance = ts_frame_data(&run->frame, TS_B_image_radiance);
+	const u64 *seen = ts_frame_data(&run->frame, TS_B_eye_depth_triangle);
+	const ts_v3 sky = ts_k_background();
+	for (u64 i = 0; i < ts_frame_n(&run->frame, TS_B_gbuffer_pixel); i++) {
+		assert_true((seen[i] == TS_EMPTY) == (pixels[i].depth == 1));
+		assert_true(pixels[i].depth >= 0 && pixels[i].depth <= 1);
+		for (u32 c = 0; c < 3; c++) {
+			f32 e = light[3 * i + c];
+			assert_true(e >= 0 && e < 1e6f && (pixels[i].depth < 1 || e == 0));
+			if (pixels[i].depth == 1) assert_true(radiance[3 * i + c] == (c == 0 ? sky.x : c == 1 ? sky.y : sky.z));
+		}
+	}
+}
+
+/* Hulls are near what they approximate; so are other ways to get there, and nearer to each other. */
+static void test_against_direct(void **state)
+{
+	(void)state;
+	ts_params params = tiny_params();
+	ts_scene *scene = small_scene(&params);
+	params.grid_px = 256;
+	ts_run direct, hulls, other;
+	run_of(&direct, scene, &params, "direct");
+	run_of(&hulls, scene, &params, "hulls");
+	check_light(&direct);
+	check_light(&hulls);
+	assert_true(apart(&hulls, &direct) < 0.4);
+	assert_int_equal(ts_run_counter(&direct, "gathers"), 100 * 54 * 64);
+	assert_int_equal(ts_run_counter(&hulls, "gathers"), 4 * 64 * ts_run_counter(&hulls, "boxes"));
+	static const char *const set[][2] = { { "segmentation", "components" }, { "cosine", "quadrature" },
+	                                      { "interpolation", "moments" }, { "integrals", "printed" } };
+	for (u32 i = 0; i < 4; i++) {
+		ts_params changed = params;
+		assert_int_equal(ts_params_set(&changed, set[i][0], set[i][1]), TS_OK);
+		run_of(&other, scene, &changed, "hulls");
+		check_light(&other);
+		double d = apart(&other, &hulls);
+		if (!(d > 0 && d < 0.15)) fail_msg("%s=%s: %g", set[i][0], set[i][1], d);
+		ts_run_end(&other);
+	}
+	ts_run_end(&direct);
+	ts_run_end(&hulls);
+	ts_scene_free(scene);
+}
+
+/* The least place of a block that a texel hangs together with, found by looking until nothing changes. */
+static void components_of(u32 *component, const f32 *depths, u32 grid, u32 block, f32 step)
+{
+	for (u32 p = 0; p < TS_BLOCK_TEXELS; p++) component[p] = p;
+	for (bool changed = true; changed;) {
+		changed = false;
+		for (u32 k = 0; k < 2 * TS_BLOCK_TEXELS; k++) {
+			u32 p = k / 2, q = k % 2 == 0 ? p + 1 : p + TS_BLOCK;
+			if (q >= TS_BLOCK_TEXELS || (k % 2 == 0 && q % TS_BLOCK == 0)) continue;
+			f32 a = depths[ts_k_block_texel(grid, block, p % TS_BLOCK, p / TS_BLOCK)];
+			f32 b = depths[ts_k_block_texel(grid, block, q % TS_BLOCK, q / TS_BLOCK)];
+			f32 gap = fabsf(a - b), room_a = step * (1 - a), room_b = step * (1 - b);
+			u32 least = component[p] < component[q] ? component[p] : component[q];
+			if (component[p] == component[q] || (gap > room_a && gap > room_b)) continue;
+			component[p] = component[q] = least;
+			changed = true;
+		}
+	}
+}
+
+/* Of rendered depth: no label spans two components, and the other segmentation has them. */
+static void check_segments(const ts_scene *scene, const ts_params *params, u64 *n_more)
+{
+	static u32 component[TS_BLOCK_TEXELS];
+	ts_run swept, exact;
+	ts_params other = *params;
+	other.segmentation = TS_SEGMENTATION_COMPONENTS;
+	run_of(&swept, scene, params, "hulls");
+	run_of(&exact, scene, &other, "hulls");
+	const f32 *depths = ts_frame_data(&swept.frame, TS_B_nearest_depth);
+	const u32 *labels = ts_frame_data(&swept.frame, TS_B_segment_label);
+	const u32 *components = ts_frame_data(&exact.frame, TS_B_segment_label);
+	for (u32 block = 0; block < params->grid_px / TS_BLOCK * (params->grid_px / TS_BLOCK); block++) {
+		components_of(component, depths, params->grid_px, block, params->segment_step);
+		for (u32 p = 0; p < TS_BLOCK_TEXELS; p++) {
+			u64 at = ts_k_block_texel(params->grid_px, block, p % TS_BLOCK, p / TS_BLOCK);
+			assert_int_equal(component[labels[at]], component[p]);
+			assert_int_equal(components[at], component[p]);
+		}
+	}
+	*n_more += (u64)(ts_run_counter(&swept, "labels") - ts_run_counter(&exact, "labels"));
+	assert_true(ts_run_counter(&swept, "labels") >= ts_run_counter(&exact, "labels"));
+	ts_run_end(&swept);
+	ts_run_end(&exact);
+}
+
+static void test_segments(void **state)
+{
+	(void)state;
+	static const char *const specs[] = { SMALL_SCENE, "gallery", "dining" };
+	u64 n_more = 0;
+	for (u32 i = 0; i < sizeof specs / sizeof *specs; i++) {
+		ts_params params = tiny_params();
+		ts_scene *scene;
+		params.width = 320;
+		params.height = 180;
+		params.grid_px = 256;
+		params.rsm_px = 1;
+		if (ts_scene_open(&scene, specs[i], &params, NULL) != TS_OK) fail_msg("%s", ts_error_message());
+		check_segments(scene, &params, &n_more);
+		ts_scene_free(scene);
+	}
+	assert_true(n_more > 50);
+}
+
+static u64 count_unlit(const ts_run *run)
+{
+	const ts_gpixel *pixels = ts_frame_data(&run->frame, TS_B_gbuffer_pixel);
+	const u32 *box = ts_frame_data(&run->frame, TS_B_hull_box);
+	u64 n = 0;
+	for (u64 i = 0; i < ts_frame_n(&run->frame, TS_B_hull_box); i++) {
+		n += pixels[i].depth < 1 && box[i] == TS_NONE;
+		assert_true(pixels[i].depth < 1 || box[i] == TS_NONE);
+	}
+	return n;
+}
+
+/* An image larger than the grid, and not a multiple of it: some pixels no segment holds. Boxes are of their own block, and
+ * hold the pixel, where the paper has one. */
+static void test_surface(void **state)
+{
+	(void)state;
+	ts_params params = tiny_params();
+	params.width = 150;
+	params.height = 70;
+	ts_scene *scene = small_scene(&params);
+	ts_run paper, robust;
+	params.surface = TS_SURFACE_ROBUST;
+	run_of(&robust, scene, &params, "hulls");
+	params.surface = TS_SURFACE_PAPER;
+	run_of(&paper, scene, &params, "hulls");
+	u64 n = count_unlit(&paper);
+	if (!(n > 10 && n < 150 * 70 / 2)) fail_msg("%u unlit", (unsigned)n);
+	assert_int_equal(count_unlit(&robust), 0);
+	assert_int_equal(ts_run_counter(&paper, "pixels without a segment"), n);
+	assert_int_equal(ts_run_counter(&robust, "pixels without a segment"), 0);
+	const u32 *held = ts_frame_data(&paper.frame, TS_B_hull_box), *found = ts_frame_data(&robust.frame, TS_B_hull_box);
+	const ts_segment *boxes = ts_frame_data(&paper.frame, TS_B_box_record);
+	const ts_gpixel *pixels = ts_frame_data(&paper.frame, TS_B_gbuffer_pixel);
+	for (u32 i = 0; i < 150 * 70; i++) {
+		if (held[i] == TS_NONE) continue;
+		const ts_segment *box = &boxes[held[i]];
+		u32 x = (u32)floor((i % 150 + 0.5) * 64 / 150), y = (u32)floor((i / 150 + 0.5) * 64 / 70);
+		assert_true(held[i] == found[i] && box->label / 1024 == y / 32 * 2 + x / 32);
+		assert_true(x >= box->low[0] && x <= box->high[0] && y >= box->low[1] && y <= box->high[1]);
+		assert_true(pixels[i].depth >= box->nearest && pixels[i].depth <= box->farthest);
+	}
+	ts_run_end(&paper);
+	ts_run_end(&robust);
+	ts_scene_free(scene);
+}
+
+/* A grid of at least as many texels as the image shows every pixel, so that a segment holds each. */
+static void test_whole_grid(void **state)
+{
+	(void)state;
+	ts_params params = tiny_params();
+	ts_scene *scene = small_scene(&params);
+	params.grid_px = 128;
+	params.surface = TS_SURFACE_PAPER;
+	ts_run run;
+	run_of(&run, scene, &params, "hulls");
+	assert_int_equal(count_unlit(&run), 0);
+	assert_int_equal(ts_run_counter(&run, "blocks"), 16);
+	assert_true(ts_run_counter(&run, "boxes") >= 14 && ts_run_counter(&run, "labels") >= ts_run_counter(&run, "boxes"));
+	ts_run_end(&run);
+	ts_scene_free(scene);
+}
+
+/* From outside: the scene small before the sky, with corners of boxes in it; and nothing but sky. */
+static void test_sky(void **state)
+{
+	(void)state;
+	ts_params params = tiny_params();
+	ts_scene *scene = small_scene(&params);
+	scene->info.circles = 0;
+	scene->info.yfov = 0.125f;
+	ts_store3(scene->info.up, ts_v3_make(0, 1, 0));
+	for (u32 k = 0; k < 2; k++) {
+		ts_run run;
+		f32 back = k == 0 ? 1 : -1; /* towards the scene, and away from it */
+		ts_store3(scene->info.eye, ts_v3_make(60, 30, -2));
+		ts_store3(scene->info.back, ts_v3_make(back, 0, 0));
+		ts_store3(scene->info.right, ts_v3_make(0, 0, -back));
+		run_of(&run, scene, &params, "hulls");
+		const ts_gpixel *pixels = ts_frame_data(&run.frame, TS_B_gbuffer_pixel);
+		u64 n_sky = 0, n = ts_frame_n(&run.frame, TS_B_gbuffer_pixel);
+		for (u64 i = 0; i < n; i++) n_sky += pixels[i].depth == 1;
+		check_light(&run);
+		assert_int_equal(count_unlit(&run), 0);
+		assert_true(k == 0 ? n_sky > n / 2 && n_sky < n : n_sky == n);
+		assert_int_equal(ts_frame_n(&run.frame, TS_B_box_record) == 0, k);
+		ts_run_end(&run);
+	}
+	ts_scene_free(scene);
+}
+
+/* Each light has its maps, a point light six; a lamp that does not shine, or not in two colours, leaves those dark. */
+static void test_lights(void **state)
+{
+	(void)state;
+	ts_params params = tiny_params();
+	ts_scene *scene = small_scene(&params);
+	ts_light *own = scene->lights, lights[3] = {
+		{ .kind = TS_LIGHT_KIND_SPOT, .position = { 0, 4, 0 }, .direction = { 0, -1, 0 }, .intensity = { 30, 0, 0 },
+		  .spot_scale = 4, .spot_offset = -3 } };
+	u32 n_own = scene->n_lights;
+	lights[1] = lights[2] = lights[0];
+	lights[1].kind = TS_LIGHT_KIND_POINT;
+	lights[2].kind = TS_LIGHT_KIND_DIRECTIONAL;
+	scene->lights = lights;
+	params.lamp = TS_LAMP_SCENE;
+	params.rsm_px = 1;
+	for (u32 n = 1; n <= 3; n++) {
+		ts_run run;
+		scene->n_lights = n;
+		run_of(&run, scene, &params, "hulls");
+		check_light(&run);
+		const u32 views[] = { 1, 7, 8 };
+		const ts_offscreen *view = ts_frame_data(&run.frame, TS_B_offscreen_view);
+		const ts_patch *patches = ts_frame_data(&run.frame, TS_B_rsm_patch);
+		assert_int_equal(ts_frame_n(&run.frame, TS_B_offscreen_view), views[n - 1]);
+		assert_int_equal(ts_frame_n(&run.frame, TS_B_rsm_patch), views[n - 1]);
+		for (u32 v = 0; v < views[n - 1]; v++) {
+			assert_true(view[v].light == (v == 0 ? 0u : v < 7 ? 1u : 2u) && view[v].offset == v && view[v].width == 1);
+			assert_true(patches[v].exitance[1] == 0 && patches[v].exitance[2] == 0);
+		}
+		const f32 *light = ts_frame_data(&run.frame, TS_B_indirect_irradiance);
+		const ts_lobes *lobes = ts_frame_data(&run.frame, TS_B_fit_lobes);
+		double red = 0;
+		for (u64 i = 0; i < 100 * 54; i++) {
+			red += (double)light[3 * i];
+			assert_true(light[3 * i + 1] == 0 && light[3 * i + 2] == 0);
+		}
+		assert_true(red > 0);
+		for (u64 i = 0; i < ts_frame_n(&run.frame, TS_B_fit_lobes); i++) {
+			assert_true(lobes[i].mu[1] == 0 && lobes[i].lambda[1] == 1);
+		}
+		ts_run_end(&run);
+	}
+	scene->lights = own;
+	scene->n_lights = n_own;
+	ts_scene_free(scene);
+}
+
+static void test_dark(void **state)
+{
+	(void)state;
+	ts_params params = tiny_params();
+	params.light_irradiance = 0;
+	ts_scene *scene = small_scene(&params);
+	static const char *const methods[] = { "hulls", "direct" };
+	for (u32 m = 0; m < 2; m++) {
+		ts_run run;
+		run_of(&run, scene, &params, methods[m]);
+		check_light(&run);
+		const f32 *light = ts_frame_data(&run.frame, TS_B_indirect_irradiance);
+		for (u64 i = 0; i < ts_frame_n(&run.frame, TS_B_indirect_irradiance); i++) assert_true(light[i] == 0);
+		ts_run_end(&run);
+	}
+	ts_scene_free(scene);
+}
+
+static void assert_refused(const ts_scene *scene, const ts_params *params, const char *message)
+{
+	ts_run run;
+	ts_run_begin(&run, scene, params, 2);
+	assert_int_equal(ts_pipeline_run(ts_pipeline_find("indirect", "hulls"), &run), TS_ERROR);
+	assert_string_equal(ts_error_message(), message);
+	ts_run_end(&run);
+}
+
+static void test_refused(void **state)
+{
+	(void)state;
+	ts_params params = tiny_params();
+	ts_scene *scene = small_scene(&params);
+	u32 n_own = scene->n_lights;
+	params.grid_px = 100;
+	assert_refused(scene, &params, "stage nearest: grid_px=100: a multiple of 32, as 96, would be right");
+	params.lamp = TS_LAMP_SCENE;
+	scene->n_lights = 0;
+	assert_refused(scene, &params, "stage lamp: lamp=scene: the scene has no lights; lamp=lamp would be right");
+	scene->n_lights = n_own;
+	ts_scene_free(scene);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_threads), cmocka_unit_test(test_against_direct), cmocka_unit_test(test_segments),
+		cmocka_unit_test(test_surface),
+		cmocka_unit_test(test_whole_grid), cmocka_unit_test(test_sky), cmocka_unit_test(test_lights),
+		cmocka_unit_test(test_dark), cmocka_unit_test(test_refused),
+	};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

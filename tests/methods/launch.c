@@ -1,0 +1,125 @@
+/* Launches of stages: they name what their kernels have; filling makes what they write by its shape, once a stage or
+ * once for all batches, and leaves what they do not bind NULL. */
+#include "../../src/kernels/points/mirror.h"
+#include "../../src/kernels/points/splat.h"
+#include "small.h"
+
+static void test_known(void **state)
+{
+	(void)state;
+	for (const ts_stage *const *s = ts_stage_table; *s != NULL; s++) {
+		for (u32 i = 0; (*s)->launches != NULL && (*s)->launches[i] != NULL; i++) {
+			const ts_launch *launch = (*s)->launches[i];
+			for (const ts_bind *b = launch->bind; b->how != TS_BINDS_END; b++) {
+				if (!ts_launch_knows(launch, b->name)) fail_msg("%s: %s", (*s)->name, b->name);
+			}
+		}
+	}
+}
+
+/* Every pointer that a launch binds has a buffer. */
+static void test_bound(void **state)
+{
+	(void)state;
+	for (const ts_stage *const *s = ts_stage_table; *s != NULL; s++) {
+		for (u32 i = 0; (*s)->launches != NULL && (*s)->launches[i] != NULL; i++) {
+			const ts_pointers *p = ts_kernel_pointers((*s)->launches[i]->kernel);
+			for (u32 k = 0; k < p->n; k++) {
+				const ts_bound b = ts_launch_bound((*s)->launches[i], &p->pointer[k]);
+				bool of_buffer = b.role <= TS_ROLE_SUM;
+				if (b.bound && of_buffer && b.to >= TS_N_BUFFERS) fail_msg("%s: %s", (*s)->name, p->pointer[k].name);
+				if (b.bound && b.role == TS_ROLE_TALLY) assert_true(b.to < TS_TALLIES);
+			}
+		}
+	}
+}
+
+/* A run with the sizes and inputs of splats, and nothing in them. */
+static void begin(ts_run *run, const ts_scene *scene, const ts_params *params)
+{
+	static const ts_dim sizes[] = {TS_DIM_pieces, TS_DIM_points, TS_DIM_cubes, TS_DIM_views, TS_DIM_mirror_pixels};
+	ts_run_begin(run, scene, params, 1);
+	for (u32 i = 0; i < sizeof sizes / sizeof *sizes; i++) ts_run_set_size(run, sizes[i], 2);
+	assert_non_null(ts_run_make(run, TS_B_split_triangle));
+	assert_non_null(ts_run_make(run, TS_B_align_frame));
+	assert_non_null(ts_run_make(run, TS_B_visibility_bits));
+	assert_non_null(ts_run_make(run, TS_B_points_record));
+	ts_face *cubes = ts_run_make(run, TS_B_resize_face);
+	for (u32 i = 0; i < 2; i++) cubes[i] = (ts_face){.n = 4 + i, .offset = i * 96};
+	run->plan.units = run->n_units = 2;
+}
+
+static void test_fill(void **state)
+{
+	(void)state;
+	static const ts_launch launch = TS_LAUNCH(splat, TS_WITH(tie), TS_BUT(bits));
+	ts_params params = small_params(32, 16);
+	ts_scene *scene = small_scene(&params);
+	ts_run run;
+	begin(&run, scene, &params);
+	ts_splat_args args;
+	memset(&args, 0x55, sizeof args);
+	assert_int_equal(TS_FILL(&run, &launch, &args), TS_OK);
+	assert_ptr_equal(args.cubes, run.frame.buffer[TS_B_resize_face].data);
+	assert_ptr_equal(args.points, run.frame.buffer[TS_B_points_record].data);
+	assert_true(args.bits == NULL && args.offset == NULL);
+	assert_true(args.n_cubes == 0x55555555u);
+	assert_true(args.n_writes == args.n_scatters + 1 && *args.n_writes == 0);
+	assert_int_equal(ts_frame_n(&run.frame, TS_B_splat_tie), 6 * (16 + 25));
+	for (u32 i = 0; i < 6 * (16 + 25); i++) assert_true(args.texels[i] == TS_EMPTY && args.tie[i] == 0);
+	const u64 *texels = args.texels;
+	assert_int_equal(TS_FILL(&run, &launch, &args), TS_OK);
+	assert_ptr_equal(args.texels, texels);
+	ts_run_end(&run);
+	ts_scene_free(scene);
+}
+
+/* Of batches: what the batch is of is made anew, the rest once. */
+static void test_batches(void **state)
+{
+	(void)state;
+	static const ts_launch splats = TS_LAUNCH(splat, TS_ALL);
+	static const ts_launch marks = TS_LAUNCH(mirror, TS_BUT(view), TS_BUT(pixels), TS_BUT(mip));
+	ts_params params = small_params(32, 16);
+	ts_scene *scene = small_scene(&params);
+	ts_run run;
+	begin(&run, scene, &params);
+	ts_splat_args splat;
+	ts_mirror_args mirror;
+	const f32 *radiance = NULL;
+	for (run.first_unit = 0, run.n_units = 1; run.first_unit < 2; run.first_unit++) {
+		memset(run.made, 0, sizeof run.made);
+		assert_int_equal(TS_FILL(&run, &splats, &splat), TS_OK);
+		assert_int_equal(TS_FILL(&run, &marks, &mirror), TS_OK);
+		u32 side = 4 + run.first_unit;
+		assert_int_equal(ts_frame_n(&run.frame, TS_B_splat_depth_index), 6 * side * side);
+		if (run.first_unit > 0) assert_ptr_equal(mirror.radiance, radiance);
+		radiance = mirror.radiance;
+	}
+	ts_run_end(&run);
+	ts_scene_free(scene);
+}
+
+/* A size that nobody counted is refused, and named. */
+static void test_unknown_size(void **state)
+{
+	(void)state;
+	ts_params params = small_params(32, 16);
+	ts_scene *scene = small_scene(&params);
+	ts_run run;
+	ts_run_begin(&run, scene, &params, 1);
+	assert_null(ts_run_make(&run, TS_B_align_frame));
+	assert_non_null(strstr(ts_error_message(), "align.frame"));
+	assert_non_null(strstr(ts_error_message(), "pieces"));
+	ts_run_end(&run);
+	ts_scene_free(scene);
+}
+
+int main(void)
+{
+	const struct CMUnitTest launch[] = {
+		cmocka_unit_test(test_known),   cmocka_unit_test(test_bound),        cmocka_unit_test(test_fill),
+		cmocka_unit_test(test_batches), cmocka_unit_test(test_unknown_size),
+	};
+	return cmocka_run_group_tests(launch, NULL, NULL);
+}

@@ -1,0 +1,64 @@
+/* The rows of effects and methods, and what is asked of them instead of their names. */
+#include "small.h"
+
+static void assert_is(const ts_pipeline *pipeline, const char *effect, const char *name)
+{
+	assert_non_null(pipeline);
+	assert_string_equal(pipeline->effect, effect);
+	assert_string_equal(pipeline->name, name);
+}
+
+/* Every method has an effect, whose methods stand together; every effect has methods, in its place. */
+static void test_effects(void **state)
+{
+	(void)state;
+	const ts_effect *effect = ts_effect_table;
+	for (const ts_pipeline *p = ts_pipeline_table; p->name != NULL; p++) {
+		if (p > ts_pipeline_table && strcmp(p->effect, p[-1].effect) != 0) effect++;
+		assert_non_null(effect->name);
+		assert_string_equal(p->effect, effect->name);
+		assert_ptr_equal(ts_effect_find(p->effect), effect);
+	}
+	assert_null(effect[1].name);
+	assert_null(ts_effect_find("shadow"));
+	for (effect = ts_effect_table; effect->name != NULL; effect++) {
+		assert_true(effect->difference_scale > 0 && effect->lower != NULL);
+		assert_int_equal(effect->mirrors, effect == ts_effect_table);
+	}
+}
+
+/* Truths start from the first method that makes what they need: truth A and B of reflections from EPR. */
+static void test_making(void **state)
+{
+	(void)state;
+	static const ts_buffer_id looked[] = {TS_B_pixel_record, TS_B_lookup_point, TS_N_BUFFERS};
+	static const ts_buffer_id faces[] = {TS_B_face_depth_triangle, TS_N_BUFFERS};
+	static const ts_buffer_id views[] = {TS_B_lamp_shape, TS_B_offscreen_view, TS_N_BUFFERS};
+	static const ts_buffer_id pixels[] = {TS_B_gbuffer_pixel, TS_N_BUFFERS};
+	static const ts_buffer_id none[] = {TS_B_face_depth_triangle, TS_B_lookup_point, TS_N_BUFFERS};
+	assert_is(ts_pipeline_making("reflections", looked), "reflections", "epr");
+	assert_is(ts_pipeline_making(NULL, faces), "reflections", "mvr");
+	assert_is(ts_pipeline_making("omni-shadows", views), "omni-shadows", "ivir");
+	assert_is(ts_pipeline_making("particles", pixels), "particles", "megaviews");
+	assert_null(ts_pipeline_making("surfels", faces));
+	assert_null(ts_pipeline_making(NULL, none));
+}
+
+/* Those of surfels, and no other, read surfels. */
+static void test_reads(void **state)
+{
+	(void)state;
+	for (const ts_pipeline *p = ts_pipeline_table; p->name != NULL; p++) {
+		bool surfels = ts_pipeline_reads(p, TS_B_scene_surfel), triangles = ts_pipeline_reads(p, TS_B_scene_triangle);
+		assert_true(surfels != triangles);
+		assert_int_equal(surfels, strcmp(p->effect, "surfels") == 0);
+	}
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_effects), cmocka_unit_test(test_making), cmocka_unit_test(test_reads),
+	};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

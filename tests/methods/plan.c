@@ -1,0 +1,155 @@
+/* Plans: what each method derives from parameters, counts and requests, by the closed forms of its file; parameters stay as
+ * typed; a replay follows what a trace holds. */
+#include "small.h"
+#include "../../src/kernels/points/view_density.h"
+
+static ts_params params;
+static ts_scene *scene;
+
+static int begin(void **state)
+{
+	(void)state;
+	params = small_params(64, 36);
+	scene = small_scene(&params);
+	return 0;
+}
+
+static int end(void **state)
+{
+	(void)state;
+	ts_scene_free(scene);
+	return 0;
+}
+
+static const ts_pipeline *find(const char *effect, const char *method)
+{
+	const ts_pipeline *pipeline = ts_pipeline_find(effect, method);
+	assert_non_null(pipeline);
+	return pipeline;
+}
+
+static ts_plan plan_of(const char *effect, const char *method, const ts_params *p, const ts_counts *counts,
+                       const ts_request *request)
+{
+	ts_run run;
+	ts_run_begin(&run, scene, p, 1);
+	ts_pipeline_plan(find(effect, method), &run, counts, request);
+	assert_memory_equal(&run.params, p, sizeof *p);
+	assert_int_equal(run.n_units, run.plan.units);
+	ts_run_end(&run);
+	return run.plan;
+}
+
+/* Every member has one row, and rows tell what is there. */
+static void test_table(void **state)
+{
+	(void)state;
+	ts_plan plan;
+	u32 n = TS_PLAN_ROWS;
+	for (u32 i = 0; i < n; i++) ((u32 *)(void *)&plan)[i] = 100 + i;
+	for (u32 i = 0; i < n; i++) {
+		assert_int_equal(ts_plan_value(&plan, &ts_plan_table[i]), 100 + i);
+		for (u32 k = 0; k < i; k++) {
+			bool same = strcmp(ts_plan_table[i].part, ts_plan_table[k].part) == 0;
+			assert_false(same && strcmp(ts_plan_table[i].name, ts_plan_table[k].name) == 0);
+		}
+	}
+}
+
+static void test_reflections(void **state)
+{
+	(void)state;
+	u32 n = scene->info.n_reflectors;
+	ts_params p = params;
+	ts_plan epr = plan_of("reflections", "epr", &p, NULL, NULL), mvr = plan_of("reflections", "mvr", &p, NULL, NULL);
+	assert_true(n > 1 && epr.units == n && mvr.units == n && epr.batch == 1 && mvr.batch == 1);
+	assert_true(epr.offscreen.side == 0 && !epr.offscreen.all && epr.points.rate == TS_RATE_IS_EYE);
+	assert_true(mvr.offscreen.side == p.face_max && mvr.offscreen.all);
+	p.face_px = 48;
+	p.rate = TS_RATE_PAPER;
+	ts_plan ivir = plan_of("reflections", "ivir", &p, NULL, NULL), vir = plan_of("reflections", "vir", &p, NULL, NULL);
+	assert_true(ivir.points.rate == TS_RATE_IS_PAPER && ivir.offscreen.side == 0 && !ivir.offscreen.all);
+	assert_true(vir.points.rate == TS_RATE_IS_VIR && vir.offscreen.side == 48 && vir.offscreen.all);
+	p.mvr_faces = TS_MVR_FACES_ADAPTIVE;
+	mvr = plan_of("reflections", "mvr", &p, NULL, NULL);
+	assert_true(mvr.offscreen.side == 0 && !mvr.offscreen.all);
+}
+
+static void test_shadows(void **state)
+{
+	(void)state;
+	ts_params p = params;
+	p.views = 40;
+	p.light_samples = 7;
+	p.pass = 20;
+	p.map_px = 96;
+	ts_plan soft = plan_of("soft-shadows", "vir", &p, NULL, NULL), omni = plan_of("omni-shadows", "epr", &p, NULL, NULL);
+	assert_true(soft.units == 40 && soft.lights.samples == 40 && soft.batch == 20 && soft.offscreen.side == 96);
+	assert_true(omni.units == 7 && omni.lights.samples == 7 && omni.batch == 3 && omni.offscreen.side == 96);
+	assert_true(soft.lights.taps == 0 && !soft.lights.own && soft.points.rate == TS_RATE_IS_VIR);
+	p.lamp = TS_LAMP_SCENE;
+	ts_plan pcss = plan_of("soft-shadows", "pcss", &p, NULL, NULL);
+	assert_true(pcss.units == scene->n_lights && pcss.lights.own && pcss.lights.taps > 1 && pcss.batch == 20);
+}
+
+/* Truths ask for samples of each light. */
+static void test_request(void **state)
+{
+	(void)state;
+	const ts_request request = {.samples = 50};
+	ts_params p = params;
+	ts_plan soft = plan_of("soft-shadows", "mvr", &p, NULL, &request);
+	ts_plan omni = plan_of("omni-shadows", "mvr", &p, NULL, &request);
+	assert_true(soft.units == 50 && soft.lights.samples == 50 && omni.units == 50 && omni.lights.samples == 50);
+	p.lamp = TS_LAMP_SCENE;
+	soft = plan_of("soft-shadows", "mvr", &p, NULL, &request);
+	assert_int_equal(soft.units, 50 * scene->n_lights);
+	const ts_counts counts = {.reflectors = 0, .lights = 3, .cubes = TS_NONE, .views = TS_NONE, .lamps = TS_NONE};
+	assert_int_equal(plan_of("soft-shadows", "mvr", &p, &counts, &request).units, 150);
+}
+
+/* What a method sets itself is in its plan, not in the parameters. */
+static void test_sets(void **state)
+{
+	(void)state;
+	static const struct { const char *effect, *method; } all[] = {{"particles", "manylods"}, {"surfels", "ewa"}};
+	ts_plan views = plan_of(all[0].effect, all[0].method, &params, NULL, NULL);
+	ts_plan surfels = plan_of(all[1].effect, all[1].method, &params, NULL, NULL);
+	assert_true(params.lamp == TS_LAMP_LAMP && params.view_field == TS_VIEW_FIELD_HALF);
+	assert_true(views.views.field == TS_VIEW_FIELD_ALL && views.units == 0);
+	assert_true(surfels.lights.own && surfels.surfels.exact && surfels.units == scene->n_lights);
+	assert_false(plan_of("surfels", "deferred", &params, NULL, NULL).surfels.exact);
+	assert_int_equal(plan_of("indirect", "manylods", &params, NULL, NULL).views.field, TS_VIEW_FIELD_HALF);
+	ts_params taken = ts_pipeline_params(find("surfels", "ewa"), &params), wanted = params;
+	wanted.lamp = TS_LAMP_SCENE;
+	assert_memory_equal(&taken, &wanted, sizeof taken);
+}
+
+/* Units are those that a trace holds. */
+static void test_counts(void **state)
+{
+	(void)state;
+	ts_counts none = ts_scene_counts(scene), counts = none;
+	ts_plan plan = plan_of("reflections", "epr", &params, &none, NULL);
+	ts_plan same = plan_of("reflections", "epr", &params, NULL, NULL);
+	assert_memory_equal(&plan, &same, sizeof plan);
+	counts.cubes = 2;
+	counts.views = 12;
+	counts.lamps = 3;
+	assert_int_equal(plan_of("reflections", "epr", &params, &counts, NULL).units, 2);
+	assert_int_equal(plan_of("omni-shadows", "ivir", &params, &counts, NULL).units, 2);
+	assert_int_equal(plan_of("soft-shadows", "ivir", &params, &counts, NULL).units, 12);
+	counts = none;
+	counts.lamps = 3;
+	assert_int_equal(plan_of("soft-shadows", "pcss", &params, &counts, NULL).units, 3);
+	assert_int_equal(plan_of("soft-shadows", "mvr", &params, &counts, NULL).units, params.views);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_table), cmocka_unit_test(test_reflections), cmocka_unit_test(test_shadows),
+		cmocka_unit_test(test_request), cmocka_unit_test(test_sets), cmocka_unit_test(test_counts),
+	};
+	return cmocka_run_group_tests(tests, begin, end);
+}

@@ -1,0 +1,310 @@
+/* iVIR, VIR and shadows from depth maps as whole runs: the same bits on any number of threads, in passes of any size and
+ * with points stored or not; the counters; the papers' claims that hold for every scene; and what is refused. */
+#include "../small.h"
+#include <math.h>
+#include "../../../src/kernels/base/area.h"
+#include "../../../src/kernels/base/shade.h"
+#include "../../../src/trace/sums.h"
+
+#define SHADOWED "soft-shadows", "ivir"
+
+static ts_params tiny_params(void)
+{
+	ts_params params = small_params(64, 36);
+	params.map_px = 32;
+	params.face_max = 16;
+	params.views = 7;
+	params.pass = 3;
+	params.light_samples = 3;
+	params.reflectors = 2;
+	return params;
+}
+
+static ts_sums sums_of(const ts_scene *scene, const ts_params *params, const char *effect, const char *method, ts_how how)
+{
+	ts_sums sums;
+	if (ts_sums_of(&sums, ts_pipeline_find(effect, method), scene, params, &how) != TS_OK) {
+		fail_msg("%s by %s: %s", effect, method, ts_error_message());
+	}
+	return sums;
+}
+
+/* Returns how many buffers were made. */
+static u32 assert_same(const ts_sums *a, const ts_sums *b, const char *what)
+{
+	u32 n = 0;
+	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
+		if (strcmp(a->hex[id], b->hex[id]) != 0) fail_msg("%s: %s", what, ts_buffer_table[id].name);
+		n += a->hex[id][0] != 0;
+	}
+	return n;
+}
+
+static const char *const methods[][2] = {
+	{ "soft-shadows", "ivir" }, { "omni-shadows", "ivir" }, { "soft-shadows", "mvr" },
+	{ "omni-shadows", "mvr" },  { "omni-shadows", "vir" },  { "reflections", "ivir" },
+};
+
+/* Every buffer, whatever computes it: threads, and without the fast paths. */
+static void test_threads(void **state)
+{
+	(void)state;
+	ts_params params = tiny_params();
+	ts_scene *scene = small_scene(&params);
+	for (u32 m = 0; m < sizeof methods / sizeof *methods; m++) {
+		const char *effect = methods[m][0], *method = methods[m][1];
+		ts_sums two = sums_of(scene, &params, effect, method, (ts_how){ .threads = 2 });
+		ts_sums seven = sums_of(scene, &params, effect, method, (ts_how){ .threads = 7 });
+		ts_sums reference = sums_of(scene, &params, effect, method, (ts_how){ .threads = 1, .reference = true });
+		assert_true(assert_same(&two, &seven, method) >= 6);
+		assert_same(&two, &reference, "one thread without fast paths");
+	}
+	ts_scene_free(scene);
+}
+
+static void assert_same_buffers(const ts_sums *a, const ts_sums *b, const ts_buffer_id *ids, const char *what)
+{
+	for (; *ids != TS_N_BUFFERS; ids++) {
+		assert_true(a->hex[*ids][0] != 0);
+		if (strcmp(a->hex[*ids], b->hex[*ids]) != 0) fail_msg("%s: %s", what, ts_buffer_table[*ids].name);
+	}
+}
+
+/* However many depth maps a pass makes, and whether its points are stored: the same pieces, maps and shadows. */
+static void test_passes(void **state)
+{
+	(void)state;
+	static const ts_buffer_id ids[] = { TS_B_split_triangle, TS_B_density_scale, TS_B_cull_keep, TS_B_align_frame,
+	                                    TS_B_scatter_depth, TS_B_resolve_lit, TS_N_BUFFERS };
+	ts_params params = tiny_params();
+	ts_scene *scene = small_scene(&params);
+	params.views = 20;
+	params.light_samples = 4;
+	for (u32 m = 0; m < 2; m++) {
+		params.pass = 32;
+		ts_sums all = sums_of(scene, &params, methods[m][0], "ivir", (ts_how){ .threads = 2 });
+		params.pass = 8;
+		ts_sums some = sums_of(scene, &params, methods[m][0], "ivir", (ts_how){ .threads = 2 });
+		assert_same_buffers(&all, &some, ids, "pass");
+		params.buffered = TS_BUFFERED_ON;
+		ts_sums stored = sums_of(scene, &params, methods[m][0], "ivir", (ts_how){ .threads = 2 });
+		assert_same_buffers(&all, &stored, ids, "buffered");
+		assert_true(stored.hex[TS_B_points_record][0] != 0 && all.hex[TS_B_points_record][0] == 0);
+		params.buffered = TS_BUFFERED_DEFAULT;
+	}
+	ts_scene_free(scene);
+}
+
+static void run_of(ts_run *run, const ts_scene *scene, const ts_params *params, const char *effect, const char *method)
+{
+	ts_run_begin(run, scene, params, 2);
+	if (ts_pipeline_run(ts_pipeline_find(effect, method), run) != TS_OK) {
+		fail_msg("%s by %s: %s", effect, method, ts_error_message());
+	}
+}
+
+/* Beside the eye MVR goes over the geometry once a view, iVIR once a pass; stored points are as many as those made. */
+static void test_counters(void **state)
+{
+	(void)state;
+	ts_params params = tiny_params();
+	ts_scene *scene = small_scene(&params);
+	ts_run mvr, made, stored;
+	run_of(&mvr, scene, &params, "soft-shadows", "mvr");
+	run_of(&made, scene, &params, "soft-shadows", "ivir");
+	params.buffered = TS_BUFFERED_ON;
+	run_of(&stored, scene, &params, "soft-shadows", "ivir");
+	assert_int_equal(ts_run_counter(&mvr, "geometry traversals"), 1 + params.views);
+	assert_int_equal(ts_run_counter(&made, "geometry traversals"), 1 + (params.views + params.pass - 1) / params.pass);
+	assert_int_equal(ts_run_counter(&stored, "points"), (i64)ts_frame_n(&stored.frame, TS_B_points_record));
+	static const char *const same[] = { "points", "pieces", "pieces kept", "point-view scatters", "texel writes" };
+	for (u32 k = 0; k < 5; k++) {
+		assert_true(ts_run_counter(&made, same[k]) > 0);
+		assert_int_equal(ts_run_counter(&made, same[k]), ts_run_counter(&stored, same[k]));
+	}
+	assert_true(ts_run_counter(&made, "texel writes") <= ts_run_counter(&made, "point-view scatters"));
+	ts_run_end(&mvr);
+	ts_run_end(&made);
+	ts_run_end(&stored);
+	ts_scene_free(scene);
+}
+
+/* Share of the pixels' light samples of which two runs say different things. */
+static double difference(const ts_run *a, const ts_run *b, u32 samples)
+{
+	const u32 *p = ts_frame_data(&a->frame, TS_B_resolve_lit), *q = ts_frame_data(&b->frame, TS_B_resolve_lit);
+	u64 n = ts_frame_n(&a->frame, TS_B_resolve_lit), sum = 0, lit = 0;
+	assert_true(n > 0 && n == ts_frame_n(&b->frame, TS_B_resolve_lit));
+	for (u64 i = 0; i < n; i++) {
+		assert_true(p[i] <= samples && q[i] <= samples);
+		sum += p[i] > q[i] ? p[i] - q[i] : q[i] - p[i];
+		lit += p[i];
+	}
+	assert_true(lit > 0 && lit < n * samples);
+	return (double)sum / (double)(n * samples);
+}
+
+/* Watertight points cast the shadows that MVR's triangles do, but for what is a texel wide. */
+static void test_against_mvr(void **state)
+{
+	(void)state;
+	static const char *const effects[] = { "soft-shadows", "omni-shadows" };
+	ts_params params = tiny_params();
+	params.map_px = 64;
+	params.cull = 0;
+	ts_scene *scene = small_scene(&params);
+	for (u32 e = 0; e < 2; e++) {
+		u32 samples = e == 0 ? params.views : params.light_samples;
+		ts_run mvr, ivir;
+		run_of(&mvr, scene, &params, effects[e], "mvr");
+		run_of(&ivir, scene, &params, effects[e], "ivir");
+		double share = difference(&mvr, &ivir, samples);
+		print_message("%s: %.4f\n", effects[e], share);
+		assert_true(share < 0.06);
+		ts_run_end(&mvr);
+		ts_run_end(&ivir);
+	}
+	ts_scene_free(scene);
+}
+
+static i64 points_of(const ts_scene *scene, const ts_params *params, const char *effect, const char *method)
+{
+	ts_run run;
+	run_of(&run, scene, params, effect, method);
+	i64 n = ts_run_counter(&run, "points");
+	ts_run_end(&run);
+	return n;
+}
+
+/* The paper's rate needs no more points than VIR's anywhere, for environment maps far fewer; culling saves some. */
+static void test_points(void **state)
+{
+	(void)state;
+	static const char *const effects[] = { "soft-shadows", "omni-shadows", "reflections" };
+	ts_params params = tiny_params();
+	params.rate = TS_RATE_PAPER;
+	ts_scene *scene = small_scene(&params);
+	for (u32 e = 0; e < 3; e++) {
+		params.cull = 1;
+		i64 ivir = points_of(scene, &params, effects[e], "ivir"), vir = points_of(scene, &params, effects[e], "vir");
+		params.cull = 0;
+		i64 all = points_of(scene, &params, effects[e], "ivir");
+		print_message("%s: %lld of %lld points, %lld without culling\n", effects[e], (long long)ivir, (long long)vir,
+		              (long long)all);
+		assert_true(ivir > 0 && ivir <= vir && ivir <= all);
+		if (e == 2) assert_true(ivir * 2 <= vir);
+	}
+	ts_scene_free(scene);
+}
+
+/* Pieces of A samples stay with probability min(1, 10 A): their number is the sum of that, within four standard
+ * deviations. */
+static void test_culling(void **state)
+{
+	(void)state;
+	ts_params params = tiny_params();
+	ts_scene *scene = small_scene(&params);
+	params.map_px = 16;
+	ts_run run;
+	run_of(&run, scene, &params, "soft-shadows", "ivir");
+	const ts_piece *pieces = ts_frame_data(&run.frame, TS_B_split_triangle);
+	const f32 *scale = ts_frame_data(&run.frame, TS_B_density_scale);
+	double expected = 0, variance = 0;
+	for (u64 i = 0; i < ts_frame_n(&run.frame, TS_B_split_triangle); i++) {
+		const ts_piece *p = &pieces[i];
+		double area = ts_k_area(ts_load3(p->a), ts_load3(p->b), ts_load3(p->c)), s = scale[i];
+		double share = fmin(10 * area * s * s, 1);
+		expected += share;
+		variance += share * (1 - share);
+	}
+	double kept = (double)ts_run_counter(&run, "pieces kept");
+	assert_true(variance > 30 && fabs(kept - expected) <= 4 * sqrt(variance));
+	ts_run_end(&run);
+	ts_scene_free(scene);
+}
+
+/* Gives the scene n lights of every kind. */
+static void give_lights(ts_scene *scene, ts_light *lights, u32 n)
+{
+	for (u32 i = 0; i < n; i++) {
+		lights[i] = (ts_light){ .kind = i % 3, .direction = { 0.6f, -0.8f, 0 }, .position = { (f32)i, 8, 0 },
+		                        .intensity = { 1, 1, 1 }, .spot_scale = 4, .spot_offset = -3 };
+	}
+	scene->lights = lights;
+	scene->n_lights = n;
+}
+
+/* The scene's lights share the views evenly, each with maps of its own; what they say is theirs. */
+static void test_shared_views(void **state)
+{
+	(void)state;
+	ts_params params = tiny_params();
+	ts_scene *scene = small_scene(&params);
+	ts_light *own = scene->lights, lights[5];
+	u32 n_own = scene->n_lights;
+	params.lamp = TS_LAMP_SCENE;
+	for (u32 n = 1; n <= 5; n += 2) {
+		ts_run run;
+		give_lights(scene, lights, n);
+		run_of(&run, scene, &params, SHADOWED);
+		const ts_lamp *lamps = ts_frame_data(&run.frame, TS_B_lamp_shape);
+		const ts_offscreen *views = ts_frame_data(&run.frame, TS_B_offscreen_view);
+		const u32 *lit = ts_frame_data(&run.frame, TS_B_resolve_lit);
+		u32 next = 0;
+		assert_int_equal(ts_frame_n(&run.frame, TS_B_lamp_shape), n);
+		for (u32 i = 0; i < n; i++) {
+			assert_true(lamps[i].first == next && lamps[i].samples >= params.views / n);
+			assert_true(lamps[i].samples <= (params.views + n - 1) / n);
+			next += lamps[i].samples;
+			for (u32 v = lamps[i].first; v < next; v++) {
+				assert_true(views[v].light == i && views[v].orthographic == (lights[i].kind == TS_LIGHT_KIND_DIRECTIONAL));
+				assert_true(views[v].offset == (u64)v * params.map_px * params.map_px);
+			}
+		}
+		assert_int_equal(next, params.views);
+		assert_int_equal(ts_frame_n(&run.frame, TS_B_resolve_lit), (u64)params.width * params.height * n);
+		for (u64 k = 0; k < (u64)params.width * params.height * n; k++) assert_true(lit[k] <= lamps[k % n].samples);
+		ts_run_end(&run);
+	}
+	scene->lights = own;
+	scene->n_lights = n_own;
+	ts_scene_free(scene);
+}
+
+static void assert_refused(const ts_scene *scene, const ts_params *params, const char *message)
+{
+	ts_run run;
+	ts_run_begin(&run, scene, params, 2);
+	assert_int_equal(ts_pipeline_run(ts_pipeline_find(SHADOWED), &run), TS_ERROR);
+	assert_string_equal(ts_error_message(), message);
+	ts_run_end(&run);
+}
+
+/* In one line: what, where, and what would be right. */
+static void test_refused(void **state)
+{
+	(void)state;
+	ts_params params = tiny_params();
+	ts_scene *scene = small_scene(&params);
+	ts_light *own = scene->lights, lights[4];
+	u32 n_own = scene->n_lights;
+	params.lamp = TS_LAMP_SCENE;
+	give_lights(scene, lights, 0);
+	assert_refused(scene, &params, "stage lamp: lamp=scene: the scene has no lights; lamp=lamp would be right");
+	give_lights(scene, lights, 4);
+	params.views = 3;
+	assert_refused(scene, &params, "stage lamp: views=3: at least 4, one a light, would be right");
+	scene->lights = own;
+	scene->n_lights = n_own;
+	ts_scene_free(scene);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_threads),      cmocka_unit_test(test_passes), cmocka_unit_test(test_counters),
+		cmocka_unit_test(test_against_mvr),  cmocka_unit_test(test_points), cmocka_unit_test(test_culling),
+		cmocka_unit_test(test_shared_views), cmocka_unit_test(test_refused),
+	};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,118 @@
+/* Truth C: factor 1 is MVR itself, a greater one the means of a larger MVR, and what cannot be is refused. */
+#include "../../../../src/kernels/base/num.h"
+#include "../../../../src/methods/pipeline.h"
+#include "../../../../src/truth/truth.h"
+#include "../../../truth/soup.h"
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdlib.h>
+#include <cmocka.h>
+
+enum { WIDTH = 64, HEIGHT = 48 };
+
+static ts_params params;
+static ts_scene *scene;
+
+static int set_up(void **state)
+{
+	(void)state;
+	ts_params_default(&params);
+	params.width = WIDTH;
+	params.height = HEIGHT;
+	params.reflectors = 3;
+	params.reflector_px = 12;
+	params.face_max = 32;
+	scene = soup_open(&params, 2000);
+	return scene == NULL;
+}
+
+static int tear_down(void **state)
+{
+	(void)state;
+	ts_scene_free(scene);
+	return 0;
+}
+
+static f32 *truth_c(u32 factor, u32 threads)
+{
+	f32 *radiance;
+	assert_int_equal(ts_truth_c(&radiance, scene, &params, factor, threads), TS_OK);
+	return radiance;
+}
+
+/* MVR's own picture at these parameters; by free(). */
+static f32 *mvr(const ts_params *with)
+{
+	size_t bytes = (size_t)with->width * with->height * 3 * sizeof(f32);
+	ts_run run;
+	ts_run_begin(&run, scene, with, 2);
+	assert_int_equal(ts_pipeline_run(ts_pipeline_find("reflections", "mvr"), &run), TS_OK);
+	f32 *radiance = malloc(bytes);
+	assert_non_null(radiance);
+	memcpy(radiance, ts_frame_data(&run.frame, TS_B_image_radiance), bytes);
+	ts_run_end(&run);
+	return radiance;
+}
+
+static void test_factor_one(void **state)
+{
+	(void)state;
+	f32 *c = truth_c(1, 2), *m = mvr(&params);
+	assert_memory_equal(c, m, sizeof(f32) * WIDTH * HEIGHT * 3);
+	free(c);
+	free(m);
+}
+
+/* By hand: four times four pixels of an enlarged MVR, and no dependence on threads. */
+static void test_box(void **state)
+{
+	(void)state;
+	ts_params big = params;
+	big.width *= 4;
+	big.height *= 4;
+	big.face_max *= 4;
+	big.hysteresis *= 4;
+	f32 *c = truth_c(4, 2), *again = truth_c(4, 1), *m = mvr(&big);
+	for (u32 i = 0; i < WIDTH * HEIGHT * 3; i++) {
+		u32 x = i / 3 % WIDTH, y = i / 3 / WIDTH;
+		double sum = 0;
+		for (u32 k = 0; k < 16; k++) sum += (double)m[((y * 4 + k / 4) * WIDTH * 4 + x * 4 + k % 4) * 3 + i % 3];
+		assert_true(ts_abs((f32)(sum / 16) - c[i]) <= 1e-6f * (1 + c[i]));
+	}
+	assert_memory_equal(c, again, sizeof(f32) * WIDTH * HEIGHT * 3);
+	free(c);
+	free(again);
+	free(m);
+}
+
+static void refuse(const ts_params *with, u32 factor, const char *words)
+{
+	f32 *radiance = (f32 *)&params;
+	assert_int_equal(ts_truth_c(&radiance, scene, with, factor, 2), TS_ERROR);
+	assert_null(radiance);
+	if (strstr(ts_error_message(), words) == NULL) fail_msg("\"%s\" does not say \"%s\"", ts_error_message(), words);
+}
+
+static void test_refusals(void **state)
+{
+	(void)state;
+	refuse(&params, 0, "factor 0");
+	refuse(&params, 17, "factor 17");
+	ts_params wide = params;
+	wide.width = 8192;
+	refuse(&wide, 4, "width");
+	wide = params;
+	wide.face_px = 4096;
+	refuse(&wide, 2, "face_px");
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_factor_one),
+		cmocka_unit_test(test_box),
+		cmocka_unit_test(test_refusals),
+	};
+	return cmocka_run_group_tests(tests, set_up, tear_down);
+}

@@ -1,0 +1,184 @@
+/* Checks of MegaViews, of its octrees and pairs: faults in what its stages read, planted in buffers of a run. */
+#include "../../../../src/kernels/views/mask.h"
+#include "../../../replay/loaded.h"
+#include "../../../../src/methods/pipelines.h"
+
+static const ts_step steps[] = {
+	{.stage = "view"}, {.stage = "pose"}, {.stage = "lamp"}, {.stage = "rsm_view"}, {.stage = "rsm"}, {.stage = "rsm_patch"},
+	{.stage = "root"}, {.stage = "voxel"}, {.stage = "octree"}, {.stage = "octree_surface"}, {.stage = "vpl"},
+	{.stage = "view_voxel"}, {.stage = "view_octree"}, {.stage = "view_cone"}, {.stage = "traverse"}, {.stage = "map"},
+	{.stage = "fuse"}, {.stage = "eye"}, {.stage = "gbuffer"}, {.stage = "vpl_pairs"}, {.stage = "vpl_gather"},
+	{.stage = "bilateral"}, {0},
+};
+static const ts_pipeline pipeline = {
+	.name = "octrees", .effect = "indirect", .steps = steps, .plan = ts_indirect_plan, .expect = ts_hulls_expect,
+};
+enum { LEVELS = 4, LIGHTS = 200 };
+
+static int begin(void **state)
+{
+	(void)state;
+	ts_params params = small_params(64, 48);
+	params.reflectors = 0;
+	params.levels = LEVELS;
+	params.vpls = LIGHTS;
+	params.vpl_bounces = 2;
+	params.gather_level = 2;
+	loaded_run(&pipeline, &params);
+	return 0;
+}
+
+/* Every index of what these stages make, where one of them reads it. */
+static void test_indices(void **state)
+{
+	(void)state;
+	u32 n_tested = 0;
+	size_t n_indices;
+	const ts_index_info *indices = ts_index_table(&n_indices);
+	for (size_t row = 0; row < n_indices; row++) {
+		ts_buffer_id id = indices[row].buffer;
+		for (const ts_step *step = steps; step->stage != NULL; step++) {
+			ts_load load;
+			const ts_stage *stage = ts_stage_find(step->stage);
+			if (!ts_stage_reads(stage, id) || ts_frame_n(&run.frame, id) == 0 || id < TS_B_root_least) continue;
+			load_for(&load, stage);
+			assert_int_equal(ts_check(&load, stage), TS_OK);
+			u64 size = ts_axis_size(&indices[row].of, &load.sizes);
+			assert_true(size != TS_UNKNOWN);
+			refuses(step->stage, id, ts_frame_n(&run.frame, id) - 1, indices[row].field, size);
+			refuses(step->stage, id, 0, indices[row].field, 0xfffffffe);
+			n_tested++;
+		}
+	}
+	assert_true(n_tested >= 9);
+}
+
+/* Lists are written where bits say. */
+static void test_masks(void **state)
+{
+	(void)state;
+	const u64 *mask = ts_frame_data(&run.frame, TS_B_voxel_mask), *views = ts_frame_data(&run.frame, TS_B_view_voxel_mask);
+	u64 last = ts_k_mask_first(LEVELS + 1) - 1;
+	refuses("octree", TS_B_voxel_mask, last, "", ~mask[last]);
+	refuses("octree", TS_B_voxel_mask, 0, "", 0);
+	refuses("octree", TS_B_voxel_before, 3, "", 4000000000);
+	refuses("octree", TS_B_voxel_before, last + 1, "", 0);
+	refuses("view_octree", TS_B_view_voxel_mask, last, "", views[last] ^ 1);
+	refuses("view_octree", TS_B_view_voxel_before, last, "", 0);
+}
+
+static void test_nodes(void **state)
+{
+	(void)state;
+	const u32 *level = ts_frame_data(&run.frame, TS_B_octree_level), leaf = level[LEVELS], n = level[LEVELS + 1];
+	const ts_node *nodes = ts_frame_data(&run.frame, TS_B_octree_node);
+	refuses("octree_surface", TS_B_octree_level, 0, "", 1);
+	refuses("octree_surface", TS_B_octree_level, 2, "", 0);
+	refuses("octree_surface", TS_B_octree_node, 0, "level", 1);
+	refuses("octree_surface", TS_B_octree_node, 0, "children", 0);
+	refuses("octree_surface", TS_B_octree_node, 0, "children", 256);
+	refuses("octree_surface", TS_B_octree_node, leaf, "children", 1);
+	refuses("octree_surface", TS_B_octree_node, leaf - 1, "children", 511);
+	refuses("octree_surface", TS_B_octree_node, 0, "child", 0);
+	refuses("octree_surface", TS_B_octree_node, 2, "child", nodes[1].child);
+	refuses("octree_surface", TS_B_octree_node, leaf - 1, "child", n - 1);
+	refuses("octree_surface", TS_B_octree_node, leaf, "child", leaf + 1);
+	refuses("octree_surface", TS_B_octree_node, 0, "parent", 0);
+	refuses("octree_surface", TS_B_octree_offset, 0, "", 1);
+	refuses("octree_surface", TS_B_octree_offset, n - leaf, "", 0);
+	refuses("vpl", TS_B_octree_node, leaf - 1, "children", 0);
+	refuses("vpl", TS_B_octree_offset, 0, "", 1);
+	refuses("view_cone", TS_B_view_octree_offset, 1, "", 0);
+	refuses("view_cone", TS_B_view_octree_view, 0, "", *(u32 *)ts_frame_data(&run.frame, TS_B_view_octree_view) ^ 1);
+	refuses("view_cone", TS_B_view_octree_node, 1, "child", 1);
+}
+
+/* A fault in the parent of a node shows where the parent's children are read. */
+static void test_parents(void **state)
+{
+	(void)state;
+	ts_load load;
+	ts_node *nodes = ts_frame_data(&run.frame, TS_B_view_octree_node);
+	const u32 n = (u32)ts_frame_n(&run.frame, TS_B_view_octree_node);
+	for (u32 i = 1; i < n; i += n / 7) {
+		u32 kept = nodes[i].parent;
+		nodes[i].parent = i % 2 == 0 ? i : TS_NONE;
+		load_for(&load, ts_stage_find("view_cone"));
+		assert_int_equal(ts_check(&load, ts_stage_find("view_cone")), TS_ERROR);
+		nodes[i].parent = kept;
+	}
+}
+
+/* As many leaves as there are, behind nodes that are not there. */
+static void test_levels(void **state)
+{
+	(void)state;
+	ts_load load;
+	u32 *level = ts_frame_data(&run.frame, TS_B_octree_level);
+	level[LEVELS]++;
+	level[LEVELS + 1]++;
+	load_for(&load, ts_stage_find("octree_surface"));
+	assert_int_equal(ts_check(&load, ts_stage_find("octree_surface")), TS_ERROR);
+	level[LEVELS]--;
+	level[LEVELS + 1]--;
+	assert_non_null(strstr(ts_error_message(), "octree.level: element 5"));
+}
+
+/* Both halves of a pair are indices; the maps are as large as view_px says. */
+static void test_pairs(void **state)
+{
+	(void)state;
+	ts_load load;
+	u64 n = ts_frame_n(&run.frame, TS_B_traverse_rendered), n_nodes = ts_frame_n(&run.frame, TS_B_octree_node);
+	assert_true(n > 1000);
+	refuses("map", TS_B_traverse_rendered, 0, "", n_nodes << 32);
+	refuses("map", TS_B_traverse_rendered, n - 1, "", UINT64_MAX << 32);
+	load_for(&load, ts_stage_find("fuse"));
+	load.run.params.view_px *= 2;
+	assert_int_equal(ts_check(&load, ts_stage_find("fuse")), TS_ERROR);
+	assert_non_null(strstr(ts_error_message(), "map.depth_node"));
+}
+
+/* What pixels draw is a view, and the voxel that they are in a node. */
+static void test_lists(void **state)
+{
+	(void)state;
+	const u32 *views = ts_frame_data(&run.frame, TS_B_vpl_pairs_views);
+	const u32 *before = ts_frame_data(&run.frame, TS_B_voxel_before);
+	const u32 *level = ts_frame_data(&run.frame, TS_B_octree_level);
+	const u64 *mask = ts_frame_data(&run.frame, TS_B_voxel_mask);
+	u64 n = ts_frame_n(&run.frame, TS_B_vpl_pairs_views), n_lists = ts_frame_n(&run.frame, TS_B_vpl_pairs_offset) - 1;
+	u64 last = ts_frame_n(&run.frame, TS_B_voxel_before) - 1;
+	refuses("vpl_gather", TS_B_vpl_pairs_views, n - 1, "", views[n - 1] + 1);
+	refuses("vpl_gather", TS_B_vpl_pairs_views, 0, "", 0xffffffff);
+	refuses("vpl_gather", TS_B_vpl_pairs_offset, 0, "", 1);
+	refuses("vpl_gather", TS_B_vpl_pairs_offset, n_lists, "", n + 1);
+	refuses("vpl_gather", TS_B_voxel_before, last, "", before[last] + 1);
+	refuses("vpl_gather", TS_B_fuse_node, 0, "", level[LEVELS + 1]);
+	ts_load load;
+	u64 *bits = ts_frame_data(&run.frame, TS_B_voxel_mask);
+	bits[last - 1] = ~mask[last - 1];
+	load_for(&load, ts_stage_find("vpl_gather"));
+	ts_status status = ts_check(&load, ts_stage_find("vpl_gather"));
+	bits[last - 1] = ~bits[last - 1];
+	assert_int_equal(status, TS_ERROR);
+	u32 *sums = ts_frame_data(&run.frame, TS_B_voxel_before); /* of another octree: one leaf fewer */
+	u64 word = last - 1;
+	while (mask[word] == 0) word--;
+	u64 without = mask[word] & (mask[word] - 1), kept = mask[word];
+	for (u64 i = word + 1; i <= last; i++) sums[i]--;
+	bits[word] = without;
+	refuses("vpl_gather", TS_B_octree_level, LEVELS + 1, "", level[LEVELS + 1]);
+	bits[word] = kept;
+	for (u64 i = word + 1; i <= last; i++) sums[i]++;
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_right), cmocka_unit_test(test_indices), cmocka_unit_test(test_masks),
+		cmocka_unit_test(test_nodes), cmocka_unit_test(test_parents), cmocka_unit_test(test_levels),
+		cmocka_unit_test(test_pairs), cmocka_unit_test(test_lists),
+	};
+	return cmocka_run_group_tests(tests, begin, end);
+}

@@ -1,0 +1,88 @@
+/* Maps of virtual point lights against rays: coarse ones stop more light than fine ones, and by distance let more
+ * through than by the plane; emptied or filled maps are found to be. */
+#include "../../small.h"
+#include "../../../../src/truth/truth.h"
+
+static ts_params params_of(u32 px)
+{
+	ts_params params = small_params(96, 64);
+	params.reflectors = 0;
+	params.rsm_px = 24;
+	params.levels = 7;
+	params.vpls = 150;
+	params.view_px = px;
+	params.multipixel = 1;
+	return params;
+}
+
+static ts_map_counts judge(const ts_run *run)
+{
+	ts_truth *truth;
+	ts_map_counts counts = {.asked = 0};
+	assert_int_equal(ts_truth_new(&truth, run), TS_OK);
+	assert_int_equal(ts_truth_maps(&counts, truth, run), TS_OK);
+	ts_truth_free(truth);
+	print_message("%u texels, %u holes, %u leaks, %u apart; %u asked, %u lit, %u dark\n", (unsigned)counts.covered,
+	              (unsigned)counts.holes, (unsigned)counts.leaks, (unsigned)counts.apart, (unsigned)counts.asked,
+	              (unsigned)counts.lit, (unsigned)counts.dark);
+	return counts;
+}
+
+static ts_map_counts counts_of(const ts_scene *scene, const ts_params *params, u32 threads)
+{
+	ts_run run;
+	ts_run_begin(&run, scene, params, threads);
+	assert_int_equal(ts_pipeline_run(ts_pipeline_find("indirect", "megaviews"), &run), TS_OK);
+	ts_map_counts counts = judge(&run);
+	ts_run_end(&run);
+	return counts;
+}
+
+static void test_sizes(void **state)
+{
+	(void)state;
+	ts_params coarse = params_of(16), fine = params_of(128), distance = coarse;
+	distance.shadow_test = TS_SHADOW_TEST_DISTANCE;
+	ts_scene *scene = small_scene(&coarse);
+	ts_map_counts a = counts_of(scene, &coarse, 2), b = counts_of(scene, &fine, 2), c = counts_of(scene, &distance, 1);
+	ts_map_counts again = counts_of(scene, &coarse, 1);
+	assert_memory_equal(&a, &again, sizeof a);
+	assert_true(a.asked > 1000 && a.asked == b.asked && b.dark < a.dark / 2 && a.lit < c.lit / 2);
+	ts_scene_free(scene);
+}
+
+/* Maps that show nothing let all light through, those that show what is at the light none; rays stay what they are. */
+static void test_planted(void **state)
+{
+	(void)state;
+	ts_params params = params_of(16);
+	params.shadow_test = TS_SHADOW_TEST_DISTANCE;
+	params.bias = params.bias_slope = params.light_bias = 0;
+	ts_scene *scene = small_scene(&params);
+	ts_run run;
+	ts_run_begin(&run, scene, &params, 2);
+	assert_int_equal(ts_pipeline_run(ts_pipeline_find("indirect", "megaviews"), &run), TS_OK);
+	u32 *depths = ts_frame_data(&run.frame, TS_B_fuse_depth), *shown = ts_frame_data(&run.frame, TS_B_fuse_node);
+	u64 n = ts_frame_n(&run.frame, TS_B_fuse_depth);
+	memset(depths, 0xff, n * sizeof *depths);
+	memset(shown, 0xff, n * sizeof *shown);
+	ts_map_counts empty = judge(&run);
+	assert_true(empty.holes == empty.covered && empty.leaks == 0 && empty.apart == 0 && empty.dark == 0);
+	memset(depths, 0, n * sizeof *depths);
+	memset(shown, 0, n * sizeof *shown);
+	ts_map_counts full = judge(&run);
+	assert_true(full.holes == 0 && full.leaks == 0 && full.lit == 0 && full.apart > full.covered / 2);
+	assert_true(full.covered == empty.covered && full.asked == empty.asked && full.dark + empty.lit == full.asked);
+	f32 far = 1000;
+	for (u64 i = 0; i < n; i++) depths[i] = ts_f2u(far);
+	ts_map_counts behind = judge(&run);
+	assert_true(behind.leaks == behind.covered && behind.apart == behind.covered && behind.lit == empty.lit);
+	ts_run_end(&run);
+	ts_scene_free(scene);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {cmocka_unit_test(test_sizes), cmocka_unit_test(test_planted)};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

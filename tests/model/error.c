@@ -1,0 +1,91 @@
+/* Messages: one printable line, kept by thread, never a crash. */
+#include <pthread.h>
+#include "test.h"
+#include "../../src/model/core.h"
+
+static void message_is_formatted(void **state)
+{
+	(void)state;
+	assert_int_equal(ts_fail("%s: %d of %d", "file", 3, 7), TS_ERROR);
+	assert_string_equal(ts_error_message(), "file: 3 of 7");
+}
+
+static void control_characters_become_question_marks(void **state)
+{
+	(void)state;
+	char text[256];
+	for (int i = 1; i < 256; i++) text[i - 1] = (char)i;
+	text[255] = '\0';
+	ts_fail("%s", text);
+	const char *message = ts_error_message();
+	assert_int_equal(strlen(message), 255);
+	for (int i = 1; i < 256; i++) {
+		char expected = i < 0x20 || i == 0x7f ? '?' : (char)i;
+		assert_int_equal(message[i - 1], expected);
+	}
+	ts_fail("a\n\033[31mb\xc2\x9b" "2Jc");
+	assert_string_equal(ts_error_message(), "a??[31mb??2Jc");
+}
+
+static void letters_beyond_ascii_survive(void **state)
+{
+	(void)state;
+	ts_fail("%s", "caf\xc3\xa9 \xe6\xa8\xa1");
+	assert_string_equal(ts_error_message(), "caf\xc3\xa9 \xe6\xa8\xa1");
+}
+
+static void last_message_may_be_an_argument(void **state)
+{
+	(void)state;
+	ts_fail("inner");
+	ts_fail("outer: %s", ts_error_message());
+	assert_string_equal(ts_error_message(), "outer: inner");
+}
+
+/* Whatever the length, the cut is marked and does not split a two-byte letter. */
+static void long_messages_are_cut_and_say_so(void **state)
+{
+	(void)state;
+	for (int shift = 0; shift < 2; shift++) {
+		char text[5000] = "x";
+		for (int i = shift; i + 2 < (int)sizeof text; i += 2) memcpy(text + i, "\xc3\xa9", 3);
+		ts_fail("%s", text);
+		const char *message = ts_error_message();
+		size_t length = strlen(message);
+		assert_true(length > 500 && length < sizeof text - 3);
+		assert_string_equal(message + length - 3, "...");
+		assert_int_equal((length - 3 - (size_t)shift) % 2, 0);
+	}
+}
+
+static void *fail_elsewhere(void *seen)
+{
+	*(bool *)seen = ts_error_message()[0] == '\0';
+	ts_fail("theirs");
+	return NULL;
+}
+
+static void threads_have_their_own(void **state)
+{
+	(void)state;
+	bool began_empty = false;
+	pthread_t thread;
+	ts_fail("ours");
+	assert_int_equal(pthread_create(&thread, NULL, fail_elsewhere, &began_empty), 0);
+	assert_int_equal(pthread_join(thread, NULL), 0);
+	assert_true(began_empty);
+	assert_string_equal(ts_error_message(), "ours");
+}
+
+int main(void)
+{
+	const struct CMUnitTest error[] = {
+		cmocka_unit_test(message_is_formatted),
+		cmocka_unit_test(control_characters_become_question_marks),
+		cmocka_unit_test(letters_beyond_ascii_survive),
+		cmocka_unit_test(last_message_may_be_an_argument),
+		cmocka_unit_test(long_messages_are_cut_and_say_so),
+		cmocka_unit_test(threads_have_their_own),
+	};
+	return cmocka_run_group_tests(error, NULL, NULL);
+}

@@ -1,0 +1,102 @@
+/* Sizes and shapes: products, one more, what is refused, and what is unknown. */
+#include "../../src/model/shape.h"
+#include "test.h"
+
+static ts_sizes some(void)
+{
+	ts_sizes sizes;
+	ts_sizes_clear(&sizes);
+	sizes.n[TS_DIM_mirror_pixels] = 7;
+	sizes.n[TS_DIM_entries2] = 11;
+	sizes.n[TS_DIM_samples] = 25;
+	sizes.n[TS_DIM_points] = 0;
+	sizes.n[TS_DIM_image_texels] = UINT64_MAX - 1;
+	return sizes;
+}
+
+static void test_dims(void **state)
+{
+	(void)state;
+	static const struct { const char *shape; u32 n; u64 dims[TS_MAX_DIMS]; } cases[] = {
+		{"mirror_pixels", 1, {7}}, {"entries2 4", 2, {11, 4}}, {"mirror_pixels*samples+1", 1, {176}},
+		{"mirror_pixels samples 3", 3, {7, 25, 3}}, {"points", 1, {0}}, {"points+1", 1, {1}}, {"1", 1, {1}},
+		{"entries2*4+1 2 3 4", 4, {45, 2, 3, 4}}, {"image_texels", 1, {UINT64_MAX - 1}}, {"2*samples*3*samples", 1, {3750}},
+	};
+	ts_sizes sizes = some();
+	for (u32 i = 0; i < sizeof cases / sizeof *cases; i++) {
+		ts_shape shape;
+		u64 dims[TS_MAX_DIMS];
+		bool good = ts_shape_parse(&shape, cases[i].shape) && ts_shape_dims(&shape, &sizes, dims);
+		if (!good) fail_msg("%s", cases[i].shape);
+		assert_int_equal(shape.n, cases[i].n);
+		for (u32 d = 0; d < shape.n; d++) assert_int_equal(dims[d], cases[i].dims[d]);
+	}
+}
+
+/* What no shape is. */
+static void test_refused(void **state)
+{
+	(void)state;
+	static const char *const shapes[] = {"", "mirror_pixel", "mirror_pixelss", "points P", "1 2 3 4 5", "points*", "*points",
+		"points**2", "points+2", "+1", "points+1+1", "points  2", "points-1", "1234567890123456789",
+		"points*points*points", "999999999999999999*999999999999999999"};
+	for (u32 i = 0; i < sizeof shapes / sizeof *shapes; i++) {
+		ts_shape shape;
+		if (ts_shape_parse(&shape, shapes[i])) fail_msg("\"%s\" is a shape", shapes[i]);
+	}
+}
+
+/* Sizes that were not given, and products past 2^64. */
+static void test_unknown(void **state)
+{
+	(void)state;
+	static const char *const shapes[] = {"pieces", "mirror_pixels pieces", "pieces*mirror_pixels", "pieces+1",
+		"image_texels*2", "image_texels*mirror_pixels+1", "image_texels+1"};
+	ts_sizes sizes = some();
+	for (u32 i = 0; i < sizeof shapes / sizeof *shapes; i++) {
+		ts_shape shape;
+		u64 dims[TS_MAX_DIMS];
+		assert_true(ts_shape_parse(&shape, shapes[i]));
+		if (ts_shape_dims(&shape, &sizes, dims)) fail_msg("%s is known", shapes[i]);
+		assert_true(dims[shape.n - 1] == TS_UNKNOWN);
+	}
+}
+
+/* What a dimension counts. */
+static void test_counts(void **state)
+{
+	(void)state;
+	static const struct { const char *shape; ts_dim dim; bool image; } cases[] = {
+		{"points", TS_DIM_points, false}, {"pieces+1", TS_DIM_pieces, false}, {"height width 3", TS_DIM_height, true},
+		{"height*width+1", TS_DIM_none, false}, {"entries2*4+1", TS_DIM_none, false}, {"6", TS_DIM_none, false},
+		{"grid grid", TS_DIM_grid, false}, {"width height", TS_DIM_width, false}, {"height", TS_DIM_height, false},
+	};
+	for (u32 i = 0; i < sizeof cases / sizeof *cases; i++) {
+		ts_shape shape;
+		assert_true(ts_shape_parse(&shape, cases[i].shape));
+		assert_int_equal(ts_axis_counts(&shape.axis[0]), cases[i].dim);
+		assert_int_equal(ts_shape_is_image(&shape), cases[i].image);
+	}
+}
+
+static void test_count(void **state)
+{
+	(void)state;
+	u64 n;
+	assert_true(ts_shape_count(&n, 3, (u64[]){2, 3, 4}) && n == 24);
+	assert_true(ts_shape_count(&n, 2, (u64[]){0, UINT64_MAX}) && n == 0);
+	assert_true(ts_shape_count(&n, 2, (u64[]){UINT64_MAX, 0}) && n == 0);
+	assert_false(ts_shape_count(&n, 2, (u64[]){1ull << 32, 1ull << 32}));
+}
+
+int main(void)
+{
+	const struct CMUnitTest shape[] = {
+		cmocka_unit_test(test_dims),
+		cmocka_unit_test(test_refused),
+		cmocka_unit_test(test_unknown),
+		cmocka_unit_test(test_counts),
+		cmocka_unit_test(test_count),
+	};
+	return cmocka_run_group_tests(shape, NULL, NULL);
+}

@@ -1,0 +1,118 @@
+/* What the tests of the probe share: runs whose traces are probed, and figures of answers. */
+#ifndef TS_TESTS_TRACE_PROBED_H
+#define TS_TESTS_TRACE_PROBED_H
+#include "../methods/small.h"
+#include <dirent.h>
+#include <math.h>
+#include <unistd.h>
+#include "../../src/probe/probe.h"
+#include "../../src/trace/write.h"
+
+typedef struct {
+	char dir[200], path[512];
+	ts_scene *scene;
+	ts_run run;
+	ts_probe *probe;
+	ts_trace_writer *writer;
+} traced;
+
+static u32 n_random;
+
+static inline u32 below(u32 n) { return (u32)(((u64)ts_random(n_random++, 6, 17) * n) >> 32); }
+
+static inline const char *place(void *user, const char *name)
+{
+	traced *t = user;
+	snprintf(t->path, sizeof t->path, "%.199s/%.255s", t->dir, name);
+	return t->path;
+}
+
+static inline ts_status hook(const ts_run *run, const ts_stage *stage, void *user)
+{
+	traced *t = user;
+	return ts_trace_write_stage(t->writer, run, stage);
+}
+
+static inline void require(ts_status status)
+{
+	if (status != TS_OK) fail_msg("%s", ts_error_message());
+}
+
+static inline void make(traced *t, const char *effect, const char *method, const ts_params *params)
+{
+	const ts_pipeline *pipeline = ts_pipeline_find(effect, method);
+	ts_trace_options options = {.margins = true, .place = place, .user = t};
+	const char *tmp = getenv("TMPDIR");
+	snprintf(t->dir, sizeof t->dir, "%s/touchstone-probe-XXXXXX", tmp != NULL ? tmp : "/tmp");
+	assert_non_null(mkdtemp(t->dir));
+	t->scene = small_scene(params);
+	ts_run_begin(&t->run, t->scene, params, 2);
+	t->run.traced = t->run.margins = true;
+	require(ts_trace_write_begin(&t->writer, pipeline, &t->run, &options));
+	t->run.hook = hook;
+	t->run.hook_user = t;
+	require(ts_pipeline_run(pipeline, &t->run));
+	require(ts_trace_write_end(t->writer, &t->run));
+	require(ts_probe_open(&t->probe, t->dir));
+}
+
+static inline void drop(traced *t)
+{
+	struct dirent *entry;
+	DIR *dir = opendir(t->dir);
+	ts_probe_close(t->probe);
+	ts_trace_write_free(t->writer);
+	ts_run_end(&t->run);
+	ts_scene_free(t->scene);
+	while (dir != NULL && (entry = readdir(dir)) != NULL) {
+		if (entry->d_name[0] != '.') unlink(place(t, entry->d_name));
+	}
+	if (dir != NULL) closedir(dir);
+	rmdir(t->dir);
+}
+
+static inline const void *data(const traced *t, ts_buffer_id id) { return ts_frame_data(&t->run.frame, id); }
+static inline u64 count(const traced *t, ts_buffer_id id) { return ts_frame_n(&t->run.frame, id); }
+
+/* Every "check" and "sum" of an answer agrees. Returns how many there are. */
+static inline u32 assert_agrees(const json_t *v)
+{
+	const char *key;
+	json_t *member;
+	u32 n = 0;
+	size_t i;
+	json_object_foreach((json_t *)v, key, member) {
+		n += assert_agrees(member);
+		if (strcmp(key, "check") == 0) assert_memory_equal(json_string_value(member), "bits agree with ", 16);
+		if (strcmp(key, "sum") == 0)
+			assert_string_equal(json_string_value(member), "terms add up to the bits of the total");
+		n += strcmp(key, "check") == 0 || strcmp(key, "sum") == 0;
+	}
+	json_array_foreach((json_t *)v, i, member) n += assert_agrees(member);
+	return n;
+}
+
+static inline const json_t *get(const json_t *v, const char *a, const char *b)
+{
+	const json_t *found = json_object_get(json_object_get(v, a), b);
+	if (found == NULL) fail_msg("no %s.%s", a, b);
+	return found;
+}
+
+static inline u64 figure(const json_t *v, const char *key)
+{
+	const json_t *found = json_object_get(v, key);
+	if (!json_is_integer(found)) fail_msg("no %s", key);
+	return (u64)json_integer_value(found);
+}
+
+static inline u32 bits_of(const json_t *v) { return (u32)strtoul(json_string_value(v), NULL, 16); }
+
+/* A float that an answer shows with its bits; of a vector component c. */
+static inline f32 shown(const json_t *v, const char *key, u32 c)
+{
+	const json_t *bits = json_object_get(json_object_get(v, key), "bits");
+	return ts_u2f(bits_of(json_is_array(bits) ? json_array_get(bits, c) : bits));
+}
+
+#endif

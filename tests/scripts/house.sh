@@ -1,0 +1,101 @@
+#!/bin/bash
+# The scripts that measure the tree see what they are for: arrows upward, changed digests, names in code. Prints TAP.
+set -u
+scripts=$(realpath scripts/house)
+export TOUCHSTONE=$(realpath "${TOUCHSTONE:-build/touchstone}")
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+n=0
+
+result() { # GOOD NAME
+	n=$((n + 1))
+	if [ "$1" -eq 0 ]; then
+		echo "ok $n - $2"
+	else
+		echo "not ok $n - $2"
+		sed 's/^/# /' "$folder/out"
+	fi
+}
+
+# gives STATUS TEXT NAME COMMAND...: the command's exit status, and a line that it prints.
+gives() {
+	local status=$1 text=$2 name=$3
+	shift 3
+	"$@" > "$folder/out" 2>&1
+	[ $? -eq "$status" ] && grep -qF -- "$text" "$folder/out"
+	result $? "$name"
+}
+
+gives 0 " 0 differences" "goldens have the digests of themselves" scripts/house/bits goldens reference
+cp -r reference "$folder/changed"
+sed -i '1s/^[0-9a-f]/x/' "$folder/changed/small-epr/SHA256SUMS"
+gives 1 "small-epr: scene.vertex was " "a digest that changed" scripts/house/bits goldens reference "$folder/changed"
+sed 's/\(-\)splat.tie/\1splat.equal/' reference/small-epr/SHA256SUMS > "$folder/changed/small-epr/SHA256SUMS"
+gives 1 "small-epr: splat.equal was not there" "a name that changed" \
+	scripts/house/bits goldens reference "$folder/changed"
+for case in reference/*/SHA256SUMS; do
+	sed 's/\(-\)splat.tie/\1splat.equal/; s/ [0-9]*-/ 99-/' "$case" > "$folder/changed/${case#reference/}"
+done
+echo 'RENAMED(buffer, "splat.tie", "splat.equal")' > "$folder/renamed.def"
+gives 0 " 0 differences" "a name of the table, and other numbers" \
+	env RENAMED="$folder/renamed.def" scripts/house/bits goldens reference "$folder/changed"
+mkdir "$folder/nothing"
+gives 1 "0 buffers" "nothing to compare" scripts/house/bits goldens "$folder/nothing" "$folder/nothing"
+
+mkdir -p "$folder"/tree/src/{core,trace,cli} "$folder"/tree/obj/src/{core,trace,cli}
+cd "$folder/tree" || exit
+echo '#include "../trace/b.h"' > src/core/a.h
+echo '#include "../core/a.h"' > src/trace/b.h
+printf 'int upper(void);\nint lower(void) { return upper(); }\n' > src/core/a.c
+printf 'int upper(void) { return 0; }\n' > src/cli/c.c
+for source in src/*/*.c; do ${CC:-gcc} -c "$source" -o "obj/$source.o"; done
+BUILD=. gives 1 "upward: core -> trace" "an include line that goes up a floor" "$scripts/rooms"
+BUILD=. gives 1 "circle: core trace" "rooms that include each other" "$scripts/rooms"
+BUILD=. gives 1 "src/core/a.c -> src/cli/c.c" "a symbol of a floor above" "$scripts/rooms" --files
+echo '#include "../core/a.h"' > src/cli/b.h
+rm src/trace/b.h src/core/a.c
+BUILD=. gives 0 "by symbol: 0 arrows" "rooms in order" "$scripts/rooms"
+
+printf 'bool epr = strcmp(method, "epr") == 0;\nbool eye = strcmp(stage->name, "eye") == 0;\n' > src/cli/d.c
+printf 'bool eye = strcmp(view, "eye") == 0;\n' >> src/cli/d.c
+gives 1 "2 names compared" "names of a method and a stage in code" "$scripts/named"
+rm src/cli/d.c
+gives 0 "0 names compared" "no names in code" "$scripts/named"
+
+mkdir -p src/kernels/points src/stages tests/kernels include/touchstone
+: > src/kernels/points/lookup2.h
+for i in $(seq 30); do
+	: > "src/core/$i.c"
+	echo "obj/$i.o: src/core/$i.c src/core/../kernels/points/lookup2.h" > "obj/src/core/$i.d"
+done
+BUILD=. gives 1 "30 of 30  src/kernels/points/lookup2.h" "a kernel that rebuilds too much" "$scripts/rebuilt" lookup2.h
+rm src/core/30.c
+BUILD=. gives 0 "29 of 29  src/kernels/points/lookup2.h" "a kernel that does not" "$scripts/rebuilt" lookup2.h
+
+echo 'BUFFER(eye_view, "eye.view", ts_view, "H W", sequence, "", "")' > include/touchstone/records.def
+echo 'bool rows = strcmp(of, "H") == 0;' > src/trace/rows.c
+gives 1 "1 lines look at letters" "a dimension that is a letter" "$scripts/letters"
+echo 'BUFFER(eye_view, "eye.view", ts_view, "rows", sequence, "", "")' > include/touchstone/records.def
+gives 0 "0 dimensions are letters" "dimensions that have names" "$scripts/letters"
+mkdir -p tests/methods
+echo 'b: reads eye.view; writes eye.view' > tests/methods/sets.txt
+row='const ts_stage ts_stage_b = {\n\t.looks_at = TS_BUFFERS(TS_B_eye_view),\n};\n'
+printf "f(ts_frame_n(frame, TS_B_eye_view));\n\n$row" > src/stages/b.c
+gives 0 "0 buffers are named" "a stage body that looks at what its row declares" "$scripts/letters"
+printf "handle(TS_B_eye_view);\n\n$row" > src/stages/b.c
+gives 1 "1 buffers are named" "a stage body that names a buffer" "$scripts/letters"
+printf "f(ts_frame_n(frame, TS_B_eye_view));\n\n$row" > src/stages/b.c
+echo 'b: reads scene.info; writes scene.info' > tests/methods/sets.txt
+echo 'BUFFER(scene_info, "scene.info", ts_info, "1", sequence, "", "")' >> include/touchstone/records.def
+gives 1 "1 buffers are named" "a stage body that looks at what it does not declare" "$scripts/letters"
+
+printf 'const ts_stage ts_stage_lookup2 = {\n\t.launches = TS_LAUNCHES(&first),\n};\n' > src/stages/lookup2.c
+gives 1 "0 of 1 stages" "a stage without a test of its name" "$scripts/nouns"
+: > tests/kernels/lookup2.c
+gives 0 "1 of 1 stages" "a stage with kernel, body and test of its name" "$scripts/nouns"
+
+git init -q . && git add src
+gives 0 "lines, columns: 0 over" "lines and functions that are short" "$scripts/lengths"
+{ printf 'int long_one(void)\n{\n'; yes '	;' | head -n 41; printf '}\n'; } > src/cli/c.c
+gives 1 "   41 src/cli/c.c:2" "a function that is long" "$scripts/lengths"
+echo "1..$n"

@@ -1,0 +1,34 @@
+#!/bin/bash
+# Flags on make's command line are added to the project's own, never in their place, and warnings are errors on demand only.
+# Compiles nothing: looks at the commands that make would run. Prints TAP.
+set -u
+n=0
+
+# has NAME SOURCE PATTERN...: the command that compiles or links it has all of these.
+has() {
+	local name=$1 line pattern good=0
+	line=$(grep -e "$2" <<< "$commands" | head -n 1)
+	shift 2
+	for pattern in "$@"; do
+		grep -q -e "$pattern" <<< "$line" || good=1
+	done
+	n=$((n + 1))
+	if [ "$good" -eq 0 ]; then echo "ok $n - $name"; else echo "not ok $n - $name"; fi
+}
+
+would() {
+	env -u WERROR -u MAKEFLAGS -u MAKELEVEL make -n V=1 JOBS=1 BUILD=build/none "$@" all 2> /dev/null
+}
+
+commands=$(would CPPFLAGS=-DTRIED CFLAGS=-g3 CXXFLAGS=-g2 LDFLAGS=-Wl,-O1)
+has 'the OpenCL program' '-c src/backends/opencl/program.c' -DTRIED -g3 '-Ibuild/none/gen' '-ffp-contract=off'
+has 'what a trace says of its maker' '-c src/backends/c/run.c' -DTRIED -g3 '-DTS_FLAGS='
+has 'the commit' '-c src/model/commit.c' -DTRIED -g3 '-DTS_COMMIT='
+has 'C++' '-c src/scene/gltf/gltf.cc' -DTRIED -g2 '-std=c++17'
+has 'linking' '-o build/none/touchstone$' '-Wl,-O1' '-ljansson'
+
+n=$((n + 1))
+if ! grep -q -e -Werror <<< "$commands"; then echo "ok $n - warnings are warnings"; else echo "not ok $n - warnings are warnings"; fi
+commands=$(would WERROR=1)
+has 'unless WERROR is 1' '-c src/model/commit.c' -Werror
+echo "1..$n"

@@ -1,0 +1,286 @@
+/* IEEE 754 operations rounded once from wider ones: an independent truth for arithmetic vectors. A double holds the sum,
+ * product, quotient or root of floats, rounded to odd, with enough bits to be rounded again (Boldo and Melquiond 2008). */
+#ifndef TS_TESTS_TRACE_VECTORS_TRUTH_H
+#define TS_TESTS_TRACE_VECTORS_TRUTH_H
+#include <stdlib.h>
+#include "../../src/vectors/row.h"
+#include "../kernels/base/half_truth.h"
+
+/* y rounded to odd, when the exact value lies `error` beyond it. */
+static inline double to_odd(double y, double error)
+{
+	u64 u;
+	memcpy(&u, &y, sizeof u);
+	if (error == 0 || (u & 1) != 0) return y;
+	u += (error > 0) == (y > 0) ? 1 : -1ull;
+	memcpy(&y, &u, sizeof y);
+	return y;
+}
+
+static inline f32 radd(f32 a, f32 b)
+{
+	double x = a, y = b, s = x + y, t = s - x;
+	return (f32)to_odd(s, (x - (s - t)) + (y - t));
+}
+static inline f32 rsub(f32 a, f32 b) { return radd(a, -b); }
+static inline f32 rmul(f32 a, f32 b) { return (f32)((double)a * b); }
+static inline f32 rdiv(f32 a, f32 b)
+{
+	double q = (double)a / b, rest = fma(-q, b, a);
+	return (f32)to_odd(q, b < 0 ? -rest : rest);
+}
+static inline f32 rsqrt(f32 a)
+{
+	double r = sqrt((double)a);
+	return (f32)to_odd(r, fma(-r, r, a));
+}
+
+static inline f32 rdot(ts_v3 a, ts_v3 b) { return radd(radd(rmul(a.x, b.x), rmul(a.y, b.y)), rmul(a.z, b.z)); }
+static inline f32 rdiff(f32 a, f32 b, f32 c, f32 d) { return rsub(rmul(a, b), rmul(c, d)); }
+static inline f32 rmad(f32 a, f32 b, f32 s) { return radd(a, rmul(b, s)); }
+static inline ts_v3 rmad3(ts_v3 a, ts_v3 b, f32 s)
+{
+	return ts_v3_make(rmad(a.x, b.x, s), rmad(a.y, b.y, s), rmad(a.z, b.z, s));
+}
+static inline f32 stored(f32 x) { return fabsf(x) < 0x1p-100f ? 0 : x; }
+
+typedef void truth(u32 *right, const u32 *in);
+
+#define F(name, expression) static void t_##name(u32 *right, const u32 *in) { ts_set_f32(right, 0, (expression)); }
+#define W(name, expression) static void t_##name(u32 *right, const u32 *in) { right[0] = (u32)(expression); }
+#define L(name, expression) static void t_##name(u32 *right, const u32 *in) { ts_set_u64(right, 0, (u64)(expression)); }
+#define D ts_row_f32(in, 3)
+#define I(k) ((i64)ts_row_i32(in, k))
+
+F(add, radd(A, B))
+F(sub, rsub(A, B))
+F(mul, rmul(A, B))
+F(div, rdiv(A, B))
+F(sqrt, rsqrt(A))
+F(muladd, radd(rmul(A, B), C))
+F(mulsub, rsub(C, rmul(A, B)))
+W(compare, (double)A < B ? 1 : (double)A > B ? 4 : 2)
+F(floor, (f32)floor((double)A))
+F(i32_to_f32, (f32)(long double)ts_row_i32(in, 0))
+F(u32_to_f32, (f32)(long double)in[0])
+F(i64_to_f32, (f32)(long double)ts_row_i64(in, 0))
+
+F(min, (double)B < A ? B : A)
+F(max, (double)A < B ? B : A)
+F(clamp, (double)A < B ? B : (double)C < A ? C : A)
+F(abs, fabsf(A))
+F(san, isnan(A) || fabsf(A) < 0x1p-39f ? 0 : fabsf(A) > 0x1p62f ? copysignf(0x1p62f, A) : A)
+F(put, stored(A))
+
+static i64 saturated(double y, double low, double high)
+{
+	return (i64)(isnan(y) ? 0 : y < low ? low : y > high ? high : y);
+}
+static i64 fixed(f32 x, i32 frac, i32 bits)
+{
+	double limit = ldexp(1, bits) - 1;
+	return saturated(rint(ldexp((double)x, frac)), -limit, limit);
+}
+W(fix, fixed(A, ts_row_i32(in, 1), ts_row_i32(in, 2)))
+F(to_half, (f32)half_of((double)A))
+W(f2i, saturated(trunc((double)A), INT32_MIN, INT32_MAX))
+W(floor_i32, saturated(floor((double)A), INT32_MIN, INT32_MAX))
+F(rint, (f32)rint((double)A) + 0.0f)
+
+/* PCG-RXS-M-XS from its definition, in 64 bits. */
+static u32 hash(u32 v)
+{
+	u64 state = (v * 747796405ull + 2891336453ull) & 0xffffffff;
+	u64 word = ((state >> (4 + (state >> 28))) ^ state) * 277803737ull & 0xffffffff;
+	return (u32)(word >> 22 ^ word);
+}
+W(pcg, hash(in[0]))
+W(random, hash(in[0] ^ hash(in[1] ^ hash(in[2]))))
+F(uniform, (f32)ldexp(in[0] / 256, -24))
+
+F(diff_of_products, rdiff(A, B, C, D))
+F(dot, rdot(ts_row_v3(in, 0), ts_row_v3(in, 3)))
+static void t_cross(u32 *right, const u32 *in)
+{
+	ts_v3 a = ts_row_v3(in, 0), b = ts_row_v3(in, 3);
+	ts_set_v3(right, ts_v3_make(rdiff(a.y, b.z, a.z, b.y), rdiff(a.z, b.x, a.x, b.z), rdiff(a.x, b.y, a.y, b.x)));
+}
+static void t_mad(u32 *right, const u32 *in)
+{
+	ts_set_v3(right, rmad3(ts_row_v3(in, 0), ts_row_v3(in, 3), ts_row_f32(in, 6)));
+}
+F(length, rsqrt(stored(rdot(ts_row_v3(in, 0), ts_row_v3(in, 0)))))
+static void t_normalize(u32 *right, const u32 *in)
+{
+	f32 l = rsqrt(stored(rdot(ts_row_v3(in, 0), ts_row_v3(in, 0))));
+	l = l == 0 ? 1 : l;
+	ts_set_v3(right, ts_v3_make(rdiv(A, l), rdiv(B, l), rdiv(C, l)));
+}
+static void t_reflect(u32 *right, const u32 *in)
+{
+	ts_v3 i = ts_row_v3(in, 0), n = ts_row_v3(in, 3);
+	ts_set_v3(right, rmad3(i, n, -2 * rdot(i, n)));
+}
+static void t_blend(u32 *right, const u32 *in)
+{
+	ts_v3 a = ts_row_v3(in, 3), w = ts_row_v3(in, 0);
+	ts_v3 first = ts_v3_make(rmul(w.x, a.x), rmul(w.x, a.y), rmul(w.x, a.z));
+	ts_set_v3(right, rmad3(rmad3(first, ts_row_v3(in, 6), w.y), ts_row_v3(in, 9), w.z));
+}
+
+F(cut, rmad(A, rsub(C, A), rdiv(B, rsub(B, D))))
+static void t_project(u32 *right, const u32 *in)
+{
+	f32 focal = C, z = ts_row_f32(in, 5);
+	ts_set_f32(right, 0, radd((f32)in[0] / 2, rdiv(rmul(focal, D), z)));
+	ts_set_f32(right, 1, rsub((f32)in[1] / 2, rdiv(rmul(focal, ts_row_f32(in, 4)), z)));
+}
+static void t_snap(u32 *right, const u32 *in)
+{
+	right[0] = (u32)fixed(A, 8, 23);
+	right[1] = (u32)fixed(B, 8, 23);
+}
+/* The products of the determinant, one by one. */
+static i64 edge_of(i64 ax, i64 ay, i64 bx, i64 by, i64 px, i64 py)
+{
+	return bx * py - bx * ay - ax * py - by * px + by * ax + ay * px;
+}
+L(edge, edge_of(I(0), I(1), I(2), I(3), I(4), I(5)))
+W(top_left, I(3) - I(1) < 0 || (I(3) == I(1) && I(2) - I(0) > 0))
+
+/* The sign of the edge function at p moved right by a little and down by much less: what the top-left rule stands for. */
+static int moved_side(const u32 *in, u32 a, u32 b)
+{
+	i64 e = edge_of(I(a), I(a + 1), I(b), I(b + 1), I(6), I(7));
+	i64 right = -(I(b + 1) - I(a + 1)), down = I(b) - I(a);
+	i64 s = e != 0 ? e : right != 0 ? right : down;
+	return (s > 0) - (s < 0);
+}
+static u32 covered(const u32 *in)
+{
+	i64 area = edge_of(I(0), I(1), I(2), I(3), I(4), I(5));
+	int turn = area < 0 ? -1 : 1;
+	return area != 0 && moved_side(in, 0, 2) == turn && moved_side(in, 2, 4) == turn && moved_side(in, 4, 0) == turn;
+}
+W(covers, covered(in))
+
+/* Do triangle and square, both closed, overlap along an axis? */
+static bool overlap(const u32 *in, i64 x, i64 y)
+{
+	i64 low = INT64_MAX, high = INT64_MIN, centre = (I(7) * 256 + 128) * x + (I(8) * 256 + 128) * y;
+	i64 reach = I(6) * ((x < 0 ? -x : x) + (y < 0 ? -y : y));
+	for (u32 k = 0; k < 6; k += 2) {
+		i64 at = I(k) * x + I(k + 1) * y;
+		low = at < low ? at : low;
+		high = at > high ? at : high;
+	}
+	return low <= centre + reach && high >= centre - reach;
+}
+static bool touched(const u32 *in)
+{
+	bool meet = overlap(in, 1, 0) && overlap(in, 0, 1);
+	for (u32 k = 0; k < 6; k += 2) {
+		u32 next = (k + 2) % 6;
+		meet = meet && overlap(in, I(k + 1) - I(next + 1), I(next) - I(k));
+	}
+	return meet;
+}
+W(touches, touched(in))
+
+static void t_fragment(u32 *right, const u32 *in)
+{
+	i64 e[3] = { ts_row_i64(in, 0), ts_row_i64(in, 2), ts_row_i64(in, 4) };
+	f32 area = (f32)(long double)(e[0] + e[1] + e[2]), share[3], sum = 0;
+	for (u32 k = 0; k < 3; k++) {
+		share[k] = rdiv(rdiv((f32)(long double)e[k], area), ts_row_f32(in, 6 + k));
+		sum = radd(sum, share[k]);
+	}
+	f32 z = stored(rdiv(1, sum));
+	ts_set_v3(right, ts_v3_make(rmul(share[0], z), rmul(share[1], z), rmul(share[2], z)));
+	ts_set_f32(right, 3, z);
+}
+
+/* The largest coordinate; x before y before z. */
+static u32 major_axis(const u32 *in)
+{
+	f32 x = fabsf(A), y = fabsf(B), z = fabsf(C);
+	return x >= y && x >= z ? 0 : y >= z ? 1 : 2;
+}
+W(cube_face, 2 * major_axis(in) + (signbit(ts_row_f32(in, major_axis(in))) != 0))
+/* OpenGL's table: sc and tc of the faces as an axis and a sign. */
+static void t_cube_place(u32 *right, const u32 *in)
+{
+	static const int table[6][2] = { { -3, -2 }, { 3, -2 }, { 1, 3 }, { 1, -3 }, { 1, -2 }, { -1, -2 } };
+	u32 face;
+	t_cube_face(&face, in);
+	f32 major = fabsf(ts_row_f32(in, face / 2));
+	for (u32 k = 0; k < 2; k++) {
+		int axis = table[face][k];
+		f32 c = ts_row_f32(in, (u32)abs(axis) - 1) * (axis < 0 ? -1.0f : 1.0f);
+		ts_set_f32(right, k, rdiv(c, major == 0 ? 1 : major));
+	}
+}
+W(cube_texel, saturated(floor((double)rmul(rmul(radd(A, 1), 0.5f), (f32)in[1])), 0, (double)in[1] - 1))
+L(key, (u64)ts_f2u(stored(A)) * 4294967296 + in[1])
+L(key_min, ts_row_u64(in, 0) < ts_row_u64(in, 2) ? ts_row_u64(in, 0) : ts_row_u64(in, 2))
+L(point_key, (u64)in[0] * 4294967296 + (u64)((I(2) + 32768) * 65536 + I(1) + 32768))
+
+static f32 wrapped(f32 u, u32 how)
+{
+	if (how == 2) return u < 0 ? 0 : u > 1 ? 1 : u;
+	if (how == 0) return rsub(u, (f32)floor((double)u));
+	f32 t = rsub(u, (f32)(2 * floor((double)u / 2)));
+	return t > 1 ? rsub(2, t) : t;
+}
+F(texture_wrap, wrapped(A, in[1]))
+static i64 neighbour(i64 i, i64 n, u32 how) { return how == 0 ? (i + n) % n : i < 0 ? 0 : i >= n ? n - 1 : i; }
+W(texture_neighbour, neighbour(I(0), I(1), in[2]))
+static u32 mixed(u64 a, u64 b, u64 c, u64 d, u64 x, u64 y)
+{
+	return (u32)(((a * (256 - x) + b * x) * (256 - y) + (c * (256 - x) + d * x) * y + 32768) / 65536);
+}
+W(texture_mix4, mixed(in[0], in[1], in[2], in[3], in[4], in[5]))
+W(texture_mix2, mixed(in[0], in[1], in[0], in[1], in[2], 0))
+static void t_texture_bilinear(u32 *right, const u32 *in)
+{
+	i64 x = (i64)rint(ts_row_f32(in, 8) * 512.0) - 128, y = (i64)rint(ts_row_f32(in, 9) * 512.0) - 128;
+	i64 x0 = neighbour((x + 256) / 256 - 1, 2, in[10]), x1 = neighbour((x + 256) / 256, 2, in[10]);
+	i64 y0 = neighbour((y + 256) / 256 - 1, 2, in[11]), y1 = neighbour((y + 256) / 256, 2, in[11]);
+	for (u32 k = 0; k < 4; k++) {
+		u64 t[4];
+		for (u32 i = 0; i < 4; i++) t[i] = ts_row_u64(in, 2 * i) >> 16 * k & 65535;
+		right[k] = mixed(t[2 * y0 + x0], t[2 * y0 + x1], t[2 * y1 + x0], t[2 * y1 + x1], (u64)(x + 256) % 256,
+		                 (u64)(y + 256) % 256);
+	}
+}
+W(cull_threshold, saturated((double)fixed(rsub(1, rmul(10, A)), 24, 25), 0, 33554431))
+
+static double decoded(double e) { return e <= 0.04045 ? e / 12.92 : pow((e + 0.055) / 1.055, 2.4); }
+static u32 srgb_of(f32 l)
+{
+	u32 n = 0;
+	while (n < 255 && l >= decoded((n + 0.5) / 255)) n++;
+	return n;
+}
+W(srgb, srgb_of(A))
+
+static const struct { const char *name; truth *right; } exact[] = {
+#define T(name) { #name, t_##name },
+	T(add) T(sub) T(mul) T(div) T(sqrt) T(muladd) T(mulsub) T(compare) T(floor) T(i32_to_f32) T(u32_to_f32) T(i64_to_f32)
+	T(min) T(max) T(clamp) T(abs) T(san) T(put) T(fix) T(to_half) T(f2i) T(floor_i32) T(rint) T(pcg) T(random) T(uniform)
+	T(diff_of_products) T(dot) T(cross) T(mad) T(length) T(normalize) T(reflect) T(blend) T(cut) T(project) T(snap)
+	T(edge) T(top_left) T(covers) T(touches) T(fragment) T(cube_face) T(cube_place) T(cube_texel) T(key) T(key_min)
+	T(point_key) T(texture_wrap) T(texture_neighbour) T(texture_mix4) T(texture_mix2) T(texture_bilinear) T(srgb)
+	T(cull_threshold)
+};
+enum { N_EXACT = sizeof exact / sizeof exact[0] };
+
+/* What a port with faults computes for muladd, for div, for a part of muladd, and for half. */
+F(fused, fmaf(A, B, C))
+F(scaled, A * (1 / B))
+F(half_wrong, (in[0] & 1) != 0 ? fmaf(A, B, C) : -1234.5f)
+F(half_cut, copysignf(fabsf(A) < 0x1p-14f ? floorf(fabsf(A) * 0x1p24f) * 0x1p-24f
+                  : fminf(ts_u2f(in[0] & 0x7fffe000u), 65504), A))
+F(half_flushed, fabs(half_of((double)A)) < 0x1p-14 ? copysignf(0, A) : (f32)half_of((double)A))
+
+#endif

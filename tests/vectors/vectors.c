@@ -1,0 +1,382 @@
+/* Every primitive of the arithmetic vectors against an independent truth: rounded once from wider arithmetic, exact in
+ * integers, or within the error that the contract states. And every fault that a port may have is found and named. */
+#include "../model/test.h"
+#include "../../src/model/digest.h"
+#include "../kernels/hulls/form_factor_truth.h"
+#include "../kernels/hulls/gaussian_truth.h"
+#include "truth.h"
+
+static u32 in[TS_VECTOR_ITEMS * TS_VECTOR_WORDS];
+static _Alignas(8) u32 out[TS_VECTOR_ITEMS * TS_VECTOR_WORDS], found[TS_VECTOR_ITEMS * TS_VECTOR_WORDS];
+
+/* The sign of a zero that a sum of products gives is no part of a place on a cube. */
+static bool same(const ts_vector *v, u32 a, u32 b)
+{
+	return a == b || (strcmp(v->name, "cube_place") == 0 && ts_u2f(a) == ts_u2f(b));
+}
+
+static void test_exact(void **state)
+{
+	(void)state;
+	for (u32 t = 0; t < N_EXACT; t++) {
+		const ts_vector *v = ts_vectors_find(exact[t].name);
+		assert_non_null(v);
+		u32 words = ts_vector_out_words(v), n_wrong = 0;
+		ts_vector_make(v, in, out);
+		for (u32 i = 0; i < TS_VECTOR_ITEMS; i++) {
+			u32 right[TS_VECTOR_WORDS];
+			exact[t].right(right, in + (size_t)i * ts_vector_in_words(v));
+			for (u32 k = 0; k < words; k++) {
+				u32 ours = out[(size_t)i * words + k];
+				if (same(v, ours, right[k])) continue;
+				if (n_wrong++ == 0) print_error("%s, item %u, word %u: %08x, not %08x\n", v->name, i, k, ours, right[k]);
+			}
+		}
+		assert_int_equal(n_wrong, 0);
+	}
+}
+
+static double ulp(double y) { return y == 0 ? 0x1p-149 : ldexp(1, ilogb(y) - 23); }
+
+/* What the contract states of the elementary functions. */
+static void test_bounded(void **state)
+{
+	(void)state;
+	double turn = 2 * acos(-1);
+	ts_vector_make(ts_vectors_find("log2"), in, out);
+	for (u32 i = 0; i < TS_VECTOR_ITEMS; i++) {
+		f32 x = ts_u2f(in[i]), y = ts_u2f(out[i]);
+		if (isinf(x) && x > 0) continue;
+		double right = x >= FLT_MIN ? log2((double)x) : -126;
+		assert_true(fabs(y - right) <= 2.2 * ulp(right));
+	}
+	for (u32 k = 0; k < 2; k++) {
+		ts_vector_make(ts_vectors_find(k == 0 ? "sin_turn" : "cos_turn"), in, out);
+		for (u32 i = 0; i < TS_VECTOR_ITEMS; i++) {
+			f32 t = ts_u2f(in[i]);
+			double r = fabsf(t) < 0x1p22f ? t - rint(t) : 0;
+			assert_true(fabs(ts_u2f(out[i]) - (k == 0 ? sin(turn * r) : cos(turn * r))) <= 7.5e-8);
+		}
+	}
+	ts_vector_make(ts_vectors_find("exp"), in, out);
+	for (u32 i = 0; i < TS_VECTOR_ITEMS; i++) {
+		f32 x = ts_u2f(in[i]), y = ts_u2f(out[i]);
+		double right = exp((double)x);
+		if (x < -87.33654f) assert_int_equal(out[i], 0);
+		if (x > 88.72283f) assert_true(y > 3.4e38f && isfinite(y));
+		if (x >= -87.33654f && x <= 88.72283f) assert_true(fabs(y - right) <= 0.96 * ulp(right));
+	}
+	ts_vector_make(ts_vectors_find("atan2"), in, out);
+	for (u32 i = 0; i < TS_VECTOR_ITEMS; i++) {
+		double y = ts_u2f(in[2 * i]), x = ts_u2f(in[2 * i + 1]), right = atan2(y, x);
+		if (x > 0 && fabs(y) < x * 0x1p-99) right = ts_u2f(out[i]) == 0 ? 0 : right;
+		assert_true(fabs(ts_u2f(out[i]) - right) <= 2.13 * ulp(right));
+	}
+	ts_vector_make(ts_vectors_find("texture_lod"), in, out);
+	for (u32 i = 0; i < TS_VECTOR_ITEMS; i++) {
+		const u32 *row = in + (size_t)i * 5;
+		double f = ts_row_f32(row, 2), k = (double)row[0] * row[1] * f * f * ts_row_f32(row, 3) / ts_row_f32(row, 4);
+		double right = fmin(128 * log2(fmax(1, k)), 4095);
+		assert_true(fabs(out[i] - right) <= 0.501);
+	}
+}
+
+/* Of the printed forms, where they neither cancel nor overflow. */
+static double cosine_error(f32 ours, double lambda, double c, u32 method, bool printed)
+{
+	if (method == TS_COSINE_IS_OURS && printed && (lambda < 2 || lambda > 30)) return 0;
+	double right = method == TS_COSINE_IS_OURS ? sg_closed(lambda, c) : method == TS_COSINE_IS_SG ? sg_as_sg(lambda, c)
+		: method == TS_COSINE_IS_CONSTANT ? fmax(0, c) * sg_sphere(lambda) : sg_truth(lambda, c);
+	return fabs(ours - right) / sg_up(lambda);
+}
+
+/* A triangle behind the first words of a row. Where it is seen from the side by so little that rounding decides, any
+ * value in range is right. */
+static void judge_light(const u32 *row, u32 at, f32 ours, bool factor)
+{
+	double3 p = d3_of(ts_row_v3(row, 0)), corner[3];
+	double size = 0;
+	for (u32 k = 0; k < 3; k++) {
+		corner[k] = d3_sub(d3_of(ts_row_v3(row, at + 3 * k)), p);
+		size = fmax(size, d3_length(corner[k]));
+	}
+	double3 normal = d3_cross(d3_sub(corner[1], corner[0]), d3_sub(corner[2], corner[0]));
+	double side = -d3_dot(normal, corner[0]), limit = factor ? 1 : 2 * ff_pi;
+	assert_true(ours >= 0 && ours <= (f32)limit);
+	if (fabs(side) < 1e-2 * size * size * size) return;
+	double right = !factor ? ff_solid(corner[0], corner[1], corner[2])
+		: side > 0 ? ff_factor(d3_of(ts_row_v3(row, 3)), corner) : 0;
+	assert_near(ours, right, factor ? 1e-6 : 2e-5);
+}
+
+/* And of spherical Gaussians and of triangles that shine: rounding. */
+static void test_light(void **state)
+{
+	(void)state;
+	ts_vector_make(ts_vectors_find("sg_cosine"), in, out);
+	for (u32 i = 0; i < TS_VECTOR_ITEMS; i++) {
+		const u32 *row = in + (size_t)i * 4;
+		double c = fmin(fmax(ts_row_f32(row, 1), -1), 1);
+		double error = cosine_error(ts_u2f(out[i]), ts_row_f32(row, 0), c, row[2], row[3] != 0);
+		assert_true(error <= (row[3] != 0 ? 6e-6 : 1.3e-6));
+	}
+	ts_vector_make(ts_vectors_find("sg_sharpness"), in, out);
+	for (u32 i = 0; i < TS_VECTOR_ITEMS; i++) {
+		double r = fmin(ts_u2f(in[2 * i]), 0.999989986), k = ts_u2f(out[i]);
+		double mean = in[2 * i + 1] == 0 ? k / (1 + k) : k < 0.01 ? k / 3 - k * k * k / 45 : 1 / tanh(k) - 1 / k;
+		assert_true(fabs(mean - r) <= 3e-6 * r);
+	}
+	ts_vector_make(ts_vectors_find("solid_angle"), in, out);
+	for (u32 i = 0; i < TS_VECTOR_ITEMS; i++) judge_light(in + (size_t)i * 12, 3, ts_u2f(out[i]), false);
+	ts_vector_make(ts_vectors_find("form_factor"), in, out);
+	for (u32 i = 0; i < TS_VECTOR_ITEMS; i++) judge_light(in + (size_t)i * 15, 6, ts_u2f(out[i]), true);
+}
+
+/* Nothing is left without a truth. */
+static void test_complete(void **state)
+{
+	(void)state;
+	assert_int_equal(ts_vectors_count(), N_EXACT + 10);
+	assert_null(ts_vectors_at(ts_vectors_count()));
+	assert_null(ts_vectors_find("tan"));
+	for (u32 i = 0; i < ts_vectors_count(); i++) {
+		const ts_vector *v = ts_vectors_at(i);
+		assert_ptr_equal(ts_vectors_find(v->name), v);
+		assert_true(strspn(v->name, "abcdefghijklmnopqrstuvwxyz0123456789_") == strlen(v->name));
+		assert_true(v->rule[0] != 0 && v->doc[0] != 0 && v->in[0].name != NULL);
+		assert_in_range(ts_vector_in_words(v), 1, TS_VECTOR_WORDS);
+		assert_in_range(ts_vector_out_words(v), 1, TS_VECTOR_WORDS);
+	}
+}
+
+static bool in_range(const ts_vector_column *c, const u32 *at)
+{
+	u32 m = at[0] & 0x7fffffffu;
+	i64 x = c->type == TS_VECTOR_I64 ? ts_row_i64(at, 0) : c->type == TS_VECTOR_I32 ? (i64)ts_row_i32(at, 0) : (i64)at[0];
+	if (c->type == TS_VECTOR_U64) return true;
+	if (c->type != TS_VECTOR_F32) return x >= c->low && x <= c->high;
+	if (m == 0) return c->low == 0 || at[0] == 0;
+	return m >> 23 >= c->low && m >> 23 <= c->high;
+}
+
+static void test_ranges(void **state)
+{
+	(void)state;
+	for (u32 t = 0; t < ts_vectors_count(); t++) {
+		const ts_vector *v = ts_vectors_at(t);
+		ts_vector_make(v, in, out);
+		const u32 *at = in;
+		for (u32 i = 0; i < TS_VECTOR_ITEMS; i++) {
+			for (const ts_vector_column *c = v->in; c->name != NULL; c++) {
+				for (u32 k = 0; k < c->count; k++, at += ts_vector_type_words(c->type)) {
+					if (in_range(c, at)) continue;
+					print_error("%s, item %u, %s: %08x\n", v->name, i, c->name, at[0]);
+					fail();
+				}
+			}
+		}
+		for (u32 i = 0; i < TS_VECTOR_ITEMS * v->out.count && v->out.type == TS_VECTOR_F32; i++) {
+			assert_true(isfinite(ts_u2f(out[i])));
+		}
+	}
+}
+
+/* Every bit of every file: a change of this digest is a change of the contract, TS_CONTRACT_VERSION. */
+static void test_digest(void **state)
+{
+	(void)state;
+	ts_digest digest;
+	char hex[TS_DIGEST_BYTES];
+	assert_int_equal(ts_digest_begin(&digest), TS_OK);
+	for (u32 t = 0; t < ts_vectors_count(); t++) {
+		const ts_vector *v = ts_vectors_at(t);
+		ts_vector_make(v, in, out);
+		ts_digest_add(&digest, in, ts_vector_in_words(v) * TS_VECTOR_ITEMS * sizeof *in);
+		ts_digest_add(&digest, out, ts_vector_out_words(v) * TS_VECTOR_ITEMS * sizeof *out);
+	}
+	ts_digest_end(&digest, hex);
+	assert_string_equal(hex, "16225cac82cd8e58506eb332fdd61ab1bd589eae34337aa25e2ceb4dc036a46f");
+}
+
+static void compute(ts_vector_item *item, const ts_vector *v)
+{
+	for (u32 i = 0; i < TS_VECTOR_ITEMS; i++) {
+		item(found + (size_t)i * ts_vector_out_words(v), in + (size_t)i * ts_vector_in_words(v));
+	}
+}
+
+static const char *name_of(ts_vector_fault fault) { return ts_vector_fault_table[fault].name; }
+
+/* A port with that fault in all of a primitive. */
+static void test_faults(void **state)
+{
+	(void)state;
+	for (u32 t = 0; t < ts_vectors_count(); t++) {
+		const ts_vector *v = ts_vectors_at(t);
+		ts_vector_make(v, in, out);
+		assert_int_equal(ts_vector_judge(v, in, out, out).n_wrong, 0);
+		for (const ts_vector_variant *variant = v->variants; variant->item != NULL; variant++) {
+			compute(variant->item, v);
+			ts_vector_verdict r = ts_vector_judge(v, in, out, found);
+			if (r.n_wrong < 10) print_error("%s: only %u tell of %s\n", v->name, r.n_wrong, name_of(variant->fault));
+			assert_true(r.n_wrong >= 10);
+			assert_int_equal(r.n_explained[variant->fault], r.n_wrong);
+			assert_int_equal(r.n_explained[r.fault], r.n_wrong);
+			assert_true((r.first_faults >> variant->fault & 1) != 0);
+		}
+	}
+}
+
+static ts_vector_verdict judge_by(const char *name, ts_vector_item *item)
+{
+	const ts_vector *v = ts_vectors_find(name);
+	ts_vector_make(v, in, out);
+	compute(item, v);
+	return ts_vector_judge(v, in, out, found);
+}
+
+/* The three of the contract's own list and two of halves, as a port would compute them. */
+static void test_named(void **state)
+{
+	(void)state;
+	assert_int_equal(judge_by("muladd", t_fused).fault, TS_FAULT_FMA);
+	assert_int_equal(judge_by("div", t_scaled).fault, TS_FAULT_RECIPROCAL);
+	ts_vector_verdict r = judge_by("muladd", t_half_wrong);
+	assert_int_equal(r.fault, TS_FAULT_FMA);
+	assert_in_range(r.n_explained[TS_FAULT_FMA], 20, r.n_wrong - 1000);
+	r = judge_by("to_half", t_half_cut);
+	assert_int_equal(r.fault, TS_FAULT_TRUNCATE);
+	assert_int_equal(r.n_explained[TS_FAULT_TRUNCATE], r.n_wrong);
+	r = judge_by("to_half", t_half_flushed);
+	assert_int_equal(r.fault, TS_FAULT_FLUSH_HALF);
+	assert_int_equal(r.n_explained[TS_FAULT_FLUSH_HALF], r.n_wrong);
+	for (u32 f = 0; f < TS_N_FAULTS; f++) {
+		assert_true(ts_vector_fault_table[f].name != NULL && ts_vector_fault_table[f].remedy[0] != 0);
+	}
+}
+
+/* Rows of half: zeros of both signs from tiny floats, ties to even down and up of subnormal and normal halves, the
+ * largest half from below and above, and what is beyond it. */
+static void test_halves(void **state)
+{
+	(void)state;
+	u32 n_zero[2] = { 0 }, n_tie[2][2] = { { 0 } }, n_largest[2] = { 0 }, n_infinite[2] = { 0 };
+	ts_vector_make(ts_vectors_find("to_half"), in, out);
+	for (u32 i = 0; i < TS_VECTOR_ITEMS; i++) {
+		double x = fabs((double)ts_u2f(in[i])), y = fabs((double)ts_u2f(out[i]));
+		bool normal = x >= 0x1p-14;
+		double step = ldexp(1, normal ? ilogb(x) - 10 : -24);
+		if (x > 0 && x < FLT_MIN) n_zero[out[i] >> 31] += y == 0;
+		if (fabs(x - y) == step / 2) n_tie[normal][y > x]++;
+		if (y == 65504 && x != y) n_largest[x > y]++;
+		if (isinf(y)) n_infinite[x > 65520]++;
+	}
+	for (u32 k = 0; k < 2; k++) {
+		assert_true(n_zero[k] >= 3 && n_tie[k][0] >= 100 && n_tie[k][1] >= 100 && n_largest[k] >= 2 && n_infinite[k] >= 1);
+	}
+}
+
+#if defined(__SSE__)
+#include <xmmintrin.h>
+static void compute_flushing(const ts_vector *v)
+{
+	unsigned before = _mm_getcsr();
+	_mm_setcsr(before | 0x8040);
+	compute(v->item, v);
+	_mm_setcsr(before);
+}
+
+static bool flushes(const ts_vector *v)
+{
+	for (const ts_vector_variant *variant = v->variants; variant->item != NULL; variant++) {
+		if (variant->fault == TS_FAULT_FLUSH) return true;
+	}
+	return false;
+}
+
+/* A processor that flushes is named, and only the bare operations tell: the contract's functions do not depend on it. */
+static void test_flushing(void **state)
+{
+	(void)state;
+	for (u32 t = 0; t < ts_vectors_count(); t++) {
+		const ts_vector *v = ts_vectors_at(t);
+		ts_vector_make(v, in, out);
+		compute_flushing(v);
+		ts_vector_verdict r = ts_vector_judge(v, in, out, found);
+		u32 n_flushed = r.n_explained[TS_FAULT_FLUSH];
+		if ((r.n_wrong != 0) != flushes(v) || r.n_wrong != n_flushed) print_error("%s: %u differ\n", v->name, r.n_wrong);
+		assert_int_equal(r.n_wrong != 0, flushes(v));
+		assert_int_equal(r.n_wrong, n_flushed);
+		if (r.n_wrong != 0) assert_int_equal(r.fault, TS_FAULT_FLUSH);
+	}
+}
+#else
+static void test_flushing(void **state)
+{
+	(void)state;
+	skip();
+}
+#endif
+
+/* One bit of one item of every primitive. */
+static void test_one_bit(void **state)
+{
+	(void)state;
+	for (u32 t = 0; t < ts_vectors_count(); t++) {
+		const ts_vector *v = ts_vectors_at(t);
+		u32 words = ts_vector_out_words(v), item = (t * 977 + 5) % TS_VECTOR_ITEMS, word = t % words;
+		ts_vector_make(v, in, out);
+		memcpy(found, out, (size_t)words * TS_VECTOR_ITEMS * sizeof *out);
+		found[(size_t)item * words + word] ^= 1u << t % 32;
+		ts_vector_verdict r = ts_vector_judge(v, in, out, found);
+		assert_int_equal(r.n_wrong, 1);
+		assert_int_equal(r.first, item);
+		assert_int_equal(r.first_element, word / ts_vector_type_words(v->out.type));
+	}
+}
+
+static void test_ulps(void **state)
+{
+	(void)state;
+	assert_int_equal(ts_vector_ulps(0x3f800000, 0x3f800001), 1);
+	assert_int_equal(ts_vector_ulps(0x3f800001, 0x3f7fffff), -2);
+	assert_int_equal(ts_vector_ulps(0, 0x80000000), -1);
+	assert_int_equal(ts_vector_ulps(0x80000001, 1), 3);
+	assert_int_equal(ts_vector_ulps(0xff7fffff, 0x7f7fffff), 2 * 0x7f7fffffll + 1);
+}
+
+static void test_descr(void **state)
+{
+	(void)state;
+	char descr[TS_NPY_DESCR];
+	u64 shape[TS_MAX_DIMS];
+	ts_vector_in_descr(descr, ts_vectors_find("texture_bilinear"));
+	assert_string_equal(descr, "[('texels', '<u8', (4,)), ('uv', '<f4', (2,)), ('wrap', '<u4', (2,))]");
+	ts_vector_in_descr(descr, ts_vectors_find("fix"));
+	assert_string_equal(descr, "[('x', '<f4'), ('frac', '<i4'), ('bits', '<i4')]");
+	ts_vector_out_descr(descr, ts_vectors_find("edge"));
+	assert_string_equal(descr, "'<i8'");
+	assert_int_equal(ts_vector_out_shape(shape, ts_vectors_find("edge")), 1);
+	assert_int_equal(ts_vector_out_shape(shape, ts_vectors_find("cross")), 2);
+	assert_true(shape[0] == TS_VECTOR_ITEMS && shape[1] == 3);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_exact),
+		cmocka_unit_test(test_bounded),
+		cmocka_unit_test(test_light),
+		cmocka_unit_test(test_complete),
+		cmocka_unit_test(test_ranges),
+		cmocka_unit_test(test_digest),
+		cmocka_unit_test(test_faults),
+		cmocka_unit_test(test_named),
+		cmocka_unit_test(test_halves),
+		cmocka_unit_test(test_flushing),
+		cmocka_unit_test(test_one_bit),
+		cmocka_unit_test(test_ulps),
+		cmocka_unit_test(test_descr),
+	};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
