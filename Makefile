@@ -91,7 +91,7 @@ CORE_C := $(wildcard src/model/*.c src/backends/*.c src/backends/c/*.c src/metho
 	$(filter-out src/scene/print% src/scene/numbers.c,$(wildcard src/scene/*.c src/scene/builtin/*.c)) \
 	$(wildcard $(foreach in,cli study,$(patsubst %,src/$(in)/%.c,core_main backends command commit digest golden* help \
 		methods nearest options parse sweep truths words)))
-TEST_C := $(filter-out tests/fuzz/% tests/cli/preload/%,$(call every,tests,c))
+TEST_C := $(filter-out tests/begin.c tests/fuzz/% tests/cli/preload/%,$(call every,tests,c))
 
 object = $(patsubst %,$(BUILD)/obj/%.o,$(1))
 LIB_O := $(call object,$(LIB_C) $(LIB_CC))
@@ -99,7 +99,7 @@ IMAGE_O := $(call object,$(IMAGE_CC) $(patsubst %,src/model/%.c,error memory tex
 CLI_O := $(call object,$(CLI_C))
 CORE_O := $(call object,$(CORE_C))
 TESTS := $(TEST_C:tests/%.c=$(BUILD)/tests/%)
-ALL_O := $(sort $(LIB_O) $(IMAGE_O) $(CLI_O) $(CORE_O) $(call object,$(TEST_C) $(wildcard tests/fuzz/*.c)))
+ALL_O := $(sort $(LIB_O) $(IMAGE_O) $(CLI_O) $(CORE_O) $(call object,$(TEST_C) $(wildcard tests/begin.c tests/fuzz/*.c)))
 
 ifeq ($(V),0)
 Q := @
@@ -203,7 +203,7 @@ tests: $(TESTS) $(BUILD)/touchstone-core
 
 # Most of them run for less time than -O3 takes to compile them.
 $(BUILD)/obj/tests/%: OWN := -O1
-$(BUILD)/tests/%: $(BUILD)/obj/tests/%.c.o $(BUILD)/libtouchstone.a | $(BUILD)/libtouchstone-image.so
+$(BUILD)/tests/%: $(BUILD)/obj/tests/%.c.o $(BUILD)/obj/tests/begin.c.o $(BUILD)/libtouchstone.a | $(BUILD)/libtouchstone-image.so
 	$(call say,LINK,$@)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(CXX) $(LINK_FLAGS) $(FIND_MODULE):'$$ORIGIN/../..:$$ORIGIN/../../..:$$ORIGIN/../../../..' $^ $(LIBS) -lcmocka $(TEST_LIBS) -o $@

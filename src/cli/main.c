@@ -1,5 +1,6 @@
 /* The command `touchstone`: its table of commands. */
 #include <touchstone/image.h>
+#include "../tools/tools.h"
 #include "golden.h"
 
 #define WHERE \
@@ -82,4 +83,8 @@ const ts_command ts_command_table[] = {
 	{ 0 }
 };
 
-int main(int argc, char **argv) { return ts_cli_main(argc, argv); }
+int main(int argc, char **argv)
+{
+	ts_tools_begin();
+	return ts_cli_main(argc, argv);
+}

@@ -6,9 +6,9 @@
 #include "../kernels/base/num.h"
 #include "decided.h"
 #include "gather.h"
+#include "tie.h"
 #include "../trace/item.h"
 #include "../trace/reader.h"
-#include "../methods/points/tools/tie.h"
 
 enum { RUN = 256, MAX_ELEMENT = 128, MAX_FLOATS = 32 };
 
@@ -21,7 +21,8 @@ typedef struct {
 	u32 float_at[MAX_FLOATS], n_floats; /* offsets of the floats that are judged */
 	const ts_order *order;
 	const ts_relaxations *relaxations;
-	ts_ties *ties;         /* NULL: the candidate has no freedom here */
+	const ts_tie_rule *tie;
+	void *ties;            /* NULL: the candidate has no freedom here */
 	ts_decided decided;
 	ts_reader *ref, *cand;
 	ts_gather *gather;     /* of a set in order of arrival; NULL: elements stand as they are */
@@ -100,7 +101,7 @@ static ts_status judge_value(judge *j, const ts_difference *d, outcome *result)
 	u64 ref, cand;
 	*result = EQUAL;
 	if (d->ref == d->cand && !(field->kind == 'f' && ts_field_is_nan(d->cand))) return TS_OK;
-	if (j->ties != NULL && ts_tie_allows(j->ties, d->element, d->ref, d->cand, &tied) != TS_OK) return TS_ERROR;
+	if (j->ties != NULL && j->tie->allows(j->ties, d->element, d->ref, d->cand, &tied) != TS_OK) return TS_ERROR;
 	j->verdict->n_tied += tied;
 	if (tied) return TS_OK;
 	*result = DIFFERENT;
@@ -245,25 +246,21 @@ ts_status ts_compare_buffer(ts_verdict *verdict, ts_buffer_id id, const ts_trace
 {
 	const ts_trace_item *ref = &reference->item[id], *cand = &candidate->item[id];
 	bool set = order->given && strcmp(ts_buffer_table[id].order, "set") == 0;
-	ts_ties ties = {.reference = NULL};
 	*verdict = (ts_verdict){.n_ref = ref->npy.n, .n_cand = cand->npy.n, .marks = verdict->marks};
 	if (ts_item_match(id, ref, cand) != TS_OK || check_mask(id, ref, relaxations) != TS_OK) return TS_ERROR;
 	judge j = {.verdict = verdict, .id = id, .bytes = ts_buffer_table[id].element_bytes, .fields = ts_fields_of(id),
 	           .order = order, .relaxations = relaxations, .mask_every = elements_a_pixel(id, ref, relaxations),
-	           .decided = {.margin = TS_N_BUFFERS}};
+	           .tie = ts_tie_find(id), .decided = {.margin = TS_N_BUFFERS}};
 	assert(j.bytes <= MAX_ELEMENT);
 	find_fields(&j);
 	ts_status status = open_readers(&j, ref, cand);
-	if (status == TS_OK && order->given && id == TS_B_splat_depth_index) {
-		status = ts_ties_open(&ties, reference);
-		j.ties = &ties;
-	}
+	if (status == TS_OK && order->given && j.tie != NULL) status = j.tie->open(&j.ties, reference);
 	if (status == TS_OK && relaxations->decided) status = ts_decided_open(&j.decided, reference, id);
 	u64 n = ref->npy.n < cand->npy.n ? ref->npy.n : cand->npy.n;
 	if (status == TS_OK) status = set ? judge_set(&j, cand) : judge_elements(&j, n);
 	if (!set) verdict->n_different += ref->npy.n + cand->npy.n - 2 * n;
 	verdict->judgement = verdict->n_different > relaxations->allow ? TS_UNLIKE : TS_SAME;
-	ts_ties_close(&ties);
+	if (j.ties != NULL) j.tie->close(j.ties);
 	ts_decided_close(&j.decided);
 	ts_reader_close(j.ref);
 	ts_reader_close(j.cand);

@@ -3,6 +3,14 @@
 #include <inttypes.h>
 #include <stdlib.h>
 #include "../../../kernels/points/splat.h"
+#include "../../../trace/reader.h"
+
+/* What decides whether a point offers a distance to a texel. */
+typedef struct {
+	const ts_trace *reference;
+	ts_reader *tie, *face, *piece, *align, *point, *bits;
+	u64 n_words;
+} splat_ties;
 
 static ts_reader *open_item(const ts_trace *trace, ts_buffer_id id, bool *has)
 {
@@ -11,30 +19,32 @@ static ts_reader *open_item(const ts_trace *trace, ts_buffer_id id, bool *has)
 	return item->path != NULL ? ts_trace_read(item, id) : NULL;
 }
 
-ts_status ts_ties_open(ts_ties *t, const ts_trace *reference)
+ts_status ts_splat_ties_open(void **ties, const ts_trace *reference)
 {
 	bool has = true;
-	*t = (ts_ties){.tie = open_item(reference, TS_B_splat_tie, &has),
-	               .face = open_item(reference, TS_B_resize_face, &has),
-	               .piece = open_item(reference, TS_B_split_triangle, &has),
-	               .align = open_item(reference, TS_B_align_frame, &has),
-	               .point = open_item(reference, TS_B_points_record, &has),
-	               .bits = open_item(reference, TS_B_visibility_bits, &has)};
-	if (!has) {
-		ts_ties_close(t);
-		return TS_OK;
-	}
-	t->reference = reference;
-	t->n_words = reference->item[TS_B_visibility_bits].npy.shape[1];
+	splat_ties *t = *ties = ts_alloc(1, sizeof *t, "ties");
+	if (t == NULL) return TS_ERROR;
+	*t = (splat_ties){.reference = reference,
+	                  .tie = open_item(reference, TS_B_splat_tie, &has),
+	                  .face = open_item(reference, TS_B_resize_face, &has),
+	                  .piece = open_item(reference, TS_B_split_triangle, &has),
+	                  .align = open_item(reference, TS_B_align_frame, &has),
+	                  .point = open_item(reference, TS_B_points_record, &has),
+	                  .bits = open_item(reference, TS_B_visibility_bits, &has),
+	                  .n_words = reference->item[TS_B_visibility_bits].npy.shape[1]};
 	bool opened = t->tie && t->face && t->piece && t->align && t->point && t->bits;
-	return opened ? TS_OK : TS_ERROR;
+	if (opened) return TS_OK;
+	ts_splat_ties_close(t);
+	*ties = NULL;
+	return has ? TS_ERROR : TS_OK;
 }
 
-void ts_ties_close(ts_ties *t)
+void ts_splat_ties_close(void *ties)
 {
+	splat_ties *t = ties;
 	ts_reader *readers[] = {t->tie, t->face, t->piece, t->align, t->point, t->bits};
 	for (u32 i = 0; i < sizeof readers / sizeof *readers; i++) ts_reader_close(readers[i]);
-	*t = (ts_ties){.reference = NULL};
+	free(t);
 }
 
 /* Copies one element; TS_ERROR also if the file has no such element. */
@@ -50,7 +60,7 @@ static ts_status fetch(ts_reader *reader, const ts_trace *trace, ts_buffer_id id
 }
 
 /* The cube that a texel lies in, and its face; n = 0: none. */
-static ts_status find_cube(ts_ties *t, u64 texel, ts_face *cube, u32 *reflector)
+static ts_status find_cube(splat_ties *t, u64 texel, ts_face *cube, u32 *reflector)
 {
 	u64 n = t->reference->item[TS_B_resize_face].npy.n;
 	for (*reflector = 0; *reflector < n; (*reflector)++) {
@@ -78,7 +88,7 @@ static ts_status key_of(const ts_face *cube, u32 face, u64 inside, const ts_spla
 	return TS_OK;
 }
 
-static ts_status offers(ts_ties *t, u64 texel, u32 index, u32 distance, bool *answer)
+static ts_status offers(splat_ties *t, u64 texel, u32 index, u32 distance, bool *answer)
 {
 	const ts_trace *r = t->reference;
 	ts_face cube;
@@ -108,11 +118,12 @@ static ts_status offers(ts_ties *t, u64 texel, u32 index, u32 distance, bool *an
 	return TS_OK;
 }
 
-ts_status ts_tie_allows(ts_ties *t, u64 texel, u64 ref, u64 cand, bool *allows)
+ts_status ts_splat_tie_allows(void *ties, u64 texel, u64 ref, u64 cand, bool *allows)
 {
+	splat_ties *t = ties;
 	u8 tied;
 	*allows = false;
-	if (t->reference == NULL || ref >> 32 != cand >> 32) return TS_OK;
+	if (ref >> 32 != cand >> 32) return TS_OK;
 	if (fetch(t->tie, t->reference, TS_B_splat_tie, texel, &tied) != TS_OK) return TS_ERROR;
 	return tied != 0 ? offers(t, texel, (u32)cand, (u32)(cand >> 32), allows) : TS_OK;
 }
