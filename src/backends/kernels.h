@@ -5,7 +5,7 @@
 #include "../kernels/views/bilateral.h"
 #include "../kernels/surfels/blend_order.h"
 #include "../kernels/points/copy.h"
-#include "../kernels/points/cull.h"
+#include "../kernels/points/cull_margin.h"
 #include "../kernels/surfels/deferred.h"
 #include "../kernels/surfels/deferred_margin.h"
 #include "../kernels/hulls/direct.h"

@@ -1,10 +1,9 @@
 /* How near each decision was, for ports that may legally decide otherwise: the second pass of a margin stage, which
  * changes nothing that was decided (PORTING 7). Standard rasterization: distance of a pixel's centre from the edges
- * that matter there, and from the depth that nearly won. Culling: distance of the random number from its threshold. */
+ * that matter there, and from the depth that nearly won. */
 #ifndef TS_KERNELS_MARGIN_H
 #define TS_KERNELS_MARGIN_H
 #include "../base/args.h"
-#include "../points/cull.h"
 #include "draw.h"
 
 /* Two minima a pixel, as f32 bits: the distance to an edge, in 1/256 pixel along the axes; and how far another depth is
@@ -223,20 +222,6 @@ TS_FN void ts_k_depth_margin_item(const ts_margin_args *args, u64 i)
 		ts_camera_k view = ts_k_offscreen(offscreen);
 		ts_k_margin_draw(args, &view, &t, triangle, offscreen->offset - first_texel);
 	}
-}
-
-#define TS_ROWS_ts_cull_margin_args(ARG) \
-	ARG(INNER, ts_cull_args, cull, none) \
-	ARG(OUT, f32, margin, cull_margin)
-TS_ARGS(ts_cull_margin_args);
-
-/* map over pieces: the random number's distance from its threshold, of 1; 1 where nothing is left to chance */
-TS_FN void ts_k_cull_margin_item(const ts_cull_margin_args *args, u64 i)
-{
-	i32 threshold = ts_k_cull_threshold(ts_k_cull_pixels(&args->cull, i));
-	i32 apart = ts_k_cull_chance(&args->cull, i) - threshold;
-	bool chance = args->cull.enabled != 0u && threshold > 0;
-	args->margin[i] = chance ? (f32)(apart < 0 ? -apart : apart) * 0.000000059604644775390625f : 1.0f;
 }
 
 #endif

@@ -1,5 +1,5 @@
 /* Which pieces stay. */
-#include "../../kernels/raster/margin.h"
+#include "../../kernels/points/cull_margin.h"
 #include "../../kernels/points/view_density.h"
 #include "points.h"
 
