@@ -29,6 +29,7 @@
 #include "../kernels/raster/resolve.h"
 #include "../kernels/raster/resolve_margin.h"
 #include "../kernels/base/scan.h"
+#include "../kernels/base/sort.h"
 #include "../kernels/points/scatter.h"
 #include "../kernels/hulls/segment_box.h"
 #include "../kernels/points/shadow_resize.h"

@@ -1,5 +1,5 @@
 /* The nodes of an octree from the masks of its levels: ids are the places of the bits, so by level and Morton code
- * (METHODS 12). And the lists of its leaves, in order. */
+ * (METHODS 12). */
 #ifndef TS_KERNELS_OCTREE_H
 #define TS_KERNELS_OCTREE_H
 #include "../base/args.h"
@@ -56,38 +56,6 @@ TS_FN void ts_k_octree_item(const ts_octree_args *args, u64 i)
 		ts_k_octree_ball(node, args->root, level, code);
 		ts_k_octree_links(args, node, level, code);
 		node++;
-	}
-}
-
-#define TS_ROWS_ts_sort_args(ARG) \
-	ARG(IN, u32, offset, none) /* of each leaf */ \
-	ARG(OUT, u32, entries, none)
-TS_ARGS(ts_sort_args);
-
-/* Lets entry k of a heap of n fall to its place. */
-TS_FN void ts_k_sift(TS_GLOBAL u32 *heap, u32 k, u32 n)
-{
-	u32 value = heap[k];
-	for (u32 child = 2u * k + 1u; child < n; child = 2u * k + 1u) {
-		if (child + 1u < n && heap[child] < heap[child + 1u]) child++;
-		if (heap[child] <= value) break;
-		heap[k] = heap[child];
-		k = child;
-	}
-	heap[k] = value;
-}
-
-/* map over leaves: its entries, which came in any order, sorted */
-TS_FN void ts_k_leaf_sort_item(const ts_sort_args *args, u64 i)
-{
-	TS_GLOBAL u32 *heap = args->entries + args->offset[i];
-	u32 n = args->offset[i + 1u] - args->offset[i];
-	for (u32 k = n / 2u; k-- > 0u;) ts_k_sift(heap, k, n);
-	for (u32 left = n; left-- > 1u;) {
-		u32 greatest = heap[0];
-		heap[0] = heap[left];
-		heap[left] = greatest;
-		ts_k_sift(heap, 0u, left);
 	}
 }
 

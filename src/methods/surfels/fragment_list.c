@@ -1,6 +1,6 @@
 /* Lists of fragments, for sums in their order. */
 #include "../../kernels/surfels/fragment_list.h"
-#include "../../kernels/views/octree.h"
+#include "../../kernels/base/sort.h"
 #include "surfel.h"
 
 /* Where a pixel's list begins stands one later until it is written. */

@@ -1,6 +1,7 @@
 /* What the octrees of the scene and of the views share: masks, nodes and the lists of the leaves. */
 #ifndef TS_STAGES_OCTREE_H
 #define TS_STAGES_OCTREE_H
+#include "../../kernels/base/sort.h"
 #include "../../kernels/views/octree.h"
 #include "views.h"
 

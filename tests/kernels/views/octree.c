@@ -1,7 +1,7 @@
-/* Octrees of any mask: nodes by level and Morton code, linked both ways, with the boxes that they stand for; lists of leaves
- * in order, whatever came first; and the cones of views, against looking at every view in every node. */
-#include <stdlib.h>
+/* Octrees of any mask: nodes by level and Morton code, linked both ways, with the boxes that they stand for; and the
+ * cones of views, against looking at every view in every node. */
 #include <string.h>
+#include "../../../src/kernels/base/sort.h"
 #include "../../../src/kernels/views/octree.h"
 #include "../../../src/kernels/views/view_cone.h"
 #include "../../../src/kernels/views/view_octree.h"
@@ -129,25 +129,6 @@ static void test_nodes(void **state)
 	}
 }
 
-static int by_number(const void *a, const void *b)
-{
-	u32 x = *(const u32 *)a, y = *(const u32 *)b;
-	return (x > y) - (x < y);
-}
-
-static void test_sort(void **state)
-{
-	(void)state;
-	for (u32 i = 0; i < 3000; i++) {
-		u32 list[70], right[70], n = below(65), offset[2] = { 3, 3 + n };
-		for (u32 k = 0; k < 70; k++) right[k] = list[k] = i % 3 == 0 ? bits() : i % 3 == 1 ? below(9) : k;
-		ts_sort_args args = { .offset = offset, .entries = list };
-		ts_k_leaf_sort_item(&args, 0);
-		qsort(right + 3, n, sizeof *right, by_number);
-		assert_memory_equal(list, right, sizeof list);
-	}
-}
-
 typedef struct {
 	ts_vpl views[VIEWS];
 	u32 n, leaf[VIEWS], entries[VIEWS], offset[LEAVES + 2], least[NODES];
@@ -268,7 +249,7 @@ static void test_ordered(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		seeded_test(test_nodes), seeded_test(test_sort), seeded_test(test_cones), seeded_test(test_ordered),
+		seeded_test(test_nodes), seeded_test(test_cones), seeded_test(test_ordered),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
