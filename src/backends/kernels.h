@@ -1,6 +1,7 @@
 /* All kernels: for backends, which run them, and for nobody else. */
 #ifndef TS_BACKENDS_KERNELS_H
 #define TS_BACKENDS_KERNELS_H
+#include "../kernels/points/align.h"
 #include "../kernels/base/bench.h"
 #include "../kernels/views/bilateral.h"
 #include "../kernels/surfels/blend_order.h"

@@ -1,10 +1,10 @@
-/* Triangles, in parts that a lattice can hold, through the kernels of alignment and of points. Twice: to count, and to
- * write where the sums of the counts say. */
+/* Triangles, in parts that a lattice can hold, as points are sampled. Twice: to count, and to write where the sums of
+ * the counts say. */
 #include "sample.h"
 #include <stdlib.h>
 #include "../model/core.h"
-#include "../kernels/points/points.h"
-#include "../kernels/points/split.h"
+#include "../kernels/base/bisect.h"
+#include "../kernels/raster/lattice.h"
 #include "build_parts.h"
 
 enum { SAFE = 129, CENTRE = 0, MOST_PARTS = 64 }; /* half sizes of a lattice square, in 1/256 */
@@ -41,21 +41,19 @@ static bool is_wanted(const ts_cover *safe, const ts_cover *centre, i32 x, i32 y
 /* Samples a part; returns how many surfels that gives. */
 static u32 sample_part(const sampler *from, u32 triangle, const ts_part *part, ts_surfel *out)
 {
-	u32 keep = 1, n = 0, sides = ts_k_is_two_sided(&from->scene, triangle) ? 2 : 1;
-	f32 s = from->s;
+	u32 n = 0, sides = ts_k_is_two_sided(&from->scene, triangle) ? 2 : 1;
 	ts_align frame;
 	ts_piece piece = {.triangle = triangle, .path = part->path};
 	ts_store3(piece.a, part->v[0]);
 	ts_store3(piece.b, part->v[1]);
 	ts_store3(piece.c, part->v[2]);
-	ts_align_args align = {.pieces = &piece, .scale = &s, .keep = &keep, .frames = &frame};
-	ts_k_align_item(&align, 0);
-	ts_points_args points = {.scene = from->scene, .pieces = &piece, .frames = &frame, .snap = 1};
+	ts_k_lattice_align(&piece, from->s, &frame);
 	ts_cover safe = ts_k_lattice_cover(&frame, SAFE), centre_of = ts_k_lattice_cover(&frame, CENTRE);
 	for (i32 y = safe.touched.y0; y <= safe.touched.y1; y++) {
 		for (i32 x = safe.touched.x0; x <= safe.touched.x1; x++) {
-			if (!is_wanted(&safe, &centre_of, x, y) || !ts_k_is_point(&points, &safe, 0, x, y)) continue;
-			ts_v3 centre = ts_k_point_centre(&points, 0, x, y);
+			if (!is_wanted(&safe, &centre_of, x, y)) continue;
+			if (!ts_k_is_sample(&from->scene, &piece, &frame, &safe, x, y)) continue;
+			ts_v3 centre = ts_k_sample_centre(&piece, &frame, true, x, y);
 			for (u32 side = 0; side < sides; side++, n++)
 				put(from, &piece, &frame, centre, x, y, side == 1, out != NULL ? &out[n] : NULL);
 		}

@@ -3,17 +3,13 @@
  * as at the other (METHODS 9). */
 #ifndef TS_KERNELS_SPLIT_H
 #define TS_KERNELS_SPLIT_H
-#include "../base/area.h"
+#include "../base/bisect.h"
 #include "shadow_density.h"
 
 #define TS_MAX_SPLITS 12u
-#define TS_SPLIT_SAMPLES 65536.0f   /* 2^16 */
 #define TS_UNEVEN 1.5f
 #define TS_UNEVEN_SAMPLES 64.0f     /* what has no more is not worth it */
 #define TS_MOST_SAMPLES 1048576.0f  /* 2^20 */
-#define TS_MOST_WIDTH 16384.0f      /* samples along an edge, so that the lattice stays within 2^15 */
-
-typedef struct { ts_v3 v[3]; u32 path; } ts_part;
 
 TS_CALL ts_need ts_k_need(const ts_density_args *args, TS_GLOBAL const u64 *words, ts_v3 a, ts_v3 b, ts_v3 c)
 {
@@ -33,17 +29,6 @@ TS_FN ts_need ts_k_part_need(const ts_density_args *args, TS_GLOBAL const u64 *w
 	r.uneven = 1.0f;
 	bool known = part->path == 1u && (args->views == NULL || args->rate != TS_RATE_IS_WATERTIGHT);
 	return known ? r : ts_k_need(args, words, part->v[0], part->v[1], part->v[2]);
-}
-
-/* The child of a bisected part: 0 keeps the edge's first corner, 1 its second. Both neighbours of an edge compute the
- * same midpoint. */
-TS_FN ts_part ts_k_child(const ts_part *part, u32 edge, u32 child)
-{
-	u32 next = edge == 2u ? 0u : edge + 1u;
-	ts_part r = *part;
-	r.v[child == 0u ? next : edge] = ts_scale(ts_add(part->v[edge], part->v[next]), 0.5f);
-	r.path = part->path * 2u + child;
-	return r;
 }
 
 TS_FN void ts_k_piece_write(const ts_density_args *args, u64 index, u32 triangle, const ts_part *part, f32 s)

@@ -10,6 +10,7 @@
 #include <stdlib.h>
 #include <cmocka.h>
 #include "../../../src/kernels/raster/cube.h"
+#include "../../../src/kernels/points/align.h"
 #include "../../../src/kernels/points/cull.h"
 #include "../../../src/kernels/points/splat.h"
 #include "../../../src/kernels/points/split.h"
