@@ -80,9 +80,9 @@ static ts_status take_line(ts_case *c, ts_cli *cli)
 		return ts_fail("\"%.60s\" is not a built-in scene", scene);
 	}
 	strcpy(c->scene, scene);
-	if ((u64)p->width * p->height > MOST_PIXELS || p->frame > MOST_FRAME) {
-		return ts_fail("%u x %u pixels, frame %u: a golden has at most %d pixels and frame %d", p->width, p->height,
-		               p->frame, MOST_PIXELS, MOST_FRAME);
+	if ((u64)TS_PARAM(p, width) * TS_PARAM(p, height) > MOST_PIXELS || TS_PARAM(p, frame) > MOST_FRAME) {
+		return ts_fail("%u x %u pixels, frame %u: a golden has at most %d pixels and frame %d", TS_PARAM(p, width),
+		               TS_PARAM(p, height), TS_PARAM(p, frame), MOST_PIXELS, MOST_FRAME);
 	}
 	return TS_OK;
 }

@@ -34,7 +34,8 @@ static ts_status prepare_traces(ts_render *render)
 static ts_status take_mask(ts_render *render, const ts_run *run)
 {
 	if (render->mask != NULL || !run->frame.buffer[TS_B_pixel_record].made) return TS_OK;
-	render->mask = ts_alloc_zero(run->params.width, run->params.height, "the reflective pixels");
+	render->mask =
+		ts_alloc_zero(TS_PARAM(&run->params, width), TS_PARAM(&run->params, height), "the reflective pixels");
 	const ts_pixel *pixels = ts_frame_data(&run->frame, TS_B_pixel_record);
 	render->n_reflective = ts_frame_n(&run->frame, TS_B_pixel_record);
 	for (u64 i = 0; i < render->n_reflective && render->mask != NULL; i++) render->mask[pixels[i].index] = 1;
@@ -82,10 +83,12 @@ static void compare(ts_render *render, const ts_picture *reference, const ts_pic
 	pair->reference = reference;
 	pair->image = image;
 	pair->share = share;
-	pair->all = ts_metrics_compare(reference->srgb, image->srgb, NULL, p->width, p->height);
-	pair->relative = ts_metrics_relative(reference->radiance, image->radiance, image->seen, p->width, p->height);
+	pair->all = ts_metrics_compare(reference->srgb, image->srgb, NULL, TS_PARAM(p, width), TS_PARAM(p, height));
+	pair->relative =
+		ts_metrics_relative(reference->radiance, image->radiance, image->seen, TS_PARAM(p, width), TS_PARAM(p, height));
 	if (render->mask != NULL) {
-		pair->reflective = ts_metrics_compare(reference->srgb, image->srgb, render->mask, p->width, p->height);
+		pair->reflective =
+			ts_metrics_compare(reference->srgb, image->srgb, render->mask, TS_PARAM(p, width), TS_PARAM(p, height));
 	}
 }
 

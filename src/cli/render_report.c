@@ -40,8 +40,8 @@ void ts_render_report_head(const ts_render *render, ts_report *report)
 	char mirrors[32] = "";
 	if (has_mirrors(render)) snprintf(mirrors, sizeof mirrors, ", %u mirrors", (unsigned)scene->info.n_reflectors);
 	ts_report_line(report, "%s: %u triangles%s; %u x %u pixels, frame %u, %u threads", scene->name,
-	               (unsigned)scene->n_triangles, mirrors, (unsigned)p->width, (unsigned)p->height, (unsigned)p->frame,
-	               (unsigned)render->job->how.threads);
+	               (unsigned)scene->n_triangles, mirrors, (unsigned)TS_PARAM(p, width), (unsigned)TS_PARAM(p, height),
+	               (unsigned)TS_PARAM(p, frame), (unsigned)render->job->how.threads);
 	u64 peak = render->estimate.held + render->estimate.run;
 	ts_report_line(report, "memory: about %.2f GB at the peak, of %.2f GB", (double)peak / 1e9,
 	               (double)ts_memory_total() / 1e9);
@@ -215,7 +215,7 @@ static void report_shadows(const ts_render *render, ts_report *report)
 	for (u32 i = 0; i < render->n_methods; i++) lit_row(&table, &render->pictures[i]);
 	for (u32 t = 0; t < TS_MAX_TRUTHS; t++) lit_row(&table, &render->truths[t]);
 	ts_report_line(report, "lights: %" PRIu64 "; a depth map has %u x %u texels", render->pictures[0].n_lamps,
-	               (unsigned)render->job->params.map_px, (unsigned)render->job->params.map_px);
+	               (unsigned)TS_PARAM(&render->job->params, map_px), (unsigned)TS_PARAM(&render->job->params, map_px));
 	ts_report_line(report, "%s", "");
 	ts_report_value(report, "lights", json_integer((json_int_t)render->pictures[0].n_lamps));
 	ts_report_table(report, &table);

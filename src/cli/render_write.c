@@ -21,7 +21,8 @@ static ts_status write_pair(const char *stem, const u8 *srgb, const f32 *radianc
 static ts_status write_picture(const ts_picture *picture, const ts_params *params)
 {
 	return picture->srgb == NULL ? TS_OK
-		: write_pair(picture->name, picture->srgb, picture->radiance, params->width, params->height);
+	                             : write_pair(picture->name, picture->srgb, picture->radiance, TS_PARAM(params, width),
+	                                          TS_PARAM(params, height));
 }
 
 int ts_render_difference_scale(const ts_render *render)
@@ -33,7 +34,7 @@ int ts_render_difference_scale(const ts_render *render)
 static ts_status write_difference(const ts_pair *pair, const ts_params *params, int scale)
 {
 	char stem[64];
-	size_t n = (size_t)params->width * params->height * 3;
+	size_t n = (size_t)TS_PARAM(params, width) * TS_PARAM(params, height) * 3;
 	f32 *radiance = ts_alloc(n, sizeof *radiance, "a difference");
 	u8 *grey = ts_alloc(n, 1, "a difference");
 	ts_status status = radiance != NULL && grey != NULL ? TS_OK : TS_ERROR;
@@ -43,7 +44,7 @@ static ts_status write_difference(const ts_pair *pair, const ts_params *params, 
 		radiance[i] = pair->image->radiance[i] - pair->reference->radiance[i];
 	}
 	snprintf(stem, sizeof stem, "difference-%s-%s", pair->image->name, pair->reference->name);
-	if (status == TS_OK) status = write_pair(stem, grey, radiance, params->width, params->height);
+	if (status == TS_OK) status = write_pair(stem, grey, radiance, TS_PARAM(params, width), TS_PARAM(params, height));
 	free(radiance);
 	free(grey);
 	return status;

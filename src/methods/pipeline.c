@@ -4,14 +4,14 @@
 
 static bool stores(const ts_step *step, const ts_params *params)
 {
-	if (step->stored == TS_STORED_BY_DEFAULT) return params->buffered != TS_BUFFERED_OFF;
-	return step->stored == TS_STORED_ANYHOW || params->buffered == TS_BUFFERED_ON;
+	if (step->stored == TS_STORED_BY_DEFAULT) return TS_PARAM(params, buffered) != TS_BUFFERED_OFF;
+	return step->stored == TS_STORED_ANYHOW || TS_PARAM(params, buffered) == TS_BUFFERED_ON;
 }
 
 bool ts_pipeline_takes(const ts_step *step, const ts_params *params, bool traced)
 {
 	if (step->only_if != NULL && !step->only_if(params)) return false;
-	return params->bounces >= step->least_bounces && stores(step, params) &&
+	return TS_PARAM(params, bounces) >= step->least_bounces && stores(step, params) &&
 	       (traced || !(step->only_traced || step->only_margins));
 }
 

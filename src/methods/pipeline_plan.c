@@ -42,7 +42,7 @@ void ts_pipeline_plan(const ts_pipeline *pipeline, ts_run *run, const ts_counts 
 
 void ts_plan_largest(ts_plan *plan, const ts_params *params)
 {
-	plan->offscreen.side = params->face_px != 0 ? params->face_px : params->face_max;
+	plan->offscreen.side = TS_PARAM(params, face_px) != 0 ? TS_PARAM(params, face_px) : TS_PARAM(params, face_max);
 	plan->offscreen.all = true;
 }
 

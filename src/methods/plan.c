@@ -37,8 +37,8 @@ void ts_plan_default(ts_plan *plan, const ts_params *params, const ts_counts *co
 	*plan = (ts_plan){
 		.units = counts->reflectors,
 		.batch = 1,
-		.lights = {.own = params->lamp == TS_LAMP_SCENE, .samples = params->views},
+		.lights = {.own = TS_PARAM(params, lamp) == TS_LAMP_SCENE, .samples = TS_PARAM(params, views)},
 		.points.rate = TS_RATE_IS_EYE,
-		.views.field = params->view_field,
+		.views.field = TS_PARAM(params, view_field),
 	};
 }

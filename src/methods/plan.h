@@ -2,7 +2,7 @@
  * before the first stage (ts_pipeline_plan) and read only from then on; parameters stay what was typed. */
 #ifndef TS_STAGES_PLAN_H
 #define TS_STAGES_PLAN_H
-#include <touchstone/params.h>
+#include "../model/param.h"
 #include "../scene/scene.h"
 
 /* How many there are; TS_NONE: not known yet, because a stage makes them. */

@@ -15,9 +15,9 @@ typedef struct {
 
 static bool is_made(const question *q, ts_buffer_id id) { return q->run->frame.buffer[id].made; }
 
-static u64 height(const question *q) { return q->run->params.height; }
+static u64 height(const question *q) { return TS_PARAM(&q->run->params, height); }
 
-static u64 width(const question *q) { return q->run->params.width; }
+static u64 width(const question *q) { return TS_PARAM(&q->run->params, width); }
 
 static u64 view_words(const question *q)
 {
@@ -55,22 +55,22 @@ static u64 samples(const question *q)
 	return TS_N_SAMPLES;
 }
 
-static u64 grid(const question *q) { return q->run->params.grid_px; }
+static u64 grid(const question *q) { return TS_PARAM(&q->run->params, grid_px); }
 
-static u64 levels(const question *q) { return q->run->params.levels + 1; }
+static u64 levels(const question *q) { return TS_PARAM(&q->run->params, levels) + 1; }
 
-static u64 mask_words(const question *q) { return ts_k_mask_first(q->run->params.levels + 1); }
+static u64 mask_words(const question *q) { return ts_k_mask_first(TS_PARAM(&q->run->params, levels) + 1); }
 
 /* The levels of an octree are there, and as many as they should be. */
 static bool has_levels(const question *q, ts_buffer_id level)
 {
-	return is_made(q, level) && ts_frame_n(&q->run->frame, level) == q->run->params.levels + 2;
+	return is_made(q, level) && ts_frame_n(&q->run->frame, level) == TS_PARAM(&q->run->params, levels) + 2;
 }
 
 static u64 leaves_of(const question *q, ts_buffer_id level)
 {
 	if (!has_levels(q, level)) return TS_UNKNOWN;
-	const u32 *first = (const u32 *)ts_frame_data(&q->run->frame, level) + q->run->params.levels;
+	const u32 *first = (const u32 *)ts_frame_data(&q->run->frame, level) + TS_PARAM(&q->run->params, levels);
 	return first[1] - first[0];
 }
 

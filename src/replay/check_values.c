@@ -152,18 +152,20 @@ static ts_status check_view(const ts_load *load)
 	const ts_params *params = &load->run.params;
 	const ts_view *view = elements(load, TS_B_eye_view, &n);
 	if (n == 0) return TS_OK;
-	if (view->width != params->width) {
-		return ts_check_refuse(load, TS_B_eye_view, 0, "width", 0, "%" PRIu32 ", as the parameter,", params->width);
+	if (view->width != TS_PARAM(params, width)) {
+		return ts_check_refuse(load, TS_B_eye_view, 0, "width", 0, "%" PRIu32 ", as the parameter,",
+		                       TS_PARAM(params, width));
 	}
-	if (view->height != params->height) {
-		return ts_check_refuse(load, TS_B_eye_view, 0, "height", 0, "%" PRIu32 ", as the parameter,", params->height);
+	if (view->height != TS_PARAM(params, height)) {
+		return ts_check_refuse(load, TS_B_eye_view, 0, "height", 0, "%" PRIu32 ", as the parameter,",
+		                       TS_PARAM(params, height));
 	}
 	return TS_OK;
 }
 
 u32 ts_check_largest(const ts_run *run)
 {
-	u32 fixed = run->plan.offscreen.side != 0 ? run->plan.offscreen.side : run->params.face_px;
+	u32 fixed = run->plan.offscreen.side != 0 ? run->plan.offscreen.side : TS_PARAM(&run->params, face_px);
 	return fixed != 0 ? fixed : ts_largest_face(&run->params);
 }
 

@@ -19,10 +19,10 @@ const ts_stage *ts_replay_find(const char *name, const ts_pipeline *pipeline, co
 		return NULL;
 	}
 	if (ts_pipeline_takes(step, params, true)) return ts_stage_find(name);
-	if (params->bounces >= step->least_bounces) {
+	if (TS_PARAM(params, bounces) >= step->least_bounces) {
 		ts_fail("stage %s is not run where points are not stored; it needs buffered=on", name);
 	} else {
-		ts_fail("stage %s is not run with bounces=%" PRIu32 "; it needs %" PRIu32, name, params->bounces,
+		ts_fail("stage %s is not run with bounces=%" PRIu32 "; it needs %" PRIu32, name, TS_PARAM(params, bounces),
 		        step->least_bounces);
 	}
 	return NULL;

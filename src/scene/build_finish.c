@@ -28,11 +28,11 @@ static void give_light(ts_build *build, const ts_params *params)
 	ts_scene *scene = build->scene;
 	scene->info.ambient = 0.0f;
 	if (scene->n_lights > 0) return;
-	f32 irradiance = params->light_irradiance;
+	f32 irradiance = TS_PARAM(params, light_irradiance);
 	ts_light sun = {.kind = TS_LIGHT_KIND_DIRECTIONAL, .intensity = {irradiance, irradiance, irradiance}};
 	ts_store3(sun.direction, ts_v3_make(-0.4f, -1.0f, -0.3f));
 	ts_build_light(build, &sun);
-	scene->info.ambient = ts_san(params->light_ambient);
+	scene->info.ambient = ts_san(TS_PARAM(params, light_ambient));
 }
 
 static void check_triangles(ts_build *build)

@@ -47,18 +47,18 @@ void ts_lamp_spot(ts_light *light, const ts_info *info, const ts_params *params)
 	                          : ts_sub(in_hall(hall, 0.75f, 0.625f, 0.625f), target);
 	memset(light, 0, sizeof *light);
 	light->kind = TS_LIGHT_KIND_SPOT;
-	f32 distance = ts_length(way), candela = params->light_irradiance * (distance * distance);
+	f32 distance = ts_length(way), candela = TS_PARAM(params, light_irradiance) * (distance * distance);
 	ts_store3(light->position, ts_add(target, way));
 	ts_store3(light->direction, ts_neg(ts_normalize(way)));
 	ts_store3(light->intensity, ts_v3_make(candela, candela, candela));
-	f32 turns = params->lamp_fov / 720.0f; /* half of it; the cone's border at 15/16, its full light to 3/4 */
+	f32 turns = TS_PARAM(params, lamp_fov) / 720.0f; /* half of it; the cone's border at 15/16, its full light to 3/4 */
 	set_cone(light, ts_cos_turn(turns * 0.75f), ts_cos_turn(turns * 0.9375f));
 }
 
 void ts_lamp_ball(ts_light *light, const ts_info *info, const ts_params *params)
 {
 	ts_space hall = ts_view_hall(info);
-	f32 distance = hall.half.y, candela = params->light_irradiance * (distance * distance);
+	f32 distance = hall.half.y, candela = TS_PARAM(params, light_irradiance) * (distance * distance);
 	memset(light, 0, sizeof *light);
 	light->kind = TS_LIGHT_KIND_POINT;
 	ts_store3(light->position, is_open(info) ? in_hall(hall, 0.5f, 2.0f, 0.375f) : in_hall(hall, 0.0f, 0.25f, 0.0f));
@@ -68,7 +68,7 @@ void ts_lamp_ball(ts_light *light, const ts_info *info, const ts_params *params)
 f32 ts_lamp_radius(const ts_light *light, const ts_info *info, const ts_params *params)
 {
 	bool sun = light->kind == TS_LIGHT_KIND_DIRECTIONAL;
-	return ts_put(sun ? params->lamp_radius : params->lamp_radius * diagonal(ts_view_hall(info)));
+	return ts_put(sun ? TS_PARAM(params, lamp_radius) : TS_PARAM(params, lamp_radius) * diagonal(ts_view_hall(info)));
 }
 
 /* Seed k of n of a sunflower, in the unit disc (Vogel 1979). */

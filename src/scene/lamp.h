@@ -1,8 +1,8 @@
 /* Area lights: the lamp that shadows are shown with, and the views from the samples of lights (iVIR sections 4 and 6). */
 #ifndef TS_SCENE_LAMP_H
 #define TS_SCENE_LAMP_H
-#include <touchstone/params.h>
 #include "../kernels/base/records.h"
+#include "../model/param.h"
 
 /* Between two seeds of a sunflower, in turns (Vogel 1979). */
 #define TS_GOLDEN_TURN 0.61803400516510009765625f

@@ -3,6 +3,7 @@
 #define TS_SCENE_SCENE_H
 #include <touchstone/scene.h>
 #include "../kernels/base/records.h"
+#include "../model/param.h"
 
 typedef struct {
 	char *name;

@@ -23,8 +23,9 @@ void ts_bench_head(ts_report *report, const ts_job *job, bool sized)
 {
 	const ts_params *p = &job->params;
 	char size[48] = "";
-	if (sized) snprintf(size, sizeof size, "%u x %u pixels, ", (unsigned)p->width, (unsigned)p->height);
-	ts_report_line(report, "%sframe %u, %u threads", size, (unsigned)p->frame, (unsigned)job->how.threads);
+	if (sized)
+		snprintf(size, sizeof size, "%u x %u pixels, ", (unsigned)TS_PARAM(p, width), (unsigned)TS_PARAM(p, height));
+	ts_report_line(report, "%sframe %u, %u threads", size, (unsigned)TS_PARAM(p, frame), (unsigned)job->how.threads);
 	ts_report_run(report, job);
 }
 

@@ -55,7 +55,7 @@ static ts_status open_scene(ts_bench_case *c)
 	if (status != TS_OK || c->sampled == 0 || c->scene->n_surfels > 0) return status;
 	ts_scene_free(c->scene);
 	c->scene = NULL;
-	c->params.from_mesh = c->sampled;
+	TS_PARAM_SET(&c->params, from_mesh, c->sampled);
 	return ts_scene_open(&c->scene, c->spec, &c->params, &c->job->scene);
 }
 
@@ -85,7 +85,7 @@ static double empty_share(const ts_run *run)
 	const u32 *depth = ts_frame_data(&run->frame, TS_B_fuse_depth);
 	const ts_node *node = ts_frame_data(&run->frame, TS_B_view_octree_node);
 	u64 n = ts_frame_n(&run->frame, TS_B_view_octree_node), all = 0, empty = 0;
-	u64 n_texels = (u64)2 * run->params.view_px * run->params.view_px;
+	u64 n_texels = (u64)2 * TS_PARAM(&run->params, view_px) * TS_PARAM(&run->params, view_px);
 	for (u64 i = 0; i < n; i++) {
 		if (node[i].children != 0) continue;
 		for (u64 k = 0; k < n_texels; k++) empty += depth[i * n_texels + k] == TS_NONE;

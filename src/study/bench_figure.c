@@ -68,7 +68,7 @@ static double rmse(const ts_bench_case *c, ts_figure_kind kind, u32 variant, u32
 {
 	const ts_picture *image = &c->images[variant], *reference = c->judge != NULL ? &c->truth : &c->images[other];
 	if (image->srgb == NULL || reference->srgb == NULL || image == reference) return NAN;
-	u32 width = c->params.width, height = c->params.height;
+	u32 width = TS_PARAM(&c->params, width), height = TS_PARAM(&c->params, height);
 	if (kind == TS_FIGURE_RELATIVE) {
 		return ts_metrics_relative(reference->radiance, image->radiance, image->seen, width, height);
 	}
@@ -87,7 +87,7 @@ static double measured(const ts_bench_figure *f, const ts_bench_case *c)
 {
 	if (f->kind == TS_FIGURE_TRIANGLES) return c->scene->n_triangles;
 	if (f->kind == TS_FIGURE_SURFELS) return c->scene->n_surfels;
-	if (f->kind == TS_FIGURE_PIXELS) return 1e-6 * c->params.width * c->params.height;
+	if (f->kind == TS_FIGURE_PIXELS) return 1e-6 * TS_PARAM(&c->params, width) * TS_PARAM(&c->params, height);
 	if (f->kind == TS_FIGURE_PARAM) return parameter(&c->params, f->what);
 	if (f->kind >= TS_FIGURE_DERIVED || c->methods[f->a] == NULL) return NAN;
 	const ts_measure *m = &c->measures[f->a];
@@ -100,7 +100,8 @@ static double measured(const ts_bench_figure *f, const ts_bench_case *c)
 	case TS_FIGURE_DIAMETER: return m->mean_diameter;
 	case TS_FIGURE_TIME: return all;
 	case TS_FIGURE_SURFEL_RATE: return 1e-6 * c->scene->n_surfels / m->seconds;
-	case TS_FIGURE_SEEN: return seen(&c->images[f->a], (size_t)c->params.width * c->params.height);
+	case TS_FIGURE_SEEN:
+		return seen(&c->images[f->a], (size_t)TS_PARAM(&c->params, width) * TS_PARAM(&c->params, height));
 	case TS_FIGURE_STAGE_TIME: return listed_milliseconds(m, f->what);
 	case TS_FIGURE_POINT_TIME: return points;
 	case TS_FIGURE_VIEW_TIME: return views;

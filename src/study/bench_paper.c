@@ -70,7 +70,7 @@ static ts_status vary(u32 *objects, ts_params *params, const ts_paper_table *tab
 {
 	if (table->objects_param == NULL) {
 		ts_status status = ts_words_size(params, item, "--objects");
-		*objects = params->width * params->height;
+		*objects = TS_PARAM(params, width) * TS_PARAM(params, height);
 		return status;
 	}
 	ts_status status = ts_words_count(objects, item, 1, table->most > 0 ? table->most : TS_BENCH_OBJECTS, "--objects");
@@ -117,7 +117,7 @@ static ts_status check_lists(const work *w, const char *scenes)
 	while (status == TS_OK && ts_words_item(&scenes, spec, sizeof spec)) {
 		ts_scene *scene = NULL;
 		ts_params params = w->job->params;
-		params.reflectors = 1;
+		TS_PARAM_SET(&params, reflectors, 1);
 		status = ts_scene_open(&scene, spec, &params, &w->job->scene);
 		ts_scene_free(scene);
 	}

@@ -112,7 +112,7 @@ static ts_status segment(u32 **labels, const work *w, const ts_scene *scene, con
 {
 	ts_run run;
 	ts_params own = *params;
-	own.segmentation = segmentation;
+	TS_PARAM_SET(&own, segmentation, segmentation);
 	*labels = NULL;
 	ts_run_begin(&run, scene, &own, w->job->how.threads);
 	ts_run_how(&run, &w->job->how);
@@ -135,7 +135,7 @@ static ts_status add_scene(void *user, const char *spec)
 	if (ts_scene_open(&scene, spec, &params, &w->job->scene) != TS_OK) return TS_ERROR;
 	ts_status status = segment(&swept, w, scene, &params, TS_SEGMENTATION_SWEEPS);
 	if (status == TS_OK) status = segment(&exact, w, scene, &params, TS_SEGMENTATION_COMPONENTS);
-	if (status == TS_OK) report_scene(w, spec, swept, exact, params.grid_px);
+	if (status == TS_OK) report_scene(w, spec, swept, exact, TS_PARAM(&params, grid_px));
 	free(swept);
 	free(exact);
 	ts_scene_free(scene);

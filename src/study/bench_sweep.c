@@ -72,7 +72,7 @@ static ts_status measure(ts_plot_point *points, ts_bench_case *c)
 		for (u32 v = 0; v < N_MARKS; v++) times[v * runs + i] = 1e3 * c->measures[v].seconds;
 	}
 	for (u32 v = 0; v < N_MARKS && status == TS_OK; v++) {
-		u32 w = c->params.width, h = c->params.height;
+		u32 w = TS_PARAM(&c->params, width), h = TS_PARAM(&c->params, height);
 		double rmse = ts_metrics_compare(c->truth.srgb, c->images[v].srgb, NULL, w, h).rmse;
 		points[v] = (ts_plot_point){ marks[v].curve, marks[v].label, ts_median(times + v * runs, runs), rmse, false };
 	}
@@ -85,7 +85,8 @@ static ts_status write_plot(const ts_bench_case *c, const ts_plot_point *points)
 	char title[160], y_axis[64];
 	ts_plot plot = { .title = title, .x_axis = "whole frame, ms", .y_axis = y_axis, .points = points, .n_points = N_MARKS };
 	snprintf(title, sizeof title, "%.60s, %u mirrors, %u x %u (EPR: rho_scale; MVR: largest face)", c->scene->name,
-	         (unsigned)c->scene->info.n_reflectors, (unsigned)c->params.width, (unsigned)c->params.height);
+	         (unsigned)c->scene->info.n_reflectors, (unsigned)TS_PARAM(&c->params, width),
+	         (unsigned)TS_PARAM(&c->params, height));
 	snprintf(y_axis, sizeof y_axis, "RMSE to truth %s, grey levels", c->judge->name);
 	for (u32 k = 0; k < sizeof curves / sizeof curves[0]; k++) plot.curves[plot.n_curves++] = curves[k];
 	return ts_bench_plot("epr_6.svg", &plot);

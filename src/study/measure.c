@@ -170,7 +170,7 @@ const ts_timing *ts_measure_timing(const ts_measure *measure, const char *stage)
 static const char *what_to_lower(const ts_pipeline *method, const ts_params *params, u64 bytes)
 {
 	bool maps = ts_pipeline_maker(method, TS_B_map_depth_node) != NULL;
-	if (maps && (u64)params->queue_mb << 20 > bytes / 2) return "queue_mb";
+	if (maps && (u64)TS_PARAM(params, queue_mb) << 20 > bytes / 2) return "queue_mb";
 	return method->lower != NULL ? method->lower : ts_effect_find(method->effect)->lower;
 }
 

@@ -35,7 +35,7 @@ static void mark_seen(ts_picture *picture, const ts_run *run)
 
 ts_status ts_picture_take(ts_picture *picture, const char *name, const ts_run *run)
 {
-	size_t n = (size_t)run->params.width * run->params.height * 3;
+	size_t n = (size_t)TS_PARAM(&run->params, width) * TS_PARAM(&run->params, height) * 3;
 	snprintf(picture->name, sizeof picture->name, "%s", name);
 	picture->radiance = ts_alloc(n, sizeof(f32), "a picture");
 	picture->srgb = ts_alloc(n, 1, "a picture");
@@ -50,12 +50,12 @@ ts_status ts_picture_take(ts_picture *picture, const char *name, const ts_run *r
 
 ts_status ts_picture_make(ts_picture *picture, const char *name, f32 *radiance, const ts_params *params)
 {
-	size_t n = (size_t)params->width * params->height * 3;
+	size_t n = (size_t)TS_PARAM(params, width) * TS_PARAM(params, height) * 3;
 	snprintf(picture->name, sizeof picture->name, "%s", name);
 	picture->radiance = radiance;
 	picture->srgb = ts_alloc(n, 1, "a picture");
 	for (size_t i = 0; i < n && picture->srgb != NULL; i++) {
-		picture->srgb[i] = (u8)ts_srgb_byte(params->exposure * radiance[i]);
+		picture->srgb[i] = (u8)ts_srgb_byte(TS_PARAM(params, exposure) * radiance[i]);
 	}
 	return picture->srgb != NULL ? TS_OK : TS_ERROR;
 }

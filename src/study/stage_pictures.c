@@ -54,7 +54,8 @@ static u32 *points_per_triangle(const ts_run *run)
 static ts_status take_points(ts_stage_pictures *pictures, const ts_run *run)
 {
 	if (!has(run, TS_B_eye_depth_triangle) || !has(run, TS_B_split_triangle)) return TS_OK;
-	ts_stage_picture *p = ts_stage_pictures_add(pictures, "points", run->params.width, run->params.height, false);
+	ts_stage_picture *p =
+		ts_stage_pictures_add(pictures, "points", TS_PARAM(&run->params, width), TS_PARAM(&run->params, height), false);
 	u32 *points = p != NULL ? points_per_triangle(run) : NULL;
 	if (points == NULL) return TS_ERROR;
 	const u64 *eye = ts_frame_data(&run->frame, TS_B_eye_depth_triangle);
@@ -83,7 +84,8 @@ static ts_status take_splats(ts_stage_pictures *pictures, const ts_run *run)
 {
 	const ts_frame *frame = &run->frame;
 	u64 n = ts_frame_n(frame, TS_B_pixel_record);
-	ts_stage_picture *p = ts_stage_pictures_add(pictures, "splats", run->params.width, run->params.height, true);
+	ts_stage_picture *p =
+		ts_stage_pictures_add(pictures, "splats", TS_PARAM(&run->params, width), TS_PARAM(&run->params, height), true);
 	if (p == NULL) return TS_ERROR;
 	const ts_pixel *pixels = ts_frame_data(frame, TS_B_pixel_record);
 	const ts_face *faces = ts_frame_data(frame, TS_B_resize_face);
@@ -100,17 +102,18 @@ static ts_status take_splats(ts_stage_pictures *pictures, const ts_run *run)
 
 static ts_status take_faces(ts_stage_pictures *pictures, const ts_run *run)
 {
-	ts_stage_picture *p = ts_stage_pictures_add(pictures, "faces", run->params.width, run->params.height, true);
+	ts_stage_picture *p =
+		ts_stage_pictures_add(pictures, "faces", TS_PARAM(&run->params, width), TS_PARAM(&run->params, height), true);
 	if (p == NULL) return TS_ERROR;
 	const ts_pixel *pixels = ts_frame_data(&run->frame, TS_B_pixel_record);
 	const ts_face *faces = ts_frame_data(&run->frame, TS_B_resize_face);
 	for (u64 i = 0; i < ts_frame_n(&run->frame, TS_B_pixel_record); i++) {
 		p->mask[pixels[i].index] = 1;
-		double share = (double)faces[pixels[i].reflector].n / run->params.face_max;
+		double share = (double)faces[pixels[i].reflector].n / TS_PARAM(&run->params, face_max);
 		ts_falsecolour_ramp(p->rgb + 3 * (size_t)pixels[i].index, share);
 	}
 	snprintf(p->caption, sizeof p->caption, "cube face behind each reflective pixel: 0 texels dark to %u bright",
-	         (unsigned)run->params.face_max);
+	         (unsigned)TS_PARAM(&run->params, face_max));
 	return TS_OK;
 }
 
@@ -227,7 +230,8 @@ static ts_status take_depth(ts_stage_pictures *pictures, const ts_run *run)
 static ts_status take_lit(ts_stage_pictures *pictures, const ts_run *run)
 {
 	if (run->first_unit + run->n_units != run->plan.units) return TS_OK;
-	ts_stage_picture *p = ts_stage_pictures_add(pictures, "lit", run->params.width, run->params.height, false);
+	ts_stage_picture *p =
+		ts_stage_pictures_add(pictures, "lit", TS_PARAM(&run->params, width), TS_PARAM(&run->params, height), false);
 	if (p == NULL) return TS_ERROR;
 	const u32 *lit = ts_frame_data(&run->frame, TS_B_resolve_lit);
 	const ts_lamp *lamps = ts_frame_data(&run->frame, TS_B_lamp_shape);

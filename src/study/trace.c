@@ -47,11 +47,11 @@ static ts_status read_crop(u32 crop[4], const ts_params *params, const char *tex
 	for (; n < 4 && ts_words_item(&list, item, sizeof item); n++) {
 		if (ts_words_count(&crop[n], item, 0, 16384, "--crop") != TS_OK) return TS_ERROR;
 	}
-	if (n == 4 && list == NULL && crop[2] > 0 && crop[3] > 0 && crop[0] + crop[2] <= params->width &&
-	    crop[1] + crop[3] <= params->height)
+	if (n == 4 && list == NULL && crop[2] > 0 && crop[3] > 0 && crop[0] + crop[2] <= TS_PARAM(params, width) &&
+	    crop[1] + crop[3] <= TS_PARAM(params, height))
 		return TS_OK;
-	return ts_fail("--crop %s: not X,Y,WIDTH,HEIGHT of a part of the %u x %u image", text, (unsigned)params->width,
-	               (unsigned)params->height);
+	return ts_fail("--crop %s: not X,Y,WIDTH,HEIGHT of a part of the %u x %u image", text,
+	               (unsigned)TS_PARAM(params, width), (unsigned)TS_PARAM(params, height));
 }
 
 ts_status ts_tracing_make(ts_tracing *tracing, const ts_job *job, const ts_pipeline *method)

@@ -18,7 +18,7 @@ static const char *place(const char *folder, const char *name)
 /* Depth, or the triangle counted from 1, of each pixel; whole numbers are exact in binary32 below 2^24. */
 static ts_status write_eye(const ts_run *run, const char *folder, bool depth)
 {
-	u32 width = run->params.width, height = run->params.height;
+	u32 width = TS_PARAM(&run->params, width), height = TS_PARAM(&run->params, height);
 	const u64 *keys = ts_frame_data(&run->frame, TS_B_eye_depth_triangle);
 	f32 *values = ts_alloc((size_t)width * height, sizeof *values, "a viewer's copy");
 	const char *path = values != NULL ? place(folder, depth ? "eye.depth.exr" : "eye.triangle.exr") : NULL;
@@ -54,7 +54,7 @@ static ts_status write_points(const ts_run *run, const char *folder)
 static ts_status write_image(const ts_run *run, const char *folder)
 {
 	const char *exr = place(folder, "image.radiance.exr"), *png = place(folder, "image.srgb.png");
-	u32 width = run->params.width, height = run->params.height;
+	u32 width = TS_PARAM(&run->params, width), height = TS_PARAM(&run->params, height);
 	if (exr == NULL || png == NULL) return TS_ERROR;
 	ts_status status = ts_image_write_exr(exr, ts_frame_data(&run->frame, TS_B_image_radiance), width, height, 3);
 	if (status != TS_OK) return status;

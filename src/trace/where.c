@@ -40,9 +40,9 @@ static bool where_pixel(char *text, const ts_trace *reference, ts_buffer_id id, 
 {
 	ts_pixel record;
 	(void)id;
-	if (!fetch(reference, TS_B_pixel_record, pixel, &record) || reference->params.width == 0) return false;
-	snprintf(text, TS_WHERE_TEXT, "pixel (%u, %u)", (unsigned)(record.index % reference->params.width),
-	         (unsigned)(record.index / reference->params.width));
+	if (!fetch(reference, TS_B_pixel_record, pixel, &record) || TS_PARAM(&reference->params, width) == 0) return false;
+	snprintf(text, TS_WHERE_TEXT, "pixel (%u, %u)", (unsigned)(record.index % TS_PARAM(&reference->params, width)),
+	         (unsigned)(record.index / TS_PARAM(&reference->params, width)));
 	return true;
 }
 

@@ -12,28 +12,29 @@ static const ts_launch interpolated = TS_LAUNCH(hull, TS_ALL);
 static const ts_launch measured = TS_LAUNCH(hull_margin, TS_ALL);
 static const ts_launch everywhere = TS_LAUNCH(direct, TS_ALL);
 
-static u64 n_pixels(const ts_run *run) { return (u64)run->params.width * run->params.height; }
+static u64 n_pixels(const ts_run *run) { return (u64)TS_PARAM(&run->params, width) * TS_PARAM(&run->params, height); }
 
 static ts_status gather(ts_run *run)
 {
 	u64 n = 4 * ts_run_size(run, TS_DIM_boxes);
-	ts_gather_args args = {.n_patches = ts_frame_n(&run->frame, TS_B_rsm_patch), .grid = run->params.grid_px};
+	ts_gather_args args = {.n_patches = ts_frame_n(&run->frame, TS_B_rsm_patch),
+	                       .grid = TS_PARAM(&run->params, grid_px)};
 	ts_run_count(run, "gathers", (i64)(n * args.n_patches));
 	return TS_RUN(run, &gathered, &args, n);
 }
 
 static ts_status fit(ts_run *run)
 {
-	ts_fit_args args = {.vmf = run->params.sharpness == TS_SHARPNESS_VMF};
+	ts_fit_args args = {.vmf = TS_PARAM(&run->params, sharpness) == TS_SHARPNESS_VMF};
 	return TS_RUN(run, &fitted, &args, 4 * ts_run_size(run, TS_DIM_boxes));
 }
 
 static ts_choice_args choice(const ts_run *run)
 {
 	return (ts_choice_args){
-		.grid = run->params.grid_px,
-		.robust = run->params.surface == TS_SURFACE_ROBUST,
-		.step = run->params.segment_step,
+		.grid = TS_PARAM(&run->params, grid_px),
+		.robust = TS_PARAM(&run->params, surface) == TS_SURFACE_ROBUST,
+		.step = TS_PARAM(&run->params, segment_step),
 	};
 }
 
@@ -41,12 +42,12 @@ static ts_status hull(ts_run *run)
 {
 	ts_hull_args args = {
 		.choice = choice(run),
-		.width = run->params.width,
-		.height = run->params.height,
-		.cosine = run->params.cosine,
-		.by_moments = run->params.interpolation == TS_INTERPOLATION_MOMENTS,
-		.vmf = run->params.sharpness == TS_SHARPNESS_VMF,
-		.printed = run->params.integrals == TS_INTEGRALS_PRINTED,
+		.width = TS_PARAM(&run->params, width),
+		.height = TS_PARAM(&run->params, height),
+		.cosine = TS_PARAM(&run->params, cosine),
+		.by_moments = TS_PARAM(&run->params, interpolation) == TS_INTERPOLATION_MOMENTS,
+		.vmf = TS_PARAM(&run->params, sharpness) == TS_SHARPNESS_VMF,
+		.printed = TS_PARAM(&run->params, integrals) == TS_INTEGRALS_PRINTED,
 	};
 	if (TS_RUN(run, &interpolated, &args, n_pixels(run)) != TS_OK) return TS_ERROR;
 	ts_run_count(run, "pixels without a segment", ts_frame_tally(&run->frame, 0));
@@ -55,7 +56,8 @@ static ts_status hull(ts_run *run)
 
 static ts_status hull_margin(ts_run *run)
 {
-	ts_hull_margin_args args = {.choice = choice(run), .width = run->params.width, .height = run->params.height};
+	ts_hull_margin_args args = {
+		.choice = choice(run), .width = TS_PARAM(&run->params, width), .height = TS_PARAM(&run->params, height)};
 	return TS_RUN(run, &measured, &args, n_pixels(run));
 }
 

@@ -11,12 +11,15 @@ static const ts_launch extent = TS_LAUNCH(range, TS_ALL);
 static const ts_launch counted = TS_LAUNCH(box_count, TS_BUT(boxes));
 static const ts_launch written = TS_LAUNCH(box, TS_IN(offset, box_offset), TS_BUT(n_labels));
 
-static u64 n_texels(const ts_run *run) { return (u64)run->params.grid_px * run->params.grid_px; }
+static u64 n_texels(const ts_run *run)
+{
+	return (u64)TS_PARAM(&run->params, grid_px) * TS_PARAM(&run->params, grid_px);
+}
 
 static ts_status segment(ts_run *run)
 {
-	ts_segment_args args = {.grid = run->params.grid_px, .step = run->params.segment_step};
-	if (run->params.segmentation == TS_SEGMENTATION_COMPONENTS) {
+	ts_segment_args args = {.grid = TS_PARAM(&run->params, grid_px), .step = TS_PARAM(&run->params, segment_step)};
+	if (TS_PARAM(&run->params, segmentation) == TS_SEGMENTATION_COMPONENTS) {
 		return TS_RUN(run, &components, &args, n_texels(run) / TS_BLOCK_TEXELS);
 	}
 	for (args.sweep = 0; args.sweep < 4; args.sweep++) {
@@ -27,13 +30,14 @@ static ts_status segment(ts_run *run)
 
 static ts_status segment_margin(ts_run *run)
 {
-	ts_segment_margin_args args = {.grid = run->params.grid_px, .step = run->params.segment_step};
+	ts_segment_margin_args args = {.grid = TS_PARAM(&run->params, grid_px),
+	                               .step = TS_PARAM(&run->params, segment_step)};
 	return TS_RUN(run, &measured, &args, n_texels(run) / TS_BLOCK_TEXELS);
 }
 
 static ts_status range(ts_run *run)
 {
-	ts_range_args args = {.grid = run->params.grid_px};
+	ts_range_args args = {.grid = TS_PARAM(&run->params, grid_px)};
 	return TS_RUN(run, &extent, &args, n_texels(run));
 }
 

@@ -77,11 +77,11 @@ const ts_step ts_epr_omni_steps[] = {
 void ts_epr_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
 {
 	u64 triangles = scene->n_triangles;
-	u64 pixels = (u64)params->width * params->height;
+	u64 pixels = (u64)TS_PARAM(params, width) * TS_PARAM(params, height);
 	u64 face = ts_expected_face(params);
 	u64 texels = 6 * face * face * scene->info.n_reflectors;
-	double wanted = 6.0 * (double)params->rho_scale * (double)params->rho_scale * (double)pixels;
-	u64 points = params->cap && wanted > 4.0 * (double)texels ? 4 * texels : (u64)wanted;
+	double wanted = 6.0 * (double)TS_PARAM(params, rho_scale) * (double)TS_PARAM(params, rho_scale) * (double)pixels;
+	u64 points = TS_PARAM(params, cap) && wanted > 4.0 * (double)texels ? 4 * texels : (u64)wanted;
 	u64 *n = expected->sizes.n, entries = ts_expect_mirrors(expected, scene, params);
 	n[TS_DIM_pieces] = triangles + triangles / 16;
 	n[TS_DIM_points] = 2 * triangles + points;

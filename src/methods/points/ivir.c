@@ -64,7 +64,10 @@ const ts_step ts_ivir_omni_steps[] = {
 	{0},
 };
 
-static void set_rate(ts_plan *plan, const ts_params *params) { plan->points.rate = TS_RATE_IS_WATERTIGHT + params->rate; }
+static void set_rate(ts_plan *plan, const ts_params *params)
+{
+	plan->points.rate = TS_RATE_IS_WATERTIGHT + TS_PARAM(params, rate);
+}
 
 void ts_ivir_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
 {

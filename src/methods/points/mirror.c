@@ -9,7 +9,7 @@ static ts_status mirror(ts_run *run)
 	ts_mirror_args args = {
 		.first_cube = run->first_unit,
 		.n_cubes = run->n_units,
-		.supersample = run->params.mvr_filter == TS_MVR_SUPERSAMPLE,
+		.supersample = TS_PARAM(&run->params, mvr_filter) == TS_MVR_SUPERSAMPLE,
 	};
 	return TS_RUN(run, &launch, &args, ts_run_size(run, TS_DIM_mirror_pixels));
 }

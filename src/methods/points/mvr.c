@@ -23,7 +23,7 @@ const ts_step ts_mvr_steps[] = {
 void ts_mvr_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
 {
 	(void)counts, (void)request;
-	if (params->mvr_faces == TS_MVR_FACES_FIXED) ts_plan_largest(plan, params);
+	if (TS_PARAM(params, mvr_faces) == TS_MVR_FACES_FIXED) ts_plan_largest(plan, params);
 }
 
 const ts_step ts_mvr_soft_steps[] = {
@@ -43,7 +43,7 @@ const ts_step ts_mvr_omni_steps[] = {
 /* The cubes of one reflector at a time. */
 void ts_mvr_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
 {
-	u64 face = params->face_px != 0 ? params->face_px : params->face_max;
+	u64 face = TS_PARAM(params, face_px) != 0 ? TS_PARAM(params, face_px) : TS_PARAM(params, face_max);
 	u64 cubes = scene->info.n_reflectors != 0 ? 1 : 0;
 	u64 *n = expected->sizes.n;
 	ts_expect_mirrors(expected, scene, params);

@@ -7,7 +7,7 @@ static const ts_launch written = TS_LAUNCH(pixel, TS_IN(offset, pixel_offset));
 
 static ts_status pixel(ts_run *run)
 {
-	u64 total, n = (u64)run->params.width * run->params.height;
+	u64 total, n = (u64)TS_PARAM(&run->params, width) * TS_PARAM(&run->params, height);
 	ts_pixel_args args = {.scene = ts_run_scene(run)};
 	if (TS_RUN(run, &counted, &args, n) != TS_OK) return TS_ERROR;
 	if (ts_launch_sum(run, &counted, "offset", &total) != TS_OK) return TS_ERROR;

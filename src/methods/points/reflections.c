@@ -5,9 +5,9 @@
 /* A square about every added reflector, or a quarter of the image. */
 static u64 reflective_pixels(const ts_scene *scene, const ts_params *params)
 {
-	double pixels = (double)params->width * (double)params->height;
-	double side = (double)params->reflector_px;
-	double covered = params->reflectors != 0 ? side * side * (double)scene->info.n_reflectors : pixels / 4;
+	double pixels = (double)TS_PARAM(params, width) * (double)TS_PARAM(params, height);
+	double side = (double)TS_PARAM(params, reflector_px);
+	double covered = TS_PARAM(params, reflectors) != 0 ? side * side * (double)scene->info.n_reflectors : pixels / 4;
 	return (u64)(covered < pixels ? covered : pixels);
 }
 
@@ -21,7 +21,7 @@ u64 ts_expect_mirrors(ts_expected *expected, const ts_scene *scene, const ts_par
 
 u64 ts_expected_face(const ts_params *params)
 {
-	u64 largest = ts_largest_face(params), side = (u64)(2 * params->reflector_px);
-	if (params->face_px != 0) return params->face_px;
-	return params->reflectors == 0 || side > largest ? largest : side;
+	u64 largest = ts_largest_face(params), side = (u64)(2 * TS_PARAM(params, reflector_px));
+	if (TS_PARAM(params, face_px) != 0) return TS_PARAM(params, face_px);
+	return TS_PARAM(params, reflectors) == 0 || side > largest ? largest : side;
 }

@@ -7,8 +7,8 @@
 
 u32 ts_largest_face(const ts_params *params)
 {
-	u32 half_eye = params->height / 2;
-	u32 most = params->face_max < half_eye ? params->face_max : half_eye;
+	u32 half_eye = TS_PARAM(params, height) / 2;
+	u32 most = TS_PARAM(params, face_max) < half_eye ? TS_PARAM(params, face_max) : half_eye;
 	return most < 16 ? 16 : most;
 }
 
@@ -18,9 +18,9 @@ static void replay(const ts_run *run, ts_resize_args args, u32 n)
 	ts_view view;
 	const ts_info *info = ts_run_info(run);
 	args.view = &view;
-	u32 first = args.fixed != 0 ? run->params.frame : 0;
-	for (u32 frame = first; frame <= run->params.frame; frame++) {
-		params.frame = frame;
+	u32 first = args.fixed != 0 ? TS_PARAM(&run->params, frame) : 0;
+	for (u32 frame = first; frame <= TS_PARAM(&run->params, frame); frame++) {
+		TS_PARAM_SET(&params, frame, frame);
 		args.frame = frame;
 		ts_view_eye(&view, info, &params);
 		ts_c_launch(TS_KERNEL_resize, &args, n, run->c.threads);
@@ -48,9 +48,9 @@ static ts_status resize(ts_run *run)
 		.reflector_objects = objects,
 		.cubes = cubes,
 		.n_max = ts_largest_face(&run->params),
-		.hysteresis = run->params.hysteresis,
-		.fixed = run->plan.offscreen.side != 0 ? run->plan.offscreen.side : run->params.face_px,
-		.all = run->plan.offscreen.all || run->params.bounces > 1,
+		.hysteresis = TS_PARAM(&run->params, hysteresis),
+		.fixed = run->plan.offscreen.side != 0 ? run->plan.offscreen.side : TS_PARAM(&run->params, face_px),
+		.all = run->plan.offscreen.all || TS_PARAM(&run->params, bounces) > 1,
 	};
 	replay(run, args, n);
 	free(objects);

@@ -5,20 +5,23 @@
 void ts_soft_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
 {
 	u32 n_lights = plan->lights.own ? counts->lights : 1;
-	plan->units = plan->lights.samples = request->samples != 0 ? request->samples * n_lights : params->views;
-	plan->batch = params->pass;
-	plan->offscreen.side = params->map_px;
+	plan->units = plan->lights.samples = request->samples != 0 ? request->samples * n_lights : TS_PARAM(params, views);
+	plan->batch = TS_PARAM(params, pass);
+	plan->offscreen.side = TS_PARAM(params, map_px);
 }
 
 /* Whole cubes in one pass over the geometry. */
-static u32 cubes_a_pass(const ts_params *params) { return params->pass < 12 ? 1 : params->pass / 6; }
+static u32 cubes_a_pass(const ts_params *params)
+{
+	return TS_PARAM(params, pass) < 12 ? 1 : TS_PARAM(params, pass) / 6;
+}
 
 void ts_omni_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
 {
 	(void)counts;
-	plan->units = plan->lights.samples = request->samples != 0 ? request->samples : params->light_samples;
+	plan->units = plan->lights.samples = request->samples != 0 ? request->samples : TS_PARAM(params, light_samples);
 	plan->batch = cubes_a_pass(params);
-	plan->offscreen.side = params->map_px;
+	plan->offscreen.side = TS_PARAM(params, map_px);
 }
 
 /* Two points for each small triangle, and four for each texel of the few views that a triangle's density comes from. */
@@ -31,23 +34,24 @@ void ts_expect_points(ts_expected *expected, const ts_scene *scene, u64 texels)
 
 void ts_soft_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
 {
-	u64 map = (u64)params->map_px * params->map_px, batch = params->pass < params->views ? params->pass : params->views;
+	u64 map = (u64)TS_PARAM(params, map_px) * TS_PARAM(params, map_px),
+		batch = TS_PARAM(params, pass) < TS_PARAM(params, views) ? TS_PARAM(params, pass) : TS_PARAM(params, views);
 	u64 *n = expected->sizes.n;
 	n[TS_DIM_cubes] = 0;
-	n[TS_DIM_views] = params->views;
-	n[TS_DIM_lamps] = params->lamp == TS_LAMP_SCENE ? scene->n_lights : 1;
+	n[TS_DIM_views] = TS_PARAM(params, views);
+	n[TS_DIM_lamps] = TS_PARAM(params, lamp) == TS_LAMP_SCENE ? scene->n_lights : 1;
 	n[TS_DIM_texels] = map * batch;
-	expected->batches = (params->views + batch - 1) / batch;
+	expected->batches = (TS_PARAM(params, views) + batch - 1) / batch;
 	ts_expect_points(expected, scene, map);
 }
 
 void ts_omni_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
 {
-	u64 map = 6 * (u64)params->map_px * params->map_px, batch = cubes_a_pass(params);
+	u64 map = 6 * (u64)TS_PARAM(params, map_px) * TS_PARAM(params, map_px), batch = cubes_a_pass(params);
 	u64 *n = expected->sizes.n;
-	ts_sizes_cubes(&expected->sizes, params->light_samples);
+	ts_sizes_cubes(&expected->sizes, TS_PARAM(params, light_samples));
 	n[TS_DIM_lamps] = 1;
-	n[TS_DIM_texels] = map * (batch < params->light_samples ? batch : params->light_samples);
-	expected->batches = (params->light_samples + batch - 1) / batch;
+	n[TS_DIM_texels] = map * (batch < TS_PARAM(params, light_samples) ? batch : TS_PARAM(params, light_samples));
+	expected->batches = (TS_PARAM(params, light_samples) + batch - 1) / batch;
 	ts_expect_points(expected, scene, map);
 }

@@ -31,7 +31,7 @@ void ts_vir_omni_plan(ts_plan *plan, const ts_params *params, const ts_counts *c
 /* Nine points a texel: the corner's rate, 3, squared. */
 void ts_vir_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
 {
-	u64 face = params->face_px != 0 ? params->face_px : params->face_max;
+	u64 face = TS_PARAM(params, face_px) != 0 ? TS_PARAM(params, face_px) : TS_PARAM(params, face_max);
 	ts_expect_cubes(expected, scene, params, face);
 	expected->sizes.n[TS_DIM_points] = 2 * (u64)scene->n_triangles + 9 * 6 * face * face * scene->info.n_reflectors;
 }
@@ -39,5 +39,6 @@ void ts_vir_expect(ts_expected *expected, const ts_scene *scene, const ts_params
 void ts_vir_omni_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
 {
 	ts_omni_expect(expected, scene, params);
-	expected->sizes.n[TS_DIM_points] = 2 * (u64)scene->n_triangles + 9 * 6 * (u64)params->map_px * params->map_px;
+	expected->sizes.n[TS_DIM_points] =
+		2 * (u64)scene->n_triangles + 9 * 6 * (u64)TS_PARAM(params, map_px) * TS_PARAM(params, map_px);
 }

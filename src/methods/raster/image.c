@@ -7,18 +7,18 @@ static const ts_launch with_mirrors = TS_LAUNCH(image, TS_WITH(offset), TS_WITH(
 static const ts_launch with_shadows = TS_LAUNCH(image, TS_IN(scene.lights, lamp_light), TS_WITH(lit), TS_WITH(lamps));
 static const ts_launch of_indirect = TS_LAUNCH(indirect_image, TS_ALL);
 
-static u64 n_pixels(const ts_run *run) { return (u64)run->params.width * run->params.height; }
+static u64 n_pixels(const ts_run *run) { return (u64)TS_PARAM(&run->params, width) * TS_PARAM(&run->params, height); }
 
 static ts_status image(ts_run *run)
 {
-	ts_image_args args = {.scene = ts_run_scene(run), .exposure = run->params.exposure};
+	ts_image_args args = {.scene = ts_run_scene(run), .exposure = TS_PARAM(&run->params, exposure)};
 	return TS_RUN(run, &with_mirrors, &args, n_pixels(run));
 }
 
 /* In the light of the lamps, as far as it reaches. */
 static ts_status shadow_image(ts_run *run)
 {
-	ts_image_args args = {.scene = ts_run_scene(run), .exposure = run->params.exposure};
+	ts_image_args args = {.scene = ts_run_scene(run), .exposure = TS_PARAM(&run->params, exposure)};
 	args.scene.n_lights = (u32)ts_run_size(run, TS_DIM_lamps);
 	return TS_RUN(run, &with_shadows, &args, n_pixels(run));
 }
@@ -26,7 +26,7 @@ static ts_status shadow_image(ts_run *run)
 /* In indirect light alone. */
 static ts_status indirect_image(ts_run *run)
 {
-	ts_indirect_args args = {.exposure = run->params.exposure};
+	ts_indirect_args args = {.exposure = TS_PARAM(&run->params, exposure)};
 	return TS_RUN(run, &of_indirect, &args, n_pixels(run));
 }
 

@@ -56,7 +56,8 @@ static ts_status lamp_ball(ts_run *run)
 
 static ts_lens lens_of(const ts_run *run)
 {
-	return (ts_lens){.side = run->plan.offscreen.side, .fov = run->params.lamp_fov, .own = run->plan.lights.own};
+	return (ts_lens){
+		.side = run->plan.offscreen.side, .fov = TS_PARAM(&run->params, lamp_fov), .own = run->plan.lights.own};
 }
 
 static ts_status lamp_view(ts_run *run)

@@ -6,7 +6,7 @@ static const ts_launch launch = TS_LAUNCH(pose, TS_ALL);
 
 static ts_status pose(ts_run *run)
 {
-	ts_pose_args args = {.frame = run->params.frame};
+	ts_pose_args args = {.frame = TS_PARAM(&run->params, frame)};
 	return TS_RUN(run, &launch, &args, ts_run_size(run, TS_DIM_vertices));
 }
 

@@ -8,7 +8,7 @@ static const ts_launch resolved = TS_LAUNCH(resolve, TS_ALL);
 static const ts_launch measured = TS_LAUNCH(resolve_margin, TS_BUT(of.lit));
 static const ts_launch filtered = TS_LAUNCH(pcss, TS_ALL);
 
-static u64 n_pixels(const ts_run *run) { return (u64)run->params.width * run->params.height; }
+static u64 n_pixels(const ts_run *run) { return (u64)TS_PARAM(&run->params, width) * TS_PARAM(&run->params, height); }
 
 static ts_resolve_args values(const ts_run *run)
 {
@@ -16,8 +16,8 @@ static ts_resolve_args values(const ts_run *run)
 		.scene = ts_run_scene(run),
 		.n_lamps = (u32)ts_run_size(run, TS_DIM_lamps),
 		.cubes = ts_run_has_cubes(run),
-		.bias = run->params.bias,
-		.slope = run->params.bias_slope,
+		.bias = TS_PARAM(&run->params, bias),
+		.slope = TS_PARAM(&run->params, bias_slope),
 	};
 	ts_run_views(run, &args.first_view, &args.n_views);
 	return args;
@@ -37,7 +37,7 @@ static ts_status resolve_margin(ts_run *run)
 
 static ts_status pcss(ts_run *run)
 {
-	ts_pcss_args args = {.of = values(run), .near = run->params.pcss_near};
+	ts_pcss_args args = {.of = values(run), .near = TS_PARAM(&run->params, pcss_near)};
 	return TS_RUN(run, &filtered, &args, n_pixels(run));
 }
 

@@ -11,7 +11,8 @@ static const ts_launch sorted =
 
 static ts_status fragment_list(ts_run *run)
 {
-	u64 total, n = ts_run_size(run, TS_DIM_surfels), n_pixels = (u64)run->params.width * run->params.height;
+	u64 total, n = ts_run_size(run, TS_DIM_surfels),
+			   n_pixels = (u64)TS_PARAM(&run->params, width) * TS_PARAM(&run->params, height);
 	ts_fragment_list_args args = {.filter = ts_surfel_filter(run)};
 	ts_sort_args sort;
 	if (ts_launch_make(run, &counted, "offset", 1) != TS_OK) return TS_ERROR;
@@ -22,7 +23,10 @@ static ts_status fragment_list(ts_run *run)
 	return TS_RUN(run, &sorted, &sort, n_pixels);
 }
 
-bool ts_accumulates_in_order(const ts_params *params) { return params->accumulation != TS_ACCUMULATION_FIXED; }
+bool ts_accumulates_in_order(const ts_params *params)
+{
+	return TS_PARAM(params, accumulation) != TS_ACCUMULATION_FIXED;
+}
 
 const ts_stage ts_stage_fragment_list = {
 	.name = "fragment_list", .kind = "emit", .paper = "NV40: Floating Point Precision",

@@ -7,7 +7,8 @@ static const ts_launch launch = TS_LAUNCH(surfel_mean, TS_ALL);
 static ts_status surfel_mean(ts_run *run)
 {
 	ts_surfel_mean_args args;
-	if (TS_RUN(run, &launch, &args, (u64)run->params.width * run->params.height) != TS_OK) return TS_ERROR;
+	if (TS_RUN(run, &launch, &args, (u64)TS_PARAM(&run->params, width) * TS_PARAM(&run->params, height)) != TS_OK)
+		return TS_ERROR;
 	ts_run_count(run, "shading operations", ts_frame_tally(&run->frame, 0));
 	return TS_OK;
 }

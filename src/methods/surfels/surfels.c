@@ -44,7 +44,7 @@ void ts_deferred_plan(ts_plan *plan, const ts_params *params, const ts_counts *c
 {
 	(void)request;
 	plan->lights.taps = 1;
-	plan->offscreen.side = params->map_px;
+	plan->offscreen.side = TS_PARAM(params, map_px);
 	plan->units = counts->lights;
 }
 
@@ -60,7 +60,8 @@ void ts_surfels_expect(ts_expected *expected, const ts_scene *scene, const ts_pa
 	for (u32 i = 0; i < n_lights; i++) n_views += ts_light_views(&scene->lights[i]);
 	u64 *n = expected->sizes.n;
 	n[TS_DIM_views] = n_views;
-	n[TS_DIM_fragments] = (u64)FRAGMENTS * params->width * params->height + (u64)SPLAT * scene->n_surfels;
+	n[TS_DIM_fragments] =
+		(u64)FRAGMENTS * TS_PARAM(params, width) * TS_PARAM(params, height) + (u64)SPLAT * scene->n_surfels;
 	n[TS_DIM_lamps] = n_lights;
-	n[TS_DIM_texels] = (u64)params->map_px * params->map_px * n_views;
+	n[TS_DIM_texels] = (u64)TS_PARAM(params, map_px) * TS_PARAM(params, map_px) * n_views;
 }

@@ -72,7 +72,7 @@ static double lamp_area(const ts_scene *scene, const ts_params *params)
 	ts_light lamp;
 	ts_lamp_spot(&lamp, &scene->info, params);
 	double cosine = -(double)lamp.spot_offset / (double)lamp.spot_scale; /* of the cone's border */
-	double square = (double)lamp.intensity[0] / (double)params->light_irradiance;
+	double square = (double)lamp.intensity[0] / (double)TS_PARAM(params, light_irradiance);
 	return SLANT * 3.14159265 * square * (1 / (cosine * cosine) - 1);
 }
 
@@ -80,12 +80,12 @@ static double lamp_area(const ts_scene *scene, const ts_params *params)
 static void expect(ts_expected *expected, const ts_scene *scene, const ts_params *params, bool alone)
 {
 	ts_hulls_expect(expected, scene, params);
-	bool own = params->lamp == TS_LAMP_SCENE;
+	bool own = TS_PARAM(params, lamp) == TS_LAMP_SCENE;
 	u64 texels = expected->sizes.n[TS_DIM_texels], lit = own ? texels : (u64)(IN_CONE * (double)texels);
-	u64 n_paths = params->vpls != 0 ? params->vpls : lit, n_first = n_paths < lit ? n_paths : lit;
-	ts_expected_lights lights = {.n = n_paths * params->vpl_bounces, .alone = alone};
+	u64 n_paths = TS_PARAM(params, vpls) != 0 ? TS_PARAM(params, vpls) : lit, n_first = n_paths < lit ? n_paths : lit;
+	ts_expected_lights lights = {.n = n_paths * TS_PARAM(params, vpl_bounces), .alone = alone};
 	lights.n_places = n_first + lights.n - n_paths;
-	lights.area = own || params->vpl_bounces > 1 ? INFINITY : lamp_area(scene, params);
+	lights.area = own || TS_PARAM(params, vpl_bounces) > 1 ? INFINITY : lamp_area(scene, params);
 	expected->sizes.n[TS_DIM_paths] = n_paths;
 	ts_expect_views(expected, scene, params, &lights);
 }

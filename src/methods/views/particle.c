@@ -12,10 +12,10 @@ ts_particle_args ts_particle_values(const ts_run *run)
 	return (ts_particle_args){
 		.middle = hall.middle,
 		.extent = hall.half,
-		.turns = (f32)(params->frame % TS_FRAMES_A_TURN) / (f32)TS_FRAMES_A_TURN,
-		.glow = params->glow,
-		.n = params->particles,
-		.seed = params->seed,
+		.turns = (f32)(TS_PARAM(params, frame) % TS_FRAMES_A_TURN) / (f32)TS_FRAMES_A_TURN,
+		.glow = TS_PARAM(params, glow),
+		.n = TS_PARAM(params, particles),
+		.seed = TS_PARAM(params, seed),
 	};
 }
 

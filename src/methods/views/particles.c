@@ -54,7 +54,7 @@ void ts_particles_plan(ts_plan *plan, const ts_params *params, const ts_counts *
 static void expect(ts_expected *expected, const ts_scene *scene, const ts_params *params, bool alone)
 {
 	expected->sizes.n[TS_DIM_views] = 0;
-	const ts_expected_lights lights = {params->particles, params->particles, INFINITY, alone};
+	const ts_expected_lights lights = {TS_PARAM(params, particles), TS_PARAM(params, particles), INFINITY, alone};
 	ts_expect_views(expected, scene, params, &lights);
 }
 

@@ -16,8 +16,9 @@ static const ts_launch measured = TS_LAUNCH(vpl_gather_margin, TS_BUT(of.irradia
 
 u32 ts_gather_level_of(const ts_params *params, u32 field, bool alone)
 {
-	bool culls = field == TS_VIEW_FIELD_HALF || params->cutoff > 0;
-	u32 level = params->gather_level < params->levels ? params->gather_level : params->levels;
+	bool culls = field == TS_VIEW_FIELD_HALF || TS_PARAM(params, cutoff) > 0;
+	u32 level = TS_PARAM(params, gather_level) < TS_PARAM(params, levels) ? TS_PARAM(params, gather_level)
+	                                                                      : TS_PARAM(params, levels);
 	return alone || !culls ? 0 : level;
 }
 
@@ -32,7 +33,7 @@ ts_status ts_vpl_pairs_arguments(ts_run *run, ts_traverse_args *args)
 	if (ts_traverse_arguments(run, args) != TS_OK) return TS_ERROR;
 	args->last = ts_gather_level(run);
 	args->to_last = args->touching = 1;
-	args->cutoff = run->params.cutoff;
+	args->cutoff = TS_PARAM(&run->params, cutoff);
 	return TS_OK;
 }
 
@@ -88,22 +89,22 @@ static ts_vpl_gather_args values(const ts_run *run)
 {
 	const ts_params *params = &run->params;
 	u32 level = ts_gather_level(run);
-	bool by_plane = params->shadow_test == TS_SHADOW_TEST_PLANE;
+	bool by_plane = TS_PARAM(params, shadow_test) == TS_SHADOW_TEST_PLANE;
 	return (ts_vpl_gather_args){
-		.levels = params->levels,
+		.levels = TS_PARAM(params, levels),
 		.level = level,
 		.first = ts_octree_first(run, &ts_scene_octree, level),
 		.n_lights = (u32)ts_run_size(run, TS_DIM_vpls),
-		.draws = params->gather_lights,
-		.seed = params->seed,
-		.n = params->view_px,
-		.shadows = params->shadows,
-		.near = params->light_near,
-		.bias = params->light_bias,
-		.bias_px = by_plane ? params->bias * TEXEL_DIAGONAL : params->bias,
-		.bias_slope = by_plane ? 0 : params->bias_slope,
+		.draws = TS_PARAM(params, gather_lights),
+		.seed = TS_PARAM(params, seed),
+		.n = TS_PARAM(params, view_px),
+		.shadows = TS_PARAM(params, shadows),
+		.near = TS_PARAM(params, light_near),
+		.bias = TS_PARAM(params, light_bias),
+		.bias_px = by_plane ? TS_PARAM(params, bias) * TEXEL_DIAGONAL : TS_PARAM(params, bias),
+		.bias_slope = by_plane ? 0 : TS_PARAM(params, bias_slope),
 		.by_plane = by_plane,
-		.bias_plane = params->bias_plane,
+		.bias_plane = TS_PARAM(params, bias_plane),
 	};
 }
 
@@ -116,7 +117,8 @@ ts_status ts_vpl_gather_ask(const ts_run *run, ts_vpl_gather_args *args)
 static ts_status vpl_gather(ts_run *run)
 {
 	ts_vpl_gather_args args = values(run);
-	if (TS_RUN(run, &gathered, &args, (u64)run->params.width * run->params.height) != TS_OK) return TS_ERROR;
+	if (TS_RUN(run, &gathered, &args, (u64)TS_PARAM(&run->params, width) * TS_PARAM(&run->params, height)) != TS_OK)
+		return TS_ERROR;
 	ts_run_count(run, "pixels in no node", ts_frame_tally(&run->frame, 0));
 	return TS_OK;
 }
@@ -124,7 +126,7 @@ static ts_status vpl_gather(ts_run *run)
 static ts_status vpl_gather_margin(ts_run *run)
 {
 	ts_vpl_gather_margin_args args = {.of = values(run)};
-	return TS_RUN(run, &measured, &args, (u64)run->params.width * run->params.height);
+	return TS_RUN(run, &measured, &args, (u64)TS_PARAM(&run->params, width) * TS_PARAM(&run->params, height));
 }
 
 const ts_stage ts_stage_vpl_pairs = {

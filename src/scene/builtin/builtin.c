@@ -167,9 +167,9 @@ void ts_builtin_make(ts_build *build, const char *spec, const ts_params *params)
 	u32 choice[N_OPTIONS];
 	if (!read_spec(choice, build, spec)) return;
 	if (scene->surfels != NULL)
-		scene->surfels(build, choice[SURFELS], params->splat_radius);
+		scene->surfels(build, choice[SURFELS], TS_PARAM(params, splat_radius));
 	else
-		make_mesh(build, scene, choice, params->seed);
+		make_mesh(build, scene, choice, TS_PARAM(params, seed));
 }
 
 ts_status ts_builtin_open(ts_scene **scene, const char *spec, const ts_params *params, const char *camera)

@@ -47,7 +47,7 @@ static json_t *unseen(ts_probe *p, u32 triangle, const ts_corners *t, u32 r, con
 	ts_probe_put(p, o, "reflector", ts_probe_int(r));
 	ts_probe_put(p, o, "reason", json_string(reason));
 	*why = reason;
-	if (reason[0] != 'n' || p->trace->params.visibility == TS_VISIBILITY_VERTEX) return o;
+	if (reason[0] != 'n' || TS_PARAM(&p->trace->params, visibility) == TS_VISIBILITY_VERTEX) return o;
 	for (u32 face = 0; face < 6; face++) ts_probe_put(p, o, ts_where_face(face), planes_of(cube, face, t));
 	return o;
 }
@@ -56,7 +56,7 @@ static json_t *unseen(ts_probe *p, u32 triangle, const ts_corners *t, u32 r, con
 static void put_check(ts_probe *p, u32 triangle, const u64 *bits, json_t *o)
 {
 	ts_visibility_args args = {.scene = p->scene, .cubes = p->cubes, .n_cubes = p->n_cubes, .n_words = p->n_words,
-	                           .vertex_mode = p->trace->params.visibility == TS_VISIBILITY_VERTEX};
+	                           .vertex_mode = TS_PARAM(&p->trace->params, visibility) == TS_VISIBILITY_VERTEX};
 	ts_corners t = ts_k_corners(&p->scene, triangle);
 	bool same = true;
 	for (u32 r = 0; r < p->n_cubes; r++) {
@@ -134,9 +134,16 @@ static void put_setter(ts_probe *p, json_t *o, const ts_density_args *args, cons
 ts_status ts_probe_density(ts_probe *p, u32 triangle, const u64 *bits, json_t *o)
 {
 	const ts_params *params = &p->trace->params;
-	ts_density_args args = {.scene = p->scene, .cubes = p->cubes, .view = &p->view, .rho = ts_samples_a_pixel(params),
-	                        .n_cubes = p->n_cubes, .n_words = p->n_words, .paper = params->density == TS_DENSITY_PAPER,
-	                        .cap = params->cap, .offaxis = params->offaxis, .split = params->split};
+	ts_density_args args = {.scene = p->scene,
+	                        .cubes = p->cubes,
+	                        .view = &p->view,
+	                        .rho = ts_samples_a_pixel(params),
+	                        .n_cubes = p->n_cubes,
+	                        .n_words = p->n_words,
+	                        .paper = TS_PARAM(params, density) == TS_DENSITY_PAPER,
+	                        .cap = TS_PARAM(params, cap),
+	                        .offaxis = TS_PARAM(params, offaxis),
+	                        .split = TS_PARAM(params, split)};
 	f32 held, scale;
 	if (ts_probe_fetch(p, TS_B_split_scale, triangle, 1, &held) != TS_OK) return TS_ERROR;
 	u64 *words = ts_alloc_zero(p->n_words + (size_t)1, sizeof *words, "visibility.bits");

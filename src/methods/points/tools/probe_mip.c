@@ -60,7 +60,7 @@ static ts_status put_trilinear(ts_probe *p, json_t *o, u32 r, const ts_mip_cube 
 static ts_status put_cube(ts_probe *p, json_t *o, const ts_pixel *pixel, const f32 *texels, f32 radiance[3])
 {
 	u32 r = pixel->reflector;
-	bool many = p->trace->params.mvr_filter == TS_MVR_SUPERSAMPLE;
+	bool many = TS_PARAM(&p->trace->params, mvr_filter) == TS_MVR_SUPERSAMPLE;
 	ts_face cube = p->cubes[r];
 	ts_mip_cube mip = {.texels = texels, .n = cube.n};
 	ts_pixel alone = *pixel;

@@ -163,7 +163,7 @@ static ts_status put_samples(ts_probe *p, json_t *o, question *q, u32 light)
 static ts_status put_taps(ts_probe *p, json_t *o, question *q, u32 light)
 {
 	const ts_offscreen *view = &p->views[p->lamps[light].first];
-	ts_pcss_args args = {.lamps = p->lamps, .near = p->trace->params.pcss_near};
+	ts_pcss_args args = {.lamps = p->lamps, .near = TS_PARAM(&p->trace->params, pcss_near)};
 	if (read_rows(p, q, view, 0, view->height) != TS_OK) return TS_ERROR;
 	args.of = q->args;
 	args.of.first_view = p->lamps[light].first;
@@ -221,8 +221,8 @@ ts_status ts_probe_shadow(ts_probe *p, u32 x, u32 y, const ts_receiver *at, json
 	ts_camera_k eye = ts_k_view(&p->view);
 	question q = {.at = *at};
 	q.args = (ts_resolve_args){.scene = p->scene, .view = &p->view, .views = p->views, .n_lamps = p->scene.n_lights,
-	                           .bias = p->trace->params.bias,
-	                           .slope = p->trace->params.bias_slope};
+	                           .bias = TS_PARAM(&p->trace->params, bias),
+	                           .slope = TS_PARAM(&p->trace->params, bias_slope)};
 	q.moves = ts_k_receiver_step(&eye, &q.at);
 	json_t *lights = json_array();
 	ts_status status = put_lights(p, lights, &q, x, y);

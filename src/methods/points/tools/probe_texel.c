@@ -39,8 +39,12 @@ static ts_status offer_point(const ts_probe *p, const place *at, const state *s,
 	i32 x = (i32)at->x, y = (i32)at->y;
 	if (x < box.x0 || x > box.x1 || y < box.y0 || y > box.y1) return TS_OK;
 	point.piece = 0;
-	ts_splat_args args = {.pieces = &s->piece, .frames = &s->frame, .points = &point, .texels = texels,
-	                      .clip = p->trace->params.clip, .plane_depth = p->trace->params.planedepth};
+	ts_splat_args args = {.pieces = &s->piece,
+	                      .frames = &s->frame,
+	                      .points = &point,
+	                      .texels = texels,
+	                      .clip = TS_PARAM(&p->trace->params, clip),
+	                      .plane_depth = TS_PARAM(&p->trace->params, planedepth)};
 	texels[at->inside] = TS_EMPTY;
 	ts_k_splat(&args, &at->view, &s->cover, 0, 0);
 	u64 key = texels[at->inside];

@@ -72,7 +72,7 @@ static void resolve(const tracer *t, u64 i)
 
 static ts_status trace(const ts_truth *truth, ts_run *run, const char *label)
 {
-	u64 width = run->params.width, height = run->params.height, n = width * height;
+	u64 width = TS_PARAM(&run->params, width), height = TS_PARAM(&run->params, height), n = width * height;
 	tracer t = {
 		.truth = truth,
 		.scene = ts_truth_scene(truth),
@@ -107,7 +107,7 @@ ts_status ts_truth_area(ts_truth *truth, ts_run *run)
 {
 	static const char *const maps[] = { "lamp", "lamp_view", NULL };
 	static const char *const cubes[] = { "lamp_ball", "lamp_cube", "offscreen", NULL };
-	u32 n = run->params.area_samples, n_lamps = (u32)ts_frame_n(&run->frame, TS_B_lamp_shape);
+	u32 n = TS_PARAM(&run->params, area_samples), n_lamps = (u32)ts_frame_n(&run->frame, TS_B_lamp_shape);
 	if ((u64)n * n_lamps > MOST_SAMPLES) {
 		return ts_fail("area_samples=%u: of %u lights at most %u each would be right", (unsigned)n, (unsigned)n_lamps,
 		               (unsigned)(MOST_SAMPLES / n_lamps));
@@ -126,9 +126,10 @@ u64 ts_truth_shadow_bytes(const ts_pipeline *method, const ts_scene *scene, cons
 		TS_B_resolve_lit, TS_B_image_radiance, TS_B_image_srgb };
 	const ts_pipeline *start = ts_pipeline_making(method->effect, needs);
 	ts_params many = *params;
-	u64 bytes = 0, views = (u64)params->area_samples * (params->lamp == TS_LAMP_SCENE ? scene->n_lights : 1);
-	many.light_samples = params->area_samples;
-	many.views = views < TS_NONE ? (u32)views : TS_NONE;
+	u64 bytes = 0,
+		views = (u64)TS_PARAM(params, area_samples) * (TS_PARAM(params, lamp) == TS_LAMP_SCENE ? scene->n_lights : 1);
+	TS_PARAM_SET(&many, light_samples, TS_PARAM(params, area_samples));
+	TS_PARAM_SET(&many, views, views < TS_NONE ? (u32)views : TS_NONE);
 	const ts_expected expected = ts_pipeline_expect(start != NULL ? start : method, scene, &many);
 	for (u32 i = 0; i < sizeof ids / sizeof ids[0]; i++) bytes += ts_pipeline_bytes(ids[i], &expected.sizes);
 	return bytes;

@@ -19,9 +19,11 @@ static ts_status enlarge(ts_params *params, const char *name, u32 value, u32 fac
 static ts_status enlarge_all(ts_params *big, const ts_params *params, u32 factor)
 {
 	*big = *params;
-	if (enlarge(big, "width", params->width, factor) || enlarge(big, "height", params->height, factor) ||
-	    enlarge(big, "face_max", params->face_max, factor) || enlarge(big, "face_px", params->face_px, factor) ||
-	    enlarge(big, "hysteresis", params->hysteresis, factor))
+	if (enlarge(big, "width", TS_PARAM(params, width), factor) ||
+	    enlarge(big, "height", TS_PARAM(params, height), factor) ||
+	    enlarge(big, "face_max", TS_PARAM(params, face_max), factor) ||
+	    enlarge(big, "face_px", TS_PARAM(params, face_px), factor) ||
+	    enlarge(big, "hysteresis", TS_PARAM(params, hysteresis), factor))
 		return TS_ERROR;
 	return TS_OK;
 }
@@ -38,8 +40,8 @@ static ts_status check_memory(const ts_pipeline *mvr, const ts_scene *scene, con
 	u64 need = ts_pipeline_estimate(mvr, scene, big, true);
 	if (need <= limit) return TS_OK;
 	return ts_fail("truth C: %u times %u x %u needs about %llu MiB and may use %llu: take a smaller factor or image",
-	               factor, big->width / factor, big->height / factor, (unsigned long long)(need >> 20),
-	               (unsigned long long)(limit >> 20));
+	               factor, TS_PARAM(big, width) / factor, TS_PARAM(big, height) / factor,
+	               (unsigned long long)(need >> 20), (unsigned long long)(limit >> 20));
 }
 
 /* One pixel of `width`: the mean of factor x factor pixels, row by row. */
@@ -55,7 +57,7 @@ static void box(f32 *out, const f32 *in, u64 x, u64 y, u64 width, u64 factor)
 
 static ts_status shrink(f32 **radiance, const ts_frame *frame, const ts_params *params, u32 factor, u32 threads)
 {
-	u32 width = params->width, height = params->height;
+	u32 width = TS_PARAM(params, width), height = TS_PARAM(params, height);
 	const f32 *in = ts_frame_data(frame, TS_B_image_radiance);
 	f32 *out = ts_alloc((size_t)width * height * 3, sizeof(f32), "truth C");
 	if (out == NULL) return TS_ERROR;
@@ -89,9 +91,9 @@ u64 ts_truth_c_bytes(const ts_pipeline *method, const ts_scene *scene, const ts_
 	(void)method;
 	const ts_pipeline *mvr = find_mvr();
 	ts_params big = *params;
-	big.width *= TS_TRUTH_C_FACTOR;
-	big.height *= TS_TRUTH_C_FACTOR;
-	big.face_max *= TS_TRUTH_C_FACTOR;
-	big.face_px *= TS_TRUTH_C_FACTOR;
+	TS_PARAM_SET(&big, width, TS_PARAM(params, width) * TS_TRUTH_C_FACTOR);
+	TS_PARAM_SET(&big, height, TS_PARAM(params, height) * TS_TRUTH_C_FACTOR);
+	TS_PARAM_SET(&big, face_max, TS_PARAM(params, face_max) * TS_TRUTH_C_FACTOR);
+	TS_PARAM_SET(&big, face_px, TS_PARAM(params, face_px) * TS_TRUTH_C_FACTOR);
 	return mvr != NULL ? ts_pipeline_estimate(mvr, scene, &big, true) : 0;
 }

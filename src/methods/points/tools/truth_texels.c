@@ -153,7 +153,7 @@ ts_status ts_truth_texels(ts_texel_counts *counts, ts_truth *truth, const ts_run
 {
 	if (run->n_units == 0) return TS_OK;
 	judge j = { .truth = truth, .scene = ts_truth_scene(truth), .id = id, .n_threads = (int)run->c.threads,
-	            .rule = { .bias = run->params.bias, .slope = run->params.bias_slope },
+	            .rule = { .bias = TS_PARAM(&run->params, bias), .slope = TS_PARAM(&run->params, bias_slope) },
 	            .texels = ts_frame_data(&run->frame, id) };
 	bool cubes = ts_run_has_cubes(run);
 	const ts_face *faces = cubes ? ts_frame_data(&run->frame, TS_B_resize_face) : NULL;

@@ -44,7 +44,7 @@ ts_status ts_probe_indirect(ts_probe *p, u32 x, u32 y, u64 key, json_t *o, ts_v3
 	                           : ts_probe_direct(p, &pixel, o, irradiance);
 	if (status != TS_OK || put_irradiance(p, o, x, y, irradiance) != TS_OK) return TS_ERROR;
 	ts_indirect_args args = {.pixels = &pixel, .irradiance = irradiance, .radiance = radiance, .srgb = srgb,
-	                         .exposure = p->trace->params.exposure};
+	                         .exposure = TS_PARAM(&p->trace->params, exposure)};
 	ts_k_indirect_image_item(&args, 0);
 	*total = ts_load3(radiance);
 	return TS_OK;

@@ -138,23 +138,23 @@ static void take_vpls(tracer *t, const ts_run *run)
 {
 	if (!run->frame.buffer[TS_B_vpl_light].made) return;
 	const ts_root *root = ts_frame_data(&run->frame, TS_B_root_cube);
-	f32 leaf = root->side / (f32)(1 << run->params.levels);
+	f32 leaf = root->side / (f32)(1 << TS_PARAM(&run->params, levels));
 	t->vpls = ts_frame_data(&run->frame, TS_B_vpl_light);
 	t->n_vpls = ts_frame_n(&run->frame, TS_B_vpl_light);
-	t->near = run->params.light_near * leaf;
+	t->near = TS_PARAM(&run->params, light_near) * leaf;
 	t->reach = leaf * 1.73205077648162841796875f;
 }
 
 static ts_status trace(const ts_truth *truth, ts_run *run, gather *light, const char *label)
 {
-	u64 width = run->params.width, height = run->params.height;
+	u64 width = TS_PARAM(&run->params, width), height = TS_PARAM(&run->params, height);
 	tracer t = {
 		.truth = truth,
 		.scene = ts_truth_scene(truth),
 		.pixels = ts_frame_data(&run->frame, TS_B_gbuffer_pixel),
 		.n_pixels = width * height,
 		.beyond = 2.0f * extent(ts_run_info(run)),
-		.n_rays = run->params.bounce_rays,
+		.n_rays = TS_PARAM(&run->params, bounce_rays),
 		.irradiance = ts_frame_make3(&run->frame, TS_B_indirect_irradiance, height, width, 3),
 		.n_threads = (int)run->c.threads,
 	};

@@ -16,7 +16,7 @@ static ts_status check_discs(const ts_load *load)
 	const ts_buffer_id id = TS_B_surfel_setup_disc;
 	u64 n;
 	const ts_disc *discs = elements(load, id, &n);
-	const i32 size[2] = {(i32)load->run.params.width, (i32)load->run.params.height};
+	const i32 size[2] = {(i32)TS_PARAM(&load->run.params, width), (i32)TS_PARAM(&load->run.params, height)};
 	for (u64 i = 0; i < n; i++) {
 		for (u32 k = 0; k < 2; k++) {
 			if (discs[i].low[k] < 0) return ts_check_refuse(load, id, i, "low", k, "0 or more");

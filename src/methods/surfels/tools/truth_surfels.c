@@ -233,7 +233,7 @@ static ts_status add_picture(f32 *radiance, tracer *t, ts_run *run, u32 place)
 
 static ts_status make_room(f32 **radiance, tracer *t, ts_run *run)
 {
-	u32 width = run->params.width, height = run->params.height;
+	u32 width = TS_PARAM(&run->params, width), height = TS_PARAM(&run->params, height);
 	*radiance = ts_alloc_zero((size_t)width * height * 3, sizeof **radiance, t->into->label);
 	t->pixels = ts_frame_make2(&run->frame, TS_B_gbuffer_pixel, height, width);
 	if (*radiance == NULL || t->pixels == NULL) return TS_ERROR;
@@ -256,7 +256,7 @@ static f32 extent_of(const ts_scene *scene)
 static ts_status trace(f32 **radiance, const world *into, ts_run *run)
 {
 	const ts_view *eye = ts_frame_data(&run->frame, TS_B_eye_view);
-	double sigma_k = (double)run->params.sigma_k;
+	double sigma_k = (double)TS_PARAM(&run->params, sigma_k);
 	tracer t = {
 		.into = into,
 		.surfels = run->scene->surfels,
@@ -265,9 +265,9 @@ static ts_status trace(f32 **radiance, const world *into, ts_run *run)
 		.n_lights = (u32)ts_frame_n(&run->frame, TS_B_lamp_light),
 		.eps = (double)*(const f32 *)ts_frame_data(&run->frame, TS_B_surfel_setup_epsilon),
 		.fall = 0.5 / (sigma_k * sigma_k),
-		.spread = 1.0f / (eye->focal * (f32)run->params.grid_rays),
+		.spread = 1.0f / (eye->focal * (f32)TS_PARAM(&run->params, grid_rays)),
 		.beyond = 2.0f * extent_of(run->scene),
-		.side = run->params.grid_rays,
+		.side = TS_PARAM(&run->params, grid_rays),
 		.n_threads = (int)run->c.threads,
 	};
 	ts_status status = into->open(&t, run) == TS_OK ? make_room(radiance, &t, run) : TS_ERROR;
@@ -293,7 +293,7 @@ static ts_status trace_scene(f32 **radiance, const world *into, const ts_scene *
 
 bool ts_truth_has_surface(const ts_scene *scene, const ts_params *params)
 {
-	return scene->is_checkerboard || (params->from_mesh > 0 && scene->n_triangles > 0);
+	return scene->is_checkerboard || (TS_PARAM(params, from_mesh) > 0 && scene->n_triangles > 0);
 }
 
 ts_status ts_truth_discs(f32 **radiance, const ts_scene *scene, const ts_params *params, u32 threads)

@@ -30,7 +30,7 @@ static ts_status check_voxels(const ts_load *load)
 		}
 		if (i + 1 < n) sum += ts_k_count_bits(mask[i]);
 	}
-	for (u32 l = 0; l <= load->run.params.levels + 1; l++) {
+	for (u32 l = 0; l <= TS_PARAM(&load->run.params, levels) + 1; l++) {
 		u32 first = before[ts_k_mask_first(l)];
 		if (level[l] == first) continue;
 		return ts_check_refuse(load, TS_B_octree_level, l, "", 0, "%" PRIu32 ", as voxel.before,", first);

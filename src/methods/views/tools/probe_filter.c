@@ -85,15 +85,19 @@ static ts_status put_filter(ts_probe *p, json_t *o, ts_bilateral_args *args, f32
 ts_status ts_probe_filter(ts_probe *p, u32 x, u32 y, json_t *object, f32 irradiance[3])
 {
 	const ts_params *params = &p->load->run.params;
-	u64 n = (u64)params->width * params->height;
+	u64 n = (u64)TS_PARAM(params, width) * TS_PARAM(params, height);
 	f32 *rows = ts_alloc_zero((size_t)n, 3 * sizeof *rows, "rows"), *columns = NULL;
 	ts_bilateral_args args = {.pixels = ts_probe_loaded(p, TS_B_gbuffer_pixel),
-	                          .from = ts_probe_loaded(p, TS_B_vpl_gather_irradiance), .to = rows, .width = params->width,
-	                          .height = params->height, .radius = params->filter_px};
+	                          .from = ts_probe_loaded(p, TS_B_vpl_gather_irradiance),
+	                          .to = rows,
+	                          .width = TS_PARAM(params, width),
+	                          .height = TS_PARAM(params, height),
+	                          .radius = TS_PARAM(params, filter_px)};
 	json_t *o = json_object();
 	if (rows != NULL) columns = ts_alloc_zero((size_t)n, 3 * sizeof *columns, "columns");
 	ts_status status = columns != NULL ? put_filter(p, o, &args, rows, columns, x, y) : TS_ERROR;
-	if (status == TS_OK) memcpy(irradiance, columns + ((u64)y * params->width + x) * 3, 3 * sizeof *irradiance);
+	if (status == TS_OK)
+		memcpy(irradiance, columns + ((u64)y * TS_PARAM(params, width) + x) * 3, 3 * sizeof *irradiance);
 	ts_probe_put(p, object, "filter", o);
 	free(rows);
 	free(columns);

@@ -207,7 +207,7 @@ static ts_status put_chain(ts_probe *p, json_t *object, const search *s)
 static ts_status describe(ts_probe *p, json_t *o, u32 node, u32 texel)
 {
 	search s = {.texel = texel};
-	u32 n = p->load->run.params.view_px;
+	u32 n = TS_PARAM(&p->load->run.params, view_px);
 	const ts_cone *cone = (const ts_cone *)ts_probe_loaded(p, TS_B_view_cone_node) + node;
 	ts_status status = ts_probe_read_chain(p, &s.chain, node);
 	if (status == TS_OK) status = find_offers(p, &s);
@@ -248,7 +248,7 @@ ts_status ts_probe_map(ts_probe *p, ts_probe_map_id map, u32 x, u32 y, json_t **
 {
 	*answer = NULL;
 	if (load(p) != TS_OK) return TS_ERROR;
-	u32 node = map.index, side = p->load->run.params.view_px;
+	u32 node = map.index, side = TS_PARAM(&p->load->run.params, view_px);
 	u64 n = ts_probe_n(p, map.of_light ? TS_B_view_octree_leaf : TS_B_view_octree_node);
 	if (map.index >= n) {
 		return ts_fail("%s: no %s %u; there are %u", p->trace->dir, map.of_light ? "light" : "node of views",

@@ -21,7 +21,7 @@ ts_status ts_probe_read_chain(ts_probe *p, ts_probe_chain *c, u32 node)
 		if (ts_probe_fetch(p, TS_B_map_depth_node, (u64)c->id[i] * n_texels, n_texels, to) != TS_OK) return TS_ERROR;
 	}
 	c->args = (ts_fuse_args){.views = c->nodes, .texels = c->texels, .pyramid = pyramid,
-	                         .nearest = p->load->run.params.fusion == TS_FUSION_MIN};
+	                         .nearest = TS_PARAM(&p->load->run.params, fusion) == TS_FUSION_MIN};
 	return TS_OK;
 }
 

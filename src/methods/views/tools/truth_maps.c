@@ -72,7 +72,7 @@ ts_status ts_truth_maps(ts_map_counts *counts, const ts_truth *truth, const ts_r
 	judge j = {.truth = truth};
 	if (ts_vpl_gather_ask(run, &j.of) != TS_OK) return TS_ERROR;
 	u32 step = (j.of.n_lights + MOST_VIEWS - 1) / MOST_VIEWS;
-	j.n_pixels = (u64)run->params.width * run->params.height;
+	j.n_pixels = (u64)TS_PARAM(&run->params, width) * TS_PARAM(&run->params, height);
 	j.leaf = ts_k_leaf_side(&j.of);
 	j.reach = ts_k_leaf_diagonal(&j.of);
 	j.all = run->plan.views.field == TS_VIEW_FIELD_ALL;
