@@ -1,6 +1,6 @@
 /* The sizes of records.def that are computed: from parameters, other sizes, and what is in the frame. TS_UNKNOWN where
  * that is not there. */
-#include "../kernels/points/illuminate.h"
+#include "../kernels/raster/mip.h"
 #include "../kernels/views/mask.h"
 #include "../kernels/points/samples.h"
 #include "views/octree.h"

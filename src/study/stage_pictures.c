@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include "../image/falsecolour.h"
-#include "../kernels/points/illuminate.h"
+#include "../kernels/raster/mip.h"
 #include "../kernels/base/srgb.h"
 #include "hull_pictures.h"
 #include "stage_pictures.h"

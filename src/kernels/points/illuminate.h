@@ -3,6 +3,7 @@
 #define TS_KERNELS_ILLUMINATE_H
 #include "../base/args.h"
 #include "../raster/draw.h"
+#include "../raster/mip.h"
 #include "../base/shade.h"
 
 #define TS_ROWS_ts_illuminate_args(ARG) \
@@ -14,39 +15,6 @@
 	ARG(VALUE, u32, n_cubes, none) /* the batch */ \
 	ARG(VALUE, u32, level, none) /* that `mip` makes from the level before */
 TS_ARGS(ts_illuminate_args);
-
-/* Texels of the levels of one cube before `level`; level TS_NONE: of all of them. */
-TS_FN u64 ts_k_mip_texels(u32 n, u32 level)
-{
-	u64 sum = 0u;
-	for (u32 l = 0u; l < level && n != 0u; l++) {
-		sum += (u64)6u * n * n;
-		if (n == 1u) break;
-		n = n >> 1;
-	}
-	return sum;
-}
-
-TS_FN u32 ts_k_mip_size(u32 n, u32 level)
-{
-	u32 size = n >> level;
-	return size != 0u ? size : 1u;
-}
-
-TS_FN u32 ts_k_mip_levels(u32 n)
-{
-	u32 levels = 1u;
-	for (; n > 1u; n = n >> 1) levels++;
-	return levels;
-}
-
-/* First texel of a cube's chain in the batch. */
-TS_FN u64 ts_k_mip_first(TS_GLOBAL const ts_face *cubes, u32 first_cube, u32 cube)
-{
-	u64 sum = 0u;
-	for (u32 r = first_cube; r < cube; r++) sum += ts_k_mip_texels(cubes[r].n, TS_NONE);
-	return sum;
-}
 
 /* Where a texel of the batch lies. */
 typedef struct { u32 cube, face, x, y; u64 inside; } ts_texel_place;

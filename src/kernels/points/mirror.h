@@ -2,7 +2,9 @@
 #ifndef TS_KERNELS_MIRROR_H
 #define TS_KERNELS_MIRROR_H
 #include "../base/args.h"
-#include "illuminate.h"
+#include "../raster/cube.h"
+#include "../raster/mip.h"
+#include "../base/shade.h"
 #include "samples.h"
 
 #define TS_ROWS_ts_mirror_args(ARG) \

@@ -15,7 +15,7 @@
  *   (pass=32), with a density that is still that of all;
  * - the depth code of environment maps is logarithmic, 2^20 from the nearest to the farthest, and their colours are stored
  *   as square roots: the paper names the bits only. */
-#include "../../kernels/points/illuminate.h"
+#include "../../kernels/raster/mip.h"
 #include "../../kernels/points/view_density.h"
 #include "../pipelines.h"
 

@@ -5,7 +5,7 @@
  *
  * Deviations: deferred shading by the same kernels as EPR's, so that only the method differs; one reflector at a time, so
  * that memory does not grow with their number. One bounce, whatever the parameter says. */
-#include "../../kernels/points/illuminate.h"
+#include "../../kernels/raster/mip.h"
 #include "../pipelines.h"
 
 const ts_step ts_mvr_steps[] = {
