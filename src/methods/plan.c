@@ -2,7 +2,7 @@
 #include "plan.h"
 #include <assert.h>
 #include <string.h>
-#include "../kernels/points/view_density.h"
+#include "../kernels/base/num.h"
 
 #define ALONE(member) {"", #member, offsetof(ts_plan, member)},
 #define ROW(part, member) {#part, #member, offsetof(ts_plan, part.member)},
@@ -38,7 +38,6 @@ void ts_plan_default(ts_plan *plan, const ts_params *params, const ts_counts *co
 		.units = counts->reflectors,
 		.batch = 1,
 		.lights = {.own = TS_PARAM(params, lamp) == TS_LAMP_SCENE, .samples = TS_PARAM(params, views)},
-		.points.rate = TS_RATE_IS_EYE,
 		.views.field = TS_PARAM(params, view_field),
 	};
 }

@@ -29,7 +29,7 @@ typedef struct {
 		u32 samples;       /* depth maps of all lights, or cubes of the one light */
 		u32 taps;          /* of the one view of each light; 0: a view a sample */
 	} lights;
-	struct { u32 rate; } points;  /* TS_RATE_IS_*: whose resolution points are made for */
+	struct { u32 rate; } points;  /* TS_RATE_IS_*: whose resolution points are made for; 0: the eye's */
 	struct { u32 field; } views;  /* TS_VIEW_FIELD_*: what the views of many lights see */
 	struct { u32 exact; } surfels; /* true: the exact EWA filter, not its approximation */
 } ts_plan;
