@@ -41,8 +41,11 @@ ts_planner ts_vir_soft_plan;
 ts_planner ts_vir_omni_plan;
 void ts_vir_omni_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params);
 
-extern const ts_step ts_hulls_steps[], ts_direct_steps[];
+/* Indirect light, by any method: the reflective shadow maps of its lights (indirect.c). */
 ts_planner ts_indirect_plan;
+void ts_indirect_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params);
+
+extern const ts_step ts_hulls_steps[], ts_direct_steps[];
 void ts_hulls_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params);
 
 extern const ts_step ts_megaviews_steps[], ts_manylods_steps[], ts_bruteforce_steps[];

@@ -42,25 +42,11 @@ const ts_step ts_direct_steps[] = {
 	{0},
 };
 
-void ts_indirect_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
-{
-	(void)request;
-	plan->lights.taps = 1;
-	plan->offscreen.side = TS_PARAM(params, rsm_px);
-	plan->units = plan->lights.own ? counts->lights : 1;
-}
-
 enum { BOXES_A_BLOCK = 8 };
 
 void ts_hulls_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
 {
-	bool own = TS_PARAM(params, lamp) == TS_LAMP_SCENE;
-	u64 n_lights = own ? scene->n_lights : 1, n_views = 0,
-		blocks = (u64)TS_PARAM(params, grid_px) / 32 * (TS_PARAM(params, grid_px) / 32);
-	for (u32 i = 0; i < n_lights; i++) n_views += own ? ts_light_views(&scene->lights[i]) : 1;
-	u64 *n = expected->sizes.n;
-	n[TS_DIM_views] = n_views;
-	n[TS_DIM_lamps] = n_lights;
-	n[TS_DIM_texels] = n_views * TS_PARAM(params, rsm_px) * TS_PARAM(params, rsm_px);
-	n[TS_DIM_boxes] = blocks * BOXES_A_BLOCK;
+	u64 side = TS_PARAM(params, grid_px) / 32;
+	ts_indirect_expect(expected, scene, params);
+	expected->sizes.n[TS_DIM_boxes] = side * side * BOXES_A_BLOCK;
 }

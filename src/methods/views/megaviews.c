@@ -79,7 +79,7 @@ static double lamp_area(const ts_scene *scene, const ts_params *params)
 /* Paths begin at the lit texels of the maps, and there several of them may: their first lights are in the same places. */
 static void expect(ts_expected *expected, const ts_scene *scene, const ts_params *params, bool alone)
 {
-	ts_hulls_expect(expected, scene, params);
+	ts_indirect_expect(expected, scene, params);
 	bool own = TS_PARAM(params, lamp) == TS_LAMP_SCENE;
 	u64 texels = expected->sizes.n[TS_DIM_texels], lit = own ? texels : (u64)(IN_CONE * (double)texels);
 	u64 n_paths = TS_PARAM(params, vpls) != 0 ? TS_PARAM(params, vpls) : lit, n_first = n_paths < lit ? n_paths : lit;

@@ -17,7 +17,7 @@ static const ts_step steps[] = {
 	{.stage = "view_octree"}, {.stage = "view_cone"}, {0},
 };
 static const ts_pipeline pipeline = {
-	.name = "octrees", .effect = "indirect", .steps = steps, .plan = ts_indirect_plan, .expect = ts_hulls_expect,
+	.name = "octrees", .effect = "indirect", .steps = steps, .plan = ts_indirect_plan, .expect = ts_indirect_expect,
 };
 
 static ts_params params_of(u32 levels, u32 vpls)

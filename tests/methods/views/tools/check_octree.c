@@ -11,7 +11,7 @@ static const ts_step steps[] = {
 	{.stage = "bilateral"}, {0},
 };
 static const ts_pipeline pipeline = {
-	.name = "octrees", .effect = "indirect", .steps = steps, .plan = ts_indirect_plan, .expect = ts_hulls_expect,
+	.name = "octrees", .effect = "indirect", .steps = steps, .plan = ts_indirect_plan, .expect = ts_indirect_expect,
 };
 enum { LEVELS = 4, LIGHTS = 200 };
 

@@ -1,0 +1,22 @@
+/* What methods of indirect light share: a reflective shadow map of each light, or of the lamp. */
+#include "../stages.h"
+#include "../pipelines.h"
+
+void ts_indirect_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
+{
+	(void)request;
+	plan->lights.taps = 1;
+	plan->offscreen.side = TS_PARAM(params, rsm_px);
+	plan->units = plan->lights.own ? counts->lights : 1;
+}
+
+void ts_indirect_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
+{
+	bool own = TS_PARAM(params, lamp) == TS_LAMP_SCENE;
+	u64 n_lights = own ? scene->n_lights : 1, n_views = 0;
+	for (u32 i = 0; i < n_lights; i++) n_views += own ? ts_light_views(&scene->lights[i]) : 1;
+	u64 *n = expected->sizes.n;
+	n[TS_DIM_views] = n_views;
+	n[TS_DIM_lamps] = n_lights;
+	n[TS_DIM_texels] = n_views * TS_PARAM(params, rsm_px) * TS_PARAM(params, rsm_px);
+}
