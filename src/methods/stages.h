@@ -25,7 +25,7 @@ void ts_offscreen_of_face(ts_offscreen *view, const ts_face *cube, u32 face, u32
 /* Views from a light's middle, six of a point light; and those of all lamps (lamp.c). */
 u32 ts_light_views(const ts_light *light);
 ts_status ts_light_views_make(ts_run *run);
-/* grid_px must be a multiple of 32 (gbuffer.c). */
+/* grid_px must be a multiple of 32 (nearest.c). */
 ts_status ts_grid_check(const ts_params *params);
 /* Texels of units [first, first + n): cubes with all faces, or views. */
 u64 ts_run_n_texels(const ts_run *run, u32 first, u32 n);

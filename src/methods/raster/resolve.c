@@ -1,16 +1,13 @@
-/* Shadows from depth maps: how many samples of each light reach a pixel, how many taps of its one map, and how near the
- * comparisons were. */
-#include "../../kernels/points/pcss.h"
+/* Shadows from depth maps: how many samples of each light reach a pixel, and how near the comparisons were. */
 #include "../../kernels/raster/resolve_margin.h"
-#include "../stages.h"
+#include "resolve.h"
 
 static const ts_launch resolved = TS_LAUNCH(resolve, TS_ALL);
 static const ts_launch measured = TS_LAUNCH(resolve_margin, TS_BUT(of.lit));
-static const ts_launch filtered = TS_LAUNCH(pcss, TS_ALL);
 
 static u64 n_pixels(const ts_run *run) { return (u64)TS_PARAM(&run->params, width) * TS_PARAM(&run->params, height); }
 
-static ts_resolve_args values(const ts_run *run)
+ts_resolve_args ts_resolve_values(const ts_run *run)
 {
 	ts_resolve_args args = {
 		.scene = ts_run_scene(run),
@@ -25,20 +22,14 @@ static ts_resolve_args values(const ts_run *run)
 
 static ts_status resolve(ts_run *run)
 {
-	ts_resolve_args args = values(run);
+	ts_resolve_args args = ts_resolve_values(run);
 	return TS_RUN(run, &resolved, &args, n_pixels(run));
 }
 
 static ts_status resolve_margin(ts_run *run)
 {
-	ts_resolve_margin_args args = {.of = values(run)};
+	ts_resolve_margin_args args = {.of = ts_resolve_values(run)};
 	return TS_RUN(run, &measured, &args, n_pixels(run));
-}
-
-static ts_status pcss(ts_run *run)
-{
-	ts_pcss_args args = {.of = values(run), .near = TS_PARAM(&run->params, pcss_near)};
-	return TS_RUN(run, &filtered, &args, n_pixels(run));
 }
 
 const ts_stage ts_stage_resolve = {
@@ -52,9 +43,4 @@ const ts_stage ts_stage_resolve_margin = {
 	.doc = "how near the comparisons with depth maps were to another answer",
 	.run = resolve_margin, .launches = TS_LAUNCHES(&measured),
 	.looks_at = TS_BUFFERS(TS_B_scene_info, TS_B_resize_face, TS_B_lamp_shape),
-};
-
-const ts_stage ts_stage_pcss = {
-	.name = "pcss", .kind = "map", .paper = "iVIR 4", .doc = "how many taps about each pixel let light through",
-	.run = pcss, .launches = TS_LAUNCHES(&filtered), .looks_at = TS_BUFFERS(TS_B_scene_info),
 };
