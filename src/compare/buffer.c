@@ -250,7 +250,7 @@ ts_status ts_compare_buffer(ts_verdict *verdict, ts_buffer_id id, const ts_trace
 	if (ts_item_match(id, ref, cand) != TS_OK || check_mask(id, ref, relaxations) != TS_OK) return TS_ERROR;
 	judge j = {.verdict = verdict, .id = id, .bytes = ts_buffer_table[id].element_bytes, .fields = ts_fields_of(id),
 	           .order = order, .relaxations = relaxations, .mask_every = elements_a_pixel(id, ref, relaxations),
-	           .tie = ts_tie_find(id), .decided = {.margin = TS_N_BUFFERS}};
+	           .tie = ts_tie_find(id)};
 	assert(j.bytes <= MAX_ELEMENT);
 	find_fields(&j);
 	ts_status status = open_readers(&j, ref, cand);

@@ -1,22 +1,25 @@
 /* What a reference does not decide: places where a port with other sub-pixel bits, or other snapping, may legally answer
- * otherwise. An element is decided if every edge that matters is more than one sub-pixel (1/256 pixel) from it and every
- * other depth farther behind than such a step, and rounding, change the two depths; if its random number is more than
- * 2^-20 from the threshold; for splats, if no other point offered the same distance; for shadows, if no comparison with a
- * depth map turns within such a step; for segments of depth and the boxes of pixels, if no comparison of depths turns
- * by rounding; for maps of many views and the light of pixels, if no test of a pair, of a texel's edge or of a shadow
- * does; and for surfels, if no surfel, fragment or outline comes or goes by rounding. Undecided can be elements of
- * eye.depth_triangle, face.depth_triangle, cull.keep, splat.depth_index, resolve.lit but of PCSS, scatter.depth of
- * triangles, segment.label, hull.box, map.depth_node, vpl_gather.irradiance, surfel_depth.surfel, blend.sum, blend.heaviest
- * and image.radiance of surfels; of other buffers every element is decided. The reference must hold the margins
- * (render --margins). */
+ * otherwise. A margin says how near an element of another buffer is to another answer: its edges and depths in steps of
+ * 1/256 pixel and of rounding, its random number as a share of its range. An element is decided if it is farther than the
+ * margin's rule says; of buffers without a margin every element is. The reference must hold the margins (render --margins). */
 #ifndef TS_TRACE_DECIDED_H
 #define TS_TRACE_DECIDED_H
 #include "../trace/read.h"
 #include "../trace/reader.h"
 
+/* A row of a family. */
 typedef struct {
-	ts_buffer_id margin; /* TS_N_BUFFERS: everything is decided */
-	u32 of;              /* elements to one of them */
+	ts_buffer_id buffer, margin; /* pairs of f32 bits in words of 64, a f32, or of ties a byte, which is not 0 where it ties */
+	u32 of;                      /* elements of the buffer to one of the margin */
+	f32 steps;                   /* decided is what is farther than so much; of ties nothing */
+	bool rare;                   /* most methods have the buffer and not the margin, so that a file alone has none */
+} ts_margin_rule;
+
+/* Takes the rules of all families: lists ended by NULL, each ended by a row of no elements. They must stay. */
+void ts_decided_use(const ts_margin_rule *const *rules);
+
+typedef struct {
+	const ts_margin_rule *rule; /* NULL: everything is decided */
 	ts_reader *reader;
 } ts_decided;
 

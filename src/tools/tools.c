@@ -2,17 +2,26 @@
 #include "tools.h"
 #include "../methods/tools/family.h"
 
-extern const ts_family_tools ts_points_tools;
+extern const ts_family_tools ts_raster_tools, ts_points_tools, ts_hulls_tools, ts_views_tools, ts_surfels_tools;
 
-static const ts_family_tools *const families[] = {&ts_points_tools};
+static const ts_family_tools *const families[] = {
+	&ts_raster_tools, &ts_points_tools, &ts_hulls_tools, &ts_views_tools, &ts_surfels_tools,
+};
 enum { N_FAMILIES = sizeof families / sizeof *families };
+
+/* Hands `use` the lists of all families that have one, ended by NULL. */
+#define HAND(use, type, list) \
+	do { \
+		static const type *lists[N_FAMILIES + 1]; \
+		u32 n = 0; \
+		for (u32 i = 0; i < N_FAMILIES; i++) { \
+			if (families[i]->list != NULL) lists[n++] = families[i]->list; \
+		} \
+		use(lists); \
+	} while (0)
 
 void ts_tools_begin(void)
 {
-	static const ts_tie_rule *ties[N_FAMILIES + 1];
-	u32 n_ties = 0;
-	for (u32 i = 0; i < N_FAMILIES; i++) {
-		if (families[i]->ties != NULL) ties[n_ties++] = families[i]->ties;
-	}
-	ts_tie_use(ties);
+	HAND(ts_tie_use, ts_tie_rule, ties);
+	HAND(ts_decided_use, ts_margin_rule, margins);
 }

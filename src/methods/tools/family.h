@@ -2,10 +2,12 @@
  * in its tools/tools.c. A list that a family has nothing for is NULL. */
 #ifndef TS_METHODS_TOOLS_FAMILY_H
 #define TS_METHODS_TOOLS_FAMILY_H
+#include "../../compare/decided.h"
 #include "../../compare/tie.h"
 
 typedef struct {
-	const ts_tie_rule *ties; /* ended by a row without `open` */
+	const ts_tie_rule *ties;       /* ended by a row without `open` */
+	const ts_margin_rule *margins; /* ended by a row of no elements */
 } ts_family_tools;
 
 #endif
