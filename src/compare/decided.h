@@ -1,7 +1,8 @@
 /* What a reference does not decide: places where a port with other sub-pixel bits, or other snapping, may legally answer
  * otherwise. A margin says how near an element of another buffer is to another answer: its edges and depths in steps of
- * 1/256 pixel and of rounding, its random number as a share of its range. An element is decided if it is farther than the
- * margin's rule says; of buffers without a margin every element is. The reference must hold the margins (render --margins). */
+ * 1/256 pixel and of rounding, its random number as a share of its range. An element is decided if it is farther than
+ * the margin's rule says; of buffers without a margin every element is. The reference must hold the margins (render
+ * --margins). */
 #ifndef TS_TRACE_DECIDED_H
 #define TS_TRACE_DECIDED_H
 #include "../trace/read.h"
@@ -9,7 +10,7 @@
 
 /* A row of a family. */
 typedef struct {
-	ts_buffer_id buffer, margin; /* pairs of f32 bits in words of 64, a f32, or of ties a byte, which is not 0 where it ties */
+	ts_buffer_id buffer, margin; /* pairs of f32 bits in words of 64, a f32, or of ties a byte, not 0 where it ties */
 	u32 of;                      /* elements of the buffer to one of the margin */
 	f32 steps;                   /* decided is what is farther than so much; of ties nothing */
 	bool rare;                   /* most methods have the buffer and not the margin, so that a file alone has none */

@@ -1,13 +1,23 @@
-/* Sizes, shapes, floats and indices of loaded buffers. */
+/* Sizes, shapes, floats, indices and sums of loaded buffers, and what families check of them. */
 #include "check.h"
 #include <assert.h>
 #include <inttypes.h>
 #include <stdio.h>
-#include "../methods/stages.h"
+#include "../kernels/base/num.h"
 #include "../trace/emit.h"
 #include "../trace/field.h"
 
-enum { DIMS_TEXT = TS_MAX_DIMS * 24 };
+enum { DIMS_TEXT = TS_MAX_DIMS * 24, MAX_UNITS = 1 << 20 };
+
+static const ts_check_rule *const *lists;
+
+void ts_check_use(const ts_check_rule *const *rules) { lists = rules; }
+
+const void *ts_check_elements(const ts_load *load, ts_buffer_id id, u64 *n)
+{
+	*n = load->item[id] != NULL ? ts_frame_n(&load->run.frame, id) : 0;
+	return load->item[id] != NULL ? ts_frame_data(&load->run.frame, id) : NULL;
+}
 
 ts_status ts_check_refuse(const ts_load *load, ts_buffer_id id, u64 element, const char *field, u32 component,
                           const char *right, ...)
@@ -53,7 +63,8 @@ static void count(ts_load *load, const ts_stage *stage)
 
 static u32 size_or(u64 size, u32 otherwise) { return size != TS_UNKNOWN ? (u32)size : otherwise; }
 
-void ts_check_sizes(ts_load *load, const ts_stage *stage)
+/* Those of other buffers than the stage's outputs, and the plan that follows from them. */
+static void check_sizes(ts_load *load, const ts_stage *stage)
 {
 	u64 *n = load->sizes.n;
 	ts_sizes_clear(&load->sizes);
@@ -177,23 +188,89 @@ static ts_status check_indices(const ts_load *load)
 	return TS_OK;
 }
 
-/* Of methods that have one. */
-static ts_status check_grid(const ts_load *load)
+static ts_status check_sum(const ts_load *load, const ts_sum_info *sum)
 {
-	bool any = ts_pipeline_maker(load->pipeline, TS_B_nearest_depth) != NULL;
-	return any ? ts_grid_check(&load->run.params) : TS_OK;
+	u64 n, total = sum->size != TS_DIM_none ? load->sizes.n[sum->size] : TS_UNKNOWN;
+	ts_buffer_id id = sum->buffer;
+	const u32 *offset = ts_check_elements(load, id, &n);
+	if (n != 0 && offset[0] != 0) return ts_check_refuse(load, id, 0, "", 0, "0, where sums begin,");
+	for (u64 i = 1; i < n; i++) {
+		if (offset[i] < offset[i - 1]) {
+			return ts_check_refuse(load, id, i, "", 0, "at least %" PRIu32 ", the sum before it,", offset[i - 1]);
+		}
+	}
+	if (n == 0 || total == TS_UNKNOWN || offset[n - 1] == total) return TS_OK;
+	return ts_check_refuse(load, id, n - 1, "", 0, "%" PRIu64 " (%s), where sums end,", total,
+	                       ts_dim_table[sum->size].name);
+}
+
+static bool has_own_sums(ts_buffer_id id)
+{
+	for (const ts_check_rule *const *list = lists; *list != NULL; list++) {
+		for (const ts_check_rule *rule = *list; rule->check != NULL; rule++) {
+			if (rule->buffer == id && rule->time == TS_CHECK_SUMS) return true;
+		}
+	}
+	return false;
+}
+
+static ts_status check_sums(const ts_load *load)
+{
+	size_t n;
+	const ts_sum_info *sums = ts_sum_table(&n);
+	for (size_t row = 0; row < n; row++) {
+		if (!has_own_sums(sums[row].buffer) && check_sum(load, &sums[row]) != TS_OK) return TS_ERROR;
+	}
+	return TS_OK;
+}
+
+static bool applies(const ts_load *load, const ts_check_rule *rule, ts_check_time time)
+{
+	if ((rule->time == TS_CHECK_SUMS ? TS_CHECK_VALUES : rule->time) != time) return false;
+	if (time == TS_CHECK_PARAMS) return ts_pipeline_maker(load->pipeline, rule->buffer) != NULL;
+	return load->item[rule->buffer] != NULL;
+}
+
+static ts_status check_by(const ts_check_rule *rule, const ts_load *load, const ts_stage *stage, ts_check_time time)
+{
+	for (; rule->check != NULL; rule++) {
+		if (applies(load, rule, time) && rule->check(load, stage, rule->buffer) != TS_OK) return TS_ERROR;
+	}
+	return TS_OK;
+}
+
+static ts_status check_rules(const ts_load *load, const ts_stage *stage, ts_check_time time)
+{
+	assert(lists != NULL);
+	if (check_by(ts_check_scene, load, stage, time) != TS_OK) return TS_ERROR;
+	for (const ts_check_rule *const *list = lists; *list != NULL; list++) {
+		if (check_by(*list, load, stage, time) != TS_OK) return TS_ERROR;
+	}
+	return TS_OK;
+}
+
+static ts_status check_units(const ts_load *load)
+{
+	if (load->scene.info.n_reflectors > MAX_UNITS) {
+		return ts_fail("%s: %" PRIu32 " reflectors; at most %d would be right", load->reference->dir,
+		               load->scene.info.n_reflectors, MAX_UNITS);
+	}
+	if (load->run.plan.units <= MAX_UNITS) return TS_OK;
+	return ts_fail("%s: %" PRIu32 " cubes or views; at most %d would be right", load->reference->dir,
+	               load->run.plan.units, MAX_UNITS);
 }
 
 ts_status ts_check(ts_load *load, const ts_stage *stage)
 {
-	if (check_grid(load) != TS_OK) return TS_ERROR;
-	ts_check_sizes(load, stage);
-	if (ts_check_faces(load) != TS_OK || ts_check_views(load) != TS_OK) return TS_ERROR;
+	if (check_rules(load, stage, TS_CHECK_PARAMS) != TS_OK) return TS_ERROR;
+	check_sizes(load, stage);
+	if (check_rules(load, stage, TS_CHECK_SIZES) != TS_OK) return TS_ERROR;
 	compute_sizes(load);
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
 		if (load->item[id] == NULL) continue;
 		if (check_shape(load, (ts_buffer_id)id) != TS_OK || check_floats(load, (ts_buffer_id)id) != TS_OK)
 			return TS_ERROR;
 	}
-	return check_indices(load) == TS_OK ? ts_check_values(load, stage) : TS_ERROR;
+	if (check_indices(load) != TS_OK || check_units(load) != TS_OK || check_sums(load) != TS_OK) return TS_ERROR;
+	return check_rules(load, stage, TS_CHECK_VALUES);
 }

@@ -24,4 +24,5 @@ void ts_tools_begin(void)
 {
 	HAND(ts_tie_use, ts_tie_rule, ties);
 	HAND(ts_decided_use, ts_margin_rule, margins);
+	HAND(ts_check_use, ts_check_rule, checks);
 }

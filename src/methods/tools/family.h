@@ -4,10 +4,12 @@
 #define TS_METHODS_TOOLS_FAMILY_H
 #include "../../compare/decided.h"
 #include "../../compare/tie.h"
+#include "../../replay/check.h"
 
 typedef struct {
 	const ts_tie_rule *ties;       /* ended by a row without `open` */
 	const ts_margin_rule *margins; /* ended by a row of no elements */
+	const ts_check_rule *checks;   /* ended by a row without `check` */
 } ts_family_tools;
 
 #endif

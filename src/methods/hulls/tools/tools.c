@@ -1,5 +1,6 @@
 /* What the family of hulls brings for the tools. */
 #include "../../tools/family.h"
+#include "tools.h"
 
 static const ts_margin_rule margins[] = {
 	{TS_B_segment_label, TS_B_segment_margin, .of = 1, .steps = 1.0f},
@@ -7,4 +8,4 @@ static const ts_margin_rule margins[] = {
 	{0},
 };
 
-const ts_family_tools ts_hulls_tools = {.margins = margins};
+const ts_family_tools ts_hulls_tools = {.margins = margins, .checks = ts_hulls_checks};

@@ -1,5 +1,6 @@
 /* What the family of points brings for the tools. */
 #include "../../tools/family.h"
+#include "tools.h"
 #include "tie.h"
 
 static const ts_tie_rule ties[] = {
@@ -17,4 +18,4 @@ static const ts_margin_rule margins[] = {
 	{0},
 };
 
-const ts_family_tools ts_points_tools = {.ties = ties, .margins = margins};
+const ts_family_tools ts_points_tools = {.ties = ties, .margins = margins, .checks = ts_points_checks};

@@ -1,5 +1,6 @@
 /* What standard rasterization, which families share, brings for the tools. */
 #include "../../tools/family.h"
+#include "tools.h"
 
 static const ts_margin_rule margins[] = {
 	{TS_B_eye_depth_triangle, TS_B_eye_margin, .of = 1, .steps = 1.0f},
@@ -7,4 +8,4 @@ static const ts_margin_rule margins[] = {
 	{0},
 };
 
-const ts_family_tools ts_raster_tools = {.margins = margins};
+const ts_family_tools ts_raster_tools = {.margins = margins, .checks = ts_raster_checks};

@@ -1,21 +1,14 @@
 /* Surfels in a view: what kernels loop over, and look up by. */
 #include <inttypes.h>
 #include "../../../kernels/surfels/blend_order.h"
-#include "../../stages.h"
-#include "../../../replay/check.h"
-
-static const void *elements(const ts_load *load, ts_buffer_id id, u64 *n)
-{
-	*n = load->item[id] != NULL ? ts_frame_n(&load->run.frame, id) : 0;
-	return load->item[id] != NULL ? ts_frame_data(&load->run.frame, id) : NULL;
-}
+#include "tools.h"
 
 /* Boxes are in the image, or empty. */
-static ts_status check_discs(const ts_load *load)
+static ts_status check_discs(const ts_load *load, const ts_stage *stage, ts_buffer_id id)
 {
-	const ts_buffer_id id = TS_B_surfel_setup_disc;
+	(void)stage;
 	u64 n;
-	const ts_disc *discs = elements(load, id, &n);
+	const ts_disc *discs = ts_check_elements(load, id, &n);
 	const i32 size[2] = {(i32)TS_PARAM(&load->run.params, width), (i32)TS_PARAM(&load->run.params, height)};
 	for (u64 i = 0; i < n; i++) {
 		for (u32 k = 0; k < 2; k++) {
@@ -31,12 +24,12 @@ static ts_status check_discs(const ts_load *load)
 }
 
 /* Where there is a fragment the heaviest has a name. */
-static ts_status check_sums(const ts_load *load)
+static ts_status check_sums(const ts_load *load, const ts_stage *stage, ts_buffer_id id)
 {
-	const ts_buffer_id id = TS_B_blend_sum;
+	(void)stage;
 	u64 n, n_pixels;
-	const i64 *sums = elements(load, id, &n);
-	const u64 *heaviest = elements(load, TS_B_blend_heaviest, &n_pixels);
+	const i64 *sums = ts_check_elements(load, id, &n);
+	const u64 *heaviest = ts_check_elements(load, TS_B_blend_heaviest, &n_pixels);
 	for (u64 i = 0; heaviest != NULL && i < n / TS_BLEND_SUMS; i++) {
 		bool named = heaviest[i] != TS_EMPTY, summed = sums[TS_BLEND_SUMS * i + TS_BLEND_FRAGMENTS] != 0;
 		if (named == summed) continue;
@@ -46,7 +39,8 @@ static ts_status check_sums(const ts_load *load)
 	return TS_OK;
 }
 
-ts_status ts_check_surfels(const ts_load *load)
-{
-	return check_discs(load) == TS_OK ? check_sums(load) : TS_ERROR;
-}
+const ts_check_rule ts_surfels_checks[] = {
+	{TS_B_surfel_setup_disc, TS_CHECK_VALUES, check_discs},
+	{TS_B_blend_sum, TS_CHECK_VALUES, check_sums},
+	{.check = NULL},
+};

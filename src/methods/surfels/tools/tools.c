@@ -1,5 +1,6 @@
 /* What the family of surfels brings for the tools. */
 #include "../../tools/family.h"
+#include "tools.h"
 
 static const ts_margin_rule margins[] = {
 	{TS_B_surfel_depth_surfel, TS_B_surfel_depth_margin, .of = 1, .steps = 1.0f},
@@ -9,4 +10,4 @@ static const ts_margin_rule margins[] = {
 	{0},
 };
 
-const ts_family_tools ts_surfels_tools = {.margins = margins};
+const ts_family_tools ts_surfels_tools = {.margins = margins, .checks = ts_surfels_checks};

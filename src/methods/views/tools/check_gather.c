@@ -1,7 +1,7 @@
 /* Lists of views that pixels draw from: what is drawn is an index. */
 #include <inttypes.h>
 #include "../../../kernels/views/mask.h"
-#include "../../../replay/check.h"
+#include "tools.h"
 
 /* The views of a list up to each node are those of its cones. */
 static ts_status check_list(const ts_load *load, u32 from, u32 to)
@@ -17,19 +17,11 @@ static ts_status check_list(const ts_load *load, u32 from, u32 to)
 	return TS_OK;
 }
 
-/* voxel.before counts the bits of voxel.mask, and octree.level says where its levels begin: a voxel's id is a node of it. */
+/* octree.level says where the levels of voxel.before begin: a voxel's id is a node of it. */
 static ts_status check_voxels(const ts_load *load)
 {
-	const u64 *mask = ts_frame_data(&load->run.frame, TS_B_voxel_mask);
 	const u32 *before = ts_frame_data(&load->run.frame, TS_B_voxel_before);
 	const u32 *level = ts_frame_data(&load->run.frame, TS_B_octree_level);
-	u32 sum = 0;
-	for (u64 i = 0, n = ts_frame_n(&load->run.frame, TS_B_voxel_before); i < n; i++) {
-		if (before[i] != sum) {
-			return ts_check_refuse(load, TS_B_voxel_before, i, "", 0, "%" PRIu32 ", the bits before it,", sum);
-		}
-		if (i + 1 < n) sum += ts_k_count_bits(mask[i]);
-	}
 	for (u32 l = 0; l <= TS_PARAM(&load->run.params, levels) + 1; l++) {
 		u32 first = before[ts_k_mask_first(l)];
 		if (level[l] == first) continue;
@@ -38,9 +30,9 @@ static ts_status check_voxels(const ts_load *load)
 	return TS_OK;
 }
 
-ts_status ts_check_gather(const ts_load *load, const ts_stage *stage)
+ts_status ts_check_gather(const ts_load *load, const ts_stage *stage, ts_buffer_id id)
 {
-	if (!ts_stage_reads(stage, TS_B_vpl_pairs_views)) return TS_OK;
+	if (!ts_stage_reads(stage, id)) return TS_OK;
 	const u32 *offset = ts_frame_data(&load->run.frame, TS_B_vpl_pairs_offset);
 	u64 n_lists = ts_frame_n(&load->run.frame, TS_B_vpl_pairs_offset) - 1;
 	for (u64 i = 0; i < n_lists; i++) {

@@ -1,51 +1,35 @@
-/* Octrees: what their kernels follow from node to node, and where lists are written. */
+/* Octrees: what their kernels follow from node to node, and where lists are written.
+ *
+ * voxel.mask, voxel.before and those of the views are what stages voxel and view_voxel make of the same triangles and
+ * views, for lists are written where their bits say. octree.level and view_octree.level begin at 0, never fall and end
+ * at the nodes; a node has the level that they say, its parent before it, and, but for leaves, children behind it that
+ * name it. Every leaf of the views has some, and those name it; view_cone.node names views that are there. */
 #include <inttypes.h>
 #include "../octree.h"
-#include "../../../replay/check.h"
+#include "tools.h"
 
-static bool is_loaded(const ts_load *load, ts_buffer_id id) { return load->item[id] != NULL; }
-
-static ts_status compare(const ts_load *load, const ts_frame *right, ts_buffer_id id, const char *maker, const char *from)
+/* Whose mask, ids, levels or nodes these are. */
+static const ts_octree *octree_of(ts_buffer_id id)
 {
-	size_t bytes = ts_buffer_table[id].element_bytes;
-	const u8 *a = ts_frame_data(&load->run.frame, id), *b = ts_frame_data(right, id);
-	for (u64 i = 0, n = ts_frame_n(right, id); i < n; i++) {
-		if (memcmp(a + i * bytes, b + i * bytes, bytes) == 0) continue;
-		u64 value = 0;
-		memcpy(&value, b + i * bytes, bytes);
-		return ts_check_refuse(load, id, i, "", 0, "%" PRIu64 ", which stage %s makes of the same %s,", value, maker, from);
-	}
-	return TS_OK;
+	const ts_octree *scene = &ts_scene_octree;
+	bool is_scene = id == scene->mask || id == scene->before || id == scene->level || id == scene->node;
+	return is_scene ? scene : &ts_view_octree;
 }
 
-ts_status ts_check_again(const ts_load *load, const char *maker, const char *from)
+static ts_status check_levels(const ts_load *load, const ts_stage *stage, ts_buffer_id id)
 {
-	const ts_stage *stage = ts_stage_find(maker);
-	ts_run again = load->run;
-	again.hook = NULL;
-	for (const ts_buffer_id *id = ts_stage_outputs(stage); *id != TS_N_BUFFERS; id++) {
-		again.frame.buffer[*id] = (ts_buffer){.made = false};
-	}
-	ts_status status = ts_run_stage(&again, stage);
-	for (const ts_buffer_id *id = ts_stage_outputs(stage); *id != TS_N_BUFFERS; id++) {
-		if (status == TS_OK && is_loaded(load, *id)) status = compare(load, &again.frame, *id, maker, from);
-		ts_frame_drop(&again.frame, *id);
-	}
-	return status;
-}
-
-static ts_status check_levels(const ts_load *load, const ts_octree *octree)
-{
+	(void)stage;
+	const ts_octree *octree = octree_of(id);
 	ts_dim of = ts_buffer_counts(octree->node);
-	u64 n = ts_frame_n(&load->run.frame, octree->level), n_nodes = load->sizes.n[of];
-	const u32 *level = ts_frame_data(&load->run.frame, octree->level);
-	if (level[0] != 0) return ts_check_refuse(load, octree->level, 0, "", 0, "0, where levels begin,");
+	u64 n = ts_frame_n(&load->run.frame, id), n_nodes = load->sizes.n[of];
+	const u32 *level = ts_frame_data(&load->run.frame, id);
+	if (level[0] != 0) return ts_check_refuse(load, id, 0, "", 0, "0, where levels begin,");
 	for (u64 i = 1; i < n; i++) {
 		if (level[i] >= level[i - 1]) continue;
-		return ts_check_refuse(load, octree->level, i, "", 0, "at least %" PRIu32 ", as before,", level[i - 1]);
+		return ts_check_refuse(load, id, i, "", 0, "at least %" PRIu32 ", as before,", level[i - 1]);
 	}
 	if (n_nodes == TS_UNKNOWN || level[n - 1] == n_nodes) return TS_OK;
-	return ts_check_refuse(load, octree->level, n - 1, "", 0, "%" PRIu64 " (%s), all nodes,", n_nodes,
+	return ts_check_refuse(load, id, n - 1, "", 0, "%" PRIu64 " (%s), all nodes,", n_nodes,
 	                       ts_dim_table[of].name);
 }
 
@@ -76,11 +60,11 @@ static ts_status check_links(const ts_load *load, ts_buffer_id id, u64 i, u64 n)
 	return ts_check_refuse(load, id, i, "parent", 0, root ? "4294967295, of the root," : "a node before it");
 }
 
-static ts_status check_nodes(const ts_load *load, const ts_octree *octree)
+static ts_status check_tree(const ts_load *load, const ts_octree *octree, u64 n)
 {
-	u64 n = ts_frame_n(&load->run.frame, octree->node);
 	const ts_node *nodes = ts_frame_data(&load->run.frame, octree->node);
-	const u32 *level = is_loaded(load, octree->level) ? ts_frame_data(&load->run.frame, octree->level) : NULL;
+	u64 n_levels;
+	const u32 *level = ts_check_elements(load, octree->level, &n_levels);
 	for (u64 i = 0; i < n; i++) {
 		u32 l = nodes[i].level;
 		if (level != NULL && (i < level[l] || i >= level[l + 1])) {
@@ -93,11 +77,10 @@ static ts_status check_nodes(const ts_load *load, const ts_octree *octree)
 }
 
 /* Views without a hierarchy are roots and leaves. */
-static ts_status check_alone(const ts_load *load)
+static ts_status check_alone(const ts_load *load, ts_buffer_id id, u64 n)
 {
-	const ts_buffer_id id = TS_B_view_octree_node;
 	const ts_node *nodes = ts_frame_data(&load->run.frame, id);
-	for (u64 i = 0, n = ts_frame_n(&load->run.frame, id); i < n; i++) {
+	for (u64 i = 0; i < n; i++) {
 		if (nodes[i].children != 0) return ts_check_refuse(load, id, i, "children", 0, "0, of a leaf,");
 		if (nodes[i].parent != TS_NONE) return ts_check_refuse(load, id, i, "parent", 0, "4294967295, of a root,");
 		if (nodes[i].level != 0) return ts_check_refuse(load, id, i, "level", 0, "0, of a root,");
@@ -105,16 +88,52 @@ static ts_status check_alone(const ts_load *load)
 	return TS_OK;
 }
 
-/* Every leaf has views, and those say so. */
-static ts_status check_leaves(const ts_load *load)
+static ts_status check_nodes(const ts_load *load, const ts_stage *stage, ts_buffer_id id)
 {
-	const u32 *offset = ts_frame_data(&load->run.frame, TS_B_view_octree_offset);
+	(void)stage;
+	const ts_octree *octree = octree_of(id);
+	u64 n = ts_frame_n(&load->run.frame, id);
+	bool alone = ts_pipeline_maker(load->pipeline, octree->offset) == NULL;
+	return alone ? check_alone(load, id, n) : check_tree(load, octree, n);
+}
+
+/* Lists are written where the bits of masks say. */
+static ts_status check_masks(const ts_load *load, const ts_stage *stage, ts_buffer_id id)
+{
+	bool views = octree_of(id) == &ts_view_octree;
+	if (!ts_stage_writes(stage, octree_of(id)->entries)) return TS_OK;
+	return ts_check_again(load, views ? "view_voxel" : "voxel",
+	                      views ? "vpl.light and root.cube" : "pose.vertex and root.cube");
+}
+
+/* Ids of nodes are the set bits of the mask before them. */
+static ts_status check_ids(const ts_load *load, const ts_stage *stage, ts_buffer_id id)
+{
+	(void)stage;
+	u64 n, n_words;
+	const u32 *before = ts_check_elements(load, id, &n);
+	const u64 *mask = ts_check_elements(load, octree_of(id)->mask, &n_words);
+	u32 sum = 0;
+	for (u64 i = 0; i < n && mask != NULL; i++) {
+		if (before[i] != sum) return ts_check_refuse(load, id, i, "", 0, "%" PRIu32 ", the bits before it,", sum);
+		if (i < n_words) sum += ts_k_count_bits(mask[i]);
+	}
+	return TS_OK;
+}
+
+/* Every leaf has views, and those say so. */
+static ts_status check_leaves(const ts_load *load, const ts_stage *stage, ts_buffer_id id)
+{
+	(void)stage;
+	const u32 *offset = ts_frame_data(&load->run.frame, id);
 	const u32 *view = ts_frame_data(&load->run.frame, TS_B_view_octree_view);
-	const u32 *leaf = ts_frame_data(&load->run.frame, TS_B_view_octree_leaf);
+	u64 n_views;
+	const u32 *leaf = ts_check_elements(load, TS_B_view_octree_leaf, &n_views);
+	if (leaf == NULL) return TS_OK;
 	u32 first = ts_octree_first(&load->run, &ts_view_octree, TS_PARAM(&load->run.params, levels));
-	for (u64 i = 0, n = ts_frame_n(&load->run.frame, TS_B_view_octree_offset) - 1; i < n; i++) {
+	for (u64 i = 0, n = ts_frame_n(&load->run.frame, id) - 1; i < n; i++) {
 		if (offset[i + 1] == offset[i]) {
-			return ts_check_refuse(load, TS_B_view_octree_offset, i + 1, "", 0, "more than the sum before it");
+			return ts_check_refuse(load, id, i + 1, "", 0, "more than the sum before it");
 		}
 		for (u32 k = offset[i]; k < offset[i + 1]; k++) {
 			if (leaf[view[k]] == first + i) continue;
@@ -124,9 +143,9 @@ static ts_status check_leaves(const ts_load *load)
 	return TS_OK;
 }
 
-static ts_status check_cones(const ts_load *load)
+static ts_status check_cones(const ts_load *load, const ts_stage *stage, ts_buffer_id id)
 {
-	const ts_buffer_id id = TS_B_view_cone_node;
+	(void)stage;
 	u64 n_views = load->sizes.n[TS_DIM_vpls];
 	const ts_cone *cones = ts_frame_data(&load->run.frame, id);
 	if (n_views == TS_UNKNOWN) return TS_OK;
@@ -138,20 +157,32 @@ static ts_status check_cones(const ts_load *load)
 	return TS_OK;
 }
 
-ts_status ts_check_octrees(const ts_load *load, const ts_stage *stage)
+/* The low halves are indices. */
+static ts_status check_rendered(const ts_load *load, const ts_stage *stage, ts_buffer_id id)
 {
-	const ts_octree *octrees[] = {&ts_scene_octree, &ts_view_octree};
-	for (u32 k = 0; k < 2; k++) {
-		const ts_octree *octree = octrees[k];
-		if (is_loaded(load, octree->level) && check_levels(load, octree) != TS_OK) return TS_ERROR;
-		bool alone = ts_pipeline_maker(load->pipeline, octree->offset) == NULL;
-		ts_status status = !is_loaded(load, octree->node) ? TS_OK : alone ? check_alone(load) : check_nodes(load, octree);
-		if (status != TS_OK) return status;
-		const char *from = k == 0 ? "pose.vertex and root.cube" : "vpl.light and root.cube";
-		bool lists = !alone && ts_stage_writes(stage, octree->entries);
-		if (lists && ts_check_again(load, k == 0 ? "voxel" : "view_voxel", from) != TS_OK) return TS_ERROR;
+	(void)stage;
+	u64 n, n_nodes = load->sizes.n[TS_DIM_nodes];
+	const u64 *pairs = ts_check_elements(load, id, &n);
+	for (u64 i = 0; i < n; i++) {
+		if (pairs[i] >> 32 < n_nodes) continue;
+		return ts_check_refuse(load, id, i, "", 0, "less than %" PRIu64 " (nodes) in the high half",
+		                       n_nodes);
 	}
-	if (is_loaded(load, TS_B_view_octree_offset) && is_loaded(load, TS_B_view_octree_leaf) &&
-	    check_leaves(load) != TS_OK) return TS_ERROR;
-	return is_loaded(load, TS_B_view_cone_node) ? check_cones(load) : TS_OK;
+	return TS_OK;
 }
+
+const ts_check_rule ts_views_checks[] = {
+	{TS_B_traverse_rendered, TS_CHECK_VALUES, check_rendered},
+	{TS_B_octree_level, TS_CHECK_VALUES, check_levels},
+	{TS_B_octree_node, TS_CHECK_VALUES, check_nodes},
+	{TS_B_voxel_mask, TS_CHECK_VALUES, check_masks},
+	{TS_B_voxel_before, TS_CHECK_SUMS, check_ids},
+	{TS_B_view_octree_level, TS_CHECK_VALUES, check_levels},
+	{TS_B_view_octree_node, TS_CHECK_VALUES, check_nodes},
+	{TS_B_view_voxel_mask, TS_CHECK_VALUES, check_masks},
+	{TS_B_view_voxel_before, TS_CHECK_SUMS, check_ids},
+	{TS_B_view_octree_offset, TS_CHECK_VALUES, check_leaves},
+	{TS_B_view_cone_node, TS_CHECK_VALUES, check_cones},
+	{TS_B_vpl_pairs_views, TS_CHECK_VALUES, ts_check_gather},
+	{.check = NULL},
+};
