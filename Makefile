@@ -54,7 +54,7 @@ WERROR ?= 0
 WARN := -Wall -Wextra -Wshadow $(if $(filter 1,$(WERROR)),-Werror)
 # The numeric contract: these come after the user's flags.
 EXACT := -ffp-contract=off -fno-math-errno -fno-trapping-math
-# gcc 12 stops with an internal error in its straight-line vectorizer when run.c is built for AVX-512.
+# gcc 12 stops with an internal error in its straight-line vectorizer when items.c is built for AVX-512.
 ifneq (,$(findstring -march=,$(OPT)))
 EXACT += -fno-tree-slp-vectorize
 endif
@@ -80,24 +80,30 @@ $(error Embree 3 or 4 is not installed: run scripts/install-deps (or make demo))
 endif
 endif
 
+# The families of methods, and what is compiled for each.
+FAMILIES := $(shell sed -n 's/^\#include FAMILY(\(.*\))/\1/p' src/families.def)
+ITEMS_C := src/backends/c/items.c
+
 # Sources, by folder.
 every = $(wildcard $(foreach in,* */* */*/* */*/*/*,$(1)/$(in).$(2)))
-LIB_C := $(filter-out src/cli/% src/study/%,$(call every,src,c))
+LIB_C := $(filter-out src/cli/% src/study/% $(ITEMS_C),$(call every,src,c))
 IMAGE_CC := src/image/openimageio.cc
 LIB_CC := $(filter-out $(IMAGE_CC),$(call every,src,cc))
 CLI_C := $(filter-out src/cli/core_main.c,$(wildcard src/cli/*.c src/study/*.c))
-CORE_C := $(wildcard src/model/*.c src/backends/*.c src/backends/c/*.c src/methods/*.c src/methods/*/*.c src/golden/*.c src/vectors/*.c) \
+CORE_C := $(wildcard $(patsubst %,src/%/*.c,model backends backends/c backends/c/* methods methods/* golden vectors)) \
 	$(wildcard $(patsubst %,src/trace/%.c,npy emit sums)) \
 	$(filter-out src/scene/print% src/scene/numbers.c,$(wildcard src/scene/*.c src/scene/builtin/*.c)) \
 	$(wildcard $(foreach in,cli study,$(patsubst %,src/$(in)/%.c,core_main backends command commit digest golden* help \
 		methods nearest options parse sweep truths words)))
+CORE_C := $(filter-out $(ITEMS_C),$(CORE_C))
 TEST_C := $(filter-out tests/begin.c tests/fuzz/% tests/cli/preload/%,$(call every,tests,c))
 
 object = $(patsubst %,$(BUILD)/obj/%.o,$(1))
-LIB_O := $(call object,$(LIB_C) $(LIB_CC))
+ITEMS_O := $(patsubst %,$(BUILD)/obj/$(ITEMS_C:.c=).%.o,vectors base $(FAMILIES))
+LIB_O := $(call object,$(LIB_C) $(LIB_CC)) $(ITEMS_O)
 IMAGE_O := $(call object,$(IMAGE_CC) $(patsubst %,src/model/%.c,error memory text))
 CLI_O := $(call object,$(CLI_C))
-CORE_O := $(call object,$(CORE_C))
+CORE_O := $(call object,$(CORE_C)) $(ITEMS_O)
 TESTS := $(TEST_C:tests/%.c=$(BUILD)/tests/%)
 ALL_O := $(sort $(LIB_O) $(IMAGE_O) $(CLI_O) $(CORE_O) $(call object,$(TEST_C) $(wildcard tests/begin.c tests/fuzz/*.c)))
 
@@ -149,7 +155,8 @@ golden:
 
 # The kernels as the text of an OpenCL program.
 PROGRAM := $(BUILD)/gen/program.inc
-$(PROGRAM): scripts/opencl-program src/backends/kernels.h src/backends/kernels.def $(wildcard src/kernels/*/*) include/touchstone/records.def
+$(PROGRAM): scripts/opencl-program scripts/assembled src/backends/kernels.h src/backends/kernels.def src/families.def $(wildcard src/kernels/*/*) \
+		include/touchstone/records.def
 	$(call say,GEN,$@)
 	$(Q)mkdir -p $(@D)
 	$(Q)scripts/opencl-program > $@
@@ -177,6 +184,11 @@ $(BUILD)/obj/%.c.o: %.c $(BUILD)/flags
 	$(call say,CC,$<)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(CC) $(C_FLAGS) $(CPP_LIBS) $(OWN) -c $< -o $@
+
+$(BUILD)/obj/$(ITEMS_C:.c=).%.o: $(ITEMS_C) $(BUILD)/flags
+	$(call say,CC,$< ($*))
+	$(Q)mkdir -p $(@D)
+	$(Q)$(CC) $(C_FLAGS) -DOF=$* -c $< -o $@
 
 $(BUILD)/obj/%.cc.o: %.cc $(BUILD)/flags
 	$(call say,CXX,$<)
@@ -261,7 +273,8 @@ install: all
 	install -m 755 $(BUILD)/libtouchstone.so $(TO)/lib/libtouchstone.so.0
 	install -m 755 $(BUILD)/libtouchstone-image.so $(TO)/lib
 	ln -sfn libtouchstone.so.0 $(TO)/lib/libtouchstone.so
-	install -m 644 $(wildcard include/touchstone/*) $(TO)/include/touchstone
+	install -m 644 $(wildcard include/touchstone/*.h) $(TO)/include/touchstone
+	for list in records params; do scripts/assembled include/touchstone/$$list.def > $(TO)/include/touchstone/$$list.def; done
 uninstall:
 	rm -f $(TO)/bin/touchstone $(patsubst %,$(TO)/lib/libtouchstone%,.a .so .so.0 -image.so)
 	rm -rf $(TO)/include/touchstone

@@ -79,13 +79,12 @@ static const ts_candidate_buffer ts_candidate_buffers[] = {
 		"('up', '<f4', (3,)), ('circles', '<u4'), ('back', '<f4', (3,)), ('ambient', '<f4'), "
 		"('box_min', '<f4', (3,)), ('pad0', '<u4'), ('box_max', '<f4', (3,)), ('pad1', '<u4'), "
 		"('hall_min', '<f4', (2,)), ('hall_max', '<f4', (2,))]"},
-	{"eye.view", 64, 1,
-		"[('eye', '<f4', (3,)), ('focal', '<f4'), ('right', '<f4', (3,)), ('width', '<u4'), "
-		"('up', '<f4', (3,)), ('height', '<u4'), ('back', '<f4', (3,)), ('near', '<f4')]"},
 	{"pose.vertex", 80, 1,
 		"[('position', '<f4', (3,)), ('object', '<u4'), ('normal', '<f4', (3,)), ('pad', '<u4'), "
 		"('tangent', '<f4', (4,)), ('uv', '<f4', (4,)), ('colour', '<f4', (4,))]"},
-	{"shadow_resize.least", 4, 1, "'<u4'"},
+	{"eye.view", 64, 1,
+		"[('eye', '<f4', (3,)), ('focal', '<f4'), ('right', '<f4', (3,)), ('width', '<u4'), "
+		"('up', '<f4', (3,)), ('height', '<u4'), ('back', '<f4', (3,)), ('near', '<f4')]"},
 	{"resize.face", 64, 1,
 		"[('centre', '<f4', (3,)), ('radius', '<f4'), ('box_min', '<f4', (3,)), ('n', '<u4'), "
 		"('box_max', '<f4', (3,)), ('near', '<f4'), ('offset', '<u8'), ('object', '<u4'), ('pad', '<u4')]"},
@@ -101,12 +100,30 @@ static const ts_candidate_buffer ts_candidate_buffers[] = {
 	{"eye.depth_triangle", 8, 2, "'<u8'"},
 	{"eye.margin", 8, 3, "'<u8'"},
 	{"pixel.offset", 4, 1, "'<u4'"},
+	{"visibility.bits", 8, 2, "'<u8'"},
+	{"shade.radiance", 4, 2, "'<f4'"},
+	{"face.depth_triangle", 8, 1, "'<u8'"},
+	{"face.margin", 8, 2, "'<u8'"},
+	{"scatter.depth", 4, 1, "'<u4'"},
+	{"depth.margin", 8, 2, "'<u8'"},
+	{"resolve.lit", 4, 3, "'<u4'"},
+	{"resolve.margin", 8, 4, "'<u8'"},
+	{"rsm.depth_triangle", 8, 1, "'<u8'"},
+	{"rsm_patch.light", 64, 1,
+		"[('a', '<f4', (3,)), ('b', '<f4', (3,)), ('c', '<f4', (3,)), ('normal', '<f4', (3,)), "
+		"('exitance', '<f4', (3,)), ('pad', '<u4')]"},
+	{"gbuffer.pixel", 48, 2,
+		"[('position', '<f4', (3,)), ('depth', '<f4'), ('normal', '<f4', (3,)), ('pad0', '<u4'), "
+		"('albedo', '<f4', (3,)), ('pad1', '<u4')]"},
+	{"indirect.irradiance", 4, 3, "'<f4'"},
+	{"image.radiance", 4, 3, "'<f4'"},
+	{"image.srgb", 1, 3, "'|u1'"},
+	{"shadow_resize.least", 4, 1, "'<u4'"},
 	{"pixel.record", 96, 1,
 		"[('position', '<f4', (3,)), ('index', '<u4'), ('normal', '<f4', (3,)), ('reflector', '<u4'), "
 		"('position_dx', '<f4', (3,)), ('tint_r', '<f4'), ('position_dy', '<f4', (3,)), "
 		"('tint_g', '<f4'), ('normal_dx', '<f4', (3,)), ('tint_b', '<f4'), ('normal_dy', '<f4', (3,)), "
 		"('pad', '<u4')]"},
-	{"visibility.bits", 8, 2, "'<u8'"},
 	{"split.scale", 4, 1, "'<f4'"},
 	{"split.offset", 4, 1, "'<u4'"},
 	{"split.triangle", 48, 1,
@@ -134,23 +151,9 @@ static const ts_candidate_buffer ts_candidate_buffers[] = {
 	{"lookup3.point", 4, 2, "'<u4'"},
 	{"shade3.radiance", 4, 2, "'<f4'"},
 	{"shade2.radiance", 4, 2, "'<f4'"},
-	{"shade.radiance", 4, 2, "'<f4'"},
 	{"shade.used", 4, 1, "'<u4'"},
-	{"face.depth_triangle", 8, 1, "'<u8'"},
-	{"face.margin", 8, 2, "'<u8'"},
 	{"face.mip", 4, 2, "'<f4'"},
-	{"scatter.depth", 4, 1, "'<u4'"},
 	{"scatter.colour", 4, 1, "'<u4'"},
-	{"depth.margin", 8, 2, "'<u8'"},
-	{"resolve.lit", 4, 3, "'<u4'"},
-	{"resolve.margin", 8, 4, "'<u8'"},
-	{"rsm.depth_triangle", 8, 1, "'<u8'"},
-	{"rsm_patch.light", 64, 1,
-		"[('a', '<f4', (3,)), ('b', '<f4', (3,)), ('c', '<f4', (3,)), ('normal', '<f4', (3,)), "
-		"('exitance', '<f4', (3,)), ('pad', '<u4')]"},
-	{"gbuffer.pixel", 48, 2,
-		"[('position', '<f4', (3,)), ('depth', '<f4'), ('normal', '<f4', (3,)), ('pad0', '<u4'), "
-		"('albedo', '<f4', (3,)), ('pad1', '<u4')]"},
 	{"nearest.depth", 4, 2, "'<f4'"},
 	{"segment.label", 4, 2, "'<u4'"},
 	{"segment.margin", 4, 2, "'<f4'"},
@@ -167,7 +170,6 @@ static const ts_candidate_buffer ts_candidate_buffers[] = {
 		"('pad', '<u4')]"},
 	{"hull.box", 4, 2, "'<u4'"},
 	{"hull.margin", 4, 2, "'<f4'"},
-	{"indirect.irradiance", 4, 3, "'<f4'"},
 	{"root.least", 4, 1, "'<u4'"},
 	{"root.cube", 16, 1, "[('lower', '<f4', (3,)), ('side', '<f4')]"},
 	{"voxel.mask", 8, 1, "'<u8'"},
@@ -225,8 +227,6 @@ static const ts_candidate_buffer ts_candidate_buffers[] = {
 	{"blend.heaviest", 8, 2, "'<u8'"},
 	{"blend.margin", 8, 3, "'<u8'"},
 	{"deferred.margin", 4, 2, "'<f4'"},
-	{"image.radiance", 4, 3, "'<f4'"},
-	{"image.srgb", 1, 3, "'|u1'"},
 };
 /* end table */
 

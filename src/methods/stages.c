@@ -3,16 +3,19 @@
 #include <assert.h>
 #include <pthread.h>
 
+/* STAGE(name): ts_stage_<name>, which says in the file of its code what it launches and makes. */
+#define FAMILY(name) FAMILY_FILE(methods/name/stages.def)
 #define STAGE(name) extern const ts_stage ts_stage_##name;
-#include "stages.def"
+#include "../families.def"
 #undef STAGE
 
 #define STAGE(name) &ts_stage_##name,
 const ts_stage *const ts_stage_table[] = {
-#include "stages.def"
+#include "../families.def"
 	NULL,
 };
 #undef STAGE
+#undef FAMILY
 
 enum { N_STAGES = sizeof ts_stage_table / sizeof *ts_stage_table - 1, LIST = 40 };
 

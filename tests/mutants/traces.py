@@ -6,13 +6,14 @@ import os
 import re
 import shutil
 import struct
+import subprocess
 
 SIZES = {"f4": 4, "u4": 4, "i4": 4, "u8": 8, "u1": 1}
 FACES = ("+X", "-X", "+Y", "-Y", "+Z", "-Z")
 NONE = 0xffffffff
 EMPTY = 0xffffffffffffffff
-with open("include/touchstone/records.def", encoding="utf-8") as definitions:
-	NOUNS = dict(re.findall(r'^DIM\((\w+), "([^"]+)"', definitions.read(), re.M))
+RECORDS = subprocess.check_output(["scripts/assembled", "include/touchstone/records.def"], text=True)
+NOUNS = dict(re.findall(r'^DIM\((\w+), "([^"]+)"', RECORDS, re.M))
 
 
 class Field:

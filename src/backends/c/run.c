@@ -15,23 +15,11 @@
 
 typedef void kernel_items(const void *args, u64 begin, u64 end);
 
-/* A kernel is one piece of code: compilers that weigh all kernels together inline less with each that is added. */
-#if defined(__GNUC__)
-#define WHOLE __attribute__((flatten))
-#else
-#define WHOLE
-#endif
-
-#define KERNEL(name, args_type) \
-	WHOLE static void name##_items(const void *args, u64 begin, u64 end) \
-	{ \
-		const args_type a = *(const args_type *)args; \
-		for (u64 i = begin; i < end; i++) ts_k_##name##_item(&a, i); \
-	}
+#define KERNEL(name, args_type) kernel_items ts_c_items_##name;
 #include "../kernels.def"
 #undef KERNEL
 
-#define KERNEL(name, args_type) name##_items,
+#define KERNEL(name, args_type) ts_c_items_##name,
 static kernel_items *const kernels[TS_N_KERNELS] = {
 #include "../kernels.def"
 };

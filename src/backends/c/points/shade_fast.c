@@ -1,7 +1,7 @@
 /* Fast path of the shade kernel, with the same bits: samples next to each other see the same points, so each thread
  * remembers what it shaded last. Shading operations are counted as the method asks for them, remembered or not. */
-#include <assert.h>
-#include "fast.h"
+#include "../../../kernels/points/lookup.h"
+#include "../fast.h"
 
 enum { SLOTS = 4096, ENTRIES_A_CHUNK = 1024 };
 
@@ -36,9 +36,10 @@ static void shade_entry(const ts_lookup_args *args, seen *memory, u64 entry)
 	ts_k_shade_put(args, entry, ts_v3_make(sum.x / count, sum.y / count, sum.z / count), args->n_samples);
 }
 
-void ts_c_shade_fast(const ts_lookup_args *args, u64 n, u32 threads)
+bool ts_c_fast_shade(const void *of, u64 n, u32 threads)
 {
-	assert(args->adaptive == 0);
+	const ts_lookup_args *args = of;
+	if (args->adaptive != 0) return false;
 #pragma omp parallel num_threads(threads)
 	{
 		seen memory[SLOTS];
@@ -46,4 +47,5 @@ void ts_c_shade_fast(const ts_lookup_args *args, u64 n, u32 threads)
 #pragma omp for schedule(dynamic, ENTRIES_A_CHUNK)
 		for (i64 i = 0; i < (i64)n; i++) shade_entry(args, memory, (u64)i);
 	}
+	return true;
 }

@@ -1,8 +1,8 @@
 /* Fast path of the hull kernel, with the same bits: the closed form of many lobes in one loop without branches, which
  * compilers make of vector instructions. */
-#include <assert.h>
-#include "fast.h"
-#include "wide.h"
+#include "../../../kernels/hulls/hull.h"
+#include "../fast.h"
+#include "../wide.h"
 
 enum { PIXELS = 64, LOBES = 3 * PIXELS };
 
@@ -48,9 +48,11 @@ TS_WIDE static void integrate(lobes *l)
 	}
 }
 
-void ts_c_hull_fast(const ts_hull_args *args, u64 n, u32 threads)
+/* By eqs 15 to 18 in their stable forms, of interpolated parameters. */
+bool ts_c_fast_hull(const void *of, u64 n, u32 threads)
 {
-	assert(args->cosine == TS_COSINE_IS_OURS && args->printed == 0 && args->by_moments == 0);
+	const ts_hull_args *args = of;
+	if (args->cosine != TS_COSINE_IS_OURS || args->printed != 0 || args->by_moments != 0) return false;
 #pragma omp parallel num_threads(threads)
 	{
 		lobes l = {.count = 0};
@@ -63,4 +65,5 @@ void ts_c_hull_fast(const ts_hull_args *args, u64 n, u32 threads)
 			for (u32 i = 0; i < l.count; i++) args->irradiance[l.at[i]] = l.e[i];
 		}
 	}
+	return true;
 }

@@ -1,8 +1,8 @@
 /* Which surfels each tile of an image has, so that a thread can own a tile. */
 #ifndef TS_BACKENDS_SURFEL_BINS_H
 #define TS_BACKENDS_SURFEL_BINS_H
-#include "../../kernels/base/num.h"
-#include "../backend.h"
+#include "../../../kernels/base/num.h"
+#include "../../backend.h"
 
 /* Tiles that a surfel may touch; none where the last is before the first. */
 typedef struct { int16_t first[2], last[2]; } ts_surfel_span;

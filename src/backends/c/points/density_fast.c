@@ -2,8 +2,9 @@
  * views, which compilers vectorize. */
 #include <omp.h>
 #include <stdlib.h>
-#include "fast.h"
-#include "wide.h"
+#include "../../../kernels/points/split.h"
+#include "../fast.h"
+#include "../wide.h"
 
 enum { ENTRIES = 10, TRIANGLES_A_CHUNK = 256 };
 
@@ -108,8 +109,18 @@ static void count(const ts_density_args *args, const lanes *of, f32 *s, u32 tria
 	args->offset[triangle] = args->whole[triangle] > 0.0f ? ts_k_split(args, triangle, false) : 0;
 }
 
-bool ts_c_density_fast(const ts_density_args *args, u64 n, u32 threads)
+/* The same rate of all views, all perspective, and not by what clipping leaves. */
+static bool applies(const ts_density_args *args)
 {
+	bool good = args->views != NULL && args->shadow == TS_SHADOW_IS_NONE && args->rate >= TS_RATE_IS_PAPER;
+	for (u32 v = 0; good && v < args->n_views; v++) good = args->views[v].orthographic == 0;
+	return good;
+}
+
+bool ts_c_fast_split_count(const void *arguments, u64 n, u32 threads)
+{
+	const ts_density_args *args = arguments;
+	if (!applies(args)) return false;
 	u32 n_views = args->n_views;
 	f32 *room = malloc((ENTRIES + (size_t)threads) * n_views * sizeof *room);
 	if (room == NULL) return false;

@@ -1,9 +1,13 @@
 /* Fast paths of the surfel kernels, with the same bits: a thread owns a tile of the image and draws the surfels of
  * its bin, so there are no atomics; the order is that of the surfels, but sums of integers and minima would not show
  * another. What all items count is counted by each thread first. */
-#include "fast.h"
+#include "../../../kernels/surfels/blend.h"
+#include "../../../kernels/surfels/deferred.h"
+#include "../../../kernels/surfels/surfel_depth.h"
+#include "../../../kernels/surfels/surfel_mean.h"
+#include "../fast.h"
 #include "surfel_bins.h"
-#include "wide.h"
+#include "../wide.h"
 
 enum { ITEMS = 1024 };
 
@@ -97,8 +101,10 @@ TS_WIDE static void depth_tile(const ts_surfel_depth_args *args, const ts_surfel
 	}
 }
 
-bool ts_c_surfel_depth_fast(const ts_surfel_depth_args *args, u64 n, u32 threads)
+/* False where surfels are as large as the image. */
+bool ts_c_fast_surfel_depth(const void *of, u64 n, u32 threads)
 {
+	const ts_surfel_depth_args *args = of;
 	ts_surfel_bins b;
 	bool made = ts_surfel_bins_make(&b, args->view, args->discs, n, threads);
 	if (made) {
@@ -216,8 +222,9 @@ TS_WIDE static void blend_tile(const ts_blend_args *args, const ts_surfel_bins *
 	ts_add_i64(&args->tally[1], pixels);
 }
 
-bool ts_c_blend_fast(const ts_blend_args *args, u64 n, u32 threads)
+bool ts_c_fast_blend(const void *of, u64 n, u32 threads)
 {
+	const ts_blend_args *args = of;
 	ts_surfel_bins b;
 	if (args->filter.filter == TS_FILTER_IS_EWA) return false;
 	bool made = ts_surfel_bins_make(&b, args->view, args->discs, n, threads);
@@ -229,8 +236,9 @@ bool ts_c_blend_fast(const ts_blend_args *args, u64 n, u32 threads)
 	return made;
 }
 
-void ts_c_surfel_mean_fast(const ts_surfel_mean_args *args, u64 n, u32 threads)
+bool ts_c_fast_surfel_mean(const void *of, u64 n, u32 threads)
 {
+	const ts_surfel_mean_args *args = of;
 #pragma omp parallel num_threads(threads)
 	{
 		i64 tally = 0;
@@ -240,10 +248,12 @@ void ts_c_surfel_mean_fast(const ts_surfel_mean_args *args, u64 n, u32 threads)
 		for (i64 i = 0; i < (i64)n; i++) ts_k_surfel_mean_item(&own, (u64)i);
 		ts_add_i64(&args->tally[0], tally);
 	}
+	return true;
 }
 
-void ts_c_deferred_fast(const ts_deferred_args *args, u64 n, u32 threads)
+bool ts_c_fast_deferred(const void *of, u64 n, u32 threads)
 {
+	const ts_deferred_args *args = of;
 	f32 radiance[3];
 	u8 srgb[3];
 	ts_k_show(radiance, srgb, ts_k_background(), args->exposure);
@@ -256,4 +266,5 @@ void ts_c_deferred_fast(const ts_deferred_args *args, u64 n, u32 threads)
 			ts_k_deferred_item(args, (u64)i);
 		}
 	}
+	return true;
 }

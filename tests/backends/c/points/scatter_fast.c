@@ -1,8 +1,9 @@
 /* The fast path of the scatter kernels gives the kernels' bits and tallies: random pieces into random views,
  * perspective and orthographic, of stored points and of points made on the spot, at coordinates where views begin
  * and end. */
-#include "../../src/backends/c/fast.h"
-#include "../kernels/points/mesh.h"
+#include "../../../../src/backends/c/fast.h"
+#include "../../../../src/backends/kernels.h"
+#include "../../../kernels/points/mesh.h"
 
 enum { N = 24, MOST_VIEWS = 80 };
 
@@ -53,7 +54,7 @@ static void scatter(result *r, ts_scatter_args args, u64 n_texels, u64 n, bool s
 	args.n_scatters = &r->tally[1];
 	args.n_writes = &r->tally[2];
 	if (threads != 0) {
-		assert_true(ts_c_scatter_fast(&args, n, stored, threads));
+		assert_true((stored ? ts_c_fast_scatter : ts_c_fast_scatter_pieces)(&args, n, threads));
 	} else {
 		ts_c_launch(stored ? TS_KERNEL_scatter : TS_KERNEL_scatter_pieces, &args, n, 1);
 	}

@@ -1,7 +1,8 @@
 /* Fast path of the set-up of surfels, with the same bits: those that face the eye side by side, by the kernel's own
  * functions in loops without branches, which compilers vectorize. */
-#include "fast.h"
-#include "wide.h"
+#include "../../../kernels/surfels/disc.h"
+#include "../fast.h"
+#include "../wide.h"
 
 enum { LOT = 64, VECTOR = 16, FATES = TS_DISC_BESIDE + 1 };
 
@@ -126,9 +127,10 @@ TS_WIDE static void set_up(const ts_surfel_setup_args *args, u64 first, u32 n, i
 	}
 }
 
-bool ts_c_surfel_setup_fast(const ts_surfel_setup_args *args, u64 n, u32 threads)
+bool ts_c_fast_surfel_setup(const void *of, u64 n, u32 threads)
 {
 	enum { LOTS = 16 };
+	const ts_surfel_setup_args *args = of;
 	if (args->filter.filter == TS_FILTER_IS_EWA) return false;
 #pragma omp parallel num_threads(threads)
 	{

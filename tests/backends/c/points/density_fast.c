@@ -1,7 +1,8 @@
 /* The fast densities equal the plain kernel bit for bit: of triangles in all places about many views, biased to the
  * extremes. */
-#include "../kernels/points/views.h"
-#include "../../src/backends/c/fast.h"
+#include "../../../kernels/points/views.h"
+#include "../../../../src/backends/c/fast.h"
+#include "../../../../src/backends/kernels.h"
 
 enum { N = 1500, VIEWS = 128 };
 
@@ -59,7 +60,7 @@ static void test_equal(void **state)
 		ts_c_launch(TS_KERNEL_split_count, &args, m.n_triangles, 1);
 		args.whole = fast;
 		args.offset = pieces[1];
-		assert_true(ts_c_density_fast(&args, m.n_triangles, threads));
+		assert_true(ts_c_fast_split_count(&args, m.n_triangles, threads));
 		if (memcmp(plain, fast, sizeof plain) != 0 || memcmp(pieces[0], pieces[1], sizeof *pieces) != 0) {
 			u32 t = 0;
 			while (ts_f2u(plain[t]) == ts_f2u(fast[t]) && pieces[0][t] == pieces[1][t]) t++;

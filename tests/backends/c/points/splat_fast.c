@@ -1,6 +1,7 @@
 /* The fast splats equal the plain kernel bit for bit: texels and counters, on random meshes biased to the extremes. */
-#include "../kernels/points/mesh.h"
-#include "../../src/backends/c/fast.h"
+#include "../../../kernels/points/mesh.h"
+#include "../../../../src/backends/c/fast.h"
+#include "../../../../src/backends/kernels.h"
 
 enum { N = 1500 };
 
@@ -73,7 +74,7 @@ static void assert_equal(const mesh *m, const setting *s)
 	args.n_writes = &writes[1];
 	args.offset = m->count;
 	args.n_pieces = m->n_pieces;
-	ts_c_splat_fast(&args, s->threads);
+	assert_true(ts_c_fast_splat(&args, m->n_pieces, s->threads));
 	if (memcmp(plain, fast, n * sizeof *plain) != 0 || scatters[0] != scatters[1] || writes[0] != writes[1]) {
 		fail_msg("random %u: clip %u planedepth %u paper %u threads %u cubes %u half size %d samples %a: scatters %lld %lld "
 		         "writes %lld %lld", s->start, s->clip, s->plane_depth, s->paper_splat, s->threads, s->n_cubes, s->half_size,

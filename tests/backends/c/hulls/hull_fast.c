@@ -1,8 +1,9 @@
 /* The fast hulls equal the plain kernel bit for bit: boxes, irradiance and counter, of random boxes and lobes biased
  * to the extremes. */
 #include <string.h>
-#include "../kernels/seeded.h"
-#include "../../src/backends/c/fast.h"
+#include "../../../kernels/seeded.h"
+#include "../../../../src/backends/c/fast.h"
+#include "../../../../src/backends/kernels.h"
 
 enum { N = 400, GRID = 64, TEXELS = GRID * GRID, MOST_BOXES = 64, MOST_PIXELS = 2048 };
 
@@ -100,7 +101,7 @@ static void test_equal(void **state)
 		args.box = fast.box;
 		args.irradiance = fast.irradiance;
 		args.n_unlit = &fast.n_unlit;
-		ts_c_hull_fast(&args, n, threads);
+		assert_true(ts_c_fast_hull(&args, n, threads));
 		if (memcmp(&plain, &fast, sizeof plain) != 0) {
 			fail_msg("random %u: %u boxes, %u x %u pixels, robust %u, %u threads", start, w.n, width, n / width,
 			         args.choice.robust, threads);

@@ -1,8 +1,9 @@
 /* The fast paths of surfels give the kernels' bits and tallies, pass after pass: surfels of all sizes and shapes,
  * before, beside and around the eye, in images of several tiles and of parts of one, by all filters, of normals and
  * colours that sums saturate at. */
-#include "../../src/backends/c/fast.h"
-#include "../kernels/seeded.h"
+#include "../../../../src/backends/c/fast.h"
+#include "../../../../src/backends/kernels.h"
+#include "../../../kernels/seeded.h"
 #include <stdlib.h>
 
 enum { N = 240, SURFELS = 300, SIDE = 150, PIXELS = SIDE * SIDE, TALLIES = 4 };
@@ -83,7 +84,7 @@ static void begin(passes *p)
 static void setup(const frame *f, passes *p, bool fast)
 {
 	ts_surfel_setup_args args = {&f->view, f->surfel, p->disc, p->tally[0], f->filter};
-	if (fast) assert_true(ts_c_surfel_setup_fast(&args, SURFELS, f->threads));
+	if (fast) assert_true(ts_c_fast_surfel_setup(&args, SURFELS, f->threads));
 	else ts_c_launch(TS_KERNEL_surfel_setup, &args, SURFELS, 1);
 }
 
@@ -102,8 +103,8 @@ static void draw(const frame *f, passes *p, bool fast)
 	ts_surfel_depth_args depth = {&f->view, p->disc, &f->epsilon, p->key};
 	ts_blend_args blend = {&f->view, f->surfel, p->disc, p->key, p->sum, p->heaviest, p->tally[1], f->filter};
 	if (fast) {
-		assert_true(ts_c_surfel_depth_fast(&depth, SURFELS, f->threads));
-		assert_true(ts_c_blend_fast(&blend, SURFELS, f->threads));
+		assert_true(ts_c_fast_surfel_depth(&depth, SURFELS, f->threads));
+		assert_true(ts_c_fast_blend(&blend, SURFELS, f->threads));
 	} else {
 		ts_c_launch(TS_KERNEL_surfel_depth, &depth, SURFELS, 1);
 		ts_c_launch(TS_KERNEL_blend, &blend, SURFELS, 1);
@@ -118,8 +119,8 @@ static void shade(const frame *f, passes *p, bool fast)
 	ts_surfel_mean_args mean = {&f->view, p->disc, &f->epsilon, p->key, p->sum, p->heaviest, p->pixel, p->tally[2]};
 	ts_deferred_args deferred = {&f->view, p->pixel, &sun, &lamp, NULL, p->radiance, p->srgb, 1, f->shader, 0.3f, 1.5f};
 	if (fast) {
-		ts_c_surfel_mean_fast(&mean, n, f->threads);
-		ts_c_deferred_fast(&deferred, n, f->threads);
+		assert_true(ts_c_fast_surfel_mean(&mean, n, f->threads));
+		assert_true(ts_c_fast_deferred(&deferred, n, f->threads));
 	} else {
 		ts_c_launch(TS_KERNEL_surfel_mean, &mean, n, 1);
 		ts_c_launch(TS_KERNEL_deferred, &deferred, n, 1);
@@ -181,13 +182,13 @@ static void test_refused(void **state)
 	ts_surfel_depth_args args = {&view, disc, &epsilon, keys};
 	ts_blend_args ewa = {.view = &view, .discs = disc, .filter = {.filter = TS_FILTER_IS_EWA}};
 	ts_surfel_setup_args ewa_setup = {.view = &view, .discs = disc, .filter = {.filter = TS_FILTER_IS_EWA}};
-	assert_false(ts_c_surfel_depth_fast(&args, SMALL, 2));
+	assert_false(ts_c_fast_surfel_depth(&args, SMALL, 2));
 	assert_memory_equal(keys, empty, sizeof keys);
-	assert_false(ts_c_blend_fast(&ewa, SMALL, 2));
-	assert_false(ts_c_surfel_setup_fast(&ewa_setup, SMALL, 2));
+	assert_false(ts_c_fast_blend(&ewa, SMALL, 2));
+	assert_false(ts_c_fast_surfel_setup(&ewa_setup, SMALL, 2));
 	disc[0].high[0] = disc[1].high[0] = disc[2].high[0] = 63;
 	disc[3].high[0] = 64 * 13 - 1;
-	assert_true(ts_c_surfel_depth_fast(&args, SMALL, 2));
+	assert_true(ts_c_fast_surfel_depth(&args, SMALL, 2));
 	assert_true(keys[64 * 13 - 1] != TS_EMPTY && keys[64 * 13] == TS_EMPTY);
 }
 

@@ -3,8 +3,9 @@
  * side through a view's transform, in loops that compilers vectorize. */
 #include <omp.h>
 #include <stdlib.h>
-#include "fast.h"
-#include "wide.h"
+#include "../../../kernels/points/scatter.h"
+#include "../fast.h"
+#include "../wide.h"
 
 enum {
 	ROOM = (1 << 16) + 256, /* a row of a lattice, 24.8 and dilated, has at most 65538 points */
@@ -208,8 +209,10 @@ static void free_pools(job *j)
 	free(j->pools);
 }
 
-bool ts_c_scatter_fast(const ts_scatter_args *args, u64 n, bool stored, u32 threads)
+/* Of n stored points or n pieces, into depth maps; n_views must not be 0. False if there are more than 2048 views. */
+static bool scatter(const ts_scatter_args *args, u64 n, bool stored, u32 threads)
 {
+	if (args->depths == NULL) return false;
 	job j = {.args = args, .n_items = n, .stored = stored, .first_group = args->first_view / 32};
 	j.n_groups = (args->first_view + args->n_views - 1) / 32 - j.first_group + 1;
 	if (j.n_groups > MOST_GROUPS) return false;
@@ -224,3 +227,6 @@ bool ts_c_scatter_fast(const ts_scatter_args *args, u64 n, bool stored, u32 thre
 	free_pools(&j);
 	return made;
 }
+
+bool ts_c_fast_scatter(const void *of, u64 n, u32 threads) { return scatter(of, n, true, threads); }
+bool ts_c_fast_scatter_pieces(const void *of, u64 n, u32 threads) { return scatter(of, n, false, threads); }

@@ -1,6 +1,7 @@
 /* The C backend: every item once whatever the threads, prefix sums, filled buffers. */
-#include "../kernels/points/mesh.h"
-#include "../../src/backends/c/fast.h"
+#include "../../kernels/points/mesh.h"
+#include "../../../src/backends/c/fast.h"
+#include "../../../src/backends/kernels.h"
 
 /* Prefix sums against their definition; the total may need more than 32 bits. */
 static void test_scan(void **state)

@@ -1,7 +1,8 @@
 /* Fast path of the splat kernel, with the same bits: a thread owns a cube face, so there are no atomics; a piece is
  * projected once for all its points; the squares of a block of points go side by side through a face's axes, which
  * are the world's but for sign and order, in loops that compilers vectorize; edges are evaluated as lines in (i, j). */
-#include "fast.h"
+#include "../../../kernels/points/splat_pieces.h"
+#include "../fast.h"
 
 /* A piece as one face sees it. */
 typedef struct {
@@ -161,9 +162,14 @@ static void splat_face(const ts_splat_args *args, u32 cube_index, u32 side)
 	ts_add_i64(args->n_writes, f.writes);
 }
 
-void ts_c_splat_fast(const ts_splat_args *args, u32 threads)
+/* Points that stand by piece, and nothing to mark. */
+bool ts_c_fast_splat(const void *of, u64 n, u32 threads)
 {
+	const ts_splat_args *args = of;
+	(void)n;
+	if (args->offset == NULL || args->mark != 0) return false;
 	i64 n_faces = (i64)args->n_cubes * 6;
 #pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
 	for (i64 i = 0; i < n_faces; i++) splat_face(args, (u32)(i / 6), (u32)(i % 6));
+	return true;
 }

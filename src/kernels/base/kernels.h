@@ -1,0 +1,9 @@
+/* All kernels that are no family's: for backends. */
+#ifndef TS_KERNELS_BASE_KERNELS_H
+#define TS_KERNELS_BASE_KERNELS_H
+#include "bench.h"
+#include "pose.h"
+#include "scan.h"
+#include "sort.h"
+
+#endif

@@ -1,0 +1,17 @@
+/* All kernels of MegaViews, ManyLoDs and what they are compared with: for backends. */
+#ifndef TS_KERNELS_VIEWS_KERNELS_H
+#define TS_KERNELS_VIEWS_KERNELS_H
+#include "bilateral.h"
+#include "fuse.h"
+#include "octree.h"
+#include "octree_surface.h"
+#include "particle.h"
+#include "view_alone.h"
+#include "view_cone.h"
+#include "view_octree.h"
+#include "voxel.h"
+#include "vpl.h"
+#include "vpl_gather_margin.h"
+#include "vpl_pairs.h"
+
+#endif
