@@ -1,10 +1,8 @@
 /* The command `touchstone-core`: digests and goldens, in C with libc, libgomp and libcrypto, as a static binary. */
-#include "../truth/table.h"
 #include "golden.h"
 
 const char *const ts_program = "touchstone-core";
 ts_preview *const ts_golden_preview = NULL;
-const ts_truth_kind ts_truth_table[] = { { 0 } };
 const ts_backend_kind *const ts_backend_kinds[] = { &ts_c_kind, NULL };
 
 const ts_command ts_command_table[] = {

@@ -126,13 +126,13 @@ static ts_table list_methods(void)
 static ts_table list_truths(void)
 {
 	ts_table table = ts_table_begin("truths", "", truth_columns);
-	for (const ts_truth_kind *kind = ts_truth_table; kind->name != NULL; kind++) {
-		ts_table_text(&table, kind->name);
-		ts_table_text(&table, kind->effects);
-		ts_table_text(&table, kind->doc);
-		ts_table_text(&table, kind->share);
-		ts_table_text(&table, kind->against);
-		ts_table_text(&table, kind->against_share);
+	for (const ts_truth_kind *const *kind = ts_truths(); *kind != NULL; kind++) {
+		ts_table_text(&table, (*kind)->name);
+		ts_table_text(&table, (*kind)->effects);
+		ts_table_text(&table, (*kind)->doc);
+		ts_table_text(&table, (*kind)->share);
+		ts_table_text(&table, (*kind)->against);
+		ts_table_text(&table, (*kind)->against_share);
 	}
 	return table;
 }

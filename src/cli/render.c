@@ -96,20 +96,20 @@ static void compare(ts_render *render, const ts_picture *reference, const ts_pic
 static const ts_picture *truth_named(const ts_render *render, const char *name)
 {
 	u32 t = 0;
-	while (ts_truth_table[t].name != NULL && strcmp(ts_truth_table[t].name, name) != 0) t++;
-	return ts_truth_table[t].name != NULL ? &render->truths[t] : NULL;
+	while (ts_truths()[t] != NULL && strcmp(ts_truths()[t]->name, name) != 0) t++;
+	return ts_truths()[t] != NULL ? &render->truths[t] : NULL;
 }
 
 static void compare_all(ts_render *render)
 {
-	for (u32 t = 0; ts_truth_table[t].name != NULL; t++) {
+	for (u32 t = 0; ts_truths()[t] != NULL; t++) {
 		for (u32 i = 0; i < render->n_methods; i++) {
-			compare(render, &render->truths[t], &render->pictures[i], ts_truth_table[t].share);
+			compare(render, &render->truths[t], &render->pictures[i], ts_truths()[t]->share);
 		}
 	}
-	for (u32 t = 0; ts_truth_table[t].name != NULL; t++) {
-		const ts_picture *against = truth_named(render, ts_truth_table[t].against);
-		if (against != NULL) compare(render, against, &render->truths[t], ts_truth_table[t].against_share);
+	for (u32 t = 0; ts_truths()[t] != NULL; t++) {
+		const ts_picture *against = truth_named(render, ts_truths()[t]->against);
+		if (against != NULL) compare(render, against, &render->truths[t], ts_truths()[t]->against_share);
 	}
 	for (u32 i = 0; i < render->n_methods; i++) {
 		for (u32 j = i + 1; j < render->n_methods; j++) compare(render, &render->pictures[j], &render->pictures[i], "");

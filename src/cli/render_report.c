@@ -236,12 +236,12 @@ static void metric_cells(ts_table *table, const ts_metrics *m)
 
 static void report_missed(const ts_render *render, ts_report *report)
 {
-	for (u32 t = 0; ts_truth_table[t].name != NULL; t++) {
+	for (u32 t = 0; ts_truths()[t] != NULL; t++) {
 		const ts_picture *truth = &render->truths[t];
 		if (truth->n_hits == 0) continue;
 		double percent = 100.0 * (double)truth->n_missed / (double)truth->n_hits;
 		ts_report_line(report, "empty look-ups of EPR where a ray of truth %s hits: %" PRIu64 " of %" PRIu64 ", %.5f %%",
-		               ts_truth_table[t].name, truth->n_missed, truth->n_hits, percent);
+		               ts_truths()[t]->name, truth->n_missed, truth->n_hits, percent);
 		ts_report_line(report, "%s", "");
 		ts_report_value(report, "hit_lookups", json_integer((json_int_t)truth->n_hits));
 		ts_report_value(report, "missed_lookups", json_integer((json_int_t)truth->n_missed));
@@ -300,7 +300,7 @@ static void report_pictures(const ts_render *render, ts_report *report)
 	for (u32 t = 0; t < TS_MAX_TRUTHS; t++) {
 		if (render->truths[t].srgb != NULL) {
 			snprintf(name, sizeof name, "%s.png .exr", render->truths[t].name);
-			snprintf(what, sizeof what, "%s, in %.2f s", ts_truth_table[t].doc, render->truths[t].seconds);
+			snprintf(what, sizeof what, "%s, in %.2f s", ts_truths()[t]->doc, render->truths[t].seconds);
 			picture_row(&table, name, what);
 		}
 	}

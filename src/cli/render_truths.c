@@ -29,8 +29,8 @@ static void show_truth(const ts_truth_kind *kind)
 ts_status ts_render_truths_of(ts_render *render, const ts_pipeline *method, ts_run *run)
 {
 	ts_status status = TS_OK;
-	for (u32 t = 0; ts_truth_table[t].name != NULL && status == TS_OK; t++) {
-		const ts_truth_kind *kind = &ts_truth_table[t];
+	for (u32 t = 0; ts_truths()[t] != NULL && status == TS_OK; t++) {
+		const ts_truth_kind *kind = ts_truths()[t];
 		if (!lacks(render, t) || starts_from(render, kind) != method) continue;
 		show_truth(kind);
 		status = ts_picture_truth(&render->truths[t], kind, run);
@@ -68,8 +68,8 @@ ts_status ts_render_truths_rest(ts_render *render)
 	const ts_params *params = &job->params;
 	u32 threads = job->how.threads;
 	ts_status status = TS_OK;
-	for (u32 t = 0; ts_truth_table[t].name != NULL && status == TS_OK; t++) {
-		const ts_truth_kind *kind = &ts_truth_table[t];
+	for (u32 t = 0; ts_truths()[t] != NULL && status == TS_OK; t++) {
+		const ts_truth_kind *kind = ts_truths()[t];
 		if (!lacks(render, t) || !exists(render, kind)) continue;
 		show_truth(kind);
 		if (kind->radiance != NULL) {
@@ -87,8 +87,8 @@ ts_status ts_render_truths_rest(ts_render *render)
 
 void ts_render_truths_missing(const ts_render *render, ts_report *report)
 {
-	for (u32 t = 0; ts_truth_table[t].name != NULL; t++) {
-		const ts_truth_kind *kind = &ts_truth_table[t];
+	for (u32 t = 0; ts_truths()[t] != NULL; t++) {
+		const ts_truth_kind *kind = ts_truths()[t];
 		if (!lacks(render, t) || exists(render, kind)) continue;
 		ts_report_line(report, "truth %s: none of %s; %s", kind->name, render->scene->name, kind->why_not);
 	}

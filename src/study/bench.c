@@ -40,9 +40,9 @@ ts_status ts_bench_truth(const ts_truth_kind **judge, const ts_job *job)
 		ts_truths_list(names, sizeof names, "reflections", ", ");
 		return ts_fail("bench: one truth is compared with, not several; write --truth=%s or none", names);
 	}
-	const ts_truth_kind *kind = ts_truth_table;
-	while (truths != 0 && ts_truth_bit(kind) != truths) kind++;
-	*judge = truths != 0 ? kind : NULL;
+	const ts_truth_kind *const *kind = ts_truths();
+	while (truths != 0 && ts_truth_bit(*kind) != truths) kind++;
+	*judge = truths != 0 ? *kind : NULL;
 	return TS_OK;
 }
 

@@ -33,7 +33,7 @@ typedef struct {
 	const char *method;           /* names */
 	bool judged;                  /* by the truths of the names `truth`, or by all */
 	const char *truth;
-	u32 truths;                   /* of a render: what these are, bits of rows of ts_truth_table */
+	u32 truths;                   /* of a render: what these are, bits of rows of ts_truths */
 	ts_params params;
 	bool sized, mirrored;         /* the parameters' size was said; how many mirrors */
 	ts_sweep sweep;

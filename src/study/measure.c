@@ -33,24 +33,17 @@ static void show_progress(const ts_run *run, const ts_stage *stage, const char *
 	}
 }
 
-/* Rays through the texels of what the stage wrote, if they can judge it. */
+/* Rays through the texels of what the stage wrote, where they can judge it. */
 static ts_status judge_texels(ts_measure *m, const ts_run *run, const ts_stage *stage)
 {
-	for (const ts_buffer_id *at = ts_stage_outputs(stage); *at != TS_N_BUFFERS; at++) {
-		ts_buffer_id id = *at;
+	for (const ts_buffer_id *id = ts_stage_outputs(stage); *id != TS_N_BUFFERS; id++) {
+		const ts_texel_rule *rule = ts_texels_find(*id);
 		bool triangles = run->frame.buffer[TS_B_pose_vertex].made;
-		if (!ts_truth_judges(id) || !triangles || !run->frame.buffer[id].made) continue;
+		if (rule == NULL || !triangles || !run->frame.buffer[*id].made) continue;
 		if (m->tree == NULL && ts_truth_new(&m->tree, run) != TS_OK) return TS_ERROR;
-		if (ts_truth_texels(&m->texels, m->tree, run, id) != TS_OK) return TS_ERROR;
+		if (rule->judge(&m->texels, m->tree, run, *id) != TS_OK) return TS_ERROR;
 	}
 	return TS_OK;
-}
-
-/* Rays that ask what the maps of virtual point lights answered. */
-static ts_status judge_maps(ts_measure *m, const ts_run *run)
-{
-	if (m->tree == NULL && ts_truth_new(&m->tree, run) != TS_OK) return TS_ERROR;
-	return ts_truth_maps(&m->maps, m->tree, run);
 }
 
 static ts_status after_stage(const ts_run *run, const ts_stage *stage, void *user)
@@ -70,19 +63,19 @@ static ts_status after_stage(const ts_run *run, const ts_stage *stage, void *use
 	}
 	ts_status status = m->pictures != NULL ? ts_stage_pictures_take(m->pictures, run, stage) : TS_OK;
 	if (status == TS_OK && m->rays) status = judge_texels(m, run, stage);
-	if (status == TS_OK && m->rays && ts_stage_writes(stage, TS_B_vpl_gather_irradiance)) status = judge_maps(m, run);
 	if (status == TS_OK && m->viewer != NULL) status = ts_viewer_take(run, stage, m->viewer);
 	return status == TS_OK && m->writer != NULL ? ts_trace_write_stage(m->writer, run, stage) : status;
 }
 
 static void keep_texels(ts_measure *m)
 {
+	const ts_texel_counts *texels = &m->texels;
 	const ts_counter counters[] = {
-		{ "texels covered by rays", (i64)(m->texels.covered + m->maps.covered) },
-		{ "holes", (i64)(m->texels.holes + m->maps.holes) }, { "leaks", (i64)(m->texels.leaks + m->maps.leaks) },
-		{ "wrong depths", (i64)(m->texels.apart + m->maps.apart) }, { "shadows asked of rays", (i64)m->maps.asked },
-		{ "lit but by rays", (i64)m->maps.lit }, { "dark but by rays", (i64)m->maps.dark } };
-	u32 n = m->maps.asked > 0 ? 7 : 4;
+		{ "texels covered by rays", (i64)texels->covered }, { "holes", (i64)texels->holes },
+		{ "leaks", (i64)texels->leaks }, { "wrong depths", (i64)texels->apart },
+		{ "shadows asked of rays", (i64)texels->asked }, { "lit but by rays", (i64)texels->lit },
+		{ "dark but by rays", (i64)texels->dark } };
+	u32 n = texels->asked > 0 ? 7 : 4;
 	for (u32 i = 0; i < n && m->n_counters < TS_MAX_COUNTERS; i++) m->counters[m->n_counters++] = counters[i];
 }
 
@@ -109,8 +102,8 @@ static void keep_for_after(ts_run *run)
 		TS_B_lamp_shape, TS_B_resolve_lit, TS_B_view_octree_node, TS_B_fuse_depth, TS_N_BUFFERS };
 	run->lean = true;
 	keep_buffers(run, ids);
-	for (const ts_truth_kind *kind = ts_truth_table; kind->name != NULL; kind++) {
-		if (kind->needs != NULL) keep_buffers(run, kind->needs);
+	for (const ts_truth_kind *const *kind = ts_truths(); *kind != NULL; kind++) {
+		if ((*kind)->needs != NULL) keep_buffers(run, (*kind)->needs);
 	}
 }
 
@@ -179,8 +172,8 @@ static const ts_truth_kind *largest_truth(u64 *bytes, u32 truths, const ts_pipel
                                           const ts_params *params)
 {
 	const ts_truth_kind *largest = NULL;
-	for (u32 t = 0; ts_truth_table[t].name != NULL; t++) {
-		const ts_truth_kind *kind = &ts_truth_table[t];
+	for (u32 t = 0; ts_truths()[t] != NULL; t++) {
+		const ts_truth_kind *kind = ts_truths()[t];
 		if ((truths & 1u << t) == 0 || kind->bytes == NULL) continue;
 		u64 own = kind->bytes(method, scene, params);
 		largest = own > *bytes ? kind : largest;

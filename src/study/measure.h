@@ -3,7 +3,7 @@
 #define TS_CLI_MEASURE_H
 #include "../methods/pipeline.h"
 #include "../trace/write.h"
-#include "../truth/truth.h"
+#include "../truth/texels.h"
 #include "picture.h"
 #include "stage_pictures.h"
 
@@ -26,7 +26,6 @@ typedef struct {
 	bool rays;                     /* count what rays through the off-screen texels say of them */
 	ts_truth *tree;                /* of those rays, while the run lasts */
 	ts_texel_counts texels;
-	ts_map_counts maps;
 	ts_trace_writer *writer;
 } ts_measure;
 
@@ -50,7 +49,7 @@ i64 ts_measure_shading(const ts_measure *measure);
 
 /* Bytes that the process holds, the scene's arrays among them, and that a run is estimated to need at its peak beside. */
 typedef struct { u64 held, run; } ts_estimate;
-/* Of a run of these methods with the truths of `truths` (bits of rows of ts_truth_table), after the scene was opened;
+/* Of a run of these methods with the truths of `truths` (bits of rows of ts_truths), after the scene was opened;
  * refused with one line beyond three quarters of the machine's memory. */
 ts_status ts_measure_estimate(ts_estimate *estimate, const ts_pipeline *const *methods, u32 n_methods, u32 truths,
                               const ts_scene *scene, const ts_params *params);

@@ -70,19 +70,6 @@ void ts_picture_free(ts_picture *picture)
 	picture->seen = NULL;
 }
 
-static ts_status count_missed(ts_picture *picture, ts_truth *tree, const ts_run *run)
-{
-	u32 *hits;
-	const u32 *found = ts_frame_data(&run->frame, TS_B_lookup_point);
-	if (ts_truth_hits(tree, run, &hits) != TS_OK) return TS_ERROR;
-	for (u64 i = 0; i < ts_frame_n(&run->frame, TS_B_lookup_point); i++) {
-		picture->n_hits += hits[i] != TS_NONE;
-		picture->n_missed += hits[i] != TS_NONE && found[i] == TS_NONE;
-	}
-	free(hits);
-	return TS_OK;
-}
-
 /* "truth-a", of the row's name. */
 static void name_truth(char *name, size_t bytes, const ts_truth_kind *kind)
 {
@@ -97,7 +84,9 @@ static ts_status take_truth(ts_picture *picture, const ts_truth_kind *kind, ts_t
 	char name[sizeof picture->name];
 	name_truth(name, sizeof name, kind);
 	ts_status status = kind->trace(tree, run);
-	if (status == TS_OK && kind->counts_missed) status = count_missed(picture, tree, run);
+	if (status == TS_OK && kind->missed != NULL) {
+		status = kind->missed(&picture->n_hits, &picture->n_missed, tree, run);
+	}
 	if (status == TS_OK) status = ts_run_stage(run, ts_stage_find(kind->image));
 	if (status == TS_OK) status = ts_frame_fetch(&run->frame);
 	if (status == TS_OK) status = ts_picture_take(picture, name, run);
@@ -124,9 +113,10 @@ ts_status ts_picture_truths_begun(ts_picture pictures[], u32 truths, const ts_tr
 	ts_run_begin(&run, scene, params, threads);
 	ts_status status = first->begin(&run, effect);
 	if (status == TS_OK) status = ts_truth_new(&tree, &run);
-	for (u32 t = 0; ts_truth_table[t].name != NULL && status == TS_OK; t++) {
-		bool meant = (truths & 1u << t) != 0 && ts_truth_table[t].begin == first->begin;
-		if (meant) status = take_truth(&pictures[t], &ts_truth_table[t], tree, &run);
+	const ts_truth_kind *const *kinds = ts_truths();
+	for (u32 t = 0; kinds[t] != NULL && status == TS_OK; t++) {
+		bool meant = (truths & 1u << t) != 0 && kinds[t]->begin == first->begin;
+		if (meant) status = take_truth(&pictures[t], kinds[t], tree, &run);
 	}
 	ts_truth_free(tree);
 	ts_run_end(&run);

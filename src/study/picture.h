@@ -28,7 +28,7 @@ void ts_picture_free(ts_picture *picture);
 
 /* A truth that `trace` makes, in a run of a method that it starts from; afterwards the run's image is the truth's. */
 ts_status ts_picture_truth(ts_picture *picture, const ts_truth_kind *kind, ts_run *run);
-/* The truths of `truths` (bits of rows of ts_truth_table) that start as that row does, in one run of their own; into
+/* The truths of `truths` (bits of rows of ts_truths) that start as that row does, in one run of their own; into
  * pictures at their rows. */
 ts_status ts_picture_truths_begun(ts_picture pictures[], u32 truths, const ts_truth_kind *first, const char *effect,
                                   const ts_scene *scene, const ts_params *params, u32 threads);

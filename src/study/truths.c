@@ -8,20 +8,26 @@
 /* Of any effect if that is NULL; NULL: there is none. */
 static const ts_truth_kind *find(const char *name, const char *effect)
 {
-	for (const ts_truth_kind *kind = ts_truth_table; kind->name != NULL; kind++) {
+	for (const ts_truth_kind *const *row = ts_truths(); *row != NULL; row++) {
+		const ts_truth_kind *kind = *row;
 		if (strcasecmp(name, kind->name) == 0 && (effect == NULL || ts_words_have(kind->effects, effect))) return kind;
 	}
 	return NULL;
 }
 
-u32 ts_truth_bit(const ts_truth_kind *kind) { return 1u << (kind - ts_truth_table); }
+u32 ts_truth_bit(const ts_truth_kind *kind)
+{
+	u32 t = 0;
+	while (ts_truths()[t] != kind) t++;
+	return 1u << t;
+}
 
 void ts_truths_list(char *text, size_t bytes, const char *effect, const char *last)
 {
 	const char *names[TS_MAX_TRUTHS];
 	u32 n = 0;
-	for (const ts_truth_kind *kind = ts_truth_table; kind->name != NULL; kind++) {
-		if (ts_words_have(kind->effects, effect)) names[n++] = kind->name;
+	for (const ts_truth_kind *const *kind = ts_truths(); *kind != NULL; kind++) {
+		if (ts_words_have((*kind)->effects, effect)) names[n++] = (*kind)->name;
 	}
 	text[0] = 0;
 	for (u32 i = 0; i < n; i++) {
@@ -43,8 +49,8 @@ ts_status ts_truths_find(u32 *truths, const char *effect, const char *names)
 {
 	char item[16];
 	*truths = 0;
-	for (const ts_truth_kind *kind = ts_truth_table; names == NULL && kind->name != NULL; kind++) {
-		if (ts_words_have(kind->effects, effect)) *truths |= ts_truth_bit(kind);
+	for (const ts_truth_kind *const *kind = ts_truths(); names == NULL && *kind != NULL; kind++) {
+		if (ts_words_have((*kind)->effects, effect)) *truths |= ts_truth_bit(*kind);
 	}
 	if (names == NULL || strcmp(names, "none") == 0) return TS_OK;
 	while (ts_words_item(&names, item, sizeof item)) {

@@ -25,4 +25,6 @@ void ts_tools_begin(void)
 	HAND(ts_tie_use, ts_tie_rule, ties);
 	HAND(ts_decided_use, ts_margin_rule, margins);
 	HAND(ts_check_use, ts_check_rule, checks);
+	HAND(ts_truths_use, ts_truth_kind, truths);
+	HAND(ts_texels_use, ts_texel_rule, texels);
 }

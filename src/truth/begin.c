@@ -18,3 +18,10 @@ ts_status ts_truth_begin(ts_run *run, const char *effect, const ts_buffer_id *ne
 	}
 	return TS_OK;
 }
+
+ts_status ts_truth_make(ts_run *run, ts_buffer_id id)
+{
+	const ts_pipeline *pipeline = ts_pipeline_making(NULL, (const ts_buffer_id[]){id, TS_N_BUFFERS});
+	if (pipeline == NULL) return ts_fail("truth: no method makes %s", ts_buffer_table[id].name);
+	return ts_run_stage(run, ts_stage_find(ts_pipeline_maker(pipeline, id)->stage));
+}

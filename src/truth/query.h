@@ -1,4 +1,4 @@
-/* One ray into Embree's tree: what reflect.c asks of embree.c. */
+/* One ray into Embree's tree: what truths ask of embree.c. */
 #ifndef TS_TRUTH_QUERY_H
 #define TS_TRUTH_QUERY_H
 #include "../kernels/base/hit.h"
@@ -27,11 +27,15 @@ const ts_arrays *ts_truth_scene(const ts_truth *truth);
 /* The nearest hit that no filter rejects. Safe to call from any number of threads. */
 ts_truth_hit ts_truth_cast(const ts_truth *truth, const ts_truth_query *query);
 
-/* Nothing between two points, but within `reach` of the second, stops a ray that leaves the first (indirect.c). */
+/* How far off a surface at p rays begin that should not meet it: 2^-12 of the greatest coordinate (sees.c). */
+f32 ts_truth_skip(ts_v3 p);
+/* Nothing between two points, but within `reach` of the second, stops a ray that leaves the first. */
 bool ts_truth_sees(const ts_truth *truth, ts_v3 from, ts_v3 to, f32 reach);
 
-/* Runs, in a run that has just begun, the first method of the effect, NULL: of any, that makes all of the buffers `needs`,
- * ended by TS_N_BUFFERS, until they are there (begin.c). */
+/* Runs, in a run that has just begun, the first method of the effect, NULL: of any, that makes all of the buffers
+ * `needs`, ended by TS_N_BUFFERS, until they are there (begin.c). */
 ts_status ts_truth_begin(ts_run *run, const char *effect, const ts_buffer_id *needs);
+/* Runs the stage by which the first method that makes a buffer makes it. */
+ts_status ts_truth_make(ts_run *run, ts_buffer_id id);
 
 #endif

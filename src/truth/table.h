@@ -21,7 +21,8 @@ typedef struct {
 	ts_status (*begin)(ts_run *run, const char *effect);
 	ts_status (*trace)(ts_truth *tree, ts_run *run);
 	const char *image;
-	bool counts_missed;   /* its first rays show which look-ups of the method are empty where a ray hits something */
+	/* Adds its first rays that hit something, and the method's look-ups that are empty there; NULL: not counted. */
+	ts_status (*missed)(u64 *n_hits, u64 *n_missed, ts_truth *tree, const ts_run *run);
 	ts_status (*radiance)(f32 **radiance, const ts_scene *scene, const ts_params *params, u32 threads);
 	bool (*exists)(const ts_scene *scene, const ts_params *params);   /* NULL: for every scene */
 	const char *why_not;  /* what is missing where it does not exist */
@@ -29,8 +30,10 @@ typedef struct {
 	u64 (*bytes)(const ts_pipeline *method, const ts_scene *scene, const ts_params *params);
 } ts_truth_kind;
 
-/* All truths, ended by a row without a name. The truths of one effect stand together. */
-extern const ts_truth_kind ts_truth_table[];
+/* Takes the truths of all families: lists ended by NULL, each ended by a row without a name. The rows must stay. */
+void ts_truths_use(const ts_truth_kind *const *kinds);
+/* All of them in that order, ended by NULL. The truths of one effect stand together. */
+const ts_truth_kind *const *ts_truths(void);
 
 /* Whether it can be made in a run of that method. */
 bool ts_truth_starts_from(const ts_truth_kind *kind, const ts_pipeline *method);

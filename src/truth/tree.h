@@ -21,7 +21,8 @@ typedef struct {
 /* Starts an empty tree; `tree` must stay where it is. Released by ts_tree_end, also on failure: Embree's own error. */
 ts_status ts_tree_begin(ts_tree *tree, u32 threads);
 void ts_tree_end(ts_tree *tree);
-/* Builds it over the geometries that were attached. Fails with Embree, and where that broke the contract's arithmetic. */
+/* Builds it over the geometries that were attached. Fails with Embree, and where that broke the contract's
+ * arithmetic. */
 ts_status ts_tree_build(ts_tree *tree);
 /* Fails if Embree has, while `doing`. */
 ts_status ts_tree_check(ts_tree *tree, const char *doing);

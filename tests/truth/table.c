@@ -21,10 +21,11 @@ static bool has_effect(const ts_truth_kind *kind, const char *effect)
 static void test_names(void **state)
 {
 	(void)state;
-	for (const ts_truth_kind *a = ts_truth_table; a->name != NULL; a++) {
+	for (const ts_truth_kind *const *row = ts_truths(); *row != NULL; row++) {
+		const ts_truth_kind *a = *row;
 		assert_true(strlen(a->name) < 16 && strcmp(a->name, "none") != 0);
 		for (const char *c = a->name; *c != 0; c++) assert_true(isalpha((unsigned char)*c));
-		for (const ts_truth_kind *b = ts_truth_table; b < a; b++) assert_string_not_equal(a->name, b->name);
+		for (const ts_truth_kind *const *b = ts_truths(); b < row; b++) assert_string_not_equal(a->name, (*b)->name);
 	}
 }
 
@@ -32,7 +33,8 @@ static void test_names(void **state)
 static void test_ways(void **state)
 {
 	(void)state;
-	for (const ts_truth_kind *kind = ts_truth_table; kind->name != NULL; kind++) {
+	for (const ts_truth_kind *const *row = ts_truths(); *row != NULL; row++) {
+		const ts_truth_kind *kind = *row;
 		assert_int_equal((kind->needs != NULL) + (kind->begin != NULL) + (kind->radiance != NULL), 1);
 		assert_int_equal(kind->trace != NULL, kind->radiance == NULL);
 		assert_int_equal(kind->image != NULL, kind->trace != NULL);
@@ -46,10 +48,11 @@ static void test_effects(void **state)
 	(void)state;
 	for (const ts_pipeline *p = ts_pipeline_table; p->name != NULL; p++) {
 		u32 n = 0;
-		for (const ts_truth_kind *kind = ts_truth_table; kind->name != NULL; kind++) n += has_effect(kind, p->effect);
+		for (const ts_truth_kind *const *row = ts_truths(); *row != NULL; row++) n += has_effect(*row, p->effect);
 		assert_true(n > 0);
 	}
-	for (const ts_truth_kind *kind = ts_truth_table; kind->name != NULL; kind++) {
+	for (const ts_truth_kind *const *row = ts_truths(); *row != NULL; row++) {
+		const ts_truth_kind *kind = *row;
 		size_t named = 1;
 		for (const char *c = kind->effects; *c != 0; c++) named += *c == ' ';
 		for (const ts_pipeline *p = ts_pipeline_table; p->name != NULL; p++) {
@@ -63,12 +66,13 @@ static void test_effects(void **state)
 static void test_against(void **state)
 {
 	(void)state;
-	for (const ts_truth_kind *kind = ts_truth_table; kind->name != NULL; kind++) {
-		const ts_truth_kind *other = ts_truth_table;
+	for (const ts_truth_kind *const *row = ts_truths(); *row != NULL; row++) {
+		const ts_truth_kind *kind = *row;
+		const ts_truth_kind *const *other = ts_truths();
 		if (kind->against[0] == 0) continue;
-		while (other->name != NULL && strcmp(other->name, kind->against) != 0) other++;
-		assert_non_null(other->name);
-		assert_string_equal(other->effects, kind->effects);
+		while (*other != NULL && strcmp((*other)->name, kind->against) != 0) other++;
+		assert_non_null(*other);
+		assert_string_equal((*other)->effects, kind->effects);
 	}
 }
 
@@ -77,7 +81,8 @@ static void test_starts(void **state)
 {
 	(void)state;
 	u32 n = 0;
-	for (const ts_truth_kind *kind = ts_truth_table; kind->name != NULL; kind++) {
+	for (const ts_truth_kind *const *row = ts_truths(); *row != NULL; row++) {
+		const ts_truth_kind *kind = *row;
 		u32 n_methods = 0;
 		for (const ts_pipeline *p = ts_pipeline_table; p->name != NULL; p++) {
 			if (!has_effect(kind, p->effect) || !ts_truth_starts_from(kind, p)) continue;

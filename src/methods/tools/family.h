@@ -5,11 +5,15 @@
 #include "../../compare/decided.h"
 #include "../../compare/tie.h"
 #include "../../replay/check.h"
+#include "../../truth/table.h"
+#include "../../truth/texels.h"
 
 typedef struct {
 	const ts_tie_rule *ties;       /* ended by a row without `open` */
 	const ts_margin_rule *margins; /* ended by a row of no elements */
 	const ts_check_rule *checks;   /* ended by a row without `check` */
+	const ts_truth_kind *truths;   /* ended by a row without a name */
+	const ts_texel_rule *texels;   /* ended by a row without `judge` */
 } ts_family_tools;
 
 #endif

@@ -5,6 +5,7 @@
 #include "../../../src/kernels/base/srgb.h"
 #include "../../../src/methods/pipeline.h"
 #include "../../../src/truth/query.h"
+#include "../../../src/methods/points/tools/tools.h"
 #include "../../truth/soup.h"
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,5 +1,6 @@
 /* What the family of hulls brings for the tools. */
 #include "../../tools/family.h"
+#include "../../raster/tools/truth_gather.h"
 #include "tools.h"
 
 static const ts_margin_rule margins[] = {
@@ -8,4 +9,16 @@ static const ts_margin_rule margins[] = {
 	{0},
 };
 
-const ts_family_tools ts_hulls_tools = {.margins = margins, .checks = ts_hulls_checks};
+static const ts_truth_kind truths[] = {
+	{ "lights", "indirect", "the method's triangles of light, where they are seen", "", "bounce", "",
+	  .begin = ts_truth_indirect_begin, .trace = ts_truth_lights, .image = "indirect_image" },
+	{ "bounce", "indirect", "light after one bounce, path by path", "", "", "",
+	  .begin = ts_truth_indirect_begin, .trace = ts_truth_bounce, .image = "indirect_image" },
+	{ 0 },
+};
+
+const ts_family_tools ts_hulls_tools = {
+	.margins = margins,
+	.checks = ts_hulls_checks,
+	.truths = truths,
+};

@@ -2,7 +2,16 @@
 #ifndef TS_HULLS_TOOLS_H
 #define TS_HULLS_TOOLS_H
 #include "../../../replay/check.h"
+#include "../../../truth/truth.h"
 
 extern const ts_check_rule ts_hulls_checks[];
+
+/* Truths of indirect light (truth_lights.c). As `direct`, but only of the triangles of light whose middle the pixel
+ * sees, which tells what visibility would change. Reads gbuffer.pixel and rsm_patch.light; makes indirect.irradiance
+ * in run->frame, from which stage `indirect_image` makes the picture. Fails without memory. */
+ts_status ts_truth_lights(ts_truth *truth, ts_run *run);
+/* Light after one diffuse bounce by params.bounce_rays rays a pixel, without triangles of light, which with the
+ * other leaves what the reflective shadow map costs. Reads gbuffer.pixel and lamp.light; makes the same. */
+ts_status ts_truth_bounce(ts_truth *truth, ts_run *run);
 
 #endif

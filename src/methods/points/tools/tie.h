@@ -1,5 +1,5 @@
-/* Texels at which points that stand in the order of their arrival may answer otherwise: equal distances go to the lowest
- * index, and their indices are others. Nothing else is free. A rule of compare/tie.h. */
+/* Texels at which points that stand in the order of their arrival may answer otherwise: equal distances go to the
+ * lowest index, and their indices are others. Nothing else is free. A rule of compare/tie.h. */
 #ifndef TS_POINTS_TOOLS_TIE_H
 #define TS_POINTS_TOOLS_TIE_H
 #include "../../../trace/read.h"

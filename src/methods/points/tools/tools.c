@@ -18,4 +18,43 @@ static const ts_margin_rule margins[] = {
 	{0},
 };
 
-const ts_family_tools ts_points_tools = {.ties = ties, .margins = margins, .checks = ts_points_checks};
+static const ts_buffer_id of_epr[] = { TS_B_eye_view, TS_B_pose_vertex, TS_B_resize_face, TS_B_eye_depth_triangle,
+	TS_B_pixel_offset, TS_B_pixel_record, TS_B_lookup_point, TS_B_shade_radiance, TS_N_BUFFERS };
+
+static ts_status large_mvr(f32 **radiance, const ts_scene *scene, const ts_params *params, u32 threads)
+{
+	return ts_truth_c(radiance, scene, params, TS_TRUTH_C_FACTOR, threads);
+}
+
+#define OF_SHADOWS .begin = ts_truth_shadow_begin, .image = "shadow_image", .bytes = ts_truth_shadow_bytes
+
+/* A method is apart from A by its sampling, and A from B by what the cube's centre costs every method. It is apart from
+ * rays to the samples of lights by its own error, and these from the whole lights by what sampling them costs. */
+static const ts_truth_kind truths[] = {
+	{ "A", "reflections", "rays from the cube's centre along EPR's own directions", "sampling", "B", "method",
+	  .needs = of_epr, .trace = ts_truth_a, .image = "image", .missed = ts_truth_missed },
+	{ "B", "reflections", "true reflections from the surface", "both", "", "",
+	  .needs = of_epr, .trace = ts_truth_b, .image = "image" },
+	{ "C", "reflections", "MVR at 4 times the resolution, box-filtered", "", "", "",
+	  .radiance = large_mvr, .bytes = ts_truth_c_bytes },
+	{ "samples", "soft-shadows omni-shadows", "rays to the very samples of the lights", "method", "area", "sampling",
+	  .trace = ts_truth_samples, OF_SHADOWS },
+	{ "area", "soft-shadows omni-shadows", "rays to area_samples samples of each light", "both", "", "",
+	  .trace = ts_truth_area, OF_SHADOWS },
+	{ 0 },
+};
+
+static const ts_texel_rule texels[] = {
+	{TS_B_scatter_depth, ts_truth_texels},
+	{TS_B_scatter_colour, ts_truth_texels},
+	{TS_B_face_depth_triangle, ts_truth_texels},
+	{0},
+};
+
+const ts_family_tools ts_points_tools = {
+	.ties = ties,
+	.margins = margins,
+	.checks = ts_points_checks,
+	.truths = truths,
+	.texels = texels,
+};

@@ -2,7 +2,56 @@
 #ifndef TS_POINTS_TOOLS_H
 #define TS_POINTS_TOOLS_H
 #include "../../../replay/check.h"
+#include "../../../truth/texels.h"
 
 extern const ts_check_rule ts_points_checks[];
+
+/* Truths of reflections (truth_reflect.c). A: rays from the cube's centre along the very same directions as EPR's
+ * samples, all params.bounces, own reflector masked. Reads pose.vertex, resize.face, eye.view and pixel.record; makes
+ * shade.radiance (P x 3, tinted as in METHODS 2) in run->frame, from which stage `image` makes the picture. Fails
+ * without memory. */
+ts_status ts_truth_a(ts_truth *truth, ts_run *run);
+/* B: the same with true reflections from the surface point, 25 rays a pixel; the own reflector may be hit. */
+ts_status ts_truth_b(ts_truth *truth, ts_run *run);
+
+/* What EPR's look-ups are judged by: the triangle, or TS_NONE, that each sample of each reflective pixel hits
+ * (P x 25, the first legs of A). *hits by free(); NULL on failure. */
+ts_status ts_truth_hits(ts_truth *truth, const ts_run *run, u32 **hits);
+
+/* Adds how many of these rays hit something, and how many look-ups of the run (lookup.point) are empty there. Fails
+ * without memory. */
+ts_status ts_truth_missed(u64 *n_hits, u64 *n_missed, ts_truth *truth, const ts_run *run);
+
+/* C (truth_supersample.c): the MVR pipeline at `factor` (1 to 16) times the linear resolution of eye and faces,
+ * box-filtered in linear radiance down to width x height. *radiance: width * height * 3 floats, by free(). NULL on
+ * failure: a factor that takes a parameter out of its range, or more memory than a run may use. */
+ts_status ts_truth_c(f32 **radiance, const ts_scene *scene, const ts_params *params, u32 factor, u32 threads);
+enum { TS_TRUTH_C_FACTOR = 4 }; /* of --truth=C */
+/* What it is estimated to need of memory at that factor. */
+u64 ts_truth_c_bytes(const ts_pipeline *method, const ts_scene *scene, const ts_params *params);
+
+/* Truth of shadows (truth_shadow.c). Runs what comes before the first depth map of `effect`, soft-shadows or
+ * omni-shadows, in a run that has just begun: pose, eye, lights and the views of their samples, the same for all
+ * methods. */
+ts_status ts_truth_shadow_begin(ts_run *run, const char *effect);
+/* Rays to the very samples that the methods have depth maps of, which leaves the error of the maps. Reads
+ * pose.vertex, eye.view, eye.depth_triangle, offscreen.view, lamp.shape and, if the views are of cubes, resize.face;
+ * makes resolve.lit in run->frame, from which stage `shadow_image` makes the picture. Fails without memory. */
+ts_status ts_truth_samples(ts_truth *truth, ts_run *run);
+/* Rays to params.area_samples samples of each light, which with the other leaves what sampling the lights costs.
+ * They lie as the methods' do, on the same disc, ball or cone, and see as much: a depth map's image, all around in
+ * omni-shadows. Afterwards lamp.shape, the views and the run's plan are those of these samples. Fails without memory
+ * and beyond 2^20 samples of all lights. */
+ts_status ts_truth_area(ts_truth *truth, ts_run *run);
+/* What `area` is estimated to need of memory: views of all its samples, without their depth maps. */
+u64 ts_truth_shadow_bytes(const ts_pipeline *method, const ts_scene *scene, const ts_params *params);
+
+/* Off-screen buffers (truth_texels.c): a ray through the centre of every texel. Triangles with an alpha mask do not
+ * count, and depths are right within the shadow bias; leaks are also farther than the triangle is anywhere within
+ * half a texel of the centre, and apart is also what reaches into the texel beside its centre. Reads also
+ * offscreen.view or, of cubes, resize.face. With cull=off, and rate, snap, visibility and conservative as they are by
+ * default, there are no holes and no leaks, unless density.capped is counted. Never fails but with the device that
+ * the buffer is on. */
+ts_status ts_truth_texels(ts_texel_counts *counts, ts_truth *truth, const ts_run *run, ts_buffer_id id);
 
 #endif

@@ -5,6 +5,7 @@
 #include "../../../kernels/points/samples.h"
 #include "../../../kernels/base/shade.h"
 #include "../../../truth/query.h"
+#include "tools.h"
 
 typedef struct {
 	const ts_truth *truth;
@@ -192,5 +193,18 @@ ts_status ts_truth_hits(ts_truth *truth, const ts_run *run, u32 **hits)
 		ts_truth_query query = first_from_centre(&t, &t.pixels[i / TS_N_SAMPLES], (u32)(i % TS_N_SAMPLES));
 		made[i] = ts_truth_cast(t.truth, &query).triangle;
 	}
+	return TS_OK;
+}
+
+ts_status ts_truth_missed(u64 *n_hits, u64 *n_missed, ts_truth *truth, const ts_run *run)
+{
+	u32 *hits;
+	const u32 *found = ts_frame_data(&run->frame, TS_B_lookup_point);
+	if (ts_truth_hits(truth, run, &hits) != TS_OK) return TS_ERROR;
+	for (u64 i = 0; i < ts_frame_n(&run->frame, TS_B_lookup_point); i++) {
+		*n_hits += hits[i] != TS_NONE;
+		*n_missed += hits[i] != TS_NONE && found[i] == TS_NONE;
+	}
+	free(hits);
 	return TS_OK;
 }

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include "../../../kernels/base/num.h"
 #include "../../pipeline.h"
-#include "../../../truth/truth.h"
+#include "tools.h"
 
 enum { MAX_FACTOR = 16 };
 

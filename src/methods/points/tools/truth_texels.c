@@ -1,10 +1,11 @@
 /* Off-screen buffers against rays through the centres of their texels: holes, leaks and wrong depths (METHODS 17).
  *
- * The theorem behind rate=watertight: let the ray hit triangle t, in front, at x. The squares of the lattice of t's piece
- * cover it, so x is in one whose sample, moved to the piece if need be, is within sqrt(1/2) / s of x; no way of that length
- * on t is longer than half a texel in the image, so t has a sample within half a texel of the centre, which is in the
- * texel. So the texel holds something, and nothing farther than t is anywhere within half a texel of its centre. That holds
- * for all triangles that are neither culled, nor capped, nor masked; not for their parts before the near plane. */
+ * The theorem behind rate=watertight: let the ray hit triangle t, in front, at x. The squares of the lattice of t's
+ * piece cover it, so x is in one whose sample, moved to the piece if need be, is within sqrt(1/2) / s of x; no way of
+ * that length on t is longer than half a texel in the image, so t has a sample within half a texel of the centre,
+ * which is in the texel. So the texel holds something, and nothing farther than t is anywhere within half a texel of
+ * its centre. That holds for all triangles that are neither culled, nor capped, nor masked; not for their parts
+ * before the near plane. */
 #include <float.h>
 #include <math.h>
 #include <omp.h>
@@ -12,6 +13,7 @@
 #include "../../../kernels/points/scatter.h"
 #include "../../stages.h"
 #include "../../../truth/query.h"
+#include "tools.h"
 
 #define ROUNDING 1.00001
 
@@ -142,11 +144,6 @@ static window face_of(const judge *j, const ts_face *cube, u32 face)
 {
 	u64 first = cube->offset + (u64)face * cube->n * cube->n;
 	return (window){ ts_k_cube_view(cube, face), first, reflector_of(j, cube->object) };
-}
-
-bool ts_truth_judges(ts_buffer_id id)
-{
-	return id == TS_B_scatter_depth || id == TS_B_scatter_colour || id == TS_B_face_depth_triangle;
 }
 
 ts_status ts_truth_texels(ts_texel_counts *counts, ts_truth *truth, const ts_run *run, ts_buffer_id id)

@@ -8,4 +8,7 @@ static const ts_margin_rule margins[] = {
 	{0},
 };
 
-const ts_family_tools ts_raster_tools = {.margins = margins, .checks = ts_raster_checks};
+const ts_family_tools ts_raster_tools = {
+	.margins = margins,
+	.checks = ts_raster_checks,
+};

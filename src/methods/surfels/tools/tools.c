@@ -10,4 +10,17 @@ static const ts_margin_rule margins[] = {
 	{0},
 };
 
-const ts_family_tools ts_surfels_tools = {.margins = margins, .checks = ts_surfels_checks};
+static const ts_truth_kind truths[] = {
+	{ "discs", "surfels", "rays into the surfels themselves", "method", "surface", "sampling",
+	  .radiance = ts_truth_discs, .bytes = ts_truth_discs_bytes },
+	{ "surface", "surfels", "rays into what the surfels are samples of", "both", "", "",
+	  .radiance = ts_truth_surface, .bytes = ts_truth_surface_bytes,
+	  .exists = ts_truth_has_surface, .why_not = "what its surfels are samples of is not known" },
+	{ 0 },
+};
+
+const ts_family_tools ts_surfels_tools = {
+	.margins = margins,
+	.checks = ts_surfels_checks,
+	.truths = truths,
+};

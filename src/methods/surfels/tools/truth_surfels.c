@@ -1,10 +1,10 @@
-/* Truths of surfels by rays (METHODS 17), shaded by the methods' own deferred shader: `discs`, the surfels themselves,
- * each ray blending what it meets no more than epsilon behind the nearest by the object-space Gaussian; `surface`, what
- * surfels are samples of, triangles or the checkerboard. Their rays stand on a regular grid in every pixel: a picture
- * for each place in it, and their mean in linear light.
+/* Truths of surfels by rays (METHODS 17), shaded by the methods' own deferred shader: `discs`, the surfels
+ * themselves, each ray blending what it meets no more than epsilon behind the nearest by the object-space Gaussian;
+ * `surface`, what surfels are samples of, triangles or the checkerboard. Their rays stand on a regular grid in every
+ * pixel: a picture for each place in it, and their mean in linear light.
  *
- * Shadows are rays from the light. Surfels stop none that are no more than epsilon before the point, as in their depth maps;
- * triangles none in the last 2^-12 of the greatest coordinate. */
+ * Shadows are rays from the light. Surfels stop none that are no more than epsilon before the point, as in their
+ * depth maps; triangles none in the last 2^-12 of the greatest coordinate. */
 #include <math.h>
 #include <stdlib.h>
 #include "../surfel.h"
@@ -14,6 +14,7 @@
 #include "../../stages.h"
 #include "discs.h"
 #include "../../../truth/query.h"
+#include "tools.h"
 
 #define SKIP 0.000244140625f /* of the greatest coordinate */
 #define ONE 1073741824.0     /* sums are in 2^-30, so that no order of hits is seen */
@@ -158,7 +159,7 @@ static ts_status open_discs(tracer *t, ts_run *run)
 
 static ts_status open_mesh(tracer *t, ts_run *run)
 {
-	return ts_run_stage(run, ts_stage_find("pose")) == TS_OK ? ts_truth_new(&t->mesh, run) : TS_ERROR;
+	return ts_truth_make(run, TS_B_pose_vertex) == TS_OK ? ts_truth_new(&t->mesh, run) : TS_ERROR;
 }
 
 static ts_status open_board(tracer *t, ts_run *run)
@@ -221,11 +222,12 @@ static ts_status add_picture(f32 *radiance, tracer *t, ts_run *run, u32 place)
 	u32 width = t->eye->width, height = t->eye->height, n = t->side * t->side;
 	t->shift[0] = (place % t->side + 0.5) / t->side;
 	t->shift[1] = (place / t->side + 0.5) / t->side;
+	const ts_step *shader = ts_pipeline_maker(run->pipeline, TS_B_image_radiance);
 	ts_progress(t->into->label, place, n);
 #pragma omp parallel for num_threads(t->n_threads) schedule(dynamic, 1)
 	for (u32 y = 0; y < height; y++)
 		for (u32 x = 0; x < width; x++) cast(t, x, y);
-	if (ts_run_stage(run, ts_stage_find("deferred")) != TS_OK) return TS_ERROR;
+	if (ts_run_stage(run, ts_stage_find(shader->stage)) != TS_OK) return TS_ERROR;
 	const f32 *one = ts_frame_data(&run->frame, TS_B_image_radiance);
 	for (u64 i = 0; i < (u64)width * height * 3; i++) radiance[i] += one[i] / (f32)n;
 	return TS_OK;

@@ -1,5 +1,6 @@
 /* What the family of many views brings for the tools. */
 #include "../../tools/family.h"
+#include "../../raster/tools/truth_gather.h"
 #include "tools.h"
 
 static const ts_margin_rule margins[] = {
@@ -8,4 +9,22 @@ static const ts_margin_rule margins[] = {
 	{0},
 };
 
-const ts_family_tools ts_views_tools = {.margins = margins, .checks = ts_views_checks};
+static const ts_truth_kind truths[] = {
+	{ "vpls", "indirect", "all virtual point lights, where they are seen", "method", "", "",
+	  .begin = ts_truth_indirect_begin, .trace = ts_truth_vpls, .image = "indirect_image" },
+	{ "glow", "particles", "all particles, where they are seen", "method", "", "",
+	  .begin = ts_truth_particles_begin, .trace = ts_truth_glow, .image = "indirect_image" },
+	{ 0 },
+};
+
+static const ts_texel_rule texels[] = {
+	{TS_B_vpl_gather_irradiance, ts_truth_maps},
+	{0},
+};
+
+const ts_family_tools ts_views_tools = {
+	.margins = margins,
+	.checks = ts_views_checks,
+	.truths = truths,
+	.texels = texels,
+};

@@ -2,10 +2,30 @@
 #ifndef TS_VIEWS_TOOLS_H
 #define TS_VIEWS_TOOLS_H
 #include "../../../replay/check.h"
+#include "../../../truth/texels.h"
 
 extern const ts_check_rule ts_views_checks[];
 
 /* Lists of views that pixels draw from (check_gather.c); cones must have been checked. */
 ts_status ts_check_gather(const ts_load *load, const ts_stage *stage, ts_buffer_id id);
+
+/* Truths of many lights (truth_vpls.c). All virtual point lights of params.vpls, each with its distance bounded as in
+ * vpl_gather, if nothing stands between pixel and light but within a leaf's diagonal of the light, which the methods
+ * skip, too. Runs what makes them. Reads gbuffer.pixel; makes indirect.irradiance in run->frame, from which stage
+ * `indirect_image` makes the picture. Fails without memory. */
+ts_status ts_truth_vpls(ts_truth *truth, ts_run *run);
+
+/* Truth of glowing particles: the same of all params.particles. Runs what comes before the particles of `effect`, in
+ * a run that has just begun. */
+ts_status ts_truth_particles_begin(ts_run *run, const char *effect);
+/* Reads gbuffer.pixel; makes the same. */
+ts_status ts_truth_glow(ts_truth *truth, ts_run *run);
+
+/* Maps of virtual point lights and particles after stage vpl_gather, whose buffers are there (truth_maps.c), of up to
+ * 1024 lights, every so many-th: rays along the middles of texels from the light on but for a leaf's diagonal.
+ * Depths, moved to the light, are right within three leaves' sides. Of lights is asked for 64 pixels each, at random,
+ * that would have light of them, with the parameters of shadows, whether these are on or off. Fails if a buffer is
+ * not there. */
+ts_status ts_truth_maps(ts_texel_counts *counts, ts_truth *truth, const ts_run *run, ts_buffer_id id);
 
 #endif

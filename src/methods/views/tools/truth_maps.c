@@ -3,6 +3,7 @@
 #include "../views.h"
 #include "../traverse.h"
 #include "../../../truth/query.h"
+#include "tools.h"
 
 enum { MOST_VIEWS = 1024, PLACES = 64, WRONG_LEAVES = 3 };
 
@@ -14,7 +15,7 @@ typedef struct {
 	bool all;           /* views see all directions */
 } judge;
 
-static void judge_texel(const judge *j, u32 view, u32 texel, ts_map_counts *counts)
+static void judge_texel(const judge *j, u32 view, u32 texel, ts_texel_counts *counts)
 {
 	const ts_vpl *light = &j->of.lights[view];
 	ts_v3 from = ts_load3(light->position), d = ts_k_paraboloid_direction(texel, j->of.n);
@@ -33,7 +34,7 @@ static void judge_texel(const judge *j, u32 view, u32 texel, ts_map_counts *coun
 }
 
 /* Pixel of a view's place k, the same for all methods. */
-static void judge_place(const judge *j, u32 view, u32 k, ts_map_counts *counts)
+static void judge_place(const judge *j, u32 view, u32 k, ts_texel_counts *counts)
 {
 	const ts_vpl *light = &j->of.lights[view];
 	const ts_gpixel *pixel = &j->of.pixels[((u64)ts_random(view * PLACES + k, 0, 0) * j->n_pixels) >> 32];
@@ -48,15 +49,15 @@ static void judge_place(const judge *j, u32 view, u32 k, ts_map_counts *counts)
 	counts->dark += !lit && sees;
 }
 
-static ts_map_counts judge_view(const judge *j, u32 view)
+static ts_texel_counts judge_view(const judge *j, u32 view)
 {
-	ts_map_counts counts = {.asked = 0};
+	ts_texel_counts counts = {.asked = 0};
 	for (u32 texel = 0; texel < 2 * j->of.n * j->of.n; texel++) judge_texel(j, view, texel, &counts);
 	for (u32 k = 0; k < PLACES; k++) judge_place(j, view, k, &counts);
 	return counts;
 }
 
-static void add(ts_map_counts *sum, const ts_map_counts *counts)
+static void add(ts_texel_counts *sum, const ts_texel_counts *counts)
 {
 	sum->covered += counts->covered;
 	sum->holes += counts->holes;
@@ -67,8 +68,9 @@ static void add(ts_map_counts *sum, const ts_map_counts *counts)
 	sum->dark += counts->dark;
 }
 
-ts_status ts_truth_maps(ts_map_counts *counts, const ts_truth *truth, const ts_run *run)
+ts_status ts_truth_maps(ts_texel_counts *counts, ts_truth *truth, const ts_run *run, ts_buffer_id id)
 {
+	(void)id;
 	judge j = {.truth = truth};
 	if (ts_vpl_gather_ask(run, &j.of) != TS_OK) return TS_ERROR;
 	u32 step = (j.of.n_lights + MOST_VIEWS - 1) / MOST_VIEWS;
@@ -76,10 +78,10 @@ ts_status ts_truth_maps(ts_map_counts *counts, const ts_truth *truth, const ts_r
 	j.leaf = ts_k_leaf_side(&j.of);
 	j.reach = ts_k_leaf_diagonal(&j.of);
 	j.all = run->plan.views.field == TS_VIEW_FIELD_ALL;
-	ts_map_counts sum = {.asked = 0};
+	ts_texel_counts sum = {.asked = 0};
 #pragma omp parallel for num_threads((int)run->c.threads) schedule(dynamic, 4)
 	for (u32 view = 0; view < j.of.n_lights; view += step) {
-		ts_map_counts one = judge_view(&j, view);
+		ts_texel_counts one = judge_view(&j, view);
 #pragma omp critical(maps)
 		add(&sum, &one);
 	}

@@ -8,6 +8,7 @@
 #include "../../../../src/kernels/points/samples.h"
 #include "../../../../src/kernels/base/shade.h"
 #include "../../../../src/truth/query.h"
+#include "../../../../src/methods/points/tools/tools.h"
 #include "../../../truth/world.h"
 
 enum { N_PIXELS = 2000, SEED = 3, STREAM = 6 };

@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include "../../../../src/kernels/base/shade.h"
 #include "../../../../src/methods/pipeline.h"
+#include "../../../../src/methods/points/tools/tools.h"
 #include "../../../../src/scene/lamp.h"
 #include "../../../truth/world.h"
 

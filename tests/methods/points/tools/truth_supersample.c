@@ -1,7 +1,7 @@
 /* Truth C: factor 1 is MVR itself, a greater one the means of a larger MVR, and what cannot be is refused. */
 #include "../../../../src/kernels/base/num.h"
 #include "../../../../src/methods/pipeline.h"
-#include "../../../../src/truth/truth.h"
+#include "../../../../src/methods/points/tools/tools.h"
 #include "../../../truth/soup.h"
 #include <setjmp.h>
 #include <stdarg.h>

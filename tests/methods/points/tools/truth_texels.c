@@ -8,6 +8,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include "../../../../src/kernels/points/scatter.h"
+#include "../../../../src/methods/points/tools/tools.h"
 #include "../../../truth/world.h"
 
 enum { SIDE = 32 };

@@ -2,7 +2,7 @@
  * error at least, and its approximation is as good as exact EWA (FIGURES 12). The same geometry as there, twice as
  * large: 5 surfels a square. */
 #include "../surfels.h"
-#include "../../../../src/truth/truth.h"
+#include "../../../../src/methods/surfels/tools/tools.h"
 
 enum { WIDTH = 320, HEIGHT = 180 };
 #define FARTHEST 110.0

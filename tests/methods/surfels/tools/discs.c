@@ -2,6 +2,7 @@
  * covers, what two blend to, where one throws its shadow, and what a mesh and the checkerboard look like. */
 #include "../surfels.h"
 #include "../../../../src/methods/surfels/tools/discs.h"
+#include "../../../../src/methods/surfels/tools/tools.h"
 
 enum { WIDTH = 64, HEIGHT = 48, N_RANDOM = 300, N_RAYS = 4000 };
 #define NEAR_ENOUGH 1e-5

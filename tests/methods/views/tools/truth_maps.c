@@ -1,7 +1,7 @@
 /* Maps of virtual point lights against rays: coarse ones stop more light than fine ones, and by distance let more
  * through than by the plane; emptied or filled maps are found to be. */
 #include "../../small.h"
-#include "../../../../src/truth/truth.h"
+#include "../../../../src/methods/views/tools/tools.h"
 
 static ts_params params_of(u32 px)
 {
@@ -15,12 +15,12 @@ static ts_params params_of(u32 px)
 	return params;
 }
 
-static ts_map_counts judge(const ts_run *run)
+static ts_texel_counts judge(const ts_run *run)
 {
 	ts_truth *truth;
-	ts_map_counts counts = {.asked = 0};
+	ts_texel_counts counts = {.asked = 0};
 	assert_int_equal(ts_truth_new(&truth, run), TS_OK);
-	assert_int_equal(ts_truth_maps(&counts, truth, run), TS_OK);
+	assert_int_equal(ts_truth_maps(&counts, truth, run, TS_B_vpl_gather_irradiance), TS_OK);
 	ts_truth_free(truth);
 	print_message("%u texels, %u holes, %u leaks, %u apart; %u asked, %u lit, %u dark\n", (unsigned)counts.covered,
 	              (unsigned)counts.holes, (unsigned)counts.leaks, (unsigned)counts.apart, (unsigned)counts.asked,
@@ -28,12 +28,12 @@ static ts_map_counts judge(const ts_run *run)
 	return counts;
 }
 
-static ts_map_counts counts_of(const ts_scene *scene, const ts_params *params, u32 threads)
+static ts_texel_counts counts_of(const ts_scene *scene, const ts_params *params, u32 threads)
 {
 	ts_run run;
 	ts_run_begin(&run, scene, params, threads);
 	assert_int_equal(ts_pipeline_run(ts_pipeline_find("indirect", "megaviews"), &run), TS_OK);
-	ts_map_counts counts = judge(&run);
+	ts_texel_counts counts = judge(&run);
 	ts_run_end(&run);
 	return counts;
 }
@@ -44,8 +44,9 @@ static void test_sizes(void **state)
 	ts_params coarse = params_of(16), fine = params_of(128), distance = coarse;
 	distance.shadow_test = TS_SHADOW_TEST_DISTANCE;
 	ts_scene *scene = small_scene(&coarse);
-	ts_map_counts a = counts_of(scene, &coarse, 2), b = counts_of(scene, &fine, 2), c = counts_of(scene, &distance, 1);
-	ts_map_counts again = counts_of(scene, &coarse, 1);
+	ts_texel_counts a = counts_of(scene, &coarse, 2), b = counts_of(scene, &fine, 2);
+	ts_texel_counts c = counts_of(scene, &distance, 1);
+	ts_texel_counts again = counts_of(scene, &coarse, 1);
 	assert_memory_equal(&a, &again, sizeof a);
 	assert_true(a.asked > 1000 && a.asked == b.asked && b.dark < a.dark / 2 && a.lit < c.lit / 2);
 	ts_scene_free(scene);
@@ -66,16 +67,16 @@ static void test_planted(void **state)
 	u64 n = ts_frame_n(&run.frame, TS_B_fuse_depth);
 	memset(depths, 0xff, n * sizeof *depths);
 	memset(shown, 0xff, n * sizeof *shown);
-	ts_map_counts empty = judge(&run);
+	ts_texel_counts empty = judge(&run);
 	assert_true(empty.holes == empty.covered && empty.leaks == 0 && empty.apart == 0 && empty.dark == 0);
 	memset(depths, 0, n * sizeof *depths);
 	memset(shown, 0, n * sizeof *shown);
-	ts_map_counts full = judge(&run);
+	ts_texel_counts full = judge(&run);
 	assert_true(full.holes == 0 && full.leaks == 0 && full.lit == 0 && full.apart > full.covered / 2);
 	assert_true(full.covered == empty.covered && full.asked == empty.asked && full.dark + empty.lit == full.asked);
 	f32 far = 1000;
 	for (u64 i = 0; i < n; i++) depths[i] = ts_f2u(far);
-	ts_map_counts behind = judge(&run);
+	ts_texel_counts behind = judge(&run);
 	assert_true(behind.leaks == behind.covered && behind.apart == behind.covered && behind.lit == empty.lit);
 	ts_run_end(&run);
 	ts_scene_free(scene);

@@ -1,0 +1,104 @@
+/* Truths of indirect light by rays (METHODS 17), which tell the errors of a method apart. `lights` gathers from the
+ * very triangles of light that the methods have, as `direct` does, but only from those whose middle the pixel sees.
+ * `bounce` has no triangles of light: its rays leave the pixel as the cosine wants them, and bring what the lights
+ * themselves send to where they end.
+ *
+ * Rays begin and end 2^-12 of the greatest coordinate off their surfaces. The rays of `bounce` are the seeds of a
+ * sunflower (Vogel 1979) in the pixel's tangent disc, lifted to the hemisphere (Malley), at a random turn a pixel. */
+#include "../../../kernels/hulls/direct.h"
+#include "../../../scene/lamp.h"
+#include "../../raster/tools/truth_gather.h"
+#include "../../stages.h"
+#include "tools.h"
+
+typedef struct {
+	const ts_truth *truth;
+	const ts_arrays *scene;
+	const ts_patch *patches; u64 n_patches;
+	const ts_light *lamps; u32 n_lamps;
+	f32 beyond; /* farther than the scene reaches */
+	u32 n_rays;
+} tracer;
+
+static ts_v3 from_lights(const void *user, u64 pixel, ts_v3 p, ts_v3 n)
+{
+	const tracer *t = user;
+	(void)pixel;
+	ts_v3 sum = {0, 0, 0};
+	for (u64 k = 0; k < t->n_patches; k++) {
+		const ts_patch *patch = &t->patches[k];
+		ts_v3 light = ts_k_direct(patch, p, n);
+		if (!(light.x + light.y + light.z > 0.0f)) continue;
+		ts_v3 third = {1.0f / 3.0f, 1.0f / 3.0f, 1.0f / 3.0f};
+		ts_v3 middle = ts_blend(third, ts_load3(patch->a), ts_load3(patch->b), ts_load3(patch->c));
+		if (ts_truth_sees(t->truth, p, middle, ts_truth_skip(middle))) sum = ts_add(sum, light);
+	}
+	return sum;
+}
+
+/* Where light that arrives at p from l comes from; of a sun from beyond the scene. */
+static ts_v3 origin_of(const tracer *t, const ts_light *light, ts_v3 p, ts_v3 l)
+{
+	if (light->kind != TS_LIGHT_KIND_DIRECTIONAL) return ts_load3(light->position);
+	return ts_mad(p, l, t->beyond);
+}
+
+/* What the lights send to a surface directly; rays begin at the light, as its reflective shadow map does. */
+static ts_v3 irradiance_at(const tracer *t, ts_v3 p, ts_v3 n)
+{
+	ts_v3 sum = {0, 0, 0}, l;
+	for (u32 k = 0; k < t->n_lamps; k++) {
+		f32 arrives = ts_k_light(&t->lamps[k], p, &l) * ts_dot(n, l);
+		if (!(arrives > 0.0f)) continue;
+		if (!ts_truth_sees(t->truth, origin_of(t, &t->lamps[k], p, l), p, ts_truth_skip(p))) continue;
+		sum = ts_mad(sum, ts_load3(t->lamps[k].intensity), arrives);
+	}
+	return sum;
+}
+
+/* The same as the triangles of light have it: by the face, turned to where the light is seen from. */
+static ts_v3 exitance_at(const tracer *t, const ts_truth_query *ray)
+{
+	ts_truth_hit hit = ts_truth_cast(t->truth, ray);
+	if (hit.triangle == TS_NONE) return ts_v3_make(0.0f, 0.0f, 0.0f);
+	ts_surface s = ts_k_surface(t->scene, hit.triangle, hit.weights, hit.footprint);
+	ts_v3 n = ts_dot(s.face, ray->direction) > 0.0f ? ts_neg(s.face) : s.face;
+	return ts_mul(ts_k_albedo(&s), irradiance_at(t, s.p, n));
+}
+
+/* E = integral of L cos = the mean of pi L over directions that are as dense as the cosine; pi L is the exitance. */
+static ts_v3 from_bounce(const void *user, u64 pixel, ts_v3 p, ts_v3 n)
+{
+	const tracer *t = user;
+	ts_v3 u = ts_k_across(n), v = ts_cross(n, u), sum = {0, 0, 0};
+	f32 turn = ts_uniform(ts_random((u32)pixel, 0, 0));
+	for (u32 k = 0; k < t->n_rays; k++) {
+		f32 share = ((f32)k + 0.5f) / (f32)t->n_rays, r = ts_sqrt(share), turns = turn + TS_GOLDEN_TURN * (f32)k;
+		ts_v3 aside = ts_add(ts_scale(u, r * ts_cos_turn(turns)), ts_scale(v, r * ts_sin_turn(turns)));
+		ts_v3 d = ts_normalize(ts_mad(aside, n, ts_sqrt(1.0f - share)));
+		ts_truth_query ray = {.origin = p, .direction = d, .near = ts_truth_skip(p), .masked = TS_NONE, .from = p};
+		sum = ts_add(sum, exitance_at(t, &ray));
+	}
+	return ts_scale(sum, 1.0f / (f32)t->n_rays);
+}
+
+static f32 extent(const ts_info *info) { return ts_length(ts_sub(ts_load3(info->box_max), ts_load3(info->box_min))); }
+
+static ts_status trace(const ts_truth *truth, ts_run *run, ts_truth_light *light, const char *label)
+{
+	const tracer t = {
+		.truth = truth,
+		.scene = ts_truth_scene(truth),
+		.patches = ts_frame_data(&run->frame, TS_B_rsm_patch),
+		.n_patches = ts_frame_n(&run->frame, TS_B_rsm_patch),
+		.lamps = ts_frame_data(&run->frame, TS_B_lamp_light),
+		.n_lamps = (u32)ts_frame_n(&run->frame, TS_B_lamp_light),
+		.beyond = 2.0f * extent(ts_run_info(run)),
+		.n_rays = TS_PARAM(&run->params, bounce_rays),
+	};
+	return ts_truth_gather(run, light, &t, label);
+}
+
+ts_status ts_truth_lights(ts_truth *truth, ts_run *run) { return trace(truth, run, from_lights, "truth lights"); }
+
+ts_status ts_truth_bounce(ts_truth *truth, ts_run *run) { return trace(truth, run, from_bounce, "truth bounce"); }

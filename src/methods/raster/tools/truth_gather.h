@@ -1,0 +1,16 @@
+/* What truths of indirect light share (METHODS 17): light that is gathered at every pixel of the G-buffer. */
+#ifndef TS_RASTER_TOOLS_TRUTH_GATHER_H
+#define TS_RASTER_TOOLS_TRUTH_GATHER_H
+#include "../../../truth/query.h"
+
+/* Runs, in a run that has just begun, what comes before the lights of a method of indirect light: pose, lights, what
+ * they see, eye and G-buffer, the same for all methods. */
+ts_status ts_truth_indirect_begin(ts_run *run, const char *effect);
+
+/* The light that arrives at a pixel's surface, whose place is p and whose normal is n. */
+typedef ts_v3 ts_truth_light(const void *user, u64 pixel, ts_v3 p, ts_v3 n);
+/* Reads gbuffer.pixel; makes indirect.irradiance in run->frame, from which stage `indirect_image` makes the picture.
+ * Fails without memory. */
+ts_status ts_truth_gather(ts_run *run, ts_truth_light *light, const void *user, const char *label);
+
+#endif

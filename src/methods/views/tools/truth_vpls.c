@@ -1,0 +1,62 @@
+/* Truths of the light of many points by rays (METHODS 17): `vpls` gathers from all virtual point lights of MegaViews,
+ * `glow` from all its particles, if nothing is between them and the pixel. */
+#include "../../../kernels/views/vpl_gather.h"
+#include "../../raster/tools/truth_gather.h"
+#include "../../stages.h"
+#include "tools.h"
+
+typedef struct {
+	const ts_truth *truth;
+	const ts_vpl *vpls; u64 n_vpls;
+	f32 near, reach; /* world units: least distance of a light, and what about it stops nothing */
+} tracer;
+
+static ts_v3 from_vpls(const void *user, u64 pixel, ts_v3 p, ts_v3 n)
+{
+	const tracer *t = user;
+	(void)pixel;
+	ts_v3 sum = {0, 0, 0};
+	for (u64 k = 0; k < t->n_vpls; k++) {
+		const ts_vpl *light = &t->vpls[k];
+		ts_v3 from = ts_load3(light->position);
+		f32 form = ts_k_vpl_form(ts_sub(p, from), ts_load3(light->normal), n, t->near);
+		if (form > 0.0f && ts_truth_sees(t->truth, p, from, t->reach)) sum = ts_mad(sum, ts_load3(light->flux), form);
+	}
+	return sum;
+}
+
+/* From lights that stages make, in order; ended by NULL. */
+static ts_status trace(ts_truth *truth, ts_run *run, const char *const *makers, const char *label)
+{
+	for (; *makers != NULL; makers++) {
+		if (ts_run_stage(run, ts_stage_find(*makers)) != TS_OK) return TS_ERROR;
+	}
+	const ts_root *root = ts_frame_data(&run->frame, TS_B_root_cube);
+	f32 leaf = root->side / (f32)(1 << TS_PARAM(&run->params, levels));
+	const tracer t = {
+		.truth = truth,
+		.vpls = ts_frame_data(&run->frame, TS_B_vpl_light),
+		.n_vpls = ts_frame_n(&run->frame, TS_B_vpl_light),
+		.near = TS_PARAM(&run->params, light_near) * leaf,
+		.reach = leaf * 1.73205077648162841796875f,
+	};
+	return ts_truth_gather(run, from_vpls, &t, label);
+}
+
+ts_status ts_truth_particles_begin(ts_run *run, const char *effect)
+{
+	static const ts_buffer_id needs[] = {TS_B_gbuffer_pixel, TS_N_BUFFERS};
+	return ts_truth_begin(run, effect, needs);
+}
+
+ts_status ts_truth_vpls(ts_truth *truth, ts_run *run)
+{
+	static const char *const makers[] = {"root", "voxel", "octree", "vpl", NULL};
+	return trace(truth, run, makers, "truth vpls");
+}
+
+ts_status ts_truth_glow(ts_truth *truth, ts_run *run)
+{
+	static const char *const makers[] = {"root", "particle", NULL};
+	return trace(truth, run, makers, "truth glow");
+}
