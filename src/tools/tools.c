@@ -2,11 +2,18 @@
 #include "tools.h"
 #include "../methods/tools/family.h"
 
-extern const ts_family_tools ts_raster_tools, ts_points_tools, ts_hulls_tools, ts_views_tools, ts_surfels_tools;
+#define FAMILY(name) FAMILY_FILE(methods/name/tools/tools.def)
 
+#define TOOLS(name) extern const ts_family_tools ts_##name##_tools;
+#include "../families.def"
+#undef TOOLS
+
+#define TOOLS(name) &ts_##name##_tools,
 static const ts_family_tools *const families[] = {
-	&ts_raster_tools, &ts_points_tools, &ts_hulls_tools, &ts_views_tools, &ts_surfels_tools,
+#include "../families.def"
 };
+#undef TOOLS
+
 enum { N_FAMILIES = sizeof families / sizeof *families };
 
 /* Hands `use` the lists of all families that have one, ended by NULL. */
