@@ -1,4 +1,5 @@
 /* The command `touchstone-core`: digests and goldens, in C with libc, libgomp and libcrypto, as a static binary. */
+#include "../families/families.h"
 #include "golden.h"
 
 const char *const ts_program = "touchstone-core";
@@ -17,4 +18,8 @@ const ts_command ts_command_table[] = {
 	{ 0 }
 };
 
-int main(int argc, char **argv) { return ts_cli_main(argc, argv); }
+int main(int argc, char **argv)
+{
+	ts_families_begin();
+	return ts_cli_main(argc, argv);
+}

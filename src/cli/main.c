@@ -1,5 +1,6 @@
 /* The command `touchstone`: its table of commands. */
 #include <touchstone/image.h>
+#include "../families/families.h"
 #include "../tools/tools.h"
 #include "golden.h"
 
@@ -85,6 +86,7 @@ const ts_command ts_command_table[] = {
 
 int main(int argc, char **argv)
 {
+	ts_families_begin();
 	ts_tools_begin();
 	return ts_cli_main(argc, argv);
 }

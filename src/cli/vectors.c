@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include "../study/folder.h"
 #include "../study/table.h"
+#include "../trace/npy.h"
 #include "vectors.h"
 
 static ts_status write_file(const char *name, const char *descr, u32 n_dims, const u64 *shape, const void *data,
@@ -32,7 +33,7 @@ static json_t *describe(const ts_vector *v, const char *in_file, const char *in_
 
 static ts_status write_primitive(const ts_vector *v, ts_vector_rows *rows, json_t *list)
 {
-	char in_file[64], out_file[64], in_descr[TS_NPY_DESCR], out_descr[TS_NPY_DESCR];
+	char in_file[64], out_file[64], in_descr[TS_VECTOR_DESCR], out_descr[TS_VECTOR_DESCR];
 	u64 shape[TS_MAX_DIMS];
 	u32 n_dims = ts_vector_out_shape(shape, v);
 	snprintf(in_file, sizeof in_file, "%s.in.npy", v->name);

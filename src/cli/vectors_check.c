@@ -162,7 +162,7 @@ static void tell_row(check *c, const ts_vector *v, const ts_vector_verdict *verd
 
 static ts_status read_outputs(bool *there, check *c, const ts_vector *v, const char *dir)
 {
-	char name[64], descr[TS_NPY_DESCR];
+	char name[64], descr[TS_VECTOR_DESCR];
 	u64 shape[TS_MAX_DIMS];
 	snprintf(name, sizeof name, "%s.out.npy", v->name);
 	ts_vector_out_descr(descr, v);
@@ -174,7 +174,7 @@ static ts_status read_outputs(bool *there, check *c, const ts_vector *v, const c
 /* A port that started from other inputs is not judged. */
 static ts_status check_inputs(check *c, const ts_vector *v, const char *dir)
 {
-	char name[64], descr[TS_NPY_DESCR];
+	char name[64], descr[TS_VECTOR_DESCR];
 	bool there;
 	size_t bytes = ts_vector_in_words(v) * sizeof(u32);
 	snprintf(name, sizeof name, "%s.in.npy", v->name);

@@ -4,9 +4,9 @@
 #include "../kernels/vectors/vectors.h"
 #include "vectors.h"
 
-/* The tables, each ended by a row without a name. */
+/* The tables of what all methods share, each ended by a row without a name. */
 extern const ts_vector ts_vectors_arithmetic[], ts_vectors_number[], ts_vectors_vector[], ts_vectors_raster[],
-	ts_vectors_cube[], ts_vectors_texture[], ts_vectors_light[];
+	ts_vectors_cube[], ts_vectors_texture[];
 
 /* The first fields of a ts_vector: the kernels' item of that name. */
 #define PRIMITIVE(n) .name = #n, .item = ts_k_vector_##n

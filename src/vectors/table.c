@@ -1,14 +1,21 @@
-/* All primitives as one list, and what follows from their columns. The rows stand beside the functions they name. */
+/* All primitives as one list, and what follows from their columns. The rows stand beside the functions they name, those
+ * of families in methods/<family>/vectors.c. */
 #include <assert.h>
 #include <inttypes.h>
 #include <stdio.h>
 #include "row.h"
 
-static const ts_vector *const tables[] = {
-	ts_vectors_arithmetic, ts_vectors_number, ts_vectors_vector, ts_vectors_raster, ts_vectors_cube, ts_vectors_texture,
-	ts_vectors_light,
+static const ts_launch launch = TS_LAUNCH(vectors, TS_ALL);
+
+static const ts_vector_set shared = {
+	&launch,
+	{ts_vectors_arithmetic, ts_vectors_number, ts_vectors_vector, ts_vectors_raster, ts_vectors_cube, ts_vectors_texture},
 };
-enum { N_TABLES = sizeof tables / sizeof tables[0] };
+
+static const ts_vector_set *const none = NULL;
+static const ts_vector_set *const *families = &none;
+
+void ts_vectors_use(const ts_vector_set *const *sets) { families = sets; }
 
 const ts_vector_fault_info ts_vector_fault_table[TS_N_FAULTS] = {
 	[TS_FAULT_FMA] = { "fused multiply-add", "turn contraction off: -ffp-contract=off, -fmad=false, precise" },
@@ -27,24 +34,44 @@ const ts_vector_fault_info ts_vector_fault_table[TS_N_FAULTS] = {
 	[TS_FAULT_INCLUSIVE] = { "inclusive edges", "count what lies on an edge for top and left edges only" },
 };
 
-u32 ts_vectors_count(void)
+static u32 count(const ts_vector_set *set)
 {
 	u32 n = 0;
-	for (u32 t = 0; t < N_TABLES; t++) {
-		for (const ts_vector *v = tables[t]; v->name != NULL; v++) n++;
+	for (const ts_vector *const *table = set->tables; *table != NULL; table++) {
+		for (const ts_vector *v = *table; v->name != NULL; v++) n++;
 	}
 	return n;
 }
 
-const ts_vector *ts_vectors_at(u32 index)
+u32 ts_vectors_count(void)
 {
-	for (u32 t = 0; t < N_TABLES; t++) {
-		for (const ts_vector *v = tables[t]; v->name != NULL; v++) {
+	u32 n = count(&shared);
+	for (const ts_vector_set *const *set = families; *set != NULL; set++) n += count(*set);
+	return n;
+}
+
+static const ts_vector *vector_of(const ts_vector_set *set, u32 index)
+{
+	for (const ts_vector *const *table = set->tables; *table != NULL; table++) {
+		for (const ts_vector *v = *table; v->name != NULL; v++) {
 			if (index-- == 0) return v;
 		}
 	}
 	return NULL;
 }
+
+ts_vector_place ts_vectors_place(u32 index)
+{
+	const ts_vector_set *set = &shared;
+	for (const ts_vector_set *const *next = families; set != NULL && index >= count(set); next++) {
+		index -= count(set);
+		set = *next;
+	}
+	if (set == NULL) return (ts_vector_place){0};
+	return (ts_vector_place){vector_of(set, index), set->launch, index};
+}
+
+const ts_vector *ts_vectors_at(u32 index) { return ts_vectors_place(index).vector; }
 
 const ts_vector *ts_vectors_find(const char *name)
 {
@@ -79,21 +106,21 @@ static const char *type_descr(ts_vector_type type)
 	return descr[type];
 }
 
-void ts_vector_in_descr(char descr[TS_NPY_DESCR], const ts_vector *vector)
+void ts_vector_in_descr(char descr[TS_VECTOR_DESCR], const ts_vector *vector)
 {
 	size_t used = 0;
 	for (const ts_vector_column *c = vector->in; c->name != NULL; c++) {
 		char count[24] = "";
 		if (c->count > 1) snprintf(count, sizeof count, ", (%" PRIu32 ",)", c->count);
-		used += (size_t)snprintf(descr + used, TS_NPY_DESCR - used, "%s('%s', '%s'%s)", used == 0 ? "[" : ", ", c->name,
+		used += (size_t)snprintf(descr + used, TS_VECTOR_DESCR - used, "%s('%s', '%s'%s)", used == 0 ? "[" : ", ", c->name,
 		                         type_descr(c->type), count);
 	}
-	snprintf(descr + used, TS_NPY_DESCR - used, "]");
+	snprintf(descr + used, TS_VECTOR_DESCR - used, "]");
 }
 
-void ts_vector_out_descr(char descr[TS_NPY_DESCR], const ts_vector *vector)
+void ts_vector_out_descr(char descr[TS_VECTOR_DESCR], const ts_vector *vector)
 {
-	snprintf(descr, TS_NPY_DESCR, "'%s'", type_descr(vector->out.type));
+	snprintf(descr, TS_VECTOR_DESCR, "'%s'", type_descr(vector->out.type));
 }
 
 u32 ts_vector_out_shape(u64 shape[TS_MAX_DIMS], const ts_vector *vector)

@@ -1,4 +1,4 @@
-/* Primitives of textures, display values and culling (kernels/base/texture.h, srgb.h, cull.h). */
+/* Primitives of textures and display values (kernels/base/texture.h, srgb.h). */
 #include "row.h"
 
 /* At most one texel outside. */
@@ -69,10 +69,7 @@ static u32 srgb_encoded(f32 l)
 
 WORD_ITEM(srgb_builtin, srgb_encoded(A))
 
-WORD_ITEM(cull_fused, ts_max_i32(ts_fix(fmaf(-10.0f, A, 1.0f), 24, 25), 0))
-
 static const f32 wrap_edges[] = { 1, 2, 3, -1, -2, -3, 0x1p-39f, -0x1p-39f, 0x1p-24f, -0x1p-24f, 0x1p24f, 8388607.5f };
-static const f32 cull_edges[] = { 0.1f, 0.05f, 0.01f, 0.001f, 0.0999999f, 0x1p-28f };
 
 #define WRAP(name, count) UNSIGNED(name, count, TS_REPEAT, TS_CLAMP)
 #define CHANNELS(name, count) UNSIGNED(name, count, 0, 65535)
@@ -99,7 +96,5 @@ const ts_vector ts_vectors_texture[] = {
 	  { { TS_FAULT_RECIPROCAL, lod_reciprocal }, { TS_FAULT_BUILTIN, lod_builtin } }, .relate = relate_lod },
 	{ PRIMITIVE(srgb), "ts_srgb_byte", "8-bit sRGB value of a linear one", { ANY("l", 1) }, { TS_VECTOR_U32, 1 },
 	  { { TS_FAULT_BUILTIN, srgb_builtin } }, EDGES(ts_srgb_threshold) },
-	{ PRIMITIVE(cull_threshold), "29", "fix(1 - 10 pixels, 24, 25), not below 0", { POSITIVE("pixels", 1, 88, 150) },
-	  { TS_VECTOR_I32, 1 }, { { TS_FAULT_FMA, cull_fused } }, EDGES(cull_edges) },
 	{ 0 }
 };

@@ -6,10 +6,10 @@
 #include "../backends/backend.h"
 #include "../model/core.h"
 #include "../kernels/base/compat.h"
-#include "../trace/npy.h"
 
 
 enum { TS_VECTOR_ITEMS = 4096, TS_VECTOR_COLUMNS = 5, TS_VECTOR_WORDS = 16, TS_VECTOR_VARIANTS = 6 };
+enum { TS_VECTOR_TABLES = 6, TS_VECTOR_DESCR = 2048 };
 
 typedef enum { TS_VECTOR_F32, TS_VECTOR_I32, TS_VECTOR_U32, TS_VECTOR_I64, TS_VECTOR_U64 } ts_vector_type;
 
@@ -65,20 +65,36 @@ typedef struct {
 	void (*relate)(u32 *in, u32 random);
 } ts_vector;
 
-/* The primitives, in the order of kernels/vectors/vectors.def, in which a porter meets them: each relies on those
- * before it. */
+/* The primitives of one kernel, in the order of its list. */
+typedef struct {
+	const ts_launch *launch;
+	const ts_vector *tables[TS_VECTOR_TABLES + 1]; /* each ended by a row without a name; all by NULL */
+} ts_vector_set;
+
+/* Those of the families, behind what all methods share; the list, ended by NULL, is kept. */
+void ts_vectors_use(const ts_vector_set *const *sets);
+
+/* The primitives, in the order in which a porter meets them: each relies on those before it. */
 u32 ts_vectors_count(void);
 const ts_vector *ts_vectors_at(u32 index);
 /* NULL: no such primitive. */
 const ts_vector *ts_vectors_find(const char *name);
+
+/* Where a primitive is computed: its kernel, and its place in the kernel's list. */
+typedef struct {
+	const ts_vector *vector; /* NULL: there is none of that index */
+	const ts_launch *launch;
+	u32 primitive;
+} ts_vector_place;
+ts_vector_place ts_vectors_place(u32 index);
 
 /* Words of a row of inputs, of outputs, of a value. */
 u32 ts_vector_in_words(const ts_vector *vector);
 u32 ts_vector_out_words(const ts_vector *vector);
 u32 ts_vector_type_words(ts_vector_type type);
 /* The dtypes of the two files as numpy writes them. */
-void ts_vector_in_descr(char descr[TS_NPY_DESCR], const ts_vector *vector);
-void ts_vector_out_descr(char descr[TS_NPY_DESCR], const ts_vector *vector);
+void ts_vector_in_descr(char descr[TS_VECTOR_DESCR], const ts_vector *vector);
+void ts_vector_out_descr(char descr[TS_VECTOR_DESCR], const ts_vector *vector);
 /* The shape of the file of outputs: items, and elements if there are several. Returns the dimensions. */
 u32 ts_vector_out_shape(u64 shape[TS_MAX_DIMS], const ts_vector *vector);
 

@@ -11,17 +11,16 @@ typedef struct {
 	_Alignas(8) u32 found[TS_VECTOR_ITEMS * TS_VECTOR_WORDS];
 } rows;
 
-static const ts_launch vectors = TS_LAUNCH(vectors, TS_ALL);
-
-static ts_status compute(ts_backend *backend, rows *r, const ts_vector *v, u32 primitive)
+static ts_status compute(ts_backend *backend, rows *r, const ts_vector_place *at)
 {
+	const ts_vector *v = at->vector;
 	ts_frame frame;
 	memset(&frame, 0, sizeof frame);
-	ts_vectors_args args = {r->in, r->found, primitive, ts_vector_in_words(v), ts_vector_out_words(v)};
+	ts_vectors_args args = {r->in, r->found, at->primitive, ts_vector_in_words(v), ts_vector_out_words(v)};
 	memset(r->found, 0, sizeof r->found);
 	ts_frame_lend(&frame, TS_WORK_tallies, r->in, (u64)TS_VECTOR_ITEMS * args.in_words * sizeof(u32));
 	ts_frame_lend(&frame, TS_WORK_other, r->found, (u64)TS_VECTOR_ITEMS * args.out_words * sizeof(u32));
-	ts_status status = backend->launch(backend, &frame, &vectors, &args, TS_VECTOR_ITEMS);
+	ts_status status = backend->launch(backend, &frame, at->launch, &args, TS_VECTOR_ITEMS);
 	ts_status recalled = ts_frame_recall(&frame, TS_WORK_other);
 	ts_frame_clear(&frame);
 	return status == TS_OK ? recalled : status;
@@ -54,9 +53,10 @@ static ts_status verify(ts_backend *backend, rows *r, char *wrong, size_t bytes)
 {
 	backend->arithmetic = (ts_measured){.rounds_to_nearest = true, .keeps_denormals = true};
 	for (u32 i = 0; i < ts_vectors_count(); i++) {
-		const ts_vector *v = ts_vectors_at(i);
+		ts_vector_place at = ts_vectors_place(i);
+		const ts_vector *v = at.vector;
 		ts_vector_make(v, r->in, r->out);
-		if (compute(backend, r, v, i) != TS_OK) return TS_ERROR;
+		if (compute(backend, r, &at) != TS_OK) return TS_ERROR;
 		ts_vector_verdict verdict = ts_vector_judge(v, r->in, r->out, r->found);
 		learn(&backend->arithmetic, v, &verdict);
 		if (is_right(&verdict)) continue;

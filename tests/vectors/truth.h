@@ -1,48 +1,9 @@
-/* IEEE 754 operations rounded once from wider ones: an independent truth for arithmetic vectors. A double holds the sum,
- * product, quotient or root of floats, rounded to odd, with enough bits to be rounded again (Boldo and Melquiond 2008). */
+/* The primitives that methods share from operations rounded once, or exactly in integers. */
 #ifndef TS_TESTS_TRACE_VECTORS_TRUTH_H
 #define TS_TESTS_TRACE_VECTORS_TRUTH_H
 #include <stdlib.h>
-#include "../../src/vectors/row.h"
 #include "../kernels/base/half_truth.h"
-
-/* y rounded to odd, when the exact value lies `error` beyond it. */
-static inline double to_odd(double y, double error)
-{
-	u64 u;
-	memcpy(&u, &y, sizeof u);
-	if (error == 0 || (u & 1) != 0) return y;
-	u += (error > 0) == (y > 0) ? 1 : -1ull;
-	memcpy(&y, &u, sizeof y);
-	return y;
-}
-
-static inline f32 radd(f32 a, f32 b)
-{
-	double x = a, y = b, s = x + y, t = s - x;
-	return (f32)to_odd(s, (x - (s - t)) + (y - t));
-}
-static inline f32 rsub(f32 a, f32 b) { return radd(a, -b); }
-static inline f32 rmul(f32 a, f32 b) { return (f32)((double)a * b); }
-static inline f32 rdiv(f32 a, f32 b)
-{
-	double q = (double)a / b, rest = fma(-q, b, a);
-	return (f32)to_odd(q, b < 0 ? -rest : rest);
-}
-static inline f32 rsqrt(f32 a)
-{
-	double r = sqrt((double)a);
-	return (f32)to_odd(r, fma(-r, r, a));
-}
-
-static inline f32 rdot(ts_v3 a, ts_v3 b) { return radd(radd(rmul(a.x, b.x), rmul(a.y, b.y)), rmul(a.z, b.z)); }
-static inline f32 rdiff(f32 a, f32 b, f32 c, f32 d) { return rsub(rmul(a, b), rmul(c, d)); }
-static inline f32 rmad(f32 a, f32 b, f32 s) { return radd(a, rmul(b, s)); }
-static inline ts_v3 rmad3(ts_v3 a, ts_v3 b, f32 s)
-{
-	return ts_v3_make(rmad(a.x, b.x, s), rmad(a.y, b.y, s), rmad(a.z, b.z, s));
-}
-static inline f32 stored(f32 x) { return fabsf(x) < 0x1p-100f ? 0 : x; }
+#include "rounded.h"
 
 typedef void truth(u32 *right, const u32 *in);
 
@@ -72,15 +33,6 @@ F(abs, fabsf(A))
 F(san, isnan(A) || fabsf(A) < 0x1p-39f ? 0 : fabsf(A) > 0x1p62f ? copysignf(0x1p62f, A) : A)
 F(put, stored(A))
 
-static i64 saturated(double y, double low, double high)
-{
-	return (i64)(isnan(y) ? 0 : y < low ? low : y > high ? high : y);
-}
-static i64 fixed(f32 x, i32 frac, i32 bits)
-{
-	double limit = ldexp(1, bits) - 1;
-	return saturated(rint(ldexp((double)x, frac)), -limit, limit);
-}
 W(fix, fixed(A, ts_row_i32(in, 1), ts_row_i32(in, 2)))
 F(to_half, (f32)half_of((double)A))
 W(f2i, saturated(trunc((double)A), INT32_MIN, INT32_MAX))
@@ -253,7 +205,6 @@ static void t_texture_bilinear(u32 *right, const u32 *in)
 		                 (u64)(y + 256) % 256);
 	}
 }
-W(cull_threshold, saturated((double)fixed(rsub(1, rmul(10, A)), 24, 25), 0, 33554431))
 
 static double decoded(double e) { return e <= 0.04045 ? e / 12.92 : pow((e + 0.055) / 1.055, 2.4); }
 static u32 srgb_of(f32 l)
@@ -271,7 +222,6 @@ static const struct { const char *name; truth *right; } exact[] = {
 	T(diff_of_products) T(dot) T(cross) T(mad) T(length) T(normalize) T(reflect) T(blend) T(cut) T(project) T(snap)
 	T(edge) T(top_left) T(covers) T(touches) T(fragment) T(cube_face) T(cube_place) T(cube_texel) T(key) T(key_min)
 	T(point_key) T(texture_wrap) T(texture_neighbour) T(texture_mix4) T(texture_mix2) T(texture_bilinear) T(srgb)
-	T(cull_threshold)
 };
 enum { N_EXACT = sizeof exact / sizeof exact[0] };
 

@@ -1,9 +1,7 @@
-/* Every primitive of the arithmetic vectors against an independent truth: rounded once from wider arithmetic, exact in
- * integers, or within the error that the contract states. And every fault that a port may have is found and named. */
+/* Every primitive that methods share against an independent truth: rounded once from wider arithmetic, exact in integers,
+ * or within the error that the contract states. And every fault that a port may have is found and named, of all. */
 #include "../model/test.h"
 #include "../../src/model/digest.h"
-#include "../kernels/hulls/form_factor_truth.h"
-#include "../kernels/hulls/gaussian_truth.h"
 #include "truth.h"
 
 static u32 in[TS_VECTOR_ITEMS * TS_VECTOR_WORDS];
@@ -81,62 +79,11 @@ static void test_bounded(void **state)
 	}
 }
 
-/* Of the printed forms, where they neither cancel nor overflow. */
-static double cosine_error(f32 ours, double lambda, double c, u32 method, bool printed)
-{
-	if (method == TS_COSINE_IS_OURS && printed && (lambda < 2 || lambda > 30)) return 0;
-	double right = method == TS_COSINE_IS_OURS ? sg_closed(lambda, c) : method == TS_COSINE_IS_SG ? sg_as_sg(lambda, c)
-		: method == TS_COSINE_IS_CONSTANT ? fmax(0, c) * sg_sphere(lambda) : sg_truth(lambda, c);
-	return fabs(ours - right) / sg_up(lambda);
-}
-
-/* A triangle behind the first words of a row. Where it is seen from the side by so little that rounding decides, any
- * value in range is right. */
-static void judge_light(const u32 *row, u32 at, f32 ours, bool factor)
-{
-	double3 p = d3_of(ts_row_v3(row, 0)), corner[3];
-	double size = 0;
-	for (u32 k = 0; k < 3; k++) {
-		corner[k] = d3_sub(d3_of(ts_row_v3(row, at + 3 * k)), p);
-		size = fmax(size, d3_length(corner[k]));
-	}
-	double3 normal = d3_cross(d3_sub(corner[1], corner[0]), d3_sub(corner[2], corner[0]));
-	double side = -d3_dot(normal, corner[0]), limit = factor ? 1 : 2 * ff_pi;
-	assert_true(ours >= 0 && ours <= (f32)limit);
-	if (fabs(side) < 1e-2 * size * size * size) return;
-	double right = !factor ? ff_solid(corner[0], corner[1], corner[2])
-		: side > 0 ? ff_factor(d3_of(ts_row_v3(row, 3)), corner) : 0;
-	assert_near(ours, right, factor ? 1e-6 : 2e-5);
-}
-
-/* And of spherical Gaussians and of triangles that shine: rounding. */
-static void test_light(void **state)
-{
-	(void)state;
-	ts_vector_make(ts_vectors_find("sg_cosine"), in, out);
-	for (u32 i = 0; i < TS_VECTOR_ITEMS; i++) {
-		const u32 *row = in + (size_t)i * 4;
-		double c = fmin(fmax(ts_row_f32(row, 1), -1), 1);
-		double error = cosine_error(ts_u2f(out[i]), ts_row_f32(row, 0), c, row[2], row[3] != 0);
-		assert_true(error <= (row[3] != 0 ? 6e-6 : 1.3e-6));
-	}
-	ts_vector_make(ts_vectors_find("sg_sharpness"), in, out);
-	for (u32 i = 0; i < TS_VECTOR_ITEMS; i++) {
-		double r = fmin(ts_u2f(in[2 * i]), 0.999989986), k = ts_u2f(out[i]);
-		double mean = in[2 * i + 1] == 0 ? k / (1 + k) : k < 0.01 ? k / 3 - k * k * k / 45 : 1 / tanh(k) - 1 / k;
-		assert_true(fabs(mean - r) <= 3e-6 * r);
-	}
-	ts_vector_make(ts_vectors_find("solid_angle"), in, out);
-	for (u32 i = 0; i < TS_VECTOR_ITEMS; i++) judge_light(in + (size_t)i * 12, 3, ts_u2f(out[i]), false);
-	ts_vector_make(ts_vectors_find("form_factor"), in, out);
-	for (u32 i = 0; i < TS_VECTOR_ITEMS; i++) judge_light(in + (size_t)i * 15, 6, ts_u2f(out[i]), true);
-}
-
-/* Nothing is left without a truth. */
+/* Nothing that methods share is left without a truth. */
 static void test_complete(void **state)
 {
 	(void)state;
-	assert_int_equal(ts_vectors_count(), N_EXACT + 10);
+	assert_int_equal(TS_N_PRIMITIVES, N_EXACT + 6);
 	assert_null(ts_vectors_at(ts_vectors_count()));
 	assert_null(ts_vectors_find("tan"));
 	for (u32 i = 0; i < ts_vectors_count(); i++) {
@@ -348,7 +295,7 @@ static void test_ulps(void **state)
 static void test_descr(void **state)
 {
 	(void)state;
-	char descr[TS_NPY_DESCR];
+	char descr[TS_VECTOR_DESCR];
 	u64 shape[TS_MAX_DIMS];
 	ts_vector_in_descr(descr, ts_vectors_find("texture_bilinear"));
 	assert_string_equal(descr, "[('texels', '<u8', (4,)), ('uv', '<f4', (2,)), ('wrap', '<u4', (2,))]");
@@ -366,7 +313,6 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_exact),
 		cmocka_unit_test(test_bounded),
-		cmocka_unit_test(test_light),
 		cmocka_unit_test(test_complete),
 		cmocka_unit_test(test_ranges),
 		cmocka_unit_test(test_digest),

@@ -6,5 +6,6 @@
 #include "hull.h"
 #include "hull_margin.h"
 #include "segment_box.h"
+#include "vectors.h"
 
 #endif

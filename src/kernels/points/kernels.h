@@ -14,5 +14,6 @@
 #include "shadow_splat.h"
 #include "splat_pieces.h"
 #include "split.h"
+#include "vectors.h"
 
 #endif

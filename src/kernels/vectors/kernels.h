@@ -1,4 +1,4 @@
-/* The kernel of the arithmetic vectors: for backends. */
+/* The kernel of the arithmetic vectors that all methods share: for backends. */
 #ifndef TS_KERNELS_VECTORS_KERNELS_H
 #define TS_KERNELS_VECTORS_KERNELS_H
 #include "vectors.h"

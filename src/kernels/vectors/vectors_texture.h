@@ -1,9 +1,8 @@
-/* Primitives of cube maps and of what is written to them (cube.h, CONTRACT rule 24), and of textures, display values
- * and culling (texture.h, srgb.h, cull.h). */
+/* Primitives of cube maps and of what is written to them (cube.h, CONTRACT rule 24), and of textures and display
+ * values (texture.h, srgb.h). */
 #ifndef TS_KERNELS_VECTORS_TEXTURE_H
 #define TS_KERNELS_VECTORS_TEXTURE_H
 #include "../raster/cube.h"
-#include "../points/cull.h"
 #include "../base/srgb.h"
 #include "../base/texture.h"
 #include "vectors_row.h"
@@ -60,6 +59,5 @@ TS_VECTOR_WORD(texture_lod,
                ts_k_texture_lod(in[0], in[1], ts_row_f32(in, 2u), ts_row_f32(in, 3u), ts_row_f32(in, 4u)))
 
 TS_VECTOR_WORD(srgb, ts_srgb_byte(TS_A))
-TS_VECTOR_WORD(cull_threshold, ts_k_cull_threshold(TS_A))
 
 #endif

@@ -1,5 +1,6 @@
 /* Primitives of light that is gathered (kernels/hulls/gaussian.h, form_factor.h). */
-#include "row.h"
+#include "../../kernels/hulls/vectors.h"
+#include "../../vectors/row.h"
 
 enum { P = 0, NORMAL = 3 };
 
@@ -31,7 +32,7 @@ static const f32 sharpness_edges[] = { 0.5f, 0.25f, 0.89999998f, 0.99998999f, 1,
 
 #define SPACE(name) { name, TS_VECTOR_F32, 3, 107, 137, true }
 
-const ts_vector ts_vectors_light[] = {
+static const ts_vector light[] = {
 	{ PRIMITIVE(sg_cosine), "ts_k_sg_cosine",
 	  "integral of a spherical Gaussian and the cosine; method 0 SSAGH's, 1 constant, 2 a Gaussian, 3 quadrature",
 	  { POSITIVE("lambda", 1, 107, 143), { "cos_beta", TS_VECTOR_F32, 1, 97, 127, true },
@@ -45,3 +46,7 @@ const ts_vector ts_vectors_light[] = {
 	  { SPACE("p"), SPACE("n"), SPACE("a"), SPACE("b"), SPACE("c") }, { TS_VECTOR_F32, 1 }, .relate = relate_surface },
 	{ 0 }
 };
+
+static const ts_launch launch = TS_LAUNCH(hulls_vectors, TS_ALL);
+
+const ts_vector_set ts_hulls_vectors = {&launch, {light}};

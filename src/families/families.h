@@ -1,0 +1,8 @@
+/* The families of methods, and what they bring for the engines below them. */
+#ifndef TS_FAMILIES_H
+#define TS_FAMILIES_H
+
+/* Hands the engines their rows; every program calls it first. */
+void ts_families_begin(void);
+
+#endif
