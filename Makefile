@@ -86,10 +86,10 @@ ITEMS_C := src/backends/c/items.c
 
 # Sources, by folder.
 every = $(wildcard $(foreach in,* */* */*/* */*/*/*,$(1)/$(in).$(2)))
-LIB_C := $(filter-out src/cli/% src/study/% $(ITEMS_C),$(call every,src,c))
+LIB_C := $(filter-out src/cli/% $(ITEMS_C),$(call every,src,c))
 IMAGE_CC := src/image/openimageio.cc
 LIB_CC := $(filter-out $(IMAGE_CC),$(call every,src,cc))
-CLI_C := $(filter-out src/cli/core_main.c,$(wildcard src/cli/*.c src/study/*.c))
+CLI_C := $(filter-out src/cli/core_main.c,$(wildcard src/cli/*.c))
 CORE_C := $(wildcard $(patsubst %,src/%/*.c,model backends backends/c backends/c/* methods methods/* families golden vectors)) \
 	src/truth/table.c $(wildcard $(patsubst %,src/trace/%.c,npy emit sums)) \
 	$(filter-out src/scene/print% src/scene/numbers.c,$(wildcard src/scene/*.c src/scene/builtin/*.c)) \

@@ -6,7 +6,7 @@
 static ts_status unknown(const char *name)
 {
 	ts_nearest nearest = ts_nearest_begin(name);
-	for (const ts_bench_row *row = ts_bench_rows; row->name != NULL; row++) ts_nearest_offer(&nearest, row->name);
+	for (const ts_bench_row *const *row = ts_benches(); *row != NULL; row++) ts_nearest_offer(&nearest, (*row)->name);
 	return ts_fail("bench: no table \"%s\"; the nearest is %s, and \"%s list benches\" lists all", name, nearest.best,
 	               ts_program);
 }
@@ -18,9 +18,10 @@ static bool says_nothing(const ts_bench_row *row, const char *option)
 
 ts_status ts_bench_command(ts_cli *cli)
 {
-	const ts_bench_row *row = ts_bench_rows;
-	while (row->name != NULL && strcmp(row->name, cli->arguments[0]) != 0) row++;
-	if (row->name == NULL) return unknown(cli->arguments[0]);
+	const ts_bench_row *const *named = ts_benches();
+	while (*named != NULL && strcmp((*named)->name, cli->arguments[0]) != 0) named++;
+	if (*named == NULL) return unknown(cli->arguments[0]);
+	const ts_bench_row *row = *named;
 	for (u32 i = 0; i < TS_N_OPTIONS; i++) {
 		const char *option = ts_option_table[i].name;
 		bool given = ts_cli_given(cli, 1ull << i);

@@ -1,10 +1,11 @@
 /* Which tables `bench` has. */
+#include <assert.h>
 #include <stdlib.h>
 #include "bench.h"
 #include "bench_paper.h"
 #include "truths.h"
 
-enum { RUNS = 3 };
+enum { RUNS = 3, MOST = 64 };
 
 static int by_value(const void *a, const void *b)
 {
@@ -29,15 +30,15 @@ void ts_bench_head(ts_report *report, const ts_job *job, bool sized)
 	ts_report_run(report, job);
 }
 
-ts_status ts_bench_truth(const ts_truth_kind **judge, const ts_job *job)
+ts_status ts_bench_truth(const ts_truth_kind **judge, const ts_job *job, const char *effect, const char *unless)
 {
 	u32 truths;
 	char names[64];
 	*judge = NULL;
-	const char *typed = job->judged ? job->truth : "C";
-	if (ts_truths_find(&truths, "reflections", typed) != TS_OK) return TS_ERROR;
+	const char *typed = job->judged ? job->truth : unless;
+	if (ts_truths_find(&truths, effect, typed) != TS_OK) return TS_ERROR;
 	if ((truths & (truths - 1)) != 0) {
-		ts_truths_list(names, sizeof names, "reflections", ", ");
+		ts_truths_list(names, sizeof names, effect, ", ");
 		return ts_fail("bench: one truth is compared with, not several; write --truth=%s or none", names);
 	}
 	const ts_truth_kind *const *kind = ts_truths();
@@ -46,50 +47,43 @@ ts_status ts_bench_truth(const ts_truth_kind **judge, const ts_job *job)
 	return TS_OK;
 }
 
-#define BY_ITSELF "method truth"
-#define FILES "output force"
-
-const ts_bench_row ts_bench_rows[] = {
-	{ "ivir-1", "iVIR: soft shadows; also of models in TS_SCENES", BY_ITSELF " objects", .paper = &ts_ivir_1 },
-	{ "ivir-2", "iVIR: reflections", BY_ITSELF, .paper = &ts_ivir_2 },
-	{ "ivir-3", "iVIR: omnidirectional shadows", BY_ITSELF, .paper = &ts_ivir_3 },
-	{ "epr-1", "EPR: shading operations", BY_ITSELF, .paper = &ts_epr_1 },
-	{ "epr-2", "EPR: times, points, and errors against truth C or --truth", "method", .paper = &ts_epr_2 },
-	{ "epr-3", "EPR: omnidirectional shadows", BY_ITSELF, .paper = &ts_epr_3 },
-	{ "epr-6", "EPR: speed against accuracy as density, sampling and faces vary", "method",
-	  .run = ts_bench_sweep },
-	{ "ssagh-1", "SSAGH: frames a second by size of the image; --objects takes sizes, WxH; also of models in TS_SCENES",
-	  BY_ITSELF " size", .paper = &ts_ssagh_1 },
-	{ "ssagh-segments", "SSAGH: labels of algorithm 1 beside connected components",
-	  BY_ITSELF " objects runs", .run = ts_bench_segments },
-	{ "ssagh-5", "SSAGH: the curves c and s; no scene", "", .takes = FILES " json", .run = ts_bench_curves },
-	{ "ssagh-7", "SSAGH: errors of integrals with the cosine; no scene", "", .takes = FILES " json",
-	  .run = ts_bench_cosines },
-	{ "mega-10", "MegaViews and ManyLoDs as views become many; --objects are paths of light", BY_ITSELF,
-	  .paper = &ts_mega_10 },
-	{ "mega-10-bounces", "the same of four bounces", BY_ITSELF, .paper = &ts_mega_10_bounces },
-	{ "mega-12", "MegaViews: as maps become large; --objects are texels a side", BY_ITSELF, .paper = &ts_mega_12 },
-	{ "mega-13", "MegaViews: as octrees become deep; --objects are levels", BY_ITSELF, .paper = &ts_mega_13 },
-	{ "mega-16", "MegaViews: what gathering culls; --objects are levels", BY_ITSELF, .paper = &ts_mega_16 },
-	{ "mega-particles", "MegaViews: of particles at random in the air; --objects are how many", BY_ITSELF,
-	  .paper = &ts_mega_particles },
-	{ "nv40", "surface splatting: surfels a second and fragments a pixel; --objects takes sizes",
-	  BY_ITSELF " size", .paper = &ts_nv40 },
+/* What concerns no family. */
+static const ts_bench_row general[] = {
 	{ "backends", "each stage in C and on every OpenCL device, of one frame by one --method (epr); and builds",
-	  "truth " FILES, .run = ts_bench_backends, .runs = 5 },
-	{ "start", "the seconds from opening --backend to its first frames", "truth " FILES, .run = ts_bench_start },
-	{ 0 }
+	  "truth " TS_BENCH_FILES, .run = ts_bench_backends, .runs = 5 },
+	{ "start", "the seconds from opening --backend to its first frames", "truth " TS_BENCH_FILES, .run = ts_bench_start },
+	{ 0 },
 };
+
+static const ts_bench_row *table[MOST + 1];
+
+static u32 append(u32 n, const ts_bench_row *row)
+{
+	for (; row->name != NULL; row++) {
+		assert(n < MOST);
+		table[n++] = row;
+	}
+	return n;
+}
+
+void ts_benches_use(const ts_bench_row *const *rows)
+{
+	u32 n = 0;
+	for (; *rows != NULL; rows++) n = append(n, *rows);
+	table[append(n, general)] = NULL;
+}
+
+const ts_bench_row *const *ts_benches(void) { return table; }
 
 ts_table ts_bench_list(void)
 {
 	static const ts_column columns[] = { { "name", "table", false }, { "doc", "what it measures", false }, { 0 } };
-	ts_table table = ts_table_begin("benches", "", columns);
-	for (const ts_bench_row *row = ts_bench_rows; row->name != NULL; row++) {
-		ts_table_text(&table, row->name);
-		ts_table_text(&table, row->doc);
+	ts_table list = ts_table_begin("benches", "", columns);
+	for (const ts_bench_row *const *row = ts_benches(); *row != NULL; row++) {
+		ts_table_text(&list, (*row)->name);
+		ts_table_text(&list, (*row)->doc);
 	}
-	return table;
+	return list;
 }
 
 ts_status ts_bench_run(const ts_bench_row *row, const ts_job *job)

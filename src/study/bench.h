@@ -38,8 +38,14 @@ typedef struct {
 	u32 runs;                     /* unless the job says how many; 0: three */
 } ts_bench_row;
 
-/* All of them, ended by a row without a name. */
-extern const ts_bench_row ts_bench_rows[];
+/* The options that a table of a paper, whose methods and truths are its own, and one without files ignore. */
+#define TS_BENCH_BY_ITSELF "method truth"
+#define TS_BENCH_FILES "output force"
+
+/* Takes the tables of all families: lists ended by NULL, each ended by a row without a name. The rows must stay. */
+void ts_benches_use(const ts_bench_row *const *rows);
+/* All of them in that order, then those of backends, ended by NULL. */
+const ts_bench_row *const *ts_benches(void);
 ts_status ts_bench_run(const ts_bench_row *row, const ts_job *job);
 /* As `list benches` prints them. */
 ts_table ts_bench_list(void);
@@ -47,20 +53,13 @@ ts_table ts_bench_list(void);
 /* Tables of a file each. */
 ts_status ts_bench_backends(const ts_job *job);
 ts_status ts_bench_start(const ts_job *job);
-ts_status ts_bench_cosines(const ts_job *job);
-ts_status ts_bench_curves(const ts_job *job);
-/* Of ssagh-7: what single precision leaves of the integrals as they are printed. */
-void ts_bench_printed(ts_report *report);
-
-ts_status ts_bench_segments(const ts_job *job);
-ts_status ts_bench_sweep(const ts_job *job);
-/* The one truth of reflections that --truth names, C without it; NULL: "none". */
-ts_status ts_bench_truth(const ts_truth_kind **judge, const ts_job *job);
+/* The one truth of an effect that --truth names, or that of the name `unless` without it; NULL: "none". */
+ts_status ts_bench_truth(const ts_truth_kind **judge, const ts_job *job, const char *effect, const char *unless);
 
 /* The one frame that these measure: --scene and --objects name one each. */
 const char *ts_bench_frame_spec(const ts_job *job);
 ts_status ts_bench_frame_params(ts_params *params, const ts_job *job);
-/* The same with one --method, or EPR. */
+/* The same with one --method, or the first of all. */
 typedef struct {
 	const ts_pipeline *method;
 	ts_scene *scene;

@@ -152,7 +152,7 @@ static ts_status work_on(const ts_job *job, ts_report *report, const void *user)
 {
 	const ts_paper_table *table = user;
 	work w = { .job = job, .table = table };
-	ts_status status = table->judged ? ts_bench_truth(&w.judge, job) : TS_OK;
+	ts_status status = table->judge != NULL ? ts_bench_truth(&w.judge, job, table->effect, table->judge) : TS_OK;
 	ts_bench_head(report, job, table->objects_head == NULL || table->objects_param != NULL);
 	report_variants(report, table);
 	if (status == TS_OK) status = measure_lines(&w, report);

@@ -62,7 +62,7 @@ typedef struct ts_paper_table {
 	const char *size;           /* unless --size says otherwise; NULL: 1920 x 1080 */
 	const char *note;           /* a line above the table, or NULL */
 	bool timed;                 /* --runs; else one run, of counts */
-	bool judged;                /* by --truth, C without it */
+	const char *judge;          /* the truth that errors are to, unless --truth says otherwise; NULL: none */
 	bool by_triangles;          /* the paper's row is the one nearest in triangles, figure 0 */
 	const ts_bench_variant *variants;
 	const ts_bench_figure *figures;
@@ -71,13 +71,6 @@ typedef struct ts_paper_table {
 	const ts_paper_plot *plot;          /* with -o; or NULL */
 	const ts_paper_row *rows;           /* ended by one without a name */
 } ts_paper_table;
-
-/* As the iVIR paper has it. */
-#define TS_IVIR_DEFAULTS "rate=paper,snap=off"
-#define TS_OMNI_NOTE "Depth maps of 256 x 256 instead of the paper's 1024 x 1024, for VIR's points."
-
-extern const ts_paper_table ts_ivir_1, ts_ivir_2, ts_ivir_3, ts_epr_1, ts_epr_2, ts_epr_3, ts_ssagh_1, ts_nv40;
-extern const ts_paper_table ts_mega_10, ts_mega_10_bounces, ts_mega_12, ts_mega_13, ts_mega_16, ts_mega_particles;
 
 /* A row of ours, and the paper's beside it. */
 typedef struct {

@@ -34,4 +34,5 @@ void ts_tools_begin(void)
 	HAND(ts_check_use, ts_check_rule, checks);
 	HAND(ts_truths_use, ts_truth_kind, truths);
 	HAND(ts_texels_use, ts_texel_rule, texels);
+	HAND(ts_benches_use, ts_bench_row, benches);
 }

@@ -5,6 +5,7 @@
 #include "../../compare/decided.h"
 #include "../../compare/tie.h"
 #include "../../replay/check.h"
+#include "../../study/bench.h"
 #include "../../truth/table.h"
 #include "../../truth/texels.h"
 
@@ -14,6 +15,7 @@ typedef struct {
 	const ts_check_rule *checks;   /* ended by a row without `check` */
 	const ts_truth_kind *truths;   /* ended by a row without a name */
 	const ts_texel_rule *texels;   /* ended by a row without `judge` */
+	const ts_bench_row *benches;   /* ended by a row without a name */
 } ts_family_tools;
 
 #endif

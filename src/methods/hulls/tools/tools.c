@@ -1,6 +1,7 @@
 /* What the family of hulls brings for the tools. */
 #include "../../tools/family.h"
 #include "../../raster/tools/truth_gather.h"
+#include "benches.h"
 #include "tools.h"
 
 static const ts_margin_rule margins[] = {
@@ -17,8 +18,20 @@ static const ts_truth_kind truths[] = {
 	{ 0 },
 };
 
+static const ts_bench_row benches[] = {
+	{ "ssagh-1", "SSAGH: frames a second by size of the image; --objects takes sizes, WxH; also of models in TS_SCENES",
+	  TS_BENCH_BY_ITSELF " size", .paper = &ts_ssagh_1 },
+	{ "ssagh-segments", "SSAGH: labels of algorithm 1 beside connected components",
+	  TS_BENCH_BY_ITSELF " objects runs", .run = ts_bench_segments },
+	{ "ssagh-5", "SSAGH: the curves c and s; no scene", "", .takes = TS_BENCH_FILES " json", .run = ts_bench_curves },
+	{ "ssagh-7", "SSAGH: errors of integrals with the cosine; no scene", "", .takes = TS_BENCH_FILES " json",
+	  .run = ts_bench_cosines },
+	{ 0 },
+};
+
 const ts_family_tools ts_hulls_tools = {
 	.margins = margins,
 	.checks = ts_hulls_checks,
 	.truths = truths,
+	.benches = benches,
 };

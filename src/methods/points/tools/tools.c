@@ -1,5 +1,6 @@
 /* What the family of points brings for the tools. */
 #include "../../tools/family.h"
+#include "benches.h"
 #include "tools.h"
 #include "tie.h"
 
@@ -11,10 +12,8 @@ static const ts_tie_rule ties[] = {
 #define CHANCE 0.00000095367431640625f /* 2^-20 of a random number's range */
 
 static const ts_margin_rule margins[] = {
-	{TS_B_face_depth_triangle, TS_B_face_margin, .of = 1, .steps = 1.0f},
 	{TS_B_cull_keep, TS_B_cull_margin, .of = 1, .steps = CHANCE},
 	{TS_B_splat_depth_index, TS_B_splat_tie, .of = 1},
-	{TS_B_scatter_depth, TS_B_depth_margin, .of = 1, .steps = 1.0f},
 	{0},
 };
 
@@ -51,10 +50,23 @@ static const ts_texel_rule texels[] = {
 	{0},
 };
 
+static const ts_bench_row benches[] = {
+	{ "ivir-1", "iVIR: soft shadows; also of models in TS_SCENES", TS_BENCH_BY_ITSELF " objects", .paper = &ts_ivir_1 },
+	{ "ivir-2", "iVIR: reflections", TS_BENCH_BY_ITSELF, .paper = &ts_ivir_2 },
+	{ "ivir-3", "iVIR: omnidirectional shadows", TS_BENCH_BY_ITSELF, .paper = &ts_ivir_3 },
+	{ "epr-1", "EPR: shading operations", TS_BENCH_BY_ITSELF, .paper = &ts_epr_1 },
+	{ "epr-2", "EPR: times, points, and errors against truth C or --truth", "method", .paper = &ts_epr_2 },
+	{ "epr-3", "EPR: omnidirectional shadows", TS_BENCH_BY_ITSELF, .paper = &ts_epr_3 },
+	{ "epr-6", "EPR: speed against accuracy as density, sampling and faces vary", "method",
+	  .run = ts_bench_sweep },
+	{ 0 },
+};
+
 const ts_family_tools ts_points_tools = {
 	.ties = ties,
 	.margins = margins,
 	.checks = ts_points_checks,
 	.truths = truths,
 	.texels = texels,
+	.benches = benches,
 };

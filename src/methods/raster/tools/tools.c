@@ -4,6 +4,8 @@
 
 static const ts_margin_rule margins[] = {
 	{TS_B_eye_depth_triangle, TS_B_eye_margin, .of = 1, .steps = 1.0f},
+	{TS_B_face_depth_triangle, TS_B_face_margin, .of = 1, .steps = 1.0f},
+	{TS_B_scatter_depth, TS_B_depth_margin, .of = 1, .steps = 1.0f},
 	{TS_B_resolve_lit, TS_B_resolve_margin, .of = 1, .steps = 1.0f},
 	{0},
 };

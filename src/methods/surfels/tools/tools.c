@@ -1,5 +1,6 @@
 /* What the family of surfels brings for the tools. */
 #include "../../tools/family.h"
+#include "benches.h"
 #include "tools.h"
 
 static const ts_margin_rule margins[] = {
@@ -19,8 +20,15 @@ static const ts_truth_kind truths[] = {
 	{ 0 },
 };
 
+static const ts_bench_row benches[] = {
+	{ "nv40", "surface splatting: surfels a second and fragments a pixel; --objects takes sizes",
+	  TS_BENCH_BY_ITSELF " size", .paper = &ts_nv40 },
+	{ 0 },
+};
+
 const ts_family_tools ts_surfels_tools = {
 	.margins = margins,
 	.checks = ts_surfels_checks,
 	.truths = truths,
+	.benches = benches,
 };

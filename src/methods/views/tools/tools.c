@@ -1,6 +1,7 @@
 /* What the family of many views brings for the tools. */
 #include "../../tools/family.h"
 #include "../../raster/tools/truth_gather.h"
+#include "benches.h"
 #include "tools.h"
 
 static const ts_margin_rule margins[] = {
@@ -22,9 +23,23 @@ static const ts_texel_rule texels[] = {
 	{0},
 };
 
+static const ts_bench_row benches[] = {
+	{ "mega-10", "MegaViews and ManyLoDs as views become many; --objects are paths of light", TS_BENCH_BY_ITSELF,
+	  .paper = &ts_mega_10 },
+	{ "mega-10-bounces", "the same of four bounces", TS_BENCH_BY_ITSELF, .paper = &ts_mega_10_bounces },
+	{ "mega-12", "MegaViews: as maps become large; --objects are texels a side", TS_BENCH_BY_ITSELF,
+	  .paper = &ts_mega_12 },
+	{ "mega-13", "MegaViews: as octrees become deep; --objects are levels", TS_BENCH_BY_ITSELF, .paper = &ts_mega_13 },
+	{ "mega-16", "MegaViews: what gathering culls; --objects are levels", TS_BENCH_BY_ITSELF, .paper = &ts_mega_16 },
+	{ "mega-particles", "MegaViews: of particles at random in the air; --objects are how many", TS_BENCH_BY_ITSELF,
+	  .paper = &ts_mega_particles },
+	{ 0 },
+};
+
 const ts_family_tools ts_views_tools = {
 	.margins = margins,
 	.checks = ts_views_checks,
 	.truths = truths,
 	.texels = texels,
+	.benches = benches,
 };

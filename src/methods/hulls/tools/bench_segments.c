@@ -2,10 +2,10 @@
  * the connected components that they stand for. */
 #include <stdlib.h>
 #include <string.h>
-#include "../kernels/hulls/segment.h"
-#include "../methods/pipeline.h"
-#include "bench.h"
-#include "bench_case.h"
+#include "../../../kernels/hulls/segment.h"
+#include "../../pipeline.h"
+#include "benches.h"
+#include "../../../study/bench_case.h"
 
 /* Of blocks. */
 typedef struct {

@@ -1,8 +1,8 @@
 /* `bench ssagh-7`: the error of each way to integrate a spherical Gaussian with the cosine, over all angles between the two;
  * SSAGH's figure 7. Quadrature and methods are the kernels', in single precision: errors below 1e-6 are its rounding. */
 #include <math.h>
-#include "../kernels/hulls/gaussian.h"
-#include "bench.h"
+#include "../../../kernels/hulls/gaussian.h"
+#include "benches.h"
 
 enum { N_SHARP = 61, N_ANGLES = 181, N_METHODS = 3, DOT_STEP = 3 };
 

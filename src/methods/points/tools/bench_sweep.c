@@ -2,9 +2,9 @@
  * faces vary; after EPR's figure 6, which varies the size of the mirrors. */
 #include <stdlib.h>
 #include <touchstone/image.h>
-#include "bench.h"
-#include "bench_case.h"
-#include "truths.h"
+#include "benches.h"
+#include "../../../study/bench_case.h"
+#include "../../../study/truths.h"
 
 /* A point of a curve: what is set for it, and its label. */
 typedef struct {
@@ -117,7 +117,7 @@ ts_status ts_bench_sweep(const ts_job *job)
 {
 	const ts_truth_kind *judge;
 	char names[64];
-	if (ts_bench_truth(&judge, job) != TS_OK) return TS_ERROR;
+	if (ts_bench_truth(&judge, job, "reflections", "C") != TS_OK) return TS_ERROR;
 	if (judge != NULL) return ts_bench_with_report(job, work_on, judge);
 	ts_truths_list(names, sizeof names, "reflections", " or ");
 	return ts_fail("bench epr-6: accuracy needs a truth; write --truth=%s", names);

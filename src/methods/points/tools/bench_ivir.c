@@ -1,5 +1,5 @@
 /* The iVIR paper's tables. */
-#include "bench_paper.h"
+#include "benches.h"
 
 /* Table 1. Brackets of the paper: with stochastic culling. */
 enum { M_IVIR, M_IVIR_CULL, M_STORED, M_STORED_CULL, M_VIR, M_VIR_CULL, M_MVR, M_WATERTIGHT };

@@ -1,6 +1,6 @@
 /* MegaViews beside ManyLoDs as views become many: what the paper's figure 10 plots, of which only what the text says is
  * known. The stages `map` and `fuse` render maps. */
-#include "bench_paper.h"
+#include "benches.h"
 
 enum { M_MEGA, M_LODS, M_WIDE, M_BRUTE };
 

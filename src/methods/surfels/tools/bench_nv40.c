@@ -1,6 +1,6 @@
 /* The timings of the slides on surface splatting: surfels a second by shader, and how little it matters which, for each
  * pixel is shaded once however many fragments it has. */
-#include "bench_paper.h"
+#include "benches.h"
 
 /* By shader: with the screen filter and without, by all threads and by one. */
 enum { PHONG, NPR, PHONG_SHADOW, NPR_SHADOW, SHADERS };

@@ -1,7 +1,7 @@
 /* Figures that tables of MegaViews share, of MegaViews and ManyLoDs as X grows, which each table has for itself. */
-#ifndef TS_CLI_BENCH_MEGA_H
-#define TS_CLI_BENCH_MEGA_H
-#include "bench_paper.h"
+#ifndef TS_VIEWS_TOOLS_BENCH_MEGA_H
+#define TS_VIEWS_TOOLS_BENCH_MEGA_H
+#include "benches.h"
 
 /* Variants. */
 enum { M_MEGA, M_LODS };

@@ -1,5 +1,5 @@
 /* The SSAGH paper's table of frames a second, as the images grow. Speed-ups are of the paper's own frames a second. */
-#include "bench_paper.h"
+#include "benches.h"
 
 enum { M_HULLS, M_DIRECT, M_VMF };
 

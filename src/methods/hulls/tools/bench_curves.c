@@ -1,8 +1,8 @@
 /* `bench ssagh-5`: the curves c and s of SSAGH's figure 5, out of quadrature and in closed form. c is A_h brought to [0, 1]
  * by A_b and A_u, s what is left of it between the clamped cosine and that over the whole sphere (eqs 15 and 16). */
 #include <math.h>
-#include "../kernels/hulls/gaussian.h"
-#include "bench.h"
+#include "../../../kernels/hulls/gaussian.h"
+#include "benches.h"
 
 enum { N_SHARP = 5, N_ANGLES = 37 };
 

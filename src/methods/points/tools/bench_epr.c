@@ -1,7 +1,7 @@
 /* The EPR paper's tables. Some of its cells contradict others and are kept as printed: Gallery's ratio with one mirror would
  * be 4.23 by its own operations; Breakfast's error of iVIR with 10 mirrors is 2.49 beside 0.31 with 20; iVIR's times with 20
  * mirrors in Sponza give 3.44, not 2.72. */
-#include "bench_paper.h"
+#include "benches.h"
 
 /* Table 1. */
 enum { M_EPR, M_MVR, M_IVIR, M_EPR_TWICE, M_IVIR_FIXED };
@@ -152,7 +152,7 @@ const ts_paper_table ts_epr_2 = {
 	.name = "epr-2", .title = "EPR, table 2: who runs", .effect = "reflections",
 	.scenes = "atrium,gallery,dining", .objects_head = "mirrors", .objects_param = "reflectors",
 	.objects = "1,10,20,50", .set = "", .defaults = TS_IVIR_DEFAULTS,
-	.timed = true, .judged = true, .variants = variants, .figures = figures, .parts = parts,
+	.timed = true, .judge = "C", .variants = variants, .figures = figures, .parts = parts,
 	.relations = relations, .rows = rows,
 };
 

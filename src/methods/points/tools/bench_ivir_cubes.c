@@ -1,5 +1,5 @@
 /* The iVIR paper's tables of cube maps: reflections, and omnidirectional shadows. */
-#include "bench_paper.h"
+#include "benches.h"
 
 enum { M_IVIR, M_STORED, M_VIR, M_MVR };
 

@@ -1,0 +1,9 @@
+/* The tables of `bench` that are of this family. */
+#ifndef TS_SURFELS_TOOLS_BENCHES_H
+#define TS_SURFELS_TOOLS_BENCHES_H
+#include "../../../study/bench.h"
+#include "../../../study/bench_paper.h"
+
+extern const ts_paper_table ts_nv40;
+
+#endif

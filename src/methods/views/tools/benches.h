@@ -1,0 +1,9 @@
+/* The tables of `bench` that are of this family. */
+#ifndef TS_VIEWS_TOOLS_BENCHES_H
+#define TS_VIEWS_TOOLS_BENCHES_H
+#include "../../../study/bench.h"
+#include "../../../study/bench_paper.h"
+
+extern const ts_paper_table ts_mega_10, ts_mega_10_bounces, ts_mega_12, ts_mega_13, ts_mega_16, ts_mega_particles;
+
+#endif
