@@ -38,7 +38,7 @@ static ts_status digest_method(const ts_job *job, const ts_scene *scene, const t
 {
 	ts_sums sums;
 	if (ts_sums_of(&sums, method, scene, &job->params, &job->how) != TS_OK) return TS_ERROR;
-	printf("# %s by %s\n", method->effect, method->name);
+	printf("# %s by %s\n", method->effect->name, method->name);
 	ts_sums_print(&sums, method, stdout);
 	return TS_OK;
 }
@@ -48,7 +48,7 @@ ts_status ts_digest_command(ts_cli *cli)
 	const ts_pipeline *methods[TS_MAX_METHODS];
 	u32 n;
 	ts_scene *scene;
-	const char *effect = cli->job.effect != NULL ? cli->job.effect : ts_effect_table[0].name;
+	const char *effect = cli->job.effect != NULL ? cli->job.effect : ts_pipelines()[0]->effect->name;
 	ts_status status = ts_methods_find(methods, &n, effect, cli->job.method);
 	ts_effect_params(&cli->job, effect);
 	if (status != TS_OK || (status = ts_selftest_require()) != TS_OK) return status;

@@ -59,7 +59,7 @@ static ts_status find_method(ts_case *c, ts_cli *cli)
 {
 	char effect[32];
 	const char *method = cli->arguments[0], *slash = strchr(method, '/');
-	snprintf(effect, sizeof effect, "%s", ts_effect_table[0].name);
+	snprintf(effect, sizeof effect, "%s", ts_pipelines()[0]->effect->name);
 	if (slash != NULL) {
 		snprintf(effect, sizeof effect, "%.*s", (int)(slash - method < 31 ? slash - method : 31), method);
 		method = slash + 1;

@@ -11,7 +11,7 @@ ts_status ts_case_write_params(const ts_case *c, const ts_golden_dir *dir, const
 	char text[MOST_BYTES], value[VALUE_BYTES];
 	size_t n_params, used;
 	const ts_param_info *params = ts_param_table(&n_params);
-	used = (size_t)snprintf(text, sizeof text, "effect=%s\nmethod=%s\nscene=%s\n", c->pipeline->effect,
+	used = (size_t)snprintf(text, sizeof text, "effect=%s\nmethod=%s\nscene=%s\n", c->pipeline->effect->name,
 	                        c->pipeline->name, c->scene);
 	for (size_t i = 0; i < n_params && used < sizeof text; i++) {
 		ts_params_format(&c->params, i, value, sizeof value);
@@ -75,7 +75,7 @@ ts_status ts_case_check_params(char *text, size_t text_bytes, const ts_case *c, 
 {
 	said s;
 	if (read_params(&s, dir, name) != TS_OK) return TS_ERROR;
-	if (differs(text, text_bytes, "effect", s.effect, c->pipeline->effect)) return TS_DIFFERENT;
+	if (differs(text, text_bytes, "effect", s.effect, c->pipeline->effect->name)) return TS_DIFFERENT;
 	if (differs(text, text_bytes, "method", s.method, c->pipeline->name)) return TS_DIFFERENT;
 	if (differs(text, text_bytes, "scene", s.scene, c->scene)) return TS_DIFFERENT;
 	size_t n;

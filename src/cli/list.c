@@ -38,7 +38,7 @@ static void cell_buffers(ts_table *table, const ts_buffer_id *ids)
 static ts_table list_stages(void)
 {
 	ts_table table = ts_table_begin("stages", "", stage_columns);
-	for (const ts_stage *const *at = ts_stage_table; *at != NULL; at++) {
+	for (const ts_stage *const *at = ts_stages(); *at != NULL; at++) {
 		const ts_stage *s = *at;
 		ts_table_text(&table, s->name);
 		ts_table_text(&table, s->kind);
@@ -112,9 +112,10 @@ static void cell_steps(ts_table *table, const ts_step *steps)
 static ts_table list_methods(void)
 {
 	ts_table table = ts_table_begin("methods", "", method_columns);
-	for (const ts_pipeline *p = ts_pipeline_table; p->name != NULL; p++) {
+	for (const ts_pipeline *const *at = ts_pipelines(); *at != NULL; at++) {
+		const ts_pipeline *p = *at;
 		ts_table_text(&table, p->name);
-		ts_table_text(&table, p->effect);
+		ts_table_text(&table, p->effect->name);
 		ts_table_text(&table, p->only_named ? "if named" : "by default");
 		ts_table_text(&table, p->paper);
 		ts_table_text(&table, p->doc);

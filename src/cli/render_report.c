@@ -59,7 +59,7 @@ static void report_times(const ts_render *render, ts_report *report)
 {
 	method_columns columns = columns_make(render, "stage", "time, ms");
 	ts_table table = ts_table_begin("milliseconds", "Time", columns.column);
-	for (const ts_stage *const *at = ts_stage_table; *at != NULL; at++) {
+	for (const ts_stage *const *at = ts_stages(); *at != NULL; at++) {
 		const ts_stage *s = *at;
 		bool any = false;
 		for (u32 i = 0; i < columns.n_methods; i++) any |= ts_measure_timing(&render->measures[i], s->name) != NULL;

@@ -13,8 +13,9 @@ static const ts_pipeline *starts_from(const ts_render *render, const ts_truth_ki
 	for (u32 i = 0; i < render->n_methods; i++) {
 		if (ts_truth_starts_from(kind, render->methods[i])) return render->methods[i];
 	}
-	for (const ts_pipeline *p = ts_pipeline_table; p->name != NULL; p++) {
-		if (strcmp(p->effect, render->effect) == 0 && ts_truth_starts_from(kind, p)) return p;
+	for (const ts_pipeline *const *at = ts_pipelines(); *at != NULL; at++) {
+		const ts_pipeline *p = *at;
+		if (strcmp(p->effect->name, render->effect) == 0 && ts_truth_starts_from(kind, p)) return p;
 	}
 	return NULL;
 }

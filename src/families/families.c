@@ -1,5 +1,6 @@
 /* What the families bring, in their order. */
 #include "families.h"
+#include "../methods/registry.h"
 #include "../vectors/vectors.h"
 
 /* VECTORS(name): ts_<name>_vectors, the primitives of a family that has some. */
@@ -16,4 +17,53 @@ static const ts_vector_set *const vectors[] = {
 #undef VECTORS
 #undef FAMILY
 
-void ts_families_begin(void) { ts_vectors_use(vectors); }
+/* STAGE(name): ts_stage_<name>, which says in the file of its code what it launches and makes. */
+#define FAMILY(name) FAMILY_FILE(methods/name/stages.def)
+#define STAGE(name) extern const ts_stage ts_stage_##name;
+#include "../families.def"
+#undef STAGE
+
+#define STAGE(name) &ts_stage_##name,
+static const ts_stage *const stages[] = {
+#include "../families.def"
+	NULL,
+};
+#undef STAGE
+#undef FAMILY
+
+/* PIPELINE(name): ts_pipeline_<name>, in the file of its steps. */
+#define FAMILY(name) FAMILY_FILE(methods/name/pipelines.def)
+#define PIPELINE(name) extern const ts_pipeline ts_pipeline_##name;
+#include "../families.def"
+#undef PIPELINE
+
+#define PIPELINE(name) &ts_pipeline_##name,
+static const ts_pipeline *const pipelines[] = {
+#include "../families.def"
+	NULL,
+};
+#undef PIPELINE
+#undef FAMILY
+
+/* Sizes that are computed: ts_size_<name>. */
+#define SIZE_fixed(id, computed)
+#define SIZE_counted(id, computed)
+#define SIZE_given(id, computed) computed(id)
+#define SIZE_found(id, computed) computed(id)
+#define SIZE_batched(id, computed) computed(id)
+#define DECLARED(id) ts_size_answer ts_size_##id;
+#define DIM(id, noun, how, bits, doc) SIZE_##how(id, DECLARED)
+#include <touchstone/records.def>
+
+#define ROW(id) [TS_DIM_##id] = ts_size_##id,
+#define DIM(id, noun, how, bits, doc) SIZE_##how(id, ROW)
+static ts_size_answer *const sizes[TS_N_DIMS] = {
+#include <touchstone/records.def>
+};
+
+void ts_families_begin(void)
+{
+	static const ts_registry methods = {stages, pipelines, sizes};
+	ts_registry_use(&methods);
+	ts_vectors_use(vectors);
+}

@@ -91,7 +91,8 @@ static ts_status check_scene(const ts_pipeline *pipeline, const ts_run *run)
 	if (draws_surfels && scene->n_surfels == 0)
 		return ts_fail("%s: has no surfels; --from-mesh COUNT samples some from its triangles", scene->name);
 	if (!draws_surfels && scene->n_surfels > 0 && scene->n_triangles == 0)
-		return ts_fail("%s: has surfels only; %s by %s draws triangles", scene->name, pipeline->effect, pipeline->name);
+		return ts_fail("%s: has surfels only; %s by %s draws triangles", scene->name, pipeline->effect->name,
+		               pipeline->name);
 	return TS_OK;
 }
 

@@ -7,12 +7,11 @@
 typedef struct {
 	const char *name;    /* as in render EFFECT */
 	bool mirrors;        /* the eye sees mirrors that show cubes; scenes get added reflectors */
+	ts_buffer_id seen;   /* keys of what the eye sees, a triangle or a surfel, TS_EMPTY where it is nothing */
 	u32 difference_scale; /* of pictures of differences between methods */
 	const char *lower;   /* what takes most memory beside the image, in a message */
 } ts_effect;
 
-/* All effects, ended by a row without a name; the first is meant where none is named. */
-extern const ts_effect ts_effect_table[];
 /* NULL: there is none of that name. */
 const ts_effect *ts_effect_find(const char *name);
 
@@ -43,7 +42,7 @@ typedef struct {
 
 typedef struct ts_pipeline {
 	const char *name;    /* as in --method */
-	const char *effect;  /* as in render EFFECT */
+	const ts_effect *effect;
 	const char *paper;
 	const char *doc;
 	const ts_step *steps;            /* as written, ended by a step without stage and run; read ts_pipeline_steps */
@@ -55,8 +54,9 @@ typedef struct ts_pipeline {
 	struct { const char *param, *value; } sets; /* a parameter that is this to the method, whatever was typed; or NULL */
 } ts_pipeline;
 
-/* All pipelines, ended by a row without a name. */
-extern const ts_pipeline ts_pipeline_table[];
+/* All pipelines, those of an effect beside each other, ended by NULL. The effect of the first is meant where none is
+ * named. */
+const ts_pipeline *const *ts_pipelines(void);
 const ts_pipeline *ts_pipeline_find(const char *effect, const char *name);
 
 /* The steps of a row of the table, ended by one without a stage: runs of steps in their place, and behind each stage its
@@ -65,6 +65,8 @@ const ts_step *ts_pipeline_steps(const ts_pipeline *pipeline);
 /* The first method of the effect, NULL: of any, that makes all of the buffers, ended by TS_N_BUFFERS; NULL: none does. */
 const ts_pipeline *ts_pipeline_making(const char *effect, const ts_buffer_id *ids);
 bool ts_pipeline_makes(const ts_pipeline *pipeline, const ts_buffer_id *ids);
+/* What the eye sees in a run, by the keys that its effect names; *n pixels. */
+const u64 *ts_pipeline_seen(const ts_run *run, u64 *n);
 /* A step's stage reads the buffer. */
 bool ts_pipeline_reads(const ts_pipeline *pipeline, ts_buffer_id id);
 

@@ -1,7 +1,7 @@
 /* The plan of a method, for its runs and for replays of its stages. */
 #include <assert.h>
 #include "../kernels/base/num.h"
-#include "pipelines.h"
+#include "pipeline.h"
 
 ts_params ts_pipeline_params(const ts_pipeline *pipeline, const ts_params *typed)
 {
@@ -38,12 +38,6 @@ void ts_pipeline_plan(const ts_pipeline *pipeline, ts_run *run, const ts_counts 
 	run->pipeline = pipeline;
 	run->first_unit = 0;
 	run->n_units = run->plan.units;
-}
-
-void ts_plan_largest(ts_plan *plan, const ts_params *params)
-{
-	plan->offscreen.side = TS_PARAM(params, face_px) != 0 ? TS_PARAM(params, face_px) : TS_PARAM(params, face_max);
-	plan->offscreen.all = true;
 }
 
 ts_expected ts_pipeline_expect(const ts_pipeline *pipeline, const ts_scene *scene, const ts_params *typed)

@@ -119,14 +119,6 @@ ts_arrays ts_run_scene(const ts_run *run)
 	};
 }
 
-const u64 *ts_run_seen(const ts_run *run, u64 *n)
-{
-	bool triangles = run->frame.buffer[TS_B_eye_depth_triangle].made;
-	ts_buffer_id id = triangles ? TS_B_eye_depth_triangle : TS_B_blend_heaviest;
-	*n = ts_frame_n(&run->frame, id);
-	return ts_frame_data(&run->frame, id);
-}
-
 bool ts_run_has(const ts_run *run, ts_buffer_id id)
 {
 	return run->frame.buffer[id].made && run->frame.buffer[id].n > 0;

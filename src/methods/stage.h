@@ -71,8 +71,6 @@ ts_backend *ts_run_backend_of(ts_run *run);
 /* Adds to a counter by name. */
 void ts_run_count(ts_run *run, const char *name, i64 value);
 i64 ts_run_counter(const ts_run *run, const char *name);
-/* Keys of what the eye sees, a triangle or a surfel, TS_EMPTY where it is nothing; *n pixels. */
-const u64 *ts_run_seen(const ts_run *run, u64 *n);
 
 /* Sizes of records.def (sizes.c). A run has those of the scene and what stages counted; the others are computed when
  * they are asked for, of the batch if batched. TS_UNKNOWN where neither is there. */
@@ -118,8 +116,8 @@ void ts_launch_cut(ts_run *run, const ts_launch *launch, const char *name, u32 l
 /* Counts to the sums before each, in place, and the size that SUM of records.def names; it must stay below 2^32 - 1. */
 ts_status ts_launch_sum(ts_run *run, const ts_launch *launch, const char *name, u64 *total);
 
-/* All stages, ended by NULL (table.c). */
-extern const ts_stage *const ts_stage_table[];
+/* All stages, in the order of pipelines, ended by NULL. */
+const ts_stage *const *ts_stages(void);
 const ts_stage *ts_stage_find(const char *name);
 /* The stage that says how near the decisions of this one were, and runs right behind it where margins are asked for;
  * NULL: it has none. */

@@ -1,29 +1,15 @@
-/* All stages, and what each reads and writes. */
+/* Stages by name, and what each reads and writes. */
 #include "stage.h"
 #include <assert.h>
 #include <pthread.h>
 
-/* STAGE(name): ts_stage_<name>, which says in the file of its code what it launches and makes. */
-#define FAMILY(name) FAMILY_FILE(methods/name/stages.def)
-#define STAGE(name) extern const ts_stage ts_stage_##name;
-#include "../families.def"
-#undef STAGE
+enum { MOST_STAGES = 128, LIST = 40 };
 
-#define STAGE(name) &ts_stage_##name,
-const ts_stage *const ts_stage_table[] = {
-#include "../families.def"
-	NULL,
-};
-#undef STAGE
-#undef FAMILY
-
-enum { N_STAGES = sizeof ts_stage_table / sizeof *ts_stage_table - 1, LIST = 40 };
-
-static struct { ts_buffer_id inputs[LIST], outputs[LIST]; } lists[N_STAGES];
+static struct { ts_buffer_id inputs[LIST], outputs[LIST]; } lists[MOST_STAGES];
 
 const ts_stage *ts_stage_find(const char *name)
 {
-	for (const ts_stage *const *stage = ts_stage_table; *stage != NULL; stage++) {
+	for (const ts_stage *const *stage = ts_stages(); *stage != NULL; stage++) {
 		if (strcmp((*stage)->name, name) == 0) return *stage;
 	}
 	return NULL;
@@ -31,7 +17,7 @@ const ts_stage *ts_stage_find(const char *name)
 
 const ts_stage *ts_stage_margin(const ts_stage *stage)
 {
-	for (const ts_stage *const *margin = ts_stage_table; *margin != NULL; margin++) {
+	for (const ts_stage *const *margin = ts_stages(); *margin != NULL; margin++) {
 		if ((*margin)->margin_of != NULL && strcmp((*margin)->margin_of, stage->name) == 0) return *margin;
 	}
 	return NULL;
@@ -65,14 +51,15 @@ static void list(ts_buffer_id ids[LIST], const bool *set, const bool *without)
 static void fill(void)
 {
 	static const bool none[TS_N_BUFFERS];
-	for (u32 i = 0; i < N_STAGES; i++) {
-		const ts_stage *stage = ts_stage_table[i];
+	for (u32 i = 0; ts_stages()[i] != NULL; i++) {
+		const ts_stage *stage = ts_stages()[i];
 		bool reads[TS_N_BUFFERS] = {false}, writes[TS_N_BUFFERS] = {false};
 		mark(reads, stage->looks_at);
 		mark(writes, stage->makes);
 		for (u32 k = 0; stage->launches != NULL && stage->launches[k] != NULL; k++) {
 			mark_launch(reads, writes, stage->launches[k]);
 		}
+		assert(i < MOST_STAGES);
 		list(lists[i].inputs, reads, writes);
 		list(lists[i].outputs, writes, none);
 	}
@@ -83,7 +70,7 @@ static u32 place_of(const ts_stage *stage)
 	static pthread_once_t once = PTHREAD_ONCE_INIT;
 	u32 i = 0;
 	pthread_once(&once, fill);
-	while (ts_stage_table[i] != stage) i++;
+	while (ts_stages()[i] != stage) i++;
 	return i;
 }
 

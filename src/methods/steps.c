@@ -38,10 +38,10 @@ static void flatten(ts_step *to, u32 *n, const ts_step *step)
 
 static void flatten_all(void)
 {
-	for (u32 i = 0; ts_pipeline_table[i].name != NULL; i++) {
+	for (u32 i = 0; ts_pipelines()[i] != NULL; i++) {
 		u32 n = 0;
 		assert(i < MOST_PIPELINES);
-		flatten(flat[i], &n, ts_pipeline_table[i].steps);
+		flatten(flat[i], &n, ts_pipelines()[i]->steps);
 	}
 }
 
@@ -49,8 +49,8 @@ const ts_step *ts_pipeline_steps(const ts_pipeline *pipeline)
 {
 	static pthread_once_t once = PTHREAD_ONCE_INIT;
 	pthread_once(&once, flatten_all);
-	for (u32 i = 0; ts_pipeline_table[i].name != NULL; i++) {
-		if (pipeline == &ts_pipeline_table[i]) return flat[i];
+	for (u32 i = 0; ts_pipelines()[i] != NULL; i++) {
+		if (pipeline == ts_pipelines()[i]) return flat[i];
 	}
 	return pipeline->steps;
 }

@@ -19,7 +19,7 @@ static void ask_method(ts_probe *p)
 	ts_plan plan;
 	ts_plan_make(&plan, pipeline, &p->trace->params, &none, NULL);
 	p->has_taps = plan.lights.taps > 1;
-	p->mirrors = ts_effect_find(pipeline->effect)->mirrors;
+	p->mirrors = pipeline->effect->mirrors;
 	p->surfels = ts_pipeline_reads(pipeline, TS_B_scene_surfel);
 	p->gathers = makes(pipeline, TS_B_indirect_irradiance);
 	p->has_lamps = makes(pipeline, TS_B_lamp_shape);
@@ -54,7 +54,7 @@ ts_status ts_probe_open(ts_probe **probe, const char *dir)
 	}
 	if (status == TS_OK && !is_explained(made->trace->pipeline)) {
 		status = ts_fail("%s: probe explains reflections by epr and mvr, shadows, indirect light, particles and surfels; "
-		                 "this is %s by %s, which compare and replay judge", dir, made->trace->pipeline->effect,
+		                 "this is %s by %s, which compare and replay judge", dir, made->trace->pipeline->effect->name,
 		                 made->trace->pipeline->name);
 	}
 	if (status != TS_OK) {

@@ -65,7 +65,7 @@ ts_status ts_outputs_write(const ts_load *load, const ts_stage *stage, ts_trace_
 	json_t *root =
 		json_pack("{s:s, s:i, s:i, s:s, s:s, s:s, s:s, s:o, s:o, s:o, s:o}", "format", "touchstone-trace", "version",
 	              TS_TRACE_VERSION, "contract", TS_CONTRACT_VERSION, "order", "canonical", "pipeline", p->name,
-	              "effect", p->effect, "replayed", stage->name, "producer", ts_producer(&load->run), "arithmetic",
+	              "effect", p->effect->name, "replayed", stage->name, "producer", ts_producer(&load->run), "arithmetic",
 	              ts_arithmetic(&load->run), "params", ts_trace_params(&load->run.params), "buffers", list);
 	if (root == NULL) return ts_fail("%s: out of memory", path);
 	errno = 0;

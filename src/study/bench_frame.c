@@ -29,10 +29,10 @@ ts_status ts_bench_frame_open(ts_bench_frame *frame, const ts_job *job)
 	ts_params params;
 	u32 n;
 	ts_estimate estimate;
-	const ts_pipeline *first = ts_pipeline_table;
+	const ts_pipeline *first = ts_pipelines()[0];
 	const char *typed = job->method != NULL ? job->method : first->name;
 	if (ts_bench_frame_params(&params, job) != TS_OK) return TS_ERROR;
-	if (ts_methods_find(methods, &n, first->effect, typed) != TS_OK) return TS_ERROR;
+	if (ts_methods_find(methods, &n, first->effect->name, typed) != TS_OK) return TS_ERROR;
 	if (n != 1) return ts_fail("--method %s: this table takes one method", job->method);
 	*frame = (ts_bench_frame){ .method = methods[0], .params = params };
 	ts_status status = ts_scene_open(&frame->scene, ts_bench_frame_spec(job), &frame->params, &job->scene);

@@ -25,8 +25,8 @@ static void show_progress(const ts_run *run, const ts_stage *stage, const char *
 {
 	char label[64];
 	u64 done = 0, total = 0;
-	while (ts_stage_table[done++] != stage) continue;
-	while (ts_stage_table[total] != NULL) total++;
+	while (ts_stages()[done++] != stage) continue;
+	while (ts_stages()[total] != NULL) total++;
 	if (run->n_units == run->plan.units) {
 		snprintf(label, sizeof label, "%s, after %s", method, stage->name);
 		ts_progress(label, done, total);
@@ -164,7 +164,7 @@ static const char *what_to_lower(const ts_pipeline *method, const ts_params *par
 {
 	bool maps = ts_pipeline_maker(method, TS_B_map_depth_node) != NULL;
 	if (maps && (u64)TS_PARAM(params, queue_mb) << 20 > bytes / 2) return "queue_mb";
-	return method->lower != NULL ? method->lower : ts_effect_find(method->effect)->lower;
+	return method->lower != NULL ? method->lower : method->effect->lower;
 }
 
 /* The truth of `truths` that needs most memory; NULL if none needs more than *bytes, which becomes what is needed. */

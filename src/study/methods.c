@@ -6,7 +6,7 @@
 ts_status ts_effect_check(const char *effect)
 {
 	ts_nearest nearest = ts_nearest_begin(effect);
-	for (const ts_pipeline *p = ts_pipeline_table; p->name != NULL; p++) ts_nearest_offer(&nearest, p->effect);
+	for (const ts_pipeline *const *at = ts_pipelines(); *at != NULL; at++) ts_nearest_offer(&nearest, (*at)->effect->name);
 	return nearest.distance == 0 ? TS_OK : ts_fail("no effect \"%s\"; the nearest is %s", effect, nearest.best);
 }
 
@@ -31,14 +31,16 @@ ts_status ts_methods_find(const ts_pipeline *methods[TS_MAX_METHODS], u32 *n, co
 	*n = 0;
 	if (ts_effect_check(effect) != TS_OK) return TS_ERROR;
 	bool all = names == NULL || strcmp(names, "all") == 0;
-	for (const ts_pipeline *p = ts_pipeline_table; all && p->name != NULL; p++) {
+	for (const ts_pipeline *const *at = ts_pipelines(); all && *at != NULL; at++) {
+		const ts_pipeline *p = *at;
 		bool meant = names != NULL || !p->only_named;
-		if (strcmp(p->effect, effect) == 0 && meant) add(methods, n, p);
+		if (strcmp(p->effect->name, effect) == 0 && meant) add(methods, n, p);
 	}
 	while (!all && ts_words_item(&names, item, sizeof item)) {
 		ts_nearest nearest = ts_nearest_begin(item);
-		for (const ts_pipeline *p = ts_pipeline_table; p->name != NULL; p++) {
-			if (strcmp(p->effect, effect) == 0) ts_nearest_offer(&nearest, p->name);
+		for (const ts_pipeline *const *at = ts_pipelines(); *at != NULL; at++) {
+			const ts_pipeline *p = *at;
+			if (strcmp(p->effect->name, effect) == 0) ts_nearest_offer(&nearest, p->name);
 		}
 		if (nearest.distance != 0) {
 			return ts_fail("--method: no method \"%s\" of %s; the nearest is %s", item, effect, nearest.best);

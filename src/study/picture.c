@@ -10,7 +10,7 @@ static void count_lit(ts_picture *picture, const ts_run *run)
 	const ts_lamp *lamps = ts_frame_data(&run->frame, TS_B_lamp_shape);
 	const u32 *lit = ts_frame_data(&run->frame, TS_B_resolve_lit);
 	u64 n, n_lamps = ts_frame_n(&run->frame, TS_B_lamp_shape), all = 0;
-	const u64 *seen = ts_run_seen(run, &n);
+	const u64 *seen = ts_pipeline_seen(run, &n);
 	for (u64 k = 0; k < n_lamps; k++) all += lamps[k].samples;
 	picture->n_lamps = n_lamps;
 	picture->n_samples = all;
@@ -29,7 +29,7 @@ static void count_lit(ts_picture *picture, const ts_run *run)
 static void mark_seen(ts_picture *picture, const ts_run *run)
 {
 	u64 n;
-	const u64 *seen = ts_run_seen(run, &n);
+	const u64 *seen = ts_pipeline_seen(run, &n);
 	for (u64 i = 0; i < n; i++) picture->seen[i] = seen[i] != TS_EMPTY;
 }
 

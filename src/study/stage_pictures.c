@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include "../methods/pipeline.h"
 #include "../image/falsecolour.h"
 #include "../kernels/raster/mip.h"
 #include "../kernels/base/srgb.h"
@@ -236,7 +237,7 @@ static ts_status take_lit(ts_stage_pictures *pictures, const ts_run *run)
 	const u32 *lit = ts_frame_data(&run->frame, TS_B_resolve_lit);
 	const ts_lamp *lamps = ts_frame_data(&run->frame, TS_B_lamp_shape);
 	u64 n, n_lamps = ts_frame_n(&run->frame, TS_B_lamp_shape);
-	const u64 *seen = ts_run_seen(run, &n);
+	const u64 *seen = ts_pipeline_seen(run, &n);
 	for (u64 i = 0; i < n; i++) {
 		double share = 0;
 		for (u64 k = 0; k < n_lamps; k++) share += (double)lit[i * n_lamps + k] / lamps[k].samples / (double)n_lamps;

@@ -143,7 +143,7 @@ json_t *ts_trace_describe(const ts_trace_about *about)
 	const char *order = about->run->arrival ? "arrival" : "canonical";
 	return json_pack("{s:s, s:i, s:i, s:s, s:s, s:s, s:s, s:{s:o, s:o}, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o}",
 	                 "format", "touchstone-trace", "version", TS_TRACE_VERSION, "contract", TS_CONTRACT_VERSION, "order",
-	                 order, "pipeline", p->name, "effect", p->effect, "paper", p->paper, "scene", "name",
+	                 order, "pipeline", p->name, "effect", p->effect->name, "paper", p->paper, "scene", "name",
 	                 ts_text_json(about->run->scene->name), "sha256", chain(about, scene), "producer",
 	                 ts_producer(about->run), "arithmetic", ts_arithmetic(about->run), "conventions", conventions(),
 	                 "params", ts_trace_params(&about->run->params), "plan", plan_of(&about->run->plan), "stages",

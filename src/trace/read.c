@@ -98,7 +98,7 @@ static ts_status read_root(ts_trace *trace, const char *path, json_t *root)
 	if (!trace->arrival && strcmp(order, "canonical") != 0) {
 		return ts_fail("%s: order is \"%.40s\"; \"canonical\" or \"arrival\" would be right", path, order);
 	}
-	trace->pipeline = ts_pipeline_find(effect[0] != 0 ? effect : ts_effect_table[0].name, text_of(root, "pipeline"));
+	trace->pipeline = ts_pipeline_find(effect[0] != 0 ? effect : ts_pipelines()[0]->effect->name, text_of(root, "pipeline"));
 	if (trace->pipeline == NULL) {
 		return ts_fail("%s: no pipeline \"%.40s\"; touchstone list methods names all", path, text_of(root, "pipeline"));
 	}
@@ -218,9 +218,9 @@ ts_status ts_trace_open_layout(ts_trace **trace, const char *dir, const char *la
 /* The pipeline that makes the buffer, or any. */
 static const ts_pipeline *pipeline_of(ts_buffer_id id)
 {
-	const ts_pipeline *p = ts_pipeline_table;
-	while (p->name != NULL && ts_pipeline_maker(p, id) == NULL) p++;
-	return p->name != NULL ? p : ts_pipeline_table;
+	const ts_pipeline *const *p = ts_pipelines();
+	while (*p != NULL && ts_pipeline_maker(*p, id) == NULL) p++;
+	return *p != NULL ? *p : ts_pipelines()[0];
 }
 
 ts_status ts_trace_open_file(ts_trace **trace, const char *path, ts_buffer_id *id)

@@ -7,7 +7,7 @@
 static void test_known(void **state)
 {
 	(void)state;
-	for (const ts_stage *const *s = ts_stage_table; *s != NULL; s++) {
+	for (const ts_stage *const *s = ts_stages(); *s != NULL; s++) {
 		for (u32 i = 0; (*s)->launches != NULL && (*s)->launches[i] != NULL; i++) {
 			const ts_launch *launch = (*s)->launches[i];
 			for (const ts_bind *b = launch->bind; b->how != TS_BINDS_END; b++) {
@@ -21,7 +21,7 @@ static void test_known(void **state)
 static void test_bound(void **state)
 {
 	(void)state;
-	for (const ts_stage *const *s = ts_stage_table; *s != NULL; s++) {
+	for (const ts_stage *const *s = ts_stages(); *s != NULL; s++) {
 		for (u32 i = 0; (*s)->launches != NULL && (*s)->launches[i] != NULL; i++) {
 			const ts_pointers *p = ts_kernel_pointers((*s)->launches[i]->kernel);
 			for (u32 k = 0; k < p->n; k++) {

@@ -4,27 +4,26 @@
 static void assert_is(const ts_pipeline *pipeline, const char *effect, const char *name)
 {
 	assert_non_null(pipeline);
-	assert_string_equal(pipeline->effect, effect);
+	assert_string_equal(pipeline->effect->name, effect);
 	assert_string_equal(pipeline->name, name);
 }
 
-/* Every method has an effect, whose methods stand together; every effect has methods, in its place. */
+/* Every method has an effect, whose methods stand together, and makes what the eye sees of it. */
 static void test_effects(void **state)
 {
 	(void)state;
-	const ts_effect *effect = ts_effect_table;
-	for (const ts_pipeline *p = ts_pipeline_table; p->name != NULL; p++) {
-		if (p > ts_pipeline_table && strcmp(p->effect, p[-1].effect) != 0) effect++;
-		assert_non_null(effect->name);
-		assert_string_equal(p->effect, effect->name);
-		assert_ptr_equal(ts_effect_find(p->effect), effect);
-	}
-	assert_null(effect[1].name);
-	assert_null(ts_effect_find("shadow"));
-	for (effect = ts_effect_table; effect->name != NULL; effect++) {
+	const ts_effect *first = ts_pipelines()[0]->effect;
+	for (const ts_pipeline *const *at = ts_pipelines(); *at != NULL; at++) {
+		const ts_effect *effect = (*at)->effect;
+		assert_ptr_equal(ts_effect_find(effect->name), effect);
+		for (const ts_pipeline *const *other = at; *other != NULL; other++) {
+			if ((*other)->effect == effect) assert_ptr_equal(other[other > at ? -1 : 0]->effect, effect);
+		}
 		assert_true(effect->difference_scale > 0 && effect->lower != NULL);
-		assert_int_equal(effect->mirrors, effect == ts_effect_table);
+		assert_int_equal(effect->mirrors, effect == first);
+		assert_non_null(ts_pipeline_maker(*at, effect->seen));
 	}
+	assert_null(ts_effect_find("shadow"));
 }
 
 /* Truths start from the first method that makes what they need: truth A and B of reflections from EPR. */
@@ -48,10 +47,11 @@ static void test_making(void **state)
 static void test_reads(void **state)
 {
 	(void)state;
-	for (const ts_pipeline *p = ts_pipeline_table; p->name != NULL; p++) {
+	for (const ts_pipeline *const *at = ts_pipelines(); *at != NULL; at++) {
+		const ts_pipeline *p = *at;
 		bool surfels = ts_pipeline_reads(p, TS_B_scene_surfel), triangles = ts_pipeline_reads(p, TS_B_scene_triangle);
 		assert_true(surfels != triangles);
-		assert_int_equal(surfels, strcmp(p->effect, "surfels") == 0);
+		assert_int_equal(surfels, strcmp(p->effect->name, "surfels") == 0);
 	}
 }
 

@@ -16,7 +16,7 @@ static void test_rows(void **state)
 {
 	(void)state;
 	u32 n = 0;
-	for (const ts_stage *const *at = ts_stage_table; *at != NULL; at++, n++) {
+	for (const ts_stage *const *at = ts_stages(); *at != NULL; at++, n++) {
 		const ts_stage *s = *at;
 		assert_ptr_equal(ts_stage_find(s->name), s);
 		assert_true(strcmp(s->kind, "map") == 0 || strcmp(s->kind, "emit") == 0 || strcmp(s->kind, "scatter") == 0);
@@ -51,16 +51,17 @@ static void test_writers(void **state)
 	(void)state;
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
 		u32 n = 0, n_named = 0;
-		for (const ts_stage *const *at = ts_stage_table; *at != NULL; at++) {
+		for (const ts_stage *const *at = ts_stages(); *at != NULL; at++) {
 			const ts_stage *s = *at;
 			if (!small_in(ts_stage_outputs(s), (ts_buffer_id)id)) continue;
 			n++;
 			n_named += is_named_for(ts_buffer_table[id].name, s);
 		}
 		if ((n == 0) != is_scene((ts_buffer_id)id)) fail_msg("%s: %u stages", ts_buffer_table[id].name, n);
-		for (const ts_pipeline *p = ts_pipeline_table; p->name != NULL; p++) {
+		for (const ts_pipeline *const *at = ts_pipelines(); *at != NULL; at++) {
+			const ts_pipeline *p = *at;
 			if (is_written_once(p, (ts_buffer_id)id)) continue;
-			fail_msg("%s by %s: %s twice", p->effect, p->name, ts_buffer_table[id].name);
+			fail_msg("%s by %s: %s twice", p->effect->name, p->name, ts_buffer_table[id].name);
 		}
 		assert_true(n_named <= 1);
 	}
@@ -80,7 +81,7 @@ static void test_readers(void **state)
 	                                     TS_B_view_cone_least, TS_N_BUFFERS };
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
 		u32 n = 0;
-		for (const ts_stage *const *s = ts_stage_table; *s != NULL; s++) {
+		for (const ts_stage *const *s = ts_stages(); *s != NULL; s++) {
 			n += small_in(ts_stage_inputs(*s), (ts_buffer_id)id);
 		}
 		if (n == 0 && !small_in(last, (ts_buffer_id)id)) fail_msg("nobody reads %s", ts_buffer_table[id].name);

@@ -38,7 +38,7 @@ static void check(const ts_pipeline *p)
 static void test_flat(void **state)
 {
 	(void)state;
-	for (const ts_pipeline *p = ts_pipeline_table; p->name != NULL; p++) check(p);
+	for (const ts_pipeline *const *at = ts_pipelines(); *at != NULL; at++) check(*at);
 }
 
 /* The margin of each stage is one, of no other stage, and has none itself; no stage that is called a margin is left
@@ -46,12 +46,12 @@ static void test_flat(void **state)
 static void test_margins(void **state)
 {
 	(void)state;
-	for (const ts_stage *const *at = ts_stage_table; *at != NULL; at++) {
+	for (const ts_stage *const *at = ts_stages(); *at != NULL; at++) {
 		const ts_stage *s = *at;
 		size_t n = strlen(s->name);
 		bool called = n > 7 && strcmp(s->name + n - 7, "_margin") == 0;
 		u32 owners = 0;
-		for (const ts_stage *const *of = ts_stage_table; *of != NULL; of++) owners += ts_stage_margin(*of) == s;
+		for (const ts_stage *const *of = ts_stages(); *of != NULL; of++) owners += ts_stage_margin(*of) == s;
 		assert_int_equal(owners, called);
 		if (called) assert_null(ts_stage_margin(s));
 	}
@@ -62,7 +62,7 @@ static void test_own(void **state)
 {
 	(void)state;
 	static const ts_step steps[] = {{.stage = "eye"}, {0}};
-	const ts_pipeline own = {.name = "own", .effect = "indirect", .steps = steps};
+	const ts_pipeline own = {.name = "own", .steps = steps};
 	assert_ptr_equal(ts_pipeline_steps(&own), steps);
 }
 

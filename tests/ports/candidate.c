@@ -377,7 +377,7 @@ static int copy(const char *from, const char *to)
 		return 2;
 	}
 	char method[64];
-	snprintf(method, sizeof method, "%s/%s", trace->pipeline->effect, trace->pipeline->name);
+	snprintf(method, sizeof method, "%s/%s", trace->pipeline->effect->name, trace->pipeline->name);
 	ts_candidate_begin(&c, to, method, "canonical", "candidate.h", "1");
 	ts_candidate_param(&c, "bounces", "1");
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) copy_buffer(&c, trace, (ts_buffer_id)id);

@@ -168,7 +168,7 @@ static inline ts_trace *traces_plant(u32 m, const planted *own, u32 n, const cha
 	assert_non_null(json);
 	fprintf(json, "{\"format\": \"touchstone-trace\", \"version\": 1, \"contract\": 1, \"pipeline\": \"%s\", "
 	        "\"effect\": \"%s\", ",
-	        traces[m]->pipeline->name, traces[m]->pipeline->effect);
+	        traces[m]->pipeline->name, traces[m]->pipeline->effect->name);
 	fprintf(json, "\"order\": \"%s\", \"buffers\": [", order);
 	for (u32 i = 0; i < n; i++) {
 		const char *name = ts_buffer_table[own[i].id].name;

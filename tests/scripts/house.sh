@@ -42,18 +42,18 @@ gives 0 " 0 differences" "a name of the table, and other numbers" \
 mkdir "$folder/nothing"
 gives 1 "0 buffers" "nothing to compare" scripts/house/bits goldens "$folder/nothing" "$folder/nothing"
 
-mkdir -p "$folder"/tree/src/{core,trace,cli} "$folder"/tree/obj/src/{core,trace,cli}
+mkdir -p "$folder"/tree/src/{model,trace,cli} "$folder"/tree/obj/src/{model,trace,cli}
 cd "$folder/tree" || exit
-echo '#include "../trace/b.h"' > src/core/a.h
-echo '#include "../core/a.h"' > src/trace/b.h
-printf 'int upper(void);\nint lower(void) { return upper(); }\n' > src/core/a.c
+echo '#include "../trace/b.h"' > src/model/a.h
+echo '#include "../model/a.h"' > src/trace/b.h
+printf 'int upper(void);\nint lower(void) { return upper(); }\n' > src/model/a.c
 printf 'int upper(void) { return 0; }\n' > src/cli/c.c
 for source in src/*/*.c; do ${CC:-gcc} -c "$source" -o "obj/$source.o"; done
-BUILD=. gives 1 "upward: core -> trace" "an include line that goes up a floor" "$scripts/rooms"
-BUILD=. gives 1 "circle: core trace" "rooms that include each other" "$scripts/rooms"
-BUILD=. gives 1 "src/core/a.c -> src/cli/c.c" "a symbol of a floor above" "$scripts/rooms" --files
-echo '#include "../core/a.h"' > src/cli/b.h
-rm src/trace/b.h src/core/a.c
+BUILD=. gives 1 "upward: model -> trace" "an include line that goes up a floor" "$scripts/rooms"
+BUILD=. gives 1 "circle: model trace" "rooms that include each other" "$scripts/rooms"
+BUILD=. gives 1 "src/model/a.c -> src/cli/c.c" "a symbol of a floor above" "$scripts/rooms" --files
+echo '#include "../model/a.h"' > src/cli/b.h
+rm src/trace/b.h src/model/a.c
 BUILD=. gives 0 "by symbol: 0 arrows" "rooms in order" "$scripts/rooms"
 
 printf 'bool epr = strcmp(method, "epr") == 0;\nbool eye = strcmp(stage->name, "eye") == 0;\n' > src/cli/d.c
@@ -65,11 +65,11 @@ gives 0 "0 names compared" "no names in code" "$scripts/named"
 mkdir -p src/kernels/points src/stages tests/kernels include/touchstone
 : > src/kernels/points/lookup2.h
 for i in $(seq 30); do
-	: > "src/core/$i.c"
-	echo "obj/$i.o: src/core/$i.c src/core/../kernels/points/lookup2.h" > "obj/src/core/$i.d"
+	: > "src/model/$i.c"
+	echo "obj/$i.o: src/model/$i.c src/model/../kernels/points/lookup2.h" > "obj/src/model/$i.d"
 done
 BUILD=. gives 1 "30 of 30  src/kernels/points/lookup2.h" "a kernel that rebuilds too much" "$scripts/rebuilt" lookup2.h
-rm src/core/30.c
+rm src/model/30.c
 BUILD=. gives 0 "29 of 29  src/kernels/points/lookup2.h" "a kernel that does not" "$scripts/rebuilt" lookup2.h
 
 echo 'BUFFER(eye_view, "eye.view", ts_view, "H W", sequence, "", "")' > include/touchstone/records.def

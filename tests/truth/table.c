@@ -46,18 +46,20 @@ static void test_ways(void **state)
 static void test_effects(void **state)
 {
 	(void)state;
-	for (const ts_pipeline *p = ts_pipeline_table; p->name != NULL; p++) {
+	for (const ts_pipeline *const *at = ts_pipelines(); *at != NULL; at++) {
+		const ts_pipeline *p = *at;
 		u32 n = 0;
-		for (const ts_truth_kind *const *row = ts_truths(); *row != NULL; row++) n += has_effect(*row, p->effect);
+		for (const ts_truth_kind *const *row = ts_truths(); *row != NULL; row++) n += has_effect(*row, p->effect->name);
 		assert_true(n > 0);
 	}
 	for (const ts_truth_kind *const *row = ts_truths(); *row != NULL; row++) {
 		const ts_truth_kind *kind = *row;
 		size_t named = 1;
 		for (const char *c = kind->effects; *c != 0; c++) named += *c == ' ';
-		for (const ts_pipeline *p = ts_pipeline_table; p->name != NULL; p++) {
-			bool first = p == ts_pipeline_table || strcmp(p->effect, p[-1].effect) != 0;
-			if (first && has_effect(kind, p->effect)) named--;
+		for (const ts_pipeline *const *at = ts_pipelines(); *at != NULL; at++) {
+			const ts_pipeline *p = *at;
+			bool first = at == ts_pipelines() || p->effect != at[-1]->effect;
+			if (first && has_effect(kind, p->effect->name)) named--;
 		}
 		assert_int_equal(named, 0);
 	}
@@ -84,8 +86,9 @@ static void test_starts(void **state)
 	for (const ts_truth_kind *const *row = ts_truths(); *row != NULL; row++) {
 		const ts_truth_kind *kind = *row;
 		u32 n_methods = 0;
-		for (const ts_pipeline *p = ts_pipeline_table; p->name != NULL; p++) {
-			if (!has_effect(kind, p->effect) || !ts_truth_starts_from(kind, p)) continue;
+		for (const ts_pipeline *const *at = ts_pipelines(); *at != NULL; at++) {
+			const ts_pipeline *p = *at;
+			if (!has_effect(kind, p->effect->name) || !ts_truth_starts_from(kind, p)) continue;
 			assert_string_equal(p->name, "epr");
 			n_methods++;
 		}

@@ -1,5 +1,5 @@
 /* The reference backend: a threaded loop over the items of a kernel. The Makefile gives TS_FLAGS. */
-#include "fast.h"
+#include "../fast.h"
 
 #ifndef TS_FLAGS
 #define TS_FLAGS "unknown"
@@ -24,6 +24,14 @@ static kernel_items *const kernels[TS_N_KERNELS] = {
 #include "../kernels.def"
 };
 #undef KERNEL
+
+#define FAMILY(name) FAMILY_FILE(backends/c/name/fast.def)
+#define FAST(kernel) [TS_KERNEL_##kernel] = ts_c_fast_##kernel,
+static ts_fast_path *const paths[TS_N_KERNELS] = {
+#include "../../families.def"
+};
+#undef FAST
+#undef FAMILY
 
 enum { CHUNKS_A_THREAD = 64, LEAST_ITEMS = 16 };
 
@@ -56,8 +64,8 @@ static ts_status launch(ts_backend *backend, ts_frame *frame, const ts_launch *l
 {
 	(void)frame;
 	const ts_c_backend *c = (const ts_c_backend *)backend;
-	bool done = !c->reference && ts_c_fast(launch->kernel, args, n, c->threads);
-	if (!done) ts_c_launch(launch->kernel, args, n, c->threads);
+	ts_fast_path *fast = c->reference ? NULL : paths[launch->kernel];
+	if (fast == NULL || !fast(args, n, c->threads)) ts_c_launch(launch->kernel, args, n, c->threads);
 	return TS_OK;
 }
 

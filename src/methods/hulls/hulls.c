@@ -18,9 +18,9 @@
  *   blended with;
  * - the picture is of indirect light alone. */
 #include "../stages.h"
-#include "../pipelines.h"
+#include "../raster/pipelines.h"
 
-const ts_step ts_hulls_steps[] = {
+static const ts_step hulls_steps[] = {
 	{.run = ts_rsm_run},
 	{.run = ts_gbuffer_run},
 	{.stage = "nearest"},    /* down-sampled depth */
@@ -34,7 +34,7 @@ const ts_step ts_hulls_steps[] = {
 	{0},
 };
 
-const ts_step ts_direct_steps[] = {
+static const ts_step direct_steps[] = {
 	{.run = ts_rsm_run},
 	{.run = ts_gbuffer_run},
 	{.stage = "direct"},
@@ -44,9 +44,21 @@ const ts_step ts_direct_steps[] = {
 
 enum { BOXES_A_BLOCK = 8 };
 
-void ts_hulls_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
+static void hulls_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
 {
 	u64 side = TS_PARAM(params, grid_px) / 32;
 	ts_indirect_expect(expected, scene, params);
 	expected->sizes.n[TS_DIM_boxes] = side * side * BOXES_A_BLOCK;
 }
+
+const ts_pipeline ts_pipeline_hulls = {
+	.name = "hulls", .effect = &ts_effect_indirect, .paper = "SSAGH 3 and 4",
+	.doc = "screen-space approximate Gaussian hulls: light gathered at the corners of depth segments",
+	.steps = hulls_steps, .plan = ts_indirect_plan, .expect = hulls_expect,
+};
+
+const ts_pipeline ts_pipeline_direct = {
+	.name = "direct", .effect = &ts_effect_indirect, .paper = "SSAGH 5",
+	.doc = "the same light gathered by every pixel",
+	.steps = direct_steps, .plan = ts_indirect_plan, .expect = hulls_expect,
+};

@@ -31,9 +31,9 @@
  *   geometry a batch. */
 #include "../../kernels/points/samples.h"
 #include "../stages.h"
-#include "../pipelines.h"
+#include "pipelines.h"
 
-const ts_step ts_epr_steps[] = {
+static const ts_step epr_steps[] = {
 	{.run = ts_frame_run},
 	{.stage = "resize"},     /* 3.5: cubes as large as their reflectors in the eye */
 	{.stage = "eye"},        /* the eye's G-buffer */
@@ -56,7 +56,7 @@ const ts_step ts_epr_steps[] = {
 	{0},
 };
 
-const ts_step ts_epr_omni_steps[] = {
+static const ts_step epr_omni_steps[] = {
 	{.run = ts_frame_run},
 	{.stage = "lamp_ball"},
 	{.stage = "eye"},
@@ -74,7 +74,7 @@ const ts_step ts_epr_omni_steps[] = {
 };
 
 /* Points: two for each small triangle, and as many as the cubes' texels can hold or the eye's pixels tell apart. */
-void ts_epr_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
+static void epr_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
 {
 	u64 triangles = scene->n_triangles;
 	u64 pixels = (u64)TS_PARAM(params, width) * TS_PARAM(params, height);
@@ -89,3 +89,15 @@ void ts_epr_expect(ts_expected *expected, const ts_scene *scene, const ts_params
 	n[TS_DIM_entries2] = entries * TS_N_SAMPLES / 8;
 	n[TS_DIM_entries3] = entries * TS_N_SAMPLES / 16;
 }
+
+const ts_pipeline ts_pipeline_epr_reflections = {
+	.name = "epr", .effect = &ts_effect_reflections, .paper = "EPR 3 and 4",
+	.doc = "eye-based point rendering: one pass over the geometry for all cubes",
+	.steps = epr_steps, .expect = epr_expect,
+};
+
+const ts_pipeline ts_pipeline_epr_omni = {
+	.name = "epr", .effect = &ts_effect_omni_shadows, .paper = "EPR 5",
+	.doc = "points no denser than the eye can tell in a shadow, splatted into the cubes of all light samples",
+	.steps = epr_omni_steps, .plan = ts_ivir_omni_plan, .expect = ts_omni_expect,
+};

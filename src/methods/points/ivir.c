@@ -17,7 +17,7 @@
  *   as square roots: the paper names the bits only. */
 #include "../../kernels/raster/mip.h"
 #include "../../kernels/points/view_density.h"
-#include "../pipelines.h"
+#include "pipelines.h"
 
 static const ts_step point_run[] = {
 	{.stage = "offscreen_visibility"},                /* 3.1: which views may see a triangle */
@@ -69,13 +69,13 @@ static void set_rate(ts_plan *plan, const ts_params *params)
 	plan->points.rate = TS_RATE_IS_WATERTIGHT + TS_PARAM(params, rate);
 }
 
-void ts_ivir_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
+static void ivir_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
 {
 	(void)counts, (void)request;
 	set_rate(plan, params);
 }
 
-void ts_ivir_soft_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
+static void ivir_soft_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
 {
 	set_rate(plan, params);
 	ts_soft_plan(plan, params, counts, request);
@@ -98,7 +98,25 @@ void ts_expect_cubes(ts_expected *expected, const ts_scene *scene, const ts_para
 	ts_expect_points(expected, scene, texels);
 }
 
-void ts_ivir_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
+static void ivir_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
 {
 	ts_expect_cubes(expected, scene, params, ts_expected_face(params));
 }
+
+const ts_pipeline ts_pipeline_ivir_reflections = {
+	.name = "ivir", .effect = &ts_effect_reflections, .paper = "iVIR 5",
+	.doc = "improved view-independent rendering: points as dense as the cubes' texels, for all cubes",
+	.steps = ts_ivir_reflections_steps, .plan = ivir_plan, .expect = ivir_expect,
+};
+
+const ts_pipeline ts_pipeline_ivir_soft = {
+	.name = "ivir", .effect = &ts_effect_soft_shadows, .paper = "iVIR 4",
+	.doc = "one set of points for the depth maps of all light samples",
+	.steps = ts_ivir_soft_steps, .plan = ivir_soft_plan, .expect = ts_soft_expect,
+};
+
+const ts_pipeline ts_pipeline_ivir_omni = {
+	.name = "ivir", .effect = &ts_effect_omni_shadows, .paper = "iVIR 6",
+	.doc = "one set of points for the cubes of all light samples",
+	.steps = ts_ivir_omni_steps, .plan = ts_ivir_omni_plan, .expect = ts_omni_expect,
+};

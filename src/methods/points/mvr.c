@@ -6,9 +6,9 @@
  * Deviations: deferred shading by the same kernels as EPR's, so that only the method differs; one reflector at a time, so
  * that memory does not grow with their number. One bounce, whatever the parameter says. */
 #include "../../kernels/raster/mip.h"
-#include "../pipelines.h"
+#include "pipelines.h"
 
-const ts_step ts_mvr_steps[] = {
+static const ts_step mvr_steps[] = {
 	{.run = ts_frame_run},
 	{.stage = "resize"},
 	{.stage = "eye"},
@@ -20,20 +20,20 @@ const ts_step ts_mvr_steps[] = {
 	{0},
 };
 
-void ts_mvr_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
+static void mvr_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
 {
 	(void)counts, (void)request;
 	if (TS_PARAM(params, mvr_faces) == TS_MVR_FACES_FIXED) ts_plan_largest(plan, params);
 }
 
-const ts_step ts_mvr_soft_steps[] = {
+static const ts_step mvr_soft_steps[] = {
 	{.run = ts_soft_run},
 	{.stage = "depth", .each_batch = true},      /* geometry into every depth map */
 	{.run = ts_resolve_run},
 	{0},
 };
 
-const ts_step ts_mvr_omni_steps[] = {
+static const ts_step mvr_omni_steps[] = {
 	{.run = ts_omni_run},
 	{.stage = "depth", .each_batch = true},
 	{.run = ts_resolve_run},
@@ -41,7 +41,7 @@ const ts_step ts_mvr_omni_steps[] = {
 };
 
 /* The cubes of one reflector at a time. */
-void ts_mvr_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
+static void mvr_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
 {
 	u64 face = TS_PARAM(params, face_px) != 0 ? TS_PARAM(params, face_px) : TS_PARAM(params, face_max);
 	u64 cubes = scene->info.n_reflectors != 0 ? 1 : 0;
@@ -51,3 +51,21 @@ void ts_mvr_expect(ts_expected *expected, const ts_scene *scene, const ts_params
 	n[TS_DIM_texels] = cubes * 6 * face * face;
 	n[TS_DIM_mip_texels] = cubes * ts_k_mip_texels((u32)face, TS_NONE);
 }
+
+const ts_pipeline ts_pipeline_mvr_reflections = {
+	.name = "mvr", .effect = &ts_effect_reflections, .paper = "EPR 4.2",
+	.doc = "multi-view rendering: one pass over the geometry for every cube",
+	.steps = mvr_steps, .plan = mvr_plan, .expect = mvr_expect,
+};
+
+const ts_pipeline ts_pipeline_mvr_soft = {
+	.name = "mvr", .effect = &ts_effect_soft_shadows, .paper = "iVIR 4",
+	.doc = "one pass over the geometry for every depth map",
+	.steps = mvr_soft_steps, .plan = ts_soft_plan, .expect = ts_soft_expect,
+};
+
+const ts_pipeline ts_pipeline_mvr_omni = {
+	.name = "mvr", .effect = &ts_effect_omni_shadows, .paper = "iVIR 6",
+	.doc = "one pass over the geometry for every face of every cube",
+	.steps = mvr_omni_steps, .plan = ts_omni_plan, .expect = ts_omni_expect,
+};

@@ -13,9 +13,9 @@
  * - lights are discs, not squares, and the taps the seeds of a sunflower;
  * - parallel light needs no projection: its widths grow with the distance from the receiver. */
 #include "../../kernels/points/pcss.h"
-#include "../pipelines.h"
+#include "pipelines.h"
 
-const ts_step ts_pcss_steps[] = {
+static const ts_step pcss_steps[] = {
 	{.run = ts_soft_run},                    /* a view from the middle of each light */
 	{.stage = "depth", .each_batch = true},  /* MVR's raster */
 	{.stage = "pcss", .each_batch = true},   /* blockers, penumbra, filter */
@@ -28,7 +28,7 @@ static u32 n_lights(const ts_scene *scene, const ts_params *params)
 	return TS_PARAM(params, lamp) == TS_LAMP_SCENE ? scene->n_lights : 1;
 }
 
-void ts_pcss_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
+static void pcss_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
 {
 	(void)request;
 	plan->lights.taps = TS_N_FILTER;
@@ -37,7 +37,7 @@ void ts_pcss_plan(ts_plan *plan, const ts_params *params, const ts_counts *count
 	plan->batch = TS_PARAM(params, pass);
 }
 
-void ts_pcss_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
+static void pcss_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
 {
 	u64 *n = expected->sizes.n, lights = n_lights(scene, params),
 		batch = TS_PARAM(params, pass) < lights ? TS_PARAM(params, pass) : lights;
@@ -46,3 +46,9 @@ void ts_pcss_expect(ts_expected *expected, const ts_scene *scene, const ts_param
 	n[TS_DIM_texels] = (u64)TS_PARAM(params, map_px) * TS_PARAM(params, map_px) * batch;
 	expected->batches = batch != 0 ? (lights + batch - 1) / batch : 0;
 }
+
+const ts_pipeline ts_pipeline_pcss = {
+	.name = "pcss", .effect = &ts_effect_soft_shadows, .paper = "iVIR 4",
+	.doc = "percentage-closer soft shadows: one depth map a light, filtered as wide as its penumbra",
+	.steps = pcss_steps, .plan = pcss_plan, .expect = pcss_expect,
+};

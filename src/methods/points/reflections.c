@@ -1,6 +1,6 @@
 /* What all methods of reflections share: how much of the eye and of the cubes mirrors are likely to fill. */
 #include "../stages.h"
-#include "../pipelines.h"
+#include "pipelines.h"
 
 /* A square about every added reflector, or a quarter of the image. */
 static u64 reflective_pixels(const ts_scene *scene, const ts_params *params)
@@ -25,3 +25,14 @@ u64 ts_expected_face(const ts_params *params)
 	if (TS_PARAM(params, face_px) != 0) return TS_PARAM(params, face_px);
 	return TS_PARAM(params, reflectors) == 0 || side > largest ? largest : side;
 }
+
+void ts_plan_largest(ts_plan *plan, const ts_params *params)
+{
+	plan->offscreen.side = TS_PARAM(params, face_px) != 0 ? TS_PARAM(params, face_px) : TS_PARAM(params, face_max);
+	plan->offscreen.all = true;
+}
+
+const ts_effect ts_effect_reflections = {
+	.name = "reflections", .mirrors = true, .seen = TS_B_eye_depth_triangle,
+	.difference_scale = 8, .lower = "fewer --reflectors",
+};

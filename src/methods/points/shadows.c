@@ -1,5 +1,5 @@
 /* What all methods of soft and omnidirectional shadows share: batches of depth maps, and how large they are likely to be. */
-#include "../pipelines.h"
+#include "pipelines.h"
 
 /* A view a sample, of all lights together. */
 void ts_soft_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
@@ -55,3 +55,11 @@ void ts_omni_expect(ts_expected *expected, const ts_scene *scene, const ts_param
 	expected->batches = (TS_PARAM(params, light_samples) + batch - 1) / batch;
 	ts_expect_points(expected, scene, map);
 }
+
+const ts_effect ts_effect_soft_shadows = {
+	.name = "soft-shadows", .seen = TS_B_eye_depth_triangle, .difference_scale = 8, .lower = "map_px or pass",
+};
+
+const ts_effect ts_effect_omni_shadows = {
+	.name = "omni-shadows", .seen = TS_B_eye_depth_triangle, .difference_scale = 8, .lower = "map_px or pass",
+};

@@ -7,38 +7,59 @@
  *
  * Deviations: the rate is a reconstruction; only the ratio of its points to iVIR's is compared. */
 #include "../../kernels/points/view_density.h"
-#include "../pipelines.h"
+#include "pipelines.h"
 
-void ts_vir_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
+static void vir_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
 {
 	(void)counts, (void)request;
 	plan->points.rate = TS_RATE_IS_VIR;
 	ts_plan_largest(plan, params);
 }
 
-void ts_vir_soft_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
+static void vir_soft_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
 {
 	plan->points.rate = TS_RATE_IS_VIR;
 	ts_soft_plan(plan, params, counts, request);
 }
 
-void ts_vir_omni_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
+static void vir_omni_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
 {
 	plan->points.rate = TS_RATE_IS_VIR;
 	ts_omni_plan(plan, params, counts, request);
 }
 
 /* Nine points a texel: the corner's rate, 3, squared. */
-void ts_vir_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
+static void vir_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
 {
 	u64 face = TS_PARAM(params, face_px) != 0 ? TS_PARAM(params, face_px) : TS_PARAM(params, face_max);
 	ts_expect_cubes(expected, scene, params, face);
 	expected->sizes.n[TS_DIM_points] = 2 * (u64)scene->n_triangles + 9 * 6 * face * face * scene->info.n_reflectors;
 }
 
-void ts_vir_omni_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
+static void vir_omni_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
 {
 	ts_omni_expect(expected, scene, params);
 	expected->sizes.n[TS_DIM_points] =
 		2 * (u64)scene->n_triangles + 9 * 6 * (u64)TS_PARAM(params, map_px) * TS_PARAM(params, map_px);
 }
+
+const ts_pipeline ts_pipeline_vir_reflections = {
+	.name = "vir", .effect = &ts_effect_reflections, .paper = "iVIR 5",
+	.doc = "view-independent rendering: points as dense as the worst texel of any cube",
+	.steps = ts_ivir_reflections_steps, .plan = vir_plan, .expect = vir_expect,
+	.only_named = true,
+};
+
+const ts_pipeline ts_pipeline_vir_soft = {
+	.name = "vir", .effect = &ts_effect_soft_shadows, .paper = "iVIR 4",
+	.doc = "the same with the density of view-independent rendering",
+	.steps = ts_ivir_soft_steps, .plan = vir_soft_plan, .expect = ts_soft_expect,
+	.only_named = true,
+};
+
+const ts_pipeline ts_pipeline_vir_omni = {
+	.name = "vir", .effect = &ts_effect_omni_shadows, .paper = "iVIR 6",
+	.doc = "the same with the density of view-independent rendering",
+	.steps = ts_ivir_omni_steps, .plan = vir_omni_plan, .expect = vir_omni_expect,
+	.only_named = true,
+};

@@ -1,6 +1,6 @@
 /* What methods of indirect light share: a reflective shadow map of each light, or of the lamp. */
 #include "../stages.h"
-#include "../pipelines.h"
+#include "pipelines.h"
 
 void ts_indirect_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
 {
@@ -20,3 +20,7 @@ void ts_indirect_expect(ts_expected *expected, const ts_scene *scene, const ts_p
 	n[TS_DIM_lamps] = n_lights;
 	n[TS_DIM_texels] = n_views * TS_PARAM(params, rsm_px) * TS_PARAM(params, rsm_px);
 }
+
+const ts_effect ts_effect_indirect = {
+	.name = "indirect", .seen = TS_B_eye_depth_triangle, .difference_scale = 4, .lower = "grid_px or rsm_px",
+};

@@ -20,12 +20,12 @@
  *   six. */
 #include "surfel.h"
 #include "../stages.h"
-#include "../pipelines.h"
+#include "../pipeline.h"
 
 #define FRAGMENTS 30u /* of a pixel, on the slides */
 #define SPLAT 4u      /* fragments of a surfel below a pixel's size */
 
-const ts_step ts_surfels_steps[] = {
+static const ts_step surfels_steps[] = {
 	{.stage = "view"},
 	{.stage = "lamp"},
 	{.stage = "surfel_setup"},
@@ -40,7 +40,7 @@ const ts_step ts_surfels_steps[] = {
 	{0},
 };
 
-void ts_deferred_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
+static void deferred_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
 {
 	(void)request;
 	plan->lights.taps = 1;
@@ -48,13 +48,13 @@ void ts_deferred_plan(ts_plan *plan, const ts_params *params, const ts_counts *c
 	plan->units = counts->lights;
 }
 
-void ts_ewa_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
+static void ewa_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
 {
-	ts_deferred_plan(plan, params, counts, request);
+	deferred_plan(plan, params, counts, request);
 	plan->surfels.exact = true;
 }
 
-void ts_surfels_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
+static void surfels_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
 {
 	u64 n_lights = scene->n_lights, n_views = 0;
 	for (u32 i = 0; i < n_lights; i++) n_views += ts_light_views(&scene->lights[i]);
@@ -65,3 +65,21 @@ void ts_surfels_expect(ts_expected *expected, const ts_scene *scene, const ts_pa
 	n[TS_DIM_lamps] = n_lights;
 	n[TS_DIM_texels] = (u64)TS_PARAM(params, map_px) * TS_PARAM(params, map_px) * n_views;
 }
+
+static const ts_effect surfels = {
+	.name = "surfels", .seen = TS_B_blend_heaviest, .difference_scale = 8, .lower = "map_px or from_mesh",
+};
+
+const ts_pipeline ts_pipeline_deferred = {
+	.name = "deferred", .effect = &surfels, .paper = "NV40: 3-Pass Deferred Shading",
+	.doc = "deferred surface splatting: surfels blended in three passes, filtered by the lesser radius",
+	.steps = surfels_steps, .plan = deferred_plan, .expect = surfels_expect,
+	.sets = {"lamp", "scene"},
+};
+
+const ts_pipeline ts_pipeline_ewa = {
+	.name = "ewa", .effect = &surfels, .paper = "EWA",
+	.doc = "the same with the exact EWA filter",
+	.steps = surfels_steps, .plan = ewa_plan, .expect = surfels_expect,
+	.sets = {"lamp", "scene"},
+};

@@ -23,7 +23,7 @@
 #include <math.h>
 #include "../../scene/lamp.h"
 #include "../stages.h"
-#include "../pipelines.h"
+#include "pipelines.h"
 
 /* The octree of the scene, and light from the maps' texels. */
 static const ts_step vpl_run[] = {
@@ -35,7 +35,7 @@ static const ts_step vpl_run[] = {
 	{0},
 };
 
-const ts_step ts_megaviews_steps[] = {
+static const ts_step megaviews_steps[] = {
 	{.run = ts_rsm_run},
 	{.run = vpl_run},
 	{.run = ts_shared_maps_run},
@@ -44,7 +44,7 @@ const ts_step ts_megaviews_steps[] = {
 	{0},
 };
 
-const ts_step ts_manylods_steps[] = {
+static const ts_step manylods_steps[] = {
 	{.run = ts_rsm_run},
 	{.run = vpl_run},
 	{.run = ts_own_maps_run},
@@ -53,7 +53,7 @@ const ts_step ts_manylods_steps[] = {
 	{0},
 };
 
-const ts_step ts_bruteforce_steps[] = {
+static const ts_step bruteforce_steps[] = {
 	{.run = ts_rsm_run},
 	{.run = vpl_run},
 	{.run = ts_all_maps_run},
@@ -90,12 +90,34 @@ static void expect(ts_expected *expected, const ts_scene *scene, const ts_params
 	ts_expect_views(expected, scene, params, &lights);
 }
 
-void ts_megaviews_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
+static void megaviews_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
 {
 	expect(expected, scene, params, false);
 }
 
-void ts_manylods_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
+static void manylods_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
 {
 	expect(expected, scene, params, true);
 }
+
+const ts_pipeline ts_pipeline_megaviews_indirect = {
+	.name = "megaviews", .effect = &ts_effect_indirect, .paper = "MegaViews 3 and 5.1",
+	.doc = "many small views at once: virtual point lights with maps that octrees of scene and views share",
+	.steps = megaviews_steps, .plan = ts_indirect_plan, .expect = megaviews_expect,
+	.lower = "levels, gather_level, view_px or vpls",
+};
+
+const ts_pipeline ts_pipeline_manylods_indirect = {
+	.name = "manylods", .effect = &ts_effect_indirect, .paper = "MegaViews 4.1",
+	.doc = "the same lights, the map of each by a traversal of its own",
+	.steps = manylods_steps, .plan = ts_indirect_plan, .expect = manylods_expect,
+	.lower = "levels, gather_level, view_px or vpls",
+};
+
+const ts_pipeline ts_pipeline_bruteforce_indirect = {
+	.name = "bruteforce", .effect = &ts_effect_indirect, .paper = "MegaViews 4.1",
+	.doc = "the same lights, every leaf of the scene in the map of each",
+	.steps = bruteforce_steps, .plan = ts_indirect_plan, .expect = manylods_expect,
+	.lower = "levels, gather_level, view_px or vpls",
+	.only_named = true,
+};

@@ -10,7 +10,7 @@
  * - the picture is of the light of particles alone, and particles themselves are not seen. */
 #include <math.h>
 #include "../stages.h"
-#include "../pipelines.h"
+#include "pipelines.h"
 
 /* What the eye sees, particles, and the octree of the scene. */
 static const ts_step particle_run[] = {
@@ -24,28 +24,28 @@ static const ts_step particle_run[] = {
 	{0},
 };
 
-const ts_step ts_megaviews_particles_steps[] = {
+static const ts_step megaviews_particles_steps[] = {
 	{.run = particle_run},
 	{.run = ts_shared_maps_run},
 	{.run = ts_gather_run},
 	{0},
 };
 
-const ts_step ts_manylods_particles_steps[] = {
+static const ts_step manylods_particles_steps[] = {
 	{.run = particle_run},
 	{.run = ts_own_maps_run},
 	{.run = ts_gather_run},
 	{0},
 };
 
-const ts_step ts_bruteforce_particles_steps[] = {
+static const ts_step bruteforce_particles_steps[] = {
 	{.run = particle_run},
 	{.run = ts_all_maps_run},
 	{.run = ts_gather_run},
 	{0},
 };
 
-void ts_particles_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
+static void particles_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
 {
 	(void)params, (void)counts, (void)request;
 	plan->units = 0;
@@ -58,12 +58,39 @@ static void expect(ts_expected *expected, const ts_scene *scene, const ts_params
 	ts_expect_views(expected, scene, params, &lights);
 }
 
-void ts_megaviews_particles_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
+static void megaviews_particles_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
 {
 	expect(expected, scene, params, false);
 }
 
-void ts_manylods_particles_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
+static void manylods_particles_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
 {
 	expect(expected, scene, params, true);
 }
+
+static const ts_effect particles = {
+	.name = "particles", .seen = TS_B_eye_depth_triangle,
+	.difference_scale = 8, .lower = "levels, gather_level, view_px or particles",
+};
+
+const ts_pipeline ts_pipeline_megaviews_particles = {
+	.name = "megaviews", .effect = &particles, .paper = "MegaViews 3 and 5.2",
+	.doc = "many small views at once: glowing particles with maps that octrees of scene and views share",
+	.steps = megaviews_particles_steps, .plan = particles_plan, .expect = megaviews_particles_expect,
+	.sets = {"view_field", "all"},
+};
+
+const ts_pipeline ts_pipeline_manylods_particles = {
+	.name = "manylods", .effect = &particles, .paper = "MegaViews 4.1",
+	.doc = "the same particles, the map of each by a traversal of its own",
+	.steps = manylods_particles_steps, .plan = particles_plan, .expect = manylods_particles_expect,
+	.sets = {"view_field", "all"},
+};
+
+const ts_pipeline ts_pipeline_bruteforce_particles = {
+	.name = "bruteforce", .effect = &particles, .paper = "MegaViews 4.1",
+	.doc = "the same particles, every leaf of the scene in the map of each",
+	.steps = bruteforce_particles_steps, .plan = particles_plan, .expect = manylods_particles_expect,
+	.only_named = true,
+	.sets = {"view_field", "all"},
+};

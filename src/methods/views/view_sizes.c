@@ -4,7 +4,7 @@
 #include "../../kernels/base/vec.h"
 #include "traverse.h"
 #include "views.h"
-#include "../pipelines.h"
+#include "pipelines.h"
 
 #define FILLED 0.25     /* of all voxels at most, as surfaces stand close to each other */
 #define TRIANGLES 2     /* in a leaf, beside one leaf of each triangle */

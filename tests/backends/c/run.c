@@ -1,6 +1,6 @@
 /* The C backend: every item once whatever the threads, prefix sums, filled buffers. */
 #include "../../kernels/points/mesh.h"
-#include "../../../src/backends/c/fast.h"
+#include "../../../src/backends/fast.h"
 #include "../../../src/backends/kernels.h"
 
 /* Prefix sums against their definition; the total may need more than 32 bits. */

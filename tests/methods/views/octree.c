@@ -6,7 +6,7 @@
 #include "../small.h"
 #include <math.h>
 #include "../../../src/kernels/views/voxel.h"
-#include "../../../src/methods/pipelines.h"
+#include "../../../src/methods/raster/pipelines.h"
 #include "../../../src/methods/stages.h"
 #include "../../../src/trace/sums.h"
 #include "../../backends/device.h"
@@ -17,7 +17,7 @@ static const ts_step steps[] = {
 	{.stage = "view_octree"}, {.stage = "view_cone"}, {0},
 };
 static const ts_pipeline pipeline = {
-	.name = "octrees", .effect = "indirect", .steps = steps, .plan = ts_indirect_plan, .expect = ts_indirect_expect,
+	.name = "octrees", .effect = &ts_effect_indirect, .steps = steps, .plan = ts_indirect_plan, .expect = ts_indirect_expect,
 };
 
 static ts_params params_of(u32 levels, u32 vpls)

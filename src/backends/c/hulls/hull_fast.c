@@ -1,8 +1,8 @@
 /* Fast path of the hull kernel, with the same bits: the closed form of many lobes in one loop without branches, which
  * compilers make of vector instructions. */
 #include "../../../kernels/hulls/hull.h"
-#include "../fast.h"
-#include "../wide.h"
+#include "../../fast.h"
+#include "../../wide.h"
 
 enum { PIXELS = 64, LOBES = 3 * PIXELS };
 

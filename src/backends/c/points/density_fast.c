@@ -3,8 +3,8 @@
 #include <omp.h>
 #include <stdlib.h>
 #include "../../../kernels/points/split.h"
-#include "../fast.h"
-#include "../wide.h"
+#include "../../fast.h"
+#include "../../wide.h"
 
 enum { ENTRIES = 10, TRIANGLES_A_CHUNK = 256 };
 

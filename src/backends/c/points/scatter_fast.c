@@ -4,8 +4,8 @@
 #include <omp.h>
 #include <stdlib.h>
 #include "../../../kernels/points/scatter.h"
-#include "../fast.h"
-#include "../wide.h"
+#include "../../fast.h"
+#include "../../wide.h"
 
 enum {
 	ROOM = (1 << 16) + 256, /* a row of a lattice, 24.8 and dilated, has at most 65538 points */

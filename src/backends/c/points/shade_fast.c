@@ -1,7 +1,7 @@
 /* Fast path of the shade kernel, with the same bits: samples next to each other see the same points, so each thread
  * remembers what it shaded last. Shading operations are counted as the method asks for them, remembered or not. */
 #include "../../../kernels/points/lookup.h"
-#include "../fast.h"
+#include "../../fast.h"
 
 enum { SLOTS = 4096, ENTRIES_A_CHUNK = 1024 };
 

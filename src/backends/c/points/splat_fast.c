@@ -2,7 +2,7 @@
  * projected once for all its points; the squares of a block of points go side by side through a face's axes, which
  * are the world's but for sign and order, in loops that compilers vectorize; edges are evaluated as lines in (i, j). */
 #include "../../../kernels/points/splat_pieces.h"
-#include "../fast.h"
+#include "../../fast.h"
 
 /* A piece as one face sees it. */
 typedef struct {

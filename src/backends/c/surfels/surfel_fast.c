@@ -5,9 +5,9 @@
 #include "../../../kernels/surfels/deferred.h"
 #include "../../../kernels/surfels/surfel_depth.h"
 #include "../../../kernels/surfels/surfel_mean.h"
-#include "../fast.h"
+#include "../../fast.h"
 #include "surfel_bins.h"
-#include "../wide.h"
+#include "../../wide.h"
 
 enum { ITEMS = 1024 };
 

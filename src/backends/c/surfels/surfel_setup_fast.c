@@ -1,8 +1,8 @@
 /* Fast path of the set-up of surfels, with the same bits: those that face the eye side by side, by the kernel's own
  * functions in loops without branches, which compilers vectorize. */
 #include "../../../kernels/surfels/disc.h"
-#include "../fast.h"
-#include "../wide.h"
+#include "../../fast.h"
+#include "../../wide.h"
 
 enum { LOT = 64, VECTOR = 16, FATES = TS_DISC_BESIDE + 1 };
 

@@ -235,5 +235,5 @@ ts_status ts_probe_of_reflections(const ts_probe *p)
 {
 	if (p->mirrors) return TS_OK;
 	return ts_fail("%s: a trace of %s, of which probe explains the eye's pixels; --pixel X,Y would be right", p->trace->dir,
-	               p->trace->pipeline->effect);
+	               p->trace->pipeline->effect->name);
 }

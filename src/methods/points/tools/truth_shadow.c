@@ -125,7 +125,7 @@ u64 ts_truth_shadow_bytes(const ts_pipeline *method, const ts_scene *scene, cons
 {
 	static const ts_buffer_id ids[] = { TS_B_pose_vertex, TS_B_eye_depth_triangle, TS_B_resize_face, TS_B_offscreen_view,
 		TS_B_resolve_lit, TS_B_image_radiance, TS_B_image_srgb };
-	const ts_pipeline *start = ts_pipeline_making(method->effect, needs);
+	const ts_pipeline *start = ts_pipeline_making(method->effect->name, needs);
 	ts_params many = *params;
 	u64 bytes = 0,
 		views = (u64)TS_PARAM(params, area_samples) * (TS_PARAM(params, lamp) == TS_LAMP_SCENE ? scene->n_lights : 1);

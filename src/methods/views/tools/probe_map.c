@@ -236,7 +236,7 @@ static ts_status load(ts_probe *p)
 	const ts_step *maker = ts_pipeline_maker(p->trace->pipeline, TS_B_map_depth_node);
 	if (maker == NULL) {
 		return ts_fail("%s: a trace of %s by %s, which has no maps of lights; REFLECTOR.FACE or eye would be right",
-		               p->trace->dir, p->trace->pipeline->effect, p->trace->pipeline->name);
+		               p->trace->dir, p->trace->pipeline->effect->name, p->trace->pipeline->name);
 	}
 	const ts_step *traverse = ts_pipeline_maker(p->trace->pipeline, TS_B_traverse_rendered);
 	const char *stage = (traverse != NULL ? traverse : maker)->stage;

@@ -2,7 +2,7 @@
  * to the extremes. */
 #include <string.h>
 #include "../../../kernels/seeded.h"
-#include "../../../../src/backends/c/fast.h"
+#include "../../../../src/backends/fast.h"
 #include "../../../../src/backends/kernels.h"
 
 enum { N = 400, GRID = 64, TEXELS = GRID * GRID, MOST_BOXES = 64, MOST_PIXELS = 2048 };

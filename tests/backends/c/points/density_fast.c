@@ -1,7 +1,7 @@
 /* The fast densities equal the plain kernel bit for bit: of triangles in all places about many views, biased to the
  * extremes. */
 #include "../../../kernels/points/views.h"
-#include "../../../../src/backends/c/fast.h"
+#include "../../../../src/backends/fast.h"
 #include "../../../../src/backends/kernels.h"
 
 enum { N = 1500, VIEWS = 128 };

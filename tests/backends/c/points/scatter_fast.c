@@ -1,7 +1,7 @@
 /* The fast path of the scatter kernels gives the kernels' bits and tallies: random pieces into random views,
  * perspective and orthographic, of stored points and of points made on the spot, at coordinates where views begin
  * and end. */
-#include "../../../../src/backends/c/fast.h"
+#include "../../../../src/backends/fast.h"
 #include "../../../../src/backends/kernels.h"
 #include "../../../kernels/points/mesh.h"
 

@@ -1,6 +1,6 @@
 /* The fast splats equal the plain kernel bit for bit: texels and counters, on random meshes biased to the extremes. */
 #include "../../../kernels/points/mesh.h"
-#include "../../../../src/backends/c/fast.h"
+#include "../../../../src/backends/fast.h"
 #include "../../../../src/backends/kernels.h"
 
 enum { N = 1500 };

@@ -1,7 +1,7 @@
 /* The fast paths of surfels give the kernels' bits and tallies, pass after pass: surfels of all sizes and shapes,
  * before, beside and around the eye, in images of several tiles and of parts of one, by all filters, of normals and
  * colours that sums saturate at. */
-#include "../../../../src/backends/c/fast.h"
+#include "../../../../src/backends/fast.h"
 #include "../../../../src/backends/kernels.h"
 #include "../../../kernels/seeded.h"
 #include <stdlib.h>

@@ -1,7 +1,7 @@
 /* Checks of MegaViews, of its octrees and pairs: faults in what its stages read, planted in buffers of a run. */
 #include "../../../../src/kernels/views/mask.h"
 #include "../../../replay/loaded.h"
-#include "../../../../src/methods/pipelines.h"
+#include "../../../../src/methods/raster/pipelines.h"
 
 static const ts_step steps[] = {
 	{.stage = "view"}, {.stage = "pose"}, {.stage = "lamp"}, {.stage = "rsm_view"}, {.stage = "rsm"}, {.stage = "rsm_patch"},
@@ -11,7 +11,7 @@ static const ts_step steps[] = {
 	{.stage = "bilateral"}, {0},
 };
 static const ts_pipeline pipeline = {
-	.name = "octrees", .effect = "indirect", .steps = steps, .plan = ts_indirect_plan, .expect = ts_indirect_expect,
+	.name = "octrees", .effect = &ts_effect_indirect, .steps = steps, .plan = ts_indirect_plan, .expect = ts_indirect_expect,
 };
 enum { LEVELS = 4, LIGHTS = 200 };
 

@@ -2,7 +2,8 @@
 #include <touchstone/render.h>
 
 #include <stdlib.h>
-#include "pipeline.h"
+#include "../methods/pipeline.h"
+#include "families.h"
 
 struct ts_render {
 	ts_run run;
@@ -13,6 +14,7 @@ ts_status ts_render_run(ts_render **render, const ts_scene *scene, const ts_para
 {
 	*render = NULL;
 	if (ts_selftest_require() != TS_OK || ts_params_check(params) != TS_OK) return TS_ERROR;
+	ts_families_begin();
 	const ts_pipeline *pipeline = ts_pipeline_find(effect, method);
 	if (pipeline == NULL) {
 		return ts_fail("%s by %s: no such method; `touchstone list methods` names them", effect, method);

@@ -1,0 +1,29 @@
+/* What pipelines of the methods by points share. */
+#ifndef TS_METHODS_POINTS_PIPELINES_H
+#define TS_METHODS_POINTS_PIPELINES_H
+#include "../raster/pipelines.h"
+
+/* Reflections: cubes, their views and the reflective pixels, and how many of those; texels a side of a cube that adapts to
+ * the eye: twice the size asked for, as mirrors come nearer than their average (reflections.c). */
+extern const ts_effect ts_effect_reflections;
+u64 ts_expect_mirrors(ts_expected *expected, const ts_scene *scene, const ts_params *params);
+u64 ts_expected_face(const ts_params *params);
+/* All cubes, seen or not, of the largest size. */
+void ts_plan_largest(ts_plan *plan, const ts_params *params);
+
+/* Soft and omnidirectional shadows, by any method (shadows.c). */
+extern const ts_effect ts_effect_soft_shadows, ts_effect_omni_shadows;
+ts_planner ts_soft_plan;
+void ts_soft_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params);
+ts_planner ts_omni_plan;
+void ts_omni_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params);
+/* Pieces and points of iVIR, where the densest view of a triangle has so many texels. */
+void ts_expect_points(ts_expected *expected, const ts_scene *scene, u64 texels);
+
+/* iVIR, whose steps are also those of VIR (ivir.c). */
+extern const ts_step ts_ivir_reflections_steps[], ts_ivir_soft_steps[], ts_ivir_omni_steps[];
+ts_planner ts_ivir_omni_plan;
+/* What points for cubes of so many texels a side take. */
+void ts_expect_cubes(ts_expected *expected, const ts_scene *scene, const ts_params *params, u64 face);
+
+#endif

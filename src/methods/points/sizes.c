@@ -1,0 +1,9 @@
+/* Sizes of the methods by points that are computed. */
+#include "../../kernels/points/samples.h"
+#include "../registry.h"
+
+u64 ts_size_samples(const ts_size_question *q)
+{
+	(void)q;
+	return TS_N_SAMPLES;
+}

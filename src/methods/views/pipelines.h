@@ -1,0 +1,17 @@
+/* What pipelines of many views share. */
+#ifndef TS_METHODS_VIEWS_PIPELINES_H
+#define TS_METHODS_VIEWS_PIPELINES_H
+#include "../raster/pipelines.h"
+
+/* Runs of steps (shared.c): maps of many views by an octree of views, each by itself, of every leaf; and the light gathered
+ * through them. */
+extern const ts_step ts_shared_maps_run[], ts_own_maps_run[], ts_all_maps_run[], ts_gather_run[];
+
+/* Virtual point lights or particles: how many; in how many places at most; the area of the surfaces that they are on,
+ * INFINITY: everywhere; and whether each is a view by itself, without a hierarchy. */
+typedef struct { u64 n, n_places; double area; bool alone; } ts_expected_lights;
+/* What octrees, maps and lists of them take (view_sizes.c). */
+void ts_expect_views(ts_expected *expected, const ts_scene *scene, const ts_params *params,
+                     const ts_expected_lights *lights);
+
+#endif

@@ -1,0 +1,41 @@
+/* Sizes of many views that are computed. */
+#include "../../kernels/views/mask.h"
+#include "../registry.h"
+#include "octree.h"
+
+u64 ts_size_levels(const ts_size_question *q) { return TS_PARAM(&q->run->params, levels) + 1; }
+
+u64 ts_size_mask_words(const ts_size_question *q) { return ts_k_mask_first(TS_PARAM(&q->run->params, levels) + 1); }
+
+/* The levels of an octree are there, and as many as they should be. */
+static bool has_levels(const ts_size_question *q, ts_buffer_id level)
+{
+	return ts_is_made(q, level) && ts_frame_n(&q->run->frame, level) == TS_PARAM(&q->run->params, levels) + 2;
+}
+
+static u64 leaves_of(const ts_size_question *q, ts_buffer_id level)
+{
+	if (!has_levels(q, level)) return TS_UNKNOWN;
+	const u32 *first = (const u32 *)ts_frame_data(&q->run->frame, level) + TS_PARAM(&q->run->params, levels);
+	return first[1] - first[0];
+}
+
+u64 ts_size_leaves(const ts_size_question *q) { return leaves_of(q, TS_B_octree_level); }
+
+u64 ts_size_view_leaves(const ts_size_question *q) { return leaves_of(q, TS_B_view_octree_level); }
+
+u64 ts_size_view_side(const ts_size_question *q) { return ts_view_pyramid(&q->run->params).n; }
+
+u64 ts_size_map_texels(const ts_size_question *q)
+{
+	ts_pyramid pyramid = ts_view_pyramid(&q->run->params);
+	return ts_k_pyramid_texels(&pyramid);
+}
+
+u64 ts_size_gather_nodes(const ts_size_question *q)
+{
+	bool views = has_levels(q, TS_B_view_octree_level) && ts_is_made(q, TS_B_view_octree_node);
+	if (!views || !has_levels(q, TS_B_octree_level)) return TS_UNKNOWN;
+	const u32 *first = (const u32 *)ts_frame_data(&q->run->frame, TS_B_octree_level) + ts_gather_level(q->run);
+	return first[1] - first[0];
+}
