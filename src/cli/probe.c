@@ -2,7 +2,6 @@
  * JSON. */
 #include <stdlib.h>
 #include "../probe/probe.h"
-#include "../trace/where.h"
 #include "cli.h"
 #include "../study/table.h"
 
@@ -130,77 +129,37 @@ static ts_status read_pixel(const ts_cli *cli, u32 *x, u32 *y)
 	return ts_words_count(y, list, 0, 65535, "--pixel Y");
 }
 
-/* What stands before the dot. */
-static void read_left(const ts_cli *cli, const char *dot, char left[16])
+/* "P", or the key "PIECE,X,Y". */
+static ts_status read_point(const ts_cli *cli, ts_probe_question *q, i64 key[3])
 {
-	snprintf(left, 16, "%.*s", dot - cli->place.view < 15 ? (int)(dot - cli->place.view) : 15, cli->place.view);
-}
-
-/* "R.F" */
-static ts_status read_face(const ts_cli *cli, const char *dot, u32 *reflector, u32 *face)
-{
-	char left[16];
-	read_left(cli, dot, left);
-	if (ts_words_count(reflector, left, 0, 65535, "--view, reflector") != TS_OK) return TS_ERROR;
-	for (*face = 0; *face < 6; ++*face) {
-		if (strcmp(dot + 1, ts_where_face(*face)) == 0 || (dot[1] == (char)('0' + *face) && dot[2] == 0)) return TS_OK;
+	char item[16];
+	const char *list = cli->place.point;
+	u32 n = 0;
+	for (; n < 3 && ts_words_item(&list, item, sizeof item); n++) {
+		u32 value;
+		bool minus = n > 0 && item[0] == '-';
+		if (ts_words_count(&value, item + minus, 0, 4294967294u, "--point") != TS_OK) return TS_ERROR;
+		key[n] = minus ? -(i64)value : (i64)value;
 	}
-	return ts_fail("--view %s: no face \"%s\"; there are +X, -X, +Y, -Y, +Z, -Z, or 0 to 5", cli->place.view, dot + 1);
-}
-
-/* "L.front", or "nodeN.back" */
-static ts_status read_map(const ts_cli *cli, const char *dot, ts_probe_map_id *map)
-{
-	char left[16];
-	read_left(cli, dot, left);
-	map->back = strcmp(dot, ".back") == 0;
-	map->of_light = strncmp(left, "node", 4) != 0;
-	return ts_words_count(&map->index, map->of_light ? left : left + 4, 0, 4294967294u, "--view, light or node");
-}
-
-static ts_status probe_pixel(ts_probe *probe, const ts_cli *cli, json_t **answer)
-{
-	u32 x, y, reflector, face;
-	ts_probe_map_id map;
-	if (read_pixel(cli, &x, &y) != TS_OK) return TS_ERROR;
-	if (cli->place.view == NULL || strcmp(cli->place.view, "eye") == 0) return ts_probe_pixel(probe, x, y, answer);
-	const char *dot = strchr(cli->place.view, '.');
-	if (dot == NULL) {
-		return ts_fail("--view %s: neither \"eye\" nor REFLECTOR.FACE, for instance 3.+X or 3.0, nor LIGHT.front or "
-		               "nodeN.back", cli->place.view);
-	}
-	if (strcmp(dot, ".front") == 0 || strcmp(dot, ".back") == 0) {
-		return read_map(cli, dot, &map) == TS_OK ? ts_probe_map(probe, map, x, y, answer) : TS_ERROR;
-	}
-	if (read_face(cli, dot, &reflector, &face) != TS_OK) return TS_ERROR;
-	return ts_probe_texel(probe, reflector, face, x, y, answer);
-}
-
-/* A place of the lattice. */
-static ts_status read_place(i32 *place, const char *text)
-{
-	u32 n;
-	bool minus = text[0] == '-';
-	if (ts_words_count(&n, text + minus, 0, 32767 + minus, "--point x, y") != TS_OK) return TS_ERROR;
-	*place = minus ? -(i32)n : (i32)n;
+	if (list != NULL || n == 2) return ts_fail("--point %s: neither an index nor a key PIECE,X,Y", cli->place.point);
+	q->index = (u64)key[0];
+	if (n == 3) q->key = key;
 	return TS_OK;
 }
 
-static ts_status probe_point(ts_probe *probe, const ts_cli *cli, json_t **answer)
+static ts_status ask(ts_probe *probe, const ts_cli *cli, json_t **answer)
 {
-	char item[3][16];
-	const char *list = cli->place.point;
-	u32 n = 0, first = 0;
-	i32 x, y;
-	u64 point;
-	while (n < 3 && ts_words_item(&list, item[n], sizeof item[0])) n++;
-	if (list != NULL || n == 2) return ts_fail("--point %s: neither an index nor a key PIECE,X,Y", cli->place.point);
-	if (ts_words_count(&first, item[0], 0, 4294967294u, "--point") != TS_OK) return TS_ERROR;
-	if (n == 1) return ts_probe_point(probe, first, answer);
-	if (read_place(&x, item[1]) != TS_OK || read_place(&y, item[2]) != TS_OK) return TS_ERROR;
-	u64 key = (u64)first << 32 | (u64)(u32)(y + 32768) << 16 | (u64)(u32)(x + 32768);
-	if (ts_probe_point_of_key(probe, key, &point) != TS_OK) return TS_ERROR;
-	return ts_probe_point(probe, point, answer);
+	i64 key[3];
+	ts_probe_question q = {.subject = TS_PROBE_TRIANGLE, .index = cli->place.triangle};
+	if (cli->place.pixel != NULL) {
+		bool eye = cli->place.view == NULL || strcmp(cli->place.view, "eye") == 0;
+		q = (ts_probe_question){.subject = eye ? TS_PROBE_PIXEL : TS_PROBE_TEXEL, .view = eye ? NULL : cli->place.view};
+		if (read_pixel(cli, &q.x, &q.y) != TS_OK) return TS_ERROR;
+	} else if (cli->place.point != NULL) {
+		q = (ts_probe_question){.subject = TS_PROBE_POINT};
+		if (read_point(cli, &q, key) != TS_OK) return TS_ERROR;
+	}
+	return ts_probe_ask(probe, &q, answer);
 }
 
 static ts_status tell(const ts_cli *cli, json_t *answer)
@@ -223,9 +182,7 @@ ts_status ts_probe_command(ts_cli *cli)
 	if (asked != 1) return ts_fail("probe: one of --pixel X,Y, --triangle T and --point P must be given");
 	if (cli->place.view != NULL && cli->place.pixel == NULL) return ts_fail("probe: --view goes with --pixel");
 	if (ts_probe_open(&probe, cli->arguments[0]) != TS_OK) return TS_ERROR;
-	ts_status status = cli->place.pixel != NULL   ? probe_pixel(probe, cli, &answer)
-	                   : cli->place.point != NULL ? probe_point(probe, cli, &answer)
-	                                        : ts_probe_triangle(probe, cli->place.triangle, &answer);
+	ts_status status = ask(probe, cli, &answer);
 	if (status == TS_OK) status = tell(cli, answer);
 	json_decref(answer);
 	ts_probe_close(probe);

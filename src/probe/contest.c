@@ -4,7 +4,7 @@
 
 enum { MOST_LISTED = 64 };
 
-static ts_status add(ts_offers *offers, ts_offer offer)
+ts_status ts_probe_offers_add(ts_offers *offers, ts_offer offer)
 {
 	void *array = offers->offer;
 	if (ts_grow(&array, &offers->capacity, offers->n + 1, sizeof offer, "who competed") != TS_OK) return TS_ERROR;
@@ -35,7 +35,8 @@ static ts_status visit(ts_probe *p, const ts_camera_k *view, u32 triangle, u32 x
 	if (!(f.z > 0.0f)) return TS_OK;
 	if (ts_probe_textures(p, triangle) != TS_OK) return TS_ERROR;
 	bool cut = ts_k_is_cut(&p->scene, triangle, f.w, t.n, ts_k_fragment_footprint(view, &t, &f));
-	return add(offers, (ts_offer){.key = (u64)ts_f2u(f.z) << 32 | triangle, .triangle = triangle, .cut = cut});
+	return ts_probe_offers_add(offers,
+	                           (ts_offer){.key = (u64)ts_f2u(f.z) << 32 | triangle, .triangle = triangle, .cut = cut});
 }
 
 ts_status ts_probe_contest(ts_probe *p, const ts_camera_k *view, u32 own, u32 x, u32 y, ts_offers *offers)
@@ -49,28 +50,14 @@ ts_status ts_probe_contest(ts_probe *p, const ts_camera_k *view, u32 own, u32 x,
 	return status;
 }
 
-static ts_status put_point(ts_probe *p, json_t *o, u32 point)
-{
-	u64 key;
-	ts_point record;
-	ts_piece piece;
-	if (ts_probe_fetch_point(p, point, &record, &piece) != TS_OK) return TS_ERROR;
-	ts_probe_put(p, o, "point", ts_probe_int(point));
-	if (ts_probe_has(p, TS_B_points_key)) {
-		if (ts_probe_fetch(p, TS_B_points_key, point, 1, &key) != TS_OK) return TS_ERROR;
-		ts_probe_put(p, o, "key", ts_probe_key(key));
-	}
-	ts_probe_put(p, o, "splat_length", ts_probe_real(record.length));
-	return TS_OK;
-}
-
-static ts_status put_offer(ts_probe *p, json_t *list, const ts_offer *offer, const ts_offer *winner, bool points)
+static ts_status put_offer(ts_probe *p, json_t *list, const ts_offer *offer, const ts_offer *winner,
+                           ts_probe_put_index *put_index)
 {
 	json_t *o = json_object();
 	ts_status status = TS_OK;
 	f32 depth = ts_u2f((u32)(offer->key >> 32));
-	ts_probe_put(p, o, points ? "distance" : "depth", ts_probe_bits(depth));
-	if (points) status = put_point(p, o, (u32)offer->key);
+	ts_probe_put(p, o, put_index != NULL ? "distance" : "depth", ts_probe_bits(depth));
+	if (put_index != NULL) status = put_index(p, o, (u32)offer->key);
 	ts_probe_put_triangle(p, o, offer->triangle);
 	if (offer->cut) ts_probe_put(p, o, "cut", json_string("by the alpha of its material"));
 	if (winner != NULL && winner != offer && !offer->cut) {
@@ -104,7 +91,8 @@ static void put_lead(ts_probe *p, json_t *o, const ts_offer *winner, const ts_of
 	if (near == far) ts_probe_put(p, o, "tie", json_string("equal depths go to the lower index"));
 }
 
-ts_status ts_probe_put_offers(ts_probe *p, json_t *o, const ts_offers *offers, ts_buffer_id id, u64 held, bool points)
+ts_status ts_probe_put_offers(ts_probe *p, json_t *o, const ts_offers *offers, ts_buffer_id id, u64 held,
+                              ts_probe_put_index *put_index)
 {
 	const ts_offer *winner = NULL, *second = NULL;
 	json_t *list = json_array();
@@ -113,7 +101,7 @@ ts_status ts_probe_put_offers(ts_probe *p, json_t *o, const ts_offers *offers, t
 		const ts_offer *offer = &offers->offer[i];
 		if (winner != NULL && second == NULL && !offer->cut) second = offer;
 		if (winner == NULL && !offer->cut) winner = offer;
-		if (i < MOST_LISTED && status == TS_OK) status = put_offer(p, list, offer, winner, points);
+		if (i < MOST_LISTED && status == TS_OK) status = put_offer(p, list, offer, winner, put_index);
 	}
 	ts_probe_put(p, o, "competitors", ts_probe_int(offers->n));
 	put_lead(p, o, winner, second);

@@ -14,14 +14,6 @@ void ts_probe_append(ts_probe *p, json_t *array, json_t *value)
 	if (json_array_append_new(array, value) != 0) p->failed = true;
 }
 
-ts_status ts_probe_answer(ts_probe *p, json_t *made, ts_status status, json_t **answer)
-{
-	if (status == TS_OK && (p->failed || made == NULL)) status = ts_fail("out of memory");
-	if (status != TS_OK) json_decref(made);
-	*answer = status == TS_OK ? made : NULL;
-	return status;
-}
-
 json_t *ts_probe_int(u64 value) { return json_integer((json_int_t)value); }
 json_t *ts_probe_pair(u32 x, u32 y) { return json_pack("[I,I]", (json_int_t)x, (json_int_t)y); }
 
@@ -49,15 +41,14 @@ json_t *ts_probe_v3_bits(ts_v3 v)
 	return json_pack("{s:o,s:[o,o,o]}", "value", ts_probe_v3(v), "bits", bits_of(v.x), bits_of(v.y), bits_of(v.z));
 }
 
-json_t *ts_probe_key(u64 key)
-{
-	return json_sprintf("%u,%d,%d", (unsigned)(key >> 32), (int)(key & 0xffff) - 32768,
-	                    (int)(key >> 16 & 0xffff) - 32768);
-}
-
 json_t *ts_probe_face_name(u32 reflector, u32 face)
 {
 	return json_sprintf("%u.%s", (unsigned)reflector, ts_where_face(face));
+}
+
+void ts_probe_put_method(ts_probe *p, json_t *object)
+{
+	ts_probe_put(p, object, "method", json_string(p->trace->pipeline->name));
 }
 
 void ts_probe_put_margin(ts_probe *p, json_t *object, f32 winner, f32 depth)

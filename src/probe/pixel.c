@@ -1,4 +1,5 @@
-/* A pixel of the eye. */
+/* A pixel of an eye that sees triangles: who covers it, and what the winner's surface is. Its light is told by the
+ * families. */
 #include <stdlib.h>
 #include "parts.h"
 
@@ -8,7 +9,7 @@ static ts_status put_contest(ts_probe *p, json_t *o, u32 x, u32 y, u64 held)
 	ts_camera_k view = ts_k_view(&p->view);
 	json_t *contest = json_object();
 	ts_status status = ts_probe_contest(p, &view, TS_NONE, x, y, &offers);
-	if (status == TS_OK) status = ts_probe_put_offers(p, contest, &offers, TS_B_eye_depth_triangle, held, false);
+	if (status == TS_OK) status = ts_probe_put_offers(p, contest, &offers, TS_B_eye_depth_triangle, held, NULL);
 	ts_probe_put(p, o, "coverage", contest);
 	free(offers.offer);
 	return status;
@@ -25,36 +26,13 @@ static ts_status put_surface(ts_probe *p, json_t *o, u32 triangle, u32 x, u32 y,
 	return TS_OK;
 }
 
-static ts_status put_mirror(ts_probe *p, json_t *o, u32 entry, u32 index, ts_v3 *total)
-{
-	ts_pixel pixel;
-	if (ts_probe_fetch(p, TS_B_pixel_record, entry, 1, &pixel) != TS_OK) return TS_ERROR;
-	if (pixel.index != index) {
-		return ts_fail("%s: element %u is of pixel %u; pixel.offset names it for pixel %u",
-		               p->trace->item[TS_B_pixel_record].path, (unsigned)entry, (unsigned)pixel.index, (unsigned)index);
-	}
-	json_t *record = json_object(), *mirror = json_object();
-	ts_probe_put(p, record, "entry", ts_probe_int(entry));
-	ts_probe_put(p, record, "reflector", ts_probe_int(pixel.reflector));
-	ts_probe_put(p, record, "position", ts_probe_v3(ts_load3(pixel.position)));
-	ts_probe_put(p, record, "normal", ts_probe_v3(ts_load3(pixel.normal)));
-	ts_probe_put(p, record, "position_dx", ts_probe_v3(ts_load3(pixel.position_dx)));
-	ts_probe_put(p, record, "position_dy", ts_probe_v3(ts_load3(pixel.position_dy)));
-	ts_probe_put(p, record, "normal_dx", ts_probe_v3(ts_load3(pixel.normal_dx)));
-	ts_probe_put(p, record, "normal_dy", ts_probe_v3(ts_load3(pixel.normal_dy)));
-	ts_probe_put(p, o, "record", record);
-	ts_status status = p->faces ? ts_probe_mip(p, entry, mirror, total) : ts_probe_mirror(p, entry, mirror, total);
-	ts_probe_put(p, o, "reflection", mirror);
-	return status;
-}
-
-static ts_status put_radiance(ts_probe *p, json_t *o, u32 x, u32 y, ts_v3 total)
+ts_status ts_probe_put_image(ts_probe *p, json_t *o, u32 x, u32 y, ts_v3 radiance)
 {
 	f32 computed[3], held[3];
 	u8 srgb[3];
 	bool there;
 	json_t *result = json_object();
-	ts_store3(computed, total);
+	ts_store3(computed, radiance);
 	ts_probe_put(p, result, "radiance", ts_probe_v3_bits(ts_load3(computed)));
 	ts_status status = ts_probe_fetch_pixel(p, TS_B_image_radiance, x, y, 3, held, &there);
 	if (status == TS_OK && there) ts_probe_put_check(p, result, TS_B_image_radiance, computed, held, 3);
@@ -66,81 +44,46 @@ static ts_status put_radiance(ts_probe *p, json_t *o, u32 x, u32 y, ts_v3 total)
 	return status;
 }
 
-/* Of what is no mirror. */
-static ts_status put_light(ts_probe *p, json_t *o, u32 x, u32 y, u64 key, const ts_surface *surface, ts_v3 *total)
+void ts_probe_put_shading(ts_probe *p, const ts_probe_seen *at, const u32 *lit, const ts_lamp *lamps, json_t *o,
+                          ts_v3 *radiance)
 {
-	if (p->gathers) return ts_probe_indirect(p, x, y, key, o, total);
-	ts_camera_k view = ts_k_view(&p->view);
-	ts_receiver at = ts_k_receiver(&p->scene, &view, key, (i32)x, (i32)y);
-	if (p->has_lamps && ts_probe_shadow(p, x, y, &at, o) != TS_OK) return TS_ERROR;
-	ts_v3 v = ts_normalize(ts_sub(ts_load3(p->view.eye), surface->p));
-	ts_probe_put(p, o, "shading", ts_probe_shading(p, surface, v, total));
+	ts_v3 v = ts_normalize(ts_sub(ts_load3(p->view.eye), at->surface.p));
+	ts_probe_put(p, o, "shading", ts_probe_shading(p, &at->surface, v, lit, lamps, radiance));
+}
+
+ts_status ts_probe_put_pixel(ts_probe *p, const ts_probe_question *q, json_t *o)
+{
+	if (q->x >= p->view.width || q->y >= p->view.height) {
+		return ts_fail("%s: no pixel (%u, %u); the eye has %u x %u", p->trace->dir, (unsigned)q->x, (unsigned)q->y,
+		               (unsigned)p->view.width, (unsigned)p->view.height);
+	}
+	ts_probe_put(p, o, "pixel", ts_probe_pair(q->x, q->y));
+	ts_probe_put_method(p, o);
 	return TS_OK;
 }
 
-static ts_status describe(ts_probe *p, json_t *o, u32 x, u32 y, u64 key, const u32 offset[2])
+static ts_status fetch_key(ts_probe *p, u32 x, u32 y, u64 *key)
 {
-	ts_surface surface;
-	ts_v3 total = ts_k_background();
-	ts_status status = put_contest(p, o, x, y, key);
-	bool mirror = offset[1] != offset[0];
-	if (status == TS_OK && key != TS_EMPTY) status = put_surface(p, o, (u32)key, x, y, &surface);
-	if (status == TS_OK && mirror) {
-		status = put_mirror(p, o, offset[0], y * p->view.width + x, &total);
-	} else if (status == TS_OK && key != TS_EMPTY) {
-		status = put_light(p, o, x, y, key, &surface, &total);
+	bool there;
+	if (ts_probe_fetch_pixel(p, TS_B_eye_depth_triangle, x, y, 1, key, &there) != TS_OK) return TS_ERROR;
+	if (there) return TS_OK;
+	return ts_fail("%s: pixel (%u, %u) is outside its crop", p->trace->item[TS_B_eye_depth_triangle].path, (unsigned)x,
+	               (unsigned)y);
+}
+
+ts_status ts_probe_eye_pixel(ts_probe *p, const ts_probe_question *q, const ts_buffer_id *needed, ts_probe_light *light,
+                             json_t *o)
+{
+	ts_probe_seen at = {.x = q->x, .y = q->y};
+	ts_v3 radiance = ts_k_background();
+	if (ts_probe_scene(p) != TS_OK || ts_probe_require(p, needed) != TS_OK) return TS_ERROR;
+	if (ts_probe_put_pixel(p, q, o) != TS_OK || fetch_key(p, q->x, q->y, &at.key) != TS_OK) return TS_ERROR;
+	ts_status status = put_contest(p, o, q->x, q->y, at.key);
+	if (status == TS_OK && at.key != TS_EMPTY) {
+		status = put_surface(p, o, (u32)at.key, q->x, q->y, &at.surface);
+		if (status == TS_OK) status = light(p, &at, o, &radiance);
 	} else if (status == TS_OK) {
 		ts_probe_put(p, o, "shading", json_string("nothing is here: background"));
 	}
-	return status == TS_OK ? put_radiance(p, o, x, y, total) : status;
-}
-
-static ts_status describe_surfels(ts_probe *p, json_t *o, u32 x, u32 y)
-{
-	ts_v3 total;
-	if (ts_probe_surfels(p, x, y, o) != TS_OK || ts_probe_deferred(p, x, y, o, &total) != TS_OK) return TS_ERROR;
-	return put_radiance(p, o, x, y, total);
-}
-
-static ts_status describe_triangles(ts_probe *p, json_t *o, u32 x, u32 y)
-{
-	u64 key;
-	u32 offset[2] = {0, 0};
-	bool there;
-	if (ts_probe_fetch_pixel(p, TS_B_eye_depth_triangle, x, y, 1, &key, &there) != TS_OK) return TS_ERROR;
-	if (!there) {
-		return ts_fail("%s: pixel (%u, %u) is outside its crop", p->trace->item[TS_B_eye_depth_triangle].path,
-		               (unsigned)x, (unsigned)y);
-	}
-	if (p->mirrors && ts_probe_fetch(p, TS_B_pixel_offset, (u64)y * p->view.width + x, 2, offset) != TS_OK)
-		return TS_ERROR;
-	return describe(p, o, x, y, key, offset);
-}
-
-/* What the description of a pixel begins with. */
-static ts_status begin(ts_probe *p)
-{
-	static const ts_buffer_id mirrors[] = {TS_B_eye_depth_triangle, TS_B_pixel_offset, TS_B_pixel_record, TS_N_BUFFERS};
-	static const ts_buffer_id shadows[] = {TS_B_eye_depth_triangle, TS_B_scatter_depth, TS_N_BUFFERS};
-	static const ts_buffer_id indirect[] = {TS_B_eye_depth_triangle, TS_B_rsm_patch, TS_N_BUFFERS};
-	static const ts_buffer_id particles[] = {TS_B_eye_depth_triangle, TS_B_vpl_light, TS_N_BUFFERS};
-	if (p->surfels) return ts_probe_load_surfels(p);
-	if (ts_probe_scene(p) != TS_OK) return TS_ERROR;
-	if (p->gathers) return ts_probe_require(p, p->has_lamps ? indirect : particles);
-	return ts_probe_require(p, p->has_lamps ? shadows : mirrors);
-}
-
-ts_status ts_probe_pixel(ts_probe *p, u32 x, u32 y, json_t **answer)
-{
-	*answer = NULL;
-	if (begin(p) != TS_OK) return TS_ERROR;
-	if (x >= p->view.width || y >= p->view.height) {
-		return ts_fail("%s: no pixel (%u, %u); the eye has %u x %u", p->trace->dir, (unsigned)x, (unsigned)y,
-		               (unsigned)p->view.width, (unsigned)p->view.height);
-	}
-	json_t *o = json_object();
-	ts_probe_put(p, o, "pixel", ts_probe_pair(x, y));
-	ts_probe_put(p, o, "method", json_string(p->trace->pipeline->name));
-	ts_status status = p->surfels ? describe_surfels(p, o, x, y) : describe_triangles(p, o, x, y);
-	return ts_probe_answer(p, o, status, answer);
+	return status == TS_OK ? ts_probe_put_image(p, o, q->x, q->y, radiance) : status;
 }

@@ -6,26 +6,6 @@
 #include "parts.h"
 #include "../replay/replay.h"
 
-static bool makes(const ts_pipeline *pipeline, ts_buffer_id id) { return ts_pipeline_maker(pipeline, id) != NULL; }
-
-/* Points of iVIR in environment maps have other ways. */
-static bool is_explained(const ts_pipeline *pipeline) { return !makes(pipeline, TS_B_scatter_colour); }
-
-/* What answers depend on, of the method. */
-static void ask_method(ts_probe *p)
-{
-	const ts_pipeline *pipeline = p->trace->pipeline;
-	const ts_counts none = {.cubes = TS_NONE, .views = TS_NONE, .lamps = TS_NONE};
-	ts_plan plan;
-	ts_plan_make(&plan, pipeline, &p->trace->params, &none, NULL);
-	p->has_taps = plan.lights.taps > 1;
-	p->mirrors = pipeline->effect->mirrors;
-	p->surfels = ts_pipeline_reads(pipeline, TS_B_scene_surfel);
-	p->gathers = makes(pipeline, TS_B_indirect_irradiance);
-	p->has_lamps = makes(pipeline, TS_B_lamp_shape);
-	p->faces = makes(pipeline, TS_B_face_depth_triangle);
-}
-
 /* First dimensions of what is there; where files disagree, the least, so that what is below it is in all of them. */
 static void find_sizes(ts_probe *p)
 {
@@ -39,7 +19,7 @@ static void find_sizes(ts_probe *p)
 		if (item->npy.shape[0] < n[of]) n[of] = item->npy.shape[0];
 	}
 	if (n[TS_DIM_cubes] != TS_UNKNOWN && n[TS_DIM_views] == TS_UNKNOWN) ts_sizes_cubes(&p->sizes, n[TS_DIM_cubes]);
-	if (p->mirrors) n[TS_DIM_reflectors] = n[TS_DIM_cubes];
+	if (p->trace->pipeline->effect->mirrors) n[TS_DIM_reflectors] = n[TS_DIM_cubes];
 	ts_sizes_give(&p->sizes, &run);
 }
 
@@ -52,16 +32,11 @@ ts_status ts_probe_open(ts_probe **probe, const char *dir)
 	if (status == TS_OK && !made->trace->has_params) {
 		status = ts_fail("%s: trace.json has no params, and without them nothing can be computed again", dir);
 	}
-	if (status == TS_OK && !is_explained(made->trace->pipeline)) {
-		status = ts_fail("%s: probe explains reflections by epr and mvr, shadows, indirect light, particles and surfels; "
-		                 "this is %s by %s, which compare and replay judge", dir, made->trace->pipeline->effect->name,
-		                 made->trace->pipeline->name);
-	}
+	if (status == TS_OK) status = ts_probe_explains(made->trace);
 	if (status != TS_OK) {
 		ts_probe_close(made);
 		return status;
 	}
-	ask_method(made);
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) made->fields[id] = ts_fields_of((ts_buffer_id)id);
 	find_sizes(made);
 	*probe = made;
@@ -71,13 +46,18 @@ ts_status ts_probe_open(ts_probe **probe, const char *dir)
 void ts_probe_close(ts_probe *p)
 {
 	if (p == NULL) return;
-	for (u32 id = 0; id < TS_N_BUFFERS; id++) ts_reader_close(p->reader[id]);
-	ts_probe_scene_free(p);
+	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
+		ts_reader_close(p->reader[id]);
+		free(p->whole[id]);
+	}
+	free(p->texels);
+	free(p->image_read);
 	ts_load_end(p->load);
 	ts_trace_close(p->trace);
 	free(p);
 }
 
+bool ts_probe_makes(const ts_probe *p, ts_buffer_id id) { return ts_pipeline_maker(p->trace->pipeline, id) != NULL; }
 bool ts_probe_has(const ts_probe *p, ts_buffer_id id) { return p->trace->item[id].path != NULL; }
 u64 ts_probe_n(const ts_probe *p, ts_buffer_id id) { return ts_probe_has(p, id) ? p->trace->item[id].npy.n : 0; }
 
@@ -170,10 +150,19 @@ ts_status ts_probe_fetch_pixel(ts_probe *p, ts_buffer_id id, u32 x, u32 y, u32 n
 	return ts_probe_fetch(p, id, (row * width + column) * n, n, to);
 }
 
-ts_status ts_probe_fetch_point(ts_probe *p, u64 point, ts_point *record, ts_piece *piece)
+void *ts_probe_whole(ts_probe *p, ts_buffer_id id)
 {
-	if (ts_probe_fetch(p, TS_B_points_record, point, 1, record) != TS_OK) return TS_ERROR;
-	return ts_probe_fetch(p, TS_B_split_triangle, record->piece, 1, piece);
+	const ts_buffer_id needed[] = {id, TS_N_BUFFERS};
+	if (p->whole[id] != NULL) return p->whole[id];
+	if (ts_probe_require(p, needed) != TS_OK) return NULL;
+	u64 n = ts_probe_n(p, id);
+	void *data = ts_alloc((size_t)n, ts_buffer_table[id].element_bytes, ts_buffer_table[id].name);
+	if (data != NULL && n > 0 && ts_probe_fetch(p, id, 0, n, data) != TS_OK) {
+		free(data);
+		return NULL;
+	}
+	p->whole[id] = data;
+	return data;
 }
 
 static bool has_loaded(const ts_probe *p, const ts_buffer_id *ids)

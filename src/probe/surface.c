@@ -48,28 +48,34 @@ json_t *ts_probe_surface(ts_probe *p, u32 triangle, const ts_surface *s, ts_v3 w
 	return o;
 }
 
+/* The samples of each light that reach a surface; NULL: all light does. */
+typedef struct {
+	const u32 *lit;
+	const ts_lamp *lamps;
+} reach;
+
 /* What ts_k_shade makes of the surface with one light, as much as reaches it, or none. */
-static ts_v3 term(const ts_probe *p, const ts_surface *surface, ts_v3 v, u32 light, f32 ambient)
+static ts_v3 term(const ts_probe *p, const ts_surface *surface, ts_v3 v, reach r, u32 light, f32 ambient)
 {
 	ts_arrays world = p->scene;
 	ts_surface s = *surface;
 	bool one = light != TS_NONE;
-	bool shadows = one && p->lit != NULL;
+	bool shadows = one && r.lit != NULL;
 	world.lights = one ? &p->scene.lights[light] : NULL;
 	world.n_lights = one ? 1 : 0;
 	world.ambient = ambient;
 	s.emissive = ts_v3_make(0.0f, 0.0f, 0.0f);
-	return ts_k_shade_lit(&world, &s, v, shadows ? &p->lit[light] : NULL, shadows ? &p->lamps[light] : NULL);
+	return ts_k_shade_lit(&world, &s, v, shadows ? &r.lit[light] : NULL, shadows ? &r.lamps[light] : NULL);
 }
 
-static ts_v3 put_lights(ts_probe *p, json_t *o, const ts_surface *s, ts_v3 v, ts_v3 sum)
+static ts_v3 put_lights(ts_probe *p, json_t *o, const ts_surface *s, ts_v3 v, reach r, ts_v3 sum)
 {
 	static const char *const kinds[] = {"directional", "point", "spot"};
 	json_t *lights = json_array();
 	for (u32 i = 0; i < p->scene.n_lights; i++) {
 		const ts_light *light = &p->scene.lights[i];
-		ts_v3 l, radiance = term(p, s, v, i, 0.0f);
-		f32 arrives = ts_k_light(light, s->p, &l) * ts_k_share(p->lit, p->lamps, i);
+		ts_v3 l, radiance = term(p, s, v, r, i, 0.0f);
+		f32 arrives = ts_k_light(light, s->p, &l) * ts_k_share(r.lit, r.lamps, i);
 		sum = ts_add(sum, radiance);
 		ts_probe_append(p, lights,
 		                json_pack("{s:I,s:s,s:o,s:o,s:o}", "light", (json_int_t)i, "kind",
@@ -80,18 +86,19 @@ static ts_v3 put_lights(ts_probe *p, json_t *o, const ts_surface *s, ts_v3 v, ts
 	return sum;
 }
 
-json_t *ts_probe_shading(ts_probe *p, const ts_surface *s, ts_v3 v, ts_v3 *total)
+json_t *ts_probe_shading(ts_probe *p, const ts_surface *s, ts_v3 v, const u32 *lit, const ts_lamp *lamps, ts_v3 *total)
 {
+	reach r = {lit, lamps};
 	json_t *o = json_object();
-	*total = ts_k_shade_lit(&p->scene, s, v, p->lit, p->lamps);
+	*total = ts_k_shade_lit(&p->scene, s, v, lit, lamps);
 	ts_probe_put(p, o, "towards", ts_probe_v3(v));
 	if ((s->flags & TS_UNLIT) != 0) {
 		ts_probe_put(p, o, "unlit", ts_probe_v3_bits(s->base));
 	} else {
-		ts_v3 ambient = term(p, s, v, TS_NONE, p->scene.ambient);
+		ts_v3 ambient = term(p, s, v, r, TS_NONE, p->scene.ambient);
 		ts_probe_put(p, o, "emissive", ts_probe_v3_bits(s->emissive));
 		ts_probe_put(p, o, "ambient", ts_probe_v3_bits(ambient));
-		ts_v3 sum = put_lights(p, o, s, v, ts_add(s->emissive, ambient));
+		ts_v3 sum = put_lights(p, o, s, v, r, ts_add(s->emissive, ambient));
 		ts_probe_put_sum(p, o, sum, *total);
 	}
 	ts_probe_put(p, o, "total", ts_probe_v3_bits(*total));

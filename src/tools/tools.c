@@ -32,6 +32,7 @@ void ts_tools_begin(void)
 	HAND(ts_tie_use, ts_tie_rule, ties);
 	HAND(ts_decided_use, ts_margin_rule, margins);
 	HAND(ts_check_use, ts_check_rule, checks);
+	HAND(ts_probe_use, ts_probe_part, parts);
 	HAND(ts_truths_use, ts_truth_kind, truths);
 	HAND(ts_texels_use, ts_texel_rule, texels);
 	HAND(ts_benches_use, ts_bench_row, benches);

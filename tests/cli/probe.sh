@@ -54,16 +54,20 @@ refuses 'X,Y' probe $epr --pixel 5
 refuses 'X,Y' probe $epr --pixel 5,6,7
 refuses 'whole number' probe $epr --pixel 5,-1
 refuses 'no pixel (64, 0); the eye has 64 x 64' probe $epr --pixel 64,0
-refuses 'neither' probe $epr --pixel 0,0 --view ear
-refuses 'no face "+W"' probe $epr --pixel 0,0 --view 0.+W
+refuses 'no --view ear of reflections by epr, only .*REFLECTOR.FACE, for instance 3.+X' probe $epr --pixel 0,0 --view ear
+refuses 'no --view 0.+W of .*REFLECTOR.FACE' probe $epr --pixel 0,0 --view 0.+W
+refuses 'no --view 0.6 of .*REFLECTOR.FACE' probe $epr --pixel 0,0 --view 0.6
 refuses 'no face 2.0; there are 2' probe $epr --pixel 0,0 --view 2.0
 refuses 'no texel (16, 0)' probe $epr --pixel 16,0 --view 0.0
 refuses 'no triangle' probe $epr --triangle 4000000000
 refuses 'no point' probe $epr --point 4294967294
 refuses 'neither an index nor a key' probe $epr --point 1,2
 refuses 'no point of key' probe $epr --point 0,32000,0
-refuses 'no points' probe $mvr --point 0
+refuses 'no points of reflections by mvr, only .*--triangle T' probe $mvr --point 0
 refuses 'trace.json' probe /nonexistent --pixel 0,0
+"$touchstone" render reflections atrium:triangles=10000:texels=32 --size 32x32 --reflectors 2 --set face_max=16 --method ivir --no-images \
+	--trace -o points > /dev/null
+refuses 'probe explains reflections by epr, mvr; this is reflections by ivir' probe points/trace-ivir --pixel 0,0
 
 # Shadows: each sample's question, and what adds up to the picture.
 shadows=(atrium:triangles=10000:texels=32 --size 64x64 --set views=4 --set light_samples=2 --set map_px=64 --no-images --trace)
@@ -76,8 +80,8 @@ done
 soft=soft-shadows-mvr/trace-mvr
 prints 'answer: reaches' probe $soft --pixel 33,60
 prints 'blocker_depth\|search_radius' probe soft-shadows-pcss/trace-pcss --pixel 33,60
-refuses 'a trace of soft-shadows, of which probe explains the eye' probe $soft --triangle 4
-refuses 'of which probe explains the eye' probe omni-shadows-epr/trace-epr --pixel 3,3 --view 0.+X
+refuses 'no triangles of soft-shadows by mvr, only the eye' probe $soft --triangle 4
+refuses 'no --view 0.+X of omni-shadows by epr, only the eye' probe omni-shadows-epr/trace-epr --pixel 3,3 --view 0.+X
 run render soft-shadows "${shadows[@]}" --method ivir --trace-only scene,eye,view,pose,lamp,lamp_view,resolve -o lacks
 refuses 'this needs scatter.depth' probe lacks/trace-ivir --pixel 33,60
 
@@ -87,7 +91,7 @@ for method in hulls direct; do
 		--method $method -o indirect-$method > /dev/null
 	says 'bits agree with indirect.irradiance' probe indirect-$method/trace-$method --pixel 20,40
 	says 'bits agree with image.radiance' probe indirect-$method/trace-$method --pixel 33,60
-	refuses 'a trace of indirect, of which probe explains the eye' probe indirect-$method/trace-$method --triangle 4
+	refuses "no triangles of indirect by $method, only the eye" probe indirect-$method/trace-$method --triangle 4
 done
 hulls=indirect-hulls/trace-hulls direct=indirect-direct/trace-direct
 prints 'bits agree with hull.box' probe $hulls --pixel 20,40
@@ -105,7 +109,7 @@ for words in 'indirect megaviews' 'indirect manylods' 'particles megaviews' 'par
 	says 'bits agree with vpl_gather.irradiance' probe "$effect-$method/trace-$method" --pixel 20,40
 	says 'bits agree with indirect.irradiance' probe "$effect-$method/trace-$method" --pixel 33,60
 	prints 'terms add up to the bits of the total' probe "$effect-$method/trace-$method" --pixel 33,60
-	refuses "a trace of $effect, of which probe explains the eye" probe "$effect-$method/trace-$method" --triangle 4
+	refuses "no triangles of $effect by $method, only the eye" probe "$effect-$method/trace-$method" --triangle 4
 done
 mega=indirect-megaviews/trace-megaviews glow=particles-megaviews/trace-megaviews
 for pattern in 'bits agree with vpl_pairs.node' 'bounce: 2; triangle: ' 'answer: in shadow' 'why: both are leaves' \
@@ -121,11 +125,11 @@ prints 'direction: in the corner' probe $mega --pixel 0,0 --view 0.front
 refuses 'no texel (16, 0); halves of maps have 16 x 16' probe $mega --pixel 16,0 --view 0.front
 refuses 'no light 4000; there are' probe $mega --pixel 0,0 --view 4000.front
 refuses 'no node of views 4000; there are' probe $mega --pixel 0,0 --view node4000.front
-refuses 'whole number' probe $mega --pixel 0,0 --view nod4.front
-refuses 'neither' probe $mega --pixel 0,0 --view 4
-refuses 'of which probe explains the eye' probe $mega --pixel 0,0 --view 0.+X
-refuses 'which has no maps of lights' probe $epr --pixel 0,0 --view 0.front
-refuses 'which has no maps of lights' probe $soft --pixel 0,0 --view 0.front
+refuses 'no --view nod4.front of .*nodeN.front' probe $mega --pixel 0,0 --view nod4.front
+refuses 'no --view 4 of .*LIGHT.front' probe $mega --pixel 0,0 --view 4
+refuses 'no --view 0.+X of indirect by megaviews, only the eye' probe $mega --pixel 0,0 --view 0.+X
+refuses 'no --view 0.front of reflections by epr, only the eye' probe $epr --pixel 0,0 --view 0.front
+refuses 'no --view 0.front of soft-shadows by mvr, only the eye' probe $soft --pixel 0,0 --view 0.front
 run render indirect "${views[@]}" --method megaviews --trace-only scene,eye,view,pose,lamp,rsm_view,rsm_patch -o lacks-views
 refuses 'no file of gbuffer.pixel, .*vpl_pairs.views' probe lacks-views/trace-megaviews --pixel 33,60
 refuses 'this needs map.depth_node, fuse.depth, fuse.node, view_octree.leaf' probe lacks-views/trace-megaviews --pixel 3,6 --view 0.front
@@ -141,7 +145,7 @@ for words in 'deferred phong_shadow' 'ewa npr'; do
 		says "bits agree with $pattern" probe "surfels-$method/trace-$method" --pixel 20,40
 	done
 	prints 'terms add up to the bits of the total' probe "surfels-$method/trace-$method" --pixel 33,60
-	refuses 'a trace of surfels, of which probe explains the eye' probe "surfels-$method/trace-$method" --triangle 4
+	refuses "no triangles of surfels by $method, only the eye" probe "surfels-$method/trace-$method" --triangle 4
 	refuses 'no pixel (64, 0); the eye has 64 x 64' probe "surfels-$method/trace-$method" --pixel 64,0
 done
 deferred=surfels-deferred/trace-deferred ewa=surfels-ewa/trace-ewa

@@ -217,8 +217,9 @@ static json_t *ask(const traced *t, u32 index, bool of_light, u32 texel)
 {
 	json_t *told;
 	u32 n = t->run.params.view_px;
-	ts_probe_map_id map = {.index = index, .of_light = of_light, .back = texel >= n * n};
-	require(ts_probe_map(t->probe, map, texel % n, texel / n % n, &told));
+	char view[32];
+	snprintf(view, sizeof view, "%s%u.%s", of_light ? "" : "node", (unsigned)index, texel >= n * n ? "back" : "front");
+	require(ask_texel(t, view, texel % n, texel / n % n, &told));
 	assert_int_equal(assert_agrees(told), 3 * json_array_size(json_object_get(told, "from_the_root")));
 	return told;
 }
@@ -270,7 +271,7 @@ static void test_pixel_between(void **state)
 	(void)state;
 	for (u32 i = 0; i < N_METHODS; i++) {
 		json_t *before = ask(&views[i], 0, true, 37), *pixel, *after;
-		require(ts_probe_pixel(views[i].probe, 16, 18, &pixel));
+		require(ask_pixel(&views[i], 16, 18, &pixel));
 		after = ask(&views[i], 0, true, 37);
 		assert_true(assert_agrees(pixel) > 2 && json_equal(before, after));
 		json_decref(before);
@@ -314,8 +315,9 @@ static void test_nothing_there(void **state)
 	u32 n = (u32)count(t, TS_B_vpl_light);
 	static const struct { u32 index, x, y; } wrong[] = {{0, 16, 0}, {0, 0, 16}, {TS_NONE, 0, 0}};
 	for (u32 i = 0; i < sizeof wrong / sizeof *wrong; i++) {
-		ts_probe_map_id map = {.index = wrong[i].index == TS_NONE ? n : 0, .of_light = true};
-		assert_int_equal(ts_probe_map(t->probe, map, wrong[i].x, wrong[i].y, &told), TS_ERROR);
+		char view[32];
+		snprintf(view, sizeof view, "%u.front", wrong[i].index == TS_NONE ? (unsigned)n : 0);
+		assert_int_equal(ask_texel(t, view, wrong[i].x, wrong[i].y, &told), TS_ERROR);
 		assert_null(told);
 	}
 }

@@ -136,7 +136,7 @@ static void try_pixel(const traced *t, u32 pixel)
 	json_t *answer;
 	const f32 *radiance = data(t, TS_B_image_radiance);
 	u32 width = t->run.params.width;
-	require(ts_probe_pixel(t->probe, pixel % width, pixel / width, &answer));
+	require(ask_pixel(t, pixel % width, pixel / width, &answer));
 	assert_true(assert_agrees(answer) >= 2);
 	const json_t *bits = json_object_get(get(answer, "image", "radiance"), "bits");
 	for (u32 c = 0; c < 3; c++) assert_int_equal(bits_of(json_array_get(bits, c)), ts_f2u(radiance[pixel * 3 + c]));
@@ -180,11 +180,13 @@ static void test_pixels_of_bounces(void **state)
 static json_t *try_texel(const traced *t, u64 texel, u64 key, const char *depth, const char *index)
 {
 	json_t *answer;
+	char view[32];
 	const ts_face *cubes = data(t, TS_B_resize_face);
 	u32 r = 0;
 	while (texel - cubes[r].offset >= (u64)6 * cubes[r].n * cubes[r].n) r++;
 	u64 n = cubes[r].n, inside = texel - cubes[r].offset;
-	require(ts_probe_texel(t->probe, r, (u32)(inside / (n * n)), (u32)(inside % n), (u32)(inside / n % n), &answer));
+	snprintf(view, sizeof view, "%u.%u", (unsigned)r, (unsigned)(inside / (n * n)));
+	require(ask_texel(t, view, (u32)(inside % n), (u32)(inside / n % n), &answer));
 	assert_true(assert_agrees(answer) >= 1);
 	assert_int_equal(figure(answer, "element"), texel);
 	const json_t *first = json_array_get(json_object_get(answer, "by_depth"), 0);
@@ -269,7 +271,7 @@ static u32 try_shadow(const traced *t, u32 pixel)
 	json_t *answer;
 	u32 width = t->run.params.width, lit = ((const u32 *)data(t, TS_B_resolve_lit))[pixel];
 	if (((const u64 *)data(t, TS_B_eye_depth_triangle))[pixel] == TS_EMPTY) return 0;
-	require(ts_probe_pixel(t->probe, pixel % width, pixel / width, &answer));
+	require(ask_pixel(t, pixel % width, pixel / width, &answer));
 	const json_t *light = json_array_get(json_object_get(answer, "shadow"), 0);
 	const json_t *samples = json_object_get(light, "by_sample");
 	assert_int_equal(figure(light, "reach"), lit);
@@ -297,9 +299,9 @@ static void test_shadows(void **state)
 			n_lit += try_shadow(t, pixel);
 		}
 		assert_true(n_lit > N_TRIED / 8 * most && n_lit < N_TRIED * most);
-		assert_int_equal(ts_probe_texel(t->probe, 0, 0, 0, 0, &answer), TS_ERROR);
-		assert_int_equal(ts_probe_triangle(t->probe, 0, &answer), TS_ERROR);
-		assert_int_equal(ts_probe_point(t->probe, 0, &answer), TS_ERROR);
+		assert_int_equal(ask_texel(t, "0.+X", 0, 0, &answer), TS_ERROR);
+		assert_int_equal(ask_triangle(t, 0, &answer), TS_ERROR);
+		assert_int_equal(ask_point(t, 0, &answer), TS_ERROR);
 	}
 }
 
@@ -356,7 +358,7 @@ static bool try_indirect(const traced *t, u32 pixel)
 	const f32 *irradiance = (const f32 *)data(t, TS_B_indirect_irradiance) + pixel * 3;
 	const f32 *radiance = (const f32 *)data(t, TS_B_image_radiance) + pixel * 3;
 	if (((const u64 *)data(t, TS_B_eye_depth_triangle))[pixel] == TS_EMPTY) return false;
-	require(ts_probe_pixel(t->probe, pixel % width, pixel / width, &answer));
+	require(ask_pixel(t, pixel % width, pixel / width, &answer));
 	const json_t *lobes = json_object_get(answer, "lobes"), *corners = json_object_get(answer, "corners");
 	const json_t *direct = json_object_get(answer, "direct");
 	for (u32 c = 0; c < 3; c++) {
@@ -388,7 +390,7 @@ static void test_indirect(void **state)
 			n_lit += try_indirect(t, pixel);
 		}
 		assert_true(n_lit > N_TRIED / 8);
-		assert_int_equal(ts_probe_triangle(t->probe, 0, &answer), TS_ERROR);
+		assert_int_equal(ask_triangle(t, 0, &answer), TS_ERROR);
 	}
 }
 
@@ -498,7 +500,7 @@ static void test_views(void **state)
 			u32 pixel = below(t->run.params.width * t->run.params.height), width = t->run.params.width;
 			try_pixel(t, pixel);
 			if (((const u64 *)data(t, TS_B_eye_depth_triangle))[pixel] == TS_EMPTY) continue;
-			require(ts_probe_pixel(t->probe, pixel % width, pixel / width, &answer));
+			require(ask_pixel(t, pixel % width, pixel / width, &answer));
 			n_culled += try_culling(t, json_object_get(answer, "culling"));
 			const json_t *lights = json_object_get(answer, "lights");
 			if (figure(lights, "draws") <= 16) n_dark += try_draws(t, lights, pixel);
@@ -553,7 +555,7 @@ static void try_triangle(u32 triangle)
 {
 	json_t *answer;
 	truth t = truth_of(triangle);
-	require(ts_probe_triangle(epr.probe, triangle, &answer));
+	require(ask_triangle(&epr, triangle, &answer));
 	assert_true(assert_agrees(answer) >= 2);
 	assert_int_equal(json_integer_value(get(answer, "cubes", "points")), t.points);
 	assert_int_equal(json_integer_value(get(answer, "cubes", "texels_won")), t.won);
@@ -590,12 +592,14 @@ static void test_points(void **state)
 	(void)state;
 	const u64 *keys = data(&epr, TS_B_points_key), *texels = data(&epr, TS_B_splat_depth_index);
 	for (u32 i = 0; i < 20; i++) {
-		json_t *answer;
-		u64 found, won = 0;
+		json_t *answer, *by_key;
+		u64 won = 0;
 		u32 point = below((u32)count(&epr, TS_B_points_key));
-		require(ts_probe_point_of_key(epr.probe, keys[point], &found));
-		assert_int_equal(found, point);
-		require(ts_probe_point(epr.probe, point, &answer));
+		require(ask_key(&epr, keys[point], &by_key));
+		require(ask_point(&epr, point, &answer));
+		assert_int_equal(figure(by_key, "point"), point);
+		assert_true(json_equal(answer, by_key));
+		json_decref(by_key);
 		for (u64 k = 0; k < count(&epr, TS_B_splat_depth_index); k++)
 			won += texels[k] != TS_EMPTY && (u32)texels[k] == point;
 		assert_int_equal(json_integer_value(get(answer, "cubes", "texels_won")), won);
@@ -674,7 +678,7 @@ static u64 try_surfels(const traced *t, u32 x, u32 y)
 	json_t *answer, *fragment;
 	size_t i;
 	double sum = 0;
-	require(ts_probe_pixel(t->probe, x, y, &answer));
+	require(ask_pixel(t, x, y, &answer));
 	const json_t *blended = json_object_get(answer, "blended"), *hidden = json_object_get(answer, "hidden_by_epsilon");
 	json_array_foreach(json_object_get(blended, "heaviest"), i, fragment) {
 		double weight = try_fragment(t, fragment, x, y);
@@ -711,9 +715,9 @@ static void test_surfels(void **state)
 			n_hidden += try_surfels(t, x, y);
 		}
 		assert_true(n_hidden > N_TRIED);
-		assert_int_equal(ts_probe_texel(t->probe, 0, 0, 0, 0, &answer), TS_ERROR);
-		assert_int_equal(ts_probe_triangle(t->probe, 0, &answer), TS_ERROR);
-		assert_int_equal(ts_probe_point(t->probe, 0, &answer), TS_ERROR);
+		assert_int_equal(ask_texel(t, "0.+X", 0, 0, &answer), TS_ERROR);
+		assert_int_equal(ask_triangle(t, 0, &answer), TS_ERROR);
+		assert_int_equal(ask_point(t, 0, &answer), TS_ERROR);
 	}
 }
 
@@ -721,16 +725,15 @@ static void test_nothing_there(void **state)
 {
 	(void)state;
 	json_t *answer;
-	u64 point;
-	assert_int_equal(ts_probe_pixel(epr.probe, 96, 0, &answer), TS_ERROR);
+	assert_int_equal(ask_pixel(&epr, 96, 0, &answer), TS_ERROR);
 	assert_null(answer);
-	assert_int_equal(ts_probe_texel(epr.probe, 3, 0, 0, 0, &answer), TS_ERROR);
-	assert_int_equal(ts_probe_texel(epr.probe, 0, 6, 0, 0, &answer), TS_ERROR);
-	assert_int_equal(ts_probe_texel(epr.probe, 0, 0, 4096, 0, &answer), TS_ERROR);
-	assert_int_equal(ts_probe_triangle(epr.probe, count(&epr, TS_B_scene_triangle), &answer), TS_ERROR);
-	assert_int_equal(ts_probe_point(epr.probe, count(&epr, TS_B_points_key), &answer), TS_ERROR);
-	assert_int_equal(ts_probe_point(mvr.probe, 0, &answer), TS_ERROR);
-	assert_int_equal(ts_probe_point_of_key(epr.probe, UINT64_MAX, &point), TS_ERROR);
+	assert_int_equal(ask_texel(&epr, "3.+X", 0, 0, &answer), TS_ERROR);
+	assert_int_equal(ask_texel(&epr, "0.6", 0, 0, &answer), TS_ERROR);
+	assert_int_equal(ask_texel(&epr, "0.+X", 4096, 0, &answer), TS_ERROR);
+	assert_int_equal(ask_triangle(&epr, count(&epr, TS_B_scene_triangle), &answer), TS_ERROR);
+	assert_int_equal(ask_point(&epr, count(&epr, TS_B_points_key), &answer), TS_ERROR);
+	assert_int_equal(ask_point(&mvr, 0, &answer), TS_ERROR);
+	assert_int_equal(ask_key(&epr, UINT64_MAX, &answer), TS_ERROR);
 }
 
 int main(void)

@@ -115,4 +115,36 @@ static inline f32 shown(const json_t *v, const char *key, u32 c)
 	return ts_u2f(bits_of(json_is_array(bits) ? json_array_get(bits, c) : bits));
 }
 
+static inline ts_status ask_pixel(const traced *t, u32 x, u32 y, json_t **answer)
+{
+	ts_probe_question question = {.subject = TS_PROBE_PIXEL, .x = x, .y = y};
+	return ts_probe_ask(t->probe, &question, answer);
+}
+
+static inline ts_status ask_texel(const traced *t, const char *view, u32 x, u32 y, json_t **answer)
+{
+	ts_probe_question question = {.subject = TS_PROBE_TEXEL, .x = x, .y = y, .view = view};
+	return ts_probe_ask(t->probe, &question, answer);
+}
+
+static inline ts_status ask_triangle(const traced *t, u64 triangle, json_t **answer)
+{
+	ts_probe_question question = {.subject = TS_PROBE_TRIANGLE, .index = triangle};
+	return ts_probe_ask(t->probe, &question, answer);
+}
+
+static inline ts_status ask_point(const traced *t, u64 point, json_t **answer)
+{
+	ts_probe_question question = {.subject = TS_PROBE_POINT, .index = point};
+	return ts_probe_ask(t->probe, &question, answer);
+}
+
+/* By its key. */
+static inline ts_status ask_key(const traced *t, u64 key, json_t **answer)
+{
+	i64 numbers[3] = {(i64)(key >> 32), (i64)(key & 0xffff) - 32768, (i64)(key >> 16 & 0xffff) - 32768};
+	ts_probe_question question = {.subject = TS_PROBE_POINT, .key = numbers};
+	return ts_probe_ask(t->probe, &question, answer);
+}
+
 #endif

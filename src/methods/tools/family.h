@@ -4,6 +4,7 @@
 #define TS_METHODS_TOOLS_FAMILY_H
 #include "../../compare/decided.h"
 #include "../../compare/tie.h"
+#include "../../probe/probe.h"
 #include "../../replay/check.h"
 #include "../../study/bench.h"
 #include "../../truth/table.h"
@@ -16,6 +17,7 @@ typedef struct {
 	const ts_truth_kind *truths;   /* ended by a row without a name */
 	const ts_texel_rule *texels;   /* ended by a row without `judge` */
 	const ts_bench_row *benches;   /* ended by a row without a name */
+	const ts_probe_part *parts;    /* ended by a row without `answer` */
 } ts_family_tools;
 
 #endif

@@ -1,7 +1,8 @@
 /* A pixel of `direct`: the triangles of light that give it most. */
 #include <stdlib.h>
 #include "../../../kernels/hulls/direct.h"
-#include "../../../probe/parts.h"
+#include "../../raster/tools/probe.h"
+#include "probe.h"
 
 enum { MOST_LISTED = 16 };
 
@@ -14,36 +15,16 @@ static int by_light(const void *a, const void *b)
 	return x != y ? (x < y) - (x > y) : (s->patch > t->patch) - (s->patch < t->patch);
 }
 
-ts_status ts_probe_put_patch(ts_probe *p, json_t *o, u32 index, const ts_patch *patch)
-{
-	u64 key;
-	const ts_offscreen *view = &p->views[ts_k_view_of_texel(p->views, p->n_views, index)];
-	u32 texel = index - (u32)view->offset;
-	ts_v3 third = ts_v3_make(1.0f / 3.0f, 1.0f / 3.0f, 1.0f / 3.0f);
-	ts_v3 a = ts_load3(patch->a), b = ts_load3(patch->b), c = ts_load3(patch->c);
-	ts_probe_put(p, o, "patch", ts_probe_int(index));
-	ts_probe_put(p, o, "light", ts_probe_int(view->light));
-	ts_probe_put(p, o, "view", ts_probe_int((u64)(view - p->views)));
-	ts_probe_put(p, o, "texel", ts_probe_pair(texel % view->width, texel / view->width));
-	if (ts_probe_has(p, TS_B_rsm_depth_triangle)) {
-		if (ts_probe_fetch(p, TS_B_rsm_depth_triangle, index, 1, &key) != TS_OK) return TS_ERROR;
-		if (key != TS_EMPTY) ts_probe_put_triangle(p, o, (u32)key);
-	}
-	ts_probe_put(p, o, "middle", ts_probe_v3(ts_blend(third, a, b, c)));
-	ts_probe_put(p, o, "area", ts_probe_real(0.5f * ts_length(ts_cross(ts_sub(b, a), ts_sub(c, a)))));
-	ts_probe_put(p, o, "exitance", ts_probe_v3_bits(ts_load3(patch->exitance)));
-	return TS_OK;
-}
-
 static ts_status put_terms(ts_probe *p, json_t *o, const ts_gpixel *pixel, const ts_patch *patches, const term *terms, u32 n)
 {
+	ts_probe_lamps lamps;
 	json_t *list = json_array();
-	ts_status status = TS_OK;
+	ts_status status = ts_probe_read_lamps(p, TS_PROBE_A_VIEW, &lamps);
 	for (u32 i = 0; i < n && status == TS_OK; i++) {
 		json_t *entry = json_object();
 		const ts_patch *patch = &patches[terms[i].patch];
 		ts_v3 at = ts_load3(pixel->position), a = ts_load3(patch->a), b = ts_load3(patch->b), c = ts_load3(patch->c);
-		status = ts_probe_put_patch(p, entry, terms[i].patch, patch);
+		status = ts_probe_put_patch(p, entry, &lamps, terms[i].patch, patch);
 		ts_probe_put(p, entry, "form_factor", ts_probe_bits(ts_k_form_factor(at, ts_load3(pixel->normal), a, b, c)));
 		ts_probe_put(p, entry, "irradiance", ts_probe_v3_bits(terms[i].light));
 		ts_probe_append(p, list, entry);
@@ -74,13 +55,25 @@ static ts_status put_all(ts_probe *p, json_t *o, const ts_gpixel *pixel, const t
 	return status;
 }
 
-ts_status ts_probe_direct(ts_probe *p, const ts_gpixel *pixel, json_t *object, f32 irradiance[3])
+static ts_status put_direct(ts_probe *p, const ts_probe_seen *at, const ts_gpixel *pixel, json_t *object,
+                            f32 irradiance[3])
 {
-	u64 n;
 	json_t *o = json_object();
-	ts_patch *patches = ts_probe_load(p, TS_B_rsm_patch, &n);
+	const ts_patch *patches = ts_probe_whole(p, TS_B_rsm_patch);
+	u64 n = ts_probe_n(p, TS_B_rsm_patch);
+	(void)at;
 	ts_status status = patches != NULL ? put_all(p, o, pixel, patches, (u32)n, irradiance) : TS_ERROR;
-	free(patches);
 	ts_probe_put(p, object, "direct", o);
 	return status;
+}
+
+static ts_status put_light(ts_probe *p, const ts_probe_seen *at, json_t *o, ts_v3 *radiance)
+{
+	return ts_probe_put_indirect(p, at, put_direct, o, radiance);
+}
+
+ts_status ts_probe_direct_pixel(ts_probe *p, const ts_probe_question *q, json_t *o)
+{
+	static const ts_buffer_id needed[] = {TS_B_eye_depth_triangle, TS_B_rsm_patch, TS_N_BUFFERS};
+	return ts_probe_eye_pixel(p, q, needed, put_light, o);
 }

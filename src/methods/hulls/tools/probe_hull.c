@@ -3,19 +3,26 @@
 #include <stdlib.h>
 #include "../../../kernels/hulls/gather.h"
 #include "../../stages.h"
-#include "../../../probe/parts.h"
+#include "../../raster/tools/probe.h"
+#include "probe.h"
 
 enum { MOST_LISTED = 8, N_CORNERS = 4 };
 
 /* All boxes, and the grid's texel of the pixel. */
-typedef struct { ts_choice_args args; u32 *offset; ts_segment *boxes; u64 n_boxes; ts_grid_place at; } choice;
+typedef struct {
+	ts_choice_args args;
+	const u32 *offset;
+	const ts_segment *boxes;
+	u64 n_boxes;
+	ts_grid_place at;
+} choice;
 
 /* The box with its corners. */
 typedef struct {
 	ts_segment box;
 	ts_moment moments[N_CORNERS];
 	ts_lobes lobes[N_CORNERS];
-	ts_patch *patches;
+	const ts_patch *patches;
 	u64 n_patches;
 	ts_hull_args args; /* of this box alone */
 	ts_shares weights, shares;
@@ -43,20 +50,19 @@ static ts_status check_boxes(const ts_probe *p, const choice *c, u64 n_offsets)
 	return TS_OK;
 }
 
-/* Release by free() of offset and boxes, also on failure. */
 static ts_status read_choice(ts_probe *p, choice *c)
 {
 	const ts_params *params = &p->trace->params;
-	u64 n_offsets;
-	c->offset = ts_probe_load(p, TS_B_box_offset, &n_offsets);
-	c->boxes = c->offset != NULL ? ts_probe_load(p, TS_B_box_record, &c->n_boxes) : NULL;
+	c->offset = ts_probe_whole(p, TS_B_box_offset);
+	c->boxes = c->offset != NULL ? ts_probe_whole(p, TS_B_box_record) : NULL;
+	c->n_boxes = ts_probe_n(p, TS_B_box_record);
 	if (c->boxes == NULL) return TS_ERROR;
 	c->args = (ts_choice_args){.offset = c->offset,
 	                           .boxes = c->boxes,
 	                           .grid = TS_PARAM(params, grid_px),
 	                           .robust = TS_PARAM(params, surface) == TS_SURFACE_ROBUST,
 	                           .step = TS_PARAM(params, segment_step)};
-	return check_boxes(p, c, n_offsets);
+	return check_boxes(p, c, ts_probe_n(p, TS_B_box_offset));
 }
 
 static ts_choice offer_of(const choice *c, u32 box)
@@ -127,11 +133,11 @@ static ts_status put_choice(ts_probe *p, json_t *o, const choice *c, u32 x, u32 
 	return status;
 }
 
-/* Patches are released by free(), also on failure. */
 static ts_status read_hull(ts_probe *p, hull *h, u32 box)
 {
 	const ts_params *params = &p->trace->params;
-	h->patches = ts_probe_load(p, TS_B_rsm_patch, &h->n_patches);
+	h->patches = ts_probe_whole(p, TS_B_rsm_patch);
+	h->n_patches = ts_probe_n(p, TS_B_rsm_patch);
 	if (h->patches == NULL || ts_probe_fetch(p, TS_B_box_record, box, 1, &h->box) != TS_OK) return TS_ERROR;
 	if (ts_probe_fetch(p, TS_B_gather_moment, (u64)box * N_CORNERS, N_CORNERS, h->moments) != TS_OK) return TS_ERROR;
 	if (ts_probe_fetch(p, TS_B_fit_lobes, (u64)box * N_CORNERS, N_CORNERS, h->lobes) != TS_OK) return TS_ERROR;
@@ -217,26 +223,35 @@ static ts_status put_hull(ts_probe *p, json_t *object, hull *h, u32 x, u32 y, co
 	return status;
 }
 
-ts_status ts_probe_hull(ts_probe *p, u32 x, u32 y, const ts_gpixel *pixel, json_t *object, f32 irradiance[3])
+/* The irradiance by hulls. */
+static ts_status put_irradiance(ts_probe *p, const ts_probe_seen *at, const ts_gpixel *pixel, json_t *object,
+                                f32 irradiance[3])
 {
 	static const ts_buffer_id needed[] = {
 		TS_B_box_offset, TS_B_box_record, TS_B_gather_moment, TS_B_fit_lobes, TS_N_BUFFERS};
 	u32 box = TS_NONE, grid = TS_PARAM(&p->trace->params, grid_px);
 	json_t *o = json_object();
 	hull h = {.patches = NULL};
-	choice c = {.at = {.x = ts_k_resample(x, p->view.width, grid), .y = ts_k_resample(y, p->view.height, grid),
+	choice c = {.at = {.x = ts_k_resample(at->x, p->view.width, grid),
+	                   .y = ts_k_resample(at->y, p->view.height, grid),
 	                   .depth = pixel->depth}};
 	ts_status status = ts_probe_require(p, needed);
 	if (status == TS_OK) status = read_choice(p, &c);
-	if (status == TS_OK) status = put_choice(p, o, &c, x, y, &box);
+	if (status == TS_OK) status = put_choice(p, o, &c, at->x, at->y, &box);
 	ts_probe_put(p, object, "hull", o);
-	free(c.offset);
-	free(c.boxes);
 	irradiance[0] = irradiance[1] = irradiance[2] = 0.0f;
-	if (status == TS_OK && box != TS_NONE) {
-		status = read_hull(p, &h, box);
-		if (status == TS_OK) status = put_hull(p, object, &h, x, y, pixel, irradiance);
-		free(h.patches);
-	}
-	return status;
+	if (status != TS_OK || box == TS_NONE) return status;
+	if (read_hull(p, &h, box) != TS_OK) return TS_ERROR;
+	return put_hull(p, object, &h, at->x, at->y, pixel, irradiance);
+}
+
+static ts_status put_light(ts_probe *p, const ts_probe_seen *at, json_t *o, ts_v3 *radiance)
+{
+	return ts_probe_put_indirect(p, at, put_irradiance, o, radiance);
+}
+
+ts_status ts_probe_hull_pixel(ts_probe *p, const ts_probe_question *q, json_t *o)
+{
+	static const ts_buffer_id needed[] = {TS_B_eye_depth_triangle, TS_B_rsm_patch, TS_N_BUFFERS};
+	return ts_probe_eye_pixel(p, q, needed, put_light, o);
 }

@@ -1,5 +1,6 @@
 /* What the family of hulls brings for the tools. */
 #include "../../tools/family.h"
+#include "probe.h"
 #include "../../raster/tools/truth_gather.h"
 #include "benches.h"
 #include "tools.h"
@@ -29,9 +30,19 @@ static const ts_bench_row benches[] = {
 	{ 0 },
 };
 
+/* clang-format off */
+static const ts_probe_part parts[] = {
+	{TS_PROBE_PIXEL, "hull", ts_probe_hull_pixel,
+	 "the boxes of its block, what the corners of its own gathered, and its lobes", NULL},
+	{TS_PROBE_PIXEL, "direct", ts_probe_direct_pixel, "the brightest triangles of light", NULL},
+	{0},
+};
+/* clang-format on */
+
 const ts_family_tools ts_hulls_tools = {
 	.margins = margins,
 	.checks = ts_hulls_checks,
 	.truths = truths,
 	.benches = benches,
+	.parts = parts,
 };

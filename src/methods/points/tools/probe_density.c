@@ -4,8 +4,8 @@
 #include "../points.h"
 #include "../../../kernels/points/density.h"
 #include "../../stages.h"
-#include "../../../probe/parts.h"
 #include "../../../trace/where.h"
+#include "probe.h"
 
 /* Planes that all three corners lie beyond, as ts_k_outside_plane tests them. */
 static json_t *planes_of(const ts_face *cube, u32 face, const ts_corners *t)
@@ -37,7 +37,7 @@ static json_t *faces_of(u32 bits)
 /* Why a cube does not see it. */
 static json_t *unseen(ts_probe *p, u32 triangle, const ts_corners *t, u32 r, const char **why)
 {
-	const ts_face *cube = &p->cubes[r];
+	const ts_face *cube = &ts_probe_cubes(p)[r];
 	json_t *o = json_object();
 	const char *reason = "no face sees it: beyond planes of all six";
 	if (cube->n == 0) reason = "the reflector has no cube: the eye does not see it";
@@ -55,11 +55,14 @@ static json_t *unseen(ts_probe *p, u32 triangle, const ts_corners *t, u32 r, con
 /* The same by the kernel. */
 static void put_check(ts_probe *p, u32 triangle, const u64 *bits, json_t *o)
 {
-	ts_visibility_args args = {.scene = p->scene, .cubes = p->cubes, .n_cubes = p->n_cubes, .n_words = p->n_words,
+	ts_visibility_args args = {.scene = p->scene,
+	                           .cubes = ts_probe_cubes(p),
+	                           .n_cubes = ts_probe_n_cubes(p),
+	                           .n_words = ts_probe_n_words(p),
 	                           .vertex_mode = TS_PARAM(&p->trace->params, visibility) == TS_VISIBILITY_VERTEX};
 	ts_corners t = ts_k_corners(&p->scene, triangle);
 	bool same = true;
-	for (u32 r = 0; r < p->n_cubes; r++) {
+	for (u32 r = 0; r < ts_probe_n_cubes(p); r++) {
 		u32 faces = ts_k_is_degenerate(t.n) ? 0 : ts_k_visibility(&args, triangle, &t, r);
 		same &= faces == ts_k_cube_bits(bits, r);
 	}
@@ -73,9 +76,9 @@ ts_status ts_probe_visibility(ts_probe *p, u32 triangle, u64 *bits, json_t *o, b
 	json_t *by = json_array(), *not_by = json_array();
 	bool degenerate = ts_k_is_degenerate(t.n);
 	*seen = false;
-	*why = p->n_cubes == 0 ? "there are no reflectors" : "it has no area";
-	ts_status status = ts_probe_fetch(p, TS_B_visibility_bits, (u64)triangle * p->n_words, p->n_words, bits);
-	for (u32 r = 0; r < p->n_cubes && status == TS_OK; r++) {
+	*why = ts_probe_n_cubes(p) == 0 ? "there are no reflectors" : "it has no area";
+	ts_status status = ts_probe_fetch_bits(p, triangle, bits);
+	for (u32 r = 0; r < ts_probe_n_cubes(p) && status == TS_OK; r++) {
 		const char *reason;
 		u32 faces = ts_k_cube_bits(bits, r);
 		*seen |= faces != 0;
@@ -113,7 +116,7 @@ static void put_setter(ts_probe *p, json_t *o, const ts_density_args *args, cons
 	wanted.cap = 0;
 	needed.cap = 1;
 	needed.rho = 1.2676506002282294e30f; /* 2^100: the limit alone is left */
-	for (u32 r = 0; r < p->n_cubes; r++) {
+	for (u32 r = 0; r < ts_probe_n_cubes(p); r++) {
 		if (ts_k_cube_bits(bits, r) == 0) continue;
 		f32 a = density(&wanted, t, bits, r, words), b = density(&needed, t, bits, r, words);
 		if (setter == TS_NONE || a > most_wanted) { most_wanted = a; setter = r; }
@@ -135,18 +138,18 @@ ts_status ts_probe_density(ts_probe *p, u32 triangle, const u64 *bits, json_t *o
 {
 	const ts_params *params = &p->trace->params;
 	ts_density_args args = {.scene = p->scene,
-	                        .cubes = p->cubes,
+	                        .cubes = ts_probe_cubes(p),
 	                        .view = &p->view,
 	                        .rho = ts_samples_a_pixel(params),
-	                        .n_cubes = p->n_cubes,
-	                        .n_words = p->n_words,
+	                        .n_cubes = ts_probe_n_cubes(p),
+	                        .n_words = ts_probe_n_words(p),
 	                        .paper = TS_PARAM(params, density) == TS_DENSITY_PAPER,
 	                        .cap = TS_PARAM(params, cap),
 	                        .offaxis = TS_PARAM(params, offaxis),
 	                        .split = TS_PARAM(params, split)};
 	f32 held, scale;
 	if (ts_probe_fetch(p, TS_B_split_scale, triangle, 1, &held) != TS_OK) return TS_ERROR;
-	u64 *words = ts_alloc_zero(p->n_words + (size_t)1, sizeof *words, "visibility.bits");
+	u64 *words = ts_alloc_zero(ts_probe_n_words(p) + (size_t)1, sizeof *words, "visibility.bits");
 	if (words == NULL) return TS_ERROR;
 	ts_corners t = ts_k_corners(&p->scene, triangle);
 	put_setter(p, o, &args, &t, bits, words);

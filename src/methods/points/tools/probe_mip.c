@@ -1,7 +1,7 @@
 /* What a reflective pixel of MVR shows: its look-ups in the mip chain of one cube. */
 #include <stdlib.h>
 #include "../../../kernels/points/mirror.h"
-#include "../../../probe/parts.h"
+#include "probe.h"
 
 /* One texel of level 0: its triangle, and what it holds. */
 static ts_status put_texel(ts_probe *p, json_t *o, u32 r, const ts_mip_cube *cube, ts_v3 direction)
@@ -14,7 +14,8 @@ static ts_status put_texel(ts_probe *p, json_t *o, u32 r, const ts_mip_cube *cub
 	ts_probe_put(p, o, "face", ts_probe_face_name(r, place.face));
 	ts_probe_put(p, o, "texel", ts_probe_pair((u32)(inside % n), (u32)(inside / n % n)));
 	if (ts_probe_has(p, TS_B_face_depth_triangle)) {
-		if (ts_probe_fetch(p, TS_B_face_depth_triangle, p->cubes[r].offset + inside, 1, &key) != TS_OK) return TS_ERROR;
+		u64 at = ts_probe_cubes(p)[r].offset + inside;
+		if (ts_probe_fetch(p, TS_B_face_depth_triangle, at, 1, &key) != TS_OK) return TS_ERROR;
 		if (key == TS_EMPTY) {
 			ts_probe_put(p, o, "triangle", json_string("none: background"));
 		} else {
@@ -61,7 +62,7 @@ static ts_status put_cube(ts_probe *p, json_t *o, const ts_pixel *pixel, const f
 {
 	u32 r = pixel->reflector;
 	bool many = TS_PARAM(&p->trace->params, mvr_filter) == TS_MVR_SUPERSAMPLE;
-	ts_face cube = p->cubes[r];
+	ts_face cube = ts_probe_cubes(p)[r];
 	ts_mip_cube mip = {.texels = texels, .n = cube.n};
 	ts_pixel alone = *pixel;
 	ts_status status = TS_OK;
@@ -81,8 +82,9 @@ ts_status ts_probe_mip(ts_probe *p, u64 entry, json_t *o, ts_v3 *total)
 	f32 radiance[3], held[3];
 	if (ts_probe_require(p, needed) != TS_OK || ts_probe_fetch(p, TS_B_pixel_record, entry, 1, &pixel) != TS_OK)
 		return TS_ERROR;
-	u32 n = p->cubes[pixel.reflector].n;
-	u64 n_texels = ts_k_mip_texels(n, TS_NONE), first = ts_k_mip_first(p->cubes, 0, pixel.reflector);
+	const ts_face *cubes = ts_probe_cubes(p);
+	u32 n = cubes[pixel.reflector].n;
+	u64 n_texels = ts_k_mip_texels(n, TS_NONE), first = ts_k_mip_first(cubes, 0, pixel.reflector);
 	f32 *texels = ts_alloc((size_t)n_texels, 4 * sizeof *texels, "a mip chain");
 	ts_status status = texels != NULL ? ts_probe_fetch(p, TS_B_face_mip, first * 4, n_texels * 4, texels) : TS_ERROR;
 	ts_probe_put(p, o, "reflector", ts_probe_int(pixel.reflector));

@@ -1,7 +1,7 @@
 /* What a reflective pixel of EPR shows: its samples, and the bounces behind them. Each entry is computed again by the
  * kernels of look-up and shading in a little world of its own, whose arrays hold what this entry names. */
-#include "../../../probe/parts.h"
 #include "../lookup.h"
+#include "probe.h"
 
 enum { MOST_POINTS = TS_N_SAMPLES + 1 };
 

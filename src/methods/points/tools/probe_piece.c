@@ -2,7 +2,7 @@
 #include "../points.h"
 #include "../../../kernels/points/cull.h"
 #include "../../stages.h"
-#include "../../../probe/parts.h"
+#include "probe.h"
 
 ts_status ts_probe_piece(ts_probe *p, u64 index, json_t *o, bool *kept)
 {

@@ -1,7 +1,19 @@
 /* Points of one triangle, splatted again by themselves. */
 #include <stdlib.h>
 #include "../../../kernels/points/splat.h"
-#include "../../../probe/parts.h"
+#include "probe.h"
+
+json_t *ts_probe_key(u64 key)
+{
+	return json_sprintf("%u,%d,%d", (unsigned)(key >> 32), (int)(key & 0xffff) - 32768,
+	                    (int)(key >> 16 & 0xffff) - 32768);
+}
+
+ts_status ts_probe_fetch_point(ts_probe *p, u64 point, ts_point *record, ts_piece *piece)
+{
+	if (ts_probe_fetch(p, TS_B_points_record, point, 1, record) != TS_OK) return TS_ERROR;
+	return ts_probe_fetch(p, TS_B_split_triangle, record->piece, 1, piece);
+}
 
 static ts_status add_point(ts_probe_set *s, u32 index)
 {
@@ -84,7 +96,7 @@ static u64 splat_face(const ts_probe *p, ts_probe_set *s, const ts_camera_k *vie
 
 static ts_status try_face(ts_probe *p, ts_probe_set *s, u32 r, u32 face, ts_spread *spread, json_t *faces)
 {
-	const ts_face *cube = &p->cubes[r];
+	const ts_face *cube = &ts_probe_cubes(p)[r];
 	ts_camera_k view = ts_k_cube_view(cube, face);
 	u64 n = (u64)cube->n * cube->n;
 	ts_spread before = *spread;
@@ -107,11 +119,11 @@ static ts_status try_face(ts_probe *p, ts_probe_set *s, u32 r, u32 face, ts_spre
 ts_status ts_probe_set_splat(ts_probe *p, ts_probe_set *s, ts_spread *spread, json_t *faces)
 {
 	if (s->n == 0) return TS_OK;
-	u64 *words = ts_alloc_zero(p->n_words + (size_t)1, sizeof *words, "visibility.bits");
+	u64 *words = ts_alloc_zero(ts_probe_n_words(p) + (size_t)1, sizeof *words, "visibility.bits");
 	if (words == NULL) return TS_ERROR;
-	ts_status status = ts_probe_fetch(p, TS_B_visibility_bits, (u64)s->triangle * p->n_words, p->n_words, words);
-	for (u32 r = 0; r < p->n_cubes && status == TS_OK; r++) {
-		u32 bits = p->cubes[r].n != 0 ? ts_k_cube_bits(words, r) : 0;
+	ts_status status = ts_probe_fetch_bits(p, s->triangle, words);
+	for (u32 r = 0; r < ts_probe_n_cubes(p) && status == TS_OK; r++) {
+		u32 bits = ts_probe_cubes(p)[r].n != 0 ? ts_k_cube_bits(words, r) : 0;
 		for (u32 face = 0; face < 6 && status == TS_OK; face++) {
 			if ((bits >> face & 1) != 0) status = try_face(p, s, r, face, spread, faces);
 		}
@@ -133,7 +145,7 @@ static ts_status count_found(ts_probe *p, ts_buffer_id id, const ts_probe_set *s
 	return TS_OK;
 }
 
-ts_status ts_probe_put_samples(ts_probe *p, json_t *o, const ts_probe_set *s, u64 *n_samples)
+ts_status ts_probe_put_lookups(ts_probe *p, json_t *o, const ts_probe_set *s, u64 *n_samples)
 {
 	static const struct { ts_buffer_id id; const char *key; } founds[] = {
 		{TS_B_lookup_point, "samples"},

@@ -1,6 +1,6 @@
 /* Who took which texels from a triangle. */
 #include <stdlib.h>
-#include "../../../probe/parts.h"
+#include "probe.h"
 
 enum { MOST_RIVALS = 8 };
 

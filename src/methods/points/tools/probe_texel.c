@@ -1,9 +1,10 @@
 /* A texel of a face of a cube. */
+#include <inttypes.h>
 #include <stdlib.h>
 #include "../../../kernels/points/illuminate.h"
 #include "../../../kernels/points/splat.h"
-#include "../../../probe/parts.h"
 #include "../../../trace/where.h"
+#include "probe.h"
 
 typedef struct {
 	u32 reflector, face, x, y;
@@ -17,11 +18,11 @@ typedef struct { u64 index; ts_piece piece; ts_align frame; ts_cover cover; bool
 static ts_status enter_piece(ts_probe *p, const place *at, u32 index, state *s)
 {
 	u32 bit = 6 * at->reflector + at->face;
-	u64 word;
+	u64 word, words = ts_probe_n_words(p);
 	s->index = index;
 	s->reaches = false;
 	if (ts_probe_fetch(p, TS_B_split_triangle, index, 1, &s->piece) != TS_OK) return TS_ERROR;
-	if (ts_probe_fetch(p, TS_B_visibility_bits, (u64)s->piece.triangle * p->n_words + bit / 64, 1, &word) != TS_OK)
+	if (ts_probe_fetch(p, TS_B_visibility_bits, s->piece.triangle * words + bit / 64, 1, &word) != TS_OK)
 		return TS_ERROR;
 	if ((word >> (bit % 64) & 1) == 0) return TS_OK;
 	s->cover = ts_k_splat_triangle(&at->view, &s->piece);
@@ -49,12 +50,8 @@ static ts_status offer_point(const ts_probe *p, const place *at, const state *s,
 	ts_k_splat(&args, &at->view, &s->cover, 0, 0);
 	u64 key = texels[at->inside];
 	if (key == TS_EMPTY) return TS_OK;
-	void *array = offers->offer;
-	if (ts_grow(&array, &offers->capacity, offers->n + 1, sizeof *offers->offer, "who competed") != TS_OK)
-		return TS_ERROR;
-	offers->offer = array;
-	offers->offer[offers->n++] = (ts_offer){.key = (key & ~(u64)0xffffffffu) | index, .triangle = s->piece.triangle};
-	return TS_OK;
+	key = (key & ~(u64)0xffffffffu) | index;
+	return ts_probe_offers_add(offers, (ts_offer){.key = key, .triangle = s->piece.triangle});
 }
 
 /* All points, in whatever order they stand. */
@@ -71,6 +68,21 @@ static ts_status find_points(ts_probe *p, const place *at, u64 *texels, ts_offer
 	return status;
 }
 
+static ts_status put_point(ts_probe *p, json_t *o, u32 point)
+{
+	u64 key;
+	ts_point record;
+	ts_piece piece;
+	if (ts_probe_fetch_point(p, point, &record, &piece) != TS_OK) return TS_ERROR;
+	ts_probe_put(p, o, "point", ts_probe_int(point));
+	if (ts_probe_has(p, TS_B_points_key)) {
+		if (ts_probe_fetch(p, TS_B_points_key, point, 1, &key) != TS_OK) return TS_ERROR;
+		ts_probe_put(p, o, "key", ts_probe_key(key));
+	}
+	ts_probe_put(p, o, "splat_length", ts_probe_real(record.length));
+	return TS_OK;
+}
+
 static ts_status put_points(ts_probe *p, const place *at, json_t *o)
 {
 	static const ts_buffer_id needed[] = {TS_B_splat_depth_index, TS_B_points_record, TS_B_split_triangle,
@@ -85,7 +97,7 @@ static ts_status put_points(ts_probe *p, const place *at, json_t *o)
 	memset(texels, 0xff, (size_t)n * sizeof *texels);
 	ts_status status = find_points(p, at, texels, &offers);
 	ts_probe_offers_sort(&offers);
-	if (status == TS_OK) status = ts_probe_put_offers(p, o, &offers, TS_B_splat_depth_index, held, true);
+	if (status == TS_OK) status = ts_probe_put_offers(p, o, &offers, TS_B_splat_depth_index, held, put_point);
 	if (status == TS_OK && ts_probe_has(p, TS_B_splat_tie)) {
 		status = ts_probe_fetch(p, TS_B_splat_tie, at->texel, 1, &tied);
 		if (status == TS_OK) ts_probe_put(p, o, "tied", json_boolean(tied != 0));
@@ -98,19 +110,21 @@ static ts_status put_points(ts_probe *p, const place *at, json_t *o)
 static ts_status put_radiance(ts_probe *p, const place *at, json_t *o, u64 held)
 {
 	ts_texel_place where = {.cube = 0, .face = at->face, .x = at->x, .y = at->y, .inside = 0};
-	ts_illuminate_args args = {.scene = p->scene, .cubes = &p->cubes[at->reflector]};
+	const ts_face *cubes = ts_probe_cubes(p);
+	ts_illuminate_args args = {.scene = p->scene, .cubes = &cubes[at->reflector]};
 	ts_v3 radiance = ts_k_background(), total;
 	f32 computed[3], mip[3];
 	if (held != TS_EMPTY) {
 		if (ts_probe_textures(p, (u32)held) != TS_OK) return TS_ERROR;
 		ts_surface s = ts_k_surface_seen(&p->scene, &at->view, (u32)held, (i32)at->x, (i32)at->y);
 		radiance = ts_k_texel_radiance(&args, &where, (u32)held);
-		ts_probe_put(p, o, "shading", ts_probe_shading(p, &s, ts_normalize(ts_sub(at->view.eye, s.p)), &total));
+		ts_v3 v = ts_normalize(ts_sub(at->view.eye, s.p));
+		ts_probe_put(p, o, "shading", ts_probe_shading(p, &s, v, NULL, NULL, &total));
 	}
 	json_t *result = json_object();
 	ts_store3(computed, radiance);
 	ts_probe_put(p, result, "radiance", ts_probe_v3_bits(ts_load3(computed)));
-	u64 first = ts_k_mip_first(p->cubes, 0, at->reflector) + at->texel - p->cubes[at->reflector].offset;
+	u64 first = ts_k_mip_first(cubes, 0, at->reflector) + at->texel - cubes[at->reflector].offset;
 	ts_status status = ts_probe_has(p, TS_B_face_mip) ? ts_probe_fetch(p, TS_B_face_mip, first * 4, 3, mip) : TS_OK;
 	if (status == TS_OK && ts_probe_has(p, TS_B_face_mip))
 		ts_probe_put_check(p, result, TS_B_face_mip, computed, mip, 3);
@@ -126,32 +140,46 @@ static ts_status put_triangles(ts_probe *p, const place *at, json_t *o)
 	if (ts_probe_require(p, needed) != TS_OK) return TS_ERROR;
 	if (ts_probe_fetch(p, TS_B_face_depth_triangle, at->texel, 1, &held) != TS_OK) return TS_ERROR;
 	ts_status status = ts_probe_contest(p, &at->view, at->reflector, at->x, at->y, &offers);
-	if (status == TS_OK) status = ts_probe_put_offers(p, o, &offers, TS_B_face_depth_triangle, held, false);
+	if (status == TS_OK) status = ts_probe_put_offers(p, o, &offers, TS_B_face_depth_triangle, held, NULL);
 	free(offers.offer);
 	return status == TS_OK ? put_radiance(p, at, o, held) : status;
 }
 
-ts_status ts_probe_texel(ts_probe *p, u32 reflector, u32 face, u32 x, u32 y, json_t **answer)
+typedef ts_status put_texel(ts_probe *p, const place *at, json_t *o);
+
+static ts_status answer(ts_probe *p, const ts_probe_question *q, put_texel *put, json_t *o)
 {
-	*answer = NULL;
-	if (ts_probe_of_reflections(p) != TS_OK || ts_probe_scene(p) != TS_OK) return TS_ERROR;
-	if (reflector >= p->n_cubes || face >= 6) {
-		return ts_fail("%s: no face %u.%u; there are %u reflectors, from 0, of faces 0 to 5", p->trace->dir,
-		               (unsigned)reflector, (unsigned)face, (unsigned)p->n_cubes);
+	if (ts_probe_read_cubes(p) != TS_OK) return TS_ERROR;
+	if (q->index >= ts_probe_n_cubes(p)) {
+		return ts_fail("%s: no face %" PRIu64 ".%u; there are %u reflectors, from 0, of faces 0 to 5", p->trace->dir,
+		               q->index, (unsigned)q->side, (unsigned)ts_probe_n_cubes(p));
 	}
-	const ts_face *cube = &p->cubes[reflector];
-	if (x >= cube->n || y >= cube->n) {
-		return ts_fail("%s: no texel (%u, %u); the faces of reflector %u have %u x %u%s", p->trace->dir, (unsigned)x,
-		               (unsigned)y, (unsigned)reflector, (unsigned)cube->n, (unsigned)cube->n,
+	u32 reflector = (u32)q->index;
+	const ts_face *cube = &ts_probe_cubes(p)[reflector];
+	if (q->x >= cube->n || q->y >= cube->n) {
+		return ts_fail("%s: no texel (%u, %u); the faces of reflector %u have %u x %u%s", p->trace->dir, (unsigned)q->x,
+		               (unsigned)q->y, (unsigned)reflector, (unsigned)cube->n, (unsigned)cube->n,
 		               cube->n == 0 ? ": the eye does not see it" : "");
 	}
-	place at = {.reflector = reflector, .face = face, .x = x, .y = y, .view = ts_k_cube_view(cube, face)};
-	at.inside = (u64)y * cube->n + x;
-	at.texel = cube->offset + (u64)face * cube->n * cube->n + at.inside;
-	json_t *o = json_object();
-	ts_probe_put(p, o, "face", ts_probe_face_name(reflector, face));
-	ts_probe_put(p, o, "texel", ts_probe_pair(x, y));
+	place at = {.reflector = reflector, .face = q->side, .x = q->x, .y = q->y, .view = ts_k_cube_view(cube, q->side)};
+	at.inside = (u64)q->y * cube->n + q->x;
+	at.texel = cube->offset + (u64)q->side * cube->n * cube->n + at.inside;
+	ts_probe_put(p, o, "face", ts_probe_face_name(reflector, q->side));
+	ts_probe_put(p, o, "texel", ts_probe_pair(q->x, q->y));
 	ts_probe_put(p, o, "element", ts_probe_int(at.texel));
-	ts_probe_put(p, o, "method", json_string(p->trace->pipeline->name));
-	return ts_probe_answer(p, o, p->faces ? put_triangles(p, &at, o) : put_points(p, &at, o), answer);
+	ts_probe_put_method(p, o);
+	return put(p, &at, o);
+}
+
+const ts_probe_view ts_probe_face = {
+	.form = "REFLECTOR.FACE, for instance 3.+X or 3.0",
+	.prefix = "",
+	.side = ts_where_face,
+	.n_sides = 6,
+};
+
+ts_status ts_probe_epr_texel(ts_probe *p, const ts_probe_question *q, json_t *o) { return answer(p, q, put_points, o); }
+ts_status ts_probe_mvr_texel(ts_probe *p, const ts_probe_question *q, json_t *o)
+{
+	return answer(p, q, put_triangles, o);
 }

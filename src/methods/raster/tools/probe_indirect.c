@@ -1,6 +1,6 @@
 /* A pixel of indirect light: its place in the G-buffer, the light that arrives, and what is sent on. */
 #include "../../../kernels/raster/indirect.h"
-#include "../../../probe/parts.h"
+#include "probe.h"
 
 static ts_status put_gbuffer(ts_probe *p, json_t *o, u32 x, u32 y, u64 key, ts_gpixel *pixel)
 {
@@ -31,21 +31,21 @@ static ts_status put_irradiance(ts_probe *p, json_t *o, u32 x, u32 y, const f32 
 	return status;
 }
 
-ts_status ts_probe_indirect(ts_probe *p, u32 x, u32 y, u64 key, json_t *o, ts_v3 *total)
+ts_status ts_probe_put_indirect(ts_probe *p, const ts_probe_seen *at, ts_probe_irradiance *put_from, json_t *o,
+                                ts_v3 *radiance)
 {
 	ts_gpixel pixel;
-	f32 irradiance[3], radiance[3];
+	f32 irradiance[3], sent[3];
 	u8 srgb[3];
-	if (put_gbuffer(p, o, x, y, key, &pixel) != TS_OK) return TS_ERROR;
-	bool hulls = ts_pipeline_maker(p->trace->pipeline, TS_B_hull_box) != NULL;
-	bool views = ts_pipeline_maker(p->trace->pipeline, TS_B_vpl_light) != NULL;
-	ts_status status = hulls   ? ts_probe_hull(p, x, y, &pixel, o, irradiance)
-	                   : views ? ts_probe_views(p, x, y, o, irradiance)
-	                           : ts_probe_direct(p, &pixel, o, irradiance);
-	if (status != TS_OK || put_irradiance(p, o, x, y, irradiance) != TS_OK) return TS_ERROR;
-	ts_indirect_args args = {.pixels = &pixel, .irradiance = irradiance, .radiance = radiance, .srgb = srgb,
+	if (put_gbuffer(p, o, at->x, at->y, at->key, &pixel) != TS_OK) return TS_ERROR;
+	if (put_from(p, at, &pixel, o, irradiance) != TS_OK) return TS_ERROR;
+	if (put_irradiance(p, o, at->x, at->y, irradiance) != TS_OK) return TS_ERROR;
+	ts_indirect_args args = {.pixels = &pixel,
+	                         .irradiance = irradiance,
+	                         .radiance = sent,
+	                         .srgb = srgb,
 	                         .exposure = TS_PARAM(&p->trace->params, exposure)};
 	ts_k_indirect_image_item(&args, 0);
-	*total = ts_load3(radiance);
+	*radiance = ts_load3(sent);
 	return TS_OK;
 }

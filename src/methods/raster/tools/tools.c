@@ -1,5 +1,6 @@
 /* What standard rasterization, which families share, brings for the tools. */
 #include "../../tools/family.h"
+#include "probe.h"
 #include "tools.h"
 
 static const ts_margin_rule margins[] = {
@@ -10,7 +11,15 @@ static const ts_margin_rule margins[] = {
 	{0},
 };
 
+/* clang-format off */
+static const ts_probe_part parts[] = {
+	{TS_PROBE_PIXEL, "resolve", ts_probe_shadow_pixel, "what each sample of each light found in its depth map", NULL},
+	{0},
+};
+/* clang-format on */
+
 const ts_family_tools ts_raster_tools = {
 	.margins = margins,
 	.checks = ts_raster_checks,
+	.parts = parts,
 };

@@ -1,7 +1,7 @@
 /* A pixel of a deferred shader: its lights one by one with their shadows, and whether the surface ends there. */
 #include "../surfel.h"
 #include "../../stages.h"
-#include "../../../probe/parts.h"
+#include "probe.h"
 
 /* The neighbours and what they do. Returns whether one of them makes an outline. */
 static bool put_outline(ts_probe *p, json_t *object, const ts_deferred_args *args, u64 pixel)
@@ -70,7 +70,16 @@ static void put_shading(ts_probe *p, json_t *object, const ts_deferred_args *arg
 	ts_probe_put(p, object, "shading", o);
 }
 
-ts_status ts_probe_deferred(ts_probe *p, u32 x, u32 y, json_t *object, ts_v3 *total)
+static ts_status put_shadow(ts_probe *p, const ts_probe_lamps *lamps, u32 x, u32 y, const ts_receiver *at,
+                            json_t *object)
+{
+	ts_probe_shadow shadow = {.lamps = *lamps};
+	ts_status status = ts_probe_put_shadow(p, &shadow, x, y, at, ts_probe_put_samples, object);
+	ts_probe_shadow_free(&shadow);
+	return status;
+}
+
+ts_status ts_probe_put_deferred(ts_probe *p, const ts_probe_lamps *lamps, u32 x, u32 y, json_t *object, ts_v3 *total)
 {
 	ts_deferred_args args;
 	if (ts_deferred_ask(&p->load->run, &args) != TS_OK) return TS_ERROR;
@@ -82,7 +91,7 @@ ts_status ts_probe_deferred(ts_probe *p, u32 x, u32 y, json_t *object, ts_v3 *to
 		ts_probe_put(p, object, "shading", json_string("nothing is here: background"));
 		return TS_OK;
 	}
-	if (args.lit != NULL && ts_probe_shadow(p, x, y, &receiver, object) != TS_OK) return TS_ERROR;
+	if (lamps != NULL && put_shadow(p, lamps, x, y, &receiver, object) != TS_OK) return TS_ERROR;
 	put_shading(p, object, &args, pixel, total);
 	return TS_OK;
 }

@@ -6,7 +6,7 @@
 #include "../surfel.h"
 #include "../../../kernels/surfels/surfel_mean.h"
 #include "../../stages.h"
-#include "../../../probe/parts.h"
+#include "probe.h"
 
 enum { MOST_LISTED = 16 };
 
@@ -17,19 +17,13 @@ typedef struct { ts_camera_k view; ts_filter filter; i32 x, y; u64 pixel; f32 sh
 typedef struct { u32 surfel; f32 weight; ts_surfel_fragment is; } fragment;
 typedef struct { fragment *fragment; size_t n, capacity; } fragments;
 
-ts_status ts_probe_load_surfels(ts_probe *p)
+/* The eye, and what the stages of surfels read; with the lamps all shapes are checked, without them the others. */
+static ts_status load(ts_probe *p, bool shadows, ts_probe_lamps *lamps)
 {
 	static const char *const stages[] = {"surfel_depth", "blend", "surfel_mean", "deferred", NULL};
-	if (p->load != NULL) return TS_OK;
 	if (ts_probe_load_for(p, stages) != TS_OK) return TS_ERROR;
 	memcpy(&p->view, ts_probe_loaded(p, TS_B_eye_view), sizeof p->view);
-	p->scene.n_lights = (u32)ts_frame_n(&p->load->run.frame, TS_B_lamp_light);
-	bool good = !ts_shader_has_shadows(&p->trace->params) || ts_probe_lamps(p) == TS_OK;
-	if (good && ts_probe_shapes(p) == TS_OK) return TS_OK;
-	ts_load_end(p->load);
-	p->load = NULL;
-	ts_probe_scene_free(p);
-	return TS_ERROR;
+	return shadows ? ts_probe_read_lamps(p, TS_PROBE_VIEW_OR_CUBE, lamps) : ts_probe_shapes(p, TS_UNKNOWN);
 }
 
 static place place_of(const ts_probe *p, u32 x, u32 y)
@@ -287,9 +281,15 @@ static ts_status put_mean(ts_probe *p, json_t *object, const place *at)
 	return TS_OK;
 }
 
-ts_status ts_probe_surfels(ts_probe *p, u32 x, u32 y, json_t *object)
+ts_status ts_probe_surfel_pixel(ts_probe *p, const ts_probe_question *q, json_t *o)
 {
-	place at = place_of(p, x, y);
-	put_visibility(p, object, &at);
-	return put_blend(p, object, &at) == TS_OK ? put_mean(p, object, &at) : TS_ERROR;
+	ts_v3 total;
+	ts_probe_lamps lamps;
+	bool shadows = ts_shader_has_shadows(&p->trace->params);
+	if (load(p, shadows, &lamps) != TS_OK || ts_probe_put_pixel(p, q, o) != TS_OK) return TS_ERROR;
+	place at = place_of(p, q->x, q->y);
+	put_visibility(p, o, &at);
+	if (put_blend(p, o, &at) != TS_OK || put_mean(p, o, &at) != TS_OK) return TS_ERROR;
+	if (ts_probe_put_deferred(p, shadows ? &lamps : NULL, q->x, q->y, o, &total) != TS_OK) return TS_ERROR;
+	return ts_probe_put_image(p, o, q->x, q->y, total);
 }

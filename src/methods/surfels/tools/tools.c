@@ -1,5 +1,6 @@
 /* What the family of surfels brings for the tools. */
 #include "../../tools/family.h"
+#include "probe.h"
 #include "benches.h"
 #include "tools.h"
 
@@ -26,9 +27,18 @@ static const ts_bench_row benches[] = {
 	{ 0 },
 };
 
+/* clang-format off */
+static const ts_probe_part parts[] = {
+	{TS_PROBE_PIXEL, "deferred", ts_probe_surfel_pixel,
+	 "the nearest surfel, those that are blended or hidden, their sums, the light and the outline", NULL},
+	{0},
+};
+/* clang-format on */
+
 const ts_family_tools ts_surfels_tools = {
 	.margins = margins,
 	.checks = ts_surfels_checks,
 	.truths = truths,
 	.benches = benches,
+	.parts = parts,
 };

@@ -2,7 +2,7 @@
 #include <stdlib.h>
 #include "../../../kernels/views/bilateral.h"
 #include "../../stages.h"
-#include "../../../probe/parts.h"
+#include "probe.h"
 
 enum { MOST_LISTED = 8 };
 

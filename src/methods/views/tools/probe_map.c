@@ -1,9 +1,10 @@
 /* A texel of a map: the pairs of nodes that were rendered into it and into those of the nodes of views above, and what
  * fusion made of them, from the root down. */
+#include <inttypes.h>
 #include <stdlib.h>
 #include "../../stages.h"
 #include "../traverse.h"
-#include "../../../probe/parts.h"
+#include "probe.h"
 
 enum { MOST_LISTED = 8 };
 
@@ -107,7 +108,7 @@ static int by_win(const void *a, const void *b)
 static ts_status find_offers(ts_probe *p, search *s)
 {
 	u64 n_nodes = ts_frame_n(&p->load->run.frame, TS_B_octree_node);
-	bool all = ts_pipeline_maker(p->trace->pipeline, TS_B_traverse_rendered) == NULL;
+	bool all = !ts_probe_makes(p, TS_B_traverse_rendered);
 	s->map = ts_alloc_zero(ts_k_pyramid_texels(&s->chain.args.pyramid), sizeof *s->map, "a map");
 	if (s->map == NULL || ts_traverse_arguments(&p->load->run, &s->how) != TS_OK) return TS_ERROR;
 	ts_status status = n_nodes == 0 ? TS_OK : all ? try_all(s, n_nodes) : traverse(s);
@@ -204,6 +205,8 @@ static ts_status put_chain(ts_probe *p, json_t *object, const search *s)
 	return status;
 }
 
+static const char *half(u32 side) { return side == 0 ? "front" : "back"; }
+
 static ts_status describe(ts_probe *p, json_t *o, u32 node, u32 texel)
 {
 	search s = {.texel = texel};
@@ -213,9 +216,9 @@ static ts_status describe(ts_probe *p, json_t *o, u32 node, u32 texel)
 	if (status == TS_OK) status = find_offers(p, &s);
 	ts_probe_put(p, o, "node", ts_probe_int(node));
 	ts_probe_put(p, o, "lights", ts_probe_int(cone->views));
-	ts_probe_put(p, o, "half", json_string(texel < n * n ? "front" : "back"));
+	ts_probe_put(p, o, "half", json_string(half(texel / (n * n))));
 	ts_probe_put(p, o, "texel", ts_probe_pair(texel % n, texel / n % n));
-	ts_probe_put(p, o, "method", json_string(p->trace->pipeline->name));
+	ts_probe_put_method(p, o);
 	if (ts_k_paraboloid_is_used(texel, n)) {
 		ts_probe_put(p, o, "direction", ts_probe_v3(ts_k_paraboloid_direction(texel, n)));
 	} else {
@@ -234,32 +237,56 @@ static ts_status load(ts_probe *p)
 	static const ts_buffer_id needed[] = {
 		TS_B_map_depth_node, TS_B_fuse_depth, TS_B_fuse_node, TS_B_view_octree_leaf, TS_N_BUFFERS};
 	const ts_step *maker = ts_pipeline_maker(p->trace->pipeline, TS_B_map_depth_node);
-	if (maker == NULL) {
-		return ts_fail("%s: a trace of %s by %s, which has no maps of lights; REFLECTOR.FACE or eye would be right",
-		               p->trace->dir, p->trace->pipeline->effect->name, p->trace->pipeline->name);
-	}
 	const ts_step *traverse = ts_pipeline_maker(p->trace->pipeline, TS_B_traverse_rendered);
 	const char *stage = (traverse != NULL ? traverse : maker)->stage;
 	if (ts_probe_scene(p) != TS_OK || ts_probe_require(p, needed) != TS_OK) return TS_ERROR;
 	return ts_probe_load_for(p, (const char *const[]){stage, NULL});
 }
 
-ts_status ts_probe_map(ts_probe *p, ts_probe_map_id map, u32 x, u32 y, json_t **answer)
+/* Of half `side` of a node's map. */
+static ts_status answer(ts_probe *p, const ts_probe_question *q, u32 node, json_t *o)
 {
-	*answer = NULL;
-	if (load(p) != TS_OK) return TS_ERROR;
-	u32 node = map.index, side = TS_PARAM(&p->load->run.params, view_px);
-	u64 n = ts_probe_n(p, map.of_light ? TS_B_view_octree_leaf : TS_B_view_octree_node);
-	if (map.index >= n) {
-		return ts_fail("%s: no %s %u; there are %u", p->trace->dir, map.of_light ? "light" : "node of views",
-		               (unsigned)map.index, (unsigned)n);
+	u32 side = TS_PARAM(&p->load->run.params, view_px);
+	if (q->x >= side || q->y >= side) {
+		return ts_fail("%s: no texel (%u, %u); halves of maps have %u x %u", p->trace->dir, (unsigned)q->x,
+		               (unsigned)q->y, (unsigned)side, (unsigned)side);
 	}
-	if (x >= side || y >= side) {
-		return ts_fail("%s: no texel (%u, %u); halves of maps have %u x %u", p->trace->dir, (unsigned)x, (unsigned)y,
-		               (unsigned)side, (unsigned)side);
-	}
-	if (map.of_light && ts_probe_fetch(p, TS_B_view_octree_leaf, map.index, 1, &node) != TS_OK) return TS_ERROR;
-	json_t *o = json_object();
-	if (map.of_light) ts_probe_put(p, o, "light", ts_probe_int(map.index));
-	return ts_probe_answer(p, o, describe(p, o, node, ((map.back ? side : 0) + y) * side + x), answer);
+	return describe(p, o, node, (q->side * side + q->y) * side + q->x);
 }
+
+/* Loads what maps are made from; fails if there is no such light or node, of which buffer id has one each. */
+static ts_status begin(ts_probe *p, const ts_probe_question *q, ts_buffer_id id, const char *noun)
+{
+	if (load(p) != TS_OK) return TS_ERROR;
+	u64 n = ts_probe_n(p, id);
+	if (q->index < n) return TS_OK;
+	return ts_fail("%s: no %s %" PRIu64 "; there are %" PRIu64, p->trace->dir, noun, q->index, n);
+}
+
+ts_status ts_probe_light_texel(ts_probe *p, const ts_probe_question *q, json_t *o)
+{
+	u32 node;
+	if (begin(p, q, TS_B_view_octree_leaf, "light") != TS_OK) return TS_ERROR;
+	if (ts_probe_fetch(p, TS_B_view_octree_leaf, q->index, 1, &node) != TS_OK) return TS_ERROR;
+	ts_probe_put(p, o, "light", ts_probe_int(q->index));
+	return answer(p, q, node, o);
+}
+
+ts_status ts_probe_node_texel(ts_probe *p, const ts_probe_question *q, json_t *o)
+{
+	if (begin(p, q, TS_B_view_octree_node, "node of views") != TS_OK) return TS_ERROR;
+	return answer(p, q, (u32)q->index, o);
+}
+
+const ts_probe_view ts_probe_map_of_light = {
+	.form = "LIGHT.front or LIGHT.back",
+	.prefix = "",
+	.side = half,
+	.n_sides = 2,
+};
+const ts_probe_view ts_probe_map_of_node = {
+	.form = "nodeN.front or nodeN.back",
+	.prefix = "node",
+	.side = half,
+	.n_sides = 2,
+};

@@ -3,7 +3,7 @@
 #include "../../../kernels/views/map_margin.h"
 #include "../../stages.h"
 #include "../traverse.h"
-#include "../../../probe/parts.h"
+#include "probe.h"
 
 ts_status ts_probe_read_chain(ts_probe *p, ts_probe_chain *c, u32 node)
 {

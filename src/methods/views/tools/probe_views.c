@@ -3,19 +3,13 @@
 #include <stdlib.h>
 #include "../octree.h"
 #include "../traverse.h"
-#include "../../../probe/parts.h"
+#include "probe.h"
 
 enum { MOST_LISTED = 16, MOST_DRAWN = 64 };
 
 /* A light and how often it is drawn. */
 typedef struct { u32 view, times; ts_v3 light; } term;
 typedef struct { u64 nodes, views; } tally;
-
-ts_status ts_probe_load_views(ts_probe *p)
-{
-	const char *maker = ts_pipeline_maker(p->trace->pipeline, TS_B_vpl_light)->stage;
-	return ts_probe_load_for(p, (const char *const[]){maker, "vpl_pairs", "bilateral", "vpl_gather", NULL});
-}
 
 /* What becomes of the pair of nodes s and v: that of the first pair of nodes above them that is not split. */
 static u32 fate_of(const ts_traverse_args *how, u32 s, u32 v, u64 *pair)
@@ -194,16 +188,33 @@ static ts_status put_lights(ts_probe *p, json_t *object, const ts_probe_gather *
 	return status;
 }
 
-ts_status ts_probe_views(ts_probe *p, u32 x, u32 y, json_t *object, f32 irradiance[3])
+/* Loads what stage vpl_gather and those around it read. */
+static ts_status load(ts_probe *p)
 {
-	u32 pixel = y * p->view.width + x;
-	ts_probe_gather gather = {.offset = NULL};
-	if (ts_probe_load_views(p) != TS_OK) return TS_ERROR;
-	if (ts_vpl_gather_ask(&p->load->run, &gather.args) != TS_OK) return TS_ERROR;
-	gather.pixel = gather.args.pixels[pixel];
-	ts_status status = ts_probe_read_paths(p, &gather);
-	if (status == TS_OK) status = put_lights(p, object, &gather, pixel);
-	free(gather.offset);
-	free(gather.paths);
-	return status == TS_OK ? ts_probe_filter(p, x, y, object, irradiance) : status;
+	const char *maker = ts_pipeline_maker(p->trace->pipeline, TS_B_vpl_light)->stage;
+	return ts_probe_load_for(p, (const char *const[]){maker, "vpl_pairs", "bilateral", "vpl_gather", NULL});
+}
+
+static ts_status put_irradiance(ts_probe *p, const ts_probe_seen *at, const ts_gpixel *pixel, json_t *object,
+                                f32 irradiance[3])
+{
+	u32 index = at->y * p->view.width + at->x;
+	ts_probe_gather gather = {.paths = NULL};
+	(void)pixel;
+	if (load(p) != TS_OK || ts_vpl_gather_ask(&p->load->run, &gather.args) != TS_OK) return TS_ERROR;
+	gather.pixel = gather.args.pixels[index];
+	if (ts_probe_read_paths(p, &gather) != TS_OK || put_lights(p, object, &gather, index) != TS_OK) return TS_ERROR;
+	return ts_probe_filter(p, at->x, at->y, object, irradiance);
+}
+
+static ts_status put_light(ts_probe *p, const ts_probe_seen *at, json_t *o, ts_v3 *radiance)
+{
+	return ts_probe_put_indirect(p, at, put_irradiance, o, radiance);
+}
+
+ts_status ts_probe_views_pixel(ts_probe *p, const ts_probe_question *q, json_t *o)
+{
+	static const ts_buffer_id vpls[] = {TS_B_eye_depth_triangle, TS_B_rsm_patch, TS_N_BUFFERS};
+	static const ts_buffer_id particles[] = {TS_B_eye_depth_triangle, TS_B_vpl_light, TS_N_BUFFERS};
+	return ts_probe_eye_pixel(p, q, ts_probe_makes(p, TS_B_rsm_patch) ? vpls : particles, put_light, o);
 }

@@ -3,11 +3,12 @@
 #include <stdlib.h>
 #include "../views.h"
 #include "../../stages.h"
-#include "../../../probe/parts.h"
+#include "probe.h"
 
 /* Each path begins at a texel, and has its lights among those that there are. */
-static ts_status check_paths(const ts_probe *p, const ts_probe_gather *g, u64 n_offsets)
+static ts_status check_paths(const ts_probe *p, const ts_probe_gather *g)
 {
+	u64 n_offsets = ts_probe_n(p, TS_B_vpl_offset);
 	const char *path = p->trace->item[TS_B_vpl_path].path;
 	if (n_offsets != g->vpl.n_patches + 1 || (g->n_paths > 0 && g->vpl.n_patches == 0)) {
 		return ts_fail("%s: one a texel of the maps and one would be right", p->trace->item[TS_B_vpl_offset].path);
@@ -24,19 +25,19 @@ static ts_status check_paths(const ts_probe *p, const ts_probe_gather *g, u64 n_
 
 ts_status ts_probe_read_paths(ts_probe *p, ts_probe_gather *g)
 {
-	u64 n_offsets, n;
-	if (ts_pipeline_maker(p->trace->pipeline, TS_B_vpl_path) == NULL) return TS_OK;
-	g->offset = ts_probe_load(p, TS_B_vpl_offset, &n_offsets);
-	g->paths = g->offset != NULL ? ts_probe_load(p, TS_B_vpl_path, &n) : NULL;
-	if (g->paths == NULL) return TS_ERROR;
+	u64 n = ts_probe_n(p, TS_B_vpl_path);
+	if (!ts_probe_makes(p, TS_B_vpl_path)) return TS_OK;
+	u32 *offset = ts_probe_whole(p, TS_B_vpl_offset);
+	g->paths = offset != NULL ? ts_probe_whole(p, TS_B_vpl_path) : NULL;
+	if (g->paths == NULL || ts_probe_read_lamps(p, TS_PROBE_A_VIEW, &g->lamps) != TS_OK) return TS_ERROR;
 	if (n == 0) return ts_fail("%s: one more than there are paths would be right", p->trace->item[TS_B_vpl_path].path);
 	g->n_paths = n - 1;
 	if (ts_vpl_ask(&p->load->run, &g->vpl) != TS_OK) return TS_ERROR;
-	g->vpl.offset = g->offset;
+	g->vpl.offset = offset;
 	g->vpl.paths = g->paths;
 	g->vpl.n = (u32)g->n_paths;
-	if (check_paths(p, g, n_offsets) != TS_OK) return TS_ERROR;
-	g->vpl.n_lit = g->offset[g->vpl.n_patches];
+	if (check_paths(p, g) != TS_OK) return TS_ERROR;
+	g->vpl.n_lit = offset[g->vpl.n_patches];
 	return TS_OK;
 }
 
@@ -58,7 +59,7 @@ static ts_status put_path(ts_probe *p, json_t *o, const ts_probe_gather *g, u32 
 	u32 path = path_of(g, light), triangle = TS_NONE, texel = (u32)ts_k_vpl_start(&g->vpl, path);
 	ts_light_k at = ts_k_vpl_first(&g->vpl, path);
 	json_t *start = json_object();
-	ts_status status = ts_probe_put_patch(p, start, texel, &g->vpl.patches[texel]);
+	ts_status status = ts_probe_put_patch(p, start, &g->lamps, texel, &g->vpl.patches[texel]);
 	for (u32 k = g->paths[path]; k < light; k++) {
 		triangle = ts_k_cast(&g->vpl.cast, at.p, ts_k_vpl_direction(&g->vpl, path, at.bounce, at.n)).triangle;
 		if (!ts_k_vpl_next(&g->vpl, path, &at)) break;

@@ -1,5 +1,6 @@
 /* What the family of many views brings for the tools. */
 #include "../../tools/family.h"
+#include "probe.h"
 #include "../../raster/tools/truth_gather.h"
 #include "benches.h"
 #include "tools.h"
@@ -36,10 +37,22 @@ static const ts_bench_row benches[] = {
 	{ 0 },
 };
 
+/* clang-format off */
+static const ts_probe_part parts[] = {
+	{TS_PROBE_PIXEL, "vpl_gather", ts_probe_views_pixel,
+	 "the lights that culling leaves, the brightest of those it draws, and its neighbours in the filter", NULL},
+	{TS_PROBE_TEXEL, "fuse", ts_probe_light_texel,
+	 "the pairs of nodes rendered into it and above it, and what fusion made of them", &ts_probe_map_of_light},
+	{TS_PROBE_TEXEL, "fuse", ts_probe_node_texel, "the same", &ts_probe_map_of_node},
+	{0},
+};
+/* clang-format on */
+
 const ts_family_tools ts_views_tools = {
 	.margins = margins,
 	.checks = ts_views_checks,
 	.truths = truths,
 	.texels = texels,
 	.benches = benches,
+	.parts = parts,
 };

@@ -1,7 +1,7 @@
-/* Where a triangle went, or which stage lost it. */
+/* Where a triangle or a point went, or which stage lost it. */
 #include <inttypes.h>
 #include <stdlib.h>
-#include "parts.h"
+#include "probe.h"
 
 enum { MOST_PIECES = 32, MOST_POINTS = 64 };
 
@@ -13,10 +13,7 @@ typedef struct {
 	ts_spread spread;
 } fate;
 
-static json_t *verdict(const char *stage, json_t *text)
-{
-	return json_pack("{s:s,s:o}", "stage", stage, "why", text);
-}
+static json_t *verdict(const char *stage, json_t *text) { return json_pack("{s:s,s:o}", "stage", stage, "why", text); }
 
 static json_t *lost_at(const fate *f)
 {
@@ -43,8 +40,9 @@ static json_t *lost_at(const fate *f)
 	}
 	if (s->won == 0) return verdict("splat", json_string("the buffer holds none of its points, and nothing nearer"));
 	if (f->n_samples == 0) {
-		return verdict("lookup", json_sprintf("face resolution: no sample of a reflective pixel fell into its %" PRIu64
-		                                      " texels", s->won));
+		return verdict(
+			"lookup",
+			json_sprintf("face resolution: no sample of a reflective pixel fell into its %" PRIu64 " texels", s->won));
 	}
 	return NULL;
 }
@@ -118,8 +116,9 @@ static void put_each_point(ts_probe *p, json_t *o, const ts_probe_set *set)
 {
 	json_t *list = json_array();
 	for (size_t i = 0; i < set->n && i < MOST_POINTS && set->won != NULL; i++) {
-		ts_probe_append(p, list, json_pack("{s:I,s:I,s:I}", "point", (json_int_t)set->index[i], "offered",
-		                                   (json_int_t)set->offered[i], "won", (json_int_t)set->won[i]));
+		ts_probe_append(p, list,
+		                json_pack("{s:I,s:I,s:I}", "point", (json_int_t)set->index[i], "offered",
+		                          (json_int_t)set->offered[i], "won", (json_int_t)set->won[i]));
 	}
 	if (set->n > MOST_POINTS) ts_probe_put(p, o, "points_listed", ts_probe_int(MOST_POINTS));
 	ts_probe_put(p, o, "each_point", list);
@@ -139,7 +138,7 @@ static ts_status put_points(ts_probe *p, json_t *o, u64 first, u64 n, u32 only, 
 	ts_probe_put(p, went, "points_that_won_texels", ts_probe_int(winners));
 	ts_probe_put_spread(p, went, &f->spread);
 	ts_probe_put(p, went, "lost_to_its_own_triangle", ts_probe_int(f->spread.lost_to_own));
-	if (status == TS_OK) status = ts_probe_put_samples(p, went, &set, &f->n_samples);
+	if (status == TS_OK) status = ts_probe_put_lookups(p, went, &set, &f->n_samples);
 	ts_probe_put(p, went, "faces", faces);
 	put_each_point(p, went, &set);
 	ts_probe_put(p, o, "cubes", went);
@@ -150,7 +149,7 @@ static ts_status put_points(ts_probe *p, json_t *o, u64 first, u64 n, u32 only, 
 static ts_status visibility_and_density(ts_probe *p, u32 triangle, json_t *o, fate *f)
 {
 	json_t *visibility = json_object(), *density = json_object();
-	u64 *bits = ts_alloc_zero(p->n_words + (size_t)1, sizeof *bits, "visibility.bits");
+	u64 *bits = ts_alloc_zero(ts_probe_n_words(p) + (size_t)1, sizeof *bits, "visibility.bits");
 	ts_status status =
 		bits != NULL ? ts_probe_visibility(p, triangle, bits, visibility, &f->seen, &f->unseen) : TS_ERROR;
 	if (status == TS_OK) status = ts_probe_density(p, triangle, bits, density);
@@ -186,8 +185,8 @@ static ts_status describe_mvr(ts_probe *p, u32 triangle, json_t *o)
 	json_t *cubes = json_object(), *lost = NULL;
 	ts_status status = TS_OK;
 	u32 own = ts_k_reflector_of(&p->scene, triangle);
-	for (u32 i = 0; i < p->n_cubes * 6 && status == TS_OK; i++) {
-		const ts_face *cube = &p->cubes[i / 6];
+	for (u32 i = 0; i < ts_probe_n_cubes(p) * 6 && status == TS_OK; i++) {
+		const ts_face *cube = &ts_probe_cubes(p)[i / 6];
 		ts_camera_k view = ts_k_cube_view(cube, i % 6);
 		u64 first = cube->offset + (u64)(i % 6) * cube->n * cube->n;
 		if (i / 6 == own || cube->n == 0) continue;
@@ -206,13 +205,19 @@ static ts_status describe_mvr(ts_probe *p, u32 triangle, json_t *o)
 	return status;
 }
 
-static ts_status require(const ts_probe *p)
+static ts_status require_epr(const ts_probe *p)
 {
-	static const ts_buffer_id epr[] = {TS_B_visibility_bits, TS_B_split_scale, TS_B_split_offset, TS_B_split_triangle,
-		TS_B_density_scale, TS_B_cull_keep, TS_B_align_frame, TS_B_points_record, TS_B_splat_depth_index,
-		TS_B_pixel_record, TS_B_lookup_point, TS_N_BUFFERS};
-	static const ts_buffer_id mvr[] = {TS_B_face_depth_triangle, TS_N_BUFFERS};
-	return ts_probe_require(p, p->faces ? mvr : epr);
+	static const ts_buffer_id needed[] = {TS_B_visibility_bits, TS_B_split_scale,   TS_B_split_offset,
+	                                      TS_B_split_triangle,  TS_B_density_scale, TS_B_cull_keep,
+	                                      TS_B_align_frame,     TS_B_points_record, TS_B_splat_depth_index,
+	                                      TS_B_pixel_record,    TS_B_lookup_point,  TS_N_BUFFERS};
+	return ts_probe_require(p, needed);
+}
+
+static ts_status require_mvr(const ts_probe *p)
+{
+	static const ts_buffer_id needed[] = {TS_B_face_depth_triangle, TS_N_BUFFERS};
+	return ts_probe_require(p, needed);
 }
 
 static void put_corners(ts_probe *p, json_t *o, u32 triangle)
@@ -223,24 +228,32 @@ static void put_corners(ts_probe *p, json_t *o, u32 triangle)
 	ts_probe_append(p, corners, ts_probe_v3(t.b));
 	ts_probe_append(p, corners, ts_probe_v3(t.c));
 	ts_probe_put_triangle(p, o, triangle);
-	ts_probe_put(p, o, "method", json_string(p->trace->pipeline->name));
+	ts_probe_put_method(p, o);
 	ts_probe_put(p, o, "corners", corners);
 	ts_probe_put(p, o, "degenerate", json_boolean(ts_k_is_degenerate(t.n)));
 }
 
-ts_status ts_probe_triangle(ts_probe *p, u64 triangle, json_t **answer)
+/* What the answers of both methods begin with. */
+static ts_status put_triangle(ts_probe *p, const ts_probe_question *q, json_t *o)
 {
-	*answer = NULL;
-	if (ts_probe_of_reflections(p) != TS_OK || ts_probe_scene(p) != TS_OK || require(p) != TS_OK) return TS_ERROR;
-	if (triangle >= p->scene.n_triangles) {
-		return ts_fail("%s: no triangle %" PRIu64 "; there are %u, from 0", p->trace->dir, triangle,
+	if (q->index >= p->scene.n_triangles) {
+		return ts_fail("%s: no triangle %" PRIu64 "; there are %u, from 0", p->trace->dir, q->index,
 		               (unsigned)p->scene.n_triangles);
 	}
-	json_t *o = json_object();
-	put_corners(p, o, (u32)triangle);
-	ts_status status = put_eye(p, (u32)triangle, o);
-	if (status == TS_OK) status = p->faces ? describe_mvr(p, (u32)triangle, o) : describe_epr(p, (u32)triangle, o);
-	return ts_probe_answer(p, o, status, answer);
+	put_corners(p, o, (u32)q->index);
+	return put_eye(p, (u32)q->index, o);
+}
+
+ts_status ts_probe_epr_triangle(ts_probe *p, const ts_probe_question *q, json_t *o)
+{
+	if (ts_probe_read_cubes(p) != TS_OK || require_epr(p) != TS_OK || put_triangle(p, q, o) != TS_OK) return TS_ERROR;
+	return describe_epr(p, (u32)q->index, o);
+}
+
+ts_status ts_probe_mvr_triangle(ts_probe *p, const ts_probe_question *q, json_t *o)
+{
+	if (ts_probe_read_cubes(p) != TS_OK || require_mvr(p) != TS_OK || put_triangle(p, q, o) != TS_OK) return TS_ERROR;
+	return describe_mvr(p, (u32)q->index, o);
 }
 
 static ts_status describe_point(ts_probe *p, u32 point, const ts_point *record, const ts_piece *piece, json_t *o)
@@ -273,34 +286,31 @@ static ts_status describe_point(ts_probe *p, u32 point, const ts_point *record, 
 	return status;
 }
 
-ts_status ts_probe_point(ts_probe *p, u64 point, json_t **answer)
+static ts_status find_key(ts_probe *p, const i64 key[3], u64 *point)
+{
+	static const ts_buffer_id needed[] = {TS_B_points_key, TS_N_BUFFERS};
+	u64 held;
+	if (ts_probe_require(p, needed) != TS_OK) return TS_ERROR;
+	for (*point = 0; *point < ts_probe_n(p, TS_B_points_key); ++*point) {
+		if (ts_probe_fetch(p, TS_B_points_key, *point, 1, &held) != TS_OK) return TS_ERROR;
+		i64 x = (i64)(held & 0xffff) - 32768, y = (i64)(held >> 16 & 0xffff) - 32768;
+		if ((i64)(held >> 32) == key[0] && x == key[1] && y == key[2]) return TS_OK;
+	}
+	return ts_fail("%s: no point of key %" PRId64 ",%" PRId64 ",%" PRId64, p->trace->item[TS_B_points_key].path, key[0],
+	               key[1], key[2]);
+}
+
+ts_status ts_probe_epr_point(ts_probe *p, const ts_probe_question *q, json_t *o)
 {
 	ts_point record;
 	ts_piece piece;
-	*answer = NULL;
-	if (ts_probe_of_reflections(p) != TS_OK) return TS_ERROR;
-	if (p->faces) return ts_fail("%s: a trace of mvr, which has no points", p->trace->dir);
-	if (ts_probe_scene(p) != TS_OK || require(p) != TS_OK) return TS_ERROR;
+	u64 point = q->index;
+	if (q->key != NULL && find_key(p, q->key, &point) != TS_OK) return TS_ERROR;
+	if (ts_probe_read_cubes(p) != TS_OK || require_epr(p) != TS_OK) return TS_ERROR;
 	if (point >= ts_probe_n(p, TS_B_points_record) || point >= TS_NONE) {
 		return ts_fail("%s: no point %" PRIu64 "; there are %" PRIu64 ", from 0", p->trace->dir, point,
 		               ts_probe_n(p, TS_B_points_record));
 	}
 	if (ts_probe_fetch_point(p, point, &record, &piece) != TS_OK) return TS_ERROR;
-	json_t *o = json_object();
-	return ts_probe_answer(p, o, describe_point(p, (u32)point, &record, &piece, o), answer);
-}
-
-ts_status ts_probe_point_of_key(ts_probe *p, u64 key, u64 *point)
-{
-	static const ts_buffer_id needed[] = {TS_B_points_key, TS_N_BUFFERS};
-	u64 held;
-	if (ts_probe_of_reflections(p) != TS_OK) return TS_ERROR;
-	if (p->faces) return ts_fail("%s: a trace of mvr, which has no points", p->trace->dir);
-	if (ts_probe_require(p, needed) != TS_OK) return TS_ERROR;
-	for (*point = 0; *point < ts_probe_n(p, TS_B_points_key); ++*point) {
-		if (ts_probe_fetch(p, TS_B_points_key, *point, 1, &held) != TS_OK) return TS_ERROR;
-		if (held == key) return TS_OK;
-	}
-	return ts_fail("%s: no point of key %u,%d,%d", p->trace->item[TS_B_points_key].path, (unsigned)(key >> 32),
-	               (int)(key & 0xffff) - 32768, (int)(key >> 16 & 0xffff) - 32768);
+	return describe_point(p, (u32)point, &record, &piece, o);
 }

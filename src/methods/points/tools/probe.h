@@ -1,0 +1,98 @@
+/* What the family of points answers to the probe, and what its parts share. */
+#ifndef TS_POINTS_TOOLS_PROBE_H
+#define TS_POINTS_TOOLS_PROBE_H
+#include "../../../kernels/points/points.h"
+#include "../../../kernels/raster/cube.h"
+#include "../../../probe/parts.h"
+
+/* ---- answers ---- */
+/* Pixels of reflections by EPR and MVR (probe_pixel.c), of PCSS (probe_taps.c). */
+ts_status ts_probe_epr_pixel(ts_probe *probe, const ts_probe_question *question, json_t *object);
+ts_status ts_probe_mvr_pixel(ts_probe *probe, const ts_probe_question *question, json_t *object);
+ts_status ts_probe_pcss_pixel(ts_probe *probe, const ts_probe_question *question, json_t *object);
+/* Texels of a cube's face (probe_texel.c). */
+extern const ts_probe_view ts_probe_face;
+ts_status ts_probe_epr_texel(ts_probe *probe, const ts_probe_question *question, json_t *object);
+ts_status ts_probe_mvr_texel(ts_probe *probe, const ts_probe_question *question, json_t *object);
+/* Where a triangle or a point went, or which stage lost it (probe_triangle.c). */
+ts_status ts_probe_epr_triangle(ts_probe *probe, const ts_probe_question *question, json_t *object);
+ts_status ts_probe_mvr_triangle(ts_probe *probe, const ts_probe_question *question, json_t *object);
+ts_status ts_probe_epr_point(ts_probe *probe, const ts_probe_question *question, json_t *object);
+
+/* ---- cubes (probe_cubes.c) ---- */
+/* Reads the scene and the cubes of reflectors, and checks both. */
+ts_status ts_probe_read_cubes(ts_probe *probe);
+/* After that: the cubes, how many, and the words of visibility.bits a triangle. */
+const ts_face *ts_probe_cubes(const ts_probe *probe);
+u32 ts_probe_n_cubes(const ts_probe *probe);
+u32 ts_probe_n_words(const ts_probe *probe);
+/* These words of a triangle. */
+ts_status ts_probe_fetch_bits(ts_probe *probe, u32 triangle, u64 *bits);
+
+/* ---- what a reflective pixel shows ---- */
+/* Element `entry` of pixel.record (probe_mirror.c; of MVR probe_mip.c). *total has the bits of shade.radiance if all is
+ * well. */
+typedef ts_status ts_probe_reflection(ts_probe *probe, u64 entry, json_t *object, ts_v3 *total);
+ts_probe_reflection ts_probe_mirror, ts_probe_mip;
+
+/* ---- who took texels from whom (probe_spread.c) ---- */
+typedef struct {
+	u32 triangle;
+	u64 texels, ties;
+	f32 least;
+	i64 least_ulps;
+} ts_rival;
+typedef struct {
+	u64 offered, won, lost, ties, lost_to_own, odd; /* texels; odd: the buffer holds what is farther */
+	ts_rival *rival;
+	size_t n_rivals, capacity;
+	size_t last; /* place of the rival found last */
+} ts_spread;
+
+/* Holds what a triangle or its points wrote alone, n keys, against elements from `first` on of buffer `id` of depths.
+ * `index` are the points that these keys' low halves number, ascending, n_index of them; NULL: they are triangles.
+ * won[i], if not NULL, receives how many texels index[i] holds. */
+ts_status ts_probe_spread_add(ts_probe *probe, ts_spread *spread, const u64 *alone, u64 n, ts_buffer_id id, u64 first,
+                              u32 triangle, const u32 *index, size_t n_index, u64 *won);
+/* Place of a point in an ascending list; n: it is not in it. */
+size_t ts_probe_place(const u32 *index, size_t n, u32 point);
+/* Puts the figures, and the rivals that took most. */
+void ts_probe_put_spread(ts_probe *probe, json_t *object, const ts_spread *spread);
+void ts_probe_spread_free(ts_spread *spread);
+
+/* ---- points (probe_points.c) ---- */
+/* "piece,x,y" */
+json_t *ts_probe_key(u64 key);
+/* The record of a point, and its piece. */
+ts_status ts_probe_fetch_point(ts_probe *probe, u64 point, ts_point *record, ts_piece *piece);
+
+/* Points of one triangle, or one of them. */
+typedef struct {
+	u32 *index;         /* in points.record, ascending */
+	ts_point *point;    /* their piece is one of these pieces */
+	u64 *offered, *won; /* texels, in all faces */
+	size_t n, capacity;
+	ts_piece *piece;
+	ts_align *frame;
+	u64 first_piece, n_pieces;
+	u32 triangle;
+} ts_probe_set;
+
+/* The points of pieces [first_piece, first_piece + n_pieces); only point `only` unless that is TS_NONE. Release by
+ * ts_probe_set_free, also on failure. */
+ts_status ts_probe_set_make(ts_probe *probe, ts_probe_set *set, u64 first_piece, u64 n_pieces, u32 only);
+void ts_probe_set_free(ts_probe_set *set);
+/* Splats them into every face that may see them; faces: an entry a face that they touch. */
+ts_status ts_probe_set_splat(ts_probe *probe, ts_probe_set *set, ts_spread *spread, json_t *faces);
+/* Puts how many samples of reflective pixels, and of later bounces, see one of them. */
+ts_status ts_probe_put_lookups(ts_probe *probe, json_t *object, const ts_probe_set *set, u64 *n_samples);
+
+/* ---- pieces and densities ---- */
+/* A piece of a triangle: density, culling, frame (probe_piece.c). */
+ts_status ts_probe_piece(ts_probe *probe, u64 piece, json_t *object, bool *kept);
+/* Which faces may see a triangle, and why others may not; its density and who set it (probe_density.c). `bits` receives
+ * the triangle's words, ts_probe_n_words of them. */
+ts_status ts_probe_visibility(ts_probe *probe, u32 triangle, u64 *bits, json_t *object, bool *seen, const char **why);
+ts_status ts_probe_density(ts_probe *probe, u32 triangle, const u64 *bits, json_t *object);
+
+#endif

@@ -1,0 +1,73 @@
+/* Parts of answers that families share: lamps and their depth maps, the G-buffer, reflective shadow maps. */
+#ifndef TS_RASTER_TOOLS_PROBE_H
+#define TS_RASTER_TOOLS_PROBE_H
+#include "../../../kernels/raster/resolve.h"
+#include "../../../probe/parts.h"
+
+/* ---- lamps and their views (probe_lamps.c) ---- */
+/* How a light's samples are seen. */
+typedef enum {
+	TS_PROBE_A_VIEW,       /* one view a sample */
+	TS_PROBE_A_CUBE,       /* the six of a cube a sample */
+	TS_PROBE_VIEW_OR_CUBE, /* one sample, a view or a cube as the light's kind wants it */
+	TS_PROBE_TAPS          /* one view a light, whatever its samples are */
+} ts_probe_lens;
+
+typedef struct {
+	ts_probe_lens lens;
+	const ts_light *lights;
+	const ts_lamp *lamps;
+	const ts_offscreen *views;
+	u32 n_lights, n_views;
+} ts_probe_lamps;
+
+/* Reads and checks them, and the shapes of what has a texel a texel of theirs; after the eye. */
+ts_status ts_probe_read_lamps(ts_probe *probe, ts_probe_lens lens, ts_probe_lamps *lamps);
+/* The view of a light's sample, or the first of its cube. */
+u32 ts_probe_lamp_view(const ts_probe_lamps *lamps, u32 light, u32 sample);
+bool ts_probe_lamp_has_cube(const ts_probe_lamps *lamps, u32 light);
+/* "3", or "0.+X" of a cube. */
+json_t *ts_probe_lamp_view_name(const ts_probe_lamps *lamps, const ts_offscreen *view, u32 light);
+
+/* ---- what light reaches a pixel (probe_shadow.c) ---- */
+/* A point before the depth maps, of which some rows of one are there. */
+typedef struct {
+	ts_probe_lamps lamps;
+	ts_resolve_args args;
+	ts_receiver at;
+	f32 moves; /* the step of the point from pixel to pixel */
+	u32 *depths;
+	u64 first_texel;
+	u32 *lit; /* samples of each light that reach it */
+} ts_probe_shadow;
+
+/* Puts what a light's samples find, and counts those that reach the point in shadow->lit[light]. */
+typedef ts_status ts_probe_samples(ts_probe *probe, json_t *object, ts_probe_shadow *shadow, u32 light);
+ts_probe_samples ts_probe_put_samples;
+
+/* Rows [first, first + n) of a depth map. */
+ts_status ts_probe_read_rows(ts_probe *probe, ts_probe_shadow *shadow, const ts_offscreen *view, u32 first, u32 n);
+/* Puts what light reaches pixel (x, y), where the eye sees `at`; shadow->lamps are read. Release by ts_probe_shadow_free,
+ * also on failure. */
+ts_status ts_probe_put_shadow(ts_probe *probe, ts_probe_shadow *shadow, u32 x, u32 y, const ts_receiver *at,
+                              ts_probe_samples *put_samples, json_t *object);
+void ts_probe_shadow_free(ts_probe_shadow *shadow);
+/* Pixels of shadows: the light of a pixel with what reaches it. */
+ts_status ts_probe_shadow_pixel(ts_probe *probe, const ts_probe_question *question, json_t *object);
+ts_status ts_probe_put_shadowed(ts_probe *probe, const ts_probe_seen *seen, ts_probe_lens lens,
+                                ts_probe_samples *put_samples, json_t *object, ts_v3 *radiance);
+
+/* ---- indirect light (probe_indirect.c) ---- */
+/* Puts what the irradiance of a pixel is made of, and sets it; `pixel` is the G-buffer's. */
+typedef ts_status ts_probe_irradiance(ts_probe *probe, const ts_probe_seen *at, const ts_gpixel *pixel, json_t *object,
+                                      f32 irradiance[3]);
+/* Puts the G-buffer's pixel, what its irradiance is made from, the irradiance, and what is sent on. */
+ts_status ts_probe_put_indirect(ts_probe *probe, const ts_probe_seen *at, ts_probe_irradiance *put_from, json_t *object,
+                                ts_v3 *radiance);
+
+/* ---- reflective shadow maps (probe_patch.c) ---- */
+/* Puts what a texel is as a light. */
+ts_status ts_probe_put_patch(ts_probe *probe, json_t *object, const ts_probe_lamps *lamps, u32 index,
+                             const ts_patch *patch);
+
+#endif

@@ -1,0 +1,118 @@
+/* The rows of the probe: which answers, and what is refused. */
+#include "../../src/tools/tools.h"
+#include "probed.h"
+
+static traced epr, soft;
+
+static int make_all(void **state)
+{
+	(void)state;
+	ts_params params = small_params(32, 24);
+	params.reflectors = 2;
+	make(&epr, "reflections", "epr", &params);
+	params.views = params.light_samples = 2;
+	params.map_px = 32;
+	make(&soft, "soft-shadows", "mvr", &params);
+	return 0;
+}
+
+static int drop_all(void **state)
+{
+	(void)state;
+	drop(&epr);
+	drop(&soft);
+	return 0;
+}
+
+/* Every row names a stage, and answers for a method. */
+static void test_rows(void **state)
+{
+	(void)state;
+	const ts_probe_part *part;
+	char methods[TS_PROBE_TEXT];
+	u32 n = 0;
+	for (; (part = ts_probe_part_at(n)) != NULL; n++) {
+		assert_non_null(ts_stage_find(part->stage));
+		assert_true((part->view != NULL) == (part->subject == TS_PROBE_TEXEL));
+		ts_probe_methods(methods, part);
+		assert_true(methods[0] != 0 && strlen(methods) + 1 < TS_PROBE_TEXT);
+	}
+	assert_true(n > 8);
+}
+
+static void assert_refused(ts_status status, const char *words)
+{
+	assert_int_equal(status, TS_ERROR);
+	if (strstr(ts_error_message(), words) == NULL) fail_msg("\"%s\" says nothing of \"%s\"", ts_error_message(), words);
+}
+
+/* A refusal names what can be asked for instead. */
+static void test_refusals(void **state)
+{
+	(void)state;
+	json_t *answer;
+	assert_refused(ask_triangle(&soft, 0, &answer),
+	               "no triangles of soft-shadows by mvr, only the eye's pixels (--pixel X,Y)");
+	assert_refused(ask_texel(&epr, "0.front", 0, 0, &answer),
+	               "no --view 0.front of reflections by epr, only the eye's");
+	static const char *const views[] = {"",     ".",    "0",    "0.",   "0.+XX", "0.6",
+	                                    "0.00", "+0.0", "-1.0", "x0.0", "0x0.0", "99999999999999999999.0"};
+	for (u32 i = 0; i < sizeof views / sizeof *views; i++) {
+		assert_refused(ask_texel(&epr, views[i], 0, 0, &answer),
+		               "texels (--view REFLECTOR.FACE, for instance 3.+X or 3.0)");
+		assert_null(answer);
+	}
+	assert_refused(ask_texel(&epr, "4294967296.0", 0, 0, &answer), "no face 4294967296.0; there are 2 reflectors");
+}
+
+static const char *one_side(u32 side) { return side == 0 ? "inside" : "outside"; }
+
+static ts_status say(ts_probe *probe, const ts_probe_question *question, json_t *object)
+{
+	(void)probe;
+	json_object_set_new(object, "index", json_integer((json_int_t)question->index));
+	json_object_set_new(object, "side", json_integer((json_int_t)question->side));
+	return question->x == 0 ? TS_OK : ts_fail("not there");
+}
+
+/* A family of its own is asked, and the first of its rows that fits answers. */
+static void test_family(void **state)
+{
+	(void)state;
+	static const ts_probe_view of_shell = {.form = "shellN.inside", .prefix = "shell", .side = one_side, .n_sides = 2};
+	static const ts_probe_part none[] = {{0}};
+	static const ts_probe_part shells[] = {
+		{TS_PROBE_TEXEL, "depth", say, "shells", &of_shell},
+		{TS_PROBE_TRIANGLE, "splat", say, "splats", NULL},
+		{0},
+	};
+	static const ts_probe_part *const families[] = {none, shells, NULL};
+	json_t *answer;
+	char methods[TS_PROBE_TEXT];
+	ts_probe_use(families);
+	assert_ptr_equal(ts_probe_part_at(0), &shells[0]);
+	assert_null(ts_probe_part_at(2));
+	ts_probe_methods(methods, &shells[1]);
+	assert_string_equal(methods, "reflections by epr");
+	require(ask_texel(&soft, "shell12.outside", 0, 0, &answer));
+	assert_int_equal(figure(answer, "index"), 12);
+	assert_int_equal(figure(answer, "side"), 1);
+	json_decref(answer);
+	assert_refused(ask_texel(&soft, "shell12.outside", 1, 0, &answer), "not there");
+	assert_null(answer);
+	assert_refused(ask_pixel(&soft, 0, 0, &answer), "only texels (--view shellN.inside)");
+	assert_refused(ask_texel(&epr, "shell0.inside", 0, 0, &answer), "only triangles (--triangle T)");
+	ts_tools_begin();
+	require(ask_pixel(&soft, 0, 0, &answer));
+	json_decref(answer);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_rows),
+		cmocka_unit_test(test_refusals),
+		cmocka_unit_test(test_family),
+	};
+	return cmocka_run_group_tests(tests, make_all, drop_all);
+}
