@@ -54,6 +54,7 @@ typedef struct {
 	u32 min_arguments, max_arguments;
 	u64 options;                    /* TS_OPT of those it takes */
 	ts_status (*run)(ts_cli *cli);
+	void (*print_more)(void);       /* prints what `help NAME` has from tables; NULL: nothing */
 } ts_command;
 
 typedef struct ts_option ts_option;
@@ -100,6 +101,7 @@ ts_status ts_bench_command(ts_cli *cli);
 ts_status ts_compare_command(ts_cli *cli);
 ts_status ts_vectors_command(ts_cli *cli);
 ts_status ts_probe_command(ts_cli *cli);
+void ts_probe_help(void);
 ts_status ts_replay_command(ts_cli *cli);
 /* Help of one command, or of all if NULL. */
 void ts_help_print(const ts_command *command);

@@ -23,6 +23,7 @@ static void print_command(const ts_command *command)
 {
 	printf("%s %s %s\n  %s\n", ts_program, command->name, command->arguments, command->doc);
 	if (command->details[0] != 0) printf("\n%s\n", command->details);
+	if (command->print_more != NULL) command->print_more();
 	printf("\nOptions:\n");
 	for (u32 i = 0; i < TS_N_OPTIONS; i++) {
 		if (ts_command_takes(command, i)) print_option(&ts_option_table[i]);

@@ -27,16 +27,16 @@ const ts_command ts_command_table[] = {
 	  "Of a parameter with several values, --set NAME=A,B, every combination is rendered, and CSV is printed.",
 	  1, 2, TS_OPT(METHOD) | TS_OPT(TRUTH) | WHERE | HOW | TS_OPT(ORDER) | TS_OPT(OUTPUT) | TS_OPT(FORCE) |
 	  TS_OPT(NO_IMAGES) | TS_OPT(TRACE) | TS_OPT(TRACE_ONLY) | TS_OPT(CROP) | TS_OPT(MARGINS) |
-	  TS_OPT(VIEWER) | TS_OPT(JSON), ts_render_command },
+	  TS_OPT(VIEWER) | TS_OPT(JSON), ts_render_command, NULL },
 	{ "replay", "TRACE", "run a stage again, alone, from the buffers of a trace or of a port, and compare",
 	  "TRACE: a folder that render --trace wrote. One line an output: the same bits, or the first element and field\n"
 	  "that differ. With --inputs the port's buffers are the inputs and its outputs are judged: each of its stages,\n"
 	  "given its own stages before. Buffers are checked before they are used. -o DIR writes what the stage should make.",
-	  1, 1, TS_OPT(STAGE) | TS_OPT(INPUTS) | TS_OPT(THREADS) | TS_OPT(OUTPUT) | TS_OPT(JSON), ts_replay_command },
+	  1, 1, TS_OPT(STAGE) | TS_OPT(INPUTS) | TS_OPT(THREADS) | TS_OPT(OUTPUT) | TS_OPT(JSON), ts_replay_command, NULL },
 	{ "info", "SCENE", "what was loaded, and what in the file was not understood", "",
-	  1, 1, WHERE | TS_OPT(JSON), ts_info_command },
+	  1, 1, WHERE | TS_OPT(JSON), ts_info_command, NULL },
 	{ "list", "WHAT", "tables: stages, buffers, sizes, params, methods, truths, scenes, backends or benches", "",
-	  1, 1, TS_OPT(JSON), ts_list_command },
+	  1, 1, TS_OPT(JSON), ts_list_command, NULL },
 	{ "bench", "TABLE", "the papers' tables, measured here; and what the backends take",
 	  "TABLE: one of `list benches`. Below a paper's table stand its own figures, and behind them what must hold, and\n"
 	  "whether it does. Their GPU's times are not ours: compare ratios. --objects are numbers of mirrors or light\n"
@@ -47,7 +47,7 @@ const ts_command ts_command_table[] = {
 	  "to build, in a process of its own, with an empty cache too where it is PoCL's.\n"
 	  "Models of ivir-1, ssagh-1 and ssagh-segments are in the folder TS_SCENES (scenes).",
 	  1, 1, TS_OPT(METHOD) | TS_OPT(SCENE) | TS_OPT(OBJECTS) | TS_OPT(RUNS) | TS_OPT(TRUTH) | TS_OPT(SIZE) |
-	  TS_OPT(FRAME) | TS_OPT(SET) | HOW | TS_OPT(OUTPUT) | TS_OPT(FORCE) | TS_OPT(JSON), ts_bench_command },
+	  TS_OPT(FRAME) | TS_OPT(SET) | HOW | TS_OPT(OUTPUT) | TS_OPT(FORCE) | TS_OPT(JSON), ts_bench_command, NULL },
 	{ "compare", "REFERENCE CANDIDATE", "two traces, buffers or images: where they first differ, and how much",
 	  "REFERENCE: a folder that render --trace wrote, or one of its .npy files, or an image.\n"
 	  "CANDIDATE: the same of a port (reference/TRACES.md says what it must have at least).\n"
@@ -57,30 +57,29 @@ const ts_command ts_command_table[] = {
 	  2, 2, TS_OPT(FORCED) | TS_OPT(THREADS) |
 	  TS_OPT(DECIDED) | TS_OPT(ULP) | TS_OPT(ABS) | TS_OPT(REL) | TS_OPT(ALLOW) | TS_OPT(IGNORE) | TS_OPT(MASK) |
 	  TS_OPT(LAYOUT) | TS_OPT(ORDER) | TS_OPT(JUNIT) | TS_OPT(TAP) | TS_OPT(OUTPUT) | TS_OPT(FORCE) | TS_OPT(JSON),
-	  ts_compare_command },
+	  ts_compare_command, NULL },
 	{ "probe", "TRACE", "why a pixel, texel, triangle or point of a trace is what it is",
-	  "TRACE: a folder that render --trace wrote, or a port's. Where a method has no answer, the message says for which\n"
-	  "there are some.\n"
-	  "--pixel: who competed for it, who won by how much, what each sample looked up, each term of its light.\n"
-	  "With --view a texel: of a face of a cube, or, of MegaViews, of half the map of a light's leaf or of a node of\n"
-	  "views: which pairs were rendered into it and into those above, by what tests, and what fusion made of them.\n"
-	  "--triangle, --point: where it went, and which stage lost it.\n"
-	  "What the buffers do not hold is computed again; each \"check\" says whether that has the bits of a buffer.",
-	  1, 1, TS_OPT(PIXEL) | TS_OPT(VIEW) | TS_OPT(TRIANGLE) | TS_OPT(POINT) | TS_OPT(JSON), ts_probe_command },
+	  "TRACE: a folder that render --trace wrote, or a port's.\n"
+	  "--pixel: who competed for it, who won by how much, and each term of its light; with --view a texel of a view that\n"
+	  "is not the eye's. --triangle, --point: where it went, and which stage lost it.\n"
+	  "What the buffers do not hold is computed again; each \"check\" says whether that has the bits of a buffer.\n"
+	  "What is told beside that, and of which methods:\n",
+	  1, 1, TS_OPT(PIXEL) | TS_OPT(VIEW) | TS_OPT(TRIANGLE) | TS_OPT(POINT) | TS_OPT(JSON), ts_probe_command,
+	  ts_probe_help },
 	{ "digest", "[SCENE]", "SHA-256 of every buffer of a built-in scene, in pipeline order", "",
 	  0, 1, TS_OPT(EFFECT) | TS_OPT(METHOD) | TS_OPT(SIZE) | TS_OPT(FRAME) | TS_OPT(REFLECTORS) | TS_OPT(SET) | HOW |
 	  TS_OPT(FLUSH_DENORMALS),
-	  ts_digest_command },
+	  ts_digest_command, NULL },
 	{ "golden", "ACTION [CASE]", "check, new or bless: the goldens of reference/",
 	  TS_GOLDEN_DETAILS,
-	  1, 2, HOW | TS_OPT(REASON) | TS_OPT(REFERENCE_DIR), ts_golden_command },
+	  1, 2, HOW | TS_OPT(REASON) | TS_OPT(REFERENCE_DIR), ts_golden_command, NULL },
 	{ "vectors", "-o DIR | --check DIR",
 	  "inputs and outputs of every arithmetic primitive, to write, or to check a port with",
 	  "Before a port renders anything: write them with -o DIR, let the port compute PRIMITIVE.out.npy from\n"
 	  "PRIMITIVE.in.npy, and judge its folder with --check DIR. vectors.json describes each primitive. Exact: 0 all right,\n"
 	  "1 different. Primitives that the folder does not hold are not judged, but named.",
-	  0, 0, TS_OPT(OUTPUT) | TS_OPT(FORCE) | TS_OPT(CHECK) | TS_OPT(JSON), ts_vectors_command },
-	{ "help", "[COMMAND]", "what a command does and takes", "", 0, 1, 0, ts_help_command },
+	  0, 0, TS_OPT(OUTPUT) | TS_OPT(FORCE) | TS_OPT(CHECK) | TS_OPT(JSON), ts_vectors_command, NULL },
+	{ "help", "[COMMAND]", "what a command does and takes", "", 0, 1, 0, ts_help_command, NULL },
 	{ 0 }
 };
 

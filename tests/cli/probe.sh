@@ -68,6 +68,8 @@ refuses 'trace.json' probe /nonexistent --pixel 0,0
 "$touchstone" render reflections atrium:triangles=10000:texels=32 --size 32x32 --reflectors 2 --set face_max=16 --method ivir --no-images \
 	--trace -o points > /dev/null
 refuses 'probe explains reflections by epr, mvr; this is reflections by ivir' probe points/trace-ivir --pixel 0,0
+prints 'omni-shadows by ivir, vir, epr, mvr$' help probe
+prints 'VIEW REFLECTOR.FACE, for instance 3.+X or 3.0: the triangles that competed' help probe
 
 # Shadows: each sample's question, and what adds up to the picture.
 shadows=(atrium:triangles=10000:texels=32 --size 64x64 --set views=4 --set light_samples=2 --set map_px=64 --no-images --trace)
