@@ -147,4 +147,19 @@ static inline ts_status ask_key(const traced *t, u64 key, json_t **answer)
 	return ts_probe_ask(t->probe, &question, answer);
 }
 
+/* Every term of the pixel adds up to the bits of the picture. */
+static inline void try_pixel(const traced *t, u32 pixel)
+{
+	json_t *answer;
+	const f32 *radiance = data(t, TS_B_image_radiance);
+	u32 width = t->run.params.width;
+	require(ask_pixel(t, pixel % width, pixel / width, &answer));
+	assert_true(assert_agrees(answer) >= 2);
+	const json_t *bits = json_object_get(get(answer, "image", "radiance"), "bits");
+	for (u32 c = 0; c < 3; c++) assert_int_equal(bits_of(json_array_get(bits, c)), ts_f2u(radiance[pixel * 3 + c]));
+	json_decref(answer);
+}
+
+static inline void assert_bits(f32 found, f32 right) { assert_int_equal(ts_f2u(found), ts_f2u(right)); }
+
 #endif

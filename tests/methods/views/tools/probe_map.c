@@ -1,5 +1,5 @@
 /* Texels of maps of views, as the probe tells of them, against the buffers of the run and the same in double precision. */
-#include "probed.h"
+#include "../../../probe/probed.h"
 
 enum { N_TRIED = 250 };
 

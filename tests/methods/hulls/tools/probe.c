@@ -1,0 +1,134 @@
+/* What the probe says of hulls and of direct gathering, against the buffers of the run that wrote the trace. */
+#include "../../../../src/kernels/hulls/hull.h"
+#include "../../../probe/probed.h"
+
+enum { N_TRIED = 50 };
+
+static const struct { const char *method; u32 surface, interpolation, sharpness, cosine, integrals; } indirect_methods[] = {
+	{"direct", 0, 0, 0, 0, 0},
+	{"hulls", TS_SURFACE_ROBUST, 0, 0, TS_COSINE_IS_OURS, 0},
+	{"hulls", TS_SURFACE_PAPER, TS_INTERPOLATION_MOMENTS, TS_SHARPNESS_VMF, TS_COSINE_IS_OURS, TS_INTEGRALS_PRINTED},
+	{"hulls", TS_SURFACE_ROBUST, 0, 0, TS_COSINE_IS_CONSTANT, 0},
+	{"hulls", TS_SURFACE_ROBUST, 0, 0, TS_COSINE_IS_SG, 0},
+};
+enum { N_INDIRECT = sizeof indirect_methods / sizeof *indirect_methods };
+static traced indirect[N_INDIRECT];
+
+static int make_all(void **state)
+{
+	(void)state;
+	ts_params params = small_params(96, 64);
+	params.grid_px = 64;
+	params.rsm_px = 4;
+	for (u32 i = 0; i < N_INDIRECT; i++) {
+		params.surface = indirect_methods[i].surface;
+		params.interpolation = indirect_methods[i].interpolation;
+		params.sharpness = indirect_methods[i].sharpness;
+		params.cosine = indirect_methods[i].cosine;
+		params.integrals = indirect_methods[i].integrals;
+		make(&indirect[i], "indirect", indirect_methods[i].method, &params);
+	}
+	return 0;
+}
+
+static int drop_all(void **state)
+{
+	(void)state;
+	for (u32 i = 0; i < N_INDIRECT; i++) drop(&indirect[i]);
+	return 0;
+}
+
+/* The corners' parameters by their shares are the lobe's, these its integral, and that the irradiance. */
+static void try_lobe(const ts_params *params, const json_t *corners, const json_t *lobe, u32 c, f32 irradiance)
+{
+	f32 mu = 0, lambda = 0, shares = 0, integral = shown(lobe, "A_h", 0);
+	for (u32 k = 0; k < 4; k++) {
+		const json_t *corner = json_array_get(corners, k), *fitted = json_object_get(corner, "fitted");
+		f32 share = shown(corner, "share", 0);
+		shares += share;
+		mu += share * shown(fitted, "mu", c);
+		lambda += share * shown(fitted, "lambda", c);
+	}
+	assert_true(fabsf(shares - 1) < 1e-6f);
+	if (params->interpolation == TS_INTERPOLATION_PARAMETERS) {
+		assert_bits(shown(lobe, "mu", 0), mu);
+		assert_bits(shown(lobe, "lambda", 0), lambda);
+	}
+	if (params->cosine == TS_COSINE_IS_OURS) {
+		f32 share = shown(lobe, "c", 0), up = share * shown(lobe, "A_u", 0), down = (1 - share) * shown(lobe, "A_b", 0);
+		assert_bits(integral, up + down);
+	}
+	if (params->cosine == TS_COSINE_IS_CONSTANT) {
+		assert_bits(integral, fmaxf(0, shown(lobe, "cos_beta", 0)) * shown(lobe, "A", 0));
+	}
+	f32 product = shown(lobe, "mu", 0) * integral;
+	assert_bits(irradiance, product * 0.318309873f);
+}
+
+/* Every triangle of light that gives something, in their own order. */
+static f32 sum_of(const json_t *terms, u32 n, u32 c)
+{
+	f32 sum = 0;
+	for (u32 patch = 0; patch < n; patch++) {
+		size_t i;
+		json_t *term;
+		json_array_foreach((json_t *)terms, i, term) {
+			if (figure(term, "patch") != patch) continue;
+			assert_bits(shown(term, "irradiance", c), shown(term, "exitance", c) * shown(term, "form_factor", 0));
+			sum += shown(term, "irradiance", c);
+		}
+	}
+	return sum;
+}
+
+/* Returns whether there is light. */
+static bool try_indirect(const traced *t, u32 pixel)
+{
+	json_t *answer;
+	u32 width = t->run.params.width;
+	const f32 *irradiance = (const f32 *)data(t, TS_B_indirect_irradiance) + pixel * 3;
+	const f32 *radiance = (const f32 *)data(t, TS_B_image_radiance) + pixel * 3;
+	if (((const u64 *)data(t, TS_B_eye_depth_triangle))[pixel] == TS_EMPTY) return false;
+	require(ask_pixel(t, pixel % width, pixel / width, &answer));
+	const json_t *lobes = json_object_get(answer, "lobes"), *corners = json_object_get(answer, "corners");
+	const json_t *direct = json_object_get(answer, "direct");
+	for (u32 c = 0; c < 3; c++) {
+		assert_bits(shown(json_object_get(answer, "light"), "irradiance", c), irradiance[c]);
+		assert_bits(radiance[c], shown(json_object_get(answer, "gbuffer"), "albedo", c) * (irradiance[c] * 0.318309873f));
+		if (direct != NULL) assert_bits(irradiance[c], sum_of(json_object_get(direct, "brightest"), 16, c));
+		if (lobes != NULL) try_lobe(&t->run.params, corners, json_array_get(lobes, c), c, irradiance[c]);
+	}
+	if (direct == NULL) {
+		u32 box = ((const u32 *)data(t, TS_B_hull_box))[pixel];
+		const json_t *found = json_object_get(json_object_get(answer, "hull"), "box");
+		assert_true(box == TS_NONE ? lobes == NULL && json_is_string(found) : (u32)json_integer_value(found) == box);
+		assert_true(assert_agrees(answer) >= (box == TS_NONE ? 4 : 16));
+	}
+	json_decref(answer);
+	return irradiance[0] > 0;
+}
+
+static void test_indirect(void **state)
+{
+	(void)state;
+	for (u32 i = 0; i < N_INDIRECT; i++) {
+		const traced *t = &indirect[i];
+		u32 n_lit = 0;
+		json_t *answer;
+		for (u32 k = 0; k < N_TRIED; k++) {
+			u32 pixel = below(t->run.params.width * t->run.params.height);
+			try_pixel(t, pixel);
+			n_lit += try_indirect(t, pixel);
+		}
+		assert_true(n_lit > N_TRIED / 8);
+		assert_int_equal(ask_triangle(t, 0, &answer), TS_ERROR);
+	}
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_indirect),
+	};
+	return cmocka_run_group_tests(tests, make_all, drop_all);
+}

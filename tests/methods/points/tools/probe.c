@@ -1,0 +1,253 @@
+/* What the probe says of reflections, against the buffers of the run that wrote the trace. */
+#include "../../../probe/probed.h"
+
+enum { N_TRIED = 50 };
+
+static traced epr, mvr, plane; /* plane: EPR with the depth of planes, which ties often */
+
+static int make_all(void **state)
+{
+	(void)state;
+	ts_params params = small_params(96, 64);
+	params.reflectors = 3;
+	params.reflector_px = 40;
+	params.bounces = 2;
+	params.mvr_faces = TS_MVR_FACES_ADAPTIVE;
+	make(&epr, "reflections", "epr", &params);
+	make(&mvr, "reflections", "mvr", &params);
+	params.planedepth = 1;
+	make(&plane, "reflections", "epr", &params);
+	return 0;
+}
+
+static int drop_all(void **state)
+{
+	(void)state;
+	drop(&epr);
+	drop(&mvr);
+	drop(&plane);
+	return 0;
+}
+
+/* Every term of every one of these pixels adds up to the bits of the picture. */
+static void pixels_of(const traced *t)
+{
+	const ts_pixel *records = data(t, TS_B_pixel_record);
+	u32 n = (u32)count(t, TS_B_pixel_record);
+	assert_true(n > N_TRIED);
+	for (u32 i = 0; i < N_TRIED; i++) try_pixel(t, records[below(n)].index);
+	for (u32 i = 0; i < N_TRIED; i++) try_pixel(t, below(t->run.params.width * t->run.params.height));
+}
+
+static void test_pixels_epr(void **state)
+{
+	(void)state;
+	pixels_of(&epr);
+}
+
+static void test_pixels_mvr(void **state)
+{
+	(void)state;
+	pixels_of(&mvr);
+}
+
+static void test_pixels_of_bounces(void **state)
+{
+	(void)state;
+	const ts_bounce *queue = data(&epr, TS_B_lookup2_parent);
+	const ts_pixel *records = data(&epr, TS_B_pixel_record);
+	assert_true(count(&epr, TS_B_lookup2_parent) > 0);
+	for (u32 i = 0; i < 8; i++) {
+		try_pixel(&epr, records[queue[below((u32)count(&epr, TS_B_lookup2_parent))].parent / 25].index);
+	}
+}
+
+/* The first of the competitors is the key that the buffer holds. */
+static json_t *try_texel(const traced *t, u64 texel, u64 key, const char *depth, const char *index)
+{
+	json_t *answer;
+	char view[32];
+	const ts_face *cubes = data(t, TS_B_resize_face);
+	u32 r = 0;
+	while (texel - cubes[r].offset >= (u64)6 * cubes[r].n * cubes[r].n) r++;
+	u64 n = cubes[r].n, inside = texel - cubes[r].offset;
+	snprintf(view, sizeof view, "%u.%u", (unsigned)r, (unsigned)(inside / (n * n)));
+	require(ask_texel(t, view, (u32)(inside % n), (u32)(inside / n % n), &answer));
+	assert_true(assert_agrees(answer) >= 1);
+	assert_int_equal(figure(answer, "element"), texel);
+	const json_t *first = json_array_get(json_object_get(answer, "by_depth"), 0);
+	assert_int_equal(figure(first, index), (u32)key);
+	assert_int_equal(bits_of(json_object_get(json_object_get(first, depth), "bits")), key >> 32);
+	return answer;
+}
+
+static void test_texels(void **state)
+{
+	(void)state;
+	const u64 *keys = data(&epr, TS_B_splat_depth_index);
+	for (u32 i = 0; i < N_TRIED;) {
+		u64 texel = below((u32)count(&epr, TS_B_splat_depth_index));
+		if (keys[texel] == TS_EMPTY) continue;
+		json_decref(try_texel(&epr, texel, keys[texel], "distance", "point"));
+		i++;
+	}
+}
+
+/* A texel that is marked as tied has two competitors at the least distance. */
+static void test_ties(void **state)
+{
+	(void)state;
+	const u8 *tie = data(&plane, TS_B_splat_tie);
+	const u64 *keys = data(&plane, TS_B_splat_depth_index);
+	u32 n_tried = 0;
+	for (u64 texel = 0; texel < count(&plane, TS_B_splat_tie) && n_tried < N_TRIED; texel++) {
+		if (tie[texel] == 0) continue;
+		json_t *answer = try_texel(&plane, texel, keys[texel], "distance", "point");
+		assert_int_equal(figure(answer, "won_by_ulps"), 0);
+		assert_true(json_is_true(json_object_get(answer, "tied")));
+		json_decref(answer);
+		n_tried++;
+	}
+	assert_int_equal(n_tried, N_TRIED);
+}
+
+/* The frame keeps the last reflector's faces alone. */
+static void test_texels_mvr(void **state)
+{
+	(void)state;
+	const u64 *keys = data(&mvr, TS_B_face_depth_triangle);
+	const ts_face *cubes = data(&mvr, TS_B_resize_face);
+	u64 first = cubes[count(&mvr, TS_B_resize_face) - 1].offset;
+	for (u32 i = 0; i < N_TRIED;) {
+		u64 inside = below((u32)count(&mvr, TS_B_face_depth_triangle));
+		if (keys[inside] == TS_EMPTY) continue;
+		json_decref(try_texel(&mvr, first + inside, keys[inside], "depth", "triangle"));
+		i++;
+	}
+}
+
+static u32 triangle_of(u32 point)
+{
+	const ts_point *points = data(&epr, TS_B_points_record);
+	return ((const ts_piece *)data(&epr, TS_B_split_triangle))[points[point].piece].triangle;
+}
+
+/* What became of a triangle, counted from the buffers. */
+typedef struct { bool seen, kept; u64 points, won, samples; } truth;
+
+static truth truth_of(u32 triangle)
+{
+	const u64 *bits = data(&epr, TS_B_visibility_bits), *keys = data(&epr, TS_B_splat_depth_index);
+	const u32 *offset = data(&epr, TS_B_split_offset), *keep = data(&epr, TS_B_cull_keep);
+	const u32 *before = data(&epr, TS_B_count_offset), *found = data(&epr, TS_B_lookup_point);
+	const u32 *found2 = data(&epr, TS_B_lookup2_point);
+	truth t = {.seen = bits[triangle] != 0};
+	for (u32 q = offset[triangle]; q < offset[triangle + 1]; q++) t.kept |= keep[q] != 0;
+	t.points = before[offset[triangle + 1]] - before[offset[triangle]];
+	for (u64 i = 0; i < count(&epr, TS_B_splat_depth_index); i++) {
+		t.won += keys[i] != TS_EMPTY && triangle_of((u32)keys[i]) == triangle;
+	}
+	for (u64 i = 0; i < count(&epr, TS_B_lookup_point); i++)
+		t.samples += found[i] != TS_NONE && triangle_of(found[i]) == triangle;
+	for (u64 i = 0; i < count(&epr, TS_B_lookup2_point); i++) {
+		t.samples += found2[i] != TS_NONE && triangle_of(found2[i]) == triangle;
+	}
+	return t;
+}
+
+static const char *stage_of(const truth *t)
+{
+	if (!t->seen) return "visibility";
+	if (!t->kept) return "cull";
+	if (t->points == 0) return "count";
+	return t->won == 0 ? "splat" : t->samples == 0 ? "lookup" : "no stage";
+}
+
+static void try_triangle(u32 triangle)
+{
+	json_t *answer;
+	truth t = truth_of(triangle);
+	require(ask_triangle(&epr, triangle, &answer));
+	assert_true(assert_agrees(answer) >= 2);
+	assert_int_equal(json_integer_value(get(answer, "cubes", "points")), t.points);
+	assert_int_equal(json_integer_value(get(answer, "cubes", "texels_won")), t.won);
+	const json_t *lost = json_object_get(answer, "lost_at");
+	const char *stage =
+		json_is_string(lost) ? json_string_value(lost) : json_string_value(json_object_get(lost, "stage"));
+	bool tie = strcmp(stage, "tie") == 0 && strcmp(stage_of(&t), "splat") == 0;
+	if (!tie) assert_string_equal(stage, stage_of(&t));
+	json_decref(answer);
+}
+
+/* Triangles that each stage loses, as many as there are, up to 6 each. */
+static void test_triangles(void **state)
+{
+	(void)state;
+	static const char *const stages[] = {"visibility", "cull", "splat", "lookup", "no stage"};
+	u32 tried[5] = {0}, n = (u32)count(&epr, TS_B_scene_triangle);
+	for (u32 i = 0; i < 1500; i++) {
+		u32 triangle = below(n);
+		truth t = truth_of(triangle);
+		for (u32 s = 0; s < 5; s++) {
+			if (strcmp(stages[s], stage_of(&t)) != 0 || tried[s] == 6) continue;
+			tried[s]++;
+			try_triangle(triangle);
+		}
+	}
+	for (u32 s = 0; s < 5; s++) {
+		if (tried[s] == 0) fail_msg("no triangle was lost at %s", stages[s]);
+	}
+}
+
+static void test_points(void **state)
+{
+	(void)state;
+	const u64 *keys = data(&epr, TS_B_points_key), *texels = data(&epr, TS_B_splat_depth_index);
+	for (u32 i = 0; i < 20; i++) {
+		json_t *answer, *by_key;
+		u64 won = 0;
+		u32 point = below((u32)count(&epr, TS_B_points_key));
+		require(ask_key(&epr, keys[point], &by_key));
+		require(ask_point(&epr, point, &answer));
+		assert_int_equal(figure(by_key, "point"), point);
+		assert_true(json_equal(answer, by_key));
+		json_decref(by_key);
+		for (u64 k = 0; k < count(&epr, TS_B_splat_depth_index); k++)
+			won += texels[k] != TS_EMPTY && (u32)texels[k] == point;
+		assert_int_equal(json_integer_value(get(answer, "cubes", "texels_won")), won);
+		assert_int_equal(figure(answer, "triangle"), triangle_of(point));
+		assert_agrees(answer);
+		json_decref(answer);
+	}
+}
+
+static void test_nothing_there(void **state)
+{
+	(void)state;
+	json_t *answer;
+	assert_int_equal(ask_pixel(&epr, 96, 0, &answer), TS_ERROR);
+	assert_null(answer);
+	assert_int_equal(ask_texel(&epr, "3.+X", 0, 0, &answer), TS_ERROR);
+	assert_int_equal(ask_texel(&epr, "0.6", 0, 0, &answer), TS_ERROR);
+	assert_int_equal(ask_texel(&epr, "0.+X", 4096, 0, &answer), TS_ERROR);
+	assert_int_equal(ask_triangle(&epr, count(&epr, TS_B_scene_triangle), &answer), TS_ERROR);
+	assert_int_equal(ask_point(&epr, count(&epr, TS_B_points_key), &answer), TS_ERROR);
+	assert_int_equal(ask_point(&mvr, 0, &answer), TS_ERROR);
+	assert_int_equal(ask_key(&epr, UINT64_MAX, &answer), TS_ERROR);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_pixels_epr),
+		cmocka_unit_test(test_pixels_mvr),
+		cmocka_unit_test(test_pixels_of_bounces),
+		cmocka_unit_test(test_texels),
+		cmocka_unit_test(test_texels_mvr),
+		cmocka_unit_test(test_ties),
+		cmocka_unit_test(test_triangles),
+		cmocka_unit_test(test_points),
+		cmocka_unit_test(test_nothing_there),
+	};
+	return cmocka_run_group_tests(tests, make_all, drop_all);
+}
