@@ -87,7 +87,7 @@ ts_status ts_probe_explains(const ts_trace *trace)
 	               methods[0] != 0 ? methods : "other effects", trace->pipeline->effect->name, trace->pipeline->name);
 }
 
-/* Reads "node12.back" as the row's views are named. */
+/* Reads a view such as "node12.back" into index and side; false if the row's views are not named so. */
 static bool is_view(const ts_probe_view *view, ts_probe_question *q)
 {
 	size_t n = strlen(view->prefix);
@@ -102,7 +102,7 @@ static bool is_view(const ts_probe_view *view, ts_probe_question *q)
 	return false;
 }
 
-/* The row for the trace and the question, whose view is read; NULL: there is none. */
+/* The first row that answers the question about the trace, whose view it reads; NULL: there is none. */
 static const ts_probe_part *part_for(const ts_probe *p, ts_probe_question *q)
 {
 	const ts_probe_part *part;

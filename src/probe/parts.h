@@ -52,7 +52,8 @@ const void *ts_probe_loaded(const ts_probe *probe, ts_buffer_id id);
 ts_status ts_probe_scene(ts_probe *probe);
 /* Reads the images of a triangle's material; before its surface or alpha is computed. */
 ts_status ts_probe_textures(ts_probe *probe, u32 triangle);
-/* All shapes of the trace against its sizes, of which `texels` counts those of cubes or views; TS_UNKNOWN: not these. */
+/* Checks all shapes of the trace against its sizes. texels: of all cubes or views; TS_UNKNOWN leaves shapes that depend
+ * on them unchecked. */
 ts_status ts_probe_shapes(const ts_probe *probe, u64 texels);
 
 /* ---- answers (json.c) ---- */

@@ -27,7 +27,7 @@ typedef struct {
 	const i64 *key;   /* of a point: the three numbers of its key; NULL: its index counts */
 } ts_probe_question;
 
-/* Views whose texels can be asked for: PREFIX, a number, a dot, and a side by its name or its number. */
+/* How views are named whose texels can be asked for: a prefix, a number, a dot, and a side by its name or number. */
 typedef struct {
 	const char *form; /* in messages */
 	const char *prefix;
@@ -36,7 +36,7 @@ typedef struct {
 } ts_probe_view;
 
 /* ---- rows ---- */
-/* Who answers what is asked of traces of methods that have a stage. */
+/* Who answers one kind of question about the traces of all methods that have a stage. */
 typedef struct {
 	ts_probe_subject subject;
 	const char *stage;

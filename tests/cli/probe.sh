@@ -222,6 +222,7 @@ lies 04-surfel_depth.surfel.npy 2 '\xff\xff\xff\x7f' 'element 1: .* less than' -
 lies 05-blend.sum.npy 14 '\x00\x00\x00\x00' 'as blend.heaviest says' --pixel 33,60
 lies 06-gbuffer.pixel.npy 3 '\x00\x00\x80\x7f' 'a finite number' --pixel 33,60
 lies 07-offscreen.view.npy 7 '\xff\xff\xff\x7f' 'offscreen.view' --pixel 33,60
+lies 02-lamp.light.npy 3 '\x01\x00\x00\x00' 'one view per light, and six where' --pixel 33,60
 lies 09-resolve.lit.npy 5 '\x02\x00\x00\x00' 'the light' --pixel 33,60
 epr=$soft
 lies 04-offscreen.view.npy 7 '\xff\xff\xff\x7f' 'element 0: 2147483647 x 64' --pixel 33,60

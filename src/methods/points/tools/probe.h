@@ -22,11 +22,11 @@ ts_status ts_probe_epr_point(ts_probe *probe, const ts_probe_question *question,
 /* ---- cubes (probe_cubes.c) ---- */
 /* Reads the scene and the cubes of reflectors, and checks both. */
 ts_status ts_probe_read_cubes(ts_probe *probe);
-/* After that: the cubes, how many, and the words of visibility.bits a triangle. */
+/* After that: the cubes, their number, and the words of visibility.bits per triangle. */
 const ts_face *ts_probe_cubes(const ts_probe *probe);
 u32 ts_probe_n_cubes(const ts_probe *probe);
 u32 ts_probe_n_words(const ts_probe *probe);
-/* These words of a triangle. */
+/* The words of one triangle. */
 ts_status ts_probe_fetch_bits(ts_probe *probe, u32 triangle, u64 *bits);
 
 /* ---- what a reflective pixel shows ---- */

@@ -7,10 +7,10 @@
 /* ---- lamps and their views (probe_lamps.c) ---- */
 /* How a light's samples are seen. */
 typedef enum {
-	TS_PROBE_A_VIEW,       /* one view a sample */
-	TS_PROBE_A_CUBE,       /* the six of a cube a sample */
-	TS_PROBE_VIEW_OR_CUBE, /* one sample, a view or a cube as the light's kind wants it */
-	TS_PROBE_TAPS          /* one view a light, whatever its samples are */
+	TS_PROBE_A_VIEW,       /* one view per sample */
+	TS_PROBE_A_CUBE,       /* six views per sample, the faces of a cube */
+	TS_PROBE_VIEW_OR_CUBE, /* one sample, with a view or a cube as the light's kind needs */
+	TS_PROBE_TAPS          /* one view per light, whatever its samples are */
 } ts_probe_lens;
 
 typedef struct {
@@ -21,7 +21,8 @@ typedef struct {
 	u32 n_lights, n_views;
 } ts_probe_lamps;
 
-/* Reads and checks them, and the shapes of what has a texel a texel of theirs; after the eye. */
+/* Reads the lamps and their views, and checks them and the shapes of buffers with an element per texel of a view. The
+ * eye must be read before. */
 ts_status ts_probe_read_lamps(ts_probe *probe, ts_probe_lens lens, ts_probe_lamps *lamps);
 /* The view of a light's sample, or the first of its cube. */
 u32 ts_probe_lamp_view(const ts_probe_lamps *lamps, u32 light, u32 sample);
@@ -30,7 +31,7 @@ bool ts_probe_lamp_has_cube(const ts_probe_lamps *lamps, u32 light);
 json_t *ts_probe_lamp_view_name(const ts_probe_lamps *lamps, const ts_offscreen *view, u32 light);
 
 /* ---- what light reaches a pixel (probe_shadow.c) ---- */
-/* A point before the depth maps, of which some rows of one are there. */
+/* A point before the depth maps; `depths` holds some rows of one map, from first_texel on. */
 typedef struct {
 	ts_probe_lamps lamps;
 	ts_resolve_args args;
@@ -47,15 +48,16 @@ ts_probe_samples ts_probe_put_samples;
 
 /* Rows [first, first + n) of a depth map. */
 ts_status ts_probe_read_rows(ts_probe *probe, ts_probe_shadow *shadow, const ts_offscreen *view, u32 first, u32 n);
-/* Puts what light reaches pixel (x, y), where the eye sees `at`; shadow->lamps are read. Release by ts_probe_shadow_free,
- * also on failure. */
+/* Puts what light reaches pixel (x, y), where the eye sees `at`; shadow->lamps must be read. Release by
+ * ts_probe_shadow_free, also on failure. */
 ts_status ts_probe_put_shadow(ts_probe *probe, ts_probe_shadow *shadow, u32 x, u32 y, const ts_receiver *at,
                               ts_probe_samples *put_samples, json_t *object);
 void ts_probe_shadow_free(ts_probe_shadow *shadow);
-/* Pixels of shadows: the light of a pixel with what reaches it. */
-ts_status ts_probe_shadow_pixel(ts_probe *probe, const ts_probe_question *question, json_t *object);
+/* Puts what light reaches a pixel and its shading by that; reads the lamps. */
 ts_status ts_probe_put_shadowed(ts_probe *probe, const ts_probe_seen *seen, ts_probe_lens lens,
                                 ts_probe_samples *put_samples, json_t *object, ts_v3 *radiance);
+/* A pixel of shadows by depth maps. */
+ts_status ts_probe_shadow_pixel(ts_probe *probe, const ts_probe_question *question, json_t *object);
 
 /* ---- indirect light (probe_indirect.c) ---- */
 /* Puts what the irradiance of a pixel is made of, and sets it; `pixel` is the G-buffer's. */

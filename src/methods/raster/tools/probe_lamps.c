@@ -2,7 +2,7 @@
 #include <inttypes.h>
 #include "probe.h"
 
-/* Of a sample. */
+/* Views per sample. */
 static u32 views_each(const ts_probe_lamps *l) { return l->lens == TS_PROBE_A_CUBE ? 6 : 1; }
 
 bool ts_probe_lamp_has_cube(const ts_probe_lamps *l, u32 light)
@@ -59,7 +59,7 @@ static ts_status check_lamps(const ts_probe *p, const ts_probe_lamps *l)
 		               (unsigned)l->lamps[i].samples, first, (unsigned)l->n_views);
 	}
 	if (l->lens != TS_PROBE_VIEW_OR_CUBE || ts_probe_lamp_view(l, l->n_lights, 0) == l->n_views) return TS_OK;
-	return ts_fail("%s: a view a light, and six where its light goes all around, would be right",
+	return ts_fail("%s: one view per light, and six where its light goes all around, would be right",
 	               p->trace->item[TS_B_offscreen_view].path);
 }
 

@@ -17,7 +17,8 @@ typedef struct { ts_camera_k view; ts_filter filter; i32 x, y; u64 pixel; f32 sh
 typedef struct { u32 surfel; f32 weight; ts_surfel_fragment is; } fragment;
 typedef struct { fragment *fragment; size_t n, capacity; } fragments;
 
-/* The eye, and what the stages of surfels read; with the lamps all shapes are checked, without them the others. */
+/* Loads the eye and what the stages of surfels read. Without shadows there are no lamps, and shapes that depend on
+ * texels stay unchecked. */
 static ts_status load(ts_probe *p, bool shadows, ts_probe_lamps *lamps)
 {
 	static const char *const stages[] = {"surfel_depth", "blend", "surfel_mean", "deferred", NULL};

@@ -243,7 +243,7 @@ static ts_status load(ts_probe *p)
 	return ts_probe_load_for(p, (const char *const[]){stage, NULL});
 }
 
-/* Of half `side` of a node's map. */
+/* Puts the texel of half `side` of a node's map. */
 static ts_status answer(ts_probe *p, const ts_probe_question *q, u32 node, json_t *o)
 {
 	u32 side = TS_PARAM(&p->load->run.params, view_px);
