@@ -2,6 +2,7 @@
 #include "relax.h"
 #include <math.h>
 #include <stdio.h>
+#include "../model/renamed.h"
 #include "../trace/field.h"
 
 bool ts_relax_close(const ts_relaxations *r, u64 ref, u64 cand)
@@ -19,11 +20,24 @@ static const char *next_of(const char *list)
 	return comma != NULL ? comma + 1 : NULL;
 }
 
+/* The first n bytes of `text` are the name of a buffer or a field, or BUFFER.FIELD with an old name of the buffer. */
+static bool is_name(const char *text, size_t n, const char *name)
+{
+	char item[128];
+	snprintf(item, sizeof item, "%.*s", (int)(n < sizeof item ? n : sizeof item), text);
+	if (strcmp(ts_name_typed(TS_NAME_buffer, item), name) == 0) return true;
+	char *field = strrchr(item, '.');
+	if (field == NULL) return false;
+	*field++ = 0;
+	const char *buffer = ts_name_typed(TS_NAME_buffer, item);
+	size_t length = strlen(buffer);
+	return strncmp(name, buffer, length) == 0 && name[length] == '.' && strcmp(name + length + 1, field) == 0;
+}
+
 bool ts_relax_ignores(const ts_relaxations *r, const char *name)
 {
-	size_t n = strlen(name);
 	for (const char *at = r->ignore; at != NULL; at = next_of(at)) {
-		if (strcspn(at, ",") == n && strncmp(at, name, n) == 0) return true;
+		if (is_name(at, strcspn(at, ","), name)) return true;
 	}
 	return false;
 }
@@ -34,11 +48,11 @@ static bool is_known(const char *text, size_t n)
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
 		const char *buffer = ts_buffer_table[id].name;
 		ts_fields fields = ts_fields_of((ts_buffer_id)id);
-		if (strlen(buffer) == n && strncmp(buffer, text, n) == 0) return true;
+		if (is_name(text, n, buffer)) return true;
 		for (u32 f = 0; f < fields.n; f++) {
 			if (fields.field[f].name[0] == 0) continue;
 			snprintf(name, sizeof name, "%s.%s", buffer, fields.field[f].name);
-			if (strlen(name) == n && strncmp(name, text, n) == 0) return true;
+			if (is_name(text, n, name)) return true;
 		}
 	}
 	return false;

@@ -3,6 +3,7 @@
 
 #include <stdlib.h>
 #include "../methods/pipeline.h"
+#include "../model/renamed.h"
 #include "families.h"
 
 struct ts_render {
@@ -39,10 +40,11 @@ void ts_render_free(ts_render *render)
 
 ts_status ts_render_buffer(const ts_render *render, const char *name, ts_buffer_view *view)
 {
+	const char *now = ts_name_typed(TS_NAME_buffer, name);
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
 		const ts_buffer_info *info = &ts_buffer_table[id];
 		const ts_buffer *buffer = &render->run.frame.buffer[id];
-		if (strcmp(info->name, name) != 0) continue;
+		if (strcmp(info->name, now) != 0) continue;
 		if (!buffer->made) return ts_fail("%s: this method does not make it", name);
 		*view = (ts_buffer_view){info->name, info->element, info->element_bytes, buffer->data, buffer->n_dims,
 		                         {0}, info->order, info->key};

@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "core.h"
+#include "renamed.h"
 
 #define PARAM_U32(field, name, def, min, max, unit, source, help) \
 	{name, "u32", #def, #min, #max, unit, "", source, help},
@@ -158,8 +159,9 @@ static ts_status set_row(ts_params *params, size_t row, const char *text)
 
 ts_status ts_params_set(ts_params *params, const char *name, const char *value)
 {
+	const char *now = ts_name_typed(TS_NAME_param, name);
 	for (size_t row = 0; row < N_PARAMS; row++) {
-		if (strcmp(table[row].name, name) == 0) return set_row(params, row, value);
+		if (strcmp(table[row].name, now) == 0) return set_row(params, row, value);
 	}
 	return ts_fail("there is no parameter \"%.80s\": `touchstone list params` names them all", name);
 }

@@ -1,6 +1,7 @@
 /* One stage alone. */
 #include "replay.h"
 #include <inttypes.h>
+#include "../model/renamed.h"
 #include "../trace/emit.h"
 
 static const ts_step *find_step(const char *name, const ts_pipeline *pipeline)
@@ -11,8 +12,9 @@ static const ts_step *find_step(const char *name, const ts_pipeline *pipeline)
 	return NULL;
 }
 
-const ts_stage *ts_replay_find(const char *name, const ts_pipeline *pipeline, const ts_params *params)
+const ts_stage *ts_replay_find(const char *typed, const ts_pipeline *pipeline, const ts_params *params)
 {
+	const char *name = ts_name_typed(TS_NAME_stage, typed);
 	const ts_step *step = find_step(name, pipeline);
 	if (step == NULL) {
 		ts_fail("\"%.40s\" is no stage of %s; see: touchstone list stages", name, pipeline->name);

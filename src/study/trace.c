@@ -2,6 +2,7 @@
 #include "trace.h"
 #include <stdio.h>
 #include <sys/statvfs.h>
+#include "../model/renamed.h"
 #include "folder.h"
 #include "words.h"
 
@@ -25,9 +26,10 @@ static ts_status keep_only(ts_trace_options *options, const ts_pipeline *method,
 	char item[32];
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) options->without[id] = true;
 	while (ts_words_item(&stages, item, sizeof item)) {
-		const ts_stage *stage = ts_stage_find(item);
-		bool scene = strcmp(item, "scene") == 0, known = scene;
-		for (const ts_step *s = ts_pipeline_steps(method); s->stage != NULL; s++) known |= strcmp(s->stage, item) == 0;
+		const char *name = ts_name_typed(TS_NAME_stage, item);
+		const ts_stage *stage = ts_stage_find(name);
+		bool scene = strcmp(name, "scene") == 0, known = scene;
+		for (const ts_step *s = ts_pipeline_steps(method); s->stage != NULL; s++) known |= strcmp(s->stage, name) == 0;
 		if (!known) {
 			return ts_fail("--trace-only: \"%s\" is no stage of %s; see: touchstone list stages", item, method->name);
 		}

@@ -19,6 +19,7 @@ typedef struct {
 	char *dir;
 	const ts_pipeline *pipeline;
 	bool arrival;          /* points stand in any order */
+	bool old_names;        /* some of its names are of renamed.def */
 	bool has_params;
 	ts_params params;      /* if it has them */
 	char producer[128];    /* its name and version, clean */
@@ -43,7 +44,7 @@ ts_reader *ts_trace_read(const ts_trace_item *item, ts_buffer_id id);
 /* NULL is allowed. */
 void ts_trace_close(ts_trace *trace);
 
-/* The buffer of that name; false if there is none. */
+/* The buffer of that name, or of that old name; false if there is none. */
 bool ts_trace_find(ts_buffer_id *id, const char *name);
 
 #endif
