@@ -4,19 +4,14 @@
 #include <string.h>
 #include "../kernels/base/num.h"
 
+#define FAMILY(name) FAMILY_FILE(methods/name/plan.def)
 #define ALONE(member) {"", #member, offsetof(ts_plan, member)},
-#define ROW(part, member) {#part, #member, offsetof(ts_plan, part.member)},
+#define PART(name, members) members
+#define MEMBER(part, name) {#part, #name, offsetof(ts_plan, part.name)},
 const ts_plan_row ts_plan_table[] = {
 	ALONE(units)
 	ALONE(batch)
-	ROW(offscreen, side)
-	ROW(offscreen, all)
-	ROW(lights, own)
-	ROW(lights, samples)
-	ROW(lights, taps)
-	ROW(points, rate)
-	ROW(views, field)
-	ROW(surfels, exact)
+#include "../families.def"
 };
 static_assert(sizeof ts_plan_table / sizeof *ts_plan_table == TS_PLAN_ROWS, "every member has a row");
 

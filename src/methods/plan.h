@@ -16,23 +16,19 @@ typedef struct {
 	u32 samples; /* of each light, instead of views and light_samples */
 } ts_request;
 
-/* Every member is a u32, so that ts_plan_row can read it. */
+/* Every member is a u32, so that ts_plan_row can read it. A family has parts, PART(name, members), whose members are
+ * MEMBER(part, name). */
+#define FAMILY(name) FAMILY_FILE(methods/name/plan.def)
+#define PART(name, members) struct { members } name;
+#define MEMBER(part, name) u32 name;
 typedef struct {
 	u32 units;             /* what batches are made of: cubes, depth maps, or lights */
 	u32 batch;             /* units a batch */
-	struct {
-		u32 side;          /* texels a side of every cube face or map; 0: of cubes, as the parameters and the eye say */
-		u32 all;           /* true: also the cubes of reflectors that the eye does not see */
-	} offscreen;
-	struct {
-		u32 own;           /* true: the lights of the scene; else one lamp */
-		u32 samples;       /* depth maps of all lights, or cubes of the one light */
-		u32 taps;          /* of the one view of each light; 0: a view a sample */
-	} lights;
-	struct { u32 rate; } points;  /* TS_RATE_IS_*: whose resolution points are made for; 0: the eye's */
-	struct { u32 field; } views;  /* TS_VIEW_FIELD_*: what the views of many lights see */
-	struct { u32 exact; } surfels; /* true: the exact EWA filter, not its approximation */
+#include "../families.def"
 } ts_plan;
+#undef MEMBER
+#undef PART
+#undef FAMILY
 
 /* A member of the plan as text. */
 typedef struct { const char *part, *name; size_t offset; } ts_plan_row;

@@ -96,11 +96,12 @@ static void keep_buffers(ts_run *run, const ts_buffer_id *ids)
 
 /* What is looked at after the run: by truths that start from it, and for pictures, the mask of reflective pixels, and
  * the counts of lit ones and of empty texels. */
-static void keep_for_after(ts_run *run)
+static void keep_for_after(ts_run *run, const ts_effect *effect)
 {
-	static const ts_buffer_id ids[] = { TS_B_eye_depth_triangle, TS_B_blend_heaviest, TS_B_pixel_record,
-		TS_B_lamp_shape, TS_B_resolve_lit, TS_B_view_octree_node, TS_B_fuse_depth, TS_N_BUFFERS };
+	static const ts_buffer_id ids[] = { TS_B_pixel_record, TS_B_lamp_shape, TS_B_resolve_lit, TS_B_view_octree_node,
+		TS_B_fuse_depth, TS_N_BUFFERS };
 	run->lean = true;
+	run->keep[effect->seen] = true;
 	keep_buffers(run, ids);
 	for (const ts_truth_kind *const *kind = ts_truths(); *kind != NULL; kind++) {
 		if ((*kind)->needs != NULL) keep_buffers(run, (*kind)->needs);
@@ -115,7 +116,7 @@ ts_status ts_measure_run(ts_measure *measure, const ts_pipeline *method, const t
 	ts_run run;
 	ts_run_begin(&run, scene, params, how->threads);
 	ts_run_how(&run, how);
-	keep_for_after(&run);
+	keep_for_after(&run, method->effect);
 	run.hook = after_stage;
 	run.hook_user = measure;
 	run.traced = measure->trace != NULL;

@@ -152,9 +152,9 @@ static void test_set_by_method(void **state)
 	candidate.params.lamp = TS_LAMP_SCENE;
 	assert_int_equal(ts_load_match(&reference, &candidate), TS_OK);
 	assert_int_equal(ts_load_match(&candidate, &reference), TS_OK);
-	candidate.params.min_px += 1;
+	candidate.params.exposure += 1;
 	assert_int_equal(ts_load_match(&reference, &candidate), TS_ERROR);
-	assert_told("parameter min_px");
+	assert_told("parameter exposure");
 	reference = candidate = *traces[TRACES_PCSS];
 	candidate.params.lamp = TS_LAMP_LAMP;
 	assert_int_equal(ts_load_match(&reference, &candidate), TS_ERROR);

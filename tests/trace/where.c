@@ -82,9 +82,25 @@ static void test_places(void **state)
 	is(TS_B_view_octree_leaf, 3, "virtual point light 3");
 	is(TS_B_view_cone_node, 5, "view node 5");
 	is(TS_B_map_depth_node, 5 * 512 + 7, "view node 5 [7]");
-	is(TS_B_fragment_list_surfel, 9, "fragment 9");
 	is(TS_B_box_record, 2, "box 2");
 	is(TS_B_root_least, 4, "element 4");
+}
+
+/* What one size counts is called by its noun, where the trace says no more of it. */
+static void test_nouns(void **state)
+{
+	(void)state;
+	u32 n = 0;
+	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
+		const ts_shape *shape = ts_buffer_shape((ts_buffer_id)id);
+		ts_dim dim = ts_axis_counts(&shape->axis[0]);
+		if (shape->n != 1 || dim == TS_DIM_none || dim == TS_DIM_texels || trace.item[id].npy.n != 0) continue;
+		char expected[TS_WHERE_TEXT];
+		snprintf(expected, sizeof expected, "%s 9", ts_dim_table[dim].noun);
+		is((ts_buffer_id)id, 9, expected);
+		n++;
+	}
+	assert_true(n > 40);
 }
 
 static void test_crop(void **state)
@@ -122,6 +138,7 @@ int main(void)
 {
 	const struct CMUnitTest where[] = {
 		cmocka_unit_test(test_places),
+		cmocka_unit_test(test_nouns),
 		cmocka_unit_test(test_crop),
 		cmocka_unit_test(test_absent),
 	};

@@ -2,6 +2,7 @@
  * that are off by up to 4 ulps, each its own way, on a G-buffer whose steps, drops and cosines nearly tie. Whatever that
  * changes is undecided, most is decided, and a port of other thresholds differs where it is. */
 #include <string.h>
+#include "../../../src/backends/args.h"
 #include "../../../src/kernels/surfels/deferred_margin.h"
 #include "../seeded.h"
 
@@ -111,8 +112,20 @@ static void test_faults(void **state)
 	}
 }
 
+/* Pointers of structs inside structs are found by their path. */
+static void test_arguments(void **state)
+{
+	(void)state;
+	const ts_pointers *p = ts_kernel_pointers(TS_KERNEL_deferred_lit_margin);
+	u32 i = 0;
+	while (i < p->n && strcmp(p->pointer[i].name, "of.of.scene.vertices") != 0) i++;
+	assert_true(i < p->n);
+	assert_true(p->pointer[i].offset == offsetof(ts_deferred_lit_margin_args, of.of.scene.vertices));
+}
+
 int main(void)
 {
-	const struct CMUnitTest tests[] = { seeded_test(test_rounding), seeded_test(test_faults) };
+	const struct CMUnitTest tests[] = { seeded_test(test_rounding), seeded_test(test_faults),
+		seeded_test(test_arguments) };
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
