@@ -1,8 +1,6 @@
 /* One scene with one number of mirrors or lights, by several methods that take turns: whatever else the machine does
  * meets all alike. */
-#include <math.h>
 #include <touchstone/image.h>
-#include "../kernels/base/num.h"
 #include "bench_case.h"
 #include "truths.h"
 #include "words.h"
@@ -78,22 +76,6 @@ ts_status ts_bench_case_open(ts_bench_case *c, const char *spec, const ts_params
 	return status;
 }
 
-/* NAN without maps. */
-static double empty_share(const ts_run *run)
-{
-	if (!run->frame.buffer[TS_B_fuse_depth].made) return NAN;
-	const u32 *depth = ts_frame_data(&run->frame, TS_B_fuse_depth);
-	const ts_node *node = ts_frame_data(&run->frame, TS_B_view_octree_node);
-	u64 n = ts_frame_n(&run->frame, TS_B_view_octree_node), all = 0, empty = 0;
-	u64 n_texels = (u64)2 * TS_PARAM(&run->params, view_px) * TS_PARAM(&run->params, view_px);
-	for (u64 i = 0; i < n; i++) {
-		if (node[i].children != 0) continue;
-		for (u64 k = 0; k < n_texels; k++) empty += depth[i * n_texels + k] == TS_NONE;
-		all += n_texels;
-	}
-	return (double)empty / (double)all;
-}
-
 /* With the truth that starts from the run. */
 static ts_status take_image(ts_run *run, void *user)
 {
@@ -101,7 +83,7 @@ static ts_status take_image(ts_run *run, void *user)
 	ts_bench_case *c = s->c;
 	const ts_pipeline *method = c->methods[s->variant];
 	ts_status status = ts_picture_take(&c->images[s->variant], method->name, run);
-	c->empty[s->variant] = empty_share(run);
+	if (c->look != NULL) c->looked[s->variant] = c->look(run);
 	bool judges = c->judge != NULL && c->truth.srgb == NULL && ts_truth_starts_from(c->judge, method);
 	return status == TS_OK && judges ? ts_picture_truth(&c->truth, c->judge, run) : status;
 }

@@ -34,7 +34,8 @@ typedef struct {
 	ts_picture images[TS_BENCH_VARIANTS], truth;      /* of the first run */
 	u32 sampled;                        /* surfels that scenes without some are sampled to; 0: none */
 	bool hurried;                       /* methods that take long are left out, as if there were none */
-	double empty[TS_BENCH_VARIANTS];    /* share of the texels of leaves' whole maps; of the first run if it is seen */
+	double (*look)(const ts_run *run);  /* what the table asks of buffers; NULL: nothing */
+	double looked[TS_BENCH_VARIANTS];   /* its answers, of the first run of variants whose image is kept */
 } ts_bench_case;
 
 /* Opens the scene, and refuses what would need too much memory. A case whose five first members are set and the others zero

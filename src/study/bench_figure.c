@@ -5,11 +5,6 @@
 #include "bench_figure.h"
 #include "words.h"
 
-static const char *const point_stages[] = { "visibility", "offscreen_visibility", "split", "view_split", "shadow_split",
-	"cull", "align", "count", "points", NULL };
-static const char *const view_stages[] = { "splat", "scatter", "scatter_colour", "copy", "face", "depth",
-	"shadow_resize", "shadow_splat", NULL };
-
 static double parameter(const ts_params *params, const char *name)
 {
 	char text[64];
@@ -20,16 +15,18 @@ static double parameter(const ts_params *params, const char *name)
 	return strtod(text, NULL);
 }
 
-/* NAN if none of the stages ran. */
-static double listed_milliseconds(const ts_measure *m, const char *list)
+/* Of the stages that ran; `none` if there are none. */
+static double milliseconds(const ts_measure *m, const char *list, double none)
 {
 	char stage[32];
-	double sum = NAN;
+	double sum = 0;
+	bool any = false;
 	while (ts_words_item(&list, stage, sizeof stage)) {
 		const ts_timing *timing = ts_measure_timing(m, stage);
-		if (timing != NULL) sum = (isnan(sum) ? 0 : sum) + 1e3 * timing->seconds;
+		sum += timing != NULL ? 1e3 * timing->seconds : 0;
+		any |= timing != NULL;
 	}
-	return sum;
+	return any ? sum : none;
 }
 
 static double buffer_bytes(const ts_measure *m, const char *list)
@@ -47,16 +44,6 @@ static double buffer_bytes(const ts_measure *m, const char *list)
 }
 
 static double mebibytes(double bytes) { return bytes / (1 << 20); }
-
-static double milliseconds(const ts_measure *m, const char *const *stages)
-{
-	double sum = 0;
-	for (; *stages != NULL; stages++) {
-		const ts_timing *timing = ts_measure_timing(m, *stages);
-		sum += timing != NULL ? 1e3 * timing->seconds : 0;
-	}
-	return sum;
-}
 
 static double counted(const ts_measure *m, const char *name)
 {
@@ -91,25 +78,22 @@ static double measured(const ts_bench_figure *f, const ts_bench_case *c)
 	if (f->kind == TS_FIGURE_PARAM) return parameter(&c->params, f->what);
 	if (f->kind >= TS_FIGURE_DERIVED || c->methods[f->a] == NULL) return NAN;
 	const ts_measure *m = &c->measures[f->a];
-	double points = milliseconds(m, point_stages), views = milliseconds(m, view_stages), all = 1e3 * m->seconds;
 	switch (f->kind) {
 	case TS_FIGURE_COUNTER: return counted(m, f->what);
 	case TS_FIGURE_MEMORY: return mebibytes(counted(m, f->what) * f->b);
 	case TS_FIGURE_BUFFERS: return mebibytes(buffer_bytes(m, f->what));
 	case TS_FIGURE_TRAVERSED: return (counted(m, "geometry traversals") - 1) * c->scene->n_triangles;
 	case TS_FIGURE_DIAMETER: return m->mean_diameter;
-	case TS_FIGURE_TIME: return all;
+	case TS_FIGURE_TIME: return 1e3 * m->seconds;
 	case TS_FIGURE_SURFEL_RATE: return 1e-6 * c->scene->n_surfels / m->seconds;
 	case TS_FIGURE_SEEN:
 		return seen(&c->images[f->a], (size_t)TS_PARAM(&c->params, width) * TS_PARAM(&c->params, height));
-	case TS_FIGURE_STAGE_TIME: return listed_milliseconds(m, f->what);
-	case TS_FIGURE_POINT_TIME: return points;
-	case TS_FIGURE_VIEW_TIME: return views;
-	case TS_FIGURE_MAP_TIME: return points + views;
-	case TS_FIGURE_REST_TIME: return all - points - views;
+	case TS_FIGURE_STAGE_TIME: return milliseconds(m, f->what, NAN);
+	case TS_FIGURE_PART_TIME: return milliseconds(m, f->what, 0);
+	case TS_FIGURE_REST_TIME: return 1e3 * m->seconds - milliseconds(m, f->what, 0);
 	case TS_FIGURE_RMSE:
 	case TS_FIGURE_RELATIVE: return rmse(c, f->kind, f->a, f->b);
-	case TS_FIGURE_EMPTY: return 100 * c->empty[f->a];
+	case TS_FIGURE_LOOKED: return c->looked[f->a];
 	default: return NAN;
 	}
 }

@@ -21,13 +21,11 @@ typedef enum {
 	TS_FIGURE_SURFEL_RATE, /* surfels of the scene a second of that, millions */
 	TS_FIGURE_SEEN,       /* pixels with a surface, of the image */
 	TS_FIGURE_STAGE_TIME, /* of the stages named in `what`, ms */
-	TS_FIGURE_POINT_TIME, /* making points, ms */
-	TS_FIGURE_VIEW_TIME,  /* filling off-screen views, ms */
-	TS_FIGURE_MAP_TIME,   /* both: what the iVIR paper's totals are of */
-	TS_FIGURE_REST_TIME,  /* neither */
+	TS_FIGURE_PART_TIME,  /* the same, but 0 where none of them ran */
+	TS_FIGURE_REST_TIME,  /* all others, ms */
 	TS_FIGURE_RMSE,       /* to the truth or, where a table has none, to variant b; grey levels */
 	TS_FIGURE_RELATIVE,   /* the same in radiance by the mean of the other's, without the sky */
-	TS_FIGURE_EMPTY,      /* texels that nothing was rendered to in whole maps of leaves of views, % */
+	TS_FIGURE_LOOKED,     /* what the table's own function says of the buffers */
 	TS_FIGURE_DERIVED,    /* from here on */
 	TS_FIGURE_RATIO = TS_FIGURE_DERIVED, /* a / b */
 	TS_FIGURE_SAVED,      /* 100 (1 - a / b) */

@@ -1,4 +1,5 @@
 /* Running a method and keeping what is worth telling. */
+#include <assert.h>
 #include <stdio.h>
 #include <stdlib.h>
 #if defined(__GLIBC__)
@@ -7,6 +8,13 @@
 #include "../methods/stages.h"
 #include "measure.h"
 #include "viewer.h"
+
+static const ts_buffer_id *const *keeps;
+static const ts_lower_rule *const *lowers;
+
+void ts_measure_keeps_use(const ts_buffer_id *const *ids) { keeps = ids; }
+
+void ts_measure_lowers_use(const ts_lower_rule *const *rules) { lowers = rules; }
 
 static void measure_faces(ts_measure *m, const ts_frame *frame)
 {
@@ -94,15 +102,13 @@ static void keep_buffers(ts_run *run, const ts_buffer_id *ids)
 	for (; *ids != TS_N_BUFFERS; ids++) run->keep[*ids] = true;
 }
 
-/* What is looked at after the run: by truths that start from it, and for pictures, the mask of reflective pixels, and
- * the counts of lit ones and of empty texels. */
+/* What is looked at after the run: by truths that start from it, by families, and what the eye sees. */
 static void keep_for_after(ts_run *run, const ts_effect *effect)
 {
-	static const ts_buffer_id ids[] = { TS_B_pixel_record, TS_B_lamp_shape, TS_B_resolve_lit, TS_B_view_octree_node,
-		TS_B_fuse_depth, TS_N_BUFFERS };
+	assert(keeps != NULL);
 	run->lean = true;
 	run->keep[effect->seen] = true;
-	keep_buffers(run, ids);
+	for (const ts_buffer_id *const *ids = keeps; *ids != NULL; ids++) keep_buffers(run, *ids);
 	for (const ts_truth_kind *const *kind = ts_truths(); *kind != NULL; kind++) {
 		if ((*kind)->needs != NULL) keep_buffers(run, (*kind)->needs);
 	}
@@ -160,11 +166,24 @@ const ts_timing *ts_measure_timing(const ts_measure *measure, const char *stage)
 	return NULL;
 }
 
+/* The parameter that alone sets more than half of a method's memory; NULL: there is none. */
+static const char *largest_param(const ts_pipeline *method, const ts_params *params, u64 bytes)
+{
+	assert(lowers != NULL);
+	for (const ts_lower_rule *const *list = lowers; *list != NULL; list++) {
+		for (const ts_lower_rule *rule = *list; rule->param != NULL; rule++) {
+			bool made = ts_pipeline_maker(method, rule->buffer) != NULL;
+			if (made && rule->bytes(params) > bytes / 2) return rule->param;
+		}
+	}
+	return NULL;
+}
+
 /* What takes most of a method's memory beside its image. */
 static const char *what_to_lower(const ts_pipeline *method, const ts_params *params, u64 bytes)
 {
-	bool maps = ts_pipeline_maker(method, TS_B_map_depth_node) != NULL;
-	if (maps && (u64)TS_PARAM(params, queue_mb) << 20 > bytes / 2) return "queue_mb";
+	const char *param = largest_param(method, params, bytes);
+	if (param != NULL) return param;
 	return method->lower != NULL ? method->lower : method->effect->lower;
 }
 

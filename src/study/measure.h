@@ -7,6 +7,20 @@
 #include "picture.h"
 #include "stage_pictures.h"
 
+/* Takes the buffers that families look at after a run: lists ended by NULL, each ended by TS_N_BUFFERS. They must
+ * stay. */
+void ts_measure_keeps_use(const ts_buffer_id *const *ids);
+
+/* A parameter that alone sets how much memory methods that make a buffer take for something. */
+typedef struct {
+	ts_buffer_id buffer;
+	const char *param;
+	u64 (*bytes)(const ts_params *params);
+} ts_lower_rule;
+
+/* Takes the rules of all families: lists ended by NULL, each ended by a row without `param`. They must stay. */
+void ts_measure_lowers_use(const ts_lower_rule *const *rules);
+
 /* What a run told. */
 typedef struct {
 	const ts_pipeline *method;
@@ -32,13 +46,13 @@ typedef struct {
 /* Truths are made of what a run left: called with the run still open. */
 typedef ts_status (*ts_measure_after)(ts_run *run, void *user);
 
-/* Runs `method` and measures it into *measure, of which only `pictures`, `trace`, `viewer` and `rays` are read. `after`,
- * which may be NULL, is called behind the last stage. Prints progress. */
+/* Runs `method` and measures it into *measure, of which only `pictures`, `trace`, `viewer` and `rays` are read.
+ * `after`, which may be NULL, is called behind the last stage. Prints progress. */
 ts_status ts_measure_run(ts_measure *measure, const ts_pipeline *method, const ts_scene *scene, const ts_params *params,
                          const ts_how *how, ts_measure_after after, void *user);
 
-/* From then on freed memory serves what comes next, as a renderer's buffers do: what reading a scene leaves the first frame,
- * and what that leaves the others. Fresh pages cost up to a third of a large frame to touch. */
+/* From then on freed memory serves what comes next, as a renderer's buffers do: what reading a scene leaves the first
+ * frame, and what that leaves the others. Fresh pages cost up to a third of a large frame to touch. */
 void ts_measure_keep_memory(void);
 
 /* NULL if that was not counted, or that stage did not run. */
@@ -47,7 +61,8 @@ const ts_timing *ts_measure_timing(const ts_measure *measure, const char *stage)
 /* Shading operations, the paper's measure of work. */
 i64 ts_measure_shading(const ts_measure *measure);
 
-/* Bytes that the process holds, the scene's arrays among them, and that a run is estimated to need at its peak beside. */
+/* Bytes that the process holds, the scene's arrays among them, and that a run is estimated to need at its peak
+ * beside. */
 typedef struct { u64 held, run; } ts_estimate;
 /* Of a run of these methods with the truths of `truths` (bits of rows of ts_truths), after the scene was opened;
  * refused with one line beyond three quarters of the machine's memory. */

@@ -19,6 +19,15 @@ typedef struct {
 	u32 n;
 } ts_stage_pictures;
 
+/* What a picture can be taken of, when the stage that wrote the buffer has run. */
+typedef struct {
+	ts_buffer_id buffer;
+	ts_status (*take)(ts_stage_pictures *pictures, const ts_run *run, ts_buffer_id buffer);
+} ts_stage_picture_rule;
+
+/* Takes the rules of all families: lists ended by NULL, each ended by a row without `take`. They must stay. */
+void ts_stage_pictures_use(const ts_stage_picture_rule *const *rules);
+
 /* A black picture, with a mask that nothing is in yet if `masked`; NULL without memory, or if there are too many. */
 ts_stage_picture *ts_stage_pictures_add(ts_stage_pictures *pictures, const char *name, u32 width, u32 height, bool masked);
 /* NULL: it was not taken. */

@@ -3,9 +3,18 @@
 #define TS_CLI_VIEWER_H
 #include "../methods/stage.h"
 
-/* Writes, of what a stage has just made, the copies there are, into folder FOLDER of the output: eye.depth.exr (axial depth,
- * 0 where nothing is seen) and eye.triangle.exr (triangle + 1), points.ply (centre, splat length, piece), image.radiance.exr
- * and image.srgb.png. */
+/* How a family copies a buffer, into folder FOLDER of the output. */
+typedef struct {
+	ts_buffer_id buffer;
+	ts_status (*write)(const ts_run *run, const char *folder);
+} ts_viewer_rule;
+
+/* Takes the rules of all families: lists ended by NULL, each ended by a row without `write`. They must stay. */
+void ts_viewer_use(const ts_viewer_rule *const *rules);
+/* For rules: the path of a file in that folder, which stays until the next call but one; NULL: it cannot be made. */
+const char *ts_viewer_file(const char *folder, const char *name);
+
+/* Writes, of what a stage has just made, the copies there are. */
 ts_status ts_viewer_take(const ts_run *run, const ts_stage *stage, const char *folder);
 
 #endif

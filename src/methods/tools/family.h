@@ -7,17 +7,23 @@
 #include "../../probe/probe.h"
 #include "../../replay/check.h"
 #include "../../study/bench.h"
+#include "../../study/stage_pictures.h"
+#include "../../study/viewer.h"
 #include "../../truth/table.h"
 #include "../../truth/texels.h"
 
 typedef struct {
-	const ts_tie_rule *ties;       /* ended by a row without `open` */
-	const ts_margin_rule *margins; /* ended by a row of no elements */
-	const ts_check_rule *checks;   /* ended by a row without `check` */
-	const ts_truth_kind *truths;   /* ended by a row without a name */
-	const ts_texel_rule *texels;   /* ended by a row without `judge` */
-	const ts_bench_row *benches;   /* ended by a row without a name */
-	const ts_probe_part *parts;    /* ended by a row without `answer` */
+	const ts_tie_rule *ties;               /* ended by a row without `open` */
+	const ts_margin_rule *margins;         /* ended by a row of no elements */
+	const ts_check_rule *checks;           /* ended by a row without `check` */
+	const ts_truth_kind *truths;           /* ended by a row without a name */
+	const ts_texel_rule *texels;           /* ended by a row without `judge` */
+	const ts_bench_row *benches;           /* ended by a row without a name */
+	const ts_probe_part *parts;            /* ended by a row without `answer` */
+	const ts_stage_picture_rule *pictures; /* ended by a row without `take` */
+	const ts_viewer_rule *viewers;         /* ended by a row without `write` */
+	const ts_buffer_id *keeps;             /* ended by TS_N_BUFFERS */
+	const ts_lower_rule *lowers;           /* ended by a row without `param` */
 } ts_family_tools;
 
 #endif

@@ -42,6 +42,7 @@ static const ts_probe_part parts[] = {
 const ts_family_tools ts_hulls_tools = {
 	.margins = margins,
 	.checks = ts_hulls_checks,
+	.pictures = ts_hulls_pictures,
 	.truths = truths,
 	.benches = benches,
 	.parts = parts,

@@ -2,9 +2,11 @@
 #ifndef TS_HULLS_TOOLS_H
 #define TS_HULLS_TOOLS_H
 #include "../../../replay/check.h"
+#include "../../../study/stage_pictures.h"
 #include "../../../truth/truth.h"
 
 extern const ts_check_rule ts_hulls_checks[];
+extern const ts_stage_picture_rule ts_hulls_pictures[];
 
 /* Truths of indirect light (truth_lights.c). As `direct`, but only of the triangles of light whose middle the pixel
  * sees, which tells what visibility would change. Reads gbuffer.pixel and rsm_patch.light; makes indirect.irradiance

@@ -77,12 +77,23 @@ static const ts_probe_part parts[] = {
 };
 /* clang-format on */
 
+static const ts_viewer_rule viewers[] = {
+	{TS_B_points_record, ts_points_view},
+	{0},
+};
+
+/* The mask of reflective pixels. */
+static const ts_buffer_id keeps[] = {TS_B_pixel_record, TS_N_BUFFERS};
+
 const ts_family_tools ts_points_tools = {
 	.ties = ties,
 	.margins = margins,
 	.checks = ts_points_checks,
+	.pictures = ts_points_pictures,
 	.truths = truths,
 	.texels = texels,
 	.benches = benches,
 	.parts = parts,
+	.viewers = viewers,
+	.keeps = keeps,
 };

@@ -2,9 +2,15 @@
 #ifndef TS_POINTS_TOOLS_H
 #define TS_POINTS_TOOLS_H
 #include "../../../replay/check.h"
+#include "../../../study/stage_pictures.h"
+#include "../../../study/viewer.h"
 #include "../../../truth/texels.h"
 
 extern const ts_check_rule ts_points_checks[];
+extern const ts_stage_picture_rule ts_points_pictures[];
+
+/* Copies points.record into a folder of the output (viewer.c). */
+ts_status ts_points_view(const ts_run *run, const char *folder);
 
 /* Truths of reflections (truth_reflect.c). A: rays from the cube's centre along the very same directions as EPR's
  * samples, all params.bounces, own reflector masked. Reads pose.vertex, resize.face, eye.view and pixel.record; makes

@@ -1,5 +1,6 @@
 /* What standard rasterization, which families share, brings for the tools. */
 #include "../../tools/family.h"
+#include "pictures.h"
 #include "probe.h"
 #include "tools.h"
 
@@ -18,8 +19,13 @@ static const ts_probe_part parts[] = {
 };
 /* clang-format on */
 
+static const ts_buffer_id keeps[] = {TS_B_lamp_shape, TS_B_resolve_lit, TS_N_BUFFERS};
+
 const ts_family_tools ts_raster_tools = {
 	.margins = margins,
 	.checks = ts_raster_checks,
 	.parts = parts,
+	.pictures = ts_raster_pictures,
+	.viewers = ts_raster_viewers,
+	.keeps = keeps,
 };

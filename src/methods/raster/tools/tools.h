@@ -2,7 +2,9 @@
 #ifndef TS_RASTER_TOOLS_H
 #define TS_RASTER_TOOLS_H
 #include "../../../replay/check.h"
+#include "../../../study/viewer.h"
 
 extern const ts_check_rule ts_raster_checks[];
+extern const ts_viewer_rule ts_raster_viewers[];
 
 #endif

@@ -1,5 +1,7 @@
 /* MegaViews beside ManyLoDs as views become many: what the paper's figure 10 plots, of which only what the text says is
  * known. The stages `map` and `fuse` render maps. */
+#include <math.h>
+#include "../../../kernels/base/num.h"
 #include "benches.h"
 
 enum { M_MEGA, M_LODS, M_WIDE, M_BRUTE };
@@ -49,8 +51,8 @@ static const ts_bench_figure figures[] = {
 	[PAIRS_SAVED] = { "pairs_culling_percent", "pairs saved, %", TS_FIGURE_SAVED, PAIRS, WIDE_PAIRS, 2, "" },
 	[WIDER] = { "wider", "wider than a texel", TS_FIGURE_COUNTER, M_MEGA, 0, TS_WHOLE, "pairs wider than a texel" },
 	[WIDER_SHARE] = { "wider_percent", "wider, %", TS_FIGURE_PERCENT, WIDER, RENDERED, 2, "" },
-	[EMPTY] = { "empty_percent", "empty, %", TS_FIGURE_EMPTY, M_MEGA, 0, 1, "" },
-	[WIDE_EMPTY] = { "unculled_empty_percent", "not culled, %", TS_FIGURE_EMPTY, M_WIDE, 0, 1, "" },
+	[EMPTY] = { "empty_percent", "empty, %", TS_FIGURE_LOOKED, M_MEGA, 0, 1, "" },
+	[WIDE_EMPTY] = { "unculled_empty_percent", "not culled, %", TS_FIGURE_LOOKED, M_WIDE, 0, 1, "" },
 	[SCENE_LEAVES] = { "scene_leaves", "leaves of the scene", TS_FIGURE_COUNTER, M_MEGA, 0, TS_WHOLE, "scene leaves" },
 	[LEAVES] = { "leaves", "of views", TS_FIGURE_COUNTER, M_MEGA, 0, TS_WHOLE, "view leaves" },
 	[SCENE_MIB] = { "scene_mib", "scene", TS_FIGURE_BUFFERS, M_MEGA, 0, 1, "voxel,octree" },
@@ -116,6 +118,22 @@ static const ts_paper_row rows[] = {
 	{ 0 }
 };
 
+/* Texels of the whole maps of leaves that nothing was rendered to, %; NAN without maps. */
+static double empty_share(const ts_run *run)
+{
+	if (!run->frame.buffer[TS_B_fuse_depth].made) return NAN;
+	const u32 *depth = ts_frame_data(&run->frame, TS_B_fuse_depth);
+	const ts_node *node = ts_frame_data(&run->frame, TS_B_view_octree_node);
+	u64 n = ts_frame_n(&run->frame, TS_B_view_octree_node), all = 0, empty = 0;
+	u64 n_texels = (u64)2 * TS_PARAM(&run->params, view_px) * TS_PARAM(&run->params, view_px);
+	for (u64 i = 0; i < n; i++) {
+		if (node[i].children != 0) continue;
+		for (u64 k = 0; k < n_texels; k++) empty += depth[i * n_texels + k] == TS_NONE;
+		all += n_texels;
+	}
+	return 100 * ((double)empty / (double)all);
+}
+
 static const ts_paper_plot plot = { "views", "maps, ms", VIEWS, { MS, LODS_MS, BRUTE_MS, TS_NO_FIGURE }, true };
 
 const ts_paper_table ts_mega_10 = {
@@ -123,5 +141,6 @@ const ts_paper_table ts_mega_10 = {
 	.objects_param = "vpls", .objects = "256,1024,4096", .most = 1 << 24, .most_long = 1024, .set = "reflectors=0",
 	.defaults = "levels=7,rsm_px=256", .size = "width=320,height=180", .timed = true,
 	.note = "A path leaves vpl.bounces views; the paper has 1 or 4, and 11 levels. Brute force, one run, up to 1024 paths.",
-	.variants = variants, .figures = figures, .parts = parts, .relations = relations, .plot = &plot, .rows = rows,
+	.look = empty_share, .variants = variants, .figures = figures, .parts = parts, .relations = relations, .plot = &plot,
+	.rows = rows,
 };

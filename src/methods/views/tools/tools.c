@@ -48,6 +48,16 @@ static const ts_probe_part parts[] = {
 };
 /* clang-format on */
 
+/* For the share of empty texels (bench_mega.c). */
+static const ts_buffer_id keeps[] = {TS_B_view_octree_node, TS_B_fuse_depth, TS_N_BUFFERS};
+
+static u64 queue_bytes(const ts_params *params) { return (u64)TS_PARAM(params, queue_mb) << 20; }
+
+static const ts_lower_rule lowers[] = {
+	{TS_B_map_depth_node, "queue_mb", queue_bytes},
+	{0},
+};
+
 const ts_family_tools ts_views_tools = {
 	.margins = margins,
 	.checks = ts_views_checks,
@@ -55,4 +65,6 @@ const ts_family_tools ts_views_tools = {
 	.texels = texels,
 	.benches = benches,
 	.parts = parts,
+	.keeps = keeps,
+	.lowers = lowers,
 };

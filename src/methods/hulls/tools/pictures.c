@@ -1,13 +1,13 @@
-/* Pictures of what hulls are made of: the segments of each block with their boxes, and the lobes at the boxes'
- * corners. */
+/* Pictures of what hulls are made of (SSAGH section 3): the segments of each block with their boxes, and the lobes at
+ * the boxes' corners. */
 #include <math.h>
 #include <stdio.h>
-#include "../image/falsecolour.h"
-#include "../kernels/raster/gbuffer.h"
-#include "../kernels/raster/raster.h"
-#include "../kernels/hulls/segment_box.h"
-#include "../kernels/base/srgb.h"
-#include "hull_pictures.h"
+#include "../../../image/falsecolour.h"
+#include "../../../kernels/raster/gbuffer.h"
+#include "../../../kernels/raster/raster.h"
+#include "../../../kernels/hulls/segment_box.h"
+#include "../../../kernels/base/srgb.h"
+#include "tools.h"
 
 enum { MOST_PIXELS = 2048, MOST_ACROSS = 3840, MOST_ZOOM = 8 };
 
@@ -31,12 +31,12 @@ static void paint(ts_stage_picture *p, u32 x0, u32 y0, u32 x1, u32 y1, u32 segme
 	}
 }
 
-ts_status ts_hull_pictures_segments(ts_stage_pictures *pictures, const ts_run *run)
+static ts_status take_segments(ts_stage_pictures *pictures, const ts_run *run, ts_buffer_id id)
 {
 	u32 grid = TS_PARAM(&run->params, grid_px), pixels = texel_pixels(run), side = texel_place(grid, pixels);
 	ts_stage_picture *p = ts_stage_pictures_add(pictures, "segments", side, side, false);
 	if (p == NULL) return TS_ERROR;
-	const u32 *labels = ts_frame_data(&run->frame, TS_B_segment_label);
+	const u32 *labels = ts_frame_data(&run->frame, id);
 	const f32 *depths = ts_frame_data(&run->frame, TS_B_nearest_depth);
 	for (u32 y = 0; y < grid; y++) {
 		for (u32 x = 0; x < grid; x++) {
@@ -52,12 +52,12 @@ ts_status ts_hull_pictures_segments(ts_stage_pictures *pictures, const ts_run *r
 	return TS_OK;
 }
 
-ts_status ts_hull_pictures_boxes(ts_stage_pictures *pictures, const ts_run *run)
+static ts_status take_boxes(ts_stage_pictures *pictures, const ts_run *run, ts_buffer_id id)
 {
 	ts_stage_picture *p = ts_stage_pictures_find(pictures, "segments");
-	const ts_segment *boxes = ts_frame_data(&run->frame, TS_B_box_record);
+	const ts_segment *boxes = ts_frame_data(&run->frame, id);
 	u32 pixels = texel_pixels(run);
-	for (u64 b = 0; b < ts_frame_n(&run->frame, TS_B_box_record); b++) {
+	for (u64 b = 0; b < ts_frame_n(&run->frame, id); b++) {
 		const ts_segment *box = &boxes[b];
 		u32 x0 = texel_place(box->low[0], pixels), x1 = texel_place(box->high[0], pixels) + pixels;
 		u32 y0 = texel_place(box->low[1], pixels), y1 = texel_place(box->high[1], pixels) + pixels;
@@ -141,7 +141,7 @@ static void draw_box(const canvas *c, const ts_segment *box, const ts_lobes *lob
 	}
 }
 
-ts_status ts_hull_pictures_lobes(ts_stage_pictures *pictures, const ts_run *run)
+static ts_status take_lobes(ts_stage_pictures *pictures, const ts_run *run, ts_buffer_id id)
 {
 	const ts_frame *frame = &run->frame;
 	u32 width = TS_PARAM(&run->params, width), height = TS_PARAM(&run->params, height),
@@ -153,9 +153,16 @@ ts_status ts_hull_pictures_lobes(ts_stage_pictures *pictures, const ts_run *run)
 	c.view = ts_k_view(ts_frame_data(frame, TS_B_eye_view));
 	c.radius = (f32)((width < height ? width : height) * zoom * TS_BLOCK) / (f32)(grid * 2 * DISCS_A_BLOCK);
 	const ts_segment *boxes = ts_frame_data(frame, TS_B_box_record);
-	const ts_lobes *lobes = ts_frame_data(frame, TS_B_fit_lobes);
+	const ts_lobes *lobes = ts_frame_data(frame, id);
 	for (u64 b = 0; b < ts_frame_n(frame, TS_B_box_record); b++) draw_box(&c, &boxes[b], &lobes[4 * b], grid);
 	snprintf(c.picture->caption, sizeof c.picture->caption,
 	         "light by direction at corners of larger boxes: middle from the viewer, rim from ahead");
 	return TS_OK;
 }
+
+const ts_stage_picture_rule ts_hulls_pictures[] = {
+	{TS_B_segment_label, take_segments},
+	{TS_B_box_record, take_boxes},
+	{TS_B_fit_lobes, take_lobes},
+	{.take = NULL},
+};

@@ -1,0 +1,117 @@
+/* Pictures of points: how many a triangle has, splats and cubes as the pixels see them, index buffers, radiance. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include "../../../image/falsecolour.h"
+#include "../../../kernels/base/srgb.h"
+#include "../../../kernels/raster/mip.h"
+#include "../../raster/tools/pictures.h"
+#include "tools.h"
+
+/* Points of each triangle: the pieces' counts added up. By free(). */
+static u32 *points_per_triangle(const ts_run *run)
+{
+	const ts_piece *pieces = ts_frame_data(&run->frame, TS_B_split_triangle);
+	const u32 *offset = ts_frame_data(&run->frame, TS_B_count_offset);
+	u64 n = ts_frame_n(&run->frame, TS_B_split_triangle);
+	u32 *points = ts_alloc_zero(run->scene->n_triangles, sizeof *points, "a stage picture");
+	for (u64 q = 0; q < n && points != NULL; q++) points[pieces[q].triangle] += offset[q + 1] - offset[q];
+	return points;
+}
+
+static ts_status take_points(ts_stage_pictures *pictures, const ts_run *run, ts_buffer_id id)
+{
+	(void)id;
+	const ts_buffer *buffers = run->frame.buffer;
+	if (!buffers[TS_B_eye_depth_triangle].made || !buffers[TS_B_split_triangle].made) return TS_OK;
+	ts_stage_picture *p =
+		ts_stage_pictures_add(pictures, "points", TS_PARAM(&run->params, width), TS_PARAM(&run->params, height), false);
+	u32 *points = p != NULL ? points_per_triangle(run) : NULL;
+	if (points == NULL) return TS_ERROR;
+	const u64 *eye = ts_frame_data(&run->frame, TS_B_eye_depth_triangle);
+	for (u64 i = 0; i < (u64)p->width * p->height; i++) {
+		u32 n = eye[i] != TS_EMPTY ? points[(u32)eye[i]] : 0;
+		if (n > 0) ts_falsecolour_ramp(p->rgb + 3 * i, log2(n) / 16);
+	}
+	free(points);
+	snprintf(p->caption, sizeof p->caption, "points of the triangle in each pixel: none black, 1 dark to 65536 bright");
+	return TS_OK;
+}
+
+/* Splat length in texels of the cube that holds it, as seen by the pixel's first sample; 0: empty. */
+static double splat_texels(const ts_run *run, const ts_face *face, u32 point)
+{
+	const ts_point *points = ts_frame_data(&run->frame, TS_B_points_record);
+	double d2 = 0;
+	for (u32 c = 0; c < 3 && point != TS_NONE; c++) {
+		double d = (double)points[point].centre[c] - (double)face->centre[c];
+		d2 += d * d;
+	}
+	return d2 > 0 ? (double)points[point].length * face->n / 2 / sqrt(d2) : 0;
+}
+
+static ts_status take_splats(ts_stage_pictures *pictures, const ts_run *run, ts_buffer_id id)
+{
+	const ts_frame *frame = &run->frame;
+	u64 n = ts_frame_n(frame, TS_B_pixel_record);
+	ts_stage_picture *p =
+		ts_stage_pictures_add(pictures, "splats", TS_PARAM(&run->params, width), TS_PARAM(&run->params, height), true);
+	if (p == NULL) return TS_ERROR;
+	const ts_pixel *pixels = ts_frame_data(frame, TS_B_pixel_record);
+	const ts_face *faces = ts_frame_data(frame, TS_B_resize_face);
+	const u32 *lookup = ts_frame_data(frame, id);
+	u64 samples = n > 0 ? ts_frame_n(frame, id) / n : 0;
+	for (u64 i = 0; i < n; i++) {
+		double texels = splat_texels(run, &faces[pixels[i].reflector], lookup[i * samples]);
+		p->mask[pixels[i].index] = 1;
+		if (texels > 0) ts_falsecolour_ramp(p->rgb + 3 * (size_t)pixels[i].index, (log2(texels) + 3) / 8);
+	}
+	snprintf(p->caption, sizeof p->caption, "splat seen by each reflective pixel: 1/8 texel dark to 32 texels bright");
+	return TS_OK;
+}
+
+static ts_status take_faces(ts_stage_pictures *pictures, const ts_run *run, ts_buffer_id id)
+{
+	(void)id;
+	ts_stage_picture *p =
+		ts_stage_pictures_add(pictures, "faces", TS_PARAM(&run->params, width), TS_PARAM(&run->params, height), true);
+	if (p == NULL) return TS_ERROR;
+	const ts_pixel *pixels = ts_frame_data(&run->frame, TS_B_pixel_record);
+	const ts_face *faces = ts_frame_data(&run->frame, TS_B_resize_face);
+	for (u64 i = 0; i < ts_frame_n(&run->frame, TS_B_pixel_record); i++) {
+		p->mask[pixels[i].index] = 1;
+		double share = (double)faces[pixels[i].reflector].n / TS_PARAM(&run->params, face_max);
+		ts_falsecolour_ramp(p->rgb + 3 * (size_t)pixels[i].index, share);
+	}
+	snprintf(p->caption, sizeof p->caption, "cube face behind each reflective pixel: 0 texels dark to %u bright",
+	         (unsigned)TS_PARAM(&run->params, face_max));
+	return TS_OK;
+}
+
+static ts_status take_indices(ts_stage_pictures *pictures, const ts_run *run, ts_buffer_id id)
+{
+	return ts_picture_indices(pictures, run, id, "a colour a point, empty grey");
+}
+
+static void colour_radiance(u8 *rgb, const void *texels, u64 i)
+{
+	for (u32 c = 0; c < 3; c++) rgb[c] = (u8)ts_srgb_byte(((const f32 *)texels)[4 * i + c]);
+}
+
+static ts_status take_radiance(ts_stage_pictures *pictures, const ts_run *run, ts_buffer_id id)
+{
+	u32 cube;
+	if (!ts_picture_largest_cube(run, &cube)) return TS_OK;
+	const ts_face *faces = ts_frame_data(&run->frame, TS_B_resize_face);
+	const f32 *texels = (const f32 *)ts_frame_data(&run->frame, id) + 4 * ts_k_mip_first(faces, run->first_unit, cube);
+	return ts_picture_cube(pictures, run, cube, "cube", "radiance", texels, colour_radiance);
+}
+
+const ts_stage_picture_rule ts_points_pictures[] = {
+	{TS_B_count_offset, take_points},
+	{TS_B_splat_depth_index, take_indices},
+	{TS_B_lookup_point, take_splats},
+	{TS_B_lookup_point, take_faces},
+	{TS_B_face_mip, take_radiance},
+	{.take = NULL},
+};

@@ -1,0 +1,21 @@
+/* Pictures of cubes, for families that fill them. */
+#ifndef TS_RASTER_TOOLS_PICTURES_H
+#define TS_RASTER_TOOLS_PICTURES_H
+#include "../../../study/stage_pictures.h"
+
+extern const u8 ts_picture_nothing[3]; /* the colour of what is empty */
+
+/* The largest cube of all; false if there is none or it is not in this batch. */
+bool ts_picture_largest_cube(const ts_run *run, u32 *cube);
+/* The colour of texel i of a cube. */
+typedef void ts_picture_colour(u8 *rgb, const void *texels, u64 i);
+/* Its six faces, as a cross. Not taken again if it is there. */
+ts_status ts_picture_cube(ts_stage_pictures *pictures, const ts_run *run, u32 cube, const char *name, const char *what,
+                          const void *texels, ts_picture_colour *colour);
+/* The indices of the largest cube, in a buffer of keys. */
+ts_status ts_picture_indices(ts_stage_pictures *pictures, const ts_run *run, ts_buffer_id keys, const char *what);
+
+/* Rules of this folder. */
+extern const ts_stage_picture_rule ts_raster_pictures[];
+
+#endif
