@@ -232,6 +232,15 @@ static const ts_candidate_buffer ts_candidate_buffers[] = {
 
 enum { TS_CANDIDATE_BUFFERS = sizeof ts_candidate_buffers / sizeof *ts_candidate_buffers };
 
+/* Buffers that were called otherwise: ROW("old", "new"). Old names work until 0.2; standard error says the new ones. */
+#ifndef TS_CANDIDATE_RENAMED
+#define TS_CANDIDATE_RENAMED(ROW)
+#endif
+#define TS_CANDIDATE_RENAMED_ROW(old_name, new_name) {old_name, new_name},
+static const struct {
+	const char *old_name, *new_name;
+} ts_candidate_renamed[] = {TS_CANDIDATE_RENAMED(TS_CANDIDATE_RENAMED_ROW) {NULL, NULL}};
+
 typedef struct {
 	char message[512]; /* of the first failure; "" */
 	char folder[TS_CANDIDATE_PATH];
@@ -364,9 +373,21 @@ static inline int ts_candidate_header(ts_candidate *c, unsigned n_dims, const ui
 	return ts_candidate_fail(c, "cannot be written; the disk may be full", c->open->name);
 }
 
-/* Begins a buffer whose elements come in parts, in C order. The next one, or the end, closes it. */
-static inline int ts_candidate_open(ts_candidate *c, const char *name, unsigned n_dims, const uint64_t *shape)
+static inline const char *ts_candidate_name(const char *name)
 {
+	unsigned i;
+	for (i = 0; ts_candidate_renamed[i].old_name != NULL; i++) {
+		if (strcmp(ts_candidate_renamed[i].old_name, name) != 0) continue;
+		fprintf(stderr, "%s is now called %s; the old name works until 0.2\n", name, ts_candidate_renamed[i].new_name);
+		return ts_candidate_renamed[i].new_name;
+	}
+	return name;
+}
+
+/* Begins a buffer whose elements come in parts, in C order. The next one, or the end, closes it. */
+static inline int ts_candidate_open(ts_candidate *c, const char *typed, unsigned n_dims, const uint64_t *shape)
+{
+	const char *name = ts_candidate_name(typed);
 	unsigned i = 0, k;
 	if (c->message[0] != 0 || ts_candidate_close(c)) return 1;
 	while (i < TS_CANDIDATE_BUFFERS && strcmp(ts_candidate_buffers[i].name, name) != 0) i++;

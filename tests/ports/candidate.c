@@ -5,6 +5,7 @@
 #include "../model/test.h"
 #include <sys/stat.h>
 #include <touchstone/candidate.h>
+#include "../../src/model/renamed.h"
 #include "../../src/trace/read.h"
 
 /* Rows of the header's table that records.def has too. */
@@ -30,6 +31,24 @@ static void test_table(void **state)
 		assert_int_equal(b->bytes, ts_buffer_table[id].element_bytes);
 		assert_int_equal(b->n_dims, rank_of((ts_buffer_id)id));
 	}
+}
+
+/* Its old names of buffers are those of renamed.def. */
+static void test_renamed(void **state)
+{
+	(void)state;
+#define RENAMED(kind, old, now) {TS_NAME_##kind, old, now},
+	static const ts_renamed rows[] = {
+#include "../../src/model/renamed.def"
+		{0},
+	};
+	u32 n = 0;
+	for (const ts_renamed *row = rows; row->old != NULL; row++) {
+		if (row->kind != TS_NAME_buffer) continue;
+		assert_string_equal(ts_candidate_renamed[n].old_name, row->old);
+		assert_string_equal(ts_candidate_renamed[n++].new_name, row->now);
+	}
+	assert_null(ts_candidate_renamed[n].old_name);
 }
 
 /* Rows of the table, a text of at most WIDTH characters a line. */
@@ -390,9 +409,9 @@ static int copy(const char *from, const char *to)
 int main(int argc, char **argv)
 {
 	static const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_table), cmocka_unit_test(test_strides), cmocka_unit_test(test_fields),
-		cmocka_unit_test(test_offsets), cmocka_unit_test(test_depth), cmocka_unit_test(test_keys),
-		cmocka_unit_test(test_failures),
+		cmocka_unit_test(test_table),   cmocka_unit_test(test_renamed), cmocka_unit_test(test_strides),
+		cmocka_unit_test(test_fields),  cmocka_unit_test(test_offsets), cmocka_unit_test(test_depth),
+		cmocka_unit_test(test_keys),    cmocka_unit_test(test_failures),
 	};
 	if (argc == 4 && strcmp(argv[1], "copy") == 0) return copy(argv[2], argv[3]);
 	if (argc == 2 && strcmp(argv[1], "table") == 0) {
