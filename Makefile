@@ -96,7 +96,7 @@ CORE_C := $(wildcard $(patsubst %,src/%/*.c,model backends backends/c backends/c
 	$(wildcard $(foreach in,cli study,$(patsubst %,src/$(in)/%.c,core_main backends command commit digest golden* help \
 		methods nearest options parse sweep truths words)))
 CORE_C := $(filter-out $(ITEMS_C),$(CORE_C))
-TEST_C := $(filter-out tests/begin.c tests/fuzz/% tests/cli/preload/%,$(call every,tests,c))
+TEST_C := $(filter-out tests/begin.c tests/fuzz/% tests/record/% tests/cli/preload/%,$(call every,tests,c))
 
 object = $(patsubst %,$(BUILD)/obj/%.o,$(1))
 ITEMS_O := $(patsubst %,$(BUILD)/obj/$(ITEMS_C:.c=).%.o,vectors base $(FAMILIES))
@@ -211,7 +211,7 @@ test: deps
 test-long:
 	$(Q)$(MAKE) --no-print-directory test T=--long
 
-tests: $(TESTS) $(BUILD)/touchstone-core
+tests: $(TESTS) $(BUILD)/touchstone-core $(RECORD)
 
 # Most of them run for less time than -O3 takes to compile them.
 $(BUILD)/obj/tests/%: OWN := -O1
@@ -221,6 +221,20 @@ $(BUILD)/tests/%: $(BUILD)/obj/tests/%.c.o $(BUILD)/obj/tests/begin.c.o $(BUILD)
 	$(Q)$(CXX) $(LINK_FLAGS) $(FIND_MODULE):'$$ORIGIN/../..:$$ORIGIN/../../..:$$ORIGIN/../../../..' $^ $(LIBS) -lcmocka $(TEST_LIBS) -o $@
 
 $(BUILD)/tests/kernels/opencl_compile: TEST_LIBS = $(call packages,--libs,OpenCL)
+
+# The command, noting who reads which parameter (src/model/param.h). What does not name the accessor is not built for it.
+RECORD := $(BUILD)/record/touchstone
+RECORD_C := $(filter $(LIB_C) $(CLI_C),$(shell grep -rl TS_PARAM src --include='*.c'))
+RECORD_O := $(patsubst %,$(BUILD)/record/%.o,$(RECORD_C) tests/record/record.c)
+$(BUILD)/record/%.c.o: %.c $(BUILD)/flags
+	$(call say,CC,$<)
+	$(Q)mkdir -p $(@D)
+	$(Q)$(CC) $(C_FLAGS) $(CPP_LIBS) -O1 -DTS_RECORD_PARAMS $(OWN) -c $< -o $@
+$(RECORD): $(RECORD_O) $(filter-out $(call object,$(RECORD_C)),$(CLI_O) $(LIB_O)) | $(BUILD)/libtouchstone-image.so
+	$(call say,LINK,$@)
+	$(Q)mkdir -p $(@D)
+	$(Q)$(CXX) $(LINK_FLAGS) $(FIND_MODULE):'$$ORIGIN/..' $^ $(LIBS) -o $@
+-include $(RECORD_O:.o=.d)
 
 ##   fuzz               five minutes each of damaged scenes, .npy headers, trace.json and candidates; FUZZ_S=seconds
 FUZZ_S ?= 300

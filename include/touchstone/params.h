@@ -8,9 +8,15 @@
 extern "C" {
 #endif
 
-#define PARAM_U32(field, name, def, min, max, unit, source, help) uint32_t field;
-#define PARAM_F32(field, name, def, min, max, unit, source, help) float field;
-#define PARAM_ENUM(field, name, def, choices, source, help) uint32_t field;
+/* The library's own tests build it with TS_RECORD_PARAMS: then its sources can read members by one accessor only. */
+#ifdef TS_RECORD_PARAMS
+#define TS_PARAM_MEMBER(field) by_TS_PARAM_only_##field
+#else
+#define TS_PARAM_MEMBER(field) field
+#endif
+#define PARAM_U32(field, name, def, min, max, unit, source, help) uint32_t TS_PARAM_MEMBER(field);
+#define PARAM_F32(field, name, def, min, max, unit, source, help) float TS_PARAM_MEMBER(field);
+#define PARAM_ENUM(field, name, def, choices, source, help) uint32_t TS_PARAM_MEMBER(field);
 typedef struct {
 #include <touchstone/params.def>
 } ts_params;

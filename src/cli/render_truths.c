@@ -41,7 +41,9 @@ ts_status ts_render_truths_of(ts_render *render, const ts_pipeline *method, ts_r
 
 static bool exists(const ts_render *render, const ts_truth_kind *kind)
 {
-	return kind->exists == NULL || kind->exists(render->scene, &render->job->params);
+	bool does = kind->exists == NULL;
+	if (!does) TS_PARAM_READER("truth", kind->name, does = kind->exists(render->scene, &render->job->params));
+	return does;
 }
 
 typedef struct {

@@ -11,8 +11,8 @@ static bool stores(const ts_step *step, const ts_params *params)
 bool ts_pipeline_takes(const ts_step *step, const ts_params *params, bool traced)
 {
 	if (step->only_if != NULL && !step->only_if(params)) return false;
-	return TS_PARAM(params, bounces) >= step->least_bounces && stores(step, params) &&
-	       (traced || !(step->only_traced || step->only_margins));
+	if (step->least_bounces > 0 && TS_PARAM(params, bounces) < step->least_bounces) return false;
+	return stores(step, params) && (traced || !(step->only_traced || step->only_margins));
 }
 
 /* True if a step from `step` on reads the buffer. */
@@ -96,7 +96,7 @@ static ts_status check_scene(const ts_pipeline *pipeline, const ts_run *run)
 	return TS_OK;
 }
 
-ts_status ts_pipeline_run(const ts_pipeline *pipeline, ts_run *run)
+static ts_status run_method(const ts_pipeline *pipeline, ts_run *run)
 {
 	if (check_scene(pipeline, run) != TS_OK) return TS_ERROR;
 	ts_pipeline_plan(pipeline, run, NULL, NULL);
@@ -108,6 +108,13 @@ ts_status ts_pipeline_run(const ts_pipeline *pipeline, ts_run *run)
 		forget(pipeline, end, run);
 	}
 	return ts_frame_fetch(&run->frame);
+}
+
+ts_status ts_pipeline_run(const ts_pipeline *pipeline, ts_run *run)
+{
+	ts_status status;
+	TS_PARAM_READER(pipeline->effect->name, pipeline->name, status = run_method(pipeline, run));
+	return status;
 }
 
 const ts_step *ts_pipeline_maker(const ts_pipeline *pipeline, ts_buffer_id id)

@@ -26,8 +26,11 @@ void ts_plan_make(ts_plan *plan, const ts_pipeline *pipeline, const ts_params *t
 {
 	static const ts_request nothing;
 	ts_params params = ts_pipeline_params(pipeline, typed);
-	ts_plan_default(plan, &params, counts);
-	if (pipeline->plan != NULL) pipeline->plan(plan, &params, counts, request != NULL ? request : &nothing);
+	ts_plan_begin(plan, counts);
+	if (request == NULL) request = &nothing;
+	if (pipeline->plan != NULL) {
+		TS_PARAM_READER(pipeline->effect->name, pipeline->name, pipeline->plan(plan, &params, counts, request));
+	}
 	count_units(plan, pipeline, counts);
 }
 
@@ -46,7 +49,7 @@ ts_expected ts_pipeline_expect(const ts_pipeline *pipeline, const ts_scene *scen
 	ts_expected expected = {.batches = 1};
 	ts_sizes_clear(&expected.sizes);
 	ts_sizes_scene(&expected.sizes, scene);
-	pipeline->expect(&expected, scene, &run.params);
+	TS_PARAM_READER(pipeline->effect->name, pipeline->name, pipeline->expect(&expected, scene, &run.params));
 	ts_sizes_give(&expected.sizes, &run);
 	return expected;
 }

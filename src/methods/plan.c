@@ -27,12 +27,19 @@ ts_counts ts_scene_counts(const ts_scene *scene)
 	return (ts_counts){scene->info.n_reflectors, scene->n_lights, TS_NONE, TS_NONE, TS_NONE};
 }
 
+void ts_plan_begin(ts_plan *plan, const ts_counts *counts)
+{
+	*plan = (ts_plan){.units = counts->reflectors, .batch = 1};
+}
+
+void ts_plan_lights(ts_plan *plan, const ts_params *params) { plan->lights.own = TS_PARAM(params, lamp) == TS_LAMP_SCENE; }
+
+void ts_plan_views(ts_plan *plan, const ts_params *params) { plan->views.field = TS_PARAM(params, view_field); }
+
 void ts_plan_default(ts_plan *plan, const ts_params *params, const ts_counts *counts)
 {
-	*plan = (ts_plan){
-		.units = counts->reflectors,
-		.batch = 1,
-		.lights = {.own = TS_PARAM(params, lamp) == TS_LAMP_SCENE, .samples = TS_PARAM(params, views)},
-		.views.field = TS_PARAM(params, view_field),
-	};
+	ts_plan_begin(plan, counts);
+	ts_plan_lights(plan, params);
+	ts_plan_views(plan, params);
+	plan->lights.samples = TS_PARAM(params, views);
 }

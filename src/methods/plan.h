@@ -38,7 +38,12 @@ u32 ts_plan_value(const ts_plan *plan, const ts_plan_row *row);
 
 /* Counts of a scene of which no stage has made anything. */
 ts_counts ts_scene_counts(const ts_scene *scene);
-/* The plan of a method that derives nothing: a batch a reflector, points for the eye, lights as the parameters say. */
+/* What every plan starts as: a batch a reflector, points for the eye. */
+void ts_plan_begin(ts_plan *plan, const ts_counts *counts);
+/* Whose lights they are, and what views of many lights see, as the parameters say. */
+void ts_plan_lights(ts_plan *plan, const ts_params *params);
+void ts_plan_views(ts_plan *plan, const ts_params *params);
+/* The plan of a run without a method: all of these, and the views of soft shadows. */
 void ts_plan_default(ts_plan *plan, const ts_params *params, const ts_counts *counts);
 
 #endif

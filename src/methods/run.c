@@ -14,7 +14,7 @@ void ts_run_begin(ts_run *run, const ts_scene *scene, const ts_params *params, u
 	ts_sizes_scene(&run->sizes, scene);
 	ts_c_begin(&run->c, threads);
 	ts_counts counts = ts_scene_counts(scene);
-	ts_plan_default(&run->plan, params, &counts);
+	TS_PARAM_READER(NULL, NULL, ts_plan_default(&run->plan, params, &counts));
 	run->n_units = run->plan.units;
 	ts_frame_borrow(&run->frame, TS_B_scene_vertex, scene->vertices, scene->n_vertices);
 	ts_frame_borrow(&run->frame, TS_B_scene_triangle, scene->triangles, scene->n_triangles);
@@ -65,9 +65,12 @@ ts_status ts_run_stage(ts_run *run, const ts_stage *stage)
 {
 	double start = ts_seconds();
 	memset(run->made, 0, sizeof run->made);
-	if (finish(run, stage->run(run)) != TS_OK) return ts_fail("stage %s: %s", stage->name, ts_error_message());
+	ts_status status;
+	TS_PARAM_READER("stage", stage->name, status = stage->run(run));
+	if (finish(run, status) != TS_OK) return ts_fail("stage %s: %s", stage->name, ts_error_message());
 	add_timing(run, stage->name, ts_seconds() - start);
-	return run->hook != NULL ? finish(run, run->hook(run, stage, run->hook_user)) : TS_OK;
+	if (run->hook != NULL) TS_PARAM_READER(NULL, NULL, status = finish(run, run->hook(run, stage, run->hook_user)));
+	return status;
 }
 
 void ts_run_count(ts_run *run, const char *name, i64 value)

@@ -10,6 +10,14 @@ bool ts_is_made(const ts_size_question *q, ts_buffer_id id) { return q->run->fra
 
 static ts_size_answer *answer(ts_dim dim) { return ts_registered()->sizes[dim]; }
 
+/* TS_UNKNOWN: it is not computed. */
+static u64 computed(ts_dim dim, const ts_size_question *q)
+{
+	u64 n = TS_UNKNOWN;
+	if (answer(dim) != NULL) TS_PARAM_READER("size", ts_dim_table[dim].name, n = answer(dim)(q));
+	return n;
+}
+
 void ts_run_set_size(ts_run *run, ts_dim dim, u64 n)
 {
 	assert(answer(dim) == NULL);
@@ -19,7 +27,7 @@ void ts_run_set_size(ts_run *run, ts_dim dim, u64 n)
 u64 ts_run_size(const ts_run *run, ts_dim dim)
 {
 	const ts_size_question q = {run, &run->sizes, run->n_units == run->plan.units};
-	u64 n = answer(dim) != NULL ? answer(dim)(&q) : TS_UNKNOWN;
+	u64 n = computed(dim, &q);
 	return n != TS_UNKNOWN ? n : run->sizes.n[dim];
 }
 
@@ -27,7 +35,7 @@ void ts_sizes_give(ts_sizes *sizes, const ts_run *run)
 {
 	const ts_size_question q = {run, sizes, true};
 	for (u32 dim = 0; dim < TS_N_DIMS; dim++) {
-		if (answer(dim) != NULL && sizes->n[dim] == TS_UNKNOWN) sizes->n[dim] = answer(dim)(&q);
+		if (sizes->n[dim] == TS_UNKNOWN) sizes->n[dim] = computed((ts_dim)dim, &q);
 	}
 }
 

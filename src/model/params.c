@@ -19,9 +19,9 @@ static const ts_param_info table[] = {
 #include <touchstone/params.def>
 };
 
-#define PARAM_U32(field, ...) offsetof(ts_params, field),
-#define PARAM_F32(field, ...) offsetof(ts_params, field),
-#define PARAM_ENUM(field, ...) offsetof(ts_params, field),
+#define PARAM_U32(field, ...) offsetof(ts_params, TS_PARAM_MEMBER(field)),
+#define PARAM_F32(field, ...) offsetof(ts_params, TS_PARAM_MEMBER(field)),
+#define PARAM_ENUM(field, ...) offsetof(ts_params, TS_PARAM_MEMBER(field)),
 static const size_t offsets[] = {
 #include <touchstone/params.def>
 };
@@ -100,7 +100,8 @@ static ts_status set_u32(ts_params *params, size_t row, const char *text)
 		return ts_fail("parameter %s: \"%.80s\" is not a whole number from %s to %s%s%s", info->name, text, info->min,
 		               info->max, *info->unit ? " " : "", info->unit);
 	}
-	if (offsets[row] == offsetof(ts_params, view_px) && (value & (value - 1)) != 0) return refuse_between(row, value);
+	bool halved = offsets[row] == offsetof(ts_params, TS_PARAM_MEMBER(view_px));
+	if (halved && (value & (value - 1)) != 0) return refuse_between(row, value);
 	store(params, row, &value);
 	return TS_OK;
 }

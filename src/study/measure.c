@@ -195,7 +195,8 @@ static const ts_truth_kind *largest_truth(u64 *bytes, u32 truths, const ts_pipel
 	for (u32 t = 0; ts_truths()[t] != NULL; t++) {
 		const ts_truth_kind *kind = ts_truths()[t];
 		if ((truths & 1u << t) == 0 || kind->bytes == NULL) continue;
-		u64 own = kind->bytes(method, scene, params);
+		u64 own;
+		TS_PARAM_READER("truth", kind->name, own = kind->bytes(method, scene, params));
 		largest = own > *bytes ? kind : largest;
 		*bytes = own > *bytes ? own : *bytes;
 	}

@@ -83,11 +83,12 @@ static ts_status take_truth(ts_picture *picture, const ts_truth_kind *kind, ts_t
 	double begin = ts_seconds();
 	char name[sizeof picture->name];
 	name_truth(name, sizeof name, kind);
-	ts_status status = kind->trace(tree, run);
+	ts_status status;
+	TS_PARAM_READER("truth", kind->name, status = kind->trace(tree, run));
 	if (status == TS_OK && kind->missed != NULL) {
 		status = kind->missed(&picture->n_hits, &picture->n_missed, tree, run);
 	}
-	if (status == TS_OK) status = ts_run_stage(run, ts_stage_find(kind->image));
+	if (status == TS_OK) TS_PARAM_READER("truth", kind->name, status = ts_run_stage(run, ts_stage_find(kind->image)));
 	if (status == TS_OK) status = ts_frame_fetch(&run->frame);
 	if (status == TS_OK) status = ts_picture_take(picture, name, run);
 	picture->seconds = ts_seconds() - begin;
@@ -111,7 +112,8 @@ ts_status ts_picture_truths_begun(ts_picture pictures[], u32 truths, const ts_tr
 	ts_run run;
 	ts_truth *tree = NULL;
 	ts_run_begin(&run, scene, params, threads);
-	ts_status status = first->begin(&run, effect);
+	ts_status status;
+	TS_PARAM_READER("truth", first->name, status = first->begin(&run, effect));
 	if (status == TS_OK) status = ts_truth_new(&tree, &run);
 	const ts_truth_kind *const *kinds = ts_truths();
 	for (u32 t = 0; kinds[t] != NULL && status == TS_OK; t++) {
@@ -130,7 +132,8 @@ ts_status ts_picture_truth_alone(ts_picture *picture, const ts_truth_kind *kind,
 	f32 *radiance;
 	char name[sizeof picture->name];
 	name_truth(name, sizeof name, kind);
-	ts_status status = kind->radiance(&radiance, scene, params, threads);
+	ts_status status;
+	TS_PARAM_READER("truth", kind->name, status = kind->radiance(&radiance, scene, params, threads));
 	if (status == TS_OK) status = ts_picture_make(picture, name, radiance, params);
 	picture->seconds = ts_seconds() - begin;
 	return status;

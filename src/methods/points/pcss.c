@@ -31,6 +31,7 @@ static u32 n_lights(const ts_scene *scene, const ts_params *params)
 static void pcss_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
 {
 	(void)request;
+	ts_plan_lights(plan, params);
 	plan->lights.taps = TS_N_FILTER;
 	plan->offscreen.side = TS_PARAM(params, map_px);
 	plan->units = plan->lights.own ? counts->lights : 1;

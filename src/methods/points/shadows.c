@@ -4,6 +4,7 @@
 /* A view a sample, of all lights together. */
 void ts_soft_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
 {
+	ts_plan_lights(plan, params);
 	u32 n_lights = plan->lights.own ? counts->lights : 1;
 	plan->units = plan->lights.samples = request->samples != 0 ? request->samples * n_lights : TS_PARAM(params, views);
 	plan->batch = TS_PARAM(params, pass);

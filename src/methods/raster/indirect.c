@@ -5,6 +5,7 @@
 void ts_indirect_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
 {
 	(void)request;
+	ts_plan_lights(plan, params);
 	plan->lights.taps = 1;
 	plan->offscreen.side = TS_PARAM(params, rsm_px);
 	plan->units = plan->lights.own ? counts->lights : 1;

@@ -43,6 +43,7 @@ static const ts_step surfels_steps[] = {
 static void deferred_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
 {
 	(void)request;
+	ts_plan_lights(plan, params);
 	plan->lights.taps = 1;
 	plan->offscreen.side = TS_PARAM(params, map_px);
 	plan->units = counts->lights;

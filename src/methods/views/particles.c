@@ -47,7 +47,8 @@ static const ts_step bruteforce_particles_steps[] = {
 
 static void particles_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
 {
-	(void)params, (void)counts, (void)request;
+	(void)counts, (void)request;
+	ts_plan_views(plan, params);
 	plan->units = 0;
 }
 

@@ -172,16 +172,24 @@ void ts_builtin_make(ts_build *build, const char *spec, const ts_params *params)
 		make_mesh(build, scene, choice, TS_PARAM(params, seed));
 }
 
+static ts_status make_scene(ts_scene **scene, ts_build *build, const char *spec, const ts_params *params,
+                            const char *camera)
+{
+	ts_builtin_make(build, spec, params);
+	if (camera == NULL) camera = find(spec)->camera;
+	ts_reflectors_add(build, params, camera);
+	return ts_build_finish(build, params, camera, scene);
+}
+
 ts_status ts_builtin_open(ts_scene **scene, const char *spec, const ts_params *params, const char *camera)
 {
 	char names[128];
+	ts_status status;
 	*scene = NULL;
 	ts_builtin_names(names, sizeof names);
 	if (!ts_builtin_is(spec)) return ts_fail("\"%s\" is no built-in scene; there are %s", spec, names);
 	ts_build *build = ts_build_new(spec);
 	if (build == NULL) return TS_ERROR;
-	ts_builtin_make(build, spec, params);
-	if (camera == NULL) camera = find(spec)->camera;
-	ts_reflectors_add(build, params, camera);
-	return ts_build_finish(build, params, camera, scene);
+	TS_PARAM_READER("scene", "built-in", status = make_scene(scene, build, spec, params, camera));
+	return status;
 }
