@@ -4,6 +4,8 @@
 #include "../methods/pipeline.h"
 #include "../study/bench.h"
 #include "cli.h"
+#include "../study/methods.h"
+#include "../study/reads.h"
 #include "../study/truths.h"
 
 static const ts_column stage_columns[] = { { "name", "stage", false }, { "kind", "kind", false },
@@ -24,6 +26,12 @@ static const ts_column backend_columns[] = { { "name", "backend", false }, { "in
 	{ "device", "name", false }, { "rounded", "divide, root", false }, { "denormals", "denormals", false },
 	{ "atomics", "64-bit atomics", false }, { "memory_mib", "MiB", true }, { "most_mib", "MiB a buffer", true }, { 0 } };
 static const ts_column plain_columns[] = { { "name", "name", false }, { "doc", "what", false }, { 0 } };
+
+/* The methods whose table it is; none: of all. */
+typedef struct {
+	const ts_pipeline *methods[TS_MAX_METHODS];
+	u32 n_methods;
+} ts_listed;
 
 static void cell_buffers(ts_table *table, const ts_buffer_id *ids)
 {
@@ -78,7 +86,15 @@ static ts_table list_sizes(void)
 	return table;
 }
 
-static ts_table list_params(void)
+/* One of these methods reads it, or the scene that they show. */
+static bool is_read(const ts_listed *of, const char *param)
+{
+	bool read = of->n_methods == 0 || ts_reads_scene(param);
+	for (u32 i = 0; i < of->n_methods && !read; i++) read = ts_reads_method(of->methods[i], NULL, param);
+	return read;
+}
+
+static ts_table list_params(const ts_listed *of)
 {
 	size_t n;
 	const ts_param_info *p = ts_param_table(&n);
@@ -87,6 +103,7 @@ static ts_table list_params(void)
 	ts_params_default(&defaults);
 	for (size_t row = 0; row < n; row++, p++) {
 		char value[64], range[128];
+		if (!is_read(of, p->name)) continue;
 		ts_params_format(&defaults, row, value, sizeof value);
 		snprintf(range, sizeof range, "%s to %s", p->min, p->max);
 		ts_table_text(&table, p->name);
@@ -173,10 +190,17 @@ static ts_table list_backends(void)
 static const struct {
 	const char *name;
 	ts_table (*make)(void);
+	ts_table (*make_of)(const ts_listed *of); /* instead: of methods */
 } lists[] = {
-	{ "stages", list_stages }, { "buffers", list_buffers }, { "sizes", list_sizes },
-	{ "params", list_params }, { "methods", list_methods }, { "truths", list_truths },
-	{ "scenes", list_scenes }, { "backends", list_backends }, { "benches", ts_bench_list },
+	{ "stages", list_stages, NULL },
+	{ "buffers", list_buffers, NULL },
+	{ "sizes", list_sizes, NULL },
+	{ "params", NULL, list_params },
+	{ "methods", list_methods, NULL },
+	{ "truths", list_truths, NULL },
+	{ "scenes", list_scenes, NULL },
+	{ "backends", list_backends, NULL },
+	{ "benches", ts_bench_list, NULL },
 };
 
 enum { N_LISTS = sizeof lists / sizeof lists[0] };
@@ -194,16 +218,39 @@ static ts_status unknown(const char *name)
 	return ts_fail("list: no table \"%s\"; the nearest is %s; there are %s", name, nearest.best, names);
 }
 
+/* Methods of the names and the effect that were said; none: of all. */
+static ts_status find_methods(ts_listed *of, const ts_job *job)
+{
+	of->n_methods = 0;
+	if (job->effect != NULL) return ts_methods_find(of->methods, &of->n_methods, job->effect, job->method);
+	char item[32];
+	for (const char *names = job->method; ts_words_item(&names, item, sizeof item);) {
+		u32 before = of->n_methods;
+		for (const ts_pipeline *const *at = ts_pipelines(); *at != NULL; at++) {
+			if (strcmp((*at)->name, item) == 0 && of->n_methods < TS_MAX_METHODS) of->methods[of->n_methods++] = *at;
+		}
+		if (of->n_methods == before) return ts_fail("list params: no method \"%s\"; see: list methods", item);
+	}
+	return TS_OK;
+}
+
+static ts_status print_list(size_t i, const ts_job *job)
+{
+	ts_listed of;
+	ts_report report;
+	bool of_methods = job->method != NULL || job->effect != NULL;
+	if (of_methods && lists[i].make_of == NULL) return ts_fail("list %s: takes no --method or --effect", lists[i].name);
+	if (find_methods(&of, job) != TS_OK) return TS_ERROR;
+	ts_report_begin(&report, job->output.json);
+	ts_table table = lists[i].make_of != NULL ? lists[i].make_of(&of) : lists[i].make();
+	ts_report_table(&report, &table);
+	return ts_report_end(&report);
+}
+
 ts_status ts_list_command(ts_cli *cli)
 {
 	for (size_t i = 0; i < N_LISTS; i++) {
-		if (strcmp(lists[i].name, cli->arguments[0]) == 0) {
-			ts_report report;
-			ts_report_begin(&report, cli->job.output.json);
-			ts_table table = lists[i].make();
-			ts_report_table(&report, &table);
-			return ts_report_end(&report);
-		}
+		if (strcmp(lists[i].name, cli->arguments[0]) == 0) return print_list(i, &cli->job);
 	}
 	return unknown(cli->arguments[0]);
 }

@@ -35,8 +35,9 @@ const ts_command ts_command_table[] = {
 	  1, 1, TS_OPT(STAGE) | TS_OPT(INPUTS) | TS_OPT(THREADS) | TS_OPT(OUTPUT) | TS_OPT(JSON), ts_replay_command, NULL },
 	{ "info", "SCENE", "what was loaded, and what in the file was not understood", "",
 	  1, 1, WHERE | TS_OPT(JSON), ts_info_command, NULL },
-	{ "list", "WHAT", "tables: stages, buffers, sizes, params, methods, truths, scenes, backends or benches", "",
-	  1, 1, TS_OPT(JSON), ts_list_command, NULL },
+	{ "list", "WHAT", "tables: stages, buffers, sizes, params, methods, truths, scenes, backends or benches",
+	  "params --method NAME: those that the method, of --effect or of any, and its scene read.",
+	  1, 1, TS_OPT(EFFECT) | TS_OPT(METHOD) | TS_OPT(JSON), ts_list_command, NULL },
 	{ "bench", "TABLE", "the papers' tables, measured here; and what the backends take",
 	  "TABLE: one of `list benches`. Below a paper's table stand its own figures, and behind them what must hold, and\n"
 	  "whether it does. Their GPU's times are not ours: compare ratios. --objects are numbers of mirrors or light\n"

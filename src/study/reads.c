@@ -1,0 +1,52 @@
+/* Who reads which parameter, as the runs of scripts/reads noted it. */
+#include "reads.h"
+#include <string.h>
+#include "../model/table.h"
+#include "words.h"
+
+#define READS(kind, name, params) {kind, name, params},
+static const struct {
+	const char *kind, *name, *params;
+} table[] = {
+#include "reads.def"
+};
+
+bool ts_reads(const char *kind, const char *name, const char *param)
+{
+	for (size_t i = 0; i < sizeof table / sizeof *table; i++) {
+		bool meant = strcmp(table[i].kind, kind) == 0 && (name == NULL || strcmp(table[i].name, name) == 0);
+		if (meant && ts_words_have(table[i].params, param)) return true;
+	}
+	return false;
+}
+
+bool ts_reads_scene(const char *param) { return ts_reads("scene", NULL, param); }
+
+static bool shape_reads(ts_buffer_id id, const char *param)
+{
+	const ts_shape *shape = ts_buffer_shape(id);
+	for (u32 i = 0; i < shape->n; i++) {
+		for (u32 k = 0; k < shape->axis[i].n_factors; k++) {
+			if (ts_reads("size", ts_dim_table[shape->axis[i].factor[k]].name, param)) return true;
+		}
+	}
+	return false;
+}
+
+static bool stage_reads(const ts_stage *stage, const char *param)
+{
+	const ts_buffer_id *made = ts_stage_outputs(stage);
+	while (*made != TS_N_BUFFERS && !shape_reads(*made, param)) made++;
+	return *made != TS_N_BUFFERS || ts_reads("stage", stage->name, param);
+}
+
+bool ts_reads_method(const ts_pipeline *method, const ts_params *params, const char *param)
+{
+	if (method->sets.param != NULL && strcmp(method->sets.param, param) == 0) return false;
+	if (ts_reads(method->effect->name, method->name, param)) return true;
+	for (const ts_step *step = ts_pipeline_steps(method); step->stage != NULL; step++) {
+		bool takes = params == NULL || ts_pipeline_takes(step, params, true);
+		if (takes && stage_reads(ts_stage_find(step->stage), param)) return true;
+	}
+	return false;
+}
