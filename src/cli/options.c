@@ -124,7 +124,10 @@ static ts_status take_assignment(void *to, const ts_option *option, const char *
 	size_t n;
 	const ts_param_info *params = ts_param_table(&n);
 	ts_nearest nearest = ts_nearest_begin(name);
-	for (size_t i = 0; i < n; i++) ts_nearest_offer(&nearest, params[i].name);
+	for (size_t i = 0; i < n; i++) {
+		ts_nearest_offer(&nearest, params[i].name);
+		job->set[i] |= strcmp(params[i].name, name) == 0;
+	}
 	if (strcmp(name, "reflectors") == 0) job->mirrored = true;
 	if (nearest.distance != 0) {
 		return ts_fail("--set %s: no such parameter; the nearest is %s%s", name, nearest.best,

@@ -4,6 +4,8 @@
 #include "cli.h"
 #include "../study/folder.h"
 #include "render.h"
+#include "../scene/sources.h"
+#include "../study/reads.h"
 #include "render_csv.h"
 #include "../study/sweep.h"
 
@@ -233,6 +235,32 @@ static ts_status sweep(ts_job *job)
 	return TS_OK;
 }
 
+static bool is_read(const ts_job *job, const ts_pipeline *const *methods, u32 n_methods, const char *param)
+{
+	const ts_params *taken = job->sweep.n == 0 ? &job->params : NULL;
+	bool read = ts_reads("scene", ts_builtin_is(job->scenes) ? "built-in" : "file", param);
+	for (u32 i = 0; i < n_methods && !read; i++) read = ts_reads_method(methods[i], taken, param);
+	for (u32 t = 0; ts_truths()[t] != NULL && !read; t++) {
+		read = (job->truths & 1u << t) != 0 && ts_reads("truth", ts_truths()[t]->name, param);
+	}
+	return read;
+}
+
+/* One line of standard error for each parameter that was set in vain, behind a render that works: a failure is one line. */
+static ts_status say_unread(const ts_job *job)
+{
+	const ts_pipeline *methods[TS_MAX_METHODS];
+	u32 n_methods;
+	size_t n;
+	const ts_param_info *params = ts_param_table(&n);
+	if (ts_methods_find(methods, &n_methods, job->effect, job->method) != TS_OK) return TS_ERROR;
+	for (size_t i = 0; i < n; i++) {
+		if (!job->set[i] || is_read(job, methods, n_methods, params[i].name)) continue;
+		fprintf(stderr, "%s: --set %s: no method, scene or truth of this render reads it\n", ts_program, params[i].name);
+	}
+	return TS_OK;
+}
+
 ts_status ts_render_command(ts_cli *cli)
 {
 	ts_job *job = &cli->job;
@@ -242,5 +270,6 @@ ts_status ts_render_command(ts_cli *cli)
 	if (job->judged && ts_truths_find(&job->truths, job->effect, job->truth) != TS_OK) return TS_ERROR;
 	ts_measure_keep_memory();
 	ts_effect_params(job, job->effect);
-	return job->sweep.n > 0 ? sweep(job) : with_render(job, work_in_folder, NULL);
+	ts_status status = job->sweep.n > 0 ? sweep(job) : with_render(job, work_in_folder, NULL);
+	return status == TS_OK ? say_unread(job) : status;
 }

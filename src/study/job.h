@@ -35,6 +35,7 @@ typedef struct {
 	const char *truth;
 	u32 truths;                   /* of a render: what these are, bits of rows of ts_truths */
 	ts_params params;
+	bool set[TS_N_PARAMS];        /* by --set */
 	bool sized, mirrored;         /* the parameters' size was said; how many mirrors */
 	ts_sweep sweep;
 	const char *scenes, *objects; /* specs, of a render one; objects of a table */

@@ -1,0 +1,46 @@
+#!/bin/bash
+# Which parameters a method reads: `list params --method`, and the line about those that a render sets in vain.
+. "$(dirname "$0")/tap.bash"
+
+# names ARGUMENT...: the parameters that are listed, a line each.
+names() { "$touchstone" list params --json "$@" | python3 -c 'import json, sys; [print(p["name"]) for p in json.load(sys.stdin)["params"]]'; }
+
+all=$(names)
+epr=$(names --effect reflections --method epr)
+grep -qx rho_scale <<< "$epr" && grep -qx width <<< "$epr" && ! grep -qx 'pcss.near\|mvr.filter\|shadow.rate' <<< "$epr"
+verdict $? "EPR's parameters in reflections"
+names --method epr | grep -x shadow.rate > /dev/null
+verdict $? "EPR's parameters in all effects"
+! names --effect particles | grep -x view_field > /dev/null
+verdict $? "what a method sets itself is not read"
+[ -z "$(comm -13 <(sort <<< "$all") <(for effect in $("$touchstone" list methods --json |
+	python3 -c 'import json, sys; print(*{m["effect"] for m in json.load(sys.stdin)["methods"]})'); do names --effect "$effect"; done | sort -u))" ]
+verdict $? "what is read is a parameter"
+refuses 'no method "nix"' list params --method nix
+refuses 'the nearest is epr' list params --effect reflections --method erp
+refuses 'takes no --method' list stages --method epr
+
+tiny=(--size 32x18 --no-images --reflectors 1)
+# says COUNT ARGUMENT...: a render of reflections works and says of so many parameters that none reads them.
+says() {
+	local wanted=$1
+	shift
+	run render reflections gallery:triangles=10000 "${tiny[@]}" "$@"
+	[ "$status" -eq 0 ] && [ "$(grep -c 'reads it$' "$scratch/stderr")" -eq "$wanted" ] && [ "$(wc -l < "$scratch/stderr")" -eq "$wanted" ]
+	verdict $? "$wanted unread: $*"
+}
+says 0 --method mvr
+says 0 --method mvr --set fov=50 --set mvr.filter=supersample
+says 1 --method mvr --set clip=on
+grep -q -- '--set clip: ' "$scratch/stderr"
+verdict $? "a parameter that is set to its default is named, too"
+says 0 --method mvr,epr --set clip=off
+says 2 --method mvr --set clip=off --set neighbours=3
+says 1 --method mvr --set rho_scale=1
+says 0 --method mvr --set bounces=2 --truth=A
+says 1 --method mvr --set clip=on,off
+says 1 --method mvr --set area_samples=4
+run render soft-shadows gallery:triangles=10000 "${tiny[@]}" --method pcss --set map_px=32 --set area_samples=4 --set rate=exact --truth=area
+[ "$status" -eq 0 ] && [ ! -s "$scratch/stderr" ]
+verdict $? "a truth reads what its methods do not"
+finish
