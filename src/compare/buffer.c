@@ -20,6 +20,7 @@ typedef struct {
 	bool ignored[TS_MAX_FIELDS];
 	u32 float_at[MAX_FLOATS], n_floats; /* offsets of the floats that are judged */
 	const ts_order *order;
+	ts_dim points;         /* what stands in that order */
 	const ts_relaxations *relaxations;
 	const ts_tie_rule *tie;
 	void *ties;            /* NULL: the candidate has no freedom here */
@@ -32,7 +33,7 @@ typedef struct {
 /* True of a field of points' indices, where points stand in another order. */
 static bool is_mapped(const judge *j, const ts_field *field)
 {
-	return j->order->given && ts_field_names(field, TS_DIM_points);
+	return j->order->given && ts_field_names(field, j->points);
 }
 
 /* Up to RUN elements of the candidate, mapped; they may be copied to `scratch`. */
@@ -196,7 +197,7 @@ static ts_status judge_set(judge *j, const ts_trace_item *cand)
 	if (v->n_ref != order->n_ref || v->n_cand != order->n_cand) {
 		return ts_fail("%s: as many records as keys would be right, in both", cand->path);
 	}
-	if (j->id == TS_B_points_key) return TS_OK;
+	if (j->id == ts_order_key()) return TS_OK;
 	j->gather = ts_gather_open(cand, j->bytes, order);
 	ts_status status = j->gather != NULL ? judge_elements(j, order->n_ref) : TS_ERROR;
 	ts_gather_close(j->gather);
@@ -245,12 +246,12 @@ ts_status ts_compare_buffer(ts_verdict *verdict, ts_buffer_id id, const ts_trace
                             const ts_order *order, const ts_relaxations *relaxations)
 {
 	const ts_trace_item *ref = &reference->item[id], *cand = &candidate->item[id];
-	bool set = order->given && strcmp(ts_buffer_table[id].order, "set") == 0;
+	bool set = order->given && ts_order_is_set(id);
 	*verdict = (ts_verdict){.n_ref = ref->npy.n, .n_cand = cand->npy.n, .marks = verdict->marks};
 	if (ts_item_match(id, ref, cand) != TS_OK || check_mask(id, ref, relaxations) != TS_OK) return TS_ERROR;
 	judge j = {.verdict = verdict, .id = id, .bytes = ts_buffer_table[id].element_bytes, .fields = ts_fields_of(id),
-	           .order = order, .relaxations = relaxations, .mask_every = elements_a_pixel(id, ref, relaxations),
-	           .tie = ts_tie_find(id)};
+	           .order = order, .points = ts_order_of(), .relaxations = relaxations,
+	           .mask_every = elements_a_pixel(id, ref, relaxations), .tie = ts_tie_find(id)};
 	assert(j.bytes <= MAX_ELEMENT);
 	find_fields(&j);
 	ts_status status = open_readers(&j, ref, cand);

@@ -13,10 +13,25 @@ typedef struct {
 	u32 shift;
 } key_index;
 
+bool ts_order_is_set(ts_buffer_id id) { return strcmp(ts_buffer_table[id].order, "set") == 0; }
+
+ts_buffer_id ts_order_key(void)
+{
+	u32 id = 0;
+	while (id < TS_N_BUFFERS && strcmp(ts_buffer_table[id].key, ts_buffer_table[id].name) != 0) id++;
+	return (ts_buffer_id)id;
+}
+
+ts_dim ts_order_of(void)
+{
+	ts_buffer_id key = ts_order_key();
+	return key != TS_N_BUFFERS ? ts_buffer_counts(key) : TS_DIM_none;
+}
+
 static ts_reader *open_keys(const ts_trace *trace)
 {
-	const ts_trace_item *item = &trace->item[TS_B_points_key];
-	return ts_trace_read(item, TS_B_points_key);
+	ts_buffer_id key = ts_order_key();
+	return ts_trace_read(&trace->item[key], key);
 }
 
 static ts_status read_keys(u64 *keys, const ts_trace *trace, u64 n)
@@ -35,7 +50,7 @@ static ts_status read_keys(u64 *keys, const ts_trace *trace, u64 n)
 	ts_reader_close(reader);
 	for (u64 i = 1; i < n; i++) {
 		if (keys[i - 1] >= keys[i]) {
-			return ts_fail("%s: keys do not ascend, so it is no reference", trace->item[TS_B_points_key].path);
+			return ts_fail("%s: keys do not ascend, so it is no reference", trace->item[ts_order_key()].path);
 		}
 	}
 	return TS_OK;
@@ -141,7 +156,9 @@ static ts_status meet(ts_order *order, const key_index *index, const ts_trace *c
 ts_status ts_order_make(ts_order *order, const ts_trace *reference, const ts_trace *candidate)
 {
 	*order = (ts_order){.given = false};
-	const ts_trace_item *ref = &reference->item[TS_B_points_key], *cand = &candidate->item[TS_B_points_key];
+	ts_buffer_id key = ts_order_key();
+	if (key == TS_N_BUFFERS) return TS_OK;
+	const ts_trace_item *ref = &reference->item[key], *cand = &candidate->item[key];
 	if (!candidate->arrival || ref->path == NULL || cand->path == NULL) return TS_OK;
 	order->given = true;
 	order->n_ref = ref->npy.n;

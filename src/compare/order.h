@@ -4,6 +4,12 @@
 #include "../trace/field.h"
 #include "../trace/read.h"
 
+/* True of a buffer whose records are told apart by a key, and may stand in any order. */
+bool ts_order_is_set(ts_buffer_id id);
+/* The buffer of those keys, and what it counts; TS_N_BUFFERS and TS_DIM_none: no family has any. */
+ts_buffer_id ts_order_key(void);
+ts_dim ts_order_of(void);
+
 typedef struct {
 	bool given;          /* false: both stand in the same order, and the arrays are NULL */
 	u64 n_ref, n_cand;

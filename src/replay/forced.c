@@ -6,9 +6,9 @@
 static bool is_of_points(ts_buffer_id id)
 {
 	const ts_fields fields = ts_fields_of(id);
-	if (strcmp(ts_buffer_table[id].order, "set") == 0) return true;
+	if (ts_order_is_set(id)) return true;
 	for (u32 f = 0; f < fields.n; f++) {
-		if (ts_field_names(&fields.field[f], TS_DIM_points)) return true;
+		if (ts_field_names(&fields.field[f], ts_order_of())) return true;
 	}
 	return false;
 }

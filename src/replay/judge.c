@@ -74,8 +74,8 @@ static ts_status judge_by(ts_judged *judged, ts_trace *right, const ts_load *loa
 	ts_buffer_id id = judged->id;
 	void *crop = NULL;
 	put_item(&right->item[id], &load->run.frame.buffer[id], id);
-	if (strcmp(ts_buffer_table[id].order, "set") == 0) {
-		put_item(&right->item[TS_B_points_key], &load->run.frame.buffer[TS_B_points_key], TS_B_points_key);
+	if (ts_order_is_set(id)) {
+		put_item(&right->item[ts_order_key()], &load->run.frame.buffer[ts_order_key()], ts_order_key());
 		status = ts_order_make(&order, right, owner);
 	}
 	if (judged->item->cropped) {

@@ -2,6 +2,7 @@
 #include "replay.h"
 #include <inttypes.h>
 #include "../model/renamed.h"
+#include "../compare/order.h"
 #include "../trace/emit.h"
 
 static const ts_step *find_step(const char *name, const ts_pipeline *pipeline)
@@ -49,6 +50,14 @@ void ts_replay_reads(ts_buffer_id ids[TS_N_BUFFERS + 1], const ts_stage *stage, 
 	ids[n] = TS_N_BUFFERS;
 }
 
+/* Whether a stage is given records that may stand in any order. */
+static bool is_given_set(const ts_stage *stage)
+{
+	bool any = false;
+	for (u32 id = 0; id < TS_N_BUFFERS; id++) any |= ts_order_is_set(id) && ts_stage_reads(stage, id);
+	return any;
+}
+
 ts_status ts_replay_stage(ts_run *run, const ts_stage *stage)
 {
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
@@ -59,7 +68,7 @@ ts_status ts_replay_stage(ts_run *run, const ts_stage *stage)
 			ts_frame_borrow(&run->frame, (ts_buffer_id)id, NULL, 0);
 		}
 	}
-	run->arrival = ts_stage_writes(stage, TS_B_splat_depth_index);
+	run->arrival = is_given_set(stage);
 	return ts_run_stage(run, stage);
 }
 
