@@ -29,6 +29,7 @@ enum { N_FAMILIES = sizeof families / sizeof *families };
 
 void ts_tools_begin(void)
 {
+	HAND(ts_where_use, ts_where_rule, places);
 	HAND(ts_tie_use, ts_tie_rule, ties);
 	HAND(ts_decided_use, ts_margin_rule, margins);
 	HAND(ts_check_use, ts_check_rule, checks);

@@ -1,12 +1,16 @@
 /* Elements by the shapes of their buffers. */
 #include "where.h"
+#include <assert.h>
 #include <inttypes.h>
 #include <stdio.h>
 #include "../kernels/base/num.h"
 #include "reader.h"
 
-/* Copies element `index` of a buffer of the reference; false if it is not there. */
-static bool fetch(const ts_trace *reference, ts_buffer_id id, u64 index, void *to)
+static const ts_where_rule *const *lists;
+
+void ts_where_use(const ts_where_rule *const *rules) { lists = rules; }
+
+bool ts_where_fetch(const ts_trace *reference, ts_buffer_id id, u64 index, void *to)
 {
 	const ts_trace_item *item = &reference->item[id];
 	size_t bytes = ts_buffer_table[id].element_bytes;
@@ -25,27 +29,6 @@ void ts_where_key(char text[TS_WHERE_TEXT], u64 key)
 	         (int)(key >> 16 & 0xffff) - 32768);
 }
 
-static bool where_point(char *text, const ts_trace *reference, ts_buffer_id id, u64 point)
-{
-	u64 key;
-	(void)id;
-	if (!fetch(reference, TS_B_points_key, point, &key)) return false;
-	char inside[TS_WHERE_TEXT];
-	ts_where_key(inside, key);
-	snprintf(text, TS_WHERE_TEXT, "key (%.100s)", inside);
-	return true;
-}
-
-static bool where_pixel(char *text, const ts_trace *reference, ts_buffer_id id, u64 pixel)
-{
-	ts_pixel record;
-	(void)id;
-	if (!fetch(reference, TS_B_pixel_record, pixel, &record) || TS_PARAM(&reference->params, width) == 0) return false;
-	snprintf(text, TS_WHERE_TEXT, "pixel (%u, %u)", (unsigned)(record.index % TS_PARAM(&reference->params, width)),
-	         (unsigned)(record.index / TS_PARAM(&reference->params, width)));
-	return true;
-}
-
 const char *ts_where_face(u32 face)
 {
 	static const char *const faces[] = {"+X", "-X", "+Y", "-Y", "+Z", "-Z"};
@@ -56,7 +39,7 @@ const char *ts_where_face(u32 face)
 static bool where_view(char *text, const ts_trace *reference, u64 texel)
 {
 	ts_offscreen view;
-	for (u64 v = 0; fetch(reference, TS_B_offscreen_view, v, &view); v++) {
+	for (u64 v = 0; ts_where_fetch(reference, TS_B_offscreen_view, v, &view); v++) {
 		u64 inside = texel - view.offset;
 		if (texel < view.offset || inside >= (u64)view.width * view.height) continue;
 		snprintf(text, TS_WHERE_TEXT, "view %" PRIu64 ", texel (%" PRIu64 ", %" PRIu64 ")", v, inside % view.width,
@@ -71,7 +54,7 @@ static bool where_texel(char *text, const ts_trace *reference, ts_buffer_id id, 
 	(void)id;
 	ts_face cube;
 	if (reference->item[TS_B_resize_face].path == NULL) return where_view(text, reference, texel);
-	for (u64 r = 0; fetch(reference, TS_B_resize_face, r, &cube); r++) {
+	for (u64 r = 0; ts_where_fetch(reference, TS_B_resize_face, r, &cube); r++) {
 		u64 n = cube.n, inside = texel - cube.offset;
 		if (texel < cube.offset || inside >= 6 * n * n) continue;
 		snprintf(text, TS_WHERE_TEXT, "%s %" PRIu64 ", face %s, texel (%" PRIu64 ", %" PRIu64 ")",
@@ -91,16 +74,31 @@ static bool where_image(char *text, const ts_trace *reference, ts_buffer_id id, 
 	return true;
 }
 
-/* Things that say more of their place than their number. */
-static const struct {
-	ts_dim of;
-	bool (*where)(char *text, const ts_trace *reference, ts_buffer_id id, u64 index);
-} places[] = {
-	{TS_DIM_points, where_point},
-	{TS_DIM_mirror_pixels, where_pixel},
+/* What is of no family. */
+static const ts_where_rule general[] = {
 	{TS_DIM_texels, where_texel},
 	{TS_DIM_height, where_image},
+	{.where = NULL},
 };
+
+static bool where_by(const ts_where_rule *rule, char *text, const ts_trace *reference, ts_buffer_id id, u64 index)
+{
+	for (ts_dim of = ts_buffer_counts(id); rule->where != NULL; rule++) {
+		if (rule->of == of) return rule->where(text, reference, id, index);
+	}
+	return false;
+}
+
+/* False of what has no more to say of its place than its number. */
+static bool find(char *text, const ts_trace *reference, ts_buffer_id id, u64 index)
+{
+	assert(lists != NULL);
+	bool found = where_by(general, text, reference, id, index);
+	for (const ts_where_rule *const *list = lists; *list != NULL && !found; list++) {
+		found = where_by(*list, text, reference, id, index);
+	}
+	return found;
+}
 
 /* What the first dimension counts; of a product the last. */
 static const char *noun(const ts_axis *axis)
@@ -113,16 +111,13 @@ void ts_where(char text[TS_WHERE_TEXT], const ts_trace *reference, ts_buffer_id 
 {
 	const ts_shape *shape = ts_buffer_shape(id);
 	const ts_npy *npy = &reference->item[id].npy;
-	ts_dim of = ts_buffer_counts(id);
 	u64 row_elements = 1;
-	bool found = false;
 	char row_text[TS_WHERE_TEXT] = "";
 	for (u32 i = ts_shape_is_image(shape) ? 2 : 1; i < npy->n_dims; i++) row_elements *= npy->shape[i];
 	u64 row = row_elements != 0 ? element / row_elements : 0, inside = row_elements != 0 ? element % row_elements : 0;
-	for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
-		if (places[i].of == of) found = places[i].where(row_text, reference, id, row);
+	if (!find(row_text, reference, id, row)) {
+		snprintf(row_text, sizeof row_text, "%s %" PRIu64, noun(&shape->axis[0]), row);
 	}
-	if (!found) snprintf(row_text, sizeof row_text, "%s %" PRIu64, noun(&shape->axis[0]), row);
 	bool lights = shape->n == 3 && ts_axis_counts(&shape->axis[2]) == TS_DIM_lamps;
 	const char *format = lights ? "%.90s, light %" PRIu64 : row_elements > 1 ? "%.90s [%" PRIu64 "]" : "%.90s";
 	snprintf(text, TS_WHERE_TEXT, format, row_text, inside);

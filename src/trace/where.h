@@ -6,6 +6,17 @@
 
 enum { TS_WHERE_TEXT = 128 };
 
+/* How a family says where a row of what it counts lies; false: it cannot. */
+typedef struct {
+	ts_dim of;
+	bool (*where)(char *text, const ts_trace *reference, ts_buffer_id id, u64 index);
+} ts_where_rule;
+
+/* Takes the rules of all families: lists ended by NULL, each ended by a row without `where`. They must stay. */
+void ts_where_use(const ts_where_rule *const *rules);
+/* For rules. Copies element `index` of a buffer of the reference; false if it is not there. */
+bool ts_where_fetch(const ts_trace *reference, ts_buffer_id id, u64 index, void *to);
+
 /* Of an element of the reference. What it cannot find out there it leaves out. */
 void ts_where(char text[TS_WHERE_TEXT], const ts_trace *reference, ts_buffer_id id, u64 element);
 /* "piece 812, x 5, y 3" of a key of points.key. */

@@ -9,10 +9,12 @@
 #include "../../study/bench.h"
 #include "../../study/stage_pictures.h"
 #include "../../study/viewer.h"
+#include "../../trace/where.h"
 #include "../../truth/table.h"
 #include "../../truth/texels.h"
 
 typedef struct {
+	const ts_where_rule *places;           /* ended by a row without `where` */
 	const ts_tie_rule *ties;               /* ended by a row without `open` */
 	const ts_margin_rule *margins;         /* ended by a row of no elements */
 	const ts_check_rule *checks;           /* ended by a row without `check` */

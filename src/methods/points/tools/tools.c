@@ -86,6 +86,7 @@ static const ts_viewer_rule viewers[] = {
 static const ts_buffer_id keeps[] = {TS_B_pixel_record, TS_N_BUFFERS};
 
 const ts_family_tools ts_points_tools = {
+	.places = ts_points_places,
 	.ties = ties,
 	.margins = margins,
 	.checks = ts_points_checks,

@@ -4,10 +4,12 @@
 #include "../../../replay/check.h"
 #include "../../../study/stage_pictures.h"
 #include "../../../study/viewer.h"
+#include "../../../trace/where.h"
 #include "../../../truth/texels.h"
 
 extern const ts_check_rule ts_points_checks[];
 extern const ts_stage_picture_rule ts_points_pictures[];
+extern const ts_where_rule ts_points_places[];
 
 /* Copies points.record into a folder of the output (viewer.c). */
 ts_status ts_points_view(const ts_run *run, const char *folder);

@@ -141,6 +141,6 @@ const ts_paper_table ts_mega_10 = {
 	.objects_param = "vpls", .objects = "256,1024,4096", .most = 1 << 24, .most_long = 1024, .set = "reflectors=0",
 	.defaults = "levels=7,rsm_px=256", .size = "width=320,height=180", .timed = true,
 	.note = "A path leaves vpl.bounces views; the paper has 1 or 4, and 11 levels. Brute force, one run, up to 1024 paths.",
-	.look = empty_share, .variants = variants, .figures = figures, .parts = parts, .relations = relations, .plot = &plot,
-	.rows = rows,
+	.look = empty_share, .variants = variants, .figures = figures, .parts = parts, .relations = relations,
+	.plot = &plot, .rows = rows,
 };

@@ -1,0 +1,30 @@
+/* Where points and reflective pixels are. */
+#include <stdio.h>
+#include "tools.h"
+
+static bool where_point(char *text, const ts_trace *reference, ts_buffer_id id, u64 point)
+{
+	u64 key;
+	(void)id;
+	if (!ts_where_fetch(reference, TS_B_points_key, point, &key)) return false;
+	char inside[TS_WHERE_TEXT];
+	ts_where_key(inside, key);
+	snprintf(text, TS_WHERE_TEXT, "key (%.100s)", inside);
+	return true;
+}
+
+static bool where_pixel(char *text, const ts_trace *reference, ts_buffer_id id, u64 pixel)
+{
+	ts_pixel record;
+	(void)id;
+	u32 width = TS_PARAM(&reference->params, width);
+	if (!ts_where_fetch(reference, TS_B_pixel_record, pixel, &record) || width == 0) return false;
+	snprintf(text, TS_WHERE_TEXT, "pixel (%u, %u)", (unsigned)(record.index % width), (unsigned)(record.index / width));
+	return true;
+}
+
+const ts_where_rule ts_points_places[] = {
+	{TS_DIM_points, where_point},
+	{TS_DIM_mirror_pixels, where_pixel},
+	{.where = NULL},
+};
