@@ -135,14 +135,13 @@ void ts_compare_report(ts_report *report, const ts_comparison *c, const ts_trace
                        const ts_judging *judging)
 {
 	char line[TS_LINE_TEXT], relaxed[600];
+	ts_buffer_id ids[TS_N_BUFFERS];
 	ts_table table = ts_table_begin("buffers", "", columns);
-	for (u32 number = 0; number <= TS_N_BUFFERS; number++) {
-		for (u32 id = 0; id < TS_N_BUFFERS; id++) {
-			const ts_step *step = ts_pipeline_maker(reference->pipeline, (ts_buffer_id)id);
-			bool here = ts_emit_number(reference->pipeline, (ts_buffer_id)id) == number;
-			if (!here || c->verdict[id].judgement == TS_NOT_JUDGED) continue;
-			row(&table, &c->verdict[id], step != NULL ? step->stage : "scene", (ts_buffer_id)id);
-		}
+	ts_emit_order(ids, reference->pipeline);
+	for (u32 i = 0; i < TS_N_BUFFERS; i++) {
+		const ts_step *step = ts_pipeline_maker(reference->pipeline, ids[i]);
+		if (c->verdict[ids[i]].judgement == TS_NOT_JUDGED) continue;
+		row(&table, &c->verdict[ids[i]], step != NULL ? step->stage : "scene", ids[i]);
 	}
 	relaxations_of(relaxed, sizeof relaxed, judging);
 	ts_report_table(report, &table);

@@ -31,16 +31,13 @@ static ts_status judge_one(ts_comparison *c, ts_buffer_id id, const ts_trace *re
 static ts_status judge_all(ts_comparison *c, const ts_trace *reference, const ts_trace *candidate, const ts_order *order,
                            const ts_relaxations *relaxations)
 {
-	u32 numbers[TS_N_BUFFERS];
-	for (u32 id = 0; id < TS_N_BUFFERS; id++) numbers[id] = ts_emit_number(reference->pipeline, (ts_buffer_id)id);
-	for (u32 number = 0; number <= TS_N_BUFFERS; number++) {
-		for (u32 id = 0; id < TS_N_BUFFERS; id++) {
-			if (numbers[id] != number) continue;
-			ts_status status = judge_one(c, (ts_buffer_id)id, reference, candidate, order, relaxations);
-			if (status != TS_OK) return status;
-		}
+	ts_buffer_id ids[TS_N_BUFFERS];
+	ts_status status = TS_OK;
+	ts_emit_order(ids, reference->pipeline);
+	for (u32 i = 0; i < TS_N_BUFFERS && status == TS_OK; i++) {
+		status = judge_one(c, ids[i], reference, candidate, order, relaxations);
 	}
-	return TS_OK;
+	return status;
 }
 
 ts_status ts_compare(ts_comparison *comparison, const ts_trace *reference, const ts_trace *candidate,

@@ -122,19 +122,17 @@ static ts_status compare(char *text, size_t text_bytes, ts_buffer_id id, const t
 ts_status ts_golden_compare(char *text, size_t text_bytes, const ts_golden *stored, const ts_golden *computed,
                             const ts_pipeline *pipeline, bool small)
 {
-	u32 n_steps = 0;
-	while (ts_pipeline_steps(pipeline)[n_steps].stage != NULL) n_steps++;
-	for (u32 number = 0; number <= n_steps; number++) {
-		for (u32 id = 0; id < TS_N_BUFFERS; id++) {
-			char name[TS_EMIT_NAME];
-			if (ts_emit_number(pipeline, (ts_buffer_id)id) != number) continue;
-			ts_emit_name(name, pipeline, (ts_buffer_id)id);
-			snprintf(text, text_bytes, "%s: ", name);
-			ts_status status = compare(text, text_bytes, (ts_buffer_id)id, stored, computed);
-			if (status != TS_OK) return status;
-			bool must = small && ts_golden_is_small(computed, (ts_buffer_id)id);
-			if (must && stored->file[id].data == NULL) return ts_fail("small/%s: there is no such file", name);
-		}
+	ts_buffer_id ids[TS_N_BUFFERS];
+	ts_emit_order(ids, pipeline);
+	for (u32 i = 0; i < TS_N_BUFFERS; i++) {
+		char name[TS_EMIT_NAME];
+		ts_buffer_id id = ids[i];
+		ts_emit_name(name, pipeline, id);
+		snprintf(text, text_bytes, "%s: ", name);
+		ts_status status = compare(text, text_bytes, id, stored, computed);
+		if (status != TS_OK) return status;
+		bool must = small && ts_golden_is_small(computed, id);
+		if (must && stored->file[id].data == NULL) return ts_fail("small/%s: there is no such file", name);
 	}
 	text[0] = 0;
 	return TS_OK;

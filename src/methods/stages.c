@@ -23,45 +23,53 @@ const ts_stage *ts_stage_margin(const ts_stage *stage)
 	return NULL;
 }
 
-static void mark(bool *set, const ts_buffer_id *ids)
+/* Appends what is not in the list yet. */
+static void put(ts_buffer_id ids[LIST], ts_buffer_id id)
 {
-	for (; ids != NULL && *ids != TS_N_BUFFERS; ids++) set[*ids] = true;
+	u32 n = 0;
+	while (ids[n] != TS_N_BUFFERS && ids[n] != id) n++;
+	if (ids[n] == id) return;
+	assert(n + 1 < LIST);
+	ids[n] = id;
+	ids[n + 1] = TS_N_BUFFERS;
 }
 
-static void mark_launch(bool *reads, bool *writes, const ts_launch *launch)
+static void put_all(ts_buffer_id ids[LIST], const ts_buffer_id *more)
+{
+	for (; more != NULL && *more != TS_N_BUFFERS; more++) put(ids, *more);
+}
+
+static void put_launch(ts_buffer_id reads[LIST], ts_buffer_id writes[LIST], const ts_launch *launch)
 {
 	const ts_pointers *p = ts_kernel_pointers(launch->kernel);
 	for (u32 i = 0; i < p->n; i++) {
 		const ts_bound bound = ts_launch_bound(launch, &p->pointer[i]);
-		if (!bound.bound || bound.role > TS_ROLE_SUM) continue;
-		*(bound.role == TS_ROLE_IN ? &reads[bound.to] : &writes[bound.to]) = true;
+		if (bound.bound && bound.role <= TS_ROLE_SUM) put(bound.role == TS_ROLE_IN ? reads : writes, bound.to);
 	}
 }
 
-static void list(ts_buffer_id ids[LIST], const bool *set, const bool *without)
+static bool is_in(const ts_buffer_id *ids, ts_buffer_id id)
 {
-	u32 n = 0;
-	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
-		assert(n + 1 < LIST);
-		if (set[id] && !without[id]) ids[n++] = (ts_buffer_id)id;
-	}
-	ids[n] = TS_N_BUFFERS;
+	while (*ids != TS_N_BUFFERS && *ids != id) ids++;
+	return *ids == id;
 }
 
+/* What is read and not made, in the order of records.def; what is made, in that of the launches. */
 static void fill(void)
 {
-	static const bool none[TS_N_BUFFERS];
 	for (u32 i = 0; ts_stages()[i] != NULL; i++) {
 		const ts_stage *stage = ts_stages()[i];
-		bool reads[TS_N_BUFFERS] = {false}, writes[TS_N_BUFFERS] = {false};
-		mark(reads, stage->looks_at);
-		mark(writes, stage->makes);
-		for (u32 k = 0; stage->launches != NULL && stage->launches[k] != NULL; k++) {
-			mark_launch(reads, writes, stage->launches[k]);
-		}
 		assert(i < MOST_STAGES);
-		list(lists[i].inputs, reads, writes);
-		list(lists[i].outputs, writes, none);
+		ts_buffer_id reads[LIST] = {TS_N_BUFFERS}, *inputs = lists[i].inputs, *outputs = lists[i].outputs;
+		inputs[0] = outputs[0] = TS_N_BUFFERS;
+		put_all(reads, stage->looks_at);
+		for (u32 k = 0; stage->launches != NULL && stage->launches[k] != NULL; k++) {
+			put_launch(reads, outputs, stage->launches[k]);
+		}
+		put_all(outputs, stage->makes);
+		for (u32 id = 0; id < TS_N_BUFFERS; id++) {
+			if (is_in(reads, (ts_buffer_id)id) && !is_in(outputs, (ts_buffer_id)id)) put(inputs, (ts_buffer_id)id);
+		}
 	}
 }
 
@@ -76,14 +84,6 @@ static u32 place_of(const ts_stage *stage)
 
 const ts_buffer_id *ts_stage_inputs(const ts_stage *stage) { return lists[place_of(stage)].inputs; }
 const ts_buffer_id *ts_stage_outputs(const ts_stage *stage) { return lists[place_of(stage)].outputs; }
-
-static bool is_in(const ts_buffer_id *ids, ts_buffer_id id)
-{
-	for (; *ids != TS_N_BUFFERS; ids++) {
-		if (*ids == id) return true;
-	}
-	return false;
-}
 
 bool ts_stage_reads(const ts_stage *stage, ts_buffer_id id) { return is_in(ts_stage_inputs(stage), id); }
 bool ts_stage_writes(const ts_stage *stage, ts_buffer_id id) { return is_in(ts_stage_outputs(stage), id); }

@@ -65,6 +65,22 @@ u32 ts_emit_number(const ts_pipeline *pipeline, ts_buffer_id id)
 	return 0;
 }
 
+void ts_emit_order(ts_buffer_id ids[TS_N_BUFFERS], const ts_pipeline *pipeline)
+{
+	bool listed[TS_N_BUFFERS] = {false};
+	u32 n = 0;
+	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
+		listed[id] = ts_pipeline_maker(pipeline, (ts_buffer_id)id) == NULL;
+		if (listed[id]) ids[n++] = (ts_buffer_id)id;
+	}
+	for (const ts_step *step = ts_pipeline_steps(pipeline); step->stage != NULL; step++) {
+		for (const ts_buffer_id *id = ts_stage_outputs(ts_stage_find(step->stage)); *id != TS_N_BUFFERS; id++) {
+			if (!listed[*id]) ids[n++] = *id;
+			listed[*id] = true;
+		}
+	}
+}
+
 void ts_emit_name(char name[TS_EMIT_NAME], const ts_pipeline *pipeline, ts_buffer_id id)
 {
 	snprintf(name, TS_EMIT_NAME, "%02u-%s.npy", (unsigned)ts_emit_number(pipeline, id), ts_buffer_table[id].name);

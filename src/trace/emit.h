@@ -32,6 +32,8 @@ bool ts_emit_is_batched(ts_buffer_id id);
 /* Place of the step that makes a buffer, from 1; margins and what is unnumbered have that of the step
  * before. 0: the scene. */
 u32 ts_emit_number(const ts_pipeline *pipeline, ts_buffer_id id);
+/* All buffers: those that no step makes, in the order of records.def, then as the steps make them. */
+void ts_emit_order(ts_buffer_id ids[TS_N_BUFFERS], const ts_pipeline *pipeline);
 /* "04-eye.depth_triangle.npy". */
 void ts_emit_name(char name[TS_EMIT_NAME], const ts_pipeline *pipeline, ts_buffer_id id);
 

@@ -45,14 +45,12 @@ ts_status ts_sums_of(ts_sums *sums, const ts_pipeline *pipeline, const ts_scene 
 
 void ts_sums_print(const ts_sums *sums, const ts_pipeline *pipeline, FILE *out)
 {
-	u32 n_steps = 0;
-	while (ts_pipeline_steps(pipeline)[n_steps].stage != NULL) n_steps++;
-	for (u32 number = 0; number <= n_steps; number++) {
-		for (u32 id = 0; id < TS_N_BUFFERS; id++) {
-			char name[TS_EMIT_NAME];
-			if (sums->hex[id][0] == 0 || ts_emit_number(pipeline, (ts_buffer_id)id) != number) continue;
-			ts_emit_name(name, pipeline, (ts_buffer_id)id);
-			fprintf(out, "%s  %s\n", sums->hex[id], name);
-		}
+	ts_buffer_id ids[TS_N_BUFFERS];
+	ts_emit_order(ids, pipeline);
+	for (u32 i = 0; i < TS_N_BUFFERS; i++) {
+		char name[TS_EMIT_NAME];
+		if (sums->hex[ids[i]][0] == 0) continue;
+		ts_emit_name(name, pipeline, ids[i]);
+		fprintf(out, "%s  %s\n", sums->hex[ids[i]], name);
 	}
 }

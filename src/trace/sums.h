@@ -18,7 +18,7 @@ void ts_sums_end(ts_sums *sums);
 /* Runs a pipeline as a trace would, for its digests. */
 ts_status ts_sums_of(ts_sums *sums, const ts_pipeline *pipeline, const ts_scene *scene, const ts_params *params,
                      const ts_how *how);
-/* A line a buffer, in the order of the pipeline, then of records.def. */
+/* A line a buffer, in the order of the pipeline, then of what the stage writes. */
 void ts_sums_print(const ts_sums *sums, const ts_pipeline *pipeline, FILE *out);
 
 #endif
