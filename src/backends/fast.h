@@ -7,7 +7,7 @@
 typedef bool ts_fast_path(const void *args, u64 n, u32 threads);
 
 /* Every fast path, once: FAST(kernel). */
-#define FAMILY(name) FAMILY_FILE(backends/c/name/fast.def)
+#define FAMILY(name) FAMILY_FILE(FAMILY_C, name, fast.def)
 #define FAST(kernel) ts_fast_path ts_c_fast_##kernel;
 #include "../families.def"
 #undef FAST

@@ -4,7 +4,7 @@
 #include "../kernels/vectors/kernels.h"
 #include "../kernels/base/kernels.h"
 
-#define FAMILY(name) FAMILY_FILE(kernels/name/kernels.h)
+#define FAMILY(name) FAMILY_FILE(kernels, name, kernels.h)
 #include "../families.def"
 #undef FAMILY
 

@@ -4,7 +4,7 @@
 #include "../vectors/vectors.h"
 
 /* VECTORS(name): ts_<name>_vectors, the primitives of a family that has some. */
-#define FAMILY(name) FAMILY_FILE(methods/name/vectors.def)
+#define FAMILY(name) FAMILY_FILE(methods, name, vectors.def)
 #define VECTORS(name) extern const ts_vector_set ts_##name##_vectors;
 #include "../families.def"
 #undef VECTORS
@@ -18,7 +18,7 @@ static const ts_vector_set *const vectors[] = {
 #undef FAMILY
 
 /* STAGE(name): ts_stage_<name>, which says in the file of its code what it launches and makes. */
-#define FAMILY(name) FAMILY_FILE(methods/name/stages.def)
+#define FAMILY(name) FAMILY_FILE(methods, name, stages.def)
 #define STAGE(name) extern const ts_stage ts_stage_##name;
 #include "../families.def"
 #undef STAGE
@@ -32,7 +32,7 @@ static const ts_stage *const stages[] = {
 #undef FAMILY
 
 /* PIPELINE(name): ts_pipeline_<name>, in the file of its steps. */
-#define FAMILY(name) FAMILY_FILE(methods/name/pipelines.def)
+#define FAMILY(name) FAMILY_FILE(methods, name, pipelines.def)
 #define PIPELINE(name) extern const ts_pipeline ts_pipeline_##name;
 #include "../families.def"
 #undef PIPELINE

@@ -4,7 +4,7 @@
 #include <string.h>
 #include "../kernels/base/num.h"
 
-#define FAMILY(name) FAMILY_FILE(methods/name/plan.def)
+#define FAMILY(name) FAMILY_FILE(methods, name, plan.def)
 #define ALONE(member) {"", #member, offsetof(ts_plan, member)},
 #define PART(name, members) members
 #define MEMBER(part, name) {#part, #name, offsetof(ts_plan, part.name)},

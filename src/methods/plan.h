@@ -18,7 +18,7 @@ typedef struct {
 
 /* Every member is a u32, so that ts_plan_row can read it. A family has parts, PART(name, members), whose members are
  * MEMBER(part, name). */
-#define FAMILY(name) FAMILY_FILE(methods/name/plan.def)
+#define FAMILY(name) FAMILY_FILE(methods, name, plan.def)
 #define PART(name, members) struct { members } name;
 #define MEMBER(part, name) u32 name;
 typedef struct {

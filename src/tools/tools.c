@@ -2,7 +2,7 @@
 #include "tools.h"
 #include "../methods/tools/family.h"
 
-#define FAMILY(name) FAMILY_FILE(methods/name/tools/tools.def)
+#define FAMILY(name) FAMILY_FILE(methods, name, tools.def)
 
 #define TOOLS(name) extern const ts_family_tools ts_##name##_tools;
 #include "../families.def"

@@ -2,10 +2,12 @@
  * this file once for each folder. */
 #include "../backend.h"
 #ifdef OF
+/* clang-format off */
 #define TEXT(path) QUOTED(path)
 #define QUOTED(path) #path
 #define KERNELS_H TEXT(../../kernels/OF/kernels.h)
 #define KERNELS_DEF TEXT(../../kernels/OF/kernels.def)
+/* clang-format on */
 #else
 #define KERNELS_H "../kernels.h"
 #define KERNELS_DEF "../kernels.def"

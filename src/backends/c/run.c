@@ -25,7 +25,7 @@ static kernel_items *const kernels[TS_N_KERNELS] = {
 };
 #undef KERNEL
 
-#define FAMILY(name) FAMILY_FILE(backends/c/name/fast.def)
+#define FAMILY(name) FAMILY_FILE(FAMILY_C, name, fast.def)
 #define FAST(kernel) [TS_KERNEL_##kernel] = ts_c_fast_##kernel,
 static ts_fast_path *const paths[TS_N_KERNELS] = {
 #include "../../families.def"
