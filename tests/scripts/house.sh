@@ -44,6 +44,7 @@ gives 1 "0 buffers" "nothing to compare" scripts/house/bits goldens "$folder/not
 
 mkdir -p "$folder"/tree/src/{model,trace,cli} "$folder"/tree/obj/src/{model,trace,cli}
 cd "$folder/tree" || exit
+printf '#include FAMILY(%s)\n' raster points another > src/families.def
 echo '#include "../trace/b.h"' > src/model/a.h
 echo '#include "../model/a.h"' > src/trace/b.h
 printf 'int upper(void);\nint lower(void) { return upper(); }\n' > src/model/a.c
@@ -55,6 +56,14 @@ BUILD=. gives 1 "src/model/a.c -> src/cli/c.c" "a symbol of a floor above" "$scr
 echo '#include "../model/a.h"' > src/cli/b.h
 rm src/trace/b.h src/model/a.c
 BUILD=. gives 0 "by symbol: 0 arrows" "rooms in order" "$scripts/rooms"
+mkdir -p src/kernels/{points,another,raster}
+: > src/kernels/points/d.h
+echo '#include "../points/d.h"' > src/kernels/another/e.h
+BUILD=. gives 1 "between families: kernels/another -> kernels/points" "an arrow between families" "$scripts/rooms"
+mv src/kernels/{points,raster}/d.h
+echo '#include "../raster/d.h"' > src/kernels/another/e.h
+BUILD=. gives 0 "0 between families" "what all families share" "$scripts/rooms"
+rm -r src/kernels
 
 printf 'bool epr = strcmp(method, "epr") == 0;\nbool eye = strcmp(stage->name, "eye") == 0;\n' > src/cli/d.c
 printf 'bool eye = strcmp(view, "eye") == 0;\n' >> src/cli/d.c
