@@ -86,15 +86,15 @@ echo 'bool rows = strcmp(of, "H") == 0;' > src/trace/rows.c
 gives 1 "1 lines look at letters" "a dimension that is a letter" "$scripts/letters"
 echo 'BUFFER(eye_view, "eye.view", ts_view, "rows", sequence, "", "")' > include/touchstone/records.def
 gives 0 "0 dimensions are letters" "dimensions that have names" "$scripts/letters"
-mkdir -p tests/methods
-echo 'b: reads eye.view; writes eye.view' > tests/methods/sets.txt
+mkdir -p tests/methods/points
+echo 'b: reads eye.view; writes eye.view' > tests/methods/points/sets.txt
 row='const ts_stage ts_stage_b = {\n\t.looks_at = TS_BUFFERS(TS_B_eye_view),\n};\n'
 printf "f(ts_frame_n(frame, TS_B_eye_view));\n\n$row" > src/stages/b.c
 gives 0 "0 buffers are named" "a stage body that looks at what its row declares" "$scripts/letters"
 printf "handle(TS_B_eye_view);\n\n$row" > src/stages/b.c
 gives 1 "1 buffers are named" "a stage body that names a buffer" "$scripts/letters"
 printf "f(ts_frame_n(frame, TS_B_eye_view));\n\n$row" > src/stages/b.c
-echo 'b: reads scene.info; writes scene.info' > tests/methods/sets.txt
+echo 'b: reads scene.info; writes scene.info' > tests/methods/points/sets.txt
 echo 'BUFFER(scene_info, "scene.info", ts_info, "1", sequence, "", "")' >> include/touchstone/records.def
 gives 1 "1 buffers are named" "a stage body that looks at what it does not declare" "$scripts/letters"
 
