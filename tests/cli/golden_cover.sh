@@ -20,7 +20,7 @@ for path in glob.glob("reference/*/params.txt"):
 names = {m.group(1) for m in re.finditer(r"^([a-z0-9-]+):", open("reference/cases.txt").read(), re.M)}
 methods = [(m["effect"], m["name"]) for m in table["methods"]]
 of = lambda *methods: [case for case in cases.values() if (case["effect"], case["method"]) in methods]
-# Who must take every choice of a parameter, if not EPR's reflections.
+# Who must take every choice of a parameter, if not whom takers_of says.
 views = [("reflections", "ivir"), ("soft-shadows", "ivir"), ("omni-shadows", "ivir")]
 soft, omni, indirect, particles = ([m for m in methods if m[0] == effect]
                                    for effect in ("soft-shadows", "omni-shadows", "indirect", "particles"))
@@ -44,6 +44,14 @@ takers = {"rate": views, "buffered": views, "snap": views, "lamp": soft[:1], "la
           **{p: [("reflections", "mvr")] for p in ("mvr.faces", "mvr.filter")}}
 steps_of = {(m["effect"], m["name"]): [s for s in m["stages"].split() if not s.endswith("_margin")]
             for m in table["methods"]}
+def takers_of(param):
+	"""Those above; else, of a family behind the first two, all methods that run one of its stages; else EPR's reflections."""
+	families = re.findall(r"^#include FAMILY\((\w+)\)", open("src/families.def").read(), re.M)[2:]
+	for folder in ("src/methods/" + family for family in families):
+		if param not in takers and f'"{param}"' in open(folder + "/params.def").read():
+			own = set(re.findall(r"^STAGE\((\w+)\)", open(folder + "/stages.def").read(), re.M))
+			return [m for m in methods if own & set(steps_of[m])]
+	return takers.get(param, [("reflections", "epr")])
 missing = []
 if what == "matrix":
 	listed = subprocess.run(["scripts/matrix", "--list"], stdout=subprocess.PIPE, text=True, check=True).stdout
@@ -58,7 +66,7 @@ elif what == "choices":
 	for p in table["params"]:
 		if p["name"] in ("area_samples", "bounce_rays", "grid_rays", "ground", "neighbours"): # of truths and of files
 			continue
-		taken = {case[p["name"]] for case in of(*takers.get(p["name"], [("reflections", "epr")])) if p["name"] in case}
+		taken = {case[p["name"]] for case in of(*takers_of(p["name"])) if p["name"] in case}
 		missing += [f"{p['name']}={c}" for c in p["range"].split("|") if "|" in p["range"] and c not in taken]
 		missing += [p["name"]] if len(taken) < 2 else []
 	missing += [f"bounces={n}" for n in "123" if n not in {case["bounces"] for case in of(("reflections", "epr"))}]
