@@ -95,6 +95,7 @@ ts_status ts_help_command(ts_cli *cli);
 ts_status ts_digest_command(ts_cli *cli);
 ts_status ts_golden_command(ts_cli *cli);
 ts_status ts_render_command(ts_cli *cli);
+void ts_render_help(void);
 ts_status ts_info_command(ts_cli *cli);
 ts_status ts_list_command(ts_cli *cli);
 ts_status ts_bench_command(ts_cli *cli);

@@ -17,17 +17,14 @@ const ts_backend_kind *const ts_backend_kinds[] = { &ts_c_kind, &ts_opencl_kind,
 
 const ts_command ts_command_table[] = {
 	{ "render", "EFFECT [SCENE]", "render an effect by one or more methods, and judge them by ground truth",
-	  "EFFECT: reflections; soft-shadows, of a lamp or the scene's lights; omni-shadows, of a ball of light in the middle;\n"
-	  "indirect, the light of a lamp or the scene's lights after one bounce; particles, the light of many in the air.\n"
-	  "Shadows, indirect light and particles are shown without mirrors unless --reflectors says how many.\n"
-	  "surfels: elliptical splats of a file, or of triangles by --set from_mesh=COUNT; eye=outside sees all of a model.\n"
+	  "EFFECT: one of those below; all but reflections are shown without mirrors unless --reflectors says how many.\n"
 	  "SCENE: atrium (the default), gallery or dining, each also with \":triangles=COUNT:texels=SIDE\"; checkerboard, of\n"
 	  "surfels, also with \":surfels=COUNT\"; or a .gltf, .glb or .ply file. Writes METHOD.png and .exr, truth-NAME.png,\n"
 	  "differences, pictures of the stages, traces and report.json to DIR, and prints times, counters, memory and metrics.\n"
 	  "Of a parameter with several values, --set NAME=A,B, every combination is rendered, and CSV is printed.",
 	  1, 2, TS_OPT(METHOD) | TS_OPT(TRUTH) | WHERE | HOW | TS_OPT(ORDER) | TS_OPT(OUTPUT) | TS_OPT(FORCE) |
 	  TS_OPT(NO_IMAGES) | TS_OPT(TRACE) | TS_OPT(TRACE_ONLY) | TS_OPT(CROP) | TS_OPT(MARGINS) |
-	  TS_OPT(VIEWER) | TS_OPT(JSON), ts_render_command, NULL },
+	  TS_OPT(VIEWER) | TS_OPT(JSON), ts_render_command, ts_render_help },
 	{ "replay", "TRACE", "run a stage again, alone, from the buffers of a trace or of a port, and compare",
 	  "TRACE: a folder that render --trace wrote. One line an output: the same bits, or the first element and field\n"
 	  "that differ. With --inputs the port's buffers are the inputs and its outputs are judged: each of its stages,\n"

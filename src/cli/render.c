@@ -235,6 +235,16 @@ static ts_status sweep(ts_job *job)
 	return TS_OK;
 }
 
+void ts_render_help(void)
+{
+	const ts_effect *last = NULL;
+	printf("Effects:\n");
+	for (const ts_pipeline *const *at = ts_pipelines(); *at != NULL; at++) {
+		if ((*at)->effect != last) printf("  %-22s %s\n", (*at)->effect->name, (*at)->effect->doc);
+		last = (*at)->effect;
+	}
+}
+
 static bool is_read(const ts_job *job, const ts_pipeline *const *methods, u32 n_methods, const char *param)
 {
 	const ts_params *taken = job->sweep.n == 0 ? &job->params : NULL;

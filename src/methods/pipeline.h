@@ -6,6 +6,7 @@
 
 typedef struct {
 	const char *name;    /* as in render EFFECT */
+	const char *doc;     /* what its pictures show, for help */
 	bool mirrors;        /* the eye sees mirrors that show cubes; scenes get added reflectors */
 	ts_buffer_id seen;   /* keys of what the eye sees, a triangle or a surfel, TS_EMPTY where it is nothing */
 	u32 difference_scale; /* of pictures of differences between methods */

@@ -19,7 +19,7 @@ static void test_effects(void **state)
 		for (const ts_pipeline *const *other = at; *other != NULL; other++) {
 			if ((*other)->effect == effect) assert_ptr_equal(other[other > at ? -1 : 0]->effect, effect);
 		}
-		assert_true(effect->difference_scale > 0 && effect->lower != NULL);
+		assert_true(effect->difference_scale > 0 && effect->lower != NULL && effect->doc[0] != 0);
 		assert_int_equal(effect->mirrors, effect == first);
 		assert_non_null(ts_pipeline_maker(*at, effect->seen));
 	}

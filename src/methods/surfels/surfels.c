@@ -68,7 +68,9 @@ static void surfels_expect(ts_expected *expected, const ts_scene *scene, const t
 }
 
 static const ts_effect surfels = {
-	.name = "surfels", .seen = TS_B_blend_heaviest, .difference_scale = 8, .lower = "map_px or from_mesh",
+	.name = "surfels",
+	.doc = "elliptical splats of a file, or of triangles by --from-mesh; eye=outside sees all of a model",
+	.seen = TS_B_blend_heaviest, .difference_scale = 8, .lower = "map_px or from_mesh",
 };
 
 const ts_pipeline ts_pipeline_deferred = {

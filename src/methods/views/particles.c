@@ -70,7 +70,7 @@ static void manylods_particles_expect(ts_expected *expected, const ts_scene *sce
 }
 
 static const ts_effect particles = {
-	.name = "particles", .seen = TS_B_eye_depth_triangle,
+	.name = "particles", .doc = "the light of many in the air", .seen = TS_B_eye_depth_triangle,
 	.difference_scale = 8, .lower = "levels, gather_level, view_px or particles",
 };
 
