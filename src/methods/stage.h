@@ -8,7 +8,7 @@
 
 typedef struct { const char *name; i64 value; } ts_counter;
 typedef struct { const char *stage; double seconds; } ts_timing;
-enum { TS_MAX_COUNTERS = 64, TS_MAX_TIMINGS = 96 };
+enum { TS_MAX_COUNTERS = 64, TS_MAX_TIMINGS = 128 };
 
 typedef struct ts_run ts_run;
 
