@@ -41,8 +41,8 @@
 #define TS_CANDIDATE_NONE 0xffffffffu /* an index that names nothing */
 
 typedef struct {
-	const char *name;  /* of the buffer */
-	unsigned bytes;    /* an element */
+	const char *name; /* of the buffer */
+	unsigned bytes;   /* an element */
 	unsigned n_dims;
 	const char *descr; /* dtype, as numpy writes it */
 } ts_candidate_buffer;
@@ -50,53 +50,53 @@ typedef struct {
 /* begin table: printed by the test program tests/ports/candidate with the argument `table` */
 static const ts_candidate_buffer ts_candidate_buffers[] = {
 	{"scene.vertex", 80, 1,
-		"[('position', '<f4', (3,)), ('object', '<u4'), ('normal', '<f4', (3,)), ('pad', '<u4'), "
-		"('tangent', '<f4', (4,)), ('uv', '<f4', (4,)), ('colour', '<f4', (4,))]"},
+     "[('position', '<f4', (3,)), ('object', '<u4'), ('normal', '<f4', (3,)), ('pad', '<u4'), "
+     "('tangent', '<f4', (4,)), ('uv', '<f4', (4,)), ('colour', '<f4', (4,))]"},
 	{"scene.triangle", 16, 1, "[('vertex', '<u4', (3,)), ('material', '<u4')]"},
 	{"scene.material", 80, 1,
-		"[('base', '<f4', (4,)), ('emissive', '<f4', (3,)), ('metallic', '<f4'), ('roughness', '<f4'), "
-		"('normal_scale', '<f4'), ('occlusion', '<f4'), ('alpha_cutoff', '<f4'), ('slot', '<u4', (5,)), "
-		"('flags', '<u4'), ('pad', '<u4', (2,))]"},
+     "[('base', '<f4', (4,)), ('emissive', '<f4', (3,)), ('metallic', '<f4'), ('roughness', '<f4'), "
+     "('normal_scale', '<f4'), ('occlusion', '<f4'), ('alpha_cutoff', '<f4'), ('slot', '<u4', (5,)), "
+     "('flags', '<u4'), ('pad', '<u4', (2,))]"},
 	{"scene.slot", 48, 1,
-		"[('image', '<u4'), ('uv_set', '<u4'), ('wrap', '<u4', (2,)), ('transform', '<f4', (6,)), "
-		"('pad', '<u4', (2,))]"},
+     "[('image', '<u4'), ('uv_set', '<u4'), ('wrap', '<u4', (2,)), ('transform', '<f4', (6,)), "
+     "('pad', '<u4', (2,))]"},
 	{"scene.image", 24, 1,
-		"[('width', '<u4'), ('height', '<u4'), ('n_levels', '<u4'), ('pad', '<u4'), "
-		"('first_texel', '<u8')]"},
+     "[('width', '<u4'), ('height', '<u4'), ('n_levels', '<u4'), ('pad', '<u4'), "
+     "('first_texel', '<u8')]"},
 	{"scene.texel", 8, 1, "'<u8'"},
 	{"scene.light", 64, 1,
-		"[('position', '<f4', (3,)), ('kind', '<u4'), ('direction', '<f4', (3,)), ('range', '<f4'), "
-		"('intensity', '<f4', (3,)), ('spot_scale', '<f4'), ('spot_offset', '<f4'), ('pad', '<u4', (3,))]"},
+     "[('position', '<f4', (3,)), ('kind', '<u4'), ('direction', '<f4', (3,)), ('range', '<f4'), "
+     "('intensity', '<f4', (3,)), ('spot_scale', '<f4'), ('spot_offset', '<f4'), ('pad', '<u4', (3,))]"},
 	{"scene.object", 48, 1,
-		"[('first_vertex', '<u4'), ('n_vertices', '<u4'), ('reflector', '<u4'), ('period', '<u4'), "
-		"('centre', '<f4', (3,)), ('phase', '<f4'), ('axis', '<f4', (2,)), ('bob', '<f4'), "
-		"('spin', '<f4')]"},
+     "[('first_vertex', '<u4'), ('n_vertices', '<u4'), ('reflector', '<u4'), ('period', '<u4'), "
+     "('centre', '<f4', (3,)), ('phase', '<f4'), ('axis', '<f4', (2,)), ('bob', '<f4'), "
+     "('spin', '<f4')]"},
 	{"scene.surfel", 48, 1,
-		"[('centre', '<f4', (3,)), ('u', '<f4', (3,)), ('v', '<f4', (3,)), "
-		"('colour', '<f4', (3,))]"},
+     "[('centre', '<f4', (3,)), ('u', '<f4', (3,)), ('v', '<f4', (3,)), "
+     "('colour', '<f4', (3,))]"},
 	{"scene.info", 112, 1,
-		"[('eye', '<f4', (3,)), ('yfov', '<f4'), ('right', '<f4', (3,)), ('n_reflectors', '<u4'), "
-		"('up', '<f4', (3,)), ('circles', '<u4'), ('back', '<f4', (3,)), ('ambient', '<f4'), "
-		"('box_min', '<f4', (3,)), ('pad0', '<u4'), ('box_max', '<f4', (3,)), ('pad1', '<u4'), "
-		"('hall_min', '<f4', (2,)), ('hall_max', '<f4', (2,))]"},
+     "[('eye', '<f4', (3,)), ('yfov', '<f4'), ('right', '<f4', (3,)), ('n_reflectors', '<u4'), "
+     "('up', '<f4', (3,)), ('circles', '<u4'), ('back', '<f4', (3,)), ('ambient', '<f4'), "
+     "('box_min', '<f4', (3,)), ('pad0', '<u4'), ('box_max', '<f4', (3,)), ('pad1', '<u4'), "
+     "('hall_min', '<f4', (2,)), ('hall_max', '<f4', (2,))]"},
 	{"pose.vertex", 80, 1,
-		"[('position', '<f4', (3,)), ('object', '<u4'), ('normal', '<f4', (3,)), ('pad', '<u4'), "
-		"('tangent', '<f4', (4,)), ('uv', '<f4', (4,)), ('colour', '<f4', (4,))]"},
+     "[('position', '<f4', (3,)), ('object', '<u4'), ('normal', '<f4', (3,)), ('pad', '<u4'), "
+     "('tangent', '<f4', (4,)), ('uv', '<f4', (4,)), ('colour', '<f4', (4,))]"},
 	{"eye.view", 64, 1,
-		"[('eye', '<f4', (3,)), ('focal', '<f4'), ('right', '<f4', (3,)), ('width', '<u4'), "
-		"('up', '<f4', (3,)), ('height', '<u4'), ('back', '<f4', (3,)), ('near', '<f4')]"},
+     "[('eye', '<f4', (3,)), ('focal', '<f4'), ('right', '<f4', (3,)), ('width', '<u4'), "
+     "('up', '<f4', (3,)), ('height', '<u4'), ('back', '<f4', (3,)), ('near', '<f4')]"},
 	{"resize.face", 64, 1,
-		"[('centre', '<f4', (3,)), ('radius', '<f4'), ('box_min', '<f4', (3,)), ('n', '<u4'), "
-		"('box_max', '<f4', (3,)), ('near', '<f4'), ('offset', '<u8'), ('object', '<u4'), ('pad', '<u4')]"},
+     "[('centre', '<f4', (3,)), ('radius', '<f4'), ('box_min', '<f4', (3,)), ('n', '<u4'), "
+     "('box_max', '<f4', (3,)), ('near', '<f4'), ('offset', '<u8'), ('object', '<u4'), ('pad', '<u4')]"},
 	{"lamp.light", 64, 1,
-		"[('position', '<f4', (3,)), ('kind', '<u4'), ('direction', '<f4', (3,)), ('range', '<f4'), "
-		"('intensity', '<f4', (3,)), ('spot_scale', '<f4'), ('spot_offset', '<f4'), ('pad', '<u4', (3,))]"},
+     "[('position', '<f4', (3,)), ('kind', '<u4'), ('direction', '<f4', (3,)), ('range', '<f4'), "
+     "('intensity', '<f4', (3,)), ('spot_scale', '<f4'), ('spot_offset', '<f4'), ('pad', '<u4', (3,))]"},
 	{"lamp.shape", 16, 1, "[('radius', '<f4'), ('samples', '<u4'), ('first', '<u4'), ('pad', '<u4')]"},
 	{"offscreen.view", 96, 1,
-		"[('eye', '<f4', (3,)), ('focal', '<f4'), ('right', '<f4', (3,)), ('width', '<u4'), "
-		"('up', '<f4', (3,)), ('height', '<u4'), ('back', '<f4', (3,)), ('near', '<f4'), "
-		"('reach', '<f4', (2,)), ('offset', '<u8'), ('orthographic', '<u4'), ('object', '<u4'), "
-		"('light', '<u4'), ('pad', '<u4')]"},
+     "[('eye', '<f4', (3,)), ('focal', '<f4'), ('right', '<f4', (3,)), ('width', '<u4'), "
+     "('up', '<f4', (3,)), ('height', '<u4'), ('back', '<f4', (3,)), ('near', '<f4'), "
+     "('reach', '<f4', (2,)), ('offset', '<u8'), ('orthographic', '<u4'), ('object', '<u4'), "
+     "('light', '<u4'), ('pad', '<u4')]"},
 	{"eye.depth_triangle", 8, 2, "'<u8'"},
 	{"eye.margin", 8, 3, "'<u8'"},
 	{"pixel.offset", 4, 1, "'<u4'"},
@@ -110,36 +110,36 @@ static const ts_candidate_buffer ts_candidate_buffers[] = {
 	{"resolve.margin", 8, 4, "'<u8'"},
 	{"rsm.depth_triangle", 8, 1, "'<u8'"},
 	{"rsm_patch.light", 64, 1,
-		"[('a', '<f4', (3,)), ('b', '<f4', (3,)), ('c', '<f4', (3,)), ('normal', '<f4', (3,)), "
-		"('exitance', '<f4', (3,)), ('pad', '<u4')]"},
+     "[('a', '<f4', (3,)), ('b', '<f4', (3,)), ('c', '<f4', (3,)), ('normal', '<f4', (3,)), "
+     "('exitance', '<f4', (3,)), ('pad', '<u4')]"},
 	{"gbuffer.pixel", 48, 2,
-		"[('position', '<f4', (3,)), ('depth', '<f4'), ('normal', '<f4', (3,)), ('pad0', '<u4'), "
-		"('albedo', '<f4', (3,)), ('pad1', '<u4')]"},
+     "[('position', '<f4', (3,)), ('depth', '<f4'), ('normal', '<f4', (3,)), ('pad0', '<u4'), "
+     "('albedo', '<f4', (3,)), ('pad1', '<u4')]"},
 	{"indirect.irradiance", 4, 3, "'<f4'"},
 	{"image.radiance", 4, 3, "'<f4'"},
 	{"image.srgb", 1, 3, "'|u1'"},
 	{"shadow_resize.least", 4, 1, "'<u4'"},
 	{"pixel.record", 96, 1,
-		"[('position', '<f4', (3,)), ('index', '<u4'), ('normal', '<f4', (3,)), ('reflector', '<u4'), "
-		"('position_dx', '<f4', (3,)), ('tint_r', '<f4'), ('position_dy', '<f4', (3,)), "
-		"('tint_g', '<f4'), ('normal_dx', '<f4', (3,)), ('tint_b', '<f4'), ('normal_dy', '<f4', (3,)), "
-		"('pad', '<u4')]"},
+     "[('position', '<f4', (3,)), ('index', '<u4'), ('normal', '<f4', (3,)), ('reflector', '<u4'), "
+     "('position_dx', '<f4', (3,)), ('tint_r', '<f4'), ('position_dy', '<f4', (3,)), "
+     "('tint_g', '<f4'), ('normal_dx', '<f4', (3,)), ('tint_b', '<f4'), ('normal_dy', '<f4', (3,)), "
+     "('pad', '<u4')]"},
 	{"split.scale", 4, 1, "'<f4'"},
 	{"split.offset", 4, 1, "'<u4'"},
 	{"split.triangle", 48, 1,
-		"[('a', '<f4', (3,)), ('triangle', '<u4'), ('b', '<f4', (3,)), ('path', '<u4'), "
-		"('c', '<f4', (3,)), ('pad', '<u4')]"},
+     "[('a', '<f4', (3,)), ('triangle', '<u4'), ('b', '<f4', (3,)), ('path', '<u4'), "
+     "('c', '<f4', (3,)), ('pad', '<u4')]"},
 	{"density.scale", 4, 1, "'<f4'"},
 	{"cull.keep", 4, 1, "'<u4'"},
 	{"cull.margin", 4, 1, "'<f4'"},
 	{"align.frame", 80, 1,
-		"[('c', '<f4', (3,)), ('s', '<f4'), ('u', '<f4', (3,)), ('pad0', '<u4'), ('v', '<f4', (3,)), "
-		"('pad1', '<u4'), ('q', '<i4', (6,)), ('pad2', '<u4', (2,))]"},
+     "[('c', '<f4', (3,)), ('s', '<f4'), ('u', '<f4', (3,)), ('pad0', '<u4'), ('v', '<f4', (3,)), "
+     "('pad1', '<u4'), ('q', '<i4', (6,)), ('pad2', '<u4', (2,))]"},
 	{"count.offset", 4, 1, "'<u4'"},
 	{"points.key", 8, 1, "'<u8'"},
 	{"points.record", 32, 1,
-		"[('centre', '<f4', (3,)), ('length', '<f4'), ('piece', '<u4'), ('flags', '<u4'), "
-		"('pad', '<u4', (2,))]"},
+     "[('centre', '<f4', (3,)), ('length', '<f4'), ('piece', '<u4'), ('flags', '<u4'), "
+     "('pad', '<u4', (2,))]"},
 	{"splat.depth_index", 8, 1, "'<u8'"},
 	{"splat.tie", 1, 1, "'|u1'"},
 	{"lookup.point", 4, 2, "'<u4'"},
@@ -160,14 +160,14 @@ static const ts_candidate_buffer ts_candidate_buffers[] = {
 	{"range.least", 4, 2, "'<u4'"},
 	{"box.offset", 4, 1, "'<u4'"},
 	{"box.record", 32, 1,
-		"[('low', '<u4', (2,)), ('high', '<u4', (2,)), ('nearest', '<f4'), ('farthest', '<f4'), "
-		"('label', '<u4'), ('pad', '<u4')]"},
+     "[('low', '<u4', (2,)), ('high', '<u4', (2,)), ('nearest', '<f4'), ('farthest', '<f4'), "
+     "('label', '<u4'), ('pad', '<u4')]"},
 	{"gather.moment", 64, 2,
-		"[('position', '<f4', (3,)), ('depth', '<f4'), ('sum', '<f4', (3,)), "
-		"('direction', '<f4', (9,))]"},
+     "[('position', '<f4', (3,)), ('depth', '<f4'), ('sum', '<f4', (3,)), "
+     "('direction', '<f4', (9,))]"},
 	{"fit.lobes", 64, 2,
-		"[('mu', '<f4', (3,)), ('lambda', '<f4', (3,)), ('phi', '<f4', (9,)), "
-		"('pad', '<u4')]"},
+     "[('mu', '<f4', (3,)), ('lambda', '<f4', (3,)), ('phi', '<f4', (9,)), "
+     "('pad', '<u4')]"},
 	{"hull.box", 4, 2, "'<u4'"},
 	{"hull.margin", 4, 2, "'<f4'"},
 	{"root.least", 4, 1, "'<u4'"},
@@ -176,32 +176,32 @@ static const ts_candidate_buffer ts_candidate_buffers[] = {
 	{"voxel.before", 4, 1, "'<u4'"},
 	{"octree.level", 4, 1, "'<u4'"},
 	{"octree.node", 32, 1,
-		"[('centre', '<f4', (3,)), ('radius', '<f4'), ('child', '<u4'), ('children', '<u4'), "
-		"('parent', '<u4'), ('level', '<u4')]"},
+     "[('centre', '<f4', (3,)), ('radius', '<f4'), ('child', '<u4'), ('children', '<u4'), "
+     "('parent', '<u4'), ('level', '<u4')]"},
 	{"octree.offset", 4, 1, "'<u4'"},
 	{"octree.triangle", 4, 1, "'<u4'"},
 	{"octree_surface.node", 32, 1,
-		"[('albedo', '<f4', (3,)), ('pad0', '<u4'), ('normal', '<f4', (3,)), "
-		"('pad1', '<u4')]"},
+     "[('albedo', '<f4', (3,)), ('pad0', '<u4'), ('normal', '<f4', (3,)), "
+     "('pad1', '<u4')]"},
 	{"vpl.offset", 4, 1, "'<u4'"},
 	{"vpl.path", 4, 1, "'<u4'"},
 	{"vpl.light", 48, 1,
-		"[('position', '<f4', (3,)), ('bounce', '<u4'), ('normal', '<f4', (3,)), ('pad0', '<u4'), "
-		"('flux', '<f4', (3,)), ('pad1', '<u4')]"},
+     "[('position', '<f4', (3,)), ('bounce', '<u4'), ('normal', '<f4', (3,)), ('pad0', '<u4'), "
+     "('flux', '<f4', (3,)), ('pad1', '<u4')]"},
 	{"view_voxel.mask", 8, 1, "'<u8'"},
 	{"view_voxel.before", 4, 1, "'<u4'"},
 	{"view_octree.level", 4, 1, "'<u4'"},
 	{"view_octree.node", 32, 1,
-		"[('centre', '<f4', (3,)), ('radius', '<f4'), ('child', '<u4'), ('children', '<u4'), "
-		"('parent', '<u4'), ('level', '<u4')]"},
+     "[('centre', '<f4', (3,)), ('radius', '<f4'), ('child', '<u4'), ('children', '<u4'), "
+     "('parent', '<u4'), ('level', '<u4')]"},
 	{"view_octree.offset", 4, 1, "'<u4'"},
 	{"view_octree.view", 4, 1, "'<u4'"},
 	{"view_octree.leaf", 4, 1, "'<u4'"},
 	{"view_cone.sum", 8, 2, "'<u8'"},
 	{"view_cone.least", 4, 1, "'<u4'"},
 	{"view_cone.node", 32, 1,
-		"[('axis', '<f4', (3,)), ('cosine', '<f4'), ('first', '<u4'), ('views', '<u4'), "
-		"('pad', '<u4', (2,))]"},
+     "[('axis', '<f4', (3,)), ('cosine', '<f4'), ('first', '<u4'), ('views', '<u4'), "
+     "('pad', '<u4', (2,))]"},
 	{"traverse.rendered", 8, 1, "'<u8'"},
 	{"map.depth_node", 8, 2, "'<u8'"},
 	{"map.margin", 4, 2, "'<u4'"},
@@ -215,10 +215,10 @@ static const ts_candidate_buffer ts_candidate_buffers[] = {
 	{"bilateral.row", 4, 3, "'<f4'"},
 	{"surfel_setup.epsilon", 4, 1, "'<f4'"},
 	{"surfel_setup.disc", 96, 1,
-		"[('pixel', '<i4', (2,)), ('fraction', '<f4', (2,)), ('a', '<f4', (2,)), ('b', '<f4', (2,)), "
-		"('g', '<f4', (2,)), ('depth', '<f4'), ('flags', '<u4'), ('low', '<i4', (2,)), "
-		"('high', '<i4', (2,)), ('conic', '<f4', (3,)), ('peak', '<f4'), ('normal', '<f4', (3,)), "
-		"('pad', '<u4')]"},
+     "[('pixel', '<i4', (2,)), ('fraction', '<f4', (2,)), ('a', '<f4', (2,)), ('b', '<f4', (2,)), "
+     "('g', '<f4', (2,)), ('depth', '<f4'), ('flags', '<u4'), ('low', '<i4', (2,)), "
+     "('high', '<i4', (2,)), ('conic', '<f4', (3,)), ('peak', '<f4'), ('normal', '<f4', (3,)), "
+     "('pad', '<u4')]"},
 	{"surfel_depth.surfel", 8, 2, "'<u8'"},
 	{"surfel_depth.margin", 8, 3, "'<u8'"},
 	{"fragment_list.offset", 4, 1, "'<u4'"},
@@ -239,17 +239,17 @@ enum { TS_CANDIDATE_BUFFERS = sizeof ts_candidate_buffers / sizeof *ts_candidate
 #define TS_CANDIDATE_RENAMED_ROW(old_name, new_name) {old_name, new_name},
 static const struct {
 	const char *old_name, *new_name;
-} ts_candidate_renamed[] = {TS_CANDIDATE_RENAMED(TS_CANDIDATE_RENAMED_ROW) {NULL, NULL}};
+} ts_candidate_renamed[] = {TS_CANDIDATE_RENAMED(TS_CANDIDATE_RENAMED_ROW){NULL, NULL}};
 
 typedef struct {
 	char message[512]; /* of the first failure; "" */
 	char folder[TS_CANDIDATE_PATH];
 	char pipeline[64], order[16], producer[64], version[64];
-	char params[4096];                           /* as JSON */
+	char params[4096]; /* as JSON */
 	unsigned char added[TS_CANDIDATE_BUFFERS];
-	const ts_candidate_buffer *open;             /* NULL: none */
+	const ts_candidate_buffer *open; /* NULL: none */
 	FILE *file;
-	uint64_t left;                               /* elements that the open buffer still lacks */
+	uint64_t left; /* elements that the open buffer still lacks */
 } ts_candidate;
 
 /* Where element (i, j, ...) lies: data + i stride[0] + j stride[1] + ... bytes. */
@@ -466,8 +466,8 @@ static inline float ts_candidate_axial(const ts_candidate_projection *p, const u
 		if (p->kind == TS_DEPTH_AXIAL) return x > 0 && x <= FLT_MAX ? x : 0;
 		d = x;
 	}
-	z = p->kind == TS_DEPTH_STANDARD ? n * f / (f - d * (f - n))
-	    : p->kind == TS_DEPTH_REVERSED ? n * f / (n + d * (f - n))
+	z = p->kind == TS_DEPTH_STANDARD            ? n * f / (f - d * (f - n))
+	    : p->kind == TS_DEPTH_REVERSED          ? n * f / (n + d * (f - n))
 	    : p->kind == TS_DEPTH_REVERSED_INFINITE ? (d > 0 ? n / d : 0)
 	                                            : d;
 	return z > 0 && z <= FLT_MAX ? (float)z : 0;

@@ -30,10 +30,10 @@ TS_API ts_status ts_image_read(float **pixels, uint32_t *width, uint32_t *height
 
 /* How far apart two 8-bit RGB images are (METHODS 17). Values are in grey levels, 0 to 255. */
 typedef struct {
-	double rmse;       /* root of the mean over pixels and channels */
-	double psnr;       /* dB; infinite if equal */
-	double ssim;       /* Wang 2004: 11 by 11 Gaussian, sigma 1.5, luma; mean over the window centres judged */
-	uint64_t pixels;   /* judged */
+	double rmse;     /* root of the mean over pixels and channels */
+	double psnr;     /* dB; infinite if equal */
+	double ssim;     /* Wang 2004: 11 by 11 Gaussian, sigma 1.5, luma; mean over the window centres judged */
+	uint64_t pixels; /* judged */
 } ts_metrics;
 
 /* mask: width * height bytes, pixels with 0 are not judged; NULL: all are. The result does not depend on threads. */

@@ -34,14 +34,14 @@ TS_API void ts_render_free(ts_render *render);
 
 /* A buffer by its name in records.def. */
 typedef struct {
-	const char *name;     /* "stage.buffer" */
-	const char *element;  /* a scalar (f32, u8, u32, u64) or a record of records.def */
+	const char *name;    /* "stage.buffer" */
+	const char *element; /* a scalar (f32, u8, u32, u64) or a record of records.def */
 	size_t element_bytes;
-	const void *data;     /* C order; belongs to the render */
+	const void *data; /* C order; belongs to the render */
 	uint32_t n_dims;
 	uint64_t shape[4];
-	const char *order;    /* order class: sequence, set or multiset */
-	const char *key;      /* of a set: the buffer that holds its keys; else "" */
+	const char *order; /* order class: sequence, set or multiset */
+	const char *key;   /* of a set: the buffer that holds its keys; else "" */
 } ts_buffer_view;
 
 /* TS_ERROR if there is no such buffer, or this method did not make it. Methods that work in batches, of cubes or depth

@@ -42,7 +42,9 @@ TS_API void ts_scene_free(ts_scene *scene);
 TS_API ts_status ts_scene_print(const ts_scene *scene, FILE *out, int json);
 
 /* One row per built-in scene: name and a one-line description. *n receives the length. */
-typedef struct { const char *name, *doc; } ts_builtin_info;
+typedef struct {
+	const char *name, *doc;
+} ts_builtin_info;
 TS_API const ts_builtin_info *ts_builtin_table(size_t *n);
 
 #ifdef __cplusplus

@@ -17,7 +17,7 @@ typedef enum {
 	TS_OK = 0,        /* same, or done */
 	TS_DIFFERENT = 1, /* compared and different */
 	TS_ERROR = 2,     /* could not; ts_error_message() says what, where, and what would be right */
-	TS_SKIPPED = 77   /* an optional backend is absent */
+	TS_SKIPPED = 77,  /* an optional backend is absent */
 } ts_status;
 
 /* The last failure of this thread as one line without a line end; "" if there was none.

@@ -50,8 +50,7 @@ typedef struct ts_nothing ts_element_of_none;
 	static const ts_arg_list *type##_list(void) \
 	{ \
 		typedef type self; \
-		TS_ROWS_##type(FITS) \
-		static const ts_arg rows[] = {TS_ROWS_##type(ROW)}; \
+		TS_ROWS_##type(FITS) static const ts_arg rows[] = {TS_ROWS_##type(ROW)}; \
 		static const ts_arg_list list = {#type, sizeof(self), sizeof rows / sizeof *rows, rows}; \
 		return &list; \
 	} \
@@ -61,7 +60,9 @@ typedef struct ts_nothing ts_element_of_none;
 const ts_arg_list *ts_kernel_args(ts_kernel kernel)
 {
 	switch (kernel) {
-#define KERNEL(name, args) case TS_KERNEL_##name: return args##_list();
+#define KERNEL(name, args) \
+	case TS_KERNEL_##name: \
+		return args##_list();
 #include "kernels.def"
 #undef KERNEL
 	default: assert(false); return NULL;

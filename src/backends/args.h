@@ -7,13 +7,20 @@
 #define KERNEL(name, args) TS_KERNEL_##name,
 typedef enum {
 #include "kernels.def"
-	TS_N_KERNELS
+	TS_N_KERNELS,
 } ts_kernel;
 #undef KERNEL
 
 /* Of kernels/base/args.h. */
 typedef enum {
-	TS_ROLE_IN, TS_ROLE_OUT, TS_ROLE_MIN, TS_ROLE_SUM, TS_ROLE_WORK, TS_ROLE_TALLY, TS_ROLE_VALUE, TS_ROLE_INNER
+	TS_ROLE_IN,
+	TS_ROLE_OUT,
+	TS_ROLE_MIN,
+	TS_ROLE_SUM,
+	TS_ROLE_WORK,
+	TS_ROLE_TALLY,
+	TS_ROLE_VALUE,
+	TS_ROLE_INNER,
 } ts_role;
 
 typedef struct ts_arg_list ts_arg_list;
@@ -24,8 +31,8 @@ typedef struct {
 	bool constant, parted, optional;
 	const char *type, *name;
 	size_t offset;
-	u32 from;                           /* a buffer; of WORK a TS_WORK_*, of TALLY a place */
-	const ts_arg_list *(*inner)(void);  /* of INNER */
+	u32 from;                          /* a buffer; of WORK a TS_WORK_*, of TALLY a place */
+	const ts_arg_list *(*inner)(void); /* of INNER */
 } ts_arg;
 
 /* One struct. */
@@ -47,7 +54,10 @@ typedef struct {
 	size_t offset;
 } ts_pointer;
 
-typedef struct { u32 n; ts_pointer pointer[TS_POINTERS]; } ts_pointers;
+typedef struct {
+	u32 n;
+	ts_pointer pointer[TS_POINTERS];
+} ts_pointers;
 const ts_pointers *ts_kernel_pointers(ts_kernel kernel);
 /* A kernel takes the buffer in parts. */
 bool ts_may_be_parted(ts_buffer_id id);
@@ -70,6 +80,7 @@ typedef struct {
 } ts_launch;
 
 /* static const ts_launch tie = TS_LAUNCH(splat, TS_BUT(offset), TS_IN(texels, splat_depth_index), TS_WITH(tie)); */
+/* clang-format off */
 #define TS_LAUNCH(kernel, ...) {TS_KERNEL_##kernel, {__VA_ARGS__}}
 #define TS_ALL {TS_BINDS_END, NULL, TS_ROLE_IN, 0}
 #define TS_BUT(name) {TS_BINDS_NOT, #name, TS_ROLE_IN, 0}
@@ -79,12 +90,13 @@ typedef struct {
 #define TS_MIN(name, buffer) {TS_BINDS_TO, #name, TS_ROLE_MIN, TS_B_##buffer}
 #define TS_SUM(name, buffer) {TS_BINDS_TO, #name, TS_ROLE_SUM, TS_B_##buffer}
 #define TS_WORK(name, memory) {TS_BINDS_TO, #name, TS_ROLE_WORK, TS_WORK_##memory}
+/* clang-format on */
 
 /* What a launch binds a pointer to. */
 typedef struct {
 	bool bound;
 	ts_role role;
-	u32 to;     /* as `from` of ts_arg */
+	u32 to; /* as `from` of ts_arg */
 } ts_bound;
 ts_bound ts_launch_bound(const ts_launch *launch, const ts_pointer *pointer);
 /* A bind names a pointer, or a struct with some. */

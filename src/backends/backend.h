@@ -11,12 +11,12 @@ typedef struct ts_backend ts_backend;
 /* What running the arithmetic vectors told of a backend. */
 typedef struct {
 	bool rounds_to_nearest, contracts, keeps_denormals;
-	u32 n_wrong;            /* primitives; 0: it keeps the numeric contract */
+	u32 n_wrong; /* primitives; 0: it keeps the numeric contract */
 } ts_measured;
 
 struct ts_backend {
-	const char *name;       /* as in --backend */
-	const char *device;     /* one line that names the hardware */
+	const char *name;             /* as in --backend */
+	const char *device;           /* one line that names the hardware */
 	const char *compiler, *flags; /* of the kernels */
 	ts_measured arithmetic;
 	/* Runs items [0, n) of the launch's kernel; args is its argument struct, whose pointers point to, or into, what
@@ -38,25 +38,25 @@ enum { TS_MAX_DEVICES = 32 };
 /* A device of a backend. */
 typedef struct {
 	char name[128], platform[128], driver[64];
-	bool rounded;       /* divides and takes roots with correct rounding */
-	bool denormals;     /* keeps them; exact either way, for the contract flushes what would tell */
-	bool atomics;       /* of 64 bits */
-	bool unified;       /* its memory is the host's */
+	bool rounded;   /* divides and takes roots with correct rounding */
+	bool denormals; /* keeps them; exact either way, for the contract flushes what would tell */
+	bool atomics;   /* of 64 bits */
+	bool unified;   /* its memory is the host's */
 	bool little_endian;
-	u64 memory, most;   /* bytes; of one buffer */
+	u64 memory, most; /* bytes; of one buffer */
 } ts_device;
 
 typedef struct {
-	u32 device;         /* index of `devices` */
-	u32 work_group;     /* items; 0: the driver chooses */
-	const char *build;  /* more options for the driver's compiler, or "" */
-	bool inexact;       /* also a device that cannot keep the contract */
-	bool copies;        /* a memory of its own, even where the device has the host's */
-	u64 part_bytes;     /* what grows with points and cubes is in parts of so many, a power of two; 0: where it must be */
+	u32 device;        /* index of `devices` */
+	u32 work_group;    /* items; 0: the driver chooses */
+	const char *build; /* more options for the driver's compiler, or "" */
+	bool inexact;      /* also a device that cannot keep the contract */
+	bool copies;       /* a memory of its own, even where the device has the host's */
+	u64 part_bytes; /* what grows with points and cubes is in parts of so many, a power of two; 0: where it must be */
 } ts_backend_options;
 
 typedef struct {
-	const char *name;   /* as in --backend */
+	const char *name; /* as in --backend */
 	/* Describes at most TS_MAX_DEVICES and returns their number; 0 where there is no driver. */
 	u32 (*devices)(ts_device devices[TS_MAX_DEVICES]);
 	/* TS_SKIPPED if there is no device; TS_ERROR if not this one, or it lacks what the contract needs and inexact is
@@ -69,8 +69,8 @@ extern const ts_backend_kind ts_c_kind, ts_opencl_kind;
 /* The reference, in C: threads of OpenMP. */
 typedef struct {
 	ts_backend backend;
-	u32 threads;            /* never changes a result */
-	bool reference;         /* no fast paths */
+	u32 threads;    /* never changes a result */
+	bool reference; /* no fast paths */
 } ts_c_backend;
 void ts_c_begin(ts_c_backend *backend, u32 threads);
 

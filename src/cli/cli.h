@@ -13,7 +13,7 @@ enum {
 #define OPTION(id, ...) TS_OPTION_##id,
 #include "options.def"
 #undef OPTION
-	TS_N_OPTIONS
+	TS_N_OPTIONS,
 };
 #define TS_OPT(id) (1ull << TS_OPTION_##id)
 _Static_assert(TS_N_OPTIONS <= 64, "sets of options have 64 bits");
@@ -22,52 +22,54 @@ enum { TS_MAX_ARGUMENTS = 2 };
 
 /* How a comparison judges, and what it writes. Strings are NULL if nothing was said. */
 typedef struct {
-	ts_relaxations relaxations;     /* but for the mask */
-	const char *mask;               /* file */
+	ts_relaxations relaxations; /* but for the mask */
+	const char *mask;           /* file */
 	const char *layout;
-	bool forced;                    /* each stage by the candidate's own inputs */
+	bool forced; /* each stage by the candidate's own inputs */
 	const char *junit;
 	bool tap;
 } ts_judging;
 
 /* What was typed. Strings belong to argv. */
 typedef struct {
-	u64 given;                      /* TS_OPT of the options */
+	u64 given; /* TS_OPT of the options */
 	const char *arguments[TS_MAX_ARGUMENTS];
 	u32 n_arguments;
 	ts_job job;
-	ts_judging judging;             /* of compare */
+	ts_judging judging; /* of compare */
 	struct {
 		const char *pixel, *view, *point;
 		u64 triangle;
-	} place;                        /* of probe */
-	struct { const char *reason, *dir; } golden;
+	} place; /* of probe */
+	struct {
+		const char *reason, *dir;
+	} golden;
 	const char *check, *stage, *inputs;
 	bool flush_denormals;
 } ts_cli;
 
 typedef struct {
 	const char *name;
-	const char *arguments;          /* as in the usage line */
-	const char *doc;                /* one line */
-	const char *details;            /* for `help NAME`, may be empty */
+	const char *arguments; /* as in the usage line */
+	const char *doc;       /* one line */
+	const char *details;   /* for `help NAME`, may be empty */
 	u32 min_arguments, max_arguments;
-	u64 options;                    /* TS_OPT of those it takes */
+	u64 options; /* TS_OPT of those it takes */
 	ts_status (*run)(ts_cli *cli);
-	void (*print_more)(void);       /* prints what `help NAME` has from tables; NULL: nothing */
+	void (*print_more)(void); /* prints what `help NAME` has from tables; NULL: nothing */
 } ts_command;
 
 typedef struct ts_option ts_option;
 struct ts_option {
 	const char *name;
-	char letter;                    /* its short form; 0: none */
-	const char *argument;           /* "" none, "[...]" optional */
+	char letter;          /* its short form; 0: none */
+	const char *argument; /* "" none, "[...]" optional */
 	ts_status (*take)(void *to, const ts_option *option, const char *text);
-	size_t at;                      /* of `to` in ts_cli */
-	u32 min, max;                   /* of a count */
-	const char *param;              /* that is set */
-	const char *help;               /* lines */
-	const char *list;               /* `list` tells more of its values; "" no */
+	size_t at;         /* of `to` in ts_cli */
+	u32 min, max;      /* of a count */
+	const char *param; /* that is set */
+	const char *help;  /* lines */
+	const char *list;  /* `list` tells more of its values; "" no */
 };
 
 /* Each program's own table, ended by a row without a name. */

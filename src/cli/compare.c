@@ -14,7 +14,11 @@ static bool ends_in(const char *path, const char *suffix)
 	return n > m && strcmp(path + n - m, suffix) == 0;
 }
 
-typedef struct { ts_trace *reference, *candidate; u8 *mask; ts_relaxations relaxations; } sides;
+typedef struct {
+	ts_trace *reference, *candidate;
+	u8 *mask;
+	ts_relaxations relaxations;
+} sides;
 
 static ts_status open_sides(sides *s, const ts_cli *cli)
 {
@@ -58,9 +62,9 @@ static ts_status draw_marks(const sides *s, ts_buffer_id id)
 {
 	const ts_npy *npy = &s->reference->item[id].npy;
 	u64 pixels = npy->shape[0] * npy->shape[1], every = npy->n / pixels;
-	const ts_order same = { .given = false };
+	const ts_order same = {.given = false};
 	char name[96];
-	ts_verdict v = { .marks = ts_alloc_zero((size_t)npy->n, 1, "a picture of differences") };
+	ts_verdict v = {.marks = ts_alloc_zero((size_t)npy->n, 1, "a picture of differences")};
 	if (v.marks == NULL) return TS_ERROR;
 	ts_status status = ts_compare_buffer(&v, id, s->reference, s->candidate, &same, &s->relaxations);
 	for (u64 i = 0; i < npy->n; i++) {
@@ -126,7 +130,7 @@ ts_status ts_compare_command(ts_cli *cli)
 {
 	const char *ref = cli->arguments[0];
 	if (ends_in(ref, ".png") || ends_in(ref, ".exr")) return ts_compare_images(cli);
-	sides s = { .relaxations = cli->judging.relaxations };
+	sides s = {.relaxations = cli->judging.relaxations};
 	ts_comparison *c = ts_alloc_zero(1, sizeof *c, "a comparison");
 	ts_status status = c != NULL ? open_sides(&s, cli) : TS_ERROR;
 	if (status == TS_OK) status = read_mask(&s, cli->judging.mask);

@@ -8,7 +8,10 @@
 #include "../compare/relax.h"
 #include "../study/table.h"
 
-typedef struct { f32 *pixels; u32 width, height, channels; } picture;
+typedef struct {
+	f32 *pixels;
+	u32 width, height, channels;
+} picture;
 
 static ts_status read_pictures(picture p[2], const ts_cli *cli)
 {
@@ -24,7 +27,7 @@ static ts_status read_pictures(picture p[2], const ts_cli *cli)
 
 static void tell_first(ts_report *report, const picture *p, u64 first, u64 n_unlike)
 {
-	static const ts_field value = { .name = "", .kind = 'f', .count = 1, .bytes = 4 };
+	static const ts_field value = {.name = "", .kind = 'f', .count = 1, .bytes = 4};
 	char ref[TS_VALUE_TEXT], cand[TS_VALUE_TEXT];
 	u64 pixel = first / p[0].channels;
 	ts_field_show(ref, &value, ts_f2u(p[0].pixels[first]));
@@ -38,7 +41,7 @@ static void tell_first(ts_report *report, const picture *p, u64 first, u64 n_unl
 
 ts_status ts_compare_images(const ts_cli *cli)
 {
-	picture p[2] = { { .pixels = NULL }, { .pixels = NULL } };
+	picture p[2] = {{.pixels = NULL}, {.pixels = NULL}};
 	const ts_relaxations *relaxations = &cli->judging.relaxations;
 	ts_status status = read_pictures(p, cli);
 	u64 n = (u64)p[0].width * p[0].height * p[0].channels, first = 0, n_unlike = 0;

@@ -6,7 +6,7 @@
 #include "../trace/emit.h"
 #include "../trace/where.h"
 
-static const char *const words[] = { "not judged", "missing", "ignored", "same", "different" };
+static const char *const words[] = {"not judged", "missing", "ignored", "same", "different"};
 
 enum { INPUTS_TEXT = 600 };
 
@@ -65,13 +65,14 @@ static void lack_of(char *text, size_t bytes, const ts_verdict *v)
 	ts_where_key(missing, v->missing_key);
 	ts_where_key(extra, v->extra_key);
 	if (v->n_missing + v->n_extra == 0) {
-		snprintf(text, bytes, "%" PRIu64 " elements, candidate %" PRIu64 "; equal as far as both go", v->n_ref, v->n_cand);
+		snprintf(text, bytes, "%" PRIu64 " elements, candidate %" PRIu64 "; equal as far as both go", v->n_ref,
+		         v->n_cand);
 	} else if (v->n_missing > 0) {
 		snprintf(text, bytes, "key (%s): missing — first of %" PRIu64 " missing, %" PRIu64 " beside", missing,
 		         v->n_missing, v->n_extra);
 	} else {
-		snprintf(text, bytes, "key (%s): %s — first of %" PRIu64, extra, v->n_twice > 0 ? "twice" : "not of the reference",
-		         v->n_extra);
+		snprintf(text, bytes, "key (%s): %s — first of %" PRIu64, extra,
+		         v->n_twice > 0 ? "twice" : "not of the reference", v->n_extra);
 	}
 }
 
@@ -87,21 +88,22 @@ void ts_compare_line(char text[TS_LINE_TEXT], const ts_comparison *c, const ts_t
 	ts_where(where, reference, id, v->first.element);
 	values_of(what, sizeof what, v, &fields.field[v->first.field], &v->first);
 	bool partners = v->n_missing + v->n_extra > 0 || !v->has_first;
-	snprintf(text, TS_LINE_TEXT, "stage %02u %s, buffer %s, %s%s%s; %s", (unsigned)ts_emit_number(reference->pipeline, id),
-	         stage != NULL ? stage->name : "scene", ts_buffer_table[id].name, partners ? lack : where,
-	         partners ? "" : ", ", partners ? "" : what, inputs);
+	snprintf(text, TS_LINE_TEXT, "stage %02u %s, buffer %s, %s%s%s; %s",
+	         (unsigned)ts_emit_number(reference->pipeline, id), stage != NULL ? stage->name : "scene",
+	         ts_buffer_table[id].name, partners ? lack : where, partners ? "" : ", ", partners ? "" : what, inputs);
 }
 
-static const ts_column columns[] = { { "stage", "stage", false }, { "buffer", "buffer", false },
-	{ "elements", "elements", true }, { "different", "different", true }, { "tied", "tied", true },
-	{ "relaxed", "relaxed", true }, { "undecided", "undecided", true }, { "worst_ulps", "worst ulps", true },
-	{ "verdict", "verdict", false }, { 0 } };
+static const ts_column columns[] = {{"stage", "stage", false},        {"buffer", "buffer", false},
+                                    {"elements", "elements", true},   {"different", "different", true},
+                                    {"tied", "tied", true},           {"relaxed", "relaxed", true},
+                                    {"undecided", "undecided", true}, {"worst_ulps", "worst ulps", true},
+                                    {"verdict", "verdict", false},    {0}};
 
 static void row(ts_table *table, const ts_verdict *v, const char *stage, ts_buffer_id id)
 {
 	bool judged = v->judgement == TS_SAME || v->judgement == TS_UNLIKE;
-	const i64 figures[] = { (i64)v->n_ref, (i64)v->n_different, (i64)v->n_tied, (i64)v->n_relaxed,
-		(i64)v->n_undecided, v->worst_ulps };
+	const i64 figures[] = {(i64)v->n_ref,     (i64)v->n_different, (i64)v->n_tied,
+	                       (i64)v->n_relaxed, (i64)v->n_undecided, v->worst_ulps};
 	ts_table_text(table, stage);
 	ts_table_text(table, ts_buffer_table[id].name);
 	for (u32 i = 0; i < sizeof figures / sizeof *figures; i++) {
@@ -146,8 +148,8 @@ void ts_compare_report(ts_report *report, const ts_comparison *c, const ts_trace
 	relaxations_of(relaxed, sizeof relaxed, judging);
 	ts_report_table(report, &table);
 	ts_report_line(report, "%s", "");
-	ts_report_line(report, "%u buffers judged, %u different, %u missing%s%s", (unsigned)c->n_judged, (unsigned)c->n_unlike,
-	               (unsigned)c->n_missing, relaxed[0] != 0 ? "; relaxed:" : "", relaxed);
+	ts_report_line(report, "%u buffers judged, %u different, %u missing%s%s", (unsigned)c->n_judged,
+	               (unsigned)c->n_unlike, (unsigned)c->n_missing, relaxed[0] != 0 ? "; relaxed:" : "", relaxed);
 	ts_report_value(report, "reference", ts_text_json(reference->dir));
 	ts_report_value(report, "candidate", ts_text_json(candidate->dir));
 	ts_report_value(report, "candidate_producer", ts_text_json(candidate->producer));
@@ -192,8 +194,14 @@ void ts_compare_tap(const ts_comparison *c, const ts_trace *reference, FILE *out
 
 static void put_escaped(const char *text, FILE *out)
 {
-	static const struct { char c; const char *name; } names[] = {
-		{ '&', "&amp;" }, { '<', "&lt;" }, { '>', "&gt;" }, { '"', "&quot;" },
+	static const struct {
+		char c;
+		const char *name;
+	} names[] = {
+		{'&', "&amp;"},
+		{'<', "&lt;"},
+		{'>', "&gt;"},
+		{'"', "&quot;"},
 	};
 	for (; *text != 0; text++) {
 		const char *name = NULL;
@@ -239,7 +247,8 @@ ts_status ts_compare_junit(const ts_comparison *c, const ts_trace *reference, co
 	fputs("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n", out);
 	fprintf(out, "<testsuite name=\"touchstone compare\" tests=\"%u\" failures=\"%u\" skipped=\"%u\">\n", (unsigned)n,
 	        (unsigned)n_unlike, (unsigned)n_skipped);
-	for (const ts_step *s = ts_pipeline_steps(reference->pipeline); s->stage != NULL; s++) put_case(c, reference, s, out);
+	for (const ts_step *s = ts_pipeline_steps(reference->pipeline); s->stage != NULL; s++)
+		put_case(c, reference, s, out);
 	fputs("</testsuite>\n", out);
 	bool bad = ferror(out) != 0;
 	bad |= fclose(out) != 0;

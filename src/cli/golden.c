@@ -8,7 +8,9 @@ static const struct {
 	const char *name;
 	ts_status (*run)(const ts_goldens *goldens, const ts_case *only);
 } actions[] = {
-	{"check", ts_golden_check_action}, {"new", ts_golden_new_action}, {"bless", ts_golden_bless_action},
+	{"check", ts_golden_check_action},
+	{"new", ts_golden_new_action},
+	{"bless", ts_golden_bless_action},
 };
 
 enum { N_ACTIONS = sizeof actions / sizeof *actions };

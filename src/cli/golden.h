@@ -18,14 +18,14 @@ typedef struct {
 	char scene[TS_CASE_SCENE]; /* a built-in one */
 	const ts_pipeline *pipeline;
 	ts_params params;
-	bool small;                /* small files are stored as they are */
+	bool small; /* small files are stored as they are */
 } ts_case;
 
 /* What a `golden` command works on. */
 typedef struct {
 	const ts_job *job;
-	const char *reason;  /* of bless; NULL: none was given */
-	ts_golden_dir dir; /* reference/ */
+	const char *reason; /* of bless; NULL: none was given */
+	ts_golden_dir dir;  /* reference/ */
 	ts_case cases[TS_MAX_CASES];
 	u32 n_cases;
 } ts_goldens;

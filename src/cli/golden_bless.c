@@ -33,8 +33,7 @@ static ts_status check_build(const ts_job *job)
 		               commit);
 	}
 	if (job->backend == ts_backend_kinds[0]) return TS_OK;
-	return ts_fail("golden bless: backend %s is not the reference, %s", job->backend->name,
-	               ts_backend_kinds[0]->name);
+	return ts_fail("golden bless: backend %s is not the reference, %s", job->backend->name, ts_backend_kinds[0]->name);
 }
 
 static ts_status check_values(const ts_case *c, const ts_golden *golden)

@@ -11,8 +11,15 @@ enum { MOST_FILE_BYTES = 64 << 10, MOST_WORDS = 100, MOST_PIXELS = 1 << 20, MOST
 
 /* A line after its name is a command line of its own. */
 static const ts_command line_command = {
-	"golden", "[EFFECT/]METHOD SCENE [OPTION...]", "", "", 2, 2,
-	TS_OPT(SIZE) | TS_OPT(FRAME) | TS_OPT(REFLECTORS) | TS_OPT(SET), NULL, NULL
+	"golden",
+	"[EFFECT/]METHOD SCENE [OPTION...]",
+	"",
+	"",
+	2,
+	2,
+	TS_OPT(SIZE) | TS_OPT(FRAME) | TS_OPT(REFLECTORS) | TS_OPT(SET),
+	NULL,
+	NULL,
 };
 
 bool ts_case_name(const char *text)

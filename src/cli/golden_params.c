@@ -32,8 +32,13 @@ static ts_status read_line(said *s, char *line)
 	char *equals = strchr(line, '=');
 	if (equals == NULL) return ts_fail("\"%.60s\" is not NAME=VALUE", line);
 	*equals = 0;
-	const struct { const char *name; char *to; } words[] = {
-		{"effect", s->effect}, {"method", s->method}, {"scene", s->scene},
+	const struct {
+		const char *name;
+		char *to;
+	} words[] = {
+		{"effect", s->effect},
+		{"method", s->method},
+		{"scene", s->scene},
 	};
 	for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
 		if (strcmp(line, words[i].name) != 0) continue;

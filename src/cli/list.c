@@ -8,24 +8,48 @@
 #include "../study/reads.h"
 #include "../study/truths.h"
 
-static const ts_column stage_columns[] = { { "name", "stage", false }, { "kind", "kind", false },
-	{ "paper", "paper", false }, { "doc", "what", false }, { "writes", "writes", false }, { "reads", "reads", false },
-	{ 0 } };
-static const ts_column buffer_columns[] = { { "name", "buffer", false }, { "element", "element", false },
-	{ "bytes", "bytes", true }, { "shape", "shape", false }, { "order", "order", false }, { "doc", "what", false }, { 0 } };
-static const ts_column size_columns[] = { { "name", "size", false }, { "noun", "one of them", false },
-	{ "doc", "what", false }, { 0 } };
-static const ts_column param_columns[] = { { "name", "parameter", false }, { "default", "default", false },
-	{ "range", "range", false }, { "unit", "unit", false }, { "source", "source", false }, { "doc", "what", false }, { 0 } };
-static const ts_column method_columns[] = { { "name", "method", false }, { "effect", "effect", false },
-	{ "runs", "runs", false }, { "paper", "paper", false }, { "doc", "what", false }, { "stages", "stages", false }, { 0 } };
-static const ts_column truth_columns[] = { { "name", "truth", false }, { "effects", "effects", false },
-	{ "doc", "what its picture shows", false }, { "share", "error of the", false },
-	{ "against", "against", false }, { "against_share", "error of the", false }, { 0 } };
-static const ts_column backend_columns[] = { { "name", "backend", false }, { "index", "device", true },
-	{ "device", "name", false }, { "rounded", "divide, root", false }, { "denormals", "denormals", false },
-	{ "atomics", "64-bit atomics", false }, { "memory_mib", "MiB", true }, { "most_mib", "MiB a buffer", true }, { 0 } };
-static const ts_column plain_columns[] = { { "name", "name", false }, { "doc", "what", false }, { 0 } };
+static const ts_column stage_columns[] = {{"name", "stage", false},
+                                          {"kind", "kind", false},
+                                          {"paper", "paper", false},
+                                          {"doc", "what", false},
+                                          {"writes", "writes", false},
+                                          {"reads", "reads", false},
+                                          {0}};
+static const ts_column buffer_columns[] = {{"name", "buffer", false},
+                                           {"element", "element", false},
+                                           {"bytes", "bytes", true},
+                                           {"shape", "shape", false},
+                                           {"order", "order", false},
+                                           {"doc", "what", false},
+                                           {0}};
+static const ts_column size_columns[] = {
+	{"name", "size", false}, {"noun", "one of them", false}, {"doc", "what", false}, {0}};
+static const ts_column param_columns[] = {{"name", "parameter", false},
+                                          {"default", "default", false},
+                                          {"range", "range", false},
+                                          {"unit", "unit", false},
+                                          {"source", "source", false},
+                                          {"doc", "what", false},
+                                          {0}};
+static const ts_column method_columns[] = {{"name", "method", false},
+                                           {"effect", "effect", false},
+                                           {"runs", "runs", false},
+                                           {"paper", "paper", false},
+                                           {"doc", "what", false},
+                                           {"stages", "stages", false},
+                                           {0}};
+static const ts_column truth_columns[] = {{"name", "truth", false},
+                                          {"effects", "effects", false},
+                                          {"doc", "what its picture shows", false},
+                                          {"share", "error of the", false},
+                                          {"against", "against", false},
+                                          {"against_share", "error of the", false},
+                                          {0}};
+static const ts_column backend_columns[] = {
+	{"name", "backend", false},         {"index", "device", true},          {"device", "name", false},
+	{"rounded", "divide, root", false}, {"denormals", "denormals", false},  {"atomics", "64-bit atomics", false},
+	{"memory_mib", "MiB", true},        {"most_mib", "MiB a buffer", true}, {0}};
+static const ts_column plain_columns[] = {{"name", "name", false}, {"doc", "what", false}, {0}};
 
 /* The methods whose table it is; none: of all. */
 typedef struct {
@@ -192,15 +216,9 @@ static const struct {
 	ts_table (*make)(void);
 	ts_table (*make_of)(const ts_listed *of); /* instead: of methods */
 } lists[] = {
-	{ "stages", list_stages, NULL },
-	{ "buffers", list_buffers, NULL },
-	{ "sizes", list_sizes, NULL },
-	{ "params", NULL, list_params },
-	{ "methods", list_methods, NULL },
-	{ "truths", list_truths, NULL },
-	{ "scenes", list_scenes, NULL },
-	{ "backends", list_backends, NULL },
-	{ "benches", ts_bench_list, NULL },
+	{"stages", list_stages, NULL}, {"buffers", list_buffers, NULL},   {"sizes", list_sizes, NULL},
+	{"params", NULL, list_params}, {"methods", list_methods, NULL},   {"truths", list_truths, NULL},
+	{"scenes", list_scenes, NULL}, {"backends", list_backends, NULL}, {"benches", ts_bench_list, NULL},
 };
 
 enum { N_LISTS = sizeof lists / sizeof lists[0] };

@@ -24,7 +24,7 @@ typedef struct {
 
 static known known_of(const ts_command *command)
 {
-	known k = { .letters = ":" };
+	known k = {.letters = ":"};
 	u32 n = 0;
 	size_t n_letters = 1;
 	for (u32 i = 0; i < TS_N_OPTIONS; i++) {
@@ -32,7 +32,7 @@ static known known_of(const ts_command *command)
 		if (!ts_command_takes(command, i)) continue;
 		int has_argument = o->argument[0] == 0 ? no_argument : required_argument;
 		has_argument = o->argument[0] == '[' ? optional_argument : has_argument;
-		k.options[n++] = (struct option){ o->name, has_argument, NULL, LONG + (int)i };
+		k.options[n++] = (struct option){o->name, has_argument, NULL, LONG + (int)i};
 		if (o->letter != 0) k.letters[n_letters++] = o->letter;
 		if (o->letter != 0 && has_argument == required_argument) k.letters[n_letters++] = ':';
 	}
@@ -104,7 +104,7 @@ static void set_defaults(ts_cli *cli)
 	job->program = ts_program;
 	job->backends = ts_backend_kinds;
 	job->backend = ts_backend_kinds[0];
-	job->device = (ts_backend_options){ .work_group = 64, .build = "" };
+	job->device = (ts_backend_options){.work_group = 64, .build = ""};
 	job->how.threads = (u32)omp_get_num_procs();
 }
 

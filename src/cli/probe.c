@@ -68,7 +68,7 @@ static void print_leaves(ts_report *report, json_t *o, int depth)
 	char line[2 * ITEM_TEXT] = "", text[ITEM_TEXT];
 	const char *key, *mark = "- ";
 	json_t *v;
-	json_object_foreach(o, key, v) {
+	json_object_foreach (o, key, v) {
 		if (!is_leaf(v)) continue;
 		say(text, 0, v);
 		size_t n = strlen(line);
@@ -103,10 +103,10 @@ static void print(ts_report *report, json_t *v, int depth, bool item)
 	json_t *member;
 	size_t i;
 	if (json_is_object(v)) {
-		json_object_foreach(v, key, member) print_member(report, key, member, depth, item);
+		json_object_foreach (v, key, member) print_member(report, key, member, depth, item);
 		return;
 	}
-	json_array_foreach(v, i, member) {
+	json_array_foreach (v, i, member) {
 		char text[ITEM_TEXT];
 		if (json_is_object(member)) {
 			print_leaves(report, member, depth);
@@ -170,7 +170,7 @@ static ts_status tell(const ts_cli *cli, json_t *answer)
 	ts_report_begin(&report, cli->job.output.json);
 	print(&report, answer, 0, false);
 	ts_report_value(&report, "trace", json_string(cli->arguments[0]));
-	json_object_foreach(answer, key, v) ts_report_value(&report, key, json_incref(v));
+	json_object_foreach (answer, key, v) ts_report_value(&report, key, json_incref(v));
 	return ts_report_end(&report);
 }
 

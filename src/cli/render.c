@@ -11,16 +11,13 @@
 
 static bool traces(const ts_job *job)
 {
-	return job->output.trace || job->output.trace_only != NULL || job->output.crop != NULL ||
-	       job->output.margins || job->output.viewer;
+	return job->output.trace || job->output.trace_only != NULL || job->output.crop != NULL || job->output.margins ||
+	       job->output.viewer;
 }
 
 static bool writes_files(const ts_job *job) { return traces(job) || !job->output.no_images; }
 
-static const char *output(const ts_job *job)
-{
-	return job->output.dir != NULL ? job->output.dir : "out";
-}
+static const char *output(const ts_job *job) { return job->output.dir != NULL ? job->output.dir : "out"; }
 
 static ts_status prepare_traces(ts_render *render)
 {
@@ -47,7 +44,7 @@ static ts_status take_mask(ts_render *render, const ts_run *run)
 typedef struct {
 	ts_render *render;
 	const ts_pipeline *method;
-	u32 at;              /* its place in render->methods */
+	u32 at; /* its place in render->methods */
 } after_method;
 
 static ts_status take_picture(ts_run *run, void *user)
@@ -66,13 +63,13 @@ static ts_status run_all(ts_render *render)
 	const ts_job *job = render->job;
 	ts_status status = TS_OK;
 	for (u32 i = 0; i < render->n_methods && status == TS_OK; i++) {
-		after_method after = { render, render->methods[i], i };
+		after_method after = {render, render->methods[i], i};
 		render->measures[i].pictures = job->output.no_images ? NULL : &render->stages[i];
 		render->measures[i].rays = job->truths != 0;
 		render->measures[i].trace = traces(job) ? &render->tracings[i].options : NULL;
 		render->measures[i].viewer = job->output.viewer ? render->tracings[i].viewer : NULL;
-		status = ts_measure_run(&render->measures[i], render->methods[i], render->scene, &job->params,
-		                        &job->how, take_picture, &after);
+		status = ts_measure_run(&render->measures[i], render->methods[i], render->scene, &job->params, &job->how,
+		                        take_picture, &after);
 	}
 	return status == TS_OK ? ts_render_truths_rest(render) : status;
 }
@@ -138,8 +135,8 @@ static ts_status open_scene(ts_render *render)
 	const ts_job *job = render->job;
 	ts_status status = ts_scene_open(&render->scene, job->scenes, &job->params, &job->scene);
 	if (status != TS_OK) return status;
-	return ts_measure_estimate(&render->estimate, render->methods, render->n_methods, job->truths,
-	                           render->scene, &job->params);
+	return ts_measure_estimate(&render->estimate, render->methods, render->n_methods, job->truths, render->scene,
+	                           &job->params);
 }
 
 static ts_status work(ts_render *render, ts_report *report)
@@ -222,7 +219,7 @@ static ts_status work_for_csv(ts_render *render, void *user)
 
 static ts_status sweep(ts_job *job)
 {
-	ts_csv csv = { .sweep = &job->sweep };
+	ts_csv csv = {.sweep = &job->sweep};
 	bool files = writes_files(job) && job->output.dir != NULL;
 	if (files) return ts_fail("-o: a sweep prints CSV and writes no files");
 	if (traces(job)) return ts_fail("--trace: a sweep writes no traces");
@@ -266,7 +263,8 @@ static ts_status say_unread(const ts_job *job)
 	if (ts_methods_find(methods, &n_methods, job->effect, job->method) != TS_OK) return TS_ERROR;
 	for (size_t i = 0; i < n; i++) {
 		if (!job->set[i] || is_read(job, methods, n_methods, params[i].name)) continue;
-		fprintf(stderr, "%s: --set %s: no method, scene or truth of this render reads it\n", ts_program, params[i].name);
+		fprintf(stderr, "%s: --set %s: no method, scene or truth of this render reads it\n", ts_program,
+		        params[i].name);
 	}
 	return TS_OK;
 }

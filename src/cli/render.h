@@ -14,9 +14,9 @@ enum { TS_MAX_PAIRS = 256 };
 /* Two pictures that were compared. */
 typedef struct {
 	const ts_picture *reference, *image;
-	ts_metrics all, reflective;   /* over the image and, if there is a mask, over its reflective pixels */
-	double relative;              /* RMSE in radiance by the mean of the reference, over what is no sky */
-	const char *share;            /* whose error this is: "method", "sampling", "both" or "" */
+	ts_metrics all, reflective; /* over the image and, if there is a mask, over its reflective pixels */
+	double relative;            /* RMSE in radiance by the mean of the reference, over what is no sky */
+	const char *share;          /* whose error this is: "method", "sampling", "both" or "" */
 } ts_pair;
 
 typedef struct {
@@ -29,9 +29,9 @@ typedef struct {
 	ts_measure measures[TS_MAX_METHODS];
 	ts_stage_pictures stages[TS_MAX_METHODS];
 	ts_tracing tracings[TS_MAX_METHODS];
-	ts_picture pictures[TS_MAX_METHODS];   /* as methods */
-	ts_picture truths[TS_MAX_TRUTHS];      /* as that table; those not asked for are empty */
-	u8 *mask;                     /* 1: a reflective pixel; NULL: the effect has none */
+	ts_picture pictures[TS_MAX_METHODS]; /* as methods */
+	ts_picture truths[TS_MAX_TRUTHS];    /* as that table; those not asked for are empty */
+	u8 *mask;                            /* 1: a reflective pixel; NULL: the effect has none */
 	u64 n_reflective;
 	ts_pair pairs[TS_MAX_PAIRS];
 	u32 n_pairs;

@@ -2,10 +2,24 @@
 #include "render_csv.h"
 #include <inttypes.h>
 
-static const char *const counters[] = { "points", "shading operations", "look-ups", "empty look-ups", "cube texels",
-	"geometry traversals", "triangles processed", "pieces culled", "point-view scatters", "texel writes",
-	"shadows asked of rays", "lit but by rays", "dark but by rays", "texels covered by rays", "holes", "leaks",
-	"wrong depths", NULL };
+static const char *const counters[] = {"points",
+                                       "shading operations",
+                                       "look-ups",
+                                       "empty look-ups",
+                                       "cube texels",
+                                       "geometry traversals",
+                                       "triangles processed",
+                                       "pieces culled",
+                                       "point-view scatters",
+                                       "texel writes",
+                                       "shadows asked of rays",
+                                       "lit but by rays",
+                                       "dark but by rays",
+                                       "texels covered by rays",
+                                       "holes",
+                                       "leaks",
+                                       "wrong depths",
+                                       NULL};
 
 /* "shading operations" to "shading_operations". */
 static void put_name(const char *name)

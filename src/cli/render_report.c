@@ -14,10 +14,10 @@ typedef struct {
 
 static method_columns columns_make(const ts_render *render, const char *key, const char *head)
 {
-	method_columns c = { .column = { { key, head, false } } };
+	method_columns c = {.column = {{key, head, false}}};
 	c.n_methods = render->n_methods < TS_MAX_COLUMNS - 2 ? render->n_methods : TS_MAX_COLUMNS - 2;
 	for (u32 i = 0; i < c.n_methods; i++) {
-		c.column[i + 1] = (ts_column){ render->methods[i]->name, render->methods[i]->name, true };
+		c.column[i + 1] = (ts_column){render->methods[i]->name, render->methods[i]->name, true};
 	}
 	return c;
 }
@@ -133,7 +133,10 @@ static u64 bytes_cubes(const ts_measure *m)
 {
 	return 8 * (m->elements[TS_B_splat_depth_index] + m->elements[TS_B_face_depth_triangle]);
 }
-static u64 bytes_cubes_nominal(const ts_measure *m) { return bytes_cubes(m) > 0 ? (u64)m->n_in_sight * NOMINAL_CUBE : 0; }
+static u64 bytes_cubes_nominal(const ts_measure *m)
+{
+	return bytes_cubes(m) > 0 ? (u64)m->n_in_sight * NOMINAL_CUBE : 0;
+}
 static u64 bytes_peak(const ts_measure *m) { return m->peak_bytes; }
 
 static void report_memory(const ts_render *render, ts_report *report)
@@ -173,8 +176,9 @@ static const ts_measure *find_measure(const ts_render *render, ts_buffer_id id)
 /* The paper's measure of work: shading operations of MVR over those of EPR, counted and foretold. */
 static void report_ratio(const ts_render *render, ts_report *report)
 {
-	static const ts_column columns[] = { { "figure", "figure", false }, { "value", "value", true }, { 0 } };
-	const ts_measure *epr = find_measure(render, TS_B_lookup_point), *mvr = find_measure(render, TS_B_face_depth_triangle);
+	static const ts_column columns[] = {{"figure", "figure", false}, {"value", "value", true}, {0}};
+	const ts_measure *epr = find_measure(render, TS_B_lookup_point),
+					 *mvr = find_measure(render, TS_B_face_depth_triangle);
 	const ts_measure *any = epr != NULL ? epr : &render->measures[0];
 	ts_table table = ts_table_begin("shading", "Shading", columns);
 	ts_table_text(&table, "reflective pixels in sight");
@@ -208,9 +212,13 @@ static void lit_row(ts_table *table, const ts_picture *picture)
 
 static void report_shadows(const ts_render *render, ts_report *report)
 {
-	static const ts_column columns[] = { { "image", "image", false }, { "samples", "light samples", true },
-		{ "pixels", "pixels in sight", true }, { "full", "fully lit", true }, { "part", "in penumbra", true },
-		{ "none", "in shadow", true }, { 0 } };
+	static const ts_column columns[] = {{"image", "image", false},
+	                                    {"samples", "light samples", true},
+	                                    {"pixels", "pixels in sight", true},
+	                                    {"full", "fully lit", true},
+	                                    {"part", "in penumbra", true},
+	                                    {"none", "in shadow", true},
+	                                    {0}};
 	ts_table table = ts_table_begin("shadows", "Shadows", columns);
 	for (u32 i = 0; i < render->n_methods; i++) lit_row(&table, &render->pictures[i]);
 	for (u32 t = 0; t < TS_MAX_TRUTHS; t++) lit_row(&table, &render->truths[t]);
@@ -240,7 +248,8 @@ static void report_missed(const ts_render *render, ts_report *report)
 		const ts_picture *truth = &render->truths[t];
 		if (truth->n_hits == 0) continue;
 		double percent = 100.0 * (double)truth->n_missed / (double)truth->n_hits;
-		ts_report_line(report, "empty look-ups of EPR where a ray of truth %s hits: %" PRIu64 " of %" PRIu64 ", %.5f %%",
+		ts_report_line(report,
+		               "empty look-ups of EPR where a ray of truth %s hits: %" PRIu64 " of %" PRIu64 ", %.5f %%",
 		               ts_truths()[t]->name, truth->n_missed, truth->n_hits, percent);
 		ts_report_line(report, "%s", "");
 		ts_report_value(report, "hit_lookups", json_integer((json_int_t)truth->n_hits));
@@ -251,12 +260,18 @@ static void report_missed(const ts_render *render, ts_report *report)
 static void report_metrics(const ts_render *render, ts_report *report)
 {
 #define METRICS \
-	{ "image", "image", false }, { "reference", "against", false }, { "rmse", "RMSE", true }, { "psnr", "PSNR, dB", true }, \
-	{ "ssim", "SSIM", true }
-#define SHARE { "share", "error of the", false }, { 0 }
-	static const ts_column plain[] = { METRICS, { "relative_rmse", "relative RMSE", true }, SHARE };
-	static const ts_column masked[] = { METRICS, { "reflective_rmse", "refl. RMSE", true },
-		{ "reflective_psnr", "PSNR, dB", true }, { "reflective_ssim", "SSIM", true }, SHARE };
+	{"image", "image", false}, {"reference", "against", false}, {"rmse", "RMSE", true}, {"psnr", "PSNR, dB", true}, \
+	{ \
+		"ssim", "SSIM", true \
+	}
+#define SHARE \
+	{"share", "error of the", false}, { 0 }
+	static const ts_column plain[] = {METRICS, {"relative_rmse", "relative RMSE", true}, SHARE};
+	static const ts_column masked[] = {METRICS,
+	                                   {"reflective_rmse", "refl. RMSE", true},
+	                                   {"reflective_psnr", "PSNR, dB", true},
+	                                   {"reflective_ssim", "SSIM", true},
+	                                   SHARE};
 	bool mask = render->mask != NULL;
 	if (render->n_pairs == 0) return;
 	report_missed(render, report);
@@ -286,7 +301,7 @@ static void picture_row(ts_table *table, const char *name, const char *what)
 
 static void report_pictures(const ts_render *render, ts_report *report)
 {
-	static const ts_column columns[] = { { "name", "picture", false }, { "shows", "shows", false }, { 0 } };
+	static const ts_column columns[] = {{"name", "picture", false}, {"shows", "shows", false}, {0}};
 	char name[64], what[64];
 	ts_table table = ts_table_begin("pictures", "Pictures", columns);
 	for (u32 i = 0; i < render->n_methods; i++) {

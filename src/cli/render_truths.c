@@ -60,8 +60,8 @@ static ts_status take_after(ts_run *run, void *user)
 static ts_status take_unseen(ts_render *render, const ts_pipeline *method)
 {
 	const ts_job *job = render->job;
-	unseen u = { render, method };
-	ts_measure measure = { .pictures = NULL };
+	unseen u = {render, method};
+	ts_measure measure = {.pictures = NULL};
 	return ts_measure_run(&measure, method, render->scene, &job->params, &job->how, take_after, &u);
 }
 
@@ -78,8 +78,8 @@ ts_status ts_render_truths_rest(ts_render *render)
 		if (kind->radiance != NULL) {
 			status = ts_picture_truth_alone(&render->truths[t], kind, render->scene, params, threads);
 		} else if (kind->begin != NULL) {
-			status = ts_picture_truths_begun(render->truths, job->truths, kind, render->effect, render->scene,
-			                                 params, threads);
+			status = ts_picture_truths_begun(render->truths, job->truths, kind, render->effect, render->scene, params,
+			                                 threads);
 		} else {
 			status = take_unseen(render, starts_from(render, kind));
 		}

@@ -23,8 +23,8 @@ static void describe(char text[LINE], const ts_judged *v)
 	} else if (v->shape_differs) {
 		snprintf(text, LINE, "different, %s in %s", v->text, v->item->path);
 	} else if (v->verdict.n_different > 0) {
-		snprintf(text, LINE, "different in %" PRIu64 " of %" PRIu64 " elements, first %s in %s",
-		         v->verdict.n_different, v->verdict.n_ref, v->text, v->item->path);
+		snprintf(text, LINE, "different in %" PRIu64 " of %" PRIu64 " elements, first %s in %s", v->verdict.n_different,
+		         v->verdict.n_ref, v->text, v->item->path);
 	} else {
 		snprintf(text, LINE, "same, %" PRIu64 " elements%s", v->verdict.n_ref, v->item->cropped ? " of a crop" : "");
 	}
@@ -34,18 +34,19 @@ static json_t *verdict_json(const ts_judged *v)
 {
 	bool different = v->shape_differs || v->verdict.n_different > 0;
 	const char *verdict = v->item == NULL ? "not compared" : different ? "different" : "same";
-	json_t *root = json_pack("{s:s, s:s, s:o, s:I, s:I, s:s}", "buffer", ts_buffer_table[v->id].name, "verdict",
-	                         verdict, "file", v->item != NULL ? ts_text_json(v->item->path) : json_null(), "elements",
-	                         (json_int_t)v->verdict.n_ref, "different", (json_int_t)v->verdict.n_different, "text", v->text);
+	json_t *root =
+		json_pack("{s:s, s:s, s:o, s:I, s:I, s:s}", "buffer", ts_buffer_table[v->id].name, "verdict", verdict, "file",
+	              v->item != NULL ? ts_text_json(v->item->path) : json_null(), "elements", (json_int_t)v->verdict.n_ref,
+	              "different", (json_int_t)v->verdict.n_different, "text", v->text);
 	if (!v->verdict.has_first) return root;
 	const ts_difference *d = &v->verdict.first;
 	const ts_fields fields = ts_fields_of(v->id);
 	char right[TS_VALUE_TEXT], found[TS_VALUE_TEXT];
 	ts_field_show(right, &fields.field[d->field], d->ref);
 	ts_field_show(found, &fields.field[d->field], d->cand);
-	json_t *first = json_pack("{s:I, s:s, s:i, s:s, s:s}", "element", (json_int_t)d->element, "field",
-	                          fields.field[d->field].name, "component", (int)d->component, "replayed", right, "found",
-	                          found);
+	json_t *first =
+		json_pack("{s:I, s:s, s:i, s:s, s:s}", "element", (json_int_t)d->element, "field", fields.field[d->field].name,
+	              "component", (int)d->component, "replayed", right, "found", found);
 	json_object_set_new(root, "first", first);
 	return root;
 }

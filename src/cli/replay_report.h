@@ -9,10 +9,10 @@ enum { TS_MAX_OUTPUTS = 6 };
 /* A stage that was replayed. */
 typedef struct {
 	const ts_stage *stage;
-	ts_status status;                     /* TS_OK same, TS_DIFFERENT, TS_ERROR */
+	ts_status status; /* TS_OK same, TS_DIFFERENT, TS_ERROR */
 	ts_judged judged[TS_MAX_OUTPUTS];
 	u32 n_judged;
-	char error[1024];                     /* of TS_ERROR */
+	char error[1024]; /* of TS_ERROR */
 } ts_replayed;
 
 /* Which traces; candidate may be NULL. */

@@ -27,8 +27,8 @@ static json_t *describe(const ts_vector *v, const char *in_file, const char *in_
 	json_t *shape = v->out.count > 1 ? json_pack("[ii]", (int)TS_VECTOR_ITEMS, (int)v->out.count)
 	                                 : json_pack("[i]", (int)TS_VECTOR_ITEMS);
 	return json_pack("{ss, ss, ss, s{ss, ss, s[i]}, s{ss, ss%, so}}", "name", v->name, "rule", v->rule, "doc", v->doc,
-	                 "in", "file", in_file, "dtype", in_descr, "shape", (int)TS_VECTOR_ITEMS,
-	                 "out", "file", out_file, "dtype", out_descr + 1, strlen(out_descr) - 2, "shape", shape);
+	                 "in", "file", in_file, "dtype", in_descr, "shape", (int)TS_VECTOR_ITEMS, "out", "file", out_file,
+	                 "dtype", out_descr + 1, strlen(out_descr) - 2, "shape", shape);
 }
 
 static ts_status write_primitive(const ts_vector *v, ts_vector_rows *rows, json_t *list)
@@ -42,8 +42,8 @@ static ts_status write_primitive(const ts_vector *v, ts_vector_rows *rows, json_
 	ts_vector_out_descr(out_descr, v);
 	ts_vector_make(v, rows->in, rows->out);
 	size_t word_bytes = TS_VECTOR_ITEMS * sizeof *rows->in;
-	ts_status status = write_file(in_file, in_descr, 1, (u64[]){ TS_VECTOR_ITEMS }, rows->in,
-	                              ts_vector_in_words(v) * word_bytes);
+	ts_status status =
+		write_file(in_file, in_descr, 1, (u64[]){TS_VECTOR_ITEMS}, rows->in, ts_vector_in_words(v) * word_bytes);
 	if (status == TS_OK) {
 		status = write_file(out_file, out_descr, n_dims, shape, rows->out, ts_vector_out_words(v) * word_bytes);
 	}
@@ -58,7 +58,8 @@ static ts_status write_index(json_t *list)
 	json_t *files = path != NULL ? ts_folder_list() : NULL;
 	json_t *root = files != NULL ? json_pack("{ss, ss, si, si, sO, so}", "program", ts_program, "version", TS_VERSION,
 	                                         "contract", (int)TS_CONTRACT_VERSION, "items", (int)TS_VECTOR_ITEMS,
-	                                         "primitives", list, "files", files) : NULL;
+	                                         "primitives", list, "files", files)
+	                             : NULL;
 	if (files == NULL) return TS_ERROR;
 	bool whole = root != NULL && json_array_size(list) == ts_vectors_count();
 	bool written = whole && json_dump_file(root, path, JSON_INDENT(1)) == 0;

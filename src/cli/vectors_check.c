@@ -17,8 +17,8 @@ typedef struct {
 } check;
 
 static const ts_column columns[] = {
-	{ "primitive", "primitive", false }, { "items", "items", true }, { "wrong", "wrong", true },
-	{ "fault", "explained by", false }, { "explained", "items", true }, { NULL, NULL, false },
+	{"primitive", "primitive", false}, {"items", "items", true},     {"wrong", "wrong", true},
+	{"fault", "explained by", false},  {"explained", "items", true}, {NULL, NULL, false},
 };
 
 /* A line below the table. */
@@ -32,11 +32,13 @@ __attribute__((format(printf, 2, 3))) static void tell(check *c, const char *for
 }
 
 /* Decimal, hexadecimal of floats, and bits. */
-typedef struct { char decimal[40], hex[40], bits[24]; } value_text;
+typedef struct {
+	char decimal[40], hex[40], bits[24];
+} value_text;
 
 static value_text print_value(ts_vector_type type, const u32 *row)
 {
-	value_text r = { "", "", "" };
+	value_text r = {"", "", ""};
 	u64 wide = (u64)row[ts_vector_type_words(type) - 1] << 32 | row[0];
 	double x = (double)ts_u2f(row[0]);
 	snprintf(r.bits, sizeof r.bits, "%08" PRIx32, row[0]);
@@ -125,7 +127,7 @@ static void tell_first(check *c, const ts_vector *v, const ts_vector_verdict *ve
 	const u32 *found = c->rows->found + (size_t)verdict->first * out_words;
 	json_t *item = json_object(), *in = json_object();
 	tell(c, "%s, item %" PRIu32 ", the first of %" PRIu32 " wrong: %s (%s%s)", v->name, verdict->first,
-	               verdict->n_wrong, v->doc, v->rule[0] >= '0' && v->rule[0] <= '9' ? "rule " : "", v->rule);
+	     verdict->n_wrong, v->doc, v->rule[0] >= '0' && v->rule[0] <= '9' ? "rule " : "", v->rule);
 	for (const ts_vector_column *a = v->in; a->name != NULL; a++) {
 		json_object_set_new(in, a->name, tell_values(c, a->name, a->type, a->count, row));
 		row += a->count * ts_vector_type_words(a->type);
@@ -167,8 +169,8 @@ static ts_status read_outputs(bool *there, check *c, const ts_vector *v, const c
 	snprintf(name, sizeof name, "%s.out.npy", v->name);
 	ts_vector_out_descr(descr, v);
 	u32 n_dims = ts_vector_out_shape(shape, v);
-	return ts_vectors_read(c->rows->found, there, dir, name, descr,
-	                       ts_vector_type_words(v->out.type) * sizeof(u32), n_dims, shape);
+	return ts_vectors_read(c->rows->found, there, dir, name, descr, ts_vector_type_words(v->out.type) * sizeof(u32),
+	                       n_dims, shape);
 }
 
 /* A port that started from other inputs is not judged. */
@@ -179,7 +181,7 @@ static ts_status check_inputs(check *c, const ts_vector *v, const char *dir)
 	size_t bytes = ts_vector_in_words(v) * sizeof(u32);
 	snprintf(name, sizeof name, "%s.in.npy", v->name);
 	ts_vector_in_descr(descr, v);
-	ts_status status = ts_vectors_read(c->rows->found, &there, dir, name, descr, bytes, 1, (u64[]){ TS_VECTOR_ITEMS });
+	ts_status status = ts_vectors_read(c->rows->found, &there, dir, name, descr, bytes, 1, (u64[]){TS_VECTOR_ITEMS});
 	if (status != TS_OK || !there || memcmp(c->rows->found, c->rows->in, bytes * TS_VECTOR_ITEMS) == 0) return status;
 	return ts_fail("%s/%s: not the inputs of this version; write the vectors again with \"vectors -o\"", dir, name);
 }
@@ -259,7 +261,7 @@ static ts_status work(check *c, const char *dir, bool json)
 
 ts_status ts_vectors_check(const char *dir, bool json)
 {
-	check c = { .rows = ts_alloc(1, sizeof *c.rows, "arithmetic vectors"), .first_wrong = json_array() };
+	check c = {.rows = ts_alloc(1, sizeof *c.rows, "arithmetic vectors"), .first_wrong = json_array()};
 	c.details = open_memstream(&c.text, &c.text_bytes);
 	ts_status status = TS_ERROR;
 	if (c.details == NULL || c.first_wrong == NULL) {

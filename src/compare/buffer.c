@@ -15,19 +15,19 @@ enum { RUN = 256, MAX_ELEMENT = 128, MAX_FLOATS = 32 };
 typedef struct {
 	ts_verdict *verdict;
 	ts_buffer_id id;
-	size_t bytes;          /* of an element */
+	size_t bytes; /* of an element */
 	ts_fields fields;
 	bool ignored[TS_MAX_FIELDS];
 	u32 float_at[MAX_FLOATS], n_floats; /* offsets of the floats that are judged */
 	const ts_order *order;
-	ts_dim points;         /* what stands in that order */
+	ts_dim points; /* what stands in that order */
 	const ts_relaxations *relaxations;
 	const ts_tie_rule *tie;
-	void *ties;            /* NULL: the candidate has no freedom here */
+	void *ties; /* NULL: the candidate has no freedom here */
 	ts_decided decided;
 	ts_reader *ref, *cand;
-	ts_gather *gather;     /* of a set in order of arrival; NULL: elements stand as they are */
-	u32 mask_every;        /* elements a pixel that the mask speaks of; 0: it does not */
+	ts_gather *gather; /* of a set in order of arrival; NULL: elements stand as they are */
+	u32 mask_every;    /* elements a pixel that the mask speaks of; 0: it does not */
 } judge;
 
 /* True of a field of points' indices, where points stand in another order. */
@@ -249,9 +249,15 @@ ts_status ts_compare_buffer(ts_verdict *verdict, ts_buffer_id id, const ts_trace
 	bool set = order->given && ts_order_is_set(id);
 	*verdict = (ts_verdict){.n_ref = ref->npy.n, .n_cand = cand->npy.n, .marks = verdict->marks};
 	if (ts_item_match(id, ref, cand) != TS_OK || check_mask(id, ref, relaxations) != TS_OK) return TS_ERROR;
-	judge j = {.verdict = verdict, .id = id, .bytes = ts_buffer_table[id].element_bytes, .fields = ts_fields_of(id),
-	           .order = order, .points = ts_order_of(), .relaxations = relaxations,
-	           .mask_every = elements_a_pixel(id, ref, relaxations), .tie = ts_tie_find(id)};
+	judge j = {.verdict = verdict,
+	           .id = id,
+	           .bytes = ts_buffer_table[id].element_bytes,
+	           .fields = ts_fields_of(id),
+	           .order = order,
+	           .points = ts_order_of(),
+	           .relaxations = relaxations,
+	           .mask_every = elements_a_pixel(id, ref, relaxations),
+	           .tie = ts_tie_find(id)};
 	assert(j.bytes <= MAX_ELEMENT);
 	find_fields(&j);
 	ts_status status = open_readers(&j, ref, cand);

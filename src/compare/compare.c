@@ -28,8 +28,8 @@ static ts_status judge_one(ts_comparison *c, ts_buffer_id id, const ts_trace *re
 	return status;
 }
 
-static ts_status judge_all(ts_comparison *c, const ts_trace *reference, const ts_trace *candidate, const ts_order *order,
-                           const ts_relaxations *relaxations)
+static ts_status judge_all(ts_comparison *c, const ts_trace *reference, const ts_trace *candidate,
+                           const ts_order *order, const ts_relaxations *relaxations)
 {
 	ts_buffer_id ids[TS_N_BUFFERS];
 	ts_status status = TS_OK;

@@ -37,8 +37,8 @@ ts_status ts_decided_open(ts_decided *decided, const ts_trace *reference, ts_buf
 	if (rule == NULL) return TS_OK;
 	const ts_trace_item *item = &reference->item[rule->margin], *of = &reference->item[id];
 	if (item->path == NULL || item->npy.n * rule->of != of->npy.n * every(rule)) {
-		return ts_fail("%s: --decided needs %s for each element of %s; render the reference with --margins", reference->dir,
-		               ts_buffer_table[rule->margin].name, ts_buffer_table[id].name);
+		return ts_fail("%s: --decided needs %s for each element of %s; render the reference with --margins",
+		               reference->dir, ts_buffer_table[rule->margin].name, ts_buffer_table[id].name);
 	}
 	decided->reader = ts_trace_read(item, rule->margin);
 	return decided->reader != NULL ? TS_OK : TS_ERROR;
@@ -62,7 +62,7 @@ static bool is_decided(const ts_margin_rule *rule, const void *first, const void
 	memcpy(&edge, first, sizeof edge);
 	memcpy(&depth, second, sizeof depth);
 	return (edge == TS_EMPTY || ts_u2f((u32)edge) > rule->steps) &&
-		(depth == TS_EMPTY || ts_u2f((u32)depth) > rule->steps);
+	       (depth == TS_EMPTY || ts_u2f((u32)depth) > rule->steps);
 }
 
 ts_status ts_decided_is(ts_decided *decided, u64 element, bool *is)

@@ -75,7 +75,8 @@ static void free_index(key_index *index)
 static ts_status make_index(key_index *index, const ts_trace *reference, u64 n)
 {
 	u32 n_slices = n < MOST_SLICES ? (u32)n + 1 : MOST_SLICES;
-	*index = (key_index){.keys = ts_alloc((size_t)n, sizeof(u64), "keys of points"), .n_slices = n_slices,
+	*index = (key_index){.keys = ts_alloc((size_t)n, sizeof(u64), "keys of points"),
+	                     .n_slices = n_slices,
 	                     .slices = ts_alloc((size_t)n_slices + 1, sizeof(u32), "an index of keys")};
 	bool there = index->keys != NULL && index->slices != NULL;
 	if (!there || read_keys(index->keys, reference, n) != TS_OK) {

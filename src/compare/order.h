@@ -11,12 +11,12 @@ ts_buffer_id ts_order_key(void);
 ts_dim ts_order_of(void);
 
 typedef struct {
-	bool given;          /* false: both stand in the same order, and the arrays are NULL */
+	bool given; /* false: both stand in the same order, and the arrays are NULL */
 	u64 n_ref, n_cand;
-	u32 *cand_of_ref;    /* the candidate's place of each record; TS_NONE: it has none */
-	u32 *ref_of_cand;    /* the reverse */
+	u32 *cand_of_ref;                /* the candidate's place of each record; TS_NONE: it has none */
+	u32 *ref_of_cand;                /* the reverse */
 	u64 n_missing, n_extra, n_twice; /* keys that the candidate lacks, has beside, and repeats */
-	u64 missing, extra;  /* the least key of each */
+	u64 missing, extra;              /* the least key of each */
 } ts_order;
 
 /* Finds the order of the points by their keys; canonical candidates, and those without points.key, keep theirs. The

@@ -6,7 +6,7 @@
 
 /* All zero: everything must be exact. */
 typedef struct {
-	u64 ulp;            /* floats, also depths of maps and of keys that name the same thing, may be so many floats apart, */
+	u64 ulp; /* floats, also depths of maps and of keys that name the same thing, may be so many floats apart, */
 	double abs, rel;    /* or so far, or so far in parts of the reference's; never a number from an infinity */
 	bool decided;       /* only what the reference decides is judged (decided.h) */
 	u64 allow;          /* so many elements of a buffer may differ */

@@ -46,8 +46,8 @@ ts_status ts_render_buffer(const ts_render *render, const char *name, ts_buffer_
 		const ts_buffer *buffer = &render->run.frame.buffer[id];
 		if (strcmp(info->name, now) != 0) continue;
 		if (!buffer->made) return ts_fail("%s: this method does not make it", name);
-		*view = (ts_buffer_view){info->name, info->element, info->element_bytes, buffer->data, buffer->n_dims,
-		                         {0}, info->order, info->key};
+		*view = (ts_buffer_view){info->name,     info->element, info->element_bytes, buffer->data,
+		                         buffer->n_dims, {0},           info->order,         info->key};
 		memcpy(view->shape, buffer->shape, sizeof view->shape);
 		return TS_OK;
 	}

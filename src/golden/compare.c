@@ -13,10 +13,7 @@ static void add(char *text, size_t text_bytes, const char *format, ...)
 	va_end(arguments);
 }
 
-static size_t type_bytes(const char *type)
-{
-	return strcmp(type, "u64") == 0 ? 8 : strcmp(type, "u8") == 0 ? 1 : 4;
-}
+static size_t type_bytes(const char *type) { return strcmp(type, "u64") == 0 ? 8 : strcmp(type, "u8") == 0 ? 1 : 4; }
 
 /* Floats exactly, with their bits, also of NaNs. */
 static void add_value(char *text, size_t text_bytes, const char *type, const char *at)

@@ -12,10 +12,10 @@
 enum { TS_GOLDEN_SMALL_BYTES = 192 << 10 };
 
 typedef struct {
-	char *data;      /* a whole .npy file; NULL: not kept */
+	char *data; /* a whole .npy file; NULL: not kept */
 	size_t bytes;
-	size_t taken;    /* so many of them are there */
-	ts_npy npy;      /* what its header says */
+	size_t taken;              /* so many of them are there */
+	ts_npy npy;                /* what its header says */
 	char hex[TS_DIGEST_BYTES]; /* its own digest, where it was read */
 } ts_golden_file;
 

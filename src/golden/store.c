@@ -76,8 +76,8 @@ static ts_status read_small(void *user, const char *name)
 	file->taken = file->bytes;
 	snprintf(path, sizeof path, "%s/%s", r->dir->path, name);
 	ts_npy_descr(descr, id);
-	ts_status status = ts_npy_parse(&file->npy, path, file->data, file->bytes, file->bytes, descr,
-	                                ts_buffer_table[id].element_bytes);
+	ts_status status =
+		ts_npy_parse(&file->npy, path, file->data, file->bytes, file->bytes, descr, ts_buffer_table[id].element_bytes);
 	return status == TS_OK ? digest_of(file->hex, file->data, file->bytes) : status;
 }
 

@@ -12,7 +12,7 @@ extern "C" {
 typedef struct {
 	/* `file` is of that format ("png", "jpeg"), and its header says width by height: so many texels are written. */
 	ts_status (*decode)(uint8_t *rgba, uint32_t width, uint32_t height, const char *format, const void *file,
-						size_t file_bytes, const char *what);
+	                    size_t file_bytes, const char *what);
 	/* As declared in <touchstone/image.h>. */
 	ts_status (*write_png)(const char *path, const uint8_t *pixels, uint32_t width, uint32_t height, uint32_t channels);
 	ts_status (*write_exr)(const char *path, const float *pixels, uint32_t width, uint32_t height, uint32_t channels);

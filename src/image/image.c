@@ -69,7 +69,7 @@ static void jpeg_size(uint32_t size[2], const uint8_t *p, size_t n)
 }
 
 static ts_status decode(uint8_t **rgba, const uint32_t size[2], const char *format, const void *file, size_t file_bytes,
-						const char *what)
+                        const char *what)
 {
 	*rgba = ts_alloc((size_t)size[0] * size[1], 4, what);
 	if (*rgba == NULL) return TS_ERROR;
@@ -81,7 +81,7 @@ static ts_status decode(uint8_t **rgba, const uint32_t size[2], const char *form
 }
 
 ts_status ts_image_decode(uint8_t **rgba, uint32_t *width, uint32_t *height, const void *file, size_t file_bytes,
-						  uint64_t max_texels, const char *what)
+                          uint64_t max_texels, const char *what)
 {
 	bool png = is_png(file, file_bytes);
 	uint32_t size[2] = {0, 0};
@@ -91,7 +91,7 @@ ts_status ts_image_decode(uint8_t **rgba, uint32_t *width, uint32_t *height, con
 	if (size[0] == 0 || size[1] == 0) return ts_fail("%s: no width or height in its header", what);
 	if (size[0] > max_texels / size[1])
 		return ts_fail("%s: its header says %u by %u; at most %llu texels are justified", what, size[0], size[1],
-					   (unsigned long long)max_texels);
+		               (unsigned long long)max_texels);
 	if (require_codec(what) != TS_OK) return TS_ERROR;
 	*width = size[0];
 	*height = size[1];
@@ -104,7 +104,8 @@ ts_status ts_image_decode(uint8_t **rgba, uint32_t *width, uint32_t *height, con
 	return status;
 }
 
-ts_status ts_image_write_png(const char *path, const uint8_t *pixels, uint32_t width, uint32_t height, uint32_t channels)
+ts_status ts_image_write_png(const char *path, const uint8_t *pixels, uint32_t width, uint32_t height,
+                             uint32_t channels)
 {
 	if (require_codec(path) != TS_OK) return TS_ERROR;
 	return said(codec->write_png(path, pixels, width, height, channels));

@@ -15,7 +15,9 @@ typedef struct {
 } pair;
 
 /* Over the window: x, y, x x, y y, x y. */
-typedef struct { double sum[N_SUMS]; } moments;
+typedef struct {
+	double sum[N_SUMS];
+} moments;
 
 static double luma(const uint8_t *rgb) { return 0.299 * rgb[0] + 0.587 * rgb[1] + 0.114 * rgb[2]; }
 
@@ -116,7 +118,8 @@ ts_metrics ts_metrics_compare(const uint8_t *reference, const uint8_t *image, co
 	return m;
 }
 
-double ts_metrics_relative(const float *reference, const float *image, const uint8_t *mask, uint32_t width, uint32_t height)
+double ts_metrics_relative(const float *reference, const float *image, const uint8_t *mask, uint32_t width,
+                           uint32_t height)
 {
 	double squares = 0, sum = 0;
 	uint64_t n = 0;

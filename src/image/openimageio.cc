@@ -31,8 +31,7 @@ static void to_rgba(uint8_t *rgba, const uint8_t *pixels, uint64_t n, int channe
 	for (uint64_t i = 0; i < n; i++) {
 		const uint8_t *from = pixels + i * (uint64_t)channels;
 		bool grey = channels < 3;
-		for (int c = 0; c < 3; c++)
-			rgba[4 * i + (uint64_t)c] = from[grey ? 0 : c];
+		for (int c = 0; c < 3; c++) rgba[4 * i + (uint64_t)c] = from[grey ? 0 : c];
 		rgba[4 * i + 3] = channels == 2 ? from[1] : channels == 4 ? from[3] : 255;
 	}
 }
@@ -46,8 +45,7 @@ static ts_status read_8bit(std::vector<uint8_t> &pixels, ImageInput &in, const c
 		std::vector<uint16_t> wide(n);
 		if (!in.read_image(0, 0, 0, spec.nchannels, TypeDesc::UINT16, wide.data()))
 			return ts_fail("%s: %s; a whole PNG or JPEG is expected", what, reason(in.geterror()).c_str());
-		for (uint64_t i = 0; i < n; i++)
-			pixels[i] = (uint8_t)((wide[i] * 255u + 32767u) / 65535u);
+		for (uint64_t i = 0; i < n; i++) pixels[i] = (uint8_t)((wide[i] * 255u + 32767u) / 65535u);
 		return TS_OK;
 	}
 	if (!in.read_image(0, 0, 0, spec.nchannels, TypeDesc::UINT8, pixels.data()))
@@ -56,7 +54,7 @@ static ts_status read_8bit(std::vector<uint8_t> &pixels, ImageInput &in, const c
 }
 
 static ts_status read_memory(uint8_t *rgba, uint32_t width, uint32_t height, const char *format, const void *file,
-							 size_t file_bytes, const char *what)
+                             size_t file_bytes, const char *what)
 {
 	OIIO::Filesystem::IOMemReader memory(const_cast<void *>(file), file_bytes);
 	ImageSpec spec, config;
@@ -67,7 +65,7 @@ static ts_status read_memory(uint8_t *rgba, uint32_t width, uint32_t height, con
 		return ts_fail("%s: %s; a PNG or JPEG is expected", what, reason(in->geterror()).c_str());
 	if ((uint64_t)spec.width != width || (uint64_t)spec.height != height)
 		return ts_fail("%s: its header says %u by %u, its contents %d by %d", what, width, height, spec.width,
-					   spec.height);
+		               spec.height);
 	if (spec.nchannels < 1 || spec.nchannels > 4)
 		return ts_fail("%s: %d channels; 1 to 4 are read", what, spec.nchannels);
 	std::vector<uint8_t> pixels;
@@ -91,14 +89,14 @@ template <typename Work> static ts_status guarded(const char *what, Work work)
 }
 
 static ts_status decode(uint8_t *rgba, uint32_t width, uint32_t height, const char *format, const void *file,
-						size_t file_bytes, const char *what)
+                        size_t file_bytes, const char *what)
 {
 	return guarded(what, [&] { return read_memory(rgba, width, height, format, file, file_bytes, what); });
 }
 
 /* Writes PATH.partial and renames it. */
 static ts_status write_file(const char *path, const char *format, const ImageSpec &spec, TypeDesc type,
-							const void *pixels)
+                            const void *pixels)
 {
 	std::string partial = std::string(path) + ".partial";
 	std::unique_ptr<ImageOutput> out = ImageOutput::create(format);
@@ -138,8 +136,7 @@ template <typename Code> static bool read_codes(float *pixels, ImageInput &in, u
 {
 	std::vector<Code> codes(n);
 	if (!in.read_image(0, 0, 0, in.spec().nchannels, type, codes.data())) return false;
-	for (uint64_t i = 0; i < n; i++)
-		pixels[i] = (float)codes[i] / full;
+	for (uint64_t i = 0; i < n; i++) pixels[i] = (float)codes[i] / full;
 	return true;
 }
 
@@ -152,7 +149,7 @@ static ts_status read_file(float **pixels, uint32_t *width, uint32_t *height, ui
 	const ImageSpec &spec = in->spec();
 	if (spec.width < 1 || spec.height < 1 || (uint64_t)spec.width * (uint64_t)spec.height > most_pixels)
 		return ts_fail("%s: %d by %d pixels; 1 to %llu are read", path, spec.width, spec.height,
-					   (unsigned long long)most_pixels);
+		               (unsigned long long)most_pixels);
 	if (spec.nchannels < 1 || spec.nchannels > 4)
 		return ts_fail("%s: %d channels; 1 to 4 are read", path, spec.nchannels);
 	uint64_t n = (uint64_t)spec.width * (uint64_t)spec.height * (uint64_t)spec.nchannels;
@@ -160,8 +157,8 @@ static ts_status read_file(float **pixels, uint32_t *width, uint32_t *height, ui
 	if (!out) return TS_ERROR;
 	std::unique_ptr<float, void (*)(void *)> owner(out, free);
 	bool good = spec.format == TypeDesc::UINT8    ? read_codes<uint8_t>(out, *in, n, TypeDesc::UINT8, 255.0f)
-				: spec.format == TypeDesc::UINT16 ? read_codes<uint16_t>(out, *in, n, TypeDesc::UINT16, 65535.0f)
-												  : in->read_image(0, 0, 0, spec.nchannels, TypeDesc::FLOAT, out);
+	            : spec.format == TypeDesc::UINT16 ? read_codes<uint16_t>(out, *in, n, TypeDesc::UINT16, 65535.0f)
+	                                              : in->read_image(0, 0, 0, spec.nchannels, TypeDesc::FLOAT, out);
 	if (!good) return ts_fail("%s: %s; a whole image is expected", path, reason(in->geterror()).c_str());
 	*width = (uint32_t)spec.width;
 	*height = (uint32_t)spec.height;

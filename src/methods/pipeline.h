@@ -5,12 +5,12 @@
 #include "stage.h"
 
 typedef struct {
-	const char *name;    /* as in render EFFECT */
-	const char *doc;     /* what its pictures show, for help */
-	bool mirrors;        /* the eye sees mirrors that show cubes; scenes get added reflectors */
-	ts_buffer_id seen;   /* keys of what the eye sees, a triangle or a surfel, TS_EMPTY where it is nothing */
+	const char *name;     /* as in render EFFECT */
+	const char *doc;      /* what its pictures show, for help */
+	bool mirrors;         /* the eye sees mirrors that show cubes; scenes get added reflectors */
+	ts_buffer_id seen;    /* keys of what the eye sees, a triangle or a surfel, TS_EMPTY where it is nothing */
 	u32 difference_scale; /* of pictures of differences between methods */
-	const char *lower;   /* what takes most memory beside the image, in a message */
+	const char *lower;    /* what takes most memory beside the image, in a message */
 } ts_effect;
 
 /* NULL: there is none of that name. */
@@ -22,14 +22,14 @@ enum { TS_STORED_ANYHOW, TS_STORED_BY_DEFAULT, TS_STORED_IF_ASKED };
 typedef struct ts_step {
 	const char *stage;
 	const struct ts_step *run; /* instead of a stage: steps that several methods share, ended as a pipeline's */
-	u32 least_bounces;   /* runs only if so many bounces are followed */
-	bool only_traced;    /* runs only for a trace: later stages do without what it makes */
-	bool only_margins;   /* of ts_pipeline_steps: the margin of the stage before, run only if run->margins asks for it */
-	bool only_ordered;   /* points that arrive in any order do without */
-	u32 stored;          /* TS_STORED_*: runs only if points are */
+	u32 least_bounces;         /* runs only if so many bounces are followed */
+	bool only_traced;          /* runs only for a trace: later stages do without what it makes */
+	bool only_margins; /* of ts_pipeline_steps: the margin of the stage before, run only if run->margins asks for it */
+	bool only_ordered; /* points that arrive in any order do without */
+	u32 stored;        /* TS_STORED_*: runs only if points are */
 	bool (*only_if)(const ts_params *params); /* NULL: whatever the parameters are */
-	bool unnumbered;     /* in traces it has the number of the step before, so that those behind keep theirs */
-	bool each_batch;     /* neighbours with this mark run for one batch after the other */
+	bool unnumbered; /* in traces it has the number of the step before, so that those behind keep theirs */
+	bool each_batch; /* neighbours with this mark run for one batch after the other */
 } ts_step;
 
 typedef void ts_planner(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request);
@@ -42,17 +42,19 @@ typedef struct {
 } ts_expected;
 
 typedef struct ts_pipeline {
-	const char *name;    /* as in --method */
+	const char *name; /* as in --method */
 	const ts_effect *effect;
 	const char *paper;
 	const char *doc;
-	const ts_step *steps;            /* as written, ended by a step without stage and run; read ts_pipeline_steps */
-	ts_planner *plan;                /* makes the default plan its own; may be NULL */
+	const ts_step *steps; /* as written, ended by a step without stage and run; read ts_pipeline_steps */
+	ts_planner *plan;     /* makes the default plan its own; may be NULL */
 	/* Sets what of `expected` neither the scene has nor the parameters give. */
 	void (*expect)(ts_expected *expected, const ts_scene *scene, const ts_params *params);
-	bool only_named;                 /* runs where --method names it, for it takes long */
-	const char *lower;               /* as of its effect; NULL: that */
-	struct { const char *param, *value; } sets; /* a parameter that is this to the method, whatever was typed; or NULL */
+	bool only_named;   /* runs where --method names it, for it takes long */
+	const char *lower; /* as of its effect; NULL: that */
+	struct {
+		const char *param, *value;
+	} sets; /* a parameter that is this to the method, whatever was typed; or NULL */
 } ts_pipeline;
 
 /* All pipelines, those of an effect beside each other, ended by NULL. The effect of the first is meant where none is

@@ -8,9 +8,7 @@
 #define ALONE(member) {"", #member, offsetof(ts_plan, member)},
 #define PART(name, members) members
 #define MEMBER(part, name) {#part, #name, offsetof(ts_plan, part.name)},
-const ts_plan_row ts_plan_table[] = {
-	ALONE(units)
-	ALONE(batch)
+const ts_plan_row ts_plan_table[] = {ALONE(units) ALONE(batch)
 #include "../families.def"
 };
 static_assert(sizeof ts_plan_table / sizeof *ts_plan_table == TS_PLAN_ROWS, "every member has a row");
@@ -32,7 +30,10 @@ void ts_plan_begin(ts_plan *plan, const ts_counts *counts)
 	*plan = (ts_plan){.units = counts->reflectors, .batch = 1};
 }
 
-void ts_plan_lights(ts_plan *plan, const ts_params *params) { plan->lights.own = TS_PARAM(params, lamp) == TS_LAMP_SCENE; }
+void ts_plan_lights(ts_plan *plan, const ts_params *params)
+{
+	plan->lights.own = TS_PARAM(params, lamp) == TS_LAMP_SCENE;
+}
 
 void ts_plan_views(ts_plan *plan, const ts_params *params) { plan->views.field = TS_PARAM(params, view_field); }
 

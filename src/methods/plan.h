@@ -19,11 +19,14 @@ typedef struct {
 /* Every member is a u32, so that ts_plan_row can read it. A family has parts, PART(name, members), whose members are
  * MEMBER(part, name). */
 #define FAMILY(name) FAMILY_FILE(methods, name, plan.def)
-#define PART(name, members) struct { members } name;
+#define PART(name, members) \
+	struct { \
+		members \
+	} name;
 #define MEMBER(part, name) u32 name;
 typedef struct {
-	u32 units;             /* what batches are made of: cubes, depth maps, or lights */
-	u32 batch;             /* units a batch */
+	u32 units; /* what batches are made of: cubes, depth maps, or lights */
+	u32 batch; /* units a batch */
 #include "../families.def"
 } ts_plan;
 #undef MEMBER
@@ -31,7 +34,10 @@ typedef struct {
 #undef FAMILY
 
 /* A member of the plan as text. */
-typedef struct { const char *part, *name; size_t offset; } ts_plan_row;
+typedef struct {
+	const char *part, *name;
+	size_t offset;
+} ts_plan_row;
 extern const ts_plan_row ts_plan_table[];
 enum { TS_PLAN_ROWS = sizeof(ts_plan) / sizeof(u32) };
 u32 ts_plan_value(const ts_plan *plan, const ts_plan_row *row);

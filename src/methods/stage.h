@@ -6,27 +6,33 @@
 #include "../scene/scene.h"
 #include "plan.h"
 
-typedef struct { const char *name; i64 value; } ts_counter;
-typedef struct { const char *stage; double seconds; } ts_timing;
+typedef struct {
+	const char *name;
+	i64 value;
+} ts_counter;
+typedef struct {
+	const char *stage;
+	double seconds;
+} ts_timing;
 enum { TS_MAX_COUNTERS = 64, TS_MAX_TIMINGS = 128 };
 
 typedef struct ts_run ts_run;
 
 /* What computes a run. Only `arrival` changes a result: the order of the points and, where they tie, what is seen. */
 typedef struct {
-	u32 threads;               /* of the C backend */
-	bool reference;            /* it takes no fast paths */
-	ts_backend *backend;       /* NULL: the C backend; else outlives the run */
-	bool arrival;              /* points are appended as they come, not in the order of the pieces */
+	u32 threads;         /* of the C backend */
+	bool reference;      /* it takes no fast paths */
+	ts_backend *backend; /* NULL: the C backend; else outlives the run */
+	bool arrival;        /* points are appended as they come, not in the order of the pieces */
 } ts_how;
 
 typedef struct {
 	const char *name;
-	const char *kind;               /* map, emit or scatter */
-	const ts_launch *const *launches;  /* ended by NULL; NULL: none */
+	const char *kind;                     /* map, emit or scatter */
+	const ts_launch *const *launches;     /* ended by NULL; NULL: none */
 	const ts_buffer_id *looks_at, *makes; /* what its host code does beside; ended by TS_N_BUFFERS; NULL: nothing */
 	ts_status (*run)(ts_run *run);
-	const char *margin_of;          /* of a margin: the stage whose decisions it is about; NULL: it is none */
+	const char *margin_of; /* of a margin: the stage whose decisions it is about; NULL: it is none */
 	const char *paper;
 	const char *doc;
 } ts_stage;
@@ -40,23 +46,26 @@ typedef ts_status (*ts_stage_hook)(const ts_run *run, const ts_stage *stage, voi
 
 struct ts_run {
 	const ts_scene *scene;
-	ts_params params;          /* as typed: read only */
-	ts_plan plan;              /* what follows from them: read only from the first stage on */
+	ts_params params;                   /* as typed: read only */
+	ts_plan plan;                       /* what follows from them: read only from the first stage on */
 	const struct ts_pipeline *pipeline; /* whose plan it is; NULL: the default one */
 	ts_c_backend c;
-	ts_backend *backend;       /* NULL: c */
-	bool arrival;              /* see ts_how */
-	u32 first_unit, n_units;   /* the batch that stages work on: all, but where a step goes by batches */
-	bool traced;               /* also the stages that only traces need */
-	bool margins;              /* also the stages that say how near the decisions were */
-	bool lean;                 /* a buffer lives until its last reader; digests and replays want all of them */
-	bool keep[TS_N_BUFFERS];   /* even so, these stay */
-	bool made[TS_N_BUFFERS];   /* by the stage that runs */
+	ts_backend *backend;     /* NULL: c */
+	bool arrival;            /* see ts_how */
+	u32 first_unit, n_units; /* the batch that stages work on: all, but where a step goes by batches */
+	bool traced;             /* also the stages that only traces need */
+	bool margins;            /* also the stages that say how near the decisions were */
+	bool lean;               /* a buffer lives until its last reader; digests and replays want all of them */
+	bool keep[TS_N_BUFFERS]; /* even so, these stay */
+	bool made[TS_N_BUFFERS]; /* by the stage that runs */
 	ts_frame frame;
-	ts_sizes sizes;            /* of the scene, and what stages counted */
-	ts_counter counters[TS_MAX_COUNTERS]; u32 n_counters;
-	ts_timing timings[TS_MAX_TIMINGS]; u32 n_timings;
-	ts_stage_hook hook; void *hook_user;
+	ts_sizes sizes; /* of the scene, and what stages counted */
+	ts_counter counters[TS_MAX_COUNTERS];
+	u32 n_counters;
+	ts_timing timings[TS_MAX_TIMINGS];
+	u32 n_timings;
+	ts_stage_hook hook;
+	void *hook_user;
 };
 
 /* Starts a run on the C backend: the scene's arrays become the frame's first buffers. */

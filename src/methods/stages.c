@@ -5,7 +5,9 @@
 
 enum { MOST_STAGES = 128, LIST = 40 };
 
-static struct { ts_buffer_id inputs[LIST], outputs[LIST]; } lists[MOST_STAGES];
+static struct {
+	ts_buffer_id inputs[LIST], outputs[LIST];
+} lists[MOST_STAGES];
 
 const ts_stage *ts_stage_find(const char *name)
 {

@@ -28,10 +28,11 @@ static void *make(ts_frame *frame, ts_buffer_id id, u32 n_dims, const u64 *shape
 		return NULL;
 	}
 	if (n > (ts_memory_limit() - frame->bytes) / info->element_bytes) {
-		ts_fail("%s: %.1f GB beside the %.1f GB of the other buffers; a run may use %.1f GB: choose a smaller image, fewer "
-		        "reflectors, or lower rho_scale, map_px, pass, face_max or levels",
-		        info->name, (double)n * (double)info->element_bytes / 1e9, (double)frame->bytes / 1e9,
-		        (double)ts_memory_limit() / 1e9);
+		ts_fail(
+			"%s: %.1f GB beside the %.1f GB of the other buffers; a run may use %.1f GB: choose a smaller image, fewer "
+			"reflectors, or lower rho_scale, map_px, pass, face_max or levels",
+			info->name, (double)n * (double)info->element_bytes / 1e9, (double)frame->bytes / 1e9,
+			(double)ts_memory_limit() / 1e9);
 		return NULL;
 	}
 	void *data = allocate((size_t)n, info->element_bytes, info->name);
@@ -54,10 +55,7 @@ void *ts_frame_zeros(ts_frame *frame, ts_buffer_id id, u32 n_dims, const u64 *sh
 	return make(frame, id, n_dims, shape, ts_alloc_zero);
 }
 
-void *ts_frame_make1(ts_frame *frame, ts_buffer_id id, u64 n)
-{
-	return ts_frame_make(frame, id, 1, &n);
-}
+void *ts_frame_make1(ts_frame *frame, ts_buffer_id id, u64 n) { return ts_frame_make(frame, id, 1, &n); }
 
 void *ts_frame_make2(ts_frame *frame, ts_buffer_id id, u64 n0, u64 n1)
 {
@@ -73,8 +71,13 @@ void ts_frame_borrow(ts_frame *frame, ts_buffer_id id, const void *data, u64 n)
 {
 	assert(id < TS_N_BUFFERS);
 	ts_frame_drop(frame, id);
-	frame->buffer[id] = (ts_buffer){.data = (void *)(uintptr_t)data, .n = n, .bytes = n * ts_buffer_table[id].element_bytes,
-	                                .n_dims = 1, .shape = {n}, .borrowed = true, .made = true};
+	frame->buffer[id] = (ts_buffer){.data = (void *)(uintptr_t)data,
+	                                .n = n,
+	                                .bytes = n * ts_buffer_table[id].element_bytes,
+	                                .n_dims = 1,
+	                                .shape = {n},
+	                                .borrowed = true,
+	                                .made = true};
 }
 
 void *ts_frame_handle(const ts_frame *frame, ts_buffer_id id)

@@ -5,10 +5,10 @@
 
 typedef struct {
 	void *data;
-	u64 n, bytes;   /* elements in all, and what they take */
+	u64 n, bytes; /* elements in all, and what they take */
 	u32 n_dims;
 	u64 shape[4];
-	bool borrowed;  /* belongs to the scene */
+	bool borrowed; /* belongs to the scene */
 	bool made;
 	void *resident; /* what a backend's device holds of it; NULL: nothing */
 } ts_buffer;
@@ -23,9 +23,9 @@ enum { TS_TALLIES = 5, TS_WORK_tallies = 0, TS_WORK_other, TS_WORK_queue, TS_WOR
 
 typedef struct {
 	ts_buffer buffer[TS_N_BUFFERS];
-	u64 bytes, peak_bytes; /* owned by the frame */
-	i64 tally[TS_TALLIES]; /* sums that the kernels of a stage add to */
-	ts_buffer lent[TS_N_WORK]; /* memory without a name that kernels work on */
+	u64 bytes, peak_bytes;         /* owned by the frame */
+	i64 tally[TS_TALLIES];         /* sums that the kernels of a stage add to */
+	ts_buffer lent[TS_N_WORK];     /* memory without a name that kernels work on */
 	const ts_residence *residence; /* NULL: all is in host memory */
 } ts_frame;
 

@@ -114,8 +114,8 @@ static ts_status set_f32(ts_params *params, size_t row, const char *text)
 	bool good_table = parse_f32(&min, info->min) && parse_f32(&max, info->max);
 	assert(good_table);
 	if (!parse_f32(&value, text) || value < min || value > max) {
-		return ts_fail("parameter %s: \"%.80s\" is not a number from %s to %s%s%s", info->name, text, info->min, info->max,
-		               *info->unit ? " " : "", info->unit);
+		return ts_fail("parameter %s: \"%.80s\" is not a number from %s to %s%s%s", info->name, text, info->min,
+		               info->max, *info->unit ? " " : "", info->unit);
 	}
 	if (value != 0 && value < 0x1p-39f && value > -0x1p-39f) {
 		return ts_fail("parameter %s: \"%.80s\" is too near to 0: write 0, or at least 1.82e-12", info->name, text);

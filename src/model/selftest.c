@@ -15,7 +15,7 @@ enum {
 	DIVISION = 32,
 	ROOT = 64,
 	SHIFT = 128,
-	CONVERSION = 256
+	CONVERSION = 256,
 };
 
 static const char *const names[] = {
@@ -102,7 +102,7 @@ static unsigned test_root(void)
 static unsigned test_integers(void)
 {
 	volatile i32 negative = -5;
-	volatile i32 tie = 0x01000001; /* 2^24 + 1 */
+	volatile i32 tie = 0x01000001;                           /* 2^24 + 1 */
 	volatile i64 wide = ((i64)1 << 40) + ((i64)1 << 16) + 1; /* above half-way: rounding twice would go to even */
 	unsigned bad = negative >> 1 == -3 ? 0 : SHIFT;
 	bool nearest = ts_f2u((f32)tie) == 0x4b800000u && ts_f2u((f32)wide) == 0x53800001u;
@@ -113,8 +113,8 @@ unsigned ts_selftest(void)
 {
 	unsigned bad = 0;
 #pragma omp parallel reduction(| : bad)
-	bad |= test_contraction() | test_denormals() | test_rounding() | test_association() | test_division() | test_root() |
-	       test_integers();
+	bad |= test_contraction() | test_denormals() | test_rounding() | test_association() | test_division() |
+	       test_root() | test_integers();
 	return bad;
 }
 
@@ -130,5 +130,6 @@ ts_status ts_selftest_require(void)
 		}
 	}
 	return ts_fail("self-test: this build or process breaks the numeric contract in %s; build with the flags of the "
-	               "Makefile and leave the floating-point environment at its default", text);
+	               "Makefile and leave the floating-point environment at its default",
+	               text);
 }

@@ -9,7 +9,7 @@
 typedef enum {
 #include <touchstone/records.def>
 	TS_N_DIMS,
-	TS_DIM_none = TS_N_DIMS
+	TS_DIM_none = TS_N_DIMS,
 } ts_dim;
 
 enum { TS_MAX_DIMS = 4, TS_MAX_FACTORS = 2 };
@@ -28,7 +28,9 @@ extern const ts_dim_info ts_dim_table[TS_N_DIMS];
 
 #define TS_UNKNOWN UINT64_MAX
 
-typedef struct { u64 n[TS_N_DIMS]; } ts_sizes;
+typedef struct {
+	u64 n[TS_N_DIMS];
+} ts_sizes;
 /* Makes all of them unknown. */
 void ts_sizes_clear(ts_sizes *sizes);
 
@@ -40,7 +42,10 @@ typedef struct {
 	u32 more;
 } ts_axis;
 
-typedef struct { u32 n; ts_axis axis[TS_MAX_DIMS]; } ts_shape;
+typedef struct {
+	u32 n;
+	ts_axis axis[TS_MAX_DIMS];
+} ts_shape;
 
 /* False if the text is no shape or names a size that there is not. */
 bool ts_shape_parse(ts_shape *shape, const char *text);

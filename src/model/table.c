@@ -28,7 +28,7 @@ static ts_index_info indices[] = {
 enum {
 	N_LINES = sizeof lines / sizeof *lines,
 	N_SUMS = sizeof sums / sizeof *sums,
-	N_INDICES = sizeof indices / sizeof *indices
+	N_INDICES = sizeof indices / sizeof *indices,
 };
 
 static ts_field_info fields[N_LINES];

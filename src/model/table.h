@@ -8,7 +8,7 @@
 typedef enum {
 #include <touchstone/records.def>
 	TS_N_BUFFERS,
-	TS_B_none = TS_N_BUFFERS
+	TS_B_none = TS_N_BUFFERS,
 } ts_buffer_id;
 
 /* One BUFFER row. */

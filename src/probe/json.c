@@ -82,7 +82,8 @@ void ts_probe_put_record_check(ts_probe *p, json_t *object, ts_buffer_id id, con
 			if (ts_field_bits(field, computed, k) == bits) continue;
 			ts_field_name(name, field, k);
 			ts_field_show(value, field, bits);
-			text = json_sprintf("bits differ from %s, which holds%s%s %s", buffer, name[0] != 0 ? " in " : "", name, value);
+			text = json_sprintf("bits differ from %s, which holds%s%s %s", buffer, name[0] != 0 ? " in " : "", name,
+			                    value);
 		}
 	}
 	ts_probe_put(p, object, "check", text != NULL ? text : json_sprintf("bits agree with %s", buffer));
@@ -93,6 +94,7 @@ void ts_probe_put_sum(ts_probe *p, json_t *object, ts_v3 sum, ts_v3 total)
 	f32 a[3], b[3];
 	ts_store3(a, sum);
 	ts_store3(b, total);
-	ts_probe_put(p, object, "sum", json_string(memcmp(a, b, sizeof a) == 0 ? "terms add up to the bits of the total"
-	                                                                       : "terms do not add up to the total"));
+	ts_probe_put(p, object, "sum",
+	             json_string(memcmp(a, b, sizeof a) == 0 ? "terms add up to the bits of the total"
+	                                                     : "terms do not add up to the total"));
 }

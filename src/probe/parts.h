@@ -76,7 +76,8 @@ void ts_probe_put_margin(ts_probe *probe, json_t *object, f32 winner, f32 depth)
 /* Puts `check`: "bits agree with BUFFER" or "bits differ from BUFFER: <its bits>" . */
 void ts_probe_put_check(ts_probe *probe, json_t *object, ts_buffer_id id, const f32 *computed, const f32 *held, u32 n);
 /* The same of one element, by its first field that differs. */
-void ts_probe_put_record_check(ts_probe *probe, json_t *object, ts_buffer_id id, const void *computed, const void *held);
+void ts_probe_put_record_check(ts_probe *probe, json_t *object, ts_buffer_id id, const void *computed,
+                               const void *held);
 /* The same of keys, depth << 32 | index. */
 void ts_probe_put_key_check(ts_probe *probe, json_t *object, ts_buffer_id id, u64 found, u64 held);
 /* Puts `sum`: whether the terms that were put have the bits of the total. */
@@ -93,11 +94,14 @@ json_t *ts_probe_shading(ts_probe *probe, const ts_surface *surface, ts_v3 v, co
 
 /* ---- competition (contest.c) ---- */
 typedef struct {
-	u64 key;   /* depth << 32 | index */
+	u64 key; /* depth << 32 | index */
 	u32 triangle;
-	bool cut;  /* alpha took it away */
+	bool cut; /* alpha took it away */
 } ts_offer;
-typedef struct { ts_offer *offer; size_t n, capacity; } ts_offers;
+typedef struct {
+	ts_offer *offer;
+	size_t n, capacity;
+} ts_offers;
 
 /* Puts what the index of an offer names, if that is no triangle. */
 typedef ts_status ts_probe_put_index(ts_probe *probe, json_t *object, u32 index);

@@ -15,7 +15,7 @@ typedef enum {
 	TS_PROBE_TEXEL,
 	TS_PROBE_TRIANGLE,
 	TS_PROBE_POINT,
-	TS_N_PROBE_SUBJECTS
+	TS_N_PROBE_SUBJECTS,
 } ts_probe_subject;
 
 typedef struct {

@@ -36,8 +36,8 @@ static ts_status check_images(const ts_probe *p)
 	for (u64 i = 0; i < ts_probe_n(p, TS_B_scene_image); i++) {
 		const ts_image *image = &p->scene.images[i];
 		u64 texels = 0, w = image->width, h = image->height;
-		bool right =
-			w >= 1 && h >= 1 && w <= TS_PROBE_SIDE && h <= TS_PROBE_SIDE && image->n_levels >= 1 && image->n_levels <= 15;
+		bool right = w >= 1 && h >= 1 && w <= TS_PROBE_SIDE && h <= TS_PROBE_SIDE && image->n_levels >= 1 &&
+		             image->n_levels <= 15;
 		for (u32 l = 0; right && l < image->n_levels; l++) {
 			texels += w * h;
 			w = w > 1 ? w / 2 : 1;
@@ -59,11 +59,12 @@ static ts_status check_view(const ts_probe *p)
 	u32 w = p->view.width, h = p->view.height;
 	const char *path = p->trace->item[TS_B_eye_view].path;
 	if (w < 1 || h < 1 || w > TS_PROBE_SIDE || h > TS_PROBE_SIDE) {
-		return ts_fail("%s: %u x %u pixels; at most %d x %d", path, (unsigned)w, (unsigned)h, TS_PROBE_SIDE, TS_PROBE_SIDE);
+		return ts_fail("%s: %u x %u pixels; at most %d x %d", path, (unsigned)w, (unsigned)h, TS_PROBE_SIDE,
+		               TS_PROBE_SIDE);
 	}
 	if (w == p->sizes.n[TS_DIM_width] && h == p->sizes.n[TS_DIM_height]) return TS_OK;
-	return ts_fail("%s: %u x %u pixels; %" PRIu64 " x %" PRIu64 ", as the parameters, would be right", path, (unsigned)w,
-	               (unsigned)h, p->sizes.n[TS_DIM_width], p->sizes.n[TS_DIM_height]);
+	return ts_fail("%s: %u x %u pixels; %" PRIu64 " x %" PRIu64 ", as the parameters, would be right", path,
+	               (unsigned)w, (unsigned)h, p->sizes.n[TS_DIM_width], p->sizes.n[TS_DIM_height]);
 }
 
 static ts_status read_arrays(ts_probe *p)
@@ -90,9 +91,9 @@ static ts_status read_arrays(ts_probe *p)
 
 ts_status ts_probe_scene(ts_probe *p)
 {
-	static const ts_buffer_id needed[] = {TS_B_scene_triangle, TS_B_scene_material, TS_B_scene_slot, TS_B_scene_image,
-		TS_B_scene_texel, TS_B_scene_light, TS_B_scene_object, TS_B_scene_info, TS_B_eye_view, TS_B_pose_vertex,
-		TS_N_BUFFERS};
+	static const ts_buffer_id needed[] = {TS_B_scene_triangle, TS_B_scene_material, TS_B_scene_slot,   TS_B_scene_image,
+	                                      TS_B_scene_texel,    TS_B_scene_light,    TS_B_scene_object, TS_B_scene_info,
+	                                      TS_B_eye_view,       TS_B_pose_vertex,    TS_N_BUFFERS};
 	if (p->texels != NULL) return TS_OK;
 	if (ts_probe_require(p, needed) != TS_OK) return TS_ERROR;
 	if (ts_probe_fetch(p, TS_B_eye_view, 0, 1, &p->view) != TS_OK || check_view(p) != TS_OK) return TS_ERROR;

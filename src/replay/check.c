@@ -72,7 +72,8 @@ static void check_sizes(ts_load *load, const ts_stage *stage)
 	count(load, stage);
 	ts_counts counts = {.reflectors = load->scene.info.n_reflectors,
 	                    .lights = size_or(n[TS_DIM_lights], load->scene.n_lights),
-	                    .cubes = size_or(n[TS_DIM_cubes], TS_NONE), .views = size_or(n[TS_DIM_views], TS_NONE),
+	                    .cubes = size_or(n[TS_DIM_cubes], TS_NONE),
+	                    .views = size_or(n[TS_DIM_views], TS_NONE),
 	                    .lamps = size_or(n[TS_DIM_lamps], TS_NONE)};
 	bool faces = n[TS_DIM_cubes] != TS_UNKNOWN && n[TS_DIM_views] == TS_UNKNOWN;
 	if (faces) ts_sizes_cubes(&load->sizes, n[TS_DIM_cubes]);

@@ -33,7 +33,7 @@ typedef enum {
 	TS_CHECK_PARAMS, /* first, of methods that make the buffer, loaded or not */
 	TS_CHECK_SIZES,  /* before sizes are computed from it */
 	TS_CHECK_VALUES, /* when shapes, indices and sums are right: what kernels loop over or address by */
-	TS_CHECK_SUMS    /* with the values, and in the place of the check of prefix sums */
+	TS_CHECK_SUMS,   /* with the values, and in the place of the check of prefix sums */
 } ts_check_time;
 
 /* What a family checks of a buffer that was loaded. */

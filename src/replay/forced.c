@@ -35,8 +35,8 @@ static bool has_output(const ts_stage *stage, const ts_trace *candidate, const t
 	return false;
 }
 
-static ts_status judge_stage(ts_comparison *c, const ts_stage *stage, const ts_trace *reference, const ts_trace *candidate,
-                             const ts_relaxations *relaxations, u32 threads)
+static ts_status judge_stage(ts_comparison *c, const ts_stage *stage, const ts_trace *reference,
+                             const ts_trace *candidate, const ts_relaxations *relaxations, u32 threads)
 {
 	ts_load *load;
 	ts_status status = ts_replay(&load, stage, reference, candidate, threads);
@@ -89,6 +89,7 @@ ts_status ts_compare_forced(ts_comparison *c, const ts_trace *reference, const t
 	}
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) settle(c, (ts_buffer_id)id, reference, candidate, relaxations);
 	find_first(c, reference->pipeline);
-	if (c->n_judged == 0) return ts_fail("%s: no stage whose outputs could be replayed: nothing to judge", candidate->dir);
+	if (c->n_judged == 0)
+		return ts_fail("%s: no stage whose outputs could be replayed: nothing to judge", candidate->dir);
 	return c->n_unlike > 0 ? TS_DIFFERENT : TS_OK;
 }

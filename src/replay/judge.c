@@ -38,8 +38,8 @@ static void tell_first(ts_judged *judged)
 	ts_field_show(right, field, v->first.ref);
 	ts_field_show(found, field, v->first.cand);
 	if (v->has_first) {
-		snprintf(judged->text, sizeof judged->text, "element %" PRIu64 "%s%s: %s is right, %s was found", v->first.element,
-		         name[0] != 0 ? ", field " : "", name, right, found);
+		snprintf(judged->text, sizeof judged->text, "element %" PRIu64 "%s%s: %s is right, %s was found",
+		         v->first.element, name[0] != 0 ? ", field " : "", name, right, found);
 	} else {
 		snprintf(judged->text, sizeof judged->text, "%" PRIu64 " records missing, %" PRIu64 " beside", v->n_missing,
 		         v->n_extra);
@@ -52,7 +52,8 @@ static void *crop_of(const ts_buffer *ours, const u32 crop[4], size_t element_by
 	u64 pixel = ours->n / (ours->shape[0] * ours->shape[1]) * element_bytes, row = crop[2] * pixel;
 	u8 *part = ts_alloc(crop[3], (size_t)row, "a crop");
 	for (u64 y = 0; part != NULL && y < crop[3]; y++) {
-		memcpy(part + y * row, (const u8 *)ours->data + ((crop[1] + y) * ours->shape[1] + crop[0]) * pixel, (size_t)row);
+		memcpy(part + y * row, (const u8 *)ours->data + ((crop[1] + y) * ours->shape[1] + crop[0]) * pixel,
+		       (size_t)row);
 	}
 	return part;
 }
@@ -60,7 +61,8 @@ static void *crop_of(const ts_buffer *ours, const u32 crop[4], size_t element_by
 /* A buffer of the run as an item of a trace. */
 static void put_item(ts_trace_item *item, const ts_buffer *ours, ts_buffer_id id)
 {
-	*item = (ts_trace_item){.path = (char *)(uintptr_t)ts_buffer_table[id].name, .memory = ours->data,
+	*item = (ts_trace_item){.path = (char *)(uintptr_t)ts_buffer_table[id].name,
+	                        .memory = ours->data,
 	                        .npy = {.n_dims = ours->n_dims, .n = ours->n}};
 	memcpy(item->npy.shape, ours->shape, sizeof item->npy.shape);
 }

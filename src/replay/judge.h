@@ -8,7 +8,8 @@ enum { TS_JUDGED_TEXT = 400 };
 
 typedef struct {
 	ts_buffer_id id;
-	const ts_trace_item *item; /* whose buffer was judged: the candidate's if it has it; NULL: nobody's, so nothing was */
+	const ts_trace_item
+		*item; /* whose buffer was judged: the candidate's if it has it; NULL: nobody's, so nothing was */
 	bool shape_differs;
 	ts_verdict verdict;        /* what is right is its reference */
 	char text[TS_JUDGED_TEXT]; /* "" or how they first differ, in one line */

@@ -141,8 +141,12 @@ void ts_build_triangle(ts_build *build, u32 a, u32 b, u32 c, u32 material)
 ts_material ts_material_default(void)
 {
 	return (ts_material){
-		.base = {1.0f, 1.0f, 1.0f, 1.0f}, .roughness = 1.0f, .normal_scale = 1.0f, .occlusion = 1.0f,
-		.alpha_cutoff = 0.5f, .slot = {TS_NONE, TS_NONE, TS_NONE, TS_NONE, TS_NONE},
+		.base = {1.0f, 1.0f, 1.0f, 1.0f},
+		.roughness = 1.0f,
+		.normal_scale = 1.0f,
+		.occlusion = 1.0f,
+		.alpha_cutoff = 0.5f,
+		.slot = {TS_NONE, TS_NONE, TS_NONE, TS_NONE, TS_NONE},
 	};
 }
 

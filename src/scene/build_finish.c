@@ -74,8 +74,7 @@ static void check_vertices(ts_build *build)
 			              scene->name, i, (double)far);
 	}
 	for (u32 i = 1; i < scene->n_objects && !build->failed; i++)
-		if (scene->objects[i].n_vertices == 0)
-			ts_build_fail(build, "%s: object %u has no vertices", scene->name, i);
+		if (scene->objects[i].n_vertices == 0) ts_build_fail(build, "%s: object %u has no vertices", scene->name, i);
 }
 
 static void check_materials(ts_build *build)

@@ -7,10 +7,10 @@
 
 #define N_HEIGHTS 2
 static const f32 heights[N_HEIGHTS] = {0.35f, 0.6f}; /* of the box, above its floor */
-enum { N_RAYS = 9, RANK = 2 }; /* the distance along a fan is its third smallest */
-#define SLOPE 0.03125f         /* between the rays of a fan: 7 degrees to either side */
-#define NEAREST 0.0625f        /* of half the box: nearer things stand in the hall */
-#define KEPT 0.95f             /* of the distance to a wall */
+enum { N_RAYS = 9, RANK = 2 };                       /* the distance along a fan is its third smallest */
+#define SLOPE 0.03125f                               /* between the rays of a fan: 7 degrees to either side */
+#define NEAREST 0.0625f                              /* of half the box: nearer things stand in the hall */
+#define KEPT 0.95f                                   /* of the distance to a wall */
 #define UNLIMITED 4611686018427387904.0f
 
 /* A triangle cut at one of the heights: a line seen from above, x and z. */
@@ -102,8 +102,7 @@ static f32 wall_distance(const slice *s, u32 axis, f32 way)
 	f32 least = (s->high[axis] - s->low[axis]) * (0.5f * NEAREST);
 	for (u32 k = 0; k < N_RAYS; k++)
 		for (u32 h = 0; h < N_HEIGHTS; h++) distance[h][k] = UNLIMITED;
-	for (size_t i = 0; i < s->n; i++)
-		stop(distance[s->cuts[i].height], s, &s->cuts[i], axis, way, least);
+	for (size_t i = 0; i < s->n; i++) stop(distance[s->cuts[i].height], s, &s->cuts[i], axis, way, least);
 	f32 sorted[N_RAYS];
 	for (u32 k = 0; k < N_RAYS; k++) {
 		f32 stopped = distance[0][k];

@@ -16,7 +16,8 @@ void ts_ground_add(ts_build *build, const ts_params *params)
 	for (u32 k = 0; k < 4; k++) {
 		ts_vertex v = {.position = {box.middle.x + (k == 0 || k == 3 ? -reach : reach), floor,
 		                            box.middle.z + (k < 2 ? reach : -reach)},
-		               .normal = {0.0f, 1.0f, 0.0f}, .colour = {0.5f, 0.5f, 0.5f, 1.0f}};
+		               .normal = {0.0f, 1.0f, 0.0f},
+		               .colour = {0.5f, 0.5f, 0.5f, 1.0f}};
 		corner[k] = ts_build_vertex(build, &v);
 	}
 	ts_build_triangle(build, corner[0], corner[1], corner[2], grey);

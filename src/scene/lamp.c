@@ -17,7 +17,8 @@ static bool is_open(const ts_info *info)
 /* From the middle of the hall, in halves of it. */
 static ts_v3 in_hall(ts_space hall, f32 x, f32 y, f32 z)
 {
-	return ts_v3_make(hall.middle.x + x * hall.half.x, hall.middle.y + y * hall.half.y, hall.middle.z + z * hall.half.z);
+	return ts_v3_make(hall.middle.x + x * hall.half.x, hall.middle.y + y * hall.half.y,
+	                  hall.middle.z + z * hall.half.z);
 }
 
 /* Beyond the middle of the floor, where the walls and what stands at them catch light and shadow. */
@@ -79,7 +80,9 @@ static ts_v2 seed(u32 k, u32 n)
 	return ts_v2_make(r * ts_cos_turn(turns), r * ts_sin_turn(turns));
 }
 
-typedef struct { ts_v3 right, up, back; } axes;
+typedef struct {
+	ts_v3 right, up, back;
+} axes;
 
 static axes axes_of(ts_v3 back)
 {

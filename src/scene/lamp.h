@@ -17,9 +17,9 @@ void ts_lamp_ball(ts_light *light, const ts_info *info, const ts_params *params)
 
 /* What a depth map shows of a light. */
 typedef struct {
-	u32 side;  /* texels */
-	f32 fov;   /* degrees */
-	bool own;  /* spot lights as wide as their cone, instead */
+	u32 side; /* texels */
+	f32 fov;  /* degrees */
+	bool own; /* spot lights as wide as their cone, instead */
 } ts_lens;
 
 /* How far samples lie from the middle of a light: world units; of a sun the tangent of its angular radius. */

@@ -5,7 +5,10 @@
 
 enum { LEAF = 8 };
 
-typedef struct { ts_v3 low, high; u32 lowest; } box; /* of a range's points; their lowest index */
+typedef struct {
+	ts_v3 low, high;
+	u32 lowest;
+} box; /* of a range's points; their lowest index */
 
 struct ts_neighbours {
 	const ts_v3 *points;

@@ -17,7 +17,10 @@ typedef struct ts_neighbours ts_neighbours;
 ts_neighbours *ts_neighbours_new(const ts_v3 *points, u32 n);
 void ts_neighbours_free(ts_neighbours *tree);
 
-typedef struct { f32 square; u32 index; } ts_neighbour; /* of the distance; of the point */
+typedef struct {
+	f32 square;
+	u32 index;
+} ts_neighbour; /* of the distance; of the point */
 
 /* The k (at most TS_MAX_NEIGHBOURS) points nearest to point i, without itself, by distance, then index. Returns how many
  * there are: less than k where there are not k others. */

@@ -73,7 +73,7 @@ ts_place ts_place_from_trs(const f32 translation[3], const f32 rotation[4], cons
 	f32 divisor = length > 0.0f ? length : 1.0f;
 	f32 x = ts_put(rotation[0] / divisor), y = ts_put(rotation[1] / divisor);
 	f32 z = ts_put(rotation[2] / divisor), w = ts_put(rotation[3] / divisor);
-	f32 r[9] = {diagonal(y, z), mixed(x, y, -z, w), mixed(x, z, y, w), mixed(x, y, z, w), diagonal(x, z),
+	f32 r[9] = {diagonal(y, z),     mixed(x, y, -z, w), mixed(x, z, y, w), mixed(x, y, z, w), diagonal(x, z),
 	            mixed(y, z, -x, w), mixed(x, z, -y, w), mixed(y, z, x, w), diagonal(x, y)};
 	for (int i = 0; i < 9; i++) place.linear[i] = r[i] * scale[i % 3];
 	finish(&place);

@@ -18,7 +18,11 @@ static uint64_t scene_bytes(const ts_scene *s)
 }
 
 /* Every figure once, for both formats. */
-typedef struct { const char *name; uint64_t value; const char *doc; } figure;
+typedef struct {
+	const char *name;
+	uint64_t value;
+	const char *doc;
+} figure;
 enum { N_FIGURES = 14 };
 
 static void figures_of(figure *f, const ts_scene *s)
@@ -71,8 +75,7 @@ static json_t *json_of(const ts_scene *s)
 	json_t *notes = json_array();
 	figures_of(f, s);
 	json_object_set_new(root, "scene", ts_text_json(s->name));
-	for (size_t i = 0; i < N_FIGURES; i++)
-		json_object_set_new(root, f[i].name, json_integer((json_int_t)f[i].value));
+	for (size_t i = 0; i < N_FIGURES; i++) json_object_set_new(root, f[i].name, json_integer((json_int_t)f[i].value));
 	json_object_set_new(root, "box_min", json_floats(s->info.box_min, 3));
 	json_object_set_new(root, "box_max", json_floats(s->info.box_max, 3));
 	json_object_set_new(root, "hall_min", json_floats(s->info.hall_min, 2));

@@ -88,8 +88,7 @@ static f32 radius_for(ts_build *build, const floor_plan *plan, f32 pixels)
 {
 	f32 widest = ts_min(plan->hall.half.x, plan->hall.half.z) * WIDEST;
 	f32 radius = 0.0f;
-	for (u32 round = 0; round < 4; round++)
-		radius = ts_min(pixels / mean_pixels_across(plan, radius), widest);
+	for (u32 round = 0; round < 4; round++) radius = ts_min(pixels / mean_pixels_across(plan, radius), widest);
 	if (radius == widest)
 		ts_build_note(build, "the added reflectors are %g px across instead of reflector_px=%g, so that they fit",
 		              (double)(radius * mean_pixels_across(plan, radius)), (double)pixels);
@@ -99,7 +98,7 @@ static f32 radius_for(ts_build *build, const floor_plan *plan, f32 pixels)
 /* Reflectances of polished metals, most of them pale. */
 static const f32 tints[][3] = {
 	{0.97f, 0.96f, 0.92f}, {1.0f, 0.86f, 0.57f}, {0.85f, 0.92f, 0.98f}, {0.96f, 0.78f, 0.7f},
-	{0.91f, 0.92f, 0.92f}, {0.9f, 0.97f, 0.88f}, {0.95f, 0.9f, 0.83f}, {0.93f, 0.88f, 0.97f},
+	{0.91f, 0.92f, 0.92f}, {0.9f, 0.97f, 0.88f}, {0.95f, 0.9f, 0.83f},  {0.93f, 0.88f, 0.97f},
 };
 enum { N_TINTS = sizeof tints / sizeof *tints };
 

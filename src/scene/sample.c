@@ -8,7 +8,7 @@
 #include "build_parts.h"
 
 enum { SAFE = 129, CENTRE = 0, MOST_PARTS = 64 }; /* half sizes of a lattice square, in 1/256 */
-#define MOST_SURFELS 268435456.0 /* 2^28 */
+#define MOST_SURFELS 268435456.0                  /* 2^28 */
 
 typedef struct {
 	ts_arrays scene;
@@ -17,8 +17,8 @@ typedef struct {
 } sampler;
 
 /* Writes a surfel, or with `out` NULL none. */
-static void put(const sampler *from, const ts_piece *piece, const ts_align *frame, ts_v3 centre, i32 x, i32 y, bool turned,
-                ts_surfel *out)
+static void put(const sampler *from, const ts_piece *piece, const ts_align *frame, ts_v3 centre, i32 x, i32 y,
+                bool turned, ts_surfel *out)
 {
 	if (out == NULL) return;
 	ts_surface r = ts_k_lattice_surface(&from->scene, frame, piece->triangle, x, y, centre, 1.0f / from->s);
@@ -124,9 +124,14 @@ static void sample_all(ts_build *build, const sampler *from, u64 *first)
 
 static sampler sampler_of(const ts_scene *scene, const ts_params *params)
 {
-	sampler r = {.scene = {.vertices = scene->vertices, .triangles = scene->triangles, .materials = scene->materials,
-	                       .slots = scene->slots, .images = scene->images, .texels = scene->texels,
-	                       .objects = scene->objects, .n_triangles = scene->n_triangles}};
+	sampler r = {.scene = {.vertices = scene->vertices,
+	                       .triangles = scene->triangles,
+	                       .materials = scene->materials,
+	                       .slots = scene->slots,
+	                       .images = scene->images,
+	                       .texels = scene->texels,
+	                       .objects = scene->objects,
+	                       .n_triangles = scene->n_triangles}};
 	double area = area_of(&r, scene->n_triangles);
 	r.s = area > 0.0 ? ts_sqrt((f32)((double)TS_PARAM(params, from_mesh) / area)) : 0.0f;
 	r.radius = r.s > 0.0f ? TS_PARAM(params, splat_radius) / r.s : 0.0f;

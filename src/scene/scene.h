@@ -13,22 +13,33 @@ typedef struct {
 
 struct ts_scene {
 	char *name;
-	ts_vertex *vertices; u32 n_vertices;
-	ts_triangle *triangles; u32 n_triangles;
-	ts_material *materials; u32 n_materials;
-	ts_slot *slots; u32 n_slots;
-	ts_image *images; u32 n_images;
-	u64 *texels; u64 n_texels;
-	ts_light *lights; u32 n_lights;
-	ts_object *objects; u32 n_objects;
-	ts_surfel *surfels; u32 n_surfels; /* a scene may have these only, or triangles only, or both */
-	bool is_checkerboard;   /* they are those of builtin_checkerboard.c */
+	ts_vertex *vertices;
+	u32 n_vertices;
+	ts_triangle *triangles;
+	u32 n_triangles;
+	ts_material *materials;
+	u32 n_materials;
+	ts_slot *slots;
+	u32 n_slots;
+	ts_image *images;
+	u32 n_images;
+	u64 *texels;
+	u64 n_texels;
+	ts_light *lights;
+	u32 n_lights;
+	ts_object *objects;
+	u32 n_objects;
+	ts_surfel *surfels;
+	u32 n_surfels;        /* a scene may have these only, or triangles only, or both */
+	bool is_checkerboard; /* they are those of builtin_checkerboard.c */
 	ts_info info;
-	ts_camera *cameras; u32 n_cameras;
-	u32 camera;             /* the chosen one or TS_NONE: the eye circles */
-	u64 n_triangles_file;   /* triangles drawn before reflectors were added */
-	u64 n_degenerate;       /* zero-area triangles among them */
-	char **notes; u32 n_notes; /* what in the file was not understood, a line each */
+	ts_camera *cameras;
+	u32 n_cameras;
+	u32 camera;           /* the chosen one or TS_NONE: the eye circles */
+	u64 n_triangles_file; /* triangles drawn before reflectors were added */
+	u64 n_degenerate;     /* zero-area triangles among them */
+	char **notes;
+	u32 n_notes; /* what in the file was not understood, a line each */
 };
 
 /* Places in ts_material's slot. Flags, wrap modes and kinds of light: kernels/base/scene.h, texture.h, shade.h. */

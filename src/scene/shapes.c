@@ -6,7 +6,9 @@
 #define MAX_ROWS 64
 
 /* One point of a profile: distance from the axis, height, and the normal. */
-typedef struct { f32 r, y, normal_r, normal_y; } point;
+typedef struct {
+	f32 r, y, normal_r, normal_y;
+} point;
 
 /* A profile runs upwards along the outside of the solid, so that the solid is to its left. */
 typedef struct {
@@ -35,7 +37,9 @@ static u32 add_vertex(ts_build *build, const profile *p, const point *at, u32 se
 }
 
 /* The first vertex of a row and its number of vertices: one at the axis. */
-typedef struct { u32 first, n; } row;
+typedef struct {
+	u32 first, n;
+} row;
 
 static u32 corner(row r, u32 segment) { return r.first + segment % r.n; }
 
@@ -127,7 +131,7 @@ static void lathe(ts_build *build, profile *p)
 	enum { KNOTS = 12, STEPS = 4 };
 	static const f32 knots[KNOTS][2] = {
 		{-0.34f, -0.92f}, {0.0f, -0.92f}, {0.34f, -0.92f}, {0.64f, -0.64f}, {0.72f, -0.23f}, {0.58f, 0.17f},
-		{0.33f, 0.42f}, {0.3f, 0.6f}, {0.4f, 0.77f}, {0.28f, 0.92f}, {0.0f, 0.97f}, {-0.28f, 0.92f},
+		{0.33f, 0.42f},   {0.3f, 0.6f},   {0.4f, 0.77f},   {0.28f, 0.92f},  {0.0f, 0.97f},   {-0.28f, 0.92f},
 	};
 	p->segments = 28;
 	p->n = (KNOTS - 3) * STEPS + 1;

@@ -5,9 +5,9 @@
 #include "../model/core.h"
 #include "../kernels/base/vec.h"
 
-#define RIGHT 0.00390625f /* 1/256: the cosine of what still counts as a right angle */
+#define RIGHT 0.00390625f      /* 1/256: the cosine of what still counts as a right angle */
 #define SKEW 1.52587890625e-5f /* 2^-16: more of it is not rounding */
-#define FACING 0.99f      /* least cosine between u x v and the normal */
+#define FACING 0.99f           /* least cosine between u x v and the normal */
 
 /* At a right angle to n, a unit vector: across it and the axis that it is farthest from. */
 static ts_v3 across(ts_v3 n)

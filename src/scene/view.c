@@ -1,7 +1,7 @@
 /* The eye: a camera of the scene, or on an ellipse around the middle of the hall (METHODS 2). */
 #include "view.h"
 
-#define EYE_HEIGHT 0.35f    /* of the box, above its floor: inside a room the picture is that of a visitor */
+#define EYE_HEIGHT 0.35f /* of the box, above its floor: inside a room the picture is that of a visitor */
 #define TARGET_HEIGHT 0.3f
 
 static ts_space space_between(ts_v3 low, ts_v3 high)
@@ -12,10 +12,7 @@ static ts_space space_between(ts_v3 low, ts_v3 high)
 	return (ts_space){ts_scale(ts_add(low, high), 0.5f), ts_max3(half, ts_v3_make(least, least, least))};
 }
 
-ts_space ts_view_box(const ts_info *info)
-{
-	return space_between(ts_load3(info->box_min), ts_load3(info->box_max));
-}
+ts_space ts_view_box(const ts_info *info) { return space_between(ts_load3(info->box_min), ts_load3(info->box_max)); }
 
 ts_space ts_view_hall(const ts_info *info)
 {

@@ -9,7 +9,9 @@
 
 /* A box by its middle and half its extents, world units. A flat one counts as 1/32 of its greatest extent thick, and
  * a point as two units wide: no half is 0. */
-typedef struct { ts_v3 middle, half; } ts_space;
+typedef struct {
+	ts_v3 middle, half;
+} ts_space;
 
 /* The box of the scene. */
 ts_space ts_view_box(const ts_info *info);

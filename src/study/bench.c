@@ -49,10 +49,10 @@ ts_status ts_bench_truth(const ts_truth_kind **judge, const ts_job *job, const c
 
 /* What concerns no family. */
 static const ts_bench_row general[] = {
-	{ "backends", "each stage in C and on every OpenCL device, of one frame by one --method (epr); and builds",
-	  "truth " TS_BENCH_FILES, .run = ts_bench_backends, .runs = 5 },
-	{ "start", "the seconds from opening --backend to its first frames", "truth " TS_BENCH_FILES, .run = ts_bench_start },
-	{ 0 },
+	{"backends", "each stage in C and on every OpenCL device, of one frame by one --method (epr); and builds",
+     "truth " TS_BENCH_FILES, .run = ts_bench_backends, .runs = 5},
+	{"start", "the seconds from opening --backend to its first frames", "truth " TS_BENCH_FILES, .run = ts_bench_start},
+	{0},
 };
 
 static const ts_bench_row *table[MOST + 1];
@@ -77,7 +77,7 @@ const ts_bench_row *const *ts_benches(void) { return table; }
 
 ts_table ts_bench_list(void)
 {
-	static const ts_column columns[] = { { "name", "table", false }, { "doc", "what it measures", false }, { 0 } };
+	static const ts_column columns[] = {{"name", "table", false}, {"doc", "what it measures", false}, {0}};
 	ts_table list = ts_table_begin("benches", "", columns);
 	for (const ts_bench_row *const *row = ts_benches(); *row != NULL; row++) {
 		ts_table_text(&list, (*row)->name);

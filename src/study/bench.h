@@ -31,11 +31,11 @@ typedef struct ts_paper_table ts_paper_table;
 /* A table: a paper's, or what `run` measures. */
 typedef struct {
 	const char *name, *doc;
-	const char *without;          /* names of options that say nothing here, separated by blanks */
-	const char *takes;            /* of the only ones that say something; NULL: all others */
+	const char *without; /* names of options that say nothing here, separated by blanks */
+	const char *takes;   /* of the only ones that say something; NULL: all others */
 	const ts_paper_table *paper;
 	ts_status (*run)(const ts_job *job);
-	u32 runs;                     /* unless the job says how many; 0: three */
+	u32 runs; /* unless the job says how many; 0: three */
 } ts_bench_row;
 
 /* The options that a table of a paper, whose methods and truths are its own, and one without files ignore. */
@@ -78,9 +78,9 @@ ts_status ts_bench_atomics(double *a_second, const ts_how *how, u64 bytes);
 
 /* What the table `start` tells, in seconds. */
 typedef struct {
-	double open;   /* the backend: the driver's compiler parses the kernels, and the arithmetic is checked */
-	double first;  /* frame: each kernel is compiled for the device as it is first launched */
-	double next;   /* frame */
+	double open;  /* the backend: the driver's compiler parses the kernels, and the arithmetic is checked */
+	double first; /* frame: each kernel is compiled for the device as it is first launched */
+	double next;  /* frame */
 } ts_bench_started;
 /* The same measured in a process of its own, on a device of a backend. `set`: "VARIABLE=value" of its environment, or
  * NULL. */
@@ -88,7 +88,7 @@ ts_status ts_bench_start_apart(ts_bench_started *started, const ts_job *job, con
                                char *set);
 /* Rows of a table of these columns, from `open` on. */
 #define TS_BENCH_STARTED_COLUMNS \
-	{ "open_s", "open, s", true }, { "first_s", "first frame, s", true }, { "next_s", "next frame, s", true }
+	{"open_s", "open, s", true}, {"first_s", "first frame, s", true}, { "next_s", "next frame, s", true }
 void ts_bench_started_cells(ts_table *table, const ts_bench_started *started);
 
 #endif

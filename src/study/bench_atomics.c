@@ -16,7 +16,7 @@ static ts_status fill(ts_backend *backend, ts_frame *frame, u64 n)
 /* Launches follow each other without a wait, so that a device is never idle between them. */
 static ts_status offer(ts_backend *backend, ts_frame *frame, u32 n, u32 launches)
 {
-	ts_bench_min_args args = { .texels = ts_frame_handle(frame, TS_B_face_depth_triangle), .n_texels = n };
+	ts_bench_min_args args = {.texels = ts_frame_handle(frame, TS_B_face_depth_triangle), .n_texels = n};
 	ts_status status = TS_OK;
 	for (args.distance = launches; status == TS_OK && args.distance-- > 0;) {
 		status = backend->launch(backend, frame, &bench_min, &args, n);
@@ -28,7 +28,7 @@ ts_status ts_bench_atomics(double *a_second, const ts_how *how, u64 bytes)
 {
 	u32 n = (u32)(bytes / sizeof(u64)), launches = n < OFFERS ? OFFERS / n : 1;
 	ts_c_backend c;
-	ts_frame frame = { .bytes = 0 };
+	ts_frame frame = {.bytes = 0};
 	ts_c_begin(&c, how->threads);
 	ts_backend *backend = how->backend != NULL ? how->backend : &c.backend;
 	ts_status status = fill(backend, &frame, n);

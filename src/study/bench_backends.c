@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include "bench_backends.h"
 
-const u32 ts_bench_limit_mib[TS_BENCH_ATOMICS] = { 1, 16, 128 };
+const u32 ts_bench_limit_mib[TS_BENCH_ATOMICS] = {1, 16, 128};
 
 static ts_status begin(ts_bench_table *table)
 {
@@ -62,7 +62,7 @@ static void print_notes(ts_bench_table *table)
 	size_t i;
 	json_t *note;
 	if (json_array_size(table->notes) > 0) ts_report_line(table->report, "%s", "");
-	json_array_foreach(table->notes, i, note) ts_report_line(table->report, "%s", json_string_value(note));
+	json_array_foreach (table->notes, i, note) ts_report_line(table->report, "%s", json_string_value(note));
 	ts_report_value(table->report, "notes", json_incref(table->notes));
 }
 
@@ -86,7 +86,7 @@ ts_status ts_bench_backends(const ts_job *job)
 	ts_report report;
 	ts_bench_table *table = ts_alloc_zero(1, sizeof *table, "a table");
 	if (table == NULL) return TS_ERROR;
-	*table = (ts_bench_table){ .job = job, .report = &report };
+	*table = (ts_bench_table){.job = job, .report = &report};
 	ts_report_begin(&report, job->output.json);
 	ts_status status = ts_bench_frame_open(&table->frame, job);
 	if (status == TS_OK) status = begin(table);

@@ -9,12 +9,12 @@ enum { TS_BENCH_ALL = TS_MAX_TIMINGS, TS_BENCH_LIMIT, TS_BENCH_ROWS = TS_BENCH_L
 
 /* A backend, or the C backend with some threads. */
 typedef struct {
-	char name[16];                 /* "c2", "opencl0" */
+	char name[16]; /* "c2", "opencl0" */
 	char device[288], platform[128];
 	const ts_backend_kind *kind;
-	u32 index;                     /* of the device */
+	u32 index; /* of the device */
 	ts_how how;
-	bool own;                      /* its backend is closed with it */
+	bool own; /* its backend is closed with it */
 	ts_measure last;
 	double *samples[TS_BENCH_ROWS]; /* a run each: seconds, of limits offers a second */
 } ts_bench_column;
@@ -25,7 +25,7 @@ typedef struct {
 	ts_bench_frame frame;
 	u32 n_runs;
 	ts_bench_column column[TS_BENCH_COLUMNS];
-	u32 n_columns, reference;      /* the C column that devices are compared with, the last of them */
+	u32 n_columns, reference; /* the C column that devices are compared with, the last of them */
 	json_t *notes;
 	double *samples;
 } ts_bench_table;

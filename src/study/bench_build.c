@@ -8,8 +8,8 @@
 
 enum { MAX_PATH = 4096, OPEN_FOLDERS = 16 };
 
-static const ts_column columns[] = { { "column", "column", false }, { "cache", "kernel cache", false },
-	TS_BENCH_STARTED_COLUMNS, { 0 } };
+static const ts_column columns[] = {
+	{"column", "column", false}, {"cache", "kernel cache", false}, TS_BENCH_STARTED_COLUMNS, {0}};
 
 static int remove_one(const char *path, const struct stat *info, int kind, struct FTW *where)
 {
@@ -40,7 +40,8 @@ static ts_status add_both(ts_table *t, const ts_bench_table *table, const ts_ben
 	const char *above = getenv("TMPDIR");
 	char folder[MAX_PATH], set[MAX_PATH + 64];
 	snprintf(folder, sizeof folder, "%s/touchstone-XXXXXX", above != NULL && above[0] != 0 ? above : "/tmp");
-	if (mkdtemp(folder) == NULL) return ts_fail("%s: cannot be made; set TMPDIR to a folder that can be written", folder);
+	if (mkdtemp(folder) == NULL)
+		return ts_fail("%s: cannot be made; set TMPDIR to a folder that can be written", folder);
 	snprintf(set, sizeof set, "%s=%s", variable, folder);
 	ts_status status = add_row(t, table, column, "empty", set);
 	if (status == TS_OK) status = add_row(t, table, column, "filled", set);

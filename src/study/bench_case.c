@@ -91,12 +91,12 @@ static ts_status take_image(ts_run *run, void *user)
 static ts_status run_variant(ts_bench_case *c, u32 v, bool first)
 {
 	ts_params params;
-	seen s = { c, v };
+	seen s = {c, v};
 	bool takes = first && c->variants[v].seen;
 	if (ts_bench_case_params(&params, c, v) != TS_OK) return TS_ERROR;
 	ts_how how = c->job->how;
 	if (c->variants[v].runs == TS_ALONE) how.threads = 1;
-	c->measures[v] = (ts_measure){ .pictures = NULL };
+	c->measures[v] = (ts_measure){.pictures = NULL};
 	return ts_measure_run(&c->measures[v], c->methods[v], c->scene, &params, &how, takes ? take_image : NULL, &s);
 }
 

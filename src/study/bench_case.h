@@ -8,34 +8,34 @@ enum { TS_BENCH_VARIANTS = 24 }; /* at most */
 
 typedef enum {
 	TS_TIMED,
-	TS_ONCE,     /* one run */
-	TS_ALONE,    /* timed, of one thread */
+	TS_ONCE,  /* one run */
+	TS_ALONE, /* timed, of one thread */
 } ts_bench_runs;
 
 /* A method with what is set for it, beside what was typed. */
 typedef struct {
 	const char *method;
-	const char *set;     /* "NAME=VALUE,..." */
-	bool seen;           /* its image is kept */
+	const char *set; /* "NAME=VALUE,..." */
+	bool seen;       /* its image is kept */
 	ts_bench_runs runs;
 } ts_bench_variant;
 
 typedef struct {
 	const ts_job *job;
 	const char *effect;
-	const ts_bench_variant *variants;   /* ended by one without a method */
+	const ts_bench_variant *variants; /* ended by one without a method */
 	u32 n_variants;
-	const ts_truth_kind *judge;         /* the truth that images are compared with; NULL: none */
-	const char *spec;                   /* of the scene */
+	const ts_truth_kind *judge; /* the truth that images are compared with; NULL: none */
+	const char *spec;           /* of the scene */
 	ts_scene *scene;
 	ts_params params;
-	const ts_pipeline *methods[TS_BENCH_VARIANTS];    /* NULL: there is none */
-	ts_measure measures[TS_BENCH_VARIANTS];           /* of the last run */
-	ts_picture images[TS_BENCH_VARIANTS], truth;      /* of the first run */
-	u32 sampled;                        /* surfels that scenes without some are sampled to; 0: none */
-	bool hurried;                       /* methods that take long are left out, as if there were none */
-	double (*look)(const ts_run *run);  /* what the table asks of buffers; NULL: nothing */
-	double looked[TS_BENCH_VARIANTS];   /* its answers, of the first run of variants whose image is kept */
+	const ts_pipeline *methods[TS_BENCH_VARIANTS]; /* NULL: there is none */
+	ts_measure measures[TS_BENCH_VARIANTS];        /* of the last run */
+	ts_picture images[TS_BENCH_VARIANTS], truth;   /* of the first run */
+	u32 sampled;                                   /* surfels that scenes without some are sampled to; 0: none */
+	bool hurried;                                  /* methods that take long are left out, as if there were none */
+	double (*look)(const ts_run *run);             /* what the table asks of buffers; NULL: nothing */
+	double looked[TS_BENCH_VARIANTS];              /* its answers, of the first run of variants whose image is kept */
 } ts_bench_case;
 
 /* Opens the scene, and refuses what would need too much memory. A case whose five first members are set and the others zero

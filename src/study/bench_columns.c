@@ -17,7 +17,7 @@ void ts_bench_note(ts_bench_table *table, const char *format, ...)
 static ts_bench_column *add(ts_bench_table *table, const ts_backend_kind *kind, u32 index, const char *device)
 {
 	ts_bench_column *c = &table->column[table->n_columns++];
-	*c = (ts_bench_column){ .kind = kind, .index = index, .how = table->job->how };
+	*c = (ts_bench_column){.kind = kind, .index = index, .how = table->job->how};
 	snprintf(c->name, sizeof c->name, "%s%u", kind->name, (unsigned)index);
 	snprintf(c->device, sizeof c->device, "%s", device);
 	return c;

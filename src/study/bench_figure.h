@@ -8,40 +8,40 @@ enum { TS_BENCH_FIGURES = 48 }; /* at most */
 
 /* Measured: of variant a. Derived: of figures a and b, of our row or of the paper's. */
 typedef enum {
-	TS_FIGURE_TRIANGLES,  /* of the scene */
+	TS_FIGURE_TRIANGLES, /* of the scene */
 	TS_FIGURE_SURFELS,
-	TS_FIGURE_PIXELS,     /* of the eye's image, millions */
-	TS_FIGURE_PARAM,      /* the parameter named in `what` */
-	TS_FIGURE_COUNTER,    /* named in `what` */
-	TS_FIGURE_MEMORY,     /* of what that counter counts, b bytes each, MiB */
-	TS_FIGURE_BUFFERS,    /* memory of the buffers of the stages named in `what`, MiB */
-	TS_FIGURE_TRAVERSED,  /* triangles in all passes over the geometry but the eye's */
-	TS_FIGURE_DIAMETER,   /* mean side of the cubes in sight, texels */
-	TS_FIGURE_TIME,       /* of the whole frame, ms */
-	TS_FIGURE_SURFEL_RATE, /* surfels of the scene a second of that, millions */
-	TS_FIGURE_SEEN,       /* pixels with a surface, of the image */
-	TS_FIGURE_STAGE_TIME, /* of the stages named in `what`, ms */
-	TS_FIGURE_PART_TIME,  /* the same, but 0 where none of them ran */
-	TS_FIGURE_REST_TIME,  /* all others, ms */
-	TS_FIGURE_RMSE,       /* to the truth or, where a table has none, to variant b; grey levels */
-	TS_FIGURE_RELATIVE,   /* the same in radiance by the mean of the other's, without the sky */
-	TS_FIGURE_LOOKED,     /* what the table's own function says of the buffers */
-	TS_FIGURE_DERIVED,    /* from here on */
+	TS_FIGURE_PIXELS,                    /* of the eye's image, millions */
+	TS_FIGURE_PARAM,                     /* the parameter named in `what` */
+	TS_FIGURE_COUNTER,                   /* named in `what` */
+	TS_FIGURE_MEMORY,                    /* of what that counter counts, b bytes each, MiB */
+	TS_FIGURE_BUFFERS,                   /* memory of the buffers of the stages named in `what`, MiB */
+	TS_FIGURE_TRAVERSED,                 /* triangles in all passes over the geometry but the eye's */
+	TS_FIGURE_DIAMETER,                  /* mean side of the cubes in sight, texels */
+	TS_FIGURE_TIME,                      /* of the whole frame, ms */
+	TS_FIGURE_SURFEL_RATE,               /* surfels of the scene a second of that, millions */
+	TS_FIGURE_SEEN,                      /* pixels with a surface, of the image */
+	TS_FIGURE_STAGE_TIME,                /* of the stages named in `what`, ms */
+	TS_FIGURE_PART_TIME,                 /* the same, but 0 where none of them ran */
+	TS_FIGURE_REST_TIME,                 /* all others, ms */
+	TS_FIGURE_RMSE,                      /* to the truth or, where a table has none, to variant b; grey levels */
+	TS_FIGURE_RELATIVE,                  /* the same in radiance by the mean of the other's, without the sky */
+	TS_FIGURE_LOOKED,                    /* what the table's own function says of the buffers */
+	TS_FIGURE_DERIVED,                   /* from here on */
 	TS_FIGURE_RATIO = TS_FIGURE_DERIVED, /* a / b */
-	TS_FIGURE_SAVED,      /* 100 (1 - a / b) */
-	TS_FIGURE_PERCENT,    /* 100 a / b */
-	TS_FIGURE_MORE,       /* 100 (a - b) / 255 */
-	TS_FIGURE_SUM,        /* of all from a to b */
-	TS_FIGURE_GROWTH,     /* e, where a grows as b^e since the row before */
-	TS_FIGURE_RATE,       /* a second, of b in ms */
+	TS_FIGURE_SAVED,                     /* 100 (1 - a / b) */
+	TS_FIGURE_PERCENT,                   /* 100 a / b */
+	TS_FIGURE_MORE,                      /* 100 (a - b) / 255 */
+	TS_FIGURE_SUM,                       /* of all from a to b */
+	TS_FIGURE_GROWTH,                    /* e, where a grows as b^e since the row before */
+	TS_FIGURE_RATE,                      /* a second, of b in ms */
 } ts_figure_kind;
 
 typedef struct {
 	const char *key, *head; /* of the column */
 	ts_figure_kind kind;
 	u32 a, b;
-	int decimals;           /* TS_WHOLE: a count */
-	const char *what;       /* of stages several, separated by commas */
+	int decimals;     /* TS_WHOLE: a count */
+	const char *what; /* of stages several, separated by commas */
 } ts_bench_figure;
 enum { TS_WHOLE = -1 };
 

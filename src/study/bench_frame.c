@@ -5,10 +5,7 @@
 #include "methods.h"
 #include "words.h"
 
-const char *ts_bench_frame_spec(const ts_job *job)
-{
-	return job->scenes != NULL ? job->scenes : "atrium";
-}
+const char *ts_bench_frame_spec(const ts_job *job) { return job->scenes != NULL ? job->scenes : "atrium"; }
 
 ts_status ts_bench_frame_params(ts_params *params, const ts_job *job)
 {
@@ -34,14 +31,14 @@ ts_status ts_bench_frame_open(ts_bench_frame *frame, const ts_job *job)
 	if (ts_bench_frame_params(&params, job) != TS_OK) return TS_ERROR;
 	if (ts_methods_find(methods, &n, first->effect->name, typed) != TS_OK) return TS_ERROR;
 	if (n != 1) return ts_fail("--method %s: this table takes one method", job->method);
-	*frame = (ts_bench_frame){ .method = methods[0], .params = params };
+	*frame = (ts_bench_frame){.method = methods[0], .params = params};
 	ts_status status = ts_scene_open(&frame->scene, ts_bench_frame_spec(job), &frame->params, &job->scene);
 	return status == TS_OK ? ts_measure_estimate(&estimate, methods, 1, 0, frame->scene, &frame->params) : status;
 }
 
 ts_status ts_bench_frame_run(const ts_bench_frame *frame, const ts_how *how, ts_measure *measure)
 {
-	*measure = (ts_measure){ .pictures = NULL };
+	*measure = (ts_measure){.pictures = NULL};
 	return ts_measure_run(measure, frame->method, frame->scene, &frame->params, how, NULL, NULL);
 }
 
@@ -50,8 +47,8 @@ void ts_bench_frame_close(ts_bench_frame *frame) { ts_scene_free(frame->scene); 
 void ts_bench_frame_report(const ts_bench_frame *frame, ts_report *report)
 {
 	const ts_info *info = &frame->scene->info;
-	ts_report_line(report, "%s: %u triangles, %u mirrors, by %s", frame->scene->name, (unsigned)frame->scene->n_triangles,
-	               (unsigned)info->n_reflectors, frame->method->name);
+	ts_report_line(report, "%s: %u triangles, %u mirrors, by %s", frame->scene->name,
+	               (unsigned)frame->scene->n_triangles, (unsigned)info->n_reflectors, frame->method->name);
 	ts_report_value(report, "scene", ts_text_json(frame->scene->name));
 	ts_report_value(report, "triangles", json_integer(frame->scene->n_triangles));
 	ts_report_value(report, "mirrors", json_integer(info->n_reflectors));

@@ -10,7 +10,7 @@ static void put_cell(FILE *out, const json_t *value)
 		fprintf(out, "%.9g", json_real_value(value));
 	} else if (json_is_string(value)) {
 		fputc('"', out);
-		for (const char *c = json_string_value(value); *c != 0; c++) fputs(*c == '"' ? "\"\"" : (char[]){ *c, 0 }, out);
+		for (const char *c = json_string_value(value); *c != 0; c++) fputs(*c == '"' ? "\"\"" : (char[]){*c, 0}, out);
 		fputc('"', out);
 	}
 }
@@ -21,7 +21,7 @@ static void put_line(FILE *out, json_t *row, bool keys)
 	const char *key;
 	json_t *value;
 	bool first = true;
-	json_object_foreach(row, key, value) {
+	json_object_foreach (row, key, value) {
 		if (!first) fputc(',', out);
 		first = false;
 		if (keys) {
@@ -38,7 +38,7 @@ static void put_rows(FILE *out, json_t *rows)
 	json_t *row;
 	size_t i;
 	put_line(out, json_array_get(rows, 0), true);
-	json_array_foreach(rows, i, row) put_line(out, row, false);
+	json_array_foreach (rows, i, row) put_line(out, row, false);
 }
 
 /* NULL with the message set on failure. */
@@ -94,7 +94,7 @@ static ts_status write_files(ts_report *report)
 	const char *key;
 	json_t *value;
 	ts_status status = ts_report_check(report);
-	json_object_foreach(report->root, key, value) {
+	json_object_foreach (report->root, key, value) {
 		bool table = json_is_array(value) && json_is_object(json_array_get(value, 0));
 		if (table && status == TS_OK) status = write_csv(key, value);
 	}

@@ -86,7 +86,7 @@ static ts_status add_line(work *w, const char *spec, const char *objects)
 	if (status != TS_OK) return status;
 	w->lines = lines;
 	ts_paper_line *line = &w->lines[w->n_lines];
-	*line = (ts_paper_line){ .objects = 0 };
+	*line = (ts_paper_line){.objects = 0};
 	if (objects != NULL) status = vary(&line->objects, &params, w->table, objects);
 	if (status == TS_OK) status = measure_line(line, w, spec, &params);
 	w->n_lines += status == TS_OK;
@@ -132,7 +132,7 @@ static ts_status measure_lines(work *w, ts_report *report)
 	return ts_bench_scenes(w->job, w->table->scenes, w->table->models, report, add_scene, w);
 }
 
-static const ts_column variant_columns[] = { { "method", "method", false }, { "set", "set for it", false }, { 0 } };
+static const ts_column variant_columns[] = {{"method", "method", false}, {"set", "set for it", false}, {0}};
 
 static void report_variants(ts_report *report, const ts_paper_table *table)
 {
@@ -152,7 +152,7 @@ static void report_variants(ts_report *report, const ts_paper_table *table)
 static ts_status work_on(const ts_job *job, ts_report *report, const void *user)
 {
 	const ts_paper_table *table = user;
-	work w = { .job = job, .table = table };
+	work w = {.job = job, .table = table};
 	ts_status status = table->judge != NULL ? ts_bench_truth(&w.judge, job, table->effect, table->judge) : TS_OK;
 	ts_bench_head(report, job, table->objects_head == NULL || table->objects_param != NULL);
 	report_variants(report, table);

@@ -9,10 +9,10 @@ enum { TS_NO_FIGURE = 255, TS_PAPER_PARTS = 6 };
 
 /* A row as the paper prints it. */
 typedef struct {
-	const char *name;           /* of the paper's scene */
-	const char *builtin;        /* our scene of its kind */
-	const char *file;           /* what the name of a file of it begins with */
-	u32 objects;                /* or pixels */
+	const char *name;                 /* of the paper's scene */
+	const char *builtin;              /* our scene of its kind */
+	const char *file;                 /* what the name of a file of it begins with */
+	u32 objects;                      /* or pixels */
 	double figures[TS_BENCH_FIGURES]; /* 0: not printed, or derived here */
 } ts_paper_row;
 
@@ -31,10 +31,10 @@ typedef struct {
 	const char *text;
 	u32 figure;
 	ts_relation_kind kind;
-	double low, high;           /* bounds; TS_RISES_WITH: low is the other figure */
-	u32 given;                  /* TS_NO_FIGURE: all rows */
+	double low, high; /* bounds; TS_RISES_WITH: low is the other figure */
+	u32 given;        /* TS_NO_FIGURE: all rows */
 	double least, most;
-	const char *because;        /* said with figure `cause` where it does not hold */
+	const char *because; /* said with figure `cause` where it does not hold */
 	u32 cause;
 } ts_paper_relation;
 
@@ -43,28 +43,28 @@ typedef struct {
 	const char *x_axis, *y_axis;
 	u32 x;
 	u8 curves[TS_PLOT_CURVES + 1];
-	bool rises;                 /* as in a ts_plot */
+	bool rises; /* as in a ts_plot */
 } ts_paper_plot;
 
 typedef struct ts_paper_table {
 	const char *name, *title;
 	const char *effect;
-	const char *scenes;         /* unless --scene says otherwise */
-	const char *models;         /* files of the folder TS_SCENES, as far as there are any; or NULL */
-	const char *objects_head;   /* "mirrors", "lights", "pixels"; NULL: a row a scene */
-	const char *objects_param;  /* NULL: objects are sizes, WxH */
-	const char *objects;        /* unless --objects says otherwise */
-	u32 most;                   /* of them; 0: TS_BENCH_OBJECTS */
-	u32 sampled;                /* surfels that scenes without some are sampled to; 0: none */
-	u32 most_long;              /* methods that take long are left out where there are more; 0: never */
-	const char *set;            /* for all rows */
-	const char *defaults;       /* for all rows, of parameters that have their defaults */
-	const char *size;           /* unless --size says otherwise; NULL: 1920 x 1080 */
-	const char *note;           /* a line above the table, or NULL */
-	bool timed;                 /* --runs; else one run, of counts */
-	const char *judge;          /* the truth that errors are to, unless --truth says otherwise; NULL: none */
-	bool by_triangles;          /* the paper's row is the one nearest in triangles, figure 0 */
-	double (*look)(const ts_run *run);  /* for figures of TS_FIGURE_LOOKED; or NULL */
+	const char *scenes;                /* unless --scene says otherwise */
+	const char *models;                /* files of the folder TS_SCENES, as far as there are any; or NULL */
+	const char *objects_head;          /* "mirrors", "lights", "pixels"; NULL: a row a scene */
+	const char *objects_param;         /* NULL: objects are sizes, WxH */
+	const char *objects;               /* unless --objects says otherwise */
+	u32 most;                          /* of them; 0: TS_BENCH_OBJECTS */
+	u32 sampled;                       /* surfels that scenes without some are sampled to; 0: none */
+	u32 most_long;                     /* methods that take long are left out where there are more; 0: never */
+	const char *set;                   /* for all rows */
+	const char *defaults;              /* for all rows, of parameters that have their defaults */
+	const char *size;                  /* unless --size says otherwise; NULL: 1920 x 1080 */
+	const char *note;                  /* a line above the table, or NULL */
+	bool timed;                        /* --runs; else one run, of counts */
+	const char *judge;                 /* the truth that errors are to, unless --truth says otherwise; NULL: none */
+	bool by_triangles;                 /* the paper's row is the one nearest in triangles, figure 0 */
+	double (*look)(const ts_run *run); /* for figures of TS_FIGURE_LOOKED; or NULL */
 	const ts_bench_variant *variants;
 	const ts_bench_figure *figures;
 	const ts_paper_part *parts;         /* ended by one without a key */
@@ -78,7 +78,7 @@ typedef struct {
 	char scene[96];
 	u32 objects;
 	double here[TS_BENCH_FIGURES];
-	const ts_paper_row *row;    /* NULL: none */
+	const ts_paper_row *row; /* NULL: none */
 	double paper[TS_BENCH_FIGURES];
 } ts_paper_line;
 

@@ -11,8 +11,7 @@ static ts_status plot_scene(const ts_paper_table *table, const ts_paper_line *li
 	const ts_paper_plot *of = table->plot;
 	char title[160], name[64];
 	ts_plot_point *points = ts_alloc((u64)n * TS_PLOT_CURVES, sizeof *points, "a plot");
-	ts_plot plot = { .title = title, .x_axis = of->x_axis, .y_axis = of->y_axis, .points = points,
-	                 .rises = of->rises };
+	ts_plot plot = {.title = title, .x_axis = of->x_axis, .y_axis = of->y_axis, .points = points, .rises = of->rises};
 	if (points == NULL) return TS_ERROR;
 	snprintf(title, sizeof title, "%s, %.90s", table->title, lines[0].scene);
 	snprintf(name, sizeof name, "%s_%u.svg", table->parts[0].key, (unsigned)scene);
@@ -20,7 +19,7 @@ static ts_status plot_scene(const ts_paper_table *table, const ts_paper_line *li
 		u32 figure = of->curves[plot.n_curves];
 		plot.curves[plot.n_curves] = table->figures[figure].head;
 		for (u32 i = 0; i < n; i++) {
-			ts_plot_point point = { plot.n_curves, "", lines[i].here[of->x], lines[i].here[figure], false };
+			ts_plot_point point = {plot.n_curves, "", lines[i].here[of->x], lines[i].here[figure], false};
 			if (!isnan(point.y)) points[plot.n_points++] = point;
 		}
 	}

@@ -10,7 +10,7 @@ typedef struct {
 
 static void add_column(sheet *s, u32 *n, const char *key, const char *head, bool right)
 {
-	s->columns[(*n)++] = (ts_column){ key, head, right };
+	s->columns[(*n)++] = (ts_column){key, head, right};
 }
 
 static void head_columns(sheet *s, u32 *n, const ts_paper_table *table)
@@ -38,7 +38,7 @@ static void add_row(ts_table *t, const ts_paper_table *table, const ts_paper_par
 static void report_part(ts_report *report, const ts_paper_table *table, const ts_paper_part *part,
                         const ts_paper_line *lines, u32 n)
 {
-	sheet s = { .columns = { { 0 } } };
+	sheet s = {.columns = {{0}}};
 	u32 k = 0;
 	head_columns(&s, &k, table);
 	add_column(&s, &k, "source", "", false);
@@ -67,8 +67,10 @@ static bool is_judged(const ts_paper_relation *r, const ts_paper_line *line)
 static void bound_text(char *text, size_t bytes, const ts_paper_relation *r)
 {
 	switch (r->kind) {
-	case TS_AT_MOST: case TS_STEADY: snprintf(text, bytes, "at most %g", r->high); break;
-	case TS_AT_LEAST: case TS_GROWS: snprintf(text, bytes, "at least %g", r->low); break;
+	case TS_AT_MOST:
+	case TS_STEADY: snprintf(text, bytes, "at most %g", r->high); break;
+	case TS_AT_LEAST:
+	case TS_GROWS: snprintf(text, bytes, "at least %g", r->low); break;
 	default: snprintf(text, bytes, "%g to %g", r->low, r->high); break;
 	}
 }
@@ -113,8 +115,8 @@ static void rising_row(ts_table *t, const ts_paper_table *table, const ts_paper_
 	char text[64];
 	for (u32 i = 0; i < n; i++) {
 		for (u32 j = 0; j < i; j++) {
-			double both = (lines[i].here[r->figure] - lines[j].here[r->figure]) *
-			              (lines[i].here[other] - lines[j].here[other]);
+			double both =
+				(lines[i].here[r->figure] - lines[j].here[r->figure]) * (lines[i].here[other] - lines[j].here[other]);
 			pairs += both > 0 || both < 0;
 			rise += both > 0;
 		}
@@ -164,8 +166,8 @@ static void change_row(ts_table *t, const ts_paper_table *table, const ts_paper_
 	ts_table_text(t, right ? "holds" : r->because);
 }
 
-static void change_rows(ts_table *t, const ts_paper_table *table, const ts_paper_relation *r, const ts_paper_line *lines,
-                        u32 n)
+static void change_rows(ts_table *t, const ts_paper_table *table, const ts_paper_relation *r,
+                        const ts_paper_line *lines, u32 n)
 {
 	for (u32 i = 0, end; i < n; i = end) {
 		for (end = i; end < n && strcmp(lines[end].scene, lines[i].scene) == 0; end++) continue;
@@ -177,12 +179,12 @@ typedef void rows_of(ts_table *t, const ts_paper_table *table, const ts_paper_re
                      u32 n);
 static rows_of *const rows_of_kind[] = {
 	[TS_AT_MOST] = relation_rows, [TS_AT_LEAST] = relation_rows, [TS_BETWEEN] = relation_rows,
-	[TS_RISES_WITH] = rising_row, [TS_GROWS] = change_rows, [TS_STEADY] = change_rows,
+	[TS_RISES_WITH] = rising_row, [TS_GROWS] = change_rows,      [TS_STEADY] = change_rows,
 };
 
 static void report_relations(ts_report *report, const ts_paper_table *table, const ts_paper_line *lines, u32 n)
 {
-	sheet s = { .columns = { { 0 } } };
+	sheet s = {.columns = {{0}}};
 	u32 k = 0;
 	add_column(&s, &k, "relation", "relation", false);
 	head_columns(&s, &k, table);
@@ -200,6 +202,7 @@ static void report_relations(ts_report *report, const ts_paper_table *table, con
 
 void ts_paper_report(ts_report *report, const ts_paper_table *table, const ts_paper_line *lines, u32 n)
 {
-	for (const ts_paper_part *part = table->parts; part->key != NULL; part++) report_part(report, table, part, lines, n);
+	for (const ts_paper_part *part = table->parts; part->key != NULL; part++)
+		report_part(report, table, part, lines, n);
 	if (table->relations != NULL) report_relations(report, table, lines, n);
 }

@@ -10,7 +10,7 @@
 
 extern char **environ;
 
-static const ts_column columns[] = { { "backend", "backend", false }, TS_BENCH_STARTED_COLUMNS, { 0 } };
+static const ts_column columns[] = {{"backend", "backend", false}, TS_BENCH_STARTED_COLUMNS, {0}};
 
 void ts_bench_started_cells(ts_table *table, const ts_bench_started *started)
 {
@@ -25,7 +25,7 @@ static ts_status measure(ts_bench_started *started, const ts_bench_frame *frame,
 	double *next = ts_alloc(job->runs, sizeof *next, "the times");
 	if (next == NULL) return TS_ERROR;
 	ts_status status = ts_bench_frame_run(frame, &job->how, &m);
-	*started = (ts_bench_started){ .open = job->open_s, .first = m.seconds };
+	*started = (ts_bench_started){.open = job->open_s, .first = m.seconds};
 	for (u32 i = 0; status == TS_OK && i < job->runs; i++) {
 		status = ts_bench_frame_run(frame, &job->how, &m);
 		next[i] = m.seconds;
@@ -50,7 +50,7 @@ static ts_status report(const ts_bench_started *started, const ts_bench_frame *f
 
 ts_status ts_bench_start(const ts_job *job)
 {
-	ts_bench_frame frame = { .scene = NULL };
+	ts_bench_frame frame = {.scene = NULL};
 	ts_bench_started started;
 	ts_status status = ts_bench_frame_open(&frame, job);
 	if (status == TS_OK) status = measure(&started, &frame, job);
@@ -67,7 +67,7 @@ static void child_arguments(char **to, const ts_job *job, char *backend, char *d
 	to[n++] = "touchstone";
 	to[n++] = "bench";
 	for (u32 i = 0; i < n_options; i++) to[n++] = job->typed[i];
-	char *const own[] = { "--backend", backend, "--device", device, "--runs", "1", "--json", "start", NULL };
+	char *const own[] = {"--backend", backend, "--device", device, "--runs", "1", "--json", "start", NULL};
 	memcpy(to + n, own, sizeof own);
 }
 
@@ -108,8 +108,7 @@ static ts_status read_times(ts_bench_started *started, FILE *out)
 	return started->next > 0 ? TS_OK : ts_fail("bench start: a process of its own told no times");
 }
 
-ts_status ts_bench_start_apart(ts_bench_started *started, const ts_job *job, const char *backend, u32 device,
-                               char *set)
+ts_status ts_bench_start_apart(ts_bench_started *started, const ts_job *job, const char *backend, u32 device, char *set)
 {
 	char name[32], number[16];
 	size_t n_environment = 0;

@@ -9,14 +9,17 @@ typedef struct {
 	u32 n;
 } headings;
 
-static const ts_column about_columns[] = { { "column", "column", false }, { "device", "device", false },
-	{ "compiler", "compiler", false }, { "flags", "flags", false }, { 0 } };
+static const ts_column about_columns[] = {{"column", "column", false},
+                                          {"device", "device", false},
+                                          {"compiler", "compiler", false},
+                                          {"flags", "flags", false},
+                                          {0}};
 
 static void add_heading(headings *h, const char *key, const char *head)
 {
 	snprintf(h->key[h->n], sizeof h->key[0], "%s", key);
 	snprintf(h->head[h->n], sizeof h->head[0], "%s", head);
-	h->column[h->n] = (ts_column){ h->key[h->n], h->head[h->n], h->n > 0 };
+	h->column[h->n] = (ts_column){h->key[h->n], h->head[h->n], h->n > 0};
 	h->n++;
 }
 
@@ -47,7 +50,7 @@ static void time_headings(headings *h, const ts_bench_table *table)
 {
 	char key[32], head[48];
 	const char *reference = table->column[table->reference].name;
-	*h = (headings){ .n = 0 };
+	*h = (headings){.n = 0};
 	add_heading(h, "stage", "time, ms");
 	for (u32 i = 0; i < table->n_columns; i++) add_heading(h, table->column[i].name, table->column[i].name);
 	for (u32 i = table->reference + 1; i < table->n_columns; i++) {
@@ -105,16 +108,18 @@ static void splat_rows(ts_table *t, const ts_bench_table *table)
 
 void ts_bench_print_rates(const ts_bench_table *table)
 {
-	headings h = { .n = 0 };
+	headings h = {.n = 0};
 	add_heading(&h, "rate", "millions a second");
 	for (u32 i = 0; i < table->n_columns; i++) add_heading(&h, table->column[i].name, table->column[i].name);
 	ts_table t = ts_table_begin("millions_a_second", "Scattering", h.column);
 	splat_rows(&t, table);
 	for (u32 limit = 0; limit < TS_BENCH_ATOMICS; limit++) {
 		char name[64];
-		snprintf(name, sizeof name, "64-bit atomic minimum, random texels of %u MiB", (unsigned)ts_bench_limit_mib[limit]);
+		snprintf(name, sizeof name, "64-bit atomic minimum, random texels of %u MiB",
+		         (unsigned)ts_bench_limit_mib[limit]);
 		ts_table_text(&t, name);
-		for (u32 i = 0; i < table->n_columns; i++) ts_table_real(&t, 1e-6 * median(table, i, TS_BENCH_LIMIT + limit), 2);
+		for (u32 i = 0; i < table->n_columns; i++)
+			ts_table_real(&t, 1e-6 * median(table, i, TS_BENCH_LIMIT + limit), 2);
 	}
 	ts_report_table(table->report, &t);
 }

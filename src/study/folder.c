@@ -16,15 +16,15 @@ enum { MAX_FILES = 1024, MAX_SUBS = 64, MAX_PARENTS = 64, MAX_PATH = 4096, MAX_D
 
 static struct {
 	char dir[MAX_PATH], partial[MAX_PATH], old[MAX_PATH];
-	char *files[MAX_FILES];                 /* each twice: as written, and as its writer's own .partial */
-	char *subs[MAX_SUBS];                   /* folders in DIR.partial */
-	char *parents[MAX_PARENTS];             /* folders above DIR that were made for it, outermost first */
-	json_t *ours;                           /* what an earlier render wrote to DIR; NULL: nothing */
+	char *files[MAX_FILES];     /* each twice: as written, and as its writer's own .partial */
+	char *subs[MAX_SUBS];       /* folders in DIR.partial */
+	char *parents[MAX_PARENTS]; /* folders above DIR that were made for it, outermost first */
+	json_t *ours;               /* what an earlier render wrote to DIR; NULL: nothing */
 	volatile sig_atomic_t n_files, n_subs, n_parents, made;
 	pthread_t owner;
 } folder;
 
-static const int fatal[] = { SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE };
+static const int fatal[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE};
 enum { N_FATAL = sizeof fatal / sizeof fatal[0] };
 
 static void remove_partial(void)
@@ -86,7 +86,8 @@ static ts_status check_contents(const char *dir, DIR *stream, bool force)
 		if (!force) return ts_fail("%s: not empty; name another folder with -o, or replace it with --force", dir);
 		if (folder.ours == NULL) {
 			return ts_fail("%s: no report.json or vectors.json there lists what was written, so --force replaces "
-			               "nothing; remove the folder if nothing in it is needed, or name another", dir);
+			               "nothing; remove the folder if nothing in it is needed, or name another",
+			               dir);
 		}
 		if (!ts_ours_has(folder.ours, dir, e->d_name)) {
 			return ts_fail("%s: holds %s, which no render wrote, so --force does not replace it; name another folder",
@@ -247,7 +248,7 @@ static void remove_old(void)
 	char path[MAX_PATH + 300];
 	json_t *name;
 	size_t i;
-	json_array_foreach(folder.ours, i, name) {
+	json_array_foreach (folder.ours, i, name) {
 		snprintf(path, sizeof path, "%s/%s", folder.old, json_string_value(name));
 		unlink(path);
 		*strrchr(path, '/') = 0;
@@ -275,7 +276,7 @@ static void forget(void)
 static ts_status give_to_disk(void)
 {
 	for (int i = 0; i < folder.n_files + folder.n_subs + 1; i++) {
-		const char *path = i < folder.n_files                 ? folder.files[i]
+		const char *path = i < folder.n_files                   ? folder.files[i]
 		                   : i < folder.n_files + folder.n_subs ? folder.subs[i - folder.n_files]
 		                                                        : folder.partial;
 		int file = open(path, O_RDONLY);

@@ -13,42 +13,45 @@ typedef struct {
 	const char *values; /* separated by commas */
 	u32 n;
 } ts_swept;
-typedef struct { ts_swept swept[TS_MAX_SWEEPS]; u32 n; } ts_sweep;
+typedef struct {
+	ts_swept swept[TS_MAX_SWEEPS];
+	u32 n;
+} ts_sweep;
 
 /* Files and text. */
 typedef struct {
-	const char *dir;              /* NULL: not said */
-	bool force;                   /* replace what an earlier run wrote there */
+	const char *dir; /* NULL: not said */
+	bool force;      /* replace what an earlier run wrote there */
 	bool no_images;
-	bool json;                    /* one object instead of text */
+	bool json; /* one object instead of text */
 	bool trace, margins, viewer;
 	const char *trace_only, *crop; /* NULL: all; either is a trace, too */
 } ts_output;
 
 /* Strings are NULL if nothing was said. */
 typedef struct {
-	const char *program;          /* its name */
+	const char *program;                    /* its name */
 	const ts_backend_kind *const *backends; /* that it has, the reference first, ended by NULL */
 	const char *effect;
-	const char *method;           /* names */
-	bool judged;                  /* by the truths of the names `truth`, or by all */
+	const char *method; /* names */
+	bool judged;        /* by the truths of the names `truth`, or by all */
 	const char *truth;
-	u32 truths;                   /* of a render: what these are, bits of rows of ts_truths */
+	u32 truths; /* of a render: what these are, bits of rows of ts_truths */
 	ts_params params;
-	bool set[TS_N_PARAMS];        /* by --set */
-	bool sized, mirrored;         /* the parameters' size was said; how many mirrors */
+	bool set[TS_N_PARAMS]; /* by --set */
+	bool sized, mirrored;  /* the parameters' size was said; how many mirrors */
 	ts_sweep sweep;
 	const char *scenes, *objects; /* specs, of a render one; objects of a table */
 	ts_scene_options scene;
-	u32 runs;                     /* of which the median is taken; 0: as the table has it */
-	ts_how how;                   /* its backend is opened before */
+	u32 runs;   /* of which the median is taken; 0: as the table has it */
+	ts_how how; /* its backend is opened before */
 	const ts_backend_kind *backend;
-	ts_backend_options device;    /* of the backend */
+	ts_backend_options device;        /* of the backend */
 	bool backend_named, device_named; /* they were said */
-	bool require;                 /* the device must be there */
-	double open_s;                /* that opening it took, its arithmetic checked */
+	bool require;                     /* the device must be there */
+	double open_s;                    /* that opening it took, its arithmetic checked */
 	ts_output output;
-	char *const *typed;           /* the options, as a process of its own takes them */
+	char *const *typed; /* the options, as a process of its own takes them */
 	u32 n_typed;
 } ts_job;
 

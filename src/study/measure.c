@@ -78,11 +78,13 @@ static ts_status after_stage(const ts_run *run, const ts_stage *stage, void *use
 static void keep_texels(ts_measure *m)
 {
 	const ts_texel_counts *texels = &m->texels;
-	const ts_counter counters[] = {
-		{ "texels covered by rays", (i64)texels->covered }, { "holes", (i64)texels->holes },
-		{ "leaks", (i64)texels->leaks }, { "wrong depths", (i64)texels->apart },
-		{ "shadows asked of rays", (i64)texels->asked }, { "lit but by rays", (i64)texels->lit },
-		{ "dark but by rays", (i64)texels->dark } };
+	const ts_counter counters[] = {{"texels covered by rays", (i64)texels->covered},
+	                               {"holes", (i64)texels->holes},
+	                               {"leaks", (i64)texels->leaks},
+	                               {"wrong depths", (i64)texels->apart},
+	                               {"shadows asked of rays", (i64)texels->asked},
+	                               {"lit but by rays", (i64)texels->lit},
+	                               {"dark but by rays", (i64)texels->dark}};
 	u32 n = texels->asked > 0 ? 7 : 4;
 	for (u32 i = 0; i < n && m->n_counters < TS_MAX_COUNTERS; i++) m->counters[m->n_counters++] = counters[i];
 }
@@ -117,8 +119,11 @@ static void keep_for_after(ts_run *run, const ts_effect *effect)
 ts_status ts_measure_run(ts_measure *measure, const ts_pipeline *method, const ts_scene *scene, const ts_params *params,
                          const ts_how *how, ts_measure_after after, void *user)
 {
-	*measure = (ts_measure){ .method = method, .pictures = measure->pictures, .trace = measure->trace,
-	                         .viewer = measure->viewer, .rays = measure->rays };
+	*measure = (ts_measure){.method = method,
+	                        .pictures = measure->pictures,
+	                        .trace = measure->trace,
+	                        .viewer = measure->viewer,
+	                        .rays = measure->rays};
 	ts_run run;
 	ts_run_begin(&run, scene, params, how->threads);
 	ts_run_how(&run, how);
@@ -217,7 +222,8 @@ ts_status ts_measure_estimate(ts_estimate *estimate, const ts_pipeline *const *m
 	*estimate = (ts_estimate){.held = ts_memory_used(), .run = run};
 	if (estimate->held <= limit && run <= limit - estimate->held) return TS_OK;
 	return ts_fail("%s: needs about %.1f GB of memory and may use %.1f GB of this machine's %.1f GB; choose a smaller "
-	               "--size, %s%s%s", scene->name, (double)estimate->held / 1e9 + (double)run / 1e9, (double)limit / 1e9,
+	               "--size, %s%s%s",
+	               scene->name, (double)estimate->held / 1e9 + (double)run / 1e9, (double)limit / 1e9,
 	               (double)ts_memory_total() / 1e9, what_to_lower(largest, params, run),
 	               truth != NULL ? ", or no truth " : "", truth != NULL ? truth->name : "");
 }

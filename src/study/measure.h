@@ -32,9 +32,9 @@ typedef struct {
 	u64 elements[TS_N_BUFFERS]; /* made in all batches together */
 	u64 bytes[TS_N_BUFFERS];    /* at once, the largest batch */
 	u64 peak_bytes;
-	double mean_diameter;       /* texels a side of the cubes in sight, mean */
+	double mean_diameter; /* texels a side of the cubes in sight, mean */
 	u32 n_in_sight;
-	ts_stage_pictures *pictures; /* NULL: none are taken */
+	ts_stage_pictures *pictures;   /* NULL: none are taken */
 	const ts_trace_options *trace; /* NULL: none is written */
 	const char *viewer;            /* folder of the output for copies for viewers; NULL: none */
 	bool rays;                     /* count what rays through the off-screen texels say of them */
@@ -63,7 +63,9 @@ i64 ts_measure_shading(const ts_measure *measure);
 
 /* Bytes that the process holds, the scene's arrays among them, and that a run is estimated to need at its peak
  * beside. */
-typedef struct { u64 held, run; } ts_estimate;
+typedef struct {
+	u64 held, run;
+} ts_estimate;
 /* Of a run of these methods with the truths of `truths` (bits of rows of ts_truths), after the scene was opened;
  * refused with one line beyond three quarters of the machine's memory. */
 ts_status ts_measure_estimate(ts_estimate *estimate, const ts_pipeline *const *methods, u32 n_methods, u32 truths,

@@ -6,7 +6,8 @@
 ts_status ts_effect_check(const char *effect)
 {
 	ts_nearest nearest = ts_nearest_begin(effect);
-	for (const ts_pipeline *const *at = ts_pipelines(); *at != NULL; at++) ts_nearest_offer(&nearest, (*at)->effect->name);
+	for (const ts_pipeline *const *at = ts_pipelines(); *at != NULL; at++)
+		ts_nearest_offer(&nearest, (*at)->effect->name);
 	return nearest.distance == 0 ? TS_OK : ts_fail("no effect \"%s\"; the nearest is %s", effect, nearest.best);
 }
 

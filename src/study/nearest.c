@@ -30,7 +30,7 @@ static u32 distance(const char *a, const char *b)
 
 ts_nearest ts_nearest_begin(const char *typed)
 {
-	ts_nearest nearest = { typed, "", UINT32_MAX };
+	ts_nearest nearest = {typed, "", UINT32_MAX};
 	return nearest;
 }
 

@@ -14,7 +14,7 @@ static void count_lit(ts_picture *picture, const ts_run *run)
 	for (u64 k = 0; k < n_lamps; k++) all += lamps[k].samples;
 	picture->n_lamps = n_lamps;
 	picture->n_samples = all;
-	picture->lit = (ts_lit){ 0 };
+	picture->lit = (ts_lit){0};
 	for (u64 i = 0; i < n; i++) {
 		if (seen[i] == TS_EMPTY) continue;
 		u64 reach = 0;

@@ -5,17 +5,19 @@
 #include "../truth/table.h"
 
 /* Pixels of a picture with shadows: in sight; lit by all samples of all lights, by some, by none. */
-typedef struct { u64 seen, full, part, none; } ts_lit;
+typedef struct {
+	u64 seen, full, part, none;
+} ts_lit;
 
 /* An image as radiance and as displayed, of the eye's size. */
 typedef struct {
-	char name[24];   /* "epr", "truth-a", ... */
+	char name[24]; /* "epr", "truth-a", ... */
 	f32 *radiance;
 	u8 *srgb;
-	u8 *seen;        /* 1: the eye sees a surface, 0: the sky; NULL: not known */
-	double seconds;  /* that it took */
-	u64 n_hits, n_missed; /* of a truth that counts them: first rays that hit something, and look-ups empty there */
-	ts_lit lit;      /* of shadows */
+	u8 *seen;               /* 1: the eye sees a surface, 0: the sky; NULL: not known */
+	double seconds;         /* that it took */
+	u64 n_hits, n_missed;   /* of a truth that counts them: first rays that hit something, and look-ups empty there */
+	ts_lit lit;             /* of shadows */
 	u64 n_lamps, n_samples; /* lights, and samples of all of them */
 } ts_picture;
 

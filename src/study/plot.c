@@ -5,10 +5,13 @@
 enum { WIDTH = 800, HEIGHT = 560, LEFT = 70, RIGHT = 770, TOP = 50, BOTTOM = 500, LEGEND = 560 };
 
 /* Told apart by any eye (Okabe and Ito 2002). */
-static const char *const colours[TS_PLOT_CURVES] = { "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00" };
+static const char *const colours[TS_PLOT_CURVES] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00"};
 
 /* From values to pixels, evenly or logarithmically. */
-typedef struct { double low, high, from, to; bool even; } axis;
+typedef struct {
+	double low, high, from, to;
+	bool even;
+} axis;
 
 /* What is not more than 0 has no logarithm: it stands at the low end. */
 static double place(axis a, double value)
@@ -28,7 +31,7 @@ static axis axis_of(const ts_plot *plot, bool across)
 		most = fmax(most, value);
 	}
 	if (!plot->even && !(most > 0)) least = most = 1;
-	axis r = { least / 1.2, most * 1.2, across ? LEFT : BOTTOM, across ? RIGHT : TOP, plot->even };
+	axis r = {least / 1.2, most * 1.2, across ? LEFT : BOTTOM, across ? RIGHT : TOP, plot->even};
 	if (plot->even) {
 		r.low = least;
 		r.high = across ? most : most + (most - least) / 3;
@@ -84,7 +87,7 @@ static void ticks(FILE *out, axis a, bool across)
 		return;
 	}
 	for (; power <= a.high; power *= 10) {
-		static const double at[] = { 1, 2, 5 };
+		static const double at[] = {1, 2, 5};
 		for (u32 k = 0; k < (a.high / a.low < 1e4 ? 3 : 1); k++) {
 			if (power * at[k] >= a.low && power * at[k] <= a.high) tick(out, a, power * at[k], across);
 		}
@@ -102,7 +105,8 @@ static void curve(FILE *out, const ts_plot *plot, u32 c, axis x, axis y)
 	for (u32 i = 0; i < plot->n_points; i++) {
 		const ts_plot_point *p = &plot->points[i];
 		if (p->curve != c || p->label == NULL) continue;
-		fprintf(out, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"4\" fill=\"%s\"/>\n", place(x, p->x), place(y, p->y), colours[c]);
+		fprintf(out, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"4\" fill=\"%s\"/>\n", place(x, p->x), place(y, p->y),
+		        colours[c]);
 		text_at(out, place(x, p->x) + 7, place(y, p->y) + (c % 2 == 0 ? -7 : 15), "font-size=\"11\"", p->label);
 	}
 }
@@ -110,8 +114,10 @@ static void curve(FILE *out, const ts_plot *plot, u32 c, axis x, axis y)
 void ts_plot_svg(const ts_plot *plot, FILE *out)
 {
 	axis x = axis_of(plot, true), y = axis_of(plot, false);
-	fprintf(out, "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\" height=\"%d\" viewBox=\"0 0 %d %d\" "
-	        "font-family=\"sans-serif\" font-size=\"12\">\n", WIDTH, HEIGHT, WIDTH, HEIGHT);
+	fprintf(out,
+	        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\" height=\"%d\" viewBox=\"0 0 %d %d\" "
+	        "font-family=\"sans-serif\" font-size=\"12\">\n",
+	        WIDTH, HEIGHT, WIDTH, HEIGHT);
 	fprintf(out, "<rect width=\"%d\" height=\"%d\" fill=\"#fff\"/>\n", WIDTH, HEIGHT);
 	text_at(out, LEFT, 26, "font-size=\"15\"", plot->title);
 	ticks(out, x, true);

@@ -8,9 +8,9 @@ enum { TS_PLOT_CURVES = 5 }; /* at most */
 
 typedef struct {
 	u32 curve;
-	const char *label;       /* of its dot; NULL: no dot */
-	double x, y;             /* positive where axes are logarithmic */
-	bool apart;              /* joined to nothing */
+	const char *label; /* of its dot; NULL: no dot */
+	double x, y;       /* positive where axes are logarithmic */
+	bool apart;        /* joined to nothing */
 } ts_plot_point;
 
 /* The other points of a curve are joined in their order. Texts may hold any UTF-8. */
@@ -19,9 +19,9 @@ typedef struct {
 	const char *curves[TS_PLOT_CURVES];
 	u32 n_curves;
 	const ts_plot_point *points;
-	u32 n_points;            /* at least one */
-	bool even;               /* axes of even steps, not logarithmic ones */
-	bool rises;              /* the legend stands below, not above */
+	u32 n_points; /* at least one */
+	bool even;    /* axes of even steps, not logarithmic ones */
+	bool rises;   /* the legend stands below, not above */
 } ts_plot;
 
 /* Writes it with axes, a legend and a label at every dot. Whether all was written is the stream's to say. */

@@ -8,7 +8,8 @@ static const ts_stage_picture_rule *const *lists;
 
 void ts_stage_pictures_use(const ts_stage_picture_rule *const *rules) { lists = rules; }
 
-ts_stage_picture *ts_stage_pictures_add(ts_stage_pictures *pictures, const char *name, u32 width, u32 height, bool masked)
+ts_stage_picture *ts_stage_pictures_add(ts_stage_pictures *pictures, const char *name, u32 width, u32 height,
+                                        bool masked)
 {
 	if (pictures->n == TS_MAX_STAGE_PICTURES) {
 		ts_fail("picture %s: one more than %d", name, TS_MAX_STAGE_PICTURES);

@@ -6,12 +6,12 @@
 enum { TS_MAX_STAGE_PICTURES = 8 };
 
 typedef struct {
-	char name[16];        /* "points", ... */
-	char caption[128];    /* what the colours mean */
+	char name[16];     /* "points", ... */
+	char caption[128]; /* what the colours mean */
 	u8 *rgb;
-	u8 *mask;             /* pixels that say something; NULL: all. The others become the image in grey */
+	u8 *mask; /* pixels that say something; NULL: all. The others become the image in grey */
 	u32 width, height;
-	u32 zoom;             /* with a mask: pixels a pixel of the image, across and down */
+	u32 zoom; /* with a mask: pixels a pixel of the image, across and down */
 } ts_stage_picture;
 
 typedef struct {
@@ -29,7 +29,8 @@ typedef struct {
 void ts_stage_pictures_use(const ts_stage_picture_rule *const *rules);
 
 /* A black picture, with a mask that nothing is in yet if `masked`; NULL without memory, or if there are too many. */
-ts_stage_picture *ts_stage_pictures_add(ts_stage_pictures *pictures, const char *name, u32 width, u32 height, bool masked);
+ts_stage_picture *ts_stage_pictures_add(ts_stage_pictures *pictures, const char *name, u32 width, u32 height,
+                                        bool masked);
 /* NULL: it was not taken. */
 ts_stage_picture *ts_stage_pictures_find(ts_stage_pictures *pictures, const char *name);
 /* Takes the pictures that can be made of what `stage` has just written. Zero-initialise before the run. */

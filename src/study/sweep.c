@@ -17,7 +17,8 @@ ts_status ts_sweep_add(ts_sweep *sweep, const ts_params *params, const char *nam
 {
 	ts_params trial = *params;
 	char item[TS_SWEEP_TEXT];
-	if (sweep->n == TS_MAX_SWEEPS) return ts_fail("--set %s: at most %d parameters can have lists", name, TS_MAX_SWEEPS);
+	if (sweep->n == TS_MAX_SWEEPS)
+		return ts_fail("--set %s: at most %d parameters can have lists", name, TS_MAX_SWEEPS);
 	for (const char *list = values; ts_words_item(&list, item, sizeof item);) {
 		if (ts_params_set(&trial, name, item) != TS_OK) return TS_ERROR;
 	}
@@ -25,8 +26,9 @@ ts_status ts_sweep_add(ts_sweep *sweep, const ts_params *params, const char *nam
 	snprintf(swept->name, sizeof swept->name, "%s", name);
 	swept->values = values;
 	swept->n = count_values(values);
-	return ts_sweep_count(sweep) <= MAX_COMBINATIONS ? TS_OK
-		: ts_fail("--set %s: more than %d combinations", name, MAX_COMBINATIONS);
+	return ts_sweep_count(sweep) <= MAX_COMBINATIONS
+	           ? TS_OK
+	           : ts_fail("--set %s: more than %d combinations", name, MAX_COMBINATIONS);
 }
 
 u32 ts_sweep_count(const ts_sweep *sweep)

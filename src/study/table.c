@@ -10,7 +10,7 @@ enum { LINE_WIDTH = 120, NARROW = 20, NARROW_FIGURE = 10, GAP = 2 };
 
 ts_table ts_table_begin(const char *key, const char *title, const ts_column *columns)
 {
-	ts_table table = { .key = key, .title = title, .columns = columns };
+	ts_table table = {.key = key, .title = title, .columns = columns};
 	while (columns[table.n_columns].key != NULL) table.n_columns++;
 	return table;
 }
@@ -28,7 +28,7 @@ static void append(ts_table *table, const char *text, json_t *value)
 	}
 	ts_line_clean(copy);
 	table->cells = cells;
-	table->cells[table->n_cells++] = (ts_cell){ copy, value };
+	table->cells[table->n_cells++] = (ts_cell){copy, value};
 }
 
 void ts_table_text(ts_table *table, const char *text) { append(table, text, ts_text_json(text)); }
@@ -49,7 +49,7 @@ void ts_table_count(ts_table *table, i64 value)
 
 void ts_table_bytes(ts_table *table, u64 bytes)
 {
-	static const char *const units[] = { "B", "kB", "MB", "GB", "TB" };
+	static const char *const units[] = {"B", "kB", "MB", "GB", "TB"};
 	char text[48];
 	double value = (double)bytes;
 	u32 unit = 0;
@@ -189,7 +189,7 @@ void ts_table_end(ts_table *table)
 
 void ts_report_begin(ts_report *report, bool json)
 {
-	*report = (ts_report){ .root = json_object(), .json = json };
+	*report = (ts_report){.root = json_object(), .json = json};
 	report->out = open_memstream(&report->text, &report->text_bytes);
 	report->failed = report->root == NULL || report->out == NULL;
 }

@@ -19,12 +19,12 @@ typedef struct {
 } ts_cell;
 
 typedef struct {
-	const char *key, *title;    /* key: name of the array in JSON; title: line above the table, "" none */
+	const char *key, *title; /* key: name of the array in JSON; title: line above the table, "" none */
 	const ts_column *columns;
 	u32 n_columns;
 	ts_cell *cells;
 	size_t n_cells, capacity;
-	bool failed;                /* out of memory */
+	bool failed; /* out of memory */
 } ts_table;
 
 /* `columns` is ended by a row without a key and outlives the table, as do key and title. */
@@ -44,11 +44,11 @@ void ts_table_end(ts_table *table);
 /* What a command prints: tables and single figures as text, or one JSON object, kept until they are asked for. */
 typedef struct {
 	json_t *root;
-	FILE *out;       /* to `text` */
+	FILE *out; /* to `text` */
 	char *text;
 	size_t text_bytes;
-	bool json;       /* text is not printed */
-	bool failed;     /* out of memory */
+	bool json;   /* text is not printed */
+	bool failed; /* out of memory */
 } ts_report;
 
 /* A report may not be moved. */

@@ -58,7 +58,7 @@ static ts_status read_crop(u32 crop[4], const ts_params *params, const char *tex
 
 ts_status ts_tracing_make(ts_tracing *tracing, const ts_job *job, const ts_pipeline *method)
 {
-	*tracing = (ts_tracing){ .options = { .place = place, .user = tracing } };
+	*tracing = (ts_tracing){.options = {.place = place, .user = tracing}};
 	snprintf(tracing->folder, sizeof tracing->folder, "trace-%s", method->name);
 	snprintf(tracing->viewer, sizeof tracing->viewer, "view-%s", method->name);
 	ts_trace_options *options = &tracing->options;
@@ -91,6 +91,8 @@ ts_status ts_tracing_check(const ts_tracing *tracings, const ts_pipeline *const 
 	u64 need = 0, room = room_at(dir);
 	for (u32 i = 0; i < n; i++) need += ts_trace_estimate(methods[i], scene, params, &tracings[i].options);
 	if (need <= room) return TS_OK;
-	return ts_fail("%s: the traces need about %.1f GB, and the disk has %.1f GB; choose --trace-only STAGE,..., --crop, "
-	               "or a smaller image", dir, (double)need / 1e9, (double)room / 1e9);
+	return ts_fail(
+		"%s: the traces need about %.1f GB, and the disk has %.1f GB; choose --trace-only STAGE,..., --crop, "
+		"or a smaller image",
+		dir, (double)need / 1e9, (double)room / 1e9);
 }

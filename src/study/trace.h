@@ -7,7 +7,7 @@
 /* A method's trace in the output folder, under trace-METHOD. */
 typedef struct {
 	ts_trace_options options;
-	char folder[32], viewer[32];  /* of the output: the trace, and copies for viewers */
+	char folder[32], viewer[32]; /* of the output: the trace, and copies for viewers */
 } ts_tracing;
 
 /* Reads the options into *tracing, whose address must then stay. The message names what was typed. */

@@ -10,7 +10,7 @@ enum { TS_TRACE_VERSION = 1 };
 /* A buffer of a trace. */
 typedef struct {
 	bool made;
-	const char *path;       /* NULL: no file was written */
+	const char *path; /* NULL: no file was written */
 	char name[TS_EMIT_NAME];
 	char descr[TS_NPY_DESCR];
 	u32 n_dims;

@@ -12,10 +12,7 @@ bool ts_emit_is_batched(ts_buffer_id id)
 
 static bool is_whole(const ts_run *run) { return run->n_units == run->plan.units; }
 
-static bool is_last_batch(const ts_run *run)
-{
-	return run->first_unit + run->n_units == run->plan.units;
-}
+static bool is_last_batch(const ts_run *run) { return run->first_unit + run->n_units == run->plan.units; }
 
 /* Rows of a buffer over all units. */
 static u64 all_rows(const ts_run *run, ts_buffer_id id)
@@ -30,8 +27,11 @@ static ts_status offer(const ts_run *run, ts_buffer_id id, ts_take_chunk *take, 
 	const ts_buffer *buffer = &run->frame.buffer[id];
 	bool part = ts_emit_is_batched(id) && !is_whole(run);
 	if (!part && !is_last_batch(run)) return TS_OK;
-	ts_chunk p = {.id = id, .n_dims = buffer->n_dims, .first = !part || run->first_unit == 0,
-	              .data = ts_frame_data(&run->frame, id), .bytes = buffer->bytes};
+	ts_chunk p = {.id = id,
+	              .n_dims = buffer->n_dims,
+	              .first = !part || run->first_unit == 0,
+	              .data = ts_frame_data(&run->frame, id),
+	              .bytes = buffer->bytes};
 	memcpy(p.shape, buffer->shape, sizeof p.shape);
 	if (part) p.shape[0] = all_rows(run, id);
 	return take(user, &p);

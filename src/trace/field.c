@@ -5,7 +5,11 @@
 #include <inttypes.h>
 #include <stdio.h>
 
-static const struct { const char *type; char kind; u32 bytes; } types[] = {
+static const struct {
+	const char *type;
+	char kind;
+	u32 bytes;
+} types[] = {
 	{"f32", 'f', 4}, {"i32", 'i', 4}, {"u32", 'u', 4}, {"u64", 'u', 8}, {"u8", 'u', 1},
 };
 

@@ -19,7 +19,10 @@ typedef struct {
 	bool none;         /* the index may also be 0xffffffff */
 } ts_field;
 
-typedef struct { ts_field field[TS_MAX_FIELDS]; u32 n; } ts_fields;
+typedef struct {
+	ts_field field[TS_MAX_FIELDS];
+	u32 n;
+} ts_fields;
 
 ts_fields ts_fields_of(ts_buffer_id id);
 /* True of indices of such things. */

@@ -8,7 +8,7 @@ enum { TS_PATH = 4096 };
 /* Where the file stands: in a folder that somebody else wrote, or where the user said. */
 typedef enum {
 	TS_IN_FOLDER, /* no link is followed: no way leads out of the folder */
-	TS_TYPED
+	TS_TYPED,
 } ts_trust;
 
 /* The path of file `name` of folder `dir`; refuses names that are hidden or lead elsewhere. */

@@ -20,9 +20,10 @@ ts_status ts_load_match(const ts_trace *reference, const ts_trace *candidate)
 		return ts_fail("%s/trace.json: no params; a stage cannot run without them", reference->dir);
 	if (ts_params_check(&reference->params) != TS_OK) return TS_ERROR;
 	if (reference->arrival) {
-		return ts_fail("%s/trace.json: order is \"arrival\"; a reference must be canonical, for its stages make points in "
-		               "order",
-		               reference->dir);
+		return ts_fail(
+			"%s/trace.json: order is \"arrival\"; a reference must be canonical, for its stages make points in "
+			"order",
+			reference->dir);
 	}
 	if (candidate == NULL) return TS_OK;
 	if (candidate->pipeline != reference->pipeline) {

@@ -4,9 +4,9 @@
 #include "read.h"
 
 typedef struct {
-	ts_run run;        /* its frame owns what was loaded; parameters are those of the reference; its plan ts_check makes */
-	ts_scene scene;    /* the arrays of the frame that are the scene's; nothing else in it is set */
-	ts_sizes sizes;    /* of records.def, of all batches, as far as they are known (ts_check) */
+	ts_run run;     /* its frame owns what was loaded; parameters are those of the reference; its plan ts_check makes */
+	ts_scene scene; /* the arrays of the frame that are the scene's; nothing else in it is set */
+	ts_sizes sizes; /* of records.def, of all batches, as far as they are known (ts_check) */
 	const ts_pipeline *pipeline;
 	const ts_trace *reference, *candidate;
 	const ts_trace_item *item[TS_N_BUFFERS]; /* what was loaded, and from where; NULL: not loaded */

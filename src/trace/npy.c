@@ -8,7 +8,9 @@
 
 enum { PREFIX = 10, ALIGNMENT = 64, MOST_DIGITS = 20 };
 
-static const struct { const char *type, *descr; } scalars[] = {
+static const struct {
+	const char *type, *descr;
+} scalars[] = {
 	{"f32", "<f4"}, {"i32", "<i4"}, {"u32", "<u4"}, {"u64", "<u8"}, {"u8", "|u1"},
 };
 
@@ -53,8 +55,8 @@ size_t ts_npy_header(char header[TS_NPY_HEADER], const char *descr, u32 n_dims, 
 	for (u32 i = 0; i < n_dims; i++) {
 		used += (size_t)snprintf(dims + used, sizeof dims - used, "%s%" PRIu64, i == 0 ? "" : ", ", shape[i]);
 	}
-	int n = snprintf(header + PREFIX, TS_NPY_HEADER - PREFIX, "{'descr': %s, 'fortran_order': False, 'shape': (%s%s), }",
-	                 descr, dims, n_dims == 1 ? "," : "");
+	int n = snprintf(header + PREFIX, TS_NPY_HEADER - PREFIX,
+	                 "{'descr': %s, 'fortran_order': False, 'shape': (%s%s), }", descr, dims, n_dims == 1 ? "," : "");
 	assert(n > 0 && n < TS_NPY_HEADER - PREFIX);
 	size_t bytes = (PREFIX + (size_t)n + 1 + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT;
 	assert(bytes <= TS_NPY_HEADER);
@@ -67,7 +69,9 @@ size_t ts_npy_header(char header[TS_NPY_HEADER], const char *descr, u32 n_dims, 
 }
 
 /* A part of the header's text. */
-typedef struct { const char *at, *end; } span;
+typedef struct {
+	const char *at, *end;
+} span;
 
 static void skip_blanks(span *s)
 {
@@ -151,7 +155,9 @@ static bool parse_shape(span s, u32 *n_dims, u64 shape[TS_MAX_DIMS])
 	return s.at == s.end && comma; /* "(3)" is a number */
 }
 
-typedef struct { span descr, order, shape; } header_text;
+typedef struct {
+	span descr, order, shape;
+} header_text;
 
 static bool parse_dict(span s, header_text *h)
 {
@@ -161,7 +167,7 @@ static bool parse_dict(span s, header_text *h)
 		span key = take_literal(&s);
 		if (!take(&s, ':')) return false;
 		span value = take_literal(&s);
-		span *to = same_literal(key, text_of("'descr'"))         ? &h->descr
+		span *to = same_literal(key, text_of("'descr'"))           ? &h->descr
 		           : same_literal(key, text_of("'fortran_order'")) ? &h->order
 		           : same_literal(key, text_of("'shape'"))         ? &h->shape
 		                                                           : NULL;
@@ -187,8 +193,8 @@ static bool find_text(const char *head, size_t head_bytes, span *text)
 	return n <= head_bytes - prefix;
 }
 
-ts_status ts_npy_parse(ts_npy *npy, const char *path, const char *head, size_t head_bytes, u64 file_bytes, const char *descr,
-                       size_t element_bytes)
+ts_status ts_npy_parse(ts_npy *npy, const char *path, const char *head, size_t head_bytes, u64 file_bytes,
+                       const char *descr, size_t element_bytes)
 {
 	span text;
 	header_text h;

@@ -25,7 +25,7 @@ typedef struct {
 /* Reads the header of a file of file_bytes, of which `head` are the first head_bytes (all, or at least TS_NPY_HEADER). It
  * must hold elements of dtype `descr`, element_bytes each, in C order, of 1 to TS_MAX_DIMS dimensions, and nothing behind
  * them. `path` is for messages. */
-ts_status ts_npy_parse(ts_npy *npy, const char *path, const char *head, size_t head_bytes, u64 file_bytes, const char *descr,
-                       size_t element_bytes);
+ts_status ts_npy_parse(ts_npy *npy, const char *path, const char *head, size_t head_bytes, u64 file_bytes,
+                       const char *descr, size_t element_bytes);
 
 #endif

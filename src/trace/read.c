@@ -43,7 +43,8 @@ static ts_status add_crop(ts_trace *trace, ts_buffer_id id, const char *path, co
 	if (crop == NULL) return TS_OK;
 	for (u32 i = 0; i < 4; i++) {
 		json_int_t n = json_integer_value(json_array_get(crop, i));
-		if (json_array_size(crop) != 4 || n < 0 || n > 16384) return ts_fail("%s: crop is not 4 numbers of pixels", path);
+		if (json_array_size(crop) != 4 || n < 0 || n > 16384)
+			return ts_fail("%s: crop is not 4 numbers of pixels", path);
 		item->crop[i] = (u32)n;
 	}
 	item->cropped = true;
@@ -77,7 +78,7 @@ static ts_status add_params(ts_trace *trace, const char *path, json_t *params)
 	ts_params_default(&trace->params);
 	trace->has_params = params != NULL;
 	if (params != NULL && !json_is_object(params)) return ts_fail("%s: params is not an object", path);
-	json_object_foreach(params, name, value) {
+	json_object_foreach (params, name, value) {
 		if (!json_is_string(value)) return ts_fail("%s: parameter %s is not a string", path, name);
 		if (ts_params_set(&trace->params, name_now(trace, TS_NAME_param, name), json_string_value(value)) != TS_OK) {
 			return ts_fail("%s: %s", path, ts_error_message());
@@ -108,7 +109,8 @@ static ts_status read_root(ts_trace *trace, const char *path, json_t *root)
 	if (!trace->arrival && strcmp(order, "canonical") != 0) {
 		return ts_fail("%s: order is \"%.40s\"; \"canonical\" or \"arrival\" would be right", path, order);
 	}
-	trace->pipeline = ts_pipeline_find(effect[0] != 0 ? effect : ts_pipelines()[0]->effect->name, text_of(root, "pipeline"));
+	trace->pipeline =
+		ts_pipeline_find(effect[0] != 0 ? effect : ts_pipelines()[0]->effect->name, text_of(root, "pipeline"));
 	if (trace->pipeline == NULL) {
 		return ts_fail("%s: no pipeline \"%.40s\"; touchstone list methods names all", path, text_of(root, "pipeline"));
 	}
@@ -130,7 +132,8 @@ static char *read_text(const char *path, size_t *n)
 	int file = ts_item_open(path, TS_IN_FOLDER, &bytes);
 	if (file < 0) return NULL;
 	char *text = bytes <= MAX_JSON_BYTES ? ts_alloc((size_t)bytes + 1, 1, path) : NULL;
-	if (bytes > MAX_JSON_BYTES) ts_fail("%s: %" PRIu64 " bytes; a trace.json has at most %d", path, bytes, MAX_JSON_BYTES);
+	if (bytes > MAX_JSON_BYTES)
+		ts_fail("%s: %" PRIu64 " bytes; a trace.json has at most %d", path, bytes, MAX_JSON_BYTES);
 	ssize_t got = text != NULL ? read(file, text, (size_t)bytes) : -1;
 	close(file);
 	if (text != NULL && got < 0) {
@@ -154,7 +157,8 @@ static ts_status read_json(ts_trace *trace)
 	free(text);
 	if (!json_is_object(root)) {
 		json_decref(root);
-		return ts_fail("%s: line %d: %s", path, root != NULL ? 1 : error.line, root != NULL ? "not an object" : error.text);
+		return ts_fail("%s: line %d: %s", path, root != NULL ? 1 : error.line,
+		               root != NULL ? "not an object" : error.text);
 	}
 	ts_status status = read_root(trace, path, root);
 	json_decref(root);
@@ -193,14 +197,16 @@ static ts_status add_layout(ts_trace *trace, char *text, const ts_trace *like)
 	char *file = strchr(text, '=');
 	if (file == NULL) return ts_fail("--layout: \"%s\" is not NAME=FILE", text);
 	*file++ = 0;
-	if (!ts_trace_find(&id, text)) return ts_fail("--layout: no buffer \"%s\"; touchstone list buffers names all", text);
+	if (!ts_trace_find(&id, text))
+		return ts_fail("--layout: no buffer \"%s\"; touchstone list buffers names all", text);
 	size_t n = strlen(file);
 	if (n > 4 && strcmp(file + n - 4, ".npy") == 0) return ts_item_add(trace, id, file, TS_IN_FOLDER);
 	if (like->item[id].path == NULL) return ts_fail("--layout: %s: the reference lacks it", text);
 	return ts_item_add_raw(trace, id, file, &like->item[id].npy);
 }
 
-ts_status ts_trace_open_layout(ts_trace **trace, const char *dir, const char *layout, bool arrival, const ts_trace *like)
+ts_status ts_trace_open_layout(ts_trace **trace, const char *dir, const char *layout, bool arrival,
+                               const ts_trace *like)
 {
 	*trace = NULL;
 	ts_trace *made = trace_new(dir);
@@ -243,7 +249,8 @@ ts_status ts_trace_open_file(ts_trace **trace, const char *path, ts_buffer_id *i
 	size_t n = strlen(stem);
 	snprintf(name, sizeof name, "%.*s", n > 4 && n < sizeof name ? (int)n - 4 : 0, stem);
 	if (n < 5 || strcmp(stem + n - 4, ".npy") != 0 || !ts_trace_find(id, name)) {
-		return ts_fail("%s: its name does not say which buffer it holds; NAME.npy of touchstone list buffers would", path);
+		return ts_fail("%s: its name does not say which buffer it holds; NAME.npy of touchstone list buffers would",
+		               path);
 	}
 	char dir[TS_PATH];
 	snprintf(dir, sizeof dir, "%.*s", slash != NULL ? (int)(slash - path) : 1, slash != NULL ? path : ".");

@@ -8,21 +8,21 @@
 
 /* A buffer's file. */
 typedef struct {
-	char *path;   /* NULL: the trace has no such file */
+	char *path;         /* NULL: the trace has no such file */
 	const void *memory; /* where the elements are if not in that file, which was not made then */
 	ts_npy npy;
 	bool cropped;
-	u32 crop[4];  /* x, y, width, height */
+	u32 crop[4]; /* x, y, width, height */
 } ts_trace_item;
 
 typedef struct {
 	char *dir;
 	const ts_pipeline *pipeline;
-	bool arrival;          /* points stand in any order */
-	bool old_names;        /* some of its names are of renamed.def */
+	bool arrival;   /* points stand in any order */
+	bool old_names; /* some of its names are of renamed.def */
 	bool has_params;
-	ts_params params;      /* if it has them */
-	char producer[128];    /* its name and version, clean */
+	ts_params params;   /* if it has them */
+	char producer[128]; /* its name and version, clean */
 	ts_trace_item item[TS_N_BUFFERS];
 } ts_trace;
 
@@ -33,7 +33,8 @@ ts_status ts_trace_open(ts_trace **trace, const char *dir);
 /* Opens a folder without trace.json as a candidate of `pipeline`, by a list "NAME=FILE,..." of buffers and their files
  * there: .npy, or else raw little-endian elements, whose first dimension follows from the size and whose others are those
  * of `like`. */
-ts_status ts_trace_open_layout(ts_trace **trace, const char *dir, const char *layout, bool arrival, const ts_trace *like);
+ts_status ts_trace_open_layout(ts_trace **trace, const char *dir, const char *layout, bool arrival,
+                               const ts_trace *like);
 
 /* Opens one .npy file as a trace of nothing else. Which buffer it holds, its name says: "NAME.npy" or "NN-NAME.npy". */
 ts_status ts_trace_open_file(ts_trace **trace, const char *path, ts_buffer_id *id);

@@ -17,15 +17,19 @@ struct ts_reader {
 	u64 per_block;
 	u64 held[N_BLOCKS]; /* 1 + the block that a place holds; 0: none */
 	u8 *blocks;
-	const u8 *memory;   /* instead of a file */
+	const u8 *memory; /* instead of a file */
 };
 
 ts_reader *ts_reader_open(const char *path, u64 data_at, u64 n, size_t element_bytes)
 {
 	ts_reader *r = ts_alloc_zero(1, sizeof *r, "a reader");
 	if (r == NULL) return NULL;
-	*r = (ts_reader){.path = strdup(path), .file = open(path, O_RDONLY | O_CLOEXEC), .data_at = data_at, .n = n,
-	                 .element_bytes = element_bytes, .per_block = BLOCK_BYTES / element_bytes};
+	*r = (ts_reader){.path = strdup(path),
+	                 .file = open(path, O_RDONLY | O_CLOEXEC),
+	                 .data_at = data_at,
+	                 .n = n,
+	                 .element_bytes = element_bytes,
+	                 .per_block = BLOCK_BYTES / element_bytes};
 	if (r->file < 0) {
 		ts_fail("%s: %s", path, strerror(errno));
 	} else {

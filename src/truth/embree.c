@@ -18,10 +18,10 @@ typedef struct {
 enum { OPEN, FILTERED, N_PARTS };
 
 struct ts_truth {
-	ts_arrays scene;         /* the run's pose.vertex among them */
+	ts_arrays scene; /* the run's pose.vertex among them */
 	u32 n_vertices;
 	ts_tree tree;
-	f32 *position;           /* xyz of every vertex, then the 4 bytes that Embree may read beyond them */
+	f32 *position; /* xyz of every vertex, then the 4 bytes that Embree may read beyond them */
 	part parts[N_PARTS];
 };
 
@@ -31,10 +31,7 @@ typedef struct {
 	const ts_truth_query *query;
 } request;
 
-const ts_arrays *ts_truth_scene(const ts_truth *truth)
-{
-	return &truth->scene;
-}
+const ts_arrays *ts_truth_scene(const ts_truth *truth) { return &truth->scene; }
 
 static ts_truth_hit measure(const ts_truth *truth, const ts_truth_query *query, u32 triangle)
 {
@@ -42,7 +39,7 @@ static ts_truth_hit measure(const ts_truth *truth, const ts_truth_query *query, 
 	ts_hit hit = ts_k_hit(query->origin, query->direction, &corner);
 	ts_v3 q = ts_blend(hit.weights, corner.a, corner.b, corner.c);
 	f32 path = query->path + ts_length(ts_sub(query->from, q));
-	return (ts_truth_hit){ triangle, hit.t, hit.weights, query->spread * path, path };
+	return (ts_truth_hit){triangle, hit.t, hit.weights, query->spread * path, path};
 }
 
 static u32 flags_of(const ts_truth *truth, u32 triangle)
@@ -73,15 +70,21 @@ static void filter(const struct RTCFilterFunctionNArguments *arguments)
 
 ts_truth_hit ts_truth_cast(const ts_truth *truth, const ts_truth_query *query)
 {
-	ts_truth_hit none = { .triangle = TS_NONE };
+	ts_truth_hit none = {.triangle = TS_NONE};
 	if (ts_dot(query->direction, query->direction) == 0.0f) return none;
 	struct RTCRayHit ray = {
-		.ray = { .org_x = query->origin.x, .org_y = query->origin.y, .org_z = query->origin.z, .tnear = query->near,
-		         .dir_x = query->direction.x, .dir_y = query->direction.y, .dir_z = query->direction.z,
-		         .tfar = INFINITY, .mask = 0xffffffffu },
-		.hit = { .geomID = RTC_INVALID_GEOMETRY_ID, .primID = RTC_INVALID_GEOMETRY_ID },
+		.ray = {.org_x = query->origin.x,
+	            .org_y = query->origin.y,
+	            .org_z = query->origin.z,
+	            .tnear = query->near,
+	            .dir_x = query->direction.x,
+	            .dir_y = query->direction.y,
+	            .dir_z = query->direction.z,
+	            .tfar = INFINITY,
+	            .mask = 0xffffffffu},
+		.hit = {.geomID = RTC_INVALID_GEOMETRY_ID, .primID = RTC_INVALID_GEOMETRY_ID},
 	};
-	request asked = { .query = query };
+	request asked = {.query = query};
 	ts_tree_cast(&truth->tree, &ray, &asked.base);
 	if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return none;
 	assert(ray.hit.geomID < N_PARTS && ray.hit.primID < truth->parts[ray.hit.geomID].n);

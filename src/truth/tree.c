@@ -30,7 +30,7 @@ ts_status ts_tree_begin(ts_tree *tree, u32 threads)
 {
 	char options[32];
 	snprintf(options, sizeof(options), "threads=%u", threads > 0 ? threads : 1);
-	*tree = (ts_tree){ .device = NULL };
+	*tree = (ts_tree){.device = NULL};
 	ts_first_error_begin(&tree->error);
 	__atomic_store_n(&tree->bytes_left, (i64)ts_memory_limit(), __ATOMIC_RELEASE);
 	tree->device = rtcNewDevice(options);

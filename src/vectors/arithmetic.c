@@ -66,8 +66,9 @@ static void relate_i64(u32 *in, u32 random)
 	ts_set_u64(in, 0, (middle & ~((1ull << 38) - 1)) + (random >> 2 & 1 ? 1 : 0) - (random >> 3 & 1 ? 1 : 0));
 }
 
-static const f32 whole_edges[] = { 0.5f, 1.0f, 1.5f, 2.0f, 8388607.5f, 8388608.0f, 16777216.0f, -0.5f, -1.0f };
+static const f32 whole_edges[] = {0.5f, 1.0f, 1.5f, 2.0f, 8388607.5f, 8388608.0f, 16777216.0f, -0.5f, -1.0f};
 
+/* clang-format off */
 const ts_vector ts_vectors_arithmetic[] = {
 	{ PRIMITIVE(add), "4", "a + b", { FINITE("a", 1), FINITE("b", 1) }, { TS_VECTOR_F32, 1 },
 	  { { TS_FAULT_FLUSH, add_flush } } },
@@ -95,5 +96,6 @@ const ts_vector ts_vectors_arithmetic[] = {
 	{ PRIMITIVE(i64_to_f32), "4, 22", "to the nearest float, ties to even, rounded once",
 	  { { "a", TS_VECTOR_I64, 1, INT64_MIN, INT64_MAX, true } }, { TS_VECTOR_F32, 1 },
 	  { { TS_FAULT_TRUNCATE, from_i64_truncate }, { TS_FAULT_TWICE, from_i64_twice } }, .relate = relate_i64 },
-	{ 0 }
+	{ 0 },
 };
+/* clang-format on */

@@ -56,11 +56,14 @@ static void relate_keys(u32 *in, u32 random)
 	if ((random & 3) == 1) in[3] = in[1] ^ 1;
 }
 
-static const f32 texel_edges[] = { -1.0f, 1.0f, 0.5f, -0.5f };
-static const f32 depth_edges[] = { 0x1p-100f, 1.0f, 0.5f, 0.25f };
+static const f32 texel_edges[] = {-1.0f, 1.0f, 0.5f, -0.5f};
+static const f32 depth_edges[] = {0x1p-100f, 1.0f, 0.5f, 0.25f};
 
+/* clang-format off */
 #define WIDE(name) { name, TS_VECTOR_U64, 1, INT64_MIN, INT64_MAX, false }
+/* clang-format on */
 
+/* clang-format off */
 const ts_vector ts_vectors_cube[] = {
 	{ PRIMITIVE(cube_face), "ts_k_cube_place",
 	  "face 0 to 5, +X -X +Y -Y +Z -Z, of a direction; X before Y before Z where equal",
@@ -78,5 +81,6 @@ const ts_vector ts_vectors_cube[] = {
 	{ PRIMITIVE(point_key), "ts_k_points_item", "triangle << 32 | (y + 2^15) << 16 | x + 2^15",
 	  { ALL_U32("triangle", 1), INTEGER("x", 1, -32768, 32767), INTEGER("y", 1, -32768, 32767) },
 	  { TS_VECTOR_U64, 1 } },
-	{ 0 }
+	{ 0 },
 };
+/* clang-format on */

@@ -8,11 +8,14 @@ enum { STREAM_TESTS = 6, MAX_TRIES = 256, NEIGHBOURS = 5 };
 
 typedef enum { SPECIAL, EDGE, MODERATE, BITS, NEAR, N_STYLES } style;
 
-typedef struct { u32 n, seed; } source;
+typedef struct {
+	u32 n, seed;
+} source;
 
 static u32 next(source *s) { return ts_random(s->n++, STREAM_TESTS, s->seed); }
 static u32 below(source *s, u32 n) { return (u32)((u64)next(s) * n >> 32); }
 
+/* clang-format off */
 /* Zeros, denormals, the contract's thresholds, 1 and its neighbours, ties, powers of two, the largest, NaN. */
 static const u32 special[] = {
 	0x00000000, 0x80000000, 0x00000001, 0x80000001, 0x00400000, 0x007fffff, 0x807fffff, 0x00800000, 0x80800000,
@@ -27,6 +30,7 @@ static const u32 special[] = {
 	0x7e800000, 0x7effffff, 0x7f000000, 0x7f7fffff, 0xff7fffff, 0x7f800000, 0xff800000, 0x7fc00000, 0xffc00000,
 	0x7f800001, 0xff800001, 0x7fffffff, 0xffffffff,
 };
+/* clang-format on */
 enum { N_SPECIAL = sizeof special / sizeof special[0] };
 
 /* The value of the column's range that these bits stand for. */
@@ -165,7 +169,7 @@ static u32 seed_of(const char *name)
 
 void ts_vector_make(const ts_vector *vector, u32 *in, u32 *out)
 {
-	source s = { 0, seed_of(vector->name) };
+	source s = {0, seed_of(vector->name)};
 	u32 in_words = ts_vector_in_words(vector), out_words = ts_vector_out_words(vector);
 	for (u32 i = 0; i < TS_VECTOR_ITEMS; i++) {
 		u32 *row = in + (size_t)i * in_words, *result = out + (size_t)i * out_words;

@@ -52,7 +52,7 @@ WORD_ITEM(fix_down, fixed(A, ts_row_i32(in, 1), ts_row_i32(in, 2), DOWN))
 /* The formats in use, and what would fill 31 bits. */
 static void relate_fix(u32 *in, u32 random)
 {
-	static const u32 format[][2] = { { 8, 23 }, { 8, 30 }, { 8, 12 }, { 24, 25 }, { 0, 23 }, { 16, 31 } };
+	static const u32 format[][2] = {{8, 23}, {8, 30}, {8, 12}, {24, 25}, {0, 23}, {16, 31}};
 	u32 k = random % 6;
 	in[1] = format[k][0];
 	in[2] = format[k][1];
@@ -101,9 +101,9 @@ FLOAT_ITEM(nearest_away, roundf(A) + 0.0f)
 static double reduced(f32 t) { return ts_abs(t) < 4194304.0f ? t - rint(t) : 0; }
 
 FLOAT_ITEM(logarithm_builtin, A >= FLT_MIN ? (f32)log2(A) : -126.0f)
-FLOAT_ITEM(exponential_builtin, A < -87.33654f ? 0 : A > 88.72283f ? ts_exp(A) : (f32)exp((double)A))
-FLOAT_ITEM(sine_builtin, (f32)sin(TURN * reduced(A)))
-FLOAT_ITEM(cosine_builtin, (f32)cos(TURN * reduced(A)))
+FLOAT_ITEM(exponential_builtin, A<-87.33654f ? 0 : A> 88.72283f ? ts_exp(A) : (f32)exp((double)A))
+FLOAT_ITEM(sine_builtin, (f32)sin(TURN *reduced(A)))
+FLOAT_ITEM(cosine_builtin, (f32)cos(TURN *reduced(A)))
 
 FLOAT_ITEM(angle_builtin, (f32)atan2((double)A, (double)B))
 
@@ -115,8 +115,9 @@ static void relate_angle(u32 *in, u32 random)
 	in[1] = (in[1] & 0x80ffffffu) | 0x3f000000u;
 }
 
-static const f32 san_edges[] = { 0x1p-39f, 0x1p62f, -0x1p-39f, -0x1p62f, FLT_MAX, FLT_MIN };
-static const f32 put_edges[] = { 0x1p-100f, -0x1p-100f, FLT_MIN, -FLT_MIN };
+static const f32 san_edges[] = {0x1p-39f, 0x1p62f, -0x1p-39f, -0x1p62f, FLT_MAX, FLT_MIN};
+static const f32 put_edges[] = {0x1p-100f, -0x1p-100f, FLT_MIN, -FLT_MIN};
+/* clang-format off */
 static const f32 half_edges[] = { 0x1p-25f, -0x1p-25f, 0x1p-24f, 0x1.8p-24f, 0x1.4p-23f, 0x1.ff8p-15f, 0x1.ffcp-15f,
 	0x1p-14f, 0x1.002p0f, 0x1.006p0f, -0x1.002p0f, 65504, 65520, -65520, 65536, FLT_MAX };
 static const f32 int_edges[] = { 0x1p31f, -0x1p31f, 0x1p24f, -0x1p24f, 0x1p23f, -0x1p23f, 1, -1, 2, -2, 100, -100 };
@@ -171,5 +172,6 @@ const ts_vector ts_vectors_number[] = {
 	  { { TS_FAULT_BUILTIN, cosine_builtin } }, EDGES(turn_edges) },
 	{ PRIMITIVE(atan2), "9", "ts_atan2: the angle of (x, y)", { SANE("y", 1), SANE("x", 1) }, { TS_VECTOR_F32, 1 },
 	  { { TS_FAULT_BUILTIN, angle_builtin } }, .relate = relate_angle },
-	{ 0 }
+	{ 0 },
 };
+/* clang-format on */

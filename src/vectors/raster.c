@@ -135,11 +135,12 @@ static void relate_cut(u32 *in, u32 random)
 	in[3] = in[3] == 0 ? 0xbf800000u : in[3] | 0x80000000u;
 }
 
-static const f32 snap_edges[] = { 32767.998046875f, 32767.99609375f, -32767.998046875f, 0.001953125f, 0.005859375f };
+static const f32 snap_edges[] = {32767.998046875f, 32767.99609375f, -32767.998046875f, 0.001953125f, 0.005859375f};
 
 #define SNAPPED(name) INTEGER(name, 2, -SNAPPED_MAX, SNAPPED_MAX)
 #define SIZE(name) UNSIGNED(name, 2, 1, 16384)
 
+/* clang-format off */
 const ts_vector ts_vectors_raster[] = {
 	{ PRIMITIVE(cut), "16",
 	  "x of the corner where an edge is clipped, from inside to outside, d = distances to the plane",
@@ -165,5 +166,6 @@ const ts_vector ts_vectors_raster[] = {
 	{ PRIMITIVE(fragment), "22", "weights and depth (w0, w1, w2, z) of edges e and corner depths z",
 	  { { "e", TS_VECTOR_I64, 3, 0, (i64)1 << 47, true }, POSITIVE("z", 3, 107, 150) }, { TS_VECTOR_F32, 4 },
 	  { { TS_FAULT_RECIPROCAL, fragment_reciprocal } } },
-	{ 0 }
+	{ 0 },
 };
+/* clang-format on */

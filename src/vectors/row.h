@@ -33,6 +33,7 @@ static inline f32 flushed_result(double x)
 }
 
 /* Columns. ANY holds every pattern of bits; SANE what ts_san lets through (rule 10); WORLD coordinates (rule 11). */
+/* clang-format off */
 #define ANY(name, count) { name, TS_VECTOR_F32, count, 0, 255, true }
 #define FINITE(name, count) { name, TS_VECTOR_F32, count, 0, 254, true }
 #define SANE(name, count) { name, TS_VECTOR_F32, count, 88, 188, true }
@@ -40,6 +41,7 @@ static inline f32 flushed_result(double x)
 #define POSITIVE(name, count, low, high) { name, TS_VECTOR_F32, count, low, high, false }
 #define INTEGER(name, count, low, high) { name, TS_VECTOR_I32, count, low, high, true }
 #define UNSIGNED(name, count, low, high) { name, TS_VECTOR_U32, count, low, high, false }
+/* clang-format on */
 #define ALL_U32(name, count) UNSIGNED(name, count, 0, UINT32_MAX)
 
 #define EDGES(list) .edges = list, .n_edges = sizeof list / sizeof list[0]

@@ -7,16 +7,19 @@
 
 static const ts_launch launch = TS_LAUNCH(vectors, TS_ALL);
 
+/* clang-format off */
 static const ts_vector_set shared = {
 	&launch,
 	{ts_vectors_arithmetic, ts_vectors_number, ts_vectors_vector, ts_vectors_raster, ts_vectors_cube, ts_vectors_texture},
 };
+/* clang-format on */
 
 static const ts_vector_set *const none = NULL;
 static const ts_vector_set *const *families = &none;
 
 void ts_vectors_use(const ts_vector_set *const *sets) { families = sets; }
 
+/* clang-format off */
 const ts_vector_fault_info ts_vector_fault_table[TS_N_FAULTS] = {
 	[TS_FAULT_FMA] = { "fused multiply-add", "turn contraction off: -ffp-contract=off, -fmad=false, precise" },
 	[TS_FAULT_FLUSH] = { "flush to zero", "keep denormals if the device can; put hides it in what is stored" },
@@ -33,6 +36,7 @@ const ts_vector_fault_info ts_vector_fault_table[TS_N_FAULTS] = {
 	[TS_FAULT_DEPTH24] = { "24-bit depth", "keep all 32 bits of the depth" },
 	[TS_FAULT_INCLUSIVE] = { "inclusive edges", "count what lies on an edge for top and left edges only" },
 };
+/* clang-format on */
 
 static u32 count(const ts_vector_set *set)
 {
@@ -92,16 +96,13 @@ u32 ts_vector_in_words(const ts_vector *vector)
 	return n;
 }
 
-u32 ts_vector_out_words(const ts_vector *vector)
-{
-	return vector->out.count * ts_vector_type_words(vector->out.type);
-}
+u32 ts_vector_out_words(const ts_vector *vector) { return vector->out.count * ts_vector_type_words(vector->out.type); }
 
 static const char *type_descr(ts_vector_type type)
 {
 	static const char *const descr[] = {
-		[TS_VECTOR_F32] = "<f4", [TS_VECTOR_I32] = "<i4", [TS_VECTOR_U32] = "<u4", [TS_VECTOR_I64] = "<i8",
-		[TS_VECTOR_U64] = "<u8",
+		[TS_VECTOR_F32] = "<f4", [TS_VECTOR_I32] = "<i4", [TS_VECTOR_U32] = "<u4",
+		[TS_VECTOR_I64] = "<i8", [TS_VECTOR_U64] = "<u8",
 	};
 	return descr[type];
 }
@@ -112,8 +113,8 @@ void ts_vector_in_descr(char descr[TS_VECTOR_DESCR], const ts_vector *vector)
 	for (const ts_vector_column *c = vector->in; c->name != NULL; c++) {
 		char count[24] = "";
 		if (c->count > 1) snprintf(count, sizeof count, ", (%" PRIu32 ",)", c->count);
-		used += (size_t)snprintf(descr + used, TS_VECTOR_DESCR - used, "%s('%s', '%s'%s)", used == 0 ? "[" : ", ", c->name,
-		                         type_descr(c->type), count);
+		used += (size_t)snprintf(descr + used, TS_VECTOR_DESCR - used, "%s('%s', '%s'%s)", used == 0 ? "[" : ", ",
+		                         c->name, type_descr(c->type), count);
 	}
 	snprintf(descr + used, TS_VECTOR_DESCR - used, "]");
 }

@@ -69,12 +69,13 @@ static u32 srgb_encoded(f32 l)
 
 WORD_ITEM(srgb_builtin, srgb_encoded(A))
 
-static const f32 wrap_edges[] = { 1, 2, 3, -1, -2, -3, 0x1p-39f, -0x1p-39f, 0x1p-24f, -0x1p-24f, 0x1p24f, 8388607.5f };
+static const f32 wrap_edges[] = {1, 2, 3, -1, -2, -3, 0x1p-39f, -0x1p-39f, 0x1p-24f, -0x1p-24f, 0x1p24f, 8388607.5f};
 
 #define WRAP(name, count) UNSIGNED(name, count, TS_REPEAT, TS_CLAMP)
 #define CHANNELS(name, count) UNSIGNED(name, count, 0, 65535)
 #define FRACTIONS(name, count) UNSIGNED(name, count, 0, 255)
 
+/* clang-format off */
 const ts_vector ts_vectors_texture[] = {
 	{ PRIMITIVE(texture_wrap), "ts_k_texture_wrap", "u to [0, 1]; wrap 0 repeats, 1 mirrors, 2 clamps", { SANE("u", 1),
 	    WRAP("wrap", 1) }, { TS_VECTOR_F32, 1 }, EDGES(wrap_edges) },
@@ -96,5 +97,6 @@ const ts_vector ts_vectors_texture[] = {
 	  { { TS_FAULT_RECIPROCAL, lod_reciprocal }, { TS_FAULT_BUILTIN, lod_builtin } }, .relate = relate_lod },
 	{ PRIMITIVE(srgb), "ts_srgb_byte", "8-bit sRGB value of a linear one", { ANY("l", 1) }, { TS_VECTOR_U32, 1 },
 	  { { TS_FAULT_BUILTIN, srgb_builtin } }, EDGES(ts_srgb_threshold) },
-	{ 0 }
+	{ 0 },
 };
+/* clang-format on */

@@ -114,6 +114,7 @@ static void relate_products(u32 *in, u32 random)
 	if (m != 0 && m != 0x7fffffu) in[k] += (random & 16) != 0 ? 1u : 0u - 1u;
 }
 
+/* clang-format off */
 const ts_vector ts_vectors_vector[] = {
 	{ PRIMITIVE(diff_of_products), "6", "a b - c d", { SANE("a", 1), SANE("b", 1), SANE("c", 1), SANE("d", 1) },
 	  { TS_VECTOR_F32, 1 }, { { TS_FAULT_FMA, products_first }, { TS_FAULT_FMA, products_last } },
@@ -133,5 +134,6 @@ const ts_vector ts_vectors_vector[] = {
 	  { { TS_FAULT_FMA, reflect_last }, { TS_FAULT_FMA, reflect_first } } },
 	{ PRIMITIVE(blend), "6, 22", "(w0 a + w1 b) + w2 c", { SANE("w", 3), SANE("a", 3), SANE("b", 3), SANE("c", 3) },
 	  { TS_VECTOR_F32, 3 }, { { TS_FAULT_FMA, blend_last }, { TS_FAULT_FMA, blend_first } } },
-	{ 0 }
+	{ 0 },
 };
+/* clang-format on */

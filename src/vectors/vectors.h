@@ -7,7 +7,6 @@
 #include "../model/core.h"
 #include "../kernels/base/compat.h"
 
-
 enum { TS_VECTOR_ITEMS = 4096, TS_VECTOR_COLUMNS = 5, TS_VECTOR_WORDS = 16, TS_VECTOR_VARIANTS = 6 };
 enum { TS_VECTOR_TABLES = 6, TS_VECTOR_DESCR = 2048 };
 
@@ -16,11 +15,11 @@ typedef enum { TS_VECTOR_F32, TS_VECTOR_I32, TS_VECTOR_U32, TS_VECTOR_I64, TS_VE
 /* Values of one argument. Floats: biased exponents from `low` to `high`, and zero; -0 and denormals only where low is
  * 0, infinity and NaN only where high is 255. Integers: from low to high. */
 typedef struct {
-	const char *name;      /* NULL ends the columns */
+	const char *name; /* NULL ends the columns */
 	ts_vector_type type;
-	u32 count;             /* elements */
+	u32 count; /* elements */
 	i64 low, high;
-	bool is_signed;        /* floats */
+	bool is_signed; /* floats */
 } ts_vector_column;
 
 /* Computes one item from its row. Results of 64 bits are at a multiple of 8 bytes. */
@@ -42,24 +41,32 @@ typedef enum {
 	TS_FAULT_FLOAT,
 	TS_FAULT_DEPTH24,
 	TS_FAULT_INCLUSIVE,
-	TS_N_FAULTS
+	TS_N_FAULTS,
 } ts_vector_fault;
 
-typedef struct { const char *name, *remedy; } ts_vector_fault_info;
+typedef struct {
+	const char *name, *remedy;
+} ts_vector_fault_info;
 extern const ts_vector_fault_info ts_vector_fault_table[TS_N_FAULTS];
 
 /* The same item computed with a fault. */
-typedef struct { ts_vector_fault fault; ts_vector_item *item; } ts_vector_variant;
+typedef struct {
+	ts_vector_fault fault;
+	ts_vector_item *item;
+} ts_vector_variant;
 
 typedef struct {
-	const char *name;      /* NULL ends a table */
-	ts_vector_item *item;  /* of the kernels */
-	const char *rule;      /* of CONTRACT, or the kernel that defines it */
-	const char *doc;       /* one line */
+	const char *name;     /* NULL ends a table */
+	ts_vector_item *item; /* of the kernels */
+	const char *rule;     /* of CONTRACT, or the kernel that defines it */
+	const char *doc;      /* one line */
 	ts_vector_column in[TS_VECTOR_COLUMNS + 1];
-	struct { ts_vector_type type; u32 count; } out;
+	struct {
+		ts_vector_type type;
+		u32 count;
+	} out;
 	ts_vector_variant variants[TS_VECTOR_VARIANTS + 1]; /* ended by one without an item */
-	const f32 *edges;      /* values at which the primitive changes its mind */
+	const f32 *edges;                                   /* values at which the primitive changes its mind */
 	u32 n_edges;
 	/* Brings the arguments of a row into a relation, with random bits; NULL: they have none. Keeps the ranges. */
 	void (*relate)(u32 *in, u32 random);
@@ -105,11 +112,11 @@ void ts_vector_make(const ts_vector *vector, u32 *in, u32 *out);
 
 /* What a port's outputs are worth. */
 typedef struct {
-	u32 n_wrong, first;             /* items; the first wrong one */
-	u32 first_element;              /* of its output */
-	u32 n_explained[TS_N_FAULTS];   /* wrong items that the fault reproduces */
-	u32 first_faults;               /* faults that reproduce the first, as bits */
-	ts_vector_fault fault;          /* the one that reproduces most; TS_N_FAULTS: none reproduces any */
+	u32 n_wrong, first;           /* items; the first wrong one */
+	u32 first_element;            /* of its output */
+	u32 n_explained[TS_N_FAULTS]; /* wrong items that the fault reproduces */
+	u32 first_faults;             /* faults that reproduce the first, as bits */
+	ts_vector_fault fault;        /* the one that reproduces most; TS_N_FAULTS: none reproduces any */
 } ts_vector_verdict;
 ts_vector_verdict ts_vector_judge(const ts_vector *vector, const u32 *in, const u32 *out, const u32 *found);
 

@@ -45,8 +45,9 @@ static void name_it(char *text, size_t bytes, const ts_vector *v, const ts_vecto
 {
 	size_t used = strlen(text);
 	bool known = verdict->fault != TS_N_FAULTS;
-	snprintf(text + used, bytes - used, "%s%s (%" PRIu32 " of %d%s%s)", used != 0 ? ", " : "", v->name, verdict->n_wrong,
-	         TS_VECTOR_ITEMS, known ? ": " : "", known ? ts_vector_fault_table[verdict->fault].name : "");
+	snprintf(text + used, bytes - used, "%s%s (%" PRIu32 " of %d%s%s)", used != 0 ? ", " : "", v->name,
+	         verdict->n_wrong, TS_VECTOR_ITEMS, known ? ": " : "",
+	         known ? ts_vector_fault_table[verdict->fault].name : "");
 }
 
 static ts_status verify(ts_backend *backend, rows *r, char *wrong, size_t bytes)

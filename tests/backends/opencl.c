@@ -72,7 +72,9 @@ static void cull(ts_backend *backend, const ts_launch *launch, pieces *p, u32 fi
 {
 	ts_cull_args args = {.pieces = (ts_piece *)ts_frame_handle(&p->frame, TS_B_split_triangle) + first,
 	                     .scale = (f32 *)ts_frame_handle(&p->frame, TS_B_density_scale) + first,
-	                     .keep = keep, .unit = 1, .enabled = 1};
+	                     .keep = keep,
+	                     .unit = 1,
+	                     .enabled = 1};
 	/* The chance is of the piece's own number, so an offset shows. */
 	assert_int_equal(backend->launch(backend, &p->frame, launch, &args, n), TS_OK);
 }
@@ -227,7 +229,11 @@ static void test_scan(void **state)
 
 /* What is run: with mirrors and without, where buffers of points and pixels are empty; depth maps of every
  * projection and cubes, made from stored points and on the spot, in batches that do not come out even. */
-static const struct { const char *effect, *method; u32 reflectors; const char *set[3][2]; } runs[] = {
+static const struct {
+	const char *effect, *method;
+	u32 reflectors;
+	const char *set[3][2];
+} runs[] = {
 	{"reflections", "epr", 2, {{"seed", "0"}}},
 	{"reflections", "mvr", 2, {{"seed", "0"}}},
 	{"reflections", "epr", 0, {{"seed", "0"}}},
@@ -388,8 +394,8 @@ static void test_vectors(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_launch), cmocka_unit_test(test_lend), cmocka_unit_test(test_in_turn),
-		cmocka_unit_test(test_fill), cmocka_unit_test(test_scan), cmocka_unit_test(test_pipelines),
+		cmocka_unit_test(test_launch),  cmocka_unit_test(test_lend),    cmocka_unit_test(test_in_turn),
+		cmocka_unit_test(test_fill),    cmocka_unit_test(test_scan),    cmocka_unit_test(test_pipelines),
 		cmocka_unit_test(test_refused), cmocka_unit_test(test_vectors),
 	};
 	device_keep_kernels();

@@ -12,7 +12,7 @@ static ts_status sums_of(ts_sums *sums, ts_backend *backend)
 	params.height = 135;
 	params.bounces = 2;
 	assert_int_equal(ts_scene_open(&scene, "atrium:triangles=10000:texels=32", &params, NULL), TS_OK);
-	ts_how how = { .threads = 2, .backend = backend };
+	ts_how how = {.threads = 2, .backend = backend};
 	ts_status status = ts_sums_of(sums, ts_pipeline_find("reflections", "epr"), scene, &params, &how);
 	ts_scene_free(scene);
 	return status;
@@ -21,7 +21,7 @@ static ts_status sums_of(ts_sums *sums, ts_backend *backend)
 static ts_backend *open_parts(u64 part_bytes, bool copies)
 {
 	ts_backend *backend;
-	ts_backend_options options = { .work_group = 64, .build = "", .part_bytes = part_bytes, .copies = copies };
+	ts_backend_options options = {.work_group = 64, .build = "", .part_bytes = part_bytes, .copies = copies};
 	assert_int_equal(ts_opencl_kind.open(&backend, &options), TS_OK);
 	return backend;
 }
@@ -55,7 +55,7 @@ static void test_too_many(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = { cmocka_unit_test(test_parts), cmocka_unit_test(test_too_many) };
+	const struct CMUnitTest tests[] = {cmocka_unit_test(test_parts), cmocka_unit_test(test_too_many)};
 	device_keep_kernels();
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -17,7 +17,7 @@ static void test_traverse(void **state)
 	assert_true(expected.n_pairs > 10000);
 	for (u32 i = 0; i < 4; i++) {
 		ts_backend *backend;
-		ts_backend_options options = { .work_group = 64, .build = "", .copies = i % 2 == 1 };
+		ts_backend_options options = {.work_group = 64, .build = "", .copies = i % 2 == 1};
 		assert_int_equal(ts_opencl_kind.open(&backend, &options), TS_OK);
 		params.queue_mb = i < 2 ? 16 : 1;
 		grove_outcome found = grove_run(&g, scene, &params, 1, backend, i % 3 == 0);
@@ -32,7 +32,7 @@ static void test_traverse(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = { cmocka_unit_test(test_traverse) };
+	const struct CMUnitTest tests[] = {cmocka_unit_test(test_traverse)};
 	device_keep_kernels();
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -9,7 +9,8 @@ static ts_status open_none(void **ties, const ts_trace *reference)
 	return TS_OK;
 }
 
-static const ts_tie_rule one[] = {{TS_B_eye_view, open_none, NULL, NULL}, {TS_B_scene_texel, open_none, NULL, NULL}, {0}};
+static const ts_tie_rule one[] = {
+	{TS_B_eye_view, open_none, NULL, NULL}, {TS_B_scene_texel, open_none, NULL, NULL}, {0}};
 static const ts_tie_rule other[] = {{TS_B_image_radiance, open_none, NULL, NULL}, {0}};
 
 static void test_find(void **state)

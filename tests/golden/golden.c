@@ -131,9 +131,9 @@ static void constant_images(void **state)
 int main(void)
 {
 	const struct CMUnitTest golden[] = {
-		cmocka_unit_test(elements_and_fields),  cmocka_unit_test(every_byte_is_told), cmocka_unit_test(other_shapes),
-		cmocka_unit_test(order_of_the_pipeline), cmocka_unit_test(infinite_floats),
-		cmocka_unit_test(constant_images),
+		cmocka_unit_test(elements_and_fields), cmocka_unit_test(every_byte_is_told),
+		cmocka_unit_test(other_shapes),        cmocka_unit_test(order_of_the_pipeline),
+		cmocka_unit_test(infinite_floats),     cmocka_unit_test(constant_images),
 	};
 	return cmocka_run_group_tests(golden, NULL, NULL);
 }

@@ -7,10 +7,7 @@
 #include <cmocka.h>
 #include "../../src/image/falsecolour.h"
 
-static int lightness(const uint8_t rgb[3])
-{
-	return 2126 * rgb[0] + 7152 * rgb[1] + 722 * rgb[2];
-}
+static int lightness(const uint8_t rgb[3]) { return 2126 * rgb[0] + 7152 * rgb[1] + 722 * rgb[2]; }
 
 static void test_ramp_rises(void **state)
 {

@@ -59,8 +59,7 @@ static void test_png(void **state)
 		if (channels == 2) continue;
 		uint8_t pixels[TEXELS * 4], file[8192], *rgba;
 		uint32_t width, height;
-		for (unsigned i = 0; i < TEXELS * channels; i++)
-			pixels[i] = value(i);
+		for (unsigned i = 0; i < TEXELS * channels; i++) pixels[i] = value(i);
 		assert_int_equal(ts_image_write_png(name("a.png"), pixels, WIDTH, HEIGHT, channels), TS_OK);
 		size_t n = slurp(file, sizeof file);
 		assert_int_equal(ts_image_decode(&rgba, &width, &height, file, n, TEXELS, "a.png"), TS_OK);
@@ -82,13 +81,11 @@ static void test_read_png(void **state)
 	uint8_t pixels[TEXELS * 3];
 	uint32_t width, height, channels;
 	float *read;
-	for (unsigned i = 0; i < TEXELS * 3; i++)
-		pixels[i] = value(i);
+	for (unsigned i = 0; i < TEXELS * 3; i++) pixels[i] = value(i);
 	assert_int_equal(ts_image_write_png(name("b.png"), pixels, WIDTH, HEIGHT, 3), TS_OK);
 	assert_int_equal(ts_image_read(&read, &width, &height, &channels, path), TS_OK);
 	assert_true(width == WIDTH && height == HEIGHT && channels == 3);
-	for (unsigned i = 0; i < TEXELS * 3; i++)
-		assert_true(read[i] == (float)pixels[i] / 255.0f);
+	for (unsigned i = 0; i < TEXELS * 3; i++) assert_true(read[i] == (float)pixels[i] / 255.0f);
 	free(read);
 	assert_gone();
 }
@@ -100,8 +97,7 @@ static void test_exr(void **state)
 		if (n_channels == 2) continue;
 		float pixels[TEXELS * 4], *read;
 		uint32_t width, height, channels;
-		for (unsigned i = 0; i < TEXELS * n_channels; i++)
-			pixels[i] = (float)value(i) * 1234.5f - 3.0f;
+		for (unsigned i = 0; i < TEXELS * n_channels; i++) pixels[i] = (float)value(i) * 1234.5f - 3.0f;
 		assert_int_equal(ts_image_write_exr(name("c.exr"), pixels, WIDTH, HEIGHT, n_channels), TS_OK);
 		assert_int_equal(ts_image_read(&read, &width, &height, &channels, path), TS_OK);
 		assert_true(width == WIDTH && height == HEIGHT && channels == n_channels);
@@ -129,12 +125,11 @@ static void test_damaged(void **state)
 	assert_int_equal(ts_image_write_png(name("d.png"), pixels, WIDTH, HEIGHT, 3), TS_OK);
 	size_t n = slurp(file, sizeof file);
 	refuse(file, n, TEXELS - 1, "at most 90 texels");
-	for (size_t cut = 0; cut < 40; cut++)
-		refuse(file, cut, TEXELS, "picture");
+	for (size_t cut = 0; cut < 40; cut++) refuse(file, cut, TEXELS, "picture");
 	file[0] ^= 1;
 	refuse(file, n, TEXELS, "neither PNG nor JPEG");
 	static const uint8_t jpeg[] = {0xff, 0xd8, 0xff, 0xe0, 0,    4,    0, 0, 0xff, 0xc2, 0,
-								   11,   8,    0xff, 0xff, 0xff, 0xff, 1, 1, 17,   0};
+	                               11,   8,    0xff, 0xff, 0xff, 0xff, 1, 1, 17,   0};
 	refuse(jpeg, sizeof jpeg, 1u << 20, "65535 by 65535");
 	assert_gone();
 }

@@ -23,8 +23,7 @@ static int set_up(void **state)
 		reference[i] = (uint8_t)(next() & 255);
 		image[i] = (uint8_t)(reference[i] / 2 + (next() & 127));
 	}
-	for (size_t i = 0; i < PIXELS; i++)
-		mask[i] = next() % 3 == 0;
+	for (size_t i = 0; i < PIXELS; i++) mask[i] = next() % 3 == 0;
 	return 0;
 }
 
@@ -55,12 +54,11 @@ static double window(uint32_t x, uint32_t y)
 				}
 			}
 		}
-		for (int k = 0; k < 2 && pass == 0; k++)
-			mean[k] /= total;
+		for (int k = 0; k < 2 && pass == 0; k++) mean[k] /= total;
 	}
 	const double c1 = 6.5025, c2 = 58.5225;
 	return (2 * mean[0] * mean[1] + c1) * (2 * cov + c2) /
-		   ((mean[0] * mean[0] + mean[1] * mean[1] + c1) * (var[0] + var[1] + c2));
+	       ((mean[0] * mean[0] + mean[1] * mean[1] + c1) * (var[0] + var[1] + c2));
 }
 
 static void test_against_definition(void **state)
@@ -74,8 +72,7 @@ static void test_against_definition(void **state)
 				size_t at = (size_t)y * WIDTH + x;
 				if (masked && !mask[at]) continue;
 				pixels++;
-				for (size_t c = 3 * at; c < 3 * at + 3; c++)
-					squares += pow(reference[c] - image[c], 2);
+				for (size_t c = 3 * at; c < 3 * at + 3; c++) squares += pow(reference[c] - image[c], 2);
 				if (x < 5 || y < 5 || x + 5 >= WIDTH || y + 5 >= HEIGHT) continue;
 				similar += window(x, y);
 				windows++;
@@ -121,8 +118,7 @@ static void test_mask(void **state)
 	only[0] = 1;
 	ts_metrics m = ts_metrics_compare(reference, image, only, WIDTH, HEIGHT);
 	double squares = 0;
-	for (size_t c = 0; c < 3; c++)
-		squares += pow(reference[c] - image[c], 2);
+	for (size_t c = 0; c < 3; c++) squares += pow(reference[c] - image[c], 2);
 	assert_int_equal(m.pixels, 1);
 	assert_close(m.rmse, sqrt(squares / 3));
 	assert_true(m.ssim < 1);

@@ -109,7 +109,8 @@ static void accept(kind k)
 	size_t n_once, n_twice;
 	uint32_t width, height;
 	file f = make(k);
-	if (clean_of(&f, &once, &n_once) != TS_OK) fail_msg("colour %u depth %u: %s", k.colour, k.depth, ts_error_message());
+	if (clean_of(&f, &once, &n_once) != TS_OK)
+		fail_msg("colour %u depth %u: %s", k.colour, k.depth, ts_error_message());
 	assert_int_equal(ts_png_clean(&twice, &n_twice, once, n_once, "picture"), TS_OK);
 	assert_int_equal(n_once, n_twice);
 	assert_memory_equal(once, twice, n_once);

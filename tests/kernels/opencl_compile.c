@@ -58,7 +58,8 @@ static void every_header_builds(void **state)
 	}
 	assert_true(headers.gl_pathc > 3);
 	assert_int_equal(bad, 0);
-	assert_false(builds(context, device, "#include \"base/num.h\"\nf32 f(void) { return no_such_thing; }", "bad", true));
+	assert_false(
+		builds(context, device, "#include \"base/num.h\"\nf32 f(void) { return no_such_thing; }", "bad", true));
 	globfree(&headers);
 	clReleaseContext(context);
 }

@@ -57,19 +57,21 @@ static inline bool same_bits3(ts_v3 a, ts_v3 b)
 	return same_bits(a.x, b.x) && same_bits(a.y, b.y) && same_bits(a.z, b.z);
 }
 
-typedef struct { double x, y, z; } double3;
+typedef struct {
+	double x, y, z;
+} double3;
 
-static inline double3 d3_of(ts_v3 a) { return (double3){ a.x, a.y, a.z }; }
-static inline double3 d3_add(double3 a, double3 b) { return (double3){ a.x + b.x, a.y + b.y, a.z + b.z }; }
-static inline double3 d3_sub(double3 a, double3 b) { return (double3){ a.x - b.x, a.y - b.y, a.z - b.z }; }
-static inline double3 d3_scale(double3 a, double s) { return (double3){ a.x * s, a.y * s, a.z * s }; }
+static inline double3 d3_of(ts_v3 a) { return (double3){a.x, a.y, a.z}; }
+static inline double3 d3_add(double3 a, double3 b) { return (double3){a.x + b.x, a.y + b.y, a.z + b.z}; }
+static inline double3 d3_sub(double3 a, double3 b) { return (double3){a.x - b.x, a.y - b.y, a.z - b.z}; }
+static inline double3 d3_scale(double3 a, double s) { return (double3){a.x * s, a.y * s, a.z * s}; }
 static inline double3 d3_mad(double3 a, double3 b, double s) { return d3_add(a, d3_scale(b, s)); }
 static inline double d3_dot(double3 a, double3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 static inline double d3_length(double3 a) { return sqrt(d3_dot(a, a)); }
 static inline double3 d3_unit(double3 a) { return d3_scale(a, 1 / d3_length(a)); }
 static inline double3 d3_cross(double3 a, double3 b)
 {
-	return (double3){ a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x };
+	return (double3){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 static inline double3 d3_blend(ts_v3 w, double3 a, double3 b, double3 c)
 {

@@ -37,7 +37,7 @@ static inline void small_clear(small_scene *s)
 static inline u32 small_add(small_scene *s, ts_v3 a, ts_v3 b, ts_v3 c, u32 material, u32 object)
 {
 	u32 t = s->n_triangles++;
-	ts_v3 p[3] = { a, b, c };
+	ts_v3 p[3] = {a, b, c};
 	assert_true(t < MAX_TRIANGLES);
 	s->triangles[t].material = material;
 	for (u32 k = 0; k < 3; k++) {
@@ -59,8 +59,8 @@ static inline u64 texel(u32 r, u32 g, u32 b, u32 a) { return (u64)a << 48 | (u64
 static inline void small_colour(small_scene *s, u32 slot, u32 size, u64 colour)
 {
 	ts_image *image = &s->images[s->n_images];
-	*image = (ts_image){ .width = size, .height = size, .first_texel = s->n_texels };
-	s->slots[slot] = (ts_slot){ .image = s->n_images++, .transform = { 1, 0, 0, 0, 1, 0 } };
+	*image = (ts_image){.width = size, .height = size, .first_texel = s->n_texels};
+	s->slots[slot] = (ts_slot){.image = s->n_images++, .transform = {1, 0, 0, 0, 1, 0}};
 	for (u32 n = size; n > 0; n >>= 1) {
 		image->n_levels++;
 		assert_true(s->n_texels + n * n <= MAX_TEXELS);
@@ -71,9 +71,17 @@ static inline void small_colour(small_scene *s, u32 slot, u32 size, u64 colour)
 static inline ts_arrays small_arrays(const small_scene *s)
 {
 	return (ts_arrays){
-		.vertices = s->vertices, .triangles = s->triangles, .materials = s->materials, .slots = s->slots,
-		.images = s->images, .texels = s->texels, .lights = s->lights, .objects = s->objects,
-		.n_triangles = s->n_triangles, .n_lights = s->n_lights, .ambient = s->ambient,
+		.vertices = s->vertices,
+		.triangles = s->triangles,
+		.materials = s->materials,
+		.slots = s->slots,
+		.images = s->images,
+		.texels = s->texels,
+		.lights = s->lights,
+		.objects = s->objects,
+		.n_triangles = s->n_triangles,
+		.n_lights = s->n_lights,
+		.ambient = s->ambient,
 	};
 }
 

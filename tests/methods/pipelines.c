@@ -58,7 +58,9 @@ static void test_reads(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_effects), cmocka_unit_test(test_making), cmocka_unit_test(test_reads),
+		cmocka_unit_test(test_effects),
+		cmocka_unit_test(test_making),
+		cmocka_unit_test(test_reads),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

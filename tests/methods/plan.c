@@ -83,7 +83,8 @@ static void test_shadows(void **state)
 	p.light_samples = 7;
 	p.pass = 20;
 	p.map_px = 96;
-	ts_plan soft = plan_of("soft-shadows", "vir", &p, NULL, NULL), omni = plan_of("omni-shadows", "epr", &p, NULL, NULL);
+	ts_plan soft = plan_of("soft-shadows", "vir", &p, NULL, NULL),
+			omni = plan_of("omni-shadows", "epr", &p, NULL, NULL);
 	assert_true(soft.units == 40 && soft.lights.samples == 40 && soft.batch == 20 && soft.offscreen.side == 96);
 	assert_true(omni.units == 7 && omni.lights.samples == 7 && omni.batch == 3 && omni.offscreen.side == 96);
 	assert_true(soft.lights.taps == 0 && !soft.lights.own && soft.points.rate == TS_RATE_IS_VIR);
@@ -144,8 +145,8 @@ static void test_counts(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_table), cmocka_unit_test(test_reflections), cmocka_unit_test(test_shadows),
-		cmocka_unit_test(test_request), cmocka_unit_test(test_sets), cmocka_unit_test(test_counts),
+		cmocka_unit_test(test_table),   cmocka_unit_test(test_reflections), cmocka_unit_test(test_shadows),
+		cmocka_unit_test(test_request), cmocka_unit_test(test_sets),        cmocka_unit_test(test_counts),
 	};
 	return cmocka_run_group_tests(tests, begin, end);
 }

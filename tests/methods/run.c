@@ -8,7 +8,8 @@ static char *digests_of(const ts_scene *scene, const ts_params *params, const ch
 {
 	ts_sums sums;
 	const ts_pipeline *pipeline = ts_pipeline_find("reflections", method);
-	ts_status status = ts_sums_of(&sums, pipeline, scene, params, &(ts_how){ .threads = threads, .reference = reference });
+	ts_status status =
+		ts_sums_of(&sums, pipeline, scene, params, &(ts_how){.threads = threads, .reference = reference});
 	if (status != TS_OK) fail_msg("%s: %s", method, ts_error_message());
 	char *text = calloc(TS_N_BUFFERS, 128);
 	assert_non_null(text);
@@ -39,8 +40,8 @@ static void assert_same_runs(const ts_scene *scene, const ts_params *p, const ts
 static void test_threads(void **state)
 {
 	(void)state;
-	static const u32 threads[] = { 2, 3, 7 };
-	static const char *const methods[] = { "epr", "mvr" };
+	static const u32 threads[] = {2, 3, 7};
+	static const char *const methods[] = {"epr", "mvr"};
 	ts_params params = small_params(160, 90);
 	params.bounces = 3;
 	params.face_max = 64;
@@ -93,7 +94,8 @@ static void test_epr_counters(void **state)
 		ts_scene *scene = small_scene(&params);
 		ts_run run;
 		small_run(&run, scene, &params, "epr", 2, NULL, NULL);
-		i64 pixels = (i64)ts_frame_n(&run.frame, TS_B_pixel_record), later = 0, empty = count_none(&run, TS_B_lookup_point);
+		i64 pixels = (i64)ts_frame_n(&run.frame, TS_B_pixel_record), later = 0,
+			empty = count_none(&run, TS_B_lookup_point);
 		if (bounces > 1) later += (i64)ts_frame_n(&run.frame, TS_B_lookup2_parent);
 		if (bounces > 2) later += (i64)ts_frame_n(&run.frame, TS_B_lookup3_parent);
 		if (bounces > 1) empty += count_none(&run, TS_B_lookup2_point);
@@ -189,7 +191,7 @@ static ts_status check_floats(const ts_run *run, const ts_stage *stage, void *us
 static void test_floats(void **state)
 {
 	(void)state;
-	static const char *const methods[] = { "epr", "mvr" };
+	static const char *const methods[] = {"epr", "mvr"};
 	ts_params params = small_params(240, 135);
 	params.bounces = 3;
 	params.face_max = 64;
@@ -309,14 +311,14 @@ static void test_hook_stops(void **state)
 static void test_scan_limit(void **state)
 {
 	(void)state;
-	ts_run run = { .n_counters = 0 };
+	ts_run run = {.n_counters = 0};
 	u64 total;
 	ts_c_begin(&run.c, 1);
 	u32 *counts = ts_frame_make1(&run.frame, TS_B_count_offset, 3);
-	memcpy(counts, (u32[3]){ 0xfffffff0, 14, 0 }, 12);
+	memcpy(counts, (u32[3]){0xfffffff0, 14, 0}, 12);
 	assert_int_equal(ts_run_scan(&run, TS_B_count_offset, &total), TS_OK);
 	assert_true(total == 0xfffffffe && counts[2] == 0xfffffffe && counts[1] == 0xfffffff0 && counts[0] == 0);
-	memcpy(counts, (u32[3]){ 0xfffffff0, 15, 0 }, 12);
+	memcpy(counts, (u32[3]){0xfffffff0, 15, 0}, 12);
 	assert_int_equal(ts_run_scan(&run, TS_B_count_offset, &total), TS_ERROR);
 	ts_frame_clear(&run.frame);
 	assert_non_null(strstr(ts_error_message(), "points"));
@@ -325,9 +327,9 @@ static void test_scan_limit(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_threads),      cmocka_unit_test(test_rho_is_area), cmocka_unit_test(test_epr_counters),
-		cmocka_unit_test(test_adaptive),     cmocka_unit_test(test_mvr_counters), cmocka_unit_test(test_floats),
-		cmocka_unit_test(test_hook_stops),   cmocka_unit_test(test_scan_limit), cmocka_unit_test(test_shapes),
+		cmocka_unit_test(test_threads),    cmocka_unit_test(test_rho_is_area),  cmocka_unit_test(test_epr_counters),
+		cmocka_unit_test(test_adaptive),   cmocka_unit_test(test_mvr_counters), cmocka_unit_test(test_floats),
+		cmocka_unit_test(test_hook_stops), cmocka_unit_test(test_scan_limit),   cmocka_unit_test(test_shapes),
 		cmocka_unit_test(test_lean),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);

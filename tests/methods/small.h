@@ -31,8 +31,8 @@ static inline ts_scene *small_scene(const ts_params *params)
 }
 
 /* Runs a method to its end; the frame stays until ts_run_end. */
-static inline void small_run(ts_run *run, const ts_scene *scene, const ts_params *params, const char *method, u32 threads,
-                             ts_stage_hook hook, void *user)
+static inline void small_run(ts_run *run, const ts_scene *scene, const ts_params *params, const char *method,
+                             u32 threads, ts_stage_hook hook, void *user)
 {
 	ts_run_begin(run, scene, params, threads);
 	run->hook = hook;
@@ -58,7 +58,7 @@ static inline void small_blind(ts_run *copy, const ts_run *run, const ts_stage *
 		ts_buffer *b = &copy->frame.buffer[id];
 		if (!b->made || small_in(ts_stage_inputs(stage), (ts_buffer_id)id)) continue;
 		if (small_in(ts_stage_outputs(stage), (ts_buffer_id)id)) {
-			*b = (ts_buffer){ .made = false };
+			*b = (ts_buffer){.made = false};
 			continue;
 		}
 		b->data = calloc(b->n + 1, ts_buffer_table[id].element_bytes);

@@ -71,11 +71,11 @@ static void test_writers(void **state)
 static void test_readers(void **state)
 {
 	(void)state;
-	static const ts_buffer_id last[] = { TS_B_image_radiance, TS_B_image_srgb, TS_B_shade_used, TS_B_split_scale,
-	                                     TS_B_split_offset, TS_B_splat_tie, TS_B_shadow_resize_least,
-	                                     TS_B_bilateral_row, TS_B_root_least,
-	                                     TS_B_octree_surface_node, TS_B_vpl_offset, TS_B_vpl_path, TS_B_view_cone_sum,
-	                                     TS_B_view_cone_least, TS_N_BUFFERS };
+	static const ts_buffer_id last[] = {TS_B_image_radiance,      TS_B_image_srgb,      TS_B_shade_used,
+	                                    TS_B_split_scale,         TS_B_split_offset,    TS_B_splat_tie,
+	                                    TS_B_shadow_resize_least, TS_B_bilateral_row,   TS_B_root_least,
+	                                    TS_B_octree_surface_node, TS_B_vpl_offset,      TS_B_vpl_path,
+	                                    TS_B_view_cone_sum,       TS_B_view_cone_least, TS_N_BUFFERS};
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
 		u32 n = 0;
 		for (const ts_stage *const *s = ts_stages(); *s != NULL; s++) {
@@ -86,7 +86,10 @@ static void test_readers(void **state)
 	}
 }
 
-typedef struct { bool made[TS_N_BUFFERS]; u32 n_stages; } progress;
+typedef struct {
+	bool made[TS_N_BUFFERS];
+	u32 n_stages;
+} progress;
 
 /* What a stage reads is there; what it writes, it has made. */
 static ts_status watch(const ts_run *run, const ts_stage *stage, void *user)
@@ -115,10 +118,10 @@ static void test_order(void **state)
 	params.reflectors = 3;
 	params.face_max = 32;
 	ts_scene *scene = small_scene(&params);
-	static const char *const methods[] = { "epr", "mvr" };
+	static const char *const methods[] = {"epr", "mvr"};
 	for (u32 m = 0; m < 2; m++) {
 		ts_run run;
-		progress p = { .n_stages = 0 };
+		progress p = {.n_stages = 0};
 		small_run(&run, scene, &params, methods[m], 2, watch, &p);
 		assert_true(p.n_stages >= 9);
 		for (u32 i = 0; i < run.n_timings; i++) assert_non_null(ts_stage_find(run.timings[i].stage));
@@ -134,7 +137,7 @@ static void test_claims(void **state)
 	ts_params params = small_params(96, 64);
 	params.bounces = 3;
 	params.face_px = 24;
-	static const char *const methods[] = { "epr", "mvr" };
+	static const char *const methods[] = {"epr", "mvr"};
 	for (u32 m = 0; m < 2; m++) {
 		params.reflectors = m == 0 ? 4 : 1;
 		params.reflector_px = 40;
@@ -142,7 +145,8 @@ static void test_claims(void **state)
 		ts_run run;
 		ts_run_begin(&run, scene, &params, 2);
 		run.traced = run.margins = true;
-		if (ts_pipeline_run(ts_pipeline_find("reflections", methods[m]), &run) != TS_OK) fail_msg("%s", ts_error_message());
+		if (ts_pipeline_run(ts_pipeline_find("reflections", methods[m]), &run) != TS_OK)
+			fail_msg("%s", ts_error_message());
 		for (u32 i = 0; i < run.n_timings; i++) small_assert_claims(&run, ts_stage_find(run.timings[i].stage));
 		if (m == 0) assert_true(ts_frame_n(&run.frame, TS_B_lookup3_parent) > 0);
 		ts_run_end(&run);

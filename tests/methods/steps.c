@@ -15,7 +15,8 @@ static bool same_but_margin(ts_step a, ts_step b)
 	a.stage = b.stage;
 	a.only_margins = b.only_margins;
 	return a.least_bounces == b.least_bounces && a.only_traced == b.only_traced && a.only_ordered == b.only_ordered &&
-	       a.stored == b.stored && a.only_if == b.only_if && a.unnumbered == b.unnumbered && a.each_batch == b.each_batch;
+	       a.stored == b.stored && a.only_if == b.only_if && a.unnumbered == b.unnumbered &&
+	       a.each_batch == b.each_batch;
 }
 
 static void check(const ts_pipeline *p)
@@ -69,7 +70,9 @@ static void test_own(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_flat), cmocka_unit_test(test_margins), cmocka_unit_test(test_own),
+		cmocka_unit_test(test_flat),
+		cmocka_unit_test(test_margins),
+		cmocka_unit_test(test_own),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

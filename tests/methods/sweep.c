@@ -6,15 +6,17 @@
 enum { N_RANDOM = 24 };
 
 /* Ends that would take a test too long. */
-static const struct { const char *name, *most; } shorter[] = {
-	{ "width", "300" },   { "height", "300" },  { "frame", "40" },     { "reflectors", "16" },
-	{ "face_max", "64" }, { "face_px", "96" },  { "rho_scale", "2" },  { "from_mesh", "2000" },
-	{ NULL, NULL },
+static const struct {
+	const char *name, *most;
+} shorter[] = {
+	{"width", "300"},  {"height", "300"},  {"frame", "40"},       {"reflectors", "16"}, {"face_max", "64"},
+	{"face_px", "96"}, {"rho_scale", "2"}, {"from_mesh", "2000"}, {NULL, NULL},
 };
 
 /* What a scene is opened with; whatever else is set, the scene stays the same. */
-static const char *const of_the_scene[] = { "width",           "height",       "seed", "fov", "eye", "light.irradiance",
-	                                        "light.ambient", "reflectors", "reflector_shape", "reflector_px", NULL };
+static const char *const of_the_scene[] = {
+	"width",      "height",          "seed",         "fov", "eye", "light.irradiance", "light.ambient",
+	"reflectors", "reflector_shape", "reflector_px", NULL};
 
 static bool is_of_the_scene(const char *name)
 {
@@ -56,7 +58,7 @@ static void assert_finite(const ts_run *run, const char *what)
 
 static void assert_runs(const ts_scene *scene, const ts_params *params, const char *what)
 {
-	static const char *const methods[] = { "epr", "mvr" };
+	static const char *const methods[] = {"epr", "mvr"};
 	for (u32 m = 0; m < 2; m++) {
 		ts_run run;
 		ts_run_begin(&run, scene, params, 2);
@@ -97,8 +99,10 @@ static void run_with(const ts_scene *base, const ts_param_info *row, const char 
 	ts_params params = base_params();
 	snprintf(what, sizeof what, "%s=%s", row->name, value);
 	set(&params, row->name, value);
-	if (is_of_the_scene(row->name)) assert_opens_and_runs(&params, what);
-	else assert_runs(base, &params, what);
+	if (is_of_the_scene(row->name))
+		assert_opens_and_runs(&params, what);
+	else
+		assert_runs(base, &params, what);
 }
 
 static void test_each(void **state)
@@ -155,6 +159,6 @@ static void test_together(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = { cmocka_unit_test(test_each), cmocka_unit_test(test_together) };
+	const struct CMUnitTest tests[] = {cmocka_unit_test(test_each), cmocka_unit_test(test_together)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

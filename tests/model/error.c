@@ -23,7 +23,8 @@ static void control_characters_become_question_marks(void **state)
 		char expected = i < 0x20 || i == 0x7f ? '?' : (char)i;
 		assert_int_equal(message[i - 1], expected);
 	}
-	ts_fail("a\n\033[31mb\xc2\x9b" "2Jc");
+	ts_fail("a\n\033[31mb\xc2\x9b"
+	        "2Jc");
 	assert_string_equal(ts_error_message(), "a??[31mb??2Jc");
 }
 

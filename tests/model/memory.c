@@ -111,14 +111,10 @@ static void the_clock_never_goes_back(void **state)
 int main(void)
 {
 	const struct CMUnitTest memory[] = {
-		cmocka_unit_test(zero_bytes_give_a_pointer),
-		cmocka_unit_test(zeroed_memory_is_zero),
-		cmocka_unit_test(absurd_sizes_are_refused),
-		cmocka_unit_test(growing_keeps_the_contents),
-		cmocka_unit_test(failed_growth_leaves_the_array),
-		cmocka_unit_test(memory_of_the_machine_is_plausible),
-		cmocka_unit_test(memory_in_use_is_counted),
-		cmocka_unit_test(the_clock_never_goes_back),
+		cmocka_unit_test(zero_bytes_give_a_pointer),      cmocka_unit_test(zeroed_memory_is_zero),
+		cmocka_unit_test(absurd_sizes_are_refused),       cmocka_unit_test(growing_keeps_the_contents),
+		cmocka_unit_test(failed_growth_leaves_the_array), cmocka_unit_test(memory_of_the_machine_is_plausible),
+		cmocka_unit_test(memory_in_use_is_counted),       cmocka_unit_test(the_clock_never_goes_back),
 	};
 	return cmocka_run_group_tests(memory, NULL, NULL);
 }

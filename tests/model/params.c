@@ -79,8 +79,8 @@ static void ends_of_the_ranges_are_inside(void **state)
 static void malformed_numbers_are_refused(void **state)
 {
 	(void)state;
-	static const char *const bad[] = {"1e400", "nan", "inf", "-inf", "60x", "60 ", " 60", "0x3c", "--60", "6e", ".", "6,5",
-		"60\n", "1e-400"};
+	static const char *const bad[] = {"1e400", "nan",  "inf", "-inf", "60x", "60 ",  " 60",
+	                                  "0x3c",  "--60", "6e",  ".",    "6,5", "60\n", "1e-400"};
 	for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
 		ts_params params;
 		ts_params_default(&params);
@@ -104,8 +104,10 @@ static void maps_halve_down_to_a_texel(void **state)
 	for (uint32_t px = 4; px <= 256; px++) {
 		char text[8];
 		snprintf(text, sizeof text, "%u", (unsigned)px);
-		if ((px & (px - 1)) == 0) accepts("view_px", text);
-		else refuses("view_px", text);
+		if ((px & (px - 1)) == 0)
+			accepts("view_px", text);
+		else
+			refuses("view_px", text);
 	}
 	assert_int_equal(ts_params_set(&(ts_params){0}, "view_px", "48"), TS_ERROR);
 	assert_string_equal(ts_error_message(), "parameter view_px: 48 is not a power of two; 32 or 64 would be right");
@@ -182,7 +184,8 @@ int main(void)
 		cmocka_unit_test(defaults_are_those_of_the_table),
 		cmocka_unit_test(ends_of_the_ranges_are_inside),
 		cmocka_unit_test(malformed_numbers_are_refused),
-		cmocka_unit_test(maps_halve_down_to_a_texel), cmocka_unit_test(choices_are_exact),
+		cmocka_unit_test(maps_halve_down_to_a_texel),
+		cmocka_unit_test(choices_are_exact),
 		cmocka_unit_test(minus_zero_becomes_zero),
 		cmocka_unit_test(text_reads_back_to_the_same_bits),
 		cmocka_unit_test(locale_of_the_host_does_not_matter),

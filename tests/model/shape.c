@@ -17,10 +17,21 @@ static ts_sizes some(void)
 static void test_dims(void **state)
 {
 	(void)state;
-	static const struct { const char *shape; u32 n; u64 dims[TS_MAX_DIMS]; } cases[] = {
-		{"mirror_pixels", 1, {7}}, {"entries2 4", 2, {11, 4}}, {"mirror_pixels*samples+1", 1, {176}},
-		{"mirror_pixels samples 3", 3, {7, 25, 3}}, {"points", 1, {0}}, {"points+1", 1, {1}}, {"1", 1, {1}},
-		{"entries2*4+1 2 3 4", 4, {45, 2, 3, 4}}, {"image_texels", 1, {UINT64_MAX - 1}}, {"2*samples*3*samples", 1, {3750}},
+	static const struct {
+		const char *shape;
+		u32 n;
+		u64 dims[TS_MAX_DIMS];
+	} cases[] = {
+		{"mirror_pixels", 1, {7}},
+		{"entries2 4", 2, {11, 4}},
+		{"mirror_pixels*samples+1", 1, {176}},
+		{"mirror_pixels samples 3", 3, {7, 25, 3}},
+		{"points", 1, {0}},
+		{"points+1", 1, {1}},
+		{"1", 1, {1}},
+		{"entries2*4+1 2 3 4", 4, {45, 2, 3, 4}},
+		{"image_texels", 1, {UINT64_MAX - 1}},
+		{"2*samples*3*samples", 1, {3750}},
 	};
 	ts_sizes sizes = some();
 	for (u32 i = 0; i < sizeof cases / sizeof *cases; i++) {
@@ -37,9 +48,22 @@ static void test_dims(void **state)
 static void test_refused(void **state)
 {
 	(void)state;
-	static const char *const shapes[] = {"", "mirror_pixel", "mirror_pixelss", "points P", "1 2 3 4 5", "points*", "*points",
-		"points**2", "points+2", "+1", "points+1+1", "points  2", "points-1", "1234567890123456789",
-		"points*points*points", "999999999999999999*999999999999999999"};
+	static const char *const shapes[] = {"",
+	                                     "mirror_pixel",
+	                                     "mirror_pixelss",
+	                                     "points P",
+	                                     "1 2 3 4 5",
+	                                     "points*",
+	                                     "*points",
+	                                     "points**2",
+	                                     "points+2",
+	                                     "+1",
+	                                     "points+1+1",
+	                                     "points  2",
+	                                     "points-1",
+	                                     "1234567890123456789",
+	                                     "points*points*points",
+	                                     "999999999999999999*999999999999999999"};
 	for (u32 i = 0; i < sizeof shapes / sizeof *shapes; i++) {
 		ts_shape shape;
 		if (ts_shape_parse(&shape, shapes[i])) fail_msg("\"%s\" is a shape", shapes[i]);
@@ -50,8 +74,9 @@ static void test_refused(void **state)
 static void test_unknown(void **state)
 {
 	(void)state;
-	static const char *const shapes[] = {"pieces", "mirror_pixels pieces", "pieces*mirror_pixels", "pieces+1",
-		"image_texels*2", "image_texels*mirror_pixels+1", "image_texels+1"};
+	static const char *const shapes[] = {"pieces",        "mirror_pixels pieces", "pieces*mirror_pixels",
+	                                     "pieces+1",      "image_texels*2",       "image_texels*mirror_pixels+1",
+	                                     "image_texels+1"};
 	ts_sizes sizes = some();
 	for (u32 i = 0; i < sizeof shapes / sizeof *shapes; i++) {
 		ts_shape shape;
@@ -66,10 +91,16 @@ static void test_unknown(void **state)
 static void test_counts(void **state)
 {
 	(void)state;
-	static const struct { const char *shape; ts_dim dim; bool image; } cases[] = {
-		{"points", TS_DIM_points, false}, {"pieces+1", TS_DIM_pieces, false}, {"height width 3", TS_DIM_height, true},
-		{"height*width+1", TS_DIM_none, false}, {"entries2*4+1", TS_DIM_none, false}, {"6", TS_DIM_none, false},
-		{"grid grid", TS_DIM_grid, false}, {"width height", TS_DIM_width, false}, {"height", TS_DIM_height, false},
+	static const struct {
+		const char *shape;
+		ts_dim dim;
+		bool image;
+	} cases[] = {
+		{"points", TS_DIM_points, false},        {"pieces+1", TS_DIM_pieces, false},
+		{"height width 3", TS_DIM_height, true}, {"height*width+1", TS_DIM_none, false},
+		{"entries2*4+1", TS_DIM_none, false},    {"6", TS_DIM_none, false},
+		{"grid grid", TS_DIM_grid, false},       {"width height", TS_DIM_width, false},
+		{"height", TS_DIM_height, false},
 	};
 	for (u32 i = 0; i < sizeof cases / sizeof *cases; i++) {
 		ts_shape shape;
@@ -92,11 +123,8 @@ static void test_count(void **state)
 int main(void)
 {
 	const struct CMUnitTest shape[] = {
-		cmocka_unit_test(test_dims),
-		cmocka_unit_test(test_refused),
-		cmocka_unit_test(test_unknown),
-		cmocka_unit_test(test_counts),
-		cmocka_unit_test(test_count),
+		cmocka_unit_test(test_dims),   cmocka_unit_test(test_refused), cmocka_unit_test(test_unknown),
+		cmocka_unit_test(test_counts), cmocka_unit_test(test_count),
 	};
 	return cmocka_run_group_tests(shape, NULL, NULL);
 }

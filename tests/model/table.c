@@ -50,7 +50,8 @@ static void test_dims(void **state)
 	}
 	assert_true(ts_buffer_counts(TS_B_vpl_path) == TS_DIM_paths && ts_buffer_tells(TS_B_vpl_path) == TS_DIM_none);
 	assert_true(ts_buffer_tells(TS_B_image_srgb) == TS_DIM_none && ts_buffer_tells(TS_B_nearest_depth) == TS_DIM_none);
-	assert_true(ts_buffer_tells(TS_B_points_key) == TS_DIM_points && ts_buffer_tells(TS_B_scatter_depth) == TS_DIM_texels);
+	assert_true(ts_buffer_tells(TS_B_points_key) == TS_DIM_points &&
+	            ts_buffer_tells(TS_B_scatter_depth) == TS_DIM_texels);
 }
 
 static void test_sums(void **state)
@@ -110,7 +111,7 @@ static void test_indices(void **state)
 int main(void)
 {
 	const struct CMUnitTest table[] = {
-		cmocka_unit_test(test_shapes), cmocka_unit_test(test_dims),     cmocka_unit_test(test_sums),
+		cmocka_unit_test(test_shapes),   cmocka_unit_test(test_dims),    cmocka_unit_test(test_sums),
 		cmocka_unit_test(test_all_sums), cmocka_unit_test(test_indices),
 	};
 	return cmocka_run_group_tests(table, NULL, NULL);

@@ -334,7 +334,7 @@ static void copy_points(ts_candidate *c, const ts_trace *trace, ts_buffer_id id)
 {
 	u64 n = trace->item[id].npy.n;
 	ts_point *points = load(trace, id);
-	f32 (*centre)[4] = malloc(n * sizeof *centre + 1);
+	f32(*centre)[4] = malloc(n * sizeof *centre + 1);
 	u32 *piece = malloc(n * sizeof *piece + 1), *flags = malloc(n * sizeof *flags + 1);
 	for (u64 i = 0; i < n; i++) {
 		memcpy(centre[i], points[i].centre, 12);
@@ -342,9 +342,10 @@ static void copy_points(ts_candidate *c, const ts_trace *trace, ts_buffer_id id)
 		piece[i] = points[i].piece;
 		flags[i] = points[i].flags;
 	}
-	const ts_candidate_field fields[] = {
-		{"centre", centre, 16, 4}, {"length", (const f32 *)centre + 3, 16, 0}, {"piece", piece, 4, 0},
-		{"flags", flags, 4, 0}};
+	const ts_candidate_field fields[] = {{"centre", centre, 16, 4},
+	                                     {"length", (const f32 *)centre + 3, 16, 0},
+	                                     {"piece", piece, 4, 0},
+	                                     {"flags", flags, 4, 0}};
 	ts_candidate_open(c, ts_buffer_table[id].name, 1, trace->item[id].npy.shape);
 	ts_candidate_put_fields(c, n, fields, 4);
 	free(points);
@@ -409,9 +410,9 @@ static int copy(const char *from, const char *to)
 int main(int argc, char **argv)
 {
 	static const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_table),   cmocka_unit_test(test_renamed), cmocka_unit_test(test_strides),
-		cmocka_unit_test(test_fields),  cmocka_unit_test(test_offsets), cmocka_unit_test(test_depth),
-		cmocka_unit_test(test_keys),    cmocka_unit_test(test_failures),
+		cmocka_unit_test(test_table),  cmocka_unit_test(test_renamed),  cmocka_unit_test(test_strides),
+		cmocka_unit_test(test_fields), cmocka_unit_test(test_offsets),  cmocka_unit_test(test_depth),
+		cmocka_unit_test(test_keys),   cmocka_unit_test(test_failures),
 	};
 	if (argc == 4 && strcmp(argv[1], "copy") == 0) return copy(argv[2], argv[3]);
 	if (argc == 2 && strcmp(argv[1], "table") == 0) {

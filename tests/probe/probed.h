@@ -81,14 +81,14 @@ static inline u32 assert_agrees(const json_t *v)
 	json_t *member;
 	u32 n = 0;
 	size_t i;
-	json_object_foreach((json_t *)v, key, member) {
+	json_object_foreach ((json_t *)v, key, member) {
 		n += assert_agrees(member);
 		if (strcmp(key, "check") == 0) assert_memory_equal(json_string_value(member), "bits agree with ", 16);
 		if (strcmp(key, "sum") == 0)
 			assert_string_equal(json_string_value(member), "terms add up to the bits of the total");
 		n += strcmp(key, "check") == 0 || strcmp(key, "sum") == 0;
 	}
-	json_array_foreach((json_t *)v, i, member) n += assert_agrees(member);
+	json_array_foreach ((json_t *)v, i, member) n += assert_agrees(member);
 	return n;
 }
 

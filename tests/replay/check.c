@@ -7,7 +7,8 @@ static const ts_stage *reader_of(ts_buffer_id id, const ts_axis *of, u32 *m)
 {
 	for (*m = of != NULL && ts_axis_counts(of) == TS_DIM_lamps ? TRACES_SOFT : 0; *m < N_TRACES; ++*m) {
 		if (traces[*m]->item[id].path == NULL) continue;
-		FOR_STAGES(*m, stage) {
+		FOR_STAGES(*m, stage)
+		{
 			if (ts_stage_reads(stage, id)) return stage;
 		}
 	}
@@ -63,7 +64,7 @@ static void test_floats(void **state)
 		u32 m;
 		const ts_stage *stage = reader_of((ts_buffer_id)id, NULL, &m);
 		const ts_fields fields = ts_fields_of((ts_buffer_id)id);
-	u32 n = fields.n;
+		u32 n = fields.n;
 		for (u32 f = 0; f < n && stage != NULL; f++) {
 			u64 elements = traces[m]->item[id].npy.n;
 			if (fields.field[f].kind != 'f' || elements == 0) continue;
@@ -80,15 +81,15 @@ static void test_shapes(void **state)
 {
 	(void)state;
 	static const ts_buffer_id counted[] = {
-		TS_B_pose_vertex,     TS_B_resize_face,    TS_B_eye_depth_triangle,  TS_B_pixel_offset,
-		TS_B_visibility_bits, TS_B_density_scale,  TS_B_cull_keep,           TS_B_align_frame,
-		TS_B_count_offset,    TS_B_points_record,  TS_B_splat_depth_index,   TS_B_lookup_point,
-		TS_B_lookup2_offset,  TS_B_lookup3_offset, TS_B_face_depth_triangle, TS_B_face_mip,
-		TS_B_lamp_shape,      TS_B_offscreen_view, TS_B_scatter_depth,       TS_B_scatter_colour,
-		TS_B_resolve_lit,     TS_B_rsm_depth_triangle, TS_B_gbuffer_pixel,   TS_B_nearest_depth,
-		TS_B_segment_label,   TS_B_range_least,    TS_B_box_offset,          TS_B_gather_moment,
-		TS_B_fit_lobes,       TS_B_indirect_irradiance, TS_B_voxel_mask,     TS_B_view_octree_leaf,
-		TS_B_view_cone_node,  TS_B_map_depth_node, TS_B_fuse_depth,          TS_B_vpl_pairs_offset,
+		TS_B_pose_vertex,         TS_B_resize_face,         TS_B_eye_depth_triangle,  TS_B_pixel_offset,
+		TS_B_visibility_bits,     TS_B_density_scale,       TS_B_cull_keep,           TS_B_align_frame,
+		TS_B_count_offset,        TS_B_points_record,       TS_B_splat_depth_index,   TS_B_lookup_point,
+		TS_B_lookup2_offset,      TS_B_lookup3_offset,      TS_B_face_depth_triangle, TS_B_face_mip,
+		TS_B_lamp_shape,          TS_B_offscreen_view,      TS_B_scatter_depth,       TS_B_scatter_colour,
+		TS_B_resolve_lit,         TS_B_rsm_depth_triangle,  TS_B_gbuffer_pixel,       TS_B_nearest_depth,
+		TS_B_segment_label,       TS_B_range_least,         TS_B_box_offset,          TS_B_gather_moment,
+		TS_B_fit_lobes,           TS_B_indirect_irradiance, TS_B_voxel_mask,          TS_B_view_octree_leaf,
+		TS_B_view_cone_node,      TS_B_map_depth_node,      TS_B_fuse_depth,          TS_B_vpl_pairs_offset,
 		TS_B_surfel_depth_surfel, TS_B_blend_sum,
 	};
 	for (u32 i = 0; i < sizeof counted / sizeof *counted; i++) {
@@ -97,7 +98,8 @@ static void test_shapes(void **state)
 		const ts_stage *stage = NULL;
 		for (m = 0; m < N_TRACES && stage == NULL; m++) {
 			if (traces[m]->item[counted[i]].path == NULL) continue;
-			FOR_STAGES(m, s) {
+			FOR_STAGES(m, s)
+			{
 				if (ts_stage_reads(s, counted[i])) stage = s; /* the last: it reads most */
 			}
 		}

@@ -222,7 +222,8 @@ static bool is_known(u32 m, const ts_stage *stage)
 {
 	if (m == TRACES_OMNI && strncmp(stage->name, "scatter", 7) == 0) return false; /* of stored points */
 	for (u32 before = 0; before < m; before++) {
-		FOR_STAGES(before, s) {
+		FOR_STAGES(before, s)
+		{
 			if (s == stage) return true;
 		}
 	}
@@ -233,11 +234,13 @@ static void test_damage(void **state)
 {
 	(void)state;
 	for (u32 m = 0; m < N_TRACES; m++) {
-		FOR_STAGES(m, stage) {
+		FOR_STAGES(m, stage)
+		{
 			for (u32 id = 0; id < TS_N_BUFFERS && !is_known(m, stage); id++) {
 				if (!ts_stage_reads(stage, (ts_buffer_id)id) || is_slow(stage, (ts_buffer_id)id)) continue;
 				if (traces[m]->item[id].path == NULL) continue;
-				for (u32 kind = 0; kind < N_DAMAGES; kind++) damage_and_run(m, stage, (ts_buffer_id)id, (damage_kind)kind);
+				for (u32 kind = 0; kind < N_DAMAGES; kind++)
+					damage_and_run(m, stage, (ts_buffer_id)id, (damage_kind)kind);
 			}
 		}
 	}
@@ -246,12 +249,8 @@ static void test_damage(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_values),
-		cmocka_unit_test(test_views),
-		cmocka_unit_test(test_segments),
-		cmocka_unit_test(test_lamps),
-		cmocka_unit_test(test_sums),
-		cmocka_unit_test(test_squares),
+		cmocka_unit_test(test_values), cmocka_unit_test(test_views), cmocka_unit_test(test_segments),
+		cmocka_unit_test(test_lamps),  cmocka_unit_test(test_sums),  cmocka_unit_test(test_squares),
 		cmocka_unit_test(test_damage),
 	};
 	return cmocka_run_group_tests(tests, traces_begin, traces_end);

@@ -19,7 +19,8 @@ static inline void put(const ts_buffer *buffer, ts_buffer_id id, u64 element, co
 	while (f < n && strcmp(fields.field[f].name, name) != 0) f++;
 	assert_true(f < n && element < buffer->n && component < fields.field[f].count);
 	size_t bytes = fields.field[f].bytes;
-	u8 *at = (u8 *)buffer->data + element * ts_buffer_table[id].element_bytes + fields.field[f].offset + component * bytes;
+	u8 *at =
+		(u8 *)buffer->data + element * ts_buffer_table[id].element_bytes + fields.field[f].offset + component * bytes;
 	memcpy(at, &value, bytes);
 }
 

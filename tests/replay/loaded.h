@@ -67,7 +67,8 @@ static inline void refuses(const char *name, ts_buffer_id id, u64 element, const
 	snprintf(place, sizeof place, ": element %u", (unsigned)element);
 	const char *message = ts_error_message();
 	bool told = strncmp(message, ts_buffer_table[id].name, strlen(ts_buffer_table[id].name)) == 0 &&
-	            strstr(message, place) != NULL && strstr(message, "would be right") != NULL && strchr(message, '\n') == NULL;
+	            strstr(message, place) != NULL && strstr(message, "would be right") != NULL &&
+	            strchr(message, '\n') == NULL;
 	if (status != TS_ERROR || !told) fail_msg("%s, %s of %s: %s", name, field, ts_buffer_table[id].name, message);
 }
 

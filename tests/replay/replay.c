@@ -6,7 +6,8 @@ static void test_same(void **state)
 {
 	(void)state;
 	for (u32 m = 0; m < N_TRACES; m++) {
-		FOR_STAGES(m, stage) {
+		FOR_STAGES(m, stage)
+		{
 			for (u32 threads = 1; threads <= 3; threads += 2) {
 				ts_load *load;
 				if (ts_replay(&load, stage, traces[m], NULL, threads) != TS_OK) fail_msg("%s", ts_error_message());
@@ -39,8 +40,7 @@ static void plant_and_find(u32 m, const ts_stage *stage, ts_load *load, ts_buffe
 	assert_int_equal(ts_judge(&v, load, id, NULL), TS_DIFFERENT);
 	assert_int_equal(v.verdict.n_different, 1);
 	assert_int_equal(v.verdict.n_ref, buffer.n);
-	if (v.verdict.first.element != element || v.verdict.first.component != component ||
-	    v.verdict.first.field != f) {
+	if (v.verdict.first.element != element || v.verdict.first.component != component || v.verdict.first.field != f) {
 		fail_msg("%s, %s: planted in element %u, field %s, component %u; found: %s", stage->name,
 		         ts_buffer_table[id].name, (unsigned)element, fields.field[f].name, (unsigned)component, v.text);
 	}
@@ -54,7 +54,8 @@ static void test_planted(void **state)
 	(void)state;
 	u32 seed = 1;
 	for (u32 m = 0; m < N_TRACES; m++) {
-		FOR_STAGES(m, stage) {
+		FOR_STAGES(m, stage)
+		{
 			ts_load *load;
 			assert_int_equal(ts_replay(&load, stage, traces[m], NULL, 2), TS_OK);
 			for (const ts_buffer_id *id = ts_stage_outputs(stage); *id != TS_N_BUFFERS; id++)

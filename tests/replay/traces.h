@@ -12,7 +12,10 @@ enum { MAX_DIR = 256, MAX_TEXT = 4096 };
 
 static char traces_root[] = "/tmp/touchstone-traces-XXXXXX";
 /* Views of shadows come in batches; only the last one is smaller. */
-static const struct { const char *effect, *method; u32 lamp, buffered; } traces_runs[] = {
+static const struct {
+	const char *effect, *method;
+	u32 lamp, buffered;
+} traces_runs[] = {
 	{"reflections", "epr", 0, 0},
 	{"reflections", "mvr", 0, 0},
 	{"reflections", "ivir", 0, 0},
@@ -26,8 +29,19 @@ static const struct { const char *effect, *method; u32 lamp, buffered; } traces_
 	{"indirect", "megaviews", 0, 0},
 	{"surfels", "deferred", 0, 0},
 };
-enum { TRACES_IVIR = 2, TRACES_SOFT, TRACES_OMNI, TRACES_DEPTH, TRACES_PCSS, TRACES_EPR, TRACES_HULLS, TRACES_DIRECT,
-       TRACES_MEGAVIEWS, TRACES_SURFELS, N_TRACES };
+enum {
+	TRACES_IVIR = 2,
+	TRACES_SOFT,
+	TRACES_OMNI,
+	TRACES_DEPTH,
+	TRACES_PCSS,
+	TRACES_EPR,
+	TRACES_HULLS,
+	TRACES_DIRECT,
+	TRACES_MEGAVIEWS,
+	TRACES_SURFELS,
+	N_TRACES
+};
 static ts_trace *traces[N_TRACES];
 static ts_trace_writer *traces_writer;
 static u32 traces_m;
@@ -166,7 +180,8 @@ static inline ts_trace *traces_plant(u32 m, const planted *own, u32 n, const cha
 	snprintf(path, sizeof path, "%s/trace.json", dir);
 	FILE *json = fopen(path, "w");
 	assert_non_null(json);
-	fprintf(json, "{\"format\": \"touchstone-trace\", \"version\": 1, \"contract\": 1, \"pipeline\": \"%s\", "
+	fprintf(json,
+	        "{\"format\": \"touchstone-trace\", \"version\": 1, \"contract\": 1, \"pipeline\": \"%s\", "
 	        "\"effect\": \"%s\", ",
 	        traces[m]->pipeline->name, traces[m]->pipeline->effect->name);
 	fprintf(json, "\"order\": \"%s\", \"buffers\": [", order);

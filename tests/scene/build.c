@@ -118,8 +118,12 @@ static void test_sanitized(void **state)
 	(void)state;
 	ts_build *build = start();
 	ts_vertex wild = {
-		.position = {NAN, -0.0f, 1e-42f}, .normal = {0.0f, 3.0f, 4.0f}, .pad = 7, .object = 9,
-		.tangent = {2.0f, 0.0f, 0.0f, -5.0f}, .uv = {INFINITY, 0.0f, 0.0f, 0.0f},
+		.position = {NAN, -0.0f, 1e-42f},
+		.normal = {0.0f, 3.0f, 4.0f},
+		.pad = 7,
+		.object = 9,
+		.tangent = {2.0f, 0.0f, 0.0f, -5.0f},
+		.uv = {INFINITY, 0.0f, 0.0f, 0.0f},
 	};
 	u32 i = ts_build_vertex(build, &wild);
 	ts_material dirty = ts_material_default();
@@ -236,8 +240,10 @@ static void test_cameras(void **state)
 		ts_scene *scene;
 		ts_status status = ts_build_finish(build, &params, asked[i], &scene);
 		assert_int_equal(status, i == 1 ? TS_ERROR : TS_OK);
-		if (i == 1) assert_non_null(strstr(ts_error_message(), "camera c does not exist; there are: a, b"));
-		else assert_int_equal(scene->camera, i == 0 ? 1 : 0);
+		if (i == 1)
+			assert_non_null(strstr(ts_error_message(), "camera c does not exist; there are: a, b"));
+		else
+			assert_int_equal(scene->camera, i == 0 ? 1 : 0);
 		ts_scene_free(scene);
 	}
 	ts_scene *scene;

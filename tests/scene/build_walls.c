@@ -41,7 +41,8 @@ static void wall(ts_build *build, f32 x0, f32 z0, f32 x1, f32 z1, f32 low, f32 h
 }
 
 /* Four walls that face inwards, or outwards. */
-static void walls(ts_build *build, const f32 low[2], const f32 high[2], f32 bottom, f32 top, bool outwards, u32 material)
+static void walls(ts_build *build, const f32 low[2], const f32 high[2], f32 bottom, f32 top, bool outwards,
+                  u32 material)
 {
 	f32 x0 = outwards ? high[0] : low[0], x1 = outwards ? low[0] : high[0];
 	wall(build, x0, low[1], x1, low[1], bottom, top, material);
@@ -68,7 +69,8 @@ static void expect(ts_build *build, double x0, double z0, double x1, double z1)
 	const ts_info *info = &scene->info;
 	const f32 found[4] = {info->hall_min[0], info->hall_min[1], info->hall_max[0], info->hall_max[1]};
 	for (u32 i = 0; i < 4; i++)
-		if (fabs((double)found[i] - wanted[i]) > 1e-4) fail_msg("side %u at %g, not %g", i, (double)found[i], wanted[i]);
+		if (fabs((double)found[i] - wanted[i]) > 1e-4)
+			fail_msg("side %u at %g, not %g", i, (double)found[i], wanted[i]);
 	ts_scene_free(scene);
 }
 
@@ -154,12 +156,9 @@ static void test_reflectors_are_no_walls(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_one_room),
-		cmocka_unit_test(test_room_beside_the_middle),
-		cmocka_unit_test(test_sides),
-		cmocka_unit_test(test_not_walls),
-		cmocka_unit_test(test_open),
-		cmocka_unit_test(test_reflectors_are_no_walls),
+		cmocka_unit_test(test_one_room), cmocka_unit_test(test_room_beside_the_middle),
+		cmocka_unit_test(test_sides),    cmocka_unit_test(test_not_walls),
+		cmocka_unit_test(test_open),     cmocka_unit_test(test_reflectors_are_no_walls),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

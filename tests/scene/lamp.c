@@ -15,12 +15,9 @@ static int set_up(void **state)
 {
 	ts_params_default(&params);
 	lens = (ts_lens){.side = 256, .fov = params.lamp_fov};
-	infos[0] = (ts_info){ .box_min = { -3, -1, 10 }, .box_max = { 5, 5, 40 },
-	                      .hall_min = { -2, 12 }, .hall_max = { 4, 36 } };
-	infos[1] = (ts_info){ .box_min = { -50, 0, -9 }, .box_max = { 50, 8, 9 },
-	                      .hall_min = { -40, -8 }, .hall_max = { 40, 8 } };
-	infos[2] = (ts_info){ .box_min = { -1, -2, -3 }, .box_max = { 2, 1, 4 },
-	                      .hall_min = { -1, -3 }, .hall_max = { 2, 4 } };
+	infos[0] = (ts_info){.box_min = {-3, -1, 10}, .box_max = {5, 5, 40}, .hall_min = {-2, 12}, .hall_max = {4, 36}};
+	infos[1] = (ts_info){.box_min = {-50, 0, -9}, .box_max = {50, 8, 9}, .hall_min = {-40, -8}, .hall_max = {40, 8}};
+	infos[2] = (ts_info){.box_min = {-1, -2, -3}, .box_max = {2, 1, 4}, .hall_min = {-1, -3}, .hall_max = {2, 4}};
 	return restart(state);
 }
 
@@ -28,7 +25,7 @@ static int set_up(void **state)
 
 static ts_light random_light(u32 kind)
 {
-	ts_light light = { .kind = kind };
+	ts_light light = {.kind = kind};
 	ts_store3(light.position, uniform3(-9, 9));
 	ts_store3(light.direction, direction());
 	f32 outer = uniform(0.3f, 0.99f), inner = outer + (1 - outer) * uniform(0.2f, 0.9f);
@@ -41,7 +38,7 @@ static double3 load(const f32 *p) { return d3_of(ts_load3(p)); }
 
 static void check_axes(const ts_offscreen *view)
 {
-	const double3 axes[3] = { load(view->right), load(view->up), load(view->back) };
+	const double3 axes[3] = {load(view->right), load(view->up), load(view->back)};
 	for (u32 i = 0; i < 3; i++) {
 		for (u32 j = 0; j < 3; j++) assert_near(d3_dot(axes[i], axes[j]), i == j, 1e-6);
 	}
@@ -56,8 +53,8 @@ static double3 project(const ts_offscreen *view, double3 p)
 {
 	double3 d = d3_sub(p, load(view->eye));
 	double z = -d3_dot(load(view->back), d), unit = view->orthographic != 0 ? 1 : z;
-	return (double3){ view->width * 0.5 + view->focal * d3_dot(load(view->right), d) / unit,
-	                  view->height * 0.5 - view->focal * d3_dot(load(view->up), d) / unit, z };
+	return (double3){view->width * 0.5 + view->focal * d3_dot(load(view->right), d) / unit,
+	                 view->height * 0.5 - view->focal * d3_dot(load(view->up), d) / unit, z};
 }
 
 /* Of spot and point lights on the disc across the axis: the k-th of n within sqrt((k + 1) / n) of the radius, no two alike;
@@ -69,7 +66,7 @@ static void test_disc(void **state)
 		ts_light light = random_light(i & 1 ? TS_LIGHT_KIND_POINT : TS_LIGHT_KIND_SPOT);
 		f32 radius = uniform(0, 2);
 		u32 n = 1 + below(40);
-		double3 mean = { 0, 0, 0 }, position = load(light.position);
+		double3 mean = {0, 0, 0}, position = load(light.position);
 		ts_offscreen first, before;
 		for (u32 k = 0; k < n; k++) {
 			ts_offscreen view;
@@ -81,7 +78,8 @@ static void test_disc(void **state)
 			assert_true(d3_length(at) <= radius * sqrt((k + 1.0) / n) + 1e-5);
 			if (n == 1) assert_true(d3_length(at) == 0);
 			if (k > 0) assert_memory_equal(view.back, first.back, sizeof view.back);
-			if (k > 0 && radius > 0.1f) assert_true(d3_distance(load(view.eye), load(before.eye)) > 0.05 * (double)radius);
+			if (k > 0 && radius > 0.1f)
+				assert_true(d3_distance(load(view.eye), load(before.eye)) > 0.05 * (double)radius);
 			if (k == 0) first = view;
 			before = view;
 			mean = d3_mad(mean, at, 1.0 / n);
@@ -106,7 +104,8 @@ static void test_axes(void **state)
 		ts_lamp_view(&view, &light, 0, 0, 1, &infos[i % 3], &lens);
 		assert_near(view.reach[0], tan(22.5 * 0.017453292519943295), 1e-6);
 		ts_space hall = ts_view_hall(&infos[i % 3]);
-		double3 way = d3_mad(load(light.position), load(view.back), -d3_distance(load(light.position), d3_of(hall.middle)));
+		double3 way =
+			d3_mad(load(light.position), load(view.back), -d3_distance(load(light.position), d3_of(hall.middle)));
 		double3 off = d3_sub(way, d3_of(hall.middle));
 		assert_true(d3_length(off) <= 2 * d3_length(d3_of(hall.half)));
 	}
@@ -133,10 +132,11 @@ static void test_sun(void **state)
 			assert_true(sqrt(fmax(1 - cosine * cosine, 0)) <= cosine * (radius + 1e-3));
 			if (n == 1) assert_near(cosine, 1, 1e-6);
 			for (u32 c = 0; c < 8; c++) {
-				double3 at = project(&view, (double3){ c & 1 ? info->box_min[0] : info->box_max[0],
-				                                       c & 2 ? info->box_min[1] : info->box_max[1],
-				                                       c & 4 ? info->box_min[2] : info->box_max[2] });
-				assert_true(at.x > 1 && at.y > 1 && at.x < view.width - 1 && at.y < view.height - 1 && at.z > view.near);
+				double3 at = project(&view, (double3){c & 1 ? info->box_min[0] : info->box_max[0],
+				                                      c & 2 ? info->box_min[1] : info->box_max[1],
+				                                      c & 4 ? info->box_min[2] : info->box_max[2]});
+				assert_true(at.x > 1 && at.y > 1 && at.x < view.width - 1 && at.y < view.height - 1 &&
+				            at.z > view.near);
 			}
 		}
 	}
@@ -182,7 +182,7 @@ static void test_ball(void **state)
 		ts_lamp_ball(&ball, info, &params);
 		u32 n = 1 + below(40);
 		double radius = ts_lamp_radius(&ball, info, &params);
-		double3 mean = { 0, 0, 0 };
+		double3 mean = {0, 0, 0};
 		for (u32 k = 0; k < n; k++) {
 			ts_face cube;
 			ts_lamp_cube(&cube, &ball, (f32)radius, k, n, info, lens.side);

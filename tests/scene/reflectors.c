@@ -27,8 +27,11 @@ static ts_scene *room(f32 x, f32 y, f32 z, const char *camera)
 		ts_build_vertex(build, &v);
 	}
 	ts_build_triangle(build, 0, 1, 2, TS_NONE);
-	ts_camera door = {.name = "door", .eye = {-7.0f + 0.97f * x, 2.0f + 0.4f * y, 30.0f + 0.4f * z},
-	                  .right = {0.0f, 0.0f, -1.0f}, .up = {0.0f, 1.0f, 0.0f}, .back = {1.0f, 0.0f, 0.0f},
+	ts_camera door = {.name = "door",
+	                  .eye = {-7.0f + 0.97f * x, 2.0f + 0.4f * y, 30.0f + 0.4f * z},
+	                  .right = {0.0f, 0.0f, -1.0f},
+	                  .up = {0.0f, 1.0f, 0.0f},
+	                  .back = {1.0f, 0.0f, 0.0f},
 	                  .yfov = 0.125f};
 	ts_build_camera(build, &door);
 	ts_reflectors_add(build, &params, camera);
@@ -77,8 +80,8 @@ static void check_size(f32 x, f32 y, f32 z, const char *camera)
 	ts_scene *scene = room(x, y, z, camera);
 	double mean = mean_diameter(scene);
 	if (fabs(mean / (double)params.reflector_px - 1.0) > 1e-4)
-		fail_msg("%u reflectors in %g x %g x %g: %g px, expected %g", params.reflectors, (double)x, (double)y, (double)z,
-		         mean, (double)params.reflector_px);
+		fail_msg("%u reflectors in %g x %g x %g: %g px, expected %g", params.reflectors, (double)x, (double)y,
+		         (double)z, mean, (double)params.reflector_px);
 	assert_int_equal(scene->n_notes, 0);
 	ts_scene_free(scene);
 }

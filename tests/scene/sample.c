@@ -165,14 +165,16 @@ static void the_texture_is_read_where_they_are(void **state)
 	(void)state;
 	static const u8 texels[16] = {255, 255, 255, 255, 0, 0, 0, 255, 0, 0, 0, 255, 255, 255, 255, 255};
 	ts_build *build = ts_build_new("test");
-	ts_slot slot = {.image = ts_build_image(build, texels, 2, 2, false), .wrap = {TS_CLAMP, TS_CLAMP},
+	ts_slot slot = {.image = ts_build_image(build, texels, 2, 2, false),
+	                .wrap = {TS_CLAMP, TS_CLAMP},
 	                .transform = {1, 0, 0, 0, 1, 0}};
 	ts_material material = ts_material_default();
 	material.slot[TS_SLOT_BASE] = ts_build_slot(build, &slot);
 	u32 m = ts_build_material(build, &material), v[3];
 	for (u32 k = 0; k < 3; k++) {
 		ts_vertex vertex = {.position = {k == 1 ? 2.0f : 0.0f, k == 2 ? 2.0f : 0.0f, 0.0f},
-		                    .uv = {k == 1 ? 2.0f : 0.0f, k == 2 ? 2.0f : 0.0f}, .colour = {1, 1, 1, 1}};
+		                    .uv = {k == 1 ? 2.0f : 0.0f, k == 2 ? 2.0f : 0.0f},
+		                    .colour = {1, 1, 1, 1}};
 		v[k] = ts_build_vertex(build, &vertex);
 	}
 	ts_build_triangle(build, v[0], v[1], v[2], m);
@@ -180,7 +182,7 @@ static void the_texture_is_read_where_they_are(void **state)
 	u32 n_white = 0, n_black = 0;
 	for (u32 i = 0; i < scene->n_surfels; i++) {
 		const ts_surfel *s = &scene->surfels[i];
-		bool left = s->centre[0] < 0.25f, right = s->centre[0] > 0.75f;
+		bool left = s->centre[0]<0.25f, right = s->centre[0]> 0.75f;
 		if (s->centre[1] > 0.25f || !(left || right)) continue;
 		assert_colour(s, left ? 1.0f : 0.0f, left ? 1.0f : 0.0f);
 		n_white += left;

@@ -105,11 +105,8 @@ static void test_splats(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_room),
-		cmocka_unit_test(test_camera),
-		cmocka_unit_test(test_instances),
-		cmocka_unit_test(test_points),
-		cmocka_unit_test(test_splats),
+		cmocka_unit_test(test_room),   cmocka_unit_test(test_camera), cmocka_unit_test(test_instances),
+		cmocka_unit_test(test_points), cmocka_unit_test(test_splats),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -153,12 +153,8 @@ static void test_unknown(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_closed),
-		cmocka_unit_test(test_volume),
-		cmocka_unit_test(test_normals),
-		cmocka_unit_test(test_radius),
-		cmocka_unit_test(test_sphere_is_round),
-		cmocka_unit_test(test_unknown),
+		cmocka_unit_test(test_closed), cmocka_unit_test(test_volume),          cmocka_unit_test(test_normals),
+		cmocka_unit_test(test_radius), cmocka_unit_test(test_sphere_is_round), cmocka_unit_test(test_unknown),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

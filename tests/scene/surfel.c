@@ -56,7 +56,8 @@ static void circles_are_round_and_face_their_normal(void **state)
 
 static void assert_says(const char *fault, const char *words)
 {
-	if (fault == NULL || strstr(fault, words) == NULL) fail_msg("\"%s\" does not say \"%s\"", fault ? fault : "", words);
+	if (fault == NULL || strstr(fault, words) == NULL)
+		fail_msg("\"%s\" does not say \"%s\"", fault ? fault : "", words);
 }
 
 static void circles_without_a_size_or_a_normal_are_refused(void **state)

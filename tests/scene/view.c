@@ -13,10 +13,16 @@ static int set_up(void **state)
 {
 	(void)state;
 	ts_params_default(&params);
-	room = (ts_info){.circles = 1, .box_min = {-3.0f, -1.0f, 10.0f}, .box_max = {5.0f, 5.0f, 40.0f},
-	                  .hall_min = {-3.0f, 10.0f}, .hall_max = {5.0f, 40.0f}};
-	camera = (ts_camera){.eye = {1.0f, 2.0f, 3.0f}, .right = {0.0f, 0.0f, -1.0f}, .up = {0.0f, 1.0f, 0.0f},
-	                         .back = {1.0f, 0.0f, 0.0f}, .yfov = 0.125f};
+	room = (ts_info){.circles = 1,
+	                 .box_min = {-3.0f, -1.0f, 10.0f},
+	                 .box_max = {5.0f, 5.0f, 40.0f},
+	                 .hall_min = {-3.0f, 10.0f},
+	                 .hall_max = {5.0f, 40.0f}};
+	camera = (ts_camera){.eye = {1.0f, 2.0f, 3.0f},
+	                     .right = {0.0f, 0.0f, -1.0f},
+	                     .up = {0.0f, 1.0f, 0.0f},
+	                     .back = {1.0f, 0.0f, 0.0f},
+	                     .yfov = 0.125f};
 	return 0;
 }
 

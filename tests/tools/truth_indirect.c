@@ -11,7 +11,9 @@
 #include "../../src/methods/views/tools/tools.h"
 
 /* Means of irradiance over the picture: of the truths, and of `direct`, which asks for no visibility. */
-typedef struct { double lights, bounce, vpls, direct; } means;
+typedef struct {
+	double lights, bounce, vpls, direct;
+} means;
 
 static double mean(const ts_run *run)
 {

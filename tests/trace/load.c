@@ -164,8 +164,8 @@ static void test_set_by_method(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_contents), cmocka_unit_test(test_precedence), cmocka_unit_test(test_missing),
-		cmocka_unit_test(test_cropped),  cmocka_unit_test(test_large),      cmocka_unit_test(test_shrunk),
+		cmocka_unit_test(test_contents), cmocka_unit_test(test_precedence),    cmocka_unit_test(test_missing),
+		cmocka_unit_test(test_cropped),  cmocka_unit_test(test_large),         cmocka_unit_test(test_shrunk),
 		cmocka_unit_test(test_match),    cmocka_unit_test(test_set_by_method),
 	};
 	return cmocka_run_group_tests(tests, traces_begin, traces_end);

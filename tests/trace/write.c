@@ -48,8 +48,7 @@ static u32 check_digests(const char *dir, const ts_sums *sums)
 	json_t *root, *buffers = buffers_of(&root, dir), *entry;
 	size_t i;
 	u32 n = 0;
-	json_array_foreach(buffers, i, entry)
-	{
+	json_array_foreach (buffers, i, entry) {
 		char hex[TS_DIGEST_BYTES], path[3 * FOLDER_PATH];
 		ts_buffer_id id;
 		const char *sha256 = json_string_value(json_object_get(entry, "sha256"));
@@ -72,7 +71,7 @@ static void traced(const char *name, const char *method, const ts_params *p, ts_
 	char dir[FOLDER_PATH];
 	snprintf(dir, sizeof dir, "%s", folder_path("%s", name));
 	small_trace(dir, method, scene, p, options);
-	ts_how how = { .threads = 1, .reference = true };
+	ts_how how = {.threads = 1, .reference = true};
 	assert_int_equal(ts_sums_of(&sums, ts_pipeline_find("reflections", method), scene, p, &how), TS_OK);
 	bool cropped = options.crop[2] != 0;
 	assert_true(check_digests(dir, cropped ? NULL : &sums) >= least);

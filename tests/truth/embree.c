@@ -13,10 +13,7 @@ enum { SEED = 7, STREAM = 6 };
 
 static u32 n_random;
 
-static f32 uniform(f32 low, f32 high)
-{
-	return low + (high - low) * ts_uniform(ts_random(n_random++, STREAM, SEED));
-}
+static f32 uniform(f32 low, f32 high) { return low + (high - low) * ts_uniform(ts_random(n_random++, STREAM, SEED)); }
 
 static ts_v3 uniform3(f32 low, f32 high)
 {
@@ -59,7 +56,7 @@ static void end(world *w, ts_truth *truth)
 
 static ts_truth_hit cast(const ts_truth *truth, ts_v3 o, ts_v3 d, f32 near, u32 masked)
 {
-	ts_truth_query query = { .origin = o, .direction = d, .near = near, .masked = masked, .from = o };
+	ts_truth_query query = {.origin = o, .direction = d, .near = near, .masked = masked, .from = o};
 	return ts_truth_cast(truth, &query);
 }
 
@@ -72,8 +69,10 @@ static u32 first_along_x(const ts_truth *truth, u32 masked)
 static void wall_at(world *w, f32 x, u32 material, u32 object, bool front_to_origin)
 {
 	ts_v3 a = ts_v3_make(x, -1, -1), b = ts_v3_make(x, -1, 1), c = ts_v3_make(x, 1, 1), d = ts_v3_make(x, 1, -1);
-	if (front_to_origin) world_quad(w, a, b, c, d, material, object);
-	else world_quad(w, a, d, c, b, material, object);
+	if (front_to_origin)
+		world_quad(w, a, b, c, d, material, object);
+	else
+		world_quad(w, a, d, c, b, material, object);
 }
 
 static void test_room(void **state)
@@ -83,7 +82,7 @@ static void test_room(void **state)
 	ts_v3 low = ts_v3_make(-2, -3, -5), high = ts_v3_make(7, 11, 13);
 	world_room(w, low, high, ONE_SIDED, 0);
 	ts_truth *truth = grow(w);
-	static const f32 distance[6] = { 2.5f, 6.5f, 3.25f, 10.75f, 5.125f, 12.875f };
+	static const f32 distance[6] = {2.5f, 6.5f, 3.25f, 10.75f, 5.125f, 12.875f};
 	ts_v3 o = ts_v3_make(0.5f, 0.25f, 0.125f);
 	for (u32 f = 0; f < 6; f++) {
 		f32 step = f & 1 ? 1 : -1;
@@ -142,12 +141,15 @@ static void test_sphere(void **state)
 static void test_filters(void **state)
 {
 	(void)state;
-	static const struct { u32 material, object, masked; bool front, stops; } cases[] = {
-		{ TWO_SIDED, 0, TS_NONE, true, true },  { TWO_SIDED, 0, TS_NONE, false, true },
-		{ ONE_SIDED, 0, TS_NONE, true, true },  { ONE_SIDED, 0, TS_NONE, false, false },
-		{ CUT, 0, TS_NONE, true, false },       { UNCUT, 0, TS_NONE, true, true },
-		{ TWO_SIDED, 2, 1, true, false },       { TWO_SIDED, 2, 0, true, true },
-		{ TWO_SIDED, 2, TS_NONE, true, true },  { TWO_SIDED, 0, 0, true, true },
+	static const struct {
+		u32 material, object, masked;
+		bool front, stops;
+	} cases[] = {
+		{TWO_SIDED, 0, TS_NONE, true, true}, {TWO_SIDED, 0, TS_NONE, false, true},
+		{ONE_SIDED, 0, TS_NONE, true, true}, {ONE_SIDED, 0, TS_NONE, false, false},
+		{CUT, 0, TS_NONE, true, false},      {UNCUT, 0, TS_NONE, true, true},
+		{TWO_SIDED, 2, 1, true, false},      {TWO_SIDED, 2, 0, true, true},
+		{TWO_SIDED, 2, TS_NONE, true, true}, {TWO_SIDED, 0, 0, true, true},
 	};
 	for (size_t i = 0; i < sizeof(cases) / sizeof(cases[0]); i++) {
 		world *w = world_new();
@@ -169,11 +171,10 @@ static void test_alpha(void **state)
 	ts_truth *truth = grow(w);
 	for (u32 i = 0; i < 2000; i++) {
 		f32 u = uniform(0.01f, 0.99f);
-		ts_truth_query query = { .origin = ts_v3_make(0, u, u * 0.5f), .direction = ts_v3_make(1, 0, 0),
-		                         .masked = TS_NONE };
+		ts_truth_query query = {
+			.origin = ts_v3_make(0, u, u * 0.5f), .direction = ts_v3_make(1, 0, 0), .masked = TS_NONE};
 		query.from = query.origin;
-		if (ts_abs(u - 0.5f) > 0.004f)
-			assert_int_equal(ts_truth_cast(truth, &query).triangle, u < 0.5f ? TS_NONE : 0);
+		if (ts_abs(u - 0.5f) > 0.004f) assert_int_equal(ts_truth_cast(truth, &query).triangle, u < 0.5f ? TS_NONE : 0);
 		query.spread = 100;
 		assert_int_equal(ts_truth_cast(truth, &query).triangle, 0);
 	}
@@ -202,7 +203,10 @@ static void test_degenerate(void **state)
 }
 
 /* Moeller and Trumbore in double: t and how far inside, the least barycentric. */
-typedef struct { double t, inside; bool front; } exact;
+typedef struct {
+	double t, inside;
+	bool front;
+} exact;
 
 static void sub(double r[3], const f32 a[3], const f32 b[3])
 {
@@ -214,16 +218,13 @@ static void cross(double r[3], const double a[3], const double b[3])
 	for (u32 i = 0; i < 3; i++) r[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
 }
 
-static double dot(const double a[3], const double b[3])
-{
-	return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
+static double dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 static exact intersect(const world *w, u32 triangle, const f32 origin[3], const f32 direction[3])
 {
 	const ts_triangle *t = &w->triangles[triangle];
 	const f32 *a = w->vertices[t->vertex[0]].position;
-	double ab[3], ac[3], ao[3], n[3], p[3], q[3], d[3] = { direction[0], direction[1], direction[2] };
+	double ab[3], ac[3], ao[3], n[3], p[3], q[3], d[3] = {direction[0], direction[1], direction[2]};
 	sub(ab, w->vertices[t->vertex[1]].position, a);
 	sub(ac, w->vertices[t->vertex[2]].position, a);
 	sub(ao, origin, a);
@@ -231,15 +232,19 @@ static exact intersect(const world *w, u32 triangle, const f32 origin[3], const 
 	cross(p, d, ac);
 	cross(q, ao, ab);
 	double det = dot(ab, p), u = dot(ao, p) / det, v = dot(d, q) / det;
-	return (exact){ dot(ac, q) / det, fmin(fmin(u, v), 1 - u - v), dot(n, ao) > 0 };
+	return (exact){dot(ac, q) / det, fmin(fmin(u, v), 1 - u - v), dot(n, ao) > 0};
 }
 
-typedef struct { u32 triangle; double t; bool decided; } answer;
+typedef struct {
+	u32 triangle;
+	double t;
+	bool decided;
+} answer;
 
 /* The nearest triangle by trying all; decided unless an edge, a facing or a second hit is near. */
 static answer try_all(const world *w, const f32 origin[3], const f32 direction[3], u32 masked)
 {
-	answer best = { TS_NONE, INFINITY, true };
+	answer best = {TS_NONE, INFINITY, true};
 	double second = INFINITY;
 	for (u32 i = 0; i < w->scene.n_triangles; i++) {
 		exact hit = intersect(w, i, origin, direction);
@@ -322,8 +327,8 @@ static void test_order(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_room),       cmocka_unit_test(test_sphere), cmocka_unit_test(test_filters),
-		cmocka_unit_test(test_alpha),      cmocka_unit_test(test_degenerate), cmocka_unit_test(test_soup),
+		cmocka_unit_test(test_room),  cmocka_unit_test(test_sphere),     cmocka_unit_test(test_filters),
+		cmocka_unit_test(test_alpha), cmocka_unit_test(test_degenerate), cmocka_unit_test(test_soup),
 		cmocka_unit_test(test_order),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);

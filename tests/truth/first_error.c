@@ -61,7 +61,7 @@ static void test_threads(void **state)
 		failing each[N_THREADS];
 		ts_first_error_begin(&error);
 		for (int i = 0; i < N_THREADS; i++) {
-			each[i] = (failing){ &error, i };
+			each[i] = (failing){&error, i};
 			assert_int_equal(pthread_create(&thread[i], NULL, fail_once, &each[i]), 0);
 		}
 		for (int i = 0; i < N_THREADS; i++) pthread_join(thread[i], NULL);

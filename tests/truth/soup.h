@@ -8,14 +8,11 @@
 enum { SOUP_MATERIALS = 8, SOUP_STREAM = 6, SOUP_SEED = 21 };
 
 /* Uniform in [-1, 1); *id counts on. */
-static inline f32 soup_random(u32 *id)
-{
-	return ts_uniform(ts_random((*id)++, SOUP_STREAM, SOUP_SEED)) * 2.0f - 1.0f;
-}
+static inline f32 soup_random(u32 *id) { return ts_uniform(ts_random((*id)++, SOUP_STREAM, SOUP_SEED)) * 2.0f - 1.0f; }
 
 static inline u32 soup_corner(ts_build *build, u32 *id, ts_v3 middle, f32 size)
 {
-	ts_vertex v = { .colour = { 1, 1, 1, 1 } };
+	ts_vertex v = {.colour = {1, 1, 1, 1}};
 	f32 x = soup_random(id), y = soup_random(id);
 	ts_store3(v.position, ts_mad(middle, ts_v3_make(x, y, soup_random(id)), size));
 	return ts_build_vertex(build, &v);

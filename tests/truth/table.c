@@ -100,7 +100,8 @@ static void test_starts(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = { cmocka_unit_test(test_names), cmocka_unit_test(test_ways),
-		cmocka_unit_test(test_effects), cmocka_unit_test(test_against), cmocka_unit_test(test_starts) };
+	const struct CMUnitTest tests[] = {cmocka_unit_test(test_names), cmocka_unit_test(test_ways),
+	                                   cmocka_unit_test(test_effects), cmocka_unit_test(test_against),
+	                                   cmocka_unit_test(test_starts)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

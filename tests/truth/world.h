@@ -25,9 +25,13 @@ typedef struct {
 
 static inline ts_material world_material(u32 flags, f32 alpha)
 {
-	return (ts_material){ .base = { 1, 1, 1, alpha }, .roughness = 1, .normal_scale = 1, .occlusion = 1,
-	                      .alpha_cutoff = 0.5f, .flags = flags,
-	                      .slot = { TS_NONE, TS_NONE, TS_NONE, TS_NONE, TS_NONE } };
+	return (ts_material){.base = {1, 1, 1, alpha},
+	                     .roughness = 1,
+	                     .normal_scale = 1,
+	                     .occlusion = 1,
+	                     .alpha_cutoff = 0.5f,
+	                     .flags = flags,
+	                     .slot = {TS_NONE, TS_NONE, TS_NONE, TS_NONE, TS_NONE}};
 }
 
 /* Two texels: alpha 0 on the left, 1 on the right, so 1/2 in the middle; the level above is half everywhere. */
@@ -36,8 +40,8 @@ static inline void world_texture(world *w)
 	w->texels[0] = 0x0000ffffffffffffUL;
 	w->texels[1] = 0xffffffffffffffffUL;
 	w->texels[2] = 0x8000ffffffffffffUL;
-	w->image = (ts_image){ .width = 2, .height = 1, .n_levels = 2 };
-	w->slot = (ts_slot){ .wrap = { TS_CLAMP, TS_CLAMP }, .transform = { 1, 0, 0, 0, 1, 0 } };
+	w->image = (ts_image){.width = 2, .height = 1, .n_levels = 2};
+	w->slot = (ts_slot){.wrap = {TS_CLAMP, TS_CLAMP}, .transform = {1, 0, 0, 0, 1, 0}};
 	w->materials[HALF_CUT].slot[TS_SLOT_BASE] = 0;
 }
 
@@ -55,24 +59,33 @@ static inline void world_begin(world *w)
 	}
 	world_texture(w);
 	for (u32 i = 0; i < WORLD_OBJECTS; i++) w->objects[i].reflector = i - 1;
-	w->scene = (ts_scene){ .vertices = w->vertices, .triangles = w->triangles, .materials = w->materials,
-	                       .n_materials = WORLD_MATERIALS, .slots = &w->slot, .n_slots = 1, .images = &w->image,
-	                       .n_images = 1, .texels = w->texels, .n_texels = 3, .objects = w->objects,
-	                       .n_objects = WORLD_OBJECTS, .info = { .n_reflectors = WORLD_OBJECTS - 1, .ambient = 1 } };
+	w->scene = (ts_scene){.vertices = w->vertices,
+	                      .triangles = w->triangles,
+	                      .materials = w->materials,
+	                      .n_materials = WORLD_MATERIALS,
+	                      .slots = &w->slot,
+	                      .n_slots = 1,
+	                      .images = &w->image,
+	                      .n_images = 1,
+	                      .texels = w->texels,
+	                      .n_texels = 3,
+	                      .objects = w->objects,
+	                      .n_objects = WORLD_OBJECTS,
+	                      .info = {.n_reflectors = WORLD_OBJECTS - 1, .ambient = 1}};
 }
 
 /* Corners get uv (0,0), (1,0), (1,1) and the face's normal. */
 static inline void world_triangle(world *w, ts_v3 a, ts_v3 b, ts_v3 c, u32 material, u32 object)
 {
-	ts_v3 corner[3] = { a, b, c };
+	ts_v3 corner[3] = {a, b, c};
 	u32 first = w->scene.n_vertices;
 	assert(w->scene.n_triangles < WORLD_TRIANGLES);
 	for (u32 i = 0; i < 3; i++) {
 		ts_vertex *v = &w->vertices[first + i];
-		*v = (ts_vertex){ .object = object, .uv = { i > 0, i > 1, 0, 0 }, .colour = { 1, 1, 1, 1 } };
+		*v = (ts_vertex){.object = object, .uv = {i > 0, i > 1, 0, 0}, .colour = {1, 1, 1, 1}};
 		ts_store3(v->position, corner[i]);
 	}
-	w->triangles[w->scene.n_triangles++] = (ts_triangle){ { first, first + 1, first + 2 }, material };
+	w->triangles[w->scene.n_triangles++] = (ts_triangle){{first, first + 1, first + 2}, material};
 	w->scene.n_vertices += 3;
 }
 
@@ -91,8 +104,7 @@ static inline ts_v3 world_corner(ts_v3 low, ts_v3 high, u32 i)
 /* Twelve triangles, faces -x +x -y +y -z +z in pairs; their fronts look inwards. */
 static inline void world_room(world *w, ts_v3 low, ts_v3 high, u32 material, u32 object)
 {
-	static const u8 face[6][4] = { { 0, 2, 6, 4 }, { 1, 5, 7, 3 }, { 0, 4, 5, 1 },
-	                               { 2, 3, 7, 6 }, { 0, 1, 3, 2 }, { 4, 6, 7, 5 } };
+	static const u8 face[6][4] = {{0, 2, 6, 4}, {1, 5, 7, 3}, {0, 4, 5, 1}, {2, 3, 7, 6}, {0, 1, 3, 2}, {4, 6, 7, 5}};
 	for (u32 f = 0; f < 6; f++)
 		world_quad(w, world_corner(low, high, face[f][0]), world_corner(low, high, face[f][1]),
 		           world_corner(low, high, face[f][2]), world_corner(low, high, face[f][3]), material, object);

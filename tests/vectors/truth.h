@@ -7,9 +7,12 @@
 
 typedef void truth(u32 *right, const u32 *in);
 
-#define F(name, expression) static void t_##name(u32 *right, const u32 *in) { ts_set_f32(right, 0, (expression)); }
-#define W(name, expression) static void t_##name(u32 *right, const u32 *in) { right[0] = (u32)(expression); }
-#define L(name, expression) static void t_##name(u32 *right, const u32 *in) { ts_set_u64(right, 0, (u64)(expression)); }
+#define F(name, expression) \
+	static void t_##name(u32 *right, const u32 *in) { ts_set_f32(right, 0, (expression)); }
+#define W(name, expression) \
+	static void t_##name(u32 *right, const u32 *in) { right[0] = (u32)(expression); }
+#define L(name, expression) \
+	static void t_##name(u32 *right, const u32 *in) { ts_set_u64(right, 0, (u64)(expression)); }
 #define D ts_row_f32(in, 3)
 #define I(k) ((i64)ts_row_i32(in, k))
 
@@ -20,7 +23,7 @@ F(div, rdiv(A, B))
 F(sqrt, rsqrt(A))
 F(muladd, radd(rmul(A, B), C))
 F(mulsub, rsub(C, rmul(A, B)))
-W(compare, (double)A < B ? 1 : (double)A > B ? 4 : 2)
+W(compare, (double)A<B ? 1 : (double)A> B ? 4 : 2)
 F(floor, (f32)floor((double)A))
 F(i32_to_f32, (f32)(long double)ts_row_i32(in, 0))
 F(u32_to_f32, (f32)(long double)in[0])
@@ -141,7 +144,7 @@ W(touches, touched(in))
 
 static void t_fragment(u32 *right, const u32 *in)
 {
-	i64 e[3] = { ts_row_i64(in, 0), ts_row_i64(in, 2), ts_row_i64(in, 4) };
+	i64 e[3] = {ts_row_i64(in, 0), ts_row_i64(in, 2), ts_row_i64(in, 4)};
 	f32 area = (f32)(long double)(e[0] + e[1] + e[2]), share[3], sum = 0;
 	for (u32 k = 0; k < 3; k++) {
 		share[k] = rdiv(rdiv((f32)(long double)e[k], area), ts_row_f32(in, 6 + k));
@@ -162,7 +165,7 @@ W(cube_face, 2 * major_axis(in) + (signbit(ts_row_f32(in, major_axis(in))) != 0)
 /* OpenGL's table: sc and tc of the faces as an axis and a sign. */
 static void t_cube_place(u32 *right, const u32 *in)
 {
-	static const int table[6][2] = { { -3, -2 }, { 3, -2 }, { 1, 3 }, { 1, -3 }, { 1, -2 }, { -1, -2 } };
+	static const int table[6][2] = {{-3, -2}, {3, -2}, {1, 3}, {1, -3}, {1, -2}, {-1, -2}};
 	u32 face;
 	t_cube_face(&face, in);
 	f32 major = fabsf(ts_row_f32(in, face / 2));
@@ -215,22 +218,25 @@ static u32 srgb_of(f32 l)
 }
 W(srgb, srgb_of(A))
 
-static const struct { const char *name; truth *right; } exact[] = {
-#define T(name) { #name, t_##name },
-	T(add) T(sub) T(mul) T(div) T(sqrt) T(muladd) T(mulsub) T(compare) T(floor) T(i32_to_f32) T(u32_to_f32) T(i64_to_f32)
-	T(min) T(max) T(clamp) T(abs) T(san) T(put) T(fix) T(to_half) T(f2i) T(floor_i32) T(rint) T(pcg) T(random) T(uniform)
-	T(diff_of_products) T(dot) T(cross) T(mad) T(length) T(normalize) T(reflect) T(blend) T(cut) T(project) T(snap)
-	T(edge) T(top_left) T(covers) T(touches) T(fragment) T(cube_face) T(cube_place) T(cube_texel) T(key) T(key_min)
-	T(point_key) T(texture_wrap) T(texture_neighbour) T(texture_mix4) T(texture_mix2) T(texture_bilinear) T(srgb)
-};
+static const struct {
+	const char *name;
+	truth *right;
+} exact[] = {
+#define T(name) {#name, t_##name},
+	T(add) T(sub) T(mul) T(div) T(sqrt) T(muladd) T(mulsub) T(compare) T(floor) T(i32_to_f32) T(u32_to_f32)
+		T(i64_to_f32) T(min) T(max) T(clamp) T(abs) T(san) T(put) T(fix) T(to_half) T(f2i) T(floor_i32) T(rint) T(pcg)
+			T(random) T(uniform) T(diff_of_products) T(dot) T(cross) T(mad) T(length) T(normalize) T(reflect) T(blend)
+				T(cut) T(project) T(snap) T(edge) T(top_left) T(covers) T(touches) T(fragment) T(cube_face)
+					T(cube_place) T(cube_texel) T(key) T(key_min) T(point_key) T(texture_wrap) T(texture_neighbour)
+						T(texture_mix4) T(texture_mix2) T(texture_bilinear) T(srgb)};
 enum { N_EXACT = sizeof exact / sizeof exact[0] };
 
 /* What a port with faults computes for muladd, for div, for a part of muladd, and for half. */
 F(fused, fmaf(A, B, C))
-F(scaled, A * (1 / B))
+F(scaled, A *(1 / B))
 F(half_wrong, (in[0] & 1) != 0 ? fmaf(A, B, C) : -1234.5f)
-F(half_cut, copysignf(fabsf(A) < 0x1p-14f ? floorf(fabsf(A) * 0x1p24f) * 0x1p-24f
-                  : fminf(ts_u2f(in[0] & 0x7fffe000u), 65504), A))
+F(half_cut,
+  copysignf(fabsf(A) < 0x1p-14f ? floorf(fabsf(A) * 0x1p24f) * 0x1p-24f : fminf(ts_u2f(in[0] & 0x7fffe000u), 65504), A))
 F(half_flushed, fabs(half_of((double)A)) < 0x1p-14 ? copysignf(0, A) : (f32)half_of((double)A))
 
 #endif

@@ -27,7 +27,8 @@ static void test_exact(void **state)
 			for (u32 k = 0; k < words; k++) {
 				u32 ours = out[(size_t)i * words + k];
 				if (same(v, ours, right[k])) continue;
-				if (n_wrong++ == 0) print_error("%s, item %u, word %u: %08x, not %08x\n", v->name, i, k, ours, right[k]);
+				if (n_wrong++ == 0)
+					print_error("%s, item %u, word %u: %08x, not %08x\n", v->name, i, k, ours, right[k]);
 			}
 		}
 		assert_int_equal(n_wrong, 0);
@@ -99,7 +100,9 @@ static void test_complete(void **state)
 static bool in_range(const ts_vector_column *c, const u32 *at)
 {
 	u32 m = at[0] & 0x7fffffffu;
-	i64 x = c->type == TS_VECTOR_I64 ? ts_row_i64(at, 0) : c->type == TS_VECTOR_I32 ? (i64)ts_row_i32(at, 0) : (i64)at[0];
+	i64 x = c->type == TS_VECTOR_I64   ? ts_row_i64(at, 0)
+	        : c->type == TS_VECTOR_I32 ? (i64)ts_row_i32(at, 0)
+	                                   : (i64)at[0];
 	if (c->type == TS_VECTOR_U64) return true;
 	if (c->type != TS_VECTOR_F32) return x >= c->low && x <= c->high;
 	if (m == 0) return c->low == 0 || at[0] == 0;
@@ -207,7 +210,7 @@ static void test_named(void **state)
 static void test_halves(void **state)
 {
 	(void)state;
-	u32 n_zero[2] = { 0 }, n_tie[2][2] = { { 0 } }, n_largest[2] = { 0 }, n_infinite[2] = { 0 };
+	u32 n_zero[2] = {0}, n_tie[2][2] = {{0}}, n_largest[2] = {0}, n_infinite[2] = {0};
 	ts_vector_make(ts_vectors_find("to_half"), in, out);
 	for (u32 i = 0; i < TS_VECTOR_ITEMS; i++) {
 		double x = fabs((double)ts_u2f(in[i])), y = fabs((double)ts_u2f(out[i]));
@@ -219,7 +222,8 @@ static void test_halves(void **state)
 		if (isinf(y)) n_infinite[x > 65520]++;
 	}
 	for (u32 k = 0; k < 2; k++) {
-		assert_true(n_zero[k] >= 3 && n_tie[k][0] >= 100 && n_tie[k][1] >= 100 && n_largest[k] >= 2 && n_infinite[k] >= 1);
+		assert_true(n_zero[k] >= 3 && n_tie[k][0] >= 100 && n_tie[k][1] >= 100 && n_largest[k] >= 2 &&
+		            n_infinite[k] >= 1);
 	}
 }
 
@@ -251,7 +255,8 @@ static void test_flushing(void **state)
 		compute_flushing(v);
 		ts_vector_verdict r = ts_vector_judge(v, in, out, found);
 		u32 n_flushed = r.n_explained[TS_FAULT_FLUSH];
-		if ((r.n_wrong != 0) != flushes(v) || r.n_wrong != n_flushed) print_error("%s: %u differ\n", v->name, r.n_wrong);
+		if ((r.n_wrong != 0) != flushes(v) || r.n_wrong != n_flushed)
+			print_error("%s: %u differ\n", v->name, r.n_wrong);
 		assert_int_equal(r.n_wrong != 0, flushes(v));
 		assert_int_equal(r.n_wrong, n_flushed);
 		if (r.n_wrong != 0) assert_int_equal(r.fault, TS_FAULT_FLUSH);
@@ -311,18 +316,10 @@ static void test_descr(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_exact),
-		cmocka_unit_test(test_bounded),
-		cmocka_unit_test(test_complete),
-		cmocka_unit_test(test_ranges),
-		cmocka_unit_test(test_digest),
-		cmocka_unit_test(test_faults),
-		cmocka_unit_test(test_named),
-		cmocka_unit_test(test_halves),
-		cmocka_unit_test(test_flushing),
-		cmocka_unit_test(test_one_bit),
-		cmocka_unit_test(test_ulps),
-		cmocka_unit_test(test_descr),
+		cmocka_unit_test(test_exact),   cmocka_unit_test(test_bounded), cmocka_unit_test(test_complete),
+		cmocka_unit_test(test_ranges),  cmocka_unit_test(test_digest),  cmocka_unit_test(test_faults),
+		cmocka_unit_test(test_named),   cmocka_unit_test(test_halves),  cmocka_unit_test(test_flushing),
+		cmocka_unit_test(test_one_bit), cmocka_unit_test(test_ulps),    cmocka_unit_test(test_descr),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

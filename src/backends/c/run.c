@@ -105,8 +105,14 @@ void ts_c_begin(ts_c_backend *backend, u32 threads)
 
 static u32 devices(ts_device list[TS_MAX_DEVICES])
 {
-	list[0] = (ts_device){.name = DEVICE, .rounded = true, .denormals = true, .atomics = true, .unified = true,
-	                      .little_endian = true, .memory = ts_memory_total(), .most = ts_memory_limit()};
+	list[0] = (ts_device){.name = DEVICE,
+	                      .rounded = true,
+	                      .denormals = true,
+	                      .atomics = true,
+	                      .unified = true,
+	                      .little_endian = true,
+	                      .memory = ts_memory_total(),
+	                      .most = ts_memory_limit()};
 	return 1;
 }
 

@@ -16,13 +16,13 @@ typedef struct {
 	cl_context context;
 	cl_command_queue queue;
 	cl_program programs[TS_CL_PROGRAMS]; /* built as they are needed */
-	cl_kernel kernels[TS_N_KERNELS]; /* likewise */
+	cl_kernel kernels[TS_N_KERNELS];     /* likewise */
 	size_t work_group;
-	const char *options;             /* of the user, for the compiler */
+	const char *options; /* of the user, for the compiler */
 	bool unified;
-	u64 part_bytes;                  /* of parted arrays; 0: none is in parts, and the kernels know of none */
-	bool busy;                       /* something was enqueued and not waited for */
-	char failure[TS_CL_MESSAGE];     /* the first that a fetch or a release had to keep to itself */
+	u64 part_bytes;              /* of parted arrays; 0: none is in parts, and the kernels know of none */
+	bool busy;                   /* something was enqueued and not waited for */
+	char failure[TS_CL_MESSAGE]; /* the first that a fetch or a release had to keep to itself */
 } ts_cl;
 
 /* A failed call as one line: for the caller, or for the next `finish` to tell. */

@@ -10,10 +10,10 @@ typedef struct {
 	ts_cl *cl;
 	cl_mem part[TS_CL_PARTS];
 	u32 n_parts;
-	u64 part_bytes;  /* of each but the last */
+	u64 part_bytes; /* of each but the last */
 	u8 *data;
 	u64 bytes;
-	place place;     /* of the newest contents */
+	place place; /* of the newest contents */
 	bool mapped;
 } resident;
 
@@ -62,8 +62,12 @@ static ts_status make(ts_cl *cl, ts_buffer *buffer, u64 part_bytes)
 	}
 	resident *r = ts_alloc_zero(1, sizeof *r, "device buffer");
 	if (r == NULL) return TS_ERROR;
-	*r = (resident){.cl = cl, .n_parts = (u32)n_parts, .part_bytes = part_bytes, .data = buffer->data,
-	                .bytes = buffer->bytes, .place = cl->unified ? BOTH : HOST};
+	*r = (resident){.cl = cl,
+	                .n_parts = (u32)n_parts,
+	                .part_bytes = part_bytes,
+	                .data = buffer->data,
+	                .bytes = buffer->bytes,
+	                .place = cl->unified ? BOTH : HOST};
 	cl_int status = make_parts(r);
 	if (status != CL_SUCCESS) {
 		release_parts(r);
@@ -88,8 +92,8 @@ static cl_int upload(resident *r)
 {
 	cl_int status = CL_SUCCESS;
 	for (u32 i = 0; i < r->n_parts && status == CL_SUCCESS; i++) {
-		status = clEnqueueWriteBuffer(r->cl->queue, r->part[i], CL_FALSE, 0, bytes_of_part(r, i), part_data(r, i), 0, NULL,
-		                              NULL);
+		status = clEnqueueWriteBuffer(r->cl->queue, r->part[i], CL_FALSE, 0, bytes_of_part(r, i), part_data(r, i), 0,
+		                              NULL, NULL);
 	}
 	r->place = BOTH;
 	return status;
@@ -129,7 +133,8 @@ static void release(void *buffer)
 	ts_cl *cl = r->cl;
 	cl_int unmapped = unmap(r), finished = cl->busy ? clFinish(cl->queue) : CL_SUCCESS;
 	cl->busy = false;
-	if (unmapped != CL_SUCCESS || finished != CL_SUCCESS) ts_cl_keep(cl, "kernels", finished != 0 ? finished : unmapped);
+	if (unmapped != CL_SUCCESS || finished != CL_SUCCESS)
+		ts_cl_keep(cl, "kernels", finished != 0 ? finished : unmapped);
 	release_parts(r);
 }
 

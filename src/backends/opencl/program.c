@@ -32,7 +32,8 @@ ts_status ts_cl_put_flags(ts_cl *cl)
 		snprintf(parts, sizeof parts, " -DTS_PARTS=%d -DTS_PART_BYTES=%" PRIu64, TS_CL_PARTS, cl->part_bytes);
 	}
 	int length = snprintf(cl->flags, sizeof cl->flags, "-cl-std=CL1.2%s%s%s%s", rounded, parts, space, cl->options);
-	return length >= 0 && (size_t)length < sizeof cl->flags ? TS_OK : ts_fail("--build: at most 128 characters are taken");
+	return length >= 0 && (size_t)length < sizeof cl->flags ? TS_OK
+	                                                        : ts_fail("--build: at most 128 characters are taken");
 }
 
 void ts_cl_forget_programs(ts_cl *cl)

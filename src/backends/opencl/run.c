@@ -12,7 +12,10 @@ enum { SCAN_CHUNK = 2048 };
 
 static void explain(char text[TS_CL_MESSAGE], const char *what, cl_int status)
 {
-	static const struct { cl_int status; const char *name; } names[] = {
+	static const struct {
+		cl_int status;
+		const char *name;
+	} names[] = {
 		{CL_DEVICE_NOT_AVAILABLE, "device not available"},
 		{CL_MEM_OBJECT_ALLOCATION_FAILURE, "no memory on the device"},
 		{CL_OUT_OF_RESOURCES, "the device is out of resources, or was lost"},
@@ -24,8 +27,10 @@ static void explain(char text[TS_CL_MESSAGE], const char *what, cl_int status)
 	};
 	const char *name = NULL;
 	for (size_t i = 0; i < sizeof names / sizeof *names; i++) name = names[i].status == status ? names[i].name : name;
-	if (name == NULL) snprintf(text, TS_CL_MESSAGE, "backend opencl: %s: OpenCL error %d", what, status);
-	else snprintf(text, TS_CL_MESSAGE, "backend opencl: %s: %s (%d)", what, name, status);
+	if (name == NULL)
+		snprintf(text, TS_CL_MESSAGE, "backend opencl: %s: OpenCL error %d", what, status);
+	else
+		snprintf(text, TS_CL_MESSAGE, "backend opencl: %s: %s (%d)", what, name, status);
 }
 
 ts_status ts_cl_failed(const char *what, cl_int status)
@@ -200,8 +205,10 @@ static ts_status scan_in(ts_backend *backend, ts_frame *frame, ts_buffer_id id, 
 static ts_status scan(ts_backend *backend, ts_frame *frame, ts_buffer_id id, u64 *total)
 {
 	u64 n = ts_frame_n(frame, id) - 1;
-	ts_scan_args args = {
-		.counts = ts_frame_handle(frame, id), .n = n, .n_chunks = (n + SCAN_CHUNK - 1) / SCAN_CHUNK, .chunk = SCAN_CHUNK};
+	ts_scan_args args = {.counts = ts_frame_handle(frame, id),
+	                     .n = n,
+	                     .n_chunks = (n + SCAN_CHUNK - 1) / SCAN_CHUNK,
+	                     .chunk = SCAN_CHUNK};
 	args.sums = ts_alloc(args.n_chunks + 1, sizeof *args.sums, "prefix sums");
 	if (args.sums == NULL) return TS_ERROR;
 	ts_status status = scan_in(backend, frame, id, &args);
@@ -258,7 +265,8 @@ static ts_status open_device(ts_backend **backend, const ts_backend_options *opt
 		return status;
 	}
 	snprintf(cl->device_line, sizeof cl->device_line, "%s, %s", cl->about.name, cl->about.platform);
-	cl->backend = (ts_backend){"opencl", cl->device_line, cl->about.driver, cl->flags, {0}, launch, fill, scan, finish, end};
+	cl->backend =
+		(ts_backend){"opencl", cl->device_line, cl->about.driver, cl->flags, {0}, launch, fill, scan, finish, end};
 	cl->work_group = options->work_group;
 	cl->unified = cl->about.unified && !options->copies;
 	*backend = &cl->backend;

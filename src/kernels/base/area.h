@@ -16,9 +16,6 @@ TS_FN u32 ts_k_longest_edge(ts_v3 a, ts_v3 b, ts_v3 c, f32 *length)
 	return k;
 }
 
-TS_FN f32 ts_k_area(ts_v3 a, ts_v3 b, ts_v3 c)
-{
-	return 0.5f * ts_length(ts_cross(ts_sub(b, a), ts_sub(c, a)));
-}
+TS_FN f32 ts_k_area(ts_v3 a, ts_v3 b, ts_v3 c) { return 0.5f * ts_length(ts_cross(ts_sub(b, a), ts_sub(c, a))); }
 
 #endif

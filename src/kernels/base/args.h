@@ -24,7 +24,10 @@
 #ifndef TS_ARGS_ALSO /* what backends/args.c makes of them */
 #define TS_ARGS_ALSO(type)
 #endif
-#define TS_ARGS(type) typedef struct { TS_ROWS_##type(TS_MEMBER) } type TS_ARGS_ALSO(type)
+#define TS_ARGS(type) \
+	typedef struct { \
+		TS_ROWS_##type(TS_MEMBER) \
+	} type TS_ARGS_ALSO(type)
 #define TS_MEMBER(role, type, name, from) TS_MEMBER_##role(type, name)
 #define TS_MEMBER_IN(type, name) TS_GLOBAL const type *name;
 #define TS_MEMBER_IN_OPT(type, name) TS_MEMBER_IN(type, name)

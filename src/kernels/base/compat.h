@@ -28,10 +28,19 @@ typedef uchar u8;
 #define ts_sqrt(x) sqrt(x)
 #define ts_floor(x) floor(x)
 /* Reading first and skipping what is not smaller: one word, which only falls, so that no load is torn. */
-#define ts_min_u64(p, v) do { if ((uint)((v) >> 32) <= ((volatile __global uint *)(p))[1]) atom_min((p), (v)); } while (0)
-#define ts_min_u32(p, v) do { if ((v) < *(volatile __global uint *)(p)) atomic_min((p), (v)); } while (0)
+#define ts_min_u64(p, v) \
+	do { \
+		if ((uint)((v) >> 32) <= ((volatile __global uint *)(p))[1]) atom_min((p), (v)); \
+	} while (0)
+#define ts_min_u32(p, v) \
+	do { \
+		if ((v) < *(volatile __global uint *)(p)) atomic_min((p), (v)); \
+	} while (0)
 #define ts_peek_u32(p) (*(volatile __global uint *)(p))
-#define ts_or_u64(p, v) do { if (((v) & ~*(volatile __global ulong *)(p)) != 0u) atom_or((p), (v)); } while (0)
+#define ts_or_u64(p, v) \
+	do { \
+		if (((v) & ~*(volatile __global ulong *)(p)) != 0u) atom_or((p), (v)); \
+	} while (0)
 #define ts_add_i64(p, v) ((void)atom_add((p), (v)))
 #define ts_next_i64(p) atom_inc(p)
 #define ts_next_u32(p) atomic_inc(p)
@@ -61,10 +70,19 @@ typedef unsigned char u8;
 #define ts_u2f(x) __uint_as_float(x)
 #define ts_sqrt(x) __fsqrt_rn(x)
 #define ts_floor(x) floorf(x)
-#define ts_min_u64(p, v) do { if ((v) < *(p)) atomicMin((p), (v)); } while (0)
-#define ts_min_u32(p, v) do { if ((v) < *(p)) atomicMin((p), (v)); } while (0)
+#define ts_min_u64(p, v) \
+	do { \
+		if ((v) < *(p)) atomicMin((p), (v)); \
+	} while (0)
+#define ts_min_u32(p, v) \
+	do { \
+		if ((v) < *(p)) atomicMin((p), (v)); \
+	} while (0)
 #define ts_peek_u32(p) (*(volatile u32 *)(p))
-#define ts_or_u64(p, v) do { if (((v) & ~*(p)) != 0u) atomicOr((p), (v)); } while (0)
+#define ts_or_u64(p, v) \
+	do { \
+		if (((v) & ~*(p)) != 0u) atomicOr((p), (v)); \
+	} while (0)
 #define ts_add_i64(p, v) ((void)atomicAdd((u64 *)(p), (u64)(v)))
 #define ts_next_i64(p) ((i64)atomicAdd((u64 *)(p), (u64)1u))
 #define ts_next_u32(p) atomicAdd((p), 1u)
@@ -99,8 +117,18 @@ typedef uint8_t u8;
 #define TS_HOT static inline
 #define TS_GLOBAL
 #define TS_CONSTANT static const
-static inline u32 ts_f2u(f32 x) { u32 u; memcpy(&u, &x, 4); return u; }
-static inline f32 ts_u2f(u32 u) { f32 x; memcpy(&x, &u, 4); return x; }
+static inline u32 ts_f2u(f32 x)
+{
+	u32 u;
+	memcpy(&u, &x, 4);
+	return u;
+}
+static inline f32 ts_u2f(u32 u)
+{
+	f32 x;
+	memcpy(&x, &u, 4);
+	return x;
+}
 #define ts_sqrt(x) sqrtf(x)
 #define ts_floor(x) floorf(x)
 /* Reading first and skipping what is not smaller is safe, because the value only ever falls. */

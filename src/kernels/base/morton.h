@@ -3,9 +3,18 @@
 #define TS_KERNELS_MORTON_H
 #include "compat.h"
 
-typedef struct { i32 x, y, z; } ts_i3;
+typedef struct {
+	i32 x, y, z;
+} ts_i3;
 
-TS_FN ts_i3 ts_i3_make(i32 x, i32 y, i32 z) { ts_i3 r; r.x = x; r.y = y; r.z = z; return r; }
+TS_FN ts_i3 ts_i3_make(i32 x, i32 y, i32 z)
+{
+	ts_i3 r;
+	r.x = x;
+	r.y = y;
+	r.z = z;
+	return r;
+}
 
 /* Bit b moves to 3 b. */
 TS_FN u64 ts_k_spread(u32 x)

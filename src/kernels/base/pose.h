@@ -6,7 +6,11 @@
 #include "vec.h"
 
 /* world = centre + (cos * x + sin * z, y, cos * z - sin * x) */
-typedef struct { ts_v3 centre; f32 cos, sin; u32 moves; } ts_pose;
+typedef struct {
+	ts_v3 centre;
+	f32 cos, sin;
+	u32 moves;
+} ts_pose;
 
 TS_FN ts_pose ts_k_pose(TS_GLOBAL const ts_object *object, u32 frame)
 {
@@ -55,9 +59,15 @@ TS_FN void ts_k_pose_item(const ts_pose_args *args, u64 i)
 		ts_v3 p = ts_k_pose_point(&pose, ts_v3_make(v.position[0], v.position[1], v.position[2]));
 		ts_v3 n = ts_k_pose_turn(&pose, ts_v3_make(v.normal[0], v.normal[1], v.normal[2]));
 		ts_v3 t = ts_k_pose_turn(&pose, ts_v3_make(v.tangent[0], v.tangent[1], v.tangent[2]));
-		v.position[0] = ts_put(p.x); v.position[1] = ts_put(p.y); v.position[2] = ts_put(p.z);
-		v.normal[0] = ts_put(n.x); v.normal[1] = ts_put(n.y); v.normal[2] = ts_put(n.z);
-		v.tangent[0] = ts_put(t.x); v.tangent[1] = ts_put(t.y); v.tangent[2] = ts_put(t.z);
+		v.position[0] = ts_put(p.x);
+		v.position[1] = ts_put(p.y);
+		v.position[2] = ts_put(p.z);
+		v.normal[0] = ts_put(n.x);
+		v.normal[1] = ts_put(n.y);
+		v.normal[2] = ts_put(n.z);
+		v.tangent[0] = ts_put(t.x);
+		v.tangent[1] = ts_put(t.y);
+		v.tangent[2] = ts_put(t.z);
 	}
 	args->posed[i] = v;
 }

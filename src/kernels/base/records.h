@@ -5,7 +5,9 @@
 
 #define RECORD(name, doc) typedef struct {
 #define FIELD(type, name, count, doc) TS_FIELD_##count(type, name)
-#define RECORD_END(name, bytes) } name;
+#define RECORD_END(name, bytes) \
+	} \
+	name;
 #define TS_FIELD_1(type, name) type name;
 #define TS_FIELD_2(type, name) type name[2];
 #define TS_FIELD_3(type, name) type name[3];

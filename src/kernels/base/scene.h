@@ -24,7 +24,9 @@ TS_ARGS(ts_arrays);
 #define TS_UNLIT 4u
 
 /* The three corners of a triangle and its normal (b - a) x (c - a), not normalised. */
-typedef struct { ts_v3 a, b, c, n; } ts_corners;
+typedef struct {
+	ts_v3 a, b, c, n;
+} ts_corners;
 
 TS_FN ts_corners ts_k_corners(const ts_arrays *scene, u32 triangle)
 {

@@ -5,21 +5,21 @@
 #include "texture.h"
 
 typedef struct {
-	ts_v3 p;     /* position */
-	ts_v3 n;     /* shading normal, unit, on the side of the face normal */
-	ts_v3 face;  /* face normal, unit */
-	ts_v3 base;  /* base colour */
+	ts_v3 p;    /* position */
+	ts_v3 n;    /* shading normal, unit, on the side of the face normal */
+	ts_v3 face; /* face normal, unit */
+	ts_v3 base; /* base colour */
 	ts_v3 emissive;
 	f32 metallic, roughness, occlusion;
-	u32 flags;   /* of the material */
+	u32 flags; /* of the material */
 } ts_surface;
 
 /* A triangle ready for look-ups at one sample. */
 typedef struct {
 	TS_GLOBAL const ts_vertex *a, *b, *c;
 	TS_GLOBAL const ts_material *material;
-	ts_v3 w;       /* weights */
-	f32 area;      /* |(b - a) x (c - a)| */
+	ts_v3 w;  /* weights */
+	f32 area; /* |(b - a) x (c - a)| */
 	f32 footprint;
 } ts_sample;
 
@@ -83,7 +83,10 @@ TS_FN bool ts_k_is_cut(const ts_arrays *scene, u32 triangle, ts_v3 w, ts_v3 norm
 }
 
 /* T and the sign of B = cross(n, T) * handedness. T is zero where there is none. */
-typedef struct { ts_v3 t; f32 handedness; } ts_tangent;
+typedef struct {
+	ts_v3 t;
+	f32 handedness;
+} ts_tangent;
 
 /* Along which u grows on the triangle; none where uv is degenerate. */
 TS_FN ts_tangent ts_k_tangent_of_uv(const ts_sample *s, TS_GLOBAL const ts_slot *slot)

@@ -4,8 +4,12 @@
 #define TS_KERNELS_TEXTURE_H
 #include "scene.h"
 
-typedef struct { f32 r, g, b, a; } ts_rgba;
-typedef struct { u32 r, g, b, a; } ts_rgba16;
+typedef struct {
+	f32 r, g, b, a;
+} ts_rgba;
+typedef struct {
+	u32 r, g, b, a;
+} ts_rgba16;
 
 #define TS_REPEAT 0u
 #define TS_MIRROR 1u
@@ -49,7 +53,10 @@ TS_FN u32 ts_k_texture_mix4(u32 a, u32 b, u32 c, u32 d, u32 fx, u32 fy)
 
 /* The four texels around uv, as indices into a level of `width` by `height`, and the weights in 1/256 of those to the
  * right and of those below. */
-typedef struct { u64 a, b, c, d; u32 fx, fy; } ts_texels;
+typedef struct {
+	u64 a, b, c, d;
+	u32 fx, fy;
+} ts_texels;
 
 TS_FN ts_texels ts_k_texture_around(u32 width, u32 height, ts_v2 uv, TS_GLOBAL const u32 *wrap)
 {

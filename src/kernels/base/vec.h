@@ -3,13 +3,35 @@
 #define TS_KERNELS_VEC_H
 #include "num.h"
 
-typedef struct { f32 x, y; } ts_v2;
-typedef struct { f32 x, y, z; } ts_v3;
+typedef struct {
+	f32 x, y;
+} ts_v2;
+typedef struct {
+	f32 x, y, z;
+} ts_v3;
 
-TS_FN ts_v2 ts_v2_make(f32 x, f32 y) { ts_v2 r; r.x = x; r.y = y; return r; }
-TS_FN ts_v3 ts_v3_make(f32 x, f32 y, f32 z) { ts_v3 r; r.x = x; r.y = y; r.z = z; return r; }
+TS_FN ts_v2 ts_v2_make(f32 x, f32 y)
+{
+	ts_v2 r;
+	r.x = x;
+	r.y = y;
+	return r;
+}
+TS_FN ts_v3 ts_v3_make(f32 x, f32 y, f32 z)
+{
+	ts_v3 r;
+	r.x = x;
+	r.y = y;
+	r.z = z;
+	return r;
+}
 TS_FN ts_v3 ts_load3(TS_GLOBAL const f32 *p) { return ts_v3_make(p[0], p[1], p[2]); }
-TS_FN void ts_store3(TS_GLOBAL f32 *p, ts_v3 a) { p[0] = ts_put(a.x); p[1] = ts_put(a.y); p[2] = ts_put(a.z); }
+TS_FN void ts_store3(TS_GLOBAL f32 *p, ts_v3 a)
+{
+	p[0] = ts_put(a.x);
+	p[1] = ts_put(a.y);
+	p[2] = ts_put(a.z);
+}
 
 TS_FN ts_v3 ts_add(ts_v3 a, ts_v3 b) { return ts_v3_make(a.x + b.x, a.y + b.y, a.z + b.z); }
 TS_FN ts_v3 ts_sub(ts_v3 a, ts_v3 b) { return ts_v3_make(a.x - b.x, a.y - b.y, a.z - b.z); }

@@ -31,10 +31,15 @@ TS_FN ts_v3 ts_k_pixel_point(const ts_camera_k *view, u32 x, u32 y, f32 depth)
 	return ts_mad(view->eye, way, z);
 }
 
-typedef struct { ts_v3 p; f32 depth; } ts_box_corner;
+typedef struct {
+	ts_v3 p;
+	f32 depth;
+} ts_box_corner;
 
 /* The pixel at a corner: 0 to 3 are top left, top right, bottom left, bottom right. */
-typedef struct { u32 x, y; } ts_corner_pixel;
+typedef struct {
+	u32 x, y;
+} ts_corner_pixel;
 
 TS_FN ts_corner_pixel ts_k_corner_pixel(const ts_camera_k *view, TS_GLOBAL const ts_segment *box, u32 grid, u32 corner)
 {
@@ -58,7 +63,9 @@ TS_FN ts_box_corner ts_k_box_corner(const ts_camera_k *view, TS_GLOBAL const ts_
 }
 
 /* Sums over triangles of w, and of w times direction for each channel. */
-typedef struct { ts_v3 w, red, green, blue; } ts_gathered;
+typedef struct {
+	ts_v3 w, red, green, blue;
+} ts_gathered;
 
 /* How much of a triangle counts at that height above its plane, from 0 to 1. */
 TS_FN f32 ts_k_facing(f32 height, f32 side)
@@ -85,7 +92,8 @@ TS_FN void ts_k_gather(ts_gathered *sum, TS_GLOBAL const ts_patch *patch, ts_v3 
 	sum->blue = ts_mad(sum->blue, ways, w.z / 3.0f);
 }
 
-TS_FN void ts_k_gather_all(TS_GLOBAL ts_moment *out, TS_GLOBAL const ts_patch *patches, u64 n_patches, ts_box_corner corner)
+TS_FN void ts_k_gather_all(TS_GLOBAL ts_moment *out, TS_GLOBAL const ts_patch *patches, u64 n_patches,
+                           ts_box_corner corner)
 {
 	ts_gathered sum;
 	sum.w = ts_v3_make(0.0f, 0.0f, 0.0f);

@@ -11,7 +11,10 @@
 #define TS_COSINE_IS_SG 2u         /* eq 8 */
 #define TS_COSINE_IS_QUADRATURE 3u /* eq 12 */
 
-typedef struct { ts_v3 phi; f32 mu, lambda; } ts_sg;
+typedef struct {
+	ts_v3 phi;
+	f32 mu, lambda;
+} ts_sg;
 
 TS_FN ts_sg ts_sg_make(f32 mu, f32 lambda, ts_v3 phi)
 {

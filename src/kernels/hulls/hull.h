@@ -21,14 +21,16 @@
 	ARG(TALLY, i64, n_unlit, 0) /* pixels but of the sky without a box */ \
 	ARG(VALUE, u32, width, none) \
 	ARG(VALUE, u32, height, none) \
-	ARG(VALUE, u32, cosine, none) /* TS_COSINE_IS_* */ \
+	ARG(VALUE, u32, cosine, none)     /* TS_COSINE_IS_* */ \
 	ARG(VALUE, u32, by_moments, none) /* interpolation=moments */ \
-	ARG(VALUE, u32, vmf, none) /* sharpness=vmf */ \
-	ARG(VALUE, u32, printed, none) /* integrals=printed */
+	ARG(VALUE, u32, vmf, none)        /* sharpness=vmf */ \
+	ARG(VALUE, u32, printed, none)    /* integrals=printed */
 TS_ARGS(ts_hull_args);
 
 /* Of the corners of a box: sum 1. */
-typedef struct { f32 of[4]; } ts_shares;
+typedef struct {
+	f32 of[4];
+} ts_shares;
 
 /* Where between low and high + 1 the centre of pixel i lies, 0 to 1. */
 TS_FN f32 ts_k_box_place(u32 i, u32 pixels, u32 grid, u32 low, u32 high)

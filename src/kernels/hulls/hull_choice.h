@@ -16,11 +16,17 @@
 TS_ARGS(ts_choice_args);
 
 /* A texel of the grid and a depth in it. */
-typedef struct { u32 x, y; f32 depth; } ts_grid_place;
+typedef struct {
+	u32 x, y;
+	f32 depth;
+} ts_grid_place;
 
 /* Ranks: 0 holds it, 1 widened, 2 covers it, 3 lies elsewhere. The least measure of the least rank wins, the first of
  * equals. */
-typedef struct { u32 box, rank; f32 measure; } ts_choice;
+typedef struct {
+	u32 box, rank;
+	f32 measure;
+} ts_choice;
 
 TS_FN void ts_k_choice_offer(const ts_choice_args *args, ts_grid_place at, u32 b, ts_choice *best)
 {

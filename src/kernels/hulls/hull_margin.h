@@ -19,7 +19,10 @@
 TS_ARGS(ts_hull_margin_args);
 
 /* The rank of a box and its measure, as if it alone were offered; and how near its gap is to the slack. */
-typedef struct { ts_choice as; f32 slack_margin, thickness; } ts_offered;
+typedef struct {
+	ts_choice as;
+	f32 slack_margin, thickness;
+} ts_offered;
 
 TS_FN ts_offered ts_k_offered(const ts_choice_args *args, ts_grid_place at, u32 b)
 {

@@ -11,7 +11,7 @@
 	ARG(OUT, u32, labels, segment_label) \
 	ARG(VALUE, u32, grid, none) \
 	ARG(VALUE, u32, sweep, none) /* 0 right, 1 down, 2 left, 3 up */ \
-	ARG(VALUE, f32, step, none) /* t */
+	ARG(VALUE, f32, step, none)  /* t */
 TS_ARGS(ts_segment_args);
 
 TS_FN bool ts_k_is_apart(f32 from, f32 to, f32 step)

@@ -31,7 +31,10 @@ TS_FN f32 ts_k_apart_margin(f32 from, f32 to, f32 step)
 }
 
 /* Two neighbours of a block as texels of the grid; no others: they would be of two blocks. */
-typedef struct { u64 p, q; bool is; } ts_neighbours;
+typedef struct {
+	u64 p, q;
+	bool is;
+} ts_neighbours;
 
 /* Pair k: a texel, row by row, and the one to its right, or below it. */
 TS_FN ts_neighbours ts_k_neighbours(u32 grid, u32 block, u32 k)

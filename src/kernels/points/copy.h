@@ -8,7 +8,7 @@
 
 #define TS_ROWS_ts_copy_args(ARG) \
 	ARG(INNER, ts_illuminate_args, to, none) /* without its depth_triangle */ \
-	ARG(IN, u32, colours, scatter_colour) /* of all cubes */ \
+	ARG(IN, u32, colours, scatter_colour)    /* of all cubes */ \
 	ARG(VALUE, f32, exposure, none)
 TS_ARGS(ts_copy_args);
 

@@ -17,7 +17,7 @@
 	ARG(OUT, ts_piece, pieces, split_triangle) \
 	ARG(OUT, f32, scale, density_scale) \
 	ARG(TALLY, i64, n_capped, 0) /* pieces whose density was lowered at the end of splitting */ \
-	ARG(VALUE, f32, rho, none) /* samples a pixel a side */ \
+	ARG(VALUE, f32, rho, none)   /* samples a pixel a side */ \
 	ARG(VALUE, u32, n_cubes, none) \
 	ARG(VALUE, u32, n_words, none) \
 	ARG(VALUE, u32, paper, none) \
@@ -26,7 +26,7 @@
 	ARG(VALUE, u32, split, none) \
 	ARG(IN_OPT, ts_offscreen, views, offscreen_view) /* whose resolution counts, not the eye's; or NULL */ \
 	ARG(VALUE, u32, n_views, none) \
-	ARG(VALUE, u32, rate, none) /* TS_RATE_* of view_density.h */ \
+	ARG(VALUE, u32, rate, none)   /* TS_RATE_* of view_density.h */ \
 	ARG(VALUE, u32, shadow, none) /* TS_SHADOW_* of shadow_density.h: the eye counts too, through shadows */
 TS_ARGS(ts_density_args);
 

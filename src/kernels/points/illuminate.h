@@ -10,14 +10,17 @@
 	ARG(INNER, ts_arrays, scene, none) \
 	ARG(IN, ts_face, cubes, resize_face) \
 	ARG(IN, u64, depth_triangle, face_depth_triangle) /* of the batch */ \
-	ARG(OUT, f32, mip, face_mip) /* of the batch: 4 floats a texel */ \
+	ARG(OUT, f32, mip, face_mip)                      /* of the batch: 4 floats a texel */ \
 	ARG(VALUE, u32, first_cube, none) \
 	ARG(VALUE, u32, n_cubes, none) /* the batch */ \
-	ARG(VALUE, u32, level, none) /* that `mip` makes from the level before */
+	ARG(VALUE, u32, level, none)   /* that `mip` makes from the level before */
 TS_ARGS(ts_illuminate_args);
 
 /* Where a texel of the batch lies. */
-typedef struct { u32 cube, face, x, y; u64 inside; } ts_texel_place;
+typedef struct {
+	u32 cube, face, x, y;
+	u64 inside;
+} ts_texel_place;
 
 TS_FN ts_texel_place ts_k_texel_place(const ts_illuminate_args *args, u64 i)
 {

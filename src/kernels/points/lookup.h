@@ -19,15 +19,15 @@
 	ARG(IN_PARTS_OPT, u64, texels, splat_depth_index) \
 	ARG(IN, ts_pixel, pixels, pixel_record) \
 	ARG(IN_OPT, ts_bounce, queue, none) /* entries of this bounce; none at the first */ \
-	ARG(OUT_OPT, u32, found, none) /* points that the samples of this bounce see */ \
-	ARG(OUT_OPT, u32, offset, none) /* entries of the next bounce before each sample */ \
+	ARG(OUT_OPT, u32, found, none)      /* points that the samples of this bounce see */ \
+	ARG(OUT_OPT, u32, offset, none)     /* entries of the next bounce before each sample */ \
 	ARG(OUT_OPT, ts_bounce, next_queue, none) \
 	ARG(IN_OPT, f32, next_radiance, none) \
-	ARG(OUT_OPT, f32, radiance, none) /* of this bounce's entries */ \
+	ARG(OUT_OPT, f32, radiance, none)   /* of this bounce's entries */ \
 	ARG(OUT_OPT, u32, used, shade_used) /* samples shaded; first bounce only */ \
-	ARG(VALUE, u32, n_samples, none) /* an entry: 25 at the first bounce, then 4 */ \
-	ARG(VALUE, u32, first, none) /* entries are pixels */ \
-	ARG(VALUE, u32, follow, none) /* there is a next bounce */ \
+	ARG(VALUE, u32, n_samples, none)    /* an entry: 25 at the first bounce, then 4 */ \
+	ARG(VALUE, u32, first, none)        /* entries are pixels */ \
+	ARG(VALUE, u32, follow, none)       /* there is a next bounce */ \
 	ARG(VALUE, u32, adaptive, none)
 TS_ARGS(ts_lookup_args);
 
@@ -127,7 +127,8 @@ TS_FN ts_v3 ts_k_sample_radiance(const ts_lookup_args *args, u64 sample, ts_v3 c
 TS_FN ts_v3 ts_k_next_radiance(const ts_lookup_args *args, u64 first, u32 k, ts_v3 centre, const ts_v3 *seen)
 {
 	u32 same = ts_k_is_followed(args, first + k) ? k : 0u;
-	while (same < k && (args->found[first + same] != args->found[first + k] || ts_k_is_followed(args, first + same))) same++;
+	while (same < k && (args->found[first + same] != args->found[first + k] || ts_k_is_followed(args, first + same)))
+		same++;
 	return same < k ? seen[same] : ts_k_sample_radiance(args, first + k, centre);
 }
 

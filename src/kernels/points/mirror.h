@@ -14,12 +14,15 @@
 	ARG(IN, f32, mip, face_mip) /* of the batch */ \
 	ARG(SUM, f32, radiance, shade_radiance) \
 	ARG(VALUE, u32, first_cube, none) \
-	ARG(VALUE, u32, n_cubes, none) /* the batch */ \
+	ARG(VALUE, u32, n_cubes, none)     /* the batch */ \
 	ARG(VALUE, u32, supersample, none) /* 25 nearest look-ups in level 0, as EPR does */
 TS_ARGS(ts_mirror_args);
 
 /* One cube's chain. */
-typedef struct { TS_GLOBAL const f32 *texels; u32 n; } ts_mip_cube;
+typedef struct {
+	TS_GLOBAL const f32 *texels;
+	u32 n;
+} ts_mip_cube;
 
 TS_FN ts_v3 ts_k_mip_texel(const ts_mip_cube *cube, u32 level, u64 index)
 {
@@ -50,7 +53,8 @@ TS_FN ts_v3 ts_k_mip_bilinear(const ts_mip_cube *cube, u32 level, ts_cube_place 
 	f32 fy = y - ts_floor(y);
 	i32 i = ts_floor_i32(x);
 	i32 j = ts_floor_i32(y);
-	ts_v3 top = ts_k_lerp(ts_k_mip_tap(cube, level, place.face, i, j), ts_k_mip_tap(cube, level, place.face, i + 1, j), fx);
+	ts_v3 top =
+		ts_k_lerp(ts_k_mip_tap(cube, level, place.face, i, j), ts_k_mip_tap(cube, level, place.face, i + 1, j), fx);
 	ts_v3 low = ts_k_lerp(ts_k_mip_tap(cube, level, place.face, i, j + 1),
 	                      ts_k_mip_tap(cube, level, place.face, i + 1, j + 1), fx);
 	return ts_k_lerp(top, low, fy);

@@ -24,7 +24,10 @@ TS_FN void ts_k_pixel_count_item(const ts_pixel_args *args, u64 i)
 	args->offset[i] = ts_k_seen_reflector(&args->scene, args->depth_triangle[i]) != TS_NONE ? 1u : 0u;
 }
 
-typedef struct { ts_v3 p, n; bool seen; } ts_glance;
+typedef struct {
+	ts_v3 p, n;
+	bool seen;
+} ts_glance;
 
 /* What the eye sees at a pixel, if it is on the given reflector. The normal is turned to the viewer. */
 TS_FN ts_glance ts_k_glance(const ts_pixel_args *args, const ts_camera_k *view, i32 x, i32 y, u32 reflector)

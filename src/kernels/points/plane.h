@@ -5,7 +5,10 @@
 #define TS_KERNELS_PLANE_H
 #include "../raster/raster.h"
 
-typedef struct { ts_v3 n; f32 d; } ts_image_plane;
+typedef struct {
+	ts_v3 n;
+	f32 d;
+} ts_image_plane;
 
 /* Through p with the normal n, world. */
 TS_FN ts_image_plane ts_k_image_plane(const ts_camera_k *view, ts_v3 p, ts_v3 n)

@@ -12,11 +12,11 @@
 	ARG(OUT_OPT, u32, offset, count_offset) /* counts, then their prefix sums */ \
 	ARG(OUT_PARTS_OPT, u64, keys, points_key) \
 	ARG(OUT_PARTS_OPT, ts_point, points, points_record) \
-	ARG(TALLY_OPT, i64, n_points, 0) /* appended so far */ \
-	ARG(VALUE, u64, room, none) /* points that the arrays can hold */ \
-	ARG(VALUE, i32, half_size, none) /* of a lattice square, in 1/256: 129 safe, 128 exact, 0 its centre alone */ \
+	ARG(TALLY_OPT, i64, n_points, 0)   /* appended so far */ \
+	ARG(VALUE, u64, room, none)        /* points that the arrays can hold */ \
+	ARG(VALUE, i32, half_size, none)   /* of a lattice square, in 1/256: 129 safe, 128 exact, 0 its centre alone */ \
 	ARG(VALUE, u32, paper_splat, none) /* sub-pixel pieces get a splat of their own area */ \
-	ARG(VALUE, u32, snap, none) /* samples beside their piece move to its border */
+	ARG(VALUE, u32, snap, none)        /* samples beside their piece move to its border */
 TS_ARGS(ts_points_args);
 
 #define TS_POINT_TINY 1u
@@ -41,10 +41,7 @@ TS_FN u32 ts_k_points_of(const ts_points_args *args, u64 piece)
 }
 
 /* map over pieces: how many points */
-TS_FN void ts_k_count_item(const ts_points_args *args, u64 i)
-{
-	args->offset[i] = ts_k_points_of(args, i);
-}
+TS_FN void ts_k_count_item(const ts_points_args *args, u64 i) { args->offset[i] = ts_k_points_of(args, i); }
 
 /* l = 1/s (eq. 4); a sub-pixel piece is tiny: by the paper its splat is a square of its own area. */
 TS_FN f32 ts_k_splat_length(const ts_points_args *args, TS_GLOBAL const ts_piece *piece, f32 s, u32 *flags)

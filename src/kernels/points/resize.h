@@ -16,10 +16,13 @@
 	ARG(VALUE, u32, n_max, none) \
 	ARG(VALUE, u32, hysteresis, none) \
 	ARG(VALUE, u32, fixed, none) /* size of every cube, or 0: adapt */ \
-	ARG(VALUE, u32, all, none) /* also those out of sight */
+	ARG(VALUE, u32, all, none)   /* also those out of sight */
 TS_ARGS(ts_resize_args);
 
-typedef struct { f32 x0, y0, x1, y1; u32 seen; } ts_extent;
+typedef struct {
+	f32 x0, y0, x1, y1;
+	u32 seen;
+} ts_extent;
 
 TS_FN void ts_k_extent_add(ts_extent *e, ts_v2 p)
 {
@@ -36,15 +39,19 @@ TS_FN ts_extent ts_k_box_extent(const ts_camera_k *view, ts_v3 lo, ts_v3 hi)
 	ts_plane near = ts_plane_make(0.0f, 0.0f, 1.0f, -view->near);
 	ts_extent r;
 	r.seen = 0u;
-	r.x0 = 0.0f; r.y0 = 0.0f; r.x1 = 0.0f; r.y1 = 0.0f;
+	r.x0 = 0.0f;
+	r.y0 = 0.0f;
+	r.x1 = 0.0f;
+	r.y1 = 0.0f;
 	for (u32 edge = 0u; edge < 12u; edge++) {
 		u32 axis = edge >> 2;
 		u32 first = ((edge & 1u) << ((axis + 1u) % 3u)) | (((edge >> 1) & 1u) << ((axis + 2u) % 3u));
 		u32 second = first | (1u << axis);
 		ts_corner a = ts_k_to_view(view, ts_v3_make((first & 1u) != 0u ? hi.x : lo.x, (first & 2u) != 0u ? hi.y : lo.y,
 		                                            (first & 4u) != 0u ? hi.z : lo.z));
-		ts_corner b = ts_k_to_view(view, ts_v3_make((second & 1u) != 0u ? hi.x : lo.x, (second & 2u) != 0u ? hi.y : lo.y,
-		                                            (second & 4u) != 0u ? hi.z : lo.z));
+		ts_corner b =
+			ts_k_to_view(view, ts_v3_make((second & 1u) != 0u ? hi.x : lo.x, (second & 2u) != 0u ? hi.y : lo.y,
+		                                  (second & 4u) != 0u ? hi.z : lo.z));
 		f32 da = ts_k_plane_side(&near, &a);
 		f32 db = ts_k_plane_side(&near, &b);
 		if (da < 0.0f && db < 0.0f) continue;
@@ -59,7 +66,8 @@ TS_FN ts_extent ts_k_box_extent(const ts_camera_k *view, ts_v3 lo, ts_v3 hi)
 TS_FN u32 ts_k_resize_n(const ts_resize_args *args, const ts_camera_k *view, ts_v3 lo, ts_v3 hi, u32 before)
 {
 	ts_extent e = ts_k_box_extent(view, lo, hi);
-	bool on_screen = e.seen != 0u && e.x1 >= 0.0f && e.y1 >= 0.0f && e.x0 <= (f32)view->width && e.y0 <= (f32)view->height;
+	bool on_screen =
+		e.seen != 0u && e.x1 >= 0.0f && e.y1 >= 0.0f && e.x0 <= (f32)view->width && e.y0 <= (f32)view->height;
 	if (!on_screen && args->all == 0u) return 0u;
 	if (args->fixed != 0u) return args->fixed;
 	i32 whole = ts_floor_i32(ts_max(e.x1 - e.x0, e.y1 - e.y0));

@@ -10,9 +10,9 @@
 
 /* Offset k is ((x + 1/2) / 128, (y + 1/2) / 128) pixels. */
 TS_CONSTANT i32 ts_sample_offset[25][2] = {
-	{0, -23}, {19, 30}, {45, 48}, {-37, 10}, {-9, 56}, {43, 10}, {-33, 59}, {-63, 6}, {-55, -38}, {-14, 17},
-	{63, -17}, {-62, 35}, {-28, -26}, {-56, -64}, {23, -4}, {-21, 38}, {13, 54}, {-35, -47}, {7, -49}, {47, -59},
-	{21, -25}, {7, 10}, {-10, -4}, {32, -43}, {-14, -46},
+	{0, -23},  {19, 30},  {45, 48},  {-37, 10},  {-9, 56},   {43, 10},  {-33, 59},  {-63, 6}, {-55, -38},
+	{-14, 17}, {63, -17}, {-62, 35}, {-28, -26}, {-56, -64}, {23, -4},  {-21, 38},  {13, 54}, {-35, -47},
+	{7, -49},  {47, -59}, {21, -25}, {7, 10},    {-10, -4},  {32, -43}, {-14, -46},
 };
 
 TS_FN ts_v2 ts_k_sample_offset(u32 k)
@@ -22,7 +22,9 @@ TS_FN ts_v2 ts_k_sample_offset(u32 k)
 	return ts_v2_make(x * 0.0078125f, y * 0.0078125f);
 }
 
-typedef struct { ts_v3 p, direction; } ts_ray;
+typedef struct {
+	ts_v3 p, direction;
+} ts_ray;
 
 /* p_k = p + o_x dp/dx + o_y dp/dy, n_k likewise, r_k = i_k - 2 (i_k.n_k) n_k with i_k from the eye to p_k; o in pixels. */
 TS_FN ts_ray ts_k_offset_ray(TS_GLOBAL const ts_pixel *pixel, ts_v3 eye, ts_v2 o)

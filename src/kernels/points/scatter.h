@@ -11,8 +11,8 @@
 #define TS_ROWS_ts_scatter_args(ARG) \
 	ARG(INNER, ts_points_args, from, none) \
 	ARG(IN, ts_offscreen, views, offscreen_view) \
-	ARG(IN, u64, bits, visibility_bits) /* by triangle */ \
-	ARG(MIN_OPT, u32, depths, scatter_depth) /* of the batch */ \
+	ARG(IN, u64, bits, visibility_bits)        /* by triangle */ \
+	ARG(MIN_OPT, u32, depths, scatter_depth)   /* of the batch */ \
 	ARG(MIN_OPT, u32, colours, scatter_colour) /* of the batch */ \
 	ARG(TALLY, i64, n_points, 0) \
 	ARG(TALLY, i64, n_scatters, 1) \
@@ -24,7 +24,13 @@
 TS_ARGS(ts_scatter_args);
 
 /* A point on its way. */
-typedef struct { u64 piece; i32 x, y; ts_v3 centre; f32 length; u32 flags; } ts_flight;
+typedef struct {
+	u64 piece;
+	i32 x, y;
+	ts_v3 centre;
+	f32 length;
+	u32 flags;
+} ts_flight;
 
 TS_FN ts_flight ts_k_flight_stored(const ts_points_args *from, u64 i)
 {
@@ -83,8 +89,8 @@ TS_FN f32 ts_k_channel_radiance(u32 code, f32 exposure, f32 most)
 
 TS_FN u32 ts_k_colour_code(ts_v3 radiance, f32 exposure)
 {
-	return (ts_k_channel_code(radiance.x, exposure, 63.0f) << 13) | (ts_k_channel_code(radiance.y, exposure, 127.0f) << 6) |
-	       ts_k_channel_code(radiance.z, exposure, 63.0f);
+	return (ts_k_channel_code(radiance.x, exposure, 63.0f) << 13) |
+	       (ts_k_channel_code(radiance.y, exposure, 127.0f) << 6) | ts_k_channel_code(radiance.z, exposure, 63.0f);
 }
 
 TS_FN ts_v3 ts_k_colour_radiance(u32 code, f32 exposure)
@@ -100,8 +106,8 @@ TS_CALL u32 ts_k_flight_colour(const ts_scatter_args *args, const ts_camera_k *v
 	u32 triangle = args->from.pieces[point->piece].triangle;
 	ts_v3 way = ts_sub(point->centre, view->eye);
 	f32 footprint = ts_k_footprint(z / view->focal, way, ts_k_corners(&args->from.scene, triangle).n);
-	ts_surface s = ts_k_lattice_surface(&args->from.scene, &args->from.frames[point->piece], triangle, point->x, point->y,
-	                                    point->centre, footprint);
+	ts_surface s = ts_k_lattice_surface(&args->from.scene, &args->from.frames[point->piece], triangle, point->x,
+	                                    point->y, point->centre, footprint);
 	return ts_k_colour_code(ts_k_shade(&args->from.scene, &s, ts_normalize(ts_neg(way))), args->exposure);
 }
 
@@ -118,8 +124,8 @@ TS_FN void ts_k_offer_colour(const ts_scatter_args *args, const ts_camera_k *vie
 }
 
 /* One point into one view. Returns the texels offered: 0 behind the near plane and outside the image. */
-TS_CALL u32 ts_k_scatter_into(const ts_scatter_args *args, TS_GLOBAL const ts_offscreen *offscreen, const ts_flight *point,
-                            u64 first_texel)
+TS_CALL u32 ts_k_scatter_into(const ts_scatter_args *args, TS_GLOBAL const ts_offscreen *offscreen,
+                              const ts_flight *point, u64 first_texel)
 {
 	ts_camera_k view = ts_k_offscreen(offscreen);
 	ts_corner p = ts_k_to_view(&view, point->centre);
@@ -137,7 +143,9 @@ TS_CALL u32 ts_k_scatter_into(const ts_scatter_args *args, TS_GLOBAL const ts_of
 	return 1u;
 }
 
-typedef struct { i64 points, scatters, writes; } ts_scatter_tally;
+typedef struct {
+	i64 points, scatters, writes;
+} ts_scatter_tally;
 
 /* One point into every view of the batch that may see its triangle. */
 TS_FN void ts_k_scatter_point(const ts_scatter_args *args, const ts_flight *point, ts_scatter_tally *tally)

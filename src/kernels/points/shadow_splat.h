@@ -18,7 +18,10 @@
 	ARG(VALUE, u32, plane_depth, none)
 TS_ARGS(ts_shadow_splat_args);
 
-typedef struct { ts_scatter_tally of; i64 splats, texels; } ts_shadow_tally;
+typedef struct {
+	ts_scatter_tally of;
+	i64 splats, texels;
+} ts_shadow_tally;
 
 /* A piece as a depth map sees it. What is needed for splats alone is made for the first of them. */
 typedef struct {
@@ -32,8 +35,8 @@ typedef struct {
 
 /* All of it lies so far outside one plane of the view that no point reaches in: points and the corners of their
  * splats are within 1.5 cells of the piece, which is 1.5 sqrt(1 + reach^2) in x - reach z. */
-TS_FN bool ts_k_misses(const ts_camera_k *view, TS_GLOBAL const ts_offscreen *offscreen, TS_GLOBAL const ts_piece *piece,
-                       f32 cell)
+TS_FN bool ts_k_misses(const ts_camera_k *view, TS_GLOBAL const ts_offscreen *offscreen,
+                       TS_GLOBAL const ts_piece *piece, f32 cell)
 {
 	ts_corner corner[3];
 	corner[0] = ts_k_to_view(view, ts_load3(piece->a));
@@ -79,7 +82,8 @@ TS_FN void ts_k_shadow_cover(const ts_scatter_args *args, ts_shadow_caster *cast
 	ts_k_clip_to_range(&caster->view, &t);
 	if (t.n == 0u) return;
 	caster->cover = ts_k_cover_of(&caster->view, &t, 129);
-	caster->plane = ts_k_image_plane(&caster->view, ts_load3(piece->a), ts_cross(ts_load3(frame->u), ts_load3(frame->v)));
+	caster->plane =
+		ts_k_image_plane(&caster->view, ts_load3(piece->a), ts_cross(ts_load3(frame->u), ts_load3(frame->v)));
 	caster->nearest = t.corner[0].z;
 	caster->farthest = t.corner[0].z;
 	for (u32 k = 1u; k < t.n; k++) {
@@ -133,7 +137,7 @@ TS_FN u32 ts_k_shadow_square(const ts_shadow_splat_args *args, const ts_shadow_c
 
 /* One point into one view. */
 TS_CALL void ts_k_shadow_splat_into(const ts_shadow_splat_args *args, ts_shadow_caster *caster, const ts_flight *point,
-                                  ts_shadow_tally *tally)
+                                    ts_shadow_tally *tally)
 {
 	ts_corner p = ts_k_to_view(&caster->view, point->centre);
 	tally->of.scatters++;
@@ -182,7 +186,10 @@ TS_FN void ts_k_shadow_splat_item(const ts_shadow_splat_args *args, u64 i)
 
 /* Views that a piece's points are made for at a time. */
 #define TS_SHADOW_GROUP 8u
-typedef struct { ts_shadow_caster caster[TS_SHADOW_GROUP]; u32 n; } ts_shadow_group;
+typedef struct {
+	ts_shadow_caster caster[TS_SHADOW_GROUP];
+	u32 n;
+} ts_shadow_group;
 
 /* All points of a piece into the views of a group, which is empty then. */
 TS_FN void ts_k_shadow_piece_into(const ts_shadow_splat_args *args, const ts_cover *cover, ts_flight *point,

@@ -72,7 +72,10 @@ TS_FN ts_box ts_k_splat_box(const ts_camera_k *view, ts_v3 c, ts_v3 u, ts_v3 v, 
 	ts_plane near = ts_plane_make(0.0f, 0.0f, 1.0f, -view->near);
 	if (ts_k_any_behind(&square, near)) ts_k_clip(&square, near);
 	ts_box none;
-	none.x0 = 0; none.y0 = 0; none.x1 = -1; none.y1 = -1;
+	none.x0 = 0;
+	none.y0 = 0;
+	none.x1 = -1;
+	none.y1 = -1;
 	if (square.n == 0u) return none;
 	ts_v2 lo = ts_k_project(view, &square.corner[0]);
 	ts_v2 hi = lo;

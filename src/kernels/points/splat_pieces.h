@@ -6,8 +6,13 @@
 #include "splat.h"
 
 /* Inside where x i + y j + c >= 0. */
-typedef struct { i64 x, y, c; } ts_line;
-typedef struct { ts_line edge[TS_MAX_CORNERS]; u32 n; } ts_lines;
+typedef struct {
+	i64 x, y, c;
+} ts_line;
+typedef struct {
+	ts_line edge[TS_MAX_CORNERS];
+	u32 n;
+} ts_lines;
 
 /* ts_k_touches as lines: e grows by 256 dx and 256 dy from texel to texel (rule 19). */
 TS_FN void ts_k_lines(ts_lines *r, const ts_cover *cover)
@@ -35,7 +40,10 @@ TS_FN bool ts_k_inside_lines(const ts_lines *l, i32 i, i32 j)
 }
 
 /* A face's axis as a world axis and a sign. */
-typedef struct { u32 axis; f32 sign; } ts_row;
+typedef struct {
+	u32 axis;
+	f32 sign;
+} ts_row;
 
 TS_FN ts_row ts_k_row(ts_v3 v)
 {

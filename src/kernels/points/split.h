@@ -8,8 +8,8 @@
 
 #define TS_MAX_SPLITS 12u
 #define TS_UNEVEN 1.5f
-#define TS_UNEVEN_SAMPLES 64.0f     /* what has no more is not worth it */
-#define TS_MOST_SAMPLES 1048576.0f  /* 2^20 */
+#define TS_UNEVEN_SAMPLES 64.0f    /* what has no more is not worth it */
+#define TS_MOST_SAMPLES 1048576.0f /* 2^20 */
 
 TS_CALL ts_need ts_k_need(const ts_density_args *args, TS_GLOBAL const u64 *words, ts_v3 a, ts_v3 b, ts_v3 c)
 {

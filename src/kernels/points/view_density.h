@@ -17,7 +17,9 @@
 #define TS_LEAST_COSINE 0.001000000047497451305389404296875f /* of the normal to the way to the view */
 
 /* Samples a world unit, and how many times as many at one end of the triangle as at the other. */
-typedef struct { f32 s, uneven; } ts_need;
+typedef struct {
+	f32 s, uneven;
+} ts_need;
 
 /* f sqrt(h / z^3) = sqrt(1 / A_P) at a point p of the plane with the normal n, unit. */
 TS_FN f32 ts_k_pixel_rate(const ts_camera_k *view, ts_v3 n, ts_v3 p, f32 z)

@@ -16,7 +16,10 @@ TS_FN f32 ts_k_fragment_footprint(const ts_camera_k *view, const ts_corners *t, 
 }
 
 /* Texels of one view: keys, or depths alone; the other is NULL. */
-typedef struct { TS_GLOBAL u64 *keys; TS_GLOBAL u32 *depths; } ts_target;
+typedef struct {
+	TS_GLOBAL u64 *keys;
+	TS_GLOBAL u32 *depths;
+} ts_target;
 
 TS_FN ts_target ts_k_keys(TS_GLOBAL u64 *keys)
 {
@@ -67,13 +70,14 @@ TS_FN void ts_k_draw_fan(const ts_arrays *scene, const ts_camera_k *view, const 
 
 /* One triangle, facing and not degenerate, into one view. */
 TS_CALL void ts_k_draw(const ts_arrays *scene, const ts_camera_k *view, const ts_corners *t, u32 triangle,
-                     const ts_target *target)
+                       const ts_target *target)
 {
 	ts_polygon polygon = ts_k_polygon(view, t->a, t->b, t->c);
 	if (ts_k_is_outside(view, &polygon)) return;
 	ts_k_clip_to_range(view, &polygon);
 	for (u32 k = 2u; k < polygon.n; k++) {
-		ts_k_draw_fan(scene, view, t, triangle, &polygon.corner[0], &polygon.corner[k - 1u], &polygon.corner[k], target);
+		ts_k_draw_fan(scene, view, t, triangle, &polygon.corner[0], &polygon.corner[k - 1u], &polygon.corner[k],
+		              target);
 	}
 }
 

@@ -33,7 +33,8 @@ TS_FN void ts_k_gpixel_store(TS_GLOBAL ts_gpixel *pixel, ts_v3 p, f32 depth, ts_
 }
 
 /* Of what a key of eye.depth_triangle names at pixel (x, y). */
-TS_FN void ts_k_gpixel(TS_GLOBAL ts_gpixel *pixel, const ts_arrays *scene, const ts_camera_k *view, u64 key, i32 x, i32 y)
+TS_FN void ts_k_gpixel(TS_GLOBAL ts_gpixel *pixel, const ts_arrays *scene, const ts_camera_k *view, u64 key, i32 x,
+                       i32 y)
 {
 	ts_v3 zero = ts_v3_make(0.0f, 0.0f, 0.0f);
 	if (key == TS_EMPTY) {

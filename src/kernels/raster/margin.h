@@ -22,7 +22,11 @@
 TS_ARGS(ts_margin_args);
 
 /* What was decided at a pixel. `other` than it is each triangle but its own, of depths each with another depth. */
-typedef struct { f32 z; u32 triangle; bool is_empty, is_known; } ts_shown;
+typedef struct {
+	f32 z;
+	u32 triangle;
+	bool is_empty, is_known;
+} ts_shown;
 
 TS_FN ts_shown ts_k_shown(const ts_margin_args *args, u64 pixel)
 {
@@ -41,11 +45,11 @@ TS_FN bool ts_k_is_other(const ts_shown *shown, u32 triangle, f32 z)
 	return shown->is_known ? shown->triangle != triangle : shown->z != z;
 }
 
-#define TS_MARGIN_REACH 4.0f                    /* edges farther outside do not matter, in 1/256 pixel */
-#define TS_MARGIN_NEAR 0.015625f                /* nor do depths that are this part farther behind, and four steps */
+#define TS_MARGIN_REACH 4.0f                       /* edges farther outside do not matter, in 1/256 pixel */
+#define TS_MARGIN_NEAR 0.015625f                   /* nor do depths that are this part farther behind, and four steps */
 #define TS_MARGIN_ROUNDING 0.00000095367431640625f /* part of a depth that rounding may change: 8 ulps */
-#define TS_MARGIN_ALPHA 0.00390625f             /* an alpha mask so near its cutoff decides nothing */
-#define TS_MARGIN_NOWHERE 1048576.0f            /* where nothing is compared, or exactly */
+#define TS_MARGIN_ALPHA 0.00390625f                /* an alpha mask so near its cutoff decides nothing */
+#define TS_MARGIN_NOWHERE 1048576.0f               /* where nothing is compared, or exactly */
 
 TS_FN void ts_k_least_bits(TS_GLOBAL u32 *least, f32 margin)
 {
@@ -113,7 +117,12 @@ TS_FN f32 ts_k_depth_step_at(const ts_arrays *scene, const ts_camera_k *view, u3
 }
 
 /* A triangle near a pixel's centre. */
-typedef struct { u32 triangle; i32 x, y; ts_fragment f; f32 footprint, distance, step; } ts_near;
+typedef struct {
+	u32 triangle;
+	i32 x, y;
+	ts_fragment f;
+	f32 footprint, distance, step;
+} ts_near;
 
 /* Where the alpha mask nearly decides, the distance is 0; where it cuts, there is nothing. */
 TS_FN bool ts_k_margin_mask(const ts_arrays *scene, const ts_corners *t, ts_near *near)
@@ -178,7 +187,8 @@ TS_FN void ts_k_margin_draw(const ts_margin_args *args, const ts_camera_k *view,
 	if (ts_k_is_outside(view, &polygon)) return;
 	ts_k_clip_to_range(view, &polygon);
 	for (u32 k = 2u; k < polygon.n; k++) {
-		ts_k_margin_fan(args, view, t, triangle, &polygon.corner[0], &polygon.corner[k - 1u], &polygon.corner[k], first);
+		ts_k_margin_fan(args, view, t, triangle, &polygon.corner[0], &polygon.corner[k - 1u], &polygon.corner[k],
+		                first);
 	}
 }
 

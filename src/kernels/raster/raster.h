@@ -7,12 +7,23 @@
 #include "../base/vec.h"
 
 /* A corner in view space (X, Y, z axial) with its weights on the source triangle. */
-typedef struct { f32 x, y, z; ts_v3 w; } ts_corner;
+typedef struct {
+	f32 x, y, z;
+	ts_v3 w;
+} ts_corner;
 #define TS_MAX_CORNERS 8
-typedef struct { ts_corner corner[TS_MAX_CORNERS]; u32 n; } ts_polygon;
+typedef struct {
+	ts_corner corner[TS_MAX_CORNERS];
+	u32 n;
+} ts_polygon;
 
 /* A view in registers. An orthographic one has `focal` pixels a world unit. */
-typedef struct { ts_v3 eye, right, up, back; f32 focal, near; i32 width, height; u32 orthographic; } ts_camera_k;
+typedef struct {
+	ts_v3 eye, right, up, back;
+	f32 focal, near;
+	i32 width, height;
+	u32 orthographic;
+} ts_camera_k;
 
 TS_FN ts_camera_k ts_k_view(TS_GLOBAL const ts_view *view)
 {
@@ -54,12 +65,17 @@ TS_FN ts_polygon ts_k_polygon(const ts_camera_k *view, ts_v3 a, ts_v3 b, ts_v3 c
 }
 
 /* The half space x X + y Y + z Z + d >= 0. */
-typedef struct { f32 x, y, z, d; } ts_plane;
+typedef struct {
+	f32 x, y, z, d;
+} ts_plane;
 
 TS_FN ts_plane ts_plane_make(f32 x, f32 y, f32 z, f32 d)
 {
 	ts_plane r;
-	r.x = x; r.y = y; r.z = z; r.d = d;
+	r.x = x;
+	r.y = y;
+	r.z = z;
+	r.d = d;
 	return r;
 }
 
@@ -164,7 +180,9 @@ TS_FN ts_v2 ts_k_project(const ts_camera_k *view, const ts_corner *p)
 	return ts_v2_make((f32)view->width * 0.5f + x, (f32)view->height * 0.5f - y);
 }
 
-typedef struct { i32 x, y; } ts_snapped;
+typedef struct {
+	i32 x, y;
+} ts_snapped;
 
 TS_FN ts_snapped ts_k_snap(ts_v2 p)
 {
@@ -183,7 +201,11 @@ TS_FN i64 ts_k_edge(ts_snapped a, ts_snapped b, i32 x, i32 y)
 TS_FN bool ts_k_is_top_left(ts_snapped a, ts_snapped b) { return b.y < a.y || (b.y == a.y && b.x > a.x); }
 
 /* A snapped triangle turned to positive area; corner k is corner from[k] of the source. */
-typedef struct { ts_snapped v[3]; u32 from[3]; i64 area; } ts_setup;
+typedef struct {
+	ts_snapped v[3];
+	u32 from[3];
+	i64 area;
+} ts_setup;
 
 TS_FN ts_setup ts_k_setup(ts_snapped a, ts_snapped b, ts_snapped c)
 {
@@ -201,7 +223,9 @@ TS_FN ts_setup ts_k_setup(ts_snapped a, ts_snapped b, ts_snapped c)
 }
 
 /* Edge k lies opposite corner k. */
-typedef struct { i64 e[3]; } ts_edges;
+typedef struct {
+	i64 e[3];
+} ts_edges;
 
 TS_FN ts_edges ts_k_edges(const ts_setup *t, i32 x, i32 y)
 {
@@ -257,7 +281,9 @@ TS_FN bool ts_k_walk_covers(const ts_walk *w, const ts_edges *e)
 }
 
 /* Pixels [x0, x1] x [y0, y1]; empty if x1 < x0 or y1 < y0. */
-typedef struct { i32 x0, y0, x1, y1; } ts_box;
+typedef struct {
+	i32 x0, y0, x1, y1;
+} ts_box;
 
 TS_FN ts_box ts_k_box_meet(ts_box a, ts_box b)
 {
@@ -308,7 +334,13 @@ TS_FN bool ts_k_square_meets(ts_snapped a, ts_snapped b, bool turned, i32 x, i32
 }
 
 /* A convex polygon of snapped corners for the conservative test: its edges and its box (CONTRACT rule 19). */
-typedef struct { ts_snapped v[TS_MAX_CORNERS]; u32 n; bool turned; ts_box touched; i32 half_size; } ts_cover;
+typedef struct {
+	ts_snapped v[TS_MAX_CORNERS];
+	u32 n;
+	bool turned;
+	ts_box touched;
+	i32 half_size;
+} ts_cover;
 
 TS_FN void ts_k_cover_finish(ts_cover *c, i32 half_size)
 {
@@ -331,7 +363,10 @@ TS_FN bool ts_k_touches(const ts_cover *c, i32 i, i32 j)
 
 /* What a covered pixel sees: axial depth and perspective weights of the source triangle's corners (rule 22):
  * b_k = E_k / sum E, z = 1 / sum b/z, w = z sum (b/z) w. */
-typedef struct { f32 z; ts_v3 w; } ts_fragment;
+typedef struct {
+	f32 z;
+	ts_v3 w;
+} ts_fragment;
 
 TS_FN ts_fragment ts_k_fragment(const ts_setup *t, const ts_edges *e, const ts_corner *a, const ts_corner *b,
                                 const ts_corner *c)

@@ -24,7 +24,10 @@
 TS_ARGS(ts_resolve_args);
 
 /* What the eye sees at a pixel: a point and the face's normal, unit. */
-typedef struct { ts_v3 p, n; bool seen; } ts_receiver;
+typedef struct {
+	ts_v3 p, n;
+	bool seen;
+} ts_receiver;
 
 TS_FN ts_receiver ts_k_receiver(const ts_arrays *scene, const ts_camera_k *eye, u64 key, i32 x, i32 y)
 {

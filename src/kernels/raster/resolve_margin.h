@@ -26,7 +26,10 @@ TS_FN f32 ts_k_receiver_step(const ts_camera_k *eye, const ts_receiver *at)
 }
 
 /* A receiver before a view's map, and its steps: in 1/256 texel, and in depth. */
-typedef struct { ts_v2 place; f32 z, bias, step, deeper; } ts_asking;
+typedef struct {
+	ts_v2 place;
+	f32 z, bias, step, deeper;
+} ts_asking;
 
 TS_FN ts_asking ts_k_asking(const ts_resolve_args *args, const ts_camera_k *view, const ts_receiver *at, f32 moves)
 {
@@ -48,7 +51,10 @@ TS_FN ts_asking ts_k_asking(const ts_resolve_args *args, const ts_camera_k *view
 
 /* The nearest edge of a texel along an axis, in 1/256 texel, and the texel behind it; far outside the map all are
  * empty. */
-typedef struct { i32 own, next; f32 distance; } ts_beside;
+typedef struct {
+	i32 own, next;
+	f32 distance;
+} ts_beside;
 
 TS_FN ts_beside ts_k_beside(f32 place)
 {
@@ -69,8 +75,8 @@ TS_FN void ts_k_least_margin(TS_GLOBAL u64 *margin, f32 distance)
 
 /* One view: the texel that the point falls into, and those behind its nearest edges. `moves`: see
  * ts_k_receiver_step. */
-TS_FN void ts_k_reach_margin(const ts_resolve_args *args, TS_GLOBAL const ts_offscreen *offscreen, const ts_receiver *at,
-                             f32 moves, u64 first_texel, TS_GLOBAL u64 *margin)
+TS_FN void ts_k_reach_margin(const ts_resolve_args *args, TS_GLOBAL const ts_offscreen *offscreen,
+                             const ts_receiver *at, f32 moves, u64 first_texel, TS_GLOBAL u64 *margin)
 {
 	ts_camera_k view = ts_k_offscreen(offscreen);
 	if (!(ts_k_to_view(&view, at->p).z >= view.near)) return;

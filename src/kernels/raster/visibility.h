@@ -23,9 +23,15 @@ TS_FN ts_v3 ts_k_face_axes(u32 face, ts_v3 d)
 }
 
 /* Four sides at x and y from the axis, a unit ahead, of an orthographic view everywhere; and near. */
-typedef struct { f32 x, y, near; u32 orthographic; } ts_frustum;
+typedef struct {
+	f32 x, y, near;
+	u32 orthographic;
+} ts_frustum;
 
-TS_FN f32 ts_k_reach(const ts_frustum *frustum, f32 side, f32 z) { return frustum->orthographic != 0u ? side : side * z; }
+TS_FN f32 ts_k_reach(const ts_frustum *frustum, f32 side, f32 z)
+{
+	return frustum->orthographic != 0u ? side : side * z;
+}
 
 /* All corners outside one and the same plane of the frustum, which is closed. */
 TS_FN bool ts_k_outside_plane(const ts_frustum *f, ts_v3 a, ts_v3 b, ts_v3 c)

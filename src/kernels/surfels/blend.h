@@ -12,7 +12,7 @@
 #include "fragment.h"
 
 #define TS_BLEND_BITS 30
-#define TS_BLEND_WEIGHT 6u    /* places in a pixel's sums */
+#define TS_BLEND_WEIGHT 6u /* places in a pixel's sums */
 #define TS_BLEND_FRAGMENTS 7u
 #define TS_BLEND_SUMS 8u
 
@@ -28,7 +28,9 @@
 TS_ARGS(ts_blend_args);
 
 /* What a surfel adds for a weight of 1. */
-typedef struct { f32 value[6]; } ts_attributes;
+typedef struct {
+	f32 value[6];
+} ts_attributes;
 
 TS_FN ts_attributes ts_k_attributes(TS_GLOBAL const ts_surfel *surfel, const ts_disc *disc)
 {

@@ -62,7 +62,9 @@ TS_FN f32 ts_k_blend_number(u32 accumulation, u32 k, f32 sum, f32 weight)
 }
 
 /* A pixel of the target. */
-typedef struct { f32 sum[TS_BLEND_WEIGHT + 1u]; } ts_blend_target;
+typedef struct {
+	f32 sum[TS_BLEND_WEIGHT + 1u];
+} ts_blend_target;
 
 TS_FN ts_blend_target ts_k_blend_none(void)
 {

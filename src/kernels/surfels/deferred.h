@@ -11,7 +11,7 @@
 #define TS_SHADER_IS_PHONG 0u
 #define TS_SHADER_IS_NPR 1u
 
-#define TS_HIGHLIGHT 0.25f       /* of the radiance of a diffuse white surface */
+#define TS_HIGHLIGHT 0.25f /* of the radiance of a diffuse white surface */
 #define TS_TONES 3.0f
 #define TS_OUTLINE_STEP 0.03125f   /* of the depth */
 #define TS_OUTLINE_DROP 0.0078125f /* below the surface's plane, of the distance to the eye */
@@ -59,7 +59,11 @@ TS_FN ts_v3 ts_k_deferred_light(const ts_deferred_args *args, u64 i, u32 k, ts_v
 /* A pixel and a neighbour: how much farther that is (1 - zn is proportional to 1 / z), and how far below the plane
  * of the surface, in which a floor goes on however steep the view; and what both must pass for the surface to end
  * there. */
-typedef struct { f32 farther, step, below, drop; i32 x, y; bool is, sky; } ts_border;
+typedef struct {
+	f32 farther, step, below, drop;
+	i32 x, y;
+	bool is, sky;
+} ts_border;
 
 /* Neighbour k: to the left, to the right, above, below. */
 TS_FN ts_border ts_k_border(const ts_deferred_args *args, u64 i, u32 k)

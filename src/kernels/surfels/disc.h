@@ -25,30 +25,31 @@
 #define TS_FILTER_IS_SCREEN 2u /* r2D */
 #define TS_FILTER_IS_EWA 3u    /* exact */
 
-#define TS_DISC_FLAT 1u        /* seen from the side: no footprint of its own */
-#define TS_DISC_PARALLEL 2u    /* of an orthographic view */
-#define TS_DISC_CROSSES 4u     /* about its farthest point, whose (a, b) are in `conic` */
+#define TS_DISC_FLAT 1u     /* seen from the side: no footprint of its own */
+#define TS_DISC_PARALLEL 2u /* of an orthographic view */
+#define TS_DISC_CROSSES 4u  /* about its farthest point, whose (a, b) are in `conic` */
 #define TS_LEAST_SLANT 0.0000009999999974752427078783512115478515625f /* 1e-6 */
 #define TS_FARTHEST_PIXEL 1048576.0f
-#define TS_A_LITTLE 0.0625f        /* pixels */
+#define TS_A_LITTLE 0.0625f /* pixels */
 #define TS_A_LITTLE_MORE 1.0009765625f
 
 typedef struct {
-	u32 filter;       /* TS_FILTER_IS_* */
-	u32 botsch;       /* bounds are a square of r f / z */
-	f32 per_sigma2;   /* 1 / sigma^2, sigma the radius of the screen filter in pixels; 0: there is none */
-	f32 reach;        /* sigma, or a splat's least size by two if that is more, pixels */
-	f32 fall;         /* 1 / (2 sigma_k^2) */
-	f32 object2;      /* sigma_k^2 */
-	f32 screen2;      /* sigma_h^2 of exact EWA */
+	u32 filter;     /* TS_FILTER_IS_* */
+	u32 botsch;     /* bounds are a square of r f / z */
+	f32 per_sigma2; /* 1 / sigma^2, sigma the radius of the screen filter in pixels; 0: there is none */
+	f32 reach;      /* sigma, or a splat's least size by two if that is more, pixels */
+	f32 fall;       /* 1 / (2 sigma_k^2) */
+	f32 object2;    /* sigma_k^2 */
+	f32 screen2;    /* sigma_h^2 of exact EWA */
 } ts_filter;
 
 /* Why a surfel is not drawn. */
 #define TS_DISC_DRAWN 0u
-#define TS_DISC_TURNED 1u  /* it turns its back */
-#define TS_DISC_BEFORE 2u  /* it is before the near plane; of exact EWA also what comes to the eye's plane, and of this and
+#define TS_DISC_TURNED 1u /* it turns its back */
+#define TS_DISC_BEFORE \
+	2u /* it is before the near plane; of exact EWA also what comes to the eye's plane, and of this and
                               the screen filter alone what has its centre before the near plane */
-#define TS_DISC_BESIDE 3u  /* it is beside the image */
+#define TS_DISC_BESIDE 3u /* it is beside the image */
 
 /* A float as the sum of two of 12 bits (Veltkamp). */
 TS_FN ts_v2 ts_k_halves(f32 a)
@@ -98,12 +99,12 @@ TS_FN ts_v2 ts_k_extent(f32 j_a, f32 j_b, f32 u, f32 v)
 
 /* The surfel's axes and their images. */
 typedef struct {
-	ts_corner c;         /* the centre in view space, or the farthest point */
-	f32 a, b;            /* which of its points c is */
-	bool crosses;        /* c is the farthest point */
-	ts_v3 u, v;          /* its axes there */
-	f32 z;               /* what divides; orthographic: 1 */
-	f32 xa, xb, ya, yb;  /* J */
+	ts_corner c;        /* the centre in view space, or the farthest point */
+	f32 a, b;           /* which of its points c is */
+	bool crosses;       /* c is the farthest point */
+	ts_v3 u, v;         /* its axes there */
+	f32 z;              /* what divides; orthographic: 1 */
+	f32 xa, xb, ya, yb; /* J */
 } ts_disc_frame;
 
 TS_FN ts_v3 ts_k_view_axis(const ts_camera_k *view, ts_v3 d)

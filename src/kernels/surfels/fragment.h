@@ -10,12 +10,15 @@ typedef struct {
 	f32 z;        /* axial depth */
 	f32 exponent; /* the weight is peak e^-exponent */
 	f32 peak;
-	bool inside;  /* r3D <= 1 */
-	bool covers;  /* it is a fragment */
+	bool inside; /* r3D <= 1 */
+	bool covers; /* it is a fragment */
 } ts_surfel_fragment;
 
 /* Where the ray at an offset meets the surfel's plane, if it does before the eye; r2 is r3D squared. */
-typedef struct { f32 a, b, r2, z; bool meets, inside; } ts_disc_hit;
+typedef struct {
+	f32 a, b, r2, z;
+	bool meets, inside;
+} ts_disc_hit;
 
 TS_FN ts_disc_hit ts_k_disc_hit(const ts_disc *disc, f32 near, f32 dx, f32 dy)
 {

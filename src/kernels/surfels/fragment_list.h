@@ -8,7 +8,7 @@
 	ARG(IN, ts_view, view, eye_view) \
 	ARG(IN, ts_disc, discs, surfel_setup_disc) \
 	ARG(IN, u64, keys, surfel_depth_surfel) \
-	ARG(SUM, u32, offset, fragment_list_offset) /* one later */ \
+	ARG(SUM, u32, offset, fragment_list_offset)      /* one later */ \
 	ARG(OUT_OPT, u32, surfels, fragment_list_surfel) /* NULL: they are counted */ \
 	ARG(VALUE, ts_filter, filter, none)
 TS_ARGS(ts_fragment_list_args);

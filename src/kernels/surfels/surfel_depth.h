@@ -8,7 +8,8 @@
 #include "../raster/draw.h"
 #include "fragment.h"
 
-TS_FN void ts_k_disc_draw(const ts_disc *disc, const ts_camera_k *view, f32 epsilon, u32 surfel, const ts_target *target)
+TS_FN void ts_k_disc_draw(const ts_disc *disc, const ts_camera_k *view, f32 epsilon, u32 surfel,
+                          const ts_target *target)
 {
 	for (i32 y = disc->low[1]; y <= disc->high[1]; y++) {
 		for (i32 x = disc->low[0]; x <= disc->high[0]; x++) {

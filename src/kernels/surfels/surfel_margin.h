@@ -16,13 +16,17 @@
 	ARG(IN, f32, epsilon, surfel_setup_epsilon) \
 	ARG(IN, u64, keys, surfel_depth_surfel) \
 	ARG(IN_OPT, u64, heaviest, blend_heaviest) /* NULL: of surfel_depth */ \
-	ARG(MIN, u64, margin, none) /* [2] a pixel, f32 bits */ \
+	ARG(MIN, u64, margin, none)                /* [2] a pixel, f32 bits */ \
 	ARG(VALUE, ts_filter, filter, none)
 TS_ARGS(ts_surfel_margin_args);
 
 /* A surfel as it is drawn, or would be if it were; in steps how near it is to be drawn or not; and what a step is in
  * the depth of its centre, and in pixels of its image; and its radius in pixels. */
-typedef struct { ts_disc disc; bool drawn; f32 fate, deep, off, wide; } ts_nearly;
+typedef struct {
+	ts_disc disc;
+	bool drawn;
+	f32 fate, deep, off, wide;
+} ts_nearly;
 
 /* A surfel at a pixel, and what a step is in r3D^2, in the depth there, and in what the screen filter or exact EWA
  * compares, which is at most 1; in its weight, of that; and how many steps its peak is from 0. */
@@ -33,8 +37,8 @@ typedef struct {
 } ts_nearly_there;
 
 /* The least of the margins of all tests that drew it, or the greatest of those that did not. */
-TS_FN f32 ts_k_disc_fate(const ts_camera_k *view, const ts_filter *filter, const ts_disc_frame *frame, f32 slant, f32 deep,
-                         f32 distance)
+TS_FN f32 ts_k_disc_fate(const ts_camera_k *view, const ts_filter *filter, const ts_disc_frame *frame, f32 slant,
+                         f32 deep, f32 distance)
 {
 	f32 turned = (ts_abs(slant) * distance) / deep;
 	f32 centre = frame->c.z - (frame->a * frame->u.z + frame->b * frame->v.z);
@@ -128,8 +132,8 @@ TS_FN void ts_k_nearly_radius(ts_nearly_there *r, const ts_filter *filter, const
 	r->peak_margin = TS_MARGIN_NOWHERE;
 }
 
-TS_FN ts_nearly_there ts_k_nearly_there(const ts_surfel_margin_args *args, const ts_camera_k *view, const ts_nearly *surfel,
-                                        i32 x, i32 y)
+TS_FN ts_nearly_there ts_k_nearly_there(const ts_surfel_margin_args *args, const ts_camera_k *view,
+                                        const ts_nearly *surfel, i32 x, i32 y)
 {
 	ts_nearly_there r;
 	ts_v2 d = ts_k_disc_offset(&surfel->disc, x, y);
@@ -204,7 +208,10 @@ TS_FN void ts_k_surfel_depth_margin_item(const ts_surfel_margin_args *args, u64 
 
 /* Its tests at a pixel, each as it was decided and by how many steps; of the depth, that of its centre and the
  * ray's. */
-typedef struct { bool inside, covers, before[2]; f32 inside_margin, covers_margin, before_margin[2]; } ts_blend_tests;
+typedef struct {
+	bool inside, covers, before[2];
+	f32 inside_margin, covers_margin, before_margin[2];
+} ts_blend_tests;
 
 /* Of a depth, of which a step is that much, and the depth that the visibility pass allows. */
 TS_FN f32 ts_k_before_margin(const ts_surfel_margin_args *args, const ts_camera_k *view, f32 z, f32 step, i32 x, i32 y)
@@ -216,8 +223,8 @@ TS_FN f32 ts_k_before_margin(const ts_surfel_margin_args *args, const ts_camera_
 	return ts_abs(z - limit) / (both + limit * TS_MARGIN_ROUNDING);
 }
 
-TS_FN ts_blend_tests ts_k_blend_tests(const ts_surfel_margin_args *args, const ts_camera_k *view, const ts_nearly *surfel,
-                                      const ts_nearly_there *there, i32 x, i32 y)
+TS_FN ts_blend_tests ts_k_blend_tests(const ts_surfel_margin_args *args, const ts_camera_k *view,
+                                      const ts_nearly *surfel, const ts_nearly_there *there, i32 x, i32 y)
 {
 	ts_blend_tests r;
 	u64 key = args->keys[(u64)y * (u64)view->width + (u64)x];

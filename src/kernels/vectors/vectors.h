@@ -9,7 +9,7 @@
 #define VECTOR(name) TS_PRIMITIVE_##name,
 typedef enum {
 #include "vectors.def"
-	TS_N_PRIMITIVES
+	TS_N_PRIMITIVES,
 } ts_primitive;
 #undef VECTOR
 
@@ -18,7 +18,8 @@ TS_FN void ts_k_vectors_item(const ts_vectors_args *args, u64 i)
 {
 	TS_GLOBAL const u32 *in = args->in + i * args->in_words;
 	TS_GLOBAL u32 *out = args->out + i * args->out_words;
-#define VECTOR(name) case TS_PRIMITIVE_##name: ts_k_vector_##name(out, in); break;
+#define VECTOR(name) \
+	case TS_PRIMITIVE_##name: ts_k_vector_##name(out, in); break;
 	switch (args->primitive) {
 #include "vectors.def"
 	}

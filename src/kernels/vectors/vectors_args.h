@@ -7,8 +7,8 @@
 #include "vectors_row.h"
 
 #define TS_ROWS_ts_vectors_args(ARG) \
-	ARG(WORK_IN, u32, in, tallies) /* rows of in_words */ \
-	ARG(WORK, u32, out, other) /* rows of out_words, from a multiple of 8 bytes on */ \
+	ARG(WORK_IN, u32, in, tallies)   /* rows of in_words */ \
+	ARG(WORK, u32, out, other)       /* rows of out_words, from a multiple of 8 bytes on */ \
 	ARG(VALUE, u32, primitive, none) /* place in the list of the kernel */ \
 	ARG(VALUE, u32, in_words, none) \
 	ARG(VALUE, u32, out_words, none)

@@ -7,12 +7,12 @@
 
 TS_VECTOR_FLOAT(add, TS_A + TS_B)
 TS_VECTOR_FLOAT(sub, TS_A - TS_B)
-TS_VECTOR_FLOAT(mul, TS_A * TS_B)
+TS_VECTOR_FLOAT(mul, TS_A *TS_B)
 TS_VECTOR_FLOAT(div, TS_A / TS_B)
 TS_VECTOR_FLOAT(sqrt, ts_sqrt(TS_A))
 
 /* Each one expression: those are what compilers fuse first. */
-TS_VECTOR_FLOAT(muladd, TS_A * TS_B + TS_C)
+TS_VECTOR_FLOAT(muladd, TS_A *TS_B + TS_C)
 TS_VECTOR_FLOAT(mulsub, TS_C - TS_A * TS_B)
 
 TS_FN u32 ts_k_vector_order(f32 a, f32 b) { return (a < b ? 1u : 0u) | (a == b ? 2u : 0u) | (a > b ? 4u : 0u); }

@@ -55,8 +55,7 @@ TS_FN void ts_k_vector_sample(TS_GLOBAL u32 *out, TS_GLOBAL const u32 *in, ts_v2
 }
 TS_VECTOR(texture_bilinear) { ts_k_vector_sample(out, in, ts_row_v2(in, 8u)); }
 
-TS_VECTOR_WORD(texture_lod,
-               ts_k_texture_lod(in[0], in[1], ts_row_f32(in, 2u), ts_row_f32(in, 3u), ts_row_f32(in, 4u)))
+TS_VECTOR_WORD(texture_lod, ts_k_texture_lod(in[0], in[1], ts_row_f32(in, 2u), ts_row_f32(in, 3u), ts_row_f32(in, 4u)))
 
 TS_VECTOR_WORD(srgb, ts_srgb_byte(TS_A))
 

@@ -16,7 +16,7 @@
 	ARG(OUT, f32, to, none) \
 	ARG(VALUE, u32, width, none) \
 	ARG(VALUE, u32, height, none) \
-	ARG(VALUE, u32, radius, none) /* pixels; a deviation is half of it */ \
+	ARG(VALUE, u32, radius, none)  /* pixels; a deviation is half of it */ \
 	ARG(VALUE, u32, columns, none) /* along them, not along rows */
 TS_ARGS(ts_bilateral_args);
 

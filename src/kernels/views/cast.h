@@ -19,11 +19,17 @@
 	ARG(IN, u32, offset, octree_offset) \
 	ARG(IN, u32, triangles, octree_triangle) \
 	ARG(VALUE, u32, first_leaf, none) /* a node */ \
-	ARG(VALUE, f32, leaf, none) /* its side */
+	ARG(VALUE, f32, leaf, none)       /* its side */
 TS_ARGS(ts_cast_args);
 
-typedef struct { ts_v3 o, d, inverse; } ts_cast_ray;
-typedef struct { f32 t; u32 triangle; ts_v3 weights; } ts_cast_hit; /* triangle TS_NONE: none */
+typedef struct {
+	ts_v3 o, d, inverse;
+} ts_cast_ray;
+typedef struct {
+	f32 t;
+	u32 triangle;
+	ts_v3 weights;
+} ts_cast_hit; /* triangle TS_NONE: none */
 
 /* 1 / x, or 2^60 where that is more. */
 TS_FN f32 ts_k_cast_inverse(f32 x)

@@ -13,7 +13,7 @@
 	ARG(OUT, u32, depths, fuse_depth) \
 	ARG(OUT, u32, nodes, fuse_node) \
 	ARG(VALUE, ts_pyramid, pyramid, none) \
-	ARG(VALUE, u32, first, none) /* node of the level */ \
+	ARG(VALUE, u32, first, none)   /* node of the level */ \
 	ARG(VALUE, u32, nearest, none) /* fusion=min */
 TS_ARGS(ts_fuse_args);
 

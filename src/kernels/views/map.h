@@ -7,7 +7,9 @@
 #include "traverse.h"
 
 /* A pyramid: level l is two maps of n >> l texels a side. */
-typedef struct { u32 n, levels; } ts_pyramid;
+typedef struct {
+	u32 n, levels;
+} ts_pyramid;
 
 /* Texels before a level; those of all levels, before the last but one. */
 TS_FN u32 ts_k_pyramid_first(const ts_pyramid *pyramid, u32 level)

@@ -14,7 +14,7 @@
 
 #define TS_ROWS_ts_map_margin_args(ARG) \
 	ARG(INNER, ts_traverse_args, of, none) /* how pairs are decided */ \
-	ARG(WORK_IN, u64, pairs, queue) /* not yet decided; NULL: each of n_nodes from `first` on with each view */ \
+	ARG(WORK_IN, u64, pairs, queue)        /* not yet decided; NULL: each of n_nodes from `first` on with each view */ \
 	ARG(IN, u64, texels, map_depth_node) \
 	ARG(MIN, u32, margin, map_margin) /* f32 bits */ \
 	ARG(VALUE, ts_pyramid, pyramid, none) \
@@ -63,7 +63,9 @@ TS_FN f32 ts_k_fate_margin(const ts_traverse_args *args, u64 pair, u32 fate)
 }
 
 /* Texels of an axis that a circle of the disc may reach. */
-typedef struct { i32 from, to; } ts_reach;
+typedef struct {
+	i32 from, to;
+} ts_reach;
 
 TS_FN ts_reach ts_k_circle_reach(f32 middle, f32 radius, u32 n)
 {
@@ -76,7 +78,8 @@ TS_FN ts_reach ts_k_circle_reach(f32 middle, f32 radius, u32 n)
 /* Texels of one of two maps that a ball may be in, but those that show what is nearer: the image of a ball is a
  * circle about the middle (y, z) / (x + c), c^2 = d^2 - r^2, of radius r / (x + c); or its outside, if the ball
  * covers the map's back. */
-TS_FN void ts_k_ball_margin_map(const ts_map_margin_args *args, u64 first, ts_v3 vs, f32 r, u32 level, bool back, f32 margin)
+TS_FN void ts_k_ball_margin_map(const ts_map_margin_args *args, u64 first, ts_v3 vs, f32 r, u32 level, bool back,
+                                f32 margin)
 {
 	u32 n = args->pyramid.n >> level;
 	f32 d = ts_length(vs);
@@ -137,7 +140,10 @@ TS_FN f32 ts_k_place_margin(f32 component, const ts_beside *beside, u32 n)
 
 /* The level of the pyramid whose width is the nearest to the ball's, beside its own; of the sine only 1 is not
  * rounded. */
-typedef struct { u32 own, next; f32 margin; } ts_level_beside;
+typedef struct {
+	u32 own, next;
+	f32 margin;
+} ts_level_beside;
 
 TS_FN ts_level_beside ts_k_level_beside(const ts_pyramid *pyramid, ts_v3 vs, f32 d, f32 radius)
 {
@@ -157,7 +163,12 @@ TS_FN ts_level_beside ts_k_level_beside(const ts_pyramid *pyramid, ts_v3 vs, f32
 }
 
 /* Where a pair of the distance d is in a map, and how near it is to be rendered, or not to be. */
-typedef struct { u64 own; u32 node; f32 d, fate; bool rendered; } ts_placed;
+typedef struct {
+	u64 own;
+	u32 node;
+	f32 d, fate;
+	bool rendered;
+} ts_placed;
 
 /* A pair may come to a texel where rounding turns that much: not behind what the texel shows, or so near behind that
  * this turns, too. And it leaves its own. */

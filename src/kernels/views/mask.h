@@ -25,7 +25,7 @@ TS_FN u32 ts_k_mask_id(TS_GLOBAL const u64 *mask, TS_GLOBAL const u32 *before, u
 #define TS_ROWS_ts_mask_args(ARG) \
 	ARG(OUT, u64, mask, voxel_mask) \
 	ARG(OUT, u32, before, voxel_before) /* counts, then their prefix sums */ \
-	ARG(VALUE, u32, level, none) /* that is made of the one below it */
+	ARG(VALUE, u32, level, none)        /* that is made of the one below it */
 TS_ARGS(ts_mask_args);
 
 /* One bit for each of the bytes. */

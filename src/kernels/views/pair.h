@@ -6,11 +6,20 @@
 #include "paraboloid.h"
 #include "../base/records.h"
 
-typedef struct { ts_v3 p; f32 r; bool leaf; } ts_ball;
+typedef struct {
+	ts_v3 p;
+	f32 r;
+	bool leaf;
+} ts_ball;
 /* The directions of the views of a node: no farther from the axis than theta. */
-typedef struct { ts_v3 axis; f32 cosine; } ts_cone_k;
+typedef struct {
+	ts_v3 axis;
+	f32 cosine;
+} ts_cone_k;
 /* Half the field of view of all of them, phi. */
-typedef struct { f32 cosine, sine; } ts_aperture;
+typedef struct {
+	f32 cosine, sine;
+} ts_aperture;
 
 /* What becomes of a pair. */
 #define TS_PAIR_SPLIT_SCENE 0u

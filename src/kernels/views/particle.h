@@ -16,7 +16,7 @@
 	ARG(OUT, ts_vpl, lights, vpl_light) \
 	ARG(VALUE, ts_v3, middle, none) \
 	ARG(VALUE, ts_v3, extent, none) /* of the hall; half of it each way */ \
-	ARG(VALUE, f32, turns, none) /* since frame 0, in [0,1) */ \
+	ARG(VALUE, f32, turns, none)    /* since frame 0, in [0,1) */ \
 	ARG(VALUE, f32, glow, none) \
 	ARG(VALUE, u32, n, none) \
 	ARG(VALUE, u32, seed, none)
@@ -24,7 +24,10 @@ TS_ARGS(ts_particle_args);
 
 /* Colours, each as strong as white and all of them together white. */
 TS_CONSTANT f32 ts_particle_glow[4][3] = {
-	{1.75f, 1.0f, 0.25f}, {0.25f, 1.0f, 1.75f}, {1.5f, 0.25f, 1.25f}, {0.5f, 1.75f, 0.75f},
+	{1.75f, 1.0f, 0.25f},
+	{0.25f, 1.0f, 1.75f},
+	{1.5f, 0.25f, 1.25f},
+	{0.5f, 1.75f, 0.75f},
 };
 
 /* Random number `which` of a particle. */

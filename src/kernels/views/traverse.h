@@ -22,19 +22,19 @@
 	ARG(IN, ts_node, nodes, octree_node) \
 	ARG(IN, ts_node, views, view_octree_node) \
 	ARG(IN, ts_cone, cones, view_cone_node) \
-	ARG(WORK, u64, queue, queue) /* of this step */ \
-	ARG(WORK, u64, next, queue) /* of the next step */ \
-	ARG(WORK, u32, offset, counts) /* children, later rendered pairs, before each: counts, then their prefix sums */ \
-	ARG(WORK, u64, rendered, kept) /* the rendered pairs of the queue */ \
+	ARG(WORK, u64, queue, queue)    /* of this step */ \
+	ARG(WORK, u64, next, queue)     /* of the next step */ \
+	ARG(WORK, u32, offset, counts)  /* children, later rendered pairs, before each: counts, then their prefix sums */ \
+	ARG(WORK, u64, rendered, kept)  /* the rendered pairs of the queue */ \
 	ARG(TALLY_OPT, i64, tallies, 0) /* pairs culled, touching, rendered, of these wider than a texel; views served */ \
 	ARG(VALUE, u64, n_pairs, none) \
 	ARG(VALUE, ts_aperture, phi, none) \
 	ARG(VALUE, u32, n, none) /* texels a side of a map */ \
 	ARG(VALUE, u32, first_view, none) \
 	ARG(VALUE, u32, touching, none) /* leaves that touch are rendered, too */ \
-	ARG(VALUE, u32, last, none) /* nodes of this level count as leaves */ \
-	ARG(VALUE, u32, to_last, none) /* only pairs of leaves are rendered */ \
-	ARG(VALUE, f32, cutoff, none) /* pairs farther apart are culled; 0: none */
+	ARG(VALUE, u32, last, none)     /* nodes of this level count as leaves */ \
+	ARG(VALUE, u32, to_last, none)  /* only pairs of leaves are rendered */ \
+	ARG(VALUE, f32, cutoff, none)   /* pairs farther apart are culled; 0: none */
 TS_ARGS(ts_traverse_args);
 
 TS_FN u64 ts_k_pair(u32 node, u32 views) { return ((u64)node << 32) | views; }
@@ -92,7 +92,8 @@ TS_FN void ts_k_traverse_item(const ts_traverse_args *args, u64 i)
 	ts_ball view = ts_k_pair_ball(args, &args->views[v]);
 	bool splits_view = ts_k_pair_splits_view(&node, &view);
 	for (u32 k = 0u; k < n; k++) {
-		args->next[at + k] = splits_view ? ts_k_pair(s, args->views[v].child + k) : ts_k_pair(args->nodes[s].child + k, v);
+		args->next[at + k] =
+			splits_view ? ts_k_pair(s, args->views[v].child + k) : ts_k_pair(args->nodes[s].child + k, v);
 	}
 	args->queue[i] = TS_STRUCK_SPLIT;
 }

@@ -16,15 +16,19 @@
 #include "../base/scene.h"
 
 /* low <= a i + b j + c k <= high */
-typedef struct { i64 a, b, c, low, high; } ts_form;
-typedef struct { i64 first, last; } ts_range;
+typedef struct {
+	i64 a, b, c, low, high;
+} ts_form;
+typedef struct {
+	i64 first, last;
+} ts_range;
 
 /* In coordinates that are turned until the normal's longest component is the third. */
 typedef struct {
 	ts_range box[3];
 	ts_form edge[9]; /* seen along the third axis, the first, the second */
 	ts_form plane;
-	u32 turn;        /* the axis that is the third one here */
+	u32 turn; /* the axis that is the third one here */
 } ts_touch;
 
 TS_FN i64 ts_k_least_i64(i64 a, i64 b) { return b < a ? b : a; }
@@ -62,7 +66,9 @@ TS_FN ts_form ts_k_form(i64 a, i64 b, i64 c, i64 low, i64 high)
 
 /* The normal (a, b) of the edge from p to q seen along an axis, with the triangle between the edge and o: its
  * interval. */
-typedef struct { i64 a, b, low, high; } ts_side;
+typedef struct {
+	i64 a, b, low, high;
+} ts_side;
 
 TS_FN ts_side ts_k_side(i64 pu, i64 pv, i64 qu, i64 qv, i64 ou, i64 ov)
 {
@@ -98,7 +104,9 @@ TS_FN ts_range ts_k_touch_range(i32 a, i32 b, i32 c, i32 last)
 	return r;
 }
 
-typedef struct { i64 x, y, z; } ts_l3;
+typedef struct {
+	i64 x, y, z;
+} ts_l3;
 
 TS_FN ts_l3 ts_k_lattice_normal(ts_i3 a, ts_i3 b, ts_i3 c)
 {
@@ -186,9 +194,9 @@ TS_FN bool ts_k_touch_voxel(const ts_touch *t, i64 i, i64 j, i64 k)
 	ARG(INNER, ts_arrays, scene, none) \
 	ARG(IN, ts_root, root, root_cube) \
 	ARG(SUM_OPT, u64, mask, voxel_mask) /* NULL: it is done, and lists are made */ \
-	ARG(IN, u64, bits, voxel_mask) /* it, done */ \
+	ARG(IN, u64, bits, voxel_mask)      /* it, done */ \
 	ARG(IN, u32, before, voxel_before) \
-	ARG(SUM, u32, offset, octree_offset) /* one later */ \
+	ARG(SUM, u32, offset, octree_offset)          /* one later */ \
 	ARG(OUT_OPT, u32, triangles, octree_triangle) /* NULL: they are counted */ \
 	ARG(VALUE, u32, levels, none) \
 	ARG(VALUE, u32, first_leaf, none) /* a node */

@@ -13,18 +13,21 @@
 	ARG(INNER, ts_cast_args, cast, none) \
 	ARG(IN, ts_patch, patches, rsm_patch) \
 	ARG(OUT, u32, offset, vpl_offset) /* counts, then their prefix sums */ \
-	ARG(OUT, u32, paths, vpl_path) /* counts, then their prefix sums */ \
+	ARG(OUT, u32, paths, vpl_path)    /* counts, then their prefix sums */ \
 	ARG(OUT, ts_vpl, lights, vpl_light) \
 	ARG(VALUE, u64, n_patches, none) \
 	ARG(VALUE, u32, n_lit, none) /* patches that send light on */ \
-	ARG(VALUE, u32, n, none) /* paths; n_lit unless random */ \
+	ARG(VALUE, u32, n, none)     /* paths; n_lit unless random */ \
 	ARG(VALUE, u32, random, none) \
 	ARG(VALUE, u32, seed, none) \
 	ARG(VALUE, u32, bounces, none)
 TS_ARGS(ts_vpl_args);
 
 /* A light in registers. */
-typedef struct { ts_v3 p, n, flux; u32 bounce; } ts_light_k;
+typedef struct {
+	ts_v3 p, n, flux;
+	u32 bounce;
+} ts_light_k;
 
 #define TS_STREAM_VPL 4u
 

@@ -42,15 +42,20 @@
 	ARG(VALUE, f32, bias, none) /* diagonals of a leaf */ \
 	ARG(VALUE, f32, bias_px, none) \
 	ARG(VALUE, f32, bias_slope, none) /* texels of a map */ \
-	ARG(VALUE, u32, by_plane, none) /* what stops light lies above the tangent plane */ \
+	ARG(VALUE, u32, by_plane, none)   /* what stops light lies above the tangent plane */ \
 	ARG(VALUE, f32, bias_plane, none) /* radii of a node */
 TS_ARGS(ts_vpl_gather_args);
 
 TS_FN f32 ts_k_leaf_side(const ts_vpl_gather_args *args) { return args->root->side / (f32)(1 << args->levels); }
-TS_FN f32 ts_k_leaf_diagonal(const ts_vpl_gather_args *args) { return ts_k_leaf_side(args) * 1.73205077648162841796875f; }
+TS_FN f32 ts_k_leaf_diagonal(const ts_vpl_gather_args *args)
+{
+	return ts_k_leaf_side(args) * 1.73205077648162841796875f;
+}
 
 /* Entries from `from` on, up to `to`; TS_NONE, TS_NONE: all views. */
-typedef struct { u32 from, to, views; } ts_view_list;
+typedef struct {
+	u32 from, to, views;
+} ts_view_list;
 
 /* The node of the lists' level that holds a place; TS_NONE: there is none. */
 TS_FN u32 ts_k_list_node(const ts_vpl_gather_args *args, ts_v3 p)

@@ -8,7 +8,8 @@
 #include "map_margin.h"
 #include "vpl_gather.h"
 
-#define TS_MARGIN_SLOPE 0.00000762939453125f /* part of the slack that rounding may change: up to 16 steps of a cosine */
+#define TS_MARGIN_SLOPE \
+	0.00000762939453125f /* part of the slack that rounding may change: up to 16 steps of a cosine */
 
 #define TS_ROWS_ts_vpl_gather_margin_args(ARG) \
 	ARG(INNER, ts_vpl_gather_args, of, none) \
@@ -36,7 +37,10 @@ TS_FN f32 ts_k_list_margin(const ts_vpl_gather_args *args, ts_v3 p)
 }
 
 /* What is answered, and how near that was to the other answer, in what rounding changes. */
-typedef struct { bool reaches; f32 margin; } ts_answer;
+typedef struct {
+	bool reaches;
+	f32 margin;
+} ts_answer;
 
 /* What a texel of a light's map shows is too far to be in the way. */
 TS_FN ts_answer ts_k_vpl_depth_answer(const ts_vpl_gather_args *args, u32 view, u32 texel, ts_v3 p, ts_v3 n)
@@ -96,7 +100,8 @@ TS_FN f32 ts_k_vpl_reach_margin(const ts_vpl_gather_args *args, u32 view, ts_v3 
 		f32 of_y = (k & 2u) != 0u ? ts_k_place_margin(way.z, &y, args->n) : 0.0f;
 		f32 turns = ts_max(of_x, of_y);
 		if (turns > TS_MARGIN_REACH) continue;
-		u32 texel = ts_k_paraboloid_index(way, (k & 1u) != 0u ? x.next : x.own, (k & 2u) != 0u ? y.next : y.own, args->n);
+		u32 texel =
+			ts_k_paraboloid_index(way, (k & 1u) != 0u ? x.next : x.own, (k & 2u) != 0u ? y.next : y.own, args->n);
 		ts_answer other = ts_k_vpl_answer(args, view, texel, p, n);
 		least = ts_min(least, other.reaches != own.reaches ? turns : ts_max(turns, other.margin));
 	}

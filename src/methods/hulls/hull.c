@@ -69,30 +69,47 @@ static ts_status direct(ts_run *run)
 }
 
 const ts_stage ts_stage_gather = {
-	.name = "gather", .kind = "map", .paper = "SSAGH 3", .doc = "light at the corners of every box",
-	.run = gather, .launches = TS_LAUNCHES(&gathered),
+	.name = "gather",
+	.kind = "map",
+	.paper = "SSAGH 3",
+	.doc = "light at the corners of every box",
+	.run = gather,
+	.launches = TS_LAUNCHES(&gathered),
 };
 
 const ts_stage ts_stage_fit = {
-	.name = "fit", .kind = "map", .paper = "SSAGH 4, eqs 4 and 5",
+	.name = "fit",
+	.kind = "map",
+	.paper = "SSAGH 4, eqs 4 and 5",
 	.doc = "that light as spherical Gaussians, one a channel",
-	.run = fit, .launches = TS_LAUNCHES(&fitted),
+	.run = fit,
+	.launches = TS_LAUNCHES(&fitted),
 };
 
 const ts_stage ts_stage_hull = {
-	.name = "hull", .kind = "map", .paper = "SSAGH 4, eqs 15 to 18",
+	.name = "hull",
+	.kind = "map",
+	.paper = "SSAGH 4, eqs 15 to 18",
 	.doc = "each pixel's box, its lobes between the corners, and their integral with the cosine",
-	.run = hull, .launches = TS_LAUNCHES(&interpolated),
+	.run = hull,
+	.launches = TS_LAUNCHES(&interpolated),
 };
 
 const ts_stage ts_stage_hull_margin = {
-	.name = "hull_margin", .kind = "map", .margin_of = "hull", .paper = "SSAGH 3",
+	.name = "hull_margin",
+	.kind = "map",
+	.margin_of = "hull",
+	.paper = "SSAGH 3",
 	.doc = "how near each pixel's choice was to another box",
-	.run = hull_margin, .launches = TS_LAUNCHES(&measured),
+	.run = hull_margin,
+	.launches = TS_LAUNCHES(&measured),
 };
 
 const ts_stage ts_stage_direct = {
-	.name = "direct", .kind = "map", .paper = "SSAGH 5",
+	.name = "direct",
+	.kind = "map",
+	.paper = "SSAGH 5",
 	.doc = "light of every triangle at every pixel by form factors",
-	.run = direct, .launches = TS_LAUNCHES(&everywhere),
+	.run = direct,
+	.launches = TS_LAUNCHES(&everywhere),
 };

@@ -23,23 +23,19 @@
 static const ts_step hulls_steps[] = {
 	{.run = ts_rsm_run},
 	{.run = ts_gbuffer_run},
-	{.stage = "nearest"},    /* down-sampled depth */
+	{.stage = "nearest"}, /* down-sampled depth */
 	{.stage = "segment"},
 	{.stage = "range"},
 	{.stage = "box"},
-	{.stage = "gather"},     /* light at the corners of the boxes */
+	{.stage = "gather"}, /* light at the corners of the boxes */
 	{.stage = "fit"},
-	{.stage = "hull"},       /* interpolation and integration */
+	{.stage = "hull"}, /* interpolation and integration */
 	{.stage = "indirect_image"},
 	{0},
 };
 
 static const ts_step direct_steps[] = {
-	{.run = ts_rsm_run},
-	{.run = ts_gbuffer_run},
-	{.stage = "direct"},
-	{.stage = "indirect_image"},
-	{0},
+	{.run = ts_rsm_run}, {.run = ts_gbuffer_run}, {.stage = "direct"}, {.stage = "indirect_image"}, {0},
 };
 
 enum { BOXES_A_BLOCK = 8 };
@@ -52,13 +48,21 @@ static void hulls_expect(ts_expected *expected, const ts_scene *scene, const ts_
 }
 
 const ts_pipeline ts_pipeline_hulls = {
-	.name = "hulls", .effect = &ts_effect_indirect, .paper = "SSAGH 3 and 4",
+	.name = "hulls",
+	.effect = &ts_effect_indirect,
+	.paper = "SSAGH 3 and 4",
 	.doc = "screen-space approximate Gaussian hulls: light gathered at the corners of depth segments",
-	.steps = hulls_steps, .plan = ts_indirect_plan, .expect = hulls_expect,
+	.steps = hulls_steps,
+	.plan = ts_indirect_plan,
+	.expect = hulls_expect,
 };
 
 const ts_pipeline ts_pipeline_direct = {
-	.name = "direct", .effect = &ts_effect_indirect, .paper = "SSAGH 5",
+	.name = "direct",
+	.effect = &ts_effect_indirect,
+	.paper = "SSAGH 5",
 	.doc = "the same light gathered by every pixel",
-	.steps = direct_steps, .plan = ts_indirect_plan, .expect = hulls_expect,
+	.steps = direct_steps,
+	.plan = ts_indirect_plan,
+	.expect = hulls_expect,
 };

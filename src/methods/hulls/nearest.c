@@ -9,7 +9,8 @@ ts_status ts_grid_check(const ts_params *params)
 {
 	u32 grid = TS_PARAM(params, grid_px);
 	if (grid % TS_BLOCK == 0) return TS_OK;
-	return ts_fail("grid_px=%" PRIu32 ": a multiple of 32, as %" PRIu32 ", would be right", grid, grid - grid % TS_BLOCK);
+	return ts_fail("grid_px=%" PRIu32 ": a multiple of 32, as %" PRIu32 ", would be right", grid,
+	               grid - grid % TS_BLOCK);
 }
 
 static ts_status nearest(ts_run *run)
@@ -22,6 +23,10 @@ static ts_status nearest(ts_run *run)
 }
 
 const ts_stage ts_stage_nearest = {
-	.name = "nearest", .kind = "map", .paper = "SSAGH 3", .doc = "the screen's depth down-sampled",
-	.run = nearest, .launches = TS_LAUNCHES(&sampled),
+	.name = "nearest",
+	.kind = "map",
+	.paper = "SSAGH 3",
+	.doc = "the screen's depth down-sampled",
+	.run = nearest,
+	.launches = TS_LAUNCHES(&sampled),
 };

@@ -56,22 +56,38 @@ static ts_status box(ts_run *run)
 }
 
 const ts_stage ts_stage_segment = {
-	.name = "segment", .kind = "map", .paper = "SSAGH 3, algorithm 1", .doc = "segments of like depth in each block",
-	.run = segment, .launches = TS_LAUNCHES(&sweep, &components),
+	.name = "segment",
+	.kind = "map",
+	.paper = "SSAGH 3, algorithm 1",
+	.doc = "segments of like depth in each block",
+	.run = segment,
+	.launches = TS_LAUNCHES(&sweep, &components),
 };
 
 const ts_stage ts_stage_segment_margin = {
-	.name = "segment_margin", .kind = "map", .margin_of = "segment", .paper = "SSAGH 3, algorithm 1",
+	.name = "segment_margin",
+	.kind = "map",
+	.margin_of = "segment",
+	.paper = "SSAGH 3, algorithm 1",
 	.doc = "how near what hangs together was to other segments",
-	.run = segment_margin, .launches = TS_LAUNCHES(&measured),
+	.run = segment_margin,
+	.launches = TS_LAUNCHES(&measured),
 };
 
 const ts_stage ts_stage_range = {
-	.name = "range", .kind = "scatter", .paper = "SSAGH 3", .doc = "extent of each segment by integer minimum",
-	.run = range, .launches = TS_LAUNCHES(&extent),
+	.name = "range",
+	.kind = "scatter",
+	.paper = "SSAGH 3",
+	.doc = "extent of each segment by integer minimum",
+	.run = range,
+	.launches = TS_LAUNCHES(&extent),
 };
 
 const ts_stage ts_stage_box = {
-	.name = "box", .kind = "emit", .paper = "SSAGH 3", .doc = "the segments' boxes, but of the sky",
-	.run = box, .launches = TS_LAUNCHES(&counted, &written),
+	.name = "box",
+	.kind = "emit",
+	.paper = "SSAGH 3",
+	.doc = "the segments' boxes, but of the sky",
+	.run = box,
+	.launches = TS_LAUNCHES(&counted, &written),
 };

@@ -28,10 +28,13 @@ static void relate_surface(u32 *in, u32 random)
 	ts_set_v3(in + NORMAL, ts_normalize(n));
 }
 
-static const f32 sharpness_edges[] = { 0.5f, 0.25f, 0.89999998f, 0.99998999f, 1, 0.16395f };
+static const f32 sharpness_edges[] = {0.5f, 0.25f, 0.89999998f, 0.99998999f, 1, 0.16395f};
 
+/* clang-format off */
 #define SPACE(name) { name, TS_VECTOR_F32, 3, 107, 137, true }
+/* clang-format on */
 
+/* clang-format off */
 static const ts_vector light[] = {
 	{ PRIMITIVE(sg_cosine), "ts_k_sg_cosine",
 	  "integral of a spherical Gaussian and the cosine; method 0 SSAGH's, 1 constant, 2 a Gaussian, 3 quadrature",
@@ -44,8 +47,9 @@ static const ts_vector light[] = {
 	  { SPACE("p"), SPACE("a"), SPACE("b"), SPACE("c") }, { TS_VECTOR_F32, 1 }, .relate = relate_point },
 	{ PRIMITIVE(form_factor), "ts_k_form_factor", "of a triangle that shines on p, n the normal there",
 	  { SPACE("p"), SPACE("n"), SPACE("a"), SPACE("b"), SPACE("c") }, { TS_VECTOR_F32, 1 }, .relate = relate_surface },
-	{ 0 }
+	{ 0 },
 };
+/* clang-format on */
 
 static const ts_launch launch = TS_LAUNCH(hulls_vectors, TS_ALL);
 

@@ -11,6 +11,10 @@ static ts_status align(ts_run *run)
 }
 
 const ts_stage ts_stage_align = {
-	.name = "align", .kind = "map", .paper = "EPR 3.2, eq. 1", .doc = "T_epr: every piece in its own plane",
-	.run = align, .launches = TS_LAUNCHES(&launch),
+	.name = "align",
+	.kind = "map",
+	.paper = "EPR 3.2, eq. 1",
+	.doc = "T_epr: every piece in its own plane",
+	.run = align,
+	.launches = TS_LAUNCHES(&launch),
 };

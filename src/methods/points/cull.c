@@ -44,12 +44,20 @@ static ts_status cull_margin(ts_run *run)
 }
 
 const ts_stage ts_stage_cull = {
-	.name = "cull", .kind = "map", .paper = "EPR 3.2", .doc = "stochastic culling of sub-pixel pieces",
-	.run = cull, .launches = TS_LAUNCHES(&launch),
+	.name = "cull",
+	.kind = "map",
+	.paper = "EPR 3.2",
+	.doc = "stochastic culling of sub-pixel pieces",
+	.run = cull,
+	.launches = TS_LAUNCHES(&launch),
 };
 
 const ts_stage ts_stage_cull_margin = {
-	.name = "cull_margin", .kind = "map", .margin_of = "cull", .paper = "EPR 3.2",
+	.name = "cull_margin",
+	.kind = "map",
+	.margin_of = "cull",
+	.paper = "EPR 3.2",
 	.doc = "how near the random numbers were to their thresholds",
-	.run = cull_margin, .launches = TS_LAUNCHES(&measured),
+	.run = cull_margin,
+	.launches = TS_LAUNCHES(&measured),
 };

@@ -35,21 +35,21 @@
 
 static const ts_step epr_steps[] = {
 	{.run = ts_frame_run},
-	{.stage = "resize"},     /* 3.5: cubes as large as their reflectors in the eye */
-	{.stage = "eye"},        /* the eye's G-buffer */
-	{.stage = "pixel"},      /* 4.1.3: reflective pixels and their normal gradients */
-	{.stage = "visibility"}, /* 3.1: which faces may see a triangle */
-	{.stage = "split"},      /* 4.1.1: eye-resolution density */
-	{.stage = "cull"},       /* 3.2: stochastic culling */
-	{.stage = "align"},      /* 3.2: T_epr */
+	{.stage = "resize"},                      /* 3.5: cubes as large as their reflectors in the eye */
+	{.stage = "eye"},                         /* the eye's G-buffer */
+	{.stage = "pixel"},                       /* 4.1.3: reflective pixels and their normal gradients */
+	{.stage = "visibility"},                  /* 3.1: which faces may see a triangle */
+	{.stage = "split"},                       /* 4.1.1: eye-resolution density */
+	{.stage = "cull"},                        /* 3.2: stochastic culling */
+	{.stage = "align"},                       /* 3.2: T_epr */
 	{.stage = "count", .only_ordered = true}, /* 3.3: conservative rasterization in the triangle's plane */
-	{.stage = "points"},     /* 3.4: the point buffers */
-	{.stage = "splat"},      /* 3.5: indexed G-buffer cubes */
+	{.stage = "points"},                      /* 3.4: the point buffers */
+	{.stage = "splat"},                       /* 3.5: indexed G-buffer cubes */
 	{.stage = "tie", .only_traced = true},
-	{.stage = "lookup"},     /* 4.1.3: 25 samples a reflective pixel */
+	{.stage = "lookup"},                      /* 4.1.3: 25 samples a reflective pixel */
 	{.stage = "lookup2", .least_bounces = 2}, /* 4.1.4: points on mirrors look up again */
 	{.stage = "lookup3", .least_bounces = 3},
-	{.stage = "shade3", .least_bounces = 3},  /* 4.1.2: only what was looked up is shaded */
+	{.stage = "shade3", .least_bounces = 3}, /* 4.1.2: only what was looked up is shaded */
 	{.stage = "shade2", .least_bounces = 2},
 	{.stage = "shade"},
 	{.stage = "image"},
@@ -60,15 +60,15 @@ static const ts_step epr_omni_steps[] = {
 	{.run = ts_frame_run},
 	{.stage = "lamp_ball"},
 	{.stage = "eye"},
-	{.stage = "shadow_resize"},                       /* eq. 6: cubes as large as the eye needs */
+	{.stage = "shadow_resize"}, /* eq. 6: cubes as large as the eye needs */
 	{.stage = "offscreen"},
 	{.stage = "offscreen_visibility"},
-	{.stage = "shadow_split"},                        /* eq. 5: eye-resolution density */
+	{.stage = "shadow_split"}, /* eq. 5: eye-resolution density */
 	{.stage = "cull"},
 	{.stage = "align"},
 	{.stage = "count", .only_ordered = true, .stored = TS_STORED_IF_ASKED},
 	{.stage = "points", .stored = TS_STORED_IF_ASKED},
-	{.stage = "shadow_splat", .each_batch = true},    /* small points directly, large ones as splats */
+	{.stage = "shadow_splat", .each_batch = true}, /* small points directly, large ones as splats */
 	{.run = ts_resolve_run},
 	{0},
 };
@@ -91,13 +91,20 @@ static void epr_expect(ts_expected *expected, const ts_scene *scene, const ts_pa
 }
 
 const ts_pipeline ts_pipeline_epr_reflections = {
-	.name = "epr", .effect = &ts_effect_reflections, .paper = "EPR 3 and 4",
+	.name = "epr",
+	.effect = &ts_effect_reflections,
+	.paper = "EPR 3 and 4",
 	.doc = "eye-based point rendering: one pass over the geometry for all cubes",
-	.steps = epr_steps, .expect = epr_expect,
+	.steps = epr_steps,
+	.expect = epr_expect,
 };
 
 const ts_pipeline ts_pipeline_epr_omni = {
-	.name = "epr", .effect = &ts_effect_omni_shadows, .paper = "EPR 5",
+	.name = "epr",
+	.effect = &ts_effect_omni_shadows,
+	.paper = "EPR 5",
 	.doc = "points no denser than the eye can tell in a shadow, splatted into the cubes of all light samples",
-	.steps = epr_omni_steps, .plan = ts_ivir_omni_plan, .expect = ts_omni_expect,
+	.steps = epr_omni_steps,
+	.plan = ts_ivir_omni_plan,
+	.expect = ts_omni_expect,
 };

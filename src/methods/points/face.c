@@ -14,7 +14,11 @@ static ts_status face(ts_run *run)
 }
 
 const ts_stage ts_stage_face = {
-	.name = "face", .kind = "scatter", .paper = "EPR 4.2",
+	.name = "face",
+	.kind = "scatter",
+	.paper = "EPR 4.2",
 	.doc = "MVR: standard rasterization into six faces a reflector",
-	.run = face, .launches = TS_LAUNCHES(&launch), .looks_at = TS_BUFFERS(TS_B_scene_info),
+	.run = face,
+	.launches = TS_LAUNCHES(&launch),
+	.looks_at = TS_BUFFERS(TS_B_scene_info),
 };

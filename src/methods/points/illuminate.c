@@ -47,12 +47,20 @@ static ts_status illuminate(ts_run *run)
 }
 
 const ts_stage ts_stage_copy = {
-	.name = "copy", .kind = "map", .paper = "iVIR 5", .doc = "environment maps into mip chains",
-	.run = copy, .launches = TS_LAUNCHES(&copied, &averaged),
+	.name = "copy",
+	.kind = "map",
+	.paper = "iVIR 5",
+	.doc = "environment maps into mip chains",
+	.run = copy,
+	.launches = TS_LAUNCHES(&copied, &averaged),
 };
 
 const ts_stage ts_stage_illuminate = {
-	.name = "illuminate", .kind = "map", .paper = "EPR 4.2",
+	.name = "illuminate",
+	.kind = "map",
+	.paper = "EPR 4.2",
 	.doc = "MVR: deferred shading of every texel, and the mip chain",
-	.run = illuminate, .launches = TS_LAUNCHES(&shaded, &averaged), .looks_at = TS_BUFFERS(TS_B_scene_info),
+	.run = illuminate,
+	.launches = TS_LAUNCHES(&shaded, &averaged),
+	.looks_at = TS_BUFFERS(TS_B_scene_info),
 };

@@ -20,10 +20,10 @@
 #include "pipelines.h"
 
 static const ts_step point_run[] = {
-	{.stage = "offscreen_visibility"},                /* 3.1: which views may see a triangle */
-	{.stage = "view_split"},                          /* 3.1: the density of the most demanding one */
-	{.stage = "cull"},                                /* 3.3: stochastic culling */
-	{.stage = "align"},                               /* 3.2: T_align, eq. 1, and S, eq. 4 */
+	{.stage = "offscreen_visibility"}, /* 3.1: which views may see a triangle */
+	{.stage = "view_split"},           /* 3.1: the density of the most demanding one */
+	{.stage = "cull"},                 /* 3.3: stochastic culling */
+	{.stage = "align"},                /* 3.2: T_align, eq. 1, and S, eq. 4 */
 	{0},
 };
 
@@ -31,7 +31,7 @@ static const ts_step shadow_run[] = {
 	{.run = point_run},
 	{.stage = "count", .only_ordered = true, .stored = TS_STORED_IF_ASKED},
 	{.stage = "points", .stored = TS_STORED_IF_ASKED},
-	{.stage = "scatter", .each_batch = true},         /* 4: 32 depth maps a pass */
+	{.stage = "scatter", .each_batch = true}, /* 4: 32 depth maps a pass */
 	{.run = ts_resolve_run},
 	{0},
 };
@@ -45,9 +45,9 @@ const ts_step ts_ivir_reflections_steps[] = {
 	{.run = point_run},
 	{.stage = "count", .only_ordered = true, .stored = TS_STORED_BY_DEFAULT},
 	{.stage = "points", .stored = TS_STORED_BY_DEFAULT},
-	{.stage = "scatter_colour"},                      /* 5: 13 bits of depth, 19 of colour */
-	{.stage = "copy", .each_batch = true},            /* 5: the copy pass into mip maps */
-	{.stage = "mirror", .each_batch = true},          /* the eye's look-ups, as MVR's */
+	{.stage = "scatter_colour"},             /* 5: 13 bits of depth, 19 of colour */
+	{.stage = "copy", .each_batch = true},   /* 5: the copy pass into mip maps */
+	{.stage = "mirror", .each_batch = true}, /* the eye's look-ups, as MVR's */
 	{.stage = "image"},
 	{0},
 };
@@ -104,19 +104,31 @@ static void ivir_expect(ts_expected *expected, const ts_scene *scene, const ts_p
 }
 
 const ts_pipeline ts_pipeline_ivir_reflections = {
-	.name = "ivir", .effect = &ts_effect_reflections, .paper = "iVIR 5",
+	.name = "ivir",
+	.effect = &ts_effect_reflections,
+	.paper = "iVIR 5",
 	.doc = "improved view-independent rendering: points as dense as the cubes' texels, for all cubes",
-	.steps = ts_ivir_reflections_steps, .plan = ivir_plan, .expect = ivir_expect,
+	.steps = ts_ivir_reflections_steps,
+	.plan = ivir_plan,
+	.expect = ivir_expect,
 };
 
 const ts_pipeline ts_pipeline_ivir_soft = {
-	.name = "ivir", .effect = &ts_effect_soft_shadows, .paper = "iVIR 4",
+	.name = "ivir",
+	.effect = &ts_effect_soft_shadows,
+	.paper = "iVIR 4",
 	.doc = "one set of points for the depth maps of all light samples",
-	.steps = ts_ivir_soft_steps, .plan = ivir_soft_plan, .expect = ts_soft_expect,
+	.steps = ts_ivir_soft_steps,
+	.plan = ivir_soft_plan,
+	.expect = ts_soft_expect,
 };
 
 const ts_pipeline ts_pipeline_ivir_omni = {
-	.name = "ivir", .effect = &ts_effect_omni_shadows, .paper = "iVIR 6",
+	.name = "ivir",
+	.effect = &ts_effect_omni_shadows,
+	.paper = "iVIR 6",
 	.doc = "one set of points for the cubes of all light samples",
-	.steps = ts_ivir_omni_steps, .plan = ts_ivir_omni_plan, .expect = ts_omni_expect,
+	.steps = ts_ivir_omni_steps,
+	.plan = ts_ivir_omni_plan,
+	.expect = ts_omni_expect,
 };

@@ -9,22 +9,23 @@ const ts_bounce_buffers ts_bounce_table[TS_MAX_BOUNCES] = {
 };
 
 /* Mirrors tell which pixel sees which point, and nothing of points. */
-static const ts_launch first =
-	TS_LAUNCH(lookup, TS_WITH(view), TS_WITH(texels), TS_OUT(found, lookup_point), TS_BUT(scene), TS_BUT(pieces),
-	          TS_BUT(frames), TS_BUT(keys), TS_BUT(points));
+static const ts_launch first = TS_LAUNCH(lookup, TS_WITH(view), TS_WITH(texels), TS_OUT(found, lookup_point),
+                                         TS_BUT(scene), TS_BUT(pieces), TS_BUT(frames), TS_BUT(keys), TS_BUT(points));
 /* A later bounce: samples of the one before that see a mirror are counted and queued, then look up. */
-typedef struct { ts_launch count, queue, look_up; } later;
+typedef struct {
+	ts_launch count, queue, look_up;
+} later;
 
 static const later second = {
 	TS_LAUNCH(bounce_count, TS_IN(found, lookup_point), TS_OUT(offset, lookup2_offset)),
 	TS_LAUNCH(bounce_queue, TS_IN(found, lookup_point), TS_IN(offset, lookup2_offset),
-	          TS_OUT(next_queue, lookup2_parent)),
+              TS_OUT(next_queue, lookup2_parent)),
 	TS_LAUNCH(bounce, TS_WITH(texels), TS_IN(queue, lookup2_parent), TS_OUT(found, lookup2_point)),
 };
 static const later third = {
 	TS_LAUNCH(bounce_count, TS_IN(found, lookup2_point), TS_OUT(offset, lookup3_offset), TS_BUT(pixels)),
 	TS_LAUNCH(bounce_queue, TS_IN(found, lookup2_point), TS_IN(offset, lookup3_offset),
-	          TS_OUT(next_queue, lookup3_parent), TS_IN(queue, lookup2_parent), TS_BUT(pixels)),
+              TS_OUT(next_queue, lookup3_parent), TS_IN(queue, lookup2_parent), TS_BUT(pixels)),
 	TS_LAUNCH(bounce, TS_WITH(texels), TS_IN(queue, lookup3_parent), TS_OUT(found, lookup3_point), TS_BUT(pixels)),
 };
 
@@ -63,7 +64,8 @@ static ts_status make_queue(ts_run *run, const later *own, u32 bounce)
 {
 	ts_lookup_args before = ts_lookup_values(run, bounce - 1);
 	u64 total, n = ts_run_size(run, ts_bounce_table[bounce - 1].entries) * before.n_samples;
-	if (n >= TS_NONE) return ts_fail("%" PRIu64 " samples are more than 32-bit indices can name; take a smaller image", n);
+	if (n >= TS_NONE)
+		return ts_fail("%" PRIu64 " samples are more than 32-bit indices can name; take a smaller image", n);
 	if (TS_RUN(run, &own->count, &before, n) != TS_OK) return TS_ERROR;
 	if (ts_launch_sum(run, &own->count, "offset", &total) != TS_OK) return TS_ERROR;
 	if (TS_RUN(run, &own->queue, &before, n) != TS_OK) return TS_ERROR;
@@ -80,18 +82,30 @@ static ts_status lookup2(ts_run *run) { return look_up_later(run, &second, 1); }
 static ts_status lookup3(ts_run *run) { return look_up_later(run, &third, 2); }
 
 const ts_stage ts_stage_lookup = {
-	.name = "lookup", .kind = "map", .paper = "EPR 4.1.3", .doc = "25 look-ups a reflective pixel",
-	.run = lookup, .launches = TS_LAUNCHES(&first),
+	.name = "lookup",
+	.kind = "map",
+	.paper = "EPR 4.1.3",
+	.doc = "25 look-ups a reflective pixel",
+	.run = lookup,
+	.launches = TS_LAUNCHES(&first),
 };
 
 const ts_stage ts_stage_lookup2 = {
-	.name = "lookup2", .kind = "emit", .paper = "EPR 4.1.4", .doc = "four look-ups for each sample that sees a mirror",
-	.run = lookup2, .launches = TS_LAUNCHES(&second.count, &second.queue, &second.look_up),
+	.name = "lookup2",
+	.kind = "emit",
+	.paper = "EPR 4.1.4",
+	.doc = "four look-ups for each sample that sees a mirror",
+	.run = lookup2,
+	.launches = TS_LAUNCHES(&second.count, &second.queue, &second.look_up),
 	.looks_at = TS_BUFFERS(TS_B_scene_info),
 };
 
 const ts_stage ts_stage_lookup3 = {
-	.name = "lookup3", .kind = "emit", .paper = "EPR 4.1.4", .doc = "the same once more",
-	.run = lookup3, .launches = TS_LAUNCHES(&third.count, &third.queue, &third.look_up),
+	.name = "lookup3",
+	.kind = "emit",
+	.paper = "EPR 4.1.4",
+	.doc = "the same once more",
+	.run = lookup3,
+	.launches = TS_LAUNCHES(&third.count, &third.queue, &third.look_up),
 	.looks_at = TS_BUFFERS(TS_B_scene_info),
 };

@@ -15,6 +15,10 @@ static ts_status mirror(ts_run *run)
 }
 
 const ts_stage ts_stage_mirror = {
-	.name = "mirror", .kind = "map", .paper = "EPR 4.2", .doc = "MVR: mip-mapped look-ups of the reflective pixels",
-	.run = mirror, .launches = TS_LAUNCHES(&launch),
+	.name = "mirror",
+	.kind = "map",
+	.paper = "EPR 4.2",
+	.doc = "MVR: mip-mapped look-ups of the reflective pixels",
+	.run = mirror,
+	.launches = TS_LAUNCHES(&launch),
 };

@@ -28,7 +28,7 @@ static void mvr_plan(ts_plan *plan, const ts_params *params, const ts_counts *co
 
 static const ts_step mvr_soft_steps[] = {
 	{.run = ts_soft_run},
-	{.stage = "depth", .each_batch = true},      /* geometry into every depth map */
+	{.stage = "depth", .each_batch = true}, /* geometry into every depth map */
 	{.run = ts_resolve_run},
 	{0},
 };
@@ -53,19 +53,31 @@ static void mvr_expect(ts_expected *expected, const ts_scene *scene, const ts_pa
 }
 
 const ts_pipeline ts_pipeline_mvr_reflections = {
-	.name = "mvr", .effect = &ts_effect_reflections, .paper = "EPR 4.2",
+	.name = "mvr",
+	.effect = &ts_effect_reflections,
+	.paper = "EPR 4.2",
 	.doc = "multi-view rendering: one pass over the geometry for every cube",
-	.steps = mvr_steps, .plan = mvr_plan, .expect = mvr_expect,
+	.steps = mvr_steps,
+	.plan = mvr_plan,
+	.expect = mvr_expect,
 };
 
 const ts_pipeline ts_pipeline_mvr_soft = {
-	.name = "mvr", .effect = &ts_effect_soft_shadows, .paper = "iVIR 4",
+	.name = "mvr",
+	.effect = &ts_effect_soft_shadows,
+	.paper = "iVIR 4",
 	.doc = "one pass over the geometry for every depth map",
-	.steps = mvr_soft_steps, .plan = ts_soft_plan, .expect = ts_soft_expect,
+	.steps = mvr_soft_steps,
+	.plan = ts_soft_plan,
+	.expect = ts_soft_expect,
 };
 
 const ts_pipeline ts_pipeline_mvr_omni = {
-	.name = "mvr", .effect = &ts_effect_omni_shadows, .paper = "iVIR 6",
+	.name = "mvr",
+	.effect = &ts_effect_omni_shadows,
+	.paper = "iVIR 6",
 	.doc = "one pass over the geometry for every face of every cube",
-	.steps = mvr_omni_steps, .plan = ts_omni_plan, .expect = ts_omni_expect,
+	.steps = mvr_omni_steps,
+	.plan = ts_omni_plan,
+	.expect = ts_omni_expect,
 };

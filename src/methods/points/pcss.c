@@ -16,9 +16,9 @@
 #include "pipelines.h"
 
 static const ts_step pcss_steps[] = {
-	{.run = ts_soft_run},                    /* a view from the middle of each light */
-	{.stage = "depth", .each_batch = true},  /* MVR's raster */
-	{.stage = "pcss", .each_batch = true},   /* blockers, penumbra, filter */
+	{.run = ts_soft_run},                   /* a view from the middle of each light */
+	{.stage = "depth", .each_batch = true}, /* MVR's raster */
+	{.stage = "pcss", .each_batch = true},  /* blockers, penumbra, filter */
 	{.stage = "shadow_image"},
 	{0},
 };
@@ -49,7 +49,11 @@ static void pcss_expect(ts_expected *expected, const ts_scene *scene, const ts_p
 }
 
 const ts_pipeline ts_pipeline_pcss = {
-	.name = "pcss", .effect = &ts_effect_soft_shadows, .paper = "iVIR 4",
+	.name = "pcss",
+	.effect = &ts_effect_soft_shadows,
+	.paper = "iVIR 4",
 	.doc = "percentage-closer soft shadows: one depth map a light, filtered as wide as its penumbra",
-	.steps = pcss_steps, .plan = pcss_plan, .expect = pcss_expect,
+	.steps = pcss_steps,
+	.plan = pcss_plan,
+	.expect = pcss_expect,
 };

@@ -11,6 +11,11 @@ static ts_status pcss(ts_run *run)
 }
 
 const ts_stage ts_stage_pcss = {
-	.name = "pcss", .kind = "map", .paper = "iVIR 4", .doc = "how many taps about each pixel let light through",
-	.run = pcss, .launches = TS_LAUNCHES(&filtered), .looks_at = TS_BUFFERS(TS_B_scene_info),
+	.name = "pcss",
+	.kind = "map",
+	.paper = "iVIR 4",
+	.doc = "how many taps about each pixel let light through",
+	.run = pcss,
+	.launches = TS_LAUNCHES(&filtered),
+	.looks_at = TS_BUFFERS(TS_B_scene_info),
 };

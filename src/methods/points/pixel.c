@@ -17,7 +17,11 @@ static ts_status pixel(ts_run *run)
 }
 
 const ts_stage ts_stage_pixel = {
-	.name = "pixel", .kind = "emit", .paper = "EPR 4.1.3",
+	.name = "pixel",
+	.kind = "emit",
+	.paper = "EPR 4.1.3",
 	.doc = "reflective pixels with gradients of position and normal",
-	.run = pixel, .launches = TS_LAUNCHES(&counted, &written), .looks_at = TS_BUFFERS(TS_B_scene_info),
+	.run = pixel,
+	.launches = TS_LAUNCHES(&counted, &written),
+	.looks_at = TS_BUFFERS(TS_B_scene_info),
 };

@@ -59,11 +59,21 @@ static ts_status points(ts_run *run)
 }
 
 const ts_stage ts_stage_count = {
-	.name = "count", .kind = "emit", .paper = "EPR 3.3", .doc = "points of every piece, counted and summed",
-	.run = count, .launches = TS_LAUNCHES(&counted), .looks_at = TS_BUFFERS(TS_B_scene_info),
+	.name = "count",
+	.kind = "emit",
+	.paper = "EPR 3.3",
+	.doc = "points of every piece, counted and summed",
+	.run = count,
+	.launches = TS_LAUNCHES(&counted),
+	.looks_at = TS_BUFFERS(TS_B_scene_info),
 };
 
 const ts_stage ts_stage_points = {
-	.name = "points", .kind = "emit", .paper = "EPR 3.4, eq. 4", .doc = "points with splat lengths",
-	.run = points, .launches = TS_LAUNCHES(&written, &appended), .looks_at = TS_BUFFERS(TS_B_scene_info),
+	.name = "points",
+	.kind = "emit",
+	.paper = "EPR 3.4, eq. 4",
+	.doc = "points with splat lengths",
+	.run = points,
+	.launches = TS_LAUNCHES(&written, &appended),
+	.looks_at = TS_BUFFERS(TS_B_scene_info),
 };

@@ -33,6 +33,10 @@ void ts_plan_largest(ts_plan *plan, const ts_params *params)
 }
 
 const ts_effect ts_effect_reflections = {
-	.name = "reflections", .doc = "mirrors that move", .mirrors = true, .seen = TS_B_eye_depth_triangle,
-	.difference_scale = 8, .lower = "fewer --reflectors",
+	.name = "reflections",
+	.doc = "mirrors that move",
+	.mirrors = true,
+	.seen = TS_B_eye_depth_triangle,
+	.difference_scale = 8,
+	.lower = "fewer --reflectors",
 };

@@ -64,7 +64,11 @@ static ts_status resize(ts_run *run)
 }
 
 const ts_stage ts_stage_resize = {
-	.name = "resize", .kind = "map", .paper = "EPR 3.5", .doc = "box, ball and cube size of every reflector",
-	.run = resize, .looks_at = TS_BUFFERS(TS_B_scene_vertex, TS_B_scene_object, TS_B_scene_info),
+	.name = "resize",
+	.kind = "map",
+	.paper = "EPR 3.5",
+	.doc = "box, ball and cube size of every reflector",
+	.run = resize,
+	.looks_at = TS_BUFFERS(TS_B_scene_vertex, TS_B_scene_object, TS_B_scene_info),
 	.makes = TS_BUFFERS(TS_B_resize_face),
 };

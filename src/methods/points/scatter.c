@@ -4,7 +4,9 @@
 #include "points.h"
 
 /* Of points that are stored, and of pieces. */
-typedef struct { ts_launch stored, pieces; } launches;
+typedef struct {
+	ts_launch stored, pieces;
+} launches;
 
 #define STORED(path) TS_IN(path.keys, points_key), TS_IN(path.points, points_record)
 static const launches into_depths = {
@@ -87,26 +89,41 @@ static ts_status depth(ts_run *run)
 }
 
 const ts_stage ts_stage_scatter = {
-	.name = "scatter", .kind = "scatter", .paper = "iVIR 4", .doc = "points into depth maps by 32-bit minimum",
-	.run = scatter, .launches = TS_LAUNCHES(&into_depths.stored, &into_depths.pieces),
+	.name = "scatter",
+	.kind = "scatter",
+	.paper = "iVIR 4",
+	.doc = "points into depth maps by 32-bit minimum",
+	.run = scatter,
+	.launches = TS_LAUNCHES(&into_depths.stored, &into_depths.pieces),
 	.looks_at = TS_BUFFERS(TS_B_scene_info, TS_B_resize_face),
 };
 
 const ts_stage ts_stage_scatter_colour = {
-	.name = "scatter_colour", .kind = "scatter", .paper = "iVIR 5",
+	.name = "scatter_colour",
+	.kind = "scatter",
+	.paper = "iVIR 5",
 	.doc = "points into environment maps: 13 bits of depth, 19 of colour",
-	.run = scatter_colour, .launches = TS_LAUNCHES(&into_colours.stored, &into_colours.pieces),
+	.run = scatter_colour,
+	.launches = TS_LAUNCHES(&into_colours.stored, &into_colours.pieces),
 	.looks_at = TS_BUFFERS(TS_B_scene_info, TS_B_resize_face),
 };
 
 const ts_stage ts_stage_shadow_splat = {
-	.name = "shadow_splat", .kind = "scatter", .paper = "EPR 5.1",
+	.name = "shadow_splat",
+	.kind = "scatter",
+	.paper = "EPR 5.1",
 	.doc = "points into depth maps: small ones as they are, large ones as squares",
-	.run = shadow_splat, .launches = TS_LAUNCHES(&splats.stored, &splats.pieces),
+	.run = shadow_splat,
+	.launches = TS_LAUNCHES(&splats.stored, &splats.pieces),
 	.looks_at = TS_BUFFERS(TS_B_scene_info, TS_B_resize_face),
 };
 
 const ts_stage ts_stage_depth = {
-	.name = "depth", .kind = "scatter", .paper = "iVIR 4", .doc = "MVR: standard rasterization into every depth map",
-	.run = depth, .launches = TS_LAUNCHES(&rasterized), .looks_at = TS_BUFFERS(TS_B_scene_info, TS_B_resize_face),
+	.name = "depth",
+	.kind = "scatter",
+	.paper = "iVIR 4",
+	.doc = "MVR: standard rasterization into every depth map",
+	.run = depth,
+	.launches = TS_LAUNCHES(&rasterized),
+	.looks_at = TS_BUFFERS(TS_B_scene_info, TS_B_resize_face),
 };

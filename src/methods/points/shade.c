@@ -3,22 +3,23 @@
 #include "lookup.h"
 
 /* With what the next bounce answered, or without. */
-typedef struct { ts_launch last, followed; } launches;
+typedef struct {
+	ts_launch last, followed;
+} launches;
 
 static const launches of_pixels = {
 	TS_LAUNCH(shade, TS_IN(found, lookup_point), TS_OUT(radiance, shade_radiance), TS_WITH(used)),
 	TS_LAUNCH(shade, TS_IN(found, lookup_point), TS_OUT(radiance, shade_radiance), TS_WITH(used),
-	          TS_IN(offset, lookup2_offset), TS_IN(next_radiance, shade2_radiance)),
+              TS_IN(offset, lookup2_offset), TS_IN(next_radiance, shade2_radiance)),
 };
 static const launches of_second = {
 	TS_LAUNCH(shade, TS_IN(found, lookup2_point), TS_OUT(radiance, shade2_radiance), TS_IN(queue, lookup2_parent),
-	          TS_BUT(pixels)),
+              TS_BUT(pixels)),
 	TS_LAUNCH(shade, TS_IN(found, lookup2_point), TS_OUT(radiance, shade2_radiance), TS_IN(queue, lookup2_parent),
-	          TS_IN(offset, lookup3_offset), TS_IN(next_radiance, shade3_radiance), TS_BUT(pixels)),
+              TS_IN(offset, lookup3_offset), TS_IN(next_radiance, shade3_radiance), TS_BUT(pixels)),
 };
-static const ts_launch of_third =
-	TS_LAUNCH(shade, TS_IN(found, lookup3_point), TS_OUT(radiance, shade3_radiance), TS_IN(queue, lookup3_parent),
-	          TS_BUT(pixels));
+static const ts_launch of_third = TS_LAUNCH(shade, TS_IN(found, lookup3_point), TS_OUT(radiance, shade3_radiance),
+                                            TS_IN(queue, lookup3_parent), TS_BUT(pixels));
 
 static ts_status shade(ts_run *run, u32 bounce, const launches *own)
 {
@@ -80,18 +81,31 @@ static ts_status shade_pixels(ts_run *run)
 }
 
 const ts_stage ts_stage_shade3 = {
-	.name = "shade3", .kind = "map", .paper = "EPR 4.1.4", .doc = "deferred shading of the third bounce",
-	.run = shade_third, .launches = TS_LAUNCHES(&of_third), .looks_at = TS_BUFFERS(TS_B_scene_info),
+	.name = "shade3",
+	.kind = "map",
+	.paper = "EPR 4.1.4",
+	.doc = "deferred shading of the third bounce",
+	.run = shade_third,
+	.launches = TS_LAUNCHES(&of_third),
+	.looks_at = TS_BUFFERS(TS_B_scene_info),
 };
 
 const ts_stage ts_stage_shade2 = {
-	.name = "shade2", .kind = "map", .paper = "EPR 4.1.4", .doc = "deferred shading of the second bounce",
-	.run = shade_second, .launches = TS_LAUNCHES(&of_second.last, &of_second.followed),
+	.name = "shade2",
+	.kind = "map",
+	.paper = "EPR 4.1.4",
+	.doc = "deferred shading of the second bounce",
+	.run = shade_second,
+	.launches = TS_LAUNCHES(&of_second.last, &of_second.followed),
 	.looks_at = TS_BUFFERS(TS_B_scene_info),
 };
 
 const ts_stage ts_stage_shade = {
-	.name = "shade", .kind = "map", .paper = "EPR 4.1.2", .doc = "eye-based deferred shading",
-	.run = shade_pixels, .launches = TS_LAUNCHES(&of_pixels.last, &of_pixels.followed),
+	.name = "shade",
+	.kind = "map",
+	.paper = "EPR 4.1.2",
+	.doc = "eye-based deferred shading",
+	.run = shade_pixels,
+	.launches = TS_LAUNCHES(&of_pixels.last, &of_pixels.followed),
 	.looks_at = TS_BUFFERS(TS_B_scene_info, TS_B_lookup2_point, TS_B_lookup3_point),
 };

@@ -57,8 +57,12 @@ static ts_status shadow_resize(ts_run *run)
 }
 
 const ts_stage ts_stage_shadow_resize = {
-	.name = "shadow_resize", .kind = "scatter", .paper = "EPR 5.1, eq. 6",
+	.name = "shadow_resize",
+	.kind = "scatter",
+	.paper = "EPR 5.1, eq. 6",
 	.doc = "a cube for each sample of the light, as large as the eye needs it",
-	.run = shadow_resize, .launches = TS_LAUNCHES(&launch),
-	.looks_at = TS_BUFFERS(TS_B_scene_info, TS_B_lamp_light, TS_B_lamp_shape), .makes = TS_BUFFERS(TS_B_resize_face),
+	.run = shadow_resize,
+	.launches = TS_LAUNCHES(&launch),
+	.looks_at = TS_BUFFERS(TS_B_scene_info, TS_B_lamp_light, TS_B_lamp_shape),
+	.makes = TS_BUFFERS(TS_B_resize_face),
 };

@@ -58,11 +58,17 @@ void ts_omni_expect(ts_expected *expected, const ts_scene *scene, const ts_param
 }
 
 const ts_effect ts_effect_soft_shadows = {
-	.name = "soft-shadows", .doc = "of a lamp or the scene's lights",
-	.seen = TS_B_eye_depth_triangle, .difference_scale = 8, .lower = "map_px or pass",
+	.name = "soft-shadows",
+	.doc = "of a lamp or the scene's lights",
+	.seen = TS_B_eye_depth_triangle,
+	.difference_scale = 8,
+	.lower = "map_px or pass",
 };
 
 const ts_effect ts_effect_omni_shadows = {
-	.name = "omni-shadows", .doc = "of a ball of light in the middle",
-	.seen = TS_B_eye_depth_triangle, .difference_scale = 8, .lower = "map_px or pass",
+	.name = "omni-shadows",
+	.doc = "of a ball of light in the middle",
+	.seen = TS_B_eye_depth_triangle,
+	.difference_scale = 8,
+	.lower = "map_px or pass",
 };

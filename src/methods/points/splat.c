@@ -42,12 +42,19 @@ static ts_status tie(ts_run *run)
 }
 
 const ts_stage ts_stage_splat = {
-	.name = "splat", .kind = "scatter", .paper = "EPR 3.5", .doc = "points into cube faces by 64-bit minimum",
-	.run = splat, .launches = TS_LAUNCHES(&in_order, &arrived),
+	.name = "splat",
+	.kind = "scatter",
+	.paper = "EPR 3.5",
+	.doc = "points into cube faces by 64-bit minimum",
+	.run = splat,
+	.launches = TS_LAUNCHES(&in_order, &arrived),
 };
 
 const ts_stage ts_stage_tie = {
-	.name = "tie", .kind = "scatter", .paper = "EPR 3.5",
+	.name = "tie",
+	.kind = "scatter",
+	.paper = "EPR 3.5",
 	.doc = "texels that another point of the same distance might have won",
-	.run = tie, .launches = TS_LAUNCHES(&ties),
+	.run = tie,
+	.launches = TS_LAUNCHES(&ties),
 };

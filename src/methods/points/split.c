@@ -4,7 +4,9 @@
 
 /* Counted, then written: for the eye, as it sees cubes; for off-screen views; for the eye through the shadows in
  * them. */
-typedef struct { ts_launch count, write; } launches;
+typedef struct {
+	ts_launch count, write;
+} launches;
 
 #define COUNT TS_BUT_SURFACES, TS_BUT(pieces), TS_BUT(scale), TS_BUT(n_capped)
 #define WRITE TS_BUT_SURFACES, TS_IN(whole, split_scale), TS_IN(offset, split_offset)
@@ -58,19 +60,28 @@ static ts_status shadow_split(ts_run *run)
 }
 
 const ts_stage ts_stage_split = {
-	.name = "split", .kind = "emit", .paper = "EPR 4.1.1, eqs 2 and 3",
+	.name = "split",
+	.kind = "emit",
+	.paper = "EPR 4.1.1, eqs 2 and 3",
 	.doc = "density of every triangle; large ones in pieces",
-	.run = split, .launches = TS_LAUNCHES(&of_eye.count, &of_eye.write),
+	.run = split,
+	.launches = TS_LAUNCHES(&of_eye.count, &of_eye.write),
 };
 
 const ts_stage ts_stage_view_split = {
-	.name = "view_split", .kind = "emit", .paper = "iVIR 3.1, eqs 2 and 3",
+	.name = "view_split",
+	.kind = "emit",
+	.paper = "iVIR 3.1, eqs 2 and 3",
 	.doc = "density of every triangle from the off-screen views; uneven and large ones in pieces",
-	.run = view_split, .launches = TS_LAUNCHES(&of_views.count, &of_views.write),
+	.run = view_split,
+	.launches = TS_LAUNCHES(&of_views.count, &of_views.write),
 };
 
 const ts_stage ts_stage_shadow_split = {
-	.name = "shadow_split", .kind = "emit", .paper = "EPR 5.1, eq. 5",
+	.name = "shadow_split",
+	.kind = "emit",
+	.paper = "EPR 5.1, eq. 5",
 	.doc = "density of every triangle from the off-screen views and the eye",
-	.run = shadow_split, .launches = TS_LAUNCHES(&of_views.count, &of_views.write),
+	.run = shadow_split,
+	.launches = TS_LAUNCHES(&of_views.count, &of_views.write),
 };

@@ -44,22 +44,34 @@ static void vir_omni_expect(ts_expected *expected, const ts_scene *scene, const 
 }
 
 const ts_pipeline ts_pipeline_vir_reflections = {
-	.name = "vir", .effect = &ts_effect_reflections, .paper = "iVIR 5",
+	.name = "vir",
+	.effect = &ts_effect_reflections,
+	.paper = "iVIR 5",
 	.doc = "view-independent rendering: points as dense as the worst texel of any cube",
-	.steps = ts_ivir_reflections_steps, .plan = vir_plan, .expect = vir_expect,
+	.steps = ts_ivir_reflections_steps,
+	.plan = vir_plan,
+	.expect = vir_expect,
 	.only_named = true,
 };
 
 const ts_pipeline ts_pipeline_vir_soft = {
-	.name = "vir", .effect = &ts_effect_soft_shadows, .paper = "iVIR 4",
+	.name = "vir",
+	.effect = &ts_effect_soft_shadows,
+	.paper = "iVIR 4",
 	.doc = "the same with the density of view-independent rendering",
-	.steps = ts_ivir_soft_steps, .plan = vir_soft_plan, .expect = ts_soft_expect,
+	.steps = ts_ivir_soft_steps,
+	.plan = vir_soft_plan,
+	.expect = ts_soft_expect,
 	.only_named = true,
 };
 
 const ts_pipeline ts_pipeline_vir_omni = {
-	.name = "vir", .effect = &ts_effect_omni_shadows, .paper = "iVIR 6",
+	.name = "vir",
+	.effect = &ts_effect_omni_shadows,
+	.paper = "iVIR 6",
 	.doc = "the same with the density of view-independent rendering",
-	.steps = ts_ivir_omni_steps, .plan = vir_omni_plan, .expect = vir_omni_expect,
+	.steps = ts_ivir_omni_steps,
+	.plan = vir_omni_plan,
+	.expect = vir_omni_expect,
 	.only_named = true,
 };

@@ -20,6 +20,10 @@ static ts_status visibility(ts_run *run)
 }
 
 const ts_stage ts_stage_visibility = {
-	.name = "visibility", .kind = "map", .paper = "EPR 3.1", .doc = "one bit a triangle and cube face",
-	.run = visibility, .launches = TS_LAUNCHES(&launch),
+	.name = "visibility",
+	.kind = "map",
+	.paper = "EPR 3.1",
+	.doc = "one bit a triangle and cube face",
+	.run = visibility,
+	.launches = TS_LAUNCHES(&launch),
 };

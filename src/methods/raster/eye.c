@@ -13,6 +13,11 @@ static ts_status eye(ts_run *run)
 }
 
 const ts_stage ts_stage_eye = {
-	.name = "eye", .kind = "scatter", .paper = "EPR 4.1.3", .doc = "standard rasterization of the eye's view",
-	.run = eye, .launches = TS_LAUNCHES(&launch), .looks_at = TS_BUFFERS(TS_B_scene_info),
+	.name = "eye",
+	.kind = "scatter",
+	.paper = "EPR 4.1.3",
+	.doc = "standard rasterization of the eye's view",
+	.run = eye,
+	.launches = TS_LAUNCHES(&launch),
+	.looks_at = TS_BUFFERS(TS_B_scene_info),
 };

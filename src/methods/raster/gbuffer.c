@@ -11,6 +11,11 @@ static ts_status gbuffer(ts_run *run)
 }
 
 const ts_stage ts_stage_gbuffer = {
-	.name = "gbuffer", .kind = "map", .paper = "SSAGH 3", .doc = "position, normal and albedo of every pixel",
-	.run = gbuffer, .launches = TS_LAUNCHES(&surfaces), .looks_at = TS_BUFFERS(TS_B_scene_info),
+	.name = "gbuffer",
+	.kind = "map",
+	.paper = "SSAGH 3",
+	.doc = "position, normal and albedo of every pixel",
+	.run = gbuffer,
+	.launches = TS_LAUNCHES(&surfaces),
+	.looks_at = TS_BUFFERS(TS_B_scene_info),
 };

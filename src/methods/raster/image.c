@@ -31,16 +31,30 @@ static ts_status indirect_image(ts_run *run)
 }
 
 const ts_stage ts_stage_image = {
-	.name = "image", .kind = "map", .paper = "EPR 4.1.2", .doc = "the picture",
-	.run = image, .launches = TS_LAUNCHES(&with_mirrors), .looks_at = TS_BUFFERS(TS_B_scene_info),
+	.name = "image",
+	.kind = "map",
+	.paper = "EPR 4.1.2",
+	.doc = "the picture",
+	.run = image,
+	.launches = TS_LAUNCHES(&with_mirrors),
+	.looks_at = TS_BUFFERS(TS_B_scene_info),
 };
 
 const ts_stage ts_stage_shadow_image = {
-	.name = "shadow_image", .kind = "map", .paper = "iVIR 4", .doc = "the picture with its shadows",
-	.run = shadow_image, .launches = TS_LAUNCHES(&with_shadows), .looks_at = TS_BUFFERS(TS_B_scene_info),
+	.name = "shadow_image",
+	.kind = "map",
+	.paper = "iVIR 4",
+	.doc = "the picture with its shadows",
+	.run = shadow_image,
+	.launches = TS_LAUNCHES(&with_shadows),
+	.looks_at = TS_BUFFERS(TS_B_scene_info),
 };
 
 const ts_stage ts_stage_indirect_image = {
-	.name = "indirect_image", .kind = "map", .paper = "SSAGH 4, eq. 6", .doc = "the picture of indirect light",
-	.run = indirect_image, .launches = TS_LAUNCHES(&of_indirect),
+	.name = "indirect_image",
+	.kind = "map",
+	.paper = "SSAGH 4, eq. 6",
+	.doc = "the picture of indirect light",
+	.run = indirect_image,
+	.launches = TS_LAUNCHES(&of_indirect),
 };

@@ -23,6 +23,9 @@ void ts_indirect_expect(ts_expected *expected, const ts_scene *scene, const ts_p
 }
 
 const ts_effect ts_effect_indirect = {
-	.name = "indirect", .doc = "the light of a lamp or the scene's lights after one bounce",
-	.seen = TS_B_eye_depth_triangle, .difference_scale = 4, .lower = "grid_px or rsm_px",
+	.name = "indirect",
+	.doc = "the light of a lamp or the scene's lights after one bounce",
+	.seen = TS_B_eye_depth_triangle,
+	.difference_scale = 4,
+	.lower = "grid_px or rsm_px",
 };

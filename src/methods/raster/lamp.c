@@ -100,7 +100,8 @@ static ts_status lamp_cube(ts_run *run)
 u32 ts_light_views(const ts_light *light) { return ts_k_has_cube(light) ? 6 : 1; }
 
 /* View k of a light. */
-static void set_view(ts_offscreen *view, const ts_light *light, u32 k, u32 index, const ts_info *info, const ts_lens *lens)
+static void set_view(ts_offscreen *view, const ts_light *light, u32 k, u32 index, const ts_info *info,
+                     const ts_lens *lens)
 {
 	ts_face cube;
 	if (ts_k_has_cube(light)) {
@@ -131,31 +132,51 @@ ts_status ts_light_views_make(ts_run *run)
 }
 
 const ts_stage ts_stage_lamp = {
-	.name = "lamp", .kind = "map", .paper = "iVIR 4", .doc = "the lights whose shadows are soft",
-	.run = lamp, .looks_at = TS_BUFFERS(TS_B_scene_info, TS_B_scene_light),
+	.name = "lamp",
+	.kind = "map",
+	.paper = "iVIR 4",
+	.doc = "the lights whose shadows are soft",
+	.run = lamp,
+	.looks_at = TS_BUFFERS(TS_B_scene_info, TS_B_scene_light),
 	.makes = TS_BUFFERS(TS_B_lamp_light, TS_B_lamp_shape),
 };
 
 const ts_stage ts_stage_lamp_ball = {
-	.name = "lamp_ball", .kind = "map", .paper = "iVIR 6", .doc = "the light whose shadows fall all around it",
-	.run = lamp_ball, .looks_at = TS_BUFFERS(TS_B_scene_info), .makes = TS_BUFFERS(TS_B_lamp_light, TS_B_lamp_shape),
+	.name = "lamp_ball",
+	.kind = "map",
+	.paper = "iVIR 6",
+	.doc = "the light whose shadows fall all around it",
+	.run = lamp_ball,
+	.looks_at = TS_BUFFERS(TS_B_scene_info),
+	.makes = TS_BUFFERS(TS_B_lamp_light, TS_B_lamp_shape),
 };
 
 const ts_stage ts_stage_lamp_view = {
-	.name = "lamp_view", .kind = "map", .paper = "iVIR 4", .doc = "a depth map for each sample of each light",
-	.run = lamp_view, .looks_at = TS_BUFFERS(TS_B_scene_info, TS_B_lamp_light, TS_B_lamp_shape),
+	.name = "lamp_view",
+	.kind = "map",
+	.paper = "iVIR 4",
+	.doc = "a depth map for each sample of each light",
+	.run = lamp_view,
+	.looks_at = TS_BUFFERS(TS_B_scene_info, TS_B_lamp_light, TS_B_lamp_shape),
 	.makes = TS_BUFFERS(TS_B_offscreen_view),
 };
 
 const ts_stage ts_stage_light_view = {
-	.name = "light_view", .kind = "map", .paper = "NV40: Timings & Comparison",
+	.name = "light_view",
+	.kind = "map",
+	.paper = "NV40: Timings & Comparison",
 	.doc = "a depth map for each light, six for a point light",
-	.run = ts_light_views_make, .looks_at = TS_BUFFERS(TS_B_scene_info, TS_B_lamp_light),
+	.run = ts_light_views_make,
+	.looks_at = TS_BUFFERS(TS_B_scene_info, TS_B_lamp_light),
 	.makes = TS_BUFFERS(TS_B_offscreen_view),
 };
 
 const ts_stage ts_stage_lamp_cube = {
-	.name = "lamp_cube", .kind = "map", .paper = "iVIR 6", .doc = "a cube for each sample of the light",
-	.run = lamp_cube, .looks_at = TS_BUFFERS(TS_B_scene_info, TS_B_lamp_light, TS_B_lamp_shape),
+	.name = "lamp_cube",
+	.kind = "map",
+	.paper = "iVIR 6",
+	.doc = "a cube for each sample of the light",
+	.run = lamp_cube,
+	.looks_at = TS_BUFFERS(TS_B_scene_info, TS_B_lamp_light, TS_B_lamp_shape),
 	.makes = TS_BUFFERS(TS_B_resize_face),
 };

@@ -2,10 +2,10 @@
 #include "../../kernels/raster/margin.h"
 #include "../stages.h"
 
-static const ts_launch of_eye = TS_LAUNCH(eye_margin, TS_WITH(view), TS_IN(depth_triangle, eye_depth_triangle),
-                                          TS_MIN(margin, eye_margin));
-static const ts_launch of_faces = TS_LAUNCH(face_margin, TS_WITH(cubes), TS_IN(depth_triangle, face_depth_triangle),
-                                            TS_MIN(margin, face_margin));
+static const ts_launch of_eye =
+	TS_LAUNCH(eye_margin, TS_WITH(view), TS_IN(depth_triangle, eye_depth_triangle), TS_MIN(margin, eye_margin));
+static const ts_launch of_faces =
+	TS_LAUNCH(face_margin, TS_WITH(cubes), TS_IN(depth_triangle, face_depth_triangle), TS_MIN(margin, face_margin));
 static const ts_launch of_depths =
 	TS_LAUNCH(depth_margin, TS_WITH(views), TS_WITH(depths), TS_MIN(margin, depth_margin));
 
@@ -29,19 +29,34 @@ static ts_status depth_margin(ts_run *run)
 }
 
 const ts_stage ts_stage_eye_margin = {
-	.name = "eye_margin", .kind = "scatter", .margin_of = "eye", .paper = "EPR 4.1.3",
+	.name = "eye_margin",
+	.kind = "scatter",
+	.margin_of = "eye",
+	.paper = "EPR 4.1.3",
 	.doc = "how near the eye's coverage and depths were to another answer",
-	.run = eye_margin, .launches = TS_LAUNCHES(&of_eye), .looks_at = TS_BUFFERS(TS_B_scene_info),
+	.run = eye_margin,
+	.launches = TS_LAUNCHES(&of_eye),
+	.looks_at = TS_BUFFERS(TS_B_scene_info),
 };
 
 const ts_stage ts_stage_face_margin = {
-	.name = "face_margin", .kind = "scatter", .margin_of = "face", .paper = "EPR 4.2",
+	.name = "face_margin",
+	.kind = "scatter",
+	.margin_of = "face",
+	.paper = "EPR 4.2",
 	.doc = "how near the faces' coverage and depths were to another answer",
-	.run = face_margin, .launches = TS_LAUNCHES(&of_faces), .looks_at = TS_BUFFERS(TS_B_scene_info),
+	.run = face_margin,
+	.launches = TS_LAUNCHES(&of_faces),
+	.looks_at = TS_BUFFERS(TS_B_scene_info),
 };
 
 const ts_stage ts_stage_depth_margin = {
-	.name = "depth_margin", .kind = "scatter", .margin_of = "depth", .paper = "iVIR 4",
+	.name = "depth_margin",
+	.kind = "scatter",
+	.margin_of = "depth",
+	.paper = "iVIR 4",
 	.doc = "how near the depth maps' coverage and depths were to another answer",
-	.run = depth_margin, .launches = TS_LAUNCHES(&of_depths), .looks_at = TS_BUFFERS(TS_B_scene_info, TS_B_resize_face),
+	.run = depth_margin,
+	.launches = TS_LAUNCHES(&of_depths),
+	.looks_at = TS_BUFFERS(TS_B_scene_info, TS_B_resize_face),
 };

@@ -48,12 +48,20 @@ static ts_status offscreen_visibility(ts_run *run)
 }
 
 const ts_stage ts_stage_offscreen = {
-	.name = "offscreen", .kind = "map", .paper = "iVIR 5", .doc = "six off-screen views a cube",
-	.run = offscreen, .looks_at = TS_BUFFERS(TS_B_resize_face, TS_B_lamp_light),
+	.name = "offscreen",
+	.kind = "map",
+	.paper = "iVIR 5",
+	.doc = "six off-screen views a cube",
+	.run = offscreen,
+	.looks_at = TS_BUFFERS(TS_B_resize_face, TS_B_lamp_light),
 	.makes = TS_BUFFERS(TS_B_offscreen_view),
 };
 
 const ts_stage ts_stage_offscreen_visibility = {
-	.name = "offscreen_visibility", .kind = "map", .paper = "iVIR 3.1", .doc = "one bit a triangle and off-screen view",
-	.run = offscreen_visibility, .launches = TS_LAUNCHES(&launch),
+	.name = "offscreen_visibility",
+	.kind = "map",
+	.paper = "iVIR 3.1",
+	.doc = "one bit a triangle and off-screen view",
+	.run = offscreen_visibility,
+	.launches = TS_LAUNCHES(&launch),
 };

@@ -11,6 +11,10 @@ static ts_status pose(ts_run *run)
 }
 
 const ts_stage ts_stage_pose = {
-	.name = "pose", .kind = "map", .paper = "EPR 4.2", .doc = "moving objects to their place in this frame",
-	.run = pose, .launches = TS_LAUNCHES(&launch),
+	.name = "pose",
+	.kind = "map",
+	.paper = "EPR 4.2",
+	.doc = "moving objects to their place in this frame",
+	.run = pose,
+	.launches = TS_LAUNCHES(&launch),
 };

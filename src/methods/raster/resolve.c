@@ -33,14 +33,22 @@ static ts_status resolve_margin(ts_run *run)
 }
 
 const ts_stage ts_stage_resolve = {
-	.name = "resolve", .kind = "map", .paper = "iVIR 4", .doc = "how many light samples reach each pixel",
-	.run = resolve, .launches = TS_LAUNCHES(&resolved),
+	.name = "resolve",
+	.kind = "map",
+	.paper = "iVIR 4",
+	.doc = "how many light samples reach each pixel",
+	.run = resolve,
+	.launches = TS_LAUNCHES(&resolved),
 	.looks_at = TS_BUFFERS(TS_B_scene_info, TS_B_resize_face, TS_B_lamp_shape),
 };
 
 const ts_stage ts_stage_resolve_margin = {
-	.name = "resolve_margin", .kind = "map", .margin_of = "resolve", .paper = "iVIR 4",
+	.name = "resolve_margin",
+	.kind = "map",
+	.margin_of = "resolve",
+	.paper = "iVIR 4",
 	.doc = "how near the comparisons with depth maps were to another answer",
-	.run = resolve_margin, .launches = TS_LAUNCHES(&measured),
+	.run = resolve_margin,
+	.launches = TS_LAUNCHES(&measured),
 	.looks_at = TS_BUFFERS(TS_B_scene_info, TS_B_resize_face, TS_B_lamp_shape),
 };

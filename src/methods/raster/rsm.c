@@ -26,20 +26,31 @@ static ts_status rsm_patch(ts_run *run)
 }
 
 const ts_stage ts_stage_rsm_view = {
-	.name = "rsm_view", .kind = "map", .paper = "SSAGH 5",
+	.name = "rsm_view",
+	.kind = "map",
+	.paper = "SSAGH 5",
 	.doc = "a reflective shadow map for each light, six for a point light",
-	.run = ts_light_views_make, .looks_at = TS_BUFFERS(TS_B_scene_info, TS_B_lamp_light),
+	.run = ts_light_views_make,
+	.looks_at = TS_BUFFERS(TS_B_scene_info, TS_B_lamp_light),
 	.makes = TS_BUFFERS(TS_B_offscreen_view),
 };
 
 const ts_stage ts_stage_rsm = {
-	.name = "rsm", .kind = "scatter", .paper = "SSAGH 5",
+	.name = "rsm",
+	.kind = "scatter",
+	.paper = "SSAGH 5",
 	.doc = "standard rasterization into every reflective shadow map",
-	.run = rsm, .launches = TS_LAUNCHES(&rasterized), .looks_at = TS_BUFFERS(TS_B_scene_info),
+	.run = rsm,
+	.launches = TS_LAUNCHES(&rasterized),
+	.looks_at = TS_BUFFERS(TS_B_scene_info),
 };
 
 const ts_stage ts_stage_rsm_patch = {
-	.name = "rsm_patch", .kind = "map", .paper = "SSAGH 5",
+	.name = "rsm_patch",
+	.kind = "map",
+	.paper = "SSAGH 5",
 	.doc = "what each of their texels sees as a triangle of light",
-	.run = rsm_patch, .launches = TS_LAUNCHES(&lit), .looks_at = TS_BUFFERS(TS_B_scene_info),
+	.run = rsm_patch,
+	.launches = TS_LAUNCHES(&lit),
+	.looks_at = TS_BUFFERS(TS_B_scene_info),
 };

@@ -2,26 +2,18 @@
 #include "pipelines.h"
 
 const ts_step ts_frame_run[] = {
-	{.stage = "view"},           /* where the eye is */
-	{.stage = "pose"},           /* where everything else is */
+	{.stage = "view"}, /* where the eye is */
+	{.stage = "pose"}, /* where everything else is */
 	{0},
 };
 
 const ts_step ts_soft_run[] = {
-	{.run = ts_frame_run},
-	{.stage = "lamp"},
-	{.stage = "lamp_view"},
-	{.stage = "eye"},
-	{0},
+	{.run = ts_frame_run}, {.stage = "lamp"}, {.stage = "lamp_view"}, {.stage = "eye"}, {0},
 };
 
 const ts_step ts_omni_run[] = {
-	{.run = ts_frame_run},
-	{.stage = "lamp_ball"},
-	{.stage = "lamp_cube"},
-	{.stage = "offscreen"},
-	{.stage = "eye"},
-	{0},
+	{.run = ts_frame_run},  {.stage = "lamp_ball"}, {.stage = "lamp_cube"},
+	{.stage = "offscreen"}, {.stage = "eye"},       {0},
 };
 
 const ts_step ts_resolve_run[] = {
@@ -31,12 +23,9 @@ const ts_step ts_resolve_run[] = {
 };
 
 const ts_step ts_rsm_run[] = {
-	{.run = ts_frame_run},
-	{.stage = "lamp"},
-	{.stage = "rsm_view"},
-	{.stage = "rsm"},            /* what each light sees */
-	{.stage = "rsm_patch"},
-	{0},
+	{.run = ts_frame_run},  {.stage = "lamp"},
+	{.stage = "rsm_view"},  {.stage = "rsm"}, /* what each light sees */
+	{.stage = "rsm_patch"}, {0},
 };
 
 const ts_step ts_gbuffer_run[] = {

@@ -11,6 +11,11 @@ static ts_status view(ts_run *run)
 }
 
 const ts_stage ts_stage_view = {
-	.name = "view", .kind = "map", .paper = "EPR 4.2", .doc = "the eye, circling the scene or the file's camera",
-	.run = view, .looks_at = TS_BUFFERS(TS_B_scene_info), .makes = TS_BUFFERS(TS_B_eye_view),
+	.name = "view",
+	.kind = "map",
+	.paper = "EPR 4.2",
+	.doc = "the eye, circling the scene or the file's camera",
+	.run = view,
+	.looks_at = TS_BUFFERS(TS_B_scene_info),
+	.makes = TS_BUFFERS(TS_B_eye_view),
 };

@@ -7,7 +7,7 @@ static const ts_launch in_any_order = TS_LAUNCH(blend, TS_ALL);
 static const ts_launch in_order = TS_LAUNCH(blend_order, TS_ALL);
 
 /* CONTRACT rule 30: as many terms as there can be surfels, each the largest that ts_fix gives. */
-_Static_assert((u64)TS_NONE * INT32_MAX <= (u64)INT64_MAX, "sums of surfels may overflow");
+_Static_assert((u64)TS_NONE *INT32_MAX <= (u64)INT64_MAX, "sums of surfels may overflow");
 
 static ts_status blend_in_order(ts_run *run)
 {
@@ -29,7 +29,10 @@ static ts_status blend(ts_run *run)
 }
 
 const ts_stage ts_stage_blend = {
-	.name = "blend", .kind = "scatter", .paper = "NV40: Approximate EWA Filtering",
+	.name = "blend",
+	.kind = "scatter",
+	.paper = "NV40: Approximate EWA Filtering",
 	.doc = "attributes: colours and normals of the surfels before that depth, by integer sums or in order",
-	.run = blend, .launches = TS_LAUNCHES(&in_any_order, &in_order),
+	.run = blend,
+	.launches = TS_LAUNCHES(&in_any_order, &in_order),
 };

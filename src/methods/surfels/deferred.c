@@ -9,7 +9,8 @@ static const ts_launch lit_measured = TS_LAUNCH(deferred_lit_margin, BUT_TRIANGL
 static const ts_launch shaded[] = {TS_LAUNCH(deferred, TS_ALL), TS_LAUNCH(deferred, TS_WITH(lit))};
 #define MEASURED TS_BUT(of.radiance), TS_BUT(of.srgb)
 static const ts_launch measured[] = {
-	TS_LAUNCH(deferred_margin, MEASURED), TS_LAUNCH(deferred_margin, MEASURED, TS_WITH(of.lit)),
+	TS_LAUNCH(deferred_margin, MEASURED),
+	TS_LAUNCH(deferred_margin, MEASURED, TS_WITH(of.lit)),
 };
 
 bool ts_shader_has_shadows(const ts_params *params)
@@ -22,12 +23,13 @@ static u64 n_pixels(const ts_run *run) { return (u64)TS_PARAM(&run->params, widt
 static ts_deferred_lit_args lit_values(const ts_run *run)
 {
 	return (ts_deferred_lit_args){
-		.of = {
-			.n_views = (u32)ts_run_size(run, TS_DIM_views),
-			.n_lamps = (u32)ts_run_size(run, TS_DIM_lamps),
-			.bias = TS_PARAM(&run->params, bias),
-			.slope = TS_PARAM(&run->params, bias_slope),
-		},
+		.of =
+			{
+				.n_views = (u32)ts_run_size(run, TS_DIM_views),
+				.n_lamps = (u32)ts_run_size(run, TS_DIM_lamps),
+				.bias = TS_PARAM(&run->params, bias),
+				.slope = TS_PARAM(&run->params, bias_slope),
+			},
 	};
 }
 
@@ -73,25 +75,41 @@ static ts_status deferred_margin(ts_run *run)
 }
 
 const ts_stage ts_stage_deferred_lit = {
-	.name = "deferred_lit", .kind = "map", .paper = "NV40: Timings & Comparison",
+	.name = "deferred_lit",
+	.kind = "map",
+	.paper = "NV40: Timings & Comparison",
 	.doc = "which lights reach each pixel",
-	.run = deferred_lit, .launches = TS_LAUNCHES(&lit),
+	.run = deferred_lit,
+	.launches = TS_LAUNCHES(&lit),
 };
 
 const ts_stage ts_stage_deferred_lit_margin = {
-	.name = "deferred_lit_margin", .kind = "map", .margin_of = "deferred_lit", .paper = "NV40: Timings & Comparison",
+	.name = "deferred_lit_margin",
+	.kind = "map",
+	.margin_of = "deferred_lit",
+	.paper = "NV40: Timings & Comparison",
 	.doc = "how near the comparisons with their depth maps were to another answer",
-	.run = deferred_lit_margin, .launches = TS_LAUNCHES(&lit_measured),
+	.run = deferred_lit_margin,
+	.launches = TS_LAUNCHES(&lit_measured),
 };
 
 const ts_stage ts_stage_deferred = {
-	.name = "deferred", .kind = "map", .paper = "NV40: Deferred Shading", .doc = "the picture, shaded once a pixel",
-	.run = deferred, .launches = TS_LAUNCHES(&shaded[0], &shaded[1]), .looks_at = TS_BUFFERS(TS_B_scene_info),
+	.name = "deferred",
+	.kind = "map",
+	.paper = "NV40: Deferred Shading",
+	.doc = "the picture, shaded once a pixel",
+	.run = deferred,
+	.launches = TS_LAUNCHES(&shaded[0], &shaded[1]),
+	.looks_at = TS_BUFFERS(TS_B_scene_info),
 };
 
 const ts_stage ts_stage_deferred_margin = {
-	.name = "deferred_margin", .kind = "map", .margin_of = "deferred", .paper = "NV40: Deferred Shading",
+	.name = "deferred_margin",
+	.kind = "map",
+	.margin_of = "deferred",
+	.paper = "NV40: Deferred Shading",
 	.doc = "how near outlines, tones and the beginnings of light were",
-	.run = deferred_margin, .launches = TS_LAUNCHES(&measured[0], &measured[1]),
+	.run = deferred_margin,
+	.launches = TS_LAUNCHES(&measured[0], &measured[1]),
 	.looks_at = TS_BUFFERS(TS_B_scene_info),
 };

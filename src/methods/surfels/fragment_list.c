@@ -29,7 +29,10 @@ bool ts_accumulates_in_order(const ts_params *params)
 }
 
 const ts_stage ts_stage_fragment_list = {
-	.name = "fragment_list", .kind = "emit", .paper = "NV40: Floating Point Precision",
+	.name = "fragment_list",
+	.kind = "emit",
+	.paper = "NV40: Floating Point Precision",
 	.doc = "which surfels are blended at each pixel, in order",
-	.run = fragment_list, .launches = TS_LAUNCHES(&counted, &listed, &sorted),
+	.run = fragment_list,
+	.launches = TS_LAUNCHES(&counted, &listed, &sorted),
 };

@@ -18,13 +18,19 @@ static ts_status surfel_shadow(ts_run *run)
 }
 
 const ts_stage ts_stage_surfel_depth = {
-	.name = "surfel_depth", .kind = "scatter", .paper = "NV40: 3-Pass Deferred Shading",
+	.name = "surfel_depth",
+	.kind = "scatter",
+	.paper = "NV40: 3-Pass Deferred Shading",
 	.doc = "visibility: the nearest surfel of every pixel, epsilon farther, by 64-bit minimum",
-	.run = surfel_depth, .launches = TS_LAUNCHES(&from_eye),
+	.run = surfel_depth,
+	.launches = TS_LAUNCHES(&from_eye),
 };
 
 const ts_stage ts_stage_surfel_shadow = {
-	.name = "surfel_shadow", .kind = "scatter", .paper = "NV40: Timings & Comparison",
+	.name = "surfel_shadow",
+	.kind = "scatter",
+	.paper = "NV40: Timings & Comparison",
 	.doc = "visibility from every light",
-	.run = surfel_shadow, .launches = TS_LAUNCHES(&from_lights),
+	.run = surfel_shadow,
+	.launches = TS_LAUNCHES(&from_lights),
 };

@@ -16,14 +16,21 @@ static ts_status surfel_depth_margin(ts_run *run) { return measure(run, &of_dept
 static ts_status blend_margin(ts_run *run) { return measure(run, &of_fragments); }
 
 const ts_stage ts_stage_surfel_depth_margin = {
-	.name = "surfel_depth_margin", .kind = "scatter", .margin_of = "surfel_depth",
+	.name = "surfel_depth_margin",
+	.kind = "scatter",
+	.margin_of = "surfel_depth",
 	.paper = "NV40: 3-Pass Deferred Shading",
 	.doc = "how near the nearest of every pixel was to another",
-	.run = surfel_depth_margin, .launches = TS_LAUNCHES(&of_depths),
+	.run = surfel_depth_margin,
+	.launches = TS_LAUNCHES(&of_depths),
 };
 
 const ts_stage ts_stage_blend_margin = {
-	.name = "blend_margin", .kind = "scatter", .margin_of = "blend", .paper = "NV40: Approximate EWA Filtering",
+	.name = "blend_margin",
+	.kind = "scatter",
+	.margin_of = "blend",
+	.paper = "NV40: Approximate EWA Filtering",
 	.doc = "how near fragments were to come or go",
-	.run = blend_margin, .launches = TS_LAUNCHES(&of_fragments),
+	.run = blend_margin,
+	.launches = TS_LAUNCHES(&of_fragments),
 };

@@ -14,7 +14,10 @@ static ts_status surfel_mean(ts_run *run)
 }
 
 const ts_stage ts_stage_surfel_mean = {
-	.name = "surfel_mean", .kind = "map", .paper = "NV40: 3-Pass Deferred Shading",
+	.name = "surfel_mean",
+	.kind = "map",
+	.paper = "NV40: 3-Pass Deferred Shading",
 	.doc = "those sums by their weights: a G-buffer",
-	.run = surfel_mean, .launches = TS_LAUNCHES(&launch),
+	.run = surfel_mean,
+	.launches = TS_LAUNCHES(&launch),
 };

@@ -46,7 +46,11 @@ static ts_status surfel_setup(ts_run *run)
 }
 
 const ts_stage ts_stage_surfel_setup = {
-	.name = "surfel_setup", .kind = "map", .paper = "NV40: Perspectively Correct Rendering",
+	.name = "surfel_setup",
+	.kind = "map",
+	.paper = "NV40: Perspectively Correct Rendering",
 	.doc = "surfels in the eye's view: what casts rays into their planes, and their boxes",
-	.run = surfel_setup, .launches = TS_LAUNCHES(&launch), .makes = TS_BUFFERS(TS_B_surfel_setup_epsilon),
+	.run = surfel_setup,
+	.launches = TS_LAUNCHES(&launch),
+	.makes = TS_BUFFERS(TS_B_surfel_setup_epsilon),
 };

@@ -29,14 +29,14 @@ static const ts_step surfels_steps[] = {
 	{.stage = "view"},
 	{.stage = "lamp"},
 	{.stage = "surfel_setup"},
-	{.stage = "surfel_depth"},   /* visibility splatting */
+	{.stage = "surfel_depth"}, /* visibility splatting */
 	{.stage = "fragment_list", .only_if = ts_accumulates_in_order, .unnumbered = true},
-	{.stage = "blend"},          /* attribute splatting */
-	{.stage = "surfel_mean"},     /* normalization */
+	{.stage = "blend"},       /* attribute splatting */
+	{.stage = "surfel_mean"}, /* normalization */
 	{.stage = "light_view", .only_if = ts_shader_has_shadows},
 	{.stage = "surfel_shadow", .only_if = ts_shader_has_shadows},
 	{.stage = "deferred_lit", .only_if = ts_shader_has_shadows},
-	{.stage = "deferred"},       /* shading */
+	{.stage = "deferred"}, /* shading */
 	{0},
 };
 
@@ -70,19 +70,29 @@ static void surfels_expect(ts_expected *expected, const ts_scene *scene, const t
 static const ts_effect surfels = {
 	.name = "surfels",
 	.doc = "elliptical splats of a file, or of triangles by --from-mesh; eye=outside sees all of a model",
-	.seen = TS_B_blend_heaviest, .difference_scale = 8, .lower = "map_px or from_mesh",
+	.seen = TS_B_blend_heaviest,
+	.difference_scale = 8,
+	.lower = "map_px or from_mesh",
 };
 
 const ts_pipeline ts_pipeline_deferred = {
-	.name = "deferred", .effect = &surfels, .paper = "NV40: 3-Pass Deferred Shading",
+	.name = "deferred",
+	.effect = &surfels,
+	.paper = "NV40: 3-Pass Deferred Shading",
 	.doc = "deferred surface splatting: surfels blended in three passes, filtered by the lesser radius",
-	.steps = surfels_steps, .plan = deferred_plan, .expect = surfels_expect,
+	.steps = surfels_steps,
+	.plan = deferred_plan,
+	.expect = surfels_expect,
 	.sets = {"lamp", "scene"},
 };
 
 const ts_pipeline ts_pipeline_ewa = {
-	.name = "ewa", .effect = &surfels, .paper = "EWA",
+	.name = "ewa",
+	.effect = &surfels,
+	.paper = "EWA",
 	.doc = "the same with the exact EWA filter",
-	.steps = surfels_steps, .plan = ewa_plan, .expect = surfels_expect,
+	.steps = surfels_steps,
+	.plan = ewa_plan,
+	.expect = surfels_expect,
 	.sets = {"lamp", "scene"},
 };

@@ -18,6 +18,10 @@ static ts_status bilateral(ts_run *run)
 }
 
 const ts_stage ts_stage_bilateral = {
-	.name = "bilateral", .kind = "map", .paper = "MegaViews 5.1", .doc = "that light filtered, but not over edges",
-	.run = bilateral, .launches = TS_LAUNCHES(&along_rows, &along_columns),
+	.name = "bilateral",
+	.kind = "map",
+	.paper = "MegaViews 5.1",
+	.doc = "that light filtered, but not over edges",
+	.run = bilateral,
+	.launches = TS_LAUNCHES(&along_rows, &along_columns),
 };

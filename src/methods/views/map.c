@@ -86,20 +86,31 @@ static ts_status fuse(ts_run *run)
 }
 
 const ts_stage ts_stage_map = {
-	.name = "map", .kind = "scatter", .paper = "MegaViews 3.2",
+	.name = "map",
+	.kind = "scatter",
+	.paper = "MegaViews 3.2",
 	.doc = "those pairs in dual-paraboloid maps of the nodes of views by 64-bit minimum",
-	.run = map, .launches = TS_LAUNCHES(TS_TRAVERSE_LAUNCHES, &of_kept, &of_piece),
+	.run = map,
+	.launches = TS_LAUNCHES(TS_TRAVERSE_LAUNCHES, &of_kept, &of_piece),
 	.looks_at = TS_BUFFERS(TS_B_view_octree_level),
 };
 
 const ts_stage ts_stage_map_all = {
-	.name = "map_all", .kind = "scatter", .paper = "MegaViews 4.1",
+	.name = "map_all",
+	.kind = "scatter",
+	.paper = "MegaViews 4.1",
 	.doc = "every leaf of the scene in the map of every view",
-	.run = map_all, .launches = TS_LAUNCHES(&of_all), .looks_at = TS_BUFFERS(TS_B_octree_level),
+	.run = map_all,
+	.launches = TS_LAUNCHES(&of_all),
+	.looks_at = TS_BUFFERS(TS_B_octree_level),
 };
 
 const ts_stage ts_stage_fuse = {
-	.name = "fuse", .kind = "map", .paper = "MegaViews 3.2",
+	.name = "fuse",
+	.kind = "map",
+	.paper = "MegaViews 3.2",
 	.doc = "whole maps: what the nodes above show, seen from each node",
-	.run = fuse, .launches = TS_LAUNCHES(&fused), .looks_at = TS_BUFFERS(TS_B_view_octree_level),
+	.run = fuse,
+	.launches = TS_LAUNCHES(&fused),
+	.looks_at = TS_BUFFERS(TS_B_view_octree_level),
 };

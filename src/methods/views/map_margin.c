@@ -41,14 +41,23 @@ static ts_status map_all_margin(ts_run *run)
 }
 
 const ts_stage ts_stage_map_margin = {
-	.name = "map_margin", .kind = "scatter", .margin_of = "map", .paper = "MegaViews 3.2",
+	.name = "map_margin",
+	.kind = "scatter",
+	.margin_of = "map",
+	.paper = "MegaViews 3.2",
 	.doc = "how near what maps show was to another answer",
-	.run = map_margin, .launches = TS_LAUNCHES(TS_TRAVERSE_LAUNCHES, &measured),
+	.run = map_margin,
+	.launches = TS_LAUNCHES(TS_TRAVERSE_LAUNCHES, &measured),
 	.looks_at = TS_BUFFERS(TS_B_view_octree_level),
 };
 
 const ts_stage ts_stage_map_all_margin = {
-	.name = "map_all_margin", .kind = "scatter", .margin_of = "map_all", .paper = "MegaViews 4.1",
+	.name = "map_all_margin",
+	.kind = "scatter",
+	.margin_of = "map_all",
+	.paper = "MegaViews 4.1",
 	.doc = "the same of brute force",
-	.run = map_all_margin, .launches = TS_LAUNCHES(&measured), .looks_at = TS_BUFFERS(TS_B_octree_level),
+	.run = map_all_margin,
+	.launches = TS_LAUNCHES(&measured),
+	.looks_at = TS_BUFFERS(TS_B_octree_level),
 };

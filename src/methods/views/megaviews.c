@@ -36,30 +36,18 @@ static const ts_step vpl_run[] = {
 };
 
 static const ts_step megaviews_steps[] = {
-	{.run = ts_rsm_run},
-	{.run = vpl_run},
-	{.run = ts_shared_maps_run},
-	{.run = ts_gbuffer_run},
-	{.run = ts_gather_run},
-	{0},
+	{.run = ts_rsm_run},     {.run = vpl_run},       {.run = ts_shared_maps_run},
+	{.run = ts_gbuffer_run}, {.run = ts_gather_run}, {0},
 };
 
 static const ts_step manylods_steps[] = {
-	{.run = ts_rsm_run},
-	{.run = vpl_run},
-	{.run = ts_own_maps_run},
-	{.run = ts_gbuffer_run},
-	{.run = ts_gather_run},
-	{0},
+	{.run = ts_rsm_run},     {.run = vpl_run},       {.run = ts_own_maps_run},
+	{.run = ts_gbuffer_run}, {.run = ts_gather_run}, {0},
 };
 
 static const ts_step bruteforce_steps[] = {
-	{.run = ts_rsm_run},
-	{.run = vpl_run},
-	{.run = ts_all_maps_run},
-	{.run = ts_gbuffer_run},
-	{.run = ts_gather_run},
-	{0},
+	{.run = ts_rsm_run},     {.run = vpl_run},       {.run = ts_all_maps_run},
+	{.run = ts_gbuffer_run}, {.run = ts_gather_run}, {0},
 };
 
 static void megaviews_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
@@ -70,7 +58,7 @@ static void megaviews_plan(ts_plan *plan, const ts_params *params, const ts_coun
 
 #define IN_CONE 0.68 /* share of the lamp's map that its cone lights: pi/4 of the square, to 15/16 of half its angle */
 
-#define SLANT 3      /* area of the surfaces in the lamp's cone, which are slanted, and some farther away */
+#define SLANT 3 /* area of the surfaces in the lamp's cone, which are slanted, and some farther away */
 
 /* What the lamp's cone cuts out of them, of which a plane across would be where its irradiance is light_irradiance. */
 static double lamp_area(const ts_scene *scene, const ts_params *params)
@@ -107,23 +95,35 @@ static void manylods_expect(ts_expected *expected, const ts_scene *scene, const 
 }
 
 const ts_pipeline ts_pipeline_megaviews_indirect = {
-	.name = "megaviews", .effect = &ts_effect_indirect, .paper = "MegaViews 3 and 5.1",
+	.name = "megaviews",
+	.effect = &ts_effect_indirect,
+	.paper = "MegaViews 3 and 5.1",
 	.doc = "many small views at once: virtual point lights with maps that octrees of scene and views share",
-	.steps = megaviews_steps, .plan = megaviews_plan, .expect = megaviews_expect,
+	.steps = megaviews_steps,
+	.plan = megaviews_plan,
+	.expect = megaviews_expect,
 	.lower = "levels, gather_level, view_px or vpls",
 };
 
 const ts_pipeline ts_pipeline_manylods_indirect = {
-	.name = "manylods", .effect = &ts_effect_indirect, .paper = "MegaViews 4.1",
+	.name = "manylods",
+	.effect = &ts_effect_indirect,
+	.paper = "MegaViews 4.1",
 	.doc = "the same lights, the map of each by a traversal of its own",
-	.steps = manylods_steps, .plan = megaviews_plan, .expect = manylods_expect,
+	.steps = manylods_steps,
+	.plan = megaviews_plan,
+	.expect = manylods_expect,
 	.lower = "levels, gather_level, view_px or vpls",
 };
 
 const ts_pipeline ts_pipeline_bruteforce_indirect = {
-	.name = "bruteforce", .effect = &ts_effect_indirect, .paper = "MegaViews 4.1",
+	.name = "bruteforce",
+	.effect = &ts_effect_indirect,
+	.paper = "MegaViews 4.1",
 	.doc = "the same lights, every leaf of the scene in the map of each",
-	.steps = bruteforce_steps, .plan = megaviews_plan, .expect = manylods_expect,
+	.steps = bruteforce_steps,
+	.plan = megaviews_plan,
+	.expect = manylods_expect,
 	.lower = "levels, gather_level, view_px or vpls",
 	.only_named = true,
 };

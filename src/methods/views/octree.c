@@ -98,21 +98,30 @@ static ts_status octree_surface(ts_run *run)
 }
 
 const ts_stage ts_stage_voxel = {
-	.name = "voxel", .kind = "scatter", .paper = "MegaViews 4.1",
+	.name = "voxel",
+	.kind = "scatter",
+	.paper = "MegaViews 4.1",
 	.doc = "voxels that triangles touch, and those above them",
-	.run = voxel, .launches = TS_LAUNCHES(&marked, &ts_scene_octree.raised, &ts_scene_octree.counted),
+	.run = voxel,
+	.launches = TS_LAUNCHES(&marked, &ts_scene_octree.raised, &ts_scene_octree.counted),
 };
 
 const ts_stage ts_stage_octree = {
-	.name = "octree", .kind = "emit", .paper = "MegaViews 3.1",
+	.name = "octree",
+	.kind = "emit",
+	.paper = "MegaViews 3.1",
 	.doc = "the scene's octree, and the triangles of its leaves",
 	.run = octree,
-	.launches = TS_LAUNCHES(&ts_scene_octree.levels, &ts_scene_octree.nodes, &counted, &listed,
-	                        &ts_scene_octree.sorted),
+	.launches =
+		TS_LAUNCHES(&ts_scene_octree.levels, &ts_scene_octree.nodes, &counted, &listed, &ts_scene_octree.sorted),
 };
 
 const ts_stage ts_stage_octree_surface = {
-	.name = "octree_surface", .kind = "map", .paper = "MegaViews 3.1", .doc = "mean albedo and normal of every node",
-	.run = octree_surface, .launches = TS_LAUNCHES(&of_leaves, &of_nodes),
+	.name = "octree_surface",
+	.kind = "map",
+	.paper = "MegaViews 3.1",
+	.doc = "mean albedo and normal of every node",
+	.run = octree_surface,
+	.launches = TS_LAUNCHES(&of_leaves, &of_nodes),
 	.looks_at = TS_BUFFERS(TS_B_scene_info, TS_B_octree_level),
 };

@@ -27,7 +27,11 @@ static ts_status particle(ts_run *run)
 }
 
 const ts_stage ts_stage_particle = {
-	.name = "particle", .kind = "map", .paper = "MegaViews 5.2",
+	.name = "particle",
+	.kind = "map",
+	.paper = "MegaViews 5.2",
 	.doc = "glowing particles, each of them a virtual point light to all sides and a view",
-	.run = particle, .launches = TS_LAUNCHES(&launch), .looks_at = TS_BUFFERS(TS_B_scene_info),
+	.run = particle,
+	.launches = TS_LAUNCHES(&launch),
+	.looks_at = TS_BUFFERS(TS_B_scene_info),
 };

@@ -70,28 +70,43 @@ static void manylods_particles_expect(ts_expected *expected, const ts_scene *sce
 }
 
 static const ts_effect particles = {
-	.name = "particles", .doc = "the light of many in the air", .seen = TS_B_eye_depth_triangle,
-	.difference_scale = 8, .lower = "levels, gather_level, view_px or particles",
+	.name = "particles",
+	.doc = "the light of many in the air",
+	.seen = TS_B_eye_depth_triangle,
+	.difference_scale = 8,
+	.lower = "levels, gather_level, view_px or particles",
 };
 
 const ts_pipeline ts_pipeline_megaviews_particles = {
-	.name = "megaviews", .effect = &particles, .paper = "MegaViews 3 and 5.2",
+	.name = "megaviews",
+	.effect = &particles,
+	.paper = "MegaViews 3 and 5.2",
 	.doc = "many small views at once: glowing particles with maps that octrees of scene and views share",
-	.steps = megaviews_particles_steps, .plan = particles_plan, .expect = megaviews_particles_expect,
+	.steps = megaviews_particles_steps,
+	.plan = particles_plan,
+	.expect = megaviews_particles_expect,
 	.sets = {"view_field", "all"},
 };
 
 const ts_pipeline ts_pipeline_manylods_particles = {
-	.name = "manylods", .effect = &particles, .paper = "MegaViews 4.1",
+	.name = "manylods",
+	.effect = &particles,
+	.paper = "MegaViews 4.1",
 	.doc = "the same particles, the map of each by a traversal of its own",
-	.steps = manylods_particles_steps, .plan = particles_plan, .expect = manylods_particles_expect,
+	.steps = manylods_particles_steps,
+	.plan = particles_plan,
+	.expect = manylods_particles_expect,
 	.sets = {"view_field", "all"},
 };
 
 const ts_pipeline ts_pipeline_bruteforce_particles = {
-	.name = "bruteforce", .effect = &particles, .paper = "MegaViews 4.1",
+	.name = "bruteforce",
+	.effect = &particles,
+	.paper = "MegaViews 4.1",
 	.doc = "the same particles, every leaf of the scene in the map of each",
-	.steps = bruteforce_particles_steps, .plan = particles_plan, .expect = manylods_particles_expect,
+	.steps = bruteforce_particles_steps,
+	.plan = particles_plan,
+	.expect = manylods_particles_expect,
 	.only_named = true,
 	.sets = {"view_field", "all"},
 };

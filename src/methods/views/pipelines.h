@@ -9,7 +9,11 @@ extern const ts_step ts_shared_maps_run[], ts_own_maps_run[], ts_all_maps_run[],
 
 /* Virtual point lights or particles: how many; in how many places at most; the area of the surfaces that they are on,
  * INFINITY: everywhere; and whether each is a view by itself, without a hierarchy. */
-typedef struct { u64 n, n_places; double area; bool alone; } ts_expected_lights;
+typedef struct {
+	u64 n, n_places;
+	double area;
+	bool alone;
+} ts_expected_lights;
 /* What octrees, maps and lists of them take (view_sizes.c). */
 void ts_expect_views(ts_expected *expected, const ts_scene *scene, const ts_params *params,
                      const ts_expected_lights *lights);

@@ -13,7 +13,10 @@ static ts_status root(ts_run *run)
 }
 
 const ts_stage ts_stage_root = {
-	.name = "root", .kind = "map", .paper = "MegaViews 3.1",
+	.name = "root",
+	.kind = "map",
+	.paper = "MegaViews 3.1",
 	.doc = "the cube about all vertices that both octrees divide",
-	.run = root, .launches = TS_LAUNCHES(&extent, &cube),
+	.run = root,
+	.launches = TS_LAUNCHES(&extent, &cube),
 };

@@ -14,9 +14,11 @@ typedef struct {
 	ts_traverse_sink *sink;
 	void *user;
 	ts_traverse_piece piece;
-	u64 room;                                      /* pairs of a step; no less than the children of one */
-	u64 *queue;                                    /* room for each step */
-	struct { u64 at, end; } waiting[TS_STEPS + 1]; /* of each step's queue; behind the last nothing ever does */
+	u64 room;   /* pairs of a step; no less than the children of one */
+	u64 *queue; /* room for each step */
+	struct {
+		u64 at, end;
+	} waiting[TS_STEPS + 1]; /* of each step's queue; behind the last nothing ever does */
 } traversal;
 
 const ts_launch ts_traverse_launches[] = {
@@ -221,8 +223,12 @@ static ts_status traverse(ts_run *run)
 }
 
 const ts_stage ts_stage_traverse = {
-	.name = "traverse", .kind = "emit", .paper = "MegaViews 3.2, figures 4, 6 and 8",
+	.name = "traverse",
+	.kind = "emit",
+	.paper = "MegaViews 3.2, figures 4, 6 and 8",
 	.doc = "pairs of a node of the scene and one of views that are rendered",
-	.run = traverse, .launches = TS_LAUNCHES(TS_TRAVERSE_LAUNCHES, &count_kept, &keep),
-	.looks_at = TS_BUFFERS(TS_B_view_octree_level), .makes = TS_BUFFERS(TS_B_traverse_rendered),
+	.run = traverse,
+	.launches = TS_LAUNCHES(TS_TRAVERSE_LAUNCHES, &count_kept, &keep),
+	.looks_at = TS_BUFFERS(TS_B_view_octree_level),
+	.makes = TS_BUFFERS(TS_B_traverse_rendered),
 };

@@ -16,7 +16,11 @@ static ts_status view_alone(ts_run *run)
 }
 
 const ts_stage ts_stage_view_alone = {
-	.name = "view_alone", .kind = "map", .paper = "MegaViews 4.1",
+	.name = "view_alone",
+	.kind = "map",
+	.paper = "MegaViews 4.1",
 	.doc = "ManyLoDs: every view without a hierarchy, a root and a leaf",
-	.run = view_alone, .launches = TS_LAUNCHES(&launch), .makes = TS_BUFFERS(TS_B_view_octree_level),
+	.run = view_alone,
+	.launches = TS_LAUNCHES(&launch),
+	.makes = TS_BUFFERS(TS_B_view_octree_level),
 };

@@ -3,9 +3,8 @@
 #include "../../kernels/views/view_cone.h"
 #include "../../kernels/views/view_octree.h"
 
-const ts_octree ts_view_octree =
-	TS_OCTREE(view_voxel_mask, view_voxel_before, view_octree_level, view_octree_node, view_octree_offset,
-	          view_octree_view, view_nodes, "view");
+const ts_octree ts_view_octree = TS_OCTREE(view_voxel_mask, view_voxel_before, view_octree_level, view_octree_node,
+                                           view_octree_offset, view_octree_view, view_nodes, "view");
 
 /* Views in voxels: marked, then counted by leaf, then listed. */
 static const ts_launch marked =
@@ -53,21 +52,29 @@ static ts_status view_cone(ts_run *run)
 }
 
 const ts_stage ts_stage_view_voxel = {
-	.name = "view_voxel", .kind = "scatter", .paper = "MegaViews 3.1",
+	.name = "view_voxel",
+	.kind = "scatter",
+	.paper = "MegaViews 3.1",
 	.doc = "voxels that views are in, and those above them",
-	.run = view_voxel, .launches = TS_LAUNCHES(&marked, &ts_view_octree.raised, &ts_view_octree.counted),
+	.run = view_voxel,
+	.launches = TS_LAUNCHES(&marked, &ts_view_octree.raised, &ts_view_octree.counted),
 };
 
 const ts_stage ts_stage_view_octree = {
-	.name = "view_octree", .kind = "emit", .paper = "MegaViews 3.1",
+	.name = "view_octree",
+	.kind = "emit",
+	.paper = "MegaViews 3.1",
 	.doc = "the octree of the views, and the views of its leaves",
 	.run = view_octree,
 	.launches = TS_LAUNCHES(&ts_view_octree.levels, &ts_view_octree.nodes, &counted, &listed, &ts_view_octree.sorted),
 };
 
 const ts_stage ts_stage_view_cone = {
-	.name = "view_cone", .kind = "map", .paper = "MegaViews 3.1",
+	.name = "view_cone",
+	.kind = "map",
+	.paper = "MegaViews 3.1",
 	.doc = "the cone of the directions of the views in every node",
-	.run = view_cone, .launches = TS_LAUNCHES(&of_leaves, &of_nodes, &narrowed, &finished),
+	.run = view_cone,
+	.launches = TS_LAUNCHES(&of_leaves, &of_nodes, &narrowed, &finished),
 	.looks_at = TS_BUFFERS(TS_B_view_octree_level),
 };

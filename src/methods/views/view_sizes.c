@@ -6,16 +6,18 @@
 #include "views.h"
 #include "pipelines.h"
 
-#define FILLED 0.25     /* of all voxels at most, as surfaces stand close to each other */
-#define TRIANGLES 2     /* in a leaf, beside one leaf of each triangle */
-#define PAIRS 5         /* per node of views and texel of its map that the traversal decides */
-#define PAIRS_ALONE 20  /* the same of a view without a hierarchy */
-#define REACH 4.0       /* area of surfaces within a distance, in squares of it: more than the disc of one */
+#define FILLED 0.25    /* of all voxels at most, as surfaces stand close to each other */
+#define TRIANGLES 2    /* in a leaf, beside one leaf of each triangle */
+#define PAIRS 5        /* per node of views and texel of its map that the traversal decides */
+#define PAIRS_ALONE 20 /* the same of a view without a hierarchy */
+#define REACH 4.0      /* area of surfaces within a distance, in squares of it: more than the disc of one */
 #define PAIRS_A_VIEW 1024
 
 static double least(double a, double b) { return a < b ? a : b; }
 
-typedef struct { double area, side; } surfaces; /* world units; side of the root cube */
+typedef struct {
+	double area, side;
+} surfaces; /* world units; side of the root cube */
 
 static surfaces measure(const ts_scene *scene)
 {

@@ -61,8 +61,11 @@ static ts_status vpl(ts_run *run)
 }
 
 const ts_stage ts_stage_vpl = {
-	.name = "vpl", .kind = "emit", .paper = "MegaViews 4.1",
+	.name = "vpl",
+	.kind = "emit",
+	.paper = "MegaViews 4.1",
 	.doc = "virtual point lights where paths from the lamps end and are reflected, each of them a view",
-	.run = vpl, .launches = TS_LAUNCHES(&lit, &counted, &written),
+	.run = vpl,
+	.launches = TS_LAUNCHES(&lit, &counted, &written),
 	.looks_at = TS_BUFFERS(TS_B_scene_info, TS_B_offscreen_view, TS_B_root_cube, TS_B_octree_level),
 };

@@ -130,22 +130,32 @@ static ts_status vpl_gather_margin(ts_run *run)
 }
 
 const ts_stage ts_stage_vpl_pairs = {
-	.name = "vpl_pairs", .kind = "emit", .paper = "MegaViews 5.1",
+	.name = "vpl_pairs",
+	.kind = "emit",
+	.paper = "MegaViews 5.1",
 	.doc = "for every node of the scene of one level the nodes of views that may light it",
-	.run = vpl_pairs, .launches = TS_LAUNCHES(TS_TRAVERSE_LAUNCHES, &counted, &listed, &sorted, &summed),
+	.run = vpl_pairs,
+	.launches = TS_LAUNCHES(TS_TRAVERSE_LAUNCHES, &counted, &listed, &sorted, &summed),
 	.looks_at = TS_BUFFERS(TS_B_octree_level, TS_B_view_octree_level),
 };
 
 const ts_stage ts_stage_vpl_gather = {
-	.name = "vpl_gather", .kind = "map", .paper = "MegaViews 5.1",
+	.name = "vpl_gather",
+	.kind = "map",
+	.paper = "MegaViews 5.1",
 	.doc = "light of some of them at every pixel, if their maps show nothing in between",
-	.run = vpl_gather, .launches = TS_LAUNCHES(&gathered),
+	.run = vpl_gather,
+	.launches = TS_LAUNCHES(&gathered),
 	.looks_at = TS_BUFFERS(TS_B_octree_level, TS_B_view_octree_level),
 };
 
 const ts_stage ts_stage_vpl_gather_margin = {
-	.name = "vpl_gather_margin", .kind = "map", .margin_of = "vpl_gather", .paper = "MegaViews 5.1",
+	.name = "vpl_gather_margin",
+	.kind = "map",
+	.margin_of = "vpl_gather",
+	.paper = "MegaViews 5.1",
 	.doc = "how near the light of pixels was to that of another list or to other shadows",
-	.run = vpl_gather_margin, .launches = TS_LAUNCHES(&measured),
+	.run = vpl_gather_margin,
+	.launches = TS_LAUNCHES(&measured),
 	.looks_at = TS_BUFFERS(TS_B_octree_level, TS_B_view_octree_level),
 };

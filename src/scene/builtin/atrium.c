@@ -25,7 +25,7 @@ enum {
 	WOOD,
 	GLOW,
 	RUG,
-	N_PAINTS
+	N_PAINTS,
 };
 
 static const ts_paint paints[N_PAINTS] = {
@@ -100,7 +100,7 @@ static void add_archivolt(ts_mesh *mesh, const storey *k, f32 offset, f32 radius
 		points[i] = ts_v3_make(-ts_cos_turn(a) * r, k->spring + ts_sin_turn(a) * r, k->depth);
 	}
 	ts_mesh_tube(mesh, points, 9, radius, ts_v3_make(0.0f, 0.0f, 1.0f), ts_mesh_segments(mesh, 7.0f, 3),
-				 4 * ts_mesh_segments(mesh, 6.0f, 1));
+	             4 * ts_mesh_segments(mesh, 6.0f, 1));
 }
 
 /* One arch, with both faces unless it is blind. */
@@ -164,36 +164,36 @@ static void acanthus(ts_corner *c, const void *shape, f32 s, f32 t)
 static void add_capital(ts_mesh *mesh, f32 r, f32 y)
 {
 	const f32 bell[][2] = {{r * 0.84375f, y - r * 2.125f},
-						   {r * 0.96875f, y - r * 2.0625f},
-						   {r * 0.84375f, y - r * 2.0f},
-						   {r * 0.84375f, y - r * 2.0f},
-						   {r * 0.875f, y - r},
-						   {r * 1.25f, y - r * 0.3125f}};
+	                       {r * 0.96875f, y - r * 2.0625f},
+	                       {r * 0.84375f, y - r * 2.0f},
+	                       {r * 0.84375f, y - r * 2.0f},
+	                       {r * 0.875f, y - r},
+	                       {r * 1.25f, y - r * 0.3125f}};
 	ts_mesh_lathe(mesh, bell, 6, ts_mesh_segments(mesh, 28.0f, 6), 3.0f);
 	u32 n = ts_min_i32((i32)ts_mesh_segments(mesh, 9.0f, 0), 12) & ~1;
 	for (u32 row = 0; row < 2; row++) {
 		for (u32 i = 0; i < n; i++) {
 			acanthus_shape a = {r * 0.875f, y - r * (row ? 1.5f : 2.0f), r * 1.125f,
-								((f32)i + 0.5f * (f32)row) / (f32)n, 0.4375f / (f32)n};
+			                    ((f32)i + 0.5f * (f32)row) / (f32)n, 0.4375f / (f32)n};
 			ts_mesh_grid(mesh, ts_mesh_segments(mesh, 4.0f, 2), ts_mesh_segments(mesh, 7.0f, 3), 0, acanthus, &a);
 		}
 	}
 	ts_mesh_block(mesh, ts_v3_make(0.0f, y - r * 0.15625f, 0.0f), ts_v3_make(r * 1.40625f, r * 0.15625f, r * 1.40625f),
-				  0.015625f, ts_mesh_segments(mesh, 1.0f, 0));
+	              0.015625f, ts_mesh_segments(mesh, 1.0f, 0));
 }
 
 static void add_column(ts_mesh *mesh, const u32 *material, f32 r, f32 height, u32 shaft_paint)
 {
 	const f32 base[][2] = {{r * 1.375f, r * 0.375f},   {r * 1.5f, r * 0.5f},        {r * 1.375f, r * 0.65625f},
-						   {r * 1.375f, r * 0.65625f}, {r * 1.125f, r * 0.75f},     {r * 1.125f, r * 0.84375f},
-						   {r * 1.125f, r * 0.84375f}, {r * 1.21875f, r * 0.9375f}, {r, r * 1.0625f}};
+	                       {r * 1.375f, r * 0.65625f}, {r * 1.125f, r * 0.75f},     {r * 1.125f, r * 0.84375f},
+	                       {r * 1.125f, r * 0.84375f}, {r * 1.21875f, r * 0.9375f}, {r, r * 1.0625f}};
 	u32 na = ts_mesh_segments(mesh, 88.0f, 6);
 	if (na >= 60) na = na / 60 * 60;
 	shaft_shape s = {r, ts_mesh_shows(mesh, 0.1875f) ? r : 0.0f, height - r * 2.0f, na >= 60 ? r * 0.078125f : 0.0f};
 	mesh->material = material[STONE];
 	if (ts_mesh_shows(mesh, 0.1875f))
 		ts_mesh_block(mesh, ts_v3_make(0.0f, r * 0.1875f, 0.0f), ts_v3_make(r * 1.53125f, r * 0.1875f, r * 1.53125f),
-					  0.015625f, ts_mesh_segments(mesh, 1.0f, 0));
+		              0.015625f, ts_mesh_segments(mesh, 1.0f, 0));
 	mesh->material = material[shaft_paint];
 	ts_mesh_grid(mesh, na, ts_mesh_segments(mesh, 9.0f, 1), TS_GRID_WRAP_S, shaft, &s);
 	mesh->material = material[COLUMN];
@@ -219,15 +219,15 @@ static void add_arcade(ts_mesh *mesh, const u32 *material, const storey *k, u32 
 static void add_balustrade(ts_mesh *mesh, const u32 *material)
 {
 	static const f32 baluster[][2] = {{0.0625f, 0.0f},        {0.0625f, 0.0625f}, {0.03125f, 0.109375f},
-									  {0.0703125f, 0.28125f}, {0.03125f, 0.5f},   {0.05859375f, 0.625f},
-									  {0.05859375f, 0.6875f}};
+	                                  {0.0703125f, 0.28125f}, {0.03125f, 0.5f},   {0.05859375f, 0.625f},
+	                                  {0.05859375f, 0.6875f}};
 	f32 half = 4.0f * BAY;
 	ts_place stand = mesh->place;
 	mesh->material = material[COLUMN];
 	ts_mesh_block(mesh, ts_v3_make(0.0f, 0.0625f, 0.0f), ts_v3_make(half, 0.0625f, 0.125f), 0.015625f,
-				  ts_mesh_segments(mesh, 1.0f, 0));
+	              ts_mesh_segments(mesh, 1.0f, 0));
 	ts_mesh_block(mesh, ts_v3_make(0.0f, 0.875f, 0.0f), ts_v3_make(half, 0.0625f, 0.140625f), 0.03125f,
-				  ts_mesh_segments(mesh, 2.0f, 0));
+	              ts_mesh_segments(mesh, 2.0f, 0));
 	u32 n = ts_mesh_shows(mesh, 0.1875f) ? 8 * (u32)ts_min_i32((i32)ts_mesh_segments(mesh, 12.0f, 2), 14) : 0;
 	for (u32 i = 0; i < n; i++) {
 		mesh->place =
@@ -241,7 +241,7 @@ static void add_balustrade(ts_mesh *mesh, const u32 *material)
 static void add_side(ts_mesh *mesh, const u32 *material)
 {
 	static const f32 cornice[][2] = {{0.25f, -0.125f},     {0.3125f, -0.09375f}, {0.375f, 0.0f}, {0.40625f, 0.1875f},
-									 {0.46875f, 0.28125f}, {0.46875f, 0.3125f},  {0.0f, 0.3125f}};
+	                                 {0.46875f, 0.28125f}, {0.46875f, 0.3125f},  {0.0f, 0.3125f}};
 	ts_place stand = mesh->place;
 	f32 aisle = WIDTH - NAVE;
 	add_arcade(mesh, material, &lower, 8, false, COLUMN);
@@ -250,15 +250,15 @@ static void add_side(ts_mesh *mesh, const u32 *material)
 		mesh->material = material[ASHLAR];
 		ts_mesh_block(mesh, ts_v3_make(x, SLAB * 0.5f, 0.0f), ts_v3_make(0.90625f, SLAB * 0.5f, 0.25f), 0.0f, 0);
 		ts_mesh_block(mesh, ts_v3_make(x, (FLOOR_2 + CORNICE) * 0.5f, 0.0f),
-					  ts_v3_make(0.90625f, (CORNICE - FLOOR_2) * 0.5f, 0.1875f), 0.0f, 0);
+		              ts_v3_make(0.90625f, (CORNICE - FLOOR_2) * 0.5f, 0.1875f), 0.0f, 0);
 	}
 	mesh->material = material[PLASTER];
 	ts_mesh_plane(mesh, ts_v3_make(-LENGTH, SLAB, -aisle), ts_v3_make(2.0f * LENGTH, 0.0f, 0.0f),
-				  ts_v3_make(0.0f, 0.0f, aisle + 0.25f), ts_mesh_segments(mesh, 20.0f, 2),
-				  ts_mesh_segments(mesh, 3.0f, 1));
+	              ts_v3_make(0.0f, 0.0f, aisle + 0.25f), ts_mesh_segments(mesh, 20.0f, 2),
+	              ts_mesh_segments(mesh, 3.0f, 1));
 	ts_mesh_plane(mesh, ts_v3_make(-LENGTH, CORNICE, -aisle), ts_v3_make(2.0f * LENGTH, 0.0f, 0.0f),
-				  ts_v3_make(0.0f, 0.0f, aisle + 0.1875f), ts_mesh_segments(mesh, 20.0f, 2),
-				  ts_mesh_segments(mesh, 3.0f, 1));
+	              ts_v3_make(0.0f, 0.0f, aisle + 0.1875f), ts_mesh_segments(mesh, 20.0f, 2),
+	              ts_mesh_segments(mesh, 3.0f, 1));
 	mesh->material = material[COLUMN];
 	mesh->place = ts_place_in(&stand, ts_place_at(0.0f, SLAB, 0.0f, 0.0f));
 	ts_part_moulding(mesh, LENGTH, cornice, 7, ts_mesh_segments(mesh, 60.0f, 2));
@@ -267,10 +267,10 @@ static void add_side(ts_mesh *mesh, const u32 *material)
 	mesh->place = stand;
 	mesh->material = material[AISLE];
 	ts_mesh_plane(mesh, ts_v3_make(-LENGTH, FLOOR_2, 0.0f), ts_v3_make(2.0f * LENGTH, 0.0f, 0.0f),
-				  ts_v3_make(0.0f, 0.0f, -aisle), 1, 1);
+	              ts_v3_make(0.0f, 0.0f, -aisle), 1, 1);
 	mesh->material = material[ASHLAR];
 	ts_mesh_plane(mesh, ts_v3_make(-LENGTH, CORNICE + 0.3125f, 0.0f), ts_v3_make(2.0f * LENGTH, 0.0f, 0.0f),
-				  ts_v3_make(0.0f, TOP - CORNICE - 0.3125f, 0.0f), ts_mesh_segments(mesh, 20.0f, 1), 1);
+	              ts_v3_make(0.0f, TOP - CORNICE - 0.3125f, 0.0f), ts_mesh_segments(mesh, 20.0f, 1), 1);
 	mesh->place = ts_place_in(&stand, ts_place_at(0.0f, FLOOR_2, 0.0f, 0.0f));
 	add_arcade(mesh, material, &upper, 8, false, MARBLE);
 	add_balustrade(mesh, material);
@@ -281,28 +281,28 @@ static void add_side(ts_mesh *mesh, const u32 *material)
 static void add_back_wall(ts_mesh *mesh, const u32 *material)
 {
 	static const f32 casing[][2] = {{0.1875f, 0.0f},    {0.1875f, 0.0625f}, {0.125f, 0.09375f},
-									{0.0625f, 0.0625f}, {0.0f, 0.078125f},  {0.0f, 0.0f}};
+	                                {0.0625f, 0.0625f}, {0.0f, 0.078125f},  {0.0f, 0.0f}};
 	ts_place stand = mesh->place;
 	mesh->material = material[PLASTER];
 	ts_mesh_plane(mesh, ts_v3_make(-LENGTH, 0.0f, 0.0f), ts_v3_make(2.0f * LENGTH, 0.0f, 0.0f),
-				  ts_v3_make(0.0f, TOP, 0.0f), ts_mesh_segments(mesh, 24.0f, 2), ts_mesh_segments(mesh, 8.0f, 1));
+	              ts_v3_make(0.0f, TOP, 0.0f), ts_mesh_segments(mesh, 24.0f, 2), ts_mesh_segments(mesh, 8.0f, 1));
 	for (u32 i = 0; i < 9; i++) {
 		f32 x = ((f32)i - 4.0f) * BAY;
 		mesh->material = material[ASHLAR];
 		ts_mesh_block(mesh, ts_v3_make(x, SLAB * 0.5f, 0.0625f), ts_v3_make(0.34375f, SLAB * 0.5f, 0.0625f), 0.0f, 0);
 		ts_mesh_block(mesh, ts_v3_make(x, 0.25f, 0.125f), ts_v3_make(0.4375f, 0.25f, 0.125f), 0.03125f,
-					  ts_mesh_segments(mesh, 1.0f, 0));
+		              ts_mesh_segments(mesh, 1.0f, 0));
 		if (i == 8 || i % 2 == 1) continue;
 		mesh->place = ts_place_in(&stand, ts_place_at(x + BAY * 0.5f, 1.5625f, 0.0f, 0.0f));
 		mesh->material = material[COLUMN];
 		ts_mesh_frame(mesh, 0.75f, 1.375f, casing, 6, 0.015625f, ts_mesh_segments(mesh, 12.0f, 1));
 		mesh->material = material[WOOD];
 		ts_mesh_plane(mesh, ts_v3_make(-0.75f, -1.375f, 0.03125f), ts_v3_make(1.5f, 0.0f, 0.0f),
-					  ts_v3_make(0.0f, 2.75f, 0.0f), 1, 1);
+		              ts_v3_make(0.0f, 2.75f, 0.0f), 1, 1);
 		for (u32 k = 0; k < 8 && ts_mesh_shows(mesh, 0.25f); k++) {
 			ts_v3 at = {k & 1u ? 0.359375f : -0.359375f, (f32)(k / 2) * 0.65625f - 0.984375f, 0.046875f};
 			ts_mesh_block(mesh, at, ts_v3_make(0.328125f, 0.3046875f, 0.03125f), 0.0234375f,
-						  ts_mesh_segments(mesh, 1.5f, 0));
+			              ts_mesh_segments(mesh, 1.5f, 0));
 		}
 		mesh->place = stand;
 	}
@@ -315,7 +315,7 @@ static void add_back_wall(ts_mesh *mesh, const u32 *material)
 static void add_opening(ts_mesh *mesh, const u32 *material, bool door)
 {
 	static const f32 casing[][2] = {{0.375f, 0.0f},   {0.375f, 0.125f}, {0.25f, 0.1875f},
-									{0.125f, 0.125f}, {0.0f, 0.15625f}, {0.0f, 0.0f}};
+	                                {0.125f, 0.125f}, {0.0f, 0.15625f}, {0.0f, 0.0f}};
 	f32 w = door ? 0.8125f : 0.6875f, h = door ? 1.625f : 1.0f;
 	mesh->material = material[door ? COLUMN : BRONZE];
 	ts_mesh_frame(mesh, w, h, casing, 6, 0.03125f, ts_mesh_segments(mesh, 24.0f, 1));
@@ -326,21 +326,21 @@ static void add_opening(ts_mesh *mesh, const u32 *material, bool door)
 		ts_mesh_block(mesh, at, half, 0.03125f, ts_mesh_segments(mesh, 1.5f, 0));
 	}
 	ts_mesh_plane(mesh, ts_v3_make(-w, -h, 0.03125f), ts_v3_make(2.0f * w, 0.0f, 0.0f),
-				  ts_v3_make(0.0f, 2.0f * h, 0.0f), 1, 1);
+	              ts_v3_make(0.0f, 2.0f * h, 0.0f), 1, 1);
 }
 
 /* One end of the court: +z towards the court, the wall at z = 0. */
 static void add_end(ts_mesh *mesh, const u32 *material)
 {
 	static const f32 band[][2] = {{0.0f, -0.125f},    {0.25f, -0.0625f}, {0.34375f, 0.0625f},
-								  {0.375f, 0.21875f}, {0.375f, 0.3125f}, {0.0f, 0.3125f}};
+	                              {0.375f, 0.21875f}, {0.375f, 0.3125f}, {0.0f, 0.3125f}};
 	storey low = lower, high = upper;
 	low.bay = high.bay = NAVE * 0.5f;
 	low.depth = high.depth = 0.5f;
 	ts_place stand = mesh->place;
 	mesh->material = material[ASHLAR];
 	ts_mesh_plane(mesh, ts_v3_make(-WIDTH, 0.0f, 0.0f), ts_v3_make(2.0f * WIDTH, 0.0f, 0.0f),
-				  ts_v3_make(0.0f, TOP, 0.0f), ts_mesh_segments(mesh, 16.0f, 2), ts_mesh_segments(mesh, 8.0f, 1));
+	              ts_v3_make(0.0f, TOP, 0.0f), ts_mesh_segments(mesh, 16.0f, 2), ts_mesh_segments(mesh, 8.0f, 1));
 	mesh->place = ts_place_in(&stand, ts_place_at(0.0f, 0.0f, 0.5f, 0.0f));
 	add_arcade(mesh, material, &low, 4, true, MARBLE);
 	mesh->place = ts_place_in(&stand, ts_place_at(0.0f, FLOOR_2, 0.5f, 0.0f));
@@ -403,7 +403,7 @@ static void add_cloth(ts_mesh *mesh, const u32 *material, u32 id)
 		ts_part_curtain(mesh, 1.5f, 2.875f, 5.0f, 0.0625f, 0.9375f, id + i);
 		mesh->material = material[GILT];
 		ts_mesh_rod(mesh, ts_v3_make(-0.875f, 0.015625f, 0.0f), ts_v3_make(0.875f, 0.015625f, 0.0f), 0.0234375f,
-					ts_mesh_segments(mesh, 8.0f, 3));
+		            ts_mesh_segments(mesh, 8.0f, 3));
 	}
 	for (u32 i = 0; i < 8; i++) {
 		f32 post = (f32)(i / 2 * 2) - 3.0f, side = i & 1u ? -1.0f : 1.0f;
@@ -418,7 +418,7 @@ static void add_cloth(ts_mesh *mesh, const u32 *material, u32 id)
 static void add_flag(ts_mesh *mesh, const u32 *material, u32 cloth, u32 id)
 {
 	static const f32 ball[][2] = {{0.0f, -0.0625f},       {0.046875f, -0.046875f}, {0.0625f, 0.0f},
-								  {0.046875f, 0.046875f}, {0.015625f, 0.0625f},    {0.0f, 0.15625f}};
+	                              {0.046875f, 0.046875f}, {0.015625f, 0.0625f},    {0.0f, 0.15625f}};
 	ts_v3 foot = {0.0f, 0.0f, 0.0f}, head = {0.0f, 1.625f, 1.75f};
 	ts_place stand = mesh->place;
 	mesh->material = material[WOOD];
@@ -432,14 +432,14 @@ static void add_flag(ts_mesh *mesh, const u32 *material, u32 cloth, u32 id)
 	mesh->place = stand;
 	mesh->material = material[STEM];
 	ts_part_rope(mesh, head, ts_v3_make(0.0f, 1.4375f, 0.5625f), 0.125f, 0.0078125f, 3,
-				 ts_mesh_segments(mesh, 12.0f, 2));
+	             ts_mesh_segments(mesh, 12.0f, 2));
 }
 
 /* A bronze lantern on a chain; its place is where the chain is fixed. */
 static void add_lantern(ts_mesh *mesh, const u32 *material)
 {
 	static const f32 roof[][2] = {{0.203125f, 0.0f},  {0.21875f, 0.015625f}, {0.109375f, 0.09375f},
-								  {0.03125f, 0.125f}, {0.03125f, 0.171875f}, {0.0f, 0.1875f}};
+	                              {0.03125f, 0.125f}, {0.03125f, 0.171875f}, {0.0f, 0.1875f}};
 	static const f32 glass[][2] = {
 		{0.0f, -0.296875f}, {0.109375f, -0.28125f}, {0.15625f, -0.140625f}, {0.171875f, 0.0f}};
 	static const f32 foot[][2] = {
@@ -449,14 +449,14 @@ static void add_lantern(ts_mesh *mesh, const u32 *material)
 	mesh->material = material[BRONZE];
 	if (ts_mesh_shows(mesh, 0.1875f))
 		ts_part_chain(mesh, ts_v3_make(0.0f, -0.03125f, 0.0f), ts_min_i32((i32)ts_mesh_segments(mesh, 7.0f, 1), 7),
-					  0.0625f, 0.0078125f);
+		              0.0625f, 0.0078125f);
 	mesh->place = ts_place_in(&stand, ts_place_at(0.0f, -0.65625f, 0.0f, 0.0f));
 	ts_mesh_lathe(mesh, roof, 6, na, 2.0f);
 	ts_mesh_lathe(mesh, foot, 5, na, 2.0f);
 	for (u32 i = 0; i < 6 && ts_mesh_shows(mesh, 0.25f); i++) {
 		f32 c = ts_cos_turn((f32)i / 6.0f), s = ts_sin_turn((f32)i / 6.0f);
 		ts_mesh_rod(mesh, ts_v3_make(0.1171875f * c, -0.296875f, 0.1171875f * s),
-					ts_v3_make(0.1796875f * c, 0.015625f, 0.1796875f * s), 0.0078125f, ts_mesh_segments(mesh, 5.0f, 3));
+		            ts_v3_make(0.1796875f * c, 0.015625f, 0.1796875f * s), 0.0078125f, ts_mesh_segments(mesh, 5.0f, 3));
 	}
 	mesh->material = material[GLOW];
 	ts_mesh_lathe(mesh, glass, 4, na, 2.0f);
@@ -473,7 +473,7 @@ static void furnish(ts_mesh *mesh, const u32 *material)
 			f32 x = ((f32)(2 * i) - 3.0f) * BAY;
 			mesh->place = ts_place_at(x, 0.0f, z * (NAVE - 0.9375f), 0.0f);
 			ts_part_plant(mesh, i == 0 || i == 3 ? &palm : &bush, 0.375f, i == 0 || i == 3 ? 1.5f : 1.25f,
-						  i == 0 || i == 3, 400u * (2 * i + side) + 90000u);
+			              i == 0 || i == 3, 400u * (2 * i + side) + 90000u);
 			mesh->place = ts_place_at(x + BAY * (i < 2 ? -0.5f : 0.5f), SLAB, z * (NAVE + 1.28125f), 0.0f);
 			add_lantern(mesh, material);
 		}
@@ -490,8 +490,8 @@ static void shape_atrium(ts_mesh *mesh, const u32 *material)
 	mesh->place = ts_place_world();
 	mesh->material = material[FLOOR];
 	ts_mesh_plane(mesh, ts_v3_make(-LENGTH, 0.0f, NAVE), ts_v3_make(2.0f * LENGTH, 0.0f, 0.0f),
-				  ts_v3_make(0.0f, 0.0f, -2.0f * NAVE), ts_mesh_segments(mesh, 30.0f, 2),
-				  ts_mesh_segments(mesh, 12.0f, 1));
+	              ts_v3_make(0.0f, 0.0f, -2.0f * NAVE), ts_mesh_segments(mesh, 30.0f, 2),
+	              ts_mesh_segments(mesh, 12.0f, 1));
 	for (u32 side = 0; side < 2; side++) {
 		f32 z = side ? 1.0f : -1.0f, turn = side ? 0.5f : 0.0f;
 		mesh->place = ts_place_at(0.0f, 0.0f, z * NAVE, turn);
@@ -499,8 +499,8 @@ static void shape_atrium(ts_mesh *mesh, const u32 *material)
 		add_cloth(mesh, material, 200u + 40u * side);
 		mesh->material = material[AISLE];
 		ts_mesh_plane(mesh, ts_v3_make(-LENGTH, 0.0f, 0.0f), ts_v3_make(2.0f * LENGTH, 0.0f, 0.0f),
-					  ts_v3_make(0.0f, 0.0f, NAVE - WIDTH), ts_mesh_segments(mesh, 30.0f, 2),
-					  ts_mesh_segments(mesh, 3.0f, 1));
+		              ts_v3_make(0.0f, 0.0f, NAVE - WIDTH), ts_mesh_segments(mesh, 30.0f, 2),
+		              ts_mesh_segments(mesh, 3.0f, 1));
 		mesh->place = ts_place_at(0.0f, 0.0f, z * WIDTH, turn);
 		add_back_wall(mesh, material);
 		mesh->place = ts_place_at((side ? 1.0f : -1.0f) * LENGTH, 0.0f, 0.0f, side ? -0.25f : 0.25f);

@@ -87,23 +87,23 @@ static const char *read_option(u32 *choice, ts_build *build, const char *spec, c
 	size_t length = strcspn(text, "="), which = 0;
 	bool of_surfels = find(spec)->surfels != NULL;
 	while (which < N_OPTIONS && (options[which].of_surfels != of_surfels || strlen(options[which].name) != length ||
-								 memcmp(options[which].name, text, length) != 0))
+	                             memcmp(options[which].name, text, length) != 0))
 		which++;
 	if (which == N_OPTIONS) {
 		ts_build_fail(build, "%s: unknown option \"%s\"; write NAME or NAME:%s", spec, text,
-					  of_surfels ? "surfels=COUNT" : "triangles=COUNT:texels=SIDE");
+		              of_surfels ? "surfels=COUNT" : "triangles=COUNT:texels=SIDE");
 		return NULL;
 	}
 	u64 count = 0;
 	const char *value = text + length + 1, *rest = text[length] == '=' ? read_count(&count, value) : NULL;
 	if (rest == NULL || (*rest != '\0' && *rest != ':')) {
 		ts_build_fail(build, "%s: \"%s\" is no count; write digits, perhaps with k or M, as in %s=1.05M", spec,
-					  text[length] == '=' ? value : "", of_surfels ? "surfels" : "triangles");
+		              text[length] == '=' ? value : "", of_surfels ? "surfels" : "triangles");
 		return NULL;
 	}
 	if (count < options[which].least || count > options[which].most) {
 		ts_build_fail(build, "%s: %llu %s are out of range; %u to %u", spec, (unsigned long long)count,
-					  options[which].name, options[which].least, options[which].most);
+		              options[which].name, options[which].least, options[which].most);
 		return NULL;
 	}
 	choice[which] = (u32)count;
@@ -113,10 +113,8 @@ static const char *read_option(u32 *choice, ts_build *build, const char *spec, c
 static bool read_spec(u32 choice[N_OPTIONS], ts_build *build, const char *spec)
 {
 	const char *text = spec + strcspn(spec, ":");
-	for (u32 i = 0; i < N_OPTIONS; i++)
-		choice[i] = options[i].usual;
-	while (text != NULL && *text != '\0')
-		text = read_option(choice, build, spec, text + 1);
+	for (u32 i = 0; i < N_OPTIONS; i++) choice[i] = options[i].usual;
+	while (text != NULL && *text != '\0') text = read_option(choice, build, spec, text + 1);
 	if (text == NULL) return false;
 	u32 side = choice[TEXELS];
 	if ((side & (side - 1)) != 0) ts_build_fail(build, "%s: %u texels a side; write a power of two", spec, side);

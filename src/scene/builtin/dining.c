@@ -4,7 +4,9 @@
 #include "dining.h"
 #include "parts.h"
 
+/* clang-format off */
 #define PLAIN(r, g, b, rough, metal) {NULL, 0, 0, {1.0f, 1.0f}, 0, 0, {r, g, b}, rough, metal}
+/* clang-format on */
 
 static const ts_paint paints[D_N_PAINTS] = {
 	[D_PARQUET] = {ts_paint_parquet, 1, 512, {1.25f, 1.25f}, TS_MAP_NORMAL | TS_MAP_SURFACE, 0, TS_WHITE, 1.0f, 1.0f},
@@ -30,8 +32,8 @@ static const ts_paint paints[D_N_PAINTS] = {
 	[D_POT] = {ts_paint_terracotta, 1, 256, {0.5f, 0.5f}, TS_MAP_NORMAL, 0, TS_WHITE, 0.375f, 0.0f},
 	[D_SOIL] = {ts_paint_soil, 0, 256, {0.5f, 0.5f}, 0, 0, TS_WHITE, 1.0f, 0.0f},
 	[D_STEM] = PLAIN(0.09375f, 0.140625f, 0.03125f, 0.75f, 0.0f),
-	[D_LEAF] = {ts_paint_leaf, 1, 256, {1.0f, 1.0f}, TS_MAP_NORMAL, TS_DOUBLE_SIDED | TS_MASKED, TS_WHITE, 0.5625f,
-				0.0f},
+	[D_LEAF] =
+		{ts_paint_leaf, 1, 256, {1.0f, 1.0f}, TS_MAP_NORMAL, TS_DOUBLE_SIDED | TS_MASKED, TS_WHITE, 0.5625f, 0.0f},
 	[D_GILT] = {ts_paint_metal, 3, 256, {0.5f, 0.5f}, TS_MAP_SURFACE, 0, TS_WHITE, 1.0f, 0.5f},
 	[D_MARBLE] = {ts_paint_marble, 0, 256, {1.5f, 1.5f}, 0, 0, TS_WHITE, 0.3125f, 0.0f},
 	[D_SOOT] = {ts_paint_ashlar, 1, 256, {1.0f, 1.0f}, TS_MAP_NORMAL, 0, {0.25f, 0.234375f, 0.21875f}, 1.0f, 0.0f},
@@ -47,8 +49,8 @@ static const f32 LENGTH = 7.0f, WIDTH = 5.5f, TOP = 4.25f, SILL = 0.875f, LINTEL
 				 REVEAL = 0.25f;
 
 static const f32 cornice[][2] = {{0.0f, -0.375f},       {0.046875f, -0.359375f}, {0.046875f, -0.28125f},
-								 {0.09375f, -0.21875f}, {0.1875f, -0.125f},      {0.28125f, -0.046875f},
-								 {0.28125f, 0.0f}};
+                                 {0.09375f, -0.21875f}, {0.1875f, -0.125f},      {0.28125f, -0.046875f},
+                                 {0.28125f, 0.0f}};
 static const f32 dado[][2] = {
 	{0.015625f, 0.0f}, {0.046875f, 0.015625f}, {0.0625f, 0.046875f}, {0.046875f, 0.078125f}, {0.0f, 0.09375f}};
 static const f32 base[][2] = {{0.03125f, 0.0f}, {0.03125f, 0.140625f}, {0.015625f, 0.1875f}, {0.0f, 0.1953125f}};
@@ -60,20 +62,20 @@ static void add_blind(ts_mesh *mesh, const u32 *material, f32 half, f32 height, 
 	u32 n = ts_mesh_shows(mesh, 0.25f) ? 60 : ts_mesh_shows(mesh, 0.125f) ? 30 : 15;
 	mesh->material = material[D_BLIND];
 	ts_mesh_block(mesh, ts_v3_make(0.0f, -0.03125f, 0.0f), ts_v3_make(half, 0.03125f, 0.03125f), 0.0078125f,
-				  ts_mesh_segments(mesh, 1.0f, 0));
+	              ts_mesh_segments(mesh, 1.0f, 0));
 	for (u32 i = 0; i < n; i++) {
 		f32 y = -0.09375f - (height - 0.125f) * (f32)i / (f32)n;
 		mesh->place = ts_place_in(
 			&stand, ts_place_along(ts_v3_make(0.0f, y, 0.0f), ts_v3_make(0.0f, ts_cos_turn(tilt), ts_sin_turn(tilt))));
 		ts_mesh_block(mesh, ts_v3_make(0.0f, 0.0f, 0.0f), ts_v3_make(half - 0.015625f, 0.0009765625f, 0.021484375f),
-					  0.0009765625f, ts_mesh_segments(mesh, 0.5f + 0.03125f * (f32)(i * 37u % 60u), 0));
+		              0.0009765625f, ts_mesh_segments(mesh, 0.5f + 0.03125f * (f32)(i * 37u % 60u), 0));
 	}
 	mesh->place = stand;
 	mesh->material = material[D_LINEN];
 	for (u32 i = 0; i < 3; i++) {
 		f32 x = ((f32)i - 1.0f) * half * 0.75f;
 		ts_mesh_rod(mesh, ts_v3_make(x, -0.0625f, 0.0234375f), ts_v3_make(x, -height, 0.0234375f), 0.0015625f,
-					ts_mesh_segments(mesh, 4.0f, 3));
+		            ts_mesh_segments(mesh, 4.0f, 3));
 	}
 }
 
@@ -86,37 +88,37 @@ static void add_sash(ts_mesh *mesh, const u32 *material)
 	for (u32 i = 0; i < 4; i++) {
 		f32 x = (i / 2 ? 1.0f : -1.0f) * (i % 2 ? 0.03125f : PANE - 0.03125f);
 		ts_mesh_block(mesh, ts_v3_make(x, middle, -REVEAL + 0.0625f), ts_v3_make(0.03125f, half, 0.03125f), 0.0078125f,
-					  k);
+		              k);
 	}
 	for (u32 i = 0; i < 5; i++) {
 		f32 y = SILL + 0.03125f + (2.0f * half - 0.0625f) * (f32)i * 0.25f;
 		bool rim = i == 0 || i == 4;
 		ts_mesh_block(mesh, ts_v3_make(0.0f, y, -REVEAL + 0.0625f),
-					  ts_v3_make(PANE, rim ? 0.03125f : 0.01171875f, rim ? 0.03125f : 0.015625f), 0.00390625f, k);
+		              ts_v3_make(PANE, rim ? 0.03125f : 0.01171875f, rim ? 0.03125f : 0.015625f), 0.00390625f, k);
 	}
 	for (u32 i = 0; i < 2; i++) {
 		ts_mesh_block(mesh, ts_v3_make(i ? PANE * 0.5f : -PANE * 0.5f, middle, -REVEAL + 0.0625f),
-					  ts_v3_make(0.01171875f, half, 0.015625f), 0.00390625f, k);
+		              ts_v3_make(0.01171875f, half, 0.015625f), 0.00390625f, k);
 	}
 	ts_mesh_block(mesh, ts_v3_make(0.0f, SILL - 0.015625f, 0.03125f), ts_v3_make(PANE + 0.125f, 0.015625f, 0.09375f),
-				  0.0078125f, k);
+	              0.0078125f, k);
 }
 
 /* The casing around the opening and the four faces of its depth. */
 static void add_reveal(ts_mesh *mesh, const u32 *material)
 {
 	static const f32 casing[][2] = {{0.15625f, 0.0f},      {0.15625f, 0.03125f}, {0.109375f, 0.046875f},
-									{0.046875f, 0.03125f}, {0.0f, 0.0234375f},   {0.0f, 0.0f}};
+	                                {0.046875f, 0.03125f}, {0.0f, 0.0234375f},   {0.0f, 0.0f}};
 	f32 h = LINTEL - SILL;
 	ts_place stand = mesh->place;
 	mesh->material = material[D_TRIM];
 	ts_mesh_plane(mesh, ts_v3_make(-PANE, SILL, -REVEAL), ts_v3_make(0.0f, 0.0f, REVEAL), ts_v3_make(0.0f, h, 0.0f), 1,
-				  1);
+	              1);
 	ts_mesh_plane(mesh, ts_v3_make(PANE, SILL, 0.0f), ts_v3_make(0.0f, 0.0f, -REVEAL), ts_v3_make(0.0f, h, 0.0f), 1, 1);
 	ts_mesh_plane(mesh, ts_v3_make(-PANE, SILL, 0.0f), ts_v3_make(2.0f * PANE, 0.0f, 0.0f),
-				  ts_v3_make(0.0f, 0.0f, -REVEAL), 1, 1);
+	              ts_v3_make(0.0f, 0.0f, -REVEAL), 1, 1);
 	ts_mesh_plane(mesh, ts_v3_make(-PANE, LINTEL, -REVEAL), ts_v3_make(2.0f * PANE, 0.0f, 0.0f),
-				  ts_v3_make(0.0f, 0.0f, REVEAL), 1, 1);
+	              ts_v3_make(0.0f, 0.0f, REVEAL), 1, 1);
 	mesh->place = ts_place_in(&stand, ts_place_at(0.0f, (SILL + LINTEL) * 0.5f, 0.0f, 0.0f));
 	ts_mesh_frame(mesh, PANE, h * 0.5f, casing, 6, 0.0078125f, ts_mesh_segments(mesh, 16.0f, 1));
 	mesh->place = stand;
@@ -139,11 +141,11 @@ static void add_window(ts_mesh *mesh, const u32 *material, u32 id)
 	mesh->place = stand;
 	mesh->material = material[D_BRASS];
 	ts_mesh_rod(mesh, ts_v3_make(-PANE - 0.71875f, LINTEL + 0.25f, 0.140625f),
-				ts_v3_make(PANE + 0.71875f, LINTEL + 0.25f, 0.140625f), 0.015625f, ts_mesh_segments(mesh, 10.0f, 3));
+	            ts_v3_make(PANE + 0.71875f, LINTEL + 0.25f, 0.140625f), 0.015625f, ts_mesh_segments(mesh, 10.0f, 3));
 	for (u32 i = 0; i < 24 && ts_mesh_shows(mesh, 0.3125f); i++) {
 		f32 x = (i / 12 ? 1.0f : -1.0f) * (PANE - 0.09375f + 0.0625f * (f32)(i % 12));
 		ts_place up = {ts_v3_make(x, LINTEL + 0.2421875f, 0.140625f), ts_v3_make(0.0f, 1.0f, 0.0f),
-					   ts_v3_make(-1.0f, 0.0f, 0.0f), ts_v3_make(0.0f, 0.0f, 1.0f)};
+		               ts_v3_make(-1.0f, 0.0f, 0.0f), ts_v3_make(0.0f, 0.0f, 1.0f)};
 		mesh->place = ts_place_in(&stand, up);
 		ts_part_ring(mesh, 0.0234375f, 0.00390625f, ts_mesh_segments(mesh, 5.0f, 3), ts_mesh_segments(mesh, 12.0f, 4));
 	}
@@ -185,7 +187,7 @@ static void add_wall(ts_mesh *mesh, const u32 *material, f32 half, u32 n, f32 pi
 	mesh->place = stand;
 	mesh->material = material[D_PAPER];
 	ts_mesh_wall(mesh, ts_v3_make(-half, 0.0f, 0.0f), ts_v3_make(2.0f * half, 0.0f, 0.0f), ts_v3_make(0.0f, TOP, 0.0f),
-				 0.625f, holes, n);
+	             0.625f, holes, n);
 	add_panels(mesh, material, half, (u32)ts_floor_i32(half * 2.0f));
 }
 
@@ -196,12 +198,12 @@ static void add_shelves(ts_mesh *mesh, const u32 *material, u32 id)
 	mesh->material = material[D_WALNUT];
 	for (u32 i = 0; i < 2; i++)
 		ts_mesh_block(mesh, ts_v3_make(i ? 0.859375f : -0.859375f, 1.375f, 0.171875f),
-					  ts_v3_make(0.015625f, 1.375f, 0.171875f), 0.00390625f, k);
+		              ts_v3_make(0.015625f, 1.375f, 0.171875f), 0.00390625f, k);
 	for (u32 i = 0; i < 8; i++)
 		ts_mesh_block(mesh, ts_v3_make(0.0f, 0.09375f + 0.375f * (f32)i, 0.171875f),
-					  ts_v3_make(0.84375f, 0.0125f, 0.171875f), 0.00390625f, k);
+		              ts_v3_make(0.84375f, 0.0125f, 0.171875f), 0.00390625f, k);
 	ts_mesh_plane(mesh, ts_v3_make(-0.84375f, 0.0f, 0.0234375f), ts_v3_make(1.6875f, 0.0f, 0.0f),
-				  ts_v3_make(0.0f, 2.75f, 0.0f), 1, 1);
+	              ts_v3_make(0.0f, 2.75f, 0.0f), 1, 1);
 	mesh->material = material[D_BOOK];
 	u32 books = ts_mesh_shows(mesh, 0.25f) ? 40 : ts_mesh_shows(mesh, 0.125f) ? 20 : 0;
 	ts_place stand = mesh->place;
@@ -214,7 +216,7 @@ static void add_shelves(ts_mesh *mesh, const u32 *material, u32 id)
 		mesh->place = ts_place_in(&stand, ts_place_at(x, y, z, 0.0f));
 		mesh->shift = ts_v2_make((f32)(ts_random(id + i, 5u, mesh->seed) & 15u) * 0.0625f, r);
 		ts_mesh_block(mesh, ts_v3_make(0.0f, 0.0f, 0.0f), ts_v3_make(thick * (0.75f + 0.1875f * r), tall, 0.109375f),
-					  0.0046875f, ts_mesh_segments(mesh, 0.5f + 2.0f * r, 0));
+		              0.0046875f, ts_mesh_segments(mesh, 0.5f + 2.0f * r, 0));
 	}
 	mesh->shift = ts_v2_make(0.0f, 0.0f);
 	mesh->place = stand;
@@ -223,8 +225,8 @@ static void add_shelves(ts_mesh *mesh, const u32 *material, u32 id)
 static void add_fireplace(ts_mesh *mesh, const u32 *material)
 {
 	static const f32 hood[][2] = {{0.0f, -0.1875f}, {0.3125f, -0.15625f},   {0.34375f, -0.0625f},
-								  {0.40625f, 0.0f}, {0.421875f, 0.046875f}, {0.421875f, 0.078125f},
-								  {0.0f, 0.078125f}};
+	                              {0.40625f, 0.0f}, {0.421875f, 0.046875f}, {0.421875f, 0.078125f},
+	                              {0.0f, 0.078125f}};
 	ts_place stand = mesh->place;
 	u32 k = ts_mesh_segments(mesh, 2.0f, 0);
 	mesh->material = material[D_MARBLE];
@@ -240,13 +242,13 @@ static void add_fireplace(ts_mesh *mesh, const u32 *material)
 	mesh->place = stand;
 	mesh->material = material[D_SOOT];
 	ts_mesh_plane(mesh, ts_v3_make(-0.625f, 0.0625f, 0.078125f), ts_v3_make(1.25f, 0.0f, 0.0f),
-				  ts_v3_make(0.0f, 0.875f, 0.0f), ts_mesh_segments(mesh, 8.0f, 1), ts_mesh_segments(mesh, 6.0f, 1));
+	              ts_v3_make(0.0f, 0.875f, 0.0f), ts_mesh_segments(mesh, 8.0f, 1), ts_mesh_segments(mesh, 6.0f, 1));
 	mesh->material = material[D_OAK];
 	for (u32 i = 0; i < 5; i++) {
 		f32 x = ((f32)i - 2.0f) * 0.125f, z = 0.140625f + 0.0625f * (f32)(i & 1u);
 		ts_mesh_rod(mesh, ts_v3_make(x - 0.25f, 0.125f + 0.046875f * (f32)(i & 1u), z),
-					ts_v3_make(x + 0.1875f, 0.15625f + 0.0625f * (f32)(i / 2), z + 0.0625f), 0.0390625f,
-					ts_mesh_segments(mesh, 12.0f, 4));
+		            ts_v3_make(x + 0.1875f, 0.15625f + 0.0625f * (f32)(i / 2), z + 0.0625f), 0.0390625f,
+		            ts_mesh_segments(mesh, 12.0f, 4));
 	}
 	for (u32 i = 0; i < 2; i++) {
 		mesh->place = ts_place_in(&stand, ts_place_at(i ? 0.875f : -0.875f, 1.265625f, 0.21875f, 0.0f));
@@ -261,8 +263,8 @@ static void add_fireplace(ts_mesh *mesh, const u32 *material)
 static void add_lamp(ts_mesh *mesh, const u32 *material)
 {
 	static const f32 foot[][2] = {{0.09375f, 0.0f},       {0.09375f, 0.015625f}, {0.03125f, 0.046875f},
-								  {0.0859375f, 0.15625f}, {0.0625f, 0.234375f},  {0.015625f, 0.28125f},
-								  {0.0078125f, 0.40625f}};
+	                              {0.0859375f, 0.15625f}, {0.0625f, 0.234375f},  {0.015625f, 0.28125f},
+	                              {0.0078125f, 0.40625f}};
 	static const f32 shade[][2] = {{0.15625f, 0.28125f}, {0.09375f, 0.46875f}};
 	u32 na = ts_mesh_segments(mesh, 36.0f, 6);
 	mesh->material = material[D_VASE];
@@ -274,13 +276,13 @@ static void add_lamp(ts_mesh *mesh, const u32 *material)
 static void add_sideboard(ts_mesh *mesh, const u32 *material)
 {
 	static const f32 knob[][2] = {{0.0078125f, 0.0f},
-								  {0.0078125f, 0.015625f},
-								  {0.01953125f, 0.0234375f},
-								  {0.015625f, 0.03515625f},
-								  {0.0f, 0.0390625f}};
+	                              {0.0078125f, 0.015625f},
+	                              {0.01953125f, 0.0234375f},
+	                              {0.015625f, 0.03515625f},
+	                              {0.0f, 0.0390625f}};
 	static const f32 vase[][2] = {{0.0625f, 0.0f},        {0.078125f, 0.03125f},  {0.140625f, 0.1875f},
-								  {0.109375f, 0.328125f}, {0.046875f, 0.40625f},  {0.0703125f, 0.46875f},
-								  {0.0625f, 0.4609375f},  {0.0390625f, 0.390625f}};
+	                              {0.109375f, 0.328125f}, {0.046875f, 0.40625f},  {0.0703125f, 0.46875f},
+	                              {0.0625f, 0.4609375f},  {0.0390625f, 0.390625f}};
 	ts_place stand = mesh->place;
 	u32 k = ts_mesh_segments(mesh, 2.0f, 0);
 	mesh->material = material[D_MAHOGANY];
@@ -293,11 +295,11 @@ static void add_sideboard(ts_mesh *mesh, const u32 *material)
 		ts_mesh_block(mesh, ts_v3_make(x, 0.4375f, 0.46875f), ts_v3_make(0.25f, 0.234375f, 0.015625f), 0.0125f, k);
 		ts_mesh_block(mesh, ts_v3_make(x, 0.7734375f, 0.46875f), ts_v3_make(0.25f, 0.078125f, 0.015625f), 0.0125f, k);
 		ts_mesh_block(mesh, ts_v3_make(x * 1.28125f, 0.078125f, 0.25f + (i & 1u ? 0.15625f : -0.15625f)),
-					  ts_v3_make(0.03125f, 0.078125f, 0.03125f), 0.0078125f, k);
+		              ts_v3_make(0.03125f, 0.078125f, 0.03125f), 0.0078125f, k);
 		mesh->material = material[D_BRASS];
 		for (u32 row = 0; row < 2; row++) {
 			mesh->place = ts_place_in(&stand, ts_place_along(ts_v3_make(x, row ? 0.7734375f : 0.59375f, 0.484375f),
-															 ts_v3_make(0.0f, 0.0f, 1.0f)));
+			                                                 ts_v3_make(0.0f, 0.0f, 1.0f)));
 			ts_mesh_lathe(mesh, knob, 5, ts_mesh_segments(mesh, 14.0f, 3), 2.0f);
 		}
 	}
@@ -321,7 +323,7 @@ static void add_pendant(ts_mesh *mesh, const u32 *material, f32 length)
 	ts_place stand = mesh->place;
 	mesh->material = material[D_STEM];
 	ts_mesh_rod(mesh, ts_v3_make(0.0f, 0.0f, 0.0f), ts_v3_make(0.0f, -length, 0.0f), 0.00390625f,
-				ts_mesh_segments(mesh, 6.0f, 3));
+	            ts_mesh_segments(mesh, 6.0f, 3));
 	mesh->place = ts_place_in(&stand, ts_place_at(0.0f, -length, 0.0f, 0.0f));
 	mesh->material = material[D_SHADE];
 	ts_mesh_lathe(mesh, shade, 4, ts_mesh_segments(mesh, 40.0f, 6), 4.0f);
@@ -333,18 +335,18 @@ static void add_pendant(ts_mesh *mesh, const u32 *material, f32 length)
 static void add_ceiling(ts_mesh *mesh, const u32 *material)
 {
 	static const f32 rosette[][2] = {{0.0f, -0.09375f},  {0.125f, -0.078125f},   {0.1875f, -0.03125f},
-									 {0.375f, -0.0625f}, {0.46875f, -0.015625f}, {0.625f, -0.046875f},
-									 {0.6875f, 0.0f}};
+	                                 {0.375f, -0.0625f}, {0.46875f, -0.015625f}, {0.625f, -0.046875f},
+	                                 {0.6875f, 0.0f}};
 	mesh->place = ts_place_world();
 	mesh->material = material[D_CEILING];
 	ts_mesh_plane(mesh, ts_v3_make(-LENGTH, TOP, -WIDTH), ts_v3_make(2.0f * LENGTH, 0.0f, 0.0f),
-				  ts_v3_make(0.0f, 0.0f, 2.0f * WIDTH), ts_mesh_segments(mesh, 14.0f, 1),
-				  ts_mesh_segments(mesh, 11.0f, 1));
+	              ts_v3_make(0.0f, 0.0f, 2.0f * WIDTH), ts_mesh_segments(mesh, 14.0f, 1),
+	              ts_mesh_segments(mesh, 11.0f, 1));
 	for (u32 i = 0; i < 6; i++) {
 		f32 x = ((f32)i - 2.5f) * 2.25f;
 		mesh->material = material[D_TRIM];
 		ts_mesh_block(mesh, ts_v3_make(x, TOP - 0.078125f, 0.0f), ts_v3_make(0.09375f, 0.078125f, WIDTH), 0.015625f,
-					  ts_mesh_segments(mesh, 1.0f, 0));
+		              ts_mesh_segments(mesh, 1.0f, 0));
 	}
 	mesh->place = ts_place_at(0.0f, TOP - 0.001953125f, 0.0f, 0.0f);
 	ts_mesh_lathe(mesh, rosette, 7, ts_mesh_segments(mesh, 64.0f, 8), 3.0f);
@@ -364,7 +366,7 @@ static void furnish(ts_mesh *mesh, const u32 *material)
 		static const u32 picture[3] = {D_PICTURE_3, D_PICTURE_2, D_PICTURE};
 		mesh->place = ts_place_at(((f32)i - 1.0f) * 3.5f, 2.1875f, WIDTH - 0.015625f, 0.5f);
 		ts_part_picture(mesh, material[i == 1 ? D_GILT : D_WALNUT], material[picture[i]], i == 1 ? 0.9375f : 0.5625f,
-						i == 1 ? 0.625f : 0.6875f, 0.125f);
+		                i == 1 ? 0.625f : 0.6875f, 0.125f);
 	}
 	mesh->place = ts_place_at(0.0f, 0.0f, -WIDTH, 0.0f);
 	add_sideboard(mesh, material);
@@ -386,8 +388,8 @@ static void shape_dining(ts_mesh *mesh, const u32 *material)
 	mesh->place = ts_place_world();
 	mesh->material = material[D_PARQUET];
 	ts_mesh_plane(mesh, ts_v3_make(-LENGTH, 0.0f, WIDTH), ts_v3_make(2.0f * LENGTH, 0.0f, 0.0f),
-				  ts_v3_make(0.0f, 0.0f, -2.0f * WIDTH), ts_mesh_segments(mesh, 28.0f, 2),
-				  ts_mesh_segments(mesh, 22.0f, 2));
+	              ts_v3_make(0.0f, 0.0f, -2.0f * WIDTH), ts_mesh_segments(mesh, 28.0f, 2),
+	              ts_mesh_segments(mesh, 22.0f, 2));
 	mesh->place = ts_place_at(0.0f, 0.0f, -WIDTH, 0.0f);
 	add_wall(mesh, material, LENGTH, 2, 7.5f, 100u);
 	mesh->place = ts_place_at(0.0f, 0.0f, WIDTH, 0.5f);

@@ -37,7 +37,7 @@ enum {
 	D_PICTURE,
 	D_PICTURE_2,
 	D_PICTURE_3,
-	D_N_PAINTS
+	D_N_PAINTS,
 };
 
 /* The table on the floor at mesh->place, long along x, laid for eight, with its chairs. */

@@ -16,13 +16,13 @@ static f32 threads(bool *warp, f32 u, f32 v, f32 n)
 void ts_paint_weave(ts_dab *dab, f32 u, f32 v, u32 kind, u32 seed)
 {
 	static const ts_v3 body[6] = {{0.62f, 0.10f, 0.11f}, {0.11f, 0.36f, 0.20f}, {0.13f, 0.23f, 0.50f},
-								  {0.90f, 0.88f, 0.82f}, {0.75f, 0.56f, 0.24f}, {0.50f, 0.49f, 0.47f}};
+	                              {0.90f, 0.88f, 0.82f}, {0.75f, 0.56f, 0.24f}, {0.50f, 0.49f, 0.47f}};
 	static const ts_v3 trim[6] = {{0.85f, 0.68f, 0.34f}, {0.80f, 0.72f, 0.44f}, {0.82f, 0.78f, 0.66f},
-								  {0.82f, 0.79f, 0.72f}, {0.62f, 0.40f, 0.14f}, {0.42f, 0.41f, 0.40f}};
+	                              {0.82f, 0.79f, 0.72f}, {0.62f, 0.40f, 0.14f}, {0.42f, 0.41f, 0.40f}};
 	bool warp;
 	f32 h = threads(&warp, u, v, 64.0f);
 	f32 slub = ts_paint_noise(u * 64.0f, v * 4.0f, 64, 4, seed) * 0.5f +
-			   ts_paint_noise(u * 4.0f, v * 64.0f, 4, 64, seed + 1u) * 0.5f;
+	           ts_paint_noise(u * 4.0f, v * 64.0f, 4, 64, seed + 1u) * 0.5f;
 	f32 stripe = ts_abs(ts_paint_fract(u * 2.0f) - 0.5f);
 	f32 on = 0.0f;
 	if (kind < 3) {
@@ -30,7 +30,7 @@ void ts_paint_weave(ts_dab *dab, f32 u, f32 v, u32 kind, u32 seed)
 		f32 line = ts_paint_ramp(0.02f, 0.01f, ts_abs(stripe - 0.375f + twist));
 		f32 band = ts_paint_ramp(0.46f, 0.47f, stripe);
 		f32 diamond = ts_paint_ramp(0.27f, 0.25f,
-									ts_abs(ts_paint_fract(u * 8.0f) - 0.5f) + ts_abs(ts_paint_fract(v * 8.0f) - 0.5f));
+		                            ts_abs(ts_paint_fract(u * 8.0f) - 0.5f) + ts_abs(ts_paint_fract(v * 8.0f) - 0.5f));
 		on = ts_max(line, ts_max(band, diamond * 0.5f));
 	}
 	ts_v3 c = ts_paint_mix(body[kind], trim[kind], kind < 3 ? on : (warp ? 0.25f : 0.0f));
@@ -147,10 +147,10 @@ void ts_paint_shade(ts_dab *dab, f32 u, f32 v, u32 kind, u32 seed)
 void ts_paint_book(ts_dab *dab, f32 u, f32 v, u32 kind, u32 seed)
 {
 	static const ts_v3 cloth[5] = {{0.42f, 0.12f, 0.10f},
-								   {0.13f, 0.24f, 0.19f},
-								   {0.14f, 0.18f, 0.33f},
-								   {0.46f, 0.32f, 0.18f},
-								   {0.70f, 0.63f, 0.50f}};
+	                               {0.13f, 0.24f, 0.19f},
+	                               {0.14f, 0.18f, 0.33f},
+	                               {0.46f, 0.32f, 0.18f},
+	                               {0.70f, 0.63f, 0.50f}};
 	i32 book = ts_floor_i32(u * 16.0f);
 	u32 which = ts_random((u32)book, 5u, seed + 77u + kind) % 5u;
 	f32 band = ts_abs(ts_paint_fract(v * 5.0f + ts_paint_hash(book, 1, seed) * 0.25f) - 0.5f);

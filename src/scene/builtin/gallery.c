@@ -26,10 +26,10 @@ enum {
 	RUG,
 	LAMP,
 	PICTURE,
-	N_PAINTS = PICTURE + TS_N_PICTURES
+	N_PAINTS = PICTURE + TS_N_PICTURES,
 };
 
-#define PAINTED(k, n)                                                                                                  \
+#define PAINTED(k, n) \
 	[PICTURE + (k)] = {ts_paint_picture, k, n, {1.0f, 1.0f}, (k) == 0 ? TS_MAP_NORMAL : 0, 0, TS_WHITE, 0.625f, 0.0f}
 
 static const ts_paint paints[N_PAINTS] = {
@@ -68,7 +68,7 @@ static const ts_paint paints[N_PAINTS] = {
 static const f32 LENGTH = 12.0f, WIDTH = 9.0f, TOP = 5.25f, CABINET_X = 8.5f, CABINET_Z = 6.375f;
 
 static const f32 crown[][2] = {{0.0f, -0.5f},      {0.0625f, -0.46875f}, {0.0625f, -0.375f}, {0.125f, -0.28125f},
-							   {0.25f, -0.15625f}, {0.375f, -0.0625f},   {0.375f, 0.0f}};
+                               {0.25f, -0.15625f}, {0.375f, -0.0625f},   {0.375f, 0.0f}};
 static const f32 rail[][2] = {{0.0f, 0.0f}, {0.046875f, 0.015625f}, {0.046875f, 0.046875f}, {0.0f, 0.078125f}};
 static const f32 skirting[][2] = {{0.03125f, 0.0f}, {0.03125f, 0.1875f}, {0.015625f, 0.21875f}, {0.0f, 0.25f}};
 
@@ -92,12 +92,12 @@ static void hang(ts_mesh *mesh, const u32 *material, f32 x, f32 hx, f32 hy, u32 
 	mesh->place = ts_place_in(&stand, ts_place_at(x, 1.9375f, 0.015625f, 0.0f));
 	u32 k = ts_random(id, 5u, mesh->seed);
 	ts_part_picture(mesh, material[wood[id % 3u]], material[PICTURE + (id + (k & 1u) * 4u) % TS_N_PICTURES], hx, hy,
-					0.125f + 0.0625f * (f32)(id & 1u));
+	                0.125f + 0.0625f * (f32)(id & 1u));
 	mesh->material = material[STEEL];
 	for (u32 side = 0; side < 2 && ts_mesh_shows(mesh, 0.1875f); side++) {
 		f32 at = side ? hx * 0.75f : -hx * 0.75f;
 		ts_mesh_rod(mesh, ts_v3_make(at, hy, 0.0078125f), ts_v3_make(at * 0.9375f, 1.84375f, 0.03125f), 0.001953125f,
-					3);
+		            3);
 	}
 	mesh->place = stand;
 }
@@ -107,13 +107,13 @@ static void add_outer_wall(ts_mesh *mesh, const u32 *material, f32 half, f32 inn
 {
 	mesh->material = material[RED];
 	ts_mesh_plane(mesh, ts_v3_make(-half, 0.0f, 0.0f), ts_v3_make(2.0f * half, 0.0f, 0.0f), ts_v3_make(0.0f, TOP, 0.0f),
-				  ts_mesh_segments(mesh, half * 2.0f, 2), ts_mesh_segments(mesh, 6.0f, 1));
+	              ts_mesh_segments(mesh, half * 2.0f, 2), ts_mesh_segments(mesh, 6.0f, 1));
 	add_trim(mesh, material, half);
 	f32 pitch = 2.0f * inner / (f32)n_pictures;
 	for (u32 i = 0; i < n_pictures; i++) {
 		bool wide = (i + id) % 2 == 0;
 		hang(mesh, material, ((f32)i + 0.5f) * pitch - inner, wide ? pitch * 0.375f : pitch * 0.25f,
-			 wide ? 0.75f : 0.84375f, id + i);
+		     wide ? 0.75f : 0.84375f, id + i);
 	}
 	for (u32 i = 0; i < 2; i++)
 		hang(mesh, material, (i ? 0.5f : -0.5f) * (half + inner + 0.125f), 0.53125f, 0.65625f, id + n_pictures + i);
@@ -129,7 +129,7 @@ static void add_partition(ts_mesh *mesh, const u32 *material, f32 half, bool doo
 		mesh->place = ts_place_in(&stand, ts_place_at(0.0f, 0.0f, side ? -thick : thick, side ? 0.5f : 0.0f));
 		mesh->material = material[side ? SAGE : RED];
 		ts_mesh_wall(mesh, ts_v3_make(-half, 0.0f, 0.0f), ts_v3_make(2.0f * half, 0.0f, 0.0f),
-					 ts_v3_make(0.0f, TOP, 0.0f), 1.0f, &hole, doorway ? 1 : 0);
+		             ts_v3_make(0.0f, TOP, 0.0f), 1.0f, &hole, doorway ? 1 : 0);
 		mesh->material = material[TRIM];
 		mesh->place = ts_place_in(&stand, ts_place_at(0.0f, TOP, side ? -thick : thick, side ? 0.5f : 0.0f));
 		ts_part_moulding(mesh, half, crown, 7, ts_mesh_segments(mesh, half * 2.0f, 1));
@@ -140,10 +140,10 @@ static void add_partition(ts_mesh *mesh, const u32 *material, f32 half, bool doo
 	for (u32 side = 0; side < 2; side++) {
 		f32 x = side ? w : -w;
 		ts_mesh_block(mesh, ts_v3_make(x * 1.0625f, h * 0.5f, 0.0f), ts_v3_make(0.078125f, h * 0.5f, thick + 0.046875f),
-					  0.015625f, ts_mesh_segments(mesh, 2.0f, 0));
+		              0.015625f, ts_mesh_segments(mesh, 2.0f, 0));
 	}
 	ts_mesh_block(mesh, ts_v3_make(0.0f, h + 0.0625f, 0.0f), ts_v3_make(w + 0.1875f, 0.09375f, thick + 0.078125f),
-				  0.03125f, ts_mesh_segments(mesh, 3.0f, 0));
+	              0.03125f, ts_mesh_segments(mesh, 3.0f, 0));
 }
 
 static void add_cabinets(ts_mesh *mesh, const u32 *material)
@@ -161,7 +161,7 @@ static void add_cabinets(ts_mesh *mesh, const u32 *material)
 		mesh->place = ts_place_at(sx * CABINET_X, 0.0f, sz * CABINET_Z, 0.0f);
 		mesh->material = material[TRIM];
 		ts_mesh_block(mesh, ts_v3_make(0.0f, TOP * 0.5f, 0.0f), ts_v3_make(0.1875f, TOP * 0.5f, 0.1875f), 0.03125f,
-					  ts_mesh_segments(mesh, 2.0f, 0));
+		              ts_mesh_segments(mesh, 2.0f, 0));
 	}
 }
 
@@ -173,24 +173,24 @@ static void add_ceiling(ts_mesh *mesh, const u32 *material)
 	mesh->place = ts_place_world();
 	mesh->material = material[CEILING];
 	ts_mesh_wall(mesh, ts_v3_make(-LENGTH, TOP, -WIDTH), ts_v3_make(2.0f * LENGTH, 0.0f, 0.0f),
-				 ts_v3_make(0.0f, 0.0f, 2.0f * WIDTH), 1.5f, &hole, 1);
+	             ts_v3_make(0.0f, 0.0f, 2.0f * WIDTH), 1.5f, &hole, 1);
 	for (u32 side = 0; side < 4; side++) {
 		f32 half = side & 1u ? hz : hx, away = side & 1u ? hx : hz;
 		ts_place turned = ts_place_at(0.0f, TOP, 0.0f, (f32)side * 0.25f);
 		mesh->place = ts_place_in(&turned, ts_place_at(0.0f, 0.0f, -away, 0.0f));
 		mesh->material = material[CEILING];
 		ts_mesh_plane(mesh, ts_v3_make(-half, 0.0f, 0.0f), ts_v3_make(2.0f * half, 0.0f, 0.0f),
-					  ts_v3_make(0.0f, rise, 0.0f), ts_mesh_segments(mesh, 8.0f, 1), 1);
+		              ts_v3_make(0.0f, rise, 0.0f), ts_mesh_segments(mesh, 8.0f, 1), 1);
 		mesh->material = material[TRIM];
 		mesh->place = ts_place_in(&turned, ts_place_at(0.0f, -0.0625f, -away - 0.125f, 0.0f));
 		ts_mesh_block(mesh, ts_v3_make(0.0f, 0.0f, 0.0f), ts_v3_make(half + 0.25f, 0.0625f, 0.109375f), 0.03125f,
-					  ts_mesh_segments(mesh, 2.0f, 0));
+		              ts_mesh_segments(mesh, 2.0f, 0));
 	}
 	mesh->place = ts_place_at(0.0f, TOP + rise - 0.09375f, 0.0f, 0.0f);
 	for (u32 i = 1; i < 16; i++) {
 		f32 x = hx * ((f32)i * 0.125f - 1.0f);
 		ts_mesh_block(mesh, ts_v3_make(x, 0.0f, 0.0f),
-					  ts_v3_make(i % 4 ? 0.0234375f : 0.0625f, i % 4 ? 0.03125f : 0.09375f, hz), 0.0f, 0);
+		              ts_v3_make(i % 4 ? 0.0234375f : 0.0625f, i % 4 ? 0.03125f : 0.09375f, hz), 0.0f, 0);
 	}
 	for (u32 i = 1; i < 8; i++) {
 		f32 z = hz * ((f32)i * 0.25f - 1.0f);
@@ -204,43 +204,43 @@ static void add_bench(ts_mesh *mesh, const u32 *material)
 	mesh->material = material[LEATHER];
 	for (u32 i = 0; i < 3; i++) {
 		ts_mesh_block(mesh, ts_v3_make(((f32)i - 1.0f) * 0.59375f, 0.4375f, 0.0f),
-					  ts_v3_make(0.2890625f, 0.0625f, 0.28125f), 0.046875f, k);
+		              ts_v3_make(0.2890625f, 0.0625f, 0.28125f), 0.046875f, k);
 	}
 	mesh->material = material[OAK];
 	ts_mesh_block(mesh, ts_v3_make(0.0f, 0.34375f, 0.0f), ts_v3_make(0.875f, 0.03125f, 0.265625f), 0.015625f,
-				  ts_mesh_segments(mesh, 2.0f, 0));
+	              ts_mesh_segments(mesh, 2.0f, 0));
 	mesh->material = material[STEEL];
 	for (u32 i = 0; i < 4; i++) {
 		f32 x = i & 1u ? 0.75f : -0.75f, z = i & 2u ? 0.203125f : -0.203125f;
 		ts_mesh_rod(mesh, ts_v3_make(x, 0.0f, z), ts_v3_make(x, 0.3125f, z), 0.0234375f,
-					ts_mesh_segments(mesh, 12.0f, 4));
+		            ts_mesh_segments(mesh, 12.0f, 4));
 	}
 }
 
 static void add_pedestal(ts_mesh *mesh, const u32 *material, u32 id)
 {
 	static const f32 vase[2][11][2] = {{{0.0f, 0.0f},
-										{0.109375f, 0.0f},
-										{0.109375f, 0.0f},
-										{0.125f, 0.03125f},
-										{0.21875f, 0.25f},
-										{0.1875f, 0.40625f},
-										{0.0703125f, 0.484375f},
-										{0.0859375f, 0.5625f},
-										{0.0859375f, 0.5625f},
-										{0.0625f, 0.546875f},
-										{0.046875f, 0.453125f}},
-									   {{0.0f, 0.0f},
-										{0.125f, 0.0f},
-										{0.125f, 0.0f},
-										{0.0625f, 0.0625f},
-										{0.046875f, 0.125f},
-										{0.203125f, 0.3125f},
-										{0.234375f, 0.46875f},
-										{0.25f, 0.484375f},
-										{0.25f, 0.484375f},
-										{0.21875f, 0.4765625f},
-										{0.078125f, 0.25f}}};
+	                                    {0.109375f, 0.0f},
+	                                    {0.109375f, 0.0f},
+	                                    {0.125f, 0.03125f},
+	                                    {0.21875f, 0.25f},
+	                                    {0.1875f, 0.40625f},
+	                                    {0.0703125f, 0.484375f},
+	                                    {0.0859375f, 0.5625f},
+	                                    {0.0859375f, 0.5625f},
+	                                    {0.0625f, 0.546875f},
+	                                    {0.046875f, 0.453125f}},
+	                                   {{0.0f, 0.0f},
+	                                    {0.125f, 0.0f},
+	                                    {0.125f, 0.0f},
+	                                    {0.0625f, 0.0625f},
+	                                    {0.046875f, 0.125f},
+	                                    {0.203125f, 0.3125f},
+	                                    {0.234375f, 0.46875f},
+	                                    {0.25f, 0.484375f},
+	                                    {0.25f, 0.484375f},
+	                                    {0.21875f, 0.4765625f},
+	                                    {0.078125f, 0.25f}}};
 	ts_place stand = mesh->place;
 	u32 k = ts_mesh_segments(mesh, 2.0f, 0);
 	mesh->material = material[WHITE_MARBLE];
@@ -257,8 +257,8 @@ static void add_pedestal(ts_mesh *mesh, const u32 *material, u32 id)
 static void add_knot(ts_mesh *mesh, const u32 *material)
 {
 	static const f32 drum[][2] = {{0.65625f, 0.0f},    {0.65625f, 0.0625f}, {0.65625f, 0.0625f}, {0.59375f, 0.09375f},
-								  {0.59375f, 0.375f},  {0.59375f, 0.375f},  {0.625f, 0.40625f},  {0.625f, 0.453125f},
-								  {0.625f, 0.453125f}, {0.0f, 0.453125f}};
+	                              {0.59375f, 0.375f},  {0.59375f, 0.375f},  {0.625f, 0.40625f},  {0.625f, 0.453125f},
+	                              {0.625f, 0.453125f}, {0.0f, 0.453125f}};
 	ts_place stand = mesh->place;
 	ts_v3 points[49];
 	mesh->material = material[DARK_MARBLE];
@@ -266,13 +266,13 @@ static void add_knot(ts_mesh *mesh, const u32 *material)
 	for (u32 i = 0; i < 49; i++) {
 		f32 t = (f32)(i % 48) / 48.0f;
 		points[i] = ts_v3_make(ts_sin_turn(t) + 2.0f * ts_sin_turn(2.0f * t),
-							   ts_cos_turn(t) - 2.0f * ts_cos_turn(2.0f * t), -ts_sin_turn(3.0f * t));
+		                       ts_cos_turn(t) - 2.0f * ts_cos_turn(2.0f * t), -ts_sin_turn(3.0f * t));
 		points[i] = ts_scale(points[i], 0.1484375f);
 	}
 	mesh->material = material[BRONZE];
 	mesh->place = ts_place_in(&stand, ts_place_at(0.0f, 0.953125f, 0.0f, 0.0f));
 	ts_mesh_tube(mesh, points, 49, 0.078125f, ts_v3_make(0.0f, 0.0f, 1.0f), ts_mesh_segments(mesh, 28.0f, 5),
-				 24 * ts_mesh_segments(mesh, 10.0f, 1));
+	             24 * ts_mesh_segments(mesh, 10.0f, 1));
 	mesh->place = stand;
 }
 
@@ -280,9 +280,9 @@ static void add_knot(ts_mesh *mesh, const u32 *material)
 static void add_barrier(ts_mesh *mesh, const u32 *material, u32 n)
 {
 	static const f32 post[][2] = {{0.15625f, 0.0f},      {0.15625f, 0.015625f},    {0.15625f, 0.015625f},
-								  {0.03125f, 0.046875f}, {0.01953125f, 0.078125f}, {0.01953125f, 0.8125f},
-								  {0.03125f, 0.828125f}, {0.01953125f, 0.84375f},  {0.0390625f, 0.890625f},
-								  {0.0f, 0.9375f}};
+	                              {0.03125f, 0.046875f}, {0.01953125f, 0.078125f}, {0.01953125f, 0.8125f},
+	                              {0.03125f, 0.828125f}, {0.01953125f, 0.84375f},  {0.0390625f, 0.890625f},
+	                              {0.0f, 0.9375f}};
 	ts_place stand = mesh->place;
 	for (u32 i = 0; i < n; i++) {
 		f32 x = ((f32)i - 0.5f * (f32)(n - 1)) * 1.5f;
@@ -292,7 +292,7 @@ static void add_barrier(ts_mesh *mesh, const u32 *material, u32 n)
 		if (i + 1 == n) continue;
 		mesh->material = material[ROPE];
 		ts_part_rope(mesh, ts_v3_make(0.015625f, 0.8125f, 0.0f), ts_v3_make(1.484375f, 0.8125f, 0.0f), 0.25f,
-					 0.0171875f, ts_mesh_segments(mesh, 10.0f, 3), ts_mesh_segments(mesh, 36.0f, 4));
+		             0.0171875f, ts_mesh_segments(mesh, 10.0f, 3), ts_mesh_segments(mesh, 36.0f, 4));
 	}
 	mesh->place = stand;
 }
@@ -301,8 +301,8 @@ static void add_barrier(ts_mesh *mesh, const u32 *material, u32 n)
 static void add_track(ts_mesh *mesh, const u32 *material, f32 half, u32 n)
 {
 	static const f32 can[][2] = {{0.0f, -0.09375f},      {0.0390625f, -0.09375f}, {0.0390625f, -0.09375f},
-								 {0.046875f, -0.0625f},  {0.046875f, 0.09375f},   {0.046875f, 0.09375f},
-								 {0.0390625f, 0.09375f}, {0.0390625f, 0.09375f},  {0.0390625f, 0.078125f}};
+	                             {0.046875f, -0.0625f},  {0.046875f, 0.09375f},   {0.046875f, 0.09375f},
+	                             {0.0390625f, 0.09375f}, {0.0390625f, 0.09375f},  {0.0390625f, 0.078125f}};
 	static const f32 lens[][2] = {{0.0390625f, 0.078125f}, {0.0f, 0.0859375f}};
 	ts_place stand = mesh->place;
 	mesh->material = material[BLACK];
@@ -351,7 +351,7 @@ static void furnish(ts_mesh *mesh, const u32 *material)
 	mesh->place = ts_place_at(0.0f, 0.0f, -6.1875f, 0.03125f);
 	mesh->material = material[WHITE_MARBLE];
 	ts_mesh_block(mesh, ts_v3_make(0.0f, 0.09375f, 0.0f), ts_v3_make(1.125f, 0.09375f, 0.46875f), 0.015625f,
-				  ts_mesh_segments(mesh, 2.0f, 0));
+	              ts_mesh_segments(mesh, 2.0f, 0));
 	mesh->place.o.y = 0.1875f;
 	ts_part_bicycle(mesh, &bicycle);
 }
@@ -361,8 +361,8 @@ static void shape_gallery(ts_mesh *mesh, const u32 *material)
 	mesh->place = ts_place_world();
 	mesh->material = material[PARQUET];
 	ts_mesh_plane(mesh, ts_v3_make(-LENGTH, 0.0f, WIDTH), ts_v3_make(2.0f * LENGTH, 0.0f, 0.0f),
-				  ts_v3_make(0.0f, 0.0f, -2.0f * WIDTH), ts_mesh_segments(mesh, 32.0f, 2),
-				  ts_mesh_segments(mesh, 24.0f, 2));
+	              ts_v3_make(0.0f, 0.0f, -2.0f * WIDTH), ts_mesh_segments(mesh, 32.0f, 2),
+	              ts_mesh_segments(mesh, 24.0f, 2));
 	for (u32 i = 0; i < 2; i++) {
 		mesh->place = ts_place_at(0.0f, 0.0f, i ? WIDTH : -WIDTH, i ? 0.5f : 0.0f);
 		add_outer_wall(mesh, material, LENGTH, CABINET_X - 0.125f, 7, 10u * i);

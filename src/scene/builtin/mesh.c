@@ -17,7 +17,7 @@ ts_place ts_place_at(f32 x, f32 y, f32 z, f32 turns)
 {
 	f32 c = ts_cos_turn(turns), s = ts_sin_turn(turns);
 	ts_place place = {ts_v3_make(x, y, z), ts_v3_make(c, 0.0f, -s), ts_v3_make(0.0f, 1.0f, 0.0f),
-					  ts_v3_make(s, 0.0f, c)};
+	                  ts_v3_make(s, 0.0f, c)};
 	return place;
 }
 
@@ -97,8 +97,8 @@ static void make_normals(ts_corner *corner, u32 ns, u32 nt, u32 flags)
 			ts_corner *c = &corner[j * (ns + 1) + i];
 			if (ts_dot(c->n, c->n) > 0.0f) continue;
 			u32 row = j == 0 && (flags & TS_GRID_POLE_T0) != 0    ? 1
-					  : j == nt && (flags & TS_GRID_POLE_T1) != 0 ? nt - 1
-																  : j;
+			          : j == nt && (flags & TS_GRID_POLE_T1) != 0 ? nt - 1
+			                                                      : j;
 			ts_v3 ds = step_between(corner + row * (ns + 1), i, ns, 1, (flags & TS_GRID_WRAP_S) != 0);
 			ts_v3 dt = step_between(corner + i, j, nt, ns + 1, false);
 			c->n = ts_normalize(ts_cross(ds, dt));
@@ -137,7 +137,7 @@ static void add_flat_cells(ts_mesh *mesh, ts_corner *corner, u32 ns, u32 nt)
 	for (u32 j = 0; j < nt; j++) {
 		for (u32 i = 0; i < ns; i++) {
 			ts_corner c[4] = {corner[j * (ns + 1) + i], corner[j * (ns + 1) + i + 1],
-							  corner[(j + 1) * (ns + 1) + i + 1], corner[(j + 1) * (ns + 1) + i]};
+			                  corner[(j + 1) * (ns + 1) + i + 1], corner[(j + 1) * (ns + 1) + i]};
 			ts_v3 n = ts_normalize(ts_cross(ts_sub(c[2].p, c[0].p), ts_sub(c[3].p, c[1].p)));
 			u32 v[4];
 			for (u32 k = 0; k < 4; k++) {
@@ -165,8 +165,7 @@ void ts_mesh_grid(ts_mesh *mesh, u32 ns, u32 nt, u32 flags, ts_mesh_surface *sur
 		add_flat_cells(mesh, corner, ns, nt);
 	} else {
 		u32 first = add_vertex(mesh, &corner[0]);
-		for (u32 i = 1; i < (ns + 1) * (nt + 1); i++)
-			add_vertex(mesh, &corner[i]);
+		for (u32 i = 1; i < (ns + 1) * (nt + 1); i++) add_vertex(mesh, &corner[i]);
 		add_cells(mesh, first, ns, nt, flags);
 	}
 	free(corner);
@@ -175,8 +174,8 @@ void ts_mesh_grid(ts_mesh *mesh, u32 ns, u32 nt, u32 flags, ts_mesh_surface *sur
 static u32 add_between(ts_mesh *mesh, const ts_corner *a, const ts_corner *b)
 {
 	ts_corner c = {ts_scale(ts_add(a->p, b->p), 0.5f),
-				   ts_scale(ts_add(a->n, b->n), 0.5f),
-				   {(a->uv.x + b->uv.x) * 0.5f, (a->uv.y + b->uv.y) * 0.5f}};
+	               ts_scale(ts_add(a->n, b->n), 0.5f),
+	               {(a->uv.x + b->uv.x) * 0.5f, (a->uv.y + b->uv.y) * 0.5f}};
 	return add_vertex(mesh, &c);
 }
 
@@ -193,8 +192,7 @@ static void add_cell(ts_mesh *mesh, const ts_corner *row, u32 ns, const u32 v[4]
 		add_triangle(mesh, border, v[2], v[3]);
 	} else {
 		u32 middle = add_between(mesh, &row[0], &row[ns + 2]);
-		for (u32 k = 0; k < 4; k++)
-			add_triangle(mesh, v[k], v[(k + 1) % 4], middle);
+		for (u32 k = 0; k < 4; k++) add_triangle(mesh, v[k], v[(k + 1) % 4], middle);
 	}
 }
 
@@ -212,8 +210,7 @@ void ts_mesh_fill(ts_mesh *mesh, u32 n, f32 aspect, ts_mesh_surface *surface, co
 		return;
 	}
 	u32 first = add_vertex(mesh, &corner[0]);
-	for (u32 i = 1; i < (ns + 1) * (nt + 1); i++)
-		add_vertex(mesh, &corner[i]);
+	for (u32 i = 1; i < (ns + 1) * (nt + 1); i++) add_vertex(mesh, &corner[i]);
 	for (u32 k = 0; k < ns * nt; k++) {
 		u32 at = k / ns * (ns + 1) + k % ns;
 		u32 a = first + at;

@@ -88,8 +88,7 @@ static void put_map(u8 *rgba, const ts_dab *dabs, u32 map, const ts_paint *paint
 static u32 add_slot(ts_build *build, const ts_dab *dabs, u8 *rgba, u32 map, const ts_paint *paint)
 {
 	for (u32 y = 0; y < paint->size; y++) {
-		for (u32 x = 0; x < paint->size; x++)
-			put_map(rgba + 4 * (y * paint->size + x), dabs, map, paint, x, y);
+		for (u32 x = 0; x < paint->size; x++) put_map(rgba + 4 * (y * paint->size + x), dabs, map, paint, x, y);
 	}
 	bool srgb = map == 0 || map == TS_MAP_GLOW;
 	ts_slot slot = {.image = ts_build_image(build, rgba, paint->size, paint->size, srgb)};

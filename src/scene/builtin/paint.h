@@ -35,7 +35,9 @@ typedef struct {
 	f32 roughness, metallic; /* factors */
 } ts_paint;
 
+/* clang-format off */
 #define TS_WHITE {1.0f, 1.0f, 1.0f}
+/* clang-format on */
 
 /* Adds the material and its images; returns its index. */
 u32 ts_paint_add(ts_build *build, const ts_paint *paint, u32 seed);

@@ -38,9 +38,9 @@ void ts_part_plant(ts_mesh *mesh, const ts_plant_materials *material, f32 radius
 {
 	f32 r = radius;
 	const f32 pot[][2] = {{r * 0.625f, 0.0f},        {r * 0.6875f, r * 0.125f}, {r * 0.875f, r},
-						  {r * 0.9375f, r * 1.375f}, {r * 0.9375f, r * 1.375f}, {r * 1.0625f, r * 1.40625f},
-						  {r * 1.09375f, r * 1.5f},  {r * 1.0625f, r * 1.625f}, {r * 1.0625f, r * 1.625f},
-						  {r * 0.9375f, r * 1.625f}, {r * 0.9375f, r * 1.625f}, {r * 0.90625f, r * 1.4375f}};
+	                      {r * 0.9375f, r * 1.375f}, {r * 0.9375f, r * 1.375f}, {r * 1.0625f, r * 1.40625f},
+	                      {r * 1.09375f, r * 1.5f},  {r * 1.0625f, r * 1.625f}, {r * 1.0625f, r * 1.625f},
+	                      {r * 0.9375f, r * 1.625f}, {r * 0.9375f, r * 1.625f}, {r * 0.90625f, r * 1.4375f}};
 	const f32 soil[][2] = {{r * 0.90625f, r * 1.4375f}, {0.0f, r * 1.5f}};
 	mesh->material = material->pot;
 	ts_mesh_lathe(mesh, pot, 12, ts_mesh_segments(mesh, 32.0f, 6), 2.0f);
@@ -55,7 +55,7 @@ void ts_part_plant(ts_mesh *mesh, const ts_plant_materials *material, f32 radius
 		ts_v3 tip = {lean * ts_cos_turn(turn), up.y + crown * 0.75f, lean * ts_sin_turn(turn)};
 		ts_v3 points[3] = {up, {tip.x * 0.25f, (up.y + tip.y) * 0.5f, tip.z * 0.25f}, tip};
 		ts_mesh_tube(mesh, points, 3, r * 0.03125f, ts_v3_make(-ts_sin_turn(turn), 0.0f, ts_cos_turn(turn)),
-					 ts_mesh_segments(mesh, 6.0f, 3), ts_mesh_segments(mesh, 8.0f, 2));
+		             ts_mesh_segments(mesh, 6.0f, 3), ts_mesh_segments(mesh, 8.0f, 2));
 	}
 	mesh->material = material->leaf;
 	u32 n = kind == 0 ? ts_mesh_segments(mesh, 260.0f, 24) : ts_mesh_segments(mesh, 100.0f, 16);
@@ -63,7 +63,7 @@ void ts_part_plant(ts_mesh *mesh, const ts_plant_materials *material, f32 radius
 		f32 y = ts_mesh_random(mesh, id + 7919u * k);
 		if (kind == 0)
 			add_leaf(mesh, up.y + crown * (0.125f + y * 0.625f), radius * (1.375f - 0.625f * y), radius * 0.40625f,
-					 0.3125f, id + 16u * k + k);
+			         0.3125f, id + 16u * k + k);
 		else
 			add_leaf(mesh, up.y + crown * 0.5f * y, height, radius * 0.1875f, 0.171875f, id + 16u * k + k);
 	}
@@ -90,7 +90,7 @@ void ts_part_curtain(ts_mesh *mesh, f32 width, f32 height, f32 folds, f32 depth,
 {
 	curtain_shape c = {width, height, folds, depth, gather, ts_mesh_random(mesh, id)};
 	ts_mesh_grid(mesh, ts_mesh_segments(mesh, 14.0f * folds, 6), ts_mesh_segments(mesh, height * 8.0f, 3), 0, curtain,
-				 &c);
+	             &c);
 }
 
 void ts_part_rope(ts_mesh *mesh, ts_v3 a, ts_v3 b, f32 sag, f32 radius, u32 na, u32 nl)

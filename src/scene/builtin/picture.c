@@ -26,7 +26,7 @@ static ts_v3 sea(f32 u, f32 v, u32 seed)
 	f32 cloud = ts_paint_fbm(u, v, 3, 6, seed);
 	if (v < horizon)
 		return ts_paint_mix(rgb(0.34f, 0.46f, 0.60f), rgb(0.93f, 0.90f, 0.84f),
-							ts_paint_ramp(0.35f, 0.75f, cloud + v * 0.5f));
+		                    ts_paint_ramp(0.35f, 0.75f, cloud + v * 0.5f));
 	f32 depth = (v - horizon) * 2.0f;
 	f32 wave = ts_paint_noise(u * 10.0f / (0.25f + depth), v * 48.0f, 64, 48, seed + 5u);
 	ts_v3 c = ts_paint_mix(rgb(0.42f, 0.58f, 0.62f), rgb(0.05f, 0.20f, 0.28f), ts_min(depth, 1.0f));
@@ -85,7 +85,7 @@ static ts_v3 portrait(f32 u, f32 v, u32 seed)
 static ts_v3 squares(f32 u, f32 v, u32 seed)
 {
 	static const ts_v3 paint[6] = {{0.93f, 0.91f, 0.86f}, {0.93f, 0.91f, 0.86f}, {0.80f, 0.13f, 0.10f},
-								   {0.93f, 0.91f, 0.86f}, {0.12f, 0.22f, 0.52f}, {0.93f, 0.77f, 0.17f}};
+	                               {0.93f, 0.91f, 0.86f}, {0.12f, 0.22f, 0.52f}, {0.93f, 0.77f, 0.17f}};
 	f32 lo[2] = {0.0f, 0.0f}, hi[2] = {1.0f, 1.0f};
 	const f32 at[2] = {u, v};
 	u32 id = 1;
@@ -150,12 +150,12 @@ static ts_v3 dots(f32 u, f32 v, u32 seed)
 void ts_paint_picture(ts_dab *dab, f32 u, f32 v, u32 kind, u32 seed)
 {
 	static ts_v3 (*const subject[TS_N_PICTURES])(f32, f32, u32) = {hills,      portrait, sea,  squares,
-																   still_life, waves,    town, dots};
+	                                                               still_life, waves,    town, dots};
 	f32 canvas = ts_paint_noise(u * 128.0f, v * 128.0f, 128, 128, seed);
 	f32 stroke = ts_paint_noise(u * 24.0f + v * 40.0f, v * 64.0f, 64, 64, seed + 1u) - 0.5f;
 	f32 wobble = stroke * 0.0078125f;
 	dab->colour = ts_scale(subject[kind](u + wobble, v + wobble, seed + kind * 200u),
-						   0.9375f + 0.0625f * canvas + 0.125f * stroke);
+	                       0.9375f + 0.0625f * canvas + 0.125f * stroke);
 	dab->height = canvas * 0.00048828125f + stroke * 0.001953125f;
 	dab->roughness = 0.5f + 0.25f * canvas;
 	dab->metallic = 0.0f;

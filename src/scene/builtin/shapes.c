@@ -38,11 +38,9 @@ static u32 find_breaks(f32 *breaks, const ts_hole *holes, u32 n_holes, u32 axis,
 	for (u32 k = 0; k < 2 * n_holes; k++) {
 		f32 x = k & 1u ? holes[k / 2].hi[axis] : holes[k / 2].lo[axis];
 		u32 at = 0;
-		while (at < n && breaks[at] < x)
-			at++;
+		while (at < n && breaks[at] < x) at++;
 		if (at < n && breaks[at] == x) continue;
-		for (u32 i = n; i > at; i--)
-			breaks[i] = breaks[i - 1];
+		for (u32 i = n; i > at; i--) breaks[i] = breaks[i - 1];
 		breaks[at] = x;
 		n++;
 	}
@@ -84,7 +82,7 @@ void ts_mesh_wall(ts_mesh *mesh, ts_v3 o, ts_v3 es, ts_v3 et, f32 step, const ts
 			w.lo[1] = y[j];
 			w.hi[1] = y[j + 1];
 			ts_mesh_grid(mesh, ts_mesh_segments(mesh, (x[i + 1] - x[i]) / step, 1),
-						 ts_mesh_segments(mesh, (y[j + 1] - y[j]) / step, 1), 0, wall, &w);
+			             ts_mesh_segments(mesh, (y[j + 1] - y[j]) / step, 1), 0, wall, &w);
 		}
 	}
 }
@@ -131,17 +129,17 @@ void ts_mesh_block(ts_mesh *mesh, ts_v3 centre, ts_v3 half, f32 r, u32 k)
 		u32 s, t, n;
 		f32 ss, sn;
 	} face[6] = {{2, 1, 0, -1.0f, 1.0f}, {2, 1, 0, 1.0f, -1.0f}, {0, 2, 1, -1.0f, 1.0f},
-				 {0, 2, 1, 1.0f, -1.0f}, {0, 1, 2, 1.0f, 1.0f},  {0, 1, 2, -1.0f, -1.0f}};
+	             {0, 2, 1, 1.0f, -1.0f}, {0, 1, 2, 1.0f, 1.0f},  {0, 1, 2, -1.0f, -1.0f}};
 	for (u32 f = 0; f < 6; f++) {
 		block_shape b = {centre,
-						 ts_scale(axis[face[f].s], face[f].ss),
-						 axis[face[f].t],
-						 ts_scale(axis[face[f].n], face[f].sn),
-						 h[face[f].s],
-						 h[face[f].t],
-						 h[face[f].n],
-						 round,
-						 k};
+		                 ts_scale(axis[face[f].s], face[f].ss),
+		                 axis[face[f].t],
+		                 ts_scale(axis[face[f].n], face[f].sn),
+		                 h[face[f].s],
+		                 h[face[f].t],
+		                 h[face[f].n],
+		                 round,
+		                 k};
 		ts_mesh_grid(mesh, 2 * k + 1, 2 * k + 1, 0, block_face, &b);
 	}
 }
@@ -166,12 +164,11 @@ static void lathe(ts_corner *c, const void *shape, f32 s, f32 t)
 void ts_mesh_lathe(ts_mesh *mesh, const f32 (*profile)[2], u32 n_points, u32 na, f32 between)
 {
 	f32 widest = 0.0f;
-	for (u32 i = 0; i < n_points; i++)
-		widest = ts_max(widest, profile[i][0]);
+	for (u32 i = 0; i < n_points; i++) widest = ts_max(widest, profile[i][0]);
 	for (u32 first = 0; first + 1 < n_points;) {
 		u32 last = first + 1;
 		while (last + 1 < n_points &&
-			   (profile[last][0] != profile[last + 1][0] || profile[last][1] != profile[last + 1][1]))
+		       (profile[last][0] != profile[last + 1][0] || profile[last][1] != profile[last + 1][1]))
 			last++;
 		lathe_shape l = {profile + first, last - first + 1, widest * 6.28125f};
 		u32 flags = TS_GRID_WRAP_S | (profile[first][0] == 0.0f ? TS_GRID_POLE_T0 : 0);
@@ -195,7 +192,7 @@ static ts_v3 tube_at(const tube_shape *tube, f32 t)
 	f32 at = t * (f32)(tube->n - 1);
 	const ts_v3 *p = tube->points;
 	return ts_v3_make(ts_mesh_spline(&p->x, 3, tube->n, at), ts_mesh_spline(&p->y, 3, tube->n, at),
-					  ts_mesh_spline(&p->z, 3, tube->n, at));
+	                  ts_mesh_spline(&p->z, 3, tube->n, at));
 }
 
 static void tube(ts_corner *c, const void *shape, f32 s, f32 t)

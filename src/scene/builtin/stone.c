@@ -40,15 +40,15 @@ static f32 veins(f32 u, f32 v, u32 seed)
 static ts_v3 marble_colour(f32 u, f32 v, u32 kind, u32 seed)
 {
 	static const ts_v3 body[5] = {{0.90f, 0.88f, 0.84f},
-								  {0.36f, 0.19f, 0.16f},
-								  {0.24f, 0.30f, 0.26f},
-								  {0.20f, 0.20f, 0.21f},
-								  {0.80f, 0.70f, 0.54f}};
+	                              {0.36f, 0.19f, 0.16f},
+	                              {0.24f, 0.30f, 0.26f},
+	                              {0.20f, 0.20f, 0.21f},
+	                              {0.80f, 0.70f, 0.54f}};
 	static const ts_v3 vein[5] = {{0.58f, 0.57f, 0.58f},
-								  {0.70f, 0.54f, 0.46f},
-								  {0.58f, 0.66f, 0.58f},
-								  {0.66f, 0.62f, 0.56f},
-								  {0.58f, 0.44f, 0.30f}};
+	                              {0.70f, 0.54f, 0.46f},
+	                              {0.58f, 0.66f, 0.58f},
+	                              {0.66f, 0.62f, 0.56f},
+	                              {0.58f, 0.44f, 0.30f}};
 	f32 cloud = ts_paint_fbm(u, v, 4, 5, seed + 60u);
 	ts_v3 c = ts_scale(body[kind], 0.875f + cloud * 0.25f);
 	return ts_paint_mix(vein[kind], c, ts_paint_ramp(0.0f, 0.5f, veins(u, v, seed)));
@@ -90,10 +90,10 @@ void ts_paint_tiles(ts_dab *dab, f32 u, f32 v, u32 kind, u32 seed)
 void ts_paint_plaster(ts_dab *dab, f32 u, f32 v, u32 kind, u32 seed)
 {
 	static const ts_v3 tint[5] = {{0.90f, 0.87f, 0.80f},
-								  {0.83f, 0.67f, 0.42f},
-								  {0.76f, 0.77f, 0.78f},
-								  {0.48f, 0.17f, 0.16f},
-								  {0.55f, 0.60f, 0.50f}};
+	                              {0.83f, 0.67f, 0.42f},
+	                              {0.76f, 0.77f, 0.78f},
+	                              {0.48f, 0.17f, 0.16f},
+	                              {0.55f, 0.60f, 0.50f}};
 	f32 g = grain(u, v, seed);
 	f32 patch = ts_paint_fbm(u, v, 3, 4, seed + 7u) - 0.5f;
 	f32 trowel = ts_paint_noise(u * 16.0f, v * 64.0f, 16, 64, seed + 8u) - 0.5f;
@@ -153,7 +153,7 @@ void ts_paint_parquet(ts_dab *dab, f32 u, f32 v, u32 kind, u32 seed)
 	i32 piece = ts_floor_i32(y) & 1;
 	f32 fx = x - (f32)board, fy = ts_paint_fract(y);
 	f32 gap = ts_min(ts_paint_ramp(0.0f, 0.03125f, ts_min(fx, 1.0f - fx)),
-					 ts_paint_ramp(0.0f, 0.00390625f, ts_min(fy, 1.0f - fy)));
+	                 ts_paint_ramp(0.0f, 0.00390625f, ts_min(fy, 1.0f - fy)));
 	f32 tone = ts_paint_hash(board, piece + 2, seed + 12u);
 	f32 rings = wood_rings(u, v, tone, seed + (u32)(board * 2 + piece) * 5u);
 	dab->colour = ts_scale(wood_colour(rings, tone, kind), 0.375f + 0.625f * gap);

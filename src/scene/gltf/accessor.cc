@@ -23,16 +23,16 @@ static size_t component_bytes(int component_type)
 
 /* `count` items of `item` bytes, `stride` apart, from `offset` of a buffer view. */
 static const unsigned char *range(const loader &in, int view, uint64_t offset, uint64_t count, uint64_t item,
-								  uint64_t stride, size_t alignment, const std::string &where)
+                                  uint64_t stride, size_t alignment, const std::string &where)
 {
 	const tinygltf::BufferView &v = in.model.bufferViews.at((size_t)view);
 	uint64_t end = offset + (count - 1) * stride + item;
 	if (end > v.byteLength)
 		fail("%s: ends at byte %llu of bufferViews/%d; it has %zu", where.c_str(), (unsigned long long)end, view,
-			 v.byteLength);
+		     v.byteLength);
 	if ((v.byteOffset + offset) % alignment != 0)
 		fail("%s: begins at byte %llu of its buffer; a multiple of %zu is expected", where.c_str(),
-			 (unsigned long long)(v.byteOffset + offset), alignment);
+		     (unsigned long long)(v.byteOffset + offset), alignment);
 	return in.model.buffers.at((size_t)v.buffer).data.data() + v.byteOffset + offset;
 }
 
@@ -42,7 +42,7 @@ static void open_sparse(const loader &in, view &v, const tinygltf::Accessor &a, 
 	int type = a.sparse.indices.componentType;
 	size_t width = component_bytes(type);
 	if (type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE && type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT &&
-		type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT)
+	    type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT)
 		fail("%s/sparse/indices/componentType is %d; 5121, 5123 or 5125 is expected", where.c_str(), type);
 	if (count > v.count) fail("%s/sparse/count is %llu of %zu", where.c_str(), (unsigned long long)count, v.count);
 	view list{};
@@ -50,9 +50,9 @@ static void open_sparse(const loader &in, view &v, const tinygltf::Accessor &a, 
 	list.stride = list.item_bytes = width;
 	list.component_type = type;
 	list.data = range(in, a.sparse.indices.bufferView, (uint64_t)a.sparse.indices.byteOffset, count, width, width,
-					  width, where + "/sparse/indices");
+	                  width, where + "/sparse/indices");
 	v.sparse_data = range(in, a.sparse.values.bufferView, (uint64_t)a.sparse.values.byteOffset, count, v.item_bytes,
-						  v.item_bytes, component_bytes(v.component_type), where + "/sparse/values");
+	                      v.item_bytes, component_bytes(v.component_type), where + "/sparse/values");
 	for (size_t i = 0; i < count; i++) {
 		uint32_t index = list.index(i);
 		if (index >= v.count) fail("%s/sparse: index %u of %zu", where.c_str(), index, v.count);
@@ -66,14 +66,14 @@ static void check_form(const tinygltf::Accessor &a, int type, int other_type, un
 	int c = a.componentType;
 	bool is_unorm = c == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE || c == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT;
 	bool good = ((forms & AS_FLOAT) && c == TINYGLTF_COMPONENT_TYPE_FLOAT && !a.normalized) ||
-				((forms & AS_UNORM) && is_unorm && a.normalized) ||
-				((forms & AS_INDEX) && (is_unorm || c == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT) && !a.normalized);
+	            ((forms & AS_UNORM) && is_unorm && a.normalized) ||
+	            ((forms & AS_INDEX) && (is_unorm || c == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT) && !a.normalized);
 	if (a.type != type && a.type != other_type) fail("%s: the type is not what this use needs", where.c_str());
 	if (!good)
 		fail("%s: componentType %d%s; %s expected", where.c_str(), c, a.normalized ? ", normalized," : "",
-			 forms & AS_INDEX   ? "5121, 5123 or 5125 is"
-			 : forms & AS_UNORM ? "5126, or normalized 5121 or 5123, is"
-								: "5126 (float) is");
+		     forms & AS_INDEX   ? "5121, 5123 or 5125 is"
+		     : forms & AS_UNORM ? "5126, or normalized 5121 or 5123, is"
+		                        : "5126 (float) is");
 }
 
 view view_open(const loader &in, int accessor, int type, int other_type, unsigned forms, const std::string &what)
@@ -93,12 +93,12 @@ view view_open(const loader &in, int accessor, int type, int other_type, unsigne
 		if (stride != 0 && (forms & AS_INDEX)) fail("bufferViews/%d: a byteStride under indices", a.bufferView);
 		if (stride != 0 && (stride % 4 != 0 || stride < v.item_bytes))
 			fail("bufferViews/%d: byteStride %zu; a multiple of 4 from %zu is expected", a.bufferView, stride,
-				 v.item_bytes);
+			     v.item_bytes);
 		if (stride != 0) v.stride = stride;
 		v.data = range(in, a.bufferView, a.byteOffset, v.count, v.item_bytes, v.stride, width, where);
 	} else if (v.count > std::max(unbacked_count, in.file.size())) {
 		fail("%s: %zu items without a bufferView; at most %zu are read", where.c_str(), v.count,
-			 std::max(unbacked_count, in.file.size()));
+		     std::max(unbacked_count, in.file.size()));
 	}
 	if (a.sparse.isSparse) open_sparse(in, v, a, where);
 	return v;

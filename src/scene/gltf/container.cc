@@ -10,7 +10,7 @@ static constexpr uint32_t magic = 0x46546c67, json_kind = 0x4e4f534a, bin_kind =
 static uint32_t word(const bytes &file, size_t at)
 {
 	return (uint32_t)file[at] | (uint32_t)file[at + 1] << 8 | (uint32_t)file[at + 2] << 16 |
-		   (uint32_t)file[at + 3] << 24;
+	       (uint32_t)file[at + 3] << 24;
 }
 
 static void take_chunk(container &parts, uint32_t kind, size_t begin, size_t n, unsigned place)

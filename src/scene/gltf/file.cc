@@ -28,7 +28,7 @@ static bytes read_all(const std::string &path, int flags, uint64_t limit, const 
 	if (!S_ISREG(info.st_mode)) fail("%s: not a regular file", shown.c_str());
 	if ((uint64_t)info.st_size > limit)
 		fail("%s: %lld bytes; at most %llu are read", shown.c_str(), (long long)info.st_size,
-			 (unsigned long long)limit);
+		     (unsigned long long)limit);
 	bytes data((size_t)info.st_size);
 	for (size_t done = 0; done < data.size();) {
 		ssize_t n = read(file.fd, data.data() + done, data.size() - done);
@@ -111,7 +111,7 @@ std::string path_from_uri(const std::string &uri, const std::string &where)
 	std::string path = percent_decode(uri, where);
 	std::string first = path.substr(0, path.find('/'));
 	bool bad = path[0] == '/' || path.find('\\') != std::string::npos || path.find('\0') != std::string::npos ||
-			   first.find(':') != std::string::npos || climbs_out(path);
+	           first.find(':') != std::string::npos || climbs_out(path);
 	if (bad) fail("%s: %s is no file of the scene's folder", where.c_str(), quoted(uri).c_str());
 	return path;
 }
@@ -132,8 +132,7 @@ uint64_t data_uri_check(const std::string &uri, const char *types, const std::st
 	if (!lists(types, head.substr(0, semicolon)))
 		fail("%s: media type %s; known are %s", where.c_str(), quoted(head.substr(0, semicolon)).c_str(), types);
 	size_t n = uri.size() - comma - 1, padding = 0;
-	while (padding < 2 && padding < n && uri[uri.size() - 1 - padding] == '=')
-		padding++;
+	while (padding < 2 && padding < n && uri[uri.size() - 1 - padding] == '=') padding++;
 	for (size_t i = comma + 1; i < uri.size() - padding; i++) {
 		char c = uri[i];
 		bool known = (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '+' || c == '/';

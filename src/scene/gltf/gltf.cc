@@ -57,7 +57,7 @@ static bool file_fetch(bytes *out, std::string *, const std::string &key, void *
 		*out = file_read_beside(in.path, wanted.path, most_file_bytes);
 		if (out->size() < wanted.byte_length)
 			fail("file %s: %zu bytes; byteLength says %llu", quoted(wanted.path).c_str(), out->size(),
-				 (unsigned long long)wanted.byte_length);
+			     (unsigned long long)wanted.byte_length);
 		out->resize(wanted.byte_length);
 		return true;
 	} catch (const error &e) {
@@ -96,7 +96,7 @@ static tinygltf::FsCallbacks file_callbacks(files *from)
 }
 
 static bool image_keep(tinygltf::Image *image, const int, std::string *, std::string *, int, int,
-					   const unsigned char *data, int n, void *)
+                       const unsigned char *data, int n, void *)
 {
 	if (image->bufferView < 0) image->image.assign(data, data + n);
 	return true;
@@ -138,8 +138,7 @@ static void load(loader &in)
 	in.doc = guard((const char *)in.file.data() + in.parts.json_begin, in.parts.json_bytes, in.parts);
 	parse(in);
 	uint64_t n = in.file.size();
-	for (const tinygltf::Buffer &buffer : in.model.buffers)
-		n += buffer.data.size();
+	for (const tinygltf::Buffer &buffer : in.model.buffers) n += buffer.data.size();
 	in.texel_budget = texel_budget(n);
 	in.materials.assign(in.model.materials.size(), TS_NONE);
 	if (in.parts.trailing_bytes > 0) in.notes.insert("bytes after the end that the header gives are ignored");

@@ -102,7 +102,7 @@ static void check_numbers(const json_t *value, const rule &r, const std::string 
 	for (size_t i = 0; i < r.n; i++)
 		if (!is_number(json_array_get(value, i), r.low, r.high))
 			refuse(where + "/" + std::to_string(i), json_array_get(value, i),
-				   range_text("a number", r.low, r.high).c_str());
+			       range_text("a number", r.low, r.high).c_str());
 }
 
 static void check_text(const json_t *value, const rule &r, const std::string &where)
@@ -127,7 +127,7 @@ void checker::check_list(json_t *list, const rule &r, const std::string &where)
 	json_t *item;
 	if (!json_is_array(list) || (r.required && json_array_size(list) == 0))
 		refuse(where, list, r.required ? "an array with something in it" : "an array");
-	json_array_foreach(list, i, item) {
+	json_array_foreach (list, i, item) {
 		std::string place = where + "/" + std::to_string(i);
 		if (!json_is_object(item)) refuse(place, item, "an object");
 		check_object(item, std::string(r.path) + "[]", place);
@@ -139,7 +139,7 @@ void checker::check_indices(json_t *list, const rule &r, const std::string &wher
 	size_t i;
 	json_t *item;
 	if (!json_is_array(list)) refuse(where, list, "an array");
-	json_array_foreach(list, i, item) {
+	json_array_foreach (list, i, item) {
 		json_array_set_new(list, i, json_integer(check_index(item, r, where + "/" + std::to_string(i))));
 	}
 }
@@ -150,7 +150,8 @@ void checker::check_attributes(json_t *object, const rule &r, const std::string 
 	json_t *item;
 	void *next;
 	if (!json_is_object(object) || json_object_size(object) == 0) refuse(where, object, "an object with attributes");
-	json_object_foreach_safe(object, next, name, item) {
+	json_object_foreach_safe(object, next, name, item)
+	{
 		json_object_set_new(object, name, json_integer(check_index(item, r, where + "/" + name)));
 	}
 }
@@ -202,7 +203,8 @@ void checker::check_object(json_t *object, const std::string &path, const std::s
 	const char *key;
 	json_t *value;
 	void *next;
-	json_object_foreach_safe(object, next, key, value) {
+	json_object_foreach_safe(object, next, key, value)
+	{
 		const rule *match = nullptr;
 		for (const rule *r : known)
 			if (strcmp(r->path + prefix, key) == 0) match = r;
@@ -220,13 +222,13 @@ void checker::check_object(json_t *object, const std::string &path, const std::s
 static void check_extensions(checker &check, const json_t *root)
 {
 	static const std::set<std::string> known = {"KHR_lights_punctual", "KHR_texture_transform", "KHR_materials_unlit",
-												"KHR_materials_emissive_strength"};
+	                                            "KHR_materials_emissive_strength"};
 	for (const char *list : {"extensionsRequired", "extensionsUsed"}) {
 		const json_t *names = json_object_get(root, list), *name;
 		size_t i;
 		if (!names) continue;
 		if (!json_is_array(names)) refuse(list, names, "an array of strings");
-		json_array_foreach(names, i, name) {
+		json_array_foreach (names, i, name) {
 			if (!json_is_string(name)) refuse(std::string(list) + "/" + std::to_string(i), name, "a string");
 			std::string text(json_string_value(name), json_string_length(name));
 			if (known.count(text)) continue;
@@ -251,7 +253,7 @@ static size_t list_length(const json_t *parent, const char *key)
 static void measure_lists(checker &check, const json_t *root)
 {
 	for (const char *name : {"scenes", "nodes", "meshes", "accessors", "bufferViews", "buffers", "images", "samplers",
-							 "textures", "materials", "cameras", "skins"})
+	                         "textures", "materials", "cameras", "skins"})
 		check.lengths[name] = list_length(root, name);
 	const json_t *extensions = json_object_get(root, "extensions");
 	const json_t *punctual = extensions ? json_object_get(extensions, "KHR_lights_punctual") : nullptr;
@@ -277,7 +279,7 @@ static void check_transforms(const json_t *root)
 {
 	const json_t *node;
 	size_t i;
-	json_array_foreach(json_object_get(root, "nodes"), i, node) {
+	json_array_foreach (json_object_get(root, "nodes"), i, node) {
 		for (const char *part : {"translation", "rotation", "scale"})
 			if (json_object_get(node, part) && json_object_get(node, "matrix"))
 				fail("nodes/%zu has both matrix and %s; one of them is expected", i, part);
@@ -289,11 +291,11 @@ static void check_views(const json_t *root, const std::vector<uint64_t> &lengths
 {
 	const json_t *view;
 	size_t i;
-	json_array_foreach(json_object_get(root, "bufferViews"), i, view) {
+	json_array_foreach (json_object_get(root, "bufferViews"), i, view) {
 		uint64_t id = whole(view, "buffer"), end = whole(view, "byteOffset") + whole(view, "byteLength");
 		if (end > lengths.at(id))
 			fail("bufferViews/%zu ends at byte %llu; buffer %llu has %llu", i, (unsigned long long)end,
-				 (unsigned long long)id, (unsigned long long)lengths.at(id));
+			     (unsigned long long)id, (unsigned long long)lengths.at(id));
 	}
 }
 
@@ -307,7 +309,7 @@ static void take_buffer(checker &check, json_t *buffer, size_t i, const containe
 		if (i != 0 || !parts.has_bin) fail("%s is missing and there is no BIN chunk for this buffer", where.c_str());
 		if (length > parts.bin_bytes)
 			fail("buffers/0/byteLength is %llu; the BIN chunk has %zu bytes", (unsigned long long)length,
-				 parts.bin_bytes);
+			     parts.bin_bytes);
 		check.doc.buffers[key] = {"", length};
 	} else {
 		std::string uri(json_string_value(text), json_string_length(text));
@@ -315,7 +317,7 @@ static void take_buffer(checker &check, json_t *buffer, size_t i, const containe
 			uint64_t held = data_uri_check(uri, "application/octet-stream application/gltf-buffer", where);
 			if (held < length)
 				fail("%s holds %llu bytes; byteLength says %llu", where.c_str(), (unsigned long long)held,
-					 (unsigned long long)length);
+				     (unsigned long long)length);
 			json_object_set_new(buffer, "byteLength", json_integer((json_int_t)held));
 			return;
 		}
@@ -358,11 +360,11 @@ document guard(const char *text, size_t n, const container &parts)
 	json_t *item;
 	std::set<std::string> paths;
 	std::vector<uint64_t> lengths;
-	json_array_foreach(json_object_get(root.get(), "buffers"), i, item) {
+	json_array_foreach (json_object_get(root.get(), "buffers"), i, item) {
 		lengths.push_back(whole(item, "byteLength"));
 		take_buffer(check, item, i, parts, paths);
 	}
-	json_array_foreach(json_object_get(root.get(), "images"), i, item) take_image(check, item, i);
+	json_array_foreach (json_object_get(root.get(), "images"), i, item) take_image(check, item, i);
 	check_views(root.get(), lengths);
 	std::unique_ptr<char, void (*)(void *)> json(json_dumps(root.get(), JSON_COMPACT | JSON_REAL_PRECISION(17)), free);
 	if (!json) fail("no memory for a copy of the JSON");

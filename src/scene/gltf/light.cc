@@ -16,7 +16,7 @@ static void take_cone(ts_light &to, const tinygltf::Light &from, int index)
 	f32 inner = ts_number(from.spot.innerConeAngle), outer = ts_number(from.spot.outerConeAngle);
 	if (!(inner < outer))
 		fail("lights/%d/spot: inner cone %g, outer cone %g; the inner one must be smaller", index,
-			 from.spot.innerConeAngle, from.spot.outerConeAngle);
+		     from.spot.innerConeAngle, from.spot.outerConeAngle);
 	ts_number_cone(&to.spot_scale, &to.spot_offset, inner, outer);
 }
 
@@ -25,8 +25,7 @@ void light_build(loader &in, int index, const ts_place &place)
 	const tinygltf::Light &from = in.model.lights.at((size_t)index);
 	ts_light to = {};
 	f32 colour[3] = {1.0f, 1.0f, 1.0f};
-	for (size_t i = 0; i < from.color.size() && i < 3; i++)
-		colour[i] = ts_number(from.color[i]);
+	for (size_t i = 0; i < from.color.size() && i < 3; i++) colour[i] = ts_number(from.color[i]);
 	ts_number_scale3(to.intensity, colour, ts_number(from.intensity));
 	to.range = ts_number(from.range);
 	to.kind = kind_of(from.type);

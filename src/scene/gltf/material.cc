@@ -87,10 +87,8 @@ static u32 slot_build(loader &in, int index, int tex_coord, const tinygltf::Exte
 	}
 	f32 offset[2] = {0.0f, 0.0f}, scale[2] = {1.0f, 1.0f}, rotation = 0.0f;
 	if (const tinygltf::Value *t = transform_of(extensions)) {
-		for (size_t i = 0; i < 2; i++)
-			offset[i] = number_at(*t, "offset", i, 0.0f);
-		for (size_t i = 0; i < 2; i++)
-			scale[i] = number_at(*t, "scale", i, 1.0f);
+		for (size_t i = 0; i < 2; i++) offset[i] = number_at(*t, "offset", i, 0.0f);
+		for (size_t i = 0; i < 2; i++) scale[i] = number_at(*t, "scale", i, 1.0f);
 		rotation = number_at(*t, "rotation", 0, 0.0f);
 	}
 	ts_number_uv_transform(slot.transform, offset, rotation, scale);
@@ -120,10 +118,8 @@ static void take_factors(ts_material &m, const tinygltf::Material &from)
 	f32 emissive[3], strength = 1.0f;
 	auto found = from.extensions.find("KHR_materials_emissive_strength");
 	if (found != from.extensions.end()) strength = number_at(found->second, "emissiveStrength", 0, 1.0f);
-	for (size_t i = 0; i < 4; i++)
-		m.base[i] = ts_number(pbr.baseColorFactor.at(i));
-	for (size_t i = 0; i < 3; i++)
-		emissive[i] = ts_number(from.emissiveFactor.at(i));
+	for (size_t i = 0; i < 4; i++) m.base[i] = ts_number(pbr.baseColorFactor.at(i));
+	for (size_t i = 0; i < 3; i++) emissive[i] = ts_number(from.emissiveFactor.at(i));
 	ts_number_scale3(m.emissive, emissive, strength);
 	m.metallic = ts_number(pbr.metallicFactor);
 	m.roughness = ts_number(pbr.roughnessFactor);

@@ -39,8 +39,7 @@ static const form vertex_forms[] = {
 static ts_vertex read_vertex(const attributes &a, size_t i)
 {
 	f32 field[sizeof(ts_vertex) / sizeof(f32)] = {0.0f};
-	for (size_t k = 0; k < 4; k++)
-		field[AT(ts_vertex, colour) + k] = 1.0f;
+	for (size_t k = 0; k < 4; k++) field[AT(ts_vertex, colour) + k] = 1.0f;
 	a.read(i, field);
 	ts_vertex vertex;
 	static_assert(sizeof vertex == sizeof field, "ts_vertex consists of 4-byte fields");
@@ -75,7 +74,7 @@ static void collect(piece &out, const attributes &a, const std::vector<uint32_t>
 }
 
 static std::vector<uint32_t> read_corners(loader &in, const tinygltf::Primitive &primitive, int mode, size_t n_vertices,
-										  const std::string &where)
+                                          const std::string &where)
 {
 	view list{};
 	if (primitive.indices >= 0)
@@ -86,8 +85,7 @@ static std::vector<uint32_t> read_corners(loader &in, const tinygltf::Primitive 
 	for (size_t i = 0; i < n; i++) {
 		size_t at[3];
 		triangle_corners(mode, i, at);
-		for (size_t k : at)
-			corners.push_back(primitive.indices >= 0 ? list.index(k) : (uint32_t)k);
+		for (size_t k : at) corners.push_back(primitive.indices >= 0 ? list.index(k) : (uint32_t)k);
 	}
 	for (size_t i = 0; primitive.indices >= 0 && i < list.count; i++)
 		if (list.index(i) >= n_vertices)
@@ -125,8 +123,7 @@ piece piece_decode(loader &in, const tinygltf::Primitive &primitive, const std::
 
 static void surfels_place(ts_build *build, const piece &piece, const ts_place &place)
 {
-	if (place.side == 0.0f && !piece.surfels.empty())
-		ts_build_note(build, "points that a node flattens are not drawn");
+	if (place.side == 0.0f && !piece.surfels.empty()) ts_build_note(build, "points that a node flattens are not drawn");
 	for (size_t i = 0; i < piece.surfels.size() && !ts_build_failed(build); i++) {
 		ts_surfel surfel;
 		if (ts_place_surfel(&place, &piece.surfels[i], &surfel)) ts_build_surfel(build, &surfel);

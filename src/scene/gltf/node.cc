@@ -44,8 +44,7 @@ static const std::vector<int> &check_tree(const loader &in)
 		}
 	};
 	list(roots);
-	for (const tinygltf::Node &node : in.model.nodes)
-		list(node.children);
+	for (const tinygltf::Node &node : in.model.nodes) list(node.children);
 	return roots;
 }
 
@@ -53,14 +52,10 @@ static ts_place place_of(const tinygltf::Node &node, int index)
 {
 	f32 matrix[16], translation[3] = {0.0f, 0.0f, 0.0f}, rotation[4] = {0.0f, 0.0f, 0.0f, 1.0f};
 	f32 scale[3] = {1.0f, 1.0f, 1.0f};
-	for (size_t i = 0; i < node.matrix.size(); i++)
-		matrix[i] = ts_number(node.matrix[i]);
-	for (size_t i = 0; i < node.translation.size(); i++)
-		translation[i] = ts_number(node.translation[i]);
-	for (size_t i = 0; i < node.rotation.size(); i++)
-		rotation[i] = ts_number(node.rotation[i]);
-	for (size_t i = 0; i < node.scale.size(); i++)
-		scale[i] = ts_number(node.scale[i]);
+	for (size_t i = 0; i < node.matrix.size(); i++) matrix[i] = ts_number(node.matrix[i]);
+	for (size_t i = 0; i < node.translation.size(); i++) translation[i] = ts_number(node.translation[i]);
+	for (size_t i = 0; i < node.rotation.size(); i++) rotation[i] = ts_number(node.rotation[i]);
+	for (size_t i = 0; i < node.scale.size(); i++) scale[i] = ts_number(node.scale[i]);
 	bool turns = rotation[0] != 0.0f || rotation[1] != 0.0f || rotation[2] != 0.0f || rotation[3] != 0.0f;
 	if (!turns)
 		fail("%s/rotation is a quaternion of length 0; 0 0 0 1 stands for no rotation", where_of(index).c_str());
@@ -86,9 +81,8 @@ void walker::draw(int mesh, const ts_place &place)
 	uint64_t size = n_triangles * sizeof(ts_triangle) + n_vertices * sizeof(ts_vertex) + n_surfels * sizeof(ts_surfel);
 	if (n_triangles > most_items || n_vertices > most_items || n_surfels > most_items || size > ts_memory_total() / 3)
 		fail("%s: more than %llu triangles or points or a third of this machine's memory, instances counted",
-			 ("meshes/" + std::to_string(mesh)).c_str(), (unsigned long long)most_items);
-	for (const piece &p : list)
-		piece_place(in.build, p, place);
+		     ("meshes/" + std::to_string(mesh)).c_str(), (unsigned long long)most_items);
+	for (const piece &p : list) piece_place(in.build, p, place);
 	if (--uses.at((size_t)mesh) == 0) pieces.erase(mesh);
 }
 
@@ -112,7 +106,7 @@ void walker::end_reflector(int node)
 {
 	if (n_triangles == reflector_start)
 		fail("%s: the reflector %s has no triangles", where_of(node).c_str(),
-			 quoted(in.model.nodes.at((size_t)node).name).c_str());
+		     quoted(in.model.nodes.at((size_t)node).name).c_str());
 	ts_build_object(in.build, nullptr, false);
 	in_reflector = false;
 }
@@ -129,8 +123,7 @@ void walker::enter(const visit &from)
 	if (node.camera >= 0) camera_build(in, node, place);
 	auto light = node.extensions.find("KHR_lights_punctual");
 	if (light != node.extensions.end()) light_build(in, light->second.Get("light").GetNumberAsInt(), place);
-	for (size_t i = node.children.size(); i-- > 0;)
-		stack.push_back({node.children[i], place, false});
+	for (size_t i = node.children.size(); i-- > 0;) stack.push_back({node.children[i], place, false});
 }
 
 static void fail_unknown_reflector(const loader &in)
@@ -140,7 +133,7 @@ static void fail_unknown_reflector(const loader &in)
 	for (const tinygltf::Node &node : in.model.nodes)
 		if (!node.name.empty() && n++ < 5) names += (n > 1 ? ", " : "") + quoted(node.name);
 	fail("no node of the scene is named %s; there are %u names%s%s%s", quoted(in.reflector).c_str(), n, n ? ": " : "",
-		 names.c_str(), n > 5 ? ", ..." : "");
+	     names.c_str(), n > 5 ? ", ..." : "");
 }
 
 void nodes_walk(loader &in)
@@ -150,8 +143,7 @@ void nodes_walk(loader &in)
 	if (in.model.scenes.empty()) in.notes.insert("the file has no scene: nothing is drawn");
 	for (const tinygltf::Node &node : in.model.nodes)
 		if (node.mesh >= 0) walk.uses.at((size_t)node.mesh)++;
-	for (size_t i = roots.size(); i-- > 0;)
-		walk.stack.push_back({roots[i], ts_place_identity(), false});
+	for (size_t i = roots.size(); i-- > 0;) walk.stack.push_back({roots[i], ts_place_identity(), false});
 	while (!walk.stack.empty() && !ts_build_failed(in.build)) {
 		visit next = walk.stack.back();
 		walk.stack.pop_back();

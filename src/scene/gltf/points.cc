@@ -26,8 +26,7 @@ struct cloud {
 static ts_v3 factor_of(loader &in, const tinygltf::Primitive &primitive)
 {
 	if (primitive.material < 0) return ts_v3_make(1.0f, 1.0f, 1.0f);
-	const tinygltf::PbrMetallicRoughness &m =
-		in.model.materials.at((size_t)primitive.material).pbrMetallicRoughness;
+	const tinygltf::PbrMetallicRoughness &m = in.model.materials.at((size_t)primitive.material).pbrMetallicRoughness;
 	if (m.baseColorTexture.index >= 0) in.notes.insert("textures of points are ignored");
 	const std::vector<double> &c = m.baseColorFactor;
 	return ts_v3_make(ts_number(c.at(0)), ts_number(c.at(1)), ts_number(c.at(2)));
@@ -35,7 +34,7 @@ static ts_v3 factor_of(loader &in, const tinygltf::Primitive &primitive)
 
 /* The items that the points are, in order. */
 static std::vector<uint32_t> read_items(loader &in, const tinygltf::Primitive &primitive, size_t n_items,
-										const std::string &where)
+                                        const std::string &where)
 {
 	view list{};
 	if (primitive.indices >= 0)
@@ -55,8 +54,7 @@ static std::vector<uint32_t> read_items(loader &in, const tinygltf::Primitive &p
 static splat read_splat(const attributes &a, size_t i)
 {
 	f32 field[sizeof(splat) / sizeof(f32)] = {0.0f};
-	for (size_t k = 0; k < 4; k++)
-		field[AT(splat, colour) + k] = 1.0f;
+	for (size_t k = 0; k < 4; k++) field[AT(splat, colour) + k] = 1.0f;
 	a.read(i, field);
 	splat s;
 	static_assert(sizeof s == sizeof field, "a splat consists of floats");
@@ -98,8 +96,7 @@ static void make_ellipses(cloud &c, const std::string &where)
 static void make_circles(loader &in, cloud &c, const std::string &where)
 {
 	std::vector<ts_v3> centres;
-	for (const ts_surfel &s : c.surfels)
-		centres.push_back(ts_load3(s.centre));
+	for (const ts_surfel &s : c.surfels) centres.push_back(ts_load3(s.centre));
 	std::vector<f32> radii(centres.size());
 	if (ts_neighbours_distance(radii.data(), centres.data(), (u32)centres.size(), in.neighbours) != TS_OK)
 		throw error{""};

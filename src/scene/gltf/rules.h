@@ -6,15 +6,15 @@
 namespace gltf {
 
 enum kind {
-	EXTRAS,     /* an OBJECT, or else ignored */
-	OBJECT,     /* `of`: the path under which its properties are listed, if not its own */
-	LIST,       /* of objects */
-	TEXT,       /* `of`: the words allowed, if not any */
+	EXTRAS, /* an OBJECT, or else ignored */
+	OBJECT, /* `of`: the path under which its properties are listed, if not its own */
+	LIST,   /* of objects */
+	TEXT,   /* `of`: the words allowed, if not any */
 	FLAG,
-	WHOLE,      /* low to high */
-	NUMBER,     /* low to high */
-	NUMBERS,    /* `n` of them, low to high */
-	INDEX,      /* below the length of the list `of` */
+	WHOLE,   /* low to high */
+	NUMBER,  /* low to high */
+	NUMBERS, /* `n` of them, low to high */
+	INDEX,   /* below the length of the list `of` */
 	INDICES,
 	ATTRIBUTES, /* an object of indices into the list `of` */
 	NOTED,      /* ignored; `of` is what `touchstone info` says about it */

@@ -7,8 +7,8 @@
 const u32 ts_ply_bytes[TS_PLY_TYPES] = {1, 1, 2, 2, 4, 4, 4, 8};
 
 static const char *const types[][2] = {
-	[TS_PLY_I8] = {"char", "int8"}, [TS_PLY_U8] = {"uchar", "uint8"}, [TS_PLY_I16] = {"short", "int16"},
-	[TS_PLY_U16] = {"ushort", "uint16"}, [TS_PLY_I32] = {"int", "int32"}, [TS_PLY_U32] = {"uint", "uint32"},
+	[TS_PLY_I8] = {"char", "int8"},      [TS_PLY_U8] = {"uchar", "uint8"},     [TS_PLY_I16] = {"short", "int16"},
+	[TS_PLY_U16] = {"ushort", "uint16"}, [TS_PLY_I32] = {"int", "int32"},      [TS_PLY_U32] = {"uint", "uint32"},
 	[TS_PLY_F32] = {"float", "float32"}, [TS_PLY_F64] = {"double", "float64"},
 };
 
@@ -30,7 +30,7 @@ static bool next_line(line *l)
 		while (l->at < l->end && (*l->at == ' ' || *l->at == '\t')) l->at++;
 		size_t n = 0;
 		const char *word = l->at;
-		while (l->at < l->end && *l->at > ' ') l->at++, n++;
+		while (l->at<l->end && * l->at> ' ') l->at++, n++;
 		if (n == 0 && l->at < l->end && *l->at != '\n' && *l->at != '\r') l->at++, n++;
 		if (n == 0) continue;
 		if (l->n_words < MOST_WORDS)
@@ -103,8 +103,8 @@ static bool fits(ts_ply_header *h, ts_build *build, const char *path, u64 count,
 	if (h->n_properties == 0 || count == 0)
 		ts_build_fail(build, "%s: no points: element vertex is absent or empty", path);
 	else if (count > room / h->stride || count >= TS_NONE)
-		ts_build_fail(build, "%s: %llu points of at least %zu bytes do not fit in the %zu bytes behind the header", path,
-		              (unsigned long long)count, h->stride, n_bytes - h->begin);
+		ts_build_fail(build, "%s: %llu points of at least %zu bytes do not fit in the %zu bytes behind the header",
+		              path, (unsigned long long)count, h->stride, n_bytes - h->begin);
 	h->n = (u32)count;
 	return !ts_build_failed(build);
 }
@@ -120,9 +120,12 @@ bool ts_ply_header_read(ts_ply_header *header, ts_build *build, const char *path
 	if (fault == NULL && (!next_line(&l) || !is(&l, 0, "format") || !read_format(header, &l)))
 		fault = "write format ascii, binary_little_endian or binary_big_endian, and 1.0";
 	while (fault == NULL) {
-		if (l.number > MOST_LINES || !next_line(&l)) fault = "the header has no end_header";
-		else if (is(&l, 0, "end_header")) break;
-		else fault = read_line(header, &l, &count, &n_elements);
+		if (l.number > MOST_LINES || !next_line(&l))
+			fault = "the header has no end_header";
+		else if (is(&l, 0, "end_header"))
+			break;
+		else
+			fault = read_line(header, &l, &count, &n_elements);
 	}
 	if (fault != NULL) ts_build_fail(build, "%s: line %u: %s", path, l.number, fault);
 	header->begin = (size_t)(l.at - file);

@@ -7,10 +7,21 @@ enum { TS_PLY_PROPERTIES = 64, TS_PLY_NAME = 64 };
 
 typedef enum { TS_PLY_ASCII, TS_PLY_LITTLE, TS_PLY_BIG } ts_ply_format;
 typedef enum {
-	TS_PLY_I8, TS_PLY_U8, TS_PLY_I16, TS_PLY_U16, TS_PLY_I32, TS_PLY_U32, TS_PLY_F32, TS_PLY_F64, TS_PLY_TYPES
+	TS_PLY_I8,
+	TS_PLY_U8,
+	TS_PLY_I16,
+	TS_PLY_U16,
+	TS_PLY_I32,
+	TS_PLY_U32,
+	TS_PLY_F32,
+	TS_PLY_F64,
+	TS_PLY_TYPES,
 } ts_ply_type;
 
-typedef struct { char name[TS_PLY_NAME]; ts_ply_type type; } ts_ply_property;
+typedef struct {
+	char name[TS_PLY_NAME];
+	ts_ply_type type;
+} ts_ply_property;
 
 typedef struct {
 	ts_ply_format format;

@@ -13,17 +13,23 @@
 #include "../srgb_table.h"
 #include "../surfel.h"
 
-typedef struct { f32 centre[3], normal[3], colour[3], u[3], v[3], radius; } point;
+typedef struct {
+	f32 centre[3], normal[3], colour[3], u[3], v[3], radius;
+} point;
 #define AT(field) (offsetof(point, field) / sizeof(f32))
 
 /* What is known, in groups that a file has whole or not at all. */
 enum { CENTRE, NORMAL, COLOUR, AXES, RADIUS, N_GROUPS };
-static const struct { const char *name; u32 group; size_t at; } fields[] = {
-	{"x", CENTRE, AT(centre)}, {"y", CENTRE, AT(centre) + 1}, {"z", CENTRE, AT(centre) + 2},
-	{"nx", NORMAL, AT(normal)}, {"ny", NORMAL, AT(normal) + 1}, {"nz", NORMAL, AT(normal) + 2},
-	{"red", COLOUR, AT(colour)}, {"green", COLOUR, AT(colour) + 1}, {"blue", COLOUR, AT(colour) + 2},
-	{"u_x", AXES, AT(u)}, {"u_y", AXES, AT(u) + 1}, {"u_z", AXES, AT(u) + 2},
-	{"v_x", AXES, AT(v)}, {"v_y", AXES, AT(v) + 1}, {"v_z", AXES, AT(v) + 2},
+static const struct {
+	const char *name;
+	u32 group;
+	size_t at;
+} fields[] = {
+	{"x", CENTRE, AT(centre)},      {"y", CENTRE, AT(centre) + 1},     {"z", CENTRE, AT(centre) + 2},
+	{"nx", NORMAL, AT(normal)},     {"ny", NORMAL, AT(normal) + 1},    {"nz", NORMAL, AT(normal) + 2},
+	{"red", COLOUR, AT(colour)},    {"green", COLOUR, AT(colour) + 1}, {"blue", COLOUR, AT(colour) + 2},
+	{"u_x", AXES, AT(u)},           {"u_y", AXES, AT(u) + 1},          {"u_z", AXES, AT(u) + 2},
+	{"v_x", AXES, AT(v)},           {"v_y", AXES, AT(v) + 1},          {"v_z", AXES, AT(v) + 2},
 	{"radius", RADIUS, AT(radius)},
 };
 enum { N_FIELDS = sizeof fields / sizeof *fields };
@@ -77,8 +83,14 @@ static void check_colours(reader *in)
 
 static double number_of_bytes(const unsigned char bytes[8], ts_ply_type type)
 {
-	union { u64 word; double f64; } wide = {.word = 0};
-	union { u32 word; f32 f32; } narrow;
+	union {
+		u64 word;
+		double f64;
+	} wide = {.word = 0};
+	union {
+		u32 word;
+		f32 f32;
+	} narrow;
 	for (u32 k = 0; k < ts_ply_bytes[type]; k++) wide.word |= (u64)bytes[k] << 8 * k;
 	narrow.word = (u32)wide.word;
 	switch (type) {
@@ -96,8 +108,7 @@ static double read_binary(reader *in, ts_ply_type type)
 {
 	unsigned char bytes[8];
 	u32 n = ts_ply_bytes[type];
-	for (u32 k = 0; k < n; k++)
-		bytes[in->header.format == TS_PLY_BIG ? n - 1 - k : k] = (unsigned char)in->at[k];
+	for (u32 k = 0; k < n; k++) bytes[in->header.format == TS_PLY_BIG ? n - 1 - k : k] = (unsigned char)in->at[k];
 	in->at += n;
 	return number_of_bytes(bytes, type);
 }

@@ -8,7 +8,7 @@ static void test_scan(void **state)
 {
 	(void)state;
 	n_random = 0;
-	u32 one[1] = { 7 };
+	u32 one[1] = {7};
 	assert_true(ts_c_scan(one, 0) == 0 && one[0] == 0);
 	for (u32 run = 0; run < 400; run++) {
 		u32 n = run < 40 ? run : random_bits() % 3000, counts[3001], before[3001];
@@ -28,7 +28,7 @@ static void test_fill(void **state)
 {
 	(void)state;
 	for (u32 n = 0; n < 300; n++) {
-		ts_frame frame = { .bytes = 0 };
+		ts_frame frame = {.bytes = 0};
 		ts_c_backend c;
 		ts_c_begin(&c, 1 + n % 7);
 		u64 *texels = ts_frame_make1(&frame, TS_B_splat_depth_index, n * 1001);
@@ -48,10 +48,10 @@ static void test_launch(void **state)
 	f32 *scale = mesh_alloc(MOST, sizeof *scale);
 	u32 *expected = mesh_alloc(MOST, sizeof *expected), *keep = mesh_alloc(MOST, sizeof *keep);
 	for (u32 i = 0; i < MOST; i++) {
-		pieces[i] = (ts_piece){ .b = { uniform(0, 0.5f) }, .c = { 0, 1 }, .triangle = i, .path = 1 };
+		pieces[i] = (ts_piece){.b = {uniform(0, 0.5f)}, .c = {0, 1}, .triangle = i, .path = 1};
 		scale[i] = 1;
 	}
-	ts_cull_args args = { .pieces = pieces, .scale = scale, .keep = expected, .unit = 1, .enabled = 1 };
+	ts_cull_args args = {.pieces = pieces, .scale = scale, .keep = expected, .unit = 1, .enabled = 1};
 	for (u32 i = 0; i < MOST; i++) ts_k_cull_item(&args, i);
 	args.keep = keep;
 	for (u32 run = 0; run < 300; run++) {
@@ -70,7 +70,9 @@ static void test_launch(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_scan), cmocka_unit_test(test_fill), cmocka_unit_test(test_launch),
+		cmocka_unit_test(test_scan),
+		cmocka_unit_test(test_fill),
+		cmocka_unit_test(test_launch),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

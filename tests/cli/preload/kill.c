@@ -49,7 +49,7 @@ FILE *fopen(const char *path, const char *mode)
 size_t fwrite(const void *data, size_t size, size_t n, FILE *file)
 {
 	size_t (*next)(const void *, size_t, size_t, FILE *) =
-		(size_t (*)(const void *, size_t, size_t, FILE *))dlsym(RTLD_NEXT, "fwrite");
+		(size_t(*)(const void *, size_t, size_t, FILE *))dlsym(RTLD_NEXT, "fwrite");
 	if (size * n >= 64) step(); /* the text of trace.json comes in thousands of pieces */
 	return next(data, size, n, file);
 }

@@ -55,15 +55,23 @@ STATUS(clGetPlatformInfo, (cl_platform_id p, cl_platform_info i, size_t n, void 
 STATUS(clGetDeviceIDs, (cl_platform_id p, cl_device_type t, cl_uint n, cl_device_id *d, cl_uint *m), (p, t, n, d, m))
 STATUS(clGetProgramBuildInfo, (cl_program p, cl_device_id d, cl_program_build_info i, size_t n, void *v, size_t *m),
        (p, d, i, n, v, m))
-STATUS(clBuildProgram, (cl_program p, cl_uint n, const cl_device_id *d, const char *o,
-                        void (CL_CALLBACK *f)(cl_program, void *), void *u), (p, n, d, o, f, u))
+STATUS(clBuildProgram,
+       (cl_program p, cl_uint n, const cl_device_id *d, const char *o, void(CL_CALLBACK *f)(cl_program, void *),
+        void *u),
+       (p, n, d, o, f, u))
 STATUS(clSetKernelArg, (cl_kernel k, cl_uint i, size_t n, const void *v), (k, i, n, v))
-STATUS(clEnqueueFillBuffer, (cl_command_queue q, cl_mem b, const void *p, size_t w, size_t o, size_t s, cl_uint n,
-                             const cl_event *l, cl_event *v), (q, b, p, w, o, s, n, l, v))
-STATUS(clEnqueueWriteBuffer, (cl_command_queue q, cl_mem b, cl_bool w, size_t o, size_t s, const void *p, cl_uint n,
-                              const cl_event *l, cl_event *v), (q, b, w, o, s, p, n, l, v))
-STATUS(clEnqueueReadBuffer, (cl_command_queue q, cl_mem b, cl_bool w, size_t o, size_t s, void *p, cl_uint n,
-                             const cl_event *l, cl_event *v), (q, b, w, o, s, p, n, l, v))
+STATUS(clEnqueueFillBuffer,
+       (cl_command_queue q, cl_mem b, const void *p, size_t w, size_t o, size_t s, cl_uint n, const cl_event *l,
+        cl_event *v),
+       (q, b, p, w, o, s, n, l, v))
+STATUS(clEnqueueWriteBuffer,
+       (cl_command_queue q, cl_mem b, cl_bool w, size_t o, size_t s, const void *p, cl_uint n, const cl_event *l,
+        cl_event *v),
+       (q, b, w, o, s, p, n, l, v))
+STATUS(clEnqueueReadBuffer,
+       (cl_command_queue q, cl_mem b, cl_bool w, size_t o, size_t s, void *p, cl_uint n, const cl_event *l,
+        cl_event *v),
+       (q, b, w, o, s, p, n, l, v))
 STATUS(clEnqueueUnmapMemObject, (cl_command_queue q, cl_mem b, void *p, cl_uint n, const cl_event *l, cl_event *v),
        (q, b, p, n, l, v))
 
@@ -79,16 +87,20 @@ STATUS(clReleaseProgram, (cl_program p), (p))
 STATUS(clReleaseMemObject, (cl_mem b), (b))
 STATUS(clReleaseCommandQueue, (cl_command_queue q), (q))
 STATUS(clReleaseContext, (cl_context c), (c))
-MAKES(cl_context, clCreateContext, (const cl_context_properties *p, cl_uint n, const cl_device_id *d,
-      void (CL_CALLBACK *f)(const char *, const void *, size_t, void *), void *u, cl_int *e), (p, n, d, f, u, e))
+MAKES(cl_context, clCreateContext,
+      (const cl_context_properties *p, cl_uint n, const cl_device_id *d,
+       void(CL_CALLBACK *f)(const char *, const void *, size_t, void *), void *u, cl_int *e),
+      (p, n, d, f, u, e))
 MAKES(cl_command_queue, clCreateCommandQueue, (cl_context c, cl_device_id d, cl_command_queue_properties p, cl_int *e),
       (c, d, p, e))
 MAKES(cl_program, clCreateProgramWithSource, (cl_context c, cl_uint n, const char **t, const size_t *s, cl_int *e),
       (c, n, t, s, e))
 MAKES(cl_kernel, clCreateKernel, (cl_program p, const char *t, cl_int *e), (p, t, e))
 MAKES(cl_mem, clCreateBuffer, (cl_context c, cl_mem_flags f, size_t n, void *p, cl_int *e), (c, f, n, p, e))
-MAKES(void *, clEnqueueMapBuffer, (cl_command_queue q, cl_mem b, cl_bool w, cl_map_flags f, size_t o, size_t s, cl_uint n,
-                                   const cl_event *l, cl_event *v, cl_int *e), (q, b, w, f, o, s, n, l, v, e))
+MAKES(void *, clEnqueueMapBuffer,
+      (cl_command_queue q, cl_mem b, cl_bool w, cl_map_flags f, size_t o, size_t s, cl_uint n, const cl_event *l,
+       cl_event *v, cl_int *e),
+      (q, b, w, f, o, s, n, l, v, e))
 
 cl_int CL_API_CALL clGetDeviceInfo(cl_device_id d, cl_device_info i, size_t n, void *v, size_t *m)
 {

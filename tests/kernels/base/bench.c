@@ -15,7 +15,9 @@ static void empty(void)
 }
 
 /* Offers by their texels, the least first. */
-typedef struct { u64 texel, key; } offer;
+typedef struct {
+	u64 texel, key;
+} offer;
 
 static int by_texel_and_key(const void *a, const void *b)
 {
@@ -30,7 +32,7 @@ static void test_least(void **state)
 	enum { N = 5000 };
 	offer offers[N];
 	for (u32 threads = 1; threads <= 4; threads++) {
-		ts_bench_min_args args = { .texels = texels, .n_texels = 1000 + below(1000), .distance = below(1000) };
+		ts_bench_min_args args = {.texels = texels, .n_texels = 1000 + below(1000), .distance = below(1000)};
 		for (u32 i = 0; i < N; i++) {
 			offers[i].texel = (u64)(ts_pcg(i) * (double)args.n_texels / 4294967296.0);
 			offers[i].key = args.distance * 4294967296u + ts_pcg(0xffffffffu - i);
@@ -56,7 +58,7 @@ static void test_spread(void **state)
 	(void)state;
 	empty();
 	for (u32 distance = 3; distance-- > 0;) {
-		ts_bench_min_args args = { .texels = texels, .n_texels = MOST, .distance = distance };
+		ts_bench_min_args args = {.texels = texels, .n_texels = MOST, .distance = distance};
 		double n_lowered = 0, n_met = 0;
 		for (u32 i = 0; i < MOST; i++) {
 			u64 at = ((u64)ts_pcg(i) * MOST) >> 32, before = texels[at];
@@ -71,6 +73,6 @@ static void test_spread(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = { seeded_test(test_least), seeded_test(test_spread) };
+	const struct CMUnitTest tests[] = {seeded_test(test_least), seeded_test(test_spread)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -37,7 +37,7 @@ static double fatness(double3 a, double3 b, double3 c)
 static void test_triangle(void **state)
 {
 	(void)state;
-	u32 n_regions[2] = { 0 };
+	u32 n_regions[2] = {0};
 	for (u32 i = 0; i < N; i++) {
 		ts_v3 a = uniform3(-4, 4), b = uniform3(-4, 4), c = uniform3(-4, 4), p = uniform3(-8, 8);
 		if (fatness(d3_of(a), d3_of(b), d3_of(c)) < 0.02) continue;
@@ -59,7 +59,7 @@ static void test_samples(void **state)
 		double d = d3_distance(d3_of(p), d3_of(ts_k_closest_on_triangle(p, a, b, c)));
 		for (u32 j = 0; j <= STEPS; j++) {
 			for (u32 k = 0; k + j <= STEPS; k++) {
-				ts_v3 w = { (f32)j / STEPS, (f32)k / STEPS, (f32)(STEPS - j - k) / STEPS };
+				ts_v3 w = {(f32)j / STEPS, (f32)k / STEPS, (f32)(STEPS - j - k) / STEPS};
 				assert_true(d3_distance(d3_of(p), d3_blend(w, d3_of(a), d3_of(b), d3_of(c))) >= d - 2e-4);
 			}
 		}
@@ -70,17 +70,17 @@ static void test_samples(void **state)
 static void test_regions(void **state)
 {
 	(void)state;
-	ts_v3 a = { 0, 0, 0 }, b = { 8, 0, 0 }, c = { 0, 8, 0 };
+	ts_v3 a = {0, 0, 0}, b = {8, 0, 0}, c = {0, 8, 0};
 	const f32 in[][5] = {
-		{ -1, -2, 3, 0, 0 }, { 9, -1, 2, 8, 0 }, { -3, 12, 1, 0, 8 }, { 2, -5, 1, 2, 0 },
-		{ -4, 6, 2, 0, 6 },  { 7, 5, -1, 5, 3 }, { 2, 4, -7, 2, 4 },
+		{-1, -2, 3, 0, 0}, {9, -1, 2, 8, 0}, {-3, 12, 1, 0, 8}, {2, -5, 1, 2, 0},
+		{-4, 6, 2, 0, 6},  {7, 5, -1, 5, 3}, {2, 4, -7, 2, 4},
 	};
 	for (u32 i = 0; i < 7; i++) {
 		ts_v3 q = ts_k_closest_on_triangle(ts_load3(in[i]), a, b, c);
 		assert_true(q.x == in[i][3] && q.y == in[i][4] && q.z == 0);
 	}
 	for (u32 i = 0; i < N; i++) {
-		ts_v3 v[3] = { uniform3(-4, 4), uniform3(-4, 4), uniform3(-4, 4) };
+		ts_v3 v[3] = {uniform3(-4, 4), uniform3(-4, 4), uniform3(-4, 4)};
 		for (u32 k = 0; k < 3; k++) {
 			ts_v3 q = ts_k_closest_on_triangle(v[k], v[0], v[1], v[2]);
 			assert_true(d3_distance(d3_of(q), d3_of(v[k])) <= 2e-6);
@@ -94,8 +94,8 @@ static void test_degenerate(void **state)
 	(void)state;
 	for (u32 i = 0; i < N; i++) {
 		ts_v3 a = uniform3(-4, 4), b = uniform3(-4, 4), p = uniform3(-8, 8);
-		ts_v3 q[3] = { ts_k_closest_on_triangle(p, a, b, b), ts_k_closest_on_triangle(p, a, a, b),
-		               ts_k_closest_on_triangle(p, b, a, b) };
+		ts_v3 q[3] = {ts_k_closest_on_triangle(p, a, b, b), ts_k_closest_on_triangle(p, a, a, b),
+		              ts_k_closest_on_triangle(p, b, a, b)};
 		for (u32 k = 0; k < 3; k++) {
 			assert_true(d3_distance(d3_of(q[k]), on_segment(d3_of(q[k]), d3_of(a), d3_of(b))) <= 1e-5);
 		}

@@ -55,6 +55,6 @@ static void test_bits(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = { seeded_test(test_atomics), seeded_test(test_keys), seeded_test(test_bits) };
+	const struct CMUnitTest tests[] = {seeded_test(test_atomics), seeded_test(test_keys), seeded_test(test_bits)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

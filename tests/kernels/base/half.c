@@ -13,7 +13,7 @@ static void assert_half(u32 bits)
 static void test_every_tail(void **state)
 {
 	(void)state;
-	static const u32 tails[] = { 0, 1, 0x100, 0x1ff };
+	static const u32 tails[] = {0, 1, 0x100, 0x1ff};
 	for (u32 head = 0; head < 1u << 23; head++) {
 		if ((head >> 14 & 255u) == 255 && (head & 0x3fffu) != 0) continue; /* no number */
 		for (u32 k = 0; k < (((head >> 14 & 255u) == 255) ? 1 : 4); k++) assert_half(head << 9 | tails[k]);
@@ -39,6 +39,6 @@ static void test_halves_stay(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = { cmocka_unit_test(test_every_tail), cmocka_unit_test(test_halves_stay) };
+	const struct CMUnitTest tests[] = {cmocka_unit_test(test_every_tail), cmocka_unit_test(test_halves_stay)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -10,15 +10,9 @@ enum { SEED = 11, STREAM = 6, N = 100000 };
 
 static u32 n_random;
 
-static u32 bits(void)
-{
-	return ts_random(n_random++, STREAM, SEED);
-}
+static u32 bits(void) { return ts_random(n_random++, STREAM, SEED); }
 
-static f32 uniform(f32 low, f32 high)
-{
-	return low + (high - low) * ts_uniform(bits());
-}
+static f32 uniform(f32 low, f32 high) { return low + (high - low) * ts_uniform(bits()); }
 
 static ts_v3 uniform3(f32 low, f32 high)
 {
@@ -28,7 +22,7 @@ static ts_v3 uniform3(f32 low, f32 high)
 
 static ts_corners corners(ts_v3 a, ts_v3 b, ts_v3 c)
 {
-	return (ts_corners){ a, b, c, ts_cross(ts_sub(b, a), ts_sub(c, a)) };
+	return (ts_corners){a, b, c, ts_cross(ts_sub(b, a), ts_sub(c, a))};
 }
 
 static void assert_weights(ts_v3 w)
@@ -45,10 +39,7 @@ static ts_v3 random_weights(void)
 }
 
 /* How steeply a ray meets a plane: 0 along it, 1 along its normal. */
-static f32 slope(ts_v3 n, ts_v3 d)
-{
-	return ts_abs(ts_dot(ts_normalize(n), ts_normalize(d)));
-}
+static f32 slope(ts_v3 n, ts_v3 d) { return ts_abs(ts_dot(ts_normalize(n), ts_normalize(d))); }
 
 /* A ray towards a point of the triangle finds its weights and its distance. */
 static void test_round_trip(void **state)
@@ -75,11 +66,13 @@ static void test_exact(void **state)
 {
 	(void)state;
 	for (u32 axis = 0; axis < 3; axis++) {
-		f32 v[5][3] = { { 0 }, { 0 }, { 0 }, { 0 }, { 0 } };
+		f32 v[5][3] = {{0}, {0}, {0}, {0}, {0}};
 		u32 s = (axis + 1) % 3, u = (axis + 2) % 3;
 		v[1][s] = 8;
 		v[2][u] = 8;
-		v[3][s] = 2; v[3][u] = 4; v[3][axis] = 5;
+		v[3][s] = 2;
+		v[3][u] = 4;
+		v[3][axis] = 5;
 		v[4][axis] = -2;
 		ts_corners t = corners(ts_load3(v[0]), ts_load3(v[1]), ts_load3(v[2]));
 		ts_hit hit = ts_k_hit(ts_load3(v[3]), ts_load3(v[4]), &t);

@@ -23,7 +23,7 @@ static void judge_fix(u32 u, i32 frac, i32 width)
 }
 
 /* Every format in use. */
-static const i32 format[][2] = { { 8, 23 }, { 8, 30 }, { 8, 12 }, { 24, 25 }, { 0, 23 }, { 16, 31 } };
+static const i32 format[][2] = {{8, 23}, {8, 30}, {8, 12}, {24, 25}, {0, 23}, {16, 31}};
 enum { N_FORMATS = sizeof format / sizeof format[0] };
 
 static void test_fix(void **state)
@@ -133,7 +133,7 @@ static void test_log2(void **state)
 	}
 	assert_true(worst > 0 && worst <= 2.2);
 	for (i32 k = -126; k < 128; k++) assert_true(ts_log2(ldexpf(1, k)) == (f32)k);
-	const f32 outside[] = { 0, -0.0f, ldexpf(1, -149), ldexpf(0.999f, -126), -1, -INFINITY, NAN };
+	const f32 outside[] = {0, -0.0f, ldexpf(1, -149), ldexpf(0.999f, -126), -1, -INFINITY, NAN};
 	for (u32 i = 0; i < sizeof outside / sizeof outside[0]; i++) assert_true(ts_log2(outside[i]) == -126);
 }
 
@@ -168,7 +168,7 @@ static void test_exp(void **state)
 		}
 	}
 	assert_true(worst > 0.5 && worst <= 0.96);
-	const f32 below_it[] = { -87.337f, -100, -1e30f, -INFINITY }, above_it[] = { 88.723f, 100, 1e30f, INFINITY, NAN };
+	const f32 below_it[] = {-87.337f, -100, -1e30f, -INFINITY}, above_it[] = {88.723f, 100, 1e30f, INFINITY, NAN};
 	for (u32 i = 0; i < 4; i++) assert_true(same_bits(ts_exp(below_it[i]), 0));
 	for (u32 i = 0; i < 5; i++) assert_true(same_bits(ts_exp(above_it[i]), ts_exp(88.72283172607421875f)));
 	assert_true(isfinite(ts_exp(INFINITY)) && ts_exp(INFINITY) > 3.4e38f);
@@ -181,7 +181,8 @@ static void test_atan2(void **state)
 	(void)state;
 	double worst = 0;
 	for (u32 i = 0; i < 2000000; i++) {
-		f32 x = ldexpf(1 + uniform(0, 1), -(i32)below(30)), y = ldexpf(1 + uniform(0, 1), -(i32)below(i % 2 == 0 ? 2 : 60));
+		f32 x = ldexpf(1 + uniform(0, 1), -(i32)below(30)),
+			y = ldexpf(1 + uniform(0, 1), -(i32)below(i % 2 == 0 ? 2 : 60));
 		u32 signs = bits();
 		x = (signs & 1) != 0 ? -x : x;
 		y = (signs & 2) != 0 ? -y : y;
@@ -191,7 +192,8 @@ static void test_atan2(void **state)
 	}
 	assert_true(worst > 0.5 && worst <= 2.13);
 	const f32 half = 1.57079637050628662109375f;
-	assert_true(same_bits(ts_atan2(0, 0), 0) && ts_atan2(0, 3) == 0 && ts_atan2(3, 0) == half && ts_atan2(-3, 0) == -half);
+	assert_true(same_bits(ts_atan2(0, 0), 0) && ts_atan2(0, 3) == 0 && ts_atan2(3, 0) == half &&
+	            ts_atan2(-3, 0) == -half);
 	assert_true(ts_atan2(0, -3) == 2 * half && ts_atan2(5, 5) == half / 2 && ts_atan2(-5, 5) == -half / 2);
 	assert_true(ts_atan2(ldexpf(1, -101), 1) == 0 && ts_atan2(ldexpf(1, -99), 1) == ldexpf(1, -99));
 }
@@ -224,7 +226,7 @@ static void test_random(void **state)
 	(void)state;
 	enum { N = 1 << 16, N_BINS = 256 };
 	for (u32 stream = 1; stream <= 7; stream++) {
-		u32 count[N_BINS] = { 0 }, n_same = 0;
+		u32 count[N_BINS] = {0}, n_same = 0;
 		double chi2 = 0;
 		for (u32 i = 0; i < N; i++) {
 			f32 x = ts_uniform(ts_random(i, stream, 0));

@@ -6,7 +6,7 @@ enum { N = 20000 };
 
 static ts_object random_object(void)
 {
-	ts_object o = { .period = 1 + below(500), .phase = uniform(0, 1), .bob = uniform(0, 2), .spin = (f32)below(7) - 3 };
+	ts_object o = {.period = 1 + below(500), .phase = uniform(0, 1), .bob = uniform(0, 2), .spin = (f32)below(7) - 3};
 	ts_store3(o.centre, uniform3(-9, 9));
 	o.axis[0] = uniform(0, 5);
 	o.axis[1] = uniform(0, 5);
@@ -15,7 +15,7 @@ static ts_object random_object(void)
 
 static ts_vertex random_vertex(void)
 {
-	ts_vertex v = { .tangent = { 0, 0, 0, -1 }, .uv = { 1, 2, 3, 4 }, .colour = { 5, 6, 7, 8 } };
+	ts_vertex v = {.tangent = {0, 0, 0, -1}, .uv = {1, 2, 3, 4}, .colour = {5, 6, 7, 8}};
 	ts_store3(v.position, uniform3(-2, 2));
 	ts_store3(v.normal, direction());
 	ts_store3(v.tangent, direction());
@@ -25,14 +25,14 @@ static ts_vertex random_vertex(void)
 static ts_vertex posed(const ts_object *object, ts_vertex v, u32 frame)
 {
 	ts_vertex out;
-	ts_pose_args args = { .vertices = &v, .objects = object, .posed = &out, .frame = frame };
+	ts_pose_args args = {.vertices = &v, .objects = object, .posed = &out, .frame = frame};
 	ts_k_pose_item(&args, 0);
 	return out;
 }
 
 static double3 turned(ts_v3 p, double cosine, double sine)
 {
-	return (double3){ cosine * p.x + sine * p.z, p.y, cosine * p.z - sine * p.x };
+	return (double3){cosine * p.x + sine * p.z, p.y, cosine * p.z - sine * p.x};
 }
 
 static void test_path(void **state)
@@ -44,7 +44,7 @@ static void test_path(void **state)
 		ts_vertex v = random_vertex();
 		u32 frame = below(2000);
 		double angle = turn * ((double)o.phase + (double)(frame % o.period) / o.period), spin = o.spin * angle;
-		double3 path = { o.axis[0] * cos(angle), o.bob * sin(2 * angle), o.axis[1] * sin(angle) };
+		double3 path = {o.axis[0] * cos(angle), o.bob * sin(2 * angle), o.axis[1] * sin(angle)};
 		double3 centre = d3_add(d3_of(ts_load3(o.centre)), path);
 		ts_vertex w = posed(&o, v, frame);
 		double3 p = d3_add(centre, turned(ts_load3(v.position), cos(spin), sin(spin)));
@@ -87,9 +87,9 @@ static void test_static(void **state)
 static void test_quarters(void **state)
 {
 	(void)state;
-	ts_object o = { .period = 4, .axis = { 2, 3 }, .spin = 1, .centre = { 10, 20, 30 } };
-	ts_vertex v = { .position = { 0.5f, 1, 0 } };
-	const f32 expected[4][3] = { { 12.5f, 21, 30 }, { 10, 21, 32.5f }, { 7.5f, 21, 30 }, { 10, 21, 27.5f } };
+	ts_object o = {.period = 4, .axis = {2, 3}, .spin = 1, .centre = {10, 20, 30}};
+	ts_vertex v = {.position = {0.5f, 1, 0}};
+	const f32 expected[4][3] = {{12.5f, 21, 30}, {10, 21, 32.5f}, {7.5f, 21, 30}, {10, 21, 27.5f}};
 	for (u32 frame = 0; frame < 8; frame++) {
 		ts_vertex w = posed(&o, v, frame);
 		for (u32 axis = 0; axis < 3; axis++) assert_true(w.position[axis] == expected[frame % 4][axis]);
@@ -102,9 +102,9 @@ static void test_quarters(void **state)
 static void test_objects(void **state)
 {
 	(void)state;
-	ts_object objects[2] = { { .period = 0 }, { .period = 10, .centre = { 0, 7, 0 } } };
-	ts_vertex in[2] = { { .position = { 1, 2, 3 } }, { .position = { 1, 2, 3 }, .object = 1 } }, out[2];
-	ts_pose_args args = { .vertices = in, .objects = objects, .posed = out };
+	ts_object objects[2] = {{.period = 0}, {.period = 10, .centre = {0, 7, 0}}};
+	ts_vertex in[2] = {{.position = {1, 2, 3}}, {.position = {1, 2, 3}, .object = 1}}, out[2];
+	ts_pose_args args = {.vertices = in, .objects = objects, .posed = out};
 	for (u32 i = 0; i < 2; i++) ts_k_pose_item(&args, i);
 	assert_true(out[0].position[1] == 2 && out[1].position[1] == 9);
 	assert_true(out[0].object == 0 && out[1].object == 1);

@@ -11,7 +11,12 @@ static ts_surface material(ts_v3 base, f32 metallic, f32 roughness)
 {
 	ts_v3 z = ts_v3_make(0, 0, 1);
 	return (ts_surface){
-		.n = z, .face = z, .base = base, .metallic = metallic, .roughness = roughness, .occlusion = 1,
+		.n = z,
+		.face = z,
+		.base = base,
+		.metallic = metallic,
+		.roughness = roughness,
+		.occlusion = 1,
 	};
 }
 
@@ -92,9 +97,9 @@ static double albedo(const ts_surface *s, ts_v3 v, u32 steps)
 static void test_energy(void **state)
 {
 	(void)state;
-	ts_v3 white = { 1, 1, 1 }, black = { 0, 0, 0 };
-	const f32 roughness[] = { 0.3f, 0.5f, 0.8f, 1 };
-	const double cosines[] = { 1, 0.8, 0.5, 0.2 };
+	ts_v3 white = {1, 1, 1}, black = {0, 0, 0};
+	const f32 roughness[] = {0.3f, 0.5f, 0.8f, 1};
+	const double cosines[] = {1, 0.8, 0.5, 0.2};
 	for (u32 i = 0; i < 16; i++) {
 		ts_v3 v = polar(cosines[i % 4], 0.1);
 		ts_surface lambert = material(white, 0, roughness[i / 4]), metal = material(white, 1, roughness[i / 4]);
@@ -136,7 +141,7 @@ static bool is_sound(ts_v3 a)
 static void test_extremes(void **state)
 {
 	(void)state;
-	const f32 roughness[] = { 0, 1e-3f, 0.01f, 1 };
+	const f32 roughness[] = {0, 1e-3f, 0.01f, 1};
 	for (u32 i = 0; i < N; i++) {
 		ts_surface s = material(uniform3(0, 1), (f32)(i & 1), roughness[i / 2 % 4]);
 		f32 z = ldexpf(1, -(int)below(40));
@@ -149,7 +154,7 @@ static void test_extremes(void **state)
 
 static ts_light point_light(u32 kind)
 {
-	return (ts_light){ .kind = kind, .position = { 1, 2, 3 }, .direction = { 0, -1, 0 }, .intensity = { 1, 1, 1 } };
+	return (ts_light){.kind = kind, .position = {1, 2, 3}, .direction = {0, -1, 0}, .intensity = {1, 1, 1}};
 }
 
 static void test_directional(void **state)
@@ -237,7 +242,7 @@ static void test_lights(void **state)
 		small_clear(&scene);
 		ts_surface s = material(uniform3(0, 1), uniform(0, 1), uniform(0.1f, 1));
 		ts_v3 v = polar(uniform(0.05f, 1), uniform(0, 1));
-		double3 sum = { 0, 0, 0 };
+		double3 sum = {0, 0, 0};
 		for (u32 k = 0; k < 3; k++) {
 			scene.lights[0] = point_light(k % 2);
 			ts_store3(scene.lights[0].position, uniform3(-3, 3));
@@ -282,8 +287,8 @@ int main(void)
 {
 	pi = acos(-1);
 	const struct CMUnitTest tests[] = {
-		seeded_test(test_brdf),     seeded_test(test_reciprocity), seeded_test(test_energy), seeded_test(test_lobe),
-		seeded_test(test_extremes), seeded_test(test_directional), seeded_test(test_point),  seeded_test(test_spot),
+		seeded_test(test_brdf),     seeded_test(test_reciprocity), seeded_test(test_energy),    seeded_test(test_lobe),
+		seeded_test(test_extremes), seeded_test(test_directional), seeded_test(test_point),     seeded_test(test_spot),
 		seeded_test(test_ambient),  seeded_test(test_lights),      seeded_test(test_two_sides),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);

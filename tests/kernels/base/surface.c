@@ -6,7 +6,7 @@
 enum { N = 20000 };
 
 static small_scene scene;
-static const ts_v3 corner_weights[3] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
+static const ts_v3 corner_weights[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
 static double3 position(u32 k) { return d3_of(ts_load3(scene.vertices[k].position)); }
 
@@ -85,8 +85,9 @@ static void test_no_normals(void **state)
 static void set_map(double x, double y, double z)
 {
 	scene.n_images = scene.n_texels = 0;
-	small_colour(&scene, 0, 4, texel((u32)lround((x + 1) / 2 * 65535), (u32)lround((y + 1) / 2 * 65535),
-	                                 (u32)lround((z + 1) / 2 * 65535), 65535));
+	small_colour(&scene, 0, 4,
+	             texel((u32)lround((x + 1) / 2 * 65535), (u32)lround((y + 1) / 2 * 65535),
+	                   (u32)lround((z + 1) / 2 * 65535), 65535));
 	scene.materials[0].slot[2] = 0;
 }
 
@@ -198,11 +199,11 @@ static void test_material(void **state)
 	for (u32 k = 0; k < 5; k++) m->slot[k] = k == 2 ? TS_NONE : k;
 	m->flags = TS_DOUBLE_SIDED;
 	ts_surface s = surface(random_weights(), 0.1f);
-	assert_true(d3_distance(d3_of(s.base), (double3){ 0.5, 0, 0.1 }) <= 1e-6);
+	assert_true(d3_distance(d3_of(s.base), (double3){0.5, 0, 0.1}) <= 1e-6);
 	assert_near(s.roughness, 0.16, 1e-6);
 	assert_near(s.metallic, 0.2, 1e-6);
 	assert_near(s.occlusion, 0.9, 1e-6);
-	assert_true(d3_distance(d3_of(s.emissive), (double3){ 0, 0.8, 4 }) <= 1e-6);
+	assert_true(d3_distance(d3_of(s.emissive), (double3){0, 0.8, 4}) <= 1e-6);
 	assert_int_equal(s.flags, TS_DOUBLE_SIDED);
 }
 
@@ -215,7 +216,12 @@ static void test_slot(void **state)
 	scene.texels[1 * 4 + 2] = texel(65535, 0, 0, 65535);
 	scene.materials[0].slot[0] = 0;
 	f32 *m = scene.slots[0].transform;
-	m[0] = 0; m[1] = 2; m[2] = 0.125f; m[3] = -1; m[4] = 0; m[5] = 0.5f;
+	m[0] = 0;
+	m[1] = 2;
+	m[2] = 0.125f;
+	m[3] = -1;
+	m[4] = 0;
+	m[5] = 0.5f;
 	scene.slots[0].uv_set = 1;
 	for (u32 k = 0; k < 3; k++) {
 		scene.vertices[k].colour[0] = 1;
@@ -242,7 +248,7 @@ static void test_cut(void **state)
 		ts_arrays arrays = small_arrays(&scene);
 		ts_v3 w = random_weights(), n = ts_k_corners(&arrays, 0).n;
 		ts_material *m = &scene.materials[0];
-		f32 a[3] = { uniform(0, 1), uniform(0, 1), uniform(0, 1) };
+		f32 a[3] = {uniform(0, 1), uniform(0, 1), uniform(0, 1)};
 		for (u32 k = 0; k < 3; k++) scene.vertices[k].colour[3] = a[k];
 		m->base[3] = uniform(0.5f, 1);
 		m->alpha_cutoff = uniform(0, 0.6f);

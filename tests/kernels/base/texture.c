@@ -8,14 +8,14 @@ enum { N = 100000, MAX_SIDE = 16 };
 static u64 texels[2 * MAX_SIDE * MAX_SIDE + 64];
 static ts_image image;
 static ts_slot slot;
-static ts_arrays arrays = { .images = &image, .texels = texels };
+static ts_arrays arrays = {.images = &image, .texels = texels};
 
 /* Random texels on every level, opaque; transparent ones around them, which no look-up may meet. */
 static void make_image(u32 width, u32 height, bool constant)
 {
 	u32 n = 32;
 	for (u32 k = 0; k < sizeof texels / sizeof texels[0]; k++) texels[k] = 0;
-	image = (ts_image){ .width = width, .height = height, .first_texel = 32 };
+	image = (ts_image){.width = width, .height = height, .first_texel = 32};
 	for (u32 w = width, h = height;; w >>= 1, h >>= 1) {
 		w = w > 0 ? w : 1;
 		h = h > 0 ? h : 1;
@@ -69,7 +69,7 @@ static double bilinear(u32 l, double u, double v)
 	return top * (1 - fy) + (red(p[y1 * w + x0]) * (1 - fx) + red(p[y1 * w + x1]) * fx) * fy;
 }
 
-static const u32 sizes[][2] = { { 16, 16 }, { 16, 4 }, { 5, 3 }, { 1, 1 }, { 1, 7 }, { 13, 2 } };
+static const u32 sizes[][2] = {{16, 16}, {16, 4}, {5, 3}, {1, 1}, {1, 7}, {13, 2}};
 enum { N_SIZES = sizeof sizes / sizeof sizes[0] };
 
 static void test_constant(void **state)
@@ -78,7 +78,7 @@ static void test_constant(void **state)
 	for (u32 i = 0; i < N; i++) {
 		if (i % 1000 == 0) make_image(sizes[i / 1000 % N_SIZES][0], sizes[i / 1000 % N_SIZES][1], true);
 		set_wrap(below(3), below(3));
-		ts_v2 uv = { uniform(-1, 1) * ldexpf(1, (int)below(100) - 40), uniform(-3, 3) };
+		ts_v2 uv = {uniform(-1, 1) * ldexpf(1, (int)below(100) - 40), uniform(-3, 3)};
 		ts_rgba c = ts_k_texture_sample(&arrays, &slot, uv, below(4096));
 		assert_true(c.r == 12345 * 0.00001525902189314365f && c.g == 0.00001525902189314365f);
 		assert_true(c.b == 1 && c.a == 1);
@@ -89,8 +89,8 @@ static void test_constant(void **state)
 static void test_inside(void **state)
 {
 	(void)state;
-	const f32 special[] = { 0,         -0.0f, 1,      -1,      0.5f,   NAN,        INFINITY,
-	                        -INFINITY, 1e30f, -1e30f, -1e-10f, 1e-40f, 0.99999994f };
+	const f32 special[] = {0,         -0.0f, 1,      -1,      0.5f,   NAN,        INFINITY,
+	                       -INFINITY, 1e30f, -1e30f, -1e-10f, 1e-40f, 0.99999994f};
 	for (u32 i = 0; i < N; i++) {
 		if (i % 1000 == 0) make_image(sizes[i / 1000 % N_SIZES][0], sizes[i / 1000 % N_SIZES][1], false);
 		set_wrap(below(3), below(3));
@@ -110,7 +110,7 @@ static void test_centres(void **state)
 			u32 w, h;
 			const u64 *p = level(l, &w, &h);
 			for (u32 i = 0; i < w * h; i++) {
-				ts_v2 uv = { ((f32)(i % w) + 0.5f) / (f32)w, ((f32)(i / w) + 0.5f) / (f32)h };
+				ts_v2 uv = {((f32)(i % w) + 0.5f) / (f32)w, ((f32)(i / w) + 0.5f) / (f32)h};
 				ts_rgba c = ts_k_texture_sample(&arrays, &slot, uv, l * 256);
 				assert_near(c.r, red(p[i]), 1e-7);
 				assert_near(c.g, (double)(p[i] >> 16 & 0xffff) / 65535, 1e-7);
@@ -126,7 +126,7 @@ static void test_bilinear(void **state)
 	for (u32 i = 0; i < N; i++) {
 		if (i % 1000 == 0) make_image(sizes[i / 1000 % N_SIZES][0], sizes[i / 1000 % N_SIZES][1], false);
 		set_wrap(below(3), below(3));
-		ts_v2 uv = { uniform(-3, 3), uniform(-3, 3) };
+		ts_v2 uv = {uniform(-3, 3), uniform(-3, 3)};
 		u32 l = below(image.n_levels);
 		assert_near(ts_k_texture_sample(&arrays, &slot, uv, l * 256).r, bilinear(l, uv.x, uv.y), 2.1 / 512);
 	}
@@ -139,7 +139,7 @@ static void test_trilinear(void **state)
 	for (u32 i = 0; i < N; i++) {
 		if (i % 1000 == 0) make_image(sizes[i / 1000 % N_SIZES][0], sizes[i / 1000 % N_SIZES][1], false);
 		set_wrap(below(3), below(3));
-		ts_v2 uv = { uniform(-3, 3), uniform(-3, 3) };
+		ts_v2 uv = {uniform(-3, 3), uniform(-3, 3)};
 		u32 lod = below(4096), last = (image.n_levels - 1) * 256, l = lod < last ? lod / 256 : image.n_levels - 1;
 		double f = lod < last ? lod % 256 / 256.0 : 0;
 		double fine = ts_k_texture_sample(&arrays, &slot, uv, l * 256).r;
@@ -160,7 +160,7 @@ static void test_fractions(void **state)
 		for (u32 k = 0; k < 5; k++) t[k] = n % 3 == 0 ? 65535 : n % 3 == 1 && k > 0 ? t[0] : bits() & 0xffff;
 		for (u32 k = 0; k < 5; k++) texels[32 + k] = texel((u32)t[k], 0, 0, 65535);
 		u64 sum = (t[0] * (256 - fx) + t[1] * fx) * (256 - fy) + (t[2] * (256 - fx) + t[3] * fx) * fy;
-		ts_v2 uv = { 0.25f + (f32)fx / 512, 0.25f + (f32)fy / 512 };
+		ts_v2 uv = {0.25f + (f32)fx / 512, 0.25f + (f32)fy / 512};
 		f32 r = ts_k_texture_sample(&arrays, &slot, uv, 0).r;
 		assert_true(r == (f32)((sum + 32768) >> 16) * 0.00001525902189314365f);
 		r = ts_k_texture_sample(&arrays, &slot, ts_v2_make(0.25f, 0.25f), (u32)fx).r;
@@ -194,7 +194,7 @@ static void test_lod(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		seeded_test(test_constant),  seeded_test(test_inside), seeded_test(test_centres), seeded_test(test_bilinear),
+		seeded_test(test_constant),  seeded_test(test_inside),    seeded_test(test_centres), seeded_test(test_bilinear),
 		seeded_test(test_trilinear), seeded_test(test_fractions), seeded_test(test_lod),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);

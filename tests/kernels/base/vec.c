@@ -10,10 +10,7 @@ static ts_v3 small(void)
 }
 
 /* Any exponent that a product of two sanitized numbers may have. */
-static f32 wide(void)
-{
-	return uniform(-1, 1) * ldexpf(1, (int)below(48) - 24);
-}
+static f32 wide(void) { return uniform(-1, 1) * ldexpf(1, (int)below(48) - 24); }
 
 static ts_v3 wide3(void)
 {
@@ -31,11 +28,11 @@ static void test_exact(void **state)
 		double3 p = d3_of(a), q = d3_of(b);
 		assert_true(equal(ts_add(a, b), d3_add(p, q)) && equal(ts_sub(a, b), d3_sub(p, q)));
 		assert_true(equal(ts_neg(a), d3_scale(p, -1)) && equal(ts_scale(a, 4), d3_scale(p, 4)));
-		assert_true(equal(ts_mul(a, b), (double3){ p.x * q.x, p.y * q.y, p.z * q.z }));
+		assert_true(equal(ts_mul(a, b), (double3){p.x * q.x, p.y * q.y, p.z * q.z}));
 		assert_true(equal(ts_mad(a, b, 3), d3_mad(p, q, 3)));
 		assert_true(ts_dot(a, b) == d3_dot(p, q) && equal(ts_cross(a, b), d3_cross(p, q)));
-		assert_true(equal(ts_min3(a, b), (double3){ fmin(p.x, q.x), fmin(p.y, q.y), fmin(p.z, q.z) }));
-		assert_true(equal(ts_max3(a, b), (double3){ fmax(p.x, q.x), fmax(p.y, q.y), fmax(p.z, q.z) }));
+		assert_true(equal(ts_min3(a, b), (double3){fmin(p.x, q.x), fmin(p.y, q.y), fmin(p.z, q.z)}));
+		assert_true(equal(ts_max3(a, b), (double3){fmax(p.x, q.x), fmax(p.y, q.y), fmax(p.z, q.z)}));
 	}
 }
 
@@ -49,7 +46,7 @@ static void test_dot_and_cross(void **state)
 		assert_near(ts_dot(a, b), d3_dot(p, q), 3e-7 * size);
 		assert_true(d3_distance(d3_of(ts_cross(a, b)), d3_cross(p, q)) <= 3e-7 * size);
 		assert_true(equal(ts_cross(a, b), d3_of(ts_neg(ts_cross(b, a)))));
-		assert_true(equal(ts_cross(a, a), (double3){ 0, 0, 0 }));
+		assert_true(equal(ts_cross(a, a), (double3){0, 0, 0}));
 	}
 }
 
@@ -77,8 +74,8 @@ static void test_normalize(void **state)
 		assert_near(d3_length(d3_of(ts_normalize(a))), 1, 4e-7);
 		assert_true(d3_distance(d3_of(ts_normalize(a)), d3_scale(d3_of(a), 1 / l)) <= 4e-7);
 	}
-	assert_true(equal(ts_normalize(ts_v3_make(0, 0, 0)), (double3){ 0, 0, 0 }));
-	assert_true(equal(ts_normalize(ts_v3_make(0, -5, 0)), (double3){ 0, -1, 0 }));
+	assert_true(equal(ts_normalize(ts_v3_make(0, 0, 0)), (double3){0, 0, 0}));
+	assert_true(equal(ts_normalize(ts_v3_make(0, -5, 0)), (double3){0, -1, 0}));
 }
 
 /* Same length, same angle on the other side, in the plane of the two; and back again. */
@@ -109,8 +106,8 @@ static void test_blend(void **state)
 static void test_store(void **state)
 {
 	(void)state;
-	f32 p[3] = { 1, 2, 3 };
-	assert_true(equal(ts_load3(p), (double3){ 1, 2, 3 }));
+	f32 p[3] = {1, 2, 3};
+	assert_true(equal(ts_load3(p), (double3){1, 2, 3}));
 	ts_store3(p, ts_v3_make(-0.0f, ldexpf(-1, -101), ldexpf(-1, -100)));
 	assert_true(ts_f2u(p[0]) == 0 && ts_f2u(p[1]) == 0 && p[2] == ldexpf(-1, -100));
 }

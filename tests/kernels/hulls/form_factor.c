@@ -9,7 +9,7 @@ static double3 from(ts_v3 p, ts_v3 a) { return d3_sub(d3_of(a), d3_of(p)); }
 
 static double factor(ts_v3 p, ts_v3 n, ts_v3 a, ts_v3 b, ts_v3 c)
 {
-	double3 corner[] = { from(p, a), from(p, b), from(p, c) };
+	double3 corner[] = {from(p, a), from(p, b), from(p, c)};
 	return ff_factor(d3_of(n), corner);
 }
 
@@ -21,13 +21,15 @@ static double front(ts_v3 p, ts_v3 a, ts_v3 b, ts_v3 c)
 }
 
 /* The integral of f(cos at the receiver, cos at the light) / r^2 over the triangle, by the middles of STEPS^2 parts. */
-typedef struct { double solid, factor; } integrals;
+typedef struct {
+	double solid, factor;
+} integrals;
 enum { STEPS = 96 };
 
 static integrals integrate(ts_v3 p, ts_v3 n, ts_v3 a, ts_v3 b, ts_v3 c)
 {
 	double3 corner = from(p, a), ab = from(a, b), ac = from(a, c), normal = d3_cross(ab, ac);
-	integrals r = { 0, 0 };
+	integrals r = {0, 0};
 	for (u32 i = 0; i < STEPS; i++) {
 		for (u32 j = 0; j < 2 * (STEPS - i) - 1; j++) {
 			double third = j % 2 == 0 ? 1 / 3.0 : 2 / 3.0;
@@ -92,7 +94,8 @@ static void test_rectangle(void **state)
 	for (u32 i = 0; i < N; i++) {
 		f32 a = uniform(0.01f, 8), b = uniform(0.01f, 8);
 		ts_v3 p = uniform3(-1, 1), n = ts_v3_make(0, 0, 1), o = ts_add(p, n);
-		ts_v3 x = ts_add(o, ts_v3_make(a, 0, 0)), y = ts_add(o, ts_v3_make(0, b, 0)), xy = ts_add(x, ts_v3_make(0, b, 0));
+		ts_v3 x = ts_add(o, ts_v3_make(a, 0, 0)), y = ts_add(o, ts_v3_make(0, b, 0)),
+			  xy = ts_add(x, ts_v3_make(0, b, 0));
 		double ra = sqrt(1 + (double)a * a), rb = sqrt(1 + (double)b * b);
 		double right = (a / ra * atan(b / ra) + b / rb * atan(a / rb)) / (2 * ff_pi);
 		double solid = asin(a * (double)b / (ra * rb));
@@ -152,7 +155,7 @@ static void test_rays(void **state)
 	u32 n_hits = 0;
 	for (u32 i = 0; i < RAYS; i++) {
 		double z2 = (i + 0.5) / RAYS, turn = 2 * ff_pi * uniform(0, 1), r = sqrt(1 - z2);
-		double3 w = { r * cos(turn), r * sin(turn), sqrt(z2) };
+		double3 w = {r * cos(turn), r * sin(turn), sqrt(z2)};
 		double t = d3_dot(normal, d3_of(a)) / d3_dot(normal, w);
 		double3 hit = d3_sub(d3_scale(w, t), d3_of(a));
 		double area = d3_dot(normal, normal), u = d3_dot(d3_cross(hit, ac), normal) / area;
@@ -180,7 +183,7 @@ static void test_robust(void **state)
 		ts_v3 a = ts_scale(uniform3(-1, 1), scale), b = ts_scale(uniform3(-1, 1), scale);
 		ts_v3 c = ts_scale(uniform3(-1, 1), scale), p = ts_scale(uniform3(-1, 1), scale), n = direction();
 		ts_v3 on_edge = ts_mad(a, ts_sub(b, a), uniform(0, 1)), inside = ts_blend(random_weights(), a, b, c);
-		const ts_v3 places[] = { a, b, c, on_edge, inside, p };
+		const ts_v3 places[] = {a, b, c, on_edge, inside, p};
 		for (u32 k = 0; k < 6; k++) {
 			judge_range(places[k], n, a, b, c);
 			judge_range(places[k], n, a, b, on_edge);

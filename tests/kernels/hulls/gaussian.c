@@ -16,9 +16,9 @@ static double relative(double found, double right) { return fabs(found - right) 
 static void test_numbers(void **state)
 {
 	(void)state;
-	const double upper[][2] = { { 1, 2.31145 }, { 10, 0.56549 }, { 100, 0.0622035 } };
-	const double lower[][2] = { { 1, 0.610781 }, { 10, 2.85114e-6 } };
-	const double slanted[][3] = { { 5, 1.0, 0.5785985338 }, { 0.5, 2.5, 1.4828886581 }, { 20, 1.4, 0.0599112485 } };
+	const double upper[][2] = {{1, 2.31145}, {10, 0.56549}, {100, 0.0622035}};
+	const double lower[][2] = {{1, 0.610781}, {10, 2.85114e-6}};
+	const double slanted[][3] = {{5, 1.0, 0.5785985338}, {0.5, 2.5, 1.4828886581}, {20, 1.4, 0.0599112485}};
 	for (u32 i = 0; i < 3; i++) assert_true(relative(ts_k_sg_upper((f32)upper[i][0], 0), upper[i][1]) < 3e-6);
 	for (u32 i = 0; i < 2; i++) assert_true(relative(ts_k_sg_lower((f32)lower[i][0], 0), lower[i][1]) < 3e-6);
 	for (u32 i = 0; i < 3; i++) {
@@ -70,11 +70,13 @@ static void test_printed(void **state)
 }
 
 /* The root of the mean of the squares of the errors over beta, and the greatest. */
-typedef struct { double rmse, most; } errors;
+typedef struct {
+	double rmse, most;
+} errors;
 
 static errors errors_of(f32 lambda, u32 method)
 {
-	errors r = { 0, 0 };
+	errors r = {0, 0};
 	for (u32 k = 0; k < N_BETA; k++) {
 		f32 c = cosine(k);
 		double d = fabs(ts_k_sg_cosine(lambda, c, method, 0) - sg_truth(lambda, c));
@@ -148,9 +150,9 @@ static void test_rivals(void **state)
 {
 	(void)state;
 	const double rows[][3] = {
-		{ 1e-5, 4.935, 5.75e-2 }, { 0.0837, 4.441, 5.82e-2 }, { 0.509, 2.670, 0.105 }, { 1.26, 1.228, 0.132 },
-		{ 3.1, 0.317, 0.102 }, { 7.65, 5.99e-2, 5.10e-2 }, { 18.9, 1.09e-2, 2.29e-2 }, { 115, 3.76e-4, 4.20e-3 },
-		{ 700, 1.5e-5, 7.1e-4 },
+		{1e-5, 4.935, 5.75e-2},   {0.0837, 4.441, 5.82e-2}, {0.509, 2.670, 0.105},
+		{1.26, 1.228, 0.132},     {3.1, 0.317, 0.102},      {7.65, 5.99e-2, 5.10e-2},
+		{18.9, 1.09e-2, 2.29e-2}, {115, 3.76e-4, 4.20e-3},  {700, 1.5e-5, 7.1e-4},
 	};
 	for (u32 i = 0; i < sizeof rows / sizeof rows[0]; i++) {
 		f32 lambda = (f32)rows[i][0];
@@ -190,8 +192,8 @@ static void test_sharpness(void **state)
 {
 	(void)state;
 	const double rows[][3] = {
-		{ 0.01, 0.030, 0.010 }, { 0.1, 0.302, 0.111 }, { 0.25, 0.780, 0.333 }, { 0.5, 1.797, 1 }, { 0.75, 3.989, 3 },
-		{ 0.9, 10, 9 }, { 0.95, 20, 19 }, { 0.99, 100, 99 },
+		{0.01, 0.030, 0.010}, {0.1, 0.302, 0.111}, {0.25, 0.780, 0.333}, {0.5, 1.797, 1},
+		{0.75, 3.989, 3},     {0.9, 10, 9},        {0.95, 20, 19},       {0.99, 100, 99},
 	};
 	for (u32 i = 0; i < sizeof rows / sizeof rows[0]; i++) {
 		assert_near(ts_k_sg_sharpness((f32)rows[i][0], 1), rows[i][1], 6e-4 * fmax(1, rows[i][1]));
@@ -214,9 +216,9 @@ static void test_sharpness(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		seeded_test(test_numbers), seeded_test(test_stable), seeded_test(test_printed), seeded_test(test_quadrature),
-		seeded_test(test_ours),    seeded_test(test_closed), seeded_test(test_rivals),  seeded_test(test_product),
-		seeded_test(test_sharpness),
+		seeded_test(test_numbers),    seeded_test(test_stable),  seeded_test(test_printed),
+		seeded_test(test_quadrature), seeded_test(test_ours),    seeded_test(test_closed),
+		seeded_test(test_rivals),     seeded_test(test_product), seeded_test(test_sharpness),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

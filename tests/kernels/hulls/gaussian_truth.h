@@ -27,8 +27,8 @@ static inline double sg_bessel(double x)
 typedef double sg_integrand(double x, const double *parameters);
 static inline double sg_integrate(sg_integrand *f, const double *parameters, double from, double to, int panels)
 {
-	static const double node[] = { 0.1834346424956498, 0.5255324099163290, 0.7966664774136267, 0.9602898564975363 };
-	static const double weight[] = { 0.3626837833783620, 0.3137066458778873, 0.2223810344533745, 0.1012285362903763 };
+	static const double node[] = {0.1834346424956498, 0.5255324099163290, 0.7966664774136267, 0.9602898564975363};
+	static const double weight[] = {0.3626837833783620, 0.3137066458778873, 0.2223810344533745, 0.1012285362903763};
 	double half = (to - from) / panels / 2, sum = 0;
 	for (int i = 0; i < panels; i++) {
 		double middle = from + half * (2 * i + 1);
@@ -50,7 +50,7 @@ static inline double sg_slice(double theta, const double *at)
 static inline double sg_truth(double lambda, double c)
 {
 	double s = sqrt(fmax(0, 1 - c * c)), beta = atan2(s, c), width = 12 / sqrt(fmax(lambda, 1));
-	double at[] = { lambda, c, s }, horizon = sg_pi / 2;
+	double at[] = {lambda, c, s}, horizon = sg_pi / 2;
 	return sg_integrate(sg_slice, at, fmax(0, fmin(beta, horizon) - width), fmin(horizon, beta + width), 48);
 }
 
@@ -76,7 +76,8 @@ static inline double sg_down(double lambda)
 /* Eqs 15 to 18. */
 static inline double sg_closed(double lambda, double c)
 {
-	double t = 2.1007 * sqrt(lambda) * (lambda / (lambda + 4.4653)), s = 1 / (0.2958 * t + 0.5033) / (exp(fabs(c) * t) + 1);
+	double t = 2.1007 * sqrt(lambda) * (lambda / (lambda + 4.4653)),
+		   s = 1 / (0.2958 * t + 0.5033) / (exp(fabs(c) * t) + 1);
 	double share = s * (0.5 * c + 0.5) + (1 - s) * fmax(0, c);
 	return share * sg_up(lambda) + (1 - share) * sg_down(lambda);
 }

@@ -48,8 +48,12 @@ static double solid_angle(double3 p, double3 a, double3 b, double3 c)
 /* A view along -back; orthographic or not. */
 static ts_camera_k random_camera(u32 orthographic)
 {
-	ts_camera_k view = { .eye = uniform3(-2, 2), .back = direction(), .width = 16, .height = 16, .near = 0.0078125f,
-	                     .orthographic = orthographic };
+	ts_camera_k view = {.eye = uniform3(-2, 2),
+	                    .back = direction(),
+	                    .width = 16,
+	                    .height = 16,
+	                    .near = 0.0078125f,
+	                    .orthographic = orthographic};
 	view.right = ts_normalize(ts_cross(direction(), view.back));
 	view.up = ts_cross(view.back, view.right);
 	view.focal = uniform(8, 20);
@@ -98,7 +102,7 @@ static void random_world(world *w)
 {
 	ts_camera_k c = random_camera(0);
 	memset(w, 0, sizeof *w);
-	w->view = (ts_view){ .focal = uniform(60, 200), .width = WIDTH, .height = HEIGHT, .near = 0.0625f };
+	w->view = (ts_view){.focal = uniform(60, 200), .width = WIDTH, .height = HEIGHT, .near = 0.0625f};
 	ts_store3(w->view.eye, c.eye);
 	ts_store3(w->view.right, c.right);
 	ts_store3(w->view.up, c.up);
@@ -120,7 +124,7 @@ static ts_segment random_box(void)
 {
 	u32 x = below(GRID), y = below(GRID), block = ts_k_block_of(GRID, x, y);
 	f32 nearest = uniform(0.5f, 0.95f);
-	ts_segment box = { .low = { x, y }, .nearest = nearest, .farthest = nearest + uniform(0, 0.1f), .label = block * 1024 };
+	ts_segment box = {.low = {x, y}, .nearest = nearest, .farthest = nearest + uniform(0, 0.1f), .label = block * 1024};
 	for (u32 k = 0; k < 2; k++) box.high[k] = box.low[k] + below(32 - box.low[k] % 32);
 	return box;
 }
@@ -147,11 +151,11 @@ static void check_corner(const world *w, const ts_segment *box, const ts_moment 
 
 static void check_light(const world *w, const ts_moment *m)
 {
-	double sum[3] = { 0 }, way[9] = { 0 };
+	double sum[3] = {0}, way[9] = {0};
 	double3 p = d3_of(ts_load3(m->position));
 	for (u32 k = 0; k < 7; k++) {
 		const ts_patch *light = &w->patches[k];
-		double3 vertex[3] = { d3_of(ts_load3(light->a)), d3_of(ts_load3(light->b)), d3_of(ts_load3(light->c)) };
+		double3 vertex[3] = {d3_of(ts_load3(light->a)), d3_of(ts_load3(light->b)), d3_of(ts_load3(light->c))};
 		double height = d3_dot(d3_of(ts_load3(light->normal)), d3_sub(p, vertex[0]));
 		double side = d3_distance(vertex[0], vertex[2]), facing = side > 0 ? fmin(4 * height / side - 0.25, 1) : 0;
 		if (!(facing > 0)) continue;
@@ -180,8 +184,13 @@ static void test_gather(void **state)
 		random_world(&w);
 		ts_segment box = random_box();
 		ts_moment moments[4];
-		ts_gather_args args = { .view = &w.view, .pixels = w.pixels, .patches = w.patches, .boxes = &box,
-		                        .moments = moments, .n_patches = 7, .grid = GRID };
+		ts_gather_args args = {.view = &w.view,
+		                       .pixels = w.pixels,
+		                       .patches = w.patches,
+		                       .boxes = &box,
+		                       .moments = moments,
+		                       .n_patches = 7,
+		                       .grid = GRID};
 		for (u32 k = 0; k < 4; k++) {
 			ts_k_gather_item(&args, k);
 			check_corner(&w, &box, &moments[k], k);
@@ -198,7 +207,10 @@ static void test_fit(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < N; i++) {
-		f32 r = i % 3 == 0 ? uniform(0, 1) : i % 3 == 1 ? 1 - uniform(0, 0.001f) : uniform(0, 0.01f), m = uniform(0.01f, 50);
+		f32 r = i % 3 == 0   ? uniform(0, 1)
+		        : i % 3 == 1 ? 1 - uniform(0, 0.001f)
+		                     : uniform(0, 0.01f),
+			m = uniform(0.01f, 50);
 		ts_v3 way = direction();
 		ts_sg g = ts_k_fit(m, ts_scale(way, r * m), i % 2);
 		double lambda = g.lambda, whole = 2 * PI / lambda * -expm1(-2 * lambda);
@@ -217,7 +229,10 @@ static void test_fit(void **state)
 }
 
 /* Boxes of the blocks, some of which have none, and their offsets. */
-typedef struct { ts_segment boxes[MOST_BOXES]; u32 offset[TEXELS + 1], n; } hulls;
+typedef struct {
+	ts_segment boxes[MOST_BOXES];
+	u32 offset[TEXELS + 1], n;
+} hulls;
 
 static void random_hulls(hulls *h, u32 most)
 {
@@ -250,7 +265,8 @@ static u32 choose(const hulls *h, ts_grid_place at, bool robust, f32 step)
 	f32 best_measure = 0, slack = step * (1 - at.depth);
 	for (u32 b = 0; b < h->n; b++) {
 		const ts_segment *box = &h->boxes[b];
-		i32 block = (i32)(box->label / 1024), dx = abs(block % 3 - (i32)(at.x / 32)), dy = abs(block / 3 - (i32)(at.y / 32));
+		i32 block = (i32)(box->label / 1024), dx = abs(block % 3 - (i32)(at.x / 32)),
+			dy = abs(block / 3 - (i32)(at.y / 32));
 		bool covers = at.x >= box->low[0] && at.x <= box->high[0] && at.y >= box->low[1] && at.y <= box->high[1];
 		bool holds = at.depth >= box->nearest && at.depth <= box->farthest;
 		f32 gap = holds ? 0 : at.depth < box->nearest ? box->nearest - at.depth : at.depth - box->farthest;
@@ -272,9 +288,9 @@ static void test_choice(void **state)
 	u32 n_held = 0, n_far = 0;
 	for (u32 i = 0; i < 300; i++) {
 		random_hulls(&h, i % 40);
-		ts_choice_args args = { .offset = h.offset, .boxes = h.boxes, .grid = GRID, .step = uniform(0, 0.1f) };
+		ts_choice_args args = {.offset = h.offset, .boxes = h.boxes, .grid = GRID, .step = uniform(0, 0.1f)};
 		for (u32 k = 0; k < 200; k++) {
-			ts_grid_place at = { below(GRID), below(GRID), uniform(0.45f, 1) };
+			ts_grid_place at = {below(GRID), below(GRID), uniform(0.45f, 1)};
 			args.robust = 0;
 			u32 held = ts_k_choose_box(&args, at);
 			assert_int_equal(held, choose(&h, at, false, args.step));
@@ -302,7 +318,7 @@ static void test_shares(void **state)
 		ts_v3 n = direction();
 		double3 point[4], normal = d3_of(n);
 		double d = uniform(1, 5), low[2], high[2];
-		const double pixels[2] = { WIDTH, HEIGHT };
+		const double pixels[2] = {WIDTH, HEIGHT};
 		for (u32 k = 0; k < 2; k++) {
 			low[k] = box.low[k] * pixels[k] / GRID;
 			high[k] = (box.high[k] + 1) * pixels[k] / GRID;
@@ -310,21 +326,21 @@ static void test_shares(void **state)
 		bool seen = true;
 		for (u32 k = 0; k < 4; k++) {
 			double x = k % 2 != 0 ? high[0] : low[0], y = k / 2 != 0 ? high[1] : low[1];
-			double3 way = { (x - WIDTH / 2.0) / focal, (HEIGHT / 2.0 - y) / focal, -1 };
+			double3 way = {(x - WIDTH / 2.0) / focal, (HEIGHT / 2.0 - y) / focal, -1};
 			double z = d / d3_dot(normal, way);
 			seen = seen && z > 0.2 && z < 100;
 			point[k] = d3_scale(way, z);
-			corners[k] = (ts_moment){ .depth = (f32)(1 - near / z) };
+			corners[k] = (ts_moment){.depth = (f32)(1 - near / z)};
 		}
 		if (!seen) continue;
-		ts_hull_args args = { .choice = { .boxes = &box, .grid = GRID }, .moments = corners };
+		ts_hull_args args = {.choice = {.boxes = &box, .grid = GRID}, .moments = corners};
 		args.width = WIDTH;
 		args.height = HEIGHT;
 		for (u32 k = 0; k < 10; k++) {
 			u32 x = below(WIDTH), y = below(HEIGHT);
 			ts_shares shares = ts_k_box_shares(&args, 0, x, y);
 			double px = fmin(fmax(x + 0.5, low[0]), high[0]), py = fmin(fmax(y + 0.5, low[1]), high[1]), sum = 0;
-			double3 way = { (px - WIDTH / 2.0) / focal, (HEIGHT / 2.0 - py) / focal, -1 }, found = { 0 };
+			double3 way = {(px - WIDTH / 2.0) / focal, (HEIGHT / 2.0 - py) / focal, -1}, found = {0};
 			double3 right = d3_scale(way, d / d3_dot(normal, way));
 			for (u32 c = 0; c < 4; c++) {
 				found = d3_mad(found, point[c], shares.of[c]);
@@ -343,22 +359,22 @@ static void test_one_light(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < N; i++) {
-		ts_patch patch = { .pad = 0 };
+		ts_patch patch = {.pad = 0};
 		ts_v3 p = uniform3(-1, 1), way = direction(), n = direction();
 		f32 far = uniform(8, 20), cosine = ts_dot(way, n);
 		ts_k_patch_corners(&patch, ts_mad(p, way, far), ts_neg(way), uniform(0.001f, 0.01f));
 		ts_store3(patch.exitance, ts_v3_make(3, 1, 0));
-		ts_gathered sum = { .w = ts_v3_make(0, 0, 0) };
+		ts_gathered sum = {.w = ts_v3_make(0, 0, 0)};
 		sum.red = sum.green = sum.blue = sum.w;
 		ts_k_gather(&sum, &patch, p);
 		ts_gpixel pixel;
 		f32 direct[3];
 		ts_k_gpixel_store(&pixel, p, 0.5f, n, sum.w);
-		ts_direct_args whole = { .pixels = &pixel, .patches = &patch, .irradiance = direct, .n_patches = 1 };
+		ts_direct_args whole = {.pixels = &pixel, .patches = &patch, .irradiance = direct, .n_patches = 1};
 		ts_k_direct_item(&whole, 0);
 		ts_sg g = ts_k_fit(sum.w.x, sum.red, i % 2);
-		static const u32 ways[] = { TS_COSINE_IS_OURS, TS_COSINE_IS_CONSTANT, TS_COSINE_IS_QUADRATURE };
-		ts_hull_args args = { .cosine = ways[i % 3] };
+		static const u32 ways[] = {TS_COSINE_IS_OURS, TS_COSINE_IS_CONSTANT, TS_COSINE_IS_QUADRATURE};
+		ts_hull_args args = {.cosine = ways[i % 3]};
 		f32 e = ts_k_lobe_irradiance(&args, &g, n);
 		if (cosine > 0.1f) assert_near(e, direct[0], 0.02 * direct[0]);
 		if (cosine < -0.1f) assert_true(direct[0] == 0 && e < 1e-6f);
@@ -371,13 +387,13 @@ static void test_numbers(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < 20000; i++) {
-		ts_hull_args args = { .cosine = i % 4, .printed = i / 4 % 2 };
+		ts_hull_args args = {.cosine = i % 4, .printed = i / 4 % 2};
 		ts_sg g = ts_sg_make(uniform(0, 10), ts_u2f(0x30000000u + below(0x17c35000u)), direction());
 		g.lambda = ts_min(g.lambda, 1e5f);
 		f32 e = ts_k_lobe_irradiance(&args, &g, i % 5 == 0 ? g.phi : i % 5 == 1 ? ts_neg(g.phi) : direction());
 		assert_true(e >= 0 && e < 1e30f && ts_f2u(e) != 0x80000000u);
 	}
-	ts_hull_args args = { .printed = 1 };
+	ts_hull_args args = {.printed = 1};
 	ts_sg even = ts_sg_make(1, 1e-25f, ts_v3_make(0, 0, 1));
 	assert_true(ts_k_lobe_irradiance(&args, &even, ts_v3_make(0, 1, 0)) == 0);
 	args.printed = 0;

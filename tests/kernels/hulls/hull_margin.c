@@ -18,7 +18,9 @@ static double off(double x)
 
 static u64 at(u32 block, u32 place) { return ts_k_block_texel(GRID, block, place % SIDE, place / SIDE); }
 
-typedef struct { f32 depth[TEXELS], step; } world;
+typedef struct {
+	f32 depth[TEXELS], step;
+} world;
 
 /* Few depths, and steps that are powers of two: many tie, and a bit more or less nearly does. */
 static void fill(world *w)
@@ -91,8 +93,8 @@ static void test_segments(void **state)
 	u32 n_swept = 0, n_exact = 0, n_decided = 0;
 	for (port = 0; port < N_WORLDS; port++) {
 		fill(&w);
-		ts_segment_args sweeps = { .depths = w.depth, .labels = swept, .grid = GRID, .step = w.step }, joins = sweeps;
-		ts_segment_margin_args args = { .depths = w.depth, .margin = margin, .grid = GRID, .step = w.step };
+		ts_segment_args sweeps = {.depths = w.depth, .labels = swept, .grid = GRID, .step = w.step}, joins = sweeps;
+		ts_segment_margin_args args = {.depths = w.depth, .margin = margin, .grid = GRID, .step = w.step};
 		joins.labels = exact;
 		for (; sweeps.sweep < 4; sweeps.sweep++) {
 			for (u32 i = 0; i < BLOCKS * SIDE; i++) ts_k_segment_item(&sweeps, i);
@@ -114,9 +116,9 @@ static void test_figures(void **state)
 {
 	(void)state;
 	static f32 depth[TEXELS], margin[TEXELS];
-	const f32 step = 0.25f, columns[4] = { 0.5f, 0.625f, 0.75f, 1 };
+	const f32 step = 0.25f, columns[4] = {0.5f, 0.625f, 0.75f, 1};
 	for (u32 i = 0; i < TEXELS; i++) depth[i] = columns[i % GRID / 8 % 4];
-	ts_segment_margin_args args = { .depths = depth, .margin = margin, .grid = GRID, .step = step };
+	ts_segment_margin_args args = {.depths = depth, .margin = margin, .grid = GRID, .step = step};
 	ts_k_segment_margin_item(&args, 0);
 	for (u32 x = 0; x < SIDE; x++) {
 		/* 0.625 - 0.5 = 0.25 (1 - 0.5); 0.125 is a quarter more than 0.25 (1 - 0.625); 0.25 than 0.25 (1 - 0.75) 3/4. */
@@ -136,7 +138,10 @@ static void test_figures(void **state)
 }
 
 /* Boxes of blocks. */
-typedef struct { ts_segment boxes[MOST_BOXES]; u32 offset[TEXELS + 1], n; } hulls;
+typedef struct {
+	ts_segment boxes[MOST_BOXES];
+	u32 offset[TEXELS + 1], n;
+} hulls;
 
 static void random_hulls(hulls *h, u32 most)
 {
@@ -145,7 +150,7 @@ static void random_hulls(hulls *h, u32 most)
 		h->offset[label] = h->n;
 		if (label % PLACES >= most || label / PLACES == most % 7 || h->n == MOST_BOXES) continue;
 		ts_segment *box = &h->boxes[h->n++];
-		*box = (ts_segment){ .label = label };
+		*box = (ts_segment){.label = label};
 		for (u32 k = 0; k < 2; k++) {
 			u32 first = (k == 0 ? label / PLACES % 2 : label / PLACES / 2) * SIDE;
 			box->low[k] = first + below(8);
@@ -190,10 +195,10 @@ static void test_choice(void **state)
 		random_hulls(&h, port % 12);
 		for (u32 k = 0; k < 400; k++) {
 			bool robust = k % 4 != 0;
-			ts_choice_args args = { .offset = h.offset, .boxes = h.boxes, .grid = GRID, .robust = robust };
+			ts_choice_args args = {.offset = h.offset, .boxes = h.boxes, .grid = GRID, .robust = robust};
 			args.step = ts_u2f(ts_f2u(0.25f) - below(3));
 			u32 x = below(GRID), y = below(GRID), parts = k % 8 < 4 ? 64 : 2048;
-			ts_grid_place place = { x, y, 0.5f + (f32)below(parts / 2) / (f32)parts };
+			ts_grid_place place = {x, y, 0.5f + (f32)below(parts / 2) / (f32)parts};
 			u32 box = ts_k_choose_box(&args, place), theirs = choose(&h, place, robust, args.step);
 			f32 margin = box == TS_NONE ? TS_MARGIN_FAR : ts_k_choice_margin(&args, place, box);
 			if (box != theirs && margin > 1) fail_msg("box %u, theirs %u: %g", box, theirs, (double)margin);
@@ -207,6 +212,6 @@ static void test_choice(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = { seeded_test(test_segments), seeded_test(test_figures), seeded_test(test_choice) };
+	const struct CMUnitTest tests[] = {seeded_test(test_segments), seeded_test(test_figures), seeded_test(test_choice)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -27,21 +27,22 @@ static void fill(world *w, u32 kind)
 		w->depth[i] = ts_clamp(0.8f + slope * (x - 48) + aslant * (y - 48), 0, 1);
 	}
 	for (u32 k = below(40); kind % 8 < 5 && k > 0; k--) {
-		f32 x = uniform(0, GRID), y = uniform(0, GRID), r = uniform(1, 12), depth = below(5) == 0 ? 1 : uniform(0.5f, 0.99f);
+		f32 x = uniform(0, GRID), y = uniform(0, GRID), r = uniform(1, 12),
+			depth = below(5) == 0 ? 1 : uniform(0.5f, 0.99f);
 		for (u32 i = 0; i < TEXELS; i++) {
 			f32 dx = (f32)(i % GRID) - x, dy = (f32)(i / GRID) - y;
 			if (dx * dx + dy * dy < r * r) w->depth[i] = depth;
 		}
 	}
 	for (u32 i = 0; kind % 8 >= 5 && i < TEXELS; i++) {
-		static const f32 ties[] = { 0, 0.5f, 0.75f, 1 };
+		static const f32 ties[] = {0, 0.5f, 0.75f, 1};
 		w->depth[i] = kind % 8 == 5 ? uniform(0, 1) : kind % 8 == 6 ? ties[below(4)] : 1;
 	}
 }
 
 static void sweeps(const world *w, u32 *labels)
 {
-	ts_segment_args args = { .depths = w->depth, .labels = labels, .grid = GRID, .step = w->step };
+	ts_segment_args args = {.depths = w->depth, .labels = labels, .grid = GRID, .step = w->step};
 	for (; args.sweep < 4; args.sweep++) {
 		for (u32 i = BLOCKS * SIDE; i-- > 0;) ts_k_segment_item(&args, i);
 	}
@@ -57,8 +58,10 @@ typedef struct {
 static void swap_label(paper *p, u32 x, u32 y)
 {
 	f32 dn = p->w->depth[at(p->block, y * SIDE + x)], room = p->w->step * (1 - p->dc);
-	if (fabsf(p->dc - dn) > room) p->l = p->label[y * SIDE + x];
-	else p->label[y * SIDE + x] = p->l;
+	if (fabsf(p->dc - dn) > room)
+		p->l = p->label[y * SIDE + x];
+	else
+		p->label[y * SIDE + x] = p->l;
 	p->dc = dn;
 }
 
@@ -98,7 +101,8 @@ static void flood(const world *w, u32 block, u32 *component)
 		stack[n++] = first;
 		while (n > 0) {
 			u32 p = stack[--n], x = p % SIDE, y = p / SIDE;
-			u32 next[4] = { x > 0 ? p - 1 : p, x < SIDE - 1 ? p + 1 : p, y > 0 ? p - SIDE : p, y < SIDE - 1 ? p + SIDE : p };
+			u32 next[4] = {x > 0 ? p - 1 : p, x < SIDE - 1 ? p + 1 : p, y > 0 ? p - SIDE : p,
+			               y < SIDE - 1 ? p + SIDE : p};
 			for (u32 k = 0; k < 4; k++) {
 				f32 here = w->depth[at(block, p)], there = w->depth[at(block, next[k])];
 				if (component[next[k]] != TS_NONE || !joins(here, there, w->step)) continue;
@@ -111,7 +115,7 @@ static void flood(const world *w, u32 block, u32 *component)
 
 static u32 count_labels(const u32 *labels, u32 block)
 {
-	bool used[PLACES] = { false };
+	bool used[PLACES] = {false};
 	u32 n = 0;
 	for (u32 i = 0; i < PLACES; i++) {
 		u32 label = labels[at(block, i)];
@@ -145,7 +149,7 @@ static void test_labels(void **state)
 	for (u32 i = 0; i < N_WORLDS; i++) {
 		fill(&w, i);
 		sweeps(&w, swept);
-		ts_segment_args args = { .depths = w.depth, .labels = exact, .grid = GRID, .step = w.step };
+		ts_segment_args args = {.depths = w.depth, .labels = exact, .grid = GRID, .step = w.step};
 		for (u32 block = 0; block < BLOCKS; block++) ts_k_segment_components_item(&args, block);
 		for (u32 block = 0; block < BLOCKS; block++) {
 			check_block(&w, swept, exact, block);
@@ -161,7 +165,7 @@ static void test_labels(void **state)
 static void test_most(void **state)
 {
 	(void)state;
-	static world w = { .step = 0.01f };
+	static world w = {.step = 0.01f};
 	static u32 labels[TEXELS];
 	for (u32 i = 0; i < TEXELS; i++) w.depth[i] = (i % GRID + i / GRID) % 2 == 0 ? 0.25f : 0.75f;
 	sweeps(&w, labels);
@@ -190,10 +194,11 @@ static void check_boxes(const world *w, const u32 *labels)
 	static ts_segment boxes[TEXELS];
 	i64 n_labels = 0;
 	memset(least, 0xff, sizeof least);
-	ts_range_args range = { .depths = w->depth, .labels = labels, .least = least, .grid = GRID };
+	ts_range_args range = {.depths = w->depth, .labels = labels, .least = least, .grid = GRID};
 	u32 start = below(TEXELS);
-	for (u32 i = 0; i < TEXELS; i++) ts_k_range_item(&range, (start + i * 5) % TEXELS); /* 5 and TEXELS: no common factor */
-	ts_box_args args = { .least = least, .offset = offset, .boxes = boxes, .n_labels = &n_labels };
+	for (u32 i = 0; i < TEXELS; i++)
+		ts_k_range_item(&range, (start + i * 5) % TEXELS); /* 5 and TEXELS: no common factor */
+	ts_box_args args = {.least = least, .offset = offset, .boxes = boxes, .n_labels = &n_labels};
 	u32 n = 0, n_used = 0;
 	for (u32 i = 0; i < TEXELS; i++) ts_k_box_count_item(&args, i);
 	for (u32 i = 0; i <= TEXELS; i++) {
@@ -204,7 +209,7 @@ static void check_boxes(const world *w, const u32 *labels)
 	for (u32 i = 0; i < TEXELS; i++) ts_k_box_item(&args, i);
 	u32 next = 0;
 	for (u32 label = 0; label < TEXELS; label++) {
-		ts_segment right = { .low = { GRID, GRID }, .nearest = 2, .farthest = -1, .label = label };
+		ts_segment right = {.low = {GRID, GRID}, .nearest = 2, .farthest = -1, .label = label};
 		for (u32 i = 0; i < PLACES; i++) {
 			u32 texel = at(label / PLACES, i), x = texel % GRID, y = texel / GRID;
 			if (labels[texel] != label % PLACES) continue;
@@ -229,8 +234,10 @@ static void test_boxes(void **state)
 	static u32 labels[TEXELS];
 	for (u32 i = 0; i < 24; i++) {
 		fill(&w, i);
-		if (i % 3 == 0) sweeps(&w, labels);
-		else for (u32 k = 0; k < TEXELS; k++) labels[k] = below(i % 3 == 1 ? 6 : PLACES);
+		if (i % 3 == 0)
+			sweeps(&w, labels);
+		else
+			for (u32 k = 0; k < TEXELS; k++) labels[k] = below(i % 3 == 1 ? 6 : PLACES);
 		check_boxes(&w, labels);
 	}
 }
@@ -255,7 +262,7 @@ static void test_nearest(void **state)
 	static ts_gpixel pixels[W * H];
 	static f32 depths[TEXELS];
 	for (u32 i = 0; i < W * H; i++) pixels[i].depth = (f32)i;
-	ts_nearest_args args = { .pixels = pixels, .depths = depths, .grid = GRID, .width = W, .height = H };
+	ts_nearest_args args = {.pixels = pixels, .depths = depths, .grid = GRID, .width = W, .height = H};
 	for (u32 i = 0; i < TEXELS; i++) ts_k_nearest_item(&args, i);
 	for (u32 y = 0; y < GRID; y++) {
 		for (u32 x = 0; x < GRID; x++) {

@@ -124,11 +124,11 @@ static void test_dropped(void **state)
 	mesh_begin(&m);
 	mesh_triangle(&m, ts_v3_make(0, 0, 0), ts_v3_make(3, 0, 0), ts_v3_make(0, 3, 0), 0, 0);
 	mesh_whole(&m, 4);
-	u32 keep[2] = { 0, 1 };
+	u32 keep[2] = {0, 1};
 	for (u32 k = 0; k < 2; k++) {
 		ts_align frame;
 		memset(&frame, 0xff, sizeof frame);
-		ts_align_args args = { .pieces = m.pieces, .scale = m.scale, .keep = &keep[k], .frames = &frame };
+		ts_align_args args = {.pieces = m.pieces, .scale = m.scale, .keep = &keep[k], .frames = &frame};
 		ts_k_align_item(&args, 0);
 		assert_true(frame.s == (f32)(4 * k));
 		assert_true(frame.c[0] == 1 && frame.c[1] == 1 && frame.c[2] == 0);
@@ -141,8 +141,9 @@ static void test_dropped(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_orthonormal), cmocka_unit_test(test_longest_along_x),
-		cmocka_unit_test(test_corners_map_back), cmocka_unit_test(test_area), cmocka_unit_test(test_dropped),
+		cmocka_unit_test(test_orthonormal),      cmocka_unit_test(test_longest_along_x),
+		cmocka_unit_test(test_corners_map_back), cmocka_unit_test(test_area),
+		cmocka_unit_test(test_dropped),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -10,11 +10,11 @@ static u32 cull(u32 **keep, f32 pixels, f32 s, f32 unit, u32 seed, u32 enabled)
 	ts_piece *pieces = mesh_alloc(N, sizeof *pieces);
 	f32 *scale = mesh_alloc(N, sizeof *scale);
 	*keep = mesh_alloc(N, sizeof **keep);
-	ts_cull_args args = { .pieces = pieces, .scale = scale, .keep = *keep, .unit = unit, .seed = seed,
-	                      .enabled = enabled };
+	ts_cull_args args = {
+		.pieces = pieces, .scale = scale, .keep = *keep, .unit = unit, .seed = seed, .enabled = enabled};
 	u32 kept = 0;
 	for (u32 i = 0; i < N; i++) {
-		pieces[i] = (ts_piece){ .b = { side }, .c = { 0, side }, .triangle = i, .path = 1 };
+		pieces[i] = (ts_piece){.b = {side}, .c = {0, side}, .triangle = i, .path = 1};
 		scale[i] = s;
 		ts_k_cull_item(&args, i);
 		kept += (*keep)[i];
@@ -28,7 +28,7 @@ static u32 cull(u32 **keep, f32 pixels, f32 s, f32 unit, u32 seed, u32 enabled)
 static void test_survivors(void **state)
 {
 	(void)state;
-	static const f32 areas[] = { 0.09f, 0.05f, 0.02f, 0.01f, 0.001f };
+	static const f32 areas[] = {0.09f, 0.05f, 0.02f, 0.01f, 0.001f};
 	for (u32 i = 0; i < 5; i++) {
 		for (u32 seed = 0; seed < 3; seed++) {
 			u32 *keep;
@@ -43,7 +43,7 @@ static void test_survivors(void **state)
 static void test_never(void **state)
 {
 	(void)state;
-	static const f32 areas[] = { 0.1001f, 0.2f, 1, 100 };
+	static const f32 areas[] = {0.1001f, 0.2f, 1, 100};
 	u32 *keep;
 	for (u32 i = 0; i < 4; i++) {
 		assert_int_equal(cull(&keep, areas[i], 16, 1, 7, 1), N);
@@ -52,10 +52,10 @@ static void test_never(void **state)
 	assert_int_equal(cull(&keep, 0.001f, 16, 1, 7, 0), N);
 	free(keep);
 	for (u32 enabled = 0; enabled < 2; enabled++) {
-		ts_piece piece = { .b = { 1 }, .c = { 0, 1 }, .path = 1 };
+		ts_piece piece = {.b = {1}, .c = {0, 1}, .path = 1};
 		f32 scale = 0;
 		u32 stays = 1;
-		ts_cull_args args = { .pieces = &piece, .scale = &scale, .keep = &stays, .unit = 1, .enabled = enabled };
+		ts_cull_args args = {.pieces = &piece, .scale = &scale, .keep = &stays, .unit = 1, .enabled = enabled};
 		ts_k_cull_item(&args, 0);
 		assert_int_equal(stays, 0);
 	}
@@ -106,10 +106,10 @@ static void test_independent(void **state)
 		assert_true(fabs(pairs - 0.25 * (N - step)) <= 4 * sqrt(0.25 * 0.75 * 1.5 * N));
 	}
 	free(keep);
-	ts_piece piece = { .b = { 1 }, .c = { 0, 0.1f } };
+	ts_piece piece = {.b = {1}, .c = {0, 0.1f}};
 	f32 scale = 1;
 	u32 stays, kept = 0;
-	ts_cull_args args = { .pieces = &piece, .scale = &scale, .keep = &stays, .unit = 1, .enabled = 1 };
+	ts_cull_args args = {.pieces = &piece, .scale = &scale, .keep = &stays, .unit = 1, .enabled = 1};
 	for (u32 i = 0; i < 4096 * 16; i++) {
 		piece.triangle = 1000 + i / 4096;
 		piece.path = 4096 + i % 4096;

@@ -3,7 +3,10 @@
 
 enum { N_PATHS = 3000, N_SPLITS = 60 };
 
-typedef struct { d3 eye, centre, a, b, c; double radius; } set_up;
+typedef struct {
+	d3 eye, centre, a, b, c;
+	double radius;
+} set_up;
 
 static d3 into_ball(const set_up *s, d3 x)
 {
@@ -48,7 +51,7 @@ static f32 path_length(const ts_v3 v[5], f32 radius, bool paper)
 
 static set_up to_double(const ts_v3 v[5], f32 radius)
 {
-	return (set_up){ d3_of(v[0]), d3_of(v[1]), d3_of(v[2]), d3_of(v[3]), d3_of(v[4]), radius };
+	return (set_up){d3_of(v[0]), d3_of(v[1]), d3_of(v[2]), d3_of(v[3]), d3_of(v[4]), radius};
 }
 
 static ts_v3 unit3(void)
@@ -210,7 +213,8 @@ static void test_scale(void **state)
 			ts_v3 centre = ts_load3(m.cubes[r].centre);
 			double near = m.cubes[r].radius / 1024;
 			double way = ts_k_path_length(ts_load3(m.view.eye), centre, m.cubes[r].radius, t.a, t.b, t.c, false);
-			double to = d3_length(d3_sub(d3_of(centre), d3_on_triangle(d3_of(centre), d3_of(t.a), d3_of(t.b), d3_of(t.c))));
+			double to =
+				d3_length(d3_sub(d3_of(centre), d3_on_triangle(d3_of(centre), d3_of(t.a), d3_of(t.b), d3_of(t.c))));
 			least = fmin(least, fmax(way, near));
 			cap = fmax(cap, m.cubes[r].n / 2.0 / fmax(to, near));
 		}
@@ -330,7 +334,7 @@ static void assert_split(const mesh *m, const ts_v3 corner[3])
 static void assert_pieces_by_path(const mesh *m, const ts_v3 corner[3], double size)
 {
 	for (u32 i = 0; i < m->n_pieces; i++) {
-		d3 v[3] = { d3_of(corner[0]), d3_of(corner[1]), d3_of(corner[2]) };
+		d3 v[3] = {d3_of(corner[0]), d3_of(corner[1]), d3_of(corner[2])};
 		follow_path(m->pieces[i].path, v);
 		assert_true(d3_length(d3_sub(v[0], d3_load(m->pieces[i].a))) <= 1e-5 * size);
 		assert_true(d3_length(d3_sub(v[1], d3_load(m->pieces[i].b))) <= 1e-5 * size);
@@ -347,8 +351,8 @@ static void test_split(void **state)
 		mesh m;
 		f32 size = uniform_power(0, 7);
 		random_mesh(&m, size);
-		ts_v3 corner[3] = { ts_load3(m.vertices[0].position), ts_load3(m.vertices[1].position),
-		                    ts_load3(m.vertices[2].position) };
+		ts_v3 corner[3] = {ts_load3(m.vertices[0].position), ts_load3(m.vertices[1].position),
+		                   ts_load3(m.vertices[2].position)};
 		i64 n_capped = 0;
 		ts_density_args args = mesh_density(&m, &n_capped, 8);
 		args.cap = i % 2;
@@ -417,7 +421,7 @@ static void test_shared_midpoint(void **state)
 	for (u32 i = 0; i < 100000; i++) {
 		ts_v3 p = uniform3(-100, 100), q = ts_mad(p, uniform3(-1, 1), uniform_power(-12, 6));
 		for (u32 edge = 0; edge < 3; edge++) {
-			ts_part one = { .path = 1 }, other = { .path = 1 };
+			ts_part one = {.path = 1}, other = {.path = 1};
 			one.v[edge] = p;
 			one.v[(edge + 1) % 3] = q;
 			other.v[(edge + 1) % 3] = p;
@@ -453,12 +457,18 @@ static void test_longest_edge(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_path_of_small),   cmocka_unit_test(test_path_of_large),
-		cmocka_unit_test(test_path_from_inside), cmocka_unit_test(test_path_of_paper),
-		cmocka_unit_test(test_scale),           cmocka_unit_test(test_scale_of_world),
-		cmocka_unit_test(test_offaxis),         cmocka_unit_test(test_split),
-		cmocka_unit_test(test_limit),           cmocka_unit_test(test_one_piece),
-		cmocka_unit_test(test_shared_midpoint), cmocka_unit_test(test_longest_edge),
+		cmocka_unit_test(test_path_of_small),
+		cmocka_unit_test(test_path_of_large),
+		cmocka_unit_test(test_path_from_inside),
+		cmocka_unit_test(test_path_of_paper),
+		cmocka_unit_test(test_scale),
+		cmocka_unit_test(test_scale_of_world),
+		cmocka_unit_test(test_offaxis),
+		cmocka_unit_test(test_split),
+		cmocka_unit_test(test_limit),
+		cmocka_unit_test(test_one_piece),
+		cmocka_unit_test(test_shared_midpoint),
+		cmocka_unit_test(test_longest_edge),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

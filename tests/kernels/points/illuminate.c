@@ -14,8 +14,8 @@ static u64 chain_texels(u32 n)
 /* The levels of a cube whose first level is given. */
 static void make_levels(f32 *mip, u32 n)
 {
-	ts_face cube = { .n = n };
-	ts_illuminate_args args = { .cubes = &cube, .mip = mip, .n_cubes = 1 };
+	ts_face cube = {.n = n};
+	ts_illuminate_args args = {.cubes = &cube, .mip = mip, .n_cubes = 1};
 	for (args.level = 1; args.level < ts_k_mip_levels(n); args.level++) {
 		u32 size = ts_k_mip_size(n, args.level);
 		for (u32 i = 0; i < 6 * size * size; i++) ts_k_mip_item(&args, i);
@@ -25,7 +25,7 @@ static void make_levels(f32 *mip, u32 n)
 static void test_constant(void **state)
 {
 	(void)state;
-	static const f32 colour[4] = { 0.1f, 0.7f, 3, 1 };
+	static const f32 colour[4] = {0.1f, 0.7f, 3, 1};
 	for (u32 n = 1; n <= MOST; n++) {
 		f32 *mip = mesh_alloc(chain_texels(n) * 4, sizeof *mip);
 		for (u32 i = 0; i < 24 * n * n; i++) mip[i] = colour[i % 4];
@@ -92,8 +92,8 @@ static void test_illuminate(void **state)
 		u32 choice = random_bits() % 5;
 		keys[i] = choice < 4 ? (u64)ts_f2u(1) << 32 | choice : TS_EMPTY;
 	}
-	ts_illuminate_args args = { .scene = mesh_arrays(&m), .cubes = m.cubes, .depth_triangle = keys, .mip = mip,
-	                            .first_cube = 1, .n_cubes = 2 };
+	ts_illuminate_args args = {
+		.scene = mesh_arrays(&m), .cubes = m.cubes, .depth_triangle = keys, .mip = mip, .first_cube = 1, .n_cubes = 2};
 	for (u32 i = 0; i < n; i++) ts_k_illuminate_item(&args, i);
 	for (u32 i = 0; i < n; i++) {
 		const f32 *out = mip + (i < 96 ? i : chain_texels(4) + i - 96) * 4;
@@ -106,7 +106,9 @@ static void test_illuminate(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_constant), cmocka_unit_test(test_means), cmocka_unit_test(test_illuminate),
+		cmocka_unit_test(test_constant),
+		cmocka_unit_test(test_means),
+		cmocka_unit_test(test_illuminate),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

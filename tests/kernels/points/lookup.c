@@ -34,9 +34,16 @@ static void world_begin(world *w)
 	mesh_points(m, 129, 0);
 	assert_int_equal(m->n_points, N_POINTS);
 	memset(w->texels, 0xff, sizeof w->texels);
-	w->args = (ts_lookup_args){ .scene = mesh_arrays(m), .view = &m->view, .cubes = m->cubes, .pieces = m->pieces,
-	                            .frames = m->frames, .keys = m->keys, .points = m->points, .texels = w->texels,
-	                            .n_samples = TS_N_SAMPLES, .first = 1 };
+	w->args = (ts_lookup_args){.scene = mesh_arrays(m),
+	                           .view = &m->view,
+	                           .cubes = m->cubes,
+	                           .pieces = m->pieces,
+	                           .frames = m->frames,
+	                           .keys = m->keys,
+	                           .points = m->points,
+	                           .texels = w->texels,
+	                           .n_samples = TS_N_SAMPLES,
+	                           .first = 1};
 }
 
 static void world_end(world *w) { mesh_clear(&w->mesh); }
@@ -47,13 +54,23 @@ static u32 texel_of(d3 d)
 	double x = fabs(d.x), y = fabs(d.y), z = fabs(d.z), ma, sc, tc;
 	u32 face;
 	if (x >= y && x >= z) {
-		face = d.x < 0; ma = x; sc = d.x < 0 ? d.z : -d.z; tc = -d.y;
+		face = d.x < 0;
+		ma = x;
+		sc = d.x < 0 ? d.z : -d.z;
+		tc = -d.y;
 	} else if (y >= z) {
-		face = 2 + (d.y < 0); ma = y; sc = d.x; tc = d.y < 0 ? -d.z : d.z;
+		face = 2 + (d.y < 0);
+		ma = y;
+		sc = d.x;
+		tc = d.y < 0 ? -d.z : d.z;
 	} else {
-		face = 4 + (d.z < 0); ma = z; sc = d.z < 0 ? -d.x : d.x; tc = -d.y;
+		face = 4 + (d.z < 0);
+		ma = z;
+		sc = d.z < 0 ? -d.x : d.x;
+		tc = -d.y;
 	}
-	u32 i = (u32)fmin(SIDE - 1, floor((sc / ma + 1) / 2 * SIDE)), j = (u32)fmin(SIDE - 1, floor((tc / ma + 1) / 2 * SIDE));
+	u32 i = (u32)fmin(SIDE - 1, floor((sc / ma + 1) / 2 * SIDE)),
+		j = (u32)fmin(SIDE - 1, floor((tc / ma + 1) / 2 * SIDE));
 	return (face * SIDE + j) * SIDE + i;
 }
 
@@ -63,7 +80,7 @@ static bool is_clear(d3 d)
 	u32 texel = texel_of(d);
 	d = d3_unit(d);
 	for (u32 k = 0; k < 12; k++) {
-		d3 e = { k / 2 == 0 ? 1 : k / 2 == 3, k / 2 == 1 ? 1 : k / 2 == 4, k / 2 == 2 ? 1 : k / 2 == 5 };
+		d3 e = {k / 2 == 0 ? 1 : k / 2 == 3, k / 2 == 1 ? 1 : k / 2 == 4, k / 2 == 2 ? 1 : k / 2 == 5};
 		if (texel_of(d3_mad(d, e, k % 2 == 0 ? 1e-5 : -1e-5)) != texel) return false;
 	}
 	return true;
@@ -92,7 +109,7 @@ static void test_directions(void **state)
 
 static ts_pixel random_pixel(f32 change)
 {
-	ts_pixel p = { .reflector = random_bits() % 2, .tint_r = uniform(0, 1), .tint_g = 0.5f, .tint_b = 0.25f };
+	ts_pixel p = {.reflector = random_bits() % 2, .tint_r = uniform(0, 1), .tint_g = 0.5f, .tint_b = 0.25f};
 	ts_store3(p.position, uniform3(-3, 3));
 	ts_store3(p.normal, ts_normalize(uniform3(-1, 1)));
 	ts_store3(p.position_dx, uniform3(-change, change));
@@ -189,7 +206,7 @@ static void test_bounce(void **state)
 		w.args.n_samples = TS_N_BOUNCE_SAMPLES;
 		for (u32 t = 0; t < N_POINTS; t++) {
 			w.mesh.points[t].length = uniform(0, 0.5f);
-			ts_bounce entry = { .point = t, .reflector = t % 2, .from = 1 - t % 2 };
+			ts_bounce entry = {.point = t, .reflector = t % 2, .from = 1 - t % 2};
 			w.args.queue = &entry;
 			ts_k_bounce_item(&w.args, 0);
 			d3 p = d3_load(w.mesh.points[t].centre), from = d3_load(w.mesh.cubes[entry.from].centre);
@@ -198,7 +215,8 @@ static void test_bounce(void **state)
 			face = d3_dot(face, d3_sub(from, p)) < 0 ? d3_scale(face, -1) : face;
 			double spread = w.mesh.points[t].length / w.mesh.cubes[entry.reflector].radius;
 			for (u32 k = 0; k < TS_N_BOUNCE_SAMPLES; k++) {
-				double x = (ts_sample_offset[k][0] + 0.5) / 128 * spread, y = (ts_sample_offset[k][1] + 0.5) / 128 * spread;
+				double x = (ts_sample_offset[k][0] + 0.5) / 128 * spread,
+					   y = (ts_sample_offset[k][1] + 0.5) / 128 * spread;
 				d3 normal = d3_unit(d3_mad(d3_mad(face, u, x), v, y)), in = d3_unit(d3_sub(p, from));
 				d3 out = d3_mad(in, normal, -2 * d3_dot(in, normal));
 				if (!is_clear(out)) continue;
@@ -279,7 +297,7 @@ static void test_adaptive(void **state)
 {
 	(void)state;
 	n_random = 0;
-	u32 found[TS_N_SAMPLES], used, n_judged = 0, count[TS_N_SAMPLES + 1] = { 0 };
+	u32 found[TS_N_SAMPLES], used, n_judged = 0, count[TS_N_SAMPLES + 1] = {0};
 	f32 radiance[3];
 	world w;
 	world_begin(&w);
@@ -316,11 +334,11 @@ static void test_later_tint(void **state)
 {
 	(void)state;
 	n_random = 0;
-	u32 found[TS_N_BOUNCE_SAMPLES] = { 1, 2, TS_NONE, 5 };
+	u32 found[TS_N_BOUNCE_SAMPLES] = {1, 2, TS_NONE, 5};
 	f32 radiance[3];
 	world w;
 	world_begin(&w);
-	ts_bounce entry = { .point = 9, .reflector = 1, .from = 0 };
+	ts_bounce entry = {.point = 9, .reflector = 1, .from = 0};
 	w.args.queue = &entry;
 	w.args.found = found;
 	w.args.radiance = radiance;

@@ -33,20 +33,22 @@ static inline ts_v3 uniform3(f32 low, f32 high)
 static inline f32 uniform_power(f32 low, f32 high) { return (f32)exp2(uniform(low, high)); }
 
 /* Vectors in double precision. */
-typedef struct { double x, y, z; } d3;
+typedef struct {
+	double x, y, z;
+} d3;
 
-static inline d3 d3_of(ts_v3 a) { return (d3){ a.x, a.y, a.z }; }
-static inline d3 d3_load(const f32 *p) { return (d3){ p[0], p[1], p[2] }; }
-static inline d3 d3_mad(d3 a, d3 b, double s) { return (d3){ a.x + b.x * s, a.y + b.y * s, a.z + b.z * s }; }
+static inline d3 d3_of(ts_v3 a) { return (d3){a.x, a.y, a.z}; }
+static inline d3 d3_load(const f32 *p) { return (d3){p[0], p[1], p[2]}; }
+static inline d3 d3_mad(d3 a, d3 b, double s) { return (d3){a.x + b.x * s, a.y + b.y * s, a.z + b.z * s}; }
 static inline d3 d3_add(d3 a, d3 b) { return d3_mad(a, b, 1); }
 static inline d3 d3_sub(d3 a, d3 b) { return d3_mad(a, b, -1); }
-static inline d3 d3_scale(d3 a, double s) { return (d3){ a.x * s, a.y * s, a.z * s }; }
+static inline d3 d3_scale(d3 a, double s) { return (d3){a.x * s, a.y * s, a.z * s}; }
 static inline double d3_dot(d3 a, d3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 static inline double d3_length(d3 a) { return sqrt(d3_dot(a, a)); }
 static inline d3 d3_unit(d3 a) { return d3_scale(a, 1 / d3_length(a)); }
 static inline d3 d3_cross(d3 a, d3 b)
 {
-	return (d3){ a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x };
+	return (d3){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 static inline double d3_area(d3 a, d3 b, d3 c) { return 0.5 * d3_length(d3_cross(d3_sub(b, a), d3_sub(c, a))); }
 
@@ -60,7 +62,7 @@ static inline d3 d3_on_segment(d3 p, d3 a, d3 b)
 
 static inline d3 d3_on_triangle(d3 p, d3 a, d3 b, d3 c)
 {
-	d3 corner[3] = { a, b, c }, n = d3_cross(d3_sub(b, a), d3_sub(c, a)), best = a;
+	d3 corner[3] = {a, b, c}, n = d3_cross(d3_sub(b, a), d3_sub(c, a)), best = a;
 	double least = INFINITY;
 	bool inside = true;
 	for (int k = 0; k < 3; k++) {
@@ -73,11 +75,14 @@ static inline d3 d3_on_triangle(d3 p, d3 a, d3 b, d3 c)
 }
 
 /* A convex polygon and a half space. */
-typedef struct { d3 p[12]; int n; } d3_polygon;
+typedef struct {
+	d3 p[12];
+	int n;
+} d3_polygon;
 
 static inline d3_polygon d3_clip(const d3_polygon *polygon, d3 normal, double d)
 {
-	d3_polygon r = { .n = 0 };
+	d3_polygon r = {.n = 0};
 	for (int i = 0; i < polygon->n; i++) {
 		d3 p = polygon->p[i], q = polygon->p[(i + 1) % polygon->n];
 		double dp = d3_dot(normal, p) + d, dq = d3_dot(normal, q) + d;
@@ -116,39 +121,52 @@ static inline void mesh_begin(mesh *m)
 {
 	memset(m, 0, sizeof *m);
 	for (u32 i = 0; i < 5; i++) {
-		m->materials[i] = (ts_material){ .base = { 1, 1, 1, i == 2 ? 0.25f : 1 }, .roughness = 1, .alpha_cutoff = 0.5f,
-		                                 .slot = { TS_NONE, TS_NONE, TS_NONE, TS_NONE, TS_NONE } };
+		m->materials[i] = (ts_material){.base = {1, 1, 1, i == 2 ? 0.25f : 1},
+		                                .roughness = 1,
+		                                .alpha_cutoff = 0.5f,
+		                                .slot = {TS_NONE, TS_NONE, TS_NONE, TS_NONE, TS_NONE}};
 		m->materials[i].flags = i == 1 ? TS_DOUBLE_SIDED : i > 1 ? TS_MASKED : 0;
 	}
 	m->materials[4].slot[0] = 0;
 	m->texels[0] = 0x0000ffffffffffffUL;
 	m->texels[1] = 0xffffffffffffffffUL;
 	m->texels[2] = 0x8000ffffffffffffUL;
-	m->image = (ts_image){ .width = 2, .height = 1, .n_levels = 2 };
-	m->slot = (ts_slot){ .wrap = { TS_CLAMP, TS_CLAMP }, .transform = { 1, 0, 0, 0, 1, 0 } };
+	m->image = (ts_image){.width = 2, .height = 1, .n_levels = 2};
+	m->slot = (ts_slot){.wrap = {TS_CLAMP, TS_CLAMP}, .transform = {1, 0, 0, 0, 1, 0}};
 	for (u32 i = 0; i <= MESH_CUBES; i++) m->objects[i].reflector = i - 1;
-	m->view = (ts_view){ .focal = 256, .right = { 1, 0, 0 }, .width = 512, .up = { 0, 1, 0 }, .height = 512,
-	                     .back = { 0, 0, 1 }, .near = 0.0009765625f };
+	m->view = (ts_view){.focal = 256,
+	                    .right = {1, 0, 0},
+	                    .width = 512,
+	                    .up = {0, 1, 0},
+	                    .height = 512,
+	                    .back = {0, 0, 1},
+	                    .near = 0.0009765625f};
 }
 
 static inline ts_arrays mesh_arrays(const mesh *m)
 {
-	return (ts_arrays){ .vertices = m->vertices, .triangles = m->triangles, .materials = m->materials,
-	                    .slots = &m->slot, .images = &m->image, .texels = m->texels, .objects = m->objects,
-	                    .n_triangles = m->n_triangles, .ambient = 1 };
+	return (ts_arrays){.vertices = m->vertices,
+	                   .triangles = m->triangles,
+	                   .materials = m->materials,
+	                   .slots = &m->slot,
+	                   .images = &m->image,
+	                   .texels = m->texels,
+	                   .objects = m->objects,
+	                   .n_triangles = m->n_triangles,
+	                   .ambient = 1};
 }
 
 /* Seen in every face of every cube. uv: (0,0), (1,0), (1,1). */
 static inline u32 mesh_triangle(mesh *m, ts_v3 a, ts_v3 b, ts_v3 c, u32 material, u32 object)
 {
 	u32 t = m->n_triangles++;
-	ts_v3 corner[3] = { a, b, c };
+	ts_v3 corner[3] = {a, b, c};
 	for (u32 k = 0; k < 3; k++) {
-		ts_vertex v = { .object = object, .uv = { k > 0, k > 1, 0, 0 }, .colour = { 1, 1, 1, 1 } };
+		ts_vertex v = {.object = object, .uv = {k > 0, k > 1, 0, 0}, .colour = {1, 1, 1, 1}};
 		ts_store3(v.position, corner[k]);
 		m->vertices[t * 3 + k] = v;
 	}
-	m->triangles[t] = (ts_triangle){ { t * 3, t * 3 + 1, t * 3 + 2 }, material };
+	m->triangles[t] = (ts_triangle){{t * 3, t * 3 + 1, t * 3 + 2}, material};
 	m->bits[t * 2] = m->n_cubes * 6 >= 64 ? UINT64_MAX : (1UL << m->n_cubes * 6) - 1;
 	m->bits[t * 2 + 1] = m->n_cubes * 6 > 64 ? (1UL << (m->n_cubes * 6 - 64)) - 1 : 0;
 	return t;
@@ -157,7 +175,7 @@ static inline u32 mesh_triangle(mesh *m, ts_v3 a, ts_v3 b, ts_v3 c, u32 material
 static inline ts_face *mesh_cube(mesh *m, ts_v3 centre, f32 radius, u32 n)
 {
 	ts_face *before = m->n_cubes != 0 ? &m->cubes[m->n_cubes - 1] : NULL, *cube = &m->cubes[m->n_cubes++];
-	*cube = (ts_face){ .radius = radius, .n = n, .near = radius * 0.0009765625f, .object = m->n_cubes };
+	*cube = (ts_face){.radius = radius, .n = n, .near = radius * 0.0009765625f, .object = m->n_cubes};
 	ts_store3(cube->centre, centre);
 	cube->offset = before != NULL ? before->offset + (u64)6 * before->n * before->n : 0;
 	return cube;
@@ -189,8 +207,16 @@ static inline u32 mesh_scan(u32 *counts, u32 n)
 
 static inline ts_density_args mesh_density(const mesh *m, i64 *n_capped, f32 rho)
 {
-	return (ts_density_args){ .scene = mesh_arrays(m), .cubes = m->cubes, .view = &m->view, .bits = m->bits,
-	                          .n_capped = n_capped, .rho = rho, .n_cubes = m->n_cubes, .n_words = 2, .cap = 1, .split = 1 };
+	return (ts_density_args){.scene = mesh_arrays(m),
+	                         .cubes = m->cubes,
+	                         .view = &m->view,
+	                         .bits = m->bits,
+	                         .n_capped = n_capped,
+	                         .rho = rho,
+	                         .n_cubes = m->n_cubes,
+	                         .n_words = 2,
+	                         .cap = 1,
+	                         .split = 1};
 }
 
 /* One piece a triangle, all with density s. */
@@ -201,7 +227,7 @@ static inline void mesh_whole(mesh *m, f32 s)
 	m->scale = mesh_alloc(m->n_pieces, sizeof *m->scale);
 	for (u32 t = 0; t < m->n_triangles; t++) {
 		ts_piece *p = &m->pieces[t];
-		*p = (ts_piece){ .triangle = t, .path = 1 };
+		*p = (ts_piece){.triangle = t, .path = 1};
 		memcpy(p->a, m->vertices[t * 3].position, sizeof p->a);
 		memcpy(p->b, m->vertices[t * 3 + 1].position, sizeof p->b);
 		memcpy(p->c, m->vertices[t * 3 + 2].position, sizeof p->c);
@@ -227,7 +253,7 @@ static inline void mesh_align(mesh *m)
 {
 	m->keep = mesh_alloc(m->n_pieces, sizeof *m->keep);
 	m->frames = mesh_alloc(m->n_pieces, sizeof *m->frames);
-	ts_align_args align = { .pieces = m->pieces, .scale = m->scale, .keep = m->keep, .frames = m->frames };
+	ts_align_args align = {.pieces = m->pieces, .scale = m->scale, .keep = m->keep, .frames = m->frames};
 	for (u32 i = 0; i < m->n_pieces; i++) {
 		m->keep[i] = m->scale[i] > 0;
 		ts_k_align_item(&align, i);
@@ -253,7 +279,7 @@ static inline void mesh_make_points(mesh *m, ts_points_args args)
 
 static inline void mesh_points(mesh *m, i32 half_size, u32 paper_splat)
 {
-	mesh_make_points(m, (ts_points_args){ .half_size = half_size, .paper_splat = paper_splat });
+	mesh_make_points(m, (ts_points_args){.half_size = half_size, .paper_splat = paper_splat});
 }
 
 /* The mesh is there again as before the chain. */
@@ -277,9 +303,17 @@ static inline void mesh_clear(mesh *m)
 
 static inline ts_splat_args mesh_splat(const mesh *m, u64 *texels, i64 *n_scatters, i64 *n_writes)
 {
-	return (ts_splat_args){ .cubes = m->cubes, .pieces = m->pieces, .frames = m->frames, .bits = m->bits,
-	                        .points = m->points, .texels = texels, .n_scatters = n_scatters, .n_writes = n_writes,
-	                        .n_cubes = m->n_cubes, .n_words = 2, .clip = 1 };
+	return (ts_splat_args){.cubes = m->cubes,
+	                       .pieces = m->pieces,
+	                       .frames = m->frames,
+	                       .bits = m->bits,
+	                       .points = m->points,
+	                       .texels = texels,
+	                       .n_scatters = n_scatters,
+	                       .n_writes = n_writes,
+	                       .n_cubes = m->n_cubes,
+	                       .n_words = 2,
+	                       .clip = 1};
 }
 
 /* A triangle of every sort: plump, sliver, far from equal edges, tiny or large, anywhere about the origin. */

@@ -35,10 +35,7 @@ static ts_v3 noise(u32 face, f32 s, f32 t)
 	return uniform3(0, 1);
 }
 
-static ts_v3 direction_of(u32 face, f32 s, f32 t)
-{
-	return ts_normalize(ts_k_cube_direction(face, s, t));
-}
+static ts_v3 direction_of(u32 face, f32 s, f32 t) { return ts_normalize(ts_k_cube_direction(face, s, t)); }
 
 static double apart(ts_v3 a, ts_v3 b) { return d3_length(d3_sub(d3_of(a), d3_of(b))); }
 
@@ -46,7 +43,7 @@ static double apart(ts_v3 a, ts_v3 b) { return d3_length(d3_sub(d3_of(a), d3_of(
 static ts_pixel pixel_towards(ts_v3 d, u32 reflector)
 {
 	ts_v3 in = ts_normalize(ts_add(ts_neg(d), ts_v3_make(0.3f, 0.2f, 0.1f)));
-	ts_pixel p = { .reflector = reflector, .tint_r = 1, .tint_g = 1, .tint_b = 1 };
+	ts_pixel p = {.reflector = reflector, .tint_r = 1, .tint_g = 1, .tint_b = 1};
 	ts_store3(p.position, ts_scale(in, 2));
 	ts_store3(p.normal, ts_normalize(ts_sub(d, in)));
 	return p;
@@ -71,7 +68,7 @@ static void test_constant(void **state)
 	ts_v3 colour = constant(0, 0, 0), eye = ts_v3_make(0, 0, 0), d;
 	for (u32 n = 1; n <= 40; n++) {
 		f32 *texels = chain(n, constant);
-		ts_mip_cube cube = { texels, n };
+		ts_mip_cube cube = {texels, n};
 		for (u32 i = 0; i < 500; i++) {
 			ts_pixel p = random_pixel(&d, uniform_power(-10, 1));
 			assert_true(apart(ts_k_mirror_trilinear(&cube, &p, eye), colour) <= 1e-6);
@@ -89,7 +86,7 @@ static void test_bounded(void **state)
 	ts_v3 eye = ts_v3_make(0, 0, 0), d;
 	for (u32 n = 1; n <= 40; n++) {
 		f32 *texels = chain(n, noise);
-		ts_mip_cube cube = { texels, n };
+		ts_mip_cube cube = {texels, n};
 		for (u32 i = 0; i < 500; i++) {
 			ts_pixel p = random_pixel(&d, uniform_power(-10, 1));
 			ts_v3 c = ts_k_mirror_trilinear(&cube, &p, eye);
@@ -106,10 +103,10 @@ static void test_texel_centres(void **state)
 	n_random = 0;
 	for (u32 n = 1; n <= 16; n *= 2) {
 		f32 *texels = chain(n, noise);
-		ts_mip_cube cube = { texels, n };
+		ts_mip_cube cube = {texels, n};
 		for (u32 i = 0; i < 6 * n * n; i++) {
 			f32 s = (f32)(2 * (i % n) + 1) / (f32)n - 1, t = (f32)(2 * (i / n % n) + 1) / (f32)n - 1;
-			ts_cube_place place = { i / (n * n), s, t };
+			ts_cube_place place = {i / (n * n), s, t};
 			ts_v3 c = ts_k_mip_bilinear(&cube, 0, place);
 			assert_true(apart(c, ts_load3(texels + i * 4)) <= 1e-6);
 		}
@@ -121,8 +118,8 @@ static void test_texel_centres(void **state)
 static ts_cube_place across(u32 face, f32 s, f32 t)
 {
 	ts_v3 d = ts_k_cube_direction(face, s, t);
-	f32 axis[3] = { d.x, d.y, d.z };
-	ts_cube_place r = { TS_NONE, 0, 0 };
+	f32 axis[3] = {d.x, d.y, d.z};
+	ts_cube_place r = {TS_NONE, 0, 0};
 	for (u32 other = 0; other < 6; other++) {
 		if (other / 2 == face / 2 || axis[other / 2] != (other % 2 == 0 ? 1 : -1)) continue;
 		r.face = other;
@@ -140,11 +137,11 @@ static void test_seams(void **state)
 	u32 n_edges = 0;
 	for (u32 n = 4; n <= 32; n++) {
 		f32 *texels = chain(n, noise);
-		ts_mip_cube cube = { texels, n };
+		ts_mip_cube cube = {texels, n};
 		for (u32 i = 0; i < 24 * 50; i++) {
 			f32 along = uniform(-1, 1) * (1 - 1.01f / (f32)n), end = i / 6 % 2 == 0 ? 1 : -1;
 			bool on_s = i / 12 % 2 == 0;
-			ts_cube_place here = { i % 6, on_s ? end : along, on_s ? along : end };
+			ts_cube_place here = {i % 6, on_s ? end : along, on_s ? along : end};
 			ts_cube_place there = across(here.face, here.s, here.t);
 			assert_true(there.face < 6);
 			n_edges++;
@@ -193,9 +190,10 @@ static void test_flat(void **state)
 	n_random = 0;
 	u32 n = 8;
 	f32 *texels = chain(n, noise);
-	ts_mip_cube cube = { texels, n };
+	ts_mip_cube cube = {texels, n};
 	for (u32 i = 0; i < 6 * n * n; i++) {
-		ts_v3 d = direction_of(i / (n * n), (f32)(2 * (i % n) + 1) / (f32)n - 1, (f32)(2 * (i / n % n) + 1) / (f32)n - 1);
+		ts_v3 d =
+			direction_of(i / (n * n), (f32)(2 * (i % n) + 1) / (f32)n - 1, (f32)(2 * (i / n % n) + 1) / (f32)n - 1);
 		ts_pixel p = pixel_towards(d, 0);
 		ts_v3 eye = ts_v3_make(0, 0, 0), expected = ts_load3(texels + i * 4);
 		assert_true(apart(ts_k_mirror_supersample(&cube, &p, eye), expected) <= 1e-5);
@@ -210,8 +208,8 @@ static void test_batch(void **state)
 	(void)state;
 	enum { N = 40 };
 	f32 *texels = chain(4, constant), radiance[N * 3];
-	ts_face cubes[4] = { { .n = 4 }, { .n = 4 }, { .n = 0 }, { .n = 4 } };
-	ts_view view = { .focal = 1 };
+	ts_face cubes[4] = {{.n = 4}, {.n = 4}, {.n = 0}, {.n = 4}};
+	ts_view view = {.focal = 1};
 	ts_pixel pixels[N];
 	n_random = 0;
 	for (u32 i = 0; i < N; i++) {
@@ -220,8 +218,14 @@ static void test_batch(void **state)
 		radiance[i * 3] = radiance[i * 3 + 1] = -1;
 	}
 	for (u32 supersample = 0; supersample < 2; supersample++) {
-		ts_mirror_args args = { .view = &view, .cubes = cubes, .pixels = pixels, .mip = texels, .radiance = radiance,
-		                        .first_cube = 1, .n_cubes = 2, .supersample = supersample };
+		ts_mirror_args args = {.view = &view,
+		                       .cubes = cubes,
+		                       .pixels = pixels,
+		                       .mip = texels,
+		                       .radiance = radiance,
+		                       .first_cube = 1,
+		                       .n_cubes = 2,
+		                       .supersample = supersample};
 		for (u32 i = 0; i < N; i++) ts_k_mirror_item(&args, i);
 		for (u32 i = 0; i < N; i++) {
 			f32 red = i % 4 == 1 ? 0.75f : i % 4 == 2 ? 0.2f : -1, green = i % 4 == 1 ? 0.05f : i % 4 == 2 ? 0.15f : -1;

@@ -63,7 +63,7 @@ static ts_receiver receiver(const world *w, double x, double y)
 {
 	double z = w->floor + w->slope * x;
 	ts_v3 right = ts_load3(w->view.right), up = ts_load3(w->view.up), back = ts_load3(w->view.back);
-	ts_receiver r = { .seen = true };
+	ts_receiver r = {.seen = true};
 	ts_v3 across = ts_mad(ts_mad(ts_load3(w->view.eye), right, (f32)x), up, (f32)y);
 	r.p = ts_mad(across, back, (f32)-z);
 	r.n = ts_normalize(ts_mad(back, right, (f32)w->slope));
@@ -72,8 +72,10 @@ static ts_receiver receiver(const world *w, double x, double y)
 
 static u32 lit(const world *w, ts_receiver at, f32 bias, f32 slope)
 {
-	ts_pcss_args args = { .of = { .views = &w->view, .depths = w->depths, .n_views = 1, .n_lamps = 1, .bias = bias,
-	                              .slope = slope }, .lamps = &w->lamp, .near = 0.5f };
+	ts_pcss_args args = {
+		.of = {.views = &w->view, .depths = w->depths, .n_views = 1, .n_lamps = 1, .bias = bias, .slope = slope},
+		.lamps = &w->lamp,
+		.near = 0.5f};
 	return ts_k_pcss(&args, &w->view, &at);
 }
 
@@ -227,8 +229,8 @@ static void test_taps(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		seeded_test(test_penumbra), seeded_test(test_contact), seeded_test(test_slanted), seeded_test(test_outside),
-		seeded_test(test_point),    seeded_test(test_taps),
+		seeded_test(test_penumbra), seeded_test(test_contact), seeded_test(test_slanted),
+		seeded_test(test_outside),  seeded_test(test_point),   seeded_test(test_taps),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

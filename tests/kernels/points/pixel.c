@@ -6,8 +6,14 @@
 enum { WIDTH = 48, HEIGHT = 32, N_PIXELS = WIDTH * HEIGHT, N_SCENES = 24 };
 
 static const ts_view eye = {
-	.eye = { 1, 2, 3 }, .focal = 40, .right = { 1, 0, 0 }, .width = WIDTH, .up = { 0, 1, 0 }, .height = HEIGHT,
-	.back = { 0, 0, 1 }, .near = 0.25f,
+	.eye = {1, 2, 3},
+	.focal = 40,
+	.right = {1, 0, 0},
+	.width = WIDTH,
+	.up = {0, 1, 0},
+	.height = HEIGHT,
+	.back = {0, 0, 1},
+	.near = 0.25f,
 };
 
 static small_scene scene;
@@ -18,8 +24,8 @@ static const ts_pixel *at[N_PIXELS]; /* the record of each pixel, or null */
 
 static ts_pixel_args arguments(void)
 {
-	return (ts_pixel_args){ .scene = small_arrays(&scene), .view = &eye, .depth_triangle = keys, .offset = offset,
-	                        .pixels = records };
+	return (ts_pixel_args){
+		.scene = small_arrays(&scene), .view = &eye, .depth_triangle = keys, .offset = offset, .pixels = records};
 }
 
 /* Counts, prefix sums, records: as the stage does. */
@@ -43,7 +49,7 @@ static u32 find_records(void)
 
 static u32 draw(void)
 {
-	ts_eye_args args = { .scene = small_arrays(&scene), .view = &eye, .texels = keys };
+	ts_eye_args args = {.scene = small_arrays(&scene), .view = &eye, .texels = keys};
 	for (u32 i = 0; i < N_PIXELS; i++) keys[i] = TS_EMPTY;
 	for (u32 t = 0; t < scene.n_triangles; t++) ts_k_eye_item(&args, t);
 	return find_records();
@@ -70,7 +76,7 @@ static void make_scene(void)
 
 static double3 ray(u32 i)
 {
-	return (double3){ (i % WIDTH + 0.5 - WIDTH / 2) / 40, (HEIGHT / 2 - (i / WIDTH + 0.5)) / 40, -1 };
+	return (double3){(i % WIDTH + 0.5 - WIDTH / 2) / 40, (HEIGHT / 2 - (i / WIDTH + 0.5)) / 40, -1};
 }
 
 static double3 corner(u32 t, u32 k) { return d3_of(ts_load3(scene.vertices[3 * t + k].position)); }
@@ -135,7 +141,7 @@ static void judge_gradient(const f32 *gradient, const f32 *before, const f32 *he
 static void test_gradients(void **state)
 {
 	(void)state;
-	u32 n_of[3] = { 0 };
+	u32 n_of[3] = {0};
 	for (u32 n = 0; n < N_SCENES; n++) {
 		make_scene();
 		u32 n_records = draw();
@@ -161,7 +167,7 @@ static void test_wall(void **state)
 		small_clear(&scene);
 		scene.materials[0].flags = TS_DOUBLE_SIDED;
 		scene.objects[1].reflector = 0;
-		ts_v3 a = { -49, -48, -1 }, b = { 151, -48, -1 }, c = { -49, 152, -1 };
+		ts_v3 a = {-49, -48, -1}, b = {151, -48, -1}, c = {-49, 152, -1};
 		small_add(&scene, a, turned ? c : b, turned ? b : c, 0, 1);
 		assert_int_equal(draw(), N_PIXELS);
 		for (u32 i = 0; i < N_PIXELS; i++) {
@@ -184,18 +190,21 @@ static void test_alone(void **state)
 	(void)state;
 	small_clear(&scene);
 	scene.objects[1].reflector = 0;
-	ts_v3 middle = { 1 + 0.0125f, 2 + 0.0125f, 2 };
+	ts_v3 middle = {1 + 0.0125f, 2 + 0.0125f, 2};
 	small_add(&scene, ts_add(middle, ts_v3_make(-0.01f, -0.01f, 0)), ts_add(middle, ts_v3_make(0.01f, -0.01f, 0)),
 	          ts_add(middle, ts_v3_make(0, 0.01f, 0)), 0, 1);
 	assert_int_equal(draw(), 1);
-	const f32 *all[4] = { records[0].position_dx, records[0].position_dy, records[0].normal_dx, records[0].normal_dy };
+	const f32 *all[4] = {records[0].position_dx, records[0].position_dy, records[0].normal_dx, records[0].normal_dy};
 	for (u32 k = 0; k < 12; k++) assert_int_equal(ts_f2u(all[k / 3][k % 3]), 0);
 }
 
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		seeded_test(test_records), seeded_test(test_gradients), seeded_test(test_wall), seeded_test(test_alone),
+		seeded_test(test_records),
+		seeded_test(test_gradients),
+		seeded_test(test_wall),
+		seeded_test(test_alone),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

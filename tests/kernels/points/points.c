@@ -21,7 +21,9 @@ static i32 key_x(u64 key) { return (i32)(key & 0xffff) - 32768; }
 static i32 key_y(u64 key) { return (i32)(key >> 16 & 0xffff) - 32768; }
 
 /* The triangle in its lattice, unsnapped, in double precision from the frame's axes. */
-typedef struct { double x[3], y[3]; } flat;
+typedef struct {
+	double x[3], y[3];
+} flat;
 
 static flat flatten(const ts_align *f, const ts_v3 corner[3])
 {
@@ -97,11 +99,16 @@ static void test_conservative(void **state)
 				u32 low = 0, high = m.n_points;
 				while (low < high) {
 					u32 middle = (low + high) / 2;
-					if (m.keys[middle] < key) low = middle + 1; else high = middle;
+					if (m.keys[middle] < key)
+						low = middle + 1;
+					else
+						high = middle;
 				}
 				bool is = low < m.n_points && m.keys[low] == key;
-				if (is) assert_true(square_meets(&t, x, y, may));
-				else assert_false(square_meets(&t, x, y, must));
+				if (is)
+					assert_true(square_meets(&t, x, y, may));
+				else
+					assert_false(square_meets(&t, x, y, must));
 			}
 		}
 		mesh_clear(&m);
@@ -181,8 +188,8 @@ static void test_weights(void **state)
 static void test_mean_count(void **state)
 {
 	(void)state;
-	static const double table[][2] = { { 0.001, 1.000 }, { 0.01, 1.016 }, { 0.1, 1.781 }, { 0.3, 2.898 },
-	                                   { 1, 4.805 }, { 3, 10.081 }, { 10, 23.767 }, { 100, 140.848 } };
+	static const double table[][2] = {{0.001, 1.000}, {0.01, 1.016}, {0.1, 1.781}, {0.3, 2.898},
+	                                  {1, 4.805},     {3, 10.081},   {10, 23.767}, {100, 140.848}};
 	n_random = 0;
 	for (u32 row = 0; row < 8; row++) {
 		double sum = 0, squares = 0, defined = 0;
@@ -191,7 +198,8 @@ static void test_mean_count(void **state)
 			mesh m;
 			ts_v3 corner[3];
 			for (u32 k = 0; k < 3; k++) {
-				double r = sqrt(-2 * log(1 - (double)ts_uniform(random_bits()))), turn = 6.283185307179586 * uniform(0, 1);
+				double r = sqrt(-2 * log(1 - (double)ts_uniform(random_bits()))),
+					   turn = 6.283185307179586 * uniform(0, 1);
 				corner[k] = ts_v3_make((f32)(r * cos(turn)), (f32)(r * sin(turn)), 0);
 			}
 			double area = d3_area(d3_of(corner[0]), d3_of(corner[1]), d3_of(corner[2])), s = sqrt(table[row][0] / area);
@@ -248,8 +256,8 @@ static void test_masked(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_keys),    cmocka_unit_test(test_conservative), cmocka_unit_test(test_places),
-		cmocka_unit_test(test_paper_length), cmocka_unit_test(test_weights), cmocka_unit_test(test_mean_count),
+		cmocka_unit_test(test_keys),         cmocka_unit_test(test_conservative), cmocka_unit_test(test_places),
+		cmocka_unit_test(test_paper_length), cmocka_unit_test(test_weights),      cmocka_unit_test(test_mean_count),
 		cmocka_unit_test(test_masked),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);

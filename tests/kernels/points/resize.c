@@ -5,13 +5,18 @@
 enum { N = 20000, N_VERTICES = 12 };
 
 static const ts_view eye = {
-	.focal = 100, .right = { 1, 0, 0 }, .width = 320, .up = { 0, 1, 0 }, .height = 180, .back = { 0, 0, 1 },
+	.focal = 100,
+	.right = {1, 0, 0},
+	.width = 320,
+	.up = {0, 1, 0},
+	.height = 180,
+	.back = {0, 0, 1},
 	.near = 0.5f,
 };
 
 static ts_vertex vertices[N_VERTICES + 2];
 static ts_object objects[2];
-static u32 reflector_objects[1] = { 1 };
+static u32 reflector_objects[1] = {1};
 static ts_face cube;
 
 /* Vertices 1 to N_VERTICES are the reflector's; those beside them are not. */
@@ -22,15 +27,20 @@ static void make_object(ts_v3 centre, f32 size)
 		ts_store3(vertices[k].position, ts_add(centre, uniform3(-size, size)));
 	}
 	vertices[0].position[0] = vertices[N_VERTICES + 1].position[1] = 1e6f;
-	objects[1] = (ts_object){ .first_vertex = 1, .n_vertices = N_VERTICES };
-	cube = (ts_face){ .n = 0 };
+	objects[1] = (ts_object){.first_vertex = 1, .n_vertices = N_VERTICES};
+	cube = (ts_face){.n = 0};
 }
 
 static ts_resize_args plain(void)
 {
 	return (ts_resize_args){
-		.vertices = vertices, .objects = objects, .reflector_objects = reflector_objects, .view = &eye,
-		.cubes = &cube, .n_max = 512, .hysteresis = 32,
+		.vertices = vertices,
+		.objects = objects,
+		.reflector_objects = reflector_objects,
+		.view = &eye,
+		.cubes = &cube,
+		.n_max = 512,
+		.hysteresis = 32,
 	};
 }
 
@@ -45,8 +55,8 @@ static void box(double3 *lo, double3 *hi)
 	*lo = *hi = d3_of(ts_load3(vertices[1].position));
 	for (u32 k = 2; k <= N_VERTICES; k++) {
 		double3 p = d3_of(ts_load3(vertices[k].position));
-		*lo = (double3){ fmin(lo->x, p.x), fmin(lo->y, p.y), fmin(lo->z, p.z) };
-		*hi = (double3){ fmax(hi->x, p.x), fmax(hi->y, p.y), fmax(hi->z, p.z) };
+		*lo = (double3){fmin(lo->x, p.x), fmin(lo->y, p.y), fmin(lo->z, p.z)};
+		*hi = (double3){fmax(hi->x, p.x), fmax(hi->y, p.y), fmax(hi->z, p.z)};
 	}
 }
 
@@ -73,23 +83,25 @@ static void test_ball(void **state)
 	}
 }
 
-typedef struct { double x0, y0, x1, y1; } extent;
+typedef struct {
+	double x0, y0, x1, y1;
+} extent;
 
 static void add(extent *e, double3 p)
 {
 	double x = 160 + 100 * p.x / -p.z, y = 90 - 100 * p.y / -p.z;
-	*e = (extent){ fmin(e->x0, x), fmin(e->y0, y), fmax(e->x1, x), fmax(e->y1, y) };
+	*e = (extent){fmin(e->x0, x), fmin(e->y0, y), fmax(e->x1, x), fmax(e->y1, y)};
 }
 
 static double3 box_corner(double3 lo, double3 hi, u32 k)
 {
-	return (double3){ k & 1 ? hi.x : lo.x, k & 2 ? hi.y : lo.y, k & 4 ? hi.z : lo.z };
+	return (double3){k & 1 ? hi.x : lo.x, k & 2 ? hi.y : lo.y, k & 4 ? hi.z : lo.z};
 }
 
 /* The part of a box before the near plane is the hull of its corners there and of its face in the plane. */
 static extent project(double3 lo, double3 hi)
 {
-	extent e = { INFINITY, INFINITY, -INFINITY, -INFINITY };
+	extent e = {INFINITY, INFINITY, -INFINITY, -INFINITY};
 	for (u32 k = 0; k < 8; k++) {
 		double3 p = box_corner(lo, hi, k);
 		if (-p.z >= 0.5) add(&e, p);
@@ -185,7 +197,7 @@ static void test_frame(void **state)
 	for (u32 frame = 0; frame < 8; frame++) {
 		args.frame = frame;
 		resized(&args);
-		double3 lo, hi, moved = { frame % 4 == 0 ? 3 : frame % 4 == 2 ? -3 : 0, 0, 0 };
+		double3 lo, hi, moved = {frame % 4 == 0 ? 3 : frame % 4 == 2 ? -3 : 0, 0, 0};
 		box(&lo, &hi);
 		assert_true(d3_distance(d3_of(ts_load3(cube.box_min)), d3_add(lo, moved)) <= 1e-6);
 		assert_true(d3_distance(d3_of(ts_load3(cube.box_max)), d3_add(hi, moved)) <= 1e-6);

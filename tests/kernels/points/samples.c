@@ -5,8 +5,8 @@
 enum { N = 20000 };
 
 static const i32 specified[] = {
-	0, -23, 19, 30, 45, 48, -37, 10, -9, 56, 43, 10, -33, 59, -63, 6, -55, -38, -14, 17, 63, -17, -62, 35, -28, -26,
-	-56, -64, 23, -4, -21, 38, 13, 54, -35, -47, 7, -49, 47, -59, 21, -25, 7, 10, -10, -4, 32, -43, -14, -46,
+	0,   -23, 19,  30, 45, 48,  -37, 10, -9, 56,  43,  10, -33, 59, -63, 6,  -55, -38, -14, 17,  63, -17, -62, 35,  -28,
+	-26, -56, -64, 23, -4, -21, 38,  13, 54, -35, -47, 7,  -49, 47, -59, 21, -25, 7,   10,  -10, -4, 32,  -43, -14, -46,
 };
 
 static void test_offsets(void **state)
@@ -45,7 +45,7 @@ static void test_plane(void **state)
 		ts_v3 eye = uniform3(-5, 5), p = uniform3(-5, 5), n = direction();
 		ts_v3 u = ts_normalize(ts_cross(n, direction())), v = ts_cross(n, u);
 		double3 image = d3_mad(d3_of(eye), d3_of(n), 2 * d3_dot(d3_sub(d3_of(p), d3_of(eye)), d3_of(n)));
-		ts_pixel pixel = { 0 };
+		ts_pixel pixel = {0};
 		put(pixel.position, p);
 		put(pixel.normal, n);
 		put(pixel.position_dx, ts_scale(u, 0.25f));
@@ -68,7 +68,7 @@ static void test_curved(void **state)
 		ts_v3 eye = uniform3(-5, 5), p = uniform3(-5, 5), n = direction();
 		ts_v3 nx = ts_scale(direction(), 0.3f), ny = ts_scale(direction(), 0.3f);
 		if (d3_distance(d3_of(eye), d3_of(p)) < 0.5) continue;
-		ts_pixel pixel = { 0 };
+		ts_pixel pixel = {0};
 		put(pixel.position, p);
 		put(pixel.normal, n);
 		put(pixel.normal_dx, nx);

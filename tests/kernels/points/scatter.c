@@ -26,14 +26,20 @@ static void random_views(ts_offscreen *views, u32 n)
 /* A point alone, in front of one view. Returns the texel that it was written to, or -1. */
 static i64 land(const ts_offscreen *view, ts_v3 p, u32 *depth)
 {
-	u64 bits[2] = { 1, 0 }, key = 0;
-	i64 tally[3] = { 0 }, at = -1;
-	ts_piece piece = { .path = 1 };
-	ts_point point = { .length = 1 };
+	u64 bits[2] = {1, 0}, key = 0;
+	i64 tally[3] = {0}, at = -1;
+	ts_piece piece = {.path = 1};
+	ts_point point = {.length = 1};
 	ts_store3(point.centre, p);
-	ts_scatter_args args = { .views = view, .bits = bits, .depths = texels[0], .n_points = &tally[0],
-	                         .n_scatters = &tally[1], .n_writes = &tally[2], .n_views = 1, .n_words = 2,
-	                         .from = { .pieces = &piece, .keys = &key, .points = &point } };
+	ts_scatter_args args = {.views = view,
+	                        .bits = bits,
+	                        .depths = texels[0],
+	                        .n_points = &tally[0],
+	                        .n_scatters = &tally[1],
+	                        .n_writes = &tally[2],
+	                        .n_views = 1,
+	                        .n_words = 2,
+	                        .from = {.pieces = &piece, .keys = &key, .points = &point}};
 	memset(texels[0], 0xff, sizeof(u32) * N_TEXELS);
 	ts_k_scatter_item(&args, 0);
 	for (u32 k = 0; k < view->width * view->height; k++) {
@@ -77,8 +83,14 @@ static void test_borders(void **state)
 {
 	(void)state;
 	u32 depth;
-	ts_offscreen view = { .right = { 1, 0, 0 }, .up = { 0, 1, 0 }, .back = { 0, 0, 1 }, .width = 4, .height = 4, .focal = 2,
-	                      .near = 0.5f, .reach = { 1, 1 } };
+	ts_offscreen view = {.right = {1, 0, 0},
+	                     .up = {0, 1, 0},
+	                     .back = {0, 0, 1},
+	                     .width = 4,
+	                     .height = 4,
+	                     .focal = 2,
+	                     .near = 0.5f,
+	                     .reach = {1, 1}};
 	for (u32 k = 0; k <= 4; k++) {
 		f32 x = (f32)k / 2 - 1;
 		assert_true(land(&view, ts_v3_make(x, 0.75f, -1), &depth) == (k < 4 ? (i64)k : -1));
@@ -134,8 +146,8 @@ static void test_buffered(void **state)
 	for (u32 i = 0; i < 12; i++) {
 		mesh m;
 		static ts_offscreen views[N_VIEWS];
-		i64 n_capped = 0, tally[2][3] = { { 0 } };
-		ts_points_args how = { .half_size = i % 3 == 0 ? 128 : i % 3 == 1 ? 129 : 0, .snap = i & 1 };
+		i64 n_capped = 0, tally[2][3] = {{0}};
+		ts_points_args how = {.half_size = i % 3 == 0 ? 128 : i % 3 == 1 ? 129 : 0, .snap = i & 1};
 		random_mesh(&m, views, &n_capped);
 		mesh_make_points(&m, how);
 		for (u32 colours = 0; colours < 2; colours++) {
@@ -168,10 +180,10 @@ static void test_batches(void **state)
 	n_random = 0;
 	mesh m;
 	static ts_offscreen views[N_VIEWS];
-	i64 n_capped = 0, tally[3] = { 0 };
+	i64 n_capped = 0, tally[3] = {0};
 	random_mesh(&m, views, &n_capped);
-	mesh_make_points(&m, (ts_points_args){ .half_size = 129, .snap = 1 });
-	ts_scatter_args args = views_scatter(&m, views, N_VIEWS, (ts_points_args){ .half_size = 129, .snap = 1 }, tally);
+	mesh_make_points(&m, (ts_points_args){.half_size = 129, .snap = 1});
+	ts_scatter_args args = views_scatter(&m, views, N_VIEWS, (ts_points_args){.half_size = 129, .snap = 1}, tally);
 	args.depths = texels[0];
 	clear(texels[0]);
 	scatter_points(&args, m.n_points, 0);
@@ -202,11 +214,11 @@ static void test_minimum(void **state)
 	mesh m;
 	static ts_offscreen views[N_VIEWS];
 	static double least[N_VIEWS * N_TEXELS];
-	i64 n_capped = 0, tally[3] = { 0 };
+	i64 n_capped = 0, tally[3] = {0};
 	u32 n_wrong = 0, n_seen = 0;
 	random_mesh(&m, views, &n_capped);
-	mesh_make_points(&m, (ts_points_args){ .half_size = 129, .snap = 1 });
-	ts_scatter_args args = views_scatter(&m, views, N_VIEWS, (ts_points_args){ .half_size = 129, .snap = 1 }, tally);
+	mesh_make_points(&m, (ts_points_args){.half_size = 129, .snap = 1});
+	ts_scatter_args args = views_scatter(&m, views, N_VIEWS, (ts_points_args){.half_size = 129, .snap = 1}, tally);
 	args.depths = texels[0];
 	clear(texels[0]);
 	scatter_points(&args, m.n_points, 0);
@@ -223,7 +235,8 @@ static void test_minimum(void **state)
 	for (u32 k = 0; k < N_VIEWS * N_TEXELS; k++) {
 		bool empty = texels[0][k] == TS_NONE;
 		n_seen += !empty;
-		n_wrong += empty != isinf(least[k]) || (!empty && fabs(ts_u2f(texels[0][k]) - least[k]) > 1e-5 * (1 + least[k]));
+		n_wrong +=
+			empty != isinf(least[k]) || (!empty && fabs(ts_u2f(texels[0][k]) - least[k]) > 1e-5 * (1 + least[k]));
 	}
 	assert_true(n_seen > 1000 && n_wrong <= n_seen / 1000); /* points on the border of two texels */
 	mesh_clear(&m);
@@ -239,7 +252,7 @@ static void test_depth_code(void **state)
 {
 	(void)state;
 	n_random = 0;
-	f32 nears[] = { 1, 0.0078125f, 0.3f, 100 };
+	f32 nears[] = {1, 0.0078125f, 0.3f, 100};
 	for (u32 n = 0; n < 4; n++) {
 		f32 near = nears[n];
 		assert_int_equal(ts_k_depth_code(near, near), 0);
@@ -283,7 +296,7 @@ static void test_colour_code(void **state)
 		u32 code = ts_k_colour_code(c, exposure);
 		ts_v3 back = ts_k_colour_radiance(code, exposure);
 		assert_true(code < 1u << 19 && (8190u << 19 | code) < TS_NONE);
-		const double from[3] = { c.x, c.y, c.z }, to[3] = { back.x, back.y, back.z }, most[3] = { 63, 127, 63 };
+		const double from[3] = {c.x, c.y, c.z}, to[3] = {back.x, back.y, back.z}, most[3] = {63, 127, 63};
 		for (u32 k = 0; k < 3; k++) {
 			double was = sqrt(fmin(from[k] * exposure, 1)), is = sqrt(to[k] * exposure);
 			assert_true(fabs(was - is) <= 0.5 / most[k] + 1e-6);
@@ -312,12 +325,19 @@ static void test_nearer_colour(void **state)
 			m.bits[t * 2] = 1;
 			for (u32 v = 0; v < 3; v++) m.vertices[t * 3 + v].colour[0] = k == 0 ? 1 : 0;
 		}
-		ts_offscreen view = { .right = { 1, 0, 0 }, .up = { 0, 1, 0 }, .back = { 0, 0, 1 }, .width = 16, .height = 16,
-		                      .focal = 8, .near = 0.5f, .reach = { 1, 1 }, .object = TS_NONE };
-		i64 n_capped = 0, tally[3] = { 0 };
+		ts_offscreen view = {.right = {1, 0, 0},
+		                     .up = {0, 1, 0},
+		                     .back = {0, 0, 1},
+		                     .width = 16,
+		                     .height = 16,
+		                     .focal = 8,
+		                     .near = 0.5f,
+		                     .reach = {1, 1},
+		                     .object = TS_NONE};
+		i64 n_capped = 0, tally[3] = {0};
 		mesh_split(&m, views_density(&m, &view, 1, TS_RATE_IS_WATERTIGHT, &n_capped));
 		mesh_align(&m);
-		ts_scatter_args args = views_scatter(&m, &view, 1, (ts_points_args){ .half_size = 129, .snap = 1 }, tally);
+		ts_scatter_args args = views_scatter(&m, &view, 1, (ts_points_args){.half_size = 129, .snap = 1}, tally);
 		args.colours = texels[0];
 		clear(texels[0]);
 		for (u32 i = 0; i < m.n_pieces; i++) ts_k_scatter_pieces_item(&args, order == 0 ? i : m.n_pieces - 1 - i);
@@ -385,10 +405,12 @@ static void test_no_piece_without(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_one_texel),   cmocka_unit_test(test_borders),          cmocka_unit_test(test_buffered),
-		cmocka_unit_test(test_batches),     cmocka_unit_test(test_minimum),          cmocka_unit_test(test_depth_code),
-		cmocka_unit_test(test_depth_code_rises), cmocka_unit_test(test_colour_code), cmocka_unit_test(test_nearer_colour),
-		cmocka_unit_test(test_tiny),        cmocka_unit_test(test_no_piece_without),
+		cmocka_unit_test(test_one_texel),        cmocka_unit_test(test_borders),
+		cmocka_unit_test(test_buffered),         cmocka_unit_test(test_batches),
+		cmocka_unit_test(test_minimum),          cmocka_unit_test(test_depth_code),
+		cmocka_unit_test(test_depth_code_rises), cmocka_unit_test(test_colour_code),
+		cmocka_unit_test(test_nearer_colour),    cmocka_unit_test(test_tiny),
+		cmocka_unit_test(test_no_piece_without),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

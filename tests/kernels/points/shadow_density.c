@@ -5,7 +5,10 @@
 enum { N_DISTANCES = 600, N_VOLUMES = 1500, N_RATES = 3000, N_TRIANGLES = 4000, N_RECEIVERS = 40 };
 
 /* A point of the shadow: corners' weights that are not negative and whose sum is from 1 to `times`. */
-typedef struct { d3 light, corner[3]; double times; } volume;
+typedef struct {
+	d3 light, corner[3];
+	double times;
+} volume;
 
 static d3 in_volume(const volume *v, const double w[3])
 {
@@ -34,7 +37,7 @@ static void random_weights(const volume *v, double w[3])
 /* The volume is convex: from the best of many points random steps of falling length lead to the nearest. */
 static double distance_by_search(const volume *v, d3 eye)
 {
-	double best[3] = { 1, 0, 0 }, least = INFINITY;
+	double best[3] = {1, 0, 0}, least = INFINITY;
 	for (u32 i = 0; i < 400; i++) {
 		double w[3];
 		random_weights(v, w);
@@ -59,7 +62,7 @@ static void random_volume(volume *v, ts_v3 at[4])
 	ts_v3 middle = ts_mad(at[0], unit3(), uniform(0.5f, 5));
 	f32 size = uniform_power(-6, 1);
 	for (u32 k = 1; k < 4; k++) at[k] = ts_mad(middle, uniform3(-1, 1), size);
-	*v = (volume){ .light = d3_of(at[0]), .times = uniform(2, 20) };
+	*v = (volume){.light = d3_of(at[0]), .times = uniform(2, 20)};
 	for (u32 k = 0; k < 3; k++) v->corner[k] = d3_of(at[k + 1]);
 }
 
@@ -122,8 +125,8 @@ static void aim(ts_offscreen views[6], ts_v3 light, ts_v3 at)
 
 static ts_density_args arguments(const ts_offscreen *views, u32 n_lights, const ts_view *eye, u32 rate, u32 shadow)
 {
-	return (ts_density_args){ .view = eye, .views = views, .n_views = 6 * n_lights, .n_words = 2, .rate = rate,
-	                          .shadow = shadow };
+	return (ts_density_args){
+		.view = eye, .views = views, .n_views = 6 * n_lights, .n_words = 2, .rate = rate, .shadow = shadow};
 }
 
 /* The greatest need of any receiver behind a small occluder, up to 20 from the light. */
@@ -145,19 +148,19 @@ static void test_rates(void **state)
 {
 	(void)state;
 	n_random = 0;
-	u32 below[4] = { 0 };
-	double share[4] = { 0 };
-	const u64 words[2] = { 1, 0 };
+	u32 below[4] = {0};
+	double share[4] = {0};
+	const u64 words[2] = {1, 0};
 	for (u32 i = 0; i < N_RATES; i++) {
 		ts_offscreen views[6];
-		ts_view eye = { .focal = 935.3074f };
+		ts_view eye = {.focal = 935.3074f};
 		ts_v3 way = unit3(), middle = ts_scale(way, uniform(0.5f, 5)), e = ts_scale(unit3(), uniform(1, 8));
 		aim(views, ts_v3_make(0, 0, 0), middle);
 		ts_store3(eye.eye, e);
 		ts_v3 u = ts_normalize(ts_cross(way, unit3())), v = ts_cross(way, u);
 		ts_v3 b = ts_mad(middle, u, 0.0009765625f), c = ts_mad(middle, v, 0.0009765625f);
 		double cap = 512 / ts_length(middle);
-		double need = need_behind((d3){ 0, 0, 0 }, d3_of(middle), d3_of(e), eye.focal);
+		double need = need_behind((d3){0, 0, 0}, d3_of(middle), d3_of(e), eye.focal);
 		for (u32 shadow = TS_SHADOW_IS_SAFE; shadow <= TS_SHADOW_IS_PAPER; shadow++) {
 			ts_density_args args = arguments(views, 1, &eye, TS_RATE_IS_EXACT, shadow);
 			double s = ts_k_shadow_density(&args, words, middle, b, c).s;
@@ -181,21 +184,21 @@ static void test_safe(void **state)
 	u32 n_less = 0;
 	for (u32 i = 0; i < N_TRIANGLES; i++) {
 		ts_offscreen views[12];
-		ts_view eye = { .focal = uniform_power(4, 10) };
-		ts_v3 light[2] = { uniform3(-2, 2), uniform3(-2, 2) }, corner[3], e = uniform3(-6, 6);
+		ts_view eye = {.focal = uniform_power(4, 10)};
+		ts_v3 light[2] = {uniform3(-2, 2), uniform3(-2, 2)}, corner[3], e = uniform3(-6, 6);
 		for (u32 l = 0; l < 2; l++) aim(views + 6 * l, light[l], uniform3(-4, 4));
 		ts_store3(eye.eye, e);
 		random_corners(corner, 4, 0.01f, 2);
-		u64 words[2] = { 0 };
+		u64 words[2] = {0};
 		words[0] = i % 3 == 0 ? 1 : i % 3 == 1 ? 1 << 6 : 65;
 		ts_density_args args = arguments(views, 2, &eye, TS_RATE_IS_WATERTIGHT, TS_SHADOW_IS_SAFE);
 		double most = ts_k_view_density(&args, words, corner[0], corner[1], corner[2]).s;
 		double s = ts_k_shadow_density(&args, words, corner[0], corner[1], corner[2]).s;
 		for (u32 k = 0; k < N_RECEIVERS; k++) {
 			u32 l = words[0] == 65 ? k % 2 : words[0] == 1 ? 0 : 1;
-			const u64 own[2] = { 1UL << (6 * l), 0 };
+			const u64 own[2] = {1UL << (6 * l), 0};
 			double cap = ts_k_view_density(&args, own, corner[0], corner[1], corner[2]).s;
-			volume v = { d3_of(light[l]), { d3_of(corner[0]), d3_of(corner[1]), d3_of(corner[2]) }, 3 };
+			volume v = {d3_of(light[l]), {d3_of(corner[0]), d3_of(corner[1]), d3_of(corner[2])}, 3};
 			double w[3];
 			random_weights(&v, w);
 			double times = w[0] + w[1] + w[2];
@@ -218,12 +221,12 @@ static void test_limits(void **state)
 	n_random = 0;
 	for (u32 i = 0; i < N_VOLUMES; i++) {
 		ts_offscreen views[6];
-		ts_view eye = { .focal = 1e6f };
+		ts_view eye = {.focal = 1e6f};
 		ts_v3 corner[3];
 		random_corners(corner, 4, 0.01f, 2);
 		aim(views, uniform3(-2, 2), corner[0]);
 		ts_store3(eye.eye, uniform3(-6, 6));
-		const u64 words[2] = { 077, 0 }, none[2] = { 0, 0 };
+		const u64 words[2] = {077, 0}, none[2] = {0, 0};
 		ts_density_args args = arguments(views, 1, &eye, TS_RATE_IS_WATERTIGHT, TS_SHADOW_IS_NONE);
 		f32 ivir = ts_k_need(&args, words, corner[0], corner[1], corner[2]).s;
 		args.shadow = TS_SHADOW_IS_SAFE;

@@ -41,12 +41,17 @@ static void test_least(void **state)
 		for (u32 i = 0; i < N_PIXELS; i++) {
 			if (keys[i] == TS_EMPTY) continue;
 			double farthest = 0;
-			for (u32 l = 0; l < m.n_cubes; l++) farthest = fmax(farthest, to(d3_load(m.cubes[l].centre), &m, (u32)keys[i]));
+			for (u32 l = 0; l < m.n_cubes; l++)
+				farthest = fmax(farthest, to(d3_load(m.cubes[l].centre), &m, (u32)keys[i]));
 			expected = fmin(expected, to(d3_load(m.view.eye), &m, (u32)keys[i]) / farthest);
 		}
 		u32 least = TS_NONE;
-		ts_shadow_resize_args args = { .scene = mesh_arrays(&m), .view = &m.view, .depth_triangle = keys, .cubes = m.cubes,
-		                               .least = &least, .n_cubes = m.n_cubes };
+		ts_shadow_resize_args args = {.scene = mesh_arrays(&m),
+		                              .view = &m.view,
+		                              .depth_triangle = keys,
+		                              .cubes = m.cubes,
+		                              .least = &least,
+		                              .n_cubes = m.n_cubes};
 		for (u32 i = 0; i < N_PIXELS; i++) ts_k_shadow_resize_item(&args, k % 2 == 0 ? i : N_PIXELS - 1 - i);
 		assert_true(fabs(ts_u2f(least) - expected) <= 1e-4 * (1 + expected));
 		memset(keys, 0xff, sizeof keys);
@@ -58,6 +63,6 @@ static void test_least(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = { cmocka_unit_test(test_least) };
+	const struct CMUnitTest tests[] = {cmocka_unit_test(test_least)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

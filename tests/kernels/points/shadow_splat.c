@@ -24,8 +24,11 @@ static void random_views(ts_offscreen *views, u32 n)
 static ts_shadow_splat_args arguments(const mesh *m, const ts_offscreen *views, u32 n, ts_points_args how, i64 tally[5],
                                       u32 *to)
 {
-	ts_shadow_splat_args r = { .of = views_scatter(m, views, n, how, tally), .n_splats = &tally[3], .n_texels = &tally[4],
-	                           .clip = 1, .plane_depth = 1 };
+	ts_shadow_splat_args r = {.of = views_scatter(m, views, n, how, tally),
+	                          .n_splats = &tally[3],
+	                          .n_texels = &tally[4],
+	                          .clip = 1,
+	                          .plane_depth = 1};
 	r.of.depths = to;
 	return r;
 }
@@ -52,8 +55,8 @@ static void test_buffered(void **state)
 	for (u32 i = 0; i < 6; i++) {
 		mesh m;
 		static ts_offscreen views[N_VIEWS];
-		i64 tally[2][5] = { { 0 } };
-		ts_points_args how = { .half_size = i % 2 == 0 ? 128 : 129, .snap = i & 1, .paper_splat = i / 3 };
+		i64 tally[2][5] = {{0}};
+		ts_points_args how = {.half_size = i % 2 == 0 ? 128 : 129, .snap = i & 1, .paper_splat = i / 3};
 		random_mesh(&m, views);
 		mesh_make_points(&m, how);
 		ts_shadow_splat_args stored = arguments(&m, views, N_VIEWS, how, tally[0], texels[0]);
@@ -71,7 +74,8 @@ static void test_buffered(void **state)
 			}
 			assert_memory_equal(texels[0], texels[1], sizeof texels[0]);
 			assert_memory_equal(tally[0], tally[1], sizeof tally[0]);
-			assert_true(tally[0][0] == m.n_points && tally[0][2] > 100 && tally[0][3] > 100 && tally[0][4] >= tally[0][3]);
+			assert_true(tally[0][0] == m.n_points && tally[0][2] > 100 && tally[0][3] > 100 &&
+			            tally[0][4] >= tally[0][3]);
 		}
 		for (u32 first = 0; first < N_VIEWS; first += 7) {
 			made.of.first_view = first;
@@ -88,7 +92,12 @@ static void test_buffered(void **state)
 }
 
 /* One triangle before one view, with density s. */
-typedef struct { mesh m; ts_offscreen view; ts_v3 corner[3]; i64 tally[5]; } single;
+typedef struct {
+	mesh m;
+	ts_offscreen view;
+	ts_v3 corner[3];
+	i64 tally[5];
+} single;
 
 /* The rate at which each texel gets a sample, where the triangle is nearest. */
 static f32 make_single(single *w)
@@ -102,13 +111,13 @@ static f32 make_single(single *w)
 	} while (is_degenerate(w->corner));
 	u32 t = mesh_triangle(&w->m, w->corner[0], w->corner[1], w->corner[2], 1, 0);
 	w->m.bits[t * 2] = 1;
-	ts_density_args args = { .views = &w->view, .n_views = 1, .n_words = 2, .rate = TS_RATE_IS_WATERTIGHT };
+	ts_density_args args = {.views = &w->view, .n_views = 1, .n_words = 2, .rate = TS_RATE_IS_WATERTIGHT};
 	return ts_k_view_density(&args, w->m.bits, w->corner[0], w->corner[1], w->corner[2]).s;
 }
 
 static void run_single(single *w, f32 s, u32 plane_depth, u32 *to)
 {
-	ts_points_args how = { .half_size = 129, .snap = 1 };
+	ts_points_args how = {.half_size = 129, .snap = 1};
 	memset(w->tally, 0, sizeof w->tally);
 	mesh_whole(&w->m, s);
 	mesh_align(&w->m);
@@ -181,8 +190,8 @@ static void test_dense(void **state)
 		if (!lattice_fits(&w, s)) continue;
 		run_single(&w, s, 1, texels[0]);
 		if (w.tally[3] == 0) {
-			i64 tally[3] = { 0 };
-			ts_points_args how = { .half_size = 129, .snap = 1 };
+			i64 tally[3] = {0};
+			ts_points_args how = {.half_size = 129, .snap = 1};
 			ts_scatter_args scatter = views_scatter(&w.m, &w.view, 1, how, tally);
 			scatter.depths = texels[1];
 			clear(texels[1]);
@@ -223,13 +232,18 @@ static void test_point_depth(void **state)
 /* What the middle of a texel of a cube's face of n texels sees at q, of a plane that has a lattice with the diagonals u and
  * v, unit, and its square about q; `most`: the side of squares that are just written alone at q. Half of them at the border
  * of the face, and half with the diagonal along which a row or column of the image is shortest. */
-typedef struct { ts_offscreen view; u32 i, j; d3 q, u, v; double most; } seen_plane;
+typedef struct {
+	ts_offscreen view;
+	u32 i, j;
+	d3 q, u, v;
+	double most;
+} seen_plane;
 
 static u32 random_texel(u32 n, bool at_border) { return at_border ? random_bits() % 2 * (n - 1) : random_bits() % n; }
 
 static seen_plane random_plane(u32 n)
 {
-	seen_plane r = { .view = view_from(ts_v3_make(0, 0, 0), unit3(), 1, n, 1e-6f, 0) };
+	seen_plane r = {.view = view_from(ts_v3_make(0, 0, 0), unit3(), 1, n, 1e-6f, 0)};
 	r.i = random_texel(n, random_bits() % 2 != 0);
 	r.j = random_texel(n, random_bits() % 2 != 0);
 	d3_ray ray = view_ray(&r.view, r.i + 0.5, r.j + 0.5);
@@ -308,7 +322,7 @@ static i64 count_offers(const ts_shadow_splat_args *args, bool *misses)
 	ts_cover cover = ts_k_lattice_cover(&args->of.from.frames[0], args->of.from.half_size);
 	ts_flight point = ts_k_flight_of_piece(&args->of.from, 0);
 	ts_shadow_tally tally = ts_k_shadow_none();
-	ts_shadow_group group = { .caster = { ts_k_shadow_caster(&args->of, 0, &point) }, .n = 1 };
+	ts_shadow_group group = {.caster = {ts_k_shadow_caster(&args->of, 0, &point)}, .n = 1};
 	*misses = group.caster[0].misses;
 	ts_k_shadow_piece_into(args, &cover, &point, &group, &tally);
 	return tally.of.writes + tally.texels;
@@ -324,7 +338,7 @@ static void test_misses(void **state)
 	for (u32 i = 0; i < N_BESIDE; i++) {
 		bool misses;
 		make_beside(&w);
-		ts_points_args how = { .half_size = 129, .snap = i & 1 };
+		ts_points_args how = {.half_size = 129, .snap = i & 1};
 		ts_shadow_splat_args args = arguments(&w.m, &w.view, 1, how, w.tally, texels[0]);
 		args.clip = 0;
 		i64 n_offers = count_offers(&args, &misses);
@@ -340,7 +354,7 @@ static void test_misses(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_buffered), cmocka_unit_test(test_no_holes), cmocka_unit_test(test_dense),
+		cmocka_unit_test(test_buffered),    cmocka_unit_test(test_no_holes),      cmocka_unit_test(test_dense),
 		cmocka_unit_test(test_point_depth), cmocka_unit_test(test_written_alone), cmocka_unit_test(test_misses),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);

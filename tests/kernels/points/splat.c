@@ -9,34 +9,36 @@ static bool texel_meets(const ts_face *cube, u32 face, const d3 corner[3], i32 i
 {
 	ts_camera_k view = ts_k_cube_view(cube, face);
 	d3 right = d3_of(view.right), up = d3_of(view.up), back = d3_of(view.back);
-	double f = cube->n / 2.0, x0 = i - f - margin, x1 = i + 1 - f + margin, y0 = f - j + margin, y1 = f - j - 1 - margin;
-	d3_polygon p = { .n = 3 };
+	double f = cube->n / 2.0, x0 = i - f - margin, x1 = i + 1 - f + margin, y0 = f - j + margin,
+		   y1 = f - j - 1 - margin;
+	d3_polygon p = {.n = 3};
 	for (u32 k = 0; k < 3; k++) {
 		d3 d = d3_sub(corner[k], d3_load(cube->centre));
-		p.p[k] = (d3){ d3_dot(d, right), d3_dot(d, up), -d3_dot(d, back) };
+		p.p[k] = (d3){d3_dot(d, right), d3_dot(d, up), -d3_dot(d, back)};
 	}
-	p = d3_clip(&p, (d3){ 0, 0, 1 }, -(double)cube->near);
-	p = d3_clip(&p, (d3){ f, 0, -x0 }, 0);
-	p = d3_clip(&p, (d3){ -f, 0, x1 }, 0);
-	p = d3_clip(&p, (d3){ 0, -f, y0 }, 0);
-	p = d3_clip(&p, (d3){ 0, f, -y1 }, 0);
+	p = d3_clip(&p, (d3){0, 0, 1}, -(double)cube->near);
+	p = d3_clip(&p, (d3){f, 0, -x0}, 0);
+	p = d3_clip(&p, (d3){-f, 0, x1}, 0);
+	p = d3_clip(&p, (d3){0, -f, y0}, 0);
+	p = d3_clip(&p, (d3){0, f, -y1}, 0);
 	*depth = INFINITY;
 	for (int k = 0; k < p.n; k++) *depth = fmin(*depth, p.p[k].z);
 	return p.n > 0;
 }
 
-typedef struct { const char *name; u32 clip; i32 half_size; } splat_case;
+typedef struct {
+	const char *name;
+	u32 clip;
+	i32 half_size;
+} splat_case;
 
 /* Rounding moves the triangle and its tiles by this many texels at this depth. */
-static double rounding(const ts_face *cube, double depth)
-{
-	return 2e-3 + 1e-5 * cube->n / depth;
-}
+static double rounding(const ts_face *cube, double depth) { return 2e-3 + 1e-5 * cube->n / depth; }
 
 /* Texels of one face: each that the triangle surely meets is written; with clip, none that it surely misses. `reach`: how
  * far the exact cover may fall short, in world units. */
-static void assert_face(const mesh *m, const u64 *texels, u32 face, const splat_case *how, const d3 corner[3], double reach,
-                        u32 *n_met)
+static void assert_face(const mesh *m, const u64 *texels, u32 face, const splat_case *how, const d3 corner[3],
+                        double reach, u32 *n_met)
 {
 	const ts_face *cube = m->cubes;
 	for (i32 j = 0; j < (i32)cube->n; j++) {
@@ -72,7 +74,7 @@ static u64 *splat_all(const mesh *m, u32 clip, u32 plane_depth, i64 *writes)
 
 static void assert_tiles(mesh *m, const splat_case *how, const ts_v3 corner[3], u32 *n_met)
 {
-	d3 c[3] = { d3_of(corner[0]), d3_of(corner[1]), d3_of(corner[2]) };
+	d3 c[3] = {d3_of(corner[0]), d3_of(corner[1]), d3_of(corner[2])};
 	i64 writes = 0;
 	u64 *texels = splat_all(m, how->clip, 0, &writes);
 	double reach = how->half_size == 128 ? 1.0 / 128 / m->scale[0] : 0;
@@ -84,8 +86,8 @@ static void assert_tiles(mesh *m, const splat_case *how, const ts_v3 corner[3], 
 static void test_no_gaps(void **state)
 {
 	(void)state;
-	static const splat_case cases[] = { { "clip, safe", 1, 129 }, { "box, safe", 0, 129 },
-	                                    { "clip, exact", 1, 128 }, { "box, exact", 0, 128 } };
+	static const splat_case cases[] = {
+		{"clip, safe", 1, 129}, {"box, safe", 0, 129}, {"clip, exact", 1, 128}, {"box, exact", 0, 128}};
 	n_random = 0;
 	u32 n_met = 0, n_tiny = 0;
 	for (u32 i = 0; i < N; i++) {
@@ -115,18 +117,18 @@ static void test_no_gaps_aligned(void **state)
 	u32 n_met = 0;
 	for (u32 i = 0; i < 24; i++) {
 		mesh m;
-		splat_case how = { "aligned", i % 2, 129 };
+		splat_case how = {"aligned", i % 2, 129};
 		mesh_begin(&m);
 		mesh_cube(&m, ts_v3_make(0, 0, 0), 1, 128);
 		f32 z = uniform(1, 4), x = uniform(-0.5f, 0);
-		ts_v3 corner[3] = { ts_v3_make(x, x, z), ts_v3_make(x + z, x, z), ts_v3_make(x, x + z * uniform(0.2f, 0.9f), z) };
+		ts_v3 corner[3] = {ts_v3_make(x, x, z), ts_v3_make(x + z, x, z), ts_v3_make(x, x + z * uniform(0.2f, 0.9f), z)};
 		if (i % 4 < 2) corner[2].x += z * 0.5f;
 		mesh_triangle(&m, corner[0], corner[1], corner[2], 0, 0);
 		mesh_whole(&m, uniform_power(-2, 3) / z);
 		mesh_points(&m, 129, 0);
 		i64 writes = 0;
 		u64 *texels = splat_all(&m, how.clip, 0, &writes);
-		d3 c[3] = { d3_of(corner[0]), d3_of(corner[1]), d3_of(corner[2]) };
+		d3 c[3] = {d3_of(corner[0]), d3_of(corner[1]), d3_of(corner[2])};
 		assert_face(&m, texels, 4, &how, c, 0, &n_met);
 		free(texels);
 		mesh_clear(&m);
@@ -138,7 +140,7 @@ static void test_no_gaps_aligned(void **state)
 static void test_no_gaps_in_pieces(void **state)
 {
 	(void)state;
-	static const splat_case how = { "pieces", 1, 129 };
+	static const splat_case how = {"pieces", 1, 129};
 	n_random = 0;
 	u32 n_met = 0, n_split = 0;
 	for (u32 i = 0; i < 12; i++) {
@@ -290,9 +292,13 @@ static void test_plane_depth(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_no_gaps), cmocka_unit_test(test_no_gaps_aligned),
-		cmocka_unit_test(test_no_gaps_in_pieces), cmocka_unit_test(test_keys),
-		cmocka_unit_test(test_order),   cmocka_unit_test(test_bits),              cmocka_unit_test(test_plane_depth),
+		cmocka_unit_test(test_no_gaps),
+		cmocka_unit_test(test_no_gaps_aligned),
+		cmocka_unit_test(test_no_gaps_in_pieces),
+		cmocka_unit_test(test_keys),
+		cmocka_unit_test(test_order),
+		cmocka_unit_test(test_bits),
+		cmocka_unit_test(test_plane_depth),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

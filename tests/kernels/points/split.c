@@ -38,7 +38,7 @@ static void test_uneven(void **state)
 {
 	(void)state;
 	n_random = 0;
-	u32 n_split[5] = { 0 }, n_last = 0; /* the last ones: watertight */
+	u32 n_split[5] = {0}, n_last = 0; /* the last ones: watertight */
 	for (u32 i = 0; i < N; i++) {
 		u32 rate = TS_RATE_IS_WATERTIGHT + i % 4;
 		mesh m;
@@ -73,10 +73,11 @@ static void test_children(void **state)
 	(void)state;
 	n_random = 0;
 	for (u32 i = 0; i < 20000; i++) {
-		ts_part part = { .path = 1 + random_bits() % 4095 };
+		ts_part part = {.path = 1 + random_bits() % 4095};
 		random_corners(part.v, 100, 0.01f, 64);
 		f32 length;
-		u32 edge = ts_k_longest_edge(part.v[0], part.v[1], part.v[2], &length), next = (edge + 1) % 3, apex = (edge + 2) % 3;
+		u32 edge = ts_k_longest_edge(part.v[0], part.v[1], part.v[2], &length), next = (edge + 1) % 3,
+			apex = (edge + 2) % 3;
 		ts_part first = ts_k_child(&part, edge, 0), second = ts_k_child(&part, edge, 1);
 		assert_true(first.path == 2 * part.path && second.path == 2 * part.path + 1);
 		assert_memory_equal(&first.v[edge], &part.v[edge], sizeof(ts_v3));
@@ -136,7 +137,8 @@ static void test_cover(void **state)
 		i64 n_capped = 0;
 		random_pair(&m);
 		mesh_split(&m, views_density(&m, views, N_VIEWS, TS_RATE_IS_WATERTIGHT, &n_capped));
-		d3 a = d3_load(m.vertices[0].position), b = d3_load(m.vertices[1].position), c = d3_load(m.vertices[2].position);
+		d3 a = d3_load(m.vertices[0].position), b = d3_load(m.vertices[1].position),
+		   c = d3_load(m.vertices[2].position);
 		double size = d3_length(d3_sub(b, a)) + d3_length(d3_sub(c, a));
 		for (u32 k = 0; k < 40; k++) {
 			f32 x = uniform(0, 1), y = uniform(0, 1 - x);

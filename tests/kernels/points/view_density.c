@@ -4,7 +4,7 @@
 
 enum { N = 20000, SIZE = 96, FULL = 128 };
 
-static const u32 rates[] = { TS_RATE_IS_WATERTIGHT, TS_RATE_IS_EXACT, TS_RATE_IS_PAPER, TS_RATE_IS_VIR };
+static const u32 rates[] = {TS_RATE_IS_WATERTIGHT, TS_RATE_IS_EXACT, TS_RATE_IS_PAPER, TS_RATE_IS_VIR};
 
 /* A two-sided triangle alone, seen by the first `n_views` views. */
 static void begin(mesh *m, const ts_v3 corner[3], u32 n_views)
@@ -78,7 +78,7 @@ static void test_area(void **state)
 /* The triangle within the frustum, a pixel wider on each side. */
 static d3_polygon in_frustum(const ts_offscreen *view, const ts_v3 corner[3])
 {
-	d3_polygon r = { .p = { d3_of(corner[0]), d3_of(corner[1]), d3_of(corner[2]) }, .n = 3 };
+	d3_polygon r = {.p = {d3_of(corner[0]), d3_of(corner[1]), d3_of(corner[2])}, .n = 3};
 	d3 back = d3_load(view->back), eye = d3_load(view->eye);
 	r = d3_clip(&r, d3_scale(back, -1), d3_dot(back, eye) - view->near);
 	for (u32 side = 0; side < 4; side++) {
@@ -127,7 +127,7 @@ static void test_rates(void **state)
 /* The largest singular value of the map from the plane to the image at p, from the images of two steps. */
 static double stretch(const ts_offscreen *view, d3 p, d3 n)
 {
-	d3 u = d3_unit(d3_cross(n, fabs(n.x) < 0.7 ? (d3){ 1, 0, 0 } : (d3){ 0, 1, 0 })), v = d3_cross(n, u);
+	d3 u = d3_unit(d3_cross(n, fabs(n.x) < 0.7 ? (d3){1, 0, 0} : (d3){0, 1, 0})), v = d3_cross(n, u);
 	double step = 1e-6 * d3_length(d3_sub(p, d3_load(view->eye)));
 	d3_place a = view_place(view, d3_mad(p, u, -step)), b = view_place(view, d3_mad(p, u, step));
 	d3_place c = view_place(view, d3_mad(p, v, -step)), e = view_place(view, d3_mad(p, v, step));
@@ -198,20 +198,22 @@ static void test_views(void **state)
 
 static u32 depths[FULL * FULL];
 
-typedef struct { i64 seen, holes, points, capped; } tally;
+typedef struct {
+	i64 seen, holes, points, capped;
+} tally;
 
 /* Clears and fills `depths` through all kernels from the density on, which is that of the view `from`. */
 static tally scatter(const ts_offscreen *view, const ts_offscreen *from, const ts_v3 corner[3], u32 rate, u32 split)
 {
 	mesh m;
-	tally r = { 0 };
-	i64 counts[3] = { 0 };
+	tally r = {0};
+	i64 counts[3] = {0};
 	begin(&m, corner, 1);
 	ts_density_args density = views_density(&m, from, 1, rate, &r.capped);
 	density.split = split;
 	mesh_split(&m, density);
 	mesh_align(&m);
-	ts_scatter_args args = views_scatter(&m, view, 1, (ts_points_args){ .half_size = 129, .snap = 1 }, counts);
+	ts_scatter_args args = views_scatter(&m, view, 1, (ts_points_args){.half_size = 129, .snap = 1}, counts);
 	args.depths = depths;
 	memset(depths, 0xff, sizeof depths);
 	for (u32 i = 0; i < m.n_pieces; i++) ts_k_scatter_pieces_item(&args, i);
@@ -240,7 +242,20 @@ static tally count_holes(const ts_offscreen *view, const ts_v3 corner[3], u32 ra
 	return r;
 }
 
-enum { PLAIN, GRAZING, NEAR, SLIVER, NEAR_SLIVER, PARALLEL_SLIVER, PARALLEL, FAR_OFF, VERY_FAR_OFF, TINY, LARGE, N_SORTS };
+enum {
+	PLAIN,
+	GRAZING,
+	NEAR,
+	SLIVER,
+	NEAR_SLIVER,
+	PARALLEL_SLIVER,
+	PARALLEL,
+	FAR_OFF,
+	VERY_FAR_OFF,
+	TINY,
+	LARGE,
+	N_SORTS
+};
 
 static void grazing(ts_v3 corner[3], const ts_offscreen *view, f32 size)
 {
@@ -256,7 +271,8 @@ static void grazing(ts_v3 corner[3], const ts_offscreen *view, f32 size)
 static void sliver(ts_v3 corner[3])
 {
 	ts_v3 edge = ts_sub(corner[1], corner[0]);
-	corner[2] = ts_mad(ts_mad(corner[0], edge, uniform(0, 1)), uniform3(-1, 1), ts_length(edge) * uniform_power(-16, -5));
+	corner[2] =
+		ts_mad(ts_mad(corner[0], edge, uniform(0, 1)), uniform3(-1, 1), ts_length(edge) * uniform_power(-16, -5));
 }
 
 /* A view, and a triangle that is hard to cover. */
@@ -282,7 +298,7 @@ static void test_watertight(void **state)
 	(void)state;
 	for (u32 sort = 0; sort < N_SORTS; sort++) {
 		bool thin = sort == SLIVER || sort == NEAR_SLIVER || sort == PARALLEL_SLIVER;
-		tally sum = { 0 };
+		tally sum = {0};
 		n_random = sort << 24;
 		for (u32 i = 0; i < (thin ? 1500u : sort == TINY ? 400u : 120u); i++) {
 			ts_v3 corner[3];
@@ -307,8 +323,8 @@ static double holes_of_slant(double degrees, u32 n, double *error)
 	for (u32 i = 0; i < n; i++) {
 		double turn = uniform(0, 6.2831853f), tilt = uniform(0, 6.2831853f);
 		ts_offscreen view = view_from(ts_v3_make(0, 0, 0), ts_v3_make(0, 0, 1), 1, FULL, 0.0078125f, 1);
-		d3 along = { cos(tilt) * c, sin(tilt) * c, s }, across = { -sin(tilt), cos(tilt), 0 };
-		d3 aside = { uniform(-0.1f, 0.1f), uniform(-0.1f, 0.1f), -64 };
+		d3 along = {cos(tilt) * c, sin(tilt) * c, s}, across = {-sin(tilt), cos(tilt), 0};
+		d3 aside = {uniform(-0.1f, 0.1f), uniform(-0.1f, 0.1f), -64};
 		ts_v3 corner[3];
 		for (u32 k = 0; k < 3; k++) { /* holds a disc of twice the image's half diagonal as seen, in the plane */
 			double angle = turn + k * 2.0943951023931953, r = 3.2 / c;
@@ -331,7 +347,7 @@ static double holes_of_slant(double degrees, u32 n, double *error)
 static void test_slants(void **state)
 {
 	(void)state;
-	static const double table[][2] = { { 0, 0.0894 }, { 30, 0.0976 }, { 45, 0.1194 }, { 60, 0.1568 }, { 75, 0.2263 } };
+	static const double table[][2] = {{0, 0.0894}, {30, 0.0976}, {45, 0.1194}, {60, 0.1568}, {75, 0.2263}};
 	n_random = 0;
 	for (u32 row = 0; row < 5; row++) {
 		double error, share = holes_of_slant(table[row][0], 40, &error);
@@ -364,7 +380,7 @@ static bool perspective_corners(ts_v3 corner[3])
 static tally full_texels(const ts_offscreen *view, const ts_v3 corner[3])
 {
 	static bool in[FULL + 1][FULL + 1];
-	tally r = { 0 };
+	tally r = {0};
 	for (u32 y = 0; y <= FULL; y++) {
 		for (u32 x = 0; x <= FULL; x++) {
 			double w[3];
@@ -385,7 +401,7 @@ static tally full_texels(const ts_offscreen *view, const ts_v3 corner[3])
 /* Without splits; the density is that of the nearest corner, or, `clipped`, of what the view holds of the triangle. */
 static tally holes_of_perspective(u32 rate, bool clipped, u32 n, double *error)
 {
-	tally sum = { 0 };
+	tally sum = {0};
 	double squares = 0;
 	ts_v3 origin = ts_v3_make(0, 0, 0), back = ts_v3_make(0, 0, 1);
 	for (u32 i = 0; i < n;) {
@@ -426,8 +442,8 @@ static void test_perspective(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_area),       cmocka_unit_test(test_rates),  cmocka_unit_test(test_bound),
-		cmocka_unit_test(test_views),      cmocka_unit_test(test_watertight), cmocka_unit_test(test_slants),
+		cmocka_unit_test(test_area),        cmocka_unit_test(test_rates),      cmocka_unit_test(test_bound),
+		cmocka_unit_test(test_views),       cmocka_unit_test(test_watertight), cmocka_unit_test(test_slants),
 		cmocka_unit_test(test_perspective),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -18,8 +18,14 @@ static inline ts_v3 unit3(void)
  * orthographic ones half the extent. */
 static inline ts_offscreen view_from(ts_v3 eye, ts_v3 back, f32 reach, u32 n, f32 near, u32 orthographic)
 {
-	ts_offscreen r = { .width = n, .height = n, .near = near, .reach = { reach, reach }, .focal = (f32)n / (2 * reach),
-	                   .orthographic = orthographic, .object = TS_NONE, .light = TS_NONE };
+	ts_offscreen r = {.width = n,
+	                  .height = n,
+	                  .near = near,
+	                  .reach = {reach, reach},
+	                  .focal = (f32)n / (2 * reach),
+	                  .orthographic = orthographic,
+	                  .object = TS_NONE,
+	                  .light = TS_NONE};
 	ts_v3 right = ts_normalize(ts_cross(unit3(), back));
 	ts_store3(r.eye, eye);
 	ts_store3(r.right, right);
@@ -29,26 +35,30 @@ static inline ts_offscreen view_from(ts_v3 eye, ts_v3 back, f32 reach, u32 n, f3
 }
 
 /* Where a point appears: pixels, and axial depth. */
-typedef struct { double x, y, z; } d3_place;
+typedef struct {
+	double x, y, z;
+} d3_place;
 
 static inline d3_place view_place(const ts_offscreen *view, d3 p)
 {
 	d3 d = d3_sub(p, d3_load(view->eye));
 	double z = -d3_dot(d3_load(view->back), d), over = view->orthographic != 0 ? 1 : z;
-	return (d3_place){ view->width * 0.5 + view->focal * d3_dot(d3_load(view->right), d) / over,
-	                   view->height * 0.5 - view->focal * d3_dot(d3_load(view->up), d) / over, z };
+	return (d3_place){view->width * 0.5 + view->focal * d3_dot(d3_load(view->right), d) / over,
+	                  view->height * 0.5 - view->focal * d3_dot(d3_load(view->up), d) / over, z};
 }
 
 /* The ray through a place of the image. */
-typedef struct { d3 from, way; } d3_ray;
+typedef struct {
+	d3 from, way;
+} d3_ray;
 
 static inline d3_ray view_ray(const ts_offscreen *view, double x, double y)
 {
 	double right = (x - view->width * 0.5) / view->focal, up = (view->height * 0.5 - y) / view->focal;
 	d3 eye = d3_load(view->eye), aside = d3_add(d3_scale(d3_load(view->right), right), d3_scale(d3_load(view->up), up));
 	d3 ahead = d3_scale(d3_load(view->back), -1);
-	if (view->orthographic != 0) return (d3_ray){ d3_add(eye, aside), ahead };
-	return (d3_ray){ eye, d3_add(aside, ahead) };
+	if (view->orthographic != 0) return (d3_ray){d3_add(eye, aside), ahead};
+	return (d3_ray){eye, d3_add(aside, ahead)};
 }
 
 /* How far along the ray the plane of a triangle is, in axial depth; what the corners weigh there. */
@@ -63,10 +73,17 @@ static inline double ray_meets(const d3_ray *ray, d3 a, d3 b, d3 c, double weigh
 	return t;
 }
 
-static inline ts_density_args views_density(const mesh *m, const ts_offscreen *views, u32 n_views, u32 rate, i64 *n_capped)
+static inline ts_density_args views_density(const mesh *m, const ts_offscreen *views, u32 n_views, u32 rate,
+                                            i64 *n_capped)
 {
-	return (ts_density_args){ .scene = mesh_arrays(m), .bits = m->bits, .n_capped = n_capped, .n_words = 2, .split = 1,
-	                          .views = views, .n_views = n_views, .rate = rate };
+	return (ts_density_args){.scene = mesh_arrays(m),
+	                         .bits = m->bits,
+	                         .n_capped = n_capped,
+	                         .n_words = 2,
+	                         .split = 1,
+	                         .views = views,
+	                         .n_views = n_views,
+	                         .rate = rate};
 }
 
 /* The arguments of scattering all pieces of a mesh, or its points, to its views; tally: points, scatters, writes. */
@@ -78,9 +95,15 @@ static inline ts_scatter_args views_scatter(const mesh *m, const ts_offscreen *v
 	how.frames = m->frames;
 	how.keys = m->keys;
 	how.points = m->points;
-	return (ts_scatter_args){ .from = how, .views = views, .bits = m->bits, .n_points = &tally[0],
-	                          .n_scatters = &tally[1], .n_writes = &tally[2], .n_views = n_views, .n_words = 2,
-	                          .exposure = 1 };
+	return (ts_scatter_args){.from = how,
+	                         .views = views,
+	                         .bits = m->bits,
+	                         .n_points = &tally[0],
+	                         .n_scatters = &tally[1],
+	                         .n_writes = &tally[2],
+	                         .n_views = n_views,
+	                         .n_words = 2,
+	                         .exposure = 1};
 }
 
 #endif

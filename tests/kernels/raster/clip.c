@@ -6,11 +6,16 @@
 enum { N = 30000 };
 
 static const ts_camera_k eye = {
-	.right = { 1, 0, 0 }, .up = { 0, 1, 0 }, .back = { 0, 0, 1 }, .focal = 400, .near = 0.5f, .width = 640,
+	.right = {1, 0, 0},
+	.up = {0, 1, 0},
+	.back = {0, 0, 1},
+	.focal = 400,
+	.near = 0.5f,
+	.width = 640,
 	.height = 480,
 };
 
-static double3 at(const ts_corner *c) { return (double3){ c->x, c->y, -c->z }; }
+static double3 at(const ts_corner *c) { return (double3){c->x, c->y, -c->z}; }
 
 static double area(double3 a, double3 b, double3 c) { return d3_length(d3_cross(d3_sub(b, a), d3_sub(c, a))) / 2; }
 
@@ -42,8 +47,8 @@ static void test_near(void **state)
 	(void)state;
 	u32 n_cut = 0;
 	for (u32 i = 0; i < N; i++) {
-		ts_v3 v[3] = { uniform3(-2, 2), uniform3(-2, 2), uniform3(-2, 2) };
-		double z[3] = { -(double)v[0].z, -(double)v[1].z, -(double)v[2].z };
+		ts_v3 v[3] = {uniform3(-2, 2), uniform3(-2, 2), uniform3(-2, 2)};
+		double z[3] = {-(double)v[0].z, -(double)v[1].z, -(double)v[2].z};
 		double whole = area(d3_of(v[0]), d3_of(v[1]), d3_of(v[2]));
 		ts_polygon p = ts_k_polygon(&eye, v[0], v[1], v[2]);
 		ts_k_clip(&p, ts_plane_make(0, 0, 1, -eye.near));
@@ -54,7 +59,7 @@ static void test_near(void **state)
 			const ts_corner *c = &p.corner[k];
 			assert_true(c->z >= eye.near - 1e-6f);
 			assert_true(c->w.x >= 0 && c->w.y >= 0 && c->w.z >= 0);
-			assert_near(d3_dot(d3_of(c->w), (double3){ 1, 1, 1 }), 1, 3e-7);
+			assert_near(d3_dot(d3_of(c->w), (double3){1, 1, 1}), 1, 3e-7);
 			assert_true(d3_distance(at(c), d3_blend(c->w, d3_of(v[0]), d3_of(v[1]), d3_of(v[2]))) <= 3e-6);
 		}
 	}
@@ -76,8 +81,8 @@ static void test_shared_edge(void **state)
 		for (u32 k = 0; k < p.n * q.n; k++) {
 			const ts_corner *c = &p.corner[k / q.n], *d = &q.corner[k % q.n];
 			if (c->w.z != 0 || d->w.z != 0 || c->w.x == 1 || c->w.y == 1) continue;
-			n_same += same_bits(c->x, d->x) && same_bits(c->y, d->y) && same_bits(c->z, d->z)
-			          && same_bits(c->w.x, d->w.y) && same_bits(c->w.y, d->w.x);
+			n_same += same_bits(c->x, d->x) && same_bits(c->y, d->y) && same_bits(c->z, d->z) &&
+			          same_bits(c->w.x, d->w.y) && same_bits(c->w.y, d->w.x);
 		}
 		n_shared++;
 		assert_int_equal(n_same, 1);
@@ -108,10 +113,10 @@ static void test_range(void **state)
 static void test_outside(void **state)
 {
 	(void)state;
-	const f32 off[6][3] = { { 9, 0, -4 }, { -9, 0, -4 }, { 0, 9, -4 }, { 0, -9, -4 }, { 0, 0, 1 }, { 0, 0, -0.4f } };
+	const f32 off[6][3] = {{9, 0, -4}, {-9, 0, -4}, {0, 9, -4}, {0, -9, -4}, {0, 0, 1}, {0, 0, -0.4f}};
 	u32 n_outside = 0;
 	for (u32 i = 0; i < N; i++) {
-		ts_v3 v[3] = { uniform3(-4, 4), uniform3(-4, 4), uniform3(-4, 4) };
+		ts_v3 v[3] = {uniform3(-4, 4), uniform3(-4, 4), uniform3(-4, 4)};
 		ts_polygon p = ts_k_polygon(&eye, v[0], v[1], v[2]);
 		bool outside = ts_k_is_outside(&eye, &p);
 		n_outside += outside;
@@ -130,7 +135,11 @@ static void test_outside(void **state)
 	}
 }
 
-typedef struct { ts_polygon p; ts_setup setup; bool is_whole; } drawn;
+typedef struct {
+	ts_polygon p;
+	ts_setup setup;
+	bool is_whole;
+} drawn;
 
 static drawn random_drawn(void)
 {
@@ -176,7 +185,7 @@ static void test_reprojection(void **state)
 		n_judged++;
 		double3 p = d3_blend(f.w, at(&d.p.corner[0]), at(&d.p.corner[1]), at(&d.p.corner[2]));
 		assert_true(f.w.x >= 0 && f.w.y >= 0 && f.w.z >= 0);
-		assert_near(d3_dot(d3_of(f.w), (double3){ 1, 1, 1 }), 1, 1e-6);
+		assert_near(d3_dot(d3_of(f.w), (double3){1, 1, 1}), 1, 1e-6);
 		assert_near(f.z, -p.z, 4e-6);
 		assert_near(320 + 400 * p.x / -p.z, i + 0.5, 1 / 512.0 + 3e-4);
 		assert_near(240 - 400 * p.y / -p.z, j + 0.5, 1 / 512.0 + 3e-4);
@@ -196,7 +205,7 @@ static void test_ray(void **state)
 		if (d.setup.area < 2LL * 65536 * 20000 || !random_fragment(&d, &i, &j, &f)) continue;
 		double3 a = at(&d.p.corner[0]), b = at(&d.p.corner[1]), c = at(&d.p.corner[2]);
 		double3 normal = d3_cross(d3_sub(b, a), d3_sub(c, a));
-		double3 ray = { (i + 0.5 - 320) / 400, (240 - j - 0.5) / 400, -1 };
+		double3 ray = {(i + 0.5 - 320) / 400, (240 - j - 0.5) / 400, -1};
 		if (fabs(d3_dot(d3_unit(normal), d3_unit(ray))) < 0.3) continue;
 		n_judged++;
 		double3 q = d3_scale(ray, d3_dot(normal, a) / d3_dot(normal, ray));
@@ -215,7 +224,7 @@ static void test_to_view(void **state)
 	(void)state;
 	for (u32 i = 0; i < N; i++) {
 		ts_v3 back = direction(), right = ts_normalize(ts_cross(direction(), back)), up = ts_cross(back, right);
-		ts_view record = { .focal = 100, .near = 0.25f, .width = 64, .height = 32 };
+		ts_view record = {.focal = 100, .near = 0.25f, .width = 64, .height = 32};
 		ts_v3 from = uniform3(-9, 9), p = uniform3(-9, 9);
 		ts_store3(record.eye, from);
 		ts_store3(record.right, right);
@@ -238,7 +247,12 @@ static void test_edge_on(void **state)
 {
 	(void)state;
 	const ts_camera_k face = {
-		.right = { 1, 0, 0 }, .up = { 0, 1, 0 }, .back = { 0, 0, 1 }, .focal = 256, .near = 0.01f, .width = 512,
+		.right = {1, 0, 0},
+		.up = {0, 1, 0},
+		.back = {0, 0, 1},
+		.focal = 256,
+		.near = 0.01f,
+		.width = 512,
 		.height = 512,
 	};
 	n_random = 0;
@@ -257,8 +271,9 @@ static void test_edge_on(void **state)
 	}
 	assert_true(n_bounded > 0);
 	const ts_v3 known[3] = {
-		{ 0x1.14061p7f, 0x1.66d714p7f, 0x1.69ad42p0f }, { -0x1.0c06dep7f, -0x1.36b26p7f, -0x1.39272p0f },
-		{ 0x1.2fcd84p6f, -0x1.be37dcp7f, -0x1.c1bedcp0f },
+		{0x1.14061p7f, 0x1.66d714p7f, 0x1.69ad42p0f},
+		{-0x1.0c06dep7f, -0x1.36b26p7f, -0x1.39272p0f},
+		{0x1.2fcd84p6f, -0x1.be37dcp7f, -0x1.c1bedcp0f},
 	};
 	for (u32 k = 0; k < 8; k++) {
 		ts_camera_k turned = face;
@@ -274,9 +289,9 @@ static void test_edge_on(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_edge_on), seeded_test(test_near),    seeded_test(test_shared_edge),  seeded_test(test_range),
-		seeded_test(test_outside), seeded_test(test_reprojection), seeded_test(test_ray),
-		seeded_test(test_to_view),
+		cmocka_unit_test(test_edge_on), seeded_test(test_near),    seeded_test(test_shared_edge),
+		seeded_test(test_range),        seeded_test(test_outside), seeded_test(test_reprojection),
+		seeded_test(test_ray),          seeded_test(test_to_view),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -10,8 +10,8 @@ static u32 look_up(double3 d, double *s, double *t)
 	double x = fabs(d.x), y = fabs(d.y), z = fabs(d.z);
 	u32 face = x >= y && x >= z ? d.x < 0 : y >= z ? 2 + (d.y < 0) : 4 + (d.z < 0);
 	double ma = face < 2 ? x : face < 4 ? y : z;
-	const double sc[] = { -d.z, d.z, d.x, d.x, d.x, -d.x };
-	const double tc[] = { -d.y, -d.y, d.z, -d.z, -d.y, -d.y };
+	const double sc[] = {-d.z, d.z, d.x, d.x, d.x, -d.x};
+	const double tc[] = {-d.y, -d.y, d.z, -d.z, -d.y, -d.y};
 	*s = sc[face] / ma;
 	*t = tc[face] / ma;
 	return face;
@@ -63,7 +63,7 @@ static void test_round_trip(void **state)
 static void test_texels(void **state)
 {
 	(void)state;
-	const u32 sizes[] = { 1, 2, 3, 16, 37 };
+	const u32 sizes[] = {1, 2, 3, 16, 37};
 	for (u32 k = 0; k < 5; k++) {
 		u32 n = sizes[k];
 		u64 expected = 0;
@@ -92,7 +92,7 @@ static void test_texels(void **state)
 static void test_views(void **state)
 {
 	(void)state;
-	ts_face cube = { .centre = { 3, -2, 5 }, .n = 64, .near = 0.125f };
+	ts_face cube = {.centre = {3, -2, 5}, .n = 64, .near = 0.125f};
 	for (u32 i = 0; i < N; i++) {
 		ts_v3 d = ts_scale(direction(), 4);
 		ts_v3 p = ts_add(ts_load3(cube.centre), d);
@@ -110,7 +110,7 @@ static void test_views(void **state)
 static void test_rows(void **state)
 {
 	(void)state;
-	ts_face cube = { .n = 10, .near = 0.25f };
+	ts_face cube = {.n = 10, .near = 0.25f};
 	for (u32 face = 0; face < 6; face++) {
 		ts_camera_k view = ts_k_cube_view(&cube, face);
 		double3 right = d3_of(view.right), up = d3_of(view.up), back = d3_of(view.back);
@@ -133,7 +133,7 @@ static void test_neighbours(void **state)
 {
 	(void)state;
 	enum { SIZE = 32 };
-	u32 meets[6] = { 0 };
+	u32 meets[6] = {0};
 	for (u32 k = 0; k < 6 * 4 * SIZE; k++) {
 		u32 face = k / (4 * SIZE), side = k / SIZE % 4;
 		f32 along = (2 * (f32)(k % SIZE) + 1) / SIZE - 1;

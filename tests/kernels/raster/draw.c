@@ -6,7 +6,12 @@
 enum { WIDTH = 64, HEIGHT = 48, N_PIXELS = WIDTH * HEIGHT };
 
 static const ts_view eye = {
-	.focal = 64, .right = { 1, 0, 0 }, .width = WIDTH, .up = { 0, 1, 0 }, .height = HEIGHT, .back = { 0, 0, 1 },
+	.focal = 64,
+	.right = {1, 0, 0},
+	.width = WIDTH,
+	.up = {0, 1, 0},
+	.height = HEIGHT,
+	.back = {0, 0, 1},
 	.near = 0.25f,
 };
 
@@ -20,7 +25,7 @@ static void clear(u64 *buffer, u32 n)
 
 static void draw_all(void)
 {
-	ts_eye_args args = { .scene = small_arrays(&scene), .view = &eye, .texels = texels };
+	ts_eye_args args = {.scene = small_arrays(&scene), .view = &eye, .texels = texels};
 	clear(texels, N_PIXELS);
 	for (u32 t = 0; t < scene.n_triangles; t++) ts_k_eye_item(&args, t);
 }
@@ -112,13 +117,16 @@ static void make_soup(u32 n)
 	for (u32 i = 0; i < n; i++) small_add(&scene, anywhere(), anywhere(), anywhere(), bits() & 1, 0);
 }
 
-typedef struct { double z, next; u32 triangle; } hit;
+typedef struct {
+	double z, next;
+	u32 triangle;
+} hit;
 
 /* The nearest triangle before the near plane along the ray through (x, y), and the depth of the one behind it. */
 static hit cast(double x, double y)
 {
-	hit h = { INFINITY, INFINITY, TS_NONE };
-	double3 ray = { (x - WIDTH / 2) / 64, (HEIGHT / 2 - y) / 64, -1 };
+	hit h = {INFINITY, INFINITY, TS_NONE};
+	double3 ray = {(x - WIDTH / 2) / 64, (HEIGHT / 2 - y) / 64, -1};
 	for (u32 t = 0; t < scene.n_triangles; t++) {
 		double3 v[3];
 		for (u32 k = 0; k < 3; k++) v[k] = d3_of(ts_load3(scene.vertices[3 * t + k].position));
@@ -132,7 +140,7 @@ static hit cast(double x, double y)
 		}
 		if (!inside) continue;
 		h.next = fmin(h.next, fmax(z, h.z));
-		if (z < h.z) h = (hit){ z, h.z, t };
+		if (z < h.z) h = (hit){z, h.z, t};
 	}
 	return h;
 }
@@ -182,7 +190,7 @@ static void test_order(void **state)
 		}
 		draw_all();
 		memcpy(forward, texels, sizeof forward);
-		ts_eye_args args = { .scene = small_arrays(&scene), .view = &eye, .texels = texels };
+		ts_eye_args args = {.scene = small_arrays(&scene), .view = &eye, .texels = texels};
 		clear(texels, N_PIXELS);
 		for (u32 k = 0; k < 80; k++) ts_k_eye_item(&args, n % 2 == 0 ? 79 - k : k * 37 % 80);
 		assert_memory_equal(texels, forward, sizeof forward);
@@ -269,17 +277,22 @@ static void test_faces(void **state)
 {
 	(void)state;
 	static u64 buffer[2 * 6 * FACE + 1];
-	ts_v3 lo = { -3, -2, -4 }, hi = { 5, 4, 3 };
-	ts_face cubes[4] = { { .n = 0 }, { .centre = { 1, 1, 0 }, .n = N, .near = 0.01f, .offset = 600, .object = 1 },
-	                     { .n = 0 },
-	                     { .centre = { 1, 1, -2 }, .n = N, .near = 0.01f, .offset = 600 + 6 * FACE, .object = TS_NONE } };
+	ts_v3 lo = {-3, -2, -4}, hi = {5, 4, 3};
+	ts_face cubes[4] = {{.n = 0},
+	                    {.centre = {1, 1, 0}, .n = N, .near = 0.01f, .offset = 600, .object = 1},
+	                    {.n = 0},
+	                    {.centre = {1, 1, -2}, .n = N, .near = 0.01f, .offset = 600 + 6 * FACE, .object = TS_NONE}};
 	small_clear(&scene);
 	scene.materials[1].flags = TS_DOUBLE_SIDED;
 	add_box(lo, hi);
 	u32 own = small_add(&scene, ts_v3_make(-1, -1, -1), ts_v3_make(5, -1, -1), ts_v3_make(-1, 5, -1), 1, 1);
 	clear(buffer, sizeof buffer / sizeof buffer[0]);
 	ts_face_args args = {
-		.scene = small_arrays(&scene), .cubes = cubes, .texels = buffer, .first_cube = 1, .n_cubes = 3,
+		.scene = small_arrays(&scene),
+		.cubes = cubes,
+		.texels = buffer,
+		.first_cube = 1,
+		.n_cubes = 3,
 	};
 	for (u32 t = 0; t < scene.n_triangles; t++) ts_k_face_item(&args, t);
 	u32 n_own = 0;
@@ -306,7 +319,7 @@ static void test_faces(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		seeded_test(test_mesh),  seeded_test(test_floor),           seeded_test(test_soup), seeded_test(test_order),
+		seeded_test(test_mesh),  seeded_test(test_floor),           seeded_test(test_soup),  seeded_test(test_order),
 		seeded_test(test_again), seeded_test(test_sides_and_masks), seeded_test(test_faces),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -22,9 +22,14 @@ static void picture_begin(picture *p)
 	p->mesh.view.height = H;
 	p->mesh.view.focal = 8;
 	memset(p->depth_triangle, 0xff, sizeof p->depth_triangle);
-	p->args = (ts_image_args){ .scene = mesh_arrays(&p->mesh), .view = &p->mesh.view, .depth_triangle = p->depth_triangle,
-	                           .offset = p->offset, .reflected = p->reflected, .radiance = p->radiance, .srgb = p->srgb,
-	                           .exposure = 1 };
+	p->args = (ts_image_args){.scene = mesh_arrays(&p->mesh),
+	                          .view = &p->mesh.view,
+	                          .depth_triangle = p->depth_triangle,
+	                          .offset = p->offset,
+	                          .reflected = p->reflected,
+	                          .radiance = p->radiance,
+	                          .srgb = p->srgb,
+	                          .exposure = 1};
 }
 
 static void picture_make(picture *p)
@@ -66,7 +71,8 @@ static void test_background(void **state)
 	picture_make(&p);
 	for (u32 i = 0; i < W * H; i++) {
 		assert_true(p.radiance[i * 3] == 0.2f && p.radiance[i * 3 + 1] == 0.3f && p.radiance[i * 3 + 2] == 0.5f);
-		for (u32 c = 0; c < 3; c++) assert_true(fabs(p.srgb[i * 3 + c] - curve((double)p.radiance[i * 3 + c])) <= 0.5001);
+		for (u32 c = 0; c < 3; c++)
+			assert_true(fabs(p.srgb[i * 3 + c] - curve((double)p.radiance[i * 3 + c])) <= 0.5001);
 	}
 }
 
@@ -86,8 +92,10 @@ static void test_mirrors(void **state)
 	picture_make(&p);
 	u32 n = 0;
 	for (u32 i = 0; i < W * H; i++) {
-		if (!mirror[i]) assert_true(p.radiance[i * 3] == 0.2f);
-		else assert_memory_equal(p.radiance + i * 3, p.reflected + 3 * n++, 3 * sizeof(f32));
+		if (!mirror[i])
+			assert_true(p.radiance[i * 3] == 0.2f);
+		else
+			assert_memory_equal(p.radiance + i * 3, p.reflected + 3 * n++, 3 * sizeof(f32));
 	}
 	assert_int_equal(n, p.offset[W * H]);
 }

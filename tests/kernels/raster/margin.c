@@ -14,7 +14,8 @@ static bool is_decided(const u64 of[2]) { return figure(of[0]) > 1 && figure(of[
 
 static ts_offscreen random_view(u32 orthographic)
 {
-	return view_from(uniform3(-1, 1), unit3(), orthographic != 0 ? 2 : uniform(0.3f, 1), SIZE, 0.0078125f, orthographic);
+	return view_from(uniform3(-1, 1), unit3(), orthographic != 0 ? 2 : uniform(0.3f, 1), SIZE, 0.0078125f,
+	                 orthographic);
 }
 
 /* The point of the view at a place of its image. */
@@ -34,8 +35,8 @@ static ts_v3 random_point(const ts_offscreen *view)
 static void draw(const mesh *m, const ts_offscreen *view)
 {
 	ts_arrays scene = mesh_arrays(m);
-	ts_depth_args drawn = { .scene = scene, .views = view, .depths = depths, .n_views = 1 };
-	ts_margin_args args = { .scene = scene, .views = view, .depths = depths, .margin = margin, .n_units = 1 };
+	ts_depth_args drawn = {.scene = scene, .views = view, .depths = depths, .n_views = 1};
+	ts_margin_args args = {.scene = scene, .views = view, .depths = depths, .margin = margin, .n_units = 1};
 	ts_camera_k camera = ts_k_offscreen(view);
 	ts_target target = ts_k_keys(keys);
 	memset(depths, 0xff, sizeof depths);
@@ -51,7 +52,9 @@ static void draw(const mesh *m, const ts_offscreen *view)
 }
 
 /* A triangle in the image. */
-typedef struct { d3_place corner[3]; } shown;
+typedef struct {
+	d3_place corner[3];
+} shown;
 
 static shown show(const mesh *m, u32 t, const ts_offscreen *view, bool truncates)
 {
@@ -114,7 +117,7 @@ static bool is_same(const shown *exact, u32 k, bool orthographic, double z)
 static void test_depths(void **state)
 {
 	(void)state;
-	u32 n_different[2] = { 0 }, n_undecided = 0, n_drawn = 0;
+	u32 n_different[2] = {0}, n_undecided = 0, n_drawn = 0;
 	n_random = 0;
 	for (u32 i = 0; i < N_MESHES; i++) {
 		mesh m;
@@ -150,8 +153,16 @@ static void test_figures(void **state)
 {
 	(void)state;
 	mesh m;
-	ts_offscreen view = { .right = { 1, 0, 0 }, .up = { 0, 1, 0 }, .back = { 0, 0, 1 }, .width = SIZE, .height = SIZE,
-	                      .focal = 16, .near = 0.5f, .reach = { 2, 2 }, .orthographic = 1, .object = TS_NONE };
+	ts_offscreen view = {.right = {1, 0, 0},
+	                     .up = {0, 1, 0},
+	                     .back = {0, 0, 1},
+	                     .width = SIZE,
+	                     .height = SIZE,
+	                     .focal = 16,
+	                     .near = 0.5f,
+	                     .reach = {2, 2},
+	                     .orthographic = 1,
+	                     .object = TS_NONE};
 	mesh_begin(&m);
 	mesh_triangle(&m, ts_v3_make(-1, -1, -2), ts_v3_make(31, -1, -2), ts_v3_make(-1, 31, -2), 1, 0);
 	mesh_triangle(&m, ts_v3_make(-8, -8, -1.9f), ts_v3_make(24, -8, -2.3f), ts_v3_make(-8, 24, -1.9f), 1, 0);
@@ -182,7 +193,7 @@ static ts_receiver random_receiver(const mesh *m, const ts_offscreen *view, cons
 	bool in = x > 0 && y > 0 && x < SIZE && y < SIZE;
 	u32 held = in ? depths[(u32)y * SIZE + (u32)x] : TS_NONE;
 	d3 n = d3_unit(d3_cross(d3_sub(b, a), d3_sub(c, a)));
-	ts_receiver r = { .n = { (f32)n.x, (f32)n.y, (f32)n.z }, .seen = true };
+	ts_receiver r = {.n = {(f32)n.x, (f32)n.y, (f32)n.z}, .seen = true};
 	r.p = point_at(view, x, y, held != TS_NONE && near ? ts_u2f(held) : z);
 	if (held == TS_NONE || !near) return r;
 	double bias = ts_k_shadow_bias(args, &camera, &r, ts_u2f(held));
@@ -211,13 +222,15 @@ static bool other_reaches(const ts_resolve_args *args, const ts_offscreen *view,
 	return ts_k_reaches(&other, &aside, &there, 0);
 }
 
-typedef struct { u32 n, n_different, n_edges, n_undecided; } tally;
+typedef struct {
+	u32 n, n_different, n_edges, n_undecided;
+} tally;
 
 static void try_receiver(const ts_resolve_args *args, const ts_offscreen *view, const ts_receiver *at, tally *tried)
 {
-	u64 of[2] = { TS_EMPTY, TS_EMPTY };
+	u64 of[2] = {TS_EMPTY, TS_EMPTY};
 	ts_camera_k camera = ts_k_offscreen(view);
-	ts_resolve_args slope = { .slope = 1 };
+	ts_resolve_args slope = {.slope = 1};
 	d3 way = d3_sub(d3_load(view->eye), d3_of(at->p));
 	double z = view_place(view, d3_of(at->p)).z, width = (view->orthographic != 0 ? 1 : z) / view->focal;
 	double pixel = uniform(0, 2) * width;
@@ -237,12 +250,12 @@ static void try_receiver(const ts_resolve_args *args, const ts_offscreen *view, 
 static void test_receivers(void **state)
 {
 	(void)state;
-	tally tried[2] = { { 0 } };
+	tally tried[2] = {{0}};
 	n_random = 0;
 	for (u32 i = 0; i < N_MESHES; i++) {
 		mesh m;
 		ts_offscreen view = random_view(i & 1);
-		ts_resolve_args args = { .depths = depths, .views = &view, .bias = 1, .slope = 1.5f };
+		ts_resolve_args args = {.depths = depths, .views = &view, .bias = 1, .slope = 1.5f};
 		mesh_begin(&m);
 		for (u32 t = 0; t < 6; t++) {
 			ts_v3 a = random_point(&view), b = random_point(&view);
@@ -262,7 +275,9 @@ static void test_receivers(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_depths), cmocka_unit_test(test_figures), cmocka_unit_test(test_receivers),
+		cmocka_unit_test(test_depths),
+		cmocka_unit_test(test_figures),
+		cmocka_unit_test(test_receivers),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

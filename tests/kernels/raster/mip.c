@@ -25,7 +25,7 @@ static void test_sizes(void **state)
 		}
 	}
 	assert_int_equal(ts_k_mip_texels(0, TS_NONE), 0);
-	ts_face cubes[4] = { { .n = 5 }, { .n = 0 }, { .n = 16 }, { .n = 1 } };
+	ts_face cubes[4] = {{.n = 5}, {.n = 0}, {.n = 16}, {.n = 1}};
 	assert_int_equal(ts_k_mip_first(cubes, 0, 3), chain_texels(5) + chain_texels(16));
 	assert_int_equal(ts_k_mip_first(cubes, 2, 3), chain_texels(16));
 	assert_int_equal(ts_k_mip_first(cubes, 2, 2), 0);

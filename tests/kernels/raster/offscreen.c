@@ -19,8 +19,12 @@ static void random_views(u32 n)
 
 static void find_bits(mesh *m, u32 n_views, u32 vertex_mode)
 {
-	ts_offscreen_args args = { .scene = mesh_arrays(m), .views = views, .bits = m->bits, .n_views = n_views, .n_words = 2,
-	                           .vertex_mode = vertex_mode };
+	ts_offscreen_args args = {.scene = mesh_arrays(m),
+	                          .views = views,
+	                          .bits = m->bits,
+	                          .n_views = n_views,
+	                          .n_words = 2,
+	                          .vertex_mode = vertex_mode};
 	for (u32 t = 0; t < m->n_triangles; t++) ts_k_offscreen_visibility_item(&args, t);
 }
 
@@ -33,14 +37,16 @@ static void random_triangle(mesh *m, ts_v3 corner[3], u32 material)
 }
 
 /* On the axes of a view: across, up, ahead; `reach` where the image ends at this depth. */
-typedef struct { double x, y, z, reach_x, reach_y; } on_axes;
+typedef struct {
+	double x, y, z, reach_x, reach_y;
+} on_axes;
 
 static on_axes on_axes_of(const ts_offscreen *view, d3 p)
 {
 	d3 d = d3_sub(p, d3_load(view->eye));
 	double z = -d3_dot(d3_load(view->back), d), unit = view->orthographic != 0 ? 1 : z;
-	return (on_axes){ d3_dot(d3_load(view->right), d), d3_dot(d3_load(view->up), d), z, view->reach[0] * unit,
-	                  view->reach[1] * unit };
+	return (on_axes){d3_dot(d3_load(view->right), d), d3_dot(d3_load(view->up), d), z, view->reach[0] * unit,
+	                 view->reach[1] * unit};
 }
 
 static bool shows(const ts_offscreen *view, d3 p)
@@ -54,7 +60,7 @@ static void test_samples(void **state)
 {
 	(void)state;
 	n_random = 0;
-	u32 n_seen[2] = { 0 }, n_set[2] = { 0 };
+	u32 n_seen[2] = {0}, n_set[2] = {0};
 	for (u32 i = 0; i < N; i++) {
 		mesh m;
 		ts_v3 corner[3];
@@ -122,8 +128,12 @@ static void test_cubes(void **state)
 			for (u32 face = 0; face < 6; face++) {
 				ts_camera_k camera = ts_k_cube_view(&m.cubes[r], face);
 				ts_offscreen *view = &views[r * 6 + face];
-				*view = (ts_offscreen){ .focal = camera.focal, .near = camera.near, .width = m.cubes[r].n,
-				                        .height = m.cubes[r].n, .reach = { 1, 1 }, .object = m.cubes[r].object };
+				*view = (ts_offscreen){.focal = camera.focal,
+				                       .near = camera.near,
+				                       .width = m.cubes[r].n,
+				                       .height = m.cubes[r].n,
+				                       .reach = {1, 1},
+				                       .object = m.cubes[r].object};
 				ts_store3(view->eye, camera.eye);
 				ts_store3(view->right, camera.right);
 				ts_store3(view->up, camera.up);
@@ -131,8 +141,12 @@ static void test_cubes(void **state)
 			}
 		}
 		u64 by_cubes[MESH_TRIANGLES * 2];
-		ts_visibility_args args = { .scene = mesh_arrays(&m), .cubes = m.cubes, .bits = by_cubes, .n_cubes = MESH_CUBES,
-		                            .n_words = 2, .vertex_mode = i & 1 };
+		ts_visibility_args args = {.scene = mesh_arrays(&m),
+		                           .cubes = m.cubes,
+		                           .bits = by_cubes,
+		                           .n_cubes = MESH_CUBES,
+		                           .n_words = 2,
+		                           .vertex_mode = i & 1};
 		for (u32 t = 0; t < MESH_TRIANGLES; t++) ts_k_visibility_item(&args, t);
 		find_bits(&m, N_VIEWS, i & 1);
 		assert_memory_equal(by_cubes, m.bits, sizeof by_cubes);
@@ -153,7 +167,7 @@ static void test_words(void **state)
 		random_views(N_VIEWS);
 		memset(m.bits, 0xff, sizeof m.bits);
 		find_bits(&m, N_VIEWS, 0);
-		u64 all[2] = { m.bits[0], m.bits[1] };
+		u64 all[2] = {m.bits[0], m.bits[1]};
 		assert_true(all[1] >> (N_VIEWS - 64) == 0);
 		for (u32 v = 0; v < N_VIEWS; v++) {
 			views[0] = views[v];

@@ -7,7 +7,7 @@
 /* Lattice points are half pixels apart: every second one is a pixel's centre. Pixels of [-1, 3]^2 hold them all. */
 enum { SIDE = 7, N_POINTS = SIDE * SIDE, N_PIXELS = 25 };
 
-static ts_snapped point(u32 k) { return (ts_snapped){ (i32)(k % SIDE) * 128, (i32)(k / SIDE) * 128 }; }
+static ts_snapped point(u32 k) { return (ts_snapped){(i32)(k % SIDE) * 128, (i32)(k / SIDE) * 128}; }
 static i32 centre(i32 pixel) { return pixel * 256 + 128; }
 
 /* The pixels a triangle covers, a bit each. */
@@ -30,7 +30,7 @@ static i64 side(ts_snapped a, ts_snapped b, i64 x, i64 y) { return (b.x - a.x) *
 static bool holds(ts_snapped a, ts_snapped b, ts_snapped c, i32 x, i32 y)
 {
 	i64 px = (i64)x * 1048576 + 1024, py = (i64)y * 1048576 + 1;
-	ts_snapped v[3] = { { a.x << 20, a.y << 20 }, { b.x << 20, b.y << 20 }, { c.x << 20, c.y << 20 } };
+	ts_snapped v[3] = {{a.x << 20, a.y << 20}, {b.x << 20, b.y << 20}, {c.x << 20, c.y << 20}};
 	u32 n_left = 0, n_right = 0;
 	for (u32 k = 0; k < 3; k++) {
 		ts_snapped p = v[k], q = v[(k + 1) % 3];
@@ -103,7 +103,7 @@ static void test_all_pairs(void **state)
 static ts_snapped anywhere(void)
 {
 	i32 x = (i32)below(16777215) - 8388607;
-	return (ts_snapped){ x, (i32)below(16777215) - 8388607 };
+	return (ts_snapped){x, (i32)below(16777215) - 8388607};
 }
 
 /* A turned triangle has positive area, its edges sum to it everywhere, and it knows where its corners came from. */
@@ -132,7 +132,7 @@ static void test_snap(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < 100000; i++) {
-		ts_v2 p = { uniform(-40000, 40000), uniform(-40000, 40000) };
+		ts_v2 p = {uniform(-40000, 40000), uniform(-40000, 40000)};
 		ts_snapped s = ts_k_snap(p);
 		assert_int_equal(s.x, (i32)fmax(fmin(rint(256 * (double)p.x), 8388607), -8388607));
 		assert_int_equal(s.y, (i32)fmax(fmin(rint(256 * (double)p.y), 8388607), -8388607));
@@ -143,13 +143,13 @@ static void test_snap(void **state)
 static void test_touched_box(void **state)
 {
 	(void)state;
-	const i32 half_sizes[] = { 0, 128, 129 };
+	const i32 half_sizes[] = {0, 128, 129};
 	for (u32 i = 0; i < 30000; i++) {
 		ts_snapped v[5];
 		u32 n = 1 + below(5);
 		i32 h = half_sizes[i % 3], x0 = 9999, x1 = -9999, y0 = 9999, y1 = -9999;
 		for (u32 k = 0; k < n; k++) {
-			v[k] = (ts_snapped){ (i32)below(1537) - 768, (i32)below(1537) - 768 };
+			v[k] = (ts_snapped){(i32)below(1537) - 768, (i32)below(1537) - 768};
 			x0 = v[k].x < x0 ? v[k].x : x0;
 			x1 = v[k].x > x1 ? v[k].x : x1;
 			y0 = v[k].y < y0 ? v[k].y : y0;
@@ -161,8 +161,8 @@ static void test_touched_box(void **state)
 			assert_true((p >= box.y0 && p <= box.y1) == (centre(p) >= y0 - h && centre(p) <= y1 + h));
 		}
 	}
-	ts_camera_k view = { .width = 7, .height = 5 };
-	ts_box met = ts_k_box_meet(ts_k_view_box(&view), (ts_box){ -3, 2, 4, 9 });
+	ts_camera_k view = {.width = 7, .height = 5};
+	ts_box met = ts_k_box_meet(ts_k_view_box(&view), (ts_box){-3, 2, 4, 9});
 	assert_true(met.x0 == 0 && met.y0 == 2 && met.x1 == 4 && met.y1 == 4);
 }
 
@@ -189,8 +189,8 @@ static u32 n_touched(const ts_cover *c)
 
 static ts_cover cover(const ts_snapped *v, u32 n, i32 dx, i32 dy, i32 half_size)
 {
-	ts_cover c = { .n = n };
-	for (u32 k = 0; k < n; k++) c.v[k] = (ts_snapped){ v[k].x + dx, v[k].y + dy };
+	ts_cover c = {.n = n};
+	for (u32 k = 0; k < n; k++) c.v[k] = (ts_snapped){v[k].x + dx, v[k].y + dy};
 	ts_k_cover_finish(&c, half_size);
 	return c;
 }
@@ -226,7 +226,7 @@ static void test_count(void **state)
 	for (u32 i = 0; i < 12; i++) {
 		i32 size = 16 << i % 6;
 		ts_snapped v[3];
-		for (u32 k = 0; k < 3; k++) v[k] = (ts_snapped){ (i32)below((u32)size), (i32)below((u32)size) };
+		for (u32 k = 0; k < 3; k++) v[k] = (ts_snapped){(i32)below((u32)size), (i32)below((u32)size)};
 		judge_count(v, 3, 128);
 		judge_count(v, 3, 129);
 	}
@@ -236,10 +236,10 @@ static void test_count(void **state)
 static void test_count_of_others(void **state)
 {
 	(void)state;
-	const ts_snapped point_[3] = { { 5, 7 }, { 5, 7 }, { 5, 7 } };
-	const ts_snapped segment[3] = { { 0, 0 }, { 600, 200 }, { 300, 100 } };
-	const ts_snapped hexagon[6] = { { 100, 0 }, { 500, 30 }, { 620, 200 }, { 410, 420 }, { 90, 400 }, { 0, 230 } };
-	const ts_snapped turned[6] = { { 0, 230 }, { 90, 400 }, { 410, 420 }, { 620, 200 }, { 500, 30 }, { 100, 0 } };
+	const ts_snapped point_[3] = {{5, 7}, {5, 7}, {5, 7}};
+	const ts_snapped segment[3] = {{0, 0}, {600, 200}, {300, 100}};
+	const ts_snapped hexagon[6] = {{100, 0}, {500, 30}, {620, 200}, {410, 420}, {90, 400}, {0, 230}};
+	const ts_snapped turned[6] = {{0, 230}, {90, 400}, {410, 420}, {620, 200}, {500, 30}, {100, 0}};
 	judge_count(point_, 3, 128);
 	judge_count(segment, 3, 129);
 	judge_count(hexagon, 6, 128);
@@ -247,7 +247,9 @@ static void test_count_of_others(void **state)
 	judge_count(turned, 6, 129);
 }
 
-typedef struct { double x, y; } place;
+typedef struct {
+	double x, y;
+} place;
 
 /* How far two convex shapes are apart along a direction; not positive if they may meet. */
 static double gap(const place *t, place c, double nx, double ny)
@@ -263,7 +265,7 @@ static double gap(const place *t, place c, double nx, double ny)
 /* The closed pixel and the triangle before snapping have a point in common: no separating axis. */
 static bool really_touches(const place *t, i32 i, i32 j)
 {
-	place c = { i + 0.5, j + 0.5 };
+	place c = {i + 0.5, j + 0.5};
 	if (gap(t, c, 1, 0) > 0 || gap(t, c, 0, 1) > 0) return false;
 	for (u32 k = 0; k < 3; k++) {
 		place a = t[k], b = t[(k + 1) % 3];
@@ -276,17 +278,17 @@ static bool really_touches(const place *t, i32 i, i32 j)
 static void test_nothing_missed(void **state)
 {
 	(void)state;
-	u32 n_missed[2] = { 0 }, n_touched_really = 0;
+	u32 n_missed[2] = {0}, n_touched_really = 0;
 	for (u32 n = 0; n < 200000; n++) {
 		f32 size = ldexpf(1, (int)below(6) - 2), x = uniform(-100, 100), y = uniform(-100, 100);
 		place t[3];
 		ts_snapped v[3];
 		for (u32 k = 0; k < 3; k++) {
-			ts_v2 p = { x + uniform(-size, size), y + uniform(-size, size) };
-			t[k] = (place){ p.x, p.y };
+			ts_v2 p = {x + uniform(-size, size), y + uniform(-size, size)};
+			t[k] = (place){p.x, p.y};
 			v[k] = ts_k_snap(p);
 		}
-		ts_cover c[2] = { cover(v, 3, 0, 0, 128), cover(v, 3, 0, 0, 129) };
+		ts_cover c[2] = {cover(v, 3, 0, 0, 128), cover(v, 3, 0, 0, 129)};
 		for (i32 j = c[1].touched.y0 - 1; j <= c[1].touched.y1 + 1; j++) {
 			for (i32 i = c[1].touched.x0 - 1; i <= c[1].touched.x1 + 1; i++) {
 				if (!really_touches(t, i, j)) continue;
@@ -309,16 +311,22 @@ static void test_nothing_missed(void **state)
 static void test_orthographic(void **state)
 {
 	(void)state;
-	const ts_camera_k view = { .right = { 1, 0, 0 }, .up = { 0, 1, 0 }, .back = { 0, 0, 1 }, .focal = 8, .near = 0.5f,
-	                           .width = 64, .height = 32, .orthographic = 1 };
+	const ts_camera_k view = {.right = {1, 0, 0},
+	                          .up = {0, 1, 0},
+	                          .back = {0, 0, 1},
+	                          .focal = 8,
+	                          .near = 0.5f,
+	                          .width = 64,
+	                          .height = 32,
+	                          .orthographic = 1};
 	u32 n_seen = 0, n_outside = 0;
 	for (u32 i = 0; i < 3000; i++) {
 		ts_v3 v[3];
 		for (u32 k = 0; k < 3; k++) v[k] = ts_v3_make(uniform(-9, 9), uniform(-9, 9), uniform(-8, 1));
 		ts_polygon p = ts_k_polygon(&view, v[0], v[1], v[2]);
-		double low[3] = { INFINITY, INFINITY, INFINITY }, high[3] = { -INFINITY, -INFINITY, -INFINITY };
+		double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
 		for (u32 k = 0; k < 3; k++) {
-			const double at[3] = { 32 + 8 * (double)v[k].x, 16 - 8 * (double)v[k].y, -(double)v[k].z };
+			const double at[3] = {32 + 8 * (double)v[k].x, 16 - 8 * (double)v[k].y, -(double)v[k].z};
 			ts_v2 q = ts_k_project(&view, &p.corner[k]);
 			assert_true(fabs((double)q.x - at[0]) <= 1e-5 && fabs((double)q.y - at[1]) <= 1e-5);
 			for (u32 a = 0; a < 3; a++) low[a] = fmin(low[a], at[a]), high[a] = fmax(high[a], at[a]);
@@ -351,9 +359,11 @@ static void test_orthographic(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		seeded_test(test_all_triangles),   seeded_test(test_all_pairs),   seeded_test(test_setup),
-		seeded_test(test_snap),            seeded_test(test_touched_box), seeded_test(test_count),
-		seeded_test(test_count_of_others), seeded_test(test_nothing_missed), seeded_test(test_orthographic),
+		seeded_test(test_all_triangles),   seeded_test(test_all_pairs),
+		seeded_test(test_setup),           seeded_test(test_snap),
+		seeded_test(test_touched_box),     seeded_test(test_count),
+		seeded_test(test_count_of_others), seeded_test(test_nothing_missed),
+		seeded_test(test_orthographic),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -17,7 +17,7 @@ static ts_offscreen random_view(u32 orthographic)
 static ts_receiver random_plane(const ts_offscreen *view)
 {
 	f32 z = uniform(0.5f, 8), wide = 0.9f * view->reach[0] * (view->orthographic != 0 ? 1 : z);
-	ts_receiver r = { .n = unit3(), .seen = true };
+	ts_receiver r = {.n = unit3(), .seen = true};
 	r.p = ts_mad(ts_load3(view->eye), ts_load3(view->back), -z);
 	r.p = ts_mad(r.p, ts_load3(view->right), uniform(-wide, wide));
 	r.p = ts_mad(r.p, ts_load3(view->up), uniform(-wide, wide));
@@ -50,7 +50,7 @@ static void test_bias(void **state)
 		ts_camera_k camera = ts_k_offscreen(&view);
 		ts_receiver at = random_plane(&view);
 		d3_place place = view_place(&view, d3_of(at.p));
-		ts_resolve_args width = { .bias = 1 }, slope = { .slope = 1 }, both = { .bias = 3, .slope = 2 };
+		ts_resolve_args width = {.bias = 1}, slope = {.slope = 1}, both = {.bias = 3, .slope = 2};
 		double w = ts_k_shadow_bias(&width, &camera, &at, (f32)place.z);
 		double s = ts_k_shadow_bias(&slope, &camera, &at, (f32)place.z);
 		double sum = ts_k_shadow_bias(&both, &camera, &at, (f32)place.z);
@@ -69,7 +69,7 @@ static void test_bias(void **state)
 
 static ts_resolve_args arguments(f32 bias, f32 slope)
 {
-	return (ts_resolve_args){ .depths = depths, .bias = bias, .slope = slope };
+	return (ts_resolve_args){.depths = depths, .bias = bias, .slope = slope};
 }
 
 /* The plane as MVR draws it into the view's depth map. */
@@ -80,7 +80,7 @@ static void draw_plane(const ts_offscreen *view, const ts_receiver *at)
 	ts_v3 aside = ts_normalize(ts_cross(at->n, unit3())), across = ts_cross(at->n, aside);
 	ts_v3 a = ts_mad(at->p, aside, 64), b = ts_mad(at->p, aside, -32);
 	mesh_triangle(&m, a, ts_mad(b, across, 64), ts_mad(b, across, -64), 1, 0);
-	ts_depth_args args = { .scene = mesh_arrays(&m), .views = view, .depths = depths, .n_views = 1 };
+	ts_depth_args args = {.scene = mesh_arrays(&m), .views = view, .depths = depths, .n_views = 1};
 	memset(depths, 0xff, sizeof(u32) * SIZE * SIZE);
 	ts_k_depth_item(&args, 0);
 }
@@ -102,7 +102,7 @@ static void test_own_shadow(void **state)
 			double x = uniform(0, SIZE), y = uniform(0, SIZE), z = plane_depth(&view, &plane, x, y);
 			d3_ray ray = view_ray(&view, x, y);
 			d3 p = d3_mad(ray.from, ray.way, z), behind = d3_mad(ray.from, ray.way, z + 0.5);
-			ts_receiver at = { .p = { (f32)p.x, (f32)p.y, (f32)p.z }, .n = plane.n, .seen = true };
+			ts_receiver at = {.p = {(f32)p.x, (f32)p.y, (f32)p.z}, .n = plane.n, .seen = true};
 			if (!(z > 2 * (double)view.near && z < 24) || facing(&view, &at) < 0.016) continue;
 			n_points++;
 			assert_true(ts_k_reaches(&with, &view, &at, 0));
@@ -122,11 +122,17 @@ static void test_own_shadow(void **state)
 static void test_lit(void **state)
 {
 	(void)state;
-	ts_offscreen view = { .right = { 1, 0, 0 }, .up = { 0, 1, 0 }, .back = { 0, 0, 1 }, .width = 4, .height = 4, .focal = 2,
-	                      .near = 0.5f, .reach = { 1, 1 } };
+	ts_offscreen view = {.right = {1, 0, 0},
+	                     .up = {0, 1, 0},
+	                     .back = {0, 0, 1},
+	                     .width = 4,
+	                     .height = 4,
+	                     .focal = 2,
+	                     .near = 0.5f,
+	                     .reach = {1, 1}};
 	ts_resolve_args args = arguments(1, 1), cubes = args;
 	cubes.cubes = 1;
-	ts_receiver in = { .p = { 0.25f, 0.25f, -4 }, .n = { 0, 0, 1 } }, before = in, beside = in;
+	ts_receiver in = {.p = {0.25f, 0.25f, -4}, .n = {0, 0, 1}}, before = in, beside = in;
 	before.p.z = -0.25f;
 	beside.p.x = 4.5f;
 	for (u32 k = 0; k < 16; k++) depths[k] = ts_f2u(1);
@@ -150,11 +156,16 @@ static void test_lit(void **state)
 static u32 look(mesh *m, u64 keys[EYE * EYE])
 {
 	mesh_begin(m);
-	m->view = (ts_view){ .focal = EYE / 2, .right = { 1, 0, 0 }, .width = EYE, .up = { 0, 1, 0 }, .height = EYE,
-	                     .back = { 0, 0, 1 }, .near = 0.0078125f };
+	m->view = (ts_view){.focal = EYE / 2,
+	                    .right = {1, 0, 0},
+	                    .width = EYE,
+	                    .up = {0, 1, 0},
+	                    .height = EYE,
+	                    .back = {0, 0, 1},
+	                    .near = 0.0078125f};
 	mesh_triangle(m, ts_v3_make(-9, -1, 0), ts_v3_make(9, -1, 0), ts_v3_make(0, -1, -20), 1, 0);
 	mesh_triangle(m, ts_v3_make(-3, -2, -5), ts_v3_make(3, -2, -5), ts_v3_make(0, 3, -5), 1, 0);
-	ts_eye_args eye = { .scene = mesh_arrays(m), .view = &m->view, .texels = keys };
+	ts_eye_args eye = {.scene = mesh_arrays(m), .view = &m->view, .texels = keys};
 	u32 n = 0;
 	memset(keys, 0xff, EYE * EYE * sizeof *keys);
 	for (u32 t = 0; t < m->n_triangles; t++) ts_k_eye_item(&eye, t);
@@ -164,12 +175,17 @@ static u32 look(mesh *m, u64 keys[EYE * EYE])
 
 static void cube_views(ts_offscreen views[6], ts_v3 centre, u64 offset, u32 light)
 {
-	ts_face cube = { .n = SIZE, .near = 0.0078125f };
+	ts_face cube = {.n = SIZE, .near = 0.0078125f};
 	ts_store3(cube.centre, centre);
 	for (u32 face = 0; face < 6; face++) {
 		ts_camera_k camera = ts_k_cube_view(&cube, face);
-		views[face] = (ts_offscreen){ .focal = camera.focal, .near = camera.near, .width = SIZE, .height = SIZE,
-		                              .reach = { 1, 1 }, .offset = offset + face * SIZE * SIZE, .light = light };
+		views[face] = (ts_offscreen){.focal = camera.focal,
+		                             .near = camera.near,
+		                             .width = SIZE,
+		                             .height = SIZE,
+		                             .reach = {1, 1},
+		                             .offset = offset + face * SIZE * SIZE,
+		                             .light = light};
 		ts_store3(views[face].eye, camera.eye);
 		ts_store3(views[face].right, camera.right);
 		ts_store3(views[face].up, camera.up);
@@ -188,8 +204,16 @@ static void test_one_face(void **state)
 	ts_offscreen views[18];
 	u32 n_seen = look(&m, keys);
 	for (u32 c = 0; c < 3; c++) cube_views(views + 6 * c, uniform3(-1, 1), 777 + c * 6 * SIZE * SIZE, 0);
-	ts_resolve_args args = { .scene = mesh_arrays(&m), .view = &m.view, .depth_triangle = keys, .views = views,
-	                         .depths = depths, .lit = lit, .first_view = 6, .n_views = 12, .n_lamps = 1, .cubes = 1 };
+	ts_resolve_args args = {.scene = mesh_arrays(&m),
+	                        .view = &m.view,
+	                        .depth_triangle = keys,
+	                        .views = views,
+	                        .depths = depths,
+	                        .lit = lit,
+	                        .first_view = 6,
+	                        .n_views = 12,
+	                        .n_lamps = 1,
+	                        .cubes = 1};
 	for (u32 face = 0; face <= 6; face++) {
 		memset(depths, 0xff, sizeof depths);
 		memset(lit, 0, sizeof lit);
@@ -222,8 +246,16 @@ static void test_lights(void **state)
 		views[v].light = v % 3;
 	}
 	for (u32 k = 0; k < 24 * SIZE * SIZE; k++) depths[k] = random_bits() % 4 == 0 ? TS_NONE : ts_f2u(uniform(0.01f, 8));
-	ts_resolve_args args = { .scene = mesh_arrays(&m), .view = &m.view, .depth_triangle = keys, .views = views,
-	                         .depths = depths, .lit = whole, .n_views = 24, .n_lamps = 3, .bias = 1, .slope = 1.5f };
+	ts_resolve_args args = {.scene = mesh_arrays(&m),
+	                        .view = &m.view,
+	                        .depth_triangle = keys,
+	                        .views = views,
+	                        .depths = depths,
+	                        .lit = whole,
+	                        .n_views = 24,
+	                        .n_lamps = 3,
+	                        .bias = 1,
+	                        .slope = 1.5f};
 	for (u32 k = 0; k < EYE * EYE; k++) ts_k_resolve_item(&args, k);
 	args.lit = parts;
 	for (args.first_view = 0; args.first_view < 24; args.first_view += args.n_views) {

@@ -16,15 +16,19 @@ static void make_scene(f32 size)
 	ts_v3 o = uniform3(-3, 3), a = uniform3(-size, size), b = uniform3(-size, size), c = uniform3(-size, size);
 	small_add(&scene, ts_add(o, a), ts_add(o, b), ts_add(o, c), 1, 0);
 	for (u32 r = 0; r < N_CUBES; r++) {
-		cubes[r] = (ts_face){ .n = 16, .near = 0.125f, .object = TS_NONE };
+		cubes[r] = (ts_face){.n = 16, .near = 0.125f, .object = TS_NONE};
 		ts_store3(cubes[r].centre, uniform3(-3, 3));
 	}
 }
 
 static void find_bits(u32 n_cubes, u32 vertex_mode)
 {
-	ts_visibility_args args = { .scene = small_arrays(&scene), .cubes = cubes, .bits = words, .n_cubes = n_cubes,
-	                            .n_words = (n_cubes * 6 + 63) / 64, .vertex_mode = vertex_mode };
+	ts_visibility_args args = {.scene = small_arrays(&scene),
+	                           .cubes = cubes,
+	                           .bits = words,
+	                           .n_cubes = n_cubes,
+	                           .n_words = (n_cubes * 6 + 63) / 64,
+	                           .vertex_mode = vertex_mode};
 	ts_k_visibility_item(&args, 0);
 }
 
@@ -34,12 +38,12 @@ static double3 corner(u32 k) { return d3_of(ts_load3(scene.vertices[k].position)
 static double3 on_face(u32 face, double3 d)
 {
 	switch (face) {
-	case 0: return (double3){ -d.z, -d.y, d.x };
-	case 1: return (double3){ d.z, -d.y, -d.x };
-	case 2: return (double3){ d.x, d.z, d.y };
-	case 3: return (double3){ d.x, -d.z, -d.y };
-	case 4: return (double3){ d.x, -d.y, d.z };
-	default: return (double3){ -d.x, -d.y, -d.z };
+	case 0: return (double3){-d.z, -d.y, d.x};
+	case 1: return (double3){d.z, -d.y, -d.x};
+	case 2: return (double3){d.x, d.z, d.y};
+	case 3: return (double3){d.x, -d.z, -d.y};
+	case 4: return (double3){d.x, -d.y, d.z};
+	default: return (double3){-d.x, -d.y, -d.z};
 	}
 }
 
@@ -90,7 +94,7 @@ static bool is_beyond_a_plane(const double3 *p, double near, double *margin)
 static void test_modes(void **state)
 {
 	(void)state;
-	u32 n_set[2] = { 0 };
+	u32 n_set[2] = {0};
 	for (u32 i = 0; i < N; i++) {
 		make_scene(ldexpf(1, (int)below(6) - 3));
 		u32 vertex_mode = i & 1;
@@ -117,7 +121,7 @@ static void test_modes(void **state)
 static void test_closed(void **state)
 {
 	(void)state;
-	ts_frustum f = { .x = 1, .y = 1, .near = 0.125f };
+	ts_frustum f = {.x = 1, .y = 1, .near = 0.125f};
 	ts_v3 p = ts_v3_make(2, 1, 2), q = ts_v3_make(3, 0, 2), r = ts_v3_make(2.5f, -1, 2);
 	assert_false(ts_k_outside_plane(&f, p, q, r));
 	assert_true(ts_k_outside_plane(&f, ts_v3_make(2.001f, 1, 2), q, r));
@@ -215,9 +219,8 @@ static void test_words(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		seeded_test(test_samples),  seeded_test(test_modes), seeded_test(test_closed),
-		seeded_test(test_one_face), seeded_test(test_none),  seeded_test(test_edge_on),
-		seeded_test(test_words),
+		seeded_test(test_samples), seeded_test(test_modes),   seeded_test(test_closed), seeded_test(test_one_face),
+		seeded_test(test_none),    seeded_test(test_edge_on), seeded_test(test_words),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

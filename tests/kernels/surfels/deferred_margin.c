@@ -8,11 +8,13 @@
 
 enum { SIDE = 48, N = SIDE * SIDE, N_WORLDS = 40 };
 
-typedef struct { double step, drop, tone; } faults; /* of its thresholds */
-static const faults none = { 1, 1, 1 };
+typedef struct {
+	double step, drop, tone;
+} faults; /* of its thresholds */
+static const faults none = {1, 1, 1};
 static ts_gpixel pixels[N];
-static const ts_view view = { .width = SIDE, .height = SIDE };
-static const ts_light sun = { .direction = { 0, 0, -1 }, .intensity = { 3, 3, 3 } };
+static const ts_view view = {.width = SIDE, .height = SIDE};
+static const ts_light sun = {.direction = {0, 0, -1}, .intensity = {3, 3, 3}};
 static u32 port; /* which way its numbers are off */
 
 static double off_of(double x, double of)
@@ -37,7 +39,7 @@ static void fill(void)
 		if (below(2) == 0) depth = nearly(1 - far);
 		ts_v3 n = ts_v3_make(ts_sqrt(ts_max(1 - cosine * cosine, 0)), 0, cosine);
 		ts_v3 p = ts_v3_make(0, 0, nearly(-1 - (below(4) == 0 ? 0.008f : 0.0078125f) * (f32)below(4)));
-		pixels[i] = (ts_gpixel){ .depth = below(8) == 0 ? 1 : depth };
+		pixels[i] = (ts_gpixel){.depth = below(8) == 0 ? 1 : depth};
 		if (below(3) == 0) n = ts_v3_make(0, 0, 1);
 		ts_store3(pixels[i].position, p);
 		ts_store3(pixels[i].normal, n);
@@ -60,23 +62,34 @@ static double paint(u32 i, bool npr, const faults *how)
 {
 	const ts_gpixel *at = &pixels[i];
 	i32 x = (i32)(i % SIDE), y = (i32)(i / SIDE);
-	double cosine = off_of(at->normal[2], 1), p = 0.31830988618379067, shine = pow(fmax(2 * cosine * cosine - 1, 0), 32) / 4;
-	bool outline = ends(at, x - 1, y, how) || ends(at, x + 1, y, how) || ends(at, x, y - 1, how) || ends(at, x, y + 1, how);
+	double cosine = off_of(at->normal[2], 1), p = 0.31830988618379067,
+		   shine = pow(fmax(2 * cosine * cosine - 1, 0), 32) / 4;
+	bool outline =
+		ends(at, x - 1, y, how) || ends(at, x + 1, y, how) || ends(at, x, y - 1, how) || ends(at, x, y + 1, how);
 	if (npr && outline) return 0;
 	if (cosine <= 0) return 0.25;
 	return 0.25 + 3 * p * (npr ? fmin(floor(cosine * 3 * how->tone + 1), 3) / 3 : cosine + shine);
 }
 
-typedef struct { u32 n, undecided, differ, wrong; } sums;
+typedef struct {
+	u32 n, undecided, differ, wrong;
+} sums;
 
 static void check(sums *r, bool npr, const faults *how)
 {
 	static f32 radiance[3 * N], margin[N];
 	static u8 srgb[3 * N];
 	u32 shader = npr ? TS_SHADER_IS_NPR : TS_SHADER_IS_PHONG;
-	ts_deferred_args args = { .view = &view, .pixels = pixels, .lights = &sun, .radiance = radiance, .srgb = srgb,
-		.n_lights = 1, .shader = shader, .ambient = 0.25f, .exposure = 1 };
-	ts_deferred_margin_args margins = { .of = args, .margin = margin };
+	ts_deferred_args args = {.view = &view,
+	                         .pixels = pixels,
+	                         .lights = &sun,
+	                         .radiance = radiance,
+	                         .srgb = srgb,
+	                         .n_lights = 1,
+	                         .shader = shader,
+	                         .ambient = 0.25f,
+	                         .exposure = 1};
+	ts_deferred_margin_args margins = {.of = args, .margin = margin};
 	fill();
 	for (u32 i = 0; i < N; i++) {
 		ts_k_deferred_item(&args, i);
@@ -93,7 +106,7 @@ static void check(sums *r, bool npr, const faults *how)
 static void test_rounding(void **state)
 {
 	(void)state;
-	sums r = { 0, 0, 0, 0 }, phong = { 0, 0, 0, 0 };
+	sums r = {0, 0, 0, 0}, phong = {0, 0, 0, 0};
 	for (port = 0; port < N_WORLDS; port++) check(&r, true, &none);
 	for (port = 0; port < N_WORLDS; port++) check(&phong, false, &none);
 	print_message("# of %u pixels %u undecided, %u differ, %u of these decided\n", r.n, r.undecided, r.differ, r.wrong);
@@ -104,9 +117,9 @@ static void test_rounding(void **state)
 static void test_faults(void **state)
 {
 	(void)state;
-	static const faults all[] = { { 1.05, 1, 1 }, { 1, 1.05, 1 }, { 1, 1, 1.05 } };
+	static const faults all[] = {{1.05, 1, 1}, {1, 1.05, 1}, {1, 1, 1.05}};
 	for (u32 i = 0; i < sizeof all / sizeof *all; i++) {
-		sums r = { 0, 0, 0, 0 };
+		sums r = {0, 0, 0, 0};
 		for (port = 0; port < 4; port++) check(&r, true, &all[i]);
 		if (r.wrong == 0) fail_msg("fault %u is not found", (unsigned)i);
 	}
@@ -125,7 +138,7 @@ static void test_arguments(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = { seeded_test(test_rounding), seeded_test(test_faults),
-		seeded_test(test_arguments) };
+	const struct CMUnitTest tests[] = {seeded_test(test_rounding), seeded_test(test_faults),
+	                                   seeded_test(test_arguments)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -7,7 +7,7 @@ enum { WIDTH = 96, HEIGHT = 54 };
 
 static ts_camera_k camera(bool parallel)
 {
-	ts_camera_k view = { .focal = parallel ? 40 : 48, .near = 0.01f, .width = WIDTH, .height = HEIGHT };
+	ts_camera_k view = {.focal = parallel ? 40 : 48, .near = 0.01f, .width = WIDTH, .height = HEIGHT};
 	view.orthographic = parallel;
 	view.back = direction();
 	view.right = ts_normalize(ts_cross(direction(), view.back));
@@ -18,8 +18,12 @@ static ts_camera_k camera(bool parallel)
 
 static ts_filter filter_of(f32 sigma, bool botsch)
 {
-	return (ts_filter){ .botsch = botsch, .per_sigma2 = sigma > 0 ? 1 / (sigma * sigma) : 0, .reach = sigma, .fall = 2,
-		.object2 = 0.25f, .screen2 = 0.25f };
+	return (ts_filter){.botsch = botsch,
+	                   .per_sigma2 = sigma > 0 ? 1 / (sigma * sigma) : 0,
+	                   .reach = sigma,
+	                   .fall = 2,
+	                   .object2 = 0.25f,
+	                   .screen2 = 0.25f};
 }
 
 /* Somewhere before the camera, of any size up to what reaches its plane. */
@@ -37,22 +41,24 @@ static ts_surfel surfel_of(const ts_camera_k *view, f32 largest)
 	return s;
 }
 
-typedef struct { double a, b, z, slant; } hit3;
+typedef struct {
+	double a, b, z, slant;
+} hit3;
 
 /* The ray through (x, y) of the image into the plane of the surfel, whose view-space axes are given: a (v x d) . u */
 static hit3 cast(const ts_camera_k *view, const ts_disc_frame *f, double x, double y)
 {
 	double i = (x - view->width / 2.0) / view->focal, j = (view->height / 2.0 - y) / view->focal;
 	bool parallel = view->orthographic != 0;
-	double3 u = d3_of(f->u), v = d3_of(f->v), n = d3_cross(u, v), far = { f->c.x, f->c.y, f->c.z };
+	double3 u = d3_of(f->u), v = d3_of(f->v), n = d3_cross(u, v), far = {f->c.x, f->c.y, f->c.z};
 	double3 c = d3_mad(d3_mad(far, u, -(double)f->a), v, -(double)f->b);
-	double3 from = { parallel ? i : 0, parallel ? j : 0, 0 }, way = { parallel ? 0 : i, parallel ? 0 : j, 1 };
+	double3 from = {parallel ? i : 0, parallel ? j : 0, 0}, way = {parallel ? 0 : i, parallel ? 0 : j, 1};
 	double t = d3_dot(d3_sub(c, from), n) / d3_dot(way, n);
 	double3 d = d3_sub(d3_mad(from, way, t), c);
 	double uu = d3_dot(u, u), vv = d3_dot(v, v), uv = d3_dot(u, v), det = uu * vv - uv * uv;
 	double du = d3_dot(d, u), dv = d3_dot(d, v);
 	double slant = fabs(d3_dot(way, n)) / (d3_length(way) * d3_length(n));
-	return (hit3){ (du * vv - dv * uv) / det, (dv * uu - du * uv) / det, t, slant };
+	return (hit3){(du * vv - dv * uv) / det, (dv * uu - du * uv) / det, t, slant};
 }
 
 static bool is_inside(const hit3 *hit, double near) { return hit->z >= near && hit->a * hit->a + hit->b * hit->b <= 1; }
@@ -88,7 +94,8 @@ static void test_plane_coordinates(void **state)
 	print_message("# %u fragments: (a, b) within %.2g, %.2g / cosine; depth within %.2g\n", n, worst, grazing, deepest);
 	assert_true(n > 20000);
 	assert_true(worst < 1e-6);
-	assert_true(grazing < 1e-6); /* the rounding of a ray itself moves where it meets the plane by as much as it leans */
+	assert_true(grazing <
+	            1e-6); /* the rounding of a ray itself moves where it meets the plane by as much as it leans */
 	assert_true(deepest < 1e-5);
 }
 
@@ -109,7 +116,7 @@ static u32 missed(const ts_camera_k *view, const ts_disc *disc, const ts_disc_fr
 static void test_bounds(void **state)
 {
 	(void)state;
-	u32 n_missed[2] = { 0, 0 }, n_surfels[2] = { 0, 0 }, n_drawn = 0;
+	u32 n_missed[2] = {0, 0}, n_surfels[2] = {0, 0}, n_drawn = 0;
 	for (u32 i = 0; i < SURFELS; i++) {
 		ts_camera_k view = camera(i % 4 == 0);
 		ts_surfel surfel = surfel_of(&view, 8); /* some reach the eye's plane */
@@ -153,19 +160,22 @@ static void test_bounds_are_tight(void **state)
 	}
 }
 
-typedef struct { u32 drawn, inside, outside; } crossings;
+typedef struct {
+	u32 drawn, inside, outside;
+} crossings;
 
 /* What crosses the near plane is drawn where rays meet it behind that, and nowhere else. */
 static void check_crossing(crossings *n, const ts_camera_k *view, const ts_filter *filter, const ts_surfel *surfel)
 {
 	ts_disc disc;
-	ts_filter unmoved = { .filter = TS_FILTER_IS_SCREEN };
+	ts_filter unmoved = {.filter = TS_FILTER_IS_SCREEN};
 	ts_disc_frame frame = ts_k_disc_frame(view, &unmoved, surfel);
 	u32 fate = ts_k_disc(&disc, view, filter, surfel);
 	if (fate == TS_DISC_TURNED || frame.c.z >= view->near) return;
 	n->drawn += fate == TS_DISC_DRAWN;
-	double3 c = { frame.c.x, frame.c.y, frame.c.z }, across = d3_cross(d3_of(frame.u), d3_of(frame.v));
-	double away = fabs(d3_dot(c, across)) / d3_length(across), size = d3_length(d3_of(frame.u)); /* of the plane; of it */
+	double3 c = {frame.c.x, frame.c.y, frame.c.z}, across = d3_cross(d3_of(frame.u), d3_of(frame.v));
+	double away = fabs(d3_dot(c, across)) / d3_length(across),
+		   size = d3_length(d3_of(frame.u)); /* of the plane; of it */
 	for (u32 i = 0; i < WIDTH * HEIGHT; i++) {
 		i32 x = (i32)(i % WIDTH), y = (i32)(i / WIDTH);
 		hit3 truth = cast(view, &frame, x + 0.5, y + 0.5);
@@ -186,7 +196,7 @@ static void check_crossing(crossings *n, const ts_camera_k *view, const ts_filte
 static void test_crossing(void **state)
 {
 	(void)state;
-	crossings n = { 0, 0, 0 };
+	crossings n = {0, 0, 0};
 	for (u32 i = 0; i < SURFELS; i++) {
 		ts_camera_k view = camera(i % 4 == 0);
 		ts_filter filter = filter_of(1, i % 8 == 1);
@@ -207,10 +217,16 @@ static void test_floor(void **state)
 	(void)state;
 	u32 n = 0;
 	ts_disc disc;
-	ts_camera_k view = { .right = { 1, 0, 0 }, .up = { 0, 1, 0 }, .back = { 0, 0, 1 }, .eye = { 0, 1, 0 }, .focal = 48,
-		.near = 0.01f, .width = WIDTH, .height = HEIGHT };
+	ts_camera_k view = {.right = {1, 0, 0},
+	                    .up = {0, 1, 0},
+	                    .back = {0, 0, 1},
+	                    .eye = {0, 1, 0},
+	                    .focal = 48,
+	                    .near = 0.01f,
+	                    .width = WIDTH,
+	                    .height = HEIGHT};
 	ts_filter filter = filter_of(1, false);
-	const ts_surfel surfel = { .u = { 0, 0, 4 }, .v = { 4, 0, 0 } };
+	const ts_surfel surfel = {.u = {0, 0, 4}, .v = {4, 0, 0}};
 	assert_int_equal(ts_k_disc(&disc, &view, &filter, &surfel), TS_DISC_DRAWN);
 	assert_int_equal(disc.flags, TS_DISC_CROSSES);
 	for (i32 y = disc.low[1]; y <= disc.high[1]; y++) {
@@ -244,7 +260,7 @@ static void test_product(void **state)
 
 static u32 fate(const ts_camera_k *view, ts_v3 centre, ts_v3 u, ts_v3 v, ts_disc *disc)
 {
-	ts_surfel s = { .colour = { 1, 1, 1 } };
+	ts_surfel s = {.colour = {1, 1, 1}};
 	ts_filter filter = filter_of(1, false);
 	ts_store3(s.centre, centre);
 	ts_store3(s.u, u);
@@ -256,18 +272,24 @@ static void test_fates(void **state)
 {
 	(void)state;
 	ts_disc disc;
-	ts_camera_k view = { .right = { 1, 0, 0 }, .up = { 0, 1, 0 }, .back = { 0, 0, 1 }, .focal = 48, .near = 0.01f,
-		.width = WIDTH, .height = HEIGHT };
-	ts_v3 x = { 0.1f, 0, 0 }, y = { 0, 0.1f, 0 }, z = { 0, 0, 0.1f }, p = { 0, 0, -2 };
+	ts_camera_k view = {.right = {1, 0, 0},
+	                    .up = {0, 1, 0},
+	                    .back = {0, 0, 1},
+	                    .focal = 48,
+	                    .near = 0.01f,
+	                    .width = WIDTH,
+	                    .height = HEIGHT};
+	ts_v3 x = {0.1f, 0, 0}, y = {0, 0.1f, 0}, z = {0, 0, 0.1f}, p = {0, 0, -2};
 	assert_int_equal(fate(&view, p, x, y, &disc), TS_DISC_DRAWN);
 	assert_int_equal(disc.flags, 0);
 	assert_int_equal(fate(&view, p, y, x, &disc), TS_DISC_TURNED);
 	assert_true(disc.high[0] < disc.low[0]);
-	assert_int_equal(fate(&view, p, x, z, &disc), TS_DISC_TURNED); /* edge-on: the normal is at a right angle to the ray */
+	assert_int_equal(fate(&view, p, x, z, &disc),
+	                 TS_DISC_TURNED); /* edge-on: the normal is at a right angle to the ray */
 	assert_int_equal(fate(&view, ts_v3_make(0, 0, 2), y, x, &disc), TS_DISC_BEFORE);
 	assert_int_equal(fate(&view, ts_v3_make(5, 0, -2), x, y, &disc), TS_DISC_BESIDE);
 	assert_int_equal(fate(&view, ts_v3_make(1e7f, 0, -2), x, y, &disc), TS_DISC_BESIDE);
-	ts_v3 lean = { 0, 1e-8f, 0.1f }; /* all but edge-on: its centre counts */
+	ts_v3 lean = {0, 1e-8f, 0.1f}; /* all but edge-on: its centre counts */
 	assert_int_equal(fate(&view, p, x, ts_v3_make(0, lean.y, -lean.z), &disc), TS_DISC_DRAWN);
 	assert_int_equal(disc.flags, TS_DISC_FLAT);
 	ts_filter filter = filter_of(1, false);
@@ -278,8 +300,13 @@ static void test_fates(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		seeded_test(test_plane_coordinates), seeded_test(test_bounds), seeded_test(test_bounds_are_tight),
-		seeded_test(test_crossing), seeded_test(test_floor), seeded_test(test_product), seeded_test(test_fates),
+		seeded_test(test_plane_coordinates),
+		seeded_test(test_bounds),
+		seeded_test(test_bounds_are_tight),
+		seeded_test(test_crossing),
+		seeded_test(test_floor),
+		seeded_test(test_product),
+		seeded_test(test_fates),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -32,7 +32,7 @@ static void test_rows(void **state)
 		ts_vector_place at = ts_vectors_place(p);
 		const ts_vector *v = at.vector;
 		u32 out_words = ts_vector_out_words(v), n_words = TS_VECTOR_ITEMS * out_words;
-		ts_vectors_args args = { in, found, at.primitive, ts_vector_in_words(v), out_words };
+		ts_vectors_args args = {in, found, at.primitive, ts_vector_in_words(v), out_words};
 		ts_vector_make(v, in, out);
 		for (u32 threads = 1; threads <= 3; threads++) {
 			memset(found, 0xee, sizeof found);

@@ -39,15 +39,19 @@ static void begin(tree *t, u32 levels)
 
 static void finish(tree *t)
 {
-	ts_mask_args up = { .mask = t->mask, .before = t->before };
+	ts_mask_args up = {.mask = t->mask, .before = t->before};
 	for (up.level = t->levels; up.level-- > 0;) {
 		u64 words = ts_k_mask_first(up.level + 1) - ts_k_mask_first(up.level);
 		for (u64 i = words; i-- > 0;) ts_k_mask_up_item(&up, i);
 	}
 	for (u64 i = 0; i < t->n_words; i++) ts_k_mask_count_item(&up, i);
 	sum(t->before, t->n_words);
-	ts_octree_args args = { .root = &t->root, .mask = t->mask, .before = t->before, .level = t->level, .nodes = t->nodes,
-	                        .levels = t->levels };
+	ts_octree_args args = {.root = &t->root,
+	                       .mask = t->mask,
+	                       .before = t->before,
+	                       .level = t->level,
+	                       .nodes = t->nodes,
+	                       .levels = t->levels};
 	for (u64 i = 0; i < t->levels + 2; i++) ts_k_octree_level_item(&args, i);
 	for (u64 i = t->n_words; i-- > 0;) ts_k_octree_item(&args, i);
 	t->n = t->level[t->levels + 1];
@@ -152,8 +156,15 @@ static void fill_views(views *v, const ts_root *root, u32 kind)
 
 static void make_tree(tree *t, views *v)
 {
-	ts_view_octree_args args = { .root = &t->root, .views = v->views, .mask = t->mask, .bits = t->mask, .before = t->before,
-	                             .leaf = v->leaf, .offset = v->offset, .entries = v->entries, .levels = t->levels };
+	ts_view_octree_args args = {.root = &t->root,
+	                            .views = v->views,
+	                            .mask = t->mask,
+	                            .bits = t->mask,
+	                            .before = t->before,
+	                            .leaf = v->leaf,
+	                            .offset = v->offset,
+	                            .entries = v->entries,
+	                            .levels = t->levels};
 	for (u64 i = v->n; i-- > 0;) ts_k_view_voxel_item(&args, i);
 	finish(t);
 	args.first_leaf = t->level[t->levels];
@@ -161,14 +172,21 @@ static void make_tree(tree *t, views *v)
 	for (u64 i = v->n; i-- > 0;) ts_k_view_leaf_item(&args, i);
 	sum(v->offset, t->n_leaves + 1);
 	for (u64 i = v->n; i-- > 0;) ts_k_view_list_item(&args, i);
-	ts_sort_args sort = { .offset = v->offset, .entries = v->entries };
+	ts_sort_args sort = {.offset = v->offset, .entries = v->entries};
 	for (u64 i = 0; i < t->n_leaves; i++) ts_k_leaf_sort_item(&sort, i);
 }
 
 static void make_cones(const tree *t, views *v)
 {
-	ts_cone_args args = { .views = v->views, .nodes = t->nodes, .offset = v->offset, .entries = v->entries, .leaf = v->leaf,
-	                      .sums = v->sums, .least = v->least, .cones = v->cones, .first = t->level[t->levels] };
+	ts_cone_args args = {.views = v->views,
+	                     .nodes = t->nodes,
+	                     .offset = v->offset,
+	                     .entries = v->entries,
+	                     .leaf = v->leaf,
+	                     .sums = v->sums,
+	                     .least = v->least,
+	                     .cones = v->cones,
+	                     .first = t->level[t->levels]};
 	for (u64 i = 0; i < t->n_leaves; i++) ts_k_cone_leaf_item(&args, i);
 	for (u32 level = t->levels; level-- > 0;) {
 		args.first = t->level[level];
@@ -193,7 +211,7 @@ static bool holds(const ts_node *node, const f32 *p, double slack)
 static void check_cone(const tree *t, const views *v, u32 node)
 {
 	const ts_cone *cone = &v->cones[node];
-	double3 all = { 0, 0, 0 };
+	double3 all = {0, 0, 0};
 	double least = 2;
 	assert_true(cone->views > 0 && cone->first + cone->views <= v->n);
 	for (u32 k = cone->first; k < cone->first + cone->views; k++) {
@@ -249,7 +267,9 @@ static void test_ordered(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		seeded_test(test_nodes), seeded_test(test_cones), seeded_test(test_ordered),
+		seeded_test(test_nodes),
+		seeded_test(test_cones),
+		seeded_test(test_ordered),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

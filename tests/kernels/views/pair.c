@@ -13,7 +13,7 @@ static double power_of_ten(double low, double high) { return pow(10, random_doub
 static double3 sphere(void)
 {
 	double z = random_double(-1, 1), turn = random_double(0, 2 * pi), r = sqrt(1 - z * z);
-	return (double3){ r * cos(turn), r * sin(turn), z };
+	return (double3){r * cos(turn), r * sin(turn), z};
 }
 
 /* In a ball, half of them on its surface. */
@@ -25,7 +25,7 @@ static double angle(double3 a, double3 b) { return atan2(d3_length(d3_cross(a, b
 static double3 in_cone(double3 n, double theta)
 {
 	double z = below(2) == 0 ? cos(theta) : random_double(cos(theta), 1), turn = random_double(0, 2 * pi);
-	double3 t = d3_unit(d3_cross(fabs(n.x) < 0.9 ? (double3){ 1, 0, 0 } : (double3){ 0, 1, 0 }, n)), b = d3_cross(n, t);
+	double3 t = d3_unit(d3_cross(fabs(n.x) < 0.9 ? (double3){1, 0, 0} : (double3){0, 1, 0}, n)), b = d3_cross(n, t);
 	double3 rim = d3_add(d3_scale(t, cos(turn)), d3_scale(b, sin(turn)));
 	return d3_add(d3_scale(n, z), d3_scale(rim, sqrt(fmax(0, 1 - z * z))));
 }
@@ -38,15 +38,18 @@ static double distance_from_cone(double3 x, double3 axis, double psi)
 }
 
 /* A ball of the scene at `at`, of views at 0. */
-typedef struct { double3 at, axis; double rs, rv, theta, phi; } world;
+typedef struct {
+	double3 at, axis;
+	double rs, rv, theta, phi;
+} world;
 
 /* What the kernels are given is what the truth knows. */
 static double as_float(double x) { return (double)(f32)x; }
-static double3 as_floats(double3 a) { return (double3){ as_float(a.x), as_float(a.y), as_float(a.z) }; }
+static double3 as_floats(double3 a) { return (double3){as_float(a.x), as_float(a.y), as_float(a.z)}; }
 
 static world random_world(bool single)
 {
-	world w = { .rs = as_float(power_of_ten(-2, 0)), .rv = single ? 0 : as_float(power_of_ten(-2, 0)), .axis = sphere() };
+	world w = {.rs = as_float(power_of_ten(-2, 0)), .rv = single ? 0 : as_float(power_of_ten(-2, 0)), .axis = sphere()};
 	w.at = as_floats(d3_scale(sphere(), power_of_ten(-1, 1.2)));
 	w.phi = below(5) < 2 ? pi / 2 : random_double(0, pi);
 	w.theta = single || below(8) == 0 ? 0 : random_double(0, pi) * (below(2) == 0 ? 0.3 : 1);
@@ -58,9 +61,9 @@ static ts_v3 v3_of(double3 a) { return ts_v3_make((f32)a.x, (f32)a.y, (f32)a.z);
 /* Whether the pair is culled with so large a ball of views. */
 static bool is_culled(const world *w, double rv)
 {
-	ts_ball s = { .p = v3_of(w->at), .r = (f32)w->rs }, v = { .p = { 0, 0, 0 }, .r = (f32)rv };
-	ts_cone_k cone = { .axis = v3_of(w->axis), .cosine = (f32)cos(w->theta) };
-	ts_aperture phi = { .cosine = w->phi == pi / 2 ? 0 : (f32)cos(w->phi), .sine = (f32)sin(w->phi) };
+	ts_ball s = {.p = v3_of(w->at), .r = (f32)w->rs}, v = {.p = {0, 0, 0}, .r = (f32)rv};
+	ts_cone_k cone = {.axis = v3_of(w->axis), .cosine = (f32)cos(w->theta)};
+	ts_aperture phi = {.cosine = w->phi == pi / 2 ? 0 : (f32)cos(w->phi), .sine = (f32)sin(w->phi)};
 	return ts_k_pair_is_culled(&s, &v, &cone, &phi);
 }
 
@@ -84,12 +87,14 @@ static bool is_seen(const world *w)
 	return false;
 }
 
-typedef struct { u32 n_culled, n_unseen, n_wrong; } tally;
+typedef struct {
+	u32 n_culled, n_unseen, n_wrong;
+} tally;
 
 /* forget: without the radius of the views. */
 static tally cull(bool single, bool forget)
 {
-	tally r = { 0, 0, 0 };
+	tally r = {0, 0, 0};
 	for (u32 i = 0; i < N_PAIRS; i++) {
 		world w = random_world(single);
 		bool culled = is_culled(&w, forget ? 0 : w.rv), seen = is_seen(&w);
@@ -129,11 +134,13 @@ static void test_cull_formula(void **state)
 		assert_int_equal(is_culled(&w, w.rv), psi < pi && fs > need);
 	}
 	assert_true(n_sure > N_PAIRS / 10 * 9 && n_wide > N_PAIRS / 50);
-	world inside = { .at = { 0, 0, 0 }, .axis = { 0, 0, 1 }, .phi = pi / 2 };
+	world inside = {.at = {0, 0, 0}, .axis = {0, 0, 1}, .phi = pi / 2};
 	assert_false(is_culled(&inside, 0));
 }
 
-typedef struct { u32 n_children, n_same, n_next, n_far, n_other; } shares;
+typedef struct {
+	u32 n_children, n_same, n_next, n_far, n_other;
+} shares;
 
 static u32 apart(u32 a, u32 b) { return a > b ? a - b : b - a; }
 
@@ -146,10 +153,14 @@ static void compare(shares *sum, ts_v3 at, f32 rv, u32 n)
 		u32 columns = apart(t % n, middle % n), rows = apart(t / n % n, middle / n % n);
 		u32 far = columns > rows ? columns : rows;
 		sum->n_children++;
-		if (t / (n * n) != middle / (n * n)) sum->n_other++;
-		else if (far == 0) sum->n_same++;
-		else if (far == 1) sum->n_next++;
-		else sum->n_far++;
+		if (t / (n * n) != middle / (n * n))
+			sum->n_other++;
+		else if (far == 0)
+			sum->n_same++;
+		else if (far == 1)
+			sum->n_next++;
+		else
+			sum->n_far++;
 	}
 }
 
@@ -157,16 +168,20 @@ static void compare(shares *sum, ts_v3 at, f32 rv, u32 n)
 static void test_equivalence(void **state)
 {
 	(void)state;
-	static const struct { u32 n; f32 rv; double same, next, other; } rows[] = {
-		{ 8, 1, 77.33, 21.25, 1.422 },   { 8, 0.5f, 87.80, 11.49, 0.706 },  { 16, 1, 76.77, 22.50, 0.730 },
-		{ 16, 0.5f, 87.89, 11.76, 0.352 }, { 64, 1, 76.38, 23.42, 0.206 },  { 64, 0.5f, 87.77, 12.14, 0.092 },
-		{ 256, 1, 76.37, 23.58, 0.050 }, { 256, 0.5f, 87.83, 12.14, 0.026 },
+	static const struct {
+		u32 n;
+		f32 rv;
+		double same, next, other;
+	} rows[] = {
+		{8, 1, 77.33, 21.25, 1.422},     {8, 0.5f, 87.80, 11.49, 0.706},   {16, 1, 76.77, 22.50, 0.730},
+		{16, 0.5f, 87.89, 11.76, 0.352}, {64, 1, 76.38, 23.42, 0.206},     {64, 0.5f, 87.77, 12.14, 0.092},
+		{256, 1, 76.37, 23.58, 0.050},   {256, 0.5f, 87.83, 12.14, 0.026},
 	};
 	for (u32 k = 0; k < sizeof rows / sizeof *rows; k++) {
-		shares sum = { 0, 0, 0, 0, 0 };
+		shares sum = {0, 0, 0, 0, 0};
 		while (sum.n_children < N_EQUIVALENT * N_CHILDREN) {
 			ts_v3 at = v3_of(d3_scale(sphere(), rows[k].n * random_double(0.25, 1.85)));
-			ts_ball s = { .p = at, .r = 1 }, v = { .p = { 0, 0, 0 }, .r = rows[k].rv };
+			ts_ball s = {.p = at, .r = 1}, v = {.p = {0, 0, 0}, .r = rows[k].rv};
 			if (ts_k_pair_is_equivalent(&s, &v, rows[k].n)) compare(&sum, at, v.r, rows[k].n);
 		}
 		double percent = 100.0 / sum.n_children;
@@ -186,7 +201,7 @@ static void test_equivalence_formula(void **state)
 	for (u32 i = 0; i < N_PAIRS; i++) {
 		u32 n = 4u << below(7);
 		double3 vs = as_floats(d3_scale(sphere(), random_double(0.5, 2.2 * n)));
-		ts_ball s = { .p = v3_of(vs), .r = 1 }, v = { .p = { 0, 0, 0 }, .r = uniform(0, 1.2f) };
+		ts_ball s = {.p = v3_of(vs), .r = 1}, v = {.p = {0, 0, 0}, .r = uniform(0, 1.2f)};
 		double d = d3_length(vs), nearest = d - (double)v.r, sine = 1 / nearest;
 		double size = nearest > 1 ? n * sine / (fabs(vs.x) / d + sqrt(1 - sine * sine)) : 1e9;
 		if (fabs(size - 1) < 1e-5 || fabs(nearest - 1) < 1e-5) continue;
@@ -207,14 +222,18 @@ static void test_split(void **state)
 		u32 deepest_s = 1 + below(11), deepest_v = below(12), level_s = 0, level_v = 0;
 		f32 r = uniform(0.01f, 1000);
 		while (level_s < deepest_s || level_v < deepest_v) {
-			ts_ball s = { .r = r / (f32)(1u << level_s), .leaf = level_s == deepest_s };
-			ts_ball v = { .r = r / (f32)(1u << level_v), .leaf = level_v == deepest_v };
+			ts_ball s = {.r = r / (f32)(1u << level_s), .leaf = level_s == deepest_s};
+			ts_ball v = {.r = r / (f32)(1u << level_v), .leaf = level_v == deepest_v};
 			bool both = !s.leaf && !v.leaf, splits_view = ts_k_pair_splits_view(&s, &v);
-			if (both) assert_int_equal(splits_view, level_v == level_s);
-			else assert_int_equal(splits_view, s.leaf);
+			if (both)
+				assert_int_equal(splits_view, level_v == level_s);
+			else
+				assert_int_equal(splits_view, s.leaf);
 			if (both || v.leaf) assert_true(level_v >= deepest_v || v.r <= s.r);
-			if (splits_view) level_v++;
-			else level_s++;
+			if (splits_view)
+				level_v++;
+			else
+				level_s++;
 		}
 		assert_true(level_s == deepest_s && level_v == deepest_v);
 	}
@@ -225,8 +244,8 @@ static void test_touch(void **state)
 {
 	(void)state;
 	f32 r = 0.8660254f;
-	ts_ball s = { .p = { 1, 1, 0.9f }, .r = r, .leaf = true }, v = { .p = { 0, 0, 0 }, .r = r, .leaf = true };
-	ts_ball alone = { .p = { 0, 0, 0 }, .r = 0, .leaf = true }, inner = { .p = { 0, 0, 0 }, .r = r, .leaf = false };
+	ts_ball s = {.p = {1, 1, 0.9f}, .r = r, .leaf = true}, v = {.p = {0, 0, 0}, .r = r, .leaf = true};
+	ts_ball alone = {.p = {0, 0, 0}, .r = 0, .leaf = true}, inner = {.p = {0, 0, 0}, .r = r, .leaf = false};
 	assert_true(ts_k_pair_touches(&s, &v) && ts_k_pair_touches(&s, &alone));
 	assert_false(ts_k_pair_touches(&s, &inner) || ts_k_pair_touches(&inner, &v));
 	s.p = ts_v3_make(2, 0, 0);
@@ -236,8 +255,9 @@ static void test_touch(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		seeded_test(test_cull),        seeded_test(test_cull_formula), seeded_test(test_equivalence),
-		seeded_test(test_equivalence_formula), seeded_test(test_split), seeded_test(test_touch),
+		seeded_test(test_cull),        seeded_test(test_cull_formula),
+		seeded_test(test_equivalence), seeded_test(test_equivalence_formula),
+		seeded_test(test_split),       seeded_test(test_touch),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -5,7 +5,7 @@
 
 enum { N_SIZES = 20000, N_RIM = 720 };
 
-static const u32 sides[] = { 4, 8, 16, 64, 256 };
+static const u32 sides[] = {4, 8, 16, 64, 256};
 static const double pi = 3.14159265358979323846;
 
 static void test_round_trip(void **state)
@@ -26,12 +26,15 @@ static void test_round_trip(void **state)
 }
 
 /* Where a direction is in its map, in texels. */
-typedef struct { double column, row; bool back; } place;
+typedef struct {
+	double column, row;
+	bool back;
+} place;
 
 static place place_of(double3 d, u32 n)
 {
 	double l = d3_length(d), k = 1 / (l + fabs(d.x));
-	return (place){ (d.y * k * 0.5 + 0.5) * n, (d.z * k * 0.5 + 0.5) * n, d.x < 0 };
+	return (place){(d.y * k * 0.5 + 0.5) * n, (d.z * k * 0.5 + 0.5) * n, d.x < 0};
 }
 
 static bool is_near_integer(double x) { return fabs(x - nearbyint(x)) < 1e-4; }
@@ -59,7 +62,7 @@ static void test_texel(void **state)
 /* Extent along y of the image of a circle of directions. */
 static double widest(double alpha, double rho, u32 n)
 {
-	double3 axis = { cos(alpha), sin(alpha), 0 }, up = { -sin(alpha), cos(alpha), 0 }, side = { 0, 0, 1 };
+	double3 axis = {cos(alpha), sin(alpha), 0}, up = {-sin(alpha), cos(alpha), 0}, side = {0, 0, 1};
 	double low = 1e9, high = -1e9;
 	for (u32 i = 0; i < N_RIM; i++) {
 		double turn = 2 * pi * i / N_RIM;

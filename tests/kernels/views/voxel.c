@@ -8,23 +8,27 @@
 
 enum { N_TRIANGLES = 3000, N_LARGE = 400, N_ROOTS = 2000, LEVELS = 3, SIDE = 1 << LEVELS, STEPS = SIDE * TS_VOXEL };
 
-typedef struct { i64 c[3]; } point;
+typedef struct {
+	i64 c[3];
+} point;
 
 /* part / whole, whole > 0 */
-typedef struct { i64 part, whole; } ratio;
+typedef struct {
+	i64 part, whole;
+} ratio;
 
 static bool less(ratio a, ratio b) { return a.part * b.whole < b.part * a.whole; }
 
 /* A segment meets a closed box: where it enters the last slab is not behind where it leaves the first. */
 static bool segment_meets(const point *p, const point *q, const i64 voxel[3])
 {
-	ratio from = { 0, 1 }, to = { 1, 1 };
+	ratio from = {0, 1}, to = {1, 1};
 	for (u32 k = 0; k < 3; k++) {
 		i64 low = voxel[k] * TS_VOXEL - p->c[k], high = low + TS_VOXEL, d = q->c[k] - p->c[k];
 		if (d == 0 && (low > 0 || high < 0)) return false;
 		if (d == 0) continue;
-		ratio enters = d > 0 ? (ratio){ low, d } : (ratio){ -high, -d };
-		ratio leaves = d > 0 ? (ratio){ high, d } : (ratio){ -low, -d };
+		ratio enters = d > 0 ? (ratio){low, d} : (ratio){-high, -d};
+		ratio leaves = d > 0 ? (ratio){high, d} : (ratio){-low, -d};
 		if (less(from, enters)) from = enters;
 		if (less(leaves, to)) to = leaves;
 	}
@@ -42,7 +46,7 @@ static bool edge_meets(const point t[3], const point *low, u32 w)
 {
 	u32 u = (w + 1) % 3, v = (w + 2) % 3;
 	i64 whole = area(&t[0], &t[1], &t[2], u, v);
-	i64 part[3] = { area(low, &t[1], &t[2], u, v), area(low, &t[2], &t[0], u, v), area(low, &t[0], &t[1], u, v) };
+	i64 part[3] = {area(low, &t[1], &t[2], u, v), area(low, &t[2], &t[0], u, v), area(low, &t[0], &t[1], u, v)};
 	if (whole == 0) return false;
 	__int128 at = 0;
 	for (u32 k = 0; k < 3; k++) {
@@ -60,7 +64,7 @@ static bool meets(const point t[3], const i64 voxel[3])
 	}
 	for (u32 edge = 0; edge < 12; edge++) {
 		u32 w = edge / 4;
-		point low = { { voxel[0] * TS_VOXEL, voxel[1] * TS_VOXEL, voxel[2] * TS_VOXEL } };
+		point low = {{voxel[0] * TS_VOXEL, voxel[1] * TS_VOXEL, voxel[2] * TS_VOXEL}};
 		low.c[(w + 1) % 3] += (edge & 1) != 0 ? TS_VOXEL : 0;
 		low.c[(w + 2) % 3] += (edge & 2) != 0 ? TS_VOXEL : 0;
 		if (edge_meets(t, &low, w)) return true;
@@ -121,13 +125,13 @@ static void compare(const ts_touch *touch, const point t[3], const i64 voxel[3],
 static void test_corners(void **state)
 {
 	(void)state;
-	u32 counts[2] = { 0, 0 };
+	u32 counts[2] = {0, 0};
 	for (u32 i = 0; i < 20 * N_TRIANGLES; i++) {
 		point t[3];
 		i64 at = 1 + below(SIDE - 1);
 		for (u32 k = 0; k < 9; k++) t[k / 3].c[k % 3] = at * TS_VOXEL + (i64)below(7) - 3;
 		ts_touch touch = touch_of(t, SIDE - 1);
-		for (i64 v = 0; v < 8; v++) compare(&touch, t, (i64[]){ at - v % 2, at - v / 2 % 2, at - v / 4 }, counts);
+		for (i64 v = 0; v < 8; v++) compare(&touch, t, (i64[]){at - v % 2, at - v / 2 % 2, at - v / 4}, counts);
 	}
 	assert_true(counts[0] > 10000 && counts[1] > 10000);
 }
@@ -136,13 +140,13 @@ static void test_corners(void **state)
 static void test_small(void **state)
 {
 	(void)state;
-	u32 counts[2] = { 0, 0 };
+	u32 counts[2] = {0, 0};
 	for (u32 i = 0; i < N_TRIANGLES; i++) {
 		point t[3];
 		fill(t, i, STEPS, i % 4 < 2 ? 40 : 700);
 		ts_touch touch = touch_of(t, SIDE - 1);
 		for (i64 v = 0; v < SIDE * SIDE * SIDE; v++) {
-			compare(&touch, t, (i64[]){ v % SIDE, v / SIDE % SIDE, v / SIDE / SIDE }, counts);
+			compare(&touch, t, (i64[]){v % SIDE, v / SIDE % SIDE, v / SIDE / SIDE}, counts);
 		}
 	}
 	assert_true(counts[0] > 100000 && counts[1] > 30000);
@@ -153,7 +157,7 @@ static void test_large(void **state)
 {
 	(void)state;
 	enum { SIDE_LARGE = 2048 };
-	u32 counts[2] = { 0, 0 };
+	u32 counts[2] = {0, 0};
 	for (u32 i = 0; i < N_LARGE; i++) {
 		point t[3];
 		fill(t, i, (i64)SIDE_LARGE * TS_VOXEL, 300 << i % 10);
@@ -176,12 +180,13 @@ static void test_large(void **state)
 static void test_all(void **state)
 {
 	(void)state;
-	u32 counts[2] = { 0, 0 };
+	u32 counts[2] = {0, 0};
 	for (u32 i = 0; i < 27 * 27 * 27; i++) {
 		point t[3];
-		for (u32 k = 0, rest = i; k < 9; k++, rest /= 3) t[k / 3].c[k % 3] = (i64)(rest % 3) * (TS_VOXEL / 2) + TS_VOXEL;
+		for (u32 k = 0, rest = i; k < 9; k++, rest /= 3)
+			t[k / 3].c[k % 3] = (i64)(rest % 3) * (TS_VOXEL / 2) + TS_VOXEL;
 		ts_touch touch = touch_of(t, 3);
-		for (i64 v = 0; v < 64; v++) compare(&touch, t, (i64[]){ v % 4, v / 4 % 4, v / 16 }, counts);
+		for (i64 v = 0; v < 64; v++) compare(&touch, t, (i64[]){v % 4, v / 4 % 4, v / 16}, counts);
 	}
 	assert_true(counts[0] > 0 && counts[1] > 0);
 }
@@ -192,7 +197,7 @@ static void test_item(void **state)
 	(void)state;
 	static small_scene s;
 	static point corners[N_TRIANGLES][3];
-	ts_root root = { .side = SIDE };
+	ts_root root = {.side = SIDE};
 	u64 mask[3 + SIDE * SIDE * SIDE / 64];
 	for (u32 world = 0; world < 60; world++) {
 		small_clear(&s);
@@ -206,14 +211,14 @@ static void test_item(void **state)
 			}
 			small_add(&s, p[0], p[1], p[2], 0, 0);
 		}
-		ts_voxel_args args = { .scene = small_arrays(&s), .root = &root, .mask = mask, .levels = LEVELS };
+		ts_voxel_args args = {.scene = small_arrays(&s), .root = &root, .mask = mask, .levels = LEVELS};
 		for (u32 i = s.n_triangles; i-- > 0;) ts_k_voxel_item(&args, i);
 		for (u64 code = 0; code < SIDE * SIDE * SIDE; code++) {
 			ts_i3 v = ts_k_unmorton(code);
 			bool right = false;
 			for (u32 i = 0; i < s.n_triangles; i++) {
 				ts_corners t = ts_k_corners(&args.scene, i);
-				right |= !ts_k_is_degenerate(t.n) && meets(corners[i], (i64[]){ v.x, v.y, v.z });
+				right |= !ts_k_is_degenerate(t.n) && meets(corners[i], (i64[]){v.x, v.y, v.z});
 			}
 			assert_int_equal((mask[3 + code / 64] >> (code % 64)) & 1, right);
 		}
@@ -225,7 +230,7 @@ static ts_root root_of(const ts_vertex *vertices, u32 n, bool backwards)
 	ts_root root;
 	u32 least[6];
 	memset(least, 0xff, sizeof least);
-	ts_root_args args = { .vertices = vertices, .least = least, .root = &root };
+	ts_root_args args = {.vertices = vertices, .least = least, .root = &root};
 	for (u32 i = 0; i < n; i++) ts_k_root_least_item(&args, backwards ? n - 1 - i : i);
 	ts_k_root_item(&args, 0);
 	return root;
@@ -246,9 +251,10 @@ static void test_root(void **state)
 		assert_memory_equal(&root, &again, sizeof root);
 		for (u32 k = 0; k < n; k++) {
 			ts_i3 q = ts_k_root_place(&root, 11, ts_load3(vertices[k].position));
-			i32 snapped[3] = { q.x, q.y, q.z };
+			i32 snapped[3] = {q.x, q.y, q.z};
 			for (u32 axis = 0; axis < 3; axis++) {
-				double exact = ((double)vertices[k].position[axis] - (double)root.lower[axis]) * 524288 / (double)root.side;
+				double exact =
+					((double)vertices[k].position[axis] - (double)root.lower[axis]) * 524288 / (double)root.side;
 				assert_true(exact > 128 && exact < 524288 - 128);
 				assert_near(snapped[axis], exact, 0.6);
 			}
@@ -260,7 +266,7 @@ static void test_root(void **state)
 static void test_empty(void **state)
 {
 	(void)state;
-	ts_vertex origin = { .pad = 0 };
+	ts_vertex origin = {.pad = 0};
 	assert_true(root_of(&origin, 1, false).side == 1);
 	ts_root none = root_of(NULL, 0, false);
 	assert_true(none.side == 1 && none.lower[0] == -0.5f);
@@ -273,7 +279,8 @@ static void test_codes(void **state)
 		ts_i3 p = ts_i3_make((i32)below(2048), (i32)below(2048), (i32)below(2048));
 		u64 code = 0;
 		for (u32 b = 0; b < 11; b++) {
-			code |= (u64)(p.x >> b & 1) << (3 * b) | (u64)(p.y >> b & 1) << (3 * b + 1) | (u64)(p.z >> b & 1) << (3 * b + 2);
+			code |= (u64)(p.x >> b & 1) << (3 * b) | (u64)(p.y >> b & 1) << (3 * b + 1) |
+			        (u64)(p.z >> b & 1) << (3 * b + 2);
 		}
 		ts_i3 back = ts_k_unmorton(code);
 		assert_true(ts_k_morton(p) == code && back.x == p.x && back.y == p.y && back.z == p.z);
@@ -291,7 +298,7 @@ static void test_narrow(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < 100000; i++) {
-		ts_range r = { below(8), 0 };
+		ts_range r = {below(8), 0};
 		r.last = r.first + below(10) - 1;
 		i64 step = (i64)below(9) - 4, low = (i64)below(60) - 30, high = low + below(20);
 		ts_range found = ts_k_narrow(r, step, low, high);
@@ -304,9 +311,9 @@ static void test_narrow(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		seeded_test(test_corners), seeded_test(test_small), seeded_test(test_large), cmocka_unit_test(test_all),
-		seeded_test(test_item),
-		seeded_test(test_root), cmocka_unit_test(test_empty), seeded_test(test_codes), seeded_test(test_narrow),
+		seeded_test(test_corners),    seeded_test(test_small), seeded_test(test_large),
+		cmocka_unit_test(test_all),   seeded_test(test_item),  seeded_test(test_root),
+		cmocka_unit_test(test_empty), seeded_test(test_codes), seeded_test(test_narrow),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -17,9 +17,10 @@ typedef struct {
 static void put_voxel(world *w, u32 x, u32 y, u32 z)
 {
 	f32 side = 1.0f / SIDE;
-	w->scene[w->n_nodes++] = (ts_node){
-		.centre = {((f32)x + 0.5f) * side, ((f32)y + 0.5f) * side, ((f32)z + 0.5f) * side},
-		.radius = 0.8660254f * side, .level = LEVELS};
+	w->scene[w->n_nodes++] =
+		(ts_node){.centre = {((f32)x + 0.5f) * side, ((f32)y + 0.5f) * side, ((f32)z + 0.5f) * side},
+	              .radius = 0.8660254f * side,
+	              .level = LEVELS};
 }
 
 /* Every voxel of the floor, and of the wall if there is one, in the light's map. */
@@ -36,13 +37,23 @@ static void make(world *w, ts_v3 at, bool wall)
 	ts_fuse_args fuse = {
 		.views = &w->view, .texels = w->texels, .depths = w->depths, .nodes = w->shown, .pyramid = {N, 1}};
 	for (u32 i = 0; i < 2 * N * N; i++) ts_k_fuse_item(&fuse, i);
-	w->args = (ts_vpl_gather_args){
-		.root = &w->root, .leaves = &w->leaf, .nodes = &w->view, .lights = &w->light, .depths = w->depths,
-		.shown = w->shown, .scene = w->scene, .levels = LEVELS, .n = N, .bias = 1, .bias_px = 1};
+	w->args = (ts_vpl_gather_args){.root = &w->root,
+	                               .leaves = &w->leaf,
+	                               .nodes = &w->view,
+	                               .lights = &w->light,
+	                               .depths = w->depths,
+	                               .shown = w->shown,
+	                               .scene = w->scene,
+	                               .levels = LEVELS,
+	                               .n = N,
+	                               .bias = 1,
+	                               .bias_px = 1};
 }
 
 /* Places of the floor that light reaches though a line to them crosses the wall, and that it does not reach otherwise. */
-typedef struct { u32 leaks, shadows, behind, open; } faults;
+typedef struct {
+	u32 leaks, shadows, behind, open;
+} faults;
 
 static void add_floor(faults *r, const world *w, bool wall)
 {

@@ -19,12 +19,13 @@ static ts_params tiny_params(void)
 static void run_of(ts_run *run, const ts_scene *scene, const ts_params *params, const char *method)
 {
 	ts_run_begin(run, scene, params, 2);
-	if (ts_pipeline_run(ts_pipeline_find("indirect", method), run) != TS_OK) fail_msg("%s: %s", method, ts_error_message());
+	if (ts_pipeline_run(ts_pipeline_find("indirect", method), run) != TS_OK)
+		fail_msg("%s: %s", method, ts_error_message());
 }
 
 static void sums_of(ts_sums *sums, const ts_scene *scene, const ts_params *params, const char *method, u32 threads)
 {
-	const ts_how how = { .threads = threads };
+	const ts_how how = {.threads = threads};
 	ts_status status = ts_sums_of(sums, ts_pipeline_find("indirect", method), scene, params, &how);
 	if (status != TS_OK) fail_msg("%s: %s", method, ts_error_message());
 }
@@ -33,11 +34,13 @@ static void sums_of(ts_sums *sums, const ts_scene *scene, const ts_params *param
 static void test_threads(void **state)
 {
 	(void)state;
-	static const struct { const char *method, *set[4][2]; } rows[] = {
-		{ "hulls", { { "segmentation", "components" }, { "sharpness", "vmf" }, { "interpolation", "moments" } } },
-		{ "hulls", { { "surface", "paper" }, { "cosine", "quadrature" } } },
-		{ "hulls", { { "cosine", "sg" }, { "lamp", "scene" } } },
-		{ "direct", { { "lamp", "lamp" } } },
+	static const struct {
+		const char *method, *set[4][2];
+	} rows[] = {
+		{"hulls", {{"segmentation", "components"}, {"sharpness", "vmf"}, {"interpolation", "moments"}}},
+		{"hulls", {{"surface", "paper"}, {"cosine", "quadrature"}}},
+		{"hulls", {{"cosine", "sg"}, {"lamp", "scene"}}},
+		{"direct", {{"lamp", "lamp"}}},
 	};
 	for (u32 row = 0; row < sizeof rows / sizeof *rows; row++) {
 		static ts_sums one, seven;
@@ -101,8 +104,10 @@ static void test_against_direct(void **state)
 	assert_true(apart(&hulls, &direct) < 0.4);
 	assert_int_equal(ts_run_counter(&direct, "gathers"), 100 * 54 * 64);
 	assert_int_equal(ts_run_counter(&hulls, "gathers"), 4 * 64 * ts_run_counter(&hulls, "boxes"));
-	static const char *const set[][2] = { { "segmentation", "components" }, { "cosine", "quadrature" },
-	                                      { "interpolation", "moments" }, { "integrals", "printed" } };
+	static const char *const set[][2] = {{"segmentation", "components"},
+	                                     {"cosine", "quadrature"},
+	                                     {"interpolation", "moments"},
+	                                     {"integrals", "printed"}};
 	for (u32 i = 0; i < 4; i++) {
 		ts_params changed = params;
 		assert_int_equal(ts_params_set(&changed, set[i][0], set[i][1]), TS_OK);
@@ -166,7 +171,7 @@ static void check_segments(const ts_scene *scene, const ts_params *params, u64 *
 static void test_segments(void **state)
 {
 	(void)state;
-	static const char *const specs[] = { SMALL_SCENE, "gallery", "dining" };
+	static const char *const specs[] = {SMALL_SCENE, "gallery", "dining"};
 	u64 n_more = 0;
 	for (u32 i = 0; i < sizeof specs / sizeof *specs; i++) {
 		ts_params params = tiny_params();
@@ -280,9 +285,12 @@ static void test_lights(void **state)
 	(void)state;
 	ts_params params = tiny_params();
 	ts_scene *scene = small_scene(&params);
-	ts_light *own = scene->lights, lights[3] = {
-		{ .kind = TS_LIGHT_KIND_SPOT, .position = { 0, 4, 0 }, .direction = { 0, -1, 0 }, .intensity = { 30, 0, 0 },
-		  .spot_scale = 4, .spot_offset = -3 } };
+	ts_light *own = scene->lights, lights[3] = {{.kind = TS_LIGHT_KIND_SPOT,
+	                                             .position = {0, 4, 0},
+	                                             .direction = {0, -1, 0},
+	                                             .intensity = {30, 0, 0},
+	                                             .spot_scale = 4,
+	                                             .spot_offset = -3}};
 	u32 n_own = scene->n_lights;
 	lights[1] = lights[2] = lights[0];
 	lights[1].kind = TS_LIGHT_KIND_POINT;
@@ -295,7 +303,7 @@ static void test_lights(void **state)
 		scene->n_lights = n;
 		run_of(&run, scene, &params, "hulls");
 		check_light(&run);
-		const u32 views[] = { 1, 7, 8 };
+		const u32 views[] = {1, 7, 8};
 		const ts_offscreen *view = ts_frame_data(&run.frame, TS_B_offscreen_view);
 		const ts_patch *patches = ts_frame_data(&run.frame, TS_B_rsm_patch);
 		assert_int_equal(ts_frame_n(&run.frame, TS_B_offscreen_view), views[n - 1]);
@@ -328,7 +336,7 @@ static void test_dark(void **state)
 	ts_params params = tiny_params();
 	params.light_irradiance = 0;
 	ts_scene *scene = small_scene(&params);
-	static const char *const methods[] = { "hulls", "direct" };
+	static const char *const methods[] = {"hulls", "direct"};
 	for (u32 m = 0; m < 2; m++) {
 		ts_run run;
 		run_of(&run, scene, &params, methods[m]);
@@ -368,9 +376,8 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_threads), cmocka_unit_test(test_against_direct), cmocka_unit_test(test_segments),
-		cmocka_unit_test(test_surface),
-		cmocka_unit_test(test_whole_grid), cmocka_unit_test(test_sky), cmocka_unit_test(test_lights),
-		cmocka_unit_test(test_dark), cmocka_unit_test(test_refused),
+		cmocka_unit_test(test_surface), cmocka_unit_test(test_whole_grid),     cmocka_unit_test(test_sky),
+		cmocka_unit_test(test_lights),  cmocka_unit_test(test_dark),           cmocka_unit_test(test_refused),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -12,8 +12,10 @@ static _Alignas(8) u32 out[TS_VECTOR_ITEMS * TS_VECTOR_WORDS];
 static double cosine_error(f32 ours, double lambda, double c, u32 method, bool printed)
 {
 	if (method == TS_COSINE_IS_OURS && printed && (lambda < 2 || lambda > 30)) return 0;
-	double right = method == TS_COSINE_IS_OURS ? sg_closed(lambda, c) : method == TS_COSINE_IS_SG ? sg_as_sg(lambda, c)
-		: method == TS_COSINE_IS_CONSTANT ? fmax(0, c) * sg_sphere(lambda) : sg_truth(lambda, c);
+	double right = method == TS_COSINE_IS_OURS       ? sg_closed(lambda, c)
+	               : method == TS_COSINE_IS_SG       ? sg_as_sg(lambda, c)
+	               : method == TS_COSINE_IS_CONSTANT ? fmax(0, c) * sg_sphere(lambda)
+	                                                 : sg_truth(lambda, c);
 	return fabs(ours - right) / sg_up(lambda);
 }
 
@@ -31,8 +33,9 @@ static void judge_light(const u32 *row, u32 at, f32 ours, bool factor)
 	double side = -d3_dot(normal, corner[0]), limit = factor ? 1 : 2 * ff_pi;
 	assert_true(ours >= 0 && ours <= (f32)limit);
 	if (fabs(side) < 1e-2 * size * size * size) return;
-	double right = !factor ? ff_solid(corner[0], corner[1], corner[2])
-		: side > 0 ? ff_factor(d3_of(ts_row_v3(row, 3)), corner) : 0;
+	double right = !factor    ? ff_solid(corner[0], corner[1], corner[2])
+	               : side > 0 ? ff_factor(d3_of(ts_row_v3(row, 3)), corner)
+	                          : 0;
 	assert_near(ours, right, factor ? 1e-6 : 2e-5);
 }
 

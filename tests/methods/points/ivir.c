@@ -20,7 +20,8 @@ static ts_params tiny_params(void)
 	return params;
 }
 
-static ts_sums sums_of(const ts_scene *scene, const ts_params *params, const char *effect, const char *method, ts_how how)
+static ts_sums sums_of(const ts_scene *scene, const ts_params *params, const char *effect, const char *method,
+                       ts_how how)
 {
 	ts_sums sums;
 	if (ts_sums_of(&sums, ts_pipeline_find(effect, method), scene, params, &how) != TS_OK) {
@@ -41,8 +42,8 @@ static u32 assert_same(const ts_sums *a, const ts_sums *b, const char *what)
 }
 
 static const char *const methods[][2] = {
-	{ "soft-shadows", "ivir" }, { "omni-shadows", "ivir" }, { "soft-shadows", "mvr" },
-	{ "omni-shadows", "mvr" },  { "omni-shadows", "vir" },  { "reflections", "ivir" },
+	{"soft-shadows", "ivir"}, {"omni-shadows", "ivir"}, {"soft-shadows", "mvr"},
+	{"omni-shadows", "mvr"},  {"omni-shadows", "vir"},  {"reflections", "ivir"},
 };
 
 /* Every buffer, whatever computes it: threads, and without the fast paths. */
@@ -53,9 +54,9 @@ static void test_threads(void **state)
 	ts_scene *scene = small_scene(&params);
 	for (u32 m = 0; m < sizeof methods / sizeof *methods; m++) {
 		const char *effect = methods[m][0], *method = methods[m][1];
-		ts_sums two = sums_of(scene, &params, effect, method, (ts_how){ .threads = 2 });
-		ts_sums seven = sums_of(scene, &params, effect, method, (ts_how){ .threads = 7 });
-		ts_sums reference = sums_of(scene, &params, effect, method, (ts_how){ .threads = 1, .reference = true });
+		ts_sums two = sums_of(scene, &params, effect, method, (ts_how){.threads = 2});
+		ts_sums seven = sums_of(scene, &params, effect, method, (ts_how){.threads = 7});
+		ts_sums reference = sums_of(scene, &params, effect, method, (ts_how){.threads = 1, .reference = true});
 		assert_true(assert_same(&two, &seven, method) >= 6);
 		assert_same(&two, &reference, "one thread without fast paths");
 	}
@@ -74,20 +75,20 @@ static void assert_same_buffers(const ts_sums *a, const ts_sums *b, const ts_buf
 static void test_passes(void **state)
 {
 	(void)state;
-	static const ts_buffer_id ids[] = { TS_B_split_triangle, TS_B_density_scale, TS_B_cull_keep, TS_B_align_frame,
-	                                    TS_B_scatter_depth, TS_B_resolve_lit, TS_N_BUFFERS };
+	static const ts_buffer_id ids[] = {TS_B_split_triangle, TS_B_density_scale, TS_B_cull_keep, TS_B_align_frame,
+	                                   TS_B_scatter_depth,  TS_B_resolve_lit,   TS_N_BUFFERS};
 	ts_params params = tiny_params();
 	ts_scene *scene = small_scene(&params);
 	params.views = 20;
 	params.light_samples = 4;
 	for (u32 m = 0; m < 2; m++) {
 		params.pass = 32;
-		ts_sums all = sums_of(scene, &params, methods[m][0], "ivir", (ts_how){ .threads = 2 });
+		ts_sums all = sums_of(scene, &params, methods[m][0], "ivir", (ts_how){.threads = 2});
 		params.pass = 8;
-		ts_sums some = sums_of(scene, &params, methods[m][0], "ivir", (ts_how){ .threads = 2 });
+		ts_sums some = sums_of(scene, &params, methods[m][0], "ivir", (ts_how){.threads = 2});
 		assert_same_buffers(&all, &some, ids, "pass");
 		params.buffered = TS_BUFFERED_ON;
-		ts_sums stored = sums_of(scene, &params, methods[m][0], "ivir", (ts_how){ .threads = 2 });
+		ts_sums stored = sums_of(scene, &params, methods[m][0], "ivir", (ts_how){.threads = 2});
 		assert_same_buffers(&all, &stored, ids, "buffered");
 		assert_true(stored.hex[TS_B_points_record][0] != 0 && all.hex[TS_B_points_record][0] == 0);
 		params.buffered = TS_BUFFERED_DEFAULT;
@@ -117,7 +118,7 @@ static void test_counters(void **state)
 	assert_int_equal(ts_run_counter(&mvr, "geometry traversals"), 1 + params.views);
 	assert_int_equal(ts_run_counter(&made, "geometry traversals"), 1 + (params.views + params.pass - 1) / params.pass);
 	assert_int_equal(ts_run_counter(&stored, "points"), (i64)ts_frame_n(&stored.frame, TS_B_points_record));
-	static const char *const same[] = { "points", "pieces", "pieces kept", "point-view scatters", "texel writes" };
+	static const char *const same[] = {"points", "pieces", "pieces kept", "point-view scatters", "texel writes"};
 	for (u32 k = 0; k < 5; k++) {
 		assert_true(ts_run_counter(&made, same[k]) > 0);
 		assert_int_equal(ts_run_counter(&made, same[k]), ts_run_counter(&stored, same[k]));
@@ -148,7 +149,7 @@ static double difference(const ts_run *a, const ts_run *b, u32 samples)
 static void test_against_mvr(void **state)
 {
 	(void)state;
-	static const char *const effects[] = { "soft-shadows", "omni-shadows" };
+	static const char *const effects[] = {"soft-shadows", "omni-shadows"};
 	ts_params params = tiny_params();
 	params.map_px = 64;
 	params.cull = 0;
@@ -180,7 +181,7 @@ static i64 points_of(const ts_scene *scene, const ts_params *params, const char 
 static void test_points(void **state)
 {
 	(void)state;
-	static const char *const effects[] = { "soft-shadows", "omni-shadows", "reflections" };
+	static const char *const effects[] = {"soft-shadows", "omni-shadows", "reflections"};
 	ts_params params = tiny_params();
 	params.rate = TS_RATE_PAPER;
 	ts_scene *scene = small_scene(&params);
@@ -227,8 +228,12 @@ static void test_culling(void **state)
 static void give_lights(ts_scene *scene, ts_light *lights, u32 n)
 {
 	for (u32 i = 0; i < n; i++) {
-		lights[i] = (ts_light){ .kind = i % 3, .direction = { 0.6f, -0.8f, 0 }, .position = { (f32)i, 8, 0 },
-		                        .intensity = { 1, 1, 1 }, .spot_scale = 4, .spot_offset = -3 };
+		lights[i] = (ts_light){.kind = i % 3,
+		                       .direction = {0.6f, -0.8f, 0},
+		                       .position = {(f32)i, 8, 0},
+		                       .intensity = {1, 1, 1},
+		                       .spot_scale = 4,
+		                       .spot_offset = -3};
 	}
 	scene->lights = lights;
 	scene->n_lights = n;
@@ -257,7 +262,8 @@ static void test_shared_views(void **state)
 			assert_true(lamps[i].samples <= (params.views + n - 1) / n);
 			next += lamps[i].samples;
 			for (u32 v = lamps[i].first; v < next; v++) {
-				assert_true(views[v].light == i && views[v].orthographic == (lights[i].kind == TS_LIGHT_KIND_DIRECTIONAL));
+				assert_true(views[v].light == i &&
+				            views[v].orthographic == (lights[i].kind == TS_LIGHT_KIND_DIRECTIONAL));
 				assert_true(views[v].offset == (u64)v * params.map_px * params.map_px);
 			}
 		}
@@ -302,8 +308,8 @@ static void test_refused(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_threads),      cmocka_unit_test(test_passes), cmocka_unit_test(test_counters),
-		cmocka_unit_test(test_against_mvr),  cmocka_unit_test(test_points), cmocka_unit_test(test_culling),
+		cmocka_unit_test(test_threads),      cmocka_unit_test(test_passes),  cmocka_unit_test(test_counters),
+		cmocka_unit_test(test_against_mvr),  cmocka_unit_test(test_points),  cmocka_unit_test(test_culling),
 		cmocka_unit_test(test_shared_views), cmocka_unit_test(test_refused),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);

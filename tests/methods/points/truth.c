@@ -26,16 +26,15 @@ static ts_params small_params(void)
 	return params;
 }
 
-static const char *name_of(const char *spec)
-{
-	return spec != NULL ? spec : "soup";
-}
+static const char *name_of(const char *spec) { return spec != NULL ? spec : "soup"; }
 
 static ts_scene *open_scene(const char *spec, const ts_params *params)
 {
 	ts_scene *scene = NULL;
-	if (spec == NULL) scene = soup_open(params, 6000);
-	else ts_scene_open(&scene, spec, params, NULL);
+	if (spec == NULL)
+		scene = soup_open(params, 6000);
+	else
+		ts_scene_open(&scene, spec, params, NULL);
 	if (scene == NULL) fail_msg("%s", ts_error_message());
 	return scene;
 }
@@ -55,12 +54,15 @@ static void run_method(const char *method, const char *spec, const ts_params *pa
 
 /* MVR's faces. */
 
-typedef struct { ts_truth *truth; u64 n_texels, n_hits, n_undecided, n_wrong; } face_judge;
+typedef struct {
+	ts_truth *truth;
+	u64 n_texels, n_hits, n_undecided, n_wrong;
+} face_judge;
 
 /* Pixels from a point of a face to the nearest of the lines through the projected edges of a triangle. */
 static double line_distance(const ts_corners *t, const ts_face *cube, u32 face, double s, double r)
 {
-	const ts_v3 corner[3] = { t->a, t->b, t->c };
+	const ts_v3 corner[3] = {t->a, t->b, t->c};
 	double v[3][3], least = INFINITY;
 	for (u32 i = 0; i < 3; i++) {
 		ts_v3 d = ts_sub(corner[i], ts_load3(cube->centre));
@@ -70,7 +72,7 @@ static double line_distance(const ts_corners *t, const ts_face *cube, u32 face, 
 	}
 	for (u32 i = 0; i < 3; i++) {
 		const double *a = v[i], *b = v[(i + 1) % 3];
-		double n[3] = { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
+		double n[3] = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 		double distance = fabs(n[0] * s + n[1] * r + n[2]) / hypot(n[0], n[1]) * cube->n / 2;
 		least = distance < least ? distance : least;
 	}
@@ -83,7 +85,10 @@ static bool is_masked(const ts_arrays *scene, u32 triangle)
 }
 
 /* The two triangles that ray and raster name for a point of a face. */
-typedef struct { u32 hit, seen; double s, t; } difference;
+typedef struct {
+	u32 hit, seen;
+	double s, t;
+} difference;
 
 /* How far along the ray the surface moves if its corners move by 1/256 of a pixel. */
 static double depth_margin(const ts_corners *c, const ts_truth_query *ray, const ts_face *cube, double depth)
@@ -96,8 +101,8 @@ static double depth_margin(const ts_corners *c, const ts_truth_query *ray, const
  * depths as near as that makes them. */
 static bool is_undecided(const ts_arrays *scene, const ts_truth_query *ray, const ts_face *cube, u32 face, difference d)
 {
-	const u32 triangle[2] = { d.hit, d.seen };
-	double depth[2] = { 0, 0 }, margin = 0;
+	const u32 triangle[2] = {d.hit, d.seen};
+	double depth[2] = {0, 0}, margin = 0;
 	for (u32 i = 0; i < 2; i++) {
 		if (triangle[i] == TS_NONE) continue;
 		ts_corners c = ts_k_corners(scene, triangle[i]);
@@ -111,16 +116,19 @@ static bool is_undecided(const ts_arrays *scene, const ts_truth_query *ray, cons
 static void judge_texel(face_judge *judge, const ts_face *cube, u32 reflector, u32 face, u32 x, u32 y, u32 seen)
 {
 	f32 s = ((f32)x + 0.5f) * 2 / (f32)cube->n - 1, t = ((f32)y + 0.5f) * 2 / (f32)cube->n - 1;
-	ts_truth_query ray = { .origin = ts_load3(cube->centre), .direction = ts_normalize(ts_k_cube_direction(face, s, t)),
-	                       .masked = reflector };
+	ts_truth_query ray = {.origin = ts_load3(cube->centre),
+	                      .direction = ts_normalize(ts_k_cube_direction(face, s, t)),
+	                      .masked = reflector};
 	ray.from = ray.origin;
 	u32 hit = ts_truth_cast(judge->truth, &ray).triangle;
 	judge->n_texels++;
 	judge->n_hits += hit != TS_NONE;
 	if (hit == seen) return;
-	difference d = { hit, seen, (double)s, (double)t };
-	if (is_undecided(ts_truth_scene(judge->truth), &ray, cube, face, d)) judge->n_undecided++;
-	else judge->n_wrong++;
+	difference d = {hit, seen, (double)s, (double)t};
+	if (is_undecided(ts_truth_scene(judge->truth), &ray, cube, face, d))
+		judge->n_undecided++;
+	else
+		judge->n_wrong++;
 }
 
 static ts_status judge_faces(const ts_run *run, const ts_stage *stage, void *user)
@@ -141,7 +149,7 @@ static ts_status judge_faces(const ts_run *run, const ts_stage *stage, void *use
 static void check_faces(const char *spec)
 {
 	ts_params params = small_params();
-	face_judge judge = { 0 };
+	face_judge judge = {0};
 	params.face_px = 96;
 	run_method("mvr", spec, &params, judge_faces, &judge);
 	ts_truth_free(judge.truth);
@@ -156,7 +164,9 @@ static void check_faces(const char *spec)
 
 /* EPR's look-ups. */
 
-typedef struct { u64 n_samples, n_hits, n_missed, n_beyond; } lookup_judge;
+typedef struct {
+	u64 n_samples, n_hits, n_missed, n_beyond;
+} lookup_judge;
 
 /* The longest splat of each triangle, by free(). */
 static f32 *longest_splats(const ts_run *run)
@@ -201,8 +211,10 @@ static ts_status judge_lookups(const ts_run *run, const ts_stage *stage, void *u
 	for (u64 i = 0; i < judge->n_samples; i++) {
 		if (hits[i] == TS_NONE || is_masked(scene, hits[i])) continue;
 		judge->n_hits++;
-		if (found[i] == TS_NONE) judge->n_missed++;
-		else judge->n_beyond += is_beyond(run, scene, i, hits[i], found[i], length[hits[i]]);
+		if (found[i] == TS_NONE)
+			judge->n_missed++;
+		else
+			judge->n_beyond += is_beyond(run, scene, i, hits[i], found[i], length[hits[i]]);
 	}
 	free(length);
 	free(hits);
@@ -213,7 +225,7 @@ static ts_status judge_lookups(const ts_run *run, const ts_stage *stage, void *u
 static lookup_judge lookups(const char *spec, u32 planedepth, u32 visibility)
 {
 	ts_params params = small_params();
-	lookup_judge judge = { 0 };
+	lookup_judge judge = {0};
 	params.cull = 0;
 	params.visibility = visibility;
 	params.planedepth = planedepth;
@@ -236,12 +248,14 @@ static void check_lookups(const char *spec)
 
 /* EPR's picture. */
 
-typedef struct { double rmse; } picture_judge; /* of the mirrors' pixels, in grey levels */
+typedef struct {
+	double rmse;
+} picture_judge; /* of the mirrors' pixels, in grey levels */
 
 /* Another run that borrows what truth A reads of this one. */
 static void borrow(ts_run *copy, const ts_run *run)
 {
-	static const ts_buffer_id wanted[] = { TS_B_pose_vertex, TS_B_resize_face, TS_B_eye_view, TS_B_pixel_record };
+	static const ts_buffer_id wanted[] = {TS_B_pose_vertex, TS_B_resize_face, TS_B_eye_view, TS_B_pixel_record};
 	ts_run_begin(copy, run->scene, &run->params, run->c.threads);
 	for (size_t i = 0; i < sizeof(wanted) / sizeof(wanted[0]); i++)
 		ts_frame_borrow(&copy->frame, wanted[i], ts_frame_data(&run->frame, wanted[i]),
@@ -272,7 +286,7 @@ static ts_status judge_picture(const ts_run *run, const ts_stage *stage, void *u
 static double picture_rmse(const char *method, const char *spec, u32 face_px, u32 bounces)
 {
 	ts_params params = small_params();
-	picture_judge judge = { -1 };
+	picture_judge judge = {-1};
 	params.face_px = face_px;
 	params.bounces = bounces;
 	params.rho_scale = 1;
@@ -293,15 +307,9 @@ static void check_picture(const char *method, const char *spec, u32 bounces)
 	assert_true(fine > 0 && fine < 6 && fine < coarse / 2);
 }
 
-static void test_faces(void **state)
-{
-	check_faces(*state);
-}
+static void test_faces(void **state) { check_faces(*state); }
 
-static void test_lookups(void **state)
-{
-	check_lookups(*state);
-}
+static void test_lookups(void **state) { check_lookups(*state); }
 
 /* The paper's test loses large triangles, which shows that this one can fail. */
 static void test_vertex_visibility(void **state)
@@ -316,23 +324,20 @@ static void test_picture(void **state)
 	check_picture("mvr", *state, 1);
 }
 
-static void test_three_bounces(void **state)
-{
-	check_picture("epr", *state, 3);
-}
+static void test_three_bounces(void **state) { check_picture("epr", *state, 3); }
 
 int main(void)
 {
 	static char atrium[] = "atrium:triangles=10000:texels=32";
 	const struct CMUnitTest tests[] = {
-		{ "faces: soup", test_faces, NULL, NULL, NULL },
-		{ "faces: atrium", test_faces, NULL, NULL, atrium },
-		{ "lookups: soup", test_lookups, NULL, NULL, NULL },
-		{ "lookups: atrium", test_lookups, NULL, NULL, atrium },
-		{ "visibility=vertex: atrium", test_vertex_visibility, NULL, NULL, atrium },
-		{ "picture: soup", test_picture, NULL, NULL, NULL },
-		{ "picture: atrium", test_picture, NULL, NULL, atrium },
-		{ "three bounces: atrium", test_three_bounces, NULL, NULL, atrium },
+		{"faces: soup", test_faces, NULL, NULL, NULL},
+		{"faces: atrium", test_faces, NULL, NULL, atrium},
+		{"lookups: soup", test_lookups, NULL, NULL, NULL},
+		{"lookups: atrium", test_lookups, NULL, NULL, atrium},
+		{"visibility=vertex: atrium", test_vertex_visibility, NULL, NULL, atrium},
+		{"picture: soup", test_picture, NULL, NULL, NULL},
+		{"picture: atrium", test_picture, NULL, NULL, atrium},
+		{"three bounces: atrium", test_three_bounces, NULL, NULL, atrium},
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -11,7 +11,7 @@
 enum { N_FORMATS = 4, N_TERMS = 7, WEIGHT = 6, NORMAL = 3 };
 #define UNIT 1073741824.0
 
-static const char *const names[N_FORMATS] = { "fixed", "float32", "half", "8bit" };
+static const char *const names[N_FORMATS] = {"fixed", "float32", "half", "8bit"};
 
 static ts_params tiny_params(u32 accumulation)
 {
@@ -55,7 +55,7 @@ static void add_term(model *m, u32 k, f32 weight, f32 value)
 /* Over all surfels in order; those that are fragments must be next in the list. */
 static model model_of(const ts_run *run, const ts_filter *filter, u32 p)
 {
-	model m = { .n = 0 };
+	model m = {.n = 0};
 	const ts_view *view = ts_frame_data(&run->frame, TS_B_eye_view);
 	const ts_disc *discs = ts_frame_data(&run->frame, TS_B_surfel_setup_disc);
 	const u64 *keys = ts_frame_data(&run->frame, TS_B_surfel_depth_surfel);
@@ -133,8 +133,8 @@ static void test_apart(void **state)
 		params = tiny_params(a);
 		surfels_run(&run[a], scene, &params, "deferred", 2);
 		const ts_frame *fixed = &run[0].frame, *other = &run[a].frame;
-		apart[a] = ts_metrics_compare(ts_frame_data(fixed, TS_B_image_srgb), ts_frame_data(other, TS_B_image_srgb), NULL,
-		                              params.width, params.height);
+		apart[a] = ts_metrics_compare(ts_frame_data(fixed, TS_B_image_srgb), ts_frame_data(other, TS_B_image_srgb),
+		                              NULL, params.width, params.height);
 		print_message("# %s: %.4f grey levels from fixed\n", names[a], apart[a].rmse);
 		const u64 *heaviest = ts_frame_data(fixed, TS_B_blend_heaviest);
 		u64 n = ts_frame_n(fixed, TS_B_blend_heaviest) * sizeof *heaviest;
@@ -151,7 +151,7 @@ static void test_threads(void **state)
 {
 	(void)state;
 	static ts_sums one, seven;
-	const ts_how alone = { .threads = 1 }, many = { .threads = 7 };
+	const ts_how alone = {.threads = 1}, many = {.threads = 7};
 	ts_params params = tiny_params(TS_ACCUMULATION_HALF);
 	ts_scene *scene = surfels_balls(&params, 2000);
 	const ts_pipeline *pipeline = ts_pipeline_find("surfels", "ewa");

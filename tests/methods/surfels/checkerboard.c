@@ -15,7 +15,8 @@ static double truth_at(u32 x, u32 y)
 {
 	double sum = 0;
 	for (u32 k = 0; k < 144; k++) {
-		double v = (y + (k / 12 + 0.5) / 12 - HORIZON) / FOCAL, u = (x + (k % 12 + 0.5) / 12 - WIDTH / 2) / FOCAL, z = 1 / v;
+		double v = (y + (k / 12 + 0.5) / 12 - HORIZON) / FOCAL, u = (x + (k % 12 + 0.5) / 12 - WIDTH / 2) / FOCAL,
+			   z = 1 / v;
 		sum += pattern(u * z, z);
 	}
 	return sum / 144;
@@ -28,7 +29,8 @@ static ts_scene *board(const ts_params *params, double radius)
 	surfels_random = 0;
 	for (double z = nearest; z < farthest; z += SPACING) {
 		for (double x = -0.8 * farthest; x < 0.8 * farthest; x += SPACING) {
-			double px = x + (surfels_uniform() - 0.5) * SPACING * 0.3, pz = z + (surfels_uniform() - 0.5) * SPACING * 0.3;
+			double px = x + (surfels_uniform() - 0.5) * SPACING * 0.3,
+				   pz = z + (surfels_uniform() - 0.5) * SPACING * 0.3;
 			if (fabs(FOCAL * px / pz) > WIDTH / 2 + 40) continue;
 			f32 c = (f32)pattern(px, pz);
 			surfels_add(build, ts_v3_make((f32)px, -1, (f32)-pz), ts_v3_make(0, 1, 0), (f32)(radius * SPACING), 1,
@@ -39,12 +41,15 @@ static ts_scene *board(const ts_params *params, double radius)
 	return surfels_finish(build, params, ts_v3_make(0, 0, 0), yfov);
 }
 
-typedef struct { double far, middle, near, fragments; u32 holes; } figures;
+typedef struct {
+	double far, middle, near, fragments;
+	u32 holes;
+} figures;
 
 static figures measure(const ts_scene *scene, const ts_params *params, const char *method, const char *name)
 {
 	ts_run run;
-	figures f = { .far = 0 };
+	figures f = {.far = 0};
 	u64 fragments = 0;
 	surfels_run(&run, scene, params, method, 2);
 	const ts_gpixel *pixels = ts_frame_data(&run.frame, TS_B_gbuffer_pixel);
@@ -83,7 +88,8 @@ static void test_errors(void **state)
 	(void)state;
 	ts_params params = board_params();
 	ts_scene *scene = board(&params, 1);
-	figures least = measure(scene, &params, "deferred", "lesser radius"), ewa = measure(scene, &params, "ewa", "exact EWA");
+	figures least = measure(scene, &params, "deferred", "lesser radius"),
+			ewa = measure(scene, &params, "ewa", "exact EWA");
 	params.filter = TS_FILTER_OBJECT;
 	figures object = measure(scene, &params, "deferred", "object filter");
 	assert_true(object.far >= 2 * least.far);
@@ -110,6 +116,6 @@ static void test_fragments(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = { cmocka_unit_test(test_errors), cmocka_unit_test(test_fragments) };
+	const struct CMUnitTest tests[] = {cmocka_unit_test(test_errors), cmocka_unit_test(test_fragments)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -22,6 +22,6 @@ static void test_sets(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = { cmocka_unit_test(test_sets) };
+	const struct CMUnitTest tests[] = {cmocka_unit_test(test_sets)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -8,7 +8,7 @@
 #include "../../../src/methods/surfels/tools/discs.h"
 
 enum { WIDTH = 96, HEIGHT = 72, N_PIXELS = WIDTH * HEIGHT, TEXELS = 96 };
-static const ts_v3 light_at = { 0.1f, -0.05f, 0.07f };
+static const ts_v3 light_at = {0.1f, -0.05f, 0.07f};
 
 static ts_params room_params(void)
 {
@@ -25,14 +25,15 @@ static void add_sheet(ts_build *build, ts_v3 c, ts_v3 n, ts_v3 u, ts_v3 v, f32 s
 {
 	i32 columns = (i32)ceilf(ts_length(u) / spacing), rows = (i32)ceilf(ts_length(v) / spacing);
 	for (i32 k = 0; k < 4 * columns * rows; k++) {
-		f32 a = ((f32)(k % (2 * columns)) + 0.5f) / (f32)columns - 1, b = ((f32)(k / (2 * columns)) + 0.5f) / (f32)rows - 1;
+		f32 a = ((f32)(k % (2 * columns)) + 0.5f) / (f32)columns - 1,
+			b = ((f32)(k / (2 * columns)) + 0.5f) / (f32)rows - 1;
 		ts_v3 p = ts_mad(ts_mad(c, u, a), v, b);
 		surfels_add(build, p, n, 1.2f * spacing, 1, ts_v3_make(0.8f, 0.8f, 0.8f));
 	}
 }
 
-static const f32 half_room[3] = { 2, 1.2f, 1.6f };
-static const ts_v3 axis[3] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
+static const f32 half_room[3] = {2, 1.2f, 1.6f};
+static const ts_v3 axis[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
 /* Three pairs of walls, so apart that faces of the cube meet within them. */
 static void add_room(ts_build *build)
@@ -61,7 +62,7 @@ static void add_blockers(ts_build *build)
 static void look_along(ts_build *build, u32 face)
 {
 	char name[] = "eye";
-	ts_camera camera = { .name = name, .yfov = 110.0f / 360 };
+	ts_camera camera = {.name = name, .yfov = 110.0f / 360};
 	ts_v3 back = ts_k_cube_row(face, 2);
 	ts_store3(camera.right, ts_neg(ts_k_cube_row(face, 0)));
 	ts_store3(camera.up, ts_k_cube_row(face, 1));
@@ -84,7 +85,7 @@ static ts_scene *room(u32 face, bool blockers, const ts_light *lights, u32 n_lig
 
 static ts_light bulb(void)
 {
-	ts_light light = { .kind = TS_LIGHT_KIND_POINT, .intensity = { 3, 3, 3 } };
+	ts_light light = {.kind = TS_LIGHT_KIND_POINT, .intensity = {3, 3, 3}};
 	ts_store3(light.position, light_at);
 	return light;
 }
@@ -97,8 +98,8 @@ static bool is_blocked(const ts_discs *discs, ts_v3 p, f32 right, f32 up)
 	ts_v3 u = ts_normalize(ts_cross(d, fabsf(d.y) < 0.9f ? axis[1] : axis[0])), v = ts_cross(d, u);
 	ts_v3 aside = ts_mad(ts_mad(d, u, right), v, up);
 	double length = sqrt((double)aside.x * aside.x + (double)aside.y * aside.y + (double)aside.z * aside.z);
-	ts_disc_ray ray = { .origin = { light_at.x, light_at.y, light_at.z },
-	                    .direction = { aside.x / length, aside.y / length, aside.z / length } };
+	ts_disc_ray ray = {.origin = {light_at.x, light_at.y, light_at.z},
+	                   .direction = {aside.x / length, aside.y / length, aside.z / length}};
 	return ts_discs_nearest(discs, &ray).t < 0.75 * (double)ts_length(way);
 }
 
@@ -119,7 +120,9 @@ static bool is_at_seam(ts_v3 way)
 	return fmaxf(fabsf(place.s), fabsf(place.t)) > 1 - 4.0f / TEXELS;
 }
 
-typedef struct { u32 lit, dark, seam_lit, seam_dark, faces; } seen;
+typedef struct {
+	u32 lit, dark, seam_lit, seam_dark, faces;
+} seen;
 
 static void look(seen *s, u32 face, const ts_params *params)
 {
@@ -148,10 +151,11 @@ static void look(seen *s, u32 face, const ts_params *params)
 static void test_rays(void **state)
 {
 	(void)state;
-	seen s = { .lit = 0 };
+	seen s = {.lit = 0};
 	ts_params params = room_params();
 	for (u32 face = 0; face < 6; face++) look(&s, face, &params);
-	print_message("# %u lit and %u dark, of which %u and %u where faces meet\n", s.lit, s.dark, s.seam_lit, s.seam_dark);
+	print_message("# %u lit and %u dark, of which %u and %u where faces meet\n", s.lit, s.dark, s.seam_lit,
+	              s.seam_dark);
 	assert_true(s.lit > 2 * N_PIXELS && s.dark > N_PIXELS / 8 && s.seam_lit > 200 && s.seam_dark > 200);
 	assert_int_equal(s.faces, 63);
 }
@@ -180,8 +184,8 @@ static void test_several(void **state)
 	(void)state;
 	ts_run run, alone;
 	ts_params params = room_params();
-	const ts_light sun = { .direction = { 0.6f, -0.48f, -0.64f }, .intensity = { 1, 1, 1 } };
-	ts_light lights[4] = { sun, bulb(), bulb(), bulb() };
+	const ts_light sun = {.direction = {0.6f, -0.48f, -0.64f}, .intensity = {1, 1, 1}};
+	ts_light lights[4] = {sun, bulb(), bulb(), bulb()};
 	lights[2].position[0] += 0.8f;
 	lights[3].kind = TS_LIGHT_KIND_SPOT;
 	ts_store3(lights[3].direction, ts_v3_make(0, 0, -1));
@@ -212,7 +216,9 @@ static void test_several(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_rays), cmocka_unit_test(test_seams), cmocka_unit_test(test_several),
+		cmocka_unit_test(test_rays),
+		cmocka_unit_test(test_seams),
+		cmocka_unit_test(test_several),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -9,8 +9,10 @@
 enum { N_PORTS = 3, WIDTH = 96, HEIGHT = 64, N_PIXELS = WIDTH * HEIGHT };
 
 /* How its thresholds are off: r3D squared, r2D squared and exact EWA, epsilon, and what turns its back. */
-typedef struct { double rim, flat, eps, turned; } faults;
-static const faults none = { 1, 1, 1, 0 };
+typedef struct {
+	double rim, flat, eps, turned;
+} faults;
+static const faults none = {1, 1, 1, 0};
 
 typedef struct {
 	const ts_run *run;
@@ -26,22 +28,28 @@ static double noise(const port *p, u32 what) { return ts_uniform(ts_random(what,
 static double off(const port *p, double x) { return x * (1 + noise(p, ts_f2u((f32)x)) / 2097152); }
 static double off_of(const port *p, double x, double of) { return x + of * noise(p, ts_f2u((f32)x)) / 2097152; }
 
-typedef struct { double x, y, z; } d3;
+typedef struct {
+	double x, y, z;
+} d3;
 static double dot(d3 a, d3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-static d3 cross(d3 a, d3 b) { return (d3){ a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x }; }
-static d3 sub(d3 a, d3 b) { return (d3){ a.x - b.x, a.y - b.y, a.z - b.z }; }
-static d3 d3_of(const f32 *p) { return (d3){ p[0], p[1], p[2] }; }
+static d3 cross(d3 a, d3 b) { return (d3){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
+static d3 sub(d3 a, d3 b) { return (d3){a.x - b.x, a.y - b.y, a.z - b.z}; }
+static d3 d3_of(const f32 *p) { return (d3){p[0], p[1], p[2]}; }
 static double length(d3 a) { return sqrt(dot(a, a)); }
 
 /* In the port's view space: X, Y and the depth. */
 static d3 to_view(const port *p, const ts_view *view, d3 a, double of)
 {
-	return (d3){ off_of(p, dot(a, d3_of(view->right)), of), off_of(p, dot(a, d3_of(view->up)), of),
-	             off_of(p, -dot(a, d3_of(view->back)), of) };
+	return (d3){off_of(p, dot(a, d3_of(view->right)), of), off_of(p, dot(a, d3_of(view->up)), of),
+	            off_of(p, -dot(a, d3_of(view->back)), of)};
 }
 
 /* A surfel as the port has it; and what exact EWA has of it. */
-typedef struct { d3 c, u, v, n; double x, y, radius, xx, xy, yy, peak; bool drawn, ahead, flat; } splat;
+typedef struct {
+	d3 c, u, v, n;
+	double x, y, radius, xx, xy, yy, peak;
+	bool drawn, ahead, flat;
+} splat;
 
 static void blur(const port *p, splat *s, const ts_filter *filter, double f)
 {
@@ -61,7 +69,7 @@ static splat splat_of(const port *p, const ts_surfel *surfel, const ts_filter *f
 {
 	const ts_view *view = ts_frame_data(&p->run->frame, TS_B_eye_view);
 	d3 u = d3_of(surfel->u), v = d3_of(surfel->v), from = sub(d3_of(surfel->centre), d3_of(view->eye)), n = cross(u, v);
-	splat s = { .radius = fmax(length(u), length(v)) };
+	splat s = {.radius = fmax(length(u), length(v))};
 	double slant = off(p, -dot(n, from) / (length(n) * length(from))), f = view->focal;
 	s.c = to_view(p, view, from, length(from));
 	s.u = to_view(p, view, u, length(u));
@@ -78,15 +86,18 @@ static splat splat_of(const port *p, const ts_surfel *surfel, const ts_filter *f
 }
 
 /* It at a pixel. */
-typedef struct { double r2, flat, z, weight; bool inside, covers; } hit;
+typedef struct {
+	double r2, flat, z, weight;
+	bool inside, covers;
+} hit;
 
 static hit hit_at(const port *p, const splat *s, const ts_filter *filter, u32 x, u32 y)
 {
 	const ts_view *view = ts_frame_data(&p->run->frame, TS_B_eye_view);
 	double f = view->focal, dx = x + 0.5 - s->x, dy = y + 0.5 - s->y;
-	d3 way = { (x + 0.5 - view->width / 2.0) / f, (view->height / 2.0 - y - 0.5) / f, 1 };
-	hit h = { .z = off(p, dot(s->c, s->n) / dot(way, s->n)) };
-	d3 d = { way.x * h.z - s->c.x, way.y * h.z - s->c.y, h.z - s->c.z };
+	d3 way = {(x + 0.5 - view->width / 2.0) / f, (view->height / 2.0 - y - 0.5) / f, 1};
+	hit h = {.z = off(p, dot(s->c, s->n) / dot(way, s->n))};
+	d3 d = {way.x * h.z - s->c.x, way.y * h.z - s->c.y, h.z - s->c.z};
 	double a = dot(d, s->u) / dot(s->u, s->u), b = dot(d, s->v) / dot(s->v, s->v);
 	h.r2 = off(p, a * a + b * b);
 	h.inside = !s->flat && h.z >= (double)view->near && h.r2 <= p->faults.rim;
@@ -99,14 +110,19 @@ static hit hit_at(const port *p, const splat *s, const ts_filter *filter, u32 x,
 		return h;
 	}
 	bool object = h.inside && filter->filter != TS_FILTER_IS_SCREEN;
-	bool screen = s->ahead && filter->per_sigma2 > 0 && filter->filter != TS_FILTER_IS_OBJECT && h.flat <= p->faults.flat;
+	bool screen =
+		s->ahead && filter->per_sigma2 > 0 && filter->filter != TS_FILTER_IS_OBJECT && h.flat <= p->faults.flat;
 	h.covers = object || screen;
 	h.weight = exp(-(double)filter->fall * (object && screen ? fmin(h.r2, h.flat) : object ? h.r2 : h.flat));
 	return h;
 }
 
 /* What the port has at a pixel. */
-typedef struct { double nearest, heaviest; u32 surfel, heavy; u64 fragments; } pixel_sums;
+typedef struct {
+	double nearest, heaviest;
+	u32 surfel, heavy;
+	u64 fragments;
+} pixel_sums;
 
 /* Rows or columns that a splat may cover, and some more. */
 static void reach(const splat *s, double f, double place, u32 n, u32 *from, u32 *to)
@@ -153,7 +169,9 @@ static void add(const port *p, pixel_sums *pixels, u32 i, const ts_filter *filte
 	}
 }
 
-typedef struct { u64 n, undecided[2], differ[2], wrong[2]; } sums;
+typedef struct {
+	u64 n, undecided[2], differ[2], wrong[2];
+} sums;
 
 static bool is_undecided(const u64 *margin, u32 n)
 {
@@ -179,10 +197,11 @@ static void count(sums *r, const port *p)
 	const u64 *blended = ts_frame_data(frame, TS_B_blend_sum), *depths = ts_frame_data(frame, TS_B_surfel_depth_margin);
 	const u64 *blends = ts_frame_data(frame, TS_B_blend_margin);
 	ts_filter filter = ts_surfel_filter(p->run);
-	for (u32 i = 0; i < N_PIXELS; i++) pixels[i] = (pixel_sums){ .nearest = 1e30, .surfel = TS_NONE, .heavy = TS_NONE };
+	for (u32 i = 0; i < N_PIXELS; i++) pixels[i] = (pixel_sums){.nearest = 1e30, .surfel = TS_NONE, .heavy = TS_NONE};
 	for (u32 i = 0; i < ts_frame_n(frame, TS_B_scene_surfel); i++) add(p, pixels, i, &filter);
 	for (u32 i = 0; i < N_PIXELS; i++) {
-		if (keys[i] == TS_EMPTY && pixels[i].surfel == TS_NONE && pixels[i].fragments + blended[i * 8 + 7] == 0) continue;
+		if (keys[i] == TS_EMPTY && pixels[i].surfel == TS_NONE && pixels[i].fragments + blended[i * 8 + 7] == 0)
+			continue;
 		r->n++;
 		note(r, 0, pixels[i].surfel != (u32)keys[i], is_undecided(&depths[i * 2], 2));
 		bool other = pixels[i].fragments != blended[i * 8 + 7] || pixels[i].heavy != (u32)heaviest[i];
@@ -196,7 +215,7 @@ static void check(sums *r, const ts_scene *scene, const ts_params *params, const
 	ts_run_begin(&run, scene, params, 2);
 	run.traced = run.margins = true;
 	if (ts_pipeline_run(ts_pipeline_find("surfels", method), &run) != TS_OK) fail_msg("%s", ts_error_message());
-	for (u32 k = 0; k < N_PORTS; k++) count(r, &(port){ &run, *how, k, strcmp(method, "ewa") == 0 });
+	for (u32 k = 0; k < N_PORTS; k++) count(r, &(port){&run, *how, k, strcmp(method, "ewa") == 0});
 	ts_run_end(&run);
 }
 
@@ -211,14 +230,15 @@ static ts_scene *ties(const ts_params *params, u32 n)
 		double z = 2 + 6 * (double)surfels_uniform(), x = floor((double)surfels_uniform() * WIDTH) + 0.5 - WIDTH / 2;
 		double y = floor((double)surfels_uniform() * HEIGHT) + 0.5 - HEIGHT / 2;
 		double turn = 6.2831853 * (double)surfels_uniform();
-		d3 n3 = { (double)surfels_uniform() - 0.5, (double)surfels_uniform() - 0.5, 0.6 };
-		d3 at = { (x + (i % 3 == 1 ? cos(turn) : 0)) * z / f, (y + (i % 3 == 1 ? sin(turn) : 0)) * z / f, -z }, c = at;
+		d3 n3 = {(double)surfels_uniform() - 0.5, (double)surfels_uniform() - 0.5, 0.6};
+		d3 at = {(x + (i % 3 == 1 ? cos(turn) : 0)) * z / f, (y + (i % 3 == 1 ? sin(turn) : 0)) * z / f, -z}, c = at;
 		double radius = z / f * (1 + 5 * (double)surfels_uniform()), r = length(n3);
 		if (i % 3 == 2) n3 = cross(n3, at), r = length(n3);
 		ts_v3 unit = ts_v3_make((f32)(n3.x / r), (f32)(n3.y / r), (f32)(n3.z / r));
 		ts_v3 u = ts_normalize(ts_cross(ts_v3_make(0, 1, 0), unit));
-		if (i % 3 == 0) c = (d3){ at.x + radius * (double)u.x, at.y + radius * (double)u.y, at.z + radius * (double)u.z };
-		surfels_add(build, ts_v3_make((f32)c.x, (f32)c.y, (f32)c.z), unit, (f32)radius, 0.5f, ts_v3_make(0.5f, 0.5f, 0.5f));
+		if (i % 3 == 0) c = (d3){at.x + radius * (double)u.x, at.y + radius * (double)u.y, at.z + radius * (double)u.z};
+		surfels_add(build, ts_v3_make((f32)c.x, (f32)c.y, (f32)c.z), unit, (f32)radius, 0.5f,
+		            ts_v3_make(0.5f, 0.5f, 0.5f));
 	}
 	return surfels_finish(build, params, ts_v3_make(0, 0, 0), 0.14758362f); /* 2 atan(1/2) */
 }
@@ -232,11 +252,14 @@ static ts_params margin_params(u32 filter)
 	return params;
 }
 
-static const struct { const char *method; u32 filter; } methods[] = {
-	{ "deferred", TS_FILTER_MIN },
-	{ "deferred", TS_FILTER_OBJECT },
-	{ "deferred", TS_FILTER_SCREEN },
-	{ "ewa", TS_FILTER_MIN },
+static const struct {
+	const char *method;
+	u32 filter;
+} methods[] = {
+	{"deferred", TS_FILTER_MIN},
+	{"deferred", TS_FILTER_OBJECT},
+	{"deferred", TS_FILTER_SCREEN},
+	{"ewa", TS_FILTER_MIN},
 };
 
 static void show(const sums *r, const char *method, const char *what)
@@ -253,7 +276,7 @@ static void test_rounding(void **state)
 {
 	(void)state;
 	for (u32 m = 0; m < sizeof methods / sizeof *methods; m++) {
-		sums r = { .n = 0 }, t = { .n = 0 };
+		sums r = {.n = 0}, t = {.n = 0};
 		ts_params params = margin_params(methods[m].filter);
 		ts_scene *balls = surfels_balls(&params, 3000), *tied = ties(&params, 3000);
 		params.from_mesh = 6000;
@@ -274,15 +297,19 @@ static void test_rounding(void **state)
 static void test_faults(void **state)
 {
 	(void)state;
-	static const struct { const char *method; faults faults; bool nearest; } all[] = {
-		{ "deferred", { 1.0201, 1, 1, 0 }, true }, { "deferred", { 1, 1.0201, 1, 0 }, false },
-		{ "deferred", { 1, 1, 2, 0 }, false },     { "deferred", { 1, 1, 1, 0.1 }, true },
-		{ "ewa", { 1, 1.0201, 1, 0 }, false },     { "ewa", { 1, 1, 0.5, 0 }, false },
+	static const struct {
+		const char *method;
+		faults faults;
+		bool nearest;
+	} all[] = {
+		{"deferred", {1.0201, 1, 1, 0}, true}, {"deferred", {1, 1.0201, 1, 0}, false},
+		{"deferred", {1, 1, 2, 0}, false},     {"deferred", {1, 1, 1, 0.1}, true},
+		{"ewa", {1, 1.0201, 1, 0}, false},     {"ewa", {1, 1, 0.5, 0}, false},
 	};
 	ts_params params = margin_params(TS_FILTER_MIN);
 	ts_scene *balls = surfels_balls(&params, 3000);
 	for (u32 i = 0; i < sizeof all / sizeof *all; i++) {
-		sums r = { .n = 0 };
+		sums r = {.n = 0};
 		check(&r, balls, &params, &all[i].faults, all[i].method);
 		if (r.wrong[1] < 20 || (all[i].nearest && r.wrong[0] < 5)) fail_msg("fault %u is not found", (unsigned)i);
 	}
@@ -291,6 +318,6 @@ static void test_faults(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = { cmocka_unit_test(test_rounding), cmocka_unit_test(test_faults) };
+	const struct CMUnitTest tests[] = {cmocka_unit_test(test_rounding), cmocka_unit_test(test_faults)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

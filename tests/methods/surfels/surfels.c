@@ -85,33 +85,41 @@ static void test_order(void **state)
 }
 
 /* A surfel at a pixel, in double precision: r3D, r2D and the depth. */
-typedef struct { double r3, r2, z; } ray_hit;
+typedef struct {
+	double r3, r2, z;
+} ray_hit;
 
-typedef struct { double x, y, z; } d3;
-static d3 d3_sub(d3 a, d3 b) { return (d3){ a.x - b.x, a.y - b.y, a.z - b.z }; }
+typedef struct {
+	double x, y, z;
+} d3;
+static d3 d3_sub(d3 a, d3 b) { return (d3){a.x - b.x, a.y - b.y, a.z - b.z}; }
 static double d3_dot(d3 a, d3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-static d3 d3_cross(d3 a, d3 b) { return (d3){ a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x }; }
-static d3 d3_of(const f32 *p) { return (d3){ p[0], p[1], p[2] }; }
+static d3 d3_cross(d3 a, d3 b) { return (d3){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
+static d3 d3_of(const f32 *p) { return (d3){p[0], p[1], p[2]}; }
 
 /* The camera looks along -z, so that view space is the world moved. */
 static ray_hit hit_of(const ts_view *view, const ts_surfel *s, double x, double y)
 {
 	d3 eye = d3_of(view->eye), c = d3_sub(d3_of(s->centre), eye), u = d3_of(s->u), v = d3_of(s->v), n = d3_cross(u, v);
 	double f = view->focal, w = view->width / 2.0, h = view->height / 2.0;
-	d3 q = { (x - w) / f, -(y - h) / f, -1 };
+	d3 q = {(x - w) / f, -(y - h) / f, -1};
 	double t = d3_dot(c, n) / d3_dot(q, n);
-	d3 d = { q.x * t - c.x, q.y * t - c.y, q.z * t - c.z };
+	d3 d = {q.x * t - c.x, q.y * t - c.y, q.z * t - c.z};
 	double a = d3_dot(d, u) / d3_dot(u, u), b = d3_dot(d, v) / d3_dot(v, v);
 	double px = w + f * c.x / -c.z - x, py = h - f * c.y / -c.z - y;
 	bool turned = d3_dot(n, c) >= 0, met = !turned && t >= view->near, seen = !turned && -c.z >= view->near;
-	return (ray_hit){ met ? sqrt(a * a + b * b) : 1e9, seen ? sqrt(px * px + py * py) : 1e9, t };
+	return (ray_hit){met ? sqrt(a * a + b * b) : 1e9, seen ? sqrt(px * px + py * py) : 1e9, t};
 }
 
-typedef struct { double sum[8]; bool decided; } pixel_truth;
+typedef struct {
+	double sum[8];
+	bool decided;
+} pixel_truth;
 
-static pixel_truth truth_of(const ts_scene *scene, const ts_view *view, const ts_params *params, double eps, u32 x, u32 y)
+static pixel_truth truth_of(const ts_scene *scene, const ts_view *view, const ts_params *params, double eps, u32 x,
+                            u32 y)
 {
-	pixel_truth truth = { .decided = true };
+	pixel_truth truth = {.decided = true};
 	double i = x + 0.5, j = y + 0.5, nearest = 1e30;
 	double way = hypot(1, hypot((i - view->width / 2.0) / view->focal, (j - view->height / 2.0) / view->focal));
 	for (u32 k = 0; k < scene->n_surfels; k++) {
@@ -128,7 +136,7 @@ static pixel_truth truth_of(const ts_scene *scene, const ts_view *view, const ts
 		if (!(r <= 1) || z > nearest + eps / way) continue;
 		double weight = exp(-0.5 * r * r / (params->sigma_k * params->sigma_k));
 		d3 n = d3_cross(d3_of(s->u), d3_of(s->v));
-		double value[6] = { s->colour[0], s->colour[1], s->colour[2], n.x, n.y, n.z }, length = sqrt(d3_dot(n, n));
+		double value[6] = {s->colour[0], s->colour[1], s->colour[2], n.x, n.y, n.z}, length = sqrt(d3_dot(n, n));
 		for (u32 m = 0; m < 6; m++) truth.sum[m] += weight * value[m] / (m < 3 ? 1 : length);
 		truth.sum[6] += weight;
 		truth.sum[7] += 1;
@@ -235,7 +243,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_threads), cmocka_unit_test(test_claims), cmocka_unit_test(test_room),
-		cmocka_unit_test(test_order), cmocka_unit_test(test_sums), cmocka_unit_test(test_occlusion),
+		cmocka_unit_test(test_order),   cmocka_unit_test(test_sums),   cmocka_unit_test(test_occlusion),
 		cmocka_unit_test(test_shadows), cmocka_unit_test(test_none),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);

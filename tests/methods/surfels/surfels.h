@@ -25,7 +25,7 @@ static inline ts_scene *surfels_finish(ts_build *build, const ts_params *params,
 {
 	ts_scene *scene;
 	char name[] = "eye";
-	ts_camera camera = { .name = name, .right = { 1, 0, 0 }, .up = { 0, 1, 0 }, .back = { 0, 0, 1 }, .yfov = yfov };
+	ts_camera camera = {.name = name, .right = {1, 0, 0}, .up = {0, 1, 0}, .back = {0, 0, 1}, .yfov = yfov};
 	ts_store3(camera.eye, eye);
 	ts_build_camera(build, &camera);
 	if (ts_build_finish(build, params, "eye", &scene) != TS_OK) fail_msg("%s", ts_error_message());
@@ -36,7 +36,7 @@ static inline ts_scene *surfels_finish(ts_build *build, const ts_params *params,
 static inline ts_scene *surfels_balls(const ts_params *params, u32 n)
 {
 	ts_build *build = ts_build_new("balls");
-	const ts_light sun = { .direction = { 0.6f, -0.2f, -0.8f }, .intensity = { 3, 3, 3 } };
+	const ts_light sun = {.direction = {0.6f, -0.2f, -0.8f}, .intensity = {3, 3, 3}};
 	ts_build_light(build, &sun);
 	surfels_random = 0;
 	for (u32 i = 0; i < n; i++) {
@@ -50,10 +50,12 @@ static inline ts_scene *surfels_balls(const ts_params *params, u32 n)
 	return surfels_finish(build, params, ts_v3_make(0, 0.2f, 2.6f), 60.0f / 360);
 }
 
-static inline void surfels_run(ts_run *run, const ts_scene *scene, const ts_params *params, const char *method, u32 threads)
+static inline void surfels_run(ts_run *run, const ts_scene *scene, const ts_params *params, const char *method,
+                               u32 threads)
 {
 	ts_run_begin(run, scene, params, threads);
-	if (ts_pipeline_run(ts_pipeline_find("surfels", method), run) != TS_OK) fail_msg("%s: %s", method, ts_error_message());
+	if (ts_pipeline_run(ts_pipeline_find("surfels", method), run) != TS_OK)
+		fail_msg("%s: %s", method, ts_error_message());
 }
 
 /* After a stage: the same again from what it claims to read. */

@@ -28,7 +28,9 @@ static inline double grove_uniform(void)
 static inline u32 grove_below(u32 n) { return (u32)(grove_uniform() * n); }
 
 /* A point and the way that a view looks from there. */
-typedef struct { ts_v3 p, n; } grove_place;
+typedef struct {
+	ts_v3 p, n;
+} grove_place;
 
 static inline ts_v3 grove_v3(double x, double y, double z) { return ts_v3_make((f32)x, (f32)y, (f32)z); }
 
@@ -37,9 +39,9 @@ static inline grove_place grove_wall(void)
 	u32 wall = grove_below(6);
 	double a = 0.03 + 0.94 * grove_uniform(), b = 0.03 + 0.94 * grove_uniform(), at = wall % 2 == 0 ? 0.03 : 0.97;
 	f32 in = wall % 2 == 0 ? 1 : -1;
-	if (wall < 2) return (grove_place){ grove_v3(at, a, b), { in, 0, 0 } };
-	if (wall < 4) return (grove_place){ grove_v3(a, at, b), { 0, in, 0 } };
-	return (grove_place){ grove_v3(a, b, at), { 0, 0, in } };
+	if (wall < 2) return (grove_place){grove_v3(at, a, b), {in, 0, 0}};
+	if (wall < 4) return (grove_place){grove_v3(a, at, b), {0, in, 0}};
+	return (grove_place){grove_v3(a, b, at), {0, 0, in}};
 }
 
 static inline grove_place grove_thing(bool ball)
@@ -48,9 +50,9 @@ static inline grove_place grove_thing(bool ball)
 	double z = ball ? 2 * grove_uniform() - 1 : 0, turn = 6.283185307179586 * grove_uniform(), r = sqrt(1 - z * z);
 	ts_v3 n = grove_v3(r * cos(turn), r * sin(turn), z);
 	ts_v3 of_ball = grove_v3(0.3 + 0.4 * (k & 1), 0.3 + 0.4 * (k >> 1), 0.14 + 0.1 * k);
-	if (ball) return (grove_place){ ts_mad(of_ball, n, 0.09f), n };
+	if (ball) return (grove_place){ts_mad(of_ball, n, 0.09f), n};
 	ts_v3 of_pillar = grove_v3(0.15 + 0.14 * k, (k & 1) != 0 ? 0.2 : 0.8, 0.03 + 0.94 * grove_uniform());
-	return (grove_place){ ts_mad(of_pillar, n, 0.03f), n };
+	return (grove_place){ts_mad(of_pillar, n, 0.03f), n};
 }
 
 static inline grove_place grove_surface(void)
@@ -64,12 +66,12 @@ static inline grove_place grove_floor(void)
 {
 	grove_uniform();
 	double x = 0.3 + 0.4 * grove_uniform(), y = 0.3 + 0.4 * grove_uniform();
-	return (grove_place){ grove_v3(x, y, 0.0301), { 0, 0, 1 } };
+	return (grove_place){grove_v3(x, y, 0.0301), {0, 0, 1}};
 }
 
 static inline u64 grove_code(ts_v3 p, u32 levels)
 {
-	f32 at[3] = { p.x, p.y, p.z };
+	f32 at[3] = {p.x, p.y, p.z};
 	u64 code = 0;
 	for (u32 axis = 0; axis < 3; axis++) {
 		i32 last = (1 << levels) - 1;
@@ -103,7 +105,7 @@ typedef struct {
 
 static inline void grove_node(ts_node *node, u64 code, u32 level)
 {
-	u32 place[3] = { 0, 0, 0 };
+	u32 place[3] = {0, 0, 0};
 	f32 side = 1.0f / (f32)(1u << level);
 	for (u32 bit = 0; bit < 3 * level; bit++) place[bit % 3] |= (u32)(code >> bit & 1) << bit / 3;
 	for (u32 k = 0; k < 3; k++) node->centre[k] = ((f32)place[k] + 0.5f) * side;
@@ -131,9 +133,9 @@ static inline void grove_level(ts_node *nodes, const u64 *below, const u32 *befo
 /* Of leaves with sorted, unique codes, which become the tree's. */
 static inline grove_tree grove_build(u64 *leaves, u64 n, u32 levels)
 {
-	grove_tree t = { .leaves = leaves, .levels = levels };
-	u64 *codes[GROVE_LEVELS + 1] = { NULL };
-	u32 count[GROVE_LEVELS + 1] = { 0 };
+	grove_tree t = {.leaves = leaves, .levels = levels};
+	u64 *codes[GROVE_LEVELS + 1] = {NULL};
+	u32 count[GROVE_LEVELS + 1] = {0};
 	codes[levels] = leaves;
 	count[levels] = (u32)n;
 	for (u32 level = levels; level-- > 0;) {
@@ -163,16 +165,17 @@ static inline void grove_tree_free(grove_tree *t)
 static inline u32 grove_leaf_of(const grove_tree *t, ts_v3 p)
 {
 	u64 code = grove_code(p, t->levels);
-	const u64 *found = bsearch(&code, t->leaves, t->before[t->levels + 1] - t->before[t->levels], sizeof code, grove_order);
+	const u64 *found =
+		bsearch(&code, t->leaves, t->before[t->levels + 1] - t->before[t->levels], sizeof code, grove_order);
 	assert_non_null(found);
 	return t->before[t->levels] + (u32)(found - t->leaves);
 }
 
 typedef struct {
 	grove_tree scene, views;
-	ts_cone *cones;       /* of views.nodes */
-	grove_place *places;  /* the views */
-	u32 *leaf;            /* of each */
+	ts_cone *cones;      /* of views.nodes */
+	grove_place *places; /* the views */
+	u32 *leaf;           /* of each */
 	u32 n_places;
 } grove;
 
@@ -273,7 +276,7 @@ static inline void grove_begin_alone(ts_run *run, const ts_scene *scene, const t
 	ts_run_begin(run, scene, params, 2);
 	for (u32 i = 0; i < n; i++) {
 		const grove_place *place = &g->places[(u64)i * g->n_places / n];
-		lights[i] = (ts_vpl){ .bounce = 1 };
+		lights[i] = (ts_vpl){.bounce = 1};
 		ts_store3(lights[i].position, place->p);
 		ts_store3(lights[i].normal, place->n);
 	}
@@ -288,9 +291,9 @@ static inline void grove_begin_alone(ts_run *run, const ts_scene *scene, const t
 /* What a run made. */
 typedef struct {
 	u64 n_pairs, n_maps, n_depths;
-	u64 *pairs, *maps;              /* pairs: if it was traced */
+	u64 *pairs, *maps; /* pairs: if it was traced */
 	u32 *depths, *shown;
-	i64 pieces, longest;            /* of the queues */
+	i64 pieces, longest; /* of the queues */
 } grove_outcome;
 
 static inline void *grove_copy(const ts_run *run, ts_buffer_id id, u64 *n)
@@ -307,7 +310,7 @@ static inline grove_outcome grove_run(const grove *g, const ts_scene *scene, con
                                       ts_backend *backend, bool traced)
 {
 	ts_run run;
-	grove_outcome r = { .pairs = NULL };
+	grove_outcome r = {.pairs = NULL};
 	grove_begin(&run, scene, params, threads, g);
 	run.backend = backend;
 	if (traced) grove_stage(&run, "traverse");
@@ -351,7 +354,7 @@ static inline grove_place grove_noise(void)
 	f32 x = (f32)grove_uniform(), y = (f32)grove_uniform(), z = (f32)grove_uniform();
 	f32 a = (f32)grove_uniform() - 0.5f, b = (f32)grove_uniform() - 0.5f;
 	ts_v3 p = ts_v3_make(0.02f + 0.96f * x, 0.02f + 0.96f * y, 0.02f + 0.96f * z);
-	return (grove_place){ p, ts_normalize(ts_v3_make(a, b, 0.3f)) };
+	return (grove_place){p, ts_normalize(ts_v3_make(a, b, 0.3f))};
 }
 
 #endif

@@ -9,13 +9,15 @@
 enum { N_PORTS = 4 };
 
 /* How its thresholds are off: of figure 4, of figure 6, and of leaves that touch. */
-typedef struct { double cull, size, touch; } faults;
+typedef struct {
+	double cull, size, touch;
+} faults;
 
 typedef struct {
 	const grove *g;
 	ts_params params;
 	faults faults;
-	u32 number;   /* which way its numbers are off */
+	u32 number; /* which way its numbers are off */
 	u64 *map;
 	u64 n_pairs;
 } port;
@@ -27,12 +29,14 @@ static double off(const port *p, double x)
 }
 
 /* From the middle of a node of views to that of a node of the scene. */
-typedef struct { double x, y, z, d; } way;
+typedef struct {
+	double x, y, z, d;
+} way;
 
 static way way_of(const port *p, const ts_node *s, const ts_node *v)
 {
-	way w = { (double)s->centre[0] - (double)v->centre[0], (double)s->centre[1] - (double)v->centre[1],
-	          (double)s->centre[2] - (double)v->centre[2], 0 };
+	way w = {(double)s->centre[0] - (double)v->centre[0], (double)s->centre[1] - (double)v->centre[1],
+	         (double)s->centre[2] - (double)v->centre[2], 0};
 	w.d = off(p, sqrt(w.x * w.x + w.y * w.y + w.z * w.z));
 	return w;
 }
@@ -105,7 +109,9 @@ static void visit(port *p, u32 s, u32 v)
 	}
 }
 
-typedef struct { u64 shown, undecided, differ, wrong; } sums;
+typedef struct {
+	u64 shown, undecided, differ, wrong;
+} sums;
 
 /* What differs in a port, and of that what is decided. */
 static void count(sums *r, port *p, const u64 *map, const u32 *margin, u64 n)
@@ -138,7 +144,7 @@ static void check(sums *r, const faults *how, u32 n_px, u32 choice)
 	grove_stage(&run, "map");
 	grove_stage(&run, "map_margin");
 	u64 n = ts_frame_n(&run.frame, TS_B_map_depth_node);
-	port p = { .g = &g, .params = params, .faults = *how, .map = malloc(n * sizeof *p.map) };
+	port p = {.g = &g, .params = params, .faults = *how, .map = malloc(n * sizeof *p.map)};
 	assert_non_null(p.map);
 	for (p.number = 0; p.number < N_PORTS; p.number++) {
 		count(r, &p, ts_frame_data(&run.frame, TS_B_map_depth_node), ts_frame_data(&run.frame, TS_B_map_margin), n);
@@ -168,8 +174,8 @@ static void test_rounding(void **state)
 {
 	(void)state;
 	for (u32 choice = 0; choice < 3; choice++) {
-		sums r = { 0, 0, 0, 0 };
-		for (u32 px = 8; px <= 32; px *= 2) check(&r, &(faults){ 1, 1, 1 }, px, choice);
+		sums r = {0, 0, 0, 0};
+		for (u32 px = 8; px <= 32; px *= 2) check(&r, &(faults){1, 1, 1}, px, choice);
 		print_message("of %u texels %u undecided, %u differ, %u of these decided\n", (unsigned)r.shown,
 		              (unsigned)r.undecided, (unsigned)r.differ, (unsigned)r.wrong);
 		assert_true(r.wrong == 0 && r.differ > 100 && r.undecided < r.shown / 6);
@@ -179,9 +185,9 @@ static void test_rounding(void **state)
 static void test_faults(void **state)
 {
 	(void)state;
-	static const faults all[] = { { 5000, 1, 1 }, { 1, 1.01, 1 }, { 1, 1, 1.2 } };
+	static const faults all[] = {{5000, 1, 1}, {1, 1.01, 1}, {1, 1, 1.2}};
 	for (u32 i = 0; i < sizeof all / sizeof *all; i++) {
-		sums r = { 0, 0, 0, 0 };
+		sums r = {0, 0, 0, 0};
 		check(&r, &all[i], 16, 0);
 		if (r.wrong == 0) fail_msg("fault %u is not found", (unsigned)i);
 	}
@@ -190,7 +196,8 @@ static void test_faults(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test_setup(test_rounding, grove_restart), cmocka_unit_test_setup(test_faults, grove_restart),
+		cmocka_unit_test_setup(test_rounding, grove_restart),
+		cmocka_unit_test_setup(test_faults, grove_restart),
 	};
 	return cmocka_run_group_tests(tests, open_scene, close_scene);
 }

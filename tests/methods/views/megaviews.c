@@ -25,7 +25,8 @@ static ts_params tiny_params(void)
 static void run_of(ts_run *run, const ts_scene *scene, const ts_params *params, const char *method)
 {
 	ts_run_begin(run, scene, params, 2);
-	if (ts_pipeline_run(ts_pipeline_find("indirect", method), run) != TS_OK) fail_msg("%s: %s", method, ts_error_message());
+	if (ts_pipeline_run(ts_pipeline_find("indirect", method), run) != TS_OK)
+		fail_msg("%s: %s", method, ts_error_message());
 }
 
 static void sums_of(ts_sums *sums, const ts_scene *scene, const ts_params *params, const char *method, u32 threads)
@@ -317,8 +318,8 @@ static void test_little(void **state)
 static void is_near(const char *what, u64 expected, u64 made, double factor)
 {
 	double ratio = ((double)expected + 1) / ((double)made + 1);
-	if (ratio > factor || ratio < 1 / factor) fail_msg("%s: %llu expected, %llu made", what, (unsigned long long)expected,
-	                                                   (unsigned long long)made);
+	if (ratio > factor || ratio < 1 / factor)
+		fail_msg("%s: %llu expected, %llu made", what, (unsigned long long)expected, (unsigned long long)made);
 }
 
 /* What a run is expected to take is near what it takes; queues take no more than they may, and with more pairs more. */
@@ -326,7 +327,8 @@ static void test_memory(void **state)
 {
 	(void)state;
 	for (u32 k = 0; k < 2 * N_METHODS; k++) {
-		const ts_pipeline *pipeline = ts_pipeline_find(k < N_METHODS ? "indirect" : "particles", methods[k % N_METHODS]);
+		const ts_pipeline *pipeline =
+			ts_pipeline_find(k < N_METHODS ? "indirect" : "particles", methods[k % N_METHODS]);
 		ts_params params = tiny_params();
 		params.particles = params.vpls;
 		params.queue_mb = 64;
@@ -393,7 +395,11 @@ static void test_memory_of_paths(void **state)
 /* Where a leaf of the scene is in the map of a view, in double precision: place of the texel, how far the direction
  * is from its edges in texels, and the distance; false: behind the view, or too near to be rendered, or nearly so:
  * `unsure`. */
-typedef struct { u32 texel; double edge, distance; bool unsure; } spot;
+typedef struct {
+	u32 texel;
+	double edge, distance;
+	bool unsure;
+} spot;
 
 static bool place_of(spot *r, const ts_node *leaf, const ts_vpl *light, u32 n)
 {
@@ -434,7 +440,8 @@ static void assert_brute(const ts_run *run, u32 view, u64 *n_leaves)
 		u32 i = (u32)map[t];
 		if (map[t] == TS_EMPTY) continue;
 		assert_true(i >= level[0] && i < level[1] && (place_of(&at, &nodes[i], light, n) || at.unsure));
-		assert_true(fabs(at.distance / (double)ts_u2f((u32)(map[t] >> 32)) - 1) < 1e-5 && (at.texel == t || at.edge < 1e-4));
+		assert_true(fabs(at.distance / (double)ts_u2f((u32)(map[t] >> 32)) - 1) < 1e-5 &&
+		            (at.texel == t || at.edge < 1e-4));
 	}
 }
 
@@ -460,7 +467,8 @@ static void test_brute(void **state)
 	assert_int_equal(ts_pipeline_run(ts_pipeline_find("indirect", "manylods"), &alone), TS_OK);
 	u64 n = ts_frame_n(&brute.frame, TS_B_map_depth_node), n_leaves = 0, n_same = 0, n_differ = 0, n_shown = 0;
 	for (u32 v = 0; v < params.vpls; v++) assert_brute(&brute, v, &n_leaves);
-	const u64 *a = ts_frame_data(&brute.frame, TS_B_map_depth_node), *b = ts_frame_data(&alone.frame, TS_B_map_depth_node);
+	const u64 *a = ts_frame_data(&brute.frame, TS_B_map_depth_node),
+			  *b = ts_frame_data(&alone.frame, TS_B_map_depth_node);
 	const u64 *pairs = ts_frame_data(&alone.frame, TS_B_traverse_rendered);
 	const ts_node *nodes = ts_frame_data(&brute.frame, TS_B_octree_node);
 	assert_int_equal(n, ts_frame_n(&alone.frame, TS_B_map_depth_node));
@@ -514,11 +522,13 @@ static void test_wide(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_threads), cmocka_unit_test(test_claims), cmocka_unit_test(test_lists),
-		cmocka_unit_test(test_cutoff),  cmocka_unit_test(test_units),  cmocka_unit_test(test_draws),
-		cmocka_unit_test(test_filter),  cmocka_unit_test(test_edges),  cmocka_unit_test(test_little),
-		cmocka_unit_test(test_memory),  cmocka_unit_test(test_memory_of_pairs), cmocka_unit_test(test_memory_of_paths),
-		cmocka_unit_test(test_brute),   cmocka_unit_test(test_wide),
+		cmocka_unit_test(test_threads),         cmocka_unit_test(test_claims),
+		cmocka_unit_test(test_lists),           cmocka_unit_test(test_cutoff),
+		cmocka_unit_test(test_units),           cmocka_unit_test(test_draws),
+		cmocka_unit_test(test_filter),          cmocka_unit_test(test_edges),
+		cmocka_unit_test(test_little),          cmocka_unit_test(test_memory),
+		cmocka_unit_test(test_memory_of_pairs), cmocka_unit_test(test_memory_of_paths),
+		cmocka_unit_test(test_brute),           cmocka_unit_test(test_wide),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -12,12 +12,20 @@
 #include "../../backends/device.h"
 
 static const ts_step steps[] = {
-	{.stage = "pose"}, {.stage = "lamp"}, {.stage = "rsm_view"}, {.stage = "rsm"}, {.stage = "rsm_patch"}, {.stage = "root"},
-	{.stage = "voxel"}, {.stage = "octree"}, {.stage = "octree_surface"}, {.stage = "vpl"}, {.stage = "view_voxel"},
-	{.stage = "view_octree"}, {.stage = "view_cone"}, {0},
+	{.stage = "pose"},           {.stage = "lamp"},
+	{.stage = "rsm_view"},       {.stage = "rsm"},
+	{.stage = "rsm_patch"},      {.stage = "root"},
+	{.stage = "voxel"},          {.stage = "octree"},
+	{.stage = "octree_surface"}, {.stage = "vpl"},
+	{.stage = "view_voxel"},     {.stage = "view_octree"},
+	{.stage = "view_cone"},      {0},
 };
 static const ts_pipeline pipeline = {
-	.name = "octrees", .effect = &ts_effect_indirect, .steps = steps, .plan = ts_indirect_plan, .expect = ts_indirect_expect,
+	.name = "octrees",
+	.effect = &ts_effect_indirect,
+	.steps = steps,
+	.plan = ts_indirect_plan,
+	.expect = ts_indirect_expect,
 };
 
 static ts_params params_of(u32 levels, u32 vpls)
@@ -101,7 +109,8 @@ static void test_lists(void **state)
 	run_of(&run, scene, &params);
 	const u32 *offset = ts_frame_data(&run.frame, TS_B_octree_offset);
 	const u32 *entries = ts_frame_data(&run.frame, TS_B_octree_triangle);
-	const u32 *before = ts_frame_data(&run.frame, TS_B_voxel_before), *level = ts_frame_data(&run.frame, TS_B_octree_level);
+	const u32 *before = ts_frame_data(&run.frame, TS_B_voxel_before),
+			  *level = ts_frame_data(&run.frame, TS_B_octree_level);
 	const u64 *mask = ts_frame_data(&run.frame, TS_B_voxel_mask);
 	const ts_root *root = ts_frame_data(&run.frame, TS_B_root_cube);
 	u64 n_leaves = ts_frame_n(&run.frame, TS_B_octree_offset) - 1;
@@ -286,7 +295,8 @@ static void test_paths(void **state)
 	run_of(&once, scene, &params);
 	params.vpl_bounces = 4;
 	run_of(&often, scene, &params);
-	const ts_vpl *first = ts_frame_data(&once.frame, TS_B_vpl_light), *light = ts_frame_data(&often.frame, TS_B_vpl_light);
+	const ts_vpl *first = ts_frame_data(&once.frame, TS_B_vpl_light),
+				 *light = ts_frame_data(&often.frame, TS_B_vpl_light);
 	const u32 *path = ts_frame_data(&often.frame, TS_B_vpl_path);
 	const ts_cast_args args = cast_of(&often, 5);
 	for (u32 k = 0; k < 3000; k++) {
@@ -369,9 +379,9 @@ static void test_claims(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_threads), cmocka_unit_test(test_opencl),   cmocka_unit_test(test_lists),
-		cmocka_unit_test(test_surfaces), cmocka_unit_test(test_lights),  cmocka_unit_test(test_cast),
-		cmocka_unit_test(test_paths),   cmocka_unit_test(test_directions), cmocka_unit_test(test_dark),
+		cmocka_unit_test(test_threads),  cmocka_unit_test(test_opencl),     cmocka_unit_test(test_lists),
+		cmocka_unit_test(test_surfaces), cmocka_unit_test(test_lights),     cmocka_unit_test(test_cast),
+		cmocka_unit_test(test_paths),    cmocka_unit_test(test_directions), cmocka_unit_test(test_dark),
 		cmocka_unit_test(test_claims),
 	};
 	device_keep_kernels();

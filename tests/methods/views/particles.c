@@ -21,7 +21,8 @@ static ts_params tiny_params(void)
 static void run_of(ts_run *run, const ts_scene *scene, const ts_params *params, const char *method)
 {
 	ts_run_begin(run, scene, params, 2);
-	if (ts_pipeline_run(ts_pipeline_find("particles", method), run) != TS_OK) fail_msg("%s: %s", method, ts_error_message());
+	if (ts_pipeline_run(ts_pipeline_find("particles", method), run) != TS_OK)
+		fail_msg("%s: %s", method, ts_error_message());
 }
 
 static void sums_of(ts_sums *sums, const ts_scene *scene, const ts_params *params, const char *method, u32 threads)
@@ -137,7 +138,8 @@ static void test_power(void **state)
 	for (u32 i = 0; i < MANY; i++) {
 		const f32 *flux = lights[i].flux;
 		double mean = ((double)flux[0] + (double)flux[1] + (double)flux[2]) / 3;
-		if (fabs(mean * MANY / power - 1) > 1e-5) fail_msg("particle %u sends %g of %g", (unsigned)i, mean, power / MANY);
+		if (fabs(mean * MANY / power - 1) > 1e-5)
+			fail_msg("particle %u sends %g of %g", (unsigned)i, mean, power / MANY);
 		for (u32 k = 0; k < 3; k++) sum[k] += (double)flux[k];
 	}
 	for (u32 k = 0; k < 3; k++) assert_true(fabs(sum[k] / power - 1) < 0.02);
@@ -177,7 +179,8 @@ static void test_light(void **state)
 	u32 n = 0;
 	for (u64 i = 0; i < ts_frame_n(&run.frame, TS_B_gbuffer_pixel); i++) {
 		if (pixels[i].depth == 1.0f) continue;
-		double right = light_at(&pixels[i], lights, params.particles, near, (u32)(i % 3)), is = (double)found[3 * i + i % 3];
+		double right = light_at(&pixels[i], lights, params.particles, near, (u32)(i % 3)),
+			   is = (double)found[3 * i + i % 3];
 		if (fabs(is / right - 1) > 1e-4) fail_msg("pixel %u: %.9g for %.9g", (unsigned)i, is, right);
 		n++;
 	}
@@ -267,8 +270,8 @@ static void test_claims(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_threads), cmocka_unit_test(test_places),  cmocka_unit_test(test_paths),
-		cmocka_unit_test(test_power),   cmocka_unit_test(test_light),   cmocka_unit_test(test_shadows),
+		cmocka_unit_test(test_threads), cmocka_unit_test(test_places), cmocka_unit_test(test_paths),
+		cmocka_unit_test(test_power),   cmocka_unit_test(test_light),  cmocka_unit_test(test_shadows),
 		cmocka_unit_test(test_culls),   cmocka_unit_test(test_claims),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);

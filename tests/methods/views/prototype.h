@@ -9,12 +9,15 @@
 typedef struct {
 	u32 levels, n, n_views;
 	grove_source *view;
-	u32 field;             /* of the parameter view_field */
+	u32 field; /* of the parameter view_field */
 	double pairs, ratio, sharing, wide, same, near;
 } prototype_row;
 
 /* Shares of texels: of the same depth, and with one beside them that has it. */
-typedef struct { double same, near, missing; u64 n; } prototype_likeness;
+typedef struct {
+	double same, near, missing;
+	u64 n;
+} prototype_likeness;
 
 static inline bool prototype_like(u32 a, u32 b, f32 slack)
 {
@@ -34,8 +37,8 @@ static inline bool prototype_like_near(const u32 *fused, u32 texel, u32 n, u32 o
 }
 
 /* Texels in the middle of the view's field: the prototype's measure. */
-static inline void prototype_compare(prototype_likeness *sum, const u64 *alone, const u32 *fused, const grove_place *place,
-                                     u32 n, f32 slack)
+static inline void prototype_compare(prototype_likeness *sum, const u64 *alone, const u32 *fused,
+                                     const grove_place *place, u32 n, f32 slack)
 {
 	for (u32 t = 0; t < 2 * n * n; t++) {
 		if (!ts_k_paraboloid_is_used(t, n) || ts_dot(ts_k_paraboloid_direction(t, n), place->n) < 0.15f) continue;
@@ -49,7 +52,9 @@ static inline void prototype_compare(prototype_likeness *sum, const u64 *alone, 
 }
 
 /* Where views see the nodes of rendered pairs that are equivalent, beside where the map of their node has them. */
-typedef struct { u64 n, same, next, far, other, at; } prototype_places;
+typedef struct {
+	u64 n, same, next, far, other, at;
+} prototype_places;
 
 /* A place in a leaf below a node of views. */
 static inline ts_v3 prototype_view_below(const ts_node *views, u32 v)
@@ -95,7 +100,7 @@ static inline ts_status prototype_place_some(ts_run *run, ts_traverse_piece *pie
 /* No node is farther than a texel from where its views see it in the same of the two maps. */
 static inline void prototype_check_places(ts_run *run)
 {
-	prototype_places sum = { .n = 0 };
+	prototype_places sum = {.n = 0};
 	ts_traverse_args how;
 	assert_int_equal(ts_traverse_arguments(run, &how), TS_OK);
 	assert_int_equal(ts_traverse(run, &how, prototype_place_some, &sum), TS_OK);
@@ -129,7 +134,7 @@ static inline void prototype_check(const ts_scene *scene, const prototype_row *e
 	grove_stage(&alone, "map");
 	const u32 *fused = ts_frame_data(&run.frame, TS_B_fuse_depth);
 	const u64 *maps = ts_frame_data(&alone.frame, TS_B_map_depth_node);
-	prototype_likeness sum = { 0, 0, 0, 0 };
+	prototype_likeness sum = {0, 0, 0, 0};
 	for (u64 i = 0; i < SAMPLE; i++) {
 		u64 place = i * g.n_places / SAMPLE;
 		prototype_compare(&sum, maps + i * n_texels, fused + (u64)g.leaf[place] * n_texels, &g.places[place], n,
@@ -140,9 +145,11 @@ static inline void prototype_check(const ts_scene *scene, const prototype_row *e
 	double sharing = (double)ts_run_counter(&run, "views served") / rendered;
 	double wide = 100 * (double)ts_run_counter(&run, "pairs wider than a texel") / rendered;
 	double same = 100 * sum.same / (double)sum.n, near = 100 * sum.near / (double)sum.n;
-	print_message("%u levels, %u views of %u: %.0f pairs, saved %.2f times, shared by %.2f, wide %.2f %%, same %.2f %%, "
-	              "near %.2f %%, missing %.3f %%\n", expected->levels, expected->n_views, n, pairs, ratio, sharing, wide,
-	              same, near, 100 * sum.missing / (double)sum.n);
+	print_message(
+		"%u levels, %u views of %u: %.0f pairs, saved %.2f times, shared by %.2f, wide %.2f %%, same %.2f %%, "
+		"near %.2f %%, missing %.3f %%\n",
+		expected->levels, expected->n_views, n, pairs, ratio, sharing, wide, same, near,
+		100 * sum.missing / (double)sum.n);
 	assert_true(fabs(pairs / expected->pairs - 1) < 0.01);
 	assert_true(fabs(ratio / expected->ratio - 1) < 0.02);
 	assert_true(fabs(sharing / expected->sharing - 1) < 0.02);

@@ -55,7 +55,7 @@ static void visit(recursion *r, u32 s, u32 v)
 	ts_ball a = ts_k_node_ball(node), b = ts_k_node_ball(view);
 	ts_cone_k cone = ts_k_load_cone(&r->g->cones[v]);
 	bool all = r->params->view_field == TS_VIEW_FIELD_ALL;
-	ts_aperture phi = { .cosine = all ? -1 : 0, .sine = all ? 0 : 1 };
+	ts_aperture phi = {.cosine = all ? -1 : 0, .sine = all ? 0 : 1};
 	r->pairs++;
 	if (ts_k_pair_is_culled(&a, &b, &cone, &phi)) {
 		r->culled++;
@@ -120,7 +120,7 @@ static void test_recursion(void **state)
 		grove g;
 		u32 levels = 1 + grove_below(5), view_levels = 1 + grove_below(5), n = 1 + grove_below(600);
 		grove_plant(&g, levels, view_levels, n, grove_noise, 1 + grove_below(100), grove_noise);
-		recursion r = { .g = &g, .params = &params };
+		recursion r = {.g = &g, .params = &params};
 		visit(&r, 0, 0);
 		ts_run run;
 		grove_begin(&run, scene, &params, 1 + grove_below(4), &g);
@@ -142,8 +142,11 @@ static void test_recursion(void **state)
 static void test_memory(void **state)
 {
 	(void)state;
-	static const struct { u32 queue_mb, threads; bool traced; } ways[] = {
-		{ 1, 1, true }, { 1, 2, false }, { 2, 3, true }, { 1024, 3, true }, { 1024, 2, false },
+	static const struct {
+		u32 queue_mb, threads;
+		bool traced;
+	} ways[] = {
+		{1, 1, true}, {1, 2, false}, {2, 3, true}, {1024, 3, true}, {1024, 2, false},
 	};
 	ts_params params = params_of(16);
 	grove g;
@@ -193,8 +196,9 @@ static void test_fuse(void **state)
 	paper.fusion = TS_FUSION_PAPER;
 	grove g;
 	grove_plant(&g, 5, 6, 20000, grove_surface, 300, grove_surface);
-	grove_outcome least = grove_run(&g, scene, &params, 2, NULL, false), own = grove_run(&g, scene, &paper, 2, NULL, false);
-	ts_fuse_args args = { .views = g.views.nodes, .texels = least.maps, .pyramid = { 8, 1 }, .nearest = 1 };
+	grove_outcome least = grove_run(&g, scene, &params, 2, NULL, false),
+				  own = grove_run(&g, scene, &paper, 2, NULL, false);
+	ts_fuse_args args = {.views = g.views.nodes, .texels = least.maps, .pyramid = {8, 1}, .nearest = 1};
 	ts_fuse_args own_args = args;
 	own_args.nearest = 0;
 	u64 n_moved = 0, n_nearer = 0;
@@ -237,7 +241,8 @@ static void test_multipixel(void **state)
 	splats.multipixel = 1;
 	grove g;
 	grove_plant(&g, 5, 5, 60000, grove_surface, 60, grove_floor);
-	grove_outcome off = grove_run(&g, scene, &params, 2, NULL, false), on = grove_run(&g, scene, &splats, 2, NULL, false);
+	grove_outcome off = grove_run(&g, scene, &params, 2, NULL, false),
+				  on = grove_run(&g, scene, &splats, 2, NULL, false);
 	assert_int_equal(on.n_depths, off.n_depths);
 	assert_int_equal(on.n_maps * 4096, off.n_maps * 5461);
 	u64 n_off = 0, n_on = 0, n_lost = 0;
@@ -309,8 +314,9 @@ static void test_errors(void **state)
 static void test_stages(void **state)
 {
 	(void)state;
-	static const char *const stages[] = { "view", "pose", "lamp", "rsm_view", "rsm", "rsm_patch", "root", "voxel", "octree",
-	                                      "vpl", "view_voxel", "view_octree", "view_cone", "traverse", "map", "fuse" };
+	static const char *const stages[] = {"view",      "pose",     "lamp",   "rsm_view", "rsm",        "rsm_patch",
+	                                     "root",      "voxel",    "octree", "vpl",      "view_voxel", "view_octree",
+	                                     "view_cone", "traverse", "map",    "fuse"};
 	ts_params params = params_of(16);
 	params.levels = 5;
 	ts_run run;
@@ -318,10 +324,10 @@ static void test_stages(void **state)
 	ts_pipeline_plan(ts_pipeline_find("indirect", "direct"), &run, NULL, NULL);
 	for (u32 i = 0; i < sizeof stages / sizeof *stages; i++) grove_stage(&run, stages[i]);
 	for (u32 i = 13; i < 16; i++) small_assert_claims(&run, ts_stage_find(stages[i]));
-	grove g = { .scene.nodes = ts_frame_data(&run.frame, TS_B_octree_node),
-	            .views.nodes = ts_frame_data(&run.frame, TS_B_view_octree_node),
-	            .cones = ts_frame_data(&run.frame, TS_B_view_cone_node) };
-	recursion r = { .g = &g, .params = &params };
+	grove g = {.scene.nodes = ts_frame_data(&run.frame, TS_B_octree_node),
+	           .views.nodes = ts_frame_data(&run.frame, TS_B_view_octree_node),
+	           .cones = ts_frame_data(&run.frame, TS_B_view_cone_node)};
+	recursion r = {.g = &g, .params = &params};
 	visit(&r, 0, 0);
 	assert_same_pairs(&run, &r);
 	assert_same_counters(&run, &r);
@@ -332,9 +338,9 @@ static void test_stages(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		grown_test(test_recursion),  grown_test(test_memory), grown_test(test_map),   grown_test(test_fuse),
-		grown_test(test_moved),      grown_test(test_multipixel), grown_test(test_alone), grown_test(test_errors),
-		grown_test(test_stages),
+		grown_test(test_recursion), grown_test(test_memory), grown_test(test_map),
+		grown_test(test_fuse),      grown_test(test_moved),  grown_test(test_multipixel),
+		grown_test(test_alone),     grown_test(test_errors), grown_test(test_stages),
 	};
 	return cmocka_run_group_tests(tests, open_scene, close_scene);
 }

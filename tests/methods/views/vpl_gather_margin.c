@@ -12,15 +12,19 @@ enum { N_PORTS = 4, N_TIES = 3000, WIDTH = 64, HEIGHT = 48 };
 
 /* How a port is off: by its slack, depths of maps, places in maps, in texels, sides of nodes, in nodes, and how far
  * above a tangent plane is clear of it. */
-typedef struct { double slack, depth, place, side, clear; } faults;
+typedef struct {
+	double slack, depth, place, side, clear;
+} faults;
 
 typedef struct {
 	ts_vpl_gather_args of; /* the buffers and settings; no kernel is asked */
 	faults faults;
-	u32 number;            /* which way its numbers are off */
+	u32 number; /* which way its numbers are off */
 } port;
 
-typedef struct { double x, y, z; } d3;
+typedef struct {
+	double x, y, z;
+} d3;
 static u32 n_random;
 
 /* The same number is off the same way. */
@@ -39,7 +43,10 @@ static double dot(const port *p, d3 a, d3 b)
 
 static double length(const port *p, d3 a) { return off(p, sqrt(dot(p, a, a))); }
 /* a b - c d */
-static double part(const port *p, double a, double b, double c, double d) { return off(p, off(p, a * b) - off(p, c * d)); }
+static double part(const port *p, double a, double b, double c, double d)
+{
+	return off(p, off(p, a * b) - off(p, c * d));
+}
 
 static d3 cross(const port *p, d3 a, d3 b)
 {
@@ -64,7 +71,8 @@ static double depth_of(const port *p, u32 view, u32 texel)
 	double depth = (double)ts_u2f(p->of.depths[(u64)leaf * 2 * n * n + texel]) * p->faults.depth;
 	double u = (2.0 * (texel % n) + 1) / n - 1, v = (2.0 * (texel / n % n) + 1) / n - 1, square = u * u + v * v;
 	double along = (texel < n * n ? 1 : -1) * off(p, (1 - square) / (1 + square));
-	d3 way = {along, off(p, 2 * u / (1 + square)), off(p, 2 * v / (1 + square))}, centre = make3(p->of.nodes[leaf].centre);
+	d3 way = {along, off(p, 2 * u / (1 + square)), off(p, 2 * v / (1 + square))},
+	   centre = make3(p->of.nodes[leaf].centre);
 	d3 at = {off(p, centre.x + way.x * depth), off(p, centre.y + way.y * depth), off(p, centre.z + way.z * depth)};
 	return length(p, apart(p, at, make3(p->of.lights[view].position)));
 }
@@ -189,7 +197,8 @@ static void try_term(sums *r, const port *p, u32 view, const ts_gpixel *of)
 	if (p->of.by_plane == 0) return;
 	double height = (double)(ts_k_node_height(&p->of.scene[node], at, n) - ts_k_vpl_clear(&p->of, &p->of.scene[node]));
 	double of_height = fabs(height) / (double)ts_k_vpl_plane_answer(&p->of, node, at, n).margin;
-	r->height = fmax(r->height, fabs(height - above(p, view, texel, make3(of->position), make3(of->normal))) / of_height);
+	r->height =
+		fmax(r->height, fabs(height - above(p, view, texel, make3(of->position), make3(of->normal))) / of_height);
 }
 
 static double random_below(double most) { return most * ts_uniform(ts_random(n_random++, 3, 99)); }
@@ -203,9 +212,12 @@ static bool tie_depth(const port *p, ts_gpixel *pixel, u32 view)
 	if (shown(p, view, texel) == TS_NONE) return false;
 	for (u32 k = 0; k < 40; k++) {
 		double middle = (low + high) / 2;
-		d3 there = {from.x + middle * (at.x - from.x), from.y + middle * (at.y - from.y), from.z + middle * (at.z - from.z)};
-		if (behind(p, view, texel, there, n) > 0) high = middle;
-		else low = middle;
+		d3 there = {from.x + middle * (at.x - from.x), from.y + middle * (at.y - from.y),
+		            from.z + middle * (at.z - from.z)};
+		if (behind(p, view, texel, there, n) > 0)
+			high = middle;
+		else
+			low = middle;
 	}
 	pixel->position[0] = (f32)(from.x + low * (at.x - from.x));
 	pixel->position[1] = (f32)(from.y + low * (at.y - from.y));
@@ -268,7 +280,11 @@ static ts_gpixel tie(const port *p, u32 kind)
 	}
 }
 
-static const struct { const char *effect, *method; u32 px, draws, test; f32 bias, slope, light_bias; } cases[] = {
+static const struct {
+	const char *effect, *method;
+	u32 px, draws, test;
+	f32 bias, slope, light_bias;
+} cases[] = {
 	{"indirect", "megaviews", 16, 0, TS_SHADOW_TEST_DISTANCE, 0.25f, 0.25f, 0.5f},
 	{"indirect", "megaviews", 8, 16, TS_SHADOW_TEST_DISTANCE, 0, 2, 0},
 	{"indirect", "manylods", 16, 0, TS_SHADOW_TEST_DISTANCE, 0, 0, 1},
@@ -398,7 +414,9 @@ static void test_faults(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_rounding), cmocka_unit_test(test_ties), cmocka_unit_test(test_faults),
+		cmocka_unit_test(test_rounding),
+		cmocka_unit_test(test_ties),
+		cmocka_unit_test(test_faults),
 	};
 	return cmocka_run_group_tests(tests, make_all, drop_all);
 }

@@ -72,7 +72,7 @@ static void test_unknown(void **state)
 	assert_int_equal(ts_builtin_open(&scene, "atriums", &params, NULL), TS_ERROR);
 	assert_null(scene);
 	assert_string_equal(ts_error_message(), "\"atriums\" is no built-in scene; there are atrium, gallery, dining and "
-	                                       "checkerboard");
+	                                        "checkerboard");
 }
 
 static void test_counts(void **state)
@@ -98,27 +98,27 @@ static void test_refused(void **state)
 {
 	(void)state;
 	static const char *const bad[][2] = {{"atrium:", "unknown option"},
-										 {"atrium:triangle=20k", "unknown option"},
-										 {"dining:triangles=", "no count"},
-										 {"dining:triangles=.", "no count"},
-										 {"dining:triangles=1e5", "no count"},
-										 {"dining:triangles=-20000", "no count"},
-										 {"dining:triangles=20 000", "no count"},
-										 {"dining:triangles=20kk", "no count"},
-										 {"dining:triangles=1.2.3M", "no count"},
-										 {"dining:triangles=99999999999999999999", "no count"},
-										 {"gallery:triangles=9999", "out of range"},
-										 {"gallery:triangles=3000001", "out of range"},
-										 {"gallery:triangles=9999999999M", "out of range"},
-										 {"gallery:triangles=0", "out of range"},
-										 {"atrium:surfels=20000", "unknown option"},
-										 {"atrium:texels=48", "48 texels a side; write a power of two"},
-										 {"atrium:texels=8", "8 texels are out of range; 16 to 512"},
-										 {"atrium:texels=1k", "1000 texels are out of range"},
-										 {"atrium:texels", "no count"},
-										 {"atrium:texels=64:", "unknown option"},
-										 {"atrium:texels=64;triangles=10k", "no count"},
-										 {"atrium:triangles=10k:texel=64", "unknown option \"texel=64\""}};
+	                                     {"atrium:triangle=20k", "unknown option"},
+	                                     {"dining:triangles=", "no count"},
+	                                     {"dining:triangles=.", "no count"},
+	                                     {"dining:triangles=1e5", "no count"},
+	                                     {"dining:triangles=-20000", "no count"},
+	                                     {"dining:triangles=20 000", "no count"},
+	                                     {"dining:triangles=20kk", "no count"},
+	                                     {"dining:triangles=1.2.3M", "no count"},
+	                                     {"dining:triangles=99999999999999999999", "no count"},
+	                                     {"gallery:triangles=9999", "out of range"},
+	                                     {"gallery:triangles=3000001", "out of range"},
+	                                     {"gallery:triangles=9999999999M", "out of range"},
+	                                     {"gallery:triangles=0", "out of range"},
+	                                     {"atrium:surfels=20000", "unknown option"},
+	                                     {"atrium:texels=48", "48 texels a side; write a power of two"},
+	                                     {"atrium:texels=8", "8 texels are out of range; 16 to 512"},
+	                                     {"atrium:texels=1k", "1000 texels are out of range"},
+	                                     {"atrium:texels", "no count"},
+	                                     {"atrium:texels=64:", "unknown option"},
+	                                     {"atrium:texels=64;triangles=10k", "no count"},
+	                                     {"atrium:triangles=10k:texel=64", "unknown option \"texel=64\""}};
 	ts_params params;
 	ts_params_default(&params);
 	for (u32 i = 0; i < sizeof bad / sizeof *bad; i++) {
@@ -136,10 +136,10 @@ static void test_refused(void **state)
 static bool same(const ts_scene *a, const ts_scene *b)
 {
 	return a->n_vertices == b->n_vertices && a->n_texels == b->n_texels &&
-		   memcmp(a->vertices, b->vertices, a->n_vertices * sizeof *a->vertices) == 0 &&
-		   memcmp(a->triangles, b->triangles, a->n_triangles * sizeof *a->triangles) == 0 &&
-		   memcmp(a->materials, b->materials, a->n_materials * sizeof *a->materials) == 0 &&
-		   memcmp(a->texels, b->texels, a->n_texels * sizeof *a->texels) == 0;
+	       memcmp(a->vertices, b->vertices, a->n_vertices * sizeof *a->vertices) == 0 &&
+	       memcmp(a->triangles, b->triangles, a->n_triangles * sizeof *a->triangles) == 0 &&
+	       memcmp(a->materials, b->materials, a->n_materials * sizeof *a->materials) == 0 &&
+	       memcmp(a->texels, b->texels, a->n_texels * sizeof *a->texels) == 0;
 }
 
 static void test_same_on_any_threads(void **state)
@@ -246,7 +246,7 @@ static void test_rooms_are_closed(void **state)
 				ts_v3 d = {ts_cos_turn(turn), y, ts_sin_turn(turn)};
 				if (!hits_front(scene, ts_load3(view.eye), d))
 					fail_msg("%s: frame %u: a ray along %g %g %g escapes", names[k], frame, (double)d.x, (double)d.y,
-							 (double)d.z);
+					         (double)d.z);
 			}
 		}
 	}
@@ -287,8 +287,7 @@ static void test_triangles_of_all_sizes(void **state)
 		u32 n = scene->n_triangles;
 		f32 *area = malloc(n * sizeof *area);
 		assert_non_null(area);
-		for (u32 i = 0; i < n; i++)
-			area[i] = ts_length(face(scene, i)) * 0.5f;
+		for (u32 i = 0; i < n; i++) area[i] = ts_length(face(scene, i)) * 0.5f;
 		qsort(area, n, sizeof *area, by_size);
 		f32 spread = area[n - n / 1000] / area[n / 1000];
 		if (spread < 1000.0f) fail_msg("%s: areas at 0.1 and 99.9 %% differ by only %g", names[k], (double)spread);
@@ -303,13 +302,11 @@ static void test_every_slot_is_used(void **state)
 	for (u32 k = 0; k < 3; k++) {
 		const ts_scene *scene = least[k];
 		for (u32 i = 0; i < scene->n_materials; i++) {
-			for (u32 s = 0; s < TS_N_SLOTS; s++)
-				used[s] += scene->materials[i].slot[s] != TS_NONE;
+			for (u32 s = 0; s < TS_N_SLOTS; s++) used[s] += scene->materials[i].slot[s] != TS_NONE;
 			flags |= scene->materials[i].flags;
 		}
 	}
-	for (u32 s = 0; s < TS_N_SLOTS; s++)
-		assert_true(used[s] > 0);
+	for (u32 s = 0; s < TS_N_SLOTS; s++) assert_true(used[s] > 0);
 	assert_int_equal(flags, TS_DOUBLE_SIDED | TS_MASKED);
 }
 

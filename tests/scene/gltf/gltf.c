@@ -44,8 +44,7 @@ static void base64(char *to, const unsigned char *from, size_t n)
 	static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 	for (size_t i = 0; i < n; i += 3) {
 		u32 word = (u32)from[i] << 16 | (u32)from[i + 1] << 8 | from[i + 2];
-		for (int k = 18; k >= 0; k -= 6)
-			*to++ = digits[word >> k & 63];
+		for (int k = 18; k >= 0; k -= 6) *to++ = digits[word >> k & 63];
 	}
 	*to = '\0';
 }
@@ -57,15 +56,15 @@ static ts_build *load_with(const char *body, const char *accessors, const char *
 	char text[8192], data[161], path[] = "/tmp/touchstone-gltf-XXXXXX";
 	base64(data, buffer, sizeof buffer);
 	snprintf(text, sizeof text,
-			 "{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"byteLength\":120,\"uri\":"
-			 "\"data:application/octet-stream;base64,%s\"}],\"bufferViews\":[{\"buffer\":0,\"byteLength\":120}],"
-			 "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"type\":\"VEC3\",\"count\":3},"
-			 "{\"bufferView\":0,\"componentType\":5126,\"type\":\"VEC3\",\"count\":4},"
-			 "{\"bufferView\":0,\"componentType\":5126,\"type\":\"VEC3\",\"count\":6},"
-			 "{\"bufferView\":0,\"byteOffset\":72,\"componentType\":5121,\"type\":\"SCALAR\",\"count\":6},"
-			 "{\"bufferView\":0,\"byteOffset\":80,\"componentType\":5123,\"type\":\"SCALAR\",\"count\":6},"
-			 "{\"bufferView\":0,\"byteOffset\":92,\"componentType\":5125,\"type\":\"SCALAR\",\"count\":6}%s],%s}",
-			 data, accessors, body);
+	         "{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"byteLength\":120,\"uri\":"
+	         "\"data:application/octet-stream;base64,%s\"}],\"bufferViews\":[{\"buffer\":0,\"byteLength\":120}],"
+	         "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"type\":\"VEC3\",\"count\":3},"
+	         "{\"bufferView\":0,\"componentType\":5126,\"type\":\"VEC3\",\"count\":4},"
+	         "{\"bufferView\":0,\"componentType\":5126,\"type\":\"VEC3\",\"count\":6},"
+	         "{\"bufferView\":0,\"byteOffset\":72,\"componentType\":5121,\"type\":\"SCALAR\",\"count\":6},"
+	         "{\"bufferView\":0,\"byteOffset\":80,\"componentType\":5123,\"type\":\"SCALAR\",\"count\":6},"
+	         "{\"bufferView\":0,\"byteOffset\":92,\"componentType\":5125,\"type\":\"SCALAR\",\"count\":6}%s],%s}",
+	         data, accessors, body);
 	int file = mkstemp(path);
 	assert_true(file >= 0);
 	assert_int_equal(write(file, text, strlen(text)), strlen(text));
@@ -147,8 +146,8 @@ static void test_indices(void **state)
 	for (int accessor = 3; accessor < 6; accessor++) {
 		char body[512];
 		snprintf(body, sizeof body,
-				 ONE_NODE ",\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":1},\"indices\":%d}]}]",
-				 accessor);
+		         ONE_NODE ",\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":1},\"indices\":%d}]}]",
+		         accessor);
 		ts_build *build = load(body);
 		const ts_scene *scene = ts_build_peek(build);
 		assert_int_equal(scene->n_triangles, 2);
@@ -157,7 +156,7 @@ static void test_indices(void **state)
 		ts_build_free(build);
 	}
 	refuse(ONE_NODE ",\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},\"indices\":3}]}]",
-		   "index 3 at 5; there are 3 vertices");
+	       "index 3 at 5; there are 3 vertices");
 }
 
 /* Only what triangles use becomes a vertex. */
@@ -174,13 +173,12 @@ static void test_strip_and_fan(void **state)
 {
 	(void)state;
 	ts_build *build = load(ONE_NODE ",\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":1},\"mode\":5},"
-									"{\"attributes\":{\"POSITION\":2},\"mode\":6}]}]");
+	                                "{\"attributes\":{\"POSITION\":2},\"mode\":6}]}]");
 	const ts_scene *scene = ts_build_peek(build);
 	assert_int_equal(scene->n_triangles, 2 + 4);
 	for (u32 i = 0; i < 2; i++)
 		assert_v3(&(f32[3]){area(scene, i).x, area(scene, i).y, area(scene, i).z}[0], 0.0f, 0.0f, 1.0f);
-	for (u32 i = 2; i < 6; i++)
-		assert_v3(corner(scene, i, 2), 0.0f, 0.0f, 0.0f);
+	for (u32 i = 2; i < 6; i++) assert_v3(corner(scene, i, 2), 0.0f, 0.0f, 0.0f);
 	ts_build_free(build);
 }
 
@@ -188,7 +186,7 @@ static void test_points_draw_nothing(void **state)
 {
 	(void)state;
 	ts_build *build = load(ONE_NODE ",\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},\"mode\":0},"
-									"{\"attributes\":{\"POSITION\":0},\"mode\":3}]}]");
+	                                "{\"attributes\":{\"POSITION\":0},\"mode\":3}]}]");
 	assert_int_equal(ts_build_peek(build)->n_triangles, 0);
 	assert_note(build, "points without NORMAL are not drawn");
 	ts_build_free(build);
@@ -249,7 +247,7 @@ static void test_trs(void **state)
 	(void)state;
 	ts_build *build =
 		load("\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"translation\":[0,0,10],\"children\":[1]},{\"mesh\":0,"
-			 "\"translation\":[5,0,0],\"rotation\":[0,0,2,2],\"scale\":[2,3,1]}]," TRIANGLE);
+	         "\"translation\":[5,0,0],\"rotation\":[0,0,2,2],\"scale\":[2,3,1]}]," TRIANGLE);
 	const ts_scene *scene = ts_build_peek(build);
 	assert_v3(corner(scene, 0, 0), 5.0f, 0.0f, 10.0f);
 	assert_v3(corner(scene, 0, 1), 5.0f, 2.0f, 10.0f);
@@ -262,7 +260,7 @@ static void test_mirroring(void **state)
 {
 	(void)state;
 	ts_build *build = load("\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0,\"scale\":[-1,1,1]}],"
-						   "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0,\"NORMAL\":0}}]}]");
+	                       "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0,\"NORMAL\":0}}]}]");
 	const ts_scene *scene = ts_build_peek(build);
 	assert_v3(corner(scene, 0, 1), 0.0f, 1.0f, 0.0f);
 	assert_v3(corner(scene, 0, 2), -1.0f, 0.0f, 0.0f);
@@ -278,7 +276,7 @@ static void test_shear(void **state)
 	(void)state;
 	ts_build *build =
 		load("\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0,\"matrix\":[1,0,0,0,1,1,0,0,0,0,1,0,7,8,9,1]}],"
-			 "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0,\"NORMAL\":0}}]}]");
+	         "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0,\"NORMAL\":0}}]}]");
 	const ts_scene *scene = ts_build_peek(build);
 	f32 half = ts_sqrt(0.5f);
 	assert_v3(corner(scene, 0, 0), 7.0f, 8.0f, 9.0f);
@@ -291,9 +289,8 @@ static void test_flat(void **state)
 {
 	(void)state;
 	ts_build *build = load("\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0,\"scale\":[1,0,1]}],"
-						   "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0,\"NORMAL\":0}}]}]");
-	for (u32 i = 0; i < 3; i++)
-		assert_v3(ts_build_peek(build)->vertices[i].normal, 0.0f, 0.0f, 0.0f);
+	                       "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0,\"NORMAL\":0}}]}]");
+	for (u32 i = 0; i < 3; i++) assert_v3(ts_build_peek(build)->vertices[i].normal, 0.0f, 0.0f, 0.0f);
 	ts_build_free(build);
 }
 
@@ -302,14 +299,14 @@ static void test_graph(void **state)
 	(void)state;
 	refuse("\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0,\"children\":[0]}]," TRIANGLE, "several parents");
 	refuse("\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"children\":[1,2]},{\"children\":[3]},{\"children\":[3]},{"
-		   "\"mesh\":0}]," TRIANGLE,
-		   "nodes/3 has several parents");
+	       "\"mesh\":0}]," TRIANGLE,
+	       "nodes/3 has several parents");
 	refuse("\"scenes\":[{\"nodes\":[1]}],\"nodes\":[{\"mesh\":0}]," TRIANGLE, "scenes/0/nodes/0 is 1");
 	refuse("\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0,\"rotation\":[0,0,0,0]}]," TRIANGLE, "length 0");
 	refuse("\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0,\"translation\":[1e9,0,0]}]," TRIANGLE, "16777216");
 	refuse("\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0,\"scale\":[1,1,1],\"matrix\":[1,0,0,0,0,1,0,0,0,0,1,0,"
-		   "0,0,0,1]}]," TRIANGLE,
-		   "both matrix and scale");
+	       "0,0,0,1]}]," TRIANGLE,
+	       "both matrix and scale");
 }
 
 static void test_camera(void **state)
@@ -317,9 +314,9 @@ static void test_camera(void **state)
 	(void)state;
 	ts_build *build =
 		load("\"scenes\":[{\"nodes\":[0,1]}],\"nodes\":[{\"name\":\"eye\",\"camera\":0,\"translation\":[1,2,3],"
-			 "\"scale\":[2,5,2]},{\"camera\":1}],\"cameras\":[{\"type\":\"perspective\",\"perspective\":"
-			 "{\"yfov\":1.5707963267948966,\"znear\":0.1}},{\"type\":\"orthographic\",\"orthographic\":"
-			 "{\"xmag\":1,\"ymag\":1,\"znear\":0,\"zfar\":9}}]");
+	         "\"scale\":[2,5,2]},{\"camera\":1}],\"cameras\":[{\"type\":\"perspective\",\"perspective\":"
+	         "{\"yfov\":1.5707963267948966,\"znear\":0.1}},{\"type\":\"orthographic\",\"orthographic\":"
+	         "{\"xmag\":1,\"ymag\":1,\"znear\":0,\"zfar\":9}}]");
 	const ts_scene *scene = ts_build_peek(build);
 	assert_int_equal(scene->n_cameras, 1);
 	assert_string_equal(scene->cameras[0].name, "eye");
@@ -338,10 +335,10 @@ static void test_lights(void **state)
 	(void)state;
 	ts_build *build =
 		load("\"extensionsUsed\":[\"KHR_lights_punctual\"],\"extensions\":{\"KHR_lights_punctual\":{\"lights\":["
-			 "{\"type\":\"spot\",\"color\":[1,0.5,0],\"intensity\":8,\"range\":3,\"spot\":{\"outerConeAngle\":"
-			 "1.0471975511965976}},{\"type\":\"directional\"}]}},\"scenes\":[{\"nodes\":[0,1]}],\"nodes\":["
-			 "{\"translation\":[0,4,0],\"rotation\":[-1,0,0,1],\"extensions\":{\"KHR_lights_punctual\":"
-			 "{\"light\":0}}},{\"extensions\":{\"KHR_lights_punctual\":{\"light\":1}}}]");
+	         "{\"type\":\"spot\",\"color\":[1,0.5,0],\"intensity\":8,\"range\":3,\"spot\":{\"outerConeAngle\":"
+	         "1.0471975511965976}},{\"type\":\"directional\"}]}},\"scenes\":[{\"nodes\":[0,1]}],\"nodes\":["
+	         "{\"translation\":[0,4,0],\"rotation\":[-1,0,0,1],\"extensions\":{\"KHR_lights_punctual\":"
+	         "{\"light\":0}}},{\"extensions\":{\"KHR_lights_punctual\":{\"light\":1}}}]");
 	const ts_scene *scene = ts_build_peek(build);
 	assert_int_equal(scene->n_lights, 2);
 	const ts_light *spot = &scene->lights[0], *sun = &scene->lights[1];
@@ -358,8 +355,8 @@ static void test_lights(void **state)
 	ts_build_free(build);
 }
 
-#define PIXEL                                                                                                          \
-	"\"images\":[{\"uri\":\"data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVR4nGP4"        \
+#define PIXEL \
+	"\"images\":[{\"uri\":\"data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVR4nGP4" \
 	"38AAAAQBAYDFKhhdAAAAAElFTkSuQmCC\"}],\"textures\":[{\"source\":0,\"sampler\":0}],\"samplers\":[{\"wrapS\":33071," \
 	"\"wrapT\":33648,\"minFilter\":9728}]"
 #define TEXTURED "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},\"material\":0}]}]"
@@ -369,11 +366,11 @@ static void test_material(void **state)
 	(void)state;
 	ts_build *build =
 		load(ONE_NODE "," TEXTURED "," PIXEL ",\"materials\":[{\"name\":\"glass\",\"doubleSided\":true,\"alphaMode\":"
-					  "\"BLEND\",\"pbrMetallicRoughness\":{\"baseColorFactor\":[0.25,0.5,1,0.75],\"metallicFactor\":0,"
-					  "\"baseColorTexture\":{\"index\":0},\"metallicRoughnessTexture\":{\"index\":0,\"texCoord\":1}},"
-					  "\"normalTexture\":{\"index\":0,\"scale\":2},\"emissiveTexture\":{\"index\":0},"
-					  "\"emissiveFactor\":[1,0.5,0],\"extensions\":{\"KHR_materials_emissive_strength\":"
-					  "{\"emissiveStrength\":4},\"KHR_materials_unlit\":{}}}]");
+	                  "\"BLEND\",\"pbrMetallicRoughness\":{\"baseColorFactor\":[0.25,0.5,1,0.75],\"metallicFactor\":0,"
+	                  "\"baseColorTexture\":{\"index\":0},\"metallicRoughnessTexture\":{\"index\":0,\"texCoord\":1}},"
+	                  "\"normalTexture\":{\"index\":0,\"scale\":2},\"emissiveTexture\":{\"index\":0},"
+	                  "\"emissiveFactor\":[1,0.5,0],\"extensions\":{\"KHR_materials_emissive_strength\":"
+	                  "{\"emissiveStrength\":4},\"KHR_materials_unlit\":{}}}]");
 	const ts_scene *scene = ts_build_peek(build);
 	const ts_material *m = &scene->materials[scene->triangles[0].material];
 	assert_int_equal(m->flags, TS_DOUBLE_SIDED | TS_MASKED | TS_UNLIT);
@@ -401,8 +398,8 @@ static void test_texture_transform(void **state)
 	(void)state;
 	ts_build *build =
 		load(ONE_NODE "," TEXTURED "," PIXEL ",\"materials\":[{\"pbrMetallicRoughness\":{\"baseColorTexture\":"
-					  "{\"index\":0,\"extensions\":{\"KHR_texture_transform\":{\"offset\":[0.5,0.25],\"rotation\":"
-					  "1.5707963267948966,\"scale\":[2,3],\"texCoord\":1}}}}}]");
+	                  "{\"index\":0,\"extensions\":{\"KHR_texture_transform\":{\"offset\":[0.5,0.25],\"rotation\":"
+	                  "1.5707963267948966,\"scale\":[2,3],\"texCoord\":1}}}}}]");
 	const ts_slot *slot = &ts_build_peek(build)->slots[0];
 	assert_v3(slot->transform, 0.0f, 3.0f, 0.5f);
 	assert_v3(slot->transform + 3, -2.0f, 0.0f, 0.25f);
@@ -415,10 +412,10 @@ static void test_refused_materials(void **state)
 	(void)state;
 	refuse(ONE_NODE "," TEXTURED ",\"materials\":[{\"alphaMode\":\"GLASS\"}]", "one of OPAQUE MASK BLEND");
 	refuse(ONE_NODE "," TEXTURED ",\"materials\":[{\"pbrMetallicRoughness\":{\"roughnessFactor\":-3}}]",
-		   "roughnessFactor is -3");
+	       "roughnessFactor is -3");
 	refuse(ONE_NODE "," TEXTURED ",\"materials\":[{\"emissiveTexture\":{\"index\":0}}],\"textures\":[{\"source\":0}],"
-					"\"images\":[{\"uri\":\"absent-from-here.png\"}]",
-		   "absent-from-here.png");
+	                "\"images\":[{\"uri\":\"absent-from-here.png\"}]",
+	       "absent-from-here.png");
 	refuse(ONE_NODE "," TEXTURED, "meshes/0/primitives/0/material is 0; the file has no materials");
 }
 
@@ -438,13 +435,12 @@ static void test_reflectors(void **state)
 		assert_int_equal(scene->objects[1].n_vertices, 3);
 		assert_int_equal(scene->objects[1].reflector, 0);
 		assert_int_equal(scene->objects[1].period, 0);
-		for (u32 i = 0; i < 9; i++)
-			assert_int_equal(scene->vertices[i].object, named ? i >= 6 : i >= 3 && i < 6);
+		for (u32 i = 0; i < 9; i++) assert_int_equal(scene->vertices[i].object, named ? i >= 6 : i >= 3 && i < 6);
 		ts_build_free(build);
 	}
 	refuse_with(body, "", "door", "\"floor\", \"ball\", \"shell\", \"wall\"");
 	refuse("\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"name\":\"void\",\"extras\":{\"reflector\":true}}]",
-		   "\"void\" has no triangles");
+	       "\"void\" has no triangles");
 }
 
 static void test_extensions(void **state)
@@ -454,7 +450,7 @@ static void test_extensions(void **state)
 	assert_note(build, "\"VENDOR_thing\" is not supported");
 	ts_build_free(build);
 	refuse(ONE_NODE "," TRIANGLE ",\"extensionsRequired\":[\"VENDOR_thing\"]",
-		   "requires the extension \"VENDOR_thing\"");
+	       "requires the extension \"VENDOR_thing\"");
 }
 
 /* A file refused leaves the next one loadable. */

@@ -56,7 +56,7 @@ static bool load(const char *path, u32 *triangles)
 static void complain(tally *t, const char *file, const char *expected, bool loaded, u32 triangles)
 {
 	print_error("%s: expected %s, was %s, %u triangles: %s\n", file, expected, loaded ? "loaded" : "refused", triangles,
-				loaded ? "" : ts_error_message());
+	            loaded ? "" : ts_error_message());
 	t->wrong++;
 }
 

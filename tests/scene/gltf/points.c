@@ -14,7 +14,18 @@
 
 /* Four points of a square of side 2, then of each: normal +z, half-axes 0.5 x and 0.25 y, colour, and the second axis
  * turned out of the plane; then the indices 3 1. */
-enum { N = 4, POSITION = 0, NORMAL = 48, U = 96, V = 144, COLOUR = 192, SKEW = 240, ZERO = 288, INDICES = 336, BYTES = 342 };
+enum {
+	N = 4,
+	POSITION = 0,
+	NORMAL = 48,
+	U = 96,
+	V = 144,
+	COLOUR = 192,
+	SKEW = 240,
+	ZERO = 288,
+	INDICES = 336,
+	BYTES = 342
+};
 static unsigned char buffer[BYTES];
 
 static void put(size_t at, f32 x, f32 y, f32 z)
@@ -57,17 +68,18 @@ static ts_build *load(const char *attributes, const char *more, const char *node
 	base64(data, buffer, sizeof buffer);
 	for (u32 i = 0; i < 7; i++)
 		snprintf(views + strlen(views), sizeof views - strlen(views),
-		         "%s{\"bufferView\":0,\"byteOffset\":%u,\"componentType\":5126,\"type\":\"VEC3\",\"count\":4}", i ? "," : "",
-		         48 * i);
-	snprintf(text, sizeof text,
-	         "{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"byteLength\":%d,\"uri\":"
-	         "\"data:application/octet-stream;base64,%s\"}],\"bufferViews\":[{\"buffer\":0,\"byteLength\":%d}],"
-	         "\"accessors\":[%s,{\"bufferView\":0,\"byteOffset\":%d,\"componentType\":5123,\"type\":\"SCALAR\",\"count\":2},"
-	         "{\"bufferView\":0,\"componentType\":5126,\"type\":\"VEC3\",\"count\":3}],"
-	         "\"materials\":[{\"pbrMetallicRoughness\":{\"baseColorFactor\":[0.5,1,1,1]}}],"
-	         "\"meshes\":[{\"primitives\":[{\"mode\":0,\"attributes\":{%s}%s}]}],"
-	         "\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0%s}]}",
-	         BYTES, data, BYTES, views, INDICES, attributes, more, node);
+		         "%s{\"bufferView\":0,\"byteOffset\":%u,\"componentType\":5126,\"type\":\"VEC3\",\"count\":4}",
+		         i ? "," : "", 48 * i);
+	snprintf(
+		text, sizeof text,
+		"{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"byteLength\":%d,\"uri\":"
+		"\"data:application/octet-stream;base64,%s\"}],\"bufferViews\":[{\"buffer\":0,\"byteLength\":%d}],"
+		"\"accessors\":[%s,{\"bufferView\":0,\"byteOffset\":%d,\"componentType\":5123,\"type\":\"SCALAR\",\"count\":2},"
+		"{\"bufferView\":0,\"componentType\":5126,\"type\":\"VEC3\",\"count\":3}],"
+		"\"materials\":[{\"pbrMetallicRoughness\":{\"baseColorFactor\":[0.5,1,1,1]}}],"
+		"\"meshes\":[{\"primitives\":[{\"mode\":0,\"attributes\":{%s}%s}]}],"
+		"\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0%s}]}",
+		BYTES, data, BYTES, views, INDICES, attributes, more, node);
 	int file = mkstemp(path);
 	assert_true(file >= 0);
 	assert_int_equal(write(file, text, strlen(text)), strlen(text));

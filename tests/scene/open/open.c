@@ -121,7 +121,8 @@ static ts_scene *described(void)
 	ts_light lamp = {.kind = TS_LIGHT_KIND_POINT, .intensity = {0.1f, 2.0f, 3.0f}};
 	ts_build_light(build, &lamp);
 	ts_build_note(build, "sampler %d: its filter is ignored", 7);
-	ts_build_note(build, "a\xc2\x9b" "b\nc");
+	ts_build_note(build, "a\xc2\x9b"
+	                     "b\nc");
 	ts_scene *scene;
 	assert_int_equal(ts_build_finish(build, &params, NULL, &scene), TS_OK);
 	return scene;

@@ -89,9 +89,9 @@ static void half_axes_need_no_normal(void **state)
 static void colours_of_bytes_are_srgb_and_of_floats_linear(void **state)
 {
 	(void)state;
-	ts_build *build = load(POINTS("1") XYZ NORMAL RADIUS
-	                       "property uchar red\nproperty uint8 green\nproperty float blue\n" END
-	                       "0 0 0 0 1 0 1 255 188 0.25");
+	ts_build *build =
+		load(POINTS("1") XYZ NORMAL RADIUS "property uchar red\nproperty uint8 green\nproperty float blue\n" END
+	                                       "0 0 0 0 1 0 1 255 188 0.25");
 	const f32 *colour = good(build)->surfels[0].colour;
 	assert_true(colour[0] == 1.0f && colour[2] == 0.25f);
 	assert_true(ts_abs(colour[1] - 0.50289f) < 1e-4f);
@@ -114,7 +114,8 @@ static void points_without_a_radius_ask_their_neighbours(void **state)
 }
 
 /* A point of every type: x char, y uchar, z short, nx ushort, ny int, nz uint, radius double, red float, green, blue. */
-#define TYPED(format) "ply\nformat " format " 1.0\nelement vertex 2\nproperty char x\nproperty uchar y\nproperty short z\n" \
+#define TYPED(format) \
+	"ply\nformat " format " 1.0\nelement vertex 2\nproperty char x\nproperty uchar y\nproperty short z\n" \
 	"property ushort nx\nproperty int ny\nproperty uint nz\nproperty double radius\nproperty float red\n" \
 	"property float green\nproperty float blue\n" END
 enum { TYPED_BYTES = 34, N_TYPED = 2 };
@@ -254,9 +255,11 @@ static void numbers_are_held_to_their_meaning(void **state)
 	refuse(POINTS("1") XYZ NORMAL RADIUS END "0 0 0 0 0 1 0 ", "point 0: the radius");
 	refuse(POINTS("1") XYZ NORMAL RADIUS END "0 0 0 0 0 1 -1 ", "point 0: the radius");
 	refuse(POINTS("1") XYZ NORMAL RADIUS "property uchar red\nproperty uchar green\nproperty uchar blue\n" END
-	       "0 0 0 0 0 1 1 0 256 0 ", "point 0: green is 256; 0 to 255 are right");
+	                                     "0 0 0 0 0 1 1 0 256 0 ",
+	       "point 0: green is 256; 0 to 255 are right");
 	refuse(POINTS("1") XYZ NORMAL RADIUS "property float red\nproperty float green\nproperty float blue\n" END
-	       "0 0 0 0 0 1 1 0 0 -0.5 ", "point 0: blue is -0.5; it must not be below 0");
+	                                     "0 0 0 0 0 1 1 0 0 -0.5 ",
+	       "point 0: blue is -0.5; it must not be below 0");
 }
 
 int main(void)

@@ -9,7 +9,9 @@
 enum { ENTRIES = 10, TRIANGLES_A_CHUNK = 256 };
 
 /* Of all views, one array each. */
-typedef struct { f32 *eye[3], *back[3], *focal, *near, *reach[2]; } lanes;
+typedef struct {
+	f32 *eye[3], *back[3], *focal, *near, *reach[2];
+} lanes;
 
 static void set(lanes *to, f32 *room, const ts_offscreen *views, u32 n)
 {
@@ -127,7 +129,8 @@ bool ts_c_fast_split_count(const void *arguments, u64 n, u32 threads)
 	lanes of;
 	set(&of, room, args->views, n_views);
 #pragma omp parallel for schedule(dynamic, TRIANGLES_A_CHUNK) num_threads(threads)
-	for (i64 i = 0; i < (i64)n; i++) count(args, &of, room + (ENTRIES + (size_t)omp_get_thread_num()) * n_views, (u32)i);
+	for (i64 i = 0; i < (i64)n; i++)
+		count(args, &of, room + (ENTRIES + (size_t)omp_get_thread_num()) * n_views, (u32)i);
 	free(room);
 	return true;
 }

@@ -11,7 +11,7 @@ enum {
 	ROOM = (1 << 16) + 256, /* a row of a lattice, 24.8 and dilated, has at most 65538 points */
 	BLOCK = 256,
 	TAKEN = 64,
-	MOST_GROUPS = 64,       /* of 32 views; more are not worth the memory */
+	MOST_GROUPS = 64, /* of 32 views; more are not worth the memory */
 };
 
 /* Points of one thread; seen[g] has a bit for each view of 32 [32 (first + g), ...). */
@@ -26,8 +26,8 @@ typedef struct {
 typedef struct {
 	const ts_scatter_args *args;
 	u64 n_items;
-	bool stored;      /* items are points, not pieces */
-	u64 next;         /* item that nobody took; atomic */
+	bool stored; /* items are points, not pieces */
+	u64 next;    /* item that nobody took; atomic */
 	u32 first_group, n_groups;
 	i64 n_points, n_scatters, n_writes;
 	pool *pools;
@@ -102,7 +102,7 @@ static void fill_pieces(job *j, pool *to)
 /* Texel and depth bits of n points in a view; -1: none. `bit` is the view's in `seen`. Selects, so that it is
  * vectorized. */
 TS_WIDE static u32 place(ts_camera_k view, const f32 *restrict x, const f32 *restrict y, const f32 *restrict z,
-                 const u32 *restrict seen, u32 bit, u32 n, i32 *restrict texel, u32 *restrict depth)
+                         const u32 *restrict seen, u32 bit, u32 n, i32 *restrict texel, u32 *restrict depth)
 {
 	f32 width = (f32)view.width, height = (f32)view.height;
 	f32 middle_x = width * 0.5f, middle_y = height * 0.5f;

@@ -6,7 +6,10 @@
 enum { SLOTS = 4096, ENTRIES_A_CHUNK = 1024 };
 
 /* What a point looks like from a cube's centre. */
-typedef struct { u32 point, cube; ts_v3 radiance; } seen;
+typedef struct {
+	u32 point, cube;
+	ts_v3 radiance;
+} seen;
 
 static void forget(seen *memory)
 {

@@ -54,7 +54,8 @@ static void put_boxes(const face *f, block *b)
 		b->box[i].y0 = ts_k_floor_within(ts_min(ts_min(y[0], y[1]), ts_min(y[2], y[3])), size);
 		b->box[i].x1 = ts_k_floor_within(ts_max(ts_max(x[0], x[1]), ts_max(x[2], x[3])), size);
 		b->box[i].y1 = ts_k_floor_within(ts_max(ts_max(y[0], y[1]), ts_max(y[2], y[3])), size);
-		b->ahead[i] = ts_min(ts_min(b->corner[2][0][i], b->corner[2][1][i]), ts_min(b->corner[2][2][i], b->corner[2][3][i]));
+		b->ahead[i] =
+			ts_min(ts_min(b->corner[2][0][i], b->corner[2][1][i]), ts_min(b->corner[2][2][i], b->corner[2][3][i]));
 	}
 }
 

@@ -5,7 +5,9 @@
 #include "../../backend.h"
 
 /* Tiles that a surfel may touch; none where the last is before the first. */
-typedef struct { int16_t first[2], last[2]; } ts_surfel_span;
+typedef struct {
+	int16_t first[2], last[2];
+} ts_surfel_span;
 
 /* In each tile the surfels of the first lot, then of the next; a lot is surfels beside each other, so all are in
  * order. */
@@ -13,7 +15,7 @@ typedef struct {
 	const ts_disc *discs;
 	u64 n;
 	u32 n_columns, n_tiles, n_lots;
-	u64 *place;            /* [lot][tile]: how many there are, then where the next belongs, then where they end */
+	u64 *place; /* [lot][tile]: how many there are, then where the next belongs, then where they end */
 	u32 *surfel;
 	ts_surfel_span *spans; /* of all surfels */
 } ts_surfel_bins;

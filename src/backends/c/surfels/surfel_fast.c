@@ -97,7 +97,8 @@ TS_WIDE static void depth_tile(const ts_surfel_depth_args *args, const ts_surfel
 	block pixels = {.n = 0};
 	ts_camera_k view = ts_k_view(args->view);
 	for (u64 k = ts_surfel_bin_begin(b, tile); k < ts_surfel_bin_end(b, tile); k++) {
-		depth_surfel(&pixels, args->keys, &view, ts_surfel_bins_disc(b, tile, b->surfel[k]), args->epsilon[0], b->surfel[k]);
+		depth_surfel(&pixels, args->keys, &view, ts_surfel_bins_disc(b, tile, b->surfel[k]), args->epsilon[0],
+		             b->surfel[k]);
 	}
 }
 
@@ -116,7 +117,9 @@ bool ts_c_fast_surfel_depth(const void *of, u64 n, u32 threads)
 }
 
 /* What a surfel adds for a weight of 1, and the place of fragments. */
-typedef struct { f32 value[TS_BLEND_SUMS]; } terms;
+typedef struct {
+	f32 value[TS_BLEND_SUMS];
+} terms;
 
 /* False where ts_fix may saturate. */
 static bool make_terms(terms *t, const ts_attributes *attributes)

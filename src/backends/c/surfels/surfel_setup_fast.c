@@ -33,7 +33,8 @@ static void load(lot *l)
 static ts_surfel surfel(const lot *l, u32 i)
 {
 	return (ts_surfel){.centre = {l->centre[0][i], l->centre[1][i], l->centre[2][i]},
-	                   .u = {l->u[0][i], l->u[1][i], l->u[2][i]}, .v = {l->v[0][i], l->v[1][i], l->v[2][i]}};
+	                   .u = {l->u[0][i], l->u[1][i], l->u[2][i]},
+	                   .v = {l->v[0][i], l->v[1][i], l->v[2][i]}};
 }
 
 static void keep_facing(lot *l, ts_camera_k view)

@@ -6,11 +6,13 @@
 
 enum { N_SHARP = 61, N_ANGLES = 181, N_METHODS = 3, DOT_STEP = 3 };
 
+/* clang-format off */
 static const char *const methods[N_METHODS] = {
 	[TS_COSINE_IS_OURS] = "SSAGH (eqs 15 to 18)",
 	[TS_COSINE_IS_CONSTANT] = "constant cosine (eq 7)",
 	[TS_COSINE_IS_SG] = "cosine as a Gaussian (eq 8)",
 };
+/* clang-format on */
 
 /* Of one sharpness: the root of the mean squared error, of all angles alike and by solid angle. */
 typedef struct {
@@ -26,6 +28,7 @@ typedef struct {
 	const char *paper;
 } claim;
 
+/* clang-format off */
 static const claim claims[] = {
 	{ TS_COSINE_IS_CONSTANT, true, 4.056, "up to 4" },
 	{ TS_COSINE_IS_SG, false, 0.1319, "" },
@@ -39,10 +42,11 @@ static const ts_column columns[] = { { "lambda", "lambda", true }, { "ssagh", "S
 static const ts_column claim_columns[] = { { "what", "greatest RMSE of", false }, { "lambda", "at lambda", true },
 	{ "here", "here", true }, { "double", "in doubles", true }, { "paper", "paper", false },
 	{ "verdict", "verdict", false }, { 0 } };
+/* clang-format on */
 
 static errors compare(f32 lambda)
 {
-	errors r = { .lambda = lambda };
+	errors r = {.lambda = lambda};
 	double sines = 0;
 	for (u32 k = 0; k < N_ANGLES; k++) {
 		f32 turn = (f32)k / (2 * (N_ANGLES - 1)), c = ts_cos_turn(turn);
@@ -109,14 +113,17 @@ static void report_claims(ts_report *report, const errors *rows)
 static ts_status plot(const errors *rows)
 {
 	ts_plot_point points[2 * N_METHODS * N_SHARP];
-	ts_plot p = { .title = "SSAGH, figure 7. Lines: all angles alike; dots: by solid angle", .x_axis = "lambda",
-		.y_axis = "RMSE over the angle", .curves = { methods[0], methods[1], methods[2] }, .n_curves = N_METHODS,
-		.points = points };
+	ts_plot p = {.title = "SSAGH, figure 7. Lines: all angles alike; dots: by solid angle",
+	             .x_axis = "lambda",
+	             .y_axis = "RMSE over the angle",
+	             .curves = {methods[0], methods[1], methods[2]},
+	             .n_curves = N_METHODS,
+	             .points = points};
 	for (u32 m = 0; m < N_METHODS; m++) {
 		for (u32 i = 0; i < N_SHARP; i++) {
 			double lambda = rows[i].lambda;
-			points[p.n_points++] = (ts_plot_point){ m, NULL, lambda, rows[i].alike[m], false };
-			if (i % DOT_STEP == 0) points[p.n_points++] = (ts_plot_point){ m, "", lambda, rows[i].solid[m], true };
+			points[p.n_points++] = (ts_plot_point){m, NULL, lambda, rows[i].alike[m], false};
+			if (i % DOT_STEP == 0) points[p.n_points++] = (ts_plot_point){m, "", lambda, rows[i].solid[m], true};
 		}
 	}
 	return ts_bench_plot("ssagh_7.svg", &p);

@@ -6,16 +6,22 @@
 
 enum { N_SHARP = 5, N_ANGLES = 37 };
 
-static const f32 sharpness[N_SHARP] = { 0.1f, 1, 5, 20, 200 };
-static const char *const curves[N_SHARP] = { "lambda 0.1", "lambda 1", "lambda 5", "lambda 20", "lambda 200" };
+static const f32 sharpness[N_SHARP] = {0.1f, 1, 5, 20, 200};
+static const char *const curves[N_SHARP] = {"lambda 0.1", "lambda 1", "lambda 5", "lambda 20", "lambda 200"};
 
 /* By quadrature, and in closed form. */
-typedef struct { double found, closed; } value;
-typedef struct { value c[N_SHARP][N_ANGLES], s[N_SHARP][N_ANGLES]; } figure;
+typedef struct {
+	double found, closed;
+} value;
+typedef struct {
+	value c[N_SHARP][N_ANGLES], s[N_SHARP][N_ANGLES];
+} figure;
 
+/* clang-format off */
 #define PAIR(name, lambda) { name "_" lambda, name " " lambda, true }, { name "_closed_" lambda, "closed", true }
 #define COLUMNS(name) { { "beta", "beta", true }, PAIR(name, "0.1"), PAIR(name, "1"), PAIR(name, "5"), PAIR(name, "20"), \
 	PAIR(name, "200"), { 0 } }
+/* clang-format on */
 static const ts_column c_columns[] = COLUMNS("c"), s_columns[] = COLUMNS("s");
 
 static double degrees(u32 angle) { return 180.0 * angle / (N_ANGLES - 1); }
@@ -28,8 +34,8 @@ static void sample(figure *f, u32 sharp, u32 angle)
 	double found = (ts_k_sg_cosine(lambda, cosine, TS_COSINE_IS_QUADRATURE, 0) - lower) / (upper - lower);
 	f32 s = ts_k_sg_s(ts_k_sg_t(lambda), cosine);
 	double clamped = fmax(0, (double)cosine), apart = 0.5 * (double)cosine + 0.5 - clamped;
-	f->c[sharp][angle] = (value){ found, ts_k_sg_c(s, cosine) };
-	f->s[sharp][angle] = (value){ apart > 0.01 ? (found - clamped) / apart : NAN, s };
+	f->c[sharp][angle] = (value){found, ts_k_sg_c(s, cosine)};
+	f->s[sharp][angle] = (value){apart > 0.01 ? (found - clamped) / apart : NAN, s};
 }
 
 static void cell(ts_table *t, double x)
@@ -58,13 +64,13 @@ static void report_rows(ts_report *report, const char *key, const char *title, c
 static ts_status plot(const char *name, const char *title, const char *y_axis, value rows[N_SHARP][N_ANGLES])
 {
 	ts_plot_point points[2 * N_SHARP * N_ANGLES];
-	ts_plot p = { .title = title, .x_axis = "beta, degrees", .y_axis = y_axis, .points = points, .even = true };
+	ts_plot p = {.title = title, .x_axis = "beta, degrees", .y_axis = y_axis, .points = points, .even = true};
 	for (u32 sharp = 0; sharp < N_SHARP; sharp++) {
 		p.curves[p.n_curves++] = curves[sharp];
 		for (u32 angle = 0; angle < N_ANGLES; angle++) {
 			value v = rows[sharp][angle];
-			points[p.n_points++] = (ts_plot_point){ sharp, "", degrees(angle), v.closed, true };
-			if (!isnan(v.found)) points[p.n_points++] = (ts_plot_point){ sharp, NULL, degrees(angle), v.found, false };
+			points[p.n_points++] = (ts_plot_point){sharp, "", degrees(angle), v.closed, true};
+			if (!isnan(v.found)) points[p.n_points++] = (ts_plot_point){sharp, NULL, degrees(angle), v.found, false};
 		}
 	}
 	return ts_bench_plot(name, &p);
@@ -80,7 +86,8 @@ static ts_status work_on(const ts_job *job, ts_report *report, const void *user)
 	report_rows(report, "ssagh_5_s", "SSAGH, figure 5b: s by quadrature, and in closed form", s_columns, f.s);
 	if (job->output.dir == NULL) return TS_OK;
 	ts_status status = plot("ssagh_5_c.svg", "SSAGH, figure 5a. Lines: quadrature; dots: closed form", "c", f.c);
-	if (status == TS_OK) status = plot("ssagh_5_s.svg", "SSAGH, figure 5b. Lines: quadrature; dots: closed form", "s", f.s);
+	if (status == TS_OK)
+		status = plot("ssagh_5_s.svg", "SSAGH, figure 5b. Lines: quadrature; dots: closed form", "s", f.s);
 	return status;
 }
 

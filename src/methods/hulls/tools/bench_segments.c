@@ -11,7 +11,7 @@
 typedef struct {
 	i64 blocks, labels, components, equal; /* equal: blocks with as many of each */
 	i64 most_labels, most_components, most_excess;
-	i64 joined;                            /* labels of several components */
+	i64 joined; /* labels of several components */
 } tally;
 
 typedef struct {
@@ -20,14 +20,16 @@ typedef struct {
 	i64 joined;
 } work;
 
+/* clang-format off */
 static const ts_column columns[] = { { "scene", "scene", false }, { "of", "of blocks", false }, { "blocks", "blocks", true },
 	{ "labels", "labels a block", true }, { "components", "components", true }, { "excess", "excess", true },
 	{ "most_excess", "most excess", true }, { "most_labels", "most labels", true },
 	{ "most_components", "most components", true }, { "equal_percent", "as many, %", true },
 	{ "joined", "joined", true }, { 0 } };
+/* clang-format on */
 
 /* All that depth needs. */
-static const char *const stages[] = { "view", "pose", "eye", "gbuffer", "nearest", "segment", NULL };
+static const char *const stages[] = {"view", "pose", "eye", "gbuffer", "nearest", "segment", NULL};
 
 static void add_to(tally *t, const tally *block)
 {
@@ -44,8 +46,8 @@ static void add_to(tally *t, const tally *block)
 
 static tally count_block(const u32 *swept, const u32 *exact, u32 grid, u32 block)
 {
-	tally t = { .blocks = 1 };
-	bool used[TS_BLOCK_TEXELS] = { false }, joined[TS_BLOCK_TEXELS] = { false };
+	tally t = {.blocks = 1};
+	bool used[TS_BLOCK_TEXELS] = {false}, joined[TS_BLOCK_TEXELS] = {false};
 	u32 component[TS_BLOCK_TEXELS]; /* that a label was seen with last */
 	memset(component, 0xff, sizeof component);
 	for (u32 p = 0; p < TS_BLOCK_TEXELS; p++) {
@@ -96,7 +98,7 @@ static void add_synthetic_row(ts_table *table)
 static void report_scene(work *w, const char *spec, const u32 *swept, const u32 *exact, u32 grid)
 {
 	const char *slash = strrchr(spec, '/'), *name = slash != NULL ? slash + 1 : spec;
-	tally all = { 0 }, parted = { 0 };
+	tally all = {0}, parted = {0};
 	for (u32 b = 0; b < grid / TS_BLOCK * (grid / TS_BLOCK); b++) {
 		tally block = count_block(swept, exact, grid, b);
 		add_to(&all, &block);
@@ -145,12 +147,13 @@ static ts_status add_scene(void *user, const char *spec)
 static ts_status work_on(const ts_job *job, ts_report *report, const void *user)
 {
 	(void)user;
-	work w = { .job = job };
+	work w = {.job = job};
 	w.table = ts_table_begin("ssagh_segments", "SSAGH, algorithm 1: labels by four sweeps", columns);
 	ts_bench_head(report, job, true);
-	ts_report_line(report, "Parted blocks have several components, and so have joined labels. Excess: labels too many.");
-	ts_status status = ts_bench_scenes(job, "atrium,gallery,dining", "sponza.glb,sibenik.glb,breakfast_room.glb", report,
-	                                   add_scene, &w);
+	ts_report_line(report,
+	               "Parted blocks have several components, and so have joined labels. Excess: labels too many.");
+	ts_status status = ts_bench_scenes(job, "atrium,gallery,dining", "sponza.glb,sibenik.glb,breakfast_room.glb",
+	                                   report, add_scene, &w);
 	if (status != TS_OK) {
 		ts_table_end(&w.table);
 		return status;

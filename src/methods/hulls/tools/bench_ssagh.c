@@ -3,12 +3,13 @@
 
 enum { M_HULLS, M_DIRECT, M_VMF };
 
+/* clang-format off */
 /* A minute of `direct` is timed once. */
 static const ts_bench_variant variants[] = {
 	[M_HULLS] = { "hulls", "", true, TS_TIMED },
 	[M_DIRECT] = { "direct", "", true, TS_ONCE },
 	[M_VMF] = { "hulls", "sharpness=vmf", true, TS_ONCE },
-	{ 0 }
+	{ 0 },
 };
 
 enum { PIXELS, DIRECT_MS, HULLS_MS, DIRECT_RATE, HULLS_RATE, SPEEDUP, COST, BOXES, GATHERS, DIRECT_GATHERS, SAVED, RMSE,
@@ -29,7 +30,7 @@ static const ts_bench_figure figures[] = {
 	[RMSE] = { "rmse", "RMSE", TS_FIGURE_RMSE, M_HULLS, M_DIRECT, 3, "" },
 	[RELATIVE] = { "relative_rmse", "relative", TS_FIGURE_RELATIVE, M_HULLS, M_DIRECT, 4, "" },
 	[RELATIVE_VMF] = { "relative_rmse_vmf", "with vmf", TS_FIGURE_RELATIVE, M_VMF, M_DIRECT, 4, "" },
-	{ 0 }
+	{ 0 },
 };
 
 static const ts_paper_part parts[] = {
@@ -38,7 +39,7 @@ static const ts_paper_part parts[] = {
 	{ "ssagh_1_gathers", "Gathers, pixels or corners by triangles of light; RMSE of hulls to direct, grey levels; and "
 	  "in radiance", { BOXES, GATHERS, DIRECT_GATHERS, SAVED, RMSE, RELATIVE,
 	  RELATIVE_VMF, TS_NO_FIGURE } },
-	{ 0 }
+	{ 0 },
 };
 
 /* The least of the paper's scenes, for images of so many million pixels. */
@@ -52,7 +53,7 @@ static const ts_paper_relation relations[] = {
 	  "differs: more or fewer boxes", BOXES },
 	{ "direct, ns a pixel, most by least", COST, TS_STEADY, 0, 1.25, TS_NO_FIGURE, 0, 0,
 	  "differs: a busy machine, or more or less sky", DIRECT_MS },
-	{ 0 }
+	{ 0 },
 };
 
 #define ROW(scene, builtin, file, w, h, direct, hulls) \
@@ -72,7 +73,7 @@ static const ts_paper_row rows[] = {
 	ROW("Conference", "dining", "breakfast", 1920, 1080, 10.67, 145.11),
 	ROW("Conference", "dining", "breakfast", 2560, 1600, 6.22, 103.10),
 	ROW("Conference", "dining", "breakfast", 3840, 2400, 2.52, 63.23),
-	{ 0 }
+	{ 0 },
 };
 
 const ts_paper_table ts_ssagh_1 = {
@@ -82,3 +83,4 @@ const ts_paper_table ts_ssagh_1 = {
 	.note = "A light of the paper is 256 triangles.",
 	.timed = true, .variants = variants, .figures = figures, .parts = parts, .relations = relations, .rows = rows,
 };
+/* clang-format on */

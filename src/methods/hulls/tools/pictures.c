@@ -75,7 +75,7 @@ enum { LEAST_TEXELS = 24, DISCS_A_BLOCK = 3 }; /* across and down: of boxes that
 typedef struct {
 	ts_stage_picture *picture;
 	ts_camera_k view;
-	f32 radius;       /* of a disc, pixels */
+	f32 radius; /* of a disc, pixels */
 } canvas;
 
 static void put(ts_stage_picture *p, u64 at, const u8 *rgb)
@@ -115,7 +115,7 @@ static void draw_disc(const canvas *c, const ts_lobes *lobes, f32 x, f32 y)
 
 static void draw_frame(ts_stage_picture *p, u32 x0, u32 y0, u32 x1, u32 y1)
 {
-	static const u8 frame[3] = { 96, 96, 96 };
+	static const u8 frame[3] = {96, 96, 96};
 	for (u32 x = x0; x < x1; x++) {
 		put(p, (u64)y0 * p->width + x, frame);
 		put(p, (u64)(y1 - 1) * p->width + x, frame);
@@ -147,7 +147,7 @@ static ts_status take_lobes(ts_stage_pictures *pictures, const ts_run *run, ts_b
 	u32 width = TS_PARAM(&run->params, width), height = TS_PARAM(&run->params, height),
 		grid = TS_PARAM(&run->params, grid_px);
 	u32 zoom = width * MOST_ZOOM < MOST_ACROSS ? MOST_ZOOM : width < MOST_ACROSS ? MOST_ACROSS / width : 1;
-	canvas c = { .picture = ts_stage_pictures_add(pictures, "lobes", width * zoom, height * zoom, true) };
+	canvas c = {.picture = ts_stage_pictures_add(pictures, "lobes", width * zoom, height * zoom, true)};
 	if (c.picture == NULL) return TS_ERROR;
 	c.picture->zoom = zoom;
 	c.view = ts_k_view(ts_frame_data(frame, TS_B_eye_view));

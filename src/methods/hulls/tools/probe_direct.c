@@ -6,7 +6,10 @@
 
 enum { MOST_LISTED = 16 };
 
-typedef struct { u32 patch; ts_v3 light; } term;
+typedef struct {
+	u32 patch;
+	ts_v3 light;
+} term;
 
 static int by_light(const void *a, const void *b)
 {
@@ -15,7 +18,8 @@ static int by_light(const void *a, const void *b)
 	return x != y ? (x < y) - (x > y) : (s->patch > t->patch) - (s->patch < t->patch);
 }
 
-static ts_status put_terms(ts_probe *p, json_t *o, const ts_gpixel *pixel, const ts_patch *patches, const term *terms, u32 n)
+static ts_status put_terms(ts_probe *p, json_t *o, const ts_gpixel *pixel, const ts_patch *patches, const term *terms,
+                           u32 n)
 {
 	ts_probe_lamps lamps;
 	json_t *list = json_array();
@@ -33,7 +37,8 @@ static ts_status put_terms(ts_probe *p, json_t *o, const ts_gpixel *pixel, const
 	return status;
 }
 
-static ts_status put_all(ts_probe *p, json_t *o, const ts_gpixel *pixel, const ts_patch *patches, u32 n, f32 irradiance[3])
+static ts_status put_all(ts_probe *p, json_t *o, const ts_gpixel *pixel, const ts_patch *patches, u32 n,
+                         f32 irradiance[3])
 {
 	ts_v3 sum = ts_v3_make(0.0f, 0.0f, 0.0f);
 	u32 n_giving = 0;

@@ -82,8 +82,8 @@ static int by_rank(const void *a, const void *b)
 
 static void put_offer(ts_probe *p, json_t *list, const choice *c, const ts_choice *offer)
 {
-	static const char *const fits[] = {
-		"holds the pixel", "holds it within the step", "covers it at another depth", "lies elsewhere"};
+	static const char *const fits[] = {"holds the pixel", "holds it within the step", "covers it at another depth",
+	                                   "lies elsewhere"};
 	json_t *o = json_object();
 	const ts_segment *box = &c->boxes[offer->box];
 	ts_probe_put(p, o, "box", ts_probe_int(offer->box));
@@ -141,8 +141,11 @@ static ts_status read_hull(ts_probe *p, hull *h, u32 box)
 	if (h->patches == NULL || ts_probe_fetch(p, TS_B_box_record, box, 1, &h->box) != TS_OK) return TS_ERROR;
 	if (ts_probe_fetch(p, TS_B_gather_moment, (u64)box * N_CORNERS, N_CORNERS, h->moments) != TS_OK) return TS_ERROR;
 	if (ts_probe_fetch(p, TS_B_fit_lobes, (u64)box * N_CORNERS, N_CORNERS, h->lobes) != TS_OK) return TS_ERROR;
-	h->args = (ts_hull_args){.choice = {.boxes = &h->box, .grid = TS_PARAM(params, grid_px)}, .moments = h->moments,
-	                         .lobes = h->lobes, .width = p->view.width, .height = p->view.height,
+	h->args = (ts_hull_args){.choice = {.boxes = &h->box, .grid = TS_PARAM(params, grid_px)},
+	                         .moments = h->moments,
+	                         .lobes = h->lobes,
+	                         .width = p->view.width,
+	                         .height = p->view.height,
 	                         .cosine = TS_PARAM(params, cosine),
 	                         .by_moments = TS_PARAM(params, interpolation) == TS_INTERPOLATION_MOMENTS,
 	                         .vmf = TS_PARAM(params, sharpness) == TS_SHARPNESS_VMF,
@@ -166,7 +169,8 @@ static ts_status put_gathered(ts_probe *p, json_t *o, const hull *h, u32 k)
 	ts_status status = ts_probe_fetch_pixel(p, TS_B_gbuffer_pixel, at.x, at.y, 1, &pixel, &there);
 	if (status == TS_OK && there) {
 		bool seen = pixel.depth >= h->box.nearest && pixel.depth <= h->box.farthest;
-		ts_probe_put(p, o, "place", json_string(seen ? "as the G-buffer has it" : "corrected to the middle of the box"));
+		ts_probe_put(p, o, "place",
+		             json_string(seen ? "as the G-buffer has it" : "corrected to the middle of the box"));
 		ts_k_gather_all(&made, h->patches, h->n_patches, ts_k_box_corner(&view, &h->box, &pixel, at));
 		ts_probe_put_record_check(p, gathered, TS_B_gather_moment, &made, held);
 	}
@@ -227,8 +231,8 @@ static ts_status put_hull(ts_probe *p, json_t *object, hull *h, u32 x, u32 y, co
 static ts_status put_irradiance(ts_probe *p, const ts_probe_seen *at, const ts_gpixel *pixel, json_t *object,
                                 f32 irradiance[3])
 {
-	static const ts_buffer_id needed[] = {
-		TS_B_box_offset, TS_B_box_record, TS_B_gather_moment, TS_B_fit_lobes, TS_N_BUFFERS};
+	static const ts_buffer_id needed[] = {TS_B_box_offset, TS_B_box_record, TS_B_gather_moment, TS_B_fit_lobes,
+	                                      TS_N_BUFFERS};
 	u32 box = TS_NONE, grid = TS_PARAM(&p->trace->params, grid_px);
 	json_t *o = json_object();
 	hull h = {.patches = NULL};

@@ -12,22 +12,22 @@ static const ts_margin_rule margins[] = {
 };
 
 static const ts_truth_kind truths[] = {
-	{ "lights", "indirect", "the method's triangles of light, where they are seen", "", "bounce", "",
-	  .begin = ts_truth_indirect_begin, .trace = ts_truth_lights, .image = "indirect_image" },
-	{ "bounce", "indirect", "light after one bounce, path by path", "", "", "",
-	  .begin = ts_truth_indirect_begin, .trace = ts_truth_bounce, .image = "indirect_image" },
-	{ 0 },
+	{"lights", "indirect", "the method's triangles of light, where they are seen", "", "bounce", "",
+     .begin = ts_truth_indirect_begin, .trace = ts_truth_lights, .image = "indirect_image"},
+	{"bounce", "indirect", "light after one bounce, path by path", "", "", "", .begin = ts_truth_indirect_begin,
+     .trace = ts_truth_bounce, .image = "indirect_image"},
+	{0},
 };
 
 static const ts_bench_row benches[] = {
-	{ "ssagh-1", "SSAGH: frames a second by size of the image; --objects takes sizes, WxH; also of models in TS_SCENES",
-	  TS_BENCH_BY_ITSELF " size", .paper = &ts_ssagh_1 },
-	{ "ssagh-segments", "SSAGH: labels of algorithm 1 beside connected components",
-	  TS_BENCH_BY_ITSELF " objects runs", .run = ts_bench_segments },
-	{ "ssagh-5", "SSAGH: the curves c and s; no scene", "", .takes = TS_BENCH_FILES " json", .run = ts_bench_curves },
-	{ "ssagh-7", "SSAGH: errors of integrals with the cosine; no scene", "", .takes = TS_BENCH_FILES " json",
-	  .run = ts_bench_cosines },
-	{ 0 },
+	{"ssagh-1", "SSAGH: frames a second by size of the image; --objects takes sizes, WxH; also of models in TS_SCENES",
+     TS_BENCH_BY_ITSELF " size", .paper = &ts_ssagh_1},
+	{"ssagh-segments", "SSAGH: labels of algorithm 1 beside connected components", TS_BENCH_BY_ITSELF " objects runs",
+     .run = ts_bench_segments},
+	{"ssagh-5", "SSAGH: the curves c and s; no scene", "", .takes = TS_BENCH_FILES " json", .run = ts_bench_curves},
+	{"ssagh-7", "SSAGH: errors of integrals with the cosine; no scene", "", .takes = TS_BENCH_FILES " json",
+     .run = ts_bench_cosines},
+	{0},
 };
 
 /* clang-format off */

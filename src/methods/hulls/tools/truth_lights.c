@@ -14,8 +14,10 @@
 typedef struct {
 	const ts_truth *truth;
 	const ts_arrays *scene;
-	const ts_patch *patches; u64 n_patches;
-	const ts_light *lamps; u32 n_lamps;
+	const ts_patch *patches;
+	u64 n_patches;
+	const ts_light *lamps;
+	u32 n_lamps;
 	f32 beyond; /* farther than the scene reaches */
 	u32 n_rays;
 } tracer;

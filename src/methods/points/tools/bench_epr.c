@@ -6,10 +6,11 @@
 /* Table 1. */
 enum { M_EPR, M_MVR, M_IVIR, M_EPR_TWICE, M_IVIR_FIXED };
 
+/* clang-format off */
 static const ts_bench_variant work_variants[] = {
 	[M_EPR] = { "epr", "", false, TS_TIMED },
 	[M_MVR] = { "mvr", "", false, TS_TIMED },
-	{ 0 }
+	{ 0 },
 };
 
 enum { W_DIAMETER, W_EPR, W_MVR, W_RATIO };
@@ -19,12 +20,12 @@ static const ts_bench_figure work_figures[] = {
 	[W_EPR] = { "epr_ops", "EPR ops", TS_FIGURE_COUNTER, M_EPR, 0, TS_WHOLE, "shading operations" },
 	[W_MVR] = { "mvr_ops", "MVR ops", TS_FIGURE_COUNTER, M_MVR, 0, TS_WHOLE, "shading operations" },
 	[W_RATIO] = { "ratio", "MVR / EPR", TS_FIGURE_RATIO, W_MVR, W_EPR, 2, "" },
-	{ 0 }
+	{ 0 },
 };
 
 static const ts_paper_part work_parts[] = {
 	{ "epr_1", "EPR, table 1: shading operations, one bounce", { W_DIAMETER, W_EPR, W_MVR, W_RATIO, TS_NO_FIGURE } },
-	{ 0 }
+	{ 0 },
 };
 
 #define WORK(scene, builtin, file, n, diameter, epr, mvr, ratio) \
@@ -43,7 +44,7 @@ static const ts_paper_row work_rows[] = {
 	WORK("Breakfast", "dining", "breakfast", 10, 182.9, 546000, 15300000, 28.02),
 	WORK("Breakfast", "dining", "breakfast", 20, 156.8, 743000, 30610000, 41.20),
 	WORK("Breakfast", "dining", "breakfast", 50, 106.7, 1090000, 78850000, 72.34),
-	{ 0 }
+	{ 0 },
 };
 
 const ts_paper_table ts_epr_1 = {
@@ -60,7 +61,7 @@ static const ts_bench_variant variants[] = {
 	[M_IVIR] = { "ivir", "bounces=1,buffered=on", true, TS_TIMED },
 	[M_EPR_TWICE] = { "epr", "bounces=2", false, TS_TIMED },
 	[M_IVIR_FIXED] = { "ivir", "bounces=1,buffered=on,face_px=512", false, TS_ONCE },
-	{ 0 }
+	{ 0 },
 };
 
 enum { TRIANGLES, DIAMETER, SPEEDUP, DIFFERENCE, EPR_MS, POINT_MS, VIEW_MS, DEFERRED_MS, DEFERRED2_MS, MVR_MS, POINTS,
@@ -91,7 +92,7 @@ static const ts_bench_figure figures[] = {
 	[IVIR_DIFFERENCE] = { "ivir_rmse_difference", "less iVIR's, %", TS_FIGURE_MORE, EPR_RMSE, IVIR_RMSE, 3, "" },
 	[POINTS_RATIO] = { "points_ratio", "iVIR / EPR", TS_FIGURE_RATIO, IVIR_POINTS, POINTS, 2, "" },
 	[ADAPTIVE_POINTS] = { "ivir_adaptive_points", "of such faces", TS_FIGURE_COUNTER, M_IVIR, 0, TS_WHOLE, "points" },
-	{ 0 }
+	{ 0 },
 };
 
 static const ts_paper_part parts[] = {
@@ -103,13 +104,13 @@ static const ts_paper_part parts[] = {
 	  IVIR_POINT_MS, IVIR_VIEW_MS, IVIR_DEFERRED_MS, TS_NO_FIGURE } },
 	{ "epr_2_rmse", "EPR, table 2: RMSE to the truth in grey levels, and EPR's less the others' in percent of 255",
 	  { EPR_RMSE, IVIR_RMSE, MVR_RMSE, DIFFERENCE, IVIR_DIFFERENCE, TS_NO_FIGURE } },
-	{ 0 }
+	{ 0 },
 };
 
 static const ts_paper_relation relations[] = {
 	{ "iVIR's points / EPR's", POINTS_RATIO, TS_AT_LEAST, 3.5, 0, TS_NO_FIGURE, 0, 0, "another size of the cubes",
 	  DIAMETER },
-	{ 0 }
+	{ 0 },
 };
 
 #define ROW(scene, builtin, file, n, triangles, diameter, speedup, ms, point, view, deferred, deferred2, mvr, points, \
@@ -145,7 +146,7 @@ static const ts_paper_row rows[] = {
 	    0.31, 0.30, 0.31, 58.88, 17.82, 40.70, 0.35, 16.20e6, 2.94),
 	ROW("Breakfast", "dining", "breakfast", 50, 2.48e6, 106.7, 3.21, 49.40, 20.23, 26.00, 3.17, 6.20, 158.74, 3.02e6,
 	    0.43, 0.39, 0.45, 301.29, 66.27, 234.54, 0.47, 17.51e6, 6.10),
-	{ 0 }
+	{ 0 },
 };
 
 const ts_paper_table ts_epr_2 = {
@@ -165,7 +166,7 @@ static const ts_bench_variant omni_variants[] = {
 	[M_IVIR] = { "ivir", "buffered=on", true, TS_TIMED },
 	[M_EPR_PAPER] = { "epr", "shadow.rate=paper", true, TS_ONCE },
 	[M_EPR_UNIT] = { "epr", "shadow.rate=unit", true, TS_ONCE },
-	{ 0 }
+	{ 0 },
 };
 
 enum { O_POINTS, O_MS, O_IVIR_POINTS, O_IVIR_MS, O_MVR_MS, O_SHARE, O_OVER_IVIR, O_OVER_MVR, O_RMSE, O_IVIR_RMSE,
@@ -188,7 +189,7 @@ static const ts_bench_figure omni_figures[] = {
 	[O_UNIT_POINTS] = { "unit_points", "by pixels", TS_FIGURE_COUNTER, M_EPR_UNIT, 0, TS_WHOLE, "points" },
 	[O_UNIT_SHARE] = { "unit_share", "by iVIR's", TS_FIGURE_RATIO, O_UNIT_POINTS, O_IVIR_POINTS, 3, "" },
 	[O_UNIT_RMSE] = { "unit_rmse", "RMSE", TS_FIGURE_RMSE, M_EPR_UNIT, M_MVR, 3, "" },
-	{ 0 }
+	{ 0 },
 };
 
 static const ts_paper_part omni_parts[] = {
@@ -198,14 +199,14 @@ static const ts_paper_part omni_parts[] = {
 	  { O_PAPER_POINTS, O_PAPER_SHARE, O_PAPER_RMSE, O_UNIT_POINTS, O_UNIT_SHARE, O_UNIT_RMSE, TS_NO_FIGURE } },
 	{ "epr_3_ms", "EPR, table 3: points and depth maps, ms", { O_MS, O_IVIR_MS, O_MVR_MS, O_OVER_IVIR, O_OVER_MVR,
 	  TS_NO_FIGURE } },
-	{ 0 }
+	{ 0 },
 };
 
 static const ts_paper_relation omni_relations[] = {
 	{ "EPR's points / iVIR's", O_SHARE, TS_AT_MOST, 0, 1, TS_NO_FIGURE, 0, 0, "more points than iVIR", O_POINTS },
 	{ "EPR's as printed / iVIR's", O_PAPER_SHARE, TS_AT_MOST, 0, 0.8, TS_NO_FIGURE, 0, 0,
 	  "eye and light as far from most", O_PAPER_POINTS },
-	{ 0 }
+	{ 0 },
 };
 
 #define OMNI(n, points, ms, ivir_points, ivir, mvr) \
@@ -215,7 +216,7 @@ static const ts_paper_relation omni_relations[] = {
 static const ts_paper_row omni_rows[] = {
 	OMNI(1, 8.59e6, 3.86, 10.94e6, 4.03, 2.97), OMNI(5, 8.91e6, 7.11, 11.43e6, 5.86, 7.22),
 	OMNI(10, 9.04e6, 13.39, 11.69e6, 7.98, 15.95), OMNI(20, 9.12e6, 28.54, 11.74e6, 30.74, 31.80),
-	{ 0 }
+	{ 0 },
 };
 
 const ts_paper_table ts_epr_3 = {
@@ -226,3 +227,4 @@ const ts_paper_table ts_epr_3 = {
 	.timed = true, .variants = omni_variants, .figures = omni_figures, .parts = omni_parts,
 	.relations = omni_relations, .rows = omni_rows,
 };
+/* clang-format on */

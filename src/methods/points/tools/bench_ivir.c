@@ -4,6 +4,7 @@
 /* Table 1. Brackets of the paper: with stochastic culling. */
 enum { M_IVIR, M_IVIR_CULL, M_STORED, M_STORED_CULL, M_VIR, M_VIR_CULL, M_MVR, M_WATERTIGHT };
 
+/* clang-format off */
 static const ts_bench_variant soft_variants[] = {
 	[M_IVIR] = { "ivir", "buffered=off,cull=off", false, TS_TIMED },
 	[M_IVIR_CULL] = { "ivir", "buffered=off,cull=on", true, TS_TIMED },
@@ -13,7 +14,7 @@ static const ts_bench_variant soft_variants[] = {
 	[M_VIR_CULL] = { "vir", "buffered=on,cull=on", true, TS_TIMED },
 	[M_MVR] = { "mvr", "", true, TS_TIMED },
 	[M_WATERTIGHT] = { "ivir", "rate=watertight,snap=on,buffered=off", true, TS_ONCE },
-	{ 0 }
+	{ 0 },
 };
 
 enum { S_TRIANGLES, S_POINTS, S_POINTS_CULL, S_SHARE, S_VIR_POINTS, S_VIR_POINTS_CULL, S_OVER_VIR, S_OVER_VIR_CULL,
@@ -62,7 +63,7 @@ static const ts_bench_figure soft_figures[] = {
 	[S_RMSE] = { "rmse_paper", "iVIR", TS_FIGURE_RMSE, M_IVIR_CULL, M_MVR, 3, "" },
 	[S_RMSE_WATERTIGHT] = { "rmse_watertight", "iVIR watertight", TS_FIGURE_RMSE, M_WATERTIGHT, M_MVR, 3, "" },
 	[S_RMSE_VIR] = { "rmse_vir", "VIR", TS_FIGURE_RMSE, M_VIR_CULL, M_MVR, 3, "" },
-	{ 0 }
+	{ 0 },
 };
 
 static const ts_paper_part soft_parts[] = {
@@ -76,7 +77,7 @@ static const ts_paper_part soft_parts[] = {
 	{ "ivir_1_work", "Work: triangles in all passes over the geometry, and points by the views they went to", {
 	  S_WORK, S_MVR_WORK, S_WORK_RATIO, S_PIECES, S_SCATTERS, S_SCATTERS_CULL, S_WRITES, TS_NO_FIGURE } },
 	{ "ivir_1_rmse", "RMSE to MVR's image, grey levels", { S_RMSE, S_RMSE_WATERTIGHT, S_RMSE_VIR, TS_NO_FIGURE } },
-	{ 0 }
+	{ 0 },
 };
 
 static const ts_paper_relation soft_relations[] = {
@@ -90,7 +91,7 @@ static const ts_paper_relation soft_relations[] = {
 	  "not all triangles are tiny", S_SHARE },
 	{ "frame of iVIR / MVR's, culled", S_FRAME_RATIO_CULL, TS_AT_MOST, 0, 1, S_TRIANGLES, 100e3, 1e12,
 	  "more points a triangle", S_A_TRIANGLE },
-	{ 0 }
+	{ 0 },
 };
 
 static const ts_paper_row soft_rows[] = {
@@ -110,7 +111,7 @@ static const ts_paper_row soft_rows[] = {
 	  [S_VIR_POINTS] = 1100000, [S_VIR_POINTS_CULL] = 298600, [S_A_TRIANGLE] = 1.00, [S_POINT_MS] = 9.85,
 	  [S_MS] = 38.35, [S_MS_CULL] = 14.05, [S_STORED_MS] = 15.92, [S_STORED_MS_CULL] = 12.21, [S_VIR_POINT_MS] = 8.28,
 	  [S_VIR_MS] = 14.75, [S_VIR_MS_CULL] = 11.38, [S_MVR_MS] = 122.3 } },
-	{ 0 }
+	{ 0 },
 };
 
 const ts_paper_table ts_ivir_1 = {
@@ -122,3 +123,4 @@ const ts_paper_table ts_ivir_1 = {
 	.timed = true, .by_triangles = true, .variants = soft_variants, .figures = soft_figures, .parts = soft_parts,
 	.relations = soft_relations, .rows = soft_rows,
 };
+/* clang-format on */

@@ -3,12 +3,13 @@
 
 enum { M_IVIR, M_STORED, M_VIR, M_MVR };
 
+/* clang-format off */
 static const ts_bench_variant cube_variants[] = {
 	[M_IVIR] = { "ivir", "buffered=off", false, TS_TIMED },
 	[M_STORED] = { "ivir", "buffered=on", true, TS_TIMED },
 	[M_VIR] = { "vir", "buffered=on", true, TS_TIMED },
 	[M_MVR] = { "mvr", "", true, TS_TIMED },
-	{ 0 }
+	{ 0 },
 };
 
 enum { C_TRIANGLES, C_POINTS, C_VIR_POINTS, C_SAVED, C_POINT_MS, C_MS, C_STORED_MS, C_VIR_POINT_MS, C_VIR_MS, C_MVR_MS,
@@ -32,7 +33,7 @@ static const ts_bench_figure cube_figures[] = {
 	[C_RMSE] = { "rmse", "iVIR RMSE", TS_FIGURE_RMSE, M_STORED, M_MVR, 3, "" },
 	[C_RMSE_VIR] = { "rmse_vir", "VIR RMSE", TS_FIGURE_RMSE, M_VIR, M_MVR, 3, "" },
 	[C_A_TRIANGLE] = { "points_a_triangle", "a triangle", TS_FIGURE_RATIO, C_POINTS, C_TRIANGLES, 2, "" },
-	{ 0 }
+	{ 0 },
 };
 
 #define POINT_FIGURES { C_TRIANGLES, C_POINTS, C_A_TRIANGLE, C_VIR_POINTS, C_SAVED, C_RMSE, C_RMSE_VIR, TS_NO_FIGURE }
@@ -43,13 +44,13 @@ static const ts_paper_part mirror_parts[] = {
 	{ "ivir_2_points", "Points, and RMSE to MVR's image in grey levels", POINT_FIGURES },
 	{ "ivir_2_ms", "Points and environment maps, ms", TIME_FIGURES },
 	{ "ivir_2_ratios", "The same, VIR's and MVR's by iVIR's", RATIO_FIGURES },
-	{ 0 }
+	{ 0 },
 };
 
 static const ts_paper_relation mirror_relations[] = {
 	{ "iVIR points saved of VIR's, %", C_SAVED, TS_AT_LEAST, 90, 0, TS_NO_FIGURE, 0, 0,
 	  "other points a triangle of the scene", C_A_TRIANGLE },
-	{ 0 }
+	{ 0 },
 };
 
 #define MIRROR(scene, builtin, n, triangles, points, ms, bufferless, buffered, vir_points, vir_point_ms, vir, mvr) \
@@ -66,7 +67,7 @@ static const ts_paper_row mirror_rows[] = {
 	MIRROR("Gallery", "gallery", 8, 1.09e6, 859330, 3.37, 17.12, 8.94, 17.63e6, 34.33, 68.25, 28.64),
 	MIRROR("Gallery", "gallery", 16, 1.19e6, 995820, 6.27, 38.88, 17.35, 23.72e6, 61.46, 191.46, 58.20),
 	MIRROR("Gallery", "gallery", 20, 1.24e6, 1.06e6, 7.90, 50.90, 21.46, 25.49e6, 63.86, 227.04, 74.49),
-	{ 0 }
+	{ 0 },
 };
 
 const ts_paper_table ts_ivir_2 = {
@@ -83,7 +84,7 @@ static const ts_paper_part omni_parts[] = {
 	{ "ivir_3_points", "Points, and RMSE to MVR's image in grey levels", POINT_FIGURES },
 	{ "ivir_3_ms", "Points and depth maps, ms", TIME_FIGURES },
 	{ "ivir_3_ratios", "The same, VIR's and MVR's by iVIR's", RATIO_FIGURES },
-	{ 0 }
+	{ 0 },
 };
 
 static const ts_paper_relation omni_relations[] = {
@@ -91,7 +92,7 @@ static const ts_paper_relation omni_relations[] = {
 	  "VIR counts everywhere as in a face's corner, by side 3 times as dense", C_VIR_POINTS },
 	{ "speed by MVR rises with the lights", C_OVER_MVR, TS_RISES_WITH, C_MVR_MS, 0, TS_NO_FIGURE, 0, 0,
 	  "differs: it does not", C_POINTS },
-	{ 0 }
+	{ 0 },
 };
 
 #define OMNI(n, points, bufferless, buffered, vir_points, vir, mvr) \
@@ -101,7 +102,7 @@ static const ts_paper_relation omni_relations[] = {
 static const ts_paper_row omni_rows[] = {
 	OMNI(1, 10.94e6, 2.46, 4.03, 14.31e6, 4.75, 2.16), OMNI(5, 11.43e6, 4.86, 5.86, 14.83e6, 7.11, 7.22),
 	OMNI(10, 11.69e6, 7.88, 7.98, 15.03e6, 8.98, 15.15), OMNI(20, 11.74e6, 20.32, 30.74, 15.07e6, 36.97, 29.74),
-	{ 0 }
+	{ 0 },
 };
 
 const ts_paper_table ts_ivir_3 = {
@@ -113,3 +114,4 @@ const ts_paper_table ts_ivir_3 = {
 	.timed = true, .variants = cube_variants, .figures = cube_figures,
 	.parts = omni_parts, .relations = omni_relations, .rows = omni_rows,
 };
+/* clang-format on */

@@ -12,29 +12,34 @@ typedef struct {
 	const char *label;
 } mark;
 
-static const char *const curves[] = { "EPR, 25 samples", "EPR, adaptive samples", "MVR, trilinear", "MVR, 25 samples" };
+static const char *const curves[] = {"EPR, 25 samples", "EPR, adaptive samples", "MVR, trilinear", "MVR, 25 samples"};
 
+/* clang-format off */
 #define EPR(rho, samples) { "epr", "rho_scale=" rho ",samples=" samples, true, TS_TIMED }
 #define MVR(px, filter) { "mvr", "face_max=" px ",mvr.filter=" filter, true, TS_TIMED }
+/* clang-format on */
 
+/* clang-format off */
 static const ts_bench_variant variants[] = {
 	EPR("0.25", "fixed"), EPR("0.5", "fixed"), EPR("1", "fixed"), EPR("2", "fixed"),
 	EPR("0.25", "adaptive"), EPR("0.5", "adaptive"), EPR("1", "adaptive"), EPR("2", "adaptive"),
 	MVR("128", "trilinear"), MVR("256", "trilinear"), MVR("512", "trilinear"),
 	MVR("128", "supersample"), MVR("256", "supersample"), MVR("512", "supersample"),
-	{ 0 }
+	{ 0 },
 };
 
 static const mark marks[] = {
 	{ 0, "1/4" }, { 0, "1/2" }, { 0, "1" }, { 0, "2" }, { 1, "1/4" }, { 1, "1/2" }, { 1, "1" }, { 1, "2" },
 	{ 2, "128" }, { 2, "256" }, { 2, "512" }, { 3, "128" }, { 3, "256" }, { 3, "512" },
 };
+/* clang-format on */
 enum { N_MARKS = sizeof marks / sizeof marks[0] };
 _Static_assert(N_MARKS + 1 == sizeof variants / sizeof variants[0], "a mark a variant");
 
-static const ts_column columns[] = { { "curve", "curve", false }, { "set", "set for it", false },
-	{ "points", "points", true }, { "shading", "shading operations", true }, { "lookups", "look-ups", true },
-	{ "ms", "frame, ms", true }, { "rmse", "RMSE", true }, { 0 } };
+static const ts_column columns[] = {{"curve", "curve", false},     {"set", "set for it", false},
+                                    {"points", "points", true},    {"shading", "shading operations", true},
+                                    {"lookups", "look-ups", true}, {"ms", "frame, ms", true},
+                                    {"rmse", "RMSE", true},        {0}};
 
 static void count_cell(ts_table *table, const ts_measure *m, const char *name)
 {
@@ -74,7 +79,7 @@ static ts_status measure(ts_plot_point *points, ts_bench_case *c)
 	for (u32 v = 0; v < N_MARKS && status == TS_OK; v++) {
 		u32 w = TS_PARAM(&c->params, width), h = TS_PARAM(&c->params, height);
 		double rmse = ts_metrics_compare(c->truth.srgb, c->images[v].srgb, NULL, w, h).rmse;
-		points[v] = (ts_plot_point){ marks[v].curve, marks[v].label, ts_median(times + v * runs, runs), rmse, false };
+		points[v] = (ts_plot_point){marks[v].curve, marks[v].label, ts_median(times + v * runs, runs), rmse, false};
 	}
 	free(times);
 	return status;
@@ -83,7 +88,8 @@ static ts_status measure(ts_plot_point *points, ts_bench_case *c)
 static ts_status write_plot(const ts_bench_case *c, const ts_plot_point *points)
 {
 	char title[160], y_axis[64];
-	ts_plot plot = { .title = title, .x_axis = "whole frame, ms", .y_axis = y_axis, .points = points, .n_points = N_MARKS };
+	ts_plot plot = {
+		.title = title, .x_axis = "whole frame, ms", .y_axis = y_axis, .points = points, .n_points = N_MARKS};
 	snprintf(title, sizeof title, "%.60s, %u mirrors, %u x %u (EPR: rho_scale; MVR: largest face)", c->scene->name,
 	         (unsigned)c->scene->info.n_reflectors, (unsigned)TS_PARAM(&c->params, width),
 	         (unsigned)TS_PARAM(&c->params, height));
@@ -99,7 +105,7 @@ static ts_status work_on(const ts_job *job, ts_report *report, const void *user)
 	ts_bench_case *c = ts_alloc_zero(1, sizeof *c, "a case");
 	ts_status status = c != NULL ? ts_bench_frame_params(&params, job) : TS_ERROR;
 	if (status == TS_OK) {
-		*c = (ts_bench_case){ .job = job, .effect = "reflections", .variants = variants, .judge = user };
+		*c = (ts_bench_case){.job = job, .effect = "reflections", .variants = variants, .judge = user};
 		status = ts_bench_case_open(c, ts_bench_frame_spec(job), &params);
 	}
 	if (status == TS_OK) status = measure(points, c);

@@ -108,10 +108,6 @@ static ts_status take_radiance(ts_stage_pictures *pictures, const ts_run *run, t
 }
 
 const ts_stage_picture_rule ts_points_pictures[] = {
-	{TS_B_count_offset, take_points},
-	{TS_B_splat_depth_index, take_indices},
-	{TS_B_lookup_point, take_splats},
-	{TS_B_lookup_point, take_faces},
-	{TS_B_face_mip, take_radiance},
-	{.take = NULL},
+	{TS_B_count_offset, take_points}, {TS_B_splat_depth_index, take_indices}, {TS_B_lookup_point, take_splats},
+	{TS_B_lookup_point, take_faces},  {TS_B_face_mip, take_radiance},         {.take = NULL},
 };

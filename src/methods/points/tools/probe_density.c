@@ -119,8 +119,14 @@ static void put_setter(ts_probe *p, json_t *o, const ts_density_args *args, cons
 	for (u32 r = 0; r < ts_probe_n_cubes(p); r++) {
 		if (ts_k_cube_bits(bits, r) == 0) continue;
 		f32 a = density(&wanted, t, bits, r, words), b = density(&needed, t, bits, r, words);
-		if (setter == TS_NONE || a > most_wanted) { most_wanted = a; setter = r; }
-		if (limiter == TS_NONE || b > most_needed) { most_needed = b; limiter = r; }
+		if (setter == TS_NONE || a > most_wanted) {
+			most_wanted = a;
+			setter = r;
+		}
+		if (limiter == TS_NONE || b > most_needed) {
+			most_needed = b;
+			limiter = r;
+		}
 	}
 	f32 scale = density(args, t, bits, TS_NONE, words);
 	bool capped = args->cap != 0 && scale < most_wanted;

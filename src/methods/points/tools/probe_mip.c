@@ -69,8 +69,13 @@ static ts_status put_cube(ts_probe *p, json_t *o, const ts_pixel *pixel, const f
 	alone.reflector = 0;
 	if (cube.n != 0) status = many ? put_samples(p, o, r, &mip, pixel) : put_trilinear(p, o, r, &mip, pixel);
 	if (status != TS_OK) return status;
-	ts_mirror_args args = {.view = &p->view, .cubes = &cube, .pixels = &alone, .mip = texels, .radiance = radiance,
-	                       .n_cubes = 1, .supersample = many};
+	ts_mirror_args args = {.view = &p->view,
+	                       .cubes = &cube,
+	                       .pixels = &alone,
+	                       .mip = texels,
+	                       .radiance = radiance,
+	                       .n_cubes = 1,
+	                       .supersample = many};
 	ts_k_mirror_item(&args, 0);
 	return TS_OK;
 }

@@ -8,9 +8,9 @@ enum { MOST_POINTS = TS_N_SAMPLES + 1 };
 typedef struct {
 	u32 bounce, n_samples;
 	u64 entry;
-	u32 found[TS_N_SAMPLES];       /* points as the trace numbers them */
-	u32 local[TS_N_SAMPLES];       /* the same as this world numbers them */
-	u32 first_next;                /* entries of the next bounce before the first sample */
+	u32 found[TS_N_SAMPLES]; /* points as the trace numbers them */
+	u32 local[TS_N_SAMPLES]; /* the same as this world numbers them */
+	u32 first_next;          /* entries of the next bounce before the first sample */
 	u32 offset[TS_N_SAMPLES + 1];
 	f32 next[TS_N_SAMPLES * 3];
 	u32 n_points;
@@ -20,8 +20,8 @@ typedef struct {
 	u64 key[MOST_POINTS];
 	ts_pixel pixel;
 	ts_bounce queue;
-	u32 reflector;                 /* whose cube is read */
-	ts_face cube[2];               /* that, and the one read before */
+	u32 reflector;   /* whose cube is read */
+	ts_face cube[2]; /* that, and the one read before */
 	f32 radiance[3];
 	u32 used;
 	ts_lookup_args args;

@@ -107,10 +107,11 @@ static ts_status try_face(ts_probe *p, ts_probe_set *s, u32 r, u32 face, ts_spre
 	if (splat_face(p, s, &view, texels) > 0) {
 		status = ts_probe_spread_add(p, spread, texels, n, TS_B_splat_depth_index, cube->offset + face * n, s->triangle,
 		                             s->index, s->n, s->won);
-		ts_probe_append(p, faces, json_pack("{s:o,s:I,s:I,s:I}", "face", ts_probe_face_name(r, face), "offered",
-		                                    (json_int_t)(spread->offered - before.offered), "won",
-		                                    (json_int_t)(spread->won - before.won), "lost",
-		                                    (json_int_t)(spread->lost - before.lost)));
+		ts_probe_append(p, faces,
+		                json_pack("{s:o,s:I,s:I,s:I}", "face", ts_probe_face_name(r, face), "offered",
+		                          (json_int_t)(spread->offered - before.offered), "won",
+		                          (json_int_t)(spread->won - before.won), "lost",
+		                          (json_int_t)(spread->lost - before.lost)));
 	}
 	free(texels);
 	return status;
@@ -147,7 +148,10 @@ static ts_status count_found(ts_probe *p, ts_buffer_id id, const ts_probe_set *s
 
 ts_status ts_probe_put_lookups(ts_probe *p, json_t *o, const ts_probe_set *s, u64 *n_samples)
 {
-	static const struct { ts_buffer_id id; const char *key; } founds[] = {
+	static const struct {
+		ts_buffer_id id;
+		const char *key;
+	} founds[] = {
 		{TS_B_lookup_point, "samples"},
 		{TS_B_lookup2_point, "samples_bounce2"},
 		{TS_B_lookup3_point, "samples_bounce3"},
@@ -162,8 +166,10 @@ ts_status ts_probe_put_lookups(ts_probe *p, json_t *o, const ts_probe_set *s, u6
 		ts_probe_put(p, o, founds[b].key, ts_probe_int(n));
 		if (b > 0 || n == 0) continue;
 		if (ts_probe_fetch(p, TS_B_pixel_record, first / 25, 1, &pixel) != TS_OK) return TS_ERROR;
-		ts_probe_put(p, o, "first_sample", json_pack("{s:o,s:I}", "pixel", ts_probe_pair(pixel.index % p->view.width,
-		                                             pixel.index / p->view.width), "k", (json_int_t)(first % 25)));
+		ts_probe_put(p, o, "first_sample",
+		             json_pack("{s:o,s:I}", "pixel",
+		                       ts_probe_pair(pixel.index % p->view.width, pixel.index / p->view.width), "k",
+		                       (json_int_t)(first % 25)));
 	}
 	return TS_OK;
 }

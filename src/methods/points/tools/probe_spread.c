@@ -93,9 +93,10 @@ void ts_probe_put_spread(ts_probe *p, json_t *o, const ts_spread *s)
 	if (s->odd > 0) ts_probe_put(p, o, "texels_that_hold_what_is_farther", ts_probe_int(s->odd));
 	for (size_t i = 0; i < s->n_rivals && i < MOST_RIVALS; i++) {
 		const ts_rival *r = &s->rival[i];
-		ts_probe_append(p, list, json_pack("{s:I,s:I,s:I,s:o,s:I}", "triangle", (json_int_t)r->triangle, "texels",
-		                                   (json_int_t)r->texels, "ties", (json_int_t)r->ties, "least_margin",
-		                                   ts_probe_real(r->least), "least_margin_ulps", (json_int_t)r->least_ulps));
+		ts_probe_append(p, list,
+		                json_pack("{s:I,s:I,s:I,s:o,s:I}", "triangle", (json_int_t)r->triangle, "texels",
+		                          (json_int_t)r->texels, "ties", (json_int_t)r->ties, "least_margin",
+		                          ts_probe_real(r->least), "least_margin_ulps", (json_int_t)r->least_ulps));
 	}
 	if (s->n_rivals > MOST_RIVALS) ts_probe_put(p, o, "rivals", ts_probe_int(s->n_rivals));
 	ts_probe_put(p, o, "lost_to", list);

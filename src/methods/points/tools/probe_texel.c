@@ -13,7 +13,13 @@ typedef struct {
 } place;
 
 /* A piece, and whether it can reach the face. */
-typedef struct { u64 index; ts_piece piece; ts_align frame; ts_cover cover; bool reaches; } state;
+typedef struct {
+	u64 index;
+	ts_piece piece;
+	ts_align frame;
+	ts_cover cover;
+	bool reaches;
+} state;
 
 static ts_status enter_piece(ts_probe *p, const place *at, u32 index, state *s)
 {
@@ -85,8 +91,8 @@ static ts_status put_point(ts_probe *p, json_t *o, u32 point)
 
 static ts_status put_points(ts_probe *p, const place *at, json_t *o)
 {
-	static const ts_buffer_id needed[] = {TS_B_splat_depth_index, TS_B_points_record, TS_B_split_triangle,
-		TS_B_align_frame, TS_B_visibility_bits, TS_N_BUFFERS};
+	static const ts_buffer_id needed[] = {TS_B_splat_depth_index, TS_B_points_record,   TS_B_split_triangle,
+	                                      TS_B_align_frame,       TS_B_visibility_bits, TS_N_BUFFERS};
 	u64 held, n = (u64)at->view.width * (u64)at->view.width;
 	u8 tied;
 	ts_offers offers = {.offer = NULL};

@@ -110,7 +110,10 @@ static ts_status offers(splat_ties *t, u64 texel, u32 index, u32 distance, bool 
 	if (fetch(t->bits, r, TS_B_visibility_bits, place, &word) != TS_OK) return TS_ERROR;
 	if ((word >> (bit % 64) & 1) == 0) return TS_OK;
 	point.piece = 0;
-	ts_splat_args args = {.pieces = &piece, .frames = &frame, .points = &point, .clip = TS_PARAM(&r->params, clip),
+	ts_splat_args args = {.pieces = &piece,
+	                      .frames = &frame,
+	                      .points = &point,
+	                      .clip = TS_PARAM(&r->params, clip),
 	                      .plane_depth = TS_PARAM(&r->params, planedepth)};
 	u64 inside = texel - cube.offset - (u64)face * cube.n * cube.n;
 	if (key_of(&cube, face, inside, &args, &key) != TS_OK) return TS_ERROR;

@@ -18,8 +18,9 @@ static const ts_margin_rule margins[] = {
 	{0},
 };
 
-static const ts_buffer_id of_epr[] = { TS_B_eye_view, TS_B_pose_vertex, TS_B_resize_face, TS_B_eye_depth_triangle,
-	TS_B_pixel_offset, TS_B_pixel_record, TS_B_lookup_point, TS_B_shade_radiance, TS_N_BUFFERS };
+static const ts_buffer_id of_epr[] = {TS_B_eye_view,           TS_B_pose_vertex,    TS_B_resize_face,
+                                      TS_B_eye_depth_triangle, TS_B_pixel_offset,   TS_B_pixel_record,
+                                      TS_B_lookup_point,       TS_B_shade_radiance, TS_N_BUFFERS};
 
 static ts_status large_mvr(f32 **radiance, const ts_scene *scene, const ts_params *params, u32 threads)
 {
@@ -31,17 +32,17 @@ static ts_status large_mvr(f32 **radiance, const ts_scene *scene, const ts_param
 /* A method is apart from A by its sampling, and A from B by what the cube's centre costs every method. It is apart from
  * rays to the samples of lights by its own error, and these from the whole lights by what sampling them costs. */
 static const ts_truth_kind truths[] = {
-	{ "A", "reflections", "rays from the cube's centre along EPR's own directions", "sampling", "B", "method",
-	  .needs = of_epr, .trace = ts_truth_a, .image = "image", .missed = ts_truth_missed },
-	{ "B", "reflections", "true reflections from the surface", "both", "", "",
-	  .needs = of_epr, .trace = ts_truth_b, .image = "image" },
-	{ "C", "reflections", "MVR at 4 times the resolution, box-filtered", "", "", "",
-	  .radiance = large_mvr, .bytes = ts_truth_c_bytes },
-	{ "samples", "soft-shadows omni-shadows", "rays to the very samples of the lights", "method", "area", "sampling",
-	  .trace = ts_truth_samples, OF_SHADOWS },
-	{ "area", "soft-shadows omni-shadows", "rays to area_samples samples of each light", "both", "", "",
-	  .trace = ts_truth_area, OF_SHADOWS },
-	{ 0 },
+	{"A", "reflections", "rays from the cube's centre along EPR's own directions", "sampling", "B", "method",
+     .needs = of_epr, .trace = ts_truth_a, .image = "image", .missed = ts_truth_missed},
+	{"B", "reflections", "true reflections from the surface", "both", "", "", .needs = of_epr, .trace = ts_truth_b,
+     .image = "image"},
+	{"C", "reflections", "MVR at 4 times the resolution, box-filtered", "", "", "", .radiance = large_mvr,
+     .bytes = ts_truth_c_bytes},
+	{"samples", "soft-shadows omni-shadows", "rays to the very samples of the lights", "method", "area", "sampling",
+     .trace = ts_truth_samples, OF_SHADOWS},
+	{"area", "soft-shadows omni-shadows", "rays to area_samples samples of each light", "both", "", "",
+     .trace = ts_truth_area, OF_SHADOWS},
+	{0},
 };
 
 static const ts_texel_rule texels[] = {
@@ -52,15 +53,14 @@ static const ts_texel_rule texels[] = {
 };
 
 static const ts_bench_row benches[] = {
-	{ "ivir-1", "iVIR: soft shadows; also of models in TS_SCENES", TS_BENCH_BY_ITSELF " objects", .paper = &ts_ivir_1 },
-	{ "ivir-2", "iVIR: reflections", TS_BENCH_BY_ITSELF, .paper = &ts_ivir_2 },
-	{ "ivir-3", "iVIR: omnidirectional shadows", TS_BENCH_BY_ITSELF, .paper = &ts_ivir_3 },
-	{ "epr-1", "EPR: shading operations", TS_BENCH_BY_ITSELF, .paper = &ts_epr_1 },
-	{ "epr-2", "EPR: times, points, and errors against truth C or --truth", "method", .paper = &ts_epr_2 },
-	{ "epr-3", "EPR: omnidirectional shadows", TS_BENCH_BY_ITSELF, .paper = &ts_epr_3 },
-	{ "epr-6", "EPR: speed against accuracy as density, sampling and faces vary", "method",
-	  .run = ts_bench_sweep },
-	{ 0 },
+	{"ivir-1", "iVIR: soft shadows; also of models in TS_SCENES", TS_BENCH_BY_ITSELF " objects", .paper = &ts_ivir_1},
+	{"ivir-2", "iVIR: reflections", TS_BENCH_BY_ITSELF, .paper = &ts_ivir_2},
+	{"ivir-3", "iVIR: omnidirectional shadows", TS_BENCH_BY_ITSELF, .paper = &ts_ivir_3},
+	{"epr-1", "EPR: shading operations", TS_BENCH_BY_ITSELF, .paper = &ts_epr_1},
+	{"epr-2", "EPR: times, points, and errors against truth C or --truth", "method", .paper = &ts_epr_2},
+	{"epr-3", "EPR: omnidirectional shadows", TS_BENCH_BY_ITSELF, .paper = &ts_epr_3},
+	{"epr-6", "EPR: speed against accuracy as density, sampling and faces vary", "method", .run = ts_bench_sweep},
+	{0},
 };
 
 /* clang-format off */

@@ -11,9 +11,10 @@ typedef struct {
 	const ts_truth *truth;
 	const ts_arrays *scene;
 	const ts_face *faces;
-	const ts_pixel *pixels; u64 n_pixels;
+	const ts_pixel *pixels;
+	u64 n_pixels;
 	ts_v3 eye;
-	f32 spread;  /* footprint of a unit of path */
+	f32 spread; /* footprint of a unit of path */
 	u32 bounces;
 	int n_threads;
 } tracer;
@@ -42,22 +43,28 @@ static tracer tracer_of(const ts_truth *truth, const ts_run *run)
 /* The leg from p through the cube of `reflector`. */
 static ts_truth_query from_centre(const tracer *t, u32 reflector, ts_v3 p, ts_v3 direction, f32 path)
 {
-	return (ts_truth_query){ .origin = ts_load3(t->faces[reflector].centre), .direction = direction,
-	                         .masked = reflector, .from = p, .path = path, .spread = t->spread };
+	return (ts_truth_query){.origin = ts_load3(t->faces[reflector].centre),
+	                        .direction = direction,
+	                        .masked = reflector,
+	                        .from = p,
+	                        .path = path,
+	                        .spread = t->spread};
 }
 
-static f32 greatest(ts_v3 p)
-{
-	return ts_max(ts_max(ts_abs(p.x), ts_abs(p.y)), ts_abs(p.z));
-}
+static f32 greatest(ts_v3 p) { return ts_max(ts_max(ts_abs(p.x), ts_abs(p.y)), ts_abs(p.z)); }
 
 /* The leg from p, on `reflector`, itself. It skips 2^-12 |p|max to get off the surface; the radius stands in where p is
  * near the world's origin. */
 static ts_truth_query from_surface(const tracer *t, u32 reflector, ts_v3 p, ts_v3 direction, f32 path)
 {
 	f32 reach = ts_max(greatest(p), t->faces[reflector].radius);
-	return (ts_truth_query){ .origin = p, .direction = direction, .near = reach * 0.000244140625f, .masked = TS_NONE,
-	                         .from = p, .path = path, .spread = t->spread };
+	return (ts_truth_query){.origin = p,
+	                        .direction = direction,
+	                        .near = reach * 0.000244140625f,
+	                        .masked = TS_NONE,
+	                        .from = p,
+	                        .path = path,
+	                        .spread = t->spread};
 }
 
 static ts_v3 shade_towards(const tracer *t, const ts_surface *s, ts_v3 viewer)
@@ -66,15 +73,12 @@ static ts_v3 shade_towards(const tracer *t, const ts_surface *s, ts_v3 viewer)
 }
 
 /* The normal turned, if need be, against a ray that arrives along d. */
-static ts_v3 facing_normal(const ts_surface *s, ts_v3 d)
-{
-	return ts_dot(s->face, d) > 0.0f ? ts_neg(s->n) : s->n;
-}
+static ts_v3 facing_normal(const ts_surface *s, ts_v3 d) { return ts_dot(s->face, d) > 0.0f ? ts_neg(s->n) : s->n; }
 
 /* Axes of a hit's footprint as EPR's tiles have them: along the longest edge, and across it. */
 static void tile_axes(const ts_corners *t, ts_v3 *u, ts_v3 *v)
 {
-	const ts_v3 corner[4] = { t->a, t->b, t->c, t->a };
+	const ts_v3 corner[4] = {t->a, t->b, t->c, t->a};
 	f32 length;
 	u32 edge = ts_k_longest_edge(t->a, t->b, t->c, &length);
 	*u = ts_normalize(ts_sub(corner[edge + 1], corner[edge]));
@@ -106,7 +110,7 @@ static bool goes_on(const tracer *t, const ts_truth_query *query, u32 left, boun
 static ts_v3 see_from_centre(const tracer *t, const ts_truth_query *query, u32 left)
 {
 	bounce at;
-	ts_v3 radiance, u, v, sum = { 0, 0, 0 };
+	ts_v3 radiance, u, v, sum = {0, 0, 0};
 	if (!goes_on(t, query, left, &at, &radiance)) return radiance;
 	ts_corners corner = ts_k_corners(t->scene, at.hit.triangle);
 	tile_axes(&corner, &u, &v);
@@ -152,7 +156,7 @@ static ts_v3 sample_b(const tracer *t, const ts_pixel *pixel, u32 k)
 /* Mean of the samples in order, tinted (METHODS 2). */
 static ts_v3 pixel_radiance(const tracer *t, const ts_pixel *pixel, sample *look)
 {
-	ts_v3 sum = { 0, 0, 0 };
+	ts_v3 sum = {0, 0, 0};
 	for (u32 k = 0; k < TS_N_SAMPLES; k++) sum = ts_add(sum, look(t, pixel, k));
 	f32 n = (f32)TS_N_SAMPLES;
 	ts_v3 mean = ts_v3_make(sum.x / n, sum.y / n, sum.z / n);
@@ -173,15 +177,9 @@ static ts_status trace(ts_truth *truth, ts_run *run, sample *look, const char *l
 	return TS_OK;
 }
 
-ts_status ts_truth_a(ts_truth *truth, ts_run *run)
-{
-	return trace(truth, run, sample_a, "truth A");
-}
+ts_status ts_truth_a(ts_truth *truth, ts_run *run) { return trace(truth, run, sample_a, "truth A"); }
 
-ts_status ts_truth_b(ts_truth *truth, ts_run *run)
-{
-	return trace(truth, run, sample_b, "truth B");
-}
+ts_status ts_truth_b(ts_truth *truth, ts_run *run) { return trace(truth, run, sample_b, "truth B"); }
 
 ts_status ts_truth_hits(ts_truth *truth, const ts_run *run, u32 **hits)
 {

@@ -18,7 +18,7 @@ typedef struct {
 	const ts_truth *truth;
 	const ts_arrays *scene;
 	ts_camera_k eye;
-	const u64 *seen;            /* eye.depth_triangle */
+	const u64 *seen; /* eye.depth_triangle */
 	const ts_offscreen *views;
 	u32 n_views, n_lamps, step; /* step: views a sample */
 	u32 *lit;
@@ -42,8 +42,12 @@ static ts_truth_query ray_to(const ts_camera_k *view, ts_v3 p, f32 z)
 	bool parallel = view->orthographic != 0;
 	ts_v3 from = parallel ? ts_mad(p, view->back, z) : view->eye;
 	ts_v3 way = ts_sub(p, from);
-	return (ts_truth_query){ .origin = from, .direction = ts_normalize(way), .near = view->near * (ts_length(way) / z),
-	                         .masked = TS_NONE, .from = from, .spread = parallel ? 0.0f : 1.0f / view->focal };
+	return (ts_truth_query){.origin = from,
+	                        .direction = ts_normalize(way),
+	                        .near = view->near * (ts_length(way) / z),
+	                        .masked = TS_NONE,
+	                        .from = from,
+	                        .spread = parallel ? 0.0f : 1.0f / view->focal};
 }
 
 static bool reaches(const tracer *t, const ts_offscreen *offscreen, const ts_receiver *at, u32 triangle)
@@ -106,8 +110,8 @@ ts_status ts_truth_samples(ts_truth *truth, ts_run *run) { return trace(truth, r
 
 ts_status ts_truth_area(ts_truth *truth, ts_run *run)
 {
-	static const char *const maps[] = { "lamp", "lamp_view", NULL };
-	static const char *const cubes[] = { "lamp_ball", "lamp_cube", "offscreen", NULL };
+	static const char *const maps[] = {"lamp", "lamp_view", NULL};
+	static const char *const cubes[] = {"lamp_ball", "lamp_cube", "offscreen", NULL};
 	u32 n = TS_PARAM(&run->params, area_samples), n_lamps = (u32)ts_frame_n(&run->frame, TS_B_lamp_shape);
 	if ((u64)n * n_lamps > MOST_SAMPLES) {
 		return ts_fail("area_samples=%u: of %u lights at most %u each would be right", (unsigned)n, (unsigned)n_lamps,
@@ -123,8 +127,8 @@ ts_status ts_truth_area(ts_truth *truth, ts_run *run)
 
 u64 ts_truth_shadow_bytes(const ts_pipeline *method, const ts_scene *scene, const ts_params *params)
 {
-	static const ts_buffer_id ids[] = { TS_B_pose_vertex, TS_B_eye_depth_triangle, TS_B_resize_face, TS_B_offscreen_view,
-		TS_B_resolve_lit, TS_B_image_radiance, TS_B_image_srgb };
+	static const ts_buffer_id ids[] = {TS_B_pose_vertex, TS_B_eye_depth_triangle, TS_B_resize_face, TS_B_offscreen_view,
+	                                   TS_B_resolve_lit, TS_B_image_radiance,     TS_B_image_srgb};
 	const ts_pipeline *start = ts_pipeline_making(method->effect->name, needs);
 	ts_params many = *params;
 	u64 bytes = 0,

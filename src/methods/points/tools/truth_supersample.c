@@ -47,7 +47,7 @@ static ts_status check_memory(const ts_pipeline *mvr, const ts_scene *scene, con
 /* One pixel of `width`: the mean of factor x factor pixels, row by row. */
 static void box(f32 *out, const f32 *in, u64 x, u64 y, u64 width, u64 factor)
 {
-	double sum[3] = { 0, 0, 0 };
+	double sum[3] = {0, 0, 0};
 	for (u64 j = 0; j < factor; j++) {
 		const f32 *row = in + ((y * factor + j) * width * factor + x * factor) * 3;
 		for (u64 i = 0; i < factor * 3; i++) sum[i % 3] += (double)row[i];

@@ -18,25 +18,32 @@
 #define ROUNDING 1.00001
 
 /* What a texel holds: a depth, or as near as its code tells. Radial if it is an environment map's, else axial. */
-typedef struct { double least, most; bool any; } held;
+typedef struct {
+	double least, most;
+	bool any;
+} held;
 
 typedef struct {
 	const ts_truth *truth;
 	const ts_arrays *scene;
-	ts_resolve_args rule;      /* its bias */
-	const void *texels;        /* of the batch */
+	ts_resolve_args rule; /* its bias */
+	const void *texels;   /* of the batch */
 	ts_buffer_id id;
 	u64 first_texel;
 	int n_threads;
 } judge;
 
 /* One view: what it sees, of which no triangle of reflector `masked`. */
-typedef struct { ts_camera_k camera; u64 offset; u32 masked; } window;
+typedef struct {
+	ts_camera_k camera;
+	u64 offset;
+	u32 masked;
+} window;
 
 static held held_depth(u32 bits)
 {
 	double z = bits != TS_NONE ? (double)ts_u2f(bits) : 0;
-	return (held){ z, z, bits != TS_NONE };
+	return (held){z, z, bits != TS_NONE};
 }
 
 /* The ends of the interval of a logarithmic code; the last one has no end. */
@@ -44,7 +51,7 @@ static held held_colour(u32 code, f32 near)
 {
 	double step = (double)TS_FAR_BITS / 8191, q = code >> 19;
 	double most = q < 8190 ? (double)near * exp2(step * (q + 1)) * ROUNDING : DBL_MAX;
-	return (held){ (double)near * exp2(step * q) / ROUNDING, most, code != TS_NONE };
+	return (held){(double)near * exp2(step * q) / ROUNDING, most, code != TS_NONE};
 }
 
 static held held_in(const judge *j, u64 texel, f32 near)
@@ -65,8 +72,12 @@ static ts_truth_query ray_through(const window *w, u32 x, u32 y)
 	ts_v3 aside = ts_mad(ts_scale(view->right, right), view->up, up);
 	ts_v3 ahead = parallel ? ts_neg(view->back) : ts_sub(aside, view->back);
 	ts_v3 from = parallel ? ts_add(view->eye, aside) : view->eye;
-	return (ts_truth_query){ .origin = from, .direction = ts_normalize(ahead), .near = view->near * ts_length(ahead),
-	                         .masked = w->masked, .from = from, .spread = parallel ? 0.0f : 1.0f / view->focal };
+	return (ts_truth_query){.origin = from,
+	                        .direction = ts_normalize(ahead),
+	                        .near = view->near * ts_length(ahead),
+	                        .masked = w->masked,
+	                        .from = from,
+	                        .spread = parallel ? 0.0f : 1.0f / view->focal};
 }
 
 /* How much deeper the plane of a triangle is half a texel away than here at most, as a factor: 1/z is linear in the
@@ -88,12 +99,12 @@ static double deepest_corner(const ts_camera_k *view, const ts_corners *t)
 }
 
 /* Compares what the texel holds with the triangle that its ray hits at t. */
-static ts_texel_counts compare(const judge *j, const ts_camera_k *view, const ts_truth_query *ray, const ts_truth_hit *hit,
-                               held has)
+static ts_texel_counts compare(const judge *j, const ts_camera_k *view, const ts_truth_query *ray,
+                               const ts_truth_hit *hit, held has)
 {
-	if (!has.any) return (ts_texel_counts){ .covered = 1, .holes = 1 };
+	if (!has.any) return (ts_texel_counts){.covered = 1, .holes = 1};
 	ts_corners corner = ts_k_corners(j->scene, hit->triangle);
-	ts_receiver at = { ts_mad(ray->origin, ray->direction, hit->t), ts_normalize(corner.n), true };
+	ts_receiver at = {ts_mad(ray->origin, ray->direction, hit->t), ts_normalize(corner.n), true};
 	double z = (double)(hit->t * -ts_dot(view->back, ray->direction));
 	double bias = (double)ts_k_shadow_bias(&j->rule, view, &at, (f32)z);
 	double reach = fmin(z * farther(view, &corner, ray, z), deepest_corner(view, &corner));
@@ -102,7 +113,7 @@ static ts_texel_counts compare(const judge *j, const ts_camera_k *view, const ts
 	double slant = is_radial ? 1 + 0.5 / (double)view->focal : 1; /* of the radial distance, half a texel away */
 	double limit = fmax(z + bias, reach * slant) * radial * ROUNDING;
 	bool apart = has.least > (z + bias) * radial * ROUNDING || has.most < (z - bias) * radial / ROUNDING;
-	return (ts_texel_counts){ .covered = 1, .leaks = has.least > limit, .apart = apart };
+	return (ts_texel_counts){.covered = 1, .leaks = has.least > limit, .apart = apart};
 }
 
 static ts_texel_counts judge_texel(const judge *j, const window *w, u32 x, u32 y)
@@ -110,8 +121,8 @@ static ts_texel_counts judge_texel(const judge *j, const window *w, u32 x, u32 y
 	ts_truth_query ray = ray_through(w, x, y);
 	ts_truth_hit hit = ts_truth_cast(j->truth, &ray);
 	bool counts = hit.triangle != TS_NONE &&
-		(j->scene->materials[j->scene->triangles[hit.triangle].material].flags & TS_MASKED) == 0;
-	if (!counts) return (ts_texel_counts){ 0 };
+	              (j->scene->materials[j->scene->triangles[hit.triangle].material].flags & TS_MASKED) == 0;
+	if (!counts) return (ts_texel_counts){0};
 	u64 texel = w->offset - j->first_texel + (u64)y * (u64)w->camera.width + x;
 	return compare(j, &w->camera, &ray, &hit, held_in(j, texel, w->camera.near));
 }
@@ -143,15 +154,18 @@ static u32 reflector_of(const judge *j, u32 object)
 static window face_of(const judge *j, const ts_face *cube, u32 face)
 {
 	u64 first = cube->offset + (u64)face * cube->n * cube->n;
-	return (window){ ts_k_cube_view(cube, face), first, reflector_of(j, cube->object) };
+	return (window){ts_k_cube_view(cube, face), first, reflector_of(j, cube->object)};
 }
 
 ts_status ts_truth_texels(ts_texel_counts *counts, ts_truth *truth, const ts_run *run, ts_buffer_id id)
 {
 	if (run->n_units == 0) return TS_OK;
-	judge j = { .truth = truth, .scene = ts_truth_scene(truth), .id = id, .n_threads = (int)run->c.threads,
-	            .rule = { .bias = TS_PARAM(&run->params, bias), .slope = TS_PARAM(&run->params, bias_slope) },
-	            .texels = ts_frame_data(&run->frame, id) };
+	judge j = {.truth = truth,
+	           .scene = ts_truth_scene(truth),
+	           .id = id,
+	           .n_threads = (int)run->c.threads,
+	           .rule = {.bias = TS_PARAM(&run->params, bias), .slope = TS_PARAM(&run->params, bias_slope)},
+	           .texels = ts_frame_data(&run->frame, id)};
 	bool cubes = ts_run_has_cubes(run);
 	const ts_face *faces = cubes ? ts_frame_data(&run->frame, TS_B_resize_face) : NULL;
 	const ts_offscreen *views = cubes ? NULL : ts_frame_data(&run->frame, TS_B_offscreen_view);
@@ -159,7 +173,7 @@ ts_status ts_truth_texels(ts_texel_counts *counts, ts_truth *truth, const ts_run
 		if (u == run->first_unit) j.first_texel = cubes ? faces[u].offset : views[u].offset;
 		for (u32 face = 0; face < (cubes ? 6u : 1u); face++) {
 			window w = cubes ? face_of(&j, &faces[u], face)
-			                 : (window){ ts_k_offscreen(&views[u]), views[u].offset, reflector_of(&j, views[u].object) };
+			                 : (window){ts_k_offscreen(&views[u]), views[u].offset, reflector_of(&j, views[u].object)};
 			judge_view(&j, &w, counts);
 		}
 		ts_progress("texels against rays", u + 1 - run->first_unit, run->n_units);

@@ -7,11 +7,11 @@
 #include "../../../kernels/base/num.h"
 #include "../../pipeline.h"
 
-const u8 ts_picture_nothing[3] = { 40, 40, 40 };
+const u8 ts_picture_nothing[3] = {40, 40, 40};
 
 /* Where the faces +X -X +Y -Y +Z -Z stand in a cross of 4 by 3, so that edges meet. */
-static const u8 cross_column[6] = { 2, 0, 1, 1, 1, 3 };
-static const u8 cross_row[6] = { 1, 1, 0, 2, 1, 1 };
+static const u8 cross_column[6] = {2, 0, 1, 1, 1, 3};
+static const u8 cross_row[6] = {1, 1, 0, 2, 1, 1};
 
 bool ts_picture_largest_cube(const ts_run *run, u32 *cube)
 {
@@ -76,12 +76,16 @@ static ts_status take_triangles(ts_stage_pictures *pictures, const ts_run *run, 
 enum { MOST_TEXELS = 1024 }; /* a side, of the picture of a depth map; of a cube's face half of it */
 
 /* Square depth maps, one or six, shown by n of their texels a side, and between which depths they are. */
-typedef struct { const u32 *depth; u32 size, n; f32 nearest, farthest; } depth_map;
+typedef struct {
+	const u32 *depth;
+	u32 size, n;
+	f32 nearest, farthest;
+} depth_map;
 
 static depth_map depth_map_of(const u32 *depth, u32 size, bool cubes)
 {
 	u32 most = cubes ? MOST_TEXELS / 2 : MOST_TEXELS;
-	depth_map m = { depth, size, size < most ? size : most, INFINITY, 0 };
+	depth_map m = {depth, size, size < most ? size : most, INFINITY, 0};
 	for (u64 i = 0; i < (u64)(cubes ? 6 : 1) * size * size; i++) {
 		if (depth[i] == TS_NONE) continue;
 		m.nearest = ts_min(m.nearest, ts_u2f(depth[i]));
@@ -93,7 +97,7 @@ static depth_map depth_map_of(const u32 *depth, u32 size, bool cubes)
 /* The nearest is white, the farthest dark grey. */
 static void colour_depth(u8 *rgb, const void *texels, u64 i)
 {
-	static const u8 empty[3] = { 24, 24, 64 };
+	static const u8 empty[3] = {24, 24, 64};
 	const depth_map *m = texels;
 	u64 x = i % m->n * m->size / m->n, y = i / m->n % m->n * m->size / m->n, face = i / m->n / m->n;
 	u32 depth = m->depth[(face * m->size + y) * m->size + x];

@@ -10,7 +10,7 @@ typedef enum {
 	TS_PROBE_A_VIEW,       /* one view per sample */
 	TS_PROBE_A_CUBE,       /* six views per sample, the faces of a cube */
 	TS_PROBE_VIEW_OR_CUBE, /* one sample, with a view or a cube as the light's kind needs */
-	TS_PROBE_TAPS          /* one view per light, whatever its samples are */
+	TS_PROBE_TAPS,         /* one view per light, whatever its samples are */
 } ts_probe_lens;
 
 typedef struct {

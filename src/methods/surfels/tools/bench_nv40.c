@@ -6,6 +6,7 @@
 enum { PHONG, NPR, PHONG_SHADOW, NPR_SHADOW, SHADERS };
 enum { M_BOTH = 0, M_OBJECT = SHADERS, M_BOTH_ALONE = 2 * SHADERS, M_OBJECT_ALONE = 3 * SHADERS };
 
+/* clang-format off */
 #define EACH(first, filter, seen, runs) \
 	[(first) + PHONG] = { "deferred", "filter=" filter ",shader=phong", seen, runs }, \
 	[(first) + NPR] = { "deferred", "filter=" filter ",shader=npr", false, runs }, \
@@ -14,7 +15,7 @@ enum { M_BOTH = 0, M_OBJECT = SHADERS, M_BOTH_ALONE = 2 * SHADERS, M_OBJECT_ALON
 
 static const ts_bench_variant variants[] = {
 	EACH(M_BOTH, "min", true, TS_TIMED), EACH(M_OBJECT, "object", true, TS_TIMED),
-	EACH(M_BOTH_ALONE, "min", false, TS_ALONE), EACH(M_OBJECT_ALONE, "object", false, TS_ALONE), { 0 }
+	EACH(M_BOTH_ALONE, "min", false, TS_ALONE), EACH(M_OBJECT_ALONE, "object", false, TS_ALONE), { 0 },
 };
 
 /* A rate has the number of its variant. */
@@ -47,7 +48,7 @@ static const ts_bench_figure figures[] = {
 	[MORE] = { "overlap_ratio", "by ours without", TS_FIGURE_RATIO, OVERLAP, OBJECT_OVERLAP, 2, "" },
 	[ONCE] = { "shaded_a_pixel", "a pixel", TS_FIGURE_RATIO, SHADED, SEEN, 3, "" },
 	[OBJECT_ONCE] = { "shaded_a_pixel_object", "no screen filter", TS_FIGURE_RATIO, OBJECT_SHADED, OBJECT_SEEN, 3, "" },
-	{ 0 }
+	{ 0 },
 };
 
 #define SHADERS_OF(first) (first) + PHONG, (first) + NPR, (first) + PHONG_SHADOW, (first) + NPR_SHADOW
@@ -63,7 +64,7 @@ static const ts_paper_part parts[] = {
 	  OBJECT_OVERLAP, MORE, TS_NO_FIGURE } },
 	{ "nv40_shading", "Shading operations, whatever overlaps", { SHADED, OBJECT_SHADED, ONCE, OBJECT_ONCE,
 	  TS_NO_FIGURE } },
-	{ 0 }
+	{ 0 },
 };
 
 #define ALL TS_NO_FIGURE, 0, 0
@@ -79,7 +80,7 @@ static const ts_paper_relation relations[] = {
 	  "a busy machine, or shading is much of the work", NPR_SHADOW_COST },
 	{ "rate with shadows / without", SHADOW_COST, TS_BETWEEN, 0.4, 1.1, ALL,
 	  "the depth map counts more or less beside the image", SHADOW_COST },
-	{ 0 }
+	{ 0 },
 };
 
 /* Of a GeForce 6800 Ultra; scenes and sizes are not said. */
@@ -98,3 +99,4 @@ const ts_paper_table ts_nv40 = {
 	.note = "Scenes without surfels are sampled to 300,000. The slides' scenes and sizes are not known.",
 	.variants = variants, .figures = figures, .parts = parts, .relations = relations, .rows = rows,
 };
+/* clang-format on */

@@ -31,7 +31,7 @@ static bool meets(const ts_surfel *surfel, const ts_disc_ray *ray, ts_disc_met *
 		v[k] = (double)surfel->v[k];
 		to[k] = (double)surfel->centre[k] - ray->origin[k];
 	}
-	const double n[3] = { u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0] };
+	const double n[3] = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
 	double facing = dot(ray->direction, n);
 	if (!(facing < 0.0)) return false;
 	met->t = dot(to, n) / facing;
@@ -56,7 +56,7 @@ static void intersect(const struct RTCIntersectFunctionNArguments *arguments)
 	const ts_discs *discs = arguments->geometryUserPtr;
 	request *asked = (request *)(void *)arguments->context;
 	struct RTCRayHit *found = (struct RTCRayHit *)(void *)arguments->rayhit;
-	ts_disc_met met = { .surfel = arguments->primID };
+	ts_disc_met met = {.surfel = arguments->primID};
 	if (arguments->valid[0] == 0 || !meets(&discs->surfels[met.surfel], asked->ray, &met) || met.t > asked->far) return;
 	if (asked->take != NULL) {
 		asked->take(asked->user, &met);
@@ -80,8 +80,12 @@ static void bounds(const struct RTCBoundsFunctionArguments *arguments)
 		low[k] = (f32)(c - half - room);
 		high[k] = (f32)(c + half + room);
 	}
-	*arguments->bounds_o = (struct RTCBounds){ .lower_x = low[0], .lower_y = low[1], .lower_z = low[2],
-	                                           .upper_x = high[0], .upper_y = high[1], .upper_z = high[2] };
+	*arguments->bounds_o = (struct RTCBounds){.lower_x = low[0],
+	                                          .lower_y = low[1],
+	                                          .lower_z = low[2],
+	                                          .upper_x = high[0],
+	                                          .upper_y = high[1],
+	                                          .upper_z = high[2]};
 }
 
 static ts_status attach(ts_discs *discs, u32 n)
@@ -124,17 +128,22 @@ static void cast(const ts_discs *discs, request *asked)
 {
 	const double *o = asked->ray->origin, *d = asked->ray->direction;
 	struct RTCRayHit ray = {
-		.ray = { .org_x = (f32)o[0], .org_y = (f32)o[1], .org_z = (f32)o[2],
-		         .dir_x = (f32)d[0], .dir_y = (f32)d[1], .dir_z = (f32)d[2],
-		         .tfar = asked->far < (double)FLT_MAX ? above(asked->far) : INFINITY, .mask = 0xffffffffu },
-		.hit = { .geomID = RTC_INVALID_GEOMETRY_ID, .primID = RTC_INVALID_GEOMETRY_ID },
+		.ray = {.org_x = (f32)o[0],
+	            .org_y = (f32)o[1],
+	            .org_z = (f32)o[2],
+	            .dir_x = (f32)d[0],
+	            .dir_y = (f32)d[1],
+	            .dir_z = (f32)d[2],
+	            .tfar = asked->far < (double)FLT_MAX ? above(asked->far) : INFINITY,
+	            .mask = 0xffffffffu},
+		.hit = {.geomID = RTC_INVALID_GEOMETRY_ID, .primID = RTC_INVALID_GEOMETRY_ID},
 	};
 	ts_tree_cast(&discs->tree, &ray, &asked->base);
 }
 
 ts_disc_met ts_discs_nearest(const ts_discs *discs, const ts_disc_ray *ray)
 {
-	request asked = { .ray = ray, .far = INFINITY, .nearest = { .surfel = TS_NONE, .t = INFINITY } };
+	request asked = {.ray = ray, .far = INFINITY, .nearest = {.surfel = TS_NONE, .t = INFINITY}};
 	cast(discs, &asked);
 	return asked.nearest;
 }
@@ -142,6 +151,6 @@ ts_disc_met ts_discs_nearest(const ts_discs *discs, const ts_disc_ray *ray)
 void ts_discs_each(const ts_discs *discs, const ts_disc_ray *ray, double far,
                    void (*take)(void *user, const ts_disc_met *met), void *user)
 {
-	request asked = { .ray = ray, .take = take, .user = user, .far = far };
+	request asked = {.ray = ray, .take = take, .user = user, .far = far};
 	cast(discs, &asked);
 }

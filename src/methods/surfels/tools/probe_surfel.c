@@ -11,11 +11,24 @@
 enum { MOST_LISTED = 16 };
 
 /* Where the pixel is. */
-typedef struct { ts_camera_k view; ts_filter filter; i32 x, y; u64 pixel; f32 shift; } place;
+typedef struct {
+	ts_camera_k view;
+	ts_filter filter;
+	i32 x, y;
+	u64 pixel;
+	f32 shift;
+} place;
 
 /* A surfel that covers the pixel. */
-typedef struct { u32 surfel; f32 weight; ts_surfel_fragment is; } fragment;
-typedef struct { fragment *fragment; size_t n, capacity; } fragments;
+typedef struct {
+	u32 surfel;
+	f32 weight;
+	ts_surfel_fragment is;
+} fragment;
+typedef struct {
+	fragment *fragment;
+	size_t n, capacity;
+} fragments;
 
 /* Loads the eye and what the stages of surfels read. Without shadows there are no lamps, and shapes that depend on
  * texels stay unchecked. */
@@ -211,10 +224,11 @@ static void put_sums(ts_probe *p, json_t *object, const i64 *sums, const i64 *he
 	ts_probe_put(p, o, "normal", real3_of(sums + 3));
 	ts_probe_put(p, o, "weight", real_of(sums[TS_BLEND_WEIGHT]));
 	ts_probe_put(p, o, "fragments", json_integer((json_int_t)sums[TS_BLEND_FRAGMENTS]));
-	ts_probe_put(p, o, "check", k == TS_BLEND_SUMS
-	                                ? json_string("bits agree with blend.sum")
-	                                : json_sprintf("bits differ from blend.sum, whose sum %u is %" PRId64 ", not %" PRId64,
-	                                               (unsigned)k, held[k], sums[k]));
+	ts_probe_put(p, o, "check",
+	             k == TS_BLEND_SUMS
+	                 ? json_string("bits agree with blend.sum")
+	                 : json_sprintf("bits differ from blend.sum, whose sum %u is %" PRId64 ", not %" PRId64,
+	                                (unsigned)k, held[k], sums[k]));
 	ts_probe_put(p, object, "sums", o);
 }
 
@@ -256,11 +270,14 @@ static ts_status put_mean(ts_probe *p, json_t *object, const place *at)
 	const i64 *sums = (const i64 *)ts_probe_loaded(p, TS_B_blend_sum) + at->pixel * TS_BLEND_SUMS;
 	const ts_gpixel *held = (const ts_gpixel *)ts_probe_loaded(p, TS_B_gbuffer_pixel) + at->pixel;
 	ts_gpixel *pixels = ts_alloc_zero((size_t)n, sizeof *pixels, "a G-buffer");
-	ts_surfel_mean_args args = {
-		.view = &p->view, .discs = ts_probe_loaded(p, TS_B_surfel_setup_disc),
-		.epsilon = ts_probe_loaded(p, TS_B_surfel_setup_epsilon), .keys = ts_probe_loaded(p, TS_B_surfel_depth_surfel),
-		.sums = ts_probe_loaded(p, TS_B_blend_sum), .heaviest = ts_probe_loaded(p, TS_B_blend_heaviest), .pixels = pixels,
-		.tally = &tally};
+	ts_surfel_mean_args args = {.view = &p->view,
+	                            .discs = ts_probe_loaded(p, TS_B_surfel_setup_disc),
+	                            .epsilon = ts_probe_loaded(p, TS_B_surfel_setup_epsilon),
+	                            .keys = ts_probe_loaded(p, TS_B_surfel_depth_surfel),
+	                            .sums = ts_probe_loaded(p, TS_B_blend_sum),
+	                            .heaviest = ts_probe_loaded(p, TS_B_blend_heaviest),
+	                            .pixels = pixels,
+	                            .tally = &tally};
 	if (pixels == NULL) return TS_ERROR;
 	ts_k_surfel_mean_item(&args, at->pixel);
 	const ts_gpixel *made = &pixels[at->pixel];
@@ -268,7 +285,8 @@ static ts_status put_mean(ts_probe *p, json_t *object, const place *at)
 		f32 length = ts_length(ts_k_mean(sums + 3, (f32)sums[TS_BLEND_WEIGHT]));
 		ts_probe_put(p, o, "albedo", ts_probe_v3_bits(ts_load3(made->albedo)));
 		ts_probe_put(p, o, "mean_of_normals", ts_probe_real(length));
-		ts_probe_put(p, o, "normal_of", json_string(length < TS_LEAST_NORMAL ? "the heaviest: they cancel" : "their mean"));
+		ts_probe_put(p, o, "normal_of",
+		             json_string(length < TS_LEAST_NORMAL ? "the heaviest: they cancel" : "their mean"));
 		ts_probe_put(p, o, "normal", ts_probe_v3_bits(ts_load3(made->normal)));
 		const char *of = args.keys[at->pixel] != TS_EMPTY ? "the nearest" : "the heaviest's centre";
 		ts_probe_put(p, o, "depth_of", json_string(of));

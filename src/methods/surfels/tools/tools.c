@@ -13,18 +13,18 @@ static const ts_margin_rule margins[] = {
 };
 
 static const ts_truth_kind truths[] = {
-	{ "discs", "surfels", "rays into the surfels themselves", "method", "surface", "sampling",
-	  .radiance = ts_truth_discs, .bytes = ts_truth_discs_bytes },
-	{ "surface", "surfels", "rays into what the surfels are samples of", "both", "", "",
-	  .radiance = ts_truth_surface, .bytes = ts_truth_surface_bytes,
-	  .exists = ts_truth_has_surface, .why_not = "what its surfels are samples of is not known" },
-	{ 0 },
+	{"discs", "surfels", "rays into the surfels themselves", "method", "surface", "sampling",
+     .radiance = ts_truth_discs, .bytes = ts_truth_discs_bytes},
+	{"surface", "surfels", "rays into what the surfels are samples of", "both", "", "", .radiance = ts_truth_surface,
+     .bytes = ts_truth_surface_bytes, .exists = ts_truth_has_surface,
+     .why_not = "what its surfels are samples of is not known"},
+	{0},
 };
 
 static const ts_bench_row benches[] = {
-	{ "nv40", "surface splatting: surfels a second and fragments a pixel; --objects takes sizes",
-	  TS_BENCH_BY_ITSELF " size", .paper = &ts_nv40 },
-	{ 0 },
+	{"nv40", "surface splatting: surfels a second and fragments a pixel; --objects takes sizes",
+     TS_BENCH_BY_ITSELF " size", .paper = &ts_nv40},
+	{0},
 };
 
 /* clang-format off */

@@ -22,7 +22,9 @@
 enum { N_ATTRIBUTES = 7, WEIGHT = 6 };
 enum { DISC_BYTES = 192 }; /* what Embree's tree takes for a surfel: 146 to 191 of 300 000 to four million of them */
 
-typedef struct { ts_v3 p, n, albedo; } spot;
+typedef struct {
+	ts_v3 p, n, albedo;
+} spot;
 
 typedef struct tracer tracer;
 
@@ -40,13 +42,14 @@ struct tracer {
 	ts_truth *mesh;
 	const ts_surfel *surfels;
 	const ts_view *eye;
-	const ts_light *lights; u32 n_lights;
-	double eps, fall;       /* world units; 1 / (2 sigma_k^2) */
-	f32 spread, beyond;     /* footprint of a unit of path; farther than the scene reaches */
-	double shift[2];        /* of the rays in their pixels, [0,1] */
-	u32 side;               /* rays a pixel a side */
+	const ts_light *lights;
+	u32 n_lights;
+	double eps, fall;   /* world units; 1 / (2 sigma_k^2) */
+	f32 spread, beyond; /* footprint of a unit of path; farther than the scene reaches */
+	double shift[2];    /* of the rays in their pixels, [0,1] */
+	u32 side;           /* rays a pixel a side */
 	ts_gpixel *pixels;
-	u32 *lit;               /* NULL: there are no shadows */
+	u32 *lit; /* NULL: there are no shadows */
 	int n_threads;
 };
 
@@ -66,7 +69,7 @@ static void add(void *user, const ts_disc_met *met)
 	const ts_surfel *s = &b->t->surfels[met->surfel];
 	ts_v3 n = normal_of(s);
 	double weight = exp(-b->t->fall * met->r2);
-	double value[N_ATTRIBUTES] = { 0, 0, 0, (double)n.x, (double)n.y, (double)n.z, 1 };
+	double value[N_ATTRIBUTES] = {0, 0, 0, (double)n.x, (double)n.y, (double)n.z, 1};
 	for (u32 k = 0; k < 3; k++) value[k] = fmin(fmax((double)s->colour[k], 0.0), 1.0);
 	for (u32 k = 0; k < N_ATTRIBUTES; k++) b->sum[k] += llrint(weight * value[k] * ONE);
 	bool heavier = weight > b->most || (weight == b->most && met->surfel < b->heaviest);
@@ -88,7 +91,7 @@ static ts_v3 along(const ts_disc_ray *ray, double t)
 
 static bool see_discs(const tracer *t, const ts_disc_ray *ray, spot *at)
 {
-	blend b = { .t = t, .most = -1 };
+	blend b = {.t = t, .most = -1};
 	ts_disc_met nearest = ts_discs_nearest(t->discs, ray);
 	if (nearest.surfel == TS_NONE) return false;
 	ts_discs_each(t->discs, ray, nearest.t + t->eps, add, &b);
@@ -104,12 +107,16 @@ static bool see_mesh(const tracer *t, const ts_disc_ray *ray, spot *at)
 {
 	ts_v3 eye = ts_load3(t->eye->eye);
 	ts_v3 d = ts_v3_make((f32)ray->direction[0], (f32)ray->direction[1], (f32)ray->direction[2]);
-	ts_truth_query query = { .origin = eye, .direction = ts_normalize(d), .near = (f32)ray->near, .masked = TS_NONE,
-	                         .from = eye, .spread = t->spread };
+	ts_truth_query query = {.origin = eye,
+	                        .direction = ts_normalize(d),
+	                        .near = (f32)ray->near,
+	                        .masked = TS_NONE,
+	                        .from = eye,
+	                        .spread = t->spread};
 	ts_truth_hit hit = ts_truth_cast(t->mesh, &query);
 	if (hit.triangle == TS_NONE) return false;
 	ts_surface s = ts_k_surface(ts_truth_scene(t->mesh), hit.triangle, hit.weights, hit.footprint);
-	*at = (spot){ s.p, ts_k_facing_normal(&s, ts_sub(eye, s.p)), ts_k_albedo(&s) };
+	*at = (spot){s.p, ts_k_facing_normal(&s, ts_sub(eye, s.p)), ts_k_albedo(&s)};
 	return true;
 }
 
@@ -121,16 +128,16 @@ static bool see_board(const tracer *t, const ts_disc_ray *ray, spot *at)
 	double distance = -ray->origin[1] / ray->direction[1];
 	ts_v3 p = along(ray, distance);
 	if (!(distance >= ray->near) || !ts_checkerboard_at(&albedo, p.x, p.z)) return false;
-	*at = (spot){ p, ts_v3_make(0, 1, 0), ts_v3_make(albedo, albedo, albedo) };
+	*at = (spot){p, ts_v3_make(0, 1, 0), ts_v3_make(albedo, albedo, albedo)};
 	return true;
 }
 
 static bool reaches_disc(const tracer *t, ts_v3 light, ts_v3 p)
 {
-	const double from[3] = { (double)light.x, (double)light.y, (double)light.z };
-	const double way[3] = { (double)p.x - from[0], (double)p.y - from[1], (double)p.z - from[2] };
+	const double from[3] = {(double)light.x, (double)light.y, (double)light.z};
+	const double way[3] = {(double)p.x - from[0], (double)p.y - from[1], (double)p.z - from[2]};
 	double length = sqrt(way[0] * way[0] + way[1] * way[1] + way[2] * way[2]);
-	ts_disc_ray ray = { .origin = { from[0], from[1], from[2] } };
+	ts_disc_ray ray = {.origin = {from[0], from[1], from[2]}};
 	for (u32 k = 0; k < 3; k++) ray.direction[k] = way[k] / length;
 	return !(ts_discs_nearest(t->discs, &ray).t < length - t->eps);
 }
@@ -138,7 +145,7 @@ static bool reaches_disc(const tracer *t, ts_v3 light, ts_v3 p)
 static bool reaches_mesh(const tracer *t, ts_v3 light, ts_v3 p)
 {
 	ts_v3 way = ts_sub(p, light);
-	ts_truth_query query = { .origin = light, .direction = ts_normalize(way), .masked = TS_NONE, .from = light };
+	ts_truth_query query = {.origin = light, .direction = ts_normalize(way), .masked = TS_NONE, .from = light};
 	ts_truth_hit hit = ts_truth_cast(t->mesh, &query);
 	f32 greatest = ts_max(ts_max(ts_abs(p.x), ts_abs(p.y)), ts_abs(p.z));
 	return hit.triangle == TS_NONE || hit.t >= ts_length(way) - SKIP * greatest;
@@ -169,9 +176,9 @@ static ts_status open_board(tracer *t, ts_run *run)
 	return TS_OK;
 }
 
-static const world of_discs = { "truth discs", open_discs, see_discs, reaches_disc };
-static const world of_mesh = { "truth surface", open_mesh, see_mesh, reaches_mesh };
-static const world of_board = { "truth surface", open_board, see_board, reaches_board };
+static const world of_discs = {"truth discs", open_discs, see_discs, reaches_disc};
+static const world of_mesh = {"truth surface", open_mesh, see_mesh, reaches_mesh};
+static const world of_board = {"truth surface", open_board, see_board, reaches_board};
 
 static ts_disc_ray eye_ray(const tracer *t, u32 x, u32 y)
 {
@@ -179,7 +186,7 @@ static ts_disc_ray eye_ray(const tracer *t, u32 x, u32 y)
 	double i = (x + t->shift[0] - eye->width * 0.5) / (double)eye->focal;
 	double j = (eye->height * 0.5 - (y + t->shift[1])) / (double)eye->focal;
 	double length = sqrt(i * i + j * j + 1.0);
-	ts_disc_ray ray = { .near = (double)eye->near * length };
+	ts_disc_ray ray = {.near = (double)eye->near * length};
 	for (u32 k = 0; k < 3; k++) {
 		double way = i * (double)eye->right[k] + j * (double)eye->up[k] - (double)eye->back[k];
 		ray.origin[k] = (double)eye->eye[k];
@@ -206,7 +213,7 @@ static void cast(const tracer *t, u32 x, u32 y)
 	spot at;
 	u64 i = (u64)y * t->eye->width + x;
 	ts_disc_ray ray = eye_ray(t, x, y);
-	ts_v3 zero = { 0, 0, 0 }, eye = ts_load3(t->eye->eye);
+	ts_v3 zero = {0, 0, 0}, eye = ts_load3(t->eye->eye);
 	if (!t->into->see(t, &ray, &at)) {
 		ts_k_gpixel_store(&t->pixels[i], zero, TS_SKY, zero, zero);
 		return;
@@ -273,13 +280,15 @@ static ts_status trace(f32 **radiance, const world *into, ts_run *run)
 		.n_threads = (int)run->c.threads,
 	};
 	ts_status status = into->open(&t, run) == TS_OK ? make_room(radiance, &t, run) : TS_ERROR;
-	for (u32 place = 0; place < t.side * t.side && status == TS_OK; place++) status = add_picture(*radiance, &t, run, place);
+	for (u32 place = 0; place < t.side * t.side && status == TS_OK; place++)
+		status = add_picture(*radiance, &t, run, place);
 	ts_discs_free(t.discs);
 	ts_truth_free(t.mesh);
 	return status;
 }
 
-static ts_status trace_scene(f32 **radiance, const world *into, const ts_scene *scene, const ts_params *params, u32 threads)
+static ts_status trace_scene(f32 **radiance, const world *into, const ts_scene *scene, const ts_params *params,
+                             u32 threads)
 {
 	ts_run run;
 	*radiance = NULL;
@@ -310,7 +319,8 @@ ts_status ts_truth_surface(f32 **radiance, const ts_scene *scene, const ts_param
 
 u64 ts_truth_surface_bytes(const ts_pipeline *method, const ts_scene *scene, const ts_params *params)
 {
-	static const ts_buffer_id ids[] = { TS_B_surfel_setup_disc, TS_B_gbuffer_pixel, TS_B_image_radiance, TS_B_image_srgb };
+	static const ts_buffer_id ids[] = {TS_B_surfel_setup_disc, TS_B_gbuffer_pixel, TS_B_image_radiance,
+	                                   TS_B_image_srgb};
 	const ts_expected expected = ts_pipeline_expect(method, scene, params);
 	const ts_sizes *sizes = &expected.sizes;
 	u64 bytes = ts_pipeline_bytes(TS_B_image_radiance, sizes);

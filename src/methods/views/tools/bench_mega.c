@@ -6,12 +6,13 @@
 
 enum { M_MEGA, M_LODS, M_WIDE, M_BRUTE };
 
+/* clang-format off */
 static const ts_bench_variant variants[] = {
 	[M_MEGA] = { "megaviews", "", true, TS_TIMED },
 	[M_LODS] = { "manylods", "", true, TS_TIMED },
 	[M_WIDE] = { "megaviews", "view_field=all", true, TS_TIMED },
 	[M_BRUTE] = { "bruteforce", "", false, TS_ONCE },
-	{ 0 }
+	{ 0 },
 };
 
 enum { VIEWS, MS, LODS_MS, WIDE_MS, BRUTE_MS, SPEEDUP, CULLING, TREE_MS, GATHER_MS, LODS_GATHER_MS, MS_GROWTH,
@@ -66,7 +67,7 @@ static const ts_bench_figure figures[] = {
 	[LODS_MAPS_MIB] = { "manylods_maps_mib", "maps", TS_FIGURE_BUFFERS, M_LODS, 0, 1, "map,fuse" },
 	[LODS_MIB] = { "manylods_mib", "all", TS_FIGURE_SUM, LODS_SCENE_MIB, LODS_MAPS_MIB, 1, "" },
 	[LESS] = { "mib_ratio", "by ours", TS_FIGURE_RATIO, LODS_MIB, MIB, 2, "" },
-	{ 0 }
+	{ 0 },
 };
 
 static const ts_paper_part parts[] = {
@@ -83,7 +84,7 @@ static const ts_paper_part parts[] = {
 	  SCENE_LEAVES, LEAVES, SCENE_MIB, TREE_MIB, QUEUE_MIB, MAPS_MIB, MIB, TS_NO_FIGURE } },
 	{ "mega_10_manylods_mib", "Memory of ManyLoDs, MiB", { LODS_SCENE_MIB, LODS_VIEWS_MIB, LODS_QUEUE_MIB, LODS_MAPS_MIB,
 	  LODS_MIB, LESS, TS_NO_FIGURE } },
-	{ 0 }
+	{ 0 },
 };
 
 #define MILLION VIEWS, 900e3, 1e9
@@ -108,15 +109,16 @@ static const ts_paper_relation relations[] = {
 	  SCENE_LEAVES },
 	{ "empty texels of maps of all directions, %", WIDE_EMPTY, TS_BETWEEN, 25, 35, ALL,
 	  "12.5 are outside the discs; of the rest those to the sky and into walls", WIDE_EMPTY },
-	{ 0 }
+	{ 0 },
 };
 
 /* On average of four scenes. */
 static const ts_paper_row rows[] = {
 	{ "four scenes", "atrium", "sponza", 2048, { [SPEEDUP] = 1 } },
 	{ "four scenes", "atrium", "sponza", 1048576, { [SPEEDUP] = 10, [LESS] = 10 } },
-	{ 0 }
+	{ 0 },
 };
+/* clang-format on */
 
 /* Texels of the whole maps of leaves that nothing was rendered to, %; NAN without maps. */
 static double empty_share(const ts_run *run)
@@ -134,8 +136,9 @@ static double empty_share(const ts_run *run)
 	return 100 * ((double)empty / (double)all);
 }
 
-static const ts_paper_plot plot = { "views", "maps, ms", VIEWS, { MS, LODS_MS, BRUTE_MS, TS_NO_FIGURE }, true };
+static const ts_paper_plot plot = {"views", "maps, ms", VIEWS, {MS, LODS_MS, BRUTE_MS, TS_NO_FIGURE}, true};
 
+/* clang-format off */
 const ts_paper_table ts_mega_10 = {
 	.name = "mega-10", .title = "MegaViews, figure 10", .effect = "indirect", .scenes = "atrium", .objects_head = "paths",
 	.objects_param = "vpls", .objects = "256,1024,4096", .most = 1 << 24, .most_long = 1024, .set = "reflectors=0",
@@ -144,3 +147,4 @@ const ts_paper_table ts_mega_10 = {
 	.look = empty_share, .variants = variants, .figures = figures, .parts = parts, .relations = relations,
 	.plot = &plot, .rows = rows,
 };
+/* clang-format on */

@@ -4,15 +4,16 @@
 
 #define ALL TS_NO_FIGURE, 0, 0
 
+/* clang-format off */
 /* Figure 12. */
 static const ts_bench_variant splat_variants[] = {
 	[M_MEGA] = { "megaviews", "multipixel=on", true, TS_TIMED },
 	[M_LODS] = { "manylods", "multipixel=on", true, TS_TIMED },
-	{ 0 }
+	{ 0 },
 };
 
 static const ts_bench_figure side_figures[] = {
-	[X] = { "side", "texels a side", TS_FIGURE_PARAM, 0, 0, TS_WHOLE, "view_px" }, TS_MEGA_FIGURES, { 0 }
+	[X] = { "side", "texels a side", TS_FIGURE_PARAM, 0, 0, TS_WHOLE, "view_px" }, TS_MEGA_FIGURES, { 0 },
 };
 
 static const ts_paper_part side_parts[] = {
@@ -22,7 +23,7 @@ static const ts_paper_part side_parts[] = {
 	  WIDER_SHARE, TS_NO_FIGURE } },
 	{ "mega_12_mib", "Memory", { QUEUE_MIB, MAPS_MIB, LODS_QUEUE_MIB, LODS_MAPS_MIB, MAPS_LESS,
 	  TS_NO_FIGURE } },
-	{ 0 }
+	{ 0 },
 };
 
 static const ts_paper_relation side_relations[] = {
@@ -32,7 +33,7 @@ static const ts_paper_relation side_relations[] = {
 	  "more leaves are wider than a texel, or a busy machine", WIDER_SHARE },
 	{ "ManyLoDs / MegaViews", SPEEDUP, TS_AT_LEAST, 1, 0, ALL, "few views share", SHARING },
 	{ "views that share a pair become fewer: exponent", SHARING_GROWTH, TS_AT_MOST, 0, 0, ALL, "more share", SHARING },
-	{ 0 }
+	{ 0 },
 };
 
 static const ts_paper_row none[] = { { 0 } };
@@ -50,11 +51,11 @@ const ts_paper_table ts_mega_12 = {
 static const ts_bench_variant variants[] = {
 	[M_MEGA] = { "megaviews", "", true, TS_TIMED },
 	[M_LODS] = { "manylods", "", true, TS_TIMED },
-	{ 0 }
+	{ 0 },
 };
 
 static const ts_bench_figure level_figures[] = {
-	[X] = { "leaves", "leaves", TS_FIGURE_COUNTER, M_MEGA, 0, TS_WHOLE, "scene leaves" }, TS_MEGA_FIGURES, { 0 }
+	[X] = { "leaves", "leaves", TS_FIGURE_COUNTER, M_MEGA, 0, TS_WHOLE, "scene leaves" }, TS_MEGA_FIGURES, { 0 },
 };
 
 static const ts_paper_part level_parts[] = {
@@ -62,7 +63,7 @@ static const ts_paper_part level_parts[] = {
 	  SPEEDUP, MS_GROWTH, LODS_MS_GROWTH, RMSE, TS_NO_FIGURE } },
 	{ "mega_13_pairs", "Pairs, and ManyLoDs'", { PAIRS, LODS_PAIRS, SAVED, PAIRS_GROWTH, SHARING, WIDER, WIDER_SHARE,
 	  TS_NO_FIGURE } },
-	{ 0 }
+	{ 0 },
 };
 
 static const ts_paper_relation level_relations[] = {
@@ -72,14 +73,14 @@ static const ts_paper_relation level_relations[] = {
 	{ "pairs grow slower than leaves: exponent", PAIRS_GROWTH, TS_AT_MOST, 0, 1, ALL, "little shared", SHARING },
 	{ "rendered pairs wider than a texel, %, most by least", WIDER_SHARE, TS_STEADY, 0, 15, ALL,
 	  "differs: more than the paper's pairs", WIDER_SHARE },
-	{ 0 }
+	{ 0 },
 };
 
 /* With 64K paths of four bounces. */
 static const ts_paper_row level_rows[] = {
 	{ "Sibenik", "atrium", "sibenik", 8, { [MS] = 7 } },
 	{ "Sibenik", "atrium", "sibenik", 11, { [MS] = 31 } },
-	{ 0 }
+	{ 0 },
 };
 
 static const ts_paper_plot level_plot = { "leaves of the scene", "maps, ms", X, { MS, LODS_MS, TS_NO_FIGURE }, true };
@@ -99,7 +100,7 @@ static const ts_bench_variant gather_variants[] = {
 	[M_CULLED] = { "megaviews", "filter_px=0", true, TS_ONCE },
 	[M_UNCULLED] = { "megaviews", "filter_px=0,gather_level=0", true, TS_ONCE },
 	[M_EVERY] = { "megaviews", "filter_px=0,gather_lights=0", true, TS_ONCE },
-	{ 0 }
+	{ 0 },
 };
 
 enum { LISTED, STRUCK, LISTED_AND_STRUCK, STRUCK_SHARE, LISTS_MS, GATHER_MS, EVERY_MS, NOISE, UNCULLED_NOISE, NOISE_RATIO,
@@ -117,13 +118,13 @@ static const ts_bench_figure gather_figures[] = {
 	[UNCULLED_NOISE] = { "unculled_noise", "not culled", TS_FIGURE_RMSE, M_UNCULLED, M_EVERY, 3, "" },
 	[NOISE_RATIO] = { "noise_ratio", "by that", TS_FIGURE_RATIO, NOISE, UNCULLED_NOISE, 3, "" },
 	[LEVEL] = { "level", "level", TS_FIGURE_PARAM, 0, 0, TS_WHOLE, "gather_level" },
-	{ 0 }
+	{ 0 },
 };
 
 static const ts_paper_part gather_parts[] = {
 	{ "mega_16", "MegaViews, figure 16: nodes of views culled; RMSE to all lights, grey levels", { LISTED_AND_STRUCK, STRUCK,
 	  STRUCK_SHARE, LISTS_MS, GATHER_MS, EVERY_MS, NOISE, UNCULLED_NOISE, NOISE_RATIO, TS_NO_FIGURE } },
-	{ 0 }
+	{ 0 },
 };
 
 static const ts_paper_relation gather_relations[] = {
@@ -131,17 +132,19 @@ static const ts_paper_relation gather_relations[] = {
 	  "none are cut off by distance, and few are behind", STRUCK_SHARE },
 	{ "they are more from level to level", STRUCK_SHARE, TS_GROWS, 1, 0, ALL, "differs: fewer", STRUCK_SHARE },
 	{ "noise by that without culling", NOISE_RATIO, TS_AT_MOST, 0, 1, ALL, "few views are culled", STRUCK_SHARE },
-	{ 0 }
+	{ 0 },
 };
 
 static const ts_paper_row gather_rows[] = {
 	{ "Sponza", "atrium", "sponza", 6, { [STRUCK_SHARE] = 94 } },
-	{ 0 }
+	{ 0 },
 };
+/* clang-format on */
 
-static const ts_paper_plot gather_plot = { "level", "RMSE, grey levels", LEVEL, { NOISE, UNCULLED_NOISE, TS_NO_FIGURE },
-	true };
+static const ts_paper_plot gather_plot = {
+	"level", "RMSE, grey levels", LEVEL, {NOISE, UNCULLED_NOISE, TS_NO_FIGURE}, true};
 
+/* clang-format off */
 const ts_paper_table ts_mega_16 = {
 	.name = "mega-16", .title = "MegaViews, figure 16", .effect = "indirect", .scenes = "atrium",
 	.objects_head = "gather_level", .objects_param = "gather_level", .objects = "2,3,4,5,6", .set = "reflectors=0",
@@ -150,3 +153,4 @@ const ts_paper_table ts_mega_16 = {
 	.variants = gather_variants, .figures = gather_figures, .parts = gather_parts, .relations = gather_relations,
 	.plot = &gather_plot, .rows = gather_rows,
 };
+/* clang-format on */

@@ -5,10 +5,11 @@
 #define MILLION X, 900e3, 1e9
 #define ALL TS_NO_FIGURE, 0, 0
 
+/* clang-format off */
 static const ts_bench_variant variants[] = {
 	[M_MEGA] = { "megaviews", "", true, TS_TIMED },
 	[M_LODS] = { "manylods", "", true, TS_TIMED },
-	{ 0 }
+	{ 0 },
 };
 
 /* The last are figures of the first part. */
@@ -29,7 +30,7 @@ static const ts_paper_plot plot = { "views", "maps, ms", X, { MS, LODS_MS, TS_NO
 
 /* Four bounces. */
 static const ts_bench_figure bounce_figures[] = {
-	[X] = { "views", "views", TS_FIGURE_COUNTER, M_MEGA, 0, TS_WHOLE, "virtual point lights" }, TS_MEGA_FIGURES, { 0 }
+	[X] = { "views", "views", TS_FIGURE_COUNTER, M_MEGA, 0, TS_WHOLE, "virtual point lights" }, TS_MEGA_FIGURES, { 0 },
 };
 
 static const ts_paper_part bounce_parts[] = PARTS("mega_10_bounces", "MegaViews, figure 10, four bounces", X, MS);
@@ -37,13 +38,13 @@ static const ts_paper_part bounce_parts[] = PARTS("mega_10_bounces", "MegaViews,
 static const ts_paper_relation bounce_relations[] = {
 	{ "time of ManyLoDs / MegaViews, a million views", SPEEDUP, TS_AT_LEAST, 10, 0, MILLION,
 	  "less is shared, or fusion takes longer", SHARING },
-	GROWTH, { 0 }
+	GROWTH, { 0 },
 };
 
 /* On average of four scenes. */
 static const ts_paper_row bounce_rows[] = {
 	{ "four scenes", "atrium", "sponza", 262144, { [SPEEDUP] = 10, [MAPS_LESS] = 10 } },
-	{ 0 }
+	{ 0 },
 };
 
 const ts_paper_table ts_mega_10_bounces = {
@@ -56,7 +57,7 @@ const ts_paper_table ts_mega_10_bounces = {
 
 /* Particles. */
 static const ts_bench_figure particle_figures[] = {
-	[X] = { "views", "views", TS_FIGURE_PARAM, M_MEGA, 0, TS_WHOLE, "particles" }, TS_MEGA_FIGURES, { 0 }
+	[X] = { "views", "views", TS_FIGURE_PARAM, M_MEGA, 0, TS_WHOLE, "particles" }, TS_MEGA_FIGURES, { 0 },
 };
 
 static const ts_paper_part particle_parts[] = PARTS("mega_particles", "MegaViews, particles", MS);
@@ -64,13 +65,13 @@ static const ts_paper_part particle_parts[] = PARTS("mega_particles", "MegaViews
 static const ts_paper_relation particle_relations[] = {
 	{ "time of ManyLoDs / MegaViews, 65,536 views", SPEEDUP, TS_BETWEEN, 1.5, 2.5, X, 60000, 70000,
 	  "more or less is shared", SHARING },
-	GROWTH, { 0 }
+	GROWTH, { 0 },
 };
 
 static const ts_paper_row particle_rows[] = {
 	{ "San Miguel", "atrium", "sponza", 4096, { [MS] = 21 } },
 	{ "San Miguel", "atrium", "sponza", 65536, { [MS] = 184, [SPEEDUP] = 2 } },
-	{ 0 }
+	{ 0 },
 };
 
 const ts_paper_table ts_mega_particles = {
@@ -81,3 +82,4 @@ const ts_paper_table ts_mega_particles = {
 	.figures = particle_figures, .parts = particle_parts, .relations = particle_relations, .plot = &plot,
 	.rows = particle_rows,
 };
+/* clang-format on */

@@ -29,8 +29,7 @@ static ts_status check_levels(const ts_load *load, const ts_stage *stage, ts_buf
 		return ts_check_refuse(load, id, i, "", 0, "at least %" PRIu32 ", as before,", level[i - 1]);
 	}
 	if (n_nodes == TS_UNKNOWN || level[n - 1] == n_nodes) return TS_OK;
-	return ts_check_refuse(load, id, n - 1, "", 0, "%" PRIu64 " (%s), all nodes,", n_nodes,
-	                       ts_dim_table[of].name);
+	return ts_check_refuse(load, id, n - 1, "", 0, "%" PRIu64 " (%s), all nodes,", n_nodes, ts_dim_table[of].name);
 }
 
 /* The children name a node as their parent, and are of the next level. */
@@ -137,7 +136,8 @@ static ts_status check_leaves(const ts_load *load, const ts_stage *stage, ts_buf
 		}
 		for (u32 k = offset[i]; k < offset[i + 1]; k++) {
 			if (leaf[view[k]] == first + i) continue;
-			return ts_check_refuse(load, TS_B_view_octree_view, k, "", 0, "a view whose leaf is node %" PRIu64, first + i);
+			return ts_check_refuse(load, TS_B_view_octree_view, k, "", 0, "a view whose leaf is node %" PRIu64,
+			                       first + i);
 		}
 	}
 	return TS_OK;
@@ -165,8 +165,7 @@ static ts_status check_rendered(const ts_load *load, const ts_stage *stage, ts_b
 	const u64 *pairs = ts_check_elements(load, id, &n);
 	for (u64 i = 0; i < n; i++) {
 		if (pairs[i] >> 32 < n_nodes) continue;
-		return ts_check_refuse(load, id, i, "", 0, "less than %" PRIu64 " (nodes) in the high half",
-		                       n_nodes);
+		return ts_check_refuse(load, id, i, "", 0, "less than %" PRIu64 " (nodes) in the high half", n_nodes);
 	}
 	return TS_OK;
 }

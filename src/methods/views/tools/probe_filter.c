@@ -6,7 +6,10 @@
 
 enum { MOST_LISTED = 8 };
 
-typedef struct { i32 k; f32 weight; } neighbour;
+typedef struct {
+	i32 k;
+	f32 weight;
+} neighbour;
 
 static int by_weight(const void *a, const void *b)
 {

@@ -9,16 +9,21 @@
 enum { MOST_LISTED = 8 };
 
 /* A pair that came to the texel of a node of the chain, in a level of its pyramid. */
-typedef struct { u64 key, pair; u32 step, mip; } offer;
+typedef struct {
+	u64 key, pair;
+	u32 step, mip;
+} offer;
 
 typedef struct {
 	ts_traverse_args how;
 	ts_probe_chain chain;
-	u32 texel;           /* of the finest level */
-	u64 *map;            /* scratch, a map */
-	u64 *stack; size_t n, room;
-	offer *offers; size_t n_offers, offers_room;
-	u32 n_touching;      /* pairs that would come to the texel if they did not touch */
+	u32 texel; /* of the finest level */
+	u64 *map;  /* scratch, a map */
+	u64 *stack;
+	size_t n, room;
+	offer *offers;
+	size_t n_offers, offers_room;
+	u32 n_touching; /* pairs that would come to the texel if they did not touch */
 } search;
 
 static ts_status push(search *s, u64 pair)
@@ -52,7 +57,8 @@ static ts_status offer_pair(search *s, u64 pair, u32 step, u32 fate)
 	if (key == TS_EMPTY) return TS_OK;
 	if (fate == TS_PAIR_TOUCH) s->n_touching++;
 	if (fate == TS_PAIR_TOUCH) return TS_OK;
-	if (ts_grow(&array, &s->offers_room, s->n_offers + 1, sizeof *s->offers, "pairs of a texel") != TS_OK) return TS_ERROR;
+	if (ts_grow(&array, &s->offers_room, s->n_offers + 1, sizeof *s->offers, "pairs of a texel") != TS_OK)
+		return TS_ERROR;
 	s->offers = array;
 	s->offers[s->n_offers++] = (offer){.key = key, .pair = pair, .step = step, .mip = mip};
 	return TS_OK;
@@ -62,7 +68,8 @@ static ts_status offer_pair(search *s, u64 pair, u32 step, u32 fate)
 static ts_status split(search *s, u64 pair, u32 step, u32 fate)
 {
 	u32 node = ts_k_pair_node(pair), views = ts_k_pair_views(pair);
-	if (fate == TS_PAIR_SPLIT_VIEW) return step + 1 < s->chain.n ? push(s, ts_k_pair(node, s->chain.id[step + 1])) : TS_OK;
+	if (fate == TS_PAIR_SPLIT_VIEW)
+		return step + 1 < s->chain.n ? push(s, ts_k_pair(node, s->chain.id[step + 1])) : TS_OK;
 	u32 first = s->how.nodes[node].child, n = ts_k_count_bits(s->how.nodes[node].children);
 	for (u32 k = 0; k < n; k++) {
 		if (push(s, ts_k_pair(first + k, views)) != TS_OK) return TS_ERROR;
@@ -78,8 +85,10 @@ static ts_status traverse(search *s)
 		u64 pair = s->stack[--s->n];
 		u32 fate = ts_k_pair_fate(&s->how, pair), step = s->how.views[ts_k_pair_views(pair)].level;
 		bool ends = fate == TS_PAIR_RENDER || fate == TS_PAIR_TOUCH;
-		if (ends) status = offer_pair(s, pair, step, fate);
-		else if (fate != TS_PAIR_CULL) status = split(s, pair, step, fate);
+		if (ends)
+			status = offer_pair(s, pair, step, fate);
+		else if (fate != TS_PAIR_CULL)
+			status = split(s, pair, step, fate);
 	}
 	return status;
 }
@@ -234,8 +243,8 @@ static ts_status describe(ts_probe *p, json_t *o, u32 node, u32 texel)
 
 static ts_status load(ts_probe *p)
 {
-	static const ts_buffer_id needed[] = {
-		TS_B_map_depth_node, TS_B_fuse_depth, TS_B_fuse_node, TS_B_view_octree_leaf, TS_N_BUFFERS};
+	static const ts_buffer_id needed[] = {TS_B_map_depth_node, TS_B_fuse_depth, TS_B_fuse_node, TS_B_view_octree_leaf,
+	                                      TS_N_BUFFERS};
 	const ts_step *maker = ts_pipeline_maker(p->trace->pipeline, TS_B_map_depth_node);
 	const ts_step *traverse = ts_pipeline_maker(p->trace->pipeline, TS_B_traverse_rendered);
 	const char *stage = (traverse != NULL ? traverse : maker)->stage;

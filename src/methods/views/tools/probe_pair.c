@@ -20,7 +20,9 @@ ts_status ts_probe_read_chain(ts_probe *p, ts_probe_chain *c, u32 node)
 		u64 *to = c->texels + (size_t)i * n_texels;
 		if (ts_probe_fetch(p, TS_B_map_depth_node, (u64)c->id[i] * n_texels, n_texels, to) != TS_OK) return TS_ERROR;
 	}
-	c->args = (ts_fuse_args){.views = c->nodes, .texels = c->texels, .pyramid = pyramid,
+	c->args = (ts_fuse_args){.views = c->nodes,
+	                         .texels = c->texels,
+	                         .pyramid = pyramid,
 	                         .nearest = TS_PARAM(&p->load->run.params, fusion) == TS_FUSION_MIN};
 	return TS_OK;
 }
@@ -61,9 +63,10 @@ void ts_probe_put_decision(ts_probe *p, json_t *o, const ts_traverse_args *how, 
 	ts_probe_put(p, o, "texels_wide", ts_probe_real(ts_k_pair_size(&s, &v, how->n)));
 	if (s.leaf && v.leaf) ts_probe_put(p, o, "touching_within", ts_probe_real(ts_k_pair_touch_reach(&s, &v)));
 	ts_probe_put(p, o, "margin", ts_probe_real(ts_k_fate_margin(how, pair, fate)));
-	ts_probe_put(p, o, "why", json_string(leaves                   ? "both are leaves"
-	                                      : fate == TS_PAIR_RENDER ? "all of the views show it in one texel"
-	                                                               : "it should not have been rendered"));
+	ts_probe_put(p, o, "why",
+	             json_string(leaves                   ? "both are leaves"
+	                         : fate == TS_PAIR_RENDER ? "all of the views show it in one texel"
+	                                                  : "it should not have been rendered"));
 }
 
 static ts_status put_rendered(ts_probe *p, json_t *o, u64 pair, u32 held)

@@ -8,8 +8,13 @@
 enum { MOST_LISTED = 16, MOST_DRAWN = 64 };
 
 /* A light and how often it is drawn. */
-typedef struct { u32 view, times; ts_v3 light; } term;
-typedef struct { u64 nodes, views; } tally;
+typedef struct {
+	u32 view, times;
+	ts_v3 light;
+} term;
+typedef struct {
+	u64 nodes, views;
+} tally;
 
 /* What becomes of the pair of nodes s and v: that of the first pair of nodes above them that is not split. */
 static u32 fate_of(const ts_traverse_args *how, u32 s, u32 v, u64 *pair)
@@ -61,7 +66,8 @@ static ts_status put_culling(ts_probe *p, json_t *o, const ts_vpl_gather_args *a
 	return TS_OK;
 }
 
-static ts_status put_node(ts_probe *p, json_t *object, const ts_vpl_gather_args *args, const ts_view_list *list, ts_v3 at)
+static ts_status put_node(ts_probe *p, json_t *object, const ts_vpl_gather_args *args, const ts_view_list *list,
+                          ts_v3 at)
 {
 	json_t *o = json_object();
 	ts_status status = TS_OK;

@@ -20,7 +20,8 @@ static ts_status check_paths(const ts_probe *p, const ts_probe_gather *g)
 		               (unsigned)least, (unsigned)most);
 	}
 	if (g->paths[g->n_paths] == g->args.n_lights) return TS_OK;
-	return ts_fail("%s: ends at %u; there are %u lights", path, (unsigned)g->paths[g->n_paths], (unsigned)g->args.n_lights);
+	return ts_fail("%s: ends at %u; there are %u lights", path, (unsigned)g->paths[g->n_paths],
+	               (unsigned)g->args.n_lights);
 }
 
 ts_status ts_probe_read_paths(ts_probe *p, ts_probe_gather *g)
@@ -47,8 +48,10 @@ static u32 path_of(const ts_probe_gather *g, u32 light)
 	u32 low = 0, high = g->vpl.n - 1;
 	while (low < high) {
 		u32 middle = low + (high - low + 1) / 2;
-		if (g->paths[middle] <= light) low = middle;
-		else high = middle - 1;
+		if (g->paths[middle] <= light)
+			low = middle;
+		else
+			high = middle - 1;
 	}
 	return low;
 }

@@ -12,11 +12,11 @@ static const ts_margin_rule margins[] = {
 };
 
 static const ts_truth_kind truths[] = {
-	{ "vpls", "indirect", "all virtual point lights, where they are seen", "method", "", "",
-	  .begin = ts_truth_indirect_begin, .trace = ts_truth_vpls, .image = "indirect_image" },
-	{ "glow", "particles", "all particles, where they are seen", "method", "", "",
-	  .begin = ts_truth_particles_begin, .trace = ts_truth_glow, .image = "indirect_image" },
-	{ 0 },
+	{"vpls", "indirect", "all virtual point lights, where they are seen", "method", "", "",
+     .begin = ts_truth_indirect_begin, .trace = ts_truth_vpls, .image = "indirect_image"},
+	{"glow", "particles", "all particles, where they are seen", "method", "", "", .begin = ts_truth_particles_begin,
+     .trace = ts_truth_glow, .image = "indirect_image"},
+	{0},
 };
 
 static const ts_texel_rule texels[] = {
@@ -25,16 +25,16 @@ static const ts_texel_rule texels[] = {
 };
 
 static const ts_bench_row benches[] = {
-	{ "mega-10", "MegaViews and ManyLoDs as views become many; --objects are paths of light", TS_BENCH_BY_ITSELF,
-	  .paper = &ts_mega_10 },
-	{ "mega-10-bounces", "the same of four bounces", TS_BENCH_BY_ITSELF, .paper = &ts_mega_10_bounces },
-	{ "mega-12", "MegaViews: as maps become large; --objects are texels a side", TS_BENCH_BY_ITSELF,
-	  .paper = &ts_mega_12 },
-	{ "mega-13", "MegaViews: as octrees become deep; --objects are levels", TS_BENCH_BY_ITSELF, .paper = &ts_mega_13 },
-	{ "mega-16", "MegaViews: what gathering culls; --objects are levels", TS_BENCH_BY_ITSELF, .paper = &ts_mega_16 },
-	{ "mega-particles", "MegaViews: of particles at random in the air; --objects are how many", TS_BENCH_BY_ITSELF,
-	  .paper = &ts_mega_particles },
-	{ 0 },
+	{"mega-10", "MegaViews and ManyLoDs as views become many; --objects are paths of light", TS_BENCH_BY_ITSELF,
+     .paper = &ts_mega_10},
+	{"mega-10-bounces", "the same of four bounces", TS_BENCH_BY_ITSELF, .paper = &ts_mega_10_bounces},
+	{"mega-12", "MegaViews: as maps become large; --objects are texels a side", TS_BENCH_BY_ITSELF,
+     .paper = &ts_mega_12},
+	{"mega-13", "MegaViews: as octrees become deep; --objects are levels", TS_BENCH_BY_ITSELF, .paper = &ts_mega_13},
+	{"mega-16", "MegaViews: what gathering culls; --objects are levels", TS_BENCH_BY_ITSELF, .paper = &ts_mega_16},
+	{"mega-particles", "MegaViews: of particles at random in the air; --objects are how many", TS_BENCH_BY_ITSELF,
+     .paper = &ts_mega_particles},
+	{0},
 };
 
 /* clang-format off */

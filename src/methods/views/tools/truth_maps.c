@@ -11,8 +11,8 @@ typedef struct {
 	const ts_truth *truth;
 	ts_vpl_gather_args of;
 	u64 n_pixels;
-	f32 leaf, reach;    /* side of a leaf; what is so near a light stops nothing */
-	bool all;           /* views see all directions */
+	f32 leaf, reach; /* side of a leaf; what is so near a light stops nothing */
+	bool all;        /* views see all directions */
 } judge;
 
 static void judge_texel(const judge *j, u32 view, u32 texel, ts_texel_counts *counts)

@@ -7,7 +7,8 @@
 
 typedef struct {
 	const ts_truth *truth;
-	const ts_vpl *vpls; u64 n_vpls;
+	const ts_vpl *vpls;
+	u64 n_vpls;
 	f32 near, reach; /* world units: least distance of a light, and what about it stops nothing */
 } tracer;
 

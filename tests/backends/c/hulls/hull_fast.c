@@ -16,12 +16,16 @@ typedef struct {
 } world;
 
 /* What a pass over it writes. */
-typedef struct { u32 box[MOST_PIXELS]; f32 irradiance[3 * MOST_PIXELS]; i64 n_unlit; } result;
+typedef struct {
+	u32 box[MOST_PIXELS];
+	f32 irradiance[3 * MOST_PIXELS];
+	i64 n_unlit;
+} result;
 
 /* Far apart in size, and now and then 0, the least or the most that there is. */
 static f32 extreme(f32 most)
 {
-	const f32 ends[] = { 0, 0.5f, 1, 2, most };
+	const f32 ends[] = {0, 0.5f, 1, 2, most};
 	u32 sort = below(8);
 	return sort < 5 ? ends[sort] : most * (f32)pow(2, -30 * (double)uniform(0, 1));
 }
@@ -48,7 +52,7 @@ static void random_box(world *w, u32 label)
 {
 	ts_segment *box = &w->boxes[w->n];
 	u32 block = label / 1024;
-	*box = (ts_segment){ .nearest = uniform(0.5f, 0.9f), .label = label };
+	*box = (ts_segment){.nearest = uniform(0.5f, 0.9f), .label = label};
 	box->farthest = box->nearest + uniform(0, 0.2f);
 	for (u32 k = 0; k < 2; k++) {
 		u32 first = (k == 0 ? block % 2 : block / 2) * 32;
@@ -79,9 +83,16 @@ static ts_hull_args arguments(const world *w, result *r, u32 width)
 	memset(r, 0x55, sizeof *r);
 	r->n_unlit = 0;
 	return (ts_hull_args){
-		.choice = { .offset = w->offset, .boxes = w->boxes, .grid = GRID, .robust = below(2), .step = 0.02f },
-		.pixels = w->pixels, .moments = w->moments, .lobes = w->lobes, .box = r->box, .irradiance = r->irradiance,
-		.n_unlit = &r->n_unlit, .width = width, .height = MOST_PIXELS / width, .cosine = TS_COSINE_IS_OURS,
+		.choice = {.offset = w->offset, .boxes = w->boxes, .grid = GRID, .robust = below(2), .step = 0.02f},
+		.pixels = w->pixels,
+		.moments = w->moments,
+		.lobes = w->lobes,
+		.box = r->box,
+		.irradiance = r->irradiance,
+		.n_unlit = &r->n_unlit,
+		.width = width,
+		.height = MOST_PIXELS / width,
+		.cosine = TS_COSINE_IS_OURS,
 	};
 }
 
@@ -92,7 +103,8 @@ static void test_equal(void **state)
 	static result plain, fast;
 	u64 n_lit = 0;
 	for (u32 i = 0; i < N; i++) {
-		u32 start = n_random, width = 1 + below(70), n = width * (1 + below(MOST_PIXELS / width)), threads = 1 + below(4);
+		u32 start = n_random, width = 1 + below(70), n = width * (1 + below(MOST_PIXELS / width)),
+			threads = 1 + below(4);
 		random_world(&w, n);
 		ts_hull_args args = arguments(&w, &plain, width);
 		ts_c_launch(TS_KERNEL_hull, &args, n, 1);
@@ -113,6 +125,6 @@ static void test_equal(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = { seeded_test(test_equal) };
+	const struct CMUnitTest tests[] = {seeded_test(test_equal)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -75,6 +75,6 @@ static void test_equal(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = { cmocka_unit_test(test_equal) };
+	const struct CMUnitTest tests[] = {cmocka_unit_test(test_equal)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -25,8 +25,12 @@ static u64 random_views(u32 n)
 	u64 offset = 0;
 	for (u32 v = 0; v < n; v++) {
 		ts_offscreen *view = &views[v];
-		*view = (ts_offscreen){.width = 1 + random_bits() % 70, .height = 1 + random_bits() % 70, .object = TS_NONE,
-		                       .orthographic = random_bits() % 4 == 0, .near = uniform_power(-10, 0), .offset = offset};
+		*view = (ts_offscreen){.width = 1 + random_bits() % 70,
+		                       .height = 1 + random_bits() % 70,
+		                       .object = TS_NONE,
+		                       .orthographic = random_bits() % 4 == 0,
+		                       .near = uniform_power(-10, 0),
+		                       .offset = offset};
 		ts_store3(view->eye, uniform3(-3, 3));
 		if (random_bits() % 3 == 0) {
 			ts_store3(view->right, ts_v3_make(1, 0, 0));
@@ -42,7 +46,10 @@ static u64 random_views(u32 n)
 	return offset;
 }
 
-typedef struct { u32 *depths; i64 tally[3]; } result;
+typedef struct {
+	u32 *depths;
+	i64 tally[3];
+} result;
 
 static void scatter(result *r, ts_scatter_args args, u64 n_texels, u64 n, bool stored, u32 threads)
 {
@@ -91,9 +98,18 @@ static void test_equal(void **state)
 		u64 n_texels = random_views(n_views), bits[MESH_TRIANGLES * 2];
 		for (u32 k = 0; k < MESH_TRIANGLES * 2; k++) bits[k] = (u64)random_bits() << 32 | random_bits();
 		ts_scatter_args args = {
-			.from = {.scene = mesh_arrays(&m), .pieces = m.pieces, .frames = m.frames, .keys = m.keys, .points = m.points,
-			         .half_size = 129, .snap = random_bits() % 2},
-			.views = views, .bits = bits, .first_view = first, .n_views = n_views - first, .n_words = 2,
+			.from = {.scene = mesh_arrays(&m),
+		             .pieces = m.pieces,
+		             .frames = m.frames,
+		             .keys = m.keys,
+		             .points = m.points,
+		             .half_size = 129,
+		             .snap = random_bits() % 2},
+			.views = views,
+			.bits = bits,
+			.first_view = first,
+			.n_views = n_views - first,
+			.n_words = 2,
 		};
 		for (u32 stored = 0; stored < 2; stored++) {
 			u64 n = stored != 0 ? m.n_points : m.n_pieces;
@@ -124,9 +140,16 @@ static void test_more_than_a_pool(void **state)
 	assert_true(m.n_points > 200000);
 	u64 n_texels = random_views(5), bits[2] = {UINT64_MAX, UINT64_MAX};
 	ts_scatter_args args = {
-		.from = {.scene = mesh_arrays(&m), .pieces = m.pieces, .frames = m.frames, .keys = m.keys, .points = m.points,
-		         .half_size = 129},
-		.views = views, .bits = bits, .n_views = 5, .n_words = 2,
+		.from = {.scene = mesh_arrays(&m),
+	             .pieces = m.pieces,
+	             .frames = m.frames,
+	             .keys = m.keys,
+	             .points = m.points,
+	             .half_size = 129},
+		.views = views,
+		.bits = bits,
+		.n_views = 5,
+		.n_words = 2,
 	};
 	result stored, made, plain;
 	scatter(&plain, args, n_texels, m.n_pieces, false, 0);

@@ -6,18 +6,25 @@
 enum { N = 1500 };
 
 /* Everything about one run, printed when it fails. */
-typedef struct { u32 start, clip, plane_depth, paper_splat, threads, n_cubes; i32 half_size; f32 samples; } setting;
+typedef struct {
+	u32 start, clip, plane_depth, paper_splat, threads, n_cubes;
+	i32 half_size;
+	f32 samples;
+} setting;
 
 /* Slivers, needles through the near plane, triangles through the eye, along an axis, at the ends of the range. */
 static void extreme_corners(ts_v3 corner[3], ts_v3 centre)
 {
 	u32 sort = random_bits() % 8;
 	random_corners(corner, 6, 0.002f, 64);
-	if (sort == 0) for (u32 k = 0; k < 3; k++) corner[k].x = centre.x;
+	if (sort == 0)
+		for (u32 k = 0; k < 3; k++) corner[k].x = centre.x;
 	if (sort == 1) corner[random_bits() % 3] = centre;
-	if (sort == 2) for (u32 k = 0; k < 3; k++) corner[k] = ts_mad(centre, uniform3(-1, 1), 0.004f);
+	if (sort == 2)
+		for (u32 k = 0; k < 3; k++) corner[k] = ts_mad(centre, uniform3(-1, 1), 0.004f);
 	if (sort == 3) corner[random_bits() % 3] = ts_scale(uniform3(-1, 1), 16777216);
-	if (sort == 4) for (u32 k = 0; k < 3; k++) corner[k] = ts_add(centre, uniform3(-9, 9));
+	if (sort == 4)
+		for (u32 k = 0; k < 3; k++) corner[k] = ts_add(centre, uniform3(-9, 9));
 	if (sort == 5) {
 		for (u32 k = 0; k < 3; k++) {
 			corner[k] = ts_v3_make(ts_floor(corner[k].x), ts_floor(corner[k].y), ts_floor(corner[k].z));
@@ -38,13 +45,14 @@ static void random_visibility(mesh *m, u32 triangle)
 
 static void random_mesh(mesh *m, setting *s)
 {
-	static const u32 sizes[] = { 0, 1, 2, 7, 16, 33, 64 };
+	static const u32 sizes[] = {0, 1, 2, 7, 16, 33, 64};
 	mesh_begin(m);
 	s->n_cubes = 1 + random_bits() % (random_bits() % 8 == 0 ? MESH_CUBES : 3);
 	for (u32 r = 0; r < s->n_cubes; r++) mesh_cube(m, uniform3(-4, 4), uniform_power(-6, 6), sizes[random_bits() % 7]);
 	for (u32 t = 0; t < 6; t++) {
 		ts_v3 corner[3];
-		do extreme_corners(corner, ts_load3(m->cubes->centre)); while (is_degenerate(corner));
+		do extreme_corners(corner, ts_load3(m->cubes->centre));
+		while (is_degenerate(corner));
 		mesh_triangle(m, corner[0], corner[1], corner[2], t % 5, 0);
 		random_visibility(m, t);
 	}
@@ -64,7 +72,7 @@ static void assert_equal(const mesh *m, const setting *s)
 	u64 *plain = mesh_alloc(n, sizeof *plain), *fast = mesh_alloc(n, sizeof *fast);
 	memset(plain, 0xff, n * sizeof *plain);
 	memset(fast, 0xff, n * sizeof *fast);
-	i64 scatters[2] = { 0, 0 }, writes[2] = { 0, 0 };
+	i64 scatters[2] = {0, 0}, writes[2] = {0, 0};
 	ts_splat_args args = mesh_splat(m, plain, &scatters[0], &writes[0]);
 	args.clip = s->clip;
 	args.plane_depth = s->plane_depth;
@@ -76,10 +84,11 @@ static void assert_equal(const mesh *m, const setting *s)
 	args.n_pieces = m->n_pieces;
 	assert_true(ts_c_fast_splat(&args, m->n_pieces, s->threads));
 	if (memcmp(plain, fast, n * sizeof *plain) != 0 || scatters[0] != scatters[1] || writes[0] != writes[1]) {
-		fail_msg("random %u: clip %u planedepth %u paper %u threads %u cubes %u half size %d samples %a: scatters %lld %lld "
-		         "writes %lld %lld", s->start, s->clip, s->plane_depth, s->paper_splat, s->threads, s->n_cubes, s->half_size,
-		         (double)s->samples, (long long)scatters[0], (long long)scatters[1], (long long)writes[0],
-		         (long long)writes[1]);
+		fail_msg(
+			"random %u: clip %u planedepth %u paper %u threads %u cubes %u half size %d samples %a: scatters %lld %lld "
+			"writes %lld %lld",
+			s->start, s->clip, s->plane_depth, s->paper_splat, s->threads, s->n_cubes, s->half_size, (double)s->samples,
+			(long long)scatters[0], (long long)scatters[1], (long long)writes[0], (long long)writes[1]);
 	}
 	free(plain);
 	free(fast);
@@ -92,9 +101,13 @@ static void test_equal(void **state)
 	u64 n_points = 0;
 	for (u32 i = 0; i < N; i++) {
 		mesh m;
-		setting s = { .start = n_random, .clip = random_bits() % 2, .plane_depth = random_bits() % 4 == 0,
-		              .paper_splat = random_bits() % 4 == 0, .threads = 1 + random_bits() % 4,
-		              .half_size = random_bits() % 2 == 0 ? 129 : 128, .samples = uniform_power(-6, 6) };
+		setting s = {.start = n_random,
+		             .clip = random_bits() % 2,
+		             .plane_depth = random_bits() % 4 == 0,
+		             .paper_splat = random_bits() % 4 == 0,
+		             .threads = 1 + random_bits() % 4,
+		             .half_size = random_bits() % 2 == 0 ? 129 : 128,
+		             .samples = uniform_power(-6, 6)};
 		random_mesh(&m, &s);
 		n_points += m.n_points;
 		assert_equal(&m, &s);
@@ -122,7 +135,7 @@ static void test_equal_in_pieces(void **state)
 		mesh_split(&m, args);
 		n_pieces += m.n_pieces;
 		mesh_points(&m, 129, 0);
-		setting s = { .start = i, .clip = i % 2, .threads = 2, .half_size = 129, .n_cubes = 2 };
+		setting s = {.start = i, .clip = i % 2, .threads = 2, .half_size = 129, .n_cubes = 2};
 		if (m.n_points < 400000) assert_equal(&m, &s);
 		mesh_clear(&m);
 	}
@@ -131,6 +144,6 @@ static void test_equal_in_pieces(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = { cmocka_unit_test(test_equal), cmocka_unit_test(test_equal_in_pieces) };
+	const struct CMUnitTest tests[] = {cmocka_unit_test(test_equal), cmocka_unit_test(test_equal_in_pieces)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -69,8 +69,13 @@ static void random_frame(frame *f)
 	f->epsilon = exp2f(uniform(-10, 1));
 	f->shader = below(2);
 	f->threads = 1 + below(4);
-	f->filter = (ts_filter){.filter = below(3), .botsch = below(4) == 0, .per_sigma2 = sigma > 0 ? 1 / (sigma * sigma) : 0,
-	                        .reach = sigma, .fall = 0.5f / exp2f(uniform(-4, 2)), .object2 = 0.25f, .screen2 = 0.25f};
+	f->filter = (ts_filter){.filter = below(3),
+	                        .botsch = below(4) == 0,
+	                        .per_sigma2 = sigma > 0 ? 1 / (sigma * sigma) : 0,
+	                        .reach = sigma,
+	                        .fall = 0.5f / exp2f(uniform(-4, 2)),
+	                        .object2 = 0.25f,
+	                        .screen2 = 0.25f};
 	for (u32 i = 0; i < SURFELS; i++) random_surfel(&f->surfel[i], &f->view);
 }
 
@@ -84,8 +89,10 @@ static void begin(passes *p)
 static void setup(const frame *f, passes *p, bool fast)
 {
 	ts_surfel_setup_args args = {&f->view, f->surfel, p->disc, p->tally[0], f->filter};
-	if (fast) assert_true(ts_c_fast_surfel_setup(&args, SURFELS, f->threads));
-	else ts_c_launch(TS_KERNEL_surfel_setup, &args, SURFELS, 1);
+	if (fast)
+		assert_true(ts_c_fast_surfel_setup(&args, SURFELS, f->threads));
+	else
+		ts_c_launch(TS_KERNEL_surfel_setup, &args, SURFELS, 1);
 }
 
 /* Normals that no surfel has and flags that no eye gives, as a port may write them. */

@@ -4,7 +4,10 @@
 
 enum { N_TRIED = 50 };
 
-static const struct { const char *method; u32 surface, interpolation, sharpness, cosine, integrals; } indirect_methods[] = {
+static const struct {
+	const char *method;
+	u32 surface, interpolation, sharpness, cosine, integrals;
+} indirect_methods[] = {
 	{"direct", 0, 0, 0, 0, 0},
 	{"hulls", TS_SURFACE_ROBUST, 0, 0, TS_COSINE_IS_OURS, 0},
 	{"hulls", TS_SURFACE_PAPER, TS_INTERPOLATION_MOMENTS, TS_SHARPNESS_VMF, TS_COSINE_IS_OURS, TS_INTEGRALS_PRINTED},
@@ -72,7 +75,7 @@ static f32 sum_of(const json_t *terms, u32 n, u32 c)
 	for (u32 patch = 0; patch < n; patch++) {
 		size_t i;
 		json_t *term;
-		json_array_foreach((json_t *)terms, i, term) {
+		json_array_foreach ((json_t *)terms, i, term) {
 			if (figure(term, "patch") != patch) continue;
 			assert_bits(shown(term, "irradiance", c), shown(term, "exitance", c) * shown(term, "form_factor", 0));
 			sum += shown(term, "irradiance", c);
@@ -94,7 +97,8 @@ static bool try_indirect(const traced *t, u32 pixel)
 	const json_t *direct = json_object_get(answer, "direct");
 	for (u32 c = 0; c < 3; c++) {
 		assert_bits(shown(json_object_get(answer, "light"), "irradiance", c), irradiance[c]);
-		assert_bits(radiance[c], shown(json_object_get(answer, "gbuffer"), "albedo", c) * (irradiance[c] * 0.318309873f));
+		assert_bits(radiance[c],
+		            shown(json_object_get(answer, "gbuffer"), "albedo", c) * (irradiance[c] * 0.318309873f));
 		if (direct != NULL) assert_bits(irradiance[c], sum_of(json_object_get(direct, "brightest"), 16, c));
 		if (lobes != NULL) try_lobe(&t->run.params, corners, json_array_get(lobes, c), c, irradiance[c]);
 	}

@@ -8,7 +8,10 @@
 #include "../../../../src/methods/pipeline.h"
 #include "../../../../src/methods/points/tools/tools.h"
 
-typedef struct { ts_truth *truth; ts_texel_counts counts; } tally;
+typedef struct {
+	ts_truth *truth;
+	ts_texel_counts counts;
+} tally;
 
 static ts_status judge(const ts_run *run, const ts_stage *stage, void *user)
 {
@@ -41,7 +44,7 @@ static ts_params small_params(u32 rate)
 static ts_texel_counts count(const char *effect, const ts_scene *scene, const ts_params *params)
 {
 	ts_run run;
-	tally t = { 0 };
+	tally t = {0};
 	ts_run_begin(&run, scene, params, 2);
 	run.hook = judge;
 	run.hook_user = &t;
@@ -57,7 +60,7 @@ static ts_texel_counts count(const char *effect, const ts_scene *scene, const ts
 
 static void check(const char *spec, u32 rate)
 {
-	static const char *const effects[] = { "soft-shadows", "omni-shadows", "reflections" };
+	static const char *const effects[] = {"soft-shadows", "omni-shadows", "reflections"};
 	ts_scene *scene;
 	ts_params params = small_params(rate);
 	if (ts_scene_open(&scene, spec, &params, NULL) != TS_OK) fail_msg("%s", ts_error_message());
@@ -78,10 +81,10 @@ int main(void)
 	static char atrium[] = "atrium:triangles=10000:texels=32", gallery[] = "gallery:triangles=10000:texels=32";
 	static char dining[] = "dining:triangles=10000:texels=32";
 	const struct CMUnitTest tests[] = {
-		{ "watertight: atrium", test_watertight, NULL, NULL, atrium },
-		{ "watertight: gallery", test_watertight, NULL, NULL, gallery },
-		{ "watertight: dining", test_watertight, NULL, NULL, dining },
-		{ "paper: atrium", test_paper, NULL, NULL, atrium },
+		{"watertight: atrium", test_watertight, NULL, NULL, atrium},
+		{"watertight: gallery", test_watertight, NULL, NULL, gallery},
+		{"watertight: dining", test_watertight, NULL, NULL, dining},
+		{"paper: atrium", test_paper, NULL, NULL, atrium},
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -133,7 +133,10 @@ static u32 triangle_of(u32 point)
 }
 
 /* What became of a triangle, counted from the buffers. */
-typedef struct { bool seen, kept; u64 points, won, samples; } truth;
+typedef struct {
+	bool seen, kept;
+	u64 points, won, samples;
+} truth;
 
 static truth truth_of(u32 triangle)
 {
@@ -239,15 +242,9 @@ static void test_nothing_there(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_pixels_epr),
-		cmocka_unit_test(test_pixels_mvr),
-		cmocka_unit_test(test_pixels_of_bounces),
-		cmocka_unit_test(test_texels),
-		cmocka_unit_test(test_texels_mvr),
-		cmocka_unit_test(test_ties),
-		cmocka_unit_test(test_triangles),
-		cmocka_unit_test(test_points),
-		cmocka_unit_test(test_nothing_there),
+		cmocka_unit_test(test_pixels_epr), cmocka_unit_test(test_pixels_mvr), cmocka_unit_test(test_pixels_of_bounces),
+		cmocka_unit_test(test_texels),     cmocka_unit_test(test_texels_mvr), cmocka_unit_test(test_ties),
+		cmocka_unit_test(test_triangles),  cmocka_unit_test(test_points),     cmocka_unit_test(test_nothing_there),
 	};
 	return cmocka_run_group_tests(tests, make_all, drop_all);
 }

@@ -3,9 +3,11 @@
 
 enum { N_TRIED = 50 };
 
-static const struct { const char *effect, *method; } shadow_methods[] = {
-	{"soft-shadows", "mvr"}, {"soft-shadows", "ivir"}, {"soft-shadows", "pcss"}, {"omni-shadows", "mvr"},
-	{"omni-shadows", "epr"},
+static const struct {
+	const char *effect, *method;
+} shadow_methods[] = {
+	{"soft-shadows", "mvr"}, {"soft-shadows", "ivir"}, {"soft-shadows", "pcss"},
+	{"omni-shadows", "mvr"}, {"omni-shadows", "epr"},
 };
 enum { N_SHADOWS = sizeof shadow_methods / sizeof *shadow_methods };
 static traced shadows[N_SHADOWS];
@@ -37,7 +39,7 @@ static u64 least_of(const json_t *samples, const char *name)
 	f32 least = INFINITY;
 	size_t i;
 	json_t *sample;
-	json_array_foreach((json_t *)samples, i, sample) {
+	json_array_foreach ((json_t *)samples, i, sample) {
 		const json_t *own = json_object_get(sample, name);
 		if (own != NULL) least = fminf(least, (f32)json_real_value(own));
 	}
@@ -49,7 +51,7 @@ static u32 n_reaching(const json_t *samples)
 	u32 n = 0;
 	size_t i;
 	json_t *sample;
-	json_array_foreach((json_t *)samples, i, sample) {
+	json_array_foreach ((json_t *)samples, i, sample) {
 		n += strncmp(json_string_value(json_object_get(sample, "answer")), "reaches", 7) == 0;
 	}
 	return n;

@@ -27,22 +27,19 @@ static stand *stand_new(ts_v3 eye)
 	stand *s = calloc(1, sizeof(*s));
 	assert_non_null(s);
 	world_begin(&s->world);
-	s->eye = (ts_view){ .focal = 256, .width = 512, .height = 512 };
+	s->eye = (ts_view){.focal = 256, .width = 512, .height = 512};
 	ts_store3(s->eye.eye, eye);
-	for (u32 i = 0; i < WORLD_OBJECTS - 1; i++) s->faces[i] = (ts_face){ .n = 64, .radius = 1 };
+	for (u32 i = 0; i < WORLD_OBJECTS - 1; i++) s->faces[i] = (ts_face){.n = 64, .radius = 1};
 	return s;
 }
 
-static void place_cube(stand *s, u32 reflector, ts_v3 centre)
-{
-	ts_store3(s->faces[reflector].centre, centre);
-}
+static void place_cube(stand *s, u32 reflector, ts_v3 centre) { ts_store3(s->faces[reflector].centre, centre); }
 
 static ts_pixel *add_pixel(stand *s, ts_v3 p, ts_v3 n, u32 reflector, f32 tint)
 {
 	assert_true(s->n_pixels < N_PIXELS);
 	ts_pixel *pixel = &s->pixels[s->n_pixels++];
-	*pixel = (ts_pixel){ .reflector = reflector, .tint_r = tint, .tint_g = tint, .tint_b = tint };
+	*pixel = (ts_pixel){.reflector = reflector, .tint_r = tint, .tint_g = tint, .tint_b = tint};
 	ts_store3(pixel->position, p);
 	ts_store3(pixel->normal, n);
 	return pixel;
@@ -74,7 +71,7 @@ static f32 *answer(stand *s, ts_status (*method)(ts_truth *, ts_run *), u32 boun
 static void assert_radiance(stand *s, ts_status (*method)(ts_truth *, ts_run *), u32 bounces, ts_v3 expected)
 {
 	f32 *got = answer(s, method, bounces, 2);
-	f32 want[3] = { expected.x, expected.y, expected.z };
+	f32 want[3] = {expected.x, expected.y, expected.z};
 	for (u32 i = 0; i < s->n_pixels * 3; i++) assert_true(ts_abs(got[i] - want[i % 3]) <= 1e-5f);
 	free(got);
 }
@@ -86,10 +83,7 @@ static void end(stand *s)
 	free(s);
 }
 
-static ts_v3 wall_colour(const stand *s, u32 wall)
-{
-	return ts_load3(s->world.materials[WALL + wall].base);
-}
+static ts_v3 wall_colour(const stand *s, u32 wall) { return ts_load3(s->world.materials[WALL + wall].base); }
 
 static void quad_x(stand *s, f32 x, u32 material, u32 object)
 {
@@ -97,10 +91,7 @@ static void quad_x(stand *s, f32 x, u32 material, u32 object)
 	           material, object);
 }
 
-static f32 uniform(u32 id)
-{
-	return ts_uniform(ts_random(id, STREAM, SEED)) * 2 - 1;
-}
+static f32 uniform(u32 id) { return ts_uniform(ts_random(id, STREAM, SEED)) * 2 - 1; }
 
 /* Pixels of a reflector, a ball of this radius about the origin, as far as an eye on +z sees it. */
 static void ball_pixels(stand *s, f32 radius)
@@ -149,7 +140,10 @@ static void test_background(void **state)
 static void test_infinity(void **state)
 {
 	(void)state;
-	static const struct { f32 half; u32 least, most; } cases[] = { { 1048576, 0, 2 }, { 8, 20, N_PIXELS / 4 } };
+	static const struct {
+		f32 half;
+		u32 least, most;
+	} cases[] = {{1048576, 0, 2}, {8, 20, N_PIXELS / 4}};
 	for (u32 i = 0; i < 2; i++) {
 		stand *s = ball_in_room(cases[i].half, false);
 		f32 *a = answer(s, ts_truth_a, 1, 2), *b = answer(s, ts_truth_b, 1, 2);
@@ -252,7 +246,7 @@ static void test_hits(void **state)
 	for (u32 i = 0; i < s->n_pixels; i++)
 		for (u32 k = 0; k < TS_N_SAMPLES; k++) {
 			ts_v3 d = ts_k_sample_ray(&s->pixels[i], ts_load3(s->eye.eye), k).direction;
-			ts_truth_query query = { .origin = ts_load3(s->faces[0].centre), .direction = d };
+			ts_truth_query query = {.origin = ts_load3(s->faces[0].centre), .direction = d};
 			u32 hit = ts_truth_cast(s->truth, &query).triangle;
 			assert_int_not_equal(hit, TS_NONE);
 			assert_int_equal(hits[i * TS_N_SAMPLES + k], hit);

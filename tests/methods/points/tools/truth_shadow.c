@@ -29,8 +29,10 @@ static world *world_new(void)
 static void cover(world *w, f32 y, f32 x0, f32 x1, f32 z, u32 material, bool up)
 {
 	ts_v3 a = ts_v3_make(x0, y, -z), b = ts_v3_make(x0, y, z), c = ts_v3_make(x1, y, z), d = ts_v3_make(x1, y, -z);
-	if (up) world_quad(w, a, b, c, d, material, 0);
-	else world_quad(w, a, d, c, b, material, 0);
+	if (up)
+		world_quad(w, a, b, c, d, material, 0);
+	else
+		world_quad(w, a, d, c, b, material, 0);
 }
 
 static void see(world *w)
@@ -38,8 +40,14 @@ static void see(world *w)
 	world_pose(w);
 	w->run.params.width = w->run.params.height = SIDE;
 	ts_view *eye = ts_frame_make1(&w->run.frame, TS_B_eye_view, 1);
-	*eye = (ts_view){ .eye = { 0, 1, 0 }, .right = { 1, 0, 0 }, .up = { 0, 0, -1 }, .back = { 0, 1, 0 }, .near = 0.001f,
-	                  .focal = SIDE / 4.0f, .width = SIDE, .height = SIDE };
+	*eye = (ts_view){.eye = {0, 1, 0},
+	                 .right = {1, 0, 0},
+	                 .up = {0, 0, -1},
+	                 .back = {0, 1, 0},
+	                 .near = 0.001f,
+	                 .focal = SIDE / 4.0f,
+	                 .width = SIDE,
+	                 .height = SIDE};
 	assert_int_equal(ts_run_stage(&w->run, ts_stage_find("eye")), TS_OK);
 }
 
@@ -49,7 +57,7 @@ static double place(u32 pixel) { return (pixel + 0.5 - SIDE / 2) / (SIDE / 4.0);
 static ts_offscreen *make_views(world *w, u32 n)
 {
 	ts_lamp *lamp = ts_frame_make1(&w->run.frame, TS_B_lamp_shape, 1);
-	*lamp = (ts_lamp){ .samples = n };
+	*lamp = (ts_lamp){.samples = n};
 	return ts_frame_make1(&w->run.frame, TS_B_offscreen_view, n);
 }
 
@@ -57,8 +65,15 @@ static ts_offscreen *make_views(world *w, u32 n)
 static void look_down(world *w, ts_v3 eye, f32 reach)
 {
 	ts_offscreen *view = make_views(w, 1);
-	*view = (ts_offscreen){ .focal = 32 / reach, .right = { 1, 0, 0 }, .up = { 0, 0, -1 }, .back = { 0, 1, 0 },
-	                        .near = 0.001f, .width = SIDE, .height = SIDE, .reach = { reach, reach }, .object = TS_NONE };
+	*view = (ts_offscreen){.focal = 32 / reach,
+	                       .right = {1, 0, 0},
+	                       .up = {0, 0, -1},
+	                       .back = {0, 1, 0},
+	                       .near = 0.001f,
+	                       .width = SIDE,
+	                       .height = SIDE,
+	                       .reach = {reach, reach},
+	                       .object = TS_NONE};
 	ts_store3(view->eye, eye);
 }
 
@@ -163,9 +178,9 @@ static double beyond(double t)
 /* The views of an area light that shines down, as the methods' are made. */
 static void shine_down(world *w, u32 kind, f32 radius, u32 n)
 {
-	const ts_lens lens = { .side = 512, .fov = 120 };
-	ts_light light = { .kind = kind, .position = { 0, TOP, 0 }, .direction = { 0, -1, 0 } };
-	ts_info info = { .box_min = { -9, 0, -9 }, .box_max = { 9, TOP, 9 }, .hall_min = { -9, -9 }, .hall_max = { 9, 9 } };
+	const ts_lens lens = {.side = 512, .fov = 120};
+	ts_light light = {.kind = kind, .position = {0, TOP, 0}, .direction = {0, -1, 0}};
+	ts_info info = {.box_min = {-9, 0, -9}, .box_max = {9, TOP, 9}, .hall_min = {-9, -9}, .hall_max = {9, 9}};
 	ts_offscreen *views = make_views(w, n);
 	for (u32 k = 0; k < n; k++) {
 		ts_lamp_view(&views[k], &light, radius, k, n, &info, &lens);
@@ -190,7 +205,8 @@ static void check_penumbra(u32 kind, f32 radius, double scale)
 		sum += error;
 		assert_true(error < 0.01);
 	}
-	print_message("kind %u: %u pixels in penumbra, mean error %.5f\n", (unsigned)kind, (unsigned)soft, sum / (SIDE * SIDE));
+	print_message("kind %u: %u pixels in penumbra, mean error %.5f\n", (unsigned)kind, (unsigned)soft,
+	              sum / (SIDE * SIDE));
 	assert_true(soft > SIDE * SIDE / 4 && sum / (SIDE * SIDE) < 0.002);
 	end(w);
 }
@@ -307,11 +323,13 @@ int main(void)
 {
 	static char atrium[] = "atrium:triangles=10000:texels=32", gallery[] = "gallery:triangles=10000:texels=32";
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_square),  cmocka_unit_test(test_sides),
-		cmocka_unit_test(test_contact), cmocka_unit_test(test_penumbra),
+		cmocka_unit_test(test_square),
+		cmocka_unit_test(test_sides),
+		cmocka_unit_test(test_contact),
+		cmocka_unit_test(test_penumbra),
 		cmocka_unit_test(test_too_many),
-		{ "soft: atrium", test_soft, NULL, NULL, atrium },
-		{ "omni: gallery", test_omni, NULL, NULL, gallery },
+		{"soft: atrium", test_soft, NULL, NULL, atrium},
+		{"omni: gallery", test_omni, NULL, NULL, gallery},
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -29,9 +29,17 @@ static world *world_new(bool parallel)
 	world_pose(w);
 	ts_offscreen *views = ts_frame_make1(&w->run.frame, TS_B_offscreen_view, 2);
 	for (u32 v = 0; v < 2; v++) {
-		views[v] = (ts_offscreen){ .focal = SIDE / 2.0f, .right = { 1, 0, 0 }, .up = { 0, 1, 0 },
-		                           .back = { 0, 0, 1 }, .near = 0.01f, .width = SIDE, .height = SIDE, .reach = { 1, 1 },
-		                           .orthographic = parallel, .offset = v * SIDE * SIDE, .object = TS_NONE };
+		views[v] = (ts_offscreen){.focal = SIDE / 2.0f,
+		                          .right = {1, 0, 0},
+		                          .up = {0, 1, 0},
+		                          .back = {0, 0, 1},
+		                          .near = 0.01f,
+		                          .width = SIDE,
+		                          .height = SIDE,
+		                          .reach = {1, 1},
+		                          .orthographic = parallel,
+		                          .offset = v * SIDE * SIDE,
+		                          .object = TS_NONE};
 	}
 	w->run.plan.units = w->run.n_units = 2;
 	return w;
@@ -50,7 +58,7 @@ static bool counts(u32 column) { return (column + 0.5 - SIDE / 2) / (SIDE / 2.0)
 static ts_texel_counts judge(world *w, ts_buffer_id id)
 {
 	ts_truth *truth;
-	ts_texel_counts c = { 0 };
+	ts_texel_counts c = {0};
 	assert_int_equal(ts_truth_new(&truth, &w->run), TS_OK);
 	assert_int_equal(ts_truth_texels(&c, truth, &w->run, id), TS_OK);
 	ts_truth_free(truth);

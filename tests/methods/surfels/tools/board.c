@@ -45,7 +45,8 @@ static void test_far_band(void **state)
 	params.eps = 1000; /* a plane hides nothing of itself */
 	params.splat_radius = 1;
 	params.grid_rays = 12;
-	if (ts_scene_open(&scene, "checkerboard:surfels=409600", &params, NULL) != TS_OK) fail_msg("%s", ts_error_message());
+	if (ts_scene_open(&scene, "checkerboard:surfels=409600", &params, NULL) != TS_OK)
+		fail_msg("%s", ts_error_message());
 	if (ts_truth_surface(&truth, scene, &params, 2) != TS_OK) fail_msg("%s", ts_error_message());
 	double least = error_of(scene, &params, "deferred", truth), ewa = error_of(scene, &params, "ewa", truth);
 	params.filter = TS_FILTER_OBJECT;
@@ -59,6 +60,6 @@ static void test_far_band(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = { cmocka_unit_test(test_far_band) };
+	const struct CMUnitTest tests[] = {cmocka_unit_test(test_far_band)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

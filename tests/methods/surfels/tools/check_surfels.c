@@ -26,7 +26,8 @@ static void refuses_second(const char *name, u64 element, const char *field, i32
 	load_for(&load, ts_stage_find(name));
 	ts_status status = ts_check(&load, ts_stage_find(name));
 	at[1] = kept;
-	snprintf(place, sizeof place, "surfel_setup.disc: element %u, field %s[1]: %d (", (unsigned)element, field, (int)value);
+	snprintf(place, sizeof place, "surfel_setup.disc: element %u, field %s[1]: %d (", (unsigned)element, field,
+	         (int)value);
 	bool told = strstr(ts_error_message(), place) != NULL && strstr(ts_error_message(), "would be right") != NULL;
 	if (status != TS_ERROR || !told) fail_msg("%s: %s", place, ts_error_message());
 }
@@ -44,7 +45,8 @@ static u64 first_disc(bool drawn)
 static void test_boxes(void **state)
 {
 	(void)state;
-	static const char *const readers[] = {"surfel_depth", "blend", "surfel_mean", "surfel_depth_margin", "blend_margin"};
+	static const char *const readers[] = {"surfel_depth", "blend", "surfel_mean", "surfel_depth_margin",
+	                                      "blend_margin"};
 	u64 n = ts_frame_n(&run.frame, TS_B_surfel_setup_disc), drawn = first_disc(true), empty = first_disc(false);
 	for (u32 r = 0; r < sizeof readers / sizeof *readers; r++) {
 		const ts_buffer_id id = TS_B_surfel_setup_disc;
@@ -82,7 +84,8 @@ static void test_least(void **state)
 static void test_sums(void **state)
 {
 	(void)state;
-	const u64 *sums = ts_frame_data(&run.frame, TS_B_blend_sum), *heaviest = ts_frame_data(&run.frame, TS_B_blend_heaviest);
+	const u64 *sums = ts_frame_data(&run.frame, TS_B_blend_sum),
+			  *heaviest = ts_frame_data(&run.frame, TS_B_blend_heaviest);
 	u64 i = 0, n = ts_frame_n(&run.frame, TS_B_blend_heaviest);
 	while (i < n && heaviest[i] == TS_EMPTY) i++;
 	assert_true(i < n && sums[8 * i + 7] > 0);
@@ -106,7 +109,10 @@ static void test_keys(void **state)
 {
 	(void)state;
 	u64 n = ts_frame_n(&run.frame, TS_B_scene_surfel);
-	static const struct { const char *stage; ts_buffer_id id; } readers[] = {
+	static const struct {
+		const char *stage;
+		ts_buffer_id id;
+	} readers[] = {
 		{"blend", TS_B_surfel_depth_surfel},        {"surfel_mean", TS_B_surfel_depth_surfel},
 		{"surfel_mean", TS_B_blend_heaviest},       {"surfel_depth_margin", TS_B_surfel_depth_surfel},
 		{"blend_margin", TS_B_surfel_depth_surfel}, {"blend_margin", TS_B_blend_heaviest},
@@ -140,8 +146,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_right), cmocka_unit_test(test_boxes), cmocka_unit_test(test_least),
-		cmocka_unit_test(test_sums), cmocka_unit_test(test_keys),
-		cmocka_unit_test(test_cubes),
+		cmocka_unit_test(test_sums),  cmocka_unit_test(test_keys),  cmocka_unit_test(test_cubes),
 	};
 	return cmocka_run_group_tests(tests, begin, end);
 }

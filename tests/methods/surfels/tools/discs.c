@@ -7,7 +7,7 @@
 enum { WIDTH = 64, HEIGHT = 48, N_RANDOM = 300, N_RAYS = 4000 };
 #define NEAR_ENOUGH 1e-5
 
-static const double nothing[3] = { 0.2, 0.3, 0.5 }; /* the sky */
+static const double nothing[3] = {0.2, 0.3, 0.5}; /* the sky */
 
 static double random_in(double low, double high) { return low + (high - low) * (double)surfels_uniform(); }
 
@@ -38,7 +38,10 @@ static bool cramer(const ts_surfel *s, const ts_disc_ray *ray, double *t, double
 	return all > 0; /* the front: -d . (u x v) > 0 */
 }
 
-typedef struct { u32 n; double sum; } taken;
+typedef struct {
+	u32 n;
+	double sum;
+} taken;
 
 static void take(void *user, const ts_disc_met *met)
 {
@@ -56,7 +59,7 @@ static void test_all_tried(void **state)
 	surfels_random = 0;
 	for (u32 i = 0; i < N_RANDOM; i++) {
 		ts_v3 n = ts_normalize(random_v3(1)), u = ts_normalize(ts_cross(n, random_v3(1)));
-		surfels[i] = (ts_surfel){ .colour = { 1, 1, 1 } };
+		surfels[i] = (ts_surfel){.colour = {1, 1, 1}};
 		ts_store3(surfels[i].centre, random_v3(4));
 		ts_store3(surfels[i].u, ts_scale(u, (f32)random_in(0.01, 2)));
 		ts_store3(surfels[i].v, ts_scale(ts_cross(n, u), (f32)random_in(0.01, 2)));
@@ -65,11 +68,12 @@ static void test_all_tried(void **state)
 	for (u32 i = 0; i < N_RAYS; i++) {
 		ts_v3 o = random_v3(6), d = ts_normalize(random_v3(1));
 		double length = sqrt((double)d.x * (double)d.x + (double)d.y * (double)d.y + (double)d.z * (double)d.z);
-		ts_disc_ray ray = { .origin = { (double)o.x, (double)o.y, (double)o.z }, .near = i % 3,
-		                    .direction = { (double)d.x / length, (double)d.y / length, (double)d.z / length } };
+		ts_disc_ray ray = {.origin = {(double)o.x, (double)o.y, (double)o.z},
+		                   .near = i % 3,
+		                   .direction = {(double)d.x / length, (double)d.y / length, (double)d.z / length}};
 		double nearest = INFINITY, t, r2;
 		u32 first = TS_NONE;
-		taken all = { 0, 0 }, expected = { 0, 0 };
+		taken all = {0, 0}, expected = {0, 0};
 		for (u32 k = 0; k < N_RANDOM; k++) {
 			bool front = cramer(&surfels[k], &ray, &t, &r2);
 			if (!front || r2 > 1 || t < ray.near) continue;
@@ -107,7 +111,7 @@ static ts_params params_of(u32 rays)
 static ts_build *begin(ts_v3 direction)
 {
 	ts_build *build = ts_build_new("discs");
-	ts_light sun = { .intensity = { 3, 3, 3 } };
+	ts_light sun = {.intensity = {3, 3, 3}};
 	ts_store3(sun.direction, direction);
 	ts_build_light(build, &sun);
 	return build;
@@ -142,12 +146,12 @@ static void test_coverage(void **state)
 {
 	(void)state;
 	const u32 side = 5;
-	const double depth = 4, half[2] = { 1, 0.6 }, at[2] = { 0.3, -0.2 };
+	const double depth = 4, half[2] = {1, 0.6}, at[2] = {0.3, -0.2};
 	ts_params params = params_of(side);
 	ts_build *build = begin(ts_v3_make(0, 0, 1));
-	const f32 colour[3] = { 0.5f, 1, 0.25f };
-	ts_surfel s = { .centre = { (f32)at[0], (f32)at[1], (f32)-depth }, .u = { (f32)half[0], 0, 0 },
-	                .v = { 0, (f32)half[1], 0 } };
+	const f32 colour[3] = {0.5f, 1, 0.25f};
+	ts_surfel s = {
+		.centre = {(f32)at[0], (f32)at[1], (f32)-depth}, .u = {(f32)half[0], 0, 0}, .v = {0, (f32)half[1], 0}};
 	memcpy(s.colour, colour, sizeof colour);
 	ts_build_surfel(build, &s);
 	ts_scene *scene = finish(build, &params);
@@ -173,7 +177,7 @@ static void test_coverage(void **state)
 
 static void add_facing(ts_build *build, double depth, double radius, const f32 colour[3])
 {
-	ts_surfel s = { .centre = { 0, 0, (f32)-depth }, .u = { (f32)radius, 0, 0 }, .v = { 0, (f32)radius, 0 } };
+	ts_surfel s = {.centre = {0, 0, (f32)-depth}, .u = {(f32)radius, 0, 0}, .v = {0, (f32)radius, 0}};
 	memcpy(s.colour, colour, sizeof s.colour);
 	ts_build_surfel(build, &s);
 }
@@ -182,8 +186,8 @@ static void add_facing(ts_build *build, double depth, double radius, const f32 c
 static void test_blending(void **state)
 {
 	(void)state;
-	const double depth[2] = { 4, 4.125 - 0.01 }, radius = 5;
-	const f32 colour[3][3] = { { 1, 0, 0.5f }, { 0, 1, 0.5f }, { 0, 0, 1 } };
+	const double depth[2] = {4, 4.125 - 0.01}, radius = 5;
+	const f32 colour[3][3] = {{1, 0, 0.5f}, {0, 1, 0.5f}, {0, 0, 1}};
 	ts_params params = params_of(1);
 	ts_build *build = begin(ts_v3_make(0, 0, 1));
 	for (u32 i = 0; i < 2; i++) add_facing(build, depth[i], radius, colour[i]);
@@ -215,12 +219,12 @@ static void test_blending(void **state)
 static void test_shadow(void **state)
 {
 	(void)state;
-	const f32 grey[3] = { 0.5f, 0.5f, 0.5f };
+	const f32 grey[3] = {0.5f, 0.5f, 0.5f};
 	ts_params params = params_of(1);
 	params.shader = TS_SHADER_PHONG_SHADOW;
 	ts_build *build = begin(ts_v3_make(0.6f, 0, -0.8f));
 	add_facing(build, 5, 6, grey);
-	ts_surfel s = { .centre = { -1.5f, 0, -3 }, .u = { 0.5f, 0, 0 }, .v = { 0, 0.5f, 0 }, .colour = { 1, 1, 1 } };
+	ts_surfel s = {.centre = {-1.5f, 0, -3}, .u = {0.5f, 0, 0}, .v = {0, 0.5f, 0}, .colour = {1, 1, 1}};
 	ts_build_surfel(build, &s);
 	ts_scene *scene = finish(build, &params);
 	f32 *radiance = truth_of(scene, &params);
@@ -251,7 +255,7 @@ static f32 *surface_of(const char *spec, const ts_params *params, ts_scene **sce
 static void test_mesh(void **state)
 {
 	(void)state;
-	static const char *const stages[] = { "pose", "eye", "gbuffer", "deferred", NULL };
+	static const char *const stages[] = {"pose", "eye", "gbuffer", "deferred", NULL};
 	ts_run run;
 	ts_scene *scene;
 	ts_params params = params_of(1);
@@ -283,7 +287,7 @@ static void test_board(void **state)
 	ts_params params = params_of(1);
 	f32 *radiance = surface_of("checkerboard:surfels=10000", &params, &scene);
 	const ts_camera *camera = &scene->cameras[scene->camera];
-	u32 n_squares[2] = { 0, 0 }, n_sky = 0;
+	u32 n_squares[2] = {0, 0}, n_sky = 0;
 	for (u32 p = 0; p < WIDTH * HEIGHT; p++) {
 		double i = (p % WIDTH + 0.5 - WIDTH / 2.0) / focal(), j = (HEIGHT / 2.0 - p / WIDTH - 0.5) / focal(), d[3];
 		for (u32 k = 0; k < 3; k++)

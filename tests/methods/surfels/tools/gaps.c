@@ -8,7 +8,8 @@
 #define ROUNDING 0x1p-20 /* of the distance: the kernels' depths are 32-bit floats */
 
 typedef struct {
-	u64 seen, holes, gaps; /* pixels whose ray meets a surfel; of these the sky; sky amid at least 6 of 8 that are not */
+	u64 seen, holes,
+		gaps; /* pixels whose ray meets a surfel; of these the sky; sky amid at least 6 of 8 that are not */
 	u64 fragments, behind; /* in their ellipse; of these too far behind */
 	double farthest;       /* of fragments behind the nearest, epsilons */
 } counts;
@@ -17,7 +18,7 @@ static ts_disc_ray ray_of(const ts_view *eye, u32 p)
 {
 	double i = (p % eye->width + 0.5 - eye->width / 2.0) / (double)eye->focal;
 	double j = (eye->height / 2.0 - p / eye->width - 0.5) / (double)eye->focal, length = sqrt(i * i + j * j + 1);
-	ts_disc_ray ray = { .near = (double)eye->near * length };
+	ts_disc_ray ray = {.near = (double)eye->near * length};
 	for (u32 k = 0; k < 3; k++) {
 		ray.origin[k] = (double)eye->eye[k];
 		ray.direction[k] = (i * (double)eye->right[k] + j * (double)eye->up[k] - (double)eye->back[k]) / length;
@@ -72,7 +73,7 @@ static counts count(const ts_scene *scene, ts_params *params)
 {
 	ts_run run;
 	ts_discs *discs;
-	counts c = { 0 };
+	counts c = {0};
 	params->accumulation = TS_ACCUMULATION_FLOAT32; /* for its lists */
 	surfels_run(&run, scene, params, "deferred", 2);
 	if (ts_discs_new(&discs, scene->surfels, scene->n_surfels, 2) != TS_OK) fail_msg("%s", ts_error_message());
@@ -86,9 +87,10 @@ static counts count(const ts_scene *scene, ts_params *params)
 		c.holes += pixels[p].depth == TS_SKY;
 		count_blended(&c, &run, &ray, met.t, p);
 	}
-	print_message("# %llu pixels meet surfels, %llu holes, %llu gaps; %llu fragments, %llu behind, at most %.5f epsilon\n",
-	              (unsigned long long)c.seen, (unsigned long long)c.holes, (unsigned long long)c.gaps,
-	              (unsigned long long)c.fragments, (unsigned long long)c.behind, c.farthest);
+	print_message(
+		"# %llu pixels meet surfels, %llu holes, %llu gaps; %llu fragments, %llu behind, at most %.5f epsilon\n",
+		(unsigned long long)c.seen, (unsigned long long)c.holes, (unsigned long long)c.gaps,
+		(unsigned long long)c.fragments, (unsigned long long)c.behind, c.farthest);
 	assert_int_equal(c.holes, 0);
 	assert_int_equal(c.behind, 0);
 	ts_discs_free(discs);
@@ -130,6 +132,6 @@ static void test_dragon(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = { cmocka_unit_test(test_balls), cmocka_unit_test(test_dragon) };
+	const struct CMUnitTest tests[] = {cmocka_unit_test(test_balls), cmocka_unit_test(test_dragon)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -4,7 +4,11 @@
 
 enum { N_TRIED = 50 };
 
-static const struct { const char *method; u32 filter, shader, accumulation; f32 sigma, eps; } surfel_methods[] = {
+static const struct {
+	const char *method;
+	u32 filter, shader, accumulation;
+	f32 sigma, eps;
+} surfel_methods[] = {
 	{"deferred", TS_FILTER_MIN, TS_SHADER_PHONG_SHADOW, TS_ACCUMULATION_FIXED, 1, 0},
 	{"deferred", TS_FILTER_OBJECT, TS_SHADER_NPR_SHADOW, TS_ACCUMULATION_FLOAT32, 1, 0.05f},
 	{"deferred", TS_FILTER_SCREEN, TS_SHADER_NPR, TS_ACCUMULATION_HALF, 2, 0.5f},
@@ -42,7 +46,9 @@ static double dot3(const double *a, const double *b) { return a[0] * b[0] + a[1]
 
 /* Where the ray of a pixel meets the plane of a surfel, r3D and how deep, and how far the pixel is from its centre,
  * r2D. */
-typedef struct { double r3, r2, z; } met;
+typedef struct {
+	double r3, r2, z;
+} met;
 
 static met meet(const traced *t, u32 surfel, u32 x, u32 y)
 {
@@ -109,13 +115,13 @@ static u64 try_surfels(const traced *t, u32 x, u32 y)
 	double sum = 0;
 	require(ask_pixel(t, x, y, &answer));
 	const json_t *blended = json_object_get(answer, "blended"), *hidden = json_object_get(answer, "hidden_by_epsilon");
-	json_array_foreach(json_object_get(blended, "heaviest"), i, fragment) {
+	json_array_foreach (json_object_get(blended, "heaviest"), i, fragment) {
 		double weight = try_fragment(t, fragment, x, y);
 		assert_true(json_object_get(fragment, "behind") == NULL);
 		if (i == 0) assert_int_equal(figure(fragment, "surfel"), figure(json_object_get(answer, "heaviest"), "surfel"));
 		sum += weight;
 	}
-	json_array_foreach(json_object_get(hidden, "heaviest"), i, fragment) {
+	json_array_foreach (json_object_get(hidden, "heaviest"), i, fragment) {
 		try_fragment(t, fragment, x, y);
 		assert_true(json_real_value(json_object_get(fragment, "behind")) > 0);
 	}

@@ -4,14 +4,36 @@
 #include "../../../../src/methods/raster/pipelines.h"
 
 static const ts_step steps[] = {
-	{.stage = "view"}, {.stage = "pose"}, {.stage = "lamp"}, {.stage = "rsm_view"}, {.stage = "rsm"}, {.stage = "rsm_patch"},
-	{.stage = "root"}, {.stage = "voxel"}, {.stage = "octree"}, {.stage = "octree_surface"}, {.stage = "vpl"},
-	{.stage = "view_voxel"}, {.stage = "view_octree"}, {.stage = "view_cone"}, {.stage = "traverse"}, {.stage = "map"},
-	{.stage = "fuse"}, {.stage = "eye"}, {.stage = "gbuffer"}, {.stage = "vpl_pairs"}, {.stage = "vpl_gather"},
-	{.stage = "bilateral"}, {0},
+	{.stage = "view"},
+	{.stage = "pose"},
+	{.stage = "lamp"},
+	{.stage = "rsm_view"},
+	{.stage = "rsm"},
+	{.stage = "rsm_patch"},
+	{.stage = "root"},
+	{.stage = "voxel"},
+	{.stage = "octree"},
+	{.stage = "octree_surface"},
+	{.stage = "vpl"},
+	{.stage = "view_voxel"},
+	{.stage = "view_octree"},
+	{.stage = "view_cone"},
+	{.stage = "traverse"},
+	{.stage = "map"},
+	{.stage = "fuse"},
+	{.stage = "eye"},
+	{.stage = "gbuffer"},
+	{.stage = "vpl_pairs"},
+	{.stage = "vpl_gather"},
+	{.stage = "bilateral"},
+	{0},
 };
 static const ts_pipeline pipeline = {
-	.name = "octrees", .effect = &ts_effect_indirect, .steps = steps, .plan = ts_indirect_plan, .expect = ts_indirect_expect,
+	.name = "octrees",
+	.effect = &ts_effect_indirect,
+	.steps = steps,
+	.plan = ts_indirect_plan,
+	.expect = ts_indirect_expect,
 };
 enum { LEVELS = 4, LIGHTS = 200 };
 
@@ -57,7 +79,8 @@ static void test_indices(void **state)
 static void test_masks(void **state)
 {
 	(void)state;
-	const u64 *mask = ts_frame_data(&run.frame, TS_B_voxel_mask), *views = ts_frame_data(&run.frame, TS_B_view_voxel_mask);
+	const u64 *mask = ts_frame_data(&run.frame, TS_B_voxel_mask),
+			  *views = ts_frame_data(&run.frame, TS_B_view_voxel_mask);
 	u64 last = ts_k_mask_first(LEVELS + 1) - 1;
 	refuses("octree", TS_B_voxel_mask, last, "", ~mask[last]);
 	refuses("octree", TS_B_voxel_mask, 0, "", 0);

@@ -54,7 +54,7 @@ static const json_t *listed(const json_t *lights, u64 light)
 {
 	size_t i;
 	json_t *entry;
-	json_array_foreach(json_object_get(lights, "brightest"), i, entry) {
+	json_array_foreach (json_object_get(lights, "brightest"), i, entry) {
 		if (figure(entry, "light") == light) return entry;
 	}
 	fail_msg("light %u is not listed", (unsigned)light);
@@ -96,13 +96,13 @@ static u32 try_draws(const traced *t, const json_t *lights, u32 pixel)
 	u32 n_dark = 0;
 	size_t i;
 	json_t *entry;
-	json_array_foreach(json_object_get(lights, "drawn"), i, entry) {
+	json_array_foreach (json_object_get(lights, "drawn"), i, entry) {
 		const json_t *light = listed(lights, (u64)json_integer_value(entry));
 		for (u32 c = 0; c < 3; c++) sum[c] += shown(light, "irradiance", c);
 	}
 	assert_int_equal(i, figure(lights, "draws"));
 	for (u32 c = 0; c < 3; c++) assert_bits(ts_put(sum[c] * shown(lights, "share", 0)), right[c]);
-	json_array_foreach(json_object_get(lights, "brightest"), i, entry) n_dark += try_light(t, entry);
+	json_array_foreach (json_object_get(lights, "brightest"), i, entry) n_dark += try_light(t, entry);
 	return n_dark;
 }
 
@@ -114,7 +114,7 @@ static void try_filter(const traced *t, const json_t *filter, u32 pixel)
 	for (u32 y = 0; y < t->run.params.height; y++) {
 		size_t i;
 		json_t *entry;
-		json_array_foreach(json_object_get(column, "heaviest"), i, entry) {
+		json_array_foreach (json_object_get(column, "heaviest"), i, entry) {
 			if (json_integer_value(json_array_get(json_object_get(entry, "pixel"), 1)) != y) continue;
 			f32 weight = shown(entry, "weight", 0);
 			weights += weight;

@@ -47,7 +47,10 @@ static int drop_all(void **state)
 typedef enum { NO, YES, NOT_SURE } answer;
 
 static answer both(answer a, answer b) { return a == NO || b == NO ? NO : a == YES && b == YES ? YES : NOT_SURE; }
-static answer more(double a, double b, double scale) { return fabs(a - b) < 1e-5 * scale ? NOT_SURE : a > b ? YES : NO; }
+static answer more(double a, double b, double scale)
+{
+	return fabs(a - b) < 1e-5 * scale ? NOT_SURE : a > b ? YES : NO;
+}
 
 /* Is the place, in texels, in [i, i + 1), in levels of 2^mip texels? Places behind the last are of it. */
 static answer is_in(double component, double sum, u32 n, u32 mip, u32 i)
@@ -58,7 +61,9 @@ static answer is_in(double component, double sum, u32 n, u32 mip, u32 i)
 	return both(above, last ? YES : component == 0 ? (at < low + 1 ? YES : NO) : more(low + 1, at, n));
 }
 
-typedef struct { double x, y, z, d, radius; } apart;
+typedef struct {
+	double x, y, z, d, radius;
+} apart;
 
 static apart between(const ts_node *s, const ts_node *v)
 {
@@ -125,8 +130,8 @@ static void count_pairs(const traced *t, u32 view, u32 texel, u64 n[2])
 /* The key of the finest level of the map that has one. */
 static u64 own_key(const traced *t, u32 view, u32 texel)
 {
-	const u64 *map = (const u64 *)data(t, TS_B_map_depth_node) +
-	                 view * t->run.frame.buffer[TS_B_map_depth_node].shape[1];
+	const u64 *map =
+		(const u64 *)data(t, TS_B_map_depth_node) + view * t->run.frame.buffer[TS_B_map_depth_node].shape[1];
 	u32 n = t->run.params.view_px, first = 0;
 	for (u32 mip = 0; mip == 0 || (t->run.params.multipixel && n >> mip > 0); mip++) {
 		u32 side = n >> mip;
@@ -301,9 +306,12 @@ static void test_touching(void **state)
 			least += alone && is == YES;
 			most += is != NO;
 		}
-		if (t->run.params.touching == TS_TOUCHING_RENDER) assert_int_equal(n_touching, 0);
-		else if (t->run.params.multipixel) assert_true(n_touching >= least && most > 0);
-		else assert_true(n_touching > 0 && n_touching >= least && n_touching <= most);
+		if (t->run.params.touching == TS_TOUCHING_RENDER)
+			assert_int_equal(n_touching, 0);
+		else if (t->run.params.multipixel)
+			assert_true(n_touching >= least && most > 0);
+		else
+			assert_true(n_touching > 0 && n_touching >= least && n_touching <= most);
 	}
 }
 
@@ -313,7 +321,9 @@ static void test_nothing_there(void **state)
 	json_t *told;
 	const traced *t = &views[BRUTE_FORCE];
 	u32 n = (u32)count(t, TS_B_vpl_light);
-	static const struct { u32 index, x, y; } wrong[] = {{0, 16, 0}, {0, 0, 16}, {TS_NONE, 0, 0}};
+	static const struct {
+		u32 index, x, y;
+	} wrong[] = {{0, 16, 0}, {0, 0, 16}, {TS_NONE, 0, 0}};
 	for (u32 i = 0; i < sizeof wrong / sizeof *wrong; i++) {
 		char view[32];
 		snprintf(view, sizeof view, "%u.front", wrong[i].index == TS_NONE ? (unsigned)n : 0);
@@ -325,7 +335,7 @@ static void test_nothing_there(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_nodes), cmocka_unit_test(test_lights), cmocka_unit_test(test_pixel_between),
+		cmocka_unit_test(test_nodes),    cmocka_unit_test(test_lights),        cmocka_unit_test(test_pixel_between),
 		cmocka_unit_test(test_touching), cmocka_unit_test(test_nothing_there),
 	};
 	return cmocka_run_group_tests(tests, make_all, drop_all);
