@@ -1,5 +1,5 @@
 #!/bin/bash
-# scripts/format-check sees a source that clang-format would change, and --write changes it. Prints TAP.
+# The sources are as clang-format writes them; scripts/format-check sees one that is not, and --write changes it. Prints TAP.
 set -u
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
@@ -43,4 +43,8 @@ keeps 'loops and conditions on a line' 'void f(int n)\n{\n\tfor (int i = 0; i < 
 scripts/format-check --write "$folder/none.c" 2> "$folder/out"
 [ $? -ne 0 ]
 result $? "a file that is not there is an error"
+if git rev-parse --git-dir > /dev/null 2>&1; then
+	scripts/format-check | sed 's/^/# /'
+	result "${PIPESTATUS[0]}" "the sources are as clang-format writes them"
+fi
 echo "1..$n"
