@@ -211,7 +211,7 @@ test: deps
 test-long:
 	$(Q)$(MAKE) --no-print-directory test T=--long
 
-tests: $(TESTS) $(BUILD)/touchstone-core $(RECORD)
+tests: $(TESTS) $(BUILD)/touchstone-core $(BUILD)/record/touchstone
 
 # Most of them run for less time than -O3 takes to compile them.
 $(BUILD)/obj/tests/%: OWN := -O1
@@ -223,14 +223,13 @@ $(BUILD)/tests/%: $(BUILD)/obj/tests/%.c.o $(BUILD)/obj/tests/begin.c.o $(BUILD)
 $(BUILD)/tests/kernels/opencl_compile: TEST_LIBS = $(call packages,--libs,OpenCL)
 
 # The command, noting who reads which parameter (src/model/param.h). What does not name the accessor is not built for it.
-RECORD := $(BUILD)/record/touchstone
 RECORD_C := $(filter $(LIB_C) $(CLI_C),$(shell grep -rl TS_PARAM src --include='*.c'))
 RECORD_O := $(patsubst %,$(BUILD)/record/%.o,$(RECORD_C) tests/record/record.c)
 $(BUILD)/record/%.c.o: %.c $(BUILD)/flags
 	$(call say,CC,$<)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(CC) $(C_FLAGS) $(CPP_LIBS) -O1 -DTS_RECORD_PARAMS $(OWN) -c $< -o $@
-$(RECORD): $(RECORD_O) $(filter-out $(call object,$(RECORD_C)),$(CLI_O) $(LIB_O)) | $(BUILD)/libtouchstone-image.so
+$(BUILD)/record/touchstone: $(RECORD_O) $(filter-out $(call object,$(RECORD_C)),$(CLI_O) $(LIB_O)) | $(BUILD)/libtouchstone-image.so
 	$(call say,LINK,$@)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(CXX) $(LINK_FLAGS) $(FIND_MODULE):'$$ORIGIN/..' $^ $(LIBS) -o $@
