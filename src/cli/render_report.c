@@ -55,23 +55,36 @@ void ts_render_report_head(const ts_render *render, ts_report *report)
 	ts_report_value(report, "held_bytes", json_integer((json_int_t)render->estimate.held));
 }
 
+static void report_stage(const ts_render *render, u32 n_methods, ts_table *table, const char *stage)
+{
+	ts_table_text(table, stage);
+	for (u32 i = 0; i < n_methods; i++) {
+		const ts_timing *timing = ts_measure_timing(&render->measures[i], stage);
+		if (timing != NULL) {
+			ts_table_real(table, 1e3 * timing->seconds, 2);
+		} else {
+			ts_table_none(table);
+		}
+	}
+}
+
+static bool timed_before(const ts_render *render, u32 method, const char *stage)
+{
+	for (u32 i = 0; i < method; i++) {
+		if (ts_measure_timing(&render->measures[i], stage) != NULL) return true;
+	}
+	return false;
+}
+
+/* Stages as the first method runs them, then those that only later ones run. */
 static void report_times(const ts_render *render, ts_report *report)
 {
 	method_columns columns = columns_make(render, "stage", "time, ms");
 	ts_table table = ts_table_begin("milliseconds", "Time", columns.column);
-	for (const ts_stage *const *at = ts_stages(); *at != NULL; at++) {
-		const ts_stage *s = *at;
-		bool any = false;
-		for (u32 i = 0; i < columns.n_methods; i++) any |= ts_measure_timing(&render->measures[i], s->name) != NULL;
-		if (!any) continue;
-		ts_table_text(&table, s->name);
-		for (u32 i = 0; i < columns.n_methods; i++) {
-			const ts_timing *timing = ts_measure_timing(&render->measures[i], s->name);
-			if (timing != NULL) {
-				ts_table_real(&table, 1e3 * timing->seconds, 2);
-			} else {
-				ts_table_none(&table);
-			}
+	for (u32 i = 0; i < columns.n_methods; i++) {
+		for (u32 k = 0; k < render->measures[i].n_timings; k++) {
+			const char *stage = render->measures[i].timings[k].stage;
+			if (!timed_before(render, i, stage)) report_stage(render, columns.n_methods, &table, stage);
 		}
 	}
 	ts_table_text(&table, "all");

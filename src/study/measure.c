@@ -33,8 +33,10 @@ static void show_progress(const ts_run *run, const ts_stage *stage, const char *
 {
 	char label[64];
 	u64 done = 0, total = 0;
-	while (ts_stages()[done++] != stage) continue;
-	while (ts_stages()[total] != NULL) total++;
+	for (const ts_step *step = ts_pipeline_steps(run->pipeline); step->stage != NULL; step++) {
+		total++;
+		if (strcmp(step->stage, stage->name) == 0) done = total;
+	}
 	if (run->n_units == run->plan.units) {
 		snprintf(label, sizeof label, "%s, after %s", method, stage->name);
 		ts_progress(label, done, total);
