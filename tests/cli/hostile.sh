@@ -19,6 +19,9 @@ complain() {
 	echo "# $1: exit code $status: $(head -c 300 stderr)"
 }
 
+# The settings of `small` and `views` are not all read by each render, which says so.
+is_quiet() { ! grep -qv '^touchstone: --set [a-z_.]*: no method, scene or truth of this render reads it$' stderr; }
+
 # behaves EXPECTED ARGUMENT...: "ok" asks for 0, "error" for 2 before anything is printed, "either" for one of them.
 behaves() {
 	local expected=$1
@@ -26,7 +29,7 @@ behaves() {
 	timeout 10 "$touchstone" "$@" > stdout 2> stderr < /dev/null
 	status=$?
 	case $expected-$status in
-	ok-0 | either-0) [ ! -s stderr ] ;;
+	ok-0 | either-0) is_quiet ;;
 	error-2 | either-2) [ "$(wc -l < stderr)" -eq 1 ] && [ ! -s stdout ] ;;
 	*) false ;;
 	esac
