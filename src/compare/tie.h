@@ -3,7 +3,7 @@
 #define TS_COMPARE_TIE_H
 #include "../trace/read.h"
 
-/* What a rule looks at is its own: `open` makes it, `close` releases it. */
+/* A rule keeps its own state: `open` makes the state, `close` releases it. */
 typedef struct {
 	ts_buffer_id buffer;
 	/* *ties: NULL if nothing is free. TS_ERROR if the reference cannot be read; then *ties is NULL. */

@@ -11,8 +11,8 @@ enum { TS_N_PARAMS = sizeof(ts_params) / sizeof(uint32_t) };
 
 #define TS_PARAM_SET(params, field, value) ((void)((params)->TS_PARAM_MEMBER(field) = (value)))
 
-/* What the expression reads is read by `name` of that kind: a stage, size, scene or truth, or a method of an effect.
- * NULL: by nobody. */
+/* Evaluates the expression and notes its reads for the reader `name`. kind: stage, size, scene, truth, or the effect of a
+ * method. name NULL: nobody reads. */
 #ifdef TS_RECORD_PARAMS
 void ts_record_read(size_t offset);
 void ts_record_begin(const char *kind, const char *name);

@@ -1,7 +1,6 @@
 /* Why a pixel, a texel, a triangle or a point of a trace is what it is: who competed, who won by how much, and which
- * stage lost the others. What the buffers do not hold is computed again by the kernels, and held against the buffers.
- * The families of methods answer, by rows; here stands what all answers share.
- */
+ * stage lost the others. The kernels compute again the values that no buffer holds; the probe compares the results with
+ * the buffers. The families of methods answer, by rows; this header has the parts that all answers share. */
 #ifndef TS_TRACE_PROBE_H
 #define TS_TRACE_PROBE_H
 #include <jansson.h>

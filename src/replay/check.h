@@ -2,8 +2,8 @@
  * inputs, so whatever could make a stage read or write elsewhere, never end, or do what C leaves undefined is
  * refused first:
  *
- * - sizes: every buffer has the shape of records.def. What is fixed or counted is taken from the first dimensions of what
- *   is there, the number of reflectors from scene.info; the rest is computed as a run does it (methods/sizes.c). So an
+ * - sizes: every buffer has the shape of records.def. Fixed and counted sizes are the first dimensions of the loaded
+ *   buffers; the number of reflectors stands in scene.info; other sizes are computed as in a run (methods/sizes.c). So an
  *   index below its size is an element of its array.
  * - indices: every INDEX row of records.def. A key is all ones or its low half is an index: kernels ask for the
  *   former. An index of a size that is not known has no array that is loaded, and no stage follows it.

@@ -43,7 +43,8 @@ void ts_cl_forget_programs(ts_cl *cl);
 typedef enum { TS_CL_READS, TS_CL_WRITES, TS_CL_OVERWRITES } ts_cl_access;
 
 /* memory.c: the device's copy of a buffer, made and brought up to date if need be, for what reads it, may write it
- * too, or writes all of it: one part of all its bytes, or parts of part_bytes. What is not there is NULL. */
+ * too, or writes all of it: one part of all its bytes, or parts of part_bytes. Parts that the buffer does not have are
+ * NULL. */
 ts_status ts_cl_use(ts_cl *cl, cl_mem parts[TS_CL_PARTS], ts_buffer *buffer, u64 part_bytes, ts_cl_access access);
 ts_status ts_cl_finish(ts_cl *cl);
 extern const ts_residence ts_cl_residence;

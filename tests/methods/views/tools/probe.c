@@ -61,8 +61,7 @@ static const json_t *listed(const json_t *lights, u64 light)
 	return NULL;
 }
 
-/* What the light sends is its flux by the geometry, or nothing where its map says so. Returns whether it is in
- * shadow. */
+/* The light sends its flux by the geometry, and nothing into its shadow. Returns whether the pixel is in shadow. */
 static bool try_light(const traced *t, const json_t *entry)
 {
 	u64 view = figure(entry, "light");
@@ -129,7 +128,7 @@ static void try_filter(const traced *t, const json_t *filter, u32 pixel)
 	}
 }
 
-/* What is left and what is culled is all there is, and the list has what is left. */
+/* Culled nodes and kept nodes are all nodes, and the list has the kept ones. */
 static u64 try_culling(const traced *t, const json_t *culling)
 {
 	const u32 *offset = data(t, TS_B_vpl_pairs_offset), *level = data(t, TS_B_octree_level);
