@@ -85,7 +85,7 @@ static const ts_candidate_buffer ts_candidate_buffers[] = {
 	{"eye.view", 64, 1,
      "[('eye', '<f4', (3,)), ('focal', '<f4'), ('right', '<f4', (3,)), ('width', '<u4'), "
      "('up', '<f4', (3,)), ('height', '<u4'), ('back', '<f4', (3,)), ('near', '<f4')]"},
-	{"resize.face", 64, 1,
+	{"cube_size.face", 64, 1,
      "[('centre', '<f4', (3,)), ('radius', '<f4'), ('box_min', '<f4', (3,)), ('n', '<u4'), "
      "('box_max', '<f4', (3,)), ('near', '<f4'), ('offset', '<u8'), ('object', '<u4'), ('pad', '<u4')]"},
 	{"lamp.light", 64, 1,
@@ -99,17 +99,17 @@ static const ts_candidate_buffer ts_candidate_buffers[] = {
      "('light', '<u4'), ('pad', '<u4')]"},
 	{"eye.depth_triangle", 8, 2, "'<u8'"},
 	{"eye.margin", 8, 3, "'<u8'"},
-	{"pixel.offset", 4, 1, "'<u4'"},
+	{"mirror_pixel.offset", 4, 1, "'<u4'"},
 	{"visibility.bits", 8, 2, "'<u8'"},
 	{"shade.radiance", 4, 2, "'<f4'"},
-	{"face.depth_triangle", 8, 1, "'<u8'"},
-	{"face.margin", 8, 2, "'<u8'"},
-	{"scatter.depth", 4, 1, "'<u4'"},
-	{"depth.margin", 8, 2, "'<u8'"},
-	{"resolve.lit", 4, 3, "'<u4'"},
-	{"resolve.margin", 8, 4, "'<u8'"},
+	{"cube_face.depth_triangle", 8, 1, "'<u8'"},
+	{"cube_face.margin", 8, 2, "'<u8'"},
+	{"depth_map.depth", 4, 1, "'<u4'"},
+	{"depth_map.margin", 8, 2, "'<u8'"},
+	{"shadow_test.lit", 4, 3, "'<u4'"},
+	{"shadow_test.margin", 8, 4, "'<u8'"},
 	{"rsm.depth_triangle", 8, 1, "'<u8'"},
-	{"rsm_patch.light", 64, 1,
+	{"rsm.patch", 64, 1,
      "[('a', '<f4', (3,)), ('b', '<f4', (3,)), ('c', '<f4', (3,)), ('normal', '<f4', (3,)), "
      "('exitance', '<f4', (3,)), ('pad', '<u4')]"},
 	{"gbuffer.pixel", 48, 2,
@@ -118,24 +118,24 @@ static const ts_candidate_buffer ts_candidate_buffers[] = {
 	{"indirect.irradiance", 4, 3, "'<f4'"},
 	{"image.radiance", 4, 3, "'<f4'"},
 	{"image.srgb", 1, 3, "'|u1'"},
-	{"shadow_resize.least", 4, 1, "'<u4'"},
-	{"pixel.record", 96, 1,
+	{"shadow_cube_size.least_ratio", 4, 1, "'<u4'"},
+	{"mirror_pixel.record", 96, 1,
      "[('position', '<f4', (3,)), ('index', '<u4'), ('normal', '<f4', (3,)), ('reflector', '<u4'), "
      "('position_dx', '<f4', (3,)), ('tint_r', '<f4'), ('position_dy', '<f4', (3,)), "
      "('tint_g', '<f4'), ('normal_dx', '<f4', (3,)), ('tint_b', '<f4'), ('normal_dy', '<f4', (3,)), "
      "('pad', '<u4')]"},
-	{"split.scale", 4, 1, "'<f4'"},
+	{"split.triangle_density", 4, 1, "'<f4'"},
 	{"split.offset", 4, 1, "'<u4'"},
-	{"split.triangle", 48, 1,
+	{"split.piece", 48, 1,
      "[('a', '<f4', (3,)), ('triangle', '<u4'), ('b', '<f4', (3,)), ('path', '<u4'), "
      "('c', '<f4', (3,)), ('pad', '<u4')]"},
-	{"density.scale", 4, 1, "'<f4'"},
+	{"split.density", 4, 1, "'<f4'"},
 	{"cull.keep", 4, 1, "'<u4'"},
 	{"cull.margin", 4, 1, "'<f4'"},
 	{"align.frame", 80, 1,
      "[('c', '<f4', (3,)), ('s', '<f4'), ('u', '<f4', (3,)), ('pad0', '<u4'), ('v', '<f4', (3,)), "
      "('pad1', '<u4'), ('q', '<i4', (6,)), ('pad2', '<u4', (2,))]"},
-	{"count.offset", 4, 1, "'<u4'"},
+	{"points.offset", 4, 1, "'<u4'"},
 	{"points.key", 8, 1, "'<u8'"},
 	{"points.record", 32, 1,
      "[('centre', '<f4', (3,)), ('length', '<f4'), ('piece', '<u4'), ('flags', '<u4'), "
@@ -143,35 +143,35 @@ static const ts_candidate_buffer ts_candidate_buffers[] = {
 	{"splat.depth_index", 8, 1, "'<u8'"},
 	{"splat.tie", 1, 1, "'|u1'"},
 	{"lookup.point", 4, 2, "'<u4'"},
-	{"lookup2.offset", 4, 1, "'<u4'"},
-	{"lookup2.parent", 16, 1, "[('parent', '<u4'), ('point', '<u4'), ('reflector', '<u4'), ('from', '<u4')]"},
-	{"lookup2.point", 4, 2, "'<u4'"},
-	{"lookup3.offset", 4, 1, "'<u4'"},
-	{"lookup3.parent", 16, 1, "[('parent', '<u4'), ('point', '<u4'), ('reflector', '<u4'), ('from', '<u4')]"},
-	{"lookup3.point", 4, 2, "'<u4'"},
-	{"shade3.radiance", 4, 2, "'<f4'"},
-	{"shade2.radiance", 4, 2, "'<f4'"},
-	{"shade.used", 4, 1, "'<u4'"},
-	{"face.mip", 4, 2, "'<f4'"},
+	{"lookup.second_offset", 4, 1, "'<u4'"},
+	{"lookup.second_parent", 16, 1, "[('parent', '<u4'), ('point', '<u4'), ('reflector', '<u4'), ('from', '<u4')]"},
+	{"lookup.second_point", 4, 2, "'<u4'"},
+	{"lookup.third_offset", 4, 1, "'<u4'"},
+	{"lookup.third_parent", 16, 1, "[('parent', '<u4'), ('point', '<u4'), ('reflector', '<u4'), ('from', '<u4')]"},
+	{"lookup.third_point", 4, 2, "'<u4'"},
+	{"shade.third_radiance", 4, 2, "'<f4'"},
+	{"shade.second_radiance", 4, 2, "'<f4'"},
+	{"shade.n_samples", 4, 1, "'<u4'"},
+	{"cube_face.mip", 4, 2, "'<f4'"},
 	{"scatter.colour", 4, 1, "'<u4'"},
-	{"nearest.depth", 4, 2, "'<f4'"},
+	{"depth_grid.depth", 4, 2, "'<f4'"},
 	{"segment.label", 4, 2, "'<u4'"},
 	{"segment.margin", 4, 2, "'<f4'"},
-	{"range.least", 4, 2, "'<u4'"},
-	{"box.offset", 4, 1, "'<u4'"},
-	{"box.record", 32, 1,
+	{"segment.extent", 4, 2, "'<u4'"},
+	{"segment.box_offset", 4, 1, "'<u4'"},
+	{"segment.box", 32, 1,
      "[('low', '<u4', (2,)), ('high', '<u4', (2,)), ('nearest', '<f4'), ('farthest', '<f4'), "
      "('label', '<u4'), ('pad', '<u4')]"},
-	{"gather.moment", 64, 2,
+	{"corner.moment", 64, 2,
      "[('position', '<f4', (3,)), ('depth', '<f4'), ('sum', '<f4', (3,)), "
      "('direction', '<f4', (9,))]"},
-	{"fit.lobes", 64, 2,
+	{"corner.lobes", 64, 2,
      "[('mu', '<f4', (3,)), ('lambda', '<f4', (3,)), ('phi', '<f4', (9,)), "
      "('pad', '<u4')]"},
 	{"hull.box", 4, 2, "'<u4'"},
 	{"hull.margin", 4, 2, "'<f4'"},
-	{"root.least", 4, 1, "'<u4'"},
-	{"root.cube", 16, 1, "[('lower', '<f4', (3,)), ('side', '<f4')]"},
+	{"octree.root_least", 4, 1, "'<u4'"},
+	{"octree.root", 16, 1, "[('lower', '<f4', (3,)), ('side', '<f4')]"},
 	{"voxel.mask", 8, 1, "'<u8'"},
 	{"voxel.before", 4, 1, "'<u4'"},
 	{"octree.level", 4, 1, "'<u4'"},
@@ -180,7 +180,7 @@ static const ts_candidate_buffer ts_candidate_buffers[] = {
      "('parent', '<u4'), ('level', '<u4')]"},
 	{"octree.offset", 4, 1, "'<u4'"},
 	{"octree.triangle", 4, 1, "'<u4'"},
-	{"octree_surface.node", 32, 1,
+	{"octree.surface", 32, 1,
      "[('albedo', '<f4', (3,)), ('pad0', '<u4'), ('normal', '<f4', (3,)), "
      "('pad1', '<u4')]"},
 	{"vpl.offset", 4, 1, "'<u4'"},
@@ -188,8 +188,8 @@ static const ts_candidate_buffer ts_candidate_buffers[] = {
 	{"vpl.light", 48, 1,
      "[('position', '<f4', (3,)), ('bounce', '<u4'), ('normal', '<f4', (3,)), ('pad0', '<u4'), "
      "('flux', '<f4', (3,)), ('pad1', '<u4')]"},
-	{"view_voxel.mask", 8, 1, "'<u8'"},
-	{"view_voxel.before", 4, 1, "'<u4'"},
+	{"view_octree.voxel_mask", 8, 1, "'<u8'"},
+	{"view_octree.voxel_before", 4, 1, "'<u4'"},
 	{"view_octree.level", 4, 1, "'<u4'"},
 	{"view_octree.node", 32, 1,
      "[('centre', '<f4', (3,)), ('radius', '<f4'), ('child', '<u4'), ('children', '<u4'), "
@@ -197,22 +197,22 @@ static const ts_candidate_buffer ts_candidate_buffers[] = {
 	{"view_octree.offset", 4, 1, "'<u4'"},
 	{"view_octree.view", 4, 1, "'<u4'"},
 	{"view_octree.leaf", 4, 1, "'<u4'"},
-	{"view_cone.sum", 8, 2, "'<u8'"},
-	{"view_cone.least", 4, 1, "'<u4'"},
-	{"view_cone.node", 32, 1,
+	{"view_octree.cone_sum", 8, 2, "'<u8'"},
+	{"view_octree.cone_least", 4, 1, "'<u4'"},
+	{"view_octree.cone", 32, 1,
      "[('axis', '<f4', (3,)), ('cosine', '<f4'), ('first', '<u4'), ('views', '<u4'), "
      "('pad', '<u4', (2,))]"},
 	{"traverse.rendered", 8, 1, "'<u8'"},
-	{"map.depth_node", 8, 2, "'<u8'"},
-	{"map.margin", 4, 2, "'<u4'"},
-	{"fuse.depth", 4, 2, "'<u4'"},
-	{"fuse.node", 4, 2, "'<u4'"},
-	{"vpl_pairs.offset", 4, 1, "'<u4'"},
-	{"vpl_pairs.node", 4, 1, "'<u4'"},
-	{"vpl_pairs.views", 4, 1, "'<u4'"},
+	{"view_map.depth_node", 8, 2, "'<u8'"},
+	{"view_map.margin", 4, 2, "'<u4'"},
+	{"view_map.fused_depth", 4, 2, "'<u4'"},
+	{"view_map.fused_node", 4, 2, "'<u4'"},
+	{"vpl_gather.pair_offset", 4, 1, "'<u4'"},
+	{"vpl_gather.pair_node", 4, 1, "'<u4'"},
+	{"vpl_gather.pair_views", 4, 1, "'<u4'"},
 	{"vpl_gather.irradiance", 4, 3, "'<f4'"},
 	{"vpl_gather.margin", 4, 2, "'<f4'"},
-	{"bilateral.row", 4, 3, "'<f4'"},
+	{"bilateral.filtered_rows", 4, 3, "'<f4'"},
 	{"surfel_setup.epsilon", 4, 1, "'<f4'"},
 	{"surfel_setup.disc", 96, 1,
      "[('pixel', '<i4', (2,)), ('fraction', '<f4', (2,)), ('a', '<f4', (2,)), ('b', '<f4', (2,)), "
@@ -223,9 +223,9 @@ static const ts_candidate_buffer ts_candidate_buffers[] = {
 	{"surfel_depth.margin", 8, 3, "'<u8'"},
 	{"fragment_list.offset", 4, 1, "'<u4'"},
 	{"fragment_list.surfel", 4, 1, "'<u4'"},
-	{"blend.sum", 8, 3, "'<u8'"},
-	{"blend.heaviest", 8, 2, "'<u8'"},
-	{"blend.margin", 8, 3, "'<u8'"},
+	{"surfel_blend.sum", 8, 3, "'<u8'"},
+	{"surfel_blend.heaviest", 8, 2, "'<u8'"},
+	{"surfel_blend.margin", 8, 3, "'<u8'"},
 	{"deferred.margin", 4, 2, "'<f4'"},
 };
 /* end table */
@@ -234,7 +234,57 @@ enum { TS_CANDIDATE_BUFFERS = sizeof ts_candidate_buffers / sizeof *ts_candidate
 
 /* Buffers that were called otherwise: ROW("old", "new"). Old names work until 0.2; standard error says the new ones. */
 #ifndef TS_CANDIDATE_RENAMED
-#define TS_CANDIDATE_RENAMED(ROW)
+#define TS_CANDIDATE_RENAMED(ROW) \
+	ROW("resize.face", "cube_size.face") \
+	ROW("pixel.offset", "mirror_pixel.offset") \
+	ROW("pixel.record", "mirror_pixel.record") \
+	ROW("face.depth_triangle", "cube_face.depth_triangle") \
+	ROW("face.margin", "cube_face.margin") \
+	ROW("face.mip", "cube_face.mip") \
+	ROW("scatter.depth", "depth_map.depth") \
+	ROW("depth.margin", "depth_map.margin") \
+	ROW("resolve.lit", "shadow_test.lit") \
+	ROW("resolve.margin", "shadow_test.margin") \
+	ROW("rsm_patch.light", "rsm.patch") \
+	ROW("shadow_resize.least", "shadow_cube_size.least_ratio") \
+	ROW("split.scale", "split.triangle_density") \
+	ROW("split.triangle", "split.piece") \
+	ROW("density.scale", "split.density") \
+	ROW("count.offset", "points.offset") \
+	ROW("lookup2.offset", "lookup.second_offset") \
+	ROW("lookup2.parent", "lookup.second_parent") \
+	ROW("lookup2.point", "lookup.second_point") \
+	ROW("lookup3.offset", "lookup.third_offset") \
+	ROW("lookup3.parent", "lookup.third_parent") \
+	ROW("lookup3.point", "lookup.third_point") \
+	ROW("shade2.radiance", "shade.second_radiance") \
+	ROW("shade3.radiance", "shade.third_radiance") \
+	ROW("shade.used", "shade.n_samples") \
+	ROW("nearest.depth", "depth_grid.depth") \
+	ROW("range.least", "segment.extent") \
+	ROW("box.offset", "segment.box_offset") \
+	ROW("box.record", "segment.box") \
+	ROW("gather.moment", "corner.moment") \
+	ROW("fit.lobes", "corner.lobes") \
+	ROW("root.least", "octree.root_least") \
+	ROW("root.cube", "octree.root") \
+	ROW("octree_surface.node", "octree.surface") \
+	ROW("view_voxel.mask", "view_octree.voxel_mask") \
+	ROW("view_voxel.before", "view_octree.voxel_before") \
+	ROW("view_cone.sum", "view_octree.cone_sum") \
+	ROW("view_cone.least", "view_octree.cone_least") \
+	ROW("view_cone.node", "view_octree.cone") \
+	ROW("map.depth_node", "view_map.depth_node") \
+	ROW("map.margin", "view_map.margin") \
+	ROW("fuse.depth", "view_map.fused_depth") \
+	ROW("fuse.node", "view_map.fused_node") \
+	ROW("vpl_pairs.offset", "vpl_gather.pair_offset") \
+	ROW("vpl_pairs.node", "vpl_gather.pair_node") \
+	ROW("vpl_pairs.views", "vpl_gather.pair_views") \
+	ROW("bilateral.row", "bilateral.filtered_rows") \
+	ROW("blend.sum", "surfel_blend.sum") \
+	ROW("blend.heaviest", "surfel_blend.heaviest") \
+	ROW("blend.margin", "surfel_blend.margin")
 #endif
 #define TS_CANDIDATE_RENAMED_ROW(old_name, new_name) {old_name, new_name},
 static const struct {

@@ -32,11 +32,11 @@ static ts_status prepare_traces(ts_render *render)
 
 static ts_status take_mask(ts_render *render, const ts_run *run)
 {
-	if (render->mask != NULL || !run->frame.buffer[TS_B_pixel_record].made) return TS_OK;
+	if (render->mask != NULL || !run->frame.buffer[TS_B_mirror_pixel_record].made) return TS_OK;
 	render->mask =
 		ts_alloc_zero(TS_PARAM(&run->params, width), TS_PARAM(&run->params, height), "the reflective pixels");
-	const ts_pixel *pixels = ts_frame_data(&run->frame, TS_B_pixel_record);
-	render->n_reflective = ts_frame_n(&run->frame, TS_B_pixel_record);
+	const ts_pixel *pixels = ts_frame_data(&run->frame, TS_B_mirror_pixel_record);
+	render->n_reflective = ts_frame_n(&run->frame, TS_B_mirror_pixel_record);
 	for (u64 i = 0; i < render->n_reflective && render->mask != NULL; i++) render->mask[pixels[i].index] = 1;
 	return render->mask != NULL ? TS_OK : TS_ERROR;
 }

@@ -144,7 +144,7 @@ static u64 bytes_points(const ts_measure *m) { return m->bytes[TS_B_points_key] 
 static u64 bytes_points_nominal(const ts_measure *m) { return m->elements[TS_B_points_record] * NOMINAL_POINT; }
 static u64 bytes_cubes(const ts_measure *m)
 {
-	return 8 * (m->elements[TS_B_splat_depth_index] + m->elements[TS_B_face_depth_triangle]);
+	return 8 * (m->elements[TS_B_splat_depth_index] + m->elements[TS_B_cube_face_depth_triangle]);
 }
 static u64 bytes_cubes_nominal(const ts_measure *m)
 {
@@ -191,7 +191,7 @@ static void report_ratio(const ts_render *render, ts_report *report)
 {
 	static const ts_column columns[] = {{"figure", "figure", false}, {"value", "value", true}, {0}};
 	const ts_measure *epr = find_measure(render, TS_B_lookup_point),
-					 *mvr = find_measure(render, TS_B_face_depth_triangle);
+					 *mvr = find_measure(render, TS_B_cube_face_depth_triangle);
 	const ts_measure *any = epr != NULL ? epr : &render->measures[0];
 	ts_table table = ts_table_begin("shading", "Shading", columns);
 	ts_table_text(&table, "reflective pixels in sight");

@@ -76,7 +76,7 @@ static bool is_clean(const judge *j, const u8 *ref, const u8 *cand, u64 n)
 static bool floats_of(const judge *j, const ts_difference *d, u64 *ref, u64 *cand)
 {
 	const ts_field *field = &j->fields.field[d->field];
-	bool depth = j->id == TS_B_scatter_depth && d->ref != TS_NONE && d->cand != TS_NONE;
+	bool depth = j->id == TS_B_depth_map_depth && d->ref != TS_NONE && d->cand != TS_NONE;
 	bool key = field->bytes == 8 && field->of != NULL && d->ref != TS_EMPTY && d->cand != TS_EMPTY;
 	*ref = key ? d->ref >> 32 : d->ref;
 	*cand = key ? d->cand >> 32 : d->cand;

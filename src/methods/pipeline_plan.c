@@ -15,7 +15,7 @@ ts_params ts_pipeline_params(const ts_pipeline *pipeline, const ts_params *typed
 /* Units that are there already, as a trace may have others than its parameters say. */
 static void count_units(ts_plan *plan, const ts_pipeline *pipeline, const ts_counts *counts)
 {
-	bool cubeless = ts_pipeline_maker(pipeline, TS_B_resize_face) == NULL;
+	bool cubeless = ts_pipeline_maker(pipeline, TS_B_cube_size_face) == NULL;
 	if (counts->cubes != TS_NONE) plan->units = counts->cubes;
 	if (counts->lamps != TS_NONE && plan->lights.taps != 0) plan->units = counts->lamps;
 	if (counts->views != TS_NONE && cubeless) plan->units = counts->views;

@@ -131,7 +131,7 @@ u64 ts_run_n_texels(const ts_run *run, u32 first, u32 n)
 {
 	u64 texels = 0;
 	if (ts_run_has_cubes(run)) {
-		const ts_face *cubes = ts_frame_data(&run->frame, TS_B_resize_face);
+		const ts_face *cubes = ts_frame_data(&run->frame, TS_B_cube_size_face);
 		for (u32 r = first; r < first + n; r++) texels += (u64)6 * cubes[r].n * cubes[r].n;
 	} else if (run->frame.buffer[TS_B_offscreen_view].made) {
 		const ts_offscreen *views = ts_frame_data(&run->frame, TS_B_offscreen_view);
@@ -140,7 +140,7 @@ u64 ts_run_n_texels(const ts_run *run, u32 first, u32 n)
 	return texels;
 }
 
-bool ts_run_has_cubes(const ts_run *run) { return ts_run_has(run, TS_B_resize_face); }
+bool ts_run_has_cubes(const ts_run *run) { return ts_run_has(run, TS_B_cube_size_face); }
 
 void ts_run_views(const ts_run *run, u32 *first, u32 *n)
 {

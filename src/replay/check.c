@@ -84,7 +84,7 @@ static void check_sizes(ts_load *load, const ts_stage *stage)
 static void compute_sizes(ts_load *load)
 {
 	u64 *n = load->sizes.n;
-	bool cubes = load->item[TS_B_resize_face] != NULL, views = load->item[TS_B_offscreen_view] != NULL;
+	bool cubes = load->item[TS_B_cube_size_face] != NULL, views = load->item[TS_B_offscreen_view] != NULL;
 	if (cubes || views) n[TS_DIM_texels] = TS_UNKNOWN;
 	if (cubes) n[TS_DIM_mip_texels] = TS_UNKNOWN;
 	ts_sizes_give(&load->sizes, &load->run);

@@ -1,4 +1,4 @@
-/* The atomic limit of a machine: the kernel bench_min on a buffer like face.depth_triangle. */
+/* The atomic limit of a machine: the kernel bench_min on a buffer like cube_face.depth_triangle. */
 #include "../kernels/base/bench.h"
 #include "bench.h"
 
@@ -8,15 +8,15 @@ static const ts_launch bench_min = TS_LAUNCH(bench_min, TS_ALL);
 
 static ts_status fill(ts_backend *backend, ts_frame *frame, u64 n)
 {
-	if (ts_frame_make1(frame, TS_B_face_depth_triangle, n) == NULL) return TS_ERROR;
-	ts_status status = backend->fill(backend, frame, TS_B_face_depth_triangle, 0xff);
+	if (ts_frame_make1(frame, TS_B_cube_face_depth_triangle, n) == NULL) return TS_ERROR;
+	ts_status status = backend->fill(backend, frame, TS_B_cube_face_depth_triangle, 0xff);
 	return status == TS_OK ? backend->finish(backend) : status;
 }
 
 /* Launches follow each other without a wait, so that a device is never idle between them. */
 static ts_status offer(ts_backend *backend, ts_frame *frame, u32 n, u32 launches)
 {
-	ts_bench_min_args args = {.texels = ts_frame_handle(frame, TS_B_face_depth_triangle), .n_texels = n};
+	ts_bench_min_args args = {.texels = ts_frame_handle(frame, TS_B_cube_face_depth_triangle), .n_texels = n};
 	ts_status status = TS_OK;
 	for (args.distance = launches; status == TS_OK && args.distance-- > 0;) {
 		status = backend->launch(backend, frame, &bench_min, &args, n);

@@ -18,8 +18,8 @@ void ts_measure_lowers_use(const ts_lower_rule *const *rules) { lowers = rules; 
 
 static void measure_faces(ts_measure *m, const ts_frame *frame)
 {
-	const ts_face *faces = ts_frame_data(frame, TS_B_resize_face);
-	u64 n = ts_frame_n(frame, TS_B_resize_face), sum = 0;
+	const ts_face *faces = ts_frame_data(frame, TS_B_cube_size_face);
+	u64 n = ts_frame_n(frame, TS_B_cube_size_face), sum = 0;
 	m->n_in_sight = 0;
 	for (u64 r = 0; r < n; r++) {
 		sum += faces[r].n;
@@ -66,7 +66,7 @@ static ts_status after_stage(const ts_run *run, const ts_stage *stage, void *use
 		u64 n = ts_frame_n(&run->frame, id), bytes = n * ts_buffer_table[id].element_bytes;
 		m->elements[id] += n;
 		m->bytes[id] = bytes > m->bytes[id] ? bytes : m->bytes[id];
-		if (id == TS_B_resize_face) {
+		if (id == TS_B_cube_size_face) {
 			m->elements[id] = n;
 			measure_faces(m, &run->frame);
 		}

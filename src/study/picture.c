@@ -8,7 +8,7 @@
 static void count_lit(ts_picture *picture, const ts_run *run)
 {
 	const ts_lamp *lamps = ts_frame_data(&run->frame, TS_B_lamp_shape);
-	const u32 *lit = ts_frame_data(&run->frame, TS_B_resolve_lit);
+	const u32 *lit = ts_frame_data(&run->frame, TS_B_shadow_test_lit);
 	u64 n, n_lamps = ts_frame_n(&run->frame, TS_B_lamp_shape), all = 0;
 	const u64 *seen = ts_pipeline_seen(run, &n);
 	for (u64 k = 0; k < n_lamps; k++) all += lamps[k].samples;
@@ -44,7 +44,7 @@ ts_status ts_picture_take(ts_picture *picture, const char *name, const ts_run *r
 	memcpy(picture->radiance, ts_frame_data(&run->frame, TS_B_image_radiance), n * sizeof(f32));
 	memcpy(picture->srgb, ts_frame_data(&run->frame, TS_B_image_srgb), n);
 	mark_seen(picture, run);
-	if (run->frame.buffer[TS_B_resolve_lit].made) count_lit(picture, run);
+	if (run->frame.buffer[TS_B_shadow_test_lit].made) count_lit(picture, run);
 	return TS_OK;
 }
 

@@ -53,8 +53,8 @@ static bool where_texel(char *text, const ts_trace *reference, ts_buffer_id id, 
 {
 	(void)id;
 	ts_face cube;
-	if (reference->item[TS_B_resize_face].path == NULL) return where_view(text, reference, texel);
-	for (u64 r = 0; ts_where_fetch(reference, TS_B_resize_face, r, &cube); r++) {
+	if (reference->item[TS_B_cube_size_face].path == NULL) return where_view(text, reference, texel);
+	for (u64 r = 0; ts_where_fetch(reference, TS_B_cube_size_face, r, &cube); r++) {
 		u64 n = cube.n, inside = texel - cube.offset;
 		if (texel < cube.offset || inside >= 6 * n * n) continue;
 		snprintf(text, TS_WHERE_TEXT, "%s %" PRIu64 ", face %s, texel (%" PRIu64 ", %" PRIu64 ")",

@@ -84,7 +84,7 @@ static void test_parts(void **state)
 {
 	(void)state;
 	assert_true(ts_may_be_parted(TS_B_splat_depth_index) && ts_may_be_parted(TS_B_points_key));
-	assert_false(ts_may_be_parted(TS_B_eye_view) || ts_may_be_parted(TS_B_pixel_record));
+	assert_false(ts_may_be_parted(TS_B_eye_view) || ts_may_be_parted(TS_B_mirror_pixel_record));
 }
 
 int main(void)

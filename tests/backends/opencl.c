@@ -45,8 +45,8 @@ static pieces *make_pieces(void)
 {
 	pieces *p = mesh_alloc(1, sizeof *p);
 	memset(p, 0, sizeof *p);
-	ts_piece *piece = ts_frame_make1(&p->frame, TS_B_split_triangle, MOST);
-	f32 *scale = ts_frame_make1(&p->frame, TS_B_density_scale, MOST);
+	ts_piece *piece = ts_frame_make1(&p->frame, TS_B_split_piece, MOST);
+	f32 *scale = ts_frame_make1(&p->frame, TS_B_split_density, MOST);
 	assert_non_null(ts_frame_make1(&p->frame, TS_B_cull_keep, MOST));
 	for (u32 i = 0; i < MOST; i++) {
 		piece[i] = (ts_piece){.b = {uniform(0, 0.5f)}, .c = {0, 1}, .triangle = i, .path = 1};
@@ -70,8 +70,8 @@ static const ts_launch into_lent = TS_LAUNCH(cull, TS_WORK(keep, other));
 /* Culls n pieces from `first` on, and writes from `keep` on. */
 static void cull(ts_backend *backend, const ts_launch *launch, pieces *p, u32 first, u32 *keep, u64 n)
 {
-	ts_cull_args args = {.pieces = (ts_piece *)ts_frame_handle(&p->frame, TS_B_split_triangle) + first,
-	                     .scale = (f32 *)ts_frame_handle(&p->frame, TS_B_density_scale) + first,
+	ts_cull_args args = {.pieces = (ts_piece *)ts_frame_handle(&p->frame, TS_B_split_piece) + first,
+	                     .scale = (f32 *)ts_frame_handle(&p->frame, TS_B_split_density) + first,
 	                     .keep = keep,
 	                     .unit = 1,
 	                     .enabled = 1};
@@ -195,12 +195,12 @@ static void scan(ts_backend *backend, u32 n, u32 range)
 {
 	static u32 before[MOST];
 	ts_frame frame = {.bytes = 0};
-	u32 *counts = ts_frame_make1(&frame, TS_B_count_offset, n + 1);
+	u32 *counts = ts_frame_make1(&frame, TS_B_points_offset, n + 1);
 	u64 total = 1, sum = 0;
 	for (u32 i = 0; i < n; i++) counts[i] = before[i] = random_bits() % range;
 	counts[n] = 0xeeeeeeee;
-	assert_int_equal(backend->scan(backend, &frame, TS_B_count_offset, &total), TS_OK);
-	counts = ts_frame_data(&frame, TS_B_count_offset);
+	assert_int_equal(backend->scan(backend, &frame, TS_B_points_offset, &total), TS_OK);
+	counts = ts_frame_data(&frame, TS_B_points_offset);
 	for (u32 i = 0; i < n; i++) {
 		assert_int_equal(counts[i], (u32)sum);
 		sum += before[i];

@@ -270,7 +270,7 @@ for method, columns in (("megaviews", {"pairs": "pairs", "pairs culled": "culled
 	assert all(counted[name] == many[key] > 0 for name, key in columns.items()), (counted, many)
 	sizes = {b["buffer"]: b[method] for b in render["bytes"]}
 	mib = ours[1]["maps_mib"] if method == "megaviews" else lods[1]["manylods_maps_mib"]
-	near(mib, (sizes["map.depth_node"] + sizes["fuse.depth"] + sizes["fuse.node"]) / 2 ** 20)
+	near(mib, (sizes["view_map.depth_node"] + sizes["view_map.fused_depth"] + sizes["view_map.fused_node"]) / 2 ** 20)
 	near(ours[1]["scene_mib"], sum(n for b, n in sizes.items() if b.split(".")[0] in ("voxel", "octree")) / 2 ** 20)
 for r, m, l in zip(rows, ours, lods):
 	near(r["speedup"], r["manylods_ms"] / r["megaviews_ms"])
@@ -290,7 +290,7 @@ near(many["ms_exponent"], math.log(many["megaviews_ms"] / few["megaviews_ms"]) /
 def data(name):
 	raw = open(glob.glob(f"{sys.argv[3]}/*-{name}.npy")[0], "rb").read()
 	return raw[10 + struct.unpack_from("<H", raw, 8)[0]:]
-nodes, depths, empty, leaves = data("view_octree.node"), memoryview(data("fuse.depth")).cast("I"), 0, 0
+nodes, depths, empty, leaves = data("view_octree.node"), memoryview(data("view_map.fused_depth")).cast("I"), 0, 0
 for i in range(len(nodes) // 32):
 	if struct.unpack_from("<I", nodes, 32 * i + 20)[0] == 0:
 		leaves += 1
@@ -416,7 +416,7 @@ for row in grid, room:
 for filter, end in ("min", ""), ("object", "_object"):
 	counters = json.load(open(f"{sys.argv[1]}/nv40-{filter}.json"))["counters"]
 	counted = {c["counter"]: c["deferred"] for c in counters}
-	raw = open(glob.glob(f"{sys.argv[1]}/nv40-{filter}/*/*-blend.heaviest.npy")[0], "rb").read()
+	raw = open(glob.glob(f"{sys.argv[1]}/nv40-{filter}/*/*-surfel_blend.heaviest.npy")[0], "rb").read()
 	keys = memoryview(raw[10 + struct.unpack_from("<H", raw, 8)[0]:]).cast("Q")
 	pixels = sum(k != 2 ** 64 - 1 for k in keys)
 	assert grid["covered" + end] == pixels == counted["shading operations"] == grid["shaded" + end]

@@ -155,10 +155,10 @@ def part(name, *keep):
 bad, cull = ("align.frame", "09-align.frame.npy"), ("cull.keep", "08-cull.keep.npy")
 part("none", bad)
 part("some", bad, cull)
-part("all", bad, cull, ("split.triangle", "07-split.triangle.npy"), ("density.scale", "07-density.scale.npy"))
+part("all", bad, cull, ("split.piece", "07-split.piece.npy"), ("split.density", "07-split.density.npy"))
 PY
 for part in 'none; none of its inputs was given' 'all; inputs identical' \
-	'some; inputs identical as far as given; not given: split.triangle, density.scale'; do
+	'some; inputs identical as far as given; not given: split.piece, split.density'; do
 	cp -r c "parts/${part%%;*}" && mv "parts/${part%%;*}.json" "parts/${part%%;*}/trace.json"
 	ends 1 "align.frame, piece 12, field s: .* first of 1; ${part#*; }\$" "of its inputs ${part%%;*}" \
 		compare r/trace-epr "parts/${part%%;*}"

@@ -18,14 +18,14 @@ for words in 'soft-shadows mvr' 'omni-shadows epr' 'surfels deferred --set from_
 	run render "$effect" "${small[@]}" "$@" --method "$method" --set bias.slope=0.005 --trace -o near
 	run render "$effect" "${small[@]}" "$@" --method "$method" --set bias.slope=0.1 --trace -o far
 	run compare "ref/trace-$method" "near/trace-$method"
-	read -r different undecided <<< "$(row resolve.lit)"
+	read -r different undecided <<< "$(row shadow_test.lit)"
 	[ "$status" -eq 1 ] && [ "$different" -gt 0 ] && [ "$undecided" = - ]
 	verdict $? "$effect by $method: a 200th of the slope turns comparisons"
 	run compare "ref/trace-$method" "near/trace-$method" --decided
-	[ "$(row resolve.lit)" = "0 $different" ]
+	[ "$(row shadow_test.lit)" = "0 $different" ]
 	verdict $? "$effect by $method: all of which are undecided"
 	run compare "ref/trace-$method" "far/trace-$method" --decided
-	read -r different undecided <<< "$(row resolve.lit)"
+	read -r different undecided <<< "$(row shadow_test.lit)"
 	[ "$different" -gt 20 ]
 	verdict $? "$effect by $method: more turns those that are decided"
 	rm -rf ref near far
@@ -42,7 +42,7 @@ poke() {
 
 run render soft-shadows "${small[@]}" --method mvr --margins -o ref
 # The first texels whose edge is within a step, and more than two away, of those that hold something.
-read -r within beyond < <(python3 - ref/trace-mvr/06-depth.margin.npy <<'PY'
+read -r within beyond < <(python3 - ref/trace-mvr/06-depth_map.margin.npy <<'PY'
 import struct, sys
 data = open(sys.argv[1], 'rb').read()
 header = 10 + struct.unpack_from('<H', data, 8)[0]
@@ -52,11 +52,11 @@ pairs = list(zip(edge[::2], edge[1::2]))
 print(next(i for i, p in enumerate(pairs) if p[0] <= 1), next(i for i, p in enumerate(pairs) if p[0] > 2 and p[1] > 2))
 PY
 )
-poke 06-scatter.depth.npy "$within" '\x00\x00\x80\x3f'
-prints 'scatter.depth .* 0 .* 1 .* same' compare ref/trace-mvr other --decided
-poke 06-scatter.depth.npy "$beyond" '\x00\x00\x80\x3f'
+poke 06-depth_map.depth.npy "$within" '\x00\x00\x80\x3f'
+prints 'depth_map.depth .* 0 .* 1 .* same' compare ref/trace-mvr other --decided
+poke 06-depth_map.depth.npy "$beyond" '\x00\x00\x80\x3f'
 run compare ref/trace-mvr other --decided
-[ "$status" -eq 1 ] && [ "$(row scatter.depth)" = '1 -' ]
+[ "$status" -eq 1 ] && [ "$(row depth_map.depth)" = '1 -' ]
 verdict $? 'a texel that is decided is judged'
 
 run render soft-shadows "${small[@]}" --method pcss --margins -o pcss
@@ -64,8 +64,8 @@ rm -rf other
 cp -r pcss/trace-pcss other
 prints ' 0 different' compare pcss/trace-pcss other --decided
 run render soft-shadows "${small[@]}" --method mvr --trace -o without
-refuses 'needs depth.margin for each element of scatter.depth; render the reference with --margins' \
-	compare without/trace-mvr ref/trace-mvr --layout scatter.depth=06-scatter.depth.npy --decided
+refuses 'needs depth_map.margin for each element of depth_map.depth; render the reference with --margins' \
+	compare without/trace-mvr ref/trace-mvr --layout depth_map.depth=06-depth_map.depth.npy --decided
 
 # Steps beside that at which two neighbours of different segments would tie, 4 ulps off.
 hulls=(render indirect atrium:triangles=10000:texels=32 --size 96x54 --set grid_px=64 --set rsm_px=2 --method hulls --no-images)
@@ -75,7 +75,7 @@ import glob, struct, sys
 def buffer(name, kind):
 	data = open(glob.glob(f"{sys.argv[1]}/*-{name}.npy")[0], "rb").read()
 	return memoryview(data[10 + struct.unpack_from("<H", data, 8)[0]:]).cast(kind)
-depth, label = buffer("nearest.depth", "f"), buffer("segment.label", "I")
+depth, label = buffer("depth_grid.depth", "f"), buffer("segment.label", "I")
 pairs = [(p, p + 1) for p in range(64 * 64) if p % 32 < 31]
 ties = (abs(depth[p] - depth[q]) / (1 - min(depth[p], depth[q])) for p, q in pairs
         if label[p] != label[q] and depth[p] != depth[q] and min(depth[p], depth[q]) < 1)
@@ -123,7 +123,7 @@ for method in megaviews bruteforce; do
 		[ "$different" -gt 100 ] && [ $((20 * ${undecided/-/0})) -lt "$different" ]
 		verdict $? "$method: $more turns what is decided"
 	done
-	for words in 'map.depth_node map.margin 8 1' 'vpl_gather.irradiance vpl_gather.margin 4 3'; do
+	for words in 'view_map.depth_node view_map.margin 8 1' 'vpl_gather.irradiance vpl_gather.margin 4 3'; do
 		read -r buffer margin bytes each <<< "$words"
 		for which in 1 0; do
 			rm -rf other
@@ -152,7 +152,7 @@ done
 
 # Of surfels: the same; margins of two words are of pairs of f32 bits. An outline of which nothing is undecided is made so.
 run render surfels checkerboard:surfels=20000 --size 96x54 --no-images --set shader=npr --margins -o ref
-for words in 'surfel_depth.surfel surfel_depth.margin 8 1 2' 'blend.sum blend.margin 8 8 2' 'blend.heaviest blend.margin 8 1 2' \
+for words in 'surfel_depth.surfel surfel_depth.margin 8 1 2' 'surfel_blend.sum surfel_blend.margin 8 8 2' 'surfel_blend.heaviest surfel_blend.margin 8 1 2' \
 	'image.radiance deferred.margin 4 3 1'; do
 	read -r buffer margin bytes each pair <<< "$words"
 	for which in 1 0; do

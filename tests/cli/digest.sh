@@ -26,7 +26,7 @@ for effect in soft-shadows omni-shadows; do
 	for method in mvr ivir; do
 		run "${shadows[@]}" --effect $effect --method $method
 		cp "$scratch/stdout" "$scratch/all"
-		[ "$status" -eq 0 ] && grep -q "^# $effect by $method$" "$scratch/all" && grep -q 'resolve.lit' "$scratch/all"
+		[ "$status" -eq 0 ] && grep -q "^# $effect by $method$" "$scratch/all" && grep -q 'shadow_test.lit' "$scratch/all"
 		verdict $? "$effect by $method has its buffers"
 		run "${shadows[@]}" --effect $effect --method $method --set pass=2 --threads 3 --flush-denormals
 		cmp -s "$scratch/stdout" "$scratch/all"

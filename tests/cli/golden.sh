@@ -123,9 +123,9 @@ says 1 '^different  few  *04-eye.depth_triangle.npy: element \[1, 3\]: golden [0
 	'a changed byte is found with its element'
 (cd "$ref/few/small" && ! sha256sum -c --ignore-missing --status ../SHA256SUMS)
 verdict $? 'sha256sum finds it too'
-with 'poke few/small/05-pixel.record.npy -96; poke few/small/20-image.srgb.npy -1'
+with 'poke few/small/05-mirror_pixel.record.npy -96; poke few/small/20-image.srgb.npy -1'
 golden check few
-says 1 '05-pixel.record.npy: element \[[0-9]+\], field position\[0\]: golden -?0x[0-9a-fp.+-]+ \([0-9a-f]{8}\) here ' \
+says 1 '05-mirror_pixel.record.npy: element \[[0-9]+\], field position\[0\]: golden -?0x[0-9a-fp.+-]+ \([0-9a-f]{8}\) here ' \
 	'the first in the pipeline is named, with its field'
 with "sed -i '/12-splat/s/^./x/; /12-splat/s/^x\(.\)/\1\1/' few/SHA256SUMS"
 golden check few

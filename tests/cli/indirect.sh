@@ -96,7 +96,7 @@ for y in range(64):
 	for x in range(64):
 		of.setdefault((y // 32, x // 32, labels[64 * y + x]), set()).add(colour(place(x) + 16, place(y) + 16))
 assert all(len(colours) == 1 for colours in of.values()) and len(set(map(min, of.values()))) > len(of) * 0.9 > 9
-x0, y0, x1, y1, near, far, label, _ = buffer("light/trace-hulls", "box.record", "<4I2f2I")[-1]
+x0, y0, x1, y1, near, far, label, _ = buffer("light/trace-hulls", "segment.box", "<4I2f2I")[-1]
 dim = min(of[label // 1024 // 2, label // 1024 % 2, label % 1024])
 for x, y in ((place(x0), place(y0)), (place(x1) + 31, place(y1) + 31)):
 	assert tuple(c // 2 for c in colour(x, y)) == dim
@@ -110,12 +110,12 @@ import math
 from read import buffer, png
 rows = png("light/hulls-lobes.png")
 assert len(rows) == 8 * 54 and len(rows[0]) == 3 * 8 * 96
-boxes = buffer("light/trace-hulls", "box.record", "<4I2f2I")
+boxes = buffer("light/trace-hulls", "segment.box", "<4I2f2I")
 b = [k for k, b in enumerate(boxes) if b[2] - b[0] > 22 and b[3] - b[1] > 22][-1]
 x, y = boxes[b][0] * 12, boxes[b][1] * 27 // 4
 assert tuple(rows[y][3 * x:3 * x + 3]) == (96, 96, 96)
 _, back, _ = buffer("light/trace-hulls", "eye.view", "<48s12s4s")[0]
-lobe = buffer("light/trace-hulls", "fit.lobes", "<15fI")[4 * b]
+lobe = buffer("light/trace-hulls", "corner.lobes", "<15fI")[4 * b]
 back = memoryview(back).cast("f")
 for c in range(3):
 	cosine = sum(p * q for p, q in zip(lobe[6 + 3 * c:], back))

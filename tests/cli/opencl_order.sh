@@ -12,7 +12,7 @@ render all c
 python3 - "$scratch/c/trace-epr" <<'PY'
 import os, sys
 size = lambda name: os.path.getsize(f"{sys.argv[1]}/{name}.npy") - 128
-assert size("11-points.key") // 8 > 2 * size("07-split.triangle") // 48 > 0
+assert size("11-points.key") // 8 > 2 * size("07-split.piece") // 48 > 0
 PY
 verdict $? 'a frame with more than two points a piece'
 for i in 1 2 3; do

@@ -14,7 +14,7 @@ u32() {
 }
 
 # pixel of the first record: fields position[3], index
-index=$(u32 $epr/05-pixel.record.npy 3)
+index=$(u32 $epr/05-mirror_pixel.record.npy 3)
 mirror=$((index % 64)),$((index / 64))
 
 # says PATTERN ARGUMENT...: text that matches, whose JSON parses and agrees wherever it checks itself.
@@ -76,7 +76,7 @@ shadows=(atrium:triangles=10000:texels=32 --size 64x64 --set views=4 --set light
 for words in 'soft-shadows mvr' 'soft-shadows pcss' 'omni-shadows epr'; do
 	read -r effect method <<< "$words"
 	"$touchstone" render "$effect" "${shadows[@]}" --method "$method" -o "$effect-$method" > /dev/null
-	says 'bits agree with resolve.lit' probe "$effect-$method/trace-$method" --pixel 20,40
+	says 'bits agree with shadow_test.lit' probe "$effect-$method/trace-$method" --pixel 20,40
 	says 'bits agree with image.radiance' probe "$effect-$method/trace-$method" --pixel 33,60
 done
 soft=soft-shadows-mvr/trace-mvr
@@ -85,7 +85,7 @@ prints 'blocker_depth\|search_radius' probe soft-shadows-pcss/trace-pcss --pixel
 refuses 'no triangles of soft-shadows by mvr, only the eye' probe $soft --triangle 4
 refuses 'no --view 0.+X of omni-shadows by epr, only the eye' probe omni-shadows-epr/trace-epr --pixel 3,3 --view 0.+X
 run render soft-shadows "${shadows[@]}" --method ivir --trace-only scene,eye,view,pose,lamp,lamp_view,resolve -o lacks
-refuses 'this needs scatter.depth' probe lacks/trace-ivir --pixel 33,60
+refuses 'this needs depth_map.depth' probe lacks/trace-ivir --pixel 33,60
 
 # Indirect light: why this box, what its corners gathered, and the lobes; or the triangles of light.
 for method in hulls direct; do
@@ -101,7 +101,7 @@ prints 'fit: holds the pixel; thickness: ' probe $hulls --pixel 20,40
 prints 'form_factor: ' probe $direct --pixel 20,40
 run render indirect atrium:triangles=10000:texels=32 --size 64x64 --set grid_px=64 --set rsm_px=4 --method hulls \
 	--trace-only scene,eye,view,pose,lamp,rsm_view,rsm_patch -o lacks-hulls
-refuses 'this needs box.offset, box.record, gather.moment, fit.lobes' probe lacks-hulls/trace-hulls --pixel 33,60
+refuses 'this needs segment.box_offset, segment.box, corner.moment, corner.lobes' probe lacks-hulls/trace-hulls --pixel 33,60
 
 # Many views: what culling leaves, the lights that are drawn, what their maps show, and the filter.
 views=(atrium:triangles=10000:texels=32 --size 64x64 --set levels=5 --set rsm_px=4 --set particles=64 --no-images)
@@ -114,14 +114,14 @@ for words in 'indirect megaviews' 'indirect manylods' 'particles megaviews' 'par
 	refuses "no triangles of $effect by $method, only the eye" probe "$effect-$method/trace-$method" --triangle 4
 done
 mega=indirect-megaviews/trace-megaviews glow=particles-megaviews/trace-megaviews
-for pattern in 'bits agree with vpl_pairs.node' 'bounce: 2; triangle: ' 'answer: in shadow' 'why: both are leaves' \
-	'bits agree with map.depth_node' 'bits agree with bilateral.row'; do
+for pattern in 'bits agree with vpl_gather.pair_node' 'bounce: 2; triangle: ' 'answer: in shadow' 'why: both are leaves' \
+	'bits agree with view_map.depth_node' 'bits agree with bilateral.filtered_rows'; do
 	prints "$pattern" probe $mega --pixel 20,40
 done
 "$touchstone" render indirect "${views[@]}" --trace --method bruteforce -o indirect-bruteforce > /dev/null
 for method in megaviews manylods bruteforce; do
-	says 'bits agree with fuse.depth' probe "indirect-$method/trace-$method" --pixel 8,9 --view 0.front
-	says 'bits agree with map.depth_node' probe "indirect-$method/trace-$method" --pixel 7,7 --view node1.back
+	says 'bits agree with view_map.fused_depth' probe "indirect-$method/trace-$method" --pixel 8,9 --view 0.front
+	says 'bits agree with view_map.depth_node' probe "indirect-$method/trace-$method" --pixel 7,7 --view node1.back
 done
 prints 'direction: in the corner' probe $mega --pixel 0,0 --view 0.front
 refuses 'no texel (16, 0); halves of maps have 16 x 16' probe $mega --pixel 16,0 --view 0.front
@@ -133,8 +133,8 @@ refuses 'no --view 0.+X of indirect by megaviews, only the eye' probe $mega --pi
 refuses 'no --view 0.front of reflections by epr, only the eye' probe $epr --pixel 0,0 --view 0.front
 refuses 'no --view 0.front of soft-shadows by mvr, only the eye' probe $soft --pixel 0,0 --view 0.front
 run render indirect "${views[@]}" --method megaviews --trace-only scene,eye,view,pose,lamp,rsm_view,rsm_patch -o lacks-views
-refuses 'no file of gbuffer.pixel, .*vpl_pairs.views' probe lacks-views/trace-megaviews --pixel 33,60
-refuses 'this needs map.depth_node, fuse.depth, fuse.node, view_octree.leaf' probe lacks-views/trace-megaviews --pixel 3,6 --view 0.front
+refuses 'no file of gbuffer.pixel, .*vpl_gather.pair_views' probe lacks-views/trace-megaviews --pixel 33,60
+refuses 'this needs view_map.depth_node, view_map.fused_depth, view_map.fused_node, view_octree.leaf' probe lacks-views/trace-megaviews --pixel 3,6 --view 0.front
 run render particles "${views[@]}" --method megaviews --trace-only scene,eye,view,pose -o lacks-glow
 refuses 'this needs vpl.light' probe lacks-glow/trace-megaviews --pixel 33,60
 
@@ -143,7 +143,7 @@ splats=(atrium:triangles=10000:texels=32 --size 64x64 --set from_mesh=4000 --set
 for words in 'deferred phong_shadow' 'ewa npr'; do
 	read -r method shader <<< "$words"
 	"$touchstone" render surfels "${splats[@]}" --set shader="$shader" --trace --method "$method" -o "surfels-$method" > /dev/null
-	for pattern in surfel_depth.surfel blend.sum blend.heaviest gbuffer.pixel image.radiance; do
+	for pattern in surfel_depth.surfel surfel_blend.sum surfel_blend.heaviest gbuffer.pixel image.radiance; do
 		says "bits agree with $pattern" probe "surfels-$method/trace-$method" --pixel 20,40
 	done
 	prints 'terms add up to the bits of the total' probe "surfels-$method/trace-$method" --pixel 33,60
@@ -151,16 +151,16 @@ for words in 'deferred phong_shadow' 'ewa npr'; do
 	refuses 'no pixel (64, 0); the eye has 64 x 64' probe "surfels-$method/trace-$method" --pixel 64,0
 done
 deferred=surfels-deferred/trace-deferred ewa=surfels-ewa/trace-ewa
-prints 'bits agree with resolve.lit' probe $deferred --pixel 33,60
+prints 'bits agree with shadow_test.lit' probe $deferred --pixel 33,60
 prints 'by_neighbour' probe $ewa --pixel 33,60
 "$touchstone" render surfels "$OLDPWD/scenes/room.gltf" "${splats[@]:1}" --set shader=phong_shadow --trace --method deferred -o bulb > /dev/null
 for words in '33,60 -Y' '32,2 -X'; do
 	read -r pixel face <<< "$words"
 	prints "view: 0.$face; " probe bulb/trace-deferred --pixel "$pixel"
-	prints 'bits agree with resolve.lit' probe bulb/trace-deferred --pixel "$pixel"
+	prints 'bits agree with shadow_test.lit' probe bulb/trace-deferred --pixel "$pixel"
 done
 run render surfels "${splats[@]}" --method deferred --trace-only scene,view,lamp,surfel_setup,surfel_depth -o lacks-surfels
-refuses 'no file of gbuffer.pixel, .*blend.sum' probe lacks-surfels/trace-deferred --pixel 33,60
+refuses 'no file of gbuffer.pixel, .*surfel_blend.sum' probe lacks-surfels/trace-deferred --pixel 33,60
 
 # A trace without some stages names all that it lacks.
 "$touchstone" render reflections atrium:triangles=10000:texels=32 --size 64x64 --reflectors 2 --set reflector_px=24 --set face_max=16 \
@@ -169,7 +169,7 @@ refuses 'no file of gbuffer.pixel, .*blend.sum' probe lacks-surfels/trace-deferr
 		--set face_max=16 --method epr --no-images --trace --trace-only scene,eye,pixel,view,pose,resize,image -o part > /dev/null
 prints 'bits agree with image.radiance' probe part/trace-epr --pixel 3,60
 refuses 'needs lookup.point, points.record' probe part/trace-epr --pixel "$mirror"
-refuses 'needs visibility.bits, split.scale' probe part/trace-epr --triangle 4
+refuses 'needs visibility.bits, split.triangle_density' probe part/trace-epr --triangle 4
 refuses 'needs points.key' probe part/trace-epr --point 1,2,3
 
 # lies FILE ELEMENT BYTES PATTERN ARGUMENT...: four bytes of a file are others; they are named, and followed nowhere.
@@ -188,30 +188,30 @@ lies 00-scene.triangle.npy 0 '\xff\xff\xff\x7f' 'element 0 field vertex names' -
 lies 02-pose.vertex.npy 0 '\x00\x00\xc0\x7f' 'field position is 7fc00000, not a finite' --pixel 0,0
 lies 14-lookup.point.npy 0 '\xfe\xff\xff\xff' 'element 0 names 4294967294' --pixel "$mirror"
 lies 11-points.record.npy 4 '\xfe\xff\xff\xff' 'element 0 field piece names' --point 0
-lies 03-resize.face.npy 7 '\xff\x0f\x00\x00' 'texel' --pixel 7,8 --view 0.0
+lies 03-cube_size.face.npy 7 '\xff\x0f\x00\x00' 'texel' --pixel 7,8 --view 0.0
 lies 07-split.offset.npy 5 '\xff\xff\xff\x7f' 'pieces' --triangle 4
 lies 00-scene.image.npy 0 '\xff\xff\x00\x00' 'no mip chain' --pixel 0,0
 lies 01-eye.view.npy 7 '\xff\xff\xff\x7f' 'pixels; at most' --pixel 0,0
-lies 15-lookup2.offset.npy 1 '\x09\x00\x00\x00' 'one entry at most' --pixel "$mirror"
-lies 05-pixel.offset.npy "$index" '\x21\x00\x00\x00' 'pixel.offset names it for pixel' --pixel "$mirror"
+lies 15-lookup.second_offset.npy 1 '\x09\x00\x00\x00' 'one entry at most' --pixel "$mirror"
+lies 05-mirror_pixel.offset.npy "$index" '\x21\x00\x00\x00' 'mirror_pixel.offset names it for pixel' --pixel "$mirror"
 epr=$hulls
-lies 12-box.offset.npy 9 '\xff\xff\xff\x7f' 'element 9 is 2147483647, after ' --pixel 20,40
-lies 12-box.record.npy 2 '\x40\x00\x00\x00' 'element 0 field high names 64 of 64' --pixel 20,40
-lies 12-box.record.npy 0 '\x3f\x00\x00\x00' 'element 0: columns 63 to .* of 64' --pixel 20,40
-lies 06-rsm_patch.light.npy 3 '\x00\x00\xc0\x7f' 'not a finite' --pixel 20,40
+lies 12-segment.box_offset.npy 9 '\xff\xff\xff\x7f' 'element 9 is 2147483647, after ' --pixel 20,40
+lies 12-segment.box.npy 2 '\x40\x00\x00\x00' 'element 0 field high names 64 of 64' --pixel 20,40
+lies 12-segment.box.npy 0 '\x3f\x00\x00\x00' 'element 0: columns 63 to .* of 64' --pixel 20,40
+lies 06-rsm.patch.npy 3 '\x00\x00\xc0\x7f' 'not a finite' --pixel 20,40
 epr=$mega
 lies 10-vpl.path.npy 1 '\xff\xff\xff\x7f' 'element 1 is 2147483647' --pixel 20,40
 lies 13-view_octree.node.npy 6 '\xff\xff\xff\x7f' 'element 0, field parent' --pixel 20,40
 lies 13-view_octree.leaf.npy 0 '\xff\xff\xff\x7f' 'less than .* (view_nodes) would be right' --pixel 20,40
-lies 16-map.depth_node.npy 0 '\xff\xff\xff\x7f' 'names 2147483647' --pixel 20,40
-lies 20-vpl_pairs.node.npy 0 '\xff\xff\xff\x7f' 'less than' --pixel 20,40
-lies 20-vpl_pairs.offset.npy 1 '\xff\xff\xff\x7f' 'sum' --pixel 20,40
-lies 14-view_cone.node.npy 5 '\xff\xff\xff\x7f' 'field views' --pixel 20,40
+lies 16-view_map.depth_node.npy 0 '\xff\xff\xff\x7f' 'names 2147483647' --pixel 20,40
+lies 20-vpl_gather.pair_node.npy 0 '\xff\xff\xff\x7f' 'less than' --pixel 20,40
+lies 20-vpl_gather.pair_offset.npy 1 '\xff\xff\xff\x7f' 'sum' --pixel 20,40
+lies 14-view_octree.cone.npy 5 '\xff\xff\xff\x7f' 'field views' --pixel 20,40
 lies 01-eye.view.npy 7 '\x20\x00\x00\x00' 'would be right' --pixel 20,40
 lies 13-view_octree.node.npy 6 '\xff\xff\xff\x7f' 'element 0, field parent' --pixel 3,6 --view 0.back
 lies 13-view_octree.leaf.npy 0 '\xff\xff\xff\x7f' 'element 0 names 2147483647' --pixel 3,6 --view 0.back
-lies 16-map.depth_node.npy 0 '\xff\xff\xff\x7f' 'names 2147483647' --pixel 0,0 --view node0.front
-lies 14-view_cone.node.npy 0 '\x00\x00\xc0\x7f' 'a finite number' --pixel 3,6 --view node1.back
+lies 16-view_map.depth_node.npy 0 '\xff\xff\xff\x7f' 'names 2147483647' --pixel 0,0 --view node0.front
+lies 14-view_octree.cone.npy 0 '\x00\x00\xc0\x7f' 'a finite number' --pixel 3,6 --view node1.back
 lies 09-octree.node.npy 4 '\x00\x00\x00\x00' 'field child' --pixel 3,6 --view node1.back
 epr=$glow
 lies 06-vpl.light.npy 0 '\x00\x00\xc0\x7f' 'a finite number' --pixel 20,40
@@ -219,19 +219,19 @@ epr=$deferred
 lies 00-scene.surfel.npy 3 '\x00\x00\xc0\x7f' 'a finite number' --pixel 33,60
 lies 03-surfel_setup.disc.npy 12 '\xff\xff\xff\xff' 'field low' --pixel 33,60
 lies 04-surfel_depth.surfel.npy 2 '\xff\xff\xff\x7f' 'element 1: .* less than' --pixel 33,60
-lies 05-blend.sum.npy 14 '\x00\x00\x00\x00' 'as blend.heaviest says' --pixel 33,60
+lies 05-surfel_blend.sum.npy 14 '\x00\x00\x00\x00' 'as surfel_blend.heaviest says' --pixel 33,60
 lies 06-gbuffer.pixel.npy 3 '\x00\x00\x80\x7f' 'a finite number' --pixel 33,60
 lies 07-offscreen.view.npy 7 '\xff\xff\xff\x7f' 'offscreen.view' --pixel 33,60
 lies 02-lamp.light.npy 3 '\x01\x00\x00\x00' 'one view per light, and six where' --pixel 33,60
-lies 09-resolve.lit.npy 5 '\x02\x00\x00\x00' 'the light' --pixel 33,60
+lies 09-shadow_test.lit.npy 5 '\x02\x00\x00\x00' 'the light' --pixel 33,60
 epr=$soft
 lies 04-offscreen.view.npy 7 '\xff\xff\xff\x7f' 'element 0: 2147483647 x 64' --pixel 33,60
 lies 04-offscreen.view.npy 22 '\x01\x00\x00\x00' 'names 1 of 1' --pixel 33,60
 lies 03-lamp.shape.npy 1 '\x05\x00\x00\x00' 'there are 4 views' --pixel 33,60
 rm -rf bad
 cp -r $soft bad
-rm bad/06-scatter.depth.npy
-refuses 'scatter.depth' probe bad --pixel 33,60
+rm bad/06-depth_map.depth.npy
+refuses 'depth_map.depth' probe bad --pixel 33,60
 epr=out/trace-epr
 
 # A wrong value is no lie that breaks anything: the check tells.
@@ -242,13 +242,13 @@ printf '\x00\x00\x80\x3f' | dd of="$(echo bad/??-shade.radiance.npy)" bs=1 seek=
 prints 'bits differ from shade.radiance, which holds 3f800000' probe bad --pixel "$mirror"
 
 # The same of a map and of fusion: only the node whose map is wrong is told to differ.
-for file in 16-map.depth_node 17-fuse.depth; do
+for file in 16-view_map.depth_node 17-view_map.fused_depth; do
 	rm -rf bad
 	cp -r $mega bad
 	header=$((10 + $(od -An -tu2 -j8 -N2 bad/$file.npy)))
 	printf '\x00\x00\x00\x00\x00\x00\x80\x3f' | dd of=bad/$file.npy bs=1 seek=$header conv=notrunc 2> /dev/null
 	prints "bits differ from ${file#*-}" probe bad --pixel 0,0 --view node0.front
 done
-prints 'bits agree with map.depth_node' probe bad --pixel 0,0 --view node0.front
+prints 'bits agree with view_map.depth_node' probe bad --pixel 0,0 --view node0.front
 
 finish

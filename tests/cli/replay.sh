@@ -26,7 +26,7 @@ verdict $? '-o writes the outputs as a trace'
 refuses 'made' replay $epr --stage splat -o made
 refuses 'add --stage' replay $epr -o made2
 
-# A port: its density.scale is half ours; its align.frame follows from that, but for one value.
+# A port: its split.density is half ours; its align.frame follows from that, but for one value.
 python3 - <<'PY'
 import json, os, struct
 def split(path):
@@ -34,12 +34,12 @@ def split(path):
 	n = 10 + struct.unpack("<H", data[8:10])[0]
 	return data[:n], bytearray(data[n:])
 os.mkdir("port")
-head, scale = split("out/trace-epr/07-density.scale.npy")
+head, scale = split("out/trace-epr/07-split.density.npy")
 n = len(scale) // 4
 values = [x / 2 for x in struct.unpack("<%df" % n, scale)]
 open("port/scale.npy", "wb").write(head + struct.pack("<%df" % n, *values))
 json.dump({"format": "touchstone-trace", "version": 1, "contract": 1, "pipeline": "epr", "order": "canonical",
-	"producer": {"name": "a port"}, "buffers": [{"name": "density.scale", "file": "scale.npy"}]}, open("port/trace.json", "w"))
+	"producer": {"name": "a port"}, "buffers": [{"name": "split.density", "file": "scale.npy"}]}, open("port/trace.json", "w"))
 PY
 run replay $epr --stage align --inputs port -o own
 [ "$status" -eq 1 ] && grep -q 'stage 09 align, buffer align.frame: different in [0-9]* of [0-9]* elements, first element' stdout

@@ -84,10 +84,10 @@ static int begin(void **state)
 	move(TS_B_points_record);
 	rename_points(TS_B_splat_depth_index, 0, 8);
 	rename_points(TS_B_lookup_point, 0, 4);
-	rename_points(TS_B_lookup2_point, 0, 4);
-	rename_points(TS_B_lookup3_point, 0, 4);
-	rename_points(TS_B_lookup2_parent, offsetof(ts_bounce, point), sizeof(ts_bounce));
-	rename_points(TS_B_lookup3_parent, offsetof(ts_bounce, point), sizeof(ts_bounce));
+	rename_points(TS_B_lookup_second_point, 0, 4);
+	rename_points(TS_B_lookup_third_point, 0, 4);
+	rename_points(TS_B_lookup_second_parent, offsetof(ts_bounce, point), sizeof(ts_bounce));
+	rename_points(TS_B_lookup_third_parent, offsetof(ts_bounce, point), sizeof(ts_bounce));
 	return 0;
 }
 

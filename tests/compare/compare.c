@@ -165,33 +165,33 @@ static void test_allow_and_ignore(void **state)
 		const char *ignore;
 		ts_status status;
 	} cases[] = {
-		{"pixel.record", TS_OK},
-		{"pixel.record.normal", TS_OK},
-		{"cull.keep,pixel.record.normal", TS_OK},
-		{"pixel.record.position", TS_DIFFERENT},
-		{"pixel.offset", TS_DIFFERENT},
+		{"mirror_pixel.record", TS_OK},
+		{"mirror_pixel.record.normal", TS_OK},
+		{"cull.keep,mirror_pixel.record.normal", TS_OK},
+		{"mirror_pixel.record.position", TS_DIFFERENT},
+		{"mirror_pixel.offset", TS_DIFFERENT},
 		{"pixel", TS_ERROR},
-		{"pixel.record.", TS_ERROR},
-		{"pixel.record.normals", TS_ERROR},
-		{"pixel.record,", TS_ERROR},
+		{"mirror_pixel.record.", TS_ERROR},
+		{"mirror_pixel.record.normals", TS_ERROR},
+		{"mirror_pixel.record,", TS_ERROR},
 		{"", TS_ERROR},
-		{" pixel.record", TS_ERROR},
+		{" mirror_pixel.record", TS_ERROR},
 		{"image.srgb.", TS_ERROR},
-		{"pixel.record.norma", TS_ERROR},
+		{"mirror_pixel.record.norma", TS_ERROR},
 	};
 	f32 old[2], value = 0.123f;
 	u32 at = offsetof(ts_pixel, normal);
-	for (u32 i = 0; i < 2; i++) poke(cand, TS_B_pixel_record, 5 + i, at, &value, 4, &old[i]);
+	for (u32 i = 0; i < 2; i++) poke(cand, TS_B_mirror_pixel_record, 5 + i, at, &value, 4, &old[i]);
 	for (u32 i = 0; i < sizeof cases / sizeof *cases; i++) {
 		if (compare((ts_relaxations){.ignore = cases[i].ignore}) != cases[i].status)
 			fail_msg("--ignore \"%s\"", cases[i].ignore);
 		if (cases[i].status == TS_ERROR) says("no buffer and no field");
 	}
 	assert_int_equal(compare((ts_relaxations){.allow = 1}), TS_DIFFERENT);
-	assert_int_equal(c.verdict[TS_B_pixel_record].n_different, 2);
+	assert_int_equal(c.verdict[TS_B_mirror_pixel_record].n_different, 2);
 	assert_int_equal(compare((ts_relaxations){.allow = 2}), TS_OK);
-	assert_int_equal(c.verdict[TS_B_pixel_record].n_different, 2);
-	for (u32 i = 0; i < 2; i++) poke(cand, TS_B_pixel_record, 5 + i, at, &old[i], 4, NULL);
+	assert_int_equal(c.verdict[TS_B_mirror_pixel_record].n_different, 2);
+	for (u32 i = 0; i < 2; i++) poke(cand, TS_B_mirror_pixel_record, 5 + i, at, &old[i], 4, NULL);
 	assert_int_equal(compare((ts_relaxations){.ignore = "image.srgb"}), TS_OK);
 	assert_int_equal(c.verdict[TS_B_image_srgb].judgement, TS_IGNORED);
 }
@@ -257,17 +257,17 @@ static void test_counts(void **state)
 {
 	(void)state;
 	char shape[64];
-	u64 n = ref->item[TS_B_split_triangle].npy.n;
+	u64 n = ref->item[TS_B_split_piece].npy.n;
 	snprintf(shape, sizeof shape, "(%u,)", (unsigned)n - 2);
-	resized(TS_B_split_triangle, shape, -2);
+	resized(TS_B_split_piece, shape, -2);
 	assert_int_equal(compare((ts_relaxations){.ulp = 0}), TS_DIFFERENT);
-	const ts_verdict *v = &c.verdict[TS_B_split_triangle];
-	assert_true(c.first == TS_B_split_triangle && v->n_different == 2 && !v->has_first && v->n_cand == n - 2);
+	const ts_verdict *v = &c.verdict[TS_B_split_piece];
+	assert_true(c.first == TS_B_split_piece && v->n_different == 2 && !v->has_first && v->n_cand == n - 2);
 	snprintf(shape, sizeof shape, "(%u,)", (unsigned)n + 3);
-	resized(TS_B_split_triangle, shape, 3);
+	resized(TS_B_split_piece, shape, 3);
 	assert_int_equal(compare((ts_relaxations){.ulp = 0}), TS_DIFFERENT);
 	assert_int_equal(v->n_different, 3);
-	restored(TS_B_split_triangle);
+	restored(TS_B_split_piece);
 	resized(TS_B_image_srgb, "(35, 64, 3)", -64 * 3);
 	assert_int_equal(compare((ts_relaxations){.ulp = 0}), TS_ERROR);
 	says("shape 35 x 64 x 3; the reference's is 36 x 64 x 3");

@@ -9,7 +9,7 @@
 
 enum { N_POINTS = 6, N_TEXELS = 24, N_FILES = 5 };
 static const ts_buffer_id ids[N_FILES] = {TS_B_points_key, TS_B_points_record, TS_B_splat_depth_index,
-                                          TS_B_lookup_point, TS_B_pixel_record};
+                                          TS_B_lookup_point, TS_B_mirror_pixel_record};
 static const char *files[N_FILES];
 static ts_trace *reference;
 
@@ -35,18 +35,18 @@ static void begin(void)
 	fuzz_npy(fuzz_name("1.npy"), TS_B_points_record, N_POINTS, 0, points);
 	fuzz_npy(fuzz_name("2.npy"), TS_B_splat_depth_index, N_TEXELS, 0, splats);
 	fuzz_npy(fuzz_name("3.npy"), TS_B_lookup_point, 2, 4, lookups);
-	fuzz_npy(fuzz_name("4.npy"), TS_B_pixel_record, 2, 0, pixels);
+	fuzz_npy(fuzz_name("4.npy"), TS_B_mirror_pixel_record, 2, 0, pixels);
 	fuzz_npy(fuzz_name("5.npy"), TS_B_splat_tie, N_TEXELS, 0, ties);
-	fuzz_npy(fuzz_name("6.npy"), TS_B_resize_face, 1, 0, &cube);
-	fuzz_npy(fuzz_name("7.npy"), TS_B_split_triangle, 1, 0, &piece);
+	fuzz_npy(fuzz_name("6.npy"), TS_B_cube_size_face, 1, 0, &cube);
+	fuzz_npy(fuzz_name("7.npy"), TS_B_split_piece, 1, 0, &piece);
 	fuzz_npy(fuzz_name("8.npy"), TS_B_align_frame, 1, 0, &frame);
 	fuzz_npy(fuzz_name("9.npy"), TS_B_visibility_bits, 1, 1, &bits);
 	ts_trace like = {.pipeline = ts_pipeline_find("reflections", "epr")};
 	ts_status status = ts_trace_open_layout(
 		&reference, fuzz_root,
 		"points.key=0.npy,points.record=1.npy,"
-		"splat.depth_index=2.npy,lookup.point=3.npy,pixel.record=4.npy,splat.tie=5.npy,resize.face=6.npy,"
-		"split.triangle=7.npy,align.frame=8.npy,visibility.bits=9.npy",
+		"splat.depth_index=2.npy,lookup.point=3.npy,mirror_pixel.record=4.npy,splat.tie=5.npy,cube_size.face=6.npy,"
+		"split.piece=7.npy,align.frame=8.npy,visibility.bits=9.npy",
 		false, &like);
 	assert(status == TS_OK);
 	static const char *const names[N_FILES] = {"key", "record", "splat", "lookup", "pixel"};

@@ -43,7 +43,7 @@ static void elements_and_fields(void **state)
 	tells(TS_B_points_record, 1, list, 32 * 6 + 20, 1, "element [6], field flags: golden 0 (0x0) here 1 (0x1)");
 	tells(TS_B_align_frame, 1, list, 48 + 4 + 3, 0x80,
 	      "element [0], field q[1]: golden 0 (0x00000000) here -2147483648 (0x80000000)");
-	tells(TS_B_resize_face, 1, list, 64 + 48 + 1, 1, "element [1], field offset: golden 0 (0x0) here 256 (0x100)");
+	tells(TS_B_cube_size_face, 1, list, 64 + 48 + 1, 1, "element [1], field offset: golden 0 (0x0) here 256 (0x100)");
 }
 
 static void every_byte_is_told(void **state)
@@ -85,11 +85,11 @@ static void order_of_the_pipeline(void **state)
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) memset(a.sums.hex[id], '0', TS_DIGEST_BYTES - 1);
 	b = a;
 	assert_int_equal(ts_golden_compare(text, sizeof text, &a, &b, mvr, false), TS_OK);
-	/* shade.radiance stands before face.mip in records.def, but mvr makes it after. */
+	/* shade.radiance stands before cube_face.mip in records.def, but mvr makes it after. */
 	a.sums.hex[TS_B_shade_radiance][5] = '1';
-	a.sums.hex[TS_B_face_mip][5] = '1';
+	a.sums.hex[TS_B_cube_face_mip][5] = '1';
 	assert_int_equal(ts_golden_compare(text, sizeof text, &a, &b, mvr, false), TS_DIFFERENT);
-	assert_string_equal(text, "07-face.mip.npy: SHA-256: golden 0000010000000000... here 0000000000000000...");
+	assert_string_equal(text, "07-cube_face.mip.npy: SHA-256: golden 0000010000000000... here 0000000000000000...");
 	b.sums.hex[TS_B_scene_light][0] = 0;
 	assert_int_equal(ts_golden_compare(text, sizeof text, &a, &b, mvr, false), TS_DIFFERENT);
 	assert_string_equal(text, "00-scene.light.npy: in SHA256SUMS, but not made here");
@@ -109,7 +109,7 @@ static void infinite_floats(void **state)
 	ts_point points[2] = {{.centre = {1, 2, 3}, .length = NAN, .piece = 0x7f800000u}, {.centre = {1, INFINITY, 3}}};
 	assert_int_equal(ts_golden_infinite(TS_B_points_record, points, sizeof points), 2);
 	ts_face faces[2] = {{.offset = ~0ull}, {.radius = NAN, .object = ~0u}};
-	assert_int_equal(ts_golden_infinite(TS_B_resize_face, faces, sizeof faces), 1);
+	assert_int_equal(ts_golden_infinite(TS_B_cube_size_face, faces, sizeof faces), 1);
 	ts_align align = {.q = {-1, -1, -1, -1, -1, -1}, .v = {0, 0, NAN}};
 	assert_int_equal(ts_golden_infinite(TS_B_align_frame, &align, sizeof align), 1);
 }

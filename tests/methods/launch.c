@@ -40,11 +40,11 @@ static void begin(ts_run *run, const ts_scene *scene, const ts_params *params)
 	static const ts_dim sizes[] = {TS_DIM_pieces, TS_DIM_points, TS_DIM_cubes, TS_DIM_views, TS_DIM_mirror_pixels};
 	ts_run_begin(run, scene, params, 1);
 	for (u32 i = 0; i < sizeof sizes / sizeof *sizes; i++) ts_run_set_size(run, sizes[i], 2);
-	assert_non_null(ts_run_make(run, TS_B_split_triangle));
+	assert_non_null(ts_run_make(run, TS_B_split_piece));
 	assert_non_null(ts_run_make(run, TS_B_align_frame));
 	assert_non_null(ts_run_make(run, TS_B_visibility_bits));
 	assert_non_null(ts_run_make(run, TS_B_points_record));
-	ts_face *cubes = ts_run_make(run, TS_B_resize_face);
+	ts_face *cubes = ts_run_make(run, TS_B_cube_size_face);
 	for (u32 i = 0; i < 2; i++) cubes[i] = (ts_face){.n = 4 + i, .offset = i * 96};
 	run->plan.units = run->n_units = 2;
 }
@@ -60,7 +60,7 @@ static void test_fill(void **state)
 	ts_splat_args args;
 	memset(&args, 0x55, sizeof args);
 	assert_int_equal(TS_FILL(&run, &launch, &args), TS_OK);
-	assert_ptr_equal(args.cubes, run.frame.buffer[TS_B_resize_face].data);
+	assert_ptr_equal(args.cubes, run.frame.buffer[TS_B_cube_size_face].data);
 	assert_ptr_equal(args.points, run.frame.buffer[TS_B_points_record].data);
 	assert_true(args.bits == NULL && args.offset == NULL);
 	assert_true(args.n_cubes == 0x55555555u);

@@ -30,11 +30,11 @@ static void test_effects(void **state)
 static void test_making(void **state)
 {
 	(void)state;
-	static const ts_buffer_id looked[] = {TS_B_pixel_record, TS_B_lookup_point, TS_N_BUFFERS};
-	static const ts_buffer_id faces[] = {TS_B_face_depth_triangle, TS_N_BUFFERS};
+	static const ts_buffer_id looked[] = {TS_B_mirror_pixel_record, TS_B_lookup_point, TS_N_BUFFERS};
+	static const ts_buffer_id faces[] = {TS_B_cube_face_depth_triangle, TS_N_BUFFERS};
 	static const ts_buffer_id views[] = {TS_B_lamp_shape, TS_B_offscreen_view, TS_N_BUFFERS};
 	static const ts_buffer_id pixels[] = {TS_B_gbuffer_pixel, TS_N_BUFFERS};
-	static const ts_buffer_id none[] = {TS_B_face_depth_triangle, TS_B_lookup_point, TS_N_BUFFERS};
+	static const ts_buffer_id none[] = {TS_B_cube_face_depth_triangle, TS_B_lookup_point, TS_N_BUFFERS};
 	assert_is(ts_pipeline_making("reflections", looked), "reflections", "epr");
 	assert_is(ts_pipeline_making(NULL, faces), "reflections", "mvr");
 	assert_is(ts_pipeline_making("omni-shadows", views), "omni-shadows", "ivir");

@@ -94,12 +94,12 @@ static void test_epr_counters(void **state)
 		ts_scene *scene = small_scene(&params);
 		ts_run run;
 		small_run(&run, scene, &params, "epr", 2, NULL, NULL);
-		i64 pixels = (i64)ts_frame_n(&run.frame, TS_B_pixel_record), later = 0,
+		i64 pixels = (i64)ts_frame_n(&run.frame, TS_B_mirror_pixel_record), later = 0,
 			empty = count_none(&run, TS_B_lookup_point);
-		if (bounces > 1) later += (i64)ts_frame_n(&run.frame, TS_B_lookup2_parent);
-		if (bounces > 2) later += (i64)ts_frame_n(&run.frame, TS_B_lookup3_parent);
-		if (bounces > 1) empty += count_none(&run, TS_B_lookup2_point);
-		if (bounces > 2) empty += count_none(&run, TS_B_lookup3_point);
+		if (bounces > 1) later += (i64)ts_frame_n(&run.frame, TS_B_lookup_second_parent);
+		if (bounces > 2) later += (i64)ts_frame_n(&run.frame, TS_B_lookup_third_parent);
+		if (bounces > 1) empty += count_none(&run, TS_B_lookup_second_point);
+		if (bounces > 2) empty += count_none(&run, TS_B_lookup_third_point);
 		assert_true(pixels > 100 && (bounces == 1) == (later == 0));
 		assert_int_equal(ts_run_counter(&run, "reflective pixels"), pixels);
 		assert_int_equal(ts_run_counter(&run, "later look-ups"), later);
@@ -108,7 +108,7 @@ static void test_epr_counters(void **state)
 		assert_int_equal(ts_run_counter(&run, "empty look-ups"), empty);
 		assert_true(ts_run_counter(&run, "distinct points shaded") <= 25 * pixels + 4 * later);
 		assert_int_equal(ts_run_counter(&run, "points"), (i64)ts_frame_n(&run.frame, TS_B_points_record));
-		assert_int_equal(ts_run_counter(&run, "pieces"), (i64)ts_frame_n(&run.frame, TS_B_split_triangle));
+		assert_int_equal(ts_run_counter(&run, "pieces"), (i64)ts_frame_n(&run.frame, TS_B_split_piece));
 		assert_int_equal(ts_run_counter(&run, "pieces culled"),
 		                 ts_run_counter(&run, "pieces") - ts_run_counter(&run, "pieces kept"));
 		assert_int_equal(ts_run_counter(&run, "cube texels"), (i64)ts_frame_n(&run.frame, TS_B_splat_depth_index));
@@ -127,8 +127,8 @@ static void test_adaptive(void **state)
 	ts_scene *scene = small_scene(&params);
 	ts_run run;
 	small_run(&run, scene, &params, "epr", 2, NULL, NULL);
-	const u32 *used = ts_frame_data(&run.frame, TS_B_shade_used);
-	u64 n = ts_frame_n(&run.frame, TS_B_shade_used);
+	const u32 *used = ts_frame_data(&run.frame, TS_B_shade_n_samples);
+	u64 n = ts_frame_n(&run.frame, TS_B_shade_n_samples);
 	i64 sum = 0;
 	for (u64 i = 0; i < n; i++) {
 		assert_true(used[i] == 25 || (used[i] >= 8 && used[i] < 25 && used[i] % 4 == 0));
@@ -143,8 +143,9 @@ static void test_adaptive(void **state)
 static ts_status count_texels(const ts_run *run, const ts_stage *stage, void *user)
 {
 	if (strcmp(stage->name, "face") != 0) return TS_OK;
-	const u64 *texels = ts_frame_data(&run->frame, TS_B_face_depth_triangle);
-	for (u64 i = 0; i < ts_frame_n(&run->frame, TS_B_face_depth_triangle); i++) *(i64 *)user += texels[i] != UINT64_MAX;
+	const u64 *texels = ts_frame_data(&run->frame, TS_B_cube_face_depth_triangle);
+	for (u64 i = 0; i < ts_frame_n(&run->frame, TS_B_cube_face_depth_triangle); i++)
+		*(i64 *)user += texels[i] != UINT64_MAX;
 	return TS_OK;
 }
 
@@ -314,12 +315,12 @@ static void test_scan_limit(void **state)
 	ts_run run = {.n_counters = 0};
 	u64 total;
 	ts_c_begin(&run.c, 1);
-	u32 *counts = ts_frame_make1(&run.frame, TS_B_count_offset, 3);
+	u32 *counts = ts_frame_make1(&run.frame, TS_B_points_offset, 3);
 	memcpy(counts, (u32[3]){0xfffffff0, 14, 0}, 12);
-	assert_int_equal(ts_run_scan(&run, TS_B_count_offset, &total), TS_OK);
+	assert_int_equal(ts_run_scan(&run, TS_B_points_offset, &total), TS_OK);
 	assert_true(total == 0xfffffffe && counts[2] == 0xfffffffe && counts[1] == 0xfffffff0 && counts[0] == 0);
 	memcpy(counts, (u32[3]){0xfffffff0, 15, 0}, 12);
-	assert_int_equal(ts_run_scan(&run, TS_B_count_offset, &total), TS_ERROR);
+	assert_int_equal(ts_run_scan(&run, TS_B_points_offset, &total), TS_ERROR);
 	ts_frame_clear(&run.frame);
 	assert_non_null(strstr(ts_error_message(), "points"));
 }

@@ -71,11 +71,21 @@ static void test_writers(void **state)
 static void test_readers(void **state)
 {
 	(void)state;
-	static const ts_buffer_id last[] = {TS_B_image_radiance,      TS_B_image_srgb,      TS_B_shade_used,
-	                                    TS_B_split_scale,         TS_B_split_offset,    TS_B_splat_tie,
-	                                    TS_B_shadow_resize_least, TS_B_bilateral_row,   TS_B_root_least,
-	                                    TS_B_octree_surface_node, TS_B_vpl_offset,      TS_B_vpl_path,
-	                                    TS_B_view_cone_sum,       TS_B_view_cone_least, TS_N_BUFFERS};
+	static const ts_buffer_id last[] = {TS_B_image_radiance,
+	                                    TS_B_image_srgb,
+	                                    TS_B_shade_n_samples,
+	                                    TS_B_split_triangle_density,
+	                                    TS_B_split_offset,
+	                                    TS_B_splat_tie,
+	                                    TS_B_shadow_cube_size_least_ratio,
+	                                    TS_B_bilateral_filtered_rows,
+	                                    TS_B_octree_root_least,
+	                                    TS_B_octree_surface,
+	                                    TS_B_vpl_offset,
+	                                    TS_B_vpl_path,
+	                                    TS_B_view_octree_cone_sum,
+	                                    TS_B_view_octree_cone_least,
+	                                    TS_N_BUFFERS};
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
 		u32 n = 0;
 		for (const ts_stage *const *s = ts_stages(); *s != NULL; s++) {
@@ -148,7 +158,7 @@ static void test_claims(void **state)
 		if (ts_pipeline_run(ts_pipeline_find("reflections", methods[m]), &run) != TS_OK)
 			fail_msg("%s", ts_error_message());
 		for (u32 i = 0; i < run.n_timings; i++) small_assert_claims(&run, ts_stage_find(run.timings[i].stage));
-		if (m == 0) assert_true(ts_frame_n(&run.frame, TS_B_lookup3_parent) > 0);
+		if (m == 0) assert_true(ts_frame_n(&run.frame, TS_B_lookup_third_parent) > 0);
 		ts_run_end(&run);
 		ts_scene_free(scene);
 	}

@@ -49,9 +49,10 @@ static void test_dims(void **state)
 		assert_true(!is_summed((ts_dim)dim) || info->how == TS_IS_counted);
 	}
 	assert_true(ts_buffer_counts(TS_B_vpl_path) == TS_DIM_paths && ts_buffer_tells(TS_B_vpl_path) == TS_DIM_none);
-	assert_true(ts_buffer_tells(TS_B_image_srgb) == TS_DIM_none && ts_buffer_tells(TS_B_nearest_depth) == TS_DIM_none);
+	assert_true(ts_buffer_tells(TS_B_image_srgb) == TS_DIM_none &&
+	            ts_buffer_tells(TS_B_depth_grid_depth) == TS_DIM_none);
 	assert_true(ts_buffer_tells(TS_B_points_key) == TS_DIM_points &&
-	            ts_buffer_tells(TS_B_scatter_depth) == TS_DIM_texels);
+	            ts_buffer_tells(TS_B_depth_map_depth) == TS_DIM_texels);
 }
 
 static void test_sums(void **state)

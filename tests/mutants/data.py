@@ -29,8 +29,8 @@ def first(reference, candidate, buffer):
 
 
 # Buffers that hold indices of points in their lower 32 bits, and what is no index; and those with a field of that.
-INDICES = {"splat.depth_index": EMPTY, "lookup.point": NONE, "lookup2.point": NONE, "lookup3.point": NONE}
-QUEUES = ("lookup2.parent", "lookup3.parent")
+INDICES = {"splat.depth_index": EMPTY, "lookup.point": NONE, "lookup.second_point": NONE, "lookup.third_point": NONE}
+QUEUES = ("lookup.second_parent", "lookup.third_parent")
 
 
 def remap(candidate, place):
@@ -243,8 +243,8 @@ def _(ref, cand, _bench):
 
 @mutant("cube face transposed")
 def _(ref, cand, _bench):
-	n, = ref["resize.face"].get(1, "n")
-	at, = ref["resize.face"].get(1, "offset")
+	n, = ref["cube_size.face"].get(1, "n")
+	at, = ref["cube_size.face"].get(1, "offset")
 	at += 4 * n * n
 	cubes = cand["splat.depth_index"]
 	words = cubes.words()
@@ -258,8 +258,8 @@ def _(ref, cand, _bench):
 
 @mutant("cube faces swapped")
 def _(ref, cand, _bench):
-	n, = ref["resize.face"].get(2, "n")
-	at, = ref["resize.face"].get(2, "offset")
+	n, = ref["cube_size.face"].get(2, "n")
+	at, = ref["cube_size.face"].get(2, "offset")
 	at += 2 * n * n
 	cubes = cand["splat.depth_index"]
 	words = cubes.words()
@@ -284,10 +284,10 @@ def _(ref, cand, _bench):
 
 @mutant("last reflective pixel missing")
 def _(ref, cand, _bench):
-	pixels = cand["pixel.record"]
+	pixels = cand["mirror_pixel.record"]
 	pixels.set_elements(pixels.elements()[:-1])
-	cand.put("pixel.record", pixels)
-	return Planted("pixel.record", f"{ref['pixel.record'].n} elements, candidate {pixels.n}", None, None)
+	cand.put("mirror_pixel.record", pixels)
+	return Planted("mirror_pixel.record", f"{ref['mirror_pixel.record'].n} elements, candidate {pixels.n}", None, None)
 
 
 @mutant("look-up of the next point")
@@ -309,7 +309,7 @@ def _(ref, cand, _bench):
 def _(ref, cand, _bench):
 	"""Where two points of equal distance may win, a third must not."""
 	texel = texels_where(ref, 1)[50]
-	pieces, points = ref["split.triangle"], ref["points.record"]
+	pieces, points = ref["split.piece"], ref["points.record"]
 	def place(point):
 		piece, = points.get(point, "piece")
 		return [pieces.get(piece, corner) for corner in "abc"]
@@ -328,55 +328,55 @@ def _(ref, cand, _bench):
 
 @mutant("file cut short")
 def _(ref, cand, _bench):
-	faces = cand["resize.face"]
+	faces = cand["cube_size.face"]
 	faces.data = faces.data[:-8]
-	cand.put("resize.face", faces)
-	return Planted(refused="resize.face.npy: ")
+	cand.put("cube_size.face", faces)
+	return Planted(refused="cube_size.face.npy: ")
 
 
 @mutant("pieces swapped", of="soft")
 def _(ref, cand, _bench):
-	pieces = cand["split.triangle"]
+	pieces = cand["split.piece"]
 	a, b = pieces.element(pieces.n // 2), pieces.element(pieces.n // 2 + 1)
 	pieces.put(pieces.n // 2, b)
 	pieces.put(pieces.n // 2 + 1, a)
-	cand.put("split.triangle", pieces)
-	planted = first(ref, cand, "split.triangle")
+	cand.put("split.piece", pieces)
+	planted = first(ref, cand, "split.piece")
 	assert planted.n == 2, planted.n
 	return planted
 
 
 @mutant("piece dropped", of="soft")
 def _(ref, cand, _bench):
-	pieces = cand["split.triangle"]
+	pieces = cand["split.piece"]
 	pieces.set_elements(pieces.elements()[:-1])
-	cand.put("split.triangle", pieces)
-	return Planted("split.triangle", f"{ref['split.triangle'].n} elements, candidate {pieces.n}", None, None)
+	cand.put("split.piece", pieces)
+	return Planted("split.piece", f"{ref['split.piece'].n} elements, candidate {pieces.n}", None, None)
 
 
 @mutant("-0 for the density of the unseen", of="soft")
 def _(ref, cand, _bench):
-	at = ref["split.scale"].words().index(0)
-	edit(cand, "split.scale", at, lambda _: -0.0)
-	return Planted("split.scale", ref.where("split.scale", at), None, 1)
+	at = ref["split.triangle_density"].words().index(0)
+	edit(cand, "split.triangle_density", at, lambda _: -0.0)
+	return Planted("split.triangle_density", ref.where("split.triangle_density", at), None, 1)
 
 
 @mutant("NaN in a depth map", of="soft")
 def _(ref, cand, _bench):
-	at = ref["scatter.depth"].n // 2
-	edit(cand, "scatter.depth", at, lambda _: 0x7fc00000)
-	return Planted("scatter.depth", ref.texel(at), None, 1)
+	at = ref["depth_map.depth"].n // 2
+	edit(cand, "depth_map.depth", at, lambda _: 0x7fc00000)
+	return Planted("depth_map.depth", ref.texel(at), None, 1)
 
 
 @mutant("depth map from below", of="soft")
 def _(ref, cand, _bench):
 	n, = ref["offscreen.view"].get(3, "width")
 	at, = ref["offscreen.view"].get(3, "offset")
-	depths = ref["scatter.depth"].words()
+	depths = ref["depth_map.depth"].words()
 	rows = [depths[at + y * n:at + (y + 1) * n] for y in range(n)]
 	depths[at:at + n * n] = sum(reversed(rows), [])
-	put_words(cand, "scatter.depth", depths)
-	planted = first(ref, cand, "scatter.depth")
+	put_words(cand, "depth_map.depth", depths)
+	planted = first(ref, cand, "depth_map.depth")
 	assert planted.where.startswith("view 3,"), planted.where
 	return planted
 
@@ -384,76 +384,76 @@ def _(ref, cand, _bench):
 @mutant("batches of depth maps swapped", of="soft")
 def _(ref, cand, _bench):
 	at, = ref["offscreen.view"].get(2, "offset")
-	depths = ref["scatter.depth"].words()
-	put_words(cand, "scatter.depth", depths[at:2 * at] + depths[:at] + depths[2 * at:])
-	planted = first(ref, cand, "scatter.depth")
+	depths = ref["depth_map.depth"].words()
+	put_words(cand, "depth_map.depth", depths[at:2 * at] + depths[:at] + depths[2 * at:])
+	planted = first(ref, cand, "depth_map.depth")
 	assert planted.where.startswith("view 0,"), planted.where
 	return planted
 
 
 @mutant("cubes of light samples swapped", of="splats")
 def _(ref, cand, _bench):
-	at, = ref["resize.face"].get(1, "offset")
-	depths = ref["scatter.depth"].words()
-	put_words(cand, "scatter.depth", depths[at:] + depths[:at])
-	planted = first(ref, cand, "scatter.depth")
+	at, = ref["cube_size.face"].get(1, "offset")
+	depths = ref["depth_map.depth"].words()
+	put_words(cand, "depth_map.depth", depths[at:] + depths[:at])
+	planted = first(ref, cand, "depth_map.depth")
 	assert planted.where.startswith("sample 0,"), planted.where
 	return planted
 
 
 @mutant("lit transposed", of="soft")
 def _(ref, cand, _bench):
-	height, width, _ = ref["resolve.lit"].shape
-	lit = ref["resolve.lit"].words()
-	put_words(cand, "resolve.lit", [lit[y * width + x] for x in range(width) for y in range(height)])
-	return first(ref, cand, "resolve.lit")
+	height, width, _ = ref["shadow_test.lit"].shape
+	lit = ref["shadow_test.lit"].words()
+	put_words(cand, "shadow_test.lit", [lit[y * width + x] for x in range(width) for y in range(height)])
+	return first(ref, cand, "shadow_test.lit")
 
 
 @mutant("samples in shadow for the lit", of="soft")
 def _(ref, cand, _bench):
 	samples, = ref["lamp.shape"].get(0, "samples")
-	put_words(cand, "resolve.lit", [samples - lit for lit in ref["resolve.lit"].words()])
-	return first(ref, cand, "resolve.lit")
+	put_words(cand, "shadow_test.lit", [samples - lit for lit in ref["shadow_test.lit"].words()])
+	return first(ref, cand, "shadow_test.lit")
 
 
 @mutant("boxes swapped", of="hulls")
 def _(ref, cand, _bench):
-	boxes = cand["box.record"]
+	boxes = cand["segment.box"]
 	at = boxes.n // 2
 	a, b = boxes.element(at), boxes.element(at + 1)
 	boxes.put(at, b)
 	boxes.put(at + 1, a)
-	cand.put("box.record", boxes)
-	planted = first(ref, cand, "box.record")
+	cand.put("segment.box", boxes)
+	planted = first(ref, cand, "segment.box")
 	assert planted.n == 2, planted.n
 	return planted
 
 
 @mutant("box dropped", of="hulls")
 def _(ref, cand, _bench):
-	boxes = cand["box.record"]
+	boxes = cand["segment.box"]
 	boxes.set_elements(boxes.elements()[:-1])
-	cand.put("box.record", boxes)
-	return Planted("box.record", f"{ref['box.record'].n} elements, candidate {boxes.n}", None, None)
+	cand.put("segment.box", boxes)
+	return Planted("segment.box", f"{ref['segment.box'].n} elements, candidate {boxes.n}", None, None)
 
 
 @mutant("corners swapped", of="hulls")
 def _(ref, cand, _bench):
 	"""Top right and bottom left of one box whose corners see other light."""
-	moments = cand["gather.moment"]
+	moments = cand["corner.moment"]
 	at = next(i for i in range(moments.n // 8 * 4, moments.n, 4) if moments.element(i + 1) != moments.element(i + 2))
 	a, b = moments.element(at + 1), moments.element(at + 2)
 	moments.put(at + 1, b)
 	moments.put(at + 2, a)
-	cand.put("gather.moment", moments)
-	return Planted("gather.moment", ref.where("gather.moment", at + 1), None, 2)
+	cand.put("corner.moment", moments)
+	return Planted("corner.moment", ref.where("corner.moment", at + 1), None, 2)
 
 
 @mutant("NaN in a lobe", of="hulls")
 def _(ref, cand, _bench):
-	at = ref["fit.lobes"].n // 3
-	put_float(cand, "fit.lobes", at, "lambda", 1, 0x7fc00000)
-	return Planted("fit.lobes", ref.where("fit.lobes", at), "lambda[1]", 1)
+	at = ref["corner.lobes"].n // 3
+	put_float(cand, "corner.lobes", at, "lambda", 1, 0x7fc00000)
+	return Planted("corner.lobes", ref.where("corner.lobes", at), "lambda[1]", 1)
 
 
 @mutant("box for none", of="hulls")
@@ -482,10 +482,10 @@ def _(ref, cand, _bench):
 
 @mutant("fragment of a surfel not counted", of="surfels")
 def _(ref, cand, _bench):
-	sums = ref["blend.sum"].words()
+	sums = ref["surfel_blend.sum"].words()
 	at = next(i for i in range(7, len(sums), 8) if sums[i] > 3)
-	edit(cand, "blend.sum", at, lambda n: n - 1)
-	return Planted("blend.sum", ref.where("blend.sum", at), None, 1)
+	edit(cand, "surfel_blend.sum", at, lambda n: n - 1)
+	return Planted("surfel_blend.sum", ref.where("surfel_blend.sum", at), None, 1)
 
 
 @mutant("another surfel of the same depth", of="surfels")

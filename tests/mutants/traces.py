@@ -140,7 +140,7 @@ class Trace:
 		if shape[:2] == ["height", "width"]:
 			return f"pixel ({row % width}, {row // width})"
 		if shape[0] == "mirror_pixels":
-			index, = self["pixel.record"].get(row, "index")
+			index, = self["mirror_pixel.record"].get(row, "index")
 			return f"pixel ({index % width}, {index // width})"
 		if shape[0] == "points":
 			return f"key ({self.key(self['points.key'].words()[row])})"
@@ -154,9 +154,9 @@ class Trace:
 		return f"piece {key >> 32}, x {(key & 0xffff) - 32768}, y {(key >> 16 & 0xffff) - 32768}"
 
 	def texel(self, texel):
-		if "resize.face" not in self.about:
+		if "cube_size.face" not in self.about:
 			return self.view_texel(texel)
-		cubes = self["resize.face"]
+		cubes = self["cube_size.face"]
 		for r in range(cubes.n):
 			n, = cubes.get(r, "n")
 			first, = cubes.get(r, "offset")

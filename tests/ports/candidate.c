@@ -291,9 +291,9 @@ static void copy_keys(ts_candidate *c, const ts_trace *trace, ts_buffer_id id)
 static void copy_cubes(ts_candidate *c, const ts_trace *trace, ts_buffer_id id)
 {
 	u64 *texels = load(trace, id);
-	ts_face *cubes = load(trace, TS_B_resize_face);
+	ts_face *cubes = load(trace, TS_B_cube_size_face);
 	ts_candidate_open(c, ts_buffer_table[id].name, 1, trace->item[id].npy.shape);
-	for (u64 r = 0; r < trace->item[TS_B_resize_face].npy.n; r++) {
+	for (u64 r = 0; r < trace->item[TS_B_cube_size_face].npy.n; r++) {
 		u64 n = cubes[r].n;
 		u64 *face = malloc(n * n * sizeof *face + 1);
 		const uint64_t shape[2] = {n, n};
@@ -375,7 +375,7 @@ static void copy_buffer(ts_candidate *c, const ts_trace *trace, ts_buffer_id id)
 		copy_keys(c, trace, id);
 	} else if (id == TS_B_splat_depth_index) {
 		copy_cubes(c, trace, id);
-	} else if (id == TS_B_scatter_depth) {
+	} else if (id == TS_B_depth_map_depth) {
 		copy_maps(c, trace, id);
 	} else if (id == TS_B_points_record) {
 		copy_points(c, trace, id);

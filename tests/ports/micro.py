@@ -95,16 +95,16 @@ HOLDS = [
 
 
 def check_mirror(tap, trace, name, copies):
-	face = trace["resize.face"][0]
+	face = trace["cube_size.face"][0]
 	cube = [face[field] for field in ("centre", "radius", "near", "n")]
 	tap.equal(f"{name}: cube", cube, [(0, 0, 0), 1.0, 2 ** -10, 16])
 	tap.equal(f"{name}: visibility.bits", trace["visibility.bits"], [1] * copies + [0] * 8)
-	tap.equal(f"{name}: density.scale", trace["density.scale"], [2.0] * copies)
+	tap.equal(f"{name}: split.density", trace["split.density"], [2.0] * copies)
 	frame = trace["align.frame"][0]
 	tap.equal(f"{name}: lattice", frame["q"], (128, 611, -596, -113, 852, -113))
 	for axis, right in (("u", (0, math.sqrt(0.5), -math.sqrt(0.5))), ("v", (0, -math.sqrt(0.5), -math.sqrt(0.5)))):
 		tap.equal(f"{name}: {axis}", [abs(a - b) < 1e-6 for a, b in zip(frame[axis], right)], [True] * 3)
-	tap.equal(f"{name}: count.offset", trace["count.offset"], [16 * k for k in range(copies + 1)])
+	tap.equal(f"{name}: points.offset", trace["points.offset"], [16 * k for k in range(copies + 1)])
 	samples = [(j, i) for j, most in ((-1, 3), (0, 2), (1, 1), (2, 0)) for i in range(-most, most + 1)]
 	keys = [k << 32 | (j + 32768) << 16 | (i + 32768) for k in range(copies) for j, i in samples]
 	tap.equal(f"{name}: points.key", trace["points.key"], keys)

@@ -68,7 +68,7 @@ scatters() {
 	[ "$status" -eq 0 ] && grep -q '^1 buffers judged, 0 different' "$scratch/stdout"
 	verdict $? "numpy has the same bits: $effect by $method"
 	"$python" tests/ports/numpy/port.py "$from" "$to" --stages scatter --break 3 && run compare "$from" "$to"
-	[ "$status" -eq 1 ] && tail -n 1 "$scratch/stdout" | grep -q '^stage .. scatter, buffer scatter.depth'
+	[ "$status" -eq 1 ] && tail -n 1 "$scratch/stdout" | grep -q '^stage .. scatter, buffer depth_map.depth'
 	verdict $? "numpy with damage 3: stage scatter differs in $effect by $method"
 }
 scatters soft-shadows ivir --set lamp=scene

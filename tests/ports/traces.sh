@@ -54,7 +54,7 @@ run compare "$from" "$scratch/raw" --layout splat.depth_index=cubes.bin,visibili
 verdict $? 'raw files can be compared'
 
 # The chain of section 5, by its own command.
-(cd "$from" && sha256sum 07-split.triangle.npy 07-density.scale.npy | sed 's/07-//; s/[.]npy$//' | sha256sum) |
+(cd "$from" && sha256sum 07-split.piece.npy 07-split.density.npy | sed 's/07-//; s/[.]npy$//' | sha256sum) |
 	cut -c-64 | grep -qf - "$from/trace.json"
 verdict $? 'the chain of a stage, as the document makes it'
 

@@ -20,7 +20,7 @@ static const ts_stage *reader_of(ts_buffer_id id, const ts_axis *of, u32 *m)
 static bool is_bound(ts_buffer_id id)
 {
 	bool is_node = id == TS_B_octree_node || id == TS_B_view_octree_node;
-	return id == TS_B_scene_object || id == TS_B_blend_heaviest || is_node;
+	return id == TS_B_scene_object || id == TS_B_surfel_blend_heaviest || is_node;
 }
 
 /* Just past the end, and far past it. */
@@ -81,16 +81,44 @@ static void test_shapes(void **state)
 {
 	(void)state;
 	static const ts_buffer_id counted[] = {
-		TS_B_pose_vertex,         TS_B_resize_face,         TS_B_eye_depth_triangle,  TS_B_pixel_offset,
-		TS_B_visibility_bits,     TS_B_density_scale,       TS_B_cull_keep,           TS_B_align_frame,
-		TS_B_count_offset,        TS_B_points_record,       TS_B_splat_depth_index,   TS_B_lookup_point,
-		TS_B_lookup2_offset,      TS_B_lookup3_offset,      TS_B_face_depth_triangle, TS_B_face_mip,
-		TS_B_lamp_shape,          TS_B_offscreen_view,      TS_B_scatter_depth,       TS_B_scatter_colour,
-		TS_B_resolve_lit,         TS_B_rsm_depth_triangle,  TS_B_gbuffer_pixel,       TS_B_nearest_depth,
-		TS_B_segment_label,       TS_B_range_least,         TS_B_box_offset,          TS_B_gather_moment,
-		TS_B_fit_lobes,           TS_B_indirect_irradiance, TS_B_voxel_mask,          TS_B_view_octree_leaf,
-		TS_B_view_cone_node,      TS_B_map_depth_node,      TS_B_fuse_depth,          TS_B_vpl_pairs_offset,
-		TS_B_surfel_depth_surfel, TS_B_blend_sum,
+		TS_B_pose_vertex,
+		TS_B_cube_size_face,
+		TS_B_eye_depth_triangle,
+		TS_B_mirror_pixel_offset,
+		TS_B_visibility_bits,
+		TS_B_split_density,
+		TS_B_cull_keep,
+		TS_B_align_frame,
+		TS_B_points_offset,
+		TS_B_points_record,
+		TS_B_splat_depth_index,
+		TS_B_lookup_point,
+		TS_B_lookup_second_offset,
+		TS_B_lookup_third_offset,
+		TS_B_cube_face_depth_triangle,
+		TS_B_cube_face_mip,
+		TS_B_lamp_shape,
+		TS_B_offscreen_view,
+		TS_B_depth_map_depth,
+		TS_B_scatter_colour,
+		TS_B_shadow_test_lit,
+		TS_B_rsm_depth_triangle,
+		TS_B_gbuffer_pixel,
+		TS_B_depth_grid_depth,
+		TS_B_segment_label,
+		TS_B_segment_extent,
+		TS_B_segment_box_offset,
+		TS_B_corner_moment,
+		TS_B_corner_lobes,
+		TS_B_indirect_irradiance,
+		TS_B_voxel_mask,
+		TS_B_view_octree_leaf,
+		TS_B_view_octree_cone,
+		TS_B_view_map_depth_node,
+		TS_B_view_map_fused_depth,
+		TS_B_vpl_gather_pair_offset,
+		TS_B_surfel_depth_surfel,
+		TS_B_surfel_blend_sum,
 	};
 	for (u32 i = 0; i < sizeof counted / sizeof *counted; i++) {
 		u32 m;

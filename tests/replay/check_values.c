@@ -25,17 +25,17 @@ static void test_values(void **state)
 	refuses(0, resize, TS_B_scene_object, 1, "n_vertices", 0, n);
 	refuses(0, resize, TS_B_scene_object, 3, "reflector", 0, 0);
 	refuses(0, resize, TS_B_scene_object, 3, "n_vertices", 0, 0);
-	refuses(0, lookup, TS_B_resize_face, 2, "n", 0, 33);
-	refuses(0, lookup, TS_B_resize_face, 1, "offset", 0, 0);
-	refuses(0, lookup, TS_B_resize_face, 0, "offset", 0, 1);
-	refuses(1, ts_stage_find("mirror"), TS_B_resize_face, 2, "n", 0, 4096);
+	refuses(0, lookup, TS_B_cube_size_face, 2, "n", 0, 33);
+	refuses(0, lookup, TS_B_cube_size_face, 1, "offset", 0, 0);
+	refuses(0, lookup, TS_B_cube_size_face, 0, "offset", 0, 1);
+	refuses(1, ts_stage_find("mirror"), TS_B_cube_size_face, 2, "n", 0, 4096);
 	refuses(0, count, TS_B_align_frame, 0, "s", 0, 0xbf800000);
 	refuses(0, count, TS_B_align_frame, 3, "q", 5, 1u << 23);
 	refuses(0, count, TS_B_align_frame, 3, "q", 0, 0x80000000);
-	refuses(0, image, TS_B_pixel_offset, 0, "", 0, 1);
-	refuses(0, image, TS_B_pixel_offset, 64 * 48, "", 0, n - 1);
-	refuses(0, image, TS_B_pixel_offset, 64 * 48, "", 0, 0);
-	refuses(0, points, TS_B_count_offset, 0, "", 0, 1);
+	refuses(0, image, TS_B_mirror_pixel_offset, 0, "", 0, 1);
+	refuses(0, image, TS_B_mirror_pixel_offset, 64 * 48, "", 0, n - 1);
+	refuses(0, image, TS_B_mirror_pixel_offset, 64 * 48, "", 0, 0);
+	refuses(0, points, TS_B_points_offset, 0, "", 0, 1);
 }
 
 /* The same of off-screen views and lights; a view of no light at all is right where nobody asks for it. */
@@ -56,7 +56,7 @@ static void test_views(void **state)
 	accepts(TRACES_SOFT, scatter, view, 2, "light", 0, TS_NONE);
 	refuses(TRACES_OMNI, resolve, view, 17, "light", 0, TS_NONE);
 	refuses(TRACES_OMNI, resolve, view, 7, "width", 0, 23);
-	refuses(TRACES_OMNI, scatter, TS_B_resize_face, 1, "n", 0, 25);
+	refuses(TRACES_OMNI, scatter, TS_B_cube_size_face, 1, "n", 0, 25);
 	refuses(TRACES_IVIR, ts_stage_find("view_split"), view, 0, "width", 0, 33);
 	refuses(TRACES_DEPTH, ts_stage_find("depth"), view, 4, "offset", 0, 24 * 24 * 5);
 	refuses(TRACES_SOFT, views, shape, 0, "samples", 0, 0);
@@ -68,7 +68,7 @@ static void test_views(void **state)
 	refuses(TRACES_PCSS, ts_stage_find("pcss"), view, 0, "width", 0, 25);
 	refuses(TRACES_SOFT, image, shape, 0, "samples", 0, 0);
 	refuses(TRACES_SOFT, image, TS_B_lamp_light, 0, "kind", 0, 3);
-	refuses(TRACES_SOFT, image, TS_B_resolve_lit, 7, "", 0, 6);
+	refuses(TRACES_SOFT, image, TS_B_shadow_test_lit, 7, "", 0, 6);
 }
 
 /* Boxes that are inside out, views of no light, sums of boxes, and a grid that is not of whole blocks. */
@@ -76,13 +76,13 @@ static void test_segments(void **state)
 {
 	(void)state;
 	const ts_stage *gather = ts_stage_find("gather"), *hull = ts_stage_find("hull"), *range = ts_stage_find("range");
-	const ts_buffer_id box = TS_B_box_record;
+	const ts_buffer_id box = TS_B_segment_box;
 	refuses(TRACES_HULLS, gather, box, 0, "low", 0, 63);
 	refuses(TRACES_HULLS, hull, box, 1, "low", 1, 64);
 	refuses(TRACES_HULLS, hull, box, 0, "high", 0, 64);
-	refuses(TRACES_HULLS, hull, TS_B_box_offset, 0, "", 0, 1);
-	refuses(TRACES_HULLS, hull, TS_B_box_offset, 4096, "", 0, 0);
-	refuses(TRACES_HULLS, hull, TS_B_box_offset, 2049, "", 0, 0);
+	refuses(TRACES_HULLS, hull, TS_B_segment_box_offset, 0, "", 0, 1);
+	refuses(TRACES_HULLS, hull, TS_B_segment_box_offset, 4096, "", 0, 0);
+	refuses(TRACES_HULLS, hull, TS_B_segment_box_offset, 2049, "", 0, 0);
 	refuses(TRACES_HULLS, range, TS_B_segment_label, 5, "", 0, 1024);
 	refuses(TRACES_HULLS, ts_stage_find("rsm_patch"), TS_B_offscreen_view, 0, "light", 0, TS_NONE);
 	refuses(TRACES_HULLS, ts_stage_find("rsm"), TS_B_offscreen_view, 0, "width", 0, 5);
@@ -124,8 +124,8 @@ static void test_sums(void **state)
 		const char *stage;
 		ts_buffer_id id;
 	} rows[] = {
-		{"image", TS_B_pixel_offset},   {"splat", TS_B_count_offset},    {"points", TS_B_count_offset},
-		{"shade", TS_B_lookup2_offset}, {"shade2", TS_B_lookup3_offset},
+		{"image", TS_B_mirror_pixel_offset},  {"splat", TS_B_points_offset},        {"points", TS_B_points_offset},
+		{"shade", TS_B_lookup_second_offset}, {"shade2", TS_B_lookup_third_offset},
 	};
 	for (u32 row = 0; row < sizeof rows / sizeof *rows; row++) {
 		ts_buffer buffer;
@@ -138,10 +138,10 @@ static void test_sums(void **state)
 		free(sums);
 	}
 	ts_buffer buffer;
-	u32 *sums = traces_read(&buffer, traces[0], TS_B_count_offset);
+	u32 *sums = traces_read(&buffer, traces[0], TS_B_points_offset);
 	u64 i = 1;
 	while (sums[i] == sums[i - 1]) i++;
-	refuses(0, ts_stage_find("points"), TS_B_count_offset, i, "", 0, sums[i] - 1);
+	refuses(0, ts_stage_find("points"), TS_B_points_offset, i, "", 0, sums[i] - 1);
 	assert_non_null(strstr(ts_error_message(), "stage count makes"));
 	free(sums);
 }

@@ -70,9 +70,9 @@ static void test_own_inputs(void **state)
 {
 	(void)state;
 	ts_buffer scale, frames;
-	f32 *scales = traces_read(&scale, traces[0], TS_B_density_scale);
+	f32 *scales = traces_read(&scale, traces[0], TS_B_split_density);
 	for (u64 i = 0; i < scale.n; i++) scales[i] *= 0.5f;
-	ts_trace *candidate = traces_plant(0, &(planted){TS_B_density_scale, &scale}, 1, "canonical", "");
+	ts_trace *candidate = traces_plant(0, &(planted){TS_B_split_density, &scale}, 1, "canonical", "");
 	const ts_stage *align = ts_stage_find("align");
 	ts_load *load;
 	ts_judged v;
@@ -80,7 +80,7 @@ static void test_own_inputs(void **state)
 	assert_int_equal(ts_judge(&v, load, TS_B_align_frame, NULL), TS_DIFFERENT);
 	assert_string_equal(ts_fields_of(TS_B_align_frame).field[v.verdict.first.field].name, "s");
 	frames = load->run.frame.buffer[TS_B_align_frame];
-	const planted both[2] = {{TS_B_density_scale, &scale}, {TS_B_align_frame, &frames}};
+	const planted both[2] = {{TS_B_split_density, &scale}, {TS_B_align_frame, &frames}};
 	ts_trace *port = traces_plant(0, both, 2, "canonical", "");
 	ts_load *again;
 	assert_int_equal(ts_replay(&again, align, traces[0], port, 2), TS_OK);

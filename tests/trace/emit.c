@@ -58,7 +58,7 @@ static void test_parts(void **state)
 			assert_true(made || t.n_begun[id] == 0);
 		}
 		assert_true(t.bytes[TS_B_image_srgb] == 64 * 36 * 3 && t.n_begun[TS_B_scene_vertex] == 1);
-		assert_int_equal(t.n_begun[TS_B_face_mip], m);
+		assert_int_equal(t.n_begun[TS_B_cube_face_mip], m);
 	}
 }
 
@@ -82,8 +82,8 @@ static void test_names(void **state)
 	assert_string_equal(name, "00-scene.vertex.npy");
 	ts_emit_name(name, epr, TS_B_eye_depth_triangle);
 	assert_string_equal(name, "04-eye.depth_triangle.npy");
-	assert_int_equal(ts_emit_number(epr, TS_B_face_mip), 0);
-	assert_int_equal(ts_emit_number(mvr, TS_B_face_mip), 7);
+	assert_int_equal(ts_emit_number(epr, TS_B_cube_face_mip), 0);
+	assert_int_equal(ts_emit_number(mvr, TS_B_cube_face_mip), 7);
 	assert_int_equal(ts_emit_number(epr, TS_B_eye_view), 1);
 }
 

@@ -1,7 +1,7 @@
 /* Loading: the candidate's buffers first, and what cannot be loaded refused before anything is read. */
 #include "../replay/traces.h"
 
-static const ts_buffer_id splat_reads[] = {TS_B_resize_face, TS_B_align_frame, TS_B_points_record, TS_N_BUFFERS};
+static const ts_buffer_id splat_reads[] = {TS_B_cube_size_face, TS_B_align_frame, TS_B_points_record, TS_N_BUFFERS};
 
 static ts_status load(const ts_buffer_id *ids, const ts_trace *reference, const ts_trace *candidate)
 {
@@ -25,7 +25,7 @@ static void test_contents(void **state)
 	assert_int_equal(ts_load_begin(&made, splat_reads, traces[0], NULL, 2), TS_OK);
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
 		bool wanted =
-			id == TS_B_scene_info || id == TS_B_resize_face || id == TS_B_align_frame || id == TS_B_points_record;
+			id == TS_B_scene_info || id == TS_B_cube_size_face || id == TS_B_align_frame || id == TS_B_points_record;
 		assert_true((made->item[id] != NULL) == wanted);
 		if (!wanted) continue;
 		ts_buffer file;

@@ -24,18 +24,18 @@ static int begin(void **state)
 	ts_params_default(&trace.params);
 	trace.params.width = 64;
 	put(TS_B_points_key, keys, 1, 2, 0, 0);
-	put(TS_B_resize_face, cubes, 1, 3, 0, 0);
-	put(TS_B_pixel_record, pixels, 1, 2, 0, 0);
+	put(TS_B_cube_size_face, cubes, 1, 3, 0, 0);
+	put(TS_B_mirror_pixel_record, pixels, 1, 2, 0, 0);
 	put(TS_B_points_record, NULL, 1, 2, 0, 0);
 	put(TS_B_splat_depth_index, NULL, 1, 120, 0, 0);
 	put(TS_B_lookup_point, NULL, 2, 2, 25, 0);
-	put(TS_B_lookup2_point, NULL, 2, 9, 4, 0);
+	put(TS_B_lookup_second_point, NULL, 2, 9, 4, 0);
 	put(TS_B_image_srgb, NULL, 3, 36, 64, 3);
 	put(TS_B_eye_depth_triangle, NULL, 2, 36, 64, 0);
 	put(TS_B_visibility_bits, NULL, 2, 100, 2, 0);
-	put(TS_B_face_mip, NULL, 2, 900, 4, 0);
+	put(TS_B_cube_face_mip, NULL, 2, 900, 4, 0);
 	put(TS_B_scene_vertex, NULL, 1, 50, 0, 0);
-	put(TS_B_map_depth_node, NULL, 2, 9, 512, 0);
+	put(TS_B_view_map_depth_node, NULL, 2, 9, 512, 0);
 	return 0;
 }
 
@@ -62,28 +62,28 @@ static void test_places(void **state)
 	is(TS_B_splat_depth_index, 95, "reflector 0, face -Z, texel (3, 3)");
 	is(TS_B_splat_depth_index, 96 + 4 * 4 + 1, "reflector 2, face +Z, texel (1, 0)");
 	is(TS_B_splat_depth_index, 5000, "texel 5000");
-	is(TS_B_pixel_record, 0, "pixel (12, 3)");
+	is(TS_B_mirror_pixel_record, 0, "pixel (12, 3)");
 	is(TS_B_lookup_point, 24, "pixel (12, 3) [24]");
 	is(TS_B_lookup_point, 25, "pixel (0, 0) [0]");
-	is(TS_B_lookup2_point, 7, "entry of bounce 2 1 [3]");
+	is(TS_B_lookup_second_point, 7, "entry of bounce 2 1 [3]");
 	is(TS_B_image_srgb, (2 * 64 + 5) * 3 + 1, "pixel (5, 2) [1]");
 	is(TS_B_eye_depth_triangle, 64 + 63, "pixel (63, 1)");
 	is(TS_B_visibility_bits, 9, "triangle 4 [1]");
-	is(TS_B_face_mip, 9, "texel 2 [1]");
+	is(TS_B_cube_face_mip, 9, "texel 2 [1]");
 	is(TS_B_scene_vertex, 49, "vertex 49");
 	is(TS_B_scene_triangle, 8, "triangle 8");
 	is(TS_B_scene_surfel, 36, "surfel 36");
 	is(TS_B_split_offset, 5, "triangle 5");
-	is(TS_B_pixel_offset, 70, "pixel 70");
-	is(TS_B_lookup2_offset, 60, "sample 60");
+	is(TS_B_mirror_pixel_offset, 70, "pixel 70");
+	is(TS_B_lookup_second_offset, 60, "sample 60");
 	is(TS_B_octree_node, 5, "node 5");
 	is(TS_B_octree_offset, 4, "leaf 4");
 	is(TS_B_vpl_light, 3, "virtual point light 3");
 	is(TS_B_view_octree_leaf, 3, "virtual point light 3");
-	is(TS_B_view_cone_node, 5, "view node 5");
-	is(TS_B_map_depth_node, 5 * 512 + 7, "view node 5 [7]");
-	is(TS_B_box_record, 2, "box 2");
-	is(TS_B_root_least, 4, "element 4");
+	is(TS_B_view_octree_cone, 5, "view node 5");
+	is(TS_B_view_map_depth_node, 5 * 512 + 7, "view node 5 [7]");
+	is(TS_B_segment_box, 2, "box 2");
+	is(TS_B_octree_root_least, 4, "element 4");
 }
 
 /* What one size counts is called by its noun, where the trace says no more of it. */
@@ -119,14 +119,14 @@ static void test_crop(void **state)
 static void test_absent(void **state)
 {
 	(void)state;
-	char *keys = trace.item[TS_B_points_key].path, *cubes = trace.item[TS_B_resize_face].path;
-	trace.item[TS_B_points_key].path = trace.item[TS_B_resize_face].path = NULL;
+	char *keys = trace.item[TS_B_points_key].path, *cubes = trace.item[TS_B_cube_size_face].path;
+	trace.item[TS_B_points_key].path = trace.item[TS_B_cube_size_face].path = NULL;
 	is(TS_B_points_record, 1, "point 1");
 	is(TS_B_splat_depth_index, 3, "texel 3");
 	trace.item[TS_B_points_key].path = keys;
-	trace.item[TS_B_resize_face].path = cubes;
+	trace.item[TS_B_cube_size_face].path = cubes;
 	trace.params.width = 0;
-	is(TS_B_pixel_record, 0, "pixel 0");
+	is(TS_B_mirror_pixel_record, 0, "pixel 0");
 	trace.params.width = 64;
 	ts_trace_item *item = &trace.item[TS_B_lookup_point], whole = *item;
 	item->npy.shape[1] = 0;

@@ -106,12 +106,12 @@ static void test_batches(void **state)
 	ts_trace *trace;
 	assert_int_equal(ts_trace_open(&trace, folder_path("unseen")), TS_OK);
 	size_t bytes;
-	char *faces = file_read(trace->item[TS_B_resize_face].path, &bytes);
-	const ts_face *cubes = (const ts_face *)(faces + trace->item[TS_B_resize_face].npy.data_at);
+	char *faces = file_read(trace->item[TS_B_cube_size_face].path, &bytes);
+	const ts_face *cubes = (const ts_face *)(faces + trace->item[TS_B_cube_size_face].npy.data_at);
 	u64 texels = 0;
 	for (u32 r = 0; r < 6; r++) texels += 6ull * cubes[r].n * cubes[r].n;
 	assert_int_equal(cubes[5].n, 0);
-	assert_int_equal(trace->item[TS_B_face_depth_triangle].npy.n, texels);
+	assert_int_equal(trace->item[TS_B_cube_face_depth_triangle].npy.n, texels);
 	free(faces);
 	ts_trace_close(trace);
 	ts_scene_free(scene);
@@ -152,7 +152,7 @@ static void test_crop(void **state)
 		free(all);
 		free(some);
 	}
-	assert_false(part->item[TS_B_pixel_record].cropped);
+	assert_false(part->item[TS_B_mirror_pixel_record].cropped);
 	ts_trace_close(whole);
 	ts_trace_close(part);
 }

@@ -1,7 +1,7 @@
 /* Arguments of kernels, declared once: a struct's members as rows
  *
  *   #define TS_ROWS_ts_splat_args(ARG) \
- *       ARG(IN, ts_face, cubes, resize_face) \
+ *       ARG(IN, ts_face, cubes, cube_size_face) \
  *       ARG(VALUE, u32, n_cubes, none)
  *   TS_ARGS(ts_splat_args);
  *

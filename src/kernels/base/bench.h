@@ -5,7 +5,7 @@
 #include "num.h"
 
 #define TS_ROWS_ts_bench_min_args(ARG) \
-	ARG(OUT, u64, texels, face_depth_triangle) /* all empty before the first launch */ \
+	ARG(OUT, u64, texels, cube_face_depth_triangle) /* all empty before the first launch */ \
 	ARG(VALUE, u32, n_texels, none) \
 	ARG(VALUE, u32, distance, none) /* of every key; less in each launch, which so finds the texels as good as empty */
 TS_ARGS(ts_bench_min_args);

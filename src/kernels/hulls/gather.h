@@ -15,8 +15,8 @@
 	ARG(IN, ts_view, view, eye_view) \
 	ARG(IN, ts_gpixel, pixels, gbuffer_pixel) \
 	ARG(IN, ts_patch, patches, rsm_patch) \
-	ARG(IN, ts_segment, boxes, box_record) \
-	ARG(OUT, ts_moment, moments, gather_moment) \
+	ARG(IN, ts_segment, boxes, segment_box) \
+	ARG(OUT, ts_moment, moments, corner_moment) \
 	ARG(VALUE, u64, n_patches, none) \
 	ARG(VALUE, u32, grid, none)
 TS_ARGS(ts_gather_args);

@@ -31,7 +31,7 @@ TS_FN u64 ts_k_grid_pixel(u32 grid, u32 width, u32 height, u32 x, u32 y)
 
 #define TS_ROWS_ts_nearest_args(ARG) \
 	ARG(IN, ts_gpixel, pixels, gbuffer_pixel) \
-	ARG(OUT, f32, depths, nearest_depth) \
+	ARG(OUT, f32, depths, depth_grid_depth) \
 	ARG(VALUE, u32, grid, none) \
 	ARG(VALUE, u32, width, none) \
 	ARG(VALUE, u32, height, none)

@@ -14,8 +14,8 @@
 #define TS_ROWS_ts_hull_args(ARG) \
 	ARG(INNER, ts_choice_args, choice, none) \
 	ARG(IN, ts_gpixel, pixels, gbuffer_pixel) \
-	ARG(IN, ts_moment, moments, gather_moment) \
-	ARG(IN, ts_lobes, lobes, fit_lobes) \
+	ARG(IN, ts_moment, moments, corner_moment) \
+	ARG(IN, ts_lobes, lobes, corner_lobes) \
 	ARG(OUT, u32, box, hull_box) \
 	ARG(OUT, f32, irradiance, indirect_irradiance) \
 	ARG(TALLY, i64, n_unlit, 0) /* pixels but of the sky without a box */ \

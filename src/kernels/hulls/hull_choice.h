@@ -8,8 +8,8 @@
 #include "grid.h"
 
 #define TS_ROWS_ts_choice_args(ARG) \
-	ARG(IN, u32, offset, box_offset) \
-	ARG(IN, ts_segment, boxes, box_record) \
+	ARG(IN, u32, offset, segment_box_offset) \
+	ARG(IN, ts_segment, boxes, segment_box) \
 	ARG(VALUE, u32, grid, none) \
 	ARG(VALUE, u32, robust, none) \
 	ARG(VALUE, f32, step, none) /* t */

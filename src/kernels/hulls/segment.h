@@ -7,7 +7,7 @@
 #include "grid.h"
 
 #define TS_ROWS_ts_segment_args(ARG) \
-	ARG(IN, f32, depths, nearest_depth) \
+	ARG(IN, f32, depths, depth_grid_depth) \
 	ARG(OUT, u32, labels, segment_label) \
 	ARG(VALUE, u32, grid, none) \
 	ARG(VALUE, u32, sweep, none) /* 0 right, 1 down, 2 left, 3 up */ \

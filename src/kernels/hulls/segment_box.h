@@ -10,9 +10,9 @@
 #define TS_SKY_BITS 0x3f800000u
 
 #define TS_ROWS_ts_range_args(ARG) \
-	ARG(IN, f32, depths, nearest_depth) \
+	ARG(IN, f32, depths, depth_grid_depth) \
 	ARG(IN, u32, labels, segment_label) \
-	ARG(MIN, u32, least, range_least) \
+	ARG(MIN, u32, least, segment_extent) \
 	ARG(VALUE, u32, grid, none)
 TS_ARGS(ts_range_args);
 
@@ -33,9 +33,9 @@ TS_FN void ts_k_range_item(const ts_range_args *args, u64 i)
 }
 
 #define TS_ROWS_ts_box_args(ARG) \
-	ARG(IN, u32, least, range_least) \
-	ARG(OUT, u32, offset, box_offset) /* counts, then their prefix sums */ \
-	ARG(OUT, ts_segment, boxes, box_record) \
+	ARG(IN, u32, least, segment_extent) \
+	ARG(OUT, u32, offset, segment_box_offset) /* counts, then their prefix sums */ \
+	ARG(OUT, ts_segment, boxes, segment_box) \
 	ARG(TALLY, i64, n_labels, 0) /* that some texel has */
 TS_ARGS(ts_box_args);
 

@@ -11,7 +11,7 @@
 #define TS_BLOCK_PAIRS 2048u     /* of neighbours, and of texels with what is beyond the block */
 
 #define TS_ROWS_ts_segment_margin_args(ARG) \
-	ARG(IN, f32, depths, nearest_depth) \
+	ARG(IN, f32, depths, depth_grid_depth) \
 	ARG(OUT, f32, margin, segment_margin) \
 	ARG(VALUE, u32, grid, none) \
 	ARG(VALUE, f32, step, none) /* t */

@@ -5,8 +5,8 @@
 #include "../raster/lattice.h"
 
 #define TS_ROWS_ts_align_args(ARG) \
-	ARG(IN, ts_piece, pieces, split_triangle) \
-	ARG(IN, f32, scale, density_scale) \
+	ARG(IN, ts_piece, pieces, split_piece) \
+	ARG(IN, f32, scale, split_density) \
 	ARG(IN, u32, keep, cull_keep) \
 	ARG(OUT, ts_align, frames, align_frame)
 TS_ARGS(ts_align_args);

@@ -7,8 +7,8 @@
 #include "../base/records.h"
 
 #define TS_ROWS_ts_cull_args(ARG) \
-	ARG(IN, ts_piece, pieces, split_triangle) \
-	ARG(IN, f32, scale, density_scale) \
+	ARG(IN, ts_piece, pieces, split_piece) \
+	ARG(IN, f32, scale, split_density) \
 	ARG(OUT, u32, keep, cull_keep) \
 	ARG(VALUE, f32, unit, none) /* samples a pixel a side: rho_scale to measure eye pixels, 1 for the raster's */ \
 	ARG(VALUE, u32, seed, none) \

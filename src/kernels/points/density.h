@@ -9,13 +9,13 @@
 
 #define TS_ROWS_ts_density_args(ARG) \
 	ARG(INNER, ts_arrays, scene, none) \
-	ARG(IN, ts_face, cubes, resize_face) \
+	ARG(IN, ts_face, cubes, cube_size_face) \
 	ARG(IN, ts_view, view, eye_view) \
 	ARG(IN, u64, bits, visibility_bits) \
-	ARG(OUT, f32, whole, split_scale) \
+	ARG(OUT, f32, whole, split_triangle_density) \
 	ARG(OUT, u32, offset, split_offset) /* pieces before each triangle: counts, then their prefix sums */ \
-	ARG(OUT, ts_piece, pieces, split_triangle) \
-	ARG(OUT, f32, scale, density_scale) \
+	ARG(OUT, ts_piece, pieces, split_piece) \
+	ARG(OUT, f32, scale, split_density) \
 	ARG(TALLY, i64, n_capped, 0) /* pieces whose density was lowered at the end of splitting */ \
 	ARG(VALUE, f32, rho, none)   /* samples a pixel a side */ \
 	ARG(VALUE, u32, n_cubes, none) \

@@ -8,9 +8,9 @@
 
 #define TS_ROWS_ts_illuminate_args(ARG) \
 	ARG(INNER, ts_arrays, scene, none) \
-	ARG(IN, ts_face, cubes, resize_face) \
-	ARG(IN, u64, depth_triangle, face_depth_triangle) /* of the batch */ \
-	ARG(OUT, f32, mip, face_mip)                      /* of the batch: 4 floats a texel */ \
+	ARG(IN, ts_face, cubes, cube_size_face) \
+	ARG(IN, u64, depth_triangle, cube_face_depth_triangle) /* of the batch */ \
+	ARG(OUT, f32, mip, cube_face_mip)                      /* of the batch: 4 floats a texel */ \
 	ARG(VALUE, u32, first_cube, none) \
 	ARG(VALUE, u32, n_cubes, none) /* the batch */ \
 	ARG(VALUE, u32, level, none)   /* that `mip` makes from the level before */

@@ -11,23 +11,23 @@
 #define TS_ROWS_ts_lookup_args(ARG) \
 	ARG(INNER, ts_arrays, scene, none) \
 	ARG(IN_OPT, ts_view, view, eye_view) \
-	ARG(IN, ts_face, cubes, resize_face) \
-	ARG(IN, ts_piece, pieces, split_triangle) \
+	ARG(IN, ts_face, cubes, cube_size_face) \
+	ARG(IN, ts_piece, pieces, split_piece) \
 	ARG(IN, ts_align, frames, align_frame) \
 	ARG(IN_PARTS, u64, keys, points_key) \
 	ARG(IN_PARTS, ts_point, points, points_record) \
 	ARG(IN_PARTS_OPT, u64, texels, splat_depth_index) \
-	ARG(IN, ts_pixel, pixels, pixel_record) \
+	ARG(IN, ts_pixel, pixels, mirror_pixel_record) \
 	ARG(IN_OPT, ts_bounce, queue, none) /* entries of this bounce; none at the first */ \
 	ARG(OUT_OPT, u32, found, none)      /* points that the samples of this bounce see */ \
 	ARG(OUT_OPT, u32, offset, none)     /* entries of the next bounce before each sample */ \
 	ARG(OUT_OPT, ts_bounce, next_queue, none) \
 	ARG(IN_OPT, f32, next_radiance, none) \
-	ARG(OUT_OPT, f32, radiance, none)   /* of this bounce's entries */ \
-	ARG(OUT_OPT, u32, used, shade_used) /* samples shaded; first bounce only */ \
-	ARG(VALUE, u32, n_samples, none)    /* an entry: 25 at the first bounce, then 4 */ \
-	ARG(VALUE, u32, first, none)        /* entries are pixels */ \
-	ARG(VALUE, u32, follow, none)       /* there is a next bounce */ \
+	ARG(OUT_OPT, f32, radiance, none)        /* of this bounce's entries */ \
+	ARG(OUT_OPT, u32, used, shade_n_samples) /* samples shaded; first bounce only */ \
+	ARG(VALUE, u32, n_samples, none)         /* an entry: 25 at the first bounce, then 4 */ \
+	ARG(VALUE, u32, first, none)             /* entries are pixels */ \
+	ARG(VALUE, u32, follow, none)            /* there is a next bounce */ \
 	ARG(VALUE, u32, adaptive, none)
 TS_ARGS(ts_lookup_args);
 

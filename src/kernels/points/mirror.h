@@ -9,9 +9,9 @@
 
 #define TS_ROWS_ts_mirror_args(ARG) \
 	ARG(IN, ts_view, view, eye_view) \
-	ARG(IN, ts_face, cubes, resize_face) \
-	ARG(IN, ts_pixel, pixels, pixel_record) \
-	ARG(IN, f32, mip, face_mip) /* of the batch */ \
+	ARG(IN, ts_face, cubes, cube_size_face) \
+	ARG(IN, ts_pixel, pixels, mirror_pixel_record) \
+	ARG(IN, f32, mip, cube_face_mip) /* of the batch */ \
 	ARG(SUM, f32, radiance, shade_radiance) \
 	ARG(VALUE, u32, first_cube, none) \
 	ARG(VALUE, u32, n_cubes, none)     /* the batch */ \

@@ -9,8 +9,8 @@
 	ARG(INNER, ts_arrays, scene, none) \
 	ARG(IN, ts_view, view, eye_view) \
 	ARG(IN, u64, depth_triangle, eye_depth_triangle) \
-	ARG(OUT, u32, offset, pixel_offset) /* counts, then their prefix sums */ \
-	ARG(OUT, ts_pixel, pixels, pixel_record)
+	ARG(OUT, u32, offset, mirror_pixel_offset) /* counts, then their prefix sums */ \
+	ARG(OUT, ts_pixel, pixels, mirror_pixel_record)
 TS_ARGS(ts_pixel_args);
 
 TS_FN u32 ts_k_seen_reflector(const ts_arrays *scene, u64 key)

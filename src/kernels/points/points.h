@@ -7,9 +7,9 @@
 
 #define TS_ROWS_ts_points_args(ARG) \
 	ARG(INNER, ts_arrays, scene, none) \
-	ARG(IN, ts_piece, pieces, split_triangle) \
+	ARG(IN, ts_piece, pieces, split_piece) \
 	ARG(IN, ts_align, frames, align_frame) \
-	ARG(OUT_OPT, u32, offset, count_offset) /* counts, then their prefix sums */ \
+	ARG(OUT_OPT, u32, offset, points_offset) /* counts, then their prefix sums */ \
 	ARG(OUT_PARTS_OPT, u64, keys, points_key) \
 	ARG(OUT_PARTS_OPT, ts_point, points, points_record) \
 	ARG(TALLY_OPT, i64, n_points, 0)   /* appended so far */ \

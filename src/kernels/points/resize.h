@@ -11,7 +11,7 @@
 	ARG(IN, ts_object, objects, scene_object) \
 	ARG(WORK_IN, u32, reflector_objects, other) /* object of each reflector */ \
 	ARG(IN, ts_view, view, eye_view) \
-	ARG(OUT, ts_face, cubes, resize_face) /* n: the size of the frame before, 0 at first */ \
+	ARG(OUT, ts_face, cubes, cube_size_face) /* n: the size of the frame before, 0 at first */ \
 	ARG(VALUE, u32, frame, none) \
 	ARG(VALUE, u32, n_max, none) \
 	ARG(VALUE, u32, hysteresis, none) \

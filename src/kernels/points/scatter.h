@@ -12,7 +12,7 @@
 	ARG(INNER, ts_points_args, from, none) \
 	ARG(IN, ts_offscreen, views, offscreen_view) \
 	ARG(IN, u64, bits, visibility_bits)        /* by triangle */ \
-	ARG(MIN_OPT, u32, depths, scatter_depth)   /* of the batch */ \
+	ARG(MIN_OPT, u32, depths, depth_map_depth) /* of the batch */ \
 	ARG(MIN_OPT, u32, colours, scatter_colour) /* of the batch */ \
 	ARG(TALLY, i64, n_points, 0) \
 	ARG(TALLY, i64, n_scatters, 1) \

@@ -11,8 +11,8 @@
 	ARG(INNER, ts_arrays, scene, none) \
 	ARG(IN, ts_view, view, eye_view) \
 	ARG(IN, u64, depth_triangle, eye_depth_triangle) \
-	ARG(IN, ts_face, cubes, resize_face) /* of the light samples */ \
-	ARG(MIN, u32, least, shadow_resize_least) \
+	ARG(IN, ts_face, cubes, cube_size_face) /* of the light samples */ \
+	ARG(MIN, u32, least, shadow_cube_size_least_ratio) \
 	ARG(VALUE, u32, n_cubes, none)
 TS_ARGS(ts_shadow_resize_args);
 

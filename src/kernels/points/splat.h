@@ -7,12 +7,12 @@
 #include "../raster/visibility.h"
 
 #define TS_ROWS_ts_splat_args(ARG) \
-	ARG(IN, ts_face, cubes, resize_face) \
-	ARG(IN, ts_piece, pieces, split_triangle) \
+	ARG(IN, ts_face, cubes, cube_size_face) \
+	ARG(IN, ts_piece, pieces, split_piece) \
 	ARG(IN, ts_align, frames, align_frame) \
 	ARG(IN, u64, bits, visibility_bits) /* by triangle */ \
 	ARG(IN_PARTS, ts_point, points, points_record) \
-	ARG(IN_OPT, u32, offset, count_offset) /* points before each piece; NULL: they are in no order */ \
+	ARG(IN_OPT, u32, offset, points_offset) /* points before each piece; NULL: they are in no order */ \
 	ARG(MIN_PARTS, u64, texels, splat_depth_index) \
 	ARG(SUM_PARTS_OPT, u8, tie, splat_tie) \
 	ARG(TALLY, i64, n_scatters, 0) \

@@ -129,8 +129,8 @@ TS_FN void ts_k_eye_item(const ts_eye_args *args, u64 i)
 
 #define TS_ROWS_ts_face_args(ARG) \
 	ARG(INNER, ts_arrays, scene, none) \
-	ARG(IN, ts_face, cubes, resize_face) \
-	ARG(MIN, u64, texels, face_depth_triangle) /* of the batch */ \
+	ARG(IN, ts_face, cubes, cube_size_face) \
+	ARG(MIN, u64, texels, cube_face_depth_triangle) /* of the batch */ \
 	ARG(VALUE, u32, first_cube, none) \
 	ARG(VALUE, u32, n_cubes, none) /* the batch */
 TS_ARGS(ts_face_args);
@@ -157,7 +157,7 @@ TS_FN void ts_k_face_item(const ts_face_args *args, u64 i)
 #define TS_ROWS_ts_depth_args(ARG) \
 	ARG(INNER, ts_arrays, scene, none) \
 	ARG(IN, ts_offscreen, views, offscreen_view) \
-	ARG(MIN, u32, depths, scatter_depth) /* of the batch */ \
+	ARG(MIN, u32, depths, depth_map_depth) /* of the batch */ \
 	ARG(VALUE, u32, first_view, none) \
 	ARG(VALUE, u32, n_views, none) /* the batch */
 TS_ARGS(ts_depth_args);

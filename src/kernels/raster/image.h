@@ -11,9 +11,9 @@
 	ARG(INNER, ts_arrays, scene, none) \
 	ARG(IN, ts_view, view, eye_view) \
 	ARG(IN, u64, depth_triangle, eye_depth_triangle) \
-	ARG(IN_OPT, u32, offset, pixel_offset) /* NULL: there are no mirrors */ \
+	ARG(IN_OPT, u32, offset, mirror_pixel_offset) /* NULL: there are no mirrors */ \
 	ARG(IN_OPT, f32, reflected, shade_radiance) \
-	ARG(IN_OPT, u32, lit, resolve_lit) /* NULL: there are no shadows */ \
+	ARG(IN_OPT, u32, lit, shadow_test_lit) /* NULL: there are no shadows */ \
 	ARG(IN_OPT, ts_lamp, lamps, lamp_shape) \
 	ARG(OUT, f32, radiance, image_radiance) \
 	ARG(OUT, u8, srgb, image_srgb) \

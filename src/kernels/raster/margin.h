@@ -12,10 +12,10 @@
 #define TS_ROWS_ts_margin_args(ARG) \
 	ARG(INNER, ts_arrays, scene, none) \
 	ARG(IN_OPT, ts_view, view, eye_view) /* of the eye */ \
-	ARG(IN_OPT, ts_face, cubes, resize_face) \
+	ARG(IN_OPT, ts_face, cubes, cube_size_face) \
 	ARG(IN_OPT, ts_offscreen, views, offscreen_view) \
 	ARG(IN_OPT, u64, depth_triangle, none) /* what was decided: keys, or depths alone */ \
-	ARG(IN_OPT, u32, depths, scatter_depth) \
+	ARG(IN_OPT, u32, depths, depth_map_depth) \
 	ARG(MIN, u64, margin, none) /* [2] a pixel */ \
 	ARG(VALUE, u32, first_unit, none) \
 	ARG(VALUE, u32, n_units, none) /* the batch: cubes, or views */

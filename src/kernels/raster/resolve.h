@@ -13,8 +13,8 @@
 	ARG(IN, ts_view, view, eye_view) \
 	ARG(IN, u64, depth_triangle, eye_depth_triangle) \
 	ARG(IN, ts_offscreen, views, offscreen_view) \
-	ARG(IN, u32, depths, scatter_depth) /* of the batch */ \
-	ARG(SUM, u32, lit, resolve_lit) \
+	ARG(IN, u32, depths, depth_map_depth) /* of the batch */ \
+	ARG(SUM, u32, lit, shadow_test_lit) \
 	ARG(VALUE, u32, first_view, none) \
 	ARG(VALUE, u32, n_views, none) /* the batch */ \
 	ARG(VALUE, u32, n_lamps, none) \

@@ -13,7 +13,7 @@
  * both. */
 #define TS_ROWS_ts_resolve_margin_args(ARG) \
 	ARG(INNER, ts_resolve_args, of, none) \
-	ARG(MIN, u64, margin, resolve_margin) /* [2] a pixel and light */
+	ARG(MIN, u64, margin, shadow_test_margin) /* [2] a pixel and light */
 TS_ARGS(ts_resolve_margin_args);
 
 /* How far the point moves on its surface from pixel to pixel of the eye, at most: world units. */

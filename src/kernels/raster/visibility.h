@@ -8,7 +8,7 @@
 
 #define TS_ROWS_ts_visibility_args(ARG) \
 	ARG(INNER, ts_arrays, scene, none) \
-	ARG(IN, ts_face, cubes, resize_face) \
+	ARG(IN, ts_face, cubes, cube_size_face) \
 	ARG(OUT, u64, bits, visibility_bits) /* n_triangles * n_words */ \
 	ARG(VALUE, u32, n_cubes, none) \
 	ARG(VALUE, u32, n_words, none) \

@@ -21,8 +21,8 @@
 	ARG(IN, ts_surfel, surfels, scene_surfel) \
 	ARG(IN, ts_disc, discs, surfel_setup_disc) \
 	ARG(IN, u64, keys, surfel_depth_surfel) \
-	ARG(SUM, i64, sums, blend_sum) \
-	ARG(MIN, u64, heaviest, blend_heaviest) \
+	ARG(SUM, i64, sums, surfel_blend_sum) \
+	ARG(MIN, u64, heaviest, surfel_blend_heaviest) \
 	ARG(TALLY, i64, tally, 0) /* [0] fragments, [1] pixels of the boxes */ \
 	ARG(VALUE, ts_filter, filter, none)
 TS_ARGS(ts_blend_args);

@@ -24,8 +24,8 @@
 	ARG(IN, ts_disc, discs, surfel_setup_disc) \
 	ARG(IN, u32, offset, fragment_list_offset) \
 	ARG(IN, u32, list, fragment_list_surfel) \
-	ARG(SUM, i64, sums, blend_sum) \
-	ARG(MIN, u64, heaviest, blend_heaviest) \
+	ARG(SUM, i64, sums, surfel_blend_sum) \
+	ARG(MIN, u64, heaviest, surfel_blend_heaviest) \
 	ARG(VALUE, ts_filter, filter, none) \
 	ARG(VALUE, u32, accumulation, none) /* TS_ACCUMULATION_IS_* */
 TS_ARGS(ts_blend_order_args);

@@ -22,7 +22,7 @@
 	ARG(IN, ts_gpixel, pixels, gbuffer_pixel) \
 	ARG(IN, ts_light, lights, lamp_light) \
 	ARG(IN, ts_lamp, lamps, lamp_shape) \
-	ARG(IN_OPT, u32, lit, resolve_lit) /* NULL: there are no shadows */ \
+	ARG(IN_OPT, u32, lit, shadow_test_lit) /* NULL: there are no shadows */ \
 	ARG(OUT, f32, radiance, image_radiance) \
 	ARG(OUT, u8, srgb, image_srgb) \
 	ARG(VALUE, u32, n_lights, none) \

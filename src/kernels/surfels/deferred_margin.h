@@ -70,7 +70,7 @@ TS_FN void ts_k_deferred_margin_item(const ts_deferred_margin_args *args, u64 i)
 #define TS_ROWS_ts_deferred_lit_margin_args(ARG) \
 	ARG(INNER, ts_deferred_lit_args, of, none) \
 	ARG(IN, ts_view, view, eye_view) \
-	ARG(MIN, u64, margin, resolve_margin) /* [2] a pixel and light */
+	ARG(MIN, u64, margin, shadow_test_margin) /* [2] a pixel and light */
 TS_ARGS(ts_deferred_lit_margin_args);
 
 /* map over pixels, as ts_k_deferred_lit_item */

@@ -42,7 +42,7 @@ TS_FN void ts_k_surfel_depth_item(const ts_surfel_depth_args *args, u64 i)
 	ARG(IN, ts_surfel, surfels, scene_surfel) \
 	ARG(IN, ts_offscreen, views, offscreen_view) /* one a light */ \
 	ARG(IN, f32, epsilon, surfel_setup_epsilon) \
-	ARG(MIN, u32, depths, scatter_depth) \
+	ARG(MIN, u32, depths, depth_map_depth) \
 	ARG(VALUE, ts_filter, filter, none) \
 	ARG(VALUE, u32, n_views, none)
 TS_ARGS(ts_surfel_shadow_args);

@@ -15,8 +15,8 @@
 	ARG(IN, ts_disc, discs, surfel_setup_disc) \
 	ARG(IN, f32, epsilon, surfel_setup_epsilon) \
 	ARG(IN, u64, keys, surfel_depth_surfel) \
-	ARG(IN_OPT, u64, heaviest, blend_heaviest) /* NULL: of surfel_depth */ \
-	ARG(MIN, u64, margin, none)                /* [2] a pixel, f32 bits */ \
+	ARG(IN_OPT, u64, heaviest, surfel_blend_heaviest) /* NULL: of surfel_depth */ \
+	ARG(MIN, u64, margin, none)                       /* [2] a pixel, f32 bits */ \
 	ARG(VALUE, ts_filter, filter, none)
 TS_ARGS(ts_surfel_margin_args);
 

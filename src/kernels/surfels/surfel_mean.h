@@ -14,8 +14,8 @@
 	ARG(IN, ts_disc, discs, surfel_setup_disc) \
 	ARG(IN, f32, epsilon, surfel_setup_epsilon) \
 	ARG(IN, u64, keys, surfel_depth_surfel) \
-	ARG(IN, i64, sums, blend_sum) \
-	ARG(IN, u64, heaviest, blend_heaviest) \
+	ARG(IN, i64, sums, surfel_blend_sum) \
+	ARG(IN, u64, heaviest, surfel_blend_heaviest) \
 	ARG(OUT, ts_gpixel, pixels, gbuffer_pixel) \
 	ARG(TALLY, i64, tally, 0) /* [0] pixels with a surface, each shaded once */
 TS_ARGS(ts_surfel_mean_args);

@@ -9,9 +9,9 @@
 
 #define TS_ROWS_ts_fuse_args(ARG) \
 	ARG(IN, ts_node, views, view_octree_node) \
-	ARG(IN, u64, texels, map_depth_node) \
-	ARG(OUT, u32, depths, fuse_depth) \
-	ARG(OUT, u32, nodes, fuse_node) \
+	ARG(IN, u64, texels, view_map_depth_node) \
+	ARG(OUT, u32, depths, view_map_fused_depth) \
+	ARG(OUT, u32, nodes, view_map_fused_node) \
 	ARG(VALUE, ts_pyramid, pyramid, none) \
 	ARG(VALUE, u32, first, none)   /* node of the level */ \
 	ARG(VALUE, u32, nearest, none) /* fusion=min */
@@ -58,7 +58,7 @@ TS_FN u32 ts_k_ancestor(TS_GLOBAL const ts_node *nodes, u32 node, u32 level)
 	return node;
 }
 
-/* The same as fuse.depth and fuse.node of a node, by a walk from the root. */
+/* The same as view_map.fused_depth and view_map.fused_node of a node, by a walk from the root. */
 TS_FN u64 ts_k_fuse_query(const ts_fuse_args *args, u32 node, u32 texel)
 {
 	u64 key = TS_EMPTY;

@@ -35,7 +35,7 @@ TS_FN u32 ts_k_pyramid_above(const ts_pyramid *pyramid, u32 texel, u32 level)
 	ARG(IN, ts_node, nodes, octree_node) \
 	ARG(IN, ts_node, views, view_octree_node) \
 	ARG(IN, u64, pairs, traverse_rendered) /* or what is left of a queue */ \
-	ARG(MIN, u64, texels, map_depth_node) \
+	ARG(MIN, u64, texels, view_map_depth_node) \
 	ARG(VALUE, ts_pyramid, pyramid, none)
 TS_ARGS(ts_map_args);
 

@@ -15,8 +15,8 @@
 #define TS_ROWS_ts_map_margin_args(ARG) \
 	ARG(INNER, ts_traverse_args, of, none) /* how pairs are decided */ \
 	ARG(WORK_IN, u64, pairs, queue)        /* not yet decided; NULL: each of n_nodes from `first` on with each view */ \
-	ARG(IN, u64, texels, map_depth_node) \
-	ARG(MIN, u32, margin, map_margin) /* f32 bits */ \
+	ARG(IN, u64, texels, view_map_depth_node) \
+	ARG(MIN, u32, margin, view_map_margin) /* f32 bits */ \
 	ARG(VALUE, ts_pyramid, pyramid, none) \
 	ARG(VALUE, u32, first, none) \
 	ARG(VALUE, u32, n_nodes, none)

@@ -7,7 +7,7 @@
 #include "root.h"
 
 #define TS_ROWS_ts_octree_args(ARG) \
-	ARG(IN, ts_root, root, root_cube) \
+	ARG(IN, ts_root, root, octree_root) \
 	ARG(IN, u64, mask, voxel_mask) \
 	ARG(IN, u32, before, voxel_before) \
 	ARG(OUT, u32, level, octree_level) /* nodes before each level */ \

@@ -11,11 +11,11 @@
 
 #define TS_ROWS_ts_octree_surface_args(ARG) \
 	ARG(INNER, ts_arrays, scene, none) \
-	ARG(IN, ts_root, root, root_cube) \
+	ARG(IN, ts_root, root, octree_root) \
 	ARG(IN, ts_node, nodes, octree_node) \
 	ARG(IN, u32, offset, octree_offset) \
 	ARG(IN, u32, triangles, octree_triangle) \
-	ARG(OUT, ts_node_surface, surfaces, octree_surface_node) \
+	ARG(OUT, ts_node_surface, surfaces, octree_surface) \
 	ARG(VALUE, u32, levels, none) \
 	ARG(VALUE, u32, first, none) /* node of item 0 */
 TS_ARGS(ts_octree_surface_args);

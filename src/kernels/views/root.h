@@ -19,8 +19,8 @@ TS_FN f32 ts_k_of_ordered(u32 o) { return ts_u2f((o & 0x80000000u) != 0u ? o & 0
 
 #define TS_ROWS_ts_root_args(ARG) \
 	ARG(IN, ts_vertex, vertices, pose_vertex) \
-	ARG(MIN, u32, least, root_least) \
-	ARG(OUT, ts_root, root, root_cube)
+	ARG(MIN, u32, least, octree_root_least) \
+	ARG(OUT, ts_root, root, octree_root)
 TS_ARGS(ts_root_args);
 
 TS_FN void ts_k_root_least(TS_GLOBAL u32 *least, u32 axis, f32 x)

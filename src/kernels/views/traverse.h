@@ -21,7 +21,7 @@
 #define TS_ROWS_ts_traverse_args(ARG) \
 	ARG(IN, ts_node, nodes, octree_node) \
 	ARG(IN, ts_node, views, view_octree_node) \
-	ARG(IN, ts_cone, cones, view_cone_node) \
+	ARG(IN, ts_cone, cones, view_octree_cone) \
 	ARG(WORK, u64, queue, queue)    /* of this step */ \
 	ARG(WORK, u64, next, queue)     /* of the next step */ \
 	ARG(WORK, u32, offset, counts)  /* children, later rendered pairs, before each: counts, then their prefix sums */ \

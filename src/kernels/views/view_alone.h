@@ -9,7 +9,7 @@
 #define TS_ROWS_ts_view_alone_args(ARG) \
 	ARG(IN, ts_vpl, lights, vpl_light) \
 	ARG(OUT, ts_node, nodes, view_octree_node) \
-	ARG(OUT, ts_cone, cones, view_cone_node) \
+	ARG(OUT, ts_cone, cones, view_octree_cone) \
 	ARG(OUT, u32, views, view_octree_view) \
 	ARG(OUT, u32, leaves, view_octree_leaf)
 TS_ARGS(ts_view_alone_args);

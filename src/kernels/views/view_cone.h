@@ -13,9 +13,9 @@
 	ARG(IN, u32, offset, view_octree_offset) \
 	ARG(IN, u32, entries, view_octree_view) \
 	ARG(IN, u32, leaf, view_octree_leaf) \
-	ARG(OUT, u64, sums, view_cone_sum) \
-	ARG(MIN, u32, least, view_cone_least) \
-	ARG(OUT, ts_cone, cones, view_cone_node) \
+	ARG(OUT, u64, sums, view_octree_cone_sum) \
+	ARG(MIN, u32, least, view_octree_cone_least) \
+	ARG(OUT, ts_cone, cones, view_octree_cone) \
 	ARG(VALUE, u32, first, none) /* node of item 0 */
 TS_ARGS(ts_cone_args);
 

@@ -6,11 +6,11 @@
 #include "root.h"
 
 #define TS_ROWS_ts_view_octree_args(ARG) \
-	ARG(IN, ts_root, root, root_cube) \
+	ARG(IN, ts_root, root, octree_root) \
 	ARG(IN, ts_vpl, views, vpl_light) \
-	ARG(SUM, u64, mask, view_voxel_mask) \
-	ARG(IN, u64, bits, view_voxel_mask) /* it, done */ \
-	ARG(IN, u32, before, view_voxel_before) \
+	ARG(SUM, u64, mask, view_octree_voxel_mask) \
+	ARG(IN, u64, bits, view_octree_voxel_mask) /* it, done */ \
+	ARG(IN, u32, before, view_octree_voxel_before) \
 	ARG(OUT, u32, leaf, view_octree_leaf) \
 	ARG(SUM, u32, offset, view_octree_offset) /* one later */ \
 	ARG(OUT, u32, entries, view_octree_view) \

@@ -192,7 +192,7 @@ TS_FN bool ts_k_touch_voxel(const ts_touch *t, i64 i, i64 j, i64 k)
 
 #define TS_ROWS_ts_voxel_args(ARG) \
 	ARG(INNER, ts_arrays, scene, none) \
-	ARG(IN, ts_root, root, root_cube) \
+	ARG(IN, ts_root, root, octree_root) \
 	ARG(SUM_OPT, u64, mask, voxel_mask) /* NULL: it is done, and lists are made */ \
 	ARG(IN, u64, bits, voxel_mask)      /* it, done */ \
 	ARG(IN, u32, before, voxel_before) \

@@ -14,19 +14,19 @@
 
 #define TS_ROWS_ts_vpl_gather_args(ARG) \
 	ARG(IN, ts_gpixel, pixels, gbuffer_pixel) \
-	ARG(IN, ts_root, root, root_cube) \
+	ARG(IN, ts_root, root, octree_root) \
 	ARG(IN, u64, mask, voxel_mask) \
 	ARG(IN, u32, before, voxel_before) \
-	ARG(IN, u32, offset, vpl_pairs_offset) \
-	ARG(IN, u32, list, vpl_pairs_node) \
-	ARG(IN, u32, sums, vpl_pairs_views) \
-	ARG(IN, ts_cone, cones, view_cone_node) \
+	ARG(IN, u32, offset, vpl_gather_pair_offset) \
+	ARG(IN, u32, list, vpl_gather_pair_node) \
+	ARG(IN, u32, sums, vpl_gather_pair_views) \
+	ARG(IN, ts_cone, cones, view_octree_cone) \
 	ARG(IN, u32, views, view_octree_view) \
 	ARG(IN, u32, leaves, view_octree_leaf) \
 	ARG(IN, ts_node, nodes, view_octree_node) \
 	ARG(IN, ts_vpl, lights, vpl_light) \
-	ARG(IN, u32, depths, fuse_depth) \
-	ARG(IN, u32, shown, fuse_node) \
+	ARG(IN, u32, depths, view_map_fused_depth) \
+	ARG(IN, u32, shown, view_map_fused_node) \
 	ARG(IN, ts_node, scene, octree_node) \
 	ARG(OUT, f32, irradiance, vpl_gather_irradiance) \
 	ARG(TALLY, i64, n_astray, 0) /* pixels that no node of the level holds */ \

@@ -8,10 +8,10 @@
 
 #define TS_ROWS_ts_vpl_pairs_args(ARG) \
 	ARG(WORK_IN, u64, pairs, queue) /* what is left of a queue */ \
-	ARG(IN, ts_cone, cones, view_cone_node) \
-	ARG(SUM, u32, offset, vpl_pairs_offset) /* one later */ \
-	ARG(OUT, u32, nodes, vpl_pairs_node) \
-	ARG(OUT, u32, views, vpl_pairs_views) \
+	ARG(IN, ts_cone, cones, view_octree_cone) \
+	ARG(SUM, u32, offset, vpl_gather_pair_offset) /* one later */ \
+	ARG(OUT, u32, nodes, vpl_gather_pair_node) \
+	ARG(OUT, u32, views, vpl_gather_pair_views) \
 	ARG(VALUE, u32, first, none) /* node of list 0 */
 TS_ARGS(ts_vpl_pairs_args);
 

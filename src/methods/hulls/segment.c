@@ -9,7 +9,7 @@ static const ts_launch components = TS_LAUNCH(segment_components, TS_ALL);
 static const ts_launch measured = TS_LAUNCH(segment_margin, TS_ALL);
 static const ts_launch extent = TS_LAUNCH(range, TS_ALL);
 static const ts_launch counted = TS_LAUNCH(box_count, TS_BUT(boxes));
-static const ts_launch written = TS_LAUNCH(box, TS_IN(offset, box_offset), TS_BUT(n_labels));
+static const ts_launch written = TS_LAUNCH(box, TS_IN(offset, segment_box_offset), TS_BUT(n_labels));
 
 static u64 n_texels(const ts_run *run)
 {

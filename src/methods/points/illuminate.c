@@ -9,7 +9,7 @@ static const ts_launch averaged = TS_LAUNCH(mip, TS_BUT(scene), TS_BUT(depth_tri
 
 static ts_status make_levels(ts_run *run, ts_illuminate_args args)
 {
-	const ts_face *cubes = ts_frame_data(&run->frame, TS_B_resize_face);
+	const ts_face *cubes = ts_frame_data(&run->frame, TS_B_cube_size_face);
 	for (u32 r = run->first_unit; r < run->first_unit + run->n_units; r++) {
 		u32 n = cubes[r].n;
 		args.first_cube = r;
@@ -38,8 +38,8 @@ static ts_status illuminate(ts_run *run)
 	ts_illuminate_args args = {.scene = ts_run_scene(run), .first_cube = run->first_unit, .n_cubes = run->n_units};
 	if (TS_RUN(run, &shaded, &args, ts_run_size(run, TS_DIM_texels)) != TS_OK) return TS_ERROR;
 	if (make_levels(run, args) != TS_OK) return TS_ERROR;
-	const u64 *seen = ts_frame_data(&run->frame, TS_B_face_depth_triangle);
-	u64 n = ts_frame_n(&run->frame, TS_B_face_depth_triangle);
+	const u64 *seen = ts_frame_data(&run->frame, TS_B_cube_face_depth_triangle);
+	u64 n = ts_frame_n(&run->frame, TS_B_cube_face_depth_triangle);
 	i64 n_shaded = 0;
 	for (u64 i = 0; i < n; i++) n_shaded += seen[i] != TS_EMPTY;
 	ts_run_count(run, "shading operations", n_shaded);

@@ -3,9 +3,11 @@
 #include <inttypes.h>
 
 const ts_bounce_buffers ts_bounce_table[TS_MAX_BOUNCES] = {
-	{TS_DIM_mirror_pixels, TS_B_none, TS_B_pixel_record, TS_B_lookup_point, TS_B_shade_radiance},
-	{TS_DIM_entries2, TS_B_lookup2_offset, TS_B_lookup2_parent, TS_B_lookup2_point, TS_B_shade2_radiance},
-	{TS_DIM_entries3, TS_B_lookup3_offset, TS_B_lookup3_parent, TS_B_lookup3_point, TS_B_shade3_radiance},
+	{TS_DIM_mirror_pixels, TS_B_none, TS_B_mirror_pixel_record, TS_B_lookup_point, TS_B_shade_radiance},
+	{TS_DIM_entries2, TS_B_lookup_second_offset, TS_B_lookup_second_parent, TS_B_lookup_second_point,
+     TS_B_shade_second_radiance},
+	{TS_DIM_entries3, TS_B_lookup_third_offset, TS_B_lookup_third_parent, TS_B_lookup_third_point,
+     TS_B_shade_third_radiance},
 };
 
 /* Mirrors tell which pixel sees which point, and nothing of points. */
@@ -17,16 +19,17 @@ typedef struct {
 } later;
 
 static const later second = {
-	TS_LAUNCH(bounce_count, TS_IN(found, lookup_point), TS_OUT(offset, lookup2_offset)),
-	TS_LAUNCH(bounce_queue, TS_IN(found, lookup_point), TS_IN(offset, lookup2_offset),
-              TS_OUT(next_queue, lookup2_parent)),
-	TS_LAUNCH(bounce, TS_WITH(texels), TS_IN(queue, lookup2_parent), TS_OUT(found, lookup2_point)),
+	TS_LAUNCH(bounce_count, TS_IN(found, lookup_point), TS_OUT(offset, lookup_second_offset)),
+	TS_LAUNCH(bounce_queue, TS_IN(found, lookup_point), TS_IN(offset, lookup_second_offset),
+              TS_OUT(next_queue, lookup_second_parent)),
+	TS_LAUNCH(bounce, TS_WITH(texels), TS_IN(queue, lookup_second_parent), TS_OUT(found, lookup_second_point)),
 };
 static const later third = {
-	TS_LAUNCH(bounce_count, TS_IN(found, lookup2_point), TS_OUT(offset, lookup3_offset), TS_BUT(pixels)),
-	TS_LAUNCH(bounce_queue, TS_IN(found, lookup2_point), TS_IN(offset, lookup3_offset),
-              TS_OUT(next_queue, lookup3_parent), TS_IN(queue, lookup2_parent), TS_BUT(pixels)),
-	TS_LAUNCH(bounce, TS_WITH(texels), TS_IN(queue, lookup3_parent), TS_OUT(found, lookup3_point), TS_BUT(pixels)),
+	TS_LAUNCH(bounce_count, TS_IN(found, lookup_second_point), TS_OUT(offset, lookup_third_offset), TS_BUT(pixels)),
+	TS_LAUNCH(bounce_queue, TS_IN(found, lookup_second_point), TS_IN(offset, lookup_third_offset),
+              TS_OUT(next_queue, lookup_third_parent), TS_IN(queue, lookup_second_parent), TS_BUT(pixels)),
+	TS_LAUNCH(bounce, TS_WITH(texels), TS_IN(queue, lookup_third_parent), TS_OUT(found, lookup_third_point),
+              TS_BUT(pixels)),
 };
 
 ts_lookup_args ts_lookup_values(const ts_run *run, u32 bounce)

@@ -3,7 +3,7 @@
 #include "../stages.h"
 
 static const ts_launch counted = TS_LAUNCH(pixel_count, TS_BUT(pixels));
-static const ts_launch written = TS_LAUNCH(pixel, TS_IN(offset, pixel_offset));
+static const ts_launch written = TS_LAUNCH(pixel, TS_IN(offset, mirror_pixel_offset));
 
 static ts_status pixel(ts_run *run)
 {

@@ -4,7 +4,7 @@
 #include "points.h"
 
 static const ts_launch counted = TS_LAUNCH(count, TS_WITH(offset));
-static const ts_launch written = TS_LAUNCH(points, TS_IN(offset, count_offset), TS_WITH(keys), TS_WITH(points));
+static const ts_launch written = TS_LAUNCH(points, TS_IN(offset, points_offset), TS_WITH(keys), TS_WITH(points));
 static const ts_launch appended = TS_LAUNCH(points_append, TS_WITH(keys), TS_WITH(points), TS_WITH(n_points));
 
 ts_points_args ts_points_values(const ts_run *run)
@@ -52,7 +52,7 @@ static ts_status points(ts_run *run)
 	u64 n = ts_run_size(run, TS_DIM_pieces);
 	ts_points_args args = ts_points_values(run);
 	if (run->arrival) return append(run, &args, n);
-	const u32 *before = ts_frame_data(&run->frame, TS_B_count_offset);
+	const u32 *before = ts_frame_data(&run->frame, TS_B_points_offset);
 	args.room = before[n];
 	ts_run_set_size(run, TS_DIM_points, args.room);
 	return TS_RUN(run, &written, &args, n);

@@ -31,7 +31,7 @@ static ts_status resize(ts_run *run)
 {
 	u32 n = ts_run_info(run)->n_reflectors;
 	ts_sizes_cubes(&run->sizes, n);
-	ts_face *cubes = ts_run_make(run, TS_B_resize_face);
+	ts_face *cubes = ts_run_make(run, TS_B_cube_size_face);
 	u32 *objects = ts_alloc(n, sizeof *objects, "reflectors");
 	if (cubes == NULL || objects == NULL) {
 		free(objects);
@@ -70,5 +70,5 @@ const ts_stage ts_stage_resize = {
 	.doc = "box, ball and cube size of every reflector",
 	.run = resize,
 	.looks_at = TS_BUFFERS(TS_B_scene_vertex, TS_B_scene_object, TS_B_scene_info),
-	.makes = TS_BUFFERS(TS_B_resize_face),
+	.makes = TS_BUFFERS(TS_B_cube_size_face),
 };

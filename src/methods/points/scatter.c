@@ -95,7 +95,7 @@ const ts_stage ts_stage_scatter = {
 	.doc = "points into depth maps by 32-bit minimum",
 	.run = scatter,
 	.launches = TS_LAUNCHES(&into_depths.stored, &into_depths.pieces),
-	.looks_at = TS_BUFFERS(TS_B_scene_info, TS_B_resize_face),
+	.looks_at = TS_BUFFERS(TS_B_scene_info, TS_B_cube_size_face),
 };
 
 const ts_stage ts_stage_scatter_colour = {
@@ -105,7 +105,7 @@ const ts_stage ts_stage_scatter_colour = {
 	.doc = "points into environment maps: 13 bits of depth, 19 of colour",
 	.run = scatter_colour,
 	.launches = TS_LAUNCHES(&into_colours.stored, &into_colours.pieces),
-	.looks_at = TS_BUFFERS(TS_B_scene_info, TS_B_resize_face),
+	.looks_at = TS_BUFFERS(TS_B_scene_info, TS_B_cube_size_face),
 };
 
 const ts_stage ts_stage_shadow_splat = {
@@ -115,7 +115,7 @@ const ts_stage ts_stage_shadow_splat = {
 	.doc = "points into depth maps: small ones as they are, large ones as squares",
 	.run = shadow_splat,
 	.launches = TS_LAUNCHES(&splats.stored, &splats.pieces),
-	.looks_at = TS_BUFFERS(TS_B_scene_info, TS_B_resize_face),
+	.looks_at = TS_BUFFERS(TS_B_scene_info, TS_B_cube_size_face),
 };
 
 const ts_stage ts_stage_depth = {
@@ -125,5 +125,5 @@ const ts_stage ts_stage_depth = {
 	.doc = "MVR: standard rasterization into every depth map",
 	.run = depth,
 	.launches = TS_LAUNCHES(&rasterized),
-	.looks_at = TS_BUFFERS(TS_B_scene_info, TS_B_resize_face),
+	.looks_at = TS_BUFFERS(TS_B_scene_info, TS_B_cube_size_face),
 };

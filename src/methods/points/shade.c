@@ -10,16 +10,18 @@ typedef struct {
 static const launches of_pixels = {
 	TS_LAUNCH(shade, TS_IN(found, lookup_point), TS_OUT(radiance, shade_radiance), TS_WITH(used)),
 	TS_LAUNCH(shade, TS_IN(found, lookup_point), TS_OUT(radiance, shade_radiance), TS_WITH(used),
-              TS_IN(offset, lookup2_offset), TS_IN(next_radiance, shade2_radiance)),
+              TS_IN(offset, lookup_second_offset), TS_IN(next_radiance, shade_second_radiance)),
 };
 static const launches of_second = {
-	TS_LAUNCH(shade, TS_IN(found, lookup2_point), TS_OUT(radiance, shade2_radiance), TS_IN(queue, lookup2_parent),
-              TS_BUT(pixels)),
-	TS_LAUNCH(shade, TS_IN(found, lookup2_point), TS_OUT(radiance, shade2_radiance), TS_IN(queue, lookup2_parent),
-              TS_IN(offset, lookup3_offset), TS_IN(next_radiance, shade3_radiance), TS_BUT(pixels)),
+	TS_LAUNCH(shade, TS_IN(found, lookup_second_point), TS_OUT(radiance, shade_second_radiance),
+              TS_IN(queue, lookup_second_parent), TS_BUT(pixels)),
+	TS_LAUNCH(shade, TS_IN(found, lookup_second_point), TS_OUT(radiance, shade_second_radiance),
+              TS_IN(queue, lookup_second_parent), TS_IN(offset, lookup_third_offset),
+              TS_IN(next_radiance, shade_third_radiance), TS_BUT(pixels)),
 };
-static const ts_launch of_third = TS_LAUNCH(shade, TS_IN(found, lookup3_point), TS_OUT(radiance, shade3_radiance),
-                                            TS_IN(queue, lookup3_parent), TS_BUT(pixels));
+static const ts_launch of_third =
+	TS_LAUNCH(shade, TS_IN(found, lookup_third_point), TS_OUT(radiance, shade_third_radiance),
+              TS_IN(queue, lookup_third_parent), TS_BUT(pixels));
 
 static ts_status shade(ts_run *run, u32 bounce, const launches *own)
 {
@@ -72,8 +74,8 @@ static ts_status shade_second(ts_run *run)
 static ts_status shade_pixels(ts_run *run)
 {
 	if (shade(run, 0, &of_pixels) != TS_OK) return TS_ERROR;
-	const u32 *used = ts_frame_data(&run->frame, TS_B_shade_used);
-	u64 n = ts_frame_n(&run->frame, TS_B_shade_used);
+	const u32 *used = ts_frame_data(&run->frame, TS_B_shade_n_samples);
+	u64 n = ts_frame_n(&run->frame, TS_B_shade_n_samples);
 	i64 operations = 0;
 	for (u64 i = 0; i < n; i++) operations += used[i];
 	ts_run_count(run, "shading operations", operations);
@@ -107,5 +109,5 @@ const ts_stage ts_stage_shade = {
 	.doc = "eye-based deferred shading",
 	.run = shade_pixels,
 	.launches = TS_LAUNCHES(&of_pixels.last, &of_pixels.followed),
-	.looks_at = TS_BUFFERS(TS_B_scene_info, TS_B_lookup2_point, TS_B_lookup3_point),
+	.looks_at = TS_BUFFERS(TS_B_scene_info, TS_B_lookup_second_point, TS_B_lookup_third_point),
 };

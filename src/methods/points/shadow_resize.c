@@ -38,7 +38,7 @@ static ts_status shadow_resize(ts_run *run)
 	const ts_light *light = ts_frame_data(&run->frame, TS_B_lamp_light);
 	const ts_lamp *lamp = ts_frame_data(&run->frame, TS_B_lamp_shape);
 	ts_sizes_cubes(&run->sizes, n);
-	ts_face *cubes = ts_run_make(run, TS_B_resize_face), *copy = ts_alloc(n, sizeof *copy, "cubes");
+	ts_face *cubes = ts_run_make(run, TS_B_cube_size_face), *copy = ts_alloc(n, sizeof *copy, "cubes");
 	ts_status status = cubes != NULL && copy != NULL ? TS_OK : TS_ERROR;
 	for (u32 k = 0; k < n && status == TS_OK; k++) {
 		ts_lamp_cube(&cubes[k], light, lamp->radius, k, n, ts_run_info(run), run->plan.offscreen.side);
@@ -47,7 +47,7 @@ static ts_status shadow_resize(ts_run *run)
 	if (status == TS_OK) status = find_least(run, copy, n);
 	free(copy);
 	if (status != TS_OK) return TS_ERROR;
-	const u32 *least = ts_frame_data(&run->frame, TS_B_shadow_resize_least);
+	const u32 *least = ts_frame_data(&run->frame, TS_B_shadow_cube_size_least_ratio);
 	for (u32 k = 0; k < n; k++) {
 		cubes[k].n = side(&run->params, *least);
 		cubes[k].offset = (u64)k * 6 * cubes[k].n * cubes[k].n;
@@ -64,5 +64,5 @@ const ts_stage ts_stage_shadow_resize = {
 	.run = shadow_resize,
 	.launches = TS_LAUNCHES(&launch),
 	.looks_at = TS_BUFFERS(TS_B_scene_info, TS_B_lamp_light, TS_B_lamp_shape),
-	.makes = TS_BUFFERS(TS_B_resize_face),
+	.makes = TS_BUFFERS(TS_B_cube_size_face),
 };

@@ -9,7 +9,7 @@ typedef struct {
 } launches;
 
 #define COUNT TS_BUT_SURFACES, TS_BUT(pieces), TS_BUT(scale), TS_BUT(n_capped)
-#define WRITE TS_BUT_SURFACES, TS_IN(whole, split_scale), TS_IN(offset, split_offset)
+#define WRITE TS_BUT_SURFACES, TS_IN(whole, split_triangle_density), TS_IN(offset, split_offset)
 #define OF_VIEWS TS_BUT(cubes), TS_WITH(views)
 static const launches of_eye = {TS_LAUNCH(split_count, COUNT), TS_LAUNCH(split, WRITE)};
 static const launches of_views = {TS_LAUNCH(split_count, COUNT, OF_VIEWS), TS_LAUNCH(split, WRITE, OF_VIEWS)};

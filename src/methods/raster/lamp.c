@@ -88,7 +88,7 @@ static ts_status lamp_cube(ts_run *run)
 	const ts_light *light = ts_frame_data(&run->frame, TS_B_lamp_light);
 	const ts_lamp *shape = ts_frame_data(&run->frame, TS_B_lamp_shape);
 	ts_sizes_cubes(&run->sizes, n);
-	ts_face *cubes = ts_run_make(run, TS_B_resize_face);
+	ts_face *cubes = ts_run_make(run, TS_B_cube_size_face);
 	if (cubes == NULL) return TS_ERROR;
 	for (u32 k = 0; k < n; k++) {
 		ts_lamp_cube(&cubes[k], light, shape->radius, k, n, ts_run_info(run), run->plan.offscreen.side);
@@ -178,5 +178,5 @@ const ts_stage ts_stage_lamp_cube = {
 	.doc = "a cube for each sample of the light",
 	.run = lamp_cube,
 	.looks_at = TS_BUFFERS(TS_B_scene_info, TS_B_lamp_light, TS_B_lamp_shape),
-	.makes = TS_BUFFERS(TS_B_resize_face),
+	.makes = TS_BUFFERS(TS_B_cube_size_face),
 };

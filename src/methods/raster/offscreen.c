@@ -24,7 +24,7 @@ void ts_offscreen_of_face(ts_offscreen *view, const ts_face *cube, u32 face, u32
 /* Six a cube: they are a few, and the host makes them. */
 static ts_status offscreen(ts_run *run)
 {
-	const ts_face *cubes = ts_frame_data(&run->frame, TS_B_resize_face);
+	const ts_face *cubes = ts_frame_data(&run->frame, TS_B_cube_size_face);
 	u32 n = (u32)ts_run_size(run, TS_DIM_cubes), light = ts_run_has(run, TS_B_lamp_light) ? 0 : TS_NONE;
 	ts_run_set_size(run, TS_DIM_views, (u64)6 * n);
 	ts_offscreen *views = ts_run_make(run, TS_B_offscreen_view);
@@ -53,7 +53,7 @@ const ts_stage ts_stage_offscreen = {
 	.paper = "iVIR 5",
 	.doc = "six off-screen views a cube",
 	.run = offscreen,
-	.looks_at = TS_BUFFERS(TS_B_resize_face, TS_B_lamp_light),
+	.looks_at = TS_BUFFERS(TS_B_cube_size_face, TS_B_lamp_light),
 	.makes = TS_BUFFERS(TS_B_offscreen_view),
 };
 

@@ -39,7 +39,7 @@ const ts_stage ts_stage_resolve = {
 	.doc = "how many light samples reach each pixel",
 	.run = resolve,
 	.launches = TS_LAUNCHES(&resolved),
-	.looks_at = TS_BUFFERS(TS_B_scene_info, TS_B_resize_face, TS_B_lamp_shape),
+	.looks_at = TS_BUFFERS(TS_B_scene_info, TS_B_cube_size_face, TS_B_lamp_shape),
 };
 
 const ts_stage ts_stage_resolve_margin = {
@@ -50,5 +50,5 @@ const ts_stage ts_stage_resolve_margin = {
 	.doc = "how near the comparisons with depth maps were to another answer",
 	.run = resolve_margin,
 	.launches = TS_LAUNCHES(&measured),
-	.looks_at = TS_BUFFERS(TS_B_scene_info, TS_B_resize_face, TS_B_lamp_shape),
+	.looks_at = TS_BUFFERS(TS_B_scene_info, TS_B_cube_size_face, TS_B_lamp_shape),
 };

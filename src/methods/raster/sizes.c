@@ -12,7 +12,7 @@ u64 ts_size_view_words(const ts_size_question *q)
 /* The units that are asked about: cubes, or views. */
 static u32 units(const ts_size_question *q, u32 *first)
 {
-	ts_buffer_id id = ts_run_has_cubes(q->run) ? TS_B_resize_face : TS_B_offscreen_view;
+	ts_buffer_id id = ts_run_has_cubes(q->run) ? TS_B_cube_size_face : TS_B_offscreen_view;
 	*first = q->whole ? 0 : q->run->first_unit;
 	return !q->whole ? q->run->n_units : ts_is_made(q, id) ? (u32)ts_frame_n(&q->run->frame, id) : 0;
 }
@@ -20,15 +20,15 @@ static u32 units(const ts_size_question *q, u32 *first)
 u64 ts_size_texels(const ts_size_question *q)
 {
 	u32 first, n = units(q, &first);
-	bool any = ts_is_made(q, TS_B_resize_face) || ts_is_made(q, TS_B_offscreen_view);
+	bool any = ts_is_made(q, TS_B_cube_size_face) || ts_is_made(q, TS_B_offscreen_view);
 	return any ? ts_run_n_texels(q->run, first, n) : TS_UNKNOWN;
 }
 
 u64 ts_size_mip_texels(const ts_size_question *q)
 {
 	u32 first, n = units(q, &first);
-	if (!ts_is_made(q, TS_B_resize_face)) return TS_UNKNOWN;
+	if (!ts_is_made(q, TS_B_cube_size_face)) return TS_UNKNOWN;
 	if (!ts_run_has_cubes(q->run)) return 0;
-	const ts_face *cubes = ts_frame_data(&q->run->frame, TS_B_resize_face);
+	const ts_face *cubes = ts_frame_data(&q->run->frame, TS_B_cube_size_face);
 	return ts_k_mip_first(cubes, first, first + n);
 }

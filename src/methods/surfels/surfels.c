@@ -70,7 +70,7 @@ static void surfels_expect(ts_expected *expected, const ts_scene *scene, const t
 static const ts_effect surfels = {
 	.name = "surfels",
 	.doc = "elliptical splats of a file, or of triangles by --from-mesh; eye=outside sees all of a model",
-	.seen = TS_B_blend_heaviest,
+	.seen = TS_B_surfel_blend_heaviest,
 	.difference_scale = 8,
 	.lower = "map_px or from_mesh",
 };

@@ -2,9 +2,10 @@
 #include "../../kernels/views/bilateral.h"
 #include "../stages.h"
 
-static const ts_launch along_rows = TS_LAUNCH(bilateral, TS_IN(from, vpl_gather_irradiance), TS_OUT(to, bilateral_row));
+static const ts_launch along_rows =
+	TS_LAUNCH(bilateral, TS_IN(from, vpl_gather_irradiance), TS_OUT(to, bilateral_filtered_rows));
 static const ts_launch along_columns =
-	TS_LAUNCH(bilateral, TS_IN(from, bilateral_row), TS_OUT(to, indirect_irradiance));
+	TS_LAUNCH(bilateral, TS_IN(from, bilateral_filtered_rows), TS_OUT(to, indirect_irradiance));
 
 static ts_status bilateral(ts_run *run)
 {

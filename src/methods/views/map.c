@@ -47,7 +47,7 @@ static ts_status map(ts_run *run)
 	ts_map_args args = {.pyramid = ts_view_pyramid(&run->params)};
 	ts_traverse_args how;
 	if (ts_traverse_arguments(run, &how) != TS_OK || TS_FILL(run, launch, &args) != TS_OK) return TS_ERROR;
-	count_bytes(run, TS_B_map_depth_node);
+	count_bytes(run, TS_B_view_map_depth_node);
 	if (!kept) return ts_traverse(run, &how, map_piece, &args);
 	return ts_launch_items(run, launch, &args, ts_run_size(run, TS_DIM_rendered));
 }
@@ -61,7 +61,7 @@ static ts_status map_all(ts_run *run)
 	};
 	u64 n = args.n_leaves * ts_run_size(run, TS_DIM_view_nodes);
 	if (ts_traverse_arguments(run, &args.of) != TS_OK || TS_RUN(run, &of_all, &args, n) != TS_OK) return TS_ERROR;
-	count_bytes(run, TS_B_map_depth_node);
+	count_bytes(run, TS_B_view_map_depth_node);
 	ts_run_count(run, "pairs", (i64)n);
 	ts_run_count(run, "pairs rendered", ts_frame_tally(&run->frame, 0));
 	return TS_OK;
@@ -75,8 +75,8 @@ static ts_status fuse(ts_run *run)
 	ts_fuse_args args = {.pyramid = ts_view_pyramid(&run->params),
 	                     .nearest = TS_PARAM(&run->params, fusion) == TS_FUSION_MIN};
 	if (ts_view_px_check(&run->params) != TS_OK || TS_FILL(run, &fused, &args) != TS_OK) return TS_ERROR;
-	count_bytes(run, TS_B_fuse_depth);
-	count_bytes(run, TS_B_fuse_node);
+	count_bytes(run, TS_B_view_map_fused_depth);
+	count_bytes(run, TS_B_view_map_fused_node);
 	for (u64 level = 0; level < n_levels; level++) {
 		u64 n_nodes = before[level + 1] - before[level];
 		args.first = before[level];

@@ -3,7 +3,7 @@
 #include "../stages.h"
 
 static const ts_launch extent = TS_LAUNCH(root_least, TS_BUT(root));
-static const ts_launch cube = TS_LAUNCH(root, TS_IN(least, root_least), TS_BUT(vertices));
+static const ts_launch cube = TS_LAUNCH(root, TS_IN(least, octree_root_least), TS_BUT(vertices));
 
 static ts_status root(ts_run *run)
 {

@@ -3,8 +3,8 @@
 #include "../../kernels/views/view_cone.h"
 #include "../../kernels/views/view_octree.h"
 
-const ts_octree ts_view_octree = TS_OCTREE(view_voxel_mask, view_voxel_before, view_octree_level, view_octree_node,
-                                           view_octree_offset, view_octree_view, view_nodes, "view");
+const ts_octree ts_view_octree = TS_OCTREE(view_octree_voxel_mask, view_octree_voxel_before, view_octree_level,
+                                           view_octree_node, view_octree_offset, view_octree_view, view_nodes, "view");
 
 /* Views in voxels: marked, then counted by leaf, then listed. */
 static const ts_launch marked =

@@ -11,7 +11,7 @@ static const ts_launch asked = TS_LAUNCH(vpl, TS_BUT(offset), TS_BUT(paths));
 /* Leaf sides are those of both octrees. */
 static ts_cast_args cast(const ts_run *run)
 {
-	const ts_root *root = ts_frame_data(&run->frame, TS_B_root_cube);
+	const ts_root *root = ts_frame_data(&run->frame, TS_B_octree_root);
 	return (ts_cast_args){
 		.scene = ts_run_scene(run),
 		.first_leaf = ts_octree_first(run, &ts_scene_octree, TS_PARAM(&run->params, levels)),
@@ -67,5 +67,5 @@ const ts_stage ts_stage_vpl = {
 	.doc = "virtual point lights where paths from the lamps end and are reflected, each of them a view",
 	.run = vpl,
 	.launches = TS_LAUNCHES(&lit, &counted, &written),
-	.looks_at = TS_BUFFERS(TS_B_scene_info, TS_B_offscreen_view, TS_B_root_cube, TS_B_octree_level),
+	.looks_at = TS_BUFFERS(TS_B_scene_info, TS_B_offscreen_view, TS_B_octree_root, TS_B_octree_level),
 };

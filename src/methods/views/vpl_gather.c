@@ -9,7 +9,8 @@
 /* Views of the level of gathering, by node of the scene: counted, listed, sorted, and summed up. */
 static const ts_launch counted = TS_LAUNCH(vpl_pairs_count, TS_BUT(nodes), TS_BUT(views));
 static const ts_launch listed = TS_LAUNCH(vpl_pairs_list, TS_ALL);
-static const ts_launch sorted = TS_LAUNCH(leaf_sort, TS_IN(offset, vpl_pairs_offset), TS_OUT(entries, vpl_pairs_node));
+static const ts_launch sorted =
+	TS_LAUNCH(leaf_sort, TS_IN(offset, vpl_gather_pair_offset), TS_OUT(entries, vpl_gather_pair_node));
 static const ts_launch summed = TS_LAUNCH(vpl_pairs_sum, TS_BUT(pairs));
 static const ts_launch gathered = TS_LAUNCH(vpl_gather, TS_ALL);
 static const ts_launch measured = TS_LAUNCH(vpl_gather_margin, TS_BUT(of.irradiance), TS_BUT(of.n_astray));

@@ -151,7 +151,7 @@ static void check_segments(const ts_scene *scene, const ts_params *params, u64 *
 	other.segmentation = TS_SEGMENTATION_COMPONENTS;
 	run_of(&swept, scene, params, "hulls");
 	run_of(&exact, scene, &other, "hulls");
-	const f32 *depths = ts_frame_data(&swept.frame, TS_B_nearest_depth);
+	const f32 *depths = ts_frame_data(&swept.frame, TS_B_depth_grid_depth);
 	const u32 *labels = ts_frame_data(&swept.frame, TS_B_segment_label);
 	const u32 *components = ts_frame_data(&exact.frame, TS_B_segment_label);
 	for (u32 block = 0; block < params->grid_px / TS_BLOCK * (params->grid_px / TS_BLOCK); block++) {
@@ -219,7 +219,7 @@ static void test_surface(void **state)
 	assert_int_equal(ts_run_counter(&paper, "pixels without a segment"), n);
 	assert_int_equal(ts_run_counter(&robust, "pixels without a segment"), 0);
 	const u32 *held = ts_frame_data(&paper.frame, TS_B_hull_box), *found = ts_frame_data(&robust.frame, TS_B_hull_box);
-	const ts_segment *boxes = ts_frame_data(&paper.frame, TS_B_box_record);
+	const ts_segment *boxes = ts_frame_data(&paper.frame, TS_B_segment_box);
 	const ts_gpixel *pixels = ts_frame_data(&paper.frame, TS_B_gbuffer_pixel);
 	for (u32 i = 0; i < 150 * 70; i++) {
 		if (held[i] == TS_NONE) continue;
@@ -273,7 +273,7 @@ static void test_sky(void **state)
 		check_light(&run);
 		assert_int_equal(count_unlit(&run), 0);
 		assert_true(k == 0 ? n_sky > n / 2 && n_sky < n : n_sky == n);
-		assert_int_equal(ts_frame_n(&run.frame, TS_B_box_record) == 0, k);
+		assert_int_equal(ts_frame_n(&run.frame, TS_B_segment_box) == 0, k);
 		ts_run_end(&run);
 	}
 	ts_scene_free(scene);
@@ -313,14 +313,14 @@ static void test_lights(void **state)
 			assert_true(patches[v].exitance[1] == 0 && patches[v].exitance[2] == 0);
 		}
 		const f32 *light = ts_frame_data(&run.frame, TS_B_indirect_irradiance);
-		const ts_lobes *lobes = ts_frame_data(&run.frame, TS_B_fit_lobes);
+		const ts_lobes *lobes = ts_frame_data(&run.frame, TS_B_corner_lobes);
 		double red = 0;
 		for (u64 i = 0; i < 100 * 54; i++) {
 			red += (double)light[3 * i];
 			assert_true(light[3 * i + 1] == 0 && light[3 * i + 2] == 0);
 		}
 		assert_true(red > 0);
-		for (u64 i = 0; i < ts_frame_n(&run.frame, TS_B_fit_lobes); i++) {
+		for (u64 i = 0; i < ts_frame_n(&run.frame, TS_B_corner_lobes); i++) {
 			assert_true(lobes[i].mu[1] == 0 && lobes[i].lambda[1] == 1);
 		}
 		ts_run_end(&run);

@@ -75,8 +75,8 @@ static void assert_same_buffers(const ts_sums *a, const ts_sums *b, const ts_buf
 static void test_passes(void **state)
 {
 	(void)state;
-	static const ts_buffer_id ids[] = {TS_B_split_triangle, TS_B_density_scale, TS_B_cull_keep, TS_B_align_frame,
-	                                   TS_B_scatter_depth,  TS_B_resolve_lit,   TS_N_BUFFERS};
+	static const ts_buffer_id ids[] = {TS_B_split_piece,     TS_B_split_density,   TS_B_cull_keep, TS_B_align_frame,
+	                                   TS_B_depth_map_depth, TS_B_shadow_test_lit, TS_N_BUFFERS};
 	ts_params params = tiny_params();
 	ts_scene *scene = small_scene(&params);
 	params.views = 20;
@@ -133,9 +133,9 @@ static void test_counters(void **state)
 /* Share of the pixels' light samples of which two runs say different things. */
 static double difference(const ts_run *a, const ts_run *b, u32 samples)
 {
-	const u32 *p = ts_frame_data(&a->frame, TS_B_resolve_lit), *q = ts_frame_data(&b->frame, TS_B_resolve_lit);
-	u64 n = ts_frame_n(&a->frame, TS_B_resolve_lit), sum = 0, lit = 0;
-	assert_true(n > 0 && n == ts_frame_n(&b->frame, TS_B_resolve_lit));
+	const u32 *p = ts_frame_data(&a->frame, TS_B_shadow_test_lit), *q = ts_frame_data(&b->frame, TS_B_shadow_test_lit);
+	u64 n = ts_frame_n(&a->frame, TS_B_shadow_test_lit), sum = 0, lit = 0;
+	assert_true(n > 0 && n == ts_frame_n(&b->frame, TS_B_shadow_test_lit));
 	for (u64 i = 0; i < n; i++) {
 		assert_true(p[i] <= samples && q[i] <= samples);
 		sum += p[i] > q[i] ? p[i] - q[i] : q[i] - p[i];
@@ -208,10 +208,10 @@ static void test_culling(void **state)
 	params.map_px = 16;
 	ts_run run;
 	run_of(&run, scene, &params, "soft-shadows", "ivir");
-	const ts_piece *pieces = ts_frame_data(&run.frame, TS_B_split_triangle);
-	const f32 *scale = ts_frame_data(&run.frame, TS_B_density_scale);
+	const ts_piece *pieces = ts_frame_data(&run.frame, TS_B_split_piece);
+	const f32 *scale = ts_frame_data(&run.frame, TS_B_split_density);
 	double expected = 0, variance = 0;
-	for (u64 i = 0; i < ts_frame_n(&run.frame, TS_B_split_triangle); i++) {
+	for (u64 i = 0; i < ts_frame_n(&run.frame, TS_B_split_piece); i++) {
 		const ts_piece *p = &pieces[i];
 		double area = ts_k_area(ts_load3(p->a), ts_load3(p->b), ts_load3(p->c)), s = scale[i];
 		double share = fmin(10 * area * s * s, 1);
@@ -254,7 +254,7 @@ static void test_shared_views(void **state)
 		run_of(&run, scene, &params, SHADOWED);
 		const ts_lamp *lamps = ts_frame_data(&run.frame, TS_B_lamp_shape);
 		const ts_offscreen *views = ts_frame_data(&run.frame, TS_B_offscreen_view);
-		const u32 *lit = ts_frame_data(&run.frame, TS_B_resolve_lit);
+		const u32 *lit = ts_frame_data(&run.frame, TS_B_shadow_test_lit);
 		u32 next = 0;
 		assert_int_equal(ts_frame_n(&run.frame, TS_B_lamp_shape), n);
 		for (u32 i = 0; i < n; i++) {
@@ -268,7 +268,7 @@ static void test_shared_views(void **state)
 			}
 		}
 		assert_int_equal(next, params.views);
-		assert_int_equal(ts_frame_n(&run.frame, TS_B_resolve_lit), (u64)params.width * params.height * n);
+		assert_int_equal(ts_frame_n(&run.frame, TS_B_shadow_test_lit), (u64)params.width * params.height * n);
 		for (u64 k = 0; k < (u64)params.width * params.height * n; k++) assert_true(lit[k] <= lamps[k % n].samples);
 		ts_run_end(&run);
 	}

@@ -91,7 +91,7 @@ typedef struct {
 } difference;
 
 /* How far along the ray the surface moves if its corners move by 1/256 of a pixel. */
-static double depth_margin(const ts_corners *c, const ts_truth_query *ray, const ts_face *cube, double depth)
+static double depth_map_margin(const ts_corners *c, const ts_truth_query *ray, const ts_face *cube, double depth)
 {
 	double slope = fabs((double)ts_dot(ts_normalize(c->n), ray->direction));
 	return depth * (1e-5 + 2.0 / cube->n / slope / 256);
@@ -108,7 +108,7 @@ static bool is_undecided(const ts_arrays *scene, const ts_truth_query *ray, cons
 		ts_corners c = ts_k_corners(scene, triangle[i]);
 		if (is_masked(scene, triangle[i]) || line_distance(&c, cube, face, d.s, d.t) < 1.0 / 128) return true;
 		depth[i] = (double)ts_k_hit(ray->origin, ray->direction, &c).t;
-		margin += depth_margin(&c, ray, cube, depth[i]);
+		margin += depth_map_margin(&c, ray, cube, depth[i]);
 	}
 	return d.hit != TS_NONE && d.seen != TS_NONE && fabs(depth[0] - depth[1]) <= margin;
 }
@@ -136,8 +136,8 @@ static ts_status judge_faces(const ts_run *run, const ts_stage *stage, void *use
 	face_judge *judge = user;
 	if (strcmp(stage->name, "face") != 0) return TS_OK;
 	if (judge->truth == NULL && ts_truth_new(&judge->truth, run) != TS_OK) return TS_ERROR;
-	const ts_face *cubes = ts_frame_data(&run->frame, TS_B_resize_face);
-	const u64 *texel = ts_frame_data(&run->frame, TS_B_face_depth_triangle);
+	const ts_face *cubes = ts_frame_data(&run->frame, TS_B_cube_size_face);
+	const u64 *texel = ts_frame_data(&run->frame, TS_B_cube_face_depth_triangle);
 	for (u32 r = run->first_unit; r < run->first_unit + run->n_units; r++) {
 		u32 n = cubes[r].n;
 		for (u32 i = 0; i < 6 * n * n; i++, texel++)
@@ -171,7 +171,7 @@ typedef struct {
 /* The longest splat of each triangle, by free(). */
 static f32 *longest_splats(const ts_run *run)
 {
-	const ts_piece *pieces = ts_frame_data(&run->frame, TS_B_split_triangle);
+	const ts_piece *pieces = ts_frame_data(&run->frame, TS_B_split_piece);
 	const ts_point *points = ts_frame_data(&run->frame, TS_B_points_record);
 	u64 n = ts_frame_n(&run->frame, TS_B_points_record);
 	f32 *longest = calloc(run->scene->n_triangles, sizeof(f32));
@@ -186,8 +186,9 @@ static f32 *longest_splats(const ts_run *run)
 /* Whether a look-up sees past what its ray hits, which is at most half a diagonal from the point of its tile. */
 static bool is_beyond(const ts_run *run, const ts_arrays *scene, u64 sample, u32 hit, u32 found, f32 length)
 {
-	const ts_pixel *pixel = (const ts_pixel *)ts_frame_data(&run->frame, TS_B_pixel_record) + sample / TS_N_SAMPLES;
-	const ts_face *cube = (const ts_face *)ts_frame_data(&run->frame, TS_B_resize_face) + pixel->reflector;
+	const ts_pixel *pixel =
+		(const ts_pixel *)ts_frame_data(&run->frame, TS_B_mirror_pixel_record) + sample / TS_N_SAMPLES;
+	const ts_face *cube = (const ts_face *)ts_frame_data(&run->frame, TS_B_cube_size_face) + pixel->reflector;
 	const ts_view *eye = ts_frame_data(&run->frame, TS_B_eye_view);
 	const ts_point *point = (const ts_point *)ts_frame_data(&run->frame, TS_B_points_record) + found;
 	ts_ray ray = ts_k_sample_ray(pixel, ts_load3(eye->eye), (u32)(sample % TS_N_SAMPLES));
@@ -255,7 +256,8 @@ typedef struct {
 /* Another run that borrows what truth A reads of this one. */
 static void borrow(ts_run *copy, const ts_run *run)
 {
-	static const ts_buffer_id wanted[] = {TS_B_pose_vertex, TS_B_resize_face, TS_B_eye_view, TS_B_pixel_record};
+	static const ts_buffer_id wanted[] = {TS_B_pose_vertex, TS_B_cube_size_face, TS_B_eye_view,
+	                                      TS_B_mirror_pixel_record};
 	ts_run_begin(copy, run->scene, &run->params, run->c.threads);
 	for (size_t i = 0; i < sizeof(wanted) / sizeof(wanted[0]); i++)
 		ts_frame_borrow(&copy->frame, wanted[i], ts_frame_data(&run->frame, wanted[i]),

@@ -100,7 +100,7 @@ static void test_sums(void **state)
 		params = tiny_params(a);
 		surfels_run(&run, scene, &params, "deferred", 2);
 		ts_filter filter = ts_surfel_filter(&run);
-		const i64 *sums = ts_frame_data(&run.frame, TS_B_blend_sum);
+		const i64 *sums = ts_frame_data(&run.frame, TS_B_surfel_blend_sum);
 		for (u32 p = 0; p < params.width * params.height; p++) {
 			model m = model_of(&run, &filter, p);
 			for (u32 k = 0; k < N_TERMS; k++) {
@@ -136,9 +136,9 @@ static void test_apart(void **state)
 		apart[a] = ts_metrics_compare(ts_frame_data(fixed, TS_B_image_srgb), ts_frame_data(other, TS_B_image_srgb),
 		                              NULL, params.width, params.height);
 		print_message("# %s: %.4f grey levels from fixed\n", names[a], apart[a].rmse);
-		const u64 *heaviest = ts_frame_data(fixed, TS_B_blend_heaviest);
-		u64 n = ts_frame_n(fixed, TS_B_blend_heaviest) * sizeof *heaviest;
-		assert_memory_equal(heaviest, ts_frame_data(other, TS_B_blend_heaviest), n);
+		const u64 *heaviest = ts_frame_data(fixed, TS_B_surfel_blend_heaviest);
+		u64 n = ts_frame_n(fixed, TS_B_surfel_blend_heaviest) * sizeof *heaviest;
+		assert_memory_equal(heaviest, ts_frame_data(other, TS_B_surfel_blend_heaviest), n);
 		assert_int_equal(ts_run_counter(&run[a], "fragments"), ts_run_counter(&run[0], "fragments"));
 	}
 	assert_true(apart[1].rmse < 0.05 && apart[2].rmse > apart[1].rmse);

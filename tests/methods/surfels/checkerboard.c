@@ -53,7 +53,7 @@ static figures measure(const ts_scene *scene, const ts_params *params, const cha
 	u64 fragments = 0;
 	surfels_run(&run, scene, params, method, 2);
 	const ts_gpixel *pixels = ts_frame_data(&run.frame, TS_B_gbuffer_pixel);
-	const i64 *sums = ts_frame_data(&run.frame, TS_B_blend_sum);
+	const i64 *sums = ts_frame_data(&run.frame, TS_B_surfel_blend_sum);
 	for (u32 y = TOP; y < HEIGHT; y++) {
 		for (u32 x = 0; x < WIDTH; x++) {
 			u32 p = y * WIDTH + x;

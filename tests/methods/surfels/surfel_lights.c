@@ -133,7 +133,7 @@ static void look(seen *s, u32 face, const ts_params *params)
 	surfels_run(&run, scene, params, "deferred", 2);
 	assert_int_equal(ts_discs_new(&discs, scene->surfels, scene->n_surfels, 2), TS_OK);
 	const ts_gpixel *pixels = ts_frame_data(&run.frame, TS_B_gbuffer_pixel);
-	const u32 *lit = ts_frame_data(&run.frame, TS_B_resolve_lit);
+	const u32 *lit = ts_frame_data(&run.frame, TS_B_shadow_test_lit);
 	for (u32 i = 0; i < N_PIXELS; i++) {
 		ts_v3 p = ts_load3(pixels[i].position), way = ts_sub(p, light_at);
 		int truth = pixels[i].depth == TS_SKY ? -1 : truth_of(discs, p);
@@ -171,7 +171,7 @@ static void test_seams(void **state)
 		ts_scene *scene = room(face, false, &light, 1, &params);
 		surfels_run(&run, scene, &params, "deferred", 2);
 		const ts_gpixel *pixels = ts_frame_data(&run.frame, TS_B_gbuffer_pixel);
-		const u32 *lit = ts_frame_data(&run.frame, TS_B_resolve_lit);
+		const u32 *lit = ts_frame_data(&run.frame, TS_B_shadow_test_lit);
 		for (u32 i = 0; i < N_PIXELS; i++) assert_int_equal(lit[i], pixels[i].depth != TS_SKY);
 		ts_run_end(&run);
 		ts_scene_free(scene);
@@ -193,13 +193,13 @@ static void test_several(void **state)
 	lights[3].spot_offset = -3;
 	ts_scene *scene = room(5, true, lights, 4, &params);
 	surfels_run(&run, scene, &params, "deferred", 2);
-	const u32 *lit = ts_frame_data(&run.frame, TS_B_resolve_lit);
+	const u32 *lit = ts_frame_data(&run.frame, TS_B_shadow_test_lit);
 	assert_int_equal(ts_frame_n(&run.frame, TS_B_offscreen_view), 1 + 6 + 6 + 1);
-	assert_int_equal(ts_frame_n(&run.frame, TS_B_scatter_depth), 14 * TEXELS * TEXELS);
+	assert_int_equal(ts_frame_n(&run.frame, TS_B_depth_map_depth), 14 * TEXELS * TEXELS);
 	for (u32 k = 0; k < 4; k++) {
 		ts_scene *own = room(5, true, &lights[k], 1, &params);
 		surfels_run(&alone, own, &params, "deferred", 2);
-		const u32 *one = ts_frame_data(&alone.frame, TS_B_resolve_lit);
+		const u32 *one = ts_frame_data(&alone.frame, TS_B_shadow_test_lit);
 		u32 n_lit = 0;
 		for (u32 i = 0; i < N_PIXELS; i++) {
 			assert_int_equal(lit[4 * i + k], one[i]);

@@ -193,9 +193,10 @@ static void count(sums *r, const port *p)
 	static pixel_sums pixels[N_PIXELS];
 	const ts_frame *frame = &p->run->frame;
 	const u64 *keys = ts_frame_data(frame, TS_B_surfel_depth_surfel);
-	const u64 *heaviest = ts_frame_data(frame, TS_B_blend_heaviest);
-	const u64 *blended = ts_frame_data(frame, TS_B_blend_sum), *depths = ts_frame_data(frame, TS_B_surfel_depth_margin);
-	const u64 *blends = ts_frame_data(frame, TS_B_blend_margin);
+	const u64 *heaviest = ts_frame_data(frame, TS_B_surfel_blend_heaviest);
+	const u64 *blended = ts_frame_data(frame, TS_B_surfel_blend_sum),
+			  *depths = ts_frame_data(frame, TS_B_surfel_depth_margin);
+	const u64 *blends = ts_frame_data(frame, TS_B_surfel_blend_margin);
 	ts_filter filter = ts_surfel_filter(p->run);
 	for (u32 i = 0; i < N_PIXELS; i++) pixels[i] = (pixel_sums){.nearest = 1e30, .surfel = TS_NONE, .heavy = TS_NONE};
 	for (u32 i = 0; i < ts_frame_n(frame, TS_B_scene_surfel); i++) add(p, pixels, i, &filter);

@@ -28,7 +28,7 @@ static void test_threads(void **state)
 		assert_int_equal(ts_sums_of(&one, pipeline, scene, &params, &alone), TS_OK);
 		assert_int_equal(ts_sums_of(&seven, pipeline, scene, &params, &many), TS_OK);
 		for (u32 id = 0; id < TS_N_BUFFERS; id++) assert_string_equal(one.hex[id], seven.hex[id]);
-		assert_int_equal(strlen(one.hex[TS_B_blend_sum]), 64);
+		assert_int_equal(strlen(one.hex[TS_B_surfel_blend_sum]), 64);
 	}
 	ts_scene_free(scene);
 }
@@ -73,8 +73,9 @@ static void test_order(void **state)
 	assert_non_null(backwards.surfels);
 	for (u32 i = 0; i < scene->n_surfels; i++) backwards.surfels[i] = scene->surfels[scene->n_surfels - 1 - i];
 	surfels_run(&turned, &backwards, &params, "deferred", 1);
-	u64 n = ts_frame_n(&run.frame, TS_B_blend_sum);
-	assert_memory_equal(ts_frame_data(&run.frame, TS_B_blend_sum), ts_frame_data(&turned.frame, TS_B_blend_sum), n * 8);
+	u64 n = ts_frame_n(&run.frame, TS_B_surfel_blend_sum);
+	assert_memory_equal(ts_frame_data(&run.frame, TS_B_surfel_blend_sum),
+	                    ts_frame_data(&turned.frame, TS_B_surfel_blend_sum), n * 8);
 	n = ts_frame_n(&run.frame, TS_B_image_radiance);
 	const f32 *image = ts_frame_data(&run.frame, TS_B_image_radiance);
 	assert_memory_equal(image, ts_frame_data(&turned.frame, TS_B_image_radiance), n * sizeof *image);
@@ -153,7 +154,7 @@ static void test_sums(void **state)
 	surfels_run(&run, scene, &params, "deferred", 2);
 	const ts_view *view = ts_frame_data(&run.frame, TS_B_eye_view);
 	const f32 *epsilon = ts_frame_data(&run.frame, TS_B_surfel_setup_epsilon);
-	const i64 *sums = ts_frame_data(&run.frame, TS_B_blend_sum);
+	const i64 *sums = ts_frame_data(&run.frame, TS_B_surfel_blend_sum);
 	u32 n_decided = 0, n_fragments = 0;
 	double worst = 0;
 	for (u32 p = 0; p < params.width * params.height; p += 3) {

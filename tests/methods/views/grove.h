@@ -260,7 +260,7 @@ static inline void grove_begin(ts_run *run, const ts_scene *scene, const ts_para
 	ts_frame_borrow(&run->frame, TS_B_octree_node, g->scene.nodes, g->scene.before[g->scene.levels + 1]);
 	ts_frame_borrow(&run->frame, TS_B_view_octree_node, g->views.nodes, n);
 	ts_frame_borrow(&run->frame, TS_B_view_octree_level, g->views.before, g->views.levels + 2);
-	ts_frame_borrow(&run->frame, TS_B_view_cone_node, g->cones, n);
+	ts_frame_borrow(&run->frame, TS_B_view_octree_cone, g->cones, n);
 	grove_sizes(run);
 }
 
@@ -317,9 +317,9 @@ static inline grove_outcome grove_run(const grove *g, const ts_scene *scene, con
 	grove_stage(&run, "map");
 	grove_stage(&run, "fuse");
 	if (traced) r.pairs = grove_copy(&run, TS_B_traverse_rendered, &r.n_pairs);
-	r.maps = grove_copy(&run, TS_B_map_depth_node, &r.n_maps);
-	r.depths = grove_copy(&run, TS_B_fuse_depth, &r.n_depths);
-	r.shown = grove_copy(&run, TS_B_fuse_node, &r.n_depths);
+	r.maps = grove_copy(&run, TS_B_view_map_depth_node, &r.n_maps);
+	r.depths = grove_copy(&run, TS_B_view_map_fused_depth, &r.n_depths);
+	r.shown = grove_copy(&run, TS_B_view_map_fused_node, &r.n_depths);
 	r.pieces = ts_run_counter(&run, "pieces of queues");
 	r.longest = ts_run_counter(&run, "longest queue");
 	ts_run_end(&run);

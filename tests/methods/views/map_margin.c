@@ -143,11 +143,12 @@ static void check(sums *r, const faults *how, u32 n_px, u32 choice)
 	grove_begin(&run, scene, &params, 2, &g);
 	grove_stage(&run, "map");
 	grove_stage(&run, "map_margin");
-	u64 n = ts_frame_n(&run.frame, TS_B_map_depth_node);
+	u64 n = ts_frame_n(&run.frame, TS_B_view_map_depth_node);
 	port p = {.g = &g, .params = params, .faults = *how, .map = malloc(n * sizeof *p.map)};
 	assert_non_null(p.map);
 	for (p.number = 0; p.number < N_PORTS; p.number++) {
-		count(r, &p, ts_frame_data(&run.frame, TS_B_map_depth_node), ts_frame_data(&run.frame, TS_B_map_margin), n);
+		count(r, &p, ts_frame_data(&run.frame, TS_B_view_map_depth_node),
+		      ts_frame_data(&run.frame, TS_B_view_map_margin), n);
 	}
 	free(p.map);
 	ts_run_end(&run);

@@ -88,8 +88,8 @@ static u32 above(const ts_node *nodes, u32 node, u32 level)
 
 static bool lists(const ts_run *run, u64 list, u32 views)
 {
-	const u32 *offset = ts_frame_data(&run->frame, TS_B_vpl_pairs_offset);
-	const u32 *node = ts_frame_data(&run->frame, TS_B_vpl_pairs_node);
+	const u32 *offset = ts_frame_data(&run->frame, TS_B_vpl_gather_pair_offset);
+	const u32 *node = ts_frame_data(&run->frame, TS_B_vpl_gather_pair_node);
 	for (u32 k = offset[list]; k < offset[list + 1]; k++) {
 		if (node[k] == views) return true;
 	}
@@ -113,7 +113,7 @@ static void test_lists(void **state)
 	const u32 *level = ts_frame_data(&run.frame, TS_B_octree_level);
 	const u32 *leaf = ts_frame_data(&run.frame, TS_B_view_octree_leaf);
 	const ts_vpl *lights = ts_frame_data(&run.frame, TS_B_vpl_light);
-	u64 n_left_out = 0, n_lists = ts_frame_n(&run.frame, TS_B_vpl_pairs_offset) - 1;
+	u64 n_left_out = 0, n_lists = ts_frame_n(&run.frame, TS_B_vpl_gather_pair_offset) - 1;
 	assert_int_equal(n_lists, level[6] - level[5]);
 	for (u64 list = 0; list < n_lists; list++) {
 		const ts_node *node = &nodes[level[5] + list];
@@ -130,7 +130,7 @@ static void test_lists(void **state)
 	}
 	assert_true(n_left_out > 1000);
 	assert_true(ts_run_counter(&run, "gather pairs culled") > 0 && ts_run_counter(&run, "pixels in no node") == 0);
-	assert_int_equal(ts_run_counter(&run, "gather pairs"), ts_frame_n(&run.frame, TS_B_vpl_pairs_node));
+	assert_int_equal(ts_run_counter(&run, "gather pairs"), ts_frame_n(&run.frame, TS_B_vpl_gather_pair_node));
 	ts_run_end(&run);
 	ts_scene_free(scene);
 }
@@ -149,7 +149,7 @@ static void test_cutoff(void **state)
 	const ts_node *views = ts_frame_data(&run.frame, TS_B_view_octree_node);
 	const u32 *level = ts_frame_data(&run.frame, TS_B_octree_level);
 	const u32 *view_level = ts_frame_data(&run.frame, TS_B_view_octree_level);
-	for (u64 list = 0; list < ts_frame_n(&run.frame, TS_B_vpl_pairs_offset) - 1; list++) {
+	for (u64 list = 0; list < ts_frame_n(&run.frame, TS_B_vpl_gather_pair_offset) - 1; list++) {
 		for (u32 v = view_level[3]; v < view_level[4]; v++) {
 			const ts_node *a = &nodes[level[3] + list], *b = &views[v];
 			f32 gap = ts_length(ts_sub(ts_load3(a->centre), ts_load3(b->centre))) - (a->radius + b->radius);
@@ -425,7 +425,7 @@ static bool place_of(spot *r, const ts_node *leaf, const ts_vpl *light, u32 n)
 static void assert_brute(const ts_run *run, u32 view, u64 *n_leaves)
 {
 	u32 n = run->params.view_px;
-	const u64 *map = (const u64 *)ts_frame_data(&run->frame, TS_B_map_depth_node) + (u64)view * 2 * n * n;
+	const u64 *map = (const u64 *)ts_frame_data(&run->frame, TS_B_view_map_depth_node) + (u64)view * 2 * n * n;
 	const ts_node *nodes = ts_frame_data(&run->frame, TS_B_octree_node);
 	const ts_vpl *light = (const ts_vpl *)ts_frame_data(&run->frame, TS_B_vpl_light) + view;
 	const u32 *level = (const u32 *)ts_frame_data(&run->frame, TS_B_octree_level) + run->params.levels;
@@ -465,13 +465,13 @@ static void test_brute(void **state)
 	ts_run_begin(&alone, scene, &params, 2);
 	alone.traced = true;
 	assert_int_equal(ts_pipeline_run(ts_pipeline_find("indirect", "manylods"), &alone), TS_OK);
-	u64 n = ts_frame_n(&brute.frame, TS_B_map_depth_node), n_leaves = 0, n_same = 0, n_differ = 0, n_shown = 0;
+	u64 n = ts_frame_n(&brute.frame, TS_B_view_map_depth_node), n_leaves = 0, n_same = 0, n_differ = 0, n_shown = 0;
 	for (u32 v = 0; v < params.vpls; v++) assert_brute(&brute, v, &n_leaves);
-	const u64 *a = ts_frame_data(&brute.frame, TS_B_map_depth_node),
-			  *b = ts_frame_data(&alone.frame, TS_B_map_depth_node);
+	const u64 *a = ts_frame_data(&brute.frame, TS_B_view_map_depth_node),
+			  *b = ts_frame_data(&alone.frame, TS_B_view_map_depth_node);
 	const u64 *pairs = ts_frame_data(&alone.frame, TS_B_traverse_rendered);
 	const ts_node *nodes = ts_frame_data(&brute.frame, TS_B_octree_node);
-	assert_int_equal(n, ts_frame_n(&alone.frame, TS_B_map_depth_node));
+	assert_int_equal(n, ts_frame_n(&alone.frame, TS_B_view_map_depth_node));
 	for (u64 i = 0; i < n; i++) {
 		u64 pair = (u64)(u32)a[i] << 32 | i / (2 * params.view_px * params.view_px);
 		u64 n_pairs = ts_frame_n(&alone.frame, TS_B_traverse_rendered);
@@ -508,7 +508,7 @@ static void test_wide(void **state)
 	i64 rendered = ts_run_counter(&alone, "pairs rendered");
 	assert_int_equal(ts_run_counter(&alone, "pairs wider than a texel"), rendered);
 	assert_int_equal(ts_run_counter(&brute, "pairs rendered"), rendered);
-	static const ts_buffer_id same[] = {TS_B_map_depth_node, TS_B_fuse_depth, TS_B_vpl_gather_irradiance,
+	static const ts_buffer_id same[] = {TS_B_view_map_depth_node, TS_B_view_map_fused_depth, TS_B_vpl_gather_irradiance,
 	                                    TS_B_indirect_irradiance};
 	for (u32 i = 0; i < sizeof same / sizeof *same; i++) {
 		size_t bytes = ts_frame_n(&alone.frame, same[i]) * ts_buffer_table[same[i]].element_bytes;

@@ -48,7 +48,7 @@ static void sums_of(ts_sums *sums, const ts_scene *scene, const ts_params *param
 {
 	const ts_how how = {.threads = threads, .backend = backend};
 	if (ts_sums_of(sums, &pipeline, scene, params, &how) != TS_OK) fail_msg("%s", ts_error_message());
-	assert_int_equal(strlen(sums->hex[TS_B_view_cone_node]), 64);
+	assert_int_equal(strlen(sums->hex[TS_B_view_octree_cone]), 64);
 }
 
 static void assert_same(const ts_sums *a, const ts_sums *b)
@@ -112,7 +112,7 @@ static void test_lists(void **state)
 	const u32 *before = ts_frame_data(&run.frame, TS_B_voxel_before),
 			  *level = ts_frame_data(&run.frame, TS_B_octree_level);
 	const u64 *mask = ts_frame_data(&run.frame, TS_B_voxel_mask);
-	const ts_root *root = ts_frame_data(&run.frame, TS_B_root_cube);
+	const ts_root *root = ts_frame_data(&run.frame, TS_B_octree_root);
 	u64 n_leaves = ts_frame_n(&run.frame, TS_B_octree_offset) - 1;
 	assert_int_equal(n_leaves, level[7] - level[6]);
 	assert_int_equal(offset[n_leaves], ts_frame_n(&run.frame, TS_B_octree_triangle));
@@ -144,7 +144,7 @@ static void test_surfaces(void **state)
 	ts_scene *scene = small_scene(&params);
 	run_of(&run, scene, &params);
 	const ts_node *nodes = ts_frame_data(&run.frame, TS_B_octree_node);
-	const ts_node_surface *surfaces = ts_frame_data(&run.frame, TS_B_octree_surface_node);
+	const ts_node_surface *surfaces = ts_frame_data(&run.frame, TS_B_octree_surface);
 	u64 n = ts_frame_n(&run.frame, TS_B_octree_node);
 	u32 n_coloured = 0;
 	for (u64 i = 0; i < n; i++) {
@@ -187,7 +187,7 @@ static void test_lights(void **state)
 	run_of(&all, scene, &params);
 	const ts_vpl *lights = ts_frame_data(&all.frame, TS_B_vpl_light);
 	const ts_patch *patches = ts_frame_data(&all.frame, TS_B_rsm_patch);
-	const ts_root *root = ts_frame_data(&all.frame, TS_B_root_cube);
+	const ts_root *root = ts_frame_data(&all.frame, TS_B_octree_root);
 	u64 n = 0;
 	double sum = 0, half_leaf = (double)root->side / 128;
 	for (u64 i = 0; i < ts_frame_n(&all.frame, TS_B_rsm_patch); i++) {
@@ -218,7 +218,7 @@ static void test_lights(void **state)
 
 static ts_cast_args cast_of(const ts_run *run, u32 levels)
 {
-	const ts_root *root = ts_frame_data(&run->frame, TS_B_root_cube);
+	const ts_root *root = ts_frame_data(&run->frame, TS_B_octree_root);
 	return (ts_cast_args){
 		.scene = ts_run_arrays(run),
 		.nodes = ts_frame_data(&run->frame, TS_B_octree_node),
@@ -353,7 +353,7 @@ static void test_dark(void **state)
 	run_of(&run, scene, &params);
 	assert_int_equal(ts_frame_n(&run.frame, TS_B_vpl_light), 0);
 	assert_int_equal(ts_frame_n(&run.frame, TS_B_view_octree_node), 0);
-	assert_int_equal(ts_frame_n(&run.frame, TS_B_view_cone_node), 0);
+	assert_int_equal(ts_frame_n(&run.frame, TS_B_view_octree_cone), 0);
 	assert_true(ts_frame_n(&run.frame, TS_B_octree_node) > 0);
 	ts_run_end(&run);
 	ts_scene_free(scene);

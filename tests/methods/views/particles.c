@@ -174,7 +174,7 @@ static void test_light(void **state)
 	const ts_gpixel *pixels = ts_frame_data(&run.frame, TS_B_gbuffer_pixel);
 	const ts_vpl *lights = ts_frame_data(&run.frame, TS_B_vpl_light);
 	const f32 *found = ts_frame_data(&run.frame, TS_B_indirect_irradiance);
-	const ts_root *root = ts_frame_data(&run.frame, TS_B_root_cube);
+	const ts_root *root = ts_frame_data(&run.frame, TS_B_octree_root);
 	double near = (double)params.light_near * (double)root->side / 32;
 	u32 n = 0;
 	for (u64 i = 0; i < ts_frame_n(&run.frame, TS_B_gbuffer_pixel); i++) {
@@ -241,7 +241,7 @@ static void test_culls(void **state)
 		assert_true(ts_run_counter(&run, "pairs") > 0);
 		assert_int_equal(ts_run_counter(&run, "pairs culled"), 0);
 		assert_int_equal(ts_run_counter(&run, "gather pairs culled") > 0, far);
-		assert_int_equal(ts_frame_n(&run.frame, TS_B_vpl_pairs_offset) == 2, far == 0);
+		assert_int_equal(ts_frame_n(&run.frame, TS_B_vpl_gather_pair_offset) == 2, far == 0);
 		ts_run_end(&run);
 	}
 	ts_scene_free(scene);

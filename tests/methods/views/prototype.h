@@ -132,8 +132,8 @@ static inline void prototype_check(const ts_scene *scene, const prototype_row *e
 	grove_stage(&run, "fuse");
 	grove_begin_alone(&alone, scene, &params, &g, lights, SAMPLE);
 	grove_stage(&alone, "map");
-	const u32 *fused = ts_frame_data(&run.frame, TS_B_fuse_depth);
-	const u64 *maps = ts_frame_data(&alone.frame, TS_B_map_depth_node);
+	const u32 *fused = ts_frame_data(&run.frame, TS_B_view_map_fused_depth);
+	const u64 *maps = ts_frame_data(&alone.frame, TS_B_view_map_depth_node);
 	prototype_likeness sum = {0, 0, 0, 0};
 	for (u64 i = 0; i < SAMPLE; i++) {
 		u64 place = i * g.n_places / SAMPLE;

@@ -271,17 +271,17 @@ static void test_alone(void **state)
 	grove_stage(&run, "map");
 	u64 n, n_all;
 	i64 rendered = ts_run_counter(&run, "pairs rendered");
-	u64 *maps = grove_copy(&run, TS_B_map_depth_node, &n);
+	u64 *maps = grove_copy(&run, TS_B_view_map_depth_node, &n);
 	assert_int_equal(ts_run_counter(&run, "pairs wider than a texel"), rendered);
 	assert_int_equal(ts_run_counter(&run, "views served"), rendered);
 	grove_stage(&run, "map_all");
-	u64 *all = grove_copy(&run, TS_B_map_depth_node, &n_all);
+	u64 *all = grove_copy(&run, TS_B_view_map_depth_node, &n_all);
 	assert_int_equal(n, n_all);
 	assert_memory_equal(maps, all, n * sizeof *maps);
 	assert_int_equal(ts_run_counter(&run, "pairs rendered"), 2 * rendered);
 	grove_stage(&run, "fuse");
-	const u32 *depths = ts_frame_data(&run.frame, TS_B_fuse_depth);
-	const u32 *shown = ts_frame_data(&run.frame, TS_B_fuse_node);
+	const u32 *depths = ts_frame_data(&run.frame, TS_B_view_map_fused_depth);
+	const u32 *shown = ts_frame_data(&run.frame, TS_B_view_map_fused_node);
 	u64 n_wrong = 0;
 	for (u64 i = 0; i < n; i++) n_wrong += depths[i] != maps[i] >> 32 || shown[i] != (u32)maps[i];
 	assert_int_equal(n_wrong, 0);
@@ -326,7 +326,7 @@ static void test_stages(void **state)
 	for (u32 i = 13; i < 16; i++) small_assert_claims(&run, ts_stage_find(stages[i]));
 	grove g = {.scene.nodes = ts_frame_data(&run.frame, TS_B_octree_node),
 	           .views.nodes = ts_frame_data(&run.frame, TS_B_view_octree_node),
-	           .cones = ts_frame_data(&run.frame, TS_B_view_cone_node)};
+	           .cones = ts_frame_data(&run.frame, TS_B_view_octree_cone)};
 	recursion r = {.g = &g, .params = &params};
 	visit(&r, 0, 0);
 	assert_same_pairs(&run, &r);

@@ -40,7 +40,7 @@ def cubes(random, trace, n):
 	side[:2] = most
 	texels = 6 * side ** 2
 	return record(
-		trace, 'resize.face', n, centre=random.normal(0, 100, (n, 3)) * (np.arange(n) % 2)[:, None], radius=radius,
+		trace, 'cube_size.face', n, centre=random.normal(0, 100, (n, 3)) * (np.arange(n) % 2)[:, None], radius=radius,
 		near=radius / np.float32(1024), n=side, offset=np.cumsum(texels) - texels)
 
 
@@ -108,10 +108,10 @@ def splat_inputs(random, trace, n_cubes=48, n=480, each=4):
 		trace, 'points.record', n * each, centre=(corner[piece] * weight[..., None]).sum(1), length=width, piece=piece,
 		flags=random.randint(0, 4, n * each) == 0)
 	return sizes(trace, n_cubes, n) | {
-		'resize.face': faces, 'align.frame': frame, 'points.record': points, 'visibility.bits': words,
-		'split.triangle': record(
-			trace, 'split.triangle', n, a=corner[:, 0], b=corner[:, 1], c=corner[:, 2], triangle=np.arange(n), path=1),
-		'count.offset': np.arange(0, n * each + 1, each, np.uint32)}
+		'cube_size.face': faces, 'align.frame': frame, 'points.record': points, 'visibility.bits': words,
+		'split.piece': record(
+			trace, 'split.piece', n, a=corner[:, 0], b=corner[:, 1], c=corner[:, 2], triangle=np.arange(n), path=1),
+		'points.offset': np.arange(0, n * each + 1, each, np.uint32)}
 
 
 def nudged(x, ulps):
@@ -144,7 +144,7 @@ def visibility_inputs(random, trace, n_cubes=24, n=3000):
 	objects['first_vertex'] = np.arange(n_cubes + 1)
 	material = record(trace, 'scene.material', 4, slot=NONE, flags=[0, 1, 2, 3])
 	buffers = sizes(trace, n_cubes, n) | {
-		'resize.face': faces, 'pose.vertex': vertex, 'scene.vertex': vertex, 'scene.object': objects,
+		'cube_size.face': faces, 'pose.vertex': vertex, 'scene.vertex': vertex, 'scene.object': objects,
 		'scene.material': material}
 	buffers['scene.triangle']['vertex'] = np.arange(3 * n).reshape(-1, 3)
 	buffers['scene.triangle']['material'] = random.randint(0, 4, n)

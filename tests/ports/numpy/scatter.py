@@ -9,7 +9,7 @@ EMPTY = np.uint32(2 ** 32 - 1)
 
 def run(trace, broken=0):
 	views, points = trace['offscreen.view'], trace['points.record']
-	bits = trace['visibility.bits'][trace['split.triangle']['triangle'][points['piece']]]
+	bits = trace['visibility.bits'][trace['split.piece']['triangle'][points['piece']]]
 	texels = np.full(int((views['width'].astype(np.int64) * views['height']).sum()), EMPTY)
 	for v, view in enumerate(views):
 		seen = bits[:, v // 64] >> np.uint64(v % 64) & np.uint64(1) > 0
@@ -18,7 +18,7 @@ def run(trace, broken=0):
 		inside = (z >= view['near']) & (column >= 0) & (row >= 0) & (column < view['width']) & (row < view['height'])
 		texel = int(view['offset']) + row * int(view['width']) + column
 		np.minimum.at(texels, texel[inside], flush(z)[inside].view(np.uint32))
-	return {'scatter.depth': texels}
+	return {'depth_map.depth': texels}
 
 
 def see(points, view):

@@ -9,7 +9,7 @@ TINY = 1
 
 
 def run(trace, broken=0):
-	faces, points, pieces = trace['resize.face'], trace['points.record'], trace['split.triangle']
+	faces, points, pieces = trace['cube_size.face'], trace['points.record'], trace['split.piece']
 	clipped = trace.params['clip'] == 'on' and broken != 4
 	bounded = clipped | (points['flags'] & TINY > 0)
 	square = squares(points, trace['align.frame'][points['piece']])

@@ -14,7 +14,7 @@ def run(trace, broken=0):
 	normal = cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
 	real = flush(dot(normal, normal)) > 0
 	both = (trace['scene.material']['flags'][triangle['material']] & DOUBLE_SIDED > 0) | (broken == 2)
-	faces = trace['resize.face']
+	faces = trace['cube_size.face']
 	bits = np.zeros((len(triangle), (6 * len(faces) + 63) // 64), np.uint64)
 	for view in views(faces):
 		facing = both | (flush(dot(normal, view.centre - corners[:, 0])) > 0)

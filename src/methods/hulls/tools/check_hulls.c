@@ -25,7 +25,7 @@ static ts_status check_segments(const ts_load *load, const ts_stage *stage, ts_b
 }
 
 const ts_check_rule ts_hulls_checks[] = {
-	{TS_B_nearest_depth, TS_CHECK_PARAMS, check_grid},
-	{TS_B_box_record, TS_CHECK_VALUES, check_segments},
+	{TS_B_depth_grid_depth, TS_CHECK_PARAMS, check_grid},
+	{TS_B_segment_box, TS_CHECK_VALUES, check_segments},
 	{.check = NULL},
 };

@@ -37,7 +37,7 @@ static ts_status take_segments(ts_stage_pictures *pictures, const ts_run *run, t
 	ts_stage_picture *p = ts_stage_pictures_add(pictures, "segments", side, side, false);
 	if (p == NULL) return TS_ERROR;
 	const u32 *labels = ts_frame_data(&run->frame, id);
-	const f32 *depths = ts_frame_data(&run->frame, TS_B_nearest_depth);
+	const f32 *depths = ts_frame_data(&run->frame, TS_B_depth_grid_depth);
 	for (u32 y = 0; y < grid; y++) {
 		for (u32 x = 0; x < grid; x++) {
 			u64 i = (u64)y * grid + x;
@@ -152,9 +152,9 @@ static ts_status take_lobes(ts_stage_pictures *pictures, const ts_run *run, ts_b
 	c.picture->zoom = zoom;
 	c.view = ts_k_view(ts_frame_data(frame, TS_B_eye_view));
 	c.radius = (f32)((width < height ? width : height) * zoom * TS_BLOCK) / (f32)(grid * 2 * DISCS_A_BLOCK);
-	const ts_segment *boxes = ts_frame_data(frame, TS_B_box_record);
+	const ts_segment *boxes = ts_frame_data(frame, TS_B_segment_box);
 	const ts_lobes *lobes = ts_frame_data(frame, id);
-	for (u64 b = 0; b < ts_frame_n(frame, TS_B_box_record); b++) draw_box(&c, &boxes[b], &lobes[4 * b], grid);
+	for (u64 b = 0; b < ts_frame_n(frame, TS_B_segment_box); b++) draw_box(&c, &boxes[b], &lobes[4 * b], grid);
 	snprintf(c.picture->caption, sizeof c.picture->caption,
 	         "light by direction at corners of larger boxes: middle from the viewer, rim from ahead");
 	return TS_OK;
@@ -162,7 +162,7 @@ static ts_status take_lobes(ts_stage_pictures *pictures, const ts_run *run, ts_b
 
 const ts_stage_picture_rule ts_hulls_pictures[] = {
 	{TS_B_segment_label, take_segments},
-	{TS_B_box_record, take_boxes},
-	{TS_B_fit_lobes, take_lobes},
+	{TS_B_segment_box, take_boxes},
+	{TS_B_corner_lobes, take_lobes},
 	{.take = NULL},
 };

@@ -31,7 +31,7 @@ typedef struct {
 static ts_status check_boxes(const ts_probe *p, const choice *c, u64 n_offsets)
 {
 	u32 grid = TS_PARAM(&p->trace->params, grid_px);
-	const char *path = p->trace->item[TS_B_box_offset].path;
+	const char *path = p->trace->item[TS_B_segment_box_offset].path;
 	if (ts_grid_check(&p->trace->params) != TS_OK) return TS_ERROR;
 	if (n_offsets != (u64)grid * grid + 1) return ts_fail("%s: one a texel of the grid and one would be right", path);
 	for (u64 i = 0; i < n_offsets; i++) {
@@ -44,7 +44,7 @@ static ts_status check_boxes(const ts_probe *p, const choice *c, u64 n_offsets)
 		bool fits = s->low[0] <= s->high[0] && s->low[1] <= s->high[1] && s->high[0] < grid && s->high[1] < grid;
 		if (fits) continue;
 		return ts_fail("%s: element %" PRIu64 ": columns %u to %u, rows %u to %u of %u",
-		               p->trace->item[TS_B_box_record].path, b, (unsigned)s->low[0], (unsigned)s->high[0],
+		               p->trace->item[TS_B_segment_box].path, b, (unsigned)s->low[0], (unsigned)s->high[0],
 		               (unsigned)s->low[1], (unsigned)s->high[1], (unsigned)grid);
 	}
 	return TS_OK;
@@ -53,16 +53,16 @@ static ts_status check_boxes(const ts_probe *p, const choice *c, u64 n_offsets)
 static ts_status read_choice(ts_probe *p, choice *c)
 {
 	const ts_params *params = &p->trace->params;
-	c->offset = ts_probe_whole(p, TS_B_box_offset);
-	c->boxes = c->offset != NULL ? ts_probe_whole(p, TS_B_box_record) : NULL;
-	c->n_boxes = ts_probe_n(p, TS_B_box_record);
+	c->offset = ts_probe_whole(p, TS_B_segment_box_offset);
+	c->boxes = c->offset != NULL ? ts_probe_whole(p, TS_B_segment_box) : NULL;
+	c->n_boxes = ts_probe_n(p, TS_B_segment_box);
 	if (c->boxes == NULL) return TS_ERROR;
 	c->args = (ts_choice_args){.offset = c->offset,
 	                           .boxes = c->boxes,
 	                           .grid = TS_PARAM(params, grid_px),
 	                           .robust = TS_PARAM(params, surface) == TS_SURFACE_ROBUST,
 	                           .step = TS_PARAM(params, segment_step)};
-	return check_boxes(p, c, ts_probe_n(p, TS_B_box_offset));
+	return check_boxes(p, c, ts_probe_n(p, TS_B_segment_box_offset));
 }
 
 static ts_choice offer_of(const choice *c, u32 box)
@@ -138,9 +138,9 @@ static ts_status read_hull(ts_probe *p, hull *h, u32 box)
 	const ts_params *params = &p->trace->params;
 	h->patches = ts_probe_whole(p, TS_B_rsm_patch);
 	h->n_patches = ts_probe_n(p, TS_B_rsm_patch);
-	if (h->patches == NULL || ts_probe_fetch(p, TS_B_box_record, box, 1, &h->box) != TS_OK) return TS_ERROR;
-	if (ts_probe_fetch(p, TS_B_gather_moment, (u64)box * N_CORNERS, N_CORNERS, h->moments) != TS_OK) return TS_ERROR;
-	if (ts_probe_fetch(p, TS_B_fit_lobes, (u64)box * N_CORNERS, N_CORNERS, h->lobes) != TS_OK) return TS_ERROR;
+	if (h->patches == NULL || ts_probe_fetch(p, TS_B_segment_box, box, 1, &h->box) != TS_OK) return TS_ERROR;
+	if (ts_probe_fetch(p, TS_B_corner_moment, (u64)box * N_CORNERS, N_CORNERS, h->moments) != TS_OK) return TS_ERROR;
+	if (ts_probe_fetch(p, TS_B_corner_lobes, (u64)box * N_CORNERS, N_CORNERS, h->lobes) != TS_OK) return TS_ERROR;
 	h->args = (ts_hull_args){.choice = {.boxes = &h->box, .grid = TS_PARAM(params, grid_px)},
 	                         .moments = h->moments,
 	                         .lobes = h->lobes,
@@ -172,7 +172,7 @@ static ts_status put_gathered(ts_probe *p, json_t *o, const hull *h, u32 k)
 		ts_probe_put(p, o, "place",
 		             json_string(seen ? "as the G-buffer has it" : "corrected to the middle of the box"));
 		ts_k_gather_all(&made, h->patches, h->n_patches, ts_k_box_corner(&view, &h->box, &pixel, at));
-		ts_probe_put_record_check(p, gathered, TS_B_gather_moment, &made, held);
+		ts_probe_put_record_check(p, gathered, TS_B_corner_moment, &made, held);
 	}
 	ts_probe_put(p, o, "gathered", gathered);
 	return status;
@@ -189,7 +189,7 @@ static void put_fitted(ts_probe *p, json_t *o, const hull *h, u32 k)
 	ts_probe_put(p, fitted, "mu", ts_probe_v3_bits(ts_load3(held->mu)));
 	ts_probe_put(p, fitted, "lambda", ts_probe_v3_bits(ts_load3(held->lambda)));
 	for (u32 c = 0; c < 3; c++) ts_probe_put(p, fitted, phis[c], ts_probe_v3(ts_load3(held->phi + c * 3)));
-	ts_probe_put_record_check(p, fitted, TS_B_fit_lobes, &made, held);
+	ts_probe_put_record_check(p, fitted, TS_B_corner_lobes, &made, held);
 	ts_probe_put(p, o, "fitted", fitted);
 }
 
@@ -231,8 +231,8 @@ static ts_status put_hull(ts_probe *p, json_t *object, hull *h, u32 x, u32 y, co
 static ts_status put_irradiance(ts_probe *p, const ts_probe_seen *at, const ts_gpixel *pixel, json_t *object,
                                 f32 irradiance[3])
 {
-	static const ts_buffer_id needed[] = {TS_B_box_offset, TS_B_box_record, TS_B_gather_moment, TS_B_fit_lobes,
-	                                      TS_N_BUFFERS};
+	static const ts_buffer_id needed[] = {TS_B_segment_box_offset, TS_B_segment_box, TS_B_corner_moment,
+	                                      TS_B_corner_lobes, TS_N_BUFFERS};
 	u32 box = TS_NONE, grid = TS_PARAM(&p->trace->params, grid_px);
 	json_t *o = json_object();
 	hull h = {.patches = NULL};

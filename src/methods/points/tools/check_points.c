@@ -1,5 +1,5 @@
 /* align.frame: q within 24.8 of the lattice, so that edges fit 64 bits, s not negative; for count, points and what
- * makes points without storing them, fewer than 2^34 lattice squares in the boxes of all pieces. count.offset, where
+ * makes points without storing them, fewer than 2^34 lattice squares in the boxes of all pieces. points.offset, where
  * stage points writes: the sums that stage count makes of the same align.frame. */
 #include <inttypes.h>
 #include "../../../kernels/points/points.h"
@@ -20,8 +20,8 @@ static ts_status check_frames(const ts_load *load, const ts_stage *stage, ts_buf
 {
 	u64 n, all = 0;
 	const ts_align *frames = ts_check_elements(load, id, &n);
-	bool scatters = ts_stage_writes(stage, TS_B_scatter_depth) || ts_stage_writes(stage, TS_B_scatter_colour);
-	bool walked = scatters || ts_stage_writes(stage, TS_B_count_offset) || ts_stage_reads(stage, TS_B_count_offset);
+	bool scatters = ts_stage_writes(stage, TS_B_depth_map_depth) || ts_stage_writes(stage, TS_B_scatter_colour);
+	bool walked = scatters || ts_stage_writes(stage, TS_B_points_offset) || ts_stage_reads(stage, TS_B_points_offset);
 	for (u64 i = 0; i < n; i++) {
 		if (frames[i].s < 0.0f) return ts_check_refuse(load, id, i, "s", 0, "0 or more");
 		for (u32 k = 0; k < 6; k++) {
@@ -42,11 +42,11 @@ static ts_status check_counts(const ts_load *load, const ts_stage *stage, ts_buf
 {
 	(void)id;
 	if (!ts_stage_writes(stage, TS_B_points_record)) return TS_OK;
-	return ts_check_again(load, ts_pipeline_maker(load->pipeline, TS_B_count_offset)->stage, "align.frame");
+	return ts_check_again(load, ts_pipeline_maker(load->pipeline, TS_B_points_offset)->stage, "align.frame");
 }
 
 const ts_check_rule ts_points_checks[] = {
 	{TS_B_align_frame, TS_CHECK_VALUES, check_frames},
-	{TS_B_count_offset, TS_CHECK_VALUES, check_counts},
+	{TS_B_points_offset, TS_CHECK_VALUES, check_counts},
 	{.check = NULL},
 };

@@ -11,9 +11,9 @@
 /* Points of each triangle: the pieces' counts added up. By free(). */
 static u32 *points_per_triangle(const ts_run *run)
 {
-	const ts_piece *pieces = ts_frame_data(&run->frame, TS_B_split_triangle);
-	const u32 *offset = ts_frame_data(&run->frame, TS_B_count_offset);
-	u64 n = ts_frame_n(&run->frame, TS_B_split_triangle);
+	const ts_piece *pieces = ts_frame_data(&run->frame, TS_B_split_piece);
+	const u32 *offset = ts_frame_data(&run->frame, TS_B_points_offset);
+	u64 n = ts_frame_n(&run->frame, TS_B_split_piece);
 	u32 *points = ts_alloc_zero(run->scene->n_triangles, sizeof *points, "a stage picture");
 	for (u64 q = 0; q < n && points != NULL; q++) points[pieces[q].triangle] += offset[q + 1] - offset[q];
 	return points;
@@ -23,7 +23,7 @@ static ts_status take_points(ts_stage_pictures *pictures, const ts_run *run, ts_
 {
 	(void)id;
 	const ts_buffer *buffers = run->frame.buffer;
-	if (!buffers[TS_B_eye_depth_triangle].made || !buffers[TS_B_split_triangle].made) return TS_OK;
+	if (!buffers[TS_B_eye_depth_triangle].made || !buffers[TS_B_split_piece].made) return TS_OK;
 	ts_stage_picture *p =
 		ts_stage_pictures_add(pictures, "points", TS_PARAM(&run->params, width), TS_PARAM(&run->params, height), false);
 	u32 *points = p != NULL ? points_per_triangle(run) : NULL;
@@ -53,12 +53,12 @@ static double splat_texels(const ts_run *run, const ts_face *face, u32 point)
 static ts_status take_splats(ts_stage_pictures *pictures, const ts_run *run, ts_buffer_id id)
 {
 	const ts_frame *frame = &run->frame;
-	u64 n = ts_frame_n(frame, TS_B_pixel_record);
+	u64 n = ts_frame_n(frame, TS_B_mirror_pixel_record);
 	ts_stage_picture *p =
 		ts_stage_pictures_add(pictures, "splats", TS_PARAM(&run->params, width), TS_PARAM(&run->params, height), true);
 	if (p == NULL) return TS_ERROR;
-	const ts_pixel *pixels = ts_frame_data(frame, TS_B_pixel_record);
-	const ts_face *faces = ts_frame_data(frame, TS_B_resize_face);
+	const ts_pixel *pixels = ts_frame_data(frame, TS_B_mirror_pixel_record);
+	const ts_face *faces = ts_frame_data(frame, TS_B_cube_size_face);
 	const u32 *lookup = ts_frame_data(frame, id);
 	u64 samples = n > 0 ? ts_frame_n(frame, id) / n : 0;
 	for (u64 i = 0; i < n; i++) {
@@ -76,9 +76,9 @@ static ts_status take_faces(ts_stage_pictures *pictures, const ts_run *run, ts_b
 	ts_stage_picture *p =
 		ts_stage_pictures_add(pictures, "faces", TS_PARAM(&run->params, width), TS_PARAM(&run->params, height), true);
 	if (p == NULL) return TS_ERROR;
-	const ts_pixel *pixels = ts_frame_data(&run->frame, TS_B_pixel_record);
-	const ts_face *faces = ts_frame_data(&run->frame, TS_B_resize_face);
-	for (u64 i = 0; i < ts_frame_n(&run->frame, TS_B_pixel_record); i++) {
+	const ts_pixel *pixels = ts_frame_data(&run->frame, TS_B_mirror_pixel_record);
+	const ts_face *faces = ts_frame_data(&run->frame, TS_B_cube_size_face);
+	for (u64 i = 0; i < ts_frame_n(&run->frame, TS_B_mirror_pixel_record); i++) {
 		p->mask[pixels[i].index] = 1;
 		double share = (double)faces[pixels[i].reflector].n / TS_PARAM(&run->params, face_max);
 		ts_falsecolour_ramp(p->rgb + 3 * (size_t)pixels[i].index, share);
@@ -102,12 +102,12 @@ static ts_status take_radiance(ts_stage_pictures *pictures, const ts_run *run, t
 {
 	u32 cube;
 	if (!ts_picture_largest_cube(run, &cube)) return TS_OK;
-	const ts_face *faces = ts_frame_data(&run->frame, TS_B_resize_face);
+	const ts_face *faces = ts_frame_data(&run->frame, TS_B_cube_size_face);
 	const f32 *texels = (const f32 *)ts_frame_data(&run->frame, id) + 4 * ts_k_mip_first(faces, run->first_unit, cube);
 	return ts_picture_cube(pictures, run, cube, "cube", "radiance", texels, colour_radiance);
 }
 
 const ts_stage_picture_rule ts_points_pictures[] = {
-	{TS_B_count_offset, take_points}, {TS_B_splat_depth_index, take_indices}, {TS_B_lookup_point, take_splats},
-	{TS_B_lookup_point, take_faces},  {TS_B_face_mip, take_radiance},         {.take = NULL},
+	{TS_B_points_offset, take_points}, {TS_B_splat_depth_index, take_indices}, {TS_B_lookup_point, take_splats},
+	{TS_B_lookup_point, take_faces},   {TS_B_cube_face_mip, take_radiance},    {.take = NULL},
 };

@@ -2,8 +2,8 @@
 #include <inttypes.h>
 #include "probe.h"
 
-const ts_face *ts_probe_cubes(const ts_probe *p) { return p->whole[TS_B_resize_face]; }
-u32 ts_probe_n_cubes(const ts_probe *p) { return (u32)ts_probe_n(p, TS_B_resize_face); }
+const ts_face *ts_probe_cubes(const ts_probe *p) { return p->whole[TS_B_cube_size_face]; }
+u32 ts_probe_n_cubes(const ts_probe *p) { return (u32)ts_probe_n(p, TS_B_cube_size_face); }
 u32 ts_probe_n_words(const ts_probe *p) { return (ts_probe_n_cubes(p) * 6 + 63) / 64; }
 
 ts_status ts_probe_fetch_bits(ts_probe *p, u32 triangle, u64 *bits)
@@ -20,7 +20,7 @@ static ts_status check_cubes(const ts_probe *p, u64 *n_texels)
 	for (u32 r = 0; r < ts_probe_n_cubes(p); r++) {
 		if (cubes[r].n > TS_PROBE_SIDE || cubes[r].offset != *n_texels) {
 			return ts_fail("%s: element %u: size %u at texel %" PRIu64 "; it would begin at %" PRIu64,
-			               p->trace->item[TS_B_resize_face].path, (unsigned)r, (unsigned)cubes[r].n, cubes[r].offset,
+			               p->trace->item[TS_B_cube_size_face].path, (unsigned)r, (unsigned)cubes[r].n, cubes[r].offset,
 			               *n_texels);
 		}
 		*n_texels += (u64)6 * cubes[r].n * cubes[r].n;
@@ -31,7 +31,7 @@ static ts_status check_cubes(const ts_probe *p, u64 *n_texels)
 ts_status ts_probe_read_cubes(ts_probe *p)
 {
 	u64 n_texels;
-	if (ts_probe_scene(p) != TS_OK || ts_probe_whole(p, TS_B_resize_face) == NULL) return TS_ERROR;
-	if (ts_probe_n(p, TS_B_resize_face) > 65536) return ts_fail("%s: too large", p->trace->dir);
+	if (ts_probe_scene(p) != TS_OK || ts_probe_whole(p, TS_B_cube_size_face) == NULL) return TS_ERROR;
+	if (ts_probe_n(p, TS_B_cube_size_face) > 65536) return ts_fail("%s: too large", p->trace->dir);
 	return check_cubes(p, &n_texels) == TS_OK ? ts_probe_shapes(p, n_texels) : TS_ERROR;
 }

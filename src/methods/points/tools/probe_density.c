@@ -154,14 +154,14 @@ ts_status ts_probe_density(ts_probe *p, u32 triangle, const u64 *bits, json_t *o
 	                        .offaxis = TS_PARAM(params, offaxis),
 	                        .split = TS_PARAM(params, split)};
 	f32 held, scale;
-	if (ts_probe_fetch(p, TS_B_split_scale, triangle, 1, &held) != TS_OK) return TS_ERROR;
+	if (ts_probe_fetch(p, TS_B_split_triangle_density, triangle, 1, &held) != TS_OK) return TS_ERROR;
 	u64 *words = ts_alloc_zero(ts_probe_n_words(p) + (size_t)1, sizeof *words, "visibility.bits");
 	if (words == NULL) return TS_ERROR;
 	ts_corners t = ts_k_corners(&p->scene, triangle);
 	put_setter(p, o, &args, &t, bits, words);
 	scale = density(&args, &t, bits, TS_NONE, words);
 	ts_probe_put(p, o, "scale", ts_probe_bits(scale));
-	ts_probe_put_check(p, o, TS_B_split_scale, &scale, &held, 1);
+	ts_probe_put_check(p, o, TS_B_split_triangle_density, &scale, &held, 1);
 	free(words);
 	return TS_OK;
 }

@@ -13,9 +13,9 @@ static ts_status put_texel(ts_probe *p, json_t *o, u32 r, const ts_mip_cube *cub
 	ts_probe_put(p, o, "direction", ts_probe_v3(direction));
 	ts_probe_put(p, o, "face", ts_probe_face_name(r, place.face));
 	ts_probe_put(p, o, "texel", ts_probe_pair((u32)(inside % n), (u32)(inside / n % n)));
-	if (ts_probe_has(p, TS_B_face_depth_triangle)) {
+	if (ts_probe_has(p, TS_B_cube_face_depth_triangle)) {
 		u64 at = ts_probe_cubes(p)[r].offset + inside;
-		if (ts_probe_fetch(p, TS_B_face_depth_triangle, at, 1, &key) != TS_OK) return TS_ERROR;
+		if (ts_probe_fetch(p, TS_B_cube_face_depth_triangle, at, 1, &key) != TS_OK) return TS_ERROR;
 		if (key == TS_EMPTY) {
 			ts_probe_put(p, o, "triangle", json_string("none: background"));
 		} else {
@@ -82,16 +82,17 @@ static ts_status put_cube(ts_probe *p, json_t *o, const ts_pixel *pixel, const f
 
 ts_status ts_probe_mip(ts_probe *p, u64 entry, json_t *o, ts_v3 *total)
 {
-	static const ts_buffer_id needed[] = {TS_B_face_mip, TS_N_BUFFERS};
+	static const ts_buffer_id needed[] = {TS_B_cube_face_mip, TS_N_BUFFERS};
 	ts_pixel pixel;
 	f32 radiance[3], held[3];
-	if (ts_probe_require(p, needed) != TS_OK || ts_probe_fetch(p, TS_B_pixel_record, entry, 1, &pixel) != TS_OK)
+	if (ts_probe_require(p, needed) != TS_OK || ts_probe_fetch(p, TS_B_mirror_pixel_record, entry, 1, &pixel) != TS_OK)
 		return TS_ERROR;
 	const ts_face *cubes = ts_probe_cubes(p);
 	u32 n = cubes[pixel.reflector].n;
 	u64 n_texels = ts_k_mip_texels(n, TS_NONE), first = ts_k_mip_first(cubes, 0, pixel.reflector);
 	f32 *texels = ts_alloc((size_t)n_texels, 4 * sizeof *texels, "a mip chain");
-	ts_status status = texels != NULL ? ts_probe_fetch(p, TS_B_face_mip, first * 4, n_texels * 4, texels) : TS_ERROR;
+	ts_status status =
+		texels != NULL ? ts_probe_fetch(p, TS_B_cube_face_mip, first * 4, n_texels * 4, texels) : TS_ERROR;
 	ts_probe_put(p, o, "reflector", ts_probe_int(pixel.reflector));
 	ts_probe_put(p, o, "cube_size", ts_probe_int(n));
 	if (status == TS_OK) status = put_cube(p, o, &pixel, texels, radiance);

@@ -67,12 +67,12 @@ static ts_status hold_entry(ts_probe *p, world *w)
 	} else {
 		if (ts_probe_fetch(p, queue, w->entry, 1, &w->queue) != TS_OK) return TS_ERROR;
 		w->reflector = w->queue.reflector;
-		if (ts_probe_fetch(p, TS_B_resize_face, w->queue.from, 1, &w->cube[1]) != TS_OK) return TS_ERROR;
+		if (ts_probe_fetch(p, TS_B_cube_size_face, w->queue.from, 1, &w->cube[1]) != TS_OK) return TS_ERROR;
 		if (hold(p, w, w->queue.point, &w->queue.point) != TS_OK) return TS_ERROR;
 		w->queue.reflector = 0;
 		w->queue.from = 1;
 	}
-	return ts_probe_fetch(p, TS_B_resize_face, w->reflector, 1, &w->cube[0]);
+	return ts_probe_fetch(p, TS_B_cube_size_face, w->reflector, 1, &w->cube[0]);
 }
 
 static ts_status hold_found(ts_probe *p, world *w)
@@ -216,9 +216,11 @@ static ts_status put_entry(ts_probe *p, u32 bounce, u64 entry, json_t *o, ts_v3 
 ts_status ts_probe_mirror(ts_probe *p, u64 entry, json_t *o, ts_v3 *total)
 {
 	static const ts_buffer_id needed[TS_MAX_BOUNCES][9] = {
-		{TS_B_lookup_point, TS_B_points_record, TS_B_points_key, TS_B_split_triangle, TS_B_align_frame, TS_N_BUFFERS},
-		{TS_B_lookup2_offset, TS_B_lookup2_parent, TS_B_lookup2_point, TS_B_shade2_radiance, TS_N_BUFFERS},
-		{TS_B_lookup3_offset, TS_B_lookup3_parent, TS_B_lookup3_point, TS_B_shade3_radiance, TS_N_BUFFERS},
+		{TS_B_lookup_point, TS_B_points_record, TS_B_points_key, TS_B_split_piece, TS_B_align_frame, TS_N_BUFFERS},
+		{TS_B_lookup_second_offset, TS_B_lookup_second_parent, TS_B_lookup_second_point, TS_B_shade_second_radiance,
+	     TS_N_BUFFERS},
+		{TS_B_lookup_third_offset, TS_B_lookup_third_parent, TS_B_lookup_third_point, TS_B_shade_third_radiance,
+	     TS_N_BUFFERS},
 	};
 	for (u32 b = 0; b < TS_MAX_BOUNCES && b < TS_PARAM(&p->trace->params, bounces); b++) {
 		if (ts_probe_require(p, needed[b]) != TS_OK) return TS_ERROR;

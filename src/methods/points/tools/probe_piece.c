@@ -11,8 +11,8 @@ ts_status ts_probe_piece(ts_probe *p, u64 index, json_t *o, bool *kept)
 	ts_align frame;
 	f32 scale;
 	u32 keep, again;
-	if (ts_probe_fetch(p, TS_B_split_triangle, index, 1, &piece) != TS_OK ||
-	    ts_probe_fetch(p, TS_B_density_scale, index, 1, &scale) != TS_OK ||
+	if (ts_probe_fetch(p, TS_B_split_piece, index, 1, &piece) != TS_OK ||
+	    ts_probe_fetch(p, TS_B_split_density, index, 1, &scale) != TS_OK ||
 	    ts_probe_fetch(p, TS_B_cull_keep, index, 1, &keep) != TS_OK ||
 	    ts_probe_fetch(p, TS_B_align_frame, index, 1, &frame) != TS_OK)
 		return TS_ERROR;

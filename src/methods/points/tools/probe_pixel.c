@@ -15,14 +15,15 @@ static void put_record(ts_probe *p, json_t *o, u32 entry, const ts_pixel *pixel)
 	ts_probe_put(p, o, "record", record);
 }
 
-/* Pixel `index`, which is reflective and has that entry of pixel.record. */
+/* Pixel `index`, which is reflective and has that entry of mirror_pixel.record. */
 static ts_status put_mirror(ts_probe *p, json_t *o, u32 entry, u32 index, ts_probe_reflection *put, ts_v3 *total)
 {
 	ts_pixel pixel;
-	if (ts_probe_fetch(p, TS_B_pixel_record, entry, 1, &pixel) != TS_OK) return TS_ERROR;
+	if (ts_probe_fetch(p, TS_B_mirror_pixel_record, entry, 1, &pixel) != TS_OK) return TS_ERROR;
 	if (pixel.index != index) {
-		return ts_fail("%s: element %u is of pixel %u; pixel.offset names it for pixel %u",
-		               p->trace->item[TS_B_pixel_record].path, (unsigned)entry, (unsigned)pixel.index, (unsigned)index);
+		return ts_fail("%s: element %u is of pixel %u; mirror_pixel.offset names it for pixel %u",
+		               p->trace->item[TS_B_mirror_pixel_record].path, (unsigned)entry, (unsigned)pixel.index,
+		               (unsigned)index);
 	}
 	json_t *mirror = json_object();
 	put_record(p, o, entry, &pixel);
@@ -34,7 +35,7 @@ static ts_status put_mirror(ts_probe *p, json_t *o, u32 entry, u32 index, ts_pro
 static ts_status put_light(ts_probe *p, const ts_probe_seen *at, ts_probe_reflection *put, json_t *o, ts_v3 *radiance)
 {
 	u32 offset[2], index = at->y * p->view.width + at->x;
-	if (ts_probe_fetch(p, TS_B_pixel_offset, index, 2, offset) != TS_OK) return TS_ERROR;
+	if (ts_probe_fetch(p, TS_B_mirror_pixel_offset, index, 2, offset) != TS_OK) return TS_ERROR;
 	if (offset[1] != offset[0]) return put_mirror(p, o, offset[0], index, put, radiance);
 	ts_probe_put_shading(p, at, NULL, NULL, o, radiance);
 	return TS_OK;
@@ -52,7 +53,8 @@ static ts_status put_mvr(ts_probe *p, const ts_probe_seen *at, json_t *o, ts_v3 
 
 static ts_status answer(ts_probe *p, const ts_probe_question *q, ts_probe_light *put, json_t *o)
 {
-	static const ts_buffer_id needed[] = {TS_B_eye_depth_triangle, TS_B_pixel_offset, TS_B_pixel_record, TS_N_BUFFERS};
+	static const ts_buffer_id needed[] = {TS_B_eye_depth_triangle, TS_B_mirror_pixel_offset, TS_B_mirror_pixel_record,
+	                                      TS_N_BUFFERS};
 	return ts_probe_read_cubes(p) == TS_OK ? ts_probe_eye_pixel(p, q, needed, put, o) : TS_ERROR;
 }
 

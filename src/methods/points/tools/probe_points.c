@@ -12,7 +12,7 @@ json_t *ts_probe_key(u64 key)
 ts_status ts_probe_fetch_point(ts_probe *p, u64 point, ts_point *record, ts_piece *piece)
 {
 	if (ts_probe_fetch(p, TS_B_points_record, point, 1, record) != TS_OK) return TS_ERROR;
-	return ts_probe_fetch(p, TS_B_split_triangle, record->piece, 1, piece);
+	return ts_probe_fetch(p, TS_B_split_piece, record->piece, 1, piece);
 }
 
 static ts_status add_point(ts_probe_set *s, u32 index)
@@ -57,7 +57,7 @@ ts_status ts_probe_set_make(ts_probe *p, ts_probe_set *s, u64 first_piece, u64 n
 	s->frame = s->piece != NULL ? ts_alloc((size_t)n_pieces, sizeof *s->frame, "pieces") : NULL;
 	if (s->frame == NULL) return TS_ERROR;
 	if (n_pieces == 0) return TS_OK;
-	if (ts_probe_fetch(p, TS_B_split_triangle, first_piece, n_pieces, s->piece) != TS_OK) return TS_ERROR;
+	if (ts_probe_fetch(p, TS_B_split_piece, first_piece, n_pieces, s->piece) != TS_OK) return TS_ERROR;
 	if (ts_probe_fetch(p, TS_B_align_frame, first_piece, n_pieces, s->frame) != TS_OK) return TS_ERROR;
 	s->triangle = s->piece[0].triangle;
 	ts_status status = find_points(p, s, only);
@@ -153,8 +153,8 @@ ts_status ts_probe_put_lookups(ts_probe *p, json_t *o, const ts_probe_set *s, u6
 		const char *key;
 	} founds[] = {
 		{TS_B_lookup_point, "samples"},
-		{TS_B_lookup2_point, "samples_bounce2"},
-		{TS_B_lookup3_point, "samples_bounce3"},
+		{TS_B_lookup_second_point, "samples_bounce2"},
+		{TS_B_lookup_third_point, "samples_bounce3"},
 	};
 	*n_samples = 0;
 	for (u32 b = 0; b < 3; b++) {
@@ -165,7 +165,7 @@ ts_status ts_probe_put_lookups(ts_probe *p, json_t *o, const ts_probe_set *s, u6
 		*n_samples += n;
 		ts_probe_put(p, o, founds[b].key, ts_probe_int(n));
 		if (b > 0 || n == 0) continue;
-		if (ts_probe_fetch(p, TS_B_pixel_record, first / 25, 1, &pixel) != TS_OK) return TS_ERROR;
+		if (ts_probe_fetch(p, TS_B_mirror_pixel_record, first / 25, 1, &pixel) != TS_OK) return TS_ERROR;
 		ts_probe_put(p, o, "first_sample",
 		             json_pack("{s:o,s:I}", "pixel",
 		                       ts_probe_pair(pixel.index % p->view.width, pixel.index / p->view.width), "k",

@@ -34,6 +34,6 @@ static ts_status put_shadowed(ts_probe *p, const ts_probe_seen *at, json_t *o, t
 
 ts_status ts_probe_pcss_pixel(ts_probe *p, const ts_probe_question *q, json_t *o)
 {
-	static const ts_buffer_id needed[] = {TS_B_eye_depth_triangle, TS_B_scatter_depth, TS_N_BUFFERS};
+	static const ts_buffer_id needed[] = {TS_B_eye_depth_triangle, TS_B_depth_map_depth, TS_N_BUFFERS};
 	return ts_probe_eye_pixel(p, q, needed, put_shadowed, o);
 }

@@ -27,7 +27,7 @@ static ts_status enter_piece(ts_probe *p, const place *at, u32 index, state *s)
 	u64 word, words = ts_probe_n_words(p);
 	s->index = index;
 	s->reaches = false;
-	if (ts_probe_fetch(p, TS_B_split_triangle, index, 1, &s->piece) != TS_OK) return TS_ERROR;
+	if (ts_probe_fetch(p, TS_B_split_piece, index, 1, &s->piece) != TS_OK) return TS_ERROR;
 	if (ts_probe_fetch(p, TS_B_visibility_bits, s->piece.triangle * words + bit / 64, 1, &word) != TS_OK)
 		return TS_ERROR;
 	if ((word >> (bit % 64) & 1) == 0) return TS_OK;
@@ -91,7 +91,7 @@ static ts_status put_point(ts_probe *p, json_t *o, u32 point)
 
 static ts_status put_points(ts_probe *p, const place *at, json_t *o)
 {
-	static const ts_buffer_id needed[] = {TS_B_splat_depth_index, TS_B_points_record,   TS_B_split_triangle,
+	static const ts_buffer_id needed[] = {TS_B_splat_depth_index, TS_B_points_record,   TS_B_split_piece,
 	                                      TS_B_align_frame,       TS_B_visibility_bits, TS_N_BUFFERS};
 	u64 held, n = (u64)at->view.width * (u64)at->view.width;
 	u8 tied;
@@ -131,22 +131,23 @@ static ts_status put_radiance(ts_probe *p, const place *at, json_t *o, u64 held)
 	ts_store3(computed, radiance);
 	ts_probe_put(p, result, "radiance", ts_probe_v3_bits(ts_load3(computed)));
 	u64 first = ts_k_mip_first(cubes, 0, at->reflector) + at->texel - cubes[at->reflector].offset;
-	ts_status status = ts_probe_has(p, TS_B_face_mip) ? ts_probe_fetch(p, TS_B_face_mip, first * 4, 3, mip) : TS_OK;
-	if (status == TS_OK && ts_probe_has(p, TS_B_face_mip))
-		ts_probe_put_check(p, result, TS_B_face_mip, computed, mip, 3);
+	ts_status status =
+		ts_probe_has(p, TS_B_cube_face_mip) ? ts_probe_fetch(p, TS_B_cube_face_mip, first * 4, 3, mip) : TS_OK;
+	if (status == TS_OK && ts_probe_has(p, TS_B_cube_face_mip))
+		ts_probe_put_check(p, result, TS_B_cube_face_mip, computed, mip, 3);
 	ts_probe_put(p, o, "face_mip", result);
 	return status;
 }
 
 static ts_status put_triangles(ts_probe *p, const place *at, json_t *o)
 {
-	static const ts_buffer_id needed[] = {TS_B_face_depth_triangle, TS_N_BUFFERS};
+	static const ts_buffer_id needed[] = {TS_B_cube_face_depth_triangle, TS_N_BUFFERS};
 	u64 held;
 	ts_offers offers = {.offer = NULL};
 	if (ts_probe_require(p, needed) != TS_OK) return TS_ERROR;
-	if (ts_probe_fetch(p, TS_B_face_depth_triangle, at->texel, 1, &held) != TS_OK) return TS_ERROR;
+	if (ts_probe_fetch(p, TS_B_cube_face_depth_triangle, at->texel, 1, &held) != TS_OK) return TS_ERROR;
 	ts_status status = ts_probe_contest(p, &at->view, at->reflector, at->x, at->y, &offers);
-	if (status == TS_OK) status = ts_probe_put_offers(p, o, &offers, TS_B_face_depth_triangle, held, NULL);
+	if (status == TS_OK) status = ts_probe_put_offers(p, o, &offers, TS_B_cube_face_depth_triangle, held, NULL);
 	free(offers.offer);
 	return status == TS_OK ? put_radiance(p, at, o, held) : status;
 }

@@ -165,10 +165,10 @@ static ts_status describe_epr(ts_probe *p, u32 triangle, json_t *o)
 	u32 offset[2];
 	ts_status status = visibility_and_density(p, triangle, o, &f);
 	if (status == TS_OK) status = ts_probe_fetch(p, TS_B_split_offset, triangle, 2, offset);
-	if (status == TS_OK && (offset[1] < offset[0] || offset[1] > ts_probe_n(p, TS_B_split_triangle))) {
+	if (status == TS_OK && (offset[1] < offset[0] || offset[1] > ts_probe_n(p, TS_B_split_piece))) {
 		status = ts_fail("%s: elements %u and %u are %u and %u; there are %" PRIu64 " pieces",
 		                 p->trace->item[TS_B_split_offset].path, (unsigned)triangle, (unsigned)triangle + 1,
-		                 (unsigned)offset[0], (unsigned)offset[1], ts_probe_n(p, TS_B_split_triangle));
+		                 (unsigned)offset[0], (unsigned)offset[1], ts_probe_n(p, TS_B_split_piece));
 	}
 	if (status != TS_OK) return status;
 	f.n_pieces = offset[1] - offset[0];
@@ -190,7 +190,7 @@ static ts_status describe_mvr(ts_probe *p, u32 triangle, json_t *o)
 		ts_camera_k view = ts_k_cube_view(cube, i % 6);
 		u64 first = cube->offset + (u64)(i % 6) * cube->n * cube->n;
 		if (i / 6 == own || cube->n == 0) continue;
-		status = put_drawn(p, triangle, &view, TS_B_face_depth_triangle, first, &spread);
+		status = put_drawn(p, triangle, &view, TS_B_cube_face_depth_triangle, first, &spread);
 	}
 	ts_probe_put_spread(p, cubes, &spread);
 	ts_probe_put(p, o, "cubes", cubes);
@@ -207,16 +207,16 @@ static ts_status describe_mvr(ts_probe *p, u32 triangle, json_t *o)
 
 static ts_status require_epr(const ts_probe *p)
 {
-	static const ts_buffer_id needed[] = {TS_B_visibility_bits, TS_B_split_scale,   TS_B_split_offset,
-	                                      TS_B_split_triangle,  TS_B_density_scale, TS_B_cull_keep,
-	                                      TS_B_align_frame,     TS_B_points_record, TS_B_splat_depth_index,
-	                                      TS_B_pixel_record,    TS_B_lookup_point,  TS_N_BUFFERS};
+	static const ts_buffer_id needed[] = {TS_B_visibility_bits,     TS_B_split_triangle_density, TS_B_split_offset,
+	                                      TS_B_split_piece,         TS_B_split_density,          TS_B_cull_keep,
+	                                      TS_B_align_frame,         TS_B_points_record,          TS_B_splat_depth_index,
+	                                      TS_B_mirror_pixel_record, TS_B_lookup_point,           TS_N_BUFFERS};
 	return ts_probe_require(p, needed);
 }
 
 static ts_status require_mvr(const ts_probe *p)
 {
-	static const ts_buffer_id needed[] = {TS_B_face_depth_triangle, TS_N_BUFFERS};
+	static const ts_buffer_id needed[] = {TS_B_cube_face_depth_triangle, TS_N_BUFFERS};
 	return ts_probe_require(p, needed);
 }
 

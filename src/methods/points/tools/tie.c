@@ -26,8 +26,8 @@ ts_status ts_splat_ties_open(void **ties, const ts_trace *reference)
 	if (t == NULL) return TS_ERROR;
 	*t = (splat_ties){.reference = reference,
 	                  .tie = open_item(reference, TS_B_splat_tie, &has),
-	                  .face = open_item(reference, TS_B_resize_face, &has),
-	                  .piece = open_item(reference, TS_B_split_triangle, &has),
+	                  .face = open_item(reference, TS_B_cube_size_face, &has),
+	                  .piece = open_item(reference, TS_B_split_piece, &has),
 	                  .align = open_item(reference, TS_B_align_frame, &has),
 	                  .point = open_item(reference, TS_B_points_record, &has),
 	                  .bits = open_item(reference, TS_B_visibility_bits, &has),
@@ -62,9 +62,9 @@ static ts_status fetch(ts_reader *reader, const ts_trace *trace, ts_buffer_id id
 /* The cube that a texel lies in, and its face; n = 0: none. */
 static ts_status find_cube(splat_ties *t, u64 texel, ts_face *cube, u32 *reflector)
 {
-	u64 n = t->reference->item[TS_B_resize_face].npy.n;
+	u64 n = t->reference->item[TS_B_cube_size_face].npy.n;
 	for (*reflector = 0; *reflector < n; (*reflector)++) {
-		if (fetch(t->face, t->reference, TS_B_resize_face, *reflector, cube) != TS_OK) return TS_ERROR;
+		if (fetch(t->face, t->reference, TS_B_cube_size_face, *reflector, cube) != TS_OK) return TS_ERROR;
 		u64 texels = (u64)6 * cube->n * cube->n;
 		if (texel >= cube->offset && texel - cube->offset < texels && cube->n <= 4096) return TS_OK;
 	}
@@ -102,7 +102,7 @@ static ts_status offers(splat_ties *t, u64 texel, u32 index, u32 distance, bool 
 	if (find_cube(t, texel, &cube, &reflector) != TS_OK) return TS_ERROR;
 	if (cube.n == 0) return TS_OK;
 	if (fetch(t->point, r, TS_B_points_record, index, &point) != TS_OK ||
-	    fetch(t->piece, r, TS_B_split_triangle, point.piece, &piece) != TS_OK ||
+	    fetch(t->piece, r, TS_B_split_piece, point.piece, &piece) != TS_OK ||
 	    fetch(t->align, r, TS_B_align_frame, point.piece, &frame) != TS_OK)
 		return TS_ERROR;
 	u32 face = (u32)((texel - cube.offset) / ((u64)cube.n * cube.n)), bit = 6 * reflector + face;

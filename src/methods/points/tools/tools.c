@@ -18,9 +18,9 @@ static const ts_margin_rule margins[] = {
 	{0},
 };
 
-static const ts_buffer_id of_epr[] = {TS_B_eye_view,           TS_B_pose_vertex,    TS_B_resize_face,
-                                      TS_B_eye_depth_triangle, TS_B_pixel_offset,   TS_B_pixel_record,
-                                      TS_B_lookup_point,       TS_B_shade_radiance, TS_N_BUFFERS};
+static const ts_buffer_id of_epr[] = {TS_B_eye_view,           TS_B_pose_vertex,         TS_B_cube_size_face,
+                                      TS_B_eye_depth_triangle, TS_B_mirror_pixel_offset, TS_B_mirror_pixel_record,
+                                      TS_B_lookup_point,       TS_B_shade_radiance,      TS_N_BUFFERS};
 
 static ts_status large_mvr(f32 **radiance, const ts_scene *scene, const ts_params *params, u32 threads)
 {
@@ -46,9 +46,9 @@ static const ts_truth_kind truths[] = {
 };
 
 static const ts_texel_rule texels[] = {
-	{TS_B_scatter_depth, ts_truth_texels},
+	{TS_B_depth_map_depth, ts_truth_texels},
 	{TS_B_scatter_colour, ts_truth_texels},
-	{TS_B_face_depth_triangle, ts_truth_texels},
+	{TS_B_cube_face_depth_triangle, ts_truth_texels},
 	{0},
 };
 
@@ -83,7 +83,7 @@ static const ts_viewer_rule viewers[] = {
 };
 
 /* The mask of reflective pixels. */
-static const ts_buffer_id keeps[] = {TS_B_pixel_record, TS_N_BUFFERS};
+static const ts_buffer_id keeps[] = {TS_B_mirror_pixel_record, TS_N_BUFFERS};
 
 const ts_family_tools ts_points_tools = {
 	.places = ts_points_places,

@@ -30,9 +30,9 @@ static tracer tracer_of(const ts_truth *truth, const ts_run *run)
 	return (tracer){
 		.truth = truth,
 		.scene = ts_truth_scene(truth),
-		.faces = ts_frame_data(&run->frame, TS_B_resize_face),
-		.pixels = ts_frame_data(&run->frame, TS_B_pixel_record),
-		.n_pixels = ts_frame_n(&run->frame, TS_B_pixel_record),
+		.faces = ts_frame_data(&run->frame, TS_B_cube_size_face),
+		.pixels = ts_frame_data(&run->frame, TS_B_mirror_pixel_record),
+		.n_pixels = ts_frame_n(&run->frame, TS_B_mirror_pixel_record),
 		.eye = ts_load3(eye->eye),
 		.spread = 1.0f / eye->focal,
 		.bounces = TS_PARAM(&run->params, bounces),

@@ -89,7 +89,7 @@ static ts_status trace(const ts_truth *truth, ts_run *run, const char *label)
 		.step = ts_run_has_cubes(run) ? 6 : 1,
 		.n_threads = (int)run->c.threads,
 	};
-	t.lit = ts_frame_make3(&run->frame, TS_B_resolve_lit, height, width, t.n_lamps);
+	t.lit = ts_frame_make3(&run->frame, TS_B_shadow_test_lit, height, width, t.n_lamps);
 	if (t.lit == NULL) return TS_ERROR;
 	for (u64 first = 0; first < n; first += CHUNK) {
 		u64 end = first + CHUNK < n ? first + CHUNK : n;
@@ -127,8 +127,9 @@ ts_status ts_truth_area(ts_truth *truth, ts_run *run)
 
 u64 ts_truth_shadow_bytes(const ts_pipeline *method, const ts_scene *scene, const ts_params *params)
 {
-	static const ts_buffer_id ids[] = {TS_B_pose_vertex, TS_B_eye_depth_triangle, TS_B_resize_face, TS_B_offscreen_view,
-	                                   TS_B_resolve_lit, TS_B_image_radiance,     TS_B_image_srgb};
+	static const ts_buffer_id ids[] = {TS_B_pose_vertex,    TS_B_eye_depth_triangle, TS_B_cube_size_face,
+	                                   TS_B_offscreen_view, TS_B_shadow_test_lit,    TS_B_image_radiance,
+	                                   TS_B_image_srgb};
 	const ts_pipeline *start = ts_pipeline_making(method->effect->name, needs);
 	ts_params many = *params;
 	u64 bytes = 0,

@@ -31,7 +31,7 @@ static ts_status enlarge_all(ts_params *big, const ts_params *params, u32 factor
 /* Classic multi-view rendering, which draws triangles into the faces of cubes. */
 static const ts_pipeline *find_mvr(void)
 {
-	return ts_pipeline_making(NULL, (const ts_buffer_id[]){TS_B_face_depth_triangle, TS_N_BUFFERS});
+	return ts_pipeline_making(NULL, (const ts_buffer_id[]){TS_B_cube_face_depth_triangle, TS_N_BUFFERS});
 }
 
 static ts_status check_memory(const ts_pipeline *mvr, const ts_scene *scene, const ts_params *big, u32 factor)

@@ -57,7 +57,7 @@ static held held_colour(u32 code, f32 near)
 static held held_in(const judge *j, u64 texel, f32 near)
 {
 	switch (j->id) {
-	case TS_B_scatter_depth: return held_depth(((const u32 *)j->texels)[texel]);
+	case TS_B_depth_map_depth: return held_depth(((const u32 *)j->texels)[texel]);
 	case TS_B_scatter_colour: return held_colour(((const u32 *)j->texels)[texel], near);
 	default: return held_depth((u32)(((const u64 *)j->texels)[texel] >> 32));
 	}
@@ -167,7 +167,7 @@ ts_status ts_truth_texels(ts_texel_counts *counts, ts_truth *truth, const ts_run
 	           .rule = {.bias = TS_PARAM(&run->params, bias), .slope = TS_PARAM(&run->params, bias_slope)},
 	           .texels = ts_frame_data(&run->frame, id)};
 	bool cubes = ts_run_has_cubes(run);
-	const ts_face *faces = cubes ? ts_frame_data(&run->frame, TS_B_resize_face) : NULL;
+	const ts_face *faces = cubes ? ts_frame_data(&run->frame, TS_B_cube_size_face) : NULL;
 	const ts_offscreen *views = cubes ? NULL : ts_frame_data(&run->frame, TS_B_offscreen_view);
 	for (u32 u = run->first_unit; u < run->first_unit + run->n_units; u++) {
 		if (u == run->first_unit) j.first_texel = cubes ? faces[u].offset : views[u].offset;

@@ -18,7 +18,7 @@ static bool where_pixel(char *text, const ts_trace *reference, ts_buffer_id id, 
 	ts_pixel record;
 	(void)id;
 	u32 width = TS_PARAM(&reference->params, width);
-	if (!ts_where_fetch(reference, TS_B_pixel_record, pixel, &record) || width == 0) return false;
+	if (!ts_where_fetch(reference, TS_B_mirror_pixel_record, pixel, &record) || width == 0) return false;
 	snprintf(text, TS_WHERE_TEXT, "pixel (%u, %u)", (unsigned)(record.index % width), (unsigned)(record.index / width));
 	return true;
 }

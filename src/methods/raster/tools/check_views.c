@@ -1,8 +1,8 @@
-/* eye.view has the size of the picture; resize.face has no face larger than the parameters allow, and offsets that are
+/* eye.view has the size of the picture; cube_size.face has no face larger than the parameters allow, and offsets that are
  * the sums of 6 n^2: texels are addressed by both. offscreen.view: the same, square, six a cube where there are cubes,
  * of stage deferred_lit one a light and six a point light; lights of stage resolve. lamp.shape: samples, of stage
  * lamp_view one a view, in order, for views are written where they say. lamp.light: at least one, and its kind.
- * resolve.lit: at most the samples. */
+ * shadow_test.lit: at most the samples. */
 #include <inttypes.h>
 #include "../../stages.h"
 #include "tools.h"
@@ -64,8 +64,8 @@ static ts_status check_views(const ts_load *load, const ts_stage *stage, ts_buff
 	(void)stage;
 	u64 n, n_cubes, offset = 0;
 	const ts_offscreen *views = ts_check_elements(load, id, &n);
-	const ts_face *cubes = ts_check_elements(load, TS_B_resize_face, &n_cubes);
-	bool faces = ts_pipeline_maker(load->pipeline, TS_B_resize_face) != NULL;
+	const ts_face *cubes = ts_check_elements(load, TS_B_cube_size_face, &n_cubes);
+	bool faces = ts_pipeline_maker(load->pipeline, TS_B_cube_size_face) != NULL;
 	if (faces && n % 6 != 0) {
 		return ts_fail("%s: %" PRIu64 " views; six a cube would be right", load->item[id]->path, n);
 	}
@@ -92,7 +92,7 @@ static ts_status check_owners(const ts_load *load, const ts_stage *stage, ts_buf
 {
 	u64 n;
 	const ts_offscreen *views = ts_check_elements(load, id, &n);
-	bool asks = ts_stage_writes(stage, TS_B_resolve_lit) || ts_stage_writes(stage, TS_B_rsm_patch);
+	bool asks = ts_stage_writes(stage, TS_B_shadow_test_lit) || ts_stage_writes(stage, TS_B_rsm_patch);
 	for (u64 v = 0; v < n && asks; v++) {
 		if (views[v].light == TS_NONE) return ts_check_refuse(load, id, v, "light", 0, "a light");
 	}
@@ -125,7 +125,7 @@ static ts_status check_cubes(const ts_load *load, const ts_stage *stage, ts_buff
 {
 	u64 n = ts_frame_n(&load->run.frame, id), n_lights, wanted = 0;
 	const ts_light *lights = ts_check_elements(load, TS_B_lamp_light, &n_lights);
-	bool asks = ts_stage_writes(stage, TS_B_resolve_lit) || ts_stage_writes(stage, TS_B_resolve_margin);
+	bool asks = ts_stage_writes(stage, TS_B_shadow_test_lit) || ts_stage_writes(stage, TS_B_shadow_test_margin);
 	if (lights == NULL || !asks) return TS_OK;
 	for (u64 i = 0; i < n_lights; i++) wanted += ts_light_views(&lights[i]);
 	if (n == wanted) return TS_OK;
@@ -155,13 +155,13 @@ static ts_status check_lit(const ts_load *load, const ts_stage *stage, ts_buffer
 
 /* Cubes before the views of their faces. */
 const ts_check_rule ts_raster_checks[] = {
-	{TS_B_resize_face, TS_CHECK_SIZES, check_faces},
+	{TS_B_cube_size_face, TS_CHECK_SIZES, check_faces},
 	{TS_B_offscreen_view, TS_CHECK_SIZES, check_views},
 	{TS_B_eye_view, TS_CHECK_VALUES, check_eye},
 	{TS_B_lamp_light, TS_CHECK_VALUES, check_lights},
 	{TS_B_lamp_shape, TS_CHECK_VALUES, check_samples},
 	{TS_B_offscreen_view, TS_CHECK_VALUES, check_owners},
 	{TS_B_offscreen_view, TS_CHECK_VALUES, check_cubes},
-	{TS_B_resolve_lit, TS_CHECK_VALUES, check_lit},
+	{TS_B_shadow_test_lit, TS_CHECK_VALUES, check_lit},
 	{.check = NULL},
 };

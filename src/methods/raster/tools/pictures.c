@@ -15,9 +15,9 @@ static const u8 cross_row[6] = {1, 1, 0, 2, 1, 1};
 
 bool ts_picture_largest_cube(const ts_run *run, u32 *cube)
 {
-	if (!run->frame.buffer[TS_B_resize_face].made) return false;
-	const ts_face *faces = ts_frame_data(&run->frame, TS_B_resize_face);
-	u64 n = ts_frame_n(&run->frame, TS_B_resize_face);
+	if (!run->frame.buffer[TS_B_cube_size_face].made) return false;
+	const ts_face *faces = ts_frame_data(&run->frame, TS_B_cube_size_face);
+	u64 n = ts_frame_n(&run->frame, TS_B_cube_size_face);
 	*cube = 0;
 	for (u64 r = 1; r < n; r++) *cube = faces[r].n > faces[*cube].n ? (u32)r : *cube;
 	bool in_batch = *cube >= run->first_unit && *cube - run->first_unit < run->n_units;
@@ -39,7 +39,7 @@ ts_status ts_picture_cube(ts_stage_pictures *pictures, const ts_run *run, u32 cu
                           const void *texels, ts_picture_colour *colour)
 {
 	if (ts_stage_pictures_find(pictures, name) != NULL) return TS_OK;
-	const ts_face *faces = ts_frame_data(&run->frame, TS_B_resize_face);
+	const ts_face *faces = ts_frame_data(&run->frame, TS_B_cube_size_face);
 	u32 n = faces[cube].n;
 	ts_stage_picture *p = ts_stage_pictures_add(pictures, name, 4 * n, 3 * n, false);
 	if (p == NULL) return TS_ERROR;
@@ -62,7 +62,7 @@ ts_status ts_picture_indices(ts_stage_pictures *pictures, const ts_run *run, ts_
 {
 	u32 cube;
 	if (!ts_picture_largest_cube(run, &cube)) return TS_OK;
-	const ts_face *faces = ts_frame_data(&run->frame, TS_B_resize_face);
+	const ts_face *faces = ts_frame_data(&run->frame, TS_B_cube_size_face);
 	const u64 *texels = ts_frame_data(&run->frame, keys);
 	u64 first = faces[cube].offset - faces[run->first_unit].offset;
 	return ts_picture_cube(pictures, run, cube, "index", what, texels + first, colour_index);
@@ -110,7 +110,7 @@ static void colour_depth(u8 *rgb, const void *texels, u64 i)
 /* The first depth map, or all faces of the first cube. */
 static ts_status take_depth(ts_stage_pictures *pictures, const ts_run *run, ts_buffer_id id)
 {
-	bool cubes = run->frame.buffer[TS_B_resize_face].made && ts_frame_n(&run->frame, TS_B_resize_face) > 0;
+	bool cubes = run->frame.buffer[TS_B_cube_size_face].made && ts_frame_n(&run->frame, TS_B_cube_size_face) > 0;
 	const ts_offscreen *view = ts_frame_data(&run->frame, TS_B_offscreen_view);
 	if (run->first_unit != 0 || view->width == 0 || view->width != view->height) return TS_OK;
 	if (ts_stage_pictures_find(pictures, "depth") != NULL) return TS_OK;
@@ -149,8 +149,8 @@ static ts_status take_lit(ts_stage_pictures *pictures, const ts_run *run, ts_buf
 }
 
 const ts_stage_picture_rule ts_raster_pictures[] = {
-	{TS_B_face_depth_triangle, take_triangles},
-	{TS_B_scatter_depth, take_depth},
-	{TS_B_resolve_lit, take_lit},
+	{TS_B_cube_face_depth_triangle, take_triangles},
+	{TS_B_depth_map_depth, take_depth},
+	{TS_B_shadow_test_lit, take_lit},
 	{.take = NULL},
 };

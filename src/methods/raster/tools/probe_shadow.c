@@ -9,7 +9,7 @@ ts_status ts_probe_read_rows(ts_probe *p, ts_probe_shadow *q, const ts_offscreen
 	q->first_texel = view->offset + (u64)first * view->width;
 	q->depths = ts_alloc((size_t)n * view->width, sizeof *q->depths, "a depth map");
 	q->args.depths = q->depths;
-	return q->depths != NULL ? ts_probe_fetch(p, TS_B_scatter_depth, q->first_texel, (u64)n * view->width, q->depths)
+	return q->depths != NULL ? ts_probe_fetch(p, TS_B_depth_map_depth, q->first_texel, (u64)n * view->width, q->depths)
 	                         : TS_ERROR;
 }
 
@@ -86,8 +86,8 @@ ts_status ts_probe_put_samples(ts_probe *p, json_t *o, ts_probe_shadow *q, u32 l
 static void put_check(ts_probe *p, json_t *o, u32 computed, u32 held)
 {
 	ts_probe_put(p, o, "check",
-	             computed == held ? json_string("bits agree with resolve.lit")
-	                              : json_sprintf("bits differ from resolve.lit, which holds %u", (unsigned)held));
+	             computed == held ? json_string("bits agree with shadow_test.lit")
+	                              : json_sprintf("bits differ from shadow_test.lit, which holds %u", (unsigned)held));
 }
 
 static ts_status put_light(ts_probe *p, json_t *list, ts_probe_shadow *q, u32 light, ts_probe_samples *put_samples,
@@ -109,7 +109,7 @@ static ts_status put_lights(ts_probe *p, json_t *list, ts_probe_shadow *q, u32 x
 {
 	bool there;
 	u32 n = q->lamps.n_lights, *held = ts_alloc(n, sizeof *held, "lights");
-	ts_status status = held != NULL ? ts_probe_fetch_pixel(p, TS_B_resolve_lit, x, y, n, held, &there) : TS_ERROR;
+	ts_status status = held != NULL ? ts_probe_fetch_pixel(p, TS_B_shadow_test_lit, x, y, n, held, &there) : TS_ERROR;
 	for (u32 i = 0; i < n && status == TS_OK; i++) {
 		status = put_light(p, list, q, i, put_samples, there ? held : NULL);
 	}
@@ -158,12 +158,12 @@ ts_status ts_probe_put_shadowed(ts_probe *p, const ts_probe_seen *seen, ts_probe
 
 static ts_status put_shadowed(ts_probe *p, const ts_probe_seen *at, json_t *o, ts_v3 *radiance)
 {
-	ts_probe_lens lens = ts_probe_makes(p, TS_B_resize_face) ? TS_PROBE_A_CUBE : TS_PROBE_A_VIEW;
+	ts_probe_lens lens = ts_probe_makes(p, TS_B_cube_size_face) ? TS_PROBE_A_CUBE : TS_PROBE_A_VIEW;
 	return ts_probe_put_shadowed(p, at, lens, ts_probe_put_samples, o, radiance);
 }
 
 ts_status ts_probe_shadow_pixel(ts_probe *p, const ts_probe_question *q, json_t *o)
 {
-	static const ts_buffer_id needed[] = {TS_B_eye_depth_triangle, TS_B_scatter_depth, TS_N_BUFFERS};
+	static const ts_buffer_id needed[] = {TS_B_eye_depth_triangle, TS_B_depth_map_depth, TS_N_BUFFERS};
 	return ts_probe_eye_pixel(p, q, needed, put_shadowed, o);
 }

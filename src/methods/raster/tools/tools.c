@@ -6,9 +6,9 @@
 
 static const ts_margin_rule margins[] = {
 	{TS_B_eye_depth_triangle, TS_B_eye_margin, .of = 1, .steps = 1.0f},
-	{TS_B_face_depth_triangle, TS_B_face_margin, .of = 1, .steps = 1.0f},
-	{TS_B_scatter_depth, TS_B_depth_margin, .of = 1, .steps = 1.0f},
-	{TS_B_resolve_lit, TS_B_resolve_margin, .of = 1, .steps = 1.0f},
+	{TS_B_cube_face_depth_triangle, TS_B_cube_face_margin, .of = 1, .steps = 1.0f},
+	{TS_B_depth_map_depth, TS_B_depth_map_margin, .of = 1, .steps = 1.0f},
+	{TS_B_shadow_test_lit, TS_B_shadow_test_margin, .of = 1, .steps = 1.0f},
 	{0},
 };
 
@@ -19,7 +19,7 @@ static const ts_probe_part parts[] = {
 };
 /* clang-format on */
 
-static const ts_buffer_id keeps[] = {TS_B_lamp_shape, TS_B_resolve_lit, TS_N_BUFFERS};
+static const ts_buffer_id keeps[] = {TS_B_lamp_shape, TS_B_shadow_test_lit, TS_N_BUFFERS};
 
 const ts_family_tools ts_raster_tools = {
 	.margins = margins,

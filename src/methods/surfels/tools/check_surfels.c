@@ -29,18 +29,18 @@ static ts_status check_sums(const ts_load *load, const ts_stage *stage, ts_buffe
 	(void)stage;
 	u64 n, n_pixels;
 	const i64 *sums = ts_check_elements(load, id, &n);
-	const u64 *heaviest = ts_check_elements(load, TS_B_blend_heaviest, &n_pixels);
+	const u64 *heaviest = ts_check_elements(load, TS_B_surfel_blend_heaviest, &n_pixels);
 	for (u64 i = 0; heaviest != NULL && i < n / TS_BLEND_SUMS; i++) {
 		bool named = heaviest[i] != TS_EMPTY, summed = sums[TS_BLEND_SUMS * i + TS_BLEND_FRAGMENTS] != 0;
 		if (named == summed) continue;
-		return ts_check_refuse(load, id, TS_BLEND_SUMS * i + TS_BLEND_FRAGMENTS, "", 0, "%s, as blend.heaviest says,",
-		                       named ? "at least 1 fragment" : "no fragment");
+		return ts_check_refuse(load, id, TS_BLEND_SUMS * i + TS_BLEND_FRAGMENTS, "", 0,
+		                       "%s, as surfel_blend.heaviest says,", named ? "at least 1 fragment" : "no fragment");
 	}
 	return TS_OK;
 }
 
 const ts_check_rule ts_surfels_checks[] = {
 	{TS_B_surfel_setup_disc, TS_CHECK_VALUES, check_discs},
-	{TS_B_blend_sum, TS_CHECK_VALUES, check_sums},
+	{TS_B_surfel_blend_sum, TS_CHECK_VALUES, check_sums},
 	{.check = NULL},
 };

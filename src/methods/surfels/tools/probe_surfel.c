@@ -226,8 +226,8 @@ static void put_sums(ts_probe *p, json_t *object, const i64 *sums, const i64 *he
 	ts_probe_put(p, o, "fragments", json_integer((json_int_t)sums[TS_BLEND_FRAGMENTS]));
 	ts_probe_put(p, o, "check",
 	             k == TS_BLEND_SUMS
-	                 ? json_string("bits agree with blend.sum")
-	                 : json_sprintf("bits differ from blend.sum, whose sum %u is %" PRId64 ", not %" PRId64,
+	                 ? json_string("bits agree with surfel_blend.sum")
+	                 : json_sprintf("bits differ from surfel_blend.sum, whose sum %u is %" PRId64 ", not %" PRId64,
 	                                (unsigned)k, held[k], sums[k]));
 	ts_probe_put(p, object, "sums", o);
 }
@@ -239,7 +239,7 @@ static void put_heaviest(ts_probe *p, json_t *object, u64 heaviest, u64 held)
 		ts_probe_put(p, o, "surfel", ts_probe_int((u32)heaviest));
 		ts_probe_put(p, o, "weight", ts_probe_bits(ts_u2f(~(u32)(heaviest >> 32))));
 	}
-	ts_probe_put_record_check(p, o, TS_B_blend_heaviest, &heaviest, &held);
+	ts_probe_put_record_check(p, o, TS_B_surfel_blend_heaviest, &heaviest, &held);
 	ts_probe_put(p, object, "heaviest", o);
 }
 
@@ -253,8 +253,8 @@ static ts_status put_blend(ts_probe *p, json_t *o, const place *at)
 		sum_up(p, &blended, sums, &heaviest);
 		put_fragments(p, o, "blended", &blended, at, key);
 		put_fragments(p, o, "hidden_by_epsilon", &hidden, at, key);
-		put_sums(p, o, sums, (const i64 *)ts_probe_loaded(p, TS_B_blend_sum) + at->pixel * TS_BLEND_SUMS);
-		put_heaviest(p, o, heaviest, ((const u64 *)ts_probe_loaded(p, TS_B_blend_heaviest))[at->pixel]);
+		put_sums(p, o, sums, (const i64 *)ts_probe_loaded(p, TS_B_surfel_blend_sum) + at->pixel * TS_BLEND_SUMS);
+		put_heaviest(p, o, heaviest, ((const u64 *)ts_probe_loaded(p, TS_B_surfel_blend_heaviest))[at->pixel]);
 	}
 	free(blended.fragment);
 	free(hidden.fragment);
@@ -267,15 +267,15 @@ static ts_status put_mean(ts_probe *p, json_t *object, const place *at)
 	i64 tally = 0;
 	json_t *o = json_object();
 	u64 n = (u64)p->view.width * p->view.height;
-	const i64 *sums = (const i64 *)ts_probe_loaded(p, TS_B_blend_sum) + at->pixel * TS_BLEND_SUMS;
+	const i64 *sums = (const i64 *)ts_probe_loaded(p, TS_B_surfel_blend_sum) + at->pixel * TS_BLEND_SUMS;
 	const ts_gpixel *held = (const ts_gpixel *)ts_probe_loaded(p, TS_B_gbuffer_pixel) + at->pixel;
 	ts_gpixel *pixels = ts_alloc_zero((size_t)n, sizeof *pixels, "a G-buffer");
 	ts_surfel_mean_args args = {.view = &p->view,
 	                            .discs = ts_probe_loaded(p, TS_B_surfel_setup_disc),
 	                            .epsilon = ts_probe_loaded(p, TS_B_surfel_setup_epsilon),
 	                            .keys = ts_probe_loaded(p, TS_B_surfel_depth_surfel),
-	                            .sums = ts_probe_loaded(p, TS_B_blend_sum),
-	                            .heaviest = ts_probe_loaded(p, TS_B_blend_heaviest),
+	                            .sums = ts_probe_loaded(p, TS_B_surfel_blend_sum),
+	                            .heaviest = ts_probe_loaded(p, TS_B_surfel_blend_heaviest),
 	                            .pixels = pixels,
 	                            .tally = &tally};
 	if (pixels == NULL) return TS_ERROR;

@@ -247,7 +247,7 @@ static ts_status make_room(f32 **radiance, tracer *t, ts_run *run)
 	t->pixels = ts_frame_make2(&run->frame, TS_B_gbuffer_pixel, height, width);
 	if (*radiance == NULL || t->pixels == NULL) return TS_ERROR;
 	if (!ts_shader_has_shadows(&run->params)) return TS_OK;
-	t->lit = ts_frame_make3(&run->frame, TS_B_resolve_lit, height, width, t->n_lights);
+	t->lit = ts_frame_make3(&run->frame, TS_B_shadow_test_lit, height, width, t->n_lights);
 	return t->lit != NULL ? TS_OK : TS_ERROR;
 }
 
@@ -325,7 +325,7 @@ u64 ts_truth_surface_bytes(const ts_pipeline *method, const ts_scene *scene, con
 	const ts_sizes *sizes = &expected.sizes;
 	u64 bytes = ts_pipeline_bytes(TS_B_image_radiance, sizes);
 	for (u32 i = 0; i < sizeof ids / sizeof ids[0]; i++) bytes += ts_pipeline_bytes(ids[i], sizes);
-	if (ts_shader_has_shadows(params)) bytes += ts_pipeline_bytes(TS_B_resolve_lit, sizes);
+	if (ts_shader_has_shadows(params)) bytes += ts_pipeline_bytes(TS_B_shadow_test_lit, sizes);
 	return bytes;
 }
 

@@ -123,8 +123,8 @@ static const ts_paper_row rows[] = {
 /* Texels of the whole maps of leaves that nothing was rendered to, %; NAN without maps. */
 static double empty_share(const ts_run *run)
 {
-	if (!run->frame.buffer[TS_B_fuse_depth].made) return NAN;
-	const u32 *depth = ts_frame_data(&run->frame, TS_B_fuse_depth);
+	if (!run->frame.buffer[TS_B_view_map_fused_depth].made) return NAN;
+	const u32 *depth = ts_frame_data(&run->frame, TS_B_view_map_fused_depth);
 	const ts_node *node = ts_frame_data(&run->frame, TS_B_view_octree_node);
 	u64 n = ts_frame_n(&run->frame, TS_B_view_octree_node), all = 0, empty = 0;
 	u64 n_texels = (u64)2 * TS_PARAM(&run->params, view_px) * TS_PARAM(&run->params, view_px);

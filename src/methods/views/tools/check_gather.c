@@ -6,13 +6,14 @@
 /* The views of a list up to each node are those of its cones. */
 static ts_status check_list(const ts_load *load, u32 from, u32 to)
 {
-	const u32 *node = ts_frame_data(&load->run.frame, TS_B_vpl_pairs_node);
-	const u32 *views = ts_frame_data(&load->run.frame, TS_B_vpl_pairs_views);
-	const ts_cone *cones = ts_frame_data(&load->run.frame, TS_B_view_cone_node);
+	const u32 *node = ts_frame_data(&load->run.frame, TS_B_vpl_gather_pair_node);
+	const u32 *views = ts_frame_data(&load->run.frame, TS_B_vpl_gather_pair_views);
+	const ts_cone *cones = ts_frame_data(&load->run.frame, TS_B_view_octree_cone);
 	u32 sum = 0;
 	for (u32 k = from; k < to; k++) {
 		sum += cones[node[k]].views;
-		if (views[k] != sum) return ts_check_refuse(load, TS_B_vpl_pairs_views, k, "", 0, "%" PRIu32 ", the sum,", sum);
+		if (views[k] != sum)
+			return ts_check_refuse(load, TS_B_vpl_gather_pair_views, k, "", 0, "%" PRIu32 ", the sum,", sum);
 	}
 	return TS_OK;
 }
@@ -33,8 +34,8 @@ static ts_status check_voxels(const ts_load *load)
 ts_status ts_check_gather(const ts_load *load, const ts_stage *stage, ts_buffer_id id)
 {
 	if (!ts_stage_reads(stage, id)) return TS_OK;
-	const u32 *offset = ts_frame_data(&load->run.frame, TS_B_vpl_pairs_offset);
-	u64 n_lists = ts_frame_n(&load->run.frame, TS_B_vpl_pairs_offset) - 1;
+	const u32 *offset = ts_frame_data(&load->run.frame, TS_B_vpl_gather_pair_offset);
+	u64 n_lists = ts_frame_n(&load->run.frame, TS_B_vpl_gather_pair_offset) - 1;
 	for (u64 i = 0; i < n_lists; i++) {
 		if (check_list(load, offset[i], offset[i + 1]) != TS_OK) return TS_ERROR;
 	}

@@ -3,7 +3,7 @@
  * voxel.mask, voxel.before and those of the views are what stages voxel and view_voxel make of the same triangles and
  * views, for lists are written where their bits say. octree.level and view_octree.level begin at 0, never fall and end
  * at the nodes; a node has the level that they say, its parent before it, and, but for leaves, children behind it that
- * name it. Every leaf of the views has some, and those name it; view_cone.node names views that are there. */
+ * name it. Every leaf of the views has some, and those name it; view_octree.cone names views that are there. */
 #include <inttypes.h>
 #include "../octree.h"
 #include "tools.h"
@@ -102,7 +102,7 @@ static ts_status check_masks(const ts_load *load, const ts_stage *stage, ts_buff
 	bool views = octree_of(id) == &ts_view_octree;
 	if (!ts_stage_writes(stage, octree_of(id)->entries)) return TS_OK;
 	return ts_check_again(load, views ? "view_voxel" : "voxel",
-	                      views ? "vpl.light and root.cube" : "pose.vertex and root.cube");
+	                      views ? "vpl.light and octree.root" : "pose.vertex and octree.root");
 }
 
 /* Ids of nodes are the set bits of the mask before them. */
@@ -178,10 +178,10 @@ const ts_check_rule ts_views_checks[] = {
 	{TS_B_voxel_before, TS_CHECK_SUMS, check_ids},
 	{TS_B_view_octree_level, TS_CHECK_VALUES, check_levels},
 	{TS_B_view_octree_node, TS_CHECK_VALUES, check_nodes},
-	{TS_B_view_voxel_mask, TS_CHECK_VALUES, check_masks},
-	{TS_B_view_voxel_before, TS_CHECK_SUMS, check_ids},
+	{TS_B_view_octree_voxel_mask, TS_CHECK_VALUES, check_masks},
+	{TS_B_view_octree_voxel_before, TS_CHECK_SUMS, check_ids},
 	{TS_B_view_octree_offset, TS_CHECK_VALUES, check_leaves},
-	{TS_B_view_cone_node, TS_CHECK_VALUES, check_cones},
-	{TS_B_vpl_pairs_views, TS_CHECK_VALUES, ts_check_gather},
+	{TS_B_view_octree_cone, TS_CHECK_VALUES, check_cones},
+	{TS_B_vpl_gather_pair_views, TS_CHECK_VALUES, ts_check_gather},
 	{.check = NULL},
 };

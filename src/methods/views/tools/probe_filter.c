@@ -74,10 +74,10 @@ static ts_status put_filter(ts_probe *p, json_t *o, ts_bilateral_args *args, f32
 	u64 pixel = (u64)y * args->width + x;
 	filter_rows(args, x, y);
 	ts_status status = put_pass(p, o, "along_the_row", args, x, y);
-	if (status == TS_OK) status = ts_probe_fetch_pixel(p, TS_B_bilateral_row, x, y, 3, held, &there);
+	if (status == TS_OK) status = ts_probe_fetch_pixel(p, TS_B_bilateral_filtered_rows, x, y, 3, held, &there);
 	if (status != TS_OK) return status;
 	ts_probe_put(p, o, "of_the_row", ts_probe_v3_bits(ts_load3(rows + pixel * 3)));
-	if (there) ts_probe_put_check(p, o, TS_B_bilateral_row, rows + pixel * 3, held, 3);
+	if (there) ts_probe_put_check(p, o, TS_B_bilateral_filtered_rows, rows + pixel * 3, held, 3);
 	args->from = rows;
 	args->to = columns;
 	args->columns = 1;

@@ -143,7 +143,7 @@ static size_t put_own(ts_probe *p, json_t *object, const search *s, const offer 
 		if (n < MOST_LISTED) put_offer(p, list, s, &first[n], first);
 	}
 	ts_probe_put(p, o, "competitors", ts_probe_int(n));
-	ts_probe_put_key_check(p, o, TS_B_map_depth_node, n > 0 ? first->key : TS_EMPTY,
+	ts_probe_put_key_check(p, o, TS_B_view_map_depth_node, n > 0 ? first->key : TS_EMPTY,
 	                       ts_probe_own_key(&s->chain, step, s->texel));
 	ts_probe_put(p, o, "by_depth", list);
 	ts_probe_put(p, object, "rendered", o);
@@ -157,7 +157,7 @@ static void put_node(ts_probe *p, json_t *object, u32 node, u32 held)
 {
 	json_t *o = json_object();
 	ts_probe_put(p, o, "node", node == TS_NONE ? json_string("none") : ts_probe_int(node));
-	ts_probe_put_record_check(p, o, TS_B_fuse_node, &node, &held);
+	ts_probe_put_record_check(p, o, TS_B_view_map_fused_node, &node, &held);
 	ts_probe_put(p, object, "shows", o);
 }
 
@@ -176,7 +176,7 @@ static void put_fused(ts_probe *p, json_t *object, const search *s, u32 step, u6
 	ts_probe_put(p, o, "moved_from_above", depth_or_empty(above != TS_EMPTY ? ts_f2u(moved) : TS_NONE));
 	ts_probe_put(p, o, "depth", depth_or_empty((u32)(key >> 32)));
 	ts_probe_put(p, o, "is", json_string(key == TS_EMPTY ? "empty" : key == own ? "its own" : "moved from above"));
-	ts_probe_put_check(p, o, TS_B_fuse_depth, &computed, &there, 1);
+	ts_probe_put_check(p, o, TS_B_view_map_fused_depth, &computed, &there, 1);
 	put_node(p, o, (u32)key, (u32)held);
 	ts_probe_put(p, object, "fused", o);
 }
@@ -185,8 +185,8 @@ static void put_fused(ts_probe *p, json_t *object, const search *s, u32 step, u6
 static ts_status fetch_fused(ts_probe *p, u64 element, u64 *key)
 {
 	u32 depth, node;
-	if (ts_probe_fetch(p, TS_B_fuse_depth, element, 1, &depth) != TS_OK) return TS_ERROR;
-	if (ts_probe_fetch(p, TS_B_fuse_node, element, 1, &node) != TS_OK) return TS_ERROR;
+	if (ts_probe_fetch(p, TS_B_view_map_fused_depth, element, 1, &depth) != TS_OK) return TS_ERROR;
+	if (ts_probe_fetch(p, TS_B_view_map_fused_node, element, 1, &node) != TS_OK) return TS_ERROR;
 	*key = (u64)depth << 32 | node;
 	return TS_OK;
 }
@@ -220,7 +220,7 @@ static ts_status describe(ts_probe *p, json_t *o, u32 node, u32 texel)
 {
 	search s = {.texel = texel};
 	u32 n = TS_PARAM(&p->load->run.params, view_px);
-	const ts_cone *cone = (const ts_cone *)ts_probe_loaded(p, TS_B_view_cone_node) + node;
+	const ts_cone *cone = (const ts_cone *)ts_probe_loaded(p, TS_B_view_octree_cone) + node;
 	ts_status status = ts_probe_read_chain(p, &s.chain, node);
 	if (status == TS_OK) status = find_offers(p, &s);
 	ts_probe_put(p, o, "node", ts_probe_int(node));
@@ -243,9 +243,9 @@ static ts_status describe(ts_probe *p, json_t *o, u32 node, u32 texel)
 
 static ts_status load(ts_probe *p)
 {
-	static const ts_buffer_id needed[] = {TS_B_map_depth_node, TS_B_fuse_depth, TS_B_fuse_node, TS_B_view_octree_leaf,
-	                                      TS_N_BUFFERS};
-	const ts_step *maker = ts_pipeline_maker(p->trace->pipeline, TS_B_map_depth_node);
+	static const ts_buffer_id needed[] = {TS_B_view_map_depth_node, TS_B_view_map_fused_depth, TS_B_view_map_fused_node,
+	                                      TS_B_view_octree_leaf, TS_N_BUFFERS};
+	const ts_step *maker = ts_pipeline_maker(p->trace->pipeline, TS_B_view_map_depth_node);
 	const ts_step *traverse = ts_pipeline_maker(p->trace->pipeline, TS_B_traverse_rendered);
 	const char *stage = (traverse != NULL ? traverse : maker)->stage;
 	if (ts_probe_scene(p) != TS_OK || ts_probe_require(p, needed) != TS_OK) return TS_ERROR;

@@ -18,7 +18,8 @@ ts_status ts_probe_read_chain(ts_probe *p, ts_probe_chain *c, u32 node)
 		c->nodes[i] = nodes[c->id[i]];
 		c->nodes[i].parent = i > 0 ? i - 1 : TS_NONE;
 		u64 *to = c->texels + (size_t)i * n_texels;
-		if (ts_probe_fetch(p, TS_B_map_depth_node, (u64)c->id[i] * n_texels, n_texels, to) != TS_OK) return TS_ERROR;
+		if (ts_probe_fetch(p, TS_B_view_map_depth_node, (u64)c->id[i] * n_texels, n_texels, to) != TS_OK)
+			return TS_ERROR;
 	}
 	c->args = (ts_fuse_args){.views = c->nodes,
 	                         .texels = c->texels,
@@ -76,13 +77,13 @@ static ts_status put_rendered(ts_probe *p, json_t *o, u64 pair, u32 held)
 	ts_v3 s = ts_load3(how.nodes[ts_k_pair_node(pair)].centre), v = ts_load3(how.views[ts_k_pair_views(pair)].centre);
 	f32 d = ts_put(ts_length(ts_sub(s, v))), map = ts_u2f(held);
 	ts_probe_put_decision(p, o, &how, pair);
-	ts_probe_put_check(p, o, TS_B_map_depth_node, &d, &map, 1);
+	ts_probe_put_check(p, o, TS_B_view_map_depth_node, &d, &map, 1);
 	return TS_OK;
 }
 
 ts_status ts_probe_put_pair(ts_probe *p, json_t *object, u32 node, u32 texel)
 {
-	static const ts_buffer_id needed[] = {TS_B_map_depth_node, TS_N_BUFFERS};
+	static const ts_buffer_id needed[] = {TS_B_view_map_depth_node, TS_N_BUFFERS};
 	ts_probe_chain c = {.n = 0};
 	u32 from = 0;
 	json_t *o = json_object();

@@ -62,7 +62,7 @@ static ts_status put_culling(ts_probe *p, json_t *o, const ts_vpl_gather_args *a
 	put_tally(p, o, "culled_as_they_look_elsewhere", &unseen);
 	put_tally(p, o, "culled_beyond_cutoff", &far);
 	put_tally(p, o, "left", &left);
-	ts_probe_put(p, o, "check", json_sprintf("bits %s vpl_pairs.node", same ? "agree with" : "differ from"));
+	ts_probe_put(p, o, "check", json_sprintf("bits %s vpl_gather.pair_node", same ? "agree with" : "differ from"));
 	return TS_OK;
 }
 

@@ -6,7 +6,7 @@
 #include "tools.h"
 
 static const ts_margin_rule margins[] = {
-	{TS_B_map_depth_node, TS_B_map_margin, .of = 1, .steps = 1.0f},
+	{TS_B_view_map_depth_node, TS_B_view_map_margin, .of = 1, .steps = 1.0f},
 	{TS_B_vpl_gather_irradiance, TS_B_vpl_gather_margin, .of = 3, .steps = 1.0f},
 	{0},
 };
@@ -49,12 +49,12 @@ static const ts_probe_part parts[] = {
 /* clang-format on */
 
 /* For the share of empty texels (bench_mega.c). */
-static const ts_buffer_id keeps[] = {TS_B_view_octree_node, TS_B_fuse_depth, TS_N_BUFFERS};
+static const ts_buffer_id keeps[] = {TS_B_view_octree_node, TS_B_view_map_fused_depth, TS_N_BUFFERS};
 
 static u64 queue_bytes(const ts_params *params) { return (u64)TS_PARAM(params, queue_mb) << 20; }
 
 static const ts_lower_rule lowers[] = {
-	{TS_B_map_depth_node, "queue_mb", queue_bytes},
+	{TS_B_view_map_depth_node, "queue_mb", queue_bytes},
 	{0},
 };
 

@@ -32,7 +32,7 @@ static ts_status trace(ts_truth *truth, ts_run *run, const char *const *makers, 
 	for (; *makers != NULL; makers++) {
 		if (ts_run_stage(run, ts_stage_find(*makers)) != TS_OK) return TS_ERROR;
 	}
-	const ts_root *root = ts_frame_data(&run->frame, TS_B_root_cube);
+	const ts_root *root = ts_frame_data(&run->frame, TS_B_octree_root);
 	f32 leaf = root->side / (f32)(1 << TS_PARAM(&run->params, levels));
 	const tracer t = {
 		.truth = truth,

@@ -32,8 +32,8 @@ static int drop_all(void **state)
 /* Every term of every one of these pixels adds up to the bits of the picture. */
 static void pixels_of(const traced *t)
 {
-	const ts_pixel *records = data(t, TS_B_pixel_record);
-	u32 n = (u32)count(t, TS_B_pixel_record);
+	const ts_pixel *records = data(t, TS_B_mirror_pixel_record);
+	u32 n = (u32)count(t, TS_B_mirror_pixel_record);
 	assert_true(n > N_TRIED);
 	for (u32 i = 0; i < N_TRIED; i++) try_pixel(t, records[below(n)].index);
 	for (u32 i = 0; i < N_TRIED; i++) try_pixel(t, below(t->run.params.width * t->run.params.height));
@@ -54,11 +54,11 @@ static void test_pixels_mvr(void **state)
 static void test_pixels_of_bounces(void **state)
 {
 	(void)state;
-	const ts_bounce *queue = data(&epr, TS_B_lookup2_parent);
-	const ts_pixel *records = data(&epr, TS_B_pixel_record);
-	assert_true(count(&epr, TS_B_lookup2_parent) > 0);
+	const ts_bounce *queue = data(&epr, TS_B_lookup_second_parent);
+	const ts_pixel *records = data(&epr, TS_B_mirror_pixel_record);
+	assert_true(count(&epr, TS_B_lookup_second_parent) > 0);
 	for (u32 i = 0; i < 8; i++) {
-		try_pixel(&epr, records[queue[below((u32)count(&epr, TS_B_lookup2_parent))].parent / 25].index);
+		try_pixel(&epr, records[queue[below((u32)count(&epr, TS_B_lookup_second_parent))].parent / 25].index);
 	}
 }
 
@@ -67,7 +67,7 @@ static json_t *try_texel(const traced *t, u64 texel, u64 key, const char *depth,
 {
 	json_t *answer;
 	char view[32];
-	const ts_face *cubes = data(t, TS_B_resize_face);
+	const ts_face *cubes = data(t, TS_B_cube_size_face);
 	u32 r = 0;
 	while (texel - cubes[r].offset >= (u64)6 * cubes[r].n * cubes[r].n) r++;
 	u64 n = cubes[r].n, inside = texel - cubes[r].offset;
@@ -115,11 +115,11 @@ static void test_ties(void **state)
 static void test_texels_mvr(void **state)
 {
 	(void)state;
-	const u64 *keys = data(&mvr, TS_B_face_depth_triangle);
-	const ts_face *cubes = data(&mvr, TS_B_resize_face);
-	u64 first = cubes[count(&mvr, TS_B_resize_face) - 1].offset;
+	const u64 *keys = data(&mvr, TS_B_cube_face_depth_triangle);
+	const ts_face *cubes = data(&mvr, TS_B_cube_size_face);
+	u64 first = cubes[count(&mvr, TS_B_cube_size_face) - 1].offset;
 	for (u32 i = 0; i < N_TRIED;) {
-		u64 inside = below((u32)count(&mvr, TS_B_face_depth_triangle));
+		u64 inside = below((u32)count(&mvr, TS_B_cube_face_depth_triangle));
 		if (keys[inside] == TS_EMPTY) continue;
 		json_decref(try_texel(&mvr, first + inside, keys[inside], "depth", "triangle"));
 		i++;
@@ -129,7 +129,7 @@ static void test_texels_mvr(void **state)
 static u32 triangle_of(u32 point)
 {
 	const ts_point *points = data(&epr, TS_B_points_record);
-	return ((const ts_piece *)data(&epr, TS_B_split_triangle))[points[point].piece].triangle;
+	return ((const ts_piece *)data(&epr, TS_B_split_piece))[points[point].piece].triangle;
 }
 
 /* What became of a triangle, counted from the buffers. */
@@ -142,8 +142,8 @@ static truth truth_of(u32 triangle)
 {
 	const u64 *bits = data(&epr, TS_B_visibility_bits), *keys = data(&epr, TS_B_splat_depth_index);
 	const u32 *offset = data(&epr, TS_B_split_offset), *keep = data(&epr, TS_B_cull_keep);
-	const u32 *before = data(&epr, TS_B_count_offset), *found = data(&epr, TS_B_lookup_point);
-	const u32 *found2 = data(&epr, TS_B_lookup2_point);
+	const u32 *before = data(&epr, TS_B_points_offset), *found = data(&epr, TS_B_lookup_point);
+	const u32 *found2 = data(&epr, TS_B_lookup_second_point);
 	truth t = {.seen = bits[triangle] != 0};
 	for (u32 q = offset[triangle]; q < offset[triangle + 1]; q++) t.kept |= keep[q] != 0;
 	t.points = before[offset[triangle + 1]] - before[offset[triangle]];
@@ -152,7 +152,7 @@ static truth truth_of(u32 triangle)
 	}
 	for (u64 i = 0; i < count(&epr, TS_B_lookup_point); i++)
 		t.samples += found[i] != TS_NONE && triangle_of(found[i]) == triangle;
-	for (u64 i = 0; i < count(&epr, TS_B_lookup2_point); i++) {
+	for (u64 i = 0; i < count(&epr, TS_B_lookup_second_point); i++) {
 		t.samples += found2[i] != TS_NONE && triangle_of(found2[i]) == triangle;
 	}
 	return t;

@@ -62,14 +62,14 @@ static u32 n_reaching(const json_t *samples)
 static u32 try_shadow(const traced *t, u32 pixel)
 {
 	json_t *answer;
-	u32 width = t->run.params.width, lit = ((const u32 *)data(t, TS_B_resolve_lit))[pixel];
+	u32 width = t->run.params.width, lit = ((const u32 *)data(t, TS_B_shadow_test_lit))[pixel];
 	if (((const u64 *)data(t, TS_B_eye_depth_triangle))[pixel] == TS_EMPTY) return 0;
 	require(ask_pixel(t, pixel % width, pixel / width, &answer));
 	const json_t *light = json_array_get(json_object_get(answer, "shadow"), 0);
 	const json_t *samples = json_object_get(light, "by_sample");
 	assert_int_equal(figure(light, "reach"), lit);
 	if (samples != NULL) {
-		const u64 *margin = (const u64 *)data(t, TS_B_resolve_margin) + pixel * 2;
+		const u64 *margin = (const u64 *)data(t, TS_B_shadow_test_margin) + pixel * 2;
 		assert_int_equal(n_reaching(samples), lit);
 		assert_int_equal(json_array_size(samples), 5);
 		assert_true(least_of(samples, "edge_margin") == margin[0]);

@@ -32,8 +32,8 @@ static void put(ts_buffer_id id, const void *data, u64 n, u64 second)
 static void put_all(void)
 {
 	put(TS_B_splat_tie, ties, TEXELS, 0);
-	put(TS_B_resize_face, &cube, 1, 0);
-	put(TS_B_split_triangle, &piece, 1, 0);
+	put(TS_B_cube_size_face, &cube, 1, 0);
+	put(TS_B_split_piece, &piece, 1, 0);
 	put(TS_B_align_frame, &frame, 1, 0);
 	put(TS_B_points_record, points, POINTS, 0);
 	put(TS_B_visibility_bits, &bits, 1, 1);
@@ -139,8 +139,8 @@ static void test_refused(void **state)
 static void test_inputs(void **state)
 {
 	(void)state;
-	static const ts_buffer_id ids[] = {TS_B_splat_tie,   TS_B_resize_face,   TS_B_split_triangle,
-	                                   TS_B_align_frame, TS_B_points_record, TS_B_visibility_bits};
+	static const ts_buffer_id ids[] = {TS_B_splat_tie,   TS_B_cube_size_face, TS_B_split_piece,
+	                                   TS_B_align_frame, TS_B_points_record,  TS_B_visibility_bits};
 	u64 texel = tied_texel(), key = alone[0][texel];
 	for (u32 i = 0; i < sizeof ids / sizeof *ids; i++) {
 		char *path = reference.item[ids[i]].path;

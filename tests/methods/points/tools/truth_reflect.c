@@ -50,8 +50,8 @@ static void grow(stand *s)
 	ts_frame *frame = &s->world.run.frame;
 	world_pose(&s->world);
 	ts_frame_borrow(frame, TS_B_eye_view, &s->eye, 1);
-	ts_frame_borrow(frame, TS_B_resize_face, s->faces, WORLD_OBJECTS - 1);
-	ts_frame_borrow(frame, TS_B_pixel_record, s->pixels, s->n_pixels);
+	ts_frame_borrow(frame, TS_B_cube_size_face, s->faces, WORLD_OBJECTS - 1);
+	ts_frame_borrow(frame, TS_B_mirror_pixel_record, s->pixels, s->n_pixels);
 	assert_int_equal(ts_truth_new(&s->truth, &s->world.run), TS_OK);
 }
 

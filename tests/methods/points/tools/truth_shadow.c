@@ -83,7 +83,7 @@ static const u32 *resolve(world *w)
 	assert_int_equal(ts_truth_new(&truth, &w->run), TS_OK);
 	assert_int_equal(ts_truth_samples(truth, &w->run), TS_OK);
 	ts_truth_free(truth);
-	return ts_frame_data(&w->run.frame, TS_B_resolve_lit);
+	return ts_frame_data(&w->run.frame, TS_B_shadow_test_lit);
 }
 
 static void end(world *w)
@@ -244,8 +244,8 @@ static double mvr_apart(const char *effect, const ts_scene *scene, const ts_para
 	ts_run_begin(&run, scene, params, 2);
 	run.params.map_px = map_px;
 	assert_int_equal(ts_pipeline_run(ts_pipeline_find(effect, "mvr"), &run), TS_OK);
-	const u32 *mvr = ts_frame_data(&run.frame, TS_B_resolve_lit);
-	double rms = apart(mvr, lit, ts_frame_n(&run.frame, TS_B_resolve_lit), params->views);
+	const u32 *mvr = ts_frame_data(&run.frame, TS_B_shadow_test_lit);
+	double rms = apart(mvr, lit, ts_frame_n(&run.frame, TS_B_shadow_test_lit), params->views);
 	print_message("%s of %s: maps of %u px: %.4f apart\n", effect, scene->name, (unsigned)map_px, rms);
 	ts_run_end(&run);
 	return rms;
@@ -254,13 +254,13 @@ static double mvr_apart(const char *effect, const ts_scene *scene, const ts_para
 /* As many samples of the area as the methods have are the very same; more are others. */
 static void check_area(ts_truth *truth, ts_run *run, const u32 *lit)
 {
-	u64 n = ts_frame_n(&run->frame, TS_B_resolve_lit);
+	u64 n = ts_frame_n(&run->frame, TS_B_shadow_test_lit);
 	assert_int_equal(ts_truth_area(truth, run), TS_OK);
-	assert_memory_equal(ts_frame_data(&run->frame, TS_B_resolve_lit), lit, n * sizeof *lit);
+	assert_memory_equal(ts_frame_data(&run->frame, TS_B_shadow_test_lit), lit, n * sizeof *lit);
 	run->params.area_samples = 64;
 	assert_int_equal(ts_truth_area(truth, run), TS_OK);
 	const ts_lamp *lamp = ts_frame_data(&run->frame, TS_B_lamp_shape);
-	const u32 *area = ts_frame_data(&run->frame, TS_B_resolve_lit);
+	const u32 *area = ts_frame_data(&run->frame, TS_B_shadow_test_lit);
 	u64 finer = 0;
 	assert_int_equal(lamp->samples, 64);
 	for (u64 i = 0; i < n; i++) {
@@ -281,10 +281,10 @@ static void check_effect(const char *effect, const char *spec)
 	assert_int_equal(ts_truth_shadow_begin(&run, effect), TS_OK);
 	assert_int_equal(ts_truth_new(&truth, &run), TS_OK);
 	assert_int_equal(ts_truth_samples(truth, &run), TS_OK);
-	u64 n = ts_frame_n(&run.frame, TS_B_resolve_lit);
+	u64 n = ts_frame_n(&run.frame, TS_B_shadow_test_lit);
 	u32 *lit = malloc(n * sizeof *lit);
 	assert_non_null(lit);
-	memcpy(lit, ts_frame_data(&run.frame, TS_B_resolve_lit), n * sizeof *lit);
+	memcpy(lit, ts_frame_data(&run.frame, TS_B_shadow_test_lit), n * sizeof *lit);
 	double coarse = mvr_apart(effect, scene, &params, 64, lit), fine = mvr_apart(effect, scene, &params, 1024, lit);
 	assert_true(fine > 0 && fine < 0.1 && fine < coarse / 2);
 	check_area(truth, &run, lit);

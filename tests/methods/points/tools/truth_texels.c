@@ -79,20 +79,20 @@ static void assert_counts(ts_texel_counts c, u64 holes, u64 leaks, u64 apart)
 static void check_depths(bool parallel)
 {
 	world *w = world_new(parallel);
-	u32 *depth = ts_frame_make1(&w->run.frame, TS_B_scatter_depth, 2 * SIDE * SIDE);
+	u32 *depth = ts_frame_make1(&w->run.frame, TS_B_depth_map_depth, 2 * SIDE * SIDE);
 	for (u32 i = 0; i < 2 * SIDE * SIDE; i++) depth[i] = ts_f2u((f32)floor_at(i % SIDE, parallel));
-	assert_counts(judge(w, TS_B_scatter_depth), 0, 0, 0);
+	assert_counts(judge(w, TS_B_depth_map_depth), 0, 0, 0);
 	u32 *second = depth + SIDE * SIDE;
 	second[5 * SIDE + 20] = TS_NONE;
 	second[6 * SIDE + 21] = ts_f2u(40);
 	second[7 * SIDE + 22] = ts_f2u(1);
 	second[8 * SIDE + 23] = ts_f2u((f32)(floor_at(23, parallel) + floor_at(24, parallel)) * 0.5f);
 	second[9 * SIDE] = TS_NONE; /* under the mask */
-	assert_counts(judge(w, TS_B_scatter_depth), 1, 1, 2);
+	assert_counts(judge(w, TS_B_depth_map_depth), 1, 1, 2);
 	w->run.first_unit = 1; /* the second batch alone: the same texels are its first */
 	w->run.n_units = 1;
 	memmove(depth, second, SIDE * SIDE * sizeof *depth);
-	ts_texel_counts c = judge(w, TS_B_scatter_depth);
+	ts_texel_counts c = judge(w, TS_B_depth_map_depth);
 	assert_true(c.holes == 1 && c.leaks == 1 && c.apart == 2);
 	ts_run_end(&w->run);
 	free(w);
@@ -111,12 +111,12 @@ static void test_limit(void **state)
 	(void)state;
 	world *w = world_new(false);
 	w->run.params.bias = w->run.params.bias_slope = 0;
-	u32 *depth = ts_frame_make1(&w->run.frame, TS_B_scatter_depth, 2 * SIDE * SIDE);
+	u32 *depth = ts_frame_make1(&w->run.frame, TS_B_depth_map_depth, 2 * SIDE * SIDE);
 	for (u32 i = 0; i < 2 * SIDE * SIDE; i++) {
 		double tangent = (i % SIDE + 0.5 - SIDE / 2 + (i < SIDE * SIDE ? 0.499 : 0.51)) / (SIDE / 2.0);
 		depth[i] = ts_f2u((f32)(4 / (1 - (double)slope * tangent)));
 	}
-	ts_texel_counts c = judge(w, TS_B_scatter_depth);
+	ts_texel_counts c = judge(w, TS_B_depth_map_depth);
 	assert_int_equal(c.holes, 0);
 	assert_int_equal(c.leaks, c.covered / 2);
 	assert_int_equal(c.apart, c.covered);

@@ -84,24 +84,24 @@ static void test_least(void **state)
 static void test_sums(void **state)
 {
 	(void)state;
-	const u64 *sums = ts_frame_data(&run.frame, TS_B_blend_sum),
-			  *heaviest = ts_frame_data(&run.frame, TS_B_blend_heaviest);
-	u64 i = 0, n = ts_frame_n(&run.frame, TS_B_blend_heaviest);
+	const u64 *sums = ts_frame_data(&run.frame, TS_B_surfel_blend_sum),
+			  *heaviest = ts_frame_data(&run.frame, TS_B_surfel_blend_heaviest);
+	u64 i = 0, n = ts_frame_n(&run.frame, TS_B_surfel_blend_heaviest);
 	while (i < n && heaviest[i] == TS_EMPTY) i++;
 	assert_true(i < n && sums[8 * i + 7] > 0);
-	refuses("surfel_mean", TS_B_blend_sum, 8 * i + 7, "", 0);
-	refuses("surfel_mean", TS_B_blend_heaviest, i, "", 0xffffffff);
+	refuses("surfel_mean", TS_B_surfel_blend_sum, 8 * i + 7, "", 0);
+	refuses("surfel_mean", TS_B_surfel_blend_heaviest, i, "", 0xffffffff);
 	ts_load load;
-	u64 *names = ts_frame_data(&run.frame, TS_B_blend_heaviest), kept = names[i];
+	u64 *names = ts_frame_data(&run.frame, TS_B_surfel_blend_heaviest), kept = names[i];
 	char place[64];
 	names[i] = TS_EMPTY;
 	load_for(&load, ts_stage_find("surfel_mean"));
 	ts_status status = ts_check(&load, ts_stage_find("surfel_mean"));
 	names[i] = kept;
-	snprintf(place, sizeof place, "blend.sum: element %u", (unsigned)(8 * i + 7));
+	snprintf(place, sizeof place, "surfel_blend.sum: element %u", (unsigned)(8 * i + 7));
 	assert_int_equal(status, TS_ERROR);
 	assert_non_null(strstr(ts_error_message(), place));
-	assert_non_null(strstr(ts_error_message(), "no fragment, as blend.heaviest says, would be right"));
+	assert_non_null(strstr(ts_error_message(), "no fragment, as surfel_blend.heaviest says, would be right"));
 }
 
 /* Keys name surfels, in the half that is an index. */
@@ -113,9 +113,9 @@ static void test_keys(void **state)
 		const char *stage;
 		ts_buffer_id id;
 	} readers[] = {
-		{"blend", TS_B_surfel_depth_surfel},        {"surfel_mean", TS_B_surfel_depth_surfel},
-		{"surfel_mean", TS_B_blend_heaviest},       {"surfel_depth_margin", TS_B_surfel_depth_surfel},
-		{"blend_margin", TS_B_surfel_depth_surfel}, {"blend_margin", TS_B_blend_heaviest},
+		{"blend", TS_B_surfel_depth_surfel},         {"surfel_mean", TS_B_surfel_depth_surfel},
+		{"surfel_mean", TS_B_surfel_blend_heaviest}, {"surfel_depth_margin", TS_B_surfel_depth_surfel},
+		{"blend_margin", TS_B_surfel_depth_surfel},  {"blend_margin", TS_B_surfel_blend_heaviest},
 	};
 	for (u32 r = 0; r < sizeof readers / sizeof *readers; r++) {
 		refuses(readers[r].stage, readers[r].id, 0, "", n);

@@ -62,7 +62,7 @@ static void test_indices(void **state)
 		for (const ts_step *step = steps; step->stage != NULL; step++) {
 			ts_load load;
 			const ts_stage *stage = ts_stage_find(step->stage);
-			if (!ts_stage_reads(stage, id) || ts_frame_n(&run.frame, id) == 0 || id < TS_B_root_least) continue;
+			if (!ts_stage_reads(stage, id) || ts_frame_n(&run.frame, id) == 0 || id < TS_B_octree_root_least) continue;
 			load_for(&load, stage);
 			assert_int_equal(ts_check(&load, stage), TS_OK);
 			u64 size = ts_axis_size(&indices[row].of, &load.sizes);
@@ -80,14 +80,14 @@ static void test_masks(void **state)
 {
 	(void)state;
 	const u64 *mask = ts_frame_data(&run.frame, TS_B_voxel_mask),
-			  *views = ts_frame_data(&run.frame, TS_B_view_voxel_mask);
+			  *views = ts_frame_data(&run.frame, TS_B_view_octree_voxel_mask);
 	u64 last = ts_k_mask_first(LEVELS + 1) - 1;
 	refuses("octree", TS_B_voxel_mask, last, "", ~mask[last]);
 	refuses("octree", TS_B_voxel_mask, 0, "", 0);
 	refuses("octree", TS_B_voxel_before, 3, "", 4000000000);
 	refuses("octree", TS_B_voxel_before, last + 1, "", 0);
-	refuses("view_octree", TS_B_view_voxel_mask, last, "", views[last] ^ 1);
-	refuses("view_octree", TS_B_view_voxel_before, last, "", 0);
+	refuses("view_octree", TS_B_view_octree_voxel_mask, last, "", views[last] ^ 1);
+	refuses("view_octree", TS_B_view_octree_voxel_before, last, "", 0);
 }
 
 static void test_nodes(void **state)
@@ -159,25 +159,26 @@ static void test_pairs(void **state)
 	load_for(&load, ts_stage_find("fuse"));
 	load.run.params.view_px *= 2;
 	assert_int_equal(ts_check(&load, ts_stage_find("fuse")), TS_ERROR);
-	assert_non_null(strstr(ts_error_message(), "map.depth_node"));
+	assert_non_null(strstr(ts_error_message(), "view_map.depth_node"));
 }
 
 /* What pixels draw is a view, and the voxel that they are in a node. */
 static void test_lists(void **state)
 {
 	(void)state;
-	const u32 *views = ts_frame_data(&run.frame, TS_B_vpl_pairs_views);
+	const u32 *views = ts_frame_data(&run.frame, TS_B_vpl_gather_pair_views);
 	const u32 *before = ts_frame_data(&run.frame, TS_B_voxel_before);
 	const u32 *level = ts_frame_data(&run.frame, TS_B_octree_level);
 	const u64 *mask = ts_frame_data(&run.frame, TS_B_voxel_mask);
-	u64 n = ts_frame_n(&run.frame, TS_B_vpl_pairs_views), n_lists = ts_frame_n(&run.frame, TS_B_vpl_pairs_offset) - 1;
+	u64 n = ts_frame_n(&run.frame, TS_B_vpl_gather_pair_views),
+		n_lists = ts_frame_n(&run.frame, TS_B_vpl_gather_pair_offset) - 1;
 	u64 last = ts_frame_n(&run.frame, TS_B_voxel_before) - 1;
-	refuses("vpl_gather", TS_B_vpl_pairs_views, n - 1, "", views[n - 1] + 1);
-	refuses("vpl_gather", TS_B_vpl_pairs_views, 0, "", 0xffffffff);
-	refuses("vpl_gather", TS_B_vpl_pairs_offset, 0, "", 1);
-	refuses("vpl_gather", TS_B_vpl_pairs_offset, n_lists, "", n + 1);
+	refuses("vpl_gather", TS_B_vpl_gather_pair_views, n - 1, "", views[n - 1] + 1);
+	refuses("vpl_gather", TS_B_vpl_gather_pair_views, 0, "", 0xffffffff);
+	refuses("vpl_gather", TS_B_vpl_gather_pair_offset, 0, "", 1);
+	refuses("vpl_gather", TS_B_vpl_gather_pair_offset, n_lists, "", n + 1);
 	refuses("vpl_gather", TS_B_voxel_before, last, "", before[last] + 1);
-	refuses("vpl_gather", TS_B_fuse_node, 0, "", level[LEVELS + 1]);
+	refuses("vpl_gather", TS_B_view_map_fused_node, 0, "", level[LEVELS + 1]);
 	ts_load load;
 	u64 *bits = ts_frame_data(&run.frame, TS_B_voxel_mask);
 	bits[last - 1] = ~mask[last - 1];

@@ -131,7 +131,7 @@ static void try_filter(const traced *t, const json_t *filter, u32 pixel)
 /* Culled nodes and kept nodes are all nodes, and the list has the kept ones. */
 static u64 try_culling(const traced *t, const json_t *culling)
 {
-	const u32 *offset = data(t, TS_B_vpl_pairs_offset), *level = data(t, TS_B_octree_level);
+	const u32 *offset = data(t, TS_B_vpl_gather_pair_offset), *level = data(t, TS_B_octree_level);
 	u64 node = figure(culling, "node") - level[figure(culling, "level")];
 	u64 unseen = figure(json_object_get(culling, "culled_as_they_look_elsewhere"), "views");
 	u64 far = figure(json_object_get(culling, "culled_beyond_cutoff"), "views");

@@ -96,7 +96,7 @@ static answer comes_to(const traced *t, const apart *a, u32 texel)
 /* Of one light: not all of the leaf is behind it. The kernels allow the cosine of a cone, here 1, to be rounded. */
 static answer is_seen(const traced *t, const apart *a, u32 view)
 {
-	const ts_cone *cone = (const ts_cone *)data(t, TS_B_view_cone_node) + view;
+	const ts_cone *cone = (const ts_cone *)data(t, TS_B_view_octree_cone) + view;
 	double along = a->x * (double)cone->axis[0] + a->y * (double)cone->axis[1] + a->z * (double)cone->axis[2];
 	return more(a->radius, -along, 100 * (a->d + 1));
 }
@@ -131,7 +131,7 @@ static void count_pairs(const traced *t, u32 view, u32 texel, u64 n[2])
 static u64 own_key(const traced *t, u32 view, u32 texel)
 {
 	const u64 *map =
-		(const u64 *)data(t, TS_B_map_depth_node) + view * t->run.frame.buffer[TS_B_map_depth_node].shape[1];
+		(const u64 *)data(t, TS_B_view_map_depth_node) + view * t->run.frame.buffer[TS_B_view_map_depth_node].shape[1];
 	u32 n = t->run.params.view_px, first = 0;
 	for (u32 mip = 0; mip == 0 || (t->run.params.multipixel && n >> mip > 0); mip++) {
 		u32 side = n >> mip;
@@ -184,13 +184,13 @@ static bool try_fused(const traced *t, const json_t *fused, u32 view, u32 texel)
 {
 	const ts_node *nodes = data(t, TS_B_view_octree_node);
 	u32 n = t->run.params.view_px, parent = nodes[view].parent;
-	const u32 *depths = data(t, TS_B_fuse_depth);
+	const u32 *depths = data(t, TS_B_view_map_fused_depth);
 	u32 own = depth_of(fused, "own"), above = depth_of(fused, "moved_from_above"), depth = depth_of(fused, "depth");
 	u32 held = parent != TS_NONE ? depths[(u64)parent * 2 * n * n + texel] : TS_NONE;
 	assert_int_equal(own, own_key(t, view, texel) >> 32);
 	assert_int_equal(depth, depths[(u64)view * 2 * n * n + texel]);
 	assert_int_equal(above == TS_NONE, held == TS_NONE);
-	u32 shows = ((const u32 *)data(t, TS_B_fuse_node))[(u64)view * 2 * n * n + texel];
+	u32 shows = ((const u32 *)data(t, TS_B_view_map_fused_node))[(u64)view * 2 * n * n + texel];
 	const json_t *node = json_object_get(json_object_get(fused, "shows"), "node");
 	assert_true(shows == TS_NONE ? depth == TS_NONE : json_integer_value(node) == (json_int_t)shows);
 	bool first = own != TS_NONE && t->run.params.fusion == TS_FUSION_PAPER;
@@ -235,7 +235,7 @@ static void test_nodes(void **state)
 	u32 n_moved = 0;
 	for (u32 i = 0; i < N_METHODS; i++) {
 		const traced *t = &views[i];
-		const u32 *depths = data(t, TS_B_fuse_depth);
+		const u32 *depths = data(t, TS_B_view_map_fused_depth);
 		u32 n = t->run.params.view_px, n_shown = 0;
 		u64 tally[2] = {0, 0};
 		for (u32 k = 0; k < N_TRIED; k++) {

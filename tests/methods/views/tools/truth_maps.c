@@ -63,8 +63,9 @@ static void test_planted(void **state)
 	ts_run run;
 	ts_run_begin(&run, scene, &params, 2);
 	assert_int_equal(ts_pipeline_run(ts_pipeline_find("indirect", "megaviews"), &run), TS_OK);
-	u32 *depths = ts_frame_data(&run.frame, TS_B_fuse_depth), *shown = ts_frame_data(&run.frame, TS_B_fuse_node);
-	u64 n = ts_frame_n(&run.frame, TS_B_fuse_depth);
+	u32 *depths = ts_frame_data(&run.frame, TS_B_view_map_fused_depth),
+		*shown = ts_frame_data(&run.frame, TS_B_view_map_fused_node);
+	u64 n = ts_frame_n(&run.frame, TS_B_view_map_fused_depth);
 	memset(depths, 0xff, n * sizeof *depths);
 	memset(shown, 0xff, n * sizeof *shown);
 	ts_texel_counts empty = judge(&run);

@@ -35,7 +35,7 @@ static void test_particles(void **state)
 		w->run.params.light_near = 0.0009765625f;
 		const f32 *found = traced(w, ts_truth_glow);
 		const ts_vpl *lights = ts_frame_data(&w->run.frame, TS_B_vpl_light);
-		const ts_root *root = ts_frame_data(&w->run.frame, TS_B_root_cube);
+		const ts_root *root = ts_frame_data(&w->run.frame, TS_B_octree_root);
 		double reach = (double)root->side / 512 * sqrt(3);
 		for (u32 i = 0; i < N_RECEIVERS; i++) {
 			double light = 0;
