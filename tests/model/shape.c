@@ -7,8 +7,8 @@ static ts_sizes some(void)
 	ts_sizes sizes;
 	ts_sizes_clear(&sizes);
 	sizes.n[TS_DIM_mirror_pixels] = 7;
-	sizes.n[TS_DIM_entries2] = 11;
-	sizes.n[TS_DIM_samples] = 25;
+	sizes.n[TS_DIM_second_bounces] = 11;
+	sizes.n[TS_DIM_lookup_samples] = 25;
 	sizes.n[TS_DIM_points] = 0;
 	sizes.n[TS_DIM_image_texels] = UINT64_MAX - 1;
 	return sizes;
@@ -23,15 +23,15 @@ static void test_dims(void **state)
 		u64 dims[TS_MAX_DIMS];
 	} cases[] = {
 		{"mirror_pixels", 1, {7}},
-		{"entries2 4", 2, {11, 4}},
-		{"mirror_pixels*samples+1", 1, {176}},
-		{"mirror_pixels samples 3", 3, {7, 25, 3}},
+		{"second_bounces 4", 2, {11, 4}},
+		{"mirror_pixels*lookup_samples+1", 1, {176}},
+		{"mirror_pixels lookup_samples 3", 3, {7, 25, 3}},
 		{"points", 1, {0}},
 		{"points+1", 1, {1}},
 		{"1", 1, {1}},
-		{"entries2*4+1 2 3 4", 4, {45, 2, 3, 4}},
+		{"second_bounces*4+1 2 3 4", 4, {45, 2, 3, 4}},
 		{"image_texels", 1, {UINT64_MAX - 1}},
-		{"2*samples*3*samples", 1, {3750}},
+		{"2*lookup_samples*3*lookup_samples", 1, {3750}},
 	};
 	ts_sizes sizes = some();
 	for (u32 i = 0; i < sizeof cases / sizeof *cases; i++) {
@@ -96,10 +96,14 @@ static void test_counts(void **state)
 		ts_dim dim;
 		bool image;
 	} cases[] = {
-		{"points", TS_DIM_points, false},        {"pieces+1", TS_DIM_pieces, false},
-		{"height width 3", TS_DIM_height, true}, {"height*width+1", TS_DIM_none, false},
-		{"entries2*4+1", TS_DIM_none, false},    {"6", TS_DIM_none, false},
-		{"grid grid", TS_DIM_grid, false},       {"width height", TS_DIM_width, false},
+		{"points", TS_DIM_points, false},
+		{"pieces+1", TS_DIM_pieces, false},
+		{"height width 3", TS_DIM_height, true},
+		{"height*width+1", TS_DIM_none, false},
+		{"second_bounces*4+1", TS_DIM_none, false},
+		{"6", TS_DIM_none, false},
+		{"grid_side grid_side", TS_DIM_grid_side, false},
+		{"width height", TS_DIM_width, false},
 		{"height", TS_DIM_height, false},
 	};
 	for (u32 i = 0; i < sizeof cases / sizeof *cases; i++) {

@@ -16,7 +16,7 @@ static u64 n_pixels(const ts_run *run) { return (u64)TS_PARAM(&run->params, widt
 
 static ts_status gather(ts_run *run)
 {
-	u64 n = 4 * ts_run_size(run, TS_DIM_boxes);
+	u64 n = 4 * ts_run_size(run, TS_DIM_segment_boxes);
 	ts_gather_args args = {.n_patches = ts_frame_n(&run->frame, TS_B_rsm_patch),
 	                       .grid = TS_PARAM(&run->params, grid_px)};
 	ts_run_count(run, "gathers", (i64)(n * args.n_patches));
@@ -26,7 +26,7 @@ static ts_status gather(ts_run *run)
 static ts_status fit(ts_run *run)
 {
 	ts_fit_args args = {.vmf = TS_PARAM(&run->params, sharpness) == TS_SHARPNESS_VMF};
-	return TS_RUN(run, &fitted, &args, 4 * ts_run_size(run, TS_DIM_boxes));
+	return TS_RUN(run, &fitted, &args, 4 * ts_run_size(run, TS_DIM_segment_boxes));
 }
 
 static ts_choice_args choice(const ts_run *run)

@@ -44,7 +44,7 @@ static void hulls_expect(ts_expected *expected, const ts_scene *scene, const ts_
 {
 	u64 side = TS_PARAM(params, grid_px) / 32;
 	ts_indirect_expect(expected, scene, params);
-	expected->sizes.n[TS_DIM_boxes] = side * side * BOXES_A_BLOCK;
+	expected->sizes.n[TS_DIM_segment_boxes] = side * side * BOXES_A_BLOCK;
 }
 
 const ts_pipeline ts_pipeline_hulls = {

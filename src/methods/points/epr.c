@@ -86,8 +86,8 @@ static void epr_expect(ts_expected *expected, const ts_scene *scene, const ts_pa
 	n[TS_DIM_pieces] = triangles + triangles / 16;
 	n[TS_DIM_points] = 2 * triangles + points;
 	n[TS_DIM_texels] = texels;
-	n[TS_DIM_entries2] = entries * TS_N_SAMPLES / 8;
-	n[TS_DIM_entries3] = entries * TS_N_SAMPLES / 16;
+	n[TS_DIM_second_bounces] = entries * TS_N_SAMPLES / 8;
+	n[TS_DIM_third_bounces] = entries * TS_N_SAMPLES / 16;
 }
 
 const ts_pipeline ts_pipeline_epr_reflections = {

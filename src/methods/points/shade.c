@@ -61,13 +61,13 @@ static void count_operations(ts_run *run, ts_dim entries)
 static ts_status shade_third(ts_run *run)
 {
 	ts_lookup_args args = ts_lookup_values(run, 2);
-	count_operations(run, TS_DIM_entries3);
-	return TS_RUN(run, &of_third, &args, ts_run_size(run, TS_DIM_entries3));
+	count_operations(run, TS_DIM_third_bounces);
+	return TS_RUN(run, &of_third, &args, ts_run_size(run, TS_DIM_third_bounces));
 }
 
 static ts_status shade_second(ts_run *run)
 {
-	count_operations(run, TS_DIM_entries2);
+	count_operations(run, TS_DIM_second_bounces);
 	return shade(run, 1, &of_second);
 }
 

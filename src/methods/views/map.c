@@ -49,7 +49,7 @@ static ts_status map(ts_run *run)
 	if (ts_traverse_arguments(run, &how) != TS_OK || TS_FILL(run, launch, &args) != TS_OK) return TS_ERROR;
 	count_bytes(run, TS_B_view_map_depth_node);
 	if (!kept) return ts_traverse(run, &how, map_piece, &args);
-	return ts_launch_items(run, launch, &args, ts_run_size(run, TS_DIM_rendered));
+	return ts_launch_items(run, launch, &args, ts_run_size(run, TS_DIM_rendered_pairs));
 }
 
 static ts_status map_all(ts_run *run)

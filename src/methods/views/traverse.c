@@ -203,7 +203,7 @@ static ts_status keep_sorted(ts_run *run, const ts_traverse_args *how, u64 *pair
 	ts_status status = ts_traverse(run, how, keep_rendered, &next);
 	if (ts_frame_recall(&run->frame, TS_WORK_kept) != TS_OK || status != TS_OK) return TS_ERROR;
 	qsort(pairs, n, sizeof *pairs, ascending);
-	ts_run_set_size(run, TS_DIM_rendered, n);
+	ts_run_set_size(run, TS_DIM_rendered_pairs, n);
 	u64 *rendered = ts_run_make(run, TS_B_traverse_rendered);
 	if (rendered == NULL) return TS_ERROR;
 	memcpy(rendered, pairs, n * sizeof *pairs);

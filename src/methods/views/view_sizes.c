@@ -106,7 +106,7 @@ void ts_expect_views(ts_expected *expected, const ts_scene *scene, const ts_para
 	n[TS_DIM_vpls] = lights->n;
 	n[TS_DIM_view_nodes] = lights->alone ? lights->n : (u64)view_nodes + 1;
 	n[TS_DIM_view_leaves] = lights->alone ? lights->n : (u64)views_at(&s, lights, levels) + 1;
-	n[TS_DIM_rendered] = lights->n * PAIRS_A_VIEW;
+	n[TS_DIM_rendered_pairs] = lights->n * PAIRS_A_VIEW;
 	n[TS_DIM_gather_nodes] = (u64)lists;
 	n[TS_DIM_gather_pairs] = (u64)pairs;
 	expected->work = queue_bytes(mapped > 2 * pairs ? mapped : 2 * pairs, params);
