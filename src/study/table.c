@@ -6,7 +6,7 @@
 #include "../scene/print.h"
 #include "table.h"
 
-enum { LINE_WIDTH = 120, NARROW = 20, NARROW_FIGURE = 10, GAP = 2 };
+enum { LINE_WIDTH = 120, NARROW = 20, NARROWEST = 12, NARROW_FIGURE = 10, GAP = 2 };
 
 ts_table ts_table_begin(const char *key, const char *title, const ts_column *columns)
 {
@@ -106,23 +106,27 @@ static size_t column_width(const ts_table *table, u32 column, size_t most)
 	return widest;
 }
 
-/* A table that is too wide as it is has its text wrapped, the last column to what the others leave. */
+/* Sets the widths of columns whose text, or figures, are wrapped to so much where words allow. Returns the table's. */
+static size_t wrap_columns(const ts_table *table, size_t text, size_t figures, size_t *width)
+{
+	size_t whole = 0;
+	for (u32 c = 0; c < table->n_columns; c++) {
+		width[c] = column_width(table, c, table->columns[c].right ? figures : text);
+		whole += width[c] + (c > 0 ? GAP : 0);
+	}
+	return whole;
+}
+
+/* A table that is too wide as it is has its text wrapped, narrower where long words ask for it; text of the last column
+ * takes what the others leave. */
 static void choose_widths(const ts_table *table, size_t *width)
 {
+	size_t whole = wrap_columns(table, SIZE_MAX, SIZE_MAX, width);
+	if (whole <= LINE_WIDTH) return;
+	for (size_t text = NARROW; whole > LINE_WIDTH && text >= NARROWEST; text--)
+		whole = wrap_columns(table, text, NARROW_FIGURE, width);
 	u32 last = table->n_columns - 1;
-	size_t before = 0;
-	for (u32 c = 0; c <= last; c++) {
-		width[c] = column_width(table, c, SIZE_MAX);
-		before += c < last ? width[c] + GAP : 0;
-	}
-	if (before + width[last] <= LINE_WIDTH) return;
-	before = 0;
-	for (u32 c = 0; c < last; c++) {
-		width[c] = column_width(table, c, table->columns[c].right ? NARROW_FIGURE : NARROW);
-		before += width[c] + GAP;
-	}
-	if (table->columns[last].right) width[last] = column_width(table, last, NARROW_FIGURE);
-	if (!table->columns[last].right) width[last] = before + NARROW < LINE_WIDTH ? LINE_WIDTH - before : NARROW;
+	if (!table->columns[last].right && whole < LINE_WIDTH) width[last] += LINE_WIDTH - whole;
 }
 
 /* Prints a row of cells, on as many lines as they need. */

@@ -252,7 +252,7 @@ verdict $? 'bench mega-10 fits 120 columns'
 run render indirect "$room" --method megaviews,manylods --set vpls=256 "${maps[@]}" --no-images --json
 cp "$scratch/stdout" "$scratch/mega-render"
 run render indirect "$room" --method megaviews --set vpls=256 "${maps[@]}" --no-images --trace \
-	--trace-only view_octree,fuse -o "$scratch/mega-trace"
+	--trace-only view_octree,view_map.fuse -o "$scratch/mega-trace"
 python3 - "$scratch/mega-10/report.json" "$scratch/mega-render" "$scratch/mega-trace/trace-megaviews" <<'PY'
 import glob, json, math, struct, sys
 report, render = (json.load(open(path)) for path in sys.argv[1:3])
@@ -393,7 +393,7 @@ run bench nv40 --scene "${grid[0]},scenes/room.gltf" --objects 64x36,240x135 --s
 verdict $? 'bench nv40 fits 120 columns and has the slides'
 for filter in min object; do
 	run render surfels "${grid[@]}" --method deferred --set filter=$filter --no-images --json --trace \
-		--trace-only blend -o "$scratch/nv40-$filter"
+		--trace-only surfel_blend -o "$scratch/nv40-$filter"
 	cp "$scratch/stdout" "$scratch/nv40-$filter.json"
 done
 python3 - "$scratch" <<'PY'

@@ -23,7 +23,7 @@ assert names[:2] == ["c1", "c2"] and all(row["device"] and row["compiler"] and r
 assert devices or any("no opencl device" in note or "left out" in note for note in report["notes"]), report["notes"]
 times = {row["stage"]: row for row in report["milliseconds"]}
 stages = [row["stage"] for row in report["milliseconds"]]
-assert stages[0] == "view" and stages[-2:] == ["image", "all"] and stage in stages
+assert stages[0] == "eye.view" and stages[-2:] == ["image", "all"] and stage in stages
 
 def close(a, b):
 	return abs(a - b) <= 1e-6 * abs(b)
@@ -49,7 +49,7 @@ PY
 	verdict $? "bench backends --json, $1: ratios and sums are those of the columns, rates go by the times"
 }
 backends epr splat 3
-backends mvr face 0
+backends mvr cube_face 0
 [ -z "$(ls "$scratch/tmp")" ]
 verdict $? 'an empty kernel cache leaves nothing behind'
 

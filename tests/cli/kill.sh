@@ -6,7 +6,7 @@
 source=$(realpath "$(dirname "$0")/preload/kill.c")
 cd "$scratch" || exit 2
 export ASAN_OPTIONS="${ASAN_OPTIONS:-}:verify_asan_link_order=0"
-short=("${frame[@]}" --method epr --trace-only resize,points,splat,image)
+short=("${frame[@]}" --method epr --trace-only cube_size,points,splat,image)
 
 if ! ${CC:-gcc} -shared -fPIC -o kill.so "$source" -ldl 2> stderr; then
 	echo "ok 1 - the library that kills # SKIP ${CC:-gcc} makes no shared library: $(head -1 stderr)"

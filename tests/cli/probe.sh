@@ -84,7 +84,7 @@ prints 'answer: reaches' probe $soft --pixel 33,60
 prints 'blocker_depth\|search_radius' probe soft-shadows-pcss/trace-pcss --pixel 33,60
 refuses 'no triangles of soft-shadows by mvr, only the eye' probe $soft --triangle 4
 refuses 'no --view 0.+X of omni-shadows by epr, only the eye' probe omni-shadows-epr/trace-epr --pixel 3,3 --view 0.+X
-run render soft-shadows "${shadows[@]}" --method ivir --trace-only scene,eye,view,pose,lamp,lamp_view,resolve -o lacks
+run render soft-shadows "${shadows[@]}" --method ivir --trace-only scene,eye,eye.view,pose,lamp,lamp.view,shadow_test -o lacks
 refuses 'this needs depth_map.depth' probe lacks/trace-ivir --pixel 33,60
 
 # Indirect light: why this box, what its corners gathered, and the lobes; or the triangles of light.
@@ -100,7 +100,7 @@ prints 'bits agree with hull.box' probe $hulls --pixel 20,40
 prints 'fit: holds the pixel; thickness: ' probe $hulls --pixel 20,40
 prints 'form_factor: ' probe $direct --pixel 20,40
 run render indirect atrium:triangles=10000:texels=32 --size 64x64 --set grid_px=64 --set rsm_px=4 --method hulls \
-	--trace-only scene,eye,view,pose,lamp,rsm_view,rsm_patch -o lacks-hulls
+	--trace-only scene,eye,eye.view,pose,lamp,rsm.view,rsm.patch -o lacks-hulls
 refuses 'this needs segment.box_offset, segment.box, corner.moment, corner.lobes' probe lacks-hulls/trace-hulls --pixel 33,60
 
 # Many views: what culling leaves, the lights that are drawn, what their maps show, and the filter.
@@ -132,10 +132,10 @@ refuses 'no --view 4 of .*LIGHT.front' probe $mega --pixel 0,0 --view 4
 refuses 'no --view 0.+X of indirect by megaviews, only the eye' probe $mega --pixel 0,0 --view 0.+X
 refuses 'no --view 0.front of reflections by epr, only the eye' probe $epr --pixel 0,0 --view 0.front
 refuses 'no --view 0.front of soft-shadows by mvr, only the eye' probe $soft --pixel 0,0 --view 0.front
-run render indirect "${views[@]}" --method megaviews --trace-only scene,eye,view,pose,lamp,rsm_view,rsm_patch -o lacks-views
+run render indirect "${views[@]}" --method megaviews --trace-only scene,eye,eye.view,pose,lamp,rsm.view,rsm.patch -o lacks-views
 refuses 'no file of gbuffer.pixel, .*vpl_gather.pair_views' probe lacks-views/trace-megaviews --pixel 33,60
 refuses 'this needs view_map.depth_node, view_map.fused_depth, view_map.fused_node, view_octree.leaf' probe lacks-views/trace-megaviews --pixel 3,6 --view 0.front
-run render particles "${views[@]}" --method megaviews --trace-only scene,eye,view,pose -o lacks-glow
+run render particles "${views[@]}" --method megaviews --trace-only scene,eye,eye.view,pose -o lacks-glow
 refuses 'this needs vpl.light' probe lacks-glow/trace-megaviews --pixel 33,60
 
 # Surfels: what is nearest, blended, hidden, and made of it.
@@ -159,14 +159,14 @@ for words in '33,60 -Y' '32,2 -X'; do
 	prints "view: 0.$face; " probe bulb/trace-deferred --pixel "$pixel"
 	prints 'bits agree with shadow_test.lit' probe bulb/trace-deferred --pixel "$pixel"
 done
-run render surfels "${splats[@]}" --method deferred --trace-only scene,view,lamp,surfel_setup,surfel_depth -o lacks-surfels
+run render surfels "${splats[@]}" --method deferred --trace-only scene,eye.view,lamp,surfel_setup,surfel_depth -o lacks-surfels
 refuses 'no file of gbuffer.pixel, .*surfel_blend.sum' probe lacks-surfels/trace-deferred --pixel 33,60
 
 # A trace without some stages names all that it lacks.
 "$touchstone" render reflections atrium:triangles=10000:texels=32 --size 64x64 --reflectors 2 --set reflector_px=24 --set face_max=16 \
-	--method epr --no-images --trace-only scene,eye,pixel,view,pose,resize,image -o part > /dev/null 2>&1 ||
+	--method epr --no-images --trace-only scene,eye,mirror_pixel,eye.view,pose,cube_size,image -o part > /dev/null 2>&1 ||
 	"$touchstone" render reflections atrium:triangles=10000:texels=32 --size 64x64 --reflectors 2 --set reflector_px=24 \
-		--set face_max=16 --method epr --no-images --trace --trace-only scene,eye,pixel,view,pose,resize,image -o part > /dev/null
+		--set face_max=16 --method epr --no-images --trace --trace-only scene,eye,mirror_pixel,eye.view,pose,cube_size,image -o part > /dev/null
 prints 'bits agree with image.radiance' probe part/trace-epr --pixel 3,60
 refuses 'needs lookup.point, points.record' probe part/trace-epr --pixel "$mirror"
 refuses 'needs visibility.bits, split.triangle_density' probe part/trace-epr --triangle 4

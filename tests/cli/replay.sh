@@ -89,7 +89,7 @@ run replay bad
 verdict $? 'the other stages are replayed'
 
 run render reflections atrium:triangles=10000:texels=32 --method epr --size 64x48 --reflectors 2 --trace-only split,align -o part
-refuses 'stage count: part/trace-epr: no file of scene.triangle' replay part/trace-epr --stage count -o x
+refuses 'stage points.count: part/trace-epr: no file of scene.triangle' replay part/trace-epr --stage points.count -o x
 [ ! -e x ] && [ ! -e x.partial ]
 verdict $? 'nothing is left of it'
 refuses 'stage cull: no file of its outputs' replay part/trace-epr --stage cull
@@ -97,8 +97,8 @@ run replay part/trace-epr --stage cull -o x
 [ "$status" -eq 0 ] && grep -q 'not compared' stdout && cmp -s x/08-cull.keep.npy $epr/08-cull.keep.npy
 verdict $? 'outputs that the trace lacks are written all the same'
 refuses 'no file of scene.vertex, scene.object$' replay part/trace-epr --stage pose
-refuses 'is no stage of epr' replay $epr --stage face
-refuses 'needs 2' replay part/trace-epr --stage lookup2
+refuses 'is no stage of epr' replay $epr --stage cube_face
+refuses 'needs 2' replay part/trace-epr --stage lookup.second
 refuses 'of method mvr' replay $epr --inputs out/trace-mvr
 refuses 'parameter reflector_px is 115' replay $epr --inputs part/trace-epr
 run render reflections atrium:triangles=10000:texels=32 --method epr --size 64x48 --reflectors 1 --order arrival --trace --no-images -o arrival
@@ -158,7 +158,7 @@ for words in 'offset 0 1 where sums begin' 'offset 5 4000000000 the sum before i
 	read -r name place value why <<< "$words"
 	rm -rf spoilt && cp -r lists spoilt
 	spoil "$name" "$place" "$value"
-	refuses "$why" replay spoilt/trace-deferred --stage blend
+	refuses "$why" replay spoilt/trace-deferred --stage surfel_blend
 done
 rm -rf lists spoilt
 refuses 'No such file' replay nowhere

@@ -54,7 +54,7 @@ run compare a/trace-epr part/trace-epr
 [ "$status" -eq 2 ] && [ "$(wc -l < stderr)" -eq 1 ] && grep -q 'crop' stderr
 verdict $? 'but not with the whole'
 
-for arguments in '--trace-only pointz' '--trace-only face' '--trace-only=' '--crop 0,0,97,1' '--crop 1,2,3' '--crop 0,0,0,0' \
+for arguments in '--trace-only pointz' '--trace-only cube_face' '--trace-only=' '--crop 0,0,97,1' '--crop 1,2,3' '--crop 0,0,0,0' \
 	'--crop 4294967295,0,2,2' '--crop a,b,c,d'; do
 	refuses "${arguments%%[ =]*}" "${frame[@]}" --method epr $arguments -o none
 	[ ! -e none ] && [ ! -e none.partial ]

@@ -170,7 +170,7 @@ static void test_allow_and_ignore(void **state)
 		{"cull.keep,mirror_pixel.record.normal", TS_OK},
 		{"mirror_pixel.record.position", TS_DIFFERENT},
 		{"mirror_pixel.offset", TS_DIFFERENT},
-		{"pixel", TS_ERROR},
+		{"mirror_pixel", TS_ERROR},
 		{"mirror_pixel.record.", TS_ERROR},
 		{"mirror_pixel.record.normals", TS_ERROR},
 		{"mirror_pixel.record,", TS_ERROR},

@@ -142,7 +142,7 @@ static void test_adaptive(void **state)
 
 static ts_status count_texels(const ts_run *run, const ts_stage *stage, void *user)
 {
-	if (strcmp(stage->name, "face") != 0) return TS_OK;
+	if (strcmp(stage->name, "cube_face") != 0) return TS_OK;
 	const u64 *texels = ts_frame_data(&run->frame, TS_B_cube_face_depth_triangle);
 	for (u64 i = 0; i < ts_frame_n(&run->frame, TS_B_cube_face_depth_triangle); i++)
 		*(i64 *)user += texels[i] != UINT64_MAX;

@@ -6,8 +6,9 @@
 static void test_values(void **state)
 {
 	(void)state;
-	const ts_stage *eye = ts_stage_find("eye"), *resize = ts_stage_find("resize"), *points = ts_stage_find("points");
-	const ts_stage *lookup = ts_stage_find("lookup"), *count = ts_stage_find("count"), *image = ts_stage_find("image");
+	const ts_stage *eye = ts_stage_find("eye"), *resize = ts_stage_find("cube_size"), *points = ts_stage_find("points");
+	const ts_stage *lookup = ts_stage_find("lookup"), *count = ts_stage_find("points.count"),
+				   *image = ts_stage_find("image");
 	const u64 n = TS_NONE, last_texel = traces[0]->item[TS_B_scene_texel].npy.n - 1;
 	refuses(0, eye, TS_B_scene_image, 0, "width", 0, 0);
 	refuses(0, eye, TS_B_scene_image, 0, "width", 0, 1u << 23);
@@ -42,8 +43,8 @@ static void test_values(void **state)
 static void test_views(void **state)
 {
 	(void)state;
-	const ts_stage *scatter = ts_stage_find("scatter"), *resolve = ts_stage_find("resolve");
-	const ts_stage *views = ts_stage_find("lamp_view"), *image = ts_stage_find("shadow_image");
+	const ts_stage *scatter = ts_stage_find("scatter"), *resolve = ts_stage_find("shadow_test");
+	const ts_stage *views = ts_stage_find("lamp.view"), *image = ts_stage_find("image.shadow");
 	const ts_buffer_id view = TS_B_offscreen_view, shape = TS_B_lamp_shape;
 	refuses(TRACES_SOFT, scatter, view, 1, "width", 0, 25);
 	refuses(TRACES_SOFT, scatter, view, 1, "width", 0, 0);
@@ -57,8 +58,8 @@ static void test_views(void **state)
 	refuses(TRACES_OMNI, resolve, view, 17, "light", 0, TS_NONE);
 	refuses(TRACES_OMNI, resolve, view, 7, "width", 0, 23);
 	refuses(TRACES_OMNI, scatter, TS_B_cube_size_face, 1, "n", 0, 25);
-	refuses(TRACES_IVIR, ts_stage_find("view_split"), view, 0, "width", 0, 33);
-	refuses(TRACES_DEPTH, ts_stage_find("depth"), view, 4, "offset", 0, 24 * 24 * 5);
+	refuses(TRACES_IVIR, ts_stage_find("split.views"), view, 0, "width", 0, 33);
+	refuses(TRACES_DEPTH, ts_stage_find("depth_map"), view, 4, "offset", 0, 24 * 24 * 5);
 	refuses(TRACES_SOFT, views, shape, 0, "samples", 0, 0);
 	refuses(TRACES_SOFT, views, shape, 0, "samples", 0, 6);
 	refuses(TRACES_SOFT, views, shape, 0, "samples", 0, TS_NONE);
@@ -75,7 +76,8 @@ static void test_views(void **state)
 static void test_segments(void **state)
 {
 	(void)state;
-	const ts_stage *gather = ts_stage_find("gather"), *hull = ts_stage_find("hull"), *range = ts_stage_find("range");
+	const ts_stage *gather = ts_stage_find("corner"), *hull = ts_stage_find("hull"),
+				   *range = ts_stage_find("segment.extent");
 	const ts_buffer_id box = TS_B_segment_box;
 	refuses(TRACES_HULLS, gather, box, 0, "low", 0, 63);
 	refuses(TRACES_HULLS, hull, box, 1, "low", 1, 64);
@@ -84,7 +86,7 @@ static void test_segments(void **state)
 	refuses(TRACES_HULLS, hull, TS_B_segment_box_offset, 4096, "", 0, 0);
 	refuses(TRACES_HULLS, hull, TS_B_segment_box_offset, 2049, "", 0, 0);
 	refuses(TRACES_HULLS, range, TS_B_segment_label, 5, "", 0, 1024);
-	refuses(TRACES_HULLS, ts_stage_find("rsm_patch"), TS_B_offscreen_view, 0, "light", 0, TS_NONE);
+	refuses(TRACES_HULLS, ts_stage_find("rsm.patch"), TS_B_offscreen_view, 0, "light", 0, TS_NONE);
 	refuses(TRACES_HULLS, ts_stage_find("rsm"), TS_B_offscreen_view, 0, "width", 0, 5);
 	traces[TRACES_HULLS]->params.grid_px = 63;
 	ts_load *load;
@@ -100,17 +102,17 @@ static void test_lamps(void **state)
 	ts_buffer shapes, none;
 	ts_lamp *lamps = traces_read(&shapes, traces[TRACES_DEPTH], TS_B_lamp_shape);
 	lamps[0].samples--;
-	assert_int_equal(replay_with(TRACES_DEPTH, ts_stage_find("lamp_view"), TS_B_lamp_shape, &shapes), TS_ERROR);
+	assert_int_equal(replay_with(TRACES_DEPTH, ts_stage_find("lamp.view"), TS_B_lamp_shape, &shapes), TS_ERROR);
 	assert_non_null(strstr(ts_error_message(), "lights with 4 views; 5 would be right"));
 	ts_buffer views;
 	void *view = traces_read(&views, traces[TRACES_EPR], TS_B_offscreen_view);
 	views.n = --views.shape[0];
-	assert_int_equal(replay_with(TRACES_EPR, ts_stage_find("shadow_split"), TS_B_offscreen_view, &views), TS_ERROR);
+	assert_int_equal(replay_with(TRACES_EPR, ts_stage_find("split.shadow"), TS_B_offscreen_view, &views), TS_ERROR);
 	assert_non_null(strstr(ts_error_message(), "17 views; six a cube would be right"));
 	free(view);
 	void *light = traces_read(&none, traces[TRACES_OMNI], TS_B_lamp_light);
 	none.n = none.shape[0] = 0;
-	assert_int_equal(replay_with(TRACES_OMNI, ts_stage_find("lamp_cube"), TS_B_lamp_light, &none), TS_ERROR);
+	assert_int_equal(replay_with(TRACES_OMNI, ts_stage_find("lamp.cube"), TS_B_lamp_light, &none), TS_ERROR);
 	assert_null(strchr(ts_error_message(), '\n'));
 	free(light);
 	free(lamps);
@@ -124,8 +126,11 @@ static void test_sums(void **state)
 		const char *stage;
 		ts_buffer_id id;
 	} rows[] = {
-		{"image", TS_B_mirror_pixel_offset},  {"splat", TS_B_points_offset},        {"points", TS_B_points_offset},
-		{"shade", TS_B_lookup_second_offset}, {"shade2", TS_B_lookup_third_offset},
+		{"image", TS_B_mirror_pixel_offset},
+		{"splat", TS_B_points_offset},
+		{"points", TS_B_points_offset},
+		{"shade", TS_B_lookup_second_offset},
+		{"shade.second", TS_B_lookup_third_offset},
 	};
 	for (u32 row = 0; row < sizeof rows / sizeof *rows; row++) {
 		ts_buffer buffer;
@@ -157,7 +162,7 @@ static void test_squares(void **state)
 		frames[i].s = 1;
 		memcpy(frames[i].q, all, sizeof all);
 	}
-	assert_int_equal(replay_with(0, ts_stage_find("count"), TS_B_align_frame, &buffer), TS_ERROR);
+	assert_int_equal(replay_with(0, ts_stage_find("points.count"), TS_B_align_frame, &buffer), TS_ERROR);
 	assert_non_null(strstr(ts_error_message(), "lattice squares"));
 	free(frames);
 }

@@ -191,15 +191,16 @@ static void test_find(void **state)
 	ts_params params = traces[0]->params;
 	const ts_pipeline *epr = traces[0]->pipeline;
 	assert_ptr_equal(ts_replay_find("splat", epr, &params), ts_stage_find("splat"));
-	assert_null(ts_replay_find("face", epr, &params));
+	assert_null(ts_replay_find("cube_face", epr, &params));
 	assert_null(ts_replay_find("nothing", epr, &params));
 	params.bounces = 2;
-	assert_non_null(ts_replay_find("lookup2", epr, &params));
-	assert_null(ts_replay_find("lookup3", epr, &params));
+	assert_non_null(ts_replay_find("lookup.second", epr, &params));
+	assert_null(ts_replay_find("lookup.third", epr, &params));
 	ts_buffer_id ids[TS_N_BUFFERS + 1];
 	params.bounces = 1;
 	ts_replay_reads(ids, ts_stage_find("shade"), epr, &params);
-	for (u32 i = 0; ids[i] != TS_N_BUFFERS; i++) assert_true(strncmp(ts_buffer_table[ids[i]].name, "lookup2", 7) != 0);
+	for (u32 i = 0; ids[i] != TS_N_BUFFERS; i++)
+		assert_true(strncmp(ts_buffer_table[ids[i]].name, "lookup.second", 13) != 0);
 }
 
 int main(void)

@@ -33,7 +33,7 @@ sees() {
 sees "there is no ts_k_spalt_item" METHODS.md '/^### `eye`/s/$/ `ts_k_spalt_item`/'
 sees "there is no file tests/kernels/nil.c" METHODS.md 's,tests/kernels/points/cull.c,tests/kernels/nil.c,'
 sees "tests/kernels/points/cull.c has no test_nil" METHODS.md 's/test_survivors/test_nil/'
-sees "there is no buffer or parameter splat.nil" METHODS.md 's/`splat.depth_index`/`splat.nil`/'
+sees "there is no stage, buffer or parameter splat.nil" METHODS.md 's/`splat.depth_index`/`splat.nil`/'
 sees "visibility is one of" METHODS.md 's/`visibility=vertex`/`visibility=nil`/'
 sees "no stage, parameter, field or kernel knows rho_scael" METHODS.md 's/`rho_scale`/`rho_scael`/'
 sees "parameter fov is not described" METHODS.md 's,`fov`/720,fov/720,'
@@ -56,7 +56,7 @@ sees ".ci/run does not run make test-long" CONTRIBUTING.md 's/runs both, `make g
 rm "$folder"/*.md
 cp reference/CONTRACT.md reference/METHODS.md reference/FIGURES.md "$folder/"
 sed -i 's/"EPR 3.3"/"NIL 3.3"/' "$folder/stages.json"
-scripts/docs-check "$folder" | grep -q "count: its paper, NIL 3.3"
+scripts/docs-check "$folder" | grep -q "points.count: its paper, NIL 3.3"
 result $? "the check sees: a paper that is none"
 sed -i 's/"NIL 3.3"/"EPR 3.3"/' "$folder/stages.json"
 

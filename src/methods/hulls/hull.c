@@ -14,7 +14,7 @@ static const ts_launch everywhere = TS_LAUNCH(direct, TS_ALL);
 
 static u64 n_pixels(const ts_run *run) { return (u64)TS_PARAM(&run->params, width) * TS_PARAM(&run->params, height); }
 
-static ts_status gather(ts_run *run)
+static ts_status corner(ts_run *run)
 {
 	u64 n = 4 * ts_run_size(run, TS_DIM_segment_boxes);
 	ts_gather_args args = {.n_patches = ts_frame_n(&run->frame, TS_B_rsm_patch),
@@ -23,7 +23,7 @@ static ts_status gather(ts_run *run)
 	return TS_RUN(run, &gathered, &args, n);
 }
 
-static ts_status fit(ts_run *run)
+static ts_status corner_lobes(ts_run *run)
 {
 	ts_fit_args args = {.vmf = TS_PARAM(&run->params, sharpness) == TS_SHARPNESS_VMF};
 	return TS_RUN(run, &fitted, &args, 4 * ts_run_size(run, TS_DIM_segment_boxes));
@@ -68,21 +68,21 @@ static ts_status direct(ts_run *run)
 	return TS_RUN(run, &everywhere, &args, n_pixels(run));
 }
 
-const ts_stage ts_stage_gather = {
-	.name = "gather",
+const ts_stage ts_stage_corner = {
+	.name = "corner",
 	.kind = "map",
 	.paper = "SSAGH 3",
 	.doc = "light at the corners of every box",
-	.run = gather,
+	.run = corner,
 	.launches = TS_LAUNCHES(&gathered),
 };
 
-const ts_stage ts_stage_fit = {
-	.name = "fit",
+const ts_stage ts_stage_corner_lobes = {
+	.name = "corner.lobes",
 	.kind = "map",
 	.paper = "SSAGH 4, eqs 4 and 5",
 	.doc = "that light as spherical Gaussians, one a channel",
-	.run = fit,
+	.run = corner_lobes,
 	.launches = TS_LAUNCHES(&fitted),
 };
 
@@ -96,7 +96,7 @@ const ts_stage ts_stage_hull = {
 };
 
 const ts_stage ts_stage_hull_margin = {
-	.name = "hull_margin",
+	.name = "hull.margin",
 	.kind = "map",
 	.margin_of = "hull",
 	.paper = "SSAGH 3",

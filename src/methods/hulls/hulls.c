@@ -21,21 +21,16 @@
 #include "../raster/pipelines.h"
 
 static const ts_step hulls_steps[] = {
-	{.run = ts_rsm_run},
-	{.run = ts_gbuffer_run},
-	{.stage = "nearest"}, /* down-sampled depth */
-	{.stage = "segment"},
-	{.stage = "range"},
-	{.stage = "box"},
-	{.stage = "gather"}, /* light at the corners of the boxes */
-	{.stage = "fit"},
-	{.stage = "hull"}, /* interpolation and integration */
-	{.stage = "indirect_image"},
-	{0},
+	{.run = ts_rsm_run},         {.run = ts_gbuffer_run},
+	{.stage = "depth_grid"}, /* down-sampled depth */
+	{.stage = "segment"},        {.stage = "segment.extent"},
+	{.stage = "segment.box"},    {.stage = "corner"}, /* light at the corners of the boxes */
+	{.stage = "corner.lobes"},   {.stage = "hull"},   /* interpolation and integration */
+	{.stage = "image.indirect"}, {0},
 };
 
 static const ts_step direct_steps[] = {
-	{.run = ts_rsm_run}, {.run = ts_gbuffer_run}, {.stage = "direct"}, {.stage = "indirect_image"}, {0},
+	{.run = ts_rsm_run}, {.run = ts_gbuffer_run}, {.stage = "direct"}, {.stage = "image.indirect"}, {0},
 };
 
 enum { BOXES_A_BLOCK = 8 };

@@ -13,7 +13,7 @@ ts_status ts_grid_check(const ts_params *params)
 	               grid - grid % TS_BLOCK);
 }
 
-static ts_status nearest(ts_run *run)
+static ts_status depth_grid(ts_run *run)
 {
 	ts_nearest_args args = {.grid = TS_PARAM(&run->params, grid_px),
 	                        .width = TS_PARAM(&run->params, width),
@@ -22,11 +22,11 @@ static ts_status nearest(ts_run *run)
 	return TS_RUN(run, &sampled, &args, (u64)args.grid * args.grid);
 }
 
-const ts_stage ts_stage_nearest = {
-	.name = "nearest",
+const ts_stage ts_stage_depth_grid = {
+	.name = "depth_grid",
 	.kind = "map",
 	.paper = "SSAGH 3",
 	.doc = "the screen's depth down-sampled",
-	.run = nearest,
+	.run = depth_grid,
 	.launches = TS_LAUNCHES(&sampled),
 };

@@ -35,13 +35,13 @@ static ts_status segment_margin(ts_run *run)
 	return TS_RUN(run, &measured, &args, n_texels(run) / TS_BLOCK_TEXELS);
 }
 
-static ts_status range(ts_run *run)
+static ts_status segment_extent(ts_run *run)
 {
 	ts_range_args args = {.grid = TS_PARAM(&run->params, grid_px)};
 	return TS_RUN(run, &extent, &args, n_texels(run));
 }
 
-static ts_status box(ts_run *run)
+static ts_status segment_box(ts_run *run)
 {
 	u64 total, n = n_texels(run);
 	ts_box_args args;
@@ -65,7 +65,7 @@ const ts_stage ts_stage_segment = {
 };
 
 const ts_stage ts_stage_segment_margin = {
-	.name = "segment_margin",
+	.name = "segment.margin",
 	.kind = "map",
 	.margin_of = "segment",
 	.paper = "SSAGH 3, algorithm 1",
@@ -74,20 +74,20 @@ const ts_stage ts_stage_segment_margin = {
 	.launches = TS_LAUNCHES(&measured),
 };
 
-const ts_stage ts_stage_range = {
-	.name = "range",
+const ts_stage ts_stage_segment_extent = {
+	.name = "segment.extent",
 	.kind = "scatter",
 	.paper = "SSAGH 3",
 	.doc = "extent of each segment by integer minimum",
-	.run = range,
+	.run = segment_extent,
 	.launches = TS_LAUNCHES(&extent),
 };
 
-const ts_stage ts_stage_box = {
-	.name = "box",
+const ts_stage ts_stage_segment_box = {
+	.name = "segment.box",
 	.kind = "emit",
 	.paper = "SSAGH 3",
 	.doc = "the segments' boxes, but of the sky",
-	.run = box,
+	.run = segment_box,
 	.launches = TS_LAUNCHES(&counted, &written),
 };

@@ -53,7 +53,7 @@ const ts_stage ts_stage_cull = {
 };
 
 const ts_stage ts_stage_cull_margin = {
-	.name = "cull_margin",
+	.name = "cull.margin",
 	.kind = "map",
 	.margin_of = "cull",
 	.paper = "EPR 3.2",

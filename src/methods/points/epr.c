@@ -35,22 +35,22 @@
 
 static const ts_step epr_steps[] = {
 	{.run = ts_frame_run},
-	{.stage = "resize"},                      /* 3.5: cubes as large as their reflectors in the eye */
-	{.stage = "eye"},                         /* the eye's G-buffer */
-	{.stage = "pixel"},                       /* 4.1.3: reflective pixels and their normal gradients */
-	{.stage = "visibility"},                  /* 3.1: which faces may see a triangle */
-	{.stage = "split"},                       /* 4.1.1: eye-resolution density */
-	{.stage = "cull"},                        /* 3.2: stochastic culling */
-	{.stage = "align"},                       /* 3.2: T_epr */
-	{.stage = "count", .only_ordered = true}, /* 3.3: conservative rasterization in the triangle's plane */
-	{.stage = "points"},                      /* 3.4: the point buffers */
-	{.stage = "splat"},                       /* 3.5: indexed G-buffer cubes */
-	{.stage = "tie", .only_traced = true},
-	{.stage = "lookup"},                      /* 4.1.3: 25 samples a reflective pixel */
-	{.stage = "lookup2", .least_bounces = 2}, /* 4.1.4: points on mirrors look up again */
-	{.stage = "lookup3", .least_bounces = 3},
-	{.stage = "shade3", .least_bounces = 3}, /* 4.1.2: only what was looked up is shaded */
-	{.stage = "shade2", .least_bounces = 2},
+	{.stage = "cube_size"},                          /* 3.5: cubes as large as their reflectors in the eye */
+	{.stage = "eye"},                                /* the eye's G-buffer */
+	{.stage = "mirror_pixel"},                       /* 4.1.3: reflective pixels and their normal gradients */
+	{.stage = "visibility"},                         /* 3.1: which faces may see a triangle */
+	{.stage = "split"},                              /* 4.1.1: eye-resolution density */
+	{.stage = "cull"},                               /* 3.2: stochastic culling */
+	{.stage = "align"},                              /* 3.2: T_epr */
+	{.stage = "points.count", .only_ordered = true}, /* 3.3: conservative rasterization in the triangle's plane */
+	{.stage = "points"},                             /* 3.4: the point buffers */
+	{.stage = "splat"},                              /* 3.5: indexed G-buffer cubes */
+	{.stage = "splat.tie", .only_traced = true},
+	{.stage = "lookup"},                            /* 4.1.3: 25 samples a reflective pixel */
+	{.stage = "lookup.second", .least_bounces = 2}, /* 4.1.4: points on mirrors look up again */
+	{.stage = "lookup.third", .least_bounces = 3},
+	{.stage = "shade.third", .least_bounces = 3}, /* 4.1.2: only what was looked up is shaded */
+	{.stage = "shade.second", .least_bounces = 2},
 	{.stage = "shade"},
 	{.stage = "image"},
 	{0},
@@ -58,15 +58,15 @@ static const ts_step epr_steps[] = {
 
 static const ts_step epr_omni_steps[] = {
 	{.run = ts_frame_run},
-	{.stage = "lamp_ball"},
+	{.stage = "lamp.ball"},
 	{.stage = "eye"},
-	{.stage = "shadow_resize"}, /* eq. 6: cubes as large as the eye needs */
+	{.stage = "shadow_cube_size"}, /* eq. 6: cubes as large as the eye needs */
 	{.stage = "offscreen"},
-	{.stage = "offscreen_visibility"},
-	{.stage = "shadow_split"}, /* eq. 5: eye-resolution density */
+	{.stage = "offscreen.visibility"},
+	{.stage = "split.shadow"}, /* eq. 5: eye-resolution density */
 	{.stage = "cull"},
 	{.stage = "align"},
-	{.stage = "count", .only_ordered = true, .stored = TS_STORED_IF_ASKED},
+	{.stage = "points.count", .only_ordered = true, .stored = TS_STORED_IF_ASKED},
 	{.stage = "points", .stored = TS_STORED_IF_ASKED},
 	{.stage = "shadow_splat", .each_batch = true}, /* small points directly, large ones as splats */
 	{.run = ts_resolve_run},

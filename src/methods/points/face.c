@@ -4,7 +4,7 @@
 
 static const ts_launch launch = TS_LAUNCH(face, TS_ALL);
 
-static ts_status face(ts_run *run)
+static ts_status cube_face(ts_run *run)
 {
 	ts_face_args args = {.scene = ts_run_scene(run), .first_cube = run->first_unit, .n_cubes = run->n_units};
 	if (TS_RUN(run, &launch, &args, args.scene.n_triangles) != TS_OK) return TS_ERROR;
@@ -13,12 +13,12 @@ static ts_status face(ts_run *run)
 	return TS_OK;
 }
 
-const ts_stage ts_stage_face = {
-	.name = "face",
+const ts_stage ts_stage_cube_face = {
+	.name = "cube_face",
 	.kind = "scatter",
 	.paper = "EPR 4.2",
 	.doc = "MVR: standard rasterization into six faces a reflector",
-	.run = face,
+	.run = cube_face,
 	.launches = TS_LAUNCHES(&launch),
 	.looks_at = TS_BUFFERS(TS_B_scene_info),
 };

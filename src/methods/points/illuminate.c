@@ -23,7 +23,7 @@ static ts_status make_levels(ts_run *run, ts_illuminate_args args)
 }
 
 /* iVIR: colours of points into level 0, and the levels above. */
-static ts_status copy(ts_run *run)
+static ts_status environment_map(ts_run *run)
 {
 	ts_copy_args args = {
 		.to = {.first_cube = run->first_unit, .n_cubes = run->n_units},
@@ -46,12 +46,12 @@ static ts_status illuminate(ts_run *run)
 	return TS_OK;
 }
 
-const ts_stage ts_stage_copy = {
-	.name = "copy",
+const ts_stage ts_stage_environment_map = {
+	.name = "environment_map",
 	.kind = "map",
 	.paper = "iVIR 5",
 	.doc = "environment maps into mip chains",
-	.run = copy,
+	.run = environment_map,
 	.launches = TS_LAUNCHES(&copied, &averaged),
 };
 

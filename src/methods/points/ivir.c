@@ -20,8 +20,8 @@
 #include "pipelines.h"
 
 static const ts_step point_run[] = {
-	{.stage = "offscreen_visibility"}, /* 3.1: which views may see a triangle */
-	{.stage = "view_split"},           /* 3.1: the density of the most demanding one */
+	{.stage = "offscreen.visibility"}, /* 3.1: which views may see a triangle */
+	{.stage = "split.views"},          /* 3.1: the density of the most demanding one */
 	{.stage = "cull"},                 /* 3.3: stochastic culling */
 	{.stage = "align"},                /* 3.2: T_align, eq. 1, and S, eq. 4 */
 	{0},
@@ -29,7 +29,7 @@ static const ts_step point_run[] = {
 
 static const ts_step shadow_run[] = {
 	{.run = point_run},
-	{.stage = "count", .only_ordered = true, .stored = TS_STORED_IF_ASKED},
+	{.stage = "points.count", .only_ordered = true, .stored = TS_STORED_IF_ASKED},
 	{.stage = "points", .stored = TS_STORED_IF_ASKED},
 	{.stage = "scatter", .each_batch = true}, /* 4: 32 depth maps a pass */
 	{.run = ts_resolve_run},
@@ -38,16 +38,16 @@ static const ts_step shadow_run[] = {
 
 const ts_step ts_ivir_reflections_steps[] = {
 	{.run = ts_frame_run},
-	{.stage = "resize"},
+	{.stage = "cube_size"},
 	{.stage = "offscreen"},
 	{.stage = "eye"},
-	{.stage = "pixel"},
+	{.stage = "mirror_pixel"},
 	{.run = point_run},
-	{.stage = "count", .only_ordered = true, .stored = TS_STORED_BY_DEFAULT},
+	{.stage = "points.count", .only_ordered = true, .stored = TS_STORED_BY_DEFAULT},
 	{.stage = "points", .stored = TS_STORED_BY_DEFAULT},
-	{.stage = "scatter_colour"},             /* 5: 13 bits of depth, 19 of colour */
-	{.stage = "copy", .each_batch = true},   /* 5: the copy pass into mip maps */
-	{.stage = "mirror", .each_batch = true}, /* the eye's look-ups, as MVR's */
+	{.stage = "scatter.colour"},                      /* 5: 13 bits of depth, 19 of colour */
+	{.stage = "environment_map", .each_batch = true}, /* 5: the copy pass into mip maps */
+	{.stage = "mirror", .each_batch = true},          /* the eye's look-ups, as MVR's */
 	{.stage = "image"},
 	{0},
 };

@@ -81,8 +81,8 @@ static ts_status look_up_later(ts_run *run, const later *own, u32 bounce)
 	return make_queue(run, own, bounce) == TS_OK ? look_up(run, &own->look_up, bounce) : TS_ERROR;
 }
 
-static ts_status lookup2(ts_run *run) { return look_up_later(run, &second, 1); }
-static ts_status lookup3(ts_run *run) { return look_up_later(run, &third, 2); }
+static ts_status lookup_second(ts_run *run) { return look_up_later(run, &second, 1); }
+static ts_status lookup_third(ts_run *run) { return look_up_later(run, &third, 2); }
 
 const ts_stage ts_stage_lookup = {
 	.name = "lookup",
@@ -93,22 +93,22 @@ const ts_stage ts_stage_lookup = {
 	.launches = TS_LAUNCHES(&first),
 };
 
-const ts_stage ts_stage_lookup2 = {
-	.name = "lookup2",
+const ts_stage ts_stage_lookup_second = {
+	.name = "lookup.second",
 	.kind = "emit",
 	.paper = "EPR 4.1.4",
 	.doc = "four look-ups for each sample that sees a mirror",
-	.run = lookup2,
+	.run = lookup_second,
 	.launches = TS_LAUNCHES(&second.count, &second.queue, &second.look_up),
 	.looks_at = TS_BUFFERS(TS_B_scene_info),
 };
 
-const ts_stage ts_stage_lookup3 = {
-	.name = "lookup3",
+const ts_stage ts_stage_lookup_third = {
+	.name = "lookup.third",
 	.kind = "emit",
 	.paper = "EPR 4.1.4",
 	.doc = "the same once more",
-	.run = lookup3,
+	.run = lookup_third,
 	.launches = TS_LAUNCHES(&third.count, &third.queue, &third.look_up),
 	.looks_at = TS_BUFFERS(TS_B_scene_info),
 };

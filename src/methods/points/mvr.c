@@ -10,10 +10,10 @@
 
 static const ts_step mvr_steps[] = {
 	{.run = ts_frame_run},
-	{.stage = "resize"},
+	{.stage = "cube_size"},
 	{.stage = "eye"},
-	{.stage = "pixel"},
-	{.stage = "face", .each_batch = true},       /* geometry into six faces */
+	{.stage = "mirror_pixel"},
+	{.stage = "cube_face", .each_batch = true},  /* geometry into six faces */
 	{.stage = "illuminate", .each_batch = true}, /* shading of every texel; mip-mapping */
 	{.stage = "mirror", .each_batch = true},     /* the eye's look-ups */
 	{.stage = "image"},
@@ -28,14 +28,14 @@ static void mvr_plan(ts_plan *plan, const ts_params *params, const ts_counts *co
 
 static const ts_step mvr_soft_steps[] = {
 	{.run = ts_soft_run},
-	{.stage = "depth", .each_batch = true}, /* geometry into every depth map */
+	{.stage = "depth_map", .each_batch = true}, /* geometry into every depth map */
 	{.run = ts_resolve_run},
 	{0},
 };
 
 static const ts_step mvr_omni_steps[] = {
 	{.run = ts_omni_run},
-	{.stage = "depth", .each_batch = true},
+	{.stage = "depth_map", .each_batch = true},
 	{.run = ts_resolve_run},
 	{0},
 };

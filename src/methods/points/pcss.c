@@ -16,10 +16,10 @@
 #include "pipelines.h"
 
 static const ts_step pcss_steps[] = {
-	{.run = ts_soft_run},                   /* a view from the middle of each light */
-	{.stage = "depth", .each_batch = true}, /* MVR's raster */
-	{.stage = "pcss", .each_batch = true},  /* blockers, penumbra, filter */
-	{.stage = "shadow_image"},
+	{.run = ts_soft_run},                       /* a view from the middle of each light */
+	{.stage = "depth_map", .each_batch = true}, /* MVR's raster */
+	{.stage = "pcss", .each_batch = true},      /* blockers, penumbra, filter */
+	{.stage = "image.shadow"},
 	{0},
 };
 

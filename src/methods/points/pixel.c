@@ -5,7 +5,7 @@
 static const ts_launch counted = TS_LAUNCH(pixel_count, TS_BUT(pixels));
 static const ts_launch written = TS_LAUNCH(pixel, TS_IN(offset, mirror_pixel_offset));
 
-static ts_status pixel(ts_run *run)
+static ts_status mirror_pixel(ts_run *run)
 {
 	u64 total, n = (u64)TS_PARAM(&run->params, width) * TS_PARAM(&run->params, height);
 	ts_pixel_args args = {.scene = ts_run_scene(run)};
@@ -16,12 +16,12 @@ static ts_status pixel(ts_run *run)
 	return TS_OK;
 }
 
-const ts_stage ts_stage_pixel = {
-	.name = "pixel",
+const ts_stage ts_stage_mirror_pixel = {
+	.name = "mirror_pixel",
 	.kind = "emit",
 	.paper = "EPR 4.1.3",
 	.doc = "reflective pixels with gradients of position and normal",
-	.run = pixel,
+	.run = mirror_pixel,
 	.launches = TS_LAUNCHES(&counted, &written),
 	.looks_at = TS_BUFFERS(TS_B_scene_info),
 };

@@ -18,7 +18,7 @@ ts_points_args ts_points_values(const ts_run *run)
 	};
 }
 
-static ts_status count(ts_run *run)
+static ts_status points_count(ts_run *run)
 {
 	u64 total;
 	ts_points_args args = ts_points_values(run);
@@ -58,12 +58,12 @@ static ts_status points(ts_run *run)
 	return TS_RUN(run, &written, &args, n);
 }
 
-const ts_stage ts_stage_count = {
-	.name = "count",
+const ts_stage ts_stage_points_count = {
+	.name = "points.count",
 	.kind = "emit",
 	.paper = "EPR 3.3",
 	.doc = "points of every piece, counted and summed",
-	.run = count,
+	.run = points_count,
 	.launches = TS_LAUNCHES(&counted),
 	.looks_at = TS_BUFFERS(TS_B_scene_info),
 };

@@ -27,7 +27,7 @@ static void replay(const ts_run *run, ts_resize_args args, u32 n)
 	}
 }
 
-static ts_status resize(ts_run *run)
+static ts_status cube_size(ts_run *run)
 {
 	u32 n = ts_run_info(run)->n_reflectors;
 	ts_sizes_cubes(&run->sizes, n);
@@ -63,12 +63,12 @@ static ts_status resize(ts_run *run)
 	return TS_OK;
 }
 
-const ts_stage ts_stage_resize = {
-	.name = "resize",
+const ts_stage ts_stage_cube_size = {
+	.name = "cube_size",
 	.kind = "map",
 	.paper = "EPR 3.5",
 	.doc = "box, ball and cube size of every reflector",
-	.run = resize,
+	.run = cube_size,
 	.looks_at = TS_BUFFERS(TS_B_scene_vertex, TS_B_scene_object, TS_B_scene_info),
 	.makes = TS_BUFFERS(TS_B_cube_size_face),
 };

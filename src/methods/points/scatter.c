@@ -78,7 +78,7 @@ static ts_status shadow_splat(ts_run *run)
 }
 
 /* MVR: every triangle into every view of the batch. */
-static ts_status depth(ts_run *run)
+static ts_status depth_map(ts_run *run)
 {
 	ts_depth_args args = {.scene = ts_run_scene(run)};
 	ts_run_views(run, &args.first_view, &args.n_views);
@@ -99,7 +99,7 @@ const ts_stage ts_stage_scatter = {
 };
 
 const ts_stage ts_stage_scatter_colour = {
-	.name = "scatter_colour",
+	.name = "scatter.colour",
 	.kind = "scatter",
 	.paper = "iVIR 5",
 	.doc = "points into environment maps: 13 bits of depth, 19 of colour",
@@ -118,12 +118,12 @@ const ts_stage ts_stage_shadow_splat = {
 	.looks_at = TS_BUFFERS(TS_B_scene_info, TS_B_cube_size_face),
 };
 
-const ts_stage ts_stage_depth = {
-	.name = "depth",
+const ts_stage ts_stage_depth_map = {
+	.name = "depth_map",
 	.kind = "scatter",
 	.paper = "iVIR 4",
 	.doc = "MVR: standard rasterization into every depth map",
-	.run = depth,
+	.run = depth_map,
 	.launches = TS_LAUNCHES(&rasterized),
 	.looks_at = TS_BUFFERS(TS_B_scene_info, TS_B_cube_size_face),
 };

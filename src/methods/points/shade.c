@@ -82,8 +82,8 @@ static ts_status shade_pixels(ts_run *run)
 	return count_distinct(run);
 }
 
-const ts_stage ts_stage_shade3 = {
-	.name = "shade3",
+const ts_stage ts_stage_shade_third = {
+	.name = "shade.third",
 	.kind = "map",
 	.paper = "EPR 4.1.4",
 	.doc = "deferred shading of the third bounce",
@@ -92,8 +92,8 @@ const ts_stage ts_stage_shade3 = {
 	.looks_at = TS_BUFFERS(TS_B_scene_info),
 };
 
-const ts_stage ts_stage_shade2 = {
-	.name = "shade2",
+const ts_stage ts_stage_shade_second = {
+	.name = "shade.second",
 	.kind = "map",
 	.paper = "EPR 4.1.4",
 	.doc = "deferred shading of the second bounce",

@@ -32,7 +32,7 @@ static u32 side(const ts_params *params, u32 least)
 	return wanted < TS_PARAM(params, map_px) ? wanted : TS_PARAM(params, map_px);
 }
 
-static ts_status shadow_resize(ts_run *run)
+static ts_status shadow_cube_size(ts_run *run)
 {
 	u32 n = run->plan.units;
 	const ts_light *light = ts_frame_data(&run->frame, TS_B_lamp_light);
@@ -56,12 +56,12 @@ static ts_status shadow_resize(ts_run *run)
 	return TS_OK;
 }
 
-const ts_stage ts_stage_shadow_resize = {
-	.name = "shadow_resize",
+const ts_stage ts_stage_shadow_cube_size = {
+	.name = "shadow_cube_size",
 	.kind = "scatter",
 	.paper = "EPR 5.1, eq. 6",
 	.doc = "a cube for each sample of the light, as large as the eye needs it",
-	.run = shadow_resize,
+	.run = shadow_cube_size,
 	.launches = TS_LAUNCHES(&launch),
 	.looks_at = TS_BUFFERS(TS_B_scene_info, TS_B_lamp_light, TS_B_lamp_shape),
 	.makes = TS_BUFFERS(TS_B_cube_size_face),

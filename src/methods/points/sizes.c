@@ -2,7 +2,7 @@
 #include "../../kernels/points/samples.h"
 #include "../registry.h"
 
-u64 ts_size_samples(const ts_size_question *q)
+u64 ts_size_lookup_samples(const ts_size_question *q)
 {
 	(void)q;
 	return TS_N_SAMPLES;

@@ -28,7 +28,7 @@ static ts_status splat(ts_run *run)
 	return TS_OK;
 }
 
-static ts_status tie(ts_run *run)
+static ts_status splat_tie(ts_run *run)
 {
 	ts_splat_args args = values(run);
 	args.mark = 1;
@@ -50,11 +50,11 @@ const ts_stage ts_stage_splat = {
 	.launches = TS_LAUNCHES(&in_order, &arrived),
 };
 
-const ts_stage ts_stage_tie = {
-	.name = "tie",
+const ts_stage ts_stage_splat_tie = {
+	.name = "splat.tie",
 	.kind = "scatter",
 	.paper = "EPR 3.5",
 	.doc = "texels that another point of the same distance might have won",
-	.run = tie,
+	.run = splat_tie,
 	.launches = TS_LAUNCHES(&ties),
 };

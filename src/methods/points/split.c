@@ -52,9 +52,9 @@ static ts_status divide_for_views(ts_run *run, u32 shadow)
 	return divide(run, &of_views, args);
 }
 
-static ts_status view_split(ts_run *run) { return divide_for_views(run, TS_SHADOW_IS_NONE); }
+static ts_status split_views(ts_run *run) { return divide_for_views(run, TS_SHADOW_IS_NONE); }
 
-static ts_status shadow_split(ts_run *run)
+static ts_status split_shadow(ts_run *run)
 {
 	return divide_for_views(run, TS_SHADOW_IS_SAFE + TS_PARAM(&run->params, shadow_rate));
 }
@@ -68,20 +68,20 @@ const ts_stage ts_stage_split = {
 	.launches = TS_LAUNCHES(&of_eye.count, &of_eye.write),
 };
 
-const ts_stage ts_stage_view_split = {
-	.name = "view_split",
+const ts_stage ts_stage_split_views = {
+	.name = "split.views",
 	.kind = "emit",
 	.paper = "iVIR 3.1, eqs 2 and 3",
 	.doc = "density of every triangle from the off-screen views; uneven and large ones in pieces",
-	.run = view_split,
+	.run = split_views,
 	.launches = TS_LAUNCHES(&of_views.count, &of_views.write),
 };
 
-const ts_stage ts_stage_shadow_split = {
-	.name = "shadow_split",
+const ts_stage ts_stage_split_shadow = {
+	.name = "split.shadow",
 	.kind = "emit",
 	.paper = "EPR 5.1, eq. 5",
 	.doc = "density of every triangle from the off-screen views and the eye",
-	.run = shadow_split,
+	.run = split_shadow,
 	.launches = TS_LAUNCHES(&of_views.count, &of_views.write),
 };

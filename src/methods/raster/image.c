@@ -16,7 +16,7 @@ static ts_status image(ts_run *run)
 }
 
 /* In the light of the lamps, as far as it reaches. */
-static ts_status shadow_image(ts_run *run)
+static ts_status image_shadow(ts_run *run)
 {
 	ts_image_args args = {.scene = ts_run_scene(run), .exposure = TS_PARAM(&run->params, exposure)};
 	args.scene.n_lights = (u32)ts_run_size(run, TS_DIM_lamps);
@@ -24,7 +24,7 @@ static ts_status shadow_image(ts_run *run)
 }
 
 /* In indirect light alone. */
-static ts_status indirect_image(ts_run *run)
+static ts_status image_indirect(ts_run *run)
 {
 	ts_indirect_args args = {.exposure = TS_PARAM(&run->params, exposure)};
 	return TS_RUN(run, &of_indirect, &args, n_pixels(run));
@@ -40,21 +40,21 @@ const ts_stage ts_stage_image = {
 	.looks_at = TS_BUFFERS(TS_B_scene_info),
 };
 
-const ts_stage ts_stage_shadow_image = {
-	.name = "shadow_image",
+const ts_stage ts_stage_image_shadow = {
+	.name = "image.shadow",
 	.kind = "map",
 	.paper = "iVIR 4",
 	.doc = "the picture with its shadows",
-	.run = shadow_image,
+	.run = image_shadow,
 	.launches = TS_LAUNCHES(&with_shadows),
 	.looks_at = TS_BUFFERS(TS_B_scene_info),
 };
 
-const ts_stage ts_stage_indirect_image = {
-	.name = "indirect_image",
+const ts_stage ts_stage_image_indirect = {
+	.name = "image.indirect",
 	.kind = "map",
 	.paper = "SSAGH 4, eq. 6",
 	.doc = "the picture of indirect light",
-	.run = indirect_image,
+	.run = image_indirect,
 	.launches = TS_LAUNCHES(&of_indirect),
 };

@@ -142,7 +142,7 @@ const ts_stage ts_stage_lamp = {
 };
 
 const ts_stage ts_stage_lamp_ball = {
-	.name = "lamp_ball",
+	.name = "lamp.ball",
 	.kind = "map",
 	.paper = "iVIR 6",
 	.doc = "the light whose shadows fall all around it",
@@ -152,7 +152,7 @@ const ts_stage ts_stage_lamp_ball = {
 };
 
 const ts_stage ts_stage_lamp_view = {
-	.name = "lamp_view",
+	.name = "lamp.view",
 	.kind = "map",
 	.paper = "iVIR 4",
 	.doc = "a depth map for each sample of each light",
@@ -161,8 +161,8 @@ const ts_stage ts_stage_lamp_view = {
 	.makes = TS_BUFFERS(TS_B_offscreen_view),
 };
 
-const ts_stage ts_stage_light_view = {
-	.name = "light_view",
+const ts_stage ts_stage_lamp_own_view = {
+	.name = "lamp.own_view",
 	.kind = "map",
 	.paper = "NV40: Timings & Comparison",
 	.doc = "a depth map for each light, six for a point light",
@@ -172,7 +172,7 @@ const ts_stage ts_stage_light_view = {
 };
 
 const ts_stage ts_stage_lamp_cube = {
-	.name = "lamp_cube",
+	.name = "lamp.cube",
 	.kind = "map",
 	.paper = "iVIR 6",
 	.doc = "a cube for each sample of the light",

@@ -15,13 +15,13 @@ static ts_status eye_margin(ts_run *run)
 	return TS_RUN(run, &of_eye, &args, args.scene.n_triangles);
 }
 
-static ts_status face_margin(ts_run *run)
+static ts_status cube_face_margin(ts_run *run)
 {
 	ts_margin_args args = {.scene = ts_run_scene(run), .first_unit = run->first_unit, .n_units = run->n_units};
 	return TS_RUN(run, &of_faces, &args, args.scene.n_triangles);
 }
 
-static ts_status depth_margin(ts_run *run)
+static ts_status depth_map_margin(ts_run *run)
 {
 	ts_margin_args args = {.scene = ts_run_scene(run)};
 	ts_run_views(run, &args.first_unit, &args.n_units);
@@ -29,7 +29,7 @@ static ts_status depth_margin(ts_run *run)
 }
 
 const ts_stage ts_stage_eye_margin = {
-	.name = "eye_margin",
+	.name = "eye.margin",
 	.kind = "scatter",
 	.margin_of = "eye",
 	.paper = "EPR 4.1.3",
@@ -39,24 +39,24 @@ const ts_stage ts_stage_eye_margin = {
 	.looks_at = TS_BUFFERS(TS_B_scene_info),
 };
 
-const ts_stage ts_stage_face_margin = {
-	.name = "face_margin",
+const ts_stage ts_stage_cube_face_margin = {
+	.name = "cube_face.margin",
 	.kind = "scatter",
-	.margin_of = "face",
+	.margin_of = "cube_face",
 	.paper = "EPR 4.2",
 	.doc = "how near the faces' coverage and depths were to another answer",
-	.run = face_margin,
+	.run = cube_face_margin,
 	.launches = TS_LAUNCHES(&of_faces),
 	.looks_at = TS_BUFFERS(TS_B_scene_info),
 };
 
-const ts_stage ts_stage_depth_margin = {
-	.name = "depth_margin",
+const ts_stage ts_stage_depth_map_margin = {
+	.name = "depth_map.margin",
 	.kind = "scatter",
-	.margin_of = "depth",
+	.margin_of = "depth_map",
 	.paper = "iVIR 4",
 	.doc = "how near the depth maps' coverage and depths were to another answer",
-	.run = depth_margin,
+	.run = depth_map_margin,
 	.launches = TS_LAUNCHES(&of_depths),
 	.looks_at = TS_BUFFERS(TS_B_scene_info, TS_B_cube_size_face),
 };

@@ -58,7 +58,7 @@ const ts_stage ts_stage_offscreen = {
 };
 
 const ts_stage ts_stage_offscreen_visibility = {
-	.name = "offscreen_visibility",
+	.name = "offscreen.visibility",
 	.kind = "map",
 	.paper = "iVIR 3.1",
 	.doc = "one bit a triangle and off-screen view",

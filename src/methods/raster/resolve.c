@@ -20,35 +20,35 @@ ts_resolve_args ts_resolve_values(const ts_run *run)
 	return args;
 }
 
-static ts_status resolve(ts_run *run)
+static ts_status shadow_test(ts_run *run)
 {
 	ts_resolve_args args = ts_resolve_values(run);
 	return TS_RUN(run, &resolved, &args, n_pixels(run));
 }
 
-static ts_status resolve_margin(ts_run *run)
+static ts_status shadow_test_margin(ts_run *run)
 {
 	ts_resolve_margin_args args = {.of = ts_resolve_values(run)};
 	return TS_RUN(run, &measured, &args, n_pixels(run));
 }
 
-const ts_stage ts_stage_resolve = {
-	.name = "resolve",
+const ts_stage ts_stage_shadow_test = {
+	.name = "shadow_test",
 	.kind = "map",
 	.paper = "iVIR 4",
 	.doc = "how many light samples reach each pixel",
-	.run = resolve,
+	.run = shadow_test,
 	.launches = TS_LAUNCHES(&resolved),
 	.looks_at = TS_BUFFERS(TS_B_scene_info, TS_B_cube_size_face, TS_B_lamp_shape),
 };
 
-const ts_stage ts_stage_resolve_margin = {
-	.name = "resolve_margin",
+const ts_stage ts_stage_shadow_test_margin = {
+	.name = "shadow_test.margin",
 	.kind = "map",
-	.margin_of = "resolve",
+	.margin_of = "shadow_test",
 	.paper = "iVIR 4",
 	.doc = "how near the comparisons with depth maps were to another answer",
-	.run = resolve_margin,
+	.run = shadow_test_margin,
 	.launches = TS_LAUNCHES(&measured),
 	.looks_at = TS_BUFFERS(TS_B_scene_info, TS_B_cube_size_face, TS_B_lamp_shape),
 };

@@ -26,7 +26,7 @@ static ts_status rsm_patch(ts_run *run)
 }
 
 const ts_stage ts_stage_rsm_view = {
-	.name = "rsm_view",
+	.name = "rsm.view",
 	.kind = "map",
 	.paper = "SSAGH 5",
 	.doc = "a reflective shadow map for each light, six for a point light",
@@ -46,7 +46,7 @@ const ts_stage ts_stage_rsm = {
 };
 
 const ts_stage ts_stage_rsm_patch = {
-	.name = "rsm_patch",
+	.name = "rsm.patch",
 	.kind = "map",
 	.paper = "SSAGH 5",
 	.doc = "what each of their texels sees as a triangle of light",

@@ -2,7 +2,7 @@
 #include "../../scene/view.h"
 #include "../stages.h"
 
-static ts_status view(ts_run *run)
+static ts_status eye_view(ts_run *run)
 {
 	ts_view *eye = ts_run_make(run, TS_B_eye_view);
 	if (eye == NULL) return TS_ERROR;
@@ -10,12 +10,12 @@ static ts_status view(ts_run *run)
 	return TS_OK;
 }
 
-const ts_stage ts_stage_view = {
-	.name = "view",
+const ts_stage ts_stage_eye_view = {
+	.name = "eye.view",
 	.kind = "map",
 	.paper = "EPR 4.2",
 	.doc = "the eye, circling the scene or the file's camera",
-	.run = view,
+	.run = eye_view,
 	.looks_at = TS_BUFFERS(TS_B_scene_info),
 	.makes = TS_BUFFERS(TS_B_eye_view),
 };

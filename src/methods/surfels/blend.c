@@ -16,7 +16,7 @@ static ts_status blend_in_order(ts_run *run)
 	return TS_RUN(run, &in_order, &args, (u64)TS_PARAM(&run->params, width) * TS_PARAM(&run->params, height));
 }
 
-static ts_status blend(ts_run *run)
+static ts_status surfel_blend(ts_run *run)
 {
 	u64 n = ts_run_size(run, TS_DIM_surfels);
 	ts_blend_args args = {.filter = ts_surfel_filter(run)};
@@ -28,11 +28,11 @@ static ts_status blend(ts_run *run)
 	return TS_OK;
 }
 
-const ts_stage ts_stage_blend = {
-	.name = "blend",
+const ts_stage ts_stage_surfel_blend = {
+	.name = "surfel_blend",
 	.kind = "scatter",
 	.paper = "NV40: Approximate EWA Filtering",
 	.doc = "attributes: colours and normals of the surfels before that depth, by integer sums or in order",
-	.run = blend,
+	.run = surfel_blend,
 	.launches = TS_LAUNCHES(&in_any_order, &in_order),
 };

@@ -75,7 +75,7 @@ static ts_status deferred_margin(ts_run *run)
 }
 
 const ts_stage ts_stage_deferred_lit = {
-	.name = "deferred_lit",
+	.name = "deferred.lit",
 	.kind = "map",
 	.paper = "NV40: Timings & Comparison",
 	.doc = "which lights reach each pixel",
@@ -84,9 +84,9 @@ const ts_stage ts_stage_deferred_lit = {
 };
 
 const ts_stage ts_stage_deferred_lit_margin = {
-	.name = "deferred_lit_margin",
+	.name = "deferred.lit_margin",
 	.kind = "map",
-	.margin_of = "deferred_lit",
+	.margin_of = "deferred.lit",
 	.paper = "NV40: Timings & Comparison",
 	.doc = "how near the comparisons with their depth maps were to another answer",
 	.run = deferred_lit_margin,
@@ -104,7 +104,7 @@ const ts_stage ts_stage_deferred = {
 };
 
 const ts_stage ts_stage_deferred_margin = {
-	.name = "deferred_margin",
+	.name = "deferred.margin",
 	.kind = "map",
 	.margin_of = "deferred",
 	.paper = "NV40: Deferred Shading",

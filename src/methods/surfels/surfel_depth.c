@@ -11,7 +11,7 @@ static ts_status surfel_depth(ts_run *run)
 	return TS_RUN(run, &from_eye, &args, ts_run_size(run, TS_DIM_surfels));
 }
 
-static ts_status surfel_shadow(ts_run *run)
+static ts_status surfel_depth_shadow(ts_run *run)
 {
 	ts_surfel_shadow_args args = {.filter = ts_surfel_filter(run), .n_views = (u32)ts_run_size(run, TS_DIM_views)};
 	return TS_RUN(run, &from_lights, &args, ts_run_size(run, TS_DIM_surfels));
@@ -26,11 +26,11 @@ const ts_stage ts_stage_surfel_depth = {
 	.launches = TS_LAUNCHES(&from_eye),
 };
 
-const ts_stage ts_stage_surfel_shadow = {
-	.name = "surfel_shadow",
+const ts_stage ts_stage_surfel_depth_shadow = {
+	.name = "surfel_depth.shadow",
 	.kind = "scatter",
 	.paper = "NV40: Timings & Comparison",
 	.doc = "visibility from every light",
-	.run = surfel_shadow,
+	.run = surfel_depth_shadow,
 	.launches = TS_LAUNCHES(&from_lights),
 };

@@ -13,10 +13,10 @@ static ts_status measure(ts_run *run, const ts_launch *launch)
 }
 
 static ts_status surfel_depth_margin(ts_run *run) { return measure(run, &of_depths); }
-static ts_status blend_margin(ts_run *run) { return measure(run, &of_fragments); }
+static ts_status surfel_blend_margin(ts_run *run) { return measure(run, &of_fragments); }
 
 const ts_stage ts_stage_surfel_depth_margin = {
-	.name = "surfel_depth_margin",
+	.name = "surfel_depth.margin",
 	.kind = "scatter",
 	.margin_of = "surfel_depth",
 	.paper = "NV40: 3-Pass Deferred Shading",
@@ -25,12 +25,12 @@ const ts_stage ts_stage_surfel_depth_margin = {
 	.launches = TS_LAUNCHES(&of_depths),
 };
 
-const ts_stage ts_stage_blend_margin = {
-	.name = "blend_margin",
+const ts_stage ts_stage_surfel_blend_margin = {
+	.name = "surfel_blend.margin",
 	.kind = "scatter",
-	.margin_of = "blend",
+	.margin_of = "surfel_blend",
 	.paper = "NV40: Approximate EWA Filtering",
 	.doc = "how near fragments were to come or go",
-	.run = blend_margin,
+	.run = surfel_blend_margin,
 	.launches = TS_LAUNCHES(&of_fragments),
 };

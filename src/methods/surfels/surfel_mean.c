@@ -4,7 +4,7 @@
 
 static const ts_launch launch = TS_LAUNCH(surfel_mean, TS_ALL);
 
-static ts_status surfel_mean(ts_run *run)
+static ts_status surfel_blend_mean(ts_run *run)
 {
 	ts_surfel_mean_args args;
 	if (TS_RUN(run, &launch, &args, (u64)TS_PARAM(&run->params, width) * TS_PARAM(&run->params, height)) != TS_OK)
@@ -13,11 +13,11 @@ static ts_status surfel_mean(ts_run *run)
 	return TS_OK;
 }
 
-const ts_stage ts_stage_surfel_mean = {
-	.name = "surfel_mean",
+const ts_stage ts_stage_surfel_blend_mean = {
+	.name = "surfel_blend.mean",
 	.kind = "map",
 	.paper = "NV40: 3-Pass Deferred Shading",
 	.doc = "those sums by their weights: a G-buffer",
-	.run = surfel_mean,
+	.run = surfel_blend_mean,
 	.launches = TS_LAUNCHES(&launch),
 };

@@ -26,16 +26,16 @@
 #define SPLAT 4u      /* fragments of a surfel below a pixel's size */
 
 static const ts_step surfels_steps[] = {
-	{.stage = "view"},
+	{.stage = "eye.view"},
 	{.stage = "lamp"},
 	{.stage = "surfel_setup"},
 	{.stage = "surfel_depth"}, /* visibility splatting */
 	{.stage = "fragment_list", .only_if = ts_accumulates_in_order, .unnumbered = true},
-	{.stage = "blend"},       /* attribute splatting */
-	{.stage = "surfel_mean"}, /* normalization */
-	{.stage = "light_view", .only_if = ts_shader_has_shadows},
-	{.stage = "surfel_shadow", .only_if = ts_shader_has_shadows},
-	{.stage = "deferred_lit", .only_if = ts_shader_has_shadows},
+	{.stage = "surfel_blend"},      /* attribute splatting */
+	{.stage = "surfel_blend.mean"}, /* normalization */
+	{.stage = "lamp.own_view", .only_if = ts_shader_has_shadows},
+	{.stage = "surfel_depth.shadow", .only_if = ts_shader_has_shadows},
+	{.stage = "deferred.lit", .only_if = ts_shader_has_shadows},
 	{.stage = "deferred"}, /* shading */
 	{0},
 };

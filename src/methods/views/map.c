@@ -40,7 +40,7 @@ static void count_bytes(ts_run *run, ts_buffer_id id)
 	ts_run_count(run, "map bytes", (i64)(n * ts_buffer_table[id].element_bytes));
 }
 
-static ts_status map(ts_run *run)
+static ts_status view_map(ts_run *run)
 {
 	bool kept = run->frame.buffer[TS_B_traverse_rendered].made;
 	const ts_launch *launch = kept ? &of_kept : &of_piece;
@@ -52,7 +52,7 @@ static ts_status map(ts_run *run)
 	return ts_launch_items(run, launch, &args, ts_run_size(run, TS_DIM_rendered_pairs));
 }
 
-static ts_status map_all(ts_run *run)
+static ts_status view_map_all(ts_run *run)
 {
 	ts_map_all_args args = {
 		.to.pyramid = ts_view_pyramid(&run->params),
@@ -67,7 +67,7 @@ static ts_status map_all(ts_run *run)
 	return TS_OK;
 }
 
-static ts_status fuse(ts_run *run)
+static ts_status view_map_fuse(ts_run *run)
 {
 	u64 n_texels = (u64)2 * TS_PARAM(&run->params, view_px) * TS_PARAM(&run->params, view_px);
 	u64 n_levels = ts_frame_n(&run->frame, TS_B_view_octree_level) - 1;
@@ -85,32 +85,32 @@ static ts_status fuse(ts_run *run)
 	return TS_OK;
 }
 
-const ts_stage ts_stage_map = {
-	.name = "map",
+const ts_stage ts_stage_view_map = {
+	.name = "view_map",
 	.kind = "scatter",
 	.paper = "MegaViews 3.2",
 	.doc = "those pairs in dual-paraboloid maps of the nodes of views by 64-bit minimum",
-	.run = map,
+	.run = view_map,
 	.launches = TS_LAUNCHES(TS_TRAVERSE_LAUNCHES, &of_kept, &of_piece),
 	.looks_at = TS_BUFFERS(TS_B_view_octree_level),
 };
 
-const ts_stage ts_stage_map_all = {
-	.name = "map_all",
+const ts_stage ts_stage_view_map_all = {
+	.name = "view_map.all",
 	.kind = "scatter",
 	.paper = "MegaViews 4.1",
 	.doc = "every leaf of the scene in the map of every view",
-	.run = map_all,
+	.run = view_map_all,
 	.launches = TS_LAUNCHES(&of_all),
 	.looks_at = TS_BUFFERS(TS_B_octree_level),
 };
 
-const ts_stage ts_stage_fuse = {
-	.name = "fuse",
+const ts_stage ts_stage_view_map_fuse = {
+	.name = "view_map.fuse",
 	.kind = "map",
 	.paper = "MegaViews 3.2",
 	.doc = "whole maps: what the nodes above show, seen from each node",
-	.run = fuse,
+	.run = view_map_fuse,
 	.launches = TS_LAUNCHES(&fused),
 	.looks_at = TS_BUFFERS(TS_B_view_octree_level),
 };

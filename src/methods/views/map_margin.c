@@ -20,7 +20,7 @@ static ts_status take_children(ts_run *run, ts_traverse_piece *piece, void *user
 	return piece->n_children > 0 ? ts_launch_items(run, &measured, args, piece->n_children) : TS_OK;
 }
 
-static ts_status map_margin(ts_run *run)
+static ts_status view_map_margin(ts_run *run)
 {
 	ts_map_margin_args args;
 	if (begin(run, &args) != TS_OK) return TS_ERROR;
@@ -30,7 +30,7 @@ static ts_status map_margin(ts_run *run)
 }
 
 /* By brute force: every leaf of the scene for every view. */
-static ts_status map_all_margin(ts_run *run)
+static ts_status view_map_all_margin(ts_run *run)
 {
 	ts_map_margin_args args;
 	if (begin(run, &args) != TS_OK) return TS_ERROR;
@@ -40,24 +40,24 @@ static ts_status map_all_margin(ts_run *run)
 	return n > 0 ? ts_launch_items(run, &measured, &args, n) : TS_OK;
 }
 
-const ts_stage ts_stage_map_margin = {
-	.name = "map_margin",
+const ts_stage ts_stage_view_map_margin = {
+	.name = "view_map.margin",
 	.kind = "scatter",
-	.margin_of = "map",
+	.margin_of = "view_map",
 	.paper = "MegaViews 3.2",
 	.doc = "how near what maps show was to another answer",
-	.run = map_margin,
+	.run = view_map_margin,
 	.launches = TS_LAUNCHES(TS_TRAVERSE_LAUNCHES, &measured),
 	.looks_at = TS_BUFFERS(TS_B_view_octree_level),
 };
 
-const ts_stage ts_stage_map_all_margin = {
-	.name = "map_all_margin",
+const ts_stage ts_stage_view_map_all_margin = {
+	.name = "view_map.all_margin",
 	.kind = "scatter",
-	.margin_of = "map_all",
+	.margin_of = "view_map.all",
 	.paper = "MegaViews 4.1",
 	.doc = "the same of brute force",
-	.run = map_all_margin,
+	.run = view_map_all_margin,
 	.launches = TS_LAUNCHES(&measured),
 	.looks_at = TS_BUFFERS(TS_B_octree_level),
 };

@@ -27,11 +27,11 @@
 
 /* The octree of the scene, and light from the maps' texels. */
 static const ts_step vpl_run[] = {
-	{.stage = "root"},
+	{.stage = "octree.root"},
 	{.stage = "voxel"},
 	{.stage = "octree"},
 	{.stage = "vpl"},
-	{.stage = "octree_surface", .only_traced = true},
+	{.stage = "octree.surface", .only_traced = true},
 	{0},
 };
 

@@ -117,7 +117,7 @@ const ts_stage ts_stage_octree = {
 };
 
 const ts_stage ts_stage_octree_surface = {
-	.name = "octree_surface",
+	.name = "octree.surface",
 	.kind = "map",
 	.paper = "MegaViews 3.1",
 	.doc = "mean albedo and normal of every node",

@@ -16,11 +16,11 @@
 static const ts_step particle_run[] = {
 	{.run = ts_frame_run},
 	{.run = ts_gbuffer_run},
-	{.stage = "root"},
+	{.stage = "octree.root"},
 	{.stage = "particle"},
 	{.stage = "voxel"},
 	{.stage = "octree"},
-	{.stage = "octree_surface", .only_traced = true},
+	{.stage = "octree.surface", .only_traced = true},
 	{0},
 };
 

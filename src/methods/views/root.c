@@ -5,18 +5,18 @@
 static const ts_launch extent = TS_LAUNCH(root_least, TS_BUT(root));
 static const ts_launch cube = TS_LAUNCH(root, TS_IN(least, octree_root_least), TS_BUT(vertices));
 
-static ts_status root(ts_run *run)
+static ts_status octree_root(ts_run *run)
 {
 	ts_root_args args;
 	if (TS_RUN(run, &extent, &args, ts_run_size(run, TS_DIM_vertices)) != TS_OK) return TS_ERROR;
 	return TS_RUN(run, &cube, &args, 1);
 }
 
-const ts_stage ts_stage_root = {
-	.name = "root",
+const ts_stage ts_stage_octree_root = {
+	.name = "octree.root",
 	.kind = "map",
 	.paper = "MegaViews 3.1",
 	.doc = "the cube about all vertices that both octrees divide",
-	.run = root,
+	.run = octree_root,
 	.launches = TS_LAUNCHES(&extent, &cube),
 };

@@ -2,24 +2,28 @@
 #include "pipelines.h"
 
 const ts_step ts_shared_maps_run[] = {
-	{.stage = "view_voxel"}, {.stage = "view_octree"}, /* of the views */
-	{.stage = "view_cone"},  {.stage = "traverse", .only_traced = true},
-	{.stage = "map"}, /* the traversal, and what it renders */
-	{.stage = "fuse"},       {0},
+	{.stage = "view_octree.voxel"}, {.stage = "view_octree"}, /* of the views */
+	{.stage = "view_octree.cone"},  {.stage = "traverse", .only_traced = true},
+	{.stage = "view_map"}, /* the traversal, and what it renders */
+	{.stage = "view_map.fuse"},     {0},
 };
 
 const ts_step ts_own_maps_run[] = {
-	{.stage = "view_alone"}, {.stage = "traverse", .only_traced = true}, {.stage = "map"}, {.stage = "fuse"}, {0},
+	{.stage = "view_octree.alone"},
+	{.stage = "traverse", .only_traced = true},
+	{.stage = "view_map"},
+	{.stage = "view_map.fuse"},
+	{0},
 };
 
 const ts_step ts_all_maps_run[] = {
-	{.stage = "view_alone"},
-	{.stage = "map_all"}, /* no traversal */
-	{.stage = "fuse"},
+	{.stage = "view_octree.alone"},
+	{.stage = "view_map.all"}, /* no traversal */
+	{.stage = "view_map.fuse"},
 	{0},
 };
 
 const ts_step ts_gather_run[] = {
-	{.stage = "vpl_pairs"}, /* the traversal again: which views may light what */
-	{.stage = "vpl_gather"}, {.stage = "bilateral"}, {.stage = "indirect_image"}, {0},
+	{.stage = "vpl_gather.pairs"}, /* the traversal again: which views may light what */
+	{.stage = "vpl_gather"},       {.stage = "bilateral"}, {.stage = "image.indirect"}, {0},
 };

@@ -4,7 +4,7 @@
 
 static const ts_launch launch = TS_LAUNCH(view_alone, TS_ALL);
 
-static ts_status view_alone(ts_run *run)
+static ts_status view_octree_alone(ts_run *run)
 {
 	u64 n = ts_run_size(run, TS_DIM_vpls);
 	u32 *before = ts_run_make(run, TS_B_view_octree_level);
@@ -15,12 +15,12 @@ static ts_status view_alone(ts_run *run)
 	return TS_RUN(run, &launch, &args, n);
 }
 
-const ts_stage ts_stage_view_alone = {
-	.name = "view_alone",
+const ts_stage ts_stage_view_octree_alone = {
+	.name = "view_octree.alone",
 	.kind = "map",
 	.paper = "MegaViews 4.1",
 	.doc = "ManyLoDs: every view without a hierarchy, a root and a leaf",
-	.run = view_alone,
+	.run = view_octree_alone,
 	.launches = TS_LAUNCHES(&launch),
 	.makes = TS_BUFFERS(TS_B_view_octree_level),
 };

@@ -17,7 +17,7 @@ static const ts_launch of_nodes = TS_LAUNCH(cone_inner, TS_ALL);
 static const ts_launch narrowed = TS_LAUNCH(cone_least, TS_ALL);
 static const ts_launch finished = TS_LAUNCH(cone, TS_ALL);
 
-static ts_status view_voxel(ts_run *run)
+static ts_status view_octree_voxel(ts_run *run)
 {
 	ts_view_octree_args args = {.levels = TS_PARAM(&run->params, levels)};
 	if (TS_RUN(run, &marked, &args, ts_run_size(run, TS_DIM_vpls)) != TS_OK) return TS_ERROR;
@@ -37,7 +37,7 @@ static ts_status view_octree(ts_run *run)
 	return ts_octree_sort(run, &ts_view_octree);
 }
 
-static ts_status view_cone(ts_run *run)
+static ts_status view_octree_cone(ts_run *run)
 {
 	ts_cone_args args;
 	if (TS_FILL(run, &of_leaves, &args) != TS_OK) return TS_ERROR;
@@ -51,12 +51,12 @@ static ts_status view_cone(ts_run *run)
 	return ts_launch_items(run, &finished, &args, ts_run_size(run, TS_DIM_view_nodes));
 }
 
-const ts_stage ts_stage_view_voxel = {
-	.name = "view_voxel",
+const ts_stage ts_stage_view_octree_voxel = {
+	.name = "view_octree.voxel",
 	.kind = "scatter",
 	.paper = "MegaViews 3.1",
 	.doc = "voxels that views are in, and those above them",
-	.run = view_voxel,
+	.run = view_octree_voxel,
 	.launches = TS_LAUNCHES(&marked, &ts_view_octree.raised, &ts_view_octree.counted),
 };
 
@@ -69,12 +69,12 @@ const ts_stage ts_stage_view_octree = {
 	.launches = TS_LAUNCHES(&ts_view_octree.levels, &ts_view_octree.nodes, &counted, &listed, &ts_view_octree.sorted),
 };
 
-const ts_stage ts_stage_view_cone = {
-	.name = "view_cone",
+const ts_stage ts_stage_view_octree_cone = {
+	.name = "view_octree.cone",
 	.kind = "map",
 	.paper = "MegaViews 3.1",
 	.doc = "the cone of the directions of the views in every node",
-	.run = view_cone,
+	.run = view_octree_cone,
 	.launches = TS_LAUNCHES(&of_leaves, &of_nodes, &narrowed, &finished),
 	.looks_at = TS_BUFFERS(TS_B_view_octree_level),
 };

@@ -74,7 +74,7 @@ static ts_status make_lists(ts_run *run, ts_vpl_pairs_args *args, u64 *n)
 	return TS_OK;
 }
 
-static ts_status vpl_pairs(ts_run *run)
+static ts_status vpl_gather_pairs(ts_run *run)
 {
 	u32 level = ts_gather_level(run);
 	u64 n_lists = nodes_of(run, &ts_scene_octree, level), n_views = nodes_of(run, &ts_view_octree, level), n;
@@ -130,12 +130,12 @@ static ts_status vpl_gather_margin(ts_run *run)
 	return TS_RUN(run, &measured, &args, (u64)TS_PARAM(&run->params, width) * TS_PARAM(&run->params, height));
 }
 
-const ts_stage ts_stage_vpl_pairs = {
-	.name = "vpl_pairs",
+const ts_stage ts_stage_vpl_gather_pairs = {
+	.name = "vpl_gather.pairs",
 	.kind = "emit",
 	.paper = "MegaViews 5.1",
 	.doc = "for every node of the scene of one level the nodes of views that may light it",
-	.run = vpl_pairs,
+	.run = vpl_gather_pairs,
 	.launches = TS_LAUNCHES(TS_TRAVERSE_LAUNCHES, &counted, &listed, &sorted, &summed),
 	.looks_at = TS_BUFFERS(TS_B_octree_level, TS_B_view_octree_level),
 };
@@ -151,7 +151,7 @@ const ts_stage ts_stage_vpl_gather = {
 };
 
 const ts_stage ts_stage_vpl_gather_margin = {
-	.name = "vpl_gather_margin",
+	.name = "vpl_gather.margin",
 	.kind = "map",
 	.margin_of = "vpl_gather",
 	.paper = "MegaViews 5.1",

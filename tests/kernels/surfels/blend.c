@@ -84,7 +84,7 @@ static void test_refused(void **state)
 	ts_run_begin(&run, scene, &params, 1);
 	ts_frame_borrow(&run.frame, TS_B_scene_surfel, &one, (u64)1 << 32);
 	ts_run_set_size(&run, TS_DIM_surfels, (u64)1 << 32);
-	assert_int_equal(ts_run_stage(&run, ts_stage_find("blend")), TS_ERROR);
+	assert_int_equal(ts_run_stage(&run, ts_stage_find("surfel_blend")), TS_ERROR);
 	assert_non_null(strstr(ts_error_message(), "4294967296 surfels are more than"));
 	ts_run_end(&run);
 	ts_scene_free(scene);

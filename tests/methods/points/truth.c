@@ -134,7 +134,7 @@ static void judge_texel(face_judge *judge, const ts_face *cube, u32 reflector, u
 static ts_status judge_faces(const ts_run *run, const ts_stage *stage, void *user)
 {
 	face_judge *judge = user;
-	if (strcmp(stage->name, "face") != 0) return TS_OK;
+	if (strcmp(stage->name, "cube_face") != 0) return TS_OK;
 	if (judge->truth == NULL && ts_truth_new(&judge->truth, run) != TS_OK) return TS_ERROR;
 	const ts_face *cubes = ts_frame_data(&run->frame, TS_B_cube_size_face);
 	const u64 *texel = ts_frame_data(&run->frame, TS_B_cube_face_depth_triangle);

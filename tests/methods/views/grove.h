@@ -285,7 +285,7 @@ static inline void grove_begin_alone(ts_run *run, const ts_scene *scene, const t
 	ts_frame_borrow(&run->frame, TS_B_octree_level, g->scene.before, g->scene.levels + 2);
 	ts_frame_borrow(&run->frame, TS_B_vpl_light, lights, n);
 	grove_sizes(run);
-	grove_stage(run, "view_alone");
+	grove_stage(run, "view_octree.alone");
 }
 
 /* What a run made. */
@@ -314,8 +314,8 @@ static inline grove_outcome grove_run(const grove *g, const ts_scene *scene, con
 	grove_begin(&run, scene, params, threads, g);
 	run.backend = backend;
 	if (traced) grove_stage(&run, "traverse");
-	grove_stage(&run, "map");
-	grove_stage(&run, "fuse");
+	grove_stage(&run, "view_map");
+	grove_stage(&run, "view_map.fuse");
 	if (traced) r.pairs = grove_copy(&run, TS_B_traverse_rendered, &r.n_pairs);
 	r.maps = grove_copy(&run, TS_B_view_map_depth_node, &r.n_maps);
 	r.depths = grove_copy(&run, TS_B_view_map_fused_depth, &r.n_depths);

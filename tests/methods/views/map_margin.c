@@ -141,8 +141,8 @@ static void check(sums *r, const faults *how, u32 n_px, u32 choice)
 	params.touching = choice == 1;
 	grove_plant(&g, 5, 5, 20000, grove_surface, 120, grove_surface);
 	grove_begin(&run, scene, &params, 2, &g);
-	grove_stage(&run, "map");
-	grove_stage(&run, "map_margin");
+	grove_stage(&run, "view_map");
+	grove_stage(&run, "view_map.margin");
 	u64 n = ts_frame_n(&run.frame, TS_B_view_map_depth_node);
 	port p = {.g = &g, .params = params, .faults = *how, .map = malloc(n * sizeof *p.map)};
 	assert_non_null(p.map);

@@ -12,13 +12,20 @@
 #include "../../backends/device.h"
 
 static const ts_step steps[] = {
-	{.stage = "pose"},           {.stage = "lamp"},
-	{.stage = "rsm_view"},       {.stage = "rsm"},
-	{.stage = "rsm_patch"},      {.stage = "root"},
-	{.stage = "voxel"},          {.stage = "octree"},
-	{.stage = "octree_surface"}, {.stage = "vpl"},
-	{.stage = "view_voxel"},     {.stage = "view_octree"},
-	{.stage = "view_cone"},      {0},
+	{.stage = "pose"},
+	{.stage = "lamp"},
+	{.stage = "rsm.view"},
+	{.stage = "rsm"},
+	{.stage = "rsm.patch"},
+	{.stage = "octree.root"},
+	{.stage = "voxel"},
+	{.stage = "octree"},
+	{.stage = "octree.surface"},
+	{.stage = "vpl"},
+	{.stage = "view_octree.voxel"},
+	{.stage = "view_octree"},
+	{.stage = "view_octree.cone"},
+	{0},
 };
 static const ts_pipeline pipeline = {
 	.name = "octrees",

@@ -128,10 +128,10 @@ static inline void prototype_check(const ts_scene *scene, const prototype_row *e
 	grove_plant(&g, expected->levels, expected->levels, 40ull << 2 * expected->levels, grove_surface, expected->n_views,
 	            expected->view);
 	grove_begin(&run, scene, &params, 2, &g);
-	grove_stage(&run, "map");
-	grove_stage(&run, "fuse");
+	grove_stage(&run, "view_map");
+	grove_stage(&run, "view_map.fuse");
 	grove_begin_alone(&alone, scene, &params, &g, lights, SAMPLE);
-	grove_stage(&alone, "map");
+	grove_stage(&alone, "view_map");
 	const u32 *fused = ts_frame_data(&run.frame, TS_B_view_map_fused_depth);
 	const u64 *maps = ts_frame_data(&alone.frame, TS_B_view_map_depth_node);
 	prototype_likeness sum = {0, 0, 0, 0};

@@ -268,18 +268,18 @@ static void test_alone(void **state)
 	ts_run run;
 	grove_plant(&g, 3, 3, 3000, grove_noise, 40, grove_noise);
 	grove_begin_alone(&run, scene, &params, &g, lights, 40);
-	grove_stage(&run, "map");
+	grove_stage(&run, "view_map");
 	u64 n, n_all;
 	i64 rendered = ts_run_counter(&run, "pairs rendered");
 	u64 *maps = grove_copy(&run, TS_B_view_map_depth_node, &n);
 	assert_int_equal(ts_run_counter(&run, "pairs wider than a texel"), rendered);
 	assert_int_equal(ts_run_counter(&run, "views served"), rendered);
-	grove_stage(&run, "map_all");
+	grove_stage(&run, "view_map.all");
 	u64 *all = grove_copy(&run, TS_B_view_map_depth_node, &n_all);
 	assert_int_equal(n, n_all);
 	assert_memory_equal(maps, all, n * sizeof *maps);
 	assert_int_equal(ts_run_counter(&run, "pairs rendered"), 2 * rendered);
-	grove_stage(&run, "fuse");
+	grove_stage(&run, "view_map.fuse");
 	const u32 *depths = ts_frame_data(&run.frame, TS_B_view_map_fused_depth);
 	const u32 *shown = ts_frame_data(&run.frame, TS_B_view_map_fused_node);
 	u64 n_wrong = 0;
@@ -314,9 +314,10 @@ static void test_errors(void **state)
 static void test_stages(void **state)
 {
 	(void)state;
-	static const char *const stages[] = {"view",      "pose",     "lamp",   "rsm_view", "rsm",        "rsm_patch",
-	                                     "root",      "voxel",    "octree", "vpl",      "view_voxel", "view_octree",
-	                                     "view_cone", "traverse", "map",    "fuse"};
+	static const char *const stages[] = {
+		"eye.view", "pose",         "lamp", "rsm.view",          "rsm",         "rsm.patch",        "octree.root",
+		"voxel",    "octree",       "vpl",  "view_octree.voxel", "view_octree", "view_octree.cone", "traverse",
+		"view_map", "view_map.fuse"};
 	ts_params params = params_of(16);
 	params.levels = 5;
 	ts_run run;

@@ -29,7 +29,7 @@ static const ts_column columns[] = { { "scene", "scene", false }, { "of", "of bl
 /* clang-format on */
 
 /* All that depth needs. */
-static const char *const stages[] = {"view", "pose", "eye", "gbuffer", "nearest", "segment", NULL};
+static const char *const stages[] = {"eye.view", "pose", "eye", "gbuffer", "depth_grid", "segment", NULL};
 
 static void add_to(tally *t, const tally *block)
 {

@@ -13,9 +13,9 @@ static const ts_margin_rule margins[] = {
 
 static const ts_truth_kind truths[] = {
 	{"lights", "indirect", "the method's triangles of light, where they are seen", "", "bounce", "",
-     .begin = ts_truth_indirect_begin, .trace = ts_truth_lights, .image = "indirect_image"},
+     .begin = ts_truth_indirect_begin, .trace = ts_truth_lights, .image = "image.indirect"},
 	{"bounce", "indirect", "light after one bounce, path by path", "", "", "", .begin = ts_truth_indirect_begin,
-     .trace = ts_truth_bounce, .image = "indirect_image"},
+     .trace = ts_truth_bounce, .image = "image.indirect"},
 	{0},
 };
 

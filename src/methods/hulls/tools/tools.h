@@ -10,7 +10,7 @@ extern const ts_stage_picture_rule ts_hulls_pictures[];
 
 /* Truths of indirect light (truth_lights.c). As `direct`, but only of the triangles of light whose middle the pixel
  * sees, which tells what visibility would change. Reads gbuffer.pixel and rsm.patch; makes indirect.irradiance
- * in run->frame, from which stage `indirect_image` makes the picture. Fails without memory. */
+ * in run->frame, from which stage `image.indirect` makes the picture. Fails without memory. */
 ts_status ts_truth_lights(ts_truth *truth, ts_run *run);
 /* Light after one diffuse bounce by params.bounce_rays rays a pixel, without triangles of light, which with the
  * other leaves what the reflective shadow map costs. Reads gbuffer.pixel and lamp.light; makes the same. */

@@ -9,8 +9,8 @@
 #define TS_OMNI_NOTE "Depth maps of 256 x 256 instead of the paper's 1024 x 1024, for VIR's points."
 
 /* The stages that make points, those that fill off-screen views, and both: what the iVIR paper's totals are of. */
-#define TS_POINT_STAGES "visibility,offscreen_visibility,split,view_split,shadow_split,cull,align,count,points"
-#define TS_VIEW_STAGES "splat,scatter,scatter_colour,copy,face,depth,shadow_resize,shadow_splat"
+#define TS_POINT_STAGES "visibility,offscreen.visibility,split,split.views,split.shadow,cull,align,points.count,points"
+#define TS_VIEW_STAGES "splat,scatter,scatter.colour,environment_map,cube_face,depth_map,shadow_cube_size,shadow_splat"
 #define TS_MAP_STAGES TS_POINT_STAGES "," TS_VIEW_STAGES
 
 extern const ts_paper_table ts_ivir_1, ts_ivir_2, ts_ivir_3, ts_epr_1, ts_epr_2, ts_epr_3;

@@ -1,6 +1,6 @@
 /* align.frame: q within 24.8 of the lattice, so that edges fit 64 bits, s not negative; for count, points and what
  * makes points without storing them, fewer than 2^34 lattice squares in the boxes of all pieces. points.offset, where
- * stage points writes: the sums that stage count makes of the same align.frame. */
+ * stage points writes: the sums that stage points.count makes of the same align.frame. */
 #include <inttypes.h>
 #include "../../../kernels/points/points.h"
 #include "tools.h"

@@ -24,10 +24,10 @@ static json_t *lost_at(const fate *f)
 	if (f->n_kept == 0)
 		return verdict("cull", json_sprintf("culled: none of %" PRIu64 " pieces was kept", f->n_pieces));
 	if (f->n_points == 0)
-		return verdict("count", json_string("no points: no sample touches it, or alpha cut all of them"));
+		return verdict("points.count", json_string("no points: no sample touches it, or alpha cut all of them"));
 	if (s->offered == 0) return verdict("splat", json_string("no texel touched: outside the faces, or behind near"));
 	if (s->won == 0 && s->ties == s->lost && best != NULL) {
-		return verdict("tie",
+		return verdict("splat.tie",
 		               json_sprintf("all of %" PRIu64 " texels went to lower indices at the same distance, most to "
 		                            "triangle %u",
 		                            s->lost, (unsigned)best->triangle));
@@ -195,9 +195,9 @@ static ts_status describe_mvr(ts_probe *p, u32 triangle, json_t *o)
 	ts_probe_put_spread(p, cubes, &spread);
 	ts_probe_put(p, o, "cubes", cubes);
 	if (spread.offered == 0)
-		lost = verdict("face", json_string("it covers no texel: no face sees it, or it is too small"));
+		lost = verdict("cube_face", json_string("it covers no texel: no face sees it, or it is too small"));
 	if (spread.offered > 0 && spread.won == 0 && spread.n_rivals > 0) {
-		lost = verdict("face",
+		lost = verdict("cube_face",
 		               json_sprintf("hidden: most texels went to triangle %u", (unsigned)spread.rival[0].triangle));
 	}
 	ts_probe_put(p, o, "lost_at", lost != NULL ? lost : json_string("no stage"));

@@ -44,7 +44,7 @@ u64 ts_truth_c_bytes(const ts_pipeline *method, const ts_scene *scene, const ts_
 ts_status ts_truth_shadow_begin(ts_run *run, const char *effect);
 /* Rays to the very samples that the methods have depth maps of, which leaves the error of the maps. Reads
  * pose.vertex, eye.view, eye.depth_triangle, offscreen.view, lamp.shape and, if the views are of cubes, cube_size.face;
- * makes shadow_test.lit in run->frame, from which stage `shadow_image` makes the picture. Fails without memory. */
+ * makes shadow_test.lit in run->frame, from which stage `image.shadow` makes the picture. Fails without memory. */
 ts_status ts_truth_samples(ts_truth *truth, ts_run *run);
 /* Rays to params.area_samples samples of each light, which with the other leaves what sampling the lights costs.
  * They lie as the methods' do, on the same disc, ball or cone, and see as much: a depth map's image, all around in

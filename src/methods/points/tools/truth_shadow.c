@@ -110,8 +110,8 @@ ts_status ts_truth_samples(ts_truth *truth, ts_run *run) { return trace(truth, r
 
 ts_status ts_truth_area(ts_truth *truth, ts_run *run)
 {
-	static const char *const maps[] = {"lamp", "lamp_view", NULL};
-	static const char *const cubes[] = {"lamp_ball", "lamp_cube", "offscreen", NULL};
+	static const char *const maps[] = {"lamp", "lamp.view", NULL};
+	static const char *const cubes[] = {"lamp.ball", "lamp.cube", "offscreen", NULL};
 	u32 n = TS_PARAM(&run->params, area_samples), n_lamps = (u32)ts_frame_n(&run->frame, TS_B_lamp_shape);
 	if ((u64)n * n_lamps > MOST_SAMPLES) {
 		return ts_fail("area_samples=%u: of %u lights at most %u each would be right", (unsigned)n, (unsigned)n_lamps,

@@ -9,7 +9,7 @@ ts_status ts_truth_indirect_begin(ts_run *run, const char *effect);
 
 /* The light that arrives at a pixel's surface, whose place is p and whose normal is n. */
 typedef ts_v3 ts_truth_light(const void *user, u64 pixel, ts_v3 p, ts_v3 n);
-/* Reads gbuffer.pixel; makes indirect.irradiance in run->frame, from which stage `indirect_image` makes the picture.
+/* Reads gbuffer.pixel; makes indirect.irradiance in run->frame, from which stage `image.indirect` makes the picture.
  * Fails without memory. */
 ts_status ts_truth_gather(ts_run *run, ts_truth_light *light, const void *user, const char *label);
 

@@ -34,7 +34,7 @@ typedef struct {
  * texels stay unchecked. */
 static ts_status load(ts_probe *p, bool shadows, ts_probe_lamps *lamps)
 {
-	static const char *const stages[] = {"surfel_depth", "blend", "surfel_mean", "deferred", NULL};
+	static const char *const stages[] = {"surfel_depth", "surfel_blend", "surfel_blend.mean", "deferred", NULL};
 	if (ts_probe_load_for(p, stages) != TS_OK) return TS_ERROR;
 	memcpy(&p->view, ts_probe_loaded(p, TS_B_eye_view), sizeof p->view);
 	return shadows ? ts_probe_read_lamps(p, TS_PROBE_VIEW_OR_CUBE, lamps) : ts_probe_shapes(p, TS_UNKNOWN);

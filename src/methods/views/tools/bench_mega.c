@@ -1,5 +1,5 @@
 /* MegaViews beside ManyLoDs as views become many: what the paper's figure 10 plots, of which only what the text says is
- * known. The stages `map` and `fuse` render maps. */
+ * known. The stages `view_map` and `view_map.fuse` render maps. */
 #include <math.h>
 #include "../../../kernels/base/num.h"
 #include "benches.h"
@@ -23,16 +23,16 @@ enum { VIEWS, MS, LODS_MS, WIDE_MS, BRUTE_MS, SPEEDUP, CULLING, TREE_MS, GATHER_
 
 static const ts_bench_figure figures[] = {
 	[VIEWS] = { "views", "views", TS_FIGURE_COUNTER, M_MEGA, 0, TS_WHOLE, "virtual point lights" },
-	[MS] = { "megaviews_ms", "MegaViews", TS_FIGURE_STAGE_TIME, M_MEGA, 0, 2, "map,fuse" },
-	[LODS_MS] = { "manylods_ms", "ManyLoDs", TS_FIGURE_STAGE_TIME, M_LODS, 0, 2, "map,fuse" },
-	[WIDE_MS] = { "unculled_ms", "no culling", TS_FIGURE_STAGE_TIME, M_WIDE, 0, 2, "map,fuse" },
-	[BRUTE_MS] = { "bruteforce_ms", "brute force", TS_FIGURE_STAGE_TIME, M_BRUTE, 0, 2, "map_all,fuse" },
+	[MS] = { "megaviews_ms", "MegaViews", TS_FIGURE_STAGE_TIME, M_MEGA, 0, 2, "view_map,view_map.fuse" },
+	[LODS_MS] = { "manylods_ms", "ManyLoDs", TS_FIGURE_STAGE_TIME, M_LODS, 0, 2, "view_map,view_map.fuse" },
+	[WIDE_MS] = { "unculled_ms", "no culling", TS_FIGURE_STAGE_TIME, M_WIDE, 0, 2, "view_map,view_map.fuse" },
+	[BRUTE_MS] = { "bruteforce_ms", "brute force", TS_FIGURE_STAGE_TIME, M_BRUTE, 0, 2, "view_map.all,view_map.fuse" },
 	[SPEEDUP] = { "speedup", "ManyLoDs / MegaViews", TS_FIGURE_RATIO, LODS_MS, MS, 2, "" },
 	[CULLING] = { "culling_percent", "culling saves, %", TS_FIGURE_SAVED, MS, WIDE_MS, 1, "" },
 	[TREE_MS] = { "hierarchy_ms", "hierarchy of views", TS_FIGURE_STAGE_TIME, M_MEGA, 0, 2,
-	              "view_voxel,view_octree,view_cone" },
-	[GATHER_MS] = { "gather_ms", "gathering", TS_FIGURE_STAGE_TIME, M_MEGA, 0, 2, "vpl_pairs,vpl_gather" },
-	[LODS_GATHER_MS] = { "manylods_gather_ms", "ManyLoDs'", TS_FIGURE_STAGE_TIME, M_LODS, 0, 2, "vpl_pairs,vpl_gather" },
+	              "view_octree.voxel,view_octree,view_octree.cone" },
+	[GATHER_MS] = { "gather_ms", "gathering", TS_FIGURE_STAGE_TIME, M_MEGA, 0, 2, "vpl_gather.pairs,vpl_gather" },
+	[LODS_GATHER_MS] = { "manylods_gather_ms", "ManyLoDs'", TS_FIGURE_STAGE_TIME, M_LODS, 0, 2, "vpl_gather.pairs,vpl_gather" },
 	[MS_GROWTH] = { "ms_exponent", "exponent", TS_FIGURE_GROWTH, MS, VIEWS, 3, "" },
 	[LODS_MS_GROWTH] = { "manylods_ms_exponent", "ManyLoDs'", TS_FIGURE_GROWTH, LODS_MS, VIEWS, 3, "" },
 	[PAIRS] = { "pairs", "pairs", TS_FIGURE_COUNTER, M_MEGA, 0, TS_WHOLE, "pairs" },
@@ -57,14 +57,14 @@ static const ts_bench_figure figures[] = {
 	[SCENE_LEAVES] = { "scene_leaves", "leaves of the scene", TS_FIGURE_COUNTER, M_MEGA, 0, TS_WHOLE, "scene leaves" },
 	[LEAVES] = { "leaves", "of views", TS_FIGURE_COUNTER, M_MEGA, 0, TS_WHOLE, "view leaves" },
 	[SCENE_MIB] = { "scene_mib", "scene", TS_FIGURE_BUFFERS, M_MEGA, 0, 1, "voxel,octree" },
-	[TREE_MIB] = { "views_mib", "views", TS_FIGURE_BUFFERS, M_MEGA, 0, 1, "view_voxel,view_octree,view_cone" },
+	[TREE_MIB] = { "views_mib", "views", TS_FIGURE_BUFFERS, M_MEGA, 0, 1, "view_octree.voxel,view_octree,view_octree.cone" },
 	[QUEUE_MIB] = { "queue_mib", "queue", TS_FIGURE_MEMORY, M_MEGA, 8, 1, "longest queue" },
-	[MAPS_MIB] = { "maps_mib", "maps", TS_FIGURE_BUFFERS, M_MEGA, 0, 1, "map,fuse" },
+	[MAPS_MIB] = { "maps_mib", "maps", TS_FIGURE_BUFFERS, M_MEGA, 0, 1, "view_map,view_map.fuse" },
 	[MIB] = { "mib", "all", TS_FIGURE_SUM, SCENE_MIB, MAPS_MIB, 1, "" },
 	[LODS_SCENE_MIB] = { "manylods_scene_mib", "scene", TS_FIGURE_BUFFERS, M_LODS, 0, 1, "voxel,octree" },
-	[LODS_VIEWS_MIB] = { "manylods_views_mib", "views", TS_FIGURE_BUFFERS, M_LODS, 0, 1, "view_octree,view_cone" },
+	[LODS_VIEWS_MIB] = { "manylods_views_mib", "views", TS_FIGURE_BUFFERS, M_LODS, 0, 1, "view_octree,view_octree.cone" },
 	[LODS_QUEUE_MIB] = { "manylods_queue_mib", "queue", TS_FIGURE_MEMORY, M_LODS, 8, 1, "longest queue" },
-	[LODS_MAPS_MIB] = { "manylods_maps_mib", "maps", TS_FIGURE_BUFFERS, M_LODS, 0, 1, "map,fuse" },
+	[LODS_MAPS_MIB] = { "manylods_maps_mib", "maps", TS_FIGURE_BUFFERS, M_LODS, 0, 1, "view_map,view_map.fuse" },
 	[LODS_MIB] = { "manylods_mib", "all", TS_FIGURE_SUM, LODS_SCENE_MIB, LODS_MAPS_MIB, 1, "" },
 	[LESS] = { "mib_ratio", "by ours", TS_FIGURE_RATIO, LODS_MIB, MIB, 2, "" },
 	{ 0 },

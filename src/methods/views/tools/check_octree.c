@@ -101,7 +101,7 @@ static ts_status check_masks(const ts_load *load, const ts_stage *stage, ts_buff
 {
 	bool views = octree_of(id) == &ts_view_octree;
 	if (!ts_stage_writes(stage, octree_of(id)->entries)) return TS_OK;
-	return ts_check_again(load, views ? "view_voxel" : "voxel",
+	return ts_check_again(load, views ? "view_octree.voxel" : "voxel",
 	                      views ? "vpl.light and octree.root" : "pose.vertex and octree.root");
 }
 

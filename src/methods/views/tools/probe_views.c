@@ -198,7 +198,7 @@ static ts_status put_lights(ts_probe *p, json_t *object, const ts_probe_gather *
 static ts_status load(ts_probe *p)
 {
 	const char *maker = ts_pipeline_maker(p->trace->pipeline, TS_B_vpl_light)->stage;
-	return ts_probe_load_for(p, (const char *const[]){maker, "vpl_pairs", "bilateral", "vpl_gather", NULL});
+	return ts_probe_load_for(p, (const char *const[]){maker, "vpl_gather.pairs", "bilateral", "vpl_gather", NULL});
 }
 
 static ts_status put_irradiance(ts_probe *p, const ts_probe_seen *at, const ts_gpixel *pixel, json_t *object,

@@ -13,9 +13,9 @@ static const ts_margin_rule margins[] = {
 
 static const ts_truth_kind truths[] = {
 	{"vpls", "indirect", "all virtual point lights, where they are seen", "method", "", "",
-     .begin = ts_truth_indirect_begin, .trace = ts_truth_vpls, .image = "indirect_image"},
+     .begin = ts_truth_indirect_begin, .trace = ts_truth_vpls, .image = "image.indirect"},
 	{"glow", "particles", "all particles, where they are seen", "method", "", "", .begin = ts_truth_particles_begin,
-     .trace = ts_truth_glow, .image = "indirect_image"},
+     .trace = ts_truth_glow, .image = "image.indirect"},
 	{0},
 };
 
@@ -41,9 +41,9 @@ static const ts_bench_row benches[] = {
 static const ts_probe_part parts[] = {
 	{TS_PROBE_PIXEL, "vpl_gather", ts_probe_views_pixel,
 	 "the lights that culling leaves, the brightest of those it draws, and its neighbours in the filter", NULL},
-	{TS_PROBE_TEXEL, "fuse", ts_probe_light_texel,
+	{TS_PROBE_TEXEL, "view_map.fuse", ts_probe_light_texel,
 	 "the pairs of nodes rendered into it and above it, and what fusion made of them", &ts_probe_map_of_light},
-	{TS_PROBE_TEXEL, "fuse", ts_probe_node_texel, "the same", &ts_probe_map_of_node},
+	{TS_PROBE_TEXEL, "view_map.fuse", ts_probe_node_texel, "the same", &ts_probe_map_of_node},
 	{0},
 };
 /* clang-format on */

@@ -12,7 +12,7 @@ ts_status ts_check_gather(const ts_load *load, const ts_stage *stage, ts_buffer_
 /* Truths of many lights (truth_vpls.c). All virtual point lights of params.vpls, each with its distance bounded as in
  * vpl_gather, if nothing stands between pixel and light but within a leaf's diagonal of the light, which the methods
  * skip, too. Runs what makes them. Reads gbuffer.pixel; makes indirect.irradiance in run->frame, from which stage
- * `indirect_image` makes the picture. Fails without memory. */
+ * `image.indirect` makes the picture. Fails without memory. */
 ts_status ts_truth_vpls(ts_truth *truth, ts_run *run);
 
 /* Truth of glowing particles: the same of all params.particles. Runs what comes before the particles of `effect`, in

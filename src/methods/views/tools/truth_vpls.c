@@ -52,12 +52,12 @@ ts_status ts_truth_particles_begin(ts_run *run, const char *effect)
 
 ts_status ts_truth_vpls(ts_truth *truth, ts_run *run)
 {
-	static const char *const makers[] = {"root", "voxel", "octree", "vpl", NULL};
+	static const char *const makers[] = {"octree.root", "voxel", "octree", "vpl", NULL};
 	return trace(truth, run, makers, "truth vpls");
 }
 
 ts_status ts_truth_glow(ts_truth *truth, ts_run *run)
 {
-	static const char *const makers[] = {"root", "particle", NULL};
+	static const char *const makers[] = {"octree.root", "particle", NULL};
 	return trace(truth, run, makers, "truth glow");
 }

@@ -162,7 +162,7 @@ static const char *stage_of(const truth *t)
 {
 	if (!t->seen) return "visibility";
 	if (!t->kept) return "cull";
-	if (t->points == 0) return "count";
+	if (t->points == 0) return "points.count";
 	return t->won == 0 ? "splat" : t->samples == 0 ? "lookup" : "no stage";
 }
 
@@ -177,7 +177,7 @@ static void try_triangle(u32 triangle)
 	const json_t *lost = json_object_get(answer, "lost_at");
 	const char *stage =
 		json_is_string(lost) ? json_string_value(lost) : json_string_value(json_object_get(lost, "stage"));
-	bool tie = strcmp(stage, "tie") == 0 && strcmp(stage_of(&t), "splat") == 0;
+	bool tie = strcmp(stage, "splat.tie") == 0 && strcmp(stage_of(&t), "splat") == 0;
 	if (!tie) assert_string_equal(stage, stage_of(&t));
 	json_decref(answer);
 }

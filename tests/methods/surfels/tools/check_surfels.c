@@ -45,8 +45,8 @@ static u64 first_disc(bool drawn)
 static void test_boxes(void **state)
 {
 	(void)state;
-	static const char *const readers[] = {"surfel_depth", "blend", "surfel_mean", "surfel_depth_margin",
-	                                      "blend_margin"};
+	static const char *const readers[] = {"surfel_depth", "surfel_blend", "surfel_blend.mean", "surfel_depth.margin",
+	                                      "surfel_blend.margin"};
 	u64 n = ts_frame_n(&run.frame, TS_B_surfel_setup_disc), drawn = first_disc(true), empty = first_disc(false);
 	for (u32 r = 0; r < sizeof readers / sizeof *readers; r++) {
 		const ts_buffer_id id = TS_B_surfel_setup_disc;
@@ -71,11 +71,11 @@ static void test_least(void **state)
 	ts_load load;
 	ts_disc *disc = ts_frame_data(&run.frame, TS_B_surfel_setup_disc), kept = *disc;
 	*disc = (ts_disc){.pixel = {(1 << 21) - 1, 1 - (1 << 21)}, .low = {0, 0}, .high = {63, 47}};
-	load_for(&load, ts_stage_find("blend"));
-	ts_status status = ts_check(&load, ts_stage_find("blend"));
+	load_for(&load, ts_stage_find("surfel_blend"));
+	ts_status status = ts_check(&load, ts_stage_find("surfel_blend"));
 	disc->high[0] = disc->high[1] = -1;
 	disc->low[0] = INT32_MAX;
-	if (status == TS_OK) status = ts_check(&load, ts_stage_find("blend"));
+	if (status == TS_OK) status = ts_check(&load, ts_stage_find("surfel_blend"));
 	*disc = kept;
 	if (status != TS_OK) fail_msg("%s", ts_error_message());
 }
@@ -89,14 +89,14 @@ static void test_sums(void **state)
 	u64 i = 0, n = ts_frame_n(&run.frame, TS_B_surfel_blend_heaviest);
 	while (i < n && heaviest[i] == TS_EMPTY) i++;
 	assert_true(i < n && sums[8 * i + 7] > 0);
-	refuses("surfel_mean", TS_B_surfel_blend_sum, 8 * i + 7, "", 0);
-	refuses("surfel_mean", TS_B_surfel_blend_heaviest, i, "", 0xffffffff);
+	refuses("surfel_blend.mean", TS_B_surfel_blend_sum, 8 * i + 7, "", 0);
+	refuses("surfel_blend.mean", TS_B_surfel_blend_heaviest, i, "", 0xffffffff);
 	ts_load load;
 	u64 *names = ts_frame_data(&run.frame, TS_B_surfel_blend_heaviest), kept = names[i];
 	char place[64];
 	names[i] = TS_EMPTY;
-	load_for(&load, ts_stage_find("surfel_mean"));
-	ts_status status = ts_check(&load, ts_stage_find("surfel_mean"));
+	load_for(&load, ts_stage_find("surfel_blend.mean"));
+	ts_status status = ts_check(&load, ts_stage_find("surfel_blend.mean"));
 	names[i] = kept;
 	snprintf(place, sizeof place, "surfel_blend.sum: element %u", (unsigned)(8 * i + 7));
 	assert_int_equal(status, TS_ERROR);
@@ -113,9 +113,9 @@ static void test_keys(void **state)
 		const char *stage;
 		ts_buffer_id id;
 	} readers[] = {
-		{"blend", TS_B_surfel_depth_surfel},         {"surfel_mean", TS_B_surfel_depth_surfel},
-		{"surfel_mean", TS_B_surfel_blend_heaviest}, {"surfel_depth_margin", TS_B_surfel_depth_surfel},
-		{"blend_margin", TS_B_surfel_depth_surfel},  {"blend_margin", TS_B_surfel_blend_heaviest},
+		{"surfel_blend", TS_B_surfel_depth_surfel},        {"surfel_blend.mean", TS_B_surfel_depth_surfel},
+		{"surfel_blend.mean", TS_B_surfel_blend_heaviest}, {"surfel_depth.margin", TS_B_surfel_depth_surfel},
+		{"surfel_blend.margin", TS_B_surfel_depth_surfel}, {"surfel_blend.margin", TS_B_surfel_blend_heaviest},
 	};
 	for (u32 r = 0; r < sizeof readers / sizeof *readers; r++) {
 		refuses(readers[r].stage, readers[r].id, 0, "", n);
@@ -127,7 +127,7 @@ static void test_keys(void **state)
 static void test_cubes(void **state)
 {
 	(void)state;
-	static const char *const askers[] = {"deferred_lit", "deferred_lit_margin"};
+	static const char *const askers[] = {"deferred.lit", "deferred.lit_margin"};
 	ts_light *light = ts_frame_data(&run.frame, TS_B_lamp_light);
 	u32 kept = light->kind;
 	for (u32 k = 0; k < 2; k++) {

@@ -4,26 +4,26 @@
 #include "../../../../src/methods/raster/pipelines.h"
 
 static const ts_step steps[] = {
-	{.stage = "view"},
+	{.stage = "eye.view"},
 	{.stage = "pose"},
 	{.stage = "lamp"},
-	{.stage = "rsm_view"},
+	{.stage = "rsm.view"},
 	{.stage = "rsm"},
-	{.stage = "rsm_patch"},
-	{.stage = "root"},
+	{.stage = "rsm.patch"},
+	{.stage = "octree.root"},
 	{.stage = "voxel"},
 	{.stage = "octree"},
-	{.stage = "octree_surface"},
+	{.stage = "octree.surface"},
 	{.stage = "vpl"},
-	{.stage = "view_voxel"},
+	{.stage = "view_octree.voxel"},
 	{.stage = "view_octree"},
-	{.stage = "view_cone"},
+	{.stage = "view_octree.cone"},
 	{.stage = "traverse"},
-	{.stage = "map"},
-	{.stage = "fuse"},
+	{.stage = "view_map"},
+	{.stage = "view_map.fuse"},
 	{.stage = "eye"},
 	{.stage = "gbuffer"},
-	{.stage = "vpl_pairs"},
+	{.stage = "vpl_gather.pairs"},
 	{.stage = "vpl_gather"},
 	{.stage = "bilateral"},
 	{0},
@@ -95,25 +95,26 @@ static void test_nodes(void **state)
 	(void)state;
 	const u32 *level = ts_frame_data(&run.frame, TS_B_octree_level), leaf = level[LEVELS], n = level[LEVELS + 1];
 	const ts_node *nodes = ts_frame_data(&run.frame, TS_B_octree_node);
-	refuses("octree_surface", TS_B_octree_level, 0, "", 1);
-	refuses("octree_surface", TS_B_octree_level, 2, "", 0);
-	refuses("octree_surface", TS_B_octree_node, 0, "level", 1);
-	refuses("octree_surface", TS_B_octree_node, 0, "children", 0);
-	refuses("octree_surface", TS_B_octree_node, 0, "children", 256);
-	refuses("octree_surface", TS_B_octree_node, leaf, "children", 1);
-	refuses("octree_surface", TS_B_octree_node, leaf - 1, "children", 511);
-	refuses("octree_surface", TS_B_octree_node, 0, "child", 0);
-	refuses("octree_surface", TS_B_octree_node, 2, "child", nodes[1].child);
-	refuses("octree_surface", TS_B_octree_node, leaf - 1, "child", n - 1);
-	refuses("octree_surface", TS_B_octree_node, leaf, "child", leaf + 1);
-	refuses("octree_surface", TS_B_octree_node, 0, "parent", 0);
-	refuses("octree_surface", TS_B_octree_offset, 0, "", 1);
-	refuses("octree_surface", TS_B_octree_offset, n - leaf, "", 0);
+	refuses("octree.surface", TS_B_octree_level, 0, "", 1);
+	refuses("octree.surface", TS_B_octree_level, 2, "", 0);
+	refuses("octree.surface", TS_B_octree_node, 0, "level", 1);
+	refuses("octree.surface", TS_B_octree_node, 0, "children", 0);
+	refuses("octree.surface", TS_B_octree_node, 0, "children", 256);
+	refuses("octree.surface", TS_B_octree_node, leaf, "children", 1);
+	refuses("octree.surface", TS_B_octree_node, leaf - 1, "children", 511);
+	refuses("octree.surface", TS_B_octree_node, 0, "child", 0);
+	refuses("octree.surface", TS_B_octree_node, 2, "child", nodes[1].child);
+	refuses("octree.surface", TS_B_octree_node, leaf - 1, "child", n - 1);
+	refuses("octree.surface", TS_B_octree_node, leaf, "child", leaf + 1);
+	refuses("octree.surface", TS_B_octree_node, 0, "parent", 0);
+	refuses("octree.surface", TS_B_octree_offset, 0, "", 1);
+	refuses("octree.surface", TS_B_octree_offset, n - leaf, "", 0);
 	refuses("vpl", TS_B_octree_node, leaf - 1, "children", 0);
 	refuses("vpl", TS_B_octree_offset, 0, "", 1);
-	refuses("view_cone", TS_B_view_octree_offset, 1, "", 0);
-	refuses("view_cone", TS_B_view_octree_view, 0, "", *(u32 *)ts_frame_data(&run.frame, TS_B_view_octree_view) ^ 1);
-	refuses("view_cone", TS_B_view_octree_node, 1, "child", 1);
+	refuses("view_octree.cone", TS_B_view_octree_offset, 1, "", 0);
+	refuses("view_octree.cone", TS_B_view_octree_view, 0, "",
+	        *(u32 *)ts_frame_data(&run.frame, TS_B_view_octree_view) ^ 1);
+	refuses("view_octree.cone", TS_B_view_octree_node, 1, "child", 1);
 }
 
 /* A fault in the parent of a node shows where the parent's children are read. */
@@ -126,8 +127,8 @@ static void test_parents(void **state)
 	for (u32 i = 1; i < n; i += n / 7) {
 		u32 kept = nodes[i].parent;
 		nodes[i].parent = i % 2 == 0 ? i : TS_NONE;
-		load_for(&load, ts_stage_find("view_cone"));
-		assert_int_equal(ts_check(&load, ts_stage_find("view_cone")), TS_ERROR);
+		load_for(&load, ts_stage_find("view_octree.cone"));
+		assert_int_equal(ts_check(&load, ts_stage_find("view_octree.cone")), TS_ERROR);
 		nodes[i].parent = kept;
 	}
 }
@@ -140,8 +141,8 @@ static void test_levels(void **state)
 	u32 *level = ts_frame_data(&run.frame, TS_B_octree_level);
 	level[LEVELS]++;
 	level[LEVELS + 1]++;
-	load_for(&load, ts_stage_find("octree_surface"));
-	assert_int_equal(ts_check(&load, ts_stage_find("octree_surface")), TS_ERROR);
+	load_for(&load, ts_stage_find("octree.surface"));
+	assert_int_equal(ts_check(&load, ts_stage_find("octree.surface")), TS_ERROR);
 	level[LEVELS]--;
 	level[LEVELS + 1]--;
 	assert_non_null(strstr(ts_error_message(), "octree.level: element 5"));
@@ -154,11 +155,11 @@ static void test_pairs(void **state)
 	ts_load load;
 	u64 n = ts_frame_n(&run.frame, TS_B_traverse_rendered), n_nodes = ts_frame_n(&run.frame, TS_B_octree_node);
 	assert_true(n > 1000);
-	refuses("map", TS_B_traverse_rendered, 0, "", n_nodes << 32);
-	refuses("map", TS_B_traverse_rendered, n - 1, "", UINT64_MAX << 32);
-	load_for(&load, ts_stage_find("fuse"));
+	refuses("view_map", TS_B_traverse_rendered, 0, "", n_nodes << 32);
+	refuses("view_map", TS_B_traverse_rendered, n - 1, "", UINT64_MAX << 32);
+	load_for(&load, ts_stage_find("view_map.fuse"));
 	load.run.params.view_px *= 2;
-	assert_int_equal(ts_check(&load, ts_stage_find("fuse")), TS_ERROR);
+	assert_int_equal(ts_check(&load, ts_stage_find("view_map.fuse")), TS_ERROR);
 	assert_non_null(strstr(ts_error_message(), "view_map.depth_node"));
 }
 
