@@ -29,7 +29,7 @@ typedef struct {
  *            two, 16 to 512; 512 unless said), that of surfels with ":surfels=COUNT"; or the path of a .gltf, .glb or
  *            .ply file. Files are untrusted: every count, offset and index is checked, and nothing outside the file's
  *            own folder is opened.
- *   params   reads reflectors, reflector_shape, reflector_px, seed, eye, fov, width and height: the added mirrors.
+ *   params   reads reflectors, reflectors.shape, reflectors.px, seed, eye, fov, width and height: the added mirrors.
  *   options  may be NULL.
  * The result does not depend on threads. */
 TS_API ts_status ts_scene_open(ts_scene **scene, const char *spec, const ts_params *params,

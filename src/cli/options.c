@@ -83,7 +83,7 @@ static ts_status take_mirrors(void *to, const ts_option *option, const char *tex
 	(void)option;
 	ts_job *job = &((ts_cli *)to)->job;
 	job->mirrored = true;
-	return ts_params_set(&job->params, "reflectors", text);
+	return ts_params_set(&job->params, "reflectors.count", text);
 }
 
 static ts_status take_backend(void *to, const ts_option *option, const char *text)
@@ -128,7 +128,7 @@ static ts_status take_assignment(void *to, const ts_option *option, const char *
 		ts_nearest_offer(&nearest, params[i].name);
 		job->set[i] |= strcmp(params[i].name, name) == 0;
 	}
-	if (strcmp(name, "reflectors") == 0) job->mirrored = true;
+	if (strcmp(name, "reflectors.count") == 0) job->mirrored = true;
 	if (nearest.distance != 0) {
 		return ts_fail("--set %s: no such parameter; the nearest is %s%s", name, nearest.best,
 		               ts_cli_find("list") != NULL ? ", and \"touchstone list params\" lists all" : "");

@@ -236,7 +236,8 @@ static void report_shadows(const ts_render *render, ts_report *report)
 	for (u32 i = 0; i < render->n_methods; i++) lit_row(&table, &render->pictures[i]);
 	for (u32 t = 0; t < TS_MAX_TRUTHS; t++) lit_row(&table, &render->truths[t]);
 	ts_report_line(report, "lights: %" PRIu64 "; a depth map has %u x %u texels", render->pictures[0].n_lamps,
-	               (unsigned)TS_PARAM(&render->job->params, map_px), (unsigned)TS_PARAM(&render->job->params, map_px));
+	               (unsigned)TS_PARAM(&render->job->params, depth_map_px),
+	               (unsigned)TS_PARAM(&render->job->params, depth_map_px));
 	ts_report_line(report, "%s", "");
 	ts_report_value(report, "lights", json_integer((json_int_t)render->pictures[0].n_lamps));
 	ts_report_table(report, &table);

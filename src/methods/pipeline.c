@@ -4,14 +4,14 @@
 
 static bool stores(const ts_step *step, const ts_params *params)
 {
-	if (step->stored == TS_STORED_BY_DEFAULT) return TS_PARAM(params, buffered) != TS_BUFFERED_OFF;
-	return step->stored == TS_STORED_ANYHOW || TS_PARAM(params, buffered) == TS_BUFFERED_ON;
+	if (step->stored == TS_STORED_BY_DEFAULT) return TS_PARAM(params, points_buffered) != TS_BUFFERED_OFF;
+	return step->stored == TS_STORED_ANYHOW || TS_PARAM(params, points_buffered) == TS_BUFFERED_ON;
 }
 
 bool ts_pipeline_takes(const ts_step *step, const ts_params *params, bool traced)
 {
 	if (step->only_if != NULL && !step->only_if(params)) return false;
-	if (step->least_bounces > 0 && TS_PARAM(params, bounces) < step->least_bounces) return false;
+	if (step->least_bounces > 0 && TS_PARAM(params, lookup_bounces) < step->least_bounces) return false;
 	return stores(step, params) && (traced || !(step->only_traced || step->only_margins));
 }
 

@@ -16,7 +16,7 @@ typedef struct {
 /* NULL: there is none of that name. */
 const ts_effect *ts_effect_find(const char *name);
 
-/* When points are stored: see the parameter `buffered`. */
+/* When points are stored: see the parameter `points.buffered`. */
 enum { TS_STORED_ANYHOW, TS_STORED_BY_DEFAULT, TS_STORED_IF_ASKED };
 
 typedef struct ts_step {

@@ -32,15 +32,15 @@ void ts_plan_begin(ts_plan *plan, const ts_counts *counts)
 
 void ts_plan_lights(ts_plan *plan, const ts_params *params)
 {
-	plan->lights.own = TS_PARAM(params, lamp) == TS_LAMP_SCENE;
+	plan->lights.own = TS_PARAM(params, lamp_source) == TS_LAMP_SCENE;
 }
 
-void ts_plan_views(ts_plan *plan, const ts_params *params) { plan->views.field = TS_PARAM(params, view_field); }
+void ts_plan_views(ts_plan *plan, const ts_params *params) { plan->views.field = TS_PARAM(params, view_map_field); }
 
 void ts_plan_default(ts_plan *plan, const ts_params *params, const ts_counts *counts)
 {
 	ts_plan_begin(plan, counts);
 	ts_plan_lights(plan, params);
 	ts_plan_views(plan, params);
-	plan->lights.samples = TS_PARAM(params, views);
+	plan->lights.samples = TS_PARAM(params, lamp_views);
 }

@@ -13,7 +13,7 @@ typedef struct {
 
 /* What truths ask of a plan beside the parameters; zeros: nothing. */
 typedef struct {
-	u32 samples; /* of each light, instead of views and light_samples */
+	u32 samples; /* of each light, instead of views and lamp.cubes */
 } ts_request;
 
 /* Every member is a u32, so that ts_plan_row can read it. A family has parts, PART(name, members), whose members are

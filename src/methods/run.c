@@ -174,8 +174,9 @@ ts_status ts_run_scan(ts_run *run, ts_buffer_id id, u64 *total)
 
 ts_status ts_run_too_many(u64 n, const char *what)
 {
-	return ts_fail("%" PRIu64
-	               " %s are more than 32-bit indices can name; lower rho_scale, map_px, face_max or the image's "
-	               "size",
-	               n, what);
+	return ts_fail(
+		"%" PRIu64
+		" %s are more than 32-bit indices can name; lower density.scale, depth_map.px, cube.max_px or the image's "
+		"size",
+		n, what);
 }

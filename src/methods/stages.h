@@ -12,7 +12,7 @@ ts_arrays ts_run_arrays(const ts_run *run);
 /* The same without pointers, for launches that bind them. */
 ts_arrays ts_run_scene(const ts_run *run);
 const ts_info *ts_run_info(const ts_run *run);
-/* The largest cube face that adapts to the eye: face_max, at most half the eye's height, at least 16. */
+/* The largest cube face that adapts to the eye: cube.max_px, at most half the eye's height, at least 16. */
 u32 ts_largest_face(const ts_params *params);
 /* A buffer was made, and is not empty. */
 bool ts_run_has(const ts_run *run, ts_buffer_id id);
@@ -25,7 +25,7 @@ void ts_offscreen_of_face(ts_offscreen *view, const ts_face *cube, u32 face, u32
 /* Views from a light's middle, six of a point light; and those of all lamps (lamp.c). */
 u32 ts_light_views(const ts_light *light);
 ts_status ts_light_views_make(ts_run *run);
-/* grid_px must be a multiple of 32 (nearest.c). */
+/* depth_grid.px must be a multiple of 32 (nearest.c). */
 ts_status ts_grid_check(const ts_params *params);
 /* Texels of units [first, first + n): cubes with all faces, or views. */
 u64 ts_run_n_texels(const ts_run *run, u32 first, u32 n);

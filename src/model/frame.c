@@ -30,7 +30,7 @@ static void *make(ts_frame *frame, ts_buffer_id id, u32 n_dims, const u64 *shape
 	if (n > (ts_memory_limit() - frame->bytes) / info->element_bytes) {
 		ts_fail(
 			"%s: %.1f GB beside the %.1f GB of the other buffers; a run may use %.1f GB: choose a smaller image, fewer "
-			"reflectors, or lower rho_scale, map_px, pass, face_max or levels",
+			"reflectors, or lower density.scale, depth_map.px, lamp.views_a_pass, cube.max_px or octree.levels",
 			info->name, (double)n * (double)info->element_bytes / 1e9, (double)frame->bytes / 1e9,
 			(double)ts_memory_limit() / 1e9);
 		return NULL;

@@ -22,11 +22,11 @@ const ts_stage *ts_replay_find(const char *typed, const ts_pipeline *pipeline, c
 		return NULL;
 	}
 	if (ts_pipeline_takes(step, params, true)) return ts_stage_find(name);
-	if (TS_PARAM(params, bounces) >= step->least_bounces) {
-		ts_fail("stage %s is not run where points are not stored; it needs buffered=on", name);
+	if (TS_PARAM(params, lookup_bounces) >= step->least_bounces) {
+		ts_fail("stage %s is not run where points are not stored; it needs points.buffered=on", name);
 	} else {
-		ts_fail("stage %s is not run with bounces=%" PRIu32 "; it needs %" PRIu32, name, TS_PARAM(params, bounces),
-		        step->least_bounces);
+		ts_fail("stage %s is not run with lookup.bounces=%" PRIu32 "; it needs %" PRIu32, name,
+		        TS_PARAM(params, lookup_bounces), step->least_bounces);
 	}
 	return NULL;
 }

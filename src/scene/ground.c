@@ -7,7 +7,7 @@
 
 void ts_ground_add(ts_build *build, const ts_params *params)
 {
-	if (!TS_PARAM(params, ground) || ts_build_failed(build)) return;
+	if (!TS_PARAM(params, scene_ground) || ts_build_failed(build)) return;
 	const ts_info *info = &ts_build_peek(build)->info;
 	ts_space box = ts_view_box(info);
 	f32 reach = ts_length(box.half) * WIDTH, floor = info->box_min[1];

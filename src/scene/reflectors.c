@@ -27,7 +27,7 @@ static void plan_make(floor_plan *plan, const ts_scene *scene, const ts_params *
 	TS_PARAM_SET(&first, frame, 0);
 	ts_view_eye(&plan->eye, &seen, &first);
 	plan->hall = ts_view_hall(&scene->info);
-	plan->n = TS_PARAM(params, reflectors);
+	plan->n = TS_PARAM(params, reflectors_count);
 }
 
 /* The size of the ellipse in halves of the hall: equal areas a reflector, but not where the eye is. */
@@ -90,7 +90,7 @@ static f32 radius_for(ts_build *build, const floor_plan *plan, f32 pixels)
 	f32 radius = 0.0f;
 	for (u32 round = 0; round < 4; round++) radius = ts_min(pixels / mean_pixels_across(plan, radius), widest);
 	if (radius == widest)
-		ts_build_note(build, "the added reflectors are %g px across instead of reflector_px=%g, so that they fit",
+		ts_build_note(build, "the added reflectors are %g px across instead of reflectors.px=%g, so that they fit",
 		              (double)(radius * mean_pixels_across(plan, radius)), (double)pixels);
 	return radius;
 }
@@ -115,20 +115,20 @@ static u32 make_material(ts_build *build, const f32 tint[3])
 static bool is_for_surfels(ts_build *build, const ts_params *params)
 {
 	const ts_scene *scene = ts_build_peek(build);
-	return TS_PARAM(params, from_mesh) > 0 || (scene->n_surfels > 0 && scene->n_triangles == 0);
+	return TS_PARAM(params, surfels_from_mesh) > 0 || (scene->n_surfels > 0 && scene->n_triangles == 0);
 }
 
 void ts_reflectors_add(ts_build *build, const ts_params *params, const char *camera)
 {
 	floor_plan plan;
 	u32 materials[N_TINTS];
-	if (TS_PARAM(params, reflectors) == 0 || ts_build_failed(build) || is_for_surfels(build, params)) return;
+	if (TS_PARAM(params, reflectors_count) == 0 || ts_build_failed(build) || is_for_surfels(build, params)) return;
 	plan_make(&plan, ts_build_peek(build), params, camera);
-	f32 radius = radius_for(build, &plan, TS_PARAM(params, reflector_px));
+	f32 radius = radius_for(build, &plan, TS_PARAM(params, reflectors_px));
 	for (u32 i = 0; i < plan.n; i++) {
 		ts_object object = path(&plan, i, radius);
-		u32 shape = TS_PARAM(params, reflector_shape) == TS_SHAPE_MIXED ? i % TS_SHAPE_MIXED
-		                                                                : TS_PARAM(params, reflector_shape);
+		u32 shape = TS_PARAM(params, reflectors_shape) == TS_SHAPE_MIXED ? i % TS_SHAPE_MIXED
+		                                                                 : TS_PARAM(params, reflectors_shape);
 		if (i < N_TINTS) materials[i] = make_material(build, tints[i]);
 		ts_build_object(build, &object, true);
 		ts_shape_add(build, shape, radius, materials[i % N_TINTS]);

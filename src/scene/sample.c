@@ -133,25 +133,27 @@ static sampler sampler_of(const ts_scene *scene, const ts_params *params)
 	                       .objects = scene->objects,
 	                       .n_triangles = scene->n_triangles}};
 	double area = area_of(&r, scene->n_triangles);
-	r.s = area > 0.0 ? ts_sqrt((f32)((double)TS_PARAM(params, from_mesh) / area)) : 0.0f;
-	r.radius = r.s > 0.0f ? TS_PARAM(params, splat_radius) / r.s : 0.0f;
+	r.s = area > 0.0 ? ts_sqrt((f32)((double)TS_PARAM(params, surfels_from_mesh) / area)) : 0.0f;
+	r.radius = r.s > 0.0f ? TS_PARAM(params, surfels_radius) / r.s : 0.0f;
 	return r;
 }
 
 void ts_sample_add(ts_build *build, const ts_params *params)
 {
 	const ts_scene *scene = build->scene;
-	if (TS_PARAM(params, from_mesh) == 0) return;
+	if (TS_PARAM(params, surfels_from_mesh) == 0) return;
 	sampler from = sampler_of(scene, params);
 	if (!(from.s > 0.0f) || !(from.radius > 0.0f) || from.s > FLT_MAX || from.radius > FLT_MAX) {
-		ts_build_fail(build, "%s: from_mesh: its triangles have no area, or too much, to sample %u surfels from",
-		              scene->name, TS_PARAM(params, from_mesh));
+		ts_build_fail(build,
+		              "%s: surfels.from_mesh: its triangles have no area, or too much, to sample %u surfels from",
+		              scene->name, TS_PARAM(params, surfels_from_mesh));
 		return;
 	}
 	double cells = cells_of(&from, scene->n_triangles);
 	if (cells > MOST_SURFELS || cells * sizeof(ts_surfel) > (double)ts_memory_total() / 3.0) {
-		ts_build_fail(build, "%s: from_mesh: %u surfels would take up to %.3g; its triangles are many or long and thin",
-		              scene->name, TS_PARAM(params, from_mesh), cells);
+		ts_build_fail(
+			build, "%s: surfels.from_mesh: %u surfels would take up to %.3g; its triangles are many or long and thin",
+			scene->name, TS_PARAM(params, surfels_from_mesh), cells);
 		return;
 	}
 	u64 *first = ts_alloc(scene->n_triangles + 1, sizeof *first, "counts of surfels");

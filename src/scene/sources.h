@@ -18,7 +18,7 @@ void ts_ply_load(ts_build *build, const char *path, u32 neighbours);
 bool ts_builtin_is(const char *spec);
 /* The names as words, "a, b and c", for a message. Cut to text_bytes. */
 void ts_builtin_names(char *text, size_t text_bytes);
-/* Fills a build with the scene that spec, for which ts_builtin_is is true, names. Reads params->{seed, splat_radius}. */
+/* Fills a build with the scene that spec, for which ts_builtin_is is true, names. Reads params->{seed, surfels.radius}. */
 void ts_builtin_make(ts_build *build, const char *spec, const ts_params *params);
 /* All of opening a built-in scene, with the reflectors that params ask for; needs neither glTF nor JSON. camera may be
  * NULL. *scene by ts_scene_free; NULL on failure, also where spec is no built-in scene. */

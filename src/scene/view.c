@@ -33,7 +33,7 @@ static void look_at(ts_view *view, ts_v3 eye, ts_v3 target)
 static void circle(ts_view *view, const ts_info *info, const ts_params *params)
 {
 	ts_space hall = ts_view_hall(info);
-	f32 factor = TS_PARAM(params, eye) == TS_EYE_NEAR ? 0.35f : 0.9f;
+	f32 factor = TS_PARAM(params, eye_distance) == TS_EYE_NEAR ? 0.35f : 0.9f;
 	f32 turns = (f32)(TS_PARAM(params, frame) % TS_FRAMES_A_TURN) / (f32)TS_FRAMES_A_TURN;
 	f32 across = hall.half.x * factor;
 	f32 along = hall.half.z * factor;
@@ -49,14 +49,14 @@ static void circle_outside(ts_view *view, const ts_info *info, const ts_params *
 {
 	ts_space box = ts_view_box(info);
 	f32 turns = (f32)(TS_PARAM(params, frame) % TS_FRAMES_A_TURN) / (f32)TS_FRAMES_A_TURN;
-	f32 distance = ts_length(box.half) / ts_sin_turn(TS_PARAM(params, fov) / 720.0f);
+	f32 distance = ts_length(box.half) / ts_sin_turn(TS_PARAM(params, eye_fov) / 720.0f);
 	ts_v3 way = ts_normalize(ts_v3_make(ts_sin_turn(turns), EYE_HEIGHT, ts_cos_turn(turns)));
 	look_at(view, ts_mad(box.middle, way, distance), box.middle);
 }
 
 void ts_view_eye(ts_view *view, const ts_info *info, const ts_params *params)
 {
-	if (info->circles != 0 && TS_PARAM(params, eye) == TS_EYE_OUTSIDE) {
+	if (info->circles != 0 && TS_PARAM(params, eye_distance) == TS_EYE_OUTSIDE) {
 		circle_outside(view, info, params);
 	} else if (info->circles != 0) {
 		circle(view, info, params);
@@ -66,7 +66,7 @@ void ts_view_eye(ts_view *view, const ts_info *info, const ts_params *params)
 		memcpy(view->up, info->up, sizeof view->up);
 		memcpy(view->back, info->back, sizeof view->back);
 	}
-	f32 half_turns = info->yfov > 0.0f ? info->yfov * 0.5f : TS_PARAM(params, fov) / 720.0f;
+	f32 half_turns = info->yfov > 0.0f ? info->yfov * 0.5f : TS_PARAM(params, eye_fov) / 720.0f;
 	f32 height = (f32)TS_PARAM(params, height) * ts_cos_turn(half_turns);
 	view->width = TS_PARAM(params, width);
 	view->height = TS_PARAM(params, height);

@@ -53,7 +53,7 @@ static ts_status open_scene(ts_bench_case *c)
 	if (status != TS_OK || c->sampled == 0 || c->scene->n_surfels > 0) return status;
 	ts_scene_free(c->scene);
 	c->scene = NULL;
-	TS_PARAM_SET(&c->params, from_mesh, c->sampled);
+	TS_PARAM_SET(&c->params, surfels_from_mesh, c->sampled);
 	return ts_scene_open(&c->scene, c->spec, &c->params, &c->job->scene);
 }
 

@@ -16,7 +16,7 @@ ts_status ts_bench_frame_params(ts_params *params, const ts_job *job)
 	}
 	const char *typed = job->objects != NULL ? job->objects : "10";
 	if (ts_words_count(&objects, typed, 1, TS_BENCH_OBJECTS, "--objects") != TS_OK) return TS_ERROR;
-	TS_PARAM_SET(params, reflectors, objects);
+	TS_PARAM_SET(params, reflectors_count, objects);
 	return TS_OK;
 }
 

@@ -118,7 +118,7 @@ static ts_status check_lists(const work *w, const char *scenes)
 	while (status == TS_OK && ts_words_item(&scenes, spec, sizeof spec)) {
 		ts_scene *scene = NULL;
 		ts_params params = w->job->params;
-		TS_PARAM_SET(&params, reflectors, 1);
+		TS_PARAM_SET(&params, reflectors_count, 1);
 		status = ts_scene_open(&scene, spec, &params, &w->job->scene);
 		ts_scene_free(scene);
 	}

@@ -15,7 +15,7 @@ void ts_effect_params(ts_job *job, const char *effect)
 {
 	const ts_effect *meant = ts_effect_find(effect);
 	bool mirrors = meant != NULL && meant->mirrors;
-	if (!mirrors && !job->mirrored) TS_PARAM_SET(&job->params, reflectors, 0);
+	if (!mirrors && !job->mirrored) TS_PARAM_SET(&job->params, reflectors_count, 0);
 }
 
 static void add(const ts_pipeline *methods[TS_MAX_METHODS], u32 *n, const ts_pipeline *p)

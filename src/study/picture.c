@@ -55,7 +55,7 @@ ts_status ts_picture_make(ts_picture *picture, const char *name, f32 *radiance, 
 	picture->radiance = radiance;
 	picture->srgb = ts_alloc(n, 1, "a picture");
 	for (size_t i = 0; i < n && picture->srgb != NULL; i++) {
-		picture->srgb[i] = (u8)ts_srgb_byte(TS_PARAM(params, exposure) * radiance[i]);
+		picture->srgb[i] = (u8)ts_srgb_byte(TS_PARAM(params, image_exposure) * radiance[i]);
 	}
 	return picture->srgb != NULL ? TS_OK : TS_ERROR;
 }

@@ -238,33 +238,45 @@ static const struct {
 	{"reflections", "mvr", 2, {{"seed", "0"}}},
 	{"reflections", "epr", 0, {{"seed", "0"}}},
 	{"reflections", "mvr", 0, {{"seed", "0"}}},
-	{"reflections", "ivir", 2, {{"rate", "watertight"}}},
-	{"reflections", "ivir", 0, {{"rate", "watertight"}}},
-	{"reflections", "vir", 2, {{"buffered", "off"}, {"snap", "off"}, {"conservative", "off"}}},
-	{"soft-shadows", "ivir", 0, {{"lamp", "scene"}, {"rate", "watertight"}}},
-	{"soft-shadows", "ivir", 2, {{"lamp", "lamp"}, {"buffered", "on"}, {"rate", "exact"}}},
-	{"soft-shadows", "vir", 0, {{"lamp", "scene"}, {"visibility", "vertex"}}},
-	{"soft-shadows", "mvr", 0, {{"lamp", "scene"}}},
-	{"omni-shadows", "ivir", 0, {{"rate", "paper"}}},
-	{"omni-shadows", "epr", 0, {{"shadow.rate", "paper"}}},
-	{"soft-shadows", "pcss", 0, {{"lamp", "scene"}}},
-	{"omni-shadows", "vir", 2, {{"buffered", "on"}}},
-	{"omni-shadows", "mvr", 0, {{"bias", "0"}}},
-	{"indirect", "hulls", 0, {{"lamp", "scene"}, {"cosine", "ours"}, {"segmentation", "sweeps"}}},
-	{"indirect", "hulls", 2, {{"segmentation", "components"}, {"sharpness", "vmf"}, {"interpolation", "moments"}}},
-	{"indirect", "hulls", 0, {{"cosine", "quadrature"}, {"surface", "paper"}, {"integrals", "printed"}}},
-	{"indirect", "direct", 0, {{"lamp", "lamp"}}},
-	{"indirect", "megaviews", 0, {{"vpls", "90"}, {"queue_mb", "1"}, {"filter_px", "3"}}},
-	{"indirect", "megaviews", 2, {{"gather_lights", "0"}, {"cutoff", "5"}, {"multipixel", "on"}}},
-	{"indirect", "manylods", 0, {{"vpls", "90"}, {"fusion", "paper"}, {"shadows", "off"}}},
-	{"indirect", "bruteforce", 0, {{"vpls", "40"}, {"multipixel", "on"}, {"touching", "render"}}},
-	{"particles", "megaviews", 0, {{"particles", "200"}, {"queue_mb", "1"}}},
-	{"particles", "manylods", 0, {{"particles", "90"}, {"cutoff", "5"}}},
-	{"surfels", "deferred", 0, {{"from_mesh", "3000"}, {"shader", "phong_shadow"}, {"map_px", "64"}}},
-	{"surfels", "ewa", 0, {{"from_mesh", "3000"}, {"shader", "npr"}}},
-	{"surfels", "deferred", 0, {{"from_mesh", "3000"}, {"accumulation", "half"}}},
-	{"surfels", "deferred", 0, {{"from_mesh", "3000"}, {"accumulation", "8bit"}}},
-	{"surfels", "ewa", 0, {{"from_mesh", "3000"}, {"accumulation", "float32"}}},
+	{"reflections", "ivir", 2, {{"density.rate", "watertight"}}},
+	{"reflections", "ivir", 0, {{"density.rate", "watertight"}}},
+	{"reflections", "vir", 2, {{"points.buffered", "off"}, {"points.snap", "off"}, {"points.conservative", "off"}}},
+	{"soft-shadows", "ivir", 0, {{"lamp.source", "scene"}, {"density.rate", "watertight"}}},
+	{"soft-shadows", "ivir", 2, {{"lamp.source", "lamp"}, {"points.buffered", "on"}, {"density.rate", "exact"}}},
+	{"soft-shadows", "vir", 0, {{"lamp.source", "scene"}, {"visibility.test", "vertex"}}},
+	{"soft-shadows", "mvr", 0, {{"lamp.source", "scene"}}},
+	{"omni-shadows", "ivir", 0, {{"density.rate", "paper"}}},
+	{"omni-shadows", "epr", 0, {{"shadow_splat.rate", "paper"}}},
+	{"soft-shadows", "pcss", 0, {{"lamp.source", "scene"}}},
+	{"omni-shadows", "vir", 2, {{"points.buffered", "on"}}},
+	{"omni-shadows", "mvr", 0, {{"depth_map.bias", "0"}}},
+	{"indirect", "hulls", 0, {{"lamp.source", "scene"}, {"hull.cosine", "ours"}, {"segment.method", "sweeps"}}},
+	{"indirect",
+     "hulls",
+     2,
+     {{"segment.method", "components"}, {"hull.sharpness", "vmf"}, {"hull.interpolation", "moments"}}},
+	{"indirect", "hulls", 0, {{"hull.cosine", "quadrature"}, {"hull.surface", "paper"}, {"hull.integrals", "printed"}}},
+	{"indirect", "direct", 0, {{"lamp.source", "lamp"}}},
+	{"indirect", "megaviews", 0, {{"vpl.paths", "90"}, {"traverse.queue_mb", "1"}, {"bilateral.px", "3"}}},
+	{"indirect",
+     "megaviews",
+     2,
+     {{"vpl_gather.lights", "0"}, {"vpl_gather.cutoff", "5"}, {"view_map.multipixel", "on"}}},
+	{"indirect", "manylods", 0, {{"vpl.paths", "90"}, {"view_map.fusion", "paper"}, {"vpl_gather.shadows", "off"}}},
+	{"indirect",
+     "bruteforce",
+     0,
+     {{"vpl.paths", "40"}, {"view_map.multipixel", "on"}, {"view_map.touching", "render"}}},
+	{"particle.count", "megaviews", 0, {{"particle.count", "200"}, {"traverse.queue_mb", "1"}}},
+	{"particle.count", "manylods", 0, {{"particle.count", "90"}, {"vpl_gather.cutoff", "5"}}},
+	{"surfels",
+     "deferred",
+     0,
+     {{"surfels.from_mesh", "3000"}, {"deferred.shader", "phong_shadow"}, {"depth_map.px", "64"}}},
+	{"surfels", "ewa", 0, {{"surfels.from_mesh", "3000"}, {"deferred.shader", "npr"}}},
+	{"surfels", "deferred", 0, {{"surfels.from_mesh", "3000"}, {"surfel_blend.accumulation", "half"}}},
+	{"surfels", "deferred", 0, {{"surfels.from_mesh", "3000"}, {"surfel_blend.accumulation", "8bit"}}},
+	{"surfels", "ewa", 0, {{"surfels.from_mesh", "3000"}, {"surfel_blend.accumulation", "float32"}}},
 };
 enum { N_RUNS = sizeof runs / sizeof *runs };
 
@@ -274,16 +286,16 @@ static ts_params params_of(u32 run)
 	ts_params_default(&params);
 	params.width = 48;
 	params.height = 32;
-	params.reflectors = runs[run].reflectors;
-	params.reflector_px = 16;
-	params.face_max = 16;
-	params.views = 7;
-	params.light_samples = 3;
-	params.pass = 2;
-	params.map_px = 24;
+	params.reflectors_count = runs[run].reflectors;
+	params.reflectors_px = 16;
+	params.cube_max_px = 16;
+	params.lamp_views = 7;
+	params.lamp_cubes = 3;
+	params.lamp_views_a_pass = 2;
+	params.depth_map_px = 24;
 	params.rsm_px = 6;
-	params.grid_px = 64;
-	params.levels = 4;
+	params.depth_grid_px = 64;
+	params.octree_levels = 4;
 	for (u32 i = 0; i < 3 && runs[run].set[i][0] != NULL; i++) {
 		assert_int_equal(ts_params_set(&params, runs[run].set[i][0], runs[run].set[i][1]), TS_OK);
 	}
@@ -307,10 +319,10 @@ static void digests(ts_sums *sums, u32 run, ts_backend *backend)
 	static ts_scene *scenes[3];
 	ts_params params = params_of(run);
 	const ts_how how = {.threads = 2, .backend = backend};
-	ts_scene **scene = &scenes[params.from_mesh > 0 ? 2 : params.reflectors != 0];
+	ts_scene **scene = &scenes[params.surfels_from_mesh > 0 ? 2 : params.reflectors_count != 0];
 	if (*scene == NULL) {
 		assert_int_equal(ts_builtin_open(scene, "dining:triangles=10000:texels=32", &params, NULL), TS_OK);
-		if (params.from_mesh > 0) add_bulb(*scene);
+		if (params.surfels_from_mesh > 0) add_bulb(*scene);
 	}
 	ts_status status = ts_sums_of(sums, ts_pipeline_find(runs[run].effect, runs[run].method), *scene, &params, &how);
 	if (status != TS_OK) fail_msg("%s", ts_error_message());

@@ -10,7 +10,7 @@ static ts_status sums_of(ts_sums *sums, ts_backend *backend)
 	ts_params_default(&params);
 	params.width = 240;
 	params.height = 135;
-	params.bounces = 2;
+	params.lookup_bounces = 2;
 	assert_int_equal(ts_scene_open(&scene, "atrium:triangles=10000:texels=32", &params, NULL), TS_OK);
 	ts_how how = {.threads = 2, .backend = backend};
 	ts_status status = ts_sums_of(sums, ts_pipeline_find("reflections", "epr"), scene, &params, &how);

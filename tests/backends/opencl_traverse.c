@@ -12,14 +12,14 @@ static void test_traverse(void **state)
 	grove g;
 	grove_state = 1234567;
 	grove_plant(&g, 5, 5, 20000, grove_surface, 200, grove_surface);
-	params.multipixel = 1;
+	params.view_map_multipixel = 1;
 	grove_outcome expected = grove_run(&g, scene, &params, 2, NULL, true);
 	assert_true(expected.n_pairs > 10000);
 	for (u32 i = 0; i < 4; i++) {
 		ts_backend *backend;
 		ts_backend_options options = {.work_group = 64, .build = "", .copies = i % 2 == 1};
 		assert_int_equal(ts_opencl_kind.open(&backend, &options), TS_OK);
-		params.queue_mb = i < 2 ? 16 : 1;
+		params.traverse_queue_mb = i < 2 ? 16 : 1;
 		grove_outcome found = grove_run(&g, scene, &params, 1, backend, i % 3 == 0);
 		grove_assert_same(&expected, &found);
 		grove_outcome_free(&found);

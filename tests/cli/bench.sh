@@ -1,7 +1,7 @@
 #!/bin/bash
 # The papers' tables: our figures, and the paper's below them.
 . "$(dirname "$0")/tap.bash"
-small=(--scene atrium:triangles=10000:texels=32 --objects 1,2 --size 96x54 --set reflector_px=30 --set face_max=64)
+small=(--scene atrium:triangles=10000:texels=32 --objects 1,2 --size 96x54 --set reflectors.px=30 --set cube.max_px=64)
 
 run bench epr-1 "${small[@]}"
 [ "$status" -eq 0 ] && grep -q '^96 x 54 pixels' "$scratch/stdout" && grep -q '^Sponza .*paper .*1,510,000' "$scratch/stdout"
@@ -44,7 +44,7 @@ PY
 verdict $? 'bench -o writes the report, and each table as CSV with its rows'
 
 # What the iVIR paper claims of points holds in every scene. Passes: 17 views in passes of 8 are three.
-views=(--set views=17 --set pass=8 --set map_px=64 --set light_samples=2 --set face_max=64 --size 64x36 --runs 1)
+views=(--set lamp.views=17 --set lamp.views_a_pass=8 --set depth_map.px=64 --set lamp.cubes=2 --set cube.max_px=64 --size 64x36 --runs 1)
 run bench ivir-1 "${views[@]}" --scene atrium:triangles=10000,gallery:triangles=10000 -o "$scratch/ivir-1"
 [ "$status" -eq 0 ] && awk 'length > 120 || / $/ { exit 1 }' "$scratch/stdout" &&
 	grep -q "^iVIR points / VIR's .* at most 1 .* holds" "$scratch/stdout"
@@ -53,7 +53,7 @@ python3 - "$scratch/ivir-1/report.json" <<'PY'
 import json, sys
 report = json.load(open(sys.argv[1]))
 here = {name: [r for r in rows if r["source"] == "here"] for name, rows in report.items() if name.startswith("ivir_1")}
-assert report["params"]["reflectors"] == 0 and report["params"]["rate"] == "paper"
+assert report["params"]["reflectors.count"] == 0 and report["params"]["density.rate"] == "paper"
 assert len(here["ivir_1_points"]) == 2
 for points, work in zip(here["ivir_1_points"], here["ivir_1_work"]):
 	assert 0 < points["points_culled"] <= points["points"] <= points["vir_points"]
@@ -68,7 +68,7 @@ assert verdicts and all(v == "holds" or v.startswith("differs: ") for v in verdi
 PY
 verdict $? 'bench ivir-1: points, passes over the geometry and scatters are those that iVIR table 1 compares'
 
-run bench ivir-2 "${views[@]}" --scene dining:triangles=10000:texels=32 --objects 2 --set reflector_px=12 --json
+run bench ivir-2 "${views[@]}" --scene dining:triangles=10000:texels=32 --objects 2 --set reflectors.px=12 --json
 cp "$scratch/stdout" "$scratch/mirrors"
 run bench ivir-3 "${views[@]}" --scene dining:triangles=10000:texels=32 --objects 1,2 --json
 python3 - "$scratch/mirrors" "$scratch/stdout" <<'PY'
@@ -88,7 +88,7 @@ verdict $? 'bench ivir-2 and ivir-3: points saved, here and in the paper'
 prints '^Breakfast .* paper  *8,590,000 ' bench epr-3 "${views[@]}" --scene dining:triangles=10000:texels=32 --objects 1
 
 # A plot has a curve of each kind and labels for all points.
-plot=(--scene atrium:triangles=10000:texels=32 --objects 1 --size 48x28 --set reflector_px=16 --runs 1 --truth=A)
+plot=(--scene atrium:triangles=10000:texels=32 --objects 1 --size 48x28 --set reflectors.px=16 --runs 1 --truth=A)
 run bench epr-6 "${plot[@]}" -o "$scratch/epr-6"
 python3 - "$scratch/epr-6" <<'PY'
 import csv, sys, xml.etree.ElementTree as xml
@@ -110,7 +110,7 @@ refuses 'needs a truth' bench epr-6 --truth=none
 refuses 'one scene' bench epr-6 --scene atrium,gallery
 
 # Rows of sizes. Gathers of direct are pixels by triangles, those of hulls corners by triangles, whatever the size.
-run bench ssagh-1 --scene atrium:triangles=10000:texels=32 --objects 96x54,192x108,1280x720 --set rsm_px=2 --set grid_px=64 \
+run bench ssagh-1 --scene atrium:triangles=10000:texels=32 --objects 96x54,192x108,1280x720 --set rsm.px=2 --set depth_grid.px=64 \
 	--runs 1 -o "$scratch/ssagh-1"
 [ "$status" -eq 0 ] && grep -q '^Crytek Sponza .* 921,600 .*paper .* 28.3800 .* 142.2600 .* 5.01 ' "$scratch/stdout" &&
 	awk 'length > 120 || / $/ { exit 1 }' "$scratch/stdout"
@@ -143,13 +143,13 @@ PY
 verdict $? 'bench ssagh-1: gathers, speed-ups and verdicts are those of its rows'
 
 # Labels of a depth image, counted again from traces of both segmentations.
-one=(atrium:triangles=10000 --size 96x54 --set grid_px=64)
+one=(atrium:triangles=10000 --size 96x54 --set depth_grid.px=64)
 run bench ssagh-segments --scene "${one[@]:0:1}" "${one[@]:1}" -o "$scratch/segments"
 [ "$status" -eq 0 ] && awk 'length > 120 || / $/ { exit 1 }' "$scratch/stdout" &&
 	grep -q '^No label joins components: holds$' "$scratch/stdout"
 verdict $? 'bench ssagh-segments fits 120 columns'
 for segmentation in sweeps components; do
-	"$touchstone" render indirect "${one[@]}" --set rsm_px=2 --set segmentation=$segmentation --method hulls --no-images \
+	"$touchstone" render indirect "${one[@]}" --set rsm.px=2 --set segment.method=$segmentation --method hulls --no-images \
 		--trace-only segment -o "$scratch/$segmentation" > "$scratch/stdout" 2> "$scratch/stderr"
 done
 python3 - "$scratch" <<'PY'
@@ -245,13 +245,13 @@ refuses 'takes no --size' bench ssagh-7 --size 64x64
 
 # Counts are those of the renders that the table is of, and empty texels those of a trace.
 room=scenes/room.gltf
-maps=(--set levels=4 --set rsm_px=64 --set gather_level=2 --size 48x27)
+maps=(--set octree.levels=4 --set rsm.px=64 --set vpl_gather.level=2 --size 48x27)
 run bench mega-10 --scene "$room" --objects 64,256 "${maps[@]}" --runs 1 -o "$scratch/mega-10"
 [ "$status" -eq 0 ] && awk 'length > 120 || / $/ { exit 1 }' "$scratch/stdout"
 verdict $? 'bench mega-10 fits 120 columns'
-run render indirect "$room" --method megaviews,manylods --set vpls=256 "${maps[@]}" --no-images --json
+run render indirect "$room" --method megaviews,manylods --set vpl.paths=256 "${maps[@]}" --no-images --json
 cp "$scratch/stdout" "$scratch/mega-render"
-run render indirect "$room" --method megaviews --set vpls=256 "${maps[@]}" --no-images --trace \
+run render indirect "$room" --method megaviews --set vpl.paths=256 "${maps[@]}" --no-images --trace \
 	--trace-only view_octree,view_map.fuse -o "$scratch/mega-trace"
 python3 - "$scratch/mega-10/report.json" "$scratch/mega-render" "$scratch/mega-trace/trace-megaviews" <<'PY'
 import glob, json, math, struct, sys
@@ -319,9 +319,9 @@ PY
 verdict $? 'bench mega-10: CSV, and a plot of a curve a method'
 
 # Views of four bounces, and particles: pairs are those of the renders.
-run render indirect "$room" --method megaviews,manylods --set vpls=64 --set vpl.bounces=4 "${maps[@]}" --no-images --json
+run render indirect "$room" --method megaviews,manylods --set vpl.paths=64 --set vpl.bounces=4 "${maps[@]}" --no-images --json
 cp "$scratch/stdout" "$scratch/bounces-render"
-run render particles "$room" --method megaviews,manylods --set particles=256 "${maps[@]}" --no-images --json
+run render particles "$room" --method megaviews,manylods --set particle.count=256 "${maps[@]}" --no-images --json
 cp "$scratch/stdout" "$scratch/particles-render"
 run bench mega-10-bounces --scene "$room" --objects 16,64 "${maps[@]}" --runs 1 -o "$scratch/mega-bounces"
 [ "$status" -eq 0 ] && awk 'length > 120 || / $/ { exit 1 }' "$scratch/stdout"
@@ -350,11 +350,11 @@ for name, key in ("bounces", "mega_10_bounces"), ("particles", "mega_particles")
 PY
 verdict $? 'bench mega-10-bounces and mega-particles: pairs, maps and exponents, counted again'
 
-run bench mega-12 --scene "$room" --objects 8,16 --set vpls=64 "${maps[@]}" --runs 1 --json
+run bench mega-12 --scene "$room" --objects 8,16 --set vpl.paths=64 "${maps[@]}" --runs 1 --json
 cp "$scratch/stdout" "$scratch/mega-12"
-run bench mega-13 --scene "$room" --objects 3,4 --set vpls=64 "${maps[@]}" --runs 1 --json
+run bench mega-13 --scene "$room" --objects 3,4 --set vpl.paths=64 "${maps[@]}" --runs 1 --json
 cp "$scratch/stdout" "$scratch/mega-13"
-run bench mega-16 --scene "$room" --objects 1,4 --set vpls=64 --set levels=4 --set rsm_px=64 --size 48x27 \
+run bench mega-16 --scene "$room" --objects 1,4 --set vpl.paths=64 --set octree.levels=4 --set rsm.px=64 --size 48x27 \
 	-o "$scratch/mega-16"
 python3 - "$scratch/mega-12" "$scratch/mega-13" "$scratch/mega-16/report.json" <<'PY'
 import json, math, sys
@@ -386,13 +386,13 @@ refuses '16777216' bench mega-10 --objects 16777217
 
 # Fragments and pixels of renders and of a trace; a scene of triangles is sampled.
 grid=(checkerboard:surfels=20000 --size 64x36)
-run bench nv40 --scene "${grid[0]},scenes/room.gltf" --objects 64x36,240x135 --set map_px=64 --threads 2 --runs 1 \
+run bench nv40 --scene "${grid[0]},scenes/room.gltf" --objects 64x36,240x135 --set depth_map.px=64 --threads 2 --runs 1 \
 	-o "$scratch/nv40"
 [ "$status" -eq 0 ] && awk 'length > 120 || / $/ { exit 1 }' "$scratch/stdout" &&
 	grep -q '^slides .* 32,400  *paper .* 22.80 *21.30 *15.70 *15.00$' "$scratch/stdout"
 verdict $? 'bench nv40 fits 120 columns and has the slides'
 for filter in min object; do
-	run render surfels "${grid[@]}" --method deferred --set filter=$filter --no-images --json --trace \
+	run render surfels "${grid[@]}" --method deferred --set ewa.filter=$filter --no-images --json --trace \
 		--trace-only surfel_blend -o "$scratch/nv40-$filter"
 	cp "$scratch/stdout" "$scratch/nv40-$filter.json"
 done

@@ -2,7 +2,7 @@
 # The backends' tables, with and without a device.
 . "$(dirname "$0")/tap.bash"
 . "$(dirname "$0")/opencl.bash"
-frame=(--scene atrium:triangles=10000:texels=32 --objects 2 --size 96x54 --set reflector_px=30 --set face_max=64)
+frame=(--scene atrium:triangles=10000:texels=32 --objects 2 --size 96x54 --set reflectors.px=30 --set cube.max_px=64)
 prints '^c  *[0-9.]*  *[0-9.]*  *[0-9.]*$' bench start "${frame[@]}" --runs 1
 
 # Of this machine's devices, if there are any, by the method with the fewer kernels to build. What is counted is the same in

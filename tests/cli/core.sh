@@ -11,7 +11,7 @@ for command in help 'help digest' 'digest --help'; do
 done
 refuses 'the nearest is width$' digest --set widht=640
 
-small=(digest atrium:triangles=10000:texels=32 --size 96x54 --reflectors 2 --set reflector_px=30 --set face_max=64)
+small=(digest atrium:triangles=10000:texels=32 --size 96x54 --reflectors 2 --set reflectors.px=30 --set cube.max_px=64)
 run "${small[@]}"
 "$large" "${small[@]}" | cmp -s - "$scratch/stdout"
 verdict $? 'the same digests'

@@ -5,18 +5,18 @@
 # surfels: what is nearest, blended and shaded.
 . "$(dirname "$0")/tap.bash"
 cd "$scratch" || exit 2
-small=(atrium:triangles=10000:texels=32 --size 96x54 --no-images --set views=8 --set map_px=128 --set light_samples=4 --set pass=3
-	--set bias=0)
+small=(atrium:triangles=10000:texels=32 --size 96x54 --no-images --set lamp.views=8 --set depth_map.px=128 --set lamp.cubes=4 --set lamp.views_a_pass=3
+	--set depth_map.bias=0)
 
 # row BUFFER: different and undecided of a line of the table.
 row() { awk -v b="$1" '$2 == b { gsub(",", ""); print $4, $7 }' stdout; }
 
-for words in 'soft-shadows mvr' 'omni-shadows epr' 'surfels deferred --set from_mesh=5000 --set shader=phong_shadow'; do
+for words in 'soft-shadows mvr' 'omni-shadows epr' 'surfels deferred --set surfels.from_mesh=5000 --set deferred.shader=phong_shadow'; do
 	read -r effect method more <<< "$words"
 	set -- $more
-	run render "$effect" "${small[@]}" "$@" --method "$method" --set bias.slope=0 --margins -o ref
-	run render "$effect" "${small[@]}" "$@" --method "$method" --set bias.slope=0.005 --trace -o near
-	run render "$effect" "${small[@]}" "$@" --method "$method" --set bias.slope=0.1 --trace -o far
+	run render "$effect" "${small[@]}" "$@" --method "$method" --set depth_map.bias_slope=0 --margins -o ref
+	run render "$effect" "${small[@]}" "$@" --method "$method" --set depth_map.bias_slope=0.005 --trace -o near
+	run render "$effect" "${small[@]}" "$@" --method "$method" --set depth_map.bias_slope=0.1 --trace -o far
 	run compare "ref/trace-$method" "near/trace-$method"
 	read -r different undecided <<< "$(row shadow_test.lit)"
 	[ "$status" -eq 1 ] && [ "$different" -gt 0 ] && [ "$undecided" = - ]
@@ -68,7 +68,7 @@ refuses 'needs depth_map.margin for each element of depth_map.depth; render the 
 	compare without/trace-mvr ref/trace-mvr --layout depth_map.depth=06-depth_map.depth.npy --decided
 
 # Steps beside that at which two neighbours of different segments would tie, 4 ulps off.
-hulls=(render indirect atrium:triangles=10000:texels=32 --size 96x54 --set grid_px=64 --set rsm_px=2 --method hulls --no-images)
+hulls=(render indirect atrium:triangles=10000:texels=32 --size 96x54 --set depth_grid.px=64 --set rsm.px=2 --method hulls --no-images)
 run "${hulls[@]}" --trace -o plain
 read -r below above beyond < <(python3 - plain/trace-hulls <<'PY'
 import glob, struct, sys
@@ -113,10 +113,10 @@ refuses 'needs segment.margin for each element of segment.label; render the refe
 # that is a hundredth or a fortieth more turns shadows that are decided.
 rm -rf ref
 for method in megaviews bruteforce; do
-	views=(render indirect atrium:triangles=10000:texels=32 --size 96x54 --set levels=5 --set vpls=1000 --set rsm_px=16 --no-images
-		--set gather_lights=0 --method "$method")
+	views=(render indirect atrium:triangles=10000:texels=32 --size 96x54 --set octree.levels=5 --set vpl.paths=1000 --set rsm.px=16 --no-images
+		--set vpl_gather.lights=0 --method "$method")
 	run "${views[@]}" --margins -o ref
-	for more in bias=1.01 bias.plane=2.05; do
+	for more in depth_map.bias=1.01 vpl_gather.bias_plane=2.05; do
 		run "${views[@]}" --set $more --trace -o far --force
 		run compare "ref/trace-$method" "far/trace-$method" --decided
 		read -r different undecided <<< "$(row vpl_gather.irradiance)"
@@ -151,7 +151,7 @@ PY
 done
 
 # Of surfels: the same; margins of two words are of pairs of f32 bits. An outline of which nothing is undecided is made so.
-run render surfels checkerboard:surfels=20000 --size 96x54 --no-images --set shader=npr --margins -o ref
+run render surfels checkerboard:surfels=20000 --size 96x54 --no-images --set deferred.shader=npr --margins -o ref
 for words in 'surfel_depth.surfel surfel_depth.margin 8 1 2' 'surfel_blend.sum surfel_blend.margin 8 8 2' 'surfel_blend.heaviest surfel_blend.margin 8 1 2' \
 	'image.radiance deferred.margin 4 3 1'; do
 	read -r buffer margin bytes each pair <<< "$words"

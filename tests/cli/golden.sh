@@ -6,7 +6,7 @@ ref=$scratch/reference
 mkdir "$ref"
 cat > "$ref/cases.txt" <<'CASES'
 # The smallest that there are.
-few: epr atrium:triangles=10000 --size 24x16 --reflectors 1 --set reflector_px=12 --set face_max=16 --small # kept
+few: epr atrium:triangles=10000 --size 24x16 --reflectors 1 --set reflectors.px=12 --set cube.max_px=16 --small # kept
 none: mvr dining:triangles=10000 --size 24x16 --reflectors 0
 CASES
 
@@ -102,10 +102,10 @@ all_of "$ref" | cmp -s - "$scratch/before"
 verdict $? 'check writes nothing'
 (cd "$ref/few/small" && sha256sum -c --ignore-missing --status ../SHA256SUMS)
 verdict $? 'sha256sum finds the small files right'
-run digest atrium:triangles=10000 --method epr --size 24x16 --reflectors 1 --set reflector_px=12 --set face_max=16
+run digest atrium:triangles=10000 --method epr --size 24x16 --reflectors 1 --set reflectors.px=12 --set cube.max_px=16
 grep -v '^#' "$scratch/stdout" | cmp -s - "$ref/few/SHA256SUMS"
 verdict $? 'SHA256SUMS is what digest prints'
-grep -qx 'scene=atrium:triangles=10000' "$ref/few/params.txt" && grep -qx 'face_max=16' "$ref/few/params.txt" &&
+grep -qx 'scene=atrium:triangles=10000' "$ref/few/params.txt" && grep -qx 'cube.max_px=16' "$ref/few/params.txt" &&
 	[ "$(wc -l < "$ref/few/params.txt")" -eq "$(($("$touchstone" list params --json | grep -c '"name"') + 3))" ]
 verdict $? 'params.txt holds the scene and every parameter'
 
@@ -133,9 +133,9 @@ says 1 '12-splat.depth_index.npy: (SHA-256|small)' 'a changed digest is found'
 with "sed -i '/eye.depth/d' none/SHA256SUMS"
 golden check
 says 1 '^different  none  *04-eye.depth_triangle.npy: not in SHA256SUMS$' 'a buffer without a digest is found'
-with "sed -i 's/^bounces=1/bounces=2/' few/params.txt"
+with "sed -i 's/^lookup.bounces=1/lookup.bounces=2/' few/params.txt"
 golden check few
-says 1 'params.txt: bounces=2, but cases.txt makes it 1' 'other parameters are found'
+says 1 'params.txt: lookup.bounces=2, but cases.txt makes it 1' 'other parameters are found'
 with "sed -i '/^bounces/d' few/params.txt"
 golden check few
 says 0 '^same ' 'a parameter that the golden does not know has its default'
@@ -192,7 +192,7 @@ line 'no effect "shadows"; the nearest is' 'few: shadows/mvr atrium'
 line 'not a built-in scene' 'few: epr scenes/room.gltf'
 line 'not a built-in scene' "few: epr atrium:$(printf '%0100d' 0)"
 line 'no such parameter; the nearest is bounces' 'few: epr atrium --set bouncs=2'
-line 'not a whole number' 'few: epr atrium --set bounces=4'
+line 'not a whole number' 'few: epr atrium --set lookup.bounces=4'
 line 'at most 1048576 pixels' 'few: epr atrium --size 2000x2000'
 line 'at most .* frame 1000' 'few: epr atrium --size 16x16 --frame 1001'
 line 'no option --output' 'few: epr atrium --output x'
@@ -217,12 +217,12 @@ golden new few
 poke "$ref/few/small.new/01-eye.view.npy" -1
 fails 'computes something else: 01-eye.view.npy: element' bless few --reason damaged
 golden new few
-sed -i 's/^bounces=1/bounces=2/' "$ref/few/params.txt.new"
-fails 'bounces=2, but cases.txt makes it 1' bless few --reason other
+sed -i 's/^lookup.bounces=1/lookup.bounces=2/' "$ref/few/params.txt.new"
+fails 'lookup.bounces=2, but cases.txt makes it 1' bless few --reason other
 golden new few
 rm "$ref/few/preview.png.new"
 fails 'no preview.png.new' bless few --reason unseen
-with "sed -i 's/--reflectors 0/--reflectors 0 --set exposure=1024 --set light.ambient=1000000/' cases.txt"
+with "sed -i 's/--reflectors 0/--reflectors 0 --set image.exposure=1024 --set light.ambient=1000000/' cases.txt"
 golden new none
 fails 'the image is of one colour' bless none --reason white
 

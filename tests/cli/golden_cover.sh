@@ -27,20 +27,20 @@ soft, omni, indirect, particles = ([m for m in methods if m[0] == effect]
 hulls = [("indirect", "hulls")]
 deferred, surfels = [("surfels", "deferred")], [m for m in methods if m[0] == "surfels"]
 megaviews = [("indirect", m) for m in ("megaviews", "manylods", "bruteforce")]
-takers = {"rate": views, "buffered": views, "snap": views, "lamp": soft[:1], "lamp.radius": soft, "lamp.fov": soft,
-          "views": soft, "pass": soft + omni, "map_px": soft + omni, "light_samples": omni, "bias": soft + omni,
-          "bias.slope": soft + omni, "pcss.near": [("soft-shadows", "pcss")],
-          **{p: [("omni-shadows", "epr")] for p in ("shadow.rate", "shadow.depth", "shadow.resize")},
-          "rsm_px": indirect, **{p: hulls for p in ("grid_px", "segmentation", "segment.step", "surface", "interpolation",
-                                                    "cosine", "sharpness", "integrals")},
-          **{p: megaviews for p in ("levels", "vpls", "vpl.bounces", "view_px", "view_field", "touching", "multipixel", "fusion",
-                                    "queue_mb", "gather_level", "cutoff", "gather_lights", "light_near", "light_bias",
-                                    "shadow.test", "bias.plane", "shadows", "filter_px")},
-          "particles": particles, "glow": particles,
-          **{p: deferred for p in ("filter", "sigma", "sigma_k", "eps", "min_px", "bounds", "shader", "splat_radius",
-                                    "accumulation")},
-          "sigma_h": [("surfels", "ewa")], "from_mesh": surfels, "eye": deferred + [("reflections", "epr")],
-          "conservative": views + [("reflections", "epr"), ("reflections", "vir")],
+takers = {"density.rate": views, "points.buffered": views, "points.snap": views, "lamp.source": soft[:1], "lamp.radius": soft, "lamp.fov": soft,
+          "lamp.views": soft, "lamp.views_a_pass": soft + omni, "depth_map.px": soft + omni, "lamp.cubes": omni, "depth_map.bias": soft + omni,
+          "depth_map.bias_slope": soft + omni, "pcss.near": [("soft-shadows", "pcss")],
+          **{p: [("omni-shadows", "epr")] for p in ("shadow_splat.rate", "shadow_splat.depth", "shadow_splat.resize")},
+          "rsm.px": indirect, **{p: hulls for p in ("depth_grid.px", "segment.method", "segment.step", "hull.surface", "hull.interpolation",
+                                                    "hull.cosine", "hull.sharpness", "hull.integrals")},
+          **{p: megaviews for p in ("octree.levels", "vpl.paths", "vpl.bounces", "view_map.px", "view_map.field", "view_map.touching", "view_map.multipixel", "view_map.fusion",
+                                    "traverse.queue_mb", "vpl_gather.level", "vpl_gather.cutoff", "vpl_gather.lights", "vpl_gather.near", "vpl_gather.bias",
+                                    "vpl_gather.test", "vpl_gather.bias_plane", "vpl_gather.shadows", "bilateral.px")},
+          "particle.count": particles, "particle.glow": particles,
+          **{p: deferred for p in ("ewa.filter", "ewa.screen_radius", "ewa.sigma_k", "surfel_depth.epsilon", "surfel_setup.min_px", "surfel_setup.bounds", "deferred.shader", "surfels.radius",
+                                    "surfel_blend.accumulation")},
+          "ewa.sigma_h": [("surfels", "ewa")], "surfels.from_mesh": surfels, "eye.distance": deferred + [("reflections", "epr")],
+          "points.conservative": views + [("reflections", "epr"), ("reflections", "vir")],
           **{p: [("reflections", "mvr")] for p in ("mvr.faces", "mvr.filter")}}
 steps_of = {(m["effect"], m["name"]): [s for s in m["stages"].split() if not s.endswith("_margin")]
             for m in table["methods"]}
@@ -64,13 +64,13 @@ elif what == "folders":
 	missing = sorted(names ^ cases.keys())
 elif what == "choices":
 	for p in table["params"]:
-		if p["name"] in ("area_samples", "bounce_rays", "grid_rays", "ground", "neighbours"): # of truths and of files
+		if p["name"] in ("truth.area_samples", "truth.bounce_rays", "truth.grid_rays", "scene.ground", "surfels.neighbours"): # of truths and of files
 			continue
 		taken = {case[p["name"]] for case in of(*takers_of(p["name"])) if p["name"] in case}
 		missing += [f"{p['name']}={c}" for c in p["range"].split("|") if "|" in p["range"] and c not in taken]
 		missing += [p["name"]] if len(taken) < 2 else []
-	missing += [f"bounces={n}" for n in "123" if n not in {case["bounces"] for case in of(("reflections", "epr"))}]
-	missing += [f"reflectors=0 by {m}" for e, m in methods if "0" not in {case["reflectors"] for case in of((e, m))}]
+	missing += [f"lookup.bounces={n}" for n in "123" if n not in {case["lookup.bounces"] for case in of(("reflections", "epr"))}]
+	missing += [f"reflectors.count=0 by {m}" for e, m in methods if "0" not in {case["reflectors.count"] for case in of((e, m))}]
 elif what == "stages":
 	writes = {s["name"]: re.findall(r"[a-z0-9_.]+", s["writes"]) for s in table["stages"]}
 	for m in methods:

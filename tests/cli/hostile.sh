@@ -10,8 +10,8 @@ if [ ! -r "$hostile/manifest.tsv" ]; then
 	exit 0
 fi
 cd "$scratch" || exit 2
-small=(--size 64x64 --reflectors 2 --set reflector_px=16 --set face_max=16 --threads 1)
-views=(--size 32x32 --set levels=5 --set rsm_px=4 --set particles=50 --threads 1)
+small=(--size 64x64 --reflectors 2 --set reflectors.px=16 --set cube.max_px=16 --threads 1)
+views=(--size 32x32 --set octree.levels=5 --set rsm.px=4 --set particle.count=50 --threads 1)
 wrong=0 n=0 every=$([ "${TS_HOSTILE:-}" = all ] && echo 1 || echo 4)
 
 complain() {
@@ -59,34 +59,34 @@ done < <(tail -n +2 "$hostile/manifest.tsv")
 [ "$wrong" -eq 0 ] && [ "$n" -gt 100 ]
 verdict $? "one in $every of $n files"
 
-# levels=11, and the most views, are right, and take longer.
+# octree.levels=11, and the most views, are right, and take longer.
 wrong=0
 while read -r expected effect setting; do
 	behaves "$expected" render "$effect" atrium:triangles=10000:texels=32 "${views[@]}" --method megaviews --set "$setting" -o out ||
 		complain "$effect $setting"
 	rm -rf out out.partial
 done <<'END'
-ok indirect levels=1
-error indirect levels=0
-error indirect levels=12
-ok indirect vpls=1
-error indirect vpls=16777217
-ok indirect view_px=4
-ok indirect view_px=256
-error indirect view_px=48
-error indirect view_px=2
-error indirect view_px=512
-ok indirect queue_mb=1
-error indirect queue_mb=0
-error indirect queue_mb=65537
-ok indirect gather_level=0
-ok indirect gather_level=11
-error indirect gather_level=12
-ok indirect filter_px=64
-ok particles particles=1
-error particles particles=0
-error particles particles=16777217
-error particles glow=-1
+ok indirect octree.levels=1
+error indirect octree.levels=0
+error indirect octree.levels=12
+ok indirect vpl.paths=1
+error indirect vpl.paths=16777217
+ok indirect view_map.px=4
+ok indirect view_map.px=256
+error indirect view_map.px=48
+error indirect view_map.px=2
+error indirect view_map.px=512
+ok indirect traverse.queue_mb=1
+error indirect traverse.queue_mb=0
+error indirect traverse.queue_mb=65537
+ok indirect vpl_gather.level=0
+ok indirect vpl_gather.level=11
+error indirect vpl_gather.level=12
+ok indirect bilateral.px=64
+ok particles particle.count=1
+error particles particle.count=0
+error particles particle.count=16777217
+error particles particle.glow=-1
 END
 [ "$wrong" -eq 0 ]
 verdict $? 'parameters of MegaViews at their ends and beyond'

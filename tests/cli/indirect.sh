@@ -1,19 +1,19 @@
 #!/bin/bash
 # Renders of indirect light: what the pictures show and how far apart the methods are, against the buffers of a trace.
 . "$(dirname "$0")/tap.bash"
-small=(atrium:triangles=10000:texels=32 --size 96x54 --set rsm_px=4 --set grid_px=64)
+small=(atrium:triangles=10000:texels=32 --size 96x54 --set rsm.px=4 --set depth_grid.px=64)
 cd "$scratch" || exit 2
 
-refuses 'levels, gather_level, view_px or vpls$' render indirect "${small[@]}" --method hulls,megaviews --set view_px=256 \
-	--set vpls=16777216 --set vpl.bounces=4
-refuses 'levels, gather_level, view_px or particles$' render particles "${small[@]}" --set view_px=256 \
-	--set particles=16777216
+refuses 'levels, gather_level, view_px or vpls$' render indirect "${small[@]}" --method hulls,megaviews --set view_map.px=256 \
+	--set vpl.paths=16777216 --set vpl.bounces=4
+refuses 'levels, gather_level, view_px or particles$' render particles "${small[@]}" --set view_map.px=256 \
+	--set particle.count=16777216
 
-refuses 'parameter view_px: 48 is not a power of two; 32 or 64 would be right$' render indirect "${small[@]}" --set view_px=48
-refuses 'parameter view_px: 255 is not a power of two; 128 or 256 would be right$' digest --set view_px=255
+refuses 'parameter view_px: 48 is not a power of two; 32 or 64 would be right$' render indirect "${small[@]}" --set view_map.px=48
+refuses 'parameter view_px: 255 is not a power of two; 128 or 256 would be right$' digest --set view_map.px=255
 if awk '/^MemTotal/ { exit $2 > 85e6 }' /proc/meminfo; then # kB: three quarters of that hold no 64 GiB
 	refuses 'about 68.* GB .* choose a smaller --size, queue_mb$' render indirect "${small[@]}" --method megaviews \
-		--set queue_mb=65536 --set vpls=20
+		--set traverse.queue_mb=65536 --set vpl.paths=20
 fi
 
 cat > read.py <<'PY'

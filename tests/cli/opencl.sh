@@ -3,7 +3,7 @@
 . "$(dirname "$0")/tap.bash"
 . "$(dirname "$0")/traces.bash"
 . "$(dirname "$0")/opencl.bash"
-small=(--size 48x32 --reflectors 2 --set reflector_px=16 --set face_max=16)
+small=(--size 48x32 --reflectors 2 --set reflectors.px=16 --set cube.max_px=16)
 cl=(--backend opencl)
 
 # without_device ARGUMENT...
@@ -47,10 +47,10 @@ digests() {
 
 digests epr,mvr
 digests epr,mvr --reflectors 0
-digests epr,mvr --set bounces=3 --set samples=adaptive --set mvr.faces=adaptive
-digests epr,mvr --set planedepth=on --set clip=off --set mvr.filter=supersample --set face_px=24
-digests epr --set visibility=vertex --set density=paper --set splat=paper --set cull_unit=raster --set conservative=exact
-digests epr --set rho_scale=2 --set rho_is_area=on --set offaxis=on --set split=off --set cap=off --set cull=off
+digests epr,mvr --set lookup.bounces=3 --set lookup.samples=adaptive --set mvr.faces=adaptive
+digests epr,mvr --set splat.plane_depth=on --set splat.clip=off --set mvr.filter=supersample --set cube.px=24
+digests epr --set visibility.test=vertex --set density.path=paper --set splat.size=paper --set points.cull_unit=raster --set points.conservative=exact
+digests epr --set density.scale=2 --set density.per_area=on --set density.off_axis=on --set points.split=off --set density.cap=off --set points.cull=off
 for case in small-bounces small-adaptive; do
 	prints '1 passed, 0 failed' golden check $case "${cl[@]}"
 done

@@ -3,7 +3,7 @@
 . "$(dirname "$0")/tap.bash"
 . "$(dirname "$0")/traces.bash"
 . "$(dirname "$0")/opencl.bash"
-small=(--size 48x32 --reflectors 2 --set reflector_px=16 --set face_max=16)
+small=(--size 48x32 --reflectors 2 --set reflectors.px=16 --set cube.max_px=16)
 cl=(--backend opencl)
 need_device
 render() { run "${frame[@]}" --method "$1" --trace -o "$scratch/$2" "${@:3}"; }

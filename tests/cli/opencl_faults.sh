@@ -7,7 +7,7 @@
 . "$(dirname "$0")/opencl.bash"
 need_device
 need_altering
-render=(render reflections scenes/triangle.gltf --camera camera --reflectors 0 --size 64x64 --set face_px=16 --method epr,mvr
+render=(render reflections scenes/triangle.gltf --camera camera --reflectors 0 --size 64x64 --set cube.px=16 --method epr,mvr
 	--trace --truth=A --backend opencl)
 errors=(-5 -4 -2)
 

@@ -38,7 +38,7 @@ for method in epr mvr; do
 done
 
 # Two equal triangles: whichever point arrives first wins the texel.
-twice=(render reflections scenes/triangle_twice.gltf --camera camera --reflectors 0 --size 64x64 --set face_px=16
+twice=(render reflections scenes/triangle_twice.gltf --camera camera --reflectors 0 --size 64x64 --set cube.px=16
 	--method epr --trace --no-images)
 run "${twice[@]}" -o "$scratch/twice"
 altered TOUCHSTONE_CL_REVERSE=1 "${twice[@]}" -o "$scratch/second" "${cl[@]}" "${group[@]}" --order arrival

@@ -30,17 +30,17 @@ says() {
 	verdict $? "$wanted unread: $*"
 }
 says 0 --method mvr
-says 0 --method mvr --set fov=50 --set mvr.filter=supersample
-says 1 --method mvr --set clip=on
-grep -q -- '--set clip: ' "$scratch/stderr"
+says 0 --method mvr --set eye.fov=50 --set mvr.filter=supersample
+says 1 --method mvr --set splat.clip=on
+grep -q -- '--set splat.clip: ' "$scratch/stderr"
 verdict $? "a parameter that is set to its default is named, too"
-says 0 --method mvr,epr --set clip=off
-says 2 --method mvr --set clip=off --set neighbours=3
-says 1 --method mvr --set rho_scale=1
-says 0 --method mvr --set bounces=2 --truth=A
-says 1 --method mvr --set clip=on,off
-says 1 --method mvr --set area_samples=4
-run render soft-shadows gallery:triangles=10000 "${tiny[@]}" --method pcss --set map_px=32 --set area_samples=4 --set rate=exact --truth=area
+says 0 --method mvr,epr --set splat.clip=off
+says 2 --method mvr --set splat.clip=off --set surfels.neighbours=3
+says 1 --method mvr --set density.scale=1
+says 0 --method mvr --set lookup.bounces=2 --truth=A
+says 1 --method mvr --set splat.clip=on,off
+says 1 --method mvr --set truth.area_samples=4
+run render soft-shadows gallery:triangles=10000 "${tiny[@]}" --method pcss --set depth_map.px=32 --set truth.area_samples=4 --set density.rate=exact --truth=area
 [ "$status" -eq 0 ] && [ ! -s "$scratch/stderr" ]
 verdict $? "a truth reads what its methods do not"
 finish

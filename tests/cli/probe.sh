@@ -2,8 +2,8 @@
 # `probe`: text and JSON, what is not there, buffers that are missing, and traces that lie.
 . "$(dirname "$0")/tap.bash"
 cd "$scratch" || exit 2
-"$touchstone" render reflections atrium:triangles=10000:texels=32 --size 64x64 --reflectors 2 --set reflector_px=24 --set face_max=16 \
-	--set bounces=2 --no-images --trace -o out > /dev/null || { echo "Bail out! no trace"; exit 1; }
+"$touchstone" render reflections atrium:triangles=10000:texels=32 --size 64x64 --reflectors 2 --set reflectors.px=24 --set cube.max_px=16 \
+	--set lookup.bounces=2 --no-images --trace -o out > /dev/null || { echo "Bail out! no trace"; exit 1; }
 epr=out/trace-epr mvr=out/trace-mvr
 
 # u32 FILE ELEMENT: a number behind the header of a .npy file.
@@ -65,14 +65,14 @@ refuses 'neither an index nor a key' probe $epr --point 1,2
 refuses 'no point of key' probe $epr --point 0,32000,0
 refuses 'no points of reflections by mvr, only .*--triangle T' probe $mvr --point 0
 refuses 'trace.json' probe /nonexistent --pixel 0,0
-"$touchstone" render reflections atrium:triangles=10000:texels=32 --size 32x32 --reflectors 2 --set face_max=16 --method ivir --no-images \
+"$touchstone" render reflections atrium:triangles=10000:texels=32 --size 32x32 --reflectors 2 --set cube.max_px=16 --method ivir --no-images \
 	--trace -o points > /dev/null
 refuses 'probe explains reflections by epr, mvr; this is reflections by ivir' probe points/trace-ivir --pixel 0,0
 prints 'omni-shadows by ivir, vir, epr, mvr$' help probe
 prints 'VIEW REFLECTOR.FACE, for instance 3.+X or 3.0: the triangles that competed' help probe
 
 # Shadows: each sample's question, and what adds up to the picture.
-shadows=(atrium:triangles=10000:texels=32 --size 64x64 --set views=4 --set light_samples=2 --set map_px=64 --no-images --trace)
+shadows=(atrium:triangles=10000:texels=32 --size 64x64 --set lamp.views=4 --set lamp.cubes=2 --set depth_map.px=64 --no-images --trace)
 for words in 'soft-shadows mvr' 'soft-shadows pcss' 'omni-shadows epr'; do
 	read -r effect method <<< "$words"
 	"$touchstone" render "$effect" "${shadows[@]}" --method "$method" -o "$effect-$method" > /dev/null
@@ -89,7 +89,7 @@ refuses 'this needs depth_map.depth' probe lacks/trace-ivir --pixel 33,60
 
 # Indirect light: why this box, what its corners gathered, and the lobes; or the triangles of light.
 for method in hulls direct; do
-	"$touchstone" render indirect atrium:triangles=10000:texels=32 --size 64x64 --set grid_px=64 --set rsm_px=4 --no-images --trace \
+	"$touchstone" render indirect atrium:triangles=10000:texels=32 --size 64x64 --set depth_grid.px=64 --set rsm.px=4 --no-images --trace \
 		--method $method -o indirect-$method > /dev/null
 	says 'bits agree with indirect.irradiance' probe indirect-$method/trace-$method --pixel 20,40
 	says 'bits agree with image.radiance' probe indirect-$method/trace-$method --pixel 33,60
@@ -99,12 +99,12 @@ hulls=indirect-hulls/trace-hulls direct=indirect-direct/trace-direct
 prints 'bits agree with hull.box' probe $hulls --pixel 20,40
 prints 'fit: holds the pixel; thickness: ' probe $hulls --pixel 20,40
 prints 'form_factor: ' probe $direct --pixel 20,40
-run render indirect atrium:triangles=10000:texels=32 --size 64x64 --set grid_px=64 --set rsm_px=4 --method hulls \
+run render indirect atrium:triangles=10000:texels=32 --size 64x64 --set depth_grid.px=64 --set rsm.px=4 --method hulls \
 	--trace-only scene,eye,eye.view,pose,lamp,rsm.view,rsm.patch -o lacks-hulls
 refuses 'this needs segment.box_offset, segment.box, corner.moment, corner.lobes' probe lacks-hulls/trace-hulls --pixel 33,60
 
 # Many views: what culling leaves, the lights that are drawn, what their maps show, and the filter.
-views=(atrium:triangles=10000:texels=32 --size 64x64 --set levels=5 --set rsm_px=4 --set particles=64 --no-images)
+views=(atrium:triangles=10000:texels=32 --size 64x64 --set octree.levels=5 --set rsm.px=4 --set particle.count=64 --no-images)
 for words in 'indirect megaviews' 'indirect manylods' 'particles megaviews' 'particles manylods'; do
 	read -r effect method <<< "$words"
 	"$touchstone" render "$effect" "${views[@]}" --set vpl.bounces=2 --trace --method "$method" -o "$effect-$method" > /dev/null
@@ -139,10 +139,10 @@ run render particles "${views[@]}" --method megaviews --trace-only scene,eye,eye
 refuses 'this needs vpl.light' probe lacks-glow/trace-megaviews --pixel 33,60
 
 # Surfels: what is nearest, blended, hidden, and made of it.
-splats=(atrium:triangles=10000:texels=32 --size 64x64 --set from_mesh=4000 --set map_px=64 --no-images)
+splats=(atrium:triangles=10000:texels=32 --size 64x64 --set surfels.from_mesh=4000 --set depth_map.px=64 --no-images)
 for words in 'deferred phong_shadow' 'ewa npr'; do
 	read -r method shader <<< "$words"
-	"$touchstone" render surfels "${splats[@]}" --set shader="$shader" --trace --method "$method" -o "surfels-$method" > /dev/null
+	"$touchstone" render surfels "${splats[@]}" --set deferred.shader="$shader" --trace --method "$method" -o "surfels-$method" > /dev/null
 	for pattern in surfel_depth.surfel surfel_blend.sum surfel_blend.heaviest gbuffer.pixel image.radiance; do
 		says "bits agree with $pattern" probe "surfels-$method/trace-$method" --pixel 20,40
 	done
@@ -153,7 +153,7 @@ done
 deferred=surfels-deferred/trace-deferred ewa=surfels-ewa/trace-ewa
 prints 'bits agree with shadow_test.lit' probe $deferred --pixel 33,60
 prints 'by_neighbour' probe $ewa --pixel 33,60
-"$touchstone" render surfels "$OLDPWD/scenes/room.gltf" "${splats[@]:1}" --set shader=phong_shadow --trace --method deferred -o bulb > /dev/null
+"$touchstone" render surfels "$OLDPWD/scenes/room.gltf" "${splats[@]:1}" --set deferred.shader=phong_shadow --trace --method deferred -o bulb > /dev/null
 for words in '33,60 -Y' '32,2 -X'; do
 	read -r pixel face <<< "$words"
 	prints "view: 0.$face; " probe bulb/trace-deferred --pixel "$pixel"
@@ -163,10 +163,10 @@ run render surfels "${splats[@]}" --method deferred --trace-only scene,eye.view,
 refuses 'no file of gbuffer.pixel, .*surfel_blend.sum' probe lacks-surfels/trace-deferred --pixel 33,60
 
 # A trace without some stages names all that it lacks.
-"$touchstone" render reflections atrium:triangles=10000:texels=32 --size 64x64 --reflectors 2 --set reflector_px=24 --set face_max=16 \
+"$touchstone" render reflections atrium:triangles=10000:texels=32 --size 64x64 --reflectors 2 --set reflectors.px=24 --set cube.max_px=16 \
 	--method epr --no-images --trace-only scene,eye,mirror_pixel,eye.view,pose,cube_size,image -o part > /dev/null 2>&1 ||
-	"$touchstone" render reflections atrium:triangles=10000:texels=32 --size 64x64 --reflectors 2 --set reflector_px=24 \
-		--set face_max=16 --method epr --no-images --trace --trace-only scene,eye,mirror_pixel,eye.view,pose,cube_size,image -o part > /dev/null
+	"$touchstone" render reflections atrium:triangles=10000:texels=32 --size 64x64 --reflectors 2 --set reflectors.px=24 \
+		--set cube.max_px=16 --method epr --no-images --trace --trace-only scene,eye,mirror_pixel,eye.view,pose,cube_size,image -o part > /dev/null
 prints 'bits agree with image.radiance' probe part/trace-epr --pixel 3,60
 refuses 'needs lookup.point, points.record' probe part/trace-epr --pixel "$mirror"
 refuses 'needs visibility.bits, split.triangle_density' probe part/trace-epr --triangle 4

@@ -1,7 +1,7 @@
 #!/bin/bash
 # What a render writes and prints, and that nothing half-written stays behind.
 . "$(dirname "$0")/tap.bash"
-small=(render reflections atrium:triangles=10000:texels=32 --size 96x54 --reflectors 2 --set reflector_px=30 --set face_max=64)
+small=(render reflections atrium:triangles=10000:texels=32 --size 96x54 --reflectors 2 --set reflectors.px=30 --set cube.max_px=64)
 cd "$scratch" || exit 2
 mkdir work
 
@@ -61,7 +61,7 @@ import json, sys
 report = json.load(open(sys.argv[1]))
 assert report["version"] and report["methods"] == ["epr", "mvr", "ivir"] and report["backend"] == "c"
 rows = {(r["image"], r["reference"]): r for r in report["metrics"]}
-assert report["params"]["width"] == 96 and report["params"]["eye"] == "far"
+assert report["params"]["width"] == 96 and report["params"]["eye.distance"] == "far"
 assert rows[("epr", "truth-a")]["share"] == "sampling" and 0 <= rows[("epr", "mvr")]["rmse"] < 64
 counters = {r["counter"]: r for r in report["counters"]}
 pixels = counters["reflective pixels"]["epr"]
@@ -129,12 +129,12 @@ refuses 'memory.* or no truth C' render reflections atrium:triangles=10000:texel
 [ ! -e work/huge ] && [ ! -e work/huge.partial ]
 verdict $? 'nor does one that needs too much memory'
 
-run render particles dining:triangles=10000:texels=32 --size 64x36 --set levels=5 --set particles=50 --truth --json -o work/particles
+run render particles dining:triangles=10000:texels=32 --size 64x36 --set octree.levels=5 --set particle.count=50 --truth --json -o work/particles
 [ "$status" -eq 0 ] && [ -s work/particles/megaviews.png ] && [ -s work/particles/manylods.png ] &&
 	[ -s work/particles/truth-glow.png ] && grep -q 'truth-glow' stdout
 verdict $? 'particles by both methods, and their truth'
 refuses 'there is glow, or none' render particles --truth=vpls
-run render surfels checkerboard:surfels=10000 --size 64x36 --set grid_rays=2 --method deferred --truth --json -o work/surfels
+run render surfels checkerboard:surfels=10000 --size 64x36 --set truth.grid_rays=2 --method deferred --truth --json -o work/surfels
 python3 - stdout <<'PY' && [ "$status" -eq 0 ] && [ -s work/surfels/difference-deferred-truth-discs.png ]
 import json, sys
 rows = {(r["image"], r["reference"]): r for r in json.load(open(sys.argv[1]))["metrics"]}
@@ -146,8 +146,8 @@ verdict $? 'surfels and their truths'
 # the light that throws shadows.
 for truth in none surface discs; do
 	for shader in phong phong_shadow; do
-		run render surfels checkerboard:surfels=10000 --size 16x16 --method deferred --truth=$truth --set grid_rays=1 \
-			--set shader=$shader --set map_px=32 --json --no-images
+		run render surfels checkerboard:surfels=10000 --size 16x16 --method deferred --truth=$truth --set truth.grid_rays=1 \
+			--set deferred.shader=$shader --set depth_map.px=32 --json --no-images
 		cp stdout "$truth-$shader.json"
 	done
 done
@@ -162,10 +162,10 @@ verdict $? 'memory of the tree of surfels is counted'
 printf 'ply\nformat ascii 1.0\nelement vertex 1\n%sproperty float radius\nend_header\n0 0 0 0 0 1 1\n' \
 	"$(printf 'property float %s\n' x y z nx ny nz)
 " > one.ply
-run render surfels one.ply --size 64x36 --set eye=outside --truth --set shader=phong_shadow --set map_px=32 -o work/one
+run render surfels one.ply --size 64x36 --set eye.distance=outside --truth --set deferred.shader=phong_shadow --set depth_map.px=32 -o work/one
 [ "$status" -eq 0 ] && grep -q '^truth surface: none' stdout && grep -q 'truth-discs' stdout && ! grep -q 'truth-surface' stdout
 verdict $? 'surfels that are samples of nothing known'
 refuses 'there are discs and surface, or none' render surfels --truth=glow
-refuses 'view_px or particles' render particles dining:triangles=10000:texels=32 --set levels=11 --set particles=16000000 --set view_px=256
+refuses 'view_px or particles' render particles dining:triangles=10000:texels=32 --set octree.levels=11 --set particle.count=16000000 --set view_map.px=256
 
 finish

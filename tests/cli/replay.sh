@@ -2,8 +2,8 @@
 # Replay: every stage from its own trace, a port's stages from the port's buffers, and what cannot be replayed.
 . "$(dirname "$0")/tap.bash"
 cd "$scratch" || exit 2
-run render reflections atrium:triangles=10000:texels=32 --method epr,mvr --size 64x48 --reflectors 2 --set reflector_px=24 --set face_max=32 \
-	--set bounces=3 --trace -o out
+run render reflections atrium:triangles=10000:texels=32 --method epr,mvr --size 64x48 --reflectors 2 --set reflectors.px=24 --set cube.max_px=32 \
+	--set lookup.bounces=3 --trace -o out
 [ "$status" -eq 0 ] || cat stderr
 epr=out/trace-epr
 
@@ -104,13 +104,13 @@ refuses 'parameter reflector_px is 115' replay $epr --inputs part/trace-epr
 run render reflections atrium:triangles=10000:texels=32 --method epr --size 64x48 --reflectors 1 --order arrival --trace --no-images -o arrival
 refuses 'order is "arrival"; a reference must be canonical' replay arrival/trace-epr --stage splat
 # Depth maps made in batches are one file, whose stages are replayed on the whole.
-shadows=(atrium:triangles=10000:texels=32 --size 64x48 --set views=5 --set light_samples=3 --set map_px=24 --trace --no-images)
-for words in 'soft-shadows ivir --margins --set lamp=scene' 'omni-shadows epr --set buffered=on' 'soft-shadows pcss' 'omni-shadows mvr --margins'; do
+shadows=(atrium:triangles=10000:texels=32 --size 64x48 --set lamp.views=5 --set lamp.cubes=3 --set depth_map.px=24 --trace --no-images)
+for words in 'soft-shadows ivir --margins --set lamp.source=scene' 'omni-shadows epr --set points.buffered=on' 'soft-shadows pcss' 'omni-shadows mvr --margins'; do
 	read -r effect method options <<< "$words"
 	# shellcheck disable=SC2086
-	run render "$effect" "${shadows[@]}" --method "$method" $options --set pass=2 -o batches
+	run render "$effect" "${shadows[@]}" --method "$method" $options --set lamp.views_a_pass=2 -o batches
 	# shellcheck disable=SC2086
-	run render "$effect" "${shadows[@]}" --method "$method" $options --set pass=6 -o whole
+	run render "$effect" "${shadows[@]}" --method "$method" $options --set lamp.views_a_pass=6 -o whole
 	run replay "batches/trace-$method"
 	[ "$status" -eq 0 ] && [ "$(grep -c ': same$' "$scratch/stdout")" -ge 8 ] && ! grep -vq ': same$' "$scratch/stdout"
 	verdict $? "$effect by $method: every stage gives the same bits from its own trace"
@@ -119,23 +119,23 @@ for words in 'soft-shadows ivir --margins --set lamp=scene' 'omni-shadows epr --
 	verdict $? "$effect by $method: batches change no buffer"
 	rm -rf batches whole
 done
-for words in 'indirect hulls --margins --set lamp=scene' 'indirect direct' \
-	'indirect hulls --set segmentation=components --set cosine=quadrature' \
-	'indirect megaviews --margins --set levels=4 --set vpls=60 --set vpl.bounces=2' \
-	'indirect manylods --set levels=4 --set gather_lights=0' 'indirect bruteforce --set levels=3 --set vpls=30' \
-	'particles megaviews --margins --set levels=4 --set particles=60' 'particles manylods --set levels=4 --set particles=60' \
-	'surfels deferred --set from_mesh=3000 --set accumulation=half' \
-	'surfels deferred --set from_mesh=3000 --set shader=phong_shadow --set map_px=64' 'surfels ewa --set from_mesh=3000 --set shader=npr_shadow --set map_px=64'; do
+for words in 'indirect hulls --margins --set lamp.source=scene' 'indirect direct' \
+	'indirect hulls --set segment.method=components --set hull.cosine=quadrature' \
+	'indirect megaviews --margins --set octree.levels=4 --set vpl.paths=60 --set vpl.bounces=2' \
+	'indirect manylods --set octree.levels=4 --set vpl_gather.lights=0' 'indirect bruteforce --set octree.levels=3 --set vpl.paths=30' \
+	'particles megaviews --margins --set octree.levels=4 --set particle.count=60' 'particles manylods --set octree.levels=4 --set particle.count=60' \
+	'surfels deferred --set surfels.from_mesh=3000 --set surfel_blend.accumulation=half' \
+	'surfels deferred --set surfels.from_mesh=3000 --set deferred.shader=phong_shadow --set depth_map.px=64' 'surfels ewa --set surfels.from_mesh=3000 --set deferred.shader=npr_shadow --set depth_map.px=64'; do
 	read -r effect method how <<< "$words"
 	# shellcheck disable=SC2086
-	run render $effect atrium:triangles=10000:texels=32 --size 64x48 --set grid_px=64 --set rsm_px=4 --trace --no-images -o light \
+	run render $effect atrium:triangles=10000:texels=32 --size 64x48 --set depth_grid.px=64 --set rsm.px=4 --trace --no-images -o light \
 		--method $method $how
 	run replay "light/trace-$method"
 	[ "$status" -eq 0 ] && [ "$(grep -c ': same$' "$scratch/stdout")" -ge 8 ] && ! grep -vq ': same$' "$scratch/stdout"
 	verdict $? "$words: every stage gives the same bits from its own trace"
 	rm -rf light
 done
-run render surfels "$OLDPWD/scenes/room.gltf" --size 64x48 --set from_mesh=3000 --set shader=phong_shadow --set map_px=64 --margins \
+run render surfels "$OLDPWD/scenes/room.gltf" --size 64x48 --set surfels.from_mesh=3000 --set deferred.shader=phong_shadow --set depth_map.px=64 --margins \
 	--no-images -o bulb --method deferred
 run replay bulb/trace-deferred
 [ "$status" -eq 0 ] && [ "$(grep -c ': same$' "$scratch/stdout")" -ge 8 ] && ! grep -vq ': same$' "$scratch/stdout"
@@ -152,7 +152,7 @@ open(f"spoilt/trace-deferred/04-fragment_list.{name}.npy", "wb").write(data)
 PY
 }
 run render surfels atrium:triangles=10000:texels=32 --size 64x48 --trace --no-images -o lists --method deferred \
-	--set from_mesh=3000 --set accumulation=8bit
+	--set surfels.from_mesh=3000 --set surfel_blend.accumulation=8bit
 for words in 'offset 0 1 where sums begin' 'offset 5 4000000000 the sum before it' 'offset 3072 4000000000 where sums end' \
 	'surfel 7 123456789 less than'; do
 	read -r name place value why <<< "$words"

@@ -1,8 +1,8 @@
 #!/bin/bash
 # Renders of shadows: truths, tables, pictures, and what is refused.
 . "$(dirname "$0")/tap.bash"
-small=(atrium:triangles=10000:texels=32 --size 96x54 --set map_px=64 --set views=4 --set pass=3 --set light_samples=2
-	--set area_samples=16)
+small=(atrium:triangles=10000:texels=32 --size 96x54 --set depth_map.px=64 --set lamp.views=4 --set lamp.views_a_pass=3 --set lamp.cubes=2
+	--set truth.area_samples=16)
 cd "$scratch" || exit 2
 
 run render soft-shadows "${small[@]}" --method ivir,mvr --truth -o soft
@@ -34,21 +34,21 @@ counters = {r["counter"]: r for r in a["counters"]}
 covered = counters["texels covered by rays"]
 assert 0 < covered["ivir"] == covered["mvr"] <= 4 * 64 * 64
 assert counters["wrong depths"]["mvr"] < covered["mvr"] / 50
-assert a["params"]["reflectors"] == 0
+assert a["params"]["reflectors.count"] == 0
 PY
 verdict $? 'threads change no figure, and the figures agree'
 
-run render omni-shadows "${small[@]}" --method ivir --set cull=off --truth=samples --no-images --json --reflectors 1
+run render omni-shadows "${small[@]}" --method ivir --set points.cull=off --truth=samples --no-images --json --reflectors 1
 python3 - stdout <<'PY'
 import json, sys
 a = json.load(open(sys.argv[1]))
 counters = {r["counter"]: r["ivir"] for r in a["counters"]}
 assert counters["texels covered by rays"] > 1000 and counters["holes"] == counters["leaks"] == 0
-assert [r["image"] for r in a["shadows"]] == ["ivir", "truth-samples"] and a["params"]["reflectors"] == 1
+assert [r["image"] for r in a["shadows"]] == ["ivir", "truth-samples"] and a["params"]["reflectors.count"] == 1
 PY
 verdict $? 'cubes without culling have neither holes nor leaks'
 
-run render soft-shadows "${small[@]}" --method mvr --truth=samples --set bias=1,8
+run render soft-shadows "${small[@]}" --method mvr --truth=samples --set depth_map.bias=1,8
 [ "$status" -eq 0 ] && [ "$(wc -l < stdout)" -eq 3 ] && head -1 stdout | grep -q 'wrong_depths,rmse_truth-samples$' &&
 	! head -1 stdout | grep -q reflective
 verdict $? 'a sweep prints the truths of shadows'
@@ -58,6 +58,6 @@ refuses 'of reflections; there are A, B and C' render reflections --truth=area
 refuses 'of reflections' bench epr-2 --truth=area
 refuses 'write --truth=samples,area' render omni-shadows --truth samples,area
 refuses 'there are samples and area, or none' render omni-shadows --truth=sample
-refuses 'memory' render omni-shadows atrium:triangles=10000:texels=32 --set map_px=8192 --set pass=1024 --set light_samples=1024 \
+refuses 'memory' render omni-shadows atrium:triangles=10000:texels=32 --set depth_map.px=8192 --set lamp.views_a_pass=1024 --set lamp.cubes=1024 \
 	--method mvr --no-images
 finish

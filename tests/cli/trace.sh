@@ -11,7 +11,7 @@ run "${frame[@]}" --method epr,mvr --trace --threads 1 --reference -o b
 [ "$status" -eq 0 ] && diff -r a/trace-epr b/trace-epr && diff -r a/trace-mvr b/trace-mvr
 verdict $? 'a second run gives the same bytes, with other threads and without fast paths'
 
-built_in=(atrium:triangles=10000:texels=32 --size 64x36 --reflectors 1 --set face_max=32)
+built_in=(atrium:triangles=10000:texels=32 --size 64x36 --reflectors 1 --set cube.max_px=32)
 run render reflections "${built_in[@]}" --no-images --trace -o built-in
 for method in epr mvr; do
 	"$touchstone" digest "${built_in[@]}" --method $method 2> stderr | grep -v '^#' > sums
@@ -109,8 +109,8 @@ run render reflections $'sc\xe9ne.gltf' --size 64x36 --reflectors 1 --no-images 
 verdict $? 'a scene with a name of any bytes is traced'
 
 # Six mirrors of which the eye sees not the last.
-run render reflections atrium:triangles=10000:texels=32 --size 96x54 --reflectors 6 --set eye=near --set fov=20 --set mvr.faces=adaptive \
-	--set face_max=16 --no-images --trace --method mvr -o unseen
+run render reflections atrium:triangles=10000:texels=32 --size 96x54 --reflectors 6 --set eye.distance=near --set eye.fov=20 --set mvr.faces=adaptive \
+	--set cube.max_px=16 --no-images --trace --method mvr -o unseen
 [ "$status" -eq 0 ] && digests_hold unseen/trace-mvr
 verdict $? 'the last mirrors may be out of sight'
 

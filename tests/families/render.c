@@ -14,8 +14,8 @@ static ts_scene *open_scene(ts_params *params)
 	ts_params_default(params);
 	assert_int_equal(ts_params_set(params, "width", "96"), TS_OK);
 	assert_int_equal(ts_params_set(params, "height", "64"), TS_OK);
-	assert_int_equal(ts_params_set(params, "reflectors", "2"), TS_OK);
-	assert_int_equal(ts_params_set(params, "face_max", "32"), TS_OK);
+	assert_int_equal(ts_params_set(params, "reflectors.count", "2"), TS_OK);
+	assert_int_equal(ts_params_set(params, "cube.max_px", "32"), TS_OK);
 	assert_int_equal(ts_scene_open(&scene, "gallery:triangles=10000:texels=32", params, NULL), TS_OK);
 	return scene;
 }
@@ -62,10 +62,10 @@ static void test_refusals(void **state)
 	assert_non_null(strstr(ts_error_message(), "points.key"));
 	assert_int_equal(ts_render_buffer(render, "points", &view), TS_ERROR);
 	ts_render_free(render);
-	params.bounces = 5;
+	params.lookup_bounces = 5;
 	assert_int_equal(ts_render_run(&render, scene, &params, "reflections", "epr", 1), TS_ERROR);
 	assert_null(render);
-	assert_non_null(strstr(ts_error_message(), "bounces"));
+	assert_non_null(strstr(ts_error_message(), "lookup.bounces"));
 	ts_render_free(NULL);
 	ts_scene_free(scene);
 }

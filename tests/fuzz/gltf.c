@@ -46,7 +46,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n)
 	ts_scene *scene;
 	if (!nowhere) begin();
 	ts_params_default(&params);
-	params.reflectors = 2;
+	params.reflectors_count = 2;
 	if (ts_scene_open(&scene, keep(data, n), &params, NULL) == TS_OK) {
 		assert(ts_scene_print(scene, nowhere, 0) == TS_OK && ts_scene_print(scene, nowhere, 1) == TS_OK);
 		ts_scene_free(scene);

@@ -64,9 +64,9 @@ static void test_reflections(void **state)
 	ts_plan epr = plan_of("reflections", "epr", &p, NULL, NULL), mvr = plan_of("reflections", "mvr", &p, NULL, NULL);
 	assert_true(n > 1 && epr.units == n && mvr.units == n && epr.batch == 1 && mvr.batch == 1);
 	assert_true(epr.offscreen.side == 0 && !epr.offscreen.all && epr.points.rate == TS_RATE_IS_EYE);
-	assert_true(mvr.offscreen.side == p.face_max && mvr.offscreen.all);
-	p.face_px = 48;
-	p.rate = TS_RATE_PAPER;
+	assert_true(mvr.offscreen.side == p.cube_max_px && mvr.offscreen.all);
+	p.cube_px = 48;
+	p.density_rate = TS_RATE_PAPER;
 	ts_plan ivir = plan_of("reflections", "ivir", &p, NULL, NULL), vir = plan_of("reflections", "vir", &p, NULL, NULL);
 	assert_true(ivir.points.rate == TS_RATE_IS_PAPER && ivir.offscreen.side == 0 && !ivir.offscreen.all);
 	assert_true(vir.points.rate == TS_RATE_IS_VIR && vir.offscreen.side == 48 && vir.offscreen.all);
@@ -79,16 +79,16 @@ static void test_shadows(void **state)
 {
 	(void)state;
 	ts_params p = params;
-	p.views = 40;
-	p.light_samples = 7;
-	p.pass = 20;
-	p.map_px = 96;
+	p.lamp_views = 40;
+	p.lamp_cubes = 7;
+	p.lamp_views_a_pass = 20;
+	p.depth_map_px = 96;
 	ts_plan soft = plan_of("soft-shadows", "vir", &p, NULL, NULL),
 			omni = plan_of("omni-shadows", "epr", &p, NULL, NULL);
 	assert_true(soft.units == 40 && soft.lights.samples == 40 && soft.batch == 20 && soft.offscreen.side == 96);
 	assert_true(omni.units == 7 && omni.lights.samples == 7 && omni.batch == 3 && omni.offscreen.side == 96);
 	assert_true(soft.lights.taps == 0 && !soft.lights.own && soft.points.rate == TS_RATE_IS_VIR);
-	p.lamp = TS_LAMP_SCENE;
+	p.lamp_source = TS_LAMP_SCENE;
 	ts_plan pcss = plan_of("soft-shadows", "pcss", &p, NULL, NULL);
 	assert_true(pcss.units == scene->n_lights && pcss.lights.own && pcss.lights.taps > 1 && pcss.batch == 20);
 }
@@ -102,7 +102,7 @@ static void test_request(void **state)
 	ts_plan soft = plan_of("soft-shadows", "mvr", &p, NULL, &request);
 	ts_plan omni = plan_of("omni-shadows", "mvr", &p, NULL, &request);
 	assert_true(soft.units == 50 && soft.lights.samples == 50 && omni.units == 50 && omni.lights.samples == 50);
-	p.lamp = TS_LAMP_SCENE;
+	p.lamp_source = TS_LAMP_SCENE;
 	soft = plan_of("soft-shadows", "mvr", &p, NULL, &request);
 	assert_int_equal(soft.units, 50 * scene->n_lights);
 	const ts_counts counts = {.reflectors = 0, .lights = 3, .cubes = TS_NONE, .views = TS_NONE, .lamps = TS_NONE};
@@ -114,11 +114,11 @@ static void test_sets(void **state)
 {
 	(void)state;
 	ts_plan plan = plan_of("particles", "manylods", &params, NULL, NULL);
-	assert_int_equal(params.view_field, TS_VIEW_FIELD_HALF);
+	assert_int_equal(params.view_map_field, TS_VIEW_FIELD_HALF);
 	assert_true(plan.views.field == TS_VIEW_FIELD_ALL && plan.units == 0);
 	assert_int_equal(plan_of("indirect", "manylods", &params, NULL, NULL).views.field, TS_VIEW_FIELD_HALF);
 	ts_params taken = ts_pipeline_params(find("particles", "manylods"), &params), wanted = params;
-	wanted.view_field = TS_VIEW_FIELD_ALL;
+	wanted.view_map_field = TS_VIEW_FIELD_ALL;
 	assert_memory_equal(&taken, &wanted, sizeof taken);
 }
 
@@ -139,7 +139,7 @@ static void test_counts(void **state)
 	counts = none;
 	counts.lamps = 3;
 	assert_int_equal(plan_of("soft-shadows", "pcss", &params, &counts, NULL).units, 3);
-	assert_int_equal(plan_of("soft-shadows", "mvr", &params, &counts, NULL).units, params.views);
+	assert_int_equal(plan_of("soft-shadows", "mvr", &params, &counts, NULL).units, params.lamp_views);
 }
 
 int main(void)

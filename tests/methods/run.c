@@ -43,8 +43,8 @@ static void test_threads(void **state)
 	static const u32 threads[] = {2, 3, 7};
 	static const char *const methods[] = {"epr", "mvr"};
 	ts_params params = small_params(160, 90);
-	params.bounces = 3;
-	params.face_max = 64;
+	params.lookup_bounces = 3;
+	params.cube_max_px = 64;
 	ts_scene *scene = small_scene(&params);
 	for (u32 m = 0; m < 2; m++) {
 		char *one = digests_of(scene, &params, methods[m], 1, false);
@@ -67,10 +67,10 @@ static void test_rho_is_area(void **state)
 {
 	(void)state;
 	ts_params side = small_params(240, 135), area = side;
-	area.rho_is_area = 1;
-	area.rho_scale = 0.25f;
+	area.density_per_area = 1;
+	area.density_scale = 0.25f;
 	ts_scene *scene = small_scene(&side);
-	assert_same_runs(scene, &side, &area, "rho_is_area");
+	assert_same_runs(scene, &side, &area, "density.per_area");
 	ts_scene_free(scene);
 }
 
@@ -88,9 +88,9 @@ static void test_epr_counters(void **state)
 	(void)state;
 	for (u32 bounces = 1; bounces <= 3; bounces++) {
 		ts_params params = small_params(240, 135);
-		params.bounces = bounces;
-		params.reflectors = 20;
-		params.cull = 0;
+		params.lookup_bounces = bounces;
+		params.reflectors_count = 20;
+		params.points_cull = 0;
 		ts_scene *scene = small_scene(&params);
 		ts_run run;
 		small_run(&run, scene, &params, "epr", 2, NULL, NULL);
@@ -123,7 +123,7 @@ static void test_adaptive(void **state)
 {
 	(void)state;
 	ts_params params = small_params(240, 135);
-	params.samples = TS_SAMPLES_ADAPTIVE;
+	params.lookup_samples = TS_SAMPLES_ADAPTIVE;
 	ts_scene *scene = small_scene(&params);
 	ts_run run;
 	small_run(&run, scene, &params, "epr", 2, NULL, NULL);
@@ -156,7 +156,7 @@ static void test_mvr_counters(void **state)
 	for (u32 faces = 0; faces < 2; faces++) {
 		ts_params params = small_params(240, 135);
 		params.mvr_faces = faces;
-		params.face_max = 64;
+		params.cube_max_px = 64;
 		ts_scene *scene = small_scene(&params);
 		ts_run run;
 		i64 texels = 0;
@@ -194,8 +194,8 @@ static void test_floats(void **state)
 	(void)state;
 	static const char *const methods[] = {"epr", "mvr"};
 	ts_params params = small_params(240, 135);
-	params.bounces = 3;
-	params.face_max = 64;
+	params.lookup_bounces = 3;
+	params.cube_max_px = 64;
 	ts_scene *scene = small_scene(&params);
 	for (u32 m = 0; m < 2; m++) {
 		ts_run run;
@@ -242,8 +242,8 @@ static void test_shapes(void **state)
 	(void)state;
 	u32 checked = 0;
 	ts_params params = small_params(64, 64);
-	params.bounces = 3;
-	params.face_max = 32;
+	params.lookup_bounces = 3;
+	params.cube_max_px = 32;
 	ts_scene *scene = small_scene(&params);
 	for (u32 m = 0; m < 2; m++) {
 		ts_run run;
@@ -259,8 +259,8 @@ static void test_lean(void **state)
 {
 	(void)state;
 	ts_params params = small_params(120, 68);
-	params.bounces = 2;
-	params.face_max = 64;
+	params.lookup_bounces = 2;
+	params.cube_max_px = 64;
 	ts_scene *scene = small_scene(&params);
 	for (u32 m = 0; m < 2; m++) {
 		ts_run whole, lean;

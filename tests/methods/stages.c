@@ -124,9 +124,9 @@ static void test_order(void **state)
 {
 	(void)state;
 	ts_params params = small_params(64, 64);
-	params.bounces = 3;
-	params.reflectors = 3;
-	params.face_max = 32;
+	params.lookup_bounces = 3;
+	params.reflectors_count = 3;
+	params.cube_max_px = 32;
 	ts_scene *scene = small_scene(&params);
 	static const char *const methods[] = {"epr", "mvr"};
 	for (u32 m = 0; m < 2; m++) {
@@ -145,12 +145,12 @@ static void test_claims(void **state)
 {
 	(void)state;
 	ts_params params = small_params(96, 64);
-	params.bounces = 3;
-	params.face_px = 24;
+	params.lookup_bounces = 3;
+	params.cube_px = 24;
 	static const char *const methods[] = {"epr", "mvr"};
 	for (u32 m = 0; m < 2; m++) {
-		params.reflectors = m == 0 ? 4 : 1;
-		params.reflector_px = 40;
+		params.reflectors_count = m == 0 ? 4 : 1;
+		params.reflectors_px = 40;
 		ts_scene *scene = small_scene(&params);
 		ts_run run;
 		ts_run_begin(&run, scene, &params, 2);

@@ -9,14 +9,23 @@ enum { N_RANDOM = 24 };
 static const struct {
 	const char *name, *most;
 } shorter[] = {
-	{"width", "300"},  {"height", "300"},  {"frame", "40"},       {"reflectors", "16"}, {"face_max", "64"},
-	{"face_px", "96"}, {"rho_scale", "2"}, {"from_mesh", "2000"}, {NULL, NULL},
+	{"width", "300"},      {"height", "300"}, {"frame", "40"},        {"reflectors.count", "16"},
+	{"cube.max_px", "64"}, {"cube.px", "96"}, {"density.scale", "2"}, {"surfels.from_mesh", "2000"},
+	{NULL, NULL},
 };
 
 /* What a scene is opened with; whatever else is set, the scene stays the same. */
-static const char *const of_the_scene[] = {
-	"width",      "height",          "seed",         "fov", "eye", "light.irradiance", "light.ambient",
-	"reflectors", "reflector_shape", "reflector_px", NULL};
+static const char *const of_the_scene[] = {"width",
+                                           "height",
+                                           "seed",
+                                           "eye.fov",
+                                           "eye.distance",
+                                           "light.irradiance",
+                                           "light.ambient",
+                                           "reflectors.count",
+                                           "reflectors.shape",
+                                           "reflectors.px",
+                                           NULL};
 
 static bool is_of_the_scene(const char *name)
 {
@@ -36,8 +45,8 @@ static const char *most_of(const ts_param_info *row)
 static ts_params base_params(void)
 {
 	ts_params params = small_params(64, 64);
-	params.reflectors = 4;
-	params.face_max = 32;
+	params.reflectors_count = 4;
+	params.cube_max_px = 32;
 	return params;
 }
 

@@ -42,10 +42,10 @@ static void defaults_are_those_of_the_table(void **state)
 	ts_params_default(&params);
 	assert_int_equal(params.width, 1920);
 	assert_int_equal(params.height, 1080);
-	assert_int_equal(params.eye, TS_EYE_FAR);
-	assert_int_equal(params.cull_unit, TS_CULL_EYE);
+	assert_int_equal(params.eye_distance, TS_EYE_FAR);
+	assert_int_equal(params.points_cull_unit, TS_CULL_EYE);
 	assert_true(params.light_ambient == 0.3f);
-	assert_true(params.rho_scale == 0.5f);
+	assert_true(params.density_scale == 0.5f);
 	size_t n;
 	const ts_param_info *table = ts_param_table(&n);
 	assert_int_equal(n * 4, sizeof params);
@@ -71,8 +71,8 @@ static void ends_of_the_ranges_are_inside(void **state)
 	}
 	refuses("width", "15");
 	refuses("width", "16385");
-	refuses("fov", "0.99999994");
-	refuses("fov", "150.00002");
+	refuses("eye.fov", "0.99999994");
+	refuses("eye.fov", "150.00002");
 	refuses("seed", "4294967296");
 }
 
@@ -84,7 +84,7 @@ static void malformed_numbers_are_refused(void **state)
 	for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
 		ts_params params;
 		ts_params_default(&params);
-		assert_int_equal(ts_params_set(&params, "fov", bad[i]), TS_ERROR);
+		assert_int_equal(ts_params_set(&params, "eye.fov", bad[i]), TS_ERROR);
 		assert_int_equal(ts_params_set(&params, "width", bad[i]), TS_ERROR);
 		assert_null(strchr(ts_error_message(), '\n'));
 	}
@@ -95,7 +95,7 @@ static void malformed_numbers_are_refused(void **state)
 	refuses("light.ambient", "-1");
 	refuses("light.ambient", "1e-20");
 	assert_int_equal(ts_params_set(&(ts_params){0}, "width", ""), TS_ERROR);
-	assert_int_equal(ts_params_set(&(ts_params){0}, "fov", ""), TS_ERROR);
+	assert_int_equal(ts_params_set(&(ts_params){0}, "eye.fov", ""), TS_ERROR);
 }
 
 static void maps_halve_down_to_a_texel(void **state)
@@ -105,12 +105,12 @@ static void maps_halve_down_to_a_texel(void **state)
 		char text[8];
 		snprintf(text, sizeof text, "%u", (unsigned)px);
 		if ((px & (px - 1)) == 0)
-			accepts("view_px", text);
+			accepts("view_map.px", text);
 		else
-			refuses("view_px", text);
+			refuses("view_map.px", text);
 	}
-	assert_int_equal(ts_params_set(&(ts_params){0}, "view_px", "48"), TS_ERROR);
-	assert_string_equal(ts_error_message(), "parameter view_px: 48 is not a power of two; 32 or 64 would be right");
+	assert_int_equal(ts_params_set(&(ts_params){0}, "view_map.px", "48"), TS_ERROR);
+	assert_string_equal(ts_error_message(), "parameter view_map.px: 48 is not a power of two; 32 or 64 would be right");
 }
 
 static void choices_are_exact(void **state)
@@ -118,16 +118,16 @@ static void choices_are_exact(void **state)
 	(void)state;
 	ts_params params;
 	ts_params_default(&params);
-	assert_int_equal(ts_params_set(&params, "reflector_shape", "lathe"), TS_OK);
-	assert_int_equal(params.reflector_shape, TS_SHAPE_LATHE);
-	assert_int_equal(ts_params_set(&params, "samples", "adaptive"), TS_OK);
-	assert_int_equal(params.samples, TS_SAMPLES_ADAPTIVE);
-	refuses("eye", "nea");
-	refuses("eye", "nearest");
-	refuses("eye", "near|far");
-	refuses("eye", "0");
+	assert_int_equal(ts_params_set(&params, "reflectors.shape", "lathe"), TS_OK);
+	assert_int_equal(params.reflectors_shape, TS_SHAPE_LATHE);
+	assert_int_equal(ts_params_set(&params, "lookup.samples", "adaptive"), TS_OK);
+	assert_int_equal(params.lookup_samples, TS_SAMPLES_ADAPTIVE);
+	refuses("eye.distance", "nea");
+	refuses("eye.distance", "nearest");
+	refuses("eye.distance", "near|far");
+	refuses("eye.distance", "0");
 	assert_non_null(strstr(ts_error_message(), "near|far"));
-	assert_int_equal(ts_params_set(&params, "eye", ""), TS_ERROR);
+	assert_int_equal(ts_params_set(&params, "eye.distance", ""), TS_ERROR);
 	assert_int_equal(ts_params_set(&params, "eyes", "near"), TS_ERROR);
 	assert_int_equal(ts_params_set(&params, "", "near"), TS_ERROR);
 }
@@ -148,18 +148,18 @@ static void text_reads_back_to_the_same_bits(void **state)
 {
 	(void)state;
 	size_t row;
-	row_of("exposure", &row);
+	row_of("image.exposure", &row);
 	ts_params params, back;
 	ts_params_default(&params);
 	uint32_t random = 1;
 	for (int i = 0; i < 100000; i++) {
 		random = random * 1664525u + 1013904223u;
 		uint32_t bits = 0x3a800000u + random % (0x44800000u - 0x3a800000u + 1);
-		memcpy(&params.exposure, &bits, 4);
+		memcpy(&params.image_exposure, &bits, 4);
 		char text[64];
 		ts_params_format(&params, row, text, sizeof text);
-		assert_int_equal(ts_params_set(&back, "exposure", text), TS_OK);
-		assert_memory_equal(&back.exposure, &bits, 4);
+		assert_int_equal(ts_params_set(&back, "image.exposure", text), TS_OK);
+		assert_memory_equal(&back.image_exposure, &bits, 4);
 	}
 }
 
@@ -170,11 +170,11 @@ static void locale_of_the_host_does_not_matter(void **state)
 	ts_params params;
 	ts_params_default(&params);
 	size_t row;
-	row_of("rho_scale", &row);
+	row_of("density.scale", &row);
 	char text[64];
 	ts_params_format(&params, row, text, sizeof text);
 	setlocale(LC_ALL, "C");
-	assert_true(params.rho_scale == 0.5f);
+	assert_true(params.density_scale == 0.5f);
 	assert_string_equal(text, "0.5");
 }
 

@@ -399,7 +399,7 @@ static int copy(const char *from, const char *to)
 	char method[64];
 	snprintf(method, sizeof method, "%s/%s", trace->pipeline->effect->name, trace->pipeline->name);
 	ts_candidate_begin(&c, to, method, "canonical", "candidate.h", "1");
-	ts_candidate_param(&c, "bounces", "1");
+	ts_candidate_param(&c, "lookup.bounces", "1");
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) copy_buffer(&c, trace, (ts_buffer_id)id);
 	ts_trace_close(trace);
 	if (ts_candidate_end(&c) == 0) return 0;

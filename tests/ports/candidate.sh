@@ -19,12 +19,12 @@ copied() {
 	verdict $? "$1: file for file"
 }
 
-trace whole atrium:triangles=10000:texels=32 --size 96x54 --reflectors 2 --set reflector_px=30 --set face_max=64
+trace whole atrium:triangles=10000:texels=32 --size 96x54 --reflectors 2 --set reflectors.px=30 --set cube.max_px=64
 copied 'reflections epr' "$scratch/whole/trace-epr" 30
-shadows=(atrium:triangles=10000:texels=32 --size 96x54 --reflectors 0 --set views=5 --set light_samples=2 --set map_px=24 --trace --no-images)
+shadows=(atrium:triangles=10000:texels=32 --size 96x54 --reflectors 0 --set lamp.views=5 --set lamp.cubes=2 --set depth_map.px=24 --trace --no-images)
 for words in 'soft-shadows ivir' 'omni-shadows epr'; do
 	read -r effect method <<< "$words"
-	run render "$effect" "${shadows[@]}" --method "$method" --set buffered=on -o "$scratch/$effect"
+	run render "$effect" "${shadows[@]}" --method "$method" --set points.buffered=on -o "$scratch/$effect"
 	copied "$words" "$scratch/$effect/trace-$method" 25
 done
 
@@ -36,8 +36,8 @@ int main(int argc, char **argv)
 	uint64_t shape[1] = {2};
 	ts_candidate c;
 	ts_candidate_begin(&c, argv[argc - 1], "epr", "canonical", "my port", "0.3");
-	ts_candidate_param(&c, "rho_scale", "0.5");
-	ts_candidate_param(&c, "clip", "off");
+	ts_candidate_param(&c, "density.scale", "0.5");
+	ts_candidate_param(&c, "splat.clip", "off");
 	ts_candidate_add(&c, "splat.depth_index", 1, shape, texels);
 	if (ts_candidate_end(&c) != 0) fprintf(stderr, "%s\n", c.message);
 	return c.message[0] != 0;
@@ -51,7 +51,7 @@ for language in 'gcc -std=c99 example.c' 'g++ -std=c++11 example.cc' 'clang -std
 	mkdir -p "$scratch/example"
 	"$compiler" "$standard" "${strict[@]}" "$scratch/$source" -o "$scratch/program" &&
 		"$scratch/program" "$scratch/example" && run compare "$scratch/example" "$scratch/example"
-	grep -q '^1 buffers judged' "$scratch/stdout" && grep -q '"clip": "off"' "$scratch/example/trace.json"
+	grep -q '^1 buffers judged' "$scratch/stdout" && grep -q '"splat.clip": "off"' "$scratch/example/trace.json"
 	verdict $? "the header in $language"
 done
 

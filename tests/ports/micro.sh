@@ -5,5 +5,5 @@
 
 trace triangle scenes/triangle.gltf --camera camera --reflectors 0 --size 16x16
 for scene in triangle_mirror triangle_twice triangle_edge triangle_side; do micro $scene $scene; done
-micro triangle_behind triangle_behind --set clip=off
+micro triangle_behind triangle_behind --set splat.clip=off
 /usr/bin/python3 tests/ports/micro.py "$scratch"/triangle{,_mirror,_twice,_edge,_side,_behind}/trace-epr

@@ -29,17 +29,17 @@ for scene in atrium gallery; do
 	verdict $? "a trace of $scene"
 	agrees $scene
 done
-trace room scenes/room.gltf --size 240x135 --reflectors 12 --set visibility=vertex
+trace room scenes/room.gltf --size 240x135 --reflectors 12 --set visibility.test=vertex
 agrees room
-trace open atrium:triangles=10000 --size 96x54 --reflectors 3 --set clip=off
+trace open atrium:triangles=10000 --size 96x54 --reflectors 3 --set splat.clip=off
 agrees open
-trace small atrium:triangles=10000 --size 96x54 --reflectors 3 --set face_max=64
+trace small atrium:triangles=10000 --size 96x54 --reflectors 3 --set cube.max_px=64
 for scene in triangle_mirror triangle_twice triangle_edge triangle_side; do
 	micro $scene $scene
 	agrees $scene
 done
 
-micro triangle_behind triangle_behind --set clip=off
+micro triangle_behind triangle_behind --set splat.clip=off
 agrees triangle_behind
 
 # arrives FOLDER TIED: points in the reverse order are found again; TIED texels (-: none) hold another of the tied points.
@@ -62,8 +62,8 @@ catches 9 triangle_behind '12 splat'
 scatters() {
 	local effect=$1 method=$2 from=$scratch/$1/trace-$2 to=$scratch/$1/numpy
 	shift 2
-	run render "$effect" atrium:triangles=10000 --method "$method" --size 96x54 --reflectors 0 --set views=67 \
-		--set light_samples=2 --set map_px=32 --set buffered=on "$@" --trace --no-images -o "$scratch/$effect"
+	run render "$effect" atrium:triangles=10000 --method "$method" --size 96x54 --reflectors 0 --set lamp.views=67 \
+		--set lamp.cubes=2 --set depth_map.px=32 --set points.buffered=on "$@" --trace --no-images -o "$scratch/$effect"
 	"$python" tests/ports/numpy/port.py "$from" "$to" --stages scatter && run compare "$from" "$to"
 	[ "$status" -eq 0 ] && grep -q '^1 buffers judged, 0 different' "$scratch/stdout"
 	verdict $? "numpy has the same bits: $effect by $method"
@@ -71,7 +71,7 @@ scatters() {
 	[ "$status" -eq 1 ] && tail -n 1 "$scratch/stdout" | grep -q '^stage .. scatter, buffer depth_map.depth'
 	verdict $? "numpy with damage 3: stage scatter differs in $effect by $method"
 }
-scatters soft-shadows ivir --set lamp=scene
+scatters soft-shadows ivir --set lamp.source=scene
 scatters omni-shadows vir
 
 finish

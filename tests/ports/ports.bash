@@ -13,7 +13,7 @@ trace() {
 micro() {
 	local folder=$1 scene=$2
 	shift 2
-	trace "$folder" "scenes/$scene.gltf" --camera camera --reflectors 0 --size 64x64 --set face_px=16 "$@"
+	trace "$folder" "scenes/$scene.gltf" --camera camera --reflectors 0 --size 64x64 --set cube.px=16 "$@"
 }
 
 # find_numpy: $python, a python3 that has numpy; without one, says that the test is skipped.

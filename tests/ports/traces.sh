@@ -2,9 +2,9 @@
 # What reference/TRACES.md and its schema say holds for traces of both methods, and the minimal candidate is enough.
 . "$(dirname "$0")/../cli/tap.bash"
 . "$(dirname "$0")/ports.bash"
-small=(--size 96x54 --reflectors 2 --set reflector_px=30 --set face_max=64)
+small=(--size 96x54 --reflectors 2 --set reflectors.px=30 --set cube.max_px=64)
 
-run render reflections atrium:triangles=10000:texels=32 "${small[@]}" --set bounces=3 --method all --margins --no-images \
+run render reflections atrium:triangles=10000:texels=32 "${small[@]}" --set lookup.bounces=3 --method all --margins --no-images \
 	-o "$scratch/whole"
 verdict $status 'traces of both methods'
 run render reflections scenes/room.gltf "${small[@]}" --method mvr --trace --trace-only eye,image --crop 8,4,32,16 \

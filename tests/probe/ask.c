@@ -8,10 +8,10 @@ static int make_all(void **state)
 {
 	(void)state;
 	ts_params params = small_params(32, 24);
-	params.reflectors = 2;
+	params.reflectors_count = 2;
 	make(&epr, "reflections", "epr", &params);
-	params.views = params.light_samples = 2;
-	params.map_px = 32;
+	params.lamp_views = params.lamp_cubes = 2;
+	params.depth_map_px = 32;
 	make(&soft, "soft-shadows", "mvr", &params);
 	return 0;
 }

@@ -193,11 +193,11 @@ static void test_find(void **state)
 	assert_ptr_equal(ts_replay_find("splat", epr, &params), ts_stage_find("splat"));
 	assert_null(ts_replay_find("cube_face", epr, &params));
 	assert_null(ts_replay_find("nothing", epr, &params));
-	params.bounces = 2;
+	params.lookup_bounces = 2;
 	assert_non_null(ts_replay_find("lookup.second", epr, &params));
 	assert_null(ts_replay_find("lookup.third", epr, &params));
 	ts_buffer_id ids[TS_N_BUFFERS + 1];
-	params.bounces = 1;
+	params.lookup_bounces = 1;
 	ts_replay_reads(ids, ts_stage_find("shade"), epr, &params);
 	for (u32 i = 0; ids[i] != TS_N_BUFFERS; i++)
 		assert_true(strncmp(ts_buffer_table[ids[i]].name, "lookup.second", 13) != 0);

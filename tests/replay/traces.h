@@ -85,23 +85,23 @@ static inline void traces_shrink(ts_scene *scene)
 static inline ts_params traces_params(u32 m)
 {
 	ts_params params = small_params(64, 48);
-	params.bounces = 3;
-	params.reflectors = 3;
-	params.reflector_px = 24;
-	params.face_max = 32;
-	params.views = 5;
-	params.light_samples = 3;
-	params.pass = 2;
-	params.map_px = 24;
+	params.lookup_bounces = 3;
+	params.reflectors_count = 3;
+	params.reflectors_px = 24;
+	params.cube_max_px = 32;
+	params.lamp_views = 5;
+	params.lamp_cubes = 3;
+	params.lamp_views_a_pass = 2;
+	params.depth_map_px = 24;
 	params.rsm_px = 4;
-	params.grid_px = 64;
-	params.levels = 3;
-	params.gather_level = 2;
-	params.view_px = 4;
-	params.vpls = 20;
-	if (m == TRACES_SURFELS) params.from_mesh = 300;
-	params.lamp = traces_runs[m].lamp;
-	params.buffered = traces_runs[m].buffered;
+	params.depth_grid_px = 64;
+	params.octree_levels = 3;
+	params.vpl_gather_level = 2;
+	params.view_map_px = 4;
+	params.vpl_paths = 20;
+	if (m == TRACES_SURFELS) params.surfels_from_mesh = 300;
+	params.lamp_source = traces_runs[m].lamp;
+	params.points_buffered = traces_runs[m].buffered;
 	return params;
 }
 

@@ -37,8 +37,8 @@ static ts_scene *room(f32 x, f32 y, f32 z, const char *camera)
 	ts_reflectors_add(build, &params, camera);
 	ts_scene *scene;
 	assert_int_equal(ts_build_finish(build, &params, camera, &scene), TS_OK);
-	assert_int_equal(scene->info.n_reflectors, params.reflectors);
-	assert_int_equal(scene->n_objects, params.reflectors + 1);
+	assert_int_equal(scene->info.n_reflectors, params.reflectors_count);
+	assert_int_equal(scene->n_objects, params.reflectors_count + 1);
 	return scene;
 }
 
@@ -72,16 +72,16 @@ static double mean_diameter(const ts_scene *scene)
 		const f32 offset[3] = {d.x, d.y, d.z};
 		sum += 2.0 * f * radius_of(scene, i) / (seen ? z : sqrt(along(offset, d)));
 	}
-	return sum / params.reflectors;
+	return sum / params.reflectors_count;
 }
 
 static void check_size(f32 x, f32 y, f32 z, const char *camera)
 {
 	ts_scene *scene = room(x, y, z, camera);
 	double mean = mean_diameter(scene);
-	if (fabs(mean / (double)params.reflector_px - 1.0) > 1e-4)
-		fail_msg("%u reflectors in %g x %g x %g: %g px, expected %g", params.reflectors, (double)x, (double)y,
-		         (double)z, mean, (double)params.reflector_px);
+	if (fabs(mean / (double)params.reflectors_px - 1.0) > 1e-4)
+		fail_msg("%u reflectors in %g x %g x %g: %g px, expected %g", params.reflectors_count, (double)x, (double)y,
+		         (double)z, mean, (double)params.reflectors_px);
 	assert_int_equal(scene->n_notes, 0);
 	ts_scene_free(scene);
 }
@@ -91,18 +91,18 @@ static void test_mean_size(void **state)
 	(void)state;
 	const u32 counts[] = {1, 2, 10, 37, 100};
 	for (u32 i = 0; i < sizeof counts / sizeof *counts; i++) {
-		params.reflectors = counts[i];
-		for (params.eye = TS_EYE_NEAR; params.eye <= TS_EYE_FAR; params.eye++) {
+		params.reflectors_count = counts[i];
+		for (params.eye_distance = TS_EYE_NEAR; params.eye_distance <= TS_EYE_FAR; params.eye_distance++) {
 			check_size(30.0f, 12.0f, 18.0f, NULL);
 			check_size(8.0f, 3.0f, 8.0f, NULL);
 			check_size(8.0f, 1.0f, 8.0f, NULL);
 		}
 		check_size(30.0f, 12.0f, 18.0f, "door");
 	}
-	params.reflectors = 10;
+	params.reflectors_count = 10;
 	params.frame = 77;
 	check_size(30.0f, 12.0f, 18.0f, NULL);
-	params.reflector_px = 40.0f;
+	params.reflectors_px = 40.0f;
 	check_size(30.0f, 12.0f, 18.0f, NULL);
 }
 
@@ -123,9 +123,9 @@ static void test_stay_inside(void **state)
 {
 	(void)state;
 	const f32 heights[2] = {6.0f, 1.05f};
-	params.reflectors = 50;
+	params.reflectors_count = 50;
 	for (u32 low = 0; low < 2; low++) {
-		params.reflector_shape = low ? TS_SHAPE_SPHERE : TS_SHAPE_MIXED;
+		params.reflectors_shape = low ? TS_SHAPE_SPHERE : TS_SHAPE_MIXED;
 		ts_scene *scene = room(20.0f, heights[low], 14.0f, NULL);
 		assert_true(low == 0 || radius_of(scene, 1) > 0.43 * (double)heights[1]);
 		for (u32 frame = 0; frame < 240; frame += 3)
@@ -138,7 +138,7 @@ static void test_stay_inside(void **state)
 static void test_paths(void **state)
 {
 	(void)state;
-	params.reflectors = 50;
+	params.reflectors_count = 50;
 	ts_scene *scene = room(20.0f, 6.0f, 14.0f, NULL);
 	for (u32 i = 0; i < 50; i++) {
 		const ts_object *o = &scene->objects[i + 1];
@@ -157,7 +157,7 @@ static void test_paths(void **state)
 static void test_apart(void **state)
 {
 	(void)state;
-	for (params.eye = TS_EYE_NEAR; params.eye <= TS_EYE_FAR; params.eye++) {
+	for (params.eye_distance = TS_EYE_NEAR; params.eye_distance <= TS_EYE_FAR; params.eye_distance++) {
 		params.frame = 0;
 		ts_scene *scene = room(20.0f, 6.0f, 14.0f, NULL);
 		f32 radius = (f32)radius_of(scene, 1);
@@ -170,7 +170,8 @@ static void test_apart(void **state)
 				for (u32 j = 1; j < i; j++) {
 					ts_v3 other = ts_k_pose(&scene->objects[j], params.frame).centre;
 					if (ts_length(ts_sub(centre, other)) <= radius * 2.0f)
-						fail_msg("reflectors %u and %u meet in frame %u, eye %u", j, i, params.frame, params.eye);
+						fail_msg("reflectors %u and %u meet in frame %u, eye %u", j, i, params.frame,
+						         params.eye_distance);
 				}
 			}
 		}
@@ -182,8 +183,8 @@ static void test_apart(void **state)
 static void test_clear_of_the_eye(void **state)
 {
 	(void)state;
-	params.eye = TS_EYE_NEAR;
-	params.reflectors = 200;
+	params.eye_distance = TS_EYE_NEAR;
+	params.reflectors_count = 200;
 	ts_scene *scene = room(20.0f, 6.0f, 14.0f, NULL);
 	for (u32 i = 1; i < scene->n_objects; i++) {
 		ts_v3 p = ts_k_pose(&scene->objects[i], 0).centre;
@@ -198,8 +199,8 @@ static void test_heights(void **state)
 {
 	(void)state;
 	u32 fifths[5] = {0};
-	params.reflectors = 50;
-	params.reflector_px = 20.0f;
+	params.reflectors_count = 50;
+	params.reflectors_px = 20.0f;
 	ts_scene *scene = room(20.0f, 6.0f, 14.0f, NULL);
 	for (u32 i = 1; i < scene->n_objects; i++) {
 		double up = ((double)scene->objects[i].centre[1] - 2.0) / 6.0;
@@ -214,7 +215,7 @@ static void test_heights(void **state)
 static void test_in_the_picture(void **state)
 {
 	(void)state;
-	params.reflectors = 30;
+	params.reflectors_count = 30;
 	ts_scene *scene = room(20.0f, 6.0f, 14.0f, NULL);
 	ts_view eye;
 	ts_view_eye(&eye, &scene->info, &params);
@@ -245,14 +246,14 @@ static void test_materials(void **state)
 static void test_mixed_shapes(void **state)
 {
 	(void)state;
-	params.reflectors = 1;
+	params.reflectors_count = 1;
 	u32 count[TS_SHAPE_MIXED];
-	for (params.reflector_shape = 0; params.reflector_shape < TS_SHAPE_MIXED; params.reflector_shape++) {
+	for (params.reflectors_shape = 0; params.reflectors_shape < TS_SHAPE_MIXED; params.reflectors_shape++) {
 		ts_scene *scene = room(20.0f, 6.0f, 14.0f, NULL);
-		count[params.reflector_shape] = scene->objects[1].n_vertices;
+		count[params.reflectors_shape] = scene->objects[1].n_vertices;
 		ts_scene_free(scene);
 	}
-	params.reflectors = 9;
+	params.reflectors_count = 9;
 	ts_scene *scene = room(20.0f, 6.0f, 14.0f, NULL);
 	for (u32 i = 0; i < 9; i++) assert_int_equal(scene->objects[i + 1].n_vertices, count[i % TS_SHAPE_MIXED]);
 	ts_scene_free(scene);
@@ -261,7 +262,7 @@ static void test_mixed_shapes(void **state)
 static void test_same_bytes(void **state)
 {
 	(void)state;
-	params.reflector_shape = TS_SHAPE_MIXED;
+	params.reflectors_shape = TS_SHAPE_MIXED;
 	ts_scene *a = room(20.0f, 6.0f, 14.0f, NULL), *b = room(20.0f, 6.0f, 14.0f, NULL);
 	assert_int_equal(a->n_vertices, b->n_vertices);
 	assert_memory_equal(a->vertices, b->vertices, a->n_vertices * sizeof *a->vertices);
@@ -273,7 +274,7 @@ static void test_same_bytes(void **state)
 static void test_none(void **state)
 {
 	(void)state;
-	params.reflectors = 0;
+	params.reflectors_count = 0;
 	ts_scene *scene = room(20.0f, 6.0f, 14.0f, NULL);
 	assert_int_equal(scene->n_triangles, 1);
 	assert_int_equal(scene->n_materials, 1);
@@ -284,11 +285,11 @@ static void test_none(void **state)
 static void test_too_large(void **state)
 {
 	(void)state;
-	params.reflector_px = 4096.0f;
+	params.reflectors_px = 4096.0f;
 	ts_scene *scene = room(20.0f, 6.0f, 14.0f, NULL);
 	assert_true(radius_of(scene, 1) <= 2.46);
 	assert_int_equal(scene->n_notes, 1);
-	assert_non_null(strstr(scene->notes[0], "reflector_px=4096"));
+	assert_non_null(strstr(scene->notes[0], "reflectors.px=4096"));
 	ts_scene_free(scene);
 }
 

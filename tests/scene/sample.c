@@ -17,8 +17,8 @@ static int set_up(void **state)
 {
 	(void)state;
 	ts_params_default(&params);
-	params.reflectors = 0;
-	params.from_mesh = 1000;
+	params.reflectors_count = 0;
+	params.surfels_from_mesh = 1000;
 	return 0;
 }
 
@@ -60,7 +60,10 @@ static ts_v3 corner_of(const ts_scene *scene, u32 triangle, u32 k)
 	return ts_load3(scene->vertices[scene->triangles[triangle].vertex[k]].position);
 }
 
-static f32 spacing_of(const ts_scene *scene) { return ts_length(ts_load3(scene->surfels[0].u)) / params.splat_radius; }
+static f32 spacing_of(const ts_scene *scene)
+{
+	return ts_length(ts_load3(scene->surfels[0].u)) / params.surfels_radius;
+}
 
 /* A random point of a triangle; the border often. */
 static ts_v3 point_of(const ts_scene *scene, u32 triangle, u32 i)
@@ -196,7 +199,7 @@ static void threads_and_splitting_change_nothing(void **state)
 {
 	(void)state;
 	ts_scene *scene[2];
-	params.from_mesh = 300000;
+	params.surfels_from_mesh = 300000;
 	for (u32 i = 0; i < 2; i++) {
 		ts_build *build = ts_build_new("test");
 		add_triangle(build, large, TS_NONE);
@@ -219,7 +222,7 @@ static void what_cannot_be_sampled_is_refused(void **state)
 	static const f32 needle[3][3] = {{0, 0, 0}, {1e6f, 0, 0}, {1e6f, 1e-4f, 0}};
 	static const f32 line[3][3] = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
 	ts_build *build = ts_build_new("test");
-	params.from_mesh = 10000000;
+	params.surfels_from_mesh = 10000000;
 	add_triangle(build, needle, TS_NONE);
 	assert_int_equal(ts_build_finish(build, &params, NULL, &scene), TS_ERROR);
 	assert_non_null(strstr(ts_error_message(), "long and thin"));

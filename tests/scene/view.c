@@ -63,7 +63,7 @@ static void test_ellipse(void **state)
 	(void)state;
 	const double factors[2] = {0.35, 0.9};
 	for (u32 eye = TS_EYE_NEAR; eye <= TS_EYE_FAR; eye++) {
-		params.eye = eye;
+		params.eye_distance = eye;
 		for (u32 frame = 0; frame < 240; frame++) {
 			ts_view v = view_of(frame);
 			double turn = 2.0 * 3.14159265358979323846 * frame / 240.0;
@@ -100,7 +100,7 @@ static void test_projection(void **state)
 	(void)state;
 	const f32 degrees[] = {1.0f, 30.0f, 60.0f, 90.0f, 150.0f};
 	for (u32 i = 0; i < sizeof degrees / sizeof *degrees; i++) {
-		params.fov = degrees[i];
+		params.eye_fov = degrees[i];
 		ts_view v = view_of(0);
 		double focal = params.height / (2.0 * tan((double)degrees[i] * 3.14159265358979323846 / 360.0));
 		assert_true(fabs((double)v.focal / focal - 1.0) < 1e-5);
@@ -136,11 +136,11 @@ static void test_hall(void **state)
 	room.hall_max[0] = 4.0f;
 	room.hall_min[1] = 12.0f;
 	room.hall_max[1] = 14.0f;
-	for (params.eye = TS_EYE_NEAR; params.eye <= TS_EYE_FAR; params.eye++) {
+	for (params.eye_distance = TS_EYE_NEAR; params.eye_distance <= TS_EYE_FAR; params.eye_distance++) {
 		for (u32 frame = 0; frame < 240; frame++) {
 			ts_view v = view_of(frame);
 			double x = ((double)v.eye[0] - 2.5) / 1.5, z = (double)v.eye[2] - 13.0;
-			assert_true(fabs(sqrt(x * x + z * z) - (params.eye == TS_EYE_NEAR ? 0.35 : 0.9)) < 1e-5);
+			assert_true(fabs(sqrt(x * x + z * z) - (params.eye_distance == TS_EYE_NEAR ? 0.35 : 0.9)) < 1e-5);
 			assert_true(v.near == near);
 		}
 	}

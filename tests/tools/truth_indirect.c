@@ -34,10 +34,10 @@ static means means_of(const char *spec, u32 rsm_px)
 	ts_params_default(&params);
 	params.width = 64;
 	params.height = 36;
-	params.reflectors = 0;
+	params.reflectors_count = 0;
 	params.rsm_px = rsm_px;
-	params.bounce_rays = 256;
-	params.light_near = 1;
+	params.truth_bounce_rays = 256;
+	params.vpl_gather_near = 1;
 	if (ts_scene_open(&scene, spec, &params, NULL) != TS_OK) fail_msg("%s", ts_error_message());
 	ts_run_begin(&run, scene, &params, 2);
 	assert_int_equal(ts_truth_indirect_begin(&run, "indirect"), TS_OK);

@@ -46,7 +46,7 @@ static void test_parts(void **state)
 	(void)state;
 	for (u32 m = 0; m < 2; m++) {
 		ts_params params = small_params();
-		params.reflectors = 1 + 2 * m;
+		params.reflectors_count = 1 + 2 * m;
 		taken t = {.n = 0};
 		const char *method = m == 0 ? "epr" : "mvr";
 		assert_int_equal(offer(&t, method, &params), TS_OK);

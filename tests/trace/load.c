@@ -148,15 +148,15 @@ static void test_set_by_method(void **state)
 {
 	(void)state;
 	ts_trace reference = *traces[TRACES_SURFELS], candidate = reference;
-	assert_int_equal(reference.params.lamp, TS_LAMP_LAMP);
-	candidate.params.lamp = TS_LAMP_SCENE;
+	assert_int_equal(reference.params.lamp_source, TS_LAMP_LAMP);
+	candidate.params.lamp_source = TS_LAMP_SCENE;
 	assert_int_equal(ts_load_match(&reference, &candidate), TS_OK);
 	assert_int_equal(ts_load_match(&candidate, &reference), TS_OK);
-	candidate.params.exposure += 1;
+	candidate.params.image_exposure += 1;
 	assert_int_equal(ts_load_match(&reference, &candidate), TS_ERROR);
 	assert_told("parameter exposure");
 	reference = candidate = *traces[TRACES_PCSS];
-	candidate.params.lamp = TS_LAMP_LAMP;
+	candidate.params.lamp_source = TS_LAMP_LAMP;
 	assert_int_equal(ts_load_match(&reference, &candidate), TS_ERROR);
 	assert_told("parameter lamp");
 }

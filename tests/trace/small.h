@@ -28,10 +28,10 @@ static inline ts_params small_params(void)
 	ts_params_default(&p);
 	p.width = 64;
 	p.height = 36;
-	p.reflectors = 3;
-	p.bounces = 3;
-	p.reflector_px = 20;
-	p.face_max = 32;
+	p.reflectors_count = 3;
+	p.lookup_bounces = 3;
+	p.reflectors_px = 20;
+	p.cube_max_px = 32;
 	return p;
 }
 

@@ -95,10 +95,10 @@ static void test_batches(void **state)
 	ts_params_default(&p);
 	p.width = 96;
 	p.height = 54;
-	p.face_max = 16;
-	p.fov = 20;
-	p.eye = 0;
-	p.reflectors = 6;
+	p.cube_max_px = 16;
+	p.eye_fov = 20;
+	p.eye_distance = 0;
+	p.reflectors_count = 6;
 	p.mvr_faces = 1;
 	ts_scene *three = scene;
 	scene = small_scene(&p);
@@ -212,7 +212,7 @@ static void test_plan(void **state)
 	json_t *root;
 	small_trace(folder_path("planned"), "mvr", scene, &params, (ts_trace_options){.place = NULL});
 	buffers_of(&root, folder_path("planned"));
-	const json_t *face = json_object_get(json_object_get(root, "params"), "face_px");
+	const json_t *face = json_object_get(json_object_get(root, "params"), "cube.px");
 	assert_string_equal(json_string_value(face), "0");
 	assert_int_equal(json_object_size(json_object_get(root, "plan")), TS_PLAN_ROWS);
 	assert_int_equal(planned(root, "units"), 3);

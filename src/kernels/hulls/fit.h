@@ -22,7 +22,7 @@ TS_FN ts_sg ts_k_fit(f32 m, ts_v3 directions, u32 vmf)
 #define TS_ROWS_ts_fit_args(ARG) \
 	ARG(IN, ts_moment, moments, corner_moment) \
 	ARG(OUT, ts_lobes, lobes, corner_lobes) \
-	ARG(VALUE, u32, vmf, none) /* sharpness=vmf */
+	ARG(VALUE, u32, vmf, none) /* hull.sharpness=vmf */
 TS_ARGS(ts_fit_args);
 
 /* map over corners of boxes */

@@ -22,9 +22,9 @@
 	ARG(VALUE, u32, width, none) \
 	ARG(VALUE, u32, height, none) \
 	ARG(VALUE, u32, cosine, none)     /* TS_COSINE_IS_* */ \
-	ARG(VALUE, u32, by_moments, none) /* interpolation=moments */ \
-	ARG(VALUE, u32, vmf, none)        /* sharpness=vmf */ \
-	ARG(VALUE, u32, printed, none)    /* integrals=printed */
+	ARG(VALUE, u32, by_moments, none) /* hull.interpolation=moments */ \
+	ARG(VALUE, u32, vmf, none)        /* hull.sharpness=vmf */ \
+	ARG(VALUE, u32, printed, none)    /* hull.integrals=printed */
 TS_ARGS(ts_hull_args);
 
 /* Of the corners of a box: sum 1. */

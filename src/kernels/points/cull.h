@@ -10,7 +10,7 @@
 	ARG(IN, ts_piece, pieces, split_piece) \
 	ARG(IN, f32, scale, split_density) \
 	ARG(OUT, u32, keep, cull_keep) \
-	ARG(VALUE, f32, unit, none) /* samples a pixel a side: rho_scale to measure eye pixels, 1 for the raster's */ \
+	ARG(VALUE, f32, unit, none) /* samples a pixel a side: density.scale to measure eye pixels, 1 for the raster's */ \
 	ARG(VALUE, u32, seed, none) \
 	ARG(VALUE, u32, enabled, none)
 TS_ARGS(ts_cull_args);

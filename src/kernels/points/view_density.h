@@ -59,7 +59,7 @@ TS_FN f32 ts_k_largest(ts_v3 p) { return ts_max(ts_max(ts_abs(p.x), ts_abs(p.y))
  * `most` pixels a world unit at the most. Proof: the nearest sample q of the lattice is within a / sqrt(2) of p; its square
  * holds p, so it is emitted; moved to the closest point of the triangle, which is convex, it comes no farther from p; and
  * the way from p to q lies in the triangle, so in the image it is no longer than most a / sqrt(2) <= 1/2: q is in p's texel.
- * (No promise within near / (2 f) of the near plane, since q may lie before it; without `snap`; of what `cull` drops; of
+ * (No promise within near / (2 f) of the near plane, since q may lie before it; without `points.snap`; of what `cull` drops; of
  * capped densities.)
  * 1/64 is left over for rounding in the image, and as many pixels as rounding moves samples by, up to a quarter of one. */
 TS_FN f32 ts_k_watertight_rate(const ts_camera_k *view, f32 most, ts_v3 a, ts_v3 b, ts_v3 c)

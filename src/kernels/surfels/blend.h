@@ -5,7 +5,7 @@
  * pixel and there are at most 2^32 - 1 of them; weights are at most 1, colours are clamped to [0,1], a component of a
  * normal is at most 1 + 2^-22, so that no term passes 2^31 - 1 and no sum 2^63. A term is within 2^-31 of the exact
  * one, the mean of n fragments within n 2^-30 of their sum of weights, which at a covered pixel is at least e^(-1/2
- * sigma_k^-2). */
+ * ewa.sigma_k^-2). */
 #ifndef TS_KERNELS_BLEND_H
 #define TS_KERNELS_BLEND_H
 #include "../base/args.h"

@@ -38,9 +38,9 @@ typedef struct {
 	u32 botsch;     /* bounds are a square of r f / z */
 	f32 per_sigma2; /* 1 / sigma^2, sigma the radius of the screen filter in pixels; 0: there is none */
 	f32 reach;      /* sigma, or a splat's least size by two if that is more, pixels */
-	f32 fall;       /* 1 / (2 sigma_k^2) */
-	f32 object2;    /* sigma_k^2 */
-	f32 screen2;    /* sigma_h^2 of exact EWA */
+	f32 fall;       /* 1 / (2 ewa.sigma_k^2) */
+	f32 object2;    /* ewa.sigma_k^2 */
+	f32 screen2;    /* ewa.sigma_h^2 of exact EWA */
 } ts_filter;
 
 /* Why a surfel is not drawn. */
@@ -195,7 +195,7 @@ TS_FN void ts_k_disc_map(ts_disc *disc, const ts_disc_frame *f)
 	disc->g[1] = ts_put(-(uz * disc->a[1] + vz * disc->b[1]));
 }
 
-/* The inverse of V = sigma_k^2 J J^T + sigma_h^2 I, and |det(sigma_k J)| / sqrt(det V). */
+/* The inverse of V = ewa.sigma_k^2 J J^T + ewa.sigma_h^2 I, and |det(ewa.sigma_k J)| / sqrt(det V). */
 TS_FN void ts_k_disc_gaussian(ts_disc *disc, const ts_filter *filter, const ts_disc_frame *f)
 {
 	f32 xx = filter->object2 * (f->xa * f->xa + f->xb * f->xb) + filter->screen2;
@@ -222,7 +222,7 @@ TS_FN void ts_k_disc_side(ts_disc *disc, u32 axis, f32 least, f32 most, f32 room
 	disc->high[axis] = ts_min_i32(disc->pixel[axis] + ts_floor_i32(to), n - 1);
 }
 
-/* Along an axis, what exact EWA covers with the ellipse: twice sigma_k of it, and twice sigma_h more. */
+/* Along an axis, what exact EWA covers with the ellipse: twice ewa.sigma_k of it, and twice ewa.sigma_h more. */
 TS_FN ts_v2 ts_k_blurred(const ts_filter *filter, ts_v2 ellipse, f32 j_a, f32 j_b, f32 u, f32 v)
 {
 	f32 s = 2.0f * ts_sqrt(filter->object2);
@@ -231,7 +231,7 @@ TS_FN ts_v2 ts_k_blurred(const ts_filter *filter, ts_v2 ellipse, f32 j_a, f32 j_
 	return ts_v2_make(ts_min(ellipse.x, wide.x - room), ts_max(ellipse.y, wide.y + room));
 }
 
-/* How near the ellipse, or twice sigma_k of it, comes to the eye's plane, squared: at 1 it does, and nothing is
+/* How near the ellipse, or twice ewa.sigma_k of it, comes to the eye's plane, squared: at 1 it does, and nothing is
  * affine. */
 TS_FN f32 ts_k_disc_closeness(const ts_disc_frame *f, const ts_filter *filter)
 {

@@ -2,7 +2,7 @@
  * pass over what surfel_depth.h and blend.h decided, which changes nothing of it. A step is what 8 ulps change: of the
  * surfel's distance from the eye and from the origin in where its image and depth are, of its radius in how it is seen,
  * and of each result. Boxes are what they are: beyond them nothing is covered, but where they cut off exact EWA, or
- * bounds=botsch ellipses. */
+ * surfel_setup.bounds=botsch ellipses. */
 #ifndef TS_KERNELS_SURFEL_MARGIN_H
 #define TS_KERNELS_SURFEL_MARGIN_H
 #include "../base/args.h"

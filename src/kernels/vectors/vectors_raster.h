@@ -1,4 +1,4 @@
-/* Primitives of raster.h: projection, snapping, edges, coverage, interpolation (CONTRACT rules 15 to 22). */
+/* Primitives of raster.h: projection, snapping, edges, coverage, hull.interpolation (CONTRACT rules 15 to 22). */
 #ifndef TS_KERNELS_VECTORS_RASTER_H
 #define TS_KERNELS_VECTORS_RASTER_H
 #include "../raster/raster.h"

@@ -1,6 +1,6 @@
 /* Whole maps for every node of views (MegaViews section 3.2, "Image Queries"; METHODS 13): what a parent's map shows is
- * moved to the child's middle, within its texel, level by level from the root. fusion=min keeps the nearer of that and
- * the child's own, fusion=paper the child's own wherever there is one. The same for one texel, without making maps, is
+ * moved to the child's middle, within its texel, level by level from the root. view_map.fusion=min keeps the nearer of that and
+ * the child's own, view_map.fusion=paper the child's own wherever there is one. The same for one texel, without making maps, is
  * a query. */
 #ifndef TS_KERNELS_FUSE_H
 #define TS_KERNELS_FUSE_H
@@ -14,7 +14,7 @@
 	ARG(OUT, u32, nodes, view_map_fused_node) \
 	ARG(VALUE, ts_pyramid, pyramid, none) \
 	ARG(VALUE, u32, first, none)   /* node of the level */ \
-	ARG(VALUE, u32, nearest, none) /* fusion=min */
+	ARG(VALUE, u32, nearest, none) /* view_map.fusion=min */
 TS_ARGS(ts_fuse_args);
 
 /* The distance from b to what lies at that distance from a in the middle of a texel. */

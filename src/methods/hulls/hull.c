@@ -18,22 +18,22 @@ static ts_status corner(ts_run *run)
 {
 	u64 n = 4 * ts_run_size(run, TS_DIM_segment_boxes);
 	ts_gather_args args = {.n_patches = ts_frame_n(&run->frame, TS_B_rsm_patch),
-	                       .grid = TS_PARAM(&run->params, grid_px)};
+	                       .grid = TS_PARAM(&run->params, depth_grid_px)};
 	ts_run_count(run, "gathers", (i64)(n * args.n_patches));
 	return TS_RUN(run, &gathered, &args, n);
 }
 
 static ts_status corner_lobes(ts_run *run)
 {
-	ts_fit_args args = {.vmf = TS_PARAM(&run->params, sharpness) == TS_SHARPNESS_VMF};
+	ts_fit_args args = {.vmf = TS_PARAM(&run->params, hull_sharpness) == TS_SHARPNESS_VMF};
 	return TS_RUN(run, &fitted, &args, 4 * ts_run_size(run, TS_DIM_segment_boxes));
 }
 
 static ts_choice_args choice(const ts_run *run)
 {
 	return (ts_choice_args){
-		.grid = TS_PARAM(&run->params, grid_px),
-		.robust = TS_PARAM(&run->params, surface) == TS_SURFACE_ROBUST,
+		.grid = TS_PARAM(&run->params, depth_grid_px),
+		.robust = TS_PARAM(&run->params, hull_surface) == TS_SURFACE_ROBUST,
 		.step = TS_PARAM(&run->params, segment_step),
 	};
 }
@@ -44,10 +44,10 @@ static ts_status hull(ts_run *run)
 		.choice = choice(run),
 		.width = TS_PARAM(&run->params, width),
 		.height = TS_PARAM(&run->params, height),
-		.cosine = TS_PARAM(&run->params, cosine),
-		.by_moments = TS_PARAM(&run->params, interpolation) == TS_INTERPOLATION_MOMENTS,
-		.vmf = TS_PARAM(&run->params, sharpness) == TS_SHARPNESS_VMF,
-		.printed = TS_PARAM(&run->params, integrals) == TS_INTEGRALS_PRINTED,
+		.cosine = TS_PARAM(&run->params, hull_cosine),
+		.by_moments = TS_PARAM(&run->params, hull_interpolation) == TS_INTERPOLATION_MOMENTS,
+		.vmf = TS_PARAM(&run->params, hull_sharpness) == TS_SHARPNESS_VMF,
+		.printed = TS_PARAM(&run->params, hull_integrals) == TS_INTEGRALS_PRINTED,
 	};
 	if (TS_RUN(run, &interpolated, &args, n_pixels(run)) != TS_OK) return TS_ERROR;
 	ts_run_count(run, "pixels without a segment", ts_frame_tally(&run->frame, 0));

@@ -10,8 +10,8 @@
  * Deviations:
  * - what the paper leaves open is in METHODS 11: triangles are equilateral and as large as what their texel sees, the
  *   threshold of segments is a fiftieth of the depth, the box of a pixel is the thinnest that holds it;
- * - the far plane is at infinity, so that thresholds and interpolation know the depth's reciprocal exactly (gbuffer.h);
- * - a pixel that no segment holds takes the nearest; surface=paper leaves it dark;
+ * - the far plane is at infinity, so that thresholds and hull.interpolation know the depth's reciprocal exactly (gbuffer.h);
+ * - a pixel that no segment holds takes the nearest; hull.surface=paper leaves it dark;
  * - a corner faces a triangle of light the more, the higher it is above its plane, and not at all on it, however rounding
  *   falls (gather.h);
  * - a corner without light, or with the same from all sides, has no direction, and gives none to those that it is
@@ -25,7 +25,7 @@ static const ts_step hulls_steps[] = {
 	{.stage = "depth_grid"}, /* down-sampled depth */
 	{.stage = "segment"},        {.stage = "segment.extent"},
 	{.stage = "segment.box"},    {.stage = "corner"}, /* light at the corners of the boxes */
-	{.stage = "corner.lobes"},   {.stage = "hull"},   /* interpolation and integration */
+	{.stage = "corner.lobes"},   {.stage = "hull"},   /* hull.interpolation and integration */
 	{.stage = "image.indirect"}, {0},
 };
 
@@ -37,7 +37,7 @@ enum { BOXES_A_BLOCK = 8 };
 
 static void hulls_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
 {
-	u64 side = TS_PARAM(params, grid_px) / 32;
+	u64 side = TS_PARAM(params, depth_grid_px) / 32;
 	ts_indirect_expect(expected, scene, params);
 	expected->sizes.n[TS_DIM_segment_boxes] = side * side * BOXES_A_BLOCK;
 }

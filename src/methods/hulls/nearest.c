@@ -7,15 +7,15 @@ static const ts_launch sampled = TS_LAUNCH(nearest, TS_ALL);
 
 ts_status ts_grid_check(const ts_params *params)
 {
-	u32 grid = TS_PARAM(params, grid_px);
+	u32 grid = TS_PARAM(params, depth_grid_px);
 	if (grid % TS_BLOCK == 0) return TS_OK;
-	return ts_fail("grid_px=%" PRIu32 ": a multiple of 32, as %" PRIu32 ", would be right", grid,
+	return ts_fail("depth_grid.px=%" PRIu32 ": a multiple of 32, as %" PRIu32 ", would be right", grid,
 	               grid - grid % TS_BLOCK);
 }
 
 static ts_status depth_grid(ts_run *run)
 {
-	ts_nearest_args args = {.grid = TS_PARAM(&run->params, grid_px),
+	ts_nearest_args args = {.grid = TS_PARAM(&run->params, depth_grid_px),
 	                        .width = TS_PARAM(&run->params, width),
 	                        .height = TS_PARAM(&run->params, height)};
 	if (ts_grid_check(&run->params) != TS_OK) return TS_ERROR;

@@ -13,13 +13,14 @@ static const ts_launch written = TS_LAUNCH(box, TS_IN(offset, segment_box_offset
 
 static u64 n_texels(const ts_run *run)
 {
-	return (u64)TS_PARAM(&run->params, grid_px) * TS_PARAM(&run->params, grid_px);
+	return (u64)TS_PARAM(&run->params, depth_grid_px) * TS_PARAM(&run->params, depth_grid_px);
 }
 
 static ts_status segment(ts_run *run)
 {
-	ts_segment_args args = {.grid = TS_PARAM(&run->params, grid_px), .step = TS_PARAM(&run->params, segment_step)};
-	if (TS_PARAM(&run->params, segmentation) == TS_SEGMENTATION_COMPONENTS) {
+	ts_segment_args args = {.grid = TS_PARAM(&run->params, depth_grid_px),
+	                        .step = TS_PARAM(&run->params, segment_step)};
+	if (TS_PARAM(&run->params, segment_method) == TS_SEGMENTATION_COMPONENTS) {
 		return TS_RUN(run, &components, &args, n_texels(run) / TS_BLOCK_TEXELS);
 	}
 	for (args.sweep = 0; args.sweep < 4; args.sweep++) {
@@ -30,14 +31,14 @@ static ts_status segment(ts_run *run)
 
 static ts_status segment_margin(ts_run *run)
 {
-	ts_segment_margin_args args = {.grid = TS_PARAM(&run->params, grid_px),
+	ts_segment_margin_args args = {.grid = TS_PARAM(&run->params, depth_grid_px),
 	                               .step = TS_PARAM(&run->params, segment_step)};
 	return TS_RUN(run, &measured, &args, n_texels(run) / TS_BLOCK_TEXELS);
 }
 
 static ts_status segment_extent(ts_run *run)
 {
-	ts_range_args args = {.grid = TS_PARAM(&run->params, grid_px)};
+	ts_range_args args = {.grid = TS_PARAM(&run->params, depth_grid_px)};
 	return TS_RUN(run, &extent, &args, n_texels(run));
 }
 

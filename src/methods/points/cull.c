@@ -8,20 +8,21 @@ static const ts_launch measured = TS_LAUNCH(cull_margin, TS_BUT(cull.keep));
 
 f32 ts_samples_a_pixel(const ts_params *params)
 {
-	return TS_PARAM(params, rho_is_area) ? ts_sqrt(TS_PARAM(params, rho_scale)) : TS_PARAM(params, rho_scale);
+	return TS_PARAM(params, density_per_area) ? ts_sqrt(TS_PARAM(params, density_scale))
+	                                          : TS_PARAM(params, density_scale);
 }
 
 /* Samples a pixel a side; the pixels of iVIR and VIR are samples. */
 static f32 cull_unit(const ts_run *run)
 {
-	bool eye = run->plan.points.rate == TS_RATE_IS_EYE && TS_PARAM(&run->params, cull_unit) == TS_CULL_EYE;
+	bool eye = run->plan.points.rate == TS_RATE_IS_EYE && TS_PARAM(&run->params, points_cull_unit) == TS_CULL_EYE;
 	return eye ? ts_samples_a_pixel(&run->params) : 1.0f;
 }
 
 static ts_cull_args values(const ts_run *run)
 {
 	return (ts_cull_args){
-		.unit = cull_unit(run), .seed = TS_PARAM(&run->params, seed), .enabled = TS_PARAM(&run->params, cull)};
+		.unit = cull_unit(run), .seed = TS_PARAM(&run->params, seed), .enabled = TS_PARAM(&run->params, points_cull)};
 }
 
 static ts_status cull(ts_run *run)

@@ -27,7 +27,7 @@ static ts_status environment_map(ts_run *run)
 {
 	ts_copy_args args = {
 		.to = {.first_cube = run->first_unit, .n_cubes = run->n_units},
-		.exposure = TS_PARAM(&run->params, exposure),
+		.exposure = TS_PARAM(&run->params, image_exposure),
 	};
 	if (TS_RUN(run, &copied, &args, ts_run_size(run, TS_DIM_texels)) != TS_OK) return TS_ERROR;
 	return make_levels(run, args.to);

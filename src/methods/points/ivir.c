@@ -7,12 +7,12 @@
  *
  * Deviations, each with the switch that restores the paper:
  * - the rate gives each texel that sees a triangle one of its samples; the paper's leaves holes
- *   (rate=paper), and has no bound where a triangle is closest beside a view's image: there it counts as in the corner;
- * - a sample beside its triangle moves to the triangle's border (snap=off), so that it shows what it stands for;
- * - triangles of more than 2^16 samples, and those that need far more of them at one end, are bisected (split=off);
- * - visibility clears a bit only if all corners lie outside one plane (visibility=vertex);
- * - the points serve all views at once; without storing them (buffered=off) they are made once for every 32 depth maps
- *   (pass=32), with a density that is still that of all;
+ *   (density.rate=paper), and has no bound where a triangle is closest beside a view's image: there it counts as in the corner;
+ * - a sample beside its triangle moves to the triangle's border (points.snap=off), so that it shows what it stands for;
+ * - triangles of more than 2^16 samples, and those that need far more of them at one end, are bisected (points.split=off);
+ * - visibility clears a bit only if all corners lie outside one plane (visibility.test=vertex);
+ * - the points serve all views at once; without storing them (points.buffered=off) they are made once for every 32 depth maps
+ *   (lamp.views_a_pass=32), with a density that is still that of all;
  * - the depth code of environment maps is logarithmic, 2^20 from the nearest to the farthest, and their colours are stored
  *   as square roots: the paper names the bits only. */
 #include "../../kernels/raster/mip.h"
@@ -66,7 +66,7 @@ const ts_step ts_ivir_omni_steps[] = {
 
 static void set_rate(ts_plan *plan, const ts_params *params)
 {
-	plan->points.rate = TS_RATE_IS_WATERTIGHT + TS_PARAM(params, rate);
+	plan->points.rate = TS_RATE_IS_WATERTIGHT + TS_PARAM(params, density_rate);
 }
 
 static void ivir_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)

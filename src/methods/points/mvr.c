@@ -43,7 +43,7 @@ static const ts_step mvr_omni_steps[] = {
 /* The cubes of one reflector at a time. */
 static void mvr_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
 {
-	u64 face = TS_PARAM(params, face_px) != 0 ? TS_PARAM(params, face_px) : TS_PARAM(params, face_max);
+	u64 face = TS_PARAM(params, cube_px) != 0 ? TS_PARAM(params, cube_px) : TS_PARAM(params, cube_max_px);
 	u64 cubes = scene->info.n_reflectors != 0 ? 1 : 0;
 	u64 *n = expected->sizes.n;
 	ts_expect_mirrors(expected, scene, params);

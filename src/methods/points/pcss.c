@@ -25,7 +25,7 @@ static const ts_step pcss_steps[] = {
 
 static u32 n_lights(const ts_scene *scene, const ts_params *params)
 {
-	return TS_PARAM(params, lamp) == TS_LAMP_SCENE ? scene->n_lights : 1;
+	return TS_PARAM(params, lamp_source) == TS_LAMP_SCENE ? scene->n_lights : 1;
 }
 
 static void pcss_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
@@ -33,18 +33,18 @@ static void pcss_plan(ts_plan *plan, const ts_params *params, const ts_counts *c
 	(void)request;
 	ts_plan_lights(plan, params);
 	plan->lights.taps = TS_N_FILTER;
-	plan->offscreen.side = TS_PARAM(params, map_px);
+	plan->offscreen.side = TS_PARAM(params, depth_map_px);
 	plan->units = plan->lights.own ? counts->lights : 1;
-	plan->batch = TS_PARAM(params, pass);
+	plan->batch = TS_PARAM(params, lamp_views_a_pass);
 }
 
 static void pcss_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
 {
 	u64 *n = expected->sizes.n, lights = n_lights(scene, params),
-		batch = TS_PARAM(params, pass) < lights ? TS_PARAM(params, pass) : lights;
+		batch = TS_PARAM(params, lamp_views_a_pass) < lights ? TS_PARAM(params, lamp_views_a_pass) : lights;
 	n[TS_DIM_views] = lights;
 	n[TS_DIM_lamps] = lights;
-	n[TS_DIM_texels] = (u64)TS_PARAM(params, map_px) * TS_PARAM(params, map_px) * batch;
+	n[TS_DIM_texels] = (u64)TS_PARAM(params, depth_map_px) * TS_PARAM(params, depth_map_px) * batch;
 	expected->batches = batch != 0 ? (lights + batch - 1) / batch : 0;
 }
 

@@ -12,9 +12,9 @@ ts_points_args ts_points_values(const ts_run *run)
 	static const i32 half_sizes[] = {129, 128, 0};
 	return (ts_points_args){
 		.scene = ts_run_scene(run),
-		.half_size = half_sizes[TS_PARAM(&run->params, conservative)],
-		.paper_splat = TS_PARAM(&run->params, splat) == TS_SPLAT_PAPER,
-		.snap = run->plan.points.rate != TS_RATE_IS_EYE && TS_PARAM(&run->params, snap),
+		.half_size = half_sizes[TS_PARAM(&run->params, points_conservative)],
+		.paper_splat = TS_PARAM(&run->params, splat_size) == TS_SPLAT_PAPER,
+		.snap = run->plan.points.rate != TS_RATE_IS_EYE && TS_PARAM(&run->params, points_snap),
 	};
 }
 

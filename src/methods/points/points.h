@@ -4,7 +4,7 @@
 #include "../../kernels/points/points.h"
 #include "../stages.h"
 
-/* rho_scale as samples a pixel a side (cull.c). */
+/* density.scale as samples a pixel a side (cull.c). */
 f32 ts_samples_a_pixel(const ts_params *params);
 /* Arguments of the kernels that make points, but pointers (points.c). */
 ts_points_args ts_points_values(const ts_run *run);

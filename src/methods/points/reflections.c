@@ -6,8 +6,9 @@
 static u64 reflective_pixels(const ts_scene *scene, const ts_params *params)
 {
 	double pixels = (double)TS_PARAM(params, width) * (double)TS_PARAM(params, height);
-	double side = (double)TS_PARAM(params, reflector_px);
-	double covered = TS_PARAM(params, reflectors) != 0 ? side * side * (double)scene->info.n_reflectors : pixels / 4;
+	double side = (double)TS_PARAM(params, reflectors_px);
+	double covered =
+		TS_PARAM(params, reflectors_count) != 0 ? side * side * (double)scene->info.n_reflectors : pixels / 4;
 	return (u64)(covered < pixels ? covered : pixels);
 }
 
@@ -21,14 +22,14 @@ u64 ts_expect_mirrors(ts_expected *expected, const ts_scene *scene, const ts_par
 
 u64 ts_expected_face(const ts_params *params)
 {
-	u64 largest = ts_largest_face(params), side = (u64)(2 * TS_PARAM(params, reflector_px));
-	if (TS_PARAM(params, face_px) != 0) return TS_PARAM(params, face_px);
-	return TS_PARAM(params, reflectors) == 0 || side > largest ? largest : side;
+	u64 largest = ts_largest_face(params), side = (u64)(2 * TS_PARAM(params, reflectors_px));
+	if (TS_PARAM(params, cube_px) != 0) return TS_PARAM(params, cube_px);
+	return TS_PARAM(params, reflectors_count) == 0 || side > largest ? largest : side;
 }
 
 void ts_plan_largest(ts_plan *plan, const ts_params *params)
 {
-	plan->offscreen.side = TS_PARAM(params, face_px) != 0 ? TS_PARAM(params, face_px) : TS_PARAM(params, face_max);
+	plan->offscreen.side = TS_PARAM(params, cube_px) != 0 ? TS_PARAM(params, cube_px) : TS_PARAM(params, cube_max_px);
 	plan->offscreen.all = true;
 }
 

@@ -1,4 +1,4 @@
-/* Boxes, balls and cube sizes of the reflectors. Frames 0 to this one are replayed, because the hysteresis is the one
+/* Boxes, balls and cube sizes of the reflectors. Frames 0 to this one are replayed, because the cube.hysteresis is the one
  * state between frames (METHODS 2). A few items a frame, so the C backend does it whatever the others run on. */
 #include <stdlib.h>
 #include "../../scene/view.h"
@@ -8,7 +8,7 @@
 u32 ts_largest_face(const ts_params *params)
 {
 	u32 half_eye = TS_PARAM(params, height) / 2;
-	u32 most = TS_PARAM(params, face_max) < half_eye ? TS_PARAM(params, face_max) : half_eye;
+	u32 most = TS_PARAM(params, cube_max_px) < half_eye ? TS_PARAM(params, cube_max_px) : half_eye;
 	return most < 16 ? 16 : most;
 }
 
@@ -48,9 +48,9 @@ static ts_status cube_size(ts_run *run)
 		.reflector_objects = objects,
 		.cubes = cubes,
 		.n_max = ts_largest_face(&run->params),
-		.hysteresis = TS_PARAM(&run->params, hysteresis),
-		.fixed = run->plan.offscreen.side != 0 ? run->plan.offscreen.side : TS_PARAM(&run->params, face_px),
-		.all = run->plan.offscreen.all || TS_PARAM(&run->params, bounces) > 1,
+		.hysteresis = TS_PARAM(&run->params, cube_hysteresis),
+		.fixed = run->plan.offscreen.side != 0 ? run->plan.offscreen.side : TS_PARAM(&run->params, cube_px),
+		.all = run->plan.offscreen.all || TS_PARAM(&run->params, lookup_bounces) > 1,
 	};
 	replay(run, args, n);
 	free(objects);

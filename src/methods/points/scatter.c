@@ -28,7 +28,7 @@ static ts_scatter_args values(const ts_run *run)
 	ts_scatter_args args = {
 		.from = ts_points_values(run),
 		.n_words = (u32)ts_run_size(run, TS_DIM_view_words),
-		.exposure = TS_PARAM(&run->params, exposure),
+		.exposure = TS_PARAM(&run->params, image_exposure),
 	};
 	ts_run_views(run, &args.first_view, &args.n_views);
 	return args;
@@ -67,8 +67,8 @@ static ts_status shadow_splat(ts_run *run)
 {
 	ts_shadow_splat_args args = {
 		.of = values(run),
-		.clip = TS_PARAM(&run->params, clip),
-		.plane_depth = TS_PARAM(&run->params, shadow_depth) == TS_SHADOW_DEPTH_PLANE,
+		.clip = TS_PARAM(&run->params, splat_clip),
+		.plane_depth = TS_PARAM(&run->params, shadow_splat_depth) == TS_SHADOW_DEPTH_PLANE,
 	};
 	if (launch(run, &splats, &args, sizeof args, args.of.n_views) != TS_OK) return TS_ERROR;
 	ts_run_count(run, "direct writes", ts_frame_tally(&run->frame, 2));

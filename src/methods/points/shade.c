@@ -26,8 +26,8 @@ static const ts_launch of_third =
 static ts_status shade(ts_run *run, u32 bounce, const launches *own)
 {
 	ts_lookup_args args = ts_lookup_values(run, bounce);
-	args.follow = bounce + 1 < TS_PARAM(&run->params, bounces);
-	args.adaptive = bounce == 0 && TS_PARAM(&run->params, samples) == TS_SAMPLES_ADAPTIVE;
+	args.follow = bounce + 1 < TS_PARAM(&run->params, lookup_bounces);
+	args.adaptive = bounce == 0 && TS_PARAM(&run->params, lookup_samples) == TS_SAMPLES_ADAPTIVE;
 	const ts_launch *launch = args.follow ? &own->followed : &own->last;
 	return TS_RUN(run, launch, &args, ts_run_size(run, ts_bounce_table[bounce].entries));
 }
@@ -39,7 +39,7 @@ static ts_status count_distinct(ts_run *run)
 	uint8_t *seen = ts_alloc_zero(n_points, 1, "points seen");
 	if (seen == NULL) return TS_ERROR;
 	i64 distinct = 0;
-	for (u32 bounce = 0; bounce < TS_PARAM(&run->params, bounces); bounce++) {
+	for (u32 bounce = 0; bounce < TS_PARAM(&run->params, lookup_bounces); bounce++) {
 		const u32 *found = ts_frame_data(&run->frame, ts_bounce_table[bounce].found);
 		u64 n = ts_frame_n(&run->frame, ts_bounce_table[bounce].found);
 		for (u64 i = 0; i < n; i++) {

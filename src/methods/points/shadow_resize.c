@@ -23,13 +23,13 @@ static ts_status find_least(ts_run *run, ts_face *cubes, u32 n)
 /* The next whole number above Res_max / least, at most Res_max and a multiple of the hysteresis. */
 static u32 side(const ts_params *params, u32 least)
 {
-	if (!TS_PARAM(params, shadow_resize)) return TS_PARAM(params, map_px);
-	f32 ratio = least != TS_NONE ? ts_u2f(least) : (f32)TS_PARAM(params, map_px);
-	u32 wanted = (u32)ts_floor_i32((f32)TS_PARAM(params, map_px) / ts_max(ratio, 1.0f)) + 1;
-	u32 step = TS_PARAM(params, hysteresis) != 0 ? TS_PARAM(params, hysteresis) : 1;
+	if (!TS_PARAM(params, shadow_splat_resize)) return TS_PARAM(params, depth_map_px);
+	f32 ratio = least != TS_NONE ? ts_u2f(least) : (f32)TS_PARAM(params, depth_map_px);
+	u32 wanted = (u32)ts_floor_i32((f32)TS_PARAM(params, depth_map_px) / ts_max(ratio, 1.0f)) + 1;
+	u32 step = TS_PARAM(params, cube_hysteresis) != 0 ? TS_PARAM(params, cube_hysteresis) : 1;
 	wanted = (wanted + step - 1) / step * step;
 	wanted = wanted < 16 ? 16 : wanted;
-	return wanted < TS_PARAM(params, map_px) ? wanted : TS_PARAM(params, map_px);
+	return wanted < TS_PARAM(params, depth_map_px) ? wanted : TS_PARAM(params, depth_map_px);
 }
 
 static ts_status shadow_cube_size(ts_run *run)

@@ -13,8 +13,8 @@ static ts_splat_args values(const ts_run *run)
 		.n_cubes = (u32)ts_run_size(run, TS_DIM_cubes),
 		.n_words = (u32)ts_run_size(run, TS_DIM_view_words),
 		.n_pieces = (u32)ts_run_size(run, TS_DIM_pieces),
-		.clip = TS_PARAM(&run->params, clip),
-		.plane_depth = TS_PARAM(&run->params, planedepth),
+		.clip = TS_PARAM(&run->params, splat_clip),
+		.plane_depth = TS_PARAM(&run->params, splat_plane_depth),
 	};
 }
 

@@ -19,7 +19,7 @@ static ts_status divide(ts_run *run, const launches *own, ts_density_args args)
 	u64 total, n = ts_run_size(run, TS_DIM_triangles);
 	args.scene.n_triangles = (u32)n;
 	args.n_words = (u32)ts_run_size(run, TS_DIM_view_words);
-	args.split = TS_PARAM(&run->params, split);
+	args.split = TS_PARAM(&run->params, points_split);
 	if (TS_RUN(run, &own->count, &args, n) != TS_OK) return TS_ERROR;
 	if (ts_launch_sum(run, &own->count, "offset", &total) != TS_OK) return TS_ERROR;
 	if (TS_RUN(run, &own->write, &args, n) != TS_OK) return TS_ERROR;
@@ -33,9 +33,9 @@ static ts_status split(ts_run *run)
 	const ts_density_args args = {
 		.rho = ts_samples_a_pixel(&run->params),
 		.n_cubes = (u32)ts_run_size(run, TS_DIM_cubes),
-		.paper = TS_PARAM(&run->params, density) == TS_DENSITY_PAPER,
-		.cap = TS_PARAM(&run->params, cap),
-		.offaxis = TS_PARAM(&run->params, offaxis),
+		.paper = TS_PARAM(&run->params, density_path) == TS_DENSITY_PAPER,
+		.cap = TS_PARAM(&run->params, density_cap),
+		.offaxis = TS_PARAM(&run->params, density_off_axis),
 		.rate = TS_RATE_IS_EYE,
 	};
 	return divide(run, &of_eye, args);
@@ -56,7 +56,7 @@ static ts_status split_views(ts_run *run) { return divide_for_views(run, TS_SHAD
 
 static ts_status split_shadow(ts_run *run)
 {
-	return divide_for_views(run, TS_SHADOW_IS_SAFE + TS_PARAM(&run->params, shadow_rate));
+	return divide_for_views(run, TS_SHADOW_IS_SAFE + TS_PARAM(&run->params, shadow_splat_rate));
 }
 
 const ts_stage ts_stage_split = {

@@ -31,7 +31,7 @@ static void vir_omni_plan(ts_plan *plan, const ts_params *params, const ts_count
 /* Nine points a texel: the corner's rate, 3, squared. */
 static void vir_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
 {
-	u64 face = TS_PARAM(params, face_px) != 0 ? TS_PARAM(params, face_px) : TS_PARAM(params, face_max);
+	u64 face = TS_PARAM(params, cube_px) != 0 ? TS_PARAM(params, cube_px) : TS_PARAM(params, cube_max_px);
 	ts_expect_cubes(expected, scene, params, face);
 	expected->sizes.n[TS_DIM_points] = 2 * (u64)scene->n_triangles + 9 * 6 * face * face * scene->info.n_reflectors;
 }
@@ -40,7 +40,7 @@ static void vir_omni_expect(ts_expected *expected, const ts_scene *scene, const 
 {
 	ts_omni_expect(expected, scene, params);
 	expected->sizes.n[TS_DIM_points] =
-		2 * (u64)scene->n_triangles + 9 * 6 * (u64)TS_PARAM(params, map_px) * TS_PARAM(params, map_px);
+		2 * (u64)scene->n_triangles + 9 * 6 * (u64)TS_PARAM(params, depth_map_px) * TS_PARAM(params, depth_map_px);
 }
 
 const ts_pipeline ts_pipeline_vir_reflections = {

@@ -11,7 +11,7 @@ static ts_status visibility(ts_run *run)
 		.scene.n_triangles = (u32)n,
 		.n_cubes = (u32)ts_run_size(run, TS_DIM_cubes),
 		.n_words = (u32)ts_run_size(run, TS_DIM_view_words),
-		.vertex_mode = TS_PARAM(&run->params, visibility) == TS_VISIBILITY_VERTEX,
+		.vertex_mode = TS_PARAM(&run->params, visibility_test) == TS_VISIBILITY_VERTEX,
 	};
 	if (TS_RUN(run, &launch, &args, n) != TS_OK) return TS_ERROR;
 	ts_run_count(run, "geometry traversals", 1);

@@ -11,14 +11,14 @@ static u64 n_pixels(const ts_run *run) { return (u64)TS_PARAM(&run->params, widt
 
 static ts_status image(ts_run *run)
 {
-	ts_image_args args = {.scene = ts_run_scene(run), .exposure = TS_PARAM(&run->params, exposure)};
+	ts_image_args args = {.scene = ts_run_scene(run), .exposure = TS_PARAM(&run->params, image_exposure)};
 	return TS_RUN(run, &with_mirrors, &args, n_pixels(run));
 }
 
 /* In the light of the lamps, as far as it reaches. */
 static ts_status image_shadow(ts_run *run)
 {
-	ts_image_args args = {.scene = ts_run_scene(run), .exposure = TS_PARAM(&run->params, exposure)};
+	ts_image_args args = {.scene = ts_run_scene(run), .exposure = TS_PARAM(&run->params, image_exposure)};
 	args.scene.n_lights = (u32)ts_run_size(run, TS_DIM_lamps);
 	return TS_RUN(run, &with_shadows, &args, n_pixels(run));
 }
@@ -26,7 +26,7 @@ static ts_status image_shadow(ts_run *run)
 /* In indirect light alone. */
 static ts_status image_indirect(ts_run *run)
 {
-	ts_indirect_args args = {.exposure = TS_PARAM(&run->params, exposure)};
+	ts_indirect_args args = {.exposure = TS_PARAM(&run->params, image_exposure)};
 	return TS_RUN(run, &of_indirect, &args, n_pixels(run));
 }
 

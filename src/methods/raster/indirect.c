@@ -13,7 +13,7 @@ void ts_indirect_plan(ts_plan *plan, const ts_params *params, const ts_counts *c
 
 void ts_indirect_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
 {
-	bool own = TS_PARAM(params, lamp) == TS_LAMP_SCENE;
+	bool own = TS_PARAM(params, lamp_source) == TS_LAMP_SCENE;
 	u64 n_lights = own ? scene->n_lights : 1, n_views = 0;
 	for (u32 i = 0; i < n_lights; i++) n_views += own ? ts_light_views(&scene->lights[i]) : 1;
 	u64 *n = expected->sizes.n;
@@ -27,5 +27,5 @@ const ts_effect ts_effect_indirect = {
 	.doc = "the light of a lamp or the scene's lights after one bounce",
 	.seen = TS_B_eye_depth_triangle,
 	.difference_scale = 4,
-	.lower = "grid_px or rsm_px",
+	.lower = "depth_grid.px or rsm.px",
 };

@@ -25,9 +25,9 @@ static ts_status lamp(ts_run *run)
 	ts_lamp *lamps;
 	bool own = run->plan.lights.own;
 	u32 n = own ? run->scene->n_lights : 1, views = run->plan.lights.samples, taps = run->plan.lights.taps, first = 0;
-	if (n == 0) return ts_fail("lamp=scene: the scene has no lights; lamp=lamp would be right");
+	if (n == 0) return ts_fail("lamp.source=scene: the scene has no lights; lamp.source=lamp would be right");
 	if (views < n && taps == 0) {
-		return ts_fail("views=%" PRIu32 ": at least %" PRIu32 ", one a light, would be right", views, n);
+		return ts_fail("lamp.views=%" PRIu32 ": at least %" PRIu32 ", one a light, would be right", views, n);
 	}
 	if (make_lamps(run, n, &lights, &lamps) != TS_OK) return TS_ERROR;
 	const ts_light *from = ts_frame_data(&run->frame, TS_B_scene_light);

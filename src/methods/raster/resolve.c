@@ -13,8 +13,8 @@ ts_resolve_args ts_resolve_values(const ts_run *run)
 		.scene = ts_run_scene(run),
 		.n_lamps = (u32)ts_run_size(run, TS_DIM_lamps),
 		.cubes = ts_run_has_cubes(run),
-		.bias = TS_PARAM(&run->params, bias),
-		.slope = TS_PARAM(&run->params, bias_slope),
+		.bias = TS_PARAM(&run->params, depth_map_bias),
+		.slope = TS_PARAM(&run->params, depth_map_bias_slope),
 	};
 	ts_run_views(run, &args.first_view, &args.n_views);
 	return args;

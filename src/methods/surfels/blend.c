@@ -11,7 +11,8 @@ _Static_assert((u64)TS_NONE *INT32_MAX <= (u64)INT64_MAX, "sums of surfels may o
 
 static ts_status blend_in_order(ts_run *run)
 {
-	ts_blend_order_args args = {.filter = ts_surfel_filter(run), .accumulation = TS_PARAM(&run->params, accumulation)};
+	ts_blend_order_args args = {.filter = ts_surfel_filter(run),
+	                            .accumulation = TS_PARAM(&run->params, surfel_blend_accumulation)};
 	ts_run_count(run, "fragments", (i64)ts_run_size(run, TS_DIM_fragments));
 	return TS_RUN(run, &in_order, &args, (u64)TS_PARAM(&run->params, width) * TS_PARAM(&run->params, height));
 }

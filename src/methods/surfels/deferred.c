@@ -15,7 +15,8 @@ static const ts_launch measured[] = {
 
 bool ts_shader_has_shadows(const ts_params *params)
 {
-	return TS_PARAM(params, shader) == TS_SHADER_PHONG_SHADOW || TS_PARAM(params, shader) == TS_SHADER_NPR_SHADOW;
+	return TS_PARAM(params, deferred_shader) == TS_SHADER_PHONG_SHADOW ||
+	       TS_PARAM(params, deferred_shader) == TS_SHADER_NPR_SHADOW;
 }
 
 static u64 n_pixels(const ts_run *run) { return (u64)TS_PARAM(&run->params, width) * TS_PARAM(&run->params, height); }
@@ -27,8 +28,8 @@ static ts_deferred_lit_args lit_values(const ts_run *run)
 			{
 				.n_views = (u32)ts_run_size(run, TS_DIM_views),
 				.n_lamps = (u32)ts_run_size(run, TS_DIM_lamps),
-				.bias = TS_PARAM(&run->params, bias),
-				.slope = TS_PARAM(&run->params, bias_slope),
+				.bias = TS_PARAM(&run->params, depth_map_bias),
+				.slope = TS_PARAM(&run->params, depth_map_bias_slope),
 			},
 	};
 }
@@ -47,12 +48,12 @@ static ts_status deferred_lit_margin(ts_run *run)
 
 static ts_deferred_args values(const ts_run *run)
 {
-	u32 shader = TS_PARAM(&run->params, shader);
+	u32 shader = TS_PARAM(&run->params, deferred_shader);
 	return (ts_deferred_args){
 		.n_lights = (u32)ts_run_size(run, TS_DIM_lamps),
 		.shader = shader == TS_SHADER_NPR || shader == TS_SHADER_NPR_SHADOW ? TS_SHADER_IS_NPR : TS_SHADER_IS_PHONG,
 		.ambient = ts_run_info(run)->ambient,
-		.exposure = TS_PARAM(&run->params, exposure),
+		.exposure = TS_PARAM(&run->params, image_exposure),
 	};
 }
 

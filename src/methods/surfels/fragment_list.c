@@ -25,7 +25,7 @@ static ts_status fragment_list(ts_run *run)
 
 bool ts_accumulates_in_order(const ts_params *params)
 {
-	return TS_PARAM(params, accumulation) != TS_ACCUMULATION_FIXED;
+	return TS_PARAM(params, surfel_blend_accumulation) != TS_ACCUMULATION_FIXED;
 }
 
 const ts_stage ts_stage_fragment_list = {

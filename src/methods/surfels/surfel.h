@@ -7,9 +7,9 @@
 
 /* How surfels are filtered, as arguments of kernels have it (surfel_setup.c). */
 ts_filter ts_surfel_filter(const ts_run *run);
-/* The parameter `accumulation` asks for sums in the order of the surfels (fragment_list.c). */
+/* The parameter `surfel_blend.accumulation` asks for sums in the order of the surfels (fragment_list.c). */
 bool ts_accumulates_in_order(const ts_params *params);
-/* The parameter `shader` asks for shadows (deferred.c). */
+/* The parameter `deferred.shader` asks for shadows (deferred.c). */
 bool ts_shader_has_shadows(const ts_params *params);
 /* Arguments for who asks how stage `deferred` shades (deferred.c). */
 ts_status ts_deferred_ask(const ts_run *run, ts_deferred_args *args);

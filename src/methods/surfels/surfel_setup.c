@@ -8,14 +8,16 @@ static const ts_launch launch = TS_LAUNCH(surfel_setup, TS_ALL);
 ts_filter ts_surfel_filter(const ts_run *run)
 {
 	const ts_params *params = &run->params;
-	f32 sigma = TS_PARAM(params, sigma), wide = TS_PARAM(params, sigma_k) * TS_PARAM(params, sigma_k);
-	f32 narrow = TS_PARAM(params, sigma_h) != 0.0f ? TS_PARAM(params, sigma_h) : sigma * TS_PARAM(params, sigma_k);
-	bool screen = sigma > 0.0f && TS_PARAM(params, filter) != TS_FILTER_OBJECT;
+	f32 sigma = TS_PARAM(params, ewa_screen_radius),
+		wide = TS_PARAM(params, ewa_sigma_k) * TS_PARAM(params, ewa_sigma_k);
+	f32 narrow =
+		TS_PARAM(params, ewa_sigma_h) != 0.0f ? TS_PARAM(params, ewa_sigma_h) : sigma * TS_PARAM(params, ewa_sigma_k);
+	bool screen = sigma > 0.0f && TS_PARAM(params, ewa_filter) != TS_FILTER_OBJECT;
 	return (ts_filter){
-		.filter = run->plan.surfels.exact ? TS_FILTER_IS_EWA : TS_PARAM(params, filter),
-		.botsch = TS_PARAM(params, bounds) == TS_BOUNDS_BOTSCH,
+		.filter = run->plan.surfels.exact ? TS_FILTER_IS_EWA : TS_PARAM(params, ewa_filter),
+		.botsch = TS_PARAM(params, surfel_setup_bounds) == TS_BOUNDS_BOTSCH,
 		.per_sigma2 = screen ? 1.0f / (sigma * sigma) : 0.0f,
-		.reach = ts_max(screen ? sigma : 0.0f, TS_PARAM(params, min_px) * 0.5f),
+		.reach = ts_max(screen ? sigma : 0.0f, TS_PARAM(params, surfel_setup_min_px) * 0.5f),
 		.fall = 0.5f / wide,
 		.object2 = wide,
 		.screen2 = narrow * narrow,
@@ -30,7 +32,8 @@ static ts_status set_epsilon(ts_run *run)
 	const ts_surfel *surfels = ts_frame_data(&run->frame, TS_B_scene_surfel);
 	u32 n = (u32)ts_frame_n(&run->frame, TS_B_scene_surfel);
 	if (epsilon == NULL || ts_surfel_quantiles(quantile, surfels, n) != TS_OK) return TS_ERROR;
-	*epsilon = ts_put(TS_PARAM(&run->params, eps) > 0.0f ? TS_PARAM(&run->params, eps) : quantile[MEDIAN]);
+	*epsilon = ts_put(TS_PARAM(&run->params, surfel_depth_epsilon) > 0.0f ? TS_PARAM(&run->params, surfel_depth_epsilon)
+	                                                                      : quantile[MEDIAN]);
 	return TS_OK;
 }
 

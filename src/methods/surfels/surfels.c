@@ -8,11 +8,11 @@
  * kernel. `ewa` weighs by the convolution of both instead.
  *
  * Deviations:
- * - sums are integers, not 16-bit floats, so that they do not depend on the order of surfels (blend.h); accumulation=half is
+ * - sums are integers, not 16-bit floats, so that they do not depend on the order of surfels (blend.h); surfel_blend.accumulation=half is
  *   the paper;
  * - "20 x 20" pixels of least size are read as 2 x 2, the screen filter's own width, for the reasons of FIGURES 12;
- * - boxes are those of the projected ellipse, where the paper's point sprites miss parts of it; bounds=botsch is the paper;
- * - epsilon, sigma_k and the shaders are not given: epsilon is the median radius, sigma_k a half;
+ * - boxes are those of the projected ellipse, where the paper's point sprites miss parts of it; surfel_setup.bounds=botsch is the paper;
+ * - epsilon, ewa.sigma_k and the shaders are not given: epsilon is the median radius, ewa.sigma_k a half;
  * - surfels that cross the near plane are drawn as far as they are behind it, but by exact EWA and the screen filter alone,
  *   which need an image of their centre, only if that is;
  * - a fragment of the screen filter alone has the depth of the centre, for planes seen from the side are anywhere;
@@ -45,7 +45,7 @@ static void deferred_plan(ts_plan *plan, const ts_params *params, const ts_count
 	(void)request;
 	ts_plan_lights(plan, params);
 	plan->lights.taps = 1;
-	plan->offscreen.side = TS_PARAM(params, map_px);
+	plan->offscreen.side = TS_PARAM(params, depth_map_px);
 	plan->units = counts->lights;
 }
 
@@ -64,15 +64,15 @@ static void surfels_expect(ts_expected *expected, const ts_scene *scene, const t
 	n[TS_DIM_fragments] =
 		(u64)FRAGMENTS * TS_PARAM(params, width) * TS_PARAM(params, height) + (u64)SPLAT * scene->n_surfels;
 	n[TS_DIM_lamps] = n_lights;
-	n[TS_DIM_texels] = (u64)TS_PARAM(params, map_px) * TS_PARAM(params, map_px) * n_views;
+	n[TS_DIM_texels] = (u64)TS_PARAM(params, depth_map_px) * TS_PARAM(params, depth_map_px) * n_views;
 }
 
 static const ts_effect surfels = {
 	.name = "surfels",
-	.doc = "elliptical splats of a file, or of triangles by --from-mesh; eye=outside sees all of a model",
+	.doc = "elliptical splats of a file, or of triangles by --from-mesh; eye.distance=outside sees all of a model",
 	.seen = TS_B_surfel_blend_heaviest,
 	.difference_scale = 8,
-	.lower = "map_px or from_mesh",
+	.lower = "depth_map.px or surfels.from_mesh",
 };
 
 const ts_pipeline ts_pipeline_deferred = {
@@ -83,7 +83,7 @@ const ts_pipeline ts_pipeline_deferred = {
 	.steps = surfels_steps,
 	.plan = deferred_plan,
 	.expect = surfels_expect,
-	.sets = {"lamp", "scene"},
+	.sets = {"lamp.source", "scene"},
 };
 
 const ts_pipeline ts_pipeline_ewa = {
@@ -94,5 +94,5 @@ const ts_pipeline ts_pipeline_ewa = {
 	.steps = surfels_steps,
 	.plan = ewa_plan,
 	.expect = surfels_expect,
-	.sets = {"lamp", "scene"},
+	.sets = {"lamp.source", "scene"},
 };

@@ -11,7 +11,7 @@ static ts_status bilateral(ts_run *run)
 {
 	const ts_params *params = &run->params;
 	ts_bilateral_args args = {
-		.width = TS_PARAM(params, width), .height = TS_PARAM(params, height), .radius = TS_PARAM(params, filter_px)};
+		.width = TS_PARAM(params, width), .height = TS_PARAM(params, height), .radius = TS_PARAM(params, bilateral_px)};
 	u64 n = (u64)args.width * args.height;
 	if (TS_RUN(run, &along_rows, &args, n) != TS_OK) return TS_ERROR;
 	args.columns = 1;

@@ -7,14 +7,14 @@
 
 ts_status ts_view_px_check(const ts_params *params)
 {
-	u32 n = TS_PARAM(params, view_px);
-	return (n & (n - 1)) == 0 ? TS_OK : ts_fail("view_px=%" PRIu32 ": a power of two would be right", n);
+	u32 n = TS_PARAM(params, view_map_px);
+	return (n & (n - 1)) == 0 ? TS_OK : ts_fail("view_map.px=%" PRIu32 ": a power of two would be right", n);
 }
 
 ts_pyramid ts_view_pyramid(const ts_params *params)
 {
-	ts_pyramid r = {.n = TS_PARAM(params, view_px), .levels = 1};
-	while (TS_PARAM(params, multipixel) && r.n >> r.levels > 0) r.levels++;
+	ts_pyramid r = {.n = TS_PARAM(params, view_map_px), .levels = 1};
+	while (TS_PARAM(params, view_map_multipixel) && r.n >> r.levels > 0) r.levels++;
 	return r;
 }
 
@@ -56,7 +56,7 @@ static ts_status view_map_all(ts_run *run)
 {
 	ts_map_all_args args = {
 		.to.pyramid = ts_view_pyramid(&run->params),
-		.first = ts_octree_first(run, &ts_scene_octree, TS_PARAM(&run->params, levels)),
+		.first = ts_octree_first(run, &ts_scene_octree, TS_PARAM(&run->params, octree_levels)),
 		.n_leaves = (u32)ts_run_size(run, TS_DIM_leaves),
 	};
 	u64 n = args.n_leaves * ts_run_size(run, TS_DIM_view_nodes);
@@ -69,11 +69,11 @@ static ts_status view_map_all(ts_run *run)
 
 static ts_status view_map_fuse(ts_run *run)
 {
-	u64 n_texels = (u64)2 * TS_PARAM(&run->params, view_px) * TS_PARAM(&run->params, view_px);
+	u64 n_texels = (u64)2 * TS_PARAM(&run->params, view_map_px) * TS_PARAM(&run->params, view_map_px);
 	u64 n_levels = ts_frame_n(&run->frame, TS_B_view_octree_level) - 1;
 	const u32 *before = ts_frame_data(&run->frame, TS_B_view_octree_level);
 	ts_fuse_args args = {.pyramid = ts_view_pyramid(&run->params),
-	                     .nearest = TS_PARAM(&run->params, fusion) == TS_FUSION_MIN};
+	                     .nearest = TS_PARAM(&run->params, view_map_fusion) == TS_FUSION_MIN};
 	if (ts_view_px_check(&run->params) != TS_OK || TS_FILL(run, &fused, &args) != TS_OK) return TS_ERROR;
 	count_bytes(run, TS_B_view_map_fused_depth);
 	count_bytes(run, TS_B_view_map_fused_node);

@@ -34,7 +34,7 @@ static ts_status view_map_all_margin(ts_run *run)
 {
 	ts_map_margin_args args;
 	if (begin(run, &args) != TS_OK) return TS_ERROR;
-	args.first = ts_octree_first(run, &ts_scene_octree, TS_PARAM(&run->params, levels));
+	args.first = ts_octree_first(run, &ts_scene_octree, TS_PARAM(&run->params, octree_levels));
 	args.n_nodes = (u32)ts_run_size(run, TS_DIM_leaves);
 	u64 n = args.n_nodes * ts_run_size(run, TS_DIM_view_nodes);
 	return n > 0 ? ts_launch_items(run, &measured, &args, n) : TS_OK;

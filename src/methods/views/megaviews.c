@@ -12,12 +12,12 @@
  * - culling, equivalence and subdivision are reconstructed, for the text of figures 4, 6 and 8 is lost (METHODS 13);
  * - queues that are longer than their memory are carried on piece by piece, not by children of the root;
  * - lights stand half a leaf's side above their surface, and leaves that touch theirs are not rendered, for else they would
- *   be in their own shadow, of which the paper does not speak; touching=render is the paper;
- * - nor does it of near lights and of a bias: distances are at least light_near leaves' sides, and what lies behind what a
- *   map shows is lit up to light_bias leaves' diagonals and bias texels' widths, and farther if that node is no more than
- *   bias.plane of its radii above the place's tangent plane, for which maps tell the node, not its distance alone;
- *   shadow.test=distance does without, where bias.slope keeps surfaces out of their own shadow and lets light through walls;
- * - lists end at the nodes of gather_level, where the paper leaves open whether leaves of views are culled one by one;
+ *   be in their own shadow, of which the paper does not speak; view_map.touching=render is the paper;
+ * - nor does it of near lights and of a bias: distances are at least vpl_gather.near leaves' sides, and what lies behind what a
+ *   map shows is lit up to vpl_gather.bias leaves' diagonals and bias texels' widths, and farther if that node is no more than
+ *   vpl_gather.bias_plane of its radii above the place's tangent plane, for which maps tell the node, not its distance alone;
+ *   vpl_gather.test=distance does without, where depth_map.bias_slope keeps surfaces out of their own shadow and lets light through walls;
+ * - lists end at the nodes of vpl_gather.level, where the paper leaves open whether leaves of views are culled one by one;
  * - brute force renders leaves, where the paper rasterizes triangles: what differs from ManyLoDs is then the hierarchy's;
  * - the picture is of indirect light alone. */
 #include <math.h>
@@ -74,9 +74,10 @@ static double lamp_area(const ts_scene *scene, const ts_params *params)
 static void expect(ts_expected *expected, const ts_scene *scene, const ts_params *params, bool alone)
 {
 	ts_indirect_expect(expected, scene, params);
-	bool own = TS_PARAM(params, lamp) == TS_LAMP_SCENE;
+	bool own = TS_PARAM(params, lamp_source) == TS_LAMP_SCENE;
 	u64 texels = expected->sizes.n[TS_DIM_texels], lit = own ? texels : (u64)(IN_CONE * (double)texels);
-	u64 n_paths = TS_PARAM(params, vpls) != 0 ? TS_PARAM(params, vpls) : lit, n_first = n_paths < lit ? n_paths : lit;
+	u64 n_paths = TS_PARAM(params, vpl_paths) != 0 ? TS_PARAM(params, vpl_paths) : lit,
+		n_first = n_paths < lit ? n_paths : lit;
 	ts_expected_lights lights = {.n = n_paths * TS_PARAM(params, vpl_bounces), .alone = alone};
 	lights.n_places = n_first + lights.n - n_paths;
 	lights.area = own || TS_PARAM(params, vpl_bounces) > 1 ? INFINITY : lamp_area(scene, params);
@@ -102,7 +103,7 @@ const ts_pipeline ts_pipeline_megaviews_indirect = {
 	.steps = megaviews_steps,
 	.plan = megaviews_plan,
 	.expect = megaviews_expect,
-	.lower = "levels, gather_level, view_px or vpls",
+	.lower = "octree.levels, vpl_gather.level, view_map.px or vpl.paths",
 };
 
 const ts_pipeline ts_pipeline_manylods_indirect = {
@@ -113,7 +114,7 @@ const ts_pipeline ts_pipeline_manylods_indirect = {
 	.steps = manylods_steps,
 	.plan = megaviews_plan,
 	.expect = manylods_expect,
-	.lower = "levels, gather_level, view_px or vpls",
+	.lower = "octree.levels, vpl_gather.level, view_map.px or vpl.paths",
 };
 
 const ts_pipeline ts_pipeline_bruteforce_indirect = {
@@ -124,6 +125,6 @@ const ts_pipeline ts_pipeline_bruteforce_indirect = {
 	.steps = bruteforce_steps,
 	.plan = megaviews_plan,
 	.expect = manylods_expect,
-	.lower = "levels, gather_level, view_px or vpls",
+	.lower = "octree.levels, vpl_gather.level, view_map.px or vpl.paths",
 	.only_named = true,
 };

@@ -11,7 +11,7 @@ ts_status ts_octree_ids(ts_run *run, const ts_octree *octree)
 	u64 total;
 	ts_mask_args args;
 	if (TS_FILL(run, &octree->raised, &args) != TS_OK) return TS_ERROR;
-	for (args.level = TS_PARAM(&run->params, levels); args.level-- > 0;) {
+	for (args.level = TS_PARAM(&run->params, octree_levels); args.level-- > 0;) {
 		u64 words = ts_k_mask_first(args.level + 1) - ts_k_mask_first(args.level);
 		if (ts_launch_items(run, &octree->raised, &args, words) != TS_OK) return TS_ERROR;
 	}
@@ -26,7 +26,7 @@ u32 ts_octree_first(const ts_run *run, const ts_octree *octree, u32 level)
 
 ts_status ts_octree_nodes(ts_run *run, const ts_octree *octree)
 {
-	u32 levels = TS_PARAM(&run->params, levels);
+	u32 levels = TS_PARAM(&run->params, octree_levels);
 	ts_octree_args args = {.levels = levels};
 	if (TS_RUN(run, &octree->levels, &args, levels + 2) != TS_OK) return TS_ERROR;
 	u32 n = ts_octree_first(run, octree, levels + 1), first_leaf = ts_octree_first(run, octree, levels);
@@ -57,7 +57,7 @@ static ts_voxel_args values(const ts_run *run)
 {
 	return (ts_voxel_args){
 		.scene.n_triangles = (u32)ts_run_size(run, TS_DIM_triangles),
-		.levels = TS_PARAM(&run->params, levels),
+		.levels = TS_PARAM(&run->params, octree_levels),
 	};
 }
 
@@ -86,7 +86,7 @@ static ts_status octree(ts_run *run)
 
 static ts_status octree_surface(ts_run *run)
 {
-	ts_octree_surface_args args = {.scene = ts_run_scene(run), .levels = TS_PARAM(&run->params, levels)};
+	ts_octree_surface_args args = {.scene = ts_run_scene(run), .levels = TS_PARAM(&run->params, octree_levels)};
 	if (TS_FILL(run, &of_leaves, &args) != TS_OK) return TS_ERROR;
 	for (u32 level = args.levels + 1; level-- > 0;) {
 		args.first = ts_octree_first(run, &ts_scene_octree, level);

@@ -13,8 +13,8 @@ ts_particle_args ts_particle_values(const ts_run *run)
 		.middle = hall.middle,
 		.extent = hall.half,
 		.turns = (f32)(TS_PARAM(params, frame) % TS_FRAMES_A_TURN) / (f32)TS_FRAMES_A_TURN,
-		.glow = TS_PARAM(params, glow),
-		.n = TS_PARAM(params, particles),
+		.glow = TS_PARAM(params, particle_glow),
+		.n = TS_PARAM(params, particle_count),
 		.seed = TS_PARAM(params, seed),
 	};
 }

@@ -55,7 +55,8 @@ static void particles_plan(ts_plan *plan, const ts_params *params, const ts_coun
 static void expect(ts_expected *expected, const ts_scene *scene, const ts_params *params, bool alone)
 {
 	expected->sizes.n[TS_DIM_views] = 0;
-	const ts_expected_lights lights = {TS_PARAM(params, particles), TS_PARAM(params, particles), INFINITY, alone};
+	const ts_expected_lights lights = {TS_PARAM(params, particle_count), TS_PARAM(params, particle_count), INFINITY,
+	                                   alone};
 	ts_expect_views(expected, scene, params, &lights);
 }
 
@@ -74,7 +75,7 @@ static const ts_effect particles = {
 	.doc = "the light of many in the air",
 	.seen = TS_B_eye_depth_triangle,
 	.difference_scale = 8,
-	.lower = "levels, gather_level, view_px or particles",
+	.lower = "octree.levels, vpl_gather.level, view_map.px or particle.count",
 };
 
 const ts_pipeline ts_pipeline_megaviews_particles = {
@@ -85,7 +86,7 @@ const ts_pipeline ts_pipeline_megaviews_particles = {
 	.steps = megaviews_particles_steps,
 	.plan = particles_plan,
 	.expect = megaviews_particles_expect,
-	.sets = {"view_field", "all"},
+	.sets = {"view_map.field", "all"},
 };
 
 const ts_pipeline ts_pipeline_manylods_particles = {
@@ -96,7 +97,7 @@ const ts_pipeline ts_pipeline_manylods_particles = {
 	.steps = manylods_particles_steps,
 	.plan = particles_plan,
 	.expect = manylods_particles_expect,
-	.sets = {"view_field", "all"},
+	.sets = {"view_map.field", "all"},
 };
 
 const ts_pipeline ts_pipeline_bruteforce_particles = {
@@ -108,5 +109,5 @@ const ts_pipeline ts_pipeline_bruteforce_particles = {
 	.plan = particles_plan,
 	.expect = manylods_particles_expect,
 	.only_named = true,
-	.sets = {"view_field", "all"},
+	.sets = {"view_map.field", "all"},
 };

@@ -3,20 +3,23 @@
 #include "../registry.h"
 #include "octree.h"
 
-u64 ts_size_levels(const ts_size_question *q) { return TS_PARAM(&q->run->params, levels) + 1; }
+u64 ts_size_levels(const ts_size_question *q) { return TS_PARAM(&q->run->params, octree_levels) + 1; }
 
-u64 ts_size_mask_words(const ts_size_question *q) { return ts_k_mask_first(TS_PARAM(&q->run->params, levels) + 1); }
+u64 ts_size_mask_words(const ts_size_question *q)
+{
+	return ts_k_mask_first(TS_PARAM(&q->run->params, octree_levels) + 1);
+}
 
 /* The levels of an octree are there, and as many as they should be. */
 static bool has_levels(const ts_size_question *q, ts_buffer_id level)
 {
-	return ts_is_made(q, level) && ts_frame_n(&q->run->frame, level) == TS_PARAM(&q->run->params, levels) + 2;
+	return ts_is_made(q, level) && ts_frame_n(&q->run->frame, level) == TS_PARAM(&q->run->params, octree_levels) + 2;
 }
 
 static u64 leaves_of(const ts_size_question *q, ts_buffer_id level)
 {
 	if (!has_levels(q, level)) return TS_UNKNOWN;
-	const u32 *first = (const u32 *)ts_frame_data(&q->run->frame, level) + TS_PARAM(&q->run->params, levels);
+	const u32 *first = (const u32 *)ts_frame_data(&q->run->frame, level) + TS_PARAM(&q->run->params, octree_levels);
 	return first[1] - first[0];
 }
 

@@ -7,7 +7,10 @@
 
 enum { SCAN_CHUNK = 2048, BYTES_A_PAIR = 8 * TS_STEPS + 4 + 1 };
 
-u64 ts_traverse_room(const ts_params *params) { return ((u64)TS_PARAM(params, queue_mb) << 20) / BYTES_A_PAIR; }
+u64 ts_traverse_room(const ts_params *params)
+{
+	return ((u64)TS_PARAM(params, traverse_queue_mb) << 20) / BYTES_A_PAIR;
+}
 
 typedef struct {
 	ts_run *run;
@@ -39,8 +42,8 @@ ts_status ts_traverse_arguments(ts_run *run, ts_traverse_args *args)
 	if (ts_view_px_check(&run->params) != TS_OK) return TS_ERROR;
 	*args = (ts_traverse_args){
 		.phi = fields[run->plan.views.field],
-		.n = TS_PARAM(&run->params, view_px),
-		.touching = TS_PARAM(&run->params, touching) == TS_TOUCHING_RENDER,
+		.n = TS_PARAM(&run->params, view_map_px),
+		.touching = TS_PARAM(&run->params, view_map_touching) == TS_TOUCHING_RENDER,
 		.last = TS_NONE,
 	};
 	return TS_FILL(run, &ts_traverse_launches[TS_TRAVERSE_COUNT], args);

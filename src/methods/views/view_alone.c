@@ -11,7 +11,8 @@ static ts_status view_octree_alone(ts_run *run)
 	ts_view_alone_args args;
 	ts_run_set_size(run, TS_DIM_view_nodes, n);
 	if (before == NULL) return TS_ERROR;
-	for (u32 level = 0; level < TS_PARAM(&run->params, levels) + 2; level++) before[level] = level > 0 ? (u32)n : 0;
+	for (u32 level = 0; level < TS_PARAM(&run->params, octree_levels) + 2; level++)
+		before[level] = level > 0 ? (u32)n : 0;
 	return TS_RUN(run, &launch, &args, n);
 }
 

@@ -19,7 +19,7 @@ static const ts_launch finished = TS_LAUNCH(cone, TS_ALL);
 
 static ts_status view_octree_voxel(ts_run *run)
 {
-	ts_view_octree_args args = {.levels = TS_PARAM(&run->params, levels)};
+	ts_view_octree_args args = {.levels = TS_PARAM(&run->params, octree_levels)};
 	if (TS_RUN(run, &marked, &args, ts_run_size(run, TS_DIM_vpls)) != TS_OK) return TS_ERROR;
 	return ts_octree_ids(run, &ts_view_octree);
 }
@@ -27,7 +27,7 @@ static ts_status view_octree_voxel(ts_run *run)
 static ts_status view_octree(ts_run *run)
 {
 	u64 total, n = ts_run_size(run, TS_DIM_vpls);
-	ts_view_octree_args args = {.levels = TS_PARAM(&run->params, levels)};
+	ts_view_octree_args args = {.levels = TS_PARAM(&run->params, octree_levels)};
 	if (ts_octree_nodes(run, &ts_view_octree) != TS_OK) return TS_ERROR;
 	args.first_leaf = ts_octree_first(run, &ts_view_octree, args.levels);
 	if (ts_launch_make(run, &counted, "offset", 1) != TS_OK) return TS_ERROR;
@@ -41,8 +41,8 @@ static ts_status view_octree_cone(ts_run *run)
 {
 	ts_cone_args args;
 	if (TS_FILL(run, &of_leaves, &args) != TS_OK) return TS_ERROR;
-	for (u32 level = TS_PARAM(&run->params, levels) + 1; level-- > 0;) {
-		const ts_launch *launch = level == TS_PARAM(&run->params, levels) ? &of_leaves : &of_nodes;
+	for (u32 level = TS_PARAM(&run->params, octree_levels) + 1; level-- > 0;) {
+		const ts_launch *launch = level == TS_PARAM(&run->params, octree_levels) ? &of_leaves : &of_nodes;
 		args.first = ts_octree_first(run, &ts_view_octree, level);
 		u64 n_nodes = ts_octree_first(run, &ts_view_octree, level + 1) - args.first;
 		if (ts_launch_items(run, launch, &args, n_nodes) != TS_OK) return TS_ERROR;

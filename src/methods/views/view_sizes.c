@@ -62,15 +62,15 @@ static double views_at(const surfaces *s, const ts_expected_lights *lights, u32 
  * on, all that the cutoff does not drop. */
 static double share_in_reach(const surfaces *s, const ts_params *params, u32 level)
 {
-	double distance = (double)TS_PARAM(params, cutoff) + 2 * s->side / (double)(1u << level);
-	return TS_PARAM(params, cutoff) > 0 && s->area > 0 ? least(REACH * distance * distance / s->area, 1) : 1;
+	double distance = (double)TS_PARAM(params, vpl_gather_cutoff) + 2 * s->side / (double)(1u << level);
+	return TS_PARAM(params, vpl_gather_cutoff) > 0 && s->area > 0 ? least(REACH * distance * distance / s->area, 1) : 1;
 }
 
 /* What queues take of their memory for so many pairs, half of them in the last step, and in each step half of those of the
  * next; all of it where that is more than a run may have, which is refused. */
 static u64 queue_bytes(double pairs, const ts_params *params)
 {
-	u64 bytes = 0, room = ts_traverse_room(params), all = (u64)TS_PARAM(params, queue_mb) << 20;
+	u64 bytes = 0, room = ts_traverse_room(params), all = (u64)TS_PARAM(params, traverse_queue_mb) << 20;
 	if (all > ts_memory_limit()) return all;
 	for (u64 step = (u64)(pairs / 2); step > 0; step /= 2) {
 		bytes += (step < room ? step : room) * sizeof(u64);
@@ -81,7 +81,7 @@ static u64 queue_bytes(double pairs, const ts_params *params)
 /* Pairs that the traversal for maps decides. */
 static double mapped_pairs(const ts_expected_lights *lights, const ts_params *params, double nodes, double view_nodes)
 {
-	double texels = 2.0 * TS_PARAM(params, view_px) * TS_PARAM(params, view_px), each = PAIRS_ALONE * texels;
+	double texels = 2.0 * TS_PARAM(params, view_map_px) * TS_PARAM(params, view_map_px), each = PAIRS_ALONE * texels;
 	return lights->alone ? (double)lights->n * least(each, nodes) : PAIRS * texels * view_nodes;
 }
 
@@ -89,8 +89,8 @@ void ts_expect_views(ts_expected *expected, const ts_scene *scene, const ts_para
                      const ts_expected_lights *lights)
 {
 	const surfaces s = measure(scene);
-	u32 levels = TS_PARAM(params, levels),
-		level = ts_gather_level_of(params, TS_PARAM(params, view_field), lights->alone);
+	u32 levels = TS_PARAM(params, octree_levels),
+		level = ts_gather_level_of(params, TS_PARAM(params, view_map_field), lights->alone);
 	double nodes = 0, view_nodes = 0, lists = nodes_at(&s, level);
 	for (u32 l = 0; l <= levels; l++) {
 		nodes += nodes_at(&s, l);

@@ -14,8 +14,8 @@ static ts_cast_args cast(const ts_run *run)
 	const ts_root *root = ts_frame_data(&run->frame, TS_B_octree_root);
 	return (ts_cast_args){
 		.scene = ts_run_scene(run),
-		.first_leaf = ts_octree_first(run, &ts_scene_octree, TS_PARAM(&run->params, levels)),
-		.leaf = root->side / (f32)(1 << TS_PARAM(&run->params, levels)),
+		.first_leaf = ts_octree_first(run, &ts_scene_octree, TS_PARAM(&run->params, octree_levels)),
+		.leaf = root->side / (f32)(1 << TS_PARAM(&run->params, octree_levels)),
 	};
 }
 
@@ -25,7 +25,7 @@ static ts_vpl_args values(const ts_run *run)
 	return (ts_vpl_args){
 		.cast = cast(run),
 		.n_patches = ts_frame_n(&run->frame, TS_B_rsm_patch),
-		.random = TS_PARAM(&run->params, vpls) != 0,
+		.random = TS_PARAM(&run->params, vpl_paths) != 0,
 		.seed = TS_PARAM(&run->params, seed),
 		.bounces = empty ? 1 : TS_PARAM(&run->params, vpl_bounces),
 	};
@@ -43,7 +43,7 @@ static ts_status find_lit(ts_run *run, ts_vpl_args *args)
 	if (TS_RUN(run, &lit, args, args->n_patches) != TS_OK) return TS_ERROR;
 	if (ts_launch_sum(run, &lit, "offset", &n_lit) != TS_OK) return TS_ERROR;
 	args->n_lit = (u32)n_lit;
-	args->n = args->random && n_lit != 0 ? TS_PARAM(&run->params, vpls) : args->n_lit;
+	args->n = args->random && n_lit != 0 ? TS_PARAM(&run->params, vpl_paths) : args->n_lit;
 	ts_run_set_size(run, TS_DIM_paths, args->n);
 	return TS_OK;
 }

@@ -17,9 +17,10 @@ static const ts_launch measured = TS_LAUNCH(vpl_gather_margin, TS_BUT(of.irradia
 
 u32 ts_gather_level_of(const ts_params *params, u32 field, bool alone)
 {
-	bool culls = field == TS_VIEW_FIELD_HALF || TS_PARAM(params, cutoff) > 0;
-	u32 level = TS_PARAM(params, gather_level) < TS_PARAM(params, levels) ? TS_PARAM(params, gather_level)
-	                                                                      : TS_PARAM(params, levels);
+	bool culls = field == TS_VIEW_FIELD_HALF || TS_PARAM(params, vpl_gather_cutoff) > 0;
+	u32 level = TS_PARAM(params, vpl_gather_level) < TS_PARAM(params, octree_levels)
+	                ? TS_PARAM(params, vpl_gather_level)
+	                : TS_PARAM(params, octree_levels);
 	return alone || !culls ? 0 : level;
 }
 
@@ -34,7 +35,7 @@ ts_status ts_vpl_pairs_arguments(ts_run *run, ts_traverse_args *args)
 	if (ts_traverse_arguments(run, args) != TS_OK) return TS_ERROR;
 	args->last = ts_gather_level(run);
 	args->to_last = args->touching = 1;
-	args->cutoff = TS_PARAM(&run->params, cutoff);
+	args->cutoff = TS_PARAM(&run->params, vpl_gather_cutoff);
 	return TS_OK;
 }
 
@@ -90,22 +91,22 @@ static ts_vpl_gather_args values(const ts_run *run)
 {
 	const ts_params *params = &run->params;
 	u32 level = ts_gather_level(run);
-	bool by_plane = TS_PARAM(params, shadow_test) == TS_SHADOW_TEST_PLANE;
+	bool by_plane = TS_PARAM(params, vpl_gather_test) == TS_SHADOW_TEST_PLANE;
 	return (ts_vpl_gather_args){
-		.levels = TS_PARAM(params, levels),
+		.levels = TS_PARAM(params, octree_levels),
 		.level = level,
 		.first = ts_octree_first(run, &ts_scene_octree, level),
 		.n_lights = (u32)ts_run_size(run, TS_DIM_vpls),
-		.draws = TS_PARAM(params, gather_lights),
+		.draws = TS_PARAM(params, vpl_gather_lights),
 		.seed = TS_PARAM(params, seed),
-		.n = TS_PARAM(params, view_px),
-		.shadows = TS_PARAM(params, shadows),
-		.near = TS_PARAM(params, light_near),
-		.bias = TS_PARAM(params, light_bias),
-		.bias_px = by_plane ? TS_PARAM(params, bias) * TEXEL_DIAGONAL : TS_PARAM(params, bias),
-		.bias_slope = by_plane ? 0 : TS_PARAM(params, bias_slope),
+		.n = TS_PARAM(params, view_map_px),
+		.shadows = TS_PARAM(params, vpl_gather_shadows),
+		.near = TS_PARAM(params, vpl_gather_near),
+		.bias = TS_PARAM(params, vpl_gather_bias),
+		.bias_px = by_plane ? TS_PARAM(params, depth_map_bias) * TEXEL_DIAGONAL : TS_PARAM(params, depth_map_bias),
+		.bias_slope = by_plane ? 0 : TS_PARAM(params, depth_map_bias_slope),
 		.by_plane = by_plane,
-		.bias_plane = TS_PARAM(params, bias_plane),
+		.bias_plane = TS_PARAM(params, vpl_gather_bias_plane),
 	};
 }
 

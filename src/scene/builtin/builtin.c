@@ -165,7 +165,7 @@ void ts_builtin_make(ts_build *build, const char *spec, const ts_params *params)
 	u32 choice[N_OPTIONS];
 	if (!read_spec(choice, build, spec)) return;
 	if (scene->surfels != NULL)
-		scene->surfels(build, choice[SURFELS], TS_PARAM(params, splat_radius));
+		scene->surfels(build, choice[SURFELS], TS_PARAM(params, surfels_radius));
 	else
 		make_mesh(build, scene, choice, TS_PARAM(params, seed));
 }

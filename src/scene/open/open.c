@@ -18,11 +18,11 @@ static bool has_suffix(const char *text, const char *suffix)
 static void file_load(ts_build *build, const char *path, const char *reflector, const ts_params *params)
 {
 	if (!has_suffix(path, ".ply"))
-		ts_gltf_load(build, path, reflector, TS_PARAM(params, neighbours));
+		ts_gltf_load(build, path, reflector, TS_PARAM(params, surfels_neighbours));
 	else if (reflector)
 		ts_build_fail(build, "%s: reflector %s: .ply files have no named nodes", path, reflector);
 	else
-		ts_ply_load(build, path, TS_PARAM(params, neighbours));
+		ts_ply_load(build, path, TS_PARAM(params, surfels_neighbours));
 }
 
 static ts_status file_check(const char *path)

@@ -1,5 +1,5 @@
 /* From triangles of light to pixels: their shape, what corners of boxes gather, the lobes of it, which box lights a pixel,
- * and interpolation on planes, where it is exact; truths in double precision that share no formula with the kernels. */
+ * and hull.interpolation on planes, where it is exact; truths in double precision that share no formula with the kernels. */
 #include <stdlib.h>
 #include <string.h>
 #include "../../../src/kernels/hulls/direct.h"

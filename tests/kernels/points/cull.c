@@ -61,7 +61,7 @@ static void test_never(void **state)
 	}
 }
 
-/* The eye's pixels are 1 / rho_scale^2 of the raster's: a quarter of a pixel there is a whole one here. */
+/* The eye's pixels are 1 / density.scale^2 of the raster's: a quarter of a pixel there is a whole one here. */
 static void test_unit(void **state)
 {
 	(void)state;

@@ -253,7 +253,7 @@ static void test_scale_of_world(void **state)
 	}
 }
 
-/* offaxis divides the way by the cosine of the reflector's angle to the eye's axis; on the axis it changes nothing. */
+/* density.off_axis divides the way by the cosine of the reflector's angle to the eye's axis; on the axis it changes nothing. */
 static void test_offaxis(void **state)
 {
 	(void)state;
@@ -388,7 +388,7 @@ static void test_limit(void **state)
 	}
 }
 
-/* Few samples, no bisection; nobody looking, no piece; and split=off never bisects. */
+/* Few samples, no bisection; nobody looking, no piece; and points.split=off never bisects. */
 static void test_one_piece(void **state)
 {
 	(void)state;

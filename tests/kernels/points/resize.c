@@ -1,4 +1,4 @@
-/* Cube sizes against the projected box in double precision, hysteresis, and the box and ball of the vertices. */
+/* Cube sizes against the projected box in double precision, cube.hysteresis, and the box and ball of the vertices. */
 #include "../small.h"
 #include "../../../src/kernels/points/resize.h"
 
@@ -142,7 +142,7 @@ static void test_size(void **state)
 	assert_true(n_cut > N / 100 && n_off > N / 4 && n_between > N / 10);
 }
 
-/* A change below the hysteresis keeps the size; one as large takes the new one. */
+/* A change below the cube.hysteresis keeps the size; one as large takes the new one. */
 static void test_hysteresis(void **state)
 {
 	(void)state;

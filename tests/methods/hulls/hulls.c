@@ -10,8 +10,8 @@
 static ts_params tiny_params(void)
 {
 	ts_params params = small_params(100, 54);
-	params.reflectors = 0;
-	params.grid_px = 64;
+	params.reflectors_count = 0;
+	params.depth_grid_px = 64;
 	params.rsm_px = 8;
 	return params;
 }
@@ -37,10 +37,10 @@ static void test_threads(void **state)
 	static const struct {
 		const char *method, *set[4][2];
 	} rows[] = {
-		{"hulls", {{"segmentation", "components"}, {"sharpness", "vmf"}, {"interpolation", "moments"}}},
-		{"hulls", {{"surface", "paper"}, {"cosine", "quadrature"}}},
-		{"hulls", {{"cosine", "sg"}, {"lamp", "scene"}}},
-		{"direct", {{"lamp", "lamp"}}},
+		{"hulls", {{"segment.method", "components"}, {"hull.sharpness", "vmf"}, {"hull.interpolation", "moments"}}},
+		{"hulls", {{"hull.surface", "paper"}, {"hull.cosine", "quadrature"}}},
+		{"hulls", {{"hull.cosine", "sg"}, {"lamp.source", "scene"}}},
+		{"direct", {{"lamp.source", "lamp"}}},
 	};
 	for (u32 row = 0; row < sizeof rows / sizeof *rows; row++) {
 		static ts_sums one, seven;
@@ -95,7 +95,7 @@ static void test_against_direct(void **state)
 	(void)state;
 	ts_params params = tiny_params();
 	ts_scene *scene = small_scene(&params);
-	params.grid_px = 256;
+	params.depth_grid_px = 256;
 	ts_run direct, hulls, other;
 	run_of(&direct, scene, &params, "direct");
 	run_of(&hulls, scene, &params, "hulls");
@@ -104,10 +104,10 @@ static void test_against_direct(void **state)
 	assert_true(apart(&hulls, &direct) < 0.4);
 	assert_int_equal(ts_run_counter(&direct, "gathers"), 100 * 54 * 64);
 	assert_int_equal(ts_run_counter(&hulls, "gathers"), 4 * 64 * ts_run_counter(&hulls, "boxes"));
-	static const char *const set[][2] = {{"segmentation", "components"},
-	                                     {"cosine", "quadrature"},
-	                                     {"interpolation", "moments"},
-	                                     {"integrals", "printed"}};
+	static const char *const set[][2] = {{"segment.method", "components"},
+	                                     {"hull.cosine", "quadrature"},
+	                                     {"hull.interpolation", "moments"},
+	                                     {"hull.integrals", "printed"}};
 	for (u32 i = 0; i < 4; i++) {
 		ts_params changed = params;
 		assert_int_equal(ts_params_set(&changed, set[i][0], set[i][1]), TS_OK);
@@ -142,22 +142,22 @@ static void components_of(u32 *component, const f32 *depths, u32 grid, u32 block
 	}
 }
 
-/* Of rendered depth: no label spans two components, and the other segmentation has them. */
+/* Of rendered depth: no label spans two components, and the other segment.method has them. */
 static void check_segments(const ts_scene *scene, const ts_params *params, u64 *n_more)
 {
 	static u32 component[TS_BLOCK_TEXELS];
 	ts_run swept, exact;
 	ts_params other = *params;
-	other.segmentation = TS_SEGMENTATION_COMPONENTS;
+	other.segment_method = TS_SEGMENTATION_COMPONENTS;
 	run_of(&swept, scene, params, "hulls");
 	run_of(&exact, scene, &other, "hulls");
 	const f32 *depths = ts_frame_data(&swept.frame, TS_B_depth_grid_depth);
 	const u32 *labels = ts_frame_data(&swept.frame, TS_B_segment_label);
 	const u32 *components = ts_frame_data(&exact.frame, TS_B_segment_label);
-	for (u32 block = 0; block < params->grid_px / TS_BLOCK * (params->grid_px / TS_BLOCK); block++) {
-		components_of(component, depths, params->grid_px, block, params->segment_step);
+	for (u32 block = 0; block < params->depth_grid_px / TS_BLOCK * (params->depth_grid_px / TS_BLOCK); block++) {
+		components_of(component, depths, params->depth_grid_px, block, params->segment_step);
 		for (u32 p = 0; p < TS_BLOCK_TEXELS; p++) {
-			u64 at = ts_k_block_texel(params->grid_px, block, p % TS_BLOCK, p / TS_BLOCK);
+			u64 at = ts_k_block_texel(params->depth_grid_px, block, p % TS_BLOCK, p / TS_BLOCK);
 			assert_int_equal(component[labels[at]], component[p]);
 			assert_int_equal(components[at], component[p]);
 		}
@@ -178,7 +178,7 @@ static void test_segments(void **state)
 		ts_scene *scene;
 		params.width = 320;
 		params.height = 180;
-		params.grid_px = 256;
+		params.depth_grid_px = 256;
 		params.rsm_px = 1;
 		if (ts_scene_open(&scene, specs[i], &params, NULL) != TS_OK) fail_msg("%s", ts_error_message());
 		check_segments(scene, &params, &n_more);
@@ -209,9 +209,9 @@ static void test_surface(void **state)
 	params.height = 70;
 	ts_scene *scene = small_scene(&params);
 	ts_run paper, robust;
-	params.surface = TS_SURFACE_ROBUST;
+	params.hull_surface = TS_SURFACE_ROBUST;
 	run_of(&robust, scene, &params, "hulls");
-	params.surface = TS_SURFACE_PAPER;
+	params.hull_surface = TS_SURFACE_PAPER;
 	run_of(&paper, scene, &params, "hulls");
 	u64 n = count_unlit(&paper);
 	if (!(n > 10 && n < 150 * 70 / 2)) fail_msg("%u unlit", (unsigned)n);
@@ -240,8 +240,8 @@ static void test_whole_grid(void **state)
 	(void)state;
 	ts_params params = tiny_params();
 	ts_scene *scene = small_scene(&params);
-	params.grid_px = 128;
-	params.surface = TS_SURFACE_PAPER;
+	params.depth_grid_px = 128;
+	params.hull_surface = TS_SURFACE_PAPER;
 	ts_run run;
 	run_of(&run, scene, &params, "hulls");
 	assert_int_equal(count_unlit(&run), 0);
@@ -296,7 +296,7 @@ static void test_lights(void **state)
 	lights[1].kind = TS_LIGHT_KIND_POINT;
 	lights[2].kind = TS_LIGHT_KIND_DIRECTIONAL;
 	scene->lights = lights;
-	params.lamp = TS_LAMP_SCENE;
+	params.lamp_source = TS_LAMP_SCENE;
 	params.rsm_px = 1;
 	for (u32 n = 1; n <= 3; n++) {
 		ts_run run;
@@ -363,11 +363,12 @@ static void test_refused(void **state)
 	ts_params params = tiny_params();
 	ts_scene *scene = small_scene(&params);
 	u32 n_own = scene->n_lights;
-	params.grid_px = 100;
-	assert_refused(scene, &params, "stage nearest: grid_px=100: a multiple of 32, as 96, would be right");
-	params.lamp = TS_LAMP_SCENE;
+	params.depth_grid_px = 100;
+	assert_refused(scene, &params, "stage nearest: depth_grid.px=100: a multiple of 32, as 96, would be right");
+	params.lamp_source = TS_LAMP_SCENE;
 	scene->n_lights = 0;
-	assert_refused(scene, &params, "stage lamp: lamp=scene: the scene has no lights; lamp=lamp would be right");
+	assert_refused(scene, &params,
+	               "stage lamp: lamp.source=scene: the scene has no lights; lamp.source=lamp would be right");
 	scene->n_lights = n_own;
 	ts_scene_free(scene);
 }

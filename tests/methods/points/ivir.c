@@ -11,12 +11,12 @@
 static ts_params tiny_params(void)
 {
 	ts_params params = small_params(64, 36);
-	params.map_px = 32;
-	params.face_max = 16;
-	params.views = 7;
-	params.pass = 3;
-	params.light_samples = 3;
-	params.reflectors = 2;
+	params.depth_map_px = 32;
+	params.cube_max_px = 16;
+	params.lamp_views = 7;
+	params.lamp_views_a_pass = 3;
+	params.lamp_cubes = 3;
+	params.reflectors_count = 2;
 	return params;
 }
 
@@ -79,19 +79,19 @@ static void test_passes(void **state)
 	                                   TS_B_depth_map_depth, TS_B_shadow_test_lit, TS_N_BUFFERS};
 	ts_params params = tiny_params();
 	ts_scene *scene = small_scene(&params);
-	params.views = 20;
-	params.light_samples = 4;
+	params.lamp_views = 20;
+	params.lamp_cubes = 4;
 	for (u32 m = 0; m < 2; m++) {
-		params.pass = 32;
+		params.lamp_views_a_pass = 32;
 		ts_sums all = sums_of(scene, &params, methods[m][0], "ivir", (ts_how){.threads = 2});
-		params.pass = 8;
+		params.lamp_views_a_pass = 8;
 		ts_sums some = sums_of(scene, &params, methods[m][0], "ivir", (ts_how){.threads = 2});
 		assert_same_buffers(&all, &some, ids, "pass");
-		params.buffered = TS_BUFFERED_ON;
+		params.points_buffered = TS_BUFFERED_ON;
 		ts_sums stored = sums_of(scene, &params, methods[m][0], "ivir", (ts_how){.threads = 2});
 		assert_same_buffers(&all, &stored, ids, "buffered");
 		assert_true(stored.hex[TS_B_points_record][0] != 0 && all.hex[TS_B_points_record][0] == 0);
-		params.buffered = TS_BUFFERED_DEFAULT;
+		params.points_buffered = TS_BUFFERED_DEFAULT;
 	}
 	ts_scene_free(scene);
 }
@@ -113,10 +113,11 @@ static void test_counters(void **state)
 	ts_run mvr, made, stored;
 	run_of(&mvr, scene, &params, "soft-shadows", "mvr");
 	run_of(&made, scene, &params, "soft-shadows", "ivir");
-	params.buffered = TS_BUFFERED_ON;
+	params.points_buffered = TS_BUFFERED_ON;
 	run_of(&stored, scene, &params, "soft-shadows", "ivir");
-	assert_int_equal(ts_run_counter(&mvr, "geometry traversals"), 1 + params.views);
-	assert_int_equal(ts_run_counter(&made, "geometry traversals"), 1 + (params.views + params.pass - 1) / params.pass);
+	assert_int_equal(ts_run_counter(&mvr, "geometry traversals"), 1 + params.lamp_views);
+	assert_int_equal(ts_run_counter(&made, "geometry traversals"),
+	                 1 + (params.lamp_views + params.lamp_views_a_pass - 1) / params.lamp_views_a_pass);
 	assert_int_equal(ts_run_counter(&stored, "points"), (i64)ts_frame_n(&stored.frame, TS_B_points_record));
 	static const char *const same[] = {"points", "pieces", "pieces kept", "point-view scatters", "texel writes"};
 	for (u32 k = 0; k < 5; k++) {
@@ -151,11 +152,11 @@ static void test_against_mvr(void **state)
 	(void)state;
 	static const char *const effects[] = {"soft-shadows", "omni-shadows"};
 	ts_params params = tiny_params();
-	params.map_px = 64;
-	params.cull = 0;
+	params.depth_map_px = 64;
+	params.points_cull = 0;
 	ts_scene *scene = small_scene(&params);
 	for (u32 e = 0; e < 2; e++) {
-		u32 samples = e == 0 ? params.views : params.light_samples;
+		u32 samples = e == 0 ? params.lamp_views : params.lamp_cubes;
 		ts_run mvr, ivir;
 		run_of(&mvr, scene, &params, effects[e], "mvr");
 		run_of(&ivir, scene, &params, effects[e], "ivir");
@@ -183,12 +184,12 @@ static void test_points(void **state)
 	(void)state;
 	static const char *const effects[] = {"soft-shadows", "omni-shadows", "reflections"};
 	ts_params params = tiny_params();
-	params.rate = TS_RATE_PAPER;
+	params.density_rate = TS_RATE_PAPER;
 	ts_scene *scene = small_scene(&params);
 	for (u32 e = 0; e < 3; e++) {
-		params.cull = 1;
+		params.points_cull = 1;
 		i64 ivir = points_of(scene, &params, effects[e], "ivir"), vir = points_of(scene, &params, effects[e], "vir");
-		params.cull = 0;
+		params.points_cull = 0;
 		i64 all = points_of(scene, &params, effects[e], "ivir");
 		print_message("%s: %lld of %lld points, %lld without culling\n", effects[e], (long long)ivir, (long long)vir,
 		              (long long)all);
@@ -205,7 +206,7 @@ static void test_culling(void **state)
 	(void)state;
 	ts_params params = tiny_params();
 	ts_scene *scene = small_scene(&params);
-	params.map_px = 16;
+	params.depth_map_px = 16;
 	ts_run run;
 	run_of(&run, scene, &params, "soft-shadows", "ivir");
 	const ts_piece *pieces = ts_frame_data(&run.frame, TS_B_split_piece);
@@ -247,7 +248,7 @@ static void test_shared_views(void **state)
 	ts_scene *scene = small_scene(&params);
 	ts_light *own = scene->lights, lights[5];
 	u32 n_own = scene->n_lights;
-	params.lamp = TS_LAMP_SCENE;
+	params.lamp_source = TS_LAMP_SCENE;
 	for (u32 n = 1; n <= 5; n += 2) {
 		ts_run run;
 		give_lights(scene, lights, n);
@@ -258,16 +259,16 @@ static void test_shared_views(void **state)
 		u32 next = 0;
 		assert_int_equal(ts_frame_n(&run.frame, TS_B_lamp_shape), n);
 		for (u32 i = 0; i < n; i++) {
-			assert_true(lamps[i].first == next && lamps[i].samples >= params.views / n);
-			assert_true(lamps[i].samples <= (params.views + n - 1) / n);
+			assert_true(lamps[i].first == next && lamps[i].samples >= params.lamp_views / n);
+			assert_true(lamps[i].samples <= (params.lamp_views + n - 1) / n);
 			next += lamps[i].samples;
 			for (u32 v = lamps[i].first; v < next; v++) {
 				assert_true(views[v].light == i &&
 				            views[v].orthographic == (lights[i].kind == TS_LIGHT_KIND_DIRECTIONAL));
-				assert_true(views[v].offset == (u64)v * params.map_px * params.map_px);
+				assert_true(views[v].offset == (u64)v * params.depth_map_px * params.depth_map_px);
 			}
 		}
-		assert_int_equal(next, params.views);
+		assert_int_equal(next, params.lamp_views);
 		assert_int_equal(ts_frame_n(&run.frame, TS_B_shadow_test_lit), (u64)params.width * params.height * n);
 		for (u64 k = 0; k < (u64)params.width * params.height * n; k++) assert_true(lit[k] <= lamps[k % n].samples);
 		ts_run_end(&run);
@@ -294,12 +295,13 @@ static void test_refused(void **state)
 	ts_scene *scene = small_scene(&params);
 	ts_light *own = scene->lights, lights[4];
 	u32 n_own = scene->n_lights;
-	params.lamp = TS_LAMP_SCENE;
+	params.lamp_source = TS_LAMP_SCENE;
 	give_lights(scene, lights, 0);
-	assert_refused(scene, &params, "stage lamp: lamp=scene: the scene has no lights; lamp=lamp would be right");
+	assert_refused(scene, &params,
+	               "stage lamp: lamp.source=scene: the scene has no lights; lamp.source=lamp would be right");
 	give_lights(scene, lights, 4);
-	params.views = 3;
-	assert_refused(scene, &params, "stage lamp: views=3: at least 4, one a light, would be right");
+	params.lamp_views = 3;
+	assert_refused(scene, &params, "stage lamp: lamp.views=3: at least 4, one a light, would be right");
 	scene->lights = own;
 	scene->n_lights = n_own;
 	ts_scene_free(scene);

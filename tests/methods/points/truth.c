@@ -20,9 +20,9 @@ static ts_params small_params(void)
 	ts_params_default(&params);
 	params.width = 320;
 	params.height = 240;
-	params.reflectors = 3;
-	params.reflector_px = 48;
-	params.reflector_shape = TS_SHAPE_MIXED;
+	params.reflectors_count = 3;
+	params.reflectors_px = 48;
+	params.reflectors_shape = TS_SHAPE_MIXED;
 	return params;
 }
 
@@ -150,13 +150,13 @@ static void check_faces(const char *spec)
 {
 	ts_params params = small_params();
 	face_judge judge = {0};
-	params.face_px = 96;
+	params.cube_px = 96;
 	run_method("mvr", spec, &params, judge_faces, &judge);
 	ts_truth_free(judge.truth);
 	print_message("%s: %llu texels, %llu hits, %llu undecided, %llu wrong\n", name_of(spec),
 	              (unsigned long long)judge.n_texels, (unsigned long long)judge.n_hits,
 	              (unsigned long long)judge.n_undecided, (unsigned long long)judge.n_wrong);
-	assert_true(judge.n_texels == (u64)params.reflectors * 6 * params.face_px * params.face_px);
+	assert_true(judge.n_texels == (u64)params.reflectors_count * 6 * params.cube_px * params.cube_px);
 	assert_true(judge.n_hits > judge.n_texels / 4);
 	assert_true(judge.n_undecided < judge.n_texels / 100);
 	assert_true(judge.n_wrong == 0);
@@ -227,9 +227,9 @@ static lookup_judge lookups(const char *spec, u32 planedepth, u32 visibility)
 {
 	ts_params params = small_params();
 	lookup_judge judge = {0};
-	params.cull = 0;
-	params.visibility = visibility;
-	params.planedepth = planedepth;
+	params.points_cull = 0;
+	params.visibility_test = visibility;
+	params.splat_plane_depth = planedepth;
 	run_method("epr", spec, &params, judge_lookups, &judge);
 	print_message("%s: %llu samples, %llu hits, %llu missed, %llu beyond\n", name_of(spec),
 	              (unsigned long long)judge.n_samples, (unsigned long long)judge.n_hits,
@@ -289,12 +289,12 @@ static double picture_rmse(const char *method, const char *spec, u32 face_px, u3
 {
 	ts_params params = small_params();
 	picture_judge judge = {-1};
-	params.face_px = face_px;
-	params.bounces = bounces;
-	params.rho_scale = 1;
-	params.cap = 0;
-	params.cull = 0;
-	params.planedepth = 1;
+	params.cube_px = face_px;
+	params.lookup_bounces = bounces;
+	params.density_scale = 1;
+	params.density_cap = 0;
+	params.points_cull = 0;
+	params.splat_plane_depth = 1;
 	params.mvr_filter = TS_MVR_SUPERSAMPLE;
 	run_method(method, spec, &params, judge_picture, &judge);
 	print_message("%s, %s: faces of %u px, bounces %u: RMSE %.2f\n", method, name_of(spec), face_px, bounces,
@@ -336,7 +336,7 @@ int main(void)
 		{"faces: atrium", test_faces, NULL, NULL, atrium},
 		{"lookups: soup", test_lookups, NULL, NULL, NULL},
 		{"lookups: atrium", test_lookups, NULL, NULL, atrium},
-		{"visibility=vertex: atrium", test_vertex_visibility, NULL, NULL, atrium},
+		{"visibility.test=vertex: atrium", test_vertex_visibility, NULL, NULL, atrium},
 		{"picture: soup", test_picture, NULL, NULL, NULL},
 		{"picture: atrium", test_picture, NULL, NULL, atrium},
 		{"three bounces: atrium", test_three_bounces, NULL, NULL, atrium},

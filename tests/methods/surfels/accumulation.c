@@ -16,8 +16,8 @@ static const char *const names[N_FORMATS] = {"fixed", "float32", "half", "8bit"}
 static ts_params tiny_params(u32 accumulation)
 {
 	ts_params params = small_params(96, 64);
-	params.reflectors = 0;
-	params.accumulation = accumulation;
+	params.reflectors_count = 0;
+	params.surfel_blend_accumulation = accumulation;
 	return params;
 }
 
@@ -177,7 +177,7 @@ static void test_estimate(void **state)
 	ts_scene *scene = surfels_balls(&params, 800);
 	const ts_pipeline *pipeline = ts_pipeline_find("surfels", "deferred");
 	u64 without = ts_pipeline_estimate(pipeline, scene, &params, true);
-	params.accumulation = TS_ACCUMULATION_HALF;
+	params.surfel_blend_accumulation = TS_ACCUMULATION_HALF;
 	u64 with = ts_pipeline_estimate(pipeline, scene, &params, true), n = (u64)params.width * params.height;
 	assert_true(with > without + 30 * 4 * n - 80 * n && with < without + 40 * 4 * n);
 	ts_scene_free(scene);

@@ -78,8 +78,8 @@ static figures measure(const ts_scene *scene, const ts_params *params, const cha
 static ts_params board_params(void)
 {
 	ts_params params = small_params(WIDTH, HEIGHT);
-	params.reflectors = 0;
-	params.eps = 1000; /* a plane hides nothing of itself */
+	params.reflectors_count = 0;
+	params.surfel_depth_epsilon = 1000; /* a plane hides nothing of itself */
 	return params;
 }
 
@@ -90,7 +90,7 @@ static void test_errors(void **state)
 	ts_scene *scene = board(&params, 1);
 	figures least = measure(scene, &params, "deferred", "lesser radius"),
 			ewa = measure(scene, &params, "ewa", "exact EWA");
-	params.filter = TS_FILTER_OBJECT;
+	params.ewa_filter = TS_FILTER_OBJECT;
 	figures object = measure(scene, &params, "deferred", "object filter");
 	assert_true(object.far >= 2 * least.far);
 	assert_true(fabs(least.far / ewa.far - 1) <= 0.1);
@@ -104,9 +104,9 @@ static void test_fragments(void **state)
 	ts_params params = board_params();
 	ts_scene *scene = board(&params, 1.5);
 	figures one = measure(scene, &params, "deferred", "sigma 1");
-	params.sigma = 1.41421356f;
+	params.ewa_screen_radius = 1.41421356f;
 	figures more = measure(scene, &params, "deferred", "sigma sqrt 2");
-	params.filter = TS_FILTER_OBJECT;
+	params.ewa_filter = TS_FILTER_OBJECT;
 	figures none = measure(scene, &params, "deferred", "object filter");
 	assert_true(fabs(none.fragments / 7 - 1) <= 0.1);
 	assert_true(fabs(one.fragments / 19 - 1) <= 0.1);

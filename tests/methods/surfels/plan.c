@@ -9,13 +9,13 @@ static void test_sets(void **state)
 	ts_counts counts = ts_scene_counts(scene);
 	const ts_pipeline *deferred = ts_pipeline_find("surfels", "deferred"), *ewa = ts_pipeline_find("surfels", "ewa");
 	ts_plan plan;
-	assert_int_equal(params.lamp, TS_LAMP_LAMP);
+	assert_int_equal(params.lamp_source, TS_LAMP_LAMP);
 	ts_plan_make(&plan, deferred, &params, &counts, NULL);
 	assert_true(plan.lights.own && !plan.surfels.exact && plan.units == scene->n_lights);
 	ts_plan_make(&plan, ewa, &params, &counts, NULL);
 	assert_true(plan.lights.own && plan.surfels.exact && plan.units == scene->n_lights);
 	ts_params taken = ts_pipeline_params(ewa, &params), wanted = params;
-	wanted.lamp = TS_LAMP_SCENE;
+	wanted.lamp_source = TS_LAMP_SCENE;
 	assert_memory_equal(&taken, &wanted, sizeof taken);
 	ts_scene_free(scene);
 }

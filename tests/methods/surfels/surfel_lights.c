@@ -13,10 +13,10 @@ static const ts_v3 light_at = {0.1f, -0.05f, 0.07f};
 static ts_params room_params(void)
 {
 	ts_params params = small_params(WIDTH, HEIGHT);
-	params.reflectors = 0;
-	params.map_px = TEXELS;
-	params.eps = 0.02f;
-	params.shader = TS_SHADER_PHONG_SHADOW;
+	params.reflectors_count = 0;
+	params.depth_map_px = TEXELS;
+	params.surfel_depth_epsilon = 0.02f;
+	params.deferred_shader = TS_SHADER_PHONG_SHADOW;
 	return params;
 }
 

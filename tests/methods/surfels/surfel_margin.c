@@ -247,9 +247,9 @@ static ts_scene *ties(const ts_params *params, u32 n)
 static ts_params margin_params(u32 filter)
 {
 	ts_params params = small_params(WIDTH, HEIGHT);
-	params.reflectors = 0;
-	params.eps = 0.05f;
-	params.filter = filter;
+	params.reflectors_count = 0;
+	params.surfel_depth_epsilon = 0.05f;
+	params.ewa_filter = filter;
 	return params;
 }
 
@@ -280,7 +280,7 @@ static void test_rounding(void **state)
 		sums r = {.n = 0}, t = {.n = 0};
 		ts_params params = margin_params(methods[m].filter);
 		ts_scene *balls = surfels_balls(&params, 3000), *tied = ties(&params, 3000);
-		params.from_mesh = 6000;
+		params.surfels_from_mesh = 6000;
 		ts_scene *room = small_scene(&params);
 		check(&r, balls, &params, &none, methods[m].method);
 		check(&r, room, &params, &none, methods[m].method);

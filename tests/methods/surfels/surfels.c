@@ -10,8 +10,8 @@ static const char *const methods[] = {"deferred", "ewa"};
 static ts_params tiny_params(void)
 {
 	ts_params params = small_params(96, 64);
-	params.reflectors = 0;
-	params.map_px = 128;
+	params.reflectors_count = 0;
+	params.depth_map_px = 128;
 	return params;
 }
 
@@ -20,7 +20,7 @@ static void test_threads(void **state)
 	(void)state;
 	static ts_sums one, seven;
 	ts_params params = tiny_params();
-	params.shader = TS_SHADER_PHONG_SHADOW;
+	params.deferred_shader = TS_SHADER_PHONG_SHADOW;
 	ts_scene *scene = surfels_balls(&params, 3000);
 	for (u32 m = 0; m < 2; m++) {
 		const ts_pipeline *pipeline = ts_pipeline_find("surfels", methods[m]);
@@ -37,7 +37,7 @@ static void test_claims(void **state)
 {
 	(void)state;
 	ts_params params = tiny_params();
-	params.shader = TS_SHADER_NPR_SHADOW;
+	params.deferred_shader = TS_SHADER_NPR_SHADOW;
 	surfels_assert_claims(&params);
 }
 
@@ -48,7 +48,7 @@ static void test_room(void **state)
 	ts_run run[2];
 	double sum = 0;
 	ts_params params = tiny_params();
-	params.from_mesh = 20000;
+	params.surfels_from_mesh = 20000;
 	ts_scene *scene = small_scene(&params);
 	for (u32 m = 0; m < 2; m++) surfels_run(&run[m], scene, &params, methods[m], 2);
 	const u8 *a = ts_frame_data(&run[0].frame, TS_B_image_srgb), *b = ts_frame_data(&run[1].frame, TS_B_image_srgb);
@@ -131,11 +131,11 @@ static pixel_truth truth_of(const ts_scene *scene, const ts_view *view, const ts
 	for (u32 k = 0; k < scene->n_surfels; k++) {
 		const ts_surfel *s = &scene->surfels[k];
 		ray_hit hit = hit_of(view, s, i, j);
-		double r2 = hit.r2 / params->sigma, r = fmin(hit.r3, r2);
+		double r2 = hit.r2 / params->ewa_screen_radius, r = fmin(hit.r3, r2);
 		double z = hit.r3 <= 1 ? hit.z : view->eye[2] - s->centre[2];
 		if (fabs(r2 - 1) < 1e-4 || fabs(z - (nearest + eps / way)) < 1e-4) truth.decided = false;
 		if (!(r <= 1) || z > nearest + eps / way) continue;
-		double weight = exp(-0.5 * r * r / (params->sigma_k * params->sigma_k));
+		double weight = exp(-0.5 * r * r / (params->ewa_sigma_k * params->ewa_sigma_k));
 		d3 n = d3_cross(d3_of(s->u), d3_of(s->v));
 		double value[6] = {s->colour[0], s->colour[1], s->colour[2], n.x, n.y, n.z}, length = sqrt(d3_dot(n, n));
 		for (u32 m = 0; m < 6; m++) truth.sum[m] += weight * value[m] / (m < 3 ? 1 : length);
@@ -210,7 +210,7 @@ static void test_shadows(void **state)
 	ts_params params = tiny_params();
 	ts_scene *scene = surfels_balls(&params, 4000);
 	surfels_run(&run, scene, &params, "deferred", 2);
-	params.shader = TS_SHADER_PHONG_SHADOW;
+	params.deferred_shader = TS_SHADER_PHONG_SHADOW;
 	surfels_run(&dark, scene, &params, "deferred", 2);
 	const f32 *with = ts_frame_data(&dark.frame, TS_B_image_radiance);
 	const f32 *without = ts_frame_data(&run.frame, TS_B_image_radiance);

@@ -280,7 +280,7 @@ static inline void grove_begin_alone(ts_run *run, const ts_scene *scene, const t
 		ts_store3(lights[i].position, place->p);
 		ts_store3(lights[i].normal, place->n);
 	}
-	run->params.levels = g->scene.levels;
+	run->params.octree_levels = g->scene.levels;
 	ts_frame_borrow(&run->frame, TS_B_octree_node, g->scene.nodes, g->scene.before[g->scene.levels + 1]);
 	ts_frame_borrow(&run->frame, TS_B_octree_level, g->scene.before, g->scene.levels + 2);
 	ts_frame_borrow(&run->frame, TS_B_vpl_light, lights, n);

@@ -43,7 +43,7 @@ static way way_of(const port *p, const ts_node *s, const ts_node *v)
 
 static bool is_culled(const port *p, const way *w, const ts_node *s, const ts_node *v, const ts_cone *cone)
 {
-	if (p->params.view_field == TS_VIEW_FIELD_ALL) return false;
+	if (p->params.view_map_field == TS_VIEW_FIELD_ALL) return false;
 	double c = (double)cone->cosine - (double)TS_CULL_COSINE, sine = sqrt(fmax(0, 1 - off(p, c * c)));
 	if (c <= 0) return false;
 	double x = (double)cone->axis[0], y = (double)cone->axis[1], z = (double)cone->axis[2];
@@ -57,7 +57,7 @@ static bool is_culled(const port *p, const way *w, const ts_node *s, const ts_no
 
 static double size_of(const port *p, const way *w, double sine)
 {
-	return off(p, p->params.view_px * sine / (off(p, fabs(w->x) / w->d) + sqrt(1 - off(p, sine * sine))));
+	return off(p, p->params.view_map_px * sine / (off(p, fabs(w->x) / w->d) + sqrt(1 - off(p, sine * sine))));
 }
 
 static bool is_equivalent(const port *p, const way *w, const ts_node *s, const ts_node *v)
@@ -68,21 +68,21 @@ static bool is_equivalent(const port *p, const way *w, const ts_node *s, const t
 
 static bool touches(const port *p, const way *w, const ts_node *s, const ts_node *v)
 {
-	bool leaves = s->children == 0 && v->children == 0 && p->params.touching == TS_TOUCHING_SKIP;
+	bool leaves = s->children == 0 && v->children == 0 && p->params.view_map_touching == TS_TOUCHING_SKIP;
 	return leaves && w->d < ((double)s->radius + fmax((double)s->radius, (double)v->radius)) * p->faults.touch;
 }
 
 static u32 place_of(const port *p, double component, const way *w)
 {
 	double u = component == 0 ? 0 : off(p, component / off(p, w->d + fabs(w->x)));
-	f32 at = (f32)(0.5 + u / 2) * (f32)p->params.view_px;
-	return (u32)ts_min_i32(ts_max_i32(ts_floor_i32(at), 0), (i32)p->params.view_px - 1);
+	f32 at = (f32)(0.5 + u / 2) * (f32)p->params.view_map_px;
+	return (u32)ts_min_i32(ts_max_i32(ts_floor_i32(at), 0), (i32)p->params.view_map_px - 1);
 }
 
 static void render(port *p, const way *w, u32 s, u32 v)
 {
 	ts_pyramid pyramid = ts_view_pyramid(&p->params);
-	u32 n = p->params.view_px, level = 0;
+	u32 n = p->params.view_map_px, level = 0;
 	double r = (double)p->g->scene.nodes[s].radius, size = w->d > r ? size_of(p, w, r / w->d) : n;
 	while (level + 1 < pyramid.levels && (1u << level) < size) level++;
 	u32 texel = ((w->x < 0 ? n : 0) + place_of(p, w->z, w)) * n + place_of(p, w->y, w);
@@ -134,11 +134,11 @@ static void check(sums *r, const faults *how, u32 n_px, u32 choice)
 	grove g;
 	ts_run run;
 	ts_params params = small_params(64, 64);
-	params.reflectors = 0;
-	params.view_px = n_px;
-	params.view_field = choice == 1;
-	params.multipixel = choice == 2;
-	params.touching = choice == 1;
+	params.reflectors_count = 0;
+	params.view_map_px = n_px;
+	params.view_map_field = choice == 1;
+	params.view_map_multipixel = choice == 2;
+	params.view_map_touching = choice == 1;
 	grove_plant(&g, 5, 5, 20000, grove_surface, 120, grove_surface);
 	grove_begin(&run, scene, &params, 2, &g);
 	grove_stage(&run, "view_map");
@@ -159,7 +159,7 @@ static int open_scene(void **state)
 {
 	(void)state;
 	ts_params params = small_params(64, 64);
-	params.reflectors = 0;
+	params.reflectors_count = 0;
 	scene = small_scene(&params);
 	return 0;
 }

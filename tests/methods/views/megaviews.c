@@ -14,11 +14,11 @@ enum { N_METHODS = 3 };
 static ts_params tiny_params(void)
 {
 	ts_params params = small_params(80, 44);
-	params.reflectors = 0;
+	params.reflectors_count = 0;
 	params.rsm_px = 24;
-	params.levels = 5;
-	params.gather_level = 3;
-	params.vpls = 300;
+	params.octree_levels = 5;
+	params.vpl_gather_level = 3;
+	params.vpl_paths = 300;
 	return params;
 }
 
@@ -50,12 +50,12 @@ static void test_threads(void **state)
 	for (u32 m = 0; m < N_METHODS; m++) {
 		static ts_sums one, three, pieces;
 		ts_params params = tiny_params();
-		params.levels = 6;
+		params.octree_levels = 6;
 		params.vpl_bounces = 2;
 		ts_scene *scene = small_scene(&params);
 		sums_of(&one, scene, &params, methods[m], 1);
 		sums_of(&three, scene, &params, methods[m], 3);
-		params.queue_mb = 1;
+		params.traverse_queue_mb = 1;
 		sums_of(&pieces, scene, &params, methods[m], 2);
 		assert_same(&one, &three);
 		assert_same(&one, &pieces);
@@ -102,9 +102,9 @@ static void test_lists(void **state)
 {
 	(void)state;
 	ts_params params = tiny_params();
-	params.vpls = 60;
-	params.levels = 6;
-	params.gather_level = 5;
+	params.vpl_paths = 60;
+	params.octree_levels = 6;
+	params.vpl_gather_level = 5;
 	ts_scene *scene = small_scene(&params);
 	ts_run run;
 	run_of(&run, scene, &params, "megaviews");
@@ -118,7 +118,7 @@ static void test_lists(void **state)
 	for (u64 list = 0; list < n_lists; list++) {
 		const ts_node *node = &nodes[level[5] + list];
 		f32 half = node->radius / sqrtf(3.0f);
-		for (u32 v = 0; v < params.vpls; v++) {
+		for (u32 v = 0; v < params.vpl_paths; v++) {
 			if (lists(&run, list, above(views, leaf[v], 5))) continue;
 			n_left_out++;
 			for (u32 k = 0; k < 8; k++) {
@@ -140,9 +140,9 @@ static void test_cutoff(void **state)
 {
 	(void)state;
 	ts_params params = tiny_params();
-	params.view_field = TS_VIEW_FIELD_ALL;
+	params.view_map_field = TS_VIEW_FIELD_ALL;
 	ts_scene *scene = small_scene(&params);
-	params.cutoff = 4;
+	params.vpl_gather_cutoff = 4;
 	ts_run run;
 	run_of(&run, scene, &params, "megaviews");
 	const ts_node *nodes = ts_frame_data(&run.frame, TS_B_octree_node);
@@ -179,10 +179,10 @@ static void test_units(void **state)
 {
 	(void)state;
 	ts_params params = tiny_params();
-	params.levels = 9;
+	params.octree_levels = 9;
 	params.rsm_px = 32;
-	params.vpls = params.gather_lights = params.filter_px = params.shadows = 0;
-	params.light_near = 1;
+	params.vpl_paths = params.vpl_gather_lights = params.bilateral_px = params.vpl_gather_shadows = 0;
+	params.vpl_gather_near = 1;
 	ts_scene *scene = small_scene(&params);
 	ts_run direct, views, alone;
 	run_of(&direct, scene, &params, "direct");
@@ -204,13 +204,13 @@ static void test_draws(void **state)
 {
 	(void)state;
 	ts_params params = tiny_params();
-	params.filter_px = params.gather_lights = 0;
+	params.bilateral_px = params.vpl_gather_lights = 0;
 	ts_scene *scene = small_scene(&params);
 	ts_run all, some, open;
 	run_of(&all, scene, &params, "megaviews");
-	params.gather_lights = 256;
+	params.vpl_gather_lights = 256;
 	run_of(&some, scene, &params, "megaviews");
-	params.gather_lights = params.shadows = 0;
+	params.vpl_gather_lights = params.vpl_gather_shadows = 0;
 	run_of(&open, scene, &params, "megaviews");
 	u64 n = ts_frame_n(&all.frame, TS_B_indirect_irradiance), n_dark = 0;
 	double mean_all = 0, mean_some = 0;
@@ -236,7 +236,7 @@ static void test_filter(void **state)
 	for (u32 k = 0; k < 3; k++) {
 		ts_run run;
 		run_of(&run, scene, &params, "megaviews");
-		run.params.filter_px = k == 2 ? 0 : 5;
+		run.params.bilateral_px = k == 2 ? 0 : 5;
 		f32 *light = ts_frame_data(&run.frame, TS_B_vpl_gather_irradiance);
 		u64 n = ts_frame_n(&run.frame, TS_B_vpl_gather_irradiance);
 		const ts_gpixel *pixels = ts_frame_data(&run.frame, TS_B_gbuffer_pixel);
@@ -290,8 +290,8 @@ static void test_little(void **state)
 		ts_params params = tiny_params();
 		u32 few = k / N_METHODS;
 		if (few == 1) params.light_irradiance = 0;
-		if (few == 2) params.vpls = 1;
-		if (few == 3) params.levels = 1;
+		if (few == 2) params.vpl_paths = 1;
+		if (few == 3) params.octree_levels = 1;
 		ts_scene *scene = small_scene(&params);
 		if (few == 0) {
 			scene->info.circles = 0;
@@ -330,13 +330,13 @@ static void test_memory(void **state)
 		const ts_pipeline *pipeline =
 			ts_pipeline_find(k < N_METHODS ? "indirect" : "particles", methods[k % N_METHODS]);
 		ts_params params = tiny_params();
-		params.particles = params.vpls;
-		params.queue_mb = 64;
+		params.particle_count = params.vpl_paths;
+		params.traverse_queue_mb = 64;
 		ts_scene *scene = small_scene(&params);
 		ts_expected expected = ts_pipeline_expect(pipeline, scene, &params);
 		u64 estimate = ts_pipeline_estimate(pipeline, scene, &params, true);
 		assert_true(expected.work <= 64 << 20);
-		params.queue_mb = 1;
+		params.traverse_queue_mb = 1;
 		u64 least = ts_pipeline_expect(pipeline, scene, &params).work;
 		assert_true(least <= 1 << 20 && least <= expected.work);
 		ts_run run;
@@ -357,17 +357,17 @@ static void test_memory_of_pairs(void **state)
 	(void)state;
 	const ts_pipeline *pipeline = ts_pipeline_find("indirect", "megaviews");
 	ts_params params = tiny_params();
-	params.levels = 9;
-	params.queue_mb = 256;
+	params.octree_levels = 9;
+	params.traverse_queue_mb = 256;
 	ts_scene *scene = small_scene(&params);
 	ts_expected all = ts_pipeline_expect(pipeline, scene, &params);
-	params.cutoff = 0.01f;
+	params.vpl_gather_cutoff = 0.01f;
 	ts_expected few = ts_pipeline_expect(pipeline, scene, &params);
 	assert_true(few.sizes.n[TS_DIM_gather_pairs] < all.sizes.n[TS_DIM_gather_pairs] / 2);
-	params.view_px *= 2;
+	params.view_map_px *= 2;
 	assert_true(ts_pipeline_expect(pipeline, scene, &params).work > few.work);
-	params.view_field = TS_VIEW_FIELD_ALL;
-	params.cutoff = 0;
+	params.view_map_field = TS_VIEW_FIELD_ALL;
+	params.vpl_gather_cutoff = 0;
 	assert_int_equal(ts_pipeline_expect(pipeline, scene, &params).sizes.n[TS_DIM_gather_nodes], 1);
 	ts_scene_free(scene);
 }
@@ -378,13 +378,13 @@ static void test_memory_of_paths(void **state)
 	(void)state;
 	const ts_pipeline *pipeline = ts_pipeline_find("indirect", "megaviews");
 	ts_params params = tiny_params();
-	params.queue_mb = 1;
+	params.traverse_queue_mb = 1;
 	params.rsm_px = 8;
-	params.levels = 9;
-	params.vpls = 64;
+	params.octree_levels = 9;
+	params.vpl_paths = 64;
 	ts_scene *scene = small_scene(&params);
 	u64 few = ts_pipeline_estimate(pipeline, scene, &params, true);
-	params.vpls = 64000;
+	params.vpl_paths = 64000;
 	u64 many = ts_pipeline_estimate(pipeline, scene, &params, true);
 	assert_true(many > few && many - few < 64000 * 100);
 	params.vpl_bounces = 2;
@@ -424,11 +424,11 @@ static bool place_of(spot *r, const ts_node *leaf, const ts_vpl *light, u32 n)
 /* Every leaf that is surely seen well within a texel is there or behind what is; and what is there is such a leaf. */
 static void assert_brute(const ts_run *run, u32 view, u64 *n_leaves)
 {
-	u32 n = run->params.view_px;
+	u32 n = run->params.view_map_px;
 	const u64 *map = (const u64 *)ts_frame_data(&run->frame, TS_B_view_map_depth_node) + (u64)view * 2 * n * n;
 	const ts_node *nodes = ts_frame_data(&run->frame, TS_B_octree_node);
 	const ts_vpl *light = (const ts_vpl *)ts_frame_data(&run->frame, TS_B_vpl_light) + view;
-	const u32 *level = (const u32 *)ts_frame_data(&run->frame, TS_B_octree_level) + run->params.levels;
+	const u32 *level = (const u32 *)ts_frame_data(&run->frame, TS_B_octree_level) + run->params.octree_levels;
 	for (u32 i = level[0]; i < level[1]; i++) {
 		spot at;
 		if (!place_of(&at, &nodes[i], light, n) || at.unsure || at.edge < 1e-4) continue;
@@ -457,8 +457,8 @@ static void test_brute(void **state)
 {
 	(void)state;
 	ts_params params = tiny_params();
-	params.levels = 6;
-	params.vpls = 40;
+	params.octree_levels = 6;
+	params.vpl_paths = 40;
 	ts_scene *scene = small_scene(&params);
 	ts_run brute, alone;
 	run_of(&brute, scene, &params, "bruteforce");
@@ -466,14 +466,14 @@ static void test_brute(void **state)
 	alone.traced = true;
 	assert_int_equal(ts_pipeline_run(ts_pipeline_find("indirect", "manylods"), &alone), TS_OK);
 	u64 n = ts_frame_n(&brute.frame, TS_B_view_map_depth_node), n_leaves = 0, n_same = 0, n_differ = 0, n_shown = 0;
-	for (u32 v = 0; v < params.vpls; v++) assert_brute(&brute, v, &n_leaves);
+	for (u32 v = 0; v < params.vpl_paths; v++) assert_brute(&brute, v, &n_leaves);
 	const u64 *a = ts_frame_data(&brute.frame, TS_B_view_map_depth_node),
 			  *b = ts_frame_data(&alone.frame, TS_B_view_map_depth_node);
 	const u64 *pairs = ts_frame_data(&alone.frame, TS_B_traverse_rendered);
 	const ts_node *nodes = ts_frame_data(&brute.frame, TS_B_octree_node);
 	assert_int_equal(n, ts_frame_n(&alone.frame, TS_B_view_map_depth_node));
 	for (u64 i = 0; i < n; i++) {
-		u64 pair = (u64)(u32)a[i] << 32 | i / (2 * params.view_px * params.view_px);
+		u64 pair = (u64)(u32)a[i] << 32 | i / (2 * params.view_map_px * params.view_map_px);
 		u64 n_pairs = ts_frame_n(&alone.frame, TS_B_traverse_rendered);
 		bool both = a[i] != TS_EMPTY && b[i] != TS_EMPTY && nodes[(u32)b[i]].children == 0 &&
 		            bsearch(&pair, pairs, n_pairs, sizeof pair, by_value) != NULL;
@@ -483,7 +483,7 @@ static void test_brute(void **state)
 		n_differ += a[i] != b[i];
 	}
 	i64 n_scene = ts_run_counter(&brute, "scene leaves");
-	assert_int_equal(ts_run_counter(&brute, "pairs"), n_scene * params.vpls);
+	assert_int_equal(ts_run_counter(&brute, "pairs"), n_scene * params.vpl_paths);
 	double percent = 100.0 / (double)n_shown;
 	print_message("texels: %.1f %% that both show by a leaf, %.1f %% that differ\n", percent * (double)n_same,
 	              percent * (double)n_differ);
@@ -498,9 +498,9 @@ static void test_wide(void **state)
 {
 	(void)state;
 	ts_params params = tiny_params();
-	params.levels = 4;
-	params.view_px = 128;
-	params.vpls = 40;
+	params.octree_levels = 4;
+	params.view_map_px = 128;
+	params.vpl_paths = 40;
 	ts_scene *scene = small_scene(&params);
 	ts_run brute, alone;
 	run_of(&brute, scene, &params, "bruteforce");

@@ -38,10 +38,10 @@ static const ts_pipeline pipeline = {
 static ts_params params_of(u32 levels, u32 vpls)
 {
 	ts_params params = small_params(96, 64);
-	params.reflectors = 0;
+	params.reflectors_count = 0;
 	params.rsm_px = 24;
-	params.levels = levels;
-	params.vpls = vpls;
+	params.octree_levels = levels;
+	params.vpl_paths = vpls;
 	return params;
 }
 
@@ -214,7 +214,7 @@ static void test_lights(void **state)
 		n++;
 	}
 	assert_int_equal(n, ts_frame_n(&all.frame, TS_B_vpl_light));
-	params.vpls = 100000;
+	params.vpl_paths = 100000;
 	run_of(&some, scene, &params);
 	assert_int_equal(ts_frame_n(&some.frame, TS_B_vpl_light), 100000);
 	assert_true(fabs(flux_of(&some) - sum) < 0.02 * sum);

@@ -12,9 +12,9 @@ enum { N_METHODS = 3 };
 static ts_params tiny_params(void)
 {
 	ts_params params = small_params(80, 44);
-	params.reflectors = 0;
-	params.levels = 5;
-	params.particles = 300;
+	params.reflectors_count = 0;
+	params.octree_levels = 5;
+	params.particle_count = 300;
 	return params;
 }
 
@@ -53,8 +53,8 @@ static void particles_of(ts_vpl *to, const ts_scene *scene, const ts_params *par
 	ts_run run;
 	ts_run_begin(&run, scene, params, 2);
 	assert_int_equal(ts_run_stage(&run, ts_stage_find("particle")), TS_OK);
-	assert_int_equal(ts_frame_n(&run.frame, TS_B_vpl_light), params->particles);
-	memcpy(to, ts_frame_data(&run.frame, TS_B_vpl_light), params->particles * sizeof *to);
+	assert_int_equal(ts_frame_n(&run.frame, TS_B_vpl_light), params->particle_count);
+	memcpy(to, ts_frame_data(&run.frame, TS_B_vpl_light), params->particle_count * sizeof *to);
 	ts_run_end(&run);
 }
 
@@ -75,7 +75,7 @@ static void test_places(void **state)
 	static ts_vpl lights[MANY];
 	u32 inner = 0, lower = 0, quadrant[4] = {0};
 	ts_params params = tiny_params();
-	params.particles = MANY;
+	params.particle_count = MANY;
 	ts_scene *scene = small_scene(&params);
 	ts_space hall = ts_view_hall(&scene->info);
 	particles_of(lights, scene, &params);
@@ -101,7 +101,7 @@ static void test_paths(void **state)
 	(void)state;
 	static ts_vpl first[MANY], later[MANY], again[MANY];
 	ts_params params = tiny_params();
-	params.particles = 1000;
+	params.particle_count = 1000;
 	ts_scene *scene = small_scene(&params);
 	ts_space hall = ts_view_hall(&scene->info);
 	particles_of(first, scene, &params);
@@ -109,8 +109,8 @@ static void test_paths(void **state)
 	particles_of(later, scene, &params);
 	params.frame = 240;
 	particles_of(again, scene, &params);
-	assert_memory_equal(first, again, params.particles * sizeof *first);
-	for (u32 i = 0; i < params.particles; i++) {
+	assert_memory_equal(first, again, params.particle_count * sizeof *first);
+	for (u32 i = 0; i < params.particle_count; i++) {
 		double a[3], b[3], sign = i % 2 == 0 ? 1 : -1;
 		offset_of(a, &first[i], &hall);
 		offset_of(b, &later[i], &hall);
@@ -128,8 +128,8 @@ static void test_power(void **state)
 	static ts_vpl lights[MANY];
 	double sum[3] = {0};
 	ts_params params = tiny_params();
-	params.particles = MANY;
-	params.glow = 2;
+	params.particle_count = MANY;
+	params.particle_glow = 2;
 	ts_scene *scene = small_scene(&params);
 	ts_space hall = ts_view_hall(&scene->info);
 	double x = (double)hall.half.x, y = (double)hall.half.y, z = (double)hall.half.z;
@@ -168,18 +168,18 @@ static void test_light(void **state)
 	(void)state;
 	ts_run run;
 	ts_params params = tiny_params();
-	params.gather_lights = params.filter_px = params.shadows = 0;
+	params.vpl_gather_lights = params.bilateral_px = params.vpl_gather_shadows = 0;
 	ts_scene *scene = small_scene(&params);
 	run_of(&run, scene, &params, "megaviews");
 	const ts_gpixel *pixels = ts_frame_data(&run.frame, TS_B_gbuffer_pixel);
 	const ts_vpl *lights = ts_frame_data(&run.frame, TS_B_vpl_light);
 	const f32 *found = ts_frame_data(&run.frame, TS_B_indirect_irradiance);
 	const ts_root *root = ts_frame_data(&run.frame, TS_B_octree_root);
-	double near = (double)params.light_near * (double)root->side / 32;
+	double near = (double)params.vpl_gather_near * (double)root->side / 32;
 	u32 n = 0;
 	for (u64 i = 0; i < ts_frame_n(&run.frame, TS_B_gbuffer_pixel); i++) {
 		if (pixels[i].depth == 1.0f) continue;
-		double right = light_at(&pixels[i], lights, params.particles, near, (u32)(i % 3)),
+		double right = light_at(&pixels[i], lights, params.particle_count, near, (u32)(i % 3)),
 			   is = (double)found[3 * i + i % 3];
 		if (fabs(is / right - 1) > 1e-4) fail_msg("pixel %u: %.9g for %.9g", (unsigned)i, is, right);
 		n++;
@@ -208,12 +208,12 @@ static void test_shadows(void **state)
 	ts_run bright, dark[2];
 	double mean[2];
 	ts_params params = tiny_params();
-	params.levels = 6;
-	params.particles = 100;
-	params.gather_lights = params.filter_px = params.shadows = 0;
+	params.octree_levels = 6;
+	params.particle_count = 100;
+	params.vpl_gather_lights = params.bilateral_px = params.vpl_gather_shadows = 0;
 	ts_scene *scene = small_scene(&params);
 	run_of(&bright, scene, &params, "megaviews");
-	params.shadows = 1;
+	params.vpl_gather_shadows = 1;
 	double all = mean_of(&bright, NULL);
 	for (u32 m = 0; m < 2; m++) {
 		run_of(&dark[m], scene, &params, methods[m]);
@@ -232,11 +232,11 @@ static void test_culls(void **state)
 	(void)state;
 	ts_run run;
 	ts_params params = tiny_params();
-	params.view_field = TS_VIEW_FIELD_HALF;
-	params.gather_level = 3;
+	params.view_map_field = TS_VIEW_FIELD_HALF;
+	params.vpl_gather_level = 3;
 	ts_scene *scene = small_scene(&params);
 	for (u32 far = 0; far < 2; far++) {
-		params.cutoff = far == 0 ? 0.0f : 2.0f;
+		params.vpl_gather_cutoff = far == 0 ? 0.0f : 2.0f;
 		run_of(&run, scene, &params, "megaviews");
 		assert_true(ts_run_counter(&run, "pairs") > 0);
 		assert_int_equal(ts_run_counter(&run, "pairs culled"), 0);

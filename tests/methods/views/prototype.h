@@ -9,7 +9,7 @@
 typedef struct {
 	u32 levels, n, n_views;
 	grove_source *view;
-	u32 field; /* of the parameter view_field */
+	u32 field; /* of the parameter view_map.field */
 	double pairs, ratio, sharing, wide, same, near;
 } prototype_row;
 
@@ -119,9 +119,9 @@ static inline void prototype_check(const ts_scene *scene, const prototype_row *e
 	static ts_vpl lights[SAMPLE];
 	u32 n = expected->n, n_texels = 2 * n * n;
 	ts_params params = small_params(64, 64);
-	params.reflectors = 0;
-	params.view_px = n;
-	params.view_field = expected->field;
+	params.reflectors_count = 0;
+	params.view_map_px = n;
+	params.view_map_field = expected->field;
 	grove g;
 	ts_run run, alone;
 	grove_state = 1234567;

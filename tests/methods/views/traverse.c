@@ -6,8 +6,8 @@
 static ts_params params_of(u32 n)
 {
 	ts_params params = small_params(64, 64);
-	params.reflectors = 0;
-	params.view_px = n;
+	params.reflectors_count = 0;
+	params.view_map_px = n;
 	return params;
 }
 
@@ -54,15 +54,15 @@ static void visit(recursion *r, u32 s, u32 v)
 	const ts_node *node = &r->g->scene.nodes[s], *view = &r->g->views.nodes[v];
 	ts_ball a = ts_k_node_ball(node), b = ts_k_node_ball(view);
 	ts_cone_k cone = ts_k_load_cone(&r->g->cones[v]);
-	bool all = r->params->view_field == TS_VIEW_FIELD_ALL;
+	bool all = r->params->view_map_field == TS_VIEW_FIELD_ALL;
 	ts_aperture phi = {.cosine = all ? -1 : 0, .sine = all ? 0 : 1};
 	r->pairs++;
 	if (ts_k_pair_is_culled(&a, &b, &cone, &phi)) {
 		r->culled++;
-	} else if (ts_k_pair_is_equivalent(&a, &b, r->params->view_px)) {
+	} else if (ts_k_pair_is_equivalent(&a, &b, r->params->view_map_px)) {
 		add(r, s, v);
 	} else if (a.leaf && b.leaf) {
-		bool touches = r->params->touching == TS_TOUCHING_SKIP && ts_k_pair_touches(&a, &b);
+		bool touches = r->params->view_map_touching == TS_TOUCHING_SKIP && ts_k_pair_touches(&a, &b);
 		r->touching += touches;
 		r->wide += !touches;
 		if (!touches) add(r, s, v);
@@ -115,8 +115,8 @@ static void test_recursion(void **state)
 	i64 culled = 0, touching = 0, wide = 0, narrow = 0;
 	for (u32 i = 0; i < 40; i++) {
 		ts_params params = params_of(4u << grove_below(5));
-		params.view_field = grove_below(4) == 0;
-		params.touching = grove_below(3) == 0;
+		params.view_map_field = grove_below(4) == 0;
+		params.view_map_touching = grove_below(3) == 0;
 		grove g;
 		u32 levels = 1 + grove_below(5), view_levels = 1 + grove_below(5), n = 1 + grove_below(600);
 		grove_plant(&g, levels, view_levels, n, grove_noise, 1 + grove_below(100), grove_noise);
@@ -154,7 +154,7 @@ static void test_memory(void **state)
 	grove_outcome one = grove_run(&g, scene, &params, 1, NULL, true);
 	assert_true(one.n_pairs > 100000);
 	for (u32 i = 0; i < sizeof ways / sizeof *ways; i++) {
-		params.queue_mb = ways[i].queue_mb;
+		params.traverse_queue_mb = ways[i].queue_mb;
 		grove_outcome other = grove_run(&g, scene, &params, ways[i].threads, NULL, ways[i].traced);
 		assert_true(ways[i].queue_mb > 1 || (other.pieces > 4 * one.pieces && other.longest < one.longest));
 		grove_assert_same(&one, &other);
@@ -193,7 +193,7 @@ static void test_fuse(void **state)
 {
 	(void)state;
 	ts_params params = params_of(8), paper = params;
-	paper.fusion = TS_FUSION_PAPER;
+	paper.view_map_fusion = TS_FUSION_PAPER;
 	grove g;
 	grove_plant(&g, 5, 6, 20000, grove_surface, 300, grove_surface);
 	grove_outcome least = grove_run(&g, scene, &params, 2, NULL, false),
@@ -238,7 +238,7 @@ static void test_multipixel(void **state)
 {
 	(void)state;
 	ts_params params = params_of(64), splats = params;
-	splats.multipixel = 1;
+	splats.view_map_multipixel = 1;
 	grove g;
 	grove_plant(&g, 5, 5, 60000, grove_surface, 60, grove_floor);
 	grove_outcome off = grove_run(&g, scene, &params, 2, NULL, false),
@@ -300,8 +300,8 @@ static void test_errors(void **state)
 	grove_plant(&g, 2, 2, 10, grove_noise, 10, grove_noise);
 	grove_begin(&run, scene, &params, 1, &g);
 	assert_int_equal(ts_run_stage(&run, ts_stage_find("traverse")), TS_ERROR);
-	assert_non_null(strstr(ts_error_message(), "view_px=24: a power of two"));
-	run.params.view_px = 16;
+	assert_non_null(strstr(ts_error_message(), "view_map.px=24: a power of two"));
+	run.params.view_map_px = 16;
 	g.scene.nodes[g.scene.before[2]].child = 0; /* a circle */
 	g.scene.nodes[g.scene.before[2]].children = 1;
 	assert_int_equal(ts_run_stage(&run, ts_stage_find("traverse")), TS_ERROR);
@@ -319,7 +319,7 @@ static void test_stages(void **state)
 		"voxel",    "octree",       "vpl",  "view_octree.voxel", "view_octree", "view_octree.cone", "traverse",
 		"view_map", "view_map.fuse"};
 	ts_params params = params_of(16);
-	params.levels = 5;
+	params.octree_levels = 5;
 	ts_run run;
 	ts_run_begin(&run, scene, &params, 2);
 	ts_pipeline_plan(ts_pipeline_find("indirect", "direct"), &run, NULL, NULL);

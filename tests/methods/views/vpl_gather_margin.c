@@ -299,19 +299,19 @@ static int make_all(void **state)
 {
 	(void)state;
 	ts_params params = small_params(WIDTH, HEIGHT);
-	params.reflectors = 0;
-	params.levels = 5;
-	params.gather_level = 4;
+	params.reflectors_count = 0;
+	params.octree_levels = 5;
+	params.vpl_gather_level = 4;
 	params.rsm_px = 16;
-	params.vpls = params.particles = 60;
+	params.vpl_paths = params.particle_count = 60;
 	scene = small_scene(&params);
 	for (u32 i = 0; i < N_CASES; i++) {
-		params.view_px = cases[i].px;
-		params.gather_lights = cases[i].draws;
-		params.shadow_test = cases[i].test;
-		params.bias = cases[i].bias;
-		params.bias_slope = cases[i].slope;
-		params.light_bias = cases[i].light_bias;
+		params.view_map_px = cases[i].px;
+		params.vpl_gather_lights = cases[i].draws;
+		params.vpl_gather_test = cases[i].test;
+		params.depth_map_bias = cases[i].bias;
+		params.depth_map_bias_slope = cases[i].slope;
+		params.vpl_gather_bias = cases[i].light_bias;
 		ts_run_begin(&runs[i], scene, &params, 2);
 		runs[i].traced = runs[i].margins = true;
 		assert_int_equal(ts_pipeline_run(ts_pipeline_find(cases[i].effect, cases[i].method), &runs[i]), TS_OK);

@@ -33,8 +33,8 @@ def record(trace, name, n, /, **fields):
 
 def cubes(random, trace, n):
 	"""Cubes of all sizes that the parameters allow, every other one at the origin."""
-	params = {name: int(trace.params[name]) for name in ('face_px', 'face_max', 'height')}
-	most = params['face_px'] or max(16, min(params['face_max'], params['height'] // 2))
+	params = {name: int(trace.params[name]) for name in ('cube.px', 'cube.max_px', 'height')}
+	most = params['cube.px'] or max(16, min(params['cube.max_px'], params['height'] // 2))
 	radius = np.float32(spread(random, .1, 10, n))
 	side = random.randint(0, most + 1, n)
 	side[:2] = most
@@ -122,7 +122,7 @@ def nudged(x, ulps):
 def on_borders(random, trace, m, near):
 	"""Triangles whose corners lie near one and the same border of a view, most of them beyond it."""
 	z = np.float32(near[:, None] * spread(random, 1, 1e4, (m, 3)))
-	slope = np.float32(1.2) if trace.params['visibility'] == 'vertex' else np.float32(1)
+	slope = np.float32(1.2) if trace.params['visibility.test'] == 'vertex' else np.float32(1)
 	beyond = np.where(random.random((m, 1)) < .8, random.randint(1, 3, (m, 3)), random.randint(-2, 3, (m, 3)))
 	beyond[np.arange(m), random.randint(0, 3, m)] -= random.randint(0, 3, m)
 	side = nudged(slope * z, beyond) * np.float32(random.choice([-1, 1], (m, 1)))

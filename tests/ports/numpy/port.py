@@ -8,7 +8,7 @@ port.py TRACE CANDIDATE [--stages visibility,splat] [--arrival] [--break N]
 
 --break N damages one line, for tests of the comparison:
 	1 a plane of the frustum belongs to the outside     2 back faces are seen
-	3 all half a texel to the right and down            4 clip=off: the whole box of a splat, not only the piece's texels
+	3 all half a texel to the right and down            4 splat.clip=off: the whole box of a splat, not only the piece's texels
 	5 axial depth instead of distance
 and these take what the documents say otherwise, where few scenes tell:
 	6 rule 19: a polygon without area keeps its box     7 rule 16: sides through the axis, 1 for f
@@ -24,7 +24,7 @@ from traces import Trace, write_candidate
 STAGES = {'visibility': visibility, 'splat': splat, 'scatter': scatter}
 METHODS = {'reflections': {'epr': ('visibility', 'splat')}, 'soft-shadows': {'ivir': ('scatter',), 'vir': ('scatter',)},
            'omni-shadows': {'ivir': ('scatter',), 'vir': ('scatter',)}}
-SUPPORTED = {'visibility': ('plane', 'vertex'), 'clip': ('on', 'off'), 'planedepth': ('off',)}
+SUPPORTED = {'visibility.test': ('plane', 'vertex'), 'splat.clip': ('on', 'off'), 'splat.plane_depth': ('off',)}
 
 
 def arguments():

@@ -10,7 +10,7 @@ TINY = 1
 
 def run(trace, broken=0):
 	faces, points, pieces = trace['cube_size.face'], trace['points.record'], trace['split.piece']
-	clipped = trace.params['clip'] == 'on' and broken != 4
+	clipped = trace.params['splat.clip'] == 'on' and broken != 4
 	bounded = clipped | (points['flags'] & TINY > 0)
 	square = squares(points, trace['align.frame'][points['piece']])
 	texels = np.full(6 * (faces['n'].astype(np.int64) ** 2).sum(), EMPTY)

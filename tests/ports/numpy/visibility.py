@@ -18,7 +18,7 @@ def run(trace, broken=0):
 	bits = np.zeros((len(triangle), (6 * len(faces) + 63) // 64), np.uint64)
 	for view in views(faces):
 		facing = both | (flush(dot(normal, view.centre - corners[:, 0])) > 0)
-		inside = INSIDE[trace.params['visibility']](view.see(corners), view, broken)
+		inside = INSIDE[trace.params['visibility.test']](view.see(corners), view, broken)
 		seen = real & facing & inside & (owner != faces['object'][view.bit // 6])
 		bits[:, view.bit // 64] |= seen.astype(np.uint64) << np.uint64(view.bit % 64)
 	return {'visibility.bits': bits}

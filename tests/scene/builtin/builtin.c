@@ -262,7 +262,7 @@ static void test_eye_path_is_free(void **state)
 		for (u32 step = 0; step < 240; step++) {
 			ts_view view;
 			params.frame = step;
-			params.eye = step % 8u == 7u ? TS_EYE_NEAR : TS_EYE_FAR;
+			params.eye_distance = step % 8u == 7u ? TS_EYE_NEAR : TS_EYE_FAR;
 			ts_view_eye(&view, &scene->info, &params);
 			for (u32 i = 0; i < scene->n_vertices; i += 3) {
 				ts_v3 away = ts_sub(ts_load3(scene->vertices[i].position), ts_load3(view.eye));

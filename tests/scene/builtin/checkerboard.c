@@ -56,7 +56,7 @@ static void counts_and_radii_are_as_asked_for(void **state)
 	ts_scene *scene = open_scene("checkerboard", NULL);
 	assert_int_equal(scene->n_surfels, 298116);
 	ts_scene_free(scene);
-	params.splat_radius = 1.0f;
+	params.surfels_radius = 1.0f;
 	scene = open_scene("checkerboard:surfels=40k", NULL);
 	assert_int_equal(scene->n_surfels, 40000);
 	assert_true(fabs((double)ts_length(ts_load3(scene->surfels[9].v)) - 0.64) < 1e-5);

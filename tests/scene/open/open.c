@@ -98,7 +98,7 @@ static void test_builtin(void **state)
 {
 	(void)state;
 	ts_scene *scene;
-	params.reflectors = 3;
+	params.reflectors_count = 3;
 	assert_int_equal(ts_scene_open(&scene, "atrium:triangles=10k", &params, NULL), TS_OK);
 	assert_int_equal(scene->info.n_reflectors, 3);
 	assert_in_range(scene->n_triangles_file, 5000, 20000);

@@ -114,7 +114,7 @@ static ts_status segment(u32 **labels, const work *w, const ts_scene *scene, con
 {
 	ts_run run;
 	ts_params own = *params;
-	TS_PARAM_SET(&own, segmentation, segmentation);
+	TS_PARAM_SET(&own, segment_method, segmentation);
 	*labels = NULL;
 	ts_run_begin(&run, scene, &own, w->job->how.threads);
 	ts_run_how(&run, &w->job->how);
@@ -137,7 +137,7 @@ static ts_status add_scene(void *user, const char *spec)
 	if (ts_scene_open(&scene, spec, &params, &w->job->scene) != TS_OK) return TS_ERROR;
 	ts_status status = segment(&swept, w, scene, &params, TS_SEGMENTATION_SWEEPS);
 	if (status == TS_OK) status = segment(&exact, w, scene, &params, TS_SEGMENTATION_COMPONENTS);
-	if (status == TS_OK) report_scene(w, spec, swept, exact, TS_PARAM(&params, grid_px));
+	if (status == TS_OK) report_scene(w, spec, swept, exact, TS_PARAM(&params, depth_grid_px));
 	free(swept);
 	free(exact);
 	ts_scene_free(scene);
@@ -167,6 +167,6 @@ static ts_status work_on(const ts_job *job, ts_report *report, const void *user)
 ts_status ts_bench_segments(const ts_job *job)
 {
 	ts_job own = *job;
-	ts_status status = ts_bench_set(&own.params, "reflectors=0");
+	ts_status status = ts_bench_set(&own.params, "reflectors.count=0");
 	return status == TS_OK ? ts_bench_with_report(&own, work_on, NULL) : status;
 }

@@ -8,7 +8,7 @@ enum { M_HULLS, M_DIRECT, M_VMF };
 static const ts_bench_variant variants[] = {
 	[M_HULLS] = { "hulls", "", true, TS_TIMED },
 	[M_DIRECT] = { "direct", "", true, TS_ONCE },
-	[M_VMF] = { "hulls", "sharpness=vmf", true, TS_ONCE },
+	[M_VMF] = { "hulls", "hull.sharpness=vmf", true, TS_ONCE },
 	{ 0 },
 };
 
@@ -79,7 +79,7 @@ static const ts_paper_row rows[] = {
 const ts_paper_table ts_ssagh_1 = {
 	.name = "ssagh-1", .title = "SSAGH, table 1: who runs", .effect = "indirect", .scenes = "atrium,gallery,dining",
 	.models = "sponza.glb,sibenik.glb,breakfast_room.glb", .objects_head = "pixels",
-	.objects = "1280x720,1920x1080,2560x1600,3840x2400", .set = "reflectors=0", .defaults = "",
+	.objects = "1280x720,1920x1080,2560x1600,3840x2400", .set = "reflectors.count=0", .defaults = "",
 	.note = "A light of the paper is 256 triangles.",
 	.timed = true, .variants = variants, .figures = figures, .parts = parts, .relations = relations, .rows = rows,
 };

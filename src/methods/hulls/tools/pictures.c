@@ -14,7 +14,8 @@ enum { MOST_PIXELS = 2048, MOST_ACROSS = 3840, MOST_ZOOM = 8 };
 /* Pixels of a texel of the grid; between blocks one is left black. */
 static u32 texel_pixels(const ts_run *run)
 {
-	return TS_PARAM(&run->params, grid_px) < MOST_PIXELS ? MOST_PIXELS / TS_PARAM(&run->params, grid_px) : 1;
+	return TS_PARAM(&run->params, depth_grid_px) < MOST_PIXELS ? MOST_PIXELS / TS_PARAM(&run->params, depth_grid_px)
+	                                                           : 1;
 }
 
 static u32 texel_place(u32 texel, u32 pixels) { return texel * pixels + texel / TS_BLOCK + 1; }
@@ -33,7 +34,7 @@ static void paint(ts_stage_picture *p, u32 x0, u32 y0, u32 x1, u32 y1, u32 segme
 
 static ts_status take_segments(ts_stage_pictures *pictures, const ts_run *run, ts_buffer_id id)
 {
-	u32 grid = TS_PARAM(&run->params, grid_px), pixels = texel_pixels(run), side = texel_place(grid, pixels);
+	u32 grid = TS_PARAM(&run->params, depth_grid_px), pixels = texel_pixels(run), side = texel_place(grid, pixels);
 	ts_stage_picture *p = ts_stage_pictures_add(pictures, "segments", side, side, false);
 	if (p == NULL) return TS_ERROR;
 	const u32 *labels = ts_frame_data(&run->frame, id);
@@ -145,7 +146,7 @@ static ts_status take_lobes(ts_stage_pictures *pictures, const ts_run *run, ts_b
 {
 	const ts_frame *frame = &run->frame;
 	u32 width = TS_PARAM(&run->params, width), height = TS_PARAM(&run->params, height),
-		grid = TS_PARAM(&run->params, grid_px);
+		grid = TS_PARAM(&run->params, depth_grid_px);
 	u32 zoom = width * MOST_ZOOM < MOST_ACROSS ? MOST_ZOOM : width < MOST_ACROSS ? MOST_ACROSS / width : 1;
 	canvas c = {.picture = ts_stage_pictures_add(pictures, "lobes", width * zoom, height * zoom, true)};
 	if (c.picture == NULL) return TS_ERROR;

@@ -30,7 +30,7 @@ typedef struct {
 
 static ts_status check_boxes(const ts_probe *p, const choice *c, u64 n_offsets)
 {
-	u32 grid = TS_PARAM(&p->trace->params, grid_px);
+	u32 grid = TS_PARAM(&p->trace->params, depth_grid_px);
 	const char *path = p->trace->item[TS_B_segment_box_offset].path;
 	if (ts_grid_check(&p->trace->params) != TS_OK) return TS_ERROR;
 	if (n_offsets != (u64)grid * grid + 1) return ts_fail("%s: one a texel of the grid and one would be right", path);
@@ -59,8 +59,8 @@ static ts_status read_choice(ts_probe *p, choice *c)
 	if (c->boxes == NULL) return TS_ERROR;
 	c->args = (ts_choice_args){.offset = c->offset,
 	                           .boxes = c->boxes,
-	                           .grid = TS_PARAM(params, grid_px),
-	                           .robust = TS_PARAM(params, surface) == TS_SURFACE_ROBUST,
+	                           .grid = TS_PARAM(params, depth_grid_px),
+	                           .robust = TS_PARAM(params, hull_surface) == TS_SURFACE_ROBUST,
 	                           .step = TS_PARAM(params, segment_step)};
 	return check_boxes(p, c, ts_probe_n(p, TS_B_segment_box_offset));
 }
@@ -141,15 +141,15 @@ static ts_status read_hull(ts_probe *p, hull *h, u32 box)
 	if (h->patches == NULL || ts_probe_fetch(p, TS_B_segment_box, box, 1, &h->box) != TS_OK) return TS_ERROR;
 	if (ts_probe_fetch(p, TS_B_corner_moment, (u64)box * N_CORNERS, N_CORNERS, h->moments) != TS_OK) return TS_ERROR;
 	if (ts_probe_fetch(p, TS_B_corner_lobes, (u64)box * N_CORNERS, N_CORNERS, h->lobes) != TS_OK) return TS_ERROR;
-	h->args = (ts_hull_args){.choice = {.boxes = &h->box, .grid = TS_PARAM(params, grid_px)},
+	h->args = (ts_hull_args){.choice = {.boxes = &h->box, .grid = TS_PARAM(params, depth_grid_px)},
 	                         .moments = h->moments,
 	                         .lobes = h->lobes,
 	                         .width = p->view.width,
 	                         .height = p->view.height,
-	                         .cosine = TS_PARAM(params, cosine),
-	                         .by_moments = TS_PARAM(params, interpolation) == TS_INTERPOLATION_MOMENTS,
-	                         .vmf = TS_PARAM(params, sharpness) == TS_SHARPNESS_VMF,
-	                         .printed = TS_PARAM(params, integrals) == TS_INTEGRALS_PRINTED};
+	                         .cosine = TS_PARAM(params, hull_cosine),
+	                         .by_moments = TS_PARAM(params, hull_interpolation) == TS_INTERPOLATION_MOMENTS,
+	                         .vmf = TS_PARAM(params, hull_sharpness) == TS_SHARPNESS_VMF,
+	                         .printed = TS_PARAM(params, hull_integrals) == TS_INTEGRALS_PRINTED};
 	return TS_OK;
 }
 
@@ -233,7 +233,7 @@ static ts_status put_irradiance(ts_probe *p, const ts_probe_seen *at, const ts_g
 {
 	static const ts_buffer_id needed[] = {TS_B_segment_box_offset, TS_B_segment_box, TS_B_corner_moment,
 	                                      TS_B_corner_lobes, TS_N_BUFFERS};
-	u32 box = TS_NONE, grid = TS_PARAM(&p->trace->params, grid_px);
+	u32 box = TS_NONE, grid = TS_PARAM(&p->trace->params, depth_grid_px);
 	json_t *o = json_object();
 	hull h = {.patches = NULL};
 	choice c = {.at = {.x = ts_k_resample(at->x, p->view.width, grid),

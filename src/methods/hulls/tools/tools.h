@@ -12,7 +12,7 @@ extern const ts_stage_picture_rule ts_hulls_pictures[];
  * sees, which tells what visibility would change. Reads gbuffer.pixel and rsm.patch; makes indirect.irradiance
  * in run->frame, from which stage `image.indirect` makes the picture. Fails without memory. */
 ts_status ts_truth_lights(ts_truth *truth, ts_run *run);
-/* Light after one diffuse bounce by params.bounce_rays rays a pixel, without triangles of light, which with the
+/* Light after one diffuse bounce by params.truth_bounce_rays rays a pixel, without triangles of light, which with the
  * other leaves what the reflective shadow map costs. Reads gbuffer.pixel and lamp.light; makes the same. */
 ts_status ts_truth_bounce(ts_truth *truth, ts_run *run);
 

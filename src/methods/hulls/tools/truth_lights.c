@@ -96,7 +96,7 @@ static ts_status trace(const ts_truth *truth, ts_run *run, ts_truth_light *light
 		.lamps = ts_frame_data(&run->frame, TS_B_lamp_light),
 		.n_lamps = (u32)ts_frame_n(&run->frame, TS_B_lamp_light),
 		.beyond = 2.0f * extent(ts_run_info(run)),
-		.n_rays = TS_PARAM(&run->params, bounce_rays),
+		.n_rays = TS_PARAM(&run->params, truth_bounce_rays),
 	};
 	return ts_truth_gather(run, light, &t, label);
 }

@@ -49,18 +49,18 @@ static const ts_paper_row work_rows[] = {
 
 const ts_paper_table ts_epr_1 = {
 	.name = "epr-1", .title = "EPR, table 1: who runs", .effect = "reflections",
-	.scenes = "atrium,gallery,dining", .objects_head = "mirrors", .objects_param = "reflectors",
+	.scenes = "atrium,gallery,dining", .objects_head = "mirrors", .objects_param = "reflectors.count",
 	.objects = "1,10,20,50", .set = "", .defaults = "", .variants = work_variants, .figures = work_figures,
 	.parts = work_parts, .rows = work_rows,
 };
 
 /* Table 2. Faces as large as the image asks for are EPR's own (EPR section 4.2): iVIR's points there are those of 512. */
 static const ts_bench_variant variants[] = {
-	[M_EPR] = { "epr", "bounces=1", true, TS_TIMED },
-	[M_MVR] = { "mvr", "bounces=1", true, TS_TIMED },
-	[M_IVIR] = { "ivir", "bounces=1,buffered=on", true, TS_TIMED },
-	[M_EPR_TWICE] = { "epr", "bounces=2", false, TS_TIMED },
-	[M_IVIR_FIXED] = { "ivir", "bounces=1,buffered=on,face_px=512", false, TS_ONCE },
+	[M_EPR] = { "epr", "lookup.bounces=1", true, TS_TIMED },
+	[M_MVR] = { "mvr", "lookup.bounces=1", true, TS_TIMED },
+	[M_IVIR] = { "ivir", "lookup.bounces=1,points.buffered=on", true, TS_TIMED },
+	[M_EPR_TWICE] = { "epr", "lookup.bounces=2", false, TS_TIMED },
+	[M_IVIR_FIXED] = { "ivir", "lookup.bounces=1,points.buffered=on,cube.px=512", false, TS_ONCE },
 	{ 0 },
 };
 
@@ -151,7 +151,7 @@ static const ts_paper_row rows[] = {
 
 const ts_paper_table ts_epr_2 = {
 	.name = "epr-2", .title = "EPR, table 2: who runs", .effect = "reflections",
-	.scenes = "atrium,gallery,dining", .objects_head = "mirrors", .objects_param = "reflectors",
+	.scenes = "atrium,gallery,dining", .objects_head = "mirrors", .objects_param = "reflectors.count",
 	.objects = "1,10,20,50", .set = "", .defaults = TS_IVIR_DEFAULTS,
 	.timed = true, .judge = "C", .variants = variants, .figures = figures, .parts = parts,
 	.relations = relations, .rows = rows,
@@ -163,9 +163,9 @@ enum { M_EPR_PAPER = M_IVIR + 1, M_EPR_UNIT };
 static const ts_bench_variant omni_variants[] = {
 	[M_EPR] = { "epr", "", true, TS_TIMED },
 	[M_MVR] = { "mvr", "", true, TS_TIMED },
-	[M_IVIR] = { "ivir", "buffered=on", true, TS_TIMED },
-	[M_EPR_PAPER] = { "epr", "shadow.rate=paper", true, TS_ONCE },
-	[M_EPR_UNIT] = { "epr", "shadow.rate=unit", true, TS_ONCE },
+	[M_IVIR] = { "ivir", "points.buffered=on", true, TS_TIMED },
+	[M_EPR_PAPER] = { "epr", "shadow_splat.rate=paper", true, TS_ONCE },
+	[M_EPR_UNIT] = { "epr", "shadow_splat.rate=unit", true, TS_ONCE },
 	{ 0 },
 };
 
@@ -195,7 +195,7 @@ static const ts_bench_figure omni_figures[] = {
 static const ts_paper_part omni_parts[] = {
 	{ "epr_3", "EPR, table 3: points, and RMSE to MVR's image in grey levels", { O_POINTS, O_IVIR_POINTS, O_SHARE,
 	  O_RMSE, O_IVIR_RMSE, TS_NO_FIGURE } },
-	{ "epr_3_rates", "EPR's points by the other rates, as printed and by the ratio in pixels (shadow.rate)",
+	{ "epr_3_rates", "EPR's points by the other rates, as printed and by the ratio in pixels (shadow_splat.rate)",
 	  { O_PAPER_POINTS, O_PAPER_SHARE, O_PAPER_RMSE, O_UNIT_POINTS, O_UNIT_SHARE, O_UNIT_RMSE, TS_NO_FIGURE } },
 	{ "epr_3_ms", "EPR, table 3: points and depth maps, ms", { O_MS, O_IVIR_MS, O_MVR_MS, O_OVER_IVIR, O_OVER_MVR,
 	  TS_NO_FIGURE } },
@@ -221,8 +221,8 @@ static const ts_paper_row omni_rows[] = {
 
 const ts_paper_table ts_epr_3 = {
 	.name = "epr-3", .title = "EPR, table 3: who runs", .effect = "omni-shadows",
-	.scenes = "dining", .objects_head = "lights", .objects_param = "light_samples", .objects = "1,5,10,20",
-	.set = "reflectors=0", .defaults = TS_IVIR_DEFAULTS ",map_px=256",
+	.scenes = "dining", .objects_head = "lights", .objects_param = "lamp.cubes", .objects = "1,5,10,20",
+	.set = "reflectors.count=0", .defaults = TS_IVIR_DEFAULTS ",depth_map.px=256",
 	.size = "width=960,height=540", .note = TS_OMNI_NOTE,
 	.timed = true, .variants = omni_variants, .figures = omni_figures, .parts = omni_parts,
 	.relations = omni_relations, .rows = omni_rows,

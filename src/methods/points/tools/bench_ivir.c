@@ -6,14 +6,14 @@ enum { M_IVIR, M_IVIR_CULL, M_STORED, M_STORED_CULL, M_VIR, M_VIR_CULL, M_MVR, M
 
 /* clang-format off */
 static const ts_bench_variant soft_variants[] = {
-	[M_IVIR] = { "ivir", "buffered=off,cull=off", false, TS_TIMED },
-	[M_IVIR_CULL] = { "ivir", "buffered=off,cull=on", true, TS_TIMED },
-	[M_STORED] = { "ivir", "buffered=on,cull=off", false, TS_TIMED },
-	[M_STORED_CULL] = { "ivir", "buffered=on,cull=on", false, TS_TIMED },
-	[M_VIR] = { "vir", "buffered=on,cull=off", false, TS_TIMED },
-	[M_VIR_CULL] = { "vir", "buffered=on,cull=on", true, TS_TIMED },
+	[M_IVIR] = { "ivir", "points.buffered=off,points.cull=off", false, TS_TIMED },
+	[M_IVIR_CULL] = { "ivir", "points.buffered=off,points.cull=on", true, TS_TIMED },
+	[M_STORED] = { "ivir", "points.buffered=on,points.cull=off", false, TS_TIMED },
+	[M_STORED_CULL] = { "ivir", "points.buffered=on,points.cull=on", false, TS_TIMED },
+	[M_VIR] = { "vir", "points.buffered=on,points.cull=off", false, TS_TIMED },
+	[M_VIR_CULL] = { "vir", "points.buffered=on,points.cull=on", true, TS_TIMED },
 	[M_MVR] = { "mvr", "", true, TS_TIMED },
-	[M_WATERTIGHT] = { "ivir", "rate=watertight,snap=on,buffered=off", true, TS_ONCE },
+	[M_WATERTIGHT] = { "ivir", "density.rate=watertight,points.snap=on,points.buffered=off", true, TS_ONCE },
 	{ 0 },
 };
 
@@ -117,7 +117,7 @@ static const ts_paper_row soft_rows[] = {
 const ts_paper_table ts_ivir_1 = {
 	.name = "ivir-1", .title = "iVIR, table 1: soft shadows",
 	.effect = "soft-shadows", .scenes = "atrium,gallery,dining",
-	.models = "bunny.glb,armadillo_86k.glb,dragon_80k.glb,dragon_scans.glb", .set = "reflectors=0",
+	.models = "bunny.glb,armadillo_86k.glb,dragon_80k.glb,dragon_scans.glb", .set = "reflectors.count=0",
 	.defaults = TS_IVIR_DEFAULTS,
 	.note = "The paper's row is the one nearest in triangles; its points a triangle are twice its points by its triangles.",
 	.timed = true, .by_triangles = true, .variants = soft_variants, .figures = soft_figures, .parts = soft_parts,

@@ -5,9 +5,9 @@ enum { M_IVIR, M_STORED, M_VIR, M_MVR };
 
 /* clang-format off */
 static const ts_bench_variant cube_variants[] = {
-	[M_IVIR] = { "ivir", "buffered=off", false, TS_TIMED },
-	[M_STORED] = { "ivir", "buffered=on", true, TS_TIMED },
-	[M_VIR] = { "vir", "buffered=on", true, TS_TIMED },
+	[M_IVIR] = { "ivir", "points.buffered=off", false, TS_TIMED },
+	[M_STORED] = { "ivir", "points.buffered=on", true, TS_TIMED },
+	[M_VIR] = { "vir", "points.buffered=on", true, TS_TIMED },
 	[M_MVR] = { "mvr", "", true, TS_TIMED },
 	{ 0 },
 };
@@ -72,8 +72,8 @@ static const ts_paper_row mirror_rows[] = {
 
 const ts_paper_table ts_ivir_2 = {
 	.name = "ivir-2", .title = "iVIR, table 2: environment maps",
-	.effect = "reflections", .scenes = "dining,gallery", .objects_head = "mirrors", .objects_param = "reflectors",
-	.objects = "1,8,16,20", .set = "", .defaults = TS_IVIR_DEFAULTS ",face_max=128,reflector_px=28.75",
+	.effect = "reflections", .scenes = "dining,gallery", .objects_head = "mirrors", .objects_param = "reflectors.count",
+	.objects = "1,8,16,20", .set = "", .defaults = TS_IVIR_DEFAULTS ",cube.max_px=128,reflectors.px=28.75",
 	.size = "width=480,height=270",
 	.note = "Everything is a quarter of 1920 x 1080, faces of 512 and mirrors of 115 pixels, for VIR's points.",
 	.timed = true, .variants = cube_variants, .figures = cube_figures,
@@ -107,8 +107,8 @@ static const ts_paper_row omni_rows[] = {
 
 const ts_paper_table ts_ivir_3 = {
 	.name = "ivir-3", .title = "iVIR, table 3: omnidirectional soft shadows",
-	.effect = "omni-shadows", .scenes = "dining", .objects_head = "lights", .objects_param = "light_samples",
-	.objects = "1,5,10,20", .set = "reflectors=0", .defaults = TS_IVIR_DEFAULTS ",map_px=256",
+	.effect = "omni-shadows", .scenes = "dining", .objects_head = "lights", .objects_param = "lamp.cubes",
+	.objects = "1,5,10,20", .set = "reflectors.count=0", .defaults = TS_IVIR_DEFAULTS ",depth_map.px=256",
 	.size = "width=960,height=540",
 	.note = TS_OMNI_NOTE,
 	.timed = true, .variants = cube_variants, .figures = cube_figures,

@@ -15,8 +15,8 @@ typedef struct {
 static const char *const curves[] = {"EPR, 25 samples", "EPR, adaptive samples", "MVR, trilinear", "MVR, 25 samples"};
 
 /* clang-format off */
-#define EPR(rho, samples) { "epr", "rho_scale=" rho ",samples=" samples, true, TS_TIMED }
-#define MVR(px, filter) { "mvr", "face_max=" px ",mvr.filter=" filter, true, TS_TIMED }
+#define EPR(rho, samples) { "epr", "density.scale=" rho ",lookup.samples=" samples, true, TS_TIMED }
+#define MVR(px, filter) { "mvr", "cube.max_px=" px ",mvr.filter=" filter, true, TS_TIMED }
 /* clang-format on */
 
 /* clang-format off */
@@ -90,7 +90,7 @@ static ts_status write_plot(const ts_bench_case *c, const ts_plot_point *points)
 	char title[160], y_axis[64];
 	ts_plot plot = {
 		.title = title, .x_axis = "whole frame, ms", .y_axis = y_axis, .points = points, .n_points = N_MARKS};
-	snprintf(title, sizeof title, "%.60s, %u mirrors, %u x %u (EPR: rho_scale; MVR: largest face)", c->scene->name,
+	snprintf(title, sizeof title, "%.60s, %u mirrors, %u x %u (EPR: density.scale; MVR: largest face)", c->scene->name,
 	         (unsigned)c->scene->info.n_reflectors, (unsigned)TS_PARAM(&c->params, width),
 	         (unsigned)TS_PARAM(&c->params, height));
 	snprintf(y_axis, sizeof y_axis, "RMSE to truth %s, grey levels", c->judge->name);

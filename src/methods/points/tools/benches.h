@@ -5,7 +5,7 @@
 #include "../../../study/bench_paper.h"
 
 /* As the iVIR paper has it. */
-#define TS_IVIR_DEFAULTS "rate=paper,snap=off"
+#define TS_IVIR_DEFAULTS "density.rate=paper,points.snap=off"
 #define TS_OMNI_NOTE "Depth maps of 256 x 256 instead of the paper's 1024 x 1024, for VIR's points."
 
 /* The stages that make points, those that fill off-screen views, and both: what the iVIR paper's totals are of. */

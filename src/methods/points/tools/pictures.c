@@ -80,11 +80,11 @@ static ts_status take_faces(ts_stage_pictures *pictures, const ts_run *run, ts_b
 	const ts_face *faces = ts_frame_data(&run->frame, TS_B_cube_size_face);
 	for (u64 i = 0; i < ts_frame_n(&run->frame, TS_B_mirror_pixel_record); i++) {
 		p->mask[pixels[i].index] = 1;
-		double share = (double)faces[pixels[i].reflector].n / TS_PARAM(&run->params, face_max);
+		double share = (double)faces[pixels[i].reflector].n / TS_PARAM(&run->params, cube_max_px);
 		ts_falsecolour_ramp(p->rgb + 3 * (size_t)pixels[i].index, share);
 	}
 	snprintf(p->caption, sizeof p->caption, "cube face behind each reflective pixel: 0 texels dark to %u bright",
-	         (unsigned)TS_PARAM(&run->params, face_max));
+	         (unsigned)TS_PARAM(&run->params, cube_max_px));
 	return TS_OK;
 }
 

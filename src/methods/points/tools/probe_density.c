@@ -47,7 +47,7 @@ static json_t *unseen(ts_probe *p, u32 triangle, const ts_corners *t, u32 r, con
 	ts_probe_put(p, o, "reflector", ts_probe_int(r));
 	ts_probe_put(p, o, "reason", json_string(reason));
 	*why = reason;
-	if (reason[0] != 'n' || TS_PARAM(&p->trace->params, visibility) == TS_VISIBILITY_VERTEX) return o;
+	if (reason[0] != 'n' || TS_PARAM(&p->trace->params, visibility_test) == TS_VISIBILITY_VERTEX) return o;
 	for (u32 face = 0; face < 6; face++) ts_probe_put(p, o, ts_where_face(face), planes_of(cube, face, t));
 	return o;
 }
@@ -59,7 +59,7 @@ static void put_check(ts_probe *p, u32 triangle, const u64 *bits, json_t *o)
 	                           .cubes = ts_probe_cubes(p),
 	                           .n_cubes = ts_probe_n_cubes(p),
 	                           .n_words = ts_probe_n_words(p),
-	                           .vertex_mode = TS_PARAM(&p->trace->params, visibility) == TS_VISIBILITY_VERTEX};
+	                           .vertex_mode = TS_PARAM(&p->trace->params, visibility_test) == TS_VISIBILITY_VERTEX};
 	ts_corners t = ts_k_corners(&p->scene, triangle);
 	bool same = true;
 	for (u32 r = 0; r < ts_probe_n_cubes(p); r++) {
@@ -149,10 +149,10 @@ ts_status ts_probe_density(ts_probe *p, u32 triangle, const u64 *bits, json_t *o
 	                        .rho = ts_samples_a_pixel(params),
 	                        .n_cubes = ts_probe_n_cubes(p),
 	                        .n_words = ts_probe_n_words(p),
-	                        .paper = TS_PARAM(params, density) == TS_DENSITY_PAPER,
-	                        .cap = TS_PARAM(params, cap),
-	                        .offaxis = TS_PARAM(params, offaxis),
-	                        .split = TS_PARAM(params, split)};
+	                        .paper = TS_PARAM(params, density_path) == TS_DENSITY_PAPER,
+	                        .cap = TS_PARAM(params, density_cap),
+	                        .offaxis = TS_PARAM(params, density_off_axis),
+	                        .split = TS_PARAM(params, points_split)};
 	f32 held, scale;
 	if (ts_probe_fetch(p, TS_B_split_triangle_density, triangle, 1, &held) != TS_OK) return TS_ERROR;
 	u64 *words = ts_alloc_zero(ts_probe_n_words(p) + (size_t)1, sizeof *words, "visibility.bits");

@@ -90,7 +90,7 @@ static ts_status make(ts_probe *p, world *w, u32 bounce, u64 entry)
 {
 	const ts_params *params = &p->trace->params;
 	*w = (world){.bounce = bounce, .entry = entry, .n_samples = bounce == 0 ? TS_N_SAMPLES : TS_N_BOUNCE_SAMPLES};
-	bool follow = bounce + 1 < TS_MAX_BOUNCES && bounce + 1 < TS_PARAM(params, bounces);
+	bool follow = bounce + 1 < TS_MAX_BOUNCES && bounce + 1 < TS_PARAM(params, lookup_bounces);
 	if (hold_entry(p, w) != TS_OK || hold_found(p, w) != TS_OK) return TS_ERROR;
 	if (follow && hold_next(p, w) != TS_OK) return TS_ERROR;
 	w->args = (ts_lookup_args){
@@ -111,7 +111,7 @@ static ts_status make(ts_probe *p, world *w, u32 bounce, u64 entry)
 		.n_samples = w->n_samples,
 		.first = bounce == 0,
 		.follow = follow,
-		.adaptive = bounce == 0 && TS_PARAM(params, samples) == TS_SAMPLES_ADAPTIVE,
+		.adaptive = bounce == 0 && TS_PARAM(params, lookup_samples) == TS_SAMPLES_ADAPTIVE,
 	};
 	ts_k_shade_item(&w->args, 0);
 	return TS_OK;
@@ -222,7 +222,7 @@ ts_status ts_probe_mirror(ts_probe *p, u64 entry, json_t *o, ts_v3 *total)
 		{TS_B_lookup_third_offset, TS_B_lookup_third_parent, TS_B_lookup_third_point, TS_B_shade_third_radiance,
 	     TS_N_BUFFERS},
 	};
-	for (u32 b = 0; b < TS_MAX_BOUNCES && b < TS_PARAM(&p->trace->params, bounces); b++) {
+	for (u32 b = 0; b < TS_MAX_BOUNCES && b < TS_PARAM(&p->trace->params, lookup_bounces); b++) {
 		if (ts_probe_require(p, needed[b]) != TS_OK) return TS_ERROR;
 	}
 	return put_entry(p, 0, entry, o, total);

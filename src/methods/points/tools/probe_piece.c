@@ -16,13 +16,13 @@ ts_status ts_probe_piece(ts_probe *p, u64 index, json_t *o, bool *kept)
 	    ts_probe_fetch(p, TS_B_cull_keep, index, 1, &keep) != TS_OK ||
 	    ts_probe_fetch(p, TS_B_align_frame, index, 1, &frame) != TS_OK)
 		return TS_ERROR;
-	f32 unit = TS_PARAM(params, cull_unit) == TS_CULL_EYE ? ts_samples_a_pixel(params) : 1.0f;
+	f32 unit = TS_PARAM(params, points_cull_unit) == TS_CULL_EYE ? ts_samples_a_pixel(params) : 1.0f;
 	ts_cull_args args = {.pieces = &piece,
 	                     .scale = &scale,
 	                     .keep = &again,
 	                     .seed = TS_PARAM(params, seed),
 	                     .unit = unit,
-	                     .enabled = TS_PARAM(params, cull)};
+	                     .enabled = TS_PARAM(params, points_cull)};
 	ts_k_cull_item(&args, 0);
 	f32 pixels = ts_k_cull_pixels(&args, 0);
 	*kept = keep != 0;
@@ -33,7 +33,10 @@ ts_status ts_probe_piece(ts_probe *p, u64 index, json_t *o, bool *kept)
 	ts_probe_put(p, o, "cull_pixels", ts_probe_bits(pixels));
 	ts_probe_put(p, o, "cull_threshold", ts_probe_int((u64)ts_k_cull_threshold(pixels)));
 	ts_probe_put(p, o, "cull_chance", ts_probe_int((u64)ts_k_cull_chance(&args, 0)));
-	ts_probe_put(p, o, "cull", json_string(TS_PARAM(params, cull) == 0 ? "off" : keep != 0 ? "kept" : "dropped"));
+	ts_probe_put(p, o, "cull",
+	             json_string(TS_PARAM(params, points_cull) == 0 ? "off"
+	                         : keep != 0                        ? "kept"
+	                                                            : "dropped"));
 	ts_probe_put(p, o, "frame_scale", ts_probe_bits(frame.s));
 	ts_probe_put(p, o, "check",
 	             json_string(again == keep ? "bits agree with cull.keep" : "bits differ from cull.keep"));

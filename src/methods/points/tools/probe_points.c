@@ -83,8 +83,8 @@ static u64 splat_face(const ts_probe *p, ts_probe_set *s, const ts_camera_k *vie
 	                      .frames = s->frame,
 	                      .points = s->point,
 	                      .texels = texels,
-	                      .clip = TS_PARAM(&p->trace->params, clip),
-	                      .plane_depth = TS_PARAM(&p->trace->params, planedepth)};
+	                      .clip = TS_PARAM(&p->trace->params, splat_clip),
+	                      .plane_depth = TS_PARAM(&p->trace->params, splat_plane_depth)};
 	for (size_t i = 0; i < s->n; i++) {
 		ts_cover cover = ts_k_splat_triangle(view, &s->piece[s->point[i].piece]);
 		u32 offered = cover.n != 0 ? ts_k_splat(&args, view, &cover, (u32)i, 0) : 0;

@@ -50,8 +50,8 @@ static ts_status offer_point(const ts_probe *p, const place *at, const state *s,
 	                      .frames = &s->frame,
 	                      .points = &point,
 	                      .texels = texels,
-	                      .clip = TS_PARAM(&p->trace->params, clip),
-	                      .plane_depth = TS_PARAM(&p->trace->params, planedepth)};
+	                      .clip = TS_PARAM(&p->trace->params, splat_clip),
+	                      .plane_depth = TS_PARAM(&p->trace->params, splat_plane_depth)};
 	texels[at->inside] = TS_EMPTY;
 	ts_k_splat(&args, &at->view, &s->cover, 0, 0);
 	u64 key = texels[at->inside];

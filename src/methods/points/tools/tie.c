@@ -113,8 +113,8 @@ static ts_status offers(splat_ties *t, u64 texel, u32 index, u32 distance, bool 
 	ts_splat_args args = {.pieces = &piece,
 	                      .frames = &frame,
 	                      .points = &point,
-	                      .clip = TS_PARAM(&r->params, clip),
-	                      .plane_depth = TS_PARAM(&r->params, planedepth)};
+	                      .clip = TS_PARAM(&r->params, splat_clip),
+	                      .plane_depth = TS_PARAM(&r->params, splat_plane_depth)};
 	u64 inside = texel - cube.offset - (u64)face * cube.n * cube.n;
 	if (key_of(&cube, face, inside, &args, &key) != TS_OK) return TS_ERROR;
 	*answer = key != TS_EMPTY && (u32)(key >> 32) == distance;

@@ -40,7 +40,7 @@ static const ts_truth_kind truths[] = {
      .bytes = ts_truth_c_bytes},
 	{"samples", "soft-shadows omni-shadows", "rays to the very samples of the lights", "method", "area", "sampling",
      .trace = ts_truth_samples, OF_SHADOWS},
-	{"area", "soft-shadows omni-shadows", "rays to area_samples samples of each light", "both", "", "",
+	{"area", "soft-shadows omni-shadows", "rays to truth.area_samples samples of each light", "both", "", "",
      .trace = ts_truth_area, OF_SHADOWS},
 	{0},
 };

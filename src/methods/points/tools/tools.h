@@ -15,7 +15,7 @@ extern const ts_where_rule ts_points_places[];
 ts_status ts_points_view(const ts_run *run, const char *folder);
 
 /* Truths of reflections (truth_reflect.c). A: rays from the cube's centre along the very same directions as EPR's
- * samples, all params.bounces, own reflector masked. Reads pose.vertex, cube_size.face, eye.view and mirror_pixel.record; makes
+ * samples, all params.lookup_bounces, own reflector masked. Reads pose.vertex, cube_size.face, eye.view and mirror_pixel.record; makes
  * shade.radiance (P x 3, tinted as in METHODS 2) in run->frame, from which stage `image` makes the picture. Fails
  * without memory. */
 ts_status ts_truth_a(ts_truth *truth, ts_run *run);
@@ -46,7 +46,7 @@ ts_status ts_truth_shadow_begin(ts_run *run, const char *effect);
  * pose.vertex, eye.view, eye.depth_triangle, offscreen.view, lamp.shape and, if the views are of cubes, cube_size.face;
  * makes shadow_test.lit in run->frame, from which stage `image.shadow` makes the picture. Fails without memory. */
 ts_status ts_truth_samples(ts_truth *truth, ts_run *run);
-/* Rays to params.area_samples samples of each light, which with the other leaves what sampling the lights costs.
+/* Rays to params.truth_area_samples samples of each light, which with the other leaves what sampling the lights costs.
  * They lie as the methods' do, on the same disc, ball or cone, and see as much: a depth map's image, all around in
  * omni-shadows. Afterwards lamp.shape, the views and the run's plan are those of these samples. Fails without memory
  * and beyond 2^20 samples of all lights. */
@@ -57,7 +57,7 @@ u64 ts_truth_shadow_bytes(const ts_pipeline *method, const ts_scene *scene, cons
 /* Off-screen buffers (truth_texels.c): a ray through the centre of every texel. Triangles with an alpha mask do not
  * count, and depths are right within the shadow bias; leaks are also farther than the triangle is anywhere within
  * half a texel of the centre, and apart is also what reaches into the texel beside its centre. Reads also
- * offscreen.view or, of cubes, cube_size.face. With cull=off, and rate, snap, visibility and conservative as they are by
+ * offscreen.view or, of cubes, cube_size.face. With points.cull=off, and density.rate, points.snap, visibility.test and points.conservative as they are by
  * default, there are no holes and no leaks, unless density.capped is counted. Never fails but with the device that
  * the buffer is on. */
 ts_status ts_truth_texels(ts_texel_counts *counts, ts_truth *truth, const ts_run *run, ts_buffer_id id);

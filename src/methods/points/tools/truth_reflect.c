@@ -35,7 +35,7 @@ static tracer tracer_of(const ts_truth *truth, const ts_run *run)
 		.n_pixels = ts_frame_n(&run->frame, TS_B_mirror_pixel_record),
 		.eye = ts_load3(eye->eye),
 		.spread = 1.0f / eye->focal,
-		.bounces = TS_PARAM(&run->params, bounces),
+		.bounces = TS_PARAM(&run->params, lookup_bounces),
 		.n_threads = (int)run->c.threads,
 	};
 }

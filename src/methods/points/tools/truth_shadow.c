@@ -112,10 +112,10 @@ ts_status ts_truth_area(ts_truth *truth, ts_run *run)
 {
 	static const char *const maps[] = {"lamp", "lamp.view", NULL};
 	static const char *const cubes[] = {"lamp.ball", "lamp.cube", "offscreen", NULL};
-	u32 n = TS_PARAM(&run->params, area_samples), n_lamps = (u32)ts_frame_n(&run->frame, TS_B_lamp_shape);
+	u32 n = TS_PARAM(&run->params, truth_area_samples), n_lamps = (u32)ts_frame_n(&run->frame, TS_B_lamp_shape);
 	if ((u64)n * n_lamps > MOST_SAMPLES) {
-		return ts_fail("area_samples=%u: of %u lights at most %u each would be right", (unsigned)n, (unsigned)n_lamps,
-		               (unsigned)(MOST_SAMPLES / n_lamps));
+		return ts_fail("truth.area_samples=%u: of %u lights at most %u each would be right", (unsigned)n,
+		               (unsigned)n_lamps, (unsigned)(MOST_SAMPLES / n_lamps));
 	}
 	const char *const *stage = ts_run_has_cubes(run) ? cubes : maps;
 	ts_pipeline_plan(run->pipeline, run, NULL, &(ts_request){.samples = n});
@@ -132,10 +132,10 @@ u64 ts_truth_shadow_bytes(const ts_pipeline *method, const ts_scene *scene, cons
 	                                   TS_B_image_srgb};
 	const ts_pipeline *start = ts_pipeline_making(method->effect->name, needs);
 	ts_params many = *params;
-	u64 bytes = 0,
-		views = (u64)TS_PARAM(params, area_samples) * (TS_PARAM(params, lamp) == TS_LAMP_SCENE ? scene->n_lights : 1);
-	TS_PARAM_SET(&many, light_samples, TS_PARAM(params, area_samples));
-	TS_PARAM_SET(&many, views, views < TS_NONE ? (u32)views : TS_NONE);
+	u64 bytes = 0, views = (u64)TS_PARAM(params, truth_area_samples) *
+	                       (TS_PARAM(params, lamp_source) == TS_LAMP_SCENE ? scene->n_lights : 1);
+	TS_PARAM_SET(&many, lamp_cubes, TS_PARAM(params, truth_area_samples));
+	TS_PARAM_SET(&many, lamp_views, views < TS_NONE ? (u32)views : TS_NONE);
 	const ts_expected expected = ts_pipeline_expect(start != NULL ? start : method, scene, &many);
 	for (u32 i = 0; i < sizeof ids / sizeof ids[0]; i++) bytes += ts_pipeline_bytes(ids[i], &expected.sizes);
 	return bytes;

@@ -21,9 +21,9 @@ static ts_status enlarge_all(ts_params *big, const ts_params *params, u32 factor
 	*big = *params;
 	if (enlarge(big, "width", TS_PARAM(params, width), factor) ||
 	    enlarge(big, "height", TS_PARAM(params, height), factor) ||
-	    enlarge(big, "face_max", TS_PARAM(params, face_max), factor) ||
-	    enlarge(big, "face_px", TS_PARAM(params, face_px), factor) ||
-	    enlarge(big, "hysteresis", TS_PARAM(params, hysteresis), factor))
+	    enlarge(big, "cube.max_px", TS_PARAM(params, cube_max_px), factor) ||
+	    enlarge(big, "cube.px", TS_PARAM(params, cube_px), factor) ||
+	    enlarge(big, "cube.hysteresis", TS_PARAM(params, cube_hysteresis), factor))
 		return TS_ERROR;
 	return TS_OK;
 }
@@ -93,7 +93,7 @@ u64 ts_truth_c_bytes(const ts_pipeline *method, const ts_scene *scene, const ts_
 	ts_params big = *params;
 	TS_PARAM_SET(&big, width, TS_PARAM(params, width) * TS_TRUTH_C_FACTOR);
 	TS_PARAM_SET(&big, height, TS_PARAM(params, height) * TS_TRUTH_C_FACTOR);
-	TS_PARAM_SET(&big, face_max, TS_PARAM(params, face_max) * TS_TRUTH_C_FACTOR);
-	TS_PARAM_SET(&big, face_px, TS_PARAM(params, face_px) * TS_TRUTH_C_FACTOR);
+	TS_PARAM_SET(&big, cube_max_px, TS_PARAM(params, cube_max_px) * TS_TRUTH_C_FACTOR);
+	TS_PARAM_SET(&big, cube_px, TS_PARAM(params, cube_px) * TS_TRUTH_C_FACTOR);
 	return mvr != NULL ? ts_pipeline_estimate(mvr, scene, &big, true) : 0;
 }

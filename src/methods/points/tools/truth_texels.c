@@ -1,6 +1,6 @@
 /* Off-screen buffers against rays through the centres of their texels: holes, leaks and wrong depths (METHODS 17).
  *
- * The theorem behind rate=watertight: let the ray hit triangle t, in front, at x. The squares of the lattice of t's
+ * The theorem behind density.rate=watertight: let the ray hit triangle t, in front, at x. The squares of the lattice of t's
  * piece cover it, so x is in one whose sample, moved to the piece if need be, is within sqrt(1/2) / s of x; no way of
  * that length on t is longer than half a texel in the image, so t has a sample within half a texel of the centre,
  * which is in the texel. So the texel holds something, and nothing farther than t is anywhere within half a texel of
@@ -160,12 +160,13 @@ static window face_of(const judge *j, const ts_face *cube, u32 face)
 ts_status ts_truth_texels(ts_texel_counts *counts, ts_truth *truth, const ts_run *run, ts_buffer_id id)
 {
 	if (run->n_units == 0) return TS_OK;
-	judge j = {.truth = truth,
-	           .scene = ts_truth_scene(truth),
-	           .id = id,
-	           .n_threads = (int)run->c.threads,
-	           .rule = {.bias = TS_PARAM(&run->params, bias), .slope = TS_PARAM(&run->params, bias_slope)},
-	           .texels = ts_frame_data(&run->frame, id)};
+	judge j = {
+		.truth = truth,
+		.scene = ts_truth_scene(truth),
+		.id = id,
+		.n_threads = (int)run->c.threads,
+		.rule = {.bias = TS_PARAM(&run->params, depth_map_bias), .slope = TS_PARAM(&run->params, depth_map_bias_slope)},
+		.texels = ts_frame_data(&run->frame, id)};
 	bool cubes = ts_run_has_cubes(run);
 	const ts_face *faces = cubes ? ts_frame_data(&run->frame, TS_B_cube_size_face) : NULL;
 	const ts_offscreen *views = cubes ? NULL : ts_frame_data(&run->frame, TS_B_offscreen_view);

@@ -22,7 +22,7 @@ static ts_status check_eye(const ts_load *load, const ts_stage *stage, ts_buffer
 /* The largest side of a cube face or depth map that the parameters allow. */
 static u32 largest_side(const ts_run *run)
 {
-	u32 fixed = run->plan.offscreen.side != 0 ? run->plan.offscreen.side : TS_PARAM(&run->params, face_px);
+	u32 fixed = run->plan.offscreen.side != 0 ? run->plan.offscreen.side : TS_PARAM(&run->params, cube_px);
 	return fixed != 0 ? fixed : ts_largest_face(&run->params);
 }
 

@@ -126,8 +126,8 @@ ts_status ts_probe_put_shadow(ts_probe *p, ts_probe_shadow *q, u32 x, u32 y, con
 	                            .view = &p->view,
 	                            .views = q->lamps.views,
 	                            .n_lamps = q->lamps.n_lights,
-	                            .bias = TS_PARAM(&p->trace->params, bias),
-	                            .slope = TS_PARAM(&p->trace->params, bias_slope)};
+	                            .bias = TS_PARAM(&p->trace->params, depth_map_bias),
+	                            .slope = TS_PARAM(&p->trace->params, depth_map_bias_slope)};
 	q->moves = ts_k_receiver_step(&eye, &q->at);
 	q->lit = ts_alloc_zero(q->lamps.n_lights, sizeof *q->lit, "lights");
 	if (q->lit == NULL) return TS_ERROR;

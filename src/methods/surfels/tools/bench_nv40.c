@@ -8,10 +8,10 @@ enum { M_BOTH = 0, M_OBJECT = SHADERS, M_BOTH_ALONE = 2 * SHADERS, M_OBJECT_ALON
 
 /* clang-format off */
 #define EACH(first, filter, seen, runs) \
-	[(first) + PHONG] = { "deferred", "filter=" filter ",shader=phong", seen, runs }, \
-	[(first) + NPR] = { "deferred", "filter=" filter ",shader=npr", false, runs }, \
-	[(first) + PHONG_SHADOW] = { "deferred", "filter=" filter ",shader=phong_shadow", false, runs }, \
-	[(first) + NPR_SHADOW] = { "deferred", "filter=" filter ",shader=npr_shadow", false, runs }
+	[(first) + PHONG] = { "deferred", "ewa.filter=" filter ",deferred.shader=phong", seen, runs }, \
+	[(first) + NPR] = { "deferred", "ewa.filter=" filter ",deferred.shader=npr", false, runs }, \
+	[(first) + PHONG_SHADOW] = { "deferred", "ewa.filter=" filter ",deferred.shader=phong_shadow", false, runs }, \
+	[(first) + NPR_SHADOW] = { "deferred", "ewa.filter=" filter ",deferred.shader=npr_shadow", false, runs }
 
 static const ts_bench_variant variants[] = {
 	EACH(M_BOTH, "min", true, TS_TIMED), EACH(M_OBJECT, "object", true, TS_TIMED),
@@ -95,7 +95,7 @@ static const ts_paper_row rows[] = { ROWS("checkerboard", "bunny"), ROWS("atrium
 const ts_paper_table ts_nv40 = {
 	.name = "nv40", .title = "NV40 surface splatting: who runs", .effect = "surfels", .scenes = "checkerboard,atrium",
 	.models = "bunny_splats.glb,dragon_splats.glb", .objects_head = "pixels", .objects = "240x135,480x270,1920x1080",
-	.sampled = 300000, .set = "", .defaults = "eye=outside", .timed = true,
+	.sampled = 300000, .set = "", .defaults = "eye.distance=outside", .timed = true,
 	.note = "Scenes without surfels are sampled to 300,000. The slides' scenes and sizes are not known.",
 	.variants = variants, .figures = figures, .parts = parts, .relations = relations, .rows = rows,
 };

@@ -203,9 +203,9 @@ static void sum_up(const ts_probe *p, const fragments *blended, i64 *sums, u64 *
 		const fragment *f = &blended->fragment[i];
 		ts_attributes attributes = ts_k_attributes(&surfels[f->surfel], &discs[f->surfel]);
 		ts_k_blend_add(&args, 0, f->surfel, &attributes, f->weight);
-		if (ordered) ts_k_blend_next(TS_PARAM(params, accumulation), &target, &attributes, f->weight);
+		if (ordered) ts_k_blend_next(TS_PARAM(params, surfel_blend_accumulation), &target, &attributes, f->weight);
 	}
-	if (ordered) ts_k_blend_end(TS_PARAM(params, accumulation), &target, (u32)blended->n, sums);
+	if (ordered) ts_k_blend_end(TS_PARAM(params, surfel_blend_accumulation), &target, (u32)blended->n, sums);
 }
 
 static json_t *real_of(i64 sum) { return json_real((double)sum / (1 << TS_BLEND_BITS)); }

@@ -44,7 +44,7 @@ struct tracer {
 	const ts_view *eye;
 	const ts_light *lights;
 	u32 n_lights;
-	double eps, fall;   /* world units; 1 / (2 sigma_k^2) */
+	double eps, fall;   /* world units; 1 / (2 ewa.sigma_k^2) */
 	f32 spread, beyond; /* footprint of a unit of path; farther than the scene reaches */
 	double shift[2];    /* of the rays in their pixels, [0,1] */
 	u32 side;           /* rays a pixel a side */
@@ -265,7 +265,7 @@ static f32 extent_of(const ts_scene *scene)
 static ts_status trace(f32 **radiance, const world *into, ts_run *run)
 {
 	const ts_view *eye = ts_frame_data(&run->frame, TS_B_eye_view);
-	double sigma_k = (double)TS_PARAM(&run->params, sigma_k);
+	double sigma_k = (double)TS_PARAM(&run->params, ewa_sigma_k);
 	tracer t = {
 		.into = into,
 		.surfels = run->scene->surfels,
@@ -274,9 +274,9 @@ static ts_status trace(f32 **radiance, const world *into, ts_run *run)
 		.n_lights = (u32)ts_frame_n(&run->frame, TS_B_lamp_light),
 		.eps = (double)*(const f32 *)ts_frame_data(&run->frame, TS_B_surfel_setup_epsilon),
 		.fall = 0.5 / (sigma_k * sigma_k),
-		.spread = 1.0f / (eye->focal * (f32)TS_PARAM(&run->params, grid_rays)),
+		.spread = 1.0f / (eye->focal * (f32)TS_PARAM(&run->params, truth_grid_rays)),
 		.beyond = 2.0f * extent_of(run->scene),
-		.side = TS_PARAM(&run->params, grid_rays),
+		.side = TS_PARAM(&run->params, truth_grid_rays),
 		.n_threads = (int)run->c.threads,
 	};
 	ts_status status = into->open(&t, run) == TS_OK ? make_room(radiance, &t, run) : TS_ERROR;
@@ -304,7 +304,7 @@ static ts_status trace_scene(f32 **radiance, const world *into, const ts_scene *
 
 bool ts_truth_has_surface(const ts_scene *scene, const ts_params *params)
 {
-	return scene->is_checkerboard || (TS_PARAM(params, from_mesh) > 0 && scene->n_triangles > 0);
+	return scene->is_checkerboard || (TS_PARAM(params, surfels_from_mesh) > 0 && scene->n_triangles > 0);
 }
 
 ts_status ts_truth_discs(f32 **radiance, const ts_scene *scene, const ts_params *params, u32 threads)

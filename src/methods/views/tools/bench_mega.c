@@ -10,7 +10,7 @@ enum { M_MEGA, M_LODS, M_WIDE, M_BRUTE };
 static const ts_bench_variant variants[] = {
 	[M_MEGA] = { "megaviews", "", true, TS_TIMED },
 	[M_LODS] = { "manylods", "", true, TS_TIMED },
-	[M_WIDE] = { "megaviews", "view_field=all", true, TS_TIMED },
+	[M_WIDE] = { "megaviews", "view_map.field=all", true, TS_TIMED },
 	[M_BRUTE] = { "bruteforce", "", false, TS_ONCE },
 	{ 0 },
 };
@@ -127,7 +127,7 @@ static double empty_share(const ts_run *run)
 	const u32 *depth = ts_frame_data(&run->frame, TS_B_view_map_fused_depth);
 	const ts_node *node = ts_frame_data(&run->frame, TS_B_view_octree_node);
 	u64 n = ts_frame_n(&run->frame, TS_B_view_octree_node), all = 0, empty = 0;
-	u64 n_texels = (u64)2 * TS_PARAM(&run->params, view_px) * TS_PARAM(&run->params, view_px);
+	u64 n_texels = (u64)2 * TS_PARAM(&run->params, view_map_px) * TS_PARAM(&run->params, view_map_px);
 	for (u64 i = 0; i < n; i++) {
 		if (node[i].children != 0) continue;
 		for (u64 k = 0; k < n_texels; k++) empty += depth[i * n_texels + k] == TS_NONE;
@@ -141,8 +141,8 @@ static const ts_paper_plot plot = {"views", "maps, ms", VIEWS, {MS, LODS_MS, BRU
 /* clang-format off */
 const ts_paper_table ts_mega_10 = {
 	.name = "mega-10", .title = "MegaViews, figure 10", .effect = "indirect", .scenes = "atrium", .objects_head = "paths",
-	.objects_param = "vpls", .objects = "256,1024,4096", .most = 1 << 24, .most_long = 1024, .set = "reflectors=0",
-	.defaults = "levels=7,rsm_px=256", .size = "width=320,height=180", .timed = true,
+	.objects_param = "vpl.paths", .objects = "256,1024,4096", .most = 1 << 24, .most_long = 1024, .set = "reflectors.count=0",
+	.defaults = "octree.levels=7,rsm.px=256", .size = "width=320,height=180", .timed = true,
 	.note = "A path leaves vpl.bounces views; the paper has 1 or 4, and 11 levels. Brute force, one run, up to 1024 paths.",
 	.look = empty_share, .variants = variants, .figures = figures, .parts = parts, .relations = relations,
 	.plot = &plot, .rows = rows,

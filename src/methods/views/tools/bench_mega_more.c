@@ -7,13 +7,13 @@
 /* clang-format off */
 /* Figure 12. */
 static const ts_bench_variant splat_variants[] = {
-	[M_MEGA] = { "megaviews", "multipixel=on", true, TS_TIMED },
-	[M_LODS] = { "manylods", "multipixel=on", true, TS_TIMED },
+	[M_MEGA] = { "megaviews", "view_map.multipixel=on", true, TS_TIMED },
+	[M_LODS] = { "manylods", "view_map.multipixel=on", true, TS_TIMED },
 	{ 0 },
 };
 
 static const ts_bench_figure side_figures[] = {
-	[X] = { "side", "texels a side", TS_FIGURE_PARAM, 0, 0, TS_WHOLE, "view_px" }, TS_MEGA_FIGURES, { 0 },
+	[X] = { "side", "texels a side", TS_FIGURE_PARAM, 0, 0, TS_WHOLE, "view_map.px" }, TS_MEGA_FIGURES, { 0 },
 };
 
 static const ts_paper_part side_parts[] = {
@@ -41,8 +41,8 @@ static const ts_paper_plot side_plot = { "texels a side", "maps, ms", X, { MS, L
 
 const ts_paper_table ts_mega_12 = {
 	.name = "mega-12", .title = "MegaViews, figure 12", .effect = "indirect", .scenes = "atrium",
-	.objects_head = "view_px", .objects_param = "view_px", .objects = "16,32,64", .set = "reflectors=0",
-	.defaults = "levels=7,vpls=1024,rsm_px=256", .size = "width=320,height=180", .timed = true,
+	.objects_head = "view_map.px", .objects_param = "view_map.px", .objects = "16,32,64", .set = "reflectors.count=0",
+	.defaults = "octree.levels=7,vpl.paths=1024,rsm.px=256", .size = "width=320,height=180", .timed = true,
 	.note = "The paper has a million views, and 11 levels.", .variants = splat_variants, .figures = side_figures,
 	.parts = side_parts, .relations = side_relations, .plot = &side_plot, .rows = none,
 };
@@ -87,8 +87,8 @@ static const ts_paper_plot level_plot = { "leaves of the scene", "maps, ms", X, 
 
 const ts_paper_table ts_mega_13 = {
 	.name = "mega-13", .title = "MegaViews, figure 13", .effect = "indirect", .scenes = "atrium",
-	.objects_head = "levels", .objects_param = "levels", .objects = "5,6,7,8", .set = "reflectors=0",
-	.defaults = "vpls=256,vpl.bounces=4,rsm_px=256", .size = "width=320,height=180", .timed = true,
+	.objects_head = "levels", .objects_param = "octree.levels", .objects = "5,6,7,8", .set = "reflectors.count=0",
+	.defaults = "vpl.paths=256,vpl.bounces=4,rsm.px=256", .size = "width=320,height=180", .timed = true,
 	.note = "The paper has 65,536 views.", .variants = variants, .figures = level_figures,
 	.parts = level_parts, .relations = level_relations, .plot = &level_plot, .rows = level_rows,
 };
@@ -97,9 +97,9 @@ const ts_paper_table ts_mega_13 = {
 enum { M_CULLED, M_UNCULLED, M_EVERY };
 
 static const ts_bench_variant gather_variants[] = {
-	[M_CULLED] = { "megaviews", "filter_px=0", true, TS_ONCE },
-	[M_UNCULLED] = { "megaviews", "filter_px=0,gather_level=0", true, TS_ONCE },
-	[M_EVERY] = { "megaviews", "filter_px=0,gather_lights=0", true, TS_ONCE },
+	[M_CULLED] = { "megaviews", "bilateral.px=0", true, TS_ONCE },
+	[M_UNCULLED] = { "megaviews", "bilateral.px=0,vpl_gather.level=0", true, TS_ONCE },
+	[M_EVERY] = { "megaviews", "bilateral.px=0,vpl_gather.lights=0", true, TS_ONCE },
 	{ 0 },
 };
 
@@ -117,7 +117,7 @@ static const ts_bench_figure gather_figures[] = {
 	[NOISE] = { "noise", "RMSE", TS_FIGURE_RMSE, M_CULLED, M_EVERY, 3, "" },
 	[UNCULLED_NOISE] = { "unculled_noise", "not culled", TS_FIGURE_RMSE, M_UNCULLED, M_EVERY, 3, "" },
 	[NOISE_RATIO] = { "noise_ratio", "by that", TS_FIGURE_RATIO, NOISE, UNCULLED_NOISE, 3, "" },
-	[LEVEL] = { "level", "level", TS_FIGURE_PARAM, 0, 0, TS_WHOLE, "gather_level" },
+	[LEVEL] = { "level", "level", TS_FIGURE_PARAM, 0, 0, TS_WHOLE, "vpl_gather.level" },
 	{ 0 },
 };
 
@@ -147,9 +147,9 @@ static const ts_paper_plot gather_plot = {
 /* clang-format off */
 const ts_paper_table ts_mega_16 = {
 	.name = "mega-16", .title = "MegaViews, figure 16", .effect = "indirect", .scenes = "atrium",
-	.objects_head = "gather_level", .objects_param = "gather_level", .objects = "2,3,4,5,6", .set = "reflectors=0",
-	.defaults = "levels=7,vpls=1024,rsm_px=256", .size = "width=160,height=90",
-	.note = "The paper has a million views, 11 levels, and a cut-off: --set cutoff=DISTANCE, beyond which light is lost.",
+	.objects_head = "vpl_gather.level", .objects_param = "vpl_gather.level", .objects = "2,3,4,5,6", .set = "reflectors.count=0",
+	.defaults = "octree.levels=7,vpl.paths=1024,rsm.px=256", .size = "width=160,height=90",
+	.note = "The paper has a million views, 11 levels, and a cut-off: --set vpl_gather.cutoff=DISTANCE, beyond which light is lost.",
 	.variants = gather_variants, .figures = gather_figures, .parts = gather_parts, .relations = gather_relations,
 	.plot = &gather_plot, .rows = gather_rows,
 };

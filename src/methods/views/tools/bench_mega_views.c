@@ -49,8 +49,8 @@ static const ts_paper_row bounce_rows[] = {
 
 const ts_paper_table ts_mega_10_bounces = {
 	.name = "mega-10-bounces", .title = "MegaViews, figure 10, four bounces", .effect = "indirect", .scenes = "atrium",
-	.objects_head = "paths", .objects_param = "vpls", .objects = "64,256,1024", .most = 1 << 22,
-	.set = "reflectors=0,vpl.bounces=4", .defaults = "levels=7,rsm_px=256", .size = "width=320,height=180", .timed = true,
+	.objects_head = "paths", .objects_param = "vpl.paths", .objects = "64,256,1024", .most = 1 << 22,
+	.set = "reflectors.count=0,vpl.bounces=4", .defaults = "octree.levels=7,rsm.px=256", .size = "width=320,height=180", .timed = true,
 	.note = "A path leaves up to four views; the paper has 256K paths, and 11 levels.", .variants = variants,
 	.figures = bounce_figures, .parts = bounce_parts, .relations = bounce_relations, .plot = &plot, .rows = bounce_rows,
 };
@@ -76,8 +76,8 @@ static const ts_paper_row particle_rows[] = {
 
 const ts_paper_table ts_mega_particles = {
 	.name = "mega-particles", .title = "MegaViews, particles", .effect = "particles", .scenes = "atrium",
-	.objects_head = "particles", .objects_param = "particles", .objects = "256,1024,4096", .most = 1 << 24,
-	.set = "reflectors=0", .defaults = "levels=7", .size = "width=320,height=180", .timed = true,
+	.objects_head = "particles", .objects_param = "particle.count", .objects = "256,1024,4096", .most = 1 << 24,
+	.set = "reflectors.count=0", .defaults = "octree.levels=7", .size = "width=320,height=180", .timed = true,
 	.note = "Nothing is culled. The paper has 4,096 and 65,536, and 11 levels.", .variants = variants,
 	.figures = particle_figures, .parts = particle_parts, .relations = particle_relations, .plot = &plot,
 	.rows = particle_rows,

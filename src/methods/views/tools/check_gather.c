@@ -23,7 +23,7 @@ static ts_status check_voxels(const ts_load *load)
 {
 	const u32 *before = ts_frame_data(&load->run.frame, TS_B_voxel_before);
 	const u32 *level = ts_frame_data(&load->run.frame, TS_B_octree_level);
-	for (u32 l = 0; l <= TS_PARAM(&load->run.params, levels) + 1; l++) {
+	for (u32 l = 0; l <= TS_PARAM(&load->run.params, octree_levels) + 1; l++) {
 		u32 first = before[ts_k_mask_first(l)];
 		if (level[l] == first) continue;
 		return ts_check_refuse(load, TS_B_octree_level, l, "", 0, "%" PRIu32 ", as voxel.before,", first);

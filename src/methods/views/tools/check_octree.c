@@ -47,7 +47,7 @@ static bool is_parent(const ts_node *nodes, u64 i, u64 n)
 static ts_status check_links(const ts_load *load, ts_buffer_id id, u64 i, u64 n)
 {
 	const ts_node *nodes = ts_frame_data(&load->run.frame, id), *node = &nodes[i];
-	bool leaf = node->level == TS_PARAM(&load->run.params, levels), root = i == 0;
+	bool leaf = node->level == TS_PARAM(&load->run.params, octree_levels), root = i == 0;
 	if (node->children > 255 || (node->children == 0) != leaf) {
 		return ts_check_refuse(load, id, i, "children", 0, leaf ? "0, of a leaf," : "1 to 255");
 	}
@@ -129,7 +129,7 @@ static ts_status check_leaves(const ts_load *load, const ts_stage *stage, ts_buf
 	u64 n_views;
 	const u32 *leaf = ts_check_elements(load, TS_B_view_octree_leaf, &n_views);
 	if (leaf == NULL) return TS_OK;
-	u32 first = ts_octree_first(&load->run, &ts_view_octree, TS_PARAM(&load->run.params, levels));
+	u32 first = ts_octree_first(&load->run, &ts_view_octree, TS_PARAM(&load->run.params, octree_levels));
 	for (u64 i = 0, n = ts_frame_n(&load->run.frame, id) - 1; i < n; i++) {
 		if (offset[i + 1] == offset[i]) {
 			return ts_check_refuse(load, id, i + 1, "", 0, "more than the sum before it");

@@ -95,7 +95,7 @@ ts_status ts_probe_filter(ts_probe *p, u32 x, u32 y, json_t *object, f32 irradia
 	                          .to = rows,
 	                          .width = TS_PARAM(params, width),
 	                          .height = TS_PARAM(params, height),
-	                          .radius = TS_PARAM(params, filter_px)};
+	                          .radius = TS_PARAM(params, bilateral_px)};
 	json_t *o = json_object();
 	if (rows != NULL) columns = ts_alloc_zero((size_t)n, 3 * sizeof *columns, "columns");
 	ts_status status = columns != NULL ? put_filter(p, o, &args, rows, columns, x, y) : TS_ERROR;

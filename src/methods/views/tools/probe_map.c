@@ -219,7 +219,7 @@ static const char *half(u32 side) { return side == 0 ? "front" : "back"; }
 static ts_status describe(ts_probe *p, json_t *o, u32 node, u32 texel)
 {
 	search s = {.texel = texel};
-	u32 n = TS_PARAM(&p->load->run.params, view_px);
+	u32 n = TS_PARAM(&p->load->run.params, view_map_px);
 	const ts_cone *cone = (const ts_cone *)ts_probe_loaded(p, TS_B_view_octree_cone) + node;
 	ts_status status = ts_probe_read_chain(p, &s.chain, node);
 	if (status == TS_OK) status = find_offers(p, &s);
@@ -255,7 +255,7 @@ static ts_status load(ts_probe *p)
 /* Puts the texel of half `side` of a node's map. */
 static ts_status answer(ts_probe *p, const ts_probe_question *q, u32 node, json_t *o)
 {
-	u32 side = TS_PARAM(&p->load->run.params, view_px);
+	u32 side = TS_PARAM(&p->load->run.params, view_map_px);
 	if (q->x >= side || q->y >= side) {
 		return ts_fail("%s: no texel (%u, %u); halves of maps have %u x %u", p->trace->dir, (unsigned)q->x,
 		               (unsigned)q->y, (unsigned)side, (unsigned)side);

@@ -24,7 +24,7 @@ ts_status ts_probe_read_chain(ts_probe *p, ts_probe_chain *c, u32 node)
 	c->args = (ts_fuse_args){.views = c->nodes,
 	                         .texels = c->texels,
 	                         .pyramid = pyramid,
-	                         .nearest = TS_PARAM(&p->load->run.params, fusion) == TS_FUSION_MIN};
+	                         .nearest = TS_PARAM(&p->load->run.params, view_map_fusion) == TS_FUSION_MIN};
 	return TS_OK;
 }
 

@@ -51,10 +51,10 @@ static const ts_probe_part parts[] = {
 /* For the share of empty texels (bench_mega.c). */
 static const ts_buffer_id keeps[] = {TS_B_view_octree_node, TS_B_view_map_fused_depth, TS_N_BUFFERS};
 
-static u64 queue_bytes(const ts_params *params) { return (u64)TS_PARAM(params, queue_mb) << 20; }
+static u64 queue_bytes(const ts_params *params) { return (u64)TS_PARAM(params, traverse_queue_mb) << 20; }
 
 static const ts_lower_rule lowers[] = {
-	{TS_B_view_map_depth_node, "queue_mb", queue_bytes},
+	{TS_B_view_map_depth_node, "traverse.queue_mb", queue_bytes},
 	{0},
 };
 

@@ -33,12 +33,12 @@ static ts_status trace(ts_truth *truth, ts_run *run, const char *const *makers, 
 		if (ts_run_stage(run, ts_stage_find(*makers)) != TS_OK) return TS_ERROR;
 	}
 	const ts_root *root = ts_frame_data(&run->frame, TS_B_octree_root);
-	f32 leaf = root->side / (f32)(1 << TS_PARAM(&run->params, levels));
+	f32 leaf = root->side / (f32)(1 << TS_PARAM(&run->params, octree_levels));
 	const tracer t = {
 		.truth = truth,
 		.vpls = ts_frame_data(&run->frame, TS_B_vpl_light),
 		.n_vpls = ts_frame_n(&run->frame, TS_B_vpl_light),
-		.near = TS_PARAM(&run->params, light_near) * leaf,
+		.near = TS_PARAM(&run->params, vpl_gather_near) * leaf,
 		.reach = leaf * 1.73205077648162841796875f,
 	};
 	return ts_truth_gather(run, from_vpls, &t, label);

@@ -21,14 +21,14 @@ static int make_all(void **state)
 {
 	(void)state;
 	ts_params params = small_params(96, 64);
-	params.grid_px = 64;
+	params.depth_grid_px = 64;
 	params.rsm_px = 4;
 	for (u32 i = 0; i < N_INDIRECT; i++) {
-		params.surface = indirect_methods[i].surface;
-		params.interpolation = indirect_methods[i].interpolation;
-		params.sharpness = indirect_methods[i].sharpness;
-		params.cosine = indirect_methods[i].cosine;
-		params.integrals = indirect_methods[i].integrals;
+		params.hull_surface = indirect_methods[i].surface;
+		params.hull_interpolation = indirect_methods[i].interpolation;
+		params.hull_sharpness = indirect_methods[i].sharpness;
+		params.hull_cosine = indirect_methods[i].cosine;
+		params.hull_integrals = indirect_methods[i].integrals;
 		make(&indirect[i], "indirect", indirect_methods[i].method, &params);
 	}
 	return 0;
@@ -53,15 +53,15 @@ static void try_lobe(const ts_params *params, const json_t *corners, const json_
 		lambda += share * shown(fitted, "lambda", c);
 	}
 	assert_true(fabsf(shares - 1) < 1e-6f);
-	if (params->interpolation == TS_INTERPOLATION_PARAMETERS) {
+	if (params->hull_interpolation == TS_INTERPOLATION_PARAMETERS) {
 		assert_bits(shown(lobe, "mu", 0), mu);
 		assert_bits(shown(lobe, "lambda", 0), lambda);
 	}
-	if (params->cosine == TS_COSINE_IS_OURS) {
+	if (params->hull_cosine == TS_COSINE_IS_OURS) {
 		f32 share = shown(lobe, "c", 0), up = share * shown(lobe, "A_u", 0), down = (1 - share) * shown(lobe, "A_b", 0);
 		assert_bits(integral, up + down);
 	}
-	if (params->cosine == TS_COSINE_IS_CONSTANT) {
+	if (params->hull_cosine == TS_COSINE_IS_CONSTANT) {
 		assert_bits(integral, fmaxf(0, shown(lobe, "cos_beta", 0)) * shown(lobe, "A", 0));
 	}
 	f32 product = shown(lobe, "mu", 0) * integral;

@@ -28,15 +28,15 @@ static ts_params small_params(u32 rate)
 	ts_params_default(&p);
 	p.width = 96;
 	p.height = 54;
-	p.reflectors = 2;
-	p.reflector_px = 16;
-	p.face_px = 48;
-	p.views = 5;
-	p.pass = 3;
-	p.map_px = 80;
-	p.light_samples = 2;
-	p.rate = rate;
-	p.cull = 0;
+	p.reflectors_count = 2;
+	p.reflectors_px = 16;
+	p.cube_px = 48;
+	p.lamp_views = 5;
+	p.lamp_views_a_pass = 3;
+	p.depth_map_px = 80;
+	p.lamp_cubes = 2;
+	p.density_rate = rate;
+	p.points_cull = 0;
 	return p;
 }
 
@@ -51,8 +51,9 @@ static ts_texel_counts count(const char *effect, const ts_scene *scene, const ts
 	if (ts_pipeline_run(ts_pipeline_find(effect, "ivir"), &run) != TS_OK) fail_msg("%s", ts_error_message());
 	assert_int_equal(ts_run_counter(&run, "density.capped"), 0);
 	print_message("%s of %s, rate %u: %llu covered, %llu holes, %llu leaks, %llu apart\n", effect, scene->name,
-	              (unsigned)params->rate, (unsigned long long)t.counts.covered, (unsigned long long)t.counts.holes,
-	              (unsigned long long)t.counts.leaks, (unsigned long long)t.counts.apart);
+	              (unsigned)params->density_rate, (unsigned long long)t.counts.covered,
+	              (unsigned long long)t.counts.holes, (unsigned long long)t.counts.leaks,
+	              (unsigned long long)t.counts.apart);
 	ts_truth_free(t.truth);
 	ts_run_end(&run);
 	return t.counts;

@@ -9,13 +9,13 @@ static int make_all(void **state)
 {
 	(void)state;
 	ts_params params = small_params(96, 64);
-	params.reflectors = 3;
-	params.reflector_px = 40;
-	params.bounces = 2;
+	params.reflectors_count = 3;
+	params.reflectors_px = 40;
+	params.lookup_bounces = 2;
 	params.mvr_faces = TS_MVR_FACES_ADAPTIVE;
 	make(&epr, "reflections", "epr", &params);
 	make(&mvr, "reflections", "mvr", &params);
-	params.planedepth = 1;
+	params.splat_plane_depth = 1;
 	make(&plane, "reflections", "epr", &params);
 	return 0;
 }

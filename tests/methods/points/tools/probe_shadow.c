@@ -16,12 +16,12 @@ static int make_all(void **state)
 {
 	(void)state;
 	ts_params params = small_params(96, 64);
-	params.reflectors = 3;
-	params.reflector_px = 40;
-	params.planedepth = 1;
-	params.views = params.light_samples = 5;
-	params.map_px = 64;
-	params.pass = 2;
+	params.reflectors_count = 3;
+	params.reflectors_px = 40;
+	params.splat_plane_depth = 1;
+	params.lamp_views = params.lamp_cubes = 5;
+	params.depth_map_px = 64;
+	params.lamp_views_a_pass = 2;
 	for (u32 i = 0; i < N_SHADOWS; i++) make(&shadows[i], shadow_methods[i].effect, shadow_methods[i].method, &params);
 	return 0;
 }

@@ -57,8 +57,8 @@ static int begin(void **state)
 		                      .n_writes = &counts[1],
 		                      .n_cubes = 1,
 		                      .n_words = 1,
-		                      .clip = reference.params.clip,
-		                      .plane_depth = reference.params.planedepth};
+		                      .clip = reference.params.splat_clip,
+		                      .plane_depth = reference.params.splat_plane_depth};
 		ts_k_splat_item(&args, p);
 		if (counts[1] == 0) fail_msg("point %u covers nothing", (unsigned)p);
 	}

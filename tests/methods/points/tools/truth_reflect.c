@@ -58,7 +58,7 @@ static void grow(stand *s)
 /* A copy of the answer, P x 3. */
 static f32 *answer(stand *s, ts_status (*method)(ts_truth *, ts_run *), u32 bounces, u32 threads)
 {
-	s->world.run.params.bounces = bounces;
+	s->world.run.params.lookup_bounces = bounces;
 	s->world.run.c.threads = threads;
 	assert_int_equal(method(s->truth, &s->world.run), TS_OK);
 	assert_int_equal(ts_frame_n(&s->world.run.frame, TS_B_shade_radiance), s->n_pixels * 3);

@@ -224,9 +224,9 @@ static ts_params small_params(void)
 	ts_params_default(&p);
 	p.width = 160;
 	p.height = 90;
-	p.reflectors = 0;
-	p.views = p.light_samples = 4;
-	p.area_samples = 4;
+	p.reflectors_count = 0;
+	p.lamp_views = p.lamp_cubes = 4;
+	p.truth_area_samples = 4;
 	return p;
 }
 
@@ -242,10 +242,10 @@ static double mvr_apart(const char *effect, const ts_scene *scene, const ts_para
 {
 	ts_run run;
 	ts_run_begin(&run, scene, params, 2);
-	run.params.map_px = map_px;
+	run.params.depth_map_px = map_px;
 	assert_int_equal(ts_pipeline_run(ts_pipeline_find(effect, "mvr"), &run), TS_OK);
 	const u32 *mvr = ts_frame_data(&run.frame, TS_B_shadow_test_lit);
-	double rms = apart(mvr, lit, ts_frame_n(&run.frame, TS_B_shadow_test_lit), params->views);
+	double rms = apart(mvr, lit, ts_frame_n(&run.frame, TS_B_shadow_test_lit), params->lamp_views);
 	print_message("%s of %s: maps of %u px: %.4f apart\n", effect, scene->name, (unsigned)map_px, rms);
 	ts_run_end(&run);
 	return rms;
@@ -257,7 +257,7 @@ static void check_area(ts_truth *truth, ts_run *run, const u32 *lit)
 	u64 n = ts_frame_n(&run->frame, TS_B_shadow_test_lit);
 	assert_int_equal(ts_truth_area(truth, run), TS_OK);
 	assert_memory_equal(ts_frame_data(&run->frame, TS_B_shadow_test_lit), lit, n * sizeof *lit);
-	run->params.area_samples = 64;
+	run->params.truth_area_samples = 64;
 	assert_int_equal(ts_truth_area(truth, run), TS_OK);
 	const ts_lamp *lamp = ts_frame_data(&run->frame, TS_B_lamp_shape);
 	const u32 *area = ts_frame_data(&run->frame, TS_B_shadow_test_lit);
@@ -303,7 +303,7 @@ static void check_too_many(u32 n_lamps, const char *message)
 	world *w = world_new();
 	see(w);
 	ts_frame_make1(&w->run.frame, TS_B_lamp_shape, n_lamps);
-	w->run.params.area_samples = 65536;
+	w->run.params.truth_area_samples = 65536;
 	ts_truth *truth;
 	assert_int_equal(ts_truth_new(&truth, &w->run), TS_OK);
 	assert_int_equal(ts_truth_area(truth, &w->run), TS_ERROR);
@@ -315,8 +315,8 @@ static void check_too_many(u32 n_lamps, const char *message)
 static void test_too_many(void **state)
 {
 	(void)state;
-	check_too_many(65536, "area_samples=65536: of 65536 lights at most 16 each would be right");
-	check_too_many(17, "area_samples=65536: of 17 lights at most 61680 each would be right");
+	check_too_many(65536, "truth.area_samples=65536: of 65536 lights at most 16 each would be right");
+	check_too_many(17, "truth.area_samples=65536: of 17 lights at most 61680 each would be right");
 }
 
 int main(void)

@@ -20,9 +20,9 @@ static int set_up(void **state)
 	ts_params_default(&params);
 	params.width = WIDTH;
 	params.height = HEIGHT;
-	params.reflectors = 3;
-	params.reflector_px = 12;
-	params.face_max = 32;
+	params.reflectors_count = 3;
+	params.reflectors_px = 12;
+	params.cube_max_px = 32;
 	scene = soup_open(&params, 2000);
 	return scene == NULL;
 }
@@ -71,8 +71,8 @@ static void test_box(void **state)
 	ts_params big = params;
 	big.width *= 4;
 	big.height *= 4;
-	big.face_max *= 4;
-	big.hysteresis *= 4;
+	big.cube_max_px *= 4;
+	big.cube_hysteresis *= 4;
 	f32 *c = truth_c(4, 2), *again = truth_c(4, 1), *m = mvr(&big);
 	for (u32 i = 0; i < WIDTH * HEIGHT * 3; i++) {
 		u32 x = i / 3 % WIDTH, y = i / 3 / WIDTH;
@@ -103,8 +103,8 @@ static void test_refusals(void **state)
 	wide.width = 8192;
 	refuse(&wide, 4, "width");
 	wide = params;
-	wide.face_px = 4096;
-	refuse(&wide, 2, "face_px");
+	wide.cube_px = 4096;
+	refuse(&wide, 2, "cube.px");
 }
 
 int main(void)

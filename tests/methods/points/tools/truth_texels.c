@@ -110,7 +110,7 @@ static void test_limit(void **state)
 {
 	(void)state;
 	world *w = world_new(false);
-	w->run.params.bias = w->run.params.bias_slope = 0;
+	w->run.params.depth_map_bias = w->run.params.depth_map_bias_slope = 0;
 	u32 *depth = ts_frame_make1(&w->run.frame, TS_B_depth_map_depth, 2 * SIDE * SIDE);
 	for (u32 i = 0; i < 2 * SIDE * SIDE; i++) {
 		double tangent = (i % SIDE + 0.5 - SIDE / 2 + (i < SIDE * SIDE ? 0.499 : 0.51)) / (SIDE / 2.0);

@@ -53,7 +53,7 @@ typedef ts_status truth_of(ts_truth *truth, ts_run *run);
 static inline const f32 *traced(world *w, truth_of *trace)
 {
 	ts_truth *truth;
-	w->run.params.bounce_rays = N_RAYS;
+	w->run.params.truth_bounce_rays = N_RAYS;
 	assert_int_equal(ts_truth_new(&truth, &w->run), TS_OK);
 	assert_int_equal(trace(truth, &w->run), TS_OK);
 	ts_truth_free(truth);

@@ -41,15 +41,15 @@ static void test_far_band(void **state)
 	f32 *truth;
 	ts_scene *scene;
 	ts_params params = small_params(WIDTH, HEIGHT);
-	params.reflectors = 0;
-	params.eps = 1000; /* a plane hides nothing of itself */
-	params.splat_radius = 1;
-	params.grid_rays = 12;
+	params.reflectors_count = 0;
+	params.surfel_depth_epsilon = 1000; /* a plane hides nothing of itself */
+	params.surfels_radius = 1;
+	params.truth_grid_rays = 12;
 	if (ts_scene_open(&scene, "checkerboard:surfels=409600", &params, NULL) != TS_OK)
 		fail_msg("%s", ts_error_message());
 	if (ts_truth_surface(&truth, scene, &params, 2) != TS_OK) fail_msg("%s", ts_error_message());
 	double least = error_of(scene, &params, "deferred", truth), ewa = error_of(scene, &params, "ewa", truth);
-	params.filter = TS_FILTER_OBJECT;
+	params.ewa_filter = TS_FILTER_OBJECT;
 	double object = error_of(scene, &params, "deferred", truth);
 	print_message("# object filter %.4f, lesser radius %.4f, exact EWA %.4f\n", object, least, ewa);
 	assert_true(object >= 2 * least);

@@ -6,10 +6,10 @@ static int begin(void **state)
 {
 	(void)state;
 	ts_params params = small_params(64, 48);
-	params.reflectors = 0;
-	params.from_mesh = 3000;
-	params.map_px = 32;
-	params.shader = TS_SHADER_PHONG_SHADOW;
+	params.reflectors_count = 0;
+	params.surfels_from_mesh = 3000;
+	params.depth_map_px = 32;
+	params.deferred_shader = TS_SHADER_PHONG_SHADOW;
 	loaded_run(ts_pipeline_find("surfels", "deferred"), &params);
 	return 0;
 }

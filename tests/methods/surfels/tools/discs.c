@@ -101,9 +101,9 @@ static void test_all_tried(void **state)
 static ts_params params_of(u32 rays)
 {
 	ts_params params = small_params(WIDTH, HEIGHT);
-	params.reflectors = 0;
-	params.grid_rays = rays;
-	params.eps = 0.125f;
+	params.reflectors_count = 0;
+	params.truth_grid_rays = rays;
+	params.surfel_depth_epsilon = 0.125f;
 	return params;
 }
 
@@ -198,9 +198,9 @@ static void test_blending(void **state)
 	for (u32 p = 0; p < WIDTH * HEIGHT; p++) {
 		double x = (p % WIDTH + 0.5 - WIDTH / 2.0) / focal(), y = (p / WIDTH + 0.5 - HEIGHT / 2.0) / focal();
 		double way = sqrt(1 + x * x + y * y), weight[2], expected[3];
-		bool both = (depth[1] - depth[0]) * way <= (double)params.eps;
+		bool both = (depth[1] - depth[0]) * way <= (double)params.surfel_depth_epsilon;
 		for (u32 i = 0; i < 2; i++) {
-			double r = depth[i] * sqrt(x * x + y * y) / radius / (double)params.sigma_k;
+			double r = depth[i] * sqrt(x * x + y * y) / radius / (double)params.ewa_sigma_k;
 			weight[i] = i == 0 || both ? exp(-0.5 * r * r) : 0;
 		}
 		for (u32 k = 0; k < 3; k++) {
@@ -221,7 +221,7 @@ static void test_shadow(void **state)
 	(void)state;
 	const f32 grey[3] = {0.5f, 0.5f, 0.5f};
 	ts_params params = params_of(1);
-	params.shader = TS_SHADER_PHONG_SHADOW;
+	params.deferred_shader = TS_SHADER_PHONG_SHADOW;
 	ts_build *build = begin(ts_v3_make(0.6f, 0, -0.8f));
 	add_facing(build, 5, 6, grey);
 	ts_surfel s = {.centre = {-1.5f, 0, -3}, .u = {0.5f, 0, 0}, .v = {0, 0.5f, 0}, .colour = {1, 1, 1}};
@@ -259,7 +259,7 @@ static void test_mesh(void **state)
 	ts_run run;
 	ts_scene *scene;
 	ts_params params = params_of(1);
-	params.from_mesh = 2000;
+	params.surfels_from_mesh = 2000;
 	f32 *radiance = surface_of("dining:triangles=10000:texels=16", &params, &scene);
 	surfels_run(&run, scene, &params, "deferred", 2);
 	for (u32 k = 0; stages[k] != NULL; k++) assert_int_equal(ts_run_stage(&run, ts_stage_find(stages[k])), TS_OK);
@@ -272,7 +272,7 @@ static void test_mesh(void **state)
 	}
 	print_message("# %u of %u pixels as the raster has them\n", n_same, WIDTH * HEIGHT);
 	assert_true(n_same > WIDTH * HEIGHT * 9 / 10);
-	params.from_mesh = 0;
+	params.surfels_from_mesh = 0;
 	assert_false(ts_truth_has_surface(scene, &params));
 	free(radiance);
 	ts_run_end(&run);

@@ -74,7 +74,7 @@ static counts count(const ts_scene *scene, ts_params *params)
 	ts_run run;
 	ts_discs *discs;
 	counts c = {0};
-	params->accumulation = TS_ACCUMULATION_FLOAT32; /* for its lists */
+	params->surfel_blend_accumulation = TS_ACCUMULATION_FLOAT32; /* for its lists */
 	surfels_run(&run, scene, params, "deferred", 2);
 	if (ts_discs_new(&discs, scene->surfels, scene->n_surfels, 2) != TS_OK) fail_msg("%s", ts_error_message());
 	const ts_gpixel *pixels = ts_frame_data(&run.frame, TS_B_gbuffer_pixel);
@@ -102,7 +102,7 @@ static void test_balls(void **state)
 {
 	(void)state;
 	ts_params params = small_params(160, 120);
-	params.reflectors = 0;
+	params.reflectors_count = 0;
 	ts_scene *scene = surfels_balls(&params, 4000);
 	counts c = count(scene, &params);
 	assert_true(c.seen == 160 * 120 && c.gaps == 0 && c.farthest > 0.9);
@@ -115,8 +115,8 @@ static void test_dragon(void **state)
 	char path[512];
 	ts_scene *scene;
 	ts_params params = small_params(1920, 1080);
-	params.reflectors = 0;
-	params.eye = TS_EYE_OUTSIDE;
+	params.reflectors_count = 0;
+	params.eye_distance = TS_EYE_OUTSIDE;
 	snprintf(path, sizeof path, "%s/dragon_splats.glb", scenes_folder());
 	FILE *file = fopen(path, "rb");
 	if (file == NULL) {

@@ -21,15 +21,15 @@ static int make_all(void **state)
 {
 	(void)state;
 	ts_params params = small_params(96, 64);
-	params.reflectors = 0;
-	params.from_mesh = 6000;
-	params.map_px = 64;
+	params.reflectors_count = 0;
+	params.surfels_from_mesh = 6000;
+	params.depth_map_px = 64;
 	for (u32 i = 0; i < N_SURFELS; i++) {
-		params.filter = surfel_methods[i].filter;
-		params.shader = surfel_methods[i].shader;
-		params.accumulation = surfel_methods[i].accumulation;
-		params.sigma = surfel_methods[i].sigma;
-		params.eps = surfel_methods[i].eps;
+		params.ewa_filter = surfel_methods[i].filter;
+		params.deferred_shader = surfel_methods[i].shader;
+		params.surfel_blend_accumulation = surfel_methods[i].accumulation;
+		params.ewa_screen_radius = surfel_methods[i].sigma;
+		params.surfel_depth_epsilon = surfel_methods[i].eps;
 		make(&surfels[i], "surfels", surfel_methods[i].method, &params);
 	}
 	return 0;
@@ -73,15 +73,16 @@ static met meet(const traced *t, u32 surfel, u32 x, u32 y)
 		deep -= to[k] * (double)view->back[k];
 	}
 	double a = dot3(d, u) / dot3(u, u), b = dot3(d, v) / dot3(v, v);
-	return (met){hypot(a, b), hypot(f * cx / deep - px, f * cy / deep - py) / (double)t->run.params.sigma, z};
+	return (met){hypot(a, b), hypot(f * cx / deep - px, f * cy / deep - py) / (double)t->run.params.ewa_screen_radius,
+	             z};
 }
 
 /* A fragment against that ray. Returns its weight. */
 static double try_fragment(const traced *t, const json_t *fragment, u32 x, u32 y)
 {
-	u32 surfel = (u32)figure(fragment, "surfel"), filter = t->run.params.filter;
+	u32 surfel = (u32)figure(fragment, "surfel"), filter = t->run.params.ewa_filter;
 	met is = meet(t, surfel, x, y);
-	double weight = (double)shown(fragment, "weight", 0), k = (double)t->run.params.sigma_k;
+	double weight = (double)shown(fragment, "weight", 0), k = (double)t->run.params.ewa_sigma_k;
 	const json_t *r3 = json_object_get(fragment, "r3D"), *r2 = json_object_get(fragment, "r2D");
 	bool centre = json_object_get(fragment, "depth_of") != NULL;
 	if (r3 != NULL) assert_true(fabs(json_real_value(r3) / is.r3 - 1) < 0.02);
@@ -128,7 +129,7 @@ static u64 try_surfels(const traced *t, u32 x, u32 y)
 	const json_t *others = json_object_get(blended, "others");
 	if (others != NULL) sum += json_real_value(json_object_get(others, "weight"));
 	double told = json_real_value(get(answer, "sums", "weight"));
-	bool halves = t->run.params.accumulation == TS_ACCUMULATION_HALF;
+	bool halves = t->run.params.surfel_blend_accumulation == TS_ACCUMULATION_HALF;
 	assert_true(fabs(sum - told) < (halves ? 0.01 * (1 + sum) : 1e-4));
 	assert_int_equal(figure(json_object_get(answer, "sums"), "fragments"), figure(blended, "fragments"));
 	if (x % 4 == 0) try_nearest(t, json_object_get(answer, "visibility"), x, y);

@@ -41,11 +41,11 @@ static int begin(void **state)
 {
 	(void)state;
 	ts_params params = small_params(64, 48);
-	params.reflectors = 0;
-	params.levels = LEVELS;
-	params.vpls = LIGHTS;
+	params.reflectors_count = 0;
+	params.octree_levels = LEVELS;
+	params.vpl_paths = LIGHTS;
 	params.vpl_bounces = 2;
-	params.gather_level = 2;
+	params.vpl_gather_level = 2;
 	loaded_run(&pipeline, &params);
 	return 0;
 }
@@ -148,7 +148,7 @@ static void test_levels(void **state)
 	assert_non_null(strstr(ts_error_message(), "octree.level: element 5"));
 }
 
-/* Both halves of a pair are indices; the maps are as large as view_px says. */
+/* Both halves of a pair are indices; the maps are as large as view_map.px says. */
 static void test_pairs(void **state)
 {
 	(void)state;
@@ -158,7 +158,7 @@ static void test_pairs(void **state)
 	refuses("view_map", TS_B_traverse_rendered, 0, "", n_nodes << 32);
 	refuses("view_map", TS_B_traverse_rendered, n - 1, "", UINT64_MAX << 32);
 	load_for(&load, ts_stage_find("view_map.fuse"));
-	load.run.params.view_px *= 2;
+	load.run.params.view_map_px *= 2;
 	assert_int_equal(ts_check(&load, ts_stage_find("view_map.fuse")), TS_ERROR);
 	assert_non_null(strstr(ts_error_message(), "view_map.depth_node"));
 }

@@ -23,20 +23,20 @@ static int make_all(void **state)
 	(void)state;
 	ts_params params = small_params(96, 64);
 	params.rsm_px = 4;
-	params.levels = 5;
-	params.gather_level = 3;
-	params.filter_px = 3;
-	params.particles = 200;
-	params.bias = params.bias_slope = 0.25f;
-	params.light_bias = 0.5f;
+	params.octree_levels = 5;
+	params.vpl_gather_level = 3;
+	params.bilateral_px = 3;
+	params.particle_count = 200;
+	params.depth_map_bias = params.depth_map_bias_slope = 0.25f;
+	params.vpl_gather_bias = 0.5f;
 	for (u32 i = 0; i < N_VIEWS; i++) {
-		params.vpls = view_methods[i].vpls;
+		params.vpl_paths = view_methods[i].vpls;
 		params.vpl_bounces = view_methods[i].bounces;
-		params.gather_lights = view_methods[i].lights;
-		params.fusion = view_methods[i].fusion;
-		params.multipixel = view_methods[i].multipixel;
-		params.shadows = view_methods[i].shadows;
-		params.cutoff = view_methods[i].cutoff;
+		params.vpl_gather_lights = view_methods[i].lights;
+		params.view_map_fusion = view_methods[i].fusion;
+		params.view_map_multipixel = view_methods[i].multipixel;
+		params.vpl_gather_shadows = view_methods[i].shadows;
+		params.vpl_gather_cutoff = view_methods[i].cutoff;
 		make(&views[i], view_methods[i].effect, view_methods[i].method, &params);
 	}
 	return 0;
@@ -138,7 +138,7 @@ static u64 try_culling(const traced *t, const json_t *culling)
 	const json_t *left = json_object_get(culling, "left");
 	assert_int_equal(figure(left, "nodes"), offset[node + 1] - offset[node]);
 	assert_int_equal(figure(left, "views") + unseen + far, count(t, TS_B_vpl_light));
-	assert_true(t->run.params.cutoff > 0 || far == 0);
+	assert_true(t->run.params.vpl_gather_cutoff > 0 || far == 0);
 	return unseen + far;
 }
 
@@ -162,9 +162,9 @@ static void test_views(void **state)
 			json_decref(answer);
 			n_tried++;
 		}
-		bool culls = i == 0 || t->run.params.cutoff > 0;
+		bool culls = i == 0 || t->run.params.vpl_gather_cutoff > 0;
 		assert_true(n_tried > N_TRIED / 4 && (n_culled > 0 || !culls));
-		assert_true(t->run.params.shadows == 0 ? n_dark == 0 : n_dark > 0);
+		assert_true(t->run.params.vpl_gather_shadows == 0 ? n_dark == 0 : n_dark > 0);
 	}
 }
 

@@ -21,16 +21,16 @@ static int make_all(void **state)
 	(void)state;
 	ts_params params = small_params(32, 24);
 	params.rsm_px = 8;
-	params.levels = 5;
-	params.gather_level = 3;
-	params.particles = 200;
+	params.octree_levels = 5;
+	params.vpl_gather_level = 3;
+	params.particle_count = 200;
 	for (u32 i = 0; i < N_METHODS; i++) {
-		params.vpls = methods[i].vpls;
-		params.view_px = methods[i].px;
-		params.fusion = methods[i].fusion;
-		params.multipixel = methods[i].multipixel;
-		params.view_field = methods[i].field;
-		params.touching = methods[i].touching;
+		params.vpl_paths = methods[i].vpls;
+		params.view_map_px = methods[i].px;
+		params.view_map_fusion = methods[i].fusion;
+		params.view_map_multipixel = methods[i].multipixel;
+		params.view_map_field = methods[i].field;
+		params.view_map_touching = methods[i].touching;
 		make(&views[i], methods[i].effect, methods[i].method, &params);
 	}
 	return 0;
@@ -76,8 +76,8 @@ static apart between(const ts_node *s, const ts_node *v)
 /* METHODS 13: does the pair come to a texel of the map? */
 static answer comes_to(const traced *t, const apart *a, u32 texel)
 {
-	u32 n = t->run.params.view_px, n_mips = 1;
-	while (t->run.params.multipixel && n >> n_mips > 0) n_mips++;
+	u32 n = t->run.params.view_map_px, n_mips = 1;
+	while (t->run.params.view_map_multipixel && n >> n_mips > 0) n_mips++;
 	double sine = a->d > a->radius ? a->radius / a->d : 1;
 	double size = n * sine / (fabs(a->x) / fmax(a->d, 1e-30) + sqrt(1 - sine * sine) + 1e-30);
 	double sum = fmax(a->d + fabs(a->x), 1e-30);
@@ -132,8 +132,8 @@ static u64 own_key(const traced *t, u32 view, u32 texel)
 {
 	const u64 *map =
 		(const u64 *)data(t, TS_B_view_map_depth_node) + view * t->run.frame.buffer[TS_B_view_map_depth_node].shape[1];
-	u32 n = t->run.params.view_px, first = 0;
-	for (u32 mip = 0; mip == 0 || (t->run.params.multipixel && n >> mip > 0); mip++) {
+	u32 n = t->run.params.view_map_px, first = 0;
+	for (u32 mip = 0; mip == 0 || (t->run.params.view_map_multipixel && n >> mip > 0); mip++) {
 		u32 side = n >> mip;
 		u64 key = map[first + (texel / (n * n) * side + (texel / n % n >> mip)) * side + (texel % n >> mip)];
 		if (key != TS_EMPTY) return key;
@@ -183,7 +183,7 @@ static void try_rendered(const traced *t, const json_t *rendered, u32 view, u32 
 static bool try_fused(const traced *t, const json_t *fused, u32 view, u32 texel)
 {
 	const ts_node *nodes = data(t, TS_B_view_octree_node);
-	u32 n = t->run.params.view_px, parent = nodes[view].parent;
+	u32 n = t->run.params.view_map_px, parent = nodes[view].parent;
 	const u32 *depths = data(t, TS_B_view_map_fused_depth);
 	u32 own = depth_of(fused, "own"), above = depth_of(fused, "moved_from_above"), depth = depth_of(fused, "depth");
 	u32 held = parent != TS_NONE ? depths[(u64)parent * 2 * n * n + texel] : TS_NONE;
@@ -193,7 +193,7 @@ static bool try_fused(const traced *t, const json_t *fused, u32 view, u32 texel)
 	u32 shows = ((const u32 *)data(t, TS_B_view_map_fused_node))[(u64)view * 2 * n * n + texel];
 	const json_t *node = json_object_get(json_object_get(fused, "shows"), "node");
 	assert_true(shows == TS_NONE ? depth == TS_NONE : json_integer_value(node) == (json_int_t)shows);
-	bool first = own != TS_NONE && t->run.params.fusion == TS_FUSION_PAPER;
+	bool first = own != TS_NONE && t->run.params.view_map_fusion == TS_FUSION_PAPER;
 	assert_int_equal(depth, first || own < above ? own : above);
 	if (held == TS_NONE) return false;
 	double right = moved(&nodes[parent], (double)ts_u2f(held), &nodes[view], texel, n);
@@ -221,7 +221,7 @@ static u32 try_chain(const traced *t, const json_t *told, u32 node, u32 texel, u
 static json_t *ask(const traced *t, u32 index, bool of_light, u32 texel)
 {
 	json_t *told;
-	u32 n = t->run.params.view_px;
+	u32 n = t->run.params.view_map_px;
 	char view[32];
 	snprintf(view, sizeof view, "%s%u.%s", of_light ? "" : "node", (unsigned)index, texel >= n * n ? "back" : "front");
 	require(ask_texel(t, view, texel % n, texel / n % n, &told));
@@ -236,7 +236,7 @@ static void test_nodes(void **state)
 	for (u32 i = 0; i < N_METHODS; i++) {
 		const traced *t = &views[i];
 		const u32 *depths = data(t, TS_B_view_map_fused_depth);
-		u32 n = t->run.params.view_px, n_shown = 0;
+		u32 n = t->run.params.view_map_px, n_shown = 0;
 		u64 tally[2] = {0, 0};
 		for (u32 k = 0; k < N_TRIED; k++) {
 			u32 node = below((u32)count(t, TS_B_view_octree_node)), texel = below(2 * n * n);
@@ -259,7 +259,7 @@ static void test_lights(void **state)
 		const traced *t = &views[i];
 		const u32 *leaf = data(t, TS_B_view_octree_leaf);
 		for (u32 k = 0; k < 8; k++) {
-			u32 n = t->run.params.view_px, light = below((u32)count(t, TS_B_vpl_light)), texel = below(2 * n * n);
+			u32 n = t->run.params.view_map_px, light = below((u32)count(t, TS_B_vpl_light)), texel = below(2 * n * n);
 			json_t *of_light = ask(t, light, true, texel), *of_node = ask(t, leaf[light], false, texel);
 			assert_int_equal(figure(of_light, "light"), light);
 			json_object_del(of_light, "light");
@@ -292,7 +292,7 @@ static void test_touching(void **state)
 	for (u32 i = 0; i < N_METHODS; i++) {
 		const traced *t = &views[i];
 		const ts_node *nodes = data(t, TS_B_octree_node), *all = data(t, TS_B_view_octree_node);
-		u32 n = t->run.params.view_px, leaf = ((const u32 *)data(t, TS_B_view_octree_leaf))[0];
+		u32 n = t->run.params.view_map_px, leaf = ((const u32 *)data(t, TS_B_view_octree_leaf))[0];
 		bool alone = all[leaf].radius == 0;
 		u64 n_touching = 0, least = 0, most = 0;
 		for (u32 texel = 0; texel < 2 * n * n; texel++) {
@@ -306,9 +306,9 @@ static void test_touching(void **state)
 			least += alone && is == YES;
 			most += is != NO;
 		}
-		if (t->run.params.touching == TS_TOUCHING_RENDER)
+		if (t->run.params.view_map_touching == TS_TOUCHING_RENDER)
 			assert_int_equal(n_touching, 0);
-		else if (t->run.params.multipixel)
+		else if (t->run.params.view_map_multipixel)
 			assert_true(n_touching >= least && most > 0);
 		else
 			assert_true(n_touching > 0 && n_touching >= least && n_touching <= most);

@@ -6,12 +6,12 @@
 static ts_params params_of(u32 px)
 {
 	ts_params params = small_params(96, 64);
-	params.reflectors = 0;
+	params.reflectors_count = 0;
 	params.rsm_px = 24;
-	params.levels = 7;
-	params.vpls = 150;
-	params.view_px = px;
-	params.multipixel = 1;
+	params.octree_levels = 7;
+	params.vpl_paths = 150;
+	params.view_map_px = px;
+	params.view_map_multipixel = 1;
 	return params;
 }
 
@@ -42,7 +42,7 @@ static void test_sizes(void **state)
 {
 	(void)state;
 	ts_params coarse = params_of(16), fine = params_of(128), distance = coarse;
-	distance.shadow_test = TS_SHADOW_TEST_DISTANCE;
+	distance.vpl_gather_test = TS_SHADOW_TEST_DISTANCE;
 	ts_scene *scene = small_scene(&coarse);
 	ts_texel_counts a = counts_of(scene, &coarse, 2), b = counts_of(scene, &fine, 2);
 	ts_texel_counts c = counts_of(scene, &distance, 1);
@@ -57,8 +57,8 @@ static void test_planted(void **state)
 {
 	(void)state;
 	ts_params params = params_of(16);
-	params.shadow_test = TS_SHADOW_TEST_DISTANCE;
-	params.bias = params.bias_slope = params.light_bias = 0;
+	params.vpl_gather_test = TS_SHADOW_TEST_DISTANCE;
+	params.depth_map_bias = params.depth_map_bias_slope = params.vpl_gather_bias = 0;
 	ts_scene *scene = small_scene(&params);
 	ts_run run;
 	ts_run_begin(&run, scene, &params, 2);

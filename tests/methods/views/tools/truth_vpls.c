@@ -31,8 +31,8 @@ static void test_particles(void **state)
 		world_pose(w);
 		ts_gpixel *pixels = make_receivers(w);
 		for (u32 i = 0; i < N_RECEIVERS; i++) pixels[i].normal[1] = -pixels[i].normal[1];
-		w->run.params.particles = 100;
-		w->run.params.light_near = 0.0009765625f;
+		w->run.params.particle_count = 100;
+		w->run.params.vpl_gather_near = 0.0009765625f;
 		const f32 *found = traced(w, ts_truth_glow);
 		const ts_vpl *lights = ts_frame_data(&w->run.frame, TS_B_vpl_light);
 		const ts_root *root = ts_frame_data(&w->run.frame, TS_B_octree_root);
