@@ -1,4 +1,5 @@
-/* "Did you mean": the offered name at the least edit distance (Levenshtein) from what was typed. */
+/* "Did you mean": the offered name at the least edit distance (Levenshtein) from what was typed. A word without a point is
+ * also compared with what stands behind the point, which counts as one edit more. */
 #include <stdlib.h>
 #include <string.h>
 #include "words.h"
@@ -36,7 +37,10 @@ ts_nearest ts_nearest_begin(const char *typed)
 
 void ts_nearest_offer(ts_nearest *nearest, const char *name)
 {
-	u32 d = distance(nearest->typed, name);
+	const char *point = strchr(nearest->typed, '.') == NULL ? strchr(name, '.') : NULL;
+	u32 d = distance(nearest->typed, name),
+		behind = point != NULL ? distance(nearest->typed, point + 1) + 1 : UINT32_MAX;
+	if (behind < d) d = behind;
 	if (d < nearest->distance) {
 		nearest->distance = d;
 		nearest->best = name;

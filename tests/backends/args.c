@@ -27,12 +27,12 @@ static void test_names(void **state)
 {
 	(void)state;
 	assert_string_equal(ts_kernel_name(TS_KERNEL_splat), "splat");
-	const ts_pointers *p = ts_kernel_pointers(TS_KERNEL_resolve_margin);
+	const ts_pointers *p = ts_kernel_pointers(TS_KERNEL_shadow_test_margin);
 	bool inner = false;
 	for (u32 i = 0; i < p->n; i++) {
 		for (u32 k = i + 1; k < p->n; k++) assert_string_not_equal(p->pointer[i].name, p->pointer[k].name);
 		inner |= strcmp(p->pointer[i].name, "of.scene.vertices") == 0 &&
-		         p->pointer[i].offset == offsetof(ts_resolve_margin_args, of.scene.vertices);
+		         p->pointer[i].offset == offsetof(ts_shadow_test_margin_args, of.scene.vertices);
 	}
 	assert_true(inner);
 }

@@ -26,6 +26,8 @@ refuses 'write --truth=A,' render reflections --truth A
 refuses 'write --truth=A,B' render reflections atrium --truth A,B
 refuses 'write --truth=C' bench epr-2 --truth C
 refuses 'the nearest is width' render reflections --set widht=640
+refuses 'the nearest is lookup.bounces' render reflections --set bouncs=2
+refuses 'the nearest is lookup.bounces' render reflections --set lokup.bounces=2
 refuses '=' render reflections --set width
 refuses 'width' render reflections --set width=640x
 refuses 'frame' render reflections --frame -1

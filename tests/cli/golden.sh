@@ -191,7 +191,7 @@ line 'no method "epr" of soft-shadows' 'few: soft-shadows/epr atrium'
 line 'no effect "shadows"; the nearest is' 'few: shadows/mvr atrium'
 line 'not a built-in scene' 'few: epr scenes/room.gltf'
 line 'not a built-in scene' "few: epr atrium:$(printf '%0100d' 0)"
-line 'no such parameter; the nearest is bounces' 'few: epr atrium --set bouncs=2'
+line 'no such parameter; the nearest is lookup.bounces' 'few: epr atrium --set bouncs=2'
 line 'not a whole number' 'few: epr atrium --set lookup.bounces=4'
 line 'at most 1048576 pixels' 'few: epr atrium --size 2000x2000'
 line 'at most .* frame 1000' 'few: epr atrium --size 16x16 --frame 1001'

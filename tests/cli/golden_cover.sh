@@ -42,7 +42,7 @@ takers = {"density.rate": views, "points.buffered": views, "points.snap": views,
           "ewa.sigma_h": [("surfels", "ewa")], "surfels.from_mesh": surfels, "eye.distance": deferred + [("reflections", "epr")],
           "points.conservative": views + [("reflections", "epr"), ("reflections", "vir")],
           **{p: [("reflections", "mvr")] for p in ("mvr.faces", "mvr.filter")}}
-steps_of = {(m["effect"], m["name"]): [s for s in m["stages"].split() if not s.endswith("_margin")]
+steps_of = {(m["effect"], m["name"]): [s for s in m["stages"].split() if not s.endswith("margin")]
             for m in table["methods"]}
 def takers_of(param):
 	"""Those above; else, of a family behind the first two, all methods that run one of its stages; else EPR's reflections."""
@@ -50,7 +50,7 @@ def takers_of(param):
 	for folder in ("src/methods/" + family for family in families):
 		if param not in takers and f'"{param}"' in open(folder + "/params.def").read():
 			own = set(re.findall(r"^STAGE\((\w+)\)", open(folder + "/stages.def").read(), re.M))
-			return [m for m in methods if own & set(steps_of[m])]
+			return [m for m in methods if own & {step.replace(".", "_") for step in steps_of[m]}]
 	return takers.get(param, [("reflections", "epr")])
 missing = []
 if what == "matrix":

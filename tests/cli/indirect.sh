@@ -4,15 +4,15 @@
 small=(atrium:triangles=10000:texels=32 --size 96x54 --set rsm.px=4 --set depth_grid.px=64)
 cd "$scratch" || exit 2
 
-refuses 'levels, gather_level, view_px or vpls$' render indirect "${small[@]}" --method hulls,megaviews --set view_map.px=256 \
+refuses 'octree.levels, vpl_gather.level, view_map.px or vpl.paths$' render indirect "${small[@]}" --method hulls,megaviews --set view_map.px=256 \
 	--set vpl.paths=16777216 --set vpl.bounces=4
-refuses 'levels, gather_level, view_px or particles$' render particles "${small[@]}" --set view_map.px=256 \
+refuses 'octree.levels, vpl_gather.level, view_map.px or particle.count$' render particles "${small[@]}" --set view_map.px=256 \
 	--set particle.count=16777216
 
-refuses 'parameter view_px: 48 is not a power of two; 32 or 64 would be right$' render indirect "${small[@]}" --set view_map.px=48
-refuses 'parameter view_px: 255 is not a power of two; 128 or 256 would be right$' digest --set view_map.px=255
+refuses 'parameter view_map.px: 48 is not a power of two; 32 or 64 would be right$' render indirect "${small[@]}" --set view_map.px=48
+refuses 'parameter view_map.px: 255 is not a power of two; 128 or 256 would be right$' digest --set view_map.px=255
 if awk '/^MemTotal/ { exit $2 > 85e6 }' /proc/meminfo; then # kB: three quarters of that hold no 64 GiB
-	refuses 'about 68.* GB .* choose a smaller --size, queue_mb$' render indirect "${small[@]}" --method megaviews \
+	refuses 'about 68.* GB .* choose a smaller --size, traverse.queue_mb$' render indirect "${small[@]}" --method megaviews \
 		--set traverse.queue_mb=65536 --set vpl.paths=20
 fi
 

@@ -7,11 +7,11 @@ names() { "$touchstone" list params --json "$@" | python3 -c 'import json, sys; 
 
 all=$(names)
 epr=$(names --effect reflections --method epr)
-grep -qx rho_scale <<< "$epr" && grep -qx width <<< "$epr" && ! grep -qx 'pcss.near\|mvr.filter\|shadow.rate' <<< "$epr"
+grep -qx density.scale <<< "$epr" && grep -qx width <<< "$epr" && ! grep -qx 'pcss.near\|mvr.filter\|shadow_splat.rate' <<< "$epr"
 verdict $? "EPR's parameters in reflections"
-names --method epr | grep -x shadow.rate > /dev/null
+names --method epr | grep -x shadow_splat.rate > /dev/null
 verdict $? "EPR's parameters in all effects"
-! names --effect particles | grep -x view_field > /dev/null
+! names --effect particles | grep -x view_map.field > /dev/null
 verdict $? "what a method sets itself is not read"
 [ -z "$(comm -13 <(sort <<< "$all") <(for effect in $("$touchstone" list methods --json |
 	python3 -c 'import json, sys; print(*{m["effect"] for m in json.load(sys.stdin)["methods"]})'); do names --effect "$effect"; done | sort -u))" ]

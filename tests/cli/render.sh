@@ -166,6 +166,6 @@ run render surfels one.ply --size 64x36 --set eye.distance=outside --truth --set
 [ "$status" -eq 0 ] && grep -q '^truth surface: none' stdout && grep -q 'truth-discs' stdout && ! grep -q 'truth-surface' stdout
 verdict $? 'surfels that are samples of nothing known'
 refuses 'there are discs and surface, or none' render surfels --truth=glow
-refuses 'view_px or particles' render particles dining:triangles=10000:texels=32 --set octree.levels=11 --set particle.count=16000000 --set view_map.px=256
+refuses 'view_map.px or particle.count' render particles dining:triangles=10000:texels=32 --set octree.levels=11 --set particle.count=16000000 --set view_map.px=256
 
 finish

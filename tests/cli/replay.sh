@@ -100,7 +100,7 @@ refuses 'no file of scene.vertex, scene.object$' replay part/trace-epr --stage p
 refuses 'is no stage of epr' replay $epr --stage cube_face
 refuses 'needs 2' replay part/trace-epr --stage lookup.second
 refuses 'of method mvr' replay $epr --inputs out/trace-mvr
-refuses 'parameter reflector_px is 115' replay $epr --inputs part/trace-epr
+refuses 'parameter reflectors.px is 115' replay $epr --inputs part/trace-epr
 run render reflections atrium:triangles=10000:texels=32 --method epr --size 64x48 --reflectors 1 --order arrival --trace --no-images -o arrival
 refuses 'order is "arrival"; a reference must be canonical' replay arrival/trace-epr --stage splat
 # Depth maps made in batches are one file, whose stages are replayed on the whole.

@@ -8,8 +8,8 @@ prints '--truth' render --help
 prints '^touchstone [0-9]' --version
 prints '^splat ' list stages
 prints '^points.record .*ts_point' list buffers
-prints '^rho_scale .*0.5' list params
-prints '^eye  *far ' list params
+prints '^density.scale .*0.5' list params
+prints '^eye.distance  *far ' list params
 prints '^epr .*reflections' list methods
 prints '^atrium ' list scenes
 prints '^c  *0  *[a-z]' list backends

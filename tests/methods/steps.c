@@ -50,7 +50,7 @@ static void test_margins(void **state)
 	for (const ts_stage *const *at = ts_stages(); *at != NULL; at++) {
 		const ts_stage *s = *at;
 		size_t n = strlen(s->name);
-		bool called = n > 7 && strcmp(s->name + n - 7, "_margin") == 0;
+		bool called = n > 6 && strcmp(s->name + n - 6, "margin") == 0;
 		u32 owners = 0;
 		for (const ts_stage *const *of = ts_stages(); *of != NULL; of++) owners += ts_stage_margin(*of) == s;
 		assert_int_equal(owners, called);

@@ -82,7 +82,7 @@ static void test_family(void **state)
 	static const ts_probe_view of_shell = {.form = "shellN.inside", .prefix = "shell", .side = one_side, .n_sides = 2};
 	static const ts_probe_part none[] = {{0}};
 	static const ts_probe_part shells[] = {
-		{TS_PROBE_TEXEL, "depth", say, "shells", &of_shell},
+		{TS_PROBE_TEXEL, "depth_map", say, "shells", &of_shell},
 		{TS_PROBE_TRIANGLE, "splat", say, "splats", NULL},
 		{0},
 	};

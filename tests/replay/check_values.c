@@ -147,7 +147,7 @@ static void test_sums(void **state)
 	u64 i = 1;
 	while (sums[i] == sums[i - 1]) i++;
 	refuses(0, ts_stage_find("points"), TS_B_points_offset, i, "", 0, sums[i] - 1);
-	assert_non_null(strstr(ts_error_message(), "stage count makes"));
+	assert_non_null(strstr(ts_error_message(), "stage points.count makes"));
 	free(sums);
 }
 

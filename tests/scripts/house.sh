@@ -71,15 +71,15 @@ gives 1 "2 names compared" "names of a method and a stage in code" "$scripts/nam
 rm src/cli/d.c
 gives 0 "0 names compared" "no names in code" "$scripts/named"
 
-mkdir -p src/kernels/points src/stages tests/kernels include/touchstone
-: > src/kernels/points/lookup2.h
+mkdir -p src/kernels/points src/stages src/methods tests/kernels include/touchstone
+: > src/kernels/points/lookup.h
 for i in $(seq 30); do
 	: > "src/model/$i.c"
-	echo "obj/$i.o: src/model/$i.c src/model/../kernels/points/lookup2.h" > "obj/src/model/$i.d"
+	echo "obj/$i.o: src/model/$i.c src/model/../kernels/points/lookup.h" > "obj/src/model/$i.d"
 done
-BUILD=. gives 1 "30 of 30  src/kernels/points/lookup2.h" "a kernel that rebuilds too much" "$scripts/rebuilt" lookup2.h
+BUILD=. gives 1 "30 of 30  src/kernels/points/lookup.h" "a kernel that rebuilds too much" "$scripts/rebuilt" lookup.h
 rm src/model/30.c
-BUILD=. gives 0 "29 of 29  src/kernels/points/lookup2.h" "a kernel that does not" "$scripts/rebuilt" lookup2.h
+BUILD=. gives 0 "29 of 29  src/kernels/points/lookup.h" "a kernel that does not" "$scripts/rebuilt" lookup.h
 
 echo 'BUFFER(eye_view, "eye.view", ts_view, "H W", sequence, "", "")' > include/touchstone/records.def
 echo 'bool rows = strcmp(of, "H") == 0;' > src/trace/rows.c
@@ -98,10 +98,10 @@ echo 'b: reads scene.info; writes scene.info' > tests/methods/points/sets.txt
 echo 'BUFFER(scene_info, "scene.info", ts_info, "1", sequence, "", "")' >> include/touchstone/records.def
 gives 1 "1 buffers are named" "a stage body that looks at what it does not declare" "$scripts/letters"
 
-printf 'const ts_stage ts_stage_lookup2 = {\n\t.launches = TS_LAUNCHES(&first),\n};\n' > src/stages/lookup2.c
-gives 1 "0 of 1 stages" "a stage without a test of its name" "$scripts/nouns"
-: > tests/kernels/lookup2.c
-gives 0 "1 of 1 stages" "a stage with kernel, body and test of its name" "$scripts/nouns"
+printf 'const ts_stage ts_stage_lookup_second = {\n\t.launches = TS_LAUNCHES(&first),\n};\n' > src/methods/lookup.c
+gives 1 "lookup            kernels  methods  -        lookup.second" "a noun without a test of its name" "$scripts/nouns"
+: > tests/kernels/lookup.c
+gives 0 "1 of 1 nouns" "a noun with kernel, body and test of its name" "$scripts/nouns"
 
 git init -q . && git add src
 gives 0 "lines, columns: 0 over" "lines and functions that are short" "$scripts/lengths"

@@ -154,11 +154,11 @@ static void test_set_by_method(void **state)
 	assert_int_equal(ts_load_match(&candidate, &reference), TS_OK);
 	candidate.params.image_exposure += 1;
 	assert_int_equal(ts_load_match(&reference, &candidate), TS_ERROR);
-	assert_told("parameter exposure");
+	assert_told("parameter image.exposure");
 	reference = candidate = *traces[TRACES_PCSS];
 	candidate.params.lamp_source = TS_LAMP_LAMP;
 	assert_int_equal(ts_load_match(&reference, &candidate), TS_ERROR);
-	assert_told("parameter lamp");
+	assert_told("parameter lamp.source");
 }
 
 int main(void)

@@ -7,7 +7,7 @@
 #ifndef TS_KERNELS_HULL_H
 #define TS_KERNELS_HULL_H
 #include "../base/args.h"
-#include "fit.h"
+#include "corner_lobes.h"
 #include "../raster/gbuffer.h"
 #include "hull_choice.h"
 

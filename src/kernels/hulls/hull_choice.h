@@ -5,7 +5,7 @@
 #ifndef TS_KERNELS_HULL_CHOICE_H
 #define TS_KERNELS_HULL_CHOICE_H
 #include "../base/args.h"
-#include "grid.h"
+#include "depth_grid.h"
 
 #define TS_ROWS_ts_choice_args(ARG) \
 	ARG(IN, u32, offset, segment_box_offset) \

@@ -1,8 +1,8 @@
 /* All kernels of screen-space approximate Gaussian hulls: for backends. */
 #ifndef TS_KERNELS_HULLS_KERNELS_H
 #define TS_KERNELS_HULLS_KERNELS_H
+#include "corner.h"
 #include "direct.h"
-#include "gather.h"
 #include "hull.h"
 #include "hull_margin.h"
 #include "segment_box.h"

@@ -4,7 +4,7 @@
 #ifndef TS_KERNELS_SEGMENT_H
 #define TS_KERNELS_SEGMENT_H
 #include "../base/args.h"
-#include "grid.h"
+#include "depth_grid.h"
 
 #define TS_ROWS_ts_segment_args(ARG) \
 	ARG(IN, f32, depths, depth_grid_depth) \

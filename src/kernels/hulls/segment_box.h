@@ -9,15 +9,15 @@
 #define TS_RANGE 6u /* least column, row and their complements, bits of depth and their complement */
 #define TS_SKY_BITS 0x3f800000u
 
-#define TS_ROWS_ts_range_args(ARG) \
+#define TS_ROWS_ts_segment_extent_args(ARG) \
 	ARG(IN, f32, depths, depth_grid_depth) \
 	ARG(IN, u32, labels, segment_label) \
 	ARG(MIN, u32, least, segment_extent) \
 	ARG(VALUE, u32, grid, none)
-TS_ARGS(ts_range_args);
+TS_ARGS(ts_segment_extent_args);
 
 /* scatter over texels of the grid */
-TS_FN void ts_k_range_item(const ts_range_args *args, u64 i)
+TS_FN void ts_k_segment_extent_item(const ts_segment_extent_args *args, u64 i)
 {
 	u32 x = (u32)(i % args->grid);
 	u32 y = (u32)(i / args->grid);
@@ -32,15 +32,15 @@ TS_FN void ts_k_range_item(const ts_range_args *args, u64 i)
 	ts_min_u32(&least[5], ~bits);
 }
 
-#define TS_ROWS_ts_box_args(ARG) \
+#define TS_ROWS_ts_segment_box_args(ARG) \
 	ARG(IN, u32, least, segment_extent) \
 	ARG(OUT, u32, offset, segment_box_offset) /* counts, then their prefix sums */ \
 	ARG(OUT, ts_segment, boxes, segment_box) \
 	ARG(TALLY, i64, n_labels, 0) /* that some texel has */
-TS_ARGS(ts_box_args);
+TS_ARGS(ts_segment_box_args);
 
 /* map over labels: 1 where there is a box */
-TS_FN void ts_k_box_count_item(const ts_box_args *args, u64 i)
+TS_FN void ts_k_segment_box_count_item(const ts_segment_box_args *args, u64 i)
 {
 	TS_GLOBAL const u32 *least = args->least + i * TS_RANGE;
 	bool used = least[0] != TS_NONE;
@@ -49,7 +49,7 @@ TS_FN void ts_k_box_count_item(const ts_box_args *args, u64 i)
 }
 
 /* emit over labels */
-TS_FN void ts_k_box_item(const ts_box_args *args, u64 i)
+TS_FN void ts_k_segment_box_item(const ts_segment_box_args *args, u64 i)
 {
 	if (args->offset[i + 1u] == args->offset[i]) return;
 	TS_GLOBAL const u32 *least = args->least + i * TS_RANGE;

@@ -9,7 +9,7 @@
 #define TS_KERNELS_PCSS_H
 #include "../base/args.h"
 #include "plane.h"
-#include "../raster/resolve.h"
+#include "../raster/shadow_test.h"
 
 #define TS_N_SEARCH 32u
 #define TS_N_FILTER 64u
@@ -33,7 +33,7 @@ TS_CONSTANT i32 ts_pcss_filter[64][2] = {
 };
 
 #define TS_ROWS_ts_pcss_args(ARG) \
-	ARG(INNER, ts_resolve_args, of, none) /* one view a light */ \
+	ARG(INNER, ts_shadow_test_args, of, none) /* one view a light */ \
 	ARG(IN, ts_lamp, lamps, lamp_shape) \
 	ARG(VALUE, f32, near, none) /* depth of the search's plane, of the receiver's */
 TS_ARGS(ts_pcss_args);
@@ -47,7 +47,8 @@ typedef struct {
 	TS_GLOBAL const u32 *depths; /* of the view */
 } ts_shaded;
 
-TS_FN ts_shaded ts_k_shaded(const ts_resolve_args *args, TS_GLOBAL const ts_offscreen *offscreen, const ts_receiver *at)
+TS_FN ts_shaded ts_k_shaded(const ts_shadow_test_args *args, TS_GLOBAL const ts_offscreen *offscreen,
+                            const ts_receiver *at)
 {
 	ts_shaded r;
 	r.view = ts_k_offscreen(offscreen);

@@ -41,7 +41,7 @@ TS_FN u32 ts_k_points_of(const ts_points_args *args, u64 piece)
 }
 
 /* map over pieces: how many points */
-TS_FN void ts_k_count_item(const ts_points_args *args, u64 i) { args->offset[i] = ts_k_points_of(args, i); }
+TS_FN void ts_k_points_count_item(const ts_points_args *args, u64 i) { args->offset[i] = ts_k_points_of(args, i); }
 
 /* l = 1/s (eq. 4); a sub-pixel piece is tiny: by the paper its splat is a square of its own area. */
 TS_FN f32 ts_k_splat_length(const ts_points_args *args, TS_GLOBAL const ts_piece *piece, f32 s, u32 *flags)

@@ -3,7 +3,6 @@
  * 24). */
 #ifndef TS_KERNELS_DRAW_H
 #define TS_KERNELS_DRAW_H
-#include "../base/args.h"
 #include "offscreen.h"
 #include "../base/surface.h"
 
@@ -108,76 +107,6 @@ TS_FN ts_surface ts_k_surface_seen(const ts_arrays *scene, const ts_camera_k *vi
 	ts_corners t = ts_k_corners(scene, triangle);
 	ts_fragment f = ts_k_fragment_at(view, &t, x, y);
 	return ts_k_surface(scene, triangle, f.w, ts_k_fragment_footprint(view, &t, &f));
-}
-
-#define TS_ROWS_ts_eye_args(ARG) \
-	ARG(INNER, ts_arrays, scene, none) \
-	ARG(IN, ts_view, view, eye_view) \
-	ARG(MIN, u64, texels, eye_depth_triangle)
-TS_ARGS(ts_eye_args);
-
-/* scatter over triangles */
-TS_FN void ts_k_eye_item(const ts_eye_args *args, u64 i)
-{
-	u32 triangle = (u32)i;
-	ts_camera_k view = ts_k_view(args->view);
-	ts_corners t = ts_k_corners(&args->scene, triangle);
-	if (ts_k_is_degenerate(t.n) || !ts_k_is_facing(&args->scene, triangle, &t, view.eye)) return;
-	ts_target target = ts_k_keys(args->texels);
-	ts_k_draw(&args->scene, &view, &t, triangle, &target);
-}
-
-#define TS_ROWS_ts_face_args(ARG) \
-	ARG(INNER, ts_arrays, scene, none) \
-	ARG(IN, ts_face, cubes, cube_size_face) \
-	ARG(MIN, u64, texels, cube_face_depth_triangle) /* of the batch */ \
-	ARG(VALUE, u32, first_cube, none) \
-	ARG(VALUE, u32, n_cubes, none) /* the batch */
-TS_ARGS(ts_face_args);
-
-/* scatter over triangles: into every face of every cube of the batch, but not into a reflector's own cube */
-TS_FN void ts_k_face_item(const ts_face_args *args, u64 i)
-{
-	u32 triangle = (u32)i;
-	ts_corners t = ts_k_corners(&args->scene, triangle);
-	if (args->n_cubes == 0u || ts_k_is_degenerate(t.n)) return;
-	u64 first_texel = args->cubes[args->first_cube].offset;
-	for (u32 r = args->first_cube; r < args->first_cube + args->n_cubes; r++) {
-		TS_GLOBAL const ts_face *cube = &args->cubes[r];
-		if (!ts_k_may_show(&args->scene, cube, triangle, &t)) continue;
-		for (u32 face = 0u; face < 6u; face++) {
-			ts_camera_k view = ts_k_cube_view(cube, face);
-			u64 offset = cube->offset - first_texel + (u64)face * cube->n * cube->n;
-			ts_target target = ts_k_keys(args->texels + offset);
-			ts_k_draw(&args->scene, &view, &t, triangle, &target);
-		}
-	}
-}
-
-#define TS_ROWS_ts_depth_args(ARG) \
-	ARG(INNER, ts_arrays, scene, none) \
-	ARG(IN, ts_offscreen, views, offscreen_view) \
-	ARG(MIN, u32, depths, depth_map_depth) /* of the batch */ \
-	ARG(VALUE, u32, first_view, none) \
-	ARG(VALUE, u32, n_views, none) /* the batch */
-TS_ARGS(ts_depth_args);
-
-/* scatter over triangles: into every view of the batch */
-TS_FN void ts_k_depth_item(const ts_depth_args *args, u64 i)
-{
-	u32 triangle = (u32)i;
-	ts_corners t = ts_k_corners(&args->scene, triangle);
-	if (args->n_views == 0u || ts_k_is_degenerate(t.n)) return;
-	u64 first_texel = args->views[args->first_view].offset;
-	for (u32 v = args->first_view; v < args->first_view + args->n_views; v++) {
-		TS_GLOBAL const ts_offscreen *offscreen = &args->views[v];
-		if (!ts_k_offscreen_may_show(&args->scene, offscreen, triangle, &t)) continue;
-		ts_camera_k view = ts_k_offscreen(offscreen);
-		ts_target target;
-		target.keys = NULL;
-		target.depths = args->depths + (offscreen->offset - first_texel);
-		ts_k_draw(&args->scene, &view, &t, triangle, &target);
-	}
 }
 
 #endif

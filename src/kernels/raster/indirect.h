@@ -16,7 +16,7 @@
 TS_ARGS(ts_indirect_args);
 
 /* map over pixels */
-TS_FN void ts_k_indirect_image_item(const ts_indirect_args *args, u64 i)
+TS_FN void ts_k_image_indirect_item(const ts_indirect_args *args, u64 i)
 {
 	TS_GLOBAL const ts_gpixel *pixel = &args->pixels[i];
 	ts_v3 light = ts_scale(ts_load3(args->irradiance + i * 3u), 0.3183098733425140380859375f);

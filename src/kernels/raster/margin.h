@@ -202,8 +202,8 @@ TS_FN void ts_k_eye_margin_item(const ts_margin_args *args, u64 i)
 	ts_k_margin_draw(args, &view, &t, triangle, 0u);
 }
 
-/* scatter over triangles, as ts_k_face_item */
-TS_FN void ts_k_face_margin_item(const ts_margin_args *args, u64 i)
+/* scatter over triangles, as ts_k_cube_face_item */
+TS_FN void ts_k_cube_face_margin_item(const ts_margin_args *args, u64 i)
 {
 	u32 triangle = (u32)i;
 	ts_corners t = ts_k_corners(&args->scene, triangle);
@@ -219,8 +219,8 @@ TS_FN void ts_k_face_margin_item(const ts_margin_args *args, u64 i)
 	}
 }
 
-/* scatter over triangles, as ts_k_depth_item */
-TS_FN void ts_k_depth_margin_item(const ts_margin_args *args, u64 i)
+/* scatter over triangles, as ts_k_depth_map_item */
+TS_FN void ts_k_depth_map_margin_item(const ts_margin_args *args, u64 i)
 {
 	u32 triangle = (u32)i;
 	ts_corners t = ts_k_corners(&args->scene, triangle);

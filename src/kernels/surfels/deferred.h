@@ -6,7 +6,7 @@
 #include "../base/args.h"
 #include "../raster/gbuffer.h"
 #include "../raster/image.h"
-#include "../raster/resolve.h"
+#include "../raster/shadow_test.h"
 
 #define TS_SHADER_IS_PHONG 0u
 #define TS_SHADER_IS_NPR 1u
@@ -120,7 +120,8 @@ TS_FN void ts_k_deferred_item(const ts_deferred_args *args, u64 i)
 }
 
 #define TS_ROWS_ts_deferred_lit_args(ARG) \
-	ARG(INNER, ts_resolve_args, of, none) /* but what the eye sees of triangles; cubes are those of point lights */ \
+	ARG(INNER, ts_shadow_test_args, of, \
+	    none) /* but what the eye sees of triangles; cubes are those of point lights */ \
 	ARG(IN, ts_gpixel, pixels, gbuffer_pixel) \
 	ARG(IN, ts_light, lights, lamp_light) /* each with a view in order, or the six of a cube */
 TS_ARGS(ts_deferred_lit_args);
@@ -138,7 +139,7 @@ TS_FN ts_receiver ts_k_deferred_receiver(TS_GLOBAL const ts_gpixel *pixel)
 TS_FN void ts_k_deferred_lit_item(const ts_deferred_lit_args *args, u64 i)
 {
 	u32 v = 0u;
-	ts_resolve_args of = args->of;
+	ts_shadow_test_args of = args->of;
 	ts_receiver at = ts_k_deferred_receiver(&args->pixels[i]);
 	for (u32 k = 0u; k < of.n_lamps; k++) {
 		of.cubes = ts_k_has_cube(&args->lights[k]) ? 1u : 0u;

@@ -5,7 +5,7 @@
 #define TS_KERNELS_DEFERRED_MARGIN_H
 #include "../base/args.h"
 #include "deferred.h"
-#include "../raster/resolve_margin.h"
+#include "../raster/shadow_test_margin.h"
 
 #define TS_ROWS_ts_deferred_margin_args(ARG) \
 	ARG(INNER, ts_deferred_args, of, none) \
@@ -77,7 +77,7 @@ TS_ARGS(ts_deferred_lit_margin_args);
 TS_FN void ts_k_deferred_lit_margin_item(const ts_deferred_lit_margin_args *args, u64 i)
 {
 	u32 v = 0u;
-	ts_resolve_args of = args->of.of;
+	ts_shadow_test_args of = args->of.of;
 	ts_receiver at = ts_k_deferred_receiver(&args->of.pixels[i]);
 	if (!at.seen) return;
 	ts_camera_k eye = ts_k_view(args->view);

@@ -4,7 +4,7 @@
  * d V^-1 d <= 4. Where r3D > 1 a fragment has the depth of the centre. */
 #ifndef TS_KERNELS_FRAGMENT_H
 #define TS_KERNELS_FRAGMENT_H
-#include "disc.h"
+#include "surfel_setup.h"
 
 typedef struct {
 	f32 z;        /* axial depth */

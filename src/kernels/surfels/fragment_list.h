@@ -2,7 +2,7 @@
 #ifndef TS_KERNELS_FRAGMENT_LIST_H
 #define TS_KERNELS_FRAGMENT_LIST_H
 #include "../base/args.h"
-#include "blend.h"
+#include "surfel_blend.h"
 
 #define TS_ROWS_ts_fragment_list_args(ARG) \
 	ARG(IN, ts_view, view, eye_view) \

@@ -38,17 +38,17 @@ TS_FN void ts_k_surfel_depth_item(const ts_surfel_depth_args *args, u64 i)
 	ts_k_disc_draw(&disc, &view, args->epsilon[0], (u32)i, &target);
 }
 
-#define TS_ROWS_ts_surfel_shadow_args(ARG) \
+#define TS_ROWS_ts_surfel_depth_shadow_args(ARG) \
 	ARG(IN, ts_surfel, surfels, scene_surfel) \
 	ARG(IN, ts_offscreen, views, offscreen_view) /* one a light */ \
 	ARG(IN, f32, epsilon, surfel_setup_epsilon) \
 	ARG(MIN, u32, depths, depth_map_depth) \
 	ARG(VALUE, ts_filter, filter, none) \
 	ARG(VALUE, u32, n_views, none)
-TS_ARGS(ts_surfel_shadow_args);
+TS_ARGS(ts_surfel_depth_shadow_args);
 
 /* scatter over surfels: into the depth map of every light */
-TS_FN void ts_k_surfel_shadow_item(const ts_surfel_shadow_args *args, u64 i)
+TS_FN void ts_k_surfel_depth_shadow_item(const ts_surfel_depth_shadow_args *args, u64 i)
 {
 	for (u32 v = 0u; v < args->n_views; v++) {
 		ts_disc disc;

@@ -6,7 +6,7 @@
 #ifndef TS_KERNELS_SURFEL_MARGIN_H
 #define TS_KERNELS_SURFEL_MARGIN_H
 #include "../base/args.h"
-#include "blend.h"
+#include "surfel_blend.h"
 #include "../raster/margin.h"
 
 #define TS_ROWS_ts_surfel_margin_args(ARG) \
@@ -299,7 +299,7 @@ TS_FN void ts_k_blend_margin_pixel(const ts_surfel_margin_args *args, const ts_c
 }
 
 /* scatter over surfels */
-TS_FN void ts_k_blend_margin_item(const ts_surfel_margin_args *args, u64 i)
+TS_FN void ts_k_surfel_blend_margin_item(const ts_surfel_margin_args *args, u64 i)
 {
 	ts_camera_k view = ts_k_view(args->view);
 	ts_nearly surfel = ts_k_nearly(args, &view, (u32)i);

@@ -4,7 +4,7 @@
 #define TS_KERNELS_OCTREE_H
 #include "../base/args.h"
 #include "mask.h"
-#include "root.h"
+#include "octree_root.h"
 
 #define TS_ROWS_ts_octree_args(ARG) \
 	ARG(IN, ts_root, root, octree_root) \

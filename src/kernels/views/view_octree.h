@@ -3,7 +3,7 @@
 #define TS_KERNELS_VIEW_OCTREE_H
 #include "../base/args.h"
 #include "mask.h"
-#include "root.h"
+#include "octree_root.h"
 
 #define TS_ROWS_ts_view_octree_args(ARG) \
 	ARG(IN, ts_root, root, octree_root) \
@@ -24,14 +24,14 @@ TS_FN u64 ts_k_view_code(const ts_view_octree_args *args, u64 i)
 }
 
 /* scatter over views: into the mask */
-TS_FN void ts_k_view_voxel_item(const ts_view_octree_args *args, u64 i)
+TS_FN void ts_k_view_octree_voxel_item(const ts_view_octree_args *args, u64 i)
 {
 	u64 code = ts_k_view_code(args, i);
 	ts_or_u64(&args->mask[ts_k_mask_word(args->levels, code)], ts_k_mask_bit(code));
 }
 
 /* scatter over views: counts of the leaves */
-TS_FN void ts_k_view_leaf_item(const ts_view_octree_args *args, u64 i)
+TS_FN void ts_k_view_octree_leaf_item(const ts_view_octree_args *args, u64 i)
 {
 	u32 leaf = ts_k_mask_id(args->bits, args->before, args->levels, ts_k_view_code(args, i));
 	args->leaf[i] = leaf;
@@ -39,7 +39,7 @@ TS_FN void ts_k_view_leaf_item(const ts_view_octree_args *args, u64 i)
 }
 
 /* scatter over views: lists of the leaves */
-TS_FN void ts_k_view_list_item(const ts_view_octree_args *args, u64 i)
+TS_FN void ts_k_view_octree_list_item(const ts_view_octree_args *args, u64 i)
 {
 	args->entries[ts_next_u32(&args->offset[args->leaf[i] - args->first_leaf + 1u])] = (u32)i;
 }

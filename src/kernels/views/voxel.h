@@ -12,7 +12,7 @@
 #define TS_KERNELS_VOXEL_H
 #include "../base/args.h"
 #include "mask.h"
-#include "root.h"
+#include "octree_root.h"
 #include "../base/scene.h"
 
 /* low <= a i + b j + c k <= high */

@@ -6,10 +6,10 @@
 #ifndef TS_KERNELS_VPL_GATHER_H
 #define TS_KERNELS_VPL_GATHER_H
 #include "../base/args.h"
-#include "fuse.h"
+#include "view_map_fuse.h"
 #include "../raster/gbuffer.h"
 #include "mask.h"
-#include "root.h"
+#include "octree_root.h"
 #include "vpl.h"
 
 #define TS_ROWS_ts_vpl_gather_args(ARG) \

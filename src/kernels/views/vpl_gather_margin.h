@@ -5,7 +5,7 @@
 #ifndef TS_KERNELS_VPL_GATHER_MARGIN_H
 #define TS_KERNELS_VPL_GATHER_MARGIN_H
 #include "../base/args.h"
-#include "map_margin.h"
+#include "view_map_margin.h"
 #include "vpl_gather.h"
 
 #define TS_MARGIN_SLOPE \

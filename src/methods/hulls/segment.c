@@ -7,9 +7,9 @@
 static const ts_launch sweep = TS_LAUNCH(segment, TS_ALL);
 static const ts_launch components = TS_LAUNCH(segment_components, TS_ALL);
 static const ts_launch measured = TS_LAUNCH(segment_margin, TS_ALL);
-static const ts_launch extent = TS_LAUNCH(range, TS_ALL);
-static const ts_launch counted = TS_LAUNCH(box_count, TS_BUT(boxes));
-static const ts_launch written = TS_LAUNCH(box, TS_IN(offset, segment_box_offset), TS_BUT(n_labels));
+static const ts_launch extent = TS_LAUNCH(segment_extent, TS_ALL);
+static const ts_launch counted = TS_LAUNCH(segment_box_count, TS_BUT(boxes));
+static const ts_launch written = TS_LAUNCH(segment_box, TS_IN(offset, segment_box_offset), TS_BUT(n_labels));
 
 static u64 n_texels(const ts_run *run)
 {
@@ -38,14 +38,14 @@ static ts_status segment_margin(ts_run *run)
 
 static ts_status segment_extent(ts_run *run)
 {
-	ts_range_args args = {.grid = TS_PARAM(&run->params, depth_grid_px)};
+	ts_segment_extent_args args = {.grid = TS_PARAM(&run->params, depth_grid_px)};
 	return TS_RUN(run, &extent, &args, n_texels(run));
 }
 
 static ts_status segment_box(ts_run *run)
 {
 	u64 total, n = n_texels(run);
-	ts_box_args args;
+	ts_segment_box_args args;
 	if (TS_RUN(run, &counted, &args, n) != TS_OK) return TS_ERROR;
 	i64 n_labels = ts_frame_tally(&run->frame, 0);
 	if (ts_launch_sum(run, &counted, "offset", &total) != TS_OK) return TS_ERROR;

@@ -1,13 +1,10 @@
-/* Level 0 of the batch's cubes, by shading every texel (MVR) or from points (iVIR); then their mip chains. */
-#include "../../kernels/points/copy.h"
-#include "../../kernels/points/illuminate.h"
-#include "../stages.h"
+/* MVR: level 0 of the batch's cubes by shading every texel; mip chains. */
+#include "illuminate.h"
 
 static const ts_launch shaded = TS_LAUNCH(illuminate, TS_ALL);
-static const ts_launch copied = TS_LAUNCH(copy, TS_BUT(to.scene), TS_BUT(to.depth_triangle));
-static const ts_launch averaged = TS_LAUNCH(mip, TS_BUT(scene), TS_BUT(depth_triangle));
+const ts_launch ts_mip_averaged = TS_LAUNCH(mip, TS_BUT(scene), TS_BUT(depth_triangle));
 
-static ts_status make_levels(ts_run *run, ts_illuminate_args args)
+ts_status ts_mip_make(ts_run *run, ts_illuminate_args args)
 {
 	const ts_face *cubes = ts_frame_data(&run->frame, TS_B_cube_size_face);
 	for (u32 r = run->first_unit; r < run->first_unit + run->n_units; r++) {
@@ -15,29 +12,18 @@ static ts_status make_levels(ts_run *run, ts_illuminate_args args)
 		args.first_cube = r;
 		for (args.level = 1; n != 0 && args.level < ts_k_mip_levels(n); args.level++) {
 			u64 size = ts_k_mip_size(n, args.level);
-			if (ts_launch_items(run, &averaged, &args, 6 * size * size) != TS_OK) return TS_ERROR;
+			if (ts_launch_items(run, &ts_mip_averaged, &args, 6 * size * size) != TS_OK) return TS_ERROR;
 		}
 		args.mip += ts_k_mip_texels(n, TS_NONE) * 4;
 	}
 	return TS_OK;
 }
 
-/* iVIR: colours of points into level 0, and the levels above. */
-static ts_status environment_map(ts_run *run)
-{
-	ts_copy_args args = {
-		.to = {.first_cube = run->first_unit, .n_cubes = run->n_units},
-		.exposure = TS_PARAM(&run->params, image_exposure),
-	};
-	if (TS_RUN(run, &copied, &args, ts_run_size(run, TS_DIM_texels)) != TS_OK) return TS_ERROR;
-	return make_levels(run, args.to);
-}
-
 static ts_status illuminate(ts_run *run)
 {
 	ts_illuminate_args args = {.scene = ts_run_scene(run), .first_cube = run->first_unit, .n_cubes = run->n_units};
 	if (TS_RUN(run, &shaded, &args, ts_run_size(run, TS_DIM_texels)) != TS_OK) return TS_ERROR;
-	if (make_levels(run, args) != TS_OK) return TS_ERROR;
+	if (ts_mip_make(run, args) != TS_OK) return TS_ERROR;
 	const u64 *seen = ts_frame_data(&run->frame, TS_B_cube_face_depth_triangle);
 	u64 n = ts_frame_n(&run->frame, TS_B_cube_face_depth_triangle);
 	i64 n_shaded = 0;
@@ -46,21 +32,12 @@ static ts_status illuminate(ts_run *run)
 	return TS_OK;
 }
 
-const ts_stage ts_stage_environment_map = {
-	.name = "environment_map",
-	.kind = "map",
-	.paper = "iVIR 5",
-	.doc = "environment maps into mip chains",
-	.run = environment_map,
-	.launches = TS_LAUNCHES(&copied, &averaged),
-};
-
 const ts_stage ts_stage_illuminate = {
 	.name = "illuminate",
 	.kind = "map",
 	.paper = "EPR 4.2",
 	.doc = "MVR: deferred shading of every texel, and the mip chain",
 	.run = illuminate,
-	.launches = TS_LAUNCHES(&shaded, &averaged),
+	.launches = TS_LAUNCHES(&shaded, &ts_mip_averaged),
 	.looks_at = TS_BUFFERS(TS_B_scene_info),
 };

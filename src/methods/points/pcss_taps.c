@@ -1,6 +1,6 @@
 /* How many taps about a pixel, in the one depth map of each light, let light through. */
 #include "../../kernels/points/pcss.h"
-#include "../raster/resolve.h"
+#include "../raster/shadow_test.h"
 
 static const ts_launch filtered = TS_LAUNCH(pcss, TS_ALL);
 

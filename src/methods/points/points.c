@@ -3,7 +3,7 @@
 #include "../../kernels/points/view_density.h"
 #include "points.h"
 
-static const ts_launch counted = TS_LAUNCH(count, TS_WITH(offset));
+static const ts_launch counted = TS_LAUNCH(points_count, TS_WITH(offset));
 static const ts_launch written = TS_LAUNCH(points, TS_IN(offset, points_offset), TS_WITH(keys), TS_WITH(points));
 static const ts_launch appended = TS_LAUNCH(points_append, TS_WITH(keys), TS_WITH(points), TS_WITH(n_points));
 

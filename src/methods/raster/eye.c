@@ -1,5 +1,5 @@
 /* The eye's depth and triangle. */
-#include "../../kernels/raster/draw.h"
+#include "../../kernels/raster/eye.h"
 #include "../stages.h"
 
 static const ts_launch launch = TS_LAUNCH(eye, TS_ALL);

@@ -5,7 +5,7 @@
 
 static const ts_launch with_mirrors = TS_LAUNCH(image, TS_WITH(offset), TS_WITH(reflected));
 static const ts_launch with_shadows = TS_LAUNCH(image, TS_IN(scene.lights, lamp_light), TS_WITH(lit), TS_WITH(lamps));
-static const ts_launch of_indirect = TS_LAUNCH(indirect_image, TS_ALL);
+static const ts_launch of_indirect = TS_LAUNCH(image_indirect, TS_ALL);
 
 static u64 n_pixels(const ts_run *run) { return (u64)TS_PARAM(&run->params, width) * TS_PARAM(&run->params, height); }
 

@@ -4,10 +4,11 @@
 
 static const ts_launch of_eye =
 	TS_LAUNCH(eye_margin, TS_WITH(view), TS_IN(depth_triangle, eye_depth_triangle), TS_MIN(margin, eye_margin));
-static const ts_launch of_faces = TS_LAUNCH(
-	face_margin, TS_WITH(cubes), TS_IN(depth_triangle, cube_face_depth_triangle), TS_MIN(margin, cube_face_margin));
+static const ts_launch of_faces =
+	TS_LAUNCH(cube_face_margin, TS_WITH(cubes), TS_IN(depth_triangle, cube_face_depth_triangle),
+              TS_MIN(margin, cube_face_margin));
 static const ts_launch of_depths =
-	TS_LAUNCH(depth_margin, TS_WITH(views), TS_WITH(depths), TS_MIN(margin, depth_map_margin));
+	TS_LAUNCH(depth_map_margin, TS_WITH(views), TS_WITH(depths), TS_MIN(margin, depth_map_margin));
 
 static ts_status eye_margin(ts_run *run)
 {

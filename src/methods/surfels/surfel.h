@@ -2,7 +2,7 @@
 #ifndef TS_STAGES_SURFELS_H
 #define TS_STAGES_SURFELS_H
 #include "../../kernels/surfels/deferred.h"
-#include "../../kernels/surfels/disc.h"
+#include "../../kernels/surfels/surfel_setup.h"
 #include "../stages.h"
 
 /* How surfels are filtered, as arguments of kernels have it (surfel_setup.c). */

@@ -3,7 +3,7 @@
 #include "surfel.h"
 
 static const ts_launch from_eye = TS_LAUNCH(surfel_depth, TS_ALL);
-static const ts_launch from_lights = TS_LAUNCH(surfel_shadow, TS_ALL);
+static const ts_launch from_lights = TS_LAUNCH(surfel_depth_shadow, TS_ALL);
 
 static ts_status surfel_depth(ts_run *run)
 {
@@ -13,7 +13,8 @@ static ts_status surfel_depth(ts_run *run)
 
 static ts_status surfel_depth_shadow(ts_run *run)
 {
-	ts_surfel_shadow_args args = {.filter = ts_surfel_filter(run), .n_views = (u32)ts_run_size(run, TS_DIM_views)};
+	ts_surfel_depth_shadow_args args = {.filter = ts_surfel_filter(run),
+	                                    .n_views = (u32)ts_run_size(run, TS_DIM_views)};
 	return TS_RUN(run, &from_lights, &args, ts_run_size(run, TS_DIM_surfels));
 }
 

@@ -4,7 +4,7 @@
 
 static const ts_launch of_depths = TS_LAUNCH(surfel_depth_margin, TS_MIN(margin, surfel_depth_margin));
 static const ts_launch of_fragments =
-	TS_LAUNCH(blend_margin, TS_WITH(heaviest), TS_MIN(margin, surfel_blend_margin), TS_BUT(epsilon));
+	TS_LAUNCH(surfel_blend_margin, TS_WITH(heaviest), TS_MIN(margin, surfel_blend_margin), TS_BUT(epsilon));
 
 static ts_status measure(ts_run *run, const ts_launch *launch)
 {

@@ -1,5 +1,5 @@
 /* Surfels in the eye's view, and how far behind the nearest others are blended with it. */
-#include "../../kernels/surfels/disc.h"
+#include "../../kernels/surfels/surfel_setup.h"
 #include "../../scene/surfel.h"
 #include "surfel.h"
 

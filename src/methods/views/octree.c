@@ -1,7 +1,6 @@
 /* Octrees: masks, nodes and the lists of the leaves; that of the scene. */
 #include "octree.h"
 #include "../../kernels/views/octree_surface.h"
-#include "../../kernels/views/voxel.h"
 
 const ts_octree ts_scene_octree =
 	TS_OCTREE(voxel_mask, voxel_before, octree_level, octree_node, octree_offset, octree_triangle, nodes, "scene");
@@ -45,34 +44,16 @@ ts_status ts_octree_sort(ts_run *run, const ts_octree *octree)
 	return TS_RUN(run, &octree->sorted, &args, ts_frame_n(&run->frame, octree->offset) - 1);
 }
 
-/* Triangles in voxels: marked, then counted by leaf, then listed. */
-#define WHERE TS_BUT_SURFACES, TS_BUT(scene.materials), TS_BUT(scene.objects)
-static const ts_launch marked = TS_LAUNCH(voxel, TS_WITH(mask), TS_BUT(bits), TS_BUT(before), TS_BUT(offset), WHERE);
-static const ts_launch counted = TS_LAUNCH(voxel, WHERE);
-static const ts_launch listed = TS_LAUNCH(voxel, TS_WITH(triangles), WHERE);
+/* Triangles in the voxels of leaves: counted, then listed. */
+static const ts_launch counted = TS_LAUNCH(voxel, TS_BUT_LOOKS);
+static const ts_launch listed = TS_LAUNCH(voxel, TS_WITH(triangles), TS_BUT_LOOKS);
 static const ts_launch of_leaves = TS_LAUNCH(leaf_surface, TS_ALL);
 static const ts_launch of_nodes = TS_LAUNCH(inner_surface, TS_ALL);
-
-static ts_voxel_args values(const ts_run *run)
-{
-	return (ts_voxel_args){
-		.scene.n_triangles = (u32)ts_run_size(run, TS_DIM_triangles),
-		.levels = TS_PARAM(&run->params, octree_levels),
-	};
-}
-
-static ts_status voxel(ts_run *run)
-{
-	ts_voxel_args args = values(run);
-	if (TS_RUN(run, &marked, &args, args.scene.n_triangles) != TS_OK) return TS_ERROR;
-	ts_run_count(run, "geometry traversals", 1);
-	return ts_octree_ids(run, &ts_scene_octree);
-}
 
 static ts_status octree(ts_run *run)
 {
 	u64 total;
-	ts_voxel_args args = values(run);
+	ts_voxel_args args = ts_voxel_values(run);
 	u32 n = args.scene.n_triangles;
 	if (ts_octree_nodes(run, &ts_scene_octree) != TS_OK) return TS_ERROR;
 	args.first_leaf = ts_octree_first(run, &ts_scene_octree, args.levels);
@@ -96,15 +77,6 @@ static ts_status octree_surface(ts_run *run)
 	}
 	return TS_OK;
 }
-
-const ts_stage ts_stage_voxel = {
-	.name = "voxel",
-	.kind = "scatter",
-	.paper = "MegaViews 4.1",
-	.doc = "voxels that triangles touch, and those above them",
-	.run = voxel,
-	.launches = TS_LAUNCHES(&marked, &ts_scene_octree.raised, &ts_scene_octree.counted),
-};
 
 const ts_stage ts_stage_octree = {
 	.name = "octree",

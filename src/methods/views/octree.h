@@ -3,6 +3,7 @@
 #define TS_STAGES_OCTREE_H
 #include "../../kernels/base/sort.h"
 #include "../../kernels/views/octree.h"
+#include "../../kernels/views/voxel.h"
 #include "views.h"
 
 /* The buffers of one of them, what is launched to make them, and its counters. */
@@ -25,6 +26,11 @@ extern const ts_octree ts_scene_octree, ts_view_octree;
 			TS_LAUNCH(leaf_sort, TS_IN(offset, offset_), TS_OUT(entries, entries_)), of " nodes", of " leaves", \
 			of " octree bytes" \
 	}
+
+/* What the voxels of triangles do not take of the scene. */
+#define TS_BUT_LOOKS TS_BUT_SURFACES, TS_BUT(scene.materials), TS_BUT(scene.objects)
+/* Arguments of the kernel that visits them, but pointers (voxel.c). */
+ts_voxel_args ts_voxel_values(const ts_run *run);
 
 /* The levels above the leaves, whose mask is made, and the ids. */
 ts_status ts_octree_ids(ts_run *run, const ts_octree *octree);

@@ -1,6 +1,6 @@
 /* The octree of the views, and the cones of their directions. */
 #include "octree.h"
-#include "../../kernels/views/view_cone.h"
+#include "../../kernels/views/view_octree_cone.h"
 #include "../../kernels/views/view_octree.h"
 
 const ts_octree ts_view_octree = TS_OCTREE(view_octree_voxel_mask, view_octree_voxel_before, view_octree_level,
@@ -8,9 +8,9 @@ const ts_octree ts_view_octree = TS_OCTREE(view_octree_voxel_mask, view_octree_v
 
 /* Views in voxels: marked, then counted by leaf, then listed. */
 static const ts_launch marked =
-	TS_LAUNCH(view_voxel, TS_BUT(bits), TS_BUT(before), TS_BUT(leaf), TS_BUT(offset), TS_BUT(entries));
-static const ts_launch counted = TS_LAUNCH(view_leaf, TS_BUT(mask), TS_BUT(entries));
-static const ts_launch listed = TS_LAUNCH(view_list, TS_BUT(mask));
+	TS_LAUNCH(view_octree_voxel, TS_BUT(bits), TS_BUT(before), TS_BUT(leaf), TS_BUT(offset), TS_BUT(entries));
+static const ts_launch counted = TS_LAUNCH(view_octree_leaf, TS_BUT(mask), TS_BUT(entries));
+static const ts_launch listed = TS_LAUNCH(view_octree_list, TS_BUT(mask));
 /* Sums of directions, then the least cosine with them. */
 static const ts_launch of_leaves = TS_LAUNCH(cone_leaf, TS_ALL);
 static const ts_launch of_nodes = TS_LAUNCH(cone_inner, TS_ALL);

@@ -1,17 +1,17 @@
 /* Light from virtual point lights: which nodes of views may light which nodes of the scene, and what pixels gather. */
 #include "../../kernels/views/vpl_gather_margin.h"
-#include "../../kernels/views/vpl_pairs.h"
+#include "../../kernels/views/vpl_gather_pairs.h"
 #include "octree.h"
 #include "traverse.h"
 
 #define TEXEL_DIAGONAL 1.41421354f /* of its width: places in one texel are no farther apart */
 
 /* Views of the level of gathering, by node of the scene: counted, listed, sorted, and summed up. */
-static const ts_launch counted = TS_LAUNCH(vpl_pairs_count, TS_BUT(nodes), TS_BUT(views));
-static const ts_launch listed = TS_LAUNCH(vpl_pairs_list, TS_ALL);
+static const ts_launch counted = TS_LAUNCH(vpl_gather_pairs_count, TS_BUT(nodes), TS_BUT(views));
+static const ts_launch listed = TS_LAUNCH(vpl_gather_pairs_list, TS_ALL);
 static const ts_launch sorted =
 	TS_LAUNCH(leaf_sort, TS_IN(offset, vpl_gather_pair_offset), TS_OUT(entries, vpl_gather_pair_node));
-static const ts_launch summed = TS_LAUNCH(vpl_pairs_sum, TS_BUT(pairs));
+static const ts_launch summed = TS_LAUNCH(vpl_gather_pairs_sum, TS_BUT(pairs));
 static const ts_launch gathered = TS_LAUNCH(vpl_gather, TS_ALL);
 static const ts_launch measured = TS_LAUNCH(vpl_gather_margin, TS_BUT(of.irradiance), TS_BUT(of.n_astray));
 
@@ -39,7 +39,7 @@ ts_status ts_vpl_pairs_arguments(ts_run *run, ts_traverse_args *args)
 	return TS_OK;
 }
 
-static ts_status traverse(ts_run *run, ts_traverse_sink *sink, ts_vpl_pairs_args *args)
+static ts_status traverse(ts_run *run, ts_traverse_sink *sink, ts_vpl_gather_pairs_args *args)
 {
 	ts_traverse_args how;
 	return ts_vpl_pairs_arguments(run, &how) == TS_OK ? ts_traverse(run, &how, sink, args) : TS_ERROR;
@@ -47,14 +47,14 @@ static ts_status traverse(ts_run *run, ts_traverse_sink *sink, ts_vpl_pairs_args
 
 static ts_status count_piece(ts_run *run, ts_traverse_piece *piece, void *user)
 {
-	ts_vpl_pairs_args *args = user;
+	ts_vpl_gather_pairs_args *args = user;
 	args->pairs = piece->args.queue;
 	return ts_launch_items(run, &counted, args, piece->n);
 }
 
 static ts_status list_piece(ts_run *run, ts_traverse_piece *piece, void *user)
 {
-	ts_vpl_pairs_args *args = user;
+	ts_vpl_gather_pairs_args *args = user;
 	args->pairs = piece->args.queue;
 	return ts_launch_items(run, &listed, args, piece->n);
 }
@@ -65,7 +65,7 @@ static u64 nodes_of(const ts_run *run, const ts_octree *octree, u32 level)
 }
 
 /* Where lists begin stands one later while they are written, as in octrees. */
-static ts_status make_lists(ts_run *run, ts_vpl_pairs_args *args, u64 *n)
+static ts_status make_lists(ts_run *run, ts_vpl_gather_pairs_args *args, u64 *n)
 {
 	if (ts_launch_make(run, &counted, "offset", 1) != TS_OK || TS_FILL(run, &counted, args) != TS_OK) return TS_ERROR;
 	if (traverse(run, count_piece, args) != TS_OK) return TS_ERROR;
@@ -79,7 +79,7 @@ static ts_status vpl_gather_pairs(ts_run *run)
 {
 	u32 level = ts_gather_level(run);
 	u64 n_lists = nodes_of(run, &ts_scene_octree, level), n_views = nodes_of(run, &ts_view_octree, level), n;
-	ts_vpl_pairs_args args = {.first = ts_octree_first(run, &ts_scene_octree, level)};
+	ts_vpl_gather_pairs_args args = {.first = ts_octree_first(run, &ts_scene_octree, level)};
 	ts_sort_args sort;
 	if (make_lists(run, &args, &n) != TS_OK || TS_RUN(run, &sorted, &sort, n_lists) != TS_OK) return TS_ERROR;
 	ts_run_count(run, "gather pairs", (i64)n);

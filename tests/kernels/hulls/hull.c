@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../../src/kernels/hulls/direct.h"
-#include "../../../src/kernels/hulls/gather.h"
+#include "../../../src/kernels/hulls/corner.h"
 #include "../../../src/kernels/hulls/hull.h"
 #include "../seeded.h"
 
@@ -184,7 +184,7 @@ static void test_gather(void **state)
 		random_world(&w);
 		ts_segment box = random_box();
 		ts_moment moments[4];
-		ts_gather_args args = {.view = &w.view,
+		ts_corner_args args = {.view = &w.view,
 		                       .pixels = w.pixels,
 		                       .patches = w.patches,
 		                       .boxes = &box,
@@ -192,7 +192,7 @@ static void test_gather(void **state)
 		                       .n_patches = 7,
 		                       .grid = GRID};
 		for (u32 k = 0; k < 4; k++) {
-			ts_k_gather_item(&args, k);
+			ts_k_corner_item(&args, k);
 			check_corner(&w, &box, &moments[k], k);
 			check_light(&w, &moments[k]);
 			n_lit += moments[k].sum[1] > 0;

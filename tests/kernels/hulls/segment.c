@@ -194,19 +194,19 @@ static void check_boxes(const world *w, const u32 *labels)
 	static ts_segment boxes[TEXELS];
 	i64 n_labels = 0;
 	memset(least, 0xff, sizeof least);
-	ts_range_args range = {.depths = w->depth, .labels = labels, .least = least, .grid = GRID};
+	ts_segment_extent_args range = {.depths = w->depth, .labels = labels, .least = least, .grid = GRID};
 	u32 start = below(TEXELS);
 	for (u32 i = 0; i < TEXELS; i++)
-		ts_k_range_item(&range, (start + i * 5) % TEXELS); /* 5 and TEXELS: no common factor */
-	ts_box_args args = {.least = least, .offset = offset, .boxes = boxes, .n_labels = &n_labels};
+		ts_k_segment_extent_item(&range, (start + i * 5) % TEXELS); /* 5 and TEXELS: no common factor */
+	ts_segment_box_args args = {.least = least, .offset = offset, .boxes = boxes, .n_labels = &n_labels};
 	u32 n = 0, n_used = 0;
-	for (u32 i = 0; i < TEXELS; i++) ts_k_box_count_item(&args, i);
+	for (u32 i = 0; i < TEXELS; i++) ts_k_segment_box_count_item(&args, i);
 	for (u32 i = 0; i <= TEXELS; i++) {
 		u32 count = i < TEXELS ? offset[i] : 0;
 		offset[i] = n;
 		n += count;
 	}
-	for (u32 i = 0; i < TEXELS; i++) ts_k_box_item(&args, i);
+	for (u32 i = 0; i < TEXELS; i++) ts_k_segment_box_item(&args, i);
 	u32 next = 0;
 	for (u32 label = 0; label < TEXELS; label++) {
 		ts_segment right = {.low = {GRID, GRID}, .nearest = 2, .farthest = -1, .label = label};
@@ -262,8 +262,8 @@ static void test_nearest(void **state)
 	static ts_gpixel pixels[W * H];
 	static f32 depths[TEXELS];
 	for (u32 i = 0; i < W * H; i++) pixels[i].depth = (f32)i;
-	ts_nearest_args args = {.pixels = pixels, .depths = depths, .grid = GRID, .width = W, .height = H};
-	for (u32 i = 0; i < TEXELS; i++) ts_k_nearest_item(&args, i);
+	ts_depth_grid_args args = {.pixels = pixels, .depths = depths, .grid = GRID, .width = W, .height = H};
+	for (u32 i = 0; i < TEXELS; i++) ts_k_depth_grid_item(&args, i);
 	for (u32 y = 0; y < GRID; y++) {
 		for (u32 x = 0; x < GRID; x++) {
 			u32 column = (u32)floor((x + 0.5) * W / GRID), row = (u32)floor((y + 0.5) * H / GRID);

@@ -269,7 +269,7 @@ static inline void mesh_make_points(mesh *m, ts_points_args args)
 	args.pieces = m->pieces;
 	args.frames = m->frames;
 	args.offset = m->count;
-	for (u32 i = 0; i < m->n_pieces; i++) ts_k_count_item(&args, i);
+	for (u32 i = 0; i < m->n_pieces; i++) ts_k_points_count_item(&args, i);
 	m->n_points = mesh_scan(m->count, m->n_pieces);
 	args.room = m->n_points;
 	m->keys = args.keys = mesh_alloc(m->n_points, sizeof *m->keys);

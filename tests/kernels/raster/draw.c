@@ -1,7 +1,8 @@
 /* Drawing against a ray caster in double precision: meshes without gaps or overlaps, a floor through the near plane,
  * ties, order, sides, masks, and the six faces of a cube in a box. */
 #include "../small.h"
-#include "../../../src/kernels/raster/draw.h"
+#include "../../../src/kernels/raster/cube_face.h"
+#include "../../../src/kernels/raster/eye.h"
 
 enum { WIDTH = 64, HEIGHT = 48, N_PIXELS = WIDTH * HEIGHT };
 
@@ -287,14 +288,14 @@ static void test_faces(void **state)
 	add_box(lo, hi);
 	u32 own = small_add(&scene, ts_v3_make(-1, -1, -1), ts_v3_make(5, -1, -1), ts_v3_make(-1, 5, -1), 1, 1);
 	clear(buffer, sizeof buffer / sizeof buffer[0]);
-	ts_face_args args = {
+	ts_cube_face_args args = {
 		.scene = small_arrays(&scene),
 		.cubes = cubes,
 		.texels = buffer,
 		.first_cube = 1,
 		.n_cubes = 3,
 	};
-	for (u32 t = 0; t < scene.n_triangles; t++) ts_k_face_item(&args, t);
+	for (u32 t = 0; t < scene.n_triangles; t++) ts_k_cube_face_item(&args, t);
 	u32 n_own = 0;
 	for (u32 i = 0; i < 2 * 6 * FACE; i++) {
 		u32 k = i / FACE % 6;

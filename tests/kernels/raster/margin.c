@@ -2,7 +2,8 @@
  * with corners cut off at 1/256 texel, and with everything up to one step away. Whatever they change is undecided, and most
  * is decided. The figures themselves where they can be told. */
 #include "../points/views.h"
-#include "../../../src/kernels/raster/resolve_margin.h"
+#include "../../../src/kernels/raster/depth_map.h"
+#include "../../../src/kernels/raster/shadow_test_margin.h"
 
 enum { SIZE = 64, N_TEXELS = SIZE * SIZE, N_MESHES = 200, N_TRIANGLES = 24, N_RECEIVERS = 1000, N_STEPS = 12 };
 
@@ -35,7 +36,7 @@ static ts_v3 random_point(const ts_offscreen *view)
 static void draw(const mesh *m, const ts_offscreen *view)
 {
 	ts_arrays scene = mesh_arrays(m);
-	ts_depth_args drawn = {.scene = scene, .views = view, .depths = depths, .n_views = 1};
+	ts_depth_map_args drawn = {.scene = scene, .views = view, .depths = depths, .n_views = 1};
 	ts_margin_args args = {.scene = scene, .views = view, .depths = depths, .margin = margin, .n_units = 1};
 	ts_camera_k camera = ts_k_offscreen(view);
 	ts_target target = ts_k_keys(keys);
@@ -44,10 +45,10 @@ static void draw(const mesh *m, const ts_offscreen *view)
 	memset(margin, 0xff, sizeof margin);
 	for (u32 t = 0; t < m->n_triangles; t++) {
 		ts_corners corners = ts_k_corners(&scene, t);
-		ts_k_depth_item(&drawn, t);
+		ts_k_depth_map_item(&drawn, t);
 		ts_k_draw(&scene, &camera, &corners, t, &target);
 	}
-	for (u32 t = 0; t < m->n_triangles; t++) ts_k_depth_margin_item(&args, t);
+	for (u32 t = 0; t < m->n_triangles; t++) ts_k_depth_map_margin_item(&args, t);
 	for (u32 k = 0; k < N_TEXELS; k++) assert_int_equal(depths[k], keys[k] >> 32);
 }
 
@@ -182,7 +183,7 @@ static void test_figures(void **state)
 }
 
 /* A point of a triangle's plane, or, `near`, one about as deep as what the map shows and the bias. */
-static ts_receiver random_receiver(const mesh *m, const ts_offscreen *view, const ts_resolve_args *args, bool near)
+static ts_receiver random_receiver(const mesh *m, const ts_offscreen *view, const ts_shadow_test_args *args, bool near)
 {
 	ts_camera_k camera = ts_k_offscreen(view);
 	const ts_vertex *corner = &m->vertices[random_bits() % m->n_triangles * 3];
@@ -203,10 +204,10 @@ static ts_receiver random_receiver(const mesh *m, const ts_offscreen *view, cons
 
 /* What a port may answer that has the receiver up to a step of the eye aside, `pixel` world units wide on the surface, the
  * map a step of its own, and depths that went with the surface. */
-static bool other_reaches(const ts_resolve_args *args, const ts_offscreen *view, const ts_receiver *at, double pixel,
-                          double z, double slope)
+static bool other_reaches(const ts_shadow_test_args *args, const ts_offscreen *view, const ts_receiver *at,
+                          double pixel, double z, double slope)
 {
-	ts_resolve_args other = *args;
+	ts_shadow_test_args other = *args;
 	ts_offscreen aside = *view;
 	ts_receiver there = *at;
 	double width = (view->orthographic != 0 ? 1 : z) / view->focal, step = 1.0 / 256;
@@ -226,11 +227,11 @@ typedef struct {
 	u32 n, n_different, n_edges, n_undecided;
 } tally;
 
-static void try_receiver(const ts_resolve_args *args, const ts_offscreen *view, const ts_receiver *at, tally *tried)
+static void try_receiver(const ts_shadow_test_args *args, const ts_offscreen *view, const ts_receiver *at, tally *tried)
 {
 	u64 of[2] = {TS_EMPTY, TS_EMPTY};
 	ts_camera_k camera = ts_k_offscreen(view);
-	ts_resolve_args slope = {.slope = 1};
+	ts_shadow_test_args slope = {.slope = 1};
 	d3 way = d3_sub(d3_load(view->eye), d3_of(at->p));
 	double z = view_place(view, d3_of(at->p)).z, width = (view->orthographic != 0 ? 1 : z) / view->focal;
 	double pixel = uniform(0, 2) * width;
@@ -255,7 +256,7 @@ static void test_receivers(void **state)
 	for (u32 i = 0; i < N_MESHES; i++) {
 		mesh m;
 		ts_offscreen view = random_view(i & 1);
-		ts_resolve_args args = {.depths = depths, .views = &view, .bias = 1, .slope = 1.5f};
+		ts_shadow_test_args args = {.depths = depths, .views = &view, .bias = 1, .slope = 1.5f};
 		mesh_begin(&m);
 		for (u32 t = 0; t < 6; t++) {
 			ts_v3 a = random_point(&view), b = random_point(&view);

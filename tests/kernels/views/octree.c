@@ -3,7 +3,7 @@
 #include <string.h>
 #include "../../../src/kernels/base/sort.h"
 #include "../../../src/kernels/views/octree.h"
-#include "../../../src/kernels/views/view_cone.h"
+#include "../../../src/kernels/views/view_octree_cone.h"
 #include "../../../src/kernels/views/view_octree.h"
 #include "../seeded.h"
 
@@ -165,13 +165,13 @@ static void make_tree(tree *t, views *v)
 	                            .offset = v->offset,
 	                            .entries = v->entries,
 	                            .levels = t->levels};
-	for (u64 i = v->n; i-- > 0;) ts_k_view_voxel_item(&args, i);
+	for (u64 i = v->n; i-- > 0;) ts_k_view_octree_voxel_item(&args, i);
 	finish(t);
 	args.first_leaf = t->level[t->levels];
 	memset(v->offset, 0, sizeof v->offset);
-	for (u64 i = v->n; i-- > 0;) ts_k_view_leaf_item(&args, i);
+	for (u64 i = v->n; i-- > 0;) ts_k_view_octree_leaf_item(&args, i);
 	sum(v->offset, t->n_leaves + 1);
-	for (u64 i = v->n; i-- > 0;) ts_k_view_list_item(&args, i);
+	for (u64 i = v->n; i-- > 0;) ts_k_view_octree_list_item(&args, i);
 	ts_sort_args sort = {.offset = v->offset, .entries = v->entries};
 	for (u64 i = 0; i < t->n_leaves; i++) ts_k_leaf_sort_item(&sort, i);
 }

@@ -230,9 +230,9 @@ static ts_root root_of(const ts_vertex *vertices, u32 n, bool backwards)
 	ts_root root;
 	u32 least[6];
 	memset(least, 0xff, sizeof least);
-	ts_root_args args = {.vertices = vertices, .least = least, .root = &root};
-	for (u32 i = 0; i < n; i++) ts_k_root_least_item(&args, backwards ? n - 1 - i : i);
-	ts_k_root_item(&args, 0);
+	ts_octree_root_args args = {.vertices = vertices, .least = least, .root = &root};
+	for (u32 i = 0; i < n; i++) ts_k_octree_root_least_item(&args, backwards ? n - 1 - i : i);
+	ts_k_octree_root_item(&args, 0);
 	return root;
 }
 

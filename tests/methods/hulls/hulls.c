@@ -364,7 +364,7 @@ static void test_refused(void **state)
 	ts_scene *scene = small_scene(&params);
 	u32 n_own = scene->n_lights;
 	params.depth_grid_px = 100;
-	assert_refused(scene, &params, "stage nearest: depth_grid.px=100: a multiple of 32, as 96, would be right");
+	assert_refused(scene, &params, "stage depth_grid: depth_grid.px=100: a multiple of 32, as 96, would be right");
 	params.lamp_source = TS_LAMP_SCENE;
 	scene->n_lights = 0;
 	assert_refused(scene, &params,

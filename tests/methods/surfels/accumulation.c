@@ -1,7 +1,7 @@
 /* Sums of surfels in the formats of frame buffers: the lists of fragments against all surfels tried at every pixel,
  * the sums over them against models of their own, how far apart the formats are, and what the lists are expected to
  * take. */
-#include "../../../src/kernels/surfels/blend_order.h"
+#include "../../../src/kernels/surfels/surfel_blend_order.h"
 #include "../../../src/methods/surfels/surfel.h"
 #include "surfels.h"
 #include <touchstone/image.h>

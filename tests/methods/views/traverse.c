@@ -198,8 +198,8 @@ static void test_fuse(void **state)
 	grove_plant(&g, 5, 6, 20000, grove_surface, 300, grove_surface);
 	grove_outcome least = grove_run(&g, scene, &params, 2, NULL, false),
 				  own = grove_run(&g, scene, &paper, 2, NULL, false);
-	ts_fuse_args args = {.views = g.views.nodes, .texels = least.maps, .pyramid = {8, 1}, .nearest = 1};
-	ts_fuse_args own_args = args;
+	ts_view_map_fuse_args args = {.views = g.views.nodes, .texels = least.maps, .pyramid = {8, 1}, .nearest = 1};
+	ts_view_map_fuse_args own_args = args;
 	own_args.nearest = 0;
 	u64 n_moved = 0, n_nearer = 0;
 	for (u64 i = 0; i < least.n_depths; i++) {

@@ -1,10 +1,10 @@
 /* Fast paths of the surfel kernels, with the same bits: a thread owns a tile of the image and draws the surfels of
  * its bin, so there are no atomics; the order is that of the surfels, but sums of integers and minima would not show
  * another. What all items count is counted by each thread first. */
-#include "../../../kernels/surfels/blend.h"
+#include "../../../kernels/surfels/surfel_blend.h"
 #include "../../../kernels/surfels/deferred.h"
 #include "../../../kernels/surfels/surfel_depth.h"
-#include "../../../kernels/surfels/surfel_mean.h"
+#include "../../../kernels/surfels/surfel_blend_mean.h"
 #include "../../fast.h"
 #include "surfel_bins.h"
 #include "../../wide.h"
@@ -134,7 +134,7 @@ static bool make_terms(terms *t, const ts_attributes *attributes)
 
 /* ts_k_blend_add of weights up to 1: adding what has its last bit at 2^-30, of which these are the bits, rounds
  * there. */
-static void blend_add(const ts_blend_args *args, u64 pixel, u32 surfel, const terms *t, f32 weight)
+static void blend_add(const ts_surfel_blend_args *args, u64 pixel, u32 surfel, const terms *t, f32 weight)
 {
 	const double grid = 6291456.0;
 	const i64 grid_bits = 0x4158000000000000;
@@ -186,7 +186,7 @@ static void weigh_block(block *b, f32 fall)
 	for (u32 i = 0; i < padded(b->n); i++) b->weight[i] = ts_exp(-(b->r2[i] * fall));
 }
 
-static u32 blend_surfel(block *b, const ts_blend_args *args, const ts_camera_k *view, ts_disc disc, u32 surfel)
+static u32 blend_surfel(block *b, const ts_surfel_blend_args *args, const ts_camera_k *view, ts_disc disc, u32 surfel)
 {
 	ts_attributes attributes = ts_k_attributes(&args->surfels[surfel], &disc);
 	terms each;
@@ -211,7 +211,7 @@ static u32 blend_surfel(block *b, const ts_blend_args *args, const ts_camera_k *
 	return fragments;
 }
 
-TS_WIDE static void blend_tile(const ts_blend_args *args, const ts_surfel_bins *b, u32 tile)
+TS_WIDE static void blend_tile(const ts_surfel_blend_args *args, const ts_surfel_bins *b, u32 tile)
 {
 	block in = {.n = 0};
 	ts_camera_k view = ts_k_view(args->view);
@@ -225,9 +225,9 @@ TS_WIDE static void blend_tile(const ts_blend_args *args, const ts_surfel_bins *
 	ts_add_i64(&args->tally[1], pixels);
 }
 
-bool ts_c_fast_blend(const void *of, u64 n, u32 threads)
+bool ts_c_fast_surfel_blend(const void *of, u64 n, u32 threads)
 {
-	const ts_blend_args *args = of;
+	const ts_surfel_blend_args *args = of;
 	ts_surfel_bins b;
 	if (args->filter.filter == TS_FILTER_IS_EWA) return false;
 	bool made = ts_surfel_bins_make(&b, args->view, args->discs, n, threads);
@@ -239,16 +239,16 @@ bool ts_c_fast_blend(const void *of, u64 n, u32 threads)
 	return made;
 }
 
-bool ts_c_fast_surfel_mean(const void *of, u64 n, u32 threads)
+bool ts_c_fast_surfel_blend_mean(const void *of, u64 n, u32 threads)
 {
-	const ts_surfel_mean_args *args = of;
+	const ts_surfel_blend_mean_args *args = of;
 #pragma omp parallel num_threads(threads)
 	{
 		i64 tally = 0;
-		ts_surfel_mean_args own = *args;
+		ts_surfel_blend_mean_args own = *args;
 		own.tally = &tally;
 #pragma omp for schedule(dynamic, ITEMS)
-		for (i64 i = 0; i < (i64)n; i++) ts_k_surfel_mean_item(&own, (u64)i);
+		for (i64 i = 0; i < (i64)n; i++) ts_k_surfel_blend_mean_item(&own, (u64)i);
 		ts_add_i64(&args->tally[0], tally);
 	}
 	return true;

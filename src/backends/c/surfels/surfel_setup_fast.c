@@ -1,6 +1,6 @@
 /* Fast path of the set-up of surfels, with the same bits: those that face the eye side by side, by the kernel's own
  * functions in loops without branches, which compilers vectorize. */
-#include "../../../kernels/surfels/disc.h"
+#include "../../../kernels/surfels/surfel_setup.h"
 #include "../../fast.h"
 #include "../../wide.h"
 

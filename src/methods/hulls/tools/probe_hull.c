@@ -1,7 +1,7 @@
 /* A pixel of `hulls`: why it has its box, what the corners of that gathered, and what it has of each. */
 #include <inttypes.h>
 #include <stdlib.h>
-#include "../../../kernels/hulls/gather.h"
+#include "../../../kernels/hulls/corner.h"
 #include "../../stages.h"
 #include "../../raster/tools/probe.h"
 #include "probe.h"
@@ -184,8 +184,8 @@ static void put_fitted(ts_probe *p, json_t *o, const hull *h, u32 k)
 	static const char *const phis[] = {"phi_red", "phi_green", "phi_blue"};
 	json_t *fitted = json_object();
 	const ts_lobes *held = &h->lobes[k];
-	ts_fit_args args = {.moments = &h->moments[k], .lobes = &made, .vmf = h->args.vmf};
-	ts_k_fit_item(&args, 0);
+	ts_corner_lobes_args args = {.moments = &h->moments[k], .lobes = &made, .vmf = h->args.vmf};
+	ts_k_corner_lobes_item(&args, 0);
 	ts_probe_put(p, fitted, "mu", ts_probe_v3_bits(ts_load3(held->mu)));
 	ts_probe_put(p, fitted, "lambda", ts_probe_v3_bits(ts_load3(held->lambda)));
 	for (u32 c = 0; c < 3; c++) ts_probe_put(p, fitted, phis[c], ts_probe_v3(ts_load3(held->phi + c * 3)));

@@ -6,7 +6,7 @@
  * does. The point's own triangle stops no ray, and nothing does that is nearer than 2^-20 of the greatest coordinate,
  * 16 roundings, to that triangle's plane, measured along the ray: what touches a receiver cannot be told from it, and
  * neither can the neighbours in its plane. There is no other bias. */
-#include "../../../kernels/raster/resolve.h"
+#include "../../../kernels/raster/shadow_test.h"
 #include "../../pipeline.h"
 #include "../../stages.h"
 #include "../../../truth/query.h"

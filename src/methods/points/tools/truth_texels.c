@@ -9,7 +9,7 @@
 #include <float.h>
 #include <math.h>
 #include <omp.h>
-#include "../../../kernels/raster/resolve.h"
+#include "../../../kernels/raster/shadow_test.h"
 #include "../../../kernels/points/scatter.h"
 #include "../../stages.h"
 #include "../../../truth/query.h"
@@ -26,8 +26,8 @@ typedef struct {
 typedef struct {
 	const ts_truth *truth;
 	const ts_arrays *scene;
-	ts_resolve_args rule; /* its bias */
-	const void *texels;   /* of the batch */
+	ts_shadow_test_args rule; /* its bias */
+	const void *texels;       /* of the batch */
 	ts_buffer_id id;
 	u64 first_texel;
 	int n_threads;

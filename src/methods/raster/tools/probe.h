@@ -1,7 +1,7 @@
 /* Parts of answers that families share: lamps and their depth maps, the G-buffer, reflective shadow maps. */
 #ifndef TS_RASTER_TOOLS_PROBE_H
 #define TS_RASTER_TOOLS_PROBE_H
-#include "../../../kernels/raster/resolve.h"
+#include "../../../kernels/raster/shadow_test.h"
 #include "../../../probe/parts.h"
 
 /* ---- lamps and their views (probe_lamps.c) ---- */
@@ -34,7 +34,7 @@ json_t *ts_probe_lamp_view_name(const ts_probe_lamps *lamps, const ts_offscreen 
 /* A point before the depth maps; `depths` holds some rows of one map, from first_texel on. */
 typedef struct {
 	ts_probe_lamps lamps;
-	ts_resolve_args args;
+	ts_shadow_test_args args;
 	ts_receiver at;
 	f32 moves; /* the step of the point from pixel to pixel */
 	u32 *depths;

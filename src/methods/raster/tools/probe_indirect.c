@@ -45,7 +45,7 @@ ts_status ts_probe_put_indirect(ts_probe *p, const ts_probe_seen *at, ts_probe_i
 	                         .radiance = sent,
 	                         .srgb = srgb,
 	                         .exposure = TS_PARAM(&p->trace->params, image_exposure)};
-	ts_k_indirect_image_item(&args, 0);
+	ts_k_image_indirect_item(&args, 0);
 	*radiance = ts_load3(sent);
 	return TS_OK;
 }

@@ -1,6 +1,6 @@
 /* What light reaches a pixel: the question of each sample to its depth map, asked again. */
 #include <stdlib.h>
-#include "../../../kernels/raster/resolve_margin.h"
+#include "../../../kernels/raster/shadow_test_margin.h"
 #include "probe.h"
 
 ts_status ts_probe_read_rows(ts_probe *p, ts_probe_shadow *q, const ts_offscreen *view, u32 first, u32 n)
@@ -122,12 +122,12 @@ ts_status ts_probe_put_shadow(ts_probe *p, ts_probe_shadow *q, u32 x, u32 y, con
 {
 	ts_camera_k eye = ts_k_view(&p->view);
 	q->at = *at;
-	q->args = (ts_resolve_args){.scene = p->scene,
-	                            .view = &p->view,
-	                            .views = q->lamps.views,
-	                            .n_lamps = q->lamps.n_lights,
-	                            .bias = TS_PARAM(&p->trace->params, depth_map_bias),
-	                            .slope = TS_PARAM(&p->trace->params, depth_map_bias_slope)};
+	q->args = (ts_shadow_test_args){.scene = p->scene,
+	                                .view = &p->view,
+	                                .views = q->lamps.views,
+	                                .n_lamps = q->lamps.n_lights,
+	                                .bias = TS_PARAM(&p->trace->params, depth_map_bias),
+	                                .slope = TS_PARAM(&p->trace->params, depth_map_bias_slope)};
 	q->moves = ts_k_receiver_step(&eye, &q->at);
 	q->lit = ts_alloc_zero(q->lamps.n_lights, sizeof *q->lit, "lights");
 	if (q->lit == NULL) return TS_ERROR;

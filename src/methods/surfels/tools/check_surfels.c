@@ -1,6 +1,6 @@
 /* Surfels in a view: what kernels loop over, and look up by. */
 #include <inttypes.h>
-#include "../../../kernels/surfels/blend_order.h"
+#include "../../../kernels/surfels/surfel_blend_order.h"
 #include "tools.h"
 
 /* Boxes are in the image, or empty. */

@@ -2,9 +2,9 @@
  * sums. */
 #include <inttypes.h>
 #include <stdlib.h>
-#include "../../../kernels/surfels/blend_order.h"
+#include "../../../kernels/surfels/surfel_blend_order.h"
 #include "../surfel.h"
-#include "../../../kernels/surfels/surfel_mean.h"
+#include "../../../kernels/surfels/surfel_blend_mean.h"
 #include "../../stages.h"
 #include "probe.h"
 
@@ -197,7 +197,7 @@ static void sum_up(const ts_probe *p, const fragments *blended, i64 *sums, u64 *
 	const ts_disc *discs = ts_probe_loaded(p, TS_B_surfel_setup_disc);
 	const ts_surfel *surfels = ts_probe_loaded(p, TS_B_scene_surfel);
 	bool ordered = ts_accumulates_in_order(params);
-	ts_blend_args args = {.sums = sums, .heaviest = heaviest};
+	ts_surfel_blend_args args = {.sums = sums, .heaviest = heaviest};
 	ts_blend_target target = ts_k_blend_none();
 	for (size_t i = 0; i < blended->n; i++) {
 		const fragment *f = &blended->fragment[i];
@@ -270,16 +270,16 @@ static ts_status put_mean(ts_probe *p, json_t *object, const place *at)
 	const i64 *sums = (const i64 *)ts_probe_loaded(p, TS_B_surfel_blend_sum) + at->pixel * TS_BLEND_SUMS;
 	const ts_gpixel *held = (const ts_gpixel *)ts_probe_loaded(p, TS_B_gbuffer_pixel) + at->pixel;
 	ts_gpixel *pixels = ts_alloc_zero((size_t)n, sizeof *pixels, "a G-buffer");
-	ts_surfel_mean_args args = {.view = &p->view,
-	                            .discs = ts_probe_loaded(p, TS_B_surfel_setup_disc),
-	                            .epsilon = ts_probe_loaded(p, TS_B_surfel_setup_epsilon),
-	                            .keys = ts_probe_loaded(p, TS_B_surfel_depth_surfel),
-	                            .sums = ts_probe_loaded(p, TS_B_surfel_blend_sum),
-	                            .heaviest = ts_probe_loaded(p, TS_B_surfel_blend_heaviest),
-	                            .pixels = pixels,
-	                            .tally = &tally};
+	ts_surfel_blend_mean_args args = {.view = &p->view,
+	                                  .discs = ts_probe_loaded(p, TS_B_surfel_setup_disc),
+	                                  .epsilon = ts_probe_loaded(p, TS_B_surfel_setup_epsilon),
+	                                  .keys = ts_probe_loaded(p, TS_B_surfel_depth_surfel),
+	                                  .sums = ts_probe_loaded(p, TS_B_surfel_blend_sum),
+	                                  .heaviest = ts_probe_loaded(p, TS_B_surfel_blend_heaviest),
+	                                  .pixels = pixels,
+	                                  .tally = &tally};
 	if (pixels == NULL) return TS_ERROR;
-	ts_k_surfel_mean_item(&args, at->pixel);
+	ts_k_surfel_blend_mean_item(&args, at->pixel);
 	const ts_gpixel *made = &pixels[at->pixel];
 	if (tally > 0) {
 		f32 length = ts_length(ts_k_mean(sums + 3, (f32)sums[TS_BLEND_WEIGHT]));

@@ -8,7 +8,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include "../surfel.h"
-#include "../../../kernels/surfels/surfel_mean.h"
+#include "../../../kernels/surfels/surfel_blend_mean.h"
 #include "../../pipeline.h"
 #include "../../../scene/checkerboard.h"
 #include "../../stages.h"

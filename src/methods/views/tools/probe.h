@@ -1,7 +1,7 @@
 /* What methods of many views answer to the probe, and what its parts share. */
 #ifndef TS_VIEWS_TOOLS_PROBE_H
 #define TS_VIEWS_TOOLS_PROBE_H
-#include "../../../kernels/views/fuse.h"
+#include "../../../kernels/views/view_map_fuse.h"
 #include "../../../kernels/views/traverse.h"
 #include "../../../kernels/views/vpl.h"
 #include "../../../kernels/views/vpl_gather.h"
@@ -40,7 +40,7 @@ typedef struct {
 	u32 n, id[TS_PROBE_LEVELS];
 	ts_node nodes[TS_PROBE_LEVELS];
 	u64 *texels;
-	ts_fuse_args args;
+	ts_view_map_fuse_args args;
 } ts_probe_chain;
 
 /* Reads the chain to a node. Release by free() of texels, also on failure. */

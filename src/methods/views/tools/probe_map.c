@@ -39,7 +39,8 @@ static ts_status push(search *s, u64 pair)
 static u64 key_of(search *s, u64 pair, u32 step, u32 *mip)
 {
 	const ts_pyramid *pyramid = &s->chain.args.pyramid;
-	ts_map_args to = {.nodes = s->how.nodes, .views = &s->chain.nodes[step], .texels = s->map, .pyramid = *pyramid};
+	ts_view_map_args to = {
+		.nodes = s->how.nodes, .views = &s->chain.nodes[step], .texels = s->map, .pyramid = *pyramid};
 	for (u32 l = 0; l < pyramid->levels; l++) s->map[ts_k_pyramid_above(pyramid, s->texel, l)] = TS_EMPTY;
 	ts_k_map_pair(&to, ts_k_pair(ts_k_pair_node(pair), 0));
 	for (*mip = 0; *mip < pyramid->levels; ++*mip) {
@@ -164,7 +165,7 @@ static void put_node(ts_probe *p, json_t *object, u32 node, u32 held)
 /* What fusion makes of the node's own and of what its parent shows, `above`, in the trace. */
 static void put_fused(ts_probe *p, json_t *object, const search *s, u32 step, u64 above, u64 held)
 {
-	const ts_fuse_args *args = &s->chain.args;
+	const ts_view_map_fuse_args *args = &s->chain.args;
 	json_t *o = json_object();
 	u64 own = ts_probe_own_key(&s->chain, step, s->texel), key = ts_k_fused(args, step, above, s->texel);
 	f32 moved = 0.0f, computed = ts_u2f((u32)(key >> 32)), there = ts_u2f((u32)(held >> 32));

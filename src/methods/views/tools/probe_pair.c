@@ -1,6 +1,6 @@
 /* A texel of the whole map of a node of views: what the nodes above it show there, and the pair that was rendered. */
 #include <stdlib.h>
-#include "../../../kernels/views/map_margin.h"
+#include "../../../kernels/views/view_map_margin.h"
 #include "../../stages.h"
 #include "../traverse.h"
 #include "probe.h"
@@ -21,10 +21,10 @@ ts_status ts_probe_read_chain(ts_probe *p, ts_probe_chain *c, u32 node)
 		if (ts_probe_fetch(p, TS_B_view_map_depth_node, (u64)c->id[i] * n_texels, n_texels, to) != TS_OK)
 			return TS_ERROR;
 	}
-	c->args = (ts_fuse_args){.views = c->nodes,
-	                         .texels = c->texels,
-	                         .pyramid = pyramid,
-	                         .nearest = TS_PARAM(&p->load->run.params, view_map_fusion) == TS_FUSION_MIN};
+	c->args = (ts_view_map_fuse_args){.views = c->nodes,
+	                                  .texels = c->texels,
+	                                  .pyramid = pyramid,
+	                                  .nearest = TS_PARAM(&p->load->run.params, view_map_fusion) == TS_FUSION_MIN};
 	return TS_OK;
 }
 

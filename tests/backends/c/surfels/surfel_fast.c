@@ -108,13 +108,13 @@ static void spoil(passes *a, passes *b)
 static void draw(const frame *f, passes *p, bool fast)
 {
 	ts_surfel_depth_args depth = {&f->view, p->disc, &f->epsilon, p->key};
-	ts_blend_args blend = {&f->view, f->surfel, p->disc, p->key, p->sum, p->heaviest, p->tally[1], f->filter};
+	ts_surfel_blend_args blend = {&f->view, f->surfel, p->disc, p->key, p->sum, p->heaviest, p->tally[1], f->filter};
 	if (fast) {
 		assert_true(ts_c_fast_surfel_depth(&depth, SURFELS, f->threads));
-		assert_true(ts_c_fast_blend(&blend, SURFELS, f->threads));
+		assert_true(ts_c_fast_surfel_blend(&blend, SURFELS, f->threads));
 	} else {
 		ts_c_launch(TS_KERNEL_surfel_depth, &depth, SURFELS, 1);
-		ts_c_launch(TS_KERNEL_blend, &blend, SURFELS, 1);
+		ts_c_launch(TS_KERNEL_surfel_blend, &blend, SURFELS, 1);
 	}
 }
 
@@ -123,13 +123,14 @@ static void shade(const frame *f, passes *p, bool fast)
 	const ts_light sun = {.direction = {0.6f, -0.2f, -0.8f}, .intensity = {3, 2, 1}};
 	const ts_lamp lamp = {.samples = 1};
 	u64 n = (u64)f->view.width * (u64)f->view.height;
-	ts_surfel_mean_args mean = {&f->view, p->disc, &f->epsilon, p->key, p->sum, p->heaviest, p->pixel, p->tally[2]};
+	ts_surfel_blend_mean_args mean = {&f->view, p->disc,     &f->epsilon, p->key,
+	                                  p->sum,   p->heaviest, p->pixel,    p->tally[2]};
 	ts_deferred_args deferred = {&f->view, p->pixel, &sun, &lamp, NULL, p->radiance, p->srgb, 1, f->shader, 0.3f, 1.5f};
 	if (fast) {
-		assert_true(ts_c_fast_surfel_mean(&mean, n, f->threads));
+		assert_true(ts_c_fast_surfel_blend_mean(&mean, n, f->threads));
 		assert_true(ts_c_fast_deferred(&deferred, n, f->threads));
 	} else {
-		ts_c_launch(TS_KERNEL_surfel_mean, &mean, n, 1);
+		ts_c_launch(TS_KERNEL_surfel_blend_mean, &mean, n, 1);
 		ts_c_launch(TS_KERNEL_deferred, &deferred, n, 1);
 	}
 }
@@ -187,11 +188,11 @@ static void test_refused(void **state)
 		disc[i] = (ts_disc){.depth = 1, .low = {0, 0}, .high = {WIDE - 1, HIGH - 1}};
 	}
 	ts_surfel_depth_args args = {&view, disc, &epsilon, keys};
-	ts_blend_args ewa = {.view = &view, .discs = disc, .filter = {.filter = TS_FILTER_IS_EWA}};
+	ts_surfel_blend_args ewa = {.view = &view, .discs = disc, .filter = {.filter = TS_FILTER_IS_EWA}};
 	ts_surfel_setup_args ewa_setup = {.view = &view, .discs = disc, .filter = {.filter = TS_FILTER_IS_EWA}};
 	assert_false(ts_c_fast_surfel_depth(&args, SMALL, 2));
 	assert_memory_equal(keys, empty, sizeof keys);
-	assert_false(ts_c_fast_blend(&ewa, SMALL, 2));
+	assert_false(ts_c_fast_surfel_blend(&ewa, SMALL, 2));
 	assert_false(ts_c_fast_surfel_setup(&ewa_setup, SMALL, 2));
 	disc[0].high[0] = disc[1].high[0] = disc[2].high[0] = 63;
 	disc[3].high[0] = 64 * 13 - 1;

@@ -1,5 +1,5 @@
 /* What the probe says of surfels, against rays and the buffers of the run that wrote the trace. */
-#include "../../../../src/kernels/surfels/disc.h"
+#include "../../../../src/kernels/surfels/surfel_setup.h"
 #include "../../../probe/probed.h"
 
 enum { N_TRIED = 50 };

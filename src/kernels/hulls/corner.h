@@ -1,0 +1,122 @@
+/* Light gathered at the corners of a box (SSAGH section 3; METHODS 11): of every triangle of light that faces the
+ * corner w = M Omega, exitance times projected area on the unit sphere, a third of it from each of its three vertices.
+ * The surface's own horizon is not asked for: the normal is the pixel's, not the corner's. So a corner on the very
+ * surface that sends light on must not face it by rounding, for then half a sphere is light: a triangle counts from a
+ * sixteenth of its side above its plane on, more and more, and in full from five sixteenths on. Sums are in the order
+ * of the triangles. */
+#ifndef TS_KERNELS_CORNER_H
+#define TS_KERNELS_CORNER_H
+#include "../base/args.h"
+#include "form_factor.h"
+#include "depth_grid.h"
+#include "../raster/raster.h"
+
+#define TS_ROWS_ts_corner_args(ARG) \
+	ARG(IN, ts_view, view, eye_view) \
+	ARG(IN, ts_gpixel, pixels, gbuffer_pixel) \
+	ARG(IN, ts_patch, patches, rsm_patch) \
+	ARG(IN, ts_segment, boxes, segment_box) \
+	ARG(OUT, ts_moment, moments, corner_moment) \
+	ARG(VALUE, u64, n_patches, none) \
+	ARG(VALUE, u32, grid, none)
+TS_ARGS(ts_corner_args);
+
+/* The point of a pixel's ray at depth zn. */
+TS_FN ts_v3 ts_k_pixel_point(const ts_camera_k *view, u32 x, u32 y, f32 depth)
+{
+	f32 z = view->near / (1.0f - depth);
+	f32 right = (((f32)x + 0.5f) - (f32)view->width * 0.5f) / view->focal;
+	f32 up = ((f32)view->height * 0.5f - ((f32)y + 0.5f)) / view->focal;
+	ts_v3 way = ts_sub(ts_mad(ts_scale(view->right, right), view->up, up), view->back);
+	return ts_mad(view->eye, way, z);
+}
+
+typedef struct {
+	ts_v3 p;
+	f32 depth;
+} ts_box_corner;
+
+/* The pixel at a corner: 0 to 3 are top left, top right, bottom left, bottom right. */
+typedef struct {
+	u32 x, y;
+} ts_corner_pixel;
+
+TS_FN ts_corner_pixel ts_k_corner_pixel(const ts_camera_k *view, TS_GLOBAL const ts_segment *box, u32 grid, u32 corner)
+{
+	ts_corner_pixel at;
+	at.x = ts_k_resample((corner & 1u) != 0u ? box->high[0] : box->low[0], grid, (u32)view->width);
+	at.y = ts_k_resample((corner & 2u) != 0u ? box->high[1] : box->low[1], grid, (u32)view->height);
+	return at;
+}
+
+/* What the G-buffer shows there; where that lies out of the box, the middle of the box on the same ray. */
+TS_FN ts_box_corner ts_k_box_corner(const ts_camera_k *view, TS_GLOBAL const ts_segment *box,
+                                    TS_GLOBAL const ts_gpixel *pixel, ts_corner_pixel at)
+{
+	ts_box_corner r;
+	r.p = ts_load3(pixel->position);
+	r.depth = pixel->depth;
+	if (r.depth >= box->nearest && r.depth <= box->farthest) return r;
+	r.depth = (box->nearest + box->farthest) * 0.5f;
+	r.p = ts_k_pixel_point(view, at.x, at.y, r.depth);
+	return r;
+}
+
+/* Sums over triangles of w, and of w times direction for each channel. */
+typedef struct {
+	ts_v3 w, red, green, blue;
+} ts_gathered;
+
+/* How much of a triangle counts at that height above its plane, from 0 to 1. */
+TS_FN f32 ts_k_facing(f32 height, f32 side)
+{
+	f32 above = height - side * 0.0625f;
+	if (!(above > 0.0f && side > 0.0f)) return 0.0f;
+	return ts_min(above / (side * 0.25f), 1.0f);
+}
+
+TS_FN void ts_k_gather(ts_gathered *sum, TS_GLOBAL const ts_patch *patch, ts_v3 p)
+{
+	ts_v3 a = ts_load3(patch->a);
+	ts_v3 b = ts_load3(patch->b);
+	ts_v3 c = ts_load3(patch->c);
+	f32 height = ts_flush(ts_dot(ts_load3(patch->normal), ts_sub(p, a)));
+	f32 facing = ts_k_facing(height, ts_length(ts_sub(b, a)));
+	if (facing == 0.0f) return;
+	ts_v3 w = ts_scale(ts_load3(patch->exitance), ts_k_solid_angle(p, a, b, c) * facing);
+	ts_v3 ways = ts_add(ts_normalize(ts_sub(a, p)), ts_normalize(ts_sub(b, p)));
+	ways = ts_add(ways, ts_normalize(ts_sub(c, p)));
+	sum->w = ts_add(sum->w, w);
+	sum->red = ts_mad(sum->red, ways, w.x / 3.0f);
+	sum->green = ts_mad(sum->green, ways, w.y / 3.0f);
+	sum->blue = ts_mad(sum->blue, ways, w.z / 3.0f);
+}
+
+TS_FN void ts_k_gather_all(TS_GLOBAL ts_moment *out, TS_GLOBAL const ts_patch *patches, u64 n_patches,
+                           ts_box_corner corner)
+{
+	ts_gathered sum;
+	sum.w = ts_v3_make(0.0f, 0.0f, 0.0f);
+	sum.red = sum.w;
+	sum.green = sum.w;
+	sum.blue = sum.w;
+	for (u64 k = 0u; k < n_patches; k++) ts_k_gather(&sum, &patches[k], corner.p);
+	ts_store3(out->position, corner.p);
+	out->depth = ts_put(corner.depth);
+	ts_store3(out->sum, sum.w);
+	ts_store3(out->direction, sum.red);
+	ts_store3(out->direction + 3, sum.green);
+	ts_store3(out->direction + 6, sum.blue);
+}
+
+/* map over corners of boxes */
+TS_FN void ts_k_corner_item(const ts_corner_args *args, u64 i)
+{
+	TS_GLOBAL const ts_segment *box = &args->boxes[i / 4u];
+	ts_camera_k view = ts_k_view(args->view);
+	ts_corner_pixel at = ts_k_corner_pixel(&view, box, args->grid, (u32)(i % 4u));
+	TS_GLOBAL const ts_gpixel *pixel = &args->pixels[(u64)at.y * (u64)view.width + at.x];
+	ts_k_gather_all(&args->moments[i], args->patches, args->n_patches, ts_k_box_corner(&view, box, pixel, at));
+}
+
+#endif

@@ -1,0 +1,42 @@
+/* Spherical Gaussians of the light that a corner gathered, one a channel (SSAGH eqs 4 and 5; METHODS 11): with m the
+ * sum of the weights, phi' that of weights times directions over m and r its length, phi = phi' / r, lambda of r, mu =
+ * m / A(lambda). No light: mu 0, lambda 1. Nearly no direction, r < 1e-6: phi 0, as the lobe is the same on all
+ * sides. */
+#ifndef TS_KERNELS_CORNER_LOBES_H
+#define TS_KERNELS_CORNER_LOBES_H
+#include "../base/args.h"
+#include "gaussian.h"
+#include "../base/records.h"
+
+TS_FN ts_sg ts_k_fit(f32 m, ts_v3 directions, u32 vmf)
+{
+	ts_v3 none = ts_v3_make(0.0f, 0.0f, 0.0f);
+	if (!(ts_flush(m) > 0.0f)) return ts_sg_make(0.0f, 1.0f, none);
+	ts_v3 mean = ts_v3_make(directions.x / m, directions.y / m, directions.z / m);
+	f32 r = ts_length(mean);
+	f32 lambda = ts_k_sg_sharpness(r, vmf);
+	ts_v3 phi = r < ts_u2f(0x358637bdu) ? none : ts_normalize(mean); /* 1e-6 */
+	return ts_sg_make(m / ts_k_sg_integral(lambda), lambda, phi);
+}
+
+#define TS_ROWS_ts_corner_lobes_args(ARG) \
+	ARG(IN, ts_moment, moments, corner_moment) \
+	ARG(OUT, ts_lobes, lobes, corner_lobes) \
+	ARG(VALUE, u32, vmf, none) /* hull.sharpness=vmf */
+TS_ARGS(ts_corner_lobes_args);
+
+/* map over corners of boxes */
+TS_FN void ts_k_corner_lobes_item(const ts_corner_lobes_args *args, u64 i)
+{
+	TS_GLOBAL const ts_moment *moment = &args->moments[i];
+	TS_GLOBAL ts_lobes *out = &args->lobes[i];
+	for (u32 channel = 0u; channel < 3u; channel++) {
+		ts_sg g = ts_k_fit(moment->sum[channel], ts_load3(moment->direction + channel * 3u), args->vmf);
+		out->mu[channel] = ts_put(g.mu);
+		out->lambda[channel] = ts_put(g.lambda);
+		ts_store3(out->phi + channel * 3u, g.phi);
+	}
+	out->pad = 0u;
+}
+
+#endif

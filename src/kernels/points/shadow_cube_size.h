@@ -1,0 +1,35 @@
+/* The resolution of shadow cubes from the eye's (EPR section 5.1, eq. 6; METHODS 10): Res_max times the largest d_lt /
+ * d_er of the triangles in sight and the light samples, distances from the triangle to the sample and to the eye. */
+#ifndef TS_KERNELS_SHADOW_CUBE_SIZE_H
+#define TS_KERNELS_SHADOW_CUBE_SIZE_H
+#include "../base/args.h"
+#include "../base/closest.h"
+#include "../raster/raster.h"
+#include "../base/scene.h"
+
+#define TS_ROWS_ts_shadow_cube_size_args(ARG) \
+	ARG(INNER, ts_arrays, scene, none) \
+	ARG(IN, ts_view, view, eye_view) \
+	ARG(IN, u64, depth_triangle, eye_depth_triangle) \
+	ARG(IN, ts_face, cubes, cube_size_face) /* of the light samples */ \
+	ARG(MIN, u32, least, shadow_cube_size_least_ratio) \
+	ARG(VALUE, u32, n_cubes, none)
+TS_ARGS(ts_shadow_cube_size_args);
+
+/* scatter over pixels: the least d_er / max_l d_lt. What the pixel to the left has said is not said again. */
+TS_FN void ts_k_shadow_cube_size_item(const ts_shadow_cube_size_args *args, u64 i)
+{
+	u64 key = args->depth_triangle[i];
+	if (key == TS_EMPTY || (i != 0u && (u32)args->depth_triangle[i - 1u] == (u32)key)) return;
+	ts_corners t = ts_k_corners(&args->scene, (u32)key);
+	ts_v3 eye = ts_load3(args->view->eye);
+	f32 to_light = 0.0f;
+	for (u32 l = 0u; l < args->n_cubes; l++) {
+		ts_v3 light = ts_load3(args->cubes[l].centre);
+		to_light = ts_max(to_light, ts_length(ts_sub(ts_k_closest_on_triangle(light, t.a, t.b, t.c), light)));
+	}
+	f32 to_eye = ts_length(ts_sub(ts_k_closest_on_triangle(eye, t.a, t.b, t.c), eye));
+	if (to_light > 0.0f) ts_min_u32(args->least, ts_f2u(ts_put(to_eye / to_light)));
+}
+
+#endif

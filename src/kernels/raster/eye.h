@@ -1,0 +1,24 @@
+/* The eye's view: every triangle that faces it into depth << 32 | triangle (EPR section 4.1.3). */
+#ifndef TS_KERNELS_EYE_H
+#define TS_KERNELS_EYE_H
+#include "../base/args.h"
+#include "draw.h"
+
+#define TS_ROWS_ts_eye_args(ARG) \
+	ARG(INNER, ts_arrays, scene, none) \
+	ARG(IN, ts_view, view, eye_view) \
+	ARG(MIN, u64, texels, eye_depth_triangle)
+TS_ARGS(ts_eye_args);
+
+/* scatter over triangles */
+TS_FN void ts_k_eye_item(const ts_eye_args *args, u64 i)
+{
+	u32 triangle = (u32)i;
+	ts_camera_k view = ts_k_view(args->view);
+	ts_corners t = ts_k_corners(&args->scene, triangle);
+	if (ts_k_is_degenerate(t.n) || !ts_k_is_facing(&args->scene, triangle, &t, view.eye)) return;
+	ts_target target = ts_k_keys(args->texels);
+	ts_k_draw(&args->scene, &view, &t, triangle, &target);
+}
+
+#endif

@@ -1,0 +1,89 @@
+/* The root cube of both octrees, about all vertices of the frame, and its lattice: 256 steps to a leaf voxel
+ * (METHODS 12). Least and greatest coordinates by integer minimum of ordered bits, so that no order of the vertices
+ * changes them. */
+#ifndef TS_KERNELS_OCTREE_ROOT_H
+#define TS_KERNELS_OCTREE_ROOT_H
+#include "../base/args.h"
+#include "../base/morton.h"
+#include "../base/records.h"
+#include "../base/vec.h"
+
+/* Bits in the order of the numbers: the sign bit flipped, or of negative numbers all bits. */
+TS_FN u32 ts_k_ordered(f32 x)
+{
+	u32 u = ts_f2u(x);
+	return (u & 0x80000000u) != 0u ? ~u : u | 0x80000000u;
+}
+
+TS_FN f32 ts_k_of_ordered(u32 o) { return ts_u2f((o & 0x80000000u) != 0u ? o & 0x7fffffffu : ~o); }
+
+#define TS_ROWS_ts_octree_root_args(ARG) \
+	ARG(IN, ts_vertex, vertices, pose_vertex) \
+	ARG(MIN, u32, least, octree_root_least) \
+	ARG(OUT, ts_root, root, octree_root)
+TS_ARGS(ts_octree_root_args);
+
+TS_FN void ts_k_root_least(TS_GLOBAL u32 *least, u32 axis, f32 x)
+{
+	u32 o = ts_k_ordered(x);
+	ts_min_u32(&least[axis], o);
+	ts_min_u32(&least[3u + axis], ~o);
+}
+
+/* scatter over vertices */
+TS_FN void ts_k_octree_root_least_item(const ts_octree_root_args *args, u64 i)
+{
+	for (u32 axis = 0u; axis < 3u; axis++) ts_k_root_least(args->least, axis, args->vertices[i].position[axis]);
+}
+
+/* item 0. With the greatest extent e and the greatest coordinate m of either sign, the side is e (1 + 2^-10) + m
+ * 2^-20: what rounding takes, at most 3 m 2^-24, leaves every vertex inside, even after it is snapped at 2^11 voxels
+ * a side. */
+TS_FN void ts_k_octree_root_item(const ts_octree_root_args *args, u64 i)
+{
+	if (i != 0u) return;
+	bool any = args->least[0] != TS_NONE;
+	ts_v3 zero = ts_v3_make(0.0f, 0.0f, 0.0f);
+	TS_GLOBAL const u32 *least = args->least;
+	ts_v3 low = ts_v3_make(ts_k_of_ordered(least[0]), ts_k_of_ordered(least[1]), ts_k_of_ordered(least[2]));
+	ts_v3 high = ts_v3_make(ts_k_of_ordered(~least[3]), ts_k_of_ordered(~least[4]), ts_k_of_ordered(~least[5]));
+	low = any ? low : zero;
+	high = any ? high : zero;
+	ts_v3 size = ts_sub(high, low);
+	ts_v3 most = ts_max3(high, ts_neg(low));
+	f32 extent = ts_max(size.x, ts_max(size.y, size.z));
+	f32 far = ts_max(most.x, ts_max(most.y, most.z));
+	f32 side = extent * 1.0009765625f;
+	f32 room = far * 9.5367431640625e-7f;
+	side = ts_flush(side + room);
+	side = side > 0.0f ? side : 1.0f;
+	ts_v3 centre = ts_scale(ts_add(low, high), 0.5f);
+	f32 half_side = side * 0.5f;
+	ts_store3(args->root->lower, ts_sub(centre, ts_v3_make(half_side, half_side, half_side)));
+	args->root->side = ts_put(side);
+}
+
+#define TS_VOXEL 256
+#define TS_VOXEL_BITS 8
+
+/* A place to the nearest point of the lattice, in [0, 2^(levels + 8)], at most 2^19. */
+TS_FN ts_i3 ts_k_root_place(TS_GLOBAL const ts_root *root, u32 levels, ts_v3 p)
+{
+	i32 most = TS_VOXEL << levels;
+	f32 scale = (f32)most / root->side;
+	ts_v3 q = ts_scale(ts_sub(p, ts_load3(root->lower)), scale);
+	return ts_i3_make(ts_min_i32(ts_max_i32(ts_fix(q.x, 0, 20), 0), most),
+	                  ts_min_i32(ts_max_i32(ts_fix(q.y, 0, 20), 0), most),
+	                  ts_min_i32(ts_max_i32(ts_fix(q.z, 0, 20), 0), most));
+}
+
+/* The leaf voxel that holds a place. */
+TS_FN ts_i3 ts_k_voxel_of(TS_GLOBAL const ts_root *root, u32 levels, ts_v3 p)
+{
+	i32 last = (1 << levels) - 1;
+	ts_i3 q = ts_k_root_place(root, levels, p);
+	return ts_i3_make(ts_min_i32(q.x >> TS_VOXEL_BITS, last), ts_min_i32(q.y >> TS_VOXEL_BITS, last),
+	                  ts_min_i32(q.z >> TS_VOXEL_BITS, last));
+}
+
+#endif

@@ -1,0 +1,71 @@
+/* Whole maps for every node of views (MegaViews section 3.2, "Image Queries"; METHODS 13): what a parent's map shows is
+ * moved to the child's middle, within its texel, level by level from the root. view_map.fusion=min keeps the nearer of that and
+ * the child's own, view_map.fusion=paper the child's own wherever there is one. The same for one texel, without making maps, is
+ * a query. */
+#ifndef TS_KERNELS_VIEW_MAP_FUSE_H
+#define TS_KERNELS_VIEW_MAP_FUSE_H
+#include "../base/args.h"
+#include "view_map.h"
+
+#define TS_ROWS_ts_view_map_fuse_args(ARG) \
+	ARG(IN, ts_node, views, view_octree_node) \
+	ARG(IN, u64, texels, view_map_depth_node) \
+	ARG(OUT, u32, depths, view_map_fused_depth) \
+	ARG(OUT, u32, nodes, view_map_fused_node) \
+	ARG(VALUE, ts_pyramid, pyramid, none) \
+	ARG(VALUE, u32, first, none)   /* node of the level */ \
+	ARG(VALUE, u32, nearest, none) /* view_map.fusion=min */
+TS_ARGS(ts_view_map_fuse_args);
+
+/* The distance from b to what lies at that distance from a in the middle of a texel. */
+TS_FN f32 ts_k_moved_depth(ts_v3 a, f32 distance, ts_v3 b, u32 texel, u32 n)
+{
+	ts_v3 q = ts_mad(a, ts_k_paraboloid_direction(texel, n), distance);
+	return ts_length(ts_sub(q, b));
+}
+
+/* What a node shows in a texel, distance << 32 | node of the scene, by what its parent does there; TS_EMPTY:
+ * nothing. */
+TS_FN u64 ts_k_fused(const ts_view_map_fuse_args *args, u32 node, u64 above, u32 texel)
+{
+	u64 first = (u64)node * ts_k_pyramid_texels(&args->pyramid);
+	u64 own = ts_k_map_key(args->texels + first, &args->pyramid, texel);
+	if (above == TS_EMPTY || (own != TS_EMPTY && args->nearest == 0u)) return own;
+	ts_v3 a = ts_load3(args->views[args->views[node].parent].centre);
+	ts_v3 b = ts_load3(args->views[node].centre);
+	f32 moved = ts_k_moved_depth(a, ts_u2f((u32)(above >> 32)), b, texel, args->pyramid.n);
+	u64 key = ((u64)ts_f2u(ts_put(moved)) << 32) | (u32)above;
+	return key < own ? key : own;
+}
+
+/* map over the texels of the nodes of a level */
+TS_FN void ts_k_view_map_fuse_item(const ts_view_map_fuse_args *args, u64 i)
+{
+	u32 n_texels = 2u * args->pyramid.n * args->pyramid.n;
+	u32 node = args->first + (u32)(i / n_texels);
+	u32 texel = (u32)(i % n_texels);
+	u32 parent = args->views[node].parent;
+	u64 of_parent = (u64)parent * n_texels + texel;
+	u64 above = parent != TS_NONE ? ((u64)args->depths[of_parent] << 32) | args->nodes[of_parent] : TS_EMPTY;
+	u64 key = ts_k_fused(args, node, above, texel);
+	args->depths[(u64)node * n_texels + texel] = (u32)(key >> 32);
+	args->nodes[(u64)node * n_texels + texel] = (u32)key;
+}
+
+TS_FN u32 ts_k_ancestor(TS_GLOBAL const ts_node *nodes, u32 node, u32 level)
+{
+	while (nodes[node].level > level) node = nodes[node].parent;
+	return node;
+}
+
+/* The same as view_map.fused_depth and view_map.fused_node of a node, by a walk from the root. */
+TS_FN u64 ts_k_fuse_query(const ts_view_map_fuse_args *args, u32 node, u32 texel)
+{
+	u64 key = TS_EMPTY;
+	for (u32 level = 0u; level <= args->views[node].level; level++) {
+		key = ts_k_fused(args, ts_k_ancestor(args->views, node, level), key, texel);
+	}
+	return key;
+}
+
+#endif

@@ -1,0 +1,40 @@
+/* Light at the corners of the segments' boxes, gathered and as lobes. */
+#include "../../kernels/hulls/corner.h"
+#include "../../kernels/hulls/corner_lobes.h"
+#include "../stages.h"
+
+static const ts_launch gathered = TS_LAUNCH(corner, TS_ALL);
+static const ts_launch fitted = TS_LAUNCH(corner_lobes, TS_ALL);
+
+static ts_status corner(ts_run *run)
+{
+	u64 n = 4 * ts_run_size(run, TS_DIM_segment_boxes);
+	ts_corner_args args = {.n_patches = ts_frame_n(&run->frame, TS_B_rsm_patch),
+	                       .grid = TS_PARAM(&run->params, depth_grid_px)};
+	ts_run_count(run, "gathers", (i64)(n * args.n_patches));
+	return TS_RUN(run, &gathered, &args, n);
+}
+
+static ts_status corner_lobes(ts_run *run)
+{
+	ts_corner_lobes_args args = {.vmf = TS_PARAM(&run->params, hull_sharpness) == TS_SHARPNESS_VMF};
+	return TS_RUN(run, &fitted, &args, 4 * ts_run_size(run, TS_DIM_segment_boxes));
+}
+
+const ts_stage ts_stage_corner = {
+	.name = "corner",
+	.kind = "map",
+	.paper = "SSAGH 3",
+	.doc = "light at the corners of every box",
+	.run = corner,
+	.launches = TS_LAUNCHES(&gathered),
+};
+
+const ts_stage ts_stage_corner_lobes = {
+	.name = "corner.lobes",
+	.kind = "map",
+	.paper = "SSAGH 4, eqs 4 and 5",
+	.doc = "that light as spherical Gaussians, one a channel",
+	.run = corner_lobes,
+	.launches = TS_LAUNCHES(&fitted),
+};

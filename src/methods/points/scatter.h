@@ -1,0 +1,18 @@
+/* What stages share that put points into the off-screen views of the batch: stored ones, or made from the pieces. */
+#ifndef TS_METHODS_SCATTER_H
+#define TS_METHODS_SCATTER_H
+#include "../../kernels/points/scatter.h"
+#include "points.h"
+
+/* Launches over points that are stored, and over pieces. */
+typedef struct {
+	ts_launch stored, pieces;
+} ts_scatters;
+
+#define TS_STORED_POINTS(path) TS_IN(path.keys, points_key), TS_IN(path.points, points_record)
+
+ts_scatter_args ts_scatter_values(const ts_run *run);
+/* Fills the buffers of `args`, runs what fits the points, and counts. Without views there is nothing to scatter into. */
+ts_status ts_scatter_run(ts_run *run, const ts_scatters *own, void *args, size_t bytes, u32 n_views);
+
+#endif

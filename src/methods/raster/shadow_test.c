@@ -1,0 +1,54 @@
+/* Shadows from depth maps: how many samples of each light reach a pixel, and how near the comparisons were. */
+#include "../../kernels/raster/shadow_test_margin.h"
+#include "shadow_test.h"
+
+static const ts_launch resolved = TS_LAUNCH(shadow_test, TS_ALL);
+static const ts_launch measured = TS_LAUNCH(shadow_test_margin, TS_BUT(of.lit));
+
+static u64 n_pixels(const ts_run *run) { return (u64)TS_PARAM(&run->params, width) * TS_PARAM(&run->params, height); }
+
+ts_shadow_test_args ts_resolve_values(const ts_run *run)
+{
+	ts_shadow_test_args args = {
+		.scene = ts_run_scene(run),
+		.n_lamps = (u32)ts_run_size(run, TS_DIM_lamps),
+		.cubes = ts_run_has_cubes(run),
+		.bias = TS_PARAM(&run->params, depth_map_bias),
+		.slope = TS_PARAM(&run->params, depth_map_bias_slope),
+	};
+	ts_run_views(run, &args.first_view, &args.n_views);
+	return args;
+}
+
+static ts_status shadow_test(ts_run *run)
+{
+	ts_shadow_test_args args = ts_resolve_values(run);
+	return TS_RUN(run, &resolved, &args, n_pixels(run));
+}
+
+static ts_status shadow_test_margin(ts_run *run)
+{
+	ts_shadow_test_margin_args args = {.of = ts_resolve_values(run)};
+	return TS_RUN(run, &measured, &args, n_pixels(run));
+}
+
+const ts_stage ts_stage_shadow_test = {
+	.name = "shadow_test",
+	.kind = "map",
+	.paper = "iVIR 4",
+	.doc = "how many light samples reach each pixel",
+	.run = shadow_test,
+	.launches = TS_LAUNCHES(&resolved),
+	.looks_at = TS_BUFFERS(TS_B_scene_info, TS_B_cube_size_face, TS_B_lamp_shape),
+};
+
+const ts_stage ts_stage_shadow_test_margin = {
+	.name = "shadow_test.margin",
+	.kind = "map",
+	.margin_of = "shadow_test",
+	.paper = "iVIR 4",
+	.doc = "how near the comparisons with depth maps were to another answer",
+	.run = shadow_test_margin,
+	.launches = TS_LAUNCHES(&measured),
+	.looks_at = TS_BUFFERS(TS_B_scene_info, TS_B_cube_size_face, TS_B_lamp_shape),
+};

@@ -1,0 +1,23 @@
+/* The G-buffer of surfels: sums by their weights. */
+#include "../../kernels/surfels/surfel_blend_mean.h"
+#include "../stages.h"
+
+static const ts_launch launch = TS_LAUNCH(surfel_blend_mean, TS_ALL);
+
+static ts_status surfel_blend_mean(ts_run *run)
+{
+	ts_surfel_blend_mean_args args;
+	if (TS_RUN(run, &launch, &args, (u64)TS_PARAM(&run->params, width) * TS_PARAM(&run->params, height)) != TS_OK)
+		return TS_ERROR;
+	ts_run_count(run, "shading operations", ts_frame_tally(&run->frame, 0));
+	return TS_OK;
+}
+
+const ts_stage ts_stage_surfel_blend_mean = {
+	.name = "surfel_blend.mean",
+	.kind = "map",
+	.paper = "NV40: 3-Pass Deferred Shading",
+	.doc = "those sums by their weights: a G-buffer",
+	.run = surfel_blend_mean,
+	.launches = TS_LAUNCHES(&launch),
+};

@@ -1,0 +1,116 @@
+/* Rendered pairs in maps, and whole maps for every node of views. */
+#include "../../kernels/views/view_map_fuse.h"
+#include "../../kernels/views/view_octree_alone.h"
+#include "octree.h"
+#include "traverse.h"
+#include <inttypes.h>
+
+ts_status ts_view_px_check(const ts_params *params)
+{
+	u32 n = TS_PARAM(params, view_map_px);
+	return (n & (n - 1)) == 0 ? TS_OK : ts_fail("view_map.px=%" PRIu32 ": a power of two would be right", n);
+}
+
+ts_pyramid ts_view_pyramid(const ts_params *params)
+{
+	ts_pyramid r = {.n = TS_PARAM(params, view_map_px), .levels = 1};
+	while (TS_PARAM(params, view_map_multipixel) && r.n >> r.levels > 0) r.levels++;
+	return r;
+}
+
+/* Pairs that were kept, or all as the traversal comes by them; by brute force every leaf of the scene for every
+ * view. */
+static const ts_launch of_kept = TS_LAUNCH(view_map, TS_ALL);
+static const ts_launch of_piece = TS_LAUNCH(view_map, TS_WORK(pairs, queue));
+static const ts_launch of_all = TS_LAUNCH(view_map_all, TS_BUT(to.pairs));
+static const ts_launch fused = TS_LAUNCH(view_map_fuse, TS_ALL);
+
+static ts_status map_piece(ts_run *run, ts_traverse_piece *piece, void *user)
+{
+	ts_view_map_args *args = user;
+	u64 n_rendered;
+	if (ts_traverse_tally(run, piece, &n_rendered) != TS_OK) return TS_ERROR;
+	args->pairs = piece->args.queue;
+	return n_rendered > 0 ? ts_launch_items(run, &of_piece, args, piece->n) : TS_OK;
+}
+
+static void count_bytes(ts_run *run, ts_buffer_id id)
+{
+	u64 n = ts_frame_n(&run->frame, id);
+	ts_run_count(run, "map bytes", (i64)(n * ts_buffer_table[id].element_bytes));
+}
+
+static ts_status view_map(ts_run *run)
+{
+	bool kept = run->frame.buffer[TS_B_traverse_rendered].made;
+	const ts_launch *launch = kept ? &of_kept : &of_piece;
+	ts_view_map_args args = {.pyramid = ts_view_pyramid(&run->params)};
+	ts_traverse_args how;
+	if (ts_traverse_arguments(run, &how) != TS_OK || TS_FILL(run, launch, &args) != TS_OK) return TS_ERROR;
+	count_bytes(run, TS_B_view_map_depth_node);
+	if (!kept) return ts_traverse(run, &how, map_piece, &args);
+	return ts_launch_items(run, launch, &args, ts_run_size(run, TS_DIM_rendered_pairs));
+}
+
+static ts_status view_map_all(ts_run *run)
+{
+	ts_view_map_all_args args = {
+		.to.pyramid = ts_view_pyramid(&run->params),
+		.first = ts_octree_first(run, &ts_scene_octree, TS_PARAM(&run->params, octree_levels)),
+		.n_leaves = (u32)ts_run_size(run, TS_DIM_leaves),
+	};
+	u64 n = args.n_leaves * ts_run_size(run, TS_DIM_view_nodes);
+	if (ts_traverse_arguments(run, &args.of) != TS_OK || TS_RUN(run, &of_all, &args, n) != TS_OK) return TS_ERROR;
+	count_bytes(run, TS_B_view_map_depth_node);
+	ts_run_count(run, "pairs", (i64)n);
+	ts_run_count(run, "pairs rendered", ts_frame_tally(&run->frame, 0));
+	return TS_OK;
+}
+
+static ts_status view_map_fuse(ts_run *run)
+{
+	u64 n_texels = (u64)2 * TS_PARAM(&run->params, view_map_px) * TS_PARAM(&run->params, view_map_px);
+	u64 n_levels = ts_frame_n(&run->frame, TS_B_view_octree_level) - 1;
+	const u32 *before = ts_frame_data(&run->frame, TS_B_view_octree_level);
+	ts_view_map_fuse_args args = {.pyramid = ts_view_pyramid(&run->params),
+	                              .nearest = TS_PARAM(&run->params, view_map_fusion) == TS_FUSION_MIN};
+	if (ts_view_px_check(&run->params) != TS_OK || TS_FILL(run, &fused, &args) != TS_OK) return TS_ERROR;
+	count_bytes(run, TS_B_view_map_fused_depth);
+	count_bytes(run, TS_B_view_map_fused_node);
+	for (u64 level = 0; level < n_levels; level++) {
+		u64 n_nodes = before[level + 1] - before[level];
+		args.first = before[level];
+		if (ts_launch_items(run, &fused, &args, n_nodes * n_texels) != TS_OK) return TS_ERROR;
+	}
+	return TS_OK;
+}
+
+const ts_stage ts_stage_view_map = {
+	.name = "view_map",
+	.kind = "scatter",
+	.paper = "MegaViews 3.2",
+	.doc = "those pairs in dual-paraboloid maps of the nodes of views by 64-bit minimum",
+	.run = view_map,
+	.launches = TS_LAUNCHES(TS_TRAVERSE_LAUNCHES, &of_kept, &of_piece),
+	.looks_at = TS_BUFFERS(TS_B_view_octree_level),
+};
+
+const ts_stage ts_stage_view_map_all = {
+	.name = "view_map.all",
+	.kind = "scatter",
+	.paper = "MegaViews 4.1",
+	.doc = "every leaf of the scene in the map of every view",
+	.run = view_map_all,
+	.launches = TS_LAUNCHES(&of_all),
+	.looks_at = TS_BUFFERS(TS_B_octree_level),
+};
+
+const ts_stage ts_stage_view_map_fuse = {
+	.name = "view_map.fuse",
+	.kind = "map",
+	.paper = "MegaViews 3.2",
+	.doc = "whole maps: what the nodes above show, seen from each node",
+	.run = view_map_fuse,
+	.launches = TS_LAUNCHES(&fused),
+	.looks_at = TS_BUFFERS(TS_B_view_octree_level),
+};

@@ -1,0 +1,63 @@
+/* How near what maps of views show was to another answer. */
+#include "../../kernels/views/view_map_margin.h"
+#include "octree.h"
+#include "traverse.h"
+
+static const ts_launch measured = TS_LAUNCH(view_map_margin, TS_ALL);
+
+static ts_status begin(ts_run *run, ts_view_map_margin_args *args)
+{
+	*args = (ts_view_map_margin_args){.pyramid = ts_view_pyramid(&run->params), .n_nodes = 1};
+	if (ts_traverse_arguments(run, &args->of) != TS_OK) return TS_ERROR;
+	return TS_FILL(run, &measured, args);
+}
+
+/* Pairs before they are decided: the children of those of a piece. */
+static ts_status take_children(ts_run *run, ts_traverse_piece *piece, void *user)
+{
+	ts_view_map_margin_args *args = user;
+	args->pairs = piece->args.next;
+	return piece->n_children > 0 ? ts_launch_items(run, &measured, args, piece->n_children) : TS_OK;
+}
+
+static ts_status view_map_margin(ts_run *run)
+{
+	ts_view_map_margin_args args;
+	if (begin(run, &args) != TS_OK) return TS_ERROR;
+	u64 n_roots = ts_run_size(run, TS_DIM_nodes) > 0 ? ts_octree_first(run, &ts_view_octree, 1) : 0;
+	if (n_roots > 0 && ts_launch_items(run, &measured, &args, n_roots) != TS_OK) return TS_ERROR;
+	return ts_traverse(run, &args.of, take_children, &args);
+}
+
+/* By brute force: every leaf of the scene for every view. */
+static ts_status view_map_all_margin(ts_run *run)
+{
+	ts_view_map_margin_args args;
+	if (begin(run, &args) != TS_OK) return TS_ERROR;
+	args.first = ts_octree_first(run, &ts_scene_octree, TS_PARAM(&run->params, octree_levels));
+	args.n_nodes = (u32)ts_run_size(run, TS_DIM_leaves);
+	u64 n = args.n_nodes * ts_run_size(run, TS_DIM_view_nodes);
+	return n > 0 ? ts_launch_items(run, &measured, &args, n) : TS_OK;
+}
+
+const ts_stage ts_stage_view_map_margin = {
+	.name = "view_map.margin",
+	.kind = "scatter",
+	.margin_of = "view_map",
+	.paper = "MegaViews 3.2",
+	.doc = "how near what maps show was to another answer",
+	.run = view_map_margin,
+	.launches = TS_LAUNCHES(TS_TRAVERSE_LAUNCHES, &measured),
+	.looks_at = TS_BUFFERS(TS_B_view_octree_level),
+};
+
+const ts_stage ts_stage_view_map_all_margin = {
+	.name = "view_map.all_margin",
+	.kind = "scatter",
+	.margin_of = "view_map.all",
+	.paper = "MegaViews 4.1",
+	.doc = "the same of brute force",
+	.run = view_map_all_margin,
+	.launches = TS_LAUNCHES(&measured),
+	.looks_at = TS_BUFFERS(TS_B_octree_level),
+};
