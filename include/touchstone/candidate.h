@@ -9,9 +9,9 @@
  *   if (ts_candidate_end(&c) != 0) fprintf(stderr, "%s\n", c.message);
  *
  * Every function returns 0, or 1 with a line in c.message; after a failure all later ones do nothing and return 1, so
- * it is enough to ask at the end. trace.json is written by ts_candidate_end, last: without it there is no candidate. One
- * buffer is open at a time; begin and end come in pairs, also after a failure. Any number of candidates can be written
- * at once, each by one thread. Nothing is allocated; the caller's memory is only read.
+ * it is enough to ask at the end. trace.json is written by ts_candidate_end, last: without it there is no candidate.
+ * One buffer is open at a time; begin and end come in pairs, also after a failure. Any number of candidates can be
+ * written at once, each by one thread. Nothing is allocated; the caller's memory is only read.
  *
  * CONVENTIONS are undone while writing, by what the caller says of its memory:
  * - Rows from below, row pitches, 4-component vectors, column-major arrays: strides in bytes (ts_candidate_view). For

@@ -10,14 +10,14 @@ extern "C" {
 #endif
 
 /* Decodes a PNG or JPEG file held in memory to 8-bit RGBA (METHODS 4: unassociated alpha, 16-bit sources rounded to 8,
- * grey replicated, missing alpha 255). On success *rgba holds width * height * 4 bytes, rows from the top, to be released
- * with free(). On failure nothing is allocated. `what` names the image in the message. A header that claims more than
- * max_texels texels is refused before anything is allocated. */
+ * grey replicated, missing alpha 255). On success *rgba holds width * height * 4 bytes, rows from the top, to be
+ * released with free(). On failure nothing is allocated. `what` names the image in the message. A header that claims
+ * more than max_texels texels is refused before anything is allocated. */
 TS_API ts_status ts_image_decode(uint8_t **rgba, uint32_t *width, uint32_t *height, const void *file, size_t file_bytes,
                                  uint64_t max_texels, const char *what);
 
-/* Writes an 8-bit PNG of `channels` (1, 3 or 4) interleaved channels, rows from the top. The file appears whole or not at
- * all: it is written as PATH.partial and renamed. */
+/* Writes an 8-bit PNG of `channels` (1, 3 or 4) interleaved channels, rows from the top. The file appears whole or not
+ * at all: it is written as PATH.partial and renamed. */
 TS_API ts_status ts_image_write_png(const char *path, const uint8_t *pixels, uint32_t width, uint32_t height,
                                     uint32_t channels);
 
@@ -40,9 +40,9 @@ typedef struct {
 TS_API ts_metrics ts_metrics_compare(const uint8_t *reference, const uint8_t *image, const uint8_t *mask,
                                      uint32_t width, uint32_t height);
 
-/* How far apart two images of light are, RGB in linear radiance: the root of the mean over pixels and channels of (image -
- * reference)^2, by the mean of the reference (METHODS 17). 0 if they are equal or nothing is judged; infinite beside a
- * reference without light. mask: as above. */
+/* How far apart two images of light are, RGB in linear radiance: the root of the mean over pixels and channels of
+ * (image - reference)^2, by the mean of the reference (METHODS 17). 0 if they are equal or nothing is judged; infinite
+ * beside a reference without light. mask: as above. */
 TS_API double ts_metrics_relative(const float *reference, const float *image, const uint8_t *mask, uint32_t width,
                                   uint32_t height);
 

@@ -4,8 +4,8 @@
 #include "../model/frame.h"
 #include "args.h"
 
-/* One place that runs kernels. Its functions take effect in the order of their calls. A failure may show at a later call;
- * `finish` shows all failures. Contents are the frame's: the pointers in `args` are those of ts_frame_handle. */
+/* One place that runs kernels. Its functions take effect in the order of their calls. A failure may show at a later
+ * call; `finish` shows all failures. Contents are the frame's: the pointers in `args` are those of ts_frame_handle. */
 typedef struct ts_backend ts_backend;
 
 /* What running the arithmetic vectors told of a backend. */

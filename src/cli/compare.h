@@ -7,8 +7,8 @@
 
 enum { TS_LINE_TEXT = 2048 };
 
-/* The line that can be pasted: stage, buffer, key, field, both values, distance, how many, and whether the stage's inputs
- * were the same. Of a buffer that is unlike. */
+/* The line that can be pasted: stage, buffer, key, field, both values, distance, how many, and whether the stage's
+ * inputs were the same. Of a buffer that is unlike. */
 void ts_compare_line(char text[TS_LINE_TEXT], const ts_comparison *comparison, const ts_trace *reference,
                      ts_buffer_id id);
 /* A row a buffer, the verdict, and the line of the first divergence; as text and as JSON. */

@@ -18,10 +18,11 @@ const ts_backend_kind *const ts_backend_kinds[] = {&ts_c_kind, &ts_opencl_kind, 
 const ts_command ts_command_table[] = {
 	{"render", "EFFECT [SCENE]", "render an effect by one or more methods, and judge them by ground truth",
      "EFFECT: one of those below; all but reflections are shown without mirrors unless --reflectors says how many.\n"
-     "SCENE: atrium (the default), gallery or dining, each also with \":triangles=COUNT:texels=SIDE\"; checkerboard, of\n"
-     "surfels, also with \":surfels=COUNT\"; or a .gltf, .glb or .ply file. Writes METHOD.png and .exr, truth-NAME.png,\n"
-     "differences, pictures of the stages, traces and report.json to DIR, and prints times, counters, memory and metrics.\n"
-     "Of a parameter with several values, --set NAME=A,B, every combination is rendered, and CSV is printed.",
+     "SCENE: atrium (the default), gallery or dining, each also with \":triangles=COUNT:texels=SIDE\"; checkerboard,\n"
+     "of surfels, also with \":surfels=COUNT\"; or a .gltf, .glb or .ply file. Writes METHOD.png and .exr,\n"
+     "truth-NAME.png, differences, pictures of the stages, traces and report.json to DIR, and prints times, counters,\n"
+     "memory and metrics. Of a parameter with several values, --set NAME=A,B, every combination is rendered, and CSV\n"
+     "is printed.",
      1, 2,
      TS_OPT(METHOD) | TS_OPT(TRUTH) | WHERE | HOW | TS_OPT(ORDER) | TS_OPT(OUTPUT) | TS_OPT(FORCE) | TS_OPT(NO_IMAGES) |
          TS_OPT(TRACE) | TS_OPT(TRACE_ONLY) | TS_OPT(CROP) | TS_OPT(MARGINS) | TS_OPT(VIEWER) | TS_OPT(JSON),
@@ -52,8 +53,8 @@ const ts_command ts_command_table[] = {
 	{"compare", "REFERENCE CANDIDATE", "two traces, buffers or images: where they first differ, and how much",
      "REFERENCE: a folder that render --trace wrote, or one of its .npy files, or an image.\n"
      "CANDIDATE: the same of a port (reference/TRACES.md says what it must have at least).\n"
-     "Everything must be the same to the bit, unless a relaxation is typed. Exit code 0 same, 1 different, 2 could not.\n"
-     "Ulps count floats from the reference to the candidate: positive where the candidate is greater.\n"
+     "Everything must be the same to the bit, unless a relaxation is typed. Exit code 0 same, 1 different, 2 could\n"
+     "not. Ulps count floats from the reference to the candidate: positive where the candidate is greater.\n"
      "With -o DIR, a picture of the pixels that differ for each buffer that has them.",
      2, 2,
      TS_OPT(FORCED) | TS_OPT(THREADS) | TS_OPT(DECIDED) | TS_OPT(ULP) | TS_OPT(ABS) | TS_OPT(REL) | TS_OPT(ALLOW) |
@@ -62,8 +63,8 @@ const ts_command ts_command_table[] = {
      ts_compare_command, NULL},
 	{"probe", "TRACE", "why a pixel, texel, triangle or point of a trace is what it is",
      "TRACE: a folder that render --trace wrote, or a port's.\n"
-     "--pixel: who competed for it, who won by how much, and each term of its light; with --view a texel of a view that\n"
-     "is not the eye's. --triangle, --point: where it went, and which stage lost it.\n"
+     "--pixel: who competed for it, who won by how much, and each term of its light; with --view a texel of a view\n"
+     "that is not the eye's. --triangle, --point: where it went, and which stage lost it.\n"
      "What the buffers do not hold is computed again; each \"check\" says whether that has the bits of a buffer.\n"
      "What is told beside that, and of which methods:\n",
      1, 1, TS_OPT(PIXEL) | TS_OPT(VIEW) | TS_OPT(TRIANGLE) | TS_OPT(POINT) | TS_OPT(JSON), ts_probe_command,
@@ -77,8 +78,8 @@ const ts_command ts_command_table[] = {
 	{"vectors", "-o DIR | --check DIR",
      "inputs and outputs of every arithmetic primitive, to write, or to check a port with",
      "Before a port renders anything: write them with -o DIR, let the port compute PRIMITIVE.out.npy from\n"
-     "PRIMITIVE.in.npy, and judge its folder with --check DIR. vectors.json describes each primitive. Exact: 0 all right,\n"
-     "1 different. Primitives that the folder does not hold are not judged, but named.",
+     "PRIMITIVE.in.npy, and judge its folder with --check DIR. vectors.json describes each primitive. Exact: 0 all\n"
+     "right, 1 different. Primitives that the folder does not hold are not judged, but named.",
      0, 0, TS_OPT(OUTPUT) | TS_OPT(FORCE) | TS_OPT(CHECK) | TS_OPT(JSON), ts_vectors_command, NULL},
 	{"help", "[COMMAND]", "what a command does and takes", "", 0, 1, 0, ts_help_command, NULL},
 	{0},

@@ -253,7 +253,8 @@ static bool is_read(const ts_job *job, const ts_pipeline *const *methods, u32 n_
 	return read;
 }
 
-/* One line of standard error for each parameter that was set in vain, behind a render that works: a failure is one line. */
+/* One line of standard error for each parameter that was set in vain, behind a render that works: a failure is one
+ * line. */
 static ts_status say_unread(const ts_job *job)
 {
 	const ts_pipeline *methods[TS_MAX_METHODS];

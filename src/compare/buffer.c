@@ -72,7 +72,8 @@ static bool is_clean(const judge *j, const u8 *ref, const u8 *cand, u64 n)
 	return true;
 }
 
-/* The floats of two values: their own, or depths: of maps, and of keys that name the same thing. False: there are none. */
+/* The floats of two values: their own, or depths: of maps, and of keys that name the same thing. False: there are
+ * none. */
 static bool floats_of(const judge *j, const ts_difference *d, u64 *ref, u64 *cand)
 {
 	const ts_field *field = &j->fields.field[d->field];

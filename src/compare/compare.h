@@ -1,4 +1,5 @@
-/* Comparing a candidate with a reference, buffer by buffer in the order of the pipeline: exactly, unless told otherwise. */
+/* Comparing a candidate with a reference, buffer by buffer in the order of the pipeline: exactly, unless told
+ * otherwise. */
 #ifndef TS_TRACE_COMPARE_H
 #define TS_TRACE_COMPARE_H
 #include "../trace/field.h"
@@ -44,8 +45,8 @@ typedef struct {
 	ts_buffer_id first; /* first buffer, in the order of the pipeline, that is unlike; TS_N_BUFFERS: none */
 } ts_comparison;
 
-/* TS_OK: all that was judged is the same; TS_DIFFERENT; TS_ERROR: could not, also where nothing could be judged or a shape
- * that the frame fixes is another. The comparison is filled in either of the first two cases. */
+/* TS_OK: all that was judged is the same; TS_DIFFERENT; TS_ERROR: could not, also where nothing could be judged or a
+ * shape that the frame fixes is another. The comparison is filled in either of the first two cases. */
 ts_status ts_compare(ts_comparison *comparison, const ts_trace *reference, const ts_trace *candidate,
                      const ts_relaxations *relaxations);
 

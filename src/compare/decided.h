@@ -1,8 +1,8 @@
-/* What a reference does not decide: places where a port with other sub-pixel bits, or other snapping, may legally answer
- * otherwise. A margin says how near an element of another buffer is to another answer: its edges and depths in steps of
- * 1/256 pixel and of rounding, its random number as a share of its range. An element is decided if it is farther than
- * the margin's rule says; of buffers without a margin every element is. The reference must hold the margins (render
- * --margins). */
+/* What a reference does not decide: places where a port with other sub-pixel bits, or other snapping, may legally
+ * answer otherwise. A margin says how near an element of another buffer is to another answer: its edges and depths in
+ * steps of 1/256 pixel and of rounding, its random number as a share of its range. An element is decided if it is
+ * farther than the margin's rule says; of buffers without a margin every element is. The reference must hold the
+ * margins (render --margins). */
 #ifndef TS_TRACE_DECIDED_H
 #define TS_TRACE_DECIDED_H
 #include "../trace/read.h"

@@ -1,5 +1,5 @@
-/* Image files. Input is untrusted: the size in the header is read and judged here before the module sees the file, and of a
- * PNG it sees a checked copy. */
+/* Image files. Input is untrusted: the size in the header is read and judged here before the module sees the file, and
+ * of a PNG it sees a checked copy. */
 #include <dlfcn.h>
 #include <pthread.h>
 #include <stdbool.h>

@@ -62,10 +62,11 @@ typedef struct ts_pipeline {
 const ts_pipeline *const *ts_pipelines(void);
 const ts_pipeline *ts_pipeline_find(const char *effect, const char *name);
 
-/* The steps of a row of the table, ended by one without a stage: runs of steps in their place, and behind each stage its
- * margin, like it in all but its name. Other pipelines have neither runs nor margins. */
+/* The steps of a row of the table, ended by one without a stage: runs of steps in their place, and behind each stage
+ * its margin, like it in all but its name. Other pipelines have neither runs nor margins. */
 const ts_step *ts_pipeline_steps(const ts_pipeline *pipeline);
-/* The first method of the effect, NULL: of any, that makes all of the buffers, ended by TS_N_BUFFERS; NULL: none does. */
+/* The first method of the effect, NULL: of any, that makes all of the buffers, ended by TS_N_BUFFERS; NULL: none
+ * does. */
 const ts_pipeline *ts_pipeline_making(const char *effect, const ts_buffer_id *ids);
 bool ts_pipeline_makes(const ts_pipeline *pipeline, const ts_buffer_id *ids);
 /* What the eye sees in a run, by the keys that its effect names; *n pixels. */
@@ -78,14 +79,15 @@ ts_params ts_pipeline_params(const ts_pipeline *pipeline, const ts_params *typed
 /* What follows from parameters and counts. Request NULL: nothing. */
 void ts_plan_make(ts_plan *plan, const ts_pipeline *pipeline, const ts_params *typed, const ts_counts *counts,
                   const ts_request *request);
-/* Makes the run's plan and its one batch of all units. Counts, of what a trace holds; NULL: of the run's scene, before the
- * first stage. */
+/* Makes the run's plan and its one batch of all units. Counts, of what a trace holds; NULL: of the run's scene, before
+ * the first stage. */
 void ts_pipeline_plan(const ts_pipeline *pipeline, ts_run *run, const ts_counts *counts, const ts_request *request);
 /* Before a run. */
 ts_expected ts_pipeline_expect(const ts_pipeline *pipeline, const ts_scene *scene, const ts_params *typed);
 
-/* Runs every step; refused if the pipeline draws surfels (a stage of it reads them) and the scene has none, or if it draws
- * triangles and the scene has surfels only. A buffer lives until its last reader if run->lean is set, else to the end. */
+/* Runs every step; refused if the pipeline draws surfels (a stage of it reads them) and the scene has none, or if it
+ * draws triangles and the scene has surfels only. A buffer lives until its last reader if run->lean is set, else to the
+ * end. */
 ts_status ts_pipeline_run(const ts_pipeline *pipeline, ts_run *run);
 
 /* True if the step is taken with these parameters, by a run that is traced or is not. */
@@ -95,8 +97,8 @@ bool ts_pipeline_takes(const ts_step *step, const ts_params *params, bool traced
 const ts_step *ts_pipeline_maker(const ts_pipeline *pipeline, ts_buffer_id id);
 /* Bytes of a buffer of its shape in records.def; 2^63 if that is unknown or more. */
 u64 ts_pipeline_bytes(ts_buffer_id id, const ts_sizes *sizes);
-/* Estimated peak of the frame's buffers and of work memory in bytes, before running, without what only a trace has; `lean`
- * as in ts_run. */
+/* Estimated peak of the frame's buffers and of work memory in bytes, before running, without what only a trace has;
+ * `lean` as in ts_run. */
 u64 ts_pipeline_estimate(const ts_pipeline *pipeline, const ts_scene *scene, const ts_params *params, bool lean);
 
 #endif

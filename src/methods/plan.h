@@ -1,5 +1,5 @@
-/* A plan: what a method derives from the parameters, from what there is, and from what was asked for beside them. It is made
- * before the first stage (ts_pipeline_plan) and read only from then on; parameters stay what was typed. */
+/* A plan: what a method derives from the parameters, from what there is, and from what was asked for beside them. It is
+ * made before the first stage (ts_pipeline_plan) and read only from then on; parameters stay what was typed. */
 #ifndef TS_STAGES_PLAN_H
 #define TS_STAGES_PLAN_H
 #include "../model/param.h"

@@ -3,8 +3,8 @@
 #define TS_METHODS_REGISTRY_H
 #include "pipeline.h"
 
-/* What is asked for a size of records.def that is computed. known: what is known already. whole: of all units, not of the
- * batch. */
+/* What is asked for a size of records.def that is computed. known: what is known already. whole: of all units, not of
+ * the batch. */
 typedef struct {
 	const ts_run *run;
 	const ts_sizes *known;

@@ -131,8 +131,8 @@ const ts_stage *ts_stage_find(const char *name);
 /* The stage that says how near the decisions of this one were, and runs right behind it where margins are asked for;
  * NULL: it has none. */
 const ts_stage *ts_stage_margin(const ts_stage *stage);
-/* What its launches and its host code read, but what they make, in the order of records.def; and what they write, in that
- * of the launches. Ended by TS_N_BUFFERS; those of a step that was not taken are not there. */
+/* What its launches and its host code read, but what they make, in the order of records.def; and what they write, in
+ * that of the launches. Ended by TS_N_BUFFERS; those of a step that was not taken are not there. */
 const ts_buffer_id *ts_stage_inputs(const ts_stage *stage);
 const ts_buffer_id *ts_stage_outputs(const ts_stage *stage);
 bool ts_stage_reads(const ts_stage *stage, ts_buffer_id id);

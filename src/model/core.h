@@ -22,14 +22,15 @@ ts_status ts_fail_v(const char *format, va_list arguments);
  * drive the terminal; each of their bytes becomes '?'. */
 void ts_line_clean(char *text);
 
-/* count * size bytes; NULL with the message set if that overflows or there is no memory. Zero bytes give a valid pointer.
- * `what` names the contents in the message. */
+/* count * size bytes; NULL with the message set if that overflows or there is no memory. Zero bytes give a valid
+ * pointer. `what` names the contents in the message. */
 void *ts_alloc(size_t count, size_t size, const char *what);
 void *ts_alloc_zero(size_t count, size_t size, const char *what);
 /* Grows *array (of *capacity elements) to hold at least `need`, at least doubling. */
 ts_status ts_grow(void **array, size_t *capacity, size_t need, size_t size, const char *what);
 
-/* Bytes that this process has in memory: of files, such as libraries, and what it allocated, without what it released. */
+/* Bytes that this process has in memory: of files, such as libraries, and what it allocated, without what it
+ * released. */
 uint64_t ts_memory_used(void);
 /* Memory of the machine in bytes. */
 uint64_t ts_memory_total(void);

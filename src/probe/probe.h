@@ -39,9 +39,9 @@ typedef struct {
 typedef struct {
 	ts_probe_subject subject;
 	const char *stage;
-	/* Puts the answer into an empty object, or fails: if there is no such thing, if the trace lacks buffers (all of which
-	 * are named), or if one of them names what is not there. Floats that decide are objects of "value" and "bits"; each
-	 * "check" says whether what was computed again has the bits of a buffer. */
+	/* Puts the answer into an empty object, or fails: if there is no such thing, if the trace lacks buffers (all of
+	 * which are named), or if one of them names what is not there. Floats that decide are objects of "value" and
+	 * "bits"; each "check" says whether what was computed again has the bits of a buffer. */
 	ts_status (*answer)(ts_probe *probe, const ts_probe_question *question, json_t *object);
 	const char *tells;         /* what is told, for help */
 	const ts_probe_view *view; /* of texels; else NULL */

@@ -17,8 +17,8 @@ void ts_replay_reads(ts_buffer_id ids[TS_N_BUFFERS + 1], const ts_stage *stage, 
 
 /* Runs a stage on the buffers of the run's frame, which ts_check has found safe; its outputs, made new, join them
  * there. Buffers that it does not read may be absent: they are left empty. Stages that go by reflectors or by depth
- * maps take all of them as one batch, which makes what the trace holds: the batches one behind the other. Splatting takes no
- * fast path, because a port's points may stand in any order. Never depends on threads. */
+ * maps take all of them as one batch, which makes what the trace holds: the batches one behind the other. Splatting
+ * takes no fast path, because a port's points may stand in any order. Never depends on threads. */
 ts_status ts_replay_stage(ts_run *run, const ts_stage *stage);
 
 /* "Given these inputs, what should this stage's outputs be": loads what the stage reads, the candidate's buffers first,

@@ -1,4 +1,5 @@
-/* Area lights: the lamp that shadows are shown with, and the views from the samples of lights (iVIR sections 4 and 6). */
+/* Area lights: the lamp that shadows are shown with, and the views from the samples of lights (iVIR sections 4 and
+ * 6). */
 #ifndef TS_SCENE_LAMP_H
 #define TS_SCENE_LAMP_H
 #include "../kernels/base/records.h"
@@ -7,8 +8,8 @@
 /* Between two seeds of a sunflower, in turns (Vogel 1979). */
 #define TS_GOLDEN_TURN 0.61803400516510009765625f
 
-/* The lamp of soft shadows: a spot light under a corner of the hall, aimed across it at the floor; of a scene without walls,
- * above and beside it. Its cone keeps within the depth maps of all samples, where it is aimed, if lamp.fov is 40
+/* The lamp of soft shadows: a spot light under a corner of the hall, aimed across it at the floor; of a scene without
+ * walls, above and beside it. Its cone keeps within the depth maps of all samples, where it is aimed, if lamp.fov is 40
  * degrees or more and lamp.radius 1/36 or less. Its irradiance there is params->light_irradiance. */
 void ts_lamp_spot(ts_light *light, const ts_info *info, const ts_params *params);
 /* The lamp of omnidirectional shadows: a point light in the middle of the hall, of a scene without walls above
@@ -25,9 +26,9 @@ typedef struct {
 /* How far samples lie from the middle of a light: world units; of a sun the tangent of its angular radius. */
 f32 ts_lamp_radius(const ts_light *light, const ts_info *info, const ts_params *params);
 
-/* The depth map of sample k of n of a light, without its offset: on a disc across the light's direction, in the order of a
- * sunflower's seeds; one sample alone lies in the middle. Of suns orthographic and as wide as
- * the scene. A point light looks at the middle of the hall. */
+/* The depth map of sample k of n of a light, without its offset: on a disc across the light's direction, in the order
+ * of a sunflower's seeds; one sample alone lies in the middle. Of suns orthographic and as wide as the scene. A point
+ * light looks at the middle of the hall. */
 void ts_lamp_view(ts_offscreen *view, const ts_light *light, f32 radius, u32 k, u32 n, const ts_info *info,
                   const ts_lens *lens);
 /* The cube of sample k of n of a point light, of `side` texels, without its offset: on a ball. */

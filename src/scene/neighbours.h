@@ -1,5 +1,5 @@
-/* The k nearest neighbours of points, by a k-d tree (Bentley 1975). Equal distances go to the lower index, so the answer
- * is one, whatever the threads; as many points in one place as there may be cost no more than others. */
+/* The k nearest neighbours of points, by a k-d tree (Bentley 1975). Equal distances go to the lower index, so the
+ * answer is one, whatever the threads; as many points in one place as there may be cost no more than others. */
 #ifndef TS_SCENE_NEIGHBOURS_H
 #define TS_SCENE_NEIGHBOURS_H
 #include "../model/core.h"
@@ -22,8 +22,8 @@ typedef struct {
 	u32 index;
 } ts_neighbour; /* of the distance; of the point */
 
-/* The k (at most TS_MAX_NEIGHBOURS) points nearest to point i, without itself, by distance, then index. Returns how many
- * there are: less than k where there are not k others. */
+/* The k (at most TS_MAX_NEIGHBOURS) points nearest to point i, without itself, by distance, then index. Returns how
+ * many there are: less than k where there are not k others. */
 u32 ts_neighbours_find(const ts_neighbours *tree, u32 i, u32 k, ts_neighbour *found);
 
 /* The mean distance of every point to its k nearest neighbours, what a splat without a radius is given: 0 where those

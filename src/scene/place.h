@@ -39,8 +39,8 @@ ts_v3 ts_place_direction(const ts_place *place, ts_v3 direction);
  * flips. */
 ts_vertex ts_place_vertex(const ts_place *place, const ts_vertex *vertex);
 
-/* A surfel in world space: the ellipse that the node makes of it, whatever the node does to angles; where it mirrors, the
- * axes change places, so that the normal stays on its side. False where the node flattens. */
+/* A surfel in world space: the ellipse that the node makes of it, whatever the node does to angles; where it mirrors,
+ * the axes change places, so that the normal stays on its side. False where the node flattens. */
 bool ts_place_surfel(const ts_place *place, const ts_surfel *from, ts_surfel *to);
 
 /* The node's origin, and the unit direction of its -z (a light's way), or zero. */

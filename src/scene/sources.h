@@ -7,8 +7,8 @@ extern "C" {
 #endif
 
 /* gltf.cc: a .gltf or .glb file. The node called `reflector` (may be NULL) and nodes with {"reflector": true} in their
- * extras become objects of their own, static, marked as reflectors. Points without a size are given the mean distance to
- * so many nearest neighbours, 1 to TS_MAX_NEIGHBOURS, of their primitive. */
+ * extras become objects of their own, static, marked as reflectors. Points without a size are given the mean distance
+ * to so many nearest neighbours, 1 to TS_MAX_NEIGHBOURS, of their primitive. */
 void ts_gltf_load(ts_build *build, const char *path, const char *reflector, u32 neighbours);
 
 /* ply.c: a .ply file of points. `neighbours` as above, of all points. */
@@ -18,7 +18,8 @@ void ts_ply_load(ts_build *build, const char *path, u32 neighbours);
 bool ts_builtin_is(const char *spec);
 /* The names as words, "a, b and c", for a message. Cut to text_bytes. */
 void ts_builtin_names(char *text, size_t text_bytes);
-/* Fills a build with the scene that spec, for which ts_builtin_is is true, names. Reads params->{seed, surfels.radius}. */
+/* Fills a build with the scene that spec, for which ts_builtin_is is true, names. Reads params->{seed,
+ * surfels.radius}. */
 void ts_builtin_make(ts_build *build, const char *spec, const ts_params *params);
 /* All of opening a built-in scene, with the reflectors that params ask for; needs neither glTF nor JSON. camera may be
  * NULL. *scene by ts_scene_free; NULL on failure, also where spec is no built-in scene. */

@@ -17,8 +17,8 @@ const char *ts_surfel_circle(ts_surfel *surfel, const f32 normal[3], f32 radius)
  * right to a cosine of 1/256. */
 const char *ts_surfel_ellipse(ts_surfel *surfel, const f32 normal[3]);
 
-/* The radius of a surfel: its longer half-axis. Quantiles of all: least, a quarter, half, three quarters, greatest. For at
- * least one surfel. */
+/* The radius of a surfel: its longer half-axis. Quantiles of all: least, a quarter, half, three quarters, greatest. For
+ * at least one surfel. */
 enum { TS_SURFEL_QUANTILES = 5 };
 ts_status ts_surfel_quantiles(f32 quantile[TS_SURFEL_QUANTILES], const ts_surfel *surfels, u32 n);
 

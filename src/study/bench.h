@@ -13,8 +13,8 @@ double ts_median(double *values, u32 n);
 /* What a report opens with: size, where all rows have the same, frame, threads; program and parameters. */
 void ts_bench_head(ts_report *report, const ts_job *job, bool sized);
 
-/* Calls `each` for the scenes of --scene, else for the list `scenes` and those of the files `models` in the folder TS_SCENES
- * that are there; a line says which are not. `models` may be NULL. */
+/* Calls `each` for the scenes of --scene, else for the list `scenes` and those of the files `models` in the folder
+ * TS_SCENES that are there; a line says which are not. `models` may be NULL. */
 typedef ts_status ts_bench_scene(void *user, const char *spec);
 ts_status ts_bench_scenes(const ts_job *job, const char *scenes, const char *models, ts_report *report,
                           ts_bench_scene *each, void *user);

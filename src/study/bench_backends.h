@@ -32,8 +32,8 @@ typedef struct {
 
 extern const u32 ts_bench_limit_mib[TS_BENCH_ATOMICS];
 
-/* bench_columns.c: opens the C columns and every device found, of which one that cannot be measured becomes a note; or the
- * device that was typed, TS_SKIPPED if there is none. To be closed also on failure. */
+/* bench_columns.c: opens the C columns and every device found, of which one that cannot be measured becomes a note; or
+ * the device that was typed, TS_SKIPPED if there is none. To be closed also on failure. */
 ts_status ts_bench_columns_open(ts_bench_table *table);
 void ts_bench_columns_close(ts_bench_table *table);
 /* A line below the tables. */

@@ -38,8 +38,8 @@ typedef struct {
 	double looked[TS_BENCH_VARIANTS];              /* its answers, of the first run of variants whose image is kept */
 } ts_bench_case;
 
-/* Opens the scene, and refuses what would need too much memory. A case whose five first members are set and the others zero
- * may be closed whether or not it was opened. */
+/* Opens the scene, and refuses what would need too much memory. A case whose five first members are set and the others
+ * zero may be closed whether or not it was opened. */
 ts_status ts_bench_case_open(ts_bench_case *c, const char *spec, const ts_params *params);
 /* Run 0, 1, ... of every variant; run 0 also makes the truth. */
 ts_status ts_bench_case_run(ts_bench_case *c, u32 run);

@@ -1,4 +1,5 @@
-/* The figures of a table: what is measured of the variants of a case, and what follows from it, here and in the paper. */
+/* The figures of a table: what is measured of the variants of a case, and what follows from it, here and in the
+ * paper. */
 #ifndef TS_CLI_BENCH_FIGURE_H
 #define TS_CLI_BENCH_FIGURE_H
 #include "bench_case.h"
@@ -45,9 +46,9 @@ typedef struct {
 } ts_bench_figure;
 enum { TS_WHOLE = -1 };
 
-/* Figures measured of a case; those that are not there are NAN. `derive` then fills in the others where both of theirs are
- * there and they are not, figure after figure; `before` is the row before it of the scene, or NULL. `figures` is ended by
- * one without a key. */
+/* Figures measured of a case; those that are not there are NAN. `derive` then fills in the others where both of theirs
+ * are there and they are not, figure after figure; `before` is the row before it of the scene, or NULL. `figures` is
+ * ended by one without a key. */
 void ts_bench_measure(double *values, const ts_bench_figure *figures, const ts_bench_case *c);
 void ts_bench_derive(double *values, const double *before, const ts_bench_figure *figures);
 /* Appends it as a cell. */

@@ -1,4 +1,5 @@
-/* A table of a paper as data: whom to run on what, which figures to show, what the paper has there, and what must hold. */
+/* A table of a paper as data: whom to run on what, which figures to show, what the paper has there, and what must
+ * hold. */
 #ifndef TS_CLI_BENCH_PAPER_H
 #define TS_CLI_BENCH_PAPER_H
 #include "bench_figure.h"
@@ -24,9 +25,9 @@ typedef struct {
 
 typedef enum { TS_AT_MOST, TS_AT_LEAST, TS_BETWEEN, TS_RISES_WITH, TS_GROWS, TS_STEADY } ts_relation_kind;
 
-/* What a figure must be, in rows whose figure `given` is at least `least` and at most `most`; TS_RISES_WITH is over all rows
- * at once, in nine pairs out of ten; bounds of TS_GROWS are of the least of a row by the one before, those of TS_STEADY of
- * the greatest by the least, in the rows of a scene. */
+/* What a figure must be, in rows whose figure `given` is at least `least` and at most `most`; TS_RISES_WITH is over all
+ * rows at once, in nine pairs out of ten; bounds of TS_GROWS are of the least of a row by the one before, those of
+ * TS_STEADY of the greatest by the least, in the rows of a scene. */
 typedef struct {
 	const char *text;
 	u32 figure;

@@ -8,8 +8,8 @@
  * report.json or vectors.json, of an earlier run, lists. From here on a signal that ends the process removes
  * DIR.partial. */
 ts_status ts_folder_begin(const char *dir, bool force);
-/* The path at which to write file `name`, which may lie in one folder, "sub/name"; valid until commit or discard. NULL with
- * the message set on failure. */
+/* The path at which to write file `name`, which may lie in one folder, "sub/name"; valid until commit or discard. NULL
+ * with the message set on failure. */
 const char *ts_folder_file(const char *name);
 /* The names of all files so far; a new reference, or NULL with the message set. */
 json_t *ts_folder_list(void);

@@ -4,8 +4,8 @@
 #include <jansson.h>
 #include <stdbool.h>
 
-/* Reads DIR/report.json, or else DIR/vectors.json: the array of the names it lists, of files "name" or "sub/name", a new
- * reference; NULL, without a message, unless it is a regular file that this program wrote. */
+/* Reads DIR/report.json, or else DIR/vectors.json: the array of the names it lists, of files "name" or "sub/name", a
+ * new reference; NULL, without a message, unless it is a regular file that this program wrote. */
 json_t *ts_ours_read(const char *dir);
 /* Whether `name` is a regular file of DIR that `ours` lists, or its report.json. A NULL `ours` lists nothing. */
 bool ts_ours_has(const json_t *ours, const char *dir, const char *name);

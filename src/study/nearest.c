@@ -1,5 +1,5 @@
-/* "Did you mean": the offered name at the least edit distance (Levenshtein) from what was typed. A word without a point is
- * also compared with what stands behind the point, which counts as one edit more. */
+/* "Did you mean": the offered name at the least edit distance (Levenshtein) from what was typed. A word without a point
+ * is also compared with what stands behind the point, which counts as one edit more. */
 #include <stdlib.h>
 #include <string.h>
 #include "words.h"

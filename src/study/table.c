@@ -67,13 +67,13 @@ void ts_table_real(ts_table *table, double value, int decimals)
 
 void ts_table_none(ts_table *table) { append(table, "-", json_null()); }
 
-/* Bytes of the first line of `text`: as many words as fit in `width`, at least one. A word ends before a blank or behind
- * a bar. */
+/* Bytes of the first line of `text`: as many words as fit in `width`, at least one. A word ends before a blank, or
+ * behind a bar or an asterisk. */
 static size_t line_bytes(const char *text, size_t width)
 {
 	size_t bytes = 0, n = strlen(text);
 	for (size_t i = 1; i <= n && (i <= width || bytes == 0); i++) {
-		if (i == n || text[i] == ' ' || text[i - 1] == '|') bytes = i;
+		if (i == n || text[i] == ' ' || text[i - 1] == '|' || text[i - 1] == '*') bytes = i;
 	}
 	return bytes;
 }

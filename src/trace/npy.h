@@ -1,6 +1,6 @@
-/* The .npy format, versions 1 to 3: what numpy.save writes and numpy.load reads. Headers only; the data behind them is the
- * buffer as it is, little-endian, in C order. Files are untrusted: everything is checked, nothing is allocated by what
- * they say. */
+/* The .npy format, versions 1 to 3: what numpy.save writes and numpy.load reads. Headers only; the data behind them is
+ * the buffer as it is, little-endian, in C order. Files are untrusted: everything is checked, nothing is allocated by
+ * what they say. */
 #ifndef TS_TRACE_NPY_H
 #define TS_TRACE_NPY_H
 #include "../model/frame.h"
@@ -8,7 +8,8 @@
 
 enum { TS_NPY_HEADER = 4096, TS_NPY_DESCR = 2048 };
 
-/* The dtype of a buffer's elements as numpy writes it: "'<u4'" or "[('centre', '<f4', (3,)), ('piece', '<u4'), ...]". */
+/* The dtype of a buffer's elements as numpy writes it: "'<u4'" or "[('centre', '<f4', (3,)), ('piece', '<u4'),
+ * ...]". */
 void ts_npy_descr(char descr[TS_NPY_DESCR], ts_buffer_id id);
 
 /* Writes a version 1 header and returns its bytes, a multiple of 64. */
@@ -22,9 +23,9 @@ typedef struct {
 	u64 data_at; /* offset of the first */
 } ts_npy;
 
-/* Reads the header of a file of file_bytes, of which `head` are the first head_bytes (all, or at least TS_NPY_HEADER). It
- * must hold elements of dtype `descr`, element_bytes each, in C order, of 1 to TS_MAX_DIMS dimensions, and nothing behind
- * them. `path` is for messages. */
+/* Reads the header of a file of file_bytes, of which `head` are the first head_bytes (all, or at least TS_NPY_HEADER).
+ * It must hold elements of dtype `descr`, element_bytes each, in C order, of 1 to TS_MAX_DIMS dimensions, and nothing
+ * behind them. `path` is for messages. */
 ts_status ts_npy_parse(ts_npy *npy, const char *path, const char *head, size_t head_bytes, u64 file_bytes,
                        const char *descr, size_t element_bytes);
 

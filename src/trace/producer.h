@@ -4,8 +4,8 @@
 #include <jansson.h>
 #include "../methods/stage.h"
 
-/* Name, version and commit of this program; name, device, compiler and flags of its backend. New references, or NULL without
- * memory. */
+/* Name, version and commit of this program; name, device, compiler and flags of its backend. New references, or NULL
+ * without memory. */
 json_t *ts_producer(const ts_run *run);
 /* Rounding, contraction and denormals of the run's backend: the C backend's of this process, measured now. */
 json_t *ts_arithmetic(const ts_run *run);

@@ -26,13 +26,13 @@ typedef struct {
 	ts_trace_item item[TS_N_BUFFERS];
 } ts_trace;
 
-/* Opens the trace in folder `dir` by its trace.json. The message says what is wrong, in which file, and what would be right.
- * On failure *trace is NULL; else release it by ts_trace_close. */
+/* Opens the trace in folder `dir` by its trace.json. The message says what is wrong, in which file, and what would be
+ * right. On failure *trace is NULL; else release it by ts_trace_close. */
 ts_status ts_trace_open(ts_trace **trace, const char *dir);
 
 /* Opens a folder without trace.json as a candidate of `pipeline`, by a list "NAME=FILE,..." of buffers and their files
- * there: .npy, or else raw little-endian elements, whose first dimension follows from the size and whose others are those
- * of `like`. */
+ * there: .npy, or else raw little-endian elements, whose first dimension follows from the size and whose others are
+ * those of `like`. */
 ts_status ts_trace_open_layout(ts_trace **trace, const char *dir, const char *layout, bool arrival,
                                const ts_trace *like);
 

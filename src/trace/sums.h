@@ -1,5 +1,5 @@
-/* Digests of the files that a trace of this run would hold, without writing them: lines that `sha256sum -c` reads. Part of
- * the core. */
+/* Digests of the files that a trace of this run would hold, without writing them: lines that `sha256sum -c` reads. Part
+ * of the core. */
 #ifndef TS_TRACE_SUMS_H
 #define TS_TRACE_SUMS_H
 #include <stdio.h>

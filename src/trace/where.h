@@ -1,5 +1,6 @@
-/* Where in a buffer an element lies, in words: "pixel (12, 40)", "triangle 812", "reflector 3, face +Y, texel (7, 9)"; of
- * depth maps "view 5, texel (7, 9)", of a light's cubes "sample 3, face +Y, texel (7, 9)"; "pixel (12, 40), light 1". */
+/* Where in a buffer an element lies, in words: "pixel (12, 40)", "triangle 812", "reflector 3, face +Y, texel (7, 9)";
+ * of depth maps "view 5, texel (7, 9)", of a light's cubes "sample 3, face +Y, texel (7, 9)"; "pixel (12, 40), light
+ * 1". */
 #ifndef TS_TRACE_WHERE_H
 #define TS_TRACE_WHERE_H
 #include "read.h"

@@ -1,5 +1,5 @@
-/* Writing a trace: a .npy file a buffer while the run goes on, then trace.json (reference/TRACES.md). Where files go is the
- * caller's: a folder that appears as a whole or not at all. */
+/* Writing a trace: a .npy file a buffer while the run goes on, then trace.json (reference/TRACES.md). Where files go is
+ * the caller's: a folder that appears as a whole or not at all. */
 #ifndef TS_TRACE_WRITE_H
 #define TS_TRACE_WRITE_H
 #include "emit.h"
@@ -17,8 +17,8 @@ typedef struct {
 
 typedef struct ts_trace_writer ts_trace_writer;
 
-/* Begins a trace of what `run`, begun but not run, will make by `pipeline`, and writes the scene. The message names the file
- * that could not be written. On failure *writer is NULL. The run must be traced. */
+/* Begins a trace of what `run`, begun but not run, will make by `pipeline`, and writes the scene. The message names the
+ * file that could not be written. On failure *writer is NULL. The run must be traced. */
 ts_status ts_trace_write_begin(ts_trace_writer **writer, const ts_pipeline *pipeline, const ts_run *run,
                                const ts_trace_options *options);
 /* Writes what a stage has just made: call it from the run's hook. */

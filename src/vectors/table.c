@@ -10,7 +10,8 @@ static const ts_launch launch = TS_LAUNCH(vectors, TS_ALL);
 /* clang-format off */
 static const ts_vector_set shared = {
 	&launch,
-	{ts_vectors_arithmetic, ts_vectors_number, ts_vectors_vector, ts_vectors_raster, ts_vectors_cube, ts_vectors_texture},
+	{ts_vectors_arithmetic, ts_vectors_number, ts_vectors_vector, ts_vectors_raster, ts_vectors_cube,
+	ts_vectors_texture},
 };
 /* clang-format on */
 
@@ -24,8 +25,10 @@ const ts_vector_fault_info ts_vector_fault_table[TS_N_FAULTS] = {
 	[TS_FAULT_FMA] = { "fused multiply-add", "turn contraction off: -ffp-contract=off, -fmad=false, precise" },
 	[TS_FAULT_FLUSH] = { "flush to zero", "keep denormals if the device can; put hides it in what is stored" },
 	[TS_FAULT_FLUSH_HALF] = { "flushed halves", "keep halves below 2^-14: they are multiples of 2^-24" },
-	[TS_FAULT_RECIPROCAL] = { "reciprocal division", "divide: -prec-div=true, or the repaired division of CONTRACT rule 4" },
-	[TS_FAULT_ROOT] = { "reciprocal square root", "take the root: -prec-sqrt=true, or the repaired one of CONTRACT rule 4" },
+	[TS_FAULT_RECIPROCAL] = { "reciprocal division",
+	  "divide: -prec-div=true, or the repaired division of CONTRACT rule 4" },
+	[TS_FAULT_ROOT] = { "reciprocal square root",
+	  "take the root: -prec-sqrt=true, or the repaired one of CONTRACT rule 4" },
 	[TS_FAULT_BUILTIN] = { "built-in function", "port the text of the kernel instead" },
 	[TS_FAULT_REORDER] = { "re-association", "keep the order that is written: no fast or unsafe math" },
 	[TS_FAULT_AWAY] = { "ties away from zero", "round ties to even" },

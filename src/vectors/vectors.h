@@ -120,8 +120,9 @@ typedef struct {
 } ts_vector_verdict;
 ts_vector_verdict ts_vector_judge(const ts_vector *vector, const u32 *in, const u32 *out, const u32 *found);
 
-/* Runs every primitive on a backend and keeps what that told in backend->arithmetic. A backend that computes one of them
- * otherwise is refused with a message that names it, unless `inexact`; flushed denormals are no such difference. */
+/* Runs every primitive on a backend and keeps what that told in backend->arithmetic. A backend that computes one of
+ * them otherwise is refused with a message that names it, unless `inexact`; flushed denormals are no such
+ * difference. */
 ts_status ts_vectors_verify(ts_backend *backend, bool inexact);
 
 /* Steps between two floats on the line of all floats, on which -0 lies one below +0; NaN is as far as its bits say. */

@@ -1,5 +1,5 @@
-/* Plans: what each method derives from parameters, counts and requests, by the closed forms of its file; parameters stay as
- * typed; a replay follows what a trace holds. */
+/* Plans: what each method derives from parameters, counts and requests, by the closed forms of its file; parameters
+ * stay as typed; a replay follows what a trace holds. */
 #include "small.h"
 #include "../../src/kernels/points/view_density.h"
 

@@ -1,5 +1,5 @@
-/* Every parameter at its ends and every choice, alone and all at once at random: runs end well, with finite pictures. What
- * leaves the scene as it is runs on the atrium; what does not, and all at once, on a soup, which opens at once. */
+/* Every parameter at its ends and every choice, alone and all at once at random: runs end well, with finite pictures.
+ * What leaves the scene as it is runs on the atrium; what does not, and all at once, on a soup, which opens at once. */
 #include "small.h"
 #include "../truth/soup.h"
 

@@ -34,8 +34,8 @@ static bool is_told(ts_dim dim)
 	return false;
 }
 
-/* A trace tells every size that is not computed: all but that of reflectors, which scene.info holds, and of paths, whose
- * buffer holds one more. */
+/* A trace tells every size that is not computed: all but that of reflectors, which scene.info holds, and of paths,
+ * whose buffer holds one more. */
 static void test_dims(void **state)
 {
 	(void)state;

@@ -1,8 +1,8 @@
 /* Checks of sizes, indices and floats: for each a fault planted in a copy of a buffer is refused with its place. */
 #include "faults.h"
 
-/* The first stage of any method that reads a buffer of its trace; NULL: none. Indices into lights need a method that has
- * some. */
+/* The first stage of any method that reads a buffer of its trace; NULL: none. Indices into lights need a method that
+ * has some. */
 static const ts_stage *reader_of(ts_buffer_id id, const ts_axis *of, u32 *m)
 {
 	for (*m = of != NULL && ts_axis_counts(of) == TS_DIM_lamps ? TRACES_SOFT : 0; *m < N_TRACES; ++*m) {

@@ -169,8 +169,8 @@ static void test_squares(void **state)
 
 typedef enum { SOME_FLOATS, WHOLE_ELEMENTS, ANYTHING, N_DAMAGES } damage_kind;
 
-/* An extreme value; a float is finite, s of align.frame not negative, and near and focal of offscreen.view more than 0, so
- * that it is not refused. */
+/* An extreme value; a float is finite, s of align.frame not negative, and near and focal of offscreen.view more than 0,
+ * so that it is not refused. */
 static u64 extreme(ts_buffer_id id, const ts_field *field)
 {
 	static const u64 extremes[] = {0,          1,          2,          255,        0x7fffffff, 0x80000000,

@@ -57,8 +57,8 @@ static double3 project(const ts_offscreen *view, double3 p)
 	                 view->height * 0.5 - view->focal * d3_dot(load(view->up), d) / unit, z};
 }
 
-/* Of spot and point lights on the disc across the axis: the k-th of n within sqrt((k + 1) / n) of the radius, no two alike;
- * one alone in the middle. All look the same way. */
+/* Of spot and point lights on the disc across the axis: the k-th of n within sqrt((k + 1) / n) of the radius, no two
+ * alike; one alone in the middle. All look the same way. */
 static void test_disc(void **state)
 {
 	(void)state;
@@ -142,8 +142,8 @@ static void test_sun(void **state)
 	}
 }
 
-/* The lamp: in the box, above its target. Where its light falls at the target's distance all samples' maps reach, up to a
- * radius of 1/36 of the hall's half diagonal; its irradiance there is what was asked for. */
+/* The lamp: in the box, above its target. Where its light falls at the target's distance all samples' maps reach, up to
+ * a radius of 1/36 of the hall's half diagonal; its irradiance there is what was asked for. */
 static void test_spot(void **state)
 {
 	(void)state;

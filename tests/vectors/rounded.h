@@ -1,5 +1,6 @@
-/* IEEE 754 operations rounded once from wider ones: an independent truth for arithmetic vectors. A double holds the sum,
- * product, quotient or root of floats, rounded to odd, with enough bits to be rounded again (Boldo and Melquiond 2008). */
+/* IEEE 754 operations rounded once from wider ones: an independent truth for arithmetic vectors. A double holds the
+ * sum, product, quotient or root of floats, rounded to odd, with enough bits to be rounded again (Boldo and Melquiond
+ * 2008). */
 #ifndef TS_TESTS_VECTORS_ROUNDED_H
 #define TS_TESTS_VECTORS_ROUNDED_H
 #include <math.h>

@@ -103,7 +103,8 @@ static i64 edge_of(i64 ax, i64 ay, i64 bx, i64 by, i64 px, i64 py)
 L(edge, edge_of(I(0), I(1), I(2), I(3), I(4), I(5)))
 W(top_left, I(3) - I(1) < 0 || (I(3) == I(1) && I(2) - I(0) > 0))
 
-/* The sign of the edge function at p moved right by a little and down by much less: what the top-left rule stands for. */
+/* The sign of the edge function at p moved right by a little and down by much less: what the top-left rule stands
+ * for. */
 static int moved_side(const u32 *in, u32 a, u32 b)
 {
 	i64 e = edge_of(I(a), I(a + 1), I(b), I(b + 1), I(6), I(7));

@@ -1,5 +1,6 @@
-/* Every primitive that methods share against an independent truth: rounded once from wider arithmetic, exact in integers,
- * or within the error that the contract states. And every fault that a port may have is found and named, of all. */
+/* Every primitive that methods share against an independent truth: rounded once from wider arithmetic, exact in
+ * integers, or within the error that the contract states. And every fault that a port may have is found and named, of
+ * all. */
 #include "../model/test.h"
 #include "../../src/model/digest.h"
 #include "truth.h"
@@ -245,7 +246,8 @@ static bool flushes(const ts_vector *v)
 	return false;
 }
 
-/* A processor that flushes is named, and only the bare operations tell: the contract's functions do not depend on it. */
+/* A processor that flushes is named, and only the bare operations tell: the contract's functions do not depend on
+ * it. */
 static void test_flushing(void **state)
 {
 	(void)state;

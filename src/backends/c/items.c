@@ -1,5 +1,5 @@
-/* The loops over the items of kernels: of those of the folder OF of src/kernels, of all without OF. The Makefile compiles
- * this file once for each folder. */
+/* The loops over the items of kernels: of those of the folder OF of src/kernels, of all without OF. The Makefile
+ * compiles this file once for each folder. */
 #include "../backend.h"
 #ifdef OF
 /* clang-format off */

@@ -5,8 +5,8 @@
  *       ARG(VALUE, u32, n_cubes, none)
  *   TS_ARGS(ts_splat_args);
  *
- * make the struct here, and in backends/args.c what backends and stages know of it. A row is a role, a type, a name, and
- * the buffer of records.def that it is bound to unless a launch binds another; or none.
+ * make the struct here, and in backends/args.c what backends and stages know of it. A row is a role, a type, a name,
+ * and the buffer of records.def that it is bound to unless a launch binds another; or none.
  *
  *   IN     elements that are read          OUT   that are written, or read where the same launch wrote them
  *   MIN    the least of what is offered; all ones at first       SUM   what is added, set or marked; zero at first

@@ -16,8 +16,8 @@ typedef uint u32;
 typedef long i64;
 typedef ulong u64;
 typedef uchar u8;
-/* Compilers of OpenCL leave long functions out of line, which costs a third of a frame; but of those called from many places
- * copies take long to compile. TS_CALL is out of line, TS_HOT on devices alone. */
+/* Compilers of OpenCL leave long functions out of line, which costs a third of a frame; but of those called from many
+ * places copies take long to compile. TS_CALL is out of line, TS_HOT on devices alone. */
 #define TS_FN static inline __attribute__((always_inline))
 #define TS_CALL static __attribute__((noinline, unused))
 #define TS_HOT TS_CALL

@@ -61,8 +61,8 @@ TS_FN f32 ts_k_sg_integral(f32 lambda)
 	return 12.56637096405029296875f * (x < 0.5f ? p : closed);
 }
 
-/* Eqs 9 and 10 as they are printed, lambda above 0: they cancel where lambda is small, and e^lambda is at most the largest
- * float. */
+/* Eqs 9 and 10 as they are printed, lambda above 0: they cancel where lambda is small, and e^lambda is at most the
+ * largest float. */
 TS_FN f32 ts_k_sg_printed(f32 lambda, bool lower)
 {
 	f32 scale = 6.283185482025146484375f / (lambda * lambda);
@@ -90,8 +90,8 @@ TS_FN f32 ts_k_sg_upper(f32 lambda, u32 printed)
 	return (6.283185482025146484375f * m) / (lambda * lambda);
 }
 
-/* Eq 10: A_b(lambda) = 2 pi / lambda^2 e^(-2 lambda) (e^lambda - 1 - lambda), where n is -phi; below 1/2 by 2 pi e^-lambda
- * times the sum of (-lambda)^j (j + 1) / (j + 2)!. */
+/* Eq 10: A_b(lambda) = 2 pi / lambda^2 e^(-2 lambda) (e^lambda - 1 - lambda), where n is -phi; below 1/2 by 2 pi
+ * e^-lambda times the sum of (-lambda)^j (j + 1) / (j + 2)!. */
 TS_FN f32 ts_k_sg_lower(f32 lambda, u32 printed)
 {
 	if (printed != 0u && lambda > 0.0f) return ts_k_sg_printed(lambda, true);
@@ -169,7 +169,8 @@ TS_FN f32 ts_k_sg_cosine(f32 lambda, f32 cos_beta, u32 method, u32 printed)
 	return ts_k_sg_ours(lambda, c, printed);
 }
 
-/* The mean's length of a von Mises-Fisher distribution, a Gaussian normalized: coth k - 1 / k; below 1/2 by its series. */
+/* The mean's length of a von Mises-Fisher distribution, a Gaussian normalized: coth k - 1 / k; below 1/2 by its
+ * series. */
 TS_FN f32 ts_k_sg_mean(f32 k)
 {
 	f32 z = k * k;
@@ -184,8 +185,8 @@ TS_FN f32 ts_k_sg_mean(f32 k)
 }
 /* clang-format on */
 
-/* Its inverse. From within 5 %, k = r (3 - r^2) / (1 - r^2), by Newton's steps, the slope being 1 - 2 r / k - r^2; beyond
- * 0.9, where coth k is 1 but for 4e-9, 1 / (1 - r). */
+/* Its inverse. From within 5 %, k = r (3 - r^2) / (1 - r^2), by Newton's steps, the slope being 1 - 2 r / k - r^2;
+ * beyond 0.9, where coth k is 1 but for 4e-9, 1 / (1 - r). */
 TS_FN f32 ts_k_sg_vmf(f32 r)
 {
 	if (!(r > 0.0f)) return 0.0f;

@@ -1,8 +1,8 @@
-/* The integral of a spherical Gaussian with the clamped cosine (SSAGH, section 4, eq 12), by quadrature: what the closed
- * form of gaussian.h is judged by. In rings about the Gaussian's axis, by u = 1 - phi.w, A_h is the integral of
- * e^(-lambda u) H(u) for u from 0 to 2, where H is the integral of max(0, n.w) along the ring. With c = n.phi,
- * s = sqrt(1 - c^2) and x = 1 - u:
- *   |x| <= s    H = 2 (c x psi + root), root = sqrt(s^2 - x^2), psi the angle of (-c x, root): the ring meets the horizon
+/* The integral of a spherical Gaussian with the clamped cosine (SSAGH, section 4, eq 12), by quadrature: what the
+ * closed form of gaussian.h is judged by. In rings about the Gaussian's axis, by u = 1 - phi.w, A_h is the integral of
+ * e^(-lambda u) H(u) for u from 0 to 2, where H is the integral of max(0, n.w) along the ring. With c = n.phi, s =
+ * sqrt(1 - c^2) and x = 1 - u:
+ *   |x| <= s H = 2 (c x psi + root), root = sqrt(s^2 - x^2), psi the angle of (-c x, root): the ring meets the horizon
  *   else        H = 2 pi max(0, c x): it does not
  * so that there is at most a cap, before the band |x| <= s or behind it, and the band. */
 #ifndef TS_KERNELS_GAUSSIAN_QUADRATURE_H
@@ -19,8 +19,8 @@ TS_FN f32 ts_k_sg_reach(f32 lambda, f32 length)
 	return decay > 20.0f ? 20.0f / lambda : length;
 }
 
-/* Node i, from 0 to 1, and its weight: the midpoint rule after y^3 (10 - 15 y + 6 y^2), which flattens both ends, where H
- * turns like the power 3/2 of the distance. */
+/* Node i, from 0 to 1, and its weight: the midpoint rule after y^3 (10 - 15 y + 6 y^2), which flattens both ends, where
+ * H turns like the power 3/2 of the distance. */
 TS_FN f32 ts_k_sg_node(u32 i, f32 *weight)
 {
 	f32 y = ((f32)i + 0.5f) * (1.0f / (f32)TS_SG_NODES);

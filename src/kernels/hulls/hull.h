@@ -1,9 +1,9 @@
 /* The light of each pixel from the hull (SSAGH sections 3 and 4; METHODS 11): the lobes of its box, interpolated
  * between the corners, and integrated with the cosine of the pixel's own normal.
  *
- * The box is drawn over [low, high + 1] of the grid as two triangles, parted from top left to bottom right. Interpolation is
- * perspective-correct: corners count by 1 / z, which is 1 - zn but for a factor. E = mu A_h(lambda, n.phi) / pi, as mu is of
- * exitance and radiance is a pi-th of that. */
+ * The box is drawn over [low, high + 1] of the grid as two triangles, parted from top left to bottom right.
+ * Interpolation is perspective-correct: corners count by 1 / z, which is 1 - zn but for a factor. E = mu A_h(lambda,
+ * n.phi) / pi, as mu is of exitance and radiance is a pi-th of that. */
 #ifndef TS_KERNELS_HULL_H
 #define TS_KERNELS_HULL_H
 #include "../base/args.h"

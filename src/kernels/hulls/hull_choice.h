@@ -1,7 +1,7 @@
 /* The box whose lobes light a pixel (SSAGH section 3; METHODS 11): of the boxes of the pixel's block that hold its
  * column, row and depth the thinnest in depth, then the least label; the paper names no order. Where there is none,
- * hull.surface=robust goes on: a box that covers the pixel and, widened by t (1 - zn), holds its depth; one that covers it
- * and whose depth is nearest; another of the block, then of the blocks around it, ring by ring. */
+ * hull.surface=robust goes on: a box that covers the pixel and, widened by t (1 - zn), holds its depth; one that covers
+ * it and whose depth is nearest; another of the block, then of the blocks around it, ring by ring. */
 #ifndef TS_KERNELS_HULL_CHOICE_H
 #define TS_KERNELS_HULL_CHOICE_H
 #include "../base/args.h"

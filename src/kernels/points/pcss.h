@@ -1,10 +1,12 @@
 /* Percentage-closer soft shadows from one depth map a light (PCSS; METHODS 10). What the map shows around a receiver
- * at depth d_R, over the width w_L (d_R - near) / d_R on the plane at depth near, and nearer than it, are blockers; with
- * their mean depth d_B the penumbra is w = (d_R - d_B) w_L / d_B wide, and the share of the map that lets light through is
- * taken over w near / d_R of that plane. Parallel light of tangent t: widths 2 t (d_R - near) and w = 2 t (d_R - d_B).
+ * at depth d_R, over the width w_L (d_R - near) / d_R on the plane at depth near, and nearer than it, are blockers;
+ * with their mean depth d_B the penumbra is w = (d_R - d_B) w_L / d_B wide, and the share of the map that lets light
+ * through is taken over w near / d_R of that plane. Parallel light of tangent t: widths 2 t (d_R - near) and w = 2 t
+ * (d_R - d_B).
  *
- * Taps lie far from the receiver, so what they see is compared with the receiver's plane there, where that is nearer than
- * the receiver: a surface does not shade itself, however steep. Beyond this the bias is that of all methods (resolve.h). */
+ * Taps lie far from the receiver, so what they see is compared with the receiver's plane there, where that is nearer
+ * than the receiver: a surface does not shade itself, however steep. Beyond this the bias is that of all methods
+ * (resolve.h). */
 #ifndef TS_KERNELS_PCSS_H
 #define TS_KERNELS_PCSS_H
 #include "../base/args.h"

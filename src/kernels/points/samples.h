@@ -26,7 +26,8 @@ typedef struct {
 	ts_v3 p, direction;
 } ts_ray;
 
-/* p_k = p + o_x dp/dx + o_y dp/dy, n_k likewise, r_k = i_k - 2 (i_k.n_k) n_k with i_k from the eye to p_k; o in pixels. */
+/* p_k = p + o_x dp/dx + o_y dp/dy, n_k likewise, r_k = i_k - 2 (i_k.n_k) n_k with i_k from the eye to p_k; o in
+ * pixels. */
 TS_FN ts_ray ts_k_offset_ray(TS_GLOBAL const ts_pixel *pixel, ts_v3 eye, ts_v2 o)
 {
 	ts_v3 p = ts_load3(pixel->position);
@@ -44,8 +45,8 @@ TS_FN ts_ray ts_k_sample_ray(TS_GLOBAL const ts_pixel *pixel, ts_v3 eye, u32 k)
 	return ts_k_offset_ray(pixel, eye, ts_k_sample_offset(k));
 }
 
-/* Later bounces have no pixel: the ray from the cube centre that found p is reflected at the tile's normal, spread by the
- * tile's width over that reflector's radius. u, v: the tile's axes. */
+/* Later bounces have no pixel: the ray from the cube centre that found p is reflected at the tile's normal, spread by
+ * the tile's width over that reflector's radius. u, v: the tile's axes. */
 TS_FN ts_v3 ts_k_bounce_direction(ts_v3 p, ts_v3 n, ts_v3 u, ts_v3 v, ts_v3 from, f32 spread, u32 k)
 {
 	ts_v2 o = ts_k_sample_offset(k);

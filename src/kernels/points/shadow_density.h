@@ -1,9 +1,9 @@
 /* Density of the points of omnidirectional shadows from the eye's resolution (EPR section 5.1, eq. 5; METHODS 10).
  *
- * Of each light sample l that may see the triangle: d_lt is the distance to it, d_ev the eye's from its shadow volume, s_l
- * what iVIR wants for the six views of l (view_density.h). A detail of the triangle is magnified by d_lx / d_lt on a
- * receiver x, which the eye sees at f_e / d_ex pixels a unit, so f_e d_lx / (d_ex d_lt) samples a unit are needed. The
- * largest need of the samples counts:
+ * Of each light sample l that may see the triangle: d_lt is the distance to it, d_ev the eye's from its shadow volume,
+ * s_l what iVIR wants for the six views of l (view_density.h). A detail of the triangle is magnified by d_lx / d_lt on
+ * a receiver x, which the eye sees at f_e / d_ex pixels a unit, so f_e d_lx / (d_ex d_lt) samples a unit are needed.
+ * The largest need of the samples counts:
  * - safe: max_l min((f_e / d_lt) (1 + |l - e| / d_ev), s_l), since d_lx <= |l - e| + d_ex and d_ex >= d_ev;
  * - unit: max_l min(f_e / d_ev, f_l / d_lt), the paper's ratio with pixels a unit in place of distances;
  * - paper: s min(1, max_l d_lt / d_ev), s = max_l s_l, the printed ratio as a share of iVIR's scale. */
@@ -43,8 +43,8 @@ TS_FN bool ts_k_is_in_shadow(ts_v3 p, ts_v3 a, ts_v3 b, ts_v3 c)
 	       ts_k_same_side(ts_cross(c, a), b, p);
 }
 
-/* d_ev: the least distance from the triangle, its copy `times` as far from the light, and the three quads between; inside
- * and behind the far end 0. */
+/* d_ev: the least distance from the triangle, its copy `times` as far from the light, and the three quads between;
+ * inside and behind the far end 0. */
 TS_FN f32 ts_k_shadow_distance(ts_v3 eye, ts_v3 light, ts_v3 a, ts_v3 b, ts_v3 c, f32 times)
 {
 	ts_v3 near[3];

@@ -1,8 +1,9 @@
 /* Points made for the eye's resolution into the depth maps of cubes (EPR section 5.1; METHODS 10): those whose splat is
  * smaller than a texel are written as they are (scatter.h), larger ones as squares (splat.h), of depths alone.
  *
- * Resolving compares the depth of a receiver with that of each texel, and one depth for a splat of many texels would put
- * shadows on the surface itself: the depth is that of the piece's plane in each texel, kept within the piece's own. */
+ * Resolving compares the depth of a receiver with that of each texel, and one depth for a splat of many texels would
+ * put shadows on the surface itself: the depth is that of the piece's plane in each texel, kept within the piece's
+ * own. */
 #ifndef TS_KERNELS_SHADOW_SPLAT_H
 #define TS_KERNELS_SHADOW_SPLAT_H
 #include "../base/args.h"

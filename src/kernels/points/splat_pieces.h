@@ -1,6 +1,6 @@
-/* The points of a piece splatted together, with the bits of splat.h: what depends on the piece and the face alone is done
- * once. Edges become lines in (i, j), and since the axes of a cube's face are the world's but for sign and order, a square's
- * corners need no products. */
+/* The points of a piece splatted together, with the bits of splat.h: what depends on the piece and the face alone is
+ * done once. Edges become lines in (i, j), and since the axes of a cube's face are the world's but for sign and order,
+ * a square's corners need no products. */
 #ifndef TS_KERNELS_SPLAT_PIECES_H
 #define TS_KERNELS_SPLAT_PIECES_H
 #include "splat.h"

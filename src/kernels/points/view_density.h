@@ -6,8 +6,8 @@
 #include "density.h"
 #include "../raster/offscreen.h"
 
-/* So that each texel whose centre sees the triangle gets a sample; at the least depth of what the frustum leaves of it; at
- * the point closest to the view (the paper); VIR's worst case. */
+/* So that each texel whose centre sees the triangle gets a sample; at the least depth of what the frustum leaves of it;
+ * at the point closest to the view (the paper); VIR's worst case. */
 #define TS_RATE_IS_EYE 0u /* EPR: see density.h */
 #define TS_RATE_IS_WATERTIGHT 1u
 #define TS_RATE_IS_EXACT 2u
@@ -55,13 +55,13 @@ TS_FN ts_polygon ts_k_in_frustum(const ts_camera_k *view, ts_v3 a, ts_v3 b, ts_v
 
 TS_FN f32 ts_k_largest(ts_v3 p) { return ts_max(ts_max(ts_abs(p.x), ts_abs(p.y)), ts_abs(p.z)); }
 
-/* Every texel whose centre sees a triangle at p gets a sample of it, if the lattice's spacing is a <= 1 / (sqrt(2) most),
- * `most` pixels a world unit at the most. Proof: the nearest sample q of the lattice is within a / sqrt(2) of p; its square
- * holds p, so it is emitted; moved to the closest point of the triangle, which is convex, it comes no farther from p; and
- * the way from p to q lies in the triangle, so in the image it is no longer than most a / sqrt(2) <= 1/2: q is in p's texel.
- * (No promise within near / (2 f) of the near plane, since q may lie before it; without `points.snap`; of what `cull` drops; of
- * capped densities.)
- * 1/64 is left over for rounding in the image, and as many pixels as rounding moves samples by, up to a quarter of one. */
+/* Every texel whose centre sees a triangle at p gets a sample of it, if the lattice's spacing is a <= 1 / (sqrt(2)
+ * most), `most` pixels a world unit at the most. Proof: the nearest sample q of the lattice is within a / sqrt(2) of p;
+ * its square holds p, so it is emitted; moved to the closest point of the triangle, which is convex, it comes no
+ * farther from p; and the way from p to q lies in the triangle, so in the image it is no longer than most a / sqrt(2)
+ * <= 1/2: q is in p's texel. (No promise within near / (2 f) of the near plane, since q may lie before it; without
+ * `points.snap`; of what `cull` drops; of capped densities.) 1/64 is left over for rounding in the image, and as many
+ * pixels as rounding moves samples by, up to a quarter of one. */
 TS_FN f32 ts_k_watertight_rate(const ts_camera_k *view, f32 most, ts_v3 a, ts_v3 b, ts_v3 c)
 {
 	f32 largest = ts_max(ts_k_largest(view->eye), ts_max(ts_k_largest(a), ts_max(ts_k_largest(b), ts_k_largest(c))));
@@ -69,8 +69,8 @@ TS_FN f32 ts_k_watertight_rate(const ts_camera_k *view, f32 most, ts_v3 a, ts_v3
 	return (most * 1.43631064891815185546875f) / (1.0f - 2.0f * moved); /* sqrt(2) 65/64 */
 }
 
-/* Pixels a world unit: the largest singular value from the plane to the image, at most f d / z^2 = f (1/z) (d/z). Each of
- * the two factors is greatest at a corner, their product need not be: so the product of the greatest. */
+/* Pixels a world unit: the largest singular value from the plane to the image, at most f d / z^2 = f (1/z) (d/z). Each
+ * of the two factors is greatest at a corner, their product need not be: so the product of the greatest. */
 TS_FN ts_need ts_k_watertight(const ts_camera_k *view, const ts_polygon *polygon, ts_v3 a, ts_v3 b, ts_v3 c)
 {
 	f32 nearest = 0.0f;
@@ -111,9 +111,9 @@ TS_FN ts_need ts_k_clipped_rate(const ts_camera_k *view, ts_v3 n, ts_v3 a, ts_v3
 	return r;
 }
 
-/* At the point q closest to the view; VIR: a pixel in the image's middle, at that distance, as dense as in its corner. The
- * closest point may lie beside the image, even behind it, where there are no pixels: it counts as in the corner, so that
- * iVIR never needs more than VIR. */
+/* At the point q closest to the view; VIR: a pixel in the image's middle, at that distance, as dense as in its corner.
+ * The closest point may lie beside the image, even behind it, where there are no pixels: it counts as in the corner, so
+ * that iVIR never needs more than VIR. */
 TS_FN f32 ts_k_closest_rate(const ts_camera_k *view, const f32 reach[2], ts_v3 n, ts_v3 q, u32 rate)
 {
 	f32 corner = 1.0f + (reach[0] * reach[0] + reach[1] * reach[1]); /* 1 / cos^2 */

@@ -1,5 +1,5 @@
-/* The lattice of samples in the plane of a triangle, or of a piece of one: its frame, the samples that the piece touches,
- * conservatively, and what these show (EPR sections 3.2, 3.3; METHODS 2). */
+/* The lattice of samples in the plane of a triangle, or of a piece of one: its frame, the samples that the piece
+ * touches, conservatively, and what these show (EPR sections 3.2, 3.3; METHODS 2). */
 #ifndef TS_KERNELS_LATTICE_H
 #define TS_KERNELS_LATTICE_H
 #include "../base/area.h"

@@ -101,7 +101,8 @@ TS_FN ts_corner ts_k_cut(const ts_corner *in, f32 d_in, const ts_corner *out, f3
 	return r;
 }
 
-/* An edge that lies in the plane can change sides by rounding, corner after corner; what no longer fits is in the plane. */
+/* An edge that lies in the plane can change sides by rounding, corner after corner; what no longer fits is in the
+ * plane. */
 TS_FN void ts_k_push(ts_polygon *polygon, ts_corner corner)
 {
 	if (polygon->n < TS_MAX_CORNERS) polygon->corner[polygon->n++] = corner;
@@ -305,7 +306,8 @@ TS_FN ts_box ts_k_view_box(const ts_camera_k *view)
 	return r;
 }
 
-/* Pixels whose centre is within `half` of the box of `n` snapped corners; half 0 for centres, 128 or 129 for squares. */
+/* Pixels whose centre is within `half` of the box of `n` snapped corners; half 0 for centres, 128 or 129 for
+ * squares. */
 TS_FN ts_box ts_k_touched_box(const ts_snapped *v, u32 n, i32 half_size)
 {
 	i32 x0 = v[0].x, x1 = v[0].x, y0 = v[0].y, y1 = v[0].y;

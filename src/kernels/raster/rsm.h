@@ -1,10 +1,10 @@
-/* Reflective shadow maps (Dachsbacher and Stamminger 2005): what a light sees, a triangle a texel as in SSAGH section 5,
- * and those triangles as lights (METHODS 11).
+/* Reflective shadow maps (Dachsbacher and Stamminger 2005): what a light sees, a triangle a texel as in SSAGH section
+ * 5, and those triangles as lights (METHODS 11).
  *
- * A texel with its hit x_p at axial depth z and distance d from the light, angle theta between the surface's normal and the
- * way to the light, sees of the surface A = (z / f)^2 (z / d) / cos theta; orthographic (1 / f)^2 / cos theta. It becomes an
- * equilateral triangle of this area about x_p, in the plane of the face: a flat wall does not light itself. Its exitance is
- * M = rho E, E the irradiance at x_p, rho base colour times 1 - metallic. cos theta >= 2^-6 in A. */
+ * A texel with its hit x_p at axial depth z and distance d from the light, angle theta between the surface's normal and
+ * the way to the light, sees of the surface A = (z / f)^2 (z / d) / cos theta; orthographic (1 / f)^2 / cos theta. It
+ * becomes an equilateral triangle of this area about x_p, in the plane of the face: a flat wall does not light itself.
+ * Its exitance is M = rho E, E the irradiance at x_p, rho base colour times 1 - metallic. cos theta >= 2^-6 in A. */
 #ifndef TS_KERNELS_RSM_H
 #define TS_KERNELS_RSM_H
 #include "../base/args.h"

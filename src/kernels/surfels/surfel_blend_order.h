@@ -5,7 +5,8 @@
  *     half     every term and every sum is rounded to binary16; none passes 2048, where a term of 1 changes nothing
  *     8bit     terms are rounded to 255ths and sums end at 1; normals are stored as n / 2 + 1 / 2
  *
- * What comes of it is written in 2^-30, as integer sums are: sums of at least 2^-6 exactly, smaller ones to the nearest. */
+ * What comes of it is written in 2^-30, as integer sums are: sums of at least 2^-6 exactly, smaller ones to the
+ * nearest. */
 #ifndef TS_KERNELS_SURFEL_BLEND_ORDER_H
 #define TS_KERNELS_SURFEL_BLEND_ORDER_H
 #include "../base/args.h"

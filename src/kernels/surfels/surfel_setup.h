@@ -1,20 +1,20 @@
 /* A surfel in a view (NV40: Perspectively Correct Rendering; METHODS 16): what finds the
- * plane coordinates (a, b) and the depth of the ray through a pixel, the box of pixels that it may cover, and the Gaussian
- * of exact EWA.
+ * plane coordinates (a, b) and the depth of the ray through a pixel, the box of pixels that it may cover, and the
+ * Gaussian of exact EWA.
  *
  * The map from pixels to (a, b) is projective. About the projected centre, with d the pixel's offset from there,
  *     (a, b) = (A.d, B.d) / (1 + G.d),    depth = depth of the centre / (1 + G.d),
- * where rows A and B are the inverse of the Jacobian J of the projection at the centre, and G = -(u_z A + v_z B) / c_z; in
- * an orthographic view nothing is divided, and depth = depth of the centre (1 - G.d). No term cancels however small the
- * surfel is in the image; for that the centre is kept as a pixel and a fraction of one, from
- * products without rounding. View space is X, Y and the axial depth z; y grows downward in the image.
+ * where rows A and B are the inverse of the Jacobian J of the projection at the centre, and G = -(u_z A + v_z B) / c_z;
+ * in an orthographic view nothing is divided, and depth = depth of the centre (1 - G.d). No term cancels however small
+ * the surfel is in the image; for that the centre is kept as a pixel and a fraction of one, from products without
+ * rounding. View space is X, Y and the axial depth z; y grows downward in the image.
  *
- * Bounds: offsets along an axis are J_a a + J_b b over 1 + (u_z a + v_z b) / c_z with a a + b b <= 1, whose extremes are the
- * roots of A x^2 - 2 B x + C = 0, A = 1 - U.U, B = -J.U, C = -J.J, with U = (u_z, v_z) / c_z. A <= 0: it reaches the eye's
- * plane, and may cover everything.
+ * Bounds: offsets along an axis are J_a a + J_b b over 1 + (u_z a + v_z b) / c_z with a a + b b <= 1, whose extremes
+ * are the roots of A x^2 - 2 B x + C = 0, A = 1 - U.U, B = -J.U, C = -J.J, with U = (u_z, v_z) / c_z. A <= 0: it
+ * reaches the eye's plane, and may cover everything.
  *
- * Of a surfel that only crosses the near plane, its centre before that, all this is about its farthest point, whose (a, b)
- * are added. It has no image of a centre, so no screen filter either. */
+ * Of a surfel that only crosses the near plane, its centre before that, all this is about its farthest point, whose (a,
+ * b) are added. It has no image of a centre, so no screen filter either. */
 #ifndef TS_KERNELS_SURFEL_SETUP_H
 #define TS_KERNELS_SURFEL_SETUP_H
 #include "../base/args.h"

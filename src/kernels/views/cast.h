@@ -1,5 +1,5 @@
-/* The first triangle that a ray meets, by the scene's octree: least distance, then least index, so that no order changes it.
- * Back faces of single-sided materials and cut-out parts of masked ones let it pass.
+/* The first triangle that a ray meets, by the scene's octree: least distance, then least index, so that no order
+ * changes it. Back faces of single-sided materials and cut-out parts of masked ones let it pass.
  *
  * Two triangles with an edge in common decide on it with the same numbers of opposite signs: no ray slips between them.
  * Boxes are taken a 128th of their half side larger, which is more than what snapping and rounding move. */

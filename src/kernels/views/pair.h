@@ -1,6 +1,6 @@
-/* What becomes of a pair of a node of the scene and a node of views (MegaViews section 3.2, figures 4, 6 and 8, whose text
- * is lost; METHODS 13). Figure 4 without angles: with c = vs . n and s = |vs x n|, s cos psi - c sin psi is
- * |vs| sin(alpha - psi), and c cos psi + s sin psi is |vs| cos(alpha - psi). */
+/* What becomes of a pair of a node of the scene and a node of views (MegaViews section 3.2, figures 4, 6 and 8, whose
+ * text is lost; METHODS 13). Figure 4 without angles: with c = vs . n and s = |vs x n|, s cos psi - c sin psi is |vs|
+ * sin(alpha - psi), and c cos psi + s sin psi is |vs| cos(alpha - psi). */
 #ifndef TS_KERNELS_PAIR_H
 #define TS_KERNELS_PAIR_H
 #include "paraboloid.h"
@@ -63,9 +63,9 @@ TS_FN ts_aperture ts_k_pair_psi(const ts_cone_k *cone, const ts_aperture *phi)
 	return r;
 }
 
-/* Figure 4: fs, how far outside the cone the middle of the ball lies; at most 0 within. psi passes pi where its sine is no
- * longer positive, alpha is at most psi where the sine of alpha - psi is not, and alpha - psi passes a right angle where its
- * cosine is not. */
+/* Figure 4: fs, how far outside the cone the middle of the ball lies; at most 0 within. psi passes pi where its sine is
+ * no longer positive, alpha is at most psi where the sine of alpha - psi is not, and alpha - psi passes a right angle
+ * where its cosine is not. */
 TS_FN f32 ts_k_pair_outside(const ts_ball *s, const ts_ball *v, const ts_cone_k *cone, const ts_aperture *phi)
 {
 	ts_aperture psi = ts_k_pair_psi(cone, phi);
@@ -94,7 +94,8 @@ TS_FN bool ts_k_pair_is_culled(const ts_ball *s, const ts_ball *v, const ts_cone
 	return fs > 0.0f && fs > ts_k_pair_reach(s, v);
 }
 
-/* Texels that the ball of s is wide, seen from the nearest place in the ball of v; -1: that may lie in the ball of s. */
+/* Texels that the ball of s is wide, seen from the nearest place in the ball of v; -1: that may lie in the ball of
+ * s. */
 TS_FN f32 ts_k_pair_size(const ts_ball *s, const ts_ball *v, u32 n)
 {
 	ts_v3 vs = ts_sub(s->p, v->p);

@@ -68,8 +68,8 @@ TS_FN ts_v3 ts_k_paraboloid_direction(u32 texel, u32 n)
 	return ts_v3_make(texel < n * n ? along : -along, y, z);
 }
 
-/* Texels that a ball is wide: N sin rho / (cos alpha + cos rho), alpha its angle to the nearer of +x and -x, rho its angular
- * radius. */
+/* Texels that a ball is wide: N sin rho / (cos alpha + cos rho), alpha its angle to the nearer of +x and -x, rho its
+ * angular radius. */
 TS_FN f32 ts_k_paraboloid_size(f32 cos_alpha, f32 sin_rho, u32 n)
 {
 	f32 square = sin_rho * sin_rho;

@@ -1,7 +1,7 @@
 /* Glowing particles (MegaViews section 5.2; METHODS 12): lights without a direction, at random in the inner part of the
  * hall, each on an ellipse of its own about the hall's middle, one turn in as many frames as the eye takes; every other
- * one the other way. All of them together send what an irradiance of `particle.glow` on the hall's walls, floor and ceiling
- * needs. */
+ * one the other way. All of them together send what an irradiance of `particle.glow` on the hall's walls, floor and
+ * ceiling needs. */
 #ifndef TS_KERNELS_PARTICLE_H
 #define TS_KERNELS_PARTICLE_H
 #include "../base/args.h"

@@ -1,7 +1,7 @@
 /* Whole maps for every node of views (MegaViews section 3.2, "Image Queries"; METHODS 13): what a parent's map shows is
- * moved to the child's middle, within its texel, level by level from the root. view_map.fusion=min keeps the nearer of that and
- * the child's own, view_map.fusion=paper the child's own wherever there is one. The same for one texel, without making maps, is
- * a query. */
+ * moved to the child's middle, within its texel, level by level from the root. view_map.fusion=min keeps the nearer of
+ * that and the child's own, view_map.fusion=paper the child's own wherever there is one. The same for one texel,
+ * without making maps, is a query. */
 #ifndef TS_KERNELS_VIEW_MAP_FUSE_H
 #define TS_KERNELS_VIEW_MAP_FUSE_H
 #include "../base/args.h"

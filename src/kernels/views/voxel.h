@@ -1,10 +1,12 @@
-/* Which leaf voxels a triangle touches: exactly those whose closed box meets the triangle snapped to the lattice (root.h).
- * The posed triangle is at most half a step away from that, and what rounding adds, below a hundredth of a voxel.
+/* Which leaf voxels a triangle touches: exactly those whose closed box meets the triangle snapped to the lattice
+ * (root.h). The posed triangle is at most half a step away from that, and what rounding adds, below a hundredth of a
+ * voxel.
  *
  * Box and triangle meet unless one of 13 axes parts them: the box's three, the normal and the products of edges and box
- * axes, which are the edges' normals seen along each axis (Schwarz and Seidel 2010). Each asks that a linear form of the
- * voxel's indices is in a range, so that voxels are found by narrowing ranges: rows, then columns along the normal's longest
- * component, then the few voxels of a column. Triangles that are a line or a point in the lattice are no exception.
+ * axes, which are the edges' normals seen along each axis (Schwarz and Seidel 2010). Each asks that a linear form of
+ * the voxel's indices is in a range, so that voxels are found by narrowing ranges: rows, then columns along the
+ * normal's longest component, then the few voxels of a column. Triangles that are a line or a point in the lattice are
+ * no exception.
  *
  * Coordinates are at most 2^19 in the lattice. Of an edge's form the factors are at most 2^27, its values 2^40; of the
  * normal's 2^47 and 3 2^58, so that differences of two stay below 2^62. */

@@ -10,10 +10,11 @@
  * Deviations:
  * - what the paper leaves open is in METHODS 11: triangles are equilateral and as large as what their texel sees, the
  *   threshold of segments is a fiftieth of the depth, the box of a pixel is the thinnest that holds it;
- * - the far plane is at infinity, so that thresholds and hull.interpolation know the depth's reciprocal exactly (gbuffer.h);
+ * - the far plane is at infinity, so that thresholds and hull.interpolation know the depth's reciprocal exactly
+ *   (gbuffer.h);
  * - a pixel that no segment holds takes the nearest; hull.surface=paper leaves it dark;
- * - a corner faces a triangle of light the more, the higher it is above its plane, and not at all on it, however rounding
- *   falls (gather.h);
+ * - a corner faces a triangle of light the more, the higher it is above its plane, and not at all on it, however
+ *   rounding falls (gather.h);
  * - a corner without light, or with the same from all sides, has no direction, and gives none to those that it is
  *   blended with;
  * - the picture is of indirect light alone. */

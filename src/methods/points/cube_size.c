@@ -1,5 +1,5 @@
-/* Boxes, balls and cube sizes of the reflectors. Frames 0 to this one are replayed, because the cube.hysteresis is the one
- * state between frames (METHODS 2). A few items a frame, so the C backend does it whatever the others run on. */
+/* Boxes, balls and cube sizes of the reflectors. Frames 0 to this one are replayed, because the cube.hysteresis is the
+ * one state between frames (METHODS 2). A few items a frame, so the C backend does it whatever the others run on. */
 #include <stdlib.h>
 #include "../../scene/view.h"
 #include "../../kernels/points/cube_size.h"

@@ -1,32 +1,36 @@
 /* Eye-based point rendering of cube-mapped reflections.
  * Paper: "Eye-Based Point Rendering for Dynamic Multiview Effects" (2022), sections 3 and 4.
  *
- * Once a frame the triangles become points, no denser than the eye can tell in any mirror (section 4.1.1); the points are
- * splatted into cube maps sized for the eye, which store indices, not colours (3.5); and the eye's reflective pixels shade
- * just the points they see, recursively where those lie on mirrors (4.1.2 to 4.1.4).
+ * Once a frame the triangles become points, no denser than the eye can tell in any mirror (section 4.1.1); the points
+ * are splatted into cube maps sized for the eye, which store indices, not colours (3.5); and the eye's reflective
+ * pixels shade just the points they see, recursively where those lie on mirrors (4.1.2 to 4.1.4).
  *
  * Deviations, each with the switch that restores the paper:
- * - density uses the triangle's point nearest the path, not its circumcentre, which can lie far outside (density.path=paper);
- * - visibility clears a bit only if all corners lie outside one plane: corners in enlarged frusta, the paper's test, lose
- *   large triangles (visibility.test=vertex);
+ * - density uses the triangle's point nearest the path, not its circumcentre, which can lie far outside
+ *   (density.path=paper);
+ * - visibility clears a bit only if all corners lie outside one plane: corners in enlarged frusta, the paper's test,
+ *   lose large triangles (visibility.test=vertex);
  * - triangles of more than 2^16 samples are bisected, so that one density serves each piece (points.split=off);
  * - the tenth of a pixel below which triangles may be culled is the eye's, not the point raster's, whose survivors are
  *   too few at density.scale 1/2 (points.cull_unit=raster);
  * - a sub-pixel triangle keeps the splat length 1/s inside its own box: the square root of its area leaves gaps
  *   (splat.size=paper);
- * - an edge of more than 2^14 samples is bisected and limited too, so that lattices stay within 2^15 (points.split=off);
+ * - an edge of more than 2^14 samples is bisected and limited too, so that lattices stay within 2^15
+ *   (points.split=off);
  * - points lie in the order of the pieces, so that two runs have the same bytes (--order arrival);
  * - one bounce by default, so that MVR and truth C show the same thing (lookup.bounces=2, lookup.bounces=3).
  *
- * Omnidirectional soft shadows (section 5): points no denser than the eye can tell in any shadow are written or splatted
- * into the cubes of a light's samples, which are resolved as iVIR's. Deviations:
+ * Omnidirectional soft shadows (section 5): points no denser than the eye can tell in any shadow are written or
+ * splatted into the cubes of a light's samples, which are resolved as iVIR's. Deviations:
  * - eq. 5 sets a ratio of distances against a scale; by default the rate is a bound on what the eye can tell, with the
- *   magnification from occluder to receiver, and at most iVIR's (shadow_splat.rate=paper: the ratio is a share of iVIR's scale, of
- *   the light sample where it is largest; shadow_splat.rate=unit: pixels a unit for distances);
- * - iVIR's scale is the one that gives each texel a sample, as there (density.rate=paper), and of one light sample, not of all;
- * - splats have the depth of the triangle's plane in each texel: one a splat shadows its own surface (shadow_splat.depth=point);
- * - eq. 6 takes the distances from triangles, not from pixels, and one resolution serves all cubes, as printed; instead of
- *   a cube.hysteresis, which needs the G-buffers of all frames before, it is a multiple of 32 (cube.hysteresis);
+ *   magnification from occluder to receiver, and at most iVIR's (shadow_splat.rate=paper: the ratio is a share of
+ *   iVIR's scale, of the light sample where it is largest; shadow_splat.rate=unit: pixels a unit for distances);
+ * - iVIR's scale is the one that gives each texel a sample, as there (density.rate=paper), and of one light sample, not
+ *   of all;
+ * - splats have the depth of the triangle's plane in each texel: one a splat shadows its own surface
+ *   (shadow_splat.depth=point);
+ * - eq. 6 takes the distances from triangles, not from pixels, and one resolution serves all cubes, as printed; instead
+ *   of a cube.hysteresis, which needs the G-buffers of all frames before, it is a multiple of 32 (cube.hysteresis);
  * - points are made for every eight views, not kept (points.buffered=on); what is counted is one pass over the
  *   geometry a batch. */
 #include "../../kernels/points/samples.h"

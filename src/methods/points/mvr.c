@@ -1,10 +1,10 @@
 /* Classic multi-view rendering: the baseline of EPR section 4.2 and of iVIR sections 4 to 6 (METHODS 3).
  *
- * For every reflector the whole scene is rasterized into the six faces of its cube, every texel is shaded, a mip chain is
- * made, and the eye's reflective pixels look it up. For shadows the scene is rasterized into every depth map.
+ * For every reflector the whole scene is rasterized into the six faces of its cube, every texel is shaded, a mip chain
+ * is made, and the eye's reflective pixels look it up. For shadows the scene is rasterized into every depth map.
  *
- * Deviations: deferred shading by the same kernels as EPR's, so that only the method differs; one reflector at a time, so
- * that memory does not grow with their number. One bounce, whatever the parameter says. */
+ * Deviations: deferred shading by the same kernels as EPR's, so that only the method differs; one reflector at a time,
+ * so that memory does not grow with their number. One bounce, whatever the parameter says. */
 #include "../../kernels/raster/mip.h"
 #include "pipelines.h"
 

@@ -6,10 +6,10 @@
  *
  * Deviations:
  * - the search needs a plane that the light is projected onto, which the sketch calls the light's near plane. The depth
- *   maps' own is so near that the width on it is many maps; a plane at half the receiver's depth finds all blockers in the
- *   farther half of the way, and of nearer ones those that reach into it (pcss.near);
- * - a tap is compared with the depth of the receiver's plane at the tap, not of the receiver, so that a slanted surface does
- *   not block itself; the bias beyond that is the one of all methods;
+ *   maps' own is so near that the width on it is many maps; a plane at half the receiver's depth finds all blockers in
+ *   the farther half of the way, and of nearer ones those that reach into it (pcss.near);
+ * - a tap is compared with the depth of the receiver's plane at the tap, not of the receiver, so that a slanted surface
+ *   does not block itself; the bias beyond that is the one of all methods;
  * - lights are discs, not squares, and the taps the seeds of a sunflower;
  * - parallel light needs no projection: its widths grow with the distance from the receiver. */
 #include "../../kernels/points/pcss.h"

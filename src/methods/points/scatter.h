@@ -12,7 +12,8 @@ typedef struct {
 #define TS_STORED_POINTS(path) TS_IN(path.keys, points_key), TS_IN(path.points, points_record)
 
 ts_scatter_args ts_scatter_values(const ts_run *run);
-/* Fills the buffers of `args`, runs what fits the points, and counts. Without views there is nothing to scatter into. */
+/* Fills the buffers of `args`, runs what fits the points, and counts. Without views there is nothing to scatter
+ * into. */
 ts_status ts_scatter_run(ts_run *run, const ts_scatters *own, void *args, size_t bytes, u32 n_views);
 
 #endif

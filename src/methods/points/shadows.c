@@ -1,4 +1,5 @@
-/* What all methods of soft and omnidirectional shadows share: batches of depth maps, and how large they are likely to be. */
+/* What all methods of soft and omnidirectional shadows share: batches of depth maps, and how large they are likely to
+ * be. */
 #include "pipelines.h"
 
 /* A view a sample, of all lights together. */

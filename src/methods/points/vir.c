@@ -2,8 +2,8 @@
  * METHODS 9). Marrs, Watson and Healey, "Real-Time View Independent Rasterization for Multi-View Rendering" (2017).
  *
  * The stages are iVIR's, with the rate that one point of view asks for: a triangle is as dense all over as the view's
- * densest pixel at the triangle's nearest distance, by the worst perspective of any view, and off-screen buffers keep their
- * largest size.
+ * densest pixel at the triangle's nearest distance, by the worst perspective of any view, and off-screen buffers keep
+ * their largest size.
  *
  * Deviations: the rate is a reconstruction; only the ratio of its points to iVIR's is compared. */
 #include "../../kernels/points/view_density.h"

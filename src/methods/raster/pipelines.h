@@ -3,8 +3,8 @@
 #define TS_METHODS_RASTER_PIPELINES_H
 #include "../pipeline.h"
 
-/* Runs of steps (shared.c): eye and scene of the frame; the lights of shadows, their views, and what the eye sees; pictures
- * from depth maps; reflective shadow maps; what the eye sees, with its G-buffer. */
+/* Runs of steps (shared.c): eye and scene of the frame; the lights of shadows, their views, and what the eye sees;
+ * pictures from depth maps; reflective shadow maps; what the eye sees, with its G-buffer. */
 extern const ts_step ts_frame_run[], ts_soft_run[], ts_omni_run[], ts_resolve_run[], ts_rsm_run[], ts_gbuffer_run[];
 
 /* Indirect light, by any method: the reflective shadow maps of its lights (indirect.c). */

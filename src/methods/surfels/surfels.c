@@ -2,22 +2,23 @@
  * Botsch, Hornung, Zwicker and Kobbelt, "High-Quality Surface Splatting on Today's GPUs" (2005), from the slides.
  * Zwicker, Pfister, van Baar and Gross, "EWA Splatting" (2001/2002).
  *
- * Surfels are elliptical discs, perspective-correct by casting the ray of each pixel into their plane. The first pass finds
- * what is nearest, the second blends colours and normals of all that is no more than epsilon behind, the third divides by
- * the sum of weights and shades, once a pixel. The filter is the lesser of the radii of an object-space and a screen-space
- * kernel. `ewa` weighs by the convolution of both instead.
+ * Surfels are elliptical discs, perspective-correct by casting the ray of each pixel into their plane. The first pass
+ * finds what is nearest, the second blends colours and normals of all that is no more than epsilon behind, the third
+ * divides by the sum of weights and shades, once a pixel. The filter is the lesser of the radii of an object-space and
+ * a screen-space kernel. `ewa` weighs by the convolution of both instead.
  *
  * Deviations:
- * - sums are integers, not 16-bit floats, so that they do not depend on the order of surfels (blend.h); surfel_blend.accumulation=half is
- *   the paper;
+ * - sums are integers, not 16-bit floats, so that they do not depend on the order of surfels (blend.h);
+ *   surfel_blend.accumulation=half is the paper;
  * - "20 x 20" pixels of least size are read as 2 x 2, the screen filter's own width, for the reasons of FIGURES 12;
- * - boxes are those of the projected ellipse, where the paper's point sprites miss parts of it; surfel_setup.bounds=botsch is the paper;
+ * - boxes are those of the projected ellipse, where the paper's point sprites miss parts of it;
+ *   surfel_setup.bounds=botsch is the paper;
  * - epsilon, ewa.sigma_k and the shaders are not given: epsilon is the median radius, ewa.sigma_k a half;
- * - surfels that cross the near plane are drawn as far as they are behind it, but by exact EWA and the screen filter alone,
- *   which need an image of their centre, only if that is;
+ * - surfels that cross the near plane are drawn as far as they are behind it, but by exact EWA and the screen filter
+ *   alone, which need an image of their centre, only if that is;
  * - a fragment of the screen filter alone has the depth of the centre, for planes seen from the side are anywhere;
- * - lights are the scene's, each of them a point or a sun with one depth map, or for points without a direction a cube of
- *   six. */
+ * - lights are the scene's, each of them a point or a sun with one depth map, or for points without a direction a cube
+ *   of six. */
 #include "surfel.h"
 #include "../stages.h"
 #include "../pipeline.h"
@@ -69,7 +70,7 @@ static void surfels_expect(ts_expected *expected, const ts_scene *scene, const t
 
 static const ts_effect surfels = {
 	.name = "surfels",
-	.doc = "elliptical splats of a file, or of triangles by --from-mesh; eye.distance=outside sees all of a model",
+	.doc = "elliptical splats of a file, or of triangles (--from-mesh); eye.distance=outside sees it whole",
 	.seen = TS_B_surfel_blend_heaviest,
 	.difference_scale = 8,
 	.lower = "depth_map.px or surfels.from_mesh",

@@ -1,5 +1,5 @@
-/* What a family of methods brings for the tools: its rows for each engine, which knows no method by name. A family's are
- * in its tools/tools.c. A list that a family has nothing for is NULL. */
+/* What a family of methods brings for the tools: its rows for each engine, which knows no method by name. A family's
+ * are in its tools/tools.c. A list that a family has nothing for is NULL. */
 #ifndef TS_METHODS_TOOLS_FAMILY_H
 #define TS_METHODS_TOOLS_FAMILY_H
 #include "../../compare/decided.h"

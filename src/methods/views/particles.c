@@ -1,8 +1,9 @@
 /* Glowing particles, whose light all surfaces cast shadows in, by MegaViews, ManyLoDs and brute force (see megaviews.c,
  * section 5.2).
  *
- * Particles are lights in the hall's air, each of them a view of all directions, so that nothing is culled. What follows is
- * what follows the virtual point lights of indirect light: the same octree of views, traversal, maps and gathering.
+ * Particles are lights in the hall's air, each of them a view of all directions, so that nothing is culled. What
+ * follows is what follows the virtual point lights of indirect light: the same octree of views, traversal, maps and
+ * gathering.
  *
  * Deviations, beside those of megaviews.c:
  * - the paper does not say where particles are and how they move: they are on ellipses about the middle of the hall;

@@ -3,8 +3,8 @@
 #define TS_METHODS_VIEWS_PIPELINES_H
 #include "../raster/pipelines.h"
 
-/* Runs of steps (shared.c): maps of many views by an octree of views, each by itself, of every leaf; and the light gathered
- * through them. */
+/* Runs of steps (shared.c): maps of many views by an octree of views, each by itself, of every leaf; and the light
+ * gathered through them. */
 extern const ts_step ts_shared_maps_run[], ts_own_maps_run[], ts_all_maps_run[], ts_gather_run[];
 
 /* Virtual point lights or particles: how many; in how many places at most; the area of the surfaces that they are on,

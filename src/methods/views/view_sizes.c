@@ -1,5 +1,6 @@
-/* How large octrees, maps and lists of many views are likely to be, from the area of the scene's surfaces. The shares were
- * measured on the built-in scenes and two models at all levels; scripts/memory compares estimates with what runs take. */
+/* How large octrees, maps and lists of many views are likely to be, from the area of the scene's surfaces. The shares
+ * were measured on the built-in scenes and two models at all levels; scripts/memory compares estimates with what runs
+ * take. */
 #include <math.h>
 #include "../../kernels/base/vec.h"
 #include "traverse.h"
@@ -58,16 +59,16 @@ static double views_at(const surfaces *s, const ts_expected_lights *lights, u32 
 	return occupied((double)lights->n_places, least(squares(s, lights->area, level) + 1, nodes_at(s, level)));
 }
 
-/* Pairs of two levels that culling leaves to gathering: of lights that see all, or half of a hall whose surfaces they are
- * on, all that the cutoff does not drop. */
+/* Pairs of two levels that culling leaves to gathering: of lights that see all, or half of a hall whose surfaces they
+ * are on, all that the cutoff does not drop. */
 static double share_in_reach(const surfaces *s, const ts_params *params, u32 level)
 {
 	double distance = (double)TS_PARAM(params, vpl_gather_cutoff) + 2 * s->side / (double)(1u << level);
 	return TS_PARAM(params, vpl_gather_cutoff) > 0 && s->area > 0 ? least(REACH * distance * distance / s->area, 1) : 1;
 }
 
-/* What queues take of their memory for so many pairs, half of them in the last step, and in each step half of those of the
- * next; all of it where that is more than a run may have, which is refused. */
+/* What queues take of their memory for so many pairs, half of them in the last step, and in each step half of those of
+ * the next; all of it where that is more than a run may have, which is refused. */
 static u64 queue_bytes(double pairs, const ts_params *params)
 {
 	u64 bytes = 0, room = ts_traverse_room(params), all = (u64)TS_PARAM(params, traverse_queue_mb) << 20;

@@ -9,8 +9,8 @@
 /* view_map.px must be a power of two; the levels of a view's map (map.c). */
 ts_status ts_view_px_check(const ts_params *params);
 ts_pyramid ts_view_pyramid(const ts_params *params);
-/* The level of the lists of vpl_pairs (vpl_gather.c): vpl_gather.level, at most levels; 0 where views have no hierarchy,
- * alone, or nothing is culled. */
+/* The level of the lists of vpl_pairs (vpl_gather.c): vpl_gather.level, at most levels; 0 where views have no
+ * hierarchy, alone, or nothing is culled. */
 u32 ts_gather_level(const ts_run *run);
 u32 ts_gather_level_of(const ts_params *params, u32 field, bool alone);
 /* Arguments for who asks how virtual point lights and particles are made, and how pixels gather from them. */

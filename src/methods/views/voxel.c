@@ -1,7 +1,8 @@
 /* Voxels that triangles touch: leaves of the scene's octree to be. */
 #include "octree.h"
 
-static const ts_launch marked = TS_LAUNCH(voxel, TS_WITH(mask), TS_BUT(bits), TS_BUT(before), TS_BUT(offset), TS_BUT_LOOKS);
+static const ts_launch marked =
+	TS_LAUNCH(voxel, TS_WITH(mask), TS_BUT(bits), TS_BUT(before), TS_BUT(offset), TS_BUT_LOOKS);
 
 ts_voxel_args ts_voxel_values(const ts_run *run)
 {

@@ -35,8 +35,8 @@ typedef struct {
 
 extern const u32 ts_ply_bytes[TS_PLY_TYPES];
 
-/* Reads the header of the `n` bytes of a file. Fails the build, and returns false, unless the first element is "vertex",
- * has scalar properties only, and no more of them than the file has bytes for. */
+/* Reads the header of the `n` bytes of a file. Fails the build, and returns false, unless the first element is
+ * "vertex", has scalar properties only, and no more of them than the file has bytes for. */
 bool ts_ply_header_read(ts_ply_header *header, ts_build *build, const char *path, const char *file, size_t n);
 
 #endif

@@ -1,7 +1,7 @@
-/* A library to be preloaded before the OpenCL loader. Of the calls that the backend makes, the one whose number, from 1,
- * is in TOUCHSTONE_CL_FAIL_AT fails with the error in TOUCHSTONE_CL_ERROR; with TOUCHSTONE_CL_LOST so do all after it. The
- * names of all calls go, a line each, to the file TOUCHSTONE_CL_CALLS. TOUCHSTONE_CL_COPIES: no device has the host's
- * memory. TOUCHSTONE_CL_REVERSE: work groups run one by one, from the last to the first. */
+/* A library to be preloaded before the OpenCL loader. Of the calls that the backend makes, the one whose number, from
+ * 1, is in TOUCHSTONE_CL_FAIL_AT fails with the error in TOUCHSTONE_CL_ERROR; with TOUCHSTONE_CL_LOST so do all after
+ * it. The names of all calls go, a line each, to the file TOUCHSTONE_CL_CALLS. TOUCHSTONE_CL_COPIES: no device has the
+ * host's memory. TOUCHSTONE_CL_REVERSE: work groups run one by one, from the last to the first. */
 #define _GNU_SOURCE
 #define CL_TARGET_OPENCL_VERSION 120
 #include <CL/cl.h>

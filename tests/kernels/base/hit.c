@@ -1,4 +1,5 @@
-/* Where a ray meets a triangle: against double precision, at the corners, off the triangle, edge-on and at the extremes. */
+/* Where a ray meets a triangle: against double precision, at the corners, off the triangle, edge-on and at the
+ * extremes. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -86,8 +86,8 @@ static void test_precision(void **state)
 	assert_true(worst > 0 && worst < 1e-7);
 }
 
-/* A rectangle a by b at distance 1, parallel, p facing one of its corners; and the same seen at right angles: tables of any
- * textbook of heat transfer. */
+/* A rectangle a by b at distance 1, parallel, p facing one of its corners; and the same seen at right angles: tables of
+ * any textbook of heat transfer. */
 static void test_rectangle(void **state)
 {
 	(void)state;

@@ -1,5 +1,5 @@
-/* Spherical Gaussians against quadrature of the integrals that define them, in double precision: the integrals, their stable
- * forms and the printed ones, the cosine by each method, and sharpness. */
+/* Spherical Gaussians against quadrature of the integrals that define them, in double precision: the integrals, their
+ * stable forms and the printed ones, the cosine by each method, and sharpness. */
 #include "gaussian_truth.h"
 #include "../seeded.h"
 #include "../../../src/kernels/hulls/gaussian.h"
@@ -126,7 +126,8 @@ static void test_ours(void **state)
 	}
 }
 
-/* Rounding; where n is phi or -phi the closed form is that of eqs 9 and 10, and it never is more or less than they are. */
+/* Rounding; where n is phi or -phi the closed form is that of eqs 9 and 10, and it never is more or less than they
+ * are. */
 static void test_closed(void **state)
 {
 	(void)state;

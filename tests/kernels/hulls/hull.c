@@ -1,5 +1,6 @@
-/* From triangles of light to pixels: their shape, what corners of boxes gather, the lobes of it, which box lights a pixel,
- * and hull.interpolation on planes, where it is exact; truths in double precision that share no formula with the kernels. */
+/* From triangles of light to pixels: their shape, what corners of boxes gather, the lobes of it, which box lights a
+ * pixel, and hull.interpolation on planes, where it is exact; truths in double precision that share no formula with the
+ * kernels. */
 #include <stdlib.h>
 #include <string.h>
 #include "../../../src/kernels/hulls/direct.h"
@@ -306,8 +307,8 @@ static void test_choice(void **state)
 	assert_true(n_held > 1000 && n_far > 1000);
 }
 
-/* On a plane what is linear in space is interpolated as it is: corners where the plane meets the rays through the corners of
- * the drawn rectangle, at a pixel the plane's point on its ray. */
+/* On a plane what is linear in space is interpolated as it is: corners where the plane meets the rays through the
+ * corners of the drawn rectangle, at a pixel the plane's point on its ray. */
 static void test_shares(void **state)
 {
 	(void)state;

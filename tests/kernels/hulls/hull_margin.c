@@ -1,5 +1,5 @@
-/* The margins of segments and of the choice of boxes against ports that round otherwise: every number that is compared is
- * off by up to 4 ulps, each its own way. Whatever that changes is undecided, and what hangs together with no tie is
+/* The margins of segments and of the choice of boxes against ports that round otherwise: every number that is compared
+ * is off by up to 4 ulps, each its own way. Whatever that changes is undecided, and what hangs together with no tie is
  * decided. */
 #include <string.h>
 #include "../../../src/kernels/hulls/hull_margin.h"
@@ -121,7 +121,8 @@ static void test_figures(void **state)
 	ts_segment_margin_args args = {.depths = depth, .margin = margin, .grid = GRID, .step = step};
 	ts_k_segment_margin_item(&args, 0);
 	for (u32 x = 0; x < SIDE; x++) {
-		/* 0.625 - 0.5 = 0.25 (1 - 0.5); 0.125 is a quarter more than 0.25 (1 - 0.625); 0.25 than 0.25 (1 - 0.75) 3/4. */
+		/* 0.625 - 0.5 = 0.25 (1 - 0.5); 0.125 is a quarter more than 0.25 (1 - 0.625); 0.25 than 0.25 (1 - 0.75)
+		 * 3/4. */
 		assert_true(x >= 16 || margin[x] == 0);
 		assert_true(x < 16 || x >= 24 || fabs(margin[x] / 1048576.0 - 0.25) < 1e-6);
 		assert_true(x < 24 || margin[x] == 0.75f * 1048576);

@@ -1,5 +1,5 @@
-/* The depth grid, its segments and their boxes: what a pixel is down-sampled to, algorithm 1 as it is printed, components by
- * a flood fill, and boxes by looking at every texel. */
+/* The depth grid, its segments and their boxes: what a pixel is down-sampled to, algorithm 1 as it is printed,
+ * components by a flood fill, and boxes by looking at every texel. */
 #include <stdlib.h>
 #include <string.h>
 #include "../../../src/kernels/hulls/segment_box.h"
@@ -17,7 +17,8 @@ static u32 at(u32 block, u32 place)
 	return (block / 3 * SIDE + place / SIDE) * GRID + block % 3 * SIDE + place % SIDE;
 }
 
-/* Depths of discs before a slope before the sky; the last kinds are noise, sky alone, and depths that tie with the step. */
+/* Depths of discs before a slope before the sky; the last kinds are noise, sky alone, and depths that tie with the
+ * step. */
 static void fill(world *w, u32 kind)
 {
 	f32 slope = uniform(-0.002f, 0.002f), aslant = uniform(-0.002f, 0.002f);

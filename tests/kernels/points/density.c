@@ -253,7 +253,8 @@ static void test_scale_of_world(void **state)
 	}
 }
 
-/* density.off_axis divides the way by the cosine of the reflector's angle to the eye's axis; on the axis it changes nothing. */
+/* density.off_axis divides the way by the cosine of the reflector's angle to the eye's axis; on the axis it changes
+ * nothing. */
 static void test_offaxis(void **state)
 {
 	(void)state;

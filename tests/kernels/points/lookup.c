@@ -4,8 +4,8 @@
 
 enum { SIDE = 8, TEXELS = 6 * SIDE * SIDE, N_POINTS = 40 };
 
-/* Two cubes of one size. Triangle t is one of N_POINTS in a row, unlit, of colour colour[t], with one point in its middle;
- * of triangles 8 to 11 the object is reflector 0, of 12 to 15 reflector 1. */
+/* Two cubes of one size. Triangle t is one of N_POINTS in a row, unlit, of colour colour[t], with one point in its
+ * middle; of triangles 8 to 11 the object is reflector 0, of 12 to 15 reflector 1. */
 typedef struct {
 	mesh mesh;
 	f32 colour[N_POINTS];
@@ -150,7 +150,8 @@ static void test_samples(void **state)
 	world_end(&w);
 }
 
-/* A sample goes on where its point lies on a mirror; the queue holds those, in order, and whose cubes they read and ask. */
+/* A sample goes on where its point lies on a mirror; the queue holds those, in order, and whose cubes they read and
+ * ask. */
 static void test_queue(void **state)
 {
 	(void)state;
@@ -273,7 +274,8 @@ static void test_mean(void **state)
 	world_end(&w);
 }
 
-/* Batches of four until the variance of the luma does not fall; the number by definition, where rounding cannot decide. */
+/* Batches of four until the variance of the luma does not fall; the number by definition, where rounding cannot
+ * decide. */
 static u32 batches(const world *w, double *mean)
 {
 	double sum = 0, squares = 0, red = 0, before = 0;

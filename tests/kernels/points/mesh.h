@@ -1,5 +1,5 @@
-/* What the tests of points and cubes share: random numbers, vectors in double precision, and a small mesh on its way from
- * densities to points. Everything here is independent of the kernels but the chain itself. */
+/* What the tests of points and cubes share: random numbers, vectors in double precision, and a small mesh on its way
+ * from densities to points. Everything here is independent of the kernels but the chain itself. */
 #ifndef TS_TESTS_KERNELS_MESH_H
 #define TS_TESTS_KERNELS_MESH_H
 #include <setjmp.h>

@@ -202,7 +202,8 @@ static void test_flat(void **state)
 	free(texels);
 }
 
-/* A batch answers the pixels of its cubes and leaves the others; a cube out of sight shows the background; all tinted. */
+/* A batch answers the pixels of its cubes and leaves the others; a cube out of sight shows the background; all
+ * tinted. */
 static void test_batch(void **state)
 {
 	(void)state;

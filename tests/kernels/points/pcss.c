@@ -1,5 +1,5 @@
-/* Percentage-closer soft shadows: the taps, and worlds of a floor and a half plane above it, in which PCSS is what a disc of
- * light does: the share of the disc that is seen past a straight edge. */
+/* Percentage-closer soft shadows: the taps, and worlds of a floor and a half plane above it, in which PCSS is what a
+ * disc of light does: the share of the disc that is seen past a straight edge. */
 #include <stdlib.h>
 #include "../../../src/kernels/points/pcss.h"
 #include "../seeded.h"
@@ -8,8 +8,8 @@
 
 enum { SIDE = 384, N_WORLDS = 40, N_RECEIVERS = 60 };
 
-/* A floor seen from a light above it, along -back; a half plane at a height above the floor covers x < edge. Depths are from
- * the light; x is along the view's right. */
+/* A floor seen from a light above it, along -back; a half plane at a height above the floor covers x < edge. Depths are
+ * from the light; x is along the view's right. */
 typedef struct {
 	ts_offscreen view;
 	ts_lamp lamp;
@@ -141,7 +141,8 @@ static void test_contact(void **state)
 	assert_true(n_lit > N_WORLDS * N_RECEIVERS / 4);
 }
 
-/* A plane alone is lit all over, however slanted, with a bias of a hundredth of a texel; what stands before it is seen. */
+/* A plane alone is lit all over, however slanted, with a bias of a hundredth of a texel; what stands before it is
+ * seen. */
 static void test_slanted(void **state)
 {
 	(void)state;

@@ -1,5 +1,5 @@
-/* Scattering: where a point lands, that nothing depends on the order or on storing the points, and the codes of depth and
- * colour against their formulas (METHODS 9 and 10). */
+/* Scattering: where a point lands, that nothing depends on the order or on storing the points, and the codes of depth
+ * and colour against their formulas (METHODS 9 and 10). */
 #include "views.h"
 
 enum { N_VIEWS = 70, N_TEXELS = 64 * 64 };
@@ -285,7 +285,8 @@ static void test_depth_code_rises(void **state)
 	}
 }
 
-/* There and back: half a step of the square root, 6-7-6; white and more is white, and the code is never that of empty. */
+/* There and back: half a step of the square root, 6-7-6; white and more is white, and the code is never that of
+ * empty. */
 static void test_colour_code(void **state)
 {
 	(void)state;

@@ -114,8 +114,8 @@ static void test_inside(void **state)
 	}
 }
 
-/* A view from a light straight at a point, with a focal length of 512: there iVIR's exact rate is 512 / distance where the
- * triangle faces it. */
+/* A view from a light straight at a point, with a focal length of 512: there iVIR's exact rate is 512 / distance where
+ * the triangle faces it. */
 static void aim(ts_offscreen views[6], ts_v3 light, ts_v3 at)
 {
 	for (u32 k = 0; k < 6; k++) {
@@ -175,8 +175,8 @@ static void test_rates(void **state)
 	assert_true(fabs(share[TS_SHADOW_IS_PAPER] - 0.559) < 0.02 && fabs(share[TS_SHADOW_IS_UNIT] - 0.795) < 0.02);
 }
 
-/* Of triangles of any size and two lights, of whose views they see any: no detail of an occluder that a receiver shows the
- * eye needs more than the safe rate, but for what iVIR gives at most; and none of the rates is more than that. */
+/* Of triangles of any size and two lights, of whose views they see any: no detail of an occluder that a receiver shows
+ * the eye needs more than the safe rate, but for what iVIR gives at most; and none of the rates is more than that. */
 static void test_safe(void **state)
 {
 	(void)state;

@@ -1,5 +1,5 @@
-/* Points of any density in depth maps: no holes and the plane's depth whatever the rate, the points alone where they are
- * dense and no hole there, nothing of what misses a view, and nothing that depends on order, batches or storing. */
+/* Points of any density in depth maps: no holes and the plane's depth whatever the rate, the points alone where they
+ * are dense and no hole there, nothing of what misses a view, and nothing that depends on order, batches or storing. */
 #include "views.h"
 #include "../../../src/kernels/points/shadow_splat.h"
 
@@ -144,8 +144,8 @@ static double seen(const single *w, u32 texel)
 	return in && z > w->view.near * 1.001 ? z : 0;
 }
 
-/* From one sample to one a texel: every texel that sees the triangle has a depth, of splats alone the plane's; and none is
- * nearer or farther than the triangle. */
+/* From one sample to one a texel: every texel that sees the triangle has a depth, of splats alone the plane's; and none
+ * is nearer or farther than the triangle. */
 static void test_no_holes(void **state)
 {
 	(void)state;
@@ -229,9 +229,9 @@ static void test_point_depth(void **state)
 	assert_true(n_filled > 10000);
 }
 
-/* What the middle of a texel of a cube's face of n texels sees at q, of a plane that has a lattice with the diagonals u and
- * v, unit, and its square about q; `most`: the side of squares that are just written alone at q. Half of them at the border
- * of the face, and half with the diagonal along which a row or column of the image is shortest. */
+/* What the middle of a texel of a cube's face of n texels sees at q, of a plane that has a lattice with the diagonals u
+ * and v, unit, and its square about q; `most`: the side of squares that are just written alone at q. Half of them at
+ * the border of the face, and half with the diagonal along which a row or column of the image is shortest. */
 typedef struct {
 	ts_offscreen view;
 	u32 i, j;
@@ -264,8 +264,8 @@ static bool is_written_alone(const seen_plane *w, d3 p, f32 length)
 	return ts_k_is_within_texel(&view, &at, length);
 }
 
-/* Of faces of n texels, and points that are the nearest to q in their lattice and written alone: how many lie beside its
- * texel, and leave a hole there. */
+/* Of faces of n texels, and points that are the nearest to q in their lattice and written alone: how many lie beside
+ * its texel, and leave a hole there. */
 static u32 count_holes(u32 n)
 {
 	u32 alone = 0, beside = 0;
@@ -283,8 +283,8 @@ static u32 count_holes(u32 n)
 	return beside;
 }
 
-/* A diagonal within a texel by 1/128 leaves no texel without its nearest point from 64 texels on; of smaller faces, down to
- * the least, some where the image is stretched most. */
+/* A diagonal within a texel by 1/128 leaves no texel without its nearest point from 64 texels on; of smaller faces,
+ * down to the least, some where the image is stretched most. */
 static void test_written_alone(void **state)
 {
 	(void)state;

@@ -3,8 +3,8 @@
 
 enum { N = 3000 };
 
-/* A texel of a face, grown by `margin` texels, meets the part of the triangle in front of near: clipped in view space, so
- * that nothing needs a projection. *depth: the least axial depth of what is left. */
+/* A texel of a face, grown by `margin` texels, meets the part of the triangle in front of near: clipped in view space,
+ * so that nothing needs a projection. *depth: the least axial depth of what is left. */
 static bool texel_meets(const ts_face *cube, u32 face, const d3 corner[3], i32 i, i32 j, double margin, double *depth)
 {
 	ts_camera_k view = ts_k_cube_view(cube, face);
@@ -35,8 +35,8 @@ typedef struct {
 /* Rounding moves the triangle and its tiles by this many texels at this depth. */
 static double rounding(const ts_face *cube, double depth) { return 2e-3 + 1e-5 * cube->n / depth; }
 
-/* Texels of one face: each that the triangle surely meets is written; with clip, none that it surely misses. `reach`: how
- * far the exact cover may fall short, in world units. */
+/* Texels of one face: each that the triangle surely meets is written; with clip, none that it surely misses. `reach`:
+ * how far the exact cover may fall short, in world units. */
 static void assert_face(const mesh *m, const u64 *texels, u32 face, const splat_case *how, const d3 corner[3],
                         double reach, u32 *n_met)
 {
@@ -197,7 +197,8 @@ static void test_keys(void **state)
 	}
 }
 
-/* In any order of the points the same buffer, equal distances to the lowest; each point's texels beat or tie its key. */
+/* In any order of the points the same buffer, equal distances to the lowest; each point's texels beat or tie its
+ * key. */
 static void test_order(void **state)
 {
 	(void)state;
@@ -250,8 +251,8 @@ static void test_bits(void **state)
 	}
 }
 
-/* Plane depth: where the texel's ray meets the plane, within a tile of the point's own distance; without it, on a triangle
- * seen at a slant, the nearest point's. */
+/* Plane depth: where the texel's ray meets the plane, within a tile of the point's own distance; without it, on a
+ * triangle seen at a slant, the nearest point's. */
 static void test_plane_depth(void **state)
 {
 	(void)state;

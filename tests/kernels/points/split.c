@@ -1,5 +1,5 @@
-/* Splitting for the rates of iVIR: pieces that are even enough, that cover their triangle without moving a corner, and that
- * meet their neighbours' in the same bits (METHODS 2 and 9). Limits and paths: tests/kernels/points/density.c. */
+/* Splitting for the rates of iVIR: pieces that are even enough, that cover their triangle without moving a corner, and
+ * that meet their neighbours' in the same bits (METHODS 2 and 9). Limits and paths: tests/kernels/points/density.c. */
 #include "views.h"
 
 enum { N = 300, N_VIEWS = 5 };
@@ -32,8 +32,9 @@ static ts_need need_of(const mesh *m, const ts_density_args *args, u32 piece)
 	return ts_k_view_density(args, m->bits, ts_load3(p->a), ts_load3(p->b), ts_load3(p->c));
 }
 
-/* Each piece has the density that it needs itself, or less if it is capped; watertight ones of more than 64 samples need
- * nowhere 1.5 times what they need elsewhere, or were bisected twelve times. Other rates are not split for that. */
+/* Each piece has the density that it needs itself, or less if it is capped; watertight ones of more than 64 samples
+ * need nowhere 1.5 times what they need elsewhere, or were bisected twelve times. Other rates are not split for
+ * that. */
 static void test_uneven(void **state)
 {
 	(void)state;
@@ -100,8 +101,8 @@ static bool is_dyadic(ts_v3 p, ts_v3 from, ts_v3 to, u32 depth)
 	return first ? is_dyadic(p, from, middle, depth - 1) : is_dyadic(p, middle, to, depth - 1);
 }
 
-/* Whatever the two sides of an edge need, their corners on it are middles of the same bits: where one side is split further
- * the other's piece ends at ends of its pieces. */
+/* Whatever the two sides of an edge need, their corners on it are middles of the same bits: where one side is split
+ * further the other's piece ends at ends of its pieces. */
 static void test_shared_edge(void **state)
 {
 	(void)state;
@@ -127,7 +128,8 @@ static void test_shared_edge(void **state)
 	assert_true(n_on_edge > 20 * N);
 }
 
-/* The pieces hold every point of their triangle, and none outside: random points lie in just one of them, or on borders. */
+/* The pieces hold every point of their triangle, and none outside: random points lie in just one of them, or on
+ * borders. */
 static void test_cover(void **state)
 {
 	(void)state;

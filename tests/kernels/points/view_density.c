@@ -1,5 +1,5 @@
-/* The densities of iVIR and VIR: their closed forms against constructions in double precision, and the holes that points of
- * such densities leave, by the whole chain of kernels (FIGURES 2). */
+/* The densities of iVIR and VIR: their closed forms against constructions in double precision, and the holes that
+ * points of such densities leave, by the whole chain of kernels (FIGURES 2). */
 #include "views.h"
 
 enum { N = 20000, SIZE = 96, FULL = 128 };
@@ -137,7 +137,8 @@ static double stretch(const ts_offscreen *view, d3 p, d3 n)
 	return sqrt(0.5 * (sum + sqrt(fmax(sum * sum - 4 * det * det, 0))));
 }
 
-/* The watertight rate is more than sqrt(2) times the stretch at any point in sight; for some hardly more than the 1/64. */
+/* The watertight rate is more than sqrt(2) times the stretch at any point in sight; for some hardly more than the
+ * 1/64. */
 static void test_bound(void **state)
 {
 	(void)state;

@@ -14,8 +14,8 @@ static inline ts_v3 unit3(void)
 	}
 }
 
-/* A view without an offset that looks along -back, rolled at random: `reach` is the tangent of half the field of view, of
- * orthographic ones half the extent. */
+/* A view without an offset that looks along -back, rolled at random: `reach` is the tangent of half the field of view,
+ * of orthographic ones half the extent. */
 static inline ts_offscreen view_from(ts_v3 eye, ts_v3 back, f32 reach, u32 n, f32 near, u32 orthographic)
 {
 	ts_offscreen r = {.width = n,

@@ -242,7 +242,8 @@ static void test_to_view(void **state)
 	}
 }
 
-/* Edge-on triangles in a plane of the snapping range change sides by rounding at every corner; the polygon stays bounded. */
+/* Edge-on triangles in a plane of the snapping range change sides by rounding at every corner; the polygon stays
+ * bounded. */
 static void test_edge_on(void **state)
 {
 	(void)state;

@@ -1,6 +1,6 @@
-/* The margins of depth maps against rasterizers and receivers that decide otherwise: in double precision without snapping,
- * with corners cut off at 1/256 texel, and with everything up to one step away. Whatever they change is undecided, and most
- * is decided. The figures themselves where they can be told. */
+/* The margins of depth maps against rasterizers and receivers that decide otherwise: in double precision without
+ * snapping, with corners cut off at 1/256 texel, and with everything up to one step away. Whatever they change is
+ * undecided, and most is decided. The figures themselves where they can be told. */
 #include "../points/views.h"
 #include "../../../src/kernels/raster/depth_map.h"
 #include "../../../src/kernels/raster/shadow_test_margin.h"
@@ -202,8 +202,8 @@ static ts_receiver random_receiver(const mesh *m, const ts_offscreen *view, cons
 	return r;
 }
 
-/* What a port may answer that has the receiver up to a step of the eye aside, `pixel` world units wide on the surface, the
- * map a step of its own, and depths that went with the surface. */
+/* What a port may answer that has the receiver up to a step of the eye aside, `pixel` world units wide on the surface,
+ * the map a step of its own, and depths that went with the surface. */
 static bool other_reaches(const ts_shadow_test_args *args, const ts_offscreen *view, const ts_receiver *at,
                           double pixel, double z, double slope)
 {

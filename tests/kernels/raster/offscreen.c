@@ -1,5 +1,5 @@
-/* Visibility in off-screen views: what projects into an image has its bit, the paper's test by its words, the same bits as
- * the cubes' own kernel, and what a view leaves out. */
+/* Visibility in off-screen views: what projects into an image has its bit, the paper's test by its words, the same bits
+ * as the cubes' own kernel, and what a view leaves out. */
 #include "../points/views.h"
 #include "../../../src/kernels/raster/visibility.h"
 
@@ -177,8 +177,8 @@ static void test_words(void **state)
 	}
 }
 
-/* One-sided backs are left out, judged from the eye or along the rays; so are the view's own object, triangles without area,
- * and everything if the view has no size. */
+/* One-sided backs are left out, judged from the eye or along the rays; so are the view's own object, triangles without
+ * area, and everything if the view has no size. */
 static void test_left_out(void **state)
 {
 	(void)state;

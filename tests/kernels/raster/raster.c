@@ -306,8 +306,8 @@ static void test_nothing_missed(void **state)
 	assert_int_equal(n_missed[1], 0);
 }
 
-/* An orthographic view: the projection is a multiple of the place on its axes, whatever the depth; out of sight is what its
- * box does not reach; and a fragment shows what the ray through its pixel meets. */
+/* An orthographic view: the projection is a multiple of the place on its axes, whatever the depth; out of sight is what
+ * its box does not reach; and a fragment shows what the ray through its pixel meets. */
 static void test_orthographic(void **state)
 {
 	(void)state;

@@ -87,8 +87,8 @@ static void draw_plane(const ts_offscreen *view, const ts_receiver *at)
 	ts_k_depth_map_item(&args, 0);
 }
 
-/* With the default bias no point of a plane is in its own shadow, up to the slope where the bias ends; without bias about
- * half of them are; what is far enough behind is, with the bias. */
+/* With the default bias no point of a plane is in its own shadow, up to the slope where the bias ends; without bias
+ * about half of them are; what is far enough behind is, with the bias. */
 static void test_own_shadow(void **state)
 {
 	(void)state;

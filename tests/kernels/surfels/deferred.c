@@ -1,6 +1,6 @@
-/* The margins of deferred shading against ports that round otherwise: outlines and tones in double precision, of numbers
- * that are off by up to 4 ulps, each its own way, on a G-buffer whose steps, drops and cosines nearly tie. Whatever that
- * changes is undecided, most is decided, and a port of other thresholds differs where it is. */
+/* The margins of deferred shading against ports that round otherwise: outlines and tones in double precision, of
+ * numbers that are off by up to 4 ulps, each its own way, on a G-buffer whose steps, drops and cosines nearly tie.
+ * Whatever that changes is undecided, most is decided, and a port of other thresholds differs where it is. */
 #include <string.h>
 #include "../../../src/backends/args.h"
 #include "../../../src/kernels/surfels/deferred_margin.h"
@@ -28,8 +28,8 @@ static f32 nearly(f32 x)
 	return x != 0 ? ts_u2f(ts_f2u(x) + (u32)ulps) : (f32)ulps / 8388608;
 }
 
-/* The eye is in the origin; each is as deep as another by the step, and as far below it as the drop, or nearly; and some are
- * less near to that. */
+/* The eye is in the origin; each is as deep as another by the step, and as far below it as the drop, or nearly; and
+ * some are less near to that. */
 static void fill(void)
 {
 	for (u32 i = 0; i < N; i++) {

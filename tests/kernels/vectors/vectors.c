@@ -1,5 +1,5 @@
-/* The kernels of the arithmetic vectors: each primitive of the lists is the one of that place and name in the tables, and
- * gives the rows that ts_vector_make gives, whatever the threads. */
+/* The kernels of the arithmetic vectors: each primitive of the lists is the one of that place and name in the tables,
+ * and gives the rows that ts_vector_make gives, whatever the threads. */
 #include "../../model/test.h"
 #include "../../../src/backends/kernels.h"
 #include "../../../src/backends/backend.h"

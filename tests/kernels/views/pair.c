@@ -1,5 +1,5 @@
-/* Pairs of nodes: nothing that a view could see is culled, equivalent pairs fall into the same texel of all views or the
- * next, and splitting keeps the views' ball no larger than the scene's: FIGURES 10. */
+/* Pairs of nodes: nothing that a view could see is culled, equivalent pairs fall into the same texel of all views or
+ * the next, and splitting keeps the views' ball no larger than the scene's: FIGURES 10. */
 #include "../../../src/kernels/views/pair.h"
 #include "../seeded.h"
 

@@ -1,5 +1,6 @@
-/* Voxels that triangles touch, against another way to tell: a triangle meets a box if one of its edges does, or if one of
- * the box's edges meets it; in integers, so without doubt. The root cube and its lattice; Morton codes, bit by bit. */
+/* Voxels that triangles touch, against another way to tell: a triangle meets a box if one of its edges does, or if one
+ * of the box's edges meets it; in integers, so without doubt. The root cube and its lattice; Morton codes, bit by
+ * bit. */
 #include <stdlib.h>
 #include <string.h>
 #include "../../../src/kernels/views/voxel.h"
@@ -72,7 +73,8 @@ static bool meets(const point t[3], const i64 voxel[3])
 	return false;
 }
 
-/* Corners that lie anywhere, near each other, on faces of voxels, in a plane across an axis, on a line, or in a point. */
+/* Corners that lie anywhere, near each other, on faces of voxels, in a plane across an axis, on a line, or in a
+ * point. */
 static void fill(point t[3], u32 kind, i64 steps, i64 near)
 {
 	i64 grid = kind % 3 == 1 ? TS_VOXEL : kind % 3 == 2 ? TS_VOXEL / 2 : 1;
@@ -236,8 +238,8 @@ static ts_root root_of(const ts_vertex *vertices, u32 n, bool backwards)
 	return root;
 }
 
-/* Every vertex is inside by at least a half voxel of the finest lattice, wherever the scene is; and snapping moves it by
- * little more than half a step. */
+/* Every vertex is inside by at least a half voxel of the finest lattice, wherever the scene is; and snapping moves it
+ * by little more than half a step. */
 static void test_root(void **state)
 {
 	(void)state;

@@ -1,5 +1,5 @@
-/* Shadows in the small map of one light, over a floor and before a wall of voxels, held against straight lines in double
- * precision: what stops light by its tangent plane, and by distance alone. */
+/* Shadows in the small map of one light, over a floor and before a wall of voxels, held against straight lines in
+ * double precision: what stops light by its tangent plane, and by distance alone. */
 #include "../small.h"
 #include "../../../src/kernels/views/vpl_gather.h"
 
@@ -50,7 +50,8 @@ static void make(world *w, ts_v3 at, bool wall)
 	                               .bias_px = 1};
 }
 
-/* Places of the floor that light reaches though a line to them crosses the wall, and that it does not reach otherwise. */
+/* Places of the floor that light reaches though a line to them crosses the wall, and that it does not reach
+ * otherwise. */
 typedef struct {
 	u32 leaks, shadows, behind, open;
 } faults;
@@ -90,8 +91,8 @@ static faults judge(bool wall, bool by_plane, f32 slope)
 	return r;
 }
 
-/* A floor throws no shadow on itself, however little of it a texel tells apart; by distance alone it does, unless places far
- * behind what is shown are lit as well. */
+/* A floor throws no shadow on itself, however little of it a texel tells apart; by distance alone it does, unless
+ * places far behind what is shown are lit as well. */
 static void test_floor(void **state)
 {
 	(void)state;

@@ -1,6 +1,6 @@
 /* Screen-space approximate Gaussian hulls and the light they approximate, as whole runs: the same bits on any number of
- * threads; views of every light; the counters; pictures that look alike; what is refused; and skies, lamps and colours that
- * are not there. */
+ * threads; views of every light; the counters; pictures that look alike; what is refused; and skies, lamps and colours
+ * that are not there. */
 #include "../small.h"
 #include <math.h>
 #include "../../../src/kernels/hulls/segment_box.h"
@@ -199,8 +199,8 @@ static u64 count_unlit(const ts_run *run)
 	return n;
 }
 
-/* An image larger than the grid, and not a multiple of it: some pixels no segment holds. Boxes are of their own block, and
- * hold the pixel, where the paper has one. */
+/* An image larger than the grid, and not a multiple of it: some pixels no segment holds. Boxes are of their own block,
+ * and hold the pixel, where the paper has one. */
 static void test_surface(void **state)
 {
 	(void)state;

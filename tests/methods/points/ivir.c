@@ -1,5 +1,5 @@
-/* iVIR, VIR and shadows from depth maps as whole runs: the same bits on any number of threads, in passes of any size and
- * with points stored or not; the counters; the papers' claims that hold for every scene; and what is refused. */
+/* iVIR, VIR and shadows from depth maps as whole runs: the same bits on any number of threads, in passes of any size
+ * and with points stored or not; the counters; the papers' claims that hold for every scene; and what is refused. */
 #include "../small.h"
 #include <math.h>
 #include "../../../src/kernels/base/area.h"

@@ -113,7 +113,8 @@ static void points_without_a_radius_ask_their_neighbours(void **state)
 	ts_build_free(build);
 }
 
-/* A point of every type: x char, y uchar, z short, nx ushort, ny int, nz uint, radius double, red float, green, blue. */
+/* A point of every type: x char, y uchar, z short, nx ushort, ny int, nz uint, radius double, red float, green,
+ * blue. */
 #define TYPED(format) \
 	"ply\nformat " format " 1.0\nelement vertex 2\nproperty char x\nproperty uchar y\nproperty short z\n" \
 	"property ushort nx\nproperty int ny\nproperty uint nz\nproperty double radius\nproperty float red\n" \

@@ -1,5 +1,6 @@
-/* `bench ssagh-7`: the error of each way to integrate a spherical Gaussian with the cosine, over all angles between the two;
- * SSAGH's figure 7. Quadrature and methods are the kernels', in single precision: errors below 1e-6 are its rounding. */
+/* `bench ssagh-7`: the error of each way to integrate a spherical Gaussian with the cosine, over all angles between the
+ * two; SSAGH's figure 7. Quadrature and methods are the kernels', in single precision: errors below 1e-6 are its
+ * rounding. */
 #include <math.h>
 #include "../../../kernels/hulls/gaussian.h"
 #include "benches.h"
@@ -36,7 +37,8 @@ static const claim claims[] = {
 };
 
 static const ts_column columns[] = { { "lambda", "lambda", true }, { "ssagh", "SSAGH", true },
-	{ "constant", "constant", true }, { "gaussian", "Gaussian", true }, { "ssagh_solid", "by solid angle: SSAGH", true },
+	{ "constant", "constant", true }, { "gaussian", "Gaussian", true },
+	{ "ssagh_solid", "by solid angle: SSAGH", true },
 	{ "constant_solid", "constant", true }, { "gaussian_solid", "Gaussian", true }, { 0 } };
 
 static const ts_column claim_columns[] = { { "what", "greatest RMSE of", false }, { "lambda", "at lambda", true },

@@ -1,5 +1,6 @@
-/* `bench ssagh-5`: the curves c and s of SSAGH's figure 5, out of quadrature and in closed form. c is A_h brought to [0, 1]
- * by A_b and A_u, s what is left of it between the clamped cosine and that over the whole sphere (eqs 15 and 16). */
+/* `bench ssagh-5`: the curves c and s of SSAGH's figure 5, out of quadrature and in closed form. c is A_h brought to
+ * [0, 1] by A_b and A_u, s what is left of it between the clamped cosine and that over the whole sphere (eqs 15 and
+ * 16). */
 #include <math.h>
 #include "../../../kernels/hulls/gaussian.h"
 #include "benches.h"
@@ -19,8 +20,8 @@ typedef struct {
 
 /* clang-format off */
 #define PAIR(name, lambda) { name "_" lambda, name " " lambda, true }, { name "_closed_" lambda, "closed", true }
-#define COLUMNS(name) { { "beta", "beta", true }, PAIR(name, "0.1"), PAIR(name, "1"), PAIR(name, "5"), PAIR(name, "20"), \
-	PAIR(name, "200"), { 0 } }
+#define COLUMNS(name) { { "beta", "beta", true }, PAIR(name, "0.1"), PAIR(name, "1"), PAIR(name, "5"), \
+	PAIR(name, "20"), PAIR(name, "200"), { 0 } }
 /* clang-format on */
 static const ts_column c_columns[] = COLUMNS("c"), s_columns[] = COLUMNS("s");
 

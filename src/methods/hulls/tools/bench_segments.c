@@ -1,5 +1,5 @@
-/* `bench ssagh-segments`: how many labels the four sweeps of SSAGH's algorithm 1 leave of the depth of whole images, beside
- * the connected components that they stand for. */
+/* `bench ssagh-segments`: how many labels the four sweeps of SSAGH's algorithm 1 leave of the depth of whole images,
+ * beside the connected components that they stand for. */
 #include <stdlib.h>
 #include <string.h>
 #include "../../../kernels/hulls/segment.h"
@@ -21,8 +21,9 @@ typedef struct {
 } work;
 
 /* clang-format off */
-static const ts_column columns[] = { { "scene", "scene", false }, { "of", "of blocks", false }, { "blocks", "blocks", true },
-	{ "labels", "labels a block", true }, { "components", "components", true }, { "excess", "excess", true },
+static const ts_column columns[] = { { "scene", "scene", false }, { "of", "of blocks", false },
+	{ "blocks", "blocks", true }, { "labels", "labels a block", true }, { "components", "components", true },
+	{ "excess", "excess", true },
 	{ "most_excess", "most excess", true }, { "most_labels", "most labels", true },
 	{ "most_components", "most components", true }, { "equal_percent", "as many, %", true },
 	{ "joined", "joined", true }, { 0 } };

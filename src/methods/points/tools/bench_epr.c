@@ -1,6 +1,6 @@
-/* The EPR paper's tables. Some of its cells contradict others and are kept as printed: Gallery's ratio with one mirror would
- * be 4.23 by its own operations; Breakfast's error of iVIR with 10 mirrors is 2.49 beside 0.31 with 20; iVIR's times with 20
- * mirrors in Sponza give 3.44, not 2.72. */
+/* The EPR paper's tables. Some of its cells contradict others and are kept as printed: Gallery's ratio with one mirror
+ * would be 4.23 by its own operations; Breakfast's error of iVIR with 10 mirrors is 2.49 beside 0.31 with 20; iVIR's
+ * times with 20 mirrors in Sponza give 3.44, not 2.72. */
 #include "benches.h"
 
 /* Table 1. */
@@ -54,7 +54,8 @@ const ts_paper_table ts_epr_1 = {
 	.parts = work_parts, .rows = work_rows,
 };
 
-/* Table 2. Faces as large as the image asks for are EPR's own (EPR section 4.2): iVIR's points there are those of 512. */
+/* Table 2. Faces as large as the image asks for are EPR's own (EPR section 4.2): iVIR's points there are those of
+ * 512. */
 static const ts_bench_variant variants[] = {
 	[M_EPR] = { "epr", "lookup.bounces=1", true, TS_TIMED },
 	[M_MVR] = { "mvr", "lookup.bounces=1", true, TS_TIMED },

@@ -54,9 +54,9 @@ static const ts_paper_relation mirror_relations[] = {
 };
 
 #define MIRROR(scene, builtin, n, triangles, points, ms, bufferless, buffered, vir_points, vir_point_ms, vir, mvr) \
-	{ scene, builtin, builtin, n, { [C_TRIANGLES] = triangles, [C_POINTS] = points, [C_POINT_MS] = ms, [C_MS] = bufferless, \
-	  [C_STORED_MS] = buffered, [C_VIR_POINTS] = vir_points, [C_VIR_POINT_MS] = vir_point_ms, [C_VIR_MS] = vir, \
-	  [C_MVR_MS] = mvr } }
+	{ scene, builtin, builtin, n, { [C_TRIANGLES] = triangles, [C_POINTS] = points, [C_POINT_MS] = ms, \
+	  [C_MS] = bufferless, [C_STORED_MS] = buffered, [C_VIR_POINTS] = vir_points, \
+	  [C_VIR_POINT_MS] = vir_point_ms, [C_VIR_MS] = vir, [C_MVR_MS] = mvr } }
 
 static const ts_paper_row mirror_rows[] = {
 	MIRROR("Dining", "dining", 1, 1.57e6, 1.28e6, 1.46, 2.68, 2.60, 15.07e6, 13.34, 17.01, 3.94),

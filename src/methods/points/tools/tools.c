@@ -65,11 +65,13 @@ static const ts_bench_row benches[] = {
 
 /* clang-format off */
 static const ts_probe_part parts[] = {
-	{TS_PROBE_PIXEL, "lookup", ts_probe_epr_pixel, "what samples of a mirror looked up, and the bounces behind it", NULL},
+	{TS_PROBE_PIXEL, "lookup", ts_probe_epr_pixel, "what samples of a mirror looked up, and the bounces behind it",
+	NULL},
 	{TS_PROBE_PIXEL, "cube_face", ts_probe_mvr_pixel, "what a mirror looked up in the levels of its cube", NULL},
 	{TS_PROBE_PIXEL, "pcss", ts_probe_pcss_pixel, "of each light the blockers, and how wide its taps are spread", NULL},
 	{TS_PROBE_TEXEL, "splat", ts_probe_epr_texel, "the points that competed for it", &ts_probe_face},
-	{TS_PROBE_TEXEL, "cube_face", ts_probe_mvr_texel, "the triangles that competed for it, and its light", &ts_probe_face},
+	{TS_PROBE_TEXEL, "cube_face", ts_probe_mvr_texel, "the triangles that competed for it, and its light",
+	&ts_probe_face},
 	{TS_PROBE_TRIANGLE, "splat", ts_probe_epr_triangle, "its pieces and points, and which stage lost it", NULL},
 	{TS_PROBE_TRIANGLE, "cube_face", ts_probe_mvr_triangle, "the texels that it won, and who took the others", NULL},
 	{TS_PROBE_POINT, "splat", ts_probe_epr_point, "the texels that it won, and which stage lost it", NULL},

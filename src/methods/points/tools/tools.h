@@ -15,9 +15,9 @@ extern const ts_where_rule ts_points_places[];
 ts_status ts_points_view(const ts_run *run, const char *folder);
 
 /* Truths of reflections (truth_reflect.c). A: rays from the cube's centre along the very same directions as EPR's
- * samples, all params.lookup_bounces, own reflector masked. Reads pose.vertex, cube_size.face, eye.view and mirror_pixel.record; makes
- * shade.radiance (P x 3, tinted as in METHODS 2) in run->frame, from which stage `image` makes the picture. Fails
- * without memory. */
+ * samples, all params.lookup_bounces, own reflector masked. Reads pose.vertex, cube_size.face, eye.view and
+ * mirror_pixel.record; makes shade.radiance (P x 3, tinted as in METHODS 2) in run->frame, from which stage `image`
+ * makes the picture. Fails without memory. */
 ts_status ts_truth_a(ts_truth *truth, ts_run *run);
 /* B: the same with true reflections from the surface point, 25 rays a pixel; the own reflector may be hit. */
 ts_status ts_truth_b(ts_truth *truth, ts_run *run);
@@ -57,9 +57,9 @@ u64 ts_truth_shadow_bytes(const ts_pipeline *method, const ts_scene *scene, cons
 /* Off-screen buffers (truth_texels.c): a ray through the centre of every texel. Triangles with an alpha mask do not
  * count, and depths are right within the shadow bias; leaks are also farther than the triangle is anywhere within
  * half a texel of the centre, and apart is also what reaches into the texel beside its centre. Reads also
- * offscreen.view or, of cubes, cube_size.face. With points.cull=off, and density.rate, points.snap, visibility.test and points.conservative as they are by
- * default, there are no holes and no leaks, unless density.capped is counted. Never fails but with the device that
- * the buffer is on. */
+ * offscreen.view or, of cubes, cube_size.face. With points.cull=off, and density.rate, points.snap, visibility.test and
+ * points.conservative as they are by default, there are no holes and no leaks, unless density.capped is counted. Never
+ * fails but with the device that the buffer is on. */
 ts_status ts_truth_texels(ts_texel_counts *counts, ts_truth *truth, const ts_run *run, ts_buffer_id id);
 
 #endif

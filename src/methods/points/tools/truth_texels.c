@@ -1,11 +1,11 @@
 /* Off-screen buffers against rays through the centres of their texels: holes, leaks and wrong depths (METHODS 17).
  *
- * The theorem behind density.rate=watertight: let the ray hit triangle t, in front, at x. The squares of the lattice of t's
- * piece cover it, so x is in one whose sample, moved to the piece if need be, is within sqrt(1/2) / s of x; no way of
- * that length on t is longer than half a texel in the image, so t has a sample within half a texel of the centre,
+ * The theorem behind density.rate=watertight: let the ray hit triangle t, in front, at x. The squares of the lattice of
+ * t's piece cover it, so x is in one whose sample, moved to the piece if need be, is within sqrt(1/2) / s of x; no way
+ * of that length on t is longer than half a texel in the image, so t has a sample within half a texel of the centre,
  * which is in the texel. So the texel holds something, and nothing farther than t is anywhere within half a texel of
- * its centre. That holds for all triangles that are neither culled, nor capped, nor masked; not for their parts
- * before the near plane. */
+ * its centre. That holds for all triangles that are neither culled, nor capped, nor masked; not for their parts before
+ * the near plane. */
 #include <float.h>
 #include <math.h>
 #include <omp.h>

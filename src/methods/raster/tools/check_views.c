@@ -1,7 +1,7 @@
-/* eye.view has the size of the picture; cube_size.face has no face larger than the parameters allow, and offsets that are
- * the sums of 6 n^2: texels are addressed by both. offscreen.view: the same, square, six a cube where there are cubes,
- * of stage deferred.lit one a light and six a point light; lights of stage shadow_test. lamp.shape: samples, of stage
- * lamp.view one a view, in order, for views are written where they say. lamp.light: at least one, and its kind.
+/* eye.view has the size of the picture; cube_size.face has no face larger than the parameters allow, and offsets that
+ * are the sums of 6 n^2: texels are addressed by both. offscreen.view: the same, square, six a cube where there are
+ * cubes, of stage deferred.lit one a light and six a point light; lights of stage shadow_test. lamp.shape: samples, of
+ * stage lamp.view one a view, in order, for views are written where they say. lamp.light: at least one, and its kind.
  * shadow_test.lit: at most the samples. */
 #include <inttypes.h>
 #include "../../stages.h"

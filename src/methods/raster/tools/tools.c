@@ -14,7 +14,8 @@ static const ts_margin_rule margins[] = {
 
 /* clang-format off */
 static const ts_probe_part parts[] = {
-	{TS_PROBE_PIXEL, "shadow_test", ts_probe_shadow_pixel, "what each sample of each light found in its depth map", NULL},
+	{TS_PROBE_PIXEL, "shadow_test", ts_probe_shadow_pixel, "what each sample of each light found in its depth map",
+	NULL},
 	{0},
 };
 /* clang-format on */

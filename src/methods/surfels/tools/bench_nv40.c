@@ -29,7 +29,8 @@ enum { SURFELS = 4 * SHADERS, NPR_COST, NPR_SHADOW_COST, SHADOW_COST, FILTER_COS
 	RATE((first) + NPR_SHADOW, "npr_shadow" key, "NPR, shadows")
 
 static const ts_bench_figure figures[] = {
-	RATES(M_BOTH, ""), RATES(M_OBJECT, "_object"), RATES(M_BOTH_ALONE, "_alone"), RATES(M_OBJECT_ALONE, "_object_alone"),
+	RATES(M_BOTH, ""), RATES(M_OBJECT, "_object"), RATES(M_BOTH_ALONE, "_alone"),
+	RATES(M_OBJECT_ALONE, "_object_alone"),
 	[SURFELS] = { "surfels", "surfels", TS_FIGURE_SURFELS, 0, 0, TS_WHOLE, "" },
 	[NPR_COST] = { "npr_ratio", "NPR / Phong", TS_FIGURE_RATIO, NPR, PHONG, 3, "" },
 	[NPR_SHADOW_COST] = { "npr_shadow_ratio", "with shadows", TS_FIGURE_RATIO, NPR_SHADOW, PHONG_SHADOW, 3, "" },

@@ -6,16 +6,17 @@
 
 extern const ts_check_rule ts_surfels_checks[];
 
-/* Truths of surfels (truth_surfels.c), in a run of their own: the mean of params.truth_grid_rays^2 pictures, each by rays
- * through one place of a regular grid in every pixel. `discs` casts them into the surfels, `surface` into what these
- * are samples of, which must be known. *radiance: width * height * 3 floats, by free(). NULL on failure: no memory,
- * or Embree's error. */
+/* Truths of surfels (truth_surfels.c), in a run of their own: the mean of params.truth_grid_rays^2 pictures, each by
+ * rays through one place of a regular grid in every pixel. `discs` casts them into the surfels, `surface` into what
+ * these are samples of, which must be known. *radiance: width * height * 3 floats, by free(). NULL on failure: no
+ * memory, or Embree's error. */
 ts_status ts_truth_discs(f32 **radiance, const ts_scene *scene, const ts_params *params, u32 threads);
 ts_status ts_truth_surface(f32 **radiance, const ts_scene *scene, const ts_params *params, u32 threads);
 /* What they are estimated to need of memory beside the mean of their pictures: a picture, and the tree of `discs`. */
 u64 ts_truth_discs_bytes(const ts_pipeline *method, const ts_scene *scene, const ts_params *params);
 u64 ts_truth_surface_bytes(const ts_pipeline *method, const ts_scene *scene, const ts_params *params);
-/* True if the surfels were sampled from the scene's triangles (params.surfels_from_mesh), or are the built-in checkerboard. */
+/* True if the surfels were sampled from the scene's triangles (params.surfels_from_mesh), or are the built-in
+ * checkerboard. */
 bool ts_truth_has_surface(const ts_scene *scene, const ts_params *params);
 
 #endif

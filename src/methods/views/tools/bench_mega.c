@@ -17,9 +17,9 @@ static const ts_bench_variant variants[] = {
 
 enum { VIEWS, MS, LODS_MS, WIDE_MS, BRUTE_MS, SPEEDUP, CULLING, TREE_MS, GATHER_MS, LODS_GATHER_MS, MS_GROWTH,
 	LODS_MS_GROWTH, PAIRS, LODS_PAIRS, BRUTE_PAIRS, SAVED, A_VIEW, LODS_A_VIEW, PAIRS_GROWTH, LODS_PAIRS_GROWTH, SERVED,
-	RENDERED, SHARING, CULLED, CULLED_SHARE, WIDE_PAIRS, PAIRS_SAVED, WIDER, WIDER_SHARE, EMPTY, WIDE_EMPTY, SCENE_LEAVES,
-	LEAVES, SCENE_MIB, TREE_MIB, QUEUE_MIB, MAPS_MIB, MIB, LODS_SCENE_MIB, LODS_VIEWS_MIB, LODS_QUEUE_MIB, LODS_MAPS_MIB,
-	LODS_MIB, LESS };
+	RENDERED, SHARING, CULLED, CULLED_SHARE, WIDE_PAIRS, PAIRS_SAVED, WIDER, WIDER_SHARE, EMPTY, WIDE_EMPTY,
+	SCENE_LEAVES, LEAVES, SCENE_MIB, TREE_MIB, QUEUE_MIB, MAPS_MIB, MIB, LODS_SCENE_MIB, LODS_VIEWS_MIB,
+	LODS_QUEUE_MIB, LODS_MAPS_MIB, LODS_MIB, LESS };
 
 static const ts_bench_figure figures[] = {
 	[VIEWS] = { "views", "views", TS_FIGURE_COUNTER, M_MEGA, 0, TS_WHOLE, "virtual point lights" },
@@ -32,7 +32,8 @@ static const ts_bench_figure figures[] = {
 	[TREE_MS] = { "hierarchy_ms", "hierarchy of views", TS_FIGURE_STAGE_TIME, M_MEGA, 0, 2,
 	              "view_octree.voxel,view_octree,view_octree.cone" },
 	[GATHER_MS] = { "gather_ms", "gathering", TS_FIGURE_STAGE_TIME, M_MEGA, 0, 2, "vpl_gather.pairs,vpl_gather" },
-	[LODS_GATHER_MS] = { "manylods_gather_ms", "ManyLoDs'", TS_FIGURE_STAGE_TIME, M_LODS, 0, 2, "vpl_gather.pairs,vpl_gather" },
+	[LODS_GATHER_MS] = { "manylods_gather_ms", "ManyLoDs'", TS_FIGURE_STAGE_TIME, M_LODS, 0, 2,
+	  "vpl_gather.pairs,vpl_gather" },
 	[MS_GROWTH] = { "ms_exponent", "exponent", TS_FIGURE_GROWTH, MS, VIEWS, 3, "" },
 	[LODS_MS_GROWTH] = { "manylods_ms_exponent", "ManyLoDs'", TS_FIGURE_GROWTH, LODS_MS, VIEWS, 3, "" },
 	[PAIRS] = { "pairs", "pairs", TS_FIGURE_COUNTER, M_MEGA, 0, TS_WHOLE, "pairs" },
@@ -57,12 +58,14 @@ static const ts_bench_figure figures[] = {
 	[SCENE_LEAVES] = { "scene_leaves", "leaves of the scene", TS_FIGURE_COUNTER, M_MEGA, 0, TS_WHOLE, "scene leaves" },
 	[LEAVES] = { "leaves", "of views", TS_FIGURE_COUNTER, M_MEGA, 0, TS_WHOLE, "view leaves" },
 	[SCENE_MIB] = { "scene_mib", "scene", TS_FIGURE_BUFFERS, M_MEGA, 0, 1, "voxel,octree" },
-	[TREE_MIB] = { "views_mib", "views", TS_FIGURE_BUFFERS, M_MEGA, 0, 1, "view_octree.voxel,view_octree,view_octree.cone" },
+	[TREE_MIB] = { "views_mib", "views", TS_FIGURE_BUFFERS, M_MEGA, 0, 1,
+	  "view_octree.voxel,view_octree,view_octree.cone" },
 	[QUEUE_MIB] = { "queue_mib", "queue", TS_FIGURE_MEMORY, M_MEGA, 8, 1, "longest queue" },
 	[MAPS_MIB] = { "maps_mib", "maps", TS_FIGURE_BUFFERS, M_MEGA, 0, 1, "view_map,view_map.fuse" },
 	[MIB] = { "mib", "all", TS_FIGURE_SUM, SCENE_MIB, MAPS_MIB, 1, "" },
 	[LODS_SCENE_MIB] = { "manylods_scene_mib", "scene", TS_FIGURE_BUFFERS, M_LODS, 0, 1, "voxel,octree" },
-	[LODS_VIEWS_MIB] = { "manylods_views_mib", "views", TS_FIGURE_BUFFERS, M_LODS, 0, 1, "view_octree,view_octree.cone" },
+	[LODS_VIEWS_MIB] = { "manylods_views_mib", "views", TS_FIGURE_BUFFERS, M_LODS, 0, 1,
+	  "view_octree,view_octree.cone" },
 	[LODS_QUEUE_MIB] = { "manylods_queue_mib", "queue", TS_FIGURE_MEMORY, M_LODS, 8, 1, "longest queue" },
 	[LODS_MAPS_MIB] = { "manylods_maps_mib", "maps", TS_FIGURE_BUFFERS, M_LODS, 0, 1, "view_map,view_map.fuse" },
 	[LODS_MIB] = { "manylods_mib", "all", TS_FIGURE_SUM, LODS_SCENE_MIB, LODS_MAPS_MIB, 1, "" },
@@ -71,19 +74,19 @@ static const ts_bench_figure figures[] = {
 };
 
 static const ts_paper_part parts[] = {
-	{ "mega_10", "MegaViews, figure 10: maps, ms; exponents of views since the row above", { VIEWS, MS, LODS_MS, SPEEDUP,
-	  MS_GROWTH, LODS_MS_GROWTH, WIDE_MS, CULLING, TS_NO_FIGURE } },
+	{ "mega_10", "MegaViews, figure 10: maps, ms; exponents of views since the row above", { VIEWS, MS, LODS_MS,
+	  SPEEDUP, MS_GROWTH, LODS_MS_GROWTH, WIDE_MS, CULLING, TS_NO_FIGURE } },
 	{ "mega_10_ms", "The rest, ms", { BRUTE_MS, TREE_MS, GATHER_MS, LODS_GATHER_MS, TS_NO_FIGURE } },
-	{ "mega_10_pairs", "Pairs, and ManyLoDs'", { PAIRS, LODS_PAIRS, BRUTE_PAIRS, SAVED, A_VIEW, LODS_A_VIEW, PAIRS_GROWTH,
-	  LODS_PAIRS_GROWTH, TS_NO_FIGURE } },
+	{ "mega_10_pairs", "Pairs, and ManyLoDs'", { PAIRS, LODS_PAIRS, BRUTE_PAIRS, SAVED, A_VIEW, LODS_A_VIEW,
+	  PAIRS_GROWTH, LODS_PAIRS_GROWTH, TS_NO_FIGURE } },
 	{ "mega_10_fates", "What becomes of pairs", { RENDERED, WIDER, WIDER_SHARE, CULLED, CULLED_SHARE, WIDE_PAIRS,
 	  PAIRS_SAVED, TS_NO_FIGURE } },
 	{ "mega_10_sharing", "Views of rendered pairs, and texels of whole maps of leaves", { SERVED, SHARING, EMPTY,
 	  WIDE_EMPTY, TS_NO_FIGURE } },
 	{ "mega_10_mib", "Memory of MegaViews, MiB: octrees, queue at its longest, maps of all nodes and whole ones", {
 	  SCENE_LEAVES, LEAVES, SCENE_MIB, TREE_MIB, QUEUE_MIB, MAPS_MIB, MIB, TS_NO_FIGURE } },
-	{ "mega_10_manylods_mib", "Memory of ManyLoDs, MiB", { LODS_SCENE_MIB, LODS_VIEWS_MIB, LODS_QUEUE_MIB, LODS_MAPS_MIB,
-	  LODS_MIB, LESS, TS_NO_FIGURE } },
+	{ "mega_10_manylods_mib", "Memory of ManyLoDs, MiB", { LODS_SCENE_MIB, LODS_VIEWS_MIB, LODS_QUEUE_MIB,
+	  LODS_MAPS_MIB, LODS_MIB, LESS, TS_NO_FIGURE } },
 	{ 0 },
 };
 
@@ -104,7 +107,8 @@ static const ts_paper_relation relations[] = {
 	{ "views that share a pair, from row to row", SHARING, TS_GROWS, 1, 0, ALL, "differs: it falls", SHARING },
 	{ "time that culling saves, %", CULLING, TS_BETWEEN, 0, 20, ALL, "a busy machine, or more or less is behind views",
 	  PAIRS_SAVED },
-	{ "pairs that culling saves, %", PAIRS_SAVED, TS_BETWEEN, 0, 20, ALL, "more or less is behind views", CULLED_SHARE },
+	{ "pairs that culling saves, %", PAIRS_SAVED, TS_BETWEEN, 0, 20, ALL, "more or less is behind views",
+	  CULLED_SHARE },
 	{ "rendered pairs wider than a texel, %", WIDER_SHARE, TS_AT_MOST, 0, 5, ALL, "larger leaves than the paper's",
 	  SCENE_LEAVES },
 	{ "empty texels of maps of all directions, %", WIDE_EMPTY, TS_BETWEEN, 25, 35, ALL,
@@ -140,10 +144,13 @@ static const ts_paper_plot plot = {"views", "maps, ms", VIEWS, {MS, LODS_MS, BRU
 
 /* clang-format off */
 const ts_paper_table ts_mega_10 = {
-	.name = "mega-10", .title = "MegaViews, figure 10", .effect = "indirect", .scenes = "atrium", .objects_head = "paths",
-	.objects_param = "vpl.paths", .objects = "256,1024,4096", .most = 1 << 24, .most_long = 1024, .set = "reflectors.count=0",
+	.name = "mega-10", .title = "MegaViews, figure 10", .effect = "indirect", .scenes = "atrium",
+	.objects_head = "paths",
+	.objects_param = "vpl.paths", .objects = "256,1024,4096", .most = 1 << 24, .most_long = 1024,
+	.set = "reflectors.count=0",
 	.defaults = "octree.levels=7,rsm.px=256", .size = "width=320,height=180", .timed = true,
-	.note = "A path leaves vpl.bounces views; the paper has 1 or 4, and 11 levels. Brute force, one run, up to 1024 paths.",
+	.note = "A path leaves vpl.bounces views; the paper has 1 or 4, and 11 levels. Brute force, one run, up to 1024 "
+	"paths.",
 	.look = empty_share, .variants = variants, .figures = figures, .parts = parts, .relations = relations,
 	.plot = &plot, .rows = rows,
 };

@@ -17,8 +17,8 @@ static const ts_bench_figure side_figures[] = {
 };
 
 static const ts_paper_part side_parts[] = {
-	{ "mega_12", "MegaViews, figure 12: maps, ms; exponents of texels a side since the row above", { MS, LODS_MS, SPEEDUP,
-	  MS_GROWTH, LODS_MS_GROWTH, RMSE, TS_NO_FIGURE } },
+	{ "mega_12", "MegaViews, figure 12: maps, ms; exponents of texels a side since the row above", { MS, LODS_MS,
+	  SPEEDUP, MS_GROWTH, LODS_MS_GROWTH, RMSE, TS_NO_FIGURE } },
 	{ "mega_12_pairs", "Pairs, and ManyLoDs'", { PAIRS, LODS_PAIRS, SAVED, PAIRS_GROWTH, SHARING, SHARING_GROWTH,
 	  WIDER_SHARE, TS_NO_FIGURE } },
 	{ "mega_12_mib", "Memory", { QUEUE_MIB, MAPS_MIB, LODS_QUEUE_MIB, LODS_MAPS_MIB, MAPS_LESS,
@@ -59,8 +59,8 @@ static const ts_bench_figure level_figures[] = {
 };
 
 static const ts_paper_part level_parts[] = {
-	{ "mega_13", "MegaViews, figure 13: maps, ms; exponents of leaves of the scene since the row above", { X, MS, LODS_MS,
-	  SPEEDUP, MS_GROWTH, LODS_MS_GROWTH, RMSE, TS_NO_FIGURE } },
+	{ "mega_13", "MegaViews, figure 13: maps, ms; exponents of leaves of the scene since the row above", { X, MS,
+	  LODS_MS, SPEEDUP, MS_GROWTH, LODS_MS_GROWTH, RMSE, TS_NO_FIGURE } },
 	{ "mega_13_pairs", "Pairs, and ManyLoDs'", { PAIRS, LODS_PAIRS, SAVED, PAIRS_GROWTH, SHARING, WIDER, WIDER_SHARE,
 	  TS_NO_FIGURE } },
 	{ 0 },
@@ -103,8 +103,8 @@ static const ts_bench_variant gather_variants[] = {
 	{ 0 },
 };
 
-enum { LISTED, STRUCK, LISTED_AND_STRUCK, STRUCK_SHARE, LISTS_MS, GATHER_MS, EVERY_MS, NOISE, UNCULLED_NOISE, NOISE_RATIO,
-	LEVEL };
+enum { LISTED, STRUCK, LISTED_AND_STRUCK, STRUCK_SHARE, LISTS_MS, GATHER_MS, EVERY_MS, NOISE, UNCULLED_NOISE,
+	NOISE_RATIO, LEVEL };
 
 static const ts_bench_figure gather_figures[] = {
 	[LISTED] = { "listed", "left", TS_FIGURE_COUNTER, M_CULLED, 0, TS_WHOLE, "gather pairs" },
@@ -122,8 +122,8 @@ static const ts_bench_figure gather_figures[] = {
 };
 
 static const ts_paper_part gather_parts[] = {
-	{ "mega_16", "MegaViews, figure 16: nodes of views culled; RMSE to all lights, grey levels", { LISTED_AND_STRUCK, STRUCK,
-	  STRUCK_SHARE, LISTS_MS, GATHER_MS, EVERY_MS, NOISE, UNCULLED_NOISE, NOISE_RATIO, TS_NO_FIGURE } },
+	{ "mega_16", "MegaViews, figure 16: nodes of views culled; RMSE to all lights, grey levels", { LISTED_AND_STRUCK,
+	  STRUCK, STRUCK_SHARE, LISTS_MS, GATHER_MS, EVERY_MS, NOISE, UNCULLED_NOISE, NOISE_RATIO, TS_NO_FIGURE } },
 	{ 0 },
 };
 
@@ -147,9 +147,11 @@ static const ts_paper_plot gather_plot = {
 /* clang-format off */
 const ts_paper_table ts_mega_16 = {
 	.name = "mega-16", .title = "MegaViews, figure 16", .effect = "indirect", .scenes = "atrium",
-	.objects_head = "vpl_gather.level", .objects_param = "vpl_gather.level", .objects = "2,3,4,5,6", .set = "reflectors.count=0",
+	.objects_head = "vpl_gather.level", .objects_param = "vpl_gather.level", .objects = "2,3,4,5,6",
+	.set = "reflectors.count=0",
 	.defaults = "octree.levels=7,vpl.paths=1024,rsm.px=256", .size = "width=160,height=90",
-	.note = "The paper has a million views, 11 levels, and a cut-off: --set vpl_gather.cutoff=DISTANCE, beyond which light is lost.",
+	.note = "The paper has a million views, 11 levels, and a cut-off: --set vpl_gather.cutoff=DISTANCE, beyond which "
+	"light is lost.",
 	.variants = gather_variants, .figures = gather_figures, .parts = gather_parts, .relations = gather_relations,
 	.plot = &gather_plot, .rows = gather_rows,
 };

@@ -9,14 +9,14 @@ extern const ts_check_rule ts_views_checks[];
 /* Lists of views that pixels draw from (check_gather.c); cones must have been checked. */
 ts_status ts_check_gather(const ts_load *load, const ts_stage *stage, ts_buffer_id id);
 
-/* Truths of many lights (truth_vpls.c). All virtual point lights of params.vpl_paths, each with its distance bounded as in
- * vpl_gather, if nothing stands between pixel and light but within a leaf's diagonal of the light, which the methods
+/* Truths of many lights (truth_vpls.c). All virtual point lights of params.vpl_paths, each with its distance bounded as
+ * in vpl_gather, if nothing stands between pixel and light but within a leaf's diagonal of the light, which the methods
  * skip, too. Runs what makes them. Reads gbuffer.pixel; makes indirect.irradiance in run->frame, from which stage
  * `image.indirect` makes the picture. Fails without memory. */
 ts_status ts_truth_vpls(ts_truth *truth, ts_run *run);
 
-/* Truth of glowing particles: the same of all params.particle_count. Runs what comes before the particles of `effect`, in
- * a run that has just begun. */
+/* Truth of glowing particles: the same of all params.particle_count. Runs what comes before the particles of `effect`,
+ * in a run that has just begun. */
 ts_status ts_truth_particles_begin(ts_run *run, const char *effect);
 /* Reads gbuffer.pixel; makes the same. */
 ts_status ts_truth_glow(ts_truth *truth, ts_run *run);

@@ -1,5 +1,5 @@
-/* Truth of shadows: closed forms of a square and of a half plane between lamps and a floor, what stops light and what does
- * not, MVR, which tends to it as its depth maps grow, and more samples than an index holds. */
+/* Truth of shadows: closed forms of a square and of a half plane between lamps and a floor, what stops light and what
+ * does not, MVR, which tends to it as its depth maps grow, and more samples than an index holds. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -144,7 +144,8 @@ static void test_sides(void **state)
 	assert_int_equal(lit_below(TOP - 0.0005f, TWO_SIDED, true, TOP), all); /* before the near plane */
 }
 
-/* A floor does not shade itself, however low the lamp; what lies on it by a hair does. The eye is below the cover then. */
+/* A floor does not shade itself, however low the lamp; what lies on it by a hair does. The eye is below the cover
+ * then. */
 static void test_contact(void **state)
 {
 	(void)state;

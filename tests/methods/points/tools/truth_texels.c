@@ -45,7 +45,8 @@ static world *world_new(bool parallel)
 	return w;
 }
 
-/* Depth of the floor in a column: z = 4 + slope x, where x is z times the tangent, or orthographic the tangent itself. */
+/* Depth of the floor in a column: z = 4 + slope x, where x is z times the tangent, or orthographic the tangent
+ * itself. */
 static double floor_at(u32 column, bool parallel)
 {
 	double tangent = (column + 0.5 - SIDE / 2) / (SIDE / 2.0);
@@ -105,7 +106,8 @@ static void test_depths(void **state)
 	check_depths(true);
 }
 
-/* Without a bias all that a texel may hold is what its triangle does within half a texel: that is right, and more is not. */
+/* Without a bias all that a texel may hold is what its triangle does within half a texel: that is right, and more is
+ * not. */
 static void test_limit(void **state)
 {
 	(void)state;

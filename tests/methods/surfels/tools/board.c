@@ -1,6 +1,6 @@
-/* The filters of surfels by the truth of the built-in checkerboard: where its squares are small the screen filter halves the
- * error at least, and its approximation is as good as exact EWA (FIGURES 12). The same geometry as there, twice as
- * large: 5 surfels a square. */
+/* The filters of surfels by the truth of the built-in checkerboard: where its squares are small the screen filter
+ * halves the error at least, and its approximation is as good as exact EWA (FIGURES 12). The same geometry as there,
+ * twice as large: 5 surfels a square. */
 #include "../surfels.h"
 #include "../../../../src/methods/surfels/tools/tools.h"
 

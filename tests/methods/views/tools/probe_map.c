@@ -1,4 +1,5 @@
-/* Texels of maps of views, as the probe tells of them, against the buffers of the run and the same in double precision. */
+/* Texels of maps of views, as the probe tells of them, against the buffers of the run and the same in double
+ * precision. */
 #include "../../../probe/probed.h"
 
 enum { N_TRIED = 250 };
