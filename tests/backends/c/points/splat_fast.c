@@ -84,11 +84,11 @@ static void assert_equal(const mesh *m, const setting *s)
 	args.n_pieces = m->n_pieces;
 	assert_true(ts_c_fast_splat(&args, m->n_pieces, s->threads));
 	if (memcmp(plain, fast, n * sizeof *plain) != 0 || scatters[0] != scatters[1] || writes[0] != writes[1]) {
-		fail_msg(
-			"random %u: clip %u splat.plane_depth %u paper %u threads %u cubes %u half size %d samples %a: "
-			"scatters %lld %lld writes %lld %lld",
-			s->start, s->clip, s->plane_depth, s->paper_splat, s->threads, s->n_cubes, s->half_size, (double)s->samples,
-			(long long)scatters[0], (long long)scatters[1], (long long)writes[0], (long long)writes[1]);
+		fail_msg("random %u: clip %u splat.plane_depth %u paper %u threads %u cubes %u half size %d samples %a: "
+		         "scatters %lld %lld writes %lld %lld",
+		         s->start, s->clip, s->plane_depth, s->paper_splat, s->threads, s->n_cubes, s->half_size,
+		         (double)s->samples, (long long)scatters[0], (long long)scatters[1], (long long)writes[0],
+		         (long long)writes[1]);
 	}
 	free(plain);
 	free(fast);
