@@ -75,11 +75,15 @@ TS_FN bool ts_k_is_masked(const ts_arrays *scene, u32 triangle)
 }
 
 /* A masked sample with too little alpha is not there (METHODS 4). */
-TS_FN bool ts_k_is_cut(const ts_arrays *scene, u32 triangle, ts_v3 w, ts_v3 normal, f32 footprint)
+TS_CALL bool ts_k_is_below_cutoff(const ts_arrays *scene, u32 triangle, ts_v3 w, ts_v3 normal, f32 footprint)
 {
-	if (!ts_k_is_masked(scene, triangle)) return false;
 	ts_sample s = ts_k_sample(scene, triangle, w, normal, footprint);
 	return ts_k_alpha(scene, &s) < s.material->alpha_cutoff;
+}
+
+TS_FN bool ts_k_is_cut(const ts_arrays *scene, u32 triangle, ts_v3 w, ts_v3 normal, f32 footprint)
+{
+	return ts_k_is_masked(scene, triangle) && ts_k_is_below_cutoff(scene, triangle, w, normal, footprint);
 }
 
 /* T and the sign of B = cross(n, T) * handedness. T is zero where there is none. */
