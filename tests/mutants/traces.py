@@ -200,7 +200,7 @@ class Difference:
 		return None
 
 
-LINE = re.compile(r"stage (?P<number>\d\d) (?P<stage>\w+), buffer (?P<buffer>[\w.]+), (?P<what>.*?)"
+LINE = re.compile(r"stage (?P<number>\d\d) (?P<stage>[\w.]+), buffer (?P<buffer>[\w.]+), (?P<what>.*?)"
                   r"(?: — first of (?P<n>\d+)(?: missing, \d+ beside)?)?; (?P<inputs>(?:equal as far .*)?inputs .*)$")
 
 
