@@ -1,8 +1,7 @@
 /* Indirect light by many small views, as whole runs: the same bits on any number of threads and by queues of any
- * length; lists that leave no light out; light that tends to what every pixel gathers from triangles of light; the
- * filter; skies, lamps and octrees that are hardly there; maps by brute force against a second reckoning, and
- * against ManyLoDs; every stage from what it claims to read. */
-#include "../../../src/kernels/views/bilateral.h"
+ * length; lists that leave no light out; light that tends to what every pixel gathers from triangles of light; skies,
+ * lamps and octrees that are hardly there; maps by brute force against a second reckoning, and against ManyLoDs; every
+ * stage from what it claims to read. */
 #include "../small.h"
 #include <math.h>
 #include "../../../src/kernels/views/vpl_gather.h"
@@ -225,61 +224,6 @@ static void test_draws(void **state)
 	ts_run_end(&some);
 	ts_run_end(&open);
 	ts_scene_free(scene);
-}
-
-/* Of the same light everywhere nothing changes; of noise it is less; radius 0 leaves all as it is. */
-static void test_filter(void **state)
-{
-	(void)state;
-	ts_params params = tiny_params();
-	ts_scene *scene = small_scene(&params);
-	for (u32 k = 0; k < 3; k++) {
-		ts_run run;
-		run_of(&run, scene, &params, "megaviews");
-		run.params.bilateral_px = k == 2 ? 0 : 5;
-		f32 *light = ts_frame_data(&run.frame, TS_B_vpl_gather_irradiance);
-		u64 n = ts_frame_n(&run.frame, TS_B_vpl_gather_irradiance);
-		const ts_gpixel *pixels = ts_frame_data(&run.frame, TS_B_gbuffer_pixel);
-		for (u64 i = 0; i < n; i++) {
-			f32 noise = k == 0 ? 1 : ts_uniform(ts_random((u32)i, 6, k));
-			light[i] = pixels[i / 3].depth == TS_SKY ? 0 : noise;
-		}
-		assert_int_equal(ts_run_stage(&run, ts_stage_find("bilateral")), TS_OK);
-		double before = 0, after = 0;
-		for (u64 i = 0; i < n; i++) {
-			bool sky = pixels[i / 3].depth == TS_SKY;
-			f32 filtered = light_of(&run)[i];
-			if (k == 0) assert_true(fabsf(filtered - light[i]) < 1e-6f);
-			if (k == 2) assert_true(filtered == light[i]);
-			assert_true(filtered >= 0 && filtered <= 1 && (!sky || filtered == 0));
-			before += sky ? 0 : ((double)light[i] - 0.5) * ((double)light[i] - 0.5);
-			after += sky ? 0 : ((double)filtered - 0.5) * ((double)filtered - 0.5);
-		}
-		assert_true(k != 1 || after < before / 3);
-		ts_run_end(&run);
-	}
-	ts_scene_free(scene);
-}
-
-/* No light passes an edge: of two walls that meet only one is lit before. */
-static void test_edges(void **state)
-{
-	(void)state;
-	enum { SIDE = 16 };
-	ts_gpixel pixels[SIDE * SIDE] = {0};
-	f32 light[SIDE * SIDE * 3] = {0}, filtered[SIDE * SIDE * 3];
-	for (u32 i = 0; i < SIDE * SIDE; i++) {
-		bool left = i % SIDE < SIDE / 2;
-		f32 x = (f32)(i % SIDE) - SIDE / 2, y = (f32)(i / SIDE);
-		ts_store3(pixels[i].position, left ? ts_v3_make(x, y, 0) : ts_v3_make(0, y, x));
-		ts_store3(pixels[i].normal, left ? ts_v3_make(0, 0, 1) : ts_v3_make(-1, 0, 0));
-		for (u32 c = 0; c < 3; c++) light[3 * i + c] = left;
-	}
-	for (u32 columns = 0; columns < 2; columns++) {
-		ts_bilateral_args args = {pixels, light, filtered, SIDE, SIDE, 4, columns};
-		for (u64 i = 0; i < SIDE * SIDE; i++) ts_k_bilateral_item(&args, i);
-		for (u32 i = 0; i < SIDE * SIDE * 3; i++) assert_true(fabsf(filtered[i] - light[i]) < 1e-5f);
-	}
 }
 
 /* Nothing but sky; no light; one; octrees of a level. */
@@ -522,13 +466,10 @@ static void test_wide(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_threads),         cmocka_unit_test(test_claims),
-		cmocka_unit_test(test_lists),           cmocka_unit_test(test_cutoff),
-		cmocka_unit_test(test_units),           cmocka_unit_test(test_draws),
-		cmocka_unit_test(test_filter),          cmocka_unit_test(test_edges),
-		cmocka_unit_test(test_little),          cmocka_unit_test(test_memory),
-		cmocka_unit_test(test_memory_of_pairs), cmocka_unit_test(test_memory_of_paths),
-		cmocka_unit_test(test_brute),           cmocka_unit_test(test_wide),
+		cmocka_unit_test(test_threads),         cmocka_unit_test(test_claims), cmocka_unit_test(test_lists),
+		cmocka_unit_test(test_cutoff),          cmocka_unit_test(test_units),  cmocka_unit_test(test_draws),
+		cmocka_unit_test(test_little),          cmocka_unit_test(test_memory), cmocka_unit_test(test_memory_of_pairs),
+		cmocka_unit_test(test_memory_of_paths), cmocka_unit_test(test_brute),  cmocka_unit_test(test_wide),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
