@@ -4,6 +4,7 @@
 #include <string.h>
 #include "../../../src/kernels/views/octree.h"
 #include "../seeded.h"
+#include "../sums.h"
 
 enum { MOST = 4, LEAVES = 1 << (3 * MOST), NODES = LEAVES * 2, WORDS = 100 };
 
@@ -15,17 +16,6 @@ typedef struct {
 	u32 before[WORDS + 1], level[MOST + 2];
 	ts_node nodes[NODES];
 } tree;
-
-/* Counts become their prefix sums, the last of all n. */
-static inline void tree_sum(u32 *counts, u32 n)
-{
-	u32 total = 0;
-	for (u32 i = 0; i <= n; i++) {
-		u32 count = counts[i];
-		counts[i] = total;
-		total += i < n ? count : 0;
-	}
-}
 
 /* No leaves, anywhere. */
 static inline void tree_begin(tree *t, u32 levels)
@@ -46,7 +36,7 @@ static inline void tree_finish(tree *t)
 		for (u64 i = words; i-- > 0;) ts_k_mask_up_item(&up, i);
 	}
 	for (u64 i = 0; i < t->n_words; i++) ts_k_mask_count_item(&up, i);
-	tree_sum(t->before, t->n_words);
+	prefix_sums(t->before, t->n_words);
 	ts_octree_args args = {.root = &t->root,
 	                       .mask = t->mask,
 	                       .before = t->before,

@@ -45,7 +45,7 @@ static void make_tree(tree *t, views *v)
 	args.first_leaf = t->level[t->levels];
 	memset(v->offset, 0, sizeof v->offset);
 	for (u64 i = v->n; i-- > 0;) ts_k_view_octree_leaf_item(&args, i);
-	tree_sum(v->offset, t->n_leaves + 1);
+	prefix_sums(v->offset, t->n_leaves + 1);
 	for (u64 i = v->n; i-- > 0;) ts_k_view_octree_list_item(&args, i);
 	ts_sort_args sort = {.offset = v->offset, .entries = v->entries};
 	for (u64 i = 0; i < t->n_leaves; i++) ts_k_leaf_sort_item(&sort, i);

@@ -1,0 +1,49 @@
+/* A pipeline of tests: the two octrees of MegaViews, from the scene to the cones of the views. */
+#ifndef TS_TESTS_STAGES_OCTREES_H
+#define TS_TESTS_STAGES_OCTREES_H
+#include "../small.h"
+#include "../../../src/methods/raster/pipelines.h"
+#include "../../../src/methods/stages.h"
+#include "../../../src/methods/views/views.h"
+
+static const ts_step octrees_steps[] = {
+	{.stage = "pose"},
+	{.stage = "lamp"},
+	{.stage = "rsm.view"},
+	{.stage = "rsm"},
+	{.stage = "rsm.patch"},
+	{.stage = "octree.root"},
+	{.stage = "voxel"},
+	{.stage = "octree"},
+	{.stage = "octree.surface"},
+	{.stage = "vpl"},
+	{.stage = "view_octree.voxel"},
+	{.stage = "view_octree"},
+	{.stage = "view_octree.cone"},
+	{0},
+};
+static const ts_pipeline octrees_pipeline = {
+	.name = "octrees",
+	.effect = &ts_effect_indirect,
+	.steps = octrees_steps,
+	.plan = ts_indirect_plan,
+	.expect = ts_indirect_expect,
+};
+
+static inline ts_params octrees_params(u32 levels, u32 vpls)
+{
+	ts_params params = small_params(96, 64);
+	params.reflectors_count = 0;
+	params.rsm_px = 24;
+	params.octree_levels = levels;
+	params.vpl_paths = vpls;
+	return params;
+}
+
+static inline void octrees_run(ts_run *run, const ts_scene *scene, const ts_params *params)
+{
+	ts_run_begin(run, scene, params, 2);
+	if (ts_pipeline_run(&octrees_pipeline, run) != TS_OK) fail_msg("%s", ts_error_message());
+}
+
+#endif
