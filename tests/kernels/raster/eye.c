@@ -1,7 +1,6 @@
-/* Drawing against a ray caster in double precision: meshes without gaps or overlaps, a floor through the near plane,
- * ties, order, sides, masks, and the six faces of a cube in a box. */
-#include "../small.h"
-#include "../../../src/kernels/raster/cube_face.h"
+/* The eye's view against a ray caster in double precision: meshes without gaps or overlaps, a floor through the near
+ * plane, ties, order, sides, masks. */
+#include "sight.h"
 #include "../../../src/kernels/raster/eye.h"
 
 enum { WIDTH = 64, HEIGHT = 48, N_PIXELS = WIDTH * HEIGHT };
@@ -118,60 +117,21 @@ static void make_soup(u32 n)
 	for (u32 i = 0; i < n; i++) small_add(&scene, anywhere(), anywhere(), anywhere(), bits() & 1, 0);
 }
 
-typedef struct {
-	double z, next;
-	u32 triangle;
-} hit;
-
-/* The nearest triangle before the near plane along the ray through (x, y), and the depth of the one behind it. */
-static hit cast(double x, double y)
-{
-	hit h = {INFINITY, INFINITY, TS_NONE};
-	double3 ray = {(x - WIDTH / 2) / 64, (HEIGHT / 2 - y) / 64, -1};
-	for (u32 t = 0; t < scene.n_triangles; t++) {
-		double3 v[3];
-		for (u32 k = 0; k < 3; k++) v[k] = d3_of(ts_load3(scene.vertices[3 * t + k].position));
-		double3 n = d3_cross(d3_sub(v[1], v[0]), d3_sub(v[2], v[0]));
-		if (scene.triangles[t].material == 0 && d3_dot(n, v[0]) >= 0) continue;
-		double z = d3_dot(n, v[0]) / d3_dot(n, ray);
-		bool inside = z >= eye.near;
-		for (u32 k = 0; k < 3; k++) {
-			double3 p = d3_scale(ray, z), a = v[k], b = v[(k + 1) % 3];
-			inside = inside && d3_dot(d3_cross(d3_sub(b, a), d3_sub(p, a)), n) >= 0;
-		}
-		if (!inside) continue;
-		h.next = fmin(h.next, fmax(z, h.z));
-		if (z < h.z) h = (hit){z, h.z, t};
-	}
-	return h;
-}
-
-/* Rays a hundredth of a pixel around the centre agree on what is seen, by a clear margin. */
-static bool is_decided(u32 i, hit *h)
-{
-	double x = i % WIDTH + 0.5, y = i / WIDTH + 0.5;
-	*h = cast(x, y);
-	bool clear_cut = h->triangle == TS_NONE || (h->next - h->z > 0.01 * h->z && h->z > eye.near * 1.01);
-	for (u32 k = 0; k < 4 && clear_cut; k++) {
-		clear_cut = cast(x + (k & 1 ? 0.01 : -0.01), y + (k & 2 ? 0.01 : -0.01)).triangle == h->triangle;
-	}
-	return clear_cut;
-}
-
 static void test_soup(void **state)
 {
 	(void)state;
+	ts_camera_k view = ts_k_view(&eye);
 	u32 n_decided = 0, n_seen = 0;
 	for (u32 n = 0; n < 16; n++) {
 		make_soup(20);
 		draw_all();
 		for (u32 i = 0; i < N_PIXELS; i++) {
-			hit h;
-			if (!is_decided(i, &h)) continue;
+			sight s;
+			if (!is_decided(&scene, &view, TS_NONE, i, &s)) continue;
 			n_decided++;
-			n_seen += h.triangle != TS_NONE;
-			assert_int_equal((u32)texels[i], h.triangle);
-			if (h.triangle != TS_NONE) assert_near(depth(texels[i]), h.z, 0.02 * h.z);
+			n_seen += s.at.triangle != TS_NONE;
+			assert_int_equal((u32)texels[i], s.at.triangle);
+			if (s.at.triangle != TS_NONE) assert_depth(depth(texels[i]), &s);
 		}
 	}
 	assert_true(n_decided > 16 * N_PIXELS * 8 / 10 && n_seen > n_decided / 4);
@@ -252,76 +212,11 @@ static void test_sides_and_masks(void **state)
 	assert_int_equal(n_drawn(), 0);
 }
 
-enum { N = 16, FACE = N * N };
-
-/* The walls of a box, seen from inside. */
-static void add_box(ts_v3 lo, ts_v3 hi)
-{
-	for (u32 axis = 0; axis < 3; axis++) {
-		for (u32 k = 0; k < 2; k++) {
-			f32 v[4][3];
-			for (u32 i = 0; i < 4; i++) {
-				u32 s = (axis + 1) % 3, t = (axis + 2) % 3;
-				v[i][axis] = k == 0 ? (&hi.x)[axis] : (&lo.x)[axis];
-				v[i][s] = i & 1 ? (&hi.x)[s] : (&lo.x)[s];
-				v[i][t] = i & 2 ? (&hi.x)[t] : (&lo.x)[t];
-			}
-			small_add(&scene, ts_load3(v[0]), ts_load3(v[1]), ts_load3(v[3]), 1, 0);
-			small_add(&scene, ts_load3(v[0]), ts_load3(v[3]), ts_load3(v[2]), 1, 0);
-		}
-	}
-}
-
-/* A box around two cubes: every texel sees the wall that its direction meets, at the closed form's depth; a reflector's
- * own triangle hides the wall in the other's cube only; a cube of no size draws nothing. */
-static void test_faces(void **state)
-{
-	(void)state;
-	static u64 buffer[2 * 6 * FACE + 1];
-	ts_v3 lo = {-3, -2, -4}, hi = {5, 4, 3};
-	ts_face cubes[4] = {{.n = 0},
-	                    {.centre = {1, 1, 0}, .n = N, .near = 0.01f, .offset = 600, .object = 1},
-	                    {.n = 0},
-	                    {.centre = {1, 1, -2}, .n = N, .near = 0.01f, .offset = 600 + 6 * FACE, .object = TS_NONE}};
-	small_clear(&scene);
-	scene.materials[1].flags = TS_DOUBLE_SIDED;
-	add_box(lo, hi);
-	u32 own = small_add(&scene, ts_v3_make(-1, -1, -1), ts_v3_make(5, -1, -1), ts_v3_make(-1, 5, -1), 1, 1);
-	clear(buffer, sizeof buffer / sizeof buffer[0]);
-	ts_cube_face_args args = {
-		.scene = small_arrays(&scene),
-		.cubes = cubes,
-		.texels = buffer,
-		.first_cube = 1,
-		.n_cubes = 3,
-	};
-	for (u32 t = 0; t < scene.n_triangles; t++) ts_k_cube_face_item(&args, t);
-	u32 n_own = 0;
-	for (u32 i = 0; i < 2 * 6 * FACE; i++) {
-		u32 k = i / FACE % 6;
-		ts_v3 c = ts_load3(cubes[i / FACE < 6 ? 1 : 3].centre);
-		ts_v3 d = ts_k_cube_direction(k, (2 * (f32)(i % N) + 1) / N - 1, (2 * (f32)(i / N % N) + 1) / N - 1);
-		double z = 1e9;
-		for (u32 axis = 0; axis < 3; axis++) {
-			double x = (&d.x)[axis], o = (&c.x)[axis];
-			z = fmin(z, ((x > 0 ? (double)(&hi.x)[axis] : (double)(&lo.x)[axis]) - o) / x);
-		}
-		assert_true(buffer[i] != TS_EMPTY);
-		n_own += (u32)buffer[i] == own;
-		if ((u32)buffer[i] == own) {
-			assert_true(i / FACE >= 6 && 1 / d.z > 0 && 1 / d.z < z);
-			z = 1 / d.z;
-		}
-		assert_near(depth(buffer[i]), z, 0.02 * z);
-	}
-	assert_true(n_own > FACE / 3 && buffer[2 * 6 * FACE] == TS_EMPTY);
-}
-
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		seeded_test(test_mesh),  seeded_test(test_floor),           seeded_test(test_soup),  seeded_test(test_order),
-		seeded_test(test_again), seeded_test(test_sides_and_masks), seeded_test(test_faces),
+		seeded_test(test_mesh),  seeded_test(test_floor), seeded_test(test_soup),
+		seeded_test(test_order), seeded_test(test_again), seeded_test(test_sides_and_masks),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
