@@ -1,5 +1,5 @@
-/* The depth grid, its segments and their boxes: what a pixel is down-sampled to, algorithm 1 as it is printed,
- * components by a flood fill, and boxes by looking at every texel. */
+/* Segments of the depth grid and their boxes: algorithm 1 as it is printed, components by a flood fill, and boxes by
+ * looking at every texel. */
 #include <stdlib.h>
 #include <string.h>
 #include "../../../src/kernels/hulls/segment_box.h"
@@ -243,44 +243,13 @@ static void test_boxes(void **state)
 	}
 }
 
-/* floor((i + 1/2) to / from) in rational numbers; a pixel that the grid has texels enough for is shown by its own. */
-static void test_resample(void **state)
-{
-	(void)state;
-	for (u32 n = 0; n < 20000; n++) {
-		u32 from = 1 + below(4096), to = 1 + below(4096), i = below(from), k = ts_k_resample(i, from, to);
-		assert_true(k < to);
-		assert_true((u64)k * 2 * from <= (2 * (u64)i + 1) * to && (2 * (u64)i + 1) * to < ((u64)k + 1) * 2 * from);
-		if (to >= from) assert_int_equal(ts_k_resample(k, to, from), i);
-	}
-	assert_int_equal(ts_k_resample(16383, 16384, 4096), 4095);
-}
-
-static void test_nearest(void **state)
-{
-	(void)state;
-	enum { W = 130, H = 50 };
-	static ts_gpixel pixels[W * H];
-	static f32 depths[TEXELS];
-	for (u32 i = 0; i < W * H; i++) pixels[i].depth = (f32)i;
-	ts_depth_grid_args args = {.pixels = pixels, .depths = depths, .grid = GRID, .width = W, .height = H};
-	for (u32 i = 0; i < TEXELS; i++) ts_k_depth_grid_item(&args, i);
-	for (u32 y = 0; y < GRID; y++) {
-		for (u32 x = 0; x < GRID; x++) {
-			u32 column = (u32)floor((x + 0.5) * W / GRID), row = (u32)floor((y + 0.5) * H / GRID);
-			assert_true(depths[y * GRID + x] == (f32)(row * W + column));
-			u32 block = ts_k_block_of(GRID, x, y);
-			assert_int_equal(ts_k_block_texel(GRID, block, x % SIDE, y % SIDE), y * GRID + x);
-			assert_int_equal(at(block, y % SIDE * SIDE + x % SIDE), y * GRID + x);
-		}
-	}
-}
-
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		seeded_test(test_labels), seeded_test(test_most),     seeded_test(test_step),
-		seeded_test(test_boxes),  seeded_test(test_resample), seeded_test(test_nearest),
+		seeded_test(test_labels),
+		seeded_test(test_most),
+		seeded_test(test_step),
+		seeded_test(test_boxes),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
