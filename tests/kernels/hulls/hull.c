@@ -1,14 +1,10 @@
-/* From triangles of light to pixels: their shape, what corners of boxes gather, the lobes of it, which box lights a
- * pixel, and hull.interpolation on planes, where it is exact; truths in double precision that share no formula with the
- * kernels. */
+/* From triangles of light to pixels: their shape, which box lights a pixel, and hull.interpolation on planes, where it
+ * is exact; truths in double precision that share no formula with the kernels. */
 #include <stdlib.h>
-#include <string.h>
 #include "../../../src/kernels/hulls/direct.h"
 #include "../../../src/kernels/hulls/corner.h"
 #include "../../../src/kernels/hulls/hull.h"
 #include "../seeded.h"
-
-#define PI 3.14159265358979323846
 
 enum { N = 3000, GRID = 96, TEXELS = GRID * GRID, BLOCKS = 9, MOST_BOXES = 400, WIDTH = 150, HEIGHT = 70 };
 
@@ -31,19 +27,6 @@ static void test_patch(void **state)
 		assert_near(d3_distance(a, b), d3_distance(b, c), 4e-6);
 		assert_near(d3_distance(a, b), d3_distance(c, a), 4e-6);
 	}
-}
-
-/* The solid angle of a spherical triangle by its angles (Girard). */
-static double angle_at(double3 a, double3 b, double3 c)
-{
-	double3 u = d3_cross(a, b), v = d3_cross(a, c);
-	return atan2(d3_length(d3_cross(u, v)), d3_dot(u, v));
-}
-
-static double solid_angle(double3 p, double3 a, double3 b, double3 c)
-{
-	double3 u = d3_unit(d3_sub(a, p)), v = d3_unit(d3_sub(b, p)), w = d3_unit(d3_sub(c, p));
-	return angle_at(u, v, w) + angle_at(v, w, u) + angle_at(w, u, v) - PI;
 }
 
 /* A view along -back; orthographic or not. */
@@ -92,35 +75,6 @@ static void test_texel_area(void **state)
 	}
 }
 
-/* A G-buffer of random depths, and what corners of boxes make of it. */
-typedef struct {
-	ts_view view;
-	ts_gpixel pixels[WIDTH * HEIGHT];
-	ts_patch patches[7];
-} world;
-
-static void random_world(world *w)
-{
-	ts_camera_k c = random_camera(0);
-	memset(w, 0, sizeof *w);
-	w->view = (ts_view){.focal = uniform(60, 200), .width = WIDTH, .height = HEIGHT, .near = 0.0625f};
-	ts_store3(w->view.eye, c.eye);
-	ts_store3(w->view.right, c.right);
-	ts_store3(w->view.up, c.up);
-	ts_store3(w->view.back, c.back);
-	c = ts_k_view(&w->view);
-	for (u32 i = 0; i < WIDTH * HEIGHT; i++) {
-		f32 depth = below(9) == 0 ? 1 : uniform(0.6f, 0.97f);
-		ts_v3 zero = ts_v3_make(0, 0, 0);
-		ts_v3 p = depth < 1 ? ts_k_pixel_point(&c, i % WIDTH, i / WIDTH, depth) : zero;
-		ts_k_gpixel_store(&w->pixels[i], p, depth, depth < 1 ? direction() : zero, zero);
-	}
-	for (u32 k = 0; k < 6; k++) { /* and an empty one */
-		ts_k_patch_corners(&w->patches[k], uniform3(-3, 3), direction(), uniform(0.01f, 2));
-		ts_store3(w->patches[k].exitance, k == 5 ? ts_v3_make(1, 0, 0) : uniform3(0, 2));
-	}
-}
-
 static ts_segment random_box(void)
 {
 	u32 x = below(GRID), y = below(GRID), block = ts_k_block_of(GRID, x, y);
@@ -128,105 +82,6 @@ static ts_segment random_box(void)
 	ts_segment box = {.low = {x, y}, .nearest = nearest, .farthest = nearest + uniform(0, 0.1f), .label = block * 1024};
 	for (u32 k = 0; k < 2; k++) box.high[k] = box.low[k] + below(32 - box.low[k] % 32);
 	return box;
-}
-
-/* The corner is the pixel's point, or lies on its ray in the middle of the box. */
-static void check_corner(const world *w, const ts_segment *box, const ts_moment *m, u32 corner)
-{
-	u32 x = corner % 2 != 0 ? box->high[0] : box->low[0], y = corner / 2 != 0 ? box->high[1] : box->low[1];
-	double column = floor((x + 0.5) * WIDTH / GRID), row = floor((y + 0.5) * HEIGHT / GRID);
-	const ts_gpixel *pixel = &w->pixels[(u32)row * WIDTH + (u32)column];
-	bool inside = pixel->depth >= box->nearest && pixel->depth <= box->farthest;
-	if (inside) {
-		assert_memory_equal(m->position, pixel->position, sizeof m->position);
-		assert_true(m->depth == pixel->depth);
-		return;
-	}
-	double3 d = d3_sub(d3_of(ts_load3(m->position)), d3_of(ts_load3(w->view.eye)));
-	double z = -d3_dot(d, d3_of(ts_load3(w->view.back)));
-	assert_near(m->depth, ((double)box->nearest + box->farthest) / 2, 1e-7);
-	assert_near(z, w->view.near / (1 - (double)m->depth), 1e-4 * z);
-	assert_near(WIDTH / 2.0 + w->view.focal * d3_dot(d, d3_of(ts_load3(w->view.right))) / z, column + 0.5, 1e-2);
-	assert_near(HEIGHT / 2.0 - w->view.focal * d3_dot(d, d3_of(ts_load3(w->view.up))) / z, row + 0.5, 1e-2);
-}
-
-static void check_light(const world *w, const ts_moment *m)
-{
-	double sum[3] = {0}, way[9] = {0};
-	double3 p = d3_of(ts_load3(m->position));
-	for (u32 k = 0; k < 7; k++) {
-		const ts_patch *light = &w->patches[k];
-		double3 vertex[3] = {d3_of(ts_load3(light->a)), d3_of(ts_load3(light->b)), d3_of(ts_load3(light->c))};
-		double height = d3_dot(d3_of(ts_load3(light->normal)), d3_sub(p, vertex[0]));
-		double side = d3_distance(vertex[0], vertex[2]), facing = side > 0 ? fmin(4 * height / side - 0.25, 1) : 0;
-		if (!(facing > 0)) continue;
-		double omega = facing * solid_angle(p, vertex[0], vertex[1], vertex[2]);
-		for (u32 c = 0; c < 3; c++) {
-			double share = light->exitance[c] * omega;
-			sum[c] += share;
-			for (u32 v = 0; v < 3; v++) {
-				double3 u = d3_unit(d3_sub(vertex[v], p));
-				way[3 * c] += share / 3 * u.x;
-				way[3 * c + 1] += share / 3 * u.y;
-				way[3 * c + 2] += share / 3 * u.z;
-			}
-		}
-	}
-	for (u32 c = 0; c < 3; c++) assert_near(m->sum[c], sum[c], 1e-4 + 1e-3 * sum[c]);
-	for (u32 c = 0; c < 9; c++) assert_near(m->direction[c], way[c], 1e-4 + 1e-3 * sum[c / 3]);
-}
-
-static void test_gather(void **state)
-{
-	(void)state;
-	static world w;
-	u32 n_lit = 0, n_corrected = 0;
-	for (u32 i = 0; i < 200; i++) {
-		random_world(&w);
-		ts_segment box = random_box();
-		ts_moment moments[4];
-		ts_corner_args args = {.view = &w.view,
-		                       .pixels = w.pixels,
-		                       .patches = w.patches,
-		                       .boxes = &box,
-		                       .moments = moments,
-		                       .n_patches = 7,
-		                       .grid = GRID};
-		for (u32 k = 0; k < 4; k++) {
-			ts_k_corner_item(&args, k);
-			check_corner(&w, &box, &moments[k], k);
-			check_light(&w, &moments[k]);
-			n_lit += moments[k].sum[1] > 0;
-			n_corrected += moments[k].depth == (box.nearest + box.farthest) * 0.5f;
-		}
-	}
-	assert_true(n_lit > 600 && n_corrected > 300 && n_corrected < 790);
-}
-
-/* The lobe holds all of the light; by vmf its mean direction is that of the light. Nothing lights with nothing. */
-static void test_fit(void **state)
-{
-	(void)state;
-	for (u32 i = 0; i < N; i++) {
-		f32 r = i % 3 == 0   ? uniform(0, 1)
-		        : i % 3 == 1 ? 1 - uniform(0, 0.001f)
-		                     : uniform(0, 0.01f),
-			m = uniform(0.01f, 50);
-		ts_v3 way = direction();
-		ts_sg g = ts_k_fit(m, ts_scale(way, r * m), i % 2);
-		double lambda = g.lambda, whole = 2 * PI / lambda * -expm1(-2 * lambda);
-		assert_true(g.lambda > 0 && g.lambda <= 100100 && g.mu > 0);
-		assert_near(g.mu * whole, m, 3e-6 * m);
-		if (r > 1e-5f) assert_near(ts_dot(g.phi, way), 1, 1e-5);
-		double mean = 1 / tanh(lambda) - 1 / lambda;
-		if (i % 2 != 0 && r > 0.01f) assert_near(mean, ts_min(r, 0.99999f), 1e-5);
-	}
-	for (u32 vmf = 0; vmf < 2; vmf++) {
-		ts_sg dark = ts_k_fit(0, ts_v3_make(0, 0, 0), vmf), even = ts_k_fit(2, ts_v3_make(0, 1e-8f, 0), vmf);
-		assert_true(dark.mu == 0 && dark.lambda == 1 && ts_length(dark.phi) == 0);
-		assert_true(ts_length(even.phi) == 0);
-		assert_near(even.mu, 2 / (4 * PI), 1e-6);
-	}
 }
 
 /* Boxes of the blocks, some of which have none, and their offsets. */
@@ -404,8 +259,8 @@ static void test_numbers(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		seeded_test(test_patch),  seeded_test(test_texel_area), seeded_test(test_gather),    seeded_test(test_fit),
-		seeded_test(test_choice), seeded_test(test_shares),     seeded_test(test_one_light), seeded_test(test_numbers),
+		seeded_test(test_patch),  seeded_test(test_texel_area), seeded_test(test_choice),
+		seeded_test(test_shares), seeded_test(test_one_light),  seeded_test(test_numbers),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
