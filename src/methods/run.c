@@ -122,10 +122,9 @@ ts_arrays ts_run_scene(const ts_run *run)
 	};
 }
 
-bool ts_run_has(const ts_run *run, ts_buffer_id id)
-{
-	return run->frame.buffer[id].made && run->frame.buffer[id].n > 0;
-}
+bool ts_run_made(const ts_run *run, ts_buffer_id id) { return run->frame.buffer[id].made; }
+
+bool ts_run_has(const ts_run *run, ts_buffer_id id) { return ts_run_made(run, id) && run->frame.buffer[id].n > 0; }
 
 u64 ts_run_n_texels(const ts_run *run, u32 first, u32 n)
 {
@@ -133,7 +132,7 @@ u64 ts_run_n_texels(const ts_run *run, u32 first, u32 n)
 	if (ts_run_has_cubes(run)) {
 		const ts_face *cubes = ts_frame_data(&run->frame, TS_B_cube_size_face);
 		for (u32 r = first; r < first + n; r++) texels += (u64)6 * cubes[r].n * cubes[r].n;
-	} else if (run->frame.buffer[TS_B_offscreen_view].made) {
+	} else if (ts_run_made(run, TS_B_offscreen_view)) {
 		const ts_offscreen *views = ts_frame_data(&run->frame, TS_B_offscreen_view);
 		for (u32 v = first; v < first + n; v++) texels += (u64)views[v].width * views[v].height;
 	}

@@ -14,6 +14,8 @@ ts_arrays ts_run_scene(const ts_run *run);
 const ts_info *ts_run_info(const ts_run *run);
 /* The largest cube face that adapts to the eye: cube.max_px, at most half the eye's height, at least 16. */
 u32 ts_largest_face(const ts_params *params);
+/* A buffer was made; it may be empty. */
+bool ts_run_made(const ts_run *run, ts_buffer_id id);
 /* A buffer was made, and is not empty. */
 bool ts_run_has(const ts_run *run, ts_buffer_id id);
 /* The off-screen views are faces of cubes. */

@@ -13,7 +13,7 @@ typedef struct {
 	ts_buffer_id found;    /* points seen */
 	ts_buffer_id radiance; /* of the entries */
 } ts_bounce_buffers;
-extern const ts_bounce_buffers ts_bounce_table[TS_MAX_BOUNCES];
+extern const ts_bounce_buffers ts_bounce_table[TS_MAX_BOUNCES]; /* bounces.c */
 
 /* Arguments of the kernels of bounce 0, 1 or 2, but pointers. */
 ts_lookup_args ts_lookup_values(const ts_run *run, u32 bounce);

@@ -42,7 +42,7 @@ static void count_bytes(ts_run *run, ts_buffer_id id)
 
 static ts_status view_map(ts_run *run)
 {
-	bool kept = run->frame.buffer[TS_B_traverse_rendered].made;
+	bool kept = ts_run_made(run, TS_B_traverse_rendered);
 	const ts_launch *launch = kept ? &of_kept : &of_piece;
 	ts_view_map_args args = {.pyramid = ts_view_pyramid(&run->params)};
 	ts_traverse_args how;
