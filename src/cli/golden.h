@@ -37,7 +37,7 @@ ts_status ts_cases_read(ts_goldens *goldens);
 /* The case of that name; NULL with the message set. */
 const ts_case *ts_cases_find(const ts_goldens *goldens, const char *name);
 
-/* Writes params.txt of a case: effect, method, scene and every parameter, NAME=VALUE lines. */
+/* Writes params.txt of a case: effect, method, scene and the parameters that they read, NAME=VALUE lines. */
 ts_status ts_case_write_params(const ts_case *c, const ts_golden_dir *dir, const char *name);
 /* Compares such a file with the case. TS_DIFFERENT: `text` says where. A parameter that the file does not name, because
  * it is younger, must have its default. */

@@ -1,10 +1,16 @@
-/* params.txt of a case. */
+/* params.txt of a case: what its method and a built-in scene read. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "../study/reads.h"
 #include "golden.h"
 
 enum { MOST_BYTES = 16 << 10, VALUE_BYTES = 64 };
+
+static bool is_read(const ts_case *c, const char *param)
+{
+	return ts_reads("scene", "built-in", param) || ts_reads_method(c->pipeline, &c->params, param);
+}
 
 ts_status ts_case_write_params(const ts_case *c, const ts_golden_dir *dir, const char *name)
 {
@@ -14,6 +20,7 @@ ts_status ts_case_write_params(const ts_case *c, const ts_golden_dir *dir, const
 	used = (size_t)snprintf(text, sizeof text, "effect=%s\nmethod=%s\nscene=%s\n", c->pipeline->effect->name,
 	                        c->pipeline->name, c->scene);
 	for (size_t i = 0; i < n_params && used < sizeof text; i++) {
+		if (!is_read(c, params[i].name)) continue;
 		ts_params_format(&c->params, i, value, sizeof value);
 		used += (size_t)snprintf(text + used, sizeof text - used, "%s=%s\n", params[i].name, value);
 	}
