@@ -58,7 +58,7 @@ const ts_paper_table ts_mega_10_bounces = {
 
 /* Particles. */
 static const ts_bench_figure particle_figures[] = {
-	[X] = { "views", "views", TS_FIGURE_PARAM, M_MEGA, 0, TS_WHOLE, "particles" }, TS_MEGA_FIGURES, { 0 },
+	[X] = { "views", "views", TS_FIGURE_PARAM, M_MEGA, 0, TS_WHOLE, "particle.count" }, TS_MEGA_FIGURES, { 0 },
 };
 
 static const ts_paper_part particle_parts[] = PARTS("mega_particles", "MegaViews, particles", MS);
