@@ -90,7 +90,7 @@ LIB_C := $(filter-out src/cli/% $(ITEMS_C),$(call every,src,c))
 IMAGE_CC := src/image/openimageio.cc
 LIB_CC := $(filter-out $(IMAGE_CC),$(call every,src,cc))
 CLI_C := $(filter-out src/cli/core_main.c,$(wildcard src/cli/*.c))
-CORE_C := $(wildcard $(patsubst %,src/%/*.c,model backends backends/c backends/c/* methods methods/* families golden vectors)) \
+CORE_C := $(wildcard $(patsubst %,src/%/*.c,model output backends backends/c backends/c/* methods methods/* families golden vectors)) \
 	src/truth/table.c $(wildcard $(patsubst %,src/trace/%.c,npy emit sums)) \
 	$(filter-out src/scene/print% src/scene/numbers.c,$(wildcard src/scene/*.c src/scene/builtin/*.c)) \
 	$(wildcard $(foreach in,cli study,$(patsubst %,src/$(in)/%.c,core_main backends command commit digest golden* help \

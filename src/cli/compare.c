@@ -86,15 +86,8 @@ static ts_status draw_all(const sides *s, const ts_comparison *c, ts_report *rep
 		if (!pixels || c->verdict[id].judgement != TS_UNLIKE || s->reference->item[id].npy.n == 0) continue;
 		if (draw_marks(s, (ts_buffer_id)id) != TS_OK) return TS_ERROR;
 	}
-	json_t *files = ts_folder_list();
-	const char *path = files != NULL ? ts_folder_file("report.json") : NULL;
-	if (path == NULL) return TS_ERROR;
 	ts_report_value(report, "program", json_string(ts_program));
-	ts_report_value(report, "files", files);
-	FILE *file = fopen(path, "w");
-	bool written = file != NULL && ts_report_write(report, file);
-	if (file != NULL) written &= fclose(file) == 0;
-	return written ? ts_folder_commit() : ts_fail("%s: cannot be written; the disk may be full", path);
+	return ts_folder_report(report) == TS_OK ? ts_folder_commit() : TS_ERROR;
 }
 
 static ts_status tell(const sides *s, const ts_comparison *c, const ts_cli *cli)

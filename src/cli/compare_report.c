@@ -1,4 +1,5 @@
 /* A comparison as text, JSON, TAP and JUnit XML. */
+#include "../output/file.h"
 #include "compare.h"
 #include <inttypes.h>
 #include <string.h>
@@ -242,15 +243,14 @@ ts_status ts_compare_junit(const ts_comparison *c, const ts_trace *reference, co
 		n_unlike += verdict == TS_UNLIKE;
 		n_skipped += verdict == TS_MISSING || verdict == TS_IGNORED;
 	}
-	FILE *out = fopen(path, "w");
-	if (out == NULL) return ts_fail("--junit %s: cannot be made", path);
+	ts_file_text text;
+	if (ts_file_text_begin(&text, path) != TS_OK) return TS_ERROR;
+	FILE *out = text.out;
 	fputs("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n", out);
 	fprintf(out, "<testsuite name=\"touchstone compare\" tests=\"%u\" failures=\"%u\" skipped=\"%u\">\n", (unsigned)n,
 	        (unsigned)n_unlike, (unsigned)n_skipped);
 	for (const ts_step *s = ts_pipeline_steps(reference->pipeline); s->stage != NULL; s++)
 		put_case(c, reference, s, out);
 	fputs("</testsuite>\n", out);
-	bool bad = ferror(out) != 0;
-	bad |= fclose(out) != 0;
-	return bad ? ts_fail("--junit %s: cannot be written; the disk may be full", path) : TS_OK;
+	return ts_file_text_replace(&text, path);
 }

@@ -115,21 +115,6 @@ static void compare_all(ts_render *render)
 	}
 }
 
-/* "program" and "files" are what a later --force goes by. */
-static ts_status write_report(ts_report *report)
-{
-	json_t *files = ts_folder_list();
-	if (files == NULL) return TS_ERROR;
-	ts_report_value(report, "files", files);
-	if (ts_report_check(report) != TS_OK) return TS_ERROR;
-	const char *path = ts_folder_file("report.json");
-	FILE *file = path != NULL ? fopen(path, "w") : NULL;
-	if (file == NULL) return path != NULL ? ts_fail("%s: cannot be made; the disk may be full", path) : TS_ERROR;
-	bool written = ts_report_write(report, file);
-	written &= fclose(file) == 0;
-	return written ? TS_OK : ts_fail("%s: cannot be written; the disk may be full", path);
-}
-
 static ts_status open_scene(ts_render *render)
 {
 	const ts_job *job = render->job;
@@ -155,7 +140,7 @@ static ts_status work(ts_render *render, ts_report *report)
 	status = ts_report_check(report);
 	if (status != TS_OK || !writes_files(job)) return status;
 	if (!job->output.no_images) status = ts_render_write(render);
-	return status == TS_OK ? write_report(report) : status;
+	return status == TS_OK ? ts_folder_report(report) : status;
 }
 
 static void release(ts_render *render)

@@ -13,11 +13,7 @@ static ts_status write_file(const char *name, const char *descr, u32 n_dims, con
 	char header[TS_NPY_HEADER];
 	size_t header_bytes = ts_npy_header(header, descr, n_dims, shape);
 	const char *path = ts_folder_file(name);
-	FILE *file = path != NULL ? fopen(path, "wb") : NULL;
-	if (file == NULL) return path != NULL ? ts_fail("%s: cannot be made; the disk may be full", path) : TS_ERROR;
-	bool written = fwrite(header, header_bytes, 1, file) == 1 && fwrite(data, bytes, 1, file) == 1;
-	written &= fclose(file) == 0;
-	return written ? TS_OK : ts_fail("%s: cannot be written; the disk may be full", path);
+	return path != NULL ? ts_npy_write(path, header, header_bytes, data, bytes) : TS_ERROR;
 }
 
 /* The dtype of a record is the text of a list of fields, that of a number its name alone. */

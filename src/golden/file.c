@@ -8,6 +8,7 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include "../output/file.h"
 
 static ts_status fail(const ts_golden_dir *dir, const char *name, const char *what)
 {
@@ -97,14 +98,19 @@ ts_status ts_golden_read_file(char **data, size_t *bytes, const ts_golden_dir *d
 	return TS_ERROR;
 }
 
-static ts_status write_all(int fd, const char *data, size_t bytes)
+/* Data, and a text behind it. */
+static ts_status write_all(const ts_golden_dir *dir, int fd, const char *name, const void *data, size_t bytes,
+                           const char *end)
 {
-	for (size_t done = 0; done < bytes;) {
-		ssize_t n = write(fd, data + done, bytes - done);
-		if (n < 0 && errno != EINTR) return TS_ERROR;
-		if (n > 0) done += (size_t)n;
+	ts_file file;
+	char path[TS_GOLDEN_PATH + 128];
+	snprintf(path, sizeof path, "%s/%s", dir->path, name);
+	if (ts_file_adopt(&file, fd, path) != TS_OK) return TS_ERROR;
+	if (ts_file_put(&file, data, bytes) == TS_OK && ts_file_put(&file, end, strlen(end)) == TS_OK) {
+		return ts_file_end(&file);
 	}
-	return TS_OK;
+	ts_file_drop(&file);
+	return TS_ERROR;
 }
 
 ts_status ts_golden_write_file(const ts_golden_dir *dir, const char *name, const void *data, size_t bytes)
@@ -114,10 +120,9 @@ ts_status ts_golden_write_file(const ts_golden_dir *dir, const char *name, const
 	unlinkat(dir->fd, partial, 0);
 	int fd = openat(dir->fd, partial, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
 	if (fd < 0) return fail(dir, name, "cannot write");
-	ts_status status = write_all(fd, data, bytes);
-	if (close(fd) != 0) status = TS_ERROR;
+	ts_status status = write_all(dir, fd, name, data, bytes, "");
 	if (status == TS_OK && renameat(dir->fd, partial, dir->fd, name) == 0) return TS_OK;
-	fail(dir, name, "cannot write");
+	if (status == TS_OK) fail(dir, name, "cannot write");
 	unlinkat(dir->fd, partial, 0);
 	return TS_ERROR;
 }
@@ -126,10 +131,7 @@ ts_status ts_golden_add_line(const ts_golden_dir *dir, const char *name, const c
 {
 	int fd = openat(dir->fd, name, O_WRONLY | O_CREAT | O_APPEND | O_NOFOLLOW | O_CLOEXEC, 0666);
 	if (fd < 0) return fail(dir, name, "cannot add to it");
-	ts_status status = write_all(fd, line, strlen(line));
-	if (status == TS_OK) status = write_all(fd, "\n", 1);
-	if (close(fd) != 0) status = TS_ERROR;
-	return status == TS_OK ? TS_OK : fail(dir, name, "cannot add to it");
+	return write_all(dir, fd, name, line, strlen(line), "\n");
 }
 
 ts_status ts_golden_rename(const ts_golden_dir *dir, const char *from, const char *to)

@@ -13,9 +13,12 @@ typedef struct {
 	/* `file` is of that format ("png", "jpeg"), and its header says width by height: so many texels are written. */
 	ts_status (*decode)(uint8_t *rgba, uint32_t width, uint32_t height, const char *format, const void *file,
 	                    size_t file_bytes, const char *what);
+	/* Files in memory, for `path` (by free(); NULL on failure), of pixels as <touchstone/image.h> takes them. */
+	ts_status (*encode_png)(void **file, size_t *file_bytes, const char *path, const uint8_t *pixels, uint32_t width,
+	                        uint32_t height, uint32_t channels);
+	ts_status (*encode_exr)(void **file, size_t *file_bytes, const char *path, const float *pixels, uint32_t width,
+	                        uint32_t height, uint32_t channels);
 	/* As declared in <touchstone/image.h>. */
-	ts_status (*write_png)(const char *path, const uint8_t *pixels, uint32_t width, uint32_t height, uint32_t channels);
-	ts_status (*write_exr)(const char *path, const float *pixels, uint32_t width, uint32_t height, uint32_t channels);
 	ts_status (*read)(float **pixels, uint32_t *width, uint32_t *height, uint32_t *channels, const char *path);
 	/* Of this thread's last failure within the module. */
 	const char *(*message)(void);

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <touchstone/image.h>
-#include "../model/core.h"
+#include "../output/file.h"
 #include "codec.h"
 #include "png.h"
 
@@ -104,17 +104,31 @@ ts_status ts_image_decode(uint8_t **rgba, uint32_t *width, uint32_t *height, con
 	return status;
 }
 
+/* Puts an encoded file, which is freed, in its place. */
+static ts_status put(const char *path, ts_status encoded, void *file, size_t bytes)
+{
+	ts_status status = encoded == TS_OK ? ts_file_replace(path, file, bytes) : TS_ERROR;
+	free(file);
+	return status;
+}
+
 ts_status ts_image_write_png(const char *path, const uint8_t *pixels, uint32_t width, uint32_t height,
                              uint32_t channels)
 {
+	void *file = NULL;
+	size_t bytes = 0;
 	if (require_codec(path) != TS_OK) return TS_ERROR;
-	return said(codec->write_png(path, pixels, width, height, channels));
+	ts_status status = said(codec->encode_png(&file, &bytes, path, pixels, width, height, channels));
+	return put(path, status, file, bytes);
 }
 
 ts_status ts_image_write_exr(const char *path, const float *pixels, uint32_t width, uint32_t height, uint32_t channels)
 {
+	void *file = NULL;
+	size_t bytes = 0;
 	if (require_codec(path) != TS_OK) return TS_ERROR;
-	return said(codec->write_exr(path, pixels, width, height, channels));
+	ts_status status = said(codec->encode_exr(&file, &bytes, path, pixels, width, height, channels));
+	return put(path, status, file, bytes);
 }
 
 ts_status ts_image_read(float **pixels, uint32_t *width, uint32_t *height, uint32_t *channels, const char *path)

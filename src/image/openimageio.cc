@@ -94,41 +94,51 @@ static ts_status decode(uint8_t *rgba, uint32_t width, uint32_t height, const ch
 	return guarded(what, [&] { return read_memory(rgba, width, height, format, file, file_bytes, what); });
 }
 
-/* Writes PATH.partial and renames it. */
-static ts_status write_file(const char *path, const char *format, const ImageSpec &spec, TypeDesc type,
-                            const void *pixels)
-{
-	std::string partial = std::string(path) + ".partial";
-	std::unique_ptr<ImageOutput> out = ImageOutput::create(format);
-	if (!out) return ts_fail("%s: OpenImageIO was built without %s", path, format);
-	errno = 0;
-	if (!out->open(partial, spec))
-		return ts_fail("%s: %s", path, errno ? strerror(errno) : reason(out->geterror()).c_str());
-	bool good = out->write_image(type, pixels);
-	good = out->close() && good;
-	if (good && rename(partial.c_str(), path) == 0) return TS_OK;
-	std::string why = good ? strerror(errno) : reason(out->geterror());
-	remove(partial.c_str());
-	return ts_fail("%s: %s", path, why.c_str());
-}
+/* A file in memory. */
+struct encoded {
+	void **file;
+	size_t *bytes;
+	const char *path;
 
-static ts_status write_png(const char *path, const uint8_t *pixels, uint32_t width, uint32_t height, uint32_t channels)
+	ts_status write(const char *format, const ImageSpec &spec, TypeDesc type, const void *pixels) const
+	{
+		OIIO::Filesystem::IOVecOutput proxy;
+		std::unique_ptr<ImageOutput> out = ImageOutput::create(format);
+		if (!out) return ts_fail("%s: OpenImageIO was built without %s", path, format);
+		bool good = out->set_ioproxy(&proxy) && out->open(path, spec) && out->write_image(type, pixels);
+		good = out->close() && good;
+		if (!good) return ts_fail("%s: %s", path, reason(out->geterror()).c_str());
+		*bytes = proxy.buffer().size();
+		*file = ts_alloc(*bytes, 1, path);
+		if (*file == nullptr) return TS_ERROR;
+		memcpy(*file, proxy.buffer().data(), *bytes);
+		return TS_OK;
+	}
+};
+
+static ts_status encode_png(void **file, size_t *bytes, const char *path, const uint8_t *pixels, uint32_t width,
+                            uint32_t height, uint32_t channels)
 {
+	*file = nullptr;
 	return guarded(path, [&] {
 		ImageSpec spec((int)width, (int)height, (int)channels, TypeDesc::UINT8);
 		spec.attribute("oiio:UnassociatedAlpha", 1);
 		spec.attribute("oiio:ColorSpace", "sRGB");
-		return write_file(path, "png", spec, TypeDesc::UINT8, pixels);
+		return encoded{file, bytes, path}.write("png", spec, TypeDesc::UINT8, pixels);
 	});
 }
 
-static ts_status write_exr(const char *path, const float *pixels, uint32_t width, uint32_t height, uint32_t channels)
+/* OpenImageIO writes the time of day where no other is given. */
+static ts_status encode_exr(void **file, size_t *bytes, const char *path, const float *pixels, uint32_t width,
+                            uint32_t height, uint32_t channels)
 {
+	*file = nullptr;
 	return guarded(path, [&] {
 		ImageSpec spec((int)width, (int)height, (int)channels, TypeDesc::FLOAT);
 		spec.attribute("compression", "zip");
+		spec.attribute("DateTime", "1970:01:01 00:00:00");
 		if (channels == 1) spec.channelnames.assign(1, "Y");
-		return write_file(path, "openexr", spec, TypeDesc::FLOAT, pixels);
+		return encoded{file, bytes, path}.write("openexr", spec, TypeDesc::FLOAT, pixels);
 	});
 }
 
@@ -172,4 +182,4 @@ static ts_status read(float **pixels, uint32_t *width, uint32_t *height, uint32_
 	return guarded(path, [&] { return read_file(pixels, width, height, channels, path); });
 }
 
-const ts_image_codec ts_image_codec_module = {decode, write_png, write_exr, read, ts_error_message};
+const ts_image_codec ts_image_codec_module = {decode, encode_png, encode_exr, read, ts_error_message};

@@ -1,21 +1,8 @@
 /* Files of one stage's outputs. */
 #include "outputs.h"
-#include <errno.h>
-#include <stdio.h>
-#include <unistd.h>
+#include "../output/file.h"
 #include "../trace/describe.h"
 #include "../trace/producer.h"
-
-/* Gives the file to the disk and closes it. */
-static ts_status finish(FILE *file, const char *path, bool good)
-{
-	good = good && fflush(file) == 0 && fsync(fileno(file)) == 0;
-	int error = errno;
-	bool closed = file == NULL || fclose(file) == 0;
-	if (good && closed) return TS_OK;
-	error = error != 0 ? error : errno;
-	return ts_fail("%s: cannot be written: %s", path, error != 0 ? strerror(error) : "unknown reason");
-}
 
 static ts_status write_buffer(const ts_buffer *buffer, ts_buffer_id id, const char *path, char sha256[TS_DIGEST_BYTES])
 {
@@ -28,11 +15,7 @@ static ts_status write_buffer(const ts_buffer *buffer, ts_buffer_id id, const ch
 	ts_digest_add(&digest, header, header_bytes);
 	ts_digest_add(&digest, buffer->data, bytes);
 	ts_digest_end(&digest, sha256);
-	errno = 0;
-	FILE *file = fopen(path, "wb");
-	bool good = file != NULL && fwrite(header, 1, header_bytes, file) == header_bytes &&
-	            fwrite(buffer->data, 1, bytes, file) == bytes;
-	return finish(file, path, good);
+	return ts_npy_write(path, header, header_bytes, buffer->data, bytes);
 }
 
 static ts_status add_buffer(json_t *list, const ts_load *load, ts_buffer_id id, ts_trace_place *place, void *user)
@@ -68,9 +51,5 @@ ts_status ts_outputs_write(const ts_load *load, const ts_stage *stage, ts_trace_
 	              "effect", p->effect->name, "replayed", stage->name, "producer", ts_producer(&load->run), "arithmetic",
 	              ts_arithmetic(&load->run), "params", ts_trace_params(&load->run.params), "buffers", list);
 	if (root == NULL) return ts_fail("%s: out of memory", path);
-	errno = 0;
-	FILE *file = fopen(path, "wb");
-	bool good = file != NULL && json_dumpf(root, file, JSON_INDENT(1)) == 0 && fputc('\n', file) != EOF;
-	json_decref(root);
-	return finish(file, path, good);
+	return ts_trace_write_json(path, root);
 }

@@ -48,54 +48,82 @@ static void figures_of(figure *f, const ts_scene *s)
 
 static const char *const light_kinds[] = {"directional", "point", "spot"};
 
+/* The value, or NULL without memory: something of it is `bad`. */
+static json_t *whole(json_t *value, int bad)
+{
+	if (bad == 0) return value;
+	json_decref(value);
+	return NULL;
+}
+
 static json_t *json_floats(const f32 *values, size_t n)
 {
 	json_t *array = json_array();
-	for (size_t i = 0; i < n; i++) json_array_append_new(array, json_real((double)values[i]));
-	return array;
+	int bad = 0;
+	for (size_t i = 0; i < n; i++) bad |= json_array_append_new(array, json_real((double)values[i]));
+	return whole(array, bad);
 }
 
 static json_t *json_lights(const ts_scene *s)
 {
 	json_t *array = json_array();
+	int bad = 0;
 	for (u32 i = 0; i < s->n_lights; i++) {
 		const ts_light *l = &s->lights[i];
-		json_array_append_new(array, json_pack("{s:s, s:o, s:o, s:o}", "kind", light_kinds[l->kind], "position",
-		                                       json_floats(l->position, 3), "direction", json_floats(l->direction, 3),
-		                                       "intensity", json_floats(l->intensity, 3)));
+		json_t *light =
+			json_pack("{s:s, s:o, s:o, s:o}", "kind", light_kinds[l->kind], "position", json_floats(l->position, 3),
+		              "direction", json_floats(l->direction, 3), "intensity", json_floats(l->intensity, 3));
+		bad |= json_array_append_new(array, light);
 	}
-	return array;
+	return whole(array, bad);
 }
 
-static json_t *json_of(const ts_scene *s)
+static json_t *json_cameras(const ts_scene *s)
+{
+	json_t *list = json_array();
+	int bad = 0;
+	for (u32 i = 0; i < s->n_cameras; i++) bad |= json_array_append_new(list, ts_text_json(s->cameras[i].name));
+	return whole(list, bad);
+}
+
+static json_t *json_notes(const ts_scene *s)
+{
+	json_t *list = json_array();
+	int bad = 0;
+	for (u32 i = 0; i < s->n_notes; i++) bad |= json_array_append_new(list, ts_text_json(s->notes[i]));
+	return whole(list, bad);
+}
+
+static json_t *json_of(const ts_scene *s, const f32 *radius)
 {
 	figure f[N_FIGURES];
 	json_t *root = json_object();
-	json_t *cameras = json_array();
-	json_t *notes = json_array();
+	int bad = json_object_set_new(root, "scene", ts_text_json(s->name));
 	figures_of(f, s);
-	json_object_set_new(root, "scene", ts_text_json(s->name));
-	for (size_t i = 0; i < N_FIGURES; i++) json_object_set_new(root, f[i].name, json_integer((json_int_t)f[i].value));
-	json_object_set_new(root, "box_min", json_floats(s->info.box_min, 3));
-	json_object_set_new(root, "box_max", json_floats(s->info.box_max, 3));
-	json_object_set_new(root, "hall_min", json_floats(s->info.hall_min, 2));
-	json_object_set_new(root, "hall_max", json_floats(s->info.hall_max, 2));
-	json_object_set_new(root, "ambient", json_real((double)s->info.ambient));
-	json_object_set_new(root, "light", json_lights(s));
-	for (u32 i = 0; i < s->n_cameras; i++) json_array_append_new(cameras, ts_text_json(s->cameras[i].name));
-	for (u32 i = 0; i < s->n_notes; i++) json_array_append_new(notes, ts_text_json(s->notes[i]));
-	json_object_set_new(root, "camera", cameras);
-	json_object_set_new(root, "eye", s->camera == TS_NONE ? json_string("circling") : json_integer(s->camera));
-	json_object_set_new(root, "notes", notes);
-	return root;
+	for (size_t i = 0; i < N_FIGURES; i++) {
+		bad |= json_object_set_new(root, f[i].name, json_integer((json_int_t)f[i].value));
+	}
+	bad |= json_object_set_new(root, "box_min", json_floats(s->info.box_min, 3));
+	bad |= json_object_set_new(root, "box_max", json_floats(s->info.box_max, 3));
+	bad |= json_object_set_new(root, "hall_min", json_floats(s->info.hall_min, 2));
+	bad |= json_object_set_new(root, "hall_max", json_floats(s->info.hall_max, 2));
+	bad |= json_object_set_new(root, "ambient", json_real((double)s->info.ambient));
+	bad |= json_object_set_new(root, "light", json_lights(s));
+	bad |= json_object_set_new(root, "camera", json_cameras(s));
+	bad |= json_object_set_new(root, "eye", s->camera == TS_NONE ? json_string("circling") : json_integer(s->camera));
+	bad |= json_object_set_new(root, "notes", json_notes(s));
+	if (s->n_surfels > 0) {
+		bad |= json_object_set_new(root, "surfel_radius", json_floats(radius, TS_SURFEL_QUANTILES));
+	}
+	return whole(root, bad);
 }
 
 static ts_status print_json(const ts_scene *scene, FILE *out)
 {
 	f32 radius[TS_SURFEL_QUANTILES];
 	if (scene->n_surfels > 0 && ts_surfel_quantiles(radius, scene->surfels, scene->n_surfels) != TS_OK) return TS_ERROR;
-	json_t *root = json_of(scene);
-	if (scene->n_surfels > 0) json_object_set_new(root, "surfel_radius", json_floats(radius, TS_SURFEL_QUANTILES));
+	json_t *root = json_of(scene, radius);
+	if (root == NULL) return ts_fail("%s: out of memory", scene->name);
 	int failed = json_dumpf(root, out, JSON_INDENT(2) | JSON_REAL_PRECISION(9));
 	json_decref(root);
 	if (failed) return ts_fail("%s: its description could not be written as JSON", scene->name);

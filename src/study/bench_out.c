@@ -1,4 +1,6 @@
 /* What a table of `bench` leaves: its report on standard output and, with -o, in a folder, each table as CSV too. */
+#include <stdlib.h>
+#include "../output/file.h"
 #include "bench.h"
 #include "folder.h"
 
@@ -41,52 +43,30 @@ static void put_rows(FILE *out, json_t *rows)
 	json_array_foreach (rows, i, row) put_line(out, row, false);
 }
 
-/* NULL with the message set on failure. */
-static FILE *open_file(const char *name)
+static ts_status write_text(ts_file_text *text, const char *name)
 {
 	const char *path = ts_folder_file(name);
-	FILE *file = path != NULL ? fopen(path, "w") : NULL;
-	if (file == NULL && path != NULL) ts_fail("%s: cannot be made; the disk may be full", name);
-	return file;
-}
-
-static ts_status end_file(FILE *file, const char *name)
-{
-	bool failed = ferror(file) != 0;
-	failed |= fclose(file) != 0;
-	return failed ? ts_fail("%s: cannot be written; the disk may be full", name) : TS_OK;
+	if (path != NULL) return ts_file_text_write(text, path);
+	if (ts_file_text_close(text, name) == TS_OK) free(text->text);
+	return TS_ERROR;
 }
 
 static ts_status write_csv(const char *key, json_t *rows)
 {
 	char name[64];
 	snprintf(name, sizeof name, "%s.csv", key);
-	FILE *file = open_file(name);
-	if (file == NULL) return TS_ERROR;
-	put_rows(file, rows);
-	return end_file(file, name);
+	ts_file_text text;
+	if (ts_file_text_begin(&text, name) != TS_OK) return TS_ERROR;
+	put_rows(text.out, rows);
+	return write_text(&text, name);
 }
 
 ts_status ts_bench_plot(const char *name, const ts_plot *plot)
 {
-	FILE *file = open_file(name);
-	if (file == NULL) return TS_ERROR;
-	ts_plot_svg(plot, file);
-	return end_file(file, name);
-}
-
-/* "program" and "files" are what a later --force goes by. */
-static ts_status write_report(ts_report *report)
-{
-	json_t *files = ts_folder_list();
-	FILE *file = files != NULL ? open_file("report.json") : NULL;
-	if (file == NULL) {
-		json_decref(files);
-		return TS_ERROR;
-	}
-	ts_report_value(report, "files", files);
-	ts_report_write(report, file);
-	return end_file(file, "report.json");
+	ts_file_text text;
+	if (ts_file_text_begin(&text, name) != TS_OK) return TS_ERROR;
+	ts_plot_svg(plot, text.out);
+	return write_text(&text, name);
 }
 
 static ts_status write_files(ts_report *report)
@@ -98,7 +78,7 @@ static ts_status write_files(ts_report *report)
 		bool table = json_is_array(value) && json_is_object(json_array_get(value, 0));
 		if (table && status == TS_OK) status = write_csv(key, value);
 	}
-	if (status == TS_OK) status = write_report(report);
+	if (status == TS_OK) status = ts_folder_report(report);
 	return status == TS_OK ? ts_folder_commit() : status;
 }
 

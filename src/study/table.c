@@ -3,6 +3,7 @@
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
+#include "../output/file.h"
 #include "../scene/print.h"
 #include "table.h"
 
@@ -208,24 +209,20 @@ void ts_report_table(ts_report *report, ts_table *table)
 
 void ts_report_line(ts_report *report, const char *format, ...)
 {
-	char *line = NULL;
-	size_t bytes;
-	FILE *stream = !report->json && !report->failed ? open_memstream(&line, &bytes) : NULL;
-	if (stream == NULL) {
-		report->failed |= !report->json;
-		return;
-	}
+	ts_file_text line;
+	if (report->json || report->failed) return;
+	report->failed = ts_file_text_begin(&line, "a line") != TS_OK;
+	if (report->failed) return;
 	va_list arguments;
 	va_start(arguments, format);
-	int failed = vfprintf(stream, format, arguments) < 0;
+	report->failed = vfprintf(line.out, format, arguments) < 0;
 	va_end(arguments);
-	failed |= fclose(stream) != 0;
-	if (!failed) {
-		ts_line_clean(line);
-		fprintf(report->out, "%s\n", line);
+	report->failed |= ts_file_text_close(&line, "a line") != TS_OK;
+	if (!report->failed) {
+		ts_line_clean(line.text);
+		fprintf(report->out, "%s\n", line.text);
 	}
-	free(line);
-	report->failed |= failed;
+	free(line.text);
 }
 
 void ts_report_value(ts_report *report, const char *key, json_t *value)

@@ -28,6 +28,8 @@ typedef struct {
 
 /* A new reference, or NULL without memory. The same run gives the same text. */
 json_t *ts_trace_describe(const ts_trace_about *about);
+/* Writes trace.json, and gives back `root`. */
+ts_status ts_trace_write_json(const char *path, json_t *root);
 
 /* The parameters as trace.json holds them: an object of texts. A new reference, or NULL without memory. */
 json_t *ts_trace_params(const ts_params *params);

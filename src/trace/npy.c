@@ -5,6 +5,7 @@
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include "../output/file.h"
 
 enum { PREFIX = 10, ALIGNMENT = 64, MOST_DIGITS = 20 };
 
@@ -215,4 +216,15 @@ ts_status ts_npy_parse(ts_npy *npy, const char *path, const char *head, size_t h
 	u64 held = file_bytes > npy->data_at ? file_bytes - npy->data_at : 0;
 	if (held == bytes) return TS_OK;
 	return ts_fail("%s: %" PRIu64 " bytes of data; its shape needs %" PRIu64, path, held, bytes);
+}
+
+ts_status ts_npy_write(const char *path, const char *header, size_t header_bytes, const void *data, size_t bytes)
+{
+	ts_file file;
+	if (ts_file_begin(&file, path) != TS_OK) return TS_ERROR;
+	if (ts_file_put(&file, header, header_bytes) == TS_OK && ts_file_put(&file, data, bytes) == TS_OK) {
+		return ts_file_end(&file);
+	}
+	ts_file_drop(&file);
+	return TS_ERROR;
 }

@@ -28,5 +28,7 @@ typedef struct {
  * behind them. `path` is for messages. */
 ts_status ts_npy_parse(ts_npy *npy, const char *path, const char *head, size_t head_bytes, u64 file_bytes,
                        const char *descr, size_t element_bytes);
+/* Writes a file: that header, and the elements. */
+ts_status ts_npy_write(const char *path, const char *header, size_t header_bytes, const void *data, size_t bytes);
 
 #endif

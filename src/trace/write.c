@@ -1,10 +1,7 @@
 /* Files of a trace, written as the stages make them. */
 #include "write.h"
-#include <errno.h>
-#include <inttypes.h>
-#include <stdio.h>
 #include <stdlib.h>
-#include <unistd.h>
+#include "../output/file.h"
 #include "describe.h"
 #include "sums.h"
 
@@ -13,21 +10,14 @@ struct ts_trace_writer {
 	ts_trace_options options;
 	ts_sums sums;
 	ts_trace_file files[TS_N_BUFFERS];
-	FILE *open[TS_N_BUFFERS];
+	ts_file open[TS_N_BUFFERS];
 	u64 left[TS_N_BUFFERS]; /* bytes that the file still lacks */
 };
-
-static ts_status failed_to_write(const char *path)
-{
-	return ts_fail("%s: cannot be written: %s", path, errno != 0 ? strerror(errno) : "unknown reason");
-}
 
 static ts_status put(ts_trace_writer *w, ts_buffer_id id, const void *data, u64 bytes)
 {
 	ts_digest_add(&w->sums.digest[id], data, (size_t)bytes);
-	errno = 0;
-	bool written = w->open[id] == NULL || bytes == 0 || fwrite(data, 1, (size_t)bytes, w->open[id]) == bytes;
-	return written ? TS_OK : failed_to_write(w->files[id].path);
+	return w->options.without[id] ? TS_OK : ts_file_put(&w->open[id], data, (size_t)bytes);
 }
 
 static bool is_cropped(const ts_trace_writer *w, ts_buffer_id id)
@@ -53,9 +43,7 @@ static ts_status open_file(ts_trace_writer *w, const ts_chunk *chunk)
 	if (!w->options.without[chunk->id]) {
 		file->path = w->options.place(w->options.user, file->name);
 		if (file->path == NULL) return TS_ERROR;
-		errno = 0;
-		w->open[chunk->id] = fopen(file->path, "wb");
-		if (w->open[chunk->id] == NULL) return failed_to_write(file->path);
+		if (ts_file_begin(&w->open[chunk->id], file->path) != TS_OK) return TS_ERROR;
 	}
 	u64 n;
 	if (!ts_shape_count(&n, file->n_dims, file->shape)) return ts_fail("%s: too large for a file", file->name);
@@ -78,16 +66,8 @@ static ts_status put_crop(ts_trace_writer *w, const ts_chunk *chunk)
 
 static ts_status close_file(ts_trace_writer *w, ts_buffer_id id)
 {
-	FILE *file = w->open[id];
 	ts_digest_end(&w->sums.digest[id], w->files[id].sha256);
-	w->open[id] = NULL;
-	if (file == NULL) return TS_OK;
-	errno = 0;
-	bool safe = fflush(file) == 0 && fsync(fileno(file)) == 0;
-	int error = errno;
-	safe &= fclose(file) == 0;
-	errno = error != 0 ? error : errno;
-	return safe ? TS_OK : failed_to_write(w->files[id].path);
+	return w->options.without[id] ? TS_OK : ts_file_end(&w->open[id]);
 }
 
 static ts_status take(void *user, const ts_chunk *chunk)
@@ -113,6 +93,7 @@ ts_status ts_trace_write_begin(ts_trace_writer **writer, const ts_pipeline *pipe
 	if (w == NULL) return TS_ERROR;
 	w->pipeline = pipeline;
 	w->options = *options;
+	for (u32 id = 0; id < TS_N_BUFFERS; id++) w->open[id].descriptor = -1;
 	if (ts_emit_scene(run, take, w) != TS_OK) {
 		ts_trace_write_free(w);
 		return TS_ERROR;
@@ -133,22 +114,14 @@ ts_status ts_trace_write_end(ts_trace_writer *w, const ts_run *run)
 	const ts_trace_about about = {w->pipeline, run, w->files, w->options.crop};
 	json_t *root = ts_trace_describe(&about);
 	if (root == NULL) return ts_fail("%s: out of memory", path);
-	errno = 0;
-	FILE *file = fopen(path, "wb");
-	bool written = file != NULL && json_dumpf(root, file, JSON_INDENT(1) | JSON_REAL_PRECISION(9)) == 0 &&
-	               fputc('\n', file) != EOF && fflush(file) == 0 && fsync(fileno(file)) == 0;
-	int error = errno;
-	if (file != NULL) written &= fclose(file) == 0;
-	json_decref(root);
-	errno = error != 0 ? error : errno;
-	return written ? TS_OK : failed_to_write(path);
+	return ts_trace_write_json(path, root);
 }
 
 void ts_trace_write_free(ts_trace_writer *w)
 {
 	if (w == NULL) return;
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
-		if (w->open[id] != NULL) fclose(w->open[id]);
+		ts_file_drop(&w->open[id]);
 	}
 	ts_sums_end(&w->sums);
 	free(w);

@@ -81,7 +81,7 @@ failures = suite.getElementsByTagName("failure")
 assert len(failures) == int(suite.getAttribute("failures")) == 2 and "align.frame" in failures[0].getAttribute("message")
 PY
 verdict $? '--junit is XML, a case a stage'
-ends 2 'junit' 'where it cannot be written' compare r/trace-epr c --junit /nonexistent/j.xml
+ends 2 '/nonexistent/j.xml: cannot be written: No such file' 'where it cannot be written' compare r/trace-epr c --junit /nonexistent/j.xml
 
 run compare r/trace-epr c -o pictures
 [ "$status" -eq 1 ] && [ -s pictures/image.srgb.png ] && [ -s pictures/report.json ] && [ "$(ls pictures | wc -l)" -eq 2 ]
@@ -195,6 +195,6 @@ verdict $? 'a full standard output is an error'
 "$touchstone" compare r/trace-epr c --tap > /dev/full 2> stderr
 [ $? -eq 2 ] && [ "$(wc -l < stderr)" -eq 1 ]
 verdict $? 'also with --tap'
-ends 2 'junit' 'and a full disk of --junit' compare r/trace-epr c --junit /dev/full
+ends 2 '/dev/full: cannot be written: No space left' 'and a full disk of --junit' compare r/trace-epr c --junit /dev/full
 
 finish

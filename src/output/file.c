@@ -1,0 +1,132 @@
+/* Files that are written, by write(2): what fails is seen where it fails. */
+#include "file.h"
+#include <errno.h>
+#include <fcntl.h>
+#include <libgen.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+enum { HELD = 1 << 16 };
+
+static ts_status fail(ts_file *file, int error)
+{
+	if (file->error == 0) file->error = error != 0 ? error : EIO;
+	return ts_fail("%s: cannot be written: %s", file->path, strerror(file->error));
+}
+
+ts_status ts_file_adopt(ts_file *file, int descriptor, const char *path)
+{
+	*file = (ts_file){.path = path, .descriptor = descriptor};
+	if (descriptor < 0) return fail(file, errno);
+	file->held = ts_alloc(HELD, 1, path);
+	if (file->held != NULL) return TS_OK;
+	ts_file_drop(file);
+	return TS_ERROR;
+}
+
+static ts_status begin(ts_file *file, const char *path, const char *what)
+{
+	return ts_file_adopt(file, open(path, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666), what);
+}
+
+ts_status ts_file_begin(ts_file *file, const char *path) { return begin(file, path, path); }
+
+static ts_status write_out(ts_file *file, const uint8_t *data, size_t bytes)
+{
+	if (file->error != 0) return fail(file, 0);
+	while (bytes > 0) {
+		ssize_t n = write(file->descriptor, data, bytes);
+		if (n < 0 && errno == EINTR) continue;
+		if (n <= 0) return fail(file, n < 0 ? errno : EIO);
+		data += n;
+		bytes -= (size_t)n;
+	}
+	return TS_OK;
+}
+
+static ts_status write_held(ts_file *file)
+{
+	size_t bytes = file->n_held;
+	file->n_held = 0;
+	return write_out(file, file->held, bytes);
+}
+
+ts_status ts_file_put(ts_file *file, const void *data, size_t bytes)
+{
+	if (bytes > HELD - file->n_held && write_held(file) != TS_OK) return TS_ERROR;
+	if (bytes >= HELD) return write_out(file, data, bytes);
+	if (bytes > 0) memcpy(file->held + file->n_held, data, bytes);
+	file->n_held += bytes;
+	return TS_OK;
+}
+
+/* Pipes and terminals have nothing to give to a disk. */
+static ts_status give_to_disk(ts_file *file)
+{
+	int bad;
+	while ((bad = fsync(file->descriptor)) != 0 && errno == EINTR) {
+	}
+	return bad == 0 || errno == EINVAL || errno == ENOTSUP ? TS_OK : fail(file, errno);
+}
+
+ts_status ts_file_end(ts_file *file)
+{
+	ts_status status = write_held(file);
+	if (status == TS_OK) status = give_to_disk(file);
+	bool closed = close(file->descriptor) == 0 || errno == EINTR;
+	if (status == TS_OK && !closed) status = fail(file, errno);
+	file->descriptor = -1;
+	ts_file_drop(file);
+	return status;
+}
+
+void ts_file_drop(ts_file *file)
+{
+	if (file->descriptor >= 0) close(file->descriptor);
+	free(file->held);
+	*file = (ts_file){.descriptor = -1};
+}
+
+/* `what` is for messages. */
+static ts_status write_as(const char *path, const char *what, const void *data, size_t bytes)
+{
+	ts_file file;
+	if (begin(&file, path, what) != TS_OK) return TS_ERROR;
+	if (ts_file_put(&file, data, bytes) == TS_OK) return ts_file_end(&file);
+	ts_file_drop(&file);
+	return TS_ERROR;
+}
+
+ts_status ts_file_write(const char *path, const void *data, size_t bytes)
+{
+	return write_as(path, path, data, bytes);
+}
+
+static ts_status give_folder_to_disk(char *path, const char *what)
+{
+	int folder = open(dirname(path), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+	bool good = folder >= 0 && (fsync(folder) == 0 || errno == EINVAL || errno == ENOTSUP);
+	int error = errno;
+	if (folder >= 0) close(folder);
+	return good ? TS_OK : ts_fail("%s: its folder cannot be written: %s", what, strerror(error));
+}
+
+ts_status ts_file_replace(const char *path, const void *data, size_t bytes)
+{
+	struct stat there;
+	if (stat(path, &there) == 0 && !S_ISREG(there.st_mode)) return ts_file_write(path, data, bytes);
+	size_t n = strlen(path) + sizeof ".partial";
+	char *partial = ts_alloc(n, 1, path);
+	if (partial == NULL) return TS_ERROR;
+	snprintf(partial, n, "%s.partial", path);
+	ts_status status = write_as(partial, path, data, bytes);
+	if (status == TS_OK && rename(partial, path) != 0) {
+		status = ts_fail("%s: cannot be written: %s", path, strerror(errno));
+	}
+	if (status != TS_OK) unlink(partial);
+	if (status == TS_OK) status = give_folder_to_disk(partial, path);
+	free(partial);
+	return status;
+}

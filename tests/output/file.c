@@ -1,0 +1,179 @@
+/* Files that are written: what is put in is what is there, in any pieces; a disk that says no, a folder that is not there,
+ * and what replaces another file. */
+#include <errno.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include "../kernels/seeded.h"
+#include "../../src/output/file.h"
+
+enum { MOST = 1 << 20 };
+static char folder[64];
+
+static const char *in_folder(const char *name)
+{
+	static char path[128];
+	snprintf(path, sizeof path, "%s/%s", folder, name);
+	return path;
+}
+
+static int begin(void **state)
+{
+	(void)state;
+	snprintf(folder, sizeof folder, "%s/files-XXXXXX", getenv("TMPDIR") != NULL ? getenv("TMPDIR") : "/tmp");
+	return mkdtemp(folder) != NULL ? 0 : -1;
+}
+
+static int end(void **state)
+{
+	(void)state;
+	return rmdir(folder);
+}
+
+static size_t read_back(const char *path, u8 *data)
+{
+	FILE *file = fopen(path, "rb");
+	assert_non_null(file);
+	size_t n = fread(data, 1, MOST, file);
+	fclose(file);
+	return n;
+}
+
+static void holds(const char *path, const char *text)
+{
+	static u8 data[MOST];
+	size_t n = read_back(path, data);
+	assert_int_equal(n, strlen(text));
+	assert_memory_equal(data, text, n);
+}
+
+/* Pieces of no byte, a few, and more than is held back. */
+static void test_pieces(void **state)
+{
+	(void)state;
+	static u8 data[MOST], back[MOST];
+	for (u32 i = 0; i < MOST; i++) data[i] = (u8)bits();
+	for (u32 turn = 0; turn < 40; turn++) {
+		ts_file file;
+		size_t n = 0;
+		assert_int_equal(ts_file_begin(&file, in_folder("pieces")), TS_OK);
+		for (u32 k = 0; k < 24; k++) {
+			static const u32 most[] = {1, 100, 1 << 16, 200000};
+			size_t piece = bits() % most[bits() % 4];
+			if (piece > MOST - n) break;
+			assert_int_equal(ts_file_put(&file, data + n, piece), TS_OK);
+			n += piece;
+		}
+		assert_int_equal(ts_file_end(&file), TS_OK);
+		assert_int_equal(read_back(in_folder("pieces"), back), n);
+		assert_memory_equal(back, data, n);
+	}
+	unlink(in_folder("pieces"));
+}
+
+static void fails_with(int error)
+{
+	assert_non_null(strstr(ts_error_message(), "cannot be written: "));
+	assert_non_null(strstr(ts_error_message(), strerror(error)));
+}
+
+/* A full disk is told by the piece that does not fit, by all behind it, and by the end. */
+static void test_full(void **state)
+{
+	(void)state;
+	static u8 data[MOST];
+	ts_file file;
+	assert_int_equal(ts_file_write("/dev/full", "a", 1), TS_ERROR);
+	fails_with(ENOSPC);
+	assert_int_equal(ts_file_write("/dev/full", data, MOST), TS_ERROR);
+	fails_with(ENOSPC);
+	assert_int_equal(ts_file_begin(&file, "/dev/full"), TS_OK);
+	assert_int_equal(ts_file_put(&file, data, 100), TS_OK);
+	assert_int_equal(ts_file_put(&file, data, 1 << 16), TS_ERROR);
+	assert_int_equal(ts_file_put(&file, data, 1 << 16), TS_ERROR);
+	fails_with(ENOSPC);
+	assert_int_equal(ts_file_put(&file, data, 1), TS_OK); /* held back */
+	assert_int_equal(ts_file_end(&file), TS_ERROR);
+	fails_with(ENOSPC);
+}
+
+static void test_absent(void **state)
+{
+	(void)state;
+	ts_file file;
+	assert_int_equal(ts_file_begin(&file, in_folder("none/file")), TS_ERROR);
+	fails_with(ENOENT);
+	assert_int_equal(ts_file_replace(in_folder("none/file"), "a", 1), TS_ERROR);
+	fails_with(ENOENT);
+	assert_null(strstr(ts_error_message(), ".partial"));
+}
+
+/* What was there is there until all is written. */
+static void test_replace(void **state)
+{
+	(void)state;
+	static u8 data[MOST];
+	struct rlimit kept, low = {1000, RLIM_INFINITY};
+	assert_int_equal(ts_file_replace(in_folder("it"), "old", 3), TS_OK);
+	holds(in_folder("it"), "old");
+	assert_int_equal(ts_file_replace(in_folder("it"), "newer", 5), TS_OK);
+	holds(in_folder("it"), "newer");
+	signal(SIGXFSZ, SIG_IGN);
+	getrlimit(RLIMIT_FSIZE, &kept);
+	low.rlim_max = kept.rlim_max;
+	assert_int_equal(setrlimit(RLIMIT_FSIZE, &low), 0);
+	ts_status status = ts_file_replace(in_folder("it"), data, MOST);
+	setrlimit(RLIMIT_FSIZE, &kept);
+	assert_int_equal(status, TS_ERROR);
+	fails_with(EFBIG);
+	holds(in_folder("it"), "newer");
+	assert_int_equal(access(in_folder("it.partial"), F_OK), -1);
+	unlink(in_folder("it"));
+}
+
+/* A pipe stays a pipe. */
+static void test_pipe(void **state)
+{
+	(void)state;
+	assert_int_equal(mkfifo(in_folder("pipe"), 0600), 0);
+	pid_t reader = fork();
+	if (reader == 0) {
+		static u8 data[MOST];
+		_exit(read_back(in_folder("pipe"), data) == 3 && memcmp(data, "abc", 3) == 0 ? 0 : 1);
+	}
+	int told;
+	assert_int_equal(ts_file_replace(in_folder("pipe"), "abc", 3), TS_OK);
+	assert_int_equal(waitpid(reader, &told, 0), reader);
+	assert_int_equal(told, 0);
+	struct stat there;
+	assert_int_equal(stat(in_folder("pipe"), &there), 0);
+	assert_true(S_ISFIFO(there.st_mode));
+	unlink(in_folder("pipe"));
+}
+
+static void test_text(void **state)
+{
+	(void)state;
+	ts_file_text text;
+	assert_int_equal(ts_file_text_begin(&text, "text"), TS_OK);
+	fprintf(text.out, "%d lines\n", 2);
+	fputs("and an end", text.out);
+	assert_int_equal(ts_file_text_write(&text, in_folder("text")), TS_OK);
+	holds(in_folder("text"), "2 lines\nand an end");
+	assert_int_equal(ts_file_text_begin(&text, "text"), TS_OK);
+	assert_int_equal(ts_file_text_replace(&text, in_folder("text")), TS_OK);
+	holds(in_folder("text"), "");
+	unlink(in_folder("text"));
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_pieces),  cmocka_unit_test(test_full), cmocka_unit_test(test_absent),
+		cmocka_unit_test(test_replace), cmocka_unit_test(test_pipe), cmocka_unit_test(test_text),
+	};
+	return cmocka_run_group_tests(tests, begin, end);
+}
