@@ -1,5 +1,5 @@
-/* Files that are written. Each holds all that was put into it and is on the disk, or the call that failed says why: short
- * writes go on, interrupted ones start again, and a file that failed once has failed. */
+/* Files that are written. Each holds all that was put into it and is on the disk, or the call that failed says why:
+ * short writes go on, interrupted ones start again, and a file that failed once has failed. */
 #ifndef TS_OUTPUT_FILE_H
 #define TS_OUTPUT_FILE_H
 #include <stdio.h>
@@ -26,8 +26,8 @@ void ts_file_drop(ts_file *file);
 
 /* A whole file at once. */
 ts_status ts_file_write(const char *path, const void *data, size_t bytes);
-/* The same as PATH.partial, then renamed: what was there stays until all is written. What is no regular file, as a pipe, is
- * written as it is. */
+/* The same as PATH.partial, then renamed: what was there stays until all is written. What is no regular file, as a
+ * pipe, is written as it is. */
 ts_status ts_file_replace(const char *path, const void *data, size_t bytes);
 
 /* Text for a file: `out` is a stream in memory. */

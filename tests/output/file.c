@@ -1,5 +1,5 @@
-/* Files that are written: what is put in is what is there, in any pieces; a disk that says no, a folder that is not there,
- * and what replaces another file. */
+/* Files that are written: what is put in is what is there, in any pieces; a disk that says no, a folder that is not
+ * there, and what replaces another file. */
 #include <errno.h>
 #include <signal.h>
 #include <stdlib.h>

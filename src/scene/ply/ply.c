@@ -1,6 +1,8 @@
 /* Points of a PLY file as surfels: an own reader, which trusts no count. Properties: x y z, and nx ny nz, and red green
  * blue, and radius or the half-axes u_x u_y u_z v_x v_y v_z; the others are ignored. */
 #include <errno.h>
+#include <float.h>
+#include <locale.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -126,14 +128,31 @@ static bool read_ascii(reader *in, double *value)
 	return good;
 }
 
+/* What is written as text is held to its type, as what is binary is by its bytes. */
+static void check_number(reader *in, u32 i, const ts_ply_property *p, double value)
+{
+	static const struct {
+		double least, most;
+	} of[TS_PLY_TYPES] = {[TS_PLY_I8] = {INT8_MIN, INT8_MAX},
+	                      [TS_PLY_U8] = {0, UINT8_MAX},
+	                      [TS_PLY_I16] = {INT16_MIN, INT16_MAX},
+	                      [TS_PLY_U16] = {0, UINT16_MAX},
+	                      [TS_PLY_I32] = {INT32_MIN, INT32_MAX},
+	                      [TS_PLY_U32] = {0, UINT32_MAX},
+	                      [TS_PLY_F32] = {-(double)FLT_MAX, (double)FLT_MAX},
+	                      [TS_PLY_F64] = {-DBL_MAX, DBL_MAX}};
+	bool whole = p->type < TS_PLY_F32;
+	if (value >= of[p->type].least && value <= of[p->type].most && (!whole || value == floor(value))) return;
+	ts_build_fail(in->build, "%s: point %u: %s is %g; a %snumber from %g to %g would be right", in->path, i, p->name,
+	              value, whole ? "whole " : "", of[p->type].least, of[p->type].most);
+}
+
 static f32 colour_of(reader *in, u32 i, const ts_ply_property *p, double value)
 {
-	bool is_byte = p->type == TS_PLY_U8;
-	if (!(value >= 0.0) || (is_byte && value > 255.0))
-		ts_build_fail(in->build, "%s: point %u: %s is %g; %s", in->path, i, p->name, value,
-		              is_byte ? "0 to 255 are right" : "it must not be below 0");
+	if (!(value >= 0.0))
+		ts_build_fail(in->build, "%s: point %u: %s is %g; it must not be below 0", in->path, i, p->name, value);
 	if (ts_build_failed(in->build)) return 0.0f;
-	return is_byte ? (f32)ts_srgb_linear[(u32)value] / 65535.0f : ts_number(value);
+	return p->type == TS_PLY_U8 ? (f32)ts_srgb_linear[(u32)value] / 65535.0f : ts_number(value);
 }
 
 static point read_point(reader *in, u32 i)
@@ -151,6 +170,7 @@ static point read_point(reader *in, u32 i)
 			ts_build_fail(in->build, "%s: point %u: %s is no number", in->path, i, property->name);
 		if (f == TS_NONE) continue;
 		if (!isfinite(value)) ts_build_fail(in->build, "%s: point %u: %s is not finite", in->path, i, property->name);
+		check_number(in, i, property, value);
 		record[fields[f].at] = fields[f].group == COLOUR ? colour_of(in, i, property, value) : ts_number(value);
 	}
 	memcpy(&p, record, sizeof p);
@@ -204,7 +224,7 @@ static void give_sizes(reader *in, u32 neighbours)
 	free(distance);
 }
 
-static void add_points(reader *in, u32 neighbours)
+static void add_all(reader *in, u32 neighbours)
 {
 	if (!in->has[AXES] && !in->has[RADIUS]) {
 		give_sizes(in, neighbours);
@@ -214,6 +234,20 @@ static void add_points(reader *in, u32 neighbours)
 		point p = read_point(in, i);
 		if (!ts_build_failed(in->build)) add(in, i, &p, p.radius);
 	}
+}
+
+/* Numbers have a decimal point, whatever the host program's locale. */
+static void add_points(reader *in, u32 neighbours)
+{
+	locale_t c = newlocale(LC_NUMERIC_MASK, "C", (locale_t)0);
+	if (c == (locale_t)0) {
+		ts_build_fail(in->build, "%s: out of memory", in->path);
+		return;
+	}
+	locale_t before = uselocale(c);
+	add_all(in, neighbours);
+	uselocale(before);
+	freelocale(c);
 }
 
 /* All of a file, with a NUL behind it. */

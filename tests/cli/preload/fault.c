@@ -1,6 +1,6 @@
-/* A library to be preloaded: of the calls TOUCHSTONE_FAULT_CALL ("open" of a file to be made, "write", "fsync" or "rename")
- * the n-th fails, n being what TOUCHSTONE_FAULT_AT says, with the error TOUCHSTONE_FAULT_ERROR; with 0 a write is short. How
- * many there were goes to the file TOUCHSTONE_FAULT_COUNT. */
+/* A library to be preloaded: of the calls TOUCHSTONE_FAULT_CALL ("open" of a file to be made, "write", "fsync" or
+ * "rename") the n-th fails, n being what TOUCHSTONE_FAULT_AT says, with the error TOUCHSTONE_FAULT_ERROR; with 0 a
+ * write is short. How many there were goes to the file TOUCHSTONE_FAULT_COUNT. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>

@@ -1,5 +1,5 @@
-/* A library to be preloaded: the n-th allocation, and no other, finds no memory, n being what TOUCHSTONE_FAULT_AT says. How many
- * there were goes to the file TOUCHSTONE_FAULT_COUNT. */
+/* A library to be preloaded: the n-th allocation, and no other, finds no memory, n being what TOUCHSTONE_FAULT_AT says.
+ * How many there were goes to the file TOUCHSTONE_FAULT_COUNT. */
 #include <errno.h>
 #include <stddef.h>
 #include <stdio.h>

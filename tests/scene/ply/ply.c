@@ -4,6 +4,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include <locale.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -257,15 +258,34 @@ static void numbers_are_held_to_their_meaning(void **state)
 	refuse(POINTS("1") XYZ NORMAL RADIUS END "0 0 0 0 0 1 -1 ", "point 0: the radius");
 	refuse(POINTS("1") XYZ NORMAL RADIUS "property uchar red\nproperty uchar green\nproperty uchar blue\n" END
 	                                     "0 0 0 0 0 1 1 0 256 0 ",
-	       "point 0: green is 256; 0 to 255 are right");
+	       "point 0: green is 256; a whole number from 0 to 255 would be right");
+	refuse(POINTS("1") XYZ NORMAL RADIUS "property uchar red\nproperty uchar green\nproperty uchar blue\n" END
+	                                     "0 0 0 0 0 1 1 0 12.7 0 ",
+	       "point 0: green is 12.7; a whole number from 0 to 255 would be right");
+	refuse(POINTS("1") XYZ NORMAL RADIUS END "0 0 0 0 0 1e39 1 ", "point 0: nz is 1e+39; a number from -3.40282e+38");
+	refuse(POINTS("1") "property short x\nproperty short y\nproperty short z\n" NORMAL RADIUS END "0 -32769 0 0 0 1 1 ",
+	       "point 0: y is -32769; a whole number from -32768 to 32767 would be right");
 	refuse(POINTS("1") XYZ NORMAL RADIUS "property float red\nproperty float green\nproperty float blue\n" END
 	                                     "0 0 0 0 0 1 1 0 0 -0.5 ",
 	       "point 0: blue is -0.5; it must not be below 0");
 }
 
+static void locale_of_the_host_does_not_matter(void **state)
+{
+	(void)state;
+	if (!setlocale(LC_ALL, "de_DE.UTF-8") && !setlocale(LC_ALL, "fr_FR.UTF-8")) skip();
+	ts_build *build = load(POINTS("1") XYZ NORMAL RADIUS END "0.5 0 0 0 0 1 0.25");
+	bool comma = strtod("0,5", NULL) > 0;
+	setlocale(LC_ALL, "C");
+	assert_v3(good(build)->surfels[0].centre, 0.5f, 0, 0);
+	assert_true(comma);
+	ts_build_free(build);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(locale_of_the_host_does_not_matter),
 		cmocka_unit_test(a_radius_makes_a_circle),
 		cmocka_unit_test(half_axes_need_no_normal),
 		cmocka_unit_test(colours_of_bytes_are_srgb_and_of_floats_linear),
