@@ -99,10 +99,7 @@ static ts_status write_as(const char *path, const char *what, const void *data, 
 	return TS_ERROR;
 }
 
-ts_status ts_file_write(const char *path, const void *data, size_t bytes)
-{
-	return write_as(path, path, data, bytes);
-}
+ts_status ts_file_write(const char *path, const void *data, size_t bytes) { return write_as(path, path, data, bytes); }
 
 static ts_status give_folder_to_disk(char *path, const char *what)
 {

@@ -10,7 +10,7 @@ typedef struct {
 	const char *path;
 	int descriptor; /* -1: none */
 	int error;      /* errno of the first failure; 0: none */
-	uint8_t *held;       /* bytes that are not written yet */
+	uint8_t *held;  /* bytes that are not written yet */
 	size_t n_held;
 } ts_file;
 
