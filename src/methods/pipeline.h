@@ -34,7 +34,7 @@ typedef struct ts_step {
 
 typedef void ts_planner(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request);
 
-/* What a run is expected to make. */
+/* Sizes, batches and memory that a run is expected to need. */
 typedef struct {
 	ts_sizes sizes; /* batched: of one batch */
 	u64 batches;    /* as many like that */

@@ -24,7 +24,8 @@ typedef struct {
 	i64 splats, texels;
 } ts_shadow_tally;
 
-/* A piece as a depth map sees it. What is needed for splats alone is made for the first of them. */
+/* A piece as a depth map sees it. The piece's first splat makes what follows has_cover; points smaller than a texel do
+ * without. */
 typedef struct {
 	TS_GLOBAL const ts_offscreen *offscreen;
 	ts_camera_k view;

@@ -32,7 +32,7 @@ TS_FN void ts_k_gpixel_store(TS_GLOBAL ts_gpixel *pixel, ts_v3 p, f32 depth, ts_
 	pixel->pad1 = 0u;
 }
 
-/* Of what a key of eye.depth_triangle names at pixel (x, y). */
+/* The record of pixel (x, y): the surface of the triangle that its key of eye.depth_triangle names, or the sky. */
 TS_FN void ts_k_gpixel(TS_GLOBAL ts_gpixel *pixel, const ts_arrays *scene, const ts_camera_k *view, u64 key, i32 x,
                        i32 y)
 {

@@ -54,7 +54,7 @@ TS_FN f32 ts_k_disc_fate(const ts_camera_k *view, const ts_filter *filter, const
 	return ts_max(faces ? 0.0f : turned, ts_max(behind ? 0.0f : before, affine ? 0.0f : closing));
 }
 
-/* Of what is not drawn all that is not nearly drawn has an empty box. */
+/* How near a surfel is to being drawn, or not. A surfel that is neither drawn nor nearly drawn gets an empty box. */
 TS_FN ts_nearly ts_k_nearly(const ts_surfel_margin_args *args, const ts_camera_k *view, u32 i)
 {
 	TS_GLOBAL const ts_surfel *surfel = &args->surfels[i];
@@ -159,7 +159,7 @@ TS_FN f32 ts_k_inside_margin(const ts_nearly_there *there, f32 near)
 	return ts_max(hit->r2 > 1.0f ? rim : 0.0f, hit->z < near ? before : 0.0f);
 }
 
-/* What a step is in the depth of the surfel that is nearest at a pixel. */
+/* The change in depth that a step makes to the nearest surfel of a pixel. */
 TS_FN f32 ts_k_nearest_step(const ts_surfel_margin_args *args, const ts_camera_k *view, u64 key, i32 x, i32 y)
 {
 	ts_nearly nearest = ts_k_nearly(args, view, (u32)key);

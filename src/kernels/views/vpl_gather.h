@@ -153,7 +153,7 @@ TS_FN f32 ts_k_vpl_leaves(ts_v3 direction, ts_v3 from)
 	return all ? 0.25f : ts_dot(direction, from);
 }
 
-/* That by the cosine at the place by 1 / (pi max(d, near)^2). */
+/* The form factor: what leaves the light, times the cosine at the place, times 1 / (pi max(d, near)^2). */
 TS_FN f32 ts_k_vpl_form(ts_v3 way, ts_v3 from, ts_v3 n, f32 near)
 {
 	ts_v3 direction = ts_normalize(way);

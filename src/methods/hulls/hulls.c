@@ -1,11 +1,11 @@
 /* Screen-space approximate Gaussian hulls: indirect light of one bounce (METHODS 11).
  * Meder and Bruederlin, "Screen Space Approximate Gaussian Hulls" (2018).
  *
- * What the lights see in reflective shadow maps is light itself, a triangle a texel. The screen's depth is down-sampled
- * and segmented in blocks; at the corners of each segment's box the light of all triangles is gathered as spherical
- * Gaussians, one a channel. Each pixel interpolates those of its segment and integrates them with the cosine of its own
- * normal. `direct`, the paper's ground truth, gathers at every pixel instead. Neither asks whether something stands
- * between triangle and receiver.
+ * Each texel of a reflective shadow map becomes a triangle of light. The screen's depth is down-sampled and segmented
+ * in blocks; at the corners of each segment's box the light of all triangles is gathered as spherical Gaussians, one a
+ * channel. Each pixel interpolates those of its segment and integrates them with the cosine of its own normal.
+ * `direct`, the paper's ground truth, gathers at every pixel instead. Neither asks whether something stands between
+ * triangle and receiver.
  *
  * Deviations:
  * - what the paper leaves open is in METHODS 11: triangles are equilateral and as large as what their texel sees, the
