@@ -1,9 +1,10 @@
-/* The header of a PLY file (Turk 1994): what its points are made of and where they begin. */
+/* The header of a PLY file (Turk 1994): what its points are made of, what stands before them, and where they begin. */
 #ifndef TS_SCENE_PLY_HEADER_H
 #define TS_SCENE_PLY_HEADER_H
 #include "../build.h"
 
-enum { TS_PLY_PROPERTIES = 64, TS_PLY_NAME = 64 };
+/* Bounds of what is read: elements up to the points, and properties of all of them. */
+enum { TS_PLY_ELEMENTS = 64, TS_PLY_PROPERTIES = 1024, TS_PLY_LINES = 100000, TS_PLY_NAME = 64 };
 
 typedef enum { TS_PLY_ASCII, TS_PLY_LITTLE, TS_PLY_BIG } ts_ply_format;
 typedef enum {
@@ -21,22 +22,38 @@ typedef enum {
 typedef struct {
 	char name[TS_PLY_NAME];
 	ts_ply_type type;
+	bool is_list;
+	ts_ply_type length; /* a list's type of its length; else as `type` */
 } ts_ply_property;
 
 typedef struct {
+	char name[TS_PLY_NAME];
+	u64 n;
+	u32 first, n_properties; /* its part of the header's properties, in the file's order */
+	size_t bytes;            /* that one has at least */
+} ts_ply_element;
+
+typedef struct {
 	ts_ply_format format;
-	u32 n; /* points */
-	u32 n_properties;
-	ts_ply_property property[TS_PLY_PROPERTIES]; /* of a point, in the file's order */
-	size_t stride;                               /* bytes of a point; of ASCII the fewest that it can have */
-	size_t begin;                                /* of the points in the file */
-	bool more;                                   /* elements behind the points */
+	u32 n_elements, n_properties;
+	ts_ply_element element[TS_PLY_ELEMENTS]; /* up to the points, which are the last */
+	ts_ply_property property[TS_PLY_PROPERTIES];
+	size_t begin; /* of the first element in the file */
+	bool more;    /* elements behind the points */
 } ts_ply_header;
 
-extern const u32 ts_ply_bytes[TS_PLY_TYPES];
+typedef struct {
+	const char *name[2];
+	u32 bytes;
+	double least, most;
+} ts_ply_kind;
+extern const ts_ply_kind ts_ply_kinds[TS_PLY_TYPES];
 
-/* Reads the header of the `n` bytes of a file. Fails the build, and returns false, unless the first element is
- * "vertex", has scalar properties only, and no more of them than the file has bytes for. */
+/* Reads the header of the `n` bytes of a file. Fails the build, and returns false, unless there is an element "vertex"
+ * of at least one point, and the file has bytes enough for it and the elements before it. */
 bool ts_ply_header_read(ts_ply_header *header, ts_build *build, const char *path, const char *file, size_t n);
+
+/* The element "vertex" of a header that was read: less than TS_NONE points. */
+const ts_ply_element *ts_ply_header_points(const ts_ply_header *header);
 
 #endif

@@ -1,7 +1,6 @@
 /* Points of a PLY file as surfels: an own reader, which trusts no count. Properties: x y z, and nx ny nz, and red green
  * blue, and radius or the half-axes u_x u_y u_z v_x v_y v_z; the others are ignored. */
 #include <errno.h>
-#include <float.h>
 #include <locale.h>
 #include <math.h>
 #include <stdio.h>
@@ -10,7 +9,7 @@
 #include "../../model/core.h"
 #include "../numbers.h"
 #include "../neighbours.h"
-#include "header.h"
+#include "body.h"
 #include "../sources.h"
 #include "../srgb_table.h"
 #include "../surfel.h"
@@ -40,23 +39,30 @@ typedef struct {
 	ts_build *build;
 	const char *path;
 	ts_ply_header header;
-	u32 field[TS_PLY_PROPERTIES]; /* of each property; TS_NONE: ignored */
+	u32 n, n_properties;             /* of the points */
+	const ts_ply_property *property; /* theirs */
+	u32 field[TS_PLY_PROPERTIES];    /* of each; TS_NONE: ignored */
 	bool has[N_GROUPS];
-	char *file;
-	const char *at, *end;
+	ts_ply_body body;
 } reader;
+
+static u32 field_of(reader *in, const ts_ply_property *p)
+{
+	for (u32 f = 0; f < N_FIELDS; f++) {
+		if (strcmp(fields[f].name, p->name) != 0) continue;
+		if (p->is_list) ts_build_fail(in->build, "%s: the property %s must not be a list", in->path, p->name);
+		return f;
+	}
+	ts_build_note(in->build, "the property \"%s\" of points is ignored", p->name);
+	return TS_NONE;
+}
 
 static void choose_fields(reader *in)
 {
 	u32 found[N_GROUPS] = {0}, whole[N_GROUPS] = {0};
-	for (u32 i = 0; i < in->header.n_properties; i++) {
-		in->field[i] = TS_NONE;
-		for (u32 f = 0; f < N_FIELDS; f++)
-			if (strcmp(fields[f].name, in->header.property[i].name) == 0) in->field[i] = f;
-		if (in->field[i] != TS_NONE)
-			found[fields[in->field[i]].group]++;
-		else
-			ts_build_note(in->build, "the property \"%s\" of points is ignored", in->header.property[i].name);
+	for (u32 i = 0; i < in->n_properties; i++) {
+		in->field[i] = field_of(in, &in->property[i]);
+		if (in->field[i] != TS_NONE) found[fields[in->field[i]].group]++;
 	}
 	for (u32 f = 0; f < N_FIELDS; f++) whole[fields[f].group]++;
 	for (u32 f = 0; f < N_FIELDS; f++) {
@@ -69,82 +75,39 @@ static void choose_fields(reader *in)
 	if (!in->has[CENTRE]) ts_build_fail(in->build, "%s: points need the properties x, y and z", in->path);
 	if (!in->has[NORMAL] && !in->has[AXES])
 		ts_build_fail(in->build, "%s: points need normals, nx, ny and nz, or half-axes, u_x to v_z", in->path);
+	if (in->header.n_elements > 1) ts_build_note(in->build, "elements before the points are ignored");
 	if (in->header.more) ts_build_note(in->build, "elements behind the points are ignored");
 }
 
-/* Colours of a byte are sRGB-coded, as everywhere; of a float linear. */
+/* Colours of integers are sRGB-coded, as everywhere; of a float linear. */
 static void check_colours(reader *in)
 {
-	for (u32 i = 0; i < in->header.n_properties; i++) {
-		const ts_ply_property *p = &in->header.property[i];
+	for (u32 i = 0; i < in->n_properties; i++) {
+		const ts_ply_property *p = &in->property[i];
 		bool is_colour = in->field[i] != TS_NONE && fields[in->field[i]].group == COLOUR;
-		if (is_colour && p->type != TS_PLY_U8 && p->type != TS_PLY_F32 && p->type != TS_PLY_F64)
-			ts_build_fail(in->build, "%s: the property %s must be uchar or float", in->path, p->name);
+		if (is_colour && p->type != TS_PLY_U8 && p->type != TS_PLY_U16 && p->type < TS_PLY_F32)
+			ts_build_fail(in->build, "%s: the property %s must be uchar, ushort or float", in->path, p->name);
 	}
-}
-
-static double number_of_bytes(const unsigned char bytes[8], ts_ply_type type)
-{
-	union {
-		u64 word;
-		double f64;
-	} wide = {.word = 0};
-	union {
-		u32 word;
-		f32 f32;
-	} narrow;
-	for (u32 k = 0; k < ts_ply_bytes[type]; k++) wide.word |= (u64)bytes[k] << 8 * k;
-	narrow.word = (u32)wide.word;
-	switch (type) {
-	case TS_PLY_I8: return (double)(int8_t)wide.word;
-	case TS_PLY_I16: return (double)(int16_t)wide.word;
-	case TS_PLY_I32: return (double)(int32_t)wide.word;
-	case TS_PLY_F32: return (double)narrow.f32;
-	case TS_PLY_F64: return wide.f64;
-	default: return (double)wide.word;
-	}
-}
-
-/* The file has the bytes: the header was checked against them. */
-static double read_binary(reader *in, ts_ply_type type)
-{
-	unsigned char bytes[8];
-	u32 n = ts_ply_bytes[type];
-	for (u32 k = 0; k < n; k++) bytes[in->header.format == TS_PLY_BIG ? n - 1 - k : k] = (unsigned char)in->at[k];
-	in->at += n;
-	return number_of_bytes(bytes, type);
-}
-
-static bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
-
-/* The file ends in a NUL of ours. False where there is no number. */
-static bool read_ascii(reader *in, double *value)
-{
-	while (is_blank(*in->at)) in->at++;
-	char *end;
-	*value = strtod(in->at, &end);
-	bool good = end != in->at && end <= in->end && (is_blank(*end) || end == in->end);
-	in->at = end;
-	return good;
 }
 
 /* What is written as text is held to its type, as what is binary is by its bytes. */
 static void check_number(reader *in, u32 i, const ts_ply_property *p, double value)
 {
-	static const struct {
-		double least, most;
-	} of[TS_PLY_TYPES] = {[TS_PLY_I8] = {INT8_MIN, INT8_MAX},
-	                      [TS_PLY_U8] = {0, UINT8_MAX},
-	                      [TS_PLY_I16] = {INT16_MIN, INT16_MAX},
-	                      [TS_PLY_U16] = {0, UINT16_MAX},
-	                      [TS_PLY_I32] = {INT32_MIN, INT32_MAX},
-	                      [TS_PLY_U32] = {0, UINT32_MAX},
-	                      [TS_PLY_F32] = {-(double)FLT_MAX, (double)FLT_MAX},
-	                      [TS_PLY_F64] = {-DBL_MAX, DBL_MAX}};
-	bool whole = p->type < TS_PLY_F32;
-	if (value >= of[p->type].least && value <= of[p->type].most && (!whole || value == floor(value))) return;
-	ts_build_fail(in->build, "%s: point %u: %s is %g; a %snumber from %g to %g would be right", in->path, i, p->name,
-	              value, whole ? "whole " : "", of[p->type].least, of[p->type].most);
+	const ts_ply_kind *kind = &ts_ply_kinds[p->type];
+	if (!isfinite(value))
+		ts_build_fail(in->build, "%s: point %u: %s is not finite", in->path, i, p->name);
+	else if (!ts_ply_holds(p->type, value))
+		ts_build_fail(in->build, "%s: point %u: %s is %g; a %snumber from %g to %g would be right", in->path, i,
+		              p->name, value, p->type < TS_PLY_F32 ? "whole " : "", kind->least, kind->most);
+}
+
+/* The 65536 codes of 16 bits: 257 steps from each code of 8 bits to the next. */
+static f32 decoded(u32 code)
+{
+	u32 low = code / 257, part = code % 257;
+	u32 rise = part > 0 ? ts_srgb_linear[low + 1] - ts_srgb_linear[low] : 0;
+	f32 value = (f32)ts_srgb_linear[low] + (f32)(rise * part) / 257.0f;
+	return value / 65535.0f;
 }
 
 static f32 colour_of(reader *in, u32 i, const ts_ply_property *p, double value)
@@ -152,7 +115,27 @@ static f32 colour_of(reader *in, u32 i, const ts_ply_property *p, double value)
 	if (!(value >= 0.0))
 		ts_build_fail(in->build, "%s: point %u: %s is %g; it must not be below 0", in->path, i, p->name, value);
 	if (ts_build_failed(in->build)) return 0.0f;
-	return p->type == TS_PLY_U8 ? (f32)ts_srgb_linear[(u32)value] / 65535.0f : ts_number(value);
+	if (p->type >= TS_PLY_F32) return ts_number(value);
+	return decoded(p->type == TS_PLY_U8 ? 257 * (u32)value : (u32)value);
+}
+
+static void skip_record(reader *in, const ts_ply_element *e, u64 i)
+{
+	const char *fault = NULL;
+	for (u32 k = e->first; k < e->first + e->n_properties && fault == NULL; k++) {
+		const ts_ply_property *p = &in->header.property[k];
+		fault = ts_ply_skip(&in->body, p);
+		if (fault != NULL)
+			ts_build_fail(in->build, "%s: %s %llu: %s %s", in->path, e->name, (unsigned long long)i, p->name, fault);
+	}
+}
+
+static void skip_to_points(reader *in)
+{
+	for (const ts_ply_element *e = in->header.element; e < ts_ply_header_points(&in->header); e++) {
+		u64 n = e->n_properties > 0 ? e->n : 0;
+		for (u64 i = 0; i < n && !ts_build_failed(in->build); i++) skip_record(in, e, i);
+	}
 }
 
 static point read_point(reader *in, u32 i)
@@ -160,16 +143,14 @@ static point read_point(reader *in, u32 i)
 	point p = {.colour = {1.0f, 1.0f, 1.0f}};
 	f32 record[sizeof p / sizeof(f32)];
 	memcpy(record, &p, sizeof p);
-	for (u32 k = 0; k < in->header.n_properties && !ts_build_failed(in->build); k++) {
-		const ts_ply_property *property = &in->header.property[k];
+	for (u32 k = 0; k < in->n_properties && !ts_build_failed(in->build); k++) {
+		const ts_ply_property *property = &in->property[k];
 		u32 f = in->field[k];
 		double value = 0.0;
-		if (in->header.format != TS_PLY_ASCII)
-			value = read_binary(in, property->type);
-		else if (!read_ascii(in, &value))
-			ts_build_fail(in->build, "%s: point %u: %s is no number", in->path, i, property->name);
+		const char *fault =
+			f == TS_NONE ? ts_ply_skip(&in->body, property) : ts_ply_number(&in->body, property->type, &value);
+		if (fault != NULL) ts_build_fail(in->build, "%s: point %u: %s %s", in->path, i, property->name, fault);
 		if (f == TS_NONE) continue;
-		if (!isfinite(value)) ts_build_fail(in->build, "%s: point %u: %s is not finite", in->path, i, property->name);
 		check_number(in, i, property, value);
 		record[fields[f].at] = fields[f].group == COLOUR ? colour_of(in, i, property, value) : ts_number(value);
 	}
@@ -192,7 +173,7 @@ static void add(reader *in, u32 i, const point *p, f32 radius)
 static void add_sized(reader *in, const point *points, const f32 *distance)
 {
 	u32 n_lost = 0;
-	for (u32 i = 0; i < in->header.n && !ts_build_failed(in->build); i++) {
+	for (u32 i = 0; i < in->n && !ts_build_failed(in->build); i++) {
 		if (distance[i] > 0.0f)
 			add(in, i, &points[i], distance[i]);
 		else
@@ -205,7 +186,7 @@ static void add_sized(reader *in, const point *points, const f32 *distance)
 /* Radii by the neighbours, of which all must be known first. */
 static void give_sizes(reader *in, u32 neighbours)
 {
-	u32 n = in->header.n;
+	u32 n = in->n;
 	point *points = ts_alloc(n, sizeof *points, "points");
 	ts_v3 *centres = ts_alloc(n, sizeof *centres, "points");
 	f32 *distance = ts_alloc(n, sizeof *distance, "radii of points");
@@ -230,14 +211,14 @@ static void add_all(reader *in, u32 neighbours)
 		give_sizes(in, neighbours);
 		return;
 	}
-	for (u32 i = 0; i < in->header.n && !ts_build_failed(in->build); i++) {
+	for (u32 i = 0; i < in->n && !ts_build_failed(in->build); i++) {
 		point p = read_point(in, i);
 		if (!ts_build_failed(in->build)) add(in, i, &p, p.radius);
 	}
 }
 
 /* Numbers have a decimal point, whatever the host program's locale. */
-static void add_points(reader *in, u32 neighbours)
+static void read_all(reader *in, u32 neighbours)
 {
 	locale_t c = newlocale(LC_NUMERIC_MASK, "C", (locale_t)0);
 	if (c == (locale_t)0) {
@@ -245,6 +226,7 @@ static void add_points(reader *in, u32 neighbours)
 		return;
 	}
 	locale_t before = uselocale(c);
+	skip_to_points(in);
 	add_all(in, neighbours);
 	uselocale(before);
 	freelocale(c);
@@ -274,13 +256,16 @@ void ts_ply_load(ts_build *build, const char *path, u32 neighbours)
 {
 	reader in = {.build = build, .path = path};
 	size_t n;
-	in.file = file_read(build, path, &n);
-	if (!ts_build_failed(build) && ts_ply_header_read(&in.header, build, path, in.file, n)) {
-		in.at = in.file + in.header.begin;
-		in.end = in.file + n;
+	char *file = file_read(build, path, &n);
+	if (!ts_build_failed(build) && ts_ply_header_read(&in.header, build, path, file, n)) {
+		const ts_ply_element *points = ts_ply_header_points(&in.header);
+		in.n = (u32)points->n;
+		in.n_properties = points->n_properties;
+		in.property = &in.header.property[points->first];
+		in.body = (ts_ply_body){.format = in.header.format, .at = file + in.header.begin, .end = file + n};
 		choose_fields(&in);
 		if (!ts_build_failed(build)) check_colours(&in);
-		if (!ts_build_failed(build)) add_points(&in, neighbours);
+		if (!ts_build_failed(build)) read_all(&in, neighbours);
 	}
-	free(in.file);
+	free(file);
 }

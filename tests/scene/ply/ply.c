@@ -5,6 +5,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include <locale.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -116,23 +117,22 @@ static void points_without_a_radius_ask_their_neighbours(void **state)
 
 /* A point of every type: x char, y uchar, z short, nx ushort, ny int, nz uint, radius double, red float, green,
  * blue. */
-#define TYPED(format) \
-	"ply\nformat " format " 1.0\nelement vertex 2\nproperty char x\nproperty uchar y\nproperty short z\n" \
+#define TYPED(format) "ply\nformat " format " 1.0\n" TYPED_POINTS
+#define TYPED_POINTS \
+	"element vertex 2\nproperty char x\nproperty uchar y\nproperty short z\n" \
 	"property ushort nx\nproperty int ny\nproperty uint nz\nproperty double radius\nproperty float red\n" \
 	"property float green\nproperty float blue\n" END
 enum { TYPED_BYTES = 34, N_TYPED = 2 };
 
 static size_t put(unsigned char *to, u64 word, size_t n, bool big)
 {
-	for (size_t k = 0; k < n; k++) to[big ? n - 1 - k : k] = (unsigned char)(word >> 8 * k);
+	for (size_t k = 0; k < n; k++) to[big ? n - 1 - k : k] = (unsigned char)(k < 8 ? word >> 8 * k : 0);
 	return n;
 }
 
-static size_t typed_file(unsigned char *to, bool big)
+static size_t put_points(unsigned char *to, bool big)
 {
-	const char *header = big ? TYPED("binary_big_endian") : TYPED("binary_little_endian");
-	size_t n = strlen(header);
-	memcpy(to, header, n);
+	size_t n = 0;
 	for (u32 i = 0; i < N_TYPED; i++) {
 		double radius = 1.25 + i;
 		u64 word;
@@ -151,30 +151,197 @@ static size_t typed_file(unsigned char *to, bool big)
 	return n;
 }
 
+static size_t typed_file(unsigned char *to, bool big)
+{
+	const char *header = big ? TYPED("binary_big_endian") : TYPED("binary_little_endian");
+	memcpy(to, header, strlen(header));
+	return strlen(header) + put_points(to + strlen(header), big);
+}
+
+/* The same points behind three elements: one of fixed size, one with lists, and one of nothing. */
+#define BEHIND(format) \
+	"ply\ncomment\nformat " format " 1.0\nelement camera 2\nproperty short angle\nproperty double near\n" \
+	"element face 3\nproperty list uchar int vertex_indices\nproperty list ushort short more\n" \
+	"element void 999999999999999999\n" TYPED_POINTS
+
+static size_t put_lists(unsigned char *to, bool big)
+{
+	size_t n = put(to, 0, 2 * (2 + 8), big);
+	for (u32 i = 0; i < 3; i++) {
+		n += put(to + n, 3 * i, 1, big);
+		n += put(to + n, 0, 4 * 3 * i, big);
+		n += put(to + n, 2 - i, 2, big);
+		n += put(to + n, 0, 2 * (2 - i), big);
+	}
+	return n;
+}
+
+static size_t behind_file(unsigned char *to, bool big)
+{
+	const char *header = big ? BEHIND("binary_big_endian") : BEHIND("binary_little_endian");
+	size_t n = strlen(header);
+	memcpy(to, header, n);
+	n += put_lists(to + n, big);
+	return n + put_points(to + n, big);
+}
+
+#define TYPED_TEXT \
+	"-100 200 -3000 40000 -30000 4000000000 1.25 0.5 0.25 1e-3\n" \
+	"-100 200 -3000 40000 -30000 4000000000 2.25 0.5 0.25 0.001 "
+
+/* Releases both. */
+static void assert_same(ts_build *build, ts_build *expected)
+{
+	const ts_scene *a = good(build), *b = good(expected);
+	assert_int_equal(a->n_surfels, b->n_surfels);
+	assert_memory_equal(a->surfels, b->surfels, b->n_surfels * sizeof *b->surfels);
+	ts_build_free(build);
+	ts_build_free(expected);
+}
+
 static void all_formats_say_the_same(void **state)
 {
 	(void)state;
 	static unsigned char bytes[1024];
-	ts_build *text = load(TYPED("ascii") "-100 200 -3000 40000 -30000 4000000000 1.25 0.5 0.25 1e-3\n"
-	                                     "-100 200 -3000 40000 -30000 4000000000 2.25 0.5 0.25 0.001 ");
-	const ts_scene *expected = good(text);
-	assert_int_equal(expected->n_surfels, N_TYPED);
-	assert_v3(expected->surfels[0].centre, -100.0f, 200.0f, -3000.0f);
+	ts_build *text = load(TYPED("ascii") TYPED_TEXT);
+	assert_int_equal(good(text)->n_surfels, N_TYPED);
+	assert_v3(good(text)->surfels[0].centre, -100.0f, 200.0f, -3000.0f);
+	ts_build_free(text);
 	for (u32 big = 0; big < 2; big++) {
-		ts_build *build = load_bytes(bytes, typed_file(bytes, big));
-		assert_int_equal(good(build)->n_surfels, N_TYPED);
-		assert_memory_equal(ts_build_peek(build)->surfels, expected->surfels, N_TYPED * sizeof(ts_surfel));
+		assert_same(load_bytes(bytes, typed_file(bytes, big)), load(TYPED("ascii") TYPED_TEXT));
+		assert_same(load_bytes(bytes, behind_file(bytes, big)), load(TYPED("ascii") TYPED_TEXT));
+	}
+}
+
+static void elements_before_the_points_are_passed_over(void **state)
+{
+	(void)state;
+	assert_same(load(BEHIND("ascii") "1 0.5 -2 nan\n0 2 1 2\n3 1 2 3 1 9\n6 1 2 3 4 5 6 0\n" TYPED_TEXT),
+	            load(TYPED("ascii") TYPED_TEXT));
+	static unsigned char bytes[1024];
+	ts_build *build = load_bytes(bytes, behind_file(bytes, false));
+	assert_string_equal(good(build)->notes[0], "elements before the points are ignored");
+	ts_build_free(build);
+	refuse(BEHIND("ascii") "1 0.5 -2 1\n0 2 1 2\n-1 1 2 3\n" TYPED_TEXT, "face 1: vertex_indices has no length");
+	refuse(BEHIND("ascii") "1 0.5 -2 1\n0 2 1 2\n1.5 1 2 3\n" TYPED_TEXT, "face 1: vertex_indices has no length");
+	refuse(BEHIND("ascii") "1 0.5 -2 1\n0 2 1 2\n256 1 2 3\n" TYPED_TEXT, "face 1: vertex_indices has no length");
+	refuse(BEHIND("ascii") "1 0.5 -2 1\n0 2 1 2\n255 1 2 3\n" TYPED_TEXT,
+	       "face 1: vertex_indices is missing: the file");
+	refuse(BEHIND("ascii") "1 0.5 -2 1\n0 2 1 x\n" TYPED_TEXT, "face 0: more is no number");
+}
+
+#define FACES(format, count, type) \
+	"ply\nformat " format " 1.0\nelement face " count "\nproperty list " type " double list\n" \
+	"element vertex 1\n" XYZ NORMAL RADIUS END
+
+static void lists_are_held_to_the_bytes(void **state)
+{
+	(void)state;
+	static const char most[] =
+		FACES("binary_little_endian", "1", "uint") "\xff\xff\xff\xff 28 bytes of a point and more ";
+	assert_refused(load_bytes(most, sizeof most - 1), "face 0: list is missing: the file ends before it");
+	static const char below[] =
+		FACES("binary_little_endian", "1", "int") "\xff\xff\xff\xff 28 bytes of a point and more ";
+	assert_refused(load_bytes(below, sizeof below - 1), "face 0: list has no length");
+	refuse(FACES("binary_little_endian", "999999999999999999", "uint") "1234567890123456789012345678901234567890",
+	       "element face: 999999999999999999 of at least 4 bytes each do not fit in a file of");
+	refuse(FACES("binary_little_endian", "11", "uchar") "12345678901234567890123456789012345678",
+	       "element vertex: 1 of at least 28 bytes each do not fit in a file of");
+}
+
+static void lists_of_points_are_passed_over(void **state)
+{
+	(void)state;
+	assert_same(load(POINTS("2") "property list uchar int seen\n" XYZ NORMAL RADIUS "property list int float at\n" END
+	                             "2 8 9 1 2 3 0 0 2 0.5 0\n0 4 5 -6 0 -1 0 2 1 -1e9"),
+	            load(POINTS("2") XYZ NORMAL RADIUS END "1 2 3 0 0 2 0.5\n4 5 -6 0 -1 0 2"));
+}
+
+/* Text with other ends of lines: LINE for each \n. */
+static ts_build *load_lines(const char *start, const char *text, const char *end)
+{
+	char bytes[4096];
+	size_t n = strlen(start);
+	memcpy(bytes, start, n);
+	for (; *text != '\0'; text++) {
+		const char *put = *text == '\n' ? end : (char[]){*text, '\0'};
+		memcpy(bytes + n, put, strlen(put));
+		n += strlen(put);
+	}
+	return load_bytes(bytes, n);
+}
+
+/* The first byte of the points is \n: behind lines that end in \r it is theirs. */
+static void headers_may_be_written_otherwise(void **state)
+{
+	(void)state;
+	static const char plain[] = POINTS("1") XYZ NORMAL RADIUS END "1 2 3 0 0 2 0.5";
+	static const char busy[] =
+		"ply\nobj_info num_cols 512\ncomment \xc3\xa9\n\nformat\tascii  1.0 \nelement vertex 1\n" XYZ
+		"comment of six words or even more\n" NORMAL RADIUS END "1 2 3 0 0 2 0.5";
+	static const char *const ends[] = {"\n", "\r\n", "\r"};
+	for (u32 i = 0; i < 3; i++) {
+		assert_same(load_lines("", plain, ends[i]), load(plain));
+		assert_same(load_lines("\xef\xbb\xbf", busy, ends[i]), load(plain));
+	}
+	static const char words[] =
+		"ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty uchar x\n"
+		"property uchar y\nproperty uchar z\nproperty uchar nx\nproperty uchar ny\nproperty uchar nz\n"
+		"property uchar radius\n" END;
+	for (u32 i = 0; i < 3; i++) {
+		char bytes[1024];
+		size_t n = 0;
+		for (const char *c = words; *c != '\0'; c++)
+			n += (size_t)sprintf(bytes + n, "%s", *c == '\n' ? ends[i] : (char[]){*c, '\0'});
+		memcpy(bytes + n, "\n\2\3\0\0\1\4", 7);
+		assert_same(load_bytes(bytes, n + 7), load(POINTS("1") XYZ NORMAL RADIUS END "10 2 3 0 0 1 4"));
+	}
+}
+
+static void colours_of_two_bytes_are_those_of_one_in_257_steps(void **state)
+{
+	(void)state;
+	static char one[16384], two[16384];
+	strcpy(one, POINTS("256") XYZ NORMAL RADIUS "property uchar red\nproperty uchar green\nproperty uchar blue\n" END);
+	strcpy(two,
+	       POINTS("256") XYZ NORMAL RADIUS "property ushort red\nproperty ushort green\nproperty uint16 blue\n" END);
+	for (u32 i = 0; i < 256; i++) {
+		sprintf(one + strlen(one), "0 0 0 0 1 0 1 %u %u 7\n", i, 255 - i);
+		sprintf(two + strlen(two), "0 0 0 0 1 0 1 %u %u 1799\n", 257 * i, 65535 - 257 * i);
+	}
+	assert_same(load(two), load(one));
+}
+
+/* IEC 61966-2-1, in double precision. */
+static void colours_of_two_bytes_are_srgb(void **state)
+{
+	(void)state;
+	for (u32 i = 0; i < 300; i++) {
+		char text[1024];
+		u32 code = ts_random(i, 1, 6) & 65535;
+		double c = code / 65535.0, expected = c <= 0.04045 ? c / 12.92 : pow((c + 0.055) / 1.055, 2.4);
+		sprintf(text,
+		        POINTS("1") XYZ NORMAL RADIUS "property ushort red\nproperty ushort green\nproperty ushort blue\n" END
+		                                      "0 0 0 0 1 0 1 %u 0 65535",
+		        code);
+		ts_build *build = load(text);
+		const f32 *colour = good(build)->surfels[0].colour;
+		assert_true(fabs((double)colour[0] - expected) < 2e-5 && colour[1] == 0.0f && colour[2] == 1.0f);
 		ts_build_free(build);
 	}
-	ts_build_free(text);
 }
+
+typedef size_t make_file(unsigned char *to, bool big);
+static make_file *const files[] = {typed_file, behind_file};
 
 static void every_shorter_file_is_refused(void **state)
 {
 	(void)state;
 	static unsigned char bytes[1024];
-	size_t n = typed_file(bytes, false);
-	for (size_t cut = 0; cut < n; cut++) assert_refused(load_bytes(bytes, cut), "touchstone-ply");
+	for (u32 f = 0; f < 2; f++) {
+		size_t n = files[f](bytes, false);
+		for (size_t cut = 0; cut < n; cut++) assert_refused(load_bytes(bytes, cut), "touchstone-ply");
+	}
 }
 
 /* Whatever one byte says, the outcome is a scene or a line. */
@@ -183,8 +350,8 @@ static void damaged_files_do_no_harm(void **state)
 	(void)state;
 	static unsigned char good_bytes[1024], bytes[1024];
 	u32 n_refused = 0;
-	for (u32 round = 0; round < 3000; round++) {
-		size_t n = typed_file(good_bytes, round & 1);
+	for (u32 round = 0; round < 6000; round++) {
+		size_t n = files[round / 3000](good_bytes, round & 1);
 		memcpy(bytes, good_bytes, n);
 		for (u32 k = 0; k <= round % 3; k++) bytes[ts_random(round, k, 1) % n] = (unsigned char)ts_random(round, k, 2);
 		ts_build *build = load_bytes(bytes, n);
@@ -196,7 +363,32 @@ static void damaged_files_do_no_harm(void **state)
 		}
 		ts_build_free(build);
 	}
-	assert_in_range(n_refused, 1000, 2999);
+	assert_in_range(n_refused, 2000, 5999);
+}
+
+/* A header of this many lines, elements before the points, and properties of a point. */
+static ts_build *load_large(u32 n_lines, u32 n_elements, u32 n_properties)
+{
+	static char text[2000000];
+	char *at = text + sprintf(text, "ply\nformat ascii 1.0\n");
+	for (u32 i = 0; i < n_elements; i++) at += sprintf(at, "element e%u 0\n", i);
+	at += sprintf(at, "element vertex 1\n" XYZ NORMAL RADIUS);
+	for (u32 i = 7; i < n_properties; i++) at += sprintf(at, "property float p%u\n", i);
+	for (u32 i = 11 + n_elements + n_properties - 7; i < n_lines; i++) at += sprintf(at, "comment\n");
+	at += sprintf(at, END "0 0 0 0 0 1 1");
+	for (u32 i = 7; i < n_properties; i++) at += sprintf(at, " 5");
+	return load_bytes(text, (size_t)(at - text));
+}
+
+static void bounds_of_headers_are_wide_and_held(void **state)
+{
+	(void)state;
+	static const u32 good_sizes[][3] = {{0, 0, 65}, {1001, 0, 7}, {100000, 0, 7}, {0, 63, 7}, {0, 0, 1024}};
+	for (u32 i = 0; i < 5; i++)
+		assert_same(load_large(good_sizes[i][0], good_sizes[i][1], good_sizes[i][2]), load_large(0, 0, 7));
+	assert_refused(load_large(100001, 0, 7), "line 100000: more than 100000 lines without end_header");
+	assert_refused(load_large(0, 64, 7), "line 67: more than 63 elements before vertex");
+	assert_refused(load_large(0, 0, 1025), "line 1028: more than 1024 properties up to those of vertex");
 }
 
 static void headers_are_held_to_their_words(void **state)
@@ -208,28 +400,34 @@ static void headers_are_held_to_their_words(void **state)
 	refuse("ply\nformat ascii 2.0\n", "line 2: write format ascii");
 	refuse("ply\nformat ascii 1.0\nelement vertex 1\n" XYZ, "no end_header");
 	refuse("ply\nformat ascii 1.0\nproperty float x\n", "line 3: a property before the first element");
-	refuse("ply\nformat ascii 1.0\nelement face 1\n", "line 3: the first element must be vertex");
+	refuse("ply\nelement vertex 1\nformat ascii 1.0\n", "line 2: write format ascii");
+	refuse("ply\ncomment\nobj_info\n\n", "line 5: the header has no end_header");
 	refuse("ply\nformat ascii 1.0\nelement vertex -1\n", "write element NAME COUNT");
 	refuse("ply\nformat ascii 1.0\nelement vertex 99999999999999999999\n", "write element NAME COUNT");
 	refuse(POINTS("1") "property real x\n", "line 5: no such type");
 	refuse(POINTS("1") "property float\n", "line 5: write property TYPE NAME");
 	refuse(POINTS("1") XYZ "property float x\n", "line 8: a second property of this name");
-	refuse(POINTS("1") "property list uchar float x\n", "line 5: a list is no property of a point");
+	refuse(POINTS("1") "property list uchar float\n", "line 5: write property TYPE NAME or property list TYPE TYPE");
+	refuse(POINTS("1") "property list uchar real x\n", "line 5: no such type");
+	refuse(POINTS("1") "property list float int x\n", "line 5: the first type of a list, that of its length, must be");
 	refuse(POINTS("1") "vertices\n", "line 5: begins with none of");
 	refuse(POINTS("0") XYZ NORMAL END, "no points");
 	refuse(POINTS("1") END "1", "no points");
 	refuse("ply\nformat ascii 1.0\n" END, "no points");
+	refuse("ply\nformat ascii 1.0\nelement face 1\n" XYZ NORMAL END "1 2 3 4 5 6 ", "no points");
 }
 
 static void counts_are_held_to_the_bytes(void **state)
 {
 	(void)state;
-	refuse(POINTS("4000000000") XYZ NORMAL END "1 2 3 0 0 1\n", "do not fit in the 12 bytes");
+	refuse(POINTS("4000000000") XYZ NORMAL END "1 2 3 0 0 1\n",
+	       "element vertex: 4000000000 of at least 12 bytes each do not fit in a file of 193 bytes");
 	refuse(POINTS("999999999999999999") XYZ NORMAL END "1 2 3 0 0 1\n", "do not fit");
 	refuse("ply\nformat binary_little_endian 1.0\nelement vertex 2\n" XYZ NORMAL END
 	       "123456789012345678901234567890123456789012345",
-	       "2 points of at least 24 bytes do not fit in the 45 bytes");
-	refuse(POINTS("2") XYZ NORMAL END "1.0000000 2.00000000 3 0 0 1\n", "point 1: x is no number");
+	       "element vertex: 2 of at least 24 bytes each do not fit in a file of 214 bytes");
+	refuse(POINTS("2") XYZ NORMAL END "1.0000000 2.00000000 3 0 0 1\n",
+	       "point 1: x is missing: the file ends before it");
 }
 
 static void properties_come_in_whole_groups(void **state)
@@ -240,9 +438,11 @@ static void properties_come_in_whole_groups(void **state)
 	refuse(POINTS("1") XYZ "property float nx\n" END "0 0 0 1 ", "\"nx\" 1 are there; it takes 3");
 	refuse(POINTS("1") NORMAL END "0 0 1 ", "need the properties x, y and z");
 	refuse(POINTS("1") XYZ END "0 0 1 ", "points need normals");
+	refuse(POINTS("1") NORMAL "property float x\nproperty float y\nproperty list uchar float z\n" END "0 0 1 1 1 1 1 ",
+	       "the property z must not be a list");
 	refuse(POINTS("1") XYZ NORMAL "property float u_x\n" END "0 0 0 0 0 1 1 ", "it takes 6");
 	refuse(POINTS("1") XYZ NORMAL "property int red\nproperty int green\nproperty int blue\n" END "0 0 0 0 0 1 1 1 1 ",
-	       "the property red must be uchar or float");
+	       "the property red must be uchar, ushort or float");
 }
 
 static void numbers_are_held_to_their_meaning(void **state)
@@ -291,6 +491,13 @@ int main(void)
 		cmocka_unit_test(colours_of_bytes_are_srgb_and_of_floats_linear),
 		cmocka_unit_test(points_without_a_radius_ask_their_neighbours),
 		cmocka_unit_test(all_formats_say_the_same),
+		cmocka_unit_test(elements_before_the_points_are_passed_over),
+		cmocka_unit_test(lists_are_held_to_the_bytes),
+		cmocka_unit_test(lists_of_points_are_passed_over),
+		cmocka_unit_test(headers_may_be_written_otherwise),
+		cmocka_unit_test(colours_of_two_bytes_are_those_of_one_in_257_steps),
+		cmocka_unit_test(colours_of_two_bytes_are_srgb),
+		cmocka_unit_test(bounds_of_headers_are_wide_and_held),
 		cmocka_unit_test(every_shorter_file_is_refused),
 		cmocka_unit_test(damaged_files_do_no_harm),
 		cmocka_unit_test(headers_are_held_to_their_words),
