@@ -11,7 +11,7 @@ extern "C" {
  * to so many nearest neighbours, 1 to TS_MAX_NEIGHBOURS, of their primitive. */
 void ts_gltf_load(ts_build *build, const char *path, const char *reflector, u32 neighbours);
 
-/* ply.c: a .ply file of points. `neighbours` as above, of all points. */
+/* ply.c: a .ply file of points. `neighbours` as above, of all points; normals that are not there are estimated. */
 void ts_ply_load(ts_build *build, const char *path, u32 neighbours);
 
 /* builtin.c: whether spec is NAME or NAME:OPTIONS, NAME being one of ts_builtin_table. */

@@ -3,7 +3,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../model/core.h"
-#include "../kernels/base/vec.h"
 
 #define RIGHT 0.00390625f      /* 1/256: the cosine of what still counts as a right angle */
 #define SKEW 1.52587890625e-5f /* 2^-16: more of it is not rounding */
@@ -50,18 +49,26 @@ const char *ts_surfel_ellipse(ts_surfel *surfel, const f32 normal[3])
 	return NULL;
 }
 
-/* One step of Jacobi's method, which diagonalises a symmetric matrix of two rows. */
-void ts_surfel_straighten(ts_surfel *surfel)
+bool ts_axes_straighten(ts_v3 *u, ts_v3 *v)
 {
-	ts_v3 u = ts_load3(surfel->u), v = ts_load3(surfel->v);
-	f32 uv = ts_dot(u, v), difference = ts_dot(v, v) - ts_dot(u, u);
-	if (ts_abs(uv) <= SKEW * ts_length(u) * ts_length(v)) return;
+	f32 uv = ts_dot(*u, *v), difference = ts_dot(*v, *v) - ts_dot(*u, *u);
+	if (ts_abs(uv) <= SKEW * ts_length(*u) * ts_length(*v)) return false;
 	f32 cot = difference / (2.0f * uv);
 	f32 tan = 1.0f / (ts_abs(cot) + ts_sqrt(cot * cot + 1.0f));
 	if (cot < 0.0f) tan = -tan;
 	f32 cos = 1.0f / ts_sqrt(tan * tan + 1.0f), sin = tan * cos;
-	ts_store3(surfel->u, ts_sub(ts_scale(u, cos), ts_scale(v, sin)));
-	ts_store3(surfel->v, ts_add(ts_scale(u, sin), ts_scale(v, cos)));
+	ts_v3 turned = ts_sub(ts_scale(*u, cos), ts_scale(*v, sin));
+	*v = ts_add(ts_scale(*u, sin), ts_scale(*v, cos));
+	*u = turned;
+	return true;
+}
+
+void ts_surfel_straighten(ts_surfel *surfel)
+{
+	ts_v3 u = ts_load3(surfel->u), v = ts_load3(surfel->v);
+	if (!ts_axes_straighten(&u, &v)) return;
+	ts_store3(surfel->u, u);
+	ts_store3(surfel->v, v);
 }
 
 enum { HALVES = 1 << 16 };

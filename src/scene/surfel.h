@@ -2,6 +2,8 @@
  * right angle to each other and to the normal. Only + - * / and the square root, so every build gives the same bits. */
 #ifndef TS_SCENE_SURFEL_H
 #define TS_SCENE_SURFEL_H
+#include <stdbool.h>
+#include "../kernels/base/vec.h"
 #include "scene.h"
 #ifdef __cplusplus
 extern "C" {
@@ -21,6 +23,10 @@ const char *ts_surfel_ellipse(ts_surfel *surfel, const f32 normal[3]);
  * at least one surfel. */
 enum { TS_SURFEL_QUANTILES = 5 };
 ts_status ts_surfel_quantiles(f32 quantile[TS_SURFEL_QUANTILES], const ts_surfel *surfels, u32 n);
+
+/* One step of Jacobi's method: turns two vectors in their plane, so that they are at a right angle and u u^T + v v^T is
+ * what it was. False where they are at one already. */
+bool ts_axes_straighten(ts_v3 *u, ts_v3 *v);
 
 /* Of half-axes that belong together but are at any angle, as an affine map leaves them: makes them those of the same
  * ellipse at a right angle. */

@@ -1,5 +1,6 @@
 /* Points of a PLY file as surfels: an own reader, which trusts no count. Properties: x y z, and nx ny nz, and red green
- * blue, and radius or the half-axes u_x u_y u_z v_x v_y v_z; the others are ignored. */
+ * blue, and radius or the half-axes u_x u_y u_z v_x v_y v_z; the others are ignored. Normals and radii that are not
+ * there are estimated by the neighbours. */
 #include <errno.h>
 #include <locale.h>
 #include <math.h>
@@ -9,6 +10,7 @@
 #include "../../model/core.h"
 #include "../numbers.h"
 #include "../neighbours.h"
+#include "../normals.h"
 #include "body.h"
 #include "../sources.h"
 #include "../srgb_table.h"
@@ -74,7 +76,7 @@ static void choose_fields(reader *in)
 	}
 	if (!in->has[CENTRE]) ts_build_fail(in->build, "%s: points need the properties x, y and z", in->path);
 	if (!in->has[NORMAL] && !in->has[AXES])
-		ts_build_fail(in->build, "%s: points need normals, nx, ny and nz, or half-axes, u_x to v_z", in->path);
+		ts_build_note(in->build, "points have no normals: they are estimated by the points around each");
 	if (in->header.n_elements > 1) ts_build_note(in->build, "elements before the points are ignored");
 	if (in->header.more) ts_build_note(in->build, "elements behind the points are ignored");
 }
@@ -169,46 +171,82 @@ static void add(reader *in, u32 i, const point *p, f32 radius)
 	ts_build_surfel(in->build, &s);
 }
 
-/* Points whose neighbours are all in the same place have no size and are left out. */
-static void add_sized(reader *in, const point *points, const f32 *distance)
+typedef struct {
+	point *points;
+	ts_v3 *centres, *normals;
+	f32 *radii;
+} cloud;
+
+/* Points that their neighbours give no size or no normal are left out. */
+static void add_estimated(reader *in, cloud *c)
 {
-	u32 n_lost = 0;
+	u32 n_same = 0, n_line = 0;
 	for (u32 i = 0; i < in->n && !ts_build_failed(in->build); i++) {
-		if (distance[i] > 0.0f)
-			add(in, i, &points[i], distance[i]);
-		else
-			n_lost++;
+		point *p = &c->points[i];
+		if (!in->has[RADIUS]) p->radius = c->radii[i];
+		if (!in->has[NORMAL]) ts_store3(p->normal, c->normals[i]);
+		bool is_same = !in->has[RADIUS] && p->radius == 0.0f;
+		bool is_line = !is_same && !in->has[NORMAL] && ts_length(c->normals[i]) == 0.0f;
+		n_same += is_same;
+		n_line += is_line;
+		if (!is_same && !is_line) add(in, i, p, p->radius);
 	}
-	if (n_lost > 0)
-		ts_build_note(in->build, "%u points are not drawn: their neighbours are all in the same place", n_lost);
+	if (n_same > 0)
+		ts_build_note(in->build, "%u points are not drawn: their neighbours are all in the same place", n_same);
+	if (n_line > 0)
+		ts_build_note(in->build, "%u points are not drawn: they are on a line with their neighbours", n_line);
 }
 
-/* Radii by the neighbours, of which all must be known first. */
-static void give_sizes(reader *in, u32 neighbours)
+static bool fits_in_memory(reader *in)
 {
-	u32 n = in->n;
-	point *points = ts_alloc(n, sizeof *points, "points");
-	ts_v3 *centres = ts_alloc(n, sizeof *centres, "points");
-	f32 *distance = ts_alloc(n, sizeof *distance, "radii of points");
-	bool good = points != NULL && centres != NULL && distance != NULL;
-	for (u32 i = 0; good && i < n && !ts_build_failed(in->build); i++) {
-		points[i] = read_point(in, i);
-		centres[i] = ts_load3(points[i].centre);
+	u64 bytes = sizeof(point) + 2 * sizeof(ts_v3) + sizeof(f32) + (in->has[NORMAL] ? 0 : TS_NORMALS_BYTES);
+	if (in->n > ts_memory_total() / 3 / bytes)
+		ts_build_fail(in->build, "%s: %u points take more than a third of this machine's memory", in->path, in->n);
+	if (!in->has[NORMAL] && in->n > TS_NORMALS_MOST)
+		ts_build_fail(in->build, "%s: %u points without normals; at most %u can be estimated", in->path, in->n,
+		              TS_NORMALS_MOST);
+	return !ts_build_failed(in->build);
+}
+
+/* Normals and radii by the neighbours, for which all points must be known first. */
+static void estimate(reader *in, cloud *c, u32 neighbours)
+{
+	if (c->points == NULL || c->centres == NULL || c->normals == NULL || c->radii == NULL) {
+		ts_build_fail(in->build, "%s", ts_error_message());
+		return;
 	}
-	good = good && !ts_build_failed(in->build) && ts_neighbours_distance(distance, centres, n, neighbours) == TS_OK;
-	if (good)
-		add_sized(in, points, distance);
+	for (u32 i = 0; i < in->n && !ts_build_failed(in->build); i++) {
+		c->points[i] = read_point(in, i);
+		c->centres[i] = ts_load3(c->points[i].centre);
+	}
+	if (ts_build_failed(in->build)) return;
+	ts_status status = TS_OK;
+	if (!in->has[RADIUS]) status = ts_neighbours_distance(c->radii, c->centres, in->n, neighbours);
+	if (!in->has[NORMAL] && status == TS_OK) status = ts_normals_estimate(c->normals, c->centres, in->n);
+	if (status == TS_OK)
+		add_estimated(in, c);
 	else
 		ts_build_fail(in->build, "%s", ts_error_message());
-	free(points);
-	free(centres);
-	free(distance);
+}
+
+static void add_cloud(reader *in, u32 neighbours)
+{
+	if (!fits_in_memory(in)) return;
+	cloud c = {.points = ts_alloc(in->n, sizeof *c.points, "points"),
+	           .centres = ts_alloc(in->n, sizeof *c.centres, "points"),
+	           .normals = ts_alloc(in->n, sizeof *c.normals, "normals of points"),
+	           .radii = ts_alloc(in->n, sizeof *c.radii, "radii of points")};
+	estimate(in, &c, neighbours);
+	free(c.points);
+	free(c.centres);
+	free(c.normals);
+	free(c.radii);
 }
 
 static void add_all(reader *in, u32 neighbours)
 {
-	if (!in->has[AXES] && !in->has[RADIUS]) {
-		give_sizes(in, neighbours);
+	if (!in->has[AXES] && !(in->has[RADIUS] && in->has[NORMAL])) {
+		add_cloud(in, neighbours);
 		return;
 	}
 	for (u32 i = 0; i < in->n && !ts_build_failed(in->build); i++) {
