@@ -94,7 +94,7 @@ CORE_C := $(wildcard $(patsubst %,src/%/*.c,model output backends backends/c bac
 	src/truth/table.c $(wildcard $(patsubst %,src/trace/%.c,npy emit sums)) \
 	$(filter-out src/scene/print% src/scene/numbers.c,$(wildcard src/scene/*.c src/scene/builtin/*.c)) \
 	$(wildcard $(foreach in,cli study,$(patsubst %,src/$(in)/%.c,core_main backends command commit digest golden* help \
-		methods nearest options parse reads sweep truths words)))
+		methods nearest options parse reads say sweep truths words worker)))
 CORE_C := $(filter-out $(ITEMS_C),$(CORE_C))
 TEST_C := $(filter-out tests/begin.c tests/fuzz/% tests/record/% tests/cli/preload/%,$(call every,tests,c))
 

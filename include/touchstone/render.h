@@ -22,10 +22,11 @@ extern "C" {
 
 typedef struct ts_render ts_render;
 
-/* Runs `method` of `effect`, a row of `touchstone list methods`, on `threads` threads (0 counts as 1), which never
- * change a result. On success *render owns the buffers and must be released with ts_render_free before the scene; on
- * failure it is NULL. A process whose arithmetic breaks the numeric contract is refused. The scene's mirrors are those
- * of the parameters it was opened with; frame, size and everything else are taken from params. */
+/* Runs `method` of `effect`, a row of `touchstone list methods`, on `threads` threads, 0 (which counts as 1) to 1024,
+ * or as many of them as the process can have; threads never change a result. On success *render owns the buffers and
+ * must be released with ts_render_free before the scene; on failure it is NULL. A process whose arithmetic breaks the
+ * numeric contract is refused. The scene's mirrors are those of the parameters it was opened with; frame, size and
+ * everything else are taken from params. */
 TS_API ts_status ts_render_run(ts_render **render, const ts_scene *scene, const ts_params *params, const char *effect,
                                const char *method, uint32_t threads);
 

@@ -46,6 +46,10 @@ typedef struct {
 	} golden;
 	const char *check, *stage, *inputs;
 	bool flush_denormals;
+	struct {
+		u32 seconds, mib; /* at most; 0: no limit */
+		bool none;
+	} worker;
 } ts_cli;
 
 typedef struct {
@@ -85,6 +89,8 @@ bool ts_command_takes(const ts_command *command, u32 option);
 const ts_command *ts_cli_find(const char *name);
 /* The same; NULL with the message set. */
 const ts_command *ts_cli_require(const char *name);
+/* From here on what is said goes to standard error. */
+void ts_cli_listen(void);
 /* Runs what argv asks for and returns the exit code; a failure is printed as one line on standard error. */
 int ts_cli_main(int argc, char **argv);
 

@@ -1,8 +1,11 @@
 /* From argv to a command and an exit code; every failure becomes one line on standard error. */
 #include <signal.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 #include "cli.h"
+#include "worker.h"
 
 const ts_command *ts_cli_find(const char *name)
 {
@@ -23,48 +26,79 @@ const ts_command *ts_cli_require(const char *name)
 	return found;
 }
 
-static ts_status run_with_backend(ts_cli *cli, const ts_command *command)
-{
-	ts_status status = ts_backend_open(&cli->job);
-	if (status == TS_OK) status = command->run(cli);
-	if (cli->job.how.backend != NULL) cli->job.how.backend->close(cli->job.how.backend);
-	return status;
-}
+/* A command as it was typed, and its status so far. */
+typedef struct {
+	const ts_command *command; /* NULL: all is done */
+	ts_cli cli;
+	ts_status status;
+} task;
 
-static ts_status run(int argc, char **argv)
+static task done(ts_status status) { return (task){.status = status}; }
+
+static task read_task(int argc, char **argv)
 {
-	if (argc < 2) return ts_fail("no command; \"%s help\" lists all", ts_program);
+	if (argc < 2) return done(ts_fail("no command; \"%s help\" lists all", ts_program));
 	if (strcmp(argv[1], "--version") == 0) {
 		printf("%s %s, commit %s\n", ts_program, TS_VERSION, ts_commit());
-		return TS_OK;
+		return done(TS_OK);
 	}
 	if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0) {
 		ts_help_print(NULL);
-		return TS_OK;
+		return done(TS_OK);
 	}
-	const ts_command *command = ts_cli_require(argv[1]);
-	if (command == NULL) return TS_ERROR;
-	ts_cli cli;
-	ts_status status = ts_cli_parse(&cli, command, argc - 1, argv + 1);
-	if (status == TS_OK && ts_cli_given(&cli, TS_OPT(HELP))) {
-		ts_help_print(command);
-	} else if (status == TS_OK && cli.job.sweep.n > 0 && strcmp(command->name, "render") != 0) {
-		status = ts_fail("--set %s=%s: one value; only render takes lists", cli.job.sweep.swept[0].name,
-		                 cli.job.sweep.swept[0].values);
-	} else if (status == TS_OK) {
-		status = run_with_backend(&cli, command);
+	task t = {.command = ts_cli_require(argv[1])};
+	t.status = t.command != NULL ? ts_cli_parse(&t.cli, t.command, argc - 1, argv + 1) : TS_ERROR;
+	if (t.status != TS_OK) return done(t.status);
+	if (ts_cli_given(&t.cli, TS_OPT(HELP))) {
+		ts_help_print(t.command);
+		return done(TS_OK);
 	}
-	return status;
+	if (t.cli.job.sweep.n > 0 && strcmp(t.command->name, "render") != 0) {
+		return done(ts_fail("--set %s=%s: one value; only render takes lists", t.cli.job.sweep.swept[0].name,
+		                    t.cli.job.sweep.swept[0].values));
+	}
+	return t;
+}
+
+/* Prints why it failed, and returns the exit code. */
+static int end(ts_status status)
+{
+	if ((fflush(stdout) != 0 || ferror(stdout)) && status != TS_ERROR) {
+		status = ts_fail("standard output: cannot write; the disk may be full");
+	}
+	if (status == TS_ERROR || status == TS_SKIPPED) fprintf(stderr, "%s: %s\n", ts_program, ts_error_message());
+	return (int)status;
+}
+
+/* Drivers start programs by name; without a PATH, PoCL finds no linker and aborts. */
+static void require_path(void)
+{
+	char path[256];
+	if (getenv("PATH") == NULL && confstr(_CS_PATH, path, sizeof path) <= sizeof path) setenv("PATH", path, 1);
+}
+
+static int run(void *user)
+{
+	task *t = user;
+	ts_cli *cli = &t->cli;
+	if (ts_command_takes(t->command, TS_OPTION_THREADS)) {
+		cli->job.how.threads = ts_threads_ready(cli->job.how.threads);
+	}
+	require_path();
+	ts_status status = ts_backend_open(&cli->job);
+	if (status == TS_OK) status = t->command->run(cli);
+	if (cli->job.how.backend != NULL) cli->job.how.backend->close(cli->job.how.backend);
+	return end(status);
 }
 
 int ts_cli_main(int argc, char **argv)
 {
 	/* A file-size limit shall fail the write, not end the process. */
 	signal(SIGXFSZ, SIG_IGN);
-	ts_status status = run(argc, argv);
-	if ((fflush(stdout) != 0 || ferror(stdout)) && status != TS_ERROR) {
-		status = ts_fail("standard output: cannot write; the disk may be full");
-	}
-	if (status == TS_ERROR || status == TS_SKIPPED) fprintf(stderr, "%s: %s\n", ts_program, ts_error_message());
-	return (int)status;
+	ts_cli_listen();
+	task t = read_task(argc, argv);
+	if (t.command == NULL) return end(t.status);
+	if (!t.cli.worker.none) return ts_worker_run(run, &t, t.cli.worker.seconds, t.cli.worker.mib);
+	if (t.cli.worker.seconds == 0 && t.cli.worker.mib == 0) return run(&t);
+	return end(ts_fail("--timeout, --memory: limits of the worker; leave --no-worker out"));
 }

@@ -87,7 +87,7 @@ static ts_status draw_all(const sides *s, const ts_comparison *c, ts_report *rep
 		if (draw_marks(s, (ts_buffer_id)id) != TS_OK) return TS_ERROR;
 	}
 	ts_report_value(report, "program", json_string(ts_program));
-	return ts_folder_report(report) == TS_OK ? ts_folder_commit() : TS_ERROR;
+	return ts_results_report(report) == TS_OK ? ts_folder_commit() : TS_ERROR;
 }
 
 static ts_status tell(const sides *s, const ts_comparison *c, const ts_cli *cli)
@@ -98,7 +98,7 @@ static ts_status tell(const sides *s, const ts_comparison *c, const ts_cli *cli)
 	ts_status status = ts_report_check(&report);
 	if (status == TS_OK && cli->judging.junit != NULL) status = ts_compare_junit(c, s->reference, cli->judging.junit);
 	if (status == TS_OK && cli->job.output.dir != NULL) {
-		status = ts_folder_begin(cli->job.output.dir, cli->job.output.force);
+		status = ts_results_begin(cli->job.output.dir, cli->job.output.force);
 		if (status == TS_OK) status = draw_all(s, c, &report);
 		if (status != TS_OK) ts_folder_discard();
 	}

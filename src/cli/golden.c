@@ -43,6 +43,11 @@ ts_status ts_golden_command(ts_cli *cli)
 	return status;
 }
 
+void ts_case_path(char path[TS_CASE_PATH], const ts_goldens *goldens, const ts_case *c, const char *suffix)
+{
+	snprintf(path, TS_CASE_PATH, "%s/%s%s", goldens->dir.path, c->name, suffix);
+}
+
 ts_status ts_case_compute(ts_golden *golden, const ts_case *c, const ts_how *how)
 {
 	ts_scene *scene;

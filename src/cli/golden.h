@@ -9,8 +9,8 @@ enum { TS_MAX_CASES = 100, TS_CASE_NAME = 41, TS_CASE_SCENE = 64, TS_REASON_BYTE
 /* For `help golden`. */
 #define TS_GOLDEN_DETAILS \
 	"check runs the cases of cases.txt again and says for each: same; different, and the first buffer that is; or\n" \
-	"missing. new writes what it computes beside the goldens, as NAME.new; bless CASE --reason TEXT puts that in\n" \
-	"their place, and the reason into CHANGES."
+	"missing. new writes what it computes beside the goldens, as CASE.new; bless CASE --reason TEXT puts that in\n" \
+	"their place, and the reason into its CHANGES."
 
 /* A line of cases.txt. */
 typedef struct {
@@ -30,6 +30,9 @@ typedef struct {
 	u32 n_cases;
 } ts_goldens;
 
+enum { TS_CASE_PATH = TS_GOLDEN_PATH + TS_CASE_NAME + 8 };
+/* The folder of a case, or, with suffix ".new", of what is proposed for it. */
+void ts_case_path(char path[TS_CASE_PATH], const ts_goldens *goldens, const ts_case *c, const char *suffix);
 /* Whether text can be the name of a case. */
 bool ts_case_name(const char *text);
 /* Reads cases.txt of goldens->dir. */
@@ -37,12 +40,12 @@ ts_status ts_cases_read(ts_goldens *goldens);
 /* The case of that name; NULL with the message set. */
 const ts_case *ts_cases_find(const ts_goldens *goldens, const char *name);
 
-/* Writes params.txt of a case: effect, method, scene and the parameters that they read, NAME=VALUE lines. */
-ts_status ts_case_write_params(const ts_case *c, const ts_golden_dir *dir, const char *name);
-/* Compares such a file with the case. TS_DIFFERENT: `text` says where. A parameter that the file does not name, because
- * it is younger, must have its default. */
-ts_status ts_case_check_params(char *text, size_t text_bytes, const ts_case *c, const ts_golden_dir *dir,
-                               const char *name);
+/* Writes params.txt of a case to the folder that is written: effect, method, scene and the parameters that they read,
+ * NAME=VALUE lines. */
+ts_status ts_case_write_params(const ts_case *c);
+/* Compares params.txt of a folder with the case. TS_DIFFERENT: `text` says where. A parameter that the file does not
+ * name, because it is younger, must have its default. */
+ts_status ts_case_check_params(char *text, size_t text_bytes, const ts_case *c, const ts_golden_dir *dir);
 
 /* Runs a case, as ts_golden_compute; refuses what does not fit the machine. ts_golden_free also after a failure. */
 ts_status ts_case_compute(ts_golden *golden, const ts_case *c, const ts_how *how);

@@ -1,9 +1,12 @@
 /* `golden bless`: puts what was proposed in the place of a golden, for a reason. */
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+#include "../output/file.h"
+#include "../output/folder.h"
 #include "golden.h"
 
-static const char *const promoted[] = {"params.txt", "preview.png", NULL};
+enum { MOST_TEXT_BYTES = 1 << 20 };
 
 /* A reason is one line that says something. */
 static ts_status check_reason(const char *reason)
@@ -51,10 +54,10 @@ static ts_status check_proposal(const ts_goldens *goldens, const ts_case *c, con
 {
 	ts_golden proposed, computed;
 	char text[512];
-	ts_status status = ts_case_check_params(text, sizeof text, c, dir, "params.txt.new");
+	ts_status status = ts_case_check_params(text, sizeof text, c, dir);
 	if (status == TS_DIFFERENT) ts_fail("golden bless: %s: %s; run \"golden new %s\"", c->name, text, c->name);
 	if (status != TS_OK) return TS_ERROR;
-	if (ts_golden_read(&proposed, dir, c->pipeline, ".new") != TS_OK) {
+	if (ts_golden_read(&proposed, dir, c->pipeline) != TS_OK) {
 		ts_golden_free(&proposed);
 		return TS_ERROR;
 	}
@@ -71,32 +74,97 @@ static ts_status check_proposal(const ts_goldens *goldens, const ts_case *c, con
 	return status == TS_OK ? TS_OK : TS_ERROR;
 }
 
-static ts_status bless(const ts_goldens *goldens, const ts_case *c, const ts_golden_dir *dir)
+typedef struct {
+	char *data;
+	size_t bytes;
+} text;
+
+/* Empty if the golden has none. */
+static ts_status read_text(text *t, const ts_golden_dir *dir, const char *name)
 {
-	char line[TS_CASE_NAME + TS_REASON_BYTES + 4];
-	if (!ts_golden_has(dir, "SHA256SUMS.new") || !ts_golden_has(dir, "params.txt.new")) {
-		return ts_fail("golden bless: nothing new in %s; run \"golden new %s\" first", dir->path, c->name);
+	*t = (text){.data = NULL};
+	if (!ts_golden_has(dir, name)) return TS_OK;
+	return ts_golden_read_file(&t->data, &t->bytes, dir, name, MOST_TEXT_BYTES);
+}
+
+static bool ends_with(const text *t, const char *line)
+{
+	size_t n = strlen(line);
+	return t->bytes > n && t->data[t->bytes - 1] == '\n' && memcmp(t->data + t->bytes - 1 - n, line, n) == 0 &&
+	       (t->bytes == n + 1 || t->data[t->bytes - 2 - n] == '\n');
+}
+
+/* True if a bless that was killed came as far as that. */
+static bool is_blessed(const text sums[2], const text *changes, const char *reason)
+{
+	bool same = sums[0].bytes > 0 && sums[0].bytes == sums[1].bytes;
+	return same && memcmp(sums[0].data, sums[1].data, sums[0].bytes) == 0 && ends_with(changes, reason);
+}
+
+/* The old lines, and the reason. */
+static ts_status write_changes(const char *reason, const ts_golden_dir *old, const ts_golden_dir *proposed)
+{
+	text changes, sums[2] = {{NULL, 0}, {NULL, 0}};
+	ts_file_text out;
+	ts_status status = read_text(&changes, old, TS_GOLDEN_CHANGES);
+	if (status == TS_OK) status = read_text(&sums[0], old, TS_GOLDEN_SUMS);
+	if (status == TS_OK) status = read_text(&sums[1], proposed, TS_GOLDEN_SUMS);
+	const char *path = status == TS_OK ? ts_folder_file(TS_GOLDEN_CHANGES) : NULL;
+	status = path != NULL ? ts_file_text_begin(&out, path) : TS_ERROR;
+	if (status == TS_OK) {
+		if (changes.bytes > 0) fwrite(changes.data, 1, changes.bytes, out.out);
+		if (!is_blessed(sums, &changes, reason)) fprintf(out.out, "%s\n", reason);
+		status = ts_file_text_write(&out, path);
 	}
-	if (!ts_golden_has(dir, "preview.png.new")) {
-		return ts_fail("golden bless: no preview.png.new in %s; touchstone-core writes none", dir->path);
+	free(changes.data);
+	free(sums[0].data);
+	free(sums[1].data);
+	return status;
+}
+
+/* The golden and its reason change in one step. */
+static ts_status replace(const ts_goldens *goldens, const ts_case *c, const ts_golden_dir *proposed)
+{
+	char path[TS_CASE_PATH];
+	ts_golden_dir old = {.fd = -1};
+	ts_case_path(path, goldens, c, "");
+	ts_status status = ts_folder_begin(path, ts_golden_judge);
+	if (status != TS_OK) return status;
+	if (ts_golden_has(&goldens->dir, c->name)) status = ts_golden_dir_open(&old, &goldens->dir, c->name);
+	if (status == TS_OK) status = ts_golden_copy(proposed);
+	if (status == TS_OK) status = write_changes(goldens->reason, &old, proposed);
+	if (status == TS_OK) status = ts_folder_commit();
+	if (status != TS_OK) ts_folder_discard();
+	ts_golden_dir_close(&old);
+	return status;
+}
+
+static ts_status bless(const ts_goldens *goldens, const ts_case *c, const ts_golden_dir *proposed)
+{
+	if (!ts_golden_has(proposed, TS_GOLDEN_PREVIEW)) {
+		return ts_fail("golden bless: no preview.png in %s; touchstone-core writes none", proposed->path);
 	}
-	if (check_proposal(goldens, c, dir) != TS_OK) return TS_ERROR;
-	snprintf(line, sizeof line, "%s: %s", c->name, goldens->reason);
-	ts_status status = ts_golden_add_line(&goldens->dir, "CHANGES", line);
-	return status == TS_OK ? ts_golden_promote(dir, promoted) : status;
+	ts_status status = check_proposal(goldens, c, proposed);
+	if (status == TS_OK) status = replace(goldens, c, proposed);
+	if (status == TS_OK && ts_folder_remove(proposed->path) != TS_OK) ts_say("%s", ts_error_message());
+	return status;
 }
 
 ts_status ts_golden_bless_action(const ts_goldens *goldens, const ts_case *only)
 {
-	ts_golden_dir dir;
+	ts_golden_dir proposed;
+	char name[TS_CASE_NAME + 8], path[TS_CASE_PATH];
 	if (only == NULL) return ts_fail("golden bless: which case? Write golden bless CASE --reason TEXT");
 	if (check_reason(goldens->reason) != TS_OK || check_build(goldens->job) != TS_OK) return TS_ERROR;
-	if (!ts_golden_has(&goldens->dir, only->name)) {
+	ts_case_path(path, goldens, only, ".new");
+	ts_folder_clear(path, 0);
+	snprintf(name, sizeof name, "%s.new", only->name);
+	if (!ts_golden_has(&goldens->dir, name)) {
 		return ts_fail("golden bless: nothing new: run \"golden new %s\" first", only->name);
 	}
-	if (ts_golden_dir_open(&dir, &goldens->dir, only->name) != TS_OK) return TS_ERROR;
-	ts_status status = bless(goldens, only, &dir);
-	ts_golden_dir_close(&dir);
+	if (ts_golden_dir_open(&proposed, &goldens->dir, name) != TS_OK) return TS_ERROR;
+	ts_status status = bless(goldens, only, &proposed);
+	ts_golden_dir_close(&proposed);
 	if (status == TS_OK) printf("blessed    %s\n", only->name);
 	return status;
 }

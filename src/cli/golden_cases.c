@@ -58,8 +58,10 @@ static ts_status parse_words(ts_cli *cli, bool *small, char *text)
 		}
 	}
 	ts_status status = ts_cli_parse(cli, &line_command, n, words);
-	if (status == TS_OK && ts_cli_given(cli, TS_OPT(HELP))) return ts_fail("--help is no part of a case");
-	return status;
+	if (status != TS_OK) return status;
+	u64 foreign = cli->given & ~line_command.options;
+	if (foreign == 0) return TS_OK;
+	return ts_fail("--%s is no part of a case", ts_option_table[__builtin_ctzll(foreign)].name);
 }
 
 static ts_status find_method(ts_case *c, ts_cli *cli)

@@ -14,9 +14,9 @@ static verdict of_status(ts_status status)
 static verdict compare(char *text, const ts_goldens *goldens, const ts_case *c, const ts_golden_dir *dir)
 {
 	ts_golden stored, computed;
-	ts_status status = ts_case_check_params(text, TEXT_BYTES, c, dir, "params.txt");
+	ts_status status = ts_case_check_params(text, TEXT_BYTES, c, dir);
 	if (status != TS_OK) return of_status(status);
-	status = ts_golden_read(&stored, dir, c->pipeline, "");
+	status = ts_golden_read(&stored, dir, c->pipeline);
 	if (status == TS_OK) {
 		status = ts_case_compute(&computed, c, &goldens->job->how);
 		if (status == TS_OK) status = ts_golden_compare(text, TEXT_BYTES, &stored, &computed, c->pipeline, c->small);
@@ -29,8 +29,8 @@ static verdict compare(char *text, const ts_goldens *goldens, const ts_case *c, 
 /* The file without which there is no golden; NULL: all are there. */
 static const char *missing_file(const ts_golden_dir *dir, bool small)
 {
-	if (!ts_golden_has(dir, "params.txt")) return "params.txt";
-	if (!ts_golden_has(dir, "SHA256SUMS")) return "SHA256SUMS";
+	if (!ts_golden_has(dir, TS_GOLDEN_PARAMS)) return TS_GOLDEN_PARAMS;
+	if (!ts_golden_has(dir, TS_GOLDEN_SUMS)) return TS_GOLDEN_SUMS;
 	return small && !ts_golden_has(dir, "small") ? "small" : NULL;
 }
 

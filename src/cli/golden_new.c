@@ -1,29 +1,35 @@
 /* `golden new`: what is computed now, beside the goldens, which it does not touch. */
 #include <stdio.h>
+#include "../output/folder.h"
 #include "golden.h"
 
-static ts_status write_preview(const ts_golden *golden, const ts_golden_dir *dir)
+static ts_status write_preview(const ts_golden *golden)
 {
-	char path[TS_GOLDEN_PATH + 32];
 	u32 width, height;
 	const u8 *srgb = ts_golden_image(golden, &width, &height);
 	if (ts_golden_preview == NULL || srgb == NULL) return TS_OK;
-	snprintf(path, sizeof path, "%s/preview.new.png", dir->path);
-	ts_status status = ts_golden_preview(path, srgb, width, height, 3);
-	return status == TS_OK ? ts_golden_rename(dir, "preview.new.png", "preview.png.new") : status;
+	const char *path = ts_folder_file(TS_GOLDEN_PREVIEW);
+	return path != NULL ? ts_golden_preview(path, srgb, width, height, 3) : TS_ERROR;
+}
+
+static ts_status write_all(const ts_golden *golden, const ts_case *c)
+{
+	ts_status status = write_preview(golden);
+	if (status == TS_OK) status = ts_case_write_params(c);
+	if (status == TS_OK) status = ts_golden_write(golden, c->pipeline, c->small);
+	return status == TS_OK ? ts_folder_commit() : status;
 }
 
 static ts_status propose(const ts_goldens *goldens, const ts_case *c)
 {
-	ts_golden_dir dir;
+	char path[TS_CASE_PATH];
 	ts_golden golden;
-	if (ts_golden_dir_make(&dir, &goldens->dir, c->name) != TS_OK) return TS_ERROR;
+	ts_case_path(path, goldens, c, ".new");
+	if (ts_folder_begin(path, ts_golden_judge) != TS_OK) return TS_ERROR;
 	ts_status status = ts_case_compute(&golden, c, &goldens->job->how);
-	if (status == TS_OK) status = write_preview(&golden, &dir);
-	if (status == TS_OK) status = ts_case_write_params(c, &dir, "params.txt.new");
-	if (status == TS_OK) status = ts_golden_propose(&golden, &dir, c->pipeline, c->small);
+	if (status == TS_OK) status = write_all(&golden, c);
+	if (status != TS_OK) ts_folder_discard();
 	ts_golden_free(&golden);
-	ts_golden_dir_close(&dir);
 	return status;
 }
 

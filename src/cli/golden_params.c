@@ -2,6 +2,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "../output/file.h"
+#include "../output/folder.h"
 #include "../study/reads.h"
 #include "golden.h"
 
@@ -12,7 +14,7 @@ static bool is_read(const ts_case *c, const char *param)
 	return ts_reads("scene", "built-in", param) || ts_reads_method(c->pipeline, &c->params, param);
 }
 
-ts_status ts_case_write_params(const ts_case *c, const ts_golden_dir *dir, const char *name)
+ts_status ts_case_write_params(const ts_case *c)
 {
 	char text[MOST_BYTES], value[VALUE_BYTES];
 	size_t n_params, used;
@@ -24,8 +26,9 @@ ts_status ts_case_write_params(const ts_case *c, const ts_golden_dir *dir, const
 		ts_params_format(&c->params, i, value, sizeof value);
 		used += (size_t)snprintf(text + used, sizeof text - used, "%s=%s\n", params[i].name, value);
 	}
-	if (used >= sizeof text) return ts_fail("%s/%s: its parameters are too long", dir->path, name);
-	return ts_golden_write_file(dir, name, text, used);
+	if (used >= sizeof text) return ts_fail("%s: its parameters are too long", c->name);
+	const char *path = ts_folder_file(TS_GOLDEN_PARAMS);
+	return path != NULL ? ts_file_write(path, text, used) : TS_ERROR;
 }
 
 /* What a params.txt says. */
@@ -55,13 +58,13 @@ static ts_status read_line(said *s, char *line)
 	return ts_params_set(&s->params, line, equals + 1);
 }
 
-static ts_status read_params(said *s, const ts_golden_dir *dir, const char *name)
+static ts_status read_params(said *s, const ts_golden_dir *dir)
 {
 	char *text, *end;
 	size_t bytes;
 	memset(s, 0, sizeof *s);
 	ts_params_default(&s->params);
-	ts_status status = ts_golden_read_file(&text, &bytes, dir, name, MOST_BYTES);
+	ts_status status = ts_golden_read_file(&text, &bytes, dir, TS_GOLDEN_PARAMS, MOST_BYTES);
 	if (status != TS_OK) return status;
 	if (strlen(text) != bytes) status = ts_fail("a byte that is no text");
 	for (char *line = text; status == TS_OK && *line != 0; line = end) {
@@ -69,7 +72,7 @@ static ts_status read_params(said *s, const ts_golden_dir *dir, const char *name
 		if (*end != 0) *end++ = 0;
 		status = read_line(s, line);
 	}
-	if (status != TS_OK) ts_fail("%s/%s: %s", dir->path, name, ts_error_message());
+	if (status != TS_OK) ts_fail("%s/%s: %s", dir->path, TS_GOLDEN_PARAMS, ts_error_message());
 	free(text);
 	return status;
 }
@@ -82,11 +85,10 @@ static bool differs(char *text, size_t text_bytes, const char *name, const char 
 	return true;
 }
 
-ts_status ts_case_check_params(char *text, size_t text_bytes, const ts_case *c, const ts_golden_dir *dir,
-                               const char *name)
+ts_status ts_case_check_params(char *text, size_t text_bytes, const ts_case *c, const ts_golden_dir *dir)
 {
 	said s;
-	if (read_params(&s, dir, name) != TS_OK) return TS_ERROR;
+	if (read_params(&s, dir) != TS_OK) return TS_ERROR;
 	if (differs(text, text_bytes, "effect", s.effect, c->pipeline->effect->name)) return TS_DIFFERENT;
 	if (differs(text, text_bytes, "method", s.method, c->pipeline->name)) return TS_DIFFERENT;
 	if (differs(text, text_bytes, "scene", s.scene, c->scene)) return TS_DIFFERENT;

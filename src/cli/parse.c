@@ -13,7 +13,8 @@ bool ts_cli_given(const ts_cli *cli, u64 option) { return (cli->given & option) 
 
 bool ts_command_takes(const ts_command *command, u32 option)
 {
-	return ((command->options | TS_OPT(HELP)) >> option & 1) != 0;
+	u64 all = TS_OPT(TIMEOUT) | TS_OPT(MEMORY) | TS_OPT(NO_WORKER) | TS_OPT(HELP);
+	return ((command->options | all) >> option & 1) != 0;
 }
 
 /* What getopt_long knows of a command's options. */

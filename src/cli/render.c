@@ -140,7 +140,7 @@ static ts_status work(ts_render *render, ts_report *report)
 	status = ts_report_check(report);
 	if (status != TS_OK || !writes_files(job)) return status;
 	if (!job->output.no_images) status = ts_render_write(render);
-	return status == TS_OK ? ts_folder_report(report) : status;
+	return status == TS_OK ? ts_results_report(report) : status;
 }
 
 static void release(ts_render *render)
@@ -160,7 +160,7 @@ static ts_status work_in_folder(ts_render *render, void *user)
 	(void)user;
 	const ts_job *job = render->job;
 	bool files = writes_files(job);
-	ts_status status = files ? ts_folder_begin(output(job), job->output.force) : TS_OK;
+	ts_status status = files ? ts_results_begin(output(job), job->output.force) : TS_OK;
 	if (status != TS_OK) return status;
 	ts_report report;
 	ts_report_begin(&report, job->output.json);
@@ -238,7 +238,7 @@ static bool is_read(const ts_job *job, const ts_pipeline *const *methods, u32 n_
 	return read;
 }
 
-/* One line of standard error for each parameter that was set in vain, behind a render that works: a failure is one
+/* A line is said for each parameter that was set in vain, behind a render that works: a failure is one
  * line. */
 static ts_status say_unread(const ts_job *job)
 {
@@ -249,8 +249,7 @@ static ts_status say_unread(const ts_job *job)
 	if (ts_methods_find(methods, &n_methods, job->effect, job->method) != TS_OK) return TS_ERROR;
 	for (size_t i = 0; i < n; i++) {
 		if (!job->set[i] || is_read(job, methods, n_methods, params[i].name)) continue;
-		fprintf(stderr, "%s: --set %s: no method, scene or truth of this render reads it\n", ts_program,
-		        params[i].name);
+		ts_say("--set %s: no method, scene or truth of this render reads it", params[i].name);
 	}
 	return TS_OK;
 }

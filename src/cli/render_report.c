@@ -51,8 +51,8 @@ void ts_render_report_head(const ts_render *render, ts_report *report)
 	ts_report_value(report, "scene", ts_text_json(scene->name));
 	ts_report_value(report, "triangles", json_integer(scene->n_triangles));
 	if (has_mirrors(render)) ts_report_value(report, "mirrors", json_integer(scene->info.n_reflectors));
-	ts_report_value(report, "estimated_bytes", json_integer((json_int_t)peak));
-	ts_report_value(report, "held_bytes", json_integer((json_int_t)render->estimate.held));
+	ts_report_timed(report, "estimated_bytes", json_integer((json_int_t)peak));
+	ts_report_timed(report, "held_bytes", json_integer((json_int_t)render->estimate.held));
 }
 
 static void report_stage(const ts_render *render, u32 n_methods, ts_table *table, const char *stage)
@@ -81,6 +81,7 @@ static void report_times(const ts_render *render, ts_report *report)
 {
 	method_columns columns = columns_make(render, "stage", "time, ms");
 	ts_table table = ts_table_begin("milliseconds", "Time", columns.column);
+	table.timed = true;
 	for (u32 i = 0; i < columns.n_methods; i++) {
 		for (u32 k = 0; k < render->measures[i].n_timings; k++) {
 			const char *stage = render->measures[i].timings[k].stage;
@@ -90,6 +91,19 @@ static void report_times(const ts_render *render, ts_report *report)
 	ts_table_text(&table, "all");
 	for (u32 i = 0; i < columns.n_methods; i++) ts_table_real(&table, 1e3 * render->measures[i].seconds, 2);
 	ts_report_table(report, &table);
+}
+
+static void report_truths(const ts_render *render, ts_report *report)
+{
+	static const ts_column columns[] = {{"truth", "truth", false}, {"seconds", "time, s", true}, {0}};
+	ts_table table = ts_table_begin("truth_seconds", "Time of truths", columns);
+	table.timed = true;
+	for (u32 t = 0; t < TS_MAX_TRUTHS; t++) {
+		if (render->truths[t].srgb == NULL) continue;
+		ts_table_text(&table, render->truths[t].name);
+		ts_table_real(&table, render->truths[t].seconds, 2);
+	}
+	if (table.n_cells > 0) ts_report_table(report, &table);
 }
 
 static bool counted_before(const ts_render *render, u32 method, const char *name)
@@ -329,8 +343,7 @@ static void report_pictures(const ts_render *render, ts_report *report)
 	for (u32 t = 0; t < TS_MAX_TRUTHS; t++) {
 		if (render->truths[t].srgb != NULL) {
 			snprintf(name, sizeof name, "%s.png .exr", render->truths[t].name);
-			snprintf(what, sizeof what, "%s, in %.2f s", ts_truths()[t]->doc, render->truths[t].seconds);
-			picture_row(&table, name, what);
+			picture_row(&table, name, ts_truths()[t]->doc);
 		}
 	}
 	if (render->n_pairs > 0) {
@@ -344,6 +357,7 @@ static void report_pictures(const ts_render *render, ts_report *report)
 void ts_render_report_body(const ts_render *render, ts_report *report)
 {
 	report_times(render, report);
+	report_truths(render, report);
 	report_counters(render, report);
 	report_memory(render, report);
 	if (has_mirrors(render)) {

@@ -40,7 +40,7 @@ static ts_status replay_one(const ts_cli *cli, const ts_trace *reference, const 
 {
 	ts_replayed replayed = {.stage = ts_replay_find(cli->stage, reference->pipeline, &reference->params)};
 	if (replayed.stage == NULL) return TS_ERROR;
-	if (cli->job.output.dir != NULL && ts_folder_begin(cli->job.output.dir, false) != TS_OK) return TS_ERROR;
+	if (cli->job.output.dir != NULL && ts_results_begin(cli->job.output.dir, false) != TS_OK) return TS_ERROR;
 	replay(&replayed, cli, reference, candidate);
 	if (cli->job.output.dir != NULL && (replayed.status == TS_ERROR || ts_folder_commit() != TS_OK)) {
 		if (replayed.status != TS_ERROR) snprintf(replayed.error, sizeof replayed.error, "%s", ts_error_message());

@@ -51,7 +51,7 @@ static ts_status write_primitive(const ts_vector *v, ts_vector_rows *rows, json_
 static ts_status write_index(json_t *list)
 {
 	const char *path = ts_folder_file("vectors.json");
-	json_t *files = path != NULL ? ts_folder_list() : NULL;
+	json_t *files = path != NULL ? ts_results_list() : NULL;
 	json_t *root = files != NULL ? json_pack("{ss, ss, si, si, sO, so}", "program", ts_program, "version", TS_VERSION,
 	                                         "contract", (int)TS_CONTRACT_VERSION, "items", (int)TS_VECTOR_ITEMS,
 	                                         "primitives", list, "files", files)
@@ -83,7 +83,7 @@ static ts_status write_all(void)
 static ts_status write_folder(const ts_cli *cli)
 {
 	ts_report report;
-	ts_status status = ts_folder_begin(cli->job.output.dir, cli->job.output.force);
+	ts_status status = ts_results_begin(cli->job.output.dir, cli->job.output.force);
 	if (status == TS_OK) status = write_all();
 	if (status == TS_OK) status = ts_folder_commit();
 	if (status != TS_OK) {

@@ -20,9 +20,12 @@ ts_status ts_render_run(ts_render **render, const ts_scene *scene, const ts_para
 	if (pipeline == NULL) {
 		return ts_fail("%s by %s: no such method; `touchstone list methods` names them", effect, method);
 	}
+	if (threads > TS_MOST_THREADS) {
+		return ts_fail("%lu threads; 0 to %d are right", (unsigned long)threads, TS_MOST_THREADS);
+	}
 	ts_render *made = ts_alloc_zero(1, sizeof *made, "render");
 	if (made == NULL) return TS_ERROR;
-	ts_run_begin(&made->run, scene, params, threads);
+	ts_run_begin(&made->run, scene, params, ts_threads_ready(threads));
 	if (ts_pipeline_run(pipeline, &made->run) != TS_OK) {
 		ts_render_free(made);
 		return TS_ERROR;

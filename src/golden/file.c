@@ -1,4 +1,4 @@
-/* Folders and files of goldens, by openat and O_NOFOLLOW. */
+/* Folders and files of goldens, read by openat and O_NOFOLLOW. */
 #include "file.h"
 #include <dirent.h>
 #include <errno.h>
@@ -8,7 +8,6 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
-#include "../output/file.h"
 
 static ts_status fail(const ts_golden_dir *dir, const char *name, const char *what)
 {
@@ -24,13 +23,6 @@ ts_status ts_golden_dir_open(ts_golden_dir *dir, const ts_golden_dir *parent, co
 	int flags = O_RDONLY | O_DIRECTORY | O_CLOEXEC | (parent != NULL ? O_NOFOLLOW : 0);
 	dir->fd = openat(parent != NULL ? parent->fd : AT_FDCWD, name, flags);
 	return dir->fd >= 0 ? TS_OK : ts_fail("%s: cannot open the folder: %s", dir->path, strerror(errno));
-}
-
-ts_status ts_golden_dir_make(ts_golden_dir *dir, const ts_golden_dir *parent, const char *name)
-{
-	dir->fd = -1;
-	if (mkdirat(parent->fd, name, 0777) != 0 && errno != EEXIST) return fail(parent, name, "cannot make the folder");
-	return ts_golden_dir_open(dir, parent, name);
 }
 
 void ts_golden_dir_close(ts_golden_dir *dir)
@@ -96,62 +88,4 @@ ts_status ts_golden_read_file(char **data, size_t *bytes, const ts_golden_dir *d
 	free(*data);
 	*data = NULL;
 	return TS_ERROR;
-}
-
-/* Data, and a text behind it. */
-static ts_status write_all(const ts_golden_dir *dir, int fd, const char *name, const void *data, size_t bytes,
-                           const char *end)
-{
-	ts_file file;
-	char path[TS_GOLDEN_PATH + 128];
-	snprintf(path, sizeof path, "%s/%s", dir->path, name);
-	if (ts_file_adopt(&file, fd, path) != TS_OK) return TS_ERROR;
-	if (ts_file_put(&file, data, bytes) == TS_OK && ts_file_put(&file, end, strlen(end)) == TS_OK) {
-		return ts_file_end(&file);
-	}
-	ts_file_drop(&file);
-	return TS_ERROR;
-}
-
-ts_status ts_golden_write_file(const ts_golden_dir *dir, const char *name, const void *data, size_t bytes)
-{
-	char partial[128];
-	snprintf(partial, sizeof partial, "%.100s.partial", name);
-	unlinkat(dir->fd, partial, 0);
-	int fd = openat(dir->fd, partial, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
-	if (fd < 0) return fail(dir, name, "cannot write");
-	ts_status status = write_all(dir, fd, name, data, bytes, "");
-	if (status == TS_OK && renameat(dir->fd, partial, dir->fd, name) == 0) return TS_OK;
-	if (status == TS_OK) fail(dir, name, "cannot write");
-	unlinkat(dir->fd, partial, 0);
-	return TS_ERROR;
-}
-
-ts_status ts_golden_add_line(const ts_golden_dir *dir, const char *name, const char *line)
-{
-	int fd = openat(dir->fd, name, O_WRONLY | O_CREAT | O_APPEND | O_NOFOLLOW | O_CLOEXEC, 0666);
-	if (fd < 0) return fail(dir, name, "cannot add to it");
-	return write_all(dir, fd, name, line, strlen(line), "\n");
-}
-
-ts_status ts_golden_rename(const ts_golden_dir *dir, const char *from, const char *to)
-{
-	return renameat(dir->fd, from, dir->fd, to) == 0 ? TS_OK : fail(dir, from, "cannot rename");
-}
-
-static ts_status remove_entry(void *user, const char *name)
-{
-	const ts_golden_dir *dir = user;
-	return unlinkat(dir->fd, name, 0) == 0 ? TS_OK : fail(dir, name, "cannot remove");
-}
-
-ts_status ts_golden_remove_dir(const ts_golden_dir *dir, const char *name)
-{
-	ts_golden_dir inner;
-	if (!ts_golden_has(dir, name)) return TS_OK;
-	if (ts_golden_dir_open(&inner, dir, name) != TS_OK) return TS_ERROR;
-	ts_status status = ts_golden_names(&inner, remove_entry, &inner);
-	ts_golden_dir_close(&inner);
-	if (status == TS_OK && unlinkat(dir->fd, name, AT_REMOVEDIR) != 0) status = fail(dir, name, "cannot remove");
-	return status;
 }

@@ -2,7 +2,10 @@
  * stored in
  *   <case>/SHA256SUMS   what ts_sums_print prints
  *   <case>/small/       some of the files that it names
- * What is being proposed has ".new" behind these names. Stored files are untrusted. Part of the core. */
+ *   <case>/params.txt   what was rendered
+ *   <case>/preview.png  what it looks like
+ *   <case>/CHANGES      why it was blessed, a line each time
+ * What is being proposed is in <case>.new/, without CHANGES. Stored files are untrusted. Part of the core. */
 #ifndef TS_TRACE_GOLDEN_H
 #define TS_TRACE_GOLDEN_H
 #include "file.h"
@@ -10,6 +13,10 @@
 
 /* The largest file that is stored as it is. */
 enum { TS_GOLDEN_SMALL_BYTES = 192 << 10 };
+#define TS_GOLDEN_SUMS "SHA256SUMS"
+#define TS_GOLDEN_PARAMS "params.txt"
+#define TS_GOLDEN_PREVIEW "preview.png"
+#define TS_GOLDEN_CHANGES "CHANGES"
 
 typedef struct {
 	char *data; /* a whole .npy file; NULL: not kept */
@@ -39,13 +46,15 @@ typedef struct {
 /* Computes the digests, and keeps image.srgb and all files of at most TS_GOLDEN_SMALL_BYTES. ts_golden_free also after
  * a failure. */
 ts_status ts_golden_compute(ts_golden *golden, const ts_golden_job *job);
-/* Reads SHA256SUMS and small/ of a case's folder; suffix "" or ".new". Lines that a run of the pipeline cannot print
- * and files that SHA256SUMS does not name are refused. ts_golden_free also after a failure. */
-ts_status ts_golden_read(ts_golden *golden, const ts_golden_dir *dir, const ts_pipeline *pipeline, const char *suffix);
-/* Writes SHA256SUMS.new and, with `small`, small.new/, in place of what is there of those names. */
-ts_status ts_golden_propose(const ts_golden *golden, const ts_golden_dir *dir, const ts_pipeline *pipeline, bool small);
-/* Renames what was proposed, other files too if `files` (ended by NULL) names them: each NAME.new to NAME. */
-ts_status ts_golden_promote(const ts_golden_dir *dir, const char *const *files);
+/* Reads SHA256SUMS and small/ of a folder. Lines that a run of the pipeline cannot print and files that SHA256SUMS does
+ * not name are refused. ts_golden_free also after a failure. */
+ts_status ts_golden_read(ts_golden *golden, const ts_golden_dir *dir, const ts_pipeline *pipeline);
+/* Writes SHA256SUMS and, with `small`, small/ to the folder that is written (output/folder.h). */
+ts_status ts_golden_write(const ts_golden *golden, const ts_pipeline *pipeline, bool small);
+/* Copies to it all of a golden but CHANGES. */
+ts_status ts_golden_copy(const ts_golden_dir *from);
+/* A ts_folder_judge: all that is there is of a golden. */
+ts_status ts_golden_judge(const char *path);
 /* Releases what it holds. */
 void ts_golden_free(ts_golden *golden);
 

@@ -1,10 +1,14 @@
 /* Goldens on disk. */
 #include <stdio.h>
 #include <stdlib.h>
+#include "../output/file.h"
+#include "../output/folder.h"
 #include "golden.h"
 
-enum { HEX = TS_DIGEST_BYTES - 1, MOST_SUMS_BYTES = 64 << 10 };
-static const char sums_name[] = "SHA256SUMS", small_name[] = "small";
+enum { HEX = TS_DIGEST_BYTES - 1, MOST_SUMS_BYTES = 64 << 10, MOST_COPIED_BYTES = 8 << 20 };
+static const char small_name[] = "small";
+static const char *const file_names[] = {TS_GOLDEN_SUMS, TS_GOLDEN_PARAMS, TS_GOLDEN_PREVIEW, TS_GOLDEN_CHANGES};
+enum { N_FILES = sizeof file_names / sizeof *file_names };
 
 /* The buffer whose file in a trace of this pipeline has that name; TS_N_BUFFERS: none. */
 static ts_buffer_id find(const ts_pipeline *pipeline, const char *name)
@@ -32,11 +36,11 @@ static ts_status read_line(ts_golden *golden, const ts_pipeline *pipeline, const
 	return TS_OK;
 }
 
-static ts_status read_sums(ts_golden *golden, const ts_golden_dir *dir, const ts_pipeline *pipeline, const char *name)
+static ts_status read_sums(ts_golden *golden, const ts_golden_dir *dir, const ts_pipeline *pipeline)
 {
 	char *text;
 	size_t bytes;
-	if (ts_golden_read_file(&text, &bytes, dir, name, MOST_SUMS_BYTES) != TS_OK) return TS_ERROR;
+	if (ts_golden_read_file(&text, &bytes, dir, TS_GOLDEN_SUMS, MOST_SUMS_BYTES) != TS_OK) return TS_ERROR;
 	ts_status status = TS_OK;
 	if (bytes == 0 || strlen(text) != bytes || text[bytes - 1] != '\n') status = ts_fail("not lines of text");
 	char *end;
@@ -45,7 +49,7 @@ static ts_status read_sums(ts_golden *golden, const ts_golden_dir *dir, const ts
 		status = read_line(golden, pipeline, line);
 	}
 	free(text);
-	return status == TS_OK ? TS_OK : ts_fail("%s/%s: %s", dir->path, name, ts_error_message());
+	return status == TS_OK ? TS_OK : ts_fail("%s/%s: %s", dir->path, TS_GOLDEN_SUMS, ts_error_message());
 }
 
 static ts_status digest_of(char hex[TS_DIGEST_BYTES], const void *data, size_t bytes)
@@ -81,65 +85,90 @@ static ts_status read_small(void *user, const char *name)
 	return status == TS_OK ? digest_of(file->hex, file->data, file->bytes) : status;
 }
 
-ts_status ts_golden_read(ts_golden *golden, const ts_golden_dir *dir, const ts_pipeline *pipeline, const char *suffix)
+ts_status ts_golden_read(ts_golden *golden, const ts_golden_dir *dir, const ts_pipeline *pipeline)
 {
-	char name[64];
 	memset(golden, 0, sizeof *golden);
 	golden->infinite = TS_N_BUFFERS;
-	snprintf(name, sizeof name, "%s%s", sums_name, suffix);
-	if (read_sums(golden, dir, pipeline, name) != TS_OK) return TS_ERROR;
-	snprintf(name, sizeof name, "%s%s", small_name, suffix);
-	if (!ts_golden_has(dir, name)) return TS_OK;
+	if (read_sums(golden, dir, pipeline) != TS_OK) return TS_ERROR;
+	if (!ts_golden_has(dir, small_name)) return TS_OK;
 	ts_golden_dir small;
 	small_reader reader = {golden, pipeline, &small};
-	if (ts_golden_dir_open(&small, dir, name) != TS_OK) return TS_ERROR;
+	if (ts_golden_dir_open(&small, dir, small_name) != TS_OK) return TS_ERROR;
 	ts_status status = ts_golden_names(&small, read_small, &reader);
 	ts_golden_dir_close(&small);
 	return status;
 }
 
-static ts_status propose_small(const ts_golden *golden, const ts_golden_dir *dir, const ts_pipeline *pipeline)
+static ts_status write_small(const ts_golden *golden, const ts_pipeline *pipeline)
 {
-	ts_golden_dir small;
-	ts_status status = ts_golden_dir_make(&small, dir, "small.new");
+	ts_status status = TS_OK;
 	for (u32 id = 0; id < TS_N_BUFFERS && status == TS_OK; id++) {
 		const ts_golden_file *file = &golden->file[id];
-		char name[TS_EMIT_NAME];
+		char name[TS_EMIT_NAME], inner[sizeof small_name + TS_EMIT_NAME];
 		if (!ts_golden_is_small(golden, (ts_buffer_id)id)) continue;
 		ts_emit_name(name, pipeline, (ts_buffer_id)id);
-		status = ts_golden_write_file(&small, name, file->data, file->bytes);
+		snprintf(inner, sizeof inner, "%s/%s", small_name, name);
+		const char *path = ts_folder_file(inner);
+		status = path != NULL ? ts_file_write(path, file->data, file->bytes) : TS_ERROR;
 	}
+	return status;
+}
+
+ts_status ts_golden_write(const ts_golden *golden, const ts_pipeline *pipeline, bool small)
+{
+	ts_file_text text;
+	if (small && write_small(golden, pipeline) != TS_OK) return TS_ERROR;
+	const char *path = ts_folder_file(TS_GOLDEN_SUMS);
+	if (path == NULL || ts_file_text_begin(&text, TS_GOLDEN_SUMS) != TS_OK) return TS_ERROR;
+	ts_sums_print(&golden->sums, pipeline, text.out);
+	return ts_file_text_write(&text, path);
+}
+
+static ts_status copy_file(const ts_golden_dir *from, const char *name, const char *to)
+{
+	char *data;
+	size_t bytes;
+	if (ts_golden_read_file(&data, &bytes, from, name, MOST_COPIED_BYTES) != TS_OK) return TS_ERROR;
+	const char *path = ts_folder_file(to);
+	ts_status status = path != NULL ? ts_file_write(path, data, bytes) : TS_ERROR;
+	free(data);
+	return status;
+}
+
+static ts_status copy_small(void *user, const char *name)
+{
+	char to[sizeof small_name + TS_EMIT_NAME];
+	snprintf(to, sizeof to, "%s/%s", small_name, name);
+	return copy_file(user, name, to);
+}
+
+ts_status ts_golden_copy(const ts_golden_dir *from)
+{
+	ts_golden_dir small;
+	for (size_t i = 0; i < N_FILES; i++) {
+		bool copied = strcmp(file_names[i], TS_GOLDEN_CHANGES) != 0;
+		if (copied && copy_file(from, file_names[i], file_names[i]) != TS_OK) return TS_ERROR;
+	}
+	if (!ts_golden_has(from, small_name)) return TS_OK;
+	ts_status status = ts_golden_dir_open(&small, from, small_name);
+	if (status == TS_OK) status = ts_golden_names(&small, copy_small, &small);
 	ts_golden_dir_close(&small);
 	return status;
 }
 
-ts_status ts_golden_propose(const ts_golden *golden, const ts_golden_dir *dir, const ts_pipeline *pipeline, bool small)
+static ts_status judge_name(void *user, const char *name)
 {
-	char *text = NULL;
-	size_t bytes = 0;
-	ts_status status = ts_golden_remove_dir(dir, "small.new");
-	if (status == TS_OK && small) status = propose_small(golden, dir, pipeline);
-	if (status != TS_OK) return status;
-	FILE *out = open_memstream(&text, &bytes);
-	if (out == NULL) return ts_fail("no memory for a list of digests");
-	ts_sums_print(&golden->sums, pipeline, out);
-	status = fclose(out) == 0 ? ts_golden_write_file(dir, "SHA256SUMS.new", text, bytes)
-	                          : ts_fail("no memory for a list of digests");
-	free(text);
+	const char *dir = user;
+	bool known = strcmp(name, small_name) == 0;
+	for (size_t i = 0; i < N_FILES; i++) known |= strcmp(name, file_names[i]) == 0;
+	return known ? TS_OK : ts_fail("%s: holds %.90s, which is no part of a golden; move it away", dir, name);
+}
+
+ts_status ts_golden_judge(const char *path)
+{
+	ts_golden_dir dir;
+	ts_status status = ts_golden_dir_open(&dir, NULL, path);
+	if (status == TS_OK) status = ts_golden_names(&dir, judge_name, dir.path);
+	ts_golden_dir_close(&dir);
 	return status;
-}
-
-static ts_status promote(const ts_golden_dir *dir, const char *name)
-{
-	char from[64];
-	snprintf(from, sizeof from, "%s.new", name);
-	return ts_golden_has(dir, from) ? ts_golden_rename(dir, from, name) : TS_OK;
-}
-
-ts_status ts_golden_promote(const ts_golden_dir *dir, const char *const *files)
-{
-	ts_status status = ts_golden_remove_dir(dir, small_name);
-	if (status == TS_OK) status = promote(dir, small_name);
-	for (; *files != NULL && status == TS_OK; files++) status = promote(dir, *files);
-	return status == TS_OK ? promote(dir, sums_name) : status;
 }

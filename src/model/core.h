@@ -1,4 +1,4 @@
-/* Errors, memory, progress: what every folder needs. */
+/* Errors, memory, what is said: what every folder needs. */
 #ifndef TS_CORE_CORE_H
 #define TS_CORE_CORE_H
 #include <stdarg.h>
@@ -42,8 +42,22 @@ unsigned ts_selftest(void);
 /* The same as a status with a message that names the primitives. */
 ts_status ts_selftest_require(void);
 
-/* Progress on standard error, only when that is a terminal: `label`, then done of total. Ends with done == total. */
+/* Who hears what is said beside results and failures. NULL: nobody. */
+typedef struct {
+	void (*line)(const char *text); /* without its end */
+	void (*progress)(const char *label, uint64_t done, uint64_t total);
+} ts_listener;
+/* Before the first thread starts; without it nothing is heard. */
+void ts_listen(const ts_listener *listener);
+/* One line, by ts_line_clean. */
+void ts_say(const char *format, ...) __attribute__((format(printf, 1, 2)));
+/* Progress of long work: done of total. Ends with done == total. */
 void ts_progress(const char *label, uint64_t done, uint64_t total);
+
+/* The most threads that anything may ask for. */
+enum { TS_MOST_THREADS = 1024 };
+/* So many of these threads, at least 1, can be had, this one among them; says so where they are fewer. */
+uint32_t ts_threads_ready(uint32_t wanted);
 
 /* The commit that the program was built from, with "-dirty" behind it if its source was changed since; or "unknown". */
 const char *ts_commit(void);

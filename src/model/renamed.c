@@ -4,8 +4,8 @@
 #include <stdatomic.h>
 #include <stdbool.h>
 #include <stddef.h>
-#include <stdio.h>
 #include <string.h>
+#include "core.h"
 
 enum { MOST_ROWS = 512 };
 
@@ -44,7 +44,7 @@ const char *ts_name_typed(ts_name_kind kind, const char *name)
 	if (row == NULL) return name;
 	assert(row - rows < MOST_ROWS);
 	if (!atomic_exchange(&said[row - rows], true)) {
-		fprintf(stderr, "%s is now called %s; the old name works until 0.2\n", row->old, row->now);
+		ts_say("%s is now called %s; the old name works until 0.2", row->old, row->now);
 	}
 	return row->now;
 }

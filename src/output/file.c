@@ -2,11 +2,13 @@
 #include "file.h"
 #include <errno.h>
 #include <fcntl.h>
-#include <libgen.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include "left.h"
+#include "lock.h"
+#include "tree.h"
 
 enum { HELD = 1 << 16 };
 
@@ -26,12 +28,10 @@ ts_status ts_file_adopt(ts_file *file, int descriptor, const char *path)
 	return TS_ERROR;
 }
 
-static ts_status begin(ts_file *file, const char *path, const char *what)
+ts_status ts_file_begin(ts_file *file, const char *path)
 {
-	return ts_file_adopt(file, open(path, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666), what);
+	return ts_file_adopt(file, open(path, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666), path);
 }
-
-ts_status ts_file_begin(ts_file *file, const char *path) { return begin(file, path, path); }
 
 static ts_status write_out(ts_file *file, const uint8_t *data, size_t bytes)
 {
@@ -62,19 +62,24 @@ ts_status ts_file_put(ts_file *file, const void *data, size_t bytes)
 	return TS_OK;
 }
 
-/* Pipes and terminals have nothing to give to a disk. */
-static ts_status give_to_disk(ts_file *file)
+int ts_sync(int descriptor)
 {
 	int bad;
-	while ((bad = fsync(file->descriptor)) != 0 && errno == EINTR) {
+	while ((bad = fsync(descriptor)) != 0 && errno == EINTR) {
 	}
-	return bad == 0 || errno == EINVAL || errno == ENOTSUP ? TS_OK : fail(file, errno);
+	return bad == 0 || errno == EINVAL || errno == ENOTSUP ? 0 : errno;
+}
+
+static ts_status write_rest(ts_file *file)
+{
+	if (write_held(file) != TS_OK) return TS_ERROR;
+	int error = ts_sync(file->descriptor);
+	return error == 0 ? TS_OK : fail(file, error);
 }
 
 ts_status ts_file_end(ts_file *file)
 {
-	ts_status status = write_held(file);
-	if (status == TS_OK) status = give_to_disk(file);
+	ts_status status = write_rest(file);
 	bool closed = close(file->descriptor) == 0 || errno == EINTR;
 	if (status == TS_OK && !closed) status = fail(file, errno);
 	file->descriptor = -1;
@@ -89,41 +94,45 @@ void ts_file_drop(ts_file *file)
 	*file = (ts_file){.descriptor = -1};
 }
 
-/* `what` is for messages. */
-static ts_status write_as(const char *path, const char *what, const void *data, size_t bytes)
+ts_status ts_file_write(const char *path, const void *data, size_t bytes)
 {
 	ts_file file;
-	if (begin(&file, path, what) != TS_OK) return TS_ERROR;
+	if (ts_file_begin(&file, path) != TS_OK) return TS_ERROR;
 	if (ts_file_put(&file, data, bytes) == TS_OK) return ts_file_end(&file);
 	ts_file_drop(&file);
 	return TS_ERROR;
 }
 
-ts_status ts_file_write(const char *path, const void *data, size_t bytes) { return write_as(path, path, data, bytes); }
-
-static ts_status give_folder_to_disk(char *path, const char *what)
+/* The lock is held until the file is in its place. */
+static ts_status fill(const ts_lock *lock, const char *partial, const char *path, const void *data, size_t bytes)
 {
-	int folder = open(dirname(path), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-	bool good = folder >= 0 && (fsync(folder) == 0 || errno == EINVAL || errno == ENOTSUP);
-	int error = errno;
-	if (folder >= 0) close(folder);
-	return good ? TS_OK : ts_fail("%s: its folder cannot be written: %s", what, strerror(error));
+	ts_file file;
+	if (ts_file_adopt(&file, lock->descriptor, path) != TS_OK) return TS_ERROR;
+	ts_status status = ftruncate(lock->descriptor, 0) == 0 ? TS_OK : fail(&file, errno);
+	if (status == TS_OK) status = ts_file_put(&file, data, bytes);
+	if (status == TS_OK) status = write_rest(&file);
+	if (status == TS_OK && rename(partial, path) != 0) status = fail(&file, errno);
+	if (status != TS_OK) unlink(partial);
+	ts_file_drop(&file);
+	return status;
 }
 
 ts_status ts_file_replace(const char *path, const void *data, size_t bytes)
 {
 	struct stat there;
+	ts_lock lock;
 	if (stat(path, &there) == 0 && !S_ISREG(there.st_mode)) return ts_file_write(path, data, bytes);
 	size_t n = strlen(path) + sizeof ".partial";
 	char *partial = ts_alloc(n, 1, path);
 	if (partial == NULL) return TS_ERROR;
 	snprintf(partial, n, "%s.partial", path);
-	ts_status status = write_as(partial, path, data, bytes);
-	if (status == TS_OK && rename(partial, path) != 0) {
-		status = ts_fail("%s: cannot be written: %s", path, strerror(errno));
+	ts_status status = ts_lock_take(&lock, partial, path);
+	if (status == TS_OK) {
+		ts_left_file(partial);
+		status = fill(&lock, partial, path, data, bytes);
+		ts_left_file("");
 	}
-	if (status != TS_OK) unlink(partial);
-	if (status == TS_OK) status = give_folder_to_disk(partial, path);
+	if (status == TS_OK) status = ts_parent_sync(path);
 	free(partial);
 	return status;
 }

@@ -24,10 +24,13 @@ ts_status ts_file_end(ts_file *file);
 /* Closes what is open, after a failure elsewhere. */
 void ts_file_drop(ts_file *file);
 
+/* Gives the disk what is open; 0, or errno. Pipes have nothing to give. */
+int ts_sync(int descriptor);
+
 /* A whole file at once. */
 ts_status ts_file_write(const char *path, const void *data, size_t bytes);
-/* The same as PATH.partial, then renamed: what was there stays until all is written. What is no regular file, as a
- * pipe, is written as it is. */
+/* The same as PATH.partial, then renamed: what was there stays until all is written. Two processes that do so at a time
+ * do not mix. What is no regular file, as a pipe, is written as it is. */
 ts_status ts_file_replace(const char *path, const void *data, size_t bytes);
 
 /* Text for a file: `out` is a stream in memory. */

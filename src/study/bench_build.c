@@ -53,6 +53,7 @@ ts_status ts_bench_print_builds(ts_bench_table *table)
 {
 	ts_status status = TS_OK;
 	ts_table t = ts_table_begin("kernel_build", "Kernel build, in a process of its own", columns);
+	t.timed = true;
 	for (u32 i = table->reference + 1; status == TS_OK && i < table->n_columns; i++) {
 		const ts_bench_column *column = &table->column[i];
 		const char *variable = cache_variable(column);

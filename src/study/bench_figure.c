@@ -98,6 +98,21 @@ static double measured(const ts_bench_figure *f, const ts_bench_case *c)
 	}
 }
 
+bool ts_bench_is_timed(const ts_bench_figure *figures, u32 at)
+{
+	const ts_bench_figure *f = &figures[at];
+	switch (f->kind) {
+	case TS_FIGURE_TIME:
+	case TS_FIGURE_SURFEL_RATE:
+	case TS_FIGURE_STAGE_TIME:
+	case TS_FIGURE_PART_TIME:
+	case TS_FIGURE_REST_TIME:
+	case TS_FIGURE_RATE: return true;
+	default:
+		return f->kind >= TS_FIGURE_DERIVED && (ts_bench_is_timed(figures, f->a) || ts_bench_is_timed(figures, f->b));
+	}
+}
+
 void ts_bench_measure(double *values, const ts_bench_figure *figures, const ts_bench_case *c)
 {
 	for (u32 i = 0; figures[i].key != NULL; i++) values[i] = measured(&figures[i], c);

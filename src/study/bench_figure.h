@@ -46,6 +46,9 @@ typedef struct {
 } ts_bench_figure;
 enum { TS_WHOLE = -1 };
 
+/* Whether a clock says it, or what it is made of: two runs differ. */
+bool ts_bench_is_timed(const ts_bench_figure *figures, u32 at);
+
 /* Figures measured of a case; those that are not there are NAN. `derive` then fills in the others where both of theirs
  * are there and they are not, figure after figure; `before` is the row before it of the scene, or NULL. `figures` is
  * ended by one without a key. */

@@ -51,10 +51,10 @@ static ts_status write_text(ts_file_text *text, const char *name)
 	return TS_ERROR;
 }
 
-static ts_status write_csv(const char *key, json_t *rows)
+static ts_status write_csv(const char *key, bool timed, json_t *rows)
 {
 	char name[64];
-	snprintf(name, sizeof name, "%s.csv", key);
+	snprintf(name, sizeof name, "%s%s.csv", timed ? "times-" : "", key);
 	ts_file_text text;
 	if (ts_file_text_begin(&text, name) != TS_OK) return TS_ERROR;
 	put_rows(text.out, rows);
@@ -76,9 +76,9 @@ static ts_status write_files(ts_report *report)
 	ts_status status = ts_report_check(report);
 	json_object_foreach (report->root, key, value) {
 		bool table = json_is_array(value) && json_is_object(json_array_get(value, 0));
-		if (table && status == TS_OK) status = write_csv(key, value);
+		if (table && status == TS_OK) status = write_csv(key, ts_report_is_timed(report, key), value);
 	}
-	if (status == TS_OK) status = ts_folder_report(report);
+	if (status == TS_OK) status = ts_results_report(report);
 	return status == TS_OK ? ts_folder_commit() : status;
 }
 
@@ -86,7 +86,7 @@ ts_status ts_bench_with_report(const ts_job *job, ts_bench_work *work, const voi
 {
 	ts_report report;
 	bool files = job->output.dir != NULL;
-	ts_status status = files ? ts_folder_begin(job->output.dir, job->output.force) : TS_OK;
+	ts_status status = files ? ts_results_begin(job->output.dir, job->output.force) : TS_OK;
 	if (status != TS_OK) return status;
 	ts_report_begin(&report, job->output.json);
 	status = work(job, &report, user);

@@ -14,15 +14,17 @@ static ts_status plot_scene(const ts_paper_table *table, const ts_paper_line *li
 	ts_plot plot = {.title = title, .x_axis = of->x_axis, .y_axis = of->y_axis, .points = points, .rises = of->rises};
 	if (points == NULL) return TS_ERROR;
 	snprintf(title, sizeof title, "%s, %.90s", table->title, lines[0].scene);
-	snprintf(name, sizeof name, "%s_%u.svg", table->parts[0].key, (unsigned)scene);
+	bool timed = ts_bench_is_timed(table->figures, of->x);
 	for (; of->curves[plot.n_curves] != TS_NO_FIGURE; plot.n_curves++) {
 		u32 figure = of->curves[plot.n_curves];
 		plot.curves[plot.n_curves] = table->figures[figure].head;
+		timed |= ts_bench_is_timed(table->figures, figure);
 		for (u32 i = 0; i < n; i++) {
 			ts_plot_point point = {plot.n_curves, "", lines[i].here[of->x], lines[i].here[figure], false};
 			if (!isnan(point.y)) points[plot.n_points++] = point;
 		}
 	}
+	snprintf(name, sizeof name, "%s%s_%u.svg", timed ? "times-" : "", table->parts[0].key, (unsigned)scene);
 	ts_status status = plot.n_points > 0 ? ts_bench_plot(name, &plot) : TS_OK;
 	free(points);
 	return status;

@@ -46,6 +46,7 @@ static void report_part(ts_report *report, const ts_paper_table *table, const ts
 		add_column(&s, &k, table->figures[*f].key, table->figures[*f].head, true);
 	}
 	s.table = ts_table_begin(part->key, part->title, s.columns);
+	for (const u8 *f = part->figures; *f != TS_NO_FIGURE; f++) s.table.timed |= ts_bench_is_timed(table->figures, *f);
 	for (u32 i = 0; i < n; i++) {
 		add_row(&s.table, table, part, &lines[i], false);
 		if (lines[i].row != NULL) add_row(&s.table, table, part, &lines[i], true);
@@ -195,6 +196,7 @@ static void report_relations(ts_report *report, const ts_paper_table *table, con
 	s.table = ts_table_begin("relations", "What the paper claims", s.columns);
 	for (const ts_paper_relation *r = table->relations; r->text != NULL; r++) {
 		rows_of_kind[r->kind](&s.table, table, r, lines, n);
+		s.table.timed |= ts_bench_is_timed(table->figures, r->figure) || ts_bench_is_timed(table->figures, r->cause);
 	}
 	if (s.table.n_cells == 0) return;
 	ts_report_table(report, &s.table);

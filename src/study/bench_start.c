@@ -42,6 +42,7 @@ static ts_status report(const ts_bench_started *started, const ts_bench_frame *f
 	ts_bench_head(&r, job, true);
 	ts_bench_frame_report(frame, &r);
 	ts_table table = ts_table_begin("start", "Start", columns);
+	table.timed = true;
 	ts_table_text(&table, job->backend->name);
 	ts_bench_started_cells(&table, started);
 	ts_report_table(&r, &table);

@@ -79,6 +79,7 @@ void ts_bench_print_times(const ts_bench_table *table)
 	headings h;
 	time_headings(&h, table);
 	ts_table t = ts_table_begin("milliseconds", "Time", h.column);
+	t.timed = true;
 	const ts_measure *m = &table->column[0].last;
 	for (u32 k = 0; k < m->n_timings; k++) time_row(&t, table, m->timings[k].stage, k);
 	time_row(&t, table, "all", TS_BENCH_ALL);
@@ -112,6 +113,7 @@ void ts_bench_print_rates(const ts_bench_table *table)
 	add_heading(&h, "rate", "millions a second");
 	for (u32 i = 0; i < table->n_columns; i++) add_heading(&h, table->column[i].name, table->column[i].name);
 	ts_table t = ts_table_begin("millions_a_second", "Scattering", h.column);
+	t.timed = true;
 	splat_rows(&t, table);
 	for (u32 limit = 0; limit < TS_BENCH_ATOMICS; limit++) {
 		char name[64];

@@ -1,9 +1,12 @@
 /* What --force may replace. A report.json or vectors.json is untrusted: its names are only compared with those that
  * are in the folder. */
 #include <dirent.h>
+#include <errno.h>
+#include <jansson.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
+#include "../model/core.h"
 #include "folder_ours.h"
 
 enum { MAX_REPORT_BYTES = 1 << 24, PATH_BYTES = 4096 + 300 };
@@ -40,13 +43,13 @@ static json_t *read_list(const char *dir, const char *name)
 	return result;
 }
 
-json_t *ts_ours_read(const char *dir)
+static json_t *read_ours(const char *dir)
 {
 	json_t *files = read_list(dir, "report.json");
 	return files != NULL ? files : read_list(dir, "vectors.json");
 }
 
-bool ts_ours_has(const json_t *ours, const char *dir, const char *name)
+static bool has(const json_t *ours, const char *dir, const char *name)
 {
 	char path[PATH_BYTES];
 	struct stat info;
@@ -59,7 +62,7 @@ bool ts_ours_has(const json_t *ours, const char *dir, const char *name)
 	return listed && is_regular(path, &info);
 }
 
-bool ts_ours_is_folder(const json_t *ours, const char *dir, const char *name)
+static bool is_folder(const json_t *ours, const char *dir, const char *name)
 {
 	char path[PATH_BYTES];
 	struct stat info;
@@ -70,8 +73,36 @@ bool ts_ours_is_folder(const json_t *ours, const char *dir, const char *name)
 	for (struct dirent *e; all && (e = readdir(stream)) != NULL;) {
 		if (strcmp(e->d_name, ".") == 0 || strcmp(e->d_name, "..") == 0) continue;
 		snprintf(path, sizeof path, "%s/%s", name, e->d_name);
-		all = any = ts_ours_has(ours, dir, path);
+		all = any = has(ours, dir, path);
 	}
 	if (stream != NULL) closedir(stream);
 	return all && any;
+}
+
+static ts_status judge(const json_t *ours, const char *dir, DIR *stream)
+{
+	if (ours == NULL) {
+		return ts_fail("%s: no report.json or vectors.json there lists what was written, so --force replaces "
+		               "nothing; remove the folder if nothing in it is needed, or name another",
+		               dir);
+	}
+	for (struct dirent *e; (e = readdir(stream)) != NULL;) {
+		const char *name = e->d_name;
+		if (strcmp(name, ".") == 0 || strcmp(name, "..") == 0 || has(ours, dir, name)) continue;
+		if (is_folder(ours, dir, name)) continue;
+		return ts_fail("%s: holds %s, which no render wrote, so --force does not replace it; name another folder", dir,
+		               name);
+	}
+	return TS_OK;
+}
+
+ts_status ts_ours_judge(const char *dir)
+{
+	DIR *stream = opendir(dir);
+	if (stream == NULL) return ts_fail("%s: %s; name a folder that can be read and written", dir, strerror(errno));
+	json_t *ours = read_ours(dir);
+	ts_status status = judge(ours, dir, stream);
+	json_decref(ours);
+	closedir(stream);
+	return status;
 }

@@ -194,16 +194,16 @@ void ts_table_end(ts_table *table)
 
 void ts_report_begin(ts_report *report, bool json)
 {
-	*report = (ts_report){.root = json_object(), .json = json};
+	*report = (ts_report){.root = json_object(), .timed = json_object(), .json = json};
 	report->out = open_memstream(&report->text, &report->text_bytes);
-	report->failed = report->root == NULL || report->out == NULL;
+	report->failed = report->root == NULL || report->timed == NULL || report->out == NULL;
 }
 
 void ts_report_table(ts_report *report, ts_table *table)
 {
 	report->failed |= table->failed;
 	if (!report->json && !report->failed) ts_table_print(table, report->out);
-	ts_report_value(report, table->key, ts_table_json(table));
+	(table->timed ? ts_report_timed : ts_report_value)(report, table->key, ts_table_json(table));
 	ts_table_end(table);
 }
 
@@ -230,6 +230,17 @@ void ts_report_value(ts_report *report, const char *key, json_t *value)
 	if (json_object_set_new(report->root, key, value) != 0) report->failed = true;
 }
 
+void ts_report_timed(ts_report *report, const char *key, json_t *value)
+{
+	ts_report_value(report, key, value);
+	if (json_object_set_new(report->timed, key, json_true()) != 0) report->failed = true;
+}
+
+bool ts_report_is_timed(const ts_report *report, const char *key)
+{
+	return json_object_get(report->timed, key) != NULL;
+}
+
 ts_status ts_report_check(const ts_report *report)
 {
 	bool failed = report->failed || fflush(report->out) != 0 || ferror(report->out);
@@ -247,9 +258,9 @@ ts_status ts_report_print(ts_report *report)
 	return fflush(stdout) != 0 || ferror(stdout) ? cannot_print() : TS_OK;
 }
 
-bool ts_report_write(const ts_report *report, FILE *out)
+bool ts_report_write(const json_t *root, FILE *out)
 {
-	int failed = json_dumpf(report->root, out, JSON_INDENT(2) | JSON_REAL_PRECISION(9));
+	int failed = json_dumpf(root, out, JSON_INDENT(2) | JSON_REAL_PRECISION(9));
 	failed |= fputc('\n', out) == EOF;
 	failed |= fflush(out);
 	return !failed;
@@ -260,6 +271,7 @@ void ts_report_discard(ts_report *report)
 	if (report->out != NULL) fclose(report->out);
 	free(report->text);
 	json_decref(report->root);
+	json_decref(report->timed);
 	memset(report, 0, sizeof *report);
 }
 
@@ -267,7 +279,7 @@ ts_status ts_report_end(ts_report *report)
 {
 	ts_status status = ts_report_print(report);
 	if (status == TS_OK && report->json) {
-		status = ts_report_write(report, stdout) ? TS_OK : cannot_print();
+		status = ts_report_write(report->root, stdout) ? TS_OK : cannot_print();
 	}
 	ts_report_discard(report);
 	return status;

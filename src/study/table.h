@@ -24,6 +24,7 @@ typedef struct {
 	u32 n_columns;
 	ts_cell *cells;
 	size_t n_cells, capacity;
+	bool timed;  /* holds what a clock or the system said: two runs differ */
 	bool failed; /* out of memory */
 } ts_table;
 
@@ -44,7 +45,8 @@ void ts_table_end(ts_table *table);
 /* What a command prints: tables and single figures as text, or one JSON object, kept until they are asked for. */
 typedef struct {
 	json_t *root;
-	FILE *out; /* to `text` */
+	json_t *timed; /* keys of root whose values differ from run to run */
+	FILE *out;     /* to `text` */
 	char *text;
 	size_t text_bytes;
 	bool json;   /* text is not printed */
@@ -59,6 +61,10 @@ void ts_report_table(ts_report *report, ts_table *table);
 void ts_report_line(ts_report *report, const char *format, ...) __attribute__((format(printf, 2, 3)));
 /* A figure of the JSON object only; takes the value over. */
 void ts_report_value(ts_report *report, const char *key, json_t *value);
+/* The same of what a clock or the system said. */
+void ts_report_timed(ts_report *report, const char *key, json_t *value);
+/* Whether that was said of the key. */
+bool ts_report_is_timed(const ts_report *report, const char *key);
 /* Program, version, backend, threads and parameters as figures of the JSON object (run_report.c). */
 void ts_report_run(ts_report *report, const ts_job *job);
 /* Fails if the report is not whole. */
@@ -67,8 +73,8 @@ ts_status ts_report_check(const ts_report *report);
 ts_status ts_report_print(ts_report *report);
 /* Prints the rest, or the JSON object if that is wanted, and releases all, also on failure. */
 ts_status ts_report_end(ts_report *report);
-/* Writes the JSON object; false if it could not be. */
-bool ts_report_write(const ts_report *report, FILE *out);
+/* Writes a JSON object as reports are written; false if it could not be. */
+bool ts_report_write(const json_t *root, FILE *out);
 /* Releases all and prints nothing. */
 void ts_report_discard(ts_report *report);
 

@@ -1,6 +1,16 @@
 #!/bin/bash
 # The papers' tables: our figures, and the paper's below them.
 . "$(dirname "$0")/tap.bash"
+# For the scripts below: a report, of a folder with its times, or as it was printed; and a file of a folder, timed or not.
+cat > "$scratch/results.py" <<'PY'
+import json, os
+def results(path):
+	files = [f"{path}/{name}.json" for name in ("report", "times")] if os.path.isdir(path) else [path]
+	return {key: value for name in files if os.path.exists(name) for key, value in json.load(open(name)).items()}
+def found(folder, name):
+	return next(path for path in (f"{folder}/{name}", f"{folder}/times-{name}") if os.path.exists(path))
+PY
+export PYTHONPATH=$scratch
 small=(--scene atrium:triangles=10000:texels=32 --objects 1,2 --size 96x54 --set reflectors.px=30 --set cube.max_px=64)
 
 run bench epr-1 "${small[@]}"
@@ -8,8 +18,9 @@ run bench epr-1 "${small[@]}"
 verdict $? 'bench epr-1 says the size, and has the paper'
 run bench epr-1 "${small[@]}" --threads 2 --json
 python3 - "$scratch/stdout" <<'PY'
-import json, sys
-report = json.load(open(sys.argv[1]))
+import sys
+from results import results
+report = results(sys.argv[1])
 assert report["params"]["width"] == 96 and report["params"]["height"] == 54 and report["threads"] == 2
 assert report["program"] == "touchstone" and report["version"] and report["backend"] == "c"
 rows = [r for r in report["epr_1"] if r["source"] == "here"]
@@ -24,7 +35,8 @@ run bench epr-2 "${small[@]}" --runs 2 --truth=A -o "$scratch/epr-2"
 verdict $? 'bench epr-2 fits 120 columns and has the paper'
 python3 - "$scratch/epr-2" <<'PY'
 import csv, json, os, sys
-report = json.load(open(sys.argv[1] + "/report.json"))
+from results import results, found
+report = results(sys.argv[1])
 assert sorted(report["files"] + ["report.json"]) == sorted(os.listdir(sys.argv[1]))
 parts = {name: [r for r in report[name] if r["source"] == "here"] for name in report if name.startswith("epr_2")}
 assert [r["mirrors"] for r in parts["epr_2"]] == [1, 2]
@@ -34,7 +46,7 @@ for points, ms, ivir, rmse in zip(*parts.values()):
 	assert min(ms["point_ms"], ms["view_ms"], ms["deferred_ms"], ms["deferred2_ms"], ms["mvr_ms"]) > 0
 	assert abs(rmse["rmse_difference"] - (rmse["epr_rmse"] - rmse["mvr_rmse"]) / 2.55) < 1e-6
 for name in parts:
-	lines = list(csv.DictReader(open(f"{sys.argv[1]}/{name}.csv")))
+	lines = list(csv.DictReader(open(found(sys.argv[1], name + ".csv"))))
 	assert len(lines) == len(report[name])
 	for line, row in zip(lines, report[name]):
 		assert list(line) == list(row)
@@ -49,9 +61,10 @@ run bench ivir-1 "${views[@]}" --scene atrium:triangles=10000,gallery:triangles=
 [ "$status" -eq 0 ] && awk 'length > 120 || / $/ { exit 1 }' "$scratch/stdout" &&
 	grep -q "^iVIR points / VIR's .* at most 1 .* holds" "$scratch/stdout"
 verdict $? 'bench ivir-1 fits 120 columns and judges'
-python3 - "$scratch/ivir-1/report.json" <<'PY'
-import json, sys
-report = json.load(open(sys.argv[1]))
+python3 - "$scratch/ivir-1" <<'PY'
+import sys
+from results import results
+report = results(sys.argv[1])
 here = {name: [r for r in rows if r["source"] == "here"] for name, rows in report.items() if name.startswith("ivir_1")}
 assert report["params"]["reflectors.count"] == 0 and report["params"]["density.rate"] == "paper"
 assert len(here["ivir_1_points"]) == 2
@@ -72,8 +85,9 @@ run bench ivir-2 "${views[@]}" --scene dining:triangles=10000:texels=32 --object
 cp "$scratch/stdout" "$scratch/mirrors"
 run bench ivir-3 "${views[@]}" --scene dining:triangles=10000:texels=32 --objects 1,2 --json
 python3 - "$scratch/mirrors" "$scratch/stdout" <<'PY'
-import json, sys
-mirrors, lights = (json.load(open(path)) for path in sys.argv[1:])
+import sys
+from results import results
+mirrors, lights = (results(path) for path in sys.argv[1:])
 rows = mirrors["ivir_2_points"] + [r for r in lights["ivir_3_points"] if r["source"] == "here"]
 assert [r.get("mirrors", r.get("lights")) for r in rows] == [2, 1, 2]
 for r in rows:
@@ -92,8 +106,9 @@ plot=(--scene atrium:triangles=10000:texels=32 --objects 1 --size 48x28 --set re
 run bench epr-6 "${plot[@]}" -o "$scratch/epr-6"
 python3 - "$scratch/epr-6" <<'PY'
 import csv, sys, xml.etree.ElementTree as xml
-rows = list(csv.DictReader(open(sys.argv[1] + "/epr_6.csv")))
-svg = xml.parse(sys.argv[1] + "/epr_6.svg").getroot()
+from results import found
+rows = list(csv.DictReader(open(found(sys.argv[1], "epr_6.csv"))))
+svg = xml.parse(found(sys.argv[1], "epr_6.svg")).getroot()
 tag = "{http://www.w3.org/2000/svg}"
 texts = [t.text for t in svg.iter(tag + "text")]
 assert len(list(svg.iter(tag + "circle"))) == len(rows) == 14
@@ -115,9 +130,10 @@ run bench ssagh-1 --scene atrium:triangles=10000:texels=32 --objects 96x54,192x1
 [ "$status" -eq 0 ] && grep -q '^Crytek Sponza .* 921,600 .*paper .* 28.3800 .* 142.2600 .* 5.01 ' "$scratch/stdout" &&
 	awk 'length > 120 || / $/ { exit 1 }' "$scratch/stdout"
 verdict $? 'bench ssagh-1 fits 120 columns and has the paper'
-python3 - "$scratch/ssagh-1/report.json" <<'PY'
-import json, sys
-report = json.load(open(sys.argv[1]))
+python3 - "$scratch/ssagh-1" <<'PY'
+import sys
+from results import results
+report = results(sys.argv[1])
 here = [[r for r in report[part] if r["source"] == "here"] for part in ("ssagh_1", "ssagh_1_gathers")]
 assert [r["pixels"] for r in here[0]] == [96 * 54, 192 * 108, 1280 * 720]
 for frame, work in zip(*here):
@@ -154,12 +170,13 @@ for segmentation in sweeps components; do
 done
 python3 - "$scratch" <<'PY'
 import glob, json, struct, sys
+from results import results
 def blocks(name):
 	data = open(glob.glob(f"{sys.argv[1]}/{name}/trace-hulls/*segment.label.npy")[0], "rb").read()
 	labels = memoryview(data[10 + struct.unpack_from("<H", data, 8)[0]:]).cast("I")
 	return [[labels[(y + j) * 64 + x + i] for j in range(32) for i in range(32)] for y in (0, 32) for x in (0, 32)]
 pairs = [(len(set(a)), len(set(b))) for a, b in zip(blocks("sweeps"), blocks("components"))]
-rows = {(r["scene"], r["of"]): r for r in json.load(open(f"{sys.argv[1]}/segments/report.json"))["ssagh_segments"]}
+rows = {(r["scene"], r["of"]): r for r in results(f"{sys.argv[1]}/segments")["ssagh_segments"]}
 for of, of_these in ("all", pairs), ("parted", [p for p in pairs if p[1] > 1]):
 	row, n = rows["atrium:triangles=10000", of], len(of_these)
 	labels, components = zip(*of_these)
@@ -253,9 +270,10 @@ run render indirect "$room" --method megaviews,manylods --set vpl.paths=256 "${m
 cp "$scratch/stdout" "$scratch/mega-render"
 run render indirect "$room" --method megaviews --set vpl.paths=256 "${maps[@]}" --no-images --trace \
 	--trace-only view_octree,view_map.fuse -o "$scratch/mega-trace"
-python3 - "$scratch/mega-10/report.json" "$scratch/mega-render" "$scratch/mega-trace/trace-megaviews" <<'PY'
+python3 - "$scratch/mega-10" "$scratch/mega-render" "$scratch/mega-trace/trace-megaviews" <<'PY'
 import glob, json, math, struct, sys
-report, render = (json.load(open(path)) for path in sys.argv[1:3])
+from results import results
+report, render = (results(path) for path in sys.argv[1:3])
 names = ("mega_10", "mega_10_ms", "mega_10_pairs", "mega_10_fates", "mega_10_sharing", "mega_10_mib", "mega_10_manylods_mib")
 rows = [{k: v for name in names for k, v in report[name][i].items()} for i in (0, 1)]
 lods = [report["mega_10_manylods_mib"][i] for i in (0, 1)]
@@ -305,8 +323,9 @@ PY
 verdict $? 'bench mega-10: pairs, memory, exponents and empty texels, counted again'
 python3 - "$scratch/mega-10" <<'PY'
 import csv, sys, xml.etree.ElementTree as xml
-rows, rest = (list(csv.DictReader(open(f"{sys.argv[1]}/{name}.csv"))) for name in ("mega_10", "mega_10_ms"))
-svg = xml.parse(sys.argv[1] + "/mega_10_1.svg").getroot()
+from results import found
+rows, rest = (list(csv.DictReader(open(found(sys.argv[1], name + ".csv")))) for name in ("mega_10", "mega_10_ms"))
+svg = xml.parse(found(sys.argv[1], "mega_10_1.svg")).getroot()
 tag = "{http://www.w3.org/2000/svg}"
 texts = [t.text for t in svg.iter(tag + "text")]
 dots = [(float(c.get("cx")), float(c.get("cy"))) for c in svg.iter(tag + "circle")]
@@ -331,10 +350,11 @@ run bench mega-particles --scene "$room" --objects 64,256 "${maps[@]}" --runs 1 
 verdict $? 'bench mega-particles fits 120 columns'
 python3 - "$scratch" <<'PY'
 import json, math, sys
+from results import results
 def near(a, b):
 	assert abs(a - b) <= 1e-6 * abs(b), (a, b)
 for name, key in ("bounces", "mega_10_bounces"), ("particles", "mega_particles"):
-	report = json.load(open(f"{sys.argv[1]}/mega-{name}/report.json"))
+	report = results(f"{sys.argv[1]}/mega-{name}")
 	counted = json.load(open(f"{sys.argv[1]}/{name}-render"))
 	few, many = ({k: v for part in (key, key + "_pairs", key + "_mib") for k, v in report[part][i].items()} for i in (0, 1))
 	pairs = {c["counter"]: c for c in counted["counters"]}["pairs"]
@@ -356,9 +376,10 @@ run bench mega-13 --scene "$room" --objects 3,4 --set vpl.paths=64 "${maps[@]}" 
 cp "$scratch/stdout" "$scratch/mega-13"
 run bench mega-16 --scene "$room" --objects 1,4 --set vpl.paths=64 --set octree.levels=4 --set rsm.px=64 --size 48x27 \
 	-o "$scratch/mega-16"
-python3 - "$scratch/mega-12" "$scratch/mega-13" "$scratch/mega-16/report.json" <<'PY'
-import json, math, sys
-sides, levels, gather = (json.load(open(path)) for path in sys.argv[1:])
+python3 - "$scratch/mega-12" "$scratch/mega-13" "$scratch/mega-16" <<'PY'
+import math, sys
+from results import results
+sides, levels, gather = (results(path) for path in sys.argv[1:])
 def near(a, b):
 	assert abs(a - b) <= 1e-6 * abs(b), (a, b)
 def here(report, name):
@@ -398,7 +419,8 @@ for filter in min object; do
 done
 python3 - "$scratch" <<'PY'
 import glob, json, struct, sys
-report = json.load(open(sys.argv[1] + "/nv40/report.json"))
+from results import results
+report = results(sys.argv[1] + "/nv40")
 parts = [[r for r in rows if r["source"] == "here"] for name, rows in report.items() if name.startswith("nv40")]
 grid, room = ({k: v for part in parts for k, v in part[i].items()} for i in (0, 2))
 assert (grid["scene"], grid["surfels"]) == ("checkerboard:surfels=20000", 19600) and room["surfels"] > 250000

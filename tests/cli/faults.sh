@@ -21,8 +21,8 @@ faulty() {
 	status=$?
 }
 
-# sums: of all files of out but what holds times.
-sums() { (cd out 2> /dev/null && find . -type f ! -name report.json -exec sha256sum {} + | sort -k 2); }
+# sums: of all files of out but times.json.
+sums() { (cd out 2> /dev/null && find . -type f ! -name times.json -exec sha256sum {} + | sort -k 2); }
 
 # each NAME MOST ARGUMENT...: a command that makes out; where there are more calls of a kind than MOST, about so many fail.
 each() {

@@ -1,6 +1,7 @@
 #!/bin/bash
 # Goldens: proposed, blessed for a reason, and checked; a changed byte is named by buffer and element; hostile folders.
 . "$(dirname "$0")/tap.bash"
+. "$(dirname "$0")/stamp.bash"
 export OMP_WAIT_POLICY=passive # other tests run beside this one
 ref=$scratch/reference
 mkdir "$ref"
@@ -9,21 +10,6 @@ cat > "$ref/cases.txt" <<'CASES'
 few: epr atrium:triangles=10000 --size 24x16 --reflectors 1 --set reflectors.px=12 --set cube.max_px=16 --small # kept
 none: mvr dining:triangles=10000 --size 24x16 --reflectors 0
 CASES
-
-# stamp COMMIT: the command as if it was built from that commit, as $scratch/touchstone. The text is as long as it was.
-stamp() {
-	python3 - "$1" "$(realpath "${BUILD:-build/release}/touchstone")" "$scratch/touchstone" <<'PY'
-import subprocess, sys
-new, source, target = sys.argv[1].encode(), sys.argv[2], sys.argv[3]
-old = subprocess.run([source, "--version"], stdout=subprocess.PIPE).stdout.split(b"commit ")[1].strip()
-data = open(source, "rb").read()
-assert data.count(old + b"\0") == 1 and len(new) <= len(old)
-open(target, "wb").write(data.replace(old + b"\0", new.ljust(len(old), b"\0") + b"\0"))
-PY
-	chmod +x "$scratch/touchstone"
-	cp "${BUILD:-build/release}/libtouchstone-image.so" "$scratch"
-	touchstone=$scratch/touchstone
-}
 
 # golden ARGUMENT...: on the small folder.
 golden() { run golden "$@" --reference-dir "$ref"; }
@@ -60,11 +46,17 @@ verdict $? 'a missing golden is called so'
 fails 'nothing new' bless few --reason first
 
 golden new
-[ "$status" -eq 0 ] && [ "$(cd "$ref" && echo *)" = 'cases.txt few none' ] &&
-	[ "$(cd "$ref/few" && echo *)" = 'SHA256SUMS.new params.txt.new preview.png.new small.new' ] &&
-	[ "$(cd "$ref/none" && echo *)" = 'SHA256SUMS.new params.txt.new preview.png.new' ]
+[ "$status" -eq 0 ] && [ "$(cd "$ref" && echo *)" = 'cases.txt few.new none.new' ] &&
+	[ "$(cd "$ref/few.new" && echo *)" = 'SHA256SUMS params.txt preview.png small' ] &&
+	[ "$(cd "$ref/none.new" && echo *)" = 'SHA256SUMS params.txt preview.png' ]
 verdict $? 'new writes nothing but .new'
-fails 'no such file' check
+fails 'few: there is no such folder' check
+golden new few
+[ "$status" -eq 0 ] && [ "$(cd "$ref" && echo *)" = 'cases.txt few.new none.new' ]
+verdict $? 'a proposal replaces another'
+touch "$ref/few.new/notes"
+fails 'few.new: holds notes, which is no part of a golden' new few
+rm "$ref/few.new/notes"
 
 fails 'no reason' bless few
 fails 'no reason' bless few --reason '  '
@@ -77,17 +69,31 @@ fails 'not committed (a-dirty)' bless few --reason first
 stamp unknown
 fails 'does not know its commit' bless few --reason first
 stamp clean-1
-[ ! -e "$ref/CHANGES" ] && [ ! -e "$ref/few/SHA256SUMS" ]
+[ ! -e "$ref/few" ]
 verdict $? 'what was refused changed nothing'
 for case in few none; do
 	golden bless $case --reason "first of $case"
 	says 0 "^blessed  *$case$" "blessed: $case"
 done
-[ "$(cat "$ref/CHANGES")" = $'few: first of few\nnone: first of none' ]
+[ "$(cat "$ref/few/CHANGES" "$ref/none/CHANGES")" = $'first of few\nfirst of none' ]
 verdict $? 'the reasons are kept'
-[ "$(cd "$ref/few" && echo *)" = 'SHA256SUMS params.txt preview.png small' ]
+[ "$(cd "$ref" && echo *)" = 'cases.txt few none' ] &&
+	[ "$(cd "$ref/few" && echo *)" = 'CHANGES SHA256SUMS params.txt preview.png small' ]
 verdict $? 'nothing stays proposed'
 fails 'nothing new' bless few --reason again
+golden new few
+cp -r "$ref/few.new" "$scratch/kept"
+golden bless few --reason second
+[ "$(cat "$ref/few/CHANGES")" = $'first of few\nsecond' ]
+verdict $? 'another reason stands behind the first'
+cp -r "$scratch/kept" "$ref/few.new" # as if it was killed before it removed that
+golden bless few --reason second
+[ "$status" -eq 0 ] && [ "$(cat "$ref/few/CHANGES")" = $'first of few\nsecond' ] && [ ! -e "$ref/few.new" ]
+verdict $? 'what was blessed already is not blessed twice'
+golden new few
+touch "$ref/few/mine"
+fails 'few: holds mine, which is no part of a golden' bless few --reason third
+rm -r "$ref/few/mine" "$ref/few.new"
 
 all_of "$ref" > "$scratch/before"
 golden check
@@ -218,14 +224,14 @@ fails 'out of range' new none
 # What bless looks at: that this build computes what was proposed.
 with true
 golden new few
-poke "$ref/few/small.new/01-eye.view.npy" -1
+poke "$ref/few.new/small/01-eye.view.npy" -1
 fails 'computes something else: 01-eye.view.npy: element' bless few --reason damaged
 golden new few
-sed -i 's/^lookup.bounces=1/lookup.bounces=2/' "$ref/few/params.txt.new"
+sed -i 's/^lookup.bounces=1/lookup.bounces=2/' "$ref/few.new/params.txt"
 fails 'lookup.bounces=2, but cases.txt makes it 1' bless few --reason other
 golden new few
-rm "$ref/few/preview.png.new"
-fails 'no preview.png.new' bless few --reason unseen
+rm "$ref/few.new/preview.png"
+fails 'no preview.png in' bless few --reason unseen
 with "sed -i 's/--reflectors 0/--reflectors 0 --set image.exposure=1024 --set light.ambient=1000000/' cases.txt"
 golden new none
 fails 'the image is of one colour' bless none --reason white

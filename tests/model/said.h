@@ -1,35 +1,28 @@
-/* What was printed on standard error. */
+/* What is said beside results and failures, as lines of text. */
 #ifndef TS_TESTS_MODEL_SAID_H
 #define TS_TESTS_MODEL_SAID_H
-#include <stdio.h>
 #include <string.h>
-#include <unistd.h>
+#include "../../src/model/core.h"
 
-static FILE *said_file;
-static int said_before;
+static char said_text[4096];
 
-/* From here on it goes to a file. */
-static inline void said_begin(void)
+static inline void said_line(const char *line)
 {
-	said_file = tmpfile();
-	assert_non_null(said_file);
-	fflush(stderr);
-	said_before = dup(STDERR_FILENO);
-	assert_true(said_before >= 0 && dup2(fileno(said_file), STDERR_FILENO) >= 0);
+	size_t used = strlen(said_text);
+	snprintf(said_text + used, sizeof said_text - used, "%s\n", line);
 }
 
-/* And from here on no more. The text is valid until the next call. */
+static inline void said_begin(void)
+{
+	said_text[0] = 0;
+	ts_listen(&(ts_listener){.line = said_line});
+}
+
+/* All that was said since. */
 static inline const char *said_end(void)
 {
-	static char text[4096];
-	fflush(stderr);
-	assert_true(dup2(said_before, STDERR_FILENO) >= 0);
-	close(said_before);
-	rewind(said_file);
-	size_t n = fread(text, 1, sizeof text - 1, said_file);
-	fclose(said_file);
-	text[n] = 0;
-	return text;
+	ts_listen(&(ts_listener){.line = NULL});
+	return said_text;
 }
 
 #endif

@@ -18,7 +18,11 @@ static bool show_log(const ts_cl *cl, cl_program program)
 	clGetProgramBuildInfo(program, cl->device, CL_PROGRAM_BUILD_LOG, bytes, log, NULL);
 	size_t length = strlen(log);
 	while (length > 0 && strchr(" \n", log[length - 1]) != NULL) log[--length] = 0;
-	if (length > 0) fprintf(stderr, "%s\n", log);
+	for (char *line = log, *end; *line != 0; line = end) {
+		end = line + strcspn(line, "\n");
+		if (*end != 0) *end++ = 0;
+		ts_say("%s", line);
+	}
 	free(log);
 	return length > 0;
 }

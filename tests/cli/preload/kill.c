@@ -1,7 +1,9 @@
 /* A library to be preloaded: the process kills itself before the n-th of those calls that change the disk, n being what
- * TOUCHSTONE_KILL_AT says; counting starts when a folder *.partial is made. The count goes to TOUCHSTONE_KILL_COUNT. */
+ * TOUCHSTONE_KILL_AT says; counting starts when a lock, *.lock, is made. The count goes to TOUCHSTONE_KILL_COUNT. With
+ * TOUCHSTONE_KILL_NO_EXCHANGE the file system cannot exchange folders. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
+#include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
 #include <stdarg.h>
@@ -28,14 +30,17 @@ static void step(void)
 	if (count >= 0 && ++count == (at != NULL ? atol(at) : 0)) kill(getpid(), SIGKILL);
 }
 
+static void begin(const char *path)
+{
+	size_t n = strlen(path);
+	if (count >= 0 || n < 5 || strcmp(path + n - 5, ".lock") != 0) return;
+	count = 0;
+	atexit(write_count);
+}
+
 int mkdir(const char *path, mode_t mode)
 {
 	int (*next)(const char *, mode_t) = (int (*)(const char *, mode_t))dlsym(RTLD_NEXT, "mkdir");
-	size_t n = strlen(path);
-	if (count < 0 && n > 8 && strcmp(path + n - 8, ".partial") == 0) {
-		count = 0;
-		atexit(write_count);
-	}
 	step();
 	return next(path, mode);
 }
@@ -47,7 +52,10 @@ int open(const char *path, int flags, ...)
 	va_start(rest, flags);
 	mode_t mode = (flags & O_CREAT) != 0 ? va_arg(rest, mode_t) : 0;
 	va_end(rest);
-	if ((flags & O_CREAT) != 0) step();
+	if ((flags & O_CREAT) != 0) {
+		begin(path);
+		step();
+	}
 	return next(path, flags, mode);
 }
 
@@ -70,6 +78,23 @@ int rename(const char *from, const char *to)
 	int (*next)(const char *, const char *) = (int (*)(const char *, const char *))dlsym(RTLD_NEXT, "rename");
 	step();
 	return next(from, to);
+}
+
+int renameat2(int from_folder, const char *from, int to_folder, const char *to, unsigned flags)
+{
+	int (*next)(int, const char *, int, const char *, unsigned) =
+		(int (*)(int, const char *, int, const char *, unsigned))dlsym(RTLD_NEXT, "renameat2");
+	step();
+	if (getenv("TOUCHSTONE_KILL_NO_EXCHANGE") == NULL) return next(from_folder, from, to_folder, to, flags);
+	errno = EINVAL;
+	return -1;
+}
+
+int remove(const char *path)
+{
+	int (*next)(const char *) = (int (*)(const char *))dlsym(RTLD_NEXT, "remove");
+	step();
+	return next(path);
 }
 
 int unlink(const char *path)

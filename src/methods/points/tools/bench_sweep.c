@@ -54,6 +54,7 @@ static void count_cell(ts_table *table, const ts_measure *m, const char *name)
 static void report_rows(ts_report *report, const ts_bench_case *c, const ts_plot_point *points)
 {
 	ts_table t = ts_table_begin("epr_6", "Speed against accuracy", columns);
+	t.timed = true;
 	for (u32 v = 0; v < N_MARKS; v++) {
 		ts_table_text(&t, curves[marks[v].curve]);
 		ts_table_text(&t, variants[v].set);
@@ -95,7 +96,7 @@ static ts_status write_plot(const ts_bench_case *c, const ts_plot_point *points)
 	         (unsigned)TS_PARAM(&c->params, height));
 	snprintf(y_axis, sizeof y_axis, "RMSE to truth %s, grey levels", c->judge->name);
 	for (u32 k = 0; k < sizeof curves / sizeof curves[0]; k++) plot.curves[plot.n_curves++] = curves[k];
-	return ts_bench_plot("epr_6.svg", &plot);
+	return ts_bench_plot("times-epr_6.svg", &plot);
 }
 
 static ts_status work_on(const ts_job *job, ts_report *report, const void *user)

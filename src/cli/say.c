@@ -1,14 +1,15 @@
-/* Progress of long work: one line that rewrites itself, on a terminal only. */
+/* What is said beside results and failures, on standard error: lines, and progress as one line that rewrites itself, on
+ * a terminal only. */
 #include <stdio.h>
 #include <unistd.h>
-#include "core.h"
+#include "cli.h"
 
 /* Ten times a second is enough for an eye. */
 static const double interval = 0.1;
 
 static _Thread_local double last;
 
-void ts_progress(const char *label, uint64_t done, uint64_t total)
+static void progress(const char *label, uint64_t done, uint64_t total)
 {
 	if (!isatty(STDERR_FILENO)) return;
 	if (done >= total) {
@@ -21,3 +22,7 @@ void ts_progress(const char *label, uint64_t done, uint64_t total)
 	}
 	fflush(stderr);
 }
+
+static void line(const char *text) { fprintf(stderr, "%s: %s\n", ts_program, text); }
+
+void ts_cli_listen(void) { ts_listen(&(ts_listener){line, progress}); }

@@ -1,0 +1,124 @@
+/* Two processes: the worker, and its parent, which waits. */
+#define _GNU_SOURCE
+#include "worker.h"
+#include <errno.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include "../output/left.h"
+#include "cli.h"
+
+/* Whoever sends one of these means the command; it dies of them. */
+static const int passed_on[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE};
+enum { N_PASSED_ON = sizeof passed_on / sizeof *passed_on };
+
+/* What the worker says of its end, in memory that both see. */
+typedef struct {
+	volatile bool ended;
+	volatile int code;
+} word;
+
+typedef struct {
+	int status; /* as waitpid tells it */
+	bool late;
+} end;
+
+static bool is_passed_on(int number)
+{
+	for (int i = 0; i < N_PASSED_ON; i++) {
+		if (passed_on[i] == number) return true;
+	}
+	return false;
+}
+
+static sigset_t awaited(void)
+{
+	sigset_t set;
+	sigemptyset(&set);
+	sigaddset(&set, SIGCHLD);
+	for (int i = 0; i < N_PASSED_ON; i++) sigaddset(&set, passed_on[i]);
+	return set;
+}
+
+/* The set is blocked. */
+static end wait_for(pid_t worker, const sigset_t *set, uint32_t seconds)
+{
+	end e = {.late = false};
+	double until = ts_seconds() + seconds;
+	while (waitpid(worker, &e.status, WNOHANG) != worker) {
+		double left = until - ts_seconds();
+		struct timespec time = {left > 0 ? (time_t)left : 0, left > 0 ? (long)(1e9 * (left - (time_t)left)) : 0};
+		int number = sigtimedwait(set, NULL, seconds != 0 && !e.late ? &time : &(struct timespec){3600, 0});
+		if (is_passed_on(number)) kill(worker, number);
+		e.late |= seconds != 0 && ts_seconds() >= until;
+		if (e.late) kill(worker, SIGKILL);
+	}
+	return e;
+}
+
+static int say(const char *format, ...) __attribute__((format(printf, 1, 2)));
+static int say(const char *format, ...)
+{
+	va_list arguments;
+	va_start(arguments, format);
+	ts_fail_v(format, arguments);
+	va_end(arguments);
+	fprintf(stderr, "%s%s: %s\n", isatty(STDERR_FILENO) ? "\r\033[K" : "", ts_program, ts_error_message());
+	return TS_ERROR;
+}
+
+/* The command's exit code, or the signal that it dies of. */
+static int conclude(end e, const word *said, uint32_t seconds)
+{
+	if (WIFEXITED(e.status) && said->ended && WEXITSTATUS(e.status) == said->code) return said->code;
+	ts_left_clear();
+	if (e.late) return say("stopped after %u s, as --timeout asks; no result", (unsigned)seconds);
+	if (WIFEXITED(e.status)) {
+		return say("a library ended the run with exit code %d, for want of memory or threads; no result",
+		           WEXITSTATUS(e.status));
+	}
+	int number = WTERMSIG(e.status);
+	if (number == SIGKILL) return say("the run was killed, as systems do where memory ends; no result");
+	if (!is_passed_on(number)) return say("the run ended by signal %d, %s; no result", number, strsignal(number));
+	sigset_t own;
+	sigemptyset(&own);
+	sigaddset(&own, number);
+	signal(number, SIG_DFL);
+	raise(number);
+	sigprocmask(SIG_UNBLOCK, &own, NULL);
+	return TS_ERROR;
+}
+
+static int work_alone(int (*work)(void *user), void *user, word *said, uint32_t mib)
+{
+	const rlim_t bytes = (rlim_t)mib << 20;
+	if (mib != 0 && setrlimit(RLIMIT_AS, &(struct rlimit){bytes, bytes}) != 0) {
+		return say("--memory %u: %s", (unsigned)mib, strerror(errno));
+	}
+	int code = work(user);
+	said->code = code;
+	said->ended = true;
+	return code;
+}
+
+int ts_worker_run(int (*work)(void *user), void *user, uint32_t seconds, uint32_t mib)
+{
+	word *said = mmap(NULL, sizeof *said, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+	if (said == MAP_FAILED || ts_left_share() != TS_OK) return say("no memory for what two processes share");
+	sigset_t before, set = awaited();
+	pid_t parent = getpid();
+	sigprocmask(SIG_BLOCK, &set, &before);
+	pid_t worker = fork();
+	if (worker > 0) return conclude(wait_for(worker, &set, seconds), said, seconds);
+	sigprocmask(SIG_SETMASK, &before, NULL);
+	if (worker < 0) return say("cannot start a process: %s; --no-worker does without", strerror(errno));
+	prctl(PR_SET_PDEATHSIG, SIGKILL);
+	if (getppid() != parent) raise(SIGKILL);
+	return work_alone(work, user, said, mib);
+}

@@ -1,0 +1,26 @@
+/* What is said beside results and failures goes to the program's listener; a library prints nothing. */
+#include <stdio.h>
+#include "core.h"
+
+enum { LINE_BYTES = 1024 };
+
+static ts_listener listener;
+
+void ts_listen(const ts_listener *to) { listener = *to; }
+
+void ts_say(const char *format, ...)
+{
+	char text[LINE_BYTES];
+	if (listener.line == NULL) return;
+	va_list arguments;
+	va_start(arguments, format);
+	vsnprintf(text, sizeof text, format, arguments);
+	va_end(arguments);
+	ts_line_clean(text);
+	listener.line(text);
+}
+
+void ts_progress(const char *label, uint64_t done, uint64_t total)
+{
+	if (listener.progress != NULL) listener.progress(label, done, total);
+}

@@ -1,0 +1,57 @@
+/* Threads are tried before they are needed: OpenMP's runtime ends the process where it cannot have one. */
+#include <omp.h>
+#include <pthread.h>
+#include <stdatomic.h>
+#include "core.h"
+
+typedef struct {
+	pthread_mutex_t mutex;
+	pthread_cond_t opened;
+	bool open;
+} gate;
+
+static void *wait_at(void *user)
+{
+	gate *g = user;
+	pthread_mutex_lock(&g->mutex);
+	while (!g->open) pthread_cond_wait(&g->opened, &g->mutex);
+	pthread_mutex_unlock(&g->mutex);
+	return NULL;
+}
+
+static void open_gate(gate *g)
+{
+	pthread_mutex_lock(&g->mutex);
+	g->open = true;
+	pthread_cond_broadcast(&g->opened);
+	pthread_mutex_unlock(&g->mutex);
+}
+
+/* How many threads there can be at a time beside this one, `most` at most. */
+static uint32_t others(uint32_t most)
+{
+	pthread_t made[TS_MOST_THREADS];
+	gate g = {PTHREAD_MUTEX_INITIALIZER, PTHREAD_COND_INITIALIZER, false};
+	uint32_t n = 0;
+	while (n < most && pthread_create(&made[n], NULL, wait_at, &g) == 0) n++;
+	open_gate(&g);
+	for (uint32_t i = 0; i < n; i++) pthread_join(made[i], NULL);
+	return n;
+}
+
+uint32_t ts_threads_ready(uint32_t wanted)
+{
+	static atomic_uint ready = 1;
+	uint32_t n = wanted < TS_MOST_THREADS ? wanted : TS_MOST_THREADS;
+	if (n <= atomic_load(&ready)) return n;
+	uint32_t had = others(n - 1);
+	/* Where they end, the work needs what half of them take. */
+	uint32_t there = had == n - 1 ? n : 1 + had / 2;
+	if (there < n) ts_say("%u threads wanted, %u are taken of what is there", (unsigned)n, (unsigned)there);
+/* OpenMP makes its own now, while what they need is there. */
+#pragma omp parallel num_threads((int)there)
+	{
+	}
+	atomic_store(&ready, there);
+	return there;
+}
