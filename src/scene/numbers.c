@@ -14,6 +14,8 @@ f32 ts_number(double x)
 
 f32 ts_number_unorm8(u32 x) { return (f32)x / 255.0f; }
 f32 ts_number_unorm16(u32 x) { return (f32)x / 65535.0f; }
+f32 ts_number_snorm8(i32 x) { return ts_max((f32)x / 127.0f, -1.0f); }
+f32 ts_number_snorm16(i32 x) { return ts_max((f32)x / 32767.0f, -1.0f); }
 f32 ts_number_turns(f32 radians) { return ts_put(radians * TURNS_A_RADIAN); }
 
 void ts_number_uv_transform(f32 transform[6], const f32 offset[2], f32 rotation, const f32 scale[2])

@@ -13,6 +13,8 @@ f32 ts_number(double x);
 /* Normalized integers, glTF 2.0 section 3.11. */
 f32 ts_number_unorm8(u32 x);
 f32 ts_number_unorm16(u32 x);
+f32 ts_number_snorm8(i32 x);
+f32 ts_number_snorm16(i32 x);
 
 /* KHR_texture_transform as six coefficients: scale, then rotation (radians, counter-clockwise where v points down),
  * then offset. */

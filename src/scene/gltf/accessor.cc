@@ -61,31 +61,47 @@ static void open_sparse(const loader &in, view &v, const tinygltf::Accessor &a, 
 	}
 }
 
-static void check_form(const tinygltf::Accessor &a, int type, int other_type, unsigned forms, const std::string &where)
+static bool is_small(int component_type)
+{
+	return component_type >= TINYGLTF_COMPONENT_TYPE_BYTE && component_type <= TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT;
+}
+
+static bool fits(const tinygltf::Accessor &a, unsigned forms, bool is_quantized)
 {
 	int c = a.componentType;
-	bool is_unorm = c == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE || c == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT;
-	bool good = ((forms & AS_FLOAT) && c == TINYGLTF_COMPONENT_TYPE_FLOAT && !a.normalized) ||
-	            ((forms & AS_UNORM) && is_unorm && a.normalized) ||
-	            ((forms & AS_INDEX) && (is_unorm || c == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT) && !a.normalized);
+	bool is_unsigned = c == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE || c == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT;
+	if (c == TINYGLTF_COMPONENT_TYPE_FLOAT) return (forms & AS_FLOAT) && !a.normalized;
+	if (forms & AS_INDEX) return (is_unsigned || c == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT) && !a.normalized;
+	if ((forms & AS_UNORM) && is_unsigned && a.normalized) return true;
+	if (!is_quantized || !is_small(c)) return false;
+	return (forms & AS_SMALL) || ((forms & AS_SNORM) && !is_unsigned && a.normalized);
+}
+
+static void check_form(const loader &in, const tinygltf::Accessor &a, int type, int other_type, unsigned forms,
+                       const std::string &where)
+{
+	int c = a.componentType;
+	bool asks = !in.doc.is_quantized && is_small(c) && (forms & (AS_SNORM | AS_SMALL));
 	if (a.type != type && a.type != other_type) fail("%s: the type is not what this use needs", where.c_str());
-	if (!good)
-		fail("%s: componentType %d%s; %s expected", where.c_str(), c, a.normalized ? ", normalized," : "",
+	if (!fits(a, forms, in.doc.is_quantized))
+		fail("%s: componentType %d%s; %s expected%s", where.c_str(), c, a.normalized ? ", normalized," : "",
 		     forms & AS_INDEX   ? "5121, 5123 or 5125 is"
 		     : forms & AS_UNORM ? "5126, or normalized 5121 or 5123, is"
-		                        : "5126 (float) is");
+		                        : "5126 (float) is",
+		     asks ? " where KHR_mesh_quantization is not required" : "");
 }
 
 view view_open(const loader &in, int accessor, int type, int other_type, unsigned forms, const std::string &what)
 {
 	const tinygltf::Accessor &a = in.model.accessors.at((size_t)accessor);
 	std::string where = "accessors/" + std::to_string(accessor);
-	check_form(a, type, other_type, forms, where + " (" + what + ")");
+	check_form(in, a, type, other_type, forms, where + " (" + what + ")");
 	view v{};
 	size_t width = component_bytes(a.componentType);
 	v.id = accessor;
 	v.count = a.count;
 	v.component_type = a.componentType;
+	v.normalized = a.normalized;
 	v.components = tinygltf::GetNumComponentsInType((uint32_t)a.type);
 	v.item_bytes = v.stride = width * (size_t)v.components;
 	if (a.bufferView >= 0) {
@@ -113,11 +129,23 @@ const unsigned char *view::item(size_t i) const
 	return data ? data + i * stride : zeros;
 }
 
+static f32 small_number(const unsigned char *p, int component_type, bool normalized)
+{
+	i32 byte = p[0] < 128 ? p[0] : p[0] - 256;
+	switch (component_type) {
+	case TINYGLTF_COMPONENT_TYPE_BYTE: return normalized ? ts_number_snorm8(byte) : (f32)byte;
+	case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: return normalized ? ts_number_unorm8(p[0]) : (f32)p[0];
+	}
+	u32 code = p[0] | (u32)p[1] << 8;
+	i32 number = code < 32768 ? (i32)code : (i32)code - 65536;
+	if (component_type == TINYGLTF_COMPONENT_TYPE_SHORT) return normalized ? ts_number_snorm16(number) : (f32)number;
+	return normalized ? ts_number_unorm16(code) : (f32)code;
+}
+
 f32 view::number(size_t i, int component) const
 {
 	const unsigned char *p = item(i) + (size_t)component * component_bytes(component_type);
-	if (component_type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE) return ts_number_unorm8(p[0]);
-	if (component_type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT) return ts_number_unorm16(p[0] | (u32)p[1] << 8);
+	if (component_type != TINYGLTF_COMPONENT_TYPE_FLOAT) return small_number(p, component_type, normalized);
 	u32 bits = p[0] | (u32)p[1] << 8 | (u32)p[2] << 16 | (u32)p[3] << 24;
 	if ((bits & 0x7f800000u) == 0x7f800000u) fail("accessors/%d: item %zu is not finite", id, i);
 	return ts_san(ts_u2f(bits));

@@ -66,6 +66,7 @@ struct document {
 	std::map<std::string, source> buffers;
 	std::map<std::string, std::string> images;
 	std::set<std::string> notes;
+	bool is_quantized = false; /* by KHR_mesh_quantization */
 };
 document guard(const char *text, size_t n, const container &parts);
 
@@ -90,6 +91,7 @@ struct view {
 	const unsigned char *data; /* null: zeros */
 	size_t count, stride, item_bytes;
 	int component_type, components;
+	bool normalized;
 	std::vector<uint32_t> sparse_index; /* increasing */
 	const unsigned char *sparse_data;
 	int id; /* for messages */
@@ -97,7 +99,8 @@ struct view {
 	f32 number(size_t i, int component) const;
 	uint32_t index(size_t i) const;
 };
-enum : unsigned { AS_FLOAT = 1, AS_UNORM = 2, AS_INDEX = 4 };
+/* What KHR_mesh_quantization adds: AS_SNORM signed bytes and shorts, normalized; AS_SMALL all bytes and shorts. */
+enum : unsigned { AS_FLOAT = 1, AS_UNORM = 2, AS_INDEX = 4, AS_SNORM = 8, AS_SMALL = 16 };
 /* type: TINYGLTF_TYPE_*, or two of them as alternatives; forms: which component types are allowed. */
 view view_open(const loader &in, int accessor, int type, int other_type, unsigned forms, const std::string &what);
 

@@ -218,11 +218,21 @@ void checker::check_object(json_t *object, const std::string &path, const std::s
 			fail("%s%s is missing", start.c_str(), r->path + prefix);
 }
 
+static void take_extension(document &doc, const std::string &name, bool is_required)
+{
+	for (const extension &known : known_extensions) {
+		if (name != known.name) continue;
+		if (known.note) doc.notes.insert(known.note);
+		if (name == "KHR_mesh_quantization") doc.is_quantized = true;
+		return;
+	}
+	if (is_required) fail("the file requires the extension %s, which is not supported", quoted(name).c_str());
+	doc.notes.insert("the extension " + quoted(name) + " is not supported and ignored");
+}
+
 /* Extensions: what the file requires must be known, what it uses and is unknown is noted. */
 static void check_extensions(checker &check, const json_t *root)
 {
-	static const std::set<std::string> known = {"KHR_lights_punctual", "KHR_texture_transform", "KHR_materials_unlit",
-	                                            "KHR_materials_emissive_strength"};
 	for (const char *list : {"extensionsRequired", "extensionsUsed"}) {
 		const json_t *names = json_object_get(root, list), *name;
 		size_t i;
@@ -231,14 +241,7 @@ static void check_extensions(checker &check, const json_t *root)
 		json_array_foreach (names, i, name) {
 			if (!json_is_string(name)) refuse(std::string(list) + "/" + std::to_string(i), name, "a string");
 			std::string text(json_string_value(name), json_string_length(name));
-			if (known.count(text)) continue;
-			if (text == "KHR_materials_pbrSpecularGlossiness") {
-				check.doc.notes.insert("specular-glossiness materials are drawn by their metallic-roughness fallback");
-				continue;
-			}
-			if (list[10] == 'R')
-				fail("the file requires the extension %s, which is not supported", quoted(text).c_str());
-			check.doc.notes.insert("the extension " + quoted(text) + " is not supported and ignored");
+			take_extension(check.doc, text, list[10] == 'R');
 		}
 	}
 }

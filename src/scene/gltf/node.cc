@@ -119,6 +119,9 @@ void walker::enter(const visit &from)
 	if (!ts_place_is_sane(&place))
 		fail("%s: a number of its world matrix is beyond 16777216", where_of(from.node).c_str());
 	if (!in_reflector && is_marked(in, node)) begin_reflector(from);
+	if (node.mesh >= 0 && node.skin >= 0 && in.doc.is_quantized)
+		in.notes.insert(
+			"quantized meshes with skins are drawn at the size of their integers: the skin holds the scale");
 	if (node.mesh >= 0) draw(node.mesh, place);
 	if (node.camera >= 0) camera_build(in, node, place);
 	auto light = node.extensions.find("KHR_lights_punctual");

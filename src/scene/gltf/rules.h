@@ -1,5 +1,5 @@
-/* What of glTF 2.0 the loader knows, as a table: the path of a property, its type and its range. gltf_guard.cc checks a
- * document against it and removes the rest. */
+/* What of glTF 2.0 the loader knows, as tables: the path of a property, its type and its range; and the extensions that
+ * a file may require. guard.cc checks a document against them and removes the rest. */
 #ifndef TS_SCENE_GLTF_RULES_H
 #define TS_SCENE_GLTF_RULES_H
 
@@ -27,6 +27,21 @@ struct rule {
 	const char *of = nullptr;
 	double low = 0, high = 0;
 	unsigned n = 0;
+};
+
+struct extension {
+	const char *name;
+	const char *note; /* what `touchstone info` says about it; NULL: it is read */
+};
+
+static const extension known_extensions[] = {
+	{"KHR_lights_punctual", nullptr},
+	{"KHR_materials_emissive_strength", nullptr},
+	{"KHR_materials_unlit", nullptr},
+	{"KHR_mesh_quantization", nullptr},
+	{"KHR_texture_transform", nullptr},
+	{"KHR_materials_pbrSpecularGlossiness",
+     "specular-glossiness materials are drawn by their metallic-roughness fallback"},
 };
 
 static constexpr double most_bytes = 2147483647, most_number = 1e300;

@@ -1,17 +1,7 @@
 /* Reading glTF: small files made here, judged by closed forms. Every file is one mesh of a few corners in a data URI.
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <unistd.h>
-#include "../../../src/model/core.h"
 #include "../../../src/kernels/base/shade.h"
-#include "../../../src/scene/sources.h"
+#include "files.h"
 
 #define TRIANGLE "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}]"
 #define ONE_NODE "\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}]"
@@ -39,21 +29,11 @@ static int set_up(void **state)
 	return 0;
 }
 
-static void base64(char *to, const unsigned char *from, size_t n)
-{
-	static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-	for (size_t i = 0; i < n; i += 3) {
-		u32 word = (u32)from[i] << 16 | (u32)from[i + 1] << 8 | from[i + 2];
-		for (int k = 18; k >= 0; k -= 6) *to++ = digits[word >> k & 63];
-	}
-	*to = '\0';
-}
-
 /* Loads a file whose JSON is `body` beside an asset, the buffer as bufferViews/0, and accessors/0 of 3, /1 of 4, /2 of
  * 6 positions, /3 /4 /5 of 6 indices of 1, 2 and 4 bytes. `accessors` adds more, each with a leading comma. */
 static ts_build *load_with(const char *body, const char *accessors, const char *reflector)
 {
-	char text[8192], data[161], path[] = "/tmp/touchstone-gltf-XXXXXX";
+	char text[8192], data[161];
 	base64(data, buffer, sizeof buffer);
 	snprintf(text, sizeof text,
 	         "{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"byteLength\":120,\"uri\":"
@@ -65,14 +45,7 @@ static ts_build *load_with(const char *body, const char *accessors, const char *
 	         "{\"bufferView\":0,\"byteOffset\":80,\"componentType\":5123,\"type\":\"SCALAR\",\"count\":6},"
 	         "{\"bufferView\":0,\"byteOffset\":92,\"componentType\":5125,\"type\":\"SCALAR\",\"count\":6}%s],%s}",
 	         data, accessors, body);
-	int file = mkstemp(path);
-	assert_true(file >= 0);
-	assert_int_equal(write(file, text, strlen(text)), strlen(text));
-	close(file);
-	ts_build *build = ts_build_new("test");
-	ts_gltf_load(build, path, reflector, 8);
-	unlink(path);
-	return build;
+	return load_text(text, reflector, 8);
 }
 
 static ts_build *load(const char *body)
@@ -84,11 +57,7 @@ static ts_build *load(const char *body)
 
 static void refuse_with(const char *body, const char *accessors, const char *reflector, const char *words)
 {
-	ts_build *build = load_with(body, accessors, reflector);
-	assert_true(ts_build_failed(build));
-	if (!strstr(ts_error_message(), words)) fail_msg("\"%s\" does not say \"%s\"", ts_error_message(), words);
-	assert_null(strchr(ts_error_message(), '\n'));
-	ts_build_free(build);
+	assert_refused(load_with(body, accessors, reflector), words);
 }
 
 static void refuse(const char *body, const char *words) { refuse_with(body, "", NULL, words); }
@@ -103,14 +72,6 @@ static void assert_v3(const f32 *v, f32 x, f32 y, f32 z)
 	assert_near(v[0], x);
 	assert_near(v[1], y);
 	assert_near(v[2], z);
-}
-
-static void assert_note(ts_build *build, const char *words)
-{
-	const ts_scene *scene = ts_build_peek(build);
-	for (u32 i = 0; i < scene->n_notes; i++)
-		if (strstr(scene->notes[i], words)) return;
-	fail_msg("no note says \"%s\"", words);
 }
 
 static const f32 *corner(const ts_scene *scene, u32 triangle, u32 k)

@@ -1,16 +1,6 @@
 /* Points of glTF: small files made here, of floats in a data URI, judged by closed forms. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <unistd.h>
-#include "../../../src/model/core.h"
 #include "../../../src/kernels/base/vec.h"
-#include "../../../src/scene/sources.h"
+#include "files.h"
 
 /* Four points of a square of side 2, then of each: normal +z, half-axes 0.5 x and 0.25 y, colour, and the second axis
  * turned out of the plane; then the indices 3 1. */
@@ -51,20 +41,10 @@ static int set_up(void **state)
 	return 0;
 }
 
-static void base64(char *to, const unsigned char *from, size_t n)
-{
-	static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-	for (size_t i = 0; i < n; i += 3) {
-		u32 word = (u32)from[i] << 16 | (u32)from[i + 1] << 8 | from[i + 2];
-		for (int k = 18; k >= 0; k -= 6) *to++ = digits[word >> k & 63];
-	}
-	*to = '\0';
-}
-
 /* accessors/0 to 6: positions, normals, u, v, colours, skewed v, zeros; /7: indices; /8: three positions only. */
 static ts_build *load(const char *attributes, const char *more, const char *node)
 {
-	char text[8192], data[BYTES / 3 * 4 + 1], views[1024] = "", path[] = "/tmp/touchstone-points-XXXXXX";
+	char text[8192], data[BYTES / 3 * 4 + 1], views[1024] = "";
 	base64(data, buffer, sizeof buffer);
 	for (u32 i = 0; i < 7; i++)
 		snprintf(views + strlen(views), sizeof views - strlen(views),
@@ -80,14 +60,7 @@ static ts_build *load(const char *attributes, const char *more, const char *node
 		"\"meshes\":[{\"primitives\":[{\"mode\":0,\"attributes\":{%s}%s}]}],"
 		"\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0%s}]}",
 		BYTES, data, BYTES, views, INDICES, attributes, more, node);
-	int file = mkstemp(path);
-	assert_true(file >= 0);
-	assert_int_equal(write(file, text, strlen(text)), strlen(text));
-	close(file);
-	ts_build *build = ts_build_new("test");
-	ts_gltf_load(build, path, NULL, 2);
-	unlink(path);
-	return build;
+	return load_text(text, NULL, 2);
 }
 
 static const ts_scene *good(ts_build *build)
@@ -98,11 +71,7 @@ static const ts_scene *good(ts_build *build)
 
 static void refuse(const char *attributes, const char *more, const char *words)
 {
-	ts_build *build = load(attributes, more, "");
-	assert_true(ts_build_failed(build));
-	if (strstr(ts_error_message(), words) == NULL) fail_msg("\"%s\" does not say \"%s\"", ts_error_message(), words);
-	assert_null(strchr(ts_error_message(), '\n'));
-	ts_build_free(build);
+	assert_refused(load(attributes, more, ""), words);
 }
 
 static void assert_v3(const f32 *v, f32 x, f32 y, f32 z)
