@@ -2,6 +2,7 @@
  * order. Every instance of a mesh becomes triangles of its own in world space. */
 #include "gltf.h"
 #include "../../model/core.h"
+#include <algorithm>
 
 namespace gltf {
 
@@ -29,22 +30,59 @@ struct walker {
 
 static std::string where_of(int node) { return "nodes/" + std::to_string(node); }
 
-/* The nodes that the scene reaches form a tree if no node is listed twice. */
-static const std::vector<int> &check_tree(const loader &in)
+/* Whose child each node is; -1: nobody's. */
+static std::vector<int> parents_of(const loader &in)
 {
-	static const std::vector<int> none;
-	std::vector<bool> listed(in.model.nodes.size());
-	size_t scene = in.model.defaultScene < 0 ? 0 : (size_t)in.model.defaultScene;
-	const std::vector<int> &roots = in.model.scenes.empty() ? none : in.model.scenes.at(scene).nodes;
-	auto list = [&listed](const std::vector<int> &nodes) {
-		for (int node : nodes) {
-			if (listed.at((size_t)node))
-				fail("%s has several parents or is a child and a root", where_of(node).c_str());
-			listed[(size_t)node] = true;
+	std::vector<int> parents(in.model.nodes.size(), -1);
+	for (size_t i = 0; i < parents.size(); i++)
+		for (int child : in.model.nodes[i].children) {
+			int &parent = parents.at((size_t)child);
+			if (parent >= 0)
+				fail("%s is a child of nodes/%d and of nodes/%zu; one parent is expected", where_of(child).c_str(),
+				     parent, i);
+			parent = (int)i;
 		}
-	};
-	list(roots);
-	for (const tinygltf::Node &node : in.model.nodes) list(node.children);
+	return parents;
+}
+
+/* Which nodes stand below a root. Nodes that nothing without a parent leads to stand in a circle or below one. */
+static std::vector<bool> below_roots(const loader &in, const std::vector<int> &parents,
+                                     const std::vector<bool> &is_root)
+{
+	std::vector<bool> below(parents.size()), reached(parents.size());
+	std::vector<size_t> order;
+	for (size_t i = 0; i < parents.size(); i++)
+		if (parents[i] < 0) order.push_back(i);
+	for (size_t i = 0; i < order.size(); i++) {
+		size_t node = order[i];
+		reached[node] = true;
+		for (int child : in.model.nodes[node].children) {
+			below[(size_t)child] = below[node] || is_root[node];
+			order.push_back((size_t)child);
+		}
+	}
+	size_t lost = (size_t)(std::find(reached.begin(), reached.end(), false) - reached.begin());
+	if (lost == parents.size()) return below;
+	for (size_t i = 0; i < parents.size(); i++) lost = (size_t)parents[lost];
+	fail("%s is its own ancestor", where_of((int)lost).c_str());
+}
+
+/* What the scene draws: its roots, each once, and not those that it draws as children already. */
+static std::vector<int> roots_of(loader &in)
+{
+	std::vector<int> parents = parents_of(in), roots;
+	if (in.model.scenes.empty()) return roots;
+	const tinygltf::Scene &scene = in.model.scenes.at(in.model.defaultScene < 0 ? 0 : (size_t)in.model.defaultScene);
+	std::vector<bool> is_root(parents.size()), drawn;
+	for (int node : scene.nodes) is_root.at((size_t)node) = true;
+	drawn = below_roots(in, parents, is_root);
+	for (int node : scene.nodes) {
+		if (drawn[(size_t)node])
+			in.notes.insert(where_of(node) + " is listed again as a root of the scene: it is drawn once");
+		else
+			roots.push_back(node);
+		drawn[(size_t)node] = true;
+	}
 	return roots;
 }
 
@@ -142,7 +180,7 @@ static void fail_unknown_reflector(const loader &in)
 void nodes_walk(loader &in)
 {
 	walker walk{in, std::vector<unsigned>(in.model.meshes.size()), {}, {}};
-	const std::vector<int> &roots = check_tree(in);
+	std::vector<int> roots = roots_of(in);
 	if (in.model.scenes.empty()) in.notes.insert("the file has no scene: nothing is drawn");
 	for (const tinygltf::Node &node : in.model.nodes)
 		if (node.mesh >= 0) walk.uses.at((size_t)node.mesh)++;

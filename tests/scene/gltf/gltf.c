@@ -258,16 +258,54 @@ static void test_flat(void **state)
 static void test_graph(void **state)
 {
 	(void)state;
-	refuse("\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0,\"children\":[0]}]," TRIANGLE, "several parents");
+	refuse("\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0,\"children\":[0]}]," TRIANGLE,
+	       "nodes/0 is its own ancestor");
+	refuse("\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{},{\"children\":[2]},{\"children\":[3,4]},{\"children\":[1]},{}]",
+	       "is its own ancestor");
 	refuse("\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"children\":[1,2]},{\"children\":[3]},{\"children\":[3]},{"
 	       "\"mesh\":0}]," TRIANGLE,
-	       "nodes/3 has several parents");
+	       "nodes/3 is a child of nodes/1 and of nodes/2");
 	refuse("\"scenes\":[{\"nodes\":[1]}],\"nodes\":[{\"mesh\":0}]," TRIANGLE, "scenes/0/nodes/0 is 1");
 	refuse("\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0,\"rotation\":[0,0,0,0]}]," TRIANGLE, "length 0");
 	refuse("\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0,\"translation\":[1e9,0,0]}]," TRIANGLE, "16777216");
 	refuse("\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0,\"scale\":[1,1,1],\"matrix\":[1,0,0,0,0,1,0,0,0,0,1,0,"
 	       "0,0,0,1]}]," TRIANGLE,
 	       "both matrix and scale");
+}
+
+/* The scene of `roots`, of four nodes in a chain 0 1 2 and 3, each a triangle and each one further up, is that of
+ * `plain`, but for a note. */
+static void assert_drawn_once(const char *roots, const char *plain)
+{
+	ts_build *build[2];
+	for (int i = 0; i < 2; i++) {
+		char body[512];
+		snprintf(body, sizeof body,
+		         "\"scenes\":[{\"nodes\":[%s]}],\"nodes\":[{\"mesh\":0,\"translation\":[0,1,0],\"children\":[1]},"
+		         "{\"mesh\":0,\"translation\":[0,1,0],\"children\":[2]},{\"mesh\":0,\"translation\":[0,1,0]},"
+		         "{\"mesh\":0}]," TRIANGLE,
+		         i ? plain : roots);
+		build[i] = load(body);
+	}
+	const ts_scene *a = ts_build_peek(build[0]), *b = ts_build_peek(build[1]);
+	assert_int_equal(a->n_vertices, b->n_vertices);
+	assert_memory_equal(a->vertices, b->vertices, b->n_vertices * sizeof *b->vertices);
+	assert_note(build[0], "listed again as a root");
+	assert_int_equal(b->n_notes, 0);
+	for (int i = 0; i < 2; i++) ts_build_free(build[i]);
+}
+
+/* As UniGLTF and others write it. A root whose parents the scene does not draw is a root. */
+static void test_root_and_child(void **state)
+{
+	(void)state;
+	assert_drawn_once("0,1,2,3", "0,3");
+	assert_drawn_once("3,2,1,0", "3,0");
+	assert_drawn_once("3,0,3,3", "3,0");
+	assert_drawn_once("2,1", "1");
+	ts_build *build = load("\"scenes\":[{\"nodes\":[1]}],\"nodes\":[{\"children\":[1]},{\"mesh\":0}]," TRIANGLE);
+	assert_int_equal(ts_build_peek(build)->n_triangles, 1);
+	ts_build_free(build);
 }
 
 static void test_camera(void **state)
@@ -437,6 +475,7 @@ int main(void)
 		cmocka_unit_test(test_shear),
 		cmocka_unit_test(test_flat),
 		cmocka_unit_test(test_graph),
+		cmocka_unit_test(test_root_and_child),
 		cmocka_unit_test(test_camera),
 		cmocka_unit_test(test_lights),
 		cmocka_unit_test(test_material),
