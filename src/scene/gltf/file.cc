@@ -116,30 +116,52 @@ std::string path_from_uri(const std::string &uri, const std::string &where)
 	return path;
 }
 
-static bool lists(const char *types, const std::string &type)
+bool is_data_uri(const std::string &uri) { return uri.compare(0, 5, "data:") == 0; }
+
+static int base64_digit(char c)
 {
-	std::string all = std::string(" ") + types + " ";
-	return all.find(" " + type + " ") != std::string::npos;
+	if (c >= 'A' && c <= 'Z') return c - 'A';
+	if (c >= 'a' && c <= 'z') return c - 'a' + 26;
+	if (c >= '0' && c <= '9') return c - '0' + 52;
+	return c == '+' ? 62 : c == '/' ? 63 : -1;
 }
 
-uint64_t data_uri_check(const std::string &uri, const char *types, const std::string &where)
+static bytes base64_decode(const std::string &text, const std::string &where)
 {
-	size_t comma = uri.find(',');
-	std::string head = uri.substr(5, std::min<size_t>(comma, 128) - 5);
-	size_t semicolon = head.find(';');
-	if (comma == std::string::npos || semicolon == std::string::npos || head.substr(semicolon) != ";base64")
-		fail("%s: a data URI without \";base64,\"", where.c_str());
-	if (!lists(types, head.substr(0, semicolon)))
-		fail("%s: media type %s; known are %s", where.c_str(), quoted(head.substr(0, semicolon)).c_str(), types);
-	size_t n = uri.size() - comma - 1, padding = 0;
-	while (padding < 2 && padding < n && uri[uri.size() - 1 - padding] == '=') padding++;
-	for (size_t i = comma + 1; i < uri.size() - padding; i++) {
-		char c = uri[i];
-		bool known = (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '+' || c == '/';
-		if (!known) fail("%s: byte %zu of the data is no base64", where.c_str(), i - comma - 1);
+	bytes data;
+	size_t n = text.size(), padding = 0;
+	if (n % 4 != 0) fail("%s: %zu base64 characters; a multiple of 4 is expected", where.c_str(), n);
+	while (padding < 2 && padding < n && text[n - 1 - padding] == '=') padding++;
+	data.reserve(n / 4 * 3);
+	u32 word = 0;
+	for (size_t i = 0; i < n; i++) {
+		int digit = i < n - padding ? base64_digit(text[i]) : 0;
+		if (digit < 0) fail("%s: byte %zu of the data is no base64", where.c_str(), i);
+		word = word << 6 | (u32)digit;
+		if (i % 4 == 3)
+			for (int shift = 16; shift >= 0; shift -= 8) data.push_back((unsigned char)(word >> shift));
 	}
-	if (n == 0 || n % 4 != 0) fail("%s: %zu base64 characters; a multiple of 4 above 0 is expected", where.c_str(), n);
-	return (uint64_t)n / 4 * 3 - padding;
+	data.resize(data.size() - padding);
+	return data;
+}
+
+data_uri data_uri_decode(const std::string &uri, const std::string &where)
+{
+	static const std::string mark = ";base64";
+	size_t comma = uri.find(',');
+	if (comma == std::string::npos) fail("%s: a data URI without a comma before its data", where.c_str());
+	std::string head = uri.substr(5, comma - 5), text = uri.substr(comma + 1);
+	bool is_base64 = head.size() >= mark.size() && head.compare(head.size() - mark.size(), mark.size(), mark) == 0;
+	data_uri decoded;
+	decoded.type = head.substr(0, head.find(';'));
+	if (is_base64) {
+		decoded.data = base64_decode(text, where);
+	} else {
+		text = percent_decode(text, where);
+		decoded.data.assign(text.begin(), text.end());
+	}
+	if (decoded.data.empty()) fail("%s: a data URI that holds nothing", where.c_str());
+	return decoded;
 }
 
 } // namespace gltf

@@ -29,8 +29,8 @@ std::string quoted(const std::string &name)
 	return "\"" + text + (name.size() > 48 ? "...\"" : "\"");
 }
 
-/* What tinygltf may ask of the file system: the buffers that the guard named, and nothing else. Images are left alone;
- * materials read those they use. */
+/* What tinygltf may ask of the file system: the buffers that the guard named, and nothing else. Of images it knows
+ * nothing: materials read those they use. */
 struct files {
 	loader &in;
 	std::string problem;
@@ -48,7 +48,12 @@ static bool file_fetch(bytes *out, std::string *, const std::string &key, void *
 	files &from = *static_cast<files *>(user);
 	loader &in = from.in;
 	try {
-		const source &wanted = in.doc.buffers.at(key);
+		source &wanted = in.doc.buffers.at(key);
+		if (!wanted.data.empty()) {
+			wanted.data.resize(wanted.byte_length);
+			*out = std::move(wanted.data);
+			return true;
+		}
 		if (wanted.path.empty()) {
 			const unsigned char *bin = in.file.data() + in.parts.bin_begin;
 			out->assign(bin, bin + wanted.byte_length);
@@ -95,20 +100,12 @@ static tinygltf::FsCallbacks file_callbacks(files *from)
 	return calls;
 }
 
-static bool image_keep(tinygltf::Image *image, const int, std::string *, std::string *, int, int,
-                       const unsigned char *data, int n, void *)
-{
-	if (image->bufferView < 0) image->image.assign(data, data + n);
-	return true;
-}
-
 static void parse(loader &in)
 {
 	tinygltf::TinyGLTF parser;
 	std::string problem, warning;
 	files from{in, ""};
 	parser.SetFsCallbacks(file_callbacks(&from));
-	parser.SetImageLoader(image_keep, nullptr);
 	if (in.doc.json.size() > most_file_bytes)
 		fail("%zu bytes of JSON; at most 2147483647 are read", in.doc.json.size());
 	bool good =

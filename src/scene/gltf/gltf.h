@@ -41,9 +41,14 @@ bytes file_read_beside(const std::string &base, const std::string &relative, uin
 /* The relative path that a URI names; absolute ones, schemes, backslashes, NULs and ways out of the folder are refused.
  */
 std::string path_from_uri(const std::string &uri, const std::string &where);
-/* Checks a base64 data URI of one of the media types `types` (separated by spaces) and returns the number of bytes it
- * holds. */
-uint64_t data_uri_check(const std::string &uri, const char *types, const std::string &where);
+/* A data URI (RFC 2397), in base64 or percent-encoded: its media type without parameters, and what it holds, which is
+ * not nothing. */
+struct data_uri {
+	std::string type;
+	bytes data;
+};
+bool is_data_uri(const std::string &uri);
+data_uri data_uri_decode(const std::string &uri, const std::string &where);
 
 /* gltf_container.cc: the parts of a .glb, as ranges of the file; a .gltf is JSON as a whole. */
 struct container {
@@ -56,15 +61,21 @@ container container_split(const bytes &file, bool expect_glb);
 
 /* gltf_guard.cc: the JSON after strict checks, with nothing but what the loader knows in it: every index is in range,
  * every type and length is right, every buffer view lies inside its buffer. URIs of buffers are replaced by keys of
- * `buffers`, URIs of images by keys of `images`; data URIs stay. */
+ * `buffers`; images are in `images` alone. */
 struct source {
-	std::string path; /* "" is the BIN chunk */
+	std::string path; /* of a file */
+	bytes data;       /* of a data URI; without path and data it is the BIN chunk, or of an image a buffer view */
 	uint64_t byte_length;
+};
+struct picture {
+	source from;
+	int view;         /* -1: none */
+	std::string type; /* the media type that the file says; may be empty */
 };
 struct document {
 	std::string json;
 	std::map<std::string, source> buffers;
-	std::map<std::string, std::string> images;
+	std::vector<picture> images;
 	std::set<std::string> notes;
 	bool is_quantized = false; /* by KHR_mesh_quantization */
 };

@@ -218,6 +218,11 @@ void checker::check_object(json_t *object, const std::string &path, const std::s
 			fail("%s%s is missing", start.c_str(), r->path + prefix);
 }
 
+static std::string text_of(const json_t *value)
+{
+	return value ? std::string(json_string_value(value), json_string_length(value)) : std::string();
+}
+
 static void take_extension(document &doc, const std::string &name, bool is_required)
 {
 	for (const extension &known : known_extensions) {
@@ -240,8 +245,7 @@ static void check_extensions(checker &check, const json_t *root)
 		if (!json_is_array(names)) refuse(list, names, "an array of strings");
 		json_array_foreach (names, i, name) {
 			if (!json_is_string(name)) refuse(std::string(list) + "/" + std::to_string(i), name, "a string");
-			std::string text(json_string_value(name), json_string_length(name));
-			take_extension(check.doc, text, list[10] == 'R');
+			take_extension(check.doc, text_of(name), list[10] == 'R');
 		}
 	}
 }
@@ -302,48 +306,59 @@ static void check_views(const json_t *root, const std::vector<uint64_t> &lengths
 	}
 }
 
-/* A buffer that holds more than it says is as long as it says, or, as a data URI, as long as it is. */
+/* The bytes of a buffer's data URI. */
+static bytes take_data(const std::string &uri, uint64_t length, const std::string &where)
+{
+	data_uri held = data_uri_decode(uri, where);
+	if (held.type != "application/octet-stream" && held.type != "application/gltf-buffer")
+		fail("%s: media type %s; application/octet-stream or application/gltf-buffer is expected", where.c_str(),
+		     quoted(held.type).c_str());
+	if (held.data.size() < length)
+		fail("%s holds %zu bytes; byteLength says %llu", where.c_str(), held.data.size(), (unsigned long long)length);
+	return std::move(held.data);
+}
+
+/* A buffer that holds more than it says is as long as it says. */
 static void take_buffer(checker &check, json_t *buffer, size_t i, const container &parts, std::set<std::string> &paths)
 {
 	std::string where = "buffers/" + std::to_string(i) + "/uri", key = "buffer-" + std::to_string(i);
-	const json_t *text = json_object_get(buffer, "uri");
-	uint64_t length = whole(buffer, "byteLength");
-	if (!text) {
+	std::string uri = text_of(json_object_get(buffer, "uri"));
+	source &from = check.doc.buffers[key];
+	from.byte_length = whole(buffer, "byteLength");
+	if (!json_object_get(buffer, "uri")) {
 		if (i != 0 || !parts.has_bin) fail("%s is missing and there is no BIN chunk for this buffer", where.c_str());
-		if (length > parts.bin_bytes)
-			fail("buffers/0/byteLength is %llu; the BIN chunk has %zu bytes", (unsigned long long)length,
+		if (from.byte_length > parts.bin_bytes)
+			fail("buffers/0/byteLength is %llu; the BIN chunk has %zu bytes", (unsigned long long)from.byte_length,
 			     parts.bin_bytes);
-		check.doc.buffers[key] = {"", length};
+	} else if (is_data_uri(uri)) {
+		from.data = take_data(uri, from.byte_length, where);
 	} else {
-		std::string uri(json_string_value(text), json_string_length(text));
-		if (uri.compare(0, 5, "data:") == 0) {
-			uint64_t held = data_uri_check(uri, "application/octet-stream application/gltf-buffer", where);
-			if (held < length)
-				fail("%s holds %llu bytes; byteLength says %llu", where.c_str(), (unsigned long long)held,
-				     (unsigned long long)length);
-			json_object_set_new(buffer, "byteLength", json_integer((json_int_t)held));
-			return;
-		}
-		std::string path = path_from_uri(uri, where);
-		if (!paths.insert(path).second) fail("%s: %s is a buffer already", where.c_str(), quoted(path).c_str());
-		check.doc.buffers[key] = {path, length};
+		from.path = path_from_uri(uri, where);
+		if (!paths.insert(from.path).second)
+			fail("%s: %s is a buffer already", where.c_str(), quoted(from.path).c_str());
 	}
 	json_object_set_new(buffer, "uri", json_string(key.c_str()));
 }
 
-static void take_image(checker &check, json_t *image, size_t i)
+static picture take_image(const json_t *image, size_t i)
 {
-	std::string where = "images/" + std::to_string(i), key = "image-" + std::to_string(i);
-	const json_t *text = json_object_get(image, "uri");
-	if (!text == !json_object_get(image, "bufferView")) fail("%s must have either uri or bufferView", where.c_str());
-	if (!text) return;
-	std::string uri(json_string_value(text), json_string_length(text));
-	if (uri.compare(0, 5, "data:") == 0) {
-		data_uri_check(uri, "image/png image/jpeg", where + "/uri");
-		return;
+	std::string where = "images/" + std::to_string(i);
+	const json_t *view = json_object_get(image, "bufferView"), *text = json_object_get(image, "uri");
+	picture taken = {{}, view ? (int)json_integer_value(view) : -1, text_of(json_object_get(image, "mimeType"))};
+	if (!text == !view) fail("%s must have either uri or bufferView", where.c_str());
+	if (view) return taken;
+	std::string uri = text_of(text);
+	where += "/uri";
+	if (!is_data_uri(uri)) {
+		taken.from.path = path_from_uri(uri, where);
+		return taken;
 	}
-	check.doc.images[key] = path_from_uri(uri, where + "/uri");
-	json_object_set_new(image, "uri", json_string(key.c_str()));
+	data_uri held = data_uri_decode(uri, where);
+	if (held.type.compare(0, 6, "image/") != 0)
+		fail("%s: media type %s; image/png or image/jpeg is expected", where.c_str(), quoted(held.type).c_str());
+	taken.from.data = std::move(held.data);
+	taken.type = held.type;
+	return taken;
 }
 
 document guard(const char *text, size_t n, const container &parts)
@@ -367,7 +382,8 @@ document guard(const char *text, size_t n, const container &parts)
 		lengths.push_back(whole(item, "byteLength"));
 		take_buffer(check, item, i, parts, paths);
 	}
-	json_array_foreach (json_object_get(root.get(), "images"), i, item) take_image(check, item, i);
+	json_array_foreach (json_object_get(root.get(), "images"), i, item) check.doc.images.push_back(take_image(item, i));
+	json_object_del(root.get(), "images");
 	check_views(root.get(), lengths);
 	std::unique_ptr<char, void (*)(void *)> json(json_dumps(root.get(), JSON_COMPACT | JSON_REAL_PRECISION(17)), free);
 	if (!json) fail("no memory for a copy of the JSON");

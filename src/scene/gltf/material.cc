@@ -19,17 +19,17 @@ static u32 image_build(loader &in, int index, bool srgb)
 {
 	auto known = in.images.find({index, srgb});
 	if (known != in.images.end()) return known->second;
-	const tinygltf::Image &image = in.model.images.at((size_t)index);
+	const picture &image = in.doc.images.at((size_t)index);
 	std::string what = in.path + ": images/" + std::to_string(index);
-	const unsigned char *data = image.image.data();
-	size_t n = image.image.size();
+	const unsigned char *data = image.from.data.data();
+	size_t n = image.from.data.size();
 	bytes external;
-	if (image.bufferView >= 0) {
-		const tinygltf::BufferView &view = in.model.bufferViews.at((size_t)image.bufferView);
+	if (image.view >= 0) {
+		const tinygltf::BufferView &view = in.model.bufferViews.at((size_t)image.view);
 		data = in.model.buffers.at((size_t)view.buffer).data.data() + view.byteOffset;
 		n = view.byteLength;
 	} else if (n == 0) {
-		external = file_read_beside(in.path, in.doc.images.at(image.uri), most_image_bytes);
+		external = file_read_beside(in.path, image.from.path, most_image_bytes);
 		data = external.data();
 		n = external.size();
 		in.texel_budget = std::min(most_texels, in.texel_budget + n * texels_a_byte);
