@@ -6,7 +6,7 @@
 
 namespace gltf {
 
-static constexpr size_t unbacked_count = 65536; /* zeros that no byte of the file stands for */
+static constexpr uint64_t unbacked_count = 65536; /* zeros that no byte of the file stands for */
 
 static size_t component_bytes(int component_type)
 {
@@ -104,7 +104,7 @@ view view_open(const loader &in, int accessor, int type, int other_type, unsigne
 	v.normalized = a.normalized;
 	v.components = tinygltf::GetNumComponentsInType((uint32_t)a.type);
 	v.item_bytes = v.stride = width * (size_t)v.components;
-	if (a.bufferView >= 0) {
+	if (!in.doc.unbacked.at((size_t)accessor)) {
 		size_t stride = in.model.bufferViews.at((size_t)a.bufferView).byteStride;
 		if (stride != 0 && (forms & AS_INDEX)) fail("bufferViews/%d: a byteStride under indices", a.bufferView);
 		if (stride != 0 && (stride % 4 != 0 || stride < v.item_bytes))
@@ -112,9 +112,11 @@ view view_open(const loader &in, int accessor, int type, int other_type, unsigne
 			     v.item_bytes);
 		if (stride != 0) v.stride = stride;
 		v.data = range(in, a.bufferView, a.byteOffset, v.count, v.item_bytes, v.stride, width, where);
-	} else if (v.count > std::max(unbacked_count, in.file.size())) {
-		fail("%s: %zu items without a bufferView; at most %zu are read", where.c_str(), v.count,
-		     std::max(unbacked_count, in.file.size()));
+	} else if (!a.sparse.isSparse && !in.doc.compression.empty()) {
+		fail_compressed(where + " (" + what + ")", in.doc.compression);
+	} else if (v.count > std::max(unbacked_count, in.held_bytes)) {
+		fail("%s: %zu items without a bufferView; at most %llu are read", where.c_str(), v.count,
+		     (unsigned long long)std::max(unbacked_count, in.held_bytes));
 	}
 	if (a.sparse.isSparse) open_sparse(in, v, a, where);
 	return v;

@@ -134,9 +134,9 @@ static void load(loader &in)
 	in.parts = container_split(in.file, ends_in_glb(in.path));
 	in.doc = guard((const char *)in.file.data() + in.parts.json_begin, in.parts.json_bytes, in.parts);
 	parse(in);
-	uint64_t n = in.file.size();
-	for (const tinygltf::Buffer &buffer : in.model.buffers) n += buffer.data.size();
-	in.texel_budget = texel_budget(n);
+	in.held_bytes = in.file.size();
+	for (const tinygltf::Buffer &buffer : in.model.buffers) in.held_bytes += buffer.data.size();
+	in.texel_budget = texel_budget(in.held_bytes);
 	in.materials.assign(in.model.materials.size(), TS_NONE);
 	if (in.parts.trailing_bytes > 0) in.notes.insert("bytes after the end that the header gives are ignored");
 	nodes_walk(in);

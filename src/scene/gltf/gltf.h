@@ -77,9 +77,12 @@ struct document {
 	std::map<std::string, source> buffers;
 	std::vector<picture> images;
 	std::set<std::string> notes;
-	bool is_quantized = false; /* by KHR_mesh_quantization */
+	bool is_quantized = false;  /* by KHR_mesh_quantization */
+	std::string compression;    /* the extension that some of the data may be compressed by, or "" */
+	std::vector<bool> unbacked; /* by accessor: it has no buffer view, whatever `json` says */
 };
 document guard(const char *text, size_t n, const container &parts);
+[[noreturn]] void fail_compressed(const std::string &where, const std::string &extension);
 
 /* One file being loaded. */
 struct loader {
@@ -92,6 +95,7 @@ struct loader {
 	document doc;
 	tinygltf::Model model;
 	std::set<std::string> notes;
+	uint64_t held_bytes = 0;                    /* of the file and its buffers */
 	uint64_t texel_budget = 0;                  /* what the bytes read so far justify */
 	std::vector<u32> materials;                 /* of the scene, TS_NONE until used */
 	std::map<std::pair<int, bool>, u32> images; /* (image, sRGB) to index in the scene */

@@ -223,12 +223,20 @@ static std::string text_of(const json_t *value)
 	return value ? std::string(json_string_value(value), json_string_length(value)) : std::string();
 }
 
+void fail_compressed(const std::string &where, const std::string &extension)
+{
+	fail("%s is compressed by %s, which is not read; write it without, for example by gltf-transform copy",
+	     where.c_str(), extension.c_str());
+}
+
 static void take_extension(document &doc, const std::string &name, bool is_required)
 {
 	for (const extension &known : known_extensions) {
 		if (name != known.name) continue;
 		if (known.note) doc.notes.insert(known.note);
 		if (name == "KHR_mesh_quantization") doc.is_quantized = true;
+		if (known.compresses) doc.compression = name;
+		if (known.compresses && is_required) fail_compressed("the file", name);
 		return;
 	}
 	if (is_required) fail("the file requires the extension %s, which is not supported", quoted(name).c_str());
@@ -326,6 +334,8 @@ static void take_buffer(checker &check, json_t *buffer, size_t i, const containe
 	source &from = check.doc.buffers[key];
 	from.byte_length = whole(buffer, "byteLength");
 	if (!json_object_get(buffer, "uri")) {
+		if ((i != 0 || !parts.has_bin) && !check.doc.compression.empty())
+			fail_compressed("buffers/" + std::to_string(i), check.doc.compression);
 		if (i != 0 || !parts.has_bin) fail("%s is missing and there is no BIN chunk for this buffer", where.c_str());
 		if (from.byte_length > parts.bin_bytes)
 			fail("buffers/0/byteLength is %llu; the BIN chunk has %zu bytes", (unsigned long long)from.byte_length,
@@ -361,6 +371,19 @@ static picture take_image(const json_t *image, size_t i)
 	return taken;
 }
 
+/* tinygltf refuses indices without a buffer view, which are zeros as all without one: they get the first. */
+static void back_accessors(checker &check, json_t *root)
+{
+	size_t i;
+	json_t *accessor;
+	json_array_foreach (json_object_get(root, "accessors"), i, accessor) {
+		check.doc.unbacked.push_back(!json_object_get(accessor, "bufferView"));
+		if (check.doc.unbacked.back()) json_object_set_new(accessor, "bufferView", json_integer(0));
+	}
+	if (json_array_size(json_object_get(root, "bufferViews")) == 0)
+		json_object_set_new(root, "bufferViews", json_pack("[{s:i,s:i}]", "buffer", 0, "byteLength", 1));
+}
+
 document guard(const char *text, size_t n, const container &parts)
 {
 	checker check;
@@ -385,6 +408,7 @@ document guard(const char *text, size_t n, const container &parts)
 	json_array_foreach (json_object_get(root.get(), "images"), i, item) check.doc.images.push_back(take_image(item, i));
 	json_object_del(root.get(), "images");
 	check_views(root.get(), lengths);
+	back_accessors(check, root.get());
 	std::unique_ptr<char, void (*)(void *)> json(json_dumps(root.get(), JSON_COMPACT | JSON_REAL_PRECISION(17)), free);
 	if (!json) fail("no memory for a copy of the JSON");
 	check.doc.json = json.get();

@@ -32,6 +32,7 @@ struct rule {
 struct extension {
 	const char *name;
 	const char *note; /* what `touchstone info` says about it; NULL: it is read */
+	bool compresses = false;
 };
 
 static const extension known_extensions[] = {
@@ -42,6 +43,12 @@ static const extension known_extensions[] = {
 	{"KHR_texture_transform", nullptr},
 	{"KHR_materials_pbrSpecularGlossiness",
      "specular-glossiness materials are drawn by their metallic-roughness fallback"},
+	{"KHR_draco_mesh_compression", "meshes of KHR_draco_mesh_compression are read from their uncompressed copies",
+     true},
+	{"EXT_meshopt_compression", "buffer views of EXT_meshopt_compression are read from their uncompressed copies",
+     true},
+	{"KHR_meshopt_compression", "buffer views of KHR_meshopt_compression are read from their uncompressed copies",
+     true},
 };
 
 static constexpr double most_bytes = 2147483647, most_number = 1e300;

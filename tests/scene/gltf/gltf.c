@@ -168,6 +168,66 @@ static void test_sparse(void **state)
 	ts_build_free(build);
 }
 
+/* Accessors without a buffer view are zeros, and where they are sparse the file's items among zeros. */
+static void test_zeros(void **state)
+{
+	static const char more[] =
+		",{\"componentType\":5126,\"type\":\"VEC3\",\"count\":3}"
+		",{\"componentType\":5126,\"type\":\"VEC3\",\"count\":4,\"sparse\":{\"count\":2,\"indices\":{\"bufferView\":0,"
+		"\"byteOffset\":73,\"componentType\":5121},\"values\":{\"bufferView\":0,\"byteOffset\":12}}}"
+		",{\"componentType\":5123,\"type\":\"SCALAR\",\"count\":6}"
+		",{\"componentType\":5126,\"type\":\"VEC2\",\"count\":3}";
+	(void)state;
+	ts_build *build =
+		load_with(ONE_NODE ",\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":6,\"TEXCOORD_0\":9}},"
+	                       "{\"attributes\":{\"POSITION\":7},\"indices\":4},"
+	                       "{\"attributes\":{\"POSITION\":0},\"indices\":8}]}]",
+	              more, NULL);
+	if (ts_build_failed(build)) fail_msg("%s", ts_error_message());
+	const ts_scene *scene = ts_build_peek(build);
+	assert_int_equal(scene->n_notes, 0);
+	assert_int_equal(scene->n_triangles, 1 + 2 + 2);
+	assert_int_equal(scene->n_vertices, 3 + 4 + 1);
+	for (u32 k = 0; k < 3; k++) assert_v3(corner(scene, 0, k), 0.0f, 0.0f, 0.0f);
+	assert_v3(corner(scene, 1, 0), 0.0f, 0.0f, 0.0f);
+	assert_v3(corner(scene, 1, 1), 1.0f, 0.0f, 0.0f);
+	assert_v3(corner(scene, 1, 2), 0.0f, 1.0f, 0.0f);
+	assert_v3(corner(scene, 2, 2), 0.0f, 0.0f, 0.0f);
+	for (u32 k = 0; k < 6; k++) assert_int_equal(scene->triangles[3 + k / 3].vertex[k % 3], 7);
+	ts_build_free(build);
+}
+
+static void test_too_many_zeros(void **state)
+{
+	static const char *const more[3] = {
+		",{\"componentType\":5126,\"type\":\"VEC3\",\"count\":2000000000}",
+		",{\"componentType\":5126,\"type\":\"VEC3\",\"count\":2000000000,\"sparse\":{\"count\":1,\"indices\":{"
+		"\"bufferView\":0,\"byteOffset\":73,\"componentType\":5121},\"values\":{\"bufferView\":0}}}",
+		",{\"componentType\":5125,\"type\":\"SCALAR\",\"count\":2000000000}",
+	};
+	static const char *const primitive[3] = {"\"POSITION\":6}", "\"POSITION\":6}", "\"POSITION\":0},\"indices\":6"};
+	(void)state;
+	for (int i = 0; i < 3; i++) {
+		char body[256];
+		snprintf(body, sizeof body, ONE_NODE ",\"meshes\":[{\"primitives\":[{\"attributes\":{%s}]}]", primitive[i]);
+		refuse_with(body, more[i], NULL, "accessors/6: 2000000000 items without a bufferView; at most 65536 are read");
+	}
+}
+
+/* A file that holds no buffer at all. */
+static void test_nothing_but_zeros(void **state)
+{
+	(void)state;
+	ts_build *build = load_text("{\"asset\":{\"version\":\"2.0\"},\"accessors\":[{\"componentType\":5126,\"type\":"
+	                            "\"VEC3\",\"count\":3},{\"componentType\":5121,\"type\":\"SCALAR\",\"count\":3}],"
+	                            "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},\"indices\":1}]}],"
+	                            "\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}]}",
+	                            NULL, 8);
+	if (ts_build_failed(build)) fail_msg("%s", ts_error_message());
+	assert_int_equal(ts_build_peek(build)->n_triangles, 1);
+	ts_build_free(build);
+}
+
 static void test_normalized(void **state)
 {
 	static const char more[] =
@@ -452,6 +512,34 @@ static void test_extensions(void **state)
 	       "requires the extension \"VENDOR_thing\"");
 }
 
+/* Compressed data are refused by the name of what compressed them; uncompressed copies beside them are read. */
+static void test_compression(void **state)
+{
+	static const char *const names[3] = {"KHR_draco_mesh_compression", "EXT_meshopt_compression",
+	                                     "KHR_meshopt_compression"};
+	(void)state;
+	for (int i = 0; i < 3; i++) {
+		char body[512], message[128];
+		snprintf(body, sizeof body, ONE_NODE "," TRIANGLE ",\"extensionsUsed\":[\"%s\"]", names[i]);
+		snprintf(message, sizeof message, "compressed by %s, which is not read; write it without", names[i]);
+		ts_build *build = load(body);
+		assert_int_equal(ts_build_peek(build)->n_triangles, 1);
+		assert_note(build, names[i]);
+		ts_build_free(build);
+		snprintf(body, sizeof body, ONE_NODE "," TRIANGLE ",\"extensionsRequired\":[\"%s\"]", names[i]);
+		refuse(body, message);
+		snprintf(body, sizeof body,
+		         ONE_NODE ",\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":6}}]}],"
+		                  "\"extensionsUsed\":[\"%s\"]",
+		         names[i]);
+		refuse_with(body, ",{\"componentType\":5126,\"type\":\"VEC3\",\"count\":3}", NULL, message);
+	}
+	assert_refused(load_text("{\"asset\":{\"version\":\"2.0\"},\"extensionsUsed\":[\"EXT_meshopt_compression\"],"
+	                         "\"buffers\":[{\"byteLength\":4}]}",
+	                         NULL, 8),
+	               "buffers/0 is compressed by EXT_meshopt_compression");
+}
+
 /* A file refused leaves the next one loadable. */
 static void test_after_refusal(void **state)
 {
@@ -468,6 +556,9 @@ int main(void)
 		cmocka_unit_test(test_strip_and_fan),
 		cmocka_unit_test(test_points_draw_nothing),
 		cmocka_unit_test(test_sparse),
+		cmocka_unit_test(test_zeros),
+		cmocka_unit_test(test_too_many_zeros),
+		cmocka_unit_test(test_nothing_but_zeros),
 		cmocka_unit_test(test_normalized),
 		cmocka_unit_test(test_vertex_colour),
 		cmocka_unit_test(test_trs),
@@ -483,6 +574,7 @@ int main(void)
 		cmocka_unit_test(test_refused_materials),
 		cmocka_unit_test(test_reflectors),
 		cmocka_unit_test(test_extensions),
+		cmocka_unit_test(test_compression),
 		cmocka_unit_test(test_after_refusal),
 	};
 	return cmocka_run_group_tests(tests, set_up, NULL);
