@@ -8,6 +8,7 @@
 #include <touchstone/image.h>
 #include "../output/file.h"
 #include "codec.h"
+#include "format.h"
 #include "png.h"
 
 static const ts_image_codec *codec;
@@ -37,10 +38,6 @@ static uint32_t big_endian(const uint8_t *p, int n)
 	for (int i = 0; i < n; i++) value = value << 8 | p[i];
 	return value;
 }
-
-static bool is_png(const uint8_t *p, size_t n) { return n >= 8 && memcmp(p, "\x89PNG\r\n\x1a\n", 8) == 0; }
-
-static bool is_jpeg(const uint8_t *p, size_t n) { return n >= 3 && p[0] == 0xff && p[1] == 0xd8 && p[2] == 0xff; }
 
 static void png_size(uint32_t size[2], const uint8_t *p, size_t n)
 {
@@ -83,10 +80,12 @@ static ts_status decode(uint8_t **rgba, const uint32_t size[2], const char *form
 ts_status ts_image_decode(uint8_t **rgba, uint32_t *width, uint32_t *height, const void *file, size_t file_bytes,
                           uint64_t max_texels, const char *what)
 {
-	bool png = is_png(file, file_bytes);
+	const char *name = "its first bytes are those of no format";
+	ts_image_format format = ts_image_format_find(file, file_bytes, &name);
+	bool png = format == TS_IMAGE_PNG;
 	uint32_t size[2] = {0, 0};
 	*rgba = NULL;
-	if (!png && !is_jpeg(file, file_bytes)) return ts_fail("%s: neither PNG nor JPEG", what);
+	if (!png && format != TS_IMAGE_JPEG) return ts_fail("%s: neither PNG nor JPEG: %s", what, name);
 	(png ? png_size : jpeg_size)(size, file, file_bytes);
 	if (size[0] == 0 || size[1] == 0) return ts_fail("%s: no width or height in its header", what);
 	if (size[0] > max_texels / size[1])

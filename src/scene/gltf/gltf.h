@@ -121,20 +121,19 @@ view view_open(const loader &in, int accessor, int type, int other_type, unsigne
 
 /* gltf_attributes.cc: which attributes of a primitive are read, and where they go. */
 struct form {
-	const char *name;
+	std::string name;
 	int type, other_type;
 	unsigned forms;
 	size_t offset; /* in floats of a record */
 };
 #define AT(record, field) (offsetof(record, field) / sizeof(f32))
 struct attributes {
-	const form *forms;
-	size_t n_forms;
+	std::vector<form> forms;
 	std::map<std::string, view> views;
 	size_t count = 0;
-	template <size_t n> explicit attributes(const form (&list)[n]) : forms(list), n_forms(n) {}
+	template <size_t n> explicit attributes(const form (&list)[n]) : forms(list, list + n) {}
 	void open(loader &in, const tinygltf::Primitive &primitive, const std::string &where);
-	bool has(const char *name) const { return views.count(name) != 0; }
+	bool has(const std::string &name) const { return views.count(name) != 0; }
 	/* Writes the fields of item i that the file has. */
 	void read(size_t i, f32 *field) const;
 };
@@ -156,8 +155,13 @@ void piece_place(ts_build *build, const piece &piece, const ts_place &place);
 u32 material_build(loader &in, int index);
 /* How many texels a file of so many bytes may decode to, in all. */
 uint64_t texel_budget(uint64_t file_bytes);
-/* Which texture coordinate sets the material reads: bit 0 set 0, bit 1 set 1. */
-unsigned material_uv_sets(const loader &in, int index);
+/* The sets of texture coordinates, TEXCOORD_n, that a vertex of the material has: 0 and 1, or, if its textures use
+ * others, the first two that they name (0 for the second, if it is one); and whether they use them. */
+struct uv_sets {
+	int set[2];
+	bool used[2];
+};
+uv_sets material_uv_sets(const loader &in, int index);
 
 /* gltf_node.cc: walks the scene and builds what it draws. */
 void nodes_walk(loader &in);

@@ -1,8 +1,10 @@
 /* Materials, textures, samplers and images, glTF 2.0 sections 3.8 and 3.9, KHR_texture_transform, KHR_materials_unlit,
  * KHR_materials_emissive_strength. Base colour and emissive images are sRGB, the others linear. */
 #include "gltf.h"
+#include "../../image/format.h"
 #include "../../kernels/base/texture.h"
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <memory>
 #include <touchstone/image.h>
@@ -15,6 +17,21 @@ static constexpr uint64_t texels_a_byte = 1032, free_texels = 65536, most_texels
 
 uint64_t texel_budget(uint64_t file_bytes) { return std::min(most_texels, free_texels + file_bytes * texels_a_byte); }
 
+/* Whether the image is of a format that is known, but not read; noted. By its contents, or by what the file says of it
+ * where those say nothing. */
+static bool is_foreign(loader &in, int index, const unsigned char *data, size_t n)
+{
+	const std::string &type = in.doc.images.at((size_t)index).type;
+	const char *name = nullptr;
+	ts_image_format format = ts_image_format_find(data, n, &name);
+	if (format == TS_IMAGE_PNG || format == TS_IMAGE_JPEG) return false;
+	if (!name && (type.empty() || type == "image/png" || type == "image/jpeg")) return false;
+	in.notes.insert("images/" + std::to_string(index) + " is " + (name ? name : quoted(type)) +
+	                ", neither PNG nor JPEG: its textures are left out");
+	return true;
+}
+
+/* TS_NONE of a format that is not read. */
 static u32 image_build(loader &in, int index, bool srgb)
 {
 	auto known = in.images.find({index, srgb});
@@ -34,6 +51,7 @@ static u32 image_build(loader &in, int index, bool srgb)
 		n = external.size();
 		in.texel_budget = std::min(most_texels, in.texel_budget + n * texels_a_byte);
 	}
+	if (is_foreign(in, index, data, n)) return in.images[{index, srgb}] = TS_NONE;
 	uint8_t *rgba = nullptr;
 	uint32_t width = 0, height = 0;
 	uint64_t limit = std::min(in.texel_budget, free_texels + n * texels_a_byte);
@@ -68,48 +86,86 @@ static const tinygltf::Value *transform_of(const tinygltf::ExtensionMap &extensi
 	return found == extensions.end() ? nullptr : &found->second;
 }
 
-static int uv_set_of(int tex_coord, const tinygltf::ExtensionMap &extensions)
+/* A texture as a material names it. */
+struct texture_use {
+	int index, set;
+	const tinygltf::ExtensionMap *extensions;
+};
+
+template <typename Info> static texture_use use_of(const Info &info)
 {
-	const tinygltf::Value *t = transform_of(extensions);
-	return t && t->Has("texCoord") ? t->Get("texCoord").GetNumberAsInt() : tex_coord;
+	const tinygltf::Value *t = transform_of(info.extensions);
+	return {info.index, t && t->Has("texCoord") ? t->Get("texCoord").GetNumberAsInt() : info.texCoord,
+	        &info.extensions};
 }
 
-static u32 slot_build(loader &in, int index, int tex_coord, const tinygltf::ExtensionMap &extensions, bool srgb)
+/* In the order of the slots. */
+static std::array<texture_use, TS_N_SLOTS> uses_of(const tinygltf::Material &m)
 {
-	if (index < 0) return TS_NONE;
-	const tinygltf::Texture &texture = in.model.textures.at((size_t)index);
+	return {use_of(m.pbrMetallicRoughness.baseColorTexture), use_of(m.pbrMetallicRoughness.metallicRoughnessTexture),
+	        use_of(m.normalTexture), use_of(m.occlusionTexture), use_of(m.emissiveTexture)};
+}
+
+uv_sets material_uv_sets(const loader &in, int index)
+{
+	uv_sets plain = {{0, 1}, {false, false}}, named = {{-1, -1}, {false, false}};
+	if (index < 0) return plain;
+	bool is_plain = true;
+	for (const texture_use &use : uses_of(in.model.materials.at((size_t)index))) {
+		if (use.index < 0) continue;
+		size_t place = named.set[0] < 0 || named.set[0] == use.set ? 0 : 1;
+		if (named.set[place] < 0) named.set[place] = use.set;
+		named.used[place] = true;
+		if (use.set < 2)
+			plain.used[use.set] = true;
+		else
+			is_plain = false;
+	}
+	if (named.set[1] < 0) named.set[1] = 0;
+	return is_plain ? plain : named;
+}
+
+static u32 slot_build(loader &in, const texture_use &use, u32 uv_set, bool srgb)
+{
+	const tinygltf::Texture &texture = in.model.textures.at((size_t)use.index);
 	ts_slot slot = {};
-	if (texture.source < 0) fail("textures/%d has no source; an image is expected", index);
+	if (texture.source < 0) {
+		in.notes.insert("textures/" + std::to_string(use.index) + " has no image that is read: it is left out");
+		return TS_NONE;
+	}
 	if (texture.sampler >= 0) {
 		const tinygltf::Sampler &sampler = in.model.samplers.at((size_t)texture.sampler);
 		slot.wrap[0] = wrap_mode(sampler.wrapS, texture.sampler);
 		slot.wrap[1] = wrap_mode(sampler.wrapT, texture.sampler);
 	}
 	f32 offset[2] = {0.0f, 0.0f}, scale[2] = {1.0f, 1.0f}, rotation = 0.0f;
-	if (const tinygltf::Value *t = transform_of(extensions)) {
+	if (const tinygltf::Value *t = transform_of(*use.extensions)) {
 		for (size_t i = 0; i < 2; i++) offset[i] = number_at(*t, "offset", i, 0.0f);
 		for (size_t i = 0; i < 2; i++) scale[i] = number_at(*t, "scale", i, 1.0f);
 		rotation = number_at(*t, "rotation", 0, 0.0f);
 	}
 	ts_number_uv_transform(slot.transform, offset, rotation, scale);
-	slot.uv_set = (u32)uv_set_of(tex_coord, extensions);
+	slot.uv_set = uv_set;
 	slot.image = image_build(in, texture.source, srgb);
-	return ts_build_slot(in.build, &slot);
+	return slot.image == TS_NONE ? TS_NONE : ts_build_slot(in.build, &slot);
 }
 
-static void take_slots(loader &in, ts_material &m, const tinygltf::Material &from)
+static void take_slots(loader &in, ts_material &m, const tinygltf::Material &from, int index)
 {
-	const auto &pbr = from.pbrMetallicRoughness;
-	const auto &base = pbr.baseColorTexture, &rough = pbr.metallicRoughnessTexture, &emissive = from.emissiveTexture;
-	const auto &normal = from.normalTexture;
-	const auto &occlusion = from.occlusionTexture;
-	m.slot[TS_SLOT_BASE] = slot_build(in, base.index, base.texCoord, base.extensions, true);
-	m.slot[TS_SLOT_METALROUGH] = slot_build(in, rough.index, rough.texCoord, rough.extensions, false);
-	m.slot[TS_SLOT_NORMAL] = slot_build(in, normal.index, normal.texCoord, normal.extensions, false);
-	m.slot[TS_SLOT_OCCLUSION] = slot_build(in, occlusion.index, occlusion.texCoord, occlusion.extensions, false);
-	m.slot[TS_SLOT_EMISSIVE] = slot_build(in, emissive.index, emissive.texCoord, emissive.extensions, true);
-	m.normal_scale = ts_number(normal.scale);
-	m.occlusion = ts_number(occlusion.strength);
+	std::array<texture_use, TS_N_SLOTS> uses = uses_of(from);
+	uv_sets sets = material_uv_sets(in, index);
+	for (size_t k = 0; k < uses.size(); k++) {
+		bool srgb = k == TS_SLOT_BASE || k == TS_SLOT_EMISSIVE;
+		u32 place = uses[k].set == sets.set[0] ? 0 : 1;
+		if (uses[k].index >= 0 && uses[k].set != sets.set[place])
+			in.notes.insert("materials/" + std::to_string(index) +
+			                " reads more than two sets of texture coordinates: what uses TEXCOORD_" +
+			                std::to_string(uses[k].set) + " is left out");
+		else if (uses[k].index >= 0)
+			m.slot[k] = slot_build(in, uses[k], place, srgb);
+	}
+	m.normal_scale = ts_number(from.normalTexture.scale);
+	m.occlusion = ts_number(from.occlusionTexture.strength);
 }
 
 static void take_factors(ts_material &m, const tinygltf::Material &from)
@@ -149,25 +205,9 @@ u32 material_build(loader &in, int index)
 	ts_material m = ts_material_default();
 	take_factors(m, from);
 	take_flags(in, m, from);
-	take_slots(in, m, from);
+	take_slots(in, m, from, index);
 	place = ts_build_material(in.build, &m);
 	return place;
-}
-
-unsigned material_uv_sets(const loader &in, int index)
-{
-	unsigned sets = 0;
-	if (index < 0) return sets;
-	const tinygltf::Material &m = in.model.materials.at((size_t)index);
-	auto add = [&sets](const auto &info) {
-		if (info.index >= 0) sets |= 1u << uv_set_of(info.texCoord, info.extensions);
-	};
-	add(m.pbrMetallicRoughness.baseColorTexture);
-	add(m.pbrMetallicRoughness.metallicRoughnessTexture);
-	add(m.normalTexture);
-	add(m.occlusionTexture);
-	add(m.emissiveTexture);
-	return sets;
 }
 
 } // namespace gltf

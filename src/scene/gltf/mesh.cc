@@ -36,6 +36,18 @@ static const form vertex_forms[] = {
 	{"COLOR_0", TINYGLTF_TYPE_VEC3, TINYGLTF_TYPE_VEC4, AS_FLOAT | AS_UNORM, AT(ts_vertex, colour)},
 };
 
+static std::string uv_name(int set) { return "TEXCOORD_" + std::to_string(set); }
+
+/* The table with the names of those sets. */
+static attributes vertex_attributes(const uv_sets &sets)
+{
+	attributes a(vertex_forms);
+	for (form &f : a.forms)
+		for (size_t k = 0; k < 2; k++)
+			if (f.offset == AT(ts_vertex, uv) + 2 * k) f.name = uv_name(sets.set[k]);
+	return a;
+}
+
 static ts_vertex read_vertex(const attributes &a, size_t i)
 {
 	f32 field[sizeof(ts_vertex) / sizeof(f32)] = {0.0f};
@@ -49,10 +61,10 @@ static ts_vertex read_vertex(const attributes &a, size_t i)
 
 static void note_missing_uv(loader &in, const tinygltf::Primitive &primitive, const attributes &a)
 {
-	unsigned sets = material_uv_sets(in, primitive.material);
-	for (unsigned set = 0; set < 2; set++) {
-		std::string name = "TEXCOORD_" + std::to_string(set);
-		if ((sets >> set & 1) && !a.views.count(name))
+	uv_sets sets = material_uv_sets(in, primitive.material);
+	for (size_t k = 0; k < 2; k++) {
+		std::string name = uv_name(sets.set[k]);
+		if (sets.used[k] && !a.has(name))
 			in.notes.insert("textured primitives without " + name + " are read at (0, 0)");
 	}
 }
@@ -96,7 +108,7 @@ static std::vector<uint32_t> read_corners(loader &in, const tinygltf::Primitive 
 piece piece_decode(loader &in, const tinygltf::Primitive &primitive, const std::string &where)
 {
 	piece out;
-	attributes a(vertex_forms);
+	attributes a = vertex_attributes(material_uv_sets(in, primitive.material));
 	int mode = primitive.mode < 0 ? TINYGLTF_MODE_TRIANGLES : primitive.mode;
 	out.material = TS_NONE;
 	if (mode == TINYGLTF_MODE_POINTS) {
@@ -108,7 +120,7 @@ piece piece_decode(loader &in, const tinygltf::Primitive &primitive, const std::
 		return out;
 	}
 	a.open(in, primitive, where);
-	if (!a.views.count("POSITION")) {
+	if (!a.has("POSITION")) {
 		in.notes.insert("primitives without POSITION are not drawn");
 		return out;
 	}

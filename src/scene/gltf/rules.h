@@ -35,6 +35,8 @@ struct extension {
 	bool compresses = false;
 };
 
+static constexpr const char *texture_note = "textures are read from their PNG or JPEG images only";
+
 static const extension known_extensions[] = {
 	{"KHR_lights_punctual", nullptr},
 	{"KHR_materials_emissive_strength", nullptr},
@@ -43,6 +45,10 @@ static const extension known_extensions[] = {
 	{"KHR_texture_transform", nullptr},
 	{"KHR_materials_pbrSpecularGlossiness",
      "specular-glossiness materials are drawn by their metallic-roughness fallback"},
+	{"KHR_texture_basisu", texture_note},
+	{"EXT_texture_webp", texture_note},
+	{"EXT_texture_avif", texture_note},
+	{"MSFT_texture_dds", texture_note},
 	{"KHR_draco_mesh_compression", "meshes of KHR_draco_mesh_compression are read from their uncompressed copies",
      true},
 	{"EXT_meshopt_compression", "buffer views of EXT_meshopt_compression are read from their uncompressed copies",
@@ -132,7 +138,7 @@ static const rule rules[] = {
 	{"materials[].occlusionTexture", OBJECT, false, "texture"},
 	{"materials[].emissiveTexture", OBJECT, false, "texture"},
 	{"texture.index", INDEX, true, "textures"},
-	{"texture.texCoord", WHOLE, false, nullptr, 0, 1},
+	{"texture.texCoord", WHOLE, false, nullptr, 0, most_bytes},
 	{"texture.scale", NUMBER, false, nullptr, -most_number, most_number},
 	{"texture.strength", NUMBER, false, nullptr, 0, 1},
 	{"texture.extensions", OBJECT},
@@ -140,7 +146,7 @@ static const rule rules[] = {
 	{"texture.extensions.KHR_texture_transform.offset", NUMBERS, false, nullptr, -most_number, most_number, 2},
 	{"texture.extensions.KHR_texture_transform.rotation", NUMBER, false, nullptr, -most_number, most_number},
 	{"texture.extensions.KHR_texture_transform.scale", NUMBERS, false, nullptr, -most_number, most_number, 2},
-	{"texture.extensions.KHR_texture_transform.texCoord", WHOLE, false, nullptr, 0, 1},
+	{"texture.extensions.KHR_texture_transform.texCoord", WHOLE, false, nullptr, 0, most_bytes},
 	{"materials[].emissiveFactor", NUMBERS, false, nullptr, 0, 1, 3},
 	{"materials[].alphaMode", TEXT, false, "OPAQUE MASK BLEND"},
 	{"materials[].alphaCutoff", NUMBER, false, nullptr, 0, most_number},

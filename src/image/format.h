@@ -1,0 +1,21 @@
+/* Which kind of image file this is, by its first bytes. */
+#ifndef TS_IMAGE_FORMAT_H
+#define TS_IMAGE_FORMAT_H
+#include <stddef.h>
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum { TS_IMAGE_HEAD = 16 }; /* bytes that suffice to see it */
+
+/* OTHER are known but not read. */
+typedef enum { TS_IMAGE_UNKNOWN, TS_IMAGE_PNG, TS_IMAGE_JPEG, TS_IMAGE_EXR, TS_IMAGE_OTHER } ts_image_format;
+
+/* `head` holds n bytes, TS_IMAGE_HEAD or more, or the whole of a shorter file. *name becomes what the format is called;
+ * NULL is allowed. */
+ts_image_format ts_image_format_find(const void *head, size_t n, const char **name);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
