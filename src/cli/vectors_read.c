@@ -1,12 +1,11 @@
 /* A port's folder of outputs. Its files are untrusted. */
 #include <dirent.h>
-#include <errno.h>
 #include <fcntl.h>
 #include <inttypes.h>
-#include <jansson.h>
 #include <stdio.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include "../model/json.h"
 #include "../trace/npy.h"
 #include "vectors.h"
 
@@ -89,9 +88,13 @@ ts_status ts_vectors_read_contract(const char *dir)
 {
 	char path[PATH_BYTES];
 	struct stat info;
+	json_error_t error;
 	snprintf(path, sizeof path, "%s/vectors.json", dir);
 	if (stat(path, &info) != 0) return TS_OK;
-	json_t *root = S_ISREG(info.st_mode) && info.st_size <= MAX_INDEX_BYTES ? json_load_file(path, 0, NULL) : NULL;
+	bool readable = S_ISREG(info.st_mode) && info.st_size <= MAX_INDEX_BYTES;
+	errno = 0;
+	json_t *root = readable ? json_load_file(path, 0, &error) : NULL;
+	if (readable && root == NULL && ts_json_no_memory(&error)) return ts_fail("%s: out of memory", path);
 	json_t *contract = json_object_get(root, "contract");
 	json_int_t version = json_integer_value(contract);
 	bool known = json_is_integer(contract);

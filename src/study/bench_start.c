@@ -6,6 +6,7 @@
 #include <string.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include "../model/json.h"
 #include "bench.h"
 
 extern char **environ;
@@ -99,8 +100,11 @@ static ts_status run_child(char **arguments, char **environment, FILE *out)
 
 static ts_status read_times(ts_bench_started *started, FILE *out)
 {
+	json_error_t error;
 	rewind(out);
-	json_t *root = json_loadf(out, 0, NULL);
+	errno = 0;
+	json_t *root = json_loadf(out, 0, &error);
+	if (root == NULL && ts_json_no_memory(&error)) return ts_fail("bench start: out of memory");
 	json_t *row = json_array_get(json_object_get(root, "start"), 0);
 	started->open = json_number_value(json_object_get(row, "open_s"));
 	started->first = json_number_value(json_object_get(row, "first_s"));

@@ -1,20 +1,34 @@
 /* What every report of measurements opens with: by which program, and how it was run. */
 #include <string.h>
+#include "../model/json.h"
 #include "table.h"
 
+/* A number as such, a word as a string; NULL without memory. */
+static json_t *value_json(const char *text, bool is_number)
+{
+	json_error_t error;
+	errno = 0;
+	json_t *value = is_number ? json_loads(text, JSON_DECODE_ANY, &error) : NULL;
+	if (value != NULL || (is_number && ts_json_no_memory(&error))) return value;
+	return json_string(text);
+}
+
+/* NULL without memory. */
 static json_t *params_json(const ts_params *params)
 {
 	json_t *object = json_object();
 	size_t n;
+	int failed = 0;
 	const ts_param_info *table = ts_param_table(&n);
 	for (size_t row = 0; row < n; row++) {
 		char text[64];
 		ts_params_format(params, row, text, sizeof text);
 		bool is_number = strcmp(table[row].kind, "enum") != 0;
-		json_t *value = is_number ? json_loads(text, JSON_DECODE_ANY, NULL) : json_string(text);
-		json_object_set_new(object, table[row].name, value != NULL ? value : json_string(text));
+		failed |= json_object_set_new(object, table[row].name, value_json(text, is_number));
 	}
-	return object;
+	if (failed == 0) return object;
+	json_decref(object);
+	return NULL;
 }
 
 void ts_report_run(ts_report *report, const ts_job *job)

@@ -1,11 +1,10 @@
 /* trace.json and the headers of the files that it names. */
 #include "read.h"
-#include <errno.h>
 #include <inttypes.h>
-#include <jansson.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <unistd.h>
+#include "../model/json.h"
 #include "../model/renamed.h"
 #include "describe.h"
 #include "item.h"
@@ -153,12 +152,14 @@ static ts_status read_json(ts_trace *trace)
 	char *text = read_text(path, &n);
 	if (text == NULL) return TS_ERROR;
 	json_error_t error;
+	char why[TS_JSON_WHY];
+	errno = 0;
 	json_t *root = json_loadb(text, n, JSON_REJECT_DUPLICATES, &error);
+	if (root == NULL) ts_json_why(why, &error);
 	free(text);
 	if (!json_is_object(root)) {
 		json_decref(root);
-		return ts_fail("%s: line %d: %s", path, root != NULL ? 1 : error.line,
-		               root != NULL ? "not an object" : error.text);
+		return ts_fail("%s: %s", path, root != NULL ? "line 1: not an object" : why);
 	}
 	ts_status status = read_root(trace, path, root);
 	json_decref(root);

@@ -1,10 +1,11 @@
 /* The guard before tinygltf, which checks neither types nor references: the JSON is parsed strictly, held against the
  * table of gltf_rules.h, and written anew, so that tinygltf reads only what was checked. */
+#include "../../model/json.h"
 #include "gltf.h"
 #include "rules.h"
 #include <cstring>
-#include <jansson.h>
 #include <memory>
+#include <new>
 
 namespace gltf {
 
@@ -41,12 +42,20 @@ static void check_depth(const char *text, size_t n)
 	}
 }
 
+/* Stores a value that was just made. */
+static void put(json_t *object, const char *key, json_t *value)
+{
+	if (json_object_set_new(object, key, value) != 0) throw std::bad_alloc();
+}
+
 static owned parse(const char *text, size_t n)
 {
 	json_error_t problem;
+	char why[TS_JSON_WHY];
 	check_depth(text, n);
+	errno = 0;
 	owned root(json_loadb(text, n, JSON_REJECT_DUPLICATES | JSON_ALLOW_NUL, &problem), json_decref);
-	if (!root) fail("line %d, column %d: %s; JSON is expected", problem.line, problem.column, problem.text);
+	if (!root) fail("%s", ts_json_why(why, &problem));
 	if (!json_is_object(root.get())) fail("the JSON is not an object");
 	return root;
 }
@@ -118,7 +127,7 @@ static void check_text(const json_t *value, const rule &r, const std::string &wh
 static void check_whole(json_t *parent, const char *key, json_t *value, const rule &r, const std::string &where)
 {
 	if (!is_whole(value, r.low, r.high)) refuse(where, value, range_text("a whole number", r.low, r.high).c_str());
-	json_object_set_new(parent, key, json_integer((json_int_t)json_number_value(value)));
+	put(parent, key, json_integer((json_int_t)json_number_value(value)));
 }
 
 void checker::check_list(json_t *list, const rule &r, const std::string &where)
@@ -140,7 +149,8 @@ void checker::check_indices(json_t *list, const rule &r, const std::string &wher
 	json_t *item;
 	if (!json_is_array(list)) refuse(where, list, "an array");
 	json_array_foreach (list, i, item) {
-		json_array_set_new(list, i, json_integer(check_index(item, r, where + "/" + std::to_string(i))));
+		json_t *index = json_integer(check_index(item, r, where + "/" + std::to_string(i)));
+		if (json_array_set_new(list, i, index) != 0) throw std::bad_alloc();
 	}
 }
 
@@ -152,7 +162,7 @@ void checker::check_attributes(json_t *object, const rule &r, const std::string 
 	if (!json_is_object(object) || json_object_size(object) == 0) refuse(where, object, "an object with attributes");
 	json_object_foreach_safe(object, next, name, item)
 	{
-		json_object_set_new(object, name, json_integer(check_index(item, r, where + "/" + name)));
+		put(object, name, json_integer(check_index(item, r, where + "/" + name)));
 	}
 }
 
@@ -183,7 +193,7 @@ void checker::check_value(json_t *parent, const char *key, json_t *value, const 
 		if (!is_number(value, r.low, r.high)) refuse(where, value, range_text("a number", r.low, r.high).c_str());
 		break;
 	case NUMBERS: check_numbers(value, r, where); break;
-	case INDEX: json_object_set_new(parent, key, json_integer(check_index(value, r, where))); break;
+	case INDEX: put(parent, key, json_integer(check_index(value, r, where))); break;
 	case INDICES: check_indices(value, r, where); break;
 	case ATTRIBUTES: check_attributes(value, r, where); break;
 	case NOTED:
@@ -347,7 +357,7 @@ static void take_buffer(checker &check, json_t *buffer, size_t i, const containe
 		if (!paths.insert(from.path).second)
 			fail("%s: %s is a buffer already", where.c_str(), quoted(from.path).c_str());
 	}
-	json_object_set_new(buffer, "uri", json_string(key.c_str()));
+	put(buffer, "uri", json_string(key.c_str()));
 }
 
 static picture take_image(const json_t *image, size_t i)
@@ -378,10 +388,10 @@ static void back_accessors(checker &check, json_t *root)
 	json_t *accessor;
 	json_array_foreach (json_object_get(root, "accessors"), i, accessor) {
 		check.doc.unbacked.push_back(!json_object_get(accessor, "bufferView"));
-		if (check.doc.unbacked.back()) json_object_set_new(accessor, "bufferView", json_integer(0));
+		if (check.doc.unbacked.back()) put(accessor, "bufferView", json_integer(0));
 	}
 	if (json_array_size(json_object_get(root, "bufferViews")) == 0)
-		json_object_set_new(root, "bufferViews", json_pack("[{s:i,s:i}]", "buffer", 0, "byteLength", 1));
+		put(root, "bufferViews", json_pack("[{s:i,s:i}]", "buffer", 0, "byteLength", 1));
 }
 
 document guard(const char *text, size_t n, const container &parts)
@@ -410,7 +420,7 @@ document guard(const char *text, size_t n, const container &parts)
 	check_views(root.get(), lengths);
 	back_accessors(check, root.get());
 	std::unique_ptr<char, void (*)(void *)> json(json_dumps(root.get(), JSON_COMPACT | JSON_REAL_PRECISION(17)), free);
-	if (!json) fail("no memory for a copy of the JSON");
+	if (!json) throw std::bad_alloc();
 	check.doc.json = json.get();
 	return std::move(check.doc);
 }

@@ -1,0 +1,24 @@
+/* Why jansson returned NULL. It has no code for memory that ends while it reads: it leaves the line at -1, or calls a
+ * string that it could not store an invalid token. So set errno to 0 before json_load*, and ask here after it. */
+#ifndef TS_MODEL_JSON_H
+#define TS_MODEL_JSON_H
+#include <errno.h>
+#include <jansson.h>
+#include <stdbool.h>
+#include <stdio.h>
+
+enum { TS_JSON_WHY = 256 };
+
+static inline bool ts_json_no_memory(const json_error_t *error) { return errno == ENOMEM || error->line < 0; }
+
+/* A clause for a message. */
+static inline const char *ts_json_why(char why[TS_JSON_WHY], const json_error_t *error)
+{
+	if (ts_json_no_memory(error))
+		snprintf(why, TS_JSON_WHY, "out of memory");
+	else
+		snprintf(why, TS_JSON_WHY, "line %d, column %d: %s; JSON is expected", error->line, error->column, error->text);
+	return why;
+}
+
+#endif
