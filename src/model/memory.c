@@ -1,15 +1,6 @@
 /* Memory: sizes that cannot overflow, and a message instead of a crash. */
-#include <inttypes.h>
-#include <stdio.h>
 #include <stdlib.h>
-#include <unistd.h>
 #include "core.h"
-#ifdef __GLIBC_PREREQ
-#if __GLIBC_PREREQ(2, 33)
-#include <malloc.h>
-#define HAS_MALLINFO2
-#endif
-#endif
 
 static void *allocate(size_t count, size_t size, const char *what, bool zero)
 {
@@ -46,52 +37,3 @@ ts_status ts_grow(void **array, size_t *capacity, size_t need, size_t size, cons
 	*capacity = count;
 	return TS_OK;
 }
-
-/* What a container grants (cgroup 2), or UINT64_MAX. */
-static uint64_t container_limit(void)
-{
-	uint64_t limit = UINT64_MAX;
-	FILE *file = fopen("/sys/fs/cgroup/memory.max", "r");
-	if (file) {
-		if (fscanf(file, "%" SCNu64, &limit) != 1) limit = UINT64_MAX;
-		fclose(file);
-	}
-	return limit;
-}
-
-uint64_t ts_memory_total(void)
-{
-	long pages = sysconf(_SC_PHYS_PAGES);
-	long page_bytes = sysconf(_SC_PAGESIZE);
-	uint64_t machine = pages > 0 && page_bytes > 0 ? (uint64_t)pages * (uint64_t)page_bytes : UINT64_MAX;
-	uint64_t container = container_limit();
-	return container < machine ? container : machine;
-}
-
-/* Resident pages of this process, and of these the ones with files behind them; 0 where the system does not tell. */
-static void resident_bytes(uint64_t *all, uint64_t *files)
-{
-	unsigned long long pages = 0, shared = 0;
-	uint64_t page_bytes = (uint64_t)sysconf(_SC_PAGESIZE);
-	FILE *file = fopen("/proc/self/statm", "r");
-	if (file) {
-		if (fscanf(file, "%*s %llu %llu", &pages, &shared) != 2) pages = shared = 0;
-		fclose(file);
-	}
-	*all = pages * page_bytes;
-	*files = shared * page_bytes;
-}
-
-uint64_t ts_memory_used(void)
-{
-	uint64_t all, files;
-	resident_bytes(&all, &files);
-	uint64_t heap = all - files;
-#ifdef HAS_MALLINFO2
-	struct mallinfo2 info = mallinfo2();
-	if (info.uordblks + info.hblkhd < heap) heap = info.uordblks + info.hblkhd;
-#endif
-	return files + heap;
-}
-
-uint64_t ts_memory_limit(void) { return ts_memory_total() / 4 * 3; }
