@@ -25,7 +25,7 @@ TS_API ts_status ts_image_write_png(const char *path, const uint8_t *pixels, uin
 TS_API ts_status ts_image_write_exr(const char *path, const float *pixels, uint32_t width, uint32_t height,
                                     uint32_t channels);
 
-/* Reads any of the above as float (channels as in the file; 8-bit values divided by 255). *pixels by free(). */
+/* Reads a PNG, JPEG or EXR as float (channels as in the file; 8-bit values divided by 255). *pixels by free(). */
 TS_API ts_status ts_image_read(float **pixels, uint32_t *width, uint32_t *height, uint32_t *channels, const char *path);
 
 /* How far apart two 8-bit RGB images are (METHODS 17). Values are in grey levels, 0 to 255. */

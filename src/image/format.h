@@ -1,6 +1,7 @@
 /* Which kind of image file this is, by its first bytes. */
 #ifndef TS_IMAGE_FORMAT_H
 #define TS_IMAGE_FORMAT_H
+#include <stdbool.h>
 #include <stddef.h>
 #ifdef __cplusplus
 extern "C" {
@@ -14,6 +15,12 @@ typedef enum { TS_IMAGE_UNKNOWN, TS_IMAGE_PNG, TS_IMAGE_JPEG, TS_IMAGE_EXR, TS_I
 /* `head` holds n bytes, TS_IMAGE_HEAD or more, or the whole of a shorter file. *name becomes what the format is called;
  * NULL is allowed. */
 ts_image_format ts_image_format_find(const void *head, size_t n, const char **name);
+
+/* Whether ts_image_decode decodes it. */
+static inline bool ts_image_format_is_decoded(ts_image_format format)
+{
+	return format == TS_IMAGE_PNG || format == TS_IMAGE_JPEG;
+}
 
 #ifdef __cplusplus
 }

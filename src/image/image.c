@@ -1,10 +1,13 @@
 /* Image files. Input is untrusted: the size in the header is read and judged here before the module sees the file, and
  * of a PNG it sees a checked copy. */
 #include <dlfcn.h>
+#include <errno.h>
 #include <pthread.h>
 #include <stdbool.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <touchstone/image.h>
 #include "../output/file.h"
 #include "codec.h"
@@ -85,7 +88,7 @@ ts_status ts_image_decode(uint8_t **rgba, uint32_t *width, uint32_t *height, con
 	bool png = format == TS_IMAGE_PNG;
 	uint32_t size[2] = {0, 0};
 	*rgba = NULL;
-	if (!png && format != TS_IMAGE_JPEG) return ts_fail("%s: neither PNG nor JPEG: %s", what, name);
+	if (!ts_image_format_is_decoded(format)) return ts_fail("%s: neither PNG nor JPEG: %s", what, name);
 	(png ? png_size : jpeg_size)(size, file, file_bytes);
 	if (size[0] == 0 || size[1] == 0) return ts_fail("%s: no width or height in its header", what);
 	if (size[0] > max_texels / size[1])
@@ -130,9 +133,26 @@ ts_status ts_image_write_exr(const char *path, const float *pixels, uint32_t wid
 	return put(path, status, file, bytes);
 }
 
+/* So that nothing is read of what is no image. */
+static ts_status check_format(const char *path)
+{
+	uint8_t head[TS_IMAGE_HEAD];
+	struct stat info;
+	if (stat(path, &info) == 0 && !S_ISREG(info.st_mode))
+		return ts_fail("%s: not a regular file; a PNG, JPEG or EXR is expected", path);
+	FILE *file = fopen(path, "rb");
+	if (file == NULL) return ts_fail("%s: %s; a PNG, JPEG or EXR is expected", path, strerror(errno));
+	size_t n = fread(head, 1, sizeof head, file);
+	fclose(file);
+	const char *name = "its first bytes are those of no format";
+	ts_image_format format = ts_image_format_find(head, n, &name);
+	if (format == TS_IMAGE_EXR || ts_image_format_is_decoded(format)) return TS_OK;
+	return ts_fail("%s: %s; a PNG, JPEG or EXR is expected", path, name);
+}
+
 ts_status ts_image_read(float **pixels, uint32_t *width, uint32_t *height, uint32_t *channels, const char *path)
 {
 	*pixels = NULL;
-	if (require_codec(path) != TS_OK) return TS_ERROR;
+	if (check_format(path) != TS_OK || require_codec(path) != TS_OK) return TS_ERROR;
 	return said(codec->read(pixels, width, height, channels, path));
 }

@@ -145,13 +145,35 @@ static void test_bad_paths(void **state)
 	assert_int_equal(ts_image_read(&read, &width, &height, &channels, name("none.png")), TS_ERROR);
 	assert_null(read);
 	assert_non_null(strstr(ts_error_message(), "none.png"));
+	assert_int_equal(ts_image_read(&read, &width, &height, &channels, folder), TS_ERROR);
+	assert_non_null(strstr(ts_error_message(), "not a regular file"));
+}
+
+/* What is none of the three formats does not reach the module. */
+static void test_other_formats(void **state)
+{
+	static const char *const heads[3] = {"", "GIF89a", "P6 1 1 255 abc"};
+	(void)state;
+	for (int i = 0; i < 3; i++) {
+		float *read;
+		uint32_t width, height, channels;
+		FILE *file = fopen(name("f.png"), "wb");
+		assert_non_null(file);
+		fputs(heads[i], file);
+		fclose(file);
+		assert_int_equal(ts_image_read(&read, &width, &height, &channels, path), TS_ERROR);
+		assert_null(read);
+		assert_non_null(
+			strstr(ts_error_message(), i == 1 ? ": GIF; a PNG, JPEG or EXR" : "of no format; a PNG, JPEG or EXR"));
+		assert_gone();
+	}
 }
 
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_png),     cmocka_unit_test(test_read_png),  cmocka_unit_test(test_exr),
-		cmocka_unit_test(test_damaged), cmocka_unit_test(test_bad_paths),
+		cmocka_unit_test(test_damaged), cmocka_unit_test(test_bad_paths), cmocka_unit_test(test_other_formats),
 	};
 	return cmocka_run_group_tests(tests, set_up, tear_down);
 }

@@ -20,11 +20,11 @@ verdict $? 'no image without the module'
 cat > "$scratch/program.c" <<'END'
 #include <stdio.h>
 #include <touchstone/touchstone.h>
-int main(void)
+int main(int n_words, char **word)
 {
 	float *pixels;
 	uint32_t w, h, n;
-	ts_status status = ts_image_read(&pixels, &w, &h, &n, "/dev/null");
+	ts_status status = ts_image_read(&pixels, &w, &h, &n, word[n_words - 1]);
 	puts(ts_error_message());
 	return (int)status;
 }
@@ -33,8 +33,8 @@ library=$(dirname "$(realpath "${BUILD:-build/release}/libtouchstone.so")")
 ln -s "$library/libtouchstone.so" "$scratch/libtouchstone.so.0"
 ln -s "$library/libtouchstone-image.so" "$scratch/libtouchstone-image.so"
 gcc -Iinclude "$scratch/program.c" "$library/libtouchstone.so" -Wl,-rpath,"$scratch" -o "$scratch/program" &&
-	"$scratch/program" > "$scratch/stdout" 2> "$scratch/stderr"
-[ $? -eq 2 ] && grep -q '^/dev/null: ' "$scratch/stdout"
+	printf '\166\057\061\001' > "$scratch/cut.exr" && "$scratch/program" "$scratch/cut.exr" > "$scratch/stdout" 2> "$scratch/stderr"
+[ $? -eq 2 ] && grep -q '/cut.exr: ' "$scratch/stdout"
 verdict $? 'a program of the shared library reads what the module says'
 
 finish

@@ -28,6 +28,14 @@ static void take_chunk(container &parts, uint32_t kind, size_t begin, size_t n, 
 	parts.bin_bytes = n;
 }
 
+bool container_is_worth(const bytes &head)
+{
+	if (head.size() >= 8 && word(head, 0) == magic) return word(head, 4) == 2;
+	for (unsigned char c : head)
+		if (c != ' ' && c != '\t' && c != '\r' && c != '\n') return c == '{';
+	return true;
+}
+
 container container_split(const bytes &file, bool expect_glb)
 {
 	container parts;

@@ -1,6 +1,8 @@
 /* Files and URIs of a glTF asset. Files are untrusted: nothing outside the asset's own folder is opened, and neither
  * devices nor pipes are read. */
 #include "gltf.h"
+#include "../../model/core.h"
+#include <algorithm>
 #include <cerrno>
 #include <climits>
 #include <cstdlib>
@@ -12,6 +14,8 @@
 
 namespace gltf {
 
+static constexpr uint64_t head_bytes = 4096;
+
 struct descriptor {
 	int fd;
 	~descriptor()
@@ -20,27 +24,40 @@ struct descriptor {
 	}
 };
 
-static bytes read_all(const std::string &path, int flags, uint64_t limit, const std::string &shown)
+/* Appends the next n bytes of a file. */
+static void read_more(bytes &data, const descriptor &file, size_t n, const std::string &shown)
+{
+	size_t done = data.size();
+	data.resize(done + n);
+	while (done < data.size()) {
+		ssize_t got = read(file.fd, data.data() + done, data.size() - done);
+		if (got < 0 && errno == EINTR) continue;
+		if (got < 0) fail("%s: %s", shown.c_str(), strerror(errno));
+		if (got == 0) fail("%s: the file became shorter while it was read", shown.c_str());
+		done += (size_t)got;
+	}
+}
+
+static bytes read_all(const std::string &path, int flags, const extent &wanted, const std::string &shown)
 {
 	descriptor file{open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | flags)};
 	struct stat info;
 	if (file.fd < 0 || fstat(file.fd, &info) != 0) fail("%s: %s", shown.c_str(), strerror(errno));
 	if (!S_ISREG(info.st_mode)) fail("%s: not a regular file", shown.c_str());
-	if ((uint64_t)info.st_size > limit)
-		fail("%s: %lld bytes; at most %llu are read", shown.c_str(), (long long)info.st_size,
+	uint64_t size = (uint64_t)info.st_size, limit = std::min(wanted.limit, ts_memory_limit());
+	if (size > limit)
+		fail("%s: %llu bytes; at most %llu are read", shown.c_str(), (unsigned long long)size,
 		     (unsigned long long)limit);
-	bytes data((size_t)info.st_size);
-	for (size_t done = 0; done < data.size();) {
-		ssize_t n = read(file.fd, data.data() + done, data.size() - done);
-		if (n < 0 && errno == EINTR) continue;
-		if (n < 0) fail("%s: %s", shown.c_str(), strerror(errno));
-		if (n == 0) fail("%s: the file became shorter while it was read", shown.c_str());
-		done += (size_t)n;
-	}
+	size = std::min(size, wanted.most);
+	bytes data;
+	read_more(data, file, (size_t)std::min(size, head_bytes), shown);
+	if (wanted.is_worth && !wanted.is_worth(data)) return data;
+	data.reserve((size_t)size);
+	read_more(data, file, (size_t)size - data.size(), shown);
 	return data;
 }
 
-bytes file_read(const std::string &path, uint64_t limit) { return read_all(path, 0, limit, "the file"); }
+bytes file_read(const std::string &path, const extent &wanted) { return read_all(path, 0, wanted, "the file"); }
 
 static std::string resolve(const std::string &path, const std::string &shown)
 {
@@ -49,7 +66,7 @@ static std::string resolve(const std::string &path, const std::string &shown)
 	return real.get();
 }
 
-bytes file_read_beside(const std::string &base, const std::string &relative, uint64_t limit)
+bytes file_read_beside(const std::string &base, const std::string &relative, const extent &wanted)
 {
 	size_t slash = base.rfind('/');
 	std::string shown = "file " + quoted(relative);
@@ -57,7 +74,7 @@ bytes file_read_beside(const std::string &base, const std::string &relative, uin
 	if (folder.back() != '/') folder += '/';
 	std::string real = resolve(folder + relative, shown);
 	if (real.compare(0, folder.size(), folder) != 0) fail("%s: a link out of the scene's folder", shown.c_str());
-	return read_all(real, O_NOFOLLOW, limit, shown);
+	return read_all(real, O_NOFOLLOW, wanted, shown);
 }
 
 static int hex_digit(char c)

@@ -59,11 +59,10 @@ static bool file_fetch(bytes *out, std::string *, const std::string &key, void *
 			out->assign(bin, bin + wanted.byte_length);
 			return true;
 		}
-		*out = file_read_beside(in.path, wanted.path, most_file_bytes);
+		*out = file_read_beside(in.path, wanted.path, {most_file_bytes, wanted.byte_length, nullptr});
 		if (out->size() < wanted.byte_length)
 			fail("file %s: %zu bytes; byteLength says %llu", quoted(wanted.path).c_str(), out->size(),
 			     (unsigned long long)wanted.byte_length);
-		out->resize(wanted.byte_length);
 		return true;
 	} catch (const error &e) {
 		from.problem = e.line;
@@ -130,7 +129,7 @@ static void write_notes(loader &in)
 
 static void load(loader &in)
 {
-	in.file = file_read(in.path, most_file_bytes);
+	in.file = file_read(in.path, {most_file_bytes, most_file_bytes, container_is_worth});
 	in.parts = container_split(in.file, ends_in_glb(in.path));
 	in.doc = guard((const char *)in.file.data() + in.parts.json_begin, in.parts.json_bytes, in.parts);
 	parse(in);

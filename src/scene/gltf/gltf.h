@@ -33,11 +33,18 @@ struct error {
 /* A name from the file, for a message: in quotes, NULs replaced, cut to 48 bytes. What prints it cleans the rest. */
 std::string quoted(const std::string &name);
 
-/* gltf_file.cc: files. Refuses what is not a regular file and what is longer than `limit` bytes. */
-bytes file_read(const std::string &path, uint64_t limit);
+/* gltf_file.cc: files. Refuses what is not a regular file, and what is longer than `limit` bytes or this process's
+ * memory. */
+struct extent {
+	uint64_t limit;
+	uint64_t most; /* bytes that are read, if there are more */
+	/* May be null. Where it is false of the first bytes, up to 4096, only those are read: they show what is wrong. */
+	bool (*is_worth)(const bytes &head);
+};
+bytes file_read(const std::string &path, const extent &wanted);
 /* Reads `relative`, a path from path_from_uri, in the folder of the file `base`; nothing outside that folder, by name
  * or by link, is opened. */
-bytes file_read_beside(const std::string &base, const std::string &relative, uint64_t limit);
+bytes file_read_beside(const std::string &base, const std::string &relative, const extent &wanted);
 /* The relative path that a URI names; absolute ones, schemes, backslashes, NULs and ways out of the folder are refused.
  */
 std::string path_from_uri(const std::string &uri, const std::string &where);
@@ -58,6 +65,8 @@ struct container {
 	size_t trailing_bytes = 0;
 };
 container container_split(const bytes &file, bool expect_glb);
+/* Whether a file that begins so may be a .glb or a .gltf. */
+bool container_is_worth(const bytes &head);
 
 /* gltf_guard.cc: the JSON after strict checks, with nothing but what the loader knows in it: every index is in range,
  * every type and length is right, every buffer view lies inside its buffer. URIs of buffers are replaced by keys of

@@ -23,12 +23,16 @@ static bool is_foreign(loader &in, int index, const unsigned char *data, size_t 
 {
 	const std::string &type = in.doc.images.at((size_t)index).type;
 	const char *name = nullptr;
-	ts_image_format format = ts_image_format_find(data, n, &name);
-	if (format == TS_IMAGE_PNG || format == TS_IMAGE_JPEG) return false;
+	if (ts_image_format_is_decoded(ts_image_format_find(data, n, &name))) return false;
 	if (!name && (type.empty() || type == "image/png" || type == "image/jpeg")) return false;
 	in.notes.insert("images/" + std::to_string(index) + " is " + (name ? name : quoted(type)) +
 	                ", neither PNG nor JPEG: its textures are left out");
 	return true;
+}
+
+static bool is_decoded(const bytes &head)
+{
+	return ts_image_format_is_decoded(ts_image_format_find(head.data(), head.size(), nullptr));
 }
 
 /* TS_NONE of a format that is not read. */
@@ -46,7 +50,7 @@ static u32 image_build(loader &in, int index, bool srgb)
 		data = in.model.buffers.at((size_t)view.buffer).data.data() + view.byteOffset;
 		n = view.byteLength;
 	} else if (n == 0) {
-		external = file_read_beside(in.path, image.from.path, most_image_bytes);
+		external = file_read_beside(in.path, image.from.path, {most_image_bytes, most_image_bytes, is_decoded});
 		data = external.data();
 		n = external.size();
 		in.texel_budget = std::min(most_texels, in.texel_budget + n * texels_a_byte);
