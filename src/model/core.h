@@ -32,8 +32,8 @@ ts_status ts_grow(void **array, size_t *capacity, size_t need, size_t size, cons
 /* Bytes that this process has in memory: of files, such as libraries, and what it allocated, without what it
  * released. */
 uint64_t ts_memory_used(void);
-/* Memory that this process can have, in bytes: of the machine, of its control group, and of its own limits (ulimit -v and
- * -d) what was left of them when this was asked first. */
+/* Memory that this process can have, in bytes: of the machine, of its control group, and what its own limits (ulimit -v
+ * and -d) had left when this was asked first. */
 uint64_t ts_memory_total(void);
 /* What one run may use of it: three quarters. */
 uint64_t ts_memory_limit(void);

@@ -29,8 +29,8 @@ static uint64_t read_number(const char *path)
 	return number;
 }
 
-/* The least limit of a control group and those above it, whose folders stand under `mount`. A container may see only the
- * uppermost. */
+/* The least limit of a control group and those above it, whose folders stand under `mount`. A container may see only
+ * the uppermost. */
 static uint64_t group_limit(const char *mount, const char *group, const char *name)
 {
 	char folder[PATH_BYTES], path[PATH_BYTES + 64];

@@ -11,7 +11,8 @@
 #define GIF "data:image/gif,GIF89a0000000000"
 #define JUNK "junk0000000000000"
 
-/* A triangle with three sets of texture coordinates, (0, 0.1) (0.2, 0.3) (0.4, 0.5), plus 1 in set 1, plus 2 in set 2. */
+/* A triangle with three sets of texture coordinates: (0, 0.1) (0.2, 0.3) (0.4, 0.5), plus 1 in set 1, plus 2 in set
+ * 2. */
 static ts_build *load(const char *material, const char *rest, const char *attributes)
 {
 	unsigned char bytes[108];
