@@ -7,6 +7,7 @@
 #include <string.h>
 #include <sys/stat.h>
 #include "../model/core.h"
+#include "../model/json.h"
 #include "folder_ours.h"
 
 enum { MAX_REPORT_BYTES = 1 << 24, PATH_BYTES = 4096 + 300 };
@@ -28,13 +29,16 @@ static bool are_names(const json_t *files)
 	return all;
 }
 
-static json_t *read_list(const char *dir, const char *name)
+static json_t *read_list(const char *dir, const char *name, bool *no_memory)
 {
 	char path[PATH_BYTES];
 	struct stat info;
 	snprintf(path, sizeof path, "%s/%s", dir, name);
 	if (!is_regular(path, &info) || info.st_size > MAX_REPORT_BYTES) return NULL;
-	json_t *root = json_load_file(path, 0, NULL);
+	json_error_t error;
+	errno = 0;
+	json_t *root = json_load_file(path, 0, &error);
+	*no_memory |= root == NULL && ts_json_no_memory(&error);
 	const char *program = json_string_value(json_object_get(root, "program"));
 	json_t *files = json_object_get(root, "files");
 	bool ours = program != NULL && strcmp(program, "touchstone") == 0 && are_names(files);
@@ -43,10 +47,10 @@ static json_t *read_list(const char *dir, const char *name)
 	return result;
 }
 
-static json_t *read_ours(const char *dir)
+static json_t *read_ours(const char *dir, bool *no_memory)
 {
-	json_t *files = read_list(dir, "report.json");
-	return files != NULL ? files : read_list(dir, "vectors.json");
+	json_t *files = read_list(dir, "report.json", no_memory);
+	return files != NULL ? files : read_list(dir, "vectors.json", no_memory);
 }
 
 static bool has(const json_t *ours, const char *dir, const char *name)
@@ -100,8 +104,9 @@ ts_status ts_ours_judge(const char *dir)
 {
 	DIR *stream = opendir(dir);
 	if (stream == NULL) return ts_fail("%s: %s; name a folder that can be read and written", dir, strerror(errno));
-	json_t *ours = read_ours(dir);
-	ts_status status = judge(ours, dir, stream);
+	bool no_memory = false;
+	json_t *ours = read_ours(dir, &no_memory);
+	ts_status status = no_memory ? ts_fail("%s: what is listed there: out of memory", dir) : judge(ours, dir, stream);
 	json_decref(ours);
 	closedir(stream);
 	return status;

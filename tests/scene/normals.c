@@ -1,4 +1,5 @@
-/* Estimated normals against closed forms: spheres, tori, planes, hills; in double precision, the plane that fits best. */
+/* Estimated normals against closed forms: spheres, tori, planes, hills; and, in double precision, the plane that fits
+ * best. */
 #include "../../src/scene/normals.h"
 #include <math.h>
 #include <omp.h>
@@ -39,7 +40,8 @@ static void put_torus(u32 i)
 	truth[i] = of(cos(b) * cos(a), sin(b), cos(b) * sin(a));
 }
 
-/* A ball with a thin fin around its equator: radius 0.5 + 0.7 exp(-(f / WIDTH)^2) at latitude f, as dense everywhere. */
+/* A ball with a thin fin around its equator: radius 0.5 + 0.7 exp(-(f / WIDTH)^2) at latitude f, as dense
+ * everywhere. */
 #define WIDTH 0.2
 static void put_finned(u32 i)
 {

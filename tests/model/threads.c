@@ -1,0 +1,62 @@
+/* Threads that can be had: as many as wanted, and fewer where the address space ends, where OpenMP finds them. */
+#include <stdio.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include "said.h"
+#include "test.h"
+
+static void test_there(void **state)
+{
+	(void)state;
+	said_begin();
+	assert_int_equal(ts_threads_ready(0), 1);
+	assert_int_equal(ts_threads_ready(1), 1);
+	assert_int_equal(ts_threads_ready(5), 5);
+	assert_int_equal(ts_threads_ready(3), 3);
+	assert_string_equal(said_end(), "");
+}
+
+static size_t mapped(void)
+{
+	size_t pages = 0;
+	FILE *file = fopen("/proc/self/statm", "r");
+	if (file == NULL || fscanf(file, "%zu", &pages) != 1) pages = 0;
+	if (file != NULL) fclose(file);
+	return pages * (size_t)sysconf(_SC_PAGESIZE);
+}
+
+/* In a child, which has no threads yet. */
+static int few(size_t stacks)
+{
+	const size_t stack = 8 << 20, most = mapped() + stacks * stack;
+	int seen = 0;
+	if (setrlimit(RLIMIT_AS, &(struct rlimit){most, most}) != 0) return 1;
+	said_begin();
+	uint32_t n = ts_threads_ready(TS_MOST_THREADS);
+	if (n < 2 || n > stacks || strstr(said_end(), "1024 threads wanted, ") == NULL) return 2;
+#pragma omp parallel num_threads((int)n) reduction(+ : seen)
+	seen++;
+	return seen == (int)n ? 0 : 3;
+}
+
+static void test_few(void **state)
+{
+	(void)state;
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+	skip();
+#endif
+	for (size_t stacks = 12; stacks <= 40; stacks += 7) {
+		int told;
+		pid_t child = fork();
+		if (child == 0) _exit(few(stacks));
+		assert_int_equal(waitpid(child, &told, 0), child);
+		assert_int_equal(told, 0);
+	}
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {cmocka_unit_test(test_few), cmocka_unit_test(test_there)};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
