@@ -2,6 +2,8 @@
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
+#include "../output/file.h"
 #include "../study/folder.h"
 #include "../study/table.h"
 #include "../trace/npy.h"
@@ -58,10 +60,12 @@ static ts_status write_index(json_t *list)
 	                             : NULL;
 	if (files == NULL) return TS_ERROR;
 	bool whole = root != NULL && json_array_size(list) == ts_vectors_count();
-	bool written = whole && json_dump_file(root, path, JSON_INDENT(1)) == 0;
+	char *text = whole ? json_dumps(root, JSON_INDENT(1)) : NULL;
 	json_decref(root);
-	if (!whole) return ts_fail("%s: out of memory", path);
-	return written ? TS_OK : ts_fail("%s: cannot be written; the disk may be full", path);
+	if (text == NULL) return ts_fail("%s: out of memory", path);
+	ts_status status = ts_file_write(path, text, strlen(text));
+	free(text);
+	return status;
 }
 
 static ts_status write_all(void)

@@ -103,6 +103,12 @@ ts_status ts_file_write(const char *path, const void *data, size_t bytes)
 	return TS_ERROR;
 }
 
+ts_status ts_file_print(const void *data, size_t bytes)
+{
+	ts_file file = {.path = "standard output", .descriptor = STDOUT_FILENO};
+	return fflush(stdout) == 0 ? write_out(&file, data, bytes) : fail(&file, errno);
+}
+
 /* The lock is held until the file is in its place. */
 static ts_status fill(const ts_lock *lock, const char *partial, const char *path, const void *data, size_t bytes)
 {

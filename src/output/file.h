@@ -33,6 +33,9 @@ ts_status ts_file_write(const char *path, const void *data, size_t bytes);
  * do not mix. What is no regular file, as a pipe, is written as it is. */
 ts_status ts_file_replace(const char *path, const void *data, size_t bytes);
 
+/* To standard output, behind what its stream holds. */
+ts_status ts_file_print(const void *data, size_t bytes);
+
 /* Text for a file: `out` is a stream in memory. */
 typedef struct {
 	FILE *out;
@@ -43,8 +46,11 @@ typedef struct {
 ts_status ts_file_text_begin(ts_file_text *text, const char *what);
 /* Closes the stream; *text and *bytes are whole then. Frees them on failure. */
 ts_status ts_file_text_close(ts_file_text *text, const char *what);
-/* Closes it, writes or replaces the file, and frees the text. */
+/* Closes it without a word, after a failure elsewhere. */
+void ts_file_text_drop(ts_file_text *text);
+/* Closes it, writes or replaces the file, or prints it, and frees the text. */
 ts_status ts_file_text_write(ts_file_text *text, const char *path);
 ts_status ts_file_text_replace(ts_file_text *text, const char *path);
+ts_status ts_file_text_print(ts_file_text *text);
 
 #endif

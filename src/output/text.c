@@ -9,6 +9,13 @@ ts_status ts_file_text_begin(ts_file_text *text, const char *what)
 	return text->out != NULL ? TS_OK : ts_fail("%s: out of memory", what);
 }
 
+void ts_file_text_drop(ts_file_text *text)
+{
+	fclose(text->out);
+	free(text->text);
+	*text = (ts_file_text){.out = NULL};
+}
+
 ts_status ts_file_text_close(ts_file_text *text, const char *what)
 {
 	bool whole = ferror(text->out) == 0;
@@ -31,5 +38,12 @@ static ts_status end(ts_file_text *text, const char *path, writer *write)
 	return status;
 }
 
+static ts_status print(const char *path, const void *data, size_t bytes)
+{
+	(void)path;
+	return ts_file_print(data, bytes);
+}
+
 ts_status ts_file_text_write(ts_file_text *text, const char *path) { return end(text, path, ts_file_write); }
 ts_status ts_file_text_replace(ts_file_text *text, const char *path) { return end(text, path, ts_file_replace); }
+ts_status ts_file_text_print(ts_file_text *text) { return end(text, "standard output", print); }

@@ -4,9 +4,11 @@
 #include "print.h"
 #include "scene.h"
 #include "surfel.h"
+#include <errno.h>
 #include <inttypes.h>
 #include <jansson.h>
 #include <stdlib.h>
+#include <string.h>
 
 static uint64_t scene_bytes(const ts_scene *s)
 {
@@ -126,7 +128,7 @@ static ts_status print_json(const ts_scene *scene, FILE *out)
 	if (root == NULL) return ts_fail("%s: out of memory", scene->name);
 	int failed = json_dumpf(root, out, JSON_INDENT(2) | JSON_REAL_PRECISION(9));
 	json_decref(root);
-	if (failed) return ts_fail("%s: its description could not be written as JSON", scene->name);
+	if (failed && !ferror(out)) return ts_fail("%s: out of memory", scene->name);
 	fputc('\n', out);
 	return TS_OK;
 }
@@ -206,7 +208,8 @@ static ts_status print_text(const ts_scene *s, FILE *out)
 ts_status ts_scene_print(const ts_scene *scene, FILE *out, int json)
 {
 	ts_status status = json ? print_json(scene, out) : print_text(scene, out);
-	if (status == TS_OK && (fflush(out) != 0 || ferror(out)))
-		return ts_fail("%s: its description could not be written; is the disk full?", scene->name);
-	return status;
+	if (status == TS_OK && fflush(out) != 0) {
+		return ts_fail("%s: its description cannot be written: %s", scene->name, strerror(errno));
+	}
+	return status == TS_OK && ferror(out) ? ts_fail("%s: its description cannot be written", scene->name) : status;
 }

@@ -47,7 +47,7 @@ static ts_status write_text(ts_file_text *text, const char *name)
 {
 	const char *path = ts_folder_file(name);
 	if (path != NULL) return ts_file_text_write(text, path);
-	if (ts_file_text_close(text, name) == TS_OK) free(text->text);
+	ts_file_text_drop(text);
 	return TS_ERROR;
 }
 

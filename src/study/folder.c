@@ -30,9 +30,8 @@ static ts_status write_json(const char *name, const json_t *root)
 	ts_file_text text;
 	const char *path = ts_folder_file(name);
 	if (path == NULL || ts_file_text_begin(&text, name) != TS_OK) return TS_ERROR;
-	if (ts_report_write(root, text.out)) return ts_file_text_write(&text, path);
-	if (ts_file_text_close(&text, name) == TS_OK) free(text.text);
-	return ts_fail("%s: out of memory", name);
+	ts_report_write(root, text.out);
+	return ts_file_text_write(&text, path);
 }
 
 /* The values of the report that are timed, or that are not; NULL: out of memory. */

@@ -247,23 +247,27 @@ ts_status ts_report_check(const ts_report *report)
 	return failed ? ts_fail("the report: out of memory") : TS_OK;
 }
 
-static ts_status cannot_print(void) { return ts_fail("standard output: cannot write; the disk may be full"); }
-
 ts_status ts_report_print(ts_report *report)
 {
 	ts_status status = ts_report_check(report);
 	if (status != TS_OK) return status;
-	fwrite(report->text, 1, report->text_bytes, stdout);
+	status = ts_file_print(report->text, report->text_bytes);
 	rewind(report->out);
-	return fflush(stdout) != 0 || ferror(stdout) ? cannot_print() : TS_OK;
+	return status;
 }
 
-bool ts_report_write(const json_t *root, FILE *out)
+void ts_report_write(const json_t *root, FILE *out)
 {
-	int failed = json_dumpf(root, out, JSON_INDENT(2) | JSON_REAL_PRECISION(9));
-	failed |= fputc('\n', out) == EOF;
-	failed |= fflush(out);
-	return !failed;
+	json_dumpf(root, out, JSON_INDENT(2) | JSON_REAL_PRECISION(9));
+	fputc('\n', out);
+}
+
+static ts_status print_json(const ts_report *report)
+{
+	ts_file_text text;
+	if (ts_report_check(report) != TS_OK || ts_file_text_begin(&text, "the report") != TS_OK) return TS_ERROR;
+	ts_report_write(report->root, text.out);
+	return ts_file_text_print(&text);
 }
 
 void ts_report_discard(ts_report *report)
@@ -277,10 +281,7 @@ void ts_report_discard(ts_report *report)
 
 ts_status ts_report_end(ts_report *report)
 {
-	ts_status status = ts_report_print(report);
-	if (status == TS_OK && report->json) {
-		status = ts_report_write(report->root, stdout) ? TS_OK : cannot_print();
-	}
+	ts_status status = report->json ? print_json(report) : ts_report_print(report);
 	ts_report_discard(report);
 	return status;
 }

@@ -73,8 +73,8 @@ ts_status ts_report_check(const ts_report *report);
 ts_status ts_report_print(ts_report *report);
 /* Prints the rest, or the JSON object if that is wanted, and releases all, also on failure. */
 ts_status ts_report_end(ts_report *report);
-/* Writes a JSON object as reports are written; false if it could not be. */
-bool ts_report_write(const json_t *root, FILE *out);
+/* Writes a JSON object as reports are written. What fails there is memory, which the end of a ts_file_text notes. */
+void ts_report_write(const json_t *root, FILE *out);
 /* Releases all and prints nothing. */
 void ts_report_discard(ts_report *report);
 
