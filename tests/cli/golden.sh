@@ -11,6 +11,12 @@ few: epr atrium:triangles=10000 --size 24x16 --reflectors 1 --set reflectors.px=
 none: mvr dining:triangles=10000 --size 24x16 --reflectors 0
 CASES
 
+# as COMMIT: the command as if it was built from that commit.
+as() {
+	stamp "$1" "$scratch"
+	touchstone=$scratch/touchstone
+}
+
 # golden ARGUMENT...: on the small folder.
 golden() { run golden "$@" --reference-dir "$ref"; }
 # fails PATTERN ARGUMENT...: exit code 2 and one line on stderr that matches; stdout may hold verdicts.
@@ -38,7 +44,7 @@ open(sys.argv[1], "wb").write(data)
 PY
 }
 
-stamp clean-1
+as clean-1
 fails 'few: there is no such folder' check
 says 2 '^0 passed, 2 failed, 0 skipped$' 'a missing golden fails, and is counted'
 grep -q '^missing  *few' "$scratch/stdout"
@@ -64,11 +70,11 @@ fails 'control characters' bless few --reason $'one\ntwo'
 fails 'at most 400 bytes' bless few --reason "$(printf '%401s' x)"
 fails 'which case' bless --reason first
 fails 'no backend "cuda"' bless few --reason first --backend cuda
-stamp a-dirty
+as a-dirty
 fails 'not committed (a-dirty)' bless few --reason first
-stamp unknown
+as unknown
 fails 'does not know its commit' bless few --reason first
-stamp clean-1
+as clean-1
 [ ! -e "$ref/few" ]
 verdict $? 'what was refused changed nothing'
 for case in few none; do
@@ -103,7 +109,7 @@ says 0 '^1 passed, 0 failed, 0 skipped$' 'one case, by the kernels alone'
 touchstone=$(realpath "${BUILD:-build/release}/touchstone-core")
 golden check
 says 0 '^2 passed, 0 failed, 0 skipped$' 'the static core says so too'
-stamp clean-1
+as clean-1
 all_of "$ref" | cmp -s - "$scratch/before"
 verdict $? 'check writes nothing'
 (cd "$ref/few/small" && sha256sum -c --ignore-missing --status ../SHA256SUMS)

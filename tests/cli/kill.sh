@@ -6,7 +6,8 @@
 . "$(dirname "$0")/traces.bash"
 . "$(dirname "$0")/stamp.bash"
 source=$(realpath "$(dirname "$0")/preload/kill.c")
-stamp clean-1
+stamp clean-1 "$scratch"
+touchstone=$scratch/touchstone
 cd "$scratch" || exit 2
 export ASAN_OPTIONS="${ASAN_OPTIONS:-}:verify_asan_link_order=0"
 tiny=(render reflections atrium:triangles=10000:texels=32 --size 16x16 --reflectors 1 --set cube.max_px=16 --method mvr

@@ -1,8 +1,8 @@
-# Sourced: a command that says it was built from another commit.
+# A build that knows a commit, for what asks whether it does. Sourced.
 
-# stamp COMMIT: the command as if it was built from that commit, as $scratch/touchstone. The text is as long as it was.
+# stamp COMMIT FOLDER: makes FOLDER/touchstone, the command as if it was built from that commit. The text is as long as it was.
 stamp() {
-	python3 - "$1" "$(realpath "${BUILD:-build/release}/touchstone")" "$scratch/touchstone" <<'PY'
+	python3 - "$1" "$(realpath "${BUILD:-build/release}/touchstone")" "$2/touchstone" <<'PY'
 import subprocess, sys
 new, source, target = sys.argv[1].encode(), sys.argv[2], sys.argv[3]
 old = subprocess.run([source, "--version"], stdout=subprocess.PIPE).stdout.split(b"commit ")[1].strip()
@@ -10,7 +10,6 @@ data = open(source, "rb").read()
 assert data.count(old + b"\0") == 1 and len(new) <= len(old)
 open(target, "wb").write(data.replace(old + b"\0", new.ljust(len(old), b"\0") + b"\0"))
 PY
-	chmod +x "$scratch/touchstone"
-	cp "${BUILD:-build/release}/libtouchstone-image.so" "$scratch"
-	touchstone=$scratch/touchstone
+	chmod +x "$2/touchstone"
+	cp "${BUILD:-build/release}/libtouchstone-image.so" "$2"
 }
