@@ -73,7 +73,7 @@ LIBS := -lembree$(EMBREE) $(call packages,--libs,jansson libcrypto zlib OpenCL) 
 IMAGE_LIBS := $(call packages,--libs,OpenImageIO)
 CORE_LIBS = -lcrypto -lm
 # These do without, or install it first.
-WITHOUT := core %/touchstone-core golden demo test test-long fuzz matrix matrix-short mutants style format deps uninstall clean help
+WITHOUT := core %/touchstone-core golden demo test test-long fuzz matrix matrix-short mutants faults release-check style format deps uninstall clean help
 ifeq (,$(EMBREE))
 ifneq (,$(filter-out $(WITHOUT),$(or $(MAKECMDGOALS),all)))
 $(error Embree 3 or 4 is not installed: run scripts/install-deps (or make demo))
@@ -96,7 +96,7 @@ CORE_C := $(wildcard $(patsubst %,src/%/*.c,model output backends backends/c bac
 	$(wildcard $(foreach in,cli study,$(patsubst %,src/$(in)/%.c,core_main backends command commit digest golden* help \
 		methods nearest options parse reads say sweep truths words worker)))
 CORE_C := $(filter-out $(ITEMS_C),$(CORE_C))
-TEST_C := $(filter-out tests/begin.c tests/fuzz/% tests/record/% tests/cli/preload/%,$(call every,tests,c))
+TEST_C := $(filter-out tests/begin.c tests/fuzz/% tests/record/% tests/faults/% tests/cli/preload/%,$(call every,tests,c))
 
 object = $(patsubst %,$(BUILD)/obj/%.o,$(1))
 ITEMS_O := $(patsubst %,$(BUILD)/obj/$(ITEMS_C:.c=).%.o,vectors base $(FAMILIES))
@@ -260,6 +260,15 @@ mutants: deps
 	$(Q)BUILD='$(BUILD)' COMPILE='$(CC) $(C_FLAGS) $(CPP_LIBS)' LINK="$(CXX) $(LINK_FLAGS) -Wl,-rpath,$(abspath $(BUILD))" \
 		WITH='$(CLI_O) $(BUILD)/libtouchstone.a $(LIBS)' scripts/mutants $(T)
 
+##   faults             calls that fail, one by one, in small commands; T="COMMANDS OR KINDS"; most of an hour
+faults: deps
+	$(Q)$(MAKE) --no-print-directory all
+	$(Q)CC='$(CC)' BUILD='$(BUILD)' scripts/faults $(T)
+
+##   release-check      what a release must pass beside .ci/run: test-long, faults, matrix; hours
+release-check:
+	$(Q)for part in test-long faults matrix; do $(MAKE) --no-print-directory $$part || exit; done
+
 ##   bench              the papers' tables, measured here, and every backend on one frame
 bench: all
 	for table in $$(build/touchstone list benches | awk 'NR > 1 && /^[a-z]/ { print $$1 }'); do \
@@ -303,4 +312,4 @@ help:
 	@sed -n 's/^##//p' $(firstword $(MAKEFILE_LIST))
 
 FORCE:
-.PHONY: all core golden demo test test-long tests fuzz matrix matrix-short mutants bench style format deps install uninstall clean help FORCE
+.PHONY: all core golden demo test test-long tests fuzz matrix matrix-short mutants faults release-check bench style format deps install uninstall clean help FORCE
