@@ -1,4 +1,6 @@
 /* The command `touchstone`: its table of commands. */
+#include <jansson.h>
+#include <stdlib.h>
 #include <touchstone/image.h>
 #include "../families/families.h"
 #include "../tools/tools.h"
@@ -87,6 +89,7 @@ const ts_command ts_command_table[] = {
 
 int main(int argc, char **argv)
 {
+	json_set_alloc_funcs(ts_starved_malloc, free);
 	ts_families_begin();
 	ts_tools_begin();
 	return ts_cli_main(argc, argv);

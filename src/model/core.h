@@ -29,6 +29,11 @@ void *ts_alloc_zero(size_t count, size_t size, const char *what);
 /* Grows *array (of *capacity elements) to hold at least `need`, at least doubling. */
 ts_status ts_grow(void **array, size_t *capacity, size_t need, size_t size, const char *what);
 
+/* malloc for a library that does not tell when it gets none; that is remembered, for good. */
+void *ts_starved_malloc(size_t bytes);
+/* Fails, `what: out of memory`, if that has happened: what the library made or read may not be whole. */
+ts_status ts_starved_check(const char *what);
+
 /* Bytes that this process has in memory: of files, such as libraries, and what it allocated, without what it
  * released. */
 uint64_t ts_memory_used(void);

@@ -10,7 +10,7 @@ ts_status ts_digest_begin(ts_digest *digest)
 	if (!context || EVP_DigestInit_ex(context, EVP_sha256(), NULL) != 1) {
 		EVP_MD_CTX_free(context);
 		digest->context = NULL;
-		return ts_fail("libcrypto cannot start a SHA-256");
+		return ts_fail("libcrypto cannot start a SHA-256; is it out of memory?");
 	}
 	digest->context = context;
 	return TS_OK;

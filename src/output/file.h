@@ -44,7 +44,8 @@ typedef struct {
 } ts_file_text;
 /* `what` is for messages. After a failure there is nothing to end. */
 ts_status ts_file_text_begin(ts_file_text *text, const char *what);
-/* Closes the stream; *text and *bytes are whole then. Frees them on failure. */
+/* Closes the stream; *text and *bytes are whole then: nothing that a library wrote there is left out. Frees them on
+ * failure. */
 ts_status ts_file_text_close(ts_file_text *text, const char *what);
 /* Closes it without a word, after a failure elsewhere. */
 void ts_file_text_drop(ts_file_text *text);

@@ -21,7 +21,7 @@ ts_status ts_file_text_close(ts_file_text *text, const char *what)
 	bool whole = ferror(text->out) == 0;
 	whole &= fclose(text->out) == 0;
 	text->out = NULL;
-	if (whole && text->text != NULL) return TS_OK;
+	if (whole && text->text != NULL && ts_starved_check(what) == TS_OK) return TS_OK;
 	free(text->text);
 	*text = (ts_file_text){.out = NULL};
 	return ts_fail("%s: out of memory", what);

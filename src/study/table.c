@@ -244,7 +244,7 @@ bool ts_report_is_timed(const ts_report *report, const char *key)
 ts_status ts_report_check(const ts_report *report)
 {
 	bool failed = report->failed || fflush(report->out) != 0 || ferror(report->out);
-	return failed ? ts_fail("the report: out of memory") : TS_OK;
+	return failed ? ts_fail("the report: out of memory") : ts_starved_check("the report");
 }
 
 ts_status ts_report_print(ts_report *report)
