@@ -37,6 +37,7 @@ ts_reader *ts_reader_open(const char *path, u64 data_at, u64 n, size_t element_b
 		r->blocks = ts_alloc(blocks < N_BLOCKS ? (size_t)blocks : N_BLOCKS, BLOCK_BYTES, "blocks of a file");
 	}
 	if (r->path != NULL && r->blocks != NULL) return r;
+	if (r->blocks != NULL) ts_fail("%s: out of memory", path);
 	ts_reader_close(r);
 	return NULL;
 }
