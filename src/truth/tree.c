@@ -19,11 +19,12 @@ static bool on_memory(void *user, ssize_t bytes, bool post)
 
 ts_status ts_tree_check(ts_tree *tree, const char *doing)
 {
-	bool failed = tree->device == NULL || rtcGetDeviceError(tree->device) != RTC_ERROR_NONE;
+	enum RTCError code = rtcGetDeviceError(tree->device);
 	const char *error = ts_first_error_text(&tree->error);
-	if (!failed && error == NULL) return TS_OK;
-	return ts_fail("truth: Embree failed while %s: %s; it may take %llu MiB", doing,
-	               error != NULL ? error : "no reason given", (unsigned long long)(ts_memory_limit() >> 20));
+	if (tree->device != NULL && code == RTC_ERROR_NONE && error == NULL) return TS_OK;
+	if (error == NULL) error = code == RTC_ERROR_OUT_OF_MEMORY ? "out of memory" : "no reason given";
+	return ts_fail("truth: Embree failed while %s: %s; it may take %llu MiB", doing, error,
+	               (unsigned long long)(ts_memory_limit() >> 20));
 }
 
 ts_status ts_tree_begin(ts_tree *tree, u32 threads)
