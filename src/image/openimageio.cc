@@ -22,7 +22,15 @@ static constexpr uint64_t most_pixels = 1u << 28;
 static std::string reason(const std::string &message)
 {
 	std::string line = message.substr(0, message.find('\n'));
+	if (line.find("bad_alloc") != std::string::npos) return "out of memory";
 	return line.empty() ? "damaged" : line;
+}
+
+/* Why there is no reader or writer. */
+static std::string why_none()
+{
+	std::string message = OIIO::geterror();
+	return message.empty() ? "no reason given" : reason(message);
 }
 
 /* 1 to 4 channels of 8 bits to RGBA: grey is replicated, missing alpha is 255. */
@@ -60,7 +68,8 @@ static ts_status read_memory(uint8_t *rgba, uint32_t width, uint32_t height, con
 	ImageSpec spec, config;
 	config.attribute("oiio:UnassociatedAlpha", 1);
 	std::unique_ptr<ImageInput> in = ImageInput::create(format);
-	if (!in || !in->set_ioproxy(&memory)) return ts_fail("%s: OpenImageIO was built without %s", what, format);
+	if (!in || !in->set_ioproxy(&memory))
+		return ts_fail("%s: OpenImageIO cannot read %s: %s", what, format, why_none().c_str());
 	if (!in->open("", spec, config))
 		return ts_fail("%s: %s; a PNG or JPEG is expected", what, reason(in->geterror()).c_str());
 	if ((uint64_t)spec.width != width || (uint64_t)spec.height != height)
@@ -104,7 +113,7 @@ struct encoded {
 	{
 		OIIO::Filesystem::IOVecOutput proxy;
 		std::unique_ptr<ImageOutput> out = ImageOutput::create(format);
-		if (!out) return ts_fail("%s: OpenImageIO was built without %s", path, format);
+		if (!out) return ts_fail("%s: OpenImageIO cannot write %s: %s", path, format, why_none().c_str());
 		bool good = out->set_ioproxy(&proxy) && out->open(path, spec) && out->write_image(type, pixels);
 		good = out->close() && good;
 		if (!good) return ts_fail("%s: %s", path, reason(out->geterror()).c_str());
