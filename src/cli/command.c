@@ -5,6 +5,7 @@
 #include <string.h>
 #include <unistd.h>
 #include "cli.h"
+#include "../output/file.h"
 #include "worker.h"
 
 const ts_command *ts_cli_find(const char *name)
@@ -63,9 +64,7 @@ static task read_task(int argc, char **argv)
 /* Prints why it failed, and returns the exit code. */
 static int end(ts_status status)
 {
-	if ((fflush(stdout) != 0 || ferror(stdout)) && status != TS_ERROR) {
-		status = ts_fail("standard output: cannot write; the disk may be full");
-	}
+	if (status != TS_ERROR && ts_file_print("", 0) != TS_OK) status = TS_ERROR;
 	if (status == TS_ERROR || status == TS_SKIPPED) fprintf(stderr, "%s: %s\n", ts_program, ts_error_message());
 	return (int)status;
 }

@@ -41,8 +41,8 @@ sent() {
 	rm -rf now
 	(trap - INT QUIT; TOUCHSTONE_END=wait TOUCHSTONE_END_AT=$scratch/now/here LD_PRELOAD=$scratch/end.so exec \
 		python3 -c 'import os, signal, sys
-for s in (signal.SIGINT, signal.SIGQUIT): signal.signal(s, signal.SIG_DFL)
-os.execv(sys.argv[1], sys.argv[1:])' "$touchstone" "${tiny[@]}" -o a/b > stdout 2> stderr) &
+for s in (signal.SIGINT, signal.SIGQUIT, signal.SIGPIPE): signal.signal(s, signal.SIG_DFL)
+os.execv(sys.argv[1], sys.argv[1:])' "$touchstone" "${tiny[@]}" -o "$scratch/a/b" > stdout 2> stderr) &
 	local process=$!
 	for ((i = 0; i < 600; i++)); do [ -e now/here ] && break; sleep 0.05; done
 	{ kill -"$1" $process; wait $process; } 2> /dev/null
@@ -55,8 +55,8 @@ for signal in INT TERM HUP QUIT PIPE; do
 	verdict $? "$signal is passed on, and nothing stays"
 done
 sent KILL
-for ((i = 0; i < 100; i++)); do pgrep -f "^$touchstone .*-o a/b" > /dev/null || break; sleep 0.05; done
-[ "$status" -eq 137 ] && ! pgrep -f "^$touchstone .*-o a/b" > /dev/null && [ -e a/b.partial ]
+for ((i = 0; i < 100; i++)); do pgrep -f "^$touchstone .*-o $scratch/a/b" > /dev/null || break; sleep 0.05; done
+[ "$status" -eq 137 ] && ! pgrep -f "^$touchstone .*-o $scratch/a/b" > /dev/null && [ -e a/b.partial ]
 verdict $? 'a worker does not outlive its parent'
 run "${tiny[@]}" -o a/b
 [ "$status" -eq 0 ] && [ "$(cat stderr)" = 'touchstone: a/b: removed what a run that was killed had left there' ] && [ "$(ls -A a)" = b ]

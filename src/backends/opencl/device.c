@@ -1,4 +1,5 @@
 /* Which devices there are, and what they can do. */
+#include <errno.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/wait.h>
@@ -22,20 +23,22 @@ static u32 all_devices(cl_device_id devices[TS_MAX_DEVICES])
 }
 
 /* Asked in a child first: a driver may end the process that asks, as PoCL does where there is no /sys. */
-static bool can_ask(void)
+static ts_status ask(void)
 {
-	static int known = -1;
-	if (known >= 0) return known == 1;
+	static bool known, there;
+	if (known) return there ? TS_OK : TS_SKIPPED;
 	fflush(NULL);
 	pid_t child = fork();
+	if (child < 0) return ts_fail("backend opencl: no process to ask for devices: %s", strerror(errno));
 	if (child == 0) {
 		cl_device_id devices[TS_MAX_DEVICES];
 		if (freopen("/dev/null", "w", stderr) == NULL) _exit(1);
 		_exit(all_devices(devices) != 0 ? 0 : 1);
 	}
 	int status = 1;
-	known = child > 0 && waitpid(child, &status, 0) == child && status == 0;
-	return known == 1;
+	there = waitpid(child, &status, 0) == child && status == 0;
+	known = true;
+	return there ? TS_OK : TS_SKIPPED;
 }
 
 static void text(char *to, size_t bytes, cl_device_id device, cl_device_info what)
@@ -88,7 +91,7 @@ static ts_device describe(cl_device_id device)
 u32 ts_cl_devices(ts_device devices[TS_MAX_DEVICES])
 {
 	cl_device_id ids[TS_MAX_DEVICES];
-	u32 n = can_ask() ? all_devices(ids) : 0;
+	u32 n = ask() == TS_OK ? all_devices(ids) : 0;
 	for (u32 i = 0; i < n; i++) devices[i] = describe(ids[i]);
 	return n;
 }
@@ -96,7 +99,9 @@ u32 ts_cl_devices(ts_device devices[TS_MAX_DEVICES])
 ts_status ts_cl_find(cl_device_id *device, ts_device *about, u32 index)
 {
 	cl_device_id ids[TS_MAX_DEVICES];
-	u32 n = can_ask() ? all_devices(ids) : 0;
+	ts_status asked = ask();
+	if (asked == TS_ERROR) return TS_ERROR;
+	u32 n = asked == TS_OK ? all_devices(ids) : 0;
 	if (n == 0) {
 		ts_fail("backend opencl: no OpenCL device; install a driver, such as Debian's pocl-opencl-icd");
 		return TS_SKIPPED;

@@ -1,5 +1,6 @@
 /* The guard before tinygltf, which checks neither types nor references: the JSON is parsed strictly, held against the
  * table of gltf_rules.h, and written anew, so that tinygltf reads only what was checked. */
+#include "../../model/core.h"
 #include "../../model/json.h"
 #include "gltf.h"
 #include "rules.h"
@@ -56,6 +57,7 @@ static owned parse(const char *text, size_t n)
 	errno = 0;
 	owned root(json_loadb(text, n, JSON_REJECT_DUPLICATES | JSON_ALLOW_NUL, &problem), json_decref);
 	if (!root) fail("%s", ts_json_why(why, &problem));
+	if (ts_starved_check("JSON") != TS_OK) throw std::bad_alloc();
 	if (!json_is_object(root.get())) fail("the JSON is not an object");
 	return root;
 }
