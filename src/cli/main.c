@@ -1,91 +1,9 @@
-/* The command `touchstone`: its table of commands. */
+/* The command `touchstone`. */
 #include <jansson.h>
 #include <stdlib.h>
-#include <touchstone/image.h>
 #include "../families/families.h"
 #include "../tools/tools.h"
-#include "golden.h"
-
-#define WHERE \
-	(TS_OPT(SIZE) | TS_OPT(FRAME) | TS_OPT(REFLECTORS) | TS_OPT(REFLECTOR) | TS_OPT(FROM_MESH) | TS_OPT(CAMERA) | \
-	 TS_OPT(SET))
-#define HOW (TS_OPT(THREADS) | TS_OPT(REFERENCE) | BACKEND)
-#define BACKEND \
-	(TS_OPT(BACKEND) | TS_OPT(DEVICE) | TS_OPT(WORK_GROUP) | TS_OPT(BUILD) | TS_OPT(INEXACT) | TS_OPT(REQUIRE))
-
-const char *const ts_program = "touchstone";
-ts_preview *const ts_golden_preview = ts_image_write_png;
-const ts_backend_kind *const ts_backend_kinds[] = {&ts_c_kind, &ts_opencl_kind, NULL};
-
-const ts_command ts_command_table[] = {
-	{"render", "EFFECT [SCENE]", "render an effect by one or more methods, and judge them by ground truth",
-     "EFFECT: one of those below; all but reflections are shown without mirrors unless --reflectors says how many.\n"
-     "SCENE: atrium (the default), gallery or dining, each also with \":triangles=COUNT:texels=SIDE\"; checkerboard,\n"
-     "of surfels, also with \":surfels=COUNT\"; or a .gltf, .glb or .ply file. Writes METHOD.png and .exr,\n"
-     "truth-NAME.png, differences, pictures of the stages, traces and report.json to DIR, and prints times, counters,\n"
-     "memory and metrics. Of a parameter with several values, --set NAME=A,B, every combination is rendered, and CSV\n"
-     "is printed.",
-     1, 2,
-     TS_OPT(METHOD) | TS_OPT(TRUTH) | WHERE | HOW | TS_OPT(ORDER) | TS_OPT(OUTPUT) | TS_OPT(FORCE) | TS_OPT(NO_IMAGES) |
-         TS_OPT(TRACE) | TS_OPT(TRACE_ONLY) | TS_OPT(CROP) | TS_OPT(MARGINS) | TS_OPT(VIEWER) | TS_OPT(JSON),
-     ts_render_command, ts_render_help},
-	{"replay", "TRACE", "run a stage again, alone, from the buffers of a trace or of a port, and compare",
-     "TRACE: a folder that render --trace wrote. One line an output: the same bits, or the first element and field\n"
-     "that differ. With --inputs the port's buffers are the inputs and its outputs are judged: each of its stages,\n"
-     "given its own stages before. Buffers are checked before they are used. -o DIR writes what the stage should make.",
-     1, 1, TS_OPT(STAGE) | TS_OPT(INPUTS) | TS_OPT(THREADS) | TS_OPT(OUTPUT) | TS_OPT(JSON), ts_replay_command, NULL},
-	{"info", "SCENE", "what was loaded, and what in the file was not understood", "", 1, 1, WHERE | TS_OPT(JSON),
-     ts_info_command, NULL},
-	{"list", "WHAT", "tables: stages, buffers, sizes, params, methods, truths, scenes, backends or benches",
-     "params --method NAME: those that the method, of --effect or of any, and its scene read.", 1, 1,
-     TS_OPT(EFFECT) | TS_OPT(METHOD) | TS_OPT(JSON), ts_list_command, NULL},
-	{"bench", "TABLE", "the papers' tables, measured here; and what the backends take",
-     "TABLE: one of `list benches`. Below a paper's table stand its own figures, and behind them what must hold, and\n"
-     "whether it does. Their GPU's times are not ours: compare ratios. --objects are numbers of mirrors or light\n"
-     "samples unless the list says otherwise. epr-6, backends and start measure one scene (atrium) with one number\n"
-     "of mirrors (10). With -o DIR the report, each table as CSV, and plots, as SVG, are written to DIR.\n"
-     "backends: each stage in C, with 1 and with --threads threads, and on every OpenCL device, or the one of\n"
-     "--backend or --device, which takes the cores it likes; what bounds scattering; and how long the kernels take\n"
-     "to build, in a process of its own, with an empty cache too where it is PoCL's.\n"
-     "Models of ivir-1, ssagh-1 and ssagh-segments are in the folder TS_SCENES (scenes).",
-     1, 1,
-     TS_OPT(METHOD) | TS_OPT(SCENE) | TS_OPT(OBJECTS) | TS_OPT(RUNS) | TS_OPT(TRUTH) | TS_OPT(SIZE) | TS_OPT(FRAME) |
-         TS_OPT(SET) | HOW | TS_OPT(OUTPUT) | TS_OPT(FORCE) | TS_OPT(JSON),
-     ts_bench_command, NULL},
-	{"compare", "REFERENCE CANDIDATE", "two traces, buffers or images: where they first differ, and how much",
-     "REFERENCE: a folder that render --trace wrote, or one of its .npy files, or an image.\n"
-     "CANDIDATE: the same of a port (reference/TRACES.md says what it must have at least).\n"
-     "Everything must be the same to the bit, unless a relaxation is typed. Exit code 0 same, 1 different, 2 could\n"
-     "not. Ulps count floats from the reference to the candidate: positive where the candidate is greater.\n"
-     "With -o DIR, a picture of the pixels that differ for each buffer that has them.",
-     2, 2,
-     TS_OPT(FORCED) | TS_OPT(THREADS) | TS_OPT(DECIDED) | TS_OPT(ULP) | TS_OPT(ABS) | TS_OPT(REL) | TS_OPT(ALLOW) |
-         TS_OPT(IGNORE) | TS_OPT(MASK) | TS_OPT(LAYOUT) | TS_OPT(ORDER) | TS_OPT(JUNIT) | TS_OPT(TAP) | TS_OPT(OUTPUT) |
-         TS_OPT(FORCE) | TS_OPT(JSON),
-     ts_compare_command, NULL},
-	{"probe", "TRACE", "why a pixel, texel, triangle or point of a trace is what it is",
-     "TRACE: a folder that render --trace wrote, or a port's.\n"
-     "--pixel: who competed for it, who won by how much, and each term of its light; with --view a texel of a view\n"
-     "that is not the eye's. --triangle, --point: where it went, and which stage lost it.\n"
-     "What the buffers do not hold is computed again; each \"check\" says whether that has the bits of a buffer.\n"
-     "What is told beside that, and of which methods:\n",
-     1, 1, TS_OPT(PIXEL) | TS_OPT(VIEW) | TS_OPT(TRIANGLE) | TS_OPT(POINT) | TS_OPT(JSON), ts_probe_command,
-     ts_probe_help},
-	{"digest", "[SCENE]", "SHA-256 of every buffer of a built-in scene, in pipeline order", "", 0, 1,
-     TS_OPT(EFFECT) | TS_OPT(METHOD) | TS_OPT(SIZE) | TS_OPT(FRAME) | TS_OPT(REFLECTORS) | TS_OPT(SET) | HOW |
-         TS_OPT(FLUSH_DENORMALS),
-     ts_digest_command, NULL},
-	{"golden", "ACTION [CASE]", "check, new or bless: the goldens of reference/", TS_GOLDEN_DETAILS, 1, 2,
-     HOW | TS_OPT(REASON) | TS_OPT(REFERENCE_DIR), ts_golden_command, NULL},
-	{"vectors", "-o DIR | --check DIR",
-     "inputs and outputs of every arithmetic primitive, to write, or to check a port with",
-     "Before a port renders anything: write them with -o DIR, let the port compute PRIMITIVE.out.npy from\n"
-     "PRIMITIVE.in.npy, and judge its folder with --check DIR. vectors.json describes each primitive. Exact: 0 all\n"
-     "right, 1 different. Primitives that the folder does not hold are not judged, but named.",
-     0, 0, TS_OPT(OUTPUT) | TS_OPT(FORCE) | TS_OPT(CHECK) | TS_OPT(JSON), ts_vectors_command, NULL},
-	{"help", "[COMMAND]", "what a command does and takes", "", 0, 1, 0, ts_help_command, NULL},
-	{0},
-};
+#include "cli.h"
 
 int main(int argc, char **argv)
 {
