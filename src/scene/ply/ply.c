@@ -1,10 +1,8 @@
 /* Points of a PLY file as surfels: an own reader, which trusts no count. Properties: x y z, and nx ny nz, and red green
  * blue, and radius or the half-axes u_x u_y u_z v_x v_y v_z; the others are ignored. Normals and radii that are not
  * there are estimated by the neighbours. */
-#include <errno.h>
 #include <locale.h>
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "../../model/core.h"
@@ -270,32 +268,13 @@ static void read_all(reader *in, u32 neighbours)
 	freelocale(c);
 }
 
-/* All of a file, with a NUL behind it. */
-static char *file_read(ts_build *build, const char *path, size_t *n)
-{
-	FILE *file = fopen(path, "rb");
-	char *text = NULL;
-	long size = file != NULL && fseek(file, 0, SEEK_END) == 0 ? ftell(file) : -1;
-	if (size < 0 || fseek(file, 0, SEEK_SET) != 0)
-		ts_build_fail(build, "%s: %s", path, strerror(errno));
-	else if ((u64)size > ts_memory_total() / 3)
-		ts_build_fail(build, "%s: %ld bytes are more than a third of this machine's memory", path, size);
-	else if ((text = ts_alloc((size_t)size + 1, 1, "a file")) == NULL)
-		ts_build_fail(build, "%s", ts_error_message());
-	else if (fread(text, 1, (size_t)size, file) != (size_t)size)
-		ts_build_fail(build, "%s: cannot be read", path);
-	if (text != NULL) text[size] = '\0';
-	if (file != NULL) fclose(file);
-	*n = text != NULL ? (size_t)size : 0;
-	return text;
-}
-
 void ts_ply_load(ts_build *build, const char *path, u32 neighbours)
 {
 	reader in = {.build = build, .path = path};
 	size_t n;
-	char *file = file_read(build, path, &n);
-	if (!ts_build_failed(build) && ts_ply_header_read(&in.header, build, path, file, n)) {
+	char *file = ts_input_read(&n, path);
+	if (file == NULL) ts_build_fail(build, "%s", ts_error_message());
+	if (file != NULL && ts_ply_header_read(&in.header, build, path, file, n)) {
 		const ts_ply_element *points = ts_ply_header_points(&in.header);
 		in.n = (u32)points->n;
 		in.n_properties = points->n_properties;

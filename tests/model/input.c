@@ -1,0 +1,70 @@
+/* Files read whole: what they hold, and what is no file. */
+#include "test.h"
+#include <sys/stat.h>
+#include <unistd.h>
+#include "../../src/model/core.h"
+
+static char path[64];
+
+static void write_file(const char *data, size_t n)
+{
+	FILE *file = fopen(path, "wb");
+	assert_true(file != NULL && fwrite(data, 1, n, file) == n && fclose(file) == 0);
+}
+
+static void all_bytes_and_a_zero(void **state)
+{
+	(void)state;
+	static char data[100000];
+	for (size_t i = 0; i < sizeof data; i++) data[i] = (char)(i * 2654435761u >> 24);
+	for (size_t n = 0; n <= sizeof data; n = n * 7 + (n < 2)) {
+		size_t bytes = 1;
+		write_file(data, n);
+		char *read = ts_input_read(&bytes, path);
+		assert_non_null(read);
+		assert_true(bytes == n && memcmp(read, data, n) == 0 && read[n] == 0);
+		free(read);
+		assert_int_equal(unlink(path), 0);
+	}
+}
+
+static void refuses(const char *words)
+{
+	size_t bytes;
+	assert_null(ts_input_read(&bytes, path));
+	assert_non_null(strstr(ts_error_message(), path));
+	assert_non_null(strstr(ts_error_message(), words));
+}
+
+/* A pipe that nobody writes to is not waited for. */
+static void only_regular_files(void **state)
+{
+	(void)state;
+	refuses("No such file");
+	assert_int_equal(mkfifo(path, 0600), 0);
+	refuses("not a regular file");
+	assert_int_equal(unlink(path), 0);
+	assert_int_equal(mkdir(path, 0700), 0);
+	refuses("not a regular file");
+	assert_int_equal(rmdir(path), 0);
+}
+
+static void nothing_that_memory_cannot_hold(void **state)
+{
+	(void)state;
+	write_file("", 0);
+	assert_int_equal(truncate(path, (off_t)(ts_memory_total() / 2)), 0);
+	refuses("more than a third of this machine's memory");
+	assert_int_equal(unlink(path), 0);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(all_bytes_and_a_zero),
+		cmocka_unit_test(only_regular_files),
+		cmocka_unit_test(nothing_that_memory_cannot_hold),
+	};
+	snprintf(path, sizeof path, "/tmp/touchstone-input-%d", (int)getpid());
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
