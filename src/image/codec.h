@@ -18,8 +18,9 @@ typedef struct {
 	                        uint32_t height, uint32_t channels);
 	ts_status (*encode_exr)(void **file, size_t *file_bytes, const char *path, const float *pixels, uint32_t width,
 	                        uint32_t height, uint32_t channels);
-	/* As declared in <touchstone/image.h>. */
-	ts_status (*read)(float **pixels, uint32_t *width, uint32_t *height, uint32_t *channels, const char *path);
+	/* `file` is of that format ("png", "jpeg", "openexr"). As ts_image_read otherwise. */
+	ts_status (*read)(float **pixels, uint32_t *width, uint32_t *height, uint32_t *channels, const char *format,
+	                  const void *file, size_t file_bytes, const char *what);
 	/* Of this thread's last failure within the module. */
 	const char *(*message)(void);
 } ts_image_codec;

@@ -152,7 +152,18 @@ static ts_status check_format(const char *path)
 
 ts_status ts_image_read(float **pixels, uint32_t *width, uint32_t *height, uint32_t *channels, const char *path)
 {
+	size_t bytes = 0;
+	uint8_t *clean = NULL;
 	*pixels = NULL;
 	if (check_format(path) != TS_OK || require_codec(path) != TS_OK) return TS_ERROR;
-	return said(codec->read(pixels, width, height, channels, path));
+	void *file = ts_input_read(&bytes, path);
+	if (file == NULL) return TS_ERROR;
+	ts_image_format is = ts_image_format_find(file, bytes, NULL);
+	const char *format = is == TS_IMAGE_PNG ? "png" : is == TS_IMAGE_JPEG ? "jpeg" : "openexr";
+	ts_status status = is == TS_IMAGE_PNG ? ts_png_clean(&clean, &bytes, file, bytes, path) : TS_OK;
+	const void *whole = clean != NULL ? clean : file;
+	if (status == TS_OK) status = said(codec->read(pixels, width, height, channels, format, whole, bytes, path));
+	free(clean);
+	free(file);
+	return status;
 }

@@ -44,6 +44,18 @@ static void to_rgba(uint8_t *rgba, const uint8_t *pixels, uint64_t n, int channe
 	}
 }
 
+static ts_status open_memory(std::unique_ptr<ImageInput> &in, ImageSpec &spec, OIIO::Filesystem::IOMemReader &memory,
+                             const char *format, const char *what)
+{
+	ImageSpec config;
+	config.attribute("oiio:UnassociatedAlpha", 1);
+	in = ImageInput::create(format);
+	if (!in || !in->set_ioproxy(&memory))
+		return ts_fail("%s: OpenImageIO cannot read %s: %s", what, format, why_none().c_str());
+	if (in->open("", spec, config)) return TS_OK;
+	return ts_fail("%s: %s; a PNG, JPEG or EXR is expected", what, reason(in->geterror()).c_str());
+}
+
 static ts_status read_8bit(std::vector<uint8_t> &pixels, ImageInput &in, const char *what)
 {
 	const ImageSpec &spec = in.spec();
@@ -65,13 +77,9 @@ static ts_status read_memory(uint8_t *rgba, uint32_t width, uint32_t height, con
                              size_t file_bytes, const char *what)
 {
 	OIIO::Filesystem::IOMemReader memory(const_cast<void *>(file), file_bytes);
-	ImageSpec spec, config;
-	config.attribute("oiio:UnassociatedAlpha", 1);
-	std::unique_ptr<ImageInput> in = ImageInput::create(format);
-	if (!in || !in->set_ioproxy(&memory))
-		return ts_fail("%s: OpenImageIO cannot read %s: %s", what, format, why_none().c_str());
-	if (!in->open("", spec, config))
-		return ts_fail("%s: %s; a PNG or JPEG is expected", what, reason(in->geterror()).c_str());
+	ImageSpec spec;
+	std::unique_ptr<ImageInput> in;
+	if (open_memory(in, spec, memory, format, what) != TS_OK) return TS_ERROR;
 	if ((uint64_t)spec.width != width || (uint64_t)spec.height != height)
 		return ts_fail("%s: its header says %u by %u, its contents %d by %d", what, width, height, spec.width,
 		               spec.height);
@@ -159,13 +167,13 @@ template <typename Code> static bool read_codes(float *pixels, ImageInput &in, u
 	return true;
 }
 
-static ts_status read_file(float **pixels, uint32_t *width, uint32_t *height, uint32_t *channels, const char *path)
+static ts_status read_floats(float **pixels, uint32_t *width, uint32_t *height, uint32_t *channels, const char *format,
+                             const void *file, size_t file_bytes, const char *path)
 {
-	ImageSpec config;
-	config.attribute("oiio:UnassociatedAlpha", 1);
-	std::unique_ptr<ImageInput> in = ImageInput::open(path, &config);
-	if (!in) return ts_fail("%s: %s; a PNG, JPEG or EXR is expected", path, reason(OIIO::geterror()).c_str());
-	const ImageSpec &spec = in->spec();
+	OIIO::Filesystem::IOMemReader memory(const_cast<void *>(file), file_bytes);
+	ImageSpec spec;
+	std::unique_ptr<ImageInput> in;
+	if (open_memory(in, spec, memory, format, path) != TS_OK) return TS_ERROR;
 	if (spec.width < 1 || spec.height < 1 || (uint64_t)spec.width * (uint64_t)spec.height > most_pixels)
 		return ts_fail("%s: %d by %d pixels; 1 to %llu are read", path, spec.width, spec.height,
 		               (unsigned long long)most_pixels);
@@ -186,9 +194,10 @@ static ts_status read_file(float **pixels, uint32_t *width, uint32_t *height, ui
 	return TS_OK;
 }
 
-static ts_status read(float **pixels, uint32_t *width, uint32_t *height, uint32_t *channels, const char *path)
+static ts_status read(float **pixels, uint32_t *width, uint32_t *height, uint32_t *channels, const char *format,
+                      const void *file, size_t file_bytes, const char *what)
 {
-	return guarded(path, [&] { return read_file(pixels, width, height, channels, path); });
+	return guarded(what, [&] { return read_floats(pixels, width, height, channels, format, file, file_bytes, what); });
 }
 
 const ts_image_codec ts_image_codec_module = {decode, encode_png, encode_exr, read, ts_error_message};

@@ -104,7 +104,7 @@ ends 0 'relaxed: --ignore align.frame --mask mask.png' 'a pixel that the mask le
 	compare r/trace-epr c --ignore align.frame --mask mask.png
 ends 1 'image.srgb' 'another pixel' compare r/trace-epr c --ignore align.frame --mask other.png
 ends 2 'mask: 95 x 54 pixels; eye.depth_triangle has 96 x 54' 'a mask of another size' compare r/trace-epr c --mask small.png
-ends 2 'Could not open' 'no mask' compare r/trace-epr c --mask none.png
+ends 2 'none.png: No such file' 'no mask' compare r/trace-epr c --mask none.png
 
 # One file, images.
 ends 0 '^1 buffers judged, 0 different' 'one buffer' compare r/trace-epr/11-points.key.npy c/11-points.key.npy

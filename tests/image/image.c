@@ -134,6 +134,44 @@ static void test_damaged(void **state)
 	assert_gone();
 }
 
+/* What ts_image_read says of a file; nothing else is said, by no library. */
+static void refuse_file(const void *data, size_t n, const char *words)
+{
+	float *read;
+	uint32_t width, height, channels;
+	FILE *file = fopen(name("f.png"), "wb");
+	assert_true(file != NULL && fwrite(data, 1, n, file) == n && fclose(file) == 0);
+	FILE *said = tmpfile();
+	int before = dup(2);
+	assert_true(said != NULL && before >= 0 && dup2(fileno(said), 2) == 2);
+	ts_status status = ts_image_read(&read, &width, &height, &channels, path);
+	long n_said = fseek(said, 0, SEEK_END) == 0 ? ftell(said) : -1;
+	assert_int_equal(dup2(before, 2), 2);
+	close(before);
+	fclose(said);
+	assert_int_equal(status, TS_ERROR);
+	assert_null(read);
+	assert_int_equal(n_said, 0);
+	if (!strstr(ts_error_message(), words)) fail_msg("\"%s\" does not say \"%s\"", ts_error_message(), words);
+	assert_gone();
+}
+
+/* Files cut short. */
+static void test_damaged_files(void **state)
+{
+	(void)state;
+	uint8_t file[8192];
+	float light[TEXELS * 3] = {0};
+	assert_int_equal(ts_image_write_png(name("d.png"), (uint8_t *)light, WIDTH, HEIGHT, 3), TS_OK);
+	size_t n = slurp(file, sizeof file);
+	assert_gone();
+	for (size_t cut = 8; cut < n; cut++) refuse_file(file, cut, "it is cut short");
+	assert_int_equal(ts_image_write_exr(name("d.exr"), light, WIDTH, HEIGHT, 3), TS_OK);
+	n = slurp(file, sizeof file);
+	assert_gone();
+	for (size_t cut = 4; cut < n; cut += 7) refuse_file(file, cut, "f.png: ");
+}
+
 static void test_bad_paths(void **state)
 {
 	(void)state;
@@ -172,8 +210,9 @@ static void test_other_formats(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_png),     cmocka_unit_test(test_read_png),  cmocka_unit_test(test_exr),
-		cmocka_unit_test(test_damaged), cmocka_unit_test(test_bad_paths), cmocka_unit_test(test_other_formats),
+		cmocka_unit_test(test_png),           cmocka_unit_test(test_read_png),  cmocka_unit_test(test_exr),
+		cmocka_unit_test(test_damaged),       cmocka_unit_test(test_bad_paths), cmocka_unit_test(test_other_formats),
+		cmocka_unit_test(test_damaged_files),
 	};
 	return cmocka_run_group_tests(tests, set_up, tear_down);
 }
