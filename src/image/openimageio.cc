@@ -3,6 +3,7 @@
 #include "codec.h"
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
@@ -16,7 +17,8 @@ using OIIO::ImageOutput;
 using OIIO::ImageSpec;
 using OIIO::TypeDesc;
 
-static constexpr uint64_t most_pixels = 1u << 28;
+/* Of a file: a page whatever its bytes, and what deflate can make of these. */
+static constexpr uint64_t most_pixels = 1u << 28, free_pixels = 1u << 24, pixels_a_byte = 1032;
 
 /* OpenImageIO's message as one line. */
 static std::string reason(const std::string &message)
@@ -174,9 +176,10 @@ static ts_status read_floats(float **pixels, uint32_t *width, uint32_t *height, 
 	ImageSpec spec;
 	std::unique_ptr<ImageInput> in;
 	if (open_memory(in, spec, memory, format, path) != TS_OK) return TS_ERROR;
-	if (spec.width < 1 || spec.height < 1 || (uint64_t)spec.width * (uint64_t)spec.height > most_pixels)
-		return ts_fail("%s: %d by %d pixels; 1 to %llu are read", path, spec.width, spec.height,
-		               (unsigned long long)most_pixels);
+	uint64_t most = std::min(most_pixels, free_pixels + file_bytes * pixels_a_byte);
+	if (spec.width < 1 || spec.height < 1 || (uint64_t)spec.width * (uint64_t)spec.height > most)
+		return ts_fail("%s: its header says %d by %d; 1 to %llu pixels are justified", path, spec.width, spec.height,
+		               (unsigned long long)most);
 	if (spec.nchannels < 1 || spec.nchannels > 4)
 		return ts_fail("%s: %d channels; 1 to 4 are read", path, spec.nchannels);
 	uint64_t n = (uint64_t)spec.width * (uint64_t)spec.height * (uint64_t)spec.nchannels;

@@ -156,7 +156,7 @@ static void refuse_file(const void *data, size_t n, const char *words)
 	assert_gone();
 }
 
-/* Files cut short. */
+/* Files cut short, and one whose header says more pixels than it can hold. */
 static void test_damaged_files(void **state)
 {
 	(void)state;
@@ -170,6 +170,10 @@ static void test_damaged_files(void **state)
 	n = slurp(file, sizeof file);
 	assert_gone();
 	for (size_t cut = 4; cut < n; cut += 7) refuse_file(file, cut, "f.png: ");
+	uint8_t *window = file + n - 1;
+	while (memcmp(window, "dataWindow\0box2i\0\20\0\0\0", 21) != 0) window--;
+	window[21 + 10] = 0x7f; /* of the end of a row */
+	refuse_file(file, n, "pixels are justified");
 }
 
 static void test_bad_paths(void **state)
