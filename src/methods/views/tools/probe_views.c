@@ -118,8 +118,8 @@ static void put_others(ts_probe *p, json_t *o, const term *terms, u32 n)
 {
 	u32 n_draws = 0;
 	ts_v3 sum = ts_v3_make(0.0f, 0.0f, 0.0f);
-	json_t *others = json_object();
 	if (n <= MOST_LISTED) return;
+	json_t *others = json_object();
 	for (u32 k = MOST_LISTED; k < n; k++) {
 		sum = ts_mad(sum, terms[k].light, (f32)terms[k].times);
 		n_draws += terms[k].times;
@@ -156,9 +156,9 @@ static ts_status put_draws(ts_probe *p, json_t *o, const ts_probe_gather *gather
 	const ts_vpl_gather_args *args = &gather->args;
 	ts_v3 at = ts_load3(gather->pixel.position), n = ts_load3(gather->pixel.normal), sum = ts_v3_make(0.0f, 0.0f, 0.0f);
 	u32 draws = list->views > 0 ? ts_k_list_draws(args, list) : 0, n_giving = 0;
-	json_t *drawn = json_array();
 	term *terms = ts_alloc(draws + (size_t)1, sizeof *terms, "lights that are drawn");
 	if (terms == NULL) return TS_ERROR;
+	json_t *drawn = json_array();
 	for (u32 k = 0; k < draws; k++) {
 		u32 view = ts_k_drawn_view(args, list, pixel, k);
 		terms[k] = (term){view, 1, ts_k_vpl_light(args, view, at, n)};
