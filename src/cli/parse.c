@@ -114,7 +114,7 @@ ts_status ts_cli_parse(ts_cli *cli, const ts_command *command, int argc, char **
 	known k = known_of(command);
 	set_defaults(cli);
 	opterr = 0;
-	optind = 1;
+	optind = 0; /* also forgets where in a word an earlier scan stopped */
 	for (int answer; (answer = getopt_long(argc, argv, k.letters, k.options, NULL)) != -1;) {
 		if (answer == '?' || answer == ':') return refuse(command, &k, answer, argv);
 		const ts_option *o = option_of(answer);
