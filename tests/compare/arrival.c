@@ -2,6 +2,7 @@
  * index or a key is; and the memory that this takes. */
 #include <sys/resource.h>
 #include <sys/wait.h>
+#include "../model/test.h"
 #include "../trace/small.h"
 #include "../../src/kernels/base/num.h"
 #include "../../src/compare/compare.h"
@@ -212,13 +213,7 @@ static long most_kib(void)
 static void test_memory(void **state)
 {
 	(void)state;
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-	skip();
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-	skip();
-#endif
-#endif
+	if (TS_TEST_SANITIZED) skip();
 	enum { N = 3000000 };
 	int result;
 	ts_trace *a = points("a", N, false), *b = points("b", N, true);

@@ -9,4 +9,16 @@
 #include <stdlib.h>
 #include <string.h>
 #include <cmocka.h>
+
+/* Whether memory is a sanitizer's, which keeps what is released. */
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define TS_TEST_SANITIZED 1
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define TS_TEST_SANITIZED 1
+#endif
+#endif
+#ifndef TS_TEST_SANITIZED
+#define TS_TEST_SANITIZED 0
+#endif
 #endif

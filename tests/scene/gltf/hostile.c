@@ -1,24 +1,11 @@
 /* Walks the corpus of malformed and odd glTF files, $TS_SCENES/hostile, and holds every outcome against its manifest;
  * then the good scenes beside it. Every file gets 10 seconds, and the process 4 GiB more than it had. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
+#include "../../model/test.h"
 #include <sys/resource.h>
 #include <unistd.h>
 #include "../../../src/model/core.h"
 #include "../../../src/scene/scene.h"
 #include "../folder.h"
-
-#if defined(__SANITIZE_ADDRESS__)
-#define LIMIT_MEMORY 0
-#else
-#define LIMIT_MEMORY 1
-#endif
 
 typedef struct {
 	unsigned loaded, refused, wrong;
@@ -175,6 +162,6 @@ int main(void)
 		cmocka_unit_test(test_good_scenes),
 	};
 	struct rlimit limit = {(rlim_t)4 << 30, (rlim_t)4 << 30};
-	if (LIMIT_MEMORY) setrlimit(RLIMIT_AS, &limit);
+	if (!TS_TEST_SANITIZED) setrlimit(RLIMIT_AS, &limit);
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
