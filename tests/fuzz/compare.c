@@ -1,7 +1,6 @@
 /* libFuzzer on candidates: `make fuzz`. An input is a byte of flags, then keys, records, splats and look-ups of a
  * candidate, cut into files by a byte of length each, bare or with a header of its own; it is compared with a small
  * reference, and its first divergence put into words. */
-#include <assert.h>
 #include "folder.h"
 #include "../../src/kernels/base/num.h"
 #include "../../src/compare/compare.h"
@@ -59,8 +58,7 @@ static void judge(const ts_trace *candidate, const ts_relaxations *relaxations)
 	char text[TS_WHERE_TEXT];
 	ts_status status = ts_compare(&c, reference, candidate, relaxations);
 	if (status == TS_ERROR) {
-		const char *message = ts_error_message();
-		assert(message[0] != 0 && strchr(message, '\n') == NULL);
+		fuzz_refused();
 		return;
 	}
 	assert((status == TS_DIFFERENT) == (c.first != TS_N_BUFFERS));

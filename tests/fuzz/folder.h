@@ -1,6 +1,7 @@
-/* A folder of a small trace for the fuzz targets, which is gone when the process ends. */
+/* What the fuzz targets share: a folder, which is gone when the process ends, and what holds of every refusal. */
 #ifndef TS_TESTS_FUZZ_FOLDER_H
 #define TS_TESTS_FUZZ_FOLDER_H
+#include <assert.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -37,6 +38,13 @@ static inline void fuzz_write(const char *path, const void *data, size_t n)
 {
 	FILE *file = fopen(path, "wb");
 	if (file == NULL || fwrite(data, 1, n, file) != n || fclose(file) != 0) abort();
+}
+
+/* What is refused is told in one line. */
+static inline void fuzz_refused(void)
+{
+	const char *message = ts_error_message();
+	assert(message[0] != 0 && strchr(message, '\n') == NULL);
 }
 
 /* A buffer of n rows of `second`, or of one dimension. */

@@ -1,8 +1,6 @@
 /* libFuzzer on .npy headers: `make fuzz`. The first byte chooses the buffer, the rest is the file. What is taken must
  * agree with the size of the file, and writing it again must say the same. */
-#include <assert.h>
-#include <stdlib.h>
-#include "../../src/trace/npy.h"
+#include "folder.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n)
 {
@@ -23,8 +21,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n)
 		assert(ts_npy_parse(&again, "fuzz", head, header, header + npy.n * element, descr, element) == TS_OK);
 		assert(again.n == npy.n && memcmp(again.shape, npy.shape, npy.n_dims * sizeof(u64)) == 0);
 	} else {
-		const char *message = ts_error_message();
-		assert(message[0] != 0 && strchr(message, '\n') == NULL);
+		fuzz_refused();
 	}
 	free(copy);
 	return 0;

@@ -1,6 +1,5 @@
 /* libFuzzer on trace.json: `make fuzz`. Each input is the trace.json of a folder that has a file of keys and one of
  * bytes; what is taken is compared with itself. */
-#include <assert.h>
 #include "folder.h"
 #include "../../src/compare/compare.h"
 
@@ -30,8 +29,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t n)
 		assert(strchr(trace->producer, '\n') == NULL);
 		ts_trace_close(trace);
 	} else {
-		const char *message = ts_error_message();
-		assert(trace == NULL && message[0] != 0 && strchr(message, '\n') == NULL);
+		assert(trace == NULL);
+		fuzz_refused();
 	}
 	return 0;
 }
