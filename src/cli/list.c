@@ -245,7 +245,10 @@ static ts_status find_methods(ts_listed *of, const ts_job *job)
 	for (const char *names = job->method; ts_words_item(&names, item, sizeof item);) {
 		u32 before = of->n_methods;
 		for (const ts_pipeline *const *at = ts_pipelines(); *at != NULL; at++) {
-			if (strcmp((*at)->name, item) == 0 && of->n_methods < TS_MAX_METHODS) of->methods[of->n_methods++] = *at;
+			if (strcmp((*at)->name, item) != 0) continue;
+			if (of->n_methods == TS_MAX_METHODS)
+				return ts_fail("list params: more than %d methods; say --effect", TS_MAX_METHODS);
+			of->methods[of->n_methods++] = *at;
 		}
 		if (of->n_methods == before) return ts_fail("list params: no method \"%s\"; see: list methods", item);
 	}

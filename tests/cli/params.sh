@@ -17,6 +17,7 @@ verdict $? "what a method sets itself is not read"
 	python3 -c 'import json, sys; print(*{m["effect"] for m in json.load(sys.stdin)["methods"]})'); do names --effect "$effect"; done | sort -u))" ]
 verdict $? "what is read is a parameter"
 refuses 'no method "nix"' list params --method nix
+refuses 'more than 16 methods; say --effect' list params --method epr,mvr,ivir,vir,pcss,hulls,direct,megaviews,manylods,bruteforce,deferred
 refuses 'the nearest is epr' list params --effect reflections --method erp
 refuses 'takes no --method' list stages --method epr
 
