@@ -14,10 +14,11 @@ static void random_views(ts_offscreen *views, u32 n)
 {
 	u64 offset = 0;
 	for (u32 v = 0; v < n; v++) {
-		ts_v3 back = unit3(), eye = ts_mad(uniform3(-2, 2), back, uniform(0, 8));
-		u32 parallel = random_bits() % 3 == 0;
-		views[v] = view_from(eye, back, parallel != 0 ? uniform(1, 6) : uniform(0.3f, 1.5f), 1 + random_bits() % 64,
-		                     uniform_power(-7, 0), parallel);
+		ts_v3 back = unit3(), eye = uniform3(-2, 2);
+		eye = ts_mad(eye, back, uniform(0, 8));
+		u32 parallel = random_bits() % 3 == 0, px = 1 + random_bits() % 64;
+		f32 reach = parallel != 0 ? uniform(1, 6) : uniform(0.3f, 1.5f), near = uniform_power(-7, 0);
+		views[v] = view_from(eye, back, reach, px, near, parallel);
 		views[v].offset = offset;
 		offset += (u64)views[v].width * views[v].height;
 	}
@@ -110,7 +111,10 @@ static void random_mesh(mesh *m, ts_offscreen *views, i64 *n_capped)
 		ts_v3 corner[3];
 		random_corners(corner, 4, 0.01f, 1);
 		u32 t = mesh_triangle(m, corner[0], corner[1], corner[2], k % 5, 0);
-		for (u32 w = 0; w < 2; w++) m->bits[t * 2 + w] = (u64)random_bits() << 32 | random_bits();
+		for (u32 w = 0; w < 2; w++) {
+			u64 high = random_bits();
+			m->bits[t * 2 + w] = high << 32 | random_bits();
+		}
 		m->bits[t * 2 + 1] &= (1UL << (N_VIEWS - 64)) - 1;
 		for (u32 v = 0; v < 3; v++) {
 			for (u32 c = 0; c < 3; c++) m->vertices[t * 3 + v].colour[c] = uniform(0, 1);
