@@ -1,6 +1,5 @@
 /* Numbers of PLY files: text in the host's locale, which must have decimal points, and words in either order. */
 #include "body.h"
-#include <math.h>
 #include <stdlib.h>
 
 static const char at_end[] = "is missing: the file ends before it";
@@ -59,7 +58,7 @@ const char *ts_ply_number(ts_ply_body *body, ts_ply_type type, double *value)
 bool ts_ply_holds(ts_ply_type type, double value)
 {
 	const ts_ply_kind *kind = &ts_ply_kinds[type];
-	return value >= kind->least && value <= kind->most && (type >= TS_PLY_F32 || value == floor(value));
+	return value >= kind->least && value <= kind->most && (type >= TS_PLY_F32 || value == (double)(i64)value);
 }
 
 static const char *skip_list(ts_ply_body *body, const ts_ply_property *list)
