@@ -146,7 +146,9 @@ static ts_status bless(const ts_goldens *goldens, const ts_case *c, const ts_gol
 	}
 	ts_status status = check_proposal(goldens, c, proposed);
 	if (status == TS_OK) status = replace(goldens, c, proposed);
-	if (status == TS_OK && ts_folder_remove(proposed->path) != TS_OK) ts_say("%s", ts_error_message());
+	if (status == TS_OK && ts_folder_remove(proposed->path) != TS_OK) {
+		ts_say("%s stays, though it is blessed: %s", proposed->path, ts_error_message());
+	}
 	return status;
 }
 

@@ -52,13 +52,12 @@ static ts_status read_sums(ts_golden *golden, const ts_golden_dir *dir, const ts
 	return status == TS_OK ? TS_OK : ts_fail("%s/%s: %s", dir->path, TS_GOLDEN_SUMS, ts_error_message());
 }
 
-static ts_status digest_of(char hex[TS_DIGEST_BYTES], const void *data, size_t bytes)
+static void digest_of(char hex[TS_DIGEST_BYTES], const void *data, size_t bytes)
 {
 	ts_digest d;
-	if (ts_digest_begin(&d) != TS_OK) return TS_ERROR;
+	ts_digest_begin(&d);
 	ts_digest_add(&d, data, bytes);
 	ts_digest_end(&d, hex);
-	return TS_OK;
 }
 
 typedef struct {
@@ -82,7 +81,8 @@ static ts_status read_small(void *user, const char *name)
 	ts_npy_descr(descr, id);
 	ts_status status =
 		ts_npy_parse(&file->npy, path, file->data, file->bytes, file->bytes, descr, ts_buffer_table[id].element_bytes);
-	return status == TS_OK ? digest_of(file->hex, file->data, file->bytes) : status;
+	if (status == TS_OK) digest_of(file->hex, file->data, file->bytes);
+	return status;
 }
 
 ts_status ts_golden_read(ts_golden *golden, const ts_golden_dir *dir, const ts_pipeline *pipeline)

@@ -156,7 +156,10 @@ static void release(bool clean)
 	folder.paths = NULL;
 	folder.n_paths = folder.capacity = 0;
 	if (folder.lock.descriptor >= 0) {
-		if (clean && unlink(folder.lock_path) != 0) ts_say("%s: cannot be removed", folder.lock_path);
+		if (clean && unlink(folder.lock_path) != 0) {
+			ts_say("%s: cannot be removed: %s; the next run that writes %s removes it", folder.lock_path,
+			       strerror(errno), folder.dir);
+		}
 		close(folder.lock.descriptor);
 	}
 	folder.lock.descriptor = -1;

@@ -25,6 +25,15 @@ else
 fi
 unset POCL_DEVICES
 
+# PoCL starts a linker, by its name.
+mkdir "$scratch/cache"
+digest=(digest dining:triangles=10000:texels=32 "${small[@]}" --method mvr --reflectors 0)
+run "${digest[@]}"
+cp "$scratch/stdout" "$scratch/expected"
+(unset PATH; export POCL_CACHE_DIR=$scratch/cache; "$touchstone" "${digest[@]}" "${cl[@]}" > "$scratch/stdout")
+cmp -s "$scratch/stdout" "$scratch/expected" && [ -n "$(ls "$scratch/cache")" ]
+verdict $? 'without a PATH, and without what was built before'
+
 # Builds that break the contract.
 refuses 'breaks the numeric contract.*in [0-9]* primitives: .*muladd (' "${frame[@]}" --trace -o "$scratch/broken" \
 	"${cl[@]}" --build -DTS_CANARY_CONTRACTS

@@ -77,7 +77,12 @@ static bool as_undisturbed(void)
 	free(said);
 	free(stdout_);
 	if (!same) snprintf(serve.why, MAX_WHY, "stdout: other text");
-	return same && ts_tree_same("after", "work", serve.why);
+	char *errors = ts_tree_read("stderr", &n);
+	ts_tree_told(errors);
+	same = same && ts_tree_same("after", "work", serve.why);
+	ts_tree_told(NULL);
+	free(errors);
+	return same;
 }
 
 /* What it wrote may be complete when a later call fails. */

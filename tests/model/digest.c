@@ -6,11 +6,11 @@ static void digest_is(const char *text, size_t times, const char *expected)
 {
 	ts_digest digest;
 	char hex[TS_DIGEST_BYTES];
-	assert_int_equal(ts_digest_begin(&digest), TS_OK);
+	ts_digest_begin(&digest);
 	for (size_t i = 0; i < times; i++) ts_digest_add(&digest, text, strlen(text));
 	ts_digest_end(&digest, hex);
 	assert_string_equal(hex, expected);
-	assert_null(digest.context);
+	assert_false(digest.begun);
 }
 
 static void published_examples(void **state)

@@ -26,7 +26,7 @@ static void digest_of(char hex[TS_DIGEST_BYTES], const char *path)
 	size_t bytes;
 	ts_digest digest;
 	char *data = file_read(path, &bytes);
-	assert_int_equal(ts_digest_begin(&digest), TS_OK);
+	ts_digest_begin(&digest);
 	ts_digest_add(&digest, data, bytes);
 	ts_digest_end(&digest, hex);
 	free(data);

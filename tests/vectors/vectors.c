@@ -138,7 +138,7 @@ static void test_digest(void **state)
 	(void)state;
 	ts_digest digest;
 	char hex[TS_DIGEST_BYTES];
-	assert_int_equal(ts_digest_begin(&digest), TS_OK);
+	ts_digest_begin(&digest);
 	for (u32 t = 0; t < ts_vectors_count(); t++) {
 		const ts_vector *v = ts_vectors_at(t);
 		ts_vector_make(v, in, out);

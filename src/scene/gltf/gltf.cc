@@ -110,6 +110,8 @@ static void parse(loader &in)
 	bool good =
 		parser.LoadASCIIFromString(&in.model, &problem, &warning, in.doc.json.data(), (unsigned)in.doc.json.size(), "");
 	if (!from.problem.empty()) fail("%s", from.problem.c_str());
+	/* tinygltf catches it, and passes its name on. */
+	if (!good && problem.find("bad_alloc") != std::string::npos) throw std::bad_alloc();
 	if (!good) fail("%s", problem.substr(0, problem.find('\n')).c_str());
 }
 
@@ -159,7 +161,7 @@ void ts_gltf_load(ts_build *build, const char *path, const char *reflector, u32 
 		else
 			ts_build_fail(build, "%s: %s", path, e.line.c_str());
 	} catch (const std::bad_alloc &) {
-		ts_build_fail(build, "%s: no memory for its contents", path);
+		ts_build_fail(build, "%s: out of memory", path);
 	} catch (const std::exception &e) {
 		ts_build_fail(build, "%s: %s", path, e.what());
 	} catch (...) {

@@ -1,5 +1,5 @@
-/* A library to be preloaded: as a folder *.partial is made, what TOUCHSTONE_END says happens. "exit": the process ends with
- * exit code 1, as libraries end it; "signal N": by that signal, as if it was sent; "wait": it sleeps, and the file
+/* A library to be preloaded: as a folder *.partial is made, what TOUCHSTONE_END says happens. "exit": the process ends
+ * with exit code 1, as libraries end it; "signal N": by that signal, as if it was sent; "wait": it sleeps, and the file
  * TOUCHSTONE_END_AT appears; "fill FILE": that file appears, in a folder that is made. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
