@@ -85,7 +85,8 @@ static int conclude(end e, const word *said, uint32_t seconds)
 	}
 	int number = WTERMSIG(e.status);
 	if (number == SIGKILL) return say("the run was killed, as systems do where memory ends; no result");
-	if (!is_passed_on(number)) return say("the run ended by signal %d, %s; no result", number, strsignal(number));
+	if (!is_passed_on(number))
+		return say("the run ended by signal %d, %s, perhaps for want of memory; no result", number, strsignal(number));
 	sigset_t own;
 	sigemptyset(&own);
 	sigaddset(&own, number);

@@ -219,7 +219,7 @@ const char *ts_folder_name(size_t i)
 static bool clear(const char *path)
 {
 	if (!ts_place_has(path) || ts_tree_remove(path) == TS_OK) return true;
-	ts_say("%s; the next run that writes %s removes it", ts_error_message(), folder.dir);
+	ts_say("%s; the next run that writes %s removes it, and %s", ts_error_message(), folder.dir, folder.lock_path);
 	return false;
 }
 

@@ -91,7 +91,8 @@ static bool failed_well(const char *line)
 	const char *cause = ts_fault_rows[serve.kind].cause, *says = getenv("TOUCHSTONE_FAULT_SAYS");
 	bool said =
 		cause != NULL && (strstr(line, cause) != NULL || (says != NULL && says[0] != 0 && strstr(line, says) != NULL));
-	if (strncmp(line, "touchstone: ", 12) != 0 || !said) {
+	bool crashed = strstr(line, "by signal 11") != NULL;
+	if (strncmp(line, "touchstone: ", 12) != 0 || !said || crashed) {
 		snprintf(serve.why, MAX_WHY, "exit 2, not for the cause: %s", line);
 		return false;
 	}
