@@ -91,7 +91,7 @@ static bool failed_well(const char *line)
 	const char *cause = ts_fault_rows[serve.kind].cause, *says = getenv("TOUCHSTONE_FAULT_SAYS");
 	bool said =
 		cause != NULL && (strstr(line, cause) != NULL || (says != NULL && says[0] != 0 && strstr(line, says) != NULL));
-	bool crashed = strstr(line, "by signal 11") != NULL;
+	bool crashed = strstr(line, "by signal") != NULL && strstr(line, "by signal 6") == NULL;
 	if (strncmp(line, "touchstone: ", 12) != 0 || !said || crashed) {
 		snprintf(serve.why, MAX_WHY, "exit 2, not for the cause: %s", line);
 		return false;
