@@ -34,8 +34,8 @@ void *ts_starved_malloc(size_t bytes);
 /* Fails, `what: out of memory`, if that has happened: what the library made or read may not be whole. */
 ts_status ts_starved_check(const char *what);
 
-/* All of a regular file, which is untrusted, and a 0 behind it, by free(). NULL with the message set: it cannot be read, or
- * is larger than a third of the machine's memory. */
+/* All of a regular file, which is untrusted, and a 0 behind it, by free(). NULL with the message set: it cannot be
+ * read, or is larger than a third of the machine's memory. */
 char *ts_input_read(size_t *bytes, const char *path);
 
 /* Bytes that this process has in memory: of files, such as libraries, and what it allocated, without what it

@@ -60,7 +60,7 @@ refuses 'the nearest is render' help rendr
 
 for command in 'list params' 'list params --json' 'help' 'info atrium:triangles=10000 --json'; do
 	"$touchstone" $command > /dev/full 2> "$scratch/stderr"
-	[ $? -eq 2 ] && [ "$(wc -l < "$scratch/stderr")" -eq 1 ] && grep -q 'full' "$scratch/stderr"
+	[ $? -eq 2 ] && [ "$(wc -l < "$scratch/stderr")" -eq 1 ] && grep -q 'No space left' "$scratch/stderr"
 	verdict $? "a full standard output is an error: $command"
 done
 

@@ -171,7 +171,7 @@ refuses 'leave --force out' vectors --check v --force
 refuses 'needs a value' vectors --check
 refuses 'one argument too many' vectors v
 "$touchstone" vectors --check v > /dev/full 2> stderr
-[ $? -eq 2 ] && [ "$(wc -l < stderr)" -eq 1 ] && grep -q full stderr
+[ $? -eq 2 ] && [ "$(wc -l < stderr)" -eq 1 ] && grep -q 'No space left' stderr
 verdict $? 'a full standard output is an error'
 
 finish

@@ -1,6 +1,6 @@
-/* libFuzzer on command lines: `make fuzz`. An input is the words behind `touchstone`, each ended by a byte 0. Nothing is
- * run. What is taken is an option of the command, with parameters in their ranges; then the words that the parser leaves
- * as they are, names of methods, truths and stages, are looked up. */
+/* libFuzzer on command lines: `make fuzz`. An input is the words behind `touchstone`, each ended by a byte 0. Nothing
+ * is run. What is taken is an option of the command, with parameters in their ranges; then the words that the parser
+ * leaves as they are, names of methods, truths and stages, are looked up. */
 #include "folder.h"
 #include "../../src/cli/cli.h"
 #include "../../src/study/methods.h"

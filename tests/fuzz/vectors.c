@@ -1,5 +1,5 @@
-/* libFuzzer on what a port computed of arithmetic vectors: `make fuzz`. The first byte says which file of the folder the
- * rest is: vectors.json, or the outputs of a primitive, which are judged where they are taken. */
+/* libFuzzer on what a port computed of arithmetic vectors: `make fuzz`. The first byte says which file of the folder
+ * the rest is: vectors.json, or the outputs of a primitive, which are judged where they are taken. */
 #include "folder.h"
 #include "../../src/cli/vectors.h"
 
