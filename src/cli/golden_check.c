@@ -1,5 +1,6 @@
 /* `golden check`: runs cases again and compares. Writes nothing. */
 #include <stdio.h>
+#include "../output/file.h"
 #include "golden.h"
 
 enum { TEXT_BYTES = 512, N_VERDICTS = 4 };
@@ -63,7 +64,7 @@ ts_status ts_golden_check_action(const ts_goldens *goldens, const ts_case *only)
 		if (failed && first[0] == 0) snprintf(first, sizeof first, "%s", ts_error_message());
 		const char *why = failed ? ts_error_message() : text;
 		printf("%-10s %s%s%s\n", words[v], c->name, v != SAME ? "  " : "", why);
-		fflush(stdout);
+		if (ts_file_print("", 0) != TS_OK) return TS_ERROR;
 	}
 	u32 without = count[MISSING] + count[UNUSABLE];
 	printf("%u passed, %u failed, 0 skipped\n", (unsigned)count[SAME], (unsigned)(count[DIFFERENT] + without));

@@ -1,5 +1,6 @@
 /* `golden new`: what is computed now, beside the goldens, which it does not touch. */
 #include <stdio.h>
+#include "../output/file.h"
 #include "../output/folder.h"
 #include "golden.h"
 
@@ -40,7 +41,7 @@ ts_status ts_golden_new_action(const ts_goldens *goldens, const ts_case *only)
 		if (only != NULL && c != only) continue;
 		if (propose(goldens, c) != TS_OK) return TS_ERROR;
 		printf("proposed   %s\n", c->name);
-		fflush(stdout);
+		if (ts_file_print("", 0) != TS_OK) return TS_ERROR;
 	}
 	return TS_OK;
 }

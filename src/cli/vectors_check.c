@@ -10,9 +10,7 @@ typedef struct {
 	ts_report report;
 	ts_table table;
 	json_t *first_wrong;
-	FILE *details; /* to `text`: what stands below the table */
-	char *text;
-	size_t text_bytes;
+	ts_file_text details; /* what stands below the table */
 	u32 n_right, n_wrong;
 } check;
 
@@ -26,9 +24,9 @@ __attribute__((format(printf, 2, 3))) static void tell(check *c, const char *for
 {
 	va_list arguments;
 	va_start(arguments, format);
-	vfprintf(c->details, format, arguments);
+	vfprintf(c->details.out, format, arguments);
 	va_end(arguments);
-	fputc('\n', c->details);
+	fputc('\n', c->details.out);
 }
 
 /* Decimal, hexadecimal of floats, and bits. */
@@ -220,9 +218,9 @@ static ts_status check_all(check *c, const char *dir)
 
 static ts_status tell_details(check *c)
 {
-	bool whole = fflush(c->details) == 0 && ferror(c->details) == 0;
-	if (!whole) return ts_fail("the report: out of memory");
-	for (char *line = c->text, *end; (end = strchr(line, '\n')) != NULL; line = end + 1) {
+	if (ts_file_text_flush(&c->details, "the report") != TS_OK) return TS_ERROR;
+	const char *line = c->details.bytes > 0 ? c->details.text : "";
+	for (const char *end; (end = strchr(line, '\n')) != NULL; line = end + 1) {
 		ts_report_line(&c->report, "%.*s", (int)(end - line), line);
 	}
 	return TS_OK;
@@ -262,15 +260,10 @@ static ts_status work(check *c, const char *dir, bool json)
 ts_status ts_vectors_check(const char *dir, bool json)
 {
 	check c = {.rows = ts_alloc(1, sizeof *c.rows, "arithmetic vectors"), .first_wrong = json_array()};
-	c.details = open_memstream(&c.text, &c.text_bytes);
-	ts_status status = TS_ERROR;
-	if (c.details == NULL || c.first_wrong == NULL) {
-		ts_fail("the report: out of memory");
-	} else if (c.rows != NULL) {
-		status = work(&c, dir, json);
-	}
-	if (c.details != NULL) fclose(c.details);
-	free(c.text);
+	ts_status status = c.rows != NULL ? ts_file_text_begin(&c.details, "the report") : TS_ERROR;
+	if (status == TS_OK && c.first_wrong == NULL) status = ts_fail("the report: out of memory");
+	if (status == TS_OK) status = work(&c, dir, json);
+	if (c.details.out != NULL) ts_file_text_drop(&c.details);
 	json_decref(c.first_wrong);
 	free(c.rows);
 	return status;

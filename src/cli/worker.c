@@ -76,8 +76,8 @@ static int say(const char *format, ...)
 /* The command's exit code, or the signal that it dies of. */
 static int conclude(end e, const word *said, uint32_t seconds)
 {
-	if (WIFEXITED(e.status) && said->ended && WEXITSTATUS(e.status) == said->code) return said->code;
 	ts_left_clear();
+	if (WIFEXITED(e.status) && said->ended && WEXITSTATUS(e.status) == said->code) return said->code;
 	if (e.late) return say("stopped after %u s, as --timeout asks; no result", (unsigned)seconds);
 	if (WIFEXITED(e.status)) {
 		return say("a library ended the run with exit code %d, for want of memory or threads; no result",
@@ -86,7 +86,8 @@ static int conclude(end e, const word *said, uint32_t seconds)
 	int number = WTERMSIG(e.status);
 	if (number == SIGKILL) return say("the run was killed, as systems do where memory ends; no result");
 	if (!is_passed_on(number))
-		return say("the run ended by signal %d, %s, perhaps for want of memory; no result", number, strsignal(number));
+		return say("the run ended by signal %d, %s, perhaps for want of memory or threads; no result", number,
+		           strsignal(number));
 	sigset_t own;
 	sigemptyset(&own);
 	sigaddset(&own, number);

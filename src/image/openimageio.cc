@@ -32,7 +32,7 @@ static std::string reason(const std::string &message)
 static std::string why_none()
 {
 	std::string message = OIIO::geterror();
-	return message.empty() ? "no reason given, as where memory ends" : reason(message);
+	return message.empty() ? "no reason given, as where memory or threads end" : reason(message);
 }
 
 /* 1 to 4 channels of 8 bits to RGBA: grey is replicated, missing alpha is 255. */

@@ -68,6 +68,8 @@ void ts_progress(const char *label, uint64_t done, uint64_t total);
 enum { TS_MOST_THREADS = 1024 };
 /* So many of these threads, at least 1, can be had, this one among them; says so where they are fewer. */
 uint32_t ts_threads_ready(uint32_t wanted);
+/* The same of one a processor. */
+uint32_t ts_threads_all(void);
 
 /* The commit that the program was built from, with "-dirty" behind it if its source was changed since; or "unknown". */
 const char *ts_commit(void);

@@ -22,10 +22,11 @@ static char *read_all(size_t *bytes, FILE *file, const char *path)
 	else
 		data = ts_alloc((size_t)info.st_size + 1, 1, path);
 	if (data == NULL) return NULL;
+	errno = 0;
 	*bytes = fread(data, 1, (size_t)info.st_size, file);
 	data[*bytes] = 0;
 	if (*bytes == (size_t)info.st_size) return data;
-	ts_fail("%s: cannot be read as a whole", path);
+	ts_fail("%s: cannot be read as a whole: %s", path, errno != 0 ? strerror(errno) : "it became shorter");
 	free(data);
 	return NULL;
 }

@@ -112,7 +112,7 @@ static unsigned test_integers(void)
 unsigned ts_selftest(void)
 {
 	unsigned bad = 0;
-#pragma omp parallel reduction(| : bad)
+#pragma omp parallel num_threads((int)ts_threads_all()) reduction(| : bad)
 	bad |= test_contraction() | test_denormals() | test_rounding() | test_association() | test_division() |
 	       test_root() | test_integers();
 	return bad;

@@ -55,3 +55,5 @@ uint32_t ts_threads_ready(uint32_t wanted)
 	atomic_store(&ready, there);
 	return there;
 }
+
+uint32_t ts_threads_all(void) { return ts_threads_ready((uint32_t)omp_get_num_procs()); }

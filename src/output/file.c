@@ -106,15 +106,17 @@ ts_status ts_file_write(const char *path, const void *data, size_t bytes)
 ts_status ts_file_print(const void *data, size_t bytes)
 {
 	ts_file file = {.path = "standard output", .descriptor = STDOUT_FILENO};
-	return fflush(stdout) == 0 ? write_out(&file, data, bytes) : fail(&file, errno);
+	errno = 0;
+	bool whole = fflush(stdout) == 0 && ferror(stdout) == 0;
+	return whole ? write_out(&file, data, bytes) : fail(&file, errno);
 }
 
 /* The lock is held until the file is in its place. */
 static ts_status fill(const ts_lock *lock, const char *partial, const char *path, const void *data, size_t bytes)
 {
 	ts_file file;
-	if (ts_file_adopt(&file, lock->descriptor, path) != TS_OK) return TS_ERROR;
-	ts_status status = ftruncate(lock->descriptor, 0) == 0 ? TS_OK : fail(&file, errno);
+	ts_status status = ts_file_adopt(&file, lock->descriptor, path);
+	if (status == TS_OK && ftruncate(lock->descriptor, 0) != 0) status = fail(&file, errno);
 	if (status == TS_OK) status = ts_file_put(&file, data, bytes);
 	if (status == TS_OK) status = write_rest(&file);
 	if (status == TS_OK && rename(partial, path) != 0) status = fail(&file, errno);

@@ -36,14 +36,16 @@ ts_status ts_file_replace(const char *path, const void *data, size_t bytes);
 /* To standard output, behind what its stream holds. */
 ts_status ts_file_print(const void *data, size_t bytes);
 
-/* Text for a file: `out` is a stream in memory. */
+/* Text for a file: `out` is a stream in memory. May not be moved while that is open. */
 typedef struct {
 	FILE *out;
 	char *text;
-	size_t bytes;
+	size_t bytes, capacity;
 } ts_file_text;
 /* `what` is for messages. After a failure there is nothing to end. */
 ts_status ts_file_text_begin(ts_file_text *text, const char *what);
+/* Puts all that was written so far into *text and *bytes, which may be set to 0 then. */
+ts_status ts_file_text_flush(ts_file_text *text, const char *what);
 /* Closes the stream; *text and *bytes are whole then: nothing that a library wrote there is left out. Frees them on
  * failure. */
 ts_status ts_file_text_close(ts_file_text *text, const char *what);

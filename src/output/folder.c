@@ -163,7 +163,7 @@ static void release(bool clean)
 		close(folder.lock.descriptor);
 	}
 	folder.lock.descriptor = -1;
-	ts_left_folder("", 0);
+	if (clean) ts_left_folder("", 0);
 }
 
 ts_status ts_folder_begin(const char *dir, ts_folder_judge *judge)
@@ -287,6 +287,11 @@ void ts_folder_clear(const char *dir, uint32_t n_parents)
 {
 	bool found;
 	if (set_names(dir) != TS_OK) return;
-	if (ts_lock_take(&folder.lock, folder.lock_path, dir) == TS_OK) release(recover(&found) == TS_OK);
+	if (ts_lock_take(&folder.lock, folder.lock_path, dir) == TS_OK) {
+		bool clean = recover(&found) == TS_OK;
+		if (!clean)
+			ts_say("%s; the next run that writes %s removes it, and %s", ts_error_message(), dir, folder.lock_path);
+		release(clean);
+	}
 	remove_parents(n_parents);
 }

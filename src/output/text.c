@@ -1,11 +1,26 @@
-/* Text for files, gathered in memory first. */
+/* Text for files, gathered in memory first. glibc's own streams in memory lose bytes, and do not say so, where memory
+ * ends. */
+#define _GNU_SOURCE
 #include "file.h"
 #include <stdlib.h>
+#include <string.h>
+
+static ssize_t append(void *user, const char *data, size_t bytes)
+{
+	ts_file_text *text = user;
+	void *grown = text->text;
+	if (ts_grow(&grown, &text->capacity, text->bytes + bytes + 1, 1, "text") != TS_OK) return 0;
+	text->text = grown;
+	memcpy(text->text + text->bytes, data, bytes);
+	text->bytes += bytes;
+	text->text[text->bytes] = 0;
+	return (ssize_t)bytes;
+}
 
 ts_status ts_file_text_begin(ts_file_text *text, const char *what)
 {
 	*text = (ts_file_text){.out = NULL};
-	text->out = open_memstream(&text->text, &text->bytes);
+	text->out = fopencookie(text, "w", (cookie_io_functions_t){.write = append});
 	return text->out != NULL ? TS_OK : ts_fail("%s: out of memory", what);
 }
 
@@ -16,12 +31,18 @@ void ts_file_text_drop(ts_file_text *text)
 	*text = (ts_file_text){.out = NULL};
 }
 
+ts_status ts_file_text_flush(ts_file_text *text, const char *what)
+{
+	bool whole = fflush(text->out) == 0 && ferror(text->out) == 0;
+	return whole ? ts_starved_check(what) : ts_fail("%s: out of memory", what);
+}
+
 ts_status ts_file_text_close(ts_file_text *text, const char *what)
 {
-	bool whole = ferror(text->out) == 0;
+	bool whole = fflush(text->out) == 0 && ferror(text->out) == 0 && append(text, "", 0) == 0 && text->text != NULL;
 	whole &= fclose(text->out) == 0;
 	text->out = NULL;
-	if (whole && text->text != NULL && ts_starved_check(what) == TS_OK) return TS_OK;
+	if (whole && ts_starved_check(what) == TS_OK) return TS_OK;
 	free(text->text);
 	*text = (ts_file_text){.out = NULL};
 	return ts_fail("%s: out of memory", what);

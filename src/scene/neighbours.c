@@ -176,7 +176,7 @@ ts_status ts_neighbours_distance(f32 *distance, const ts_v3 *points, u32 n, u32 
 {
 	ts_neighbours *tree = ts_neighbours_new(points, n);
 	if (tree == NULL) return TS_ERROR;
-#pragma omp parallel for schedule(dynamic, 1024)
+#pragma omp parallel for num_threads((int)ts_threads_all()) schedule(dynamic, 1024)
 	for (u32 i = 0; i < n; i++) {
 		ts_neighbour found[TS_MAX_NEIGHBOURS];
 		u32 m = ts_neighbours_find(tree, i, k, found);

@@ -61,7 +61,7 @@ static ts_status fit_planes(cloud *c)
 {
 	ts_neighbours *tree = ts_neighbours_new(c->points, c->n);
 	if (tree == NULL) return TS_ERROR;
-#pragma omp parallel for schedule(dynamic, 1024)
+#pragma omp parallel for num_threads((int)ts_threads_all()) schedule(dynamic, 1024)
 	for (u32 i = 0; i < c->n; i++) {
 		ts_neighbour found[K];
 		u32 m = ts_neighbours_find(tree, i, K, found);

@@ -4,6 +4,7 @@
 #include <errno.h>
 #include <jansson.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include "../model/core.h"
@@ -29,28 +30,28 @@ static bool are_names(const json_t *files)
 	return all;
 }
 
-static json_t *read_list(const char *dir, const char *name, bool *no_memory)
+/* NULL in *files: there is none that this program wrote. */
+static ts_status read_list(json_t **files, const char *dir, const char *name)
 {
 	char path[PATH_BYTES];
 	struct stat info;
-	snprintf(path, sizeof path, "%s/%s", dir, name);
-	if (!is_regular(path, &info) || info.st_size > MAX_REPORT_BYTES) return NULL;
+	size_t bytes;
 	json_error_t error;
+	*files = NULL;
+	snprintf(path, sizeof path, "%s/%s", dir, name);
+	if (!is_regular(path, &info) || info.st_size > MAX_REPORT_BYTES) return TS_OK;
+	char *text = ts_input_read(&bytes, path);
+	if (text == NULL) return TS_ERROR;
 	errno = 0;
-	json_t *root = json_load_file(path, 0, &error);
-	*no_memory |= root == NULL && ts_json_no_memory(&error);
+	json_t *root = json_loadb(text, bytes, 0, &error);
+	bool starved = root == NULL && ts_json_no_memory(&error);
+	free(text);
+	if (starved) return ts_fail("%s: out of memory", path);
 	const char *program = json_string_value(json_object_get(root, "program"));
-	json_t *files = json_object_get(root, "files");
-	bool ours = program != NULL && strcmp(program, "touchstone") == 0 && are_names(files);
-	json_t *result = ours ? json_incref(files) : NULL;
+	json_t *listed = json_object_get(root, "files");
+	if (program != NULL && strcmp(program, "touchstone") == 0 && are_names(listed)) *files = json_incref(listed);
 	json_decref(root);
-	return result;
-}
-
-static json_t *read_ours(const char *dir, bool *no_memory)
-{
-	json_t *files = read_list(dir, "report.json", no_memory);
-	return files != NULL ? files : read_list(dir, "vectors.json", no_memory);
+	return ts_starved_check(path);
 }
 
 static bool has(const json_t *ours, const char *dir, const char *name)
@@ -66,48 +67,66 @@ static bool has(const json_t *ours, const char *dir, const char *name)
 	return listed && is_regular(path, &info);
 }
 
-static bool is_folder(const json_t *ours, const char *dir, const char *name)
+/* Calls `each` with the entries of a folder until it fails. */
+static ts_status walk(const char *path, ts_status (*each)(void *user, const char *name), void *user)
 {
-	char path[PATH_BYTES];
-	struct stat info;
-	snprintf(path, sizeof path, "%s/%s", dir, name);
-	if (ours == NULL || lstat(path, &info) != 0 || !S_ISDIR(info.st_mode)) return false;
 	DIR *stream = opendir(path);
-	bool all = stream != NULL, any = false;
-	for (struct dirent *e; all && (e = readdir(stream)) != NULL;) {
-		if (strcmp(e->d_name, ".") == 0 || strcmp(e->d_name, "..") == 0) continue;
-		snprintf(path, sizeof path, "%s/%s", name, e->d_name);
-		all = any = has(ours, dir, path);
+	if (stream == NULL) return ts_fail("%s: %s; name a folder that can be read and written", path, strerror(errno));
+	ts_status status = TS_OK;
+	for (struct dirent *e; status == TS_OK && (e = readdir(stream)) != NULL;) {
+		if (strcmp(e->d_name, ".") != 0 && strcmp(e->d_name, "..") != 0) status = each(user, e->d_name);
 	}
-	if (stream != NULL) closedir(stream);
-	return all && any;
+	closedir(stream);
+	return status;
 }
 
-static ts_status judge(const json_t *ours, const char *dir, DIR *stream)
+typedef struct {
+	const json_t *ours;
+	const char *dir, *sub; /* NULL: entries of DIR itself */
+	size_t n;              /* entries so far */
+} judging;
+
+static ts_status refuse(const char *dir, const char *name)
 {
-	if (ours == NULL) {
-		return ts_fail("%s: no report.json or vectors.json there lists what was written, so --force replaces "
-		               "nothing; remove the folder if nothing in it is needed, or name another",
-		               dir);
-	}
-	for (struct dirent *e; (e = readdir(stream)) != NULL;) {
-		const char *name = e->d_name;
-		if (strcmp(name, ".") == 0 || strcmp(name, "..") == 0 || has(ours, dir, name)) continue;
-		if (is_folder(ours, dir, name)) continue;
-		return ts_fail("%s: holds %s, which no render wrote, so --force does not replace it; name another folder", dir,
-		               name);
-	}
-	return TS_OK;
+	return ts_fail("%s: holds %s, which no render wrote, so --force does not replace it; name another folder", dir,
+	               name);
+}
+
+static ts_status judge_inner(void *user, const char *name)
+{
+	judging *j = user;
+	char path[PATH_BYTES];
+	j->n++;
+	snprintf(path, sizeof path, "%s/%s", j->sub, name);
+	return has(j->ours, j->dir, path) ? TS_OK : refuse(j->dir, j->sub);
+}
+
+static ts_status judge_entry(void *user, const char *name)
+{
+	const judging *j = user;
+	judging inner = {.ours = j->ours, .dir = j->dir, .sub = name};
+	char path[PATH_BYTES];
+	struct stat info;
+	if (has(j->ours, j->dir, name)) return TS_OK;
+	snprintf(path, sizeof path, "%s/%s", j->dir, name);
+	if (lstat(path, &info) != 0 || !S_ISDIR(info.st_mode)) return refuse(j->dir, name);
+	ts_status status = walk(path, judge_inner, &inner);
+	return status == TS_OK && inner.n == 0 ? refuse(j->dir, name) : status;
 }
 
 ts_status ts_ours_judge(const char *dir)
 {
-	DIR *stream = opendir(dir);
-	if (stream == NULL) return ts_fail("%s: %s; name a folder that can be read and written", dir, strerror(errno));
-	bool no_memory = false;
-	json_t *ours = read_ours(dir, &no_memory);
-	ts_status status = no_memory ? ts_fail("%s: what is listed there: out of memory", dir) : judge(ours, dir, stream);
-	json_decref(ours);
-	closedir(stream);
+	judging j = {.dir = dir};
+	json_t *files;
+	ts_status status = read_list(&files, dir, "report.json");
+	if (status == TS_OK && files == NULL) status = read_list(&files, dir, "vectors.json");
+	if (status == TS_OK && files == NULL) {
+		status = ts_fail("%s: no report.json or vectors.json there lists what was written, so --force replaces "
+		                 "nothing; remove the folder if nothing in it is needed, or name another",
+		                 dir);
+	}
+	j.ours = files;
+	if (status == TS_OK) status = walk(dir, judge_entry, &j);
+	json_decref(files);
 	return status;
 }

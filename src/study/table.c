@@ -195,14 +195,14 @@ void ts_table_end(ts_table *table)
 void ts_report_begin(ts_report *report, bool json)
 {
 	*report = (ts_report){.root = json_object(), .timed = json_object(), .json = json};
-	report->out = open_memstream(&report->text, &report->text_bytes);
-	report->failed = report->root == NULL || report->timed == NULL || report->out == NULL;
+	report->failed = ts_file_text_begin(&report->text, "the report") != TS_OK;
+	report->failed |= report->root == NULL || report->timed == NULL;
 }
 
 void ts_report_table(ts_report *report, ts_table *table)
 {
 	report->failed |= table->failed;
-	if (!report->json && !report->failed) ts_table_print(table, report->out);
+	if (!report->json && !report->failed) ts_table_print(table, report->text.out);
 	(table->timed ? ts_report_timed : ts_report_value)(report, table->key, ts_table_json(table));
 	ts_table_end(table);
 }
@@ -220,7 +220,7 @@ void ts_report_line(ts_report *report, const char *format, ...)
 	report->failed |= ts_file_text_close(&line, "a line") != TS_OK;
 	if (!report->failed) {
 		ts_line_clean(line.text);
-		fprintf(report->out, "%s\n", line.text);
+		fprintf(report->text.out, "%s\n", line.text);
 	}
 	free(line.text);
 }
@@ -241,18 +241,18 @@ bool ts_report_is_timed(const ts_report *report, const char *key)
 	return json_object_get(report->timed, key) != NULL;
 }
 
-ts_status ts_report_check(const ts_report *report)
+ts_status ts_report_check(ts_report *report)
 {
-	bool failed = report->failed || fflush(report->out) != 0 || ferror(report->out);
-	return failed ? ts_fail("the report: out of memory") : ts_starved_check("the report");
+	if (report->failed) return ts_fail("the report: out of memory");
+	return ts_file_text_flush(&report->text, "the report");
 }
 
 ts_status ts_report_print(ts_report *report)
 {
 	ts_status status = ts_report_check(report);
 	if (status != TS_OK) return status;
-	status = ts_file_print(report->text, report->text_bytes);
-	rewind(report->out);
+	status = ts_file_print(report->text.text, report->text.bytes);
+	report->text.bytes = 0;
 	return status;
 }
 
@@ -262,7 +262,7 @@ void ts_report_write(const json_t *root, FILE *out)
 	fputc('\n', out);
 }
 
-static ts_status print_json(const ts_report *report)
+static ts_status print_json(ts_report *report)
 {
 	ts_file_text text;
 	if (ts_report_check(report) != TS_OK || ts_file_text_begin(&text, "the report") != TS_OK) return TS_ERROR;
@@ -272,8 +272,7 @@ static ts_status print_json(const ts_report *report)
 
 void ts_report_discard(ts_report *report)
 {
-	if (report->out != NULL) fclose(report->out);
-	free(report->text);
+	if (report->text.out != NULL) ts_file_text_drop(&report->text);
 	json_decref(report->root);
 	json_decref(report->timed);
 	memset(report, 0, sizeof *report);

@@ -3,6 +3,7 @@
 #define TS_CLI_TABLE_H
 #include <jansson.h>
 #include <stdio.h>
+#include "../output/file.h"
 #include "job.h"
 
 enum { TS_MAX_COLUMNS = 16 };
@@ -46,9 +47,7 @@ void ts_table_end(ts_table *table);
 typedef struct {
 	json_t *root;
 	json_t *timed; /* keys of root whose values differ from run to run */
-	FILE *out;     /* to `text` */
-	char *text;
-	size_t text_bytes;
+	ts_file_text text;
 	bool json;   /* text is not printed */
 	bool failed; /* out of memory */
 } ts_report;
@@ -68,7 +67,7 @@ bool ts_report_is_timed(const ts_report *report, const char *key);
 /* Program, version, backend, threads and parameters as figures of the JSON object (run_report.c). */
 void ts_report_run(ts_report *report, const ts_job *job);
 /* Fails if the report is not whole. */
-ts_status ts_report_check(const ts_report *report);
+ts_status ts_report_check(ts_report *report);
 /* Prints the text so far, of which nothing is printed again. */
 ts_status ts_report_print(ts_report *report);
 /* Prints the rest, or the JSON object if that is wanted, and releases all, also on failure. */

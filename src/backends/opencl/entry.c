@@ -2,6 +2,7 @@
  * the struct with an offset in place of each pointer, and the buffers behind it; of what is in parts, all parts. */
 #include <stdio.h>
 #include <stdlib.h>
+#include "../../output/file.h"
 #include "cl.h"
 
 enum { LISTS = 16 };
@@ -90,16 +91,11 @@ static void put_entry(text *t, ts_kernel kernel)
 
 char *ts_cl_entries(const ts_cl *cl, u32 program)
 {
-	char *made = NULL;
-	size_t bytes;
-	text t = {.out = open_memstream(&made, &bytes), .n_parts = cl->part_bytes != 0 ? TS_CL_PARTS : 1};
-	if (t.out == NULL) return NULL;
+	ts_file_text made;
+	if (ts_file_text_begin(&made, "entries of kernels") != TS_OK) return NULL;
+	text t = {.out = made.out, .n_parts = cl->part_bytes != 0 ? TS_CL_PARTS : 1};
 	for (u32 kernel = 0; kernel < TS_N_KERNELS; kernel++) {
 		if (ts_cl_program_of[kernel] == program) put_entry(&t, (ts_kernel)kernel);
 	}
-	bool good = ferror(t.out) == 0;
-	good &= fclose(t.out) == 0;
-	if (good) return made;
-	free(made);
-	return NULL;
+	return ts_file_text_close(&made, "entries of kernels") == TS_OK ? made.text : NULL;
 }

@@ -100,7 +100,7 @@ static u32 add_slot(ts_build *build, const ts_dab *dabs, u8 *rgba, u32 map, cons
 static void paint_dabs(ts_dab *dabs, const ts_paint *paint, u32 seed)
 {
 	i32 size = (i32)paint->size;
-#pragma omp parallel for schedule(dynamic, 8)
+#pragma omp parallel for num_threads((int)ts_threads_all()) schedule(dynamic, 8)
 	for (i32 y = 0; y < size; y++) {
 		for (i32 x = 0; x < size; x++) {
 			ts_dab *d = &dabs[y * size + x];

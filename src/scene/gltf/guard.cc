@@ -422,7 +422,7 @@ document guard(const char *text, size_t n, const container &parts)
 	check_views(root.get(), lengths);
 	back_accessors(check, root.get());
 	std::unique_ptr<char, void (*)(void *)> json(json_dumps(root.get(), JSON_COMPACT | JSON_REAL_PRECISION(17)), free);
-	if (!json) throw std::bad_alloc();
+	if (!json || ts_starved_check("JSON") != TS_OK) throw std::bad_alloc();
 	check.doc.json = json.get();
 	return std::move(check.doc);
 }
