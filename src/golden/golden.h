@@ -5,7 +5,7 @@
  *   <case>/params.txt   what was rendered
  *   <case>/preview.png  what it looks like
  *   <case>/CHANGES      why it was blessed, a line each time
- * What is being proposed is in <case>.new/, without CHANGES. Stored files are untrusted. Part of the core. */
+ * A proposal is in <case>.new/, without CHANGES. Stored files are untrusted. Part of the core. */
 #ifndef TS_TRACE_GOLDEN_H
 #define TS_TRACE_GOLDEN_H
 #include "file.h"

@@ -1,4 +1,4 @@
-/* What a process that is killed leaves: a file and a folder at most. */
+/* Leftovers of a killed process: a file and a folder at most. */
 #define _DEFAULT_SOURCE
 #include "left.h"
 #include <stdio.h>

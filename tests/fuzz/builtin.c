@@ -1,5 +1,5 @@
-/* libFuzzer on the names of built-in scenes, "atrium:triangles=1.05M:texels=64": `make fuzz`. What is taken is a scene
- * as large as such names can say. */
+/* libFuzzer on the names of built-in scenes, "atrium:triangles=1.05M:texels=64": `make fuzz`. An accepted name
+ * gives a scene as large as such names can say. */
 #include "folder.h"
 #include "../../src/scene/scene.h"
 #include "../../src/scene/sources.h"

@@ -1,6 +1,6 @@
 /* libFuzzer on command lines: `make fuzz`. An input is the words behind `touchstone`, each ended by a byte 0. Nothing
- * is run. What is taken is an option of the command, with parameters in their ranges; then the words that the parser
- * leaves as they are, names of methods, truths and stages, are looked up. */
+ * is run. An accepted option is one of the command, and its parameters are in their ranges. The parser leaves names of
+ * methods, truths and stages as they are: these are looked up then. */
 #include "folder.h"
 #include "../../src/cli/cli.h"
 #include "../../src/study/methods.h"

@@ -1,4 +1,4 @@
-/* libFuzzer on PLY files: `make fuzz`. What is taken is surfels as <touchstone/scene.h> promises them. */
+/* libFuzzer on PLY files: `make fuzz`. An accepted file gives surfels as <touchstone/scene.h> promises them. */
 #include "folder.h"
 #include <math.h>
 #include "../../src/scene/scene.h"

@@ -90,7 +90,7 @@ static void check_colours(reader *in)
 	}
 }
 
-/* What is written as text is held to its type, as what is binary is by its bytes. */
+/* A number of text must fit its type, as a binary number does by its bytes. */
 static void check_number(reader *in, u32 i, const ts_ply_property *p, double value)
 {
 	const ts_ply_kind *kind = &ts_ply_kinds[p->type];
