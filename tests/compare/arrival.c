@@ -64,13 +64,13 @@ static void arrive(json_t *root, const void *user)
 
 static int begin(void **state)
 {
-	char dir[2][FOLDER_PATH];
+	char dir[2][SCRATCH_PATH];
 	ts_params params = small_params();
 	ts_trace_options options = {.without = {[TS_B_scene_texel] = true}};
-	if (folder_begin(state) != 0) return -1;
+	if (scratch_begin(state) != 0) return -1;
 	ts_scene *scene = small_scene(&params);
-	snprintf(dir[0], sizeof dir[0], "%s", folder_path("ref"));
-	snprintf(dir[1], sizeof dir[1], "%s", folder_path("cand"));
+	snprintf(dir[0], sizeof dir[0], "%s", scratch_path("ref"));
+	snprintf(dir[1], sizeof dir[1], "%s", scratch_path("cand"));
 	small_trace(dir[0], "epr", scene, &params, options);
 	ts_scene_free(scene);
 	small_copy(dir[1], dir[0]);
@@ -97,7 +97,7 @@ static int end(void **state)
 	ts_trace_close(ref);
 	ts_trace_close(cand);
 	free(place);
-	return folder_end(state);
+	return scratch_remove(state);
 }
 
 static ts_status compare(void)
@@ -190,12 +190,12 @@ static ts_trace *points(const char *name, u64 n, bool arrival)
 	assert_true(order != NULL && keys != NULL);
 	shuffle(order, n);
 	for (u64 i = 0; i < n; i++) keys[i] = (u64)(arrival ? order[i] : i) << 30;
-	assert_int_equal(mkdir(folder_path("%s", name), 0777), 0);
-	file_write(folder_path("%s/key", name), keys, n * sizeof *keys);
-	file_write(folder_path("%s/record", name), "", 0);
-	assert_int_equal(truncate(folder_path("%s/record", name), (off_t)(n * sizeof(ts_point))), 0);
+	assert_int_equal(mkdir(scratch_path("%s", name), 0777), 0);
+	file_write(scratch_path("%s/key", name), keys, n * sizeof *keys);
+	file_write(scratch_path("%s/record", name), "", 0);
+	assert_int_equal(truncate(scratch_path("%s/record", name), (off_t)(n * sizeof(ts_point))), 0);
 	assert_int_equal(
-		ts_trace_open_layout(&trace, folder_path("%s", name), "points.key=key,points.record=record", arrival, ref),
+		ts_trace_open_layout(&trace, scratch_path("%s", name), "points.key=key,points.record=record", arrival, ref),
 		TS_OK);
 	free(order);
 	free(keys);

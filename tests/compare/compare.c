@@ -5,7 +5,7 @@
 #include "../../src/compare/compare.h"
 
 static ts_trace *ref, *cand;
-static char dir[2][FOLDER_PATH];
+static char dir[2][SCRATCH_PATH];
 static ts_comparison c;
 
 static void open_both(void)
@@ -18,10 +18,10 @@ static int begin(void **state)
 {
 	ts_params params = small_params();
 	ts_trace_options options = {.without = {[TS_B_scene_texel] = true}};
-	if (folder_begin(state) != 0) return -1;
+	if (scratch_begin(state) != 0) return -1;
 	ts_scene *scene = small_scene(&params);
-	snprintf(dir[0], sizeof dir[0], "%s", folder_path("ref"));
-	snprintf(dir[1], sizeof dir[1], "%s", folder_path("cand"));
+	snprintf(dir[0], sizeof dir[0], "%s", scratch_path("ref"));
+	snprintf(dir[1], sizeof dir[1], "%s", scratch_path("cand"));
 	small_trace(dir[0], "epr", scene, &params, options);
 	small_copy(dir[1], dir[0]);
 	ts_scene_free(scene);
@@ -33,7 +33,7 @@ static int end(void **state)
 {
 	ts_trace_close(ref);
 	ts_trace_close(cand);
-	return folder_end(state);
+	return scratch_remove(state);
 }
 
 /* Replaces bytes of an element of a trace; returns those that were there in `old`, if wanted. */

@@ -17,7 +17,7 @@ static ts_trace side(const char *name, const u64 *keys, u64 n, bool arrival)
 {
 	ts_trace trace = {.arrival = arrival};
 	ts_trace_item *item = &trace.item[TS_B_points_key];
-	item->path = strdup(folder_path("%s", name));
+	item->path = strdup(scratch_path("%s", name));
 	assert_non_null(item->path);
 	item->npy = (ts_npy){.n_dims = 1, .shape = {n}, .n = n};
 	file_write(item->path, keys, n * sizeof *keys);
@@ -176,7 +176,7 @@ static void test_gather(void **state)
 	for (u64 i = 0; i < N; i++) memcpy(records + i * BYTES + BYTES - 8, &cand[i], 8);
 	ts_order order;
 	assert_int_equal(make(&order, ref, N, cand, N, true), TS_OK);
-	ts_trace_item item = {.path = strdup(folder_path("records")), .npy = {.n_dims = 1, .shape = {N}, .n = N}};
+	ts_trace_item item = {.path = strdup(scratch_path("records")), .npy = {.n_dims = 1, .shape = {N}, .n = N}};
 	file_write(item.path, records, (size_t)N * BYTES);
 	ts_gather *g = ts_gather_open(&item, BYTES, &order);
 	assert_non_null(g);
@@ -204,5 +204,5 @@ int main(void)
 		cmocka_unit_test(test_permutations), cmocka_unit_test(test_unlike), cmocka_unit_test(test_out_of_range),
 		cmocka_unit_test(test_ends),         cmocka_unit_test(test_gather),
 	};
-	return cmocka_run_group_tests(order, folder_begin, folder_end);
+	return cmocka_run_group_tests(order, scratch_begin, scratch_remove);
 }

@@ -9,29 +9,13 @@
 #include <string.h>
 #include <unistd.h>
 #include <touchstone/image.h>
+#include "../scratch.h"
 
 enum { WIDTH = 13, HEIGHT = 7, TEXELS = WIDTH * HEIGHT };
 
-static char folder[] = "/tmp/touchstone-image-XXXXXX";
-static char path[64];
+static const char *path; /* of the file in hand */
 
-static int set_up(void **state)
-{
-	(void)state;
-	return mkdtemp(folder) ? 0 : -1;
-}
-
-static int tear_down(void **state)
-{
-	(void)state;
-	return rmdir(folder);
-}
-
-static const char *name(const char *leaf)
-{
-	snprintf(path, sizeof path, "%s/%s", folder, leaf);
-	return path;
-}
+static const char *name(const char *leaf) { return path = scratch_path("%s", leaf); }
 
 static uint8_t value(unsigned i) { return (uint8_t)(i * 2654435761u >> 24); }
 
@@ -46,7 +30,7 @@ static size_t slurp(uint8_t *data, size_t most)
 
 static void assert_gone(void)
 {
-	char partial[96];
+	char partial[SCRATCH_PATH + 8];
 	snprintf(partial, sizeof partial, "%s.partial", path);
 	assert_int_not_equal(access(partial, F_OK), 0);
 	assert_int_equal(unlink(path), 0);
@@ -187,7 +171,7 @@ static void test_bad_paths(void **state)
 	assert_int_equal(ts_image_read(&read, &width, &height, &channels, name("none.png")), TS_ERROR);
 	assert_null(read);
 	assert_non_null(strstr(ts_error_message(), "none.png"));
-	assert_int_equal(ts_image_read(&read, &width, &height, &channels, folder), TS_ERROR);
+	assert_int_equal(ts_image_read(&read, &width, &height, &channels, scratch_root), TS_ERROR);
 	assert_non_null(strstr(ts_error_message(), "not a regular file"));
 }
 
@@ -218,5 +202,5 @@ int main(void)
 		cmocka_unit_test(test_damaged),       cmocka_unit_test(test_bad_paths), cmocka_unit_test(test_other_formats),
 		cmocka_unit_test(test_damaged_files),
 	};
-	return cmocka_run_group_tests(tests, set_up, tear_down);
+	return cmocka_run_group_tests(tests, scratch_begin, scratch_end);
 }

@@ -1,6 +1,7 @@
 /* How much memory there is: every limit counts, less what is taken, and none where a system says so. Control groups are
  * read from a tree of files made here. */
 #include "test.h"
+#include "../scratch.h"
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -31,28 +32,12 @@ static void the_least_limit_counts(void **state)
 		assert_true(ts_memory_granted(&rows[i].grants) == rows[i].expected);
 }
 
-static char root[] = "/tmp/touchstone-groups-XXXXXX";
-
-static int set_up(void **state)
-{
-	(void)state;
-	return mkdtemp(root) ? 0 : -1;
-}
-
-static int tear_down(void **state)
-{
-	char command[128];
-	(void)state;
-	snprintf(command, sizeof command, "rm -r %s", root);
-	return system(command);
-}
-
 /* Writes a file below the root, with the folders that lead to it. */
 static void put(const char *path, const char *text)
 {
-	char all[256];
-	snprintf(all, sizeof all, "%s%s", root, path);
-	for (char *slash = all + strlen(root) + 1; (slash = strchr(slash, '/')) != NULL; *slash++ = '/') {
+	char all[SCRATCH_PATH];
+	snprintf(all, sizeof all, "%s%s", scratch_root, path);
+	for (char *slash = all + strlen(scratch_root) + 1; (slash = strchr(slash, '/')) != NULL; *slash++ = '/') {
 		*slash = 0;
 		mkdir(all, 0700);
 	}
@@ -65,13 +50,13 @@ static void put(const char *path, const char *text)
 static void assert_limit(const char *groups, uint64_t expected)
 {
 	put("/proc/self/cgroup", groups);
-	assert_true(ts_container_limit(root) == expected);
+	assert_true(ts_container_limit(scratch_root) == expected);
 }
 
 static void without_groups_there_is_no_limit(void **state)
 {
 	(void)state;
-	assert_true(ts_container_limit(root) == NONE);
+	assert_true(ts_container_limit(scratch_root) == NONE);
 	assert_limit("", NONE);
 	assert_limit("0::/a/b\n4:memory:/c\nwords\n:\n::\n", NONE);
 }
@@ -136,5 +121,5 @@ int main(void)
 		cmocka_unit_test(groups_of_version_2),         cmocka_unit_test(groups_of_version_1),
 		cmocka_unit_test(limits_of_the_process_count),
 	};
-	return cmocka_run_group_tests(limits, set_up, tear_down);
+	return cmocka_run_group_tests(limits, scratch_begin, scratch_remove);
 }

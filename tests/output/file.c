@@ -8,30 +8,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 #include "../kernels/seeded.h"
+#include "../scratch.h"
 #include "../../src/output/file.h"
 
 enum { MOST = 1 << 20 };
-static char folder[64];
-
-static const char *in_folder(const char *name)
-{
-	static char path[128];
-	snprintf(path, sizeof path, "%s/%s", folder, name);
-	return path;
-}
-
-static int begin(void **state)
-{
-	(void)state;
-	snprintf(folder, sizeof folder, "%s/files-XXXXXX", getenv("TMPDIR") != NULL ? getenv("TMPDIR") : "/tmp");
-	return mkdtemp(folder) != NULL ? 0 : -1;
-}
-
-static int end(void **state)
-{
-	(void)state;
-	return rmdir(folder);
-}
 
 static size_t read_back(const char *path, u8 *data)
 {
@@ -59,7 +39,7 @@ static void test_pieces(void **state)
 	for (u32 turn = 0; turn < 40; turn++) {
 		ts_file file;
 		size_t n = 0;
-		assert_int_equal(ts_file_begin(&file, in_folder("pieces")), TS_OK);
+		assert_int_equal(ts_file_begin(&file, scratch_path("pieces")), TS_OK);
 		for (u32 k = 0; k < 24; k++) {
 			static const u32 most[] = {1, 100, 1 << 16, 200000};
 			size_t piece = bits() % most[bits() % 4];
@@ -68,10 +48,10 @@ static void test_pieces(void **state)
 			n += piece;
 		}
 		assert_int_equal(ts_file_end(&file), TS_OK);
-		assert_int_equal(read_back(in_folder("pieces"), back), n);
+		assert_int_equal(read_back(scratch_path("pieces"), back), n);
 		assert_memory_equal(back, data, n);
 	}
-	unlink(in_folder("pieces"));
+	unlink(scratch_path("pieces"));
 }
 
 static void fails_with(int error)
@@ -104,9 +84,9 @@ static void test_absent(void **state)
 {
 	(void)state;
 	ts_file file;
-	assert_int_equal(ts_file_begin(&file, in_folder("none/file")), TS_ERROR);
+	assert_int_equal(ts_file_begin(&file, scratch_path("none/file")), TS_ERROR);
 	fails_with(ENOENT);
-	assert_int_equal(ts_file_replace(in_folder("none/file"), "a", 1), TS_ERROR);
+	assert_int_equal(ts_file_replace(scratch_path("none/file"), "a", 1), TS_ERROR);
 	fails_with(ENOENT);
 	assert_null(strstr(ts_error_message(), ".partial"));
 }
@@ -117,41 +97,41 @@ static void test_replace(void **state)
 	(void)state;
 	static u8 data[MOST];
 	struct rlimit kept, low = {1000, RLIM_INFINITY};
-	assert_int_equal(ts_file_replace(in_folder("it"), "old", 3), TS_OK);
-	holds(in_folder("it"), "old");
-	assert_int_equal(ts_file_replace(in_folder("it"), "newer", 5), TS_OK);
-	holds(in_folder("it"), "newer");
+	assert_int_equal(ts_file_replace(scratch_path("it"), "old", 3), TS_OK);
+	holds(scratch_path("it"), "old");
+	assert_int_equal(ts_file_replace(scratch_path("it"), "newer", 5), TS_OK);
+	holds(scratch_path("it"), "newer");
 	signal(SIGXFSZ, SIG_IGN);
 	getrlimit(RLIMIT_FSIZE, &kept);
 	low.rlim_max = kept.rlim_max;
 	assert_int_equal(setrlimit(RLIMIT_FSIZE, &low), 0);
-	ts_status status = ts_file_replace(in_folder("it"), data, MOST);
+	ts_status status = ts_file_replace(scratch_path("it"), data, MOST);
 	setrlimit(RLIMIT_FSIZE, &kept);
 	assert_int_equal(status, TS_ERROR);
 	fails_with(EFBIG);
-	holds(in_folder("it"), "newer");
-	assert_int_equal(access(in_folder("it.partial"), F_OK), -1);
-	unlink(in_folder("it"));
+	holds(scratch_path("it"), "newer");
+	assert_int_equal(access(scratch_path("it.partial"), F_OK), -1);
+	unlink(scratch_path("it"));
 }
 
 /* A pipe stays a pipe. */
 static void test_pipe(void **state)
 {
 	(void)state;
-	assert_int_equal(mkfifo(in_folder("pipe"), 0600), 0);
+	assert_int_equal(mkfifo(scratch_path("pipe"), 0600), 0);
 	pid_t reader = fork();
 	if (reader == 0) {
 		static u8 data[MOST];
-		_exit(read_back(in_folder("pipe"), data) == 3 && memcmp(data, "abc", 3) == 0 ? 0 : 1);
+		_exit(read_back(scratch_path("pipe"), data) == 3 && memcmp(data, "abc", 3) == 0 ? 0 : 1);
 	}
 	int told;
-	assert_int_equal(ts_file_replace(in_folder("pipe"), "abc", 3), TS_OK);
+	assert_int_equal(ts_file_replace(scratch_path("pipe"), "abc", 3), TS_OK);
 	assert_int_equal(waitpid(reader, &told, 0), reader);
 	assert_int_equal(told, 0);
 	struct stat there;
-	assert_int_equal(stat(in_folder("pipe"), &there), 0);
+	assert_int_equal(stat(scratch_path("pipe"), &there), 0);
 	assert_true(S_ISFIFO(there.st_mode));
-	unlink(in_folder("pipe"));
+	unlink(scratch_path("pipe"));
 }
 
 static void test_text(void **state)
@@ -161,12 +141,12 @@ static void test_text(void **state)
 	assert_int_equal(ts_file_text_begin(&text, "text"), TS_OK);
 	fprintf(text.out, "%d lines\n", 2);
 	fputs("and an end", text.out);
-	assert_int_equal(ts_file_text_write(&text, in_folder("text")), TS_OK);
-	holds(in_folder("text"), "2 lines\nand an end");
+	assert_int_equal(ts_file_text_write(&text, scratch_path("text")), TS_OK);
+	holds(scratch_path("text"), "2 lines\nand an end");
 	assert_int_equal(ts_file_text_begin(&text, "text"), TS_OK);
-	assert_int_equal(ts_file_text_replace(&text, in_folder("text")), TS_OK);
-	holds(in_folder("text"), "");
-	unlink(in_folder("text"));
+	assert_int_equal(ts_file_text_replace(&text, scratch_path("text")), TS_OK);
+	holds(scratch_path("text"), "");
+	unlink(scratch_path("text"));
 }
 
 int main(void)
@@ -175,5 +155,5 @@ int main(void)
 		cmocka_unit_test(test_pieces),  cmocka_unit_test(test_full), cmocka_unit_test(test_absent),
 		cmocka_unit_test(test_replace), cmocka_unit_test(test_pipe), cmocka_unit_test(test_text),
 	};
-	return cmocka_run_group_tests(tests, begin, end);
+	return cmocka_run_group_tests(tests, scratch_begin, scratch_end);
 }

@@ -38,7 +38,7 @@ static void test_old_name(void **state)
 	static const u8 pixels[24] = {0};
 	ts_candidate c;
 	ts_trace *trace;
-	const char *folder = folder_path("candidate");
+	const char *folder = scratch_path("candidate");
 	assert_int_equal(mkdir(folder, 0777), 0);
 	assert_int_equal(ts_candidate_begin(&c, folder, "epr", "canonical", "a port", "1"), 0);
 	printed_begin();
@@ -57,7 +57,7 @@ static void test_once(void **state)
 	static const uint64_t shape[] = {1};
 	static const uint64_t key = 0;
 	ts_candidate c;
-	const char *folder = folder_path("twice");
+	const char *folder = scratch_path("twice");
 	assert_int_equal(mkdir(folder, 0777), 0);
 	assert_int_equal(ts_candidate_begin(&c, folder, "epr", "canonical", "a port", "1"), 0);
 	assert_int_equal(ts_candidate_add(&c, "points.key", 1, shape, &key), 0);
@@ -68,5 +68,5 @@ static void test_once(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {cmocka_unit_test(test_old_name), cmocka_unit_test(test_once)};
-	return cmocka_run_group_tests(tests, folder_begin, folder_end);
+	return cmocka_run_group_tests(tests, scratch_begin, scratch_remove);
 }

@@ -3,14 +3,14 @@
 #ifndef TS_TESTS_TRACE_TRACES_H
 #define TS_TESTS_TRACE_TRACES_H
 #include "../methods/small.h"
+#include "../scratch.h"
 #include <sys/stat.h>
 #include <unistd.h>
 #include "../../src/replay/judge.h"
 #include "../../src/trace/write.h"
 
-enum { MAX_DIR = 256, MAX_TEXT = 4096 };
+enum { MAX_TEXT = 4096 };
 
-static char traces_root[] = "/tmp/touchstone-traces-XXXXXX";
 /* Views of shadows come in batches; only the last one is smaller. */
 static const struct {
 	const char *effect, *method;
@@ -50,10 +50,8 @@ static u32 traces_n_paths;
 
 static inline const char *traces_place(void *user, const char *name)
 {
-	static char path[MAX_TEXT];
 	(void)user;
-	snprintf(path, sizeof path, "%s/%u/%s", traces_root, (unsigned)traces_m, name);
-	char *copy = strdup(path); /* stays, as the writer wants */
+	char *copy = strdup(scratch_path("%u/%s", (unsigned)traces_m, name)); /* stays, as the writer wants */
 	assert_non_null(copy);
 	assert_true(traces_n_paths < sizeof traces_paths / sizeof *traces_paths);
 	return traces_paths[traces_n_paths++] = copy;
@@ -107,11 +105,9 @@ static inline ts_params traces_params(u32 m)
 
 static inline void traces_make(u32 m, const ts_scene *scene)
 {
-	char dir[MAX_DIR];
 	ts_params params = traces_params(m);
 	traces_m = m;
-	snprintf(dir, sizeof dir, "%s/%u", traces_root, (unsigned)m);
-	assert_int_equal(mkdir(dir, 0700), 0);
+	assert_int_equal(mkdir(scratch_path("%u", (unsigned)m), 0700), 0);
 	ts_run run;
 	ts_trace_options options = {.place = traces_place, .margins = m == TRACES_HULLS};
 	ts_run_begin(&run, scene, &params, 2);
@@ -124,13 +120,12 @@ static inline void traces_make(u32 m, const ts_scene *scene)
 	assert_int_equal(ts_trace_write_end(traces_writer, &run), TS_OK);
 	ts_trace_write_free(traces_writer);
 	ts_run_end(&run);
-	if (ts_trace_open(&traces[m], dir) != TS_OK) fail_msg("%s", ts_error_message());
+	if (ts_trace_open(&traces[m], scratch_path("%u", (unsigned)m)) != TS_OK) fail_msg("%s", ts_error_message());
 }
 
 static inline int traces_begin(void **state)
 {
-	(void)state;
-	assert_non_null(mkdtemp(traces_root));
+	assert_int_equal(scratch_begin(state), 0);
 	ts_params params = traces_params(0), of_surfels = traces_params(TRACES_SURFELS);
 	ts_scene *scene = small_scene(&params), *surfels = small_scene(&of_surfels);
 	traces_shrink(scene);
@@ -142,11 +137,9 @@ static inline int traces_begin(void **state)
 
 static inline int traces_end(void **state)
 {
-	(void)state;
 	for (u32 m = 0; m < N_TRACES; m++) ts_trace_close(traces[m]);
 	while (traces_n_paths > 0) free(traces_paths[--traces_n_paths]);
-	traces_shell("rm -rf %s", traces_root);
-	return 0;
+	return scratch_remove(state);
 }
 
 /* A buffer of a trace, whole, in memory of malloc. */
@@ -174,8 +167,8 @@ typedef struct {
 static inline ts_trace *traces_plant(u32 m, const planted *own, u32 n, const char *order, const char *more)
 {
 	static u32 n_made;
-	char dir[MAX_DIR], path[MAX_TEXT], header[TS_NPY_HEADER], descr[TS_NPY_DESCR];
-	snprintf(dir, sizeof dir, "%s/candidate-%u", traces_root, (unsigned)n_made++);
+	const char *dir = scratch_path("candidate-%u", (unsigned)n_made++);
+	char path[MAX_TEXT], header[TS_NPY_HEADER], descr[TS_NPY_DESCR];
 	assert_int_equal(mkdir(dir, 0700), 0);
 	snprintf(path, sizeof path, "%s/trace.json", dir);
 	FILE *json = fopen(path, "w");

@@ -94,5 +94,5 @@ int main(void)
 		cmocka_unit_test(test_failure),
 		cmocka_unit_test(test_names),
 	};
-	return cmocka_run_group_tests(emit, folder_begin, folder_end);
+	return cmocka_run_group_tests(emit, scratch_begin, scratch_remove);
 }

@@ -1,4 +1,4 @@
-/* What the tests of traces share: a scratch folder, files, .npy files written from the format's specification, and
+/* What the tests of traces share: files, .npy files written from the format's specification, and
  * small traces. */
 #ifndef TS_TESTS_TRACE_FOLDER_H
 #define TS_TESTS_TRACE_FOLDER_H
@@ -14,41 +14,7 @@
 #include <cmocka.h>
 #include <jansson.h>
 #include "../../src/trace/npy.h"
-
-enum { FOLDER_PATH = 512 };
-
-static char folder_root[FOLDER_PATH];
-
-/* A group's setup and teardown. */
-static inline int folder_begin(void **state)
-{
-	(void)state;
-	const char *tmp = getenv("TMPDIR");
-	snprintf(folder_root, sizeof folder_root, "%.400s/touchstone-trace-XXXXXX", tmp != NULL ? tmp : "/tmp");
-	return mkdtemp(folder_root) != NULL ? 0 : -1;
-}
-
-static inline int folder_end(void **state)
-{
-	(void)state;
-	char command[FOLDER_PATH + 16];
-	snprintf(command, sizeof command, "rm -rf '%s'", folder_root);
-	return system(command);
-}
-
-/* A path in the scratch folder; one of eight that are valid at a time. */
-static inline const char *folder_path(const char *format, ...)
-{
-	static char paths[8][2 * FOLDER_PATH];
-	static int turn;
-	char *path = paths[turn++ % 8];
-	int n = snprintf(path, FOLDER_PATH, "%s/", folder_root);
-	va_list arguments;
-	va_start(arguments, format);
-	vsnprintf(path + n, FOLDER_PATH, format, arguments);
-	va_end(arguments);
-	return path;
-}
+#include "../scratch.h"
 
 static inline void file_write(const char *path, const void *data, size_t bytes)
 {

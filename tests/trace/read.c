@@ -3,7 +3,7 @@
 #include "small.h"
 #include "../../src/trace/read.h"
 
-static char good[FOLDER_PATH], bad[FOLDER_PATH];
+static char good[SCRATCH_PATH], bad[SCRATCH_PATH];
 
 /* A hand-made trace of three buffers. */
 static int begin(void **state)
@@ -15,13 +15,13 @@ static int begin(void **state)
 		"{\"name\": \"points.key\", \"file\": \"k.npy\"}, {\"name\": \"image.srgb\", \"file\": \"s.npy\"},"
 		"{\"name\": \"cull.keep\", \"file\": null}]}";
 	char data[24] = {0};
-	if (folder_begin(state) != 0) return -1;
-	snprintf(good, sizeof good, "%s", folder_path("good"));
-	snprintf(bad, sizeof bad, "%s", folder_path("bad"));
+	if (scratch_begin(state) != 0) return -1;
+	snprintf(good, sizeof good, "%s", scratch_path("good"));
+	snprintf(bad, sizeof bad, "%s", scratch_path("bad"));
 	mkdir(good, 0777);
-	file_write(folder_path("good/trace.json"), text, sizeof text - 1);
-	npy_write(folder_path("good/k.npy"), "'<u8'", "(3,)", data, 24);
-	npy_write(folder_path("good/s.npy"), "'|u1'", "(2, 4, 3)", data, 24);
+	file_write(scratch_path("good/trace.json"), text, sizeof text - 1);
+	npy_write(scratch_path("good/k.npy"), "'<u8'", "(3,)", data, 24);
+	npy_write(scratch_path("good/s.npy"), "'|u1'", "(2, 4, 3)", data, 24);
 	return 0;
 }
 
@@ -137,19 +137,19 @@ static void test_values(void **state)
 	char zero[32] = {0};
 	for (u32 i = 0; i < sizeof values / sizeof *values; i++) {
 		small_copy(bad, good);
-		assert_int_equal(mkfifo(folder_path("bad/fifo"), 0666), 0);
-		assert_int_equal(mkdir(folder_path("bad/folder"), 0777), 0);
-		assert_int_equal(symlink("../good/k.npy", folder_path("bad/link.npy")), 0);
-		assert_int_equal(symlink("k.npy", folder_path("bad/inside.npy")), 0);
-		file_write(folder_path("bad/empty"), "", 0);
-		npy_write(folder_path("bad/four.npy"), "'|u1'", "(2, 4, 4)", zero, 32);
-		npy_write(folder_path("bad/flat.npy"), "'|u1'", "(24,)", zero, 24);
+		assert_int_equal(mkfifo(scratch_path("bad/fifo"), 0666), 0);
+		assert_int_equal(mkdir(scratch_path("bad/folder"), 0777), 0);
+		assert_int_equal(symlink("../good/k.npy", scratch_path("bad/link.npy")), 0);
+		assert_int_equal(symlink("k.npy", scratch_path("bad/inside.npy")), 0);
+		file_write(scratch_path("bad/empty"), "", 0);
+		npy_write(scratch_path("bad/four.npy"), "'|u1'", "(2, 4, 4)", zero, 32);
+		npy_write(scratch_path("bad/flat.npy"), "'|u1'", "(24,)", zero, 24);
 		small_edit(bad, change, &values[i]);
 		refused(values[i].says);
 	}
 }
 
-static void put(const char *text, size_t bytes) { file_write(folder_path("bad/trace.json"), text, bytes); }
+static void put(const char *text, size_t bytes) { file_write(scratch_path("bad/trace.json"), text, bytes); }
 
 /* No JSON, cut JSON, duplicate keys, other roots, too deep, too long; no regular file. */
 static void test_text(void **state)
@@ -157,7 +157,7 @@ static void test_text(void **state)
 	(void)state;
 	size_t bytes;
 	small_copy(bad, good);
-	char *text = file_read(folder_path("good/trace.json"), &bytes);
+	char *text = file_read(scratch_path("good/trace.json"), &bytes);
 	for (size_t n = 0; n < bytes - 1; n++) {
 		put(text, n);
 		refused("trace.json: line ");
@@ -178,14 +178,14 @@ static void test_text(void **state)
 	put(deep, DEEP);
 	free(deep);
 	refused("line 1");
-	assert_int_equal(truncate(folder_path("bad/trace.json"), (1 << 24) + 1), 0);
+	assert_int_equal(truncate(scratch_path("bad/trace.json"), (1 << 24) + 1), 0);
 	refused("a trace.json has at most");
-	unlink(folder_path("bad/trace.json"));
+	unlink(scratch_path("bad/trace.json"));
 	refused("No such file");
-	assert_int_equal(symlink("../good/trace.json", folder_path("bad/trace.json")), 0);
+	assert_int_equal(symlink("../good/trace.json", scratch_path("bad/trace.json")), 0);
 	refused("is a link");
-	unlink(folder_path("bad/trace.json"));
-	assert_int_equal(mkfifo(folder_path("bad/trace.json"), 0666), 0);
+	unlink(scratch_path("bad/trace.json"));
+	assert_int_equal(mkfifo(scratch_path("bad/trace.json"), 0666), 0);
 	refused("not a regular file");
 }
 
@@ -207,8 +207,8 @@ static void test_layout(void **state)
 	ts_trace *like, *t;
 	assert_int_equal(ts_trace_open(&like, good), TS_OK);
 	small_copy(bad, good);
-	file_write(folder_path("bad/raw.bin"), "0123456789abcdef", 16);
-	assert_int_equal(symlink("raw.bin", folder_path("bad/link.bin")), 0);
+	file_write(scratch_path("bad/raw.bin"), "0123456789abcdef", 16);
+	assert_int_equal(symlink("raw.bin", scratch_path("bad/link.bin")), 0);
 	for (u32 i = 0; i < sizeof cases / sizeof *cases; i++) {
 		if (ts_trace_open_layout(&t, bad, cases[i].key, false, like) == TS_OK) fail_msg("%s", cases[i].key);
 		assert_null(t);
@@ -228,21 +228,21 @@ static void test_file(void **state)
 	ts_trace *t;
 	ts_buffer_id id;
 	small_copy(bad, good);
-	rename(folder_path("bad/k.npy"), folder_path("bad/11-points.key.npy"));
-	assert_int_equal(symlink("11-points.key.npy", folder_path("bad/points.key.npy")), 0);
+	rename(scratch_path("bad/k.npy"), scratch_path("bad/11-points.key.npy"));
+	assert_int_equal(symlink("11-points.key.npy", scratch_path("bad/points.key.npy")), 0);
 	for (u32 i = 0; i < 2; i++) {
 		assert_int_equal(
-			ts_trace_open_file(&t, folder_path(i == 0 ? "bad/11-points.key.npy" : "bad/points.key.npy"), &id), TS_OK);
+			ts_trace_open_file(&t, scratch_path(i == 0 ? "bad/11-points.key.npy" : "bad/points.key.npy"), &id), TS_OK);
 		assert_true(id == TS_B_points_key && t->item[id].npy.n == 3);
 		ts_trace_close(t);
 	}
 	static const char *const names[] = {"bad/s.npy",   "bad/trace.json", "bad/.npy",
 	                                    "bad/11-.npy", "bad/",           "bad/points.keys.npy"};
 	for (u32 i = 0; i < 6; i++) {
-		assert_int_equal(ts_trace_open_file(&t, folder_path("%s", names[i]), &id), TS_ERROR);
+		assert_int_equal(ts_trace_open_file(&t, scratch_path("%s", names[i]), &id), TS_ERROR);
 		says("does not say which buffer");
 	}
-	assert_int_equal(ts_trace_open_file(&t, folder_path("bad/cull.keep.npy"), &id), TS_ERROR);
+	assert_int_equal(ts_trace_open_file(&t, scratch_path("bad/cull.keep.npy"), &id), TS_ERROR);
 	says("No such file");
 }
 
@@ -252,5 +252,5 @@ int main(void)
 		cmocka_unit_test(test_good),   cmocka_unit_test(test_values), cmocka_unit_test(test_text),
 		cmocka_unit_test(test_layout), cmocka_unit_test(test_file),
 	};
-	return cmocka_run_group_tests(read, begin, folder_end);
+	return cmocka_run_group_tests(read, begin, scratch_remove);
 }

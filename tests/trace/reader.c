@@ -24,7 +24,7 @@ static void test_random_access(void **state)
 {
 	(void)state;
 	static const size_t sizes[] = {1, 4, 8, 24, 48, 80, 96, 112};
-	const char *path = folder_path("random");
+	const char *path = scratch_path("random");
 	for (u32 s = 0; s < sizeof sizes / sizeof *sizes; s++) {
 		u64 n = 7 * 1000 * 1000 / sizes[s] + 3, held;
 		char *data = make_file(path, 100 + n * sizes[s]);
@@ -47,7 +47,7 @@ static void test_stream(void **state)
 {
 	(void)state;
 	u64 n = 5 * 1000 * 1000, held, at = 0;
-	const char *path = folder_path("stream");
+	const char *path = scratch_path("stream");
 	char *data = make_file(path, n);
 	ts_reader *r = ts_reader_open(path, 0, n, 1);
 	for (; at < n; at += held) {
@@ -63,7 +63,7 @@ static void test_stream(void **state)
 static void test_shortened(void **state)
 {
 	(void)state;
-	const char *path = folder_path("shortened");
+	const char *path = scratch_path("shortened");
 	u64 n = 1000 * 1000, held;
 	free(make_file(path, 8 * n));
 	ts_reader *r = ts_reader_open(path, 0, n, 8);
@@ -80,9 +80,9 @@ static void test_refused(void **state)
 {
 	(void)state;
 	u64 held;
-	assert_null(ts_reader_open(folder_path("none"), 0, 1, 1));
+	assert_null(ts_reader_open(scratch_path("none"), 0, 1, 1));
 	says("No such file");
-	ts_reader *r = ts_reader_open(folder_root, 0, 1, 1);
+	ts_reader *r = ts_reader_open(scratch_root, 0, 1, 1);
 	assert_null(ts_reader_at(r, 0, &held));
 	says("directory");
 	ts_reader_close(r);
@@ -97,5 +97,5 @@ int main(void)
 		cmocka_unit_test(test_shortened),
 		cmocka_unit_test(test_refused),
 	};
-	return cmocka_run_group_tests(reader, folder_begin, folder_end);
+	return cmocka_run_group_tests(reader, scratch_begin, scratch_remove);
 }

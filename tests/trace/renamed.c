@@ -15,7 +15,7 @@ static const ts_renamed planted[] = {
 	{0},
 };
 
-static char dir[FOLDER_PATH];
+static char dir[SCRATCH_PATH];
 
 static int begin(void **state)
 {
@@ -24,20 +24,20 @@ static int begin(void **state)
 		"\"effect\": \"reflections\", \"pipeline\": \"epr\", \"params\": {\"width_px\": \"64\"}, \"buffers\": ["
 		"{\"name\": \"keys.of_points\", \"file\": \"k.npy\"}, {\"name\": \"picture\", \"file\": \"s.npy\"}]}";
 	char data[24] = {0};
-	if (folder_begin(state) != 0) return -1;
-	snprintf(dir, sizeof dir, "%s", folder_path("trace"));
+	if (scratch_begin(state) != 0) return -1;
+	snprintf(dir, sizeof dir, "%s", scratch_path("trace"));
 	mkdir(dir, 0777);
-	file_write(folder_path("trace/trace.json"), text, sizeof text - 1);
-	npy_write(folder_path("trace/k.npy"), "'<u8'", "(3,)", data, 24);
-	npy_write(folder_path("trace/s.npy"), "'|u1'", "(2, 4, 3)", data, 24);
-	npy_write(folder_path("trace/11-keys.of_points.npy"), "'<u8'", "(3,)", data, 24);
+	file_write(scratch_path("trace/trace.json"), text, sizeof text - 1);
+	npy_write(scratch_path("trace/k.npy"), "'<u8'", "(3,)", data, 24);
+	npy_write(scratch_path("trace/s.npy"), "'|u1'", "(2, 4, 3)", data, 24);
+	npy_write(scratch_path("trace/11-keys.of_points.npy"), "'<u8'", "(3,)", data, 24);
 	return 0;
 }
 
 static int end(void **state)
 {
 	ts_renamed_use(NULL);
-	return folder_end(state);
+	return scratch_remove(state);
 }
 
 /* Old names are none without the table. */
@@ -78,7 +78,7 @@ static void test_layout_and_file(void **state)
 	assert_int_equal(ts_trace_open_layout(&t, dir, "points.key=k.npy,keys.of_points=k.npy", false, like), TS_ERROR);
 	says("there twice");
 	ts_trace_close(like);
-	assert_int_equal(ts_trace_open_file(&t, folder_path("trace/11-keys.of_points.npy"), &id), TS_OK);
+	assert_int_equal(ts_trace_open_file(&t, scratch_path("trace/11-keys.of_points.npy"), &id), TS_OK);
 	assert_int_equal(id, TS_B_points_key);
 	ts_trace_close(t);
 	assert_string_equal(said_end(), "keys.of_points is now called points.key; the old name works until 0.2\n"

@@ -10,7 +10,7 @@
 /* The files that a trace was given, in order. */
 typedef struct {
 	const char *dir;
-	char paths[TS_N_BUFFERS + 1][2 * FOLDER_PATH];
+	char paths[TS_N_BUFFERS + 1][2 * SCRATCH_PATH];
 	u32 n;
 } small_place;
 
@@ -75,7 +75,7 @@ static inline void small_trace(const char *dir, const char *method, const ts_sce
 
 static inline void small_copy(const char *to, const char *from)
 {
-	char command[4 * FOLDER_PATH];
+	char command[4 * SCRATCH_PATH];
 	snprintf(command, sizeof command, "rm -rf '%s' && cp -r '%s' '%s'", to, from, to);
 	assert_int_equal(system(command), 0);
 }
@@ -83,7 +83,7 @@ static inline void small_copy(const char *to, const char *from)
 /* The text of trace.json after `change`, which gets its root. */
 static inline void small_edit(const char *dir, void (*change)(json_t *root, const void *user), const void *user)
 {
-	char path[2 * FOLDER_PATH];
+	char path[2 * SCRATCH_PATH];
 	snprintf(path, sizeof path, "%s/trace.json", dir);
 	json_t *root = json_load_file(path, 0, NULL);
 	assert_non_null(root);

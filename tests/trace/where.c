@@ -10,13 +10,13 @@ static void put(ts_buffer_id id, const void *data, u32 n_dims, u64 d0, u64 d1, u
 	item->npy =
 		(ts_npy){.n_dims = n_dims, .shape = {d0, d1, d2}, .n = d0 * (n_dims > 1 ? d1 : 1) * (n_dims > 2 ? d2 : 1)};
 	if (data == NULL) return;
-	item->path = strdup(folder_path("%s", ts_buffer_table[id].name));
+	item->path = strdup(scratch_path("%s", ts_buffer_table[id].name));
 	file_write(item->path, data, (size_t)item->npy.n * ts_buffer_table[id].element_bytes);
 }
 
 static int begin(void **state)
 {
-	if (folder_begin(state) != 0) return -1;
+	if (scratch_begin(state) != 0) return -1;
 	static const u64 keys[] = {812ull << 32 | (u64)(32768 + 3) << 16 | (32768 + 5),
 	                           7ull << 32 | (u64)(32768 - 9) << 16 | 0};
 	static const ts_face cubes[] = {{.n = 4, .offset = 0}, {.n = 0, .offset = 96}, {.n = 2, .offset = 96}};
@@ -42,7 +42,7 @@ static int begin(void **state)
 static int end(void **state)
 {
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) free(trace.item[id].path);
-	return folder_end(state);
+	return scratch_remove(state);
 }
 
 static void is(ts_buffer_id id, u64 element, const char *expected)

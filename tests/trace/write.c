@@ -10,7 +10,7 @@ static ts_params params;
 static int begin(void **state)
 {
 	params = small_params();
-	if (folder_begin(state) != 0) return -1;
+	if (scratch_begin(state) != 0) return -1;
 	scene = small_scene(&params);
 	return 0;
 }
@@ -18,7 +18,7 @@ static int begin(void **state)
 static int end(void **state)
 {
 	ts_scene_free(scene);
-	return folder_end(state);
+	return scratch_remove(state);
 }
 
 static void digest_of(char hex[TS_DIGEST_BYTES], const char *path)
@@ -34,7 +34,7 @@ static void digest_of(char hex[TS_DIGEST_BYTES], const char *path)
 
 static json_t *buffers_of(json_t **root, const char *dir)
 {
-	char path[2 * FOLDER_PATH];
+	char path[2 * SCRATCH_PATH];
 	snprintf(path, sizeof path, "%s/trace.json", dir);
 	*root = json_load_file(path, JSON_REJECT_DUPLICATES, NULL);
 	json_t *buffers = json_object_get(*root, "buffers");
@@ -49,7 +49,7 @@ static u32 check_digests(const char *dir, const ts_sums *sums)
 	size_t i;
 	u32 n = 0;
 	json_array_foreach (buffers, i, entry) {
-		char hex[TS_DIGEST_BYTES], path[3 * FOLDER_PATH];
+		char hex[TS_DIGEST_BYTES], path[3 * SCRATCH_PATH];
 		ts_buffer_id id;
 		const char *sha256 = json_string_value(json_object_get(entry, "sha256"));
 		const char *file = json_string_value(json_object_get(entry, "file"));
@@ -68,8 +68,8 @@ static u32 check_digests(const char *dir, const ts_sums *sums)
 static void traced(const char *name, const char *method, const ts_params *p, ts_trace_options options, u32 least)
 {
 	ts_sums sums;
-	char dir[FOLDER_PATH];
-	snprintf(dir, sizeof dir, "%s", folder_path("%s", name));
+	char dir[SCRATCH_PATH];
+	snprintf(dir, sizeof dir, "%s", scratch_path("%s", name));
 	small_trace(dir, method, scene, p, options);
 	ts_how how = {.threads = 1, .reference = true};
 	assert_int_equal(ts_sums_of(&sums, ts_pipeline_find("reflections", method), scene, p, &how), TS_OK);
@@ -104,7 +104,7 @@ static void test_batches(void **state)
 	scene = small_scene(&p);
 	traced("unseen", "mvr", &p, (ts_trace_options){.place = NULL}, 20);
 	ts_trace *trace;
-	assert_int_equal(ts_trace_open(&trace, folder_path("unseen")), TS_OK);
+	assert_int_equal(ts_trace_open(&trace, scratch_path("unseen")), TS_OK);
 	size_t bytes;
 	char *faces = file_read(trace->item[TS_B_cube_size_face].path, &bytes);
 	const ts_face *cubes = (const ts_face *)(faces + trace->item[TS_B_cube_size_face].npy.data_at);
@@ -124,11 +124,11 @@ static void test_without(void **state)
 	ts_trace_options options = {.place = NULL};
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) options.without[id] = id != TS_B_points_key && id != TS_B_image_srgb;
 	traced("some", "epr", &params, options, 2);
-	json_t *root, *buffers = buffers_of(&root, folder_path("some"));
+	json_t *root, *buffers = buffers_of(&root, scratch_path("some"));
 	assert_true(json_array_size(buffers) >= 40);
 	json_decref(root);
-	assert_true(access(folder_path("some/00-scene.texel.npy"), F_OK) != 0);
-	assert_true(access(folder_path("some/11-points.key.npy"), F_OK) == 0);
+	assert_true(access(scratch_path("some/00-scene.texel.npy"), F_OK) != 0);
+	assert_true(access(scratch_path("some/11-points.key.npy"), F_OK) == 0);
 }
 
 /* The crop's rows are those of the whole. */
@@ -137,8 +137,8 @@ static void test_crop(void **state)
 	(void)state;
 	traced("crop", "epr", &params, (ts_trace_options){.crop = {5, 7, 20, 11}}, 40);
 	ts_trace *whole, *part;
-	assert_int_equal(ts_trace_open(&whole, folder_path("epr")), TS_OK);
-	assert_int_equal(ts_trace_open(&part, folder_path("crop")), TS_OK);
+	assert_int_equal(ts_trace_open(&whole, scratch_path("epr")), TS_OK);
+	assert_int_equal(ts_trace_open(&part, scratch_path("crop")), TS_OK);
 	static const ts_buffer_id ids[] = {TS_B_eye_depth_triangle, TS_B_image_radiance, TS_B_image_srgb};
 	for (u32 i = 0; i < 3; i++) {
 		const ts_trace_item *a = &whole->item[ids[i]], *b = &part->item[ids[i]];
@@ -210,8 +210,8 @@ static void test_plan(void **state)
 {
 	(void)state;
 	json_t *root;
-	small_trace(folder_path("planned"), "mvr", scene, &params, (ts_trace_options){.place = NULL});
-	buffers_of(&root, folder_path("planned"));
+	small_trace(scratch_path("planned"), "mvr", scene, &params, (ts_trace_options){.place = NULL});
+	buffers_of(&root, scratch_path("planned"));
 	const json_t *face = json_object_get(json_object_get(root, "params"), "cube.px");
 	assert_string_equal(json_string_value(face), "0");
 	assert_int_equal(json_object_size(json_object_get(root, "plan")), TS_PLAN_ROWS);

@@ -1,32 +1,12 @@
 /* Files of a gibibyte: what they begin with, or what is said of them, is looked at before they are read. */
 #include "files.h"
 #include <sys/resource.h>
-
-static char folder[] = "/tmp/touchstone-large-XXXXXX";
-static char path[64];
-
-static int set_up(void **state)
-{
-	(void)state;
-	return mkdtemp(folder) ? 0 : -1;
-}
-
-static int tear_down(void **state)
-{
-	(void)state;
-	return rmdir(folder);
-}
-
-static const char *name(const char *leaf)
-{
-	snprintf(path, sizeof path, "%s/%s", folder, leaf);
-	return path;
-}
+#include "../../scratch.h"
 
 /* A gibibyte of zeros, without blocks on the disk, after `head`. */
 static void make(const char *leaf, const char *head, size_t n)
 {
-	FILE *file = fopen(name(leaf), "wb");
+	FILE *file = fopen(scratch_path("%s", leaf), "wb");
 	assert_non_null(file);
 	assert_int_equal(fwrite(head, 1, n, file), n);
 	assert_int_equal(fflush(file), 0);
@@ -45,7 +25,7 @@ static ts_build *load(const char *leaf)
 {
 	ts_build *build = ts_build_new("test");
 	long before = peak_kib();
-	ts_gltf_load(build, name(leaf), NULL, 8);
+	ts_gltf_load(build, scratch_path("%s", leaf), NULL, 8);
 	assert_true(peak_kib() - before < 256 * 1024);
 	return build;
 }
@@ -65,14 +45,14 @@ static void test_scenes(void **state)
 	for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
 		make(rows[i].leaf, rows[i].head, rows[i].n);
 		assert_refused(load(rows[i].leaf), rows[i].words);
-		unlink(name(rows[i].leaf));
+		unlink(scratch_path("%s", rows[i].leaf));
 	}
 }
 
 /* A scene whose buffer of 36 bytes and image are files. */
 static void write_scene(void)
 {
-	FILE *file = fopen(name("scene.gltf"), "w");
+	FILE *file = fopen(scratch_path("scene.gltf"), "w");
 	assert_non_null(file);
 	fputs("{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"byteLength\":36,\"uri\":\"zeros.bin\"}],\"bufferViews\":["
 	      "{\"buffer\":0,\"byteLength\":36}],\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"type\":\"VEC3\","
@@ -96,9 +76,9 @@ static void test_buffers_and_images(void **state)
 	assert_int_equal(ts_build_peek(build)->n_triangles, 1);
 	assert_note(build, "images/0 is GIF");
 	ts_build_free(build);
-	unlink(name("image"));
-	unlink(name("zeros.bin"));
-	unlink(name("scene.gltf"));
+	unlink(scratch_path("image"));
+	unlink(scratch_path("zeros.bin"));
+	unlink(scratch_path("scene.gltf"));
 }
 
 int main(void)
@@ -107,5 +87,5 @@ int main(void)
 		cmocka_unit_test(test_scenes),
 		cmocka_unit_test(test_buffers_and_images),
 	};
-	return cmocka_run_group_tests(tests, set_up, tear_down);
+	return cmocka_run_group_tests(tests, scratch_begin, scratch_end);
 }

@@ -2,6 +2,7 @@
 #include "../../../src/model/core.h"
 #include "../../../src/kernels/base/shade.h"
 #include "../../../src/scene/build.h"
+#include "../../scratch.h"
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -12,26 +13,11 @@
 #include <cmocka.h>
 
 static ts_params params;
-static char folder[] = "/tmp/ts-open-XXXXXX";
 
 static int set_up(void **state)
 {
-	(void)state;
 	ts_params_default(&params);
-	return mkdtemp(folder) ? 0 : -1;
-}
-
-static int tear_down(void **state)
-{
-	(void)state;
-	return rmdir(folder);
-}
-
-static const char *in_folder(const char *name)
-{
-	static char path[256];
-	snprintf(path, sizeof path, "%s/%s", folder, name);
-	return path;
+	return scratch_begin(state);
 }
 
 static void refuse(const char *spec, const ts_scene_options *options, const char *words)
@@ -50,21 +36,21 @@ static void test_missing(void **state)
 	refuse("no-such-scene", NULL, "built in are atrium, gallery, dining and checkerboard");
 	refuse("", NULL, "no such scene");
 	refuse("no-such-scene.gltf", NULL, "No such file");
-	refuse(in_folder("nothing.glb"), NULL, "No such file");
-	refuse(in_folder("nothing.obj"), NULL, "No such file");
+	refuse(scratch_path("nothing.glb"), NULL, "No such file");
+	refuse(scratch_path("nothing.obj"), NULL, "No such file");
 }
 
 static void test_not_a_scene(void **state)
 {
 	(void)state;
-	refuse(folder, NULL, "is a directory");
-	const char *path = in_folder("scene.obj");
+	refuse(scratch_root, NULL, "is a directory");
+	const char *path = scratch_path("scene.obj");
 	FILE *file = fopen(path, "w");
 	assert_non_null(file);
 	fclose(file);
 	refuse(path, NULL, "must end in .gltf, .glb or .ply");
 	assert_int_equal(unlink(path), 0);
-	path = in_folder("pipe.gltf");
+	path = scratch_path("pipe.gltf");
 	assert_int_equal(mkfifo(path, 0600), 0);
 	refuse(path, NULL, "not a regular file");
 	assert_int_equal(unlink(path), 0);
@@ -75,7 +61,7 @@ static void test_not_a_file_of_ours(void **state)
 	(void)state;
 	const char *const names[2] = {"empty.gltf", "empty.glb"};
 	for (int i = 0; i < 2; i++) {
-		const char *path = in_folder(names[i]);
+		const char *path = scratch_path("%s", names[i]);
 		FILE *file = fopen(path, "w");
 		assert_non_null(file);
 		fclose(file);
@@ -201,5 +187,5 @@ int main(void)
 		cmocka_unit_test(test_json),
 		cmocka_unit_test(test_full_disk),
 	};
-	return cmocka_run_group_tests(tests, set_up, tear_down);
+	return cmocka_run_group_tests(tests, set_up, scratch_end);
 }

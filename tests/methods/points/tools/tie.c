@@ -24,7 +24,7 @@ static u64 bits = 0x3f;
 static void put(ts_buffer_id id, const void *data, u64 n, u64 second)
 {
 	ts_trace_item *item = &reference.item[id];
-	if (item->path == NULL) item->path = strdup(folder_path("%s", ts_buffer_table[id].name));
+	if (item->path == NULL) item->path = strdup(scratch_path("%s", ts_buffer_table[id].name));
 	item->npy = (ts_npy){.n_dims = second != 0 ? 2 : 1, .shape = {n, second}, .n = n};
 	file_write(item->path, data, (size_t)n * ts_buffer_table[id].element_bytes);
 }
@@ -41,7 +41,7 @@ static void put_all(void)
 
 static int begin(void **state)
 {
-	if (folder_begin(state) != 0) return -1;
+	if (scratch_begin(state) != 0) return -1;
 	ts_params_default(&reference.params);
 	memset(ties, 1, sizeof ties);
 	memset(alone, 0xff, sizeof alone);
@@ -69,7 +69,7 @@ static int begin(void **state)
 static int end(void **state)
 {
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) free(reference.item[id].path);
-	return folder_end(state);
+	return scratch_remove(state);
 }
 
 static bool allows(u64 texel, u64 ref, u64 cand)
