@@ -361,6 +361,7 @@ static void test_root_and_child(void **state)
 	(void)state;
 	assert_drawn_once("0,1,2,3", "0,3");
 	assert_drawn_once("3,2,1,0", "3,0");
+	assert_drawn_once("0,2,3", "0,3"); /* between them one that is no root */
 	assert_drawn_once("3,0,3,3", "3,0");
 	assert_drawn_once("2,1", "1");
 	ts_build *build = load("\"scenes\":[{\"nodes\":[1]}],\"nodes\":[{\"children\":[1]},{\"mesh\":0}]," TRIANGLE);
