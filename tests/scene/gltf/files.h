@@ -18,8 +18,9 @@ static inline void base64(char *to, const unsigned char *from, size_t n)
 {
 	static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 	for (size_t i = 0; i < n; i += 3) {
-		u32 word = (u32)from[i] << 16 | (u32)from[i + 1] << 8 | from[i + 2];
-		for (int k = 18; k >= 0; k -= 6) *to++ = digits[word >> k & 63];
+		u32 word = 0;
+		for (size_t k = 0; k < 3; k++) word = word << 8 | (i + k < n ? from[i + k] : 0);
+		for (size_t k = 0; k < 4; k++) *to++ = i + k <= n ? digits[word >> (18 - 6 * k) & 63] : '=';
 	}
 	*to = '\0';
 }

@@ -81,6 +81,11 @@ static void test_refused(void **state)
 	assert_refused(load("application/octet-stream", ""), "buffers/0/uri: a data URI that holds nothing");
 	assert_refused(load("application/octet-stream;base64", ""), "buffers/0/uri: a data URI that holds nothing");
 	assert_refused(load("application/octet-stream", "abc"), "buffers/0/uri holds 3 bytes; byteLength says 36");
+	base64(coded, buffer, BYTES - 1);
+	assert_refused(load("application/octet-stream;base64", coded), "buffers/0/uri holds 35 bytes; byteLength says 36");
+	base64(coded, buffer, BYTES - 2);
+	assert_refused(load("application/octet-stream;base64", coded), "buffers/0/uri holds 34 bytes; byteLength says 36");
+	base64(coded, buffer, BYTES);
 	coded[0] = '*';
 	assert_refused(load("application/octet-stream;base64", coded), "byte 0 of the data is no base64");
 	coded[0] = '=';
