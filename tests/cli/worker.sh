@@ -12,10 +12,12 @@ if ! ${CC:-gcc} -shared -fPIC -o end.so "$source" -ldl 2> stderr; then
 	echo "ok 1 - the library that ends # SKIP ${CC:-gcc} makes no shared library: $(head -1 stderr)"
 	finish
 fi
+# Jobs of shells ignore some signals, and so does what nohup starts.
+heeding=(env --default-signal=INT,TERM,HUP,QUIT,PIPE)
 # ending HOW ARGUMENT...: the command, to which that happens as it makes its folder.
 ending() {
-	TOUCHSTONE_END=$1 TOUCHSTONE_END_AT=$scratch/now/here LD_PRELOAD=$scratch/end.so timeout 100 "$touchstone" "${@:2}" \
-		> stdout 2> stderr
+	TOUCHSTONE_END=$1 TOUCHSTONE_END_AT=$scratch/now/here LD_PRELOAD=$scratch/end.so timeout 100 "${heeding[@]}" \
+		"$touchstone" "${@:2}" > stdout 2> stderr
 	status=$?
 }
 # leaves NAMES: the scratch folder holds that, and what this script made.
@@ -39,10 +41,8 @@ done
 # sent SIGNAL: the exit status of a command that waits, and gets it.
 sent() {
 	rm -rf now
-	(trap - INT QUIT; TOUCHSTONE_END=wait TOUCHSTONE_END_AT=$scratch/now/here LD_PRELOAD=$scratch/end.so exec \
-		python3 -c 'import os, signal, sys
-for s in (signal.SIGINT, signal.SIGQUIT, signal.SIGPIPE): signal.signal(s, signal.SIG_DFL)
-os.execv(sys.argv[1], sys.argv[1:])' "$touchstone" "${tiny[@]}" -o "$scratch/a/b" > stdout 2> stderr) &
+	TOUCHSTONE_END=wait TOUCHSTONE_END_AT=$scratch/now/here LD_PRELOAD=$scratch/end.so "${heeding[@]}" \
+		"$touchstone" "${tiny[@]}" -o "$scratch/a/b" > stdout 2> stderr &
 	local process=$!
 	for ((i = 0; i < 600; i++)); do [ -e now/here ] && break; sleep 0.05; done
 	{ kill -"$1" $process; wait $process; } 2> /dev/null
