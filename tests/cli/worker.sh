@@ -5,7 +5,8 @@
 . "$(dirname "$0")/traces.bash"
 source=$(realpath "$(dirname "$0")/preload/end.c")
 cd "$scratch" || exit 2
-export ASAN_OPTIONS="${ASAN_OPTIONS:-}:verify_asan_link_order=0"
+own=handle_segv=0:handle_sigfpe=0:handle_abort=0 # a sanitizer reports these signals itself, unless it is told not to
+export ASAN_OPTIONS="${ASAN_OPTIONS:-}:verify_asan_link_order=0:$own" TSAN_OPTIONS="${TSAN_OPTIONS:-}:$own"
 tiny=(render reflections atrium:triangles=10000:texels=32 --size 16x16 --reflectors 1 --set cube.max_px=16 --method mvr)
 
 if ! ${CC:-gcc} -shared -fPIC -o end.so "$source" -ldl 2> stderr; then
