@@ -107,8 +107,7 @@ static void test_others(void **state)
 		"{'descr': '<f4', 'fortran_order': False, 'shape': (2, 3), }",
 		"{'shape':(2,3),'descr':'<f4','fortran_order':False}",
 		"{\"descr\": \"<f4\", \"shape\": (2, 3,), \"fortran_order\": False}",
-		" { 'shape' : ( 2 , 3 ) ,\n'descr' : '<f4' "
-		", 'fortran_order' : False } \n",
+		" { 'shape' : ( 2 , 3 ) ,\n'descr' : '<f4' , 'fortran_order' : False } \n",
 	};
 	for (u32 i = 0; i < sizeof dicts / sizeof *dicts; i++) {
 		for (int version = 1; version <= 3; version++) {
