@@ -201,8 +201,8 @@ static void test_too_many_zeros(void **state)
 {
 	static const char *const more[3] = {
 		",{\"componentType\":5126,\"type\":\"VEC3\",\"count\":2000000000}",
-		",{\"componentType\":5126,\"type\":\"VEC3\",\"count\":2000000000,\"sparse\":{\"count\":1,\"indices\":{"
-		"\"bufferView\":0,\"byteOffset\":73,\"componentType\":5121},\"values\":{\"bufferView\":0}}}",
+		(",{\"componentType\":5126,\"type\":\"VEC3\",\"count\":2000000000,\"sparse\":{\"count\":1,\"indices\":{"
+	     "\"bufferView\":0,\"byteOffset\":73,\"componentType\":5121},\"values\":{\"bufferView\":0}}}"),
 		",{\"componentType\":5125,\"type\":\"SCALAR\",\"count\":2000000000}",
 	};
 	static const char *const primitive[3] = {"\"POSITION\":6}", "\"POSITION\":6}", "\"POSITION\":0},\"indices\":6"};
