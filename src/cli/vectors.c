@@ -62,8 +62,7 @@ static ts_status write_index(json_t *list)
 	bool whole = root != NULL && json_array_size(list) == ts_vectors_count();
 	char *text = whole ? json_dumps(root, JSON_INDENT(1)) : NULL;
 	json_decref(root);
-	ts_status status = text != NULL ? ts_starved_check(path) : ts_fail("%s: out of memory", path);
-	if (status == TS_OK) status = ts_file_write(path, text, strlen(text));
+	ts_status status = text != NULL ? ts_file_write(path, text, strlen(text)) : ts_fail("%s: out of memory", path);
 	free(text);
 	return status;
 }

@@ -29,11 +29,6 @@ void *ts_alloc_zero(size_t count, size_t size, const char *what);
 /* Grows *array (of *capacity elements) to hold at least `need`, at least doubling. */
 ts_status ts_grow(void **array, size_t *capacity, size_t need, size_t size, const char *what);
 
-/* malloc for a library that does not tell when it gets none; that is remembered, for good. */
-void *ts_starved_malloc(size_t bytes);
-/* Fails, `what: out of memory`, if that has happened: what the library made or read may not be whole. */
-ts_status ts_starved_check(const char *what);
-
 /* All of a regular file, which is untrusted, and a 0 behind it, by free(). NULL with the message set: it cannot be
  * read, or is larger than a third of the machine's memory. */
 char *ts_input_read(size_t *bytes, const char *path);

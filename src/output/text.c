@@ -34,7 +34,7 @@ void ts_file_text_drop(ts_file_text *text)
 ts_status ts_file_text_flush(ts_file_text *text, const char *what)
 {
 	bool whole = fflush(text->out) == 0 && ferror(text->out) == 0;
-	return whole ? ts_starved_check(what) : ts_fail("%s: out of memory", what);
+	return whole ? TS_OK : ts_fail("%s: out of memory", what);
 }
 
 ts_status ts_file_text_close(ts_file_text *text, const char *what)
@@ -42,7 +42,7 @@ ts_status ts_file_text_close(ts_file_text *text, const char *what)
 	bool whole = fflush(text->out) == 0 && ferror(text->out) == 0 && append(text, "", 0) == 0 && text->text != NULL;
 	whole &= fclose(text->out) == 0;
 	text->out = NULL;
-	if (whole && ts_starved_check(what) == TS_OK) return TS_OK;
+	if (whole) return TS_OK;
 	free(text->text);
 	*text = (ts_file_text){.out = NULL};
 	return ts_fail("%s: out of memory", what);

@@ -51,7 +51,7 @@ static ts_status read_list(json_t **files, const char *dir, const char *name)
 	json_t *listed = json_object_get(root, "files");
 	if (program != NULL && strcmp(program, "touchstone") == 0 && are_names(listed)) *files = json_incref(listed);
 	json_decref(root);
-	return ts_starved_check(path);
+	return TS_OK;
 }
 
 static bool has(const json_t *ours, const char *dir, const char *name)

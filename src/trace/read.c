@@ -157,10 +157,6 @@ static ts_status read_json(ts_trace *trace)
 	json_t *root = json_loadb(text, n, JSON_REJECT_DUPLICATES, &error);
 	if (root == NULL) ts_json_why(why, &error);
 	free(text);
-	if (ts_starved_check(path) != TS_OK) {
-		json_decref(root);
-		return TS_ERROR;
-	}
 	if (!json_is_object(root)) {
 		json_decref(root);
 		return ts_fail("%s: %s", path, root != NULL ? "line 1: not an object" : why);

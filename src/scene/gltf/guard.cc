@@ -57,7 +57,6 @@ static owned parse(const char *text, size_t n)
 	errno = 0;
 	owned root(json_loadb(text, n, JSON_REJECT_DUPLICATES | JSON_ALLOW_NUL, &problem), json_decref);
 	if (!root) fail("%s", ts_json_why(why, &problem));
-	if (ts_starved_check("JSON") != TS_OK) throw std::bad_alloc();
 	if (!json_is_object(root.get())) fail("the JSON is not an object");
 	return root;
 }
@@ -422,7 +421,7 @@ document guard(const char *text, size_t n, const container &parts)
 	check_views(root.get(), lengths);
 	back_accessors(check, root.get());
 	std::unique_ptr<char, void (*)(void *)> json(json_dumps(root.get(), JSON_COMPACT | JSON_REAL_PRECISION(17)), free);
-	if (!json || ts_starved_check("JSON") != TS_OK) throw std::bad_alloc();
+	if (!json) throw std::bad_alloc();
 	check.doc.json = json.get();
 	return std::move(check.doc);
 }
