@@ -33,8 +33,7 @@ void ts_file_text_drop(ts_file_text *text)
 
 ts_status ts_file_text_flush(ts_file_text *text, const char *what)
 {
-	bool whole = fflush(text->out) == 0 && ferror(text->out) == 0;
-	return whole ? TS_OK : ts_fail("%s: out of memory", what);
+	return fflush(text->out) == 0 && ferror(text->out) == 0 ? TS_OK : ts_fail("%s: out of memory", what);
 }
 
 ts_status ts_file_text_close(ts_file_text *text, const char *what)

@@ -115,7 +115,7 @@ static void test_crop(void **state)
 	*item = whole;
 }
 
-/* What the reference lacks is left out. */
+/* A place names no cube, texel or size that the reference lacks. */
 static void test_absent(void **state)
 {
 	(void)state;
