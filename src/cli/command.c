@@ -81,7 +81,8 @@ static int run(void *user)
 	task *t = user;
 	ts_cli *cli = &t->cli;
 	if (ts_command_takes(t->command, TS_OPTION_THREADS)) {
-		cli->job.how.threads = ts_threads_ready(cli->job.how.threads);
+		/* The worker asks how many there are: OpenMP does not live through a fork. */
+		cli->job.how.threads = cli->job.how.threads == 0 ? ts_threads_all() : ts_threads_ready(cli->job.how.threads);
 	}
 	require_path();
 	ts_status status = ts_backend_open(&cli->job);

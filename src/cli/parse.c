@@ -1,6 +1,5 @@
 /* From argv to a ts_cli, by getopt_long and the table of options. */
 #include <getopt.h>
-#include <omp.h>
 #include <stdio.h>
 #include <string.h>
 #include "cli.h"
@@ -106,7 +105,6 @@ static void set_defaults(ts_cli *cli)
 	job->backends = ts_backend_kinds;
 	job->backend = ts_backend_kinds[0];
 	job->device = (ts_backend_options){.work_group = 64, .build = ""};
-	job->how.threads = (u32)omp_get_num_procs();
 }
 
 ts_status ts_cli_parse(ts_cli *cli, const ts_command *command, int argc, char **argv)

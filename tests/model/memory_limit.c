@@ -10,12 +10,6 @@
 #include "../../src/model/memory_limit.h"
 
 #define NONE UINT64_MAX
-/* These map terabytes. */
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define LIMIT_SPACE 0
-#else
-#define LIMIT_SPACE 1
-#endif
 
 static void the_least_limit_counts(void **state)
 {
@@ -98,7 +92,7 @@ static void limits_of_the_process_count(void **state)
 {
 	const int resources[2] = {RLIMIT_AS, RLIMIT_DATA};
 	(void)state;
-	if (!LIMIT_SPACE) skip();
+	if (TS_TEST_SANITIZED) skip(); /* which maps terabytes */
 	for (int i = 0; i < 2; i++) {
 		pid_t child = fork();
 		assert_true(child >= 0);
