@@ -80,12 +80,12 @@ static int run(void *user)
 {
 	task *t = user;
 	ts_cli *cli = &t->cli;
-	if (ts_command_takes(t->command, TS_OPTION_THREADS)) {
-		/* The worker asks how many there are: OpenMP does not live through a fork. */
-		cli->job.how.threads = cli->job.how.threads == 0 ? ts_threads_all() : ts_threads_ready(cli->job.how.threads);
-	}
 	require_path();
-	ts_status status = ts_backend_open(&cli->job);
+	ts_status status = ts_backend_open(&cli->job); /* before there are threads: who asks for devices forks */
+	if (status == TS_OK && ts_command_takes(t->command, TS_OPTION_THREADS)) {
+		u32 *n = &cli->job.how.threads;
+		*n = *n == 0 ? ts_threads_all() : ts_threads_ready(*n);
+	}
 	if (status == TS_OK) status = t->command->run(cli);
 	if (cli->job.how.backend != NULL) cli->job.how.backend->close(cli->job.how.backend);
 	return end(status);

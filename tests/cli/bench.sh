@@ -40,7 +40,7 @@ report = results(sys.argv[1])
 assert sorted(report["files"] + ["report.json"]) == sorted(os.listdir(sys.argv[1]))
 parts = {name: [r for r in report[name] if r["source"] == "here"] for name in report if name.startswith("epr_2")}
 assert [r["mirrors"] for r in parts["epr_2"]] == [1, 2]
-for points, ms, ivir, rmse in zip(*parts.values()):
+for points, ms, rmse in zip(parts["epr_2"], parts["epr_2_ms"], parts["epr_2_rmse"]):
 	assert points["triangles"] >= 10000 and points["points"] > 0
 	assert abs(points["points_ratio"] - points["ivir_points"] / points["points"]) < 1e-6
 	assert min(ms["point_ms"], ms["view_ms"], ms["deferred_ms"], ms["deferred2_ms"], ms["mvr_ms"]) > 0
