@@ -96,8 +96,21 @@ static ts_status run_variant(ts_bench_case *c, u32 v, bool first)
 	if (ts_bench_case_params(&params, c, v) != TS_OK) return TS_ERROR;
 	ts_how how = c->job->how;
 	if (c->variants[v].runs == TS_ALONE) how.threads = 1;
-	c->measures[v] = (ts_measure){.pictures = NULL};
+	c->measures[v] = (ts_measure){.rays = c->rays && takes};
 	return ts_measure_run(&c->measures[v], c->methods[v], c->scene, &params, &how, takes ? take_image : NULL, &s);
+}
+
+/* A truth that no run of a variant has made. */
+static ts_status make_truth(ts_bench_case *c)
+{
+	ts_picture pictures[TS_MAX_TRUTHS] = {{.name = ""}};
+	u32 threads = c->job->how.threads, row = 0;
+	if (c->judge->radiance != NULL) return ts_picture_truth_alone(&c->truth, c->judge, c->scene, &c->params, threads);
+	if (c->judge->begin == NULL) return TS_OK;
+	while (ts_truths()[row] != c->judge) row++;
+	ts_status status = ts_picture_truths_begun(pictures, 1u << row, c->judge, c->effect, c->scene, &c->params, threads);
+	c->truth = pictures[row];
+	return status;
 }
 
 ts_status ts_bench_case_run(ts_bench_case *c, u32 run)
@@ -107,10 +120,7 @@ ts_status ts_bench_case_run(ts_bench_case *c, u32 run)
 		bool runs = c->methods[v] != NULL && (run == 0 || c->variants[v].runs != TS_ONCE);
 		if (runs) status = run_variant(c, v, run == 0);
 	}
-	if (status == TS_OK && run == 0 && c->judge != NULL && c->judge->radiance != NULL) {
-		status = ts_picture_truth_alone(&c->truth, c->judge, c->scene, &c->params, c->job->how.threads);
-	}
-	return status;
+	return status == TS_OK && run == 0 && c->judge != NULL ? make_truth(c) : status;
 }
 
 void ts_bench_case_close(ts_bench_case *c)

@@ -26,6 +26,7 @@ typedef struct {
 	const ts_bench_variant *variants; /* ended by one without a method */
 	u32 n_variants;
 	const ts_truth_kind *judge; /* the truth that images are compared with; NULL: none */
+	bool rays;                  /* count what rays say of texels and shadows, in runs whose image is kept */
 	const char *spec;           /* of the scene */
 	ts_scene *scene;
 	ts_params params;
@@ -38,8 +39,8 @@ typedef struct {
 	double looked[TS_BENCH_VARIANTS];              /* its answers, of the first run of variants whose image is kept */
 } ts_bench_case;
 
-/* Opens the scene, and refuses what would need too much memory. A case whose five first members are set and the others
- * zero may be closed whether or not it was opened. */
+/* Opens the scene, and refuses what would need too much memory. A case whose first members, up to `rays`, are set and
+ * the others zero may be closed whether or not it was opened. */
 ts_status ts_bench_case_open(ts_bench_case *c, const char *spec, const ts_params *params);
 /* Run 0, 1, ... of every variant; run 0 also makes the truth. */
 ts_status ts_bench_case_run(ts_bench_case *c, u32 run);

@@ -51,7 +51,7 @@ static double counted(const ts_measure *m, const char *name)
 	return counter != NULL ? (double)counter->value : NAN;
 }
 
-static double rmse(const ts_bench_case *c, ts_figure_kind kind, u32 variant, u32 other)
+static double error(const ts_bench_case *c, ts_figure_kind kind, u32 variant, u32 other)
 {
 	const ts_picture *image = &c->images[variant], *reference = c->judge != NULL ? &c->truth : &c->images[other];
 	if (image->srgb == NULL || reference->srgb == NULL || image == reference) return NAN;
@@ -59,7 +59,8 @@ static double rmse(const ts_bench_case *c, ts_figure_kind kind, u32 variant, u32
 	if (kind == TS_FIGURE_RELATIVE) {
 		return ts_metrics_relative(reference->radiance, image->radiance, image->seen, width, height);
 	}
-	return ts_metrics_compare(reference->srgb, image->srgb, NULL, width, height).rmse;
+	ts_metrics found = ts_metrics_compare(reference->srgb, image->srgb, NULL, width, height);
+	return kind == TS_FIGURE_PSNR ? found.psnr : kind == TS_FIGURE_SSIM ? found.ssim : found.rmse;
 }
 
 /* NAN of images that were not kept. */
@@ -92,7 +93,9 @@ static double measured(const ts_bench_figure *f, const ts_bench_case *c)
 	case TS_FIGURE_PART_TIME: return milliseconds(m, f->what, 0);
 	case TS_FIGURE_REST_TIME: return 1e3 * m->seconds - milliseconds(m, f->what, 0);
 	case TS_FIGURE_RMSE:
-	case TS_FIGURE_RELATIVE: return rmse(c, f->kind, f->a, f->b);
+	case TS_FIGURE_PSNR:
+	case TS_FIGURE_SSIM:
+	case TS_FIGURE_RELATIVE: return error(c, f->kind, f->a, f->b);
 	case TS_FIGURE_LOOKED: return c->looked[f->a];
 	default: return NAN;
 	}
@@ -121,6 +124,7 @@ void ts_bench_measure(double *values, const ts_bench_figure *figures, const ts_b
 static double derived(ts_figure_kind kind, double a, double b)
 {
 	if (kind == TS_FIGURE_MORE) return 100 * (a - b) / 255;
+	if (kind == TS_FIGURE_DIFFERENCE) return a - b;
 	if (!(b > 0)) return NAN;
 	if (kind == TS_FIGURE_RATE) return 1e3 / b;
 	if (kind == TS_FIGURE_PERCENT) return 100 * a / b;

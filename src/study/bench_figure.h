@@ -25,6 +25,8 @@ typedef enum {
 	TS_FIGURE_PART_TIME,                 /* the same, but 0 where none of them ran */
 	TS_FIGURE_REST_TIME,                 /* all others, ms */
 	TS_FIGURE_RMSE,                      /* to the truth or, where a table has none, to variant b; grey levels */
+	TS_FIGURE_PSNR,                      /* of the same, dB */
+	TS_FIGURE_SSIM,                      /* of the same */
 	TS_FIGURE_RELATIVE,                  /* the same in radiance by the mean of the other's, without the sky */
 	TS_FIGURE_LOOKED,                    /* what the table's own function says of the buffers */
 	TS_FIGURE_DERIVED,                   /* from here on */
@@ -32,6 +34,7 @@ typedef enum {
 	TS_FIGURE_SAVED,                     /* 100 (1 - a / b) */
 	TS_FIGURE_PERCENT,                   /* 100 a / b */
 	TS_FIGURE_MORE,                      /* 100 (a - b) / 255 */
+	TS_FIGURE_DIFFERENCE,                /* a - b */
 	TS_FIGURE_SUM,                       /* of all from a to b */
 	TS_FIGURE_GROWTH,                    /* e, where a grows as b^e since the row before */
 	TS_FIGURE_RATE,                      /* a second, of b in ms */

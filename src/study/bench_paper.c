@@ -54,6 +54,7 @@ static ts_status measure_line(ts_paper_line *line, const work *w, const char *sp
 	c->effect = w->table->effect;
 	c->variants = w->table->variants;
 	c->judge = w->judge;
+	c->rays = w->table->rays;
 	c->look = w->table->look;
 	c->sampled = w->table->sampled;
 	c->hurried = w->table->most_long != 0 && line->objects > w->table->most_long;

@@ -64,6 +64,7 @@ typedef struct ts_paper_table {
 	const char *note;                  /* a line above the table, or NULL */
 	bool timed;                        /* --runs; else one run, of counts */
 	const char *judge;                 /* the truth that errors are to, unless --truth says otherwise; NULL: none */
+	bool rays;                         /* count what rays say of off-screen texels and of shadows, once */
 	bool by_triangles;                 /* the paper's row is the one nearest in triangles, figure 0 */
 	double (*look)(const ts_run *run); /* for figures of TS_FIGURE_LOOKED; or NULL */
 	const ts_bench_variant *variants;
