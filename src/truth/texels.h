@@ -8,10 +8,11 @@ typedef struct {
 	u64 holes;   /* of these, those that hold nothing */
 	u64 leaks;   /* of these, those that hold what is farther than the hit by more than the rule allows: something shows
 	              * through */
-	u64 apart;   /* of these, those whose depth is not the hit's within as much: leaks, and what reaches into texels */
-	u64 asked;   /* places whose shadows were asked for */
-	u64 lit;     /* of these, those that the texels let through, and something stops: light leaks */
-	u64 dark;    /* of these, those that the texels stop, and nothing does */
+	u64 apart; /* of these, those whose depth is not the hit's within as much, nor, where the rule asks more rays, that
+	            * of any other place of the texel: leaks, and what reaches into texels */
+	u64 asked; /* places whose shadows were asked for */
+	u64 lit;   /* of these, those that the texels let through, and something stops: light leaks */
+	u64 dark;  /* of these, those that the texels stop, and nothing does */
 } ts_texel_counts;
 
 /* `judge` adds to *counts what a buffer of the run's batch is like, when the stage that wrote it has run. */

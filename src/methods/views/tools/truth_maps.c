@@ -5,7 +5,7 @@
 #include "../../../truth/query.h"
 #include "tools.h"
 
-enum { MOST_VIEWS = 1024, PLACES = 64, WRONG_LEAVES = 3 };
+enum { MOST_VIEWS = 1024, PLACES = 64, WRONG_LEAVES = 3, FINER = 4 };
 
 typedef struct {
 	const ts_truth *truth;
@@ -15,14 +15,31 @@ typedef struct {
 	bool all;        /* views see all directions */
 } judge;
 
+static ts_truth_hit cast(const judge *j, ts_v3 from, ts_v3 way)
+{
+	ts_truth_query ray = {.origin = from, .direction = way, .near = j->reach, .masked = TS_NONE, .from = from};
+	return ts_truth_cast(j->truth, &ray);
+}
+
+/* A texel sees more than its middle: whether any of its ways leads to something as far away. */
+static bool is_there(const judge *j, ts_v3 from, u32 texel, f32 depth)
+{
+	u32 n = j->of.n, side = FINER * n, half = texel / (n * n), row = texel / n % n, column = texel % n;
+	for (u32 k = 0; k < FINER * FINER; k++) {
+		u32 finer = (half * side + FINER * row + k / FINER) * side + FINER * column + k % FINER;
+		ts_truth_hit hit = cast(j, from, ts_k_paraboloid_direction(finer, side));
+		if (hit.triangle != TS_NONE && ts_abs(depth - hit.t) <= j->leaf * WRONG_LEAVES) return true;
+	}
+	return false;
+}
+
 static void judge_texel(const judge *j, u32 view, u32 texel, ts_texel_counts *counts)
 {
 	const ts_vpl *light = &j->of.lights[view];
 	ts_v3 from = ts_load3(light->position), d = ts_k_paraboloid_direction(texel, j->of.n);
 	bool seen = j->all || ts_dot(d, ts_load3(light->normal)) > 0.0f;
 	if (!seen || !ts_k_paraboloid_is_used(texel, j->of.n)) return;
-	ts_truth_query ray = {.origin = from, .direction = d, .near = j->reach, .masked = TS_NONE, .from = from};
-	ts_truth_hit hit = ts_truth_cast(j->truth, &ray);
+	ts_truth_hit hit = cast(j, from, d);
 	u32 leaf = j->of.leaves[view], bits = j->of.depths[(u64)leaf * (2 * j->of.n * j->of.n) + texel];
 	if (hit.triangle == TS_NONE) return;
 	counts->covered++;
@@ -30,7 +47,7 @@ static void judge_texel(const judge *j, u32 view, u32 texel, ts_texel_counts *co
 	if (bits == TS_NONE) return;
 	f32 depth = ts_k_moved_depth(ts_load3(j->of.nodes[leaf].centre), ts_u2f(bits), from, texel, j->of.n);
 	counts->leaks += depth > hit.t + j->leaf * WRONG_LEAVES;
-	counts->apart += ts_abs(depth - hit.t) > j->leaf * WRONG_LEAVES;
+	counts->apart += ts_abs(depth - hit.t) > j->leaf * WRONG_LEAVES && !is_there(j, from, texel, depth);
 }
 
 /* Pixel of a view's place k, the same for all methods. */

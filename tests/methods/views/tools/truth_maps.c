@@ -1,5 +1,5 @@
-/* Maps of virtual point lights against rays: coarse ones stop more light than fine ones, and by distance let more
- * through than by the plane; emptied or filled maps are found to be. */
+/* Maps of virtual point lights against rays: coarse ones stop and let through more light wrongly than fine ones, and
+ * by distance let more through than by the plane; emptied or filled maps are found to be. */
 #include "../../small.h"
 #include "../../../../src/methods/views/tools/tools.h"
 
@@ -11,7 +11,7 @@ static ts_params params_of(u32 px)
 	params.octree_levels = 7;
 	params.vpl_paths = 150;
 	params.view_map_px = px;
-	params.view_map_multipixel = 1;
+	params.view_map_multipixel = TS_MULTIPIXEL_TEXELS;
 	return params;
 }
 
@@ -48,7 +48,8 @@ static void test_sizes(void **state)
 	ts_texel_counts c = counts_of(scene, &distance, 1);
 	ts_texel_counts again = counts_of(scene, &coarse, 1);
 	assert_memory_equal(&a, &again, sizeof a);
-	assert_true(a.asked > 1000 && a.asked == b.asked && b.dark < a.dark / 2 && a.lit < c.lit / 2);
+	assert_true(a.asked > 1000 && a.asked == b.asked && a.lit < c.lit / 2);
+	assert_true(b.dark < a.dark * 4 / 5 && b.lit < a.lit * 4 / 5);
 	ts_scene_free(scene);
 }
 
