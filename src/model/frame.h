@@ -19,7 +19,7 @@ typedef struct {
 	void (*release)(void *resident);
 } ts_residence;
 
-enum { TS_TALLIES = 5, TS_WORK_tallies = 0, TS_WORK_other, TS_WORK_queue, TS_WORK_counts, TS_WORK_kept, TS_N_WORK };
+enum { TS_TALLIES = 6, TS_WORK_tallies = 0, TS_WORK_other, TS_WORK_queue, TS_WORK_counts, TS_WORK_kept, TS_N_WORK };
 
 typedef struct {
 	ts_buffer buffer[TS_N_BUFFERS];

@@ -12,7 +12,7 @@ static void test_traverse(void **state)
 	grove g;
 	grove_state = 1234567;
 	grove_plant(&g, 5, 5, 20000, grove_surface, 200, grove_surface);
-	params.view_map_multipixel = 1;
+	params.view_map_multipixel = TS_MULTIPIXEL_MIPS;
 	grove_outcome expected = grove_run(&g, scene, &params, 2, NULL, true);
 	assert_true(expected.n_pairs > 10000);
 	for (u32 i = 0; i < 4; i++) {

@@ -116,7 +116,7 @@ for method in megaviews bruteforce; do
 	views=(render indirect atrium:triangles=10000:texels=32 --size 96x54 --set octree.levels=5 --set vpl.paths=1000 --set rsm.px=16 --no-images
 		--set vpl_gather.lights=0 --method "$method")
 	run "${views[@]}" --margins -o ref
-	for more in depth_map.bias=1.01 vpl_gather.bias_plane=2.05; do
+	for more in depth_map.bias=1.01 vpl_gather.bias_plane=1.025; do
 		run "${views[@]}" --set $more --trace -o far --force
 		run compare "ref/trace-$method" "far/trace-$method" --decided
 		read -r different undecided <<< "$(row vpl_gather.irradiance)"

@@ -26,7 +26,7 @@ typedef struct {
 #define TS_PAIR_SPLIT_VIEW 1u
 #define TS_PAIR_RENDER 2u
 #define TS_PAIR_CULL 3u
-#define TS_PAIR_TOUCH 4u
+#define TS_PAIR_NEAR 4u
 
 /* Stored cosines and what follows are rounded: nothing is culled within so much of the bounds. */
 #define TS_CULL_COSINE 0.0000002384185791015625f
@@ -122,12 +122,10 @@ TS_FN bool ts_k_pair_splits_view(const ts_ball *s, const ts_ball *v)
 /* From the nearest place in one ball to that in the other; at most 0 where they touch. */
 TS_FN f32 ts_k_pair_gap(const ts_ball *s, const ts_ball *v) { return ts_length(ts_sub(s->p, v->p)) - (s->r + v->r); }
 
-/* Two leaves that touch; a view alone stands for a leaf as large as that of the scene. */
-TS_FN f32 ts_k_pair_touch_reach(const ts_ball *s, const ts_ball *v) { return s->r + ts_max(s->r, v->r); }
-
-TS_FN bool ts_k_pair_touches(const ts_ball *s, const ts_ball *v)
+/* Two leaves whose middles are nearer than so many radii of that of the scene. */
+TS_FN bool ts_k_pair_is_near(const ts_ball *s, const ts_ball *v, f32 apart)
 {
-	return s->leaf && v->leaf && ts_length(ts_sub(s->p, v->p)) < ts_k_pair_touch_reach(s, v);
+	return s->leaf && v->leaf && ts_length(ts_sub(s->p, v->p)) < apart * s->r;
 }
 
 #endif

@@ -12,7 +12,7 @@
 /* In the place of a pair. */
 #define TS_STRUCK 0xfffffffffffffffdUL /* the least of them */
 #define TS_STRUCK_CULLED 0xfffffffffffffffdUL
-#define TS_STRUCK_TOUCHING 0xfffffffffffffffeUL
+#define TS_STRUCK_NEAR 0xfffffffffffffffeUL
 #define TS_STRUCK_SPLIT 0xffffffffffffffffUL
 
 #define TS_STEPS 23u /* from two roots to leaves 11 levels below them */
@@ -26,15 +26,15 @@
 	ARG(WORK, u64, next, queue)     /* of the next step */ \
 	ARG(WORK, u32, offset, counts)  /* children, later rendered pairs, before each: counts, then their prefix sums */ \
 	ARG(WORK, u64, rendered, kept)  /* the rendered pairs of the queue */ \
-	ARG(TALLY_OPT, i64, tallies, 0) /* pairs culled, touching, rendered, of these wider than a texel; views served */ \
+	ARG(TALLY_OPT, i64, tallies, 0) /* pairs culled, near, rendered, wider, of several views; views */ \
 	ARG(VALUE, u64, n_pairs, none) \
 	ARG(VALUE, ts_aperture, phi, none) \
 	ARG(VALUE, u32, n, none) /* texels a side of a map */ \
 	ARG(VALUE, u32, first_view, none) \
-	ARG(VALUE, u32, touching, none) /* leaves that touch are rendered, too */ \
-	ARG(VALUE, u32, last, none)     /* nodes of this level count as leaves */ \
-	ARG(VALUE, u32, to_last, none)  /* only pairs of leaves are rendered */ \
-	ARG(VALUE, f32, cutoff, none)   /* pairs farther apart are culled; 0: none */
+	ARG(VALUE, f32, apart, none)   /* radii; leaves that are nearer are not rendered */ \
+	ARG(VALUE, u32, last, none)    /* nodes of this level count as leaves */ \
+	ARG(VALUE, u32, to_last, none) /* only pairs of leaves are rendered */ \
+	ARG(VALUE, f32, cutoff, none)  /* pairs farther apart are culled; 0: none */
 TS_ARGS(ts_traverse_args);
 
 TS_FN u64 ts_k_pair(u32 node, u32 views) { return ((u64)node << 32) | views; }
@@ -56,7 +56,7 @@ TS_FN u32 ts_k_pair_fate(const ts_traverse_args *args, u64 pair)
 	if (ts_k_pair_is_culled(&s, &v, &cone, &args->phi)) return TS_PAIR_CULL;
 	if (args->cutoff > 0.0f && ts_k_pair_gap(&s, &v) > args->cutoff) return TS_PAIR_CULL;
 	if (args->to_last == 0u && ts_k_pair_is_equivalent(&s, &v, args->n)) return TS_PAIR_RENDER;
-	if (args->touching == 0u && ts_k_pair_touches(&s, &v)) return TS_PAIR_TOUCH;
+	if (ts_k_pair_is_near(&s, &v, args->apart)) return TS_PAIR_NEAR;
 	if (s.leaf && v.leaf) return TS_PAIR_RENDER;
 	return ts_k_pair_splits_view(&s, &v) ? TS_PAIR_SPLIT_VIEW : TS_PAIR_SPLIT_SCENE;
 }
@@ -75,7 +75,7 @@ TS_FN void ts_k_traverse_count_item(const ts_traverse_args *args, u64 i)
 	if (pair >= TS_STRUCK) return;
 	u32 fate = ts_k_pair_fate(args, pair);
 	if (fate == TS_PAIR_CULL) args->queue[i] = TS_STRUCK_CULLED;
-	if (fate == TS_PAIR_TOUCH) args->queue[i] = TS_STRUCK_TOUCHING;
+	if (fate == TS_PAIR_NEAR) args->queue[i] = TS_STRUCK_NEAR;
 	if (fate == TS_PAIR_SPLIT_SCENE) args->offset[i] = ts_k_count_bits(args->nodes[ts_k_pair_node(pair)].children);
 	if (fate == TS_PAIR_SPLIT_VIEW) args->offset[i] = ts_k_count_bits(args->views[ts_k_pair_views(pair)].children);
 }
@@ -110,21 +110,25 @@ TS_FN bool ts_k_pair_is_wide(const ts_traverse_args *args, u64 pair)
 TS_FN void ts_k_traverse_tally_item(const ts_traverse_args *args, u64 i)
 {
 	u64 end = (i + 1u) * TS_TALLY_PAIRS;
-	i64 culled = 0, touching = 0, rendered = 0, wide = 0, served = 0;
+	i64 culled = 0, near = 0, rendered = 0, wide = 0, several = 0, served = 0;
 	for (u64 k = i * TS_TALLY_PAIRS; k < end && k < args->n_pairs; k++) {
 		u64 pair = args->queue[k];
 		culled += pair == TS_STRUCK_CULLED ? 1 : 0;
-		touching += pair == TS_STRUCK_TOUCHING ? 1 : 0;
+		near += pair == TS_STRUCK_NEAR ? 1 : 0;
 		if (pair >= TS_STRUCK) continue;
 		rendered++;
-		wide += ts_k_pair_is_wide(args, pair) ? 1 : 0;
-		served += (i64)args->cones[ts_k_pair_views(pair)].views;
+		u32 views = args->cones[ts_k_pair_views(pair)].views;
+		bool is_wide = ts_k_pair_is_wide(args, pair);
+		wide += is_wide ? 1 : 0;
+		several += is_wide && views > 1u ? 1 : 0;
+		served += (i64)views;
 	}
 	ts_add_i64(&args->tallies[0], culled);
-	ts_add_i64(&args->tallies[1], touching);
+	ts_add_i64(&args->tallies[1], near);
 	ts_add_i64(&args->tallies[2], rendered);
 	ts_add_i64(&args->tallies[3], wide);
-	ts_add_i64(&args->tallies[4], served);
+	ts_add_i64(&args->tallies[4], several);
+	ts_add_i64(&args->tallies[5], served);
 }
 
 /* map over pairs: 1 where one is left */

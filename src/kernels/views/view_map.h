@@ -1,14 +1,16 @@
 /* Rendered pairs in dual-paraboloid maps, one a node of views (MegaViews section 3.2; METHODS 13): the distance between
- * the middles of the two nodes in one texel, by 64-bit minimum. Leaves wider than a texel may be splatted into a
- * coarser level of a pyramid over the map, whose texels show through where finer ones are empty. */
+ * the middles of the two nodes, by 64-bit minimum, in the texel of the node's middle, and of leaves that are wider in
+ * all that they cover. */
 #ifndef TS_KERNELS_VIEW_MAP_H
 #define TS_KERNELS_VIEW_MAP_H
 #include "../base/args.h"
+#include "cap.h"
 #include "traverse.h"
 
 /* A pyramid: level l is two maps of n >> l texels a side. */
 typedef struct {
 	u32 n, levels;
+	f32 fill; /* radii of a leaf's ball that is filled; 0: only the texel of its middle */
 } ts_pyramid;
 
 /* Texels before a level; those of all levels, before the last but one. */
@@ -39,16 +41,35 @@ TS_FN u32 ts_k_pyramid_above(const ts_pyramid *pyramid, u32 texel, u32 level)
 	ARG(VALUE, ts_pyramid, pyramid, none)
 TS_ARGS(ts_view_map_args);
 
-/* ceil(log2(size)), seen from the middle of the views; at most the last. */
-TS_FN u32 ts_k_map_level(const ts_pyramid *pyramid, ts_v3 vs, f32 d, f32 radius)
+/* The texel is inside, and no coarser one that holds it. */
+TS_FN bool ts_k_cap_is_filled(const ts_cap *cap, const ts_pyramid *pyramid, u32 level, u32 column, u32 row)
 {
-	if (pyramid->levels == 1u) return 0u;
-	f32 divisor = d > 0.0f ? d : 1.0f;
-	f32 sine = d > radius ? radius / divisor : 1.0f;
-	f32 size = ts_k_paraboloid_size(ts_abs(vs.x) / divisor, sine, pyramid->n);
-	u32 level = 0u;
-	while (level + 1u < pyramid->levels && (f32)(1u << level) < size) level++;
-	return level;
+	if (!(ts_k_cap_inside(cap, pyramid->n, level, column, row) >= 0.0f)) return false;
+	bool last = level + 1u == pyramid->levels;
+	return last || !(ts_k_cap_inside(cap, pyramid->n, level + 1u, column >> 1u, row >> 1u) >= 0.0f);
+}
+
+/* Fills what the cap covers in the front or the back of a map. */
+TS_FN void ts_k_cap_fill(TS_GLOBAL u64 *map, const ts_pyramid *pyramid, const ts_cap *cap, bool back, u64 key)
+{
+	ts_cap_box box = ts_k_cap_box(cap, pyramid->n);
+	if (box.x.from >= box.x.to || box.y.from >= box.y.to) return;
+	for (u32 level = 0u; level < pyramid->levels; level++) {
+		u32 side = pyramid->n >> level;
+		TS_GLOBAL u64 *texels = map + ts_k_pyramid_first(pyramid, level) + (back ? side * side : 0u);
+		for (u32 row = (u32)box.y.from >> level; row <= ((u32)box.y.to - 1u) >> level; row++) {
+			for (u32 column = (u32)box.x.from >> level; column <= ((u32)box.x.to - 1u) >> level; column++) {
+				if (ts_k_cap_is_filled(cap, pyramid, level, column, row)) ts_min_u64(&texels[row * side + column], key);
+			}
+		}
+	}
+}
+
+/* Texels that a ball is wide. One that is no wider than a texel is only in that of its middle. */
+TS_FN f32 ts_k_map_width(const ts_pyramid *pyramid, ts_v3 vs, f32 radius)
+{
+	f32 d = ts_length(vs);
+	return d > radius ? ts_k_paraboloid_size(ts_abs(vs.x) / d, radius / d, pyramid->n) : 2.0f * (f32)pyramid->n;
 }
 
 TS_FN void ts_k_map_pair(const ts_view_map_args *args, u64 pair)
@@ -56,11 +77,15 @@ TS_FN void ts_k_map_pair(const ts_view_map_args *args, u64 pair)
 	TS_GLOBAL const ts_node *node = &args->nodes[ts_k_pair_node(pair)];
 	u32 v = ts_k_pair_views(pair);
 	ts_v3 vs = ts_sub(ts_load3(node->centre), ts_load3(args->views[v].centre));
-	f32 d = ts_length(vs);
-	u32 level = ts_k_map_level(&args->pyramid, vs, d, node->radius);
-	u32 texel = ts_k_pyramid_above(&args->pyramid, ts_k_paraboloid_texel(vs, args->pyramid.n), level);
-	u64 key = ((u64)ts_f2u(ts_put(d)) << 32) | ts_k_pair_node(pair);
-	ts_min_u64(&args->texels[(u64)v * ts_k_pyramid_texels(&args->pyramid) + texel], key);
+	u64 key = ((u64)ts_f2u(ts_put(ts_length(vs))) << 32) | ts_k_pair_node(pair);
+	TS_GLOBAL u64 *map = args->texels + (u64)v * ts_k_pyramid_texels(&args->pyramid);
+	ts_min_u64(&map[ts_k_paraboloid_texel(vs, args->pyramid.n)], key);
+	f32 radius = node->radius * args->pyramid.fill;
+	if (!(radius > 0.0f) || !(ts_k_map_width(&args->pyramid, vs, radius) > 1.0f)) return;
+	for (u32 side = 0u; side < 2u; side++) {
+		ts_cap cap = ts_k_cap(vs, radius, side == 1u);
+		ts_k_cap_fill(map, &args->pyramid, &cap, side == 1u, key);
+	}
 }
 
 /* scatter over pairs */
@@ -69,12 +94,13 @@ TS_FN void ts_k_view_map_item(const ts_view_map_args *args, u64 i)
 	if (args->pairs[i] < TS_STRUCK) ts_k_map_pair(args, args->pairs[i]);
 }
 
-/* What is in a texel of the map at `texels`, or in the finest level above that has something; TS_EMPTY: none has. */
+/* What is in a texel of the map at `texels`, or nearer in a level above; TS_EMPTY: nothing. */
 TS_FN u64 ts_k_map_key(TS_GLOBAL const u64 *texels, const ts_pyramid *pyramid, u32 texel)
 {
 	u64 key = TS_EMPTY;
-	for (u32 level = 0u; level < pyramid->levels && key == TS_EMPTY; level++) {
-		key = texels[ts_k_pyramid_above(pyramid, texel, level)];
+	for (u32 level = 0u; level < pyramid->levels; level++) {
+		u64 there = texels[ts_k_pyramid_above(pyramid, texel, level)];
+		key = there < key ? there : key;
 	}
 	return key;
 }

@@ -1,8 +1,8 @@
 /* How near what maps show was to another answer, for ports that round otherwise (PORTING 7): a second pass over the
  * pairs that map.h got its own from, which changes nothing that was decided of the octrees that it was given. Where the
  * fate of a pair turns, it and all pairs below it may come or go, in texels that its ball may cover in the maps of its
- * views. Where the texel of a rendered pair turns, it may leave one for another. What comes behind what a texel shows
- * changes nothing. */
+ * views. Where a texel of a rendered pair turns, the pair may leave it, or come to it. What comes behind what a texel
+ * shows changes nothing. */
 #ifndef TS_KERNELS_VIEW_MAP_MARGIN_H
 #define TS_KERNELS_VIEW_MAP_MARGIN_H
 #include "../base/args.h"
@@ -42,12 +42,13 @@ TS_FN f32 ts_k_equivalent_margin(const ts_ball *s, const ts_ball *v, u32 n)
 	return ts_abs(size - 1.0f) / (2.0f * TS_MARGIN_ROUNDING);
 }
 
-/* Of the distance of two leaves and that at which they touch, in 8 ulps. */
-TS_FN f32 ts_k_touch_margin(const ts_ball *s, const ts_ball *v)
+/* Of the distance of two leaves and that up to which they are not rendered, in 8 ulps. */
+TS_FN f32 ts_k_near_margin(const ts_ball *s, const ts_ball *v, f32 apart)
 {
 	f32 d = ts_length(ts_sub(s->p, v->p));
-	if (!s->leaf || !v->leaf) return TS_MARGIN_NOWHERE;
-	return ts_abs(d - ts_k_pair_touch_reach(s, v)) / (ts_k_pair_touch_reach(s, v) * TS_MARGIN_ROUNDING);
+	f32 reach = apart * s->r;
+	if (!s->leaf || !v->leaf || !(reach > 0.0f)) return TS_MARGIN_NOWHERE;
+	return ts_abs(d - reach) / (reach * TS_MARGIN_ROUNDING);
 }
 
 /* The least of the tests that a pair came by. Which of the two is split depends on no rounding. */
@@ -59,46 +60,22 @@ TS_FN f32 ts_k_fate_margin(const ts_traverse_args *args, u64 pair, u32 fate)
 	f32 least = ts_k_cull_side_margin(&s, &v, &cone, &args->phi);
 	if (fate == TS_PAIR_CULL) return least;
 	least = ts_min(least, ts_k_equivalent_margin(&s, &v, args->n));
-	return args->touching == 0u ? ts_min(least, ts_k_touch_margin(&s, &v)) : least;
+	return ts_min(least, ts_k_near_margin(&s, &v, args->apart));
 }
 
-/* Texels of an axis that a circle of the disc may reach. */
-typedef struct {
-	i32 from, to;
-} ts_reach;
-
-TS_FN ts_reach ts_k_circle_reach(f32 middle, f32 radius, u32 n)
-{
-	ts_reach r;
-	r.from = ts_floor_i32(ts_clamp(ts_k_paraboloid_place(middle - radius, n), 0.0f, (f32)n));
-	r.to = ts_floor_i32(ts_clamp(ts_k_paraboloid_place(middle + radius, n), -1.0f, (f32)n - 1.0f)) + 1;
-	return r;
-}
-
-/* Texels of one of two maps that a ball may be in, but those that show what is nearer: the image of a ball is a
- * circle about the middle (y, z) / (x + c), c^2 = d^2 - r^2, of radius r / (x + c); or its outside, if the ball
- * covers the map's back. */
+/* Texels of one of two maps that a ball may be in, but those that show what is nearer. */
 TS_FN void ts_k_ball_margin_map(const ts_view_map_margin_args *args, u64 first, ts_v3 vs, f32 r, u32 level, bool back,
                                 f32 margin)
 {
 	u32 n = args->pyramid.n >> level;
 	f32 d = ts_length(vs);
-	f32 nearest = d - r;
-	f32 square = nearest * (d + r);
-	f32 sum = (back ? -vs.x : vs.x) + ts_sqrt(ts_flush(ts_max(square, 0.0f)));
-	ts_reach x;
-	x.from = 0;
-	x.to = (i32)n;
-	ts_reach y = x;
-	if (nearest > 0.0f && sum > d * TS_MARGIN_LEAST_SINE) {
-		x = ts_k_circle_reach(vs.y / sum, r / sum, n);
-		y = ts_k_circle_reach(vs.z / sum, r / sum, n);
-	}
 	f32 rounding = d * TS_MARGIN_ROUNDING;
-	u32 least = ts_f2u(ts_put(ts_max(nearest - rounding, 0.0f)));
+	u32 least = ts_f2u(ts_put(ts_max((d - r) - rounding, 0.0f)));
 	u64 map = first + ts_k_pyramid_first(&args->pyramid, level) + (back ? (u64)n * n : 0u);
-	for (i32 j = y.from; j < y.to; j++) {
-		for (i32 i = x.from; i < x.to; i++) {
+	ts_cap cap = ts_k_cap(vs, r, back);
+	ts_cap_box box = ts_k_cap_box(&cap, n);
+	for (i32 j = box.y.from; j < box.y.to; j++) {
+		for (i32 i = box.x.from; i < box.x.to; i++) {
 			u64 texel = map + (u64)j * n + (u64)i;
 			if ((u32)(args->texels[texel] >> 32) >= least) ts_k_least_bits(&args->margin[texel], margin);
 		}
@@ -138,77 +115,115 @@ TS_FN f32 ts_k_place_margin(f32 component, const ts_beside *beside, u32 n)
 	return component == 0.0f ? TS_MARGIN_NOWHERE : texels / ((f32)n * TS_MARGIN_ROUNDING);
 }
 
-/* The level of the pyramid whose width is the nearest to the ball's, beside its own; of the sine only 1 is not
- * rounded. */
+/* A pair of the distance d, and how near it is to be rendered, or not to be. */
 typedef struct {
-	u32 own, next;
-	f32 margin;
-} ts_level_beside;
-
-TS_FN ts_level_beside ts_k_level_beside(const ts_pyramid *pyramid, ts_v3 vs, f32 d, f32 radius)
-{
-	f32 sine = d > radius ? radius / d : 1.0f;
-	f32 size = ts_k_paraboloid_size(d > 0.0f ? ts_abs(vs.x) / d : 0.0f, sine, pyramid->n);
-	f32 square = sine * sine;
-	f32 left = sine < 1.0f ? 1.0f - square : 1.0f;
-	ts_level_beside r;
-	r.own = ts_k_map_level(pyramid, vs, d, radius);
-	f32 wide = (f32)(1u << r.own);
-	bool up = size > wide * 0.75f;
-	r.next = up ? r.own + 1u : r.own - 1u;
-	if (r.next >= pyramid->levels) r.next = r.own;
-	f32 apart = ts_abs(size - (up ? wide : wide * 0.5f)) / size;
-	r.margin = (apart * left) / (2.0f * TS_MARGIN_ROUNDING);
-	return r;
-}
-
-/* Where a pair of the distance d is in a map, and how near it is to be rendered, or not to be. */
-typedef struct {
-	u64 own;
 	u32 node;
 	f32 d, fate;
 	bool rendered;
+	f32 width; /* of the ball that is filled, in texels */
 } ts_placed;
 
-/* A pair may come to a texel where rounding turns that much: not behind what the texel shows, or so near behind that
- * this turns, too. And it leaves its own. */
-TS_FN void ts_k_come_margin(const ts_view_map_margin_args *args, const ts_placed *pair, u64 there, f32 turns)
+/* A pair that is in a texel, or is not, which turns with that much. It is shown there until it leaves; and it may come
+ * where it is not behind what is shown, or so near behind that this turns, too. */
+TS_FN void ts_k_place_turns(const ts_view_map_margin_args *args, const ts_placed *pair, u64 texel, bool is_there,
+                            f32 turns)
 {
-	u64 key = args->texels[there];
+	u64 key = args->texels[texel];
+	bool shown = key != TS_EMPTY && (u32)key == pair->node;
 	f32 behind = key != TS_EMPTY ? pair->d - ts_u2f((u32)(key >> 32)) : 0.0f;
 	f32 tie = behind > 0.0f ? behind / (pair->d * TS_MARGIN_ROUNDING) : 0.0f;
-	f32 comes = ts_max(ts_max(turns, tie), pair->rendered ? 0.0f : pair->fate);
-	bool shown = args->texels[pair->own] != TS_EMPTY && (u32)args->texels[pair->own] == pair->node;
-	bool stays = shown && there == pair->own;
-	if (shown) ts_k_least_bits(&args->margin[pair->own], stays ? pair->fate : turns);
-	if (!stays) ts_k_least_bits(&args->margin[there], comes);
+	f32 comes = ts_max(ts_max(is_there ? 0.0f : turns, tie), pair->rendered ? 0.0f : pair->fate);
+	f32 margin = shown ? ts_min(turns, pair->fate) : comes;
+	if (margin <= TS_MARGIN_REACH) ts_k_least_bits(&args->margin[texel], margin);
 }
 
-/* A pair in its texel and in those that rounding may give it. */
-TS_FN void ts_k_placed_margin(const ts_view_map_margin_args *args, u64 pair, f32 fate_margin, bool rendered)
+/* In the texel of its middle, and in those that rounding may give that. */
+TS_FN void ts_k_middle_margin(const ts_view_map_margin_args *args, const ts_placed *pair, u64 first, ts_v3 vs)
 {
-	TS_GLOBAL const ts_node *node = &args->of.nodes[ts_k_pair_node(pair)];
 	u32 n = args->pyramid.n;
-	u64 first = (u64)ts_k_pair_views(pair) * ts_k_pyramid_texels(&args->pyramid);
-	ts_v3 vs = ts_sub(ts_load3(node->centre), ts_load3(args->of.views[ts_k_pair_views(pair)].centre));
 	ts_v2 at = ts_k_paraboloid_at(vs, n);
 	ts_beside x = ts_k_beside(at.x);
 	ts_beside y = ts_k_beside(at.y);
-	ts_placed r;
-	r.node = ts_k_pair_node(pair);
-	r.d = ts_length(vs);
-	r.fate = fate_margin;
-	r.rendered = rendered;
-	ts_level_beside l = ts_k_level_beside(&args->pyramid, vs, r.d, node->radius);
-	for (u32 k = 0u; k < 8u; k++) {
-		f32 of_x = (k & 1u) != 0u ? ts_k_place_margin(vs.y, &x, n) : 0.0f;
-		f32 of_y = (k & 2u) != 0u ? ts_k_place_margin(vs.z, &y, n) : 0.0f;
-		f32 turns = ts_max(ts_max(of_x, of_y), (k & 4u) != 0u ? l.margin : 0.0f);
+	f32 of_x = ts_k_place_margin(vs.y, &x, n);
+	f32 of_y = ts_k_place_margin(vs.z, &y, n);
+	u32 own = ts_k_paraboloid_index(vs, x.own, y.own, n);
+	f32 leaves = TS_MARGIN_NOWHERE;
+	for (u32 k = 1u; k < 4u; k++) {
+		f32 turns = ts_max((k & 1u) != 0u ? of_x : 0.0f, (k & 2u) != 0u ? of_y : 0.0f);
 		u32 texel = ts_k_paraboloid_index(vs, (k & 1u) != 0u ? x.next : x.own, (k & 2u) != 0u ? y.next : y.own, n);
-		u64 there = first + ts_k_pyramid_above(&args->pyramid, texel, (k & 4u) != 0u ? l.next : l.own);
-		if (k == 0u) r.own = there;
-		if (turns <= TS_MARGIN_REACH && (k == 0u || there != r.own)) ts_k_come_margin(args, &r, there, turns);
+		if (texel == own) continue;
+		leaves = ts_min(leaves, turns);
+		ts_k_place_turns(args, pair, first + texel, false, turns);
 	}
+	ts_k_place_turns(args, pair, first + own, true, leaves);
+}
+
+/* Of what is inside the cap where that is not below 0, in what rounding changes in it: 8 ulps of the distance, by the
+ * cosine of the ball's angular radius. */
+TS_FN f32 ts_k_cap_margin(const ts_cap *cap, f32 d, f32 inside)
+{
+	f32 edge = ts_max(0.5f * (cap->b - cap->c), d * TS_MARGIN_LEAST_SINE);
+	f32 unit = cap->rounding * (d / edge);
+	return unit > 0.0f ? ts_abs(inside) / unit : TS_MARGIN_NOWHERE;
+}
+
+/* How near a ball is to be filled, or not to be: of its width and a texel, in 16 ulps. */
+TS_FN f32 ts_k_width_margin(const ts_placed *pair) { return ts_abs(pair->width - 1.0f) / (2.0f * TS_MARGIN_ROUNDING); }
+
+/* In a texel that a wide ball fills, unless a coarser one that holds it is filled. */
+TS_FN void ts_k_texel_margin(const ts_view_map_margin_args *args, const ts_placed *pair, const ts_cap *cap, u64 texel,
+                             u32 level, u32 column, u32 row)
+{
+	bool last = level + 1u == args->pyramid.levels;
+	f32 inside = ts_k_cap_inside(cap, args->pyramid.n, level, column, row);
+	f32 above = last ? -1.0f : ts_k_cap_inside(cap, args->pyramid.n, level + 1u, column >> 1u, row >> 1u);
+	f32 of_inside = above < 0.0f ? ts_k_cap_margin(cap, pair->d, inside) : TS_MARGIN_NOWHERE;
+	f32 of_above = !last && inside >= 0.0f ? ts_k_cap_margin(cap, pair->d, above) : TS_MARGIN_NOWHERE;
+	f32 turns = ts_min(ts_min(of_inside, of_above), ts_abs(pair->d - cap->radius) / (cap->radius * TS_MARGIN_ROUNDING));
+	bool covered = inside >= 0.0f && above < 0.0f;
+	bool wide = pair->width > 1.0f;
+	f32 of_width = ts_k_width_margin(pair);
+	f32 comes = ts_max(covered ? 0.0f : turns, wide ? 0.0f : of_width);
+	bool is_there = covered && wide;
+	bool of_middle = args->texels[texel] != TS_EMPTY && (u32)args->texels[texel] == pair->node && !is_there;
+	if (!of_middle) ts_k_place_turns(args, pair, texel, is_there, is_there ? ts_min(turns, of_width) : comes);
+}
+
+TS_FN void ts_k_fill_margin(const ts_view_map_margin_args *args, const ts_placed *pair, u64 first, ts_v3 vs, f32 radius,
+                            bool back)
+{
+	ts_cap cap = ts_k_cap(vs, radius, back);
+	ts_cap_box box = ts_k_cap_box(&cap, args->pyramid.n);
+	if (box.x.from >= box.x.to || box.y.from >= box.y.to) return;
+	for (u32 level = 0u; level < args->pyramid.levels; level++) {
+		u32 side = args->pyramid.n >> level;
+		u64 map = first + ts_k_pyramid_first(&args->pyramid, level) + (back ? (u64)side * side : 0u);
+		for (u32 row = (u32)box.y.from >> level; row <= ((u32)box.y.to - 1u) >> level; row++) {
+			for (u32 column = (u32)box.x.from >> level; column <= ((u32)box.x.to - 1u) >> level; column++) {
+				ts_k_texel_margin(args, pair, &cap, map + (u64)row * side + column, level, column, row);
+			}
+		}
+	}
+}
+
+/* A pair in the texels that it is in, and in those that rounding may give it. */
+TS_FN void ts_k_placed_margin(const ts_view_map_margin_args *args, u64 pair, f32 fate_margin, bool rendered)
+{
+	TS_GLOBAL const ts_node *node = &args->of.nodes[ts_k_pair_node(pair)];
+	u64 first = (u64)ts_k_pair_views(pair) * ts_k_pyramid_texels(&args->pyramid);
+	ts_v3 vs = ts_sub(ts_load3(node->centre), ts_load3(args->of.views[ts_k_pair_views(pair)].centre));
+	ts_placed placed;
+	placed.node = ts_k_pair_node(pair);
+	placed.d = ts_length(vs);
+	placed.fate = fate_margin;
+	placed.rendered = rendered;
+	ts_k_middle_margin(args, &placed, first, vs);
+	f32 radius = node->radius * args->pyramid.fill;
+	placed.width = ts_k_map_width(&args->pyramid, vs, radius);
+	bool narrow = !(placed.width > 1.0f) && ts_k_width_margin(&placed) > TS_MARGIN_REACH;
+	if (!(radius > 0.0f) || narrow) return;
+	ts_k_fill_margin(args, &placed, first, vs, radius, false);
+	ts_k_fill_margin(args, &placed, first, vs, radius, true);
 }
 
 /* scatter over pairs, before they are decided. Two leaves have no pairs below them. */

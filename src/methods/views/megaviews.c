@@ -12,8 +12,10 @@
  * Deviations:
  * - culling, equivalence and subdivision are reconstructed, for the text of figures 4, 6 and 8 is lost (METHODS 13);
  * - queues that are longer than their memory are carried on piece by piece, not by children of the root;
- * - lights stand half a leaf's side above their surface, and leaves that touch theirs are not rendered, for else they
- *   would be in their own shadow, of which the paper does not speak; view_map.touching=render is the paper;
+ * - lights stand half a leaf's side above their surface, and leaves near theirs are not rendered, for else they would
+ *   be in their own shadow, of which the paper does not speak; view_map.apart=0 is the paper;
+ * - a leaf that is wider than a texel fills the texels that a ball in its cube covers, where the paper leaves open what
+ *   a node projects to: its bounding sphere, view_map.fill=1, throws too much shadow;
  * - nor does it of near lights and of a bias: distances are at least vpl_gather.near leaves' sides, and what lies
  *   behind what a map shows is lit up to vpl_gather.bias leaves' diagonals and bias texels' widths, and farther if that
  *   node is no more than vpl_gather.bias_plane of its radii above the place's tangent plane, for which maps tell the

@@ -43,7 +43,7 @@ ts_status ts_traverse_arguments(ts_run *run, ts_traverse_args *args)
 	*args = (ts_traverse_args){
 		.phi = fields[run->plan.views.field],
 		.n = TS_PARAM(&run->params, view_map_px),
-		.touching = TS_PARAM(&run->params, view_map_touching) == TS_TOUCHING_RENDER,
+		.apart = TS_PARAM(&run->params, view_map_apart),
 		.last = TS_NONE,
 	};
 	return TS_FILL(run, &ts_traverse_launches[TS_TRAVERSE_COUNT], args);
@@ -160,8 +160,9 @@ static void raise_counter(ts_run *run, const char *name, u64 value)
 
 ts_status ts_traverse_tally(ts_run *run, ts_traverse_piece *piece, u64 *n_rendered)
 {
-	static const char *const names[] = {"pairs culled", "pairs touching", "pairs rendered", "pairs wider than a texel",
-	                                    "views served"};
+	static const char *const names[] = {
+		"pairs culled", "pairs too near", "pairs rendered", "pairs wider than a texel", "of these of several views",
+		"views served"};
 	u64 lots = (piece->n + TS_TALLY_PAIRS - 1) / TS_TALLY_PAIRS;
 	piece->args.n_pairs = piece->n;
 	if (TS_RUN(run, &ts_traverse_launches[TS_TRAVERSE_TALLY], &piece->args, lots) != TS_OK) return TS_ERROR;

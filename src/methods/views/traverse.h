@@ -27,7 +27,7 @@ extern const ts_launch ts_traverse_launches[];
 /* Pairs of one step that queues have memory for. */
 u64 ts_traverse_room(const ts_params *params);
 /* Gives all pairs to the sink; in which order depends on queue_mb. `how`: as ts_traverse_arguments has it, or with
- * its own last, to_last, cutoff and touching. */
+ * its own last, to_last, cutoff and apart. */
 ts_status ts_traverse(ts_run *run, const ts_traverse_args *how, ts_traverse_sink *sink, void *user);
 /* For sinks: adds a piece to the run's counters and says how many of its pairs are rendered. */
 ts_status ts_traverse_tally(ts_run *run, ts_traverse_piece *piece, u64 *n_rendered);

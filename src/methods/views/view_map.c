@@ -11,10 +11,16 @@ ts_status ts_view_px_check(const ts_params *params)
 	return (n & (n - 1)) == 0 ? TS_OK : ts_fail("view_map.px=%" PRIu32 ": a power of two would be right", n);
 }
 
+/* In maps of 16 x 16 hardly a leaf is wider than a texel (MegaViews section 4). */
+enum { WITHOUT_FILLING = 16 };
+
 ts_pyramid ts_view_pyramid(const ts_params *params)
 {
+	u32 how = TS_PARAM(params, view_map_multipixel);
 	ts_pyramid r = {.n = TS_PARAM(params, view_map_px), .levels = 1};
-	while (TS_PARAM(params, view_map_multipixel) && r.n >> r.levels > 0) r.levels++;
+	if (how == TS_MULTIPIXEL_AUTO) how = r.n > WITHOUT_FILLING ? TS_MULTIPIXEL_MIPS : TS_MULTIPIXEL_OFF;
+	if (how != TS_MULTIPIXEL_OFF) r.fill = TS_PARAM(params, view_map_fill);
+	while (how == TS_MULTIPIXEL_MIPS && r.n >> r.levels > 0) r.levels++;
 	return r;
 }
 

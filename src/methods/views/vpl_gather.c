@@ -34,7 +34,8 @@ ts_status ts_vpl_pairs_arguments(ts_run *run, ts_traverse_args *args)
 {
 	if (ts_traverse_arguments(run, args) != TS_OK) return TS_ERROR;
 	args->last = ts_gather_level(run);
-	args->to_last = args->touching = 1;
+	args->to_last = 1;
+	args->apart = 0;
 	args->cutoff = TS_PARAM(&run->params, vpl_gather_cutoff);
 	return TS_OK;
 }

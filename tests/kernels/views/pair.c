@@ -239,17 +239,21 @@ static void test_split(void **state)
 	}
 }
 
-/* Neighbours by their corners touch, those two away do not; a view alone counts as a leaf; inner nodes never do. */
-static void test_touch(void **state)
+/* Leaves of a lattice whose middles are less than 3 radii apart, 6.75 squares of a side, are near; so is a view alone;
+ * inner nodes never are. */
+static void test_near(void **state)
 {
 	(void)state;
 	f32 r = 0.8660254f;
-	ts_ball s = {.p = {1, 1, 0.9f}, .r = r, .leaf = true}, v = {.p = {0, 0, 0}, .r = r, .leaf = true};
-	ts_ball alone = {.p = {0, 0, 0}, .r = 0, .leaf = true}, inner = {.p = {0, 0, 0}, .r = r, .leaf = false};
-	assert_true(ts_k_pair_touches(&s, &v) && ts_k_pair_touches(&s, &alone));
-	assert_false(ts_k_pair_touches(&s, &inner) || ts_k_pair_touches(&inner, &v));
-	s.p = ts_v3_make(2, 0, 0);
-	assert_false(ts_k_pair_touches(&s, &v) || ts_k_pair_touches(&s, &alone));
+	ts_ball v = {.p = {0, 0, 0}, .r = r, .leaf = true}, alone = {.p = {0, 0, 0}, .r = 0, .leaf = true};
+	ts_ball inner = {.p = {0, 0, 0}, .r = r, .leaf = false};
+	for (i32 i = 0; i < 9 * 9 * 9; i++) {
+		i32 x = i % 9 - 4, y = i / 9 % 9 - 4, z = i / 81 - 4;
+		ts_ball s = {.p = ts_v3_make((f32)x, (f32)y, (f32)z), .r = r, .leaf = true};
+		bool near = x * x + y * y + z * z < 7;
+		assert_true(ts_k_pair_is_near(&s, &v, 3) == near && ts_k_pair_is_near(&s, &alone, 3) == near);
+		assert_false(ts_k_pair_is_near(&s, &inner, 3) || ts_k_pair_is_near(&inner, &v, 3));
+	}
 }
 
 int main(void)
@@ -257,7 +261,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		seeded_test(test_cull),        seeded_test(test_cull_formula),
 		seeded_test(test_equivalence), seeded_test(test_equivalence_formula),
-		seeded_test(test_split),       seeded_test(test_touch),
+		seeded_test(test_split),       seeded_test(test_near),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

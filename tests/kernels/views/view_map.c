@@ -1,6 +1,6 @@
 /* Pairs in dual-paraboloid maps against brute force in double precision (METHODS 13): all nodes of a small lattice from
  * views on it, so that distances are exact, some are equal, and no place is so near the edge of a texel that rounding
- * decides; pyramids over maps; and what a map shows, moved from parents to children. */
+ * decides; leaves that fill all texels that they cover; and what a map shows, moved from parents to children. */
 #include <string.h>
 #include "../../../src/kernels/views/view_map_fuse.h"
 #include "../../../src/kernels/views/view_octree_alone.h"
@@ -31,7 +31,7 @@ static void begin(world *w, u32 n, u32 levels)
 	for (u32 v = 0; v < N_VIEWS; v++) ts_store3(w->views[v].centre, place(seen_from[v]));
 	for (u32 i = 0; i < N_PAIRS; i++) w->pairs[i] = ts_k_pair(i / N_VIEWS, i % N_VIEWS);
 	w->args = (ts_view_map_args){
-		.nodes = w->nodes, .views = w->views, .pairs = w->pairs, .texels = w->texels, .pyramid = {n, levels}};
+		.nodes = w->nodes, .views = w->views, .pairs = w->pairs, .texels = w->texels, .pyramid = {n, levels, 0}};
 	memset(w->texels, 0xff, sizeof w->texels);
 	memset(w->expected, 0xff, sizeof w->expected);
 }
@@ -142,7 +142,7 @@ static void test_all(void **state)
 	begin(&w, N, 1);
 	for (u32 v = 0; v < N_VIEWS; v++) w.cones[v] = (ts_cone){.axis = {0, 0, 1}, .cosine = 1, .views = 1};
 	const ts_view_map_all_args args = {
-		.of = {.nodes = w.nodes, .views = w.views, .cones = w.cones, .phi = {-1, 0}, .n = N, .touching = 1},
+		.of = {.nodes = w.nodes, .views = w.views, .cones = w.cones, .phi = {-1, 0}, .n = N},
 		.to = w.args,
 		.n_rendered = &n_rendered,
 		.n_leaves = N_NODES};
@@ -164,7 +164,7 @@ static void test_pyramid(void **state)
 {
 	(void)state;
 	for (u32 n = 1, levels = 1; n <= MOST; n *= 2, levels++) {
-		const ts_pyramid pyramid = {n, levels};
+		const ts_pyramid pyramid = {n, levels, 0};
 		assert_int_equal(ts_k_pyramid_texels(&pyramid), above((spot){0, 0, 0}, n, levels));
 		for (u32 t = 0; t < 2 * n * n; t++) {
 			const spot at = {t / (n * n), t / n % n, t % n};
@@ -173,50 +173,90 @@ static void test_pyramid(void **state)
 	}
 }
 
-/* Level ceil(log2 size), at most the last, of a ball as wide as METHODS 13 has it; where rounding decides, `unsure`. */
-static u32 level_of(double3 d, double radius, const ts_pyramid *pyramid, bool *unsure)
+/* Whether the middle of a texel is a direction that meets the filled ball of a pair's node, which is wider than a
+ * texel, or the texel is that of the node's own middle; where rounding decides, `unsure`. */
+static bool is_covered(const world *w, u64 pair, u32 texel, u32 n, bool *unsure)
 {
-	double l = d3_length(d), sine = l > radius ? radius / l : 1;
-	double size = pyramid->n * sine / ((l > 0 ? fabs(d.x) / l : 0) + sqrt(1 - sine * sine));
-	u32 level = 0;
-	*unsure = false;
-	while (level + 1 < pyramid->levels && size > (1 << level)) *unsure |= fabs(size / (1 << level++) - 1) < 1e-4;
-	return level;
+	double u = (2.0 * (texel % n) + 1) / n - 1, v = (2.0 * (texel / n % n) + 1) / n - 1, s = u * u + v * v;
+	double3 middle = {texel < n * n ? 1 - s : s - 1, 2 * u, 2 * v}, d = way(w, pair);
+	double r = (double)w->args.pyramid.fill * (double)w->nodes[pair >> 32].radius, far = d3_length(d);
+	double edge = sqrt(fmax(0, (far - r) * (far + r))), wide = far > r ? n * r / (fabs(d.x) + edge) : n;
+	double inside = far > r ? d3_dot(middle, d) / (1 + s) - edge : 1;
+	bool own = texel_of(d, n) == texel;
+	*unsure = (fabs(inside) < 2e-5 * far || fabs(wide - 1) < 1e-5) && !own;
+	return (wide > 1 && inside > 0) || own;
 }
 
-/* With a pyramid each pair alone is in one texel of the level of its width, and all finer ones below that show it,
- * unless they have something themselves. */
-static void test_levels(void **state)
+/* Leaves from far ones, narrower than a texel, to such that a view is in. */
+static void begin_leaves(world *w, u32 levels)
+{
+	begin(w, MOST, levels);
+	w->args.pyramid.fill = 0.75f;
+	for (u32 i = 0; i < N_NODES; i++) w->nodes[i].radius = uniform(0.001f, i % 8 == 0 ? 1.0f : 0.3f);
+}
+
+static const u32 all_levels = 5; /* of maps of MOST */
+
+/* Each pair alone: the texels that show it are those that it covers, none more, one by one or by a pyramid. */
+static void test_fill(void **state)
 {
 	(void)state;
-	enum { LEVELS = 5 };
-	static world w;
-	u32 n_level[LEVELS] = {0};
-	begin(&w, MOST, LEVELS);
+	static world w, splat;
+	u32 n_wide = 0, n_unsure = 0, n_coarse = 0;
+	begin_leaves(&w, 1);
+	splat = w;
+	splat.args = w.args;
+	splat.args.nodes = splat.nodes, splat.args.views = splat.views, splat.args.pairs = splat.pairs;
+	splat.args.texels = splat.texels, splat.args.pyramid.levels = all_levels;
 	for (u32 i = 0; i < N_PAIRS; i += 5) {
-		bool unsure;
-		u64 pair = w.pairs[i], *map = &w.texels[(u32)pair * ts_k_pyramid_texels(&w.args.pyramid)];
-		ts_node *node = &w.nodes[pair >> 32];
-		node->radius = uniform(0.001f, 0.3f);
-		double3 d = way(&w, pair);
-		u32 level = level_of(d, (double)node->radius, &w.args.pyramid, &unsure),
-			at = above(spot_of(d, MOST), MOST, level);
-		if (unsure) continue;
-		u32 own = below(TEXELS);
+		u64 pair = w.pairs[i];
+		u64 *map = &w.texels[(u32)pair * ts_k_pyramid_texels(&w.args.pyramid)];
+		u64 *levels = &splat.texels[(u32)pair * ts_k_pyramid_texels(&splat.args.pyramid)];
 		ts_k_view_map_item(&w.args, i);
-		assert_true(map[at] == key_of(d, pair));
+		ts_k_view_map_item(&splat.args, i);
+		u32 n = 0;
 		for (u32 t = 0; t < TEXELS; t++) {
-			const spot there = {t / (MOST * MOST), t / MOST % MOST, t % MOST};
-			u64 shown = above(there, MOST, level) == at ? map[at] : TS_EMPTY;
-			assert_true(ts_k_map_key(map, &w.args.pyramid, t) == shown);
+			bool unsure, covered = is_covered(&w, pair, t, MOST, &unsure);
+			assert_true(ts_k_map_key(levels, &splat.args.pyramid, t) == map[t]);
+			n_unsure += unsure;
+			if (!unsure) assert_true(map[t] == (covered ? key_of(way(&w, pair), pair) : TS_EMPTY));
+			n += map[t] != TS_EMPTY;
 		}
-		map[own] = 42;
-		assert_true(ts_k_map_key(map, &w.args.pyramid, own) == 42);
-		map[own] = map[at] = TS_EMPTY;
-		n_level[level]++;
+		n_wide += n > 1;
+		for (u32 t = TEXELS; t < ts_k_pyramid_texels(&splat.args.pyramid); t++) n_coarse += levels[t] != TS_EMPTY;
+		memset(map, 0xff, TEXELS * sizeof *map);
+		memset(levels, 0xff, ts_k_pyramid_texels(&splat.args.pyramid) * sizeof *levels);
 	}
 	assert_memory_equal(w.texels, w.expected, sizeof w.texels);
-	for (u32 level = 0; level < LEVELS; level++) assert_true(n_level[level] > 30);
+	assert_memory_equal(splat.texels, w.expected, sizeof w.texels);
+	assert_true(n_wide > 1000 && n_coarse > 1000 && n_unsure < 200);
+}
+
+/* Of many leaves each texel shows the nearest that covers it, however they are filled. */
+static void test_fill_nearest(void **state)
+{
+	(void)state;
+	static world w;
+	for (u32 levels = 1; levels <= all_levels; levels += all_levels - 1) {
+		begin_leaves(&w, levels);
+		u32 n_shown = 0, n_few = 400;
+		for (u32 i = 0; i < n_few; i++) w.pairs[i] = ts_k_pair(below(N_NODES), i % N_VIEWS);
+		for (u32 i = 0; i < n_few; i++) ts_k_view_map_item(&w.args, i);
+		for (u32 t = 0; t < N_VIEWS * TEXELS; t++) {
+			u64 sure = TS_EMPTY, maybe = TS_EMPTY;
+			for (u32 i = t / TEXELS; i < n_few; i += N_VIEWS) {
+				bool unsure, covered = is_covered(&w, w.pairs[i], t % TEXELS, MOST, &unsure);
+				u64 key = key_of(way(&w, w.pairs[i]), w.pairs[i]);
+				if (covered && !unsure && key < sure) sure = key;
+				if ((covered || unsure) && key < maybe) maybe = key;
+			}
+			const u64 *map = &w.texels[t / TEXELS * ts_k_pyramid_texels(&w.args.pyramid)];
+			u64 found = ts_k_map_key(map, &w.args.pyramid, t % TEXELS);
+			assert_true(found == sure || found == maybe);
+			n_shown += sure != TS_EMPTY;
+		}
+		assert_true(n_shown > TEXELS);
+	}
 }
 
 enum { N = 4, MAP = 2 * N * N, DEPTH = 5 };
@@ -244,7 +284,7 @@ static void begin_line(line *w, bool nearest)
 	                                  .texels = w->texels,
 	                                  .depths = w->depths,
 	                                  .nodes = w->shown,
-	                                  .pyramid = {N, 1},
+	                                  .pyramid = {N, 1, 0},
 	                                  .nearest = nearest};
 }
 
@@ -327,8 +367,8 @@ static void test_fuse_tie(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		seeded_test(test_places), seeded_test(test_nearest), seeded_test(test_all),      seeded_test(test_pyramid),
-		seeded_test(test_levels), seeded_test(test_fuse),    seeded_test(test_fuse_tie),
+		seeded_test(test_places), seeded_test(test_nearest),      seeded_test(test_all),  seeded_test(test_pyramid),
+		seeded_test(test_fill),   seeded_test(test_fill_nearest), seeded_test(test_fuse), seeded_test(test_fuse_tie),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -360,7 +360,7 @@ static bool place_of(spot *r, const ts_node *leaf, const ts_vpl *light, u32 n)
 		r->edge = fmin(r->edge, fabs(at[k] - round(at[k])));
 	}
 	r->texel = ((d[0] < 0 ? n : 0) + (u32)at[1]) * n + (u32)at[0];
-	double radius = (double)leaf->radius, apart = r->distance - 2 * radius, seen = ahead + radius;
+	double radius = (double)leaf->radius, apart = r->distance - 3 * radius, seen = ahead + radius;
 	r->unsure = fabs(apart) < 1e-4 || fabs(seen) < 2e-3 * r->distance;
 	return apart > 0 && seen > 0;
 }

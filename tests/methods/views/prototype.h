@@ -121,6 +121,8 @@ static inline void prototype_check(const ts_scene *scene, const prototype_row *e
 	ts_params params = small_params(64, 64);
 	params.reflectors_count = 0;
 	params.view_map_px = n;
+	params.view_map_multipixel = TS_MULTIPIXEL_OFF;
+	params.view_map_apart = 2;
 	params.view_map_field = expected->field;
 	grove g;
 	ts_run run, alone;

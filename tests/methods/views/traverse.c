@@ -1,6 +1,7 @@
 /* The traversal of two octrees: the pairs that a recursion renders, whatever the queues' memory; maps of those
  * pairs, and whole maps. */
 #include "grove.h"
+#include "../../../src/methods/views/views.h"
 #include "../../../src/backends/kernels.h"
 
 static ts_params params_of(u32 n)
@@ -8,6 +9,7 @@ static ts_params params_of(u32 n)
 	ts_params params = small_params(64, 64);
 	params.reflectors_count = 0;
 	params.view_map_px = n;
+	params.view_map_multipixel = TS_MULTIPIXEL_OFF;
 	return params;
 }
 
@@ -35,7 +37,7 @@ typedef struct {
 	const grove *g;
 	const ts_params *params;
 	u64 *rendered, n, room;
-	i64 pairs, culled, touching, wide, served;
+	i64 pairs, culled, near, wide, served;
 } recursion;
 
 static void add(recursion *r, u32 s, u32 v)
@@ -62,10 +64,10 @@ static void visit(recursion *r, u32 s, u32 v)
 	} else if (ts_k_pair_is_equivalent(&a, &b, r->params->view_map_px)) {
 		add(r, s, v);
 	} else if (a.leaf && b.leaf) {
-		bool touches = r->params->view_map_touching == TS_TOUCHING_SKIP && ts_k_pair_touches(&a, &b);
-		r->touching += touches;
-		r->wide += !touches;
-		if (!touches) add(r, s, v);
+		bool near = ts_k_pair_is_near(&a, &b, r->params->view_map_apart);
+		r->near += near;
+		r->wide += !near;
+		if (!near) add(r, s, v);
 	} else if (ts_k_pair_splits_view(&a, &b)) {
 		for (u32 k = 0, child = view->child; k < 8; k++) {
 			if ((view->children >> k & 1) != 0) visit(r, s, child++);
@@ -99,11 +101,11 @@ static void assert_same_pairs(const ts_run *run, const recursion *r)
 
 static void assert_same_counters(const ts_run *run, const recursion *r)
 {
-	i64 split = r->pairs - r->culled - r->touching - (i64)r->n;
+	i64 split = r->pairs - r->culled - r->near - (i64)r->n;
 	assert_true(r->pairs > 100 && split > 0);
 	assert_int_equal(ts_run_counter(run, "pairs"), r->pairs);
 	assert_int_equal(ts_run_counter(run, "pairs culled"), r->culled);
-	assert_int_equal(ts_run_counter(run, "pairs touching"), r->touching);
+	assert_int_equal(ts_run_counter(run, "pairs too near"), r->near);
 	assert_int_equal(ts_run_counter(run, "pairs rendered"), (i64)r->n);
 	assert_int_equal(ts_run_counter(run, "pairs wider than a texel"), r->wide);
 	assert_int_equal(ts_run_counter(run, "views served"), r->served);
@@ -112,11 +114,11 @@ static void assert_same_counters(const ts_run *run, const recursion *r)
 static void test_recursion(void **state)
 {
 	(void)state;
-	i64 culled = 0, touching = 0, wide = 0, narrow = 0;
+	i64 culled = 0, near = 0, wide = 0, narrow = 0;
 	for (u32 i = 0; i < 40; i++) {
 		ts_params params = params_of(4u << grove_below(5));
 		params.view_map_field = grove_below(4) == 0;
-		params.view_map_touching = grove_below(3) == 0;
+		params.view_map_apart = (f32)grove_below(4);
 		grove g;
 		u32 levels = 1 + grove_below(5), view_levels = 1 + grove_below(5), n = 1 + grove_below(600);
 		grove_plant(&g, levels, view_levels, n, grove_noise, 1 + grove_below(100), grove_noise);
@@ -128,14 +130,14 @@ static void test_recursion(void **state)
 		assert_same_pairs(&run, &r);
 		if (r.pairs > 100) assert_same_counters(&run, &r);
 		culled += r.culled;
-		touching += r.touching;
+		near += r.near;
 		wide += r.wide;
 		narrow += (i64)r.n - r.wide;
 		ts_run_end(&run);
 		grove_free(&g);
 		free(r.rendered);
 	}
-	assert_true(culled > 1000 && touching > 1000 && wide > 1000 && narrow > 1000);
+	assert_true(culled > 1000 && near > 1000 && wide > 1000 && narrow > 1000);
 }
 
 /* The order of the kept pairs, too, is the same whatever the memory; and so are maps without keeping them. */
@@ -198,7 +200,7 @@ static void test_fuse(void **state)
 	grove_plant(&g, 5, 6, 20000, grove_surface, 300, grove_surface);
 	grove_outcome least = grove_run(&g, scene, &params, 2, NULL, false),
 				  own = grove_run(&g, scene, &paper, 2, NULL, false);
-	ts_view_map_fuse_args args = {.views = g.views.nodes, .texels = least.maps, .pyramid = {8, 1}, .nearest = 1};
+	ts_view_map_fuse_args args = {.views = g.views.nodes, .texels = least.maps, .pyramid = {8, 1, 0}, .nearest = 1};
 	ts_view_map_fuse_args own_args = args;
 	own_args.nearest = 0;
 	u64 n_moved = 0, n_nearer = 0;
@@ -232,29 +234,34 @@ static void test_moved(void **state)
 	}
 }
 
-/* Splatted into a pyramid, wide leaves leave no holes about them: fine texels stay what they are, if they are of
- * leaves no wider than a texel; the others are filled from the level of their width. */
+/* Filled one by one or by a pyramid, wide leaves leave no holes about them, and the maps of both ways are the same. */
 static void test_multipixel(void **state)
 {
 	(void)state;
-	ts_params params = params_of(64), splats = params;
-	splats.view_map_multipixel = 1;
+	ts_params params = params_of(64), texels = params, mips = params, small = params_of(16);
+	texels.view_map_multipixel = TS_MULTIPIXEL_TEXELS;
+	mips.view_map_multipixel = small.view_map_multipixel = TS_MULTIPIXEL_AUTO;
+	assert_true(ts_view_pyramid(&small).fill == 0);
 	grove g;
 	grove_plant(&g, 5, 5, 60000, grove_surface, 60, grove_floor);
 	grove_outcome off = grove_run(&g, scene, &params, 2, NULL, false),
-				  on = grove_run(&g, scene, &splats, 2, NULL, false);
+				  on = grove_run(&g, scene, &texels, 2, NULL, false), by = grove_run(&g, scene, &mips, 2, NULL, false);
 	assert_int_equal(on.n_depths, off.n_depths);
-	assert_int_equal(on.n_maps * 4096, off.n_maps * 5461);
-	u64 n_off = 0, n_on = 0, n_lost = 0;
+	assert_int_equal(by.n_depths, off.n_depths);
+	assert_int_equal(by.n_maps * 4096, off.n_maps * 5461);
+	u64 n_off = 0, n_on = 0, n_farther = 0, n_differ = 0;
 	for (u64 i = 0; i < on.n_depths; i++) {
 		n_off += off.depths[i] != TS_NONE;
 		n_on += on.depths[i] != TS_NONE;
-		n_lost += off.depths[i] != TS_NONE && on.depths[i] == TS_NONE;
+		n_farther += on.depths[i] > off.depths[i];
+		n_differ += grove_fused(&on, i) != grove_fused(&by, i);
 	}
-	assert_int_equal(n_lost, 0);
+	assert_int_equal(n_farther, 0);
+	assert_int_equal(n_differ, 0);
 	assert_true(n_on > n_off + n_off / 20);
 	grove_outcome_free(&off);
 	grove_outcome_free(&on);
+	grove_outcome_free(&by);
 	grove_free(&g);
 }
 

@@ -4,6 +4,7 @@
 #include "../../../study/bench.h"
 #include "../../../study/bench_paper.h"
 
-extern const ts_paper_table ts_mega_10, ts_mega_10_bounces, ts_mega_12, ts_mega_13, ts_mega_16, ts_mega_particles;
+extern const ts_paper_table ts_mega_10, ts_mega_10_bounces, ts_mega_12, ts_mega_13, ts_mega_15, ts_mega_16,
+	ts_mega_particles;
 
 #endif

@@ -23,7 +23,7 @@ typedef struct {
 	size_t n, room;
 	offer *offers;
 	size_t n_offers, offers_room;
-	u32 n_touching; /* pairs that would come to the texel if they did not touch */
+	u32 n_near; /* pairs that would come to the texel if they were farther */
 } search;
 
 static ts_status push(search *s, u64 pair)
@@ -35,7 +35,7 @@ static ts_status push(search *s, u64 pair)
 	return TS_OK;
 }
 
-/* The kernel renders the pair alone; *mip is where it left something over the texel. */
+/* The kernel renders the pair alone; *mip is the level where it left something over the texel. */
 static u64 key_of(search *s, u64 pair, u32 step, u32 *mip)
 {
 	const ts_pyramid *pyramid = &s->chain.args.pyramid;
@@ -56,8 +56,8 @@ static ts_status offer_pair(search *s, u64 pair, u32 step, u32 fate)
 	void *array = s->offers;
 	u64 key = key_of(s, pair, step, &mip);
 	if (key == TS_EMPTY) return TS_OK;
-	if (fate == TS_PAIR_TOUCH) s->n_touching++;
-	if (fate == TS_PAIR_TOUCH) return TS_OK;
+	if (fate == TS_PAIR_NEAR) s->n_near++;
+	if (fate == TS_PAIR_NEAR) return TS_OK;
 	if (ts_grow(&array, &s->offers_room, s->n_offers + 1, sizeof *s->offers, "pairs of a texel") != TS_OK)
 		return TS_ERROR;
 	s->offers = array;
@@ -85,7 +85,7 @@ static ts_status traverse(search *s)
 	while (status == TS_OK && s->n > 0) {
 		u64 pair = s->stack[--s->n];
 		u32 fate = ts_k_pair_fate(&s->how, pair), step = s->how.views[ts_k_pair_views(pair)].level;
-		bool ends = fate == TS_PAIR_RENDER || fate == TS_PAIR_TOUCH;
+		bool ends = fate == TS_PAIR_RENDER || fate == TS_PAIR_NEAR;
 		if (ends)
 			status = offer_pair(s, pair, step, fate);
 		else if (fate != TS_PAIR_CULL)
@@ -101,17 +101,16 @@ static ts_status try_all(search *s, u64 n_nodes)
 	for (u64 i = 0; i < n_nodes && status == TS_OK; i++) {
 		u64 pair = ts_k_pair((u32)i, s->chain.id[0]);
 		u32 fate = s->how.nodes[i].children == 0 ? ts_k_pair_fate(&s->how, pair) : TS_PAIR_CULL;
-		if (fate == TS_PAIR_RENDER || fate == TS_PAIR_TOUCH) status = offer_pair(s, pair, 0, fate);
+		if (fate == TS_PAIR_RENDER || fate == TS_PAIR_NEAR) status = offer_pair(s, pair, 0, fate);
 	}
 	return status;
 }
 
-/* From the root down; in each map the finest level that has something, and the nearest there, is what it shows. */
+/* From the root down; in each map the nearest is what it shows. */
 static int by_win(const void *a, const void *b)
 {
 	const offer *x = a, *y = b;
 	if (x->step != y->step) return x->step < y->step ? -1 : 1;
-	if (x->mip != y->mip) return x->mip < y->mip ? -1 : 1;
 	return x->key < y->key ? -1 : x->key > y->key;
 }
 
@@ -210,7 +209,7 @@ static ts_status put_chain(ts_probe *p, json_t *object, const search *s)
 		above = held;
 	}
 	ts_probe_put(p, object, "from_the_root", list);
-	ts_probe_put(p, object, "touching", ts_probe_int(s->n_touching));
+	ts_probe_put(p, object, "too_near", ts_probe_int(s->n_near));
 	if (status == TS_OK) ts_probe_put(p, object, "depth", depth_or_empty((u32)(held >> 32)));
 	return status;
 }

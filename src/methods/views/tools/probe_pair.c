@@ -62,7 +62,7 @@ void ts_probe_put_decision(ts_probe *p, json_t *o, const ts_traverse_args *how, 
 	ts_probe_put(p, o, "outside_the_cone", ts_probe_real(ts_k_pair_outside(&s, &v, &cone, &how->phi)));
 	ts_probe_put(p, o, "culled_beyond", ts_probe_real(ts_k_pair_reach(&s, &v)));
 	ts_probe_put(p, o, "texels_wide", ts_probe_real(ts_k_pair_size(&s, &v, how->n)));
-	if (s.leaf && v.leaf) ts_probe_put(p, o, "touching_within", ts_probe_real(ts_k_pair_touch_reach(&s, &v)));
+	if (s.leaf && v.leaf) ts_probe_put(p, o, "near_within", ts_probe_real(how->apart * s.r));
 	ts_probe_put(p, o, "margin", ts_probe_real(ts_k_fate_margin(how, pair, fate)));
 	ts_probe_put(p, o, "why",
 	             json_string(leaves                   ? "both are leaves"

@@ -8,12 +8,12 @@ static const struct {
 	u32 vpls, bounces, lights, fusion, multipixel, shadows;
 	f32 cutoff;
 } view_methods[] = {
-	{"indirect", "megaviews", 0, 1, 16, TS_FUSION_MIN, 0, 1, 0},
-	{"indirect", "megaviews", 100, 3, 16, TS_FUSION_PAPER, 1, 1, 12},
-	{"indirect", "megaviews", 0, 1, 0, TS_FUSION_MIN, 0, 0, 0},
-	{"indirect", "manylods", 16, 4, 16, TS_FUSION_MIN, 1, 1, 0},
-	{"particles", "megaviews", 0, 1, 16, TS_FUSION_MIN, 0, 1, 10},
-	{"particles", "manylods", 0, 1, 16, TS_FUSION_MIN, 0, 1, 0},
+	{"indirect", "megaviews", 0, 1, 16, TS_FUSION_MIN, TS_MULTIPIXEL_OFF, 1, 0},
+	{"indirect", "megaviews", 100, 3, 16, TS_FUSION_PAPER, TS_MULTIPIXEL_MIPS, 1, 12},
+	{"indirect", "megaviews", 0, 1, 0, TS_FUSION_MIN, TS_MULTIPIXEL_OFF, 0, 0},
+	{"indirect", "manylods", 16, 4, 16, TS_FUSION_MIN, TS_MULTIPIXEL_TEXELS, 1, 0},
+	{"particles", "megaviews", 0, 1, 16, TS_FUSION_MIN, TS_MULTIPIXEL_OFF, 1, 10},
+	{"particles", "manylods", 0, 1, 16, TS_FUSION_MIN, TS_MULTIPIXEL_OFF, 1, 0},
 };
 enum { N_VIEWS = sizeof view_methods / sizeof *view_methods };
 static traced views[N_VIEWS];

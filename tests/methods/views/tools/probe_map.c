@@ -1,18 +1,20 @@
 /* Texels of maps of views, as the probe tells of them, against the buffers of the run and the same in double
  * precision. */
 #include "../../../probe/probed.h"
+#include "../../../../src/methods/views/views.h"
 
 enum { N_TRIED = 250 };
 
 static const struct {
 	const char *effect, *method;
-	u32 vpls, px, fusion, multipixel, field, touching;
+	u32 vpls, px, fusion, multipixel, field;
+	f32 apart;
 } methods[] = {
-	{"indirect", "megaviews", 60, 4, TS_FUSION_MIN, 0, TS_VIEW_FIELD_HALF, TS_TOUCHING_SKIP},
-	{"indirect", "megaviews", 200, 4, TS_FUSION_PAPER, 1, TS_VIEW_FIELD_HALF, TS_TOUCHING_RENDER},
-	{"particles", "megaviews", 0, 4, TS_FUSION_MIN, 1, TS_VIEW_FIELD_ALL, TS_TOUCHING_SKIP},
-	{"indirect", "manylods", 40, 16, TS_FUSION_MIN, 1, TS_VIEW_FIELD_HALF, TS_TOUCHING_SKIP},
-	{"indirect", "bruteforce", 40, 16, TS_FUSION_MIN, 0, TS_VIEW_FIELD_HALF, TS_TOUCHING_SKIP},
+	{"indirect", "megaviews", 60, 4, TS_FUSION_MIN, TS_MULTIPIXEL_OFF, TS_VIEW_FIELD_HALF, 3},
+	{"indirect", "megaviews", 200, 4, TS_FUSION_PAPER, TS_MULTIPIXEL_MIPS, TS_VIEW_FIELD_HALF, 0},
+	{"particles", "megaviews", 0, 4, TS_FUSION_MIN, TS_MULTIPIXEL_TEXELS, TS_VIEW_FIELD_ALL, 3},
+	{"indirect", "manylods", 40, 16, TS_FUSION_MIN, TS_MULTIPIXEL_MIPS, TS_VIEW_FIELD_HALF, 3},
+	{"indirect", "bruteforce", 40, 16, TS_FUSION_MIN, TS_MULTIPIXEL_OFF, TS_VIEW_FIELD_HALF, 3},
 };
 enum { N_METHODS = sizeof methods / sizeof *methods, BRUTE_FORCE = N_METHODS - 1 };
 static traced views[N_METHODS];
@@ -31,7 +33,7 @@ static int make_all(void **state)
 		params.view_map_fusion = methods[i].fusion;
 		params.view_map_multipixel = methods[i].multipixel;
 		params.view_map_field = methods[i].field;
-		params.view_map_touching = methods[i].touching;
+		params.view_map_apart = methods[i].apart;
 		make(&views[i], methods[i].effect, methods[i].method, &params);
 	}
 	return 0;
@@ -47,19 +49,19 @@ static int drop_all(void **state)
 /* Not sure: so near to an edge or a threshold that rounding decides. */
 typedef enum { NO, YES, NOT_SURE } answer;
 
+static answer either(answer a, answer b) { return a == YES || b == YES ? YES : a == NO && b == NO ? NO : NOT_SURE; }
 static answer both(answer a, answer b) { return a == NO || b == NO ? NO : a == YES && b == YES ? YES : NOT_SURE; }
 static answer more(double a, double b, double scale)
 {
 	return fabs(a - b) < 1e-5 * scale ? NOT_SURE : a > b ? YES : NO;
 }
 
-/* Is the place, in texels, in [i, i + 1), in levels of 2^mip texels? Places behind the last are of it. */
-static answer is_in(double component, double sum, u32 n, u32 mip, u32 i)
+/* Is the place, in texels, in [i, i + 1)? Places behind the last are of it. */
+static answer is_in(double component, double sum, u32 n, u32 i)
 {
-	double at = (component / sum / 2 + 0.5) * n / (1u << mip), low = i >> mip;
-	answer above = component == 0 ? (at >= low ? YES : NO) : more(at, low, n);
-	bool last = (i >> mip) == (n >> mip) - 1;
-	return both(above, last ? YES : component == 0 ? (at < low + 1 ? YES : NO) : more(low + 1, at, n));
+	double at = (component / sum / 2 + 0.5) * n;
+	answer above = component == 0 ? (at >= i ? YES : NO) : more(at, i, n);
+	return both(above, i == n - 1 ? YES : component == 0 ? (at < i + 1 ? YES : NO) : more(i + 1, at, n));
 }
 
 typedef struct {
@@ -74,24 +76,26 @@ static apart between(const ts_node *s, const ts_node *v)
 	return a;
 }
 
+/* Is the middle of the texel a direction that meets the ball, which is wider than a texel? */
+static answer is_covered(const traced *t, const apart *a, u32 texel)
+{
+	u32 n = t->run.params.view_map_px;
+	double r = a->radius * (double)ts_view_pyramid(&t->run.params).fill;
+	if (!(r > 0) || r >= a->d) return r > 0 ? YES : NO;
+	double u = (2.0 * (texel % n) + 1) / n - 1, v = (2.0 * (texel / n % n) + 1) / n - 1, s = u * u + v * v;
+	double x = texel < n * n ? 1 - s : s - 1, edge = sqrt((a->d - r) * (a->d + r));
+	answer meets = more((x * a->x + 2 * u * a->y + 2 * v * a->z) / (1 + s), edge, 10 * a->d);
+	return both(meets, more(n * r / (fabs(a->x) + edge), 1, 1));
+}
+
 /* METHODS 13: does the pair come to a texel of the map? */
 static answer comes_to(const traced *t, const apart *a, u32 texel)
 {
-	u32 n = t->run.params.view_map_px, n_mips = 1;
-	while (t->run.params.view_map_multipixel && n >> n_mips > 0) n_mips++;
-	double sine = a->d > a->radius ? a->radius / a->d : 1;
-	double size = n * sine / (fabs(a->x) / fmax(a->d, 1e-30) + sqrt(1 - sine * sine) + 1e-30);
+	u32 n = t->run.params.view_map_px;
 	double sum = fmax(a->d + fabs(a->x), 1e-30);
-	answer found = NO;
-	if ((a->x < 0) != (texel >= n * n)) return NO;
-	for (u32 mip = 0; mip < n_mips; mip++) {
-		answer fits = mip + 1 == n_mips ? YES : more(1u << mip, size, size);
-		answer finest = mip == 0 ? YES : more(size, 1u << (mip - 1), size);
-		answer there = both(is_in(a->y, sum, n, mip, texel % n), is_in(a->z, sum, n, mip, texel / n % n));
-		answer here = both(both(fits, finest), there);
-		if (here == YES || (here == NOT_SURE && found == NO)) found = here;
-	}
-	return found;
+	answer half = (a->x < 0) == (texel >= n * n) ? YES : NO;
+	answer middle = both(half, both(is_in(a->y, sum, n, texel % n), is_in(a->z, sum, n, texel / n % n)));
+	return either(middle, is_covered(t, a, texel));
 }
 
 /* Of one light: not all of the leaf is behind it. The kernels allow the cosine of a cone, here 1, to be rounded. */
@@ -102,10 +106,10 @@ static answer is_seen(const traced *t, const apart *a, u32 view)
 	return more(a->radius, -along, 100 * (a->d + 1));
 }
 
-/* Two leaves, of which that of the views may be one of them alone. */
-static answer touches(const apart *a, const ts_node *v)
+/* Of two leaves. */
+static answer is_near(const traced *t, const apart *a)
 {
-	return more(a->radius + fmax(a->radius, (double)v->radius), a->d, a->d + 1);
+	return more((double)t->run.params.view_map_apart * a->radius, a->d, a->d + 1);
 }
 
 static answer is_not(answer a) { return a == NOT_SURE ? a : a == NO ? YES : NO; }
@@ -122,25 +126,26 @@ static void count_pairs(const traced *t, u32 view, u32 texel, u64 n[2])
 		const ts_node *s = &nodes[all ? i : pairs[i] >> 32];
 		if (all ? s->children != 0 : (u32)pairs[i] != view) continue;
 		apart a = between(s, v);
-		answer comes = both(all ? both(is_seen(t, &a, view), is_not(touches(&a, v))) : YES, comes_to(t, &a, texel));
+		answer comes = both(all ? both(is_seen(t, &a, view), is_not(is_near(t, &a))) : YES, comes_to(t, &a, texel));
 		n[0] += comes == YES;
 		n[1] += comes != NO;
 	}
 }
 
-/* The key of the finest level of the map that has one. */
+/* The nearest of all levels of the map. */
 static u64 own_key(const traced *t, u32 view, u32 texel)
 {
 	const u64 *map =
 		(const u64 *)data(t, TS_B_view_map_depth_node) + view * t->run.frame.buffer[TS_B_view_map_depth_node].shape[1];
 	u32 n = t->run.params.view_map_px, first = 0;
-	for (u32 mip = 0; mip == 0 || (t->run.params.view_map_multipixel && n >> mip > 0); mip++) {
+	u64 nearest = TS_EMPTY;
+	for (u32 mip = 0; mip < ts_view_pyramid(&t->run.params).levels; mip++) {
 		u32 side = n >> mip;
 		u64 key = map[first + (texel / (n * n) * side + (texel / n % n >> mip)) * side + (texel % n >> mip)];
-		if (key != TS_EMPTY) return key;
+		nearest = key < nearest ? key : nearest;
 		first += 2 * side * side;
 	}
-	return TS_EMPTY;
+	return nearest;
 }
 
 static u32 depth_of(const json_t *v, const char *key)
@@ -286,8 +291,8 @@ static void test_pixel_between(void **state)
 	}
 }
 
-/* What touches a light's leaf is told of, unless it is rendered; without a hierarchy it is just what the light sees. */
-static void test_touching(void **state)
+/* What is near a light's leaf is told of, unless it is rendered; without a hierarchy it is just what the light sees. */
+static void test_near(void **state)
 {
 	(void)state;
 	for (u32 i = 0; i < N_METHODS; i++) {
@@ -295,24 +300,24 @@ static void test_touching(void **state)
 		const ts_node *nodes = data(t, TS_B_octree_node), *all = data(t, TS_B_view_octree_node);
 		u32 n = t->run.params.view_map_px, leaf = ((const u32 *)data(t, TS_B_view_octree_leaf))[0];
 		bool alone = all[leaf].radius == 0;
-		u64 n_touching = 0, least = 0, most = 0;
+		u64 n_near = 0, least = 0, most = 0;
 		for (u32 texel = 0; texel < 2 * n * n; texel++) {
 			json_t *told = ask(t, 0, true, texel);
-			n_touching += figure(told, "touching");
+			n_near += figure(told, "too_near");
 			json_decref(told);
 		}
 		for (u64 s = 0; s < count(t, TS_B_octree_node); s++) {
 			apart a = between(&nodes[s], &all[leaf]);
-			answer is = nodes[s].children != 0 ? NO : both(touches(&a, &all[leaf]), alone ? is_seen(t, &a, leaf) : YES);
+			answer is = nodes[s].children != 0 ? NO : both(is_near(t, &a), alone ? is_seen(t, &a, leaf) : YES);
 			least += alone && is == YES;
 			most += is != NO;
 		}
-		if (t->run.params.view_map_touching == TS_TOUCHING_RENDER)
-			assert_int_equal(n_touching, 0);
-		else if (t->run.params.view_map_multipixel)
-			assert_true(n_touching >= least && most > 0);
+		if (t->run.params.view_map_apart == 0)
+			assert_int_equal(n_near, 0);
+		else if (t->run.params.view_map_multipixel != TS_MULTIPIXEL_OFF)
+			assert_true(n_near >= least && most > 0);
 		else
-			assert_true(n_touching > 0 && n_touching >= least && n_touching <= most);
+			assert_true(n_near > 0 && n_near >= least && n_near <= most);
 	}
 }
 
@@ -336,8 +341,8 @@ static void test_nothing_there(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_nodes),    cmocka_unit_test(test_lights),        cmocka_unit_test(test_pixel_between),
-		cmocka_unit_test(test_touching), cmocka_unit_test(test_nothing_there),
+		cmocka_unit_test(test_nodes), cmocka_unit_test(test_lights),        cmocka_unit_test(test_pixel_between),
+		cmocka_unit_test(test_near),  cmocka_unit_test(test_nothing_there),
 	};
 	return cmocka_run_group_tests(tests, make_all, drop_all);
 }
