@@ -116,7 +116,7 @@ done
 mega=indirect-megaviews/trace-megaviews glow=particles-megaviews/trace-megaviews
 for pattern in 'bits agree with vpl_gather.pair_node' 'bounce: 2; triangle: ' 'answer: in shadow' 'why: both are leaves' \
 	'bits agree with view_map.depth_node' 'bits agree with bilateral.filtered_rows'; do
-	prints "$pattern" probe $mega --pixel 20,40
+	prints "$pattern" probe $mega --pixel 30,50
 done
 "$touchstone" render indirect "${views[@]}" --trace --method bruteforce -o indirect-bruteforce > /dev/null
 for method in megaviews manylods bruteforce; do
