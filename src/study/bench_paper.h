@@ -6,7 +6,7 @@
 #include "plot.h"
 
 /* Lists of figures end with this one. */
-enum { TS_NO_FIGURE = 255, TS_PAPER_PARTS = 6 };
+enum { TS_NO_FIGURE = 255 };
 
 /* A row as the paper prints it. */
 typedef struct {

@@ -77,6 +77,11 @@ static ts_status after_stage(const ts_run *run, const ts_stage *stage, void *use
 	return status == TS_OK && m->writer != NULL ? ts_trace_write_stage(m->writer, run, stage) : status;
 }
 
+static void keep_counter(ts_measure *m, ts_counter counter)
+{
+	if (m->n_counters < TS_MAX_COUNTERS) m->counters[m->n_counters++] = counter;
+}
+
 static void keep_texels(ts_measure *m)
 {
 	const ts_texel_counts *texels = &m->texels;
@@ -88,7 +93,10 @@ static void keep_texels(ts_measure *m)
 	                               {"lit but by rays", (i64)texels->lit},
 	                               {"dark but by rays", (i64)texels->dark}};
 	u32 n = texels->asked > 0 ? 7 : 4;
-	for (u32 i = 0; i < n && m->n_counters < TS_MAX_COUNTERS; i++) m->counters[m->n_counters++] = counters[i];
+	for (u32 i = 0; i < n; i++) keep_counter(m, counters[i]);
+	for (u32 i = 0; texels->reasons != NULL && texels->reasons[i] != NULL; i++) {
+		keep_counter(m, (ts_counter){texels->reasons[i], (i64)texels->because[i]});
+	}
 }
 
 static void keep(ts_measure *m, const ts_run *run)

@@ -52,7 +52,7 @@ static bool passes(const ts_truth *truth, const ts_truth_query *query, u32 trian
 	if (query->masked != TS_NONE && ts_k_reflector_of(&truth->scene, triangle) == query->masked) return false;
 	ts_corners corner = ts_k_corners(&truth->scene, triangle);
 	if (!ts_k_is_facing(&truth->scene, triangle, &corner, query->origin)) return false;
-	if ((flags_of(truth, triangle) & TS_MASKED) == 0) return true;
+	if (query->whole || (flags_of(truth, triangle) & TS_MASKED) == 0) return true;
 	ts_truth_hit hit = measure(truth, query, triangle);
 	return !ts_k_is_cut(&truth->scene, triangle, hit.weights, corner.n, hit.footprint);
 }

@@ -3,6 +3,8 @@
 #define TS_TRUTH_TEXELS_H
 #include "truth.h"
 
+enum { TS_MOST_REASONS = 10 };
+
 typedef struct {
 	u64 covered; /* texels whose ray hits what the view may show */
 	u64 holes;   /* of these, those that hold nothing */
@@ -13,6 +15,9 @@ typedef struct {
 	u64 asked; /* places whose shadows were asked for */
 	u64 lit;   /* of these, those that the texels let through, and something stops: light leaks */
 	u64 dark;  /* of these, those that the texels stop, and nothing does */
+
+	const char *const *reasons; /* why, ended by NULL: of `lit` and `dark` each counts once. NULL: none are told */
+	u64 because[TS_MOST_REASONS];
 } ts_texel_counts;
 
 /* `judge` adds to *counts what a buffer of the run's batch is like, when the stage that wrote it has run. */

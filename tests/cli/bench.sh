@@ -282,7 +282,8 @@ few, many = rows
 def near(a, b):
 	assert abs(a - b) <= 1e-6 * abs(b), (a, b)
 for method, columns in (("megaviews", {"pairs": "pairs", "pairs culled": "culled", "pairs rendered": "rendered",
-                         "views served": "served", "pairs wider than a texel": "wider", "view leaves": "leaves",
+                         "views served": "served", "pairs wider than a texel": "wider",
+                         "of these of several views": "wider_several", "view leaves": "leaves",
                          "scene leaves": "scene_leaves"}), ("manylods", {"pairs": "manylods_pairs"})):
 	counted = {c["counter"]: c[method] for c in render["counters"]}
 	assert all(counted[name] == many[key] > 0 for name, key in columns.items()), (counted, many)
@@ -298,6 +299,7 @@ for r, m, l in zip(rows, ours, lods):
 	near(r["culled_percent"], 100 * r["culled"] / r["pairs"])
 	near(r["pairs_culling_percent"], 100 * (1 - r["pairs"] / r["unculled_pairs"]))
 	near(r["wider_percent"], 100 * r["wider"] / r["rendered"])
+	near(r["wider_several_percent"], 100 * r["wider_several"] / r["rendered"])
 	near(m["mib"], m["scene_mib"] + m["views_mib"] + m["queue_mib"] + m["maps_mib"])
 	near(l["mib_ratio"], l["manylods_mib"] / m["mib"])
 	near(l["manylods_maps_mib"], r["views"] * 2 * 16 * 16 * 16 / 2 ** 20)
@@ -337,6 +339,25 @@ assert sorted(range(6), key=lambda i: ms[i]) == sorted(range(6), key=lambda i: -
 PY
 verdict $? 'bench mega-10: CSV, and a plot of a curve a method'
 
+# Every wrong answer has one reason.
+run bench mega-15 --scene "$room" --objects 4,5 --set rsm.px=64 --set vpl.paths=128 --size 48x27 -o "$scratch/mega-15"
+[ "$status" -eq 0 ] && awk 'length > 120 || / $/ { exit 1 }' "$scratch/stdout"
+verdict $? 'bench mega-15 fits 120 columns'
+python3 - "$scratch/mega-15" <<'PY'
+import sys
+from results import results
+report = results(sys.argv[1])
+answers, pictures = report["mega_15_answers"], report["mega_15"]
+assert len(answers) == 2 and all(r["asked"] > 100 for r in answers)
+for side in ("16", "64"):
+	for answer, why in zip(answers, report["mega_15_why_" + side]):
+		shares = [v for k, v in why.items() if k.endswith(side + "_percent")]
+		assert len(shares) == 10 and abs(sum(shares) - answer["wrong_" + side + "_percent"]) < 1e-6
+for r in pictures:
+	assert abs(r["psnr_gain"] - (r["psnr_64"] - r["psnr_16"])) < 1e-6
+PY
+verdict $? 'bench mega-15: reasons add up to the wrong answers'
+
 # Views of four bounces, and particles: pairs are those of the renders.
 run render indirect "$room" --method megaviews,manylods --set vpl.paths=64 --set vpl.bounces=4 "${maps[@]}" --no-images --json
 cp "$scratch/stdout" "$scratch/bounces-render"
@@ -366,7 +387,8 @@ for name, key in ("bounces", "mega_10_bounces"), ("particles", "mega_particles")
 	near(many["maps_ratio"], many["manylods_maps_mib"] / many["maps_mib"])
 	near(many["manylods_maps_mib"], b * 2 * 16 * 16 * 16 / 2 ** 20)
 	judged = {r["relation"]: r["verdict"] for r in report["relations"]}
-	assert len(judged) == 2 and all(v == "holds" or v.startswith("differs: ") for v in judged.values())
+	assert len(judged) == (3 if name == "particles" else 2)
+	assert all(v == "holds" or v.startswith("differs: ") for v in judged.values()) and 0 < many["empty_percent"] < 100
 PY
 verdict $? 'bench mega-10-bounces and mega-particles: pairs, maps and exponents, counted again'
 

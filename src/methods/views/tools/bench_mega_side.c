@@ -18,7 +18,11 @@ enum { LEAVES, PSNR, PSNR_HOLED, PSNR_FINE, PSNR_LODS, PSNR_LODS_FINE, SSIM, SSI
 	SSIM_LODS_FINE, ASKED, LIT, DARK, WRONG, LIT_HOLED, DARK_HOLED, WRONG_HOLED, LIT_FINE, DARK_FINE, WRONG_FINE,
 	WRONG_SHARE, WRONG_HOLED_SHARE, WRONG_FINE_SHARE, COVERED, LEAKS, LEAKS_SHARE, COVERED_FINE, LEAKS_HOLED,
 	LEAKS_HOLED_SHARE, LEAKS_FINE, LEAKS_FINE_SHARE, GAIN, SSIM_GAIN, WRONG_LEFT, COST, LEAKS_LEFT, WIDER, SEVERAL,
-	RENDERED, WIDER_SHARE, SEVERAL_SHARE };
+	RENDERED, WIDER_SHARE, SEVERAL_SHARE,
+#define WRONG(id, ...) WHY_##id, WHY_FINE_##id, WHY_SHARE_##id, WHY_FINE_SHARE_##id,
+#include "truth_wrong.def"
+#undef WRONG
+};
 
 #define COUNT(id, key, head, variant, what) [id] = { key, head, TS_FIGURE_COUNTER, variant, 0, TS_WHOLE, what }
 #define SHARE(id, key, head, part, of) [id] = { key, head, TS_FIGURE_PERCENT, part, of, 2, "" }
@@ -61,6 +65,13 @@ static const ts_bench_figure figures[] = {
 	COUNT(RENDERED, "rendered", "rendered", FINE, "pairs rendered"),
 	SHARE(WIDER_SHARE, "wider_percent", "wider, %", WIDER, RENDERED),
 	SHARE(SEVERAL_SHARE, "wider_several_percent", "of several views, %", SEVERAL, RENDERED),
+#define WRONG(id, counter, head) \
+	COUNT(WHY_##id, #id "_16", head, COARSE, counter), \
+	COUNT(WHY_FINE_##id, #id "_64", head, FINE, counter), \
+	SHARE(WHY_SHARE_##id, #id "_16_percent", head, WHY_##id, ASKED), \
+	SHARE(WHY_FINE_SHARE_##id, #id "_64_percent", head, WHY_FINE_##id, ASKED),
+#include "truth_wrong.def"
+#undef WRONG
 	{ 0 },
 };
 
@@ -70,6 +81,16 @@ static const ts_paper_part parts[] = {
 	{ "mega_15_manylods", "ManyLoDs", { PSNR_LODS, PSNR_LODS_FINE, SSIM_LODS, SSIM_LODS_FINE, TS_NO_FIGURE } },
 	{ "mega_15_answers", "Answers about shadows that rays give otherwise", { ASKED, WRONG_SHARE, WRONG_HOLED_SHARE,
 	  WRONG_FINE_SHARE, WRONG_LEFT, LIT_FINE, DARK_FINE, TS_NO_FIGURE } },
+	{ "mega_15_why_16", "Why those of 16 are wrong, % of all asked: the first half lit, the second dark", {
+#define WRONG(id, ...) WHY_SHARE_##id,
+#include "truth_wrong.def"
+#undef WRONG
+	  TS_NO_FIGURE } },
+	{ "mega_15_why_64", "And those of 64", {
+#define WRONG(id, ...) WHY_FINE_SHARE_##id,
+#include "truth_wrong.def"
+#undef WRONG
+	  TS_NO_FIGURE } },
 	{ "mega_15_leaks", "Texels that show what lies behind what rays hit", { LEAKS_SHARE, LEAKS_HOLED_SHARE,
 	  LEAKS_FINE_SHARE, LEAKS_LEFT, COST, TS_NO_FIGURE } },
 	{ "mega_15_pairs", "Rendered pairs wider than one of 64 texels", { LEAVES, RENDERED, WIDER_SHARE, SEVERAL_SHARE,

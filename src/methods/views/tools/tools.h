@@ -1,6 +1,7 @@
 /* What the files of this folder have for tools.c. */
 #ifndef TS_VIEWS_TOOLS_H
 #define TS_VIEWS_TOOLS_H
+#include "../../../kernels/views/vpl_gather.h"
 #include "../../../replay/check.h"
 #include "../../../truth/texels.h"
 
@@ -27,5 +28,22 @@ ts_status ts_truth_glow(ts_truth *truth, ts_run *run);
  * that would have light of them, with the parameters of shadows, whether these are on or off. Fails if a buffer is
  * not there. */
 ts_status ts_truth_maps(ts_texel_counts *counts, ts_truth *truth, const ts_run *run, ts_buffer_id id);
+
+/* Reasons of truth_wrong.def. */
+typedef enum {
+#define WRONG(id, ...) TS_WRONG_##id,
+#include "truth_wrong.def"
+#undef WRONG
+	TS_N_WRONG
+} ts_wrong;
+
+_Static_assert((u32)TS_N_WRONG <= (u32)TS_MOST_REASONS, "room for all");
+
+extern const char *const ts_wrong_names[]; /* their counters, ended by NULL (truth_wrong.c) */
+
+/* `lit` is what the map of a view says of the place p with the normal n, and wrong. What is within `reach` of a light
+ * stops nothing; leaves whose middles are within `apart` radii of that of the view's leaf are not in maps. */
+ts_wrong ts_truth_wrong(const ts_truth *truth, const ts_vpl_gather_args *of, u32 view, ts_v3 p, ts_v3 n, f32 reach,
+                        f32 apart, bool lit);
 
 #endif

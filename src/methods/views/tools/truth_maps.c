@@ -12,6 +12,7 @@ typedef struct {
 	ts_vpl_gather_args of;
 	u64 n_pixels;
 	f32 leaf, reach; /* side of a leaf; what is so near a light stops nothing */
+	f32 apart;       /* params.view_map_apart */
 	bool all;        /* views see all directions */
 } judge;
 
@@ -64,6 +65,7 @@ static void judge_place(const judge *j, u32 view, u32 k, ts_texel_counts *counts
 	counts->asked++;
 	counts->lit += lit && !sees;
 	counts->dark += !lit && sees;
+	if (lit != sees) counts->because[ts_truth_wrong(j->truth, &j->of, view, p, n, j->reach, j->apart, lit)]++;
 }
 
 static ts_texel_counts judge_view(const judge *j, u32 view)
@@ -83,6 +85,7 @@ static void add(ts_texel_counts *sum, const ts_texel_counts *counts)
 	sum->asked += counts->asked;
 	sum->lit += counts->lit;
 	sum->dark += counts->dark;
+	for (u32 i = 0; i < TS_N_WRONG; i++) sum->because[i] += counts->because[i];
 }
 
 ts_status ts_truth_maps(ts_texel_counts *counts, ts_truth *truth, const ts_run *run, ts_buffer_id id)
@@ -94,6 +97,7 @@ ts_status ts_truth_maps(ts_texel_counts *counts, ts_truth *truth, const ts_run *
 	j.n_pixels = (u64)TS_PARAM(&run->params, width) * TS_PARAM(&run->params, height);
 	j.leaf = ts_k_leaf_side(&j.of);
 	j.reach = ts_k_leaf_diagonal(&j.of);
+	j.apart = TS_PARAM(&run->params, view_map_apart);
 	j.all = run->plan.views.field == TS_VIEW_FIELD_ALL;
 	ts_texel_counts sum = {.asked = 0};
 #pragma omp parallel for num_threads((int)run->c.threads) schedule(dynamic, 4)
@@ -103,5 +107,6 @@ ts_status ts_truth_maps(ts_texel_counts *counts, ts_truth *truth, const ts_run *
 		add(&sum, &one);
 	}
 	add(counts, &sum);
+	counts->reasons = ts_wrong_names;
 	return TS_OK;
 }
