@@ -17,9 +17,9 @@ static const ts_bench_variant variants[] = {
 
 enum { VIEWS, MS, LODS_MS, WIDE_MS, BRUTE_MS, SPEEDUP, CULLING, TREE_MS, GATHER_MS, LODS_GATHER_MS, MS_GROWTH,
 	LODS_MS_GROWTH, PAIRS, LODS_PAIRS, BRUTE_PAIRS, SAVED, A_VIEW, LODS_A_VIEW, PAIRS_GROWTH, LODS_PAIRS_GROWTH, SERVED,
-	RENDERED, SHARING, CULLED, CULLED_SHARE, WIDE_PAIRS, PAIRS_SAVED, WIDER, WIDER_SHARE, EMPTY, WIDE_EMPTY,
-	SCENE_LEAVES, LEAVES, SCENE_MIB, TREE_MIB, QUEUE_MIB, MAPS_MIB, MIB, LODS_SCENE_MIB, LODS_VIEWS_MIB,
-	LODS_QUEUE_MIB, LODS_MAPS_MIB, LODS_MIB, LESS };
+	RENDERED, SHARING, CULLED, CULLED_SHARE, WIDE_PAIRS, PAIRS_SAVED, WIDER, WIDER_SHARE, SEVERAL,
+	SEVERAL_SHARE, EMPTY, WIDE_EMPTY, SCENE_LEAVES, LEAVES, SCENE_MIB, TREE_MIB, QUEUE_MIB, MAPS_MIB, MIB,
+	LODS_SCENE_MIB, LODS_VIEWS_MIB, LODS_QUEUE_MIB, LODS_MAPS_MIB, LODS_MIB, LESS };
 
 static const ts_bench_figure figures[] = {
 	[VIEWS] = { "views", "views", TS_FIGURE_COUNTER, M_MEGA, 0, TS_WHOLE, "virtual point lights" },
@@ -53,6 +53,9 @@ static const ts_bench_figure figures[] = {
 	[PAIRS_SAVED] = { "pairs_culling_percent", "pairs saved, %", TS_FIGURE_SAVED, PAIRS, WIDE_PAIRS, 2, "" },
 	[WIDER] = { "wider", "wider than a texel", TS_FIGURE_COUNTER, M_MEGA, 0, TS_WHOLE, "pairs wider than a texel" },
 	[WIDER_SHARE] = { "wider_percent", "wider, %", TS_FIGURE_PERCENT, WIDER, RENDERED, 2, "" },
+	[SEVERAL] = { "wider_several", "of several views", TS_FIGURE_COUNTER, M_MEGA, 0, TS_WHOLE,
+	  "of these of several views" },
+	[SEVERAL_SHARE] = { "wider_several_percent", "of several views, %", TS_FIGURE_PERCENT, SEVERAL, RENDERED, 2, "" },
 	[EMPTY] = { "empty_percent", "empty, %", TS_FIGURE_LOOKED, M_MEGA, 0, 1, "" },
 	[WIDE_EMPTY] = { "unculled_empty_percent", "not culled, %", TS_FIGURE_LOOKED, M_WIDE, 0, 1, "" },
 	[SCENE_LEAVES] = { "scene_leaves", "leaves of the scene", TS_FIGURE_COUNTER, M_MEGA, 0, TS_WHOLE, "scene leaves" },
@@ -79,8 +82,8 @@ static const ts_paper_part parts[] = {
 	{ "mega_10_ms", "The rest, ms", { BRUTE_MS, TREE_MS, GATHER_MS, LODS_GATHER_MS, TS_NO_FIGURE } },
 	{ "mega_10_pairs", "Pairs, and ManyLoDs'", { PAIRS, LODS_PAIRS, BRUTE_PAIRS, SAVED, A_VIEW, LODS_A_VIEW,
 	  PAIRS_GROWTH, LODS_PAIRS_GROWTH, TS_NO_FIGURE } },
-	{ "mega_10_fates", "What becomes of pairs", { RENDERED, WIDER, WIDER_SHARE, CULLED, CULLED_SHARE, WIDE_PAIRS,
-	  PAIRS_SAVED, TS_NO_FIGURE } },
+	{ "mega_10_fates", "What becomes of pairs", { RENDERED, WIDER, WIDER_SHARE, SEVERAL, SEVERAL_SHARE, CULLED,
+	  CULLED_SHARE, WIDE_PAIRS, PAIRS_SAVED, TS_NO_FIGURE } },
 	{ "mega_10_sharing", "Views of rendered pairs, and texels of whole maps of leaves", { SERVED, SHARING, EMPTY,
 	  WIDE_EMPTY, TS_NO_FIGURE } },
 	{ "mega_10_mib", "Memory of MegaViews, MiB: octrees, queue at its longest, maps of all nodes and whole ones", {
@@ -109,8 +112,8 @@ static const ts_paper_relation relations[] = {
 	  PAIRS_SAVED },
 	{ "pairs that culling saves, %", PAIRS_SAVED, TS_BETWEEN, 0, 20, ALL, "more or less is behind views",
 	  CULLED_SHARE },
-	{ "rendered pairs wider than a texel, %", WIDER_SHARE, TS_AT_MOST, 0, 5, ALL, "larger leaves than the paper's",
-	  SCENE_LEAVES },
+	{ "pairs of several views wider than a texel, %", SEVERAL_SHARE, TS_AT_MOST, 0, 5, ALL,
+	  "larger leaves than the paper's", SCENE_LEAVES },
 	{ "empty texels of maps of all directions, %", WIDE_EMPTY, TS_BETWEEN, 25, 35, ALL,
 	  "12.5 are outside the discs; of the rest those to the sky and into walls", WIDE_EMPTY },
 	{ 0 },
@@ -124,8 +127,7 @@ static const ts_paper_row rows[] = {
 };
 /* clang-format on */
 
-/* Texels of the whole maps of leaves that nothing was rendered to, %; NAN without maps. */
-static double empty_share(const ts_run *run)
+double ts_empty_share(const ts_run *run)
 {
 	if (!run->frame.buffer[TS_B_view_map_fused_depth].made) return NAN;
 	const u32 *depth = ts_frame_data(&run->frame, TS_B_view_map_fused_depth);
@@ -151,7 +153,7 @@ const ts_paper_table ts_mega_10 = {
 	.defaults = "octree.levels=7,rsm.px=256", .size = "width=320,height=180", .timed = true,
 	.note = "A path leaves vpl.bounces views; the paper has 1 or 4, and 11 levels. Brute force, one run, up to 1024 "
 	"paths.",
-	.look = empty_share, .variants = variants, .figures = figures, .parts = parts, .relations = relations,
+	.look = ts_empty_share, .variants = variants, .figures = figures, .parts = parts, .relations = relations,
 	.plot = &plot, .rows = rows,
 };
 /* clang-format on */

@@ -17,7 +17,7 @@ static const ts_bench_variant variants[] = {
 	{ key, title ": maps, ms; exponents of views since the row above", { __VA_ARGS__, LODS_MS, SPEEDUP, MS_GROWTH, \
 	  LODS_MS_GROWTH, RMSE, TS_NO_FIGURE } }, \
 	{ key "_pairs", "Pairs, and ManyLoDs'", { PAIRS, LODS_PAIRS, SAVED, PAIRS_GROWTH, SHARING, SHARING_GROWTH, \
-	  WIDER_SHARE, TS_NO_FIGURE } }, \
+	  WIDER_SHARE, SEVERAL_SHARE, EMPTY, TS_NO_FIGURE } }, \
 	{ key "_mib", "Memory", { QUEUE_MIB, MAPS_MIB, LODS_QUEUE_MIB, LODS_MAPS_MIB, MAPS_LESS, TS_NO_FIGURE } }, \
 	{ 0 } \
 }
@@ -30,7 +30,8 @@ static const ts_paper_plot plot = { "views", "maps, ms", X, { MS, LODS_MS, TS_NO
 
 /* Four bounces. */
 static const ts_bench_figure bounce_figures[] = {
-	[X] = { "views", "views", TS_FIGURE_COUNTER, M_MEGA, 0, TS_WHOLE, "virtual point lights" }, TS_MEGA_FIGURES, { 0 },
+	[X] = { "views", "views", TS_FIGURE_COUNTER, M_MEGA, 0, TS_WHOLE, "virtual point lights" }, TS_MEGA_FIGURES,
+	TS_MEGA_EMPTY, { 0 },
 };
 
 static const ts_paper_part bounce_parts[] = PARTS("mega_10_bounces", "MegaViews, figure 10, four bounces", X, MS);
@@ -53,12 +54,14 @@ const ts_paper_table ts_mega_10_bounces = {
 	.set = "reflectors.count=0,vpl.bounces=4", .defaults = "octree.levels=7,rsm.px=256", .size = "width=320,height=180",
 	.timed = true,
 	.note = "A path leaves up to four views; the paper has 256K paths, and 11 levels.", .variants = variants,
-	.figures = bounce_figures, .parts = bounce_parts, .relations = bounce_relations, .plot = &plot, .rows = bounce_rows,
+	.look = ts_empty_share, .figures = bounce_figures, .parts = bounce_parts, .relations = bounce_relations,
+	.plot = &plot, .rows = bounce_rows,
 };
 
 /* Particles. */
 static const ts_bench_figure particle_figures[] = {
-	[X] = { "views", "views", TS_FIGURE_PARAM, M_MEGA, 0, TS_WHOLE, "particle.count" }, TS_MEGA_FIGURES, { 0 },
+	[X] = { "views", "views", TS_FIGURE_PARAM, M_MEGA, 0, TS_WHOLE, "particle.count" }, TS_MEGA_FIGURES,
+	TS_MEGA_EMPTY, { 0 },
 };
 
 static const ts_paper_part particle_parts[] = PARTS("mega_particles", "MegaViews, particles", MS);
@@ -66,6 +69,8 @@ static const ts_paper_part particle_parts[] = PARTS("mega_particles", "MegaViews
 static const ts_paper_relation particle_relations[] = {
 	{ "time of ManyLoDs / MegaViews, 65,536 views", SPEEDUP, TS_BETWEEN, 1.5, 2.5, X, 60000, 70000,
 	  "more or less is shared", SHARING },
+	{ "empty texels, %", EMPTY, TS_BETWEEN, 25, 35, ALL,
+	  "12.5 are outside the discs; of the rest those to the sky and into walls", EMPTY },
 	GROWTH, { 0 },
 };
 
@@ -79,8 +84,8 @@ const ts_paper_table ts_mega_particles = {
 	.name = "mega-particles", .title = "MegaViews, particles", .effect = "particles", .scenes = "atrium",
 	.objects_head = "particles", .objects_param = "particle.count", .objects = "256,1024,4096", .most = 1 << 24,
 	.set = "reflectors.count=0", .defaults = "octree.levels=7", .size = "width=320,height=180", .timed = true,
-	.note = "Nothing is culled. The paper has 4,096 and 65,536, and 11 levels.", .variants = variants,
-	.figures = particle_figures, .parts = particle_parts, .relations = particle_relations, .plot = &plot,
-	.rows = particle_rows,
+	.note = "Nothing is culled. The paper has 4,096 and 65,536, and 11 levels.", .look = ts_empty_share,
+	.variants = variants, .figures = particle_figures, .parts = particle_parts, .relations = particle_relations,
+	.plot = &plot, .rows = particle_rows,
 };
 /* clang-format on */
