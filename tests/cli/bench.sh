@@ -339,6 +339,23 @@ assert sorted(range(6), key=lambda i: ms[i]) == sorted(range(6), key=lambda i: -
 PY
 verdict $? 'bench mega-10: CSV, and a plot of a curve a method'
 
+run bench mega-14 --scene "$room" --objects 64 --set octree.levels=4 --set rsm.px=64 --size 48x27 --runs 1 -o "$scratch/mega-14"
+[ "$status" -eq 0 ] && awk 'length > 120 || / $/ { exit 1 }' "$scratch/stdout"
+verdict $? 'bench mega-14 fits 120 columns'
+python3 - "$scratch/mega-14" <<'PY'
+import sys
+from results import results
+report = results(sys.argv[1])
+row = {k: v for part in ("mega_14", "mega_14_psnr", "mega_14_ssim") for k, v in report[part][0].items()}
+for few in ("1", "4", "18"):
+	assert abs(row["time_" + few] - row["ms_" + few] / row["ms"]) < 1e-6 * row["time_" + few]
+	for measure in ("psnr", "ssim"):
+		assert abs(row[f"{measure}_more_than_{few}"] - (row[measure] - row[f"{measure}_{few}"])) < 1e-6
+judged = [r for r in report["relations"] if r["scene"] == "room.gltf"]
+assert len(judged) == 2 * sum(row["time_" + few] >= 0.5 for few in ("1", "4", "18"))
+PY
+verdict $? 'bench mega-14: differences and times, counted again, and judged where the few are no faster'
+
 # Every wrong answer has one reason.
 run bench mega-15 --scene "$room" --objects 4,5 --set rsm.px=64 --set vpl.paths=128 --size 48x27 -o "$scratch/mega-15"
 [ "$status" -eq 0 ] && awk 'length > 120 || / $/ { exit 1 }' "$scratch/stdout"

@@ -6,7 +6,7 @@
 
 enum { N_BALLS = 600, LEVELS = 5 };
 
-static const u32 sides[] = {4, 16, 64};
+static const u32 sides[] = {4, 16, 64, 1024};
 
 typedef struct {
 	ts_v3 vs;

@@ -5,7 +5,7 @@
 
 enum { N_SIZES = 20000, N_RIM = 720 };
 
-static const u32 sides[] = {4, 8, 16, 64, 256};
+static const u32 sides[] = {4, 8, 16, 64, 256, 1024};
 static const double pi = 3.14159265358979323846;
 
 static void test_round_trip(void **state)

@@ -31,6 +31,7 @@ static const ts_bench_row benches[] = {
 	{"mega-12", "MegaViews: as maps become large; --objects are texels a side", TS_BENCH_BY_ITSELF,
      .paper = &ts_mega_12},
 	{"mega-13", "MegaViews: as octrees become deep; --objects are levels", TS_BENCH_BY_ITSELF, .paper = &ts_mega_13},
+	{"mega-14", "MegaViews: many small maps against few large ones", TS_BENCH_BY_ITSELF, .paper = &ts_mega_14},
 	{"mega-15", "MegaViews: maps of 16 and 64 texels against rays; --objects are levels", TS_BENCH_BY_ITSELF,
      .paper = &ts_mega_15},
 	{"mega-16", "MegaViews: what gathering culls; --objects are levels", TS_BENCH_BY_ITSELF, .paper = &ts_mega_16},
