@@ -303,7 +303,7 @@ for r, m, l in zip(rows, ours, lods):
 	near(m["mib"], m["scene_mib"] + m["views_mib"] + m["queue_mib"] + m["maps_mib"])
 	near(l["mib_ratio"], l["manylods_mib"] / m["mib"])
 	near(l["manylods_maps_mib"], r["views"] * 2 * 16 * 16 * 16 / 2 ** 20)
-	assert 21 < r["unculled_empty_percent"] < r["empty_percent"] < 100 and r["sharing"] > 1
+	assert 21 < r["all_empty_percent"] < r["empty_percent"] < 100 and r["sharing"] > 1
 assert (few["views"], many["views"]) == (64, 256) and few["pairs_exponent"] is None
 near(many["pairs_exponent"], math.log(many["pairs"] / few["pairs"]) / math.log(4))
 near(many["ms_exponent"], math.log(many["megaviews_ms"] / few["megaviews_ms"]) / math.log(4))

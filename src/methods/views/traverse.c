@@ -36,12 +36,18 @@ static const ts_launch sum_all = TS_LAUNCH(scan, TS_WORK(counts, counts));
 static const ts_launch count_kept = TS_LAUNCH(render_count, TS_ALL);
 static const ts_launch keep = TS_LAUNCH(render, TS_ALL);
 
-ts_status ts_traverse_arguments(ts_run *run, ts_traverse_args *args)
+ts_aperture ts_view_aperture(u32 field)
 {
 	static const ts_aperture fields[] = {{.cosine = 0, .sine = 1}, {.cosine = -1, .sine = 0}};
+	return fields[field];
+}
+
+ts_status ts_traverse_arguments(ts_run *run, ts_traverse_args *args)
+{
+	bool culls = TS_PARAM(&run->params, traverse_cull) != 0;
 	if (ts_view_px_check(&run->params) != TS_OK) return TS_ERROR;
 	*args = (ts_traverse_args){
-		.phi = fields[run->plan.views.field],
+		.phi = ts_view_aperture(culls ? run->plan.views.field : TS_VIEW_FIELD_ALL),
 		.n = TS_PARAM(&run->params, view_map_px),
 		.apart = TS_PARAM(&run->params, view_map_apart),
 		.last = TS_NONE,

@@ -33,6 +33,7 @@ u32 ts_gather_level(const ts_run *run)
 ts_status ts_vpl_pairs_arguments(ts_run *run, ts_traverse_args *args)
 {
 	if (ts_traverse_arguments(run, args) != TS_OK) return TS_ERROR;
+	args->phi = ts_view_aperture(run->plan.views.field);
 	args->last = ts_gather_level(run);
 	args->to_last = 1;
 	args->apart = 0;

@@ -463,6 +463,56 @@ static void test_wide(void **state)
 	ts_scene_free(scene);
 }
 
+/* Whether a light sees all that a texel does: its corners, and what lies between them. */
+static bool sees_texel(const f32 *normal, u32 texel, u32 n)
+{
+	const double bent = 0.05;
+	bool back = texel >= n * n;
+	for (u32 k = 0; k < 4; k++) {
+		double u = 2.0 * (texel % n + k % 2) / n - 1, v = 2.0 * (texel / n % n + k / 2) / n - 1, square = u * u + v * v;
+		double x = back ? square - 1 : 1 - square;
+		if (x * (double)normal[0] + 2 * u * (double)normal[1] + 2 * v * (double)normal[2] < bent) return false;
+	}
+	return true;
+}
+
+/* Without culling there are more pairs, and maps show the same before each light. */
+static void test_culling(void **state)
+{
+	(void)state;
+	for (u32 m = 0; m < N_METHODS; m++) {
+		ts_params params = tiny_params(), whole;
+		params.view_map_multipixel = TS_MULTIPIXEL_MIPS;
+		whole = params;
+		whole.traverse_cull = 0;
+		ts_scene *scene = small_scene(&params);
+		ts_run culled, all;
+		run_of(&culled, scene, &params, methods[m]);
+		run_of(&all, scene, &whole, methods[m]);
+		bool counts = strcmp(methods[m], "bruteforce") != 0;
+		assert_true(!counts || (ts_run_counter(&culled, "pairs culled") > 0 && ts_run_counter(&all, "pairs culled") == 0));
+		assert_true(ts_run_counter(&all, "pairs rendered") > ts_run_counter(&culled, "pairs rendered"));
+		const ts_vpl *lights = ts_frame_data(&all.frame, TS_B_vpl_light);
+		const u32 *leaf = ts_frame_data(&all.frame, TS_B_view_octree_leaf);
+		const u32 *a = ts_frame_data(&all.frame, TS_B_view_map_fused_depth);
+		const u32 *b = ts_frame_data(&culled.frame, TS_B_view_map_fused_depth);
+		u32 n = params.view_map_px, seen = 0, unseen = 0;
+		for (u64 l = 0; l < ts_frame_n(&all.frame, TS_B_vpl_light); l++) {
+			for (u32 t = 0; t < 2 * n * n; t++) {
+				u64 at = (u64)leaf[l] * 2 * n * n + t;
+				bool sees = sees_texel(lights[l].normal, t, n);
+				if (sees && a[at] != b[at]) fail_msg("%s: light %u, texel %u", methods[m], (unsigned)l, (unsigned)t);
+				seen += sees;
+				unseen += a[at] != b[at];
+			}
+		}
+		assert_true(seen > 10000 && unseen > 1000);
+		ts_run_end(&culled);
+		ts_run_end(&all);
+		ts_scene_free(scene);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -470,6 +520,7 @@ int main(void)
 		cmocka_unit_test(test_cutoff),          cmocka_unit_test(test_units),  cmocka_unit_test(test_draws),
 		cmocka_unit_test(test_little),          cmocka_unit_test(test_memory), cmocka_unit_test(test_memory_of_pairs),
 		cmocka_unit_test(test_memory_of_paths), cmocka_unit_test(test_brute),  cmocka_unit_test(test_wide),
+		cmocka_unit_test(test_culling),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
