@@ -236,8 +236,8 @@ for c in svg.iter(tag + "circle"):
 PY
 verdict $? 'bench ssagh-7: the errors of an independent computation, and a plot of them'
 run bench ssagh-5 -o "$scratch/ssagh-5"
-[ "$status" -eq 0 ] && awk 'length > 120 || / $/ { exit 1 }' "$scratch/stdout"
-verdict $? 'bench ssagh-5 fits 120 columns'
+[ "$status" -eq 0 ] && grep -q '^As lambda grows c falls .*: holds$' "$scratch/stdout" && awk 'length > 120 || / $/ { exit 1 }' "$scratch/stdout"
+verdict $? 'bench ssagh-5 holds what the paper says, and fits 120 columns'
 python3 - "$scratch/ssagh-5" <<'PY'
 import csv, math, sys, xml.etree.ElementTree as xml
 tag = "{http://www.w3.org/2000/svg}"
@@ -253,12 +253,54 @@ for name in "cs":
 	assert all(50 <= float(c.get("cy")) <= 500 for c in svg.iter(tag + "circle"))
 	assert "-0" not in [t.text for t in svg.iter(tag + "text")]
 	if name == "c":
+		for row in rows:
+			curves = [float(row["c_" + sharp]) for sharp in ("0.1", "1", "5", "20", "200")]
+			assert all(a > b - 1e-5 for a, b in zip(curves, curves[1:]))
 		assert all(abs(float(row["c_200"]) - max(0, math.cos(math.radians(float(row["beta"]))))) < 0.03 for row in rows)
 assert max(v for (name, _), v in most.items() if name == "c") < 0.007
 assert 0.01 < max(v for (name, _), v in most.items() if name == "s") < 0.03
 PY
 verdict $? 'bench ssagh-5: the closed form beside quadrature, and plots'
 refuses 'takes no --size' bench ssagh-7 --size 64x64
+run bench ssagh-6 -o "$scratch/ssagh-6"
+[ "$status" -eq 0 ] && awk 'length > 120 || / $/ { exit 1 }' "$scratch/stdout" && grep -q '^RMSE of the fits: .* holds$' "$scratch/stdout"
+verdict $? 'bench ssagh-6 holds what the paper says'
+# By another integral: over the cosine to the normal, of the modified Bessel function of order 0.
+python3 - "$scratch/ssagh-6" <<'PY'
+import csv, math, sys, xml.etree.ElementTree as xml
+rows = [{k: float(v) for k, v in row.items()} for row in csv.DictReader(open(sys.argv[1] + "/ssagh_6.csv"))]
+def bessel(x):
+	"""exp(-x) I0(x)."""
+	n = 64 + int(4 * math.sqrt(x + 1) * 8)
+	return sum(math.exp(x * (math.cos(math.pi * (k + 0.5) / n) - 1)) for k in range(n)) / n
+def integral(lam, beta, n=1500):
+	total = 0
+	for k in range(n):
+		z = (k + 0.5) / n
+		x = lam * math.sqrt(1 - z * z) * math.sin(beta)
+		total += z * bessel(x) * math.exp(lam * (z * math.cos(beta) - 1) + x)
+	return total / n
+def residue(row, t, per_u):
+	lam, total = row["lambda"], 0
+	low, high = integral(lam, math.pi), integral(lam, 0)
+	for i in range(0, 181, 12):
+		beta = math.pi * (i + 0.5) / 181
+		c, clamped = (integral(lam, beta) - low) / (high - low), max(0, math.cos(beta))
+		s = (c - clamped) / (0.5 * math.cos(beta) + 0.5 - clamped)
+		total += (s - 1 / (math.exp(abs(math.cos(beta)) * t) + 1) / per_u) ** 2
+	return math.sqrt(total / 16)
+for lam in (1, 5, 20):
+	row = min(rows, key=lambda r: abs(math.log(r["lambda"] / lam)))
+	assert 0.4 * row["fit_rmse"] < residue(row, row["t"], row["per_u"]) < 2.5 * row["fit_rmse"], row
+	assert 0.4 * row["closed_rmse"] < residue(row, row["t_18"], 0.2958 * row["t_18"] + 0.5033) < 2.5 * row["closed_rmse"], row
+for row in rows:
+	assert row["fit_rmse"] <= row["closed_rmse"] and abs(row["per_u_17"] - (0.2958 * row["t"] + 0.5033)) < 1e-5
+assert [row["t"] for row in rows] == sorted(row["t"] for row in rows) and rows[-1]["lambda"] == 700
+tag = "{http://www.w3.org/2000/svg}"
+assert len(list(xml.parse(sys.argv[1] + "/ssagh_6.svg").getroot().iter(tag + "circle"))) == 41
+PY
+verdict $? 'bench ssagh-6: errors of fits by another integral, and a plot'
+refuses 'takes no --size' bench ssagh-6 --size 64x64
 
 # Counts are those of the renders that the table is of, and empty texels those of a trace.
 room=scenes/room.gltf

@@ -62,6 +62,43 @@ static void report_rows(ts_report *report, const char *key, const char *title, c
 	ts_report_table(report, &t);
 }
 
+static double most_apart(value rows[N_SHARP][N_ANGLES])
+{
+	double most = 0;
+	for (u32 i = 0; i < N_SHARP * N_ANGLES; i++) {
+		value v = rows[i / N_ANGLES][i % N_ANGLES];
+		if (!isnan(v.found)) most = fmax(most, fabs(v.found - v.closed));
+	}
+	return most;
+}
+
+/* Single precision leaves so much. */
+static bool falls(const figure *f)
+{
+	const double rounding = 1e-5;
+	for (u32 angle = 0; angle < N_ANGLES; angle++) {
+		double cosine = (double)ts_cos_turn((f32)angle / (2 * (N_ANGLES - 1))), above = 0.5 * cosine + 0.5;
+		for (u32 sharp = 0; sharp < N_SHARP; sharp++) {
+			if (f->c[sharp][angle].found > above + rounding) return false;
+			above = f->c[sharp][angle].found;
+		}
+		if (above < fmax(0, cosine) - rounding) return false;
+	}
+	return true;
+}
+
+static void report_claims(ts_report *report, figure *f)
+{
+	bool holds = falls(f);
+	double c = most_apart(f->c), s = most_apart(f->s);
+	ts_report_line(report, "As lambda grows c falls from 0.5 cos + 0.5 to the clamped cosine, at every angle: %s",
+	               holds ? "holds" : "differs");
+	ts_report_line(report, "Closed forms and quadrature are at most %.4f apart in c, %.4f in s", c, s);
+	ts_report_value(report, "falls", json_boolean(holds));
+	ts_report_value(report, "most_apart_c", json_real(c));
+	ts_report_value(report, "most_apart_s", json_real(s));
+}
+
 static ts_status plot(const char *name, const char *title, const char *y_axis, value rows[N_SHARP][N_ANGLES])
 {
 	ts_plot_point points[2 * N_SHARP * N_ANGLES];
@@ -85,6 +122,7 @@ static ts_status work_on(const ts_job *job, ts_report *report, const void *user)
 	ts_report_run(report, job);
 	report_rows(report, "ssagh_5_c", "SSAGH, figure 5a: c by quadrature, and in closed form", c_columns, f.c);
 	report_rows(report, "ssagh_5_s", "SSAGH, figure 5b: s by quadrature, and in closed form", s_columns, f.s);
+	report_claims(report, &f);
 	if (job->output.dir == NULL) return TS_OK;
 	ts_status status = plot("ssagh_5_c.svg", "SSAGH, figure 5a. Lines: quadrature; dots: closed form", "c", f.c);
 	if (status == TS_OK)

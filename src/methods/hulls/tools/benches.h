@@ -7,6 +7,7 @@
 extern const ts_paper_table ts_ssagh_1;
 ts_status ts_bench_segments(const ts_job *job);
 ts_status ts_bench_curves(const ts_job *job);
+ts_status ts_bench_logistic(const ts_job *job);
 ts_status ts_bench_cosines(const ts_job *job);
 /* Of ssagh-7: what single precision leaves of the integrals as they are printed. */
 void ts_bench_printed(ts_report *report);

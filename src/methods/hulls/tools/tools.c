@@ -25,6 +25,8 @@ static const ts_bench_row benches[] = {
 	{"ssagh-segments", "SSAGH: labels of algorithm 1 beside connected components", TS_BENCH_BY_ITSELF " objects runs",
      .run = ts_bench_segments},
 	{"ssagh-5", "SSAGH: the curves c and s; no scene", "", .takes = TS_BENCH_FILES " json", .run = ts_bench_curves},
+	{"ssagh-6", "SSAGH: logistic curves fitted to s; no scene", "", .takes = TS_BENCH_FILES " json",
+     .run = ts_bench_logistic},
 	{"ssagh-7", "SSAGH: errors of integrals with the cosine; no scene", "", .takes = TS_BENCH_FILES " json",
      .run = ts_bench_cosines},
 	{0},
