@@ -12,7 +12,7 @@ typedef struct {
 	ts_v3 from;              /* surface point at which this leg leaves, even if the ray starts at a cube's centre */
 	f32 path;                /* length of the legs before it */
 	f32 spread;              /* footprint of one unit of length: 1 / focal length in pixels; 0: finest level */
-	bool whole;              /* what alpha cuts out stops the ray, too */
+	bool whole;              /* holes that alpha cuts out stop the ray, too */
 } ts_truth_query;
 
 typedef struct {

@@ -1,4 +1,4 @@
-/* What a ball covers of dual-paraboloid maps: the texels whose middle is a direction that meets the ball (MegaViews
+/* The texels of dual-paraboloid maps that a ball covers: those whose middle is a direction that meets it (MegaViews
  * section 3.2, "Multi-Pixel Filling"; METHODS 13). The mapping is stereographic, so that on a map's disc the cap of
  * these directions is the inside of a circle, c + 2 (y u + z v) - b (u^2 + v^2) >= 0, or half of the plane, or the
  * outside of a circle. */
@@ -6,7 +6,7 @@
 #define TS_KERNELS_CAP_H
 #include "paraboloid.h"
 
-#define TS_CAP_ROUNDING 0.00000095367431640625f /* by the ball's distance: what rounding changes in `inside` */
+#define TS_CAP_ROUNDING 0.00000095367431640625f /* by the ball's distance: the error of `inside` */
 #define TS_CAP_LEAST 512.0f                     /* by that: the least b of a circle */
 
 /* A ball in one of the two maps. */

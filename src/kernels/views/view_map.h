@@ -49,7 +49,7 @@ TS_FN bool ts_k_cap_is_filled(const ts_cap *cap, const ts_pyramid *pyramid, u32 
 	return last || !(ts_k_cap_inside(cap, pyramid->n, level + 1u, column >> 1u, row >> 1u) >= 0.0f);
 }
 
-/* Fills what the cap covers in the front or the back of a map. */
+/* Fills the texels of the front or the back of a map that the cap covers. */
 TS_FN void ts_k_cap_fill(TS_GLOBAL u64 *map, const ts_pyramid *pyramid, const ts_cap *cap, bool back, u64 key)
 {
 	ts_cap_box box = ts_k_cap_box(cap, pyramid->n);
@@ -94,7 +94,7 @@ TS_FN void ts_k_view_map_item(const ts_view_map_args *args, u64 i)
 	if (args->pairs[i] < TS_STRUCK) ts_k_map_pair(args, args->pairs[i]);
 }
 
-/* What is in a texel of the map at `texels`, or nearer in a level above; TS_EMPTY: nothing. */
+/* The nearest key in a texel of the map at `texels` and in the levels above it; TS_EMPTY: none. */
 TS_FN u64 ts_k_map_key(TS_GLOBAL const u64 *texels, const ts_pyramid *pyramid, u32 texel)
 {
 	u64 key = TS_EMPTY;

@@ -1,8 +1,8 @@
-/* How near what maps show was to another answer, for ports that round otherwise (PORTING 7): a second pass over the
- * pairs that map.h got its own from, which changes nothing that was decided of the octrees that it was given. Where the
+/* How near the texels of maps were to another answer, for ports that round otherwise (PORTING 7): a second pass over
+ * the pairs of view_map.h, which changes none of the decisions about the octrees that it was given. Where the
  * fate of a pair turns, it and all pairs below it may come or go, in texels that its ball may cover in the maps of its
- * views. Where a texel of a rendered pair turns, the pair may leave it, or come to it. What comes behind what a texel
- * shows changes nothing. */
+ * views. Where a texel of a rendered pair turns, the pair may leave it, or come to it. A pair behind the shown one
+ * changes nothing. */
 #ifndef TS_KERNELS_VIEW_MAP_MARGIN_H
 #define TS_KERNELS_VIEW_MAP_MARGIN_H
 #include "../base/args.h"
@@ -63,7 +63,7 @@ TS_FN f32 ts_k_fate_margin(const ts_traverse_args *args, u64 pair, u32 fate)
 	return ts_min(least, ts_k_near_margin(&s, &v, args->apart));
 }
 
-/* Texels of one of two maps that a ball may be in, but those that show what is nearer. */
+/* Texels of one of two maps that a ball may be in, but those that show a nearer node. */
 TS_FN void ts_k_ball_margin_map(const ts_view_map_margin_args *args, u64 first, ts_v3 vs, f32 r, u32 level, bool back,
                                 f32 margin)
 {
@@ -124,7 +124,7 @@ typedef struct {
 } ts_placed;
 
 /* A pair that is in a texel, or is not, which turns with that much. It is shown there until it leaves; and it may come
- * where it is not behind what is shown, or so near behind that this turns, too. */
+ * where it is not behind the shown pair, or so near behind that this turns, too. */
 TS_FN void ts_k_place_turns(const ts_view_map_margin_args *args, const ts_placed *pair, u64 texel, bool is_there,
                             f32 turns)
 {
@@ -158,8 +158,7 @@ TS_FN void ts_k_middle_margin(const ts_view_map_margin_args *args, const ts_plac
 	ts_k_place_turns(args, pair, first + own, true, leaves);
 }
 
-/* Of what is inside the cap where that is not below 0, in what rounding changes in it: 8 ulps of the distance, by the
- * cosine of the ball's angular radius. */
+/* Of `inside`, and 0, in steps of its error: 8 ulps of the distance, by the cosine of the ball's angular radius. */
 TS_FN f32 ts_k_cap_margin(const ts_cap *cap, f32 d, f32 inside)
 {
 	f32 edge = ts_max(0.5f * (cap->b - cap->c), d * TS_MARGIN_LEAST_SINE);

@@ -31,7 +31,7 @@ u64 ts_traverse_room(const ts_params *params);
 ts_status ts_traverse(ts_run *run, const ts_traverse_args *how, ts_traverse_sink *sink, void *user);
 /* For sinks: adds a piece to the run's counters and says how many of its pairs are rendered. */
 ts_status ts_traverse_tally(ts_run *run, ts_traverse_piece *piece, u64 *n_rendered);
-/* Half of what a view sees across; with TS_VIEW_FIELD_ALL nothing is culled. */
+/* Half the angle that a view sees; with TS_VIEW_FIELD_ALL nothing is culled. */
 ts_aperture ts_view_aperture(u32 field);
 /* Arguments of the kernels that decide pairs, without queues. */
 ts_status ts_traverse_arguments(ts_run *run, ts_traverse_args *args);

@@ -1,5 +1,5 @@
-/* What balls cover of dual-paraboloid maps, against the angle between a texel's middle and the ball in double
- * precision: far ones, near ones, and those that the view is in. A coarse texel is inside only if all finer ones are,
+/* Texels of dual-paraboloid maps that balls cover, against the angle between a texel's middle and the ball in double
+ * precision: far balls, near balls, and those that the view is in. A coarse texel is inside only if all finer ones are,
  * and nothing is inside that the box leaves out. */
 #include "../../../src/kernels/views/cap.h"
 #include "../seeded.h"

@@ -1,6 +1,6 @@
 /* `bench ssagh-6`: the steepness t of the logistic curve that is nearest to s (eq 17), for each sharpness, beside that
- * of eq 18; SSAGH's figure 6, and the errors of the fits. In double precision: A_h - A_b by quadrature of what the
- * Gaussian has above that of the sharpness 0, so that nothing cancels where sharpness is small. */
+ * of eq 18; SSAGH's figure 6, and the errors of the fits. In double precision. The Gaussian is integrated less that of
+ * sharpness 0, so that nothing cancels where sharpness is small. */
 #include <math.h>
 #include "../../../kernels/hulls/gaussian.h"
 #include "benches.h"
@@ -32,8 +32,8 @@ static nodes nodes_of(void)
 	return n;
 }
 
-/* Of the directions at theta to the lobe: the sum of their cosines to the normal, beta away, where these are not below
- * 0. */
+/* The integral of the clamped cosine to the normal over the circle of directions at theta to the lobe, which is beta
+ * away from the normal. */
 static double cosines(double theta, double beta)
 {
 	double p = cos(theta) * cos(beta), q = sin(theta) * sin(beta);
@@ -41,7 +41,7 @@ static double cosines(double theta, double beta)
 	return 2 * (p * edge + q * sin(edge));
 }
 
-/* Over theta; but for exp(-lambda), which all share. */
+/* Over theta. The factor exp(-lambda), which all integrals share, is left out. */
 static double above(const nodes *n, double lambda, double beta, double from, double to)
 {
 	double sum = 0, half = (to - from) / 2;
@@ -60,7 +60,7 @@ static double whole(const nodes *n, double lambda, double beta)
 	       above(n, lambda, beta, pi - bend, pi);
 }
 
-/* s by quadrature: what is left of c between the two cosines. */
+/* s by quadrature: eq 16, solved for it. */
 static double s_of(const nodes *n, double lambda, double beta, double lower, double upper)
 {
 	double c = (whole(n, lambda, beta) - lower) / (upper - lower), clamped = fmax(0, cos(beta));

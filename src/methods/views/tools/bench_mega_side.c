@@ -1,5 +1,5 @@
-/* What maps of 64 texels a side show that those of 16 do not: the paper's figure 15, by pictures and rays. Each pixel
- * gathers from all lights, so that neither draws nor the filter hide what maps answer. */
+/* Maps of 64 texels a side against those of 16: the paper's figure 15, by pictures and rays. Each pixel gathers from
+ * all lights, so that neither draws nor the filter hide the maps' answers. */
 #include "benches.h"
 
 enum { COARSE, HOLED, FINE, LODS_COARSE, LODS_FINE };

@@ -106,7 +106,7 @@ static ts_status try_all(search *s, u64 n_nodes)
 	return status;
 }
 
-/* From the root down; in each map the nearest is what it shows. */
+/* From the root down; each map shows the nearest. */
 static int by_win(const void *a, const void *b)
 {
 	const offer *x = a, *y = b;

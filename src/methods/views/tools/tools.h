@@ -41,8 +41,8 @@ _Static_assert((u32)TS_N_WRONG <= (u32)TS_MOST_REASONS, "room for all");
 
 extern const char *const ts_wrong_names[]; /* their counters, ended by NULL (truth_wrong.c) */
 
-/* `lit` is what the map of a view says of the place p with the normal n, and wrong. What is within `reach` of a light
- * stops nothing; leaves whose middles are within `apart` radii of that of the view's leaf are not in maps. */
+/* `lit`: the wrong answer of a view's map about the place p with the normal n. Surfaces within `reach` of a light stop
+ * nothing; leaves whose middles are within `apart` radii of that of the view's leaf are not in maps. */
 ts_wrong ts_truth_wrong(const ts_truth *truth, const ts_vpl_gather_args *of, u32 view, ts_v3 p, ts_v3 n, f32 reach,
                         f32 apart, bool lit);
 

@@ -291,7 +291,8 @@ static void test_pixel_between(void **state)
 	}
 }
 
-/* What is near a light's leaf is told of, unless it is rendered; without a hierarchy it is just what the light sees. */
+/* Leaves near a light's leaf are told of, unless they are rendered; without a hierarchy these are just those that the
+ * light sees. */
 static void test_near(void **state)
 {
 	(void)state;

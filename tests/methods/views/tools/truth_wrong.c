@@ -99,7 +99,7 @@ static ts_wrong told(const world *w, const question *q, bool lit)
 	                      lit);
 }
 
-/* What a leaf between a light and a place that see each other would be blamed for; TS_N_WRONG: near two. */
+/* The reason why a leaf between a light and a place that see each other is wrong; TS_N_WRONG: near two. */
 static ts_wrong blamed(const world *w, const question *q, const ts_node *node)
 {
 	const double apart = (double)TS_PARAM(&w->run.params, view_map_apart) * w->radius, near = w->radius / 1000;
@@ -142,7 +142,7 @@ static void test_dark(void **state)
 	ts_scene_free(scene);
 }
 
-/* Texels that show nothing, what is behind, and what is before the place but not above its plane. */
+/* Texels that show no node, one behind the place, and one before the place but not above its plane. */
 static void test_lit(void **state)
 {
 	(void)state;
