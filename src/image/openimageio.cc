@@ -147,20 +147,6 @@ static ts_status encode_png(void **file, size_t *bytes, const char *path, const 
 	});
 }
 
-/* OpenImageIO writes the time of day where no other is given. */
-static ts_status encode_exr(void **file, size_t *bytes, const char *path, const float *pixels, uint32_t width,
-                            uint32_t height, uint32_t channels)
-{
-	*file = nullptr;
-	return guarded(path, [&] {
-		ImageSpec spec((int)width, (int)height, (int)channels, TypeDesc::FLOAT);
-		spec.attribute("compression", "zip");
-		spec.attribute("DateTime", "1970:01:01 00:00:00");
-		if (channels == 1) spec.channelnames.assign(1, "Y");
-		return encoded{file, bytes, path}.write("openexr", spec, TypeDesc::FLOAT, pixels);
-	});
-}
-
 template <typename Code> static bool read_codes(float *pixels, ImageInput &in, uint64_t n, TypeDesc type, float full)
 {
 	std::vector<Code> codes(n);
@@ -195,6 +181,35 @@ static ts_status read_floats(float **pixels, uint32_t *width, uint32_t *height, 
 	*channels = (uint32_t)spec.nchannels;
 	*pixels = owner.release();
 	return TS_OK;
+}
+
+/* Where memory ends OpenEXR may leave scan lines out, and not say so. */
+static ts_status require_whole(void **file, size_t bytes, const char *path, const float *pixels, uint64_t n)
+{
+	float *back = nullptr;
+	uint32_t width, height, channels;
+	ts_status status = read_floats(&back, &width, &height, &channels, "openexr", *file, bytes, path);
+	std::unique_ptr<float, void (*)(void *)> owner(back, free);
+	if (status == TS_OK && memcmp(back, pixels, n * sizeof *pixels) == 0) return TS_OK;
+	free(*file);
+	*file = nullptr;
+	return ts_fail("%s: its encoder lost pixels, as where memory ends", path);
+}
+
+/* OpenImageIO writes the time of day where no other is given. */
+static ts_status encode_exr(void **file, size_t *bytes, const char *path, const float *pixels, uint32_t width,
+                            uint32_t height, uint32_t channels)
+{
+	*file = nullptr;
+	return guarded(path, [&] {
+		ImageSpec spec((int)width, (int)height, (int)channels, TypeDesc::FLOAT);
+		spec.attribute("compression", "zip");
+		spec.attribute("DateTime", "1970:01:01 00:00:00");
+		if (channels == 1) spec.channelnames.assign(1, "Y");
+		ts_status status = encoded{file, bytes, path}.write("openexr", spec, TypeDesc::FLOAT, pixels);
+		return status == TS_OK ? require_whole(file, *bytes, path, pixels, (uint64_t)width * height * channels)
+		                       : status;
+	});
 }
 
 static ts_status read(float **pixels, uint32_t *width, uint32_t *height, uint32_t *channels, const char *format,
