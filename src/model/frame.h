@@ -13,7 +13,7 @@ typedef struct {
 	void *resident; /* what a backend's device holds of it; NULL: nothing */
 } ts_buffer;
 
-/* What a backend with a memory of its own does for the buffers that are resident there. */
+/* Calls by which a backend with a memory of its own serves the buffers that are resident there. */
 typedef struct {
 	ts_status (*fetch)(void *resident); /* makes `data` what the device has; kernels may still read it there */
 	void (*release)(void *resident);

@@ -43,7 +43,7 @@ typedef struct {
 	double rs, rv, theta, phi;
 } world;
 
-/* What the kernels are given is what the truth knows. */
+/* Kernels and truth are given the same. */
 static double as_float(double x) { return (double)(f32)x; }
 static double3 as_floats(double3 a) { return (double3){as_float(a.x), as_float(a.y), as_float(a.z)}; }
 

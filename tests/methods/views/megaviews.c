@@ -266,7 +266,7 @@ static void is_near(const char *what, u64 expected, u64 made, double factor)
 		fail_msg("%s: %llu expected, %llu made", what, (unsigned long long)expected, (unsigned long long)made);
 }
 
-/* What a run is expected to take is near what it takes; queues take no more than they may, and with more pairs more. */
+/* A run takes about the memory that is expected; queues take no more than they may, and with more pairs more. */
 static void test_memory(void **state)
 {
 	(void)state;

@@ -207,7 +207,7 @@ static bool try_fused(const traced *t, const json_t *fused, u32 view, u32 texel)
 	return depth == above;
 }
 
-/* Of all nodes from the root on. Returns how many moved from above. */
+/* Checks the chain of all nodes from the root on. Returns the number of texels that moved from above. */
 static u32 try_chain(const traced *t, const json_t *told, u32 node, u32 texel, u64 tally[2])
 {
 	const ts_node *nodes = data(t, TS_B_view_octree_node);

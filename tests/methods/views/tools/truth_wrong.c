@@ -21,6 +21,7 @@ static place cross(place a, place b)
 }
 
 typedef struct {
+	ts_scene *scene;
 	ts_run run;
 	ts_truth *truth;
 	ts_vpl_gather_args of;
@@ -42,9 +43,11 @@ static ts_params params_of(void)
 	return params;
 }
 
-static void begin(world *w, const ts_scene *scene, const ts_params *params)
+static void begin(world *w)
 {
-	ts_run_begin(&w->run, scene, params, 2);
+	ts_params params = params_of();
+	w->scene = small_scene(&params);
+	ts_run_begin(&w->run, w->scene, &params, 2);
 	assert_int_equal(ts_pipeline_run(ts_pipeline_find("indirect", "megaviews"), &w->run), TS_OK);
 	assert_int_equal(ts_truth_new(&w->truth, &w->run), TS_OK);
 	assert_int_equal(ts_vpl_gather_ask(&w->run, &w->of), TS_OK);
@@ -63,6 +66,7 @@ static void end(world *w)
 {
 	ts_truth_free(w->truth);
 	ts_run_end(&w->run);
+	ts_scene_free(w->scene);
 }
 
 /* A light and a place that it would light, and its texel. */
@@ -118,12 +122,10 @@ static ts_wrong blamed(const world *w, const question *q, const ts_node *node)
 static void test_dark(void **state)
 {
 	(void)state;
-	ts_params params = params_of();
-	ts_scene *scene = small_scene(&params);
 	world w;
 	question q;
 	u64 seen[TS_N_WRONG] = {0};
-	begin(&w, scene, &params);
+	begin(&w);
 	for (u32 k = 0; k < 60; k++) {
 		if (!ask(&w, k, &q) || !q.sees) continue;
 		u32 was = w.shown[q.texel];
@@ -139,19 +141,16 @@ static void test_dark(void **state)
 	}
 	for (u32 i = TS_WRONG_place; i < TS_N_WRONG; i++) assert_true(seen[i] > 20);
 	end(&w);
-	ts_scene_free(scene);
 }
 
 /* Texels that show no node, one behind the place, and one before the place but not above its plane. */
 static void test_lit(void **state)
 {
 	(void)state;
-	ts_params params = params_of();
-	ts_scene *scene = small_scene(&params);
 	world w;
 	question q;
 	u64 seen[TS_N_WRONG] = {0};
-	begin(&w, scene, &params);
+	begin(&w);
 	for (u32 k = 0; k < 4000; k++) {
 		if (!ask(&w, k, &q) || q.sees) continue;
 		u32 depth = w.depths[q.texel], node = w.shown[q.texel];
@@ -172,7 +171,6 @@ static void test_lit(void **state)
 	}
 	assert_true(seen[TS_WRONG_slack] > 20 && seen[TS_WRONG_near] > 0 && seen[TS_WRONG_empty] > 20);
 	end(&w);
-	ts_scene_free(scene);
 }
 
 static bool meets(const ts_corners *corner, place from, place way)
@@ -200,12 +198,10 @@ static bool meets_masked(const world *w, const question *q)
 static void test_cut_outs(void **state)
 {
 	(void)state;
-	ts_params params = params_of();
-	ts_scene *scene = small_scene(&params);
 	world w;
 	question q;
 	u32 n_cut = 0;
-	begin(&w, scene, &params);
+	begin(&w);
 	for (u32 k = 0; k < 20000 && n_cut < 40; k++) {
 		if (!ask(&w, k, &q) || !q.sees) continue;
 		u32 was = w.shown[q.texel];
@@ -218,23 +214,19 @@ static void test_cut_outs(void **state)
 	print_message("%u through cut-outs\n", n_cut);
 	assert_true(n_cut >= 10);
 	end(&w);
-	ts_scene_free(scene);
 }
 
 static void test_sums(void **state)
 {
 	(void)state;
-	ts_params params = params_of();
-	ts_scene *scene = small_scene(&params);
 	world w;
 	ts_texel_counts counts = {.asked = 0};
 	u64 lit = 0, dark = 0;
-	begin(&w, scene, &params);
+	begin(&w);
 	assert_int_equal(ts_truth_maps(&counts, w.truth, &w.run, TS_B_vpl_gather_irradiance), TS_OK);
 	for (u32 i = 0; i < TS_N_WRONG; i++) *(i < TS_WRONG_cut ? &lit : &dark) += counts.because[i];
 	assert_true(counts.lit > 0 && counts.dark > 0 && lit == counts.lit && dark == counts.dark);
 	end(&w);
-	ts_scene_free(scene);
 }
 
 int main(void)
