@@ -93,10 +93,12 @@ static ts_status read_memory(uint8_t *rgba, uint32_t width, uint32_t height, con
 	return TS_OK;
 }
 
-/* Runs `work`; whatever it throws becomes a failure. */
+/* Runs `work`; whatever it throws becomes a failure. OpenEXR is left no threads, for where memory ends it may wait for
+ * them for ever. */
 template <typename Work> static ts_status guarded(const char *what, Work work)
 {
 	try {
+		OIIO::attribute("exr_threads", -1);
 		return work();
 	} catch (const std::bad_alloc &) {
 		return ts_fail("%s: no memory for the image", what);
@@ -113,7 +115,7 @@ static ts_status decode(uint8_t *rgba, uint32_t width, uint32_t height, const ch
 	return guarded(what, [&] { return read_memory(rgba, width, height, format, file, file_bytes, what); });
 }
 
-/* A file in memory. */
+/* A file in memory, where only a lack of that can keep it from being written. */
 struct encoded {
 	void **file;
 	size_t *bytes;
@@ -126,7 +128,7 @@ struct encoded {
 		if (!out) return ts_fail("%s: OpenImageIO cannot write %s: %s", path, format, why_none().c_str());
 		bool good = out->set_ioproxy(&proxy) && out->open(path, spec) && out->write_image(type, pixels);
 		good = out->close() && good;
-		if (!good) return ts_fail("%s: %s", path, reason(out->geterror()).c_str());
+		if (!good) return ts_fail("%s: %s, as where memory ends", path, reason(out->geterror()).c_str());
 		*bytes = proxy.buffer().size();
 		*file = ts_alloc(*bytes, 1, path);
 		if (*file == nullptr) return TS_ERROR;
@@ -183,17 +185,31 @@ static ts_status read_floats(float **pixels, uint32_t *width, uint32_t *height, 
 	return TS_OK;
 }
 
-/* Where memory ends OpenEXR may leave scan lines out, and not say so. */
-static ts_status require_whole(void **file, size_t bytes, const char *path, const float *pixels, uint64_t n)
+/* What was asked to stand in the header does. */
+static bool has_header(const void *file, size_t bytes, const ImageSpec &asked)
+{
+	OIIO::Filesystem::IOMemReader memory(const_cast<void *>(file), bytes);
+	ImageSpec spec;
+	std::unique_ptr<ImageInput> in;
+	if (open_memory(in, spec, memory, "openexr", "the picture") != TS_OK) return false;
+	for (const auto &attribute : asked.extra_attribs) {
+		if (spec.get_string_attribute(attribute.name()) != attribute.get_string()) return false;
+	}
+	return spec.channelnames == asked.channelnames;
+}
+
+/* Where memory ends scan lines or attributes may be left out, and nobody says so. */
+static ts_status require_whole(void **file, size_t bytes, const char *path, const float *pixels, const ImageSpec &spec)
 {
 	float *back = nullptr;
 	uint32_t width, height, channels;
 	ts_status status = read_floats(&back, &width, &height, &channels, "openexr", *file, bytes, path);
 	std::unique_ptr<float, void (*)(void *)> owner(back, free);
-	if (status == TS_OK && memcmp(back, pixels, n * sizeof *pixels) == 0) return TS_OK;
+	bool whole = status == TS_OK && memcmp(back, pixels, spec.image_pixels() * channels * sizeof *pixels) == 0;
+	if (whole && has_header(*file, bytes, spec)) return TS_OK;
 	free(*file);
 	*file = nullptr;
-	return ts_fail("%s: its encoder lost pixels, as where memory ends", path);
+	return ts_fail("%s: its encoder left something out, as where memory ends", path);
 }
 
 /* OpenImageIO writes the time of day where no other is given. */
@@ -207,8 +223,7 @@ static ts_status encode_exr(void **file, size_t *bytes, const char *path, const 
 		spec.attribute("DateTime", "1970:01:01 00:00:00");
 		if (channels == 1) spec.channelnames.assign(1, "Y");
 		ts_status status = encoded{file, bytes, path}.write("openexr", spec, TypeDesc::FLOAT, pixels);
-		return status == TS_OK ? require_whole(file, *bytes, path, pixels, (uint64_t)width * height * channels)
-		                       : status;
+		return status == TS_OK ? require_whole(file, *bytes, path, pixels, spec) : status;
 	});
 }
 
