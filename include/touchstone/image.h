@@ -40,11 +40,21 @@ typedef struct {
 TS_API ts_metrics ts_metrics_compare(const uint8_t *reference, const uint8_t *image, const uint8_t *mask,
                                      uint32_t width, uint32_t height);
 
-/* How far apart two images of light are, RGB in linear radiance: the root of the mean over pixels and channels of
- * (image - reference)^2, by the mean of the reference (METHODS 17). 0 if they are equal or nothing is judged; infinite
- * beside a reference without light. mask: as above. */
-TS_API double ts_metrics_relative(const float *reference, const float *image, const uint8_t *mask, uint32_t width,
-                                  uint32_t height);
+/* How far apart two images of light are, RGB in linear radiance (METHODS 17). The error of a pixel is the sum over
+ * channels of |image - reference| by the sum of the reference: 0 if they are equal, infinite where only the image has
+ * light. */
+typedef struct {
+	double squares; /* sum over pixels and channels of (image - reference)^2 */
+	double
+		relative;  /* root of their mean, by the mean of the reference; 0 if they are equal, infinite beside no light */
+	double median; /* the least error, in single precision, that is enough for half of the pixels */
+	double beyond; /* share of the pixels whose error is above a tenth */
+	uint64_t pixels; /* judged */
+} ts_light_metrics;
+
+/* mask: as above. All 0 if nothing is judged. */
+TS_API ts_light_metrics ts_metrics_light(const float *reference, const float *image, const uint8_t *mask,
+                                         uint32_t width, uint32_t height);
 
 #ifdef __cplusplus
 }

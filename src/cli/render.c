@@ -74,6 +74,18 @@ static ts_status run_all(ts_render *render)
 	return status == TS_OK ? ts_render_truths_rest(render) : status;
 }
 
+static void compare_light(ts_pair *pair, const ts_params *p)
+{
+	const ts_picture *of = pair->image->near != NULL ? pair->image : pair->reference;
+	const f32 *reference = pair->reference->radiance, *image = pair->image->radiance;
+	u32 width = TS_PARAM(p, width), height = TS_PARAM(p, height);
+	pair->light = ts_metrics_light(reference, image, pair->image->seen, width, height);
+	pair->parted = of->near != NULL;
+	if (!pair->parted) return;
+	pair->near = ts_metrics_light(reference, image, of->near, width, height);
+	pair->elsewhere = ts_metrics_light(reference, image, of->elsewhere, width, height);
+}
+
 static void compare(ts_render *render, const ts_picture *reference, const ts_picture *image, const char *share)
 {
 	const ts_params *p = &render->job->params;
@@ -83,8 +95,7 @@ static void compare(ts_render *render, const ts_picture *reference, const ts_pic
 	pair->image = image;
 	pair->share = share;
 	pair->all = ts_metrics_compare(reference->srgb, image->srgb, NULL, TS_PARAM(p, width), TS_PARAM(p, height));
-	pair->relative =
-		ts_metrics_relative(reference->radiance, image->radiance, image->seen, TS_PARAM(p, width), TS_PARAM(p, height));
+	compare_light(pair, p);
 	if (render->mask != NULL) {
 		pair->reflective =
 			ts_metrics_compare(reference->srgb, image->srgb, render->mask, TS_PARAM(p, width), TS_PARAM(p, height));

@@ -15,8 +15,10 @@ enum { TS_MAX_PAIRS = 256 };
 typedef struct {
 	const ts_picture *reference, *image;
 	ts_metrics all, reflective; /* over the image and, if there is a mask, over its reflective pixels */
-	double relative;            /* RMSE in radiance by the mean of the reference, over what is no sky */
-	const char *share;          /* whose error this is: "method", "sampling", "both" or "" */
+	ts_light_metrics light;     /* over what is no sky */
+	bool parted;                /* there are triangles of light: these are set */
+	ts_light_metrics near, elsewhere;
+	const char *share; /* whose error this is: "method", "sampling", "both" or "" */
 } ts_pair;
 
 typedef struct {

@@ -1,5 +1,6 @@
 /* What a render prints: times, counters, memory, metrics and what the pictures show. */
 #include <inttypes.h>
+#include <math.h>
 #include <stdlib.h>
 #include "../scene/print.h"
 #include "render.h"
@@ -270,6 +271,16 @@ static void metric_cells(ts_table *table, const ts_metrics *m)
 	ts_table_real(table, m->ssim, 5);
 }
 
+/* Beside a reference without light an error is no number. */
+static void error_cell(ts_table *table, double error, int decimals)
+{
+	if (isfinite(error)) {
+		ts_table_real(table, error, decimals);
+	} else {
+		ts_table_none(table);
+	}
+}
+
 static void report_missed(const ts_render *render, ts_report *report)
 {
 	for (u32 t = 0; ts_truths()[t] != NULL; t++) {
@@ -314,11 +325,41 @@ static void report_metrics(const ts_render *render, ts_report *report)
 		if (mask) {
 			metric_cells(&table, &pair->reflective);
 		} else {
-			ts_table_real(&table, pair->relative, 5);
+			error_cell(&table, pair->light.relative, 5);
 		}
 		ts_table_text(&table, pair->share);
 	}
 	ts_report_table(report, &table);
+}
+
+/* Relative RMSEs are by the mean of the reference over the same pixels. */
+static void report_light(const ts_render *render, ts_report *report)
+{
+	static const ts_column columns[] = {{"image", "image", false},
+	                                    {"reference", "against", false},
+	                                    {"relative_rmse_near", "RMSE, near", true},
+	                                    {"relative_rmse_elsewhere", "elsewhere", true},
+	                                    {"near_percent", "near, % of pixels", true},
+	                                    {"near_error_percent", "of squared error", true},
+	                                    {"median_error", "median error", true},
+	                                    {"beyond_percent", "above 10 %, %", true},
+	                                    {0}};
+	ts_table table = ts_table_begin(
+		"light_errors", "Relative errors in radiance; near: within a side of the middle of a triangle of light",
+		columns);
+	for (u32 i = 0; i < render->n_pairs; i++) {
+		const ts_pair *pair = &render->pairs[i];
+		if (!pair->parted || pair->light.pixels == 0) continue;
+		ts_table_text(&table, pair->image->name);
+		ts_table_text(&table, pair->reference->name);
+		error_cell(&table, pair->near.relative, 5);
+		error_cell(&table, pair->elsewhere.relative, 5);
+		ts_table_real(&table, 100 * (double)pair->near.pixels / (double)pair->light.pixels, 2);
+		error_cell(&table, 100 * pair->near.squares / pair->light.squares, 2);
+		error_cell(&table, pair->light.median, 5);
+		ts_table_real(&table, 100 * pair->light.beyond, 2);
+	}
+	if (table.n_cells > 0) ts_report_table(report, &table);
 }
 
 static void picture_row(ts_table *table, const char *name, const char *what)
@@ -366,5 +407,6 @@ void ts_render_report_body(const ts_render *render, ts_report *report)
 		report_shadows(render, report);
 	}
 	report_metrics(render, report);
+	report_light(render, report);
 	if (!render->job->output.no_images) report_pictures(render, report);
 }

@@ -118,19 +118,59 @@ ts_metrics ts_metrics_compare(const uint8_t *reference, const uint8_t *image, co
 	return m;
 }
 
-double ts_metrics_relative(const float *reference, const float *image, const uint8_t *mask, uint32_t width,
-                           uint32_t height)
+/* The error of a pixel of light. */
+static float error_of(const float *reference, const float *image)
 {
-	double squares = 0, sum = 0;
-	uint64_t n = 0;
+	double apart = 0, light = 0;
+	for (int c = 0; c < 3; c++) {
+		apart += fabs((double)image[c] - (double)reference[c]);
+		light += (double)reference[c];
+	}
+	return apart > 0 ? (float)(apart / light) : 0;
+}
+
+/* Errors are at least 0, so that their bits are in their order: the bits of the median are found 8 at a time. */
+static double median_error(const float *reference, const float *image, const uint8_t *mask, size_t end, uint64_t n)
+{
+	uint64_t rank = (n + 1) / 2;
+	uint32_t found = 0;
+	for (int shift = 24; shift >= 0; shift -= 8) {
+		uint64_t count[256] = {0};
+		uint32_t bits, at = 0;
+		for (size_t i = 0; i < end; i++) {
+			float error = !mask || mask[i] ? error_of(reference + 3 * i, image + 3 * i) : 0;
+			memcpy(&bits, &error, sizeof bits);
+			bool goes_on = (uint64_t)bits >> (shift + 8) == (uint64_t)found >> (shift + 8);
+			if ((!mask || mask[i]) && goes_on) count[bits >> shift & 255]++;
+		}
+		while (count[at] < rank) rank -= count[at++];
+		found |= at << shift;
+	}
+	float median;
+	memcpy(&median, &found, sizeof median);
+	return (double)median;
+}
+
+ts_light_metrics ts_metrics_light(const float *reference, const float *image, const uint8_t *mask, uint32_t width,
+                                  uint32_t height)
+{
+	ts_light_metrics m = {0};
+	double sum = 0;
+	uint64_t beyond = 0;
 	for (size_t i = 0; i < (size_t)width * height; i++) {
 		if (mask && !mask[i]) continue;
-		n += 3;
+		m.pixels++;
+		beyond += error_of(reference + 3 * i, image + 3 * i) > 0.1f;
 		for (size_t c = 3 * i; c < 3 * i + 3; c++) {
 			double d = (double)image[c] - (double)reference[c];
-			squares += d * d;
+			m.squares += d * d;
 			sum += (double)reference[c];
 		}
 	}
-	return squares > 0 ? sqrt(squares / (double)n) / (sum / (double)n) : 0;
+	if (m.pixels == 0) return m;
+	double n = (double)m.pixels;
+	m.relative = m.squares > 0 ? sqrt(m.squares / (3 * n)) / (sum / (3 * n)) : 0;
+	m.median = median_error(reference, image, mask, (size_t)width * height, m.pixels);
+	m.beyond = (double)beyond / n;
+	return m;
 }

@@ -51,14 +51,30 @@ static double counted(const ts_measure *m, const char *name)
 	return counter != NULL ? (double)counter->value : NAN;
 }
 
+/* What is infinite, or asks for triangles of light where there are none, is none. */
+static double light_error(const ts_picture *reference, const ts_picture *image, ts_figure_kind kind, u32 width,
+                          u32 height)
+{
+	const f32 *light = reference->radiance, *other = image->radiance;
+	const u8 *only = kind == TS_FIGURE_ELSEWHERE ? image->elsewhere : image->near;
+	bool parted = kind >= TS_FIGURE_NEAR && kind <= TS_FIGURE_NEAR_ERROR;
+	if (parted && only == NULL) return NAN;
+	ts_light_metrics all = ts_metrics_light(light, other, image->seen, width, height), part = all;
+	if (parted) part = ts_metrics_light(light, other, only, width, height);
+	double r = part.relative;
+	if (kind == TS_FIGURE_NEAR_SHARE) r = 100 * (double)part.pixels / (double)all.pixels;
+	if (kind == TS_FIGURE_NEAR_ERROR) r = 100 * part.squares / all.squares;
+	if (kind == TS_FIGURE_MEDIAN) r = all.median;
+	if (kind == TS_FIGURE_BEYOND) r = 100 * all.beyond;
+	return isfinite(r) ? r : NAN;
+}
+
 static double error(const ts_bench_case *c, ts_figure_kind kind, u32 variant, u32 other)
 {
 	const ts_picture *image = &c->images[variant], *reference = c->judge != NULL ? &c->truth : &c->images[other];
 	if (image->srgb == NULL || reference->srgb == NULL || image == reference) return NAN;
 	u32 width = TS_PARAM(&c->params, width), height = TS_PARAM(&c->params, height);
-	if (kind == TS_FIGURE_RELATIVE) {
-		return ts_metrics_relative(reference->radiance, image->radiance, image->seen, width, height);
-	}
+	if (kind >= TS_FIGURE_RELATIVE) return light_error(reference, image, kind, width, height);
 	ts_metrics found = ts_metrics_compare(reference->srgb, image->srgb, NULL, width, height);
 	return kind == TS_FIGURE_PSNR ? found.psnr : kind == TS_FIGURE_SSIM ? found.ssim : found.rmse;
 }
@@ -95,7 +111,13 @@ static double measured(const ts_bench_figure *f, const ts_bench_case *c)
 	case TS_FIGURE_RMSE:
 	case TS_FIGURE_PSNR:
 	case TS_FIGURE_SSIM:
-	case TS_FIGURE_RELATIVE: return error(c, f->kind, f->a, f->b);
+	case TS_FIGURE_RELATIVE:
+	case TS_FIGURE_NEAR:
+	case TS_FIGURE_ELSEWHERE:
+	case TS_FIGURE_NEAR_SHARE:
+	case TS_FIGURE_NEAR_ERROR:
+	case TS_FIGURE_MEDIAN:
+	case TS_FIGURE_BEYOND: return error(c, f->kind, f->a, f->b);
 	case TS_FIGURE_LOOKED: return c->looked[f->a];
 	default: return NAN;
 	}

@@ -28,6 +28,12 @@ typedef enum {
 	TS_FIGURE_PSNR,                      /* of the same, dB */
 	TS_FIGURE_SSIM,                      /* of the same */
 	TS_FIGURE_RELATIVE,                  /* the same in radiance by the mean of the other's, without the sky */
+	TS_FIGURE_NEAR,                      /* that of pixels near a triangle of light (near_light.h) */
+	TS_FIGURE_ELSEWHERE,                 /* and of all others */
+	TS_FIGURE_NEAR_SHARE,                /* % of those pixels */
+	TS_FIGURE_NEAR_ERROR,                /* % of the squares of errors in radiance that are in them */
+	TS_FIGURE_MEDIAN,                    /* error of a pixel in radiance by the other's */
+	TS_FIGURE_BEYOND,                    /* % of pixels where that is above a tenth */
 	TS_FIGURE_LOOKED,                    /* what the table's own function says of the buffers */
 	TS_FIGURE_DERIVED,                   /* from here on */
 	TS_FIGURE_RATIO = TS_FIGURE_DERIVED, /* a / b */

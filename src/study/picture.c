@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include "../kernels/base/srgb.h"
+#include "near_light.h"
 
 static void count_lit(ts_picture *picture, const ts_run *run)
 {
@@ -33,6 +34,16 @@ static void mark_seen(ts_picture *picture, const ts_run *run)
 	for (u64 i = 0; i < n; i++) picture->seen[i] = seen[i] != TS_EMPTY;
 }
 
+static ts_status mark_near(ts_picture *picture, const ts_run *run)
+{
+	size_t n = (size_t)TS_PARAM(&run->params, width) * TS_PARAM(&run->params, height);
+	if (!run->frame.buffer[TS_B_rsm_patch].made || !run->frame.buffer[TS_B_gbuffer_pixel].made) return TS_OK;
+	picture->near = ts_alloc_zero(n, 1, "a picture");
+	picture->elsewhere = ts_alloc_zero(n, 1, "a picture");
+	if (picture->near == NULL || picture->elsewhere == NULL) return TS_ERROR;
+	return ts_near_light_mark(picture->near, picture->elsewhere, run);
+}
+
 ts_status ts_picture_take(ts_picture *picture, const char *name, const ts_run *run)
 {
 	size_t n = (size_t)TS_PARAM(&run->params, width) * TS_PARAM(&run->params, height) * 3;
@@ -45,7 +56,7 @@ ts_status ts_picture_take(ts_picture *picture, const char *name, const ts_run *r
 	memcpy(picture->srgb, ts_frame_data(&run->frame, TS_B_image_srgb), n);
 	mark_seen(picture, run);
 	if (run->frame.buffer[TS_B_shadow_test_lit].made) count_lit(picture, run);
-	return TS_OK;
+	return mark_near(picture, run);
 }
 
 ts_status ts_picture_make(ts_picture *picture, const char *name, f32 *radiance, const ts_params *params)
@@ -65,9 +76,13 @@ void ts_picture_free(ts_picture *picture)
 	free(picture->radiance);
 	free(picture->srgb);
 	free(picture->seen);
+	free(picture->near);
+	free(picture->elsewhere);
 	picture->radiance = NULL;
 	picture->srgb = NULL;
 	picture->seen = NULL;
+	picture->near = NULL;
+	picture->elsewhere = NULL;
 }
 
 /* "truth-a", of the row's name. */

@@ -15,14 +15,15 @@ typedef struct {
 	f32 *radiance;
 	u8 *srgb;
 	u8 *seen;               /* 1: the eye sees a surface, 0: the sky; NULL: not known */
+	u8 *near, *elsewhere;   /* 1: a surface near a triangle of light, or not (near_light.h); NULL: there are none */
 	double seconds;         /* that it took */
 	u64 n_hits, n_missed;   /* of a truth that counts them: first rays that hit something, and look-ups empty there */
 	ts_lit lit;             /* of shadows */
 	u64 n_lamps, n_samples; /* lights, and samples of all of them */
 } ts_picture;
 
-/* Copies image.radiance and image.srgb of the run, marks what is seen, and counts what is lit. Released by
- * ts_picture_free, also on failure. */
+/* Copies image.radiance and image.srgb of the run, marks what is seen and what is near light, and counts what is
+ * lit. Released by ts_picture_free, also on failure. */
 ts_status ts_picture_take(ts_picture *picture, const char *name, const ts_run *run);
 /* Makes a picture of radiance, which it takes over. */
 ts_status ts_picture_make(ts_picture *picture, const char *name, f32 *radiance, const ts_params *params);

@@ -158,6 +158,18 @@ assert len(paper) == 1 and round(paper[0]["direct_ns"], 1) == 38.2
 PY
 verdict $? 'bench ssagh-1: gathers, speed-ups and verdicts are those of its rows'
 
+"$touchstone" render indirect atrium:triangles=10000:texels=32 --size 96x54 --set rsm.px=2 --set depth_grid.px=64 \
+	--method hulls,direct --truth=none --no-images --json > "$scratch/ssagh-1.json" 2> "$scratch/stderr"
+python3 - "$scratch/ssagh-1" "$scratch/ssagh-1.json" <<'PY'
+import sys
+from results import results
+here = next(r for r in results(sys.argv[1])["ssagh_1_light"] if r["source"] == "here")
+shown = [r for r in results(sys.argv[2])["light_errors"] if (r["image"], r["reference"]) == ("hulls", "direct")]
+named = [k for k in shown[0] if k not in ("image", "reference")]
+assert len(shown) == 1 and len(named) == 6 and all(here[k] == shown[0][k] > 0 for k in named), (here, shown)
+PY
+verdict $? 'bench ssagh-1: errors near triangles of light and elsewhere are those of a render'
+
 # Labels of a depth image, counted again from traces of both segmentations.
 one=(atrium:triangles=10000 --size 96x54 --set depth_grid.px=64)
 run bench ssagh-segments --scene "${one[@]:0:1}" "${one[@]:1}" -o "$scratch/segments"

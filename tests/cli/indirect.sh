@@ -81,6 +81,39 @@ assert rows["hulls", "truth-lights"]["relative_rmse"] > rows["direct", "truth-li
 PY
 verdict $? 'the relative RMSE is that of radiance, without the sky'
 
+# By every pixel and every triangle, in doubles.
+python3 - <<'PY'
+import json, math
+from read import buffer
+rows = {(r["image"], r["reference"]): r for r in json.load(open("light/report.json"))["light_errors"]}
+pixels = buffer("light/trace-hulls", "gbuffer.pixel", "<3f f 32x")
+triangles = [(p[:3], p[3:6], p[6:9]) for p in buffer("light/trace-hulls", "rsm.patch", "<9f 28x") if any(p)]
+x, t = (buffer(f"light/trace-{method}", "image.radiance", "<3f") for method in ("hulls", "direct"))
+parts = {True: [], False: []}
+for i, (*place, depth) in enumerate(pixels):
+	if depth == 1:
+		continue
+	near = any(math.dist(place, [sum(c) / 3 for c in zip(*abc)]) <= math.dist(*abc[:2]) for abc in triangles)
+	apart = sum(abs(a - b) for a, b in zip(x[i], t[i]))
+	error = apart and (apart / sum(t[i]) if sum(t[i]) > 0 else math.inf)
+	parts[near].append((sum((a - b) ** 2 for a, b in zip(x[i], t[i])), sum(t[i]), error))
+both = parts[True] + parts[False]
+squares, light = ({k: sum(e[at] for e in parts[k]) for k in parts} for at in (0, 1))
+relative = {k: math.sqrt(squares[k] / 3 / len(parts[k])) / (light[k] / 3 / len(parts[k])) for k in parts}
+row = rows["hulls", "direct"]
+def close(a, b):
+	assert abs(a - b) <= 1e-6 * b, (a, b)
+assert min(len(parts[True]), len(parts[False])) > 100
+close(row["relative_rmse_near"], relative[True])
+close(row["relative_rmse_elsewhere"], relative[False])
+close(row["near_percent"], 100 * len(parts[True]) / len(both))
+close(row["near_error_percent"], 100 * squares[True] / sum(squares.values()))
+close(row["median_error"], sorted(e[2] for e in both)[(len(both) - 1) // 2])
+close(row["beyond_percent"], 100 * sum(e[2] > 0.1 for e in both) / len(both))
+assert all(r["near_percent"] == row["near_percent"] for r in rows.values()) and len(rows) == 3
+PY
+verdict $? 'errors in radiance, near triangles of light and elsewhere'
+
 # 32 pixels a texel, one between blocks. The last box is drawn over all others.
 python3 - <<'PY'
 from read import buffer, png

@@ -127,6 +127,11 @@ static void test_mask(void **state)
 	assert_true(m.pixels == 0 && m.rmse == 0 && m.ssim == 1);
 }
 
+static double relative(const float *light, const float *other, const uint8_t *judged)
+{
+	return ts_metrics_light(light, other, judged, WIDTH, HEIGHT).relative;
+}
+
 /* Light scaled by k is |k - 1| times its root mean square away, by its mean; a constant that is added, by the mean. */
 static void test_relative(void **state)
 {
@@ -147,13 +152,66 @@ static void test_relative(void **state)
 		}
 	}
 	double mean = sum / (double)n, root = sqrt(squares / (double)n);
-	assert_close(ts_metrics_relative(light, scaled, mask, WIDTH, HEIGHT), 0.25 * root / mean);
-	assert_close(ts_metrics_relative(light, raised, mask, WIDTH, HEIGHT), 0.5 / mean);
-	assert_true(ts_metrics_relative(light, raised, NULL, WIDTH, HEIGHT) > 1e3);
-	assert_true(ts_metrics_relative(light, light, NULL, WIDTH, HEIGHT) == 0);
-	assert_true(isinf(ts_metrics_relative(dark, light, mask, WIDTH, HEIGHT)));
+	assert_close(relative(light, scaled, mask), 0.25 * root / mean);
+	assert_close(relative(light, raised, mask), 0.5 / mean);
+	assert_true(relative(light, raised, NULL) > 1e3);
+	assert_true(relative(light, light, NULL) == 0);
+	assert_true(isinf(relative(dark, light, mask)));
 	memset(mask, 0, sizeof mask);
-	assert_true(ts_metrics_relative(light, scaled, mask, WIDTH, HEIGHT) == 0);
+	assert_true(relative(light, scaled, mask) == 0);
+}
+
+static int by_size(const void *a, const void *b)
+{
+	double x = *(const double *)a, y = *(const double *)b;
+	return (x > y) - (x < y);
+}
+
+/* Beside sorted errors in doubles; of two in the middle the lower is the median. A pixel of light that the reference
+ * has not is infinitely wrong. */
+static void test_errors(void **state)
+{
+	(void)state;
+	static float light[PIXELS * 3], other[PIXELS * 3];
+	static double errors[PIXELS];
+	for (size_t n_dark = 0; n_dark <= 2000; n_dark += 1000) {
+		size_t beyond = 0;
+		double squares = 0;
+		for (size_t i = 0; i < PIXELS; i++) {
+			double apart = 0, sum = 0;
+			for (size_t c = 3 * i; c < 3 * i + 3; c++) {
+				light[c] = i < n_dark ? 0 : 1 + (float)(next() & 1023) / 64;
+				other[c] = i % 7 == 0 ? light[c] : light[c] + (float)(next() & 255) / 256;
+				apart += fabs((double)other[c] - (double)light[c]);
+				sum += (double)light[c];
+				squares += pow((double)other[c] - (double)light[c], 2);
+			}
+			errors[i] = apart > 0 ? apart / sum : 0;
+			beyond += errors[i] > 0.1;
+		}
+		qsort(errors, PIXELS, sizeof *errors, by_size);
+		ts_light_metrics m = ts_metrics_light(light, other, NULL, WIDTH, HEIGHT);
+		double median = errors[(PIXELS - 1) / 2];
+		assert_true(isinf(median) ? isinf(m.median) : fabs(m.median - median) <= 1e-7 * median);
+		assert_true(isinf(median) == (n_dark == 2000) && median > 0);
+		assert_close(m.beyond, (double)beyond / PIXELS);
+		assert_close(m.squares, squares);
+		assert_int_equal(m.pixels, PIXELS);
+	}
+}
+
+/* What is not judged counts for nothing; of two pixels the better is the median; what is dark in both is right. */
+static void test_errors_masked(void **state)
+{
+	(void)state;
+	const float light[] = {1, 1, 2, 9, 9, 9, 2, 2, 0, 0, 0, 0}, other[] = {1, 1.2f, 2, 0, 0, 0, 2, 2, 2, 0, 0, 0};
+	const uint8_t judged[] = {1, 0, 1, 0}, last[] = {0, 0, 0, 1}, none[4] = {0};
+	ts_light_metrics m = ts_metrics_light(light, other, judged, 2, 2);
+	assert_true(m.pixels == 2 && fabs(m.median - 0.05) < 1e-7 && m.beyond == 0.5);
+	m = ts_metrics_light(light, other, last, 2, 2);
+	assert_true(m.pixels == 1 && m.median == 0 && m.beyond == 0 && m.relative == 0);
+	m = ts_metrics_light(light, other, none, 2, 2);
+	assert_true(m.pixels == 0 && m.median == 0 && m.beyond == 0 && m.squares == 0);
 }
 
 int main(void)
@@ -164,6 +222,8 @@ int main(void)
 		cmocka_unit_test(test_flat),
 		cmocka_unit_test(test_mask),
 		cmocka_unit_test(test_relative),
+		cmocka_unit_test(test_errors),
+		cmocka_unit_test(test_errors_masked),
 	};
 	return cmocka_run_group_tests(tests, set_up, NULL);
 }

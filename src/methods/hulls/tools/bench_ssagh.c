@@ -13,7 +13,7 @@ static const ts_bench_variant variants[] = {
 };
 
 enum { PIXELS, DIRECT_MS, HULLS_MS, DIRECT_RATE, HULLS_RATE, SPEEDUP, COST, BOXES, GATHERS, DIRECT_GATHERS, SAVED, RMSE,
-       RELATIVE, RELATIVE_VMF };
+       RELATIVE, RELATIVE_VMF, NEAR, ELSEWHERE, NEAR_SHARE, NEAR_ERROR, MEDIAN, BEYOND };
 
 static const ts_bench_figure figures[] = {
 	[PIXELS] = { "megapixels", "Mpixels", TS_FIGURE_PIXELS, 0, 0, 2, "" },
@@ -30,6 +30,12 @@ static const ts_bench_figure figures[] = {
 	[RMSE] = { "rmse", "RMSE", TS_FIGURE_RMSE, M_HULLS, M_DIRECT, 3, "" },
 	[RELATIVE] = { "relative_rmse", "relative", TS_FIGURE_RELATIVE, M_HULLS, M_DIRECT, 4, "" },
 	[RELATIVE_VMF] = { "relative_rmse_vmf", "with vmf", TS_FIGURE_RELATIVE, M_VMF, M_DIRECT, 4, "" },
+	[NEAR] = { "relative_rmse_near", "RMSE, near", TS_FIGURE_NEAR, M_HULLS, M_DIRECT, 4, "" },
+	[ELSEWHERE] = { "relative_rmse_elsewhere", "elsewhere", TS_FIGURE_ELSEWHERE, M_HULLS, M_DIRECT, 4, "" },
+	[NEAR_SHARE] = { "near_percent", "near, % of pixels", TS_FIGURE_NEAR_SHARE, M_HULLS, M_DIRECT, 2, "" },
+	[NEAR_ERROR] = { "near_error_percent", "of squared error", TS_FIGURE_NEAR_ERROR, M_HULLS, M_DIRECT, 2, "" },
+	[MEDIAN] = { "median_error", "median error", TS_FIGURE_MEDIAN, M_HULLS, M_DIRECT, 4, "" },
+	[BEYOND] = { "beyond_percent", "above 10 %, %", TS_FIGURE_BEYOND, M_HULLS, M_DIRECT, 2, "" },
 	{ 0 },
 };
 
@@ -39,6 +45,8 @@ static const ts_paper_part parts[] = {
 	{ "ssagh_1_gathers", "Gathers, pixels or corners by triangles of light; RMSE of hulls to direct, grey levels; and "
 	  "in radiance", { BOXES, GATHERS, DIRECT_GATHERS, SAVED, RMSE, RELATIVE,
 	  RELATIVE_VMF, TS_NO_FIGURE } },
+	{ "ssagh_1_light", "Relative errors of hulls to direct in radiance; near: within a side of the middle of a "
+	  "triangle of light", { NEAR, ELSEWHERE, NEAR_SHARE, NEAR_ERROR, MEDIAN, BEYOND, TS_NO_FIGURE } },
 	{ 0 },
 };
 
