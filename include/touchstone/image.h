@@ -49,7 +49,10 @@ typedef struct {
 		relative;  /* root of their mean, by the mean of the reference; 0 if they are equal, infinite beside no light */
 	double median; /* the least error, in single precision, that is enough for half of the pixels */
 	double beyond; /* share of the pixels whose error is above a tenth */
+	double
+		given; /* mean of the image over the unlit pixels, by the mean of the reference over all; 0: no such pixels */
 	uint64_t pixels; /* judged */
+	uint64_t unlit;  /* of them only the image has light */
 } ts_light_metrics;
 
 /* mask: as above. All 0 if nothing is judged. */

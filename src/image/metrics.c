@@ -151,26 +151,46 @@ static double median_error(const float *reference, const float *image, const uin
 	return (double)median;
 }
 
+static double sum_of(const float *light) { return (double)light[0] + (double)light[1] + (double)light[2]; }
+
+/* Sums over the judged pixels. */
+typedef struct {
+	double reference, unlit; /* the image's light in pixels where the reference has none */
+	uint64_t beyond;
+} light_sums;
+
+static light_sums add_light(ts_light_metrics *m, const float *reference, const float *image, const uint8_t *mask,
+                            size_t end)
+{
+	light_sums sums = {0};
+	for (size_t i = 0; i < end; i++) {
+		if (mask && !mask[i]) continue;
+		double light = sum_of(reference + 3 * i), other = sum_of(image + 3 * i);
+		bool unlit = light <= 0 && other > 0;
+		m->pixels++;
+		m->unlit += unlit;
+		sums.beyond += error_of(reference + 3 * i, image + 3 * i) > 0.1f;
+		sums.reference += light;
+		sums.unlit += unlit ? other : 0;
+		for (size_t c = 3 * i; c < 3 * i + 3; c++) {
+			double d = (double)image[c] - (double)reference[c];
+			m->squares += d * d;
+		}
+	}
+	return sums;
+}
+
 ts_light_metrics ts_metrics_light(const float *reference, const float *image, const uint8_t *mask, uint32_t width,
                                   uint32_t height)
 {
 	ts_light_metrics m = {0};
-	double sum = 0;
-	uint64_t beyond = 0;
-	for (size_t i = 0; i < (size_t)width * height; i++) {
-		if (mask && !mask[i]) continue;
-		m.pixels++;
-		beyond += error_of(reference + 3 * i, image + 3 * i) > 0.1f;
-		for (size_t c = 3 * i; c < 3 * i + 3; c++) {
-			double d = (double)image[c] - (double)reference[c];
-			m.squares += d * d;
-			sum += (double)reference[c];
-		}
-	}
+	size_t end = (size_t)width * height;
+	light_sums sums = add_light(&m, reference, image, mask, end);
 	if (m.pixels == 0) return m;
-	double n = (double)m.pixels;
-	m.relative = m.squares > 0 ? sqrt(m.squares / (3 * n)) / (sum / (3 * n)) : 0;
-	m.median = median_error(reference, image, mask, (size_t)width * height, m.pixels);
-	m.beyond = (double)beyond / n;
+	double n = (double)m.pixels, mean = sums.reference / n;
+	m.relative = m.squares > 0 ? sqrt(m.squares / (3 * n)) / (mean / 3) : 0;
+	m.median = median_error(reference, image, mask, end, m.pixels);
+	m.beyond = (double)sums.beyond / n;
+	m.given = m.unlit > 0 ? sums.unlit / (double)m.unlit / mean : 0;
 	return m;
 }

@@ -66,6 +66,8 @@ static double light_error(const ts_picture *reference, const ts_picture *image, 
 	if (kind == TS_FIGURE_NEAR_ERROR) r = 100 * part.squares / all.squares;
 	if (kind == TS_FIGURE_MEDIAN) r = all.median;
 	if (kind == TS_FIGURE_BEYOND) r = 100 * all.beyond;
+	if (kind == TS_FIGURE_UNLIT) r = (double)all.unlit;
+	if (kind == TS_FIGURE_GIVEN) r = 100 * all.given;
 	return isfinite(r) ? r : NAN;
 }
 
@@ -117,7 +119,9 @@ static double measured(const ts_bench_figure *f, const ts_bench_case *c)
 	case TS_FIGURE_NEAR_SHARE:
 	case TS_FIGURE_NEAR_ERROR:
 	case TS_FIGURE_MEDIAN:
-	case TS_FIGURE_BEYOND: return error(c, f->kind, f->a, f->b);
+	case TS_FIGURE_BEYOND:
+	case TS_FIGURE_UNLIT:
+	case TS_FIGURE_GIVEN: return error(c, f->kind, f->a, f->b);
 	case TS_FIGURE_LOOKED: return c->looked[f->a];
 	default: return NAN;
 	}

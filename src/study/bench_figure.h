@@ -34,6 +34,8 @@ typedef enum {
 	TS_FIGURE_NEAR_ERROR,                /* % of the squares of errors in radiance that are in them */
 	TS_FIGURE_MEDIAN,                    /* error of a pixel in radiance by the other's */
 	TS_FIGURE_BEYOND,                    /* % of pixels where that is above a tenth */
+	TS_FIGURE_UNLIT,                     /* pixels where only the image has light, not the other */
+	TS_FIGURE_GIVEN,                     /* their mean radiance, % of the mean of the other */
 	TS_FIGURE_LOOKED,                    /* what the table's own function says of the buffers */
 	TS_FIGURE_DERIVED,                   /* from here on */
 	TS_FIGURE_RATIO = TS_FIGURE_DERIVED, /* a / b */

@@ -159,8 +159,8 @@ PY
 verdict $? 'bench ssagh-1: gathers, speed-ups and verdicts are those of its rows'
 
 "$touchstone" render indirect atrium:triangles=10000:texels=32 --size 96x54 --set rsm.px=2 --set depth_grid.px=64 \
-	--method hulls,direct --truth=none --no-images --json > "$scratch/ssagh-1.json" 2> "$scratch/stderr"
-python3 - "$scratch/ssagh-1" "$scratch/ssagh-1.json" <<'PY'
+	--method hulls,direct --truth=none --no-images --trace -o "$scratch/ssagh-1-of" > "$scratch/stdout" 2> "$scratch/stderr"
+python3 - "$scratch/ssagh-1" "$scratch/ssagh-1-of" <<'PY'
 import sys
 from results import results
 here = next(r for r in results(sys.argv[1])["ssagh_1_light"] if r["source"] == "here")
@@ -169,6 +169,31 @@ named = [k for k in shown[0] if k not in ("image", "reference")]
 assert len(shown) == 1 and len(named) == 6 and all(here[k] == shown[0][k] > 0 for k in named), (here, shown)
 PY
 verdict $? 'bench ssagh-1: errors near triangles of light and elsewhere are those of a render'
+# In doubles: a triangle gives light to what is in front of it and has a corner of it above the horizon.
+python3 - "$scratch/ssagh-1" "$scratch/ssagh-1-of" <<'PY'
+import glob, struct, sys
+from results import results
+def buffer(method, name, layout):
+	data = open(glob.glob(f"{sys.argv[2]}/trace-{method}/*-{name}.npy")[0], "rb").read()
+	return list(struct.iter_unpack(layout, data[10 + struct.unpack_from("<H", data, 8)[0]:]))
+def height(n, p, q):
+	return sum(a * (b - c) for a, b, c in zip(n, q, p))
+triangles = [p for p in buffer("hulls", "rsm.patch", "<12f 16x") if any(p)]
+light, right = (buffer(method, "image.radiance", "<3f") for method in ("hulls", "direct"))
+unlit, seen = [], []
+for pixel, x, t in zip(buffer("hulls", "gbuffer.pixel", "<3ff3f4x3f4x"), light, right):
+	p, depth, n, albedo = pixel[:3], pixel[3], pixel[4:7], pixel[7:]
+	if depth == 1:
+		continue
+	seen.append(sum(t))
+	lit = any(height(q[9:], q[:3], p) > 0 and max(height(n, p, q[k:k + 3]) for k in (0, 3, 6)) > 0 for q in triangles)
+	if not lit and sum(x) > 0:
+		unlit.append(sum(x))
+here = next(r for r in results(sys.argv[1])["ssagh_1_unlit"] if r["source"] == "here")
+mean = 100 * (sum(unlit) / len(unlit)) / (sum(seen) / len(seen))
+assert len(unlit) > 10 and here["unlit_pixels"] == len(unlit) and abs(here["unlit_percent"] - mean) < 1e-6 * mean, (here, mean)
+PY
+verdict $? 'bench ssagh-1: light of hulls that no triangle of light gives'
 
 # Labels of a depth image, counted again from traces of both segmentations.
 one=(atrium:triangles=10000 --size 96x54 --set depth_grid.px=64)

@@ -175,8 +175,8 @@ static void test_errors(void **state)
 	static float light[PIXELS * 3], other[PIXELS * 3];
 	static double errors[PIXELS];
 	for (size_t n_dark = 0; n_dark <= 2000; n_dark += 1000) {
-		size_t beyond = 0;
-		double squares = 0;
+		size_t beyond = 0, n_unlit = 0;
+		double squares = 0, unlit = 0, lit = 0;
 		for (size_t i = 0; i < PIXELS; i++) {
 			double apart = 0, sum = 0;
 			for (size_t c = 3 * i; c < 3 * i + 3; c++) {
@@ -184,10 +184,13 @@ static void test_errors(void **state)
 				other[c] = i % 7 == 0 ? light[c] : light[c] + (float)(next() & 255) / 256;
 				apart += fabs((double)other[c] - (double)light[c]);
 				sum += (double)light[c];
+				unlit += i < n_dark ? (double)other[c] : 0;
 				squares += pow((double)other[c] - (double)light[c], 2);
 			}
 			errors[i] = apart > 0 ? apart / sum : 0;
 			beyond += errors[i] > 0.1;
+			lit += sum;
+			n_unlit += i < n_dark && i % 7 != 0;
 		}
 		qsort(errors, PIXELS, sizeof *errors, by_size);
 		ts_light_metrics m = ts_metrics_light(light, other, NULL, WIDTH, HEIGHT);
@@ -197,6 +200,8 @@ static void test_errors(void **state)
 		assert_close(m.beyond, (double)beyond / PIXELS);
 		assert_close(m.squares, squares);
 		assert_int_equal(m.pixels, PIXELS);
+		assert_int_equal(m.unlit, n_unlit);
+		assert_close(m.given, n_unlit > 0 ? unlit / (double)n_unlit / (lit / PIXELS) : 0);
 	}
 }
 

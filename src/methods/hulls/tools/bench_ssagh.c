@@ -13,7 +13,7 @@ static const ts_bench_variant variants[] = {
 };
 
 enum { PIXELS, DIRECT_MS, HULLS_MS, DIRECT_RATE, HULLS_RATE, SPEEDUP, COST, BOXES, GATHERS, DIRECT_GATHERS, SAVED, RMSE,
-       RELATIVE, RELATIVE_VMF, NEAR, ELSEWHERE, NEAR_SHARE, NEAR_ERROR, MEDIAN, BEYOND };
+       RELATIVE, RELATIVE_VMF, NEAR, ELSEWHERE, NEAR_SHARE, NEAR_ERROR, MEDIAN, BEYOND, UNLIT, GIVEN };
 
 static const ts_bench_figure figures[] = {
 	[PIXELS] = { "megapixels", "Mpixels", TS_FIGURE_PIXELS, 0, 0, 2, "" },
@@ -36,6 +36,8 @@ static const ts_bench_figure figures[] = {
 	[NEAR_ERROR] = { "near_error_percent", "of squared error", TS_FIGURE_NEAR_ERROR, M_HULLS, M_DIRECT, 2, "" },
 	[MEDIAN] = { "median_error", "median error", TS_FIGURE_MEDIAN, M_HULLS, M_DIRECT, 4, "" },
 	[BEYOND] = { "beyond_percent", "above 10 %, %", TS_FIGURE_BEYOND, M_HULLS, M_DIRECT, 2, "" },
+	[UNLIT] = { "unlit_pixels", "unlit pixels", TS_FIGURE_UNLIT, M_HULLS, M_DIRECT, TS_WHOLE, "" },
+	[GIVEN] = { "unlit_percent", "mean, %", TS_FIGURE_GIVEN, M_HULLS, M_DIRECT, 2, "" },
 	{ 0 },
 };
 
@@ -47,6 +49,8 @@ static const ts_paper_part parts[] = {
 	  RELATIVE_VMF, TS_NO_FIGURE } },
 	{ "ssagh_1_light", "Relative errors of hulls to direct in radiance; near: within a side of the middle of a "
 	  "triangle of light", { NEAR, ELSEWHERE, NEAR_SHARE, NEAR_ERROR, MEDIAN, BEYOND, TS_NO_FIGURE } },
+	{ "ssagh_1_unlit", "Pixels that have light of hulls and none of direct; their mean radiance by that of direct",
+	  { UNLIT, GIVEN, TS_NO_FIGURE } },
 	{ 0 },
 };
 
