@@ -1,9 +1,10 @@
 /* The light of each pixel from the hull (SSAGH sections 3 and 4; METHODS 11): the lobes of its box, interpolated
  * between the corners, and integrated with the cosine of the pixel's own normal.
  *
- * The box is drawn over [low, high + 1] of the grid as two triangles, parted from top left to bottom right.
- * Interpolation is perspective-correct: corners count by 1 / z, which is 1 - zn but for a factor. E = mu A_h(lambda,
- * n.phi) / pi, as mu is of exitance and radiance is a pi-th of that. */
+ * The box is drawn over [low, high + 1] of the grid as two triangles, parted from top left to bottom right. Its corners
+ * gather in the middle of pixels, within the box; so they are interpolated between these pixels and stay as they are
+ * beyond. Interpolation is perspective-correct: corners count by 1 / z, which is 1 - zn but for a factor. E = mu
+ * A_h(lambda, n.phi) / pi, as mu is of exitance and radiance is a pi-th of that. */
 #ifndef TS_KERNELS_HULL_H
 #define TS_KERNELS_HULL_H
 #include "../base/args.h"
@@ -32,11 +33,12 @@ typedef struct {
 	f32 of[4];
 } ts_shares;
 
-/* Where between low and high + 1 the centre of pixel i lies, 0 to 1. */
+/* Where between the pixels of two corners pixel i lies, 0 to 1. */
 TS_FN f32 ts_k_box_place(u32 i, u32 pixels, u32 grid, u32 low, u32 high)
 {
-	f32 at = (((f32)i + 0.5f) * (f32)grid) / (f32)pixels;
-	return ts_clamp((at - (f32)low) / (f32)(high + 1u - low), 0.0f, 1.0f);
+	f32 first = (f32)ts_k_resample(low, grid, pixels);
+	f32 last = (f32)ts_k_resample(high, grid, pixels);
+	return ts_clamp(((f32)i - first) / ts_max(last - first, 1.0f), 0.0f, 1.0f);
 }
 
 /* On the screen, before perspective. */

@@ -162,8 +162,8 @@ static void test_choice(void **state)
 	assert_true(n_held > 1000 && n_far > 1000);
 }
 
-/* On a plane what is linear in space is interpolated as it is: corners where the plane meets the rays through the
- * corners of the drawn rectangle, at a pixel the plane's point on its ray. */
+/* On a plane what is linear in space is interpolated as it is: corners where the plane meets the rays of the pixels
+ * that show the texels at the corners, at a pixel the plane's point on its ray. Beyond the corners nothing changes. */
 static void test_shares(void **state)
 {
 	(void)state;
@@ -176,8 +176,8 @@ static void test_shares(void **state)
 		double d = uniform(1, 5), low[2], high[2];
 		const double pixels[2] = {WIDTH, HEIGHT};
 		for (u32 k = 0; k < 2; k++) {
-			low[k] = box.low[k] * pixels[k] / GRID;
-			high[k] = (box.high[k] + 1) * pixels[k] / GRID;
+			low[k] = floor((box.low[k] + 0.5) * pixels[k] / GRID) + 0.5;
+			high[k] = floor((box.high[k] + 0.5) * pixels[k] / GRID) + 0.5;
 		}
 		bool seen = true;
 		for (u32 k = 0; k < 4; k++) {
