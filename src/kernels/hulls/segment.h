@@ -41,6 +41,9 @@ TS_FN void ts_k_segment_item(const ts_segment_args *args, u64 i)
 	}
 }
 
+/* map over texels: every block is one segment, with its sky */
+TS_FN void ts_k_segment_none_item(const ts_segment_args *args, u64 i) { args->labels[i] = 0u; }
+
 /* The least place that a texel is joined to: labels are links to lesser places until they are their own. */
 TS_FN u32 ts_k_segment_root(const ts_segment_args *args, u32 block, u32 place)
 {

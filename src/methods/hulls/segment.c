@@ -6,10 +6,13 @@
 
 static const ts_launch sweep = TS_LAUNCH(segment, TS_ALL);
 static const ts_launch components = TS_LAUNCH(segment_components, TS_ALL);
+static const ts_launch whole = TS_LAUNCH(segment_none, TS_ALL);
 static const ts_launch measured = TS_LAUNCH(segment_margin, TS_ALL);
 static const ts_launch extent = TS_LAUNCH(segment_extent, TS_ALL);
 static const ts_launch counted = TS_LAUNCH(segment_box_count, TS_BUT(boxes));
 static const ts_launch written = TS_LAUNCH(segment_box, TS_IN(offset, segment_box_offset), TS_BUT(n_labels));
+
+#define NO_STEP 1e30f /* parts nothing, and every test is as far from it as can be */
 
 static u64 n_texels(const ts_run *run)
 {
@@ -20,7 +23,9 @@ static ts_status segment(ts_run *run)
 {
 	ts_segment_args args = {.grid = TS_PARAM(&run->params, depth_grid_px),
 	                        .step = TS_PARAM(&run->params, segment_step)};
-	if (TS_PARAM(&run->params, segment_method) == TS_SEGMENTATION_COMPONENTS) {
+	u32 method = TS_PARAM(&run->params, segment_method);
+	if (method == TS_SEGMENTATION_NONE) return TS_RUN(run, &whole, &args, n_texels(run));
+	if (method == TS_SEGMENTATION_COMPONENTS) {
 		return TS_RUN(run, &components, &args, n_texels(run) / TS_BLOCK_TEXELS);
 	}
 	for (args.sweep = 0; args.sweep < 4; args.sweep++) {
@@ -31,8 +36,9 @@ static ts_status segment(ts_run *run)
 
 static ts_status segment_margin(ts_run *run)
 {
+	bool none = TS_PARAM(&run->params, segment_method) == TS_SEGMENTATION_NONE;
 	ts_segment_margin_args args = {.grid = TS_PARAM(&run->params, depth_grid_px),
-	                               .step = TS_PARAM(&run->params, segment_step)};
+	                               .step = none ? NO_STEP : TS_PARAM(&run->params, segment_step)};
 	return TS_RUN(run, &measured, &args, n_texels(run) / TS_BLOCK_TEXELS);
 }
 
@@ -62,7 +68,7 @@ const ts_stage ts_stage_segment = {
 	.paper = "SSAGH 3, algorithm 1",
 	.doc = "segments of like depth in each block",
 	.run = segment,
-	.launches = TS_LAUNCHES(&sweep, &components),
+	.launches = TS_LAUNCHES(&sweep, &components, &whole),
 };
 
 const ts_stage ts_stage_segment_margin = {

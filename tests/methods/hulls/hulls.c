@@ -187,6 +187,69 @@ static void test_segments(void **state)
 	assert_true(n_more > 50);
 }
 
+/* The box of a block that is one segment, and what its corners have. */
+static void check_unparted(const ts_run *run, const ts_segment *box)
+{
+	u32 grid = run->params.depth_grid_px, block = box->label / TS_BLOCK_TEXELS;
+	const f32 *depths = ts_frame_data(&run->frame, TS_B_depth_grid_depth);
+	const ts_gpixel *pixels = ts_frame_data(&run->frame, TS_B_gbuffer_pixel);
+	const ts_moment *corner = ts_frame_data(&run->frame, TS_B_corner_moment);
+	corner += 4 * (box - (const ts_segment *)ts_frame_data(&run->frame, TS_B_segment_box));
+	f32 least = 1, most = 0;
+	for (u32 p = 0; p < TS_BLOCK_TEXELS; p++) {
+		f32 depth = depths[ts_k_block_texel(grid, block, p % TS_BLOCK, p / TS_BLOCK)];
+		least = fminf(least, depth);
+		most = fmaxf(most, depth);
+	}
+	assert_true(box->nearest == least && box->farthest == most && box->label % TS_BLOCK_TEXELS == 0);
+	for (u32 k = 0; k < 2; k++) {
+		u32 first = TS_BLOCK * (k == 0 ? block % (grid / TS_BLOCK) : block / (grid / TS_BLOCK));
+		assert_true(box->low[k] == first && box->high[k] == first + TS_BLOCK - 1);
+	}
+	for (u32 k = 0; k < 4; k++) {
+		u32 x = k % 2 == 0 ? box->low[0] : box->high[0], y = k / 2 == 0 ? box->low[1] : box->high[1];
+		const ts_gpixel *pixel = &pixels[ts_k_grid_pixel(grid, run->params.width, run->params.height, x, y)];
+		assert_memory_equal(corner[k].position, pixel->position, sizeof pixel->position);
+	}
+}
+
+/* Without segments a box is a block with its sky, no corner is corrected, and every pixel has the box of its block. No
+ * decision was near another. */
+static void test_unparted(void **state)
+{
+	(void)state;
+	ts_params params = tiny_params();
+	ts_scene *scene;
+	ts_run run;
+	params.width = 320;
+	params.height = 180;
+	params.depth_grid_px = 256;
+	params.segment_method = TS_SEGMENTATION_NONE;
+	if (ts_scene_open(&scene, "gallery", &params, NULL) != TS_OK) fail_msg("%s", ts_error_message());
+	ts_run_begin(&run, scene, &params, 2);
+	run.traced = run.margins = true;
+	if (ts_pipeline_run(ts_pipeline_find("indirect", "hulls"), &run) != TS_OK) fail_msg("%s", ts_error_message());
+	const ts_segment *boxes = ts_frame_data(&run.frame, TS_B_segment_box);
+	const ts_gpixel *pixels = ts_frame_data(&run.frame, TS_B_gbuffer_pixel);
+	const u32 *chosen = ts_frame_data(&run.frame, TS_B_hull_box);
+	const f32 *margin = ts_frame_data(&run.frame, TS_B_segment_margin);
+	u64 n = ts_frame_n(&run.frame, TS_B_segment_box), with_sky = 0;
+	for (u64 b = 0; b < n; b++) {
+		check_unparted(&run, &boxes[b]);
+		with_sky += boxes[b].farthest == 1;
+	}
+	assert_true(n > 32 && n <= 64 && with_sky > 0 && ts_run_counter(&run, "labels") == 64);
+	for (u64 i = 0; i < ts_frame_n(&run.frame, TS_B_hull_box); i++) {
+		u32 x = ts_k_resample((u32)(i % params.width), params.width, params.depth_grid_px);
+		u32 y = ts_k_resample((u32)(i / params.width), params.height, params.depth_grid_px);
+		if (pixels[i].depth == 1) continue;
+		assert_int_equal(boxes[chosen[i]].label / TS_BLOCK_TEXELS, ts_k_block_of(params.depth_grid_px, x, y));
+	}
+	for (u64 i = 0; i < ts_frame_n(&run.frame, TS_B_segment_margin); i++) assert_true(margin[i] > 1e6f);
+	ts_run_end(&run);
+	ts_scene_free(scene);
+}
+
 static u64 count_unlit(const ts_run *run)
 {
 	const ts_gpixel *pixels = ts_frame_data(&run->frame, TS_B_gbuffer_pixel);
@@ -376,9 +439,10 @@ static void test_refused(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_threads), cmocka_unit_test(test_against_direct), cmocka_unit_test(test_segments),
-		cmocka_unit_test(test_surface), cmocka_unit_test(test_whole_grid),     cmocka_unit_test(test_sky),
-		cmocka_unit_test(test_lights),  cmocka_unit_test(test_dark),           cmocka_unit_test(test_refused),
+		cmocka_unit_test(test_threads),  cmocka_unit_test(test_against_direct), cmocka_unit_test(test_segments),
+		cmocka_unit_test(test_unparted), cmocka_unit_test(test_surface),        cmocka_unit_test(test_whole_grid),
+		cmocka_unit_test(test_sky),      cmocka_unit_test(test_lights),         cmocka_unit_test(test_dark),
+		cmocka_unit_test(test_refused),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
