@@ -4,6 +4,7 @@
 #include <string.h>
 #include "bench.h"
 #include "bench_paper.h"
+#include "busy.h"
 #include "words.h"
 
 enum { SPEC_BYTES = 4096 };
@@ -60,7 +61,10 @@ static ts_status measure_line(ts_paper_line *line, const work *w, const char *sp
 	c->hurried = w->table->most_long != 0 && line->objects > w->table->most_long;
 	snprintf(line->scene, sizeof line->scene, "%s", slash != NULL ? slash + 1 : spec);
 	ts_status status = ts_bench_case_open(c, spec, params);
+	ts_busy begin = ts_busy_now();
 	if (status == TS_OK) status = run_case(line->here, before(w, line), c, w);
+	ts_busy end = ts_busy_now();
+	line->others = ts_busy_others(&begin, &end);
 	if (status == TS_OK) ts_paper_compare(line, w->table, spec);
 	ts_bench_case_close(c);
 	free(c);
@@ -79,6 +83,21 @@ static ts_status vary(u32 *objects, ts_params *params, const ts_paper_table *tab
 	return status == TS_OK ? ts_params_set(params, table->objects_param, item) : status;
 }
 
+/* A row as it comes: the figures of the first part. */
+static void say_line(const ts_paper_table *table, const ts_paper_line *line)
+{
+	char text[512];
+	int n = snprintf(text, sizeof text, "%s", line->scene);
+	if (table->objects_head != NULL)
+		n += snprintf(text + n, sizeof text - (size_t)n, ", %s %u", table->objects_head, (unsigned)line->objects);
+	for (const u8 *f = table->parts[0].figures; *f != TS_NO_FIGURE && n < (int)sizeof text; f++) {
+		const ts_bench_figure *figure = &table->figures[*f];
+		int decimals = figure->decimals == TS_WHOLE ? 0 : figure->decimals;
+		n += snprintf(text + n, sizeof text - (size_t)n, ", %s %.*f", figure->key, decimals, line->here[*f]);
+	}
+	ts_say("%s", text);
+}
+
 static ts_status add_line(work *w, const char *spec, const char *objects)
 {
 	ts_params params = w->job->params;
@@ -90,6 +109,7 @@ static ts_status add_line(work *w, const char *spec, const char *objects)
 	*line = (ts_paper_line){.objects = 0};
 	if (objects != NULL) status = vary(&line->objects, &params, w->table, objects);
 	if (status == TS_OK) status = measure_line(line, w, spec, &params);
+	if (status == TS_OK) say_line(w->table, line);
 	w->n_lines += status == TS_OK;
 	return status;
 }

@@ -80,13 +80,14 @@ typedef struct {
 	char scene[96];
 	u32 objects;
 	double here[TS_BENCH_FIGURES];
+	double others;           /* processors that others used meanwhile; NAN: not known */
 	const ts_paper_row *row; /* NULL: none */
 	double paper[TS_BENCH_FIGURES];
 } ts_paper_line;
 
 /* The paper's line for ours, if it has one. */
 void ts_paper_compare(ts_paper_line *line, const ts_paper_table *table, const char *spec);
-/* The parts and the relations. */
+/* The parts and the relations; a time is not judged in rows in which others used more than ts_busy_limit. */
 void ts_paper_report(ts_report *report, const ts_paper_table *table, const ts_paper_line *lines, u32 n);
 /* Writes a plot a scene, PART_1.svg and so on, named after the first part. */
 ts_status ts_paper_plots(const ts_paper_table *table, const ts_paper_line *lines, u32 n);

@@ -2,6 +2,7 @@
 #include <math.h>
 #include <string.h>
 #include "bench_paper.h"
+#include "busy.h"
 
 typedef struct {
 	ts_table table;
@@ -54,6 +55,19 @@ static void report_part(ts_report *report, const ts_paper_table *table, const ts
 	ts_report_table(report, &s.table);
 }
 
+/* Says that a time is not judged, where others kept the machine busy. */
+static bool is_busy(ts_table *t, const ts_paper_table *table, const ts_paper_relation *r, const ts_paper_line *lines,
+                    u32 n)
+{
+	double most = 0;
+	char text[128];
+	for (u32 i = 0; i < n; i++) most = fmax(most, lines[i].others);
+	if (!ts_bench_is_timed(table->figures, r->figure) || !(most > ts_busy_limit())) return false;
+	snprintf(text, sizeof text, "not judged: others used %.2f processors, %.2f are allowed", most, ts_busy_limit());
+	ts_table_text(t, text);
+	return true;
+}
+
 static bool holds(const ts_paper_relation *r, double value)
 {
 	return (r->kind == TS_AT_LEAST || value <= r->high) && (r->kind == TS_AT_MOST || value >= r->low);
@@ -80,6 +94,7 @@ static void verdict(ts_table *t, const ts_paper_table *table, const ts_paper_rel
 {
 	char text[256];
 	const char *scale = table->figures[r->cause].head;
+	if (is_busy(t, table, r, line, 1)) return;
 	if (holds(r, line->here[r->figure])) {
 		ts_table_text(t, "holds");
 		return;
@@ -129,7 +144,7 @@ static void rising_row(ts_table *t, const ts_paper_table *table, const ts_paper_
 	snprintf(text, sizeof text, "%u of %u", (unsigned)rise, (unsigned)pairs);
 	ts_table_text(t, text);
 	ts_table_none(t);
-	ts_table_text(t, 10 * rise >= 9 * pairs ? "holds" : r->because);
+	if (!is_busy(t, table, r, lines, n)) ts_table_text(t, 10 * rise >= 9 * pairs ? "holds" : r->because);
 }
 
 /* Of the rows of a scene: the least of one by the one before, or the greatest by the least. */
@@ -164,7 +179,7 @@ static void change_row(ts_table *t, const ts_paper_table *table, const ts_paper_
 		ts_table_real(t, paper, 3);
 	}
 	bool right = r->kind == TS_GROWS ? here >= r->low : here <= r->high;
-	ts_table_text(t, right ? "holds" : r->because);
+	if (!is_busy(t, table, r, lines, n)) ts_table_text(t, right ? "holds" : r->because);
 }
 
 static void change_rows(ts_table *t, const ts_paper_table *table, const ts_paper_relation *r,

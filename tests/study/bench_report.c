@@ -1,0 +1,66 @@
+/* What becomes of a paper's claim: it holds, it differs and why, or it is a time and others kept the machine busy. */
+#include "../../src/study/bench_paper.h"
+#include "../model/test.h"
+#include <math.h>
+#include "../../src/study/busy.h"
+
+/* clang-format off */
+enum { MS, COUNT, RATE };
+static const ts_bench_figure figures[] = {
+	[MS] = { "ms", "ms", TS_FIGURE_TIME, 0, 0, 2, "" },
+	[COUNT] = { "count", "count", TS_FIGURE_COUNTER, 0, 0, TS_WHOLE, "points" },
+	[RATE] = { "rate", "1/s", TS_FIGURE_RATE, MS, MS, 2, "" },
+	{ 0 },
+};
+static const ts_paper_part parts[] = { { "one", "One", { MS, COUNT, RATE, TS_NO_FIGURE } }, { 0 } };
+static const ts_paper_relation relations[] = {
+	{ "a time", MS, TS_AT_MOST, 0, 10, TS_NO_FIGURE, 0, 0, "slow", COUNT },
+	{ "a count", COUNT, TS_AT_LEAST, 5, 0, TS_NO_FIGURE, 0, 0, "few", COUNT },
+	{ "a rate, from row to row", RATE, TS_GROWS, 1, 0, TS_NO_FIGURE, 0, 0, "it falls", MS },
+	{ "times with counts", MS, TS_RISES_WITH, COUNT, 0, TS_NO_FIGURE, 0, 0, "they fall", MS },
+	{ 0 },
+};
+static const ts_paper_row rows[] = { { 0 } };
+static const ts_paper_table table = {
+	.name = "test", .title = "test", .figures = figures, .parts = parts, .relations = relations, .rows = rows,
+};
+/* clang-format on */
+
+/* The verdicts of two rows, in the order of the relations. */
+static void check(double others, const char *const wanted[6])
+{
+	ts_report report;
+	ts_report_begin(&report, true);
+	ts_paper_line lines[2] = {{.scene = "a", .others = others}, {.scene = "a", .others = 0}};
+	const double here[2][3] = {{20, 4, 50}, {8, 6, 125}};
+	for (u32 i = 0; i < 2; i++) {
+		memcpy(lines[i].here, here[i], sizeof here[i]);
+		for (u32 f = 0; f < TS_BENCH_FIGURES; f++) lines[i].paper[f] = NAN;
+	}
+	ts_paper_report(&report, &table, lines, 2);
+	const json_t *found = json_object_get(report.root, "relations");
+	assert_int_equal(json_array_size(found), 6);
+	for (size_t i = 0; i < 6; i++) {
+		const char *verdict = json_string_value(json_object_get(json_array_get(found, i), "verdict"));
+		if (strncmp(verdict, wanted[i], strlen(wanted[i])) != 0) fail_msg("%zu: %s, not %s", i, verdict, wanted[i]);
+	}
+	ts_report_discard(&report);
+}
+
+static void test_verdicts(void **state)
+{
+	(void)state;
+	const char *const quiet[6] = {"differs: slow", "holds", "differs: few", "holds", "holds", "they fall"};
+	const char *const busy[6] = {
+		"not judged: others used", "holds", "differs: few", "holds", "not judged", "not judged"};
+	check(0, quiet);
+	check(NAN, quiet);
+	check(ts_busy_limit(), quiet);
+	check(ts_busy_limit() + 0.01, busy);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {cmocka_unit_test(test_verdicts)};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,68 @@
+/* Who keeps the machine busy: another process counts, this one and its children that ended do not. */
+#include "../../src/study/busy.h"
+#include "../model/test.h"
+#include <math.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+static void spin(double seconds)
+{
+	double end = ts_seconds() + seconds;
+	while (ts_seconds() < end) continue;
+}
+
+static double own_of(const ts_busy *a, const ts_busy *b) { return b->own - a->own; }
+
+static void test_others(void **state)
+{
+	(void)state;
+	ts_busy before = ts_busy_now();
+	if (!before.known) skip();
+	pid_t child = fork();
+	assert_true(child >= 0);
+	if (child == 0) {
+		spin(1);
+		_exit(0);
+	}
+	nanosleep(&(struct timespec){.tv_nsec = 600 * 1000 * 1000}, NULL);
+	ts_busy meanwhile = ts_busy_now();
+	assert_true(own_of(&before, &meanwhile) < 0.1);
+	assert_true(ts_busy_others(&before, &meanwhile) > 0.3);
+	assert_int_equal(waitpid(child, NULL, 0), child);
+	ts_busy after = ts_busy_now();
+	assert_true(own_of(&before, &after) > 0.4); /* it ended, and was ours */
+}
+
+/* What this process does is not others' work: the system counts it in ticks. */
+static void test_own(void **state)
+{
+	(void)state;
+	ts_busy before = ts_busy_now();
+	if (!before.known) skip();
+	spin(0.5);
+	ts_busy after = ts_busy_now();
+	assert_true(own_of(&before, &after) > 0.1);
+	double all = after.all - before.all;
+	assert_true(all > own_of(&before, &after) - 0.1);
+	double others = fmax(all - own_of(&before, &after), 0) / (after.seconds - before.seconds);
+	assert_float_equal(ts_busy_others(&before, &after), others, 1e-9);
+}
+
+static void test_unknown(void **state)
+{
+	(void)state;
+	ts_busy none = {.known = false}, now = ts_busy_now();
+	assert_true(isnan(ts_busy_others(&none, &now)) && isnan(ts_busy_others(&now, &now)));
+	assert_true(ts_busy_limit() >= 0.1);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_others),
+		cmocka_unit_test(test_own),
+		cmocka_unit_test(test_unknown),
+	};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
