@@ -213,6 +213,8 @@ static const ts_candidate_buffer ts_candidate_buffers[] = {
 	{"vpl_gather.irradiance", 4, 3, "'<f4'"},
 	{"vpl_gather.margin", 4, 2, "'<f4'"},
 	{"bilateral.filtered_rows", 4, 3, "'<f4'"},
+	{"surfel_near.surfel", 4, 2, "'<u4'"},
+	{"normal_field.slope", 4, 3, "'<f4'"},
 	{"surfel_setup.epsilon", 4, 1, "'<f4'"},
 	{"surfel_setup.disc", 96, 1,
      "[('pixel', '<i4', (2,)), ('fraction', '<f4', (2,)), ('a', '<f4', (2,)), ('b', '<f4', (2,)), "

@@ -28,6 +28,7 @@ static const struct {
 	{"indirect", "direct", 0, 0},
 	{"indirect", "megaviews", 0, 0},
 	{"surfels", "deferred", 0, 0},
+	{"surfels", "phong", 0, 0},
 };
 enum {
 	TRACES_IVIR = 2,
@@ -40,6 +41,7 @@ enum {
 	TRACES_DIRECT,
 	TRACES_MEGAVIEWS,
 	TRACES_SURFELS,
+	TRACES_PHONG,
 	N_TRACES
 };
 static ts_trace *traces[N_TRACES];
@@ -97,7 +99,7 @@ static inline ts_params traces_params(u32 m)
 	params.vpl_gather_level = 2;
 	params.view_map_px = 4;
 	params.vpl_paths = 20;
-	if (m == TRACES_SURFELS) params.surfels_from_mesh = 300;
+	if (m >= TRACES_SURFELS) params.surfels_from_mesh = 300;
 	params.lamp_source = traces_runs[m].lamp;
 	params.points_buffered = traces_runs[m].buffered;
 	return params;
@@ -129,7 +131,7 @@ static inline int traces_begin(void **state)
 	ts_params params = traces_params(0), of_surfels = traces_params(TRACES_SURFELS);
 	ts_scene *scene = small_scene(&params), *surfels = small_scene(&of_surfels);
 	traces_shrink(scene);
-	for (u32 m = 0; m < N_TRACES; m++) traces_make(m, m == TRACES_SURFELS ? surfels : scene);
+	for (u32 m = 0; m < N_TRACES; m++) traces_make(m, m >= TRACES_SURFELS ? surfels : scene);
 	ts_scene_free(scene);
 	ts_scene_free(surfels);
 	return 0;

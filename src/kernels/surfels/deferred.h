@@ -25,6 +25,7 @@
 	ARG(IN_OPT, u32, lit, shadow_test_lit) /* NULL: there are no shadows */ \
 	ARG(OUT, f32, radiance, image_radiance) \
 	ARG(OUT, u8, srgb, image_srgb) \
+	ARG(TALLY, i64, tally, 0) /* [0] shading operations: pixels with a surface */ \
 	ARG(VALUE, u32, n_lights, none) \
 	ARG(VALUE, u32, shader, none) \
 	ARG(VALUE, f32, ambient, none) \
@@ -41,19 +42,26 @@ TS_FN f32 ts_k_highlight(ts_v3 n, ts_v3 v, ts_v3 l)
 	return TS_HIGHLIGHT * x;
 }
 
-/* One light: what Lambert's law and the highlight make of it. */
-TS_FN ts_v3 ts_k_deferred_light(const ts_deferred_args *args, u64 i, u32 k, ts_v3 p, ts_v3 n, ts_v3 v, ts_v3 albedo)
+/* What Lambert's law and the highlight make of a share of one light. */
+TS_FN ts_v3 ts_k_shade_by(TS_GLOBAL const ts_light *light, f32 share, u32 shader, ts_v3 p, ts_v3 n, ts_v3 v,
+                          ts_v3 albedo)
 {
 	ts_v3 l;
-	TS_GLOBAL const u32 *lit = args->lit != NULL ? args->lit + i * args->n_lights : NULL;
-	f32 arrives = ts_k_light(&args->lights[k], p, &l) * ts_k_share(lit, args->lamps, k);
+	f32 arrives = ts_k_light(light, p, &l) * share;
 	f32 cosine = ts_flush(ts_dot(n, l));
 	if (!(cosine > 0.0f) || !(arrives > 0.0f)) return ts_v3_make(0.0f, 0.0f, 0.0f);
-	bool phong = args->shader == TS_SHADER_IS_PHONG;
+	bool phong = shader == TS_SHADER_IS_PHONG;
 	ts_v3 paint = ts_scale(albedo, phong ? cosine : ts_k_tone(cosine));
 	f32 shine = phong ? ts_k_highlight(n, v, l) : 0.0f;
 	ts_v3 all = ts_add(paint, ts_v3_make(shine, shine, shine));
-	return ts_mul(all, ts_scale(ts_load3(args->lights[k].intensity), arrives * TS_PER_PI));
+	return ts_mul(all, ts_scale(ts_load3(light->intensity), arrives * TS_PER_PI));
+}
+
+/* Light k at a pixel. */
+TS_FN ts_v3 ts_k_deferred_light(const ts_deferred_args *args, u64 i, u32 k, ts_v3 p, ts_v3 n, ts_v3 v, ts_v3 albedo)
+{
+	TS_GLOBAL const u32 *lit = args->lit != NULL ? args->lit + i * args->n_lights : NULL;
+	return ts_k_shade_by(&args->lights[k], ts_k_share(lit, args->lamps, k), args->shader, p, n, v, albedo);
 }
 
 /* A pixel and a neighbour: how much farther that is (1 - zn is proportional to 1 / z), and how far below the plane
@@ -116,6 +124,7 @@ TS_FN ts_v3 ts_k_deferred(const ts_deferred_args *args, u64 i)
 /* map over pixels */
 TS_FN void ts_k_deferred_item(const ts_deferred_args *args, u64 i)
 {
+	if (args->pixels[i].depth != TS_SKY) ts_add_i64(&args->tally[0], 1);
 	ts_k_show(args->radiance + i * 3u, args->srgb + i * 3u, ts_k_deferred(args, i), args->exposure);
 }
 

@@ -7,6 +7,9 @@
 #include "surfel_blend_mean.h"
 #include "surfel_blend_order.h"
 #include "surfel_depth.h"
+#include "normal_field.h"
 #include "surfel_margin.h"
+#include "surfel_shade.h"
+#include "surfel_shade_margin.h"
 
 #endif

@@ -16,8 +16,7 @@
 	ARG(IN, u64, keys, surfel_depth_surfel) \
 	ARG(IN, i64, sums, surfel_blend_sum) \
 	ARG(IN, u64, heaviest, surfel_blend_heaviest) \
-	ARG(OUT, ts_gpixel, pixels, gbuffer_pixel) \
-	ARG(TALLY, i64, tally, 0) /* [0] pixels with a surface, each shaded once */
+	ARG(OUT, ts_gpixel, pixels, gbuffer_pixel)
 TS_ARGS(ts_surfel_blend_mean_args);
 
 /* Axial depth of the nearest surfel. */
@@ -47,7 +46,6 @@ TS_FN void ts_k_surfel_blend_mean_item(const ts_surfel_blend_mean_args *args, u6
 		ts_k_gpixel_store(pixel, zero, TS_SKY, zero, zero);
 		return;
 	}
-	ts_add_i64(&args->tally[0], 1);
 	f32 weight = (f32)sums[TS_BLEND_WEIGHT];
 	ts_v3 albedo = ts_k_mean(sums, weight);
 	ts_v3 n = ts_k_mean(sums + 3, weight);

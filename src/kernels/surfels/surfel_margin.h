@@ -28,12 +28,13 @@ typedef struct {
 	f32 fate, deep, off, wide;
 } ts_nearly;
 
-/* A surfel at a pixel, and what a step is in r3D^2, in the depth there, and in what the screen filter or exact EWA
- * compares, which is at most 1; in its weight, of that; and how many steps its peak is from 0. */
+/* A surfel at a pixel, and what a step is in the place in its plane, in r3D^2, in the depth there, and in what the
+ * screen filter or exact EWA compares, which is at most 1; in its weight, of that; and how many steps its peak is from
+ * 0. */
 typedef struct {
 	ts_surfel_fragment is;
 	ts_disc_hit hit;
-	f32 r2_step, z_step, flat, flat_step, weight_step, peak_margin;
+	f32 a_step, b_step, r2_step, z_step, flat, flat_step, weight_step, peak_margin;
 } ts_nearly_there;
 
 /* The least of the margins of all tests that drew it, or the greatest of those that did not. */
@@ -92,10 +93,10 @@ TS_FN void ts_k_nearly_hit(ts_nearly_there *r, const ts_nearly *surfel, ts_v2 d)
 	f32 divided = parallel ? TS_MARGIN_ROUNDING : leaning * nearer;
 	f32 by = parallel ? surfel->off : surfel->off * nearer;
 	f32 from = (disc->flags & TS_DISC_CROSSES) != 0u ? 1.0f : 0.0f; /* of the farthest point, at most */
-	f32 a = ts_k_sizes(disc->a) * by + (ts_abs(r->hit.a) + from) * divided;
-	f32 b = ts_k_sizes(disc->b) * by + (ts_abs(r->hit.b) + from) * divided;
+	r->a_step = ts_k_sizes(disc->a) * by + (ts_abs(r->hit.a) + from) * divided;
+	r->b_step = ts_k_sizes(disc->b) * by + (ts_abs(r->hit.b) + from) * divided;
 	f32 rounding = TS_MARGIN_ROUNDING * (r->hit.r2 + from);
-	r->r2_step = 2.0f * (ts_abs(r->hit.a) * a + ts_abs(r->hit.b) * b) + rounding;
+	r->r2_step = 2.0f * (ts_abs(r->hit.a) * r->a_step + ts_abs(r->hit.b) * r->b_step) + rounding;
 	r->z_step = surfel->deep + (parallel ? disc->depth * leaning : ts_abs(r->hit.z) * divided);
 }
 

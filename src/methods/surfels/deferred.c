@@ -19,6 +19,12 @@ bool ts_shader_has_shadows(const ts_params *params)
 	       TS_PARAM(params, deferred_shader) == TS_SHADER_NPR_SHADOW;
 }
 
+u32 ts_shader_of(const ts_params *params)
+{
+	u32 shader = TS_PARAM(params, deferred_shader);
+	return shader == TS_SHADER_NPR || shader == TS_SHADER_NPR_SHADOW ? TS_SHADER_IS_NPR : TS_SHADER_IS_PHONG;
+}
+
 static u64 n_pixels(const ts_run *run) { return (u64)TS_PARAM(&run->params, width) * TS_PARAM(&run->params, height); }
 
 static ts_deferred_lit_args lit_values(const ts_run *run)
@@ -48,10 +54,9 @@ static ts_status deferred_lit_margin(ts_run *run)
 
 static ts_deferred_args values(const ts_run *run)
 {
-	u32 shader = TS_PARAM(&run->params, deferred_shader);
 	return (ts_deferred_args){
 		.n_lights = (u32)ts_run_size(run, TS_DIM_lamps),
-		.shader = shader == TS_SHADER_NPR || shader == TS_SHADER_NPR_SHADOW ? TS_SHADER_IS_NPR : TS_SHADER_IS_PHONG,
+		.shader = ts_shader_of(&run->params),
 		.ambient = ts_run_info(run)->ambient,
 		.exposure = TS_PARAM(&run->params, image_exposure),
 	};
@@ -66,7 +71,9 @@ ts_status ts_deferred_ask(const ts_run *run, ts_deferred_args *args)
 static ts_status deferred(ts_run *run)
 {
 	ts_deferred_args args = values(run);
-	return TS_RUN(run, &shaded[ts_shader_has_shadows(&run->params)], &args, n_pixels(run));
+	if (TS_RUN(run, &shaded[ts_shader_has_shadows(&run->params)], &args, n_pixels(run)) != TS_OK) return TS_ERROR;
+	ts_run_count(run, "shading operations", ts_frame_tally(&run->frame, 0));
+	return TS_OK;
 }
 
 static ts_status deferred_margin(ts_run *run)

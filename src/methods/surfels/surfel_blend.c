@@ -1,10 +1,11 @@
-/* Sums of the attributes of surfels. */
+/* Sums of the attributes of surfels, or of their shaded colours. */
 #include "../../kernels/surfels/surfel_blend_order.h"
-#include "../../kernels/surfels/surfel_blend.h"
 #include "surfel.h"
 
 static const ts_launch in_any_order = TS_LAUNCH(surfel_blend, TS_ALL);
 static const ts_launch in_order = TS_LAUNCH(surfel_blend_order, TS_ALL);
+static const ts_launch shaded_once = TS_LAUNCH(surfel_shade, TS_ALL);
+static const ts_launch shaded_each = TS_LAUNCH(surfel_shade, TS_WITH(slopes));
 
 /* CONTRACT rule 30: as many terms as there can be surfels, each the largest that ts_fix gives. */
 _Static_assert((u64)TS_NONE *INT32_MAX <= (u64)INT64_MAX, "sums of surfels may overflow");
@@ -17,13 +18,28 @@ static ts_status blend_in_order(ts_run *run)
 	return TS_RUN(run, &in_order, &args, (u64)TS_PARAM(&run->params, width) * TS_PARAM(&run->params, height));
 }
 
+static ts_status blend_shaded(ts_run *run, u64 n)
+{
+	ts_surfel_shade_args args = ts_surfel_shading(run);
+	bool each = args.shading == TS_SHADING_IS_PHONG;
+	if (TS_RUN(run, each ? &shaded_each : &shaded_once, &args, n) != TS_OK) return TS_ERROR;
+	ts_run_count(run, "shading operations", ts_frame_tally(&run->frame, 2));
+	return TS_OK;
+}
+
+static ts_status blend_attributes(ts_run *run, u64 n)
+{
+	ts_surfel_blend_args args = {.filter = ts_surfel_filter(run)};
+	return TS_RUN(run, &in_any_order, &args, n);
+}
+
 static ts_status surfel_blend(ts_run *run)
 {
 	u64 n = ts_run_size(run, TS_DIM_surfels);
-	ts_surfel_blend_args args = {.filter = ts_surfel_filter(run)};
+	bool shaded = run->plan.surfels.shading != 0;
 	if (n > TS_NONE) return ts_run_too_many(n, "surfels");
-	if (ts_accumulates_in_order(&run->params)) return blend_in_order(run);
-	if (TS_RUN(run, &in_any_order, &args, n) != TS_OK) return TS_ERROR;
+	if (!shaded && ts_accumulates_in_order(&run->params)) return blend_in_order(run);
+	if ((shaded ? blend_shaded(run, n) : blend_attributes(run, n)) != TS_OK) return TS_ERROR;
 	ts_run_count(run, "fragments", ts_frame_tally(&run->frame, 0));
 	ts_run_count(run, "pixels of boxes", ts_frame_tally(&run->frame, 1));
 	return TS_OK;
@@ -33,7 +49,8 @@ const ts_stage ts_stage_surfel_blend = {
 	.name = "surfel_blend",
 	.kind = "scatter",
 	.paper = "NV40: Approximate EWA Filtering",
-	.doc = "attributes: colours and normals of the surfels before that depth, by integer sums or in order",
+	.doc = "colours and normals of the surfels before that depth, by integer sums or in order; or their shaded colours",
 	.run = surfel_blend,
-	.launches = TS_LAUNCHES(&in_any_order, &in_order),
+	.launches = TS_LAUNCHES(&in_any_order, &in_order, &shaded_once, &shaded_each),
+	.looks_at = TS_BUFFERS(TS_B_scene_info),
 };

@@ -7,10 +7,7 @@ static const ts_launch launch = TS_LAUNCH(surfel_blend_mean, TS_ALL);
 static ts_status surfel_blend_mean(ts_run *run)
 {
 	ts_surfel_blend_mean_args args;
-	if (TS_RUN(run, &launch, &args, (u64)TS_PARAM(&run->params, width) * TS_PARAM(&run->params, height)) != TS_OK)
-		return TS_ERROR;
-	ts_run_count(run, "shading operations", ts_frame_tally(&run->frame, 0));
-	return TS_OK;
+	return TS_RUN(run, &launch, &args, (u64)TS_PARAM(&run->params, width) * TS_PARAM(&run->params, height));
 }
 
 const ts_stage ts_stage_surfel_blend_mean = {

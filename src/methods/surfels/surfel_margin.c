@@ -1,10 +1,17 @@
 /* How near the decisions about surfels were. */
-#include "../../kernels/surfels/surfel_margin.h"
+#include "../../kernels/surfels/surfel_shade_margin.h"
 #include "surfel.h"
 
 static const ts_launch of_depths = TS_LAUNCH(surfel_depth_margin, TS_MIN(margin, surfel_depth_margin));
 static const ts_launch of_fragments =
 	TS_LAUNCH(surfel_blend_margin, TS_WITH(heaviest), TS_MIN(margin, surfel_blend_margin), TS_BUT(epsilon));
+
+/* Of what is shaded before it is blended, which the second launch judges beside. */
+#define SHADED \
+	TS_BUT(of.of.view), TS_BUT(of.of.discs), TS_BUT(of.of.keys), TS_BUT(of.of.sums), TS_BUT(of.of.heaviest), \
+		TS_BUT(by.epsilon), TS_MIN(by.margin, surfel_blend_margin)
+static const ts_launch of_shading = TS_LAUNCH(surfel_shade_margin, SHADED);
+static const ts_launch of_phong = TS_LAUNCH(surfel_shade_margin, SHADED, TS_WITH(of.slopes));
 
 static ts_status measure(ts_run *run, const ts_launch *launch)
 {
@@ -13,7 +20,14 @@ static ts_status measure(ts_run *run, const ts_launch *launch)
 }
 
 static ts_status surfel_depth_margin(ts_run *run) { return measure(run, &of_depths); }
-static ts_status surfel_blend_margin(ts_run *run) { return measure(run, &of_fragments); }
+
+static ts_status surfel_blend_margin(ts_run *run)
+{
+	ts_surfel_shade_margin_args args = {.of = ts_surfel_shading(run), .by = {.filter = ts_surfel_filter(run)}};
+	const ts_launch *launch = args.of.shading == TS_SHADING_IS_PHONG ? &of_phong : &of_shading;
+	if (measure(run, &of_fragments) != TS_OK) return TS_ERROR;
+	return args.of.shading != 0 ? TS_RUN(run, launch, &args, ts_run_size(run, TS_DIM_surfels)) : TS_OK;
+}
 
 const ts_stage ts_stage_surfel_depth_margin = {
 	.name = "surfel_depth.margin",
@@ -30,7 +44,8 @@ const ts_stage ts_stage_surfel_blend_margin = {
 	.kind = "scatter",
 	.margin_of = "surfel_blend",
 	.paper = "NV40: Approximate EWA Filtering",
-	.doc = "how near fragments were to come or go",
+	.doc = "how near fragments were to come or go, or to be lit",
 	.run = surfel_blend_margin,
-	.launches = TS_LAUNCHES(&of_fragments),
+	.launches = TS_LAUNCHES(&of_fragments, &of_shading, &of_phong),
+	.looks_at = TS_BUFFERS(TS_B_scene_info),
 };

@@ -1,11 +1,13 @@
-/* Deferred surface splatting with an approximation of the EWA filter, and the exact filter beside it (METHODS 16).
+/* Deferred surface splatting with an approximation of the EWA filter, the exact filter beside it, and the splatting
+ * that it is compared with, which shades before it blends (METHODS 16).
  * Botsch, Hornung, Zwicker and Kobbelt, "High-Quality Surface Splatting on Today's GPUs" (2005), from the slides.
  * Zwicker, Pfister, van Baar and Gross, "EWA Splatting" (2001/2002).
  *
  * Surfels are elliptical discs, perspective-correct by casting the ray of each pixel into their plane. The first pass
  * finds what is nearest, the second blends colours and normals of all that is no more than epsilon behind, the third
  * divides by the sum of weights and shades, once a pixel. The filter is the lesser of the radii of an object-space and
- * a screen-space kernel. `ewa` weighs by the convolution of both instead.
+ * a screen-space kernel. `ewa` weighs by the convolution of both instead. `flat`, `gouraud` and `phong` shade in the
+ * second pass, surfels or their fragments, and blend shaded colours.
  *
  * Deviations:
  * - sums are integers, not 16-bit floats, so that they do not depend on the order of surfels (blend.h);
@@ -17,14 +19,16 @@
  * - surfels that cross the near plane are drawn as far as they are behind it, but by exact EWA and the screen filter
  *   alone, which need an image of their centre, only if that is;
  * - a fragment of the screen filter alone has the depth of the centre, for planes seen from the side are anywhere;
+ * - the slides do not say how normal fields are made: ours fit the 8 nearest surfels (normal_field.h);
  * - lights are the scene's, each of them a point or a sun with one depth map, or for points without a direction a cube
  *   of six. */
 #include "surfel.h"
 #include "../stages.h"
 #include "../pipeline.h"
 
-#define FRAGMENTS 30u /* of a pixel, on the slides */
-#define SPLAT 4u      /* fragments of a surfel below a pixel's size */
+#define FRAGMENTS 30u      /* of a pixel, on the slides */
+#define SPLAT 4u           /* fragments of a surfel below a pixel's size */
+enum { FIELD_BYTES = 40 }; /* the tree that finds the nearest of a surfel, and its centre */
 
 static const ts_step surfels_steps[] = {
 	{.stage = "eye.view"},
@@ -38,6 +42,28 @@ static const ts_step surfels_steps[] = {
 	{.stage = "surfel_depth.shadow", .only_if = ts_shader_has_shadows},
 	{.stage = "deferred.lit", .only_if = ts_shader_has_shadows},
 	{.stage = "deferred"}, /* shading */
+	{0},
+};
+
+/* 3-Pass Shading */
+static const ts_step shaded_steps[] = {
+	{.stage = "eye.view"},          {.stage = "lamp"},
+	{.stage = "surfel_setup"},      {.stage = "surfel_depth"}, /* visibility splatting */
+	{.stage = "surfel_blend"},                                 /* shading, blending */
+	{.stage = "surfel_blend.mean"},                            /* normalization */
+	{.stage = "surfel_image"},      {0},
+};
+
+static const ts_step phong_steps[] = {
+	{.stage = "eye.view"},
+	{.stage = "lamp"},
+	{.stage = "surfel_near"}, /* of static surfels, once and for all */
+	{.stage = "normal_field"},
+	{.stage = "surfel_setup"},
+	{.stage = "surfel_depth"},
+	{.stage = "surfel_blend"},
+	{.stage = "surfel_blend.mean"},
+	{.stage = "surfel_image"},
 	{0},
 };
 
@@ -56,6 +82,24 @@ static void ewa_plan(ts_plan *plan, const ts_params *params, const ts_counts *co
 	plan->surfels.exact = true;
 }
 
+static void flat_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
+{
+	deferred_plan(plan, params, counts, request);
+	plan->surfels.shading = TS_SHADING_IS_FLAT;
+}
+
+static void gouraud_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
+{
+	deferred_plan(plan, params, counts, request);
+	plan->surfels.shading = TS_SHADING_IS_GOURAUD;
+}
+
+static void phong_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
+{
+	deferred_plan(plan, params, counts, request);
+	plan->surfels.shading = TS_SHADING_IS_PHONG;
+}
+
 static void surfels_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
 {
 	u64 n_lights = scene->n_lights, n_views = 0;
@@ -66,6 +110,12 @@ static void surfels_expect(ts_expected *expected, const ts_scene *scene, const t
 		(u64)FRAGMENTS * TS_PARAM(params, width) * TS_PARAM(params, height) + (u64)SPLAT * scene->n_surfels;
 	n[TS_DIM_lamps] = n_lights;
 	n[TS_DIM_texels] = (u64)TS_PARAM(params, depth_map_px) * TS_PARAM(params, depth_map_px) * n_views;
+}
+
+static void phong_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
+{
+	surfels_expect(expected, scene, params);
+	expected->work = (u64)FIELD_BYTES * scene->n_surfels;
 }
 
 static const ts_effect surfels = {
@@ -95,5 +145,41 @@ const ts_pipeline ts_pipeline_ewa = {
 	.steps = surfels_steps,
 	.plan = ewa_plan,
 	.expect = surfels_expect,
+	.sets = {"lamp.source", "scene"},
+};
+
+const ts_pipeline ts_pipeline_flat = {
+	.name = "flat",
+	.effect = &surfels,
+	.paper = "NV40: Per-Pixel Phong Shading",
+	.doc = "surfels shaded once each, the nearest seen",
+	.steps = shaded_steps,
+	.plan = flat_plan,
+	.expect = surfels_expect,
+	.only_named = true,
+	.sets = {"lamp.source", "scene"},
+};
+
+const ts_pipeline ts_pipeline_gouraud = {
+	.name = "gouraud",
+	.effect = &surfels,
+	.paper = "NV40: 3-Pass Shading",
+	.doc = "surfels shaded once each, and blended",
+	.steps = shaded_steps,
+	.plan = gouraud_plan,
+	.expect = surfels_expect,
+	.only_named = true,
+	.sets = {"lamp.source", "scene"},
+};
+
+const ts_pipeline ts_pipeline_phong = {
+	.name = "phong",
+	.effect = &surfels,
+	.paper = "NV40: 3-Pass Shading",
+	.doc = "surfels shaded at every fragment by linear normals, and blended",
+	.steps = phong_steps,
+	.plan = phong_plan,
+	.expect = phong_expect,
+	.only_named = true,
 	.sets = {"lamp.source", "scene"},
 };

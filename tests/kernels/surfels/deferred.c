@@ -79,12 +79,14 @@ static void check(sums *r, bool npr, const faults *how)
 {
 	static f32 radiance[3 * N], margin[N];
 	static u8 srgb[3 * N];
+	i64 tally = 0;
 	u32 shader = npr ? TS_SHADER_IS_NPR : TS_SHADER_IS_PHONG;
 	ts_deferred_args args = {.view = &view,
 	                         .pixels = pixels,
 	                         .lights = &sun,
 	                         .radiance = radiance,
 	                         .srgb = srgb,
+	                         .tally = &tally,
 	                         .n_lights = 1,
 	                         .shader = shader,
 	                         .ambient = 0.25f,

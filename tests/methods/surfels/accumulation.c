@@ -166,7 +166,7 @@ static void test_claims(void **state)
 {
 	(void)state;
 	ts_params params = tiny_params(TS_ACCUMULATION_8BIT);
-	surfels_assert_claims(&params);
+	surfels_assert_claims(&params, "deferred");
 }
 
 /* 30 fragments a pixel, and an offset; without lists nothing. */

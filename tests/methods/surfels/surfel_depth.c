@@ -28,20 +28,13 @@ static double noise(const port *p, u32 what) { return ts_uniform(ts_random(what,
 static double off(const port *p, double x) { return x * (1 + noise(p, ts_f2u((f32)x)) / 2097152); }
 static double off_of(const port *p, double x, double of) { return x + of * noise(p, ts_f2u((f32)x)) / 2097152; }
 
-typedef struct {
-	double x, y, z;
-} d3;
-static double dot(d3 a, d3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-static d3 cross(d3 a, d3 b) { return (d3){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
-static d3 sub(d3 a, d3 b) { return (d3){a.x - b.x, a.y - b.y, a.z - b.z}; }
-static d3 d3_of(const f32 *p) { return (d3){p[0], p[1], p[2]}; }
-static double length(d3 a) { return sqrt(dot(a, a)); }
+static double length(d3 a) { return sqrt(d3_dot(a, a)); }
 
 /* In the port's view space: X, Y and the depth. */
 static d3 to_view(const port *p, const ts_view *view, d3 a, double of)
 {
-	return (d3){off_of(p, dot(a, d3_of(view->right)), of), off_of(p, dot(a, d3_of(view->up)), of),
-	            off_of(p, -dot(a, d3_of(view->back)), of)};
+	return (d3){off_of(p, d3_dot(a, d3_of(view->right)), of), off_of(p, d3_dot(a, d3_of(view->up)), of),
+	            off_of(p, -d3_dot(a, d3_of(view->back)), of)};
 }
 
 /* A surfel as the port has it; and what exact EWA has of it. */
@@ -68,13 +61,14 @@ static void blur(const port *p, splat *s, const ts_filter *filter, double f)
 static splat splat_of(const port *p, const ts_surfel *surfel, const ts_filter *filter)
 {
 	const ts_view *view = ts_frame_data(&p->run->frame, TS_B_eye_view);
-	d3 u = d3_of(surfel->u), v = d3_of(surfel->v), from = sub(d3_of(surfel->centre), d3_of(view->eye)), n = cross(u, v);
+	d3 u = d3_of(surfel->u), v = d3_of(surfel->v), from = d3_sub(d3_of(surfel->centre), d3_of(view->eye)),
+	   n = d3_cross(u, v);
 	splat s = {.radius = fmax(length(u), length(v))};
-	double slant = off(p, -dot(n, from) / (length(n) * length(from))), f = view->focal;
+	double slant = off(p, -d3_dot(n, from) / (length(n) * length(from))), f = view->focal;
 	s.c = to_view(p, view, from, length(from));
 	s.u = to_view(p, view, u, length(u));
 	s.v = to_view(p, view, v, length(v));
-	s.n = cross(s.u, s.v);
+	s.n = d3_cross(s.u, s.v);
 	s.x = view->width / 2.0 + f * s.c.x / s.c.z;
 	s.y = view->height / 2.0 - f * s.c.y / s.c.z;
 	s.ahead = s.c.z >= (double)view->near;
@@ -96,9 +90,9 @@ static hit hit_at(const port *p, const splat *s, const ts_filter *filter, u32 x,
 	const ts_view *view = ts_frame_data(&p->run->frame, TS_B_eye_view);
 	double f = view->focal, dx = x + 0.5 - s->x, dy = y + 0.5 - s->y;
 	d3 way = {(x + 0.5 - view->width / 2.0) / f, (view->height / 2.0 - y - 0.5) / f, 1};
-	hit h = {.z = off(p, dot(s->c, s->n) / dot(way, s->n))};
+	hit h = {.z = off(p, d3_dot(s->c, s->n) / d3_dot(way, s->n))};
 	d3 d = {way.x * h.z - s->c.x, way.y * h.z - s->c.y, h.z - s->c.z};
-	double a = dot(d, s->u) / dot(s->u, s->u), b = dot(d, s->v) / dot(s->v, s->v);
+	double a = d3_dot(d, s->u) / d3_dot(s->u, s->u), b = d3_dot(d, s->v) / d3_dot(s->v, s->v);
 	h.r2 = off(p, a * a + b * b);
 	h.inside = !s->flat && h.z >= (double)view->near && h.r2 <= p->faults.rim;
 	h.z = h.inside ? h.z : s->c.z;
@@ -234,7 +228,7 @@ static ts_scene *ties(const ts_params *params, u32 n)
 		d3 n3 = {(double)surfels_uniform() - 0.5, (double)surfels_uniform() - 0.5, 0.6};
 		d3 at = {(x + (i % 3 == 1 ? cos(turn) : 0)) * z / f, (y + (i % 3 == 1 ? sin(turn) : 0)) * z / f, -z}, c = at;
 		double radius = z / f * (1 + 5 * (double)surfels_uniform()), r = length(n3);
-		if (i % 3 == 2) n3 = cross(n3, at), r = length(n3);
+		if (i % 3 == 2) n3 = d3_cross(n3, at), r = length(n3);
 		ts_v3 unit = ts_v3_make((f32)(n3.x / r), (f32)(n3.y / r), (f32)(n3.z / r));
 		ts_v3 u = ts_normalize(ts_cross(ts_v3_make(0, 1, 0), unit));
 		if (i % 3 == 0) c = (d3){at.x + radius * (double)u.x, at.y + radius * (double)u.y, at.z + radius * (double)u.z};

@@ -66,14 +66,44 @@ static inline ts_status surfels_claims(const ts_run *run, const ts_stage *stage,
 	return TS_OK;
 }
 
+/* A surfel at a pixel, in double precision: r3D, r2D and the depth. */
+typedef struct {
+	double r3, r2, z;
+} ray_hit;
+
+typedef struct {
+	double x, y, z;
+} d3;
+static inline d3 d3_sub(d3 a, d3 b) { return (d3){a.x - b.x, a.y - b.y, a.z - b.z}; }
+static inline double d3_dot(d3 a, d3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+static inline d3 d3_cross(d3 a, d3 b)
+{
+	return (d3){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+static inline d3 d3_of(const f32 *p) { return (d3){p[0], p[1], p[2]}; }
+
+/* The camera looks along -z, so that view space is the world moved. */
+static inline ray_hit hit_of(const ts_view *view, const ts_surfel *s, double x, double y)
+{
+	d3 eye = d3_of(view->eye), c = d3_sub(d3_of(s->centre), eye), u = d3_of(s->u), v = d3_of(s->v), n = d3_cross(u, v);
+	double f = view->focal, w = view->width / 2.0, h = view->height / 2.0;
+	d3 q = {(x - w) / f, -(y - h) / f, -1};
+	double t = d3_dot(c, n) / d3_dot(q, n);
+	d3 d = {q.x * t - c.x, q.y * t - c.y, q.z * t - c.z};
+	double a = d3_dot(d, u) / d3_dot(u, u), b = d3_dot(d, v) / d3_dot(v, v);
+	double px = w + f * c.x / -c.z - x, py = h - f * c.y / -c.z - y;
+	bool turned = d3_dot(n, c) >= 0, met = !turned && t >= view->near, seen = !turned && -c.z >= view->near;
+	return (ray_hit){met ? sqrt(a * a + b * b) : 1e9, seen ? sqrt(px * px + py * py) : 1e9, t};
+}
+
 /* Every stage of a frame again, from what it claims to read. */
-static inline void surfels_assert_claims(const ts_params *params)
+static inline void surfels_assert_claims(const ts_params *params, const char *method)
 {
 	ts_run run;
 	ts_scene *scene = surfels_balls(params, 800);
 	ts_run_begin(&run, scene, params, 2);
 	run.hook = surfels_claims;
-	if (ts_pipeline_run(ts_pipeline_find("surfels", "deferred"), &run) != TS_OK) fail_msg("%s", ts_error_message());
+	if (ts_pipeline_run(ts_pipeline_find("surfels", method), &run) != TS_OK) fail_msg("%s", ts_error_message());
 	ts_run_end(&run);
 	ts_scene_free(scene);
 }

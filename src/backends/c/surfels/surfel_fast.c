@@ -4,7 +4,6 @@
 #include "../../../kernels/surfels/surfel_blend.h"
 #include "../../../kernels/surfels/deferred.h"
 #include "../../../kernels/surfels/surfel_depth.h"
-#include "../../../kernels/surfels/surfel_blend_mean.h"
 #include "../../fast.h"
 #include "surfel_bins.h"
 #include "../../wide.h"
@@ -239,35 +238,28 @@ bool ts_c_fast_surfel_blend(const void *of, u64 n, u32 threads)
 	return made;
 }
 
-bool ts_c_fast_surfel_blend_mean(const void *of, u64 n, u32 threads)
-{
-	const ts_surfel_blend_mean_args *args = of;
-#pragma omp parallel num_threads(threads)
-	{
-		i64 tally = 0;
-		ts_surfel_blend_mean_args own = *args;
-		own.tally = &tally;
-#pragma omp for schedule(dynamic, ITEMS)
-		for (i64 i = 0; i < (i64)n; i++) ts_k_surfel_blend_mean_item(&own, (u64)i);
-		ts_add_i64(&args->tally[0], tally);
-	}
-	return true;
-}
-
+/* The pixels of sky are shown alike. */
 bool ts_c_fast_deferred(const void *of, u64 n, u32 threads)
 {
 	const ts_deferred_args *args = of;
 	f32 radiance[3];
 	u8 srgb[3];
 	ts_k_show(radiance, srgb, ts_k_background(), args->exposure);
-#pragma omp parallel for schedule(dynamic, ITEMS) num_threads(threads)
-	for (i64 i = 0; i < (i64)n; i++) {
-		if (args->pixels[i].depth == TS_SKY) {
-			memcpy(args->radiance + i * 3, radiance, sizeof radiance);
-			memcpy(args->srgb + i * 3, srgb, sizeof srgb);
-		} else {
-			ts_k_deferred_item(args, (u64)i);
+#pragma omp parallel num_threads(threads)
+	{
+		i64 tally = 0;
+		ts_deferred_args own = *args;
+		own.tally = &tally;
+#pragma omp for schedule(dynamic, ITEMS)
+		for (i64 i = 0; i < (i64)n; i++) {
+			if (args->pixels[i].depth == TS_SKY) {
+				memcpy(args->radiance + i * 3, radiance, sizeof radiance);
+				memcpy(args->srgb + i * 3, srgb, sizeof srgb);
+			} else {
+				ts_k_deferred_item(&own, (u64)i);
+			}
 		}
+		ts_add_i64(&args->tally[0], tally);
 	}
 	return true;
 }

@@ -4,6 +4,6 @@
 #include "../../../study/bench.h"
 #include "../../../study/bench_paper.h"
 
-extern const ts_paper_table ts_nv40;
+extern const ts_paper_table ts_nv40, ts_nv40_shading;
 
 #endif

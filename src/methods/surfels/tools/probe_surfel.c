@@ -3,6 +3,7 @@
 #include <inttypes.h>
 #include <stdlib.h>
 #include "../../../kernels/surfels/surfel_blend_order.h"
+#include "../../../kernels/surfels/surfel_shade.h"
 #include "../surfel.h"
 #include "../../../kernels/surfels/surfel_blend_mean.h"
 #include "../../stages.h"
@@ -14,6 +15,7 @@ enum { MOST_LISTED = 16 };
 typedef struct {
 	ts_camera_k view;
 	ts_filter filter;
+	ts_surfel_shade_args shade; /* of what is shaded before it is blended; else .shading is 0 */
 	i32 x, y;
 	u64 pixel;
 	f32 shift;
@@ -24,26 +26,34 @@ typedef struct {
 	u32 surfel;
 	f32 weight;
 	ts_surfel_fragment is;
+	ts_attributes adds;
 } fragment;
 typedef struct {
 	fragment *fragment;
 	size_t n, capacity;
 } fragments;
 
-/* Loads the eye and what the stages of surfels read. Without shadows there are no lamps, and shapes that depend on
- * texels stay unchecked. */
-static ts_status load(ts_probe *p, bool shadows, ts_probe_lamps *lamps)
+static ts_status load(ts_probe *p, const char *const *stages)
 {
-	static const char *const stages[] = {"surfel_depth", "surfel_blend", "surfel_blend.mean", "deferred", NULL};
 	if (ts_probe_load_for(p, stages) != TS_OK) return TS_ERROR;
 	memcpy(&p->view, ts_probe_loaded(p, TS_B_eye_view), sizeof p->view);
-	return shadows ? ts_probe_read_lamps(p, TS_PROBE_VIEW_OR_CUBE, lamps) : ts_probe_shapes(p, TS_UNKNOWN);
+	return TS_OK;
+}
+
+static ts_surfel_shade_args shade_of(const ts_probe *p)
+{
+	ts_surfel_shade_args shade = ts_surfel_shading(&p->load->run);
+	shade.of.surfels = ts_probe_loaded(p, TS_B_scene_surfel);
+	if (shade.shading != 0) shade.lights = ts_probe_loaded(p, TS_B_lamp_light);
+	if (shade.shading == TS_SHADING_IS_PHONG) shade.slopes = ts_probe_loaded(p, TS_B_normal_field_slope);
+	return shade;
 }
 
 static place place_of(const ts_probe *p, u32 x, u32 y)
 {
 	const f32 *epsilon = ts_probe_loaded(p, TS_B_surfel_setup_epsilon);
 	place at = {.view = ts_k_view(&p->view), .filter = ts_surfel_filter(&p->load->run), .x = (i32)x, .y = (i32)y};
+	at.shade = shade_of(p);
 	at.pixel = (u64)y * p->view.width + x;
 	at.shift = ts_k_pixel_shift(&at.view, *epsilon, at.x, at.y);
 	return at;
@@ -128,17 +138,42 @@ static int by_weight(const void *a, const void *b)
 	return (s->surfel > t->surfel) - (s->surfel < t->surfel);
 }
 
-/* All fragments, in the order of their surfels. Release by free() of both, also on failure. */
-static ts_status find(const ts_probe *p, const place *at, u64 key, fragments *blended, fragments *hidden)
+/* As the kernels have it. */
+static ts_attributes attributes_of(const place *at, const ts_disc *disc, u32 surfel)
+{
+	const ts_surfel_shade_args *shade = &at->shade;
+	const ts_surfel *of = &shade->of.surfels[surfel];
+	if (shade->shading == 0) return ts_k_attributes(of, disc);
+	ts_shading_place where = ts_k_centre_place(of, disc);
+	if (shade->shading == TS_SHADING_IS_PHONG) {
+		const f32 *slopes = shade->slopes + (u64)surfel * TS_FIELD_SLOPES;
+		where = ts_k_fragment_place(of, disc, slopes, at->view.near, at->x, at->y);
+	}
+	return ts_k_shaded_colour(shade, &at->view, surfel, &where);
+}
+
+/* What becomes of fragments. */
+enum { BLENDED, HIDDEN, NOT_NEAREST, N_FATES };
+
+static u32 fate_of(const place *at, u64 key, const fragment *f)
+{
+	if (!ts_k_is_visible(key, f->is.z)) return HIDDEN;
+	return ts_k_shows(at->shade.shading, key, f->surfel) ? BLENDED : NOT_NEAREST;
+}
+
+/* All fragments, in the order of their surfels. Release by free() of all, also on failure. */
+static ts_status find(const ts_probe *p, const place *at, u64 key, fragments of[N_FATES])
 {
 	u64 n = ts_frame_n(&p->load->run.frame, TS_B_surfel_setup_disc);
 	const ts_disc *discs = ts_probe_loaded(p, TS_B_surfel_setup_disc);
 	for (u64 i = 0; i < n; i++) {
 		if (!is_in_box(&discs[i], at)) continue;
-		fragment f = {(u32)i, 0, ts_k_surfel_fragment(&discs[i], &at->filter, at->view.near, at->x, at->y)};
+		fragment f = {.surfel = (u32)i,
+		              .is = ts_k_surfel_fragment(&discs[i], &at->filter, at->view.near, at->x, at->y),
+		              .adds = attributes_of(at, &discs[i], (u32)i)};
 		if (!f.is.covers) continue;
 		f.weight = ts_k_fragment_weight(&f.is);
-		if (add(ts_k_is_visible(key, f.is.z) ? blended : hidden, f) != TS_OK) return TS_ERROR;
+		if (add(&of[fate_of(at, key, &f)], f) != TS_OK) return TS_ERROR;
 	}
 	return TS_OK;
 }
@@ -150,6 +185,11 @@ static void put_fragment(ts_probe *p, json_t *list, const fragment *f, const pla
 	const ts_disc *disc = (const ts_disc *)ts_probe_loaded(p, TS_B_surfel_setup_disc) + f->surfel;
 	ts_probe_put(p, o, "surfel", ts_probe_int(f->surfel));
 	ts_probe_put(p, o, "weight", ts_probe_bits(f->weight));
+	if (at->shade.shading != 0) {
+		const f32 *adds = f->adds.value;
+		ts_probe_put(p, o, "normal", ts_probe_v3_bits(ts_load3(adds + 3)));
+		ts_probe_put(p, o, "shaded", ts_probe_v3_bits(ts_load3(adds)));
+	}
 	put_hit(p, o, disc, at);
 	if (at->filter.filter == TS_FILTER_IS_EWA) {
 		ts_probe_put(p, o, "peak", ts_probe_real(f->is.peak));
@@ -191,19 +231,16 @@ static void put_fragments(ts_probe *p, json_t *object, const char *name, fragmen
 }
 
 /* As the kernels add them, into the sums and the heaviest of this pixel alone. */
-static void sum_up(const ts_probe *p, const fragments *blended, i64 *sums, u64 *heaviest)
+static void sum_up(const ts_probe *p, const place *at, const fragments *blended, i64 *sums, u64 *heaviest)
 {
 	const ts_params *params = &p->trace->params;
-	const ts_disc *discs = ts_probe_loaded(p, TS_B_surfel_setup_disc);
-	const ts_surfel *surfels = ts_probe_loaded(p, TS_B_scene_surfel);
-	bool ordered = ts_accumulates_in_order(params);
+	bool ordered = at->shade.shading == 0 && ts_accumulates_in_order(params);
 	ts_surfel_blend_args args = {.sums = sums, .heaviest = heaviest};
 	ts_blend_target target = ts_k_blend_none();
 	for (size_t i = 0; i < blended->n; i++) {
 		const fragment *f = &blended->fragment[i];
-		ts_attributes attributes = ts_k_attributes(&surfels[f->surfel], &discs[f->surfel]);
-		ts_k_blend_add(&args, 0, f->surfel, &attributes, f->weight);
-		if (ordered) ts_k_blend_next(TS_PARAM(params, surfel_blend_accumulation), &target, &attributes, f->weight);
+		ts_k_blend_add(&args, 0, f->surfel, &f->adds, f->weight);
+		if (ordered) ts_k_blend_next(TS_PARAM(params, surfel_blend_accumulation), &target, &f->adds, f->weight);
 	}
 	if (ordered) ts_k_blend_end(TS_PARAM(params, surfel_blend_accumulation), &target, (u32)blended->n, sums);
 }
@@ -247,24 +284,23 @@ static ts_status put_blend(ts_probe *p, json_t *o, const place *at)
 {
 	i64 sums[TS_BLEND_SUMS] = {0};
 	u64 heaviest = TS_EMPTY, key = ((const u64 *)ts_probe_loaded(p, TS_B_surfel_depth_surfel))[at->pixel];
-	fragments blended = {.fragment = NULL}, hidden = {.fragment = NULL};
-	ts_status status = find(p, at, key, &blended, &hidden);
+	fragments of[N_FATES] = {{.fragment = NULL}};
+	ts_status status = find(p, at, key, of);
 	if (status == TS_OK) {
-		sum_up(p, &blended, sums, &heaviest);
-		put_fragments(p, o, "blended", &blended, at, key);
-		put_fragments(p, o, "hidden_by_epsilon", &hidden, at, key);
+		sum_up(p, at, &of[BLENDED], sums, &heaviest);
+		put_fragments(p, o, "blended", &of[BLENDED], at, key);
+		put_fragments(p, o, "hidden_by_epsilon", &of[HIDDEN], at, key);
+		if (at->shade.shading == TS_SHADING_IS_FLAT) put_fragments(p, o, "not_the_nearest", &of[NOT_NEAREST], at, key);
 		put_sums(p, o, sums, (const i64 *)ts_probe_loaded(p, TS_B_surfel_blend_sum) + at->pixel * TS_BLEND_SUMS);
 		put_heaviest(p, o, heaviest, ((const u64 *)ts_probe_loaded(p, TS_B_surfel_blend_heaviest))[at->pixel]);
 	}
-	free(blended.fragment);
-	free(hidden.fragment);
+	for (u32 fate = 0; fate < N_FATES; fate++) free(of[fate].fragment);
 	return status;
 }
 
 /* From the sums that are held. */
 static ts_status put_mean(ts_probe *p, json_t *object, const place *at)
 {
-	i64 tally = 0;
 	json_t *o = json_object();
 	u64 n = (u64)p->view.width * p->view.height;
 	const i64 *sums = (const i64 *)ts_probe_loaded(p, TS_B_surfel_blend_sum) + at->pixel * TS_BLEND_SUMS;
@@ -276,14 +312,14 @@ static ts_status put_mean(ts_probe *p, json_t *object, const place *at)
 	                                  .keys = ts_probe_loaded(p, TS_B_surfel_depth_surfel),
 	                                  .sums = ts_probe_loaded(p, TS_B_surfel_blend_sum),
 	                                  .heaviest = ts_probe_loaded(p, TS_B_surfel_blend_heaviest),
-	                                  .pixels = pixels,
-	                                  .tally = &tally};
+	                                  .pixels = pixels};
 	if (pixels == NULL) return TS_ERROR;
 	ts_k_surfel_blend_mean_item(&args, at->pixel);
 	const ts_gpixel *made = &pixels[at->pixel];
-	if (tally > 0) {
+	if (made->depth != TS_SKY) {
 		f32 length = ts_length(ts_k_mean(sums + 3, (f32)sums[TS_BLEND_WEIGHT]));
-		ts_probe_put(p, o, "albedo", ts_probe_v3_bits(ts_load3(made->albedo)));
+		const char *colour = at->shade.shading == 0 ? "albedo" : "colour";
+		ts_probe_put(p, o, colour, ts_probe_v3_bits(ts_load3(made->albedo)));
 		ts_probe_put(p, o, "mean_of_normals", ts_probe_real(length));
 		ts_probe_put(p, o, "normal_of",
 		             json_string(length < TS_LEAST_NORMAL ? "the heaviest: they cancel" : "their mean"));
@@ -300,15 +336,35 @@ static ts_status put_mean(ts_probe *p, json_t *object, const place *at)
 	return TS_OK;
 }
 
+static ts_status put_surfels(ts_probe *p, const ts_probe_question *q, json_t *o)
+{
+	if (ts_probe_put_pixel(p, q, o) != TS_OK) return TS_ERROR;
+	place at = place_of(p, q->x, q->y);
+	put_visibility(p, o, &at);
+	return put_blend(p, o, &at) == TS_OK ? put_mean(p, o, &at) : TS_ERROR;
+}
+
+/* Without shadows there are no lamps, and shapes that depend on texels stay unchecked. */
 ts_status ts_probe_surfel_pixel(ts_probe *p, const ts_probe_question *q, json_t *o)
 {
+	static const char *const stages[] = {"surfel_depth", "surfel_blend", "surfel_blend.mean", "deferred", NULL};
 	ts_v3 total;
 	ts_probe_lamps lamps;
 	bool shadows = ts_shader_has_shadows(&p->trace->params);
-	if (load(p, shadows, &lamps) != TS_OK || ts_probe_put_pixel(p, q, o) != TS_OK) return TS_ERROR;
-	place at = place_of(p, q->x, q->y);
-	put_visibility(p, o, &at);
-	if (put_blend(p, o, &at) != TS_OK || put_mean(p, o, &at) != TS_OK) return TS_ERROR;
+	if (load(p, stages) != TS_OK) return TS_ERROR;
+	ts_status status = shadows ? ts_probe_read_lamps(p, TS_PROBE_VIEW_OR_CUBE, &lamps) : ts_probe_shapes(p, TS_UNKNOWN);
+	if (status != TS_OK || put_surfels(p, q, o) != TS_OK) return TS_ERROR;
 	if (ts_probe_put_deferred(p, shadows ? &lamps : NULL, q->x, q->y, o, &total) != TS_OK) return TS_ERROR;
+	return ts_probe_put_image(p, o, q->x, q->y, total);
+}
+
+ts_status ts_probe_shaded_pixel(ts_probe *p, const ts_probe_question *q, json_t *o)
+{
+	static const char *const stages[] = {"surfel_depth", "surfel_blend", "surfel_blend.mean", "surfel_image", NULL};
+	if (load(p, stages) != TS_OK || ts_probe_shapes(p, TS_UNKNOWN) != TS_OK) return TS_ERROR;
+	if (put_surfels(p, q, o) != TS_OK) return TS_ERROR;
+	const ts_gpixel *pixels = ts_probe_loaded(p, TS_B_gbuffer_pixel);
+	f32 exposure = TS_PARAM(&p->trace->params, image_exposure);
+	ts_v3 total = ts_k_surfel_shown(&pixels[(u64)q->y * p->view.width + q->x], exposure);
 	return ts_probe_put_image(p, o, q->x, q->y, total);
 }

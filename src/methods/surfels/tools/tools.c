@@ -24,6 +24,8 @@ static const ts_truth_kind truths[] = {
 static const ts_bench_row benches[] = {
 	{"nv40", "surface splatting: surfels a second and fragments a pixel; --objects takes sizes",
      TS_BENCH_BY_ITSELF " size", .paper = &ts_nv40},
+	{"nv40-shading", "surface splatting: what flat, Gouraud, Phong and deferred shading cost and show",
+     TS_BENCH_BY_ITSELF " size", .paper = &ts_nv40_shading},
 	{0},
 };
 
@@ -31,6 +33,8 @@ static const ts_bench_row benches[] = {
 static const ts_probe_part parts[] = {
 	{TS_PROBE_PIXEL, "deferred", ts_probe_surfel_pixel,
 	 "the nearest surfel, those that are blended or hidden, their sums, the light and the outline", NULL},
+	{TS_PROBE_PIXEL, "surfel_image", ts_probe_shaded_pixel,
+	 "the nearest surfel, those that are blended, shaded, or hidden, and their sums", NULL},
 	{0},
 };
 /* clang-format on */

@@ -1,0 +1,140 @@
+/* Shading before blending (NV40: 3-Pass Shading, Per-Pixel Phong Shading; METHODS 16): the second pass blends shaded
+ * colours in the place of attributes.
+ *
+ *     flat     a surfel is shaded once, at its centre; where an ellipse covers a pixel only the nearest surfel counts
+ *     gouraud  a surfel is shaded once, at its centre
+ *     phong    a surfel is shaded once a fragment, where the ray meets its plane, by its linear field of normals
+ *
+ * A colour is that of a frame buffer: exposed, and clamped to [0,1]. There is neither shadow nor outline, which
+ * deferred.h finds by what is already blended. */
+#ifndef TS_KERNELS_SURFEL_SHADE_H
+#define TS_KERNELS_SURFEL_SHADE_H
+#include "../base/args.h"
+#include "deferred.h"
+#include "normal_field.h"
+#include "surfel_blend.h"
+
+#define TS_SHADING_IS_FLAT 1u
+#define TS_SHADING_IS_GOURAUD 2u
+#define TS_SHADING_IS_PHONG 3u
+
+#define TS_ROWS_ts_surfel_shade_args(ARG) \
+	ARG(INNER, ts_surfel_blend_args, of, none) \
+	ARG(IN, ts_light, lights, lamp_light) \
+	ARG(IN_OPT, f32, slopes, normal_field_slope) /* of phong */ \
+	ARG(TALLY, i64, shaded, 2)                   /* shading operations */ \
+	ARG(VALUE, u32, n_lights, none) \
+	ARG(VALUE, u32, shading, none) /* TS_SHADING_IS_* */ \
+	ARG(VALUE, u32, shader, none)  /* TS_SHADER_IS_* */ \
+	ARG(VALUE, f32, ambient, none) \
+	ARG(VALUE, f32, exposure, none)
+TS_ARGS(ts_surfel_shade_args);
+
+/* Where a surfel is shaded. */
+typedef struct {
+	ts_v3 p, n;
+} ts_shading_place;
+
+/* Its centre. */
+TS_FN ts_shading_place ts_k_centre_place(TS_GLOBAL const ts_surfel *surfel, const ts_disc *disc)
+{
+	ts_shading_place r;
+	r.p = ts_load3(surfel->centre);
+	r.n = ts_v3_make(disc->normal[0], disc->normal[1], disc->normal[2]);
+	return r;
+}
+
+/* Where the ray of a pixel meets its plane; the centre where that is beside the ellipse, or the normals cancel. */
+TS_FN ts_shading_place ts_k_fragment_place(TS_GLOBAL const ts_surfel *surfel, const ts_disc *disc,
+                                           TS_GLOBAL const f32 *slopes, f32 near, i32 x, i32 y)
+{
+	ts_v2 d = ts_k_disc_offset(disc, x, y);
+	ts_disc_hit hit = ts_k_disc_hit(disc, near, d.x, d.y);
+	ts_shading_place r = ts_k_centre_place(surfel, disc);
+	if (!hit.inside) return r;
+	r.p = ts_mad(ts_mad(r.p, ts_load3(surfel->u), hit.a), ts_load3(surfel->v), hit.b);
+	ts_v3 n = ts_mad(ts_mad(r.n, ts_load3(slopes), hit.a), ts_load3(slopes + 3), hit.b);
+	if (ts_length(n) >= TS_LEAST_SLANT) r.n = ts_normalize(n);
+	return r;
+}
+
+/* What it adds for a weight of 1. */
+TS_FN ts_attributes ts_k_shaded_colour(const ts_surfel_shade_args *args, const ts_camera_k *view, u64 i,
+                                       const ts_shading_place *at)
+{
+	ts_attributes r;
+	TS_GLOBAL const f32 *colour = args->of.surfels[i].colour;
+	ts_v3 albedo =
+		ts_v3_make(ts_clamp(colour[0], 0.0f, 1.0f), ts_clamp(colour[1], 0.0f, 1.0f), ts_clamp(colour[2], 0.0f, 1.0f));
+	ts_v3 v = ts_normalize(ts_sub(view->eye, at->p));
+	ts_v3 sum = ts_scale(albedo, args->ambient);
+	for (u32 k = 0u; k < args->n_lights; k++) {
+		sum = ts_add(sum, ts_k_shade_by(&args->lights[k], 1.0f, args->shader, at->p, at->n, v, albedo));
+	}
+	r.value[0] = ts_clamp(sum.x * args->exposure, 0.0f, 1.0f);
+	r.value[1] = ts_clamp(sum.y * args->exposure, 0.0f, 1.0f);
+	r.value[2] = ts_clamp(sum.z * args->exposure, 0.0f, 1.0f);
+	r.value[3] = at->n.x;
+	r.value[4] = at->n.y;
+	r.value[5] = at->n.z;
+	return r;
+}
+
+/* Whether a fragment that is visible counts. */
+TS_FN bool ts_k_shows(u32 shading, u64 key, u32 surfel)
+{
+	return shading != TS_SHADING_IS_FLAT || key == TS_EMPTY || (u32)key == surfel;
+}
+
+/* scatter over surfels */
+TS_FN void ts_k_surfel_shade_item(const ts_surfel_shade_args *args, u64 i)
+{
+	ts_surfel_blend_args of = args->of;
+	ts_camera_k view = ts_k_view(of.view);
+	ts_disc disc = of.discs[i];
+	if (disc.high[0] < disc.low[0]) return;
+	bool phong = args->shading == TS_SHADING_IS_PHONG;
+	ts_shading_place at = ts_k_centre_place(&of.surfels[i], &disc);
+	ts_attributes colour = ts_k_shaded_colour(args, &view, i, &at);
+	i64 n = 0;
+	for (i32 y = disc.low[1]; y <= disc.high[1]; y++) {
+		for (i32 x = disc.low[0]; x <= disc.high[0]; x++) {
+			u64 pixel = (u64)y * (u64)view.width + (u64)x;
+			u64 key = of.keys[pixel];
+			ts_surfel_fragment f = ts_k_surfel_fragment(&disc, &of.filter, view.near, x, y);
+			if (!f.covers || !ts_k_is_visible(key, f.z) || !ts_k_shows(args->shading, key, (u32)i)) continue;
+			if (phong) {
+				at = ts_k_fragment_place(&of.surfels[i], &disc, args->slopes + i * TS_FIELD_SLOPES, view.near, x, y);
+				colour = ts_k_shaded_colour(args, &view, i, &at);
+			}
+			ts_k_blend_add(&of, pixel, (u32)i, &colour, ts_k_fragment_weight(&f));
+			n++;
+		}
+	}
+	ts_add_i64(&args->shaded[0], phong ? n : 1);
+	ts_add_i64(&of.tally[0], n);
+	ts_add_i64(&of.tally[1], (i64)(disc.high[0] - disc.low[0] + 1) * (i64)(disc.high[1] - disc.low[1] + 1));
+}
+
+#define TS_ROWS_ts_surfel_image_args(ARG) \
+	ARG(IN, ts_gpixel, pixels, gbuffer_pixel) \
+	ARG(OUT, f32, radiance, image_radiance) \
+	ARG(OUT, u8, srgb, image_srgb) \
+	ARG(VALUE, f32, exposure, none)
+TS_ARGS(ts_surfel_image_args);
+
+/* The radiance of what was exposed before it was blended. */
+TS_FN ts_v3 ts_k_surfel_shown(TS_GLOBAL const ts_gpixel *pixel, f32 exposure)
+{
+	if (pixel->depth == TS_SKY) return ts_k_background();
+	return ts_scale(ts_load3(pixel->albedo), 1.0f / exposure);
+}
+
+/* map over pixels */
+TS_FN void ts_k_surfel_image_item(const ts_surfel_image_args *args, u64 i)
+{
+	ts_v3 shown = ts_k_surfel_shown(&args->pixels[i], args->exposure);
+	ts_k_show(args->radiance + i * 3u, args->srgb + i * 3u, shown, args->exposure);
+}
+
+#endif

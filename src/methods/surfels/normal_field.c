@@ -1,0 +1,20 @@
+/* Linear fields of normals, which static surfels can have. */
+#include "../../kernels/surfels/normal_field.h"
+#include "surfel.h"
+
+static const ts_launch launch = TS_LAUNCH(normal_field, TS_ALL);
+
+static ts_status normal_field(ts_run *run)
+{
+	ts_normal_field_args args;
+	return TS_RUN(run, &launch, &args, ts_run_size(run, TS_DIM_surfels));
+}
+
+const ts_stage ts_stage_normal_field = {
+	.name = "normal_field",
+	.kind = "map",
+	.paper = "NV40: Phong Shading for PBR",
+	.doc = "linear fields of normals, which fit the nearest surfels of each",
+	.run = normal_field,
+	.launches = TS_LAUNCHES(&launch),
+};
