@@ -7,8 +7,8 @@
 
 #define SHARE 0.1 /* of the processors */
 
-/* User, nice, system, interrupts and what other machines took, which the first line counts in ticks; it counts idle time
- * between them. */
+/* User, nice, system, interrupts and the share of other machines, which the first line counts in ticks; it counts idle
+ * time between them. */
 static bool read_all(double *seconds)
 {
 	double user, nice, system, idle, waits, hard, soft, stolen;

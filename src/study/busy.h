@@ -1,5 +1,5 @@
-/* How busy others keep the machine while something is timed: the system's count of busy processor time, less that of this
- * process and of its children that have ended. */
+/* How busy others keep the machine while something is timed: the system's count of busy processor time, less that of
+ * this process and of its children that have ended. */
 #ifndef TS_STUDY_BUSY_H
 #define TS_STUDY_BUSY_H
 #include "../model/core.h"
