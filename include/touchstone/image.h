@@ -44,13 +44,11 @@ TS_API ts_metrics ts_metrics_compare(const uint8_t *reference, const uint8_t *im
  * channels of |image - reference| by the sum of the reference: 0 if they are equal, infinite where only the image has
  * light. */
 typedef struct {
-	double squares; /* sum over pixels and channels of (image - reference)^2 */
-	double
-		relative;  /* root of their mean, by the mean of the reference; 0 if they are equal, infinite beside no light */
-	double median; /* the least error, in single precision, that is enough for half of the pixels */
-	double beyond; /* share of the pixels whose error is above a tenth */
-	double
-		given; /* mean of the image over the unlit pixels, by the mean of the reference over all; 0: no such pixels */
+	double squares;  /* sum over pixels and channels of (image - reference)^2 */
+	double relative; /* root of their mean, by the mean of the reference; infinite beside no light */
+	double median;   /* the least error, in single precision, that is enough for half of the pixels */
+	double beyond;   /* share of the pixels whose error is above a tenth */
+	double given;    /* mean of the image over the unlit pixels, by the mean of the reference over all */
 	uint64_t pixels; /* judged */
 	uint64_t unlit;  /* of them only the image has light */
 } ts_light_metrics;
