@@ -6,12 +6,15 @@
 
 extern const ts_check_rule ts_surfels_checks[];
 
-/* Truths of surfels (truth_surfels.c), in a run of their own: the mean of params.truth_grid_rays^2 pictures, each by
- * rays through one place of a regular grid in every pixel. `discs` casts them into the surfels, `surface` into what
- * these are samples of, which must be known. *radiance: width * height * 3 floats, by free(). NULL on failure: no
- * memory, or Embree's error. */
+/* Truths of surfels (truth_surfels.c), in a run of their own: the mean of params.truth_grid_rays^2 pictures, each
+ * by a ray in one cell of the grid of every pixel, at ts_truth_place. `discs` casts them into the surfels, `surface`
+ * into what these are samples of, which must be known. *radiance: width * height * 3 floats, by free(). NULL on
+ * failure: no memory, or Embree's error. */
 ts_status ts_truth_discs(f32 **radiance, const ts_scene *scene, const ts_params *params, u32 threads);
 ts_status ts_truth_surface(f32 **radiance, const ts_scene *scene, const ts_params *params, u32 threads);
+/* Places the ray of a cell in its pixel by a hash, uniform over the cell. place: from the left and from above, [0,1).
+ * pixel: counted along the rows; cell: below side * side. */
+void ts_truth_place(double place[2], u32 pixel, u32 cell, u32 side, u32 seed);
 /* What they are estimated to need of memory beside the mean of their pictures: a picture, and the tree of `discs`. */
 u64 ts_truth_discs_bytes(const ts_pipeline *method, const ts_scene *scene, const ts_params *params);
 u64 ts_truth_surface_bytes(const ts_pipeline *method, const ts_scene *scene, const ts_params *params);

@@ -1,7 +1,8 @@
 /* Truths of surfels by rays (METHODS 17), shaded by the methods' own deferred shader: `discs`, the surfels
  * themselves, each ray blending what it meets no more than epsilon behind the nearest by the object-space Gaussian;
- * `surface`, what surfels are samples of, triangles or the checkerboard. Their rays stand on a regular grid in every
- * pixel: a picture for each place in it, and their mean in linear light.
+ * `surface`, what surfels are samples of, triangles or the checkerboard. Every pixel is a grid of cells with one ray
+ * in each: a picture for each cell, and their mean in linear light. A ray stands anywhere in its cell, by a hash:
+ * rays that stood alike in all pixels would make a pattern of what is finer than the cells.
  *
  * Shadows are rays from the light. Surfels stop none that are no more than epsilon before the point, as in their
  * depth maps; triangles none in the last 2^-12 of the greatest coordinate. */
@@ -18,6 +19,7 @@
 
 #define SKIP 0.000244140625f /* of the greatest coordinate */
 #define ONE 1073741824.0     /* sums are in 2^-30, so that no order of hits is seen */
+#define STREAM_SAMPLES 7u    /* of ts_random */
 
 enum { N_ATTRIBUTES = 7, WEIGHT = 6 };
 enum { DISC_BYTES = 192 }; /* what Embree's tree takes for a surfel: 146 to 191 of 300 000 to four million of them */
@@ -46,8 +48,8 @@ struct tracer {
 	u32 n_lights;
 	double eps, fall;   /* world units; 1 / (2 ewa.sigma_k^2) */
 	f32 spread, beyond; /* footprint of a unit of path; farther than the scene reaches */
-	double shift[2];    /* of the rays in their pixels, [0,1] */
-	u32 side;           /* rays a pixel a side */
+	u32 side, cell;     /* rays a pixel a side; which of them is cast */
+	u32 seed;           /* of their places */
 	ts_gpixel *pixels;
 	u32 *lit; /* NULL: there are no shadows */
 	int n_threads;
@@ -180,11 +182,24 @@ static const world of_discs = {"truth discs", open_discs, see_discs, reaches_dis
 static const world of_mesh = {"truth surface", open_mesh, see_mesh, reaches_mesh};
 static const world of_board = {"truth surface", open_board, see_board, reaches_board};
 
+static double jitter(u32 pixel, u32 draw, u32 seed)
+{
+	return (double)ts_uniform(ts_random(pixel ^ ts_pcg(draw), STREAM_SAMPLES, seed));
+}
+
+void ts_truth_place(double place[2], u32 pixel, u32 cell, u32 side, u32 seed)
+{
+	place[0] = (cell % side + jitter(pixel, 2 * cell, seed)) / side;
+	place[1] = (cell / side + jitter(pixel, 2 * cell + 1, seed)) / side;
+}
+
 static ts_disc_ray eye_ray(const tracer *t, u32 x, u32 y)
 {
+	double place[2];
 	const ts_view *eye = t->eye;
-	double i = (x + t->shift[0] - eye->width * 0.5) / (double)eye->focal;
-	double j = (eye->height * 0.5 - (y + t->shift[1])) / (double)eye->focal;
+	ts_truth_place(place, y * eye->width + x, t->cell, t->side, t->seed);
+	double i = (x + place[0] - eye->width * 0.5) / (double)eye->focal;
+	double j = (eye->height * 0.5 - (y + place[1])) / (double)eye->focal;
 	double length = sqrt(i * i + j * j + 1.0);
 	ts_disc_ray ray = {.near = (double)eye->near * length};
 	for (u32 k = 0; k < 3; k++) {
@@ -223,14 +238,12 @@ static void cast(const tracer *t, u32 x, u32 y)
 	if (t->lit != NULL) light_spot(t, &at, t->lit + i * t->n_lights);
 }
 
-/* The picture of one place of the grid, added to the mean. */
-static ts_status add_picture(f32 *radiance, tracer *t, ts_run *run, u32 place)
+/* The picture of one cell of the grid, added to the mean. */
+static ts_status add_picture(f32 *radiance, tracer *t, ts_run *run)
 {
 	u32 width = t->eye->width, height = t->eye->height, n = t->side * t->side;
-	t->shift[0] = (place % t->side + 0.5) / t->side;
-	t->shift[1] = (place / t->side + 0.5) / t->side;
 	const ts_step *shader = ts_pipeline_maker(run->pipeline, TS_B_image_radiance);
-	ts_progress(t->into->label, place, n);
+	ts_progress(t->into->label, t->cell, n);
 #pragma omp parallel for num_threads(t->n_threads) schedule(dynamic, 1)
 	for (u32 y = 0; y < height; y++)
 		for (u32 x = 0; x < width; x++) cast(t, x, y);
@@ -277,11 +290,11 @@ static ts_status trace(f32 **radiance, const world *into, ts_run *run)
 		.spread = 1.0f / (eye->focal * (f32)TS_PARAM(&run->params, truth_grid_rays)),
 		.beyond = 2.0f * extent_of(run->scene),
 		.side = TS_PARAM(&run->params, truth_grid_rays),
+		.seed = TS_PARAM(&run->params, seed),
 		.n_threads = (int)run->c.threads,
 	};
 	ts_status status = into->open(&t, run) == TS_OK ? make_room(radiance, &t, run) : TS_ERROR;
-	for (u32 place = 0; place < t.side * t.side && status == TS_OK; place++)
-		status = add_picture(*radiance, &t, run, place);
+	for (; t.cell < t.side * t.side && status == TS_OK; t.cell++) status = add_picture(*radiance, &t, run);
 	ts_discs_free(t.discs);
 	ts_truth_free(t.mesh);
 	return status;
