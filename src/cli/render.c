@@ -66,6 +66,7 @@ static ts_status run_all(ts_render *render)
 		after_method after = {render, render->methods[i], i};
 		render->measures[i].pictures = job->output.no_images ? NULL : &render->stages[i];
 		render->measures[i].rays = job->truths != 0;
+		render->measures[i].notes = job->sweep.n == 0;
 		render->measures[i].trace = traces(job) ? &render->tracings[i].options : NULL;
 		render->measures[i].viewer = job->output.viewer ? render->tracings[i].viewer : NULL;
 		status = ts_measure_run(&render->measures[i], render->methods[i], render->scene, &job->params, &job->how,
@@ -166,6 +167,14 @@ static void release(ts_render *render)
 	free(render);
 }
 
+/* A line of each method that has something to say. */
+static void say_notes(const ts_render *render)
+{
+	for (u32 i = 0; i < render->n_methods; i++) {
+		if (render->measures[i].note[0] != '\0') ts_say("%s: %s", render->methods[i]->name, render->measures[i].note);
+	}
+}
+
 static ts_status work_in_folder(ts_render *render, void *user)
 {
 	(void)user;
@@ -187,7 +196,9 @@ static ts_status work_in_folder(ts_render *render, void *user)
 		ts_report_discard(&report);
 		return status;
 	}
-	return ts_report_end(&report);
+	status = ts_report_end(&report);
+	if (status == TS_OK) say_notes(render);
+	return status;
 }
 
 /* A render whose method and truths are known, passed to `with`. */

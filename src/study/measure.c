@@ -73,6 +73,7 @@ static ts_status after_stage(const ts_run *run, const ts_stage *stage, void *use
 	}
 	ts_status status = m->pictures != NULL ? ts_stage_pictures_take(m->pictures, run, stage) : TS_OK;
 	if (status == TS_OK && m->rays) status = judge_texels(m, run, stage);
+	if (status == TS_OK && m->notes) status = ts_notes_take(m->note, run, stage);
 	if (status == TS_OK && m->viewer != NULL) status = ts_viewer_take(run, stage, m->viewer);
 	return status == TS_OK && m->writer != NULL ? ts_trace_write_stage(m->writer, run, stage) : status;
 }
@@ -133,7 +134,8 @@ ts_status ts_measure_run(ts_measure *measure, const ts_pipeline *method, const t
 	                        .pictures = measure->pictures,
 	                        .trace = measure->trace,
 	                        .viewer = measure->viewer,
-	                        .rays = measure->rays};
+	                        .rays = measure->rays,
+	                        .notes = measure->notes};
 	ts_run run;
 	ts_run_begin(&run, scene, params, how->threads);
 	ts_run_how(&run, how);

@@ -4,6 +4,7 @@
 #include "../methods/pipeline.h"
 #include "../trace/write.h"
 #include "../truth/texels.h"
+#include "notes.h"
 #include "picture.h"
 #include "stage_pictures.h"
 
@@ -40,14 +41,16 @@ typedef struct {
 	bool rays;                     /* count what rays through the off-screen texels say of them */
 	ts_truth *tree;                /* of those rays, while the run lasts */
 	ts_texel_counts texels;
+	bool notes;               /* take what families have to say */
+	char note[TS_NOTE_CHARS]; /* "": nothing */
 	ts_trace_writer *writer;
 } ts_measure;
 
 /* Truths are made of what a run left: called with the run still open. */
 typedef ts_status (*ts_measure_after)(ts_run *run, void *user);
 
-/* Runs `method` and measures it into *measure, of which only `pictures`, `trace`, `viewer` and `rays` are read.
- * `after`, which may be NULL, is called behind the last stage. Prints progress. */
+/* Runs `method` and measures it into *measure, of which only `pictures`, `trace`, `viewer`, `rays` and `notes` are
+ * read. `after`, which may be NULL, is called behind the last stage. Prints progress. */
 ts_status ts_measure_run(ts_measure *measure, const ts_pipeline *method, const ts_scene *scene, const ts_params *params,
                          const ts_how *how, ts_measure_after after, void *user);
 

@@ -41,4 +41,5 @@ void ts_tools_begin(void)
 	HAND(ts_viewer_use, ts_viewer_rule, viewers);
 	HAND(ts_measure_keeps_use, ts_buffer_id, keeps);
 	HAND(ts_measure_lowers_use, ts_lower_rule, lowers);
+	HAND(ts_notes_use, ts_note_rule, notes);
 }

@@ -167,6 +167,18 @@ printf 'ply\nformat ascii 1.0\nelement vertex 1\n%sproperty float radius\nend_he
 run render surfels one.ply --size 64x36 --set eye.distance=outside --truth --set deferred.shader=phong_shadow --set depth_map.px=32 -o work/one
 [ "$status" -eq 0 ] && grep -q '^truth surface: none' stdout && grep -q 'truth-discs' stdout && ! grep -q 'truth-surface' stdout
 verdict $? 'surfels that are samples of nothing known'
+python3 - > carpet.ply << 'PY'
+rows = [(x / 50, y, z / 50, 0, 1, 0, 0.03) for y in (0, 0.005) for x in range(-40, 40) for z in range(-40, 40)]
+print("ply\nformat ascii 1.0\nelement vertex %d" % len(rows))
+print("\n".join("property float " + name for name in ("x", "y", "z", "nx", "ny", "nz", "radius")) + "\nend_header")
+print("\n".join(" ".join(map(str, row)) for row in rows))
+PY
+for epsilon in 0.02 0.004; do
+	run render surfels carpet.ply --size 64x36 --set eye.distance=outside --set surfel_depth.epsilon=$epsilon --no-images
+	cp stderr carpet-$epsilon.txt
+done
+[ "$(grep -c '^touchstone: \(deferred\|ewa\): at .* layers are blended that lie 0.005 apart' carpet-0.02.txt)" -eq 2 ] && [ ! -s carpet-0.004.txt ]
+verdict $? 'layers that epsilon blends are a line for each method'
 refuses 'there are discs and surface, or none' render surfels --truth=glow
 refuses 'view_map.px or particle.count' render particles dining:triangles=10000:texels=32 --set octree.levels=11 --set particle.count=16000000 --set view_map.px=256
 

@@ -7,6 +7,7 @@
 #include "../../probe/probe.h"
 #include "../../replay/check.h"
 #include "../../study/bench.h"
+#include "../../study/notes.h"
 #include "../../study/stage_pictures.h"
 #include "../../study/viewer.h"
 #include "../../trace/where.h"
@@ -26,6 +27,7 @@ typedef struct {
 	const ts_viewer_rule *viewers;         /* ended by a row without `write` */
 	const ts_buffer_id *keeps;             /* ended by TS_N_BUFFERS */
 	const ts_lower_rule *lowers;           /* ended by a row without `param` */
+	const ts_note_rule *notes;             /* ended by a row without `take` */
 } ts_family_tools;
 
 #endif

@@ -29,6 +29,8 @@ static const ts_bench_row benches[] = {
 	{0},
 };
 
+static const ts_note_rule notes[] = {{TS_B_surfel_depth_surfel, ts_layers_note}, {.take = NULL}};
+
 /* clang-format off */
 static const ts_probe_part parts[] = {
 	{TS_PROBE_PIXEL, "deferred", ts_probe_surfel_pixel,
@@ -45,4 +47,5 @@ const ts_family_tools ts_surfels_tools = {
 	.truths = truths,
 	.benches = benches,
 	.parts = parts,
+	.notes = notes,
 };

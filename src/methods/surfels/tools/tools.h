@@ -2,6 +2,7 @@
 #ifndef TS_SURFELS_TOOLS_H
 #define TS_SURFELS_TOOLS_H
 #include "../../../replay/check.h"
+#include "../../../study/notes.h"
 #include "../../../truth/truth.h"
 
 extern const ts_check_rule ts_surfels_checks[];
@@ -21,5 +22,16 @@ u64 ts_truth_surface_bytes(const ts_pipeline *method, const ts_scene *scene, con
 /* True if the surfels were sampled from the scene's triangles (params.surfels_from_mesh), or are the built-in
  * checkerboard. */
 bool ts_truth_has_surface(const ts_scene *scene, const ts_params *params);
+
+/* How far the surfels that epsilon blends are one surface (layers.c). */
+typedef struct {
+	u32 pixels, apart; /* judged, where there is a surface; that blend two layers which face the same way */
+	f32 gap;           /* median between these, world units */
+} ts_layers;
+
+/* Behind stage surfel_depth. */
+ts_status ts_layers_measure(ts_layers *layers, const ts_run *run);
+/* For ts_note_rule: a line if a hundredth of the surface or more does. */
+ts_status ts_layers_note(char note[TS_NOTE_CHARS], const ts_run *run);
 
 #endif
