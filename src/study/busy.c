@@ -36,11 +36,14 @@ ts_busy ts_busy_now(void)
 	return now;
 }
 
+/* Each processor's count is off by a tick at either reading. */
+static double slack(void) { return 2 * (double)sysconf(_SC_NPROCESSORS_ONLN) / (double)sysconf(_SC_CLK_TCK); }
+
 double ts_busy_others(const ts_busy *before, const ts_busy *after)
 {
 	double seconds = after->seconds - before->seconds;
 	if (!before->known || !after->known || !(seconds > 0)) return NAN;
-	return fmax(((after->all - before->all) - (after->own - before->own)) / seconds, 0);
+	return fmax(((after->all - before->all) - (after->own - before->own) - slack()) / seconds, 0);
 }
 
 double ts_busy_limit(void) { return SHARE * (double)sysconf(_SC_NPROCESSORS_ONLN); }

@@ -10,7 +10,8 @@ typedef struct {
 } ts_busy;
 
 ts_busy ts_busy_now(void);
-/* Processors that others used between two readings, on average; NAN where that is not known. */
+/* Processors that others used between two readings, on average and at least, for the system counts in ticks; NAN where
+ * that is not known. */
 double ts_busy_others(const ts_busy *before, const ts_busy *after);
 /* If others use more, no time is judged: a tenth of the processors. */
 double ts_busy_limit(void);

@@ -34,7 +34,7 @@ static void test_others(void **state)
 	assert_true(own_of(&before, &after) > 0.4); /* it ended, and was ours */
 }
 
-/* What this process does is not others' work: the system counts it in ticks. */
+/* The work of this process is in the system's count, and not others'. */
 static void test_own(void **state)
 {
 	(void)state;
@@ -42,11 +42,20 @@ static void test_own(void **state)
 	if (!before.known) skip();
 	spin(0.5);
 	ts_busy after = ts_busy_now();
-	assert_true(own_of(&before, &after) > 0.1);
-	double all = after.all - before.all;
-	assert_true(all > own_of(&before, &after) - 0.1);
-	double others = fmax(all - own_of(&before, &after), 0) / (after.seconds - before.seconds);
-	assert_float_equal(ts_busy_others(&before, &after), others, 1e-9);
+	double all = after.all - before.all, own = own_of(&before, &after);
+	assert_true(own > 0.1 && all > own - 0.1);
+	assert_true(ts_busy_others(&before, &after) <= fmax(all - own, 0) / (after.seconds - before.seconds));
+}
+
+/* A count of ticks says nothing of a moment. */
+static void test_ticks(void **state)
+{
+	(void)state;
+	double tick = 1 / (double)sysconf(_SC_CLK_TCK), n = (double)sysconf(_SC_NPROCESSORS_ONLN);
+	ts_busy before = {.known = true}, moment = {.known = true, .seconds = tick / 2, .all = tick};
+	ts_busy second = {.known = true, .seconds = 1, .all = 2 * n * tick + 0.75, .own = 0.25};
+	assert_true(ts_busy_others(&before, &moment) == 0);
+	assert_float_equal(ts_busy_others(&before, &second), 0.5, 1e-9);
 }
 
 static void test_unknown(void **state)
@@ -62,6 +71,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_others),
 		cmocka_unit_test(test_own),
+		cmocka_unit_test(test_ticks),
 		cmocka_unit_test(test_unknown),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
