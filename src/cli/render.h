@@ -15,7 +15,7 @@ enum { TS_MAX_PAIRS = 256 };
 typedef struct {
 	const ts_picture *reference, *image;
 	ts_metrics all, reflective; /* over the image and, if there is a mask, over its reflective pixels */
-	ts_light_metrics light;     /* over what is no sky */
+	ts_light_metrics light;     /* over all pixels but the sky's */
 	bool parted;                /* there are triangles of light: these are set */
 	ts_light_metrics near, elsewhere;
 	const char *share; /* whose error this is: "method", "sampling", "both" or "" */

@@ -51,7 +51,7 @@ static double counted(const ts_measure *m, const char *name)
 	return counter != NULL ? (double)counter->value : NAN;
 }
 
-/* What is infinite, or asks for triangles of light where there are none, is none. */
+/* NAN where the error is infinite, or asks for triangles of light and there are none. */
 static double light_error(const ts_picture *reference, const ts_picture *image, ts_figure_kind kind, u32 width,
                           u32 height)
 {

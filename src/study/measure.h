@@ -41,7 +41,7 @@ typedef struct {
 	bool rays;                     /* count what rays through the off-screen texels say of them */
 	ts_truth *tree;                /* of those rays, while the run lasts */
 	ts_texel_counts texels;
-	bool notes;               /* take what families have to say */
+	bool notes;               /* take the notes of families */
 	char note[TS_NOTE_CHARS]; /* "": nothing */
 	ts_trace_writer *writer;
 } ts_measure;

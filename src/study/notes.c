@@ -1,4 +1,4 @@
-/* What families have to say of a run. */
+/* Notes of the families on a run. */
 #include "notes.h"
 #include <assert.h>
 

@@ -1,11 +1,11 @@
-/* What a family has to say to the user of a run that went well: a setting that does harm. */
+/* Notes of a family to the user of a run that went well: on a setting that does harm. */
 #ifndef TS_CLI_NOTES_H
 #define TS_CLI_NOTES_H
 #include "../methods/stage.h"
 
 enum { TS_NOTE_CHARS = 256 };
 
-/* What is looked at when the stage that writes the buffer has run. */
+/* The buffer whose stage has just run, and who looks at it. */
 typedef struct {
 	ts_buffer_id buffer;
 	ts_status (*take)(char note[TS_NOTE_CHARS], const ts_run *run); /* leaves it alone if there is nothing to say */
@@ -13,7 +13,7 @@ typedef struct {
 
 /* Takes the rules of all families: lists ended by NULL, each ended by a row without `take`. They must stay. */
 void ts_notes_use(const ts_note_rule *const *rules);
-/* Writes what is to be said of what `stage` has just made; a later note replaces an earlier one. */
+/* Writes the note on the buffers that `stage` has just made; a later note replaces an earlier one. */
 ts_status ts_notes_take(char note[TS_NOTE_CHARS], const ts_run *run, const ts_stage *stage);
 
 #endif

@@ -22,8 +22,8 @@ typedef struct {
 	u64 n_lamps, n_samples; /* lights, and samples of all of them */
 } ts_picture;
 
-/* Copies image.radiance and image.srgb of the run, marks what is seen and what is near light, and counts what is
- * lit. Released by ts_picture_free, also on failure. */
+/* Copies image.radiance and image.srgb of the run, marks the pixels that see a surface and those near light, and counts
+ * those that are lit. Released by ts_picture_free, also on failure. */
 ts_status ts_picture_take(ts_picture *picture, const char *name, const ts_run *run);
 /* Makes a picture of radiance, which it takes over. */
 ts_status ts_picture_make(ts_picture *picture, const char *name, f32 *radiance, const ts_params *params);

@@ -170,7 +170,7 @@ named = [k for k in shown[0] if k not in ("image", "reference")]
 assert len(shown) == 1 and len(named) == 6 and all(here[k] == shown[0][k] > 0 for k in named), (here, shown)
 PY
 verdict $? 'bench ssagh-1: errors near triangles of light and elsewhere are those of a render'
-# In doubles: a triangle gives light to what is in front of it and has a corner of it above the horizon.
+# In doubles: a triangle gives light to the places in front of it that have a corner of it above their horizon.
 python3 - "$scratch/ssagh-1" "$scratch/ssagh-1-of" <<'PY'
 import glob, struct, sys
 from results import results

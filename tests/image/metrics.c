@@ -205,7 +205,7 @@ static void test_errors(void **state)
 	}
 }
 
-/* What is not judged counts for nothing; of two pixels the better is the median; what is dark in both is right. */
+/* Pixels that are not judged count for nothing; of two the better is the median; one that is dark in both is right. */
 static void test_errors_masked(void **state)
 {
 	(void)state;

@@ -1,4 +1,4 @@
-/* What becomes of a paper's claim: it holds, it differs and why, or it is a time and others kept the machine busy. */
+/* Verdicts on a paper's claims: one holds, one differs and says why, one is of a time of a busy machine. */
 #include "../../src/study/bench_paper.h"
 #include "../model/test.h"
 #include <math.h>

@@ -42,7 +42,7 @@ TS_FN f32 ts_k_highlight(ts_v3 n, ts_v3 v, ts_v3 l)
 	return TS_HIGHLIGHT * x;
 }
 
-/* What Lambert's law and the highlight make of a share of one light. */
+/* Lambert's law and the highlight, of a share of one light. */
 TS_FN ts_v3 ts_k_shade_by(TS_GLOBAL const ts_light *light, f32 share, u32 shader, ts_v3 p, ts_v3 n, ts_v3 v,
                           ts_v3 albedo)
 {

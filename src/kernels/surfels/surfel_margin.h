@@ -28,7 +28,7 @@ typedef struct {
 	f32 fate, deep, off, wide;
 } ts_nearly;
 
-/* A surfel at a pixel, and what a step is in the place in its plane, in r3D^2, in the depth there, and in what the
+/* A surfel at a pixel, and a step in the place in its plane, in r3D^2, in the depth there, and in the number that the
  * screen filter or exact EWA compares, which is at most 1; in its weight, of that; and how many steps its peak is from
  * 0. */
 typedef struct {

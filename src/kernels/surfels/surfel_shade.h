@@ -6,7 +6,7 @@
  *     phong    a surfel is shaded once a fragment, where the ray meets its plane, by its linear field of normals
  *
  * A colour is that of a frame buffer: exposed, and clamped to [0,1]. There is neither shadow nor outline, which
- * deferred.h finds by what is already blended. */
+ * deferred.h finds in the blended G-buffer. */
 #ifndef TS_KERNELS_SURFEL_SHADE_H
 #define TS_KERNELS_SURFEL_SHADE_H
 #include "../base/args.h"
@@ -58,7 +58,7 @@ TS_FN ts_shading_place ts_k_fragment_place(TS_GLOBAL const ts_surfel *surfel, co
 	return r;
 }
 
-/* What it adds for a weight of 1. */
+/* Its attributes there, which are added times its weight. */
 TS_FN ts_attributes ts_k_shaded_colour(const ts_surfel_shade_args *args, const ts_camera_k *view, u64 i,
                                        const ts_shading_place *at)
 {
@@ -123,7 +123,7 @@ TS_FN void ts_k_surfel_shade_item(const ts_surfel_shade_args *args, u64 i)
 	ARG(VALUE, f32, exposure, none)
 TS_ARGS(ts_surfel_image_args);
 
-/* The radiance of what was exposed before it was blended. */
+/* The radiance of a pixel whose colours were exposed before they were blended. */
 TS_FN ts_v3 ts_k_surfel_shown(TS_GLOBAL const ts_gpixel *pixel, f32 exposure)
 {
 	if (pixel->depth == TS_SKY) return ts_k_background();

@@ -162,8 +162,9 @@ static void test_choice(void **state)
 	assert_true(n_held > 1000 && n_far > 1000);
 }
 
-/* On a plane what is linear in space is interpolated as it is: corners where the plane meets the rays of the pixels
- * that show the texels at the corners, at a pixel the plane's point on its ray. Beyond the corners nothing changes. */
+/* On a plane a number that is linear in space is interpolated exactly: corners where the plane meets the rays of the
+ * pixels that show the texels at the corners, at a pixel the plane's point on its ray. Beyond the corners nothing
+ * changes. */
 static void test_shares(void **state)
 {
 	(void)state;

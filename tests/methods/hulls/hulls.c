@@ -187,7 +187,7 @@ static void test_segments(void **state)
 	assert_true(n_more > 50);
 }
 
-/* The box of a block that is one segment, and what its corners have. */
+/* The box of a block that is one segment, and its corners. */
 static void check_unparted(const ts_run *run, const ts_segment *box)
 {
 	u32 grid = run->params.depth_grid_px, block = box->label / TS_BLOCK_TEXELS;

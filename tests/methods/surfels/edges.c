@@ -1,4 +1,4 @@
-/* Crumbs along depth edges: what colours pixels of surfels otherwise than the surface and all its neighbours
+/* Crumbs along depth edges: pixels of surfels that are coloured otherwise than the surface and all its neighbours
  * there, by a ball of triangles. Most are backs of surfels, for samples of two-sided triangles have a surfel on
  * either side. */
 #include "surfels.h"

@@ -273,7 +273,7 @@ static void test_nothing_varies(void **state)
 	ts_scene_free(scene);
 }
 
-/* Of a white ball, by what its shading is there. */
+/* Of a white ball, whose shading is known. */
 static void test_ball(void **state)
 {
 	(void)state;

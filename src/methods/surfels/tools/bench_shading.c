@@ -1,5 +1,5 @@
 /* The slides' three-pass shading and per-pixel Phong shading: how often flat, Gouraud, Phong and deferred shading
- * shade, and how near their pictures are to rays into what the surfels are samples of. */
+ * shade, and how near their pictures are to rays into the sampled surface. */
 #include "benches.h"
 
 enum { FLAT, GOURAUD, PHONG, DEFERRED, METHODS };
@@ -57,7 +57,7 @@ static const ts_paper_relation relations[] = {
 	{ "dB, deferred over Gouraud, where pixels outnumber surfels", OVER_GOURAUD, TS_AT_LEAST, 0, 0, A_PIXEL, 0, 1,
 	  "few highlights, or edges that both blend", A_PIXEL },
 	{ "dB, deferred over Gouraud, where surfels outnumber pixels", OVER_GOURAUD, TS_AT_LEAST, 0, 0, A_PIXEL, 1, 1e6,
-	  "the mean of shaded colours is what a filter wants, not what the mean normal shades", A_PIXEL },
+	  "a filter wants the mean of shaded colours, not the shade of a mean normal", A_PIXEL },
 	{ 0 },
 };
 

@@ -1,4 +1,4 @@
-/* Whether epsilon blends what is no one surface: a carpet with the floor below it.
+/* Whether epsilon blends two surfaces: a carpet with the floor below it.
  *
  * Measured at pixels of a lattice, of the surfels whose ellipses the visibility pass leaves there and that face about
  * as the nearest does. The height of one over the nearest is along the mean of both normals, along which neighbours

@@ -15,7 +15,7 @@ enum { MOST_LISTED = 16 };
 typedef struct {
 	ts_camera_k view;
 	ts_filter filter;
-	ts_surfel_shade_args shade; /* of what is shaded before it is blended; else .shading is 0 */
+	ts_surfel_shade_args shade; /* of methods that shade before they blend; else .shading is 0 */
 	i32 x, y;
 	u64 pixel;
 	f32 shift;
@@ -152,7 +152,7 @@ static ts_attributes attributes_of(const place *at, const ts_disc *disc, u32 sur
 	return ts_k_shaded_colour(shade, &at->view, surfel, &where);
 }
 
-/* What becomes of fragments. */
+/* The fates of fragments. */
 enum { BLENDED, HIDDEN, NOT_NEAREST, N_FATES };
 
 static u32 fate_of(const place *at, u64 key, const fragment *f)

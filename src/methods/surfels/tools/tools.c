@@ -24,7 +24,7 @@ static const ts_truth_kind truths[] = {
 static const ts_bench_row benches[] = {
 	{"nv40", "surface splatting: surfels a second and fragments a pixel; --objects takes sizes",
      TS_BENCH_BY_ITSELF " size", .paper = &ts_nv40},
-	{"nv40-shading", "surface splatting: what flat, Gouraud, Phong and deferred shading cost and show",
+	{"nv40-shading", "surface splatting: work and errors of flat, Gouraud, Phong and deferred shading",
      TS_BENCH_BY_ITSELF " size", .paper = &ts_nv40_shading},
 	{0},
 };

@@ -2,7 +2,7 @@
  * themselves, each ray blending what it meets no more than epsilon behind the nearest by the object-space Gaussian;
  * `surface`, what surfels are samples of, triangles or the checkerboard. Every pixel is a grid of cells with one ray
  * in each: a picture for each cell, and their mean in linear light. A ray stands anywhere in its cell, by a hash:
- * rays that stood alike in all pixels would make a pattern of what is finer than the cells.
+ * rays that stood alike in all pixels would make a pattern of details finer than the cells.
  *
  * Shadows are rays from the light. Surfels stop none that are no more than epsilon before the point, as in their
  * depth maps; triangles none in the last 2^-12 of the greatest coordinate. */

@@ -311,8 +311,8 @@ static bool is_among(const f32 *radiance, const f32 *raster, u32 p)
 	return true;
 }
 
-/* One ray a pixel into the mesh is what the raster sees about there, but for the levels of textures and what is smaller
- * than a pixel. */
+/* One ray a pixel into the mesh sees the same as the raster about there, but for the levels of textures and details
+ * smaller than a pixel. */
 static void test_mesh(void **state)
 {
 	(void)state;

@@ -1,4 +1,4 @@
-/* Layers that epsilon blends: a carpet over a floor, by what it covers and how high it lies; and none where a
+/* Layers that epsilon blends: a carpet over a floor, by the pixels that it covers and its height; and none where a
  * surface is one, however it slants, bends, is rough or is seen. */
 #include "../surfels.h"
 #include "../../../scene/folder.h"
@@ -140,7 +140,7 @@ static void test_balls(void **state)
 	ts_scene_free(scene);
 }
 
-/* What was scanned, in parts that are not quite in register. */
+/* A scan of parts that are not quite in register. */
 static void test_scans(void **state)
 {
 	(void)state;
