@@ -116,12 +116,12 @@ TS_FN void ts_k_surfel_shade_item(const ts_surfel_shade_args *args, u64 i)
 	ts_add_i64(&of.tally[1], (i64)(disc.high[0] - disc.low[0] + 1) * (i64)(disc.high[1] - disc.low[1] + 1));
 }
 
-#define TS_ROWS_ts_surfel_image_args(ARG) \
+#define TS_ROWS_ts_surfel_shade_image_args(ARG) \
 	ARG(IN, ts_gpixel, pixels, gbuffer_pixel) \
 	ARG(OUT, f32, radiance, image_radiance) \
 	ARG(OUT, u8, srgb, image_srgb) \
 	ARG(VALUE, f32, exposure, none)
-TS_ARGS(ts_surfel_image_args);
+TS_ARGS(ts_surfel_shade_image_args);
 
 /* The radiance of a pixel whose colours were exposed before they were blended. */
 TS_FN ts_v3 ts_k_surfel_shown(TS_GLOBAL const ts_gpixel *pixel, f32 exposure)
@@ -131,7 +131,7 @@ TS_FN ts_v3 ts_k_surfel_shown(TS_GLOBAL const ts_gpixel *pixel, f32 exposure)
 }
 
 /* map over pixels */
-TS_FN void ts_k_surfel_image_item(const ts_surfel_image_args *args, u64 i)
+TS_FN void ts_k_surfel_shade_image_item(const ts_surfel_shade_image_args *args, u64 i)
 {
 	ts_v3 shown = ts_k_surfel_shown(&args->pixels[i], args->exposure);
 	ts_k_show(args->radiance + i * 3u, args->srgb + i * 3u, shown, args->exposure);

@@ -1,7 +1,7 @@
 /* How surfels are shaded before they are blended, and the picture of that. */
 #include "surfel.h"
 
-static const ts_launch launch = TS_LAUNCH(surfel_image, TS_ALL);
+static const ts_launch launch = TS_LAUNCH(surfel_shade_image, TS_ALL);
 
 ts_surfel_shade_args ts_surfel_shading(const ts_run *run)
 {
@@ -15,17 +15,17 @@ ts_surfel_shade_args ts_surfel_shading(const ts_run *run)
 	};
 }
 
-static ts_status surfel_image(ts_run *run)
+static ts_status image(ts_run *run)
 {
-	ts_surfel_image_args args = {.exposure = TS_PARAM(&run->params, image_exposure)};
+	ts_surfel_shade_image_args args = {.exposure = TS_PARAM(&run->params, image_exposure)};
 	return TS_RUN(run, &launch, &args, (u64)TS_PARAM(&run->params, width) * TS_PARAM(&run->params, height));
 }
 
-const ts_stage ts_stage_surfel_image = {
-	.name = "surfel_image",
+const ts_stage ts_stage_surfel_shade_image = {
+	.name = "surfel_shade.image",
 	.kind = "map",
 	.paper = "NV40: 3-Pass Shading",
 	.doc = "the picture, of colours that were shaded before they were blended",
-	.run = surfel_image,
+	.run = image,
 	.launches = TS_LAUNCHES(&launch),
 };

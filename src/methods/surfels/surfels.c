@@ -47,11 +47,11 @@ static const ts_step surfels_steps[] = {
 
 /* 3-Pass Shading */
 static const ts_step shaded_steps[] = {
-	{.stage = "eye.view"},          {.stage = "lamp"},
-	{.stage = "surfel_setup"},      {.stage = "surfel_depth"}, /* visibility splatting */
-	{.stage = "surfel_blend"},                                 /* shading, blending */
-	{.stage = "surfel_blend.mean"},                            /* normalization */
-	{.stage = "surfel_image"},      {0},
+	{.stage = "eye.view"},           {.stage = "lamp"},
+	{.stage = "surfel_setup"},       {.stage = "surfel_depth"}, /* visibility splatting */
+	{.stage = "surfel_blend"},                                  /* shading, blending */
+	{.stage = "surfel_blend.mean"},                             /* normalization */
+	{.stage = "surfel_shade.image"}, {0},
 };
 
 static const ts_step phong_steps[] = {
@@ -63,7 +63,7 @@ static const ts_step phong_steps[] = {
 	{.stage = "surfel_depth"},
 	{.stage = "surfel_blend"},
 	{.stage = "surfel_blend.mean"},
-	{.stage = "surfel_image"},
+	{.stage = "surfel_shade.image"},
 	{0},
 };
 

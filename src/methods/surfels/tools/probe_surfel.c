@@ -360,7 +360,8 @@ ts_status ts_probe_surfel_pixel(ts_probe *p, const ts_probe_question *q, json_t 
 
 ts_status ts_probe_shaded_pixel(ts_probe *p, const ts_probe_question *q, json_t *o)
 {
-	static const char *const stages[] = {"surfel_depth", "surfel_blend", "surfel_blend.mean", "surfel_image", NULL};
+	static const char *const stages[] = {"surfel_depth", "surfel_blend", "surfel_blend.mean", "surfel_shade.image",
+	                                     NULL};
 	if (load(p, stages) != TS_OK || ts_probe_shapes(p, TS_UNKNOWN) != TS_OK) return TS_ERROR;
 	if (put_surfels(p, q, o) != TS_OK) return TS_ERROR;
 	const ts_gpixel *pixels = ts_probe_loaded(p, TS_B_gbuffer_pixel);

@@ -35,7 +35,7 @@ static const ts_note_rule notes[] = {{TS_B_surfel_depth_surfel, ts_layers_note},
 static const ts_probe_part parts[] = {
 	{TS_PROBE_PIXEL, "deferred", ts_probe_surfel_pixel,
 	 "the nearest surfel, those that are blended or hidden, their sums, the light and the outline", NULL},
-	{TS_PROBE_PIXEL, "surfel_image", ts_probe_shaded_pixel,
+	{TS_PROBE_PIXEL, "surfel_shade.image", ts_probe_shaded_pixel,
 	 "the nearest surfel, those that are blended, shaded, or hidden, and their sums", NULL},
 	{0},
 };
