@@ -89,31 +89,31 @@ TS_FN bool ts_k_shows(u32 shading, u64 key, u32 surfel)
 /* scatter over surfels */
 TS_FN void ts_k_surfel_shade_item(const ts_surfel_shade_args *args, u64 i)
 {
-	ts_surfel_blend_args of = args->of;
-	ts_camera_k view = ts_k_view(of.view);
-	ts_disc disc = of.discs[i];
+	const ts_surfel_blend_args *of = &args->of;
+	ts_camera_k view = ts_k_view(of->view);
+	ts_disc disc = of->discs[i];
 	if (disc.high[0] < disc.low[0]) return;
 	bool phong = args->shading == TS_SHADING_IS_PHONG;
-	ts_shading_place at = ts_k_centre_place(&of.surfels[i], &disc);
+	ts_shading_place at = ts_k_centre_place(&of->surfels[i], &disc);
 	ts_attributes colour = ts_k_shaded_colour(args, &view, i, &at);
 	i64 n = 0;
 	for (i32 y = disc.low[1]; y <= disc.high[1]; y++) {
 		for (i32 x = disc.low[0]; x <= disc.high[0]; x++) {
 			u64 pixel = (u64)y * (u64)view.width + (u64)x;
-			u64 key = of.keys[pixel];
-			ts_surfel_fragment f = ts_k_surfel_fragment(&disc, &of.filter, view.near, x, y);
+			u64 key = of->keys[pixel];
+			ts_surfel_fragment f = ts_k_surfel_fragment(&disc, &of->filter, view.near, x, y);
 			if (!f.covers || !ts_k_is_visible(key, f.z) || !ts_k_shows(args->shading, key, (u32)i)) continue;
 			if (phong) {
-				at = ts_k_fragment_place(&of.surfels[i], &disc, args->slopes + i * TS_FIELD_SLOPES, view.near, x, y);
+				at = ts_k_fragment_place(&of->surfels[i], &disc, args->slopes + i * TS_FIELD_SLOPES, view.near, x, y);
 				colour = ts_k_shaded_colour(args, &view, i, &at);
 			}
-			ts_k_blend_add(&of, pixel, (u32)i, &colour, ts_k_fragment_weight(&f));
+			ts_k_blend_add(of, pixel, (u32)i, &colour, ts_k_fragment_weight(&f));
 			n++;
 		}
 	}
 	ts_add_i64(&args->shaded[0], phong ? n : 1);
-	ts_add_i64(&of.tally[0], n);
-	ts_add_i64(&of.tally[1], (i64)(disc.high[0] - disc.low[0] + 1) * (i64)(disc.high[1] - disc.low[1] + 1));
+	ts_add_i64(&of->tally[0], n);
+	ts_add_i64(&of->tally[1], (i64)(disc.high[0] - disc.low[0] + 1) * (i64)(disc.high[1] - disc.low[1] + 1));
 }
 
 #define TS_ROWS_ts_surfel_shade_image_args(ARG) \

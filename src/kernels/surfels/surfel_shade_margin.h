@@ -13,7 +13,7 @@
 	ARG(INNER, ts_surfel_margin_args, by, none)
 TS_ARGS(ts_surfel_shade_margin_args);
 
-/* Of all lights. */
+/* The least margin of all lights at a place. */
 TS_FN f32 ts_k_shading_margin(const ts_surfel_shade_args *args, const ts_shading_place *at, f32 step)
 {
 	f32 least = TS_MARGIN_NOWHERE;
