@@ -489,6 +489,31 @@ for name, key in ("bounces", "mega_10_bounces"), ("particles", "mega_particles")
 PY
 verdict $? 'bench mega-10-bounces and mega-particles: pairs, maps and exponents, counted again'
 
+# Views at random: pairs are those of the renders.
+run render indirect "$room" --method megaviews --set vpl.paths=64 --set vpl.place=random "${maps[@]}" --no-images --json
+cp "$scratch/stdout" "$scratch/random-render"
+run bench mega-11 --scene "$room" --objects 16,64 "${maps[@]}" --runs 1 -o "$scratch/mega-11"
+[ "$status" -eq 0 ] && awk 'length > 120 || / $/ { exit 1 }' "$scratch/stdout"
+verdict $? 'bench mega-11 fits 120 columns'
+python3 - "$scratch/mega-11" "$scratch/random-render" <<'PY'
+import json, math, sys
+from results import results
+def near(a, b):
+	assert abs(a - b) <= 1e-6 * abs(b), (a, b)
+report = results(sys.argv[1])
+counted = {c["counter"]: c["megaviews"] for c in json.load(open(sys.argv[2]))["counters"]}
+few, many = ({k: v for part in ("", "_light", "_bounces", "_random") for k, v in report["mega_11" + part][i].items()} for i in (0, 1))
+assert (many["pairs_random"], many["views_random"]) == (counted["pairs"], counted["virtual point lights"])
+assert many["views"] == 64 and 64 < many["views_4"] <= 256 and 32 < many["views_random"] <= 64
+near(many["pairs_ratio"], many["pairs_random"] / many["pairs"])
+near(many["sharing_random"], counted["views served"] / counted["pairs rendered"])
+near(many["pairs_exponent_random"], math.log(many["pairs_random"] / few["pairs_random"]) / math.log(many["views_random"] / few["views_random"]))
+assert 5 < many["psnr"] < 100 and few["pairs_exponent"] is None
+judged = {r["relation"]: r["verdict"] for r in report["relations"]}
+assert len(judged) == 3 and all(v == "holds" or v.startswith("differs: ") for v in judged.values()), judged
+PY
+verdict $? 'bench mega-11: pairs, views and exponents, counted again'
+
 run bench mega-12 --scene "$room" --objects 8,16 --set vpl.paths=64 "${maps[@]}" --runs 1 --json
 cp "$scratch/stdout" "$scratch/mega-12"
 run bench mega-13 --scene "$room" --objects 3,4 --set vpl.paths=64 "${maps[@]}" --runs 1 --json

@@ -118,6 +118,8 @@ for pattern in 'bits agree with vpl_gather.pair_node' 'bounce: 2; triangle: ' 'a
 	'bits agree with view_map.depth_node' 'bits agree with bilateral.filtered_rows'; do
 	prints "$pattern" probe $mega --pixel 30,50
 done
+"$touchstone" render indirect "${views[@]}" --set vpl.place=random --trace --method megaviews -o indirect-random > /dev/null
+prints 'begins_at: triangle: .*bits agree with vpl.light' probe indirect-random/trace-megaviews --pixel 30,50
 "$touchstone" render indirect "${views[@]}" --trace --method bruteforce -o indirect-bruteforce > /dev/null
 for method in megaviews manylods bruteforce; do
 	says 'bits agree with view_map.fused_depth' probe "indirect-$method/trace-$method" --pixel 8,9 --view 0.front

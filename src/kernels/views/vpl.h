@@ -1,13 +1,14 @@
 /* Virtual point lights (instant radiosity, MegaViews section 4.1; METHODS 12): paths from the texels of the reflective
- * shadow maps that send light on, from all of them or from so many at random, with repetition. A path leaves a light
- * there and at each of its later reflections, whose directions are cosine-distributed, so that the albedo is all that
- * is lost. Lights stand half a leaf's side above the surface, for in the voxel of its own surface a light is in its
- * shadow (METHODS 13). */
+ * shadow maps that send light on, from all of them or from so many at random, with repetition; or from places at random
+ * on all surfaces, by area. A path leaves a light there and at each of its later reflections, whose directions are
+ * cosine-distributed, so that the albedo is all that is lost. Lights stand half a leaf's side above the surface, for in
+ * the voxel of its own surface a light is in its shadow (METHODS 13). */
 #ifndef TS_KERNELS_VPL_H
 #define TS_KERNELS_VPL_H
 #include "../base/args.h"
 #include "cast.h"
 #include "../raster/rsm.h"
+#include "vpl_area.h"
 
 #define TS_ROWS_ts_vpl_args(ARG) \
 	ARG(INNER, ts_cast_args, cast, none) \
@@ -15,6 +16,9 @@
 	ARG(OUT, u32, offset, vpl_offset) /* counts, then their prefix sums */ \
 	ARG(OUT, u32, paths, vpl_path)    /* counts, then their prefix sums */ \
 	ARG(OUT, ts_vpl, lights, vpl_light) \
+	ARG(IN_OPT, u32, areas, vpl_area) /* NULL: paths begin at texels */ \
+	ARG(IN_OPT, ts_light, lamps, lamp_light) \
+	ARG(VALUE, u32, n_lamps, none) \
 	ARG(VALUE, u64, n_patches, none) \
 	ARG(VALUE, u32, n_lit, none) /* patches that send light on */ \
 	ARG(VALUE, u32, n, none)     /* paths; n_lit unless random */ \
@@ -26,10 +30,11 @@ TS_ARGS(ts_vpl_args);
 /* A light in registers. */
 typedef struct {
 	ts_v3 p, n, flux;
-	u32 bounce;
+	u32 bounce; /* 0: no light */
 } ts_light_k;
 
 #define TS_STREAM_VPL 4u
+#define TS_VPL_PLACE 9u /* random numbers from here on: place and side; before them those of 4 bounces */
 
 /* map over texels: 1 where it sends light on */
 TS_FN void ts_k_vpl_count_item(const ts_vpl_args *args, u64 i)
@@ -65,8 +70,8 @@ TS_FN u64 ts_k_vpl_start(const ts_vpl_args *args, u32 path)
 	return ts_k_vpl_texel(args, args->random != 0u ? (u32)(((u64)chance * args->n_lit) >> 32) : path);
 }
 
-/* The first light of a path: the triangle of light of its texel. */
-TS_FN ts_light_k ts_k_vpl_first(const ts_vpl_args *args, u32 path)
+/* The triangle of light of a path's texel. */
+TS_FN ts_light_k ts_k_vpl_of_texel(const ts_vpl_args *args, u32 path)
 {
 	TS_GLOBAL const ts_patch *patch = &args->patches[ts_k_vpl_start(args, path)];
 	ts_v3 a = ts_load3(patch->a);
@@ -81,6 +86,76 @@ TS_FN ts_light_k ts_k_vpl_first(const ts_vpl_args *args, u32 path)
 	r.flux = ts_scale(ts_load3(patch->exitance), ts_flush(area * share));
 	r.bounce = 1u;
 	return r;
+}
+
+/* Nothing is between a lamp and a place on a triangle. From the lamp on, as its map sees: single-sided triangles have
+ * no backs. */
+TS_FN bool ts_k_vpl_is_lit(const ts_cast_args *cast, TS_GLOBAL const ts_light *lamp, u32 triangle, ts_v3 p)
+{
+	ts_v3 away = ts_scale(ts_load3(lamp->direction), -4.0f * cast->nodes[0].radius);
+	ts_v3 from = lamp->kind == TS_LIGHT_KIND_DIRECTIONAL ? ts_add(p, away) : ts_load3(lamp->position);
+	ts_v3 way = ts_sub(p, from);
+	ts_cast_hit hit = ts_k_cast(cast, from, ts_normalize(way));
+	return hit.triangle == triangle || hit.t >= ts_length(way) * 0.999755859375f;
+}
+
+/* What a place on a triangle receives of all lamps. */
+TS_FN ts_v3 ts_k_vpl_received(const ts_vpl_args *args, u32 triangle, ts_v3 p, ts_v3 n)
+{
+	ts_v3 sum = ts_v3_make(0.0f, 0.0f, 0.0f);
+	for (u32 k = 0u; k < args->n_lamps; k++) {
+		TS_GLOBAL const ts_light *lamp = &args->lamps[k];
+		ts_v3 l;
+		f32 arrives = ts_k_light(lamp, p, &l);
+		f32 cosine = ts_flush(ts_dot(n, l));
+		if (!(arrives > 0.0f) || !(cosine > 0.0f) || !ts_k_vpl_is_lit(&args->cast, lamp, triangle, p)) continue;
+		sum = ts_mad(sum, ts_load3(lamp->intensity), ts_flush(arrives * cosine));
+	}
+	return sum;
+}
+
+/* Weights of a place at random in a triangle, as dense everywhere. */
+TS_FN ts_v3 ts_k_vpl_weights(const ts_vpl_args *args, u32 path)
+{
+	f32 across = ts_sqrt(ts_uniform(ts_k_vpl_random(args, path, TS_VPL_PLACE)));
+	f32 along = ts_uniform(ts_k_vpl_random(args, path, TS_VPL_PLACE + 1u));
+	f32 c = across * along;
+	return ts_k_hit_weights(1.0f - across, across - c, c);
+}
+
+/* The triangle of a path that begins at random on the surfaces. */
+TS_FN u32 ts_k_vpl_surface(const ts_vpl_args *args, u32 path)
+{
+	u32 n = args->cast.scene.n_triangles;
+	u64 chance = ts_k_vpl_random(args, path, 0u);
+	return ts_k_vpl_triangle(args->areas, n, (u32)((chance * args->areas[n]) >> 32));
+}
+
+/* A light there, on either side of what has two; none where a mask cuts the surface away. It sends on what it receives,
+ * with the area of its triangle divided by the chance to begin there. */
+TS_FN ts_light_k ts_k_vpl_anywhere(const ts_vpl_args *args, u32 path)
+{
+	const ts_arrays *scene = &args->cast.scene;
+	u32 triangle = ts_k_vpl_surface(args, path);
+	ts_corners t = ts_k_corners(scene, triangle);
+	ts_v3 weights = ts_k_vpl_weights(args, path);
+	ts_surface s = ts_k_surface(scene, triangle, weights, args->cast.leaf);
+	bool back = ts_k_is_two_sided(scene, triangle) && (ts_k_vpl_random(args, path, TS_VPL_PLACE + 2u) & 1u) != 0u;
+	f32 parts = (f32)(args->areas[triangle + 1u] - args->areas[triangle]);
+	f32 shares = parts > 0.0f ? (f32)args->areas[scene->n_triangles] / parts : 0.0f;
+	f32 area = ts_flush(ts_k_vpl_sides(scene, triangle, &t) * shares) / (f32)args->n;
+	ts_light_k r;
+	r.n = back ? ts_neg(s.face) : s.face;
+	r.p = ts_mad(s.p, r.n, args->cast.leaf * 0.5f);
+	r.bounce = ts_k_is_cut(scene, triangle, weights, t.n, args->cast.leaf) ? 0u : 1u;
+	r.flux = ts_scale(ts_mul(ts_k_albedo(&s), ts_k_vpl_received(args, triangle, s.p, r.n)), ts_flush(area));
+	return r;
+}
+
+/* The first light of a path. */
+TS_FN ts_light_k ts_k_vpl_first(const ts_vpl_args *args, u32 path)
+{
+	return args->areas != NULL ? ts_k_vpl_anywhere(args, path) : ts_k_vpl_of_texel(args, path);
 }
 
 /* Cosine-distributed about n: a point of the unit disc across n, raised to the sphere. */
@@ -114,8 +189,8 @@ TS_FN bool ts_k_vpl_next(const ts_vpl_args *args, u32 path, ts_light_k *light)
 TS_FN void ts_k_vpl_path_item(const ts_vpl_args *args, u64 i)
 {
 	ts_light_k light = ts_k_vpl_first(args, (u32)i);
-	u32 n = 1u;
-	while (n < args->bounces && ts_k_vpl_next(args, (u32)i, &light)) n++;
+	u32 n = light.bounce;
+	while (n > 0u && n < args->bounces && ts_k_vpl_next(args, (u32)i, &light)) n++;
 	args->paths[i] = n;
 }
 
@@ -132,6 +207,7 @@ TS_FN void ts_k_vpl_store(TS_GLOBAL ts_vpl *to, const ts_light_k *light)
 /* emit over paths */
 TS_FN void ts_k_vpl_item(const ts_vpl_args *args, u64 i)
 {
+	if (args->paths[i + 1u] == args->paths[i]) return;
 	ts_light_k light = ts_k_vpl_first(args, (u32)i);
 	TS_GLOBAL ts_vpl *to = args->lights + args->paths[i];
 	ts_k_vpl_store(to, &light);

@@ -30,12 +30,14 @@
 #include "../../scene/lamp.h"
 #include "../stages.h"
 #include "pipelines.h"
+#include "views.h"
 
 /* The octree of the scene, and light from the maps' texels. */
 static const ts_step vpl_run[] = {
 	{.stage = "octree.root"},
 	{.stage = "voxel"},
 	{.stage = "octree"},
+	{.stage = "vpl.area", .only_if = ts_vpl_at_random, .unnumbered = true},
 	{.stage = "vpl"},
 	{.stage = "octree.surface", .only_traced = true},
 	{0},
@@ -86,8 +88,9 @@ static void expect(ts_expected *expected, const ts_scene *scene, const ts_params
 	u64 n_paths = TS_PARAM(params, vpl_paths) != 0 ? TS_PARAM(params, vpl_paths) : lit,
 		n_first = n_paths < lit ? n_paths : lit;
 	ts_expected_lights lights = {.n = n_paths * TS_PARAM(params, vpl_bounces), .alone = alone};
-	lights.n_places = n_first + lights.n - n_paths;
-	lights.area = own || TS_PARAM(params, vpl_bounces) > 1 ? INFINITY : lamp_area(scene, params);
+	bool anywhere = ts_vpl_at_random(params);
+	lights.n_places = anywhere ? lights.n : n_first + lights.n - n_paths;
+	lights.area = own || anywhere || TS_PARAM(params, vpl_bounces) > 1 ? INFINITY : lamp_area(scene, params);
 	expected->sizes.n[TS_DIM_paths] = n_paths;
 	ts_expect_views(expected, scene, params, &lights);
 }

@@ -13,6 +13,8 @@ ts_pyramid ts_view_pyramid(const ts_params *params);
  * hierarchy, alone, or nothing is culled. */
 u32 ts_gather_level(const ts_run *run);
 u32 ts_gather_level_of(const ts_params *params, u32 field, bool alone);
+/* Paths begin at random on all surfaces (vpl.c). */
+bool ts_vpl_at_random(const ts_params *params);
 /* Arguments for who asks how virtual point lights and particles are made, and how pixels gather from them. */
 /* Without offset and paths. */
 ts_status ts_vpl_ask(const ts_run *run, ts_vpl_args *args);

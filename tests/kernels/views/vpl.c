@@ -220,12 +220,89 @@ static void test_directions(void **state)
 	}
 }
 
+/* Lamps inside the box and behind its wall of two sides, which stops the light of either. */
+static const ts_light lamps[] = {
+	{.position = {0.4f, 0.3f, 0.7f}, .kind = TS_LIGHT_KIND_POINT, .intensity = {2, 3, 4}},
+	{.position = {0.5f, 2, 0.5f}, .kind = TS_LIGHT_KIND_POINT, .intensity = {5, 7, 1}},
+};
+
+/* The wall that a light at random stands on, and the lamp that it sees. */
+static u32 wall_of(const ts_vpl *light, u32 *lamp)
+{
+	for (u32 wall = 0; wall < N_WALLS; wall++) {
+		f32 at = light->position[wall / 2], side = (f32)(wall % 2), n = light->normal[wall / 2];
+		if (fabsf(n) < 0.999f || fabsf(at - side - 0.005f * n) > 1e-6f) continue;
+		*lamp = n * (side - 0.5f) > 0 ? 1 : 0;
+		assert_true(*lamp == 0 || wall == TURNED);
+		return wall;
+	}
+	fail_msg("a light is on no wall");
+	return N_WALLS;
+}
+
+/* What reaches the wall below it, in double precision, of its share of the area of six sides. */
+static void check_flux(const world *w, const ts_vpl *light, u32 wall, u32 lamp)
+{
+	double3 n = loaded(light->normal), p = d3_mad(loaded(light->position), n, -0.005);
+	double3 way = d3_sub(loaded(lamps[lamp].position), p);
+	double d = d3_length(way), form = d3_dot(way, n) / (d * d * d) * 6 / w->args.n;
+	for (u32 k = 0; k < 3; k++) {
+		const f32 colour[3] = {w->colour[wall].x, w->colour[wall].y, w->colour[wall].z};
+		assert_near(light->flux[k], form * (double)lamps[lamp].intensity[k] * (double)colour[k], 2e-5 * form);
+	}
+}
+
+/* Lights at random stand as dense on every wall, and on both sides of the one that has two. */
+static void test_random(void **state)
+{
+	(void)state;
+	enum { N = 9600, SIDES = 6 };
+	static world w;
+	static u32 areas[2 * N_WALLS + 1], paths[N + 1];
+	u32 n[N_WALLS][2] = {{0}};
+	double sum[N_WALLS] = {0}, square[N_WALLS] = {0};
+	ts_root root = {.side = 1.25f};
+	begin(&w);
+	const ts_vpl_area_args measure = {.scene = w.args.cast.scene, .root = &root, .areas = areas};
+	for (u32 i = 0; i < w.scene.n_triangles; i++) ts_k_vpl_area_item(&measure, i);
+	prefix_sums(areas, w.scene.n_triangles);
+	w.args.areas = areas;
+	w.args.lamps = lamps;
+	w.args.n_lamps = 2;
+	w.args.paths = paths;
+	w.args.n = N;
+	w.args.bounces = 1;
+	for (u64 i = N; i-- > 0;) ts_k_vpl_path_item(&w.args, i);
+	prefix_sums(paths, N);
+	assert_int_equal(paths[N], N);
+	for (u64 i = N; i-- > 0;) ts_k_vpl_item(&w.args, i);
+	for (u32 i = 0; i < N; i++) {
+		const ts_vpl *light = &w.lights[i];
+		u32 lamp = 0, wall = wall_of(light, &lamp);
+		f32 at = light->position[(wall / 2 + 1) % 3];
+		check_flux(&w, light, wall, lamp);
+		n[wall][lamp]++;
+		sum[wall] += (double)at;
+		square[wall] += (double)(at * light->position[(wall / 2 + 2) % 3]);
+	}
+	for (u32 wall = 0; wall < N_WALLS; wall++) {
+		double both = n[wall][0] + n[wall][1];
+		if (wall == LID) assert_int_equal(both, 0);
+		if (wall == LID) continue;
+		assert_near(n[wall][0], (double)N / SIDES, 5 * sqrt((double)N / SIDES));
+		assert_near(n[wall][1], wall == TURNED ? (double)N / SIDES : 0, 5 * sqrt((double)N / SIDES));
+		assert_near(sum[wall] / both, 0.5, 0.03);
+		assert_near(square[wall] / both, 0.25, 0.03);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		seeded_test(test_paths),
 		seeded_test(test_texels),
 		seeded_test(test_directions),
+		seeded_test(test_random),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -16,6 +16,7 @@ static const ts_step octrees_steps[] = {
 	{.stage = "voxel"},
 	{.stage = "octree"},
 	{.stage = "octree.surface"},
+	{.stage = "vpl.area", .only_if = ts_vpl_at_random},
 	{.stage = "vpl"},
 	{.stage = "view_octree.voxel"},
 	{.stage = "view_octree"},

@@ -154,6 +154,38 @@ static void test_paths(void **state)
 	ts_scene_free(scene);
 }
 
+/* Lights at random hover over what rays meet, so that none is where a mask cuts the surface away, and send in all what
+ * those at the lamp's texels do. */
+static void test_random(void **state)
+{
+	(void)state;
+	ts_run lit, any;
+	u32 n_lost = 0, n_dark = 0;
+	ts_params params = octrees_params(6, 0);
+	params.rsm_px = 192;
+	ts_scene *scene = small_scene(&params);
+	octrees_run(&lit, scene, &params);
+	params.vpl_place = TS_VPL_AT_RANDOM;
+	params.vpl_paths = 100000;
+	octrees_run(&any, scene, &params);
+	const ts_cast_args args = cast_of(&any, 6);
+	const ts_vpl *light = ts_frame_data(&any.frame, TS_B_vpl_light);
+	u64 n = ts_frame_n(&any.frame, TS_B_vpl_light);
+	for (u64 i = 0; i < n; i++) {
+		f32 below = ts_k_cast(&args, ts_load3(light[i].position), ts_neg(ts_load3(light[i].normal))).t;
+		n_lost += below >= args.leaf * 0.501f;
+		n_dark += light[i].flux[0] == 0;
+		assert_int_equal(light[i].bounce, 1);
+	}
+	print_message("%u lights, %u dark, %u over nothing, flux %g, of texels %g\n", (unsigned)n, n_dark, n_lost,
+	              flux_of(&any), flux_of(&lit));
+	assert_true(n < 100000 && n > 50000 && n_dark > n / 2 && n_lost < n / 1000);
+	assert_true(fabs(flux_of(&any) - flux_of(&lit)) < 0.03 * flux_of(&lit));
+	ts_run_end(&any);
+	ts_run_end(&lit);
+	ts_scene_free(scene);
+}
+
 /* A lamp that meets nothing: no lights, an octree without nodes. */
 static void test_dark(void **state)
 {
@@ -174,10 +206,8 @@ static void test_dark(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_lights),
-		cmocka_unit_test(test_cast),
-		cmocka_unit_test(test_paths),
-		cmocka_unit_test(test_dark),
+		cmocka_unit_test(test_lights), cmocka_unit_test(test_cast), cmocka_unit_test(test_paths),
+		cmocka_unit_test(test_random), cmocka_unit_test(test_dark),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -56,13 +56,25 @@ static u32 path_of(const ts_probe_gather *g, u32 light)
 	return low;
 }
 
+/* Where a path begins: at a texel of a lamp's map, or at random on a triangle. */
+static ts_status put_start(ts_probe *p, json_t *start, const ts_probe_gather *g, u32 path)
+{
+	if (g->vpl.areas == NULL) {
+		u32 texel = (u32)ts_k_vpl_start(&g->vpl, path);
+		return ts_probe_put_patch(p, start, &g->lamps, texel, &g->vpl.patches[texel]);
+	}
+	ts_probe_put_triangle(p, start, ts_k_vpl_surface(&g->vpl, path));
+	ts_probe_put(p, start, "weights", ts_probe_v3(ts_k_vpl_weights(&g->vpl, path)));
+	return TS_OK;
+}
+
 /* The path is followed again, up to the light. */
 static ts_status put_path(ts_probe *p, json_t *o, const ts_probe_gather *g, u32 light, ts_vpl *made)
 {
-	u32 path = path_of(g, light), triangle = TS_NONE, texel = (u32)ts_k_vpl_start(&g->vpl, path);
+	u32 path = path_of(g, light), triangle = TS_NONE;
 	ts_light_k at = ts_k_vpl_first(&g->vpl, path);
 	json_t *start = json_object();
-	ts_status status = ts_probe_put_patch(p, start, &g->lamps, texel, &g->vpl.patches[texel]);
+	ts_status status = put_start(p, start, g, path);
 	for (u32 k = g->paths[path]; k < light; k++) {
 		triangle = ts_k_cast(&g->vpl.cast, at.p, ts_k_vpl_direction(&g->vpl, path, at.bounce, at.n)).triangle;
 		if (!ts_k_vpl_next(&g->vpl, path, &at)) break;

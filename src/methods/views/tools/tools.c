@@ -28,6 +28,8 @@ static const ts_bench_row benches[] = {
 	{"mega-10", "MegaViews and ManyLoDs as views become many; --objects are paths of light", TS_BENCH_BY_ITSELF,
      .paper = &ts_mega_10},
 	{"mega-10-bounces", "the same of four bounces", TS_BENCH_BY_ITSELF, .paper = &ts_mega_10_bounces},
+	{"mega-11", "MegaViews: of views at random on all surfaces; --objects are paths of light", TS_BENCH_BY_ITSELF,
+     .paper = &ts_mega_11},
 	{"mega-12", "MegaViews: as maps become large; --objects are texels a side", TS_BENCH_BY_ITSELF,
      .paper = &ts_mega_12},
 	{"mega-13", "MegaViews: as octrees become deep; --objects are levels", TS_BENCH_BY_ITSELF, .paper = &ts_mega_13},
