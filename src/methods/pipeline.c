@@ -15,13 +15,17 @@ bool ts_pipeline_takes(const ts_step *step, const ts_params *params, bool traced
 	return stores(step, params) && (traced || !(step->only_traced || step->only_margins));
 }
 
+bool ts_pipeline_needs(const ts_step *step, const ts_params *params, ts_buffer_id id)
+{
+	bool spares = step->spares != NULL && step->spared == id && step->spares(params);
+	return !spares && ts_pipeline_takes(step, params, true) && ts_stage_reads(ts_stage_find(step->stage), id);
+}
+
 /* True if a step from `step` on reads the buffer. */
 static bool is_read_from(const ts_step *step, const ts_params *params, ts_buffer_id id)
 {
-	for (; step->stage != NULL; step++) {
-		if (ts_pipeline_takes(step, params, true) && ts_stage_reads(ts_stage_find(step->stage), id)) return true;
-	}
-	return false;
+	while (step->stage != NULL && !ts_pipeline_needs(step, params, id)) step++;
+	return step->stage != NULL;
 }
 
 bool ts_pipeline_reads(const ts_pipeline *pipeline, ts_buffer_id id)

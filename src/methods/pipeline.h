@@ -28,6 +28,8 @@ typedef struct ts_step {
 	bool only_ordered; /* points that arrive in any order do without */
 	u32 stored;        /* TS_STORED_*: runs only if points are */
 	bool (*only_if)(const ts_params *params); /* NULL: whatever the parameters are */
+	bool (*spares)(const ts_params *params);  /* the stage does not read `spared`, though it may; NULL: never */
+	ts_buffer_id spared;
 	bool unnumbered; /* in traces it has the number of the step before, so that those behind keep theirs */
 	bool each_batch; /* neighbours with this mark run for one batch after the other */
 } ts_step;
@@ -92,6 +94,9 @@ ts_status ts_pipeline_run(const ts_pipeline *pipeline, ts_run *run);
 
 /* True if the step is taken with these parameters, by a run that is traced or is not. */
 bool ts_pipeline_takes(const ts_step *step, const ts_params *params, bool traced);
+
+/* A step that is taken with these parameters, by a run that is traced, reads the buffer. */
+bool ts_pipeline_needs(const ts_step *step, const ts_params *params, ts_buffer_id id);
 
 /* The step that makes a buffer; NULL: none. */
 const ts_step *ts_pipeline_maker(const ts_pipeline *pipeline, ts_buffer_id id);

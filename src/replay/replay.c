@@ -22,7 +22,9 @@ const ts_stage *ts_replay_find(const char *typed, const ts_pipeline *pipeline, c
 		return NULL;
 	}
 	if (ts_pipeline_takes(step, params, true)) return ts_stage_find(name);
-	if (TS_PARAM(params, lookup_bounces) >= step->least_bounces) {
+	if (step->only_if != NULL && !step->only_if(params)) {
+		ts_fail("stage %s is not run with the parameters of this trace", name);
+	} else if (TS_PARAM(params, lookup_bounces) >= step->least_bounces) {
 		ts_fail("stage %s is not run where points are not stored; it needs points.buffered=on", name);
 	} else {
 		ts_fail("stage %s is not run with lookup.bounces=%" PRIu32 "; it needs %" PRIu32, name,
@@ -42,10 +44,12 @@ void ts_replay_reads(ts_buffer_id ids[TS_N_BUFFERS + 1], const ts_stage *stage, 
                      const ts_params *params)
 {
 	u32 n = 0;
+	const ts_step *step = find_step(stage->name, pipeline);
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
 		const ts_step *maker = ts_pipeline_maker(pipeline, (ts_buffer_id)id);
 		bool there = ts_emit_is_scene((ts_buffer_id)id) || (maker != NULL && ts_pipeline_takes(maker, params, true));
-		if (there && ts_stage_reads(stage, (ts_buffer_id)id)) ids[n++] = (ts_buffer_id)id;
+		bool read = step != NULL ? ts_pipeline_needs(step, params, (ts_buffer_id)id) : ts_stage_reads(stage, id);
+		if (there && read) ids[n++] = (ts_buffer_id)id;
 	}
 	ids[n] = TS_N_BUFFERS;
 }

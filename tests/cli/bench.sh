@@ -354,7 +354,8 @@ python3 - "$scratch/mega-10" "$scratch/mega-render" "$scratch/mega-trace/trace-m
 import glob, json, math, struct, sys
 from results import results
 report, render = (results(path) for path in sys.argv[1:3])
-names = ("mega_10", "mega_10_ms", "mega_10_pairs", "mega_10_fates", "mega_10_sharing", "mega_10_mib", "mega_10_manylods_mib")
+names = ("mega_10", "mega_10_ms", "mega_10_pairs", "mega_10_fates", "mega_10_sharing", "mega_10_mib", "mega_10_manylods_mib",
+         "mega_10_queries")
 rows = [{k: v for name in names for k, v in report[name][i].items()} for i in (0, 1)]
 lods = [report["mega_10_manylods_mib"][i] for i in (0, 1)]
 ours = [report["mega_10_mib"][i] for i in (0, 1)]
@@ -380,6 +381,9 @@ for r, m, l in zip(rows, ours, lods):
 	near(r["pairs_culling_percent"], 100 * (1 - r["pairs"] / r["unculled_pairs"]))
 	near(r["wider_percent"], 100 * r["wider"] / r["rendered"])
 	near(r["wider_several_percent"], 100 * r["wider_several"] / r["rendered"])
+	near(r["descend_ratio"], r["descend_ms"] / r["ask_ms"])
+	near(r["fused_ratio"], r["descend_ms"] / (r["fuse_ms"] + r["ask_ms"]))
+	assert (r["texels"], r["descend_texels"], r["descend_rmse"]) == (1, 5, 0)
 	near(m["mib"], m["scene_mib"] + m["views_mib"] + m["queue_mib"] + m["maps_mib"])
 	near(l["mib_ratio"], l["manylods_mib"] / m["mib"])
 	near(l["manylods_maps_mib"], r["views"] * 2 * 16 * 16 * 16 / 2 ** 20)
@@ -400,7 +404,7 @@ near(many["empty_percent"], 100 * empty / (512 * leaves))
 judged = {(r["relation"], r["paths"]): r["verdict"] for r in report["relations"]}
 assert all(v == "holds" or v.startswith(("differs: ", "not judged: ")) for v in judged.values())
 grows = judged["pairs grow slower than views: exponent", 256] == "holds"
-assert grows == (many["pairs_exponent"] <= 1) and len(judged) == 14
+assert grows == (many["pairs_exponent"] <= 1) and len(judged) == 20
 PY
 verdict $? 'bench mega-10: pairs, memory, exponents and empty texels, counted again'
 python3 - "$scratch/mega-10" <<'PY'

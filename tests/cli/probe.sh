@@ -119,7 +119,16 @@ for pattern in 'bits agree with vpl_gather.pair_node' 'bounce: 2; triangle: ' 'a
 	prints "$pattern" probe $mega --pixel 30,50
 done
 "$touchstone" render indirect "${views[@]}" --set vpl.place=random --trace --method megaviews -o indirect-random > /dev/null
-prints 'begins_at: triangle: .*bits agree with vpl.light' probe indirect-random/trace-megaviews --pixel 30,50
+run probe indirect-random/trace-megaviews --pixel 30,50
+grep -A1 'begins_at:' "$scratch/stdout" | grep -q 'triangle: ' && grep -q 'bits agree with vpl.light' "$scratch/stdout" &&
+	! grep -q differ "$scratch/stdout"
+verdict $? 'a light at random begins on a triangle'
+"$touchstone" render indirect "${views[@]}" --set vpl_gather.query=descend --trace --method megaviews -o indirect-descend > /dev/null
+for pattern in 'bits agree with vpl_gather.irradiance' 'answer: in shadow' 'bits agree with view_map.depth_node'; do
+	prints "$pattern" probe indirect-descend/trace-megaviews --pixel 30,50
+done
+refuses 'stage view_map.fuse is not run with the parameters of this trace' replay indirect-descend/trace-megaviews --stage view_map.fuse
+refuses 'this needs view_map.fused_depth, view_map.fused_node' probe indirect-descend/trace-megaviews --pixel 8,9 --view 0.front
 "$touchstone" render indirect "${views[@]}" --trace --method bruteforce -o indirect-bruteforce > /dev/null
 for method in megaviews manylods bruteforce; do
 	says 'bits agree with view_map.fused_depth' probe "indirect-$method/trace-$method" --pixel 8,9 --view 0.front

@@ -58,13 +58,16 @@ TS_FN u32 ts_k_ancestor(TS_GLOBAL const ts_node *nodes, u32 node, u32 level)
 	return node;
 }
 
+#define TS_QUERY_NODES 12u /* from the root to leaves 11 levels below it */
+
 /* The same as view_map.fused_depth and view_map.fused_node of a node, by a walk from the root. */
 TS_FN u64 ts_k_fuse_query(const ts_view_map_fuse_args *args, u32 node, u32 texel)
 {
+	u32 path[TS_QUERY_NODES];
+	u32 n = 0u;
 	u64 key = TS_EMPTY;
-	for (u32 level = 0u; level <= args->views[node].level; level++) {
-		key = ts_k_fused(args, ts_k_ancestor(args->views, node, level), key, texel);
-	}
+	for (; node != TS_NONE && n < TS_QUERY_NODES; node = args->views[node].parent) path[n++] = node;
+	while (n-- > 0u) key = ts_k_fused(args, path[n], key, texel);
 	return key;
 }
 

@@ -2,7 +2,7 @@
  * the pixel's node so many at random, with repetition, or each. A light is a small Lambertian patch, E = flux / pi cos
  * cos / d^2, whose d is bounded from below, which keeps a near light from being a bright spot; or without a direction
  * sends the same to all sides, E = flux / (4 pi) cos / d^2. Its own leaf's map, moved to where it is itself, tells what
- * is in its shadow. */
+ * is in its shadow: the whole one, or where maps are not fused what those from the root down show. */
 #ifndef TS_KERNELS_VPL_GATHER_H
 #define TS_KERNELS_VPL_GATHER_H
 #include "../base/args.h"
@@ -25,8 +25,9 @@
 	ARG(IN, u32, leaves, view_octree_leaf) \
 	ARG(IN, ts_node, nodes, view_octree_node) \
 	ARG(IN, ts_vpl, lights, vpl_light) \
-	ARG(IN, u32, depths, view_map_fused_depth) \
+	ARG(IN, u32, depths, view_map_fused_depth) /* NULL: maps are not fused */ \
 	ARG(IN, u32, shown, view_map_fused_node) \
+	ARG(INNER, ts_view_map_fuse_args, unfused, none) /* instead of these */ \
 	ARG(IN, ts_node, scene, octree_node) \
 	ARG(OUT, f32, irradiance, vpl_gather_irradiance) \
 	ARG(TALLY, i64, n_astray, 0) /* pixels that no node of the level holds */ \
@@ -112,15 +113,24 @@ TS_FN f32 ts_k_vpl_slack(const ts_vpl_gather_args *args, ts_v3 way, ts_v3 n)
 	return wide + leaf;
 }
 
-/* How far a light reaches in the direction of a place by a texel of its leaf's map: as far as what that shows, and
- * slack. */
-TS_FN f32 ts_k_vpl_reach(const ts_vpl_gather_args *args, u32 view, u32 texel, ts_v3 p, ts_v3 n)
+/* What a texel of the map of a light's leaf shows, distance << 32 | node of the scene; node TS_NONE:
+ * nothing. */
+TS_FN u64 ts_k_vpl_shown(const ts_vpl_gather_args *args, u32 view, u32 texel)
 {
 	u32 leaf = args->leaves[view];
-	u32 bits = args->depths[(u64)leaf * (2u * args->n * args->n) + texel];
-	ts_v3 centre = ts_load3(args->nodes[leaf].centre);
+	if (args->depths == NULL) return ts_k_fuse_query(&args->unfused, leaf, texel);
+	u64 at = (u64)leaf * (2u * args->n * args->n) + texel;
+	return ((u64)args->depths[at] << 32) | args->shown[at];
+}
+
+/* How far a light reaches in the direction of a place by what a texel of its leaf's map shows: as far as that, and
+ * slack. */
+TS_FN f32 ts_k_vpl_reach(const ts_vpl_gather_args *args, u32 view, u64 shown, u32 texel, ts_v3 p, ts_v3 n)
+{
+	ts_v3 centre = ts_load3(args->nodes[args->leaves[view]].centre);
 	ts_v3 light = ts_load3(args->lights[view].position);
-	return ts_k_moved_depth(centre, ts_u2f(bits), light, texel, args->n) + ts_k_vpl_slack(args, ts_sub(p, light), n);
+	f32 depth = ts_u2f((u32)(shown >> 32));
+	return ts_k_moved_depth(centre, depth, light, texel, args->n) + ts_k_vpl_slack(args, ts_sub(p, light), n);
 }
 
 /* How far the middle of a node lies above the tangent plane of a place. */
@@ -138,11 +148,11 @@ TS_FN f32 ts_k_vpl_clear(const ts_vpl_gather_args *args, TS_GLOBAL const ts_node
 /* Nothing that a texel of its leaf's map shows stops light on its way to a place. */
 TS_FN bool ts_k_vpl_reaches(const ts_vpl_gather_args *args, u32 view, u32 texel, ts_v3 p, ts_v3 n)
 {
-	u32 shown = args->shown[(u64)args->leaves[view] * (2u * args->n * args->n) + texel];
-	if (shown == TS_NONE) return true;
+	u64 shown = ts_k_vpl_shown(args, view, texel);
+	if ((u32)shown == TS_NONE) return true;
 	f32 d = ts_length(ts_sub(p, ts_load3(args->lights[view].position)));
-	if (d <= ts_k_vpl_reach(args, view, texel, p, n)) return true;
-	TS_GLOBAL const ts_node *node = &args->scene[shown];
+	if (d <= ts_k_vpl_reach(args, view, shown, texel, p, n)) return true;
+	TS_GLOBAL const ts_node *node = &args->scene[(u32)shown];
 	return args->by_plane != 0u && ts_k_node_height(node, p, n) <= ts_k_vpl_clear(args, node);
 }
 

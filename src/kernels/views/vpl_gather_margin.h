@@ -43,11 +43,11 @@ typedef struct {
 } ts_answer;
 
 /* What a texel of a light's map shows is too far to be in the way. */
-TS_FN ts_answer ts_k_vpl_depth_answer(const ts_vpl_gather_args *args, u32 view, u32 texel, ts_v3 p, ts_v3 n)
+TS_FN ts_answer ts_k_vpl_depth_answer(const ts_vpl_gather_args *args, u32 view, u64 shown, u32 texel, ts_v3 p, ts_v3 n)
 {
 	ts_v3 way = ts_sub(p, ts_load3(args->lights[view].position));
 	f32 slack = ts_k_vpl_slack(args, way, n);
-	f32 reach = ts_k_vpl_reach(args, view, texel, p, n);
+	f32 reach = ts_k_vpl_reach(args, view, shown, texel, p, n);
 	f32 d = ts_length(way);
 	f32 far = (d + (reach - slack)) + ts_length(p);
 	f32 step = far * TS_MARGIN_ROUNDING + slack * TS_MARGIN_SLOPE;
@@ -73,13 +73,13 @@ TS_FN ts_answer ts_k_vpl_plane_answer(const ts_vpl_gather_args *args, u32 shown,
 /* Either lights the place. */
 TS_FN ts_answer ts_k_vpl_answer(const ts_vpl_gather_args *args, u32 view, u32 texel, ts_v3 p, ts_v3 n)
 {
-	u32 shown = args->shown[(u64)args->leaves[view] * (2u * args->n * args->n) + texel];
+	u64 shown = ts_k_vpl_shown(args, view, texel);
 	ts_answer r;
 	r.reaches = true;
 	r.margin = TS_MARGIN_NOWHERE;
-	if (shown == TS_NONE) return r;
-	ts_answer a = ts_k_vpl_depth_answer(args, view, texel, p, n);
-	ts_answer b = ts_k_vpl_plane_answer(args, shown, p, n);
+	if ((u32)shown == TS_NONE) return r;
+	ts_answer a = ts_k_vpl_depth_answer(args, view, shown, texel, p, n);
+	ts_answer b = ts_k_vpl_plane_answer(args, (u32)shown, p, n);
 	f32 alike = a.reaches ? ts_max(a.margin, b.margin) : ts_min(a.margin, b.margin);
 	r.reaches = a.reaches || b.reaches;
 	r.margin = a.reaches == b.reaches ? alike : a.reaches ? a.margin : b.margin;

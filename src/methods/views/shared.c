@@ -1,29 +1,37 @@
 /* Runs of steps that several methods of many views share. */
 #include "pipelines.h"
+#include "views.h"
+
+#define FUSED \
+	{ \
+		.stage = "view_map.fuse", .only_if = ts_gather_asks_fused \
+	}
 
 const ts_step ts_shared_maps_run[] = {
-	{.stage = "view_octree.voxel"}, {.stage = "view_octree"}, /* of the views */
-	{.stage = "view_octree.cone"},  {.stage = "traverse", .only_traced = true},
+	{.stage = "view_octree.voxel"},
+	{.stage = "view_octree"}, /* of the views */
+	{.stage = "view_octree.cone"},
+	{.stage = "traverse", .only_traced = true},
 	{.stage = "view_map"}, /* the traversal, and what it renders */
-	{.stage = "view_map.fuse"},     {0},
+	FUSED,
+	{0},
 };
 
 const ts_step ts_own_maps_run[] = {
-	{.stage = "view_octree.alone"},
-	{.stage = "traverse", .only_traced = true},
-	{.stage = "view_map"},
-	{.stage = "view_map.fuse"},
-	{0},
+	{.stage = "view_octree.alone"}, {.stage = "traverse", .only_traced = true}, {.stage = "view_map"}, FUSED, {0},
 };
 
 const ts_step ts_all_maps_run[] = {
 	{.stage = "view_octree.alone"},
 	{.stage = "view_map.all"}, /* no traversal */
-	{.stage = "view_map.fuse"},
+	FUSED,
 	{0},
 };
 
 const ts_step ts_gather_run[] = {
 	{.stage = "vpl_gather.pairs"}, /* the traversal again: which views may light what */
-	{.stage = "vpl_gather"},       {.stage = "bilateral"}, {.stage = "image.indirect"}, {0},
+	{.stage = "vpl_gather", .spares = ts_gather_asks_fused, .spared = TS_B_view_map_depth_node},
+	{.stage = "bilateral"},
+	{.stage = "image.indirect"},
+	{0},
 };

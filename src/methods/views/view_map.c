@@ -73,13 +73,18 @@ static ts_status view_map_all(ts_run *run)
 	return TS_OK;
 }
 
+ts_view_map_fuse_args ts_view_map_fuse_values(const ts_params *params)
+{
+	return (ts_view_map_fuse_args){.pyramid = ts_view_pyramid(params),
+	                               .nearest = TS_PARAM(params, view_map_fusion) == TS_FUSION_MIN};
+}
+
 static ts_status view_map_fuse(ts_run *run)
 {
 	u64 n_texels = (u64)2 * TS_PARAM(&run->params, view_map_px) * TS_PARAM(&run->params, view_map_px);
 	u64 n_levels = ts_frame_n(&run->frame, TS_B_view_octree_level) - 1;
 	const u32 *before = ts_frame_data(&run->frame, TS_B_view_octree_level);
-	ts_view_map_fuse_args args = {.pyramid = ts_view_pyramid(&run->params),
-	                              .nearest = TS_PARAM(&run->params, view_map_fusion) == TS_FUSION_MIN};
+	ts_view_map_fuse_args args = ts_view_map_fuse_values(&run->params);
 	if (ts_view_px_check(&run->params) != TS_OK || TS_FILL(run, &fused, &args) != TS_OK) return TS_ERROR;
 	count_bytes(run, TS_B_view_map_fused_depth);
 	count_bytes(run, TS_B_view_map_fused_node);

@@ -9,10 +9,14 @@
 /* view_map.px must be a power of two; the levels of a view's map (map.c). */
 ts_status ts_view_px_check(const ts_params *params);
 ts_pyramid ts_view_pyramid(const ts_params *params);
+/* How maps are fused, without pointers. */
+ts_view_map_fuse_args ts_view_map_fuse_values(const ts_params *params);
 /* The level of the lists of vpl_pairs (vpl_gather.c): vpl_gather.level, at most levels; 0 where views have no
  * hierarchy, alone, or nothing is culled. */
 u32 ts_gather_level(const ts_run *run);
 u32 ts_gather_level_of(const ts_params *params, u32 field, bool alone);
+/* Maps are fused, and gathering asks whole ones (vpl_gather.c). */
+bool ts_gather_asks_fused(const ts_params *params);
 /* Paths begin at random on all surfaces (vpl.c). */
 bool ts_vpl_at_random(const ts_params *params);
 /* Arguments for who asks how virtual point lights and particles are made, and how pixels gather from them. */

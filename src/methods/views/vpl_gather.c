@@ -12,8 +12,20 @@ static const ts_launch listed = TS_LAUNCH(vpl_gather_pairs_list, TS_ALL);
 static const ts_launch sorted =
 	TS_LAUNCH(leaf_sort, TS_IN(offset, vpl_gather_pair_offset), TS_OUT(entries, vpl_gather_pair_node));
 static const ts_launch summed = TS_LAUNCH(vpl_gather_pairs_sum, TS_BUT(pairs));
-static const ts_launch gathered = TS_LAUNCH(vpl_gather, TS_ALL);
-static const ts_launch measured = TS_LAUNCH(vpl_gather_margin, TS_BUT(of.irradiance), TS_BUT(of.n_astray));
+
+/* By whole maps, and by those of the nodes from the root down. */
+static const ts_launch gathered[] = {
+	[TS_QUERY_FUSED] = TS_LAUNCH(vpl_gather, TS_BUT(unfused)),
+	[TS_QUERY_DESCEND] =
+		TS_LAUNCH(vpl_gather, TS_BUT(depths), TS_BUT(shown), TS_BUT(unfused.depths), TS_BUT(unfused.nodes)),
+};
+static const ts_launch measured[] = {
+	[TS_QUERY_FUSED] = TS_LAUNCH(vpl_gather_margin, TS_BUT(of.irradiance), TS_BUT(of.n_astray), TS_BUT(of.unfused)),
+	[TS_QUERY_DESCEND] = TS_LAUNCH(vpl_gather_margin, TS_BUT(of.irradiance), TS_BUT(of.n_astray), TS_BUT(of.depths),
+                                   TS_BUT(of.shown), TS_BUT(of.unfused.depths), TS_BUT(of.unfused.nodes)),
+};
+
+bool ts_gather_asks_fused(const ts_params *params) { return TS_PARAM(params, vpl_gather_query) == TS_QUERY_FUSED; }
 
 u32 ts_gather_level_of(const ts_params *params, u32 field, bool alone)
 {
@@ -24,10 +36,15 @@ u32 ts_gather_level_of(const ts_params *params, u32 field, bool alone)
 	return alone || !culls ? 0 : level;
 }
 
+/* Views have no hierarchy. */
+static bool are_alone(const ts_run *run)
+{
+	return ts_octree_first(run, &ts_view_octree, 1) == ts_frame_n(&run->frame, TS_B_view_octree_node);
+}
+
 u32 ts_gather_level(const ts_run *run)
 {
-	bool alone = ts_octree_first(run, &ts_view_octree, 1) == ts_frame_n(&run->frame, TS_B_view_octree_node);
-	return ts_gather_level_of(&run->params, run->plan.views.field, alone);
+	return ts_gather_level_of(&run->params, run->plan.views.field, are_alone(run));
 }
 
 ts_status ts_vpl_pairs_arguments(ts_run *run, ts_traverse_args *args)
@@ -102,6 +119,7 @@ static ts_vpl_gather_args values(const ts_run *run)
 		.draws = TS_PARAM(params, vpl_gather_lights),
 		.seed = TS_PARAM(params, seed),
 		.n = TS_PARAM(params, view_map_px),
+		.unfused = ts_view_map_fuse_values(params),
 		.shadows = TS_PARAM(params, vpl_gather_shadows),
 		.near = TS_PARAM(params, vpl_gather_near),
 		.bias = TS_PARAM(params, vpl_gather_bias),
@@ -115,22 +133,32 @@ static ts_vpl_gather_args values(const ts_run *run)
 ts_status ts_vpl_gather_ask(const ts_run *run, ts_vpl_gather_args *args)
 {
 	*args = values(run);
-	return TS_ASK(run, &gathered, args);
+	return TS_ASK(run, &gathered[TS_PARAM(&run->params, vpl_gather_query)], args);
+}
+
+/* Texels that are read where a map is asked: of a whole one, or of all levels of those from the root down. */
+static u32 texels_asked(const ts_run *run, u32 query, const ts_pyramid *pyramid)
+{
+	u32 n_nodes = are_alone(run) ? 1 : TS_PARAM(&run->params, octree_levels) + 1;
+	return query == TS_QUERY_FUSED ? 1 : n_nodes * pyramid->levels;
 }
 
 static ts_status vpl_gather(ts_run *run)
 {
 	ts_vpl_gather_args args = values(run);
-	if (TS_RUN(run, &gathered, &args, (u64)TS_PARAM(&run->params, width) * TS_PARAM(&run->params, height)) != TS_OK)
-		return TS_ERROR;
+	u32 query = TS_PARAM(&run->params, vpl_gather_query);
+	u64 n_pixels = (u64)TS_PARAM(&run->params, width) * TS_PARAM(&run->params, height);
+	if (TS_RUN(run, &gathered[query], &args, n_pixels) != TS_OK) return TS_ERROR;
 	ts_run_count(run, "pixels in no node", ts_frame_tally(&run->frame, 0));
+	ts_run_count(run, "texels a question", texels_asked(run, query, &args.unfused.pyramid));
 	return TS_OK;
 }
 
 static ts_status vpl_gather_margin(ts_run *run)
 {
 	ts_vpl_gather_margin_args args = {.of = values(run)};
-	return TS_RUN(run, &measured, &args, (u64)TS_PARAM(&run->params, width) * TS_PARAM(&run->params, height));
+	const ts_launch *launch = &measured[TS_PARAM(&run->params, vpl_gather_query)];
+	return TS_RUN(run, launch, &args, (u64)TS_PARAM(&run->params, width) * TS_PARAM(&run->params, height));
 }
 
 const ts_stage ts_stage_vpl_gather_pairs = {
@@ -149,7 +177,7 @@ const ts_stage ts_stage_vpl_gather = {
 	.paper = "MegaViews 5.1",
 	.doc = "light of some of them at every pixel, if their maps show nothing in between",
 	.run = vpl_gather,
-	.launches = TS_LAUNCHES(&gathered),
+	.launches = TS_LAUNCHES(&gathered[TS_QUERY_FUSED], &gathered[TS_QUERY_DESCEND]),
 	.looks_at = TS_BUFFERS(TS_B_octree_level, TS_B_view_octree_level),
 };
 
@@ -160,6 +188,6 @@ const ts_stage ts_stage_vpl_gather_margin = {
 	.paper = "MegaViews 5.1",
 	.doc = "how near the light of pixels was to that of another list or to other shadows",
 	.run = vpl_gather_margin,
-	.launches = TS_LAUNCHES(&measured),
+	.launches = TS_LAUNCHES(&measured[TS_QUERY_FUSED], &measured[TS_QUERY_DESCEND]),
 	.looks_at = TS_BUFFERS(TS_B_octree_level, TS_B_view_octree_level),
 };

@@ -4,7 +4,7 @@
  * stage from what it claims to read. */
 #include "../small.h"
 #include <math.h>
-#include "../../../src/kernels/views/vpl_gather.h"
+#include "../../../src/methods/views/views.h"
 #include "../../../src/trace/sums.h"
 
 static const char *const methods[] = {"megaviews", "manylods", "bruteforce"};
@@ -513,14 +513,47 @@ static void test_culling(void **state)
 	}
 }
 
+/* Maps asked from the root down, without fusion, answer the same: pictures have the same bits, and a question reads a
+ * texel of each node above its view, and of each level of their pyramids. */
+static void test_queries(void **state)
+{
+	(void)state;
+	for (u32 m = 0; m < N_METHODS; m++) {
+		for (u32 k = 0; k < 4; k++) {
+			ts_params params = tiny_params(), descend;
+			params.view_map_fusion = k % 2 != 0 ? TS_FUSION_PAPER : TS_FUSION_MIN;
+			params.view_map_multipixel = k / 2 != 0 ? TS_MULTIPIXEL_MIPS : TS_MULTIPIXEL_OFF;
+			params.bilateral_px = 0;
+			descend = params;
+			descend.vpl_gather_query = TS_QUERY_DESCEND;
+			ts_scene *scene = small_scene(&params);
+			ts_run a, b;
+			run_of(&a, scene, &params, methods[m]);
+			run_of(&b, scene, &descend, methods[m]);
+			const ts_buffer *fused = &a.frame.buffer[TS_B_vpl_gather_irradiance],
+							*asked = &b.frame.buffer[TS_B_vpl_gather_irradiance];
+			assert_true(fused->bytes > 0 && fused->bytes == asked->bytes);
+			assert_memory_equal(ts_frame_data(&a.frame, TS_B_vpl_gather_irradiance),
+			                    ts_frame_data(&b.frame, TS_B_vpl_gather_irradiance), fused->bytes);
+			assert_false(b.frame.buffer[TS_B_view_map_fused_depth].made);
+			u32 levels = ts_view_pyramid(&params).levels, nodes = m == 0 ? params.octree_levels + 1 : 1;
+			assert_int_equal(ts_run_counter(&a, "texels a question"), 1);
+			assert_int_equal(ts_run_counter(&b, "texels a question"), levels * nodes);
+			ts_run_end(&a);
+			ts_run_end(&b);
+			ts_scene_free(scene);
+		}
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_threads),         cmocka_unit_test(test_claims), cmocka_unit_test(test_lists),
-		cmocka_unit_test(test_cutoff),          cmocka_unit_test(test_units),  cmocka_unit_test(test_draws),
-		cmocka_unit_test(test_little),          cmocka_unit_test(test_memory), cmocka_unit_test(test_memory_of_pairs),
-		cmocka_unit_test(test_memory_of_paths), cmocka_unit_test(test_brute),  cmocka_unit_test(test_wide),
-		cmocka_unit_test(test_culling),
+		cmocka_unit_test(test_threads),         cmocka_unit_test(test_claims),  cmocka_unit_test(test_lists),
+		cmocka_unit_test(test_cutoff),          cmocka_unit_test(test_units),   cmocka_unit_test(test_draws),
+		cmocka_unit_test(test_little),          cmocka_unit_test(test_memory),  cmocka_unit_test(test_memory_of_pairs),
+		cmocka_unit_test(test_memory_of_paths), cmocka_unit_test(test_brute),   cmocka_unit_test(test_wide),
+		cmocka_unit_test(test_culling),         cmocka_unit_test(test_queries),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

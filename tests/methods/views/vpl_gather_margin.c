@@ -185,8 +185,9 @@ static void try_term(sums *r, const port *p, u32 view, const ts_gpixel *of)
 	ts_v3 way = ts_sub(at, from);
 	u32 texel = ts_k_paraboloid_texel(way, p->of.n), node = shown(p, view, texel);
 	if (node == TS_NONE) return;
-	f32 reach = ts_k_vpl_reach(&p->of, view, texel, at, n), d = ts_length(way);
-	f32 margin = ts_k_vpl_depth_answer(&p->of, view, texel, at, n).margin;
+	u64 key = ts_k_vpl_shown(&p->of, view, texel);
+	f32 reach = ts_k_vpl_reach(&p->of, view, key, texel, at, n), d = ts_length(way);
+	f32 margin = ts_k_vpl_depth_answer(&p->of, view, key, texel, at, n).margin;
 	double ours = (double)(d - reach);
 	double apart = fabs(ours - behind(p, view, texel, make3(of->position), make3(of->normal)));
 	double step = fabs(ours) / (double)margin;

@@ -4,13 +4,14 @@
 #include "../../../kernels/base/num.h"
 #include "benches.h"
 
-enum { M_MEGA, M_LODS, M_UNCULLED, M_WIDE, M_BRUTE };
+enum { M_MEGA, M_LODS, M_UNCULLED, M_DESCEND, M_WIDE, M_BRUTE };
 
 /* clang-format off */
 static const ts_bench_variant variants[] = {
 	[M_MEGA] = { "megaviews", "", true, TS_TIMED },
 	[M_LODS] = { "manylods", "", true, TS_TIMED },
 	[M_UNCULLED] = { "megaviews", "traverse.cull=off", true, TS_TIMED },
+	[M_DESCEND] = { "megaviews", "vpl_gather.query=descend", true, TS_TIMED },
 	[M_WIDE] = { "megaviews", "view_map.field=all", true, TS_ONCE },
 	[M_BRUTE] = { "bruteforce", "", false, TS_ONCE },
 	{ 0 },
@@ -20,7 +21,8 @@ enum { VIEWS, MS, LODS_MS, UNCULLED_MS, BRUTE_MS, SPEEDUP, CULLING, TREE_MS, GAT
 	LODS_MS_GROWTH, PAIRS, LODS_PAIRS, BRUTE_PAIRS, SAVED, A_VIEW, LODS_A_VIEW, PAIRS_GROWTH, LODS_PAIRS_GROWTH, SERVED,
 	RENDERED, SHARING, CULLED, CULLED_SHARE, UNCULLED_PAIRS, PAIRS_SAVED, WIDER, WIDER_SHARE, SEVERAL,
 	SEVERAL_SHARE, EMPTY, WIDE_EMPTY, SCENE_LEAVES, LEAVES, SCENE_MIB, TREE_MIB, QUEUE_MIB, MAPS_MIB, MIB,
-	LODS_SCENE_MIB, LODS_VIEWS_MIB, LODS_QUEUE_MIB, LODS_MAPS_MIB, LODS_MIB, LESS };
+	LODS_SCENE_MIB, LODS_VIEWS_MIB, LODS_QUEUE_MIB, LODS_MAPS_MIB, LODS_MIB, LESS, FUSE_MS, ASK_MS, DESCEND_MS, SLOWER,
+	FUSED_MS, WORTH, TEXELS, DESCENT_TEXELS, OTHER };
 
 static const ts_bench_figure figures[] = {
 	[VIEWS] = { "views", "views", TS_FIGURE_COUNTER, M_MEGA, 0, TS_WHOLE, "virtual point lights" },
@@ -74,6 +76,16 @@ static const ts_bench_figure figures[] = {
 	[LODS_MAPS_MIB] = { "manylods_maps_mib", "maps", TS_FIGURE_BUFFERS, M_LODS, 0, 1, "view_map,view_map.fuse" },
 	[LODS_MIB] = { "manylods_mib", "all", TS_FIGURE_SUM, LODS_SCENE_MIB, LODS_MAPS_MIB, 1, "" },
 	[LESS] = { "mib_ratio", "by ours", TS_FIGURE_RATIO, LODS_MIB, MIB, 2, "" },
+	[FUSE_MS] = { "fuse_ms", "fusion", TS_FIGURE_STAGE_TIME, M_MEGA, 0, 2, "view_map.fuse" },
+	[ASK_MS] = { "ask_ms", "asking", TS_FIGURE_STAGE_TIME, M_MEGA, 0, 2, "vpl_gather" },
+	[DESCEND_MS] = { "descend_ms", "without fusion", TS_FIGURE_STAGE_TIME, M_DESCEND, 0, 2, "vpl_gather" },
+	[SLOWER] = { "descend_ratio", "by asking", TS_FIGURE_RATIO, DESCEND_MS, ASK_MS, 2, "" },
+	[FUSED_MS] = { "fused_ms", "both", TS_FIGURE_SUM, FUSE_MS, ASK_MS, 2, "" },
+	[WORTH] = { "fused_ratio", "by both", TS_FIGURE_RATIO, DESCEND_MS, FUSED_MS, 2, "" },
+	[TEXELS] = { "texels", "texels a question", TS_FIGURE_COUNTER, M_MEGA, 0, TS_WHOLE, "texels a question" },
+	[DESCENT_TEXELS] = { "descend_texels", "without fusion", TS_FIGURE_COUNTER, M_DESCEND, 0, TS_WHOLE,
+	  "texels a question" },
+	[OTHER] = { "descend_rmse", "RMSE", TS_FIGURE_RMSE, M_DESCEND, M_MEGA, 3, "" },
 	{ 0 },
 };
 
@@ -91,6 +103,8 @@ static const ts_paper_part parts[] = {
 	  SCENE_LEAVES, LEAVES, SCENE_MIB, TREE_MIB, QUEUE_MIB, MAPS_MIB, MIB, TS_NO_FIGURE } },
 	{ "mega_10_manylods_mib", "Memory of ManyLoDs, MiB", { LODS_SCENE_MIB, LODS_VIEWS_MIB, LODS_QUEUE_MIB,
 	  LODS_MAPS_MIB, LODS_MIB, LESS, TS_NO_FIGURE } },
+	{ "mega_10_queries", "Gathering from whole maps, and without fusion from those from the root down, ms", { FUSE_MS,
+	  ASK_MS, DESCEND_MS, SLOWER, WORTH, TEXELS, DESCENT_TEXELS, OTHER, TS_NO_FIGURE } },
 	{ 0 },
 };
 
@@ -113,6 +127,11 @@ static const ts_paper_relation relations[] = {
 	  PAIRS_SAVED },
 	{ "pairs that culling saves, %", PAIRS_SAVED, TS_BETWEEN, 0, 20, ALL, "more or less is behind views",
 	  CULLED_SHARE },
+	{ "time of asking without fusion: an order of magnitude more", SLOWER, TS_AT_LEAST, 10, 0, ALL,
+	  "texels of nodes above are in caches, and asking is not all of gathering", DESCENT_TEXELS },
+	{ "texels read without fusion: the depth of the hierarchy", DESCENT_TEXELS, TS_AT_LEAST, 8, 0, ALL,
+	  "octrees are not as deep as the paper's 12 levels", DESCENT_TEXELS },
+	{ "pictures with and without fusion, RMSE", OTHER, TS_AT_MOST, 0, 0, ALL, "fusion answers otherwise", OTHER },
 	{ "pairs of several views wider than a texel, %", SEVERAL_SHARE, TS_AT_MOST, 0, 5, ALL,
 	  "larger leaves than the paper's", SCENE_LEAVES },
 	{ "empty texels of maps of all directions, %", WIDE_EMPTY, TS_BETWEEN, 25, 35, ALL,

@@ -113,21 +113,21 @@ static ts_status put_light(ts_probe *p, json_t *o, const ts_probe_gather *g, u32
 }
 
 /* Whether what a texel shows is far enough away, and if not, too near the tangent plane. */
-static void put_tests(ts_probe *p, json_t *o, const ts_probe_gather *g, u32 light, u32 texel, u32 shown)
+static void put_tests(ts_probe *p, json_t *o, const ts_probe_gather *g, u32 light, u32 texel, u64 shown)
 {
 	const ts_vpl_gather_args *args = &g->args;
 	u32 leaf = args->leaves[light];
-	f32 map = ts_u2f(args->depths[(u64)leaf * (2 * args->n * args->n) + texel]);
+	f32 map = ts_u2f((u32)(shown >> 32));
 	ts_v3 at = ts_load3(args->lights[light].position), centre = ts_load3(args->nodes[leaf].centre);
 	ts_v3 place = ts_load3(g->pixel.position), n = ts_load3(g->pixel.normal), way = ts_sub(place, at);
-	f32 reach = ts_k_vpl_reach(args, light, texel, place, n), d = ts_length(way);
+	f32 reach = ts_k_vpl_reach(args, light, shown, texel, place, n), d = ts_length(way);
 	ts_probe_put(p, o, "map", ts_probe_bits(map));
 	ts_probe_put(p, o, "moved_to_the_light", ts_probe_bits(ts_k_moved_depth(centre, map, at, texel, args->n)));
 	ts_probe_put(p, o, "bias", ts_probe_bits(ts_k_vpl_slack(args, way, n)));
 	ts_probe_put(p, o, "free", json_real((double)reach - (double)d));
 	if (args->by_plane == 0 || d <= reach) return;
-	ts_probe_put(p, o, "above_the_plane", ts_probe_bits(ts_k_node_height(&args->scene[shown], place, n)));
-	ts_probe_put(p, o, "clear_from", ts_probe_bits(ts_k_vpl_clear(args, &args->scene[shown])));
+	ts_probe_put(p, o, "above_the_plane", ts_probe_bits(ts_k_node_height(&args->scene[(u32)shown], place, n)));
+	ts_probe_put(p, o, "clear_from", ts_probe_bits(ts_k_vpl_clear(args, &args->scene[(u32)shown])));
 }
 
 /* What the map of the light's leaf answers, with all that goes into it. */
@@ -137,10 +137,10 @@ static ts_status put_question(ts_probe *p, json_t *object, const ts_probe_gather
 	ts_status status = TS_OK;
 	ts_v3 place = ts_load3(g->pixel.position), n = ts_load3(g->pixel.normal);
 	u32 side = g->args.n, leaf = g->args.leaves[light], texel = ts_k_paraboloid_texel(way, side);
-	u32 shown = g->args.shown[(u64)leaf * (2 * side * side) + texel];
+	u64 shown = ts_k_vpl_shown(&g->args, light, texel);
 	ts_probe_put(p, o, "half", json_string(texel < side * side ? "front" : "back"));
 	ts_probe_put(p, o, "texel", ts_probe_pair(texel % side, texel / side % side));
-	if (shown == TS_NONE) {
+	if ((u32)shown == TS_NONE) {
 		ts_probe_put(p, o, "answer", json_string("lit: the texel is empty"));
 	} else {
 		bool lit = ts_k_vpl_reaches(&g->args, light, texel, place, n);

@@ -41,7 +41,7 @@ static void judge_texel(const judge *j, u32 view, u32 texel, ts_texel_counts *co
 	bool seen = j->all || ts_dot(d, ts_load3(light->normal)) > 0.0f;
 	if (!seen || !ts_k_paraboloid_is_used(texel, j->of.n)) return;
 	ts_truth_hit hit = cast(j, from, d);
-	u32 leaf = j->of.leaves[view], bits = j->of.depths[(u64)leaf * (2 * j->of.n * j->of.n) + texel];
+	u32 leaf = j->of.leaves[view], bits = (u32)(ts_k_vpl_shown(&j->of, view, texel) >> 32);
 	if (hit.triangle == TS_NONE) return;
 	counts->covered++;
 	counts->holes += bits == TS_NONE;

@@ -47,14 +47,15 @@ static bool is_left_out(const answer *a, f32 t)
 	return ts_length(ts_sub(ts_load3(leaf.centre), view)) < a->apart * leaf.radius;
 }
 
-static ts_wrong why_lit(const answer *a, u32 shown)
+static ts_wrong why_lit(const answer *a, u64 shown)
 {
 	ts_truth_hit hit = cast(a, false);
 	if (!stops(a, &hit)) return TS_WRONG_slack;
-	bool spared = shown != TS_NONE && ts_length(a->way) > ts_k_vpl_reach(a->of, a->view, a->texel, a->p, a->n);
+	bool spared =
+		(u32)shown != TS_NONE && ts_length(a->way) > ts_k_vpl_reach(a->of, a->view, shown, a->texel, a->p, a->n);
 	if (spared) return TS_WRONG_plane;
 	if (is_left_out(a, hit.t)) return TS_WRONG_near;
-	return shown == TS_NONE ? TS_WRONG_empty : TS_WRONG_leak;
+	return (u32)shown == TS_NONE ? TS_WRONG_empty : TS_WRONG_leak;
 }
 
 static bool is_at_light(const answer *a, const ts_node *node)
@@ -86,6 +87,6 @@ ts_wrong ts_truth_wrong(const ts_truth *truth, const ts_vpl_gather_args *of, u32
 {
 	ts_v3 light = ts_load3(of->lights[view].position), way = ts_sub(p, light);
 	const answer a = {truth, of, view, ts_k_paraboloid_texel(way, of->n), p, n, light, way, reach, apart};
-	u32 shown = of->shown[(u64)of->leaves[view] * (2 * of->n * of->n) + a.texel];
-	return lit ? why_lit(&a, shown) : why_dark(&a, shown);
+	u64 shown = ts_k_vpl_shown(of, view, a.texel);
+	return lit ? why_lit(&a, shown) : why_dark(&a, (u32)shown);
 }
