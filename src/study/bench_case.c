@@ -68,7 +68,8 @@ ts_status ts_bench_case_open(ts_bench_case *c, const char *spec, const ts_params
 		ts_estimate estimate;
 		c->n_variants++;
 		c->methods[v] = ts_pipeline_find(c->effect, c->variants[v].method);
-		if (c->methods[v] != NULL && c->methods[v]->only_named && c->hurried) c->methods[v] = NULL;
+		bool takes_long = c->variants[v].runs == TS_LONG || (c->methods[v] != NULL && c->methods[v]->only_named);
+		if (takes_long && c->hurried) c->methods[v] = NULL;
 		if (c->methods[v] == NULL) continue;
 		status = ts_bench_case_params(&own, c, v);
 		if (status == TS_OK) status = ts_measure_estimate(&estimate, &c->methods[v], 1, truths, c->scene, &own);

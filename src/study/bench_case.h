@@ -10,6 +10,7 @@ typedef enum {
 	TS_TIMED,
 	TS_ONCE,  /* one run */
 	TS_ALONE, /* timed, of one thread */
+	TS_LONG,  /* one run, left out where methods that take long are */
 } ts_bench_runs;
 
 /* A method with what is set for it, beside what was typed. */

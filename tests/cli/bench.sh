@@ -355,7 +355,7 @@ import glob, json, math, struct, sys
 from results import results
 report, render = (results(path) for path in sys.argv[1:3])
 names = ("mega_10", "mega_10_ms", "mega_10_pairs", "mega_10_fates", "mega_10_sharing", "mega_10_mib", "mega_10_manylods_mib",
-         "mega_10_queries")
+         "mega_10_queries", "mega_10_views")
 rows = [{k: v for name in names for k, v in report[name][i].items()} for i in (0, 1)]
 lods = [report["mega_10_manylods_mib"][i] for i in (0, 1)]
 ours = [report["mega_10_mib"][i] for i in (0, 1)]
@@ -381,6 +381,8 @@ for r, m, l in zip(rows, ours, lods):
 	near(r["pairs_culling_percent"], 100 * (1 - r["pairs"] / r["unculled_pairs"]))
 	near(r["wider_percent"], 100 * r["wider"] / r["rendered"])
 	near(r["wider_several_percent"], 100 * r["wider_several"] / r["rendered"])
+	near(r["views_only_pairs_ratio"], r["views_only_pairs"] / r["pairs"])
+	near(r["views_only_brute_ratio"], r["views_only_pairs"] / r["bruteforce_pairs"])
 	near(r["descend_ratio"], r["descend_ms"] / r["ask_ms"])
 	near(r["fused_ratio"], r["descend_ms"] / (r["fuse_ms"] + r["ask_ms"]))
 	assert (r["texels"], r["descend_texels"], r["descend_rmse"]) == (1, 5, 0)
@@ -404,22 +406,23 @@ near(many["empty_percent"], 100 * empty / (512 * leaves))
 judged = {(r["relation"], r["paths"]): r["verdict"] for r in report["relations"]}
 assert all(v == "holds" or v.startswith(("differs: ", "not judged: ")) for v in judged.values())
 grows = judged["pairs grow slower than views: exponent", 256] == "holds"
-assert grows == (many["pairs_exponent"] <= 1) and len(judged) == 20
+assert grows == (many["pairs_exponent"] <= 1) and len(judged) == 21
 PY
 verdict $? 'bench mega-10: pairs, memory, exponents and empty texels, counted again'
 python3 - "$scratch/mega-10" <<'PY'
 import csv, sys, xml.etree.ElementTree as xml
 from results import found
-rows, rest = (list(csv.DictReader(open(found(sys.argv[1], name + ".csv")))) for name in ("mega_10", "mega_10_ms"))
+rows, rest, views = (list(csv.DictReader(open(found(sys.argv[1], name + ".csv")))) for name in ("mega_10", "mega_10_ms", "mega_10_views"))
 svg = xml.parse(found(sys.argv[1], "mega_10_1.svg")).getroot()
 tag = "{http://www.w3.org/2000/svg}"
 texts = [t.text for t in svg.iter(tag + "text")]
 dots = [(float(c.get("cx")), float(c.get("cy"))) for c in svg.iter(tag + "circle")]
 assert {"MegaViews", "ManyLoDs", "views", "maps, ms"} <= set(texts)
-assert len(list(svg.iter(tag + "polyline"))) == 3 and len(dots) == 6 == 3 * len(rows)
+assert len(list(svg.iter(tag + "polyline"))) == 4 and len(dots) == 8 == 4 * len(rows)
 assert all(70 <= x <= 770 and 50 <= y <= 500 for x, y in dots) and dots[0][0] < dots[1][0]
-ms = [float(r[k]) for k in ("megaviews_ms", "manylods_ms") for r in rows] + [float(r["bruteforce_ms"]) for r in rest]
-assert sorted(range(6), key=lambda i: ms[i]) == sorted(range(6), key=lambda i: -dots[i][1])
+ms = [float(r[k]) for k in ("megaviews_ms", "manylods_ms") for r in rows] + [float(r["views_only_ms"]) for r in views] + \
+	[float(r["bruteforce_ms"]) for r in rest]
+assert sorted(range(8), key=lambda i: ms[i]) == sorted(range(8), key=lambda i: -dots[i][1])
 PY
 verdict $? 'bench mega-10: CSV, and a plot of a curve a method'
 

@@ -127,6 +127,8 @@ verdict $? 'a light at random begins on a triangle'
 for pattern in 'bits agree with vpl_gather.irradiance' 'answer: in shadow' 'bits agree with view_map.depth_node'; do
 	prints "$pattern" probe indirect-descend/trace-megaviews --pixel 30,50
 done
+"$touchstone" render indirect "${views[@]}" --set octree.levels=4 --set traverse.hierarchies=views --trace --method megaviews -o indirect-leaves > /dev/null
+says 'bits agree with view_map.depth_node' probe indirect-leaves/trace-megaviews --pixel 8,9 --view 0.front
 refuses 'stage view_map.fuse is not run with the parameters of this trace' replay indirect-descend/trace-megaviews --stage view_map.fuse
 refuses 'this needs view_map.fused_depth, view_map.fused_node' probe indirect-descend/trace-megaviews --pixel 8,9 --view 0.front
 "$touchstone" render indirect "${views[@]}" --trace --method bruteforce -o indirect-bruteforce > /dev/null

@@ -124,6 +124,7 @@ for words in 'indirect hulls --margins --set lamp.source=scene' 'indirect direct
 	'indirect megaviews --margins --set octree.levels=4 --set vpl.paths=60 --set vpl.bounces=2' \
 	'indirect megaviews --margins --set octree.levels=4 --set vpl.paths=60 --set vpl.place=random' \
 	'indirect megaviews --margins --set octree.levels=4 --set vpl.paths=60 --set vpl_gather.query=descend' \
+	'indirect megaviews --margins --set octree.levels=3 --set vpl.paths=30 --set traverse.hierarchies=views' \
 	'indirect manylods --set octree.levels=4 --set vpl_gather.lights=0' 'indirect bruteforce --set octree.levels=3 --set vpl.paths=30' \
 	'particles megaviews --margins --set octree.levels=4 --set particle.count=60' 'particles manylods --set octree.levels=4 --set particle.count=60' \
 	'surfels deferred --set surfels.from_mesh=3000 --set surfel_blend.accumulation=half' \

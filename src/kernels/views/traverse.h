@@ -29,12 +29,14 @@
 	ARG(TALLY_OPT, i64, tallies, 0) /* pairs culled, near, rendered, wider, of several views; views */ \
 	ARG(VALUE, u64, n_pairs, none) \
 	ARG(VALUE, ts_aperture, phi, none) \
-	ARG(VALUE, u32, n, none) /* texels a side of a map */ \
-	ARG(VALUE, u32, first_view, none) \
-	ARG(VALUE, f32, apart, none)   /* radii; leaves that are nearer are not rendered */ \
-	ARG(VALUE, u32, last, none)    /* nodes of this level count as leaves */ \
-	ARG(VALUE, u32, to_last, none) /* only pairs of leaves are rendered */ \
-	ARG(VALUE, f32, cutoff, none)  /* pairs farther apart are culled; 0: none */
+	ARG(VALUE, u32, n, none)          /* texels a side of a map */ \
+	ARG(VALUE, u64, first, none)      /* of the pairs that it begins with */ \
+	ARG(VALUE, u32, first_node, none) /* of the nodes of the scene in these */ \
+	ARG(VALUE, u32, n_nodes, none)    /* 1, the root, or all leaves */ \
+	ARG(VALUE, f32, apart, none)      /* radii; leaves that are nearer are not rendered */ \
+	ARG(VALUE, u32, last, none)       /* nodes of this level count as leaves */ \
+	ARG(VALUE, u32, to_last, none)    /* only pairs of leaves are rendered */ \
+	ARG(VALUE, f32, cutoff, none)     /* pairs farther apart are culled; 0: none */
 TS_ARGS(ts_traverse_args);
 
 TS_FN u64 ts_k_pair(u32 node, u32 views) { return ((u64)node << 32) | views; }
@@ -61,10 +63,12 @@ TS_FN u32 ts_k_pair_fate(const ts_traverse_args *args, u64 pair)
 	return ts_k_pair_splits_view(&s, &v) ? TS_PAIR_SPLIT_VIEW : TS_PAIR_SPLIT_SCENE;
 }
 
-/* map over views without a parent: each with the scene's root */
+/* map over the pairs that the traversal begins with: views without a parent, each with the scene's root, or all leaves
+ * where there is no hierarchy of the scene */
 TS_FN void ts_k_traverse_start_item(const ts_traverse_args *args, u64 i)
 {
-	args->queue[i] = ts_k_pair(0u, args->first_view + (u32)i);
+	u64 k = args->first + i;
+	args->queue[i] = ts_k_pair(args->first_node + (u32)(k % args->n_nodes), (u32)(k / args->n_nodes));
 }
 
 /* map over pairs: decides; again over some of them, it decides the same */

@@ -1,6 +1,7 @@
 /* The traversal of two octrees at once: a queue of pairs a step, carried to its end in pieces where it is longer
  * than its memory. */
 #include "../../kernels/base/scan.h"
+#include "octree.h"
 #include "traverse.h"
 
 #include <stdlib.h>
@@ -51,8 +52,23 @@ ts_status ts_traverse_arguments(ts_run *run, ts_traverse_args *args)
 		.n = TS_PARAM(&run->params, view_map_px),
 		.apart = TS_PARAM(&run->params, view_map_apart),
 		.last = TS_NONE,
+		.n_nodes = 1,
 	};
 	return TS_FILL(run, &ts_traverse_launches[TS_TRAVERSE_COUNT], args);
+}
+
+void ts_traverse_from(const ts_run *run, ts_traverse_args *args)
+{
+	u32 levels = TS_PARAM(&run->params, octree_levels);
+	if (TS_PARAM(&run->params, traverse_hierarchies) == TS_HIERARCHIES_BOTH) return;
+	args->first_node = ts_octree_first(run, &ts_scene_octree, levels);
+	args->n_nodes = ts_octree_first(run, &ts_scene_octree, levels + 1) - args->first_node;
+}
+
+u64 ts_traverse_starts(const ts_run *run, const ts_traverse_args *args)
+{
+	const u32 *before = ts_frame_data(&run->frame, TS_B_view_octree_level);
+	return ts_run_size(run, TS_DIM_nodes) > 0 ? (u64)before[1] * args->n_nodes : 0;
 }
 
 /* Prefix sum of the piece's offsets. */
@@ -119,12 +135,11 @@ static ts_status carry(traversal *t)
 
 static ts_status start(traversal *t)
 {
-	const u32 *before = ts_frame_data(&t->run->frame, TS_B_view_octree_level);
-	u64 n = ts_run_size(t->run, TS_DIM_nodes) > 0 ? before[1] : 0;
+	u64 n = ts_traverse_starts(t->run, &t->piece.args);
 	for (u64 first = 0; first < n; first += t->room) {
 		u64 n_pairs = n - first < t->room ? n - first : t->room;
 		t->piece.args.queue = t->queue;
-		t->piece.args.first_view = (u32)first;
+		t->piece.args.first = first;
 		if (launch(t, TS_TRAVERSE_START, n_pairs) != TS_OK) return TS_ERROR;
 		t->waiting[0].at = 0;
 		t->waiting[0].end = t->piece.n_waiting = n_pairs;
@@ -225,6 +240,7 @@ static ts_status traverse(ts_run *run)
 	u64 n = 0;
 	ts_traverse_args how;
 	if (ts_traverse_arguments(run, &how) != TS_OK) return TS_ERROR;
+	ts_traverse_from(run, &how);
 	if (ts_traverse(run, &how, count_rendered, &n) != TS_OK) return TS_ERROR;
 	u64 *pairs = ts_alloc(n, sizeof *pairs, "rendered pairs");
 	ts_status status = pairs != NULL ? keep_sorted(run, &how, pairs, n) : TS_ERROR;
@@ -239,6 +255,6 @@ const ts_stage ts_stage_traverse = {
 	.doc = "pairs of a node of the scene and one of views that are rendered",
 	.run = traverse,
 	.launches = TS_LAUNCHES(TS_TRAVERSE_LAUNCHES, &count_kept, &keep),
-	.looks_at = TS_BUFFERS(TS_B_view_octree_level),
+	.looks_at = TS_BUFFERS(TS_B_octree_level, TS_B_view_octree_level),
 	.makes = TS_BUFFERS(TS_B_traverse_rendered),
 };

@@ -35,7 +35,13 @@ ts_status ts_traverse_tally(ts_run *run, ts_traverse_piece *piece, u64 *n_render
 ts_aperture ts_view_aperture(u32 field);
 /* Arguments of the kernels that decide pairs, without queues. */
 ts_status ts_traverse_arguments(ts_run *run, ts_traverse_args *args);
-/* The same for the lists of vpl_pairs, which are culled whatever traverse.cull says (vpl_gather.c). */
+/* Sets the pairs that a traversal for maps begins with, by traverse.hierarchies; without it those of both roots. Looks
+ * at octree.level where the scene has no hierarchy. */
+void ts_traverse_from(const ts_run *run, ts_traverse_args *args);
+/* How many these are. */
+u64 ts_traverse_starts(const ts_run *run, const ts_traverse_args *args);
+/* Arguments for the lists of vpl_pairs, which are culled whatever traverse.cull says, from both roots on
+ * (vpl_gather.c). */
 ts_status ts_vpl_pairs_arguments(ts_run *run, ts_traverse_args *args);
 
 #endif

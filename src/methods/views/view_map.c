@@ -53,6 +53,7 @@ static ts_status view_map(ts_run *run)
 	ts_view_map_args args = {.pyramid = ts_view_pyramid(&run->params)};
 	ts_traverse_args how;
 	if (ts_traverse_arguments(run, &how) != TS_OK || TS_FILL(run, launch, &args) != TS_OK) return TS_ERROR;
+	ts_traverse_from(run, &how);
 	count_bytes(run, TS_B_view_map_depth_node);
 	if (!kept) return ts_traverse(run, &how, map_piece, &args);
 	return ts_launch_items(run, launch, &args, ts_run_size(run, TS_DIM_rendered_pairs));
@@ -103,7 +104,7 @@ const ts_stage ts_stage_view_map = {
 	.doc = "those pairs in dual-paraboloid maps of the nodes of views by 64-bit minimum",
 	.run = view_map,
 	.launches = TS_LAUNCHES(TS_TRAVERSE_LAUNCHES, &of_kept, &of_piece),
-	.looks_at = TS_BUFFERS(TS_B_view_octree_level),
+	.looks_at = TS_BUFFERS(TS_B_octree_level, TS_B_view_octree_level),
 };
 
 const ts_stage ts_stage_view_map_all = {

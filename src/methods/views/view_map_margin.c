@@ -24,8 +24,11 @@ static ts_status view_map_margin(ts_run *run)
 {
 	ts_view_map_margin_args args;
 	if (begin(run, &args) != TS_OK) return TS_ERROR;
-	u64 n_roots = ts_run_size(run, TS_DIM_nodes) > 0 ? ts_octree_first(run, &ts_view_octree, 1) : 0;
-	if (n_roots > 0 && ts_launch_items(run, &measured, &args, n_roots) != TS_OK) return TS_ERROR;
+	ts_traverse_from(run, &args.of);
+	args.first = args.of.first_node;
+	args.n_nodes = args.of.n_nodes;
+	u64 n_starts = ts_traverse_starts(run, &args.of);
+	if (n_starts > 0 && ts_launch_items(run, &measured, &args, n_starts) != TS_OK) return TS_ERROR;
 	return ts_traverse(run, &args.of, take_children, &args);
 }
 
@@ -48,7 +51,7 @@ const ts_stage ts_stage_view_map_margin = {
 	.doc = "how near what maps show was to another answer",
 	.run = view_map_margin,
 	.launches = TS_LAUNCHES(TS_TRAVERSE_LAUNCHES, &measured),
-	.looks_at = TS_BUFFERS(TS_B_view_octree_level),
+	.looks_at = TS_BUFFERS(TS_B_octree_level, TS_B_view_octree_level),
 };
 
 const ts_stage ts_stage_view_map_all_margin = {

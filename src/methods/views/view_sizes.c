@@ -79,9 +79,10 @@ static u64 queue_bytes(double pairs, const ts_params *params)
 	return bytes;
 }
 
-/* Pairs that the traversal for maps decides. */
+/* Pairs that the traversal for maps decides; without a hierarchy of the scene those of each of its leaves. */
 static double mapped_pairs(const ts_expected_lights *lights, const ts_params *params, double nodes, double view_nodes)
 {
+	if (TS_PARAM(params, traverse_hierarchies) == TS_HIERARCHIES_VIEWS) return view_nodes * nodes;
 	double texels = 2.0 * TS_PARAM(params, view_map_px) * TS_PARAM(params, view_map_px), each = PAIRS_ALONE * texels;
 	return lights->alone ? (double)lights->n * least(each, nodes) : PAIRS * texels * view_nodes;
 }
@@ -100,6 +101,7 @@ void ts_expect_views(ts_expected *expected, const ts_scene *scene, const ts_para
 	double views = lights->alone ? (double)lights->n : views_at(&s, lights, level);
 	double pairs = lists * views * share_in_reach(&s, params, level);
 	double mapped = mapped_pairs(lights, params, nodes, view_nodes);
+	bool shared = TS_PARAM(params, traverse_hierarchies) == TS_HIERARCHIES_BOTH;
 	u64 *n = expected->sizes.n, leaves = (u64)nodes_at(&s, levels);
 	n[TS_DIM_nodes] = (u64)nodes;
 	n[TS_DIM_leaves] = leaves;
@@ -107,7 +109,7 @@ void ts_expect_views(ts_expected *expected, const ts_scene *scene, const ts_para
 	n[TS_DIM_vpls] = lights->n;
 	n[TS_DIM_view_nodes] = lights->alone ? lights->n : (u64)view_nodes + 1;
 	n[TS_DIM_view_leaves] = lights->alone ? lights->n : (u64)views_at(&s, lights, levels) + 1;
-	n[TS_DIM_rendered_pairs] = lights->n * PAIRS_A_VIEW;
+	n[TS_DIM_rendered_pairs] = shared ? lights->n * PAIRS_A_VIEW : n[TS_DIM_view_leaves] * leaves;
 	n[TS_DIM_gather_nodes] = (u64)lists;
 	n[TS_DIM_gather_pairs] = (u64)pairs;
 	expected->work = queue_bytes(mapped > 2 * pairs ? mapped : 2 * pairs, params);

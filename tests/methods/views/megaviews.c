@@ -513,6 +513,36 @@ static void test_culling(void **state)
 	}
 }
 
+/* Without a hierarchy of the scene, or of the views either, maps are those of brute force; with one of the views there
+ * are more pairs than with both, in queues of any length. */
+static void test_views_alone(void **state)
+{
+	(void)state;
+	static ts_sums brute, alone, shared, pieces;
+	ts_params params = tiny_params();
+	params.vpl_paths = 40;
+	ts_scene *scene = small_scene(&params);
+	ts_run both, views;
+	sums_of(&brute, scene, &params, "bruteforce", 2);
+	run_of(&both, scene, &params, "megaviews");
+	params.traverse_hierarchies = TS_HIERARCHIES_VIEWS;
+	sums_of(&alone, scene, &params, "manylods", 2);
+	sums_of(&shared, scene, &params, "megaviews", 2);
+	run_of(&views, scene, &params, "megaviews");
+	params.traverse_queue_mb = 1;
+	sums_of(&pieces, scene, &params, "megaviews", 3);
+	assert_string_equal(brute.hex[TS_B_view_map_depth_node], alone.hex[TS_B_view_map_depth_node]);
+	assert_string_equal(brute.hex[TS_B_indirect_irradiance], alone.hex[TS_B_indirect_irradiance]);
+	assert_same(&shared, &pieces);
+	i64 n = ts_run_counter(&views, "pairs"), n_both = ts_run_counter(&both, "pairs");
+	i64 most = ts_run_counter(&views, "scene leaves") * ts_run_counter(&views, "view nodes");
+	print_message("pairs: %lld, of both %lld, at most %lld\n", (long long)n, (long long)n_both, (long long)most);
+	assert_true(n > 2 * n_both && n <= most && n > most / 4);
+	ts_run_end(&both);
+	ts_run_end(&views);
+	ts_scene_free(scene);
+}
+
 /* Maps asked from the root down, without fusion, answer the same: pictures have the same bits, and a question reads a
  * texel of each node above its view, and of each level of their pyramids. */
 static void test_queries(void **state)
@@ -553,7 +583,7 @@ int main(void)
 		cmocka_unit_test(test_cutoff),          cmocka_unit_test(test_units),   cmocka_unit_test(test_draws),
 		cmocka_unit_test(test_little),          cmocka_unit_test(test_memory),  cmocka_unit_test(test_memory_of_pairs),
 		cmocka_unit_test(test_memory_of_paths), cmocka_unit_test(test_brute),   cmocka_unit_test(test_wide),
-		cmocka_unit_test(test_culling),         cmocka_unit_test(test_queries),
+		cmocka_unit_test(test_culling),         cmocka_unit_test(test_queries), cmocka_unit_test(test_views_alone),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -123,9 +123,14 @@ static void test_recursion(void **state)
 		u32 levels = 1 + grove_below(5), view_levels = 1 + grove_below(5), n = 1 + grove_below(600);
 		grove_plant(&g, levels, view_levels, n, grove_noise, 1 + grove_below(100), grove_noise);
 		recursion r = {.g = &g, .params = &params};
-		visit(&r, 0, 0);
+		bool alone = i % 4 == 3; /* the views' octree: each leaf of the scene by itself */
+		u32 first_leaf = g.scene.before[levels], end = alone ? g.scene.before[levels + 1] : 1;
+		if (alone) params.traverse_hierarchies = TS_HIERARCHIES_VIEWS;
+		params.octree_levels = levels;
+		for (u32 s = alone ? first_leaf : 0; s < end; s++) visit(&r, s, 0);
 		ts_run run;
 		grove_begin(&run, scene, &params, 1 + grove_below(4), &g);
+		ts_frame_borrow(&run.frame, TS_B_octree_level, g.scene.before, levels + 2);
 		grove_stage(&run, "traverse");
 		assert_same_pairs(&run, &r);
 		if (r.pairs > 100) assert_same_counters(&run, &r);

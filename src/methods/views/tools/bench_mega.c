@@ -4,7 +4,7 @@
 #include "../../../kernels/base/num.h"
 #include "benches.h"
 
-enum { M_MEGA, M_LODS, M_UNCULLED, M_DESCEND, M_WIDE, M_BRUTE };
+enum { M_MEGA, M_LODS, M_UNCULLED, M_DESCEND, M_WIDE, M_VIEWS, M_BRUTE };
 
 /* clang-format off */
 static const ts_bench_variant variants[] = {
@@ -13,6 +13,7 @@ static const ts_bench_variant variants[] = {
 	[M_UNCULLED] = { "megaviews", "traverse.cull=off", true, TS_TIMED },
 	[M_DESCEND] = { "megaviews", "vpl_gather.query=descend", true, TS_TIMED },
 	[M_WIDE] = { "megaviews", "view_map.field=all", true, TS_ONCE },
+	[M_VIEWS] = { "megaviews", "traverse.hierarchies=views", false, TS_LONG },
 	[M_BRUTE] = { "bruteforce", "", false, TS_ONCE },
 	{ 0 },
 };
@@ -22,7 +23,8 @@ enum { VIEWS, MS, LODS_MS, UNCULLED_MS, BRUTE_MS, SPEEDUP, CULLING, TREE_MS, GAT
 	RENDERED, SHARING, CULLED, CULLED_SHARE, UNCULLED_PAIRS, PAIRS_SAVED, WIDER, WIDER_SHARE, SEVERAL,
 	SEVERAL_SHARE, EMPTY, WIDE_EMPTY, SCENE_LEAVES, LEAVES, SCENE_MIB, TREE_MIB, QUEUE_MIB, MAPS_MIB, MIB,
 	LODS_SCENE_MIB, LODS_VIEWS_MIB, LODS_QUEUE_MIB, LODS_MAPS_MIB, LODS_MIB, LESS, FUSE_MS, ASK_MS, DESCEND_MS, SLOWER,
-	FUSED_MS, WORTH, TEXELS, DESCENT_TEXELS, OTHER };
+	FUSED_MS, WORTH, TEXELS, DESCENT_TEXELS, OTHER, VIEWS_MS, VIEWS_PAIRS, VIEWS_TIME, VIEWS_MORE, VIEWS_RENDERED,
+	VIEWS_RENDERED_MORE, VIEWS_BY_BRUTE };
 
 static const ts_bench_figure figures[] = {
 	[VIEWS] = { "views", "views", TS_FIGURE_COUNTER, M_MEGA, 0, TS_WHOLE, "virtual point lights" },
@@ -86,6 +88,15 @@ static const ts_bench_figure figures[] = {
 	[DESCENT_TEXELS] = { "descend_texels", "without fusion", TS_FIGURE_COUNTER, M_DESCEND, 0, TS_WHOLE,
 	  "texels a question" },
 	[OTHER] = { "descend_rmse", "RMSE", TS_FIGURE_RMSE, M_DESCEND, M_MEGA, 3, "" },
+	[VIEWS_MS] = { "views_only_ms", "views alone", TS_FIGURE_STAGE_TIME, M_VIEWS, 0, 2, "view_map,view_map.fuse" },
+	[VIEWS_PAIRS] = { "views_only_pairs", "pairs", TS_FIGURE_COUNTER, M_VIEWS, 0, TS_WHOLE, "pairs" },
+	[VIEWS_TIME] = { "views_only_time_ratio", "by MegaViews", TS_FIGURE_RATIO, VIEWS_MS, MS, 2, "" },
+	[VIEWS_MORE] = { "views_only_pairs_ratio", "by MegaViews", TS_FIGURE_RATIO, VIEWS_PAIRS, PAIRS, 2, "" },
+	[VIEWS_RENDERED] = { "views_only_rendered", "rendered", TS_FIGURE_COUNTER, M_VIEWS, 0, TS_WHOLE, "pairs rendered" },
+	[VIEWS_RENDERED_MORE] = { "views_only_rendered_ratio", "by MegaViews", TS_FIGURE_RATIO, VIEWS_RENDERED, RENDERED, 2,
+	  "" },
+	[VIEWS_BY_BRUTE] = { "views_only_brute_ratio", "by leaves by views", TS_FIGURE_RATIO, VIEWS_PAIRS, BRUTE_PAIRS, 2,
+	  "" },
 	{ 0 },
 };
 
@@ -103,6 +114,8 @@ static const ts_paper_part parts[] = {
 	  SCENE_LEAVES, LEAVES, SCENE_MIB, TREE_MIB, QUEUE_MIB, MAPS_MIB, MIB, TS_NO_FIGURE } },
 	{ "mega_10_manylods_mib", "Memory of ManyLoDs, MiB", { LODS_SCENE_MIB, LODS_VIEWS_MIB, LODS_QUEUE_MIB,
 	  LODS_MAPS_MIB, LODS_MIB, LESS, TS_NO_FIGURE } },
+	{ "mega_10_views", "A hierarchy of views alone, each leaf of the scene by itself", { VIEWS_MS, VIEWS_TIME,
+	  VIEWS_PAIRS, VIEWS_MORE, VIEWS_RENDERED, VIEWS_RENDERED_MORE, VIEWS_BY_BRUTE, TS_NO_FIGURE } },
 	{ "mega_10_queries", "Gathering from whole maps, and without fusion from those from the root down, ms", { FUSE_MS,
 	  ASK_MS, DESCEND_MS, SLOWER, WORTH, TEXELS, DESCENT_TEXELS, OTHER, TS_NO_FIGURE } },
 	{ 0 },
@@ -127,6 +140,8 @@ static const ts_paper_relation relations[] = {
 	  PAIRS_SAVED },
 	{ "pairs that culling saves, %", PAIRS_SAVED, TS_BETWEEN, 0, 20, ALL, "more or less is behind views",
 	  CULLED_SHARE },
+	{ "pairs of a hierarchy of views alone / MegaViews, from 100 views on", VIEWS_MORE, TS_AT_LEAST, 10, 0, VIEWS, 100,
+	  1e9, "few leaves of the scene, or deep chains of views", SCENE_LEAVES },
 	{ "time of asking without fusion: an order of magnitude more", SLOWER, TS_AT_LEAST, 10, 0, ALL,
 	  "texels of nodes above are in caches, and asking is not all of gathering", DESCENT_TEXELS },
 	{ "texels read without fusion: the depth of the hierarchy", DESCENT_TEXELS, TS_AT_LEAST, 8, 0, ALL,
@@ -162,17 +177,17 @@ double ts_empty_share(const ts_run *run)
 	return 100 * ((double)empty / (double)all);
 }
 
-static const ts_paper_plot plot = {"views", "maps, ms", VIEWS, {MS, LODS_MS, BRUTE_MS, TS_NO_FIGURE}, true};
+static const ts_paper_plot plot = {"views", "maps, ms", VIEWS, {MS, LODS_MS, VIEWS_MS, BRUTE_MS, TS_NO_FIGURE}, true};
 
 /* clang-format off */
 const ts_paper_table ts_mega_10 = {
 	.name = "mega-10", .title = "MegaViews, figure 10", .effect = "indirect", .scenes = "atrium",
 	.objects_head = "paths",
-	.objects_param = "vpl.paths", .objects = "256,1024,4096", .most = 1 << 24, .most_long = 1024,
+	.objects_param = "vpl.paths", .objects = "64,256,1024,4096", .most = 1 << 24, .most_long = 1024,
 	.set = "reflectors.count=0",
 	.defaults = "octree.levels=7,rsm.px=256", .size = "width=320,height=180", .timed = true,
-	.note = "A path leaves vpl.bounces views; the paper has 1 or 4, and 11 levels. Brute force, one run, up to 1024 "
-	"paths.",
+	.note = "A path leaves vpl.bounces views; the paper has 1 or 4, and 11 levels. Brute force and a hierarchy of "
+	"views alone, one run each, up to 1024 paths.",
 	.look = ts_empty_share, .variants = variants, .figures = figures, .parts = parts, .relations = relations,
 	.plot = &plot, .rows = rows,
 };

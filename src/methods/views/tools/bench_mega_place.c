@@ -52,9 +52,9 @@ static const ts_paper_part parts[] = {
 
 static const ts_paper_relation relations[] = {
 	{ "time of views at random / single-bounce, 65,536 views", SLOWER, TS_BETWEEN, 2, 8, VIEWS, 60000, 70000,
-	  "more or less is shared", LESS_SHARED },
+	  "the lamp lights more or less than the paper's", LESS_SHARED },
 	{ "pairs of views at random / single-bounce, 65,536 views", MORE, TS_BETWEEN, 2, 8, VIEWS, 60000, 70000,
-	  "more or less is shared", LESS_SHARED },
+	  "the lamp lights more or less than the paper's", LESS_SHARED },
 	{ "pairs of views at random / single-bounce, from 1,024 on", MORE, TS_AT_LEAST, 1, 0, VIEWS, 1024, 1e9,
 	  "single-bounce lights are as far apart", LESS_SHARED },
 	{ "pairs of views at random / single-bounce, row by row", MORE, TS_GROWS, 1, 0, ALL, "differs: it falls", MORE },

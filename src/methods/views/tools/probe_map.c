@@ -78,10 +78,13 @@ static ts_status split(search *s, u64 pair, u32 step, u32 fate)
 	return TS_OK;
 }
 
-/* The traversal from the roots, of nodes of views only those of the chain. */
-static ts_status traverse(search *s)
+/* The traversal from the roots, or from each leaf of the scene, of nodes of views only those of the chain. */
+static ts_status traverse(search *s, bool leaves, u64 n_nodes)
 {
-	ts_status status = push(s, ts_k_pair(0, s->chain.id[0]));
+	ts_status status = leaves ? TS_OK : push(s, ts_k_pair(0, s->chain.id[0]));
+	for (u64 i = 0; leaves && i < n_nodes && status == TS_OK; i++) {
+		if (s->how.nodes[i].children == 0) status = push(s, ts_k_pair((u32)i, s->chain.id[0]));
+	}
 	while (status == TS_OK && s->n > 0) {
 		u64 pair = s->stack[--s->n];
 		u32 fate = ts_k_pair_fate(&s->how, pair), step = s->how.views[ts_k_pair_views(pair)].level;
@@ -120,7 +123,8 @@ static ts_status find_offers(ts_probe *p, search *s)
 	bool all = !ts_probe_makes(p, TS_B_traverse_rendered);
 	s->map = ts_alloc_zero(ts_k_pyramid_texels(&s->chain.args.pyramid), sizeof *s->map, "a map");
 	if (s->map == NULL || ts_traverse_arguments(&p->load->run, &s->how) != TS_OK) return TS_ERROR;
-	ts_status status = n_nodes == 0 ? TS_OK : all ? try_all(s, n_nodes) : traverse(s);
+	bool leaves = TS_PARAM(&p->load->run.params, traverse_hierarchies) == TS_HIERARCHIES_VIEWS;
+	ts_status status = n_nodes == 0 ? TS_OK : all ? try_all(s, n_nodes) : traverse(s, leaves, n_nodes);
 	if (s->n_offers > 0) qsort(s->offers, s->n_offers, sizeof *s->offers, by_win);
 	return status;
 }
