@@ -47,6 +47,14 @@ def buffer(trace, name, layout):
 	return list(struct.iter_unpack(layout, data[10 + struct.unpack_from("<H", data, 8)[0]:]))
 PY
 
+# Lights at random are those of the truth, too: with all of them, unfiltered, only maps err.
+run render indirect "${small[@]}" --method megaviews --set octree.levels=6 --set vpl.paths=300 --set vpl.place=random --set vpl_gather.lights=0 \
+	--set bilateral.px=0 --truth=vpls --no-images --json
+python3 -c 'import json, sys
+metrics = [m for m in json.load(open(sys.argv[1]))["metrics"] if m["reference"] == "truth-vpls"]
+assert [m["psnr"] > 20 for m in metrics] == [True], metrics' "$scratch/stdout"
+verdict $? 'truth vpls gathers from lights at random'
+
 run render indirect "${small[@]}" --method hulls,direct --truth=lights --trace -o light
 [ "$status" -eq 0 ] && ! grep -qi 'mirror\|reflective\|refl\.\|cube' stdout && [ "$(awk 'length > 120' stdout | wc -l)" -eq 0 ]
 verdict $? 'tables of indirect light say nothing of mirrors'

@@ -3,6 +3,7 @@
 #include "../../../kernels/views/vpl_gather.h"
 #include "../../raster/tools/truth_gather.h"
 #include "../../stages.h"
+#include "../views.h"
 #include "tools.h"
 
 typedef struct {
@@ -52,8 +53,9 @@ ts_status ts_truth_particles_begin(ts_run *run, const char *effect)
 
 ts_status ts_truth_vpls(ts_truth *truth, ts_run *run)
 {
-	static const char *const makers[] = {"octree.root", "voxel", "octree", "vpl", NULL};
-	return trace(truth, run, makers, "truth vpls");
+	static const char *const at_light[] = {"octree.root", "voxel", "octree", "vpl", NULL};
+	static const char *const at_random[] = {"octree.root", "voxel", "octree", "vpl.area", "vpl", NULL};
+	return trace(truth, run, ts_vpl_at_random(&run->params) ? at_random : at_light, "truth vpls");
 }
 
 ts_status ts_truth_glow(ts_truth *truth, ts_run *run)
