@@ -186,8 +186,8 @@ const ts_paper_table ts_mega_10 = {
 	.objects_param = "vpl.paths", .objects = "64,256,1024,4096", .most = 1 << 24, .most_long = 1024,
 	.set = "reflectors.count=0",
 	.defaults = "octree.levels=7,rsm.px=256", .size = "width=320,height=180", .timed = true,
-	.note = "A path leaves vpl.bounces views; the paper has 1 or 4, and 11 levels. Brute force and a hierarchy of "
-	"views alone, one run each, up to 1024 paths.",
+	.note = "A path leaves vpl.bounces views; the paper has 1 or 4, and 11 levels. Brute force and views alone up to "
+	"1024.",
 	.look = ts_empty_share, .variants = variants, .figures = figures, .parts = parts, .relations = relations,
 	.plot = &plot, .rows = rows,
 };

@@ -80,8 +80,7 @@ const ts_paper_table ts_mega_11 = {
 	.objects_head = "paths", .objects_param = "vpl.paths", .objects = "256,1024,4096", .most = 1 << 24,
 	.set = "reflectors.count=0", .defaults = "octree.levels=7,rsm.px=256", .size = "width=320,height=180",
 	.timed = true,
-	.note = "Paths of four bounces leave up to four views: as many as other paths four times as many leave. The paper "
-	"has 65,536 views, and 11 levels.",
+	.note = "Paths of four bounces leave up to four views each. The paper has 65,536 views, and 11 levels.",
 	.variants = variants, .figures = figures, .parts = parts, .relations = relations, .plot = &plot, .rows = rows,
 };
 /* clang-format on */
