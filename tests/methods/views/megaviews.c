@@ -65,13 +65,19 @@ static void test_threads(void **state)
 static void test_claims(void **state)
 {
 	(void)state;
-	for (u32 m = 0; m < N_METHODS; m++) {
+	for (u32 k = 0; k < 2 * N_METHODS; k++) {
 		ts_run run;
 		ts_params params = tiny_params();
+		if (k >= N_METHODS) {
+			params.vpl_paths = 60;
+			params.vpl_place = TS_VPL_AT_RANDOM;
+			params.vpl_gather_query = TS_QUERY_DESCEND;
+			params.traverse_hierarchies = TS_HIERARCHIES_VIEWS;
+		}
 		ts_scene *scene = small_scene(&params);
 		ts_run_begin(&run, scene, &params, 2);
 		run.traced = run.margins = true;
-		assert_int_equal(ts_pipeline_run(ts_pipeline_find("indirect", methods[m]), &run), TS_OK);
+		assert_int_equal(ts_pipeline_run(ts_pipeline_find("indirect", methods[k % N_METHODS]), &run), TS_OK);
 		for (u32 i = 0; i < run.n_timings; i++) small_assert_claims(&run, ts_stage_find(run.timings[i].stage));
 		ts_run_end(&run);
 		ts_scene_free(scene);

@@ -134,17 +134,17 @@ static void test_surfaces(void **state)
 static void test_claims(void **state)
 {
 	(void)state;
-	ts_run run;
-	ts_params params = octrees_params(5, 200);
-	params.vpl_bounces = 2;
-	ts_scene *scene = small_scene(&params);
-	octrees_run(&run, scene, &params);
-	for (const ts_step *step = octrees_steps; step->stage != NULL; step++) {
-		const ts_stage *stage = ts_stage_find(step->stage);
-		small_assert_claims(&run, stage);
+	for (u32 place = TS_VPL_AT_LIGHT; place <= TS_VPL_AT_RANDOM; place++) {
+		ts_run run;
+		ts_params params = octrees_params(5, 200);
+		params.vpl_bounces = 2;
+		params.vpl_place = place;
+		ts_scene *scene = small_scene(&params);
+		octrees_run(&run, scene, &params);
+		for (u32 i = 0; i < run.n_timings; i++) small_assert_claims(&run, ts_stage_find(run.timings[i].stage));
+		ts_run_end(&run);
+		ts_scene_free(scene);
 	}
-	ts_run_end(&run);
-	ts_scene_free(scene);
 }
 
 int main(void)
