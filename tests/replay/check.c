@@ -128,7 +128,11 @@ static void test_shapes(void **state)
 			if (traces[m]->item[counted[i]].path == NULL) continue;
 			FOR_STAGES(m, s)
 			{
-				if (ts_stage_reads(s, counted[i])) stage = s; /* the last: it reads most */
+				ts_buffer_id reads[TS_N_BUFFERS + 1];
+				ts_replay_reads(reads, s, traces[m]->pipeline, &traces[m]->params);
+				for (u32 k = 0; reads[k] != TS_N_BUFFERS; k++) {
+					if (reads[k] == counted[i]) stage = s; /* the last: it reads most */
+				}
 			}
 		}
 		assert_non_null(stage);
