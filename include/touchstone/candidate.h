@@ -180,9 +180,10 @@ static const ts_candidate_buffer ts_candidate_buffers[] = {
      "('parent', '<u4'), ('level', '<u4')]"},
 	{"octree.offset", 4, 1, "'<u4'"},
 	{"octree.triangle", 4, 1, "'<u4'"},
-	{"octree.surface", 32, 1,
-     "[('albedo', '<f4', (3,)), ('pad0', '<u4'), ('normal', '<f4', (3,)), "
-     "('pad1', '<u4')]"},
+	{"octree.surface", 48, 1,
+     "[('base', '<f4', (3,)), ('metallic', '<f4'), ('normal', '<f4', (3,)), ('roughness', '<f4'), "
+     "('emissive', '<f4', (3,)), ('occlusion', '<f4')]"},
+	{"octree.reflector", 4, 1, "'<u4'"},
 	{"vpl.offset", 4, 1, "'<u4'"},
 	{"vpl.path", 4, 1, "'<u4'"},
 	{"vpl.light", 48, 1,
@@ -207,6 +208,7 @@ static const ts_candidate_buffer ts_candidate_buffers[] = {
 	{"view_map.margin", 4, 2, "'<u4'"},
 	{"view_map.fused_depth", 4, 2, "'<u4'"},
 	{"view_map.fused_node", 4, 2, "'<u4'"},
+	{"view_map.colour", 4, 3, "'<f4'"},
 	{"vpl_gather.pair_offset", 4, 1, "'<u4'"},
 	{"vpl_gather.pair_node", 4, 1, "'<u4'"},
 	{"vpl_gather.pair_views", 4, 1, "'<u4'"},

@@ -1,5 +1,6 @@
 /* What the families bring, in their order. */
 #include "families.h"
+#include <pthread.h>
 #include "../methods/registry.h"
 #include "../vectors/vectors.h"
 
@@ -61,9 +62,26 @@ static ts_size_answer *const sizes[TS_N_DIMS] = {
 #include <touchstone/records.def>
 };
 
+/* The same, those of an effect beside each other. */
+static const ts_pipeline *by_effect[sizeof pipelines / sizeof *pipelines];
+
+static void group(void)
+{
+	u32 n = 0;
+	for (u32 i = 0; pipelines[i] != NULL; i++) {
+		bool seen = false;
+		for (u32 k = 0; k < n; k++) seen = seen || by_effect[k]->effect == pipelines[i]->effect;
+		for (u32 k = i; !seen && pipelines[k] != NULL; k++) {
+			if (pipelines[k]->effect == pipelines[i]->effect) by_effect[n++] = pipelines[k];
+		}
+	}
+}
+
 void ts_families_begin(void)
 {
-	static const ts_registry methods = {stages, pipelines, sizes};
+	static pthread_once_t once = PTHREAD_ONCE_INIT;
+	static const ts_registry methods = {stages, by_effect, sizes};
+	pthread_once(&once, group);
 	ts_registry_use(&methods);
 	ts_vectors_use(vectors);
 }

@@ -45,8 +45,10 @@ void ts_pipeline_plan(const ts_pipeline *pipeline, ts_run *run, const ts_counts 
 
 ts_expected ts_pipeline_expect(const ts_pipeline *pipeline, const ts_scene *scene, const ts_params *typed)
 {
-	const ts_run run = {.scene = scene, .params = ts_pipeline_params(pipeline, typed)};
+	ts_run run = {.scene = scene, .params = ts_pipeline_params(pipeline, typed)};
 	ts_expected expected = {.batches = 1};
+	ts_counts counts = ts_scene_counts(scene);
+	ts_plan_make(&run.plan, pipeline, typed, &counts, NULL);
 	ts_sizes_clear(&expected.sizes);
 	ts_sizes_scene(&expected.sizes, scene);
 	TS_PARAM_READER(pipeline->effect->name, pipeline->name, pipeline->expect(&expected, scene, &run.params));

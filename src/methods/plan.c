@@ -35,7 +35,11 @@ void ts_plan_lights(ts_plan *plan, const ts_params *params)
 	plan->lights.own = TS_PARAM(params, lamp_source) == TS_LAMP_SCENE;
 }
 
-void ts_plan_views(ts_plan *plan, const ts_params *params) { plan->views.field = TS_PARAM(params, view_map_field); }
+void ts_plan_views(ts_plan *plan, const ts_params *params)
+{
+	plan->views.field = TS_PARAM(params, view_map_field);
+	plan->views.px = TS_PARAM(params, view_map_px);
+}
 
 void ts_plan_default(ts_plan *plan, const ts_params *params, const ts_counts *counts)
 {

@@ -100,7 +100,8 @@ static ts_status set_u32(ts_params *params, size_t row, const char *text)
 		return ts_fail("parameter %s: \"%.80s\" is not a whole number from %s to %s%s%s", info->name, text, info->min,
 		               info->max, *info->unit ? " " : "", info->unit);
 	}
-	bool halved = offsets[row] == offsetof(ts_params, TS_PARAM_MEMBER(view_map_px));
+	bool halved = offsets[row] == offsetof(ts_params, TS_PARAM_MEMBER(view_map_px)) ||
+	              offsets[row] == offsetof(ts_params, TS_PARAM_MEMBER(cube_view_px));
 	if (halved && (value & (value - 1)) != 0) return refuse_between(row, value);
 	store(params, row, &value);
 	return TS_OK;

@@ -10,7 +10,8 @@
 static void find_sizes(ts_probe *p)
 {
 	u64 *n = p->sizes.n;
-	const ts_run run = {.params = p->trace->params};
+	ts_run run = {.params = p->trace->params, .pipeline = p->trace->pipeline};
+	const ts_counts unknown = {TS_NONE, TS_NONE, TS_NONE, TS_NONE, TS_NONE};
 	ts_sizes_clear(&p->sizes);
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
 		const ts_trace_item *item = &p->trace->item[id];
@@ -20,6 +21,7 @@ static void find_sizes(ts_probe *p)
 	}
 	if (n[TS_DIM_cubes] != TS_UNKNOWN && n[TS_DIM_views] == TS_UNKNOWN) ts_sizes_cubes(&p->sizes, n[TS_DIM_cubes]);
 	if (p->trace->pipeline->effect->mirrors) n[TS_DIM_reflectors] = n[TS_DIM_cubes];
+	ts_plan_make(&run.plan, run.pipeline, &run.params, &unknown, NULL);
 	ts_sizes_give(&p->sizes, &run);
 }
 

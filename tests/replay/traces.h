@@ -27,6 +27,7 @@ static const struct {
 	{"indirect", "hulls", TS_LAMP_SCENE, 0},
 	{"indirect", "direct", 0, 0},
 	{"indirect", "megaviews", 0, 0},
+	{"reflections", "megaviews", 0, 0},
 	{"surfels", "deferred", 0, 0},
 	{"surfels", "phong", 0, 0},
 };
@@ -40,6 +41,7 @@ enum {
 	TRACES_HULLS,
 	TRACES_DIRECT,
 	TRACES_MEGAVIEWS,
+	TRACES_CUBES,
 	TRACES_SURFELS,
 	TRACES_PHONG,
 	N_TRACES
@@ -97,7 +99,7 @@ static inline ts_params traces_params(u32 m)
 	params.depth_grid_px = 64;
 	params.octree_levels = 3;
 	params.vpl_gather_level = 2;
-	params.view_map_px = 4;
+	params.view_map_px = params.cube_view_px = 4;
 	params.vpl_paths = 20;
 	if (m >= TRACES_SURFELS) params.surfels_from_mesh = 300;
 	params.lamp_source = traces_runs[m].lamp;

@@ -2,9 +2,12 @@
 #ifndef TS_KERNELS_VIEWS_KERNELS_H
 #define TS_KERNELS_VIEWS_KERNELS_H
 #include "bilateral.h"
+#include "cube_view.h"
 #include "octree.h"
+#include "octree_reflector.h"
 #include "octree_surface.h"
 #include "particle.h"
+#include "view_map_colour.h"
 #include "view_map_fuse.h"
 #include "view_octree.h"
 #include "view_octree_alone.h"

@@ -24,11 +24,8 @@ TS_FN void ts_k_octree_level_item(const ts_octree_args *args, u64 i)
 /* The box of a voxel: its centre and half its diagonal. */
 TS_FN void ts_k_octree_ball(TS_GLOBAL ts_node *node, TS_GLOBAL const ts_root *root, u32 level, u64 code)
 {
-	ts_i3 voxel = ts_k_unmorton(code);
-	f32 side = root->side / (f32)(1 << level);
-	ts_v3 middle = ts_v3_make((f32)voxel.x + 0.5f, (f32)voxel.y + 0.5f, (f32)voxel.z + 0.5f);
-	ts_store3(node->centre, ts_mad(ts_load3(root->lower), middle, side));
-	node->radius = ts_put(side * 0.866025388240814208984375f);
+	ts_store3(node->centre, ts_k_voxel_middle(root, level, ts_k_unmorton(code)));
+	node->radius = ts_put(ts_k_voxel_side(root, level) * 0.866025388240814208984375f);
 }
 
 TS_FN void ts_k_octree_links(const ts_octree_args *args, TS_GLOBAL ts_node *node, u32 level, u64 code)

@@ -63,6 +63,14 @@ TS_FN void ts_k_octree_root_item(const ts_octree_root_args *args, u64 i)
 	args->root->side = ts_put(side);
 }
 
+TS_FN f32 ts_k_voxel_side(TS_GLOBAL const ts_root *root, u32 level) { return root->side / (f32)(1 << level); }
+
+TS_FN ts_v3 ts_k_voxel_middle(TS_GLOBAL const ts_root *root, u32 level, ts_i3 voxel)
+{
+	ts_v3 middle = ts_v3_make((f32)voxel.x + 0.5f, (f32)voxel.y + 0.5f, (f32)voxel.z + 0.5f);
+	return ts_mad(ts_load3(root->lower), middle, ts_k_voxel_side(root, level));
+}
+
 #define TS_VOXEL 256
 #define TS_VOXEL_BITS 8
 

@@ -33,11 +33,31 @@ TS_FN u32 ts_k_pyramid_above(const ts_pyramid *pyramid, u32 texel, u32 level)
 	return ts_k_pyramid_first(pyramid, level) + ((texel / (n * n)) * side + row) * side + column;
 }
 
+#define TS_ROWS_ts_own_args(ARG) \
+	ARG(IN_OPT, u32, reflectors, octree_reflector) /* NULL: views are not from the middles of cubes */ \
+	ARG(IN_OPT, u32, leaves, view_octree_leaf)
+TS_ARGS(ts_own_args);
+
+TS_FN u32 ts_k_ancestor(TS_GLOBAL const ts_node *nodes, u32 node, u32 level)
+{
+	while (nodes[node].level > level) node = nodes[node].parent;
+	return node;
+}
+
+/* The node is a piece of a reflector whose own view is among those of the pair. */
+TS_FN bool ts_k_pair_is_own(const ts_own_args *own, TS_GLOBAL const ts_node *views, u64 pair)
+{
+	u32 reflector = own->reflectors != NULL ? own->reflectors[ts_k_pair_node(pair)] : TS_NONE;
+	u32 v = ts_k_pair_views(pair);
+	return reflector != TS_NONE && ts_k_ancestor(views, own->leaves[reflector], views[v].level) == v;
+}
+
 #define TS_ROWS_ts_view_map_args(ARG) \
 	ARG(IN, ts_node, nodes, octree_node) \
 	ARG(IN, ts_node, views, view_octree_node) \
 	ARG(IN, u64, pairs, traverse_rendered) /* or what is left of a queue */ \
 	ARG(MIN, u64, texels, view_map_depth_node) \
+	ARG(INNER, ts_own_args, own, none) \
 	ARG(VALUE, ts_pyramid, pyramid, none)
 TS_ARGS(ts_view_map_args);
 
@@ -91,7 +111,8 @@ TS_FN void ts_k_map_pair(const ts_view_map_args *args, u64 pair)
 /* scatter over pairs */
 TS_FN void ts_k_view_map_item(const ts_view_map_args *args, u64 i)
 {
-	if (args->pairs[i] < TS_STRUCK) ts_k_map_pair(args, args->pairs[i]);
+	u64 pair = args->pairs[i];
+	if (pair < TS_STRUCK && !ts_k_pair_is_own(&args->own, args->views, pair)) ts_k_map_pair(args, pair);
 }
 
 /* The nearest key in a texel of the map at `texels` and in the levels above it; TS_EMPTY: none. */

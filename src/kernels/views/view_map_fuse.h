@@ -52,12 +52,6 @@ TS_FN void ts_k_view_map_fuse_item(const ts_view_map_fuse_args *args, u64 i)
 	args->nodes[(u64)node * n_texels + texel] = (u32)key;
 }
 
-TS_FN u32 ts_k_ancestor(TS_GLOBAL const ts_node *nodes, u32 node, u32 level)
-{
-	while (nodes[node].level > level) node = nodes[node].parent;
-	return node;
-}
-
 #define TS_QUERY_NODES 12u /* from the root to leaves 11 levels below it */
 
 /* The same as view_map.fused_depth and view_map.fused_node of a node, by a walk from the root. */

@@ -17,6 +17,7 @@
 	ARG(WORK_IN, u64, pairs, queue)        /* not yet decided; NULL: each of n_nodes from `first` on with each view */ \
 	ARG(IN, u64, texels, view_map_depth_node) \
 	ARG(MIN, u32, margin, view_map_margin) /* f32 bits */ \
+	ARG(INNER, ts_own_args, own, none) \
 	ARG(VALUE, ts_pyramid, pyramid, none) \
 	ARG(VALUE, u32, first, none) \
 	ARG(VALUE, u32, n_nodes, none)
@@ -236,6 +237,7 @@ TS_FN void ts_k_view_map_margin_item(const ts_view_map_margin_args *args, u64 i)
 	bool leaves = leaf && args->of.views[ts_k_pair_views(pair)].children == 0u;
 	bool turns = margin <= TS_MARGIN_REACH;
 	if (turns && !leaves) ts_k_fate_margin_spread(args, pair, margin);
+	if (ts_k_pair_is_own(&args->own, args->of.views, pair)) return;
 	if (fate == TS_PAIR_RENDER || (turns && leaves)) ts_k_placed_margin(args, pair, margin, fate == TS_PAIR_RENDER);
 }
 

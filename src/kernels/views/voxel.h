@@ -15,7 +15,9 @@
 #include "../base/args.h"
 #include "mask.h"
 #include "octree_root.h"
-#include "../base/scene.h"
+#include "../base/closest.h"
+#include "../base/hit.h"
+#include "../base/surface.h"
 
 /* low <= a i + b j + c k <= high */
 typedef struct {
@@ -204,8 +206,23 @@ TS_FN bool ts_k_touch_voxel(const ts_touch *t, i64 i, i64 j, i64 k)
 	ARG(VALUE, u32, first_leaf, none) /* a node */
 TS_ARGS(ts_voxel_args);
 
-TS_FN void ts_k_voxel_meet(const ts_voxel_args *args, u32 triangle, ts_i3 voxel)
+/* Of the triangle's point that is nearest to a place. */
+TS_FN ts_v3 ts_k_nearest_weights(const ts_corners *t, ts_v3 p)
 {
+	return ts_k_hit_barycentrics(ts_k_closest_on_triangle(p, t->a, t->b, t->c), t);
+}
+
+/* A masked triangle is not in the voxels whose middle it shows a hole, a voxel wide. */
+TS_FN bool ts_k_voxel_is_cut(const ts_voxel_args *args, u32 triangle, const ts_corners *t, ts_i3 voxel)
+{
+	if (!ts_k_is_masked(&args->scene, triangle)) return false;
+	ts_v3 w = ts_k_nearest_weights(t, ts_k_voxel_middle(args->root, args->levels, voxel));
+	return ts_k_is_below_cutoff(&args->scene, triangle, w, t->n, ts_k_voxel_side(args->root, args->levels));
+}
+
+TS_FN void ts_k_voxel_meet(const ts_voxel_args *args, u32 triangle, const ts_corners *t, ts_i3 voxel)
+{
+	if (ts_k_voxel_is_cut(args, triangle, t, voxel)) return;
 	u64 code = ts_k_morton(voxel);
 	if (args->mask != NULL) {
 		ts_or_u64(&args->mask[ts_k_mask_word(args->levels, code)], ts_k_mask_bit(code));
@@ -231,7 +248,7 @@ TS_FN void ts_k_voxel_item(const ts_voxel_args *args, u64 i)
 			ts_range column = ts_k_touch_column(&touch, x, y);
 			for (i64 z = column.first; z <= column.last; z++) {
 				if (!ts_k_touch_voxel(&touch, x, y, z)) continue;
-				ts_k_voxel_meet(args, (u32)i, ts_k_turned_back(ts_i3_make((i32)x, (i32)y, (i32)z), touch.turn));
+				ts_k_voxel_meet(args, (u32)i, &t, ts_k_turned_back(ts_i3_make((i32)x, (i32)y, (i32)z), touch.turn));
 			}
 		}
 	}

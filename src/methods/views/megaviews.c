@@ -58,7 +58,7 @@ static const ts_step bruteforce_steps[] = {
 	{.run = ts_gbuffer_run}, {.run = ts_gather_run}, {0},
 };
 
-static void megaviews_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
+void ts_views_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
 {
 	ts_indirect_plan(plan, params, counts, request);
 	ts_plan_views(plan, params);
@@ -87,12 +87,14 @@ static void expect(ts_expected *expected, const ts_scene *scene, const ts_params
 	u64 texels = expected->sizes.n[TS_DIM_texels], lit = own ? texels : (u64)(IN_CONE * (double)texels);
 	u64 n_paths = TS_PARAM(params, vpl_paths) != 0 ? TS_PARAM(params, vpl_paths) : lit,
 		n_first = n_paths < lit ? n_paths : lit;
-	ts_expected_lights lights = {.n = n_paths * TS_PARAM(params, vpl_bounces), .alone = alone};
+	ts_expected_lights lights = {
+		.n = n_paths * TS_PARAM(params, vpl_bounces), .alone = alone, .px = TS_PARAM(params, view_map_px)};
 	bool anywhere = ts_vpl_at_random(params);
 	lights.n_places = anywhere ? lights.n : n_first + lights.n - n_paths;
 	lights.area = own || anywhere || TS_PARAM(params, vpl_bounces) > 1 ? INFINITY : lamp_area(scene, params);
 	expected->sizes.n[TS_DIM_paths] = n_paths;
 	ts_expect_views(expected, scene, params, &lights);
+	ts_expect_gather(expected, scene, params, &lights);
 }
 
 static void megaviews_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
@@ -111,7 +113,7 @@ const ts_pipeline ts_pipeline_megaviews_indirect = {
 	.paper = "MegaViews 3 and 5.1",
 	.doc = "many small views at once: virtual point lights with maps that octrees of scene and views share",
 	.steps = megaviews_steps,
-	.plan = megaviews_plan,
+	.plan = ts_views_plan,
 	.expect = megaviews_expect,
 	.lower = "octree.levels, vpl_gather.level, view_map.px or vpl.paths",
 };
@@ -122,7 +124,7 @@ const ts_pipeline ts_pipeline_manylods_indirect = {
 	.paper = "MegaViews 4.1",
 	.doc = "the same lights, the map of each by a traversal of its own",
 	.steps = manylods_steps,
-	.plan = megaviews_plan,
+	.plan = ts_views_plan,
 	.expect = manylods_expect,
 	.lower = "octree.levels, vpl_gather.level, view_map.px or vpl.paths",
 };
@@ -133,7 +135,7 @@ const ts_pipeline ts_pipeline_bruteforce_indirect = {
 	.paper = "MegaViews 4.1",
 	.doc = "the same lights, every leaf of the scene in the map of each",
 	.steps = bruteforce_steps,
-	.plan = megaviews_plan,
+	.plan = ts_views_plan,
 	.expect = manylods_expect,
 	.lower = "octree.levels, vpl_gather.level, view_map.px or vpl.paths",
 	.only_named = true,

@@ -45,8 +45,8 @@ ts_status ts_octree_sort(ts_run *run, const ts_octree *octree)
 }
 
 /* Triangles in the voxels of leaves: counted, then listed. */
-static const ts_launch counted = TS_LAUNCH(voxel, TS_BUT_LOOKS);
-static const ts_launch listed = TS_LAUNCH(voxel, TS_WITH(triangles), TS_BUT_LOOKS);
+static const ts_launch counted = TS_LAUNCH(voxel, TS_BUT_LIT);
+static const ts_launch listed = TS_LAUNCH(voxel, TS_WITH(triangles), TS_BUT_LIT);
 static const ts_launch of_leaves = TS_LAUNCH(leaf_surface, TS_ALL);
 static const ts_launch of_nodes = TS_LAUNCH(inner_surface, TS_ALL);
 

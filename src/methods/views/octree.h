@@ -28,7 +28,7 @@ extern const ts_octree ts_scene_octree, ts_view_octree;
 	}
 
 /* What the voxels of triangles do not take of the scene. */
-#define TS_BUT_LOOKS TS_BUT_SURFACES, TS_BUT(scene.materials), TS_BUT(scene.objects)
+#define TS_BUT_LIT TS_BUT(scene.lights), TS_BUT(scene.objects)
 /* Arguments of the kernel that visits them, but pointers (voxel.c). */
 ts_voxel_args ts_voxel_values(const ts_run *run);
 

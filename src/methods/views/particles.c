@@ -57,8 +57,9 @@ static void expect(ts_expected *expected, const ts_scene *scene, const ts_params
 {
 	expected->sizes.n[TS_DIM_views] = 0;
 	const ts_expected_lights lights = {TS_PARAM(params, particle_count), TS_PARAM(params, particle_count), INFINITY,
-	                                   alone};
+	                                   alone, TS_PARAM(params, view_map_px)};
 	ts_expect_views(expected, scene, params, &lights);
+	ts_expect_gather(expected, scene, params, &lights);
 }
 
 static void megaviews_particles_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)

@@ -7,15 +7,16 @@
 		.stage = "view_map.fuse", .only_if = ts_gather_asks_fused \
 	}
 
-const ts_step ts_shared_maps_run[] = {
+const ts_step ts_shared_views_run[] = {
 	{.stage = "view_octree.voxel"},
 	{.stage = "view_octree"}, /* of the views */
 	{.stage = "view_octree.cone"},
 	{.stage = "traverse", .only_traced = true},
 	{.stage = "view_map"}, /* the traversal, and what it renders */
-	FUSED,
 	{0},
 };
+
+const ts_step ts_shared_maps_run[] = {{.run = ts_shared_views_run}, FUSED, {0}};
 
 const ts_step ts_own_maps_run[] = {
 	{.stage = "view_octree.alone"}, {.stage = "traverse", .only_traced = true}, {.stage = "view_map"}, FUSED, {0},

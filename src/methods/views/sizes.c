@@ -27,11 +27,11 @@ u64 ts_size_leaves(const ts_size_question *q) { return leaves_of(q, TS_B_octree_
 
 u64 ts_size_view_leaves(const ts_size_question *q) { return leaves_of(q, TS_B_view_octree_level); }
 
-u64 ts_size_view_side(const ts_size_question *q) { return ts_view_pyramid(&q->run->params).n; }
+u64 ts_size_view_side(const ts_size_question *q) { return q->run->plan.views.px; }
 
 u64 ts_size_map_texels(const ts_size_question *q)
 {
-	ts_pyramid pyramid = ts_view_pyramid(&q->run->params);
+	ts_pyramid pyramid = ts_view_pyramid(&q->run->params, &q->run->plan);
 	return ts_k_pyramid_texels(&pyramid);
 }
 

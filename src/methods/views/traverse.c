@@ -46,10 +46,10 @@ ts_aperture ts_view_aperture(u32 field)
 ts_status ts_traverse_arguments(ts_run *run, ts_traverse_args *args)
 {
 	bool culls = TS_PARAM(&run->params, traverse_cull) != 0;
-	if (ts_view_px_check(&run->params) != TS_OK) return TS_ERROR;
+	if (ts_view_px_check(run) != TS_OK) return TS_ERROR;
 	*args = (ts_traverse_args){
 		.phi = ts_view_aperture(culls ? run->plan.views.field : TS_VIEW_FIELD_ALL),
-		.n = TS_PARAM(&run->params, view_map_px),
+		.n = run->plan.views.px,
 		.apart = TS_PARAM(&run->params, view_map_apart),
 		.last = TS_NONE,
 		.n_nodes = 1,

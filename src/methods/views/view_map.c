@@ -5,21 +5,22 @@
 #include "traverse.h"
 #include <inttypes.h>
 
-ts_status ts_view_px_check(const ts_params *params)
+ts_status ts_view_px_check(const ts_run *run)
 {
-	u32 n = TS_PARAM(params, view_map_px);
-	return (n & (n - 1)) == 0 ? TS_OK : ts_fail("view_map.px=%" PRIu32 ": a power of two would be right", n);
+	u32 n = run->plan.views.px;
+	return (n & (n - 1)) == 0 ? TS_OK : ts_fail("maps of %" PRIu32 " texels: a power of two would be right", n);
 }
 
 /* In maps of 16 x 16 hardly a leaf is wider than a texel (MegaViews section 4). */
 enum { WITHOUT_FILLING = 16 };
 
-ts_pyramid ts_view_pyramid(const ts_params *params)
+ts_pyramid ts_view_pyramid(const ts_params *params, const ts_plan *plan)
 {
 	u32 how = TS_PARAM(params, view_map_multipixel);
-	ts_pyramid r = {.n = TS_PARAM(params, view_map_px), .levels = 1};
+	f32 fill = plan->views.cubes ? TS_PARAM(params, cube_view_fill) : TS_PARAM(params, view_map_fill);
+	ts_pyramid r = {.n = plan->views.px, .levels = 1};
 	if (how == TS_MULTIPIXEL_AUTO) how = r.n > WITHOUT_FILLING ? TS_MULTIPIXEL_MIPS : TS_MULTIPIXEL_OFF;
-	if (how != TS_MULTIPIXEL_OFF) r.fill = TS_PARAM(params, view_map_fill);
+	if (how != TS_MULTIPIXEL_OFF) r.fill = fill;
 	while (how == TS_MULTIPIXEL_MIPS && r.n >> r.levels > 0) r.levels++;
 	return r;
 }
@@ -28,8 +29,17 @@ ts_pyramid ts_view_pyramid(const ts_params *params)
  * view. */
 static const ts_launch of_kept = TS_LAUNCH(view_map, TS_ALL);
 static const ts_launch of_piece = TS_LAUNCH(view_map, TS_WORK(pairs, queue));
+static const ts_launch of_kept_but_own = TS_LAUNCH(view_map, TS_WITH(own));
+static const ts_launch of_piece_but_own = TS_LAUNCH(view_map, TS_WORK(pairs, queue), TS_WITH(own));
 static const ts_launch of_all = TS_LAUNCH(view_map_all, TS_BUT(to.pairs));
 static const ts_launch fused = TS_LAUNCH(view_map_fuse, TS_ALL);
+
+/* Views from the middles of cubes leave their own reflectors out. */
+static const ts_launch *launch_of(const ts_run *run, bool kept)
+{
+	if (!run->plan.views.cubes) return kept ? &of_kept : &of_piece;
+	return kept ? &of_kept_but_own : &of_piece_but_own;
+}
 
 static ts_status map_piece(ts_run *run, ts_traverse_piece *piece, void *user)
 {
@@ -37,7 +47,7 @@ static ts_status map_piece(ts_run *run, ts_traverse_piece *piece, void *user)
 	u64 n_rendered;
 	if (ts_traverse_tally(run, piece, &n_rendered) != TS_OK) return TS_ERROR;
 	args->pairs = piece->args.queue;
-	return n_rendered > 0 ? ts_launch_items(run, &of_piece, args, piece->n) : TS_OK;
+	return n_rendered > 0 ? ts_launch_items(run, launch_of(run, false), args, piece->n) : TS_OK;
 }
 
 static void count_bytes(ts_run *run, ts_buffer_id id)
@@ -49,8 +59,8 @@ static void count_bytes(ts_run *run, ts_buffer_id id)
 static ts_status view_map(ts_run *run)
 {
 	bool kept = ts_run_made(run, TS_B_traverse_rendered);
-	const ts_launch *launch = kept ? &of_kept : &of_piece;
-	ts_view_map_args args = {.pyramid = ts_view_pyramid(&run->params)};
+	const ts_launch *launch = launch_of(run, kept);
+	ts_view_map_args args = {.pyramid = ts_view_pyramid(&run->params, &run->plan)};
 	ts_traverse_args how;
 	if (ts_traverse_arguments(run, &how) != TS_OK || TS_FILL(run, launch, &args) != TS_OK) return TS_ERROR;
 	ts_traverse_from(run, &how);
@@ -62,7 +72,7 @@ static ts_status view_map(ts_run *run)
 static ts_status view_map_all(ts_run *run)
 {
 	ts_view_map_all_args args = {
-		.to.pyramid = ts_view_pyramid(&run->params),
+		.to.pyramid = ts_view_pyramid(&run->params, &run->plan),
 		.first = ts_octree_first(run, &ts_scene_octree, TS_PARAM(&run->params, octree_levels)),
 		.n_leaves = (u32)ts_run_size(run, TS_DIM_leaves),
 	};
@@ -74,19 +84,19 @@ static ts_status view_map_all(ts_run *run)
 	return TS_OK;
 }
 
-ts_view_map_fuse_args ts_view_map_fuse_values(const ts_params *params)
+ts_view_map_fuse_args ts_view_map_fuse_values(const ts_run *run)
 {
-	return (ts_view_map_fuse_args){.pyramid = ts_view_pyramid(params),
-	                               .nearest = TS_PARAM(params, view_map_fusion) == TS_FUSION_MIN};
+	return (ts_view_map_fuse_args){.pyramid = ts_view_pyramid(&run->params, &run->plan),
+	                               .nearest = TS_PARAM(&run->params, view_map_fusion) == TS_FUSION_MIN};
 }
 
 static ts_status view_map_fuse(ts_run *run)
 {
-	u64 n_texels = (u64)2 * TS_PARAM(&run->params, view_map_px) * TS_PARAM(&run->params, view_map_px);
+	u64 n_texels = (u64)2 * run->plan.views.px * run->plan.views.px;
 	u64 n_levels = ts_frame_n(&run->frame, TS_B_view_octree_level) - 1;
 	const u32 *before = ts_frame_data(&run->frame, TS_B_view_octree_level);
-	ts_view_map_fuse_args args = ts_view_map_fuse_values(&run->params);
-	if (ts_view_px_check(&run->params) != TS_OK || TS_FILL(run, &fused, &args) != TS_OK) return TS_ERROR;
+	ts_view_map_fuse_args args = ts_view_map_fuse_values(run);
+	if (ts_view_px_check(run) != TS_OK || TS_FILL(run, &fused, &args) != TS_OK) return TS_ERROR;
 	count_bytes(run, TS_B_view_map_fused_depth);
 	count_bytes(run, TS_B_view_map_fused_node);
 	for (u64 level = 0; level < n_levels; level++) {
@@ -103,7 +113,7 @@ const ts_stage ts_stage_view_map = {
 	.paper = "MegaViews 3.2",
 	.doc = "those pairs in dual-paraboloid maps of the nodes of views by 64-bit minimum",
 	.run = view_map,
-	.launches = TS_LAUNCHES(TS_TRAVERSE_LAUNCHES, &of_kept, &of_piece),
+	.launches = TS_LAUNCHES(TS_TRAVERSE_LAUNCHES, &of_kept, &of_piece, &of_kept_but_own, &of_piece_but_own),
 	.looks_at = TS_BUFFERS(TS_B_octree_level, TS_B_view_octree_level),
 };
 

@@ -4,12 +4,15 @@
 #include "traverse.h"
 
 static const ts_launch measured = TS_LAUNCH(view_map_margin, TS_ALL);
+static const ts_launch measured_but_own = TS_LAUNCH(view_map_margin, TS_WITH(own));
+
+static const ts_launch *launch_of(const ts_run *run) { return run->plan.views.cubes ? &measured_but_own : &measured; }
 
 static ts_status begin(ts_run *run, ts_view_map_margin_args *args)
 {
-	*args = (ts_view_map_margin_args){.pyramid = ts_view_pyramid(&run->params), .n_nodes = 1};
+	*args = (ts_view_map_margin_args){.pyramid = ts_view_pyramid(&run->params, &run->plan), .n_nodes = 1};
 	if (ts_traverse_arguments(run, &args->of) != TS_OK) return TS_ERROR;
-	return TS_FILL(run, &measured, args);
+	return TS_FILL(run, launch_of(run), args);
 }
 
 /* Pairs before they are decided: the children of those of a piece. */
@@ -17,7 +20,7 @@ static ts_status take_children(ts_run *run, ts_traverse_piece *piece, void *user
 {
 	ts_view_map_margin_args *args = user;
 	args->pairs = piece->args.next;
-	return piece->n_children > 0 ? ts_launch_items(run, &measured, args, piece->n_children) : TS_OK;
+	return piece->n_children > 0 ? ts_launch_items(run, launch_of(run), args, piece->n_children) : TS_OK;
 }
 
 static ts_status view_map_margin(ts_run *run)
@@ -28,7 +31,7 @@ static ts_status view_map_margin(ts_run *run)
 	args.first = args.of.first_node;
 	args.n_nodes = args.of.n_nodes;
 	u64 n_starts = ts_traverse_starts(run, &args.of);
-	if (n_starts > 0 && ts_launch_items(run, &measured, &args, n_starts) != TS_OK) return TS_ERROR;
+	if (n_starts > 0 && ts_launch_items(run, launch_of(run), &args, n_starts) != TS_OK) return TS_ERROR;
 	return ts_traverse(run, &args.of, take_children, &args);
 }
 
@@ -40,7 +43,7 @@ static ts_status view_map_all_margin(ts_run *run)
 	args.first = ts_octree_first(run, &ts_scene_octree, TS_PARAM(&run->params, octree_levels));
 	args.n_nodes = (u32)ts_run_size(run, TS_DIM_leaves);
 	u64 n = args.n_nodes * ts_run_size(run, TS_DIM_view_nodes);
-	return n > 0 ? ts_launch_items(run, &measured, &args, n) : TS_OK;
+	return n > 0 ? ts_launch_items(run, launch_of(run), &args, n) : TS_OK;
 }
 
 const ts_stage ts_stage_view_map_margin = {
@@ -50,7 +53,7 @@ const ts_stage ts_stage_view_map_margin = {
 	.paper = "MegaViews 3.2",
 	.doc = "how near what maps show was to another answer",
 	.run = view_map_margin,
-	.launches = TS_LAUNCHES(TS_TRAVERSE_LAUNCHES, &measured),
+	.launches = TS_LAUNCHES(TS_TRAVERSE_LAUNCHES, &measured, &measured_but_own),
 	.looks_at = TS_BUFFERS(TS_B_octree_level, TS_B_view_octree_level),
 };
 

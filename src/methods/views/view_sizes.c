@@ -83,7 +83,7 @@ static u64 queue_bytes(double pairs, const ts_params *params)
 static double mapped_pairs(const ts_expected_lights *lights, const ts_params *params, double nodes, double view_nodes)
 {
 	if (TS_PARAM(params, traverse_hierarchies) == TS_HIERARCHIES_VIEWS) return view_nodes * nodes;
-	double texels = 2.0 * TS_PARAM(params, view_map_px) * TS_PARAM(params, view_map_px), each = PAIRS_ALONE * texels;
+	double texels = 2.0 * lights->px * lights->px, each = PAIRS_ALONE * texels;
 	return lights->alone ? (double)lights->n * least(each, nodes) : PAIRS * texels * view_nodes;
 }
 
@@ -91,16 +91,12 @@ void ts_expect_views(ts_expected *expected, const ts_scene *scene, const ts_para
                      const ts_expected_lights *lights)
 {
 	const surfaces s = measure(scene);
-	u32 levels = TS_PARAM(params, octree_levels),
-		level = ts_gather_level_of(params, TS_PARAM(params, view_map_field), lights->alone);
-	double nodes = 0, view_nodes = 0, lists = nodes_at(&s, level);
+	u32 levels = TS_PARAM(params, octree_levels);
+	double nodes = 0, view_nodes = 0;
 	for (u32 l = 0; l <= levels; l++) {
 		nodes += nodes_at(&s, l);
 		view_nodes += views_at(&s, lights, l);
 	}
-	double views = lights->alone ? (double)lights->n : views_at(&s, lights, level);
-	double pairs = lists * views * share_in_reach(&s, params, level);
-	double mapped = mapped_pairs(lights, params, nodes, view_nodes);
 	bool shared = TS_PARAM(params, traverse_hierarchies) == TS_HIERARCHIES_BOTH;
 	u64 *n = expected->sizes.n, leaves = (u64)nodes_at(&s, levels);
 	n[TS_DIM_nodes] = (u64)nodes;
@@ -110,7 +106,18 @@ void ts_expect_views(ts_expected *expected, const ts_scene *scene, const ts_para
 	n[TS_DIM_view_nodes] = lights->alone ? lights->n : (u64)view_nodes + 1;
 	n[TS_DIM_view_leaves] = lights->alone ? lights->n : (u64)views_at(&s, lights, levels) + 1;
 	n[TS_DIM_rendered_pairs] = shared ? lights->n * PAIRS_A_VIEW : n[TS_DIM_view_leaves] * leaves;
-	n[TS_DIM_gather_nodes] = (u64)lists;
-	n[TS_DIM_gather_pairs] = (u64)pairs;
-	expected->work = queue_bytes(mapped > 2 * pairs ? mapped : 2 * pairs, params);
+	expected->work = queue_bytes(mapped_pairs(lights, params, nodes, view_nodes), params);
+}
+
+void ts_expect_gather(ts_expected *expected, const ts_scene *scene, const ts_params *params,
+                      const ts_expected_lights *lights)
+{
+	const surfaces s = measure(scene);
+	u32 level = ts_gather_level_of(params, TS_PARAM(params, view_map_field), lights->alone);
+	double lists = nodes_at(&s, level), views = lights->alone ? (double)lights->n : views_at(&s, lights, level);
+	double pairs = lists * views * share_in_reach(&s, params, level);
+	u64 work = queue_bytes(2 * pairs, params);
+	expected->sizes.n[TS_DIM_gather_nodes] = (u64)lists;
+	expected->sizes.n[TS_DIM_gather_pairs] = (u64)pairs;
+	if (work > expected->work) expected->work = work;
 }

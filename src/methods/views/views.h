@@ -6,11 +6,11 @@
 #include "../../kernels/views/vpl.h"
 #include "../stages.h"
 
-/* view_map.px must be a power of two; the levels of a view's map (map.c). */
-ts_status ts_view_px_check(const ts_params *params);
-ts_pyramid ts_view_pyramid(const ts_params *params);
+/* The side of a plan's maps must be a power of two; the levels of one of its maps (view_map.c). */
+ts_status ts_view_px_check(const ts_run *run);
+ts_pyramid ts_view_pyramid(const ts_params *params, const ts_plan *plan);
 /* How maps are fused, without pointers. */
-ts_view_map_fuse_args ts_view_map_fuse_values(const ts_params *params);
+ts_view_map_fuse_args ts_view_map_fuse_values(const ts_run *run);
 /* The level of the lists of vpl_pairs (vpl_gather.c): vpl_gather.level, at most levels; 0 where views have no
  * hierarchy, alone, or nothing is culled. */
 u32 ts_gather_level(const ts_run *run);

@@ -2,12 +2,12 @@
 #include "octree.h"
 
 static const ts_launch marked =
-	TS_LAUNCH(voxel, TS_WITH(mask), TS_BUT(bits), TS_BUT(before), TS_BUT(offset), TS_BUT_LOOKS);
+	TS_LAUNCH(voxel, TS_WITH(mask), TS_BUT(bits), TS_BUT(before), TS_BUT(offset), TS_BUT_LIT);
 
 ts_voxel_args ts_voxel_values(const ts_run *run)
 {
 	return (ts_voxel_args){
-		.scene.n_triangles = (u32)ts_run_size(run, TS_DIM_triangles),
+		.scene = ts_run_scene(run),
 		.levels = TS_PARAM(&run->params, octree_levels),
 	};
 }

@@ -227,6 +227,71 @@ static void test_item(void **state)
 	}
 }
 
+/* The point of a triangle that is nearest to p, as weights of its corners, in double precision: where the plane's is
+ * outside, the nearest of the edges'. */
+static void nearest_of(const double3 t[3], double3 p, double w[3])
+{
+	double3 n = d3_cross(d3_sub(t[1], t[0]), d3_sub(t[2], t[0])), d = d3_sub(p, t[0]);
+	double least = 1e30, whole = d3_dot(n, n);
+	w[1] = d3_dot(d3_cross(d, d3_sub(t[2], t[0])), n) / whole;
+	w[2] = d3_dot(d3_cross(d3_sub(t[1], t[0]), d), n) / whole;
+	w[0] = 1 - w[1] - w[2];
+	if (w[0] >= 0 && w[1] >= 0 && w[2] >= 0) return;
+	for (u32 k = 0; k < 3; k++) {
+		double3 a = t[k], e = d3_sub(t[(k + 1) % 3], a);
+		double along = fmin(fmax(d3_dot(d3_sub(p, a), e) / d3_dot(e, e), 0), 1);
+		double far = d3_length(d3_sub(p, d3_mad(a, e, along)));
+		if (!(far < least)) continue;
+		least = far;
+		w[k] = 1 - along;
+		w[(k + 1) % 3] = along;
+		w[(k + 2) % 3] = 0;
+	}
+}
+
+/* A masked triangle is in the voxels that it meets and whose middle it is opaque next to; opacity runs across it. */
+static void test_cut(void **state)
+{
+	(void)state;
+	static small_scene s;
+	static const double opacity[3] = {1, 0.25, 0};
+	ts_root root = {.side = SIDE};
+	u32 counts[3] = {0, 0, 0};
+	for (u32 world = 0; world < 400; world++) {
+		point t[3];
+		ts_v3 p[3];
+		double3 corners[3];
+		u64 mask[3 + SIDE * SIDE * SIDE / 64];
+		memset(mask, 0, sizeof mask);
+		small_clear(&s);
+		fill(t, 2 * world, STEPS, 300);
+		for (u32 k = 0; k < 3; k++) {
+			p[k] = ts_v3_make((f32)t[k].c[0] / TS_VOXEL, (f32)t[k].c[1] / TS_VOXEL, (f32)t[k].c[2] / TS_VOXEL);
+			corners[k] = d3_of(p[k]);
+		}
+		small_add(&s, p[0], p[1], p[2], 1, 0);
+		s.materials[1].flags = TS_MASKED;
+		for (u32 k = 0; k < 3; k++) s.vertices[k].colour[3] = (f32)opacity[k];
+		ts_voxel_args args = {.scene = small_arrays(&s), .root = &root, .mask = mask, .levels = LEVELS};
+		if (ts_k_is_degenerate(ts_k_corners(&args.scene, 0).n)) continue;
+		ts_k_voxel_item(&args, 0);
+		for (u64 code = 0; code < SIDE * SIDE * SIDE; code++) {
+			double w[3];
+			ts_i3 v = ts_k_unmorton(code);
+			bool marked = ((mask[3 + code / 64] >> (code % 64)) & 1) != 0;
+			nearest_of(corners, (double3){v.x + 0.5, v.y + 0.5, v.z + 0.5}, w);
+			double opaque = w[0] * opacity[0] + w[1] * opacity[1] + w[2] * opacity[2];
+			bool met = meets(t, (i64[]){v.x, v.y, v.z});
+			if (!met) assert_false(marked);
+			if (!met || fabs(opaque - 0.5) < 1e-3) continue;
+			counts[opaque < 0.5]++;
+			counts[2] += marked != (opaque > 0.5);
+		}
+	}
+	assert_true(counts[0] > 2000 && counts[1] > 2000);
+	assert_int_equal(counts[2], 0);
+}
+
 static ts_root root_of(const ts_vertex *vertices, u32 n, bool backwards)
 {
 	ts_root root;
@@ -313,9 +378,9 @@ static void test_narrow(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		seeded_test(test_corners),    seeded_test(test_small), seeded_test(test_large),
-		cmocka_unit_test(test_all),   seeded_test(test_item),  seeded_test(test_root),
-		cmocka_unit_test(test_empty), seeded_test(test_codes), seeded_test(test_narrow),
+		seeded_test(test_corners), seeded_test(test_small),  seeded_test(test_large), cmocka_unit_test(test_all),
+		seeded_test(test_item),    seeded_test(test_root),   seeded_test(test_cut),   cmocka_unit_test(test_empty),
+		seeded_test(test_codes),   seeded_test(test_narrow),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -572,7 +572,7 @@ static void test_queries(void **state)
 			assert_memory_equal(ts_frame_data(&a.frame, TS_B_vpl_gather_irradiance),
 			                    ts_frame_data(&b.frame, TS_B_vpl_gather_irradiance), fused->bytes);
 			assert_false(b.frame.buffer[TS_B_view_map_fused_depth].made);
-			u32 levels = ts_view_pyramid(&params).levels, nodes = m == 0 ? params.octree_levels + 1 : 1;
+			u32 levels = ts_view_pyramid(&params, &a.plan).levels, nodes = m == 0 ? params.octree_levels + 1 : 1;
 			assert_int_equal(ts_run_counter(&a, "texels a question"), 1);
 			assert_int_equal(ts_run_counter(&b, "texels a question"), levels * nodes);
 			ts_run_end(&a);

@@ -2,7 +2,7 @@
 #ifndef TS_TESTS_STAGES_OCTREES_H
 #define TS_TESTS_STAGES_OCTREES_H
 #include "../small.h"
-#include "../../../src/methods/raster/pipelines.h"
+#include "../../../src/methods/views/pipelines.h"
 #include "../../../src/methods/stages.h"
 #include "../../../src/methods/views/views.h"
 
@@ -27,7 +27,7 @@ static const ts_pipeline octrees_pipeline = {
 	.name = "octrees",
 	.effect = &ts_effect_indirect,
 	.steps = octrees_steps,
-	.plan = ts_indirect_plan,
+	.plan = ts_views_plan,
 	.expect = ts_indirect_expect,
 };
 

@@ -246,7 +246,7 @@ static void test_multipixel(void **state)
 	ts_params params = params_of(64), texels = params, mips = params, small = params_of(16);
 	texels.view_map_multipixel = TS_MULTIPIXEL_TEXELS;
 	mips.view_map_multipixel = small.view_map_multipixel = TS_MULTIPIXEL_AUTO;
-	assert_true(ts_view_pyramid(&small).fill == 0);
+	assert_true(ts_view_pyramid(&small, &(ts_plan){.views.px = 16}).fill == 0);
 	grove g;
 	grove_plant(&g, 5, 5, 60000, grove_surface, 60, grove_floor);
 	grove_outcome off = grove_run(&g, scene, &params, 2, NULL, false),
@@ -312,8 +312,8 @@ static void test_errors(void **state)
 	grove_plant(&g, 2, 2, 10, grove_noise, 10, grove_noise);
 	grove_begin(&run, scene, &params, 1, &g);
 	assert_int_equal(ts_run_stage(&run, ts_stage_find("traverse")), TS_ERROR);
-	assert_non_null(strstr(ts_error_message(), "view_map.px=24: a power of two"));
-	run.params.view_map_px = 16;
+	assert_non_null(strstr(ts_error_message(), "maps of 24 texels: a power of two"));
+	run.plan.views.px = 16;
 	g.scene.nodes[g.scene.before[2]].child = 0; /* a circle */
 	g.scene.nodes[g.scene.before[2]].children = 1;
 	assert_int_equal(ts_run_stage(&run, ts_stage_find("traverse")), TS_ERROR);
@@ -334,7 +334,7 @@ static void test_stages(void **state)
 	params.octree_levels = 5;
 	ts_run run;
 	ts_run_begin(&run, scene, &params, 2);
-	ts_pipeline_plan(ts_pipeline_find("indirect", "direct"), &run, NULL, NULL);
+	ts_pipeline_plan(ts_pipeline_find("indirect", "megaviews"), &run, NULL, NULL);
 	for (u32 i = 0; i < sizeof stages / sizeof *stages; i++) grove_stage(&run, stages[i]);
 	for (u32 i = 13; i < 16; i++) small_assert_claims(&run, ts_stage_find(stages[i]));
 	grove g = {.scene.nodes = ts_frame_data(&run.frame, TS_B_octree_node),

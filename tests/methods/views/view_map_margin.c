@@ -16,6 +16,7 @@ typedef struct {
 typedef struct {
 	const grove *g;
 	ts_params params;
+	const ts_plan *plan;
 	faults faults;
 	u32 number; /* which way its numbers are off */
 	u64 *map;
@@ -126,7 +127,10 @@ static void fill(const port *p, const half *h, u32 back, u64 key)
 
 static void render(port *p, const way *w, u32 s, u32 v)
 {
-	half h = {.pyramid = ts_view_pyramid(&p->params), .y = w->y, .z = w->z, .rounding = w->d * (double)TS_CAP_ROUNDING};
+	half h = {.pyramid = ts_view_pyramid(&p->params, p->plan),
+	          .y = w->y,
+	          .z = w->z,
+	          .rounding = w->d * (double)TS_CAP_ROUNDING};
 	u32 n = p->params.view_map_px, texel = ((w->x < 0 ? n : 0) + place_of(p, w->z, w)) * n + place_of(p, w->y, w);
 	u64 key = (u64)ts_f2u((f32)w->d) << 32 | s;
 	h.texels = p->map + (u64)v * ts_k_pyramid_texels(&h.pyramid);
@@ -198,7 +202,7 @@ static void check(sums *r, const faults *how, u32 n_px, u32 choice)
 	grove_stage(&run, "view_map");
 	grove_stage(&run, "view_map.margin");
 	u64 n = ts_frame_n(&run.frame, TS_B_view_map_depth_node);
-	port p = {.g = &g, .params = params, .faults = *how, .map = malloc(n * sizeof *p.map)};
+	port p = {.g = &g, .params = params, .plan = &run.plan, .faults = *how, .map = malloc(n * sizeof *p.map)};
 	assert_non_null(p.map);
 	for (p.number = 0; p.number < N_PORTS; p.number++) {
 		count(r, &p, ts_frame_data(&run.frame, TS_B_view_map_depth_node),

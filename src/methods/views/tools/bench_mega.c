@@ -168,7 +168,7 @@ double ts_empty_share(const ts_run *run)
 	const u32 *depth = ts_frame_data(&run->frame, TS_B_view_map_fused_depth);
 	const ts_node *node = ts_frame_data(&run->frame, TS_B_view_octree_node);
 	u64 n = ts_frame_n(&run->frame, TS_B_view_octree_node), all = 0, empty = 0;
-	u64 n_texels = (u64)2 * TS_PARAM(&run->params, view_map_px) * TS_PARAM(&run->params, view_map_px);
+	u64 n_texels = (u64)2 * run->plan.views.px * run->plan.views.px;
 	for (u64 i = 0; i < n; i++) {
 		if (node[i].children != 0) continue;
 		for (u64 k = 0; k < n_texels; k++) empty += depth[i * n_texels + k] == TS_NONE;

@@ -4,7 +4,7 @@
 #include "../../../study/bench.h"
 #include "../../../study/bench_paper.h"
 
-extern const ts_paper_table ts_mega_10, ts_mega_10_bounces, ts_mega_11, ts_mega_12, ts_mega_13, ts_mega_14, ts_mega_15,
+extern const ts_paper_table ts_mega_9, ts_mega_10, ts_mega_10_bounces, ts_mega_11, ts_mega_12, ts_mega_13, ts_mega_14, ts_mega_15,
 	ts_mega_16, ts_mega_particles;
 
 /* Texels of the whole maps of leaves that nothing was rendered to, %; NAN without maps (bench_mega.c). */

@@ -182,6 +182,7 @@ const ts_check_rule ts_views_checks[] = {
 	{TS_B_view_octree_voxel_before, TS_CHECK_SUMS, check_ids},
 	{TS_B_view_octree_offset, TS_CHECK_VALUES, check_leaves},
 	{TS_B_view_octree_cone, TS_CHECK_VALUES, check_cones},
+	{TS_B_view_map_colour, TS_CHECK_VALUES, ts_check_colours},
 	{TS_B_vpl_gather_pair_views, TS_CHECK_VALUES, ts_check_gather},
 	{.check = NULL},
 };

@@ -16,6 +16,7 @@ typedef struct {
 
 typedef struct {
 	ts_traverse_args how;
+	ts_own_args own;
 	ts_probe_chain chain;
 	u32 texel; /* of the finest level */
 	u64 *map;  /* scratch, a map */
@@ -55,7 +56,7 @@ static ts_status offer_pair(search *s, u64 pair, u32 step, u32 fate)
 	u32 mip;
 	void *array = s->offers;
 	u64 key = key_of(s, pair, step, &mip);
-	if (key == TS_EMPTY) return TS_OK;
+	if (key == TS_EMPTY || ts_k_pair_is_own(&s->own, s->how.views, pair)) return TS_OK;
 	if (fate == TS_PAIR_NEAR) s->n_near++;
 	if (fate == TS_PAIR_NEAR) return TS_OK;
 	if (ts_grow(&array, &s->offers_room, s->n_offers + 1, sizeof *s->offers, "pairs of a texel") != TS_OK)
@@ -117,8 +118,17 @@ static int by_win(const void *a, const void *b)
 	return x->key < y->key ? -1 : x->key > y->key;
 }
 
+/* The pairs that views from the middles of cubes leave out. */
+static ts_own_args own_of(const ts_run *run)
+{
+	if (!run->plan.views.cubes) return (ts_own_args){0};
+	return (ts_own_args){ts_frame_data(&run->frame, TS_B_octree_reflector),
+	                     ts_frame_data(&run->frame, TS_B_view_octree_leaf)};
+}
+
 static ts_status find_offers(ts_probe *p, search *s)
 {
+	s->own = own_of(&p->load->run);
 	u64 n_nodes = ts_frame_n(&p->load->run.frame, TS_B_octree_node);
 	bool all = !ts_probe_makes(p, TS_B_traverse_rendered);
 	s->map = ts_alloc_zero(ts_k_pyramid_texels(&s->chain.args.pyramid), sizeof *s->map, "a map");
@@ -223,7 +233,7 @@ static const char *half(u32 side) { return side == 0 ? "front" : "back"; }
 static ts_status describe(ts_probe *p, json_t *o, u32 node, u32 texel)
 {
 	search s = {.texel = texel};
-	u32 n = TS_PARAM(&p->load->run.params, view_map_px);
+	u32 n = p->load->run.plan.views.px;
 	const ts_cone *cone = (const ts_cone *)ts_probe_loaded(p, TS_B_view_octree_cone) + node;
 	ts_status status = ts_probe_read_chain(p, &s.chain, node);
 	if (status == TS_OK) status = find_offers(p, &s);
@@ -249,17 +259,17 @@ static ts_status load(ts_probe *p)
 {
 	static const ts_buffer_id needed[] = {TS_B_view_map_depth_node, TS_B_view_map_fused_depth, TS_B_view_map_fused_node,
 	                                      TS_B_view_octree_leaf, TS_N_BUFFERS};
-	const ts_step *maker = ts_pipeline_maker(p->trace->pipeline, TS_B_view_map_depth_node);
+	const char *maker = ts_pipeline_maker(p->trace->pipeline, TS_B_view_map_depth_node)->stage;
 	const ts_step *traverse = ts_pipeline_maker(p->trace->pipeline, TS_B_traverse_rendered);
-	const char *stage = (traverse != NULL ? traverse : maker)->stage;
+	const char *stage = traverse != NULL ? traverse->stage : maker;
 	if (ts_probe_scene(p) != TS_OK || ts_probe_require(p, needed) != TS_OK) return TS_ERROR;
-	return ts_probe_load_for(p, (const char *const[]){stage, NULL});
+	return ts_probe_load_for(p, (const char *const[]){stage, maker, NULL});
 }
 
 /* Puts the texel of half `side` of a node's map. */
 static ts_status answer(ts_probe *p, const ts_probe_question *q, u32 node, json_t *o)
 {
-	u32 side = TS_PARAM(&p->load->run.params, view_map_px);
+	u32 side = p->load->run.plan.views.px;
 	if (q->x >= side || q->y >= side) {
 		return ts_fail("%s: no texel (%u, %u); halves of maps have %u x %u", p->trace->dir, (unsigned)q->x,
 		               (unsigned)q->y, (unsigned)side, (unsigned)side);

@@ -8,7 +8,7 @@
 ts_status ts_probe_read_chain(ts_probe *p, ts_probe_chain *c, u32 node)
 {
 	const ts_node *nodes = ts_probe_loaded(p, TS_B_view_octree_node);
-	ts_pyramid pyramid = ts_view_pyramid(&p->load->run.params);
+	ts_pyramid pyramid = ts_view_pyramid(&p->load->run.params, &p->load->run.plan);
 	u32 n_texels = ts_k_pyramid_texels(&pyramid);
 	*c = (ts_probe_chain){.n = nodes[node].level + 1};
 	c->texels = ts_alloc((size_t)c->n * n_texels, sizeof *c->texels, "maps");

@@ -1,6 +1,7 @@
 /* What the family of many views brings for the tools. */
 #include "../../tools/family.h"
 #include "probe.h"
+#include "../../points/tools/probe.h"
 #include "../../raster/tools/truth_gather.h"
 #include "benches.h"
 #include "tools.h"
@@ -25,6 +26,8 @@ static const ts_texel_rule texels[] = {
 };
 
 static const ts_bench_row benches[] = {
+	{"mega-9", "MegaViews: reflections by views in colour, with and without hole filling; --objects are levels",
+     TS_BENCH_BY_ITSELF, .paper = &ts_mega_9},
 	{"mega-10", "MegaViews and ManyLoDs as views become many; --objects are paths of light", TS_BENCH_BY_ITSELF,
      .paper = &ts_mega_10},
 	{"mega-10-bounces", "the same of four bounces", TS_BENCH_BY_ITSELF, .paper = &ts_mega_10_bounces},
@@ -46,6 +49,7 @@ static const ts_bench_row benches[] = {
 static const ts_probe_part parts[] = {
 	{TS_PROBE_PIXEL, "vpl_gather", ts_probe_views_pixel,
 	 "the lights that culling leaves, the brightest of those it draws, and its neighbours in the filter", NULL},
+	{TS_PROBE_PIXEL, "cube_view.mip", ts_probe_mvr_pixel, "what a mirror looked up in the levels of its cube", NULL},
 	{TS_PROBE_TEXEL, "view_map.fuse", ts_probe_light_texel,
 	 "the pairs of nodes rendered into it and above it, and what fusion made of them", &ts_probe_map_of_light},
 	{TS_PROBE_TEXEL, "view_map.fuse", ts_probe_node_texel, "the same", &ts_probe_map_of_node},
@@ -70,6 +74,7 @@ const ts_family_tools ts_views_tools = {
 	.texels = texels,
 	.benches = benches,
 	.parts = parts,
+	.pictures = ts_views_pictures,
 	.keeps = keeps,
 	.lowers = lowers,
 };

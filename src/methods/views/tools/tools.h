@@ -3,12 +3,16 @@
 #define TS_VIEWS_TOOLS_H
 #include "../../../kernels/views/vpl_gather.h"
 #include "../../../replay/check.h"
+#include "../../../study/stage_pictures.h"
 #include "../../../truth/texels.h"
 
 extern const ts_check_rule ts_views_checks[];
 
 /* Lists of views that pixels draw from (check_gather.c); cones must have been checked. */
 ts_status ts_check_gather(const ts_load *load, const ts_stage *stage, ts_buffer_id id);
+
+/* A map a cube (check_cubes.c). */
+ts_status ts_check_colours(const ts_load *load, const ts_stage *stage, ts_buffer_id id);
 
 /* Truths of many lights (truth_vpls.c). All virtual point lights of params.vpl_paths, each with its distance bounded as
  * in vpl_gather, if nothing stands between pixel and light but within a leaf's diagonal of the light, which the methods
@@ -45,5 +49,8 @@ extern const char *const ts_wrong_names[]; /* their counters, ended by NULL (tru
  * nothing; leaves whose middles are within `apart` radii of that of the view's leaf are not in maps. */
 ts_wrong ts_truth_wrong(const ts_truth *truth, const ts_vpl_gather_args *of, u32 view, ts_v3 p, ts_v3 n, f32 reach,
                         f32 apart, bool lit);
+
+/* Pictures of what views show (pictures.c). */
+extern const ts_stage_picture_rule ts_views_pictures[];
 
 #endif

@@ -1,7 +1,7 @@
 /* Checks of MegaViews, of its octrees and pairs: faults in what its stages read, planted in buffers of a run. */
 #include "../../../../src/kernels/views/mask.h"
 #include "../../../replay/loaded.h"
-#include "../../../../src/methods/raster/pipelines.h"
+#include "../../../../src/methods/views/pipelines.h"
 
 static const ts_step steps[] = {
 	{.stage = "eye.view"},
@@ -32,7 +32,7 @@ static const ts_pipeline pipeline = {
 	.name = "octrees",
 	.effect = &ts_effect_indirect,
 	.steps = steps,
-	.plan = ts_indirect_plan,
+	.plan = ts_views_plan,
 	.expect = ts_indirect_expect,
 };
 enum { LEVELS = 4, LIGHTS = 200 };
@@ -62,7 +62,8 @@ static void test_indices(void **state)
 		for (const ts_step *step = steps; step->stage != NULL; step++) {
 			ts_load load;
 			const ts_stage *stage = ts_stage_find(step->stage);
-			if (!ts_stage_reads(stage, id) || ts_frame_n(&run.frame, id) == 0 || id < TS_B_octree_root_least) continue;
+			bool made = ts_stage_reads(stage, id) && run.frame.buffer[id].made && ts_frame_n(&run.frame, id) > 0;
+			if (!made || id < TS_B_octree_root_least) continue;
 			load_for(&load, stage);
 			assert_int_equal(ts_check(&load, stage), TS_OK);
 			u64 size = ts_axis_size(&indices[row].of, &load.sizes);

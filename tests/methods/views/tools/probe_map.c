@@ -80,7 +80,7 @@ static apart between(const ts_node *s, const ts_node *v)
 static answer is_covered(const traced *t, const apart *a, u32 texel)
 {
 	u32 n = t->run.params.view_map_px;
-	double r = a->radius * (double)ts_view_pyramid(&t->run.params).fill;
+	double r = a->radius * (double)ts_view_pyramid(&t->run.params, &t->run.plan).fill;
 	if (!(r > 0) || r >= a->d) return r > 0 ? YES : NO;
 	double u = (2.0 * (texel % n) + 1) / n - 1, v = (2.0 * (texel / n % n) + 1) / n - 1, s = u * u + v * v;
 	double x = texel < n * n ? 1 - s : s - 1, edge = sqrt((a->d - r) * (a->d + r));
@@ -139,7 +139,7 @@ static u64 own_key(const traced *t, u32 view, u32 texel)
 		(const u64 *)data(t, TS_B_view_map_depth_node) + view * t->run.frame.buffer[TS_B_view_map_depth_node].shape[1];
 	u32 n = t->run.params.view_map_px, first = 0;
 	u64 nearest = TS_EMPTY;
-	for (u32 mip = 0; mip < ts_view_pyramid(&t->run.params).levels; mip++) {
+	for (u32 mip = 0; mip < ts_view_pyramid(&t->run.params, &t->run.plan).levels; mip++) {
 		u32 side = n >> mip;
 		u64 key = map[first + (texel / (n * n) * side + (texel / n % n >> mip)) * side + (texel % n >> mip)];
 		nearest = key < nearest ? key : nearest;
