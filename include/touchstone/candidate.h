@@ -162,6 +162,9 @@ static const ts_candidate_buffer ts_candidate_buffers[] = {
 	{"segment.box", 32, 1,
      "[('low', '<u4', (2,)), ('high', '<u4', (2,)), ('nearest', '<f4'), ('farthest', '<f4'), "
      "('label', '<u4'), ('pad', '<u4')]"},
+	{"polygon.patch", 64, 2,
+     "[('a', '<f4', (3,)), ('b', '<f4', (3,)), ('c', '<f4', (3,)), ('normal', '<f4', (3,)), "
+     "('exitance', '<f4', (3,)), ('pad', '<u4')]"},
 	{"corner.moment", 64, 2,
      "[('position', '<f4', (3,)), ('depth', '<f4'), ('sum', '<f4', (3,)), "
      "('direction', '<f4', (9,))]"},

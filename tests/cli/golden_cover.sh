@@ -24,10 +24,10 @@ of = lambda *methods: [case for case in cases.values() if (case["effect"], case[
 views = [("reflections", "ivir"), ("soft-shadows", "ivir"), ("omni-shadows", "ivir")]
 soft, omni, indirect, particles = ([m for m in methods if m[0] == effect]
                                    for effect in ("soft-shadows", "omni-shadows", "indirect", "particles"))
-hulls = [("indirect", "hulls")]
+hulls, lamps = [("indirect", "hulls")], [("area-light", m) for m in ("hulls", "direct")]
 deferred, surfels = [("surfels", "deferred")], [m for m in methods if m[0] == "surfels"]
 megaviews = [("indirect", m) for m in ("megaviews", "manylods", "bruteforce")]
-takers = {"density.rate": views, "points.buffered": views, "points.snap": views, "lamp.source": soft[:1], "lamp.radius": soft, "lamp.fov": soft,
+takers = {"density.rate": views, "points.buffered": views, "points.snap": views, "lamp.source": soft[:1], "lamp.radius": soft + lamps, "lamp.fov": soft,
           "lamp.views": soft, "lamp.views_a_pass": soft + omni, "depth_map.px": soft + omni, "lamp.cubes": omni, "depth_map.bias": soft + omni,
           "depth_map.bias_slope": soft + omni, "pcss.near": [("soft-shadows", "pcss")],
           **{p: [("omni-shadows", "epr")] for p in ("shadow_splat.rate", "shadow_splat.depth", "shadow_splat.resize")},

@@ -75,6 +75,38 @@ assert max(map(max, apart)) > 0
 PY
 verdict $? 'a difference is four times as bright'
 
+# Light of lamps: what pixels gather is the closed form, hulls are near it, and shadows only take away.
+run render area-light "${small[@]}" --set lamp.radius=0.3 --set truth.area_samples=64 --method hulls,direct --truth --trace -o lamps
+[ "$status" -eq 0 ] && ! grep -qi 'reflective\|near a triangle' stdout && python3 - <<'PY'
+import json, math
+from read import buffer
+rows = {(r["image"], r["reference"]): r for r in json.load(open("lamps/report.json"))["metrics"]}
+assert rows["direct", "truth-exact"]["relative_rmse"] < 1e-4 and rows["hulls", "truth-exact"]["relative_rmse"] < 0.3
+assert rows["direct", "truth-shadowed"]["relative_rmse"] > 0.1
+# In doubles, by solid angles of small parts: of every 97th pixel.
+triangles = [(p[:3], p[3:6], p[6:9], p[12:15]) for p in buffer("lamps/trace-direct", "polygon.patch", "<15f4x")]
+pixels, light = buffer("lamps/trace-direct", "gbuffer.pixel", "<3ff3f20x"), buffer("lamps/trace-direct", "indirect.irradiance", "<3f")
+dot = lambda a, b: sum(x * y for x, y in zip(a, b))
+n, tried = 24, 0
+for pixel, found in list(zip(pixels, light))[::97]:
+	p, depth, normal = pixel[:3], pixel[3], pixel[4:7]
+	total = 0
+	for a, b, c, exitance in triangles if depth < 1 else ():
+		u, v = ([y - x for x, y in zip(a, q)] for q in (b, c))
+		turned = (u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0])
+		for i in range(n):
+			for j in range(2 * (n - i) - 1):
+				third = 1 / 3 if j % 2 == 0 else 2 / 3
+				s, t = (i + third) / n, (j // 2 + third) / n
+				way = [x + s * y + t * z - w for x, y, z, w in zip(a, u, v, p)]
+				square = dot(way, way)
+				total += exitance[0] * max(0, dot(normal, way)) * max(0, -dot(turned, way)) / (2 * n * n * math.pi * square * square)
+	tried += total > 0
+	assert abs(found[0] - total) < 0.01 * total + 2e-3, (found, total)
+assert tried > 20
+PY
+verdict $? 'light of lamps against their areas in small parts'
+
 python3 - <<'PY'
 import json, math
 from read import buffer

@@ -120,6 +120,7 @@ for words in 'soft-shadows ivir --margins --set lamp.source=scene' 'omni-shadows
 	rm -rf batches whole
 done
 for words in 'indirect hulls --margins --set lamp.source=scene' 'indirect direct' \
+	'area-light hulls --margins --set lamp.radius=0.2' 'area-light direct --set lamp.radius=0' \
 	'indirect hulls --set segment.method=components --set hull.cosine=quadrature' \
 	'indirect megaviews --margins --set octree.levels=4 --set vpl.paths=60 --set vpl.bounces=2' \
 	'indirect megaviews --margins --set octree.levels=4 --set vpl.paths=60 --set vpl.place=random' \

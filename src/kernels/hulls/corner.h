@@ -2,22 +2,27 @@
  * corner w = M Omega, exitance times projected area on the unit sphere, a third of it from each of its three vertices.
  * The surface's own horizon is not asked for: the normal is the pixel's, not the corner's. So a corner on the very
  * surface that sends light on must not face it by rounding, for then half a sphere is light: a triangle counts from a
- * sixteenth of its side above its plane on, more and more, and in full from five sixteenths on. Sums are in the order
- * of the triangles. */
+ * sixteenth of its side above its plane on, more and more, and in full from five sixteenths on. Lamps hang in the air:
+ * a triangle of theirs counts in full wherever it faces the corner. A light without extent is one direction: it sends
+ * pi times what reaches a surface that faces it. Sums are in the order of the triangles, then of the lights. */
 #ifndef TS_KERNELS_CORNER_H
 #define TS_KERNELS_CORNER_H
 #include "../base/args.h"
 #include "form_factor.h"
 #include "depth_grid.h"
 #include "../raster/raster.h"
+#include "../base/shade.h"
 
 #define TS_ROWS_ts_corner_args(ARG) \
 	ARG(IN, ts_view, view, eye_view) \
 	ARG(IN, ts_gpixel, pixels, gbuffer_pixel) \
 	ARG(IN, ts_patch, patches, rsm_patch) \
+	ARG(IN_OPT, ts_light, lamps, lamp_light) \
+	ARG(IN_OPT, ts_lamp, shapes, lamp_shape) \
 	ARG(IN, ts_segment, boxes, segment_box) \
 	ARG(OUT, ts_moment, moments, corner_moment) \
 	ARG(VALUE, u64, n_patches, none) \
+	ARG(VALUE, u32, n_lamps, none) /* 0: patches are of surfaces */ \
 	ARG(VALUE, u32, grid, none)
 TS_ARGS(ts_corner_args);
 
@@ -75,13 +80,13 @@ TS_FN f32 ts_k_facing(f32 height, f32 side)
 	return ts_min(above / (side * 0.25f), 1.0f);
 }
 
-TS_FN void ts_k_gather(ts_gathered *sum, TS_GLOBAL const ts_patch *patch, ts_v3 p)
+TS_FN void ts_k_gather(ts_gathered *sum, TS_GLOBAL const ts_patch *patch, ts_v3 p, bool ramp)
 {
 	ts_v3 a = ts_load3(patch->a);
 	ts_v3 b = ts_load3(patch->b);
 	ts_v3 c = ts_load3(patch->c);
 	f32 height = ts_flush(ts_dot(ts_load3(patch->normal), ts_sub(p, a)));
-	f32 facing = ts_k_facing(height, ts_length(ts_sub(b, a)));
+	f32 facing = ramp ? ts_k_facing(height, ts_length(ts_sub(b, a))) : height > 0.0f ? 1.0f : 0.0f;
 	if (facing == 0.0f) return;
 	ts_v3 w = ts_scale(ts_load3(patch->exitance), ts_k_solid_angle(p, a, b, c) * facing);
 	ts_v3 ways = ts_add(ts_normalize(ts_sub(a, p)), ts_normalize(ts_sub(b, p)));
@@ -92,15 +97,29 @@ TS_FN void ts_k_gather(ts_gathered *sum, TS_GLOBAL const ts_patch *patch, ts_v3 
 	sum->blue = ts_mad(sum->blue, ways, w.z / 3.0f);
 }
 
-TS_FN void ts_k_gather_all(TS_GLOBAL ts_moment *out, TS_GLOBAL const ts_patch *patches, u64 n_patches,
-                           ts_box_corner corner)
+TS_FN void ts_k_gather_point(ts_gathered *sum, TS_GLOBAL const ts_light *light, ts_v3 p)
+{
+	ts_v3 way;
+	f32 arrives = ts_k_light(light, p, &way);
+	ts_v3 w = ts_scale(ts_load3(light->intensity), arrives * 3.1415927410125732421875f);
+	sum->w = ts_add(sum->w, w);
+	sum->red = ts_mad(sum->red, way, w.x);
+	sum->green = ts_mad(sum->green, way, w.y);
+	sum->blue = ts_mad(sum->blue, way, w.z);
+}
+
+TS_FN void ts_k_gather_all(TS_GLOBAL ts_moment *out, const ts_corner_args *args, ts_box_corner corner)
 {
 	ts_gathered sum;
 	sum.w = ts_v3_make(0.0f, 0.0f, 0.0f);
 	sum.red = sum.w;
 	sum.green = sum.w;
 	sum.blue = sum.w;
-	for (u64 k = 0u; k < n_patches; k++) ts_k_gather(&sum, &patches[k], corner.p);
+	bool ramp = args->n_lamps == 0u;
+	for (u64 k = 0u; k < args->n_patches; k++) ts_k_gather(&sum, &args->patches[k], corner.p, ramp);
+	for (u32 k = 0u; k < args->n_lamps; k++) {
+		if (!(args->shapes[k].radius > 0.0f)) ts_k_gather_point(&sum, &args->lamps[k], corner.p);
+	}
 	ts_store3(out->position, corner.p);
 	out->depth = ts_put(corner.depth);
 	ts_store3(out->sum, sum.w);
@@ -116,7 +135,7 @@ TS_FN void ts_k_corner_item(const ts_corner_args *args, u64 i)
 	ts_camera_k view = ts_k_view(args->view);
 	ts_corner_pixel at = ts_k_corner_pixel(&view, box, args->grid, (u32)(i % 4u));
 	TS_GLOBAL const ts_gpixel *pixel = &args->pixels[(u64)at.y * (u64)view.width + at.x];
-	ts_k_gather_all(&args->moments[i], args->patches, args->n_patches, ts_k_box_corner(&view, box, pixel, at));
+	ts_k_gather_all(&args->moments[i], args, ts_k_box_corner(&view, box, pixel, at));
 }
 
 #endif

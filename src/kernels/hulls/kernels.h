@@ -5,6 +5,7 @@
 #include "direct.h"
 #include "hull.h"
 #include "hull_margin.h"
+#include "polygon.h"
 #include "segment_box.h"
 #include "vectors.h"
 

@@ -4,15 +4,18 @@
 #include "../stages.h"
 
 static const ts_launch gathered = TS_LAUNCH(corner, TS_ALL);
+static const ts_launch of_lamps = TS_LAUNCH(corner, TS_IN(patches, polygon_patch), TS_WITH(lamps), TS_WITH(shapes));
 static const ts_launch fitted = TS_LAUNCH(corner_lobes, TS_ALL);
 
 static ts_status corner(ts_run *run)
 {
 	u64 n = 4 * ts_run_size(run, TS_DIM_segment_boxes);
-	ts_corner_args args = {.n_patches = ts_frame_n(&run->frame, TS_B_rsm_patch),
+	bool straight = run->plan.lights.straight;
+	ts_corner_args args = {.n_patches = ts_frame_n(&run->frame, straight ? TS_B_polygon_patch : TS_B_rsm_patch),
+	                       .n_lamps = straight ? (u32)ts_run_size(run, TS_DIM_lamps) : 0,
 	                       .grid = TS_PARAM(&run->params, depth_grid_px)};
 	ts_run_count(run, "gathers", (i64)(n * args.n_patches));
-	return TS_RUN(run, &gathered, &args, n);
+	return TS_RUN(run, straight ? &of_lamps : &gathered, &args, n);
 }
 
 static ts_status corner_lobes(ts_run *run)
@@ -27,7 +30,7 @@ const ts_stage ts_stage_corner = {
 	.paper = "SSAGH 3",
 	.doc = "light at the corners of every box",
 	.run = corner,
-	.launches = TS_LAUNCHES(&gathered),
+	.launches = TS_LAUNCHES(&gathered, &of_lamps),
 };
 
 const ts_stage ts_stage_corner_lobes = {

@@ -2,14 +2,17 @@
 #include "../../kernels/hulls/direct.h"
 #include "../stages.h"
 
-static const ts_launch launch = TS_LAUNCH(direct, TS_ALL);
+static const ts_launch gathered = TS_LAUNCH(direct, TS_ALL);
+static const ts_launch of_lamps = TS_LAUNCH(direct, TS_IN(patches, polygon_patch), TS_WITH(lamps), TS_WITH(shapes));
 
 static ts_status direct(ts_run *run)
 {
 	u64 n_pixels = (u64)TS_PARAM(&run->params, width) * TS_PARAM(&run->params, height);
-	ts_direct_args args = {.n_patches = ts_frame_n(&run->frame, TS_B_rsm_patch)};
+	bool straight = run->plan.lights.straight;
+	ts_direct_args args = {.n_patches = ts_frame_n(&run->frame, straight ? TS_B_polygon_patch : TS_B_rsm_patch),
+	                       .n_lamps = straight ? (u32)ts_run_size(run, TS_DIM_lamps) : 0};
 	ts_run_count(run, "gathers", (i64)(n_pixels * args.n_patches));
-	return TS_RUN(run, &launch, &args, n_pixels);
+	return TS_RUN(run, straight ? &of_lamps : &gathered, &args, n_pixels);
 }
 
 const ts_stage ts_stage_direct = {
@@ -18,5 +21,5 @@ const ts_stage ts_stage_direct = {
 	.paper = "SSAGH 5",
 	.doc = "light of every triangle at every pixel by form factors",
 	.run = direct,
-	.launches = TS_LAUNCHES(&launch),
+	.launches = TS_LAUNCHES(&gathered, &of_lamps),
 };

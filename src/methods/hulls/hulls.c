@@ -1,11 +1,12 @@
-/* Screen-space approximate Gaussian hulls: indirect light of one bounce (METHODS 11).
+/* Screen-space approximate Gaussian hulls: indirect light of one bounce, and the light of lamps (METHODS 11).
  * Meder and Bruederlin, "Screen Space Approximate Gaussian Hulls" (2018).
  *
  * Each texel of a reflective shadow map becomes a triangle of light. The screen's depth is down-sampled and segmented
  * in blocks; at the corners of each segment's box the light of all triangles is gathered as spherical Gaussians, one a
  * channel. Each pixel interpolates those of its segment and integrates them with the cosine of its own normal.
  * `direct`, the paper's ground truth, gathers at every pixel instead. Neither asks whether something stands between
- * triangle and receiver.
+ * triangle and receiver. Effect `area-light` is the same of the lamps themselves, as triangles: any source of light
+ * will do (sections 3 and 5).
  *
  * Deviations:
  * - what the paper leaves open is in METHODS 11: triangles are equilateral and as large as what their texel sees, the
@@ -17,31 +18,94 @@
  *   rounding falls (gather.h);
  * - a corner without light, or with the same from all sides, has no direction, and gives none to those that it is
  *   blended with;
- * - the picture is of indirect light alone. */
+ * - the picture is of indirect light alone, or of that of the lamps alone. */
 #include "../stages.h"
 #include "../raster/pipelines.h"
 
-static const ts_step hulls_steps[] = {
-	{.run = ts_rsm_run},         {.run = ts_gbuffer_run},
-	{.stage = "depth_grid"}, /* down-sampled depth */
+static const ts_step hull_run[] = {
+	{.run = ts_gbuffer_run},     {.stage = "depth_grid"}, /* down-sampled depth */
 	{.stage = "segment"},        {.stage = "segment.extent"},
 	{.stage = "segment.box"},    {.stage = "corner"}, /* light at the corners of the boxes */
 	{.stage = "corner.lobes"},   {.stage = "hull"},   /* hull.interpolation and integration */
 	{.stage = "image.indirect"}, {0},
 };
 
-static const ts_step direct_steps[] = {
-	{.run = ts_rsm_run}, {.run = ts_gbuffer_run}, {.stage = "direct"}, {.stage = "image.indirect"}, {0},
+static const ts_step direct_run[] = {
+	{.run = ts_gbuffer_run},
+	{.stage = "direct"},
+	{.stage = "image.indirect"},
+	{0},
 };
+
+/* Lamps, and their triangles of light. */
+static const ts_step polygon_run[] = {
+	{.run = ts_frame_run},
+	{.stage = "lamp"},
+	{.stage = "polygon"},
+	{0},
+};
+
+static const ts_step hulls_steps[] = {{.run = ts_rsm_run}, {.run = hull_run}, {0}};
+static const ts_step direct_steps[] = {{.run = ts_rsm_run}, {.run = direct_run}, {0}};
+static const ts_step hulls_lamps_steps[] = {{.run = polygon_run}, {.run = hull_run}, {0}};
+static const ts_step direct_lamps_steps[] = {{.run = polygon_run}, {.run = direct_run}, {0}};
 
 enum { BOXES_A_BLOCK = 8 };
 
-static void hulls_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
+static void expect_boxes(ts_expected *expected, const ts_params *params)
 {
 	u64 side = TS_PARAM(params, depth_grid_px) / 32;
-	ts_indirect_expect(expected, scene, params);
 	expected->sizes.n[TS_DIM_segment_boxes] = side * side * BOXES_A_BLOCK;
 }
+
+static void hulls_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
+{
+	ts_indirect_expect(expected, scene, params);
+	expect_boxes(expected, params);
+}
+
+static void lamps_plan(ts_plan *plan, const ts_params *params, const ts_counts *counts, const ts_request *request)
+{
+	(void)request;
+	ts_plan_lights(plan, params);
+	plan->lights.taps = 1;
+	plan->lights.straight = 1;
+	plan->units = plan->lights.own ? counts->lights : 1;
+}
+
+static void lamps_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
+{
+	expect_boxes(expected, params);
+	expected->sizes.n[TS_DIM_lamps] = TS_PARAM(params, lamp_source) == TS_LAMP_SCENE ? scene->n_lights : 1;
+}
+
+static const ts_effect area_light = {
+	.name = "area-light",
+	.doc = "the light of a lamp or the scene's lights from all of their extent, without shadows",
+	.seen = TS_B_eye_depth_triangle,
+	.difference_scale = 4,
+	.lower = "depth_grid.px",
+};
+
+const ts_pipeline ts_pipeline_hulls_lamps = {
+	.name = "hulls",
+	.effect = &area_light,
+	.paper = "SSAGH 3 to 5",
+	.doc = "screen-space approximate Gaussian hulls: light gathered at the corners of depth segments",
+	.steps = hulls_lamps_steps,
+	.plan = lamps_plan,
+	.expect = lamps_expect,
+};
+
+const ts_pipeline ts_pipeline_direct_lamps = {
+	.name = "direct",
+	.effect = &area_light,
+	.paper = "SSAGH 5",
+	.doc = "the same light gathered by every pixel",
+	.steps = direct_lamps_steps,
+	.plan = lamps_plan,
+	.expect = lamps_expect,
+};
 
 const ts_pipeline ts_pipeline_hulls = {
 	.name = "hulls",

@@ -23,10 +23,11 @@ static ts_status image_shadow(ts_run *run)
 	return TS_RUN(run, &with_shadows, &args, n_pixels(run));
 }
 
-/* In indirect light alone. */
+/* In the light that was gathered alone. */
 static ts_status image_indirect(ts_run *run)
 {
-	ts_indirect_args args = {.exposure = TS_PARAM(&run->params, image_exposure)};
+	ts_indirect_args args = {.exposure = TS_PARAM(&run->params, image_exposure),
+	                         .gain = run->plan.lights.straight ? 1.0f : TS_BOUNCE_GAIN};
 	return TS_RUN(run, &of_indirect, &args, n_pixels(run));
 }
 

@@ -194,7 +194,8 @@ static void test_range(void **state)
 static ts_moment gather(const ts_patch *patches, u64 n_patches, ts_v3 p)
 {
 	ts_moment m;
-	ts_k_gather_all(&m, patches, n_patches, (ts_box_corner){p, 0.5f});
+	const ts_corner_args args = {.patches = patches, .n_patches = n_patches};
+	ts_k_gather_all(&m, &args, (ts_box_corner){p, 0.5f});
 	return m;
 }
 

@@ -223,7 +223,7 @@ static void test_one_light(void **state)
 		ts_store3(patch.exitance, ts_v3_make(3, 1, 0));
 		ts_gathered sum = {.w = ts_v3_make(0, 0, 0)};
 		sum.red = sum.green = sum.blue = sum.w;
-		ts_k_gather(&sum, &patch, p);
+		ts_k_gather(&sum, &patch, p, true);
 		ts_gpixel pixel;
 		f32 direct[3];
 		ts_k_gpixel_store(&pixel, p, 0.5f, n, sum.w);

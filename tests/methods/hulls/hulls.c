@@ -5,6 +5,7 @@
 #include <math.h>
 #include "../../../src/kernels/hulls/segment_box.h"
 #include "../../../src/kernels/base/shade.h"
+#include "../../../src/kernels/base/srgb.h"
 #include "../../../src/trace/sums.h"
 
 static ts_params tiny_params(void)
@@ -16,18 +17,24 @@ static ts_params tiny_params(void)
 	return params;
 }
 
-static void run_of(ts_run *run, const ts_scene *scene, const ts_params *params, const char *method)
+static void effect_of(ts_run *run, const ts_scene *scene, const ts_params *params, const char *effect,
+                      const char *method)
 {
 	ts_run_begin(run, scene, params, 2);
-	if (ts_pipeline_run(ts_pipeline_find("indirect", method), run) != TS_OK)
-		fail_msg("%s: %s", method, ts_error_message());
+	if (ts_pipeline_run(ts_pipeline_find(effect, method), run) != TS_OK) fail_msg("%s: %s", method, ts_error_message());
 }
 
-static void sums_of(ts_sums *sums, const ts_scene *scene, const ts_params *params, const char *method, u32 threads)
+static void run_of(ts_run *run, const ts_scene *scene, const ts_params *params, const char *method)
+{
+	effect_of(run, scene, params, "indirect", method);
+}
+
+static void sums_of(ts_sums *sums, const ts_scene *scene, const ts_params *params, const ts_pipeline *method,
+                    u32 threads)
 {
 	const ts_how how = {.threads = threads};
-	ts_status status = ts_sums_of(sums, ts_pipeline_find("indirect", method), scene, params, &how);
-	if (status != TS_OK) fail_msg("%s: %s", method, ts_error_message());
+	ts_status status = ts_sums_of(sums, method, scene, params, &how);
+	if (status != TS_OK) fail_msg("%s: %s", method->name, ts_error_message());
 }
 
 /* Every way to compute, on any number of threads. */
@@ -35,12 +42,16 @@ static void test_threads(void **state)
 {
 	(void)state;
 	static const struct {
-		const char *method, *set[4][2];
+		const char *effect, *method, *set[4][2];
 	} rows[] = {
-		{"hulls", {{"segment.method", "components"}, {"hull.sharpness", "vmf"}, {"hull.interpolation", "moments"}}},
-		{"hulls", {{"hull.surface", "paper"}, {"hull.cosine", "quadrature"}}},
-		{"hulls", {{"hull.cosine", "sg"}, {"lamp.source", "scene"}}},
-		{"direct", {{"lamp.source", "lamp"}}},
+		{"indirect",
+	     "hulls",
+	     {{"segment.method", "components"}, {"hull.sharpness", "vmf"}, {"hull.interpolation", "moments"}}},
+		{"indirect", "hulls", {{"hull.surface", "paper"}, {"hull.cosine", "quadrature"}}},
+		{"indirect", "hulls", {{"hull.cosine", "sg"}, {"lamp.source", "scene"}}},
+		{"indirect", "direct", {{"lamp.source", "lamp"}}},
+		{"area-light", "hulls", {{"lamp.radius", "0.25"}}},
+		{"area-light", "direct", {{"lamp.source", "scene"}}},
 	};
 	for (u32 row = 0; row < sizeof rows / sizeof *rows; row++) {
 		static ts_sums one, seven;
@@ -49,8 +60,9 @@ static void test_threads(void **state)
 		for (u32 i = 0; i < 4 && rows[row].set[i][0] != NULL; i++) {
 			assert_int_equal(ts_params_set(&params, rows[row].set[i][0], rows[row].set[i][1]), TS_OK);
 		}
-		sums_of(&one, scene, &params, rows[row].method, 1);
-		sums_of(&seven, scene, &params, rows[row].method, 7);
+		const ts_pipeline *method = ts_pipeline_find(rows[row].effect, rows[row].method);
+		sums_of(&one, scene, &params, method, 1);
+		sums_of(&seven, scene, &params, method, 7);
 		for (u32 id = 0; id < TS_N_BUFFERS; id++) assert_string_equal(one.hex[id], seven.hex[id]);
 		assert_int_equal(strlen(one.hex[TS_B_indirect_irradiance]), 64);
 		ts_scene_free(scene);
@@ -393,6 +405,97 @@ static void test_lights(void **state)
 	ts_scene_free(scene);
 }
 
+/* Light of three lamps is the sum of each one's, triangle by triangle and where they have no extent; nothing of
+ * reflective shadow maps is made. */
+static void check_lamps(ts_scene *scene, const ts_params *params, ts_light *lights, double tolerance)
+{
+	ts_run all, hulls;
+	effect_of(&all, scene, params, "area-light", "direct");
+	effect_of(&hulls, scene, params, "area-light", "hulls");
+	check_light(&all);
+	check_light(&hulls);
+	assert_int_equal(ts_frame_n(&all.frame, TS_B_polygon_patch), 24);
+	assert_int_equal(ts_run_counter(&all, "gathers"), 100 * 54 * 24);
+	assert_false(all.frame.buffer[TS_B_rsm_patch].made);
+	double d = apart(&hulls, &all);
+	if (!(d < tolerance)) fail_msg("lamp.radius=%g: %g", (double)params->lamp_radius, d);
+	const f32 *sum = ts_frame_data(&all.frame, TS_B_indirect_irradiance);
+	double off = 0, mean = 0;
+	static double each[3 * 100 * 54];
+	memset(each, 0, sizeof each);
+	scene->n_lights = 1;
+	for (u32 k = 0; k < 3; k++) {
+		ts_run one;
+		scene->lights = lights + k;
+		effect_of(&one, scene, params, "area-light", "direct");
+		const f32 *light = ts_frame_data(&one.frame, TS_B_indirect_irradiance);
+		for (u32 i = 0; i < 3 * 100 * 54; i++) each[i] += (double)light[i];
+		ts_run_end(&one);
+	}
+	for (u32 i = 0; i < 3 * 100 * 54; i++) {
+		off = fmax(off, fabs(each[i] - (double)sum[i]) / (each[i] + 0.01));
+		mean += each[i] / (3 * 100 * 54);
+	}
+	assert_true(off < 1e-5 && mean > 0.1);
+	scene->lights = lights;
+	scene->n_lights = 3;
+	ts_run_end(&all);
+	ts_run_end(&hulls);
+}
+
+static void test_lamps(void **state)
+{
+	(void)state;
+	ts_params params = tiny_params();
+	ts_scene *scene = small_scene(&params);
+	ts_light *own = scene->lights, lights[3] = {{.kind = TS_LIGHT_KIND_SPOT,
+	                                             .position = {0, 4, 0},
+	                                             .direction = {0, -1, 0},
+	                                             .intensity = {30, 20, 10},
+	                                             .spot_scale = 2,
+	                                             .spot_offset = -1}};
+	u32 n_own = scene->n_lights;
+	lights[1] = lights[2] = lights[0];
+	lights[1].kind = TS_LIGHT_KIND_POINT;
+	lights[1].position[0] = 2;
+	lights[2].kind = TS_LIGHT_KIND_DIRECTIONAL;
+	for (u32 k = 0; k < 3; k++) lights[2].intensity[k] /= 30;
+	scene->lights = lights;
+	scene->n_lights = 3;
+	params.lamp_source = TS_LAMP_SCENE;
+	params.depth_grid_px = 256;
+	static const f32 radii[] = {0, 0.02f, 0.2f};
+	for (u32 i = 0; i < 3; i++) {
+		params.lamp_radius = radii[i];
+		check_lamps(scene, &params, lights, 0.6);
+	}
+	scene->lights = own;
+	scene->n_lights = n_own;
+	ts_scene_free(scene);
+}
+
+/* Display values of lamps are as bright as radiance says, those of a bounce eight times that. */
+static void test_gain(void **state)
+{
+	(void)state;
+	ts_params params = tiny_params();
+	ts_scene *scene = small_scene(&params);
+	static const char *const effects[] = {"area-light", "indirect"};
+	for (u32 k = 0; k < 2; k++) {
+		ts_run run;
+		effect_of(&run, scene, &params, effects[k], "direct");
+		const f32 *radiance = ts_frame_data(&run.frame, TS_B_image_radiance);
+		const u8 *srgb = ts_frame_data(&run.frame, TS_B_image_srgb);
+		const ts_gpixel *pixels = ts_frame_data(&run.frame, TS_B_gbuffer_pixel);
+		for (u64 i = 0; i < 3 * 100 * 54; i++) {
+			f32 gain = k == 0 || pixels[i / 3].depth == 1 ? 1.0f : 8.0f;
+			assert_int_equal(srgb[i], ts_srgb_byte(radiance[i] * gain));
+		}
+		ts_run_end(&run);
+	}
+	ts_scene_free(scene);
+}
+
 static void test_dark(void **state)
 {
 	(void)state;
@@ -442,7 +545,7 @@ int main(void)
 		cmocka_unit_test(test_threads),  cmocka_unit_test(test_against_direct), cmocka_unit_test(test_segments),
 		cmocka_unit_test(test_unparted), cmocka_unit_test(test_surface),        cmocka_unit_test(test_whole_grid),
 		cmocka_unit_test(test_sky),      cmocka_unit_test(test_lights),         cmocka_unit_test(test_dark),
-		cmocka_unit_test(test_refused),
+		cmocka_unit_test(test_refused),  cmocka_unit_test(test_lamps),          cmocka_unit_test(test_gain),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

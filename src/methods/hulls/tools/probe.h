@@ -1,6 +1,7 @@
 /* What hulls and the light that they approximate answer to the probe. */
 #ifndef TS_HULLS_TOOLS_PROBE_H
 #define TS_HULLS_TOOLS_PROBE_H
+#include "../../../kernels/hulls/direct.h"
 #include "../../../kernels/hulls/hull.h"
 #include "../../../probe/parts.h"
 
@@ -8,6 +9,10 @@
  * (probe_direct.c). */
 ts_status ts_probe_hull_pixel(ts_probe *probe, const ts_probe_question *question, json_t *object);
 json_t *ts_probe_lobe(ts_probe *probe, const ts_hull_args *args, const ts_sg *g, ts_v3 n, u32 channel);
+/* What light is gathered from: triangles of reflective shadow maps, or lamps (probe_source.c). Sets all of source that
+ * says so, checked; and the buffers that a pixel's answer needs. */
+ts_status ts_probe_read_source(ts_probe *probe, ts_direct_args *source);
+const ts_buffer_id *ts_probe_source_needed(const ts_probe *probe);
 ts_status ts_probe_direct_pixel(ts_probe *probe, const ts_probe_question *question, json_t *object);
 
 #endif

@@ -1,6 +1,6 @@
-/* A pixel of `direct`: the triangles of light that give it most. */
+/* A pixel of `direct`: the triangles of light, and lamps without extent, that give it most. */
 #include <stdlib.h>
-#include "../../../kernels/hulls/direct.h"
+#include "../../../kernels/hulls/polygon.h"
 #include "../../raster/tools/probe.h"
 #include "probe.h"
 
@@ -18,18 +18,45 @@ static int by_light(const void *a, const void *b)
 	return x != y ? (x < y) - (x > y) : (s->patch > t->patch) - (s->patch < t->patch);
 }
 
-static ts_status put_terms(ts_probe *p, json_t *o, const ts_gpixel *pixel, const ts_patch *patches, const term *terms,
-                           u32 n)
+/* Light of a triangle, by its index, or behind these of a lamp without extent. */
+static ts_v3 light_of(const ts_direct_args *from, const ts_gpixel *pixel, u32 index)
 {
-	ts_probe_lamps lamps;
+	ts_v3 at = ts_load3(pixel->position), n = ts_load3(pixel->normal), none = {0, 0, 0};
+	if (index < from->n_patches) return ts_k_direct(&from->patches[index], at, n);
+	u32 lamp = index - (u32)from->n_patches;
+	return from->shapes[lamp].radius > 0.0f ? none : ts_k_direct_point(&from->lamps[lamp], at, n);
+}
+
+static ts_status put_triangle(ts_probe *p, json_t *o, const ts_direct_args *from, const ts_probe_lamps *lamps,
+                              u32 index, const ts_gpixel *pixel)
+{
+	ts_status status = TS_OK;
+	const ts_patch *patch = &from->patches[index];
+	ts_v3 at = ts_load3(pixel->position), a = ts_load3(patch->a), b = ts_load3(patch->b), c = ts_load3(patch->c);
+	if (from->n_lamps == 0) {
+		status = ts_probe_put_patch(p, o, lamps, index, patch);
+	} else {
+		ts_probe_put(p, o, "patch", ts_probe_int(index));
+		ts_probe_put(p, o, "light", ts_probe_int(index / TS_LAMP_TRIANGLES));
+		ts_probe_put_shining(p, o, patch);
+	}
+	ts_probe_put(p, o, "form_factor", ts_probe_bits(ts_k_form_factor(at, ts_load3(pixel->normal), a, b, c)));
+	return status;
+}
+
+static ts_status put_terms(ts_probe *p, json_t *o, const ts_gpixel *pixel, const ts_direct_args *from,
+                           const term *terms, u32 n)
+{
+	ts_probe_lamps lamps = {.lens = TS_PROBE_A_VIEW};
 	json_t *list = json_array();
-	ts_status status = ts_probe_read_lamps(p, TS_PROBE_A_VIEW, &lamps);
+	ts_status status = from->n_lamps == 0 ? ts_probe_read_lamps(p, TS_PROBE_A_VIEW, &lamps) : TS_OK;
 	for (u32 i = 0; i < n && status == TS_OK; i++) {
 		json_t *entry = json_object();
-		const ts_patch *patch = &patches[terms[i].patch];
-		ts_v3 at = ts_load3(pixel->position), a = ts_load3(patch->a), b = ts_load3(patch->b), c = ts_load3(patch->c);
-		status = ts_probe_put_patch(p, entry, &lamps, terms[i].patch, patch);
-		ts_probe_put(p, entry, "form_factor", ts_probe_bits(ts_k_form_factor(at, ts_load3(pixel->normal), a, b, c)));
+		if (terms[i].patch < from->n_patches) {
+			status = put_triangle(p, entry, from, &lamps, terms[i].patch, pixel);
+		} else {
+			ts_probe_put(p, entry, "light", ts_probe_int(terms[i].patch - from->n_patches));
+		}
 		ts_probe_put(p, entry, "irradiance", ts_probe_v3_bits(terms[i].light));
 		ts_probe_append(p, list, entry);
 	}
@@ -37,24 +64,25 @@ static ts_status put_terms(ts_probe *p, json_t *o, const ts_gpixel *pixel, const
 	return status;
 }
 
-static ts_status put_all(ts_probe *p, json_t *o, const ts_gpixel *pixel, const ts_patch *patches, u32 n,
-                         f32 irradiance[3])
+static ts_status put_all(ts_probe *p, json_t *o, const ts_gpixel *pixel, const ts_direct_args *from, f32 irradiance[3])
 {
 	ts_v3 sum = ts_v3_make(0.0f, 0.0f, 0.0f);
-	u32 n_giving = 0;
+	u32 n = (u32)from->n_patches + from->n_lamps, n_giving = 0;
 	term *terms = ts_alloc(n + (size_t)1, sizeof *terms, "triangles of light");
 	if (terms == NULL) return TS_ERROR;
 	for (u32 k = 0; k < n; k++) {
-		ts_v3 light = ts_k_direct(&patches[k], ts_load3(pixel->position), ts_load3(pixel->normal));
+		ts_v3 light = light_of(from, pixel, k);
 		sum = ts_add(sum, light);
 		if (light.x + light.y + light.z > 0.0f) terms[n_giving++] = (term){k, light};
 	}
 	qsort(terms, n_giving, sizeof *terms, by_light);
-	ts_probe_put(p, o, "triangles_of_light", ts_probe_int(n));
+	ts_probe_put(p, o, "triangles_of_light", ts_probe_int(from->n_patches));
 	ts_probe_put(p, o, "that_give", ts_probe_int(n_giving));
-	ts_status status = put_terms(p, o, pixel, patches, terms, n_giving < MOST_LISTED ? n_giving : MOST_LISTED);
+	ts_status status = put_terms(p, o, pixel, from, terms, n_giving < MOST_LISTED ? n_giving : MOST_LISTED);
 	free(terms);
-	ts_direct_args args = {.pixels = pixel, .patches = patches, .irradiance = irradiance, .n_patches = n};
+	ts_direct_args args = *from;
+	args.pixels = pixel;
+	args.irradiance = irradiance;
 	ts_k_direct_item(&args, 0);
 	ts_probe_put_sum(p, o, sum, ts_load3(irradiance));
 	return status;
@@ -64,10 +92,10 @@ static ts_status put_direct(ts_probe *p, const ts_probe_seen *at, const ts_gpixe
                             f32 irradiance[3])
 {
 	json_t *o = json_object();
-	const ts_patch *patches = ts_probe_whole(p, TS_B_rsm_patch);
-	u64 n = ts_probe_n(p, TS_B_rsm_patch);
+	ts_direct_args from;
 	(void)at;
-	ts_status status = patches != NULL ? put_all(p, o, pixel, patches, (u32)n, irradiance) : TS_ERROR;
+	ts_status status = ts_probe_read_source(p, &from);
+	if (status == TS_OK) status = put_all(p, o, pixel, &from, irradiance);
 	ts_probe_put(p, object, "direct", o);
 	return status;
 }
@@ -79,6 +107,5 @@ static ts_status put_light(ts_probe *p, const ts_probe_seen *at, json_t *o, ts_v
 
 ts_status ts_probe_direct_pixel(ts_probe *p, const ts_probe_question *q, json_t *o)
 {
-	static const ts_buffer_id needed[] = {TS_B_eye_depth_triangle, TS_B_rsm_patch, TS_N_BUFFERS};
-	return ts_probe_eye_pixel(p, q, needed, put_light, o);
+	return ts_probe_eye_pixel(p, q, ts_probe_source_needed(p), put_light, o);
 }

@@ -22,9 +22,8 @@ typedef struct {
 	ts_segment box;
 	ts_moment moments[N_CORNERS];
 	ts_lobes lobes[N_CORNERS];
-	const ts_patch *patches;
-	u64 n_patches;
-	ts_hull_args args; /* of this box alone */
+	ts_corner_args source; /* of the light that the corners gather */
+	ts_hull_args args;     /* of this box alone */
 	ts_shares weights, shares;
 } hull;
 
@@ -136,9 +135,14 @@ static ts_status put_choice(ts_probe *p, json_t *o, const choice *c, u32 x, u32 
 static ts_status read_hull(ts_probe *p, hull *h, u32 box)
 {
 	const ts_params *params = &p->trace->params;
-	h->patches = ts_probe_whole(p, TS_B_rsm_patch);
-	h->n_patches = ts_probe_n(p, TS_B_rsm_patch);
-	if (h->patches == NULL || ts_probe_fetch(p, TS_B_segment_box, box, 1, &h->box) != TS_OK) return TS_ERROR;
+	ts_direct_args from;
+	if (ts_probe_read_source(p, &from) != TS_OK) return TS_ERROR;
+	h->source = (ts_corner_args){.patches = from.patches,
+	                             .lamps = from.lamps,
+	                             .shapes = from.shapes,
+	                             .n_patches = from.n_patches,
+	                             .n_lamps = from.n_lamps};
+	if (ts_probe_fetch(p, TS_B_segment_box, box, 1, &h->box) != TS_OK) return TS_ERROR;
 	if (ts_probe_fetch(p, TS_B_corner_moment, (u64)box * N_CORNERS, N_CORNERS, h->moments) != TS_OK) return TS_ERROR;
 	if (ts_probe_fetch(p, TS_B_corner_lobes, (u64)box * N_CORNERS, N_CORNERS, h->lobes) != TS_OK) return TS_ERROR;
 	h->args = (ts_hull_args){.choice = {.boxes = &h->box, .grid = TS_PARAM(params, depth_grid_px)},
@@ -171,7 +175,7 @@ static ts_status put_gathered(ts_probe *p, json_t *o, const hull *h, u32 k)
 		bool seen = pixel.depth >= h->box.nearest && pixel.depth <= h->box.farthest;
 		ts_probe_put(p, o, "place",
 		             json_string(seen ? "as the G-buffer has it" : "corrected to the middle of the box"));
-		ts_k_gather_all(&made, h->patches, h->n_patches, ts_k_box_corner(&view, &h->box, &pixel, at));
+		ts_k_gather_all(&made, &h->source, ts_k_box_corner(&view, &h->box, &pixel, at));
 		ts_probe_put_record_check(p, gathered, TS_B_corner_moment, &made, held);
 	}
 	ts_probe_put(p, o, "gathered", gathered);
@@ -235,7 +239,7 @@ static ts_status put_irradiance(ts_probe *p, const ts_probe_seen *at, const ts_g
 	                                      TS_B_corner_lobes, TS_N_BUFFERS};
 	u32 box = TS_NONE, grid = TS_PARAM(&p->trace->params, depth_grid_px);
 	json_t *o = json_object();
-	hull h = {.patches = NULL};
+	hull h;
 	choice c = {.at = {.x = ts_k_resample(at->x, p->view.width, grid),
 	                   .y = ts_k_resample(at->y, p->view.height, grid),
 	                   .depth = pixel->depth}};
@@ -256,6 +260,5 @@ static ts_status put_light(ts_probe *p, const ts_probe_seen *at, json_t *o, ts_v
 
 ts_status ts_probe_hull_pixel(ts_probe *p, const ts_probe_question *q, json_t *o)
 {
-	static const ts_buffer_id needed[] = {TS_B_eye_depth_triangle, TS_B_rsm_patch, TS_N_BUFFERS};
-	return ts_probe_eye_pixel(p, q, needed, put_light, o);
+	return ts_probe_eye_pixel(p, q, ts_probe_source_needed(p), put_light, o);
 }

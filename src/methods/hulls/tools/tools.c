@@ -12,6 +12,10 @@ static const ts_margin_rule margins[] = {
 };
 
 static const ts_truth_kind truths[] = {
+	{"exact", "area-light", "form factors in double precision, without shadows", "method", "shadowed", "shadows",
+     .begin = ts_truth_lamps_begin, .trace = ts_truth_lamps_exact, .image = "image.indirect"},
+	{"shadowed", "area-light", "the same of what rays to truth.area_samples places of each light see", "", "", "",
+     .begin = ts_truth_lamps_begin, .trace = ts_truth_lamps_shadowed, .image = "image.indirect"},
 	{"lights", "indirect", "the method's triangles of light, where they are seen", "", "bounce", "",
      .begin = ts_truth_indirect_begin, .trace = ts_truth_lights, .image = "image.indirect"},
 	{"bounce", "indirect", "light after one bounce, path by path", "", "", "", .begin = ts_truth_indirect_begin,

@@ -16,4 +16,12 @@ ts_status ts_truth_lights(ts_truth *truth, ts_run *run);
  * other leaves what the reflective shadow map costs. Reads gbuffer.pixel and lamp.light; makes the same. */
 ts_status ts_truth_bounce(ts_truth *truth, ts_run *run);
 
+/* Truths of lamps (truth_lamps.c), from a run that ts_truth_lamps_begin has brought to its lamps and its G-buffer.
+ * `exact`: form factors of the lamps' triangles in double precision, without shadows. `shadowed`: the same of what the
+ * pixel sees of each, by params.truth_area_samples rays to a lamp. Both read gbuffer.pixel, polygon.patch, lamp.light
+ * and lamp.shape, and make the same. */
+ts_status ts_truth_lamps_begin(ts_run *run, const char *effect);
+ts_status ts_truth_lamps_exact(ts_truth *truth, ts_run *run);
+ts_status ts_truth_lamps_shadowed(ts_truth *truth, ts_run *run);
+
 #endif

@@ -67,7 +67,9 @@ typedef ts_status ts_probe_irradiance(ts_probe *probe, const ts_probe_seen *at, 
 ts_status ts_probe_put_indirect(ts_probe *probe, const ts_probe_seen *at, ts_probe_irradiance *put_from, json_t *object,
                                 ts_v3 *radiance);
 
-/* ---- reflective shadow maps (probe_patch.c) ---- */
+/* ---- triangles of light (probe_patch.c) ---- */
+/* Puts where one is, and what it sends. */
+void ts_probe_put_shining(ts_probe *probe, json_t *object, const ts_patch *patch);
 /* Puts what a texel is as a light. */
 ts_status ts_probe_put_patch(ts_probe *probe, json_t *object, const ts_probe_lamps *lamps, u32 index,
                              const ts_patch *patch);
