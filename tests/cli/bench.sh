@@ -196,6 +196,37 @@ assert len(unlit) > 10 and here["unlit_pixels"] == len(unlit) and abs(here["unli
 PY
 verdict $? 'bench ssagh-1: light of hulls that no triangle of light gives'
 
+# Figures 3 and 4: errors are those of renders, and what must hold is read off them.
+lamps=(dining:triangles=10000:texels=32 --size 96x54 --set depth_grid.px=128 --set lamp.radius=0.3)
+for figure in '3 constant' '4 sg'; do
+	read -r number cosine <<< "$figure"
+	run bench ssagh-$number --scene "${lamps[@]}" -o "$scratch/ssagh-$number"
+	[ "$status" -eq 0 ] && awk 'length > 120 || / $/ { exit 1 }' "$scratch/stdout" && [ "$(grep -c ' holds$' "$scratch/stdout")" -eq 4 ]
+	verdict $? "bench ssagh-$number fits 120 columns and holds"
+	for integral in ours $cosine; do
+		"$touchstone" render area-light "${lamps[@]}" --truth=none --force --set hull.cosine=$integral -o "$scratch/area-$integral" \
+			> "$scratch/stdout" 2> "$scratch/stderr"
+	done
+	python3 - "$scratch" "$number" "$cosine" <<'PY'
+import sys
+from results import results
+scratch, number, cosine = sys.argv[1:]
+report = results(f"{scratch}/ssagh-{number}")
+here = {k: v for part in (f"ssagh_{number}", f"ssagh_{number}_gained") for r in report[part] if r["source"] == "here" for k, v in r.items()}
+for who, integral in ("ours", "ours"), ("other", cosine):
+	rows = results(f"{scratch}/area-{integral}")["metrics"]
+	row = next(r for r in rows if (r["image"], r["reference"]) == ("hulls", "direct"))
+	for k in "psnr", "ssim", "relative_rmse":
+		assert abs(here[f"{who}_{k}"] - row[k]) < 1e-9 * abs(row[k]), (k, here, row)
+assert abs(here["psnr_gain"] - here["ours_psnr"] + here["other_psnr"]) < 1e-9 and here["psnr_gain"] > 3
+assert here["ours_dark"] == 0 and (here["other_dark"] > 0) == (cosine == "constant")
+judged = {r["relation"]: (r["here"], r["verdict"]) for r in report["relations"]}
+assert judged["PSNR of ours above the other's, dB"] == (here["psnr_gain"], "holds") and len(judged) == 4
+PY
+	verdict $? "bench ssagh-$number: errors are those of renders"
+done
+refuses 'takes no --runs' bench ssagh-3 --runs 2
+
 # Labels of a depth image, counted again from traces of both segmentations.
 one=(atrium:triangles=10000 --size 96x54 --set depth_grid.px=64)
 run bench ssagh-segments --scene "${one[@]:0:1}" "${one[@]:1}" -o "$scratch/segments"

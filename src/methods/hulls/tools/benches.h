@@ -4,7 +4,7 @@
 #include "../../../study/bench.h"
 #include "../../../study/bench_paper.h"
 
-extern const ts_paper_table ts_ssagh_1;
+extern const ts_paper_table ts_ssagh_1, ts_ssagh_3, ts_ssagh_4;
 ts_status ts_bench_segments(const ts_job *job);
 ts_status ts_bench_curves(const ts_job *job);
 ts_status ts_bench_logistic(const ts_job *job);
