@@ -35,12 +35,25 @@ typedef struct {
 	const char *takes;   /* of the only ones that say something; NULL: all others */
 	const ts_paper_table *paper;
 	ts_status (*run)(const ts_job *job);
-	u32 runs; /* unless the job says how many; 0: three */
+	u32 runs;          /* unless the job says how many; 0: three */
+	const char *brief; /* the options of a run that takes seconds, separated by blanks; NULL: none */
 } ts_bench_row;
 
 /* The options that a table of a paper, whose methods and truths are its own, and one without files ignore. */
 #define TS_BENCH_BY_ITSELF "method truth"
 #define TS_BENCH_FILES "output force"
+
+/* The table of what must hold of a bench that is no ts_paper_table, called "relations" as those of papers' are: a row
+ * each. `paper` may be NAN, and `because` is said where it does not hold. */
+ts_table ts_bench_relations_begin(void);
+typedef struct {
+	const char *text, *bound;
+	double here, paper;
+	int decimals;
+	bool holds;
+	const char *because;
+} ts_bench_relation;
+void ts_bench_relation_add(ts_table *table, const ts_bench_relation *relation);
 
 /* Takes the tables of all families: lists ended by NULL, each ended by a row without a name. The rows must stay. */
 void ts_benches_use(const ts_bench_row *const *rows);

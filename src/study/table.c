@@ -151,6 +151,18 @@ static void print_row(const ts_table *table, FILE *out, const size_t *width, con
 	}
 }
 
+void ts_table_say(const ts_table *table)
+{
+	char text[512];
+	size_t n = 0;
+	for (u32 c = 0; c < table->n_columns && n < sizeof text && !table->failed; c++) {
+		const ts_cell *cell = &table->cells[table->n_cells - table->n_columns + c];
+		n += (size_t)snprintf(text + n, sizeof text - n, "%s%s %s", c > 0 ? ", " : "", table->columns[c].key,
+		                      cell->text);
+	}
+	ts_say("%s", text);
+}
+
 void ts_table_print(const ts_table *table, FILE *out)
 {
 	size_t width[TS_MAX_COLUMNS];

@@ -37,6 +37,8 @@ void ts_table_count(ts_table *table, i64 value);
 void ts_table_bytes(ts_table *table, u64 bytes);
 void ts_table_real(ts_table *table, double value, int decimals);
 void ts_table_none(ts_table *table);
+/* Says the last row, which must be complete, on standard error: what comes of a long work. */
+void ts_table_say(const ts_table *table);
 /* Rows must be complete. Beyond 120 columns texts are wrapped within their columns. */
 void ts_table_print(const ts_table *table, FILE *out);
 /* An array of objects, one a row; a new reference, or NULL when out of memory. */
