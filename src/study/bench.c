@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include "bench.h"
 #include "bench_paper.h"
+#include "claims.h"
 #include "truths.h"
 
 enum { RUNS = 3, MOST = 64 };
@@ -52,6 +53,7 @@ static const ts_bench_row general[] = {
 	{"backends", "each stage in C and on every OpenCL device, of one frame by one --method (epr); and builds",
      "truth " TS_BENCH_FILES, .run = ts_bench_backends, .runs = 5},
 	{"start", "the seconds from opening --backend to its first frames", "truth " TS_BENCH_FILES, .run = ts_bench_start},
+	{"list", "what the papers show, which table asks it, and the verdict", "", .takes = "json", .run = ts_bench_claims},
 	{0},
 };
 
@@ -77,11 +79,17 @@ const ts_bench_row *const *ts_benches(void) { return table; }
 
 ts_table ts_bench_list(void)
 {
-	static const ts_column columns[] = {{"name", "table", false}, {"doc", "what it measures", false}, {0}};
+	static const ts_column columns[] = {
+		{"name", "table", false}, {"doc", "what it measures", false}, {"brief", "in brief", false}, {0}};
 	ts_table list = ts_table_begin("benches", "", columns);
 	for (const ts_bench_row *const *row = ts_benches(); *row != NULL; row++) {
 		ts_table_text(&list, (*row)->name);
 		ts_table_text(&list, (*row)->doc);
+		if ((*row)->brief != NULL) {
+			ts_table_text(&list, (*row)->brief);
+		} else {
+			ts_table_none(&list);
+		}
 	}
 	return list;
 }

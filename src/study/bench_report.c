@@ -209,10 +209,14 @@ static void report_relations(ts_report *report, const ts_paper_table *table, con
 	add_column(&s, &k, "paper", "paper", true);
 	add_column(&s, &k, "verdict", "verdict", false);
 	s.table = ts_table_begin("relations", "What the paper claims", s.columns);
+	json_t *timed = json_array();
 	for (const ts_paper_relation *r = table->relations; r->text != NULL; r++) {
 		rows_of_kind[r->kind](&s.table, table, r, lines, n);
-		s.table.timed |= ts_bench_is_timed(table->figures, r->figure) || ts_bench_is_timed(table->figures, r->cause);
+		if (!ts_bench_is_timed(table->figures, r->figure) && !ts_bench_is_timed(table->figures, r->cause)) continue;
+		json_array_append_new(timed, json_string(r->text));
+		s.table.timed = true;
 	}
+	ts_report_value(report, "timed_relations", timed);
 	if (s.table.n_cells == 0) return;
 	ts_report_table(report, &s.table);
 }

@@ -7,6 +7,7 @@
 #include "../../probe/probe.h"
 #include "../../replay/check.h"
 #include "../../study/bench.h"
+#include "../../study/claims.h"
 #include "../../study/notes.h"
 #include "../../study/stage_pictures.h"
 #include "../../study/viewer.h"
@@ -22,6 +23,7 @@ typedef struct {
 	const ts_truth_kind *truths;           /* ended by a row without a name */
 	const ts_texel_rule *texels;           /* ended by a row without `judge` */
 	const ts_bench_row *benches;           /* ended by a row without a name */
+	const ts_claim *claims;                /* ended by a row without a paper */
 	const ts_probe_part *parts;            /* ended by a row without `answer` */
 	const ts_stage_picture_rule *pictures; /* ended by a row without `take` */
 	const ts_viewer_rule *viewers;         /* ended by a row without `write` */

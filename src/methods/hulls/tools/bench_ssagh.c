@@ -13,7 +13,7 @@ static const ts_bench_variant variants[] = {
 };
 
 enum { PIXELS, DIRECT_MS, HULLS_MS, DIRECT_RATE, HULLS_RATE, SPEEDUP, COST, BOXES, GATHERS, DIRECT_GATHERS, SAVED, RMSE,
-       RELATIVE, RELATIVE_VMF, NEAR, ELSEWHERE, NEAR_SHARE, NEAR_ERROR, MEDIAN, BEYOND, UNLIT, GIVEN };
+       RELATIVE, RELATIVE_VMF, NEAR, ELSEWHERE, NEAR_SHARE, NEAR_ERROR, MEDIAN, BEYOND, UNLIT, GIVEN, PSNR, SSIM };
 
 static const ts_bench_figure figures[] = {
 	[PIXELS] = { "megapixels", "Mpixels", TS_FIGURE_PIXELS, 0, 0, 2, "" },
@@ -38,6 +38,8 @@ static const ts_bench_figure figures[] = {
 	[BEYOND] = { "beyond_percent", "above 10 %, %", TS_FIGURE_BEYOND, M_HULLS, M_DIRECT, 2, "" },
 	[UNLIT] = { "unlit_pixels", "unlit pixels", TS_FIGURE_UNLIT, M_HULLS, M_DIRECT, TS_WHOLE, "" },
 	[GIVEN] = { "unlit_percent", "mean, %", TS_FIGURE_GIVEN, M_HULLS, M_DIRECT, 2, "" },
+	[PSNR] = { "psnr", "PSNR", TS_FIGURE_PSNR, M_HULLS, M_DIRECT, 2, "" },
+	[SSIM] = { "ssim", "SSIM", TS_FIGURE_SSIM, M_HULLS, M_DIRECT, 4, "" },
 	{ 0 },
 };
 
@@ -49,6 +51,8 @@ static const ts_paper_part parts[] = {
 	  RELATIVE_VMF, TS_NO_FIGURE } },
 	{ "ssagh_1_light", "Relative errors of hulls to direct in radiance; near: within a side of the middle of a "
 	  "triangle of light", { NEAR, ELSEWHERE, NEAR_SHARE, NEAR_ERROR, MEDIAN, BEYOND, TS_NO_FIGURE } },
+	{ "ssagh_1_images", "SSAGH, figure 8: images of hulls beside those of direct, PSNR in dB", { PSNR, SSIM,
+	  TS_NO_FIGURE } },
 	{ "ssagh_1_unlit", "Pixels that have light of hulls and none of direct; their mean radiance by that of direct",
 	  { UNLIT, GIVEN, TS_NO_FIGURE } },
 	{ 0 },
@@ -61,10 +65,19 @@ static const ts_paper_part parts[] = {
 static const ts_paper_relation relations[] = {
 	FASTER(5.01, 0.92, 2.07), FASTER(9.48, 2.07, 4.09), FASTER(11.92, 4.09, 9.21), FASTER(16.80, 9.21, 1e6),
 	{ "direct / hulls, from size to size", SPEEDUP, TS_GROWS, 1, 0, TS_NO_FIGURE, 0, 0, "differs: it falls", SAVED },
+	{ "gathers of direct by those of hulls", SAVED, TS_AT_LEAST, 5.01, 0, PIXELS, 0.92, 1e6, "many boxes", BOXES },
 	{ "gathers of hulls, most by least", GATHERS, TS_STEADY, 0, 1.1, TS_NO_FIGURE, 0, 0,
 	  "differs: more or fewer boxes", BOXES },
 	{ "direct, ns a pixel, most by least", COST, TS_STEADY, 0, 1.25, TS_NO_FIGURE, 0, 0,
 	  "differs: a busy machine, or more or less sky", DIRECT_MS },
+	{ "PSNR of hulls to direct, dB", PSNR, TS_AT_LEAST, 30, 0, TS_NO_FIGURE, 0, 0,
+	  "the error is near triangles of light", NEAR_ERROR },
+	{ "SSIM of hulls to direct", SSIM, TS_AT_LEAST, 0.9, 0, TS_NO_FIGURE, 0, 0,
+	  "one Gaussian a channel is not enough, for a finer grid changes nothing", GIVEN },
+	{ "RMSE elsewhere than near triangles of light", ELSEWHERE, TS_AT_MOST, 0, 0.2, TS_NO_FIGURE, 0, 0,
+	  "one Gaussian a channel is not enough, for a finer grid changes nothing", GIVEN },
+	{ "median error of a pixel", MEDIAN, TS_AT_MOST, 0, 0.15, TS_NO_FIGURE, 0, 0,
+	  "one Gaussian a channel is not enough, for a finer grid changes nothing", GIVEN },
 	{ 0 },
 };
 

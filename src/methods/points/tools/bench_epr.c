@@ -28,6 +28,13 @@ static const ts_paper_part work_parts[] = {
 	{ 0 },
 };
 
+/* The least of the paper's scenes. */
+static const ts_paper_relation work_relations[] = {
+	{ "MVR's operations by EPR's", W_RATIO, TS_AT_LEAST, 4.37, 0, TS_NO_FIGURE, 0, 0, "small mirrors in a small image",
+	  W_DIAMETER },
+	{ 0 },
+};
+
 #define WORK(scene, builtin, file, n, diameter, epr, mvr, ratio) \
 	{ scene, builtin, file, n, { [W_DIAMETER] = diameter, [W_EPR] = epr, [W_MVR] = mvr, [W_RATIO] = ratio } }
 
@@ -51,7 +58,7 @@ const ts_paper_table ts_epr_1 = {
 	.name = "epr-1", .title = "EPR, table 1: who runs", .effect = "reflections",
 	.scenes = "atrium,gallery,dining", .objects_head = "mirrors", .objects_param = "reflectors.count",
 	.objects = "1,10,20,50", .set = "", .defaults = "", .variants = work_variants, .figures = work_figures,
-	.parts = work_parts, .rows = work_rows,
+	.parts = work_parts, .relations = work_relations, .rows = work_rows,
 };
 
 /* Table 2. Faces as large as the image asks for are EPR's own (EPR section 4.2): iVIR's points there are those of
@@ -67,7 +74,7 @@ static const ts_bench_variant variants[] = {
 
 enum { TRIANGLES, DIAMETER, SPEEDUP, DIFFERENCE, EPR_MS, POINT_MS, VIEW_MS, DEFERRED_MS, DEFERRED2_MS, MVR_MS, POINTS,
 	EPR_RMSE, MVR_RMSE, IVIR_RMSE, IVIR_MS, IVIR_POINT_MS, IVIR_VIEW_MS, IVIR_DEFERRED_MS, IVIR_POINTS, IVIR_SPEEDUP,
-	IVIR_DIFFERENCE, POINTS_RATIO, ADAPTIVE_POINTS };
+	IVIR_DIFFERENCE, POINTS_RATIO, ADAPTIVE_POINTS, BOUNCES };
 
 static const ts_bench_figure figures[] = {
 	[TRIANGLES] = { "triangles", "triangles", TS_FIGURE_TRIANGLES, 0, 0, TS_WHOLE, "" },
@@ -93,6 +100,7 @@ static const ts_bench_figure figures[] = {
 	[IVIR_DIFFERENCE] = { "ivir_rmse_difference", "less iVIR's, %", TS_FIGURE_MORE, EPR_RMSE, IVIR_RMSE, 3, "" },
 	[POINTS_RATIO] = { "points_ratio", "iVIR / EPR", TS_FIGURE_RATIO, IVIR_POINTS, POINTS, 2, "" },
 	[ADAPTIVE_POINTS] = { "ivir_adaptive_points", "of such faces", TS_FIGURE_COUNTER, M_IVIR, 0, TS_WHOLE, "points" },
+	[BOUNCES] = { "bounces_ratio", "2 / 1", TS_FIGURE_RATIO, DEFERRED2_MS, DEFERRED_MS, 2, "" },
 	{ 0 },
 };
 
@@ -100,7 +108,7 @@ static const ts_paper_part parts[] = {
 	{ "epr_2", "EPR, table 2: points, of iVIR for faces of 512, and for faces as large as EPR's", { TRIANGLES, DIAMETER,
 	  POINTS, IVIR_POINTS, POINTS_RATIO, ADAPTIVE_POINTS, TS_NO_FIGURE } },
 	{ "epr_2_ms", "EPR, table 2: the whole frame by EPR and MVR, and EPR's parts, ms", { SPEEDUP, EPR_MS, POINT_MS,
-	  VIEW_MS, DEFERRED_MS, DEFERRED2_MS, MVR_MS, TS_NO_FIGURE } },
+	  VIEW_MS, DEFERRED_MS, DEFERRED2_MS, BOUNCES, MVR_MS, TS_NO_FIGURE } },
 	{ "epr_2_ivir_ms", "EPR, table 2: the whole frame by iVIR, and its parts, ms", { IVIR_SPEEDUP, IVIR_MS,
 	  IVIR_POINT_MS, IVIR_VIEW_MS, IVIR_DEFERRED_MS, TS_NO_FIGURE } },
 	{ "epr_2_rmse", "EPR, table 2: RMSE to the truth in grey levels, and EPR's less the others' in percent of 255",
@@ -108,9 +116,19 @@ static const ts_paper_part parts[] = {
 	{ 0 },
 };
 
+/* Bounds are the least and the greatest of the paper's rows, but for iVIR's one of 10 mirrors in Breakfast. */
 static const ts_paper_relation relations[] = {
 	{ "iVIR's points / EPR's", POINTS_RATIO, TS_AT_LEAST, 3.5, 0, TS_NO_FIGURE, 0, 0, "another size of the cubes",
 	  DIAMETER },
+	{ "time of MVR / EPR", SPEEDUP, TS_AT_LEAST, 1.41, 0, TS_NO_FIGURE, 0, 0, "points are much of the work", POINT_MS },
+	{ "time of iVIR / EPR", IVIR_SPEEDUP, TS_AT_LEAST, 1.26, 0, TS_NO_FIGURE, 0, 0, "points are much of the work",
+	  POINT_MS },
+	{ "RMSE of EPR less MVR's, %", DIFFERENCE, TS_AT_MOST, 0, 0.067, TS_NO_FIGURE, 0, 0, "texels of points are larger",
+	  EPR_RMSE },
+	{ "RMSE of EPR less iVIR's, %", IVIR_DIFFERENCE, TS_AT_MOST, 0, 0.008, TS_NO_FIGURE, 0, 0,
+	  "texels of points are larger", EPR_RMSE },
+	{ "frame less maps: 2 bounces, by 1", BOUNCES, TS_AT_LEAST, 1, 0, TS_NO_FIGURE, 0, 0, "few mirrors see mirrors",
+	  DEFERRED2_MS },
 	{ 0 },
 };
 
@@ -171,7 +189,7 @@ static const ts_bench_variant omni_variants[] = {
 };
 
 enum { O_POINTS, O_MS, O_IVIR_POINTS, O_IVIR_MS, O_MVR_MS, O_SHARE, O_OVER_IVIR, O_OVER_MVR, O_RMSE, O_IVIR_RMSE,
-       O_PAPER_POINTS, O_PAPER_SHARE, O_PAPER_RMSE, O_UNIT_POINTS, O_UNIT_SHARE, O_UNIT_RMSE };
+       O_PAPER_POINTS, O_PAPER_SHARE, O_PAPER_RMSE, O_UNIT_POINTS, O_UNIT_SHARE, O_UNIT_RMSE, O_RMSE_RATIO };
 
 static const ts_bench_figure omni_figures[] = {
 	[O_POINTS] = { "points", "EPR points", TS_FIGURE_COUNTER, M_EPR, 0, TS_WHOLE, "points" },
@@ -190,12 +208,13 @@ static const ts_bench_figure omni_figures[] = {
 	[O_UNIT_POINTS] = { "unit_points", "by pixels", TS_FIGURE_COUNTER, M_EPR_UNIT, 0, TS_WHOLE, "points" },
 	[O_UNIT_SHARE] = { "unit_share", "by iVIR's", TS_FIGURE_RATIO, O_UNIT_POINTS, O_IVIR_POINTS, 3, "" },
 	[O_UNIT_RMSE] = { "unit_rmse", "RMSE", TS_FIGURE_RMSE, M_EPR_UNIT, M_MVR, 3, "" },
+	[O_RMSE_RATIO] = { "rmse_ratio", "EPR / iVIR", TS_FIGURE_RATIO, O_RMSE, O_IVIR_RMSE, 3, "" },
 	{ 0 },
 };
 
 static const ts_paper_part omni_parts[] = {
 	{ "epr_3", "EPR, table 3: points, and RMSE to MVR's image in grey levels", { O_POINTS, O_IVIR_POINTS, O_SHARE,
-	  O_RMSE, O_IVIR_RMSE, TS_NO_FIGURE } },
+	  O_RMSE, O_IVIR_RMSE, O_RMSE_RATIO, TS_NO_FIGURE } },
 	{ "epr_3_rates", "EPR's points by the other rates, as printed and by the ratio in pixels (shadow_splat.rate)",
 	  { O_PAPER_POINTS, O_PAPER_SHARE, O_PAPER_RMSE, O_UNIT_POINTS, O_UNIT_SHARE, O_UNIT_RMSE, TS_NO_FIGURE } },
 	{ "epr_3_ms", "EPR, table 3: points and depth maps, ms", { O_MS, O_IVIR_MS, O_MVR_MS, O_OVER_IVIR, O_OVER_MVR,
@@ -207,6 +226,8 @@ static const ts_paper_relation omni_relations[] = {
 	{ "EPR's points / iVIR's", O_SHARE, TS_AT_MOST, 0, 1, TS_NO_FIGURE, 0, 0, "more points than iVIR", O_POINTS },
 	{ "EPR's as printed / iVIR's", O_PAPER_SHARE, TS_AT_MOST, 0, 0.8, TS_NO_FIGURE, 0, 0,
 	  "eye and light as far from most", O_PAPER_POINTS },
+	{ "RMSE to MVR's image, EPR by iVIR", O_RMSE_RATIO, TS_AT_MOST, 0, 1.1, TS_NO_FIGURE, 0, 0,
+	  "texels at edges of shadows", O_POINTS },
 	{ 0 },
 };
 

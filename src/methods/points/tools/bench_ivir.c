@@ -6,7 +6,7 @@ enum { M_IVIR, M_IVIR_CULL, M_STORED, M_STORED_CULL, M_VIR, M_VIR_CULL, M_MVR, M
 
 /* clang-format off */
 static const ts_bench_variant soft_variants[] = {
-	[M_IVIR] = { "ivir", "points.buffered=off,points.cull=off", false, TS_TIMED },
+	[M_IVIR] = { "ivir", "points.buffered=off,points.cull=off", true, TS_TIMED },
 	[M_IVIR_CULL] = { "ivir", "points.buffered=off,points.cull=on", true, TS_TIMED },
 	[M_STORED] = { "ivir", "points.buffered=on,points.cull=off", false, TS_TIMED },
 	[M_STORED_CULL] = { "ivir", "points.buffered=on,points.cull=on", false, TS_TIMED },
@@ -21,7 +21,7 @@ enum { S_TRIANGLES, S_POINTS, S_POINTS_CULL, S_SHARE, S_VIR_POINTS, S_VIR_POINTS
 	S_PIECES, S_A_TRIANGLE, S_POINT_MS, S_MS, S_MS_CULL, S_STORED_MS, S_STORED_MS_CULL, S_VIR_POINT_MS, S_VIR_MS,
 	S_VIR_MS_CULL, S_MVR_MS, S_RATIO, S_RATIO_CULL, S_STORED_RATIO_CULL, S_FRAME_MS, S_FRAME_MS_CULL, S_FRAME_MVR_MS,
 	S_FRAME_RATIO, S_FRAME_RATIO_CULL, S_WORK, S_MVR_WORK, S_WORK_RATIO, S_SCATTERS, S_SCATTERS_CULL, S_WRITES,
-	S_RMSE, S_RMSE_WATERTIGHT, S_RMSE_VIR };
+	S_RMSE, S_RMSE_WATERTIGHT, S_RMSE_VIR, S_RMSE_CULLED, S_RMSE_RATIO };
 
 static const ts_bench_figure soft_figures[] = {
 	[S_TRIANGLES] = { "triangles", "triangles", TS_FIGURE_TRIANGLES, 0, 0, TS_WHOLE, "" },
@@ -63,6 +63,8 @@ static const ts_bench_figure soft_figures[] = {
 	[S_RMSE] = { "rmse_paper", "iVIR", TS_FIGURE_RMSE, M_IVIR_CULL, M_MVR, 3, "" },
 	[S_RMSE_WATERTIGHT] = { "rmse_watertight", "iVIR watertight", TS_FIGURE_RMSE, M_WATERTIGHT, M_MVR, 3, "" },
 	[S_RMSE_VIR] = { "rmse_vir", "VIR", TS_FIGURE_RMSE, M_VIR_CULL, M_MVR, 3, "" },
+	[S_RMSE_CULLED] = { "rmse_culled", "culled, to iVIR not culled", TS_FIGURE_RMSE, M_IVIR_CULL, M_IVIR, 3, "" },
+	[S_RMSE_RATIO] = { "rmse_ratio", "iVIR / VIR", TS_FIGURE_RATIO, S_RMSE, S_RMSE_VIR, 3, "" },
 	{ 0 },
 };
 
@@ -76,7 +78,8 @@ static const ts_paper_part soft_parts[] = {
 	  S_FRAME_RATIO_CULL, TS_NO_FIGURE } },
 	{ "ivir_1_work", "Work: triangles in all passes over the geometry, and points by the views they went to", {
 	  S_WORK, S_MVR_WORK, S_WORK_RATIO, S_PIECES, S_SCATTERS, S_SCATTERS_CULL, S_WRITES, TS_NO_FIGURE } },
-	{ "ivir_1_rmse", "RMSE to MVR's image, grey levels", { S_RMSE, S_RMSE_WATERTIGHT, S_RMSE_VIR, TS_NO_FIGURE } },
+	{ "ivir_1_rmse", "RMSE to MVR's image, grey levels", { S_RMSE, S_RMSE_WATERTIGHT, S_RMSE_VIR, S_RMSE_RATIO,
+	  S_RMSE_CULLED, TS_NO_FIGURE } },
 	{ 0 },
 };
 
@@ -89,6 +92,10 @@ static const ts_paper_relation soft_relations[] = {
 	  "differs: not in every pair of scenes", S_A_TRIANGLE },
 	{ "points a triangle in sight where culling leaves a third", S_A_TRIANGLE, TS_BETWEEN, 1, 1.1, S_SHARE, 0, 0.33,
 	  "not all triangles are tiny", S_SHARE },
+	{ "RMSE by stochastic culling, grey levels", S_RMSE_CULLED, TS_AT_MOST, 0, 1, TS_NO_FIGURE, 0, 0,
+	  "few points are left a texel", S_SHARE },
+	{ "RMSE to MVR, iVIR by VIR", S_RMSE_RATIO, TS_AT_MOST, 0, 1.1, TS_NO_FIGURE, 0, 0, "fewer points than VIR",
+	  S_OVER_VIR_CULL },
 	{ "frame of iVIR / MVR's, culled", S_FRAME_RATIO_CULL, TS_AT_MOST, 0, 1, S_TRIANGLES, 100e3, 1e12,
 	  "more points a triangle", S_A_TRIANGLE },
 	{ 0 },

@@ -3,6 +3,7 @@
 #define TS_POINTS_TOOLS_BENCHES_H
 #include "../../../study/bench.h"
 #include "../../../study/bench_paper.h"
+#include "../../../study/claims.h"
 
 /* As the iVIR paper has it. */
 #define TS_IVIR_DEFAULTS "density.rate=paper,points.snap=off"
@@ -13,7 +14,8 @@
 #define TS_VIEW_STAGES "splat,scatter,scatter.colour,environment_map,cube_face,depth_map,shadow_cube_size,shadow_splat"
 #define TS_MAP_STAGES TS_POINT_STAGES "," TS_VIEW_STAGES
 
-extern const ts_paper_table ts_ivir_1, ts_ivir_2, ts_ivir_3, ts_epr_1, ts_epr_2, ts_epr_3;
+extern const ts_claim ts_points_claims[];
+extern const ts_paper_table ts_ivir_1, ts_ivir_2, ts_ivir_3, ts_ivir_5, ts_epr_1, ts_epr_2, ts_epr_3;
 ts_status ts_bench_sweep(const ts_job *job);
 
 #endif

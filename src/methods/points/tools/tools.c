@@ -53,13 +53,22 @@ static const ts_texel_rule texels[] = {
 };
 
 static const ts_bench_row benches[] = {
-	{"ivir-1", "iVIR: soft shadows; also of models in TS_SCENES", TS_BENCH_BY_ITSELF " objects", .paper = &ts_ivir_1},
-	{"ivir-2", "iVIR: reflections", TS_BENCH_BY_ITSELF, .paper = &ts_ivir_2},
-	{"ivir-3", "iVIR: omnidirectional shadows", TS_BENCH_BY_ITSELF, .paper = &ts_ivir_3},
-	{"epr-1", "EPR: shading operations", TS_BENCH_BY_ITSELF, .paper = &ts_epr_1},
-	{"epr-2", "EPR: times, points, and errors against truth C or --truth", "method", .paper = &ts_epr_2},
-	{"epr-3", "EPR: omnidirectional shadows", TS_BENCH_BY_ITSELF, .paper = &ts_epr_3},
-	{"epr-6", "EPR: speed against accuracy as density, sampling and faces vary", "method", .run = ts_bench_sweep},
+	{"ivir-1", "iVIR: soft shadows; also of models in TS_SCENES", TS_BENCH_BY_ITSELF " objects", .paper = &ts_ivir_1,
+     .brief = "--size 240x135 --runs 1 --set depth_map.px=128 --set lamp.views=32"},
+	{"ivir-2", "iVIR: reflections", TS_BENCH_BY_ITSELF, .paper = &ts_ivir_2,
+     .brief = "--objects 1,8 --size 240x135 --runs 1 --set cube.max_px=64"},
+	{"ivir-3", "iVIR: omnidirectional shadows", TS_BENCH_BY_ITSELF, .paper = &ts_ivir_3,
+     .brief = "--objects 1,5 --size 320x180 --runs 1"},
+	{"ivir-5", "iVIR: soft shadows of 16 views beside PCSS; also of models in TS_SCENES", TS_BENCH_BY_ITSELF " objects",
+     .paper = &ts_ivir_5, .brief = "--size 320x180 --runs 1"},
+	{"epr-1", "EPR: shading operations", TS_BENCH_BY_ITSELF, .paper = &ts_epr_1,
+     .brief = "--objects 1,5 --size 320x180 --set cube.max_px=256"},
+	{"epr-2", "EPR: times, points, and errors against truth C or --truth", "method", .paper = &ts_epr_2,
+     .brief = "--objects 5 --size 320x180 --runs 1 --set reflectors.px=40 --set cube.max_px=128"},
+	{"epr-3", "EPR: omnidirectional shadows", TS_BENCH_BY_ITSELF, .paper = &ts_epr_3,
+     .brief = "--objects 1,5 --size 320x180 --runs 1"},
+	{"epr-6", "EPR: speed against accuracy as density, sampling and faces vary", "method", .run = ts_bench_sweep,
+     .brief = "--objects 2 --size 320x180 --runs 1"},
 	{0},
 };
 
@@ -96,6 +105,7 @@ const ts_family_tools ts_points_tools = {
 	.truths = truths,
 	.texels = texels,
 	.benches = benches,
+	.claims = ts_points_claims,
 	.parts = parts,
 	.viewers = viewers,
 	.keeps = keeps,

@@ -20,7 +20,8 @@ static const ts_bench_variant variants[] = {
 
 /* A rate has the number of its variant. */
 enum { SURFELS = 4 * SHADERS, NPR_COST, NPR_SHADOW_COST, SHADOW_COST, FILTER_COST, THREADS, FRAGMENTS, OBJECT_FRAGMENTS,
-       SHADED, OBJECT_SHADED, SEEN, OBJECT_SEEN, OVERLAP, OBJECT_OVERLAP, MORE, ONCE, OBJECT_ONCE };
+       SHADED, OBJECT_SHADED, SEEN, OBJECT_SEEN, OVERLAP, OBJECT_OVERLAP, MORE, ONCE, OBJECT_ONCE, NPR_SHADED,
+       NPR_ONCE };
 
 #define RATE(variant, key, head) [variant] = { key, head, TS_FIGURE_SURFEL_RATE, variant, 0, 2, "" }
 #define RATES(first, key) \
@@ -49,6 +50,8 @@ static const ts_bench_figure figures[] = {
 	[MORE] = { "overlap_ratio", "by ours without", TS_FIGURE_RATIO, OVERLAP, OBJECT_OVERLAP, 2, "" },
 	[ONCE] = { "shaded_a_pixel", "a pixel", TS_FIGURE_RATIO, SHADED, SEEN, 3, "" },
 	[OBJECT_ONCE] = { "shaded_a_pixel_object", "no screen filter", TS_FIGURE_RATIO, OBJECT_SHADED, OBJECT_SEEN, 3, "" },
+	[NPR_SHADED] = { "shaded_npr", "NPR", TS_FIGURE_COUNTER, M_BOTH + NPR, 0, TS_WHOLE, "shading operations" },
+	[NPR_ONCE] = { "shaded_a_pixel_npr", "NPR", TS_FIGURE_RATIO, NPR_SHADED, SEEN, 3, "" },
 	{ 0 },
 };
 
@@ -64,7 +67,7 @@ static const ts_paper_part parts[] = {
 	{ "nv40_fragments", "Pixels with a surface, and fragments that blend there", { SEEN, OBJECT_SEEN, OVERLAP,
 	  OBJECT_OVERLAP, MORE, TS_NO_FIGURE } },
 	{ "nv40_shading", "Shading operations, whatever overlaps", { SHADED, OBJECT_SHADED, ONCE, OBJECT_ONCE,
-	  TS_NO_FIGURE } },
+	  NPR_ONCE, TS_NO_FIGURE } },
 	{ 0 },
 };
 
@@ -75,6 +78,7 @@ static const ts_paper_relation relations[] = {
 	  "surfels are wider or narrower, or epsilon hides more or less", OBJECT_OVERLAP },
 	{ "shading operations a pixel", ONCE, TS_BETWEEN, 1, 1, ALL, "not deferred", OVERLAP },
 	{ "the same without the screen filter", OBJECT_ONCE, TS_BETWEEN, 1, 1, ALL, "not deferred", OBJECT_OVERLAP },
+	{ "the same of NPR", NPR_ONCE, TS_BETWEEN, 1, 1, ALL, "not deferred", OVERLAP },
 	{ "rate of NPR / Phong", NPR_COST, TS_BETWEEN, 0.85, 1.1, ALL, "a busy machine, or shading is much of the work",
 	  NPR_COST },
 	{ "the same with shadows", NPR_SHADOW_COST, TS_BETWEEN, 0.85, 1.1, ALL,

@@ -3,7 +3,9 @@
 #define TS_SURFELS_TOOLS_BENCHES_H
 #include "../../../study/bench.h"
 #include "../../../study/bench_paper.h"
+#include "../../../study/claims.h"
 
-extern const ts_paper_table ts_nv40, ts_nv40_shading;
+extern const ts_claim ts_surfels_claims[];
+extern const ts_paper_table ts_nv40, ts_nv40_shading, ts_nv40_filter, ts_nv40_discs;
 
 #endif

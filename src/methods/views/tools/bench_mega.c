@@ -24,7 +24,7 @@ enum { VIEWS, MS, LODS_MS, UNCULLED_MS, BRUTE_MS, SPEEDUP, CULLING, TREE_MS, GAT
 	SEVERAL_SHARE, EMPTY, WIDE_EMPTY, SCENE_LEAVES, LEAVES, SCENE_MIB, TREE_MIB, QUEUE_MIB, MAPS_MIB, MIB,
 	LODS_SCENE_MIB, LODS_VIEWS_MIB, LODS_QUEUE_MIB, LODS_MAPS_MIB, LODS_MIB, LESS, FUSE_MS, ASK_MS, DESCEND_MS, SLOWER,
 	FUSED_MS, WORTH, TEXELS, DESCENT_TEXELS, OTHER, VIEWS_MS, VIEWS_PAIRS, VIEWS_TIME, VIEWS_MORE, VIEWS_RENDERED,
-	VIEWS_RENDERED_MORE, VIEWS_BY_BRUTE };
+	VIEWS_RENDERED_MORE, VIEWS_BY_BRUTE, UNCULLED_RMSE };
 
 static const ts_bench_figure figures[] = {
 	[VIEWS] = { "views", "views", TS_FIGURE_COUNTER, M_MEGA, 0, TS_WHOLE, "virtual point lights" },
@@ -97,6 +97,7 @@ static const ts_bench_figure figures[] = {
 	  "" },
 	[VIEWS_BY_BRUTE] = { "views_only_brute_ratio", "by leaves by views", TS_FIGURE_RATIO, VIEWS_PAIRS, BRUTE_PAIRS, 2,
 	  "" },
+	[UNCULLED_RMSE] = { "rmse_to_unculled", "to no culling", TS_FIGURE_RMSE, M_MEGA, M_UNCULLED, 3, "" },
 	{ 0 },
 };
 
@@ -110,6 +111,7 @@ static const ts_paper_part parts[] = {
 	  CULLED_SHARE, UNCULLED_PAIRS, PAIRS_SAVED, TS_NO_FIGURE } },
 	{ "mega_10_sharing", "Views of rendered pairs, and texels of whole maps of leaves", { SERVED, SHARING, EMPTY,
 	  WIDE_EMPTY, TS_NO_FIGURE } },
+	{ "mega_10_images", "Images of MegaViews: RMSE in grey levels", { UNCULLED_RMSE, TS_NO_FIGURE } },
 	{ "mega_10_mib", "Memory of MegaViews, MiB: octrees, queue at its longest, maps of all nodes and whole ones", {
 	  SCENE_LEAVES, LEAVES, SCENE_MIB, TREE_MIB, QUEUE_MIB, MAPS_MIB, MIB, TS_NO_FIGURE } },
 	{ "mega_10_manylods_mib", "Memory of ManyLoDs, MiB", { LODS_SCENE_MIB, LODS_VIEWS_MIB, LODS_QUEUE_MIB,
@@ -149,6 +151,10 @@ static const ts_paper_relation relations[] = {
 	{ "pictures with and without fusion, RMSE", OTHER, TS_AT_MOST, 0, 0, ALL, "fusion answers otherwise", OTHER },
 	{ "pairs of several views wider than a texel, %", SEVERAL_SHARE, TS_AT_MOST, 0, 5, ALL,
 	  "larger leaves than the paper's", SCENE_LEAVES },
+	{ "pairs of ManyLoDs / MegaViews, 60,000 views or more", SAVED, TS_AT_LEAST, 10, 0, VIEWS, 60e3, 1e9,
+	  "less is shared", SHARING },
+	{ "RMSE to the image without culling", UNCULLED_RMSE, TS_AT_MOST, 0, 0, ALL, "culling loses what a view sees",
+	  CULLED_SHARE },
 	{ "empty texels of maps of all directions, %", WIDE_EMPTY, TS_BETWEEN, 25, 35, ALL,
 	  "12.5 are outside the discs; of the rest those to the sky and into walls", WIDE_EMPTY },
 	{ 0 },

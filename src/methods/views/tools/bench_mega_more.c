@@ -47,26 +47,39 @@ const ts_paper_table ts_mega_12 = {
 	.parts = side_parts, .relations = side_relations, .plot = &side_plot, .rows = none,
 };
 
-/* Figure 13. */
-static const ts_bench_variant variants[] = {
+/* Figure 13. Errors are those of all lights, unfiltered. */
+enum { M_EVERY_LIGHT = M_LODS + 1 };
+
+static const ts_bench_variant level_variants[] = {
 	[M_MEGA] = { "megaviews", "", true, TS_TIMED },
 	[M_LODS] = { "manylods", "", true, TS_TIMED },
+	[M_EVERY_LIGHT] = { "megaviews", "vpl_gather.lights=0,bilateral.px=0", true, TS_ONCE },
 	{ 0 },
 };
 
+enum { LEVEL_PSNR = EMPTY + 1, LEVEL_SSIM };
+
 static const ts_bench_figure level_figures[] = {
-	[X] = { "leaves", "leaves", TS_FIGURE_COUNTER, M_MEGA, 0, TS_WHOLE, "scene leaves" }, TS_MEGA_FIGURES, { 0 },
+	[X] = { "leaves", "leaves", TS_FIGURE_COUNTER, M_MEGA, 0, TS_WHOLE, "scene leaves" }, TS_MEGA_FIGURES,
+	[EMPTY] = { "level", "level", TS_FIGURE_PARAM, 0, 0, TS_WHOLE, "octree.levels" },
+	[LEVEL_PSNR] = { "psnr", "PSNR", TS_FIGURE_PSNR, M_EVERY_LIGHT, 0, 2, "" },
+	[LEVEL_SSIM] = { "ssim", "SSIM", TS_FIGURE_SSIM, M_EVERY_LIGHT, 0, 4, "" },
+	{ 0 },
 };
 
 static const ts_paper_part level_parts[] = {
 	{ "mega_13", "MegaViews, figure 13: maps, ms; exponents of leaves of the scene since the row above", { X, MS,
-	  LODS_MS, SPEEDUP, MS_GROWTH, LODS_MS_GROWTH, RMSE, TS_NO_FIGURE } },
+	  LODS_MS, SPEEDUP, MS_GROWTH, LODS_MS_GROWTH, TS_NO_FIGURE } },
+	{ "mega_13_images", "Pictures of all lights, unfiltered, beside truth `vpls`: dB", { LEVEL_PSNR, LEVEL_SSIM,
+	  TS_NO_FIGURE } },
 	{ "mega_13_pairs", "Pairs, and ManyLoDs'", { PAIRS, LODS_PAIRS, SAVED, PAIRS_GROWTH, SHARING, WIDER, WIDER_SHARE,
 	  SEVERAL, SEVERAL_SHARE, TS_NO_FIGURE } },
 	{ 0 },
 };
 
 static const ts_paper_relation level_relations[] = {
+	{ "PSNR grows with levels", LEVEL_PSNR, TS_GROWS, 1, 0, ALL, "differs: leaves are finer than maps", LEVEL_PSNR },
+	{ "SSIM grows with levels", LEVEL_SSIM, TS_GROWS, 1, 0, ALL, "differs: leaves are finer than maps", LEVEL_SSIM },
 	{ "time grows with levels", MS, TS_GROWS, 1, 0, ALL, "differs: it falls", MS },
 	{ "time grows slower than leaves: exponent", MS_GROWTH, TS_AT_MOST, 0, 1, ALL, "a busy machine, or little shared",
 	  SHARING },
@@ -89,7 +102,7 @@ const ts_paper_table ts_mega_13 = {
 	.name = "mega-13", .title = "MegaViews, figure 13", .effect = "indirect", .scenes = "atrium",
 	.objects_head = "levels", .objects_param = "octree.levels", .objects = "5,6,7,8", .set = "reflectors.count=0",
 	.defaults = "vpl.paths=256,vpl.bounces=4,rsm.px=256", .size = "width=320,height=180", .timed = true,
-	.note = "The paper has 65,536 views.", .variants = variants, .figures = level_figures,
+	.judge = "vpls", .note = "The paper has 65,536 views.", .variants = level_variants, .figures = level_figures,
 	.parts = level_parts, .relations = level_relations, .plot = &level_plot, .rows = level_rows,
 };
 

@@ -1,0 +1,24 @@
+/* What the papers' tables, figures, algorithms and slides show, which table of `bench` asks whether it is so here, and
+ * what was found when that was last asked (verdicts.def). */
+#ifndef TS_CLI_CLAIMS_H
+#define TS_CLI_CLAIMS_H
+#include "bench.h"
+
+/* One of `bench` and `cannot` is NULL. */
+typedef struct {
+	const char *paper;  /* by its name in reference/PAPERS.md */
+	const char *place;  /* "table 1", "figure 2"; of slides the title */
+	const char *shows;  /* in a few words */
+	const char *bench;  /* the name of the table that asks it */
+	const char *rows;   /* by those of its relations whose text begins with one of these, parted by "|"; NULL: all */
+	const char *cannot; /* why none can */
+} ts_claim;
+
+/* Takes the claims of all families: lists ended by NULL, each ended by a row without a paper. They must stay. */
+void ts_claims_use(const ts_claim *const *claims);
+/* All of them in that order. */
+const ts_claim *const *ts_claims(void);
+/* `bench list`: a row for each, with its verdict. */
+ts_status ts_bench_claims(const ts_job *job);
+
+#endif

@@ -1,0 +1,61 @@
+/* What the papers show: each claim is asked by a table of `bench` that can be run in brief, or says why it cannot be
+ * asked, and none is there twice. */
+#include "../../src/study/claims.h"
+#include "../../src/tools/tools.h"
+#include "../model/test.h"
+#include <string.h>
+
+static const ts_bench_row *bench_of(const ts_claim *claim)
+{
+	const ts_bench_row *const *row = ts_benches();
+	while (*row != NULL && strcmp((*row)->name, claim->bench) != 0) row++;
+	return *row;
+}
+
+static void check(const ts_claim *claim)
+{
+	if (claim->shows[0] == 0) fail_msg("%s, %s: shows nothing", claim->paper, claim->place);
+	if ((claim->bench != NULL) == (claim->cannot != NULL))
+		fail_msg("%s, %s: asked or not?", claim->paper, claim->place);
+	if (claim->bench == NULL) return;
+	const ts_bench_row *row = bench_of(claim);
+	if (row == NULL) fail_msg("%s, %s: no table %s", claim->paper, claim->place, claim->bench);
+	if (row->brief == NULL) fail_msg("%s: no options to be run in brief", row->name);
+}
+
+static void test_claims(void **state)
+{
+	(void)state;
+	u32 n = 0;
+	for (const ts_claim *const *list = ts_claims(); *list != NULL; list++) {
+		for (const ts_claim *claim = *list; claim->paper != NULL; claim++, n++) {
+			check(claim);
+			for (const ts_claim *other = *list; other < claim; other++) {
+				if (strcmp(other->paper, claim->paper) == 0) assert_string_not_equal(other->place, claim->place);
+			}
+		}
+	}
+	assert_true(n > 50);
+}
+
+/* Tables that measure a paper's are asked by some claim. */
+static void test_tables(void **state)
+{
+	(void)state;
+	for (const ts_bench_row *const *row = ts_benches(); *row != NULL; row++) {
+		bool asks = (*row)->brief == NULL;
+		for (const ts_claim *const *list = ts_claims(); *list != NULL; list++) {
+			for (const ts_claim *claim = *list; claim->paper != NULL; claim++)
+				asks |= claim->bench != NULL && strcmp(claim->bench, (*row)->name) == 0;
+		}
+		if (!asks) fail_msg("%s: no claim asks it", (*row)->name);
+		if ((*row)->paper != NULL && (*row)->brief == NULL) fail_msg("%s: no options to be run in brief", (*row)->name);
+	}
+}
+
+int main(void)
+{
+	ts_tools_begin();
+	const struct CMUnitTest tests[] = {cmocka_unit_test(test_claims), cmocka_unit_test(test_tables)};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
