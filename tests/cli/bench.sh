@@ -229,6 +229,39 @@ PY
 	verdict $? "bench ssagh-$number: errors are those of renders"
 done
 refuses 'takes no --runs' bench ssagh-3 --runs 2
+# Each picture of ssagh-2 is that of a render with its choice, and differences and verdicts are those of its figures.
+one=(atrium:triangles=10000:texels=32 --set rsm.px=2 --set depth_grid.px=64)
+run bench ssagh-2 --scene "${one[0]}" "${one[@]:1}" --objects 96x54 -o "$scratch/ssagh-2"
+[ "$status" -eq 0 ] && awk 'length > 120 || / $/ { exit 1 }' "$scratch/stdout"
+verdict $? 'bench ssagh-2 fits 120 columns'
+for choice in segment.method=none hull.cosine=constant hull.cosine=sg hull.cosine=quadrature hull.cosine=ours; do
+	"$touchstone" render indirect "${one[@]}" --set reflectors.count=0 --size 96x54 --set $choice --method hulls,direct --truth=none \
+		--no-images --json > "$scratch/$choice" 2> "$scratch/stderr"
+done
+python3 - "$scratch" <<'PY'
+import sys
+from results import results
+report = results(sys.argv[1] + "/ssagh-2")
+row = {k: v for name, rows in report.items() if name.startswith("ssagh_2") for k, v in rows[0].items()}
+names = {"segment.method=none": "_grid", "hull.cosine=constant": "_constant", "hull.cosine=sg": "_gaussian",
+         "hull.cosine=quadrature": "_quadrature", "hull.cosine=ours": ""}
+for choice, name in names.items():
+	shown = results(f"{sys.argv[1]}/{choice}")
+	metric, light = shown["metrics"][0], shown["light_errors"][0]
+	assert (row["psnr" + name], row["ssim" + name]) == (metric["psnr"], metric["ssim"]), (choice, row, metric)
+	assert row["elsewhere" + name] == light["relative_rmse_elsewhere"] and row["median" + name] == light["median_error"]
+	if name:
+		assert abs(row["psnr_over" + name] - row["psnr"] + row["psnr" + name]) < 1e-6
+		assert abs(row[name[1:] + "_ratio"] - row["elsewhere" + name] / row["elsewhere"]) < 1e-6
+judged = {r["relation"]: (r["here"], r["verdict"]) for r in report["relations"]}
+for relation, name in (("grid", "_grid"), ("constant cosine", "_constant"), ("Gaussian cosine", "_gaussian")):
+	here, said = judged[relation + ": dB that ours brings"]
+	assert here == row["psnr_over" + name] and (said == "holds") == (here >= 0)
+	here, said = judged[relation + ": RMSE elsewhere, by ours"]
+	assert here == row[name[1:] + "_ratio"] and (said == "holds") == (here >= 1)
+assert len(judged) == 8
+PY
+verdict $? 'bench ssagh-2: pictures are those of renders'
 
 # Labels of a depth image, counted again from traces of both segmentations.
 one=(atrium:triangles=10000 --size 96x54 --set depth_grid.px=64)

@@ -15,6 +15,7 @@ result() { # GOOD NAME
 for list in stages buffers sizes params methods truths benches; do
 	"$TOUCHSTONE" list "$list" --json > "$folder/$list.json"
 done
+"$TOUCHSTONE" bench list --json > "$folder/list.json"
 printf '#!/bin/sh\ncat "%s/$2.json"\n' "$folder" > "$folder/lists"
 chmod +x "$folder/lists"
 export TOUCHSTONE=$folder/lists
@@ -24,7 +25,7 @@ result "${PIPESTATUS[0]}" "CONTRACT.md, METHODS.md, FIGURES.md, README.md and CO
 
 # sees REASON FILE SED-SCRIPT: the check names the damage that the script does to a copy.
 sees() {
-	cp reference/CONTRACT.md reference/METHODS.md reference/FIGURES.md README.md CONTRIBUTING.md "$folder/"
+	cp reference/CONTRACT.md reference/METHODS.md reference/FIGURES.md reference/VERDICTS.md README.md CONTRIBUTING.md "$folder/"
 	sed -i "$3" "$folder/$2"
 	scripts/docs-check "$folder" > "$folder/out"
 	[ $? -eq 1 ] && grep -q "$2:[0-9]*: .*$1" "$folder/out"
@@ -46,6 +47,7 @@ sees "ts_log2: its coefficients" CONTRACT.md 's/1.709a16p-3/1.8b4f7ap-3/'
 sees "ts_sincos_turn: its coefficients" CONTRACT.md 's/s \* 0x1.921fb6p+2/s/'
 sees "not numbered" CONTRACT.md 's/^\*\*12\. /**13. /'
 sees "stale" METHODS.md '/^## 5\. /s/$/ and more/'
+sees "stale" VERDICTS.md '/^| SSAGH | figure 7 /s/holds/differs/'
 sees "there is no method megaview" README.md 's/^| `megaviews`/| `megaview`/'
 sees "truth vpls is not in the table" README.md '/^| vpls |/d'
 sees "effect omni-shadows is not shown" README.md 's/render omni-shadows/render shadows/'

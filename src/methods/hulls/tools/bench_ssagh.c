@@ -73,11 +73,11 @@ static const ts_paper_relation relations[] = {
 	{ "PSNR of hulls to direct, dB", PSNR, TS_AT_LEAST, 30, 0, TS_NO_FIGURE, 0, 0,
 	  "the error is near triangles of light", NEAR_ERROR },
 	{ "SSIM of hulls to direct", SSIM, TS_AT_LEAST, 0.9, 0, TS_NO_FIGURE, 0, 0,
-	  "one Gaussian a channel is not enough, for a finer grid changes nothing", GIVEN },
+	  "one Gaussian a channel is not enough; a finer grid changes little", GIVEN },
 	{ "RMSE elsewhere than near triangles of light", ELSEWHERE, TS_AT_MOST, 0, 0.2, TS_NO_FIGURE, 0, 0,
-	  "one Gaussian a channel is not enough, for a finer grid changes nothing", GIVEN },
+	  "one Gaussian a channel is not enough; a finer grid changes little", GIVEN },
 	{ "median error of a pixel", MEDIAN, TS_AT_MOST, 0, 0.15, TS_NO_FIGURE, 0, 0,
-	  "one Gaussian a channel is not enough, for a finer grid changes nothing", GIVEN },
+	  "one Gaussian a channel is not enough; a finer grid changes little", GIVEN },
 	{ 0 },
 };
 

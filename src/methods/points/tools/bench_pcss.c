@@ -12,7 +12,8 @@ static const ts_bench_variant variants[] = {
 	{ 0 },
 };
 
-enum { PCSS_MS, IVIR_MS, RATIO, PCSS_RMSE, IVIR_RMSE, FEW_RMSE, PSNR, IVIR_PSNR, SSIM, IVIR_SSIM, GAIN, SSIM_GAIN, TRIANGLES };
+enum { PCSS_MS, IVIR_MS, RATIO, PCSS_RMSE, IVIR_RMSE, FEW_RMSE, PSNR, IVIR_PSNR, SSIM, IVIR_SSIM, GAIN,
+       SSIM_GAIN, TRIANGLES };
 
 static const ts_bench_figure figures[] = {
 	[PCSS_MS] = { "pcss_ms", "PCSS", TS_FIGURE_TIME, M_PCSS, 0, 2, "" },

@@ -107,10 +107,10 @@ static const ts_paper_part disc_parts[] = {
 };
 
 static const ts_paper_relation disc_relations[] = {
-	{ "PSNR to rays into the surfels, dB", D_PSNR, TS_AT_LEAST, 30, 0, ALL, "a pixel has one ray where the truth has several",
-	  D_RMSE },
-	{ "SSIM to rays into the surfels", D_SSIM, TS_AT_LEAST, 0.95, 0, ALL, "a pixel has one ray where the truth has several",
-	  D_RMSE },
+	{ "PSNR to rays into the surfels, dB", D_PSNR, TS_AT_LEAST, 30, 0, ALL,
+	  "a pixel has one ray where the truth has several", D_RMSE },
+	{ "SSIM to rays into the surfels", D_SSIM, TS_AT_LEAST, 0.95, 0, ALL,
+	  "a pixel has one ray where the truth has several", D_RMSE },
 	{ 0 },
 };
 

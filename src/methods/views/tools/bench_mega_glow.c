@@ -11,8 +11,8 @@ static const ts_bench_variant variants[] = {
 	{ 0 },
 };
 
-enum { PSNR, PSNR_OFF, PSNR_LODS, SSIM, SSIM_OFF, SSIM_LODS, GAIN, SSIM_GAIN, UNDER_LODS, SERVED, RENDERED, SHARING, ASKED, DARK,
-	DARK_SHARE };
+enum { PSNR, PSNR_OFF, PSNR_LODS, SSIM, SSIM_OFF, SSIM_LODS, GAIN, SSIM_GAIN, UNDER_LODS, SERVED, RENDERED,
+	SHARING, ASKED, DARK, DARK_SHARE };
 
 static const ts_bench_figure figures[] = {
 	[PSNR] = { "psnr", "PSNR", TS_FIGURE_PSNR, SHADOWED, 0, 2, "" },
@@ -35,15 +35,18 @@ static const ts_bench_figure figures[] = {
 
 static const ts_paper_part parts[] = {
 	{ "mega_17", "MegaViews, figure 17: images of particles beside truth `glow`, PSNR in dB", { PSNR, PSNR_OFF, GAIN,
-	  PSNR_LODS, UNDER_LODS, SSIM, SSIM_OFF, SSIM_GAIN, SSIM_LODS, SHARING, DARK_SHARE, TS_NO_FIGURE } },
+	  PSNR_LODS, UNDER_LODS, SSIM, SSIM_OFF, SSIM_GAIN, SSIM_LODS, SHARING, DARK_SHARE,
+	  TS_NO_FIGURE } },
 	{ 0 },
 };
 
 #define ALL TS_NO_FIGURE, 0, 0
 
 static const ts_paper_relation relations[] = {
-	{ "dB that shadows bring", GAIN, TS_AT_LEAST, 0, 0, ALL, "leaves throw more shadow than they have", DARK_SHARE },
-	{ "SSIM that shadows bring", SSIM_GAIN, TS_AT_LEAST, 0, 0, ALL, "leaves throw more shadow than they have", DARK_SHARE },
+	{ "dB that shadows bring", GAIN, TS_AT_LEAST, 0, 0, ALL, "leaves throw more shadow than they have",
+	  DARK_SHARE },
+	{ "SSIM that shadows bring", SSIM_GAIN, TS_AT_LEAST, 0, 0, ALL, "leaves throw more shadow than they have",
+	  DARK_SHARE },
 	{ "dB over ManyLoDs", UNDER_LODS, TS_AT_LEAST, -0.5, 0, ALL, "what is shared is coarse", SHARING },
 	{ 0 },
 };

@@ -78,8 +78,10 @@ static const ts_paper_part level_parts[] = {
 };
 
 static const ts_paper_relation level_relations[] = {
-	{ "PSNR grows with levels", LEVEL_PSNR, TS_GROWS, 1, 0, ALL, "differs: leaves are finer than maps", LEVEL_PSNR },
-	{ "SSIM grows with levels", LEVEL_SSIM, TS_GROWS, 1, 0, ALL, "differs: leaves are finer than maps", LEVEL_SSIM },
+	{ "PSNR grows with levels", LEVEL_PSNR, TS_GROWS, 1, 0, ALL,
+	  "differs: the width of texels errs more than that of leaves", LEVEL_PSNR },
+	{ "SSIM grows with levels", LEVEL_SSIM, TS_GROWS, 1, 0, ALL,
+	  "differs: the width of texels errs more than that of leaves", LEVEL_SSIM },
 	{ "time grows with levels", MS, TS_GROWS, 1, 0, ALL, "differs: it falls", MS },
 	{ "time grows slower than leaves: exponent", MS_GROWTH, TS_AT_MOST, 0, 1, ALL, "a busy machine, or little shared",
 	  SHARING },

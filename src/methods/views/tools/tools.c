@@ -27,7 +27,7 @@ static const ts_texel_rule texels[] = {
 
 static const ts_bench_row benches[] = {
 	{"mega-9", "MegaViews: reflections by views in colour, with and without hole filling; --objects are levels",
-     TS_BENCH_BY_ITSELF, .paper = &ts_mega_9},
+     TS_BENCH_BY_ITSELF, .paper = &ts_mega_9, .brief = "--objects 8,9 --size 240x135"},
 	{"mega-10", "MegaViews and ManyLoDs as views become many; --objects are paths of light", TS_BENCH_BY_ITSELF,
      .paper = &ts_mega_10, .brief = "--objects 64,1024,32768 --runs 1"},
 	{"mega-10-bounces", "the same of four bounces", TS_BENCH_BY_ITSELF, .paper = &ts_mega_10_bounces,

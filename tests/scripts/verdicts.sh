@@ -1,0 +1,57 @@
+#!/bin/bash
+# The verdicts of tables that take no scene are those of src/study/verdicts.def, and a report is summed up as its rows say.
+# Prints TAP.
+set -u
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+n=0
+
+result() { # GOOD NAME
+	n=$((n + 1))
+	if [ "$1" -eq 0 ]; then echo "ok $n - $2"; else echo "not ok $n - $2"; fi
+}
+
+scripts/verdicts --only ssagh-5,ssagh-6,ssagh-7 > "$folder/out" 2>&1
+result $? "verdicts of tables without a scene"
+sed 's/holds in 4 rows/holds in 5 rows/' src/study/verdicts.def > "$folder/verdicts.def"
+VERDICTS=$folder/verdicts.def scripts/verdicts --only ssagh-7 > "$folder/out" 2> /dev/null
+[ $? -eq 1 ] && grep -q '^SSAGH, figure 7: holds in 4 rows' "$folder/out"
+result $? "another verdict is seen"
+
+# A command with two claims of one table.
+cat > "$folder/command" <<'SH'
+#!/bin/sh
+case "$1 $2" in
+"bench list") echo '{"claims": [{"paper": "P", "place": "figure 1", "bench": "one", "rows": "a |b"},
+	{"paper": "P", "place": "figure 2", "bench": "one", "rows": "t"}, {"paper": "P", "place": "table 1", "bench": null, "rows": null}]}' ;;
+"list benches") echo '{"benches": [{"name": "one", "brief": "--runs 1"}]}' ;;
+"bench one") [ "$3 $4" = "--runs 1" ] && cat "${0%/*}/report" ;;
+"--version ") echo "command 1.2, commit abc" ;;
+esac
+SH
+chmod +x "$folder/command"
+cat > "$folder/report" <<'JSON'
+{"timed_relations": ["time"], "relations": [
+	{"relation": "a first", "scene": "x", "verdict": "holds"},
+	{"relation": "a first", "scene": "y", "verdict": "differs: too \"few\" (points 3 here, 7 in the paper)"},
+	{"relation": "a first", "scene": "z", "verdict": "differs: too \"few\" (points (all) 4 here)"},
+	{"relation": "b", "scene": "all", "verdict": "holds"},
+	{"relation": "time", "scene": "x", "verdict": "not judged: others used 1.00 processors, 0.20 are allowed"},
+	{"relation": "time", "scene": "y", "verdict": "holds"},
+	{"relation": "total", "verdict": "holds"}]}
+JSON
+cat > "$folder/wanted" <<'DEF'
+MEASURED("1.2", "abc", "x, y, z")
+VERDICT("P", "figure 1", "differs in 2 of 4 rows: a first in y, z: too \"few\"", "")
+VERDICT("P", "figure 2", "holds in 1 row", "times: holds in 1 row; 1 row of times not judged, for others used the machine")
+DEF
+VERDICTS=$folder/verdicts.def TOUCHSTONE=$folder/command scripts/verdicts --write 2> /dev/null
+grep -v '^/\?[ *]' "$folder/verdicts.def" | diff "$folder/wanted" -
+result $? "rows are counted, by what differs where, and times apart"
+VERDICTS=$folder/verdicts.def TOUCHSTONE=$folder/command scripts/verdicts > "$folder/out" 2> /dev/null
+result $? "what was written is found again"
+sed -i 's/"total"/"sum"/; s/"time"/"clock"/g' "$folder/report"
+VERDICTS=$folder/verdicts.def TOUCHSTONE=$folder/command scripts/verdicts > "$folder/out" 2>&1
+[ $? -eq 1 ] && grep -q 'P, figure 2: bench one has no row that begins with t$' "$folder/out"
+result $? "a claim that no row asks is refused"
+echo "1..$n"
