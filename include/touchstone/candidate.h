@@ -187,6 +187,7 @@ static const ts_candidate_buffer ts_candidate_buffers[] = {
      "[('base', '<f4', (3,)), ('metallic', '<f4'), ('normal', '<f4', (3,)), ('roughness', '<f4'), "
      "('emissive', '<f4', (3,)), ('occlusion', '<f4')]"},
 	{"octree.reflector", 4, 1, "'<u4'"},
+	{"vpl.area", 4, 1, "'<u4'"},
 	{"vpl.offset", 4, 1, "'<u4'"},
 	{"vpl.path", 4, 1, "'<u4'"},
 	{"vpl.light", 48, 1,
