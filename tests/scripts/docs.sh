@@ -40,6 +40,7 @@ sees "no stage, parameter, field or kernel knows rho_scael" METHODS.md 's/`densi
 sees "parameter eye.fov is not described" METHODS.md 's,`eye.fov`/720,eye.fov/720,'
 sees "epr: the sections are" METHODS.md 's/^### `cull`/### `align`/'
 sees "stale" METHODS.md 's/^A scatter stage/A map stage/'
+sees "stale" METHODS.md '/generated: stage view_map.margin/,/end -->/s/^Writes: .*/Writes: nothing./'
 sees "stale" METHODS.md '/^| `seed` |/d'
 sees "columns, at most 120" METHODS.md '/^Whole pictures/s/.*/& &/'
 sees "no kernel has the constant 0x1.94aa36p-4" CONTRACT.md 's/`0x1.0001p-16`/`0x1.94aa36p-4`/'
