@@ -1,7 +1,6 @@
 /* Writes a candidate: a trace that `touchstone compare` can hold against ours. One header for the source of a port, C99
  * or C++11, little-endian machines, nothing but the C library; it needs nothing else of touchstone. reference/TRACES.md
- * says what is written, reference/PORTING.md how to go on.
- *
+ * says what is written, reference/PORTING.md how to go on:
  *   ts_candidate c;
  *   uint64_t shape[1] = {n_texels};
  *   ts_candidate_begin(&c, "out/candidate", "epr", "arrival", "my port", "0.3");  the folder exists

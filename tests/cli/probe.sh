@@ -65,9 +65,10 @@ refuses 'neither an index nor a key' probe $epr --point 1,2
 refuses 'no point of key' probe $epr --point 0,32000,0
 refuses 'no points of reflections by mvr, only .*--triangle T' probe $mvr --point 0
 refuses 'trace.json' probe /nonexistent --pixel 0,0
-"$touchstone" render reflections atrium:triangles=10000:texels=32 --size 32x32 --reflectors 2 --set cube.max_px=16 --method ivir --no-images \
-	--trace -o points > /dev/null
-refuses 'probe explains reflections by epr, mvr; this is reflections by ivir' probe points/trace-ivir --pixel 0,0
+"$touchstone" render reflections atrium:triangles=10000:texels=32 --size 32x32 --reflectors 2 --set cube.max_px=16 --set octree.levels=5 \
+	--set cube_view.px=16 --method ivir,megaviews --no-images --trace -o cubes > /dev/null
+for method in ivir megaviews; do says 'bits agree with shade.radiance' probe cubes/trace-$method --pixel 16,16; done
+for view in 0.front 1.back node0.front; do says 'bits agree with view_map.depth_node' probe cubes/trace-megaviews --pixel 8,9 --view $view; done
 prints 'omni-shadows by ivir, vir, epr, mvr$' help probe
 prints 'VIEW REFLECTOR.FACE, for instance 3.+X or 3.0: the triangles that competed' help probe
 

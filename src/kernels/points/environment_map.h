@@ -3,7 +3,7 @@
 #ifndef TS_KERNELS_ENVIRONMENT_MAP_H
 #define TS_KERNELS_ENVIRONMENT_MAP_H
 #include "../base/args.h"
-#include "illuminate.h"
+#include "../raster/illuminate.h"
 #include "scatter.h"
 
 #define TS_ROWS_ts_environment_map_args(ARG) \

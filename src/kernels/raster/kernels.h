@@ -4,6 +4,7 @@
 #include "cube_face.h"
 #include "depth_map.h"
 #include "eye.h"
+#include "illuminate.h"
 #include "image.h"
 #include "indirect.h"
 #include "margin.h"

@@ -3,7 +3,7 @@
 #ifndef TS_KERNELS_CUBE_VIEW_H
 #define TS_KERNELS_CUBE_VIEW_H
 #include "../base/args.h"
-#include "../points/illuminate.h"
+#include "../raster/illuminate.h"
 #include "paraboloid.h"
 
 #define TS_ROWS_ts_cube_view_args(ARG) \

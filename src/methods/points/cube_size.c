@@ -5,13 +5,6 @@
 #include "../../kernels/points/cube_size.h"
 #include "../stages.h"
 
-u32 ts_largest_face(const ts_params *params)
-{
-	u32 half_eye = TS_PARAM(params, height) / 2;
-	u32 most = TS_PARAM(params, cube_max_px) < half_eye ? TS_PARAM(params, cube_max_px) : half_eye;
-	return most < 16 ? 16 : most;
-}
-
 static void replay(const ts_run *run, ts_cube_size_args args, u32 n)
 {
 	ts_params params = run->params;

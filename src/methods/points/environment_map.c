@@ -1,6 +1,6 @@
 /* iVIR: colours of points into level 0, and the levels above. */
 #include "../../kernels/points/environment_map.h"
-#include "illuminate.h"
+#include "../raster/illuminate.h"
 
 static const ts_launch copied = TS_LAUNCH(environment_map, TS_BUT(to.scene), TS_BUT(to.depth_triangle));
 

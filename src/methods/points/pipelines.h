@@ -3,14 +3,6 @@
 #define TS_METHODS_POINTS_PIPELINES_H
 #include "../raster/pipelines.h"
 
-/* Reflections: cubes, their views and the reflective pixels, and how many of those; texels a side of a cube that adapts
- * to the eye: twice the size asked for, as mirrors come nearer than their average (reflections.c). */
-extern const ts_effect ts_effect_reflections;
-u64 ts_expect_mirrors(ts_expected *expected, const ts_scene *scene, const ts_params *params);
-u64 ts_expected_face(const ts_params *params);
-/* All cubes, seen or not, of the largest size. */
-void ts_plan_largest(ts_plan *plan, const ts_params *params);
-
 /* Soft and omnidirectional shadows, by any method (shadows.c). */
 extern const ts_effect ts_effect_soft_shadows, ts_effect_omni_shadows;
 ts_planner ts_soft_plan;

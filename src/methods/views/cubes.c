@@ -13,7 +13,6 @@
  * - views of a leaf share its map, and so mirrors whose middles are in one leaf show the same. */
 #include <math.h>
 #include "../../kernels/raster/mip.h"
-#include "../points/pipelines.h"
 #include "../stages.h"
 #include "pipelines.h"
 

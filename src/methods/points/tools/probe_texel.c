@@ -1,7 +1,7 @@
 /* A texel of a face of a cube. */
 #include <inttypes.h>
 #include <stdlib.h>
-#include "../../../kernels/points/illuminate.h"
+#include "../../../kernels/raster/illuminate.h"
 #include "../../../kernels/points/splat.h"
 #include "../../../trace/where.h"
 #include "probe.h"

@@ -263,7 +263,8 @@ static ts_status load(ts_probe *p)
 	const ts_step *traverse = ts_pipeline_maker(p->trace->pipeline, TS_B_traverse_rendered);
 	const char *stage = traverse != NULL ? traverse->stage : maker;
 	if (ts_probe_scene(p) != TS_OK || ts_probe_require(p, needed) != TS_OK) return TS_ERROR;
-	return ts_probe_load_for(p, (const char *const[]){stage, maker, NULL});
+	const char *own = ts_probe_makes(p, TS_B_octree_reflector) ? maker : NULL; /* reads what views leave out */
+	return ts_probe_load_for(p, (const char *const[]){stage, own, NULL});
 }
 
 /* Puts the texel of half `side` of a node's map. */

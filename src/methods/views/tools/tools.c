@@ -1,7 +1,6 @@
 /* What the family of many views brings for the tools. */
 #include "../../tools/family.h"
 #include "probe.h"
-#include "../../points/tools/probe.h"
 #include "../../raster/tools/truth_gather.h"
 #include "benches.h"
 #include "tools.h"
@@ -55,7 +54,6 @@ static const ts_bench_row benches[] = {
 static const ts_probe_part parts[] = {
 	{TS_PROBE_PIXEL, "vpl_gather", ts_probe_views_pixel,
 	 "the lights that culling leaves, the brightest of those it draws, and its neighbours in the filter", NULL},
-	{TS_PROBE_PIXEL, "cube_view.mip", ts_probe_mvr_pixel, "what a mirror looked up in the levels of its cube", NULL},
 	{TS_PROBE_TEXEL, "view_map.fuse", ts_probe_light_texel,
 	 "the pairs of nodes rendered into it and above it, and what fusion made of them", &ts_probe_map_of_light},
 	{TS_PROBE_TEXEL, "view_map.fuse", ts_probe_node_texel, "the same", &ts_probe_map_of_node},

@@ -1,6 +1,6 @@
 /* MVR's faces: what is shaded, and the mip chain against its definition. */
-#include "../../../src/kernels/points/illuminate.h"
-#include "mesh.h"
+#include "../../../src/kernels/raster/illuminate.h"
+#include "../points/mesh.h"
 
 enum { MOST = 80 };
 

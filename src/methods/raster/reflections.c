@@ -20,6 +20,13 @@ u64 ts_expect_mirrors(ts_expected *expected, const ts_scene *scene, const ts_par
 	return n[TS_DIM_mirror_pixels];
 }
 
+u32 ts_largest_face(const ts_params *params)
+{
+	u32 half_eye = TS_PARAM(params, height) / 2;
+	u32 most = TS_PARAM(params, cube_max_px) < half_eye ? TS_PARAM(params, cube_max_px) : half_eye;
+	return most < 16 ? 16 : most;
+}
+
 u64 ts_expected_face(const ts_params *params)
 {
 	u64 largest = ts_largest_face(params), side = (u64)(2 * TS_PARAM(params, reflectors_px));

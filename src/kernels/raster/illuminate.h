@@ -2,8 +2,8 @@
 #ifndef TS_KERNELS_ILLUMINATE_H
 #define TS_KERNELS_ILLUMINATE_H
 #include "../base/args.h"
-#include "../raster/draw.h"
-#include "../raster/mip.h"
+#include "draw.h"
+#include "mip.h"
 #include "../base/shade.h"
 
 #define TS_ROWS_ts_illuminate_args(ARG) \

@@ -1,7 +1,7 @@
 /* Mip chains of the batch's cubes, from what is in level 0. */
 #ifndef TS_METHODS_ILLUMINATE_H
 #define TS_METHODS_ILLUMINATE_H
-#include "../../kernels/points/illuminate.h"
+#include "../../kernels/raster/illuminate.h"
 #include "../stages.h"
 
 extern const ts_launch ts_mip_averaged;
