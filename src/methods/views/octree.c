@@ -44,6 +44,17 @@ ts_status ts_octree_sort(ts_run *run, const ts_octree *octree)
 	return TS_RUN(run, &octree->sorted, &args, ts_frame_n(&run->frame, octree->offset) - 1);
 }
 
+ts_status ts_octree_rise(ts_run *run, const ts_launch *leaves, const ts_launch *nodes, const void *args, u32 *first)
+{
+	u32 levels = TS_PARAM(&run->params, octree_levels);
+	for (u32 level = levels + 1; level-- > 0;) {
+		*first = ts_octree_first(run, &ts_scene_octree, level);
+		u64 n = ts_octree_first(run, &ts_scene_octree, level + 1) - *first;
+		if (ts_launch_items(run, level == levels ? leaves : nodes, args, n) != TS_OK) return TS_ERROR;
+	}
+	return TS_OK;
+}
+
 /* Triangles in the voxels of leaves: counted, then listed. */
 static const ts_launch counted = TS_LAUNCH(voxel, TS_BUT_LIT);
 static const ts_launch listed = TS_LAUNCH(voxel, TS_WITH(triangles), TS_BUT_LIT);
@@ -69,13 +80,7 @@ static ts_status octree_surface(ts_run *run)
 {
 	ts_octree_surface_args args = {.scene = ts_run_scene(run), .levels = TS_PARAM(&run->params, octree_levels)};
 	if (TS_FILL(run, &of_leaves, &args) != TS_OK) return TS_ERROR;
-	for (u32 level = args.levels + 1; level-- > 0;) {
-		args.first = ts_octree_first(run, &ts_scene_octree, level);
-		u64 n_nodes = ts_octree_first(run, &ts_scene_octree, level + 1) - args.first;
-		const ts_launch *launch = level == args.levels ? &of_leaves : &of_nodes;
-		if (ts_launch_items(run, launch, &args, n_nodes) != TS_OK) return TS_ERROR;
-	}
-	return TS_OK;
+	return ts_octree_rise(run, &of_leaves, &of_nodes, &args, &args.first);
 }
 
 const ts_stage ts_stage_octree = {

@@ -41,5 +41,8 @@ ts_status ts_octree_nodes(ts_run *run, const ts_octree *octree);
 ts_status ts_octree_sort(ts_run *run, const ts_octree *octree);
 /* The first node of a level; of level levels + 1 the number of nodes. */
 u32 ts_octree_first(const ts_run *run, const ts_octree *octree, u32 level);
+/* Runs over the nodes of the scene's octree from the leaves up, a level a launch; `first`, in the arguments, is the
+ * first node of each. */
+ts_status ts_octree_rise(ts_run *run, const ts_launch *leaves, const ts_launch *nodes, const void *args, u32 *first);
 
 #endif

@@ -7,16 +7,9 @@ static const ts_launch of_nodes = TS_LAUNCH(inner_reflector, TS_BUT(scene), TS_B
 
 static ts_status octree_reflector(ts_run *run)
 {
-	u32 levels = TS_PARAM(&run->params, octree_levels);
 	ts_octree_reflector_args args = {.scene = ts_run_scene(run)};
 	if (TS_FILL(run, &of_leaves, &args) != TS_OK) return TS_ERROR;
-	for (u32 level = levels + 1; level-- > 0;) {
-		args.first = ts_octree_first(run, &ts_scene_octree, level);
-		u64 n_nodes = ts_octree_first(run, &ts_scene_octree, level + 1) - args.first;
-		const ts_launch *launch = level == levels ? &of_leaves : &of_nodes;
-		if (ts_launch_items(run, launch, &args, n_nodes) != TS_OK) return TS_ERROR;
-	}
-	return TS_OK;
+	return ts_octree_rise(run, &of_leaves, &of_nodes, &args, &args.first);
 }
 
 const ts_stage ts_stage_octree_reflector = {

@@ -1,4 +1,4 @@
-/* What the light of a trace is gathered from. */
+/* Triangles of light that a trace gathers from: texels of reflective shadow maps, or lamps. */
 #include <inttypes.h>
 #include "../../../kernels/hulls/polygon.h"
 #include "probe.h"
