@@ -256,6 +256,7 @@ static const struct {
      2,
      {{"segment.method", "components"}, {"hull.sharpness", "vmf"}, {"hull.interpolation", "moments"}}},
 	{"indirect", "hulls", 0, {{"hull.cosine", "quadrature"}, {"hull.surface", "paper"}, {"hull.integrals", "printed"}}},
+	{"indirect", "hulls", 0, {{"corner.facing", "paper"}, {"hull.corners", "rectangle"}}},
 	{"indirect", "direct", 0, {{"lamp.source", "lamp"}}},
 	{"area-light", "hulls", 0, {{"lamp.radius", "0.2"}}},
 	{"area-light", "direct", 0, {{"lamp.radius", "0.1"}, {"lamp.source", "scene"}}},

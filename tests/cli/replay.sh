@@ -122,6 +122,7 @@ done
 for words in 'indirect hulls --margins --set lamp.source=scene' 'indirect direct' \
 	'area-light hulls --margins --set lamp.radius=0.2' 'area-light direct --set lamp.radius=0' \
 	'indirect hulls --set segment.method=components --set hull.cosine=quadrature' \
+	'indirect hulls --set corner.facing=paper --set hull.corners=rectangle' \
 	'indirect megaviews --margins --set octree.levels=4 --set vpl.paths=60 --set vpl.bounces=2' \
 	'indirect megaviews --margins --set octree.levels=4 --set vpl.paths=60 --set vpl.place=random' \
 	'indirect megaviews --margins --set octree.levels=4 --set vpl.paths=60 --set vpl_gather.query=descend' \

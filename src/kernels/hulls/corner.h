@@ -2,9 +2,10 @@
  * corner w = M Omega, exitance times projected area on the unit sphere, a third of it from each of its three vertices.
  * The surface's own horizon is not asked for: the normal is the pixel's, not the corner's. So a corner on the very
  * surface that sends light on must not face it by rounding, for then half a sphere is light: a triangle counts from a
- * sixteenth of its side above its plane on, more and more, and in full from five sixteenths on. Lamps hang in the air:
- * a triangle of theirs counts in full wherever it faces the corner. A light without extent is one direction: it sends
- * pi times what reaches a surface that faces it. Sums are in the order of the triangles, then of the lights. */
+ * sixteenth of its side above its plane on, more and more, and in full from five sixteenths on (corner.facing=ramp).
+ * Lamps hang in the air: a triangle of theirs counts in full wherever it faces the corner, as all do by the paper. A
+ * light without extent is one direction: it sends pi times what reaches a surface that faces it. Sums are in the order
+ * of the triangles, then of the lights. */
 #ifndef TS_KERNELS_CORNER_H
 #define TS_KERNELS_CORNER_H
 #include "../base/args.h"
@@ -23,7 +24,9 @@
 	ARG(OUT, ts_moment, moments, corner_moment) \
 	ARG(VALUE, u64, n_patches, none) \
 	ARG(VALUE, u32, n_lamps, none) /* 0: patches are of surfaces */ \
-	ARG(VALUE, u32, grid, none)
+	ARG(VALUE, u32, grid, none) \
+	ARG(VALUE, u32, paper, none)     /* corner.facing=paper */ \
+	ARG(VALUE, u32, rectangle, none) /* hull.corners=rectangle */
 TS_ARGS(ts_corner_args);
 
 /* The point of a pixel's ray at depth zn. */
@@ -46,11 +49,14 @@ typedef struct {
 	u32 x, y;
 } ts_corner_pixel;
 
-TS_FN ts_corner_pixel ts_k_corner_pixel(const ts_camera_k *view, TS_GLOBAL const ts_segment *box, u32 grid, u32 corner)
+TS_FN ts_corner_pixel ts_k_corner_pixel(const ts_camera_k *view, TS_GLOBAL const ts_segment *box, u32 grid,
+                                        u32 rectangle, u32 corner)
 {
+	u32 right = ts_k_box_end(box->high[0], grid, rectangle);
+	u32 bottom = ts_k_box_end(box->high[1], grid, rectangle);
 	ts_corner_pixel at;
-	at.x = ts_k_resample((corner & 1u) != 0u ? box->high[0] : box->low[0], grid, (u32)view->width);
-	at.y = ts_k_resample((corner & 2u) != 0u ? box->high[1] : box->low[1], grid, (u32)view->height);
+	at.x = ts_k_resample((corner & 1u) != 0u ? right : box->low[0], grid, (u32)view->width);
+	at.y = ts_k_resample((corner & 2u) != 0u ? bottom : box->low[1], grid, (u32)view->height);
 	return at;
 }
 
@@ -115,7 +121,7 @@ TS_FN void ts_k_gather_all(TS_GLOBAL ts_moment *out, const ts_corner_args *args,
 	sum.red = sum.w;
 	sum.green = sum.w;
 	sum.blue = sum.w;
-	bool ramp = args->n_lamps == 0u;
+	bool ramp = args->paper == 0u && args->n_lamps == 0u;
 	for (u64 k = 0u; k < args->n_patches; k++) ts_k_gather(&sum, &args->patches[k], corner.p, ramp);
 	for (u32 k = 0u; k < args->n_lamps; k++) {
 		if (!(args->shapes[k].radius > 0.0f)) ts_k_gather_point(&sum, &args->lamps[k], corner.p);
@@ -133,7 +139,7 @@ TS_FN void ts_k_corner_item(const ts_corner_args *args, u64 i)
 {
 	TS_GLOBAL const ts_segment *box = &args->boxes[i / 4u];
 	ts_camera_k view = ts_k_view(args->view);
-	ts_corner_pixel at = ts_k_corner_pixel(&view, box, args->grid, (u32)(i % 4u));
+	ts_corner_pixel at = ts_k_corner_pixel(&view, box, args->grid, args->rectangle, (u32)(i % 4u));
 	TS_GLOBAL const ts_gpixel *pixel = &args->pixels[(u64)at.y * (u64)view.width + at.x];
 	ts_k_gather_all(&args->moments[i], args, ts_k_box_corner(&view, box, pixel, at));
 }

@@ -15,6 +15,13 @@ TS_FN u32 ts_k_resample(u32 i, u32 from, u32 to) { return (u32)((((u64)i * 2u + 
 
 TS_FN u32 ts_k_block_of(u32 grid, u32 x, u32 y) { return (y / TS_BLOCK) * (grid / TS_BLOCK) + x / TS_BLOCK; }
 
+/* The last column or row of texels at whose pixels a box's corners gather: the box's own, or the one beyond, where the
+ * rectangle of the box ends, if the grid has it. */
+TS_FN u32 ts_k_box_end(u32 high, u32 grid, u32 rectangle)
+{
+	return rectangle != 0u && high + 1u < grid ? high + 1u : high;
+}
+
 /* Texel (x, y) of a block. */
 TS_FN u64 ts_k_block_texel(u32 grid, u32 block, u32 x, u32 y)
 {

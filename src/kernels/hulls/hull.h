@@ -2,9 +2,9 @@
  * between the corners, and integrated with the cosine of the pixel's own normal.
  *
  * The box is drawn over [low, high + 1] of the grid as two triangles, parted from top left to bottom right. Its corners
- * gather in the middle of pixels, within the box; so they are interpolated between these pixels and stay as they are
- * beyond. Interpolation is perspective-correct: corners count by 1 / z, which is 1 - zn but for a factor. E = mu
- * A_h(lambda, n.phi) / pi, as mu is of exitance and radiance is a pi-th of that. */
+ * gather in the middle of pixels: within the box, or where the rectangle ends (hull.corners); so they are interpolated
+ * between these pixels and stay as they are beyond. Interpolation is perspective-correct: corners count by 1 / z, which
+ * is 1 - zn but for a factor. E = mu A_h(lambda, n.phi) / pi, as mu is of exitance and radiance is a pi-th of that. */
 #ifndef TS_KERNELS_HULL_H
 #define TS_KERNELS_HULL_H
 #include "../base/args.h"
@@ -25,7 +25,8 @@
 	ARG(VALUE, u32, cosine, none)     /* TS_COSINE_IS_* */ \
 	ARG(VALUE, u32, by_moments, none) /* hull.interpolation=moments */ \
 	ARG(VALUE, u32, vmf, none)        /* hull.sharpness=vmf */ \
-	ARG(VALUE, u32, printed, none)    /* hull.integrals=printed */
+	ARG(VALUE, u32, printed, none)    /* hull.integrals=printed */ \
+	ARG(VALUE, u32, rectangle, none)  /* hull.corners=rectangle */
 TS_ARGS(ts_hull_args);
 
 /* Of the corners of a box: sum 1. */
@@ -45,8 +46,10 @@ TS_FN f32 ts_k_box_place(u32 i, u32 pixels, u32 grid, u32 low, u32 high)
 TS_FN ts_shares ts_k_box_weights(const ts_hull_args *args, u32 b, u32 x, u32 y)
 {
 	TS_GLOBAL const ts_segment *box = &args->choice.boxes[b];
-	f32 s = ts_k_box_place(x, args->width, args->choice.grid, box->low[0], box->high[0]);
-	f32 t = ts_k_box_place(y, args->height, args->choice.grid, box->low[1], box->high[1]);
+	u32 right = ts_k_box_end(box->high[0], args->choice.grid, args->rectangle);
+	u32 bottom = ts_k_box_end(box->high[1], args->choice.grid, args->rectangle);
+	f32 s = ts_k_box_place(x, args->width, args->choice.grid, box->low[0], right);
+	f32 t = ts_k_box_place(y, args->height, args->choice.grid, box->low[1], bottom);
 	ts_shares r;
 	r.of[0] = 1.0f - ts_max(s, t);
 	r.of[1] = ts_max(s - t, 0.0f);

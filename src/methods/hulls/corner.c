@@ -13,7 +13,9 @@ static ts_status corner(ts_run *run)
 	bool straight = run->plan.lights.straight;
 	ts_corner_args args = {.n_patches = ts_frame_n(&run->frame, straight ? TS_B_polygon_patch : TS_B_rsm_patch),
 	                       .n_lamps = straight ? (u32)ts_run_size(run, TS_DIM_lamps) : 0,
-	                       .grid = TS_PARAM(&run->params, depth_grid_px)};
+	                       .grid = TS_PARAM(&run->params, depth_grid_px),
+	                       .paper = TS_PARAM(&run->params, corner_facing) == TS_FACING_PAPER,
+	                       .rectangle = TS_PARAM(&run->params, hull_corners) == TS_CORNERS_RECTANGLE};
 	ts_run_count(run, "gathers", (i64)(n * args.n_patches));
 	return TS_RUN(run, straight ? &of_lamps : &gathered, &args, n);
 }

@@ -27,6 +27,7 @@ static ts_status hull(ts_run *run)
 		.by_moments = TS_PARAM(&run->params, hull_interpolation) == TS_INTERPOLATION_MOMENTS,
 		.vmf = TS_PARAM(&run->params, hull_sharpness) == TS_SHARPNESS_VMF,
 		.printed = TS_PARAM(&run->params, hull_integrals) == TS_INTEGRALS_PRINTED,
+		.rectangle = TS_PARAM(&run->params, hull_corners) == TS_CORNERS_RECTANGLE,
 	};
 	if (TS_RUN(run, &interpolated, &args, n_pixels(run)) != TS_OK) return TS_ERROR;
 	ts_run_count(run, "pixels without a segment", ts_frame_tally(&run->frame, 0));

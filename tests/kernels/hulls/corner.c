@@ -11,7 +11,7 @@ enum { N = 3000, GRID = 96, WIDTH = 150, HEIGHT = 70, N_PATCHES = 7, N_WORLDS = 
 
 /* The second of two boxes, of all columns of a small grid over images that are larger, smaller and no multiple of it;
  * places are columns and rows of pixels. An image with no more pixels than texels has its own borders at the grid's. */
-static void check_pixels(u32 width, u32 height)
+static void check_pixels(u32 width, u32 height, u32 rectangle)
 {
 	enum { SIDE = 32, MOST = 100 * 90 };
 	static ts_gpixel pixels[MOST];
@@ -28,10 +28,16 @@ static void check_pixels(u32 width, u32 height)
 		};
 		ts_moment m[8];
 		ts_corner_args args = {.view = &view, .pixels = pixels, .boxes = boxes, .moments = m, .grid = SIDE};
+		args.rectangle = rectangle;
+		double last = right, lowest = bottom;
+		if (rectangle != 0) {
+			last = fmin(right + 1, SIDE - 1);
+			lowest = fmin(bottom + 1, SIDE - 1);
+		}
 		for (u32 k = 4; k < 8; k++) {
 			ts_k_corner_item(&args, k);
-			double column = floor(((k % 2 == 0 ? left : right) + 0.5) * width / SIDE);
-			double row = floor(((k < 6 ? top : bottom) + 0.5) * height / SIDE);
+			double column = floor(((k % 2 == 0 ? left : last) + 0.5) * width / SIDE);
+			double row = floor(((k < 6 ? top : lowest) + 0.5) * height / SIDE);
 			assert_true(m[k].position[0] == (f32)column && m[k].position[1] == (f32)row && m[k].depth == 0.5f);
 			if (width <= SIDE && left == 0 && k % 2 == 0) assert_true(m[k].position[0] == 0);
 			if (width <= SIDE && right == SIDE - 1 && k % 2 == 1) assert_true(m[k].position[0] == (f32)(width - 1));
@@ -43,7 +49,9 @@ static void test_pixels(void **state)
 {
 	(void)state;
 	static const u32 sizes[][2] = {{1, 1}, {32, 32}, {33, 31}, {7, 90}, {100, 54}};
-	for (u32 i = 0; i < sizeof sizes / sizeof *sizes; i++) check_pixels(sizes[i][0], sizes[i][1]);
+	for (u32 i = 0; i < sizeof sizes / sizeof *sizes; i++) {
+		for (u32 rectangle = 0; rectangle < 2; rectangle++) check_pixels(sizes[i][0], sizes[i][1], rectangle);
+	}
 }
 
 /* A G-buffer of random depths, and a box in it. */
@@ -191,15 +199,18 @@ static void test_range(void **state)
 	}
 }
 
-static ts_moment gather(const ts_patch *patches, u64 n_patches, ts_v3 p)
+static ts_moment gather_by(const ts_patch *patches, u64 n_patches, ts_v3 p, u32 paper)
 {
 	ts_moment m;
-	const ts_corner_args args = {.patches = patches, .n_patches = n_patches};
+	const ts_corner_args args = {.patches = patches, .n_patches = n_patches, .paper = paper};
 	ts_k_gather_all(&m, &args, (ts_box_corner){p, 0.5f});
 	return m;
 }
 
-/* Heights above the plane in 64ths of a side: none up to 4, then more and more, all from 20 on. */
+static ts_moment gather(const ts_patch *patches, u64 n_patches, ts_v3 p) { return gather_by(patches, n_patches, p, 0); }
+
+/* Heights above the plane in 64ths of a side: none up to 4, then more and more, all from 20 on. By the paper all above
+ * 0. */
 static void test_facing(void **state)
 {
 	(void)state;
@@ -211,10 +222,13 @@ static void test_facing(void **state)
 			ts_v3 p = ts_v3_make(x, y, height);
 			double3 to[3] = {d3_sub((double3){0, 0, 0}, d3_of(p)), d3_sub((double3){side, 0, 0}, d3_of(p)),
 			                 d3_sub((double3){0, side, 0}, d3_of(p))};
-			double counts = fmin(fmax((step - 4) / 16.0, 0), 1), right = counts * ff_solid(to[0], to[1], to[2]);
-			ts_moment m = gather(&patch, 1, p);
-			for (u32 c = 0; c < 3; c++) assert_near(m.sum[c], (1 << c) * right, 4e-6 * (1 << c));
-			assert_true((m.sum[0] > 0) == (step > 4));
+			double counts = fmin(fmax((step - 4) / 16.0, 0), 1), omega = ff_solid(to[0], to[1], to[2]);
+			ts_moment m = gather(&patch, 1, p), paper = gather_by(&patch, 1, p, 1);
+			for (u32 c = 0; c < 3; c++) {
+				assert_near(m.sum[c], (1 << c) * counts * omega, 4e-6 * (1 << c));
+				assert_near(paper.sum[c], (1 << c) * (step > 0 ? omega : 0), 4e-6 * (1 << c));
+			}
+			assert_true((m.sum[0] > 0) == (step > 4) && (paper.sum[0] > 0) == (step > 0));
 		}
 	}
 }

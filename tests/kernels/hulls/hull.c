@@ -171,6 +171,7 @@ static void test_shares(void **state)
 	for (u32 i = 0; i < N; i++) {
 		f32 focal = uniform(60, 200), near = 0.0625f;
 		ts_segment box = random_box();
+		const u32 rectangle = i % 2;
 		ts_moment corners[4];
 		ts_v3 n = direction();
 		double3 point[4], normal = d3_of(n);
@@ -178,7 +179,8 @@ static void test_shares(void **state)
 		const double pixels[2] = {WIDTH, HEIGHT};
 		for (u32 k = 0; k < 2; k++) {
 			low[k] = floor((box.low[k] + 0.5) * pixels[k] / GRID) + 0.5;
-			high[k] = floor((box.high[k] + 0.5) * pixels[k] / GRID) + 0.5;
+			double end = rectangle != 0 ? fmin(box.high[k] + 1, GRID - 1) : box.high[k];
+			high[k] = floor((end + 0.5) * pixels[k] / GRID) + 0.5;
 		}
 		bool seen = true;
 		for (u32 k = 0; k < 4; k++) {
@@ -193,6 +195,7 @@ static void test_shares(void **state)
 		ts_hull_args args = {.choice = {.boxes = &box, .grid = GRID}, .moments = corners};
 		args.width = WIDTH;
 		args.height = HEIGHT;
+		args.rectangle = rectangle;
 		for (u32 k = 0; k < 10; k++) {
 			u32 x = below(WIDTH), y = below(HEIGHT);
 			ts_shares shares = ts_k_box_shares(&args, 0, x, y);

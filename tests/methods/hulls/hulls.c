@@ -49,6 +49,7 @@ static void test_threads(void **state)
 	     {{"segment.method", "components"}, {"hull.sharpness", "vmf"}, {"hull.interpolation", "moments"}}},
 		{"indirect", "hulls", {{"hull.surface", "paper"}, {"hull.cosine", "quadrature"}}},
 		{"indirect", "hulls", {{"hull.cosine", "sg"}, {"lamp.source", "scene"}}},
+		{"indirect", "hulls", {{"corner.facing", "paper"}, {"hull.corners", "rectangle"}}},
 		{"indirect", "direct", {{"lamp.source", "lamp"}}},
 		{"area-light", "hulls", {{"lamp.radius", "0.25"}}},
 		{"area-light", "direct", {{"lamp.source", "scene"}}},

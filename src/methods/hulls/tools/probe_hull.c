@@ -141,7 +141,8 @@ static ts_status read_hull(ts_probe *p, hull *h, u32 box)
 	                             .lamps = from.lamps,
 	                             .shapes = from.shapes,
 	                             .n_patches = from.n_patches,
-	                             .n_lamps = from.n_lamps};
+	                             .n_lamps = from.n_lamps,
+	                             .paper = TS_PARAM(params, corner_facing) == TS_FACING_PAPER};
 	if (ts_probe_fetch(p, TS_B_segment_box, box, 1, &h->box) != TS_OK) return TS_ERROR;
 	if (ts_probe_fetch(p, TS_B_corner_moment, (u64)box * N_CORNERS, N_CORNERS, h->moments) != TS_OK) return TS_ERROR;
 	if (ts_probe_fetch(p, TS_B_corner_lobes, (u64)box * N_CORNERS, N_CORNERS, h->lobes) != TS_OK) return TS_ERROR;
@@ -153,7 +154,8 @@ static ts_status read_hull(ts_probe *p, hull *h, u32 box)
 	                         .cosine = TS_PARAM(params, hull_cosine),
 	                         .by_moments = TS_PARAM(params, hull_interpolation) == TS_INTERPOLATION_MOMENTS,
 	                         .vmf = TS_PARAM(params, hull_sharpness) == TS_SHARPNESS_VMF,
-	                         .printed = TS_PARAM(params, hull_integrals) == TS_INTEGRALS_PRINTED};
+	                         .printed = TS_PARAM(params, hull_integrals) == TS_INTEGRALS_PRINTED,
+	                         .rectangle = TS_PARAM(params, hull_corners) == TS_CORNERS_RECTANGLE};
 	return TS_OK;
 }
 
@@ -166,7 +168,7 @@ static ts_status put_gathered(ts_probe *p, json_t *o, const hull *h, u32 k)
 	json_t *gathered = json_object();
 	const ts_moment *held = &h->moments[k];
 	ts_camera_k view = ts_k_view(&p->view);
-	ts_corner_pixel at = ts_k_corner_pixel(&view, &h->box, h->args.choice.grid, k);
+	ts_corner_pixel at = ts_k_corner_pixel(&view, &h->box, h->args.choice.grid, h->args.rectangle, k);
 	ts_probe_put(p, o, "pixel", ts_probe_pair(at.x, at.y));
 	ts_probe_put(p, gathered, "position", ts_probe_v3(ts_load3(held->position)));
 	ts_probe_put(p, gathered, "sum_of_weights", ts_probe_v3_bits(ts_load3(held->sum)));

@@ -30,6 +30,8 @@ static const ts_bench_row benches[] = {
      TS_BENCH_BY_ITSELF " size runs", .paper = &ts_ssagh_2, .brief = "--objects 480x270"},
 	{"ssagh-segments", "SSAGH: labels of algorithm 1 beside connected components", TS_BENCH_BY_ITSELF " objects runs",
      .run = ts_bench_segments, .brief = "--size 960x540"},
+	{"ssagh-borders", "SSAGH: seams with the paper's facing and corners; also of models in TS_SCENES",
+     TS_BENCH_BY_ITSELF " objects runs", .run = ts_bench_borders},
 	{"ssagh-3", "SSAGH: a broad lamp with the cosine constant; also of models in TS_SCENES",
      TS_BENCH_BY_ITSELF " objects runs", .paper = &ts_ssagh_3, .brief = "--size 480x270"},
 	{"ssagh-4", "SSAGH: the same with the cosine as a Gaussian", TS_BENCH_BY_ITSELF " objects runs",

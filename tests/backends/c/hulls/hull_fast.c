@@ -93,6 +93,7 @@ static ts_hull_args arguments(const world *w, result *r, u32 width)
 		.width = width,
 		.height = MOST_PIXELS / width,
 		.cosine = TS_COSINE_IS_OURS,
+		.rectangle = below(2),
 	};
 }
 

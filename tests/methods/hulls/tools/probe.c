@@ -8,17 +8,18 @@ static const struct {
 	const char *effect, *method;
 	u32 surface, interpolation, sharpness, cosine, integrals;
 	f32 radius;
+	u32 facing, corners;
 } indirect_methods[] = {
-	{"indirect", "direct", 0, 0, 0, 0, 0, 0},
-	{"indirect", "hulls", TS_SURFACE_ROBUST, 0, 0, TS_COSINE_IS_OURS, 0, 0},
+	{"indirect", "direct", 0, 0, 0, 0, 0, 0, 0, 0},
+	{"indirect", "hulls", TS_SURFACE_ROBUST, 0, 0, TS_COSINE_IS_OURS, 0, 0, 0, 0},
 	{"indirect", "hulls", TS_SURFACE_PAPER, TS_INTERPOLATION_MOMENTS, TS_SHARPNESS_VMF, TS_COSINE_IS_OURS,
-     TS_INTEGRALS_PRINTED, 0},
-	{"indirect", "hulls", TS_SURFACE_ROBUST, 0, 0, TS_COSINE_IS_CONSTANT, 0, 0},
-	{"indirect", "hulls", TS_SURFACE_ROBUST, 0, 0, TS_COSINE_IS_SG, 0, 0},
-	{"area-light", "direct", 0, 0, 0, 0, 0, 0.25f},
-	{"area-light", "hulls", TS_SURFACE_ROBUST, 0, 0, TS_COSINE_IS_OURS, 0, 0.25f},
-	{"area-light", "direct", 0, 0, 0, 0, 0, 0},
-	{"area-light", "hulls", TS_SURFACE_ROBUST, 0, 0, TS_COSINE_IS_OURS, 0, 0},
+     TS_INTEGRALS_PRINTED, 0, 0, 0},
+	{"indirect", "hulls", TS_SURFACE_ROBUST, 0, 0, TS_COSINE_IS_CONSTANT, 0, 0, TS_FACING_PAPER, 0},
+	{"indirect", "hulls", TS_SURFACE_ROBUST, 0, 0, TS_COSINE_IS_SG, 0, 0, 0, TS_CORNERS_RECTANGLE},
+	{"area-light", "direct", 0, 0, 0, 0, 0, 0.25f, 0, 0},
+	{"area-light", "hulls", TS_SURFACE_ROBUST, 0, 0, TS_COSINE_IS_OURS, 0, 0.25f, 0, 0},
+	{"area-light", "direct", 0, 0, 0, 0, 0, 0, 0, 0},
+	{"area-light", "hulls", TS_SURFACE_ROBUST, 0, 0, TS_COSINE_IS_OURS, 0, 0, 0, 0},
 };
 enum { N_INDIRECT = sizeof indirect_methods / sizeof *indirect_methods };
 static traced indirect[N_INDIRECT];
@@ -37,6 +38,8 @@ static int make_all(void **state)
 		params.hull_cosine = indirect_methods[i].cosine;
 		params.hull_integrals = indirect_methods[i].integrals;
 		params.lamp_radius = indirect_methods[i].radius;
+		params.corner_facing = indirect_methods[i].facing;
+		params.hull_corners = indirect_methods[i].corners;
 		make(&indirect[i], indirect_methods[i].effect, indirect_methods[i].method, &params);
 	}
 	return 0;
