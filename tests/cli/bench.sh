@@ -294,6 +294,71 @@ PY
 verdict $? 'bench ssagh-segments counts what traces have'
 refuses 'takes no --runs' bench ssagh-segments --runs 2
 
+# Seams of hulls, summed again from traces of each choice, and pairs of a corner and a triangle of light.
+one=(dining:triangles=10000 --size 96x54 --set depth_grid.px=64 --set rsm.px=4)
+run bench ssagh-borders --scene "${one[@]:0:1}" "${one[@]:1}" -o "$scratch/borders"
+[ "$status" -eq 0 ] && awk 'length > 120 || / $/ { exit 1 }' "$scratch/stdout"
+verdict $? 'bench ssagh-borders fits 120 columns'
+for set in corner.facing=ramp corner.facing=paper hull.corners=rectangle; do
+	"$touchstone" render indirect "${one[@]}" --set $set --method hulls,direct --no-images --trace \
+		-o "$scratch/$set" > "$scratch/stdout" 2> "$scratch/stderr"
+done
+python3 - "$scratch" <<'PY'
+import glob, struct, sys
+from math import dist
+from results import results
+W, H, G = 96, 54, 64
+def buffer(choice, method, name):
+	data = open(glob.glob(f"{sys.argv[1]}/{choice}/trace-{method}/[0-9]*-{name}.npy")[0], "rb").read()
+	return memoryview(data)[10 + struct.unpack_from("<H", data, 8)[0]:]
+def records(choice, name, floats, bytes_each):
+	data = buffer(choice, "hulls", name)
+	return [struct.unpack_from(f"<{floats}f", data, at) for at in range(0, len(data), bytes_each)]
+def seams(choice):
+	pixels = records(choice, "gbuffer.pixel", 7, 48)
+	box = buffer(choice, "hulls", "hull.box").cast("I")
+	ours, right = (buffer(choice, method, "indirect.irradiance").cast("f") for method in ("hulls", "direct"))
+	block = [((2 * y + 1) * G // (2 * H) // 32, (2 * x + 1) * G // (2 * W) // 32) for y in range(H) for x in range(W)]
+	sums = {"across": [0, 0], "within": [0, 0]}
+	for i in range(W * H):
+		for j in ([i + 1] if i % W < W - 1 else []) + ([i + W] if i < W * (H - 1) else []):
+			p, q = pixels[i], pixels[j]
+			if p[3] == 1 or q[3] == 1: continue
+			near, far = sorted((1 / (1 - p[3]), 1 / (1 - q[3])))
+			if far / near > 1 / 0.98 or sum(a * b for a, b in zip(p[4:], q[4:])) < 0.99: continue
+			kind = "across" if block[i] != block[j] else "within" if box[i] == box[j] else None
+			for c in range(3) if kind else ():
+				a, b = 3 * i + c, 3 * j + c
+				sums[kind][0] += abs((ours[b] - right[b]) - (ours[a] - right[a]))
+				sums[kind][1] += (right[a] + right[b]) / 2
+	return {kind: 100 * change / light for kind, (change, light) in sums.items()}
+def pairs(choice):
+	faces = counts = full = 0
+	corners = records(choice, "corner.moment", 3, 64)
+	for a in records(choice, "rsm.patch", 16, 64):
+		side = dist(a[0:3], a[3:6])
+		for p in corners if side else ():
+			height = sum(n * (x - y) for n, x, y in zip(a[9:12], p, a))
+			if abs(height) < 1e-5: continue
+			faces, counts, full = faces + (height > 0), counts + (height > side / 16), full + (height >= side * 5 / 16)
+	return 100 * counts / faces, 100 * full / faces
+report = results(f"{sys.argv[1]}/borders")
+rows = {r["choice"]: r for r in report["ssagh_borders"]}
+for choice, name in (("corner.facing=ramp", "as it is"), *(2 * (c,) for c in list(rows)[1:])):
+	found, row = seams(choice), rows[name]
+	for kind in found:
+		assert abs(row[kind + "_percent"] - found[kind]) < 1e-3 * found[kind], (choice, kind, row, found)
+ours = rows["as it is"]
+counts, full = pairs("corner.facing=ramp")
+assert abs(ours["counted_percent"] - counts) < 0.5 and abs(ours["full_percent"] - full) < 0.5 and full < counts < 100
+judged = {r["relation"]: r["here"] for r in report["relations"]}
+for (relation, here), (choice, key) in zip(judged.items(), (("corner.facing=paper", "across_percent"),
+	("corner.facing=paper", "relative_rmse"), ("hull.corners=rectangle", "across_percent")), strict=True):
+	assert relation.startswith(choice) and abs(here - rows[choice][key] / ours[key]) < 1e-5
+PY
+verdict $? 'bench ssagh-borders sums what traces have'
+refuses 'takes no --runs' bench ssagh-borders --runs 2
+
 # RMSE by quadrature in double precision, apart from this program: all angles alike, and by solid angle.
 run bench ssagh-7 -o "$scratch/ssagh-7"
 [ "$status" -eq 0 ] && [ "$(grep -c ' holds$' "$scratch/stdout")" -eq 4 ] &&
