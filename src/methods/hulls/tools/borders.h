@@ -1,5 +1,5 @@
-/* Seams of hulls (METHODS 11): how their irradiance changes from pixel to pixel beside that of `direct`, and how much of
- * the light that faces the corners of boxes counts there. */
+/* Seams of hulls (METHODS 11): how the irradiance of hulls changes from pixel to pixel beside that of `direct`, and how
+ * many triangles of light that face the corners of boxes count there. */
 #ifndef TS_HULLS_TOOLS_BORDERS_H
 #define TS_HULLS_TOOLS_BORDERS_H
 #include "../../../kernels/hulls/corner.h"
