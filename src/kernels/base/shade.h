@@ -41,28 +41,51 @@ TS_FN f32 ts_k_light(TS_GLOBAL const ts_light *light, ts_v3 p, ts_v3 *l)
 /* It shines all around, and what sees for it is a cube. */
 TS_FN bool ts_k_has_cube(TS_GLOBAL const ts_light *light) { return light->kind == TS_LIGHT_KIND_POINT; }
 
+/* GGX's alpha squared; alpha is the roughness squared, at least 2^-9. */
+TS_FN f32 ts_k_alpha_squared(f32 roughness)
+{
+	f32 rough = roughness * roughness;
+	f32 a2 = rough * rough;
+	return ts_max(a2, 0.000003814697265625f);
+}
+
+/* Reflectance where light and viewer are opposite. */
+TS_FN ts_v3 ts_k_f0(const ts_surface *s)
+{
+	f32 dielectric = 0.039999999105930328369140625f * (1.0f - s->metallic);
+	return ts_mad(ts_v3_make(dielectric, dielectric, dielectric), s->base, s->metallic);
+}
+
+/* Smith: masking and shadowing over 4 n.l n.v. */
+TS_FN f32 ts_k_smith(f32 n_l, f32 n_v, f32 a2)
+{
+	f32 left = n_l * ts_sqrt((n_v * n_v) * (1.0f - a2) + a2);
+	f32 right = n_v * ts_sqrt((n_l * n_l) * (1.0f - a2) + a2);
+	return 0.5f / (left + right);
+}
+
+TS_FN ts_v3 ts_k_schlick(ts_v3 f0, f32 v_h)
+{
+	f32 x = 1.0f - v_h;
+	f32 x2 = x * x;
+	f32 schlick = ts_flush(x * (x2 * x2));
+	ts_v3 one = ts_v3_make(1.0f, 1.0f, 1.0f);
+	return ts_mad(f0, ts_sub(one, f0), schlick);
+}
+
 /* BRDF times n.l for one light. v, l, n: unit; n_l > 0. */
 TS_FN ts_v3 ts_k_brdf(const ts_surface *s, ts_v3 n, ts_v3 v, ts_v3 l, f32 n_l)
 {
-	f32 rough = s->roughness * s->roughness;
-	f32 a2 = rough * rough;
-	a2 = ts_max(a2, 0.000003814697265625f); /* a >= 2^-9 */
+	f32 a2 = ts_k_alpha_squared(s->roughness);
 	ts_v3 h = ts_normalize(ts_add(l, v));
 	f32 n_v = ts_max(ts_abs(ts_dot(n, v)), 0.0009765625f);
 	f32 n_h = ts_clamp(ts_dot(n, h), 0.0f, 1.0f);
 	f32 v_h = ts_clamp(ts_dot(v, h), 0.0f, 1.0f);
 	f32 t = (n_h * n_h) * (a2 - 1.0f) + 1.0f;
 	f32 d = a2 / ((3.1415927410125732421875f * t) * t);
-	f32 left = n_l * ts_sqrt((n_v * n_v) * (1.0f - a2) + a2);
-	f32 right = n_v * ts_sqrt((n_l * n_l) * (1.0f - a2) + a2);
-	f32 visible = 0.5f / (left + right);
-	f32 x = 1.0f - v_h;
-	f32 x2 = x * x;
-	f32 schlick = ts_flush(x * (x2 * x2));
-	f32 dielectric = 0.039999999105930328369140625f * (1.0f - s->metallic);
-	ts_v3 f0 = ts_mad(ts_v3_make(dielectric, dielectric, dielectric), s->base, s->metallic);
+	f32 visible = ts_k_smith(n_l, n_v, a2);
 	ts_v3 one = ts_v3_make(1.0f, 1.0f, 1.0f);
-	ts_v3 f = ts_mad(f0, ts_sub(one, f0), schlick);
+	ts_v3 f = ts_k_schlick(ts_k_f0(s), v_h);
 	f32 diffuse = (1.0f - s->metallic) / 3.1415927410125732421875f;
 	ts_v3 lambert = ts_scale(ts_mul(ts_sub(one, f), s->base), diffuse);
 	return ts_scale(ts_mad(lambert, f, d * visible), n_l);

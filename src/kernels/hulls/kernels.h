@@ -3,6 +3,7 @@
 #define TS_KERNELS_HULLS_KERNELS_H
 #include "corner.h"
 #include "direct.h"
+#include "gloss.h"
 #include "hull.h"
 #include "hull_margin.h"
 #include "polygon.h"

@@ -1,5 +1,5 @@
-/* The picture of indirect light alone, or of the light of lamps: Lo = albedo / pi E (METHODS 11), and the background in
- * the sky. */
+/* The picture of indirect light alone, or of the light of lamps: Lo = albedo / pi E (METHODS 11), and what is reflected
+ * specularly, if that was asked for; the background in the sky. */
 #ifndef TS_KERNELS_INDIRECT_H
 #define TS_KERNELS_INDIRECT_H
 #include "../base/args.h"
@@ -11,6 +11,7 @@
 #define TS_ROWS_ts_indirect_args(ARG) \
 	ARG(IN, ts_gpixel, pixels, gbuffer_pixel) \
 	ARG(IN, f32, irradiance, indirect_irradiance) \
+	ARG(IN_OPT, f32, specular, indirect_specular) \
 	ARG(OUT, f32, radiance, image_radiance) \
 	ARG(OUT, u8, srgb, image_srgb) \
 	ARG(VALUE, f32, exposure, none) \
@@ -24,6 +25,7 @@ TS_FN void ts_k_image_indirect_item(const ts_indirect_args *args, u64 i)
 	ts_v3 light = ts_scale(ts_load3(args->irradiance + i * 3u), 0.3183098733425140380859375f);
 	bool sky = pixel->depth == TS_SKY;
 	ts_v3 radiance = sky ? ts_k_background() : ts_mul(ts_load3(pixel->albedo), light);
+	if (!sky && args->specular != NULL) radiance = ts_add(radiance, ts_load3(args->specular + i * 3u));
 	f32 exposure = args->exposure * (sky ? 1.0f : args->gain);
 	ts_k_show(args->radiance + i * 3u, args->srgb + i * 3u, radiance, exposure);
 }

@@ -1,7 +1,6 @@
 /* Every pixel's box, and the lobes of its corners at the pixel. */
 #include "../../kernels/hulls/hull_margin.h"
-#include "../../kernels/hulls/hull.h"
-#include "../stages.h"
+#include "gloss.h"
 
 static const ts_launch interpolated = TS_LAUNCH(hull, TS_ALL);
 static const ts_launch measured = TS_LAUNCH(hull_margin, TS_ALL);
@@ -17,9 +16,9 @@ static ts_choice_args choice(const ts_run *run)
 	};
 }
 
-static ts_status hull(ts_run *run)
+ts_hull_args ts_hull_values(const ts_run *run)
 {
-	ts_hull_args args = {
+	return (ts_hull_args){
 		.choice = choice(run),
 		.width = TS_PARAM(&run->params, width),
 		.height = TS_PARAM(&run->params, height),
@@ -29,6 +28,11 @@ static ts_status hull(ts_run *run)
 		.printed = TS_PARAM(&run->params, hull_integrals) == TS_INTEGRALS_PRINTED,
 		.rectangle = TS_PARAM(&run->params, hull_corners) == TS_CORNERS_RECTANGLE,
 	};
+}
+
+static ts_status hull(ts_run *run)
+{
+	ts_hull_args args = ts_hull_values(run);
 	if (TS_RUN(run, &interpolated, &args, n_pixels(run)) != TS_OK) return TS_ERROR;
 	ts_run_count(run, "pixels without a segment", ts_frame_tally(&run->frame, 0));
 	return TS_OK;

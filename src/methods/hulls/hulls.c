@@ -19,21 +19,31 @@
  *   hull.corners=rectangle do as the paper does;
  * - a corner without light, or with the same from all sides, has no direction, and gives none to those that it is
  *   blended with;
- * - the picture is of indirect light alone, or of that of the lamps alone. */
-#include "../stages.h"
+ * - the picture is of indirect light alone, or of that of the lamps alone; gloss.lobe adds their specular reflection,
+ *   for which the paper names lobes and no formula (gloss.h). */
+#include "gloss.h"
 #include "../raster/pipelines.h"
 
 static const ts_step hull_run[] = {
-	{.run = ts_gbuffer_run},     {.stage = "depth_grid"}, /* down-sampled depth */
-	{.stage = "segment"},        {.stage = "segment.extent"},
-	{.stage = "segment.box"},    {.stage = "corner"}, /* light at the corners of the boxes */
-	{.stage = "corner.lobes"},   {.stage = "hull"},   /* hull.interpolation and integration */
-	{.stage = "image.indirect"}, {0},
+	{.run = ts_gbuffer_run},
+	{.stage = "depth_grid"}, /* down-sampled depth */
+	{.stage = "segment"},
+	{.stage = "segment.extent"},
+	{.stage = "segment.box"},
+	{.stage = "corner"}, /* light at the corners of the boxes */
+	{.stage = "corner.lobes"},
+	{.stage = "hull"}, /* hull.interpolation and integration */
+	{.stage = "gloss", .only_if = ts_gloss_is_asked, .unnumbered = true},
+	{.stage = "gloss.hull", .only_if = ts_gloss_is_asked, .unnumbered = true},
+	{.stage = "image.indirect"},
+	{0},
 };
 
 static const ts_step direct_run[] = {
 	{.run = ts_gbuffer_run},
 	{.stage = "direct"},
+	{.stage = "gloss", .only_if = ts_gloss_is_asked, .unnumbered = true},
+	{.stage = "gloss.direct", .only_if = ts_gloss_is_asked, .unnumbered = true},
 	{.stage = "image.indirect"},
 	{0},
 };

@@ -6,6 +6,7 @@
 static const ts_launch with_mirrors = TS_LAUNCH(image, TS_WITH(offset), TS_WITH(reflected));
 static const ts_launch with_shadows = TS_LAUNCH(image, TS_IN(scene.lights, lamp_light), TS_WITH(lit), TS_WITH(lamps));
 static const ts_launch of_indirect = TS_LAUNCH(image_indirect, TS_ALL);
+static const ts_launch of_glossy = TS_LAUNCH(image_indirect, TS_WITH(specular));
 
 static u64 n_pixels(const ts_run *run) { return (u64)TS_PARAM(&run->params, width) * TS_PARAM(&run->params, height); }
 
@@ -28,7 +29,8 @@ static ts_status image_indirect(ts_run *run)
 {
 	ts_indirect_args args = {.exposure = TS_PARAM(&run->params, image_exposure),
 	                         .gain = run->plan.lights.straight ? 1.0f : TS_BOUNCE_GAIN};
-	return TS_RUN(run, &of_indirect, &args, n_pixels(run));
+	bool is_glossy = ts_run_made(run, TS_B_indirect_specular);
+	return TS_RUN(run, is_glossy ? &of_glossy : &of_indirect, &args, n_pixels(run));
 }
 
 const ts_stage ts_stage_image = {
@@ -57,5 +59,5 @@ const ts_stage ts_stage_image_indirect = {
 	.paper = "SSAGH 4, eq. 6",
 	.doc = "the picture of indirect light",
 	.run = image_indirect,
-	.launches = TS_LAUNCHES(&of_indirect),
+	.launches = TS_LAUNCHES(&of_indirect, &of_glossy),
 };

@@ -2,6 +2,7 @@
 #ifndef TS_HULLS_TOOLS_PROBE_H
 #define TS_HULLS_TOOLS_PROBE_H
 #include "../../../kernels/hulls/direct.h"
+#include "../../../kernels/hulls/gloss.h"
 #include "../../../kernels/hulls/hull.h"
 #include "../../../probe/parts.h"
 
@@ -9,6 +10,11 @@
  * (probe_direct.c). */
 ts_status ts_probe_hull_pixel(ts_probe *probe, const ts_probe_question *question, json_t *object);
 json_t *ts_probe_lobe(ts_probe *probe, const ts_hull_args *args, const ts_sg *g, ts_v3 n, u32 channel);
+/* A pixel's specular reflection (probe_gloss.c): puts and sets its surface; puts the product of a lobe of light with
+ * it, and returns what is reflected. */
+ts_status ts_probe_put_gloss(ts_probe *probe, const ts_probe_seen *at, const ts_gpixel *pixel, json_t *object,
+                             ts_glossy *glossy);
+ts_v3 ts_probe_put_reflected(ts_probe *probe, json_t *object, const ts_glossy *glossy, const ts_sg *light);
 /* What light is gathered from: triangles of reflective shadow maps, or lamps (probe_source.c). Sets all of source that
  * says so, checked; and the buffers that a pixel's answer needs. */
 ts_status ts_probe_read_source(ts_probe *probe, ts_direct_args *source);

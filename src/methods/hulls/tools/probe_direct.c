@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include "../../../kernels/hulls/polygon.h"
 #include "../../raster/tools/probe.h"
+#include "../gloss.h"
 #include "probe.h"
 
 enum { MOST_LISTED = 16 };
@@ -88,16 +89,61 @@ static ts_status put_all(ts_probe *p, json_t *o, const ts_gpixel *pixel, const t
 	return status;
 }
 
+/* What is reflected specularly of a triangle, by its index, or behind these of a lamp without extent. */
+static ts_v3 reflected_of(const ts_direct_args *from, const ts_glossy *glossy, ts_v3 p, u32 index, u32 vmf)
+{
+	ts_v3 none = {0, 0, 0};
+	if (index < from->n_patches) return ts_k_gloss_direct(glossy, &from->patches[index], p, vmf);
+	u32 lamp = index - (u32)from->n_patches;
+	return from->shapes[lamp].radius > 0.0f ? none : ts_k_gloss_direct_point(glossy, &from->lamps[lamp], p, vmf);
+}
+
+static void put_reflections(ts_probe *p, json_t *o, const ts_direct_args *from, const term *terms, u32 n)
+{
+	json_t *list = json_array();
+	for (u32 i = 0; i < n; i++) {
+		json_t *entry = json_object();
+		u32 index = terms[i].patch, n_patches = (u32)from->n_patches;
+		ts_probe_put(p, entry, index < n_patches ? "patch" : "light", ts_probe_int(index % n_patches));
+		ts_probe_put(p, entry, "radiance", ts_probe_v3_bits(terms[i].light));
+		ts_probe_append(p, list, entry);
+	}
+	ts_probe_put(p, o, "brightest", list);
+}
+
+static ts_status put_specular(ts_probe *p, const ts_probe_seen *at, json_t *object, const ts_direct_args *from,
+                              const ts_gpixel *pixel, f32 specular[3])
+{
+	ts_glossy glossy;
+	json_t *o = json_object();
+	ts_v3 sum = ts_v3_make(0.0f, 0.0f, 0.0f), place = ts_load3(pixel->position);
+	u32 n = (u32)from->n_patches + from->n_lamps, vmf = TS_PARAM(&p->trace->params, hull_sharpness) == TS_SHARPNESS_VMF;
+	term *terms = ts_alloc(n + (size_t)1, sizeof *terms, "triangles of light");
+	if (terms == NULL) return TS_ERROR;
+	ts_status status = ts_probe_put_gloss(p, at, pixel, o, &glossy);
+	for (u32 k = 0; k < n; k++) {
+		terms[k] = (term){k, reflected_of(from, &glossy, place, k, vmf)};
+		sum = ts_add(sum, terms[k].light);
+	}
+	ts_store3(specular, sum);
+	qsort(terms, n, sizeof *terms, by_light);
+	put_reflections(p, o, from, terms, n < MOST_LISTED ? n : MOST_LISTED);
+	free(terms);
+	ts_probe_put(p, object, "gloss", o);
+	return status;
+}
+
 static ts_status put_direct(ts_probe *p, const ts_probe_seen *at, const ts_gpixel *pixel, json_t *object,
-                            f32 irradiance[3])
+                            ts_probe_gathered *gathered)
 {
 	json_t *o = json_object();
 	ts_direct_args from;
-	(void)at;
+	gathered->reflects = ts_gloss_is_asked(&p->trace->params);
 	ts_status status = ts_probe_read_source(p, &from);
-	if (status == TS_OK) status = put_all(p, o, pixel, &from, irradiance);
+	if (status == TS_OK) status = put_all(p, o, pixel, &from, gathered->irradiance);
 	ts_probe_put(p, object, "direct", o);
-	return status;
+	if (status != TS_OK || !gathered->reflects) return status;
+	return put_specular(p, at, object, &from, pixel, gathered->specular);
 }
 
 static ts_status put_light(ts_probe *p, const ts_probe_seen *at, json_t *o, ts_v3 *radiance)

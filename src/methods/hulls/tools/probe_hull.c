@@ -2,7 +2,7 @@
 #include <inttypes.h>
 #include <stdlib.h>
 #include "../../../kernels/hulls/corner.h"
-#include "../../stages.h"
+#include "../gloss.h"
 #include "../../raster/tools/probe.h"
 #include "probe.h"
 
@@ -233,9 +233,28 @@ static ts_status put_hull(ts_probe *p, json_t *object, hull *h, u32 x, u32 y, co
 	return status;
 }
 
-/* The irradiance by hulls. */
-static ts_status put_irradiance(ts_probe *p, const ts_probe_seen *at, const ts_gpixel *pixel, json_t *object,
-                                f32 irradiance[3])
+/* What of the lobes is reflected specularly. */
+static ts_status put_specular(ts_probe *p, const ts_probe_seen *at, json_t *object, const hull *h,
+                              const ts_gpixel *pixel, f32 specular[3])
+{
+	ts_glossy glossy;
+	json_t *o = json_object(), *lobes = json_array();
+	ts_status status = ts_probe_put_gloss(p, at, pixel, o, &glossy);
+	for (u32 channel = 0; channel < 3; channel++) {
+		json_t *lobe = json_object();
+		ts_sg light = ts_k_hull_lobe(&h->args, 0, &h->shares, channel);
+		ts_v3 sent = ts_probe_put_reflected(p, lobe, &glossy, &light);
+		specular[channel] = (&sent.x)[channel];
+		ts_probe_append(p, lobes, lobe);
+	}
+	ts_probe_put(p, o, "lobes", lobes);
+	ts_probe_put(p, object, "gloss", o);
+	return status;
+}
+
+/* The light by hulls. */
+static ts_status put_light_from(ts_probe *p, const ts_probe_seen *at, const ts_gpixel *pixel, json_t *object,
+                                ts_probe_gathered *gathered)
 {
 	static const ts_buffer_id needed[] = {TS_B_segment_box_offset, TS_B_segment_box, TS_B_corner_moment,
 	                                      TS_B_corner_lobes, TS_N_BUFFERS};
@@ -249,15 +268,16 @@ static ts_status put_irradiance(ts_probe *p, const ts_probe_seen *at, const ts_g
 	if (status == TS_OK) status = read_choice(p, &c);
 	if (status == TS_OK) status = put_choice(p, o, &c, at->x, at->y, &box);
 	ts_probe_put(p, object, "hull", o);
-	irradiance[0] = irradiance[1] = irradiance[2] = 0.0f;
+	*gathered = (ts_probe_gathered){.reflects = ts_gloss_is_asked(&p->trace->params)};
 	if (status != TS_OK || box == TS_NONE) return status;
 	if (read_hull(p, &h, box) != TS_OK) return TS_ERROR;
-	return put_hull(p, object, &h, at->x, at->y, pixel, irradiance);
+	if (put_hull(p, object, &h, at->x, at->y, pixel, gathered->irradiance) != TS_OK) return TS_ERROR;
+	return gathered->reflects ? put_specular(p, at, object, &h, pixel, gathered->specular) : TS_OK;
 }
 
 static ts_status put_light(ts_probe *p, const ts_probe_seen *at, json_t *o, ts_v3 *radiance)
 {
-	return ts_probe_put_indirect(p, at, put_irradiance, o, radiance);
+	return ts_probe_put_indirect(p, at, put_light_from, o, radiance);
 }
 
 ts_status ts_probe_hull_pixel(ts_probe *p, const ts_probe_question *q, json_t *o)

@@ -3,20 +3,17 @@
  * pixel sees, by rays to truth.area_samples places, a lamp's shared out among its triangles. A place counts by what it
  * would give, cos cos' / r^2, so that rays say what is hidden, and nothing else.
  *
+ * With gloss.lobe both have what surfaces reflect specularly, too: the BRDF in double precision (truth_gloss.c) in place
+ * of the cosine.
+ *
  * Places are those of a lattice whose steps are the powers of the root of x^3 = x + 1, folded into the triangle, at a
  * random shift a pixel. */
-#include <math.h>
 #include "../../../kernels/hulls/polygon.h"
 #include "../../../kernels/hulls/direct.h"
 #include "../../raster/tools/truth_gather.h"
-#include "../../stages.h"
+#include "../gloss.h"
 #include "tools.h"
-
-#define PI 3.14159265358979323846
-
-typedef struct {
-	double x, y, z;
-} vec;
+#include "truth_gloss.h"
 
 typedef struct {
 	const ts_truth *truth; /* NULL: nothing is in the way */
@@ -24,44 +21,66 @@ typedef struct {
 	u64 n_patches;
 	const ts_light *lamps;
 	const ts_lamp *shapes;
-	u32 n_lamps, n_rays; /* rays to a triangle */
+	u32 n_lamps, n_rays;   /* rays to a triangle */
+	const ts_gloss *gloss; /* of the pixels; NULL: light that arrives is asked for, not what they reflect specularly */
+	ts_v3 eye;
 } tracer;
 
-static vec from_to(ts_v3 p, const f32 to[3])
-{
-	return (vec){(double)to[0] - (double)p.x, (double)to[1] - (double)p.y, (double)to[2] - (double)p.z};
-}
-static double dot(vec a, vec b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-static vec cross(vec a, vec b) { return (vec){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
-static vec mix(vec a, vec b, double t)
-{
-	return (vec){a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.z + t * (b.z - a.z)};
-}
+/* A surface that takes light, or reflects it. */
+typedef struct {
+	ts_v3 p;
+	u32 pixel;
+	bool reflects;
+	ts_truth_glossy glossy; /* n alone, if it does not */
+} receiver;
 
 /* Lambert's sum over the edges of what is above the horizon of n, by the corners seen from the surface. */
-static double form_factor(vec n, const vec corner[3])
+static double form_factor(ts_double3 n, const ts_double3 corner[3])
 {
-	vec above[6];
+	ts_double3 above[6];
 	u32 count = 0;
 	double sum = 0;
 	for (u32 i = 0; i < 3; i++) {
-		vec p = corner[i], q = corner[(i + 1) % 3];
-		double dp = dot(n, p), dq = dot(n, q);
+		ts_double3 p = corner[i], q = corner[(i + 1) % 3];
+		double dp = ts_double3_dot(n, p), dq = ts_double3_dot(n, q);
 		if (dp >= 0) above[count++] = p;
-		if ((dp >= 0) != (dq >= 0)) above[count++] = mix(p, q, dp / (dp - dq));
+		if ((dp >= 0) != (dq >= 0)) above[count++] = ts_double3_mix(p, q, dp / (dp - dq));
 	}
 	for (u32 i = 0; i < count; i++) {
-		vec p = above[i], q = above[(i + 1) % count], across = cross(p, q);
-		double length = sqrt(dot(across, across));
-		if (length > 0) sum += dot(across, n) / length * atan2(length, dot(p, q));
+		ts_double3 p = above[i], q = above[(i + 1) % count], across = ts_double3_cross(p, q);
+		double length = sqrt(ts_double3_dot(across, across));
+		if (length > 0) sum += ts_double3_dot(across, n) / length * atan2(length, ts_double3_dot(p, q));
 	}
-	return fabs(sum) / (2 * PI);
+	return fabs(sum) / (2 * TS_PI);
 }
 
-/* How much of a triangle the pixel sees, weighed by what each place gives. */
-static double seen(const tracer *t, const ts_patch *patch, ts_v3 p, vec n, u32 pixel)
+/* Of light from l by what reaches a surface that faces it, of red, green and blue. */
+static ts_double3 taken(const receiver *at, ts_double3 l)
 {
-	f32 s = ts_uniform(ts_random(pixel, 7, 0)), r = ts_uniform(ts_random(pixel, 7, 1));
+	if (at->reflects) return ts_truth_gloss_brdf(&at->glossy, l);
+	double cosine = fmax(0, ts_double3_dot(at->glossy.n, l));
+	return (ts_double3){cosine, cosine, cosine};
+}
+
+/* The same of a triangle that is seen from there, by its exitance. */
+static ts_double3 taken_of_triangle(const receiver *at, const ts_double3 corner[3])
+{
+	if (at->reflects) {
+		ts_double3 none = {0, 0, 0};
+		return ts_double3_mad(none, ts_truth_gloss_triangle(&at->glossy, corner), 1 / TS_PI);
+	}
+	double factor = form_factor(at->glossy.n, corner);
+	return (ts_double3){factor, factor, factor};
+}
+
+static double sum_of(ts_double3 a) { return a.x + a.y + a.z; }
+
+/* How much of a triangle the pixel sees, weighed by what each place gives. */
+static double seen(const tracer *t, const ts_patch *patch, const receiver *at)
+{
+	ts_v3 p = at->p;
+	f32 s = ts_uniform(ts_random(at->pixel, 7, 0)), r = ts_uniform(ts_random(at->pixel, 7, 1));
+	ts_double3 front = ts_double3_of(ts_load3(patch->normal));
 	double all = 0, lit = 0;
 	for (u32 k = 0; k < t->n_rays; k++) {
 		f32 u = s + 0.7548777f * (f32)k, v = r + 0.56984029f * (f32)k;
@@ -70,11 +89,9 @@ static double seen(const tracer *t, const ts_patch *patch, ts_v3 p, vec n, u32 p
 		bool over = u + v > 1.0f;
 		ts_v3 w = {over ? 1.0f - u : u, over ? 1.0f - v : v, 0};
 		w.z = 1.0f - w.x - w.y;
-		f32 at[3];
 		ts_v3 place = ts_blend(w, ts_load3(patch->a), ts_load3(patch->b), ts_load3(patch->c));
-		ts_store3(at, place);
-		vec way = from_to(p, at), normal = {patch->normal[0], patch->normal[1], patch->normal[2]};
-		double square = dot(way, way), gives = fmax(0, dot(n, way)) * fmax(0, -dot(normal, way)) / (square * square);
+		ts_double3 way = ts_double3_from_to(p, place), l = ts_double3_unit(way);
+		double gives = sum_of(taken(at, l)) * fmax(0, -ts_double3_dot(front, l)) / ts_double3_dot(way, way);
 		if (!(gives > 0)) continue;
 		all += gives;
 		if (ts_truth_sees(t->truth, p, place, ts_truth_skip(place))) lit += gives;
@@ -82,14 +99,14 @@ static double seen(const tracer *t, const ts_patch *patch, ts_v3 p, vec n, u32 p
 	return all > 0 ? lit / all : 0;
 }
 
-static double share_of(const tracer *t, const ts_patch *patch, u64 pixel, ts_v3 p, ts_v3 n)
+static ts_double3 of_triangle(const tracer *t, const ts_patch *patch, const receiver *at)
 {
-	const vec corner[3] = {from_to(p, patch->a), from_to(p, patch->b), from_to(p, patch->c)};
-	vec normal = {(double)n.x, (double)n.y, (double)n.z};
-	vec front = {patch->normal[0], patch->normal[1], patch->normal[2]};
-	if (!(dot(front, corner[0]) < 0)) return 0;
-	double factor = form_factor(normal, corner);
-	return factor > 0 && t->truth != NULL ? factor * seen(t, patch, p, normal, (u32)pixel) : factor;
+	const ts_double3 none = {0, 0, 0}, corner[3] = {ts_double3_from_to(at->p, ts_load3(patch->a)),
+	                                                ts_double3_from_to(at->p, ts_load3(patch->b)),
+	                                                ts_double3_from_to(at->p, ts_load3(patch->c))};
+	if (!(ts_double3_dot(ts_double3_of(ts_load3(patch->normal)), corner[0]) < 0)) return none;
+	ts_double3 all = taken_of_triangle(at, corner);
+	return sum_of(all) > 0 && t->truth != NULL ? ts_double3_mad(none, all, seen(t, patch, at)) : all;
 }
 
 /* A sun without extent is as far as its triangles would be. */
@@ -105,29 +122,39 @@ static bool sees_point(const tracer *t, const ts_light *light, ts_v3 p)
 	return ts_truth_cast(t->truth, &ray).triangle == TS_NONE;
 }
 
+static ts_double3 of_point(const tracer *t, const ts_light *light, const receiver *at)
+{
+	ts_v3 way;
+	const ts_double3 none = {0, 0, 0};
+	double arrives = (double)ts_k_light(light, at->p, &way);
+	ts_double3 all = ts_double3_mad(none, taken(at, ts_double3_of(way)), arrives);
+	return sum_of(all) > 0 && sees_point(t, light, at->p) ? all : none;
+}
+
+static ts_double3 add(ts_double3 sum, ts_double3 share, const f32 light[3])
+{
+	return (ts_double3){sum.x + share.x * (double)light[0], sum.y + share.y * (double)light[1],
+	                    sum.z + share.z * (double)light[2]};
+}
+
 static ts_v3 from_lamps(const void *user, u64 pixel, ts_v3 p, ts_v3 n)
 {
 	const tracer *t = user;
-	double sum[3] = {0};
+	ts_double3 sum = {0, 0, 0};
+	receiver at = {.p = p, .pixel = (u32)pixel, .reflects = t->gloss != NULL, .glossy = {.n = ts_double3_of(n)}};
+	if (at.reflects) at.glossy = ts_truth_glossy_of(&t->gloss[pixel], p, n, t->eye);
 	for (u64 k = 0; k < t->n_patches; k++) {
-		const ts_patch *patch = &t->patches[k];
-		double share = share_of(t, patch, pixel, p, n);
-		for (u32 c = 0; c < 3; c++) sum[c] += share * (double)patch->exitance[c];
+		sum = add(sum, of_triangle(t, &t->patches[k], &at), t->patches[k].exitance);
 	}
 	for (u32 k = 0; k < t->n_lamps; k++) {
-		if (t->shapes[k].radius > 0) continue;
-		ts_v3 light = ts_k_direct_point(&t->lamps[k], p, n);
-		if (!(light.x + light.y + light.z > 0) || !sees_point(t, &t->lamps[k], p)) continue;
-		sum[0] += (double)light.x;
-		sum[1] += (double)light.y;
-		sum[2] += (double)light.z;
+		if (!(t->shapes[k].radius > 0)) sum = add(sum, of_point(t, &t->lamps[k], &at), t->lamps[k].intensity);
 	}
-	return ts_v3_make((f32)sum[0], (f32)sum[1], (f32)sum[2]);
+	return ts_double3_round(sum);
 }
 
 static ts_status trace(const ts_truth *truth, ts_run *run, u32 n_rays, const char *label)
 {
-	const tracer t = {
+	tracer t = {
 		.truth = truth,
 		.patches = ts_frame_data(&run->frame, TS_B_polygon_patch),
 		.n_patches = ts_frame_n(&run->frame, TS_B_polygon_patch),
@@ -136,7 +163,10 @@ static ts_status trace(const ts_truth *truth, ts_run *run, u32 n_rays, const cha
 		.n_lamps = (u32)ts_frame_n(&run->frame, TS_B_lamp_light),
 		.n_rays = n_rays,
 	};
-	return ts_truth_gather(run, from_lamps, &t, label);
+	if (ts_truth_gather(run, TS_B_indirect_irradiance, from_lamps, &t, label) != TS_OK) return TS_ERROR;
+	if (!ts_gloss_is_asked(&run->params)) return TS_OK;
+	if (ts_truth_gloss(run, &t.gloss, &t.eye) != TS_OK) return TS_ERROR;
+	return ts_truth_gather(run, TS_B_indirect_specular, from_lamps, &t, label);
 }
 
 ts_status ts_truth_lamps_begin(ts_run *run, const char *effect)

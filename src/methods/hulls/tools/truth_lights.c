@@ -8,8 +8,9 @@
 #include "../../../kernels/hulls/direct.h"
 #include "../../../scene/lamp.h"
 #include "../../raster/tools/truth_gather.h"
-#include "../../stages.h"
+#include "../gloss.h"
 #include "tools.h"
+#include "truth_gloss.h"
 
 typedef struct {
 	const ts_truth *truth;
@@ -20,16 +21,27 @@ typedef struct {
 	u32 n_lamps;
 	f32 beyond; /* farther than the scene reaches */
 	u32 n_rays;
+	const ts_gloss *gloss; /* of the pixels; NULL: light that arrives is asked for, not what they reflect specularly */
+	ts_v3 eye;
 } tracer;
+
+static ts_v3 reflected(const tracer *t, const ts_patch *patch, u64 pixel, ts_v3 p, ts_v3 n)
+{
+	ts_v3 none = {0, 0, 0}, a = ts_load3(patch->a), b = ts_load3(patch->b), c = ts_load3(patch->c);
+	if (!(ts_dot(ts_load3(patch->normal), ts_sub(p, a)) > 0.0f)) return none;
+	ts_truth_glossy at = ts_truth_glossy_of(&t->gloss[pixel], p, n, t->eye);
+	const ts_double3 corner[3] = {ts_double3_from_to(p, a), ts_double3_from_to(p, b), ts_double3_from_to(p, c)};
+	ts_v3 share = ts_double3_round(ts_truth_gloss_triangle(&at, corner));
+	return ts_mul(ts_load3(patch->exitance), ts_scale(share, (f32)(1 / TS_PI)));
+}
 
 static ts_v3 from_lights(const void *user, u64 pixel, ts_v3 p, ts_v3 n)
 {
 	const tracer *t = user;
-	(void)pixel;
 	ts_v3 sum = {0, 0, 0};
 	for (u64 k = 0; k < t->n_patches; k++) {
 		const ts_patch *patch = &t->patches[k];
-		ts_v3 light = ts_k_direct(patch, p, n);
+		ts_v3 light = t->gloss != NULL ? reflected(t, patch, pixel, p, n) : ts_k_direct(patch, p, n);
 		if (!(light.x + light.y + light.z > 0.0f)) continue;
 		ts_v3 third = {1.0f / 3.0f, 1.0f / 3.0f, 1.0f / 3.0f};
 		ts_v3 middle = ts_blend(third, ts_load3(patch->a), ts_load3(patch->b), ts_load3(patch->c));
@@ -84,11 +96,31 @@ static ts_v3 from_bounce(const void *user, u64 pixel, ts_v3 p, ts_v3 n)
 	return ts_scale(sum, 1.0f / (f32)t->n_rays);
 }
 
+/* Specularly reflected, as dense as the BRDF wants it; a place of the golden sequence each. */
+static ts_v3 from_bounce_reflected(const void *user, u64 pixel, ts_v3 p, ts_v3 n)
+{
+	const tracer *t = user;
+	ts_truth_glossy at = ts_truth_glossy_of(&t->gloss[pixel], p, n, t->eye);
+	ts_v3 sum = {0, 0, 0};
+	f32 turn = ts_uniform(ts_random((u32)pixel, 0, 0));
+	for (u32 k = 0; k < t->n_rays; k++) {
+		ts_double3 l;
+		f32 turns = turn + TS_GOLDEN_TURN * (f32)k;
+		ts_double3 share = ts_truth_gloss_sample(&at, ((double)k + 0.5) / t->n_rays, (double)turns, &l);
+		if (!(share.x + share.y + share.z > 0)) continue;
+		ts_truth_query ray = {
+			.origin = p, .direction = ts_double3_round(l), .near = ts_truth_skip(p), .masked = TS_NONE, .from = p};
+		sum = ts_add(sum, ts_mul(ts_double3_round(share), exitance_at(t, &ray)));
+	}
+	return ts_scale(sum, (f32)(1 / TS_PI) / (f32)t->n_rays);
+}
+
 static f32 extent(const ts_info *info) { return ts_length(ts_sub(ts_load3(info->box_max), ts_load3(info->box_min))); }
 
-static ts_status trace(const ts_truth *truth, ts_run *run, ts_truth_light *light, const char *label)
+static ts_status trace(const ts_truth *truth, ts_run *run, ts_truth_light *light, ts_truth_light *specular,
+                       const char *label)
 {
-	const tracer t = {
+	tracer t = {
 		.truth = truth,
 		.scene = ts_truth_scene(truth),
 		.patches = ts_frame_data(&run->frame, TS_B_rsm_patch),
@@ -98,9 +130,18 @@ static ts_status trace(const ts_truth *truth, ts_run *run, ts_truth_light *light
 		.beyond = 2.0f * extent(ts_run_info(run)),
 		.n_rays = TS_PARAM(&run->params, truth_bounce_rays),
 	};
-	return ts_truth_gather(run, light, &t, label);
+	if (ts_truth_gather(run, TS_B_indirect_irradiance, light, &t, label) != TS_OK) return TS_ERROR;
+	if (!ts_gloss_is_asked(&run->params)) return TS_OK;
+	if (ts_truth_gloss(run, &t.gloss, &t.eye) != TS_OK) return TS_ERROR;
+	return ts_truth_gather(run, TS_B_indirect_specular, specular, &t, label);
 }
 
-ts_status ts_truth_lights(ts_truth *truth, ts_run *run) { return trace(truth, run, from_lights, "truth lights"); }
+ts_status ts_truth_lights(ts_truth *truth, ts_run *run)
+{
+	return trace(truth, run, from_lights, from_lights, "truth lights");
+}
 
-ts_status ts_truth_bounce(ts_truth *truth, ts_run *run) { return trace(truth, run, from_bounce, "truth bounce"); }
+ts_status ts_truth_bounce(ts_truth *truth, ts_run *run)
+{
+	return trace(truth, run, from_bounce, from_bounce_reflected, "truth bounce");
+}

@@ -60,9 +60,14 @@ ts_status ts_probe_put_shadowed(ts_probe *probe, const ts_probe_seen *seen, ts_p
 ts_status ts_probe_shadow_pixel(ts_probe *probe, const ts_probe_question *question, json_t *object);
 
 /* ---- indirect light (probe_indirect.c) ---- */
-/* Puts what the irradiance of a pixel is made of, and sets it; `pixel` is the G-buffer's. */
+typedef struct {
+	f32 irradiance[3], specular[3];
+	bool reflects; /* specularly; or `specular` is not there */
+} ts_probe_gathered;
+
+/* Puts what the light of a pixel is made of, and sets it; `pixel` is the G-buffer's. */
 typedef ts_status ts_probe_irradiance(ts_probe *probe, const ts_probe_seen *at, const ts_gpixel *pixel, json_t *object,
-                                      f32 irradiance[3]);
+                                      ts_probe_gathered *gathered);
 /* Puts the G-buffer's pixel, what its irradiance is made from, the irradiance, and what is sent on. */
 ts_status ts_probe_put_indirect(ts_probe *probe, const ts_probe_seen *at, ts_probe_irradiance *put_from, json_t *object,
                                 ts_v3 *radiance);

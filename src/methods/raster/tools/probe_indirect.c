@@ -19,29 +19,38 @@ static ts_status put_gbuffer(ts_probe *p, json_t *o, u32 x, u32 y, u64 key, ts_g
 	return status;
 }
 
-static ts_status put_irradiance(ts_probe *p, json_t *o, u32 x, u32 y, const f32 irradiance[3])
+static ts_status put_held(ts_probe *p, json_t *o, u32 x, u32 y, const char *name, ts_buffer_id id, const f32 light[3])
 {
 	bool there;
 	f32 held[3];
 	json_t *e = json_object();
-	ts_probe_put(p, e, "irradiance", ts_probe_v3_bits(ts_load3(irradiance)));
-	ts_status status = ts_probe_fetch_pixel(p, TS_B_indirect_irradiance, x, y, 3, held, &there);
-	if (status == TS_OK && there) ts_probe_put_check(p, e, TS_B_indirect_irradiance, irradiance, held, 3);
-	ts_probe_put(p, o, "light", e);
+	ts_probe_put(p, e, name, ts_probe_v3_bits(ts_load3(light)));
+	ts_status status = ts_probe_fetch_pixel(p, id, x, y, 3, held, &there);
+	if (status == TS_OK && there) ts_probe_put_check(p, e, id, light, held, 3);
+	ts_probe_put(p, o, id == TS_B_indirect_specular ? "reflected" : "light", e);
 	return status;
+}
+
+static ts_status put_gathered(ts_probe *p, json_t *o, u32 x, u32 y, const ts_probe_gathered *from)
+{
+	ts_status status = put_held(p, o, x, y, "irradiance", TS_B_indirect_irradiance, from->irradiance);
+	if (status != TS_OK || !from->reflects) return status;
+	return put_held(p, o, x, y, "radiance", TS_B_indirect_specular, from->specular);
 }
 
 ts_status ts_probe_put_indirect(ts_probe *p, const ts_probe_seen *at, ts_probe_irradiance *put_from, json_t *o,
                                 ts_v3 *radiance)
 {
 	ts_gpixel pixel;
-	f32 irradiance[3], sent[3];
+	ts_probe_gathered from = {.reflects = false};
+	f32 sent[3];
 	u8 srgb[3];
 	if (put_gbuffer(p, o, at->x, at->y, at->key, &pixel) != TS_OK) return TS_ERROR;
-	if (put_from(p, at, &pixel, o, irradiance) != TS_OK) return TS_ERROR;
-	if (put_irradiance(p, o, at->x, at->y, irradiance) != TS_OK) return TS_ERROR;
+	if (put_from(p, at, &pixel, o, &from) != TS_OK) return TS_ERROR;
+	if (put_gathered(p, o, at->x, at->y, &from) != TS_OK) return TS_ERROR;
 	ts_indirect_args args = {.pixels = &pixel,
-	                         .irradiance = irradiance,
+	                         .irradiance = from.irradiance,
+	                         .specular = from.reflects ? from.specular : NULL,
 	                         .radiance = sent,
 	                         .srgb = srgb,
 	                         .exposure = TS_PARAM(&p->trace->params, image_exposure)};

@@ -7,10 +7,10 @@
  * they see, eye and G-buffer, the same for all methods. */
 ts_status ts_truth_indirect_begin(ts_run *run, const char *effect);
 
-/* The light that arrives at a pixel's surface, whose place is p and whose normal is n. */
+/* The light that arrives at a pixel's surface, whose place is p and whose normal is n, or what that reflects of it. */
 typedef ts_v3 ts_truth_light(const void *user, u64 pixel, ts_v3 p, ts_v3 n);
-/* Reads gbuffer.pixel; makes indirect.irradiance in run->frame, from which stage `image.indirect` makes the picture.
- * Fails without memory. */
-ts_status ts_truth_gather(ts_run *run, ts_truth_light *light, const void *user, const char *label);
+/* Reads gbuffer.pixel; makes `to`, indirect.irradiance or indirect.specular, in run->frame, from which stage
+ * `image.indirect` makes the picture. Fails without memory. */
+ts_status ts_truth_gather(ts_run *run, ts_buffer_id to, ts_truth_light *light, const void *user, const char *label);
 
 #endif

@@ -42,7 +42,7 @@ static ts_status trace(ts_truth *truth, ts_run *run, const char *const *makers, 
 		.near = TS_PARAM(&run->params, vpl_gather_near) * leaf,
 		.reach = leaf * 1.73205077648162841796875f,
 	};
-	return ts_truth_gather(run, from_vpls, &t, label);
+	return ts_truth_gather(run, TS_B_indirect_irradiance, from_vpls, &t, label);
 }
 
 ts_status ts_truth_particles_begin(ts_run *run, const char *effect)

@@ -1,0 +1,171 @@
+/* Specular reflection of gathered light (SSAGH eq. 6; METHODS 11). The microfacet BRDF of glTF 2.0 is D V F; its
+ * distribution of normals D becomes a spherical Gaussian, turned from half vectors to directions of light (Wang, Ren,
+ * Gong, Snyder and Guo 2009), so that light which is one, too, is multiplied with it by eq. 3 and integrated with the
+ * cosine like diffuse light. V and F change little within a lobe: they are those at the middle of the product. */
+#ifndef TS_KERNELS_GLOSS_H
+#define TS_KERNELS_GLOSS_H
+#include "../base/args.h"
+#include "../base/shade.h"
+#include "../raster/gbuffer.h"
+#include "direct.h"
+#include "hull.h"
+
+#define TS_ROWS_ts_gloss_args(ARG) \
+	ARG(INNER, ts_arrays, scene, none) \
+	ARG(IN, ts_view, view, eye_view) \
+	ARG(IN, u64, depth_triangle, eye_depth_triangle) \
+	ARG(OUT, ts_gloss, pixels, gloss_pixel)
+TS_ARGS(ts_gloss_args);
+
+TS_FN void ts_k_gloss(TS_GLOBAL ts_gloss *gloss, const ts_arrays *scene, const ts_camera_k *view, u64 key, i32 x, i32 y)
+{
+	ts_store3(gloss->f0, ts_v3_make(0.0f, 0.0f, 0.0f));
+	gloss->alpha_squared = 1.0f;
+	if (key == TS_EMPTY) return;
+	ts_surface s = ts_k_surface_seen(scene, view, (u32)key, x, y);
+	gloss->alpha_squared = ts_put(ts_k_alpha_squared(s.roughness));
+	if ((s.flags & TS_UNLIT) == 0u) ts_store3(gloss->f0, ts_k_f0(&s));
+}
+
+/* map over pixels */
+TS_FN void ts_k_gloss_item(const ts_gloss_args *args, u64 i)
+{
+	ts_camera_k view = ts_k_view(args->view);
+	i32 x = (i32)(i % (u64)view.width);
+	i32 y = (i32)(i / (u64)view.width);
+	ts_k_gloss(&args->pixels[i], &args->scene, &view, args->depth_triangle[i], x, y);
+}
+
+/* GGX's distribution of normals has the peak 1 / (pi a2), a2 = alpha^2, and the integral 1 with the cosine. The Gaussian
+ * about the normal that has both has a sharpness of (1 - a2) (2 / a2 + 1) within 1.4 %, exactly where a2 is 0 or 1.
+ * Half vectors turn by half of what directions of light do, and less across the plane of the eye: about the reflected
+ * eye the sharpness is a (4 n.v)-th of that. n, v: unit; n.v is at least 2^-10. */
+TS_FN ts_sg ts_k_gloss_lobe(ts_v3 n, ts_v3 v, f32 alpha_squared)
+{
+	f32 n_v = ts_dot(n, v);
+	f32 across = ts_max(ts_abs(n_v), 0.0009765625f);
+	ts_v3 phi = ts_normalize(ts_sub(ts_scale(n, 2.0f * n_v), v));
+	f32 sharpness = (1.0f - alpha_squared) * (2.0f / alpha_squared + 1.0f);
+	return ts_sg_make(0.3183098733425140380859375f / alpha_squared, sharpness / (4.0f * across), phi);
+}
+
+/* A surface that reflects to the eye, and by which integral. */
+typedef struct {
+	ts_sg lobe;
+	ts_v3 n, v, f0;
+	f32 alpha_squared;
+	u32 cosine, printed;
+} ts_glossy;
+
+TS_FN ts_glossy ts_k_glossy(TS_GLOBAL const ts_gpixel *pixel, TS_GLOBAL const ts_gloss *gloss, ts_v3 eye, u32 cosine,
+                            u32 printed)
+{
+	ts_glossy r;
+	r.n = ts_load3(pixel->normal);
+	r.v = ts_normalize(ts_sub(eye, ts_load3(pixel->position)));
+	r.f0 = ts_load3(gloss->f0);
+	r.alpha_squared = gloss->alpha_squared;
+	r.lobe = ts_k_gloss_lobe(r.n, r.v, r.alpha_squared);
+	r.cosine = cosine;
+	r.printed = printed;
+	return r;
+}
+
+/* V F with the light from l; the cosines to the normal are at least 2^-10. */
+TS_FN ts_v3 ts_k_gloss_factor(const ts_glossy *at, ts_v3 l)
+{
+	f32 n_l = ts_max(ts_dot(at->n, l), 0.0009765625f);
+	f32 n_v = ts_max(ts_abs(ts_dot(at->n, at->v)), 0.0009765625f);
+	ts_v3 h = ts_normalize(ts_add(l, at->v));
+	f32 v_h = ts_clamp(ts_dot(at->v, h), 0.0f, 1.0f);
+	return ts_scale(ts_k_schlick(at->f0, v_h), ts_k_smith(n_l, n_v, at->alpha_squared));
+}
+
+/* What is reflected of a lobe of exitance, already multiplied with the surface's: what is no number is dark. */
+TS_FN ts_v3 ts_k_gloss_reflected(const ts_glossy *at, const ts_sg *both)
+{
+	f32 integral = ts_k_sg_cosine(both->lambda, ts_dot(at->n, both->phi), at->cosine, at->printed);
+	f32 sent = ts_flush((both->mu * integral) * 0.3183098733425140380859375f);
+	if (!(sent > 0.0f && sent < 4611686018427387904.0f)) return ts_v3_make(0.0f, 0.0f, 0.0f);
+	return ts_scale(ts_k_gloss_factor(at, both->phi), sent);
+}
+
+#define TS_ROWS_ts_gloss_hull_args(ARG) \
+	ARG(INNER, ts_hull_args, of, none) \
+	ARG(IN, ts_view, view, eye_view) \
+	ARG(IN, ts_gloss, gloss, gloss_pixel) \
+	ARG(IN, u32, box, hull_box) \
+	ARG(OUT, f32, specular, indirect_specular)
+TS_ARGS(ts_gloss_hull_args);
+
+/* map over pixels: from the lobes of their boxes */
+TS_FN void ts_k_gloss_hull_item(const ts_gloss_hull_args *args, u64 i)
+{
+	u32 box = args->box[i];
+	TS_GLOBAL f32 *specular = args->specular + i * 3u;
+	ts_store3(specular, ts_v3_make(0.0f, 0.0f, 0.0f));
+	if (box == TS_NONE) return;
+	ts_v3 eye = ts_load3(args->view->eye);
+	ts_glossy at = ts_k_glossy(&args->of.pixels[i], &args->gloss[i], eye, args->of.cosine, args->of.printed);
+	ts_shares shares = ts_k_box_shares(&args->of, box, (u32)(i % args->of.width), (u32)(i / args->of.width));
+	for (u32 channel = 0u; channel < 3u; channel++) {
+		ts_sg light = ts_k_hull_lobe(&args->of, box, &shares, channel);
+		ts_sg both = ts_k_sg_product(&light, &at.lobe);
+		ts_v3 sent = ts_k_gloss_reflected(&at, &both);
+		specular[channel] = channel == 0u ? sent.x : channel == 1u ? sent.y : sent.z;
+	}
+}
+
+#define TS_ROWS_ts_gloss_direct_args(ARG) \
+	ARG(INNER, ts_direct_args, of, none) \
+	ARG(IN, ts_view, view, eye_view) \
+	ARG(IN, ts_gloss, gloss, gloss_pixel) \
+	ARG(OUT, f32, specular, indirect_specular) \
+	ARG(VALUE, u32, cosine, none)  /* TS_COSINE_IS_* */ \
+	ARG(VALUE, u32, vmf, none)     /* hull.sharpness=vmf */ \
+	ARG(VALUE, u32, printed, none) /* hull.integrals=printed */
+TS_ARGS(ts_gloss_direct_args);
+
+/* Of one triangle of light: its own lobe, as a corner would fit it to this triangle alone. */
+TS_FN ts_v3 ts_k_gloss_direct(const ts_glossy *at, TS_GLOBAL const ts_patch *patch, ts_v3 p, u32 vmf)
+{
+	ts_v3 a = ts_load3(patch->a);
+	ts_v3 b = ts_load3(patch->b);
+	ts_v3 c = ts_load3(patch->c);
+	f32 height = ts_flush(ts_dot(ts_load3(patch->normal), ts_sub(p, a)));
+	if (!(height > 0.0f)) return ts_v3_make(0.0f, 0.0f, 0.0f);
+	f32 angle = ts_k_solid_angle(p, a, b, c);
+	ts_v3 ways = ts_add(ts_normalize(ts_sub(a, p)), ts_normalize(ts_sub(b, p)));
+	ways = ts_add(ways, ts_normalize(ts_sub(c, p)));
+	ts_sg light = ts_k_fit(angle, ts_scale(ways, angle / 3.0f), vmf);
+	ts_sg both = ts_k_sg_product(&light, &at->lobe);
+	return ts_mul(ts_k_gloss_reflected(at, &both), ts_load3(patch->exitance));
+}
+
+TS_FN ts_v3 ts_k_gloss_direct_point(const ts_glossy *at, TS_GLOBAL const ts_light *point, ts_v3 p, u32 vmf)
+{
+	ts_v3 way;
+	f32 w = ts_k_light(point, p, &way) * 3.1415927410125732421875f;
+	ts_sg light = ts_k_fit(w, ts_scale(way, w), vmf);
+	ts_sg both = ts_k_sg_product(&light, &at->lobe);
+	return ts_mul(ts_k_gloss_reflected(at, &both), ts_load3(point->intensity));
+}
+
+/* map over pixels: from every triangle of light */
+TS_FN void ts_k_gloss_direct_item(const ts_gloss_direct_args *args, u64 i)
+{
+	TS_GLOBAL const ts_gpixel *pixel = &args->of.pixels[i];
+	ts_v3 p = ts_load3(pixel->position);
+	ts_v3 sum = ts_v3_make(0.0f, 0.0f, 0.0f);
+	bool sky = pixel->depth == TS_SKY;
+	u64 end = sky ? 0u : args->of.n_patches;
+	ts_glossy at = ts_k_glossy(pixel, &args->gloss[i], ts_load3(args->view->eye), args->cosine, args->printed);
+	for (u64 k = 0u; k < end; k++) sum = ts_add(sum, ts_k_gloss_direct(&at, &args->of.patches[k], p, args->vmf));
+	for (u32 k = 0u; k < args->of.n_lamps && !sky; k++) {
+		if (args->of.shapes[k].radius > 0.0f) continue;
+		sum = ts_add(sum, ts_k_gloss_direct_point(&at, &args->of.lamps[k], p, args->vmf));
+	}
+	ts_store3(args->specular + i * 3u, sum);
+}
+
+#endif
