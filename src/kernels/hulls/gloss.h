@@ -81,13 +81,14 @@ TS_FN ts_v3 ts_k_gloss_factor(const ts_glossy *at, ts_v3 l)
 	return ts_scale(ts_k_schlick(at->f0, v_h), ts_k_smith(n_l, n_v, at->alpha_squared));
 }
 
-/* What is reflected of a lobe of exitance, already multiplied with the surface's: what is no number is dark. */
+/* What is reflected of a lobe of exitance, already multiplied with the surface's, one without a direction as if from
+ * above: what is no number is dark. */
 TS_FN ts_v3 ts_k_gloss_reflected(const ts_glossy *at, const ts_sg *both)
 {
 	f32 integral = ts_k_sg_cosine(both->lambda, ts_dot(at->n, both->phi), at->cosine, at->printed);
 	f32 sent = ts_flush((both->mu * integral) * 0.3183098733425140380859375f);
 	if (!(sent > 0.0f && sent < 4611686018427387904.0f)) return ts_v3_make(0.0f, 0.0f, 0.0f);
-	return ts_scale(ts_k_gloss_factor(at, both->phi), sent);
+	return ts_scale(ts_k_gloss_factor(at, both->lambda > 0.0f ? both->phi : at->n), sent);
 }
 
 #define TS_ROWS_ts_gloss_hull_args(ARG) \

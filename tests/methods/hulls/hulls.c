@@ -53,6 +53,8 @@ static void test_threads(void **state)
 		{"indirect", "direct", {{"lamp.source", "lamp"}}},
 		{"area-light", "hulls", {{"lamp.radius", "0.25"}}},
 		{"area-light", "direct", {{"lamp.source", "scene"}}},
+		{"indirect", "hulls", {{"gloss.lobe", "on"}, {"hull.interpolation", "moments"}}},
+		{"area-light", "direct", {{"gloss.lobe", "on"}}},
 	};
 	for (u32 row = 0; row < sizeof rows / sizeof *rows; row++) {
 		static ts_sums one, seven;
@@ -515,6 +517,51 @@ static void test_dark(void **state)
 	ts_scene_free(scene);
 }
 
+/* What is reflected specularly is added to the picture, and nothing else of it changes; the sky has none; hulls are near
+ * what each pixel gathers itself. */
+static void check_gloss(const ts_scene *scene, ts_params params, const char *effect)
+{
+	ts_run off, hulls, direct;
+	effect_of(&off, scene, &params, effect, "hulls");
+	params.gloss_lobe = 1;
+	effect_of(&hulls, scene, &params, effect, "hulls");
+	effect_of(&direct, scene, &params, effect, "direct");
+	assert_false(off.frame.buffer[TS_B_indirect_specular].made || off.frame.buffer[TS_B_gloss_pixel].made);
+	u64 n = ts_frame_n(&hulls.frame, TS_B_indirect_specular);
+	const f32 *specular = ts_frame_data(&hulls.frame, TS_B_indirect_specular);
+	const f32 *gathered = ts_frame_data(&direct.frame, TS_B_indirect_specular);
+	const f32 *with = ts_frame_data(&hulls.frame, TS_B_image_radiance);
+	const f32 *without = ts_frame_data(&off.frame, TS_B_image_radiance);
+	const ts_gpixel *pixels = ts_frame_data(&off.frame, TS_B_gbuffer_pixel);
+	const ts_gloss *gloss = ts_frame_data(&hulls.frame, TS_B_gloss_pixel);
+	double difference = 0, all = 0;
+	assert_true(n == 3 * 100 * 54);
+	for (u64 i = 0; i < n; i++) {
+		assert_true(specular[i] >= 0 && specular[i] < 1e6f && gathered[i] >= 0 && gathered[i] < 1e6f);
+		assert_true(with[i] == without[i] + specular[i]);
+		if (pixels[i / 3].depth == 1) assert_true(gathered[i] == 0 && gloss[i / 3].f0[i % 3] == 0);
+		difference += fabs((double)specular[i] - (double)gathered[i]);
+		all += (double)gathered[i];
+	}
+	print_message("# %s: specular reflection within %.2f\n", effect, difference / all);
+	assert_true(all > 1 && difference < 0.6 * all);
+	ts_run_end(&off);
+	ts_run_end(&hulls);
+	ts_run_end(&direct);
+}
+
+static void test_gloss(void **state)
+{
+	(void)state;
+	ts_params params = tiny_params();
+	ts_scene *scene = small_scene(&params);
+	params.depth_grid_px = 256;
+	params.lamp_radius = 0.2f;
+	check_gloss(scene, params, "indirect");
+	check_gloss(scene, params, "area-light");
+	ts_scene_free(scene);
+}
+
 static void assert_refused(const ts_scene *scene, const ts_params *params, const char *message)
 {
 	ts_run run;
@@ -547,6 +594,7 @@ int main(void)
 		cmocka_unit_test(test_unparted), cmocka_unit_test(test_surface),        cmocka_unit_test(test_whole_grid),
 		cmocka_unit_test(test_sky),      cmocka_unit_test(test_lights),         cmocka_unit_test(test_dark),
 		cmocka_unit_test(test_refused),  cmocka_unit_test(test_lamps),          cmocka_unit_test(test_gain),
+		cmocka_unit_test(test_gloss),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

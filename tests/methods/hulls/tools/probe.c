@@ -8,18 +8,22 @@ static const struct {
 	const char *effect, *method;
 	u32 surface, interpolation, sharpness, cosine, integrals;
 	f32 radius;
-	u32 facing, corners;
+	u32 facing, corners, gloss;
 } indirect_methods[] = {
-	{"indirect", "direct", 0, 0, 0, 0, 0, 0, 0, 0},
-	{"indirect", "hulls", TS_SURFACE_ROBUST, 0, 0, TS_COSINE_IS_OURS, 0, 0, 0, 0},
+	{"indirect", "direct", 0, 0, 0, 0, 0, 0, 0, 0, 0},
+	{"indirect", "hulls", TS_SURFACE_ROBUST, 0, 0, TS_COSINE_IS_OURS, 0, 0, 0, 0, 0},
 	{"indirect", "hulls", TS_SURFACE_PAPER, TS_INTERPOLATION_MOMENTS, TS_SHARPNESS_VMF, TS_COSINE_IS_OURS,
-     TS_INTEGRALS_PRINTED, 0, 0, 0},
-	{"indirect", "hulls", TS_SURFACE_ROBUST, 0, 0, TS_COSINE_IS_CONSTANT, 0, 0, TS_FACING_PAPER, 0},
-	{"indirect", "hulls", TS_SURFACE_ROBUST, 0, 0, TS_COSINE_IS_SG, 0, 0, 0, TS_CORNERS_RECTANGLE},
-	{"area-light", "direct", 0, 0, 0, 0, 0, 0.25f, 0, 0},
-	{"area-light", "hulls", TS_SURFACE_ROBUST, 0, 0, TS_COSINE_IS_OURS, 0, 0.25f, 0, 0},
-	{"area-light", "direct", 0, 0, 0, 0, 0, 0, 0, 0},
-	{"area-light", "hulls", TS_SURFACE_ROBUST, 0, 0, TS_COSINE_IS_OURS, 0, 0, 0, 0},
+     TS_INTEGRALS_PRINTED, 0, 0, 0, 0},
+	{"indirect", "hulls", TS_SURFACE_ROBUST, 0, 0, TS_COSINE_IS_CONSTANT, 0, 0, TS_FACING_PAPER, 0, 0},
+	{"indirect", "hulls", TS_SURFACE_ROBUST, 0, 0, TS_COSINE_IS_SG, 0, 0, 0, TS_CORNERS_RECTANGLE, 0},
+	{"area-light", "direct", 0, 0, 0, 0, 0, 0.25f, 0, 0, 0},
+	{"area-light", "hulls", TS_SURFACE_ROBUST, 0, 0, TS_COSINE_IS_OURS, 0, 0.25f, 0, 0, 0},
+	{"area-light", "direct", 0, 0, 0, 0, 0, 0, 0, 0, 0},
+	{"area-light", "hulls", TS_SURFACE_ROBUST, 0, 0, TS_COSINE_IS_OURS, 0, 0, 0, 0, 0},
+	{"indirect", "direct", 0, 0, 0, 0, 0, 0, 0, 0, 1},
+	{"indirect", "hulls", TS_SURFACE_ROBUST, 0, 0, TS_COSINE_IS_OURS, 0, 0, 0, TS_CORNERS_RECTANGLE, 1},
+	{"area-light", "direct", 0, 0, 0, 0, 0, 0, 0, 0, 1},
+	{"area-light", "hulls", TS_SURFACE_PAPER, TS_INTERPOLATION_MOMENTS, 0, TS_COSINE_IS_SG, 0, 0.25f, 0, 0, 1},
 };
 enum { N_INDIRECT = sizeof indirect_methods / sizeof *indirect_methods };
 static traced indirect[N_INDIRECT];
@@ -40,6 +44,7 @@ static int make_all(void **state)
 		params.lamp_radius = indirect_methods[i].radius;
 		params.corner_facing = indirect_methods[i].facing;
 		params.hull_corners = indirect_methods[i].corners;
+		params.gloss_lobe = indirect_methods[i].gloss;
 		make(&indirect[i], indirect_methods[i].effect, indirect_methods[i].method, &params);
 	}
 	return 0;
@@ -98,6 +103,28 @@ static f32 sum_of(const json_t *terms, u32 n, u32 c)
 	return sum;
 }
 
+/* What is reflected: of hulls the channel's product with the surface's lobe, of direct all that is listed, at most. */
+static f32 try_gloss(const traced *t, const json_t *answer, u32 pixel, u32 c)
+{
+	f32 held = ((const f32 *)data(t, TS_B_indirect_specular))[pixel * 3 + c];
+	const json_t *gloss = json_object_get(answer, "gloss"), *lobe = json_array_get(json_object_get(gloss, "lobes"), c);
+	assert_bits(shown(json_object_get(answer, "reflected"), "radiance", c), held);
+	if (gloss == NULL) return held; /* no box */
+	const ts_gloss *surface = (const ts_gloss *)data(t, TS_B_gloss_pixel) + pixel;
+	assert_bits(shown(gloss, "f0", c), surface->f0[c]);
+	assert_bits(shown(gloss, "alpha_squared", 0), surface->alpha_squared);
+	if (lobe != NULL) {
+		f32 sent = (shown(lobe, "mu", 0) * shown(lobe, "A_h", 0)) * 0.318309873f;
+		assert_true(fabsf(held - sent * shown(lobe, "V_F", c)) <= 1e-6f * held);
+	}
+	size_t i;
+	json_t *term;
+	f32 listed = 0;
+	json_array_foreach ((json_t *)json_object_get(gloss, "brightest"), i, term) listed += shown(term, "radiance", c);
+	assert_true(lobe != NULL || (listed <= held * 1.00001f && listed >= held / 16));
+	return held;
+}
+
 /* Returns whether there is light. */
 static bool try_indirect(const traced *t, u32 pixel)
 {
@@ -109,10 +136,12 @@ static bool try_indirect(const traced *t, u32 pixel)
 	require(ask_pixel(t, pixel % width, pixel / width, &answer));
 	const json_t *lobes = json_object_get(answer, "lobes"), *corners = json_object_get(answer, "corners");
 	const json_t *direct = json_object_get(answer, "direct");
+	bool glossy = t->run.params.gloss_lobe != 0;
+	assert_true(glossy == (json_object_get(answer, "reflected") != NULL));
 	for (u32 c = 0; c < 3; c++) {
 		assert_bits(shown(json_object_get(answer, "light"), "irradiance", c), irradiance[c]);
-		assert_bits(radiance[c],
-		            shown(json_object_get(answer, "gbuffer"), "albedo", c) * (irradiance[c] * 0.318309873f));
+		f32 sent = shown(json_object_get(answer, "gbuffer"), "albedo", c) * (irradiance[c] * 0.318309873f);
+		assert_bits(radiance[c], glossy ? sent + try_gloss(t, answer, pixel, c) : sent);
 		if (direct != NULL) assert_bits(irradiance[c], sum_of(json_object_get(direct, "brightest"), 16, c));
 		if (lobes != NULL) try_lobe(&t->run.params, corners, json_array_get(lobes, c), c, irradiance[c]);
 	}
