@@ -68,11 +68,9 @@ static const ts_candidate_buffer ts_candidate_buffers[] = {
      "('intensity', '<f4', (3,)), ('spot_scale', '<f4'), ('spot_offset', '<f4'), ('pad', '<u4', (3,))]"},
 	{"scene.object", 48, 1,
      "[('first_vertex', '<u4'), ('n_vertices', '<u4'), ('reflector', '<u4'), ('period', '<u4'), "
-     "('centre', '<f4', (3,)), ('phase', '<f4'), ('axis', '<f4', (2,)), ('bob', '<f4'), "
-     "('spin', '<f4')]"},
+     "('centre', '<f4', (3,)), ('phase', '<f4'), ('axis', '<f4', (2,)), ('bob', '<f4'), ('spin', '<f4')]"},
 	{"scene.surfel", 48, 1,
-     "[('centre', '<f4', (3,)), ('u', '<f4', (3,)), ('v', '<f4', (3,)), "
-     "('colour', '<f4', (3,))]"},
+     "[('centre', '<f4', (3,)), ('u', '<f4', (3,)), ('v', '<f4', (3,)), ('colour', '<f4', (3,))]"},
 	{"scene.info", 112, 1,
      "[('eye', '<f4', (3,)), ('yfov', '<f4'), ('right', '<f4', (3,)), ('n_reflectors', '<u4'), "
      "('up', '<f4', (3,)), ('circles', '<u4'), ('back', '<f4', (3,)), ('ambient', '<f4'), "
@@ -82,8 +80,8 @@ static const ts_candidate_buffer ts_candidate_buffers[] = {
      "[('position', '<f4', (3,)), ('object', '<u4'), ('normal', '<f4', (3,)), ('pad', '<u4'), "
      "('tangent', '<f4', (4,)), ('uv', '<f4', (4,)), ('colour', '<f4', (4,))]"},
 	{"eye.view", 64, 1,
-     "[('eye', '<f4', (3,)), ('focal', '<f4'), ('right', '<f4', (3,)), ('width', '<u4'), "
-     "('up', '<f4', (3,)), ('height', '<u4'), ('back', '<f4', (3,)), ('near', '<f4')]"},
+     "[('eye', '<f4', (3,)), ('focal', '<f4'), ('right', '<f4', (3,)), ('width', '<u4'), ('up', '<f4', (3,)), "
+     "('height', '<u4'), ('back', '<f4', (3,)), ('near', '<f4')]"},
 	{"cube_size.face", 64, 1,
      "[('centre', '<f4', (3,)), ('radius', '<f4'), ('box_min', '<f4', (3,)), ('n', '<u4'), "
      "('box_max', '<f4', (3,)), ('near', '<f4'), ('offset', '<u8'), ('object', '<u4'), ('pad', '<u4')]"},
@@ -92,10 +90,9 @@ static const ts_candidate_buffer ts_candidate_buffers[] = {
      "('intensity', '<f4', (3,)), ('spot_scale', '<f4'), ('spot_offset', '<f4'), ('pad', '<u4', (3,))]"},
 	{"lamp.shape", 16, 1, "[('radius', '<f4'), ('samples', '<u4'), ('first', '<u4'), ('pad', '<u4')]"},
 	{"offscreen.view", 96, 1,
-     "[('eye', '<f4', (3,)), ('focal', '<f4'), ('right', '<f4', (3,)), ('width', '<u4'), "
-     "('up', '<f4', (3,)), ('height', '<u4'), ('back', '<f4', (3,)), ('near', '<f4'), "
-     "('reach', '<f4', (2,)), ('offset', '<u8'), ('orthographic', '<u4'), ('object', '<u4'), "
-     "('light', '<u4'), ('pad', '<u4')]"},
+     "[('eye', '<f4', (3,)), ('focal', '<f4'), ('right', '<f4', (3,)), ('width', '<u4'), ('up', '<f4', (3,)), "
+     "('height', '<u4'), ('back', '<f4', (3,)), ('near', '<f4'), ('reach', '<f4', (2,)), ('offset', '<u8'), "
+     "('orthographic', '<u4'), ('object', '<u4'), ('light', '<u4'), ('pad', '<u4')]"},
 	{"eye.depth_triangle", 8, 2, "'<u8'"},
 	{"eye.margin", 8, 3, "'<u8'"},
 	{"mirror_pixel.offset", 4, 1, "'<u4'"},
@@ -115,19 +112,19 @@ static const ts_candidate_buffer ts_candidate_buffers[] = {
      "[('position', '<f4', (3,)), ('depth', '<f4'), ('normal', '<f4', (3,)), ('pad0', '<u4'), "
      "('albedo', '<f4', (3,)), ('pad1', '<u4')]"},
 	{"indirect.irradiance", 4, 3, "'<f4'"},
+	{"indirect.specular", 4, 3, "'<f4'"},
 	{"image.radiance", 4, 3, "'<f4'"},
 	{"image.srgb", 1, 3, "'|u1'"},
 	{"shadow_cube_size.least_ratio", 4, 1, "'<u4'"},
 	{"mirror_pixel.record", 96, 1,
      "[('position', '<f4', (3,)), ('index', '<u4'), ('normal', '<f4', (3,)), ('reflector', '<u4'), "
-     "('position_dx', '<f4', (3,)), ('tint_r', '<f4'), ('position_dy', '<f4', (3,)), "
-     "('tint_g', '<f4'), ('normal_dx', '<f4', (3,)), ('tint_b', '<f4'), ('normal_dy', '<f4', (3,)), "
-     "('pad', '<u4')]"},
+     "('position_dx', '<f4', (3,)), ('tint_r', '<f4'), ('position_dy', '<f4', (3,)), ('tint_g', '<f4'), "
+     "('normal_dx', '<f4', (3,)), ('tint_b', '<f4'), ('normal_dy', '<f4', (3,)), ('pad', '<u4')]"},
 	{"split.triangle_density", 4, 1, "'<f4'"},
 	{"split.offset", 4, 1, "'<u4'"},
 	{"split.piece", 48, 1,
-     "[('a', '<f4', (3,)), ('triangle', '<u4'), ('b', '<f4', (3,)), ('path', '<u4'), "
-     "('c', '<f4', (3,)), ('pad', '<u4')]"},
+     "[('a', '<f4', (3,)), ('triangle', '<u4'), ('b', '<f4', (3,)), ('path', '<u4'), ('c', '<f4', (3,)), "
+     "('pad', '<u4')]"},
 	{"split.density", 4, 1, "'<f4'"},
 	{"cull.keep", 4, 1, "'<u4'"},
 	{"cull.margin", 4, 1, "'<f4'"},
@@ -159,27 +156,26 @@ static const ts_candidate_buffer ts_candidate_buffers[] = {
 	{"segment.extent", 4, 2, "'<u4'"},
 	{"segment.box_offset", 4, 1, "'<u4'"},
 	{"segment.box", 32, 1,
-     "[('low', '<u4', (2,)), ('high', '<u4', (2,)), ('nearest', '<f4'), ('farthest', '<f4'), "
-     "('label', '<u4'), ('pad', '<u4')]"},
+     "[('low', '<u4', (2,)), ('high', '<u4', (2,)), ('nearest', '<f4'), ('farthest', '<f4'), ('label', '<u4'), "
+     "('pad', '<u4')]"},
 	{"polygon.patch", 64, 2,
      "[('a', '<f4', (3,)), ('b', '<f4', (3,)), ('c', '<f4', (3,)), ('normal', '<f4', (3,)), "
      "('exitance', '<f4', (3,)), ('pad', '<u4')]"},
 	{"corner.moment", 64, 2,
      "[('position', '<f4', (3,)), ('depth', '<f4'), ('sum', '<f4', (3,)), "
      "('direction', '<f4', (9,))]"},
-	{"corner.lobes", 64, 2,
-     "[('mu', '<f4', (3,)), ('lambda', '<f4', (3,)), ('phi', '<f4', (9,)), "
-     "('pad', '<u4')]"},
+	{"corner.lobes", 64, 2, "[('mu', '<f4', (3,)), ('lambda', '<f4', (3,)), ('phi', '<f4', (9,)), ('pad', '<u4')]"},
 	{"hull.box", 4, 2, "'<u4'"},
 	{"hull.margin", 4, 2, "'<f4'"},
+	{"gloss.pixel", 16, 2, "[('f0', '<f4', (3,)), ('alpha_squared', '<f4')]"},
 	{"octree.root_least", 4, 1, "'<u4'"},
 	{"octree.root", 16, 1, "[('lower', '<f4', (3,)), ('side', '<f4')]"},
 	{"voxel.mask", 8, 1, "'<u8'"},
 	{"voxel.before", 4, 1, "'<u4'"},
 	{"octree.level", 4, 1, "'<u4'"},
 	{"octree.node", 32, 1,
-     "[('centre', '<f4', (3,)), ('radius', '<f4'), ('child', '<u4'), ('children', '<u4'), "
-     "('parent', '<u4'), ('level', '<u4')]"},
+     "[('centre', '<f4', (3,)), ('radius', '<f4'), ('child', '<u4'), ('children', '<u4'), ('parent', '<u4'), "
+     "('level', '<u4')]"},
 	{"octree.offset", 4, 1, "'<u4'"},
 	{"octree.triangle", 4, 1, "'<u4'"},
 	{"octree.surface", 48, 1,
@@ -196,16 +192,16 @@ static const ts_candidate_buffer ts_candidate_buffers[] = {
 	{"view_octree.voxel_before", 4, 1, "'<u4'"},
 	{"view_octree.level", 4, 1, "'<u4'"},
 	{"view_octree.node", 32, 1,
-     "[('centre', '<f4', (3,)), ('radius', '<f4'), ('child', '<u4'), ('children', '<u4'), "
-     "('parent', '<u4'), ('level', '<u4')]"},
+     "[('centre', '<f4', (3,)), ('radius', '<f4'), ('child', '<u4'), ('children', '<u4'), ('parent', '<u4'), "
+     "('level', '<u4')]"},
 	{"view_octree.offset", 4, 1, "'<u4'"},
 	{"view_octree.view", 4, 1, "'<u4'"},
 	{"view_octree.leaf", 4, 1, "'<u4'"},
 	{"view_octree.cone_sum", 8, 2, "'<u8'"},
 	{"view_octree.cone_least", 4, 1, "'<u4'"},
 	{"view_octree.cone", 32, 1,
-     "[('axis', '<f4', (3,)), ('cosine', '<f4'), ('first', '<u4'), ('views', '<u4'), "
-     "('pad', '<u4', (2,))]"},
+     "[('axis', '<f4', (3,)), ('cosine', '<f4'), ('first', '<u4'), ('views', '<u4'), ('pad', '<u4', (2,))]"
+     "('level', '<u4')]"},
 	{"traverse.rendered", 8, 1, "'<u8'"},
 	{"view_map.depth_node", 8, 2, "'<u8'"},
 	{"view_map.margin", 4, 2, "'<u4'"},
@@ -223,9 +219,8 @@ static const ts_candidate_buffer ts_candidate_buffers[] = {
 	{"surfel_setup.epsilon", 4, 1, "'<f4'"},
 	{"surfel_setup.disc", 96, 1,
      "[('pixel', '<i4', (2,)), ('fraction', '<f4', (2,)), ('a', '<f4', (2,)), ('b', '<f4', (2,)), "
-     "('g', '<f4', (2,)), ('depth', '<f4'), ('flags', '<u4'), ('low', '<i4', (2,)), "
-     "('high', '<i4', (2,)), ('conic', '<f4', (3,)), ('peak', '<f4'), ('normal', '<f4', (3,)), "
-     "('pad', '<u4')]"},
+     "('g', '<f4', (2,)), ('depth', '<f4'), ('flags', '<u4'), ('low', '<i4', (2,)), ('high', '<i4', (2,)), "
+     "('conic', '<f4', (3,)), ('peak', '<f4'), ('normal', '<f4', (3,)), ('pad', '<u4')]"},
 	{"surfel_depth.surfel", 8, 2, "'<u8'"},
 	{"surfel_depth.margin", 8, 3, "'<u8'"},
 	{"fragment_list.offset", 4, 1, "'<u4'"},

@@ -54,7 +54,7 @@ static void test_renamed(void **state)
 /* Rows of the table, a text of at most WIDTH characters a line. */
 static void print_table(void)
 {
-	enum { WIDTH = 96 };
+	enum { WIDTH = 108 };
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
 		char descr[TS_NPY_DESCR];
 		ts_npy_descr(descr, (ts_buffer_id)id);

@@ -36,10 +36,10 @@ TS_FN void ts_k_gloss_item(const ts_gloss_args *args, u64 i)
 	ts_k_gloss(&args->pixels[i], &args->scene, &view, args->depth_triangle[i], x, y);
 }
 
-/* GGX's distribution of normals has the peak 1 / (pi a2), a2 = alpha^2, and the integral 1 with the cosine. The Gaussian
- * about the normal that has both has a sharpness of (1 - a2) (2 / a2 + 1) within 1.4 %, exactly where a2 is 0 or 1.
- * Half vectors turn by half of what directions of light do, and less across the plane of the eye: about the reflected
- * eye the sharpness is a (4 n.v)-th of that. n, v: unit; n.v is at least 2^-10. */
+/* GGX's distribution of normals has the peak 1 / (pi a2), a2 = alpha^2, and the integral 1 with the cosine. The
+ * Gaussian about the normal that has both has a sharpness of (1 - a2) (2 / a2 + 1) within 1.4 %, exactly where a2 is 0
+ * or 1. Half vectors turn by half of what directions of light do, and less across the plane of the eye: about the
+ * reflected eye the sharpness is a (4 n.v)-th of that. n, v: unit; n.v is at least 2^-10. */
 TS_FN ts_sg ts_k_gloss_lobe(ts_v3 n, ts_v3 v, f32 alpha_squared)
 {
 	f32 n_v = ts_dot(n, v);

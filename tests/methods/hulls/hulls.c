@@ -517,8 +517,8 @@ static void test_dark(void **state)
 	ts_scene_free(scene);
 }
 
-/* What is reflected specularly is added to the picture, and nothing else of it changes; the sky has none; hulls are near
- * what each pixel gathers itself. */
+/* Specular reflection is added to the picture, and nothing else of that changes; the sky has none; hulls are near what
+ * each pixel gathers itself. */
 static void check_gloss(const ts_scene *scene, ts_params params, const char *effect)
 {
 	ts_run off, hulls, direct;

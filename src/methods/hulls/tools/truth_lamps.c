@@ -3,8 +3,8 @@
  * pixel sees, by rays to truth.area_samples places, a lamp's shared out among its triangles. A place counts by what it
  * would give, cos cos' / r^2, so that rays say what is hidden, and nothing else.
  *
- * With gloss.lobe both have what surfaces reflect specularly, too: the BRDF in double precision (truth_gloss.c) in place
- * of the cosine.
+ * With gloss.lobe both have specular reflection, too: the BRDF in double precision (truth_gloss.c) in place of the
+ * cosine.
  *
  * Places are those of a lattice whose steps are the powers of the root of x^3 = x + 1, folded into the triangle, at a
  * random shift a pixel. */
