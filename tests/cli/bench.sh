@@ -539,7 +539,7 @@ judged = {(r["relation"], r["paths"]): r["verdict"] for r in report["relations"]
 assert all(v == "holds" or v.startswith(("differs: ", "not judged: ")) for v in judged.values())
 assert all(judged["RMSE to the image without culling", paths] == "holds" for paths in (64, 256))
 grows = judged["pairs grow slower than views: exponent", 256] == "holds"
-assert grows == (many["pairs_exponent"] <= 1) and len(judged) == 22
+assert grows == (many["pairs_exponent"] <= 1) and len(judged) == 23
 PY
 verdict $? 'bench mega-10: pairs, memory, exponents and empty texels, counted again'
 python3 - "$scratch/mega-10" <<'PY'
