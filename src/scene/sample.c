@@ -14,6 +14,7 @@ typedef struct {
 	ts_arrays scene;
 	f32 s; /* samples a world unit */
 	f32 radius;
+	bool backs; /* of two-sided triangles */
 } sampler;
 
 /* Writes a surfel, or with `out` NULL none. */
@@ -41,7 +42,7 @@ static bool is_wanted(const ts_cover *safe, const ts_cover *centre, i32 x, i32 y
 /* Samples a part; returns how many surfels that gives. */
 static u32 sample_part(const sampler *from, u32 triangle, const ts_part *part, ts_surfel *out)
 {
-	u32 n = 0, sides = ts_k_is_two_sided(&from->scene, triangle) ? 2 : 1;
+	u32 n = 0, sides = from->backs && ts_k_is_two_sided(&from->scene, triangle) ? 2 : 1;
 	ts_align frame;
 	ts_piece piece = {.triangle = triangle, .path = part->path};
 	ts_store3(piece.a, part->v[0]);
@@ -135,6 +136,7 @@ static sampler sampler_of(const ts_scene *scene, const ts_params *params)
 	double area = area_of(&r, scene->n_triangles);
 	r.s = area > 0.0 ? ts_sqrt((f32)((double)TS_PARAM(params, surfels_from_mesh) / area)) : 0.0f;
 	r.radius = r.s > 0.0f ? TS_PARAM(params, surfels_radius) / r.s : 0.0f;
+	r.backs = TS_PARAM(params, surfels_sides) == TS_SIDES_MATERIAL;
 	return r;
 }
 

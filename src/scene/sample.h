@@ -7,9 +7,10 @@
  * 0. Each triangle is aligned in its own plane and sampled there as points are (EPR 3.2, 3.3; METHODS 2), by a lattice
  * of one spacing for all, the one that spreads so many over the area. A surfel is a circle in the triangle's plane of
  * params->surfels_radius spacings, coloured as the surface there: base colour times 1 - metallic, textures filtered to
- * the spacing. A triangle that is seen from both sides gets each twice, the second turned over. Every triangle with an
- * area gets one at least, so fine meshes get more than were asked for; every point of it is within 1.6 spacings of a
- * centre. In the order of triangles, then of the lattice; does not depend on threads. */
+ * the spacing. A triangle that is seen from both sides gets each twice, the second turned over, unless
+ * params->surfels_sides leaves these backs out. Every triangle with an area gets one at least, so fine meshes get more
+ * than were asked for; every point of it is within 1.6 spacings of a centre. In the order of triangles, then of the
+ * lattice; does not depend on threads. */
 void ts_sample_add(ts_build *build, const ts_params *params);
 
 #endif

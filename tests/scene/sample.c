@@ -148,7 +148,14 @@ static void the_material_colours_them_and_turns_them(void **state)
 	material.flags = TS_DOUBLE_SIDED;
 	add_triangle(build, large, ts_build_material(build, &material));
 	ts_scene *two = finish(build);
+	build = ts_build_new("test");
+	add_triangle(build, large, ts_build_material(build, &material));
+	params.surfels_sides = TS_SIDES_FRONT;
+	ts_scene *fronts = finish(build);
+	params.surfels_sides = TS_SIDES_MATERIAL;
 	assert_int_equal(two->n_surfels, 2 * one->n_surfels);
+	assert_int_equal(fronts->n_surfels, one->n_surfels);
+	assert_memory_equal(fronts->surfels, one->surfels, one->n_surfels * sizeof(ts_surfel));
 	for (u32 i = 0; i < one->n_surfels; i++) {
 		const ts_surfel *front = &two->surfels[2 * i], *back = front + 1;
 		assert_memory_equal(front, &one->surfels[i], sizeof *front);
@@ -160,6 +167,7 @@ static void the_material_colours_them_and_turns_them(void **state)
 	}
 	ts_scene_free(one);
 	ts_scene_free(two);
+	ts_scene_free(fronts);
 }
 
 /* A texture of 2 by 2 texels, magnified: far from their borders surfels have the texel's colour. */
