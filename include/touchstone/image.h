@@ -57,6 +57,12 @@ typedef struct {
 TS_API ts_light_metrics ts_metrics_light(const float *reference, const float *image, const uint8_t *mask,
                                          uint32_t width, uint32_t height);
 
+/* Counts the pixels whose light lies in some channel by more than 0.1 above the greatest or below the least that the
+ * reference has at the pixel and at its four neighbours: crumbs along edges, which no shift by a pixel explains.
+ * marks: width * height bytes, set to 1 at crumbs and to 0 elsewhere; or NULL. */
+TS_API uint64_t ts_metrics_crumbs(uint8_t *marks, const float *reference, const float *image, uint32_t width,
+                                  uint32_t height);
+
 #ifdef __cplusplus
 }
 #endif

@@ -1,6 +1,6 @@
 /* How far apart two images are (METHODS 17): RMSE and PSNR over 8-bit values, SSIM of Wang et al. 2004 ("Image quality
  * assessment: from error visibility to structural similarity") with its 11 by 11 Gaussian of sigma 1.5 over luma; and
- * of light the RMSE by the mean. Sums run left to right, top to bottom. */
+ * of light the RMSE by the mean, and crumbs along edges. Sums run left to right, top to bottom. */
 #include <math.h>
 #include <stdbool.h>
 #include <string.h>
@@ -193,4 +193,34 @@ ts_light_metrics ts_metrics_light(const float *reference, const float *image, co
 	m.beyond = (double)sums.beyond / n;
 	m.given = m.unlit > 0 ? sums.unlit / (double)m.unlit / mean : 0;
 	return m;
+}
+
+/* Beyond what the reference has in a channel at the pixel and beside it. */
+static bool is_beyond(const float *reference, const float *image, uint32_t x, uint32_t y, int c, uint32_t width,
+                      uint32_t height)
+{
+	const double margin = 0.1;
+	size_t at = ((size_t)y * width + x) * 3 + (size_t)c, row = (size_t)width * 3;
+	double value = (double)image[at], least = (double)reference[at], most = least;
+	const size_t beside[4] = {x > 0 ? at - 3 : at, x + 1 < width ? at + 3 : at, y > 0 ? at - row : at,
+	                          y + 1 < height ? at + row : at};
+	for (int i = 0; i < 4; i++) {
+		least = fmin(least, (double)reference[beside[i]]);
+		most = fmax(most, (double)reference[beside[i]]);
+	}
+	return value < least - margin || value > most + margin;
+}
+
+uint64_t ts_metrics_crumbs(uint8_t *marks, const float *reference, const float *image, uint32_t width, uint32_t height)
+{
+	uint64_t n = 0;
+	for (uint32_t y = 0; y < height; y++) {
+		for (uint32_t x = 0; x < width; x++) {
+			bool crumb = false;
+			for (int c = 0; c < 3; c++) crumb |= is_beyond(reference, image, x, y, c, width, height);
+			if (marks) marks[(size_t)y * width + x] = crumb;
+			n += crumb;
+		}
+	}
+	return n;
 }

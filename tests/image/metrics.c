@@ -219,6 +219,28 @@ static void test_errors_masked(void **state)
 	assert_true(m.pixels == 0 && m.median == 0 && m.beyond == 0 && m.squares == 0);
 }
 
+/* One dark pixel amid light is a crumb in the image, and none in what the image is compared with. */
+static void test_crumbs(void **state)
+{
+	(void)state;
+	float light[75], other[75];
+	uint8_t marks[25];
+	for (int i = 0; i < 75; i++) light[i] = other[i] = 0.5f;
+	assert_int_equal(ts_metrics_crumbs(marks, light, other, 5, 5), 0);
+	other[3 * 12 + 1] = 0.35f;
+	assert_int_equal(ts_metrics_crumbs(marks, light, other, 5, 5), 1);
+	for (int i = 0; i < 25; i++) assert_int_equal(marks[i], i == 12);
+	assert_int_equal(ts_metrics_crumbs(NULL, other, light, 5, 5), 0);
+	light[3 * 11 + 1] = 0.4f;
+	assert_int_equal(ts_metrics_crumbs(marks, light, other, 5, 5), 0);
+	for (int c = 0; c < 3; c++) other[c] = 0.7f; /* in a corner, all channels */
+	other[3 * 24 + 2] = 0.61f;
+	assert_int_equal(ts_metrics_crumbs(marks, light, other, 5, 5), 2);
+	light[3 * 5] = light[3 * 5 + 1] = light[3 * 5 + 2] = 0.7f; /* below the corner */
+	light[3 * 20 + 2] = 1.0f;                                  /* no neighbour of the last corner */
+	assert_int_equal(ts_metrics_crumbs(marks, light, other, 5, 5), 1);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -229,6 +251,7 @@ int main(void)
 		cmocka_unit_test(test_relative),
 		cmocka_unit_test(test_errors),
 		cmocka_unit_test(test_errors_masked),
+		cmocka_unit_test(test_crumbs),
 	};
 	return cmocka_run_group_tests(tests, set_up, NULL);
 }
