@@ -7,5 +7,6 @@
 
 extern const ts_claim ts_surfels_claims[];
 extern const ts_paper_table ts_nv40, ts_nv40_shading, ts_nv40_filter, ts_nv40_discs;
+ts_status ts_bench_crumbs(const ts_job *job);
 
 #endif

@@ -30,6 +30,8 @@ static const ts_bench_row benches[] = {
      TS_BENCH_BY_ITSELF " size", .paper = &ts_nv40_filter, .brief = ""},
 	{"nv40-discs", "surface splatting: pictures beside rays into surfels; --objects takes sizes",
      TS_BENCH_BY_ITSELF " size", .paper = &ts_nv40_discs, .brief = ""},
+	{"nv40-crumbs", "surface splatting: pixels along edges that no surface explains, with backs and without",
+     TS_BENCH_BY_ITSELF " objects runs", .run = ts_bench_crumbs},
 	{0},
 };
 
