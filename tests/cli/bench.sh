@@ -714,6 +714,34 @@ assert shaded["phong"] == counters["fragments"]["deferred"] > 5 * shaded["deferr
 assert shaded["flat"] == shaded["gouraud"] == counters["surfels drawn"]["flat"]
 PY
 verdict $? 'bench nv40-shading has the operations and the errors of renders'
+# Crumbs of both sides and of fronts alone; PSNRs and pixels are those of renders.
+crumbs=(--size 96x64 --set surfels.from_mesh=3000 --set truth.grid_rays=2 --set eye.distance=near)
+run bench nv40-crumbs --scene atrium:triangles=10000 "${crumbs[@]}" --threads 2 -o "$scratch/crumbs"
+[ "$status" -eq 0 ] && awk 'length > 120 || / $/ { exit 1 }' "$scratch/stdout" &&
+	[ "$(grep -c '^touchstone: scene atrium:triangles=10000, filter ' "$scratch/stderr")" -eq 3 ]
+verdict $? 'bench nv40-crumbs fits 120 columns and says its rows'
+for sides in material front; do
+	run render surfels atrium:triangles=10000 "${crumbs[@]}" --set surfels.sides=$sides --method deferred,ewa --truth=surface \
+		--no-images --json
+	cp "$scratch/stdout" "$scratch/crumbs-$sides.json"
+done
+python3 - "$scratch" <<'PY'
+import json, sys
+from results import results
+report = results(sys.argv[1] + "/crumbs")
+rows = {r["filter"]: r for r in report["nv40_crumbs"]}
+for sides, key in ("material", "psnr"), ("front", "psnr_front"):
+	render = json.load(open(f"{sys.argv[1]}/crumbs-{sides}.json"))
+	psnr = {m["image"]: m["psnr"] for m in render["metrics"] if m["reference"] == "truth-surface"}
+	for name, method in ("lesser radius", "deferred"), ("exact EWA", "ewa"):
+		assert abs(rows[name][key] - psnr[method]) < 1e-6, (name, rows[name], psnr)
+for r in rows.values():
+	assert 0 <= r["crumbs_new"] <= r["crumbs_front"] <= r["crumbs_new"] + r["crumbs"] and r["backs_alone"] >= 0, r
+assert len(rows) == len(report["relations"]) == 3
+assert all(r["verdict"] == "holds" or r["verdict"].startswith("differs: ") for r in report["relations"])
+PY
+verdict $? 'bench nv40-crumbs has the errors of renders by both sides'
+refuses 'no area' bench nv40-crumbs --scene scenes/splats.gltf
 run bench nv40 --scene "${grid[0]},scenes/room.gltf" --objects 64x36,240x135 --set depth_map.px=64 --threads 2 --runs 1 \
 	-o "$scratch/nv40"
 [ "$status" -eq 0 ] && awk 'length > 120 || / $/ { exit 1 }' "$scratch/stdout" &&
