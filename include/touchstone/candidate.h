@@ -200,8 +200,8 @@ static const ts_candidate_buffer ts_candidate_buffers[] = {
 	{"view_octree.cone_sum", 8, 2, "'<u8'"},
 	{"view_octree.cone_least", 4, 1, "'<u4'"},
 	{"view_octree.cone", 32, 1,
-     "[('axis', '<f4', (3,)), ('cosine', '<f4'), ('first', '<u4'), ('views', '<u4'), ('pad', '<u4', (2,))]"
-     "('level', '<u4')]"},
+     "[('axis', '<f4', (3,)), ('cosine', '<f4'), ('first', '<u4'), ('views', '<u4'), "
+     "('pad', '<u4', (2,))]"},
 	{"traverse.rendered", 8, 1, "'<u8'"},
 	{"view_map.depth_node", 8, 2, "'<u8'"},
 	{"view_map.margin", 4, 2, "'<u4'"},

@@ -63,7 +63,7 @@ static void print_table(void)
 		for (const char *at = descr; *at != 0;) {
 			size_t n = strlen(at);
 			if (n > WIDTH - (at == descr ? 16 : 0)) {
-				for (n = WIDTH; strncmp(at + n, "('", 2) != 0; n--) {
+				for (n = n < WIDTH ? n : WIDTH; strncmp(at + n, "('", 2) != 0; n--) {
 				}
 			}
 			printf("%s\"%.*s\"", n < strlen(descr) ? "\n\t\t" : " ", (int)n, at);
