@@ -127,18 +127,57 @@ TS_FN void ts_k_gloss_hull_item(const ts_gloss_hull_args *args, u64 i)
 	ARG(VALUE, u32, printed, none) /* hull.integrals=printed */
 TS_ARGS(ts_gloss_direct_args);
 
+/* What a pixel sees of a triangle: the solid angle, and that times the mean direction. */
+typedef struct {
+	ts_v3 ways;
+	f32 angle;
+} ts_gloss_seen;
+
+TS_FN void ts_k_gloss_see(ts_gloss_seen *sum, ts_v3 p, ts_v3 a, ts_v3 b, ts_v3 c)
+{
+	f32 angle = ts_k_solid_angle(p, a, b, c);
+	ts_v3 ways = ts_add(ts_normalize(ts_sub(a, p)), ts_normalize(ts_sub(b, p)));
+	ways = ts_add(ways, ts_normalize(ts_sub(c, p)));
+	sum->angle = sum->angle + angle;
+	sum->ways = ts_mad(sum->ways, ways, angle / 3.0f);
+}
+
+/* Of the part above the horizon of n, as a fan from its first corner: a triangle in the surface's own plane is not
+ * above, however rounding falls. */
+TS_FN ts_gloss_seen ts_k_gloss_above(ts_v3 p, ts_v3 n, ts_v3 a, ts_v3 b, ts_v3 c)
+{
+	ts_gloss_seen sum;
+	ts_v3 first = a;
+	ts_v3 last = a;
+	u32 corners = 0u;
+	sum.ways = ts_v3_make(0.0f, 0.0f, 0.0f);
+	sum.angle = 0.0f;
+	for (u32 i = 0u; i < 6u; i++) {
+		ts_v3 from = i < 2u ? a : i < 4u ? b : c;
+		ts_v3 to = i < 2u ? b : i < 4u ? c : a;
+		f32 d_from = ts_flush(ts_dot(n, ts_sub(from, p)));
+		f32 d_to = ts_flush(ts_dot(n, ts_sub(to, p)));
+		bool cuts = i % 2u != 0u;
+		if (cuts ? (d_from > 0.0f) == (d_to > 0.0f) : !(d_from > 0.0f)) continue;
+		ts_v3 at = !cuts           ? from
+		           : d_from > 0.0f ? ts_k_form_cut(from, d_from, to, d_to)
+		                           : ts_k_form_cut(to, d_to, from, d_from);
+		if (corners == 0u) first = at;
+		if (corners > 1u) ts_k_gloss_see(&sum, p, first, last, at);
+		last = at;
+		corners = corners + 1u;
+	}
+	return sum;
+}
+
 /* Of one triangle of light: its own lobe, as a corner would fit it to this triangle alone. */
 TS_FN ts_v3 ts_k_gloss_direct(const ts_glossy *at, TS_GLOBAL const ts_patch *patch, ts_v3 p, u32 vmf)
 {
 	ts_v3 a = ts_load3(patch->a);
-	ts_v3 b = ts_load3(patch->b);
-	ts_v3 c = ts_load3(patch->c);
 	f32 height = ts_flush(ts_dot(ts_load3(patch->normal), ts_sub(p, a)));
 	if (!(height > 0.0f)) return ts_v3_make(0.0f, 0.0f, 0.0f);
-	f32 angle = ts_k_solid_angle(p, a, b, c);
-	ts_v3 ways = ts_add(ts_normalize(ts_sub(a, p)), ts_normalize(ts_sub(b, p)));
-	ways = ts_add(ways, ts_normalize(ts_sub(c, p)));
-	ts_sg light = ts_k_fit(angle, ts_scale(ways, angle / 3.0f), vmf);
+	ts_gloss_seen seen = ts_k_gloss_above(p, at->n, a, ts_load3(patch->b), ts_load3(patch->c));
+	ts_sg light = ts_k_fit(seen.angle, seen.ways, vmf);
 	ts_sg both = ts_k_sg_product(&light, &at->lobe);
 	return ts_mul(ts_k_gloss_reflected(at, &both), ts_load3(patch->exitance));
 }

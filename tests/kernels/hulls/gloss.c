@@ -183,11 +183,51 @@ static void test_direct(void **state)
 	}
 }
 
+/* Of a triangle the part above the horizon, by many places of it; all of one that is above, to the bit; nothing of one
+ * in the pixel's own plane. */
+static void test_horizon(void **state)
+{
+	(void)state;
+	double worst = 0;
+	u32 n_cut = 0;
+	for (u32 i = 0; i < N; i++) {
+		ts_v3 p = uniform3(-1, 1), n = direction(), c[3];
+		double angle = 0;
+		u32 n_above = 0;
+		for (u32 k = 0; k < 3; k++) {
+			c[k] = uniform3(-3, 3);
+			n_above += ts_dot(n, ts_sub(c[k], p)) > 0;
+		}
+		ts_gloss_seen seen = ts_k_gloss_above(p, n, c[0], c[1], c[2]);
+		f32 whole = ts_k_solid_angle(p, c[0], c[1], c[2]);
+		if (n_above == 3) assert_true(same_bits(seen.angle, whole));
+		if (n_above == 0) assert_true(seen.angle == 0);
+		if (n_above % 3 == 0 || i % 20 != 0) continue;
+		double3 a = d3_sub(d3_of(c[0]), d3_of(p)), b = d3_sub(d3_of(c[1]), d3_of(c[0]));
+		double3 d = d3_sub(d3_of(c[2]), d3_of(c[0])), across = d3_cross(b, d);
+		for (u32 k = 0; k < STEPS * STEPS; k++) {
+			double u = (k % STEPS + 0.5) / STEPS, v = (k / STEPS + 0.5) / STEPS;
+			double3 at = d3_mad(d3_mad(a, b, u + v > 1 ? 1 - u : u), d, u + v > 1 ? 1 - v : v);
+			double far = d3_length(at);
+			if (d3_dot(d3_of(n), at) > 0) angle += fabs(d3_dot(across, at)) / (far * far * far) / (2 * STEPS * STEPS);
+		}
+		worst = fmax(worst, fabs((double)seen.angle - angle) / (angle + 0.05));
+		n_cut++;
+	}
+	print_message("# %u cut, within %.2g\n", n_cut, worst);
+	assert_true(n_cut > N / 40 && worst < 0.05);
+	ts_v3 x = {-1, 0, -1}, y = {0, 0, 2}, z = {1, 0, -1};
+	for (f32 off = -1e-6f; off < 1.5e-6f; off += 1e-6f) {
+		ts_gloss_seen flat = ts_k_gloss_above(ts_v3_make(0, off, 0), ts_v3_make(0, 1, 0), x, y, z);
+		assert_true(off < 0 || flat.angle == 0);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		seeded_test(test_lobe),    seeded_test(test_narrow),   seeded_test(test_uniform),
-		seeded_test(test_numbers), seeded_test(test_surfaces), seeded_test(test_direct),
+		seeded_test(test_lobe),     seeded_test(test_narrow), seeded_test(test_uniform), seeded_test(test_numbers),
+		seeded_test(test_surfaces), seeded_test(test_direct), seeded_test(test_horizon),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
