@@ -1,4 +1,4 @@
-/* Primitives of light that is gathered (kernels/hulls/gaussian.h, form_factor.h). */
+/* Primitives of light that is gathered (kernels/hulls/gaussian.h, form_factor.h, gloss.h). */
 #include "../../kernels/hulls/vectors.h"
 #include "../../vectors/row.h"
 
@@ -28,10 +28,33 @@ static void relate_surface(u32 *in, u32 random)
 	ts_set_v3(in + NORMAL, ts_normalize(n));
 }
 
+static ts_v3 unit_of(u32 random)
+{
+	ts_v3 d = ts_v3_make((f32)(random & 255) - 128, (f32)(random >> 8 & 255) - 128, (f32)(random >> 16 & 255) - 127.5f);
+	return ts_normalize(d);
+}
+
+/* Directions are unit vectors, now and then the same, and opposite. */
+static void relate_lobes(u32 *in, u32 random)
+{
+	ts_v3 phi = unit_of(random);
+	ts_set_v3(in + 2, phi);
+	ts_set_v3(in + 7, random >> 27 == 0 ? phi : random >> 27 == 1 ? ts_neg(phi) : unit_of(random * 2654435769u));
+}
+
+static void relate_gloss(u32 *in, u32 random)
+{
+	ts_v3 n = unit_of(random);
+	ts_set_v3(in, n);
+	ts_set_v3(in + 3, random >> 27 == 0 ? n : unit_of(random * 2654435769u));
+	if (random >> 27 == 1) in[6] = 0x3f800000u;
+}
+
 static const f32 sharpness_edges[] = {0.5f, 0.25f, 0.89999998f, 0.99998999f, 1, 0.16395f};
 
 /* clang-format off */
 #define SPACE(name) { name, TS_VECTOR_F32, 3, 107, 137, true }
+#define LOBE(name) POSITIVE("mu" name, 1, 107, 137), POSITIVE("lambda" name, 1, 107, 143), SPACE("phi" name)
 /* clang-format on */
 
 /* clang-format off */
@@ -47,6 +70,11 @@ static const ts_vector light[] = {
 	  { SPACE("p"), SPACE("a"), SPACE("b"), SPACE("c") }, { TS_VECTOR_F32, 1 }, .relate = relate_point },
 	{ PRIMITIVE(form_factor), "ts_k_form_factor", "of a triangle that shines on p, n the normal there",
 	  { SPACE("p"), SPACE("n"), SPACE("a"), SPACE("b"), SPACE("c") }, { TS_VECTOR_F32, 1 }, .relate = relate_surface },
+	{ PRIMITIVE(sg_product), "ts_k_sg_product", "of two spherical Gaussians: mu, lambda, phi",
+	  { LOBE("1"), LOBE("2") }, { TS_VECTOR_F32, 5 }, .relate = relate_lobes },
+	{ PRIMITIVE(gloss_lobe), "ts_k_gloss_lobe", "of a surface that reflects, n its normal, v to the eye: mu, lambda, phi",
+	  { SPACE("n"), SPACE("v"), POSITIVE("alpha_squared", 1, 109, 126) }, { TS_VECTOR_F32, 5 },
+	  .relate = relate_gloss },
 	{ 0 },
 };
 /* clang-format on */

@@ -214,12 +214,27 @@ static void test_sharpness(void **state)
 	}
 }
 
+/* Products with the lobes of smooth surfaces: hardly wider than a direction, 2 pi cos / lambda. */
+static void test_sharp(void **state)
+{
+	(void)state;
+	for (f32 lambda = 1e6f; lambda < 2e8f; lambda *= 10) {
+		for (f32 c = 0.1f; c < 1; c += 0.1f) {
+			double right = 2 * sg_pi * (double)c / (double)lambda;
+			assert_near(ts_k_sg_cosine(lambda, c, TS_COSINE_IS_OURS, 0), right, 1e-4 * right);
+			assert_near(ts_k_sg_cosine(lambda, c, TS_COSINE_IS_QUADRATURE, 0), right, 1e-4 * right);
+			assert_near(ts_k_sg_cosine(lambda, c, TS_COSINE_IS_CONSTANT, 0), right, 1e-4 * right);
+		}
+		assert_near(ts_k_sg_cosine(lambda, -0.1f, TS_COSINE_IS_OURS, 0), 0, 1e-15);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		seeded_test(test_numbers),    seeded_test(test_stable),  seeded_test(test_printed),
-		seeded_test(test_quadrature), seeded_test(test_ours),    seeded_test(test_closed),
-		seeded_test(test_rivals),     seeded_test(test_product), seeded_test(test_sharpness),
+		seeded_test(test_numbers),   seeded_test(test_stable), seeded_test(test_printed), seeded_test(test_quadrature),
+		seeded_test(test_ours),      seeded_test(test_closed), seeded_test(test_rivals),  seeded_test(test_product),
+		seeded_test(test_sharpness), seeded_test(test_sharp),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

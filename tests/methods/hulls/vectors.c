@@ -43,7 +43,7 @@ static void judge_light(const u32 *row, u32 at, f32 ours, bool factor)
 static void test_light(void **state)
 {
 	(void)state;
-	assert_int_equal(TS_N_HULLS_PRIMITIVES, 4);
+	assert_int_equal(TS_N_HULLS_PRIMITIVES, 6);
 	ts_vector_make(ts_vectors_find("sg_cosine"), in, out);
 	for (u32 i = 0; i < TS_VECTOR_ITEMS; i++) {
 		const u32 *row = in + (size_t)i * 4;
@@ -63,8 +63,39 @@ static void test_light(void **state)
 	for (u32 i = 0; i < TS_VECTOR_ITEMS; i++) judge_light(in + (size_t)i * 15, 6, ts_u2f(out[i]), true);
 }
 
+/* By the sum of the vectors lambda phi in double precision. */
+static void judge_product(const u32 *row, const u32 *made)
+{
+	double lambda1 = ts_row_f32(row, 1), lambda2 = ts_row_f32(row, 6), mu = (double)ts_row_f32(row, 0);
+	double3 phi1 = d3_of(ts_row_v3(row, 2)), phi2 = d3_of(ts_row_v3(row, 7));
+	double3 both = d3_add(d3_scale(phi1, lambda1), d3_scale(phi2, lambda2));
+	double lambda = d3_length(both), lost = lambda1 + lambda2 - lambda, all = lambda1 + lambda2;
+	double peak = mu * (double)ts_row_f32(row, 5) * exp(-lost);
+	assert_near(ts_row_f32(made, 1), lambda, 3e-7 * all);
+	if (lambda > 1e-3 * all) assert_true(d3_distance(d3_of(ts_row_v3(made, 2)), d3_scale(both, 1 / lambda)) < 1e-3);
+	if (lost < 20) assert_near(ts_row_f32(made, 0), peak, (1e-6 + 1e-6 * all) * peak + 1e-30);
+}
+
+static void judge_gloss(const u32 *row, const u32 *made)
+{
+	double3 n = d3_of(ts_row_v3(row, 0)), v = d3_of(ts_row_v3(row, 3)), phi = d3_of(ts_row_v3(made, 2));
+	double a2 = ts_row_f32(row, 6), n_v = d3_dot(n, v), across = fmax(fabs(n_v), 0x1p-10);
+	assert_near(ts_row_f32(made, 0), 1 / (ff_pi * a2), 1e-6 / a2);
+	assert_near(ts_row_f32(made, 1) * (f32)across, (1 - a2) * (2 / a2 + 1) / 4, 1e-3 / a2);
+	assert_true(d3_distance(phi, d3_sub(d3_scale(n, 2 * n_v), v)) < 1e-6);
+}
+
+static void test_lobes(void **state)
+{
+	(void)state;
+	ts_vector_make(ts_vectors_find("sg_product"), in, out);
+	for (u32 i = 0; i < TS_VECTOR_ITEMS; i++) judge_product(in + (size_t)i * 10, out + (size_t)i * 5);
+	ts_vector_make(ts_vectors_find("gloss_lobe"), in, out);
+	for (u32 i = 0; i < TS_VECTOR_ITEMS; i++) judge_gloss(in + (size_t)i * 7, out + (size_t)i * 5);
+}
+
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_light)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(test_light), cmocka_unit_test(test_lobes)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
