@@ -7,7 +7,7 @@
 #include "../model/core.h"
 #include "../kernels/base/compat.h"
 
-enum { TS_VECTOR_ITEMS = 4096, TS_VECTOR_COLUMNS = 5, TS_VECTOR_WORDS = 16, TS_VECTOR_VARIANTS = 6 };
+enum { TS_VECTOR_ITEMS = 4096, TS_VECTOR_COLUMNS = 6, TS_VECTOR_WORDS = 16, TS_VECTOR_VARIANTS = 6 };
 enum { TS_VECTOR_TABLES = 6, TS_VECTOR_DESCR = 2048 };
 
 typedef enum { TS_VECTOR_F32, TS_VECTOR_I32, TS_VECTOR_U32, TS_VECTOR_I64, TS_VECTOR_U64 } ts_vector_type;

@@ -41,7 +41,7 @@ TS_FN ts_sg ts_k_sg_product(const ts_sg *a, const ts_sg *b)
 	f32 all = (a->lambda + b->lambda) + lambda;
 	f32 lost = (a->lambda * b->lambda) * ts_dot(apart, apart);
 	lost = all > 0.0f ? lost / all : 0.0f;
-	return ts_sg_make((a->mu * b->mu) * ts_exp(-lost), lambda, ts_normalize(both));
+	return ts_sg_make(ts_flush((a->mu * b->mu) * ts_exp(-lost)), lambda, ts_normalize(both));
 }
 
 /* clang-format off */

@@ -47,7 +47,6 @@ static void relate_gloss(u32 *in, u32 random)
 	ts_v3 n = unit_of(random);
 	ts_set_v3(in, n);
 	ts_set_v3(in + 3, random >> 27 == 0 ? n : unit_of(random * 2654435769u));
-	if (random >> 27 == 1) in[6] = 0x3f800000u;
 }
 
 static const f32 sharpness_edges[] = {0.5f, 0.25f, 0.89999998f, 0.99998999f, 1, 0.16395f};
