@@ -15,8 +15,8 @@
  *   (gbuffer.h);
  * - a pixel that no segment holds takes the nearest; hull.surface=paper leaves it dark;
  * - a corner faces a triangle of light the more, the higher it is above its plane, and not at all on it, however
- *   rounding falls (corner.h), and its corners gather at pixels within it; corner.facing=paper and
- *   hull.corners=rectangle do as the paper does;
+ *   rounding falls (corner.h); corner.facing=paper is the paper;
+ * - corners of a box gather at pixels within the box; hull.corners=rectangle is the paper;
  * - a corner without light, or with the same from all sides, has no direction, and gives none to those that it is
  *   blended with;
  * - the picture is of indirect light alone, or of that of the lamps alone; gloss.lobe adds their specular reflection,

@@ -115,11 +115,11 @@ static ts_status put_specular(ts_probe *p, const ts_probe_seen *at, json_t *obje
                               const ts_gpixel *pixel, f32 specular[3])
 {
 	ts_glossy glossy;
-	json_t *o = json_object();
 	ts_v3 sum = ts_v3_make(0.0f, 0.0f, 0.0f), place = ts_load3(pixel->position);
 	u32 n = (u32)from->n_patches + from->n_lamps, vmf = TS_PARAM(&p->trace->params, hull_sharpness) == TS_SHARPNESS_VMF;
 	term *terms = ts_alloc(n + (size_t)1, sizeof *terms, "triangles of light");
 	if (terms == NULL) return TS_ERROR;
+	json_t *o = json_object();
 	ts_status status = ts_probe_put_gloss(p, at, pixel, o, &glossy);
 	for (u32 k = 0; k < n; k++) {
 		terms[k] = (term){k, reflected_of(from, &glossy, place, k, vmf)};
