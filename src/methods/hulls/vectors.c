@@ -71,7 +71,7 @@ static const ts_vector light[] = {
 	  { SPACE("p"), SPACE("n"), SPACE("a"), SPACE("b"), SPACE("c") }, { TS_VECTOR_F32, 1 }, .relate = relate_surface },
 	{ PRIMITIVE(sg_product), "ts_k_sg_product", "of two spherical Gaussians: mu, lambda, phi",
 	  { LOBE("1"), LOBE("2") }, { TS_VECTOR_F32, 5 }, .relate = relate_lobes },
-	{ PRIMITIVE(gloss_lobe), "ts_k_gloss_lobe", "of a surface that reflects, n its normal, v to the eye: mu, lambda, phi",
+	{ PRIMITIVE(gloss_lobe), "ts_k_gloss_lobe", "of a surface, n its normal, v to the eye: mu, lambda, phi",
 	  { SPACE("n"), SPACE("v"), POSITIVE("alpha_squared", 1, 109, 126) }, { TS_VECTOR_F32, 5 },
 	  .relate = relate_gloss },
 	{ 0 },
