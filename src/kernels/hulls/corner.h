@@ -95,8 +95,7 @@ TS_FN void ts_k_gather(ts_gathered *sum, TS_GLOBAL const ts_patch *patch, ts_v3 
 	f32 facing = ramp ? ts_k_facing(height, ts_length(ts_sub(b, a))) : height > 0.0f ? 1.0f : 0.0f;
 	if (facing == 0.0f) return;
 	ts_v3 w = ts_scale(ts_load3(patch->exitance), ts_k_solid_angle(p, a, b, c) * facing);
-	ts_v3 ways = ts_add(ts_normalize(ts_sub(a, p)), ts_normalize(ts_sub(b, p)));
-	ways = ts_add(ways, ts_normalize(ts_sub(c, p)));
+	ts_v3 ways = ts_k_ways(p, a, b, c);
 	sum->w = ts_add(sum->w, w);
 	sum->red = ts_mad(sum->red, ways, w.x / 3.0f);
 	sum->green = ts_mad(sum->green, ways, w.y / 3.0f);

@@ -26,6 +26,13 @@ TS_FN f32 ts_k_solid_angle(ts_v3 p, ts_v3 a, ts_v3 b, ts_v3 c)
 	return 2.0f * ts_atan2(ts_flush(volume), ts_flush(sum));
 }
 
+/* The sum of the unit vectors to the corners. */
+TS_FN ts_v3 ts_k_ways(ts_v3 p, ts_v3 a, ts_v3 b, ts_v3 c)
+{
+	ts_v3 ways = ts_add(ts_normalize(ts_sub(a, p)), ts_normalize(ts_sub(b, p)));
+	return ts_add(ways, ts_normalize(ts_sub(c, p)));
+}
+
 /* Gamma_i.n of the edge between two points: the angle it is seen under, along the normal of its plane through p. */
 TS_FN f32 ts_k_form_edge(ts_v3 p, ts_v3 n, ts_v3 from, ts_v3 to)
 {

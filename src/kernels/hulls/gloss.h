@@ -136,8 +136,7 @@ typedef struct {
 TS_FN void ts_k_gloss_see(ts_gloss_seen *sum, ts_v3 p, ts_v3 a, ts_v3 b, ts_v3 c)
 {
 	f32 angle = ts_k_solid_angle(p, a, b, c);
-	ts_v3 ways = ts_add(ts_normalize(ts_sub(a, p)), ts_normalize(ts_sub(b, p)));
-	ways = ts_add(ways, ts_normalize(ts_sub(c, p)));
+	ts_v3 ways = ts_k_ways(p, a, b, c);
 	sum->angle = sum->angle + angle;
 	sum->ways = ts_mad(sum->ways, ways, angle / 3.0f);
 }
