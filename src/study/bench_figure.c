@@ -185,11 +185,9 @@ void ts_bench_derive(double *values, const double *before, const ts_bench_figure
 
 void ts_bench_cell(ts_table *table, const ts_bench_figure *figure, double value)
 {
-	if (isnan(value)) {
-		ts_table_none(table);
-	} else if (figure->decimals == TS_WHOLE) {
+	if (!isnan(value) && figure->decimals == TS_WHOLE) {
 		ts_table_count(table, (i64)value);
 	} else {
-		ts_table_real(table, value, figure->decimals);
+		ts_table_known(table, value, figure->decimals);
 	}
 }

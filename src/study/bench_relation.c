@@ -1,5 +1,4 @@
 /* What must hold of a table that is no paper's table of rows. */
-#include <math.h>
 #include "bench.h"
 
 static const ts_column columns[] = {{"relation", "relation", false}, {"bound", "must be", false},
@@ -8,22 +7,13 @@ static const ts_column columns[] = {{"relation", "relation", false}, {"bound", "
 
 ts_table ts_bench_relations_begin(void) { return ts_table_begin("relations", "What the paper claims", columns); }
 
-static void cell(ts_table *table, double value, int decimals)
-{
-	if (isnan(value)) {
-		ts_table_none(table);
-	} else {
-		ts_table_real(table, value, decimals);
-	}
-}
-
 void ts_bench_relation_add(ts_table *table, const ts_bench_relation *relation)
 {
 	char verdict[256];
 	snprintf(verdict, sizeof verdict, relation->holds ? "holds" : "differs: %s", relation->because);
 	ts_table_text(table, relation->text);
 	ts_table_text(table, relation->bound);
-	cell(table, relation->here, relation->decimals);
-	cell(table, relation->paper, relation->decimals);
+	ts_table_known(table, relation->here, relation->decimals);
+	ts_table_known(table, relation->paper, relation->decimals);
 	ts_table_text(table, verdict);
 }

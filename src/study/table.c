@@ -68,6 +68,15 @@ void ts_table_real(ts_table *table, double value, int decimals)
 
 void ts_table_none(ts_table *table) { append(table, "-", json_null()); }
 
+void ts_table_known(ts_table *table, double value, int decimals)
+{
+	if (isnan(value)) {
+		ts_table_none(table);
+	} else {
+		ts_table_real(table, value, decimals);
+	}
+}
+
 /* Bytes of the first line of `text`: as many words as fit in `width`, at least one. A word ends before a blank, or
  * behind a bar or an asterisk. */
 static size_t line_bytes(const char *text, size_t width)

@@ -37,6 +37,8 @@ void ts_table_count(ts_table *table, i64 value);
 void ts_table_bytes(ts_table *table, u64 bytes);
 void ts_table_real(ts_table *table, double value, int decimals);
 void ts_table_none(ts_table *table);
+/* A real, or none where the value is NaN. */
+void ts_table_known(ts_table *table, double value, int decimals);
 /* Says the last row, which must be complete, on standard error: what comes of a long work. */
 void ts_table_say(const ts_table *table);
 /* Rows must be complete. Beyond 120 columns texts are wrapped within their columns. */

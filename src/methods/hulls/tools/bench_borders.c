@@ -46,26 +46,17 @@ static const ts_column columns[] = { { "scene", "scene", false }, { "choice", "c
 
 static double percent(u64 part, u64 all) { return all > 0 ? 100 * (double)part / (double)all : NAN; }
 
-static void put(ts_table *table, double value, int decimals)
-{
-	if (isnan(value)) {
-		ts_table_none(table);
-	} else {
-		ts_table_real(table, value, decimals);
-	}
-}
-
 /* The pairs that the ramp leaves out or dims are those of the choice that has it and the default corners. */
 static void add_row(ts_table *table, const char *scene, u32 choice, const seams *s)
 {
 	bool counted = choice == OURS;
 	ts_table_text(table, scene);
 	ts_table_text(table, choices[choice].name);
-	put(table, s->relative, 4);
-	put(table, 100 * s->borders.across, 3);
-	put(table, 100 * s->borders.within, 3);
-	put(table, counted ? percent(s->pairs.counted, s->pairs.facing) : NAN, 1);
-	put(table, counted ? percent(s->pairs.full, s->pairs.facing) : NAN, 1);
+	ts_table_known(table, s->relative, 4);
+	ts_table_known(table, 100 * s->borders.across, 3);
+	ts_table_known(table, 100 * s->borders.within, 3);
+	ts_table_known(table, counted ? percent(s->pairs.counted, s->pairs.facing) : NAN, 1);
+	ts_table_known(table, counted ? percent(s->pairs.full, s->pairs.facing) : NAN, 1);
 	ts_table_say(table);
 }
 

@@ -127,7 +127,7 @@ static void add_relation(ts_table *t, const char *scene, const char *what, const
 	                                              .because = "sheets seen from behind have holes"});
 }
 
-/* Of all filters the worst. */
+/* Judges a scene by its worst filter. */
 static void add_relations(ts_table *t, const char *scene, found r[N_SIDES][N_FILTERS])
 {
 	double left = 0, gained = INFINITY, opened = 0;
