@@ -40,6 +40,12 @@ typedef struct {
 TS_API ts_metrics ts_metrics_compare(const uint8_t *reference, const uint8_t *image, const uint8_t *mask,
                                      uint32_t width, uint32_t height);
 
+/* How much more an image changes from one frame to the next than its reference does, in grey levels (METHODS 17): the
+ * root of the mean over pixels and channels of max(0, |image - image_before| - |reference - reference_before|)^2. With
+ * one reference for both frames it is how much the image changes. mask: as above. 0 if nothing is judged. */
+TS_API double ts_metrics_flicker(const uint8_t *reference_before, const uint8_t *reference, const uint8_t *image_before,
+                                 const uint8_t *image, const uint8_t *mask, uint32_t width, uint32_t height);
+
 /* How far apart two images of light are, RGB in linear radiance (METHODS 17). The error of a pixel is the sum over
  * channels of |image - reference| by the sum of the reference: 0 if they are equal, infinite where only the image has
  * light. */

@@ -19,10 +19,10 @@ const ts_command ts_command_table[] = {
      "SCENE: atrium (the default), gallery or dining, each also with \":triangles=COUNT:texels=SIDE\"; checkerboard,\n"
      "of surfels, also with \":surfels=COUNT\"; or a .gltf, .glb or .ply file. Writes METHOD.png and .exr,\n"
      "truth-NAME.png, differences, pictures of the stages, traces and report.json to DIR, and prints times, counters,\n"
-     "memory and metrics. Of a parameter with several values, --set NAME=A,B, every combination is rendered, and CSV\n"
-     "is printed.",
+     "memory and metrics. Of a parameter with several values, --set NAME=A,B, every combination is rendered, in a\n"
+     "folder of DIR each, and CSV is printed.",
      1, 2,
-     TS_OPT(METHOD) | TS_OPT(TRUTH) | WHERE | HOW | TS_OPT(ORDER) | TS_OPT(OUTPUT) | TS_OPT(FORCE) | TS_OPT(NO_IMAGES) |
+     TS_OPT(METHOD) | TS_OPT(TRUTH) | TS_OPT(FRAMES) | WHERE | HOW | TS_OPT(ORDER) | TS_OPT(OUTPUT) | TS_OPT(FORCE) | TS_OPT(NO_IMAGES) |
          TS_OPT(TRACE) | TS_OPT(TRACE_ONLY) | TS_OPT(CROP) | TS_OPT(MARGINS) | TS_OPT(VIEWER) | TS_OPT(JSON),
      ts_render_command, ts_render_help},
 	{"replay", "TRACE", "run a stage again, alone, from the buffers of a trace or of a port, and compare",

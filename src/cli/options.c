@@ -78,6 +78,12 @@ static ts_status take_size(void *to, const ts_option *option, const char *text)
 	return ts_words_size(&job->params, text, "--size");
 }
 
+static ts_status take_frames(void *to, const ts_option *option, const char *text)
+{
+	(void)option;
+	return ts_words_frames(&((ts_cli *)to)->job.frames, text);
+}
+
 static ts_status take_mirrors(void *to, const ts_option *option, const char *text)
 {
 	(void)option;

@@ -9,14 +9,15 @@
 #include "../study/trace.h"
 #include "../study/truths.h"
 
-enum { TS_MAX_PAIRS = 256 };
+enum { TS_MAX_PAIRS = 256, TS_MAX_SHOWN = TS_MAX_METHODS + TS_MAX_TRUTHS };
 
 /* Two pictures that were compared. */
 typedef struct {
 	const ts_picture *reference, *image;
 	ts_metrics all, reflective; /* over the image and, if there is a mask, over its reflective pixels */
-	ts_light_metrics light;     /* over all pixels but the sky's */
-	bool parted;                /* there are triangles of light: these are set */
+	double flicker, reflective_flicker; /* over the same, but mirrors in both frames; NaN: no frame was before */
+	ts_light_metrics light;             /* over all pixels but the sky's */
+	bool parted;                        /* there are triangles of light: these are set */
 	ts_light_metrics near, elsewhere;
 	const char *share; /* whose error this is: "method", "sampling", "both" or "" */
 } ts_pair;
@@ -24,6 +25,7 @@ typedef struct {
 typedef struct {
 	const ts_job *job;
 	const char *effect;
+	const char *folder; /* of its files: "", or a name that ends in "/" */
 	ts_scene *scene;
 	ts_estimate estimate;
 	const ts_pipeline *methods[TS_MAX_METHODS];
@@ -31,13 +33,34 @@ typedef struct {
 	ts_measure measures[TS_MAX_METHODS];
 	ts_stage_pictures stages[TS_MAX_METHODS];
 	ts_tracing tracings[TS_MAX_METHODS];
-	ts_picture pictures[TS_MAX_METHODS]; /* as methods */
-	ts_picture truths[TS_MAX_TRUTHS];    /* as that table; those not asked for are empty */
-	u8 *mask;                            /* 1: a reflective pixel; NULL: the effect has none */
-	u64 n_reflective;
+	ts_history histories[TS_MAX_METHODS]; /* of a sequence of frames */
+	ts_picture pictures[TS_MAX_METHODS];  /* as methods */
+	ts_picture truths[TS_MAX_TRUTHS];     /* as that table; those not asked for are empty */
+	const ts_picture *mirrors;            /* one that knows the reflective pixels; NULL: the effect has none */
+	const u8 *mirrors_still;              /* those in the frame before as well; NULL: there was none */
 	ts_pair pairs[TS_MAX_PAIRS];
 	u32 n_pairs;
 } ts_render;
+
+/* Runs the methods that have no picture yet, and makes the truths that are missing. */
+ts_status ts_render_run(ts_render *render);
+/* Compares all that have pictures. */
+void ts_render_compare(ts_render *render);
+/* Releases the pictures; the scene and the histories stay. */
+void ts_render_clear(ts_render *render);
+/* Opens the scene, if there is none, and refuses what needs too much memory. */
+ts_status ts_render_open(ts_render *render);
+/* A render of the job whose methods are known, passed to `with`. */
+ts_status ts_render_with(const ts_job *job, ts_status (*with)(ts_render *render, void *user), void *user);
+/* Several: of the job's frames, of the combinations of its sweep, or of both. */
+ts_status ts_render_series(ts_job *job);
+/* Whether files are to be written, traces alone among them; and where. */
+bool ts_render_writes(const ts_job *job);
+bool ts_render_traces(const ts_job *job);
+const char *ts_render_output(const ts_job *job);
+
+/* The i-th picture of TS_MAX_SHOWN, methods before truths; NULL: it was not made. */
+const ts_picture *ts_render_shown(const ts_render *render, u32 i);
 
 /* Makes the truths asked for that start from a run of this method, if it is the one to start from. */
 ts_status ts_render_truths_of(ts_render *render, const ts_pipeline *method, ts_run *run);
@@ -45,6 +68,8 @@ ts_status ts_render_truths_of(ts_render *render, const ts_pipeline *method, ts_r
 ts_status ts_render_truths_rest(ts_render *render);
 /* A line for each that the scene has none of. */
 void ts_render_truths_missing(const ts_render *render, ts_report *report);
+/* The method that the truth starts from: the first chosen one, else the first of the effect; NULL: from none. */
+const ts_pipeline *ts_render_truth_method(const ts_render *render, const ts_truth_kind *kind);
 /* Pictures of differences are so many times as bright: 8, of indirect light 4, as in SSAGH's figure 8. */
 int ts_render_difference_scale(const ts_render *render);
 /* Writes all pictures by ts_folder_file. */
@@ -52,5 +77,7 @@ ts_status ts_render_write(ts_render *render);
 /* The tables, and the figures they are made of. */
 void ts_render_report_head(const ts_render *render, ts_report *report);
 void ts_render_report_body(const ts_render *render, ts_report *report);
+/* The rows of the table of pictures that tell of one frame. */
+void ts_render_report_pictures(const ts_render *render, ts_table *table);
 
 #endif

@@ -32,6 +32,8 @@ static json_t *methods_json(const ts_render *render)
 
 static bool has_mirrors(const ts_render *render) { return ts_effect_find(render->effect)->mirrors; }
 
+static u64 n_reflective(const ts_render *render) { return render->mirrors != NULL ? render->mirrors->n_reflective : 0; }
+
 static bool has_shadows(const ts_render *render) { return render->pictures[0].n_samples > 0; }
 
 void ts_render_report_head(const ts_render *render, ts_report *report)
@@ -210,7 +212,7 @@ static void report_ratio(const ts_render *render, ts_report *report)
 	const ts_measure *any = epr != NULL ? epr : &render->measures[0];
 	ts_table table = ts_table_begin("shading", "Shading", columns);
 	ts_table_text(&table, "reflective pixels in sight");
-	ts_table_count(&table, (i64)render->n_reflective);
+	ts_table_count(&table, (i64)n_reflective(render));
 	ts_table_text(&table, "mirrors in sight");
 	ts_table_count(&table, any->n_in_sight);
 	ts_table_text(&table, "texels a side of their cubes, mean");
@@ -219,10 +221,10 @@ static void report_ratio(const ts_render *render, ts_report *report)
 		ts_table_text(&table, "shading operations, MVR / EPR");
 		ts_table_real(&table, (double)ts_measure_shading(mvr) / (double)ts_measure_shading(epr), 2);
 	}
-	if (render->n_reflective > 0) {
+	if (n_reflective(render) > 0) {
 		double texels = (double)NOMINAL_TEXELS * render->scene->info.n_reflectors;
 		ts_table_text(&table, "6 * 512^2 * mirrors / (25 * reflective pixels)");
-		ts_table_real(&table, texels / ((double)SAMPLES * (double)render->n_reflective), 2);
+		ts_table_real(&table, texels / ((double)SAMPLES * (double)n_reflective(render)), 2);
 	}
 	ts_report_table(report, &table);
 }
@@ -311,7 +313,7 @@ static void report_metrics(const ts_render *render, ts_report *report)
 	                                   {"reflective_psnr", "PSNR, dB", true},
 	                                   {"reflective_ssim", "SSIM", true},
 	                                   SHARE};
-	bool mask = render->mask != NULL;
+	bool mask = render->mirrors != NULL;
 	if (render->n_pairs == 0) return;
 	report_missed(render, report);
 	const char *title = mask ? "Metrics, in grey levels, over the image and over its reflective pixels"
@@ -368,30 +370,35 @@ static void picture_row(ts_table *table, const char *name, const char *what)
 	ts_table_text(table, what);
 }
 
-static void report_pictures(const ts_render *render, ts_report *report)
+void ts_render_report_pictures(const ts_render *render, ts_table *table)
 {
-	static const ts_column columns[] = {{"name", "picture", false}, {"shows", "shows", false}, {0}};
 	char name[64], what[64];
-	ts_table table = ts_table_begin("pictures", "Pictures", columns);
 	for (u32 i = 0; i < render->n_methods; i++) {
 		snprintf(name, sizeof name, "%s.png .exr", render->methods[i]->name);
-		picture_row(&table, name, render->methods[i]->doc);
+		picture_row(table, name, render->methods[i]->doc);
 		for (u32 k = 0; k < render->stages[i].n; k++) {
 			snprintf(name, sizeof name, "%s-%s.png", render->methods[i]->name, render->stages[i].picture[k].name);
-			picture_row(&table, name, render->stages[i].picture[k].caption);
+			picture_row(table, name, render->stages[i].picture[k].caption);
 		}
 	}
 	for (u32 t = 0; t < TS_MAX_TRUTHS; t++) {
 		if (render->truths[t].srgb != NULL) {
 			snprintf(name, sizeof name, "%s.png .exr", render->truths[t].name);
-			picture_row(&table, name, ts_truths()[t]->doc);
+			picture_row(table, name, ts_truths()[t]->doc);
 		}
 	}
 	if (render->n_pairs > 0) {
 		snprintf(what, sizeof what, "grey levels apart, times %d (.exr: signed radiance)",
 		         ts_render_difference_scale(render));
-		picture_row(&table, "difference-*.png .exr", what);
+		picture_row(table, "difference-*.png .exr", what);
 	}
+}
+
+static void report_pictures(const ts_render *render, ts_report *report)
+{
+	static const ts_column columns[] = {{"name", "picture", false}, {"shows", "shows", false}, {0}};
+	ts_table table = ts_table_begin("pictures", "Pictures", columns);
+	ts_render_report_pictures(render, &table);
 	ts_report_table(report, &table);
 }
 

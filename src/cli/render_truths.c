@@ -7,8 +7,7 @@ static bool lacks(const ts_render *render, u32 truth)
 	return (render->job->truths & 1u << truth) != 0 && render->truths[truth].srgb == NULL;
 }
 
-/* The first chosen method, else the first of the effect, from whose run a truth starts; NULL: from none. */
-static const ts_pipeline *starts_from(const ts_render *render, const ts_truth_kind *kind)
+const ts_pipeline *ts_render_truth_method(const ts_render *render, const ts_truth_kind *kind)
 {
 	for (u32 i = 0; i < render->n_methods; i++) {
 		if (ts_truth_starts_from(kind, render->methods[i])) return render->methods[i];
@@ -32,7 +31,7 @@ ts_status ts_render_truths_of(ts_render *render, const ts_pipeline *method, ts_r
 	ts_status status = TS_OK;
 	for (u32 t = 0; ts_truths()[t] != NULL && status == TS_OK; t++) {
 		const ts_truth_kind *kind = ts_truths()[t];
-		if (!lacks(render, t) || starts_from(render, kind) != method) continue;
+		if (!lacks(render, t) || ts_render_truth_method(render, kind) != method) continue;
 		show_truth(kind);
 		status = ts_picture_truth(&render->truths[t], kind, run);
 	}
@@ -81,7 +80,7 @@ ts_status ts_render_truths_rest(ts_render *render)
 			status = ts_picture_truths_begun(render->truths, job->truths, kind, render->effect, render->scene, params,
 			                                 threads);
 		} else {
-			status = take_unseen(render, starts_from(render, kind));
+			status = take_unseen(render, ts_render_truth_method(render, kind));
 		}
 	}
 	ts_progress("truth", 1, 1);

@@ -1,8 +1,9 @@
 /* How far apart two images are (METHODS 17): RMSE and PSNR over 8-bit values, SSIM of Wang et al. 2004 ("Image quality
  * assessment: from error visibility to structural similarity") with its 11 by 11 Gaussian of sigma 1.5 over luma; and
- * of light the RMSE by the mean, and crumbs along edges. Sums run left to right, top to bottom. */
+ * of light the RMSE by the mean, and crumbs along edges; of frames their flicker. Sums run left to right, top to bottom. */
 #include <math.h>
 #include <stdbool.h>
+#include <stdlib.h>
 #include <string.h>
 #include <touchstone/image.h>
 
@@ -116,6 +117,21 @@ ts_metrics ts_metrics_compare(const uint8_t *reference, const uint8_t *image, co
 	set_weights(&p);
 	if (!mean_similarity(&p, true, &m.ssim)) mean_similarity(&p, false, &m.ssim);
 	return m;
+}
+
+double ts_metrics_flicker(const uint8_t *reference_before, const uint8_t *reference, const uint8_t *image_before,
+                          const uint8_t *image, const uint8_t *mask, uint32_t width, uint32_t height)
+{
+	uint64_t squares = 0, n = 0;
+	for (size_t i = 0; i < (size_t)width * height; i++) {
+		if (mask && !mask[i]) continue;
+		n++;
+		for (size_t c = 3 * i; c < 3 * i + 3; c++) {
+			int beyond = abs(image[c] - image_before[c]) - abs(reference[c] - reference_before[c]);
+			if (beyond > 0) squares += (uint64_t)(beyond * beyond);
+		}
+	}
+	return n > 0 ? sqrt((double)squares / (3.0 * (double)n)) : 0;
 }
 
 /* The error of a pixel of light. */

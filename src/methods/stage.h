@@ -18,6 +18,13 @@ enum { TS_MAX_COUNTERS = 64, TS_MAX_TIMINGS = 128 };
 
 typedef struct ts_run ts_run;
 
+/* What one frame leaves the next: the sizes of the cubes after frame `frame`. Owned by whoever runs frame after frame
+ * with one method, one scene and the same parameters but `frame`, which grows; zero-initialise, release n by free(). */
+typedef struct {
+	u32 *n; /* NULL: no frame was run */
+	u32 frame, n_cubes;
+} ts_history;
+
 /* What computes a run. Only `arrival` changes a result: the order of the points and, where they tie, what is seen. */
 typedef struct {
 	u32 threads;         /* of the C backend */
@@ -64,6 +71,7 @@ struct ts_run {
 	u32 n_counters;
 	ts_timing timings[TS_MAX_TIMINGS];
 	u32 n_timings;
+	ts_history *history; /* read and written; NULL: the frames before are replayed */
 	ts_stage_hook hook;
 	void *hook_user;
 };

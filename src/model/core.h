@@ -36,6 +36,8 @@ char *ts_input_read(size_t *bytes, const char *path);
 /* Bytes that this process has in memory: of files, such as libraries, and what it allocated, without what it
  * released. */
 uint64_t ts_memory_used(void);
+/* The same with what it released and keeps. */
+uint64_t ts_memory_resident(void);
 /* Memory that this process can have, in bytes: of the machine, of its control group, and what its own limits (ulimit -v
  * and -d) had left when this was asked first. */
 uint64_t ts_memory_total(void);

@@ -148,4 +148,6 @@ uint64_t ts_memory_used(void)
 	return now.files + heap;
 }
 
+uint64_t ts_memory_resident(void) { return footprint_read().resident; }
+
 uint64_t ts_memory_limit(void) { return ts_memory_total() / 4 * 3; }

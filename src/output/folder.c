@@ -210,6 +210,8 @@ const char *ts_folder_file(const char *name)
 	return path;
 }
 
+const char *ts_folder_path(void) { return folder.partial; }
+
 const char *ts_folder_name(size_t i)
 {
 	return i < folder.n_paths ? folder.paths[i] + strlen(folder.partial) + 1 : NULL;

@@ -19,6 +19,8 @@ ts_status ts_folder_begin(const char *dir, ts_folder_judge *judge);
 /* The path at which to write file `name`, which may lie in one folder, "sub/name"; valid until commit or discard. NULL
  * with the message set on failure. */
 const char *ts_folder_file(const char *name);
+/* The folder that they are in, DIR.partial; valid until then. */
+const char *ts_folder_path(void);
 /* The i-th of these names; NULL: there are no more. */
 const char *ts_folder_name(size_t i);
 /* Puts DIR.partial, whose files are written, in the place of DIR; both are on the disk. On failure DIR is as it was;

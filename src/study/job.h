@@ -18,6 +18,13 @@ typedef struct {
 	u32 n;
 } ts_sweep;
 
+enum { TS_LAST_FRAME = 100000 }; /* that the parameter `frame` may name */
+
+/* Frames first, first + step, ... up to last. */
+typedef struct {
+	u32 first, last, step; /* step 0: none were said */
+} ts_frames;
+
 /* Files and text. */
 typedef struct {
 	const char *dir; /* NULL: not said */
@@ -41,6 +48,7 @@ typedef struct {
 	bool set[TS_N_PARAMS]; /* by --set */
 	bool sized, mirrored;  /* the parameters' size was said; how many mirrors */
 	ts_sweep sweep;
+	ts_frames frames;
 	const char *scenes, *objects; /* specs, of a render one; objects of a table */
 	ts_scene_options scene;
 	u32 runs;   /* of which the median is taken; 0: as the table has it */

@@ -135,6 +135,7 @@ ts_status ts_measure_run(ts_measure *measure, const ts_pipeline *method, const t
 	                        .trace = measure->trace,
 	                        .viewer = measure->viewer,
 	                        .rays = measure->rays,
+	                        .history = measure->history,
 	                        .notes = measure->notes};
 	ts_run run;
 	ts_run_begin(&run, scene, params, how->threads);
@@ -142,6 +143,7 @@ ts_status ts_measure_run(ts_measure *measure, const ts_pipeline *method, const t
 	keep_for_after(&run, method->effect);
 	run.hook = after_stage;
 	run.hook_user = measure;
+	run.history = measure->history;
 	run.traced = measure->trace != NULL;
 	run.margins = run.traced && measure->trace->margins;
 	ts_status status = TS_OK;

@@ -1,8 +1,10 @@
 /* Pictures: of runs, and of the truths. */
 #include "picture.h"
 #include <ctype.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <touchstone/image.h>
 #include "../kernels/base/srgb.h"
 #include "near_light.h"
 
@@ -34,6 +36,18 @@ static void mark_seen(ts_picture *picture, const ts_run *run)
 	for (u64 i = 0; i < n; i++) picture->seen[i] = seen[i] != TS_EMPTY;
 }
 
+static ts_status mark_reflective(ts_picture *picture, const ts_run *run)
+{
+	if (!run->frame.buffer[TS_B_mirror_pixel_record].made) return TS_OK;
+	const ts_pixel *pixels = ts_frame_data(&run->frame, TS_B_mirror_pixel_record);
+	picture->n_reflective = ts_frame_n(&run->frame, TS_B_mirror_pixel_record);
+	picture->reflective =
+		ts_alloc_zero(TS_PARAM(&run->params, width), TS_PARAM(&run->params, height), "the reflective pixels");
+	if (picture->reflective == NULL) return TS_ERROR;
+	for (u64 i = 0; i < picture->n_reflective; i++) picture->reflective[pixels[i].index] = 1;
+	return TS_OK;
+}
+
 static ts_status mark_near(ts_picture *picture, const ts_run *run)
 {
 	size_t n = (size_t)TS_PARAM(&run->params, width) * TS_PARAM(&run->params, height);
@@ -56,7 +70,7 @@ ts_status ts_picture_take(ts_picture *picture, const char *name, const ts_run *r
 	memcpy(picture->srgb, ts_frame_data(&run->frame, TS_B_image_srgb), n);
 	mark_seen(picture, run);
 	if (run->frame.buffer[TS_B_shadow_test_lit].made) count_lit(picture, run);
-	return mark_near(picture, run);
+	return mark_reflective(picture, run) == TS_OK ? mark_near(picture, run) : TS_ERROR;
 }
 
 ts_status ts_picture_make(ts_picture *picture, const char *name, f32 *radiance, const ts_params *params)
@@ -76,13 +90,17 @@ void ts_picture_free(ts_picture *picture)
 	free(picture->radiance);
 	free(picture->srgb);
 	free(picture->seen);
+	free(picture->reflective);
 	free(picture->near);
 	free(picture->elsewhere);
-	picture->radiance = NULL;
-	picture->srgb = NULL;
-	picture->seen = NULL;
-	picture->near = NULL;
-	picture->elsewhere = NULL;
+	*picture = (ts_picture){.radiance = NULL};
+}
+
+double ts_picture_change(const ts_picture *picture, const u8 *mask, const ts_params *params)
+{
+	if (picture->before == NULL) return NAN;
+	return ts_metrics_flicker(picture->srgb, picture->srgb, picture->before, picture->srgb, mask,
+	                          TS_PARAM(params, width), TS_PARAM(params, height));
 }
 
 /* "truth-a", of the row's name. */

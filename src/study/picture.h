@@ -15,6 +15,9 @@ typedef struct {
 	f32 *radiance;
 	u8 *srgb;
 	u8 *seen;               /* 1: the eye sees a surface, 0: the sky; NULL: not known */
+	u8 *reflective;         /* 1: of a mirror; NULL: no mirrors were looked for */
+	u64 n_reflective;
+	const u8 *before;       /* srgb of the frame before, of a sequence; not owned; NULL: there is none */
 	u8 *near, *elsewhere;   /* 1: a surface near a triangle of light, or not (near_light.h); NULL: there are none */
 	double seconds;         /* that it took */
 	u64 n_hits, n_missed;   /* of a truth that counts them: first rays that hit something, and look-ups empty there */
@@ -28,6 +31,8 @@ ts_status ts_picture_take(ts_picture *picture, const char *name, const ts_run *r
 /* Makes a picture of radiance, which it takes over. */
 ts_status ts_picture_make(ts_picture *picture, const char *name, f32 *radiance, const ts_params *params);
 void ts_picture_free(ts_picture *picture);
+/* How much it changed since the frame before (ts_metrics_flicker), where `mask` is not 0; NaN: there is none. */
+double ts_picture_change(const ts_picture *picture, const u8 *mask, const ts_params *params);
 
 /* A truth that `trace` makes, in a run of a method that it starts from; afterwards the run's image is the truth's. */
 ts_status ts_picture_truth(ts_picture *picture, const ts_truth_kind *kind, ts_run *run);

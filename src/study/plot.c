@@ -33,8 +33,9 @@ static axis axis_of(const ts_plot *plot, bool across)
 	if (!plot->even && !(most > 0)) least = most = 1;
 	axis r = {least / 1.2, most * 1.2, across ? LEFT : BOTTOM, across ? RIGHT : TOP, plot->even};
 	if (plot->even) {
-		r.low = least;
-		r.high = across ? most : most + (most - least) / 3;
+		double room = most > least ? 0 : fmax(fabs(most), 1) / 2;
+		r.low = least - room;
+		r.high = across ? most + room : most + room + (most - least) / 3;
 	}
 	return r;
 }

@@ -50,3 +50,24 @@ bool ts_reads_method(const ts_pipeline *method, const ts_params *params, const c
 	}
 	return false;
 }
+
+/* Marks the stages that the buffer comes from. */
+static void mark_makers(const ts_pipeline *method, ts_buffer_id id, bool marked[TS_N_BUFFERS])
+{
+	const ts_step *maker = ts_pipeline_maker(method, id);
+	if (marked[id] || maker == NULL) return;
+	marked[id] = true;
+	for (const ts_buffer_id *at = ts_stage_inputs(ts_stage_find(maker->stage)); *at != TS_N_BUFFERS; at++) {
+		mark_makers(method, *at, marked);
+	}
+}
+
+bool ts_reads_making(const ts_pipeline *method, const ts_buffer_id *ids, const char *param)
+{
+	bool marked[TS_N_BUFFERS] = {false}, reads = false;
+	for (; *ids != TS_N_BUFFERS; ids++) mark_makers(method, *ids, marked);
+	for (u32 id = 0; id < TS_N_BUFFERS && !reads; id++) {
+		reads = marked[id] && stage_reads(ts_stage_find(ts_pipeline_maker(method, id)->stage), param);
+	}
+	return reads;
+}

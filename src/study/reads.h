@@ -11,5 +11,7 @@ bool ts_reads_scene(const char *param);
 /* The method reads it, or a stage that it takes with these parameters, NULL: any stage, or the size of what that makes;
  * but for what the method sets itself. */
 bool ts_reads_method(const ts_pipeline *method, const ts_params *params, const char *param);
+/* What the method does to make the buffers, ended by TS_N_BUFFERS, reads it. */
+bool ts_reads_making(const ts_pipeline *method, const ts_buffer_id *ids, const char *param);
 
 #endif

@@ -42,6 +42,35 @@ ts_status ts_words_size(ts_params *params, const char *text, const char *what)
 	return status != TS_OK ? status : ts_params_set(params, "height", x + 1);
 }
 
+/* A whole number up to the most that the parameter `frame` may be, behind which *text moves. */
+static bool take_frame(u32 *frame, const char **text)
+{
+	char *end;
+	bool begins = (*text)[0] >= '0' && (*text)[0] <= '9';
+	unsigned long n = begins ? strtoul(*text, &end, 10) : 0;
+	*frame = (u32)n;
+	if (!begins || n > TS_LAST_FRAME) return false;
+	*text = end;
+	return true;
+}
+
+ts_status ts_words_frames(ts_frames *frames, const char *text)
+{
+	const char *at = text;
+	*frames = (ts_frames){.step = 1};
+	bool good = take_frame(&frames->first, &at) && strncmp(at, "..", 2) == 0;
+	at += good ? 2 : 0;
+	good = good && take_frame(&frames->last, &at) && frames->first <= frames->last;
+	if (good && *at == ':') {
+		at++;
+		good = take_frame(&frames->step, &at) && frames->step > 0;
+	}
+	if (good && *at == 0) return TS_OK;
+	return ts_fail("--frames %s: not A..B or A..B:STEP, with A not above B, B not above %d and a STEP of at least 1; "
+	               "for instance 0..99",
+	               text, TS_LAST_FRAME);
+}
+
 bool ts_words_have(const char *text, const char *word)
 {
 	size_t n = strlen(word);

@@ -4,11 +4,14 @@
 #include <touchstone/params.h>
 #include "../model/core.h"
 #include "../kernels/base/compat.h"
+#include "job.h"
 
 /* Reads a decimal count in [min, max]; `what` names it in the message. */
 ts_status ts_words_count(u32 *value, const char *text, u32 min, u32 max, const char *what);
 /* Reads "WxH" into width and height; `what` names it in the message. */
 ts_status ts_words_size(ts_params *params, const char *text, const char *what);
+/* Reads "A..B" or "A..B:STEP" of the option --frames. */
+ts_status ts_words_frames(ts_frames *frames, const char *text);
 /* Copies the next item of a comma-separated list to `item` and moves *list behind it: false at the end. An item that
  * does not fit is cut, and so matches no name. */
 bool ts_words_item(const char **list, char *item, size_t item_bytes);

@@ -1,23 +1,96 @@
-/* Boxes, balls and cube sizes of the reflectors. Frames 0 to this one are replayed, because the cube.hysteresis is the
- * one state between frames (METHODS 2). A few items a frame, so the C backend does it whatever the others run on. */
+/* Boxes, balls and cube sizes of the reflectors. Sizes depend on those of the frame before, because of cube.hysteresis,
+ * the one state between frames (METHODS 2): the frames before are replayed, but for those that a sequence has just run
+ * and for turns that bring nothing new. A few items a frame, so the C backend does it whatever the others run on. */
 #include <stdlib.h>
 #include "../../scene/view.h"
 #include "../../kernels/points/cube_size.h"
 #include "../stages.h"
 
-static void replay(const ts_run *run, ts_cube_size_args args, u32 n)
+typedef struct {
+	const ts_run *run;
+	ts_cube_size_args args;
+	u32 n;
+	u32 turn;  /* frames after which all that moves is where it was; 0: more than there are */
+	u32 *then; /* the sizes when the turn before ended */
+} replay;
+
+static u32 common_turn(const ts_run *run)
 {
-	ts_params params = run->params;
-	ts_view view;
-	const ts_info *info = ts_run_info(run);
-	args.view = &view;
-	u32 first = args.fixed != 0 ? TS_PARAM(&run->params, frame) : 0;
-	for (u32 frame = first; frame <= TS_PARAM(&run->params, frame); frame++) {
-		TS_PARAM_SET(&params, frame, frame);
-		args.frame = frame;
-		ts_view_eye(&view, info, &params);
-		ts_c_launch(TS_KERNEL_cube_size, &args, n, run->c.threads);
+	u64 turn = ts_run_info(run)->circles != 0 ? TS_FRAMES_A_TURN : 1;
+	for (u32 i = 0; i < run->scene->n_objects && turn != 0; i++) {
+		u64 period = run->scene->objects[i].period, a = turn, b = period;
+		while (b != 0) {
+			u64 rest = a % b;
+			a = b;
+			b = rest;
+		}
+		if (period != 0) turn = turn / a * period;
+		if (turn > UINT32_MAX) turn = 0;
 	}
+	return (u32)turn;
+}
+
+static void resize(replay *r, u32 frame)
+{
+	ts_params params = r->run->params;
+	ts_view view;
+	TS_PARAM_SET(&params, frame, frame);
+	ts_view_eye(&view, ts_run_info(r->run), &params);
+	r->args.view = &view;
+	r->args.frame = frame;
+	ts_c_launch(TS_KERNEL_cube_size, &r->args, r->n, r->run->c.threads);
+}
+
+/* Whether the turn that ends here has left the sizes as the one before did: so will all that follow. */
+static bool turns_alike(replay *r)
+{
+	bool alike = true;
+	for (u32 i = 0; i < r->n; i++) {
+		alike &= r->then[i] == r->args.cubes[i].n;
+		r->then[i] = r->args.cubes[i].n;
+	}
+	return alike;
+}
+
+/* The first frame that is to be run for this one, with the sizes before it. */
+static u32 begin(const replay *r)
+{
+	const ts_history *history = r->run->history;
+	u32 frame = TS_PARAM(&r->run->params, frame);
+	bool known = history != NULL && history->n != NULL && history->n_cubes == r->n && history->frame < frame;
+	if (r->n == 0 || r->args.fixed != 0 || r->args.hysteresis == 0) return frame;
+	for (u32 i = 0; i < r->n; i++) {
+		r->args.cubes[i].n = known ? history->n[i] : 0;
+		r->then[i] = UINT32_MAX;
+	}
+	return known ? history->frame + 1 : 0;
+}
+
+static ts_status keep(const replay *r)
+{
+	ts_history *history = r->run->history;
+	if (history == NULL) return TS_OK;
+	free(history->n);
+	*history = (ts_history){.n = ts_alloc(r->n, sizeof *history->n, "sizes of cubes"),
+	                        .frame = TS_PARAM(&r->run->params, frame),
+	                        .n_cubes = r->n};
+	for (u32 i = 0; i < r->n && history->n != NULL; i++) history->n[i] = r->args.cubes[i].n;
+	return history->n != NULL ? TS_OK : TS_ERROR;
+}
+
+static ts_status replay_all(replay *r)
+{
+	u32 last = TS_PARAM(&r->run->params, frame);
+	r->turn = common_turn(r->run);
+	r->then = ts_alloc(r->n, sizeof *r->then, "sizes of cubes");
+	if (r->then == NULL) return TS_ERROR;
+	for (u32 frame = begin(r); frame <= last; frame++) {
+		bool ended = r->turn != 0 && frame % r->turn == 0;
+		if (ended && turns_alike(r)) frame = last - last % r->turn;
+		resize(r, frame);
+	}
+	free(r->then);
+	return keep(r);
 }
 
 static ts_status cube_size(ts_run *run)
@@ -45,8 +118,10 @@ static ts_status cube_size(ts_run *run)
 		.fixed = run->plan.offscreen.side != 0 ? run->plan.offscreen.side : TS_PARAM(&run->params, cube_px),
 		.all = run->plan.offscreen.all || TS_PARAM(&run->params, lookup_bounces) > 1,
 	};
-	replay(run, args, n);
+	replay all = {.run = run, .args = args, .n = n};
+	ts_status status = replay_all(&all);
 	free(objects);
+	if (status != TS_OK) return status;
 	u64 offset = 0;
 	for (u32 r = 0; r < n; r++) {
 		cubes[r].offset = offset;

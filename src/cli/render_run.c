@@ -1,0 +1,181 @@
+/* One render: runs its methods and truths, and compares what came of them. */
+#include <math.h>
+#include <stdlib.h>
+#include "../study/folder.h"
+#include "render.h"
+
+bool ts_render_traces(const ts_job *job)
+{
+	return job->output.trace || job->output.trace_only != NULL || job->output.crop != NULL || job->output.margins ||
+	       job->output.viewer;
+}
+
+bool ts_render_writes(const ts_job *job) { return ts_render_traces(job) || !job->output.no_images; }
+
+const char *ts_render_output(const ts_job *job) { return job->output.dir != NULL ? job->output.dir : "out"; }
+
+const ts_picture *ts_render_shown(const ts_render *render, u32 i)
+{
+	const ts_picture *picture = i < TS_MAX_METHODS ? &render->pictures[i] : &render->truths[i - TS_MAX_METHODS];
+	return picture->srgb != NULL ? picture : NULL;
+}
+
+typedef struct {
+	ts_render *render;
+	const ts_pipeline *method;
+	u32 at; /* its place in render->methods */
+} after_method;
+
+static ts_status take_picture(ts_run *run, void *user)
+{
+	after_method *after = user;
+	ts_render *render = after->render;
+	ts_picture *picture = &render->pictures[after->at];
+	ts_status status = ts_picture_take(picture, after->method->name, run);
+	picture->seconds = render->measures[after->at].seconds;
+	return status == TS_OK ? ts_render_truths_of(render, after->method, run) : status;
+}
+
+static ts_status run_method(ts_render *render, u32 i)
+{
+	const ts_job *job = render->job;
+	after_method after = {render, render->methods[i], i};
+	ts_measure *measure = &render->measures[i];
+	bool series = job->sweep.n > 0 || job->frames.step > 0;
+	measure->pictures = job->output.no_images ? NULL : &render->stages[i];
+	measure->rays = job->truths != 0;
+	measure->history = &render->histories[i];
+	measure->notes = !series;
+	measure->trace = ts_render_traces(job) ? &render->tracings[i].options : NULL;
+	measure->viewer = job->output.viewer ? render->tracings[i].viewer : NULL;
+	return ts_measure_run(measure, render->methods[i], render->scene, &job->params, &job->how, take_picture, &after);
+}
+
+static void compare_light(ts_pair *pair, const ts_params *p)
+{
+	const ts_picture *of = pair->image->near != NULL ? pair->image : pair->reference;
+	const f32 *reference = pair->reference->radiance, *image = pair->image->radiance;
+	u32 width = TS_PARAM(p, width), height = TS_PARAM(p, height);
+	pair->light = ts_metrics_light(reference, image, pair->image->seen, width, height);
+	pair->parted = of->near != NULL;
+	if (!pair->parted) return;
+	pair->near = ts_metrics_light(reference, image, of->near, width, height);
+	pair->elsewhere = ts_metrics_light(reference, image, of->elsewhere, width, height);
+}
+
+static double flicker(const ts_pair *pair, const u8 *mask, const ts_params *p)
+{
+	const ts_picture *reference = pair->reference, *image = pair->image;
+	return ts_metrics_flicker(reference->before, reference->srgb, image->before, image->srgb, mask, TS_PARAM(p, width),
+	                          TS_PARAM(p, height));
+}
+
+static void compare_change(ts_pair *pair, const u8 *mirrors_still, const ts_params *p)
+{
+	bool known = pair->reference->before != NULL && pair->image->before != NULL;
+	pair->flicker = known ? flicker(pair, NULL, p) : NAN;
+	pair->reflective_flicker = known && mirrors_still != NULL ? flicker(pair, mirrors_still, p) : NAN;
+}
+
+static void compare(ts_render *render, const ts_picture *reference, const ts_picture *image, const char *share)
+{
+	const ts_params *p = &render->job->params;
+	if (reference->srgb == NULL || image->srgb == NULL || render->n_pairs == TS_MAX_PAIRS) return;
+	ts_pair *pair = &render->pairs[render->n_pairs++];
+	pair->reference = reference;
+	pair->image = image;
+	pair->share = share;
+	pair->all = ts_metrics_compare(reference->srgb, image->srgb, NULL, TS_PARAM(p, width), TS_PARAM(p, height));
+	compare_light(pair, p);
+	compare_change(pair, render->mirrors_still, p);
+	if (render->mirrors != NULL) {
+		pair->reflective = ts_metrics_compare(reference->srgb, image->srgb, render->mirrors->reflective,
+		                                      TS_PARAM(p, width), TS_PARAM(p, height));
+	}
+}
+
+/* The truth of that name; NULL: it was not made, or "" names none. */
+static const ts_picture *truth_named(const ts_render *render, const char *name)
+{
+	u32 t = 0;
+	while (ts_truths()[t] != NULL && strcmp(ts_truths()[t]->name, name) != 0) t++;
+	return ts_truths()[t] != NULL ? &render->truths[t] : NULL;
+}
+
+void ts_render_compare(ts_render *render)
+{
+	for (u32 t = 0; ts_truths()[t] != NULL; t++) {
+		for (u32 i = 0; i < render->n_methods; i++) {
+			compare(render, &render->truths[t], &render->pictures[i], ts_truths()[t]->share);
+		}
+	}
+	for (u32 t = 0; ts_truths()[t] != NULL; t++) {
+		const ts_picture *against = truth_named(render, ts_truths()[t]->against);
+		if (against != NULL) compare(render, against, &render->truths[t], ts_truths()[t]->against_share);
+	}
+	for (u32 i = 0; i < render->n_methods; i++) {
+		for (u32 j = i + 1; j < render->n_methods; j++) compare(render, &render->pictures[j], &render->pictures[i], "");
+	}
+}
+
+static void find_mirrors(ts_render *render)
+{
+	render->mirrors = NULL;
+	for (u32 i = 0; i < TS_MAX_SHOWN && render->mirrors == NULL; i++) {
+		const ts_picture *picture = ts_render_shown(render, i);
+		if (picture != NULL && picture->reflective != NULL) render->mirrors = picture;
+	}
+}
+
+ts_status ts_render_run(ts_render *render)
+{
+	ts_status status = TS_OK;
+	for (u32 i = 0; i < render->n_methods && status == TS_OK; i++) {
+		if (render->pictures[i].srgb == NULL) status = run_method(render, i);
+	}
+	if (status == TS_OK) status = ts_render_truths_rest(render);
+	find_mirrors(render);
+	return status;
+}
+
+ts_status ts_render_open(ts_render *render)
+{
+	const ts_job *job = render->job;
+	ts_status status = TS_OK;
+	if (render->scene == NULL) status = ts_scene_open(&render->scene, job->scenes, &job->params, &job->scene);
+	if (status != TS_OK) return status;
+	return ts_measure_estimate(&render->estimate, render->methods, render->n_methods, job->truths, render->scene,
+	                           &job->params);
+}
+
+void ts_render_clear(ts_render *render)
+{
+	for (u32 i = 0; i < TS_MAX_METHODS; i++) {
+		ts_picture_free(&render->pictures[i]);
+		ts_stage_pictures_free(&render->stages[i]);
+	}
+	for (u32 t = 0; t < TS_MAX_TRUTHS; t++) ts_picture_free(&render->truths[t]);
+	render->mirrors = NULL;
+	render->n_pairs = 0;
+}
+
+static void release(ts_render *render)
+{
+	ts_render_clear(render);
+	for (u32 i = 0; i < TS_MAX_METHODS; i++) free(render->histories[i].n);
+	ts_scene_free(render->scene);
+	free(render);
+}
+
+ts_status ts_render_with(const ts_job *job, ts_status (*with)(ts_render *render, void *user), void *user)
+{
+	ts_render *render = ts_alloc_zero(1, sizeof *render, "a render");
+	if (render == NULL) return TS_ERROR;
+	render->job = job;
+	render->effect = job->effect;
+	render->folder = "";
+	ts_status status = ts_methods_find(render->methods, &render->n_methods, render->effect, job->method);
+	if (status == TS_OK) status = with(render, user);
+	release(render);
+	return status;
+}

@@ -1,0 +1,355 @@
+/* Several renders in one process, which keeps its memory: frames one after the other, or the combinations of a sweep, each
+ * with pictures in a folder of its own. */
+#include "series.h"
+#include <stdlib.h>
+#include "../scene/sources.h"
+#include "../study/folder.h"
+#include "../study/reads.h"
+#include "../study/video.h"
+
+enum { CONTACT_COLUMNS = 10 };
+
+static u32 count_frames(const ts_job *job)
+{
+	const ts_frames *f = &job->frames;
+	return f->step > 0 ? (f->last - f->first) / f->step + 1 : 1;
+}
+
+static u32 count_all(const ts_job *job) { return ts_sweep_count(&job->sweep) * count_frames(job); }
+
+/* "cube.px=64,lookup.bounces=2", and behind it the frame. */
+static void name_folder(ts_series *series)
+{
+	const ts_job *job = series->job;
+	size_t n = 0;
+	series->name[0] = 0;
+	for (u32 k = 0; k < job->sweep.n; k++) {
+		n += (size_t)snprintf(series->name + n, sizeof series->name - n, "%s%s=%s", k > 0 ? "," : "",
+		                      job->sweep.swept[k].name, series->values[k]);
+	}
+	if (job->frames.step == 0) {
+		snprintf(series->folder, sizeof series->folder, "%s/", series->name);
+	} else {
+		snprintf(series->folder, sizeof series->folder, "%s%sframe-%06u/", series->name, n > 0 ? "," : "",
+		         (unsigned)TS_PARAM(&job->params, frame));
+	}
+	series->render->folder = series->folder;
+}
+
+/* The mirrors' pixels that were mirrors' in the frame before, and then those of this one. */
+static ts_status mark_still(ts_series *series)
+{
+	const ts_picture *mirrors = series->render->mirrors;
+	size_t n = (size_t)TS_PARAM(&series->job->params, width) * TS_PARAM(&series->job->params, height);
+	series->render->mirrors_still = NULL;
+	if (mirrors == NULL || series->job->frames.step == 0) return TS_OK;
+	bool known = series->mirrors_before != NULL;
+	if (!known) {
+		series->mirrors_before = ts_alloc(n, 1, "the reflective pixels");
+		series->mirrors_still = ts_alloc(n, 1, "the reflective pixels");
+	}
+	if (series->mirrors_before == NULL || series->mirrors_still == NULL) return TS_ERROR;
+	for (size_t i = 0; i < n; i++) {
+		series->mirrors_still[i] = known && mirrors->reflective[i] != 0 && series->mirrors_before[i] != 0;
+		series->mirrors_before[i] = mirrors->reflective[i];
+	}
+	if (known) series->render->mirrors_still = series->mirrors_still;
+	return TS_OK;
+}
+
+static ts_picture *picture_at(ts_render *render, u32 shown)
+{
+	return shown < TS_MAX_METHODS ? &render->pictures[shown] : &render->truths[shown - TS_MAX_METHODS];
+}
+
+static void lend_before(ts_series *series)
+{
+	for (u32 i = 0; i < TS_MAX_SHOWN; i++) picture_at(series->render, i)->before = series->before[i];
+}
+
+static ts_status keep_before(ts_series *series)
+{
+	const ts_params *params = &series->job->params;
+	size_t bytes = (size_t)TS_PARAM(params, width) * TS_PARAM(params, height) * 3;
+	for (u32 i = 0; i < TS_MAX_SHOWN && series->job->frames.step > 0; i++) {
+		const ts_picture *picture = ts_render_shown(series->render, i);
+		if (picture == NULL) continue;
+		if (series->before[i] == NULL) series->before[i] = ts_alloc(bytes, 1, "the frame before");
+		if (series->before[i] == NULL) return TS_ERROR;
+		memcpy(series->before[i], picture->srgb, bytes);
+	}
+	return TS_OK;
+}
+
+/* No frame came before: of a new combination. */
+static void forget_before(ts_series *series)
+{
+	for (u32 i = 0; i < TS_MAX_SHOWN; i++) {
+		free(series->before[i]);
+		free(series->rows[i]);
+		series->before[i] = NULL;
+		series->rows[i] = NULL;
+	}
+	free(series->mirrors_before);
+	free(series->mirrors_still);
+	series->mirrors_before = series->mirrors_still = NULL;
+	for (u32 i = 0; i < TS_MAX_METHODS; i++) {
+		free(series->render->histories[i].n);
+		series->render->histories[i] = (ts_history){.n = NULL};
+	}
+}
+
+/* What the scene is made by changes from the combination before to this one. */
+static bool is_other_scene(const ts_series *series, const ts_params *before)
+{
+	const ts_job *job = series->job;
+	bool other = false;
+	size_t n;
+	const ts_param_info *table = ts_param_table(&n);
+	for (size_t row = 0; row < n && !other; row++) {
+		char was[64], is[64];
+		ts_params_format(before, row, was, sizeof was);
+		ts_params_format(&job->params, row, is, sizeof is);
+		other = strcmp(was, is) != 0 && ts_reads("scene", ts_builtin_is(job->scenes) ? "built-in" : "file", table[row].name);
+	}
+	return other;
+}
+
+static void put_contact(ts_series *series)
+{
+	u32 all = count_all(series->job), columns = all < CONTACT_COLUMNS ? all : CONTACT_COLUMNS;
+	const ts_params *params = &series->job->params;
+	for (u32 c = 0; c < columns; c++) {
+		u32 meant = columns > 1 ? (u32)((u64)c * (all - 1) / (columns - 1)) : 0;
+		for (u32 i = 0, row = 0; meant == series->n_done && i < TS_MAX_SHOWN; i++) {
+			const ts_picture *picture = ts_render_shown(series->render, i);
+			if (picture == NULL) continue;
+			ts_contact_put(&series->contact, c, row++, picture->srgb, TS_PARAM(params, width), TS_PARAM(params, height));
+		}
+	}
+}
+
+static ts_status show_contact(ts_series *series)
+{
+	u32 all = count_all(series->job), rows = 0;
+	const ts_params *params = &series->job->params;
+	for (u32 i = 0; i < TS_MAX_SHOWN; i++) rows += ts_render_shown(series->render, i) != NULL;
+	if (series->contact.rgb == NULL &&
+	    ts_contact_begin(&series->contact, all < CONTACT_COLUMNS ? all : CONTACT_COLUMNS, rows, TS_PARAM(params, width),
+	                     TS_PARAM(params, height)) != TS_OK)
+		return TS_ERROR;
+	put_contact(series);
+	return TS_OK;
+}
+
+static void note_time(ts_series *series)
+{
+	json_t *times = json_object(), *each = json_object();
+	for (u32 i = 0; i < TS_MAX_SHOWN; i++) {
+		const ts_picture *picture = ts_render_shown(series->render, i);
+		if (picture != NULL) json_object_set_new(each, picture->name, json_real(1e3 * picture->seconds));
+	}
+	json_object_set_new(times, "folder", json_string(series->folder));
+	json_object_set_new(times, "resident_bytes", json_integer((json_int_t)ts_memory_resident()));
+	json_object_set_new(times, "milliseconds", each);
+	series->report.failed |= json_array_append_new(series->times, times) != 0;
+}
+
+static ts_status tell(ts_series *series)
+{
+	const ts_job *job = series->job;
+	ts_status status = ts_series_add(series);
+	if (status == TS_OK) status = ts_series_csv(series, job->sweep.n > 0 && !job->output.json);
+	if (status == TS_OK) status = ts_series_plot_frame(series);
+	note_time(series);
+	if (status != TS_OK || job->output.no_images) return status;
+	status = show_contact(series);
+	return status == TS_OK ? ts_render_write(series->render) : status;
+}
+
+/* A render of the job's parameters as they are. */
+static ts_status make(ts_series *series)
+{
+	ts_render *render = series->render;
+	name_folder(series);
+	ts_keep_give(series);
+	ts_status status = ts_render_run(render);
+	if (status == TS_OK) status = mark_still(series);
+	if (status != TS_OK) return status;
+	lend_before(series);
+	ts_render_compare(render);
+	status = tell(series);
+	if (status == TS_OK) status = keep_before(series);
+	series->n_done++;
+	ts_progress("renders", series->n_done, count_all(series->job));
+	return status;
+}
+
+static ts_status make_frames(ts_series *series)
+{
+	ts_job *job = series->job;
+	u32 n = count_frames(job);
+	ts_status status = TS_OK;
+	for (u32 k = 0; k < n && status == TS_OK; k++) {
+		if (job->frames.step > 0) TS_PARAM_SET(&job->params, frame, job->frames.first + k * job->frames.step);
+		status = make(series);
+		bool last = series->n_done == count_all(job);
+		if (status == TS_OK && !last && job->sweep.n > 0) status = ts_keep_take(series);
+		if (!last) ts_render_clear(series->render);
+	}
+	return status;
+}
+
+static ts_status make_combination(ts_series *series)
+{
+	ts_job *job = series->job;
+	ts_params before = job->params;
+	ts_status status = ts_sweep_set(&job->sweep, series->combination, &job->params, series->values);
+	if (job->frames.step > 0) TS_PARAM_SET(&job->params, frame, job->frames.first);
+	if (status == TS_OK && series->combination > 0 && is_other_scene(series, &before)) {
+		ts_scene_free(series->render->scene);
+		series->render->scene = NULL;
+	}
+	if (status == TS_OK) status = ts_render_open(series->render);
+	if (status != TS_OK) return status;
+	if (series->combination == 0) {
+		ts_render_report_head(series->render, &series->report);
+		ts_render_truths_missing(series->render, &series->report);
+		status = job->sweep.n == 0 ? ts_report_print(&series->report) : TS_OK;
+	}
+	forget_before(series);
+	if (status == TS_OK) status = make_frames(series);
+	return status == TS_OK ? ts_series_plot_combination(series) : status;
+}
+
+static void say_once(const char *why)
+{
+	static char said[256];
+	if (why[0] != 0 && strcmp(why, said) != 0) ts_say("%s", why);
+	snprintf(said, sizeof said, "%s", why);
+}
+
+/* Of each combination, and of each of its pictures. */
+static ts_status write_videos(ts_series *series)
+{
+	ts_job *job = series->job;
+	ts_status status = TS_OK;
+	for (u32 c = 0; c < ts_sweep_count(&job->sweep) && count_frames(job) > 1; c++) {
+		series->combination = c;
+		status = ts_sweep_set(&job->sweep, c, &job->params, series->values);
+		name_folder(series);
+		for (u32 i = 0; i < TS_MAX_SHOWN && status == TS_OK; i++) {
+			char name[TS_SERIES_NAME + 48], pattern[TS_SERIES_NAME + 48], why[256];
+			if (series->rows[i] == NULL) continue;
+			const char *comma = job->sweep.n > 0 ? "," : "";
+			snprintf(name, sizeof name, "%s%s%s.mp4", series->name, comma, series->rows[i]->image);
+			snprintf(pattern, sizeof pattern, "%s%sframe-*/%s.png", series->name, comma, series->rows[i]->image);
+			status = ts_video_write(why, sizeof why, name, pattern);
+			say_once(why);
+		}
+	}
+	return status;
+}
+
+static ts_status write_csv(ts_series *series)
+{
+	const char *path = ts_folder_file(series->job->frames.step > 0 ? "sequence.csv" : "sweep.csv");
+	if (path == NULL) return TS_ERROR;
+	return ts_file_text_write(&series->csv, path);
+}
+
+static void row(ts_table *table, const char *name, const char *shows)
+{
+	ts_table_text(table, name);
+	ts_table_text(table, shows);
+}
+
+/* What stands in every folder, and beside them. */
+static void report_pictures(ts_series *series)
+{
+	static const ts_column columns[] = {{"name", "picture", false}, {"shows", "shows", false}, {0}};
+	char rows[512];
+	size_t n = 0;
+	bool sequence = series->job->frames.step > 0;
+	ts_table table = ts_table_begin("pictures", "Pictures, in a folder of each render", columns);
+	ts_render_report_pictures(series->render, &table);
+	n += (size_t)snprintf(rows, sizeof rows, "renders from left to right; from above ");
+	for (u32 i = 0; i < TS_MAX_SHOWN && n < sizeof rows; i++) {
+		if (series->rows[i] != NULL) n += (size_t)snprintf(rows + n, sizeof rows - n, "%s ", series->rows[i]->image);
+	}
+	row(&table, "../contact-sheet.png", rows);
+	row(&table, "../rmse-*.svg", "errors against the first truth");
+	if (sequence) row(&table, "../flicker-frame.svg", "change beyond that of the truth");
+	if (sequence) row(&table, "../*.mp4", "the frames, " TS_VIDEO_RATE " a second, where ffmpeg is installed");
+	row(&table, sequence ? "../sequence.csv" : "../sweep.csv", "figures of each render");
+	ts_report_table(&series->report, &table);
+}
+
+static ts_status finish(ts_series *series)
+{
+	ts_job *job = series->job;
+	ts_series_report(series);
+	ts_report_timed(&series->report, "renders", json_incref(series->times));
+	if (job->output.no_images) return ts_report_check(&series->report);
+	report_pictures(series);
+	ts_status status = ts_contact_write(&series->contact, "contact-sheet.png");
+	if (status == TS_OK) status = ts_series_plots_write(series);
+	if (status == TS_OK) status = write_videos(series);
+	if (status == TS_OK) status = write_csv(series);
+	if (status != TS_OK) return status;
+	ts_report_line(&series->report, "%s", "");
+	ts_report_line(&series->report, "The files are in %s", ts_render_output(job));
+	return ts_results_report(&series->report);
+}
+
+static ts_status make_all(ts_series *series)
+{
+	ts_status status = TS_OK;
+	u32 n = ts_sweep_count(&series->job->sweep);
+	for (u32 c = 0; c < n && status == TS_OK; c++) {
+		series->combination = c;
+		status = make_combination(series);
+	}
+	return status == TS_OK ? finish(series) : status;
+}
+
+static void release(ts_series *series)
+{
+	forget_before(series);
+	if (series->csv.out != NULL) ts_file_text_drop(&series->csv);
+	json_decref(series->times);
+	ts_contact_free(&series->contact);
+	ts_keep_free(&series->keep);
+	free(series->data);
+	free(series);
+}
+
+static ts_status work(ts_render *render, void *user)
+{
+	ts_job *job = user;
+	bool files = !job->output.no_images, quiet = job->sweep.n > 0;
+	ts_series *series = ts_alloc_zero(1, sizeof *series, "a series of renders");
+	if (series == NULL) return TS_ERROR;
+	series->job = job;
+	series->render = render;
+	series->times = json_array();
+	ts_report_begin(&series->report, job->output.json || quiet);
+	ts_status status = ts_file_text_begin(&series->csv, "the figures");
+	if (status == TS_OK && files) status = ts_results_begin(ts_render_output(job), job->output.force);
+	if (status == TS_OK) status = make_all(series);
+	if (status == TS_OK && files) status = ts_folder_commit();
+	if (status == TS_OK && (job->output.json || !quiet)) {
+		status = ts_report_end(&series->report);
+	} else {
+		ts_report_discard(&series->report);
+	}
+	if (status != TS_OK) ts_folder_discard();
+	release(series);
+	return status;
+}
+
+ts_status ts_render_series(ts_job *job)
+{
+	if (ts_render_traces(job)) return ts_fail("--trace: of one frame and no sweep; name the frame by --frame");
+	return ts_render_with(job, work, job);
+}

@@ -1,0 +1,83 @@
+/* Figures of pictures: what is told of each frame, and of each combination of a sweep. */
+#include <math.h>
+#include "series.h"
+
+static const char *const counters[] = {"points",
+                                       "shading operations",
+                                       "look-ups",
+                                       "empty look-ups",
+                                       "cube texels",
+                                       "geometry traversals",
+                                       "triangles processed",
+                                       "pieces culled",
+                                       "point-view scatters",
+                                       "texel writes",
+                                       "shadows asked of rays",
+                                       "lit but by rays",
+                                       "dark but by rays",
+                                       "texels covered by rays",
+                                       "holes",
+                                       "leaks",
+                                       "wrong depths",
+                                       NULL};
+
+/* "shading operations", "" to "shading_operations"; "rmse", "truth-b" to "rmse_truth-b". */
+static void put(ts_figures *figures, const char *name, const char *against, double value, int decimals)
+{
+	ts_figure *figure = &figures->figure[figures->n];
+	if (figures->n == TS_MAX_FIGURES) return;
+	figures->n++;
+	figure->value = value;
+	figure->decimals = decimals;
+	snprintf(figure->name, sizeof figure->name, "%s%s%s", name, against[0] != 0 ? "_" : "", against);
+	for (char *at = figure->name; *at != 0; at++) *at = *at == ' ' ? '_' : *at;
+}
+
+/* Those that a method does not count are 0; truths count nothing. */
+static void put_counters(ts_figures *figures, const ts_render *render, u32 shown)
+{
+	for (u32 i = 0; counters[i] != NULL; i++) {
+		const ts_counter *counter = NULL;
+		if (shown < TS_MAX_METHODS) counter = ts_measure_counter(&render->measures[shown], counters[i]);
+		double none = shown < TS_MAX_METHODS ? 0 : NAN;
+		put(figures, counters[i], "", counter != NULL ? (double)counter->value : none, 0);
+	}
+}
+
+static const ts_pair *find_pair(const ts_render *render, const ts_picture *reference, const ts_picture *image)
+{
+	for (u32 i = 0; i < render->n_pairs; i++) {
+		if (render->pairs[i].reference == reference && render->pairs[i].image == image) return &render->pairs[i];
+	}
+	return NULL;
+}
+
+static void put_errors(ts_figures *figures, const ts_render *render, const ts_picture *truth, const ts_picture *image)
+{
+	const ts_pair *pair = find_pair(render, truth, image);
+	bool mirrors = render->mirrors != NULL, sequence = render->job->frames.step > 0;
+	put(figures, "rmse", truth->name, pair != NULL ? pair->all.rmse : NAN, 6);
+	if (mirrors) put(figures, "reflective_rmse", truth->name, pair != NULL ? pair->reflective.rmse : NAN, 6);
+	put(figures, "ssim", truth->name, pair != NULL ? pair->all.ssim : NAN, 6);
+	if (mirrors) put(figures, "reflective_ssim", truth->name, pair != NULL ? pair->reflective.ssim : NAN, 6);
+	if (sequence) put(figures, "flicker", truth->name, pair != NULL ? pair->flicker : NAN, 6);
+	if (sequence && mirrors)
+		put(figures, "reflective_flicker", truth->name, pair != NULL ? pair->reflective_flicker : NAN, 6);
+}
+
+void ts_series_figures(ts_figures *figures, const ts_render *render, u32 shown)
+{
+	const ts_picture *image = ts_render_shown(render, shown);
+	figures->n = 0;
+	if (render->mirrors != NULL) put(figures, "reflective pixels", "", (double)render->mirrors->n_reflective, 0);
+	put_counters(figures, render, shown);
+	for (u32 t = 0; t < TS_MAX_TRUTHS; t++) {
+		if (render->truths[t].srgb != NULL) put_errors(figures, render, &render->truths[t], image);
+	}
+	if (render->job->frames.step == 0) return;
+	put(figures, "change", "", ts_picture_change(image, NULL, &render->job->params), 6);
+	if (render->mirrors == NULL) return;
+	bool known = render->mirrors_still != NULL;
+	double change = known ? ts_picture_change(image, render->mirrors_still, &render->job->params) : NAN;
+	put(figures, "reflective change", "", change, 6);
+}
