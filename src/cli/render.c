@@ -28,7 +28,7 @@ static ts_status work(ts_render *render, ts_report *report)
 	ts_render_report_head(render, report);
 	ts_render_truths_missing(render, report);
 	status = ts_report_print(report);
-	if (status == TS_OK) status = ts_render_run(render);
+	if (status == TS_OK) status = ts_render_make(render);
 	if (status != TS_OK) return status;
 	ts_render_compare(render);
 	ts_render_report_body(render, report);

@@ -14,7 +14,7 @@ enum { TS_MAX_PAIRS = 256, TS_MAX_SHOWN = TS_MAX_METHODS + TS_MAX_TRUTHS };
 /* Two pictures that were compared. */
 typedef struct {
 	const ts_picture *reference, *image;
-	ts_metrics all, reflective; /* over the image and, if there is a mask, over its reflective pixels */
+	ts_metrics all, reflective;         /* over the image and, if there is a mask, over its reflective pixels */
 	double flicker, reflective_flicker; /* over the same, but mirrors in both frames; NaN: no frame was before */
 	ts_light_metrics light;             /* over all pixels but the sky's */
 	bool parted;                        /* there are triangles of light: these are set */
@@ -43,7 +43,7 @@ typedef struct {
 } ts_render;
 
 /* Runs the methods that have no picture yet, and makes the truths that are missing. */
-ts_status ts_render_run(ts_render *render);
+ts_status ts_render_make(ts_render *render);
 /* Compares all that have pictures. */
 void ts_render_compare(ts_render *render);
 /* Releases the pictures; the scene and the histories stay. */

@@ -127,7 +127,7 @@ static void find_mirrors(ts_render *render)
 	}
 }
 
-ts_status ts_render_run(ts_render *render)
+ts_status ts_render_make(ts_render *render)
 {
 	ts_status status = TS_OK;
 	for (u32 i = 0; i < render->n_methods && status == TS_OK; i++) {

@@ -1,6 +1,7 @@
-/* Several renders in one process, which keeps its memory: frames one after the other, or the combinations of a sweep, each
- * with pictures in a folder of its own. */
+/* Several renders in one process, which keeps its memory: frames one after the other, or the combinations of a sweep,
+ * each with pictures in a folder of its own. */
 #include "series.h"
+#include <math.h>
 #include <stdlib.h>
 #include "../scene/sources.h"
 #include "../study/folder.h"
@@ -110,7 +111,8 @@ static bool is_other_scene(const ts_series *series, const ts_params *before)
 		char was[64], is[64];
 		ts_params_format(before, row, was, sizeof was);
 		ts_params_format(&job->params, row, is, sizeof is);
-		other = strcmp(was, is) != 0 && ts_reads("scene", ts_builtin_is(job->scenes) ? "built-in" : "file", table[row].name);
+		other = strcmp(was, is) != 0 &&
+		        ts_reads("scene", ts_builtin_is(job->scenes) ? "built-in" : "file", table[row].name);
 	}
 	return other;
 }
@@ -124,7 +126,8 @@ static void put_contact(ts_series *series)
 		for (u32 i = 0, row = 0; meant == series->n_done && i < TS_MAX_SHOWN; i++) {
 			const ts_picture *picture = ts_render_shown(series->render, i);
 			if (picture == NULL) continue;
-			ts_contact_put(&series->contact, c, row++, picture->srgb, TS_PARAM(params, width), TS_PARAM(params, height));
+			ts_contact_put(&series->contact, c, row++, picture->srgb, TS_PARAM(params, width),
+			               TS_PARAM(params, height));
 		}
 	}
 }
@@ -144,15 +147,34 @@ static ts_status show_contact(ts_series *series)
 
 static void note_time(ts_series *series)
 {
-	json_t *times = json_object(), *each = json_object();
+	ts_series_time *time = &series->times[series->n_done];
+	time->combination = series->combination;
+	time->frame = TS_PARAM(&series->job->params, frame);
+	time->resident_bytes = ts_memory_resident();
 	for (u32 i = 0; i < TS_MAX_SHOWN; i++) {
 		const ts_picture *picture = ts_render_shown(series->render, i);
-		if (picture != NULL) json_object_set_new(each, picture->name, json_real(1e3 * picture->seconds));
+		time->milliseconds[i] = picture != NULL ? 1e3 * picture->seconds : NAN;
 	}
-	json_object_set_new(times, "folder", json_string(series->folder));
-	json_object_set_new(times, "resident_bytes", json_integer((json_int_t)ts_memory_resident()));
-	json_object_set_new(times, "milliseconds", each);
-	series->report.failed |= json_array_append_new(series->times, times) != 0;
+}
+
+/* A new reference; NULL without memory. */
+static json_t *times_json(const ts_series *series)
+{
+	json_t *times = json_array();
+	for (u32 k = 0; k < series->n_done; k++) {
+		const ts_series_time *time = &series->times[k];
+		json_t *each = json_object(), *row = json_object();
+		for (u32 i = 0; i < TS_MAX_SHOWN; i++) {
+			if (!isnan(time->milliseconds[i]))
+				json_object_set_new(each, series->rows[i]->image, json_real(time->milliseconds[i]));
+		}
+		json_object_set_new(row, "combination", json_integer(time->combination));
+		json_object_set_new(row, "frame", json_integer(time->frame));
+		json_object_set_new(row, "resident_bytes", json_integer((json_int_t)time->resident_bytes));
+		json_object_set_new(row, "milliseconds", each);
+		json_array_append_new(times, row);
+	}
+	return times;
 }
 
 static ts_status tell(ts_series *series)
@@ -173,7 +195,7 @@ static ts_status make(ts_series *series)
 	ts_render *render = series->render;
 	name_folder(series);
 	ts_keep_give(series);
-	ts_status status = ts_render_run(render);
+	ts_status status = ts_render_make(render);
 	if (status == TS_OK) status = mark_still(series);
 	if (status != TS_OK) return status;
 	lend_before(series);
@@ -289,7 +311,7 @@ static ts_status finish(ts_series *series)
 {
 	ts_job *job = series->job;
 	ts_series_report(series);
-	ts_report_timed(&series->report, "renders", json_incref(series->times));
+	ts_report_timed(&series->report, "renders", times_json(series));
 	if (job->output.no_images) return ts_report_check(&series->report);
 	report_pictures(series);
 	ts_status status = ts_contact_write(&series->contact, "contact-sheet.png");
@@ -317,7 +339,7 @@ static void release(ts_series *series)
 {
 	forget_before(series);
 	if (series->csv.out != NULL) ts_file_text_drop(&series->csv);
-	json_decref(series->times);
+	free(series->times);
 	ts_contact_free(&series->contact);
 	ts_keep_free(&series->keep);
 	free(series->data);
@@ -332,11 +354,11 @@ static ts_status work(ts_render *render, void *user)
 	if (series == NULL) return TS_ERROR;
 	series->job = job;
 	series->render = render;
-	series->times = json_array();
+	series->times = ts_alloc(count_all(job), sizeof *series->times, "times of a series");
 	ts_report_begin(&series->report, job->output.json || quiet);
 	ts_status status = ts_file_text_begin(&series->csv, "the figures");
 	if (status == TS_OK && files) status = ts_results_begin(ts_render_output(job), job->output.force);
-	if (status == TS_OK) status = make_all(series);
+	if (status == TS_OK) status = series->times != NULL ? make_all(series) : TS_ERROR;
 	if (status == TS_OK && files) status = ts_folder_commit();
 	if (status == TS_OK && (job->output.json || !quiet)) {
 		status = ts_report_end(&series->report);

@@ -48,11 +48,17 @@ typedef struct {
 } ts_datum;
 
 typedef struct {
+	u32 combination, frame;
+	u64 resident_bytes;
+	double milliseconds[TS_MAX_SHOWN]; /* NaN: not shown */
+} ts_series_time;
+
+typedef struct {
 	ts_job *job; /* its parameters are those of the render that is made */
 	ts_render *render;
 	ts_report report;
 	ts_file_text csv;
-	json_t *times;
+	ts_series_time *times; /* of each render */
 	ts_contact contact;
 	ts_keep keep;
 	ts_series_row *rows[TS_MAX_SHOWN]; /* over the frames of a combination; NULL: not made yet */
@@ -61,8 +67,8 @@ typedef struct {
 	char values[TS_MAX_SWEEPS][TS_SWEEP_TEXT]; /* of the combination */
 	char name[TS_SERIES_NAME];                 /* of the combination, "" or "cube.px=64"; and of a folder of it */
 	char folder[TS_SERIES_NAME + 24];
-	u32 combination, n_done;                   /* its place among all; renders before this one */
-	ts_datum *data;                            /* of the plots */
+	u32 combination, n_done; /* its place among all; renders before this one */
+	ts_datum *data;          /* of the plots */
 	size_t n_data, data_capacity;
 } ts_series;
 

@@ -7,7 +7,7 @@
 struct ts_kept {
 	ts_kept *next;
 	u32 shown, combination, frame; /* of which it is a picture; parameters that it does not depend on at their first */
-	ts_measure measure; /* of a method, as stages */
+	ts_measure measure;            /* of a method, as stages */
 	ts_stage_pictures stages;
 	ts_picture picture; /* without pixels while a render has it */
 };
@@ -15,8 +15,7 @@ struct ts_kept {
 static bool truth_reads(const ts_render *render, const ts_truth_kind *kind, const char *param)
 {
 	const ts_pipeline *method = kind->needs != NULL ? ts_render_truth_method(render, kind) : NULL;
-	return ts_reads("truth", kind->name, param) ||
-	       (kind->image != NULL && ts_reads("stage", kind->image, param)) ||
+	return ts_reads("truth", kind->name, param) || (kind->image != NULL && ts_reads("stage", kind->image, param)) ||
 	       (method != NULL && ts_reads_making(method, kind->needs, param));
 }
 
@@ -74,8 +73,8 @@ static void move(ts_render *render, ts_kept *kept, bool give)
 void ts_keep_give(ts_series *series)
 {
 	for (u32 i = 0; i < TS_MAX_SHOWN; i++) {
-		bool meant = i < TS_MAX_METHODS ? i < series->render->n_methods
-		                                : (series->job->truths >> (i - TS_MAX_METHODS) & 1) != 0;
+		bool meant =
+			i < TS_MAX_METHODS ? i < series->render->n_methods : (series->job->truths >> (i - TS_MAX_METHODS) & 1) != 0;
 		ts_kept *kept = meant ? find(series, i) : NULL;
 		if (kept != NULL) move(series->render, kept, true);
 	}

@@ -33,7 +33,8 @@ static ts_status add_all(ts_series *series, u32 along, double x)
 		for (u32 i = 0; i < TS_MAX_SHOWN && status == TS_OK; i++) {
 			const ts_series_row *row = series->rows[i];
 			u32 k = 0, n = row != NULL ? row->figures.n : 0;
-			while (k < n && strncmp(row->figures.figure[k].name, plotted[p].begins, strlen(plotted[p].begins)) != 0) k++;
+			while (k < n && strncmp(row->figures.figure[k].name, plotted[p].begins, strlen(plotted[p].begins)) != 0)
+				k++;
 			if (k == n) continue;
 			double mean = row->spread[k].n > 0 ? row->spread[k].sum / row->spread[k].n : NAN;
 			double y = along == 0 ? row->figures.figure[k].value : mean;
@@ -72,7 +73,8 @@ static u32 collect(const ts_series *series, ts_plot *plot, ts_plot_point *points
 		for (size_t d = 0; d < series->n_data; d++) {
 			const ts_datum *datum = &series->data[d];
 			if (datum->along != along || datum->figure != figure || datum->shown != i) continue;
-			points[plot->n_points++] = (ts_plot_point){plot->n_curves, along == 0 ? NULL : "", datum->x, datum->y, false};
+			points[plot->n_points++] =
+				(ts_plot_point){plot->n_curves, along == 0 ? NULL : "", datum->x, datum->y, false};
 		}
 		if (plot->n_points == n) continue;
 		plot->curves[plot->n_curves++] = series->rows[i]->image;

@@ -37,7 +37,10 @@ ts_status ts_series_add(ts_series *series)
 
 #define SPREAD \
 	{"mean", "mean", true}, {"least", "least", true}, {"least_at", "at frame", true}, {"most", "greatest", true}, \
-	{"most_at", "at frame", true}, {0}
+		{"most_at", "at frame", true}, \
+	{ \
+		0 \
+	}
 
 static void spread_cells(ts_table *table, const ts_spread *spread, int decimals)
 {

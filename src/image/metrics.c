@@ -1,6 +1,7 @@
 /* How far apart two images are (METHODS 17): RMSE and PSNR over 8-bit values, SSIM of Wang et al. 2004 ("Image quality
  * assessment: from error visibility to structural similarity") with its 11 by 11 Gaussian of sigma 1.5 over luma; and
- * of light the RMSE by the mean, and crumbs along edges; of frames their flicker. Sums run left to right, top to bottom. */
+ * of light the RMSE by the mean, and crumbs along edges; of frames their flicker. Sums run left to right, top to
+ * bottom. */
 #include <math.h>
 #include <stdbool.h>
 #include <stdlib.h>

@@ -17,6 +17,14 @@
 
 enum { MAX_DIR = TS_FOLDER_PATH - 300, NOTE_BYTES = 32 };
 
+/* Thousands of paths stay while large buffers come and go: each in memory of its own would leave holes between those. */
+struct room {
+	struct room *next;
+	size_t used, bytes;
+	char text[];
+};
+enum { ROOM_BYTES = 1 << 16 };
+
 static struct {
 	char dir[TS_FOLDER_PATH], partial[TS_FOLDER_PATH], old[TS_FOLDER_PATH], lock_path[TS_FOLDER_PATH];
 	ts_place place; /* of these */
@@ -25,6 +33,7 @@ static struct {
 	uint32_t n_parents; /* folders above DIR that were made for it */
 	char **paths;       /* of its files */
 	size_t n_paths, capacity;
+	struct room *rooms; /* that the paths stand in */
 } folder = {.lock = {.descriptor = -1}};
 
 /* What the lock says behind the process's number. A lock that is empty comes before DIR.partial is made; DIR.old is
@@ -151,7 +160,11 @@ static ts_status make_partial(void)
 /* `clean`: nothing is left beside DIR that the lock should tell of. */
 static void release(bool clean)
 {
-	for (size_t i = 0; i < folder.n_paths; i++) free(folder.paths[i]);
+	for (struct room *room = folder.rooms, *next; room != NULL; room = next) {
+		next = room->next;
+		free(room);
+	}
+	folder.rooms = NULL;
 	free(folder.paths);
 	folder.paths = NULL;
 	folder.n_paths = folder.capacity = 0;
@@ -195,6 +208,21 @@ static ts_status make_sub(const char *name)
 	return mkdir(path, 0777) == 0 || errno == EEXIST ? TS_OK : ts_fail("%s: %s", path, strerror(errno));
 }
 
+/* Memory for a path, until the folder is released. */
+static char *take_room(size_t bytes)
+{
+	if (folder.rooms == NULL || folder.rooms->bytes - folder.rooms->used < bytes) {
+		size_t whole = bytes > ROOM_BYTES ? bytes : ROOM_BYTES;
+		struct room *room = ts_alloc(sizeof *room + whole, 1, "paths of files");
+		if (room == NULL) return NULL;
+		*room = (struct room){.next = folder.rooms, .bytes = whole};
+		folder.rooms = room;
+	}
+	char *text = folder.rooms->text + folder.rooms->used;
+	folder.rooms->used += bytes;
+	return text;
+}
+
 const char *ts_folder_file(const char *name)
 {
 	void *paths = folder.paths;
@@ -203,7 +231,7 @@ const char *ts_folder_file(const char *name)
 	    ts_grow(&paths, &folder.capacity, folder.n_paths + 1, sizeof *folder.paths, "paths of files") != TS_OK)
 		return NULL;
 	folder.paths = paths;
-	char *path = ts_alloc(bytes, 1, "a path");
+	char *path = take_room(bytes);
 	if (path == NULL) return NULL;
 	snprintf(path, bytes, "%s/%s", folder.partial, name);
 	folder.paths[folder.n_paths++] = path;

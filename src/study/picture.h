@@ -14,8 +14,8 @@ typedef struct {
 	char name[24]; /* "epr", "truth-a", ... */
 	f32 *radiance;
 	u8 *srgb;
-	u8 *seen;               /* 1: the eye sees a surface, 0: the sky; NULL: not known */
-	u8 *reflective;         /* 1: of a mirror; NULL: no mirrors were looked for */
+	u8 *seen;       /* 1: the eye sees a surface, 0: the sky; NULL: not known */
+	u8 *reflective; /* 1: of a mirror; NULL: no mirrors were looked for */
 	u64 n_reflective;
 	const u8 *before;       /* srgb of the frame before, of a sequence; not owned; NULL: there is none */
 	u8 *near, *elsewhere;   /* 1: a surface near a triangle of light, or not (near_light.h); NULL: there are none */

@@ -1,5 +1,4 @@
-/* Videos by ffmpeg, in a process of its own that writes to memory: the folder of results gets whole videos only, written
- * as all files are. */
+/* Videos by ffmpeg, in a process of its own that writes to memory: the folder of results gets whole videos only. */
 #define _GNU_SOURCE
 #include "video.h"
 #include <errno.h>
@@ -16,15 +15,16 @@
 
 enum { OUT = 3, BLOCK = 1 << 16 };
 
-/* Sides are even, as the format wants them; one thread and no dates, so that two runs give the same bytes. errno, or 0
- * and how it ended. */
+/* Sides are even, as the format wants them; one thread and no dates, so that two runs give the same bytes. */
+#define PICTURES "-nostdin", "-v", "error", "-f", "image2", "-framerate", TS_VIDEO_RATE, "-pattern_type", "glob"
+#define SHAPE "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-c:v", "libx264", "-crf", "16", "-pix_fmt", "yuv420p"
+#define SAME "-threads", "1", "-fflags", "+bitexact", "-flags:v", "+bitexact", "-map_metadata", "-1"
+
+/* 0, or errno; then *ended is how it ended. */
 static int encode(int *ended, const char *pattern, int out, int complaints)
 {
-	char *const arguments[] = {
-		"ffmpeg", "-nostdin", "-v", "error", "-f", "image2", "-framerate", TS_VIDEO_RATE, "-pattern_type", "glob",
-		"-i", (char *)(uintptr_t)pattern, "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-c:v", "libx264", "-crf", "16",
-		"-pix_fmt", "yuv420p", "-threads", "1", "-fflags", "+bitexact", "-flags:v", "+bitexact", "-map_metadata", "-1",
-		"-f", "mp4", "-y", "/proc/self/fd/3", NULL};
+	char *from = (char *)(uintptr_t)pattern;
+	char *const arguments[] = {"ffmpeg", PICTURES, "-i", from, SHAPE, SAME, "-f", "mp4", "-y", "/proc/self/fd/3", NULL};
 	posix_spawn_file_actions_t actions;
 	pid_t child;
 	if (posix_spawn_file_actions_init(&actions) != 0) return ENOMEM;
@@ -44,11 +44,11 @@ static void explain(char *why, size_t why_bytes, int error, int complaints)
 	char line[200] = "";
 	ssize_t n = pread(complaints, line, sizeof line - 1, 0);
 	line[n > 0 ? strcspn(line, "\n") : 0] = 0;
+	const char *what = error != 0 ? strerror(error) : line;
 	if (error == ENOENT) {
 		snprintf(why, why_bytes, "no video: ffmpeg is not installed");
 	} else {
-		snprintf(why, why_bytes, "no video: ffmpeg failed%s%s", error != 0 ? ": " : line[0] != 0 ? ": " : "",
-		         error != 0 ? strerror(error) : line);
+		snprintf(why, why_bytes, "no video: ffmpeg failed%s%s", what[0] != 0 ? ": " : "", what);
 	}
 	ts_line_clean(why);
 }
@@ -71,7 +71,8 @@ static ts_status copy(const char *path, int from)
 	return TS_ERROR;
 }
 
-static ts_status write_video(char *why, size_t why_bytes, const char *name, const char *pattern, int out, int complaints)
+static ts_status write_video(char *why, size_t why_bytes, const char *name, const char *pattern, int out,
+                             int complaints)
 {
 	int ended = 0, error = encode(&ended, pattern, out, complaints);
 	bool made = error == 0 && WIFEXITED(ended) && WEXITSTATUS(ended) == 0 && lseek(out, 0, SEEK_END) > 0;

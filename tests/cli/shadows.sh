@@ -49,7 +49,7 @@ PY
 verdict $? 'cubes without culling have neither holes nor leaks'
 
 run render soft-shadows "${small[@]}" --method mvr --truth=samples --set depth_map.bias=1,8
-[ "$status" -eq 0 ] && [ "$(wc -l < stdout)" -eq 3 ] && head -1 stdout | grep -q 'wrong_depths,rmse_truth-samples$' &&
+[ "$status" -eq 0 ] && [ "$(wc -l < stdout)" -eq 3 ] && head -1 stdout | grep -q 'wrong_depths,rmse_truth-samples,ssim_truth-samples$' &&
 	! head -1 stdout | grep -q reflective
 verdict $? 'a sweep prints the truths of shadows'
 

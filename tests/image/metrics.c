@@ -241,6 +241,31 @@ static void test_crumbs(void **state)
 	assert_int_equal(ts_metrics_crumbs(marks, light, other, 5, 5), 1);
 }
 
+/* What the reference changes is no flicker, whichever way the image goes; what goes beyond is, and masks hold. */
+static void test_flicker(void **state)
+{
+	(void)state;
+	static uint8_t black[PIXELS * 3], later[PIXELS * 3], image_later[PIXELS * 3];
+	double squares = 0, judged = 0, n = 0, n_judged = 0;
+	set_up(NULL);
+	for (size_t i = 0; i < sizeof reference; i++) {
+		later[i] = (uint8_t)(next() & 255);
+		image_later[i] = (uint8_t)(next() & 255);
+		double beyond = fmax(0, fabs((double)image_later[i] - image[i]) - fabs((double)later[i] - reference[i]));
+		squares += beyond * beyond;
+		n++;
+		judged += mask[i / 3] ? beyond * beyond : 0;
+		n_judged += mask[i / 3] ? 1 : 0;
+	}
+	assert_close(ts_metrics_flicker(reference, later, image, image_later, NULL, WIDTH, HEIGHT), sqrt(squares / n));
+	assert_close(ts_metrics_flicker(reference, later, image, image_later, mask, WIDTH, HEIGHT), sqrt(judged / n_judged));
+	assert_close(ts_metrics_flicker(reference, later, reference, later, NULL, WIDTH, HEIGHT), 0);
+	assert_close(ts_metrics_flicker(reference, later, later, reference, NULL, WIDTH, HEIGHT), 0);
+	assert_close(ts_metrics_flicker(black, black, black, image, NULL, WIDTH, HEIGHT),
+	             ts_metrics_compare(black, image, NULL, WIDTH, HEIGHT).rmse);
+	assert_close(ts_metrics_flicker(reference, later, image, image_later, black, WIDTH, HEIGHT), 0);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -252,6 +277,7 @@ int main(void)
 		cmocka_unit_test(test_errors),
 		cmocka_unit_test(test_errors_masked),
 		cmocka_unit_test(test_crumbs),
+		cmocka_unit_test(test_flicker),
 	};
 	return cmocka_run_group_tests(tests, set_up, NULL);
 }

@@ -1,0 +1,116 @@
+/* Sizes of cubes over frames: what a sequence remembers, what the turn repeats, and replaying every frame agree. */
+#include "../small.h"
+#include <stdlib.h>
+#include "../../../src/kernels/points/cube_size.h"
+#include "../../../src/methods/stages.h"
+#include "../../../src/scene/view.h"
+
+enum { N_CUBES = 4 };
+
+static ts_params moving_params(void)
+{
+	ts_params params = small_params(96, 54);
+	params.reflectors_count = N_CUBES;
+	params.cube_hysteresis = 8;
+	return params;
+}
+
+/* The stage's sizes. */
+static void sizes_of(u32 sizes[N_CUBES], const ts_scene *scene, const ts_params *params, ts_history *history)
+{
+	ts_run run;
+	ts_run_begin(&run, scene, params, 1);
+	run.history = history;
+	if (ts_run_stage(&run, ts_stage_find("cube_size")) != TS_OK) fail_msg("%s", ts_error_message());
+	const ts_face *cubes = ts_frame_data(&run.frame, TS_B_cube_size_face);
+	assert_int_equal(ts_frame_n(&run.frame, TS_B_cube_size_face), N_CUBES);
+	for (u32 i = 0; i < N_CUBES; i++) sizes[i] = cubes[i].n;
+	ts_run_end(&run);
+}
+
+/* Every frame by the kernel, one after the other. */
+static void replay(u32 (*sizes)[N_CUBES], u32 n_frames, const ts_scene *scene, ts_params params)
+{
+	ts_face cubes[N_CUBES];
+	u32 objects[N_CUBES];
+	ts_view view;
+	memset(cubes, 0, sizeof cubes);
+	for (u32 i = 0; i < scene->n_objects; i++) {
+		if (scene->objects[i].reflector != TS_NONE) objects[scene->objects[i].reflector] = i;
+	}
+	ts_cube_size_args args = {.vertices = scene->vertices,
+	                          .objects = scene->objects,
+	                          .reflector_objects = objects,
+	                          .view = &view,
+	                          .cubes = cubes,
+	                          .n_max = ts_largest_face(&params),
+	                          .hysteresis = params.cube_hysteresis};
+	for (args.frame = 0; args.frame < n_frames; args.frame++) {
+		params.frame = args.frame;
+		ts_view_eye(&view, &scene->info, &params);
+		for (u32 i = 0; i < N_CUBES; i++) {
+			ts_k_cube_size_item(&args, i);
+			sizes[args.frame][i] = cubes[i].n;
+		}
+	}
+}
+
+static void test_frames(void **state)
+{
+	(void)state;
+	enum { N_FRAMES = 1100, STEP = 7 };
+	static u32 expected[N_FRAMES][N_CUBES];
+	ts_params params = moving_params();
+	ts_scene *scene = small_scene(&params);
+	ts_history history = {.n = NULL};
+	u32 sizes[N_CUBES], n_apart = 0;
+	replay(expected, N_FRAMES, scene, params);
+	for (u32 frame = 0; frame < N_FRAMES; frame += STEP) {
+		params.frame = frame;
+		sizes_of(sizes, scene, &params, &history);
+		assert_memory_equal(sizes, expected[frame], sizeof sizes);
+		params.cube_hysteresis = 0;
+		u32 bare[N_CUBES];
+		sizes_of(bare, scene, &params, NULL);
+		n_apart += memcmp(bare, sizes, sizeof bare) != 0;
+		params.cube_hysteresis = 8;
+	}
+	assert_true(n_apart > 10); /* sizes do depend on the frames before */
+	static const u32 alone[] = {0, 1, 239, 240, 241, 479, 480, 481, 719, 720, 1000, 1099};
+	for (u32 i = 0; i < sizeof alone / sizeof *alone; i++) {
+		params.frame = alone[i];
+		sizes_of(sizes, scene, &params, NULL);
+		assert_memory_equal(sizes, expected[alone[i]], sizeof sizes);
+	}
+	free(history.n);
+	ts_scene_free(scene);
+}
+
+/* A history of a later frame, or of other cubes, is none. */
+static void test_foreign_history(void **state)
+{
+	(void)state;
+	ts_params params = moving_params();
+	ts_scene *scene = small_scene(&params);
+	u32 sizes[N_CUBES], expected[N_CUBES];
+	params.frame = 30;
+	sizes_of(expected, scene, &params, NULL);
+	for (u32 k = 0; k < 2; k++) {
+		ts_history history = {.n = calloc(N_CUBES, sizeof(u32)), .frame = k == 0 ? 30 : 29, .n_cubes = N_CUBES - k};
+		sizes_of(sizes, scene, &params, &history);
+		assert_memory_equal(sizes, expected, sizeof sizes);
+		assert_int_equal(history.frame, 30);
+		assert_memory_equal(history.n, expected, sizeof sizes);
+		free(history.n);
+	}
+	ts_scene_free(scene);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_frames),
+		cmocka_unit_test(test_foreign_history),
+	};
+	return cmocka_run_group_tests_name("methods/points/cube_size", tests, NULL, NULL);
+}
