@@ -17,7 +17,7 @@
 
 enum { MAX_DIR = TS_FOLDER_PATH - 300, NOTE_BYTES = 32 };
 
-/* Thousands of paths stay while large buffers come and go: each in memory of its own would leave holes between those. */
+/* Thousands of paths stay while large buffers come and go: each with memory of its own would leave holes there. */
 struct room {
 	struct room *next;
 	size_t used, bytes;

@@ -258,7 +258,8 @@ static void test_flicker(void **state)
 		n_judged += mask[i / 3] ? 1 : 0;
 	}
 	assert_close(ts_metrics_flicker(reference, later, image, image_later, NULL, WIDTH, HEIGHT), sqrt(squares / n));
-	assert_close(ts_metrics_flicker(reference, later, image, image_later, mask, WIDTH, HEIGHT), sqrt(judged / n_judged));
+	assert_close(ts_metrics_flicker(reference, later, image, image_later, mask, WIDTH, HEIGHT),
+	             sqrt(judged / n_judged));
 	assert_close(ts_metrics_flicker(reference, later, reference, later, NULL, WIDTH, HEIGHT), 0);
 	assert_close(ts_metrics_flicker(reference, later, later, reference, NULL, WIDTH, HEIGHT), 0);
 	assert_close(ts_metrics_flicker(black, black, black, image, NULL, WIDTH, HEIGHT),

@@ -29,8 +29,7 @@ static void test_copies(void **state)
 	u64 n_dark = 0;
 	for (size_t i = 0; i < (size_t)contact.width * contact.height * 3; i++) n_dark += contact.rgb[i] == 32;
 	assert_int_equal(n_dark, (u64)contact.width * contact.height * 3 - sizeof picture);
-	for (u32 y = 0; y < H; y++)
-		assert_memory_equal(cell(&contact, 2, 1, 0, y), picture + (size_t)y * W * 3, W * 3);
+	for (u32 y = 0; y < H; y++) assert_memory_equal(cell(&contact, 2, 1, 0, y), picture + (size_t)y * W * 3, W * 3);
 	ts_contact_free(&contact);
 }
 
@@ -69,5 +68,5 @@ int main(void)
 		cmocka_unit_test(test_copies),
 		cmocka_unit_test(test_means),
 	};
-	return cmocka_run_group_tests_name("study/contact", tests, NULL, NULL);
+	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -112,5 +112,5 @@ int main(void)
 		cmocka_unit_test(test_frames),
 		cmocka_unit_test(test_foreign_history),
 	};
-	return cmocka_run_group_tests_name("methods/points/cube_size", tests, NULL, NULL);
+	return cmocka_run_group_tests(tests, NULL, NULL);
 }
