@@ -59,8 +59,14 @@ bool ts_render_writes(const ts_job *job);
 bool ts_render_traces(const ts_job *job);
 const char *ts_render_output(const ts_job *job);
 
-/* The i-th picture of TS_MAX_SHOWN, methods before truths; NULL: it was not made. */
+/* The i-th picture of TS_MAX_SHOWN, methods before truths; and the same, or NULL if it was not made. */
+ts_picture *ts_render_picture(ts_render *render, u32 i);
 const ts_picture *ts_render_shown(const ts_render *render, u32 i);
+/* How many are asked for; and the place of one among them. */
+u32 ts_render_count(const ts_render *render);
+u32 ts_render_place(const ts_render *render, u32 i);
+/* Its name, whether it was made or not. */
+void ts_render_name(char *name, size_t bytes, const ts_render *render, u32 i);
 
 /* Makes the truths asked for that start from a run of this method, if it is the one to start from. */
 ts_status ts_render_truths_of(ts_render *render, const ts_pipeline *method, ts_run *run);

@@ -1,5 +1,6 @@
 /* One render: runs its methods and truths, and compares what came of them. */
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include "../study/folder.h"
 #include "render.h"
@@ -13,6 +14,29 @@ bool ts_render_traces(const ts_job *job)
 bool ts_render_writes(const ts_job *job) { return ts_render_traces(job) || !job->output.no_images; }
 
 const char *ts_render_output(const ts_job *job) { return job->output.dir != NULL ? job->output.dir : "out"; }
+
+ts_picture *ts_render_picture(ts_render *render, u32 i)
+{
+	return i < TS_MAX_METHODS ? &render->pictures[i] : &render->truths[i - TS_MAX_METHODS];
+}
+
+u32 ts_render_place(const ts_render *render, u32 i)
+{
+	u32 place = i < render->n_methods ? i : render->n_methods;
+	for (u32 t = TS_MAX_METHODS; t < i; t++) place += render->job->truths >> (t - TS_MAX_METHODS) & 1;
+	return place;
+}
+
+u32 ts_render_count(const ts_render *render) { return ts_render_place(render, TS_MAX_SHOWN); }
+
+void ts_render_name(char *name, size_t bytes, const ts_render *render, u32 i)
+{
+	if (i < TS_MAX_METHODS) {
+		snprintf(name, bytes, "%s", render->methods[i]->name);
+	} else {
+		ts_picture_truth_name(name, bytes, ts_truths()[i - TS_MAX_METHODS]);
+	}
+}
 
 const ts_picture *ts_render_shown(const ts_render *render, u32 i)
 {

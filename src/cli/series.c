@@ -58,14 +58,9 @@ static ts_status mark_still(ts_series *series)
 	return TS_OK;
 }
 
-static ts_picture *picture_at(ts_render *render, u32 shown)
-{
-	return shown < TS_MAX_METHODS ? &render->pictures[shown] : &render->truths[shown - TS_MAX_METHODS];
-}
-
 static void lend_before(ts_series *series)
 {
-	for (u32 i = 0; i < TS_MAX_SHOWN; i++) picture_at(series->render, i)->before = series->before[i];
+	for (u32 i = 0; i < TS_MAX_SHOWN; i++) ts_render_picture(series->render, i)->before = series->before[i];
 }
 
 static ts_status keep_before(ts_series *series)
@@ -117,31 +112,28 @@ static bool is_other_scene(const ts_series *series, const ts_params *before)
 	return other;
 }
 
-static void put_contact(ts_series *series)
+static void put_contact(ts_series *series, u32 column)
 {
-	u32 all = count_all(series->job), columns = all < CONTACT_COLUMNS ? all : CONTACT_COLUMNS;
 	const ts_params *params = &series->job->params;
-	for (u32 c = 0; c < columns; c++) {
-		u32 meant = columns > 1 ? (u32)((u64)c * (all - 1) / (columns - 1)) : 0;
-		for (u32 i = 0, row = 0; meant == series->n_done && i < TS_MAX_SHOWN; i++) {
-			const ts_picture *picture = ts_render_shown(series->render, i);
-			if (picture == NULL) continue;
-			ts_contact_put(&series->contact, c, row++, picture->srgb, TS_PARAM(params, width),
-			               TS_PARAM(params, height));
-		}
+	for (u32 i = 0; i < TS_MAX_SHOWN; i++) {
+		const ts_picture *picture = ts_render_shown(series->render, i);
+		if (picture == NULL) continue;
+		ts_contact_put(&series->contact, column, ts_render_place(series->render, i), picture->srgb,
+		               TS_PARAM(params, width), TS_PARAM(params, height));
 	}
 }
 
 static ts_status show_contact(ts_series *series)
 {
-	u32 all = count_all(series->job), rows = 0;
+	u32 all = count_all(series->job), columns = all < CONTACT_COLUMNS ? all : CONTACT_COLUMNS;
 	const ts_params *params = &series->job->params;
-	for (u32 i = 0; i < TS_MAX_SHOWN; i++) rows += ts_render_shown(series->render, i) != NULL;
-	if (series->contact.rgb == NULL &&
-	    ts_contact_begin(&series->contact, all < CONTACT_COLUMNS ? all : CONTACT_COLUMNS, rows, TS_PARAM(params, width),
-	                     TS_PARAM(params, height)) != TS_OK)
+	if (series->contact.rgb == NULL && ts_contact_begin(&series->contact, columns, ts_render_count(series->render),
+	                                                    TS_PARAM(params, width), TS_PARAM(params, height)) != TS_OK)
 		return TS_ERROR;
-	put_contact(series);
+	for (u32 c = 0; c < columns; c++) {
+		u32 meant = columns > 1 ? (u32)((u64)c * (all - 1) / (columns - 1)) : 0;
+		if (meant == series->n_done) put_contact(series, c);
+	}
 	return TS_OK;
 }
 
@@ -165,8 +157,10 @@ static json_t *times_json(const ts_series *series)
 		const ts_series_time *time = &series->times[k];
 		json_t *each = json_object(), *row = json_object();
 		for (u32 i = 0; i < TS_MAX_SHOWN; i++) {
-			if (!isnan(time->milliseconds[i]))
-				json_object_set_new(each, series->rows[i]->image, json_real(time->milliseconds[i]));
+			char name[24];
+			if (isnan(time->milliseconds[i])) continue;
+			ts_render_name(name, sizeof name, series->render, i);
+			json_object_set_new(each, name, json_real(time->milliseconds[i]));
 		}
 		json_object_set_new(row, "combination", json_integer(time->combination));
 		json_object_set_new(row, "frame", json_integer(time->frame));
@@ -251,24 +245,30 @@ static void say_once(const char *why)
 	snprintf(said, sizeof said, "%s", why);
 }
 
-/* Of each combination, and of each of its pictures. */
+/* Of a picture's frames in this combination, if it was made there. */
+static ts_status write_video(ts_series *series, u32 shown)
+{
+	char image[24], name[TS_SERIES_NAME + 48], pattern[TS_SERIES_NAME + 48], why[256];
+	const char *comma = series->job->sweep.n > 0 ? "," : "";
+	u32 first = series->combination * count_frames(series->job);
+	if (isnan(series->times[first].milliseconds[shown])) return TS_OK;
+	ts_render_name(image, sizeof image, series->render, shown);
+	snprintf(name, sizeof name, "%s%s%s.mp4", series->name, comma, image);
+	snprintf(pattern, sizeof pattern, "%s%sframe-*/%s.png", series->name, comma, image);
+	ts_status status = ts_video_write(why, sizeof why, name, pattern);
+	say_once(why);
+	return status;
+}
+
 static ts_status write_videos(ts_series *series)
 {
 	ts_job *job = series->job;
 	ts_status status = TS_OK;
-	for (u32 c = 0; c < ts_sweep_count(&job->sweep) && count_frames(job) > 1; c++) {
+	for (u32 c = 0; c < ts_sweep_count(&job->sweep) && count_frames(job) > 1 && status == TS_OK; c++) {
 		series->combination = c;
 		status = ts_sweep_set(&job->sweep, c, &job->params, series->values);
 		name_folder(series);
-		for (u32 i = 0; i < TS_MAX_SHOWN && status == TS_OK; i++) {
-			char name[TS_SERIES_NAME + 48], pattern[TS_SERIES_NAME + 48], why[256];
-			if (series->rows[i] == NULL) continue;
-			const char *comma = job->sweep.n > 0 ? "," : "";
-			snprintf(name, sizeof name, "%s%s%s.mp4", series->name, comma, series->rows[i]->image);
-			snprintf(pattern, sizeof pattern, "%s%sframe-*/%s.png", series->name, comma, series->rows[i]->image);
-			status = ts_video_write(why, sizeof why, name, pattern);
-			say_once(why);
-		}
+		for (u32 i = 0; i < TS_MAX_SHOWN && status == TS_OK; i++) status = write_video(series, i);
 	}
 	return status;
 }
@@ -297,7 +297,11 @@ static void report_pictures(ts_series *series)
 	ts_render_report_pictures(series->render, &table);
 	n += (size_t)snprintf(rows, sizeof rows, "renders from left to right; from above ");
 	for (u32 i = 0; i < TS_MAX_SHOWN && n < sizeof rows; i++) {
-		if (series->rows[i] != NULL) n += (size_t)snprintf(rows + n, sizeof rows - n, "%s ", series->rows[i]->image);
+		char name[24];
+		if (ts_render_shown(series->render, i) == NULL) continue;
+		ts_render_name(name, sizeof name, series->render, i);
+		n += (size_t)snprintf(rows + n, sizeof rows - n, "%s%s", ts_render_place(series->render, i) > 0 ? ", " : "",
+		                      name);
 	}
 	row(&table, "../contact-sheet.png", rows);
 	row(&table, "../rmse-*.svg", "errors against the first truth");

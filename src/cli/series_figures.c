@@ -52,17 +52,19 @@ static const ts_pair *find_pair(const ts_render *render, const ts_picture *refer
 	return NULL;
 }
 
-static void put_errors(ts_figures *figures, const ts_render *render, const ts_picture *truth, const ts_picture *image)
+/* Beside a truth that was asked for, whether the scene has it or not. */
+static void put_errors(ts_figures *figures, const ts_render *render, u32 truth, const ts_picture *image)
 {
-	const ts_pair *pair = find_pair(render, truth, image);
+	char name[24];
+	const ts_pair *pair = find_pair(render, ts_render_shown(render, truth), image);
+	ts_render_name(name, sizeof name, render, truth);
 	bool mirrors = render->mirrors != NULL, sequence = render->job->frames.step > 0;
-	put(figures, "rmse", truth->name, pair != NULL ? pair->all.rmse : NAN, 6);
-	if (mirrors) put(figures, "reflective_rmse", truth->name, pair != NULL ? pair->reflective.rmse : NAN, 6);
-	put(figures, "ssim", truth->name, pair != NULL ? pair->all.ssim : NAN, 6);
-	if (mirrors) put(figures, "reflective_ssim", truth->name, pair != NULL ? pair->reflective.ssim : NAN, 6);
-	if (sequence) put(figures, "flicker", truth->name, pair != NULL ? pair->flicker : NAN, 6);
-	if (sequence && mirrors)
-		put(figures, "reflective_flicker", truth->name, pair != NULL ? pair->reflective_flicker : NAN, 6);
+	put(figures, "rmse", name, pair != NULL ? pair->all.rmse : NAN, 6);
+	if (mirrors) put(figures, "reflective_rmse", name, pair != NULL ? pair->reflective.rmse : NAN, 6);
+	put(figures, "ssim", name, pair != NULL ? pair->all.ssim : NAN, 6);
+	if (mirrors) put(figures, "reflective_ssim", name, pair != NULL ? pair->reflective.ssim : NAN, 6);
+	if (sequence) put(figures, "flicker", name, pair != NULL ? pair->flicker : NAN, 6);
+	if (sequence && mirrors) put(figures, "reflective_flicker", name, pair != NULL ? pair->reflective_flicker : NAN, 6);
 }
 
 void ts_series_figures(ts_figures *figures, const ts_render *render, u32 shown)
@@ -72,7 +74,7 @@ void ts_series_figures(ts_figures *figures, const ts_render *render, u32 shown)
 	if (render->mirrors != NULL) put(figures, "reflective pixels", "", (double)render->mirrors->n_reflective, 0);
 	put_counters(figures, render, shown);
 	for (u32 t = 0; t < TS_MAX_TRUTHS; t++) {
-		if (render->truths[t].srgb != NULL) put_errors(figures, render, &render->truths[t], image);
+		if ((render->job->truths >> t & 1) != 0) put_errors(figures, render, TS_MAX_METHODS + t, image);
 	}
 	if (render->job->frames.step == 0) return;
 	put(figures, "change", "", ts_picture_change(image, NULL, &render->job->params), 6);

@@ -51,15 +51,10 @@ static ts_kept *find(const ts_series *series, u32 shown)
 	return kept;
 }
 
-static ts_picture *picture_at(ts_render *render, u32 shown)
-{
-	return shown < TS_MAX_METHODS ? &render->pictures[shown] : &render->truths[shown - TS_MAX_METHODS];
-}
-
 /* Between what is kept and the render; where it came from, nothing is left. */
 static void move(ts_render *render, ts_kept *kept, bool give)
 {
-	ts_picture *picture = picture_at(render, kept->shown);
+	ts_picture *picture = ts_render_picture(render, kept->shown);
 	*(give ? picture : &kept->picture) = give ? kept->picture : *picture;
 	*(give ? &kept->picture : picture) = (ts_picture){.radiance = NULL};
 	if (kept->shown >= TS_MAX_METHODS) return;

@@ -103,8 +103,7 @@ double ts_picture_change(const ts_picture *picture, const u8 *mask, const ts_par
 	                          TS_PARAM(params, width), TS_PARAM(params, height));
 }
 
-/* "truth-a", of the row's name. */
-static void name_truth(char *name, size_t bytes, const ts_truth_kind *kind)
+void ts_picture_truth_name(char *name, size_t bytes, const ts_truth_kind *kind)
 {
 	snprintf(name, bytes, "truth-%s", kind->name);
 	for (; *name != 0; name++) *name = (char)tolower(*name);
@@ -115,7 +114,7 @@ static ts_status take_truth(ts_picture *picture, const ts_truth_kind *kind, ts_t
 {
 	double begin = ts_seconds();
 	char name[sizeof picture->name];
-	name_truth(name, sizeof name, kind);
+	ts_picture_truth_name(name, sizeof name, kind);
 	ts_status status;
 	TS_PARAM_READER("truth", kind->name, status = kind->trace(tree, run));
 	if (status == TS_OK && kind->missed != NULL) {
@@ -164,7 +163,7 @@ ts_status ts_picture_truth_alone(ts_picture *picture, const ts_truth_kind *kind,
 	double begin = ts_seconds();
 	f32 *radiance;
 	char name[sizeof picture->name];
-	name_truth(name, sizeof name, kind);
+	ts_picture_truth_name(name, sizeof name, kind);
 	ts_status status;
 	TS_PARAM_READER("truth", kind->name, status = kind->radiance(&radiance, scene, params, threads));
 	if (status == TS_OK) status = ts_picture_make(picture, name, radiance, params);

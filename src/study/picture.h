@@ -34,6 +34,9 @@ void ts_picture_free(ts_picture *picture);
 /* How much it changed since the frame before (ts_metrics_flicker), where `mask` is not 0; NaN: there is none. */
 double ts_picture_change(const ts_picture *picture, const u8 *mask, const ts_params *params);
 
+/* "truth-a", of the row's name. */
+void ts_picture_truth_name(char *name, size_t bytes, const ts_truth_kind *kind);
+
 /* A truth that `trace` makes, in a run of a method that it starts from; afterwards the run's image is the truth's. */
 ts_status ts_picture_truth(ts_picture *picture, const ts_truth_kind *kind, ts_run *run);
 /* The truths of `truths` (bits of rows of ts_truths) that start as that row does, in one run of their own; into
