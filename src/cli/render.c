@@ -4,7 +4,6 @@
 #include "cli.h"
 #include "../study/folder.h"
 #include "render.h"
-#include "../scene/sources.h"
 #include "../study/reads.h"
 #include "../study/sweep.h"
 
@@ -85,7 +84,7 @@ void ts_render_help(void)
 static bool is_read(const ts_job *job, const ts_pipeline *const *methods, u32 n_methods, const char *param)
 {
 	const ts_params *taken = job->sweep.n == 0 ? &job->params : NULL;
-	bool read = ts_reads("scene", ts_builtin_is(job->scenes) ? "built-in" : "file", param);
+	bool read = ts_render_scene_reads(job, param);
 	for (u32 i = 0; i < n_methods && !read; i++) read = ts_reads_method(methods[i], taken, param);
 	for (u32 t = 0; ts_truths()[t] != NULL && !read; t++) {
 		read = (job->truths & 1u << t) != 0 && ts_reads("truth", ts_truths()[t]->name, param);

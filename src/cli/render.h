@@ -59,6 +59,9 @@ bool ts_render_writes(const ts_job *job);
 bool ts_render_traces(const ts_job *job);
 const char *ts_render_output(const ts_job *job);
 
+/* Whether the job's scene depends on the parameter. */
+bool ts_render_scene_reads(const ts_job *job, const char *param);
+
 /* The i-th picture of TS_MAX_SHOWN, methods before truths; and the same, or NULL if it was not made. */
 ts_picture *ts_render_picture(ts_render *render, u32 i);
 const ts_picture *ts_render_shown(const ts_render *render, u32 i);

@@ -2,7 +2,8 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include "../study/folder.h"
+#include "../scene/sources.h"
+#include "../study/reads.h"
 #include "render.h"
 
 bool ts_render_traces(const ts_job *job)
@@ -14,6 +15,11 @@ bool ts_render_traces(const ts_job *job)
 bool ts_render_writes(const ts_job *job) { return ts_render_traces(job) || !job->output.no_images; }
 
 const char *ts_render_output(const ts_job *job) { return job->output.dir != NULL ? job->output.dir : "out"; }
+
+bool ts_render_scene_reads(const ts_job *job, const char *param)
+{
+	return ts_reads("scene", ts_builtin_is(job->scenes) ? "built-in" : "file", param);
+}
 
 ts_picture *ts_render_picture(ts_render *render, u32 i)
 {

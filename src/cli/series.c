@@ -3,9 +3,7 @@
 #include "series.h"
 #include <math.h>
 #include <stdlib.h>
-#include "../scene/sources.h"
 #include "../study/folder.h"
-#include "../study/reads.h"
 #include "../study/video.h"
 
 enum { CONTACT_COLUMNS = 10 };
@@ -95,7 +93,7 @@ static void forget_before(ts_series *series)
 	}
 }
 
-/* What the scene is made by changes from the combination before to this one. */
+/* A parameter that the scene depends on has another value than in the combination before. */
 static bool is_other_scene(const ts_series *series, const ts_params *before)
 {
 	const ts_job *job = series->job;
@@ -106,8 +104,7 @@ static bool is_other_scene(const ts_series *series, const ts_params *before)
 		char was[64], is[64];
 		ts_params_format(before, row, was, sizeof was);
 		ts_params_format(&job->params, row, is, sizeof is);
-		other = strcmp(was, is) != 0 &&
-		        ts_reads("scene", ts_builtin_is(job->scenes) ? "built-in" : "file", table[row].name);
+		other = strcmp(was, is) != 0 && ts_render_scene_reads(job, table[row].name);
 	}
 	return other;
 }
@@ -153,6 +150,7 @@ static void note_time(ts_series *series)
 static json_t *times_json(const ts_series *series)
 {
 	json_t *times = json_array();
+	int failed = 0;
 	for (u32 k = 0; k < series->n_done; k++) {
 		const ts_series_time *time = &series->times[k];
 		json_t *each = json_object(), *row = json_object();
@@ -160,15 +158,17 @@ static json_t *times_json(const ts_series *series)
 			char name[24];
 			if (isnan(time->milliseconds[i])) continue;
 			ts_render_name(name, sizeof name, series->render, i);
-			json_object_set_new(each, name, json_real(time->milliseconds[i]));
+			failed |= json_object_set_new(each, name, json_real(time->milliseconds[i]));
 		}
-		json_object_set_new(row, "combination", json_integer(time->combination));
-		json_object_set_new(row, "frame", json_integer(time->frame));
-		json_object_set_new(row, "resident_bytes", json_integer((json_int_t)time->resident_bytes));
-		json_object_set_new(row, "milliseconds", each);
-		json_array_append_new(times, row);
+		failed |= json_object_set_new(row, "combination", json_integer(time->combination));
+		failed |= json_object_set_new(row, "frame", json_integer(time->frame));
+		failed |= json_object_set_new(row, "resident_bytes", json_integer((json_int_t)time->resident_bytes));
+		failed |= json_object_set_new(row, "milliseconds", each);
+		failed |= json_array_append_new(times, row);
 	}
-	return times;
+	if (failed == 0) return times;
+	json_decref(times);
+	return NULL;
 }
 
 static ts_status tell(ts_series *series)
@@ -238,38 +238,33 @@ static ts_status make_combination(ts_series *series)
 	return status == TS_OK ? ts_series_plot_combination(series) : status;
 }
 
-static void say_once(const char *why)
+/* Of a picture's frames in this combination, if it was made there. *why is not "" where videos cannot be made. */
+static ts_status write_video(ts_series *series, u32 shown, char *why, size_t why_bytes)
 {
-	static char said[256];
-	if (why[0] != 0 && strcmp(why, said) != 0) ts_say("%s", why);
-	snprintf(said, sizeof said, "%s", why);
-}
-
-/* Of a picture's frames in this combination, if it was made there. */
-static ts_status write_video(ts_series *series, u32 shown)
-{
-	char image[24], name[TS_SERIES_NAME + 48], pattern[TS_SERIES_NAME + 48], why[256];
+	char image[24], name[TS_SERIES_NAME + 48], pattern[TS_SERIES_NAME + 48];
 	const char *comma = series->job->sweep.n > 0 ? "," : "";
 	u32 first = series->combination * count_frames(series->job);
 	if (isnan(series->times[first].milliseconds[shown])) return TS_OK;
 	ts_render_name(image, sizeof image, series->render, shown);
 	snprintf(name, sizeof name, "%s%s%s.mp4", series->name, comma, image);
 	snprintf(pattern, sizeof pattern, "%s%sframe-*/%s.png", series->name, comma, image);
-	ts_status status = ts_video_write(why, sizeof why, name, pattern);
-	say_once(why);
-	return status;
+	return ts_video_write(why, why_bytes, name, pattern);
 }
 
 static ts_status write_videos(ts_series *series)
 {
 	ts_job *job = series->job;
 	ts_status status = TS_OK;
-	for (u32 c = 0; c < ts_sweep_count(&job->sweep) && count_frames(job) > 1 && status == TS_OK; c++) {
+	char why[256] = "";
+	u32 n = count_frames(job) > 1 ? ts_sweep_count(&job->sweep) : 0;
+	for (u32 c = 0; c < n && status == TS_OK; c++) {
 		series->combination = c;
 		status = ts_sweep_set(&job->sweep, c, &job->params, series->values);
 		name_folder(series);
-		for (u32 i = 0; i < TS_MAX_SHOWN && status == TS_OK; i++) status = write_video(series, i);
+		for (u32 i = 0; i < TS_MAX_SHOWN && status == TS_OK && why[0] == 0; i++)
+			status = write_video(series, i, why, sizeof why);
 	}
+	if (why[0] != 0) ts_say("%s", why);
 	return status;
 }
 

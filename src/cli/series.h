@@ -26,7 +26,6 @@ typedef struct {
 	u32 n, least_at, most_at; /* values; frames of the least and the greatest */
 } ts_spread;
 typedef struct {
-	char image[24];
 	ts_figures figures; /* of the last frame; all but the values are those of every frame */
 	ts_spread spread[TS_MAX_FIGURES], milliseconds;
 } ts_series_row;

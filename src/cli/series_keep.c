@@ -1,6 +1,5 @@
 /* Pictures that later combinations of a sweep need again. */
 #include <stdlib.h>
-#include "../scene/sources.h"
 #include "../study/reads.h"
 #include "series.h"
 
@@ -22,8 +21,7 @@ static bool truth_reads(const ts_render *render, const ts_truth_kind *kind, cons
 /* Whether the shown picture depends on the parameter. What a method reads with any parameters counts. */
 static bool depends(const ts_render *render, u32 shown, const char *param)
 {
-	bool builtin = ts_builtin_is(render->job->scenes);
-	if (ts_reads("scene", builtin ? "built-in" : "file", param)) return true;
+	if (ts_render_scene_reads(render->job, param)) return true;
 	return shown < TS_MAX_METHODS ? ts_reads_method(render->methods[shown], NULL, param)
 	                              : truth_reads(render, ts_truths()[shown - TS_MAX_METHODS], param);
 }

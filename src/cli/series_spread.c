@@ -28,7 +28,6 @@ ts_status ts_series_add(ts_series *series)
 		ts_series_row *row = series->rows[i];
 		if (row == NULL) return TS_ERROR;
 		ts_series_figures(&row->figures, series->render, i);
-		snprintf(row->image, sizeof row->image, "%s", picture->name);
 		for (u32 k = 0; k < row->figures.n; k++) add(&row->spread[k], row->figures.figure[k].value, frame);
 		add(&row->milliseconds, 1e3 * picture->seconds, frame);
 	}
@@ -51,7 +50,14 @@ static void spread_cells(ts_table *table, const ts_spread *spread, int decimals)
 	ts_table_count(table, spread->most_at);
 }
 
-/* What a picture does not have, or what never was there, is left out. */
+static void put_name(ts_table *table, const ts_series *series, u32 shown)
+{
+	char name[24];
+	ts_render_name(name, sizeof name, series->render, shown);
+	ts_table_text(table, name);
+}
+
+/* Figures that a picture does not have, or that are 0 throughout, are left out. */
 static void report_figures(ts_series *series)
 {
 	static const ts_column columns[] = {{"image", "image", false}, {"figure", "figure", false}, SPREAD};
@@ -61,7 +67,7 @@ static void report_figures(ts_series *series)
 		for (u32 k = 0; row != NULL && k < row->figures.n; k++) {
 			const ts_spread *spread = &row->spread[k];
 			if (spread->n == 0 || (spread->least == 0 && spread->most == 0)) continue;
-			ts_table_text(&table, row->image);
+			put_name(&table, series, i);
 			ts_table_text(&table, row->figures.figure[k].name);
 			spread_cells(&table, spread, row->figures.figure[k].decimals);
 		}
@@ -77,7 +83,7 @@ static void report_times(ts_series *series)
 	for (u32 i = 0; i < TS_MAX_SHOWN; i++) {
 		const ts_series_row *row = series->rows[i];
 		if (row == NULL) continue;
-		ts_table_text(&table, row->image);
+		put_name(&table, series, i);
 		spread_cells(&table, &row->milliseconds, 2);
 	}
 	ts_report_table(&series->report, &table);

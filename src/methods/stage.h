@@ -127,7 +127,7 @@ ts_status ts_launch_ask(const ts_run *run, const ts_launch *launch, void *args, 
 #define TS_RUN(run, launch, args, n) ts_launch_run(run, launch, args, sizeof *(args), n)
 /* Makes what a launch writes, `more` elements longer than its shape says; and cuts that off again. */
 ts_status ts_launch_make(ts_run *run, const ts_launch *launch, const char *name, u32 more);
-/* What a launch writes is made once more by its next filling, for sizes have changed. */
+/* The next filling of the launch makes its outputs once more, for sizes have changed. */
 void ts_launch_make_again(ts_run *run, const ts_launch *launch);
 void ts_launch_cut(ts_run *run, const ts_launch *launch, const char *name, u32 less);
 /* Counts to the sums before each, in place, and the size that SUM of records.def names; it must stay below 2^32 - 1. */

@@ -241,7 +241,8 @@ static void test_crumbs(void **state)
 	assert_int_equal(ts_metrics_crumbs(marks, light, other, 5, 5), 1);
 }
 
-/* What the reference changes is no flicker, whichever way the image goes; what goes beyond is, and masks hold. */
+/* An image that changes as much as its reference does not flicker, whichever way it goes; the excess counts, where the
+ * mask is set. */
 static void test_flicker(void **state)
 {
 	(void)state;

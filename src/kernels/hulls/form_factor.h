@@ -1,4 +1,4 @@
-/* What a triangle is to a point p (CONTRACT rule 42): the solid angle it is seen under (Van Oosterom and Strackee
+/* A triangle as a point p sees it (CONTRACT rule 42): the solid angle it is seen under (Van Oosterom and Strackee
  * 1983), and the share that reaches it of all that a surface at p sends out, the form factor (Baum, Rushmeier and
  * Winget 1989), of a triangle that shines to the side from which its corners turn left, and of its part above the
  * surface's horizon. Its edges enter as they are, not as differences of directions: the solid angle of a small triangle
