@@ -22,9 +22,9 @@ const ts_command ts_command_table[] = {
      "memory and metrics. Of a parameter with several values, --set NAME=A,B, every combination is rendered, in a\n"
      "folder of DIR each, and CSV is printed.",
      1, 2,
-     TS_OPT(METHOD) | TS_OPT(TRUTH) | TS_OPT(FRAMES) | WHERE | HOW | TS_OPT(ORDER) | TS_OPT(OUTPUT) | TS_OPT(FORCE) |
-         TS_OPT(NO_IMAGES) | TS_OPT(TRACE) | TS_OPT(TRACE_ONLY) | TS_OPT(CROP) | TS_OPT(MARGINS) | TS_OPT(VIEWER) |
-         TS_OPT(JSON),
+     TS_OPT(METHOD) | TS_OPT(TRUTH) | TS_OPT(FRAMES) | TS_OPT(EXPOSURE) | WHERE | HOW | TS_OPT(ORDER) | TS_OPT(OUTPUT) |
+         TS_OPT(FORCE) | TS_OPT(NO_IMAGES) | TS_OPT(TRACE) | TS_OPT(TRACE_ONLY) | TS_OPT(CROP) | TS_OPT(MARGINS) |
+         TS_OPT(VIEWER) | TS_OPT(JSON),
      ts_render_command, ts_render_help},
 	{"replay", "TRACE", "run a stage again, alone, from the buffers of a trace or of a port, and compare",
      "TRACE: a folder that render --trace wrote. One line an output: the same bits, or the first element and field\n"

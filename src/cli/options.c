@@ -84,6 +84,14 @@ static ts_status take_frames(void *to, const ts_option *option, const char *text
 	return ts_words_frames(&((ts_cli *)to)->job.frames, text);
 }
 
+static ts_status take_exposure(void *to, const ts_option *option, const char *text)
+{
+	(void)option;
+	ts_job *job = &((ts_cli *)to)->job;
+	job->exposed = strcmp(text, "auto") == 0;
+	return job->exposed ? TS_OK : ts_params_set(&job->params, "image.exposure", text);
+}
+
 static ts_status take_mirrors(void *to, const ts_option *option, const char *text)
 {
 	(void)option;

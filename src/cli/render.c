@@ -127,6 +127,7 @@ ts_status ts_render_command(ts_cli *cli)
 	if (job->judged && ts_truths_find(&job->truths, job->effect, job->truth) != TS_OK) return TS_ERROR;
 	ts_measure_keep_memory();
 	ts_effect_params(job, job->effect);
+	if (job->exposed && ts_exposure_choose(job) != TS_OK) return TS_ERROR;
 	bool series = job->sweep.n > 0 || job->frames.step > 0;
 	ts_status status = series ? ts_render_series(job) : ts_render_with(job, work_in_folder, NULL);
 	return status == TS_OK ? say_unread(job) : status;

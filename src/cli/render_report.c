@@ -46,6 +46,9 @@ void ts_render_report_head(const ts_render *render, ts_report *report)
 	               (unsigned)scene->n_triangles, mirrors, (unsigned)TS_PARAM(p, width), (unsigned)TS_PARAM(p, height),
 	               (unsigned)TS_PARAM(p, frame), (unsigned)render->job->how.threads);
 	u64 peak = render->estimate.held + render->estimate.run;
+	if (render->job->exposed)
+		ts_report_line(report, "exposure %g: 95 %% of frame 0 by %s are shown below 0.8",
+		               (double)TS_PARAM(p, image_exposure), render->methods[0]->name);
 	ts_report_line(report, "memory: about %.2f GB at the peak, of %.2f GB", (double)peak / 1e9,
 	               (double)ts_memory_total() / 1e9);
 	ts_report_run(report, render->job);

@@ -12,6 +12,8 @@ ts_arrays ts_run_arrays(const ts_run *run);
 /* The same without pointers, for launches that bind them. */
 ts_arrays ts_run_scene(const ts_run *run);
 const ts_info *ts_run_info(const ts_run *run);
+/* Of display values, beside the exposure, where light is gathered: one bounce is dim. */
+f32 ts_image_gain(const ts_run *run);
 /* The largest cube face that adapts to the eye: cube.max_px, at most half the eye's height, at least 16. */
 u32 ts_largest_face(const ts_params *params);
 /* A buffer was made; it may be empty. */

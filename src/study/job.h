@@ -46,6 +46,7 @@ typedef struct {
 	u32 truths; /* of a render: what these are, bits of rows of ts_truths */
 	ts_params params;
 	bool set[TS_N_PARAMS]; /* by --set */
+	bool exposed;          /* the exposure follows from frame 0 */
 	bool sized, mirrored;  /* the parameters' size was said; how many mirrors */
 	ts_sweep sweep;
 	ts_frames frames;

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <touchstone/image.h>
 #include "../kernels/base/srgb.h"
+#include "../methods/stages.h"
 #include "near_light.h"
 
 static void count_lit(ts_picture *picture, const ts_run *run)
@@ -69,6 +70,8 @@ ts_status ts_picture_take(ts_picture *picture, const char *name, const ts_run *r
 	memcpy(picture->radiance, ts_frame_data(&run->frame, TS_B_image_radiance), n * sizeof(f32));
 	memcpy(picture->srgb, ts_frame_data(&run->frame, TS_B_image_srgb), n);
 	mark_seen(picture, run);
+	bool gathers = run->pipeline != NULL && ts_pipeline_maker(run->pipeline, TS_B_indirect_irradiance) != NULL;
+	picture->gain = gathers ? ts_image_gain(run) : 1.0f;
 	if (run->frame.buffer[TS_B_shadow_test_lit].made) count_lit(picture, run);
 	return mark_reflective(picture, run) == TS_OK ? mark_near(picture, run) : TS_ERROR;
 }

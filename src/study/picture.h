@@ -19,6 +19,7 @@ typedef struct {
 	u64 n_reflective;
 	const u8 *before;       /* srgb of the frame before, of a sequence; not owned; NULL: there is none */
 	u8 *near, *elsewhere;   /* 1: a surface near a triangle of light, or not (near_light.h); NULL: there are none */
+	f32 gain;               /* of its display values beside the exposure, but for the sky */
 	double seconds;         /* that it took */
 	u64 n_hits, n_missed;   /* of a truth that counts them: first rays that hit something, and look-ups empty there */
 	ts_lit lit;             /* of shadows */

@@ -121,6 +121,46 @@ assert os.path.getsize("sweep/contact-sheet.png") > 0 and b"density.scale" in re
 PY
 verdict $? 'a sweep runs no method again for what it does not read'
 
+run "${small[@]}" --method mvr,epr --frames 30..31 --exposure auto -o frames
+mv stdout sequence.txt
+run "${small[@]}" --method mvr --exposure auto -o first
+python3 - <<'PY'
+import json
+first, frames = (json.load(open(f"{name}/report.json"))["params"]["image.exposure"] for name in ("first", "frames"))
+assert first == frames and first != 1 and f"exposure {first:g}: 95 % of frame 0 by mvr" in open("sequence.txt").read()
+PY
+verdict $? 'the exposure of a sequence is that of frame 0, wherever the sequence begins'
+
+# A flat grey wall fills the picture: 0.8 is what it is shown at, by whatever light.
+python3 - <<'PY'
+import base64, json, struct
+position = struct.pack("<9f", -90, -90, 0, 90, -90, 0, 0, 180, 0)
+json.dump({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1, 2]}], "extensionsUsed": ["KHR_lights_punctual"],
+	"extensions": {"KHR_lights_punctual": {"lights": [{"type": "directional", "intensity": 0.25}]}},
+	"nodes": [{"mesh": 0}, {"camera": 0, "translation": [0, 0, 5]}, {"extensions": {"KHR_lights_punctual": {"light": 0}}}],
+	"cameras": [{"name": "c", "type": "perspective", "perspective": {"yfov": 1, "znear": 0.1}}],
+	"materials": [{"pbrMetallicRoughness": {"metallicFactor": 0}}],
+	"meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "material": 0}]}],
+	"accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [-90, -90, 0], "max": [90, 180, 0]}],
+	"bufferViews": [{"buffer": 0, "byteLength": 36}],
+	"buffers": [{"byteLength": 36, "uri": "data:application/octet-stream;base64," + base64.b64encode(position).decode()}]},
+	open("wall.gltf", "w"))
+PY
+run render reflections wall.gltf --camera c --reflectors 0 --method mvr --size 64x64 --exposure auto -o wall
+python3 - <<'PY'
+import struct, zlib
+data, at, stream = open("wall/mvr.png", "rb").read(), 8, b""
+while at < len(data):
+	n, kind = struct.unpack(">I4s", data[at:at + 8])
+	if kind == b"IDAT": stream += data[at + 8:at + 8 + n]
+	at += 12 + n
+raw = zlib.decompress(stream)
+first = raw[1:4]
+assert all(abs(v - 231) <= 2 for v in first), first # sRGB of 0.8
+PY
+verdict $? 'what is as bright as 95 % of frame 0 is shown at 0.8'
+
+refuses 'parameter image.exposure' "${small[@]}" --exposure bright
 refuses 'not A..B or A..B:STEP' "${small[@]}" --frames 5
 refuses 'not A..B or A..B:STEP' "${small[@]}" --frames 5..4
 refuses 'not A..B or A..B:STEP' "${small[@]}" --frames 0..9:0

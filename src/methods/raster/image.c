@@ -24,11 +24,12 @@ static ts_status image_shadow(ts_run *run)
 	return TS_RUN(run, &with_shadows, &args, n_pixels(run));
 }
 
+f32 ts_image_gain(const ts_run *run) { return run->plan.lights.straight ? 1.0f : TS_BOUNCE_GAIN; }
+
 /* In the light that was gathered alone. */
 static ts_status image_indirect(ts_run *run)
 {
-	ts_indirect_args args = {.exposure = TS_PARAM(&run->params, image_exposure),
-	                         .gain = run->plan.lights.straight ? 1.0f : TS_BOUNCE_GAIN};
+	ts_indirect_args args = {.exposure = TS_PARAM(&run->params, image_exposure), .gain = ts_image_gain(run)};
 	bool is_glossy = ts_run_made(run, TS_B_indirect_specular);
 	return TS_RUN(run, is_glossy ? &of_glossy : &of_indirect, &args, n_pixels(run));
 }
