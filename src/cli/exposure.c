@@ -1,4 +1,4 @@
-/* --exposure auto: the exposure of a render, and of all its frames and combinations, from frame 0 by the first method. */
+/* --exposure auto: of a render, and of all its frames and combinations, from frame 0 by the first method. */
 #include <stdlib.h>
 #include "render.h"
 

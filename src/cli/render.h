@@ -52,7 +52,7 @@ void ts_render_clear(ts_render *render);
 ts_status ts_render_open(ts_render *render);
 /* A render of the job whose methods are known, passed to `with`. */
 ts_status ts_render_with(const ts_job *job, ts_status (*with)(ts_render *render, void *user), void *user);
-/* Sets the job's exposure so that 95 % of the pixels that see a surface in frame 0, by the first method, are at most 0.8
+/* Sets the exposure so that 95 % of the pixels that see a surface in frame 0, by the first method, are at most 0.8
  * of the brightest that is displayed (exposure.c). */
 ts_status ts_exposure_choose(ts_job *job);
 /* Several: of the job's frames, of the combinations of its sweep, or of both. */

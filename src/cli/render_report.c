@@ -36,6 +36,17 @@ static u64 n_reflective(const ts_render *render) { return render->mirrors != NUL
 
 static bool has_shadows(const ts_render *render) { return render->pictures[0].n_samples > 0; }
 
+/* What of the file the pictures do not show as it is written there. */
+static void report_notes(const ts_scene *scene, ts_report *report)
+{
+	json_t *notes = json_array();
+	for (u32 i = 0; i < scene->n_notes; i++) {
+		ts_report_line(report, "note: %s", scene->notes[i]);
+		report->failed |= json_array_append_new(notes, ts_text_json(scene->notes[i])) != 0;
+	}
+	ts_report_value(report, "notes", notes);
+}
+
 void ts_render_report_head(const ts_render *render, ts_report *report)
 {
 	const ts_params *p = &render->job->params;
@@ -51,6 +62,7 @@ void ts_render_report_head(const ts_render *render, ts_report *report)
 		               (double)TS_PARAM(p, image_exposure), render->methods[0]->name);
 	ts_report_line(report, "memory: about %.2f GB at the peak, of %.2f GB", (double)peak / 1e9,
 	               (double)ts_memory_total() / 1e9);
+	report_notes(scene, report);
 	ts_report_run(report, render->job);
 	ts_report_value(report, "effect", json_string(render->effect));
 	ts_report_value(report, "methods", methods_json(render));
