@@ -1,10 +1,15 @@
 /* Scattering: every point into every off-screen view that may see it, one texel each, by atomic minimum (iVIR
  * section 4; METHODS 9 and 10). Of depth maps the texel is the axial depth; of environment maps 13 bits of depth and
- * 19 of colour, 6-7-6. The points are stored ones, or made on the spot. */
+ * 19 of colour, 6-7-6. The points are stored ones, or made on the spot.
+ *
+ * By the paper a texel has the nearest of all points that fall anywhere into it, where MVR has what covers its centre.
+ * At the centre a point stands for its triangle: it counts only if that covers the centre, with what that shows
+ * there. */
 #ifndef TS_KERNELS_SCATTER_H
 #define TS_KERNELS_SCATTER_H
 #include "../base/args.h"
-#include "../raster/offscreen.h"
+#include "../raster/draw.h"
+#include "cull.h"
 #include "points.h"
 #include "../base/shade.h"
 
@@ -20,7 +25,9 @@
 	ARG(VALUE, u32, first_view, none) \
 	ARG(VALUE, u32, n_views, none) /* the batch */ \
 	ARG(VALUE, u32, n_words, none) \
-	ARG(VALUE, f32, exposure, none) /* what colours are stored at */
+	ARG(VALUE, f32, exposure, none) /* what colours are stored at */ \
+	ARG(VALUE, u32, centre, none)   /* points count at the centre of their texel */ \
+	ARG(VALUE, u32, culled, none)   /* small pieces were dropped at random */
 TS_ARGS(ts_scatter_args);
 
 /* A point on its way. */
@@ -30,6 +37,7 @@ typedef struct {
 	ts_v3 centre;
 	f32 length;
 	u32 flags;
+	bool at_centre; /* of its texel, not at its own place */
 } ts_flight;
 
 TS_FN ts_flight ts_k_flight_stored(const ts_points_args *from, u64 i)
@@ -43,6 +51,7 @@ TS_FN ts_flight ts_k_flight_stored(const ts_points_args *from, u64 i)
 	r.centre = ts_load3(record->centre);
 	r.length = record->length;
 	r.flags = record->flags;
+	r.at_centre = false;
 	return r;
 }
 
@@ -54,6 +63,7 @@ TS_FN ts_flight ts_k_flight_of_piece(const ts_points_args *from, u64 piece)
 	r.x = 0;
 	r.y = 0;
 	r.centre = ts_v3_make(0.0f, 0.0f, 0.0f);
+	r.at_centre = false;
 	r.length = ts_put(ts_k_splat_length(from, &from->pieces[piece], from->frames[piece].s, &r.flags));
 	return r;
 }
@@ -123,7 +133,37 @@ TS_FN void ts_k_offer_colour(const ts_scatter_args *args, const ts_camera_k *vie
 	}
 }
 
-/* One point into one view. Returns the texels offered: 0 behind the near plane and outside the image. */
+/* What the point's triangle looks like at the centre of texel (i, j). */
+TS_CALL void ts_k_offer_centre(const ts_scatter_args *args, const ts_camera_k *view, u32 triangle,
+                               const ts_fragment *fragment, u64 texel)
+{
+	ts_corners t = ts_k_corners(&args->from.scene, triangle);
+	f32 footprint = ts_k_fragment_footprint(view, &t, fragment);
+	ts_surface s = ts_k_surface(&args->from.scene, triangle, fragment->w, footprint);
+	ts_v3 way = ts_sub(view->eye, s.p);
+	u32 depth = ts_k_depth_code(ts_length(way), view->near) << 19;
+	if (depth <= ts_peek_u32(&args->colours[texel])) {
+		ts_v3 radiance = ts_k_shade(&args->from.scene, &s, ts_normalize(way));
+		ts_min_u32(&args->colours[texel], depth | ts_k_colour_code(radiance, args->exposure));
+	}
+}
+
+/* One point into texel (i, j), at its centre. Returns whether its triangle is drawn there. */
+TS_FN bool ts_k_scatter_centre(const ts_scatter_args *args, const ts_camera_k *view, u32 triangle, i32 i, i32 j,
+                               u64 texel)
+{
+	ts_fragment fragment = ts_k_fragment_drawn(&args->from.scene, view, triangle, i, j);
+	if (!(fragment.z > 0.0f)) return false;
+	if (args->depths != NULL) {
+		ts_min_u32(&args->depths[texel], ts_f2u(fragment.z));
+	} else {
+		ts_k_offer_centre(args, view, triangle, &fragment, texel);
+	}
+	return true;
+}
+
+/* One point into one view. Returns the texels offered: 0 behind the near plane, outside the image, and at a centre that
+ * its triangle does not cover. */
 TS_CALL u32 ts_k_scatter_into(const ts_scatter_args *args, TS_GLOBAL const ts_offscreen *offscreen,
                               const ts_flight *point, u64 first_texel)
 {
@@ -135,12 +175,26 @@ TS_CALL u32 ts_k_scatter_into(const ts_scatter_args *args, TS_GLOBAL const ts_of
 	i32 j = ts_floor_i32(at.y);
 	if (i < 0 || j < 0 || i >= view.width || j >= view.height) return 0u;
 	u64 texel = (offscreen->offset - first_texel) + (u64)j * (u64)view.width + (u64)i;
+	if (point->at_centre) {
+		return ts_k_scatter_centre(args, &view, args->from.pieces[point->piece].triangle, i, j, texel) ? 1u : 0u;
+	}
 	if (args->depths != NULL) {
 		ts_min_u32(&args->depths[texel], ts_f2u(ts_put(p.z)));
 	} else {
 		ts_k_offer_colour(args, &view, point, p.z, texel);
 	}
 	return 1u;
+}
+
+/* The piece's points count at the centre of their texel. Where others of its size were dropped at random it stands for
+ * those, too: it counts at its own place. */
+TS_FN bool ts_k_is_at_centre(const ts_scatter_args *args, u64 index)
+{
+	if (args->centre == 0u || args->culled == 0u) return args->centre != 0u;
+	TS_GLOBAL const ts_piece *piece = &args->from.pieces[index];
+	f32 s = args->from.frames[index].s;
+	f32 area = ts_k_area(ts_load3(piece->a), ts_load3(piece->b), ts_load3(piece->c));
+	return ts_k_cull_threshold((area * s) * s) == 0;
 }
 
 typedef struct {
@@ -181,6 +235,7 @@ TS_FN void ts_k_scatter_item(const ts_scatter_args *args, u64 i)
 {
 	ts_scatter_tally tally = ts_k_scatter_none();
 	ts_flight point = ts_k_flight_stored(&args->from, i);
+	point.at_centre = ts_k_is_at_centre(args, point.piece);
 	ts_k_scatter_point(args, &point, &tally);
 	ts_k_scatter_count(args, &tally);
 }
@@ -193,6 +248,7 @@ TS_FN void ts_k_scatter_pieces_item(const ts_scatter_args *args, u64 i)
 	ts_cover cover = ts_k_lattice_cover(frame, args->from.half_size);
 	ts_scatter_tally tally = ts_k_scatter_none();
 	ts_flight point = ts_k_flight_of_piece(&args->from, i);
+	point.at_centre = ts_k_is_at_centre(args, i);
 	for (i32 y = cover.touched.y0; y <= cover.touched.y1; y++) {
 		for (i32 x = cover.touched.x0; x <= cover.touched.x1; x++) {
 			if (!ts_k_is_point(&args->from, &cover, i, x, y)) continue;

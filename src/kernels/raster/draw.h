@@ -101,6 +101,17 @@ TS_CALL ts_fragment ts_k_fragment_at(const ts_camera_k *view, const ts_corners *
 	return r;
 }
 
+/* The same of a triangle that may not be drawn there: z is 0 where it does not cover the pixel's centre, or its alpha
+ * mask cuts it away. */
+TS_FN ts_fragment ts_k_fragment_drawn(const ts_arrays *scene, const ts_camera_k *view, u32 triangle, i32 i, i32 j)
+{
+	ts_corners t = ts_k_corners(scene, triangle);
+	ts_fragment r = ts_k_fragment_at(view, &t, i, j);
+	if (!(r.z > 0.0f) || !ts_k_is_masked(scene, triangle)) return r;
+	if (ts_k_is_cut(scene, triangle, r.w, t.n, ts_k_fragment_footprint(view, &t, &r))) r.z = 0.0f;
+	return r;
+}
+
 /* The surface of a triangle that a view sees at a pixel: what deferred shading starts from. */
 TS_FN ts_surface ts_k_surface_seen(const ts_arrays *scene, const ts_camera_k *view, u32 triangle, i32 x, i32 y)
 {

@@ -36,15 +36,23 @@ ts_status ts_scatter_run(ts_run *run, const ts_scatters *own, void *args, size_t
 	return TS_OK;
 }
 
-static ts_status scatter(ts_run *run)
+static ts_scatter_args values(const ts_run *run)
 {
 	ts_scatter_args args = ts_scatter_values(run);
+	args.centre = TS_PARAM(&run->params, scatter_at) == TS_SCATTER_CENTRE;
+	args.culled = TS_PARAM(&run->params, points_cull);
+	return args;
+}
+
+static ts_status scatter(ts_run *run)
+{
+	ts_scatter_args args = values(run);
 	return ts_scatter_run(run, &into_depths, &args, sizeof args, args.n_views);
 }
 
 static ts_status scatter_colour(ts_run *run)
 {
-	ts_scatter_args args = ts_scatter_values(run);
+	ts_scatter_args args = values(run);
 	return ts_scatter_run(run, &into_colours, &args, sizeof args, args.n_views);
 }
 

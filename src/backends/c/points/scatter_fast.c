@@ -1,11 +1,13 @@
 /* Fast path of the scatter kernels for depth maps, with the same bits: the threads fill pools with points, then each
  * takes whole depth maps and scatters all pools into them, so there are no atomics; a block of points goes side by
- * side through a view's transform, in loops that compilers vectorize. */
+ * side through a view's transform, in loops that compilers vectorize. Points that count at the centre of their texel
+ * come piece by piece: a view sets their triangle up once, and asks it once for neighbours in one texel. */
 #include <omp.h>
 #include <stdlib.h>
 #include "../../../kernels/points/scatter.h"
 #include "../../fast.h"
 #include "../../wide.h"
+#include "../raster/prepared.h"
 
 enum {
 	ROOM = (1 << 16) + 256, /* a row of a lattice, 24.8 and dilated, has at most 65538 points */
@@ -18,6 +20,7 @@ enum {
 typedef struct {
 	f32 *centre[3];
 	u32 *seen;
+	u32 *of; /* the piece of each; NULL: nobody asks */
 	u32 n;
 	u64 piece, end; /* pieces that this thread took and has not finished */
 	i32 row;        /* of the first of them, from touched.y0 */
@@ -34,9 +37,10 @@ typedef struct {
 	u32 n_pools;
 } job;
 
-static void add_point(const job *j, pool *to, ts_v3 p, const u64 *words)
+static void add_point(const job *j, pool *to, ts_v3 p, u64 piece, const u64 *words)
 {
 	u32 at = to->n++;
+	if (to->of != NULL) to->of[at] = (u32)piece;
 	to->centre[0][at] = p.x;
 	to->centre[1][at] = p.y;
 	to->centre[2][at] = p.z;
@@ -58,7 +62,7 @@ static void fill_stored(job *j, pool *to)
 	u64 begin = take(j, ROOM), end = begin + ROOM < j->n_items ? begin + ROOM : j->n_items;
 	for (u64 i = begin; i < end; i++) {
 		const ts_point *point = &j->args->from.points[i];
-		add_point(j, to, ts_load3(point->centre), words_of(j->args, point->piece));
+		add_point(j, to, ts_load3(point->centre), point->piece, words_of(j->args, point->piece));
 	}
 }
 
@@ -76,7 +80,7 @@ static bool fill_rows(const job *j, pool *to)
 		for (i32 x = cover.touched.x0; x <= cover.touched.x1; x++) {
 			if (!ts_k_is_point(from, &cover, to->piece, x, y)) continue;
 			ts_v3 p = ts_k_point_centre(from, to->piece, x, y);
-			add_point(j, to, ts_v3_make(ts_put(p.x), ts_put(p.y), ts_put(p.z)), words);
+			add_point(j, to, ts_v3_make(ts_put(p.x), ts_put(p.y), ts_put(p.z)), to->piece, words);
 		}
 	}
 	return true;
@@ -130,8 +134,46 @@ TS_WIDE static u32 place(ts_camera_k view, const f32 *restrict x, const f32 *res
 	return count;
 }
 
+/* The piece whose points come, and what its triangle shows at the centre of the texel of the point before. */
+typedef struct {
+	u32 piece;
+	bool at_centre, has_triangle;
+	ts_prepared triangle;
+	i32 texel;
+	u32 depth; /* TS_NONE: it is not drawn there */
+} caster;
+
+static u32 centre_depth(const job *j, const ts_camera_k *view, caster *c, i32 texel)
+{
+	const ts_arrays *scene = &j->args->from.scene;
+	u32 triangle = j->args->from.pieces[c->piece].triangle;
+	if (!c->has_triangle) ts_prepare(&c->triangle, scene, view, triangle);
+	c->has_triangle = true;
+	ts_fragment f = ts_prepared_fragment(&c->triangle, view, texel % view->width, texel / view->width);
+	if (!(f.z > 0.0f)) return TS_NONE;
+	if (!ts_k_is_masked(scene, triangle)) return ts_f2u(f.z);
+	f32 footprint = ts_k_fragment_footprint(view, &c->triangle.corners, &f);
+	return ts_k_is_cut(scene, triangle, f.w, c->triangle.corners.n, footprint) ? TS_NONE : ts_f2u(f.z);
+}
+
+/* The depth that a point of the piece offers to a texel. */
+static u32 offer(const job *j, const ts_camera_k *view, caster *c, u32 piece, i32 texel, u32 own)
+{
+	if (piece != c->piece) {
+		c->piece = piece;
+		c->at_centre = ts_k_is_at_centre(j->args, piece);
+		c->has_triangle = false;
+		c->texel = -1;
+	}
+	if (!c->at_centre) return own;
+	if (texel != c->texel) c->depth = centre_depth(j, view, c, texel);
+	c->texel = texel;
+	return c->depth;
+}
+
 static void scatter_pool(job *j, const ts_camera_k *view, u32 v, const pool *from, u32 *map)
 {
+	caster c = {.piece = TS_NONE};
 	i32 texel[BLOCK];
 	u32 depth[BLOCK];
 	i64 scatters = 0, writes = 0;
@@ -143,8 +185,9 @@ static void scatter_pool(job *j, const ts_camera_k *view, u32 v, const pool *fro
 		for (u32 i = 0; i < n; i++) {
 			if (texel[i] < 0) continue;
 			u32 *at = &map[texel[i]], old = *at;
-			*at = depth[i] < old ? depth[i] : old;
-			writes++;
+			u32 new = from->of != NULL ? offer(j, view, &c, from->of[begin + i], texel[i], depth[i]) : depth[i];
+			*at = new < old ? new : old;
+			writes += new != TS_NONE;
 		}
 	}
 	ts_add_i64(&j->n_scatters, scatters);
@@ -195,6 +238,10 @@ static bool make_pools(job *j, u32 n)
 		p->centre[0] = malloc(3 * ROOM * sizeof(f32));
 		p->seen = malloc((size_t)j->n_groups * ROOM * sizeof(u32));
 		made = p->centre[0] != NULL && p->seen != NULL;
+		if (made && j->args->centre != 0) {
+			p->of = malloc(ROOM * sizeof(u32));
+			made = p->of != NULL;
+		}
 		for (u32 axis = 1; made && axis < 3; axis++) p->centre[axis] = p->centre[0] + axis * ROOM;
 	}
 	return made;
@@ -205,6 +252,7 @@ static void free_pools(job *j)
 	for (u32 p = 0; p < j->n_pools; p++) {
 		free(j->pools[p].centre[0]);
 		free(j->pools[p].seen);
+		free(j->pools[p].of);
 	}
 	free(j->pools);
 }

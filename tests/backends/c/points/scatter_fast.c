@@ -110,6 +110,8 @@ static void test_equal(void **state)
 			.first_view = first,
 			.n_views = n_views - first,
 			.n_words = 2,
+			.centre = random_bits() % 2,
+			.culled = random_bits() % 2,
 		};
 		for (u32 stored = 0; stored < 2; stored++) {
 			u64 n = stored != 0 ? m.n_points : m.n_pieces;
