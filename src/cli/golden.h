@@ -4,7 +4,7 @@
 #include "../golden/golden.h"
 #include "cli.h"
 
-enum { TS_MAX_CASES = 100, TS_CASE_NAME = 41, TS_CASE_SCENE = 64, TS_REASON_BYTES = 400 };
+enum { TS_MAX_CASES = 128, TS_CASE_NAME = 41, TS_CASE_SCENE = 64, TS_REASON_BYTES = 400 };
 
 /* For `help golden`. */
 #define TS_GOLDEN_DETAILS \

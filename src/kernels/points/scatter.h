@@ -121,13 +121,18 @@ TS_CALL u32 ts_k_flight_colour(const ts_scatter_args *args, const ts_camera_k *v
 	return ts_k_colour_code(ts_k_shade(&args->from.scene, &s, ts_normalize(ts_neg(way))), args->exposure);
 }
 
-/* A texel nearer than the point's depth would stay, whatever the point's colour: it is not computed. */
+/* A texel nearer than the offer's depth would stay, whatever the colour: it is not computed. */
+TS_FN bool ts_k_is_wanted(const ts_scatter_args *args, u32 depth, u64 texel)
+{
+	return depth <= ts_peek_u32(&args->colours[texel]);
+}
+
 TS_FN void ts_k_offer_colour(const ts_scatter_args *args, const ts_camera_k *view, const ts_flight *point, f32 z,
                              u64 texel)
 {
 	f32 distance = ts_length(ts_sub(point->centre, view->eye));
 	u32 depth = ts_k_depth_code(distance, view->near) << 19;
-	if (depth <= ts_peek_u32(&args->colours[texel])) {
+	if (ts_k_is_wanted(args, depth, texel)) {
 		u32 code = depth | ts_k_flight_colour(args, view, point, z);
 		ts_min_u32(&args->colours[texel], code);
 	}
@@ -142,7 +147,7 @@ TS_CALL void ts_k_offer_centre(const ts_scatter_args *args, const ts_camera_k *v
 	ts_surface s = ts_k_surface(&args->from.scene, triangle, fragment->w, footprint);
 	ts_v3 way = ts_sub(view->eye, s.p);
 	u32 depth = ts_k_depth_code(ts_length(way), view->near) << 19;
-	if (depth <= ts_peek_u32(&args->colours[texel])) {
+	if (ts_k_is_wanted(args, depth, texel)) {
 		ts_v3 radiance = ts_k_shade(&args->from.scene, &s, ts_normalize(way));
 		ts_min_u32(&args->colours[texel], depth | ts_k_colour_code(radiance, args->exposure));
 	}
