@@ -111,14 +111,17 @@ TS_FN ts_need ts_k_clipped_rate(const ts_camera_k *view, ts_v3 n, ts_v3 a, ts_v3
 	return r;
 }
 
-/* At the point q closest to the view; VIR: a pixel in the image's middle, at that distance, as dense as in its corner.
- * The closest point may lie beside the image, even behind it, where there are no pixels: it counts as in the corner, so
- * that iVIR never needs more than VIR. */
+/* At the point q closest to the view. It may lie beside the image, even behind it, where there are no pixels: it counts
+ * as in the corner. VIR knows the distance alone: at that, the least depth in the image is taken to be that in the
+ * middle of its farther border. */
 TS_FN f32 ts_k_closest_rate(const ts_camera_k *view, const f32 reach[2], ts_v3 n, ts_v3 q, u32 rate)
 {
 	f32 corner = 1.0f + (reach[0] * reach[0] + reach[1] * reach[1]); /* 1 / cos^2 */
 	f32 distance = ts_max(ts_length(ts_sub(q, view->eye)), view->near);
-	if (rate == TS_RATE_IS_VIR) return (view->focal * corner) / distance;
+	if (rate == TS_RATE_IS_VIR) {
+		f32 farther = ts_max(reach[0], reach[1]);
+		return (view->focal * ts_sqrt(1.0f + farther * farther)) / distance;
+	}
 	f32 least = ts_max(distance / ts_sqrt(corner), view->near);
 	return ts_k_pixel_rate(view, n, q, ts_max(ts_k_to_view(view, q).z, least));
 }

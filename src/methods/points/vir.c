@@ -1,11 +1,11 @@
 /* View-independent rendering: the method that iVIR improves on, as iVIR's sections 3 to 6 compare with it (VIR;
  * METHODS 9). Marrs, Watson and Healey, "Real-Time View Independent Rasterization for Multi-View Rendering" (2017).
  *
- * The stages are iVIR's, with the rate that one point of view asks for: a triangle is as dense all over as the view's
- * densest pixel at the triangle's nearest distance, by the worst perspective of any view, and off-screen buffers keep
- * their largest size.
+ * The stages are iVIR's, with a rate by distance alone: pixels a world unit at the least depth that the nearest point
+ * may have in half the field of view, whatever way the triangle faces; and off-screen buffers keep their largest size.
  *
- * Deviations: the rate is a reconstruction; only the ratio of its points to iVIR's is compared. */
+ * Deviations: the rate is a reconstruction, the reading of iVIR 3.1 that iVIR's own table 3 allows (METHODS 9): the
+ * paper of VIR was not at hand. */
 #include "../../kernels/points/view_density.h"
 #include "pipelines.h"
 
@@ -28,26 +28,26 @@ static void vir_omni_plan(ts_plan *plan, const ts_params *params, const ts_count
 	ts_omni_plan(plan, params, counts, request);
 }
 
-/* Nine points a texel: the corner's rate, 3, squared. */
+/* Two points a texel: the rate at a face's border, the root of 2, squared. */
 static void vir_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
 {
 	u64 face = TS_PARAM(params, cube_px) != 0 ? TS_PARAM(params, cube_px) : TS_PARAM(params, cube_max_px);
 	ts_expect_cubes(expected, scene, params, face);
-	expected->sizes.n[TS_DIM_points] = 2 * (u64)scene->n_triangles + 9 * 6 * face * face * scene->info.n_reflectors;
+	expected->sizes.n[TS_DIM_points] = 2 * (u64)scene->n_triangles + 2 * 6 * face * face * scene->info.n_reflectors;
 }
 
 static void vir_omni_expect(ts_expected *expected, const ts_scene *scene, const ts_params *params)
 {
 	ts_omni_expect(expected, scene, params);
 	expected->sizes.n[TS_DIM_points] =
-		2 * (u64)scene->n_triangles + 9 * 6 * (u64)TS_PARAM(params, depth_map_px) * TS_PARAM(params, depth_map_px);
+		2 * (u64)scene->n_triangles + 2 * 6 * (u64)TS_PARAM(params, depth_map_px) * TS_PARAM(params, depth_map_px);
 }
 
 const ts_pipeline ts_pipeline_vir_reflections = {
 	.name = "vir",
 	.effect = &ts_effect_reflections,
 	.paper = "iVIR 5",
-	.doc = "view-independent rendering: points as dense as the worst texel of any cube",
+	.doc = "view-independent rendering: points as dense as the nearest cube asks for, by distance alone",
 	.steps = ts_ivir_reflections_steps,
 	.plan = vir_plan,
 	.expect = vir_expect,

@@ -93,7 +93,7 @@ static const ts_paper_part omni_parts[] = {
 
 static const ts_paper_relation omni_relations[] = {
 	{ "iVIR points saved of VIR's, %", C_SAVED, TS_BETWEEN, 15, 30, TS_NO_FIGURE, 0, 0,
-	  "VIR counts everywhere as in a face's corner, by side 3 times as dense", C_VIR_POINTS },
+	  "VIR is a reconstruction, by this table", C_VIR_POINTS },
 	{ "RMSE to MVR, iVIR by VIR", C_RMSE_RATIO, TS_AT_MOST, 0, 1.1, TS_NO_FIGURE, 0, 0, "fewer points than VIR",
 	  C_SAVED },
 	{ "speed by MVR rises with the lights", C_OVER_MVR, TS_RISES_WITH, C_MVR_MS, 0, TS_NO_FIGURE, 0, 0,
