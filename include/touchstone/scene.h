@@ -17,10 +17,22 @@ extern "C" {
 
 typedef struct ts_scene ts_scene;
 
-/* What of a scene is wanted, beside the parameters. Zero-initialise for defaults. */
+/* The camera that every scene has: an eye that circles, as in the papers' tables. */
+#define TS_CAMERA_CIRCLE "circle"
+
+/* What of a scene is wanted, beside the parameters. Zero-initialise for defaults. Coordinates must be finite and within
+ * 2^24, the eye must not be its target, and a radius must be above 0. Rays find places in files only: in a built-in
+ * scene eye, mirrors and lamps stand by its box and walls where nothing is said. */
 typedef struct {
-	const char *camera;    /* name of a camera of the file; NULL: the circling eye */
+	const char *camera;    /* name of a camera of the file; NULL: its first one, and without any an eye that rays place;
+	                        * "circle": eye, mirrors and lamps by the scene's box and walls alone, the eye circling */
 	const char *reflector; /* name of a node of the file to make a mirror of; NULL: those marked in extras */
+	const float *eye;      /* x, y and z of an eye that stands there; NULL: the camera's */
+	const float *target;   /* what that eye looks at; NULL: the middle of the room or of the thing */
+	int own_fov;           /* not 0: the parameter eye.fov, even where the camera has a field of view */
+	const float (*mirrors)[4]; /* balls that stand still, beside the reflectors: x, y, z and radius */
+	uint32_t n_mirrors;
+	const float *lamp; /* x, y and z of the lamp of shadows and indirect light; NULL: rays or the hall place it */
 } ts_scene_options;
 
 /* Opens a scene. Result in *scene, to be released with ts_scene_free; NULL on failure.
@@ -29,7 +41,7 @@ typedef struct {
  *            two, 16 to 512; 512 unless said), that of surfels with ":surfels=COUNT"; or the path of a .gltf, .glb or
  *            .ply file. Files are untrusted: every count, offset and index is checked, and nothing outside the file's
  *            own folder is opened.
- *   params   reads reflectors, reflectors.shape, reflectors.px, seed, eye, fov, width and height: the added mirrors.
+ *   params   reads reflectors.*, seed, eye.*, width and height: the added mirrors.
  *   options  may be NULL.
  * The result does not depend on threads. */
 TS_API ts_status ts_scene_open(ts_scene **scene, const char *spec, const ts_params *params,

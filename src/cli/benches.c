@@ -27,5 +27,6 @@ ts_status ts_bench_command(ts_cli *cli)
 		bool given = ts_cli_given(cli, 1ull << i);
 		if (given && says_nothing(row, option)) return ts_fail("bench %s: takes no --%s", row->name, option);
 	}
+	cli->job.scene.camera = TS_CAMERA_CIRCLE;
 	return ts_bench_run(row, &cli->job);
 }

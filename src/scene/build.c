@@ -97,6 +97,7 @@ void ts_scene_free(ts_scene *scene)
 	free(scene->objects);
 	free(scene->surfels);
 	free(scene->cameras);
+	free(scene->stands);
 	free(scene->notes);
 	free(scene);
 }
@@ -129,6 +130,14 @@ u32 ts_build_vertex(ts_build *build, const ts_vertex *vertex)
 	sanitize(v->colour, vertex->colour, 4);
 	scene->objects[build->object].n_vertices++;
 	return scene->n_vertices++;
+}
+
+void ts_build_move(ts_build *build, u32 first, ts_v3 by)
+{
+	for (u32 i = first; i < build->scene->n_vertices; i++) {
+		f32 *position = build->scene->vertices[i].position;
+		ts_store3(position, ts_add(ts_load3(position), by));
+	}
 }
 
 void ts_build_triangle(ts_build *build, u32 a, u32 b, u32 c, u32 material)
@@ -288,9 +297,22 @@ void ts_build_box(ts_scene *scene)
 	}
 }
 
+void ts_build_measure(ts_build *build)
+{
+	ts_info *info = &build->scene->info;
+	if (!build->placed) {
+		ts_build_box(build->scene);
+		ts_build_walls(build);
+		return;
+	}
+	ts_info place = build->place;
+	place.n_reflectors = info->n_reflectors;
+	place.ambient = info->ambient;
+	*info = place;
+}
+
 const ts_scene *ts_build_peek(ts_build *build)
 {
-	ts_build_box(build->scene);
-	ts_build_walls(build);
+	ts_build_measure(build);
 	return build->scene;
 }

@@ -3,6 +3,7 @@
 #ifndef TS_SCENE_BUILD_H
 #define TS_SCENE_BUILD_H
 #include <stdbool.h>
+#include "../kernels/base/vec.h"
 #include "scene.h"
 #ifdef __cplusplus
 extern "C" {
@@ -21,6 +22,8 @@ void ts_build_free(ts_build *build);
 
 /* A vertex of the current object. */
 u32 ts_build_vertex(ts_build *build, const ts_vertex *vertex);
+/* Moves the vertices from `first` on. */
+void ts_build_move(ts_build *build, u32 first, ts_v3 by);
 /* Counter-clockwise seen from the front; material TS_NONE is a default one. */
 void ts_build_triangle(ts_build *build, u32 a, u32 b, u32 c, u32 material);
 /* Metallic, roughness and occlusion outside 0 to 1 are clamped and noted. */

@@ -213,8 +213,7 @@ static void complete(ts_build *build, const ts_params *params, const char *camer
 	if (!build->failed) group_vertices(build);
 	if (!build->failed) choose_camera(build, camera);
 	if (build->failed) return;
-	ts_build_box(build->scene);
-	ts_build_walls(build);
+	ts_build_measure(build);
 	count_triangles(build->scene);
 	ts_sample_add(build, params);
 	check_surfels(build);

@@ -5,7 +5,9 @@
 
 struct ts_build {
 	ts_scene *scene;
-	u32 object; /* that new vertices belong to */
+	u32 object;  /* that new vertices belong to */
+	bool placed; /* box, hall and eye are those of `place` */
+	ts_info place;
 	bool failed;
 	char message[512];
 	struct {
@@ -26,6 +28,9 @@ void *ts_build_room(ts_build *build, void *array, u64 n, u64 more, size_t *capac
 /* The box of the triangles of object 0 and the centres of the surfels; where there is neither, of all objects that
  * stand still. Triangles whose corners do not exist are passed over. */
 void ts_build_box(ts_scene *scene);
+
+/* Box, hall and, of a scene whose place was chosen, eye. */
+void ts_build_measure(ts_build *build);
 
 /* The hall, from the box and the triangles of object 0. Fails without memory. */
 void ts_build_walls(ts_build *build);

@@ -7,13 +7,6 @@
 
 static f32 diagonal(ts_space space) { return ts_length(space.half); }
 
-/* Where there are no walls the scene is a thing seen from outside. */
-static bool is_open(const ts_info *info)
-{
-	ts_space box = ts_view_box(info), hall = ts_view_hall(info);
-	return box.half.x == hall.half.x && box.half.z == hall.half.z;
-}
-
 /* From the middle of the hall, in halves of it. */
 static ts_v3 in_hall(ts_space hall, f32 x, f32 y, f32 z)
 {
@@ -25,7 +18,7 @@ static ts_v3 in_hall(ts_space hall, f32 x, f32 y, f32 z)
 static ts_v3 lamp_target(const ts_info *info)
 {
 	ts_space hall = ts_view_hall(info);
-	return is_open(info) ? in_hall(hall, 0.0f, -0.75f, 0.0f) : in_hall(hall, -0.5f, -0.75f, -0.375f);
+	return ts_view_is_open(info) ? in_hall(hall, 0.0f, -0.75f, 0.0f) : in_hall(hall, -0.5f, -0.75f, -0.375f);
 }
 
 static f32 half_tangent(f32 degrees)
@@ -40,12 +33,34 @@ static void set_cone(ts_light *light, f32 inner_cosine, f32 outer_cosine)
 	light->spot_offset = ts_put(-outer_cosine * light->spot_scale);
 }
 
-void ts_lamp_spot(ts_light *light, const ts_info *info, const ts_params *params)
+/* From the lamp's target to the lamp. */
+static ts_v3 way_to_spot(const ts_info *info, ts_v3 target)
 {
 	ts_space hall = ts_view_hall(info);
+	if (!ts_view_is_open(info)) return ts_sub(in_hall(hall, 0.75f, 0.625f, 0.625f), target);
+	return ts_scale(ts_normalize(ts_v3_make(0.5f, 1.0f, 0.375f)), 2.0f * diagonal(hall));
+}
+
+static ts_v3 place_of_ball(const ts_info *info)
+{
+	ts_space hall = ts_view_hall(info);
+	return ts_view_is_open(info) ? in_hall(hall, 0.5f, 2.0f, 0.375f) : in_hall(hall, 0.0f, 0.25f, 0.0f);
+}
+
+void ts_lamp_stands(ts_stand stands[TS_N_STANDS], const ts_info *info)
+{
 	ts_v3 target = lamp_target(info);
-	ts_v3 way = is_open(info) ? ts_scale(ts_normalize(ts_v3_make(0.5f, 1.0f, 0.375f)), 2.0f * diagonal(hall))
-	                          : ts_sub(in_hall(hall, 0.75f, 0.625f, 0.625f), target);
+	ts_store3(stands[TS_STAND_SPOT].position, ts_add(target, way_to_spot(info, target)));
+	ts_store3(stands[TS_STAND_SPOT].target, target);
+	ts_store3(stands[TS_STAND_BALL].position, place_of_ball(info));
+	ts_store3(stands[TS_STAND_BALL].target, target);
+}
+
+void ts_lamp_spot(ts_light *light, const ts_info *info, const ts_stand *stands, const ts_params *params)
+{
+	const ts_stand *at = stands != NULL ? &stands[TS_STAND_SPOT] : NULL;
+	ts_v3 target = at != NULL ? ts_load3(at->target) : lamp_target(info);
+	ts_v3 way = at != NULL ? ts_sub(ts_load3(at->position), target) : way_to_spot(info, target);
 	memset(light, 0, sizeof *light);
 	light->kind = TS_LIGHT_KIND_SPOT;
 	f32 distance = ts_length(way), candela = TS_PARAM(params, light_irradiance) * (distance * distance);
@@ -56,13 +71,13 @@ void ts_lamp_spot(ts_light *light, const ts_info *info, const ts_params *params)
 	set_cone(light, ts_cos_turn(turns * 0.75f), ts_cos_turn(turns * 0.9375f));
 }
 
-void ts_lamp_ball(ts_light *light, const ts_info *info, const ts_params *params)
+void ts_lamp_ball(ts_light *light, const ts_info *info, const ts_stand *stands, const ts_params *params)
 {
 	ts_space hall = ts_view_hall(info);
 	f32 distance = hall.half.y, candela = TS_PARAM(params, light_irradiance) * (distance * distance);
 	memset(light, 0, sizeof *light);
 	light->kind = TS_LIGHT_KIND_POINT;
-	ts_store3(light->position, is_open(info) ? in_hall(hall, 0.5f, 2.0f, 0.375f) : in_hall(hall, 0.0f, 0.25f, 0.0f));
+	ts_store3(light->position, stands != NULL ? ts_load3(stands[TS_STAND_BALL].position) : place_of_ball(info));
 	ts_store3(light->intensity, ts_v3_make(candela, candela, candela));
 }
 

@@ -4,17 +4,23 @@
 #define TS_SCENE_LAMP_H
 #include "../kernels/base/records.h"
 #include "../model/param.h"
+#include "scene.h"
 
 /* Between two seeds of a sunflower, in turns (Vogel 1979). */
 #define TS_GOLDEN_TURN 0.61803400516510009765625f
 
-/* The lamp of soft shadows: a spot light under a corner of the hall, aimed across it at the floor; of a scene without
+/* Where the two lamps stand by the hall alone, as below. */
+void ts_lamp_stands(ts_stand stands[TS_N_STANDS], const ts_info *info);
+
+/* Both lamps: stands are the scene's, or NULL for a scene without.
+ *
+ * The lamp of soft shadows: a spot light under a corner of the hall, aimed across it at the floor; of a scene without
  * walls, above and beside it. Its cone keeps within the depth maps of all samples, where it is aimed, if lamp.fov is 40
  * degrees or more and lamp.radius 1/36 or less. Its irradiance there is params->light_irradiance. */
-void ts_lamp_spot(ts_light *light, const ts_info *info, const ts_params *params);
+void ts_lamp_spot(ts_light *light, const ts_info *info, const ts_stand *stands, const ts_params *params);
 /* The lamp of omnidirectional shadows: a point light in the middle of the hall, of a scene without walls above
  * it. */
-void ts_lamp_ball(ts_light *light, const ts_info *info, const ts_params *params);
+void ts_lamp_ball(ts_light *light, const ts_info *info, const ts_stand *stands, const ts_params *params);
 
 /* What a depth map shows of a light. */
 typedef struct {

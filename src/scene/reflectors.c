@@ -1,33 +1,45 @@
 /* The added reflectors (EPR 4.2; METHODS 4): golden-angle phases on ellipses around the middle of the hall's floor,
  * turning as the eye does, and one radius for all, so that their mean projected diameter at frame 0 is reflector_px. */
 #include "../kernels/base/pose.h"
+#include "../model/core.h"
 #include "shapes.h"
 #include "sources.h"
 #include "view.h"
+#include <stdlib.h>
 
-#define INNER 0.6f      /* of half the hall */
-#define CLEARANCE 0.16f /* from the eye, in halves of the hall */
-#define WIDEST 0.35f    /* radius, of the shorter half of the hall */
+#define INNER 0.6f          /* of half the hall */
+#define CLEARANCE 0.16f     /* from the eye, in halves of the hall */
+#define WIDEST 0.35f        /* radius, of the shorter half of the hall */
+#define WIDEST_BESIDE 0.12f /* radius beside a thing, of half the box's diagonal */
+#define TALLEST 0.25f       /* diameter, of the image's height, where rays find the places */
+#define ROOMY 1.05f         /* clearance about a mirror, in radii */
+enum { N_TRIES = 128, N_ROUNDS = 6 };
 
 /* What the places of the reflectors follow from. */
 typedef struct {
 	ts_space hall;
 	ts_view eye;
 	u32 n;
+	const ts_rays *rays; /* NULL: the paths alone say where the reflectors are */
+	bool stands, open;   /* the eye stands still; there are no walls */
 } floor_plan;
 
 static f32 fraction(f32 x) { return x - ts_floor(x); }
 
-static void plan_make(floor_plan *plan, const ts_scene *scene, const ts_params *params, const char *camera)
+static void plan_make(floor_plan *plan, const ts_scene *scene, const ts_params *params, const char *camera,
+                      const ts_rays *rays)
 {
 	ts_info seen = scene->info;
 	ts_params first = *params;
 	u32 index = ts_scene_camera(scene, camera);
-	ts_view_choose(&seen, index != TS_NONE ? &scene->cameras[index] : NULL);
+	if (rays == NULL) ts_view_choose(&seen, index != TS_NONE ? &scene->cameras[index] : NULL);
 	TS_PARAM_SET(&first, frame, 0);
 	ts_view_eye(&plan->eye, &seen, &first);
 	plan->hall = ts_view_hall(&scene->info);
 	plan->n = TS_PARAM(params, reflectors_count);
+	plan->rays = rays;
+	plan->stands = seen.circles == TS_CIRCLES_NOT;
+	plan->open = ts_view_is_open(&scene->info);
 }
 
 /* The size of the ellipse in halves of the hall: equal areas a reflector, but not where the eye is. */
@@ -86,13 +98,152 @@ static f32 mean_pixels_across(const floor_plan *plan, f32 radius)
 /* The heights depend on the radius, a little: a few rounds settle it. */
 static f32 radius_for(ts_build *build, const floor_plan *plan, f32 pixels)
 {
-	f32 widest = ts_min(plan->hall.half.x, plan->hall.half.z) * WIDEST;
+	bool beside = plan->rays != NULL && plan->open;
+	f32 widest =
+		beside ? ts_length(plan->hall.half) * WIDEST_BESIDE : ts_min(plan->hall.half.x, plan->hall.half.z) * WIDEST;
 	f32 radius = 0.0f;
+	f32 asked = pixels;
+	if (plan->rays != NULL) pixels = ts_min(pixels, (f32)plan->eye.height * TALLEST);
 	for (u32 round = 0; round < 4; round++) radius = ts_min(pixels / mean_pixels_across(plan, radius), widest);
-	if (radius == widest)
+	if (radius == widest || pixels < asked)
 		ts_build_note(build, "the added reflectors are %g px across instead of reflectors.px=%g, so that they fit",
-		              (double)(radius * mean_pixels_across(plan, radius)), (double)pixels);
+		              (double)(radius * mean_pixels_across(plan, radius)), (double)asked);
 	return radius;
+}
+
+static ts_v3 place_of(const ts_object *object) { return ts_k_pose(object, 0).centre; }
+
+/* Whether a ball of that radius may be at p in frame 0, beside the n that have places. */
+static bool is_free(const floor_plan *plan, ts_v3 p, f32 radius, const ts_object *objects, u32 n)
+{
+	f32 clear = radius * ROOMY;
+	if (ts_length(ts_sub(p, ts_load3(plan->eye.eye))) < 3.0f * radius) return false;
+	for (u32 i = 0; i < n; i++) {
+		if (ts_length(ts_sub(place_of(&objects[i]), p)) < 2.1f * radius) return false;
+	}
+	return ts_rays_clearance(plan->rays, p, clear) >= clear && !ts_rays_is_inside(plan->rays, p);
+}
+
+/* Whether the eye sees p, and a ball there covers no more than it may. */
+static bool is_seen(const floor_plan *plan, ts_v3 p, f32 radius)
+{
+	f32 depth, height = (f32)plan->eye.height;
+	if (!ts_view_holds(&plan->eye, p, 0.0f, &depth)) return false;
+	return 2.0f * radius * plan->eye.focal <= depth * height * (1.5f * TALLEST) &&
+	       ts_rays_free_between(plan->rays, ts_load3(plan->eye.eye), p);
+}
+
+/* Whether the reflector may keep the path that it has without rays. */
+static bool keeps_path(const floor_plan *plan, const ts_object *object, f32 radius, const ts_object *objects, u32 n)
+{
+	ts_v3 p = place_of(object);
+	if (plan->open || !is_free(plan, p, radius, objects, n)) return false;
+	if (plan->stands) return is_seen(plan, p, radius);
+	return ts_rays_free_between(plan->rays, ts_load3(plan->eye.eye), p) ||
+	       ts_rays_free_between(plan->rays, plan->hall.middle, p);
+}
+
+/* Candidate k: along a ray of the eye; false if it would hide a thing, or is out of the hall. */
+static bool candidate(ts_v3 *p, const floor_plan *plan, u32 k)
+{
+	f32 x = 0.08f + 0.84f * fraction(0.7548777f * (f32)k), y = 0.1f + 0.8f * fraction(0.56984f * (f32)k);
+	f32 share = fraction(0.618034f * (f32)k), distance;
+	ts_v3 eye = ts_load3(plan->eye.eye);
+	ts_v3 way = ts_view_way(&plan->eye, x * (f32)plan->eye.width, y * (f32)plan->eye.height);
+	f32 size = ts_length(plan->hall.half), far = ts_length(ts_sub(plan->hall.middle, eye));
+	bool hits = ts_rays_cast(&distance, plan->rays, eye, way, far + 3.0f * size) != TS_NONE;
+	if (plan->open) {
+		f32 along = far + (share - 0.5f) * size;
+		*p = ts_mad(eye, way, along);
+		return !hits || distance > far + size;
+	}
+	*p = ts_mad(eye, way, distance * (0.25f + 0.65f * share));
+	ts_v3 in = ts_sub(*p, plan->hall.middle), half = plan->hall.half;
+	return ts_abs(in.x) <= half.x && ts_abs(in.y) <= half.y && ts_abs(in.z) <= half.z;
+}
+
+/* A path about the middle of the hall that is at p in frame 0. */
+static ts_object path_through(const floor_plan *plan, ts_v3 p, f32 radius)
+{
+	f32 hx = plan->open ? 1.0f : plan->hall.half.x, hz = plan->open ? 1.0f : plan->hall.half.z;
+	f32 x = (p.x - plan->hall.middle.x) / hx, z = (p.z - plan->hall.middle.z) / hz;
+	f32 size = ts_length(ts_v3_make(x, 0.0f, z)), turns = ts_atan2(ts_san(z), ts_san(x)) * 0.15915494f;
+	f32 phase = fraction(turns + 1.0f), bob = ts_min(plan->hall.half.y * 0.04f, radius * 0.25f);
+	ts_object object = {.period = TS_FRAMES_A_TURN, .phase = phase, .bob = bob, .spin = 2.0f};
+	f32 height = p.y - bob * ts_sin_turn(phase + phase);
+	ts_store3(object.centre, ts_v3_make(plan->hall.middle.x, height, plan->hall.middle.z));
+	object.axis[0] = ts_put(hx * size);
+	object.axis[1] = ts_put(hz * size);
+	return object;
+}
+
+/* Whether a mirror at p covers a thing that has no walls about it. */
+static bool covers(const floor_plan *plan, ts_v3 p, f32 radius)
+{
+	f32 distance;
+	ts_v3 eye = ts_load3(plan->eye.eye), right = ts_load3(plan->eye.right), up = ts_load3(plan->eye.up);
+	for (u32 k = 0; k < 4 && plan->open; k++) {
+		f32 x = k & 1 ? radius : -radius, y = k & 2 ? radius : -radius;
+		ts_v3 way = ts_normalize(ts_sub(ts_mad(ts_mad(p, right, x), up, y), eye));
+		f32 far = ts_length(ts_sub(p, eye)) + ts_length(plan->hall.half);
+		if (ts_rays_cast(&distance, plan->rays, eye, way, far) != TS_NONE) return true;
+	}
+	return false;
+}
+
+/* From the nearest of the n reflectors that have places. */
+static f32 apart(ts_v3 p, const ts_object *objects, u32 n)
+{
+	f32 least = TS_RAYS_FAR;
+	for (u32 i = 0; i < n; i++) least = ts_min(least, ts_length(ts_sub(place_of(&objects[i]), p)));
+	return least;
+}
+
+/* Of the candidates that are free and in sight the one farthest from the others; one that covers a thing only where all
+ * do. False if there is none. */
+static bool find_place(ts_object *object, const floor_plan *plan, u32 i, f32 radius, const ts_object *objects)
+{
+	f32 best = -1.0f;
+	bool uncovered = false;
+	for (u32 k = 0; k < N_TRIES; k++) {
+		ts_v3 p;
+		bool clear = candidate(&p, plan, k + 1);
+		if (uncovered && !clear) continue;
+		f32 far = apart(p, objects, i);
+		bool better = far > best || (clear && !uncovered);
+		if (!better || !is_free(plan, p, radius, objects, i) || !is_seen(plan, p, radius)) continue;
+		clear = clear && !covers(plan, p, radius);
+		if (clear != uncovered ? !clear : far <= best) continue;
+		best = far;
+		uncovered = clear;
+		*object = path_through(plan, p, radius);
+	}
+	return best >= 0.0f;
+}
+
+/* Returns how many have no free place; these keep their paths. */
+static u32 place_round(const floor_plan *plan, ts_object *objects, f32 radius)
+{
+	u32 n_lost = 0;
+	for (u32 i = 0; i < plan->n; i++) {
+		ts_object own = path(plan, i, radius);
+		objects[i] = own;
+		if (plan->rays == NULL || keeps_path(plan, &own, radius, objects, i)) continue;
+		n_lost += !find_place(&objects[i], plan, i, radius, objects);
+	}
+	return n_lost;
+}
+
+/* All of one radius, which shrinks until nearly all have free places. */
+static void place_all(ts_build *build, const floor_plan *plan, ts_object *objects, f32 *radius)
+{
+	u32 n_lost = 0;
+	for (u32 round = 0; round < N_ROUNDS; round++) {
+		if (round > 0) *radius = *radius * 0.75f;
+		n_lost = place_round(plan, objects, *radius);
+		if (n_lost * 8 <= plan->n) break;
+	}
+	if (n_lost > 0) ts_build_note(build, "%u of the added reflectors have no free place in sight", n_lost);
 }
 
 /* Reflectances of polished metals, most of them pale. */
@@ -118,20 +269,45 @@ static bool is_for_surfels(ts_build *build, const ts_params *params)
 	return TS_PARAM(params, surfels_from_mesh) > 0 || (scene->n_surfels > 0 && scene->n_triangles == 0);
 }
 
-void ts_reflectors_add(ts_build *build, const ts_params *params, const char *camera)
+/* Adds one of those that stand still. */
+static void add_standing(ts_build *build, const f32 mirror[4], u32 material)
+{
+	ts_object object = {.period = 0};
+	u32 first = ts_build_peek(build)->n_vertices;
+	ts_build_object(build, &object, true);
+	ts_shape_add(build, TS_SHAPE_SPHERE, mirror[3], material);
+	ts_build_move(build, first, ts_load3(mirror));
+}
+
+void ts_reflectors_stand(ts_build *build, const f32 (*mirrors)[4], u32 n)
+{
+	for (u32 i = 0; i < n && !ts_build_failed(build); i++) {
+		add_standing(build, mirrors[i], make_material(build, tints[i % N_TINTS]));
+	}
+	ts_build_object(build, NULL, false);
+}
+
+void ts_reflectors_add(ts_build *build, const ts_params *params, const char *camera, const ts_rays *rays)
 {
 	floor_plan plan;
 	u32 materials[N_TINTS];
 	if (TS_PARAM(params, reflectors_count) == 0 || ts_build_failed(build) || is_for_surfels(build, params)) return;
-	plan_make(&plan, ts_build_peek(build), params, camera);
+	plan_make(&plan, ts_build_peek(build), params, camera, rays);
 	f32 radius = radius_for(build, &plan, TS_PARAM(params, reflectors_px));
+	ts_object *objects = ts_alloc(plan.n, sizeof *objects, "the added reflectors");
+	if (objects == NULL) {
+		ts_build_fail(build, "no memory to place %u reflectors", plan.n);
+		return;
+	}
+	place_all(build, &plan, objects, &radius);
 	for (u32 i = 0; i < plan.n; i++) {
-		ts_object object = path(&plan, i, radius);
+		ts_object object = objects[i];
 		u32 shape = TS_PARAM(params, reflectors_shape) == TS_SHAPE_MIXED ? i % TS_SHAPE_MIXED
 		                                                                 : TS_PARAM(params, reflectors_shape);
 		if (i < N_TINTS) materials[i] = make_material(build, tints[i]);
 		ts_build_object(build, &object, true);
 		ts_shape_add(build, shape, radius, materials[i % N_TINTS]);
 	}
+	free(objects);
 	ts_build_object(build, NULL, false);
 }

@@ -30,7 +30,9 @@ struct ts_scene {
 	ts_object *objects;
 	u32 n_objects;
 	ts_surfel *surfels;
-	u32 n_surfels;        /* a scene may have these only, or triangles only, or both */
+	u32 n_surfels; /* a scene may have these only, or triangles only, or both */
+	ts_stand *stands;
+	u32 n_stands;         /* TS_N_STANDS, or 0: the lamps of shadows stand as the hall says */
 	bool is_checkerboard; /* they are those of builtin_checkerboard.c */
 	ts_info info;
 	ts_camera *cameras;
@@ -41,6 +43,9 @@ struct ts_scene {
 	char **notes;
 	u32 n_notes; /* what in the file was not understood, a line each */
 };
+
+/* Places in ts_scene.stands. */
+enum { TS_STAND_SPOT, TS_STAND_BALL, TS_N_STANDS };
 
 /* Places in ts_material's slot. Flags, wrap modes and kinds of light: kernels/base/scene.h, texture.h, shade.h. */
 enum { TS_SLOT_BASE, TS_SLOT_METALROUGH, TS_SLOT_NORMAL, TS_SLOT_OCCLUSION, TS_SLOT_EMISSIVE, TS_N_SLOTS };

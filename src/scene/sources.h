@@ -2,6 +2,7 @@
 #ifndef TS_SCENE_SOURCES_H
 #define TS_SCENE_SOURCES_H
 #include "build.h"
+#include "rays.h"
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -21,15 +22,23 @@ void ts_builtin_names(char *text, size_t text_bytes);
 /* Fills a build with the scene that spec, for which ts_builtin_is is true, names. Reads params->{seed,
  * surfels.radius}. */
 void ts_builtin_make(ts_build *build, const char *spec, const ts_params *params);
-/* All of opening a built-in scene, with the reflectors that params ask for; needs neither glTF nor JSON. camera may be
- * NULL. *scene by ts_scene_free; NULL on failure, also where spec is no built-in scene. */
-ts_status ts_builtin_open(ts_scene **scene, const char *spec, const ts_params *params, const char *camera);
+/* All of opening a built-in scene, with the reflectors that params ask for; needs neither glTF nor JSON. wanted may
+ * be NULL. *scene by ts_scene_free; NULL on failure, also where spec is no built-in scene. */
+ts_status ts_builtin_open(ts_scene **scene, const char *spec, const ts_params *params, const ts_scene_options *wanted);
 
 /* ground.c: a square under the scene, if the parameter asks for it. */
 void ts_ground_add(ts_build *build, const ts_params *params);
 
-/* reflectors.c: as many reflectors as the parameters say, on periodic paths (METHODS 4); none for surfels. */
-void ts_reflectors_add(ts_build *build, const ts_params *params, const char *camera);
+/* reflectors.c: as many reflectors as the parameters say, on periodic paths (METHODS 4); none for surfels. With rays
+ * each is at a free place at frame 0; NULL: the hall alone says where they are. */
+void ts_reflectors_add(ts_build *build, const ts_params *params, const char *camera, const ts_rays *rays);
+/* Balls that stand still: x, y, z and radius. */
+void ts_reflectors_stand(ts_build *build, const f32 (*mirrors)[4], u32 n);
+
+/* arrange.c: behind the triangles of a scene its eye, mirrors and lamps, as the options say. With `find`, as of files,
+ * rays find the places that the options leave open.
+ * Returns: the name of the chosen camera, or NULL: none; it belongs to the build. */
+const char *ts_arrange(ts_build *build, const ts_params *params, const ts_scene_options *options, bool find);
 
 #ifdef __cplusplus
 }

@@ -20,14 +20,26 @@ ts_space ts_view_hall(const ts_info *info)
 	                     ts_v3_make(info->hall_max[0], info->box_max[1], info->hall_max[1]));
 }
 
+void ts_view_aim(f32 right[3], f32 up[3], f32 back[3], ts_v3 eye, ts_v3 target)
+{
+	ts_v3 z = ts_normalize(ts_sub(eye, target));
+	ts_v3 x = ts_normalize(ts_cross(ts_v3_make(0.0f, 1.0f, 0.0f), z));
+	if (!(ts_dot(x, x) > 0.0f)) x = ts_v3_make(1.0f, 0.0f, 0.0f);
+	ts_store3(right, x);
+	ts_store3(up, ts_normalize(ts_cross(z, x)));
+	ts_store3(back, z);
+}
+
 static void look_at(ts_view *view, ts_v3 eye, ts_v3 target)
 {
-	ts_v3 back = ts_normalize(ts_sub(eye, target));
-	ts_v3 right = ts_normalize(ts_cross(ts_v3_make(0.0f, 1.0f, 0.0f), back));
 	ts_store3(view->eye, eye);
-	ts_store3(view->right, right);
-	ts_store3(view->up, ts_normalize(ts_cross(back, right)));
-	ts_store3(view->back, back);
+	ts_view_aim(view->right, view->up, view->back, eye, target);
+}
+
+bool ts_view_is_open(const ts_info *info)
+{
+	ts_space box = ts_view_box(info), hall = ts_view_hall(info);
+	return box.half.x == hall.half.x && box.half.z == hall.half.z;
 }
 
 static void circle(ts_view *view, const ts_info *info, const ts_params *params)
@@ -44,21 +56,47 @@ static void circle(ts_view *view, const ts_info *info, const ts_params *params)
 	look_at(view, eye, ts_v3_make(hall.middle.x, floor + height * TARGET_HEIGHT, hall.middle.z));
 }
 
-/* So far from the middle of the box that the ball about it fits into the image. */
+#define HELD 0.9f /* of the image's half sides, by the box */
+
+/* So far from the middle of the box that all its corners are in the image. */
+static f32 distance_to_hold(ts_v3 half, const ts_view *view, f32 tangent_up, f32 tangent_across)
+{
+	f32 distance = 0.0f;
+	for (u32 k = 0; k < 8; k++) {
+		ts_v3 c = ts_v3_make(k & 1 ? half.x : -half.x, k & 2 ? half.y : -half.y, k & 4 ? half.z : -half.z);
+		f32 x = ts_abs(ts_dot(c, ts_load3(view->right))) / (tangent_across * HELD);
+		f32 y = ts_abs(ts_dot(c, ts_load3(view->up))) / (tangent_up * HELD);
+		distance = ts_max(distance, ts_dot(c, ts_load3(view->back)) + ts_max(x, y));
+	}
+	return distance;
+}
+
+/* Around the box: as near as the image holds its corners, or as far as the ball about it needs. */
 static void circle_outside(ts_view *view, const ts_info *info, const ts_params *params)
 {
 	ts_space box = ts_view_box(info);
 	f32 turns = (f32)(TS_PARAM(params, frame) % TS_FRAMES_A_TURN) / (f32)TS_FRAMES_A_TURN;
-	f32 distance = ts_length(box.half) / ts_sin_turn(TS_PARAM(params, eye_fov) / 720.0f);
+	f32 half_fov = TS_PARAM(params, eye_fov) / 720.0f, sine = ts_sin_turn(half_fov);
+	f32 distance = ts_length(box.half) / sine;
 	ts_v3 way = ts_normalize(ts_v3_make(ts_sin_turn(turns), EYE_HEIGHT, ts_cos_turn(turns)));
 	look_at(view, ts_mad(box.middle, way, distance), box.middle);
+	if (info->circles == TS_CIRCLES_HALL) return;
+	f32 up = sine / ts_cos_turn(half_fov);
+	f32 across = up * (f32)TS_PARAM(params, width) / (f32)TS_PARAM(params, height);
+	ts_store3(view->eye, ts_mad(box.middle, way, distance_to_hold(box.half, view, up, across)));
+}
+
+static bool is_outside(const ts_info *info, const ts_params *params)
+{
+	u32 distance = TS_PARAM(params, eye_distance);
+	return distance == TS_EYE_OUTSIDE || (distance == TS_EYE_FAR && info->circles == TS_CIRCLES_OUTSIDE);
 }
 
 void ts_view_eye(ts_view *view, const ts_info *info, const ts_params *params)
 {
-	if (info->circles != 0 && TS_PARAM(params, eye_distance) == TS_EYE_OUTSIDE) {
+	if (info->circles != TS_CIRCLES_NOT && is_outside(info, params)) {
 		circle_outside(view, info, params);
-	} else if (info->circles != 0) {
+	} else if (info->circles != TS_CIRCLES_NOT) {
 		circle(view, info, params);
 	} else {
 		memcpy(view->eye, info->eye, sizeof view->eye);
@@ -74,9 +112,26 @@ void ts_view_eye(ts_view *view, const ts_info *info, const ts_params *params)
 	view->near = ts_put(ts_length(ts_view_box(info).half) * 0.0009765625f);
 }
 
+ts_v3 ts_view_way(const ts_view *view, f32 x, f32 y)
+{
+	f32 right = (x - (f32)view->width * 0.5f) / view->focal, up = ((f32)view->height * 0.5f - y) / view->focal;
+	ts_v3 way = ts_mad(ts_neg(ts_load3(view->back)), ts_load3(view->right), right);
+	return ts_normalize(ts_mad(way, ts_load3(view->up), up));
+}
+
+bool ts_view_holds(const ts_view *view, ts_v3 p, f32 margin, f32 *depth)
+{
+	ts_v3 d = ts_sub(p, ts_load3(view->eye));
+	f32 z = -ts_dot(d, ts_load3(view->back));
+	f32 x = view->focal * ts_abs(ts_dot(d, ts_load3(view->right)));
+	f32 y = view->focal * ts_abs(ts_dot(d, ts_load3(view->up)));
+	*depth = z;
+	return z > 0.0f && x <= z * ((f32)view->width * 0.5f - margin) && y <= z * ((f32)view->height * 0.5f - margin);
+}
+
 void ts_view_choose(ts_info *info, const ts_camera *camera)
 {
-	info->circles = camera == NULL;
+	info->circles = camera == NULL ? TS_CIRCLES_HALL : TS_CIRCLES_NOT;
 	if (camera == NULL) return;
 	ts_store3(info->eye, ts_load3(camera->eye));
 	ts_store3(info->right, ts_load3(camera->right));

@@ -7,6 +7,14 @@
 /* Frames in which the eye, and each added reflector, comes around once. */
 #define TS_FRAMES_A_TURN 240u
 
+/* How the eye circles: ts_info.circles. */
+enum {
+	TS_CIRCLES_NOT,     /* a chosen camera stands still */
+	TS_CIRCLES_HALL,    /* in the hall; with eye.distance=outside as far off as the ball about the box needs */
+	TS_CIRCLES_ROOM,    /* in the hall; with eye.distance=outside as near as the image holds the box */
+	TS_CIRCLES_OUTSIDE, /* likewise, but eye.distance=far is outside, too */
+};
+
 /* A box by its middle and half its extents, world units. A flat one counts as 1/32 of its greatest extent thick, and
  * a point as two units wide: no half is 0. */
 typedef struct {
@@ -30,6 +38,19 @@ ts_space ts_view_hall(const ts_info *info);
  * height, looking at its middle a little below.
  * near is 2^-10 of half the box's diagonal. Reads params->{frame, eye, fov, width, height}. */
 void ts_view_eye(ts_view *view, const ts_info *info, const ts_params *params);
+
+/* Axes of an eye that looks from one point at another; straight up or down +x is right. */
+void ts_view_aim(f32 right[3], f32 up[3], f32 back[3], ts_v3 eye, ts_v3 target);
+
+/* Whether there are no walls: the hall is as wide as the box, and the scene is a thing seen from outside. */
+bool ts_view_is_open(const ts_info *info);
+
+/* The way, of unit length, from the eye through the point (x, y) of the image, in pixels from the top left. */
+ts_v3 ts_view_way(const ts_view *view, f32 x, f32 y);
+/* Where p is seen.
+ * Returns: whether p is in front of the eye and in the image, by `margin` pixels or more.
+ * Out:     *depth along the eye's axis. */
+bool ts_view_holds(const ts_view *view, ts_v3 p, f32 margin, f32 *depth);
 
 /* Makes `camera` the chosen one, or with NULL none: the eye circles. */
 void ts_view_choose(ts_info *info, const ts_camera *camera);

@@ -62,7 +62,8 @@ static ts_status choose(ts_load *load, const ts_buffer_id *ids)
 	load->item[TS_B_scene_info] = ts_load_item(load->reference, load->candidate, TS_B_scene_info);
 	for (; *ids != TS_N_BUFFERS; ids++) {
 		load->item[*ids] = ts_load_item(load->reference, load->candidate, *ids);
-		if (load->item[*ids] != NULL || used >= sizeof missing) continue;
+		bool spared = *ids == TS_B_scene_stand; /* scenes without do as the hall says */
+		if (load->item[*ids] != NULL || spared || used >= sizeof missing) continue;
 		used += (size_t)snprintf(missing + used, sizeof missing - used, "%s%s", used > 0 ? ", " : "",
 		                         ts_buffer_table[*ids].name);
 	}
@@ -130,6 +131,10 @@ static void make_scene(ts_load *load)
 	if (load->item[TS_B_scene_surfel] != NULL) {
 		scene->surfels = ts_frame_data(frame, TS_B_scene_surfel);
 		scene->n_surfels = (u32)ts_frame_n(frame, TS_B_scene_surfel);
+	}
+	if (load->item[TS_B_scene_stand] != NULL) {
+		scene->stands = ts_frame_data(frame, TS_B_scene_stand);
+		scene->n_stands = (u32)ts_frame_n(frame, TS_B_scene_stand);
 	}
 	if (load->item[TS_B_scene_info] != NULL && ts_frame_n(frame, TS_B_scene_info) > 0) {
 		memcpy(&scene->info, ts_frame_data(frame, TS_B_scene_info), sizeof scene->info);

@@ -167,7 +167,7 @@ done
 deferred=surfels-deferred/trace-deferred ewa=surfels-ewa/trace-ewa
 prints 'bits agree with shadow_test.lit' probe $deferred --pixel 33,60
 prints 'by_neighbour' probe $ewa --pixel 33,60
-"$touchstone" render surfels "$OLDPWD/scenes/room.gltf" "${splats[@]:1}" --set deferred.shader=phong_shadow --trace --method deferred -o bulb > /dev/null
+"$touchstone" render surfels "$OLDPWD/scenes/room.gltf" "${splats[@]:1}" --camera circle --set deferred.shader=phong_shadow --trace --method deferred -o bulb > /dev/null
 for words in '33,60 -Y' '32,2 -X'; do
 	read -r pixel face <<< "$words"
 	prints "view: 0.$face; " probe bulb/trace-deferred --pixel "$pixel"

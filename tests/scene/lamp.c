@@ -152,7 +152,7 @@ static void test_spot(void **state)
 		params.lamp_fov = lens.fov = uniform(40, 60);
 		params.lamp_radius = uniform(0, 1.0f / 36);
 		ts_light lamp;
-		ts_lamp_spot(&lamp, info, &params);
+		ts_lamp_spot(&lamp, info, NULL, &params);
 		double cosine = -(double)lamp.spot_offset / lamp.spot_scale, tangent = sqrt(1 - cosine * cosine) / cosine;
 		double distance = sqrt(lamp.intensity[0] / (double)params.light_irradiance);
 		double radius = ts_lamp_radius(&lamp, info, &params);
@@ -179,7 +179,7 @@ static void test_ball(void **state)
 	for (u32 i = 0; i < N; i++) {
 		const ts_info *info = &infos[i % 3];
 		ts_light ball;
-		ts_lamp_ball(&ball, info, &params);
+		ts_lamp_ball(&ball, info, NULL, &params);
 		u32 n = 1 + below(40);
 		double radius = ts_lamp_radius(&ball, info, &params);
 		double3 mean = {0, 0, 0};

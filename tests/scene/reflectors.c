@@ -34,7 +34,7 @@ static ts_scene *room(f32 x, f32 y, f32 z, const char *camera)
 	                  .back = {1.0f, 0.0f, 0.0f},
 	                  .yfov = 0.125f};
 	ts_build_camera(build, &door);
-	ts_reflectors_add(build, &params, camera);
+	ts_reflectors_add(build, &params, camera, NULL);
 	ts_scene *scene;
 	assert_int_equal(ts_build_finish(build, &params, camera, &scene), TS_OK);
 	assert_int_equal(scene->info.n_reflectors, params.reflectors_count);

@@ -44,7 +44,7 @@ static inline ts_scene *soup_open(const ts_params *params, u32 n)
 		u32 a = soup_corner(build, &id, middle, size), b = soup_corner(build, &id, middle, size);
 		ts_build_triangle(build, a, b, soup_corner(build, &id, middle, size), i % SOUP_MATERIALS);
 	}
-	ts_reflectors_add(build, params, NULL);
+	ts_reflectors_add(build, params, NULL, NULL);
 	return ts_build_finish(build, params, NULL, &scene) == TS_OK ? scene : NULL;
 }
 

@@ -12,6 +12,11 @@ static ts_status make_lamps(ts_run *run, u32 n, ts_light **lights, ts_lamp **lam
 	return *lights != NULL && *lamps != NULL ? TS_OK : TS_ERROR;
 }
 
+static const ts_stand *stands_of(const ts_run *run)
+{
+	return run->scene->n_stands == TS_N_STANDS ? run->scene->stands : NULL;
+}
+
 static void set_shape(ts_lamp *lamp, const ts_run *run, const ts_light *light, u32 first, u32 samples)
 {
 	f32 radius = ts_lamp_radius(light, ts_run_info(run), &run->params);
@@ -36,7 +41,7 @@ static ts_status lamp(ts_run *run)
 		if (own) {
 			lights[i] = from[i];
 		} else {
-			ts_lamp_spot(&lights[i], ts_run_info(run), &run->params);
+			ts_lamp_spot(&lights[i], ts_run_info(run), stands_of(run), &run->params);
 		}
 		set_shape(&lamps[i], run, &lights[i], first, taps != 0 ? taps : own_views);
 		first += own_views;
@@ -49,7 +54,7 @@ static ts_status lamp_ball(ts_run *run)
 	ts_light *light;
 	ts_lamp *shape;
 	if (make_lamps(run, 1, &light, &shape) != TS_OK) return TS_ERROR;
-	ts_lamp_ball(light, ts_run_info(run), &run->params);
+	ts_lamp_ball(light, ts_run_info(run), stands_of(run), &run->params);
 	set_shape(shape, run, light, 0, run->plan.lights.samples);
 	return TS_OK;
 }
@@ -137,7 +142,7 @@ const ts_stage ts_stage_lamp = {
 	.paper = "iVIR 4",
 	.doc = "the lights whose shadows are soft",
 	.run = lamp,
-	.looks_at = TS_BUFFERS(TS_B_scene_info, TS_B_scene_light),
+	.looks_at = TS_BUFFERS(TS_B_scene_info, TS_B_scene_light, TS_B_scene_stand),
 	.makes = TS_BUFFERS(TS_B_lamp_light, TS_B_lamp_shape),
 };
 
@@ -147,7 +152,7 @@ const ts_stage ts_stage_lamp_ball = {
 	.paper = "iVIR 6",
 	.doc = "the light whose shadows fall all around it",
 	.run = lamp_ball,
-	.looks_at = TS_BUFFERS(TS_B_scene_info),
+	.looks_at = TS_BUFFERS(TS_B_scene_info, TS_B_scene_stand),
 	.makes = TS_BUFFERS(TS_B_lamp_light, TS_B_lamp_shape),
 };
 

@@ -72,7 +72,7 @@ void ts_views_plan(ts_plan *plan, const ts_params *params, const ts_counts *coun
 static double lamp_area(const ts_scene *scene, const ts_params *params)
 {
 	ts_light lamp;
-	ts_lamp_spot(&lamp, &scene->info, params);
+	ts_lamp_spot(&lamp, &scene->info, scene->n_stands == TS_N_STANDS ? scene->stands : NULL, params);
 	double cosine = -(double)lamp.spot_offset / (double)lamp.spot_scale; /* of the cone's border */
 	double square = (double)lamp.intensity[0] / (double)TS_PARAM(params, light_irradiance);
 	return SLANT * 3.14159265 * square * (1 / (cosine * cosine) - 1);

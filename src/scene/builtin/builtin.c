@@ -171,15 +171,17 @@ void ts_builtin_make(ts_build *build, const char *spec, const ts_params *params)
 }
 
 static ts_status make_scene(ts_scene **scene, ts_build *build, const char *spec, const ts_params *params,
-                            const char *camera)
+                            const ts_scene_options *wanted)
 {
+	ts_scene_options own = wanted != NULL ? *wanted : (ts_scene_options){0};
 	ts_builtin_make(build, spec, params);
-	if (camera == NULL) camera = find(spec)->camera;
-	ts_reflectors_add(build, params, camera);
+	bool named = own.camera != NULL && strcmp(own.camera, TS_CAMERA_CIRCLE) != 0;
+	if (!named && own.eye == NULL) own.camera = find(spec)->camera;
+	const char *camera = ts_arrange(build, params, &own, false);
 	return ts_build_finish(build, params, camera, scene);
 }
 
-ts_status ts_builtin_open(ts_scene **scene, const char *spec, const ts_params *params, const char *camera)
+ts_status ts_builtin_open(ts_scene **scene, const char *spec, const ts_params *params, const ts_scene_options *wanted)
 {
 	char names[128];
 	ts_status status;
@@ -188,6 +190,6 @@ ts_status ts_builtin_open(ts_scene **scene, const char *spec, const ts_params *p
 	if (!ts_builtin_is(spec)) return ts_fail("\"%s\" is no built-in scene; there are %s", spec, names);
 	ts_build *build = ts_build_new(spec);
 	if (build == NULL) return TS_ERROR;
-	TS_PARAM_READER("scene", "built-in", status = make_scene(scene, build, spec, params, camera));
+	TS_PARAM_READER("scene", "built-in", status = make_scene(scene, build, spec, params, wanted));
 	return status;
 }

@@ -44,23 +44,21 @@ static ts_status file_check(const char *path)
 static ts_status make_scene(ts_scene **scene, ts_build *build, const char *path, const ts_params *params,
                             const ts_scene_options *options)
 {
-	const char *camera = options ? options->camera : NULL;
 	file_load(build, path, options ? options->reflector : NULL, params);
 	ts_ground_add(build, params);
-	ts_reflectors_add(build, params, camera);
+	const char *camera = ts_arrange(build, params, options, true);
 	return ts_build_finish(build, params, camera, scene);
 }
 
 ts_status ts_scene_open(ts_scene **scene, const char *spec, const ts_params *params, const ts_scene_options *options)
 {
-	const char *camera = options ? options->camera : NULL;
 	const char *reflector = options ? options->reflector : NULL;
 	bool builtin = ts_builtin_is(spec);
 	ts_status status;
 	*scene = NULL;
 	if (builtin && reflector)
 		return ts_fail("%s: reflector %s: built-in scenes have no named nodes; use a file", spec, reflector);
-	if (builtin) return ts_builtin_open(scene, spec, params, camera);
+	if (builtin) return ts_builtin_open(scene, spec, params, options);
 	if (file_check(spec) != TS_OK) return TS_ERROR;
 	ts_build *build = ts_build_new(spec);
 	if (!build) return TS_ERROR;

@@ -16,7 +16,8 @@ static ts_params params;
 static ts_scene *open_scene(const char *spec, const char *camera)
 {
 	ts_scene *scene;
-	if (ts_builtin_open(&scene, spec, &params, camera) != TS_OK) fail_msg("%s", ts_error_message());
+	const ts_scene_options options = {.camera = camera};
+	if (ts_builtin_open(&scene, spec, &params, &options) != TS_OK) fail_msg("%s", ts_error_message());
 	return scene;
 }
 

@@ -114,6 +114,7 @@ static void test_dragon(void **state)
 	(void)state;
 	char path[512];
 	ts_scene *scene;
+	const ts_scene_options circle = {.camera = TS_CAMERA_CIRCLE};
 	ts_params params = small_params(1920, 1080);
 	params.reflectors_count = 0;
 	params.eye_distance = TS_EYE_OUTSIDE;
@@ -124,7 +125,7 @@ static void test_dragon(void **state)
 		skip();
 	}
 	fclose(file);
-	if (ts_scene_open(&scene, path, &params, NULL) != TS_OK) fail_msg("%s", ts_error_message());
+	if (ts_scene_open(&scene, path, &params, &circle) != TS_OK) fail_msg("%s", ts_error_message());
 	counts c = count(scene, &params);
 	assert_true(c.seen > 100000 && c.gaps < c.seen / 500 && c.farthest > 0.99);
 	ts_scene_free(scene);

@@ -1,0 +1,122 @@
+/* Behind the triangles: the eye, what the pictures show, mirrors and lamps. */
+#include "build_parts.h"
+#include "../model/core.h"
+#include "lamp_place.h"
+#include "sources.h"
+#include "subject.h"
+#include "view.h"
+#include <string.h>
+
+#define EYE_NAME "--eye"
+#define COORDINATE_LIMIT 16777216.0f
+
+static bool is_finite(const f32 *x, u32 n)
+{
+	for (u32 i = 0; i < n; i++) {
+		if (!(ts_abs(x[i]) <= COORDINATE_LIMIT)) return false;
+	}
+	return true;
+}
+
+static void check_point(ts_build *build, const char *what, const f32 *point)
+{
+	if (point != NULL && !is_finite(point, 3))
+		ts_build_fail(build, "%s: %s: a coordinate is not finite or beyond 16777216", build->scene->name, what);
+}
+
+static void check_options(ts_build *build, const ts_scene_options *o)
+{
+	check_point(build, "eye", o->eye);
+	check_point(build, "target", o->target);
+	check_point(build, "lamp", o->lamp);
+	if (o->target != NULL && o->eye == NULL)
+		ts_build_fail(build, "%s: target: an eye that looks at it must be given, too", build->scene->name);
+	if (o->eye != NULL && o->camera != NULL)
+		ts_build_fail(build, "%s: eye: camera %s is asked for, too; choose one of them", build->scene->name, o->camera);
+	if (o->eye != NULL && o->target != NULL && memcmp(o->eye, o->target, 3 * sizeof(f32)) == 0)
+		ts_build_fail(build, "%s: eye: it is its target; it must look at another point", build->scene->name);
+	for (u32 i = 0; i < o->n_mirrors; i++) {
+		if (!is_finite(o->mirrors[i], 4))
+			ts_build_fail(build, "%s: mirror %u: a number is not finite or beyond 16777216", build->scene->name, i);
+		if (!(o->mirrors[i][3] > 0.0f))
+			ts_build_fail(build, "%s: mirror %u: its radius must be above 0", build->scene->name, i);
+	}
+}
+
+static void add_eye(ts_build *build, const ts_scene_options *o)
+{
+	ts_camera camera = {.name = EYE_NAME};
+	ts_v3 eye = ts_load3(o->eye), target = ts_view_box(&ts_build_peek(build)->info).middle;
+	if (o->target != NULL) target = ts_load3(o->target);
+	if (ts_length(ts_sub(eye, target)) == 0.0f) target = ts_sub(target, ts_v3_make(0.0f, 0.0f, 1.0f));
+	ts_store3(camera.eye, eye);
+	ts_view_aim(camera.right, camera.up, camera.back, eye, target);
+	ts_build_camera(build, &camera);
+}
+
+/* The camera's name; NULL: the eye circles. */
+static const char *choose(ts_build *build, const ts_scene_options *o, bool find)
+{
+	if (o->eye != NULL) add_eye(build, o);
+	if (build->failed) return NULL;
+	if (o->eye != NULL) return EYE_NAME;
+	if (o->camera != NULL) return strcmp(o->camera, TS_CAMERA_CIRCLE) != 0 ? o->camera : NULL;
+	return find && build->scene->n_cameras > 0 ? build->scene->cameras[0].name : NULL;
+}
+
+/* Box, hall and eye of the build are those that rays find. */
+static void find_subject(ts_build *build, const ts_rays *rays, const ts_params *params, const char *camera)
+{
+	ts_scene *scene = build->scene;
+	ts_info *info = &scene->info;
+	u32 index = ts_scene_camera(scene, camera);
+	ts_build_measure(build);
+	ts_subject_crop(info, scene);
+	ts_build_walls(build);
+	ts_view_choose(info, index != TS_NONE ? &scene->cameras[index] : NULL);
+	ts_subject_find(info, rays, scene, params);
+	build->place = *info;
+	build->placed = true;
+}
+
+static void add_stands(ts_build *build, const ts_rays *rays, const ts_params *params, const f32 *lamp)
+{
+	ts_scene *scene = build->scene;
+	if (rays == NULL && lamp == NULL) return;
+	const ts_info *info = &ts_build_peek(build)->info;
+	scene->stands = ts_alloc(TS_N_STANDS, sizeof *scene->stands, "places of lamps");
+	if (scene->stands == NULL) {
+		ts_build_fail(build, "no memory for places of lamps");
+		return;
+	}
+	scene->n_stands = TS_N_STANDS;
+	if (rays != NULL) {
+		scene->n_stands = ts_lamp_place(scene->stands, info, rays, params, lamp) ? TS_N_STANDS : 0;
+		return;
+	}
+	ts_lamp_stands(scene->stands, info);
+	for (u32 k = 0; k < TS_N_STANDS; k++) ts_store3(scene->stands[k].position, ts_load3(lamp));
+}
+
+const char *ts_arrange(ts_build *build, const ts_params *params, const ts_scene_options *options, bool find)
+{
+	static const ts_scene_options none;
+	const ts_scene_options *o = options != NULL ? options : &none;
+	bool circle = o->camera != NULL && strcmp(o->camera, TS_CAMERA_CIRCLE) == 0;
+	if (build->failed) return NULL;
+	check_options(build, o);
+	const char *camera = choose(build, o, find);
+	for (u32 i = 0; i < build->scene->n_cameras && o->own_fov; i++) build->scene->cameras[i].yfov = 0.0f;
+	ts_rays *rays = find && !circle && !build->failed ? ts_rays_new(build->scene) : NULL;
+	if (find && !circle && rays == NULL) ts_build_fail(build, "no memory to find places in the scene");
+	if (build->failed) {
+		ts_rays_free(rays);
+		return NULL;
+	}
+	if (rays != NULL) find_subject(build, rays, params, camera);
+	ts_reflectors_add(build, params, camera, rays);
+	ts_reflectors_stand(build, o->mirrors, o->n_mirrors);
+	add_stands(build, rays, params, o->lamp);
+	ts_rays_free(rays);
+	return camera;
+}

@@ -1,0 +1,20 @@
+/* What the pictures of a file show, found by rays (METHODS 4): a room from inside, or a thing from outside. */
+#ifndef TS_SCENE_SUBJECT_H
+#define TS_SCENE_SUBJECT_H
+#include "../model/param.h"
+#include "rays.h"
+
+/* The box of what stands on a wide and flat ground, where the ground is more than four times as large as the rest; the
+ * whole box otherwise.
+ * Args: info->box_* is the scene's.
+ * Out:  info->box_* */
+void ts_subject_crop(ts_info *info, const ts_scene *scene);
+
+/* Chooses room or thing.
+ * Args: info has box and hall (build_walls.c), and the chosen camera if there is one (info->circles is 0).
+ * Out:  info->box_*, info->hall_*: kept if the hall is enclosed, in sight and the eye in it is free; otherwise those of
+ *       a room that rays found; otherwise the box as it is, and a hall as large. info->circles: 0 as before,
+ *       TS_CIRCLES_ROOM or TS_CIRCLES_OUTSIDE; in a room in which no circle is free the eye stands still. */
+void ts_subject_find(ts_info *info, const ts_rays *rays, const ts_scene *scene, const ts_params *params);
+
+#endif

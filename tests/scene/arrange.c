@@ -1,0 +1,254 @@
+/* What the pictures of a file show: a room, a thing, or what looks like one; where eye, mirrors and lamps stand. */
+#include "../../src/kernels/base/scene.h"
+#include "../../src/kernels/base/pose.h"
+#include "../../src/scene/sources.h"
+#include "../../src/scene/view.h"
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <cmocka.h>
+
+static ts_params params;
+static u32 two_sided;
+
+static ts_build *start(void)
+{
+	ts_params_default(&params);
+	params.width = 480;
+	params.height = 270;
+	ts_build *build = ts_build_new("places");
+	assert_non_null(build);
+	ts_material material = ts_material_default();
+	material.flags = TS_DOUBLE_SIDED;
+	two_sided = ts_build_material(build, &material);
+	return build;
+}
+
+static u32 corner(ts_build *build, f32 x, f32 y, f32 z)
+{
+	ts_vertex v = {.position = {x, y, z}};
+	return ts_build_vertex(build, &v);
+}
+
+/* A box whose faces look outwards, or inwards. */
+static void box(ts_build *build, const f32 low[3], const f32 high[3], bool inwards, u32 material)
+{
+	for (u32 face = 0; face < 6; face++) {
+		u32 axis = face / 2, u = (axis + 1) % 3, v = (axis + 2) % 3, c[4];
+		for (u32 k = 0; k < 4; k++) {
+			f32 p[3];
+			p[axis] = (face & 1 ? high : low)[axis];
+			p[u] = (k == 1 || k == 2 ? high : low)[u];
+			p[v] = (k >= 2 ? high : low)[v];
+			c[k] = corner(build, p[0], p[1], p[2]);
+		}
+		bool turned = ((face & 1) == 0) != inwards;
+		ts_build_triangle(build, c[0], c[turned ? 2 : 1], c[turned ? 1 : 2], material);
+		ts_build_triangle(build, c[0], c[turned ? 3 : 2], c[turned ? 2 : 3], material);
+	}
+}
+
+static void ground(ts_build *build, f32 y, f32 reach)
+{
+	u32 a = corner(build, -reach, y, reach);
+	corner(build, reach, y, reach);
+	corner(build, reach, y, -reach);
+	corner(build, -reach, y, -reach);
+	ts_build_triangle(build, a, a + 1, a + 2, TS_NONE);
+	ts_build_triangle(build, a, a + 2, a + 3, TS_NONE);
+}
+
+static void furnish(ts_build *build)
+{
+	for (u32 i = 0; i < 12; i++) {
+		f32 x = -4.0f + (f32)(i % 4) * 2.4f, z = -3.0f + (f32)(i / 4) * 2.6f;
+		const f32 low[3] = {x, 0.0f, z}, high[3] = {x + 0.4f, 0.3f, z + 0.4f};
+		box(build, low, high, false, TS_NONE);
+	}
+}
+
+static ts_scene *open_with(ts_build *build, const ts_scene_options *options)
+{
+	ts_scene *scene;
+	const char *camera = ts_arrange(build, &params, options, true);
+	if (ts_build_finish(build, &params, camera, &scene) != TS_OK) fail_msg("%s", ts_error_message());
+	return scene;
+}
+
+static ts_view eye_of(const ts_scene *scene)
+{
+	ts_view view;
+	ts_view_eye(&view, &scene->info, &params);
+	return view;
+}
+
+/* Every mirror is in the picture, apart from its eye and from the others, and what it may not touch is not near. */
+static void check_mirrors(const ts_scene *scene, u32 n)
+{
+	ts_view view = eye_of(scene);
+	u32 n_seen = 0;
+	assert_int_equal(scene->info.n_reflectors, n);
+	for (u32 i = 1; i < scene->n_objects; i++) {
+		f32 depth;
+		ts_v3 p = ts_k_pose(&scene->objects[i], 0).centre;
+		n_seen += ts_view_holds(&view, p, 0.0f, &depth);
+		for (u32 k = 1; k < i; k++) assert_true(ts_length(ts_sub(p, ts_k_pose(&scene->objects[k], 0).centre)) > 0.0f);
+	}
+	assert_true(n_seen * 2 >= n);
+}
+
+static const f32 low[3] = {-5.0f, 0.0f, -4.0f}, high[3] = {5.0f, 3.0f, 4.0f};
+
+static void test_room_on_ground(void **state)
+{
+	(void)state;
+	ts_build *build = start();
+	box(build, low, high, true, TS_NONE);
+	furnish(build);
+	ground(build, -0.001f, 4000.0f);
+	ts_scene *scene = open_with(build, NULL);
+	assert_int_equal(scene->info.circles, TS_CIRCLES_ROOM);
+	for (u32 k = 0; k < 3; k++) {
+		assert_true(fabs((double)(scene->info.box_min[k] - low[k])) < 0.2);
+		assert_true(fabs((double)(scene->info.box_max[k] - high[k])) < 0.2);
+	}
+	ts_view view = eye_of(scene);
+	for (u32 k = 0; k < 3; k++) assert_true(view.eye[k] > low[k] && view.eye[k] < high[k]);
+	check_mirrors(scene, 10);
+	ts_scene_free(scene);
+}
+
+/* A thing is seen whole from outside, and fills nine tenths of the height or the width, with a ground or without. */
+static void test_thing(void **state)
+{
+	(void)state;
+	for (u32 with = 0; with < 3; with++) {
+		ts_build *build = start();
+		const f32 a[3] = {-1.0f, 0.0f, -0.5f}, b[3] = {1.0f, 2.0f, 0.5f};
+		box(build, a, b, false, with == 2 ? two_sided : TS_NONE);
+		if (with == 1) ground(build, 0.0f, 500.0f);
+		ts_scene *scene = open_with(build, NULL);
+		assert_int_equal(scene->info.circles, TS_CIRCLES_OUTSIDE);
+		ts_view view = eye_of(scene);
+		f32 widest = 0.0f;
+		for (u32 k = 0; k < 8; k++) {
+			f32 depth;
+			ts_v3 c = ts_v3_make(k & 1 ? b[0] : a[0], k & 2 ? b[1] : a[1], k & 4 ? b[2] : a[2]);
+			assert_true(ts_view_holds(&view, c, 1.0f, &depth));
+			ts_v3 d = ts_sub(c, ts_load3(view.eye));
+			f32 up = ts_abs(ts_dot(d, ts_load3(view.up))) * view.focal / depth / 135.0f;
+			f32 across = ts_abs(ts_dot(d, ts_load3(view.right))) * view.focal / depth / 240.0f;
+			widest = ts_max(widest, ts_max(up, across));
+		}
+		if (widest < (with == 1 ? 0.8f : 0.899f) || widest > 0.91f) fail_msg("%g", (double)widest);
+		check_mirrors(scene, 10);
+		for (u32 i = 1; i < scene->n_objects; i++) {
+			ts_v3 p = ts_k_pose(&scene->objects[i], 0).centre;
+			assert_false(p.x > a[0] && p.x < b[0] && p.y > a[1] && p.y < b[1] && p.z > a[2] && p.z < b[2]);
+		}
+		ts_scene_free(scene);
+	}
+}
+
+/* "circle" has nothing that rays found. */
+static void test_circle(void **state)
+{
+	(void)state;
+	const ts_scene_options circle = {.camera = TS_CAMERA_CIRCLE};
+	ts_build *build = start();
+	const f32 a[3] = {-1.0f, 0.0f, -0.5f}, b[3] = {1.0f, 2.0f, 0.5f};
+	box(build, a, b, false, TS_NONE);
+	ts_camera camera = {.name = "door", .right = {1, 0, 0}, .up = {0, 1, 0}, .back = {0, 0, 1}};
+	ts_build_camera(build, &camera);
+	ts_scene *scene = open_with(build, &circle);
+	assert_int_equal(scene->info.circles, TS_CIRCLES_HALL);
+	assert_int_equal(scene->camera, TS_NONE);
+	assert_int_equal(scene->n_stands, 0);
+	assert_float_equal(eye_of(scene).eye[0], 0.9f, 1e-6f);
+	ts_scene_free(scene);
+}
+
+/* The first camera is the eye unless another is asked for; its field of view is its own unless fov is said. */
+static void test_cameras(void **state)
+{
+	(void)state;
+	const f32 eye[3] = {0, 1, 9}, target[3] = {0, 1, 0}, up[3] = {0, 20, 0};
+	const ts_scene_options wanted[] = {{0},
+	                                   {.camera = "two"},
+	                                   {.own_fov = 1},
+	                                   {.eye = eye, .target = target},
+	                                   {.eye = eye},
+	                                   {.eye = up, .target = target}};
+	const f32 x[] = {7, 8, 7, 0, 0, 0}, yfov[] = {0.125f, 0.125f, 0, 0, 0, 0};
+	for (u32 i = 0; i < sizeof wanted / sizeof *wanted; i++) {
+		ts_build *build = start();
+		box(build, low, high, false, TS_NONE);
+		for (u32 k = 0; k < 2; k++) {
+			ts_camera camera = {.name = k == 0 ? "one" : "two",
+			                    .eye = {7.0f + (f32)k, 1, 9},
+			                    .right = {1, 0, 0},
+			                    .up = {0, 1, 0},
+			                    .back = {0, 0, 1},
+			                    .yfov = 0.125f};
+			ts_build_camera(build, &camera);
+		}
+		ts_scene *scene = open_with(build, &wanted[i]);
+		assert_int_equal(scene->info.circles, TS_CIRCLES_NOT);
+		assert_true(scene->info.eye[0] == x[i] && scene->info.yfov == yfov[i]);
+		ts_v3 right = ts_load3(scene->info.right), back = ts_load3(scene->info.back);
+		assert_float_equal(ts_length(right), 1.0f, 1e-6f);
+		assert_float_equal(ts_dot(right, back), 0.0f, 1e-6f);
+		if (i == 5) assert_float_equal(back.y, 1.0f, 1e-6f);
+		ts_scene_free(scene);
+	}
+}
+
+static void test_given(void **state)
+{
+	(void)state;
+	const f32 mirrors[2][4] = {{1, 1, 1, 0.5f}, {-1, 2, 0, 0.25f}}, lamp[3] = {2, 2.5f, 1};
+	const ts_scene_options options = {.mirrors = mirrors, .n_mirrors = 2, .lamp = lamp};
+	ts_build *build = start();
+	params.reflectors_count = 0;
+	box(build, low, high, true, TS_NONE);
+	furnish(build);
+	ts_scene *scene = open_with(build, &options);
+	assert_int_equal(scene->info.n_reflectors, 2);
+	for (u32 i = 0; i < 2; i++) {
+		const ts_object *o = &scene->objects[i + 1];
+		assert_true(o->period == 0 && o->reflector == i && o->n_vertices > 0);
+		for (u32 k = 0; k < o->n_vertices; k++) {
+			ts_v3 p = ts_load3(scene->vertices[o->first_vertex + k].position);
+			assert_float_equal(ts_length(ts_sub(p, ts_load3(mirrors[i]))), mirrors[i][3], 1e-4f);
+		}
+	}
+	assert_int_equal(scene->n_stands, TS_N_STANDS);
+	for (u32 k = 0; k < TS_N_STANDS; k++) assert_memory_equal(scene->stands[k].position, lamp, sizeof lamp);
+	ts_scene_free(scene);
+}
+
+/* A cupboard stands where the hall would have its lamp. */
+static void test_lamp_in_a_cavity(void **state)
+{
+	(void)state;
+	ts_build *build = start();
+	box(build, low, high, true, TS_NONE);
+	furnish(build);
+	const f32 a[3] = {3.0f, 1.5f, 1.8f}, b[3] = {4.2f, 2.95f, 3.0f};
+	box(build, a, b, false, two_sided);
+	ts_scene *scene = open_with(build, NULL);
+	assert_int_equal(scene->n_stands, TS_N_STANDS);
+	const f32 *p = scene->stands[TS_STAND_SPOT].position;
+	assert_false(p[0] > a[0] && p[0] < b[0] && p[1] > a[1] && p[1] < b[1] && p[2] > a[2] && p[2] < b[2]);
+	for (u32 k = 0; k < 3; k++) assert_true(p[k] > low[k] && p[k] < high[k]);
+	ts_scene_free(scene);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_room_on_ground), cmocka_unit_test(test_thing), cmocka_unit_test(test_circle),
+		cmocka_unit_test(test_cameras),        cmocka_unit_test(test_given), cmocka_unit_test(test_lamp_in_a_cavity),
+	};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
