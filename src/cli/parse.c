@@ -119,6 +119,10 @@ ts_status ts_cli_parse(ts_cli *cli, const ts_command *command, int argc, char **
 		cli->given |= 1ull << (o - ts_option_table);
 		if (o->take((char *)cli + o->at, o, optarg) != TS_OK) return TS_ERROR;
 	}
+	if (cli->job.scene.n_mirrors > 0 && !cli->job.mirrored) {
+		TS_PARAM_SET(&cli->job.params, reflectors_count, 0);
+		cli->job.mirrored = true;
+	}
 	cli->job.typed = argv + 1;
 	cli->job.n_typed = (u32)optind - 1;
 	return ts_cli_given(cli, TS_OPT(HELP)) ? TS_OK : take_arguments(cli, command, argc - optind, argv + optind);

@@ -68,6 +68,7 @@ static ts_status work_in_folder(ts_render *render, void *user)
 	}
 	status = ts_report_end(&report);
 	if (status == TS_OK) say_notes(render);
+	if (status == TS_OK) ts_render_advise(render);
 	return status;
 }
 

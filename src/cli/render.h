@@ -91,5 +91,7 @@ void ts_render_report_head(const ts_render *render, ts_report *report);
 void ts_render_report_body(const ts_render *render, ts_report *report);
 /* The rows of the table of pictures that tell of one frame. */
 void ts_render_report_pictures(const ts_render *render, ts_table *table);
+/* A line where the picture shows none of the mirrors or is nearly black, with what to try. */
+void ts_render_advise(const ts_render *render);
 
 #endif

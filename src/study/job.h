@@ -5,7 +5,7 @@
 #include <touchstone/scene.h>
 #include "../methods/stage.h"
 
-enum { TS_MAX_SWEEPS = 8, TS_SWEEP_TEXT = 48 };
+enum { TS_MAX_SWEEPS = 8, TS_SWEEP_TEXT = 48, TS_MAX_MIRRORS = 64 };
 
 /* Parameters of which several values were said: every combination is rendered. */
 typedef struct {
@@ -51,7 +51,8 @@ typedef struct {
 	ts_sweep sweep;
 	ts_frames frames;
 	const char *scenes, *objects; /* specs, of a render one; objects of a table */
-	ts_scene_options scene;
+	ts_scene_options scene;       /* its points are these */
+	f32 eye[3], target[3], lamp[3], mirrors[TS_MAX_MIRRORS][4];
 	u32 runs;   /* of which the median is taken; 0: as the table has it */
 	ts_how how; /* its backend is opened before */
 	const ts_backend_kind *backend;
