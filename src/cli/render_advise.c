@@ -19,7 +19,7 @@ void ts_render_advise(const ts_render *render)
 	const ts_params *p = &render->job->params;
 	u64 n = (u64)TS_PARAM(p, width) * TS_PARAM(p, height);
 	bool mirrors = ts_effect_find(render->effect)->mirrors && render->scene->info.n_reflectors > 0;
-	if (mirrors && render->n_reflective == 0)
+	if (mirrors && (render->mirrors == NULL || render->mirrors->n_reflective == 0))
 		ts_say("no mirror is in the picture; try --mirror X,Y,Z,R, another --eye and --target, or --camera");
 	for (u32 i = 0; i < render->n_methods; i++) {
 		if (!is_black(&render->pictures[i], n)) continue;

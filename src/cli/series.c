@@ -178,6 +178,7 @@ static ts_status tell(ts_series *series)
 	if (status == TS_OK) status = ts_series_csv(series, job->sweep.n > 0 && !job->output.json);
 	if (status == TS_OK) status = ts_series_plot_frame(series);
 	note_time(series);
+	if (status == TS_OK && series->n_done == 0) ts_render_advise(series->render);
 	if (status != TS_OK || job->output.no_images) return status;
 	status = show_contact(series);
 	return status == TS_OK ? ts_render_write(series->render) : status;
