@@ -13,8 +13,9 @@ void ts_subject_crop(ts_info *info, const ts_scene *scene);
 /* Chooses room or thing.
  * Args: info has box and hall (build_walls.c), and the chosen camera if there is one (info->circles is TS_CIRCLES_NOT).
  * Out:  info->box_*, info->hall_*: kept if the hall is enclosed, in sight and the eye in it is free; otherwise those of
- *       a room that rays found; otherwise the box as it is, and a hall as large. info->circles: as before if
- *       a camera is chosen, otherwise TS_CIRCLES_ROOM or TS_CIRCLES_OUTSIDE; in a room in which no circle is free the eye stands still. */
+ *       a room that rays found; otherwise the box as it is, and a hall as large. info->circles: as before if a
+ *       camera is chosen, otherwise TS_CIRCLES_ROOM or TS_CIRCLES_OUTSIDE; where no circle is free in the room
+ *       the eye stands still. */
 void ts_subject_find(ts_info *info, const ts_rays *rays, const ts_scene *scene, const ts_params *params);
 
 #endif

@@ -26,7 +26,7 @@ sees() {
 }
 sees "METHODS has no section 7.2" "As in METHODS 7.2"
 sees "METHODS has no section 99" "As in METHODS 2 and\n * 99"
-sees "FIGURES has no section 13" "As in FIGURES 13"
+sees "FIGURES has no section 99" "As in FIGURES 99"
 sees "PORTING has no section 70" "(PORTING\n * 70)"
 sees "CONTRACT has no rule 43" "(CONTRACT rules 41 to 43)"
 sees "CONTRACT has no rule 60" "as rule 60 says"
