@@ -101,7 +101,7 @@ typedef struct {
 	u32 n_stages;
 } progress;
 
-/* What a stage reads is there; what it writes, it has made. */
+/* A stage reads only buffers that are there, and makes all that it says it writes. */
 static ts_status watch(const ts_run *run, const ts_stage *stage, void *user)
 {
 	progress *p = user;

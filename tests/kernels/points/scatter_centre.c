@@ -75,6 +75,15 @@ static answer ask(const ts_offscreen *view, const ts_v3 corner[3], u32 texel)
 	return r;
 }
 
+/* An empty mesh, views and the corners of a triangle for it; false if that has no area. */
+static bool begin_one(mesh *m, ts_v3 corner[3], f32 reach, f32 least, f32 most)
+{
+	mesh_begin(m);
+	random_views();
+	random_corners(corner, reach, least, most);
+	return !is_degenerate(corner);
+}
+
 /* A triangle alone: its plane's depth where it covers the centre, and nothing elsewhere. By their own place its points
  * fill more texels, and no fewer. */
 static void test_depth(void **state)
@@ -86,10 +95,7 @@ static void test_depth(void **state)
 		mesh m;
 		ts_v3 corner[3];
 		i64 tally[3] = {0};
-		mesh_begin(&m);
-		random_views();
-		random_corners(corner, 1, 0.1f, 4);
-		if (is_degenerate(corner)) continue;
+		if (!begin_one(&m, corner, 1, 0.1f, 4)) continue;
 		mesh_triangle(&m, corner[0], corner[1], corner[2], 1, 0);
 		ts_scatter_args args = make(&m, TS_RATE_IS_WATERTIGHT, tally);
 		scatter(args, m.n_pieces, texels[0], false);
@@ -231,10 +237,7 @@ static void test_mask(void **state)
 		mesh m;
 		ts_v3 corner[3];
 		i64 tally[3] = {0};
-		mesh_begin(&m);
-		random_views();
-		random_corners(corner, 0.5f, 1, 3);
-		if (is_degenerate(corner)) continue;
+		if (!begin_one(&m, corner, 0.5f, 1, 3)) continue;
 		u32 t = mesh_triangle(&m, corner[0], corner[1], corner[2], 4, 0);
 		m.materials[4].flags |= TS_DOUBLE_SIDED;
 		ts_scatter_args args = make(&m, TS_RATE_IS_WATERTIGHT, tally);
