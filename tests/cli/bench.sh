@@ -111,11 +111,11 @@ rows = list(csv.DictReader(open(found(sys.argv[1], "epr_6.csv"))))
 svg = xml.parse(found(sys.argv[1], "epr_6.svg")).getroot()
 tag = "{http://www.w3.org/2000/svg}"
 texts = [t.text for t in svg.iter(tag + "text")]
-assert len(list(svg.iter(tag + "circle"))) == len(rows) == 14
+assert len(list(svg.iter(tag + "circle"))) == len(rows) == 17
 assert {r["curve"] for r in rows} <= set(texts) and len(list(svg.iter(tag + "polyline"))) == len({r["curve"] for r in rows})
 assert "whole frame, ms" in texts and "RMSE to truth A, grey levels" in texts
 epr = [int(r["points"]) for r in rows if r["points"]]
-assert len(epr) == 8 and epr[:4] == epr[4:] and min(epr) > 0
+assert len(epr) == 11 and epr[:4] == epr[4:8] and epr[8:] == sorted(epr[8:]) and min(epr) > 0
 assert all(float(r["ms"]) > 0 and float(r["rmse"]) > 0 for r in rows)
 for c in svg.iter(tag + "circle"):
 	assert 70 <= float(c.get("cx")) <= 770 and 50 <= float(c.get("cy")) <= 500

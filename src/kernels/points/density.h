@@ -16,13 +16,15 @@
 	ARG(OUT, u32, offset, split_offset) /* pieces before each triangle: counts, then their prefix sums */ \
 	ARG(OUT, ts_piece, pieces, split_piece) \
 	ARG(OUT, f32, scale, split_density) \
-	ARG(TALLY, i64, n_capped, 0) /* pieces whose density was lowered at the end of splitting */ \
-	ARG(VALUE, f32, rho, none)   /* samples a pixel a side */ \
+	ARG(TALLY, i64, n_capped, 0)  /* pieces whose density was lowered at the end of splitting */ \
+	ARG(TALLY, i64, n_limited, 1) /* triangles whose density the densest cube limits */ \
+	ARG(VALUE, f32, rho, none)    /* samples a pixel a side */ \
 	ARG(VALUE, u32, n_cubes, none) \
 	ARG(VALUE, u32, n_words, none) \
 	ARG(VALUE, u32, paper, none) \
 	ARG(VALUE, u32, cap, none) \
 	ARG(VALUE, u32, offaxis, none) \
+	ARG(VALUE, u32, ball, none) \
 	ARG(VALUE, u32, split, none) \
 	ARG(IN_OPT, ts_offscreen, views, offscreen_view) /* whose resolution counts, not the eye's; or NULL */ \
 	ARG(VALUE, u32, n_views, none) \
@@ -49,8 +51,25 @@ TS_FN f32 ts_k_path_length(ts_v3 eye, ts_v3 centre, f32 radius, ts_v3 a, ts_v3 b
 	return ts_length(ts_sub(eye, cp)) + ts_length(ts_sub(cp, t));
 }
 
-/* Samples a world unit on triangle a b c, seen by the reflectors of `words`; 0: by none. */
-TS_FN f32 ts_k_density(const ts_density_args *args, TS_GLOBAL const u64 *words, ts_v3 a, ts_v3 b, ts_v3 c)
+/* What a ball adds to the way. A ball turns the normal by w / R over a width of w, and the ray by twice that. So what is
+ * one wide at a distance of one from the eye is d_er + d_rt + 2 d_er d_rt / R wide on the triangle, where the ray meets
+ * the ball head on. Where it meets the ball at a cosine c, the last term is divided by c one way across the ray and
+ * multiplied by c the other way. Since c + 1 / c >= 2, the product of the two widths is least head on. */
+TS_FN f32 ts_k_ball_spread(f32 radius, f32 to_eye, f32 to_triangle)
+{
+	f32 from_eye = ts_max(to_eye - radius, 0.0f);
+	f32 from_triangle = ts_max(to_triangle - radius, 0.0f);
+	return ts_flush((2.0f * from_eye) * (from_triangle / radius));
+}
+
+/* Samples a world unit on a triangle; whether the densest cube allows no more. */
+typedef struct {
+	f32 s;
+	u32 limited;
+} ts_eye_density;
+
+/* Of triangle a b c, seen by the reflectors of `words`; 0: by none. */
+TS_FN ts_eye_density ts_k_density(const ts_density_args *args, TS_GLOBAL const u64 *words, ts_v3 a, ts_v3 b, ts_v3 c)
 {
 	ts_camera_k view = ts_k_view(args->view);
 	f32 shortest = 0.0f;
@@ -61,23 +80,26 @@ TS_FN f32 ts_k_density(const ts_density_args *args, TS_GLOBAL const u64 *words, 
 		TS_GLOBAL const ts_face *cube = &args->cubes[r];
 		ts_v3 centre = ts_load3(cube->centre);
 		f32 least = ts_flush(cube->radius * 0.0009765625f);
+		f32 to_triangle = ts_length(ts_sub(ts_k_closest_on_triangle(centre, a, b, c), centre));
 		f32 way = ts_k_path_length(view.eye, centre, cube->radius, a, b, c, args->paper != 0u);
+		f32 distance = ts_length(ts_sub(centre, view.eye));
+		if (args->ball != 0u && cube->radius > 0.0f) way = way + ts_k_ball_spread(cube->radius, distance, to_triangle);
 		if (args->offaxis != 0u) {
 			ts_corner p = ts_k_to_view(&view, centre);
-			f32 distance = ts_length(ts_sub(centre, view.eye));
 			bool ahead = p.z > 0.0f && distance > 0.0f; /* behind the eye there is no pixel to be finer than */
 			way = way * ts_clamp(ahead ? p.z / distance : 1.0f, 0.015625f, 1.0f);
 		}
 		way = ts_max(way, least);
-		f32 to_triangle = ts_length(ts_sub(ts_k_closest_on_triangle(centre, a, b, c), centre));
 		f32 need = ((f32)cube->n * 0.5f) / ts_max(to_triangle, least);
 		shortest = any ? ts_min(shortest, way) : way;
 		densest = any ? ts_max(densest, need) : need;
 		any = true;
 	}
-	if (!any) return 0.0f;
-	f32 wanted = (args->rho * view.focal) / shortest;
-	return args->cap != 0u ? ts_min(wanted, densest) : wanted;
+	ts_eye_density d;
+	d.s = any ? (args->rho * view.focal) / shortest : 0.0f;
+	d.limited = args->cap != 0u && densest < d.s ? 1u : 0u;
+	d.s = d.limited != 0u ? densest : d.s;
+	return d;
 }
 
 #endif

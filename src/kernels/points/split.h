@@ -16,7 +16,7 @@ TS_CALL ts_need ts_k_need(const ts_density_args *args, TS_GLOBAL const u64 *word
 	if (args->shadow != TS_SHADOW_IS_NONE) return ts_k_shadow_density(args, words, a, b, c);
 	if (args->views != NULL) return ts_k_view_density(args, words, a, b, c);
 	ts_need r;
-	r.s = ts_k_density(args, words, a, b, c);
+	r.s = ts_k_density(args, words, a, b, c).s;
 	r.uneven = 1.0f;
 	return r;
 }
@@ -89,11 +89,20 @@ TS_FN u32 ts_k_split(const ts_density_args *args, u32 triangle, bool write)
 	return count;
 }
 
+/* Of a whole triangle; counts it where the densest cube limits it. */
+TS_FN f32 ts_k_whole_density(const ts_density_args *args, TS_GLOBAL const u64 *words, ts_v3 a, ts_v3 b, ts_v3 c)
+{
+	if (args->views != NULL) return ts_k_need(args, words, a, b, c).s;
+	ts_eye_density d = ts_k_density(args, words, a, b, c);
+	if (d.limited != 0u) ts_add_i64(args->n_limited, 1);
+	return d.s;
+}
+
 /* map over triangles: density and number of pieces; none where nobody sees it */
 TS_FN void ts_k_split_count_item(const ts_density_args *args, u64 i)
 {
 	ts_corners t = ts_k_corners(&args->scene, (u32)i);
-	args->whole[i] = ts_put(ts_k_need(args, args->bits + i * args->n_words, t.a, t.b, t.c).s);
+	args->whole[i] = ts_put(ts_k_whole_density(args, args->bits + i * args->n_words, t.a, t.b, t.c));
 	args->offset[i] = args->whole[i] > 0.0f ? ts_k_split(args, (u32)i, false) : 0u;
 }
 

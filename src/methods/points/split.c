@@ -9,10 +9,11 @@ typedef struct {
 } launches;
 
 #define COUNT TS_BUT_SURFACES, TS_BUT(pieces), TS_BUT(scale), TS_BUT(n_capped)
-#define WRITE TS_BUT_SURFACES, TS_IN(whole, split_triangle_density), TS_IN(offset, split_offset)
+#define WRITE TS_BUT_SURFACES, TS_BUT(n_limited), TS_IN(whole, split_triangle_density), TS_IN(offset, split_offset)
 #define OF_VIEWS TS_BUT(cubes), TS_WITH(views)
 static const launches of_eye = {TS_LAUNCH(split_count, COUNT), TS_LAUNCH(split, WRITE)};
-static const launches of_views = {TS_LAUNCH(split_count, COUNT, OF_VIEWS), TS_LAUNCH(split, WRITE, OF_VIEWS)};
+static const launches of_views = {TS_LAUNCH(split_count, COUNT, OF_VIEWS, TS_BUT(n_limited)),
+                                  TS_LAUNCH(split, WRITE, OF_VIEWS)};
 
 static ts_status divide(ts_run *run, const launches *own, ts_density_args args)
 {
@@ -21,6 +22,7 @@ static ts_status divide(ts_run *run, const launches *own, ts_density_args args)
 	args.n_words = (u32)ts_run_size(run, TS_DIM_view_words);
 	args.split = TS_PARAM(&run->params, points_split);
 	if (TS_RUN(run, &own->count, &args, n) != TS_OK) return TS_ERROR;
+	if (own == &of_eye) ts_run_count(run, "density.limited", ts_frame_tally(&run->frame, 1));
 	if (ts_launch_sum(run, &own->count, "offset", &total) != TS_OK) return TS_ERROR;
 	if (TS_RUN(run, &own->write, &args, n) != TS_OK) return TS_ERROR;
 	ts_run_count(run, "pieces", (i64)total);
@@ -35,6 +37,7 @@ static ts_status split(ts_run *run)
 		.n_cubes = (u32)ts_run_size(run, TS_DIM_cubes),
 		.paper = TS_PARAM(&run->params, density_path) == TS_DENSITY_PAPER,
 		.cap = TS_PARAM(&run->params, density_cap),
+		.ball = TS_PARAM(&run->params, density_mirror) == TS_MIRROR_BALL,
 		.offaxis = TS_PARAM(&run->params, density_off_axis),
 		.rate = TS_RATE_IS_EYE,
 	};

@@ -188,11 +188,13 @@ static void random_mesh(mesh *m, f32 size)
 	mesh_triangle(m, corner[0], corner[1], corner[2], 0, 0);
 }
 
-static f32 density(const mesh *m, const ts_density_args *args)
+static ts_eye_density eye_density(const mesh *m, const ts_density_args *args)
 {
 	ts_corners t = ts_k_corners(&args->scene, 0);
 	return ts_k_density(args, m->bits, t.a, t.b, t.c);
 }
+
+static f32 density(const mesh *m, const ts_density_args *args) { return eye_density(m, args).s; }
 
 /* s = min(rho f_e / min d_r, max f_r / d_rt), from its parts; the cap holds, and below it s is proportional to rho. */
 static void test_scale(void **state)
@@ -221,6 +223,7 @@ static void test_scale(void **state)
 		double wanted = 0.5 * m.view.focal / least;
 		f32 s = density(&m, &args);
 		assert_true(fabs(s - fmin(wanted, cap)) <= 2e-4 * s);
+		if (fabs(wanted - cap) > 2e-4 * cap) assert_int_equal(eye_density(&m, &args).limited, wanted > cap);
 		n_capped += wanted > cap;
 		args.rho = 0.25f;
 		f32 half = density(&m, &args);
@@ -230,6 +233,72 @@ static void test_scale(void **state)
 		assert_true(fabs(density(&m, &args) - wanted * 0.5) <= 2e-4 * wanted);
 	}
 	assert_true(n_capped > N_PATHS / 20 && n_capped < N_PATHS);
+}
+
+/* The width across a pencil of rays, in the plane of incidence and across it, on a plane at right angles to the middle
+ * ray after a ball has mirrored it: by four rays in doubles, each a millionth from the middle one. */
+static double mirrored_area(double radius, double to_ball, double cosine, double to_plane)
+{
+	double angle = acos(cosine), e = 1e-6, at[4][2];
+	d3 eye = {to_ball * sin(angle), 0, to_ball * cosine}, centre = {0, 0, -radius};
+	d3 out = {-sin(angle), 0, cosine};
+	d3 right = {cosine, 0, sin(angle)}, up = {0, 1, 0};
+	d3 middle = d3_mad((d3){0, 0, 0}, out, to_plane);
+	for (u32 k = 0; k < 4; k++) {
+		double s = k < 2 ? (k == 0 ? e : -e) : 0, t = k < 2 ? 0 : (k == 2 ? e : -e);
+		d3 to = {-eye.x / to_ball, -eye.y / to_ball, -eye.z / to_ball};
+		to = d3_mad(d3_mad(to, (d3){-cosine, 0, sin(angle)}, s), up, t);
+		d3 from = d3_sub(eye, centre);
+		double a = d3_dot(to, to), b = d3_dot(to, from), c = d3_dot(from, from) - radius * radius;
+		d3 p = d3_mad(eye, to, (-b - sqrt(b * b - a * c)) / a);
+		d3 n = d3_mad((d3){0, 0, 0}, d3_sub(p, centre), 1 / radius);
+		d3 r = d3_mad(to, n, -2 * d3_dot(to, n));
+		d3 q = d3_mad(p, r, d3_dot(d3_sub(middle, p), out) / d3_dot(r, out));
+		at[k][0] = d3_dot(d3_sub(q, middle), right);
+		at[k][1] = d3_dot(d3_sub(q, middle), up);
+	}
+	return fabs((at[0][0] - at[1][0]) * (at[2][1] - at[3][1])) / (4 * e * e);
+}
+
+/* density.mirror=ball: head on the width is that of rays, elsewhere their area is no less than its square. */
+static void test_ball(void **state)
+{
+	(void)state;
+	n_random = 0;
+	for (u32 i = 0; i < N_PATHS; i++) {
+		f32 radius = uniform_power(-3, 2), to_eye = uniform_power(-3, 4), to_triangle = uniform_power(-3, 4);
+		double width = (double)to_eye + to_triangle + ts_k_ball_spread(radius, radius + to_eye, radius + to_triangle);
+		double head_on = sqrt(mirrored_area(radius, to_eye, 1, to_triangle));
+		assert_true(fabs(width - head_on) <= 1e-3 * head_on);
+		double cosine = uniform(0.1f, 1);
+		assert_true(sqrt(mirrored_area(radius, to_eye, cosine, to_triangle)) >= 0.999 * head_on);
+	}
+}
+
+/* density.mirror=ball asks for fewer, the fewer the smaller the ball; the cap limits none of what the eye sees in a
+ * cube of its own size at one sample a pixel. */
+static void test_ball_scale(void **state)
+{
+	(void)state;
+	n_random = 0;
+	for (u32 i = 0; i < N_PATHS; i++) {
+		mesh m;
+		mesh_begin(&m);
+		f32 radius = uniform_power(-6, 0), distance = 4;
+		ts_store3(m.view.eye, ts_v3_make(0, 0, 0));
+		u32 n = (u32)(2 * radius * m.view.focal / distance) + 1;
+		mesh_cube(&m, ts_v3_make(0, 0, -distance), radius, n);
+		ts_v3 at = ts_mad(ts_v3_make(0, 0, -distance), unit3(), uniform(1.5f, 8));
+		mesh_triangle(&m, at, ts_add(at, uniform3(-0.01f, 0.01f)), ts_add(at, uniform3(-0.01f, 0.01f)), 0, 0);
+		i64 none = 0;
+		ts_density_args args = mesh_density(&m, &none, 1);
+		f32 limited = density(&m, &args);
+		args.cap = 0;
+		f32 flat = density(&m, &args);
+		args.ball = 1;
+		f32 ball = density(&m, &args);
+		assert_true(ball <= flat && ball <= limited);
+	}
 }
 
 /* A world twice as large needs half as many samples a unit, to the bit. */
@@ -401,6 +470,7 @@ static void test_one_piece(void **state)
 		ts_density_args args = mesh_density(&m, &none, 0.5f);
 		args.split = 0;
 		mesh_split(&m, args);
+		assert_int_equal(m.n_limited, eye_density(&m, &args).limited);
 		assert_int_equal(m.n_pieces, 1);
 		assert_int_equal(m.pieces[0].path, 1);
 		assert_memory_equal(m.pieces[0].a, m.vertices[0].position, 12);
@@ -465,6 +535,8 @@ int main(void)
 		cmocka_unit_test(test_scale),
 		cmocka_unit_test(test_scale_of_world),
 		cmocka_unit_test(test_offaxis),
+		cmocka_unit_test(test_ball),
+		cmocka_unit_test(test_ball_scale),
 		cmocka_unit_test(test_split),
 		cmocka_unit_test(test_limit),
 		cmocka_unit_test(test_one_piece),

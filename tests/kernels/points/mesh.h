@@ -106,6 +106,7 @@ typedef struct {
 	ts_view view;
 	u64 bits[MESH_TRIANGLES * 2]; /* n_words = 2 */
 	u32 n_triangles, n_cubes;
+	i64 n_limited;
 	/* From here on: what the chain makes. */
 	u32 n_pieces, n_points;
 	u32 *count;
@@ -205,13 +206,14 @@ static inline u32 mesh_scan(u32 *counts, u32 n)
 	return sum;
 }
 
-static inline ts_density_args mesh_density(const mesh *m, i64 *n_capped, f32 rho)
+static inline ts_density_args mesh_density(mesh *m, i64 *n_capped, f32 rho)
 {
 	return (ts_density_args){.scene = mesh_arrays(m),
 	                         .cubes = m->cubes,
 	                         .view = &m->view,
 	                         .bits = m->bits,
 	                         .n_capped = n_capped,
+	                         .n_limited = &m->n_limited,
 	                         .rho = rho,
 	                         .n_cubes = m->n_cubes,
 	                         .n_words = 2,

@@ -1,5 +1,6 @@
 /* `bench epr-6`: speed against accuracy, as the density of the points, the sampling of the look-ups and the size of the
- * faces vary; after EPR's figure 6, which varies the size of the mirrors. */
+ * faces vary; after EPR's figure 6, which varies the size of the mirrors. And how often the cubes limit the density, as
+ * EPR 3.2 says they rarely do: by eq. 3, and where the mirrors are taken for the balls that they are. */
 #include <math.h>
 #include <stdlib.h>
 #include <touchstone/image.h>
@@ -13,10 +14,12 @@ typedef struct {
 	const char *label;
 } mark;
 
-static const char *const curves[] = {"EPR, 25 samples", "EPR, adaptive samples", "MVR, trilinear", "MVR, 25 samples"};
+static const char *const curves[] = {"EPR, 25 samples", "EPR, adaptive samples", "MVR, trilinear", "MVR, 25 samples",
+                                     "EPR, mirrors as balls"};
 
 /* clang-format off */
 #define EPR(rho, samples) { "epr", "density.scale=" rho ",lookup.samples=" samples, true, TS_TIMED }
+#define BALL(rho) { "epr", "density.mirror=ball,density.scale=" rho, true, TS_TIMED }
 #define MVR(px, filter) { "mvr", "cube.max_px=" px ",mvr.filter=" filter, true, TS_TIMED }
 /* clang-format on */
 
@@ -26,21 +29,30 @@ static const ts_bench_variant variants[] = {
 	EPR("0.25", "adaptive"), EPR("0.5", "adaptive"), EPR("1", "adaptive"), EPR("2", "adaptive"),
 	MVR("128", "trilinear"), MVR("256", "trilinear"), MVR("512", "trilinear"),
 	MVR("128", "supersample"), MVR("256", "supersample"), MVR("512", "supersample"),
+	BALL("0.5"), BALL("1"), BALL("2"),
 	{ 0 },
 };
 
 static const mark marks[] = {
 	{ 0, "1/4" }, { 0, "1/2" }, { 0, "1" }, { 0, "2" }, { 1, "1/4" }, { 1, "1/2" }, { 1, "1" }, { 1, "2" },
 	{ 2, "128" }, { 2, "256" }, { 2, "512" }, { 3, "128" }, { 3, "256" }, { 3, "512" },
+	{ 4, "1/2" }, { 4, "1" }, { 4, "2" },
 };
 /* clang-format on */
+/* Marks that claims name: EPR's default, and balls at one sample a pixel and two. */
+enum { AS_PRINTED = 1, BALLS_ONE = 15, BALLS_TWO = 16 };
 enum { N_MARKS = sizeof marks / sizeof marks[0] };
 _Static_assert(N_MARKS + 1 == sizeof variants / sizeof variants[0], "a mark a variant");
 
-static const ts_column columns[] = {{"curve", "curve", false},     {"set", "set for it", false},
-                                    {"points", "points", true},    {"shading", "shading operations", true},
-                                    {"lookups", "look-ups", true}, {"ms", "frame, ms", true},
-                                    {"rmse", "RMSE", true},        {0}};
+static const ts_column columns[] = {{"curve", "curve", false},
+                                    {"set", "set for it", false},
+                                    {"points", "points", true},
+                                    {"limited", "limited triangles", true},
+                                    {"shading", "shading operations", true},
+                                    {"lookups", "look-ups", true},
+                                    {"ms", "frame, ms", true},
+                                    {"rmse", "RMSE", true},
+                                    {0}};
 
 static void count_cell(ts_table *table, const ts_measure *m, const char *name)
 {
@@ -60,6 +72,7 @@ static void report_rows(ts_report *report, const ts_bench_case *c, const ts_plot
 		ts_table_text(&t, curves[marks[v].curve]);
 		ts_table_text(&t, variants[v].set);
 		count_cell(&t, &c->measures[v], "points");
+		count_cell(&t, &c->measures[v], "density.limited");
 		count_cell(&t, &c->measures[v], "shading operations");
 		count_cell(&t, &c->measures[v], "look-ups");
 		ts_table_real(&t, points[v].x, 2);
@@ -70,7 +83,7 @@ static void report_rows(ts_report *report, const ts_bench_case *c, const ts_plot
 
 /* Each density, sampling or face is nearer to the truth than the one before in its curve; and adaptive sampling, which
  * is the first four marks' other half, brings nothing. */
-static void report_claims(ts_report *report, const ts_plot_point *points)
+static void report_errors(ts_table *t, const ts_plot_point *points)
 {
 	enum { DENSITIES = 4 };
 	double worst = 0, adaptive = INFINITY;
@@ -78,22 +91,55 @@ static void report_claims(ts_report *report, const ts_plot_point *points)
 		if (marks[v].curve == marks[v - 1].curve) worst = fmax(worst, points[v].y / points[v - 1].y);
 	}
 	for (u32 v = 0; v < DENSITIES; v++) adaptive = fmin(adaptive, points[v + DENSITIES].y / points[v].y);
-	ts_table t = ts_bench_relations_begin();
-	ts_bench_relation_add(&t, &(ts_bench_relation){.text = "RMSE by that of half the density or face, greatest",
-	                                               .bound = "at most 1.01",
-	                                               .here = worst,
-	                                               .paper = NAN,
-	                                               .decimals = 3,
-	                                               .holds = worst <= 1.01,
-	                                               .because = "finer points or faces bring nothing more"});
-	ts_bench_relation_add(&t, &(ts_bench_relation){.text = "RMSE by adaptive samples by that of 25, least",
-	                                               .bound = "at least 1",
-	                                               .here = adaptive,
-	                                               .paper = NAN,
-	                                               .decimals = 3,
-	                                               .holds = adaptive >= 1,
-	                                               .because = "fewer samples are nearer"});
-	ts_report_table(report, &t);
+	ts_bench_relation_add(t, &(ts_bench_relation){.text = "RMSE by that of half the density or face, greatest",
+	                                              .bound = "at most 1.01",
+	                                              .here = worst,
+	                                              .paper = NAN,
+	                                              .decimals = 3,
+	                                              .holds = worst <= 1.01,
+	                                              .because = "finer points or faces bring nothing more"});
+	ts_bench_relation_add(t, &(ts_bench_relation){.text = "RMSE by adaptive samples by that of 25, least",
+	                                              .bound = "at least 1",
+	                                              .here = adaptive,
+	                                              .paper = NAN,
+	                                              .decimals = 3,
+	                                              .holds = adaptive >= 1,
+	                                              .because = "fewer samples are nearer"});
+}
+
+static double counted(const ts_bench_case *c, u32 v, const char *name)
+{
+	const ts_counter *counter = ts_measure_counter(&c->measures[v], name);
+	return counter != NULL ? (double)counter->value : NAN;
+}
+
+/* A relation that holds up to a bound. */
+static void at_most(ts_table *t, const char *text, double here, double most, const char *because)
+{
+	char bound[32];
+	snprintf(bound, sizeof bound, "at most %g", most);
+	ts_bench_relation_add(t, &(ts_bench_relation){.text = text,
+	                                              .bound = bound,
+	                                              .here = here,
+	                                              .paper = NAN,
+	                                              .decimals = 3,
+	                                              .holds = here <= most,
+	                                              .because = because});
+}
+
+/* "On the rare occasions" (EPR 3.2): at most a triangle in twenty. */
+static void report_limits(ts_table *t, const ts_bench_case *c, const ts_plot_point *points)
+{
+	const u32 of[] = {AS_PRINTED, BALLS_ONE};
+	const char *const text[] = {"limited triangles by pieces, eq. 3, 1/2", "limited triangles by pieces, balls, 1"};
+	for (u32 i = 0; i < 2; i++) {
+		double share = counted(c, of[i], "density.limited") / counted(c, of[i], "pieces");
+		at_most(t, text[i], share, 0.05, "eq. 3 takes mirrors to be flat");
+	}
+	at_most(t, "points for balls, 2, by eq. 3's, 1/2",
+	        counted(c, BALLS_TWO, "points") / counted(c, AS_PRINTED, "points"), 1, "mirrors are large");
+	at_most(t, "RMSE for balls, 2, by eq. 3's, 1/2", points[BALLS_TWO].y / points[AS_PRINTED].y, 1,
+	        "mirrors are not balls");
 }
 
 /* Medians over the runs; errors are of the first. */
@@ -143,7 +189,10 @@ static ts_status work_on(const ts_job *job, ts_report *report, const void *user)
 	if (status == TS_OK) {
 		ts_bench_head(report, job, true);
 		report_rows(report, c, points);
-		report_claims(report, points);
+		ts_table claims = ts_bench_relations_begin();
+		report_errors(&claims, points);
+		report_limits(&claims, c, points);
+		ts_report_table(report, &claims);
 		if (job->output.dir != NULL) status = write_plot(c, points);
 	}
 	if (c != NULL) ts_bench_case_close(c);

@@ -13,7 +13,7 @@ const ts_claim ts_points_claims[] = {
 	  "a sketch; tests/kernels/points/density.c asks for its lengths" },
 	{ "EPR", "figure 4", "the stages of deferred shading", NULL, NULL, "a sketch; `list methods` has the stages" },
 	{ "EPR", "figure 5", "further bounces take more shading", "epr-2", "frame", NULL },
-	{ "EPR", "figure 6", "errors fall with density; adaptive sampling brings nothing", "epr-6", NULL, NULL },
+	{ "EPR", "figure 6", "errors fall with density; adaptive sampling brings nothing", "epr-6", "RMSE by", NULL },
 	{ "EPR", "figure 7", "reflections by MVR, EPR and iVIR look alike", "epr-2", "RMSE", NULL },
 	{ "EPR", "figure 8", "close views differ little to the eye", NULL, NULL,
 	  "HDR-VDP2 is not at hand; figure 7 is asked by RMSE" },

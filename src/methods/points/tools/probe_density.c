@@ -104,7 +104,7 @@ static f32 density(const ts_density_args *args, const ts_corners *t, const u64 *
 		u32 bit = 6 * only + face;
 		words[bit / 64] |= bits[bit / 64] & (u64)1 << (bit % 64);
 	}
-	return ts_put(ts_k_density(args, words, t->a, t->b, t->c));
+	return ts_put(ts_k_density(args, words, t->a, t->b, t->c).s);
 }
 
 static void put_setter(ts_probe *p, json_t *o, const ts_density_args *args, const ts_corners *t, const u64 *bits,
@@ -151,6 +151,7 @@ ts_status ts_probe_density(ts_probe *p, u32 triangle, const u64 *bits, json_t *o
 	                        .n_words = ts_probe_n_words(p),
 	                        .paper = TS_PARAM(params, density_path) == TS_DENSITY_PAPER,
 	                        .cap = TS_PARAM(params, density_cap),
+	                        .ball = TS_PARAM(params, density_mirror) == TS_MIRROR_BALL,
 	                        .offaxis = TS_PARAM(params, density_off_axis),
 	                        .split = TS_PARAM(params, points_split)};
 	f32 held, scale;
