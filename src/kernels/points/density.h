@@ -51,10 +51,10 @@ TS_FN f32 ts_k_path_length(ts_v3 eye, ts_v3 centre, f32 radius, ts_v3 a, ts_v3 b
 	return ts_length(ts_sub(eye, cp)) + ts_length(ts_sub(cp, t));
 }
 
-/* What a ball adds to the way. A ball turns the normal by w / R over a width of w, and the ray by twice that. So what is
- * one wide at a distance of one from the eye is d_er + d_rt + 2 d_er d_rt / R wide on the triangle, where the ray meets
- * the ball head on. Where it meets the ball at a cosine c, the last term is divided by c one way across the ray and
- * multiplied by c the other way. Since c + 1 / c >= 2, the product of the two widths is least head on. */
+/* What a ball adds to the way. A ball turns the normal by w / R over a width of w, and the ray by twice that. So what
+ * is one wide at a distance of one from the eye is d_er + d_rt + 2 d_er d_rt / R wide on the triangle, where the ray
+ * meets the ball head on. Where it meets the ball at a cosine c, the last term is divided by c one way across the ray
+ * and multiplied by c the other way. Since c + 1 / c >= 2, the product of the two widths is least head on. */
 TS_FN f32 ts_k_ball_spread(f32 radius, f32 to_eye, f32 to_triangle)
 {
 	f32 from_eye = ts_max(to_eye - radius, 0.0f);

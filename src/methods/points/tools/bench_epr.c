@@ -4,7 +4,7 @@
 #include "benches.h"
 
 /* Table 1. */
-enum { M_EPR, M_MVR, M_IVIR, M_EPR_TWICE, M_IVIR_FIXED };
+enum { M_EPR, M_MVR, M_IVIR, M_EPR_TWICE, M_IVIR_FIXED, M_EPR_BALLS };
 
 /* clang-format off */
 static const ts_bench_variant work_variants[] = {
@@ -62,19 +62,21 @@ const ts_paper_table ts_epr_1 = {
 };
 
 /* Table 2. Faces as large as the image asks for are EPR's own (EPR section 4.2): iVIR's points there are those of
- * 512. */
+ * 512. Those of faces as large as EPR's are the like; by eq. 3, and with mirrors as the balls that they are. */
 static const ts_bench_variant variants[] = {
 	[M_EPR] = { "epr", "lookup.bounces=1", true, TS_TIMED },
 	[M_MVR] = { "mvr", "lookup.bounces=1", true, TS_TIMED },
 	[M_IVIR] = { "ivir", "lookup.bounces=1,points.buffered=on", true, TS_TIMED },
 	[M_EPR_TWICE] = { "epr", "lookup.bounces=2", false, TS_TIMED },
 	[M_IVIR_FIXED] = { "ivir", "lookup.bounces=1,points.buffered=on,cube.px=512", false, TS_ONCE },
+	[M_EPR_BALLS] = { "epr", "lookup.bounces=1,density.mirror=ball,density.scale=1", true, TS_ONCE },
 	{ 0 },
 };
 
 enum { TRIANGLES, DIAMETER, SPEEDUP, DIFFERENCE, EPR_MS, POINT_MS, VIEW_MS, DEFERRED_MS, DEFERRED2_MS, MVR_MS, POINTS,
 	EPR_RMSE, MVR_RMSE, IVIR_RMSE, IVIR_MS, IVIR_POINT_MS, IVIR_VIEW_MS, IVIR_DEFERRED_MS, IVIR_POINTS, IVIR_SPEEDUP,
-	IVIR_DIFFERENCE, POINTS_RATIO, ADAPTIVE_POINTS, BOUNCES };
+	IVIR_DIFFERENCE, POINTS_RATIO, ADAPTIVE_POINTS, BOUNCES, LIKE_RATIO, BALL_POINTS, BALL_RATIO, BALL_RMSE,
+	BALL_MORE };
 
 static const ts_bench_figure figures[] = {
 	[TRIANGLES] = { "triangles", "triangles", TS_FIGURE_TRIANGLES, 0, 0, TS_WHOLE, "" },
@@ -101,18 +103,23 @@ static const ts_bench_figure figures[] = {
 	[POINTS_RATIO] = { "points_ratio", "iVIR / EPR", TS_FIGURE_RATIO, IVIR_POINTS, POINTS, 2, "" },
 	[ADAPTIVE_POINTS] = { "ivir_adaptive_points", "of such faces", TS_FIGURE_COUNTER, M_IVIR, 0, TS_WHOLE, "points" },
 	[BOUNCES] = { "bounces_ratio", "2 / 1", TS_FIGURE_RATIO, DEFERRED2_MS, DEFERRED_MS, 2, "" },
+	[LIKE_RATIO] = { "like_ratio", "by EPR's", TS_FIGURE_RATIO, ADAPTIVE_POINTS, POINTS, 2, "" },
+	[BALL_POINTS] = { "ball_points", "EPR, balls", TS_FIGURE_COUNTER, M_EPR_BALLS, 0, TS_WHOLE, "points" },
+	[BALL_RATIO] = { "ball_ratio", "by these", TS_FIGURE_RATIO, ADAPTIVE_POINTS, BALL_POINTS, 2, "" },
+	[BALL_RMSE] = { "ball_rmse", "EPR, balls", TS_FIGURE_RMSE, M_EPR_BALLS, M_EPR_BALLS, 3, "" },
+	[BALL_MORE] = { "ball_rmse_difference", "less eq. 3's, %", TS_FIGURE_MORE, BALL_RMSE, EPR_RMSE, 3, "" },
 	{ 0 },
 };
 
 static const ts_paper_part parts[] = {
 	{ "epr_2", "EPR, table 2: points, of iVIR for faces of 512, and for faces as large as EPR's", { TRIANGLES, DIAMETER,
-	  POINTS, IVIR_POINTS, POINTS_RATIO, ADAPTIVE_POINTS, TS_NO_FIGURE } },
+	  POINTS, IVIR_POINTS, POINTS_RATIO, ADAPTIVE_POINTS, LIKE_RATIO, BALL_POINTS, BALL_RATIO, TS_NO_FIGURE } },
 	{ "epr_2_ms", "EPR, table 2: the whole frame by EPR and MVR, and EPR's parts, ms", { SPEEDUP, EPR_MS, POINT_MS,
 	  VIEW_MS, DEFERRED_MS, DEFERRED2_MS, BOUNCES, MVR_MS, TS_NO_FIGURE } },
 	{ "epr_2_ivir_ms", "EPR, table 2: the whole frame by iVIR, and its parts, ms", { IVIR_SPEEDUP, IVIR_MS,
 	  IVIR_POINT_MS, IVIR_VIEW_MS, IVIR_DEFERRED_MS, TS_NO_FIGURE } },
 	{ "epr_2_rmse", "EPR, table 2: RMSE to the truth in grey levels, and EPR's less the others' in percent of 255",
-	  { EPR_RMSE, IVIR_RMSE, MVR_RMSE, DIFFERENCE, IVIR_DIFFERENCE, TS_NO_FIGURE } },
+	  { EPR_RMSE, IVIR_RMSE, MVR_RMSE, DIFFERENCE, IVIR_DIFFERENCE, BALL_RMSE, BALL_MORE, TS_NO_FIGURE } },
 	{ 0 },
 };
 
@@ -120,6 +127,12 @@ static const ts_paper_part parts[] = {
 static const ts_paper_relation relations[] = {
 	{ "iVIR's points / EPR's", POINTS_RATIO, TS_AT_LEAST, 3.5, 0, TS_NO_FIGURE, 0, 0, "another size of the cubes",
 	  DIAMETER },
+	{ "iVIR's points of such faces / EPR's", LIKE_RATIO, TS_AT_LEAST, 3.5, 0, TS_NO_FIGURE, 0, 0,
+	  "eq. 3 takes mirrors to be flat", DIAMETER },
+	{ "iVIR's points of such faces / EPR's of balls", BALL_RATIO, TS_AT_LEAST, 3.5, 0, TS_NO_FIGURE, 0, 0,
+	  "another size of the cubes", DIAMETER },
+	{ "RMSE of EPR's of balls less eq. 3's, %", BALL_MORE, TS_AT_MOST, 0, 0.067, TS_NO_FIGURE, 0, 0,
+	  "a sample a pixel is too few", BALL_RMSE },
 	{ "time of MVR / EPR", SPEEDUP, TS_AT_LEAST, 1.41, 0, TS_NO_FIGURE, 0, 0, "points are much of the work", POINT_MS },
 	{ "time of iVIR / EPR", IVIR_SPEEDUP, TS_AT_LEAST, 1.26, 0, TS_NO_FIGURE, 0, 0, "points are much of the work",
 	  POINT_MS },
