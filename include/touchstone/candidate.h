@@ -72,6 +72,9 @@ static const ts_candidate_buffer ts_candidate_buffers[] = {
 	{"scene.surfel", 48, 1,
      "[('centre', '<f4', (3,)), ('u', '<f4', (3,)), ('v', '<f4', (3,)), ('colour', '<f4', (3,))]"},
 	{"scene.stand", 24, 1, "[('position', '<f4', (3,)), ('target', '<f4', (3,))]"},
+	{"scene.path", 64, 1,
+     "[('eye', '<f4', (3,)), ('yfov', '<f4'), ('right', '<f4', (3,)), ('pad0', '<u4'), ('up', '<f4', (3,)), "
+     "('pad1', '<u4'), ('back', '<f4', (3,)), ('pad2', '<u4')]"},
 	{"scene.info", 112, 1,
      "[('eye', '<f4', (3,)), ('yfov', '<f4'), ('right', '<f4', (3,)), ('n_reflectors', '<u4'), "
      "('up', '<f4', (3,)), ('circles', '<u4'), ('back', '<f4', (3,)), ('ambient', '<f4'), "

@@ -29,6 +29,7 @@ typedef struct {
 	const char *reflector; /* name of a node of the file to make a mirror of; NULL: those marked in extras */
 	const float *eye;      /* x, y and z of an eye that stands there; NULL: the camera's */
 	const float *target;   /* what that eye looks at; NULL: the middle of the room or of the thing */
+	const char *path;      /* text file of keyframes along which the eye moves (METHODS 2); NULL: none */
 	int own_fov;           /* not 0: the parameter eye.fov, even where the camera has a field of view */
 	const float (*mirrors)[4]; /* balls that stand still, beside the reflectors: x, y, z and radius */
 	uint32_t n_mirrors;

@@ -2,6 +2,7 @@
 #include "build_parts.h"
 #include "../model/core.h"
 #include "lamp_place.h"
+#include "path.h"
 #include "sources.h"
 #include "subject.h"
 #include "view.h"
@@ -31,6 +32,9 @@ static void check_options(ts_build *build, const ts_scene_options *o)
 	check_point(build, "lamp", o->lamp);
 	if (o->target != NULL && o->eye == NULL)
 		ts_build_fail(build, "%s: target: an eye that looks at it must be given, too", build->scene->name);
+	if (o->path != NULL && (o->eye != NULL || o->target != NULL || o->camera != NULL))
+		ts_build_fail(build, "%s: path: %s is asked for, too; choose one of them", build->scene->name,
+		              o->camera != NULL ? "a camera" : "an eye or target");
 	if (o->eye != NULL && o->camera != NULL)
 		ts_build_fail(build, "%s: eye: camera %s is asked for, too; choose one of them", build->scene->name, o->camera);
 	if (o->eye != NULL && o->target != NULL && memcmp(o->eye, o->target, 3 * sizeof(f32)) == 0)
@@ -57,9 +61,10 @@ static void add_eye(ts_build *build, const ts_scene_options *o)
 /* The camera's name; NULL: the eye circles. */
 static const char *choose(ts_build *build, const ts_scene_options *o, bool find)
 {
-	if (o->eye != NULL) add_eye(build, o);
 	if (build->failed) return NULL;
-	if (o->eye != NULL) return EYE_NAME;
+	if (o->path != NULL) return ts_path_add(build, o->path, o->own_fov != 0);
+	if (o->eye != NULL) add_eye(build, o);
+	if (o->eye != NULL) return build->failed ? NULL : EYE_NAME;
 	if (o->camera != NULL) return strcmp(o->camera, TS_CAMERA_CIRCLE) != 0 ? o->camera : NULL;
 	return find && build->scene->n_cameras > 0 ? build->scene->cameras[0].name : NULL;
 }

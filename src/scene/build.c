@@ -98,6 +98,7 @@ void ts_scene_free(ts_scene *scene)
 	free(scene->surfels);
 	free(scene->cameras);
 	free(scene->stands);
+	free(scene->path);
 	free(scene->notes);
 	free(scene);
 }

@@ -33,6 +33,8 @@ struct ts_scene {
 	u32 n_surfels; /* a scene may have these only, or triangles only, or both */
 	ts_stand *stands;
 	u32 n_stands;         /* TS_N_STANDS, or 0: the lamps of shadows stand as the hall says */
+	ts_path_eye *path;    /* the eye of each frame */
+	u32 n_path;           /* 0: the eye stands still or circles */
 	bool is_checkerboard; /* they are those of builtin_checkerboard.c */
 	ts_info info;
 	ts_camera *cameras;

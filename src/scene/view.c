@@ -112,6 +112,22 @@ void ts_view_eye(ts_view *view, const ts_info *info, const ts_params *params)
 	view->near = ts_put(ts_length(ts_view_box(info).half) * 0.0009765625f);
 }
 
+void ts_view_on_path(ts_view *view, const ts_info *info, const ts_path_eye *path, u32 n, const ts_params *params)
+{
+	ts_info there = *info;
+	u32 frame = TS_PARAM(params, frame);
+	if (n > 0) {
+		const ts_path_eye *at = &path[frame < n ? frame : n - 1];
+		there.circles = TS_CIRCLES_NOT;
+		there.yfov = at->yfov;
+		memcpy(there.eye, at->eye, sizeof there.eye);
+		memcpy(there.right, at->right, sizeof there.right);
+		memcpy(there.up, at->up, sizeof there.up);
+		memcpy(there.back, at->back, sizeof there.back);
+	}
+	ts_view_eye(view, &there, params);
+}
+
 ts_v3 ts_view_way(const ts_view *view, f32 x, f32 y)
 {
 	f32 right = (x - (f32)view->width * 0.5f) / view->focal, up = ((f32)view->height * 0.5f - y) / view->focal;

@@ -39,6 +39,9 @@ ts_space ts_view_hall(const ts_info *info);
  * near is 2^-10 of half the box's diagonal. Reads params->{frame, eye, fov, width, height}. */
 void ts_view_eye(ts_view *view, const ts_info *info, const ts_params *params);
 
+/* The eye of frame params->frame on a path: the last pose behind its end. With n 0, as ts_view_eye. */
+void ts_view_on_path(ts_view *view, const ts_info *info, const ts_path_eye *path, u32 n, const ts_params *params);
+
 /* Axes of an eye that looks from one point at another; straight up or down +x is right. */
 void ts_view_aim(f32 right[3], f32 up[3], f32 back[3], ts_v3 eye, ts_v3 target);
 

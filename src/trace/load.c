@@ -62,7 +62,8 @@ static ts_status choose(ts_load *load, const ts_buffer_id *ids)
 	load->item[TS_B_scene_info] = ts_load_item(load->reference, load->candidate, TS_B_scene_info);
 	for (; *ids != TS_N_BUFFERS; ids++) {
 		load->item[*ids] = ts_load_item(load->reference, load->candidate, *ids);
-		bool spared = *ids == TS_B_scene_stand; /* scenes without do as the hall says */
+		/* Scenes without do as the hall says, and the eye as scene.info. */
+		bool spared = *ids == TS_B_scene_stand || *ids == TS_B_scene_path;
 		if (load->item[*ids] != NULL || spared || used >= sizeof missing) continue;
 		used += (size_t)snprintf(missing + used, sizeof missing - used, "%s%s", used > 0 ? ", " : "",
 		                         ts_buffer_table[*ids].name);
@@ -135,6 +136,10 @@ static void make_scene(ts_load *load)
 	if (load->item[TS_B_scene_stand] != NULL) {
 		scene->stands = ts_frame_data(frame, TS_B_scene_stand);
 		scene->n_stands = (u32)ts_frame_n(frame, TS_B_scene_stand);
+	}
+	if (load->item[TS_B_scene_path] != NULL) {
+		scene->path = ts_frame_data(frame, TS_B_scene_path);
+		scene->n_path = (u32)ts_frame_n(frame, TS_B_scene_path);
 	}
 	if (load->item[TS_B_scene_info] != NULL && ts_frame_n(frame, TS_B_scene_info) > 0) {
 		memcpy(&scene->info, ts_frame_data(frame, TS_B_scene_info), sizeof scene->info);

@@ -113,7 +113,8 @@ static ts_status watch(const ts_run *run, const ts_stage *stage, void *user)
 	for (const ts_buffer_id *id = ts_stage_outputs(stage); *id != TS_N_BUFFERS; id++) p->made[*id] = true;
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
 		bool of_scene = is_scene((ts_buffer_id)id) && (id != TS_B_scene_surfel || run->scene->n_surfels > 0) &&
-		                (id != TS_B_scene_stand || run->scene->n_stands > 0);
+		                (id != TS_B_scene_stand || run->scene->n_stands > 0) &&
+		                (id != TS_B_scene_path || run->scene->n_path > 0);
 		bool made = run->frame.buffer[id].made, claimed = p->made[id] || of_scene;
 		if (made == claimed) continue;
 		fail_msg("after %s: %s %s", stage->name, ts_buffer_table[id].name, made ? "unclaimed" : "missing");

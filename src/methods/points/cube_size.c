@@ -16,7 +16,7 @@ typedef struct {
 
 static u32 common_turn(const ts_run *run)
 {
-	u64 turn = ts_run_info(run)->circles != 0 ? TS_FRAMES_A_TURN : 1;
+	u64 turn = ts_run_info(run)->circles != 0 && run->scene->n_path == 0 ? TS_FRAMES_A_TURN : 1;
 	for (u32 i = 0; i < run->scene->n_objects && turn != 0; i++) {
 		u64 period = run->scene->objects[i].period, a = turn, b = period;
 		while (b != 0) {
@@ -35,7 +35,7 @@ static void resize(replay *r, u32 frame)
 	ts_params params = r->run->params;
 	ts_view view;
 	TS_PARAM_SET(&params, frame, frame);
-	ts_view_eye(&view, ts_run_info(r->run), &params);
+	ts_view_on_path(&view, ts_run_info(r->run), r->run->scene->path, r->run->scene->n_path, &params);
 	r->args.view = &view;
 	r->args.frame = frame;
 	ts_c_launch(TS_KERNEL_cube_size, &r->args, r->n, r->run->c.threads);
@@ -85,7 +85,8 @@ static ts_status replay_all(replay *r)
 	r->then = ts_alloc(r->n, sizeof *r->then, "sizes of cubes");
 	if (r->then == NULL) return TS_ERROR;
 	for (u32 frame = begin(r); frame <= last; frame++) {
-		bool ended = r->turn != 0 && frame % r->turn == 0;
+		bool stands = frame + 1 >= r->run->scene->n_path;
+		bool ended = stands && r->turn != 0 && frame % r->turn == 0;
 		if (ended && turns_alike(r)) frame = last - last % r->turn;
 		resize(r, frame);
 	}
@@ -137,6 +138,6 @@ const ts_stage ts_stage_cube_size = {
 	.paper = "EPR 3.5",
 	.doc = "box, ball and cube size of every reflector",
 	.run = cube_size,
-	.looks_at = TS_BUFFERS(TS_B_scene_vertex, TS_B_scene_object, TS_B_scene_info),
+	.looks_at = TS_BUFFERS(TS_B_scene_vertex, TS_B_scene_object, TS_B_scene_path, TS_B_scene_info),
 	.makes = TS_BUFFERS(TS_B_cube_size_face),
 };

@@ -176,7 +176,7 @@ static ts_status make_scene(ts_scene **scene, ts_build *build, const char *spec,
 	ts_scene_options own = wanted != NULL ? *wanted : (ts_scene_options){0};
 	ts_builtin_make(build, spec, params);
 	bool named = own.camera != NULL && strcmp(own.camera, TS_CAMERA_CIRCLE) != 0;
-	if (!named && own.eye == NULL) own.camera = find(spec)->camera;
+	if (!named && own.eye == NULL && own.path == NULL) own.camera = find(spec)->camera;
 	const char *camera = ts_arrange(build, params, &own, false);
 	return ts_build_finish(build, params, camera, scene);
 }

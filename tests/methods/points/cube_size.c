@@ -5,11 +5,11 @@
 #include "../../../src/methods/stages.h"
 #include "../../../src/scene/view.h"
 
-enum { N_CUBES = 4 };
+enum { N_CUBES = 4, PATH_FRAMES = 701, STARTS = 600, PACE = 3 };
 
 static ts_params moving_params(void)
 {
-	ts_params params = small_params(96, 54);
+	ts_params params = small_params(384, 216);
 	params.reflectors_count = N_CUBES;
 	params.cube_hysteresis = 8;
 	return params;
@@ -26,6 +26,29 @@ static void sizes_of(u32 sizes[N_CUBES], const ts_scene *scene, const ts_params 
 	assert_int_equal(ts_frame_n(&run.frame, TS_B_cube_size_face), N_CUBES);
 	for (u32 i = 0; i < N_CUBES; i++) sizes[i] = cubes[i].n;
 	ts_run_end(&run);
+}
+
+/* A path on which the eye stands still for two turns, circles PACE times as fast, and stands still again. */
+static u32 pace_of(u32 frame)
+{
+	u32 last = frame < PATH_FRAMES ? frame : PATH_FRAMES - 1;
+	return last > STARTS ? PACE * (last - STARTS) : 0;
+}
+
+static void set_path(ts_scene *scene, ts_params params)
+{
+	scene->path = calloc(PATH_FRAMES, sizeof *scene->path);
+	scene->n_path = PATH_FRAMES;
+	for (u32 frame = 0; frame < PATH_FRAMES; frame++) {
+		ts_view view;
+		ts_path_eye *at = &scene->path[frame];
+		params.frame = pace_of(frame);
+		ts_view_eye(&view, &scene->info, &params);
+		memcpy(at->eye, view.eye, sizeof at->eye);
+		memcpy(at->right, view.right, sizeof at->right);
+		memcpy(at->up, view.up, sizeof at->up);
+		memcpy(at->back, view.back, sizeof at->back);
+	}
 }
 
 /* Every frame by the kernel, one after the other. */
@@ -46,7 +69,7 @@ static void replay(u32 (*sizes)[N_CUBES], u32 n_frames, const ts_scene *scene, t
 	                          .n_max = ts_largest_face(&params),
 	                          .hysteresis = params.cube_hysteresis};
 	for (args.frame = 0; args.frame < n_frames; args.frame++) {
-		params.frame = args.frame;
+		params.frame = scene->n_path > 0 ? pace_of(args.frame) : args.frame;
 		ts_view_eye(&view, &scene->info, &params);
 		for (u32 i = 0; i < N_CUBES; i++) {
 			ts_k_cube_size_item(&args, i);
@@ -55,15 +78,15 @@ static void replay(u32 (*sizes)[N_CUBES], u32 n_frames, const ts_scene *scene, t
 	}
 }
 
-static void test_frames(void **state)
+static void check_frames(bool on_path)
 {
-	(void)state;
 	enum { N_FRAMES = 1100, STEP = 7 };
 	static u32 expected[N_FRAMES][N_CUBES];
 	ts_params params = moving_params();
 	ts_scene *scene = small_scene(&params);
 	ts_history history = {.n = NULL};
 	u32 sizes[N_CUBES], n_apart = 0;
+	if (on_path) set_path(scene, params);
 	replay(expected, N_FRAMES, scene, params);
 	for (u32 frame = 0; frame < N_FRAMES; frame += STEP) {
 		params.frame = frame;
@@ -82,8 +105,25 @@ static void test_frames(void **state)
 		sizes_of(sizes, scene, &params, NULL);
 		assert_memory_equal(sizes, expected[alone[i]], sizeof sizes);
 	}
+	for (u32 frame = PATH_FRAMES; frame < N_FRAMES && on_path; frame++) {
+		params.frame = frame;
+		sizes_of(sizes, scene, &params, NULL);
+		assert_memory_equal(sizes, expected[frame], sizeof sizes);
+	}
 	free(history.n);
 	ts_scene_free(scene);
+}
+
+static void test_frames(void **state)
+{
+	(void)state;
+	check_frames(false);
+}
+
+static void test_path(void **state)
+{
+	(void)state;
+	check_frames(true);
 }
 
 /* A history of a later frame, or of other cubes, is none. */
@@ -110,6 +150,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_frames),
+		cmocka_unit_test(test_path),
 		cmocka_unit_test(test_foreign_history),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
