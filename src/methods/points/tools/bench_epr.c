@@ -2,21 +2,41 @@
  * would be 4.23 by its own operations; Breakfast's error of iVIR with 10 mirrors is 2.49 beside 0.31 with 20; iVIR's
  * times with 20 mirrors in Sponza give 3.44, not 2.72. */
 #include "benches.h"
+#include "../../stages.h"
+#include "../../../kernels/points/cube_size.h"
+
+/* The larger side of the reflectors' boxes in the eye's picture, in pixels: the mean of those in sight. */
+static double projected_size(const ts_run *run)
+{
+	const ts_view *eye = ts_frame_data(&run->frame, TS_B_eye_view);
+	const ts_face *cubes = ts_frame_data(&run->frame, TS_B_cube_size_face);
+	if (eye == NULL || cubes == NULL) return NAN;
+	ts_camera_k view = ts_k_view(eye);
+	double sum = 0, n = 0;
+	for (u64 r = 0; r < ts_frame_n(&run->frame, TS_B_cube_size_face); r++) {
+		if (cubes[r].n == 0) continue;
+		ts_extent e = ts_k_box_extent(&view, ts_load3(cubes[r].box_min), ts_load3(cubes[r].box_max));
+		sum += fmax(e.x1 - e.x0, e.y1 - e.y0);
+		n++;
+	}
+	return n > 0 ? sum / n : NAN;
+}
 
 /* Table 1. */
 enum { M_EPR, M_MVR, M_IVIR, M_EPR_TWICE, M_IVIR_FIXED, M_EPR_BALLS };
 
 /* clang-format off */
 static const ts_bench_variant work_variants[] = {
-	[M_EPR] = { "epr", "", false, TS_TIMED },
+	[M_EPR] = { "epr", "", true, TS_TIMED },
 	[M_MVR] = { "mvr", "", false, TS_TIMED },
 	{ 0 },
 };
 
-enum { W_DIAMETER, W_EPR, W_MVR, W_RATIO };
+enum { W_PROJECTED, W_DIAMETER, W_EPR, W_MVR, W_RATIO };
 
 static const ts_bench_figure work_figures[] = {
-	[W_DIAMETER] = { "diameter", "avg res, px", TS_FIGURE_DIAMETER, M_EPR, 0, 1, "" },
+	[W_PROJECTED] = { "projected", "avg res, px", TS_FIGURE_LOOKED, M_EPR, 0, 1, "" },
+	[W_DIAMETER] = { "diameter", "cube side, px", TS_FIGURE_DIAMETER, M_EPR, 0, 1, "" },
 	[W_EPR] = { "epr_ops", "EPR ops", TS_FIGURE_COUNTER, M_EPR, 0, TS_WHOLE, "shading operations" },
 	[W_MVR] = { "mvr_ops", "MVR ops", TS_FIGURE_COUNTER, M_MVR, 0, TS_WHOLE, "shading operations" },
 	[W_RATIO] = { "ratio", "MVR / EPR", TS_FIGURE_RATIO, W_MVR, W_EPR, 2, "" },
@@ -24,19 +44,20 @@ static const ts_bench_figure work_figures[] = {
 };
 
 static const ts_paper_part work_parts[] = {
-	{ "epr_1", "EPR, table 1: shading operations, one bounce", { W_DIAMETER, W_EPR, W_MVR, W_RATIO, TS_NO_FIGURE } },
+	{ "epr_1", "EPR, table 1: shading operations, one bounce", { W_PROJECTED, W_DIAMETER, W_EPR, W_MVR, W_RATIO,
+	  TS_NO_FIGURE } },
 	{ 0 },
 };
 
 /* The least of the paper's scenes. */
 static const ts_paper_relation work_relations[] = {
 	{ "MVR's operations by EPR's", W_RATIO, TS_AT_LEAST, 4.37, 0, TS_NO_FIGURE, 0, 0, "small mirrors in a small image",
-	  W_DIAMETER },
+	  W_PROJECTED },
 	{ 0 },
 };
 
-#define WORK(scene, builtin, file, n, diameter, epr, mvr, ratio) \
-	{ scene, builtin, file, n, { [W_DIAMETER] = diameter, [W_EPR] = epr, [W_MVR] = mvr, [W_RATIO] = ratio } }
+#define WORK(scene, builtin, file, n, projected, epr, mvr, ratio) \
+	{ scene, builtin, file, n, { [W_PROJECTED] = projected, [W_EPR] = epr, [W_MVR] = mvr, [W_RATIO] = ratio } }
 
 static const ts_paper_row work_rows[] = {
 	WORK("Sponza", "atrium", "sponza", 1, 116.5, 44000, 1510000, 34.32),
@@ -58,7 +79,7 @@ const ts_paper_table ts_epr_1 = {
 	.name = "epr-1", .title = "EPR, table 1: who runs", .effect = "reflections",
 	.scenes = "atrium,gallery,dining", .objects_head = "mirrors", .objects_param = "reflectors.count",
 	.objects = "1,10,20,50", .set = "", .defaults = "", .variants = work_variants, .figures = work_figures,
-	.parts = work_parts, .relations = work_relations, .rows = work_rows,
+	.look = projected_size, .parts = work_parts, .relations = work_relations, .rows = work_rows,
 };
 
 /* Table 2. Faces as large as the image asks for are EPR's own (EPR section 4.2): iVIR's points there are those of
@@ -73,14 +94,15 @@ static const ts_bench_variant variants[] = {
 	{ 0 },
 };
 
-enum { TRIANGLES, DIAMETER, SPEEDUP, DIFFERENCE, EPR_MS, POINT_MS, VIEW_MS, DEFERRED_MS, DEFERRED2_MS, MVR_MS, POINTS,
-	EPR_RMSE, MVR_RMSE, IVIR_RMSE, IVIR_MS, IVIR_POINT_MS, IVIR_VIEW_MS, IVIR_DEFERRED_MS, IVIR_POINTS, IVIR_SPEEDUP,
-	IVIR_DIFFERENCE, POINTS_RATIO, ADAPTIVE_POINTS, BOUNCES, LIKE_RATIO, BALL_POINTS, BALL_RATIO, BALL_RMSE,
-	BALL_MORE };
+enum { TRIANGLES, PROJECTED, DIAMETER, SPEEDUP, DIFFERENCE, EPR_MS, POINT_MS, VIEW_MS, DEFERRED_MS, DEFERRED2_MS,
+	MVR_MS, POINTS, EPR_RMSE, MVR_RMSE, IVIR_RMSE, IVIR_MS, IVIR_POINT_MS, IVIR_VIEW_MS, IVIR_DEFERRED_MS,
+	IVIR_POINTS, IVIR_SPEEDUP, IVIR_DIFFERENCE, POINTS_RATIO, ADAPTIVE_POINTS, BOUNCES, LIKE_RATIO, BALL_POINTS,
+	BALL_RATIO, BALL_RMSE, BALL_MORE };
 
 static const ts_bench_figure figures[] = {
 	[TRIANGLES] = { "triangles", "triangles", TS_FIGURE_TRIANGLES, 0, 0, TS_WHOLE, "" },
-	[DIAMETER] = { "diameter", "avg res, px", TS_FIGURE_DIAMETER, M_EPR, 0, 1, "" },
+	[PROJECTED] = { "projected", "avg res, px", TS_FIGURE_LOOKED, M_EPR, 0, 1, "" },
+	[DIAMETER] = { "diameter", "cube side, px", TS_FIGURE_DIAMETER, M_EPR, 0, 1, "" },
 	[SPEEDUP] = { "speedup", "MVR / EPR", TS_FIGURE_RATIO, MVR_MS, EPR_MS, 2, "" },
 	[DIFFERENCE] = { "rmse_difference", "less MVR's, %", TS_FIGURE_MORE, EPR_RMSE, MVR_RMSE, 3, "" },
 	[EPR_MS] = { "total_ms", "EPR", TS_FIGURE_TIME, M_EPR, 0, 2, "" },
@@ -101,7 +123,7 @@ static const ts_bench_figure figures[] = {
 	[IVIR_SPEEDUP] = { "ivir_speedup", "iVIR / EPR", TS_FIGURE_RATIO, IVIR_MS, EPR_MS, 2, "" },
 	[IVIR_DIFFERENCE] = { "ivir_rmse_difference", "less iVIR's, %", TS_FIGURE_MORE, EPR_RMSE, IVIR_RMSE, 3, "" },
 	[POINTS_RATIO] = { "points_ratio", "iVIR / EPR", TS_FIGURE_RATIO, IVIR_POINTS, POINTS, 2, "" },
-	[ADAPTIVE_POINTS] = { "ivir_adaptive_points", "of such faces", TS_FIGURE_COUNTER, M_IVIR, 0, TS_WHOLE, "points" },
+	[ADAPTIVE_POINTS] = { "ivir_adaptive_points", "iVIR points", TS_FIGURE_COUNTER, M_IVIR, 0, TS_WHOLE, "points" },
 	[BOUNCES] = { "bounces_ratio", "2 / 1", TS_FIGURE_RATIO, DEFERRED2_MS, DEFERRED_MS, 2, "" },
 	[LIKE_RATIO] = { "like_ratio", "by EPR's", TS_FIGURE_RATIO, ADAPTIVE_POINTS, POINTS, 2, "" },
 	[BALL_POINTS] = { "ball_points", "EPR, balls", TS_FIGURE_COUNTER, M_EPR_BALLS, 0, TS_WHOLE, "points" },
@@ -112,14 +134,18 @@ static const ts_bench_figure figures[] = {
 };
 
 static const ts_paper_part parts[] = {
-	{ "epr_2", "EPR, table 2: points, of iVIR for faces of 512, and for faces as large as EPR's", { TRIANGLES, DIAMETER,
-	  POINTS, IVIR_POINTS, POINTS_RATIO, ADAPTIVE_POINTS, LIKE_RATIO, BALL_POINTS, BALL_RATIO, TS_NO_FIGURE } },
+	{ "epr_2", "EPR, table 2: points, of iVIR for faces of 512", { TRIANGLES, PROJECTED, DIAMETER, POINTS, IVIR_POINTS,
+	  POINTS_RATIO, TS_NO_FIGURE } },
+	{ "epr_2_like", "points of iVIR for faces as large as EPR's, by EPR's by eq. 3 and with mirrors as balls",
+	  { POINTS, ADAPTIVE_POINTS, LIKE_RATIO, BALL_POINTS, BALL_RATIO, TS_NO_FIGURE } },
 	{ "epr_2_ms", "EPR, table 2: the whole frame by EPR and MVR, and EPR's parts, ms", { SPEEDUP, EPR_MS, POINT_MS,
 	  VIEW_MS, DEFERRED_MS, DEFERRED2_MS, BOUNCES, MVR_MS, TS_NO_FIGURE } },
 	{ "epr_2_ivir_ms", "EPR, table 2: the whole frame by iVIR, and its parts, ms", { IVIR_SPEEDUP, IVIR_MS,
 	  IVIR_POINT_MS, IVIR_VIEW_MS, IVIR_DEFERRED_MS, TS_NO_FIGURE } },
 	{ "epr_2_rmse", "EPR, table 2: RMSE to the truth in grey levels, and EPR's less the others' in percent of 255",
-	  { EPR_RMSE, IVIR_RMSE, MVR_RMSE, DIFFERENCE, IVIR_DIFFERENCE, BALL_RMSE, BALL_MORE, TS_NO_FIGURE } },
+	  { EPR_RMSE, IVIR_RMSE, MVR_RMSE, DIFFERENCE, IVIR_DIFFERENCE, TS_NO_FIGURE } },
+	{ "epr_2_balls", "RMSE with mirrors as balls, and less that by eq. 3 in percent of 255", { EPR_RMSE, BALL_RMSE,
+	  BALL_MORE, TS_NO_FIGURE } },
 	{ 0 },
 };
 
@@ -145,9 +171,9 @@ static const ts_paper_relation relations[] = {
 	{ 0 },
 };
 
-#define ROW(scene, builtin, file, n, triangles, diameter, speedup, ms, point, view, deferred, deferred2, mvr, points, \
+#define ROW(scene, builtin, file, n, triangles, projected, speedup, ms, point, view, deferred, deferred2, mvr, points, \
 	rmse, mvr_rmse, ivir_rmse, ivir, ivir_point, ivir_view, ivir_deferred, ivir_points, ivir_speedup) \
-	{ scene, builtin, file, n, { [TRIANGLES] = triangles, [DIAMETER] = diameter, [SPEEDUP] = speedup, [EPR_MS] = ms, \
+	{ scene, builtin, file, n, { [TRIANGLES] = triangles, [PROJECTED] = projected, [SPEEDUP] = speedup, [EPR_MS] = ms, \
 	  [POINT_MS] = point, [VIEW_MS] = view, [DEFERRED_MS] = deferred, [DEFERRED2_MS] = deferred2, [MVR_MS] = mvr, \
 	  [POINTS] = points, [EPR_RMSE] = rmse, [MVR_RMSE] = mvr_rmse, [IVIR_RMSE] = ivir_rmse, [IVIR_MS] = ivir, \
 	  [IVIR_POINT_MS] = ivir_point, [IVIR_VIEW_MS] = ivir_view, [IVIR_DEFERRED_MS] = ivir_deferred, \
@@ -185,7 +211,7 @@ const ts_paper_table ts_epr_2 = {
 	.name = "epr-2", .title = "EPR, table 2: who runs", .effect = "reflections",
 	.scenes = "atrium,gallery,dining", .objects_head = "mirrors", .objects_param = "reflectors.count",
 	.objects = "1,10,20,50", .set = "", .defaults = TS_IVIR_DEFAULTS,
-	.timed = true, .judge = "C", .variants = variants, .figures = figures, .parts = parts,
+	.timed = true, .judge = "C", .look = projected_size, .variants = variants, .figures = figures, .parts = parts,
 	.relations = relations, .rows = rows,
 };
 

@@ -126,8 +126,7 @@ const ts_paper_table ts_ivir_1 = {
 	.effect = "soft-shadows", .scenes = "atrium,gallery,dining",
 	.models = "bunny.glb,armadillo_86k.glb,dragon_80k.glb,dragon_scans.glb", .set = "reflectors.count=0",
 	.defaults = TS_IVIR_DEFAULTS,
-	.note = "The paper's row is the one nearest in triangles; its points a triangle are twice its points by its "
-	"triangles. " TS_VIR_NOTE,
+	.note = "The paper's row is the nearest in triangles; it counts points a triangle twice. " TS_VIR_NOTE,
 	.timed = true, .by_triangles = true, .variants = soft_variants, .figures = soft_figures, .parts = soft_parts,
 	.relations = soft_relations, .rows = soft_rows,
 };

