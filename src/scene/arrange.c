@@ -9,12 +9,11 @@
 #include <string.h>
 
 #define EYE_NAME "--eye"
-#define COORDINATE_LIMIT 16777216.0f
 
 static bool is_finite(const f32 *x, u32 n)
 {
 	for (u32 i = 0; i < n; i++) {
-		if (!(ts_abs(x[i]) <= COORDINATE_LIMIT)) return false;
+		if (!(ts_abs(x[i]) <= TS_COORDINATE_LIMIT)) return false;
 	}
 	return true;
 }
@@ -61,10 +60,10 @@ static void add_eye(ts_build *build, const ts_scene_options *o)
 /* The camera's name; NULL: the eye circles. */
 static const char *choose(ts_build *build, const ts_scene_options *o, bool find)
 {
+	if (o->eye != NULL) add_eye(build, o);
 	if (build->failed) return NULL;
 	if (o->path != NULL) return ts_path_add(build, o->path, o->own_fov != 0);
-	if (o->eye != NULL) add_eye(build, o);
-	if (o->eye != NULL) return build->failed ? NULL : EYE_NAME;
+	if (o->eye != NULL) return EYE_NAME;
 	if (o->camera != NULL) return strcmp(o->camera, TS_CAMERA_CIRCLE) != 0 ? o->camera : NULL;
 	return find && build->scene->n_cameras > 0 ? build->scene->cameras[0].name : NULL;
 }

@@ -9,8 +9,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#define COORDINATE_LIMIT 16777216.0f
-
 static void give_material(ts_build *build)
 {
 	ts_scene *scene = build->scene;
@@ -69,7 +67,7 @@ static void check_vertices(ts_build *build)
 	const ts_scene *scene = build->scene;
 	for (u32 i = 0; i < scene->n_vertices && !build->failed; i++) {
 		f32 far = reach(scene, &scene->vertices[i]);
-		if (far > COORDINATE_LIMIT)
+		if (far > TS_COORDINATE_LIMIT)
 			ts_build_fail(build, "%s: vertex %u: coordinate %g; the limit is 16777216 after all transforms",
 			              scene->name, i, (double)far);
 	}
@@ -196,7 +194,7 @@ static void check_surfels(ts_build *build)
 		f32 far = ts_max(ts_max(ts_abs(s.centre[0]), ts_abs(s.centre[1])), ts_abs(s.centre[2]));
 		const char *fault = ts_surfel_ellipse(&s, NULL);
 		if (fault != NULL) ts_build_fail(build, "%s: surfel %u: %s", scene->name, i, fault);
-		if (far > COORDINATE_LIMIT)
+		if (far > TS_COORDINATE_LIMIT)
 			ts_build_fail(build, "%s: surfel %u: coordinate %g; the limit is 16777216 after all transforms",
 			              scene->name, i, (double)far);
 	}

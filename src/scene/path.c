@@ -8,10 +8,9 @@
 #include <string.h>
 
 #define PATH_NAME "--path"
-#define COORDINATE_LIMIT 16777216.0f
 #define LEAST_FOV 1.0f /* of the parameter eye.fov */
 #define GREATEST_FOV 150.0f
-#define TURNS_A_DEGREE 360.0f
+#define DEGREES_A_TURN 360.0f
 
 enum { EYE, TARGET = 3, FOV = 6, N_VALUES };
 
@@ -67,9 +66,11 @@ static void check_key(const reader *r, const key *k, bool has_fov)
 {
 	const key *before = r->n > 0 ? k - 1 : NULL;
 	for (u32 i = 0; i < FOV; i++) {
-		if (!(ts_abs(k->value[i]) <= COORDINATE_LIMIT)) refuse(r, "a coordinate is not finite or beyond 16777216");
+		if (!(ts_abs(k->value[i]) <= TS_COORDINATE_LIMIT)) refuse(r, "a coordinate is not finite or beyond 16777216");
 	}
-	if (k->frame >= TS_PATH_MAX_FRAMES) refuse(r, "frame 65535 is the last that a path can have");
+	if (k->frame >= TS_PATH_MAX_FRAMES)
+		ts_build_fail(r->build, "%s:%u: frame %d is the last that a path can have", r->file, r->line,
+		              TS_PATH_MAX_FRAMES - 1);
 	if (before != NULL && k->frame <= before->frame) refuse(r, "its frame must be greater than the line's before");
 	if (memcmp(k->value + EYE, k->value + TARGET, 3 * sizeof(f32)) == 0)
 		refuse(r, "the eye is its target; it must look at another point");
@@ -151,9 +152,9 @@ static void pose_at(const reader *r, ts_path_eye *to, u32 frame, u32 k, bool own
 	ts_store3(to->eye, eye);
 	ts_view_aim(to->right, to->up, to->back, eye, target);
 	if (from->value[FOV] > 0.0f && !own_fov)
-		to->yfov = ts_put(ts_max(ts_min(value[FOV], GREATEST_FOV), LEAST_FOV) / TURNS_A_DEGREE);
+		to->yfov = ts_put(ts_max(ts_min(value[FOV], GREATEST_FOV), LEAST_FOV) / DEGREES_A_TURN);
 	f32 farthest = ts_max(ts_max(ts_abs(eye.x), ts_abs(eye.y)), ts_abs(eye.z));
-	if (!(farthest <= COORDINATE_LIMIT))
+	if (!(farthest <= TS_COORDINATE_LIMIT))
 		ts_build_fail(r->build, "%s: frame %u: the eye is beyond 16777216", r->file, frame);
 	if (!(ts_dot(ts_load3(to->back), ts_load3(to->back)) > 0.0f))
 		ts_build_fail(r->build, "%s: frame %u: the eye meets its target; move one of them", r->file, frame);
@@ -195,7 +196,7 @@ const char *ts_path_add(ts_build *build, const char *file, bool own_fov)
 	if (text == NULL) {
 		ts_build_fail(build, "%s", ts_error_message());
 	} else if (bytes > TS_PATH_MAX_BYTES) {
-		ts_build_fail(build, "%s: %zu bytes; a path may have 4194304", file, bytes);
+		ts_build_fail(build, "%s: %zu bytes; a path may have %d", file, bytes, TS_PATH_MAX_BYTES);
 	} else {
 		r.keys = ts_alloc(count_lines(text, bytes), sizeof *r.keys, "keyframes");
 		if (r.keys == NULL) ts_build_fail(build, "no memory for keyframes");

@@ -7,7 +7,6 @@
 #include <stdlib.h>
 
 enum { LEAF = 4, DEEPEST = 64 };
-#define COORDINATE_LIMIT 16777216.0f
 #define STEEPEST 1099511627776.0f /* greatest inverse of a direction's component */
 
 typedef struct {
@@ -33,7 +32,7 @@ static bool stands(const ts_scene *scene, u32 triangle)
 		u32 index = scene->triangles[triangle].vertex[k];
 		if (index >= scene->n_vertices || scene->objects[scene->vertices[index].object].period != 0) return false;
 		const f32 *p = scene->vertices[index].position;
-		if (ts_max(ts_max(ts_abs(p[0]), ts_abs(p[1])), ts_abs(p[2])) > COORDINATE_LIMIT) return false;
+		if (ts_max(ts_max(ts_abs(p[0]), ts_abs(p[1])), ts_abs(p[2])) > TS_COORDINATE_LIMIT) return false;
 	}
 	return true;
 }

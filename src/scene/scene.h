@@ -5,6 +5,8 @@
 #include "../kernels/base/records.h"
 #include "../model/param.h"
 
+#define TS_COORDINATE_LIMIT 16777216.0f /* of any coordinate in the world */
+
 typedef struct {
 	char *name;
 	f32 eye[3], right[3], up[3], back[3]; /* world */

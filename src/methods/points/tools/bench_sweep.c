@@ -81,6 +81,20 @@ static void report_rows(ts_report *report, const ts_bench_case *c, const ts_plot
 	ts_report_table(report, &t);
 }
 
+/* A relation that holds up to a bound. */
+static void at_most(ts_table *t, const char *text, double here, double most, const char *because)
+{
+	char bound[32];
+	snprintf(bound, sizeof bound, "at most %g", most);
+	ts_bench_relation_add(t, &(ts_bench_relation){.text = text,
+	                                              .bound = bound,
+	                                              .here = here,
+	                                              .paper = NAN,
+	                                              .decimals = 3,
+	                                              .holds = here <= most,
+	                                              .because = because});
+}
+
 /* Each density, sampling or face is nearer to the truth than the one before in its curve; and adaptive sampling, which
  * is the first four marks' other half, brings nothing. */
 static void report_errors(ts_table *t, const ts_plot_point *points)
@@ -91,13 +105,8 @@ static void report_errors(ts_table *t, const ts_plot_point *points)
 		if (marks[v].curve == marks[v - 1].curve) worst = fmax(worst, points[v].y / points[v - 1].y);
 	}
 	for (u32 v = 0; v < DENSITIES; v++) adaptive = fmin(adaptive, points[v + DENSITIES].y / points[v].y);
-	ts_bench_relation_add(t, &(ts_bench_relation){.text = "RMSE by that of half the density or face, greatest",
-	                                              .bound = "at most 1.01",
-	                                              .here = worst,
-	                                              .paper = NAN,
-	                                              .decimals = 3,
-	                                              .holds = worst <= 1.01,
-	                                              .because = "finer points or faces bring nothing more"});
+	at_most(t, "RMSE by that of half the density or face, greatest", worst, 1.01,
+	        "finer points or faces bring nothing more");
 	ts_bench_relation_add(t, &(ts_bench_relation){.text = "RMSE by adaptive samples by that of 25, least",
 	                                              .bound = "at least 1",
 	                                              .here = adaptive,
@@ -111,20 +120,6 @@ static double counted(const ts_bench_case *c, u32 v, const char *name)
 {
 	const ts_counter *counter = ts_measure_counter(&c->measures[v], name);
 	return counter != NULL ? (double)counter->value : NAN;
-}
-
-/* A relation that holds up to a bound. */
-static void at_most(ts_table *t, const char *text, double here, double most, const char *because)
-{
-	char bound[32];
-	snprintf(bound, sizeof bound, "at most %g", most);
-	ts_bench_relation_add(t, &(ts_bench_relation){.text = text,
-	                                              .bound = bound,
-	                                              .here = here,
-	                                              .paper = NAN,
-	                                              .decimals = 3,
-	                                              .holds = here <= most,
-	                                              .because = because});
 }
 
 /* "On the rare occasions" (EPR 3.2): at most a triangle in twenty. */
