@@ -42,11 +42,18 @@ bool ts_view_is_open(const ts_info *info)
 	return box.half.x == hall.half.x && box.half.z == hall.half.z;
 }
 
+/* Since the circling eye was where it is in frame 0. */
+static f32 turns_of(const ts_params *params)
+{
+	u32 frame = TS_PARAM(params, frame) % TS_FRAMES_A_TURN * TS_PARAM(params, eye_turns);
+	return (f32)(frame % TS_FRAMES_A_TURN) / (f32)TS_FRAMES_A_TURN;
+}
+
 static void circle(ts_view *view, const ts_info *info, const ts_params *params)
 {
 	ts_space hall = ts_view_hall(info);
 	f32 factor = TS_PARAM(params, eye_distance) == TS_EYE_NEAR ? 0.35f : 0.9f;
-	f32 turns = (f32)(TS_PARAM(params, frame) % TS_FRAMES_A_TURN) / (f32)TS_FRAMES_A_TURN;
+	f32 turns = turns_of(params);
 	f32 across = hall.half.x * factor;
 	f32 along = hall.half.z * factor;
 	f32 floor = hall.middle.y - hall.half.y;
@@ -75,7 +82,7 @@ static f32 distance_to_hold(ts_v3 half, const ts_view *view, f32 tangent_up, f32
 static void circle_outside(ts_view *view, const ts_info *info, const ts_params *params)
 {
 	ts_space box = ts_view_box(info);
-	f32 turns = (f32)(TS_PARAM(params, frame) % TS_FRAMES_A_TURN) / (f32)TS_FRAMES_A_TURN;
+	f32 turns = turns_of(params);
 	f32 half_fov = TS_PARAM(params, eye_fov) / 720.0f, sine = ts_sin_turn(half_fov);
 	f32 distance = ts_length(box.half) / sine;
 	ts_v3 way = ts_normalize(ts_v3_make(ts_sin_turn(turns), EYE_HEIGHT, ts_cos_turn(turns)));

@@ -127,6 +127,24 @@ static void test_named_camera(void **state)
 	assert_true(fabs((double)v.focal / (540.0 / tan(3.14159265358979323846 / 6.0)) - 1.0) < 1e-6);
 }
 
+/* Twice as fast it is where it would be in the frame of twice the number; without turns it stands still. */
+static void test_turns(void **state)
+{
+	(void)state;
+	for (params.eye_distance = TS_EYE_NEAR; params.eye_distance <= TS_EYE_OUTSIDE; params.eye_distance++) {
+		for (u32 frame = 0; frame < 500; frame++) {
+			params.eye_turns = 2;
+			ts_view twice = view_of(frame);
+			params.eye_turns = 0;
+			ts_view still = view_of(frame);
+			params.eye_turns = 1;
+			ts_view far = view_of(2 * frame), first = view_of(0);
+			assert_memory_equal(&twice, &far, sizeof far);
+			assert_memory_equal(&still, &first, sizeof first);
+		}
+	}
+}
+
 /* The eye keeps to a hall that is smaller than the box and beside its middle; near is the box's. */
 static void test_hall(void **state)
 {
@@ -173,6 +191,7 @@ int main(void)
 		cmocka_unit_test_setup(test_ellipse, set_up),
 		cmocka_unit_test_setup(test_looks_at_the_middle, set_up),
 		cmocka_unit_test_setup(test_one_turn, set_up),
+		cmocka_unit_test_setup(test_turns, set_up),
 		cmocka_unit_test_setup(test_projection, set_up),
 		cmocka_unit_test_setup(test_named_camera, set_up),
 		cmocka_unit_test_setup(test_hall, set_up),
