@@ -13,7 +13,9 @@ static ts_status unknown(const char *name)
 
 static bool says_nothing(const ts_bench_row *row, const char *option)
 {
-	return ts_words_have(row->without, option) || (row->takes != NULL && !ts_words_have(row->takes, option));
+	bool one_frame = row->paper == NULL && strcmp(option, "frames") == 0;
+	return one_frame || ts_words_have(row->without, option) ||
+	       (row->takes != NULL && !ts_words_have(row->takes, option));
 }
 
 ts_status ts_bench_command(ts_cli *cli)

@@ -78,6 +78,14 @@ static ts_status take_size(void *to, const ts_option *option, const char *text)
 	return ts_words_size(&job->params, text, "--size");
 }
 
+static ts_status take_frame(void *to, const ts_option *option, const char *text)
+{
+	(void)option;
+	ts_job *job = &((ts_cli *)to)->job;
+	job->framed = true;
+	return ts_params_set(&job->params, "frame", text);
+}
+
 static ts_status take_frames(void *to, const ts_option *option, const char *text)
 {
 	(void)option;
@@ -193,6 +201,7 @@ static ts_status take_assignment(void *to, const ts_option *option, const char *
 		job->set[i] |= strcmp(params[i].name, name) == 0;
 	}
 	if (strcmp(name, "reflectors.count") == 0) job->mirrored = true;
+	if (strcmp(name, "frame") == 0) job->framed = true;
 	if (nearest.distance != 0) {
 		return ts_fail("--set %s: no such parameter; the nearest is %s%s", name, nearest.best,
 		               ts_cli_find("list") != NULL ? ", and \"touchstone list params\" lists all" : "");

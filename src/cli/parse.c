@@ -123,6 +123,8 @@ ts_status ts_cli_parse(ts_cli *cli, const ts_command *command, int argc, char **
 		TS_PARAM_SET(&cli->job.params, reflectors_count, 0);
 		cli->job.mirrored = true;
 	}
+	if (cli->job.frames.step > 0 && cli->job.framed)
+		return ts_fail("--frame and --frames: either one frame or several");
 	cli->job.typed = argv + 1;
 	cli->job.n_typed = (u32)optind - 1;
 	return ts_cli_given(cli, TS_OPT(HELP)) ? TS_OK : take_arguments(cli, command, argc - optind, argv + optind);

@@ -109,20 +109,10 @@ static ts_status say_unread(const ts_job *job)
 	return TS_OK;
 }
 
-static bool frame_set(const ts_job *job)
-{
-	size_t n, row = 0;
-	const ts_param_info *params = ts_param_table(&n);
-	while (strcmp(params[row].name, "frame") != 0) row++;
-	return job->set[row];
-}
-
 ts_status ts_render_command(ts_cli *cli)
 {
 	ts_job *job = &cli->job;
 	job->effect = cli->arguments[0];
-	if (job->frames.step > 0 && (ts_cli_given(cli, TS_OPT(FRAME)) || frame_set(job)))
-		return ts_fail("--frame and --frames: either one frame or several");
 	job->scenes = cli->n_arguments > 1 ? cli->arguments[1] : "atrium";
 	if (ts_selftest_require() != TS_OK || ts_effect_check(job->effect) != TS_OK) return TS_ERROR;
 	if (job->judged && ts_truths_find(&job->truths, job->effect, job->truth) != TS_OK) return TS_ERROR;

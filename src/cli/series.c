@@ -8,13 +8,7 @@
 
 enum { CONTACT_COLUMNS = 10 };
 
-static u32 count_frames(const ts_job *job)
-{
-	const ts_frames *f = &job->frames;
-	return f->step > 0 ? (f->last - f->first) / f->step + 1 : 1;
-}
-
-static u32 count_all(const ts_job *job) { return ts_sweep_count(&job->sweep) * count_frames(job); }
+static u32 count_all(const ts_job *job) { return ts_sweep_count(&job->sweep) * ts_frames_count(&job->frames); }
 
 /* "cube.px=64,lookup.bounces=2", and behind it the frame. */
 static void name_folder(ts_series *series)
@@ -205,10 +199,10 @@ static ts_status make(ts_series *series)
 static ts_status make_frames(ts_series *series)
 {
 	ts_job *job = series->job;
-	u32 n = count_frames(job);
+	u32 n = ts_frames_count(&job->frames);
 	ts_status status = TS_OK;
 	for (u32 k = 0; k < n && status == TS_OK; k++) {
-		if (job->frames.step > 0) TS_PARAM_SET(&job->params, frame, job->frames.first + k * job->frames.step);
+		ts_frames_set(&job->params, &job->frames, k);
 		status = make(series);
 		bool last = series->n_done == count_all(job);
 		if (status == TS_OK && !last && job->sweep.n > 0) status = ts_keep_take(series);
@@ -222,7 +216,7 @@ static ts_status make_combination(ts_series *series)
 	ts_job *job = series->job;
 	ts_params before = job->params;
 	ts_status status = ts_sweep_set(&job->sweep, series->combination, &job->params, series->values);
-	if (job->frames.step > 0) TS_PARAM_SET(&job->params, frame, job->frames.first);
+	ts_frames_set(&job->params, &job->frames, 0);
 	if (status == TS_OK && series->combination > 0 && is_other_scene(series, &before)) {
 		ts_scene_free(series->render->scene);
 		series->render->scene = NULL;
@@ -244,7 +238,7 @@ static ts_status write_video(ts_series *series, u32 shown, char *why, size_t why
 {
 	char image[24], name[TS_SERIES_NAME + 48], pattern[TS_SERIES_NAME + 48];
 	const char *comma = series->job->sweep.n > 0 ? "," : "";
-	u32 first = series->combination * count_frames(series->job);
+	u32 first = series->combination * ts_frames_count(&series->job->frames);
 	if (isnan(series->times[first].milliseconds[shown])) return TS_OK;
 	ts_render_name(image, sizeof image, series->render, shown);
 	snprintf(name, sizeof name, "%s%s%s.mp4", series->name, comma, image);
@@ -257,7 +251,7 @@ static ts_status write_videos(ts_series *series)
 	ts_job *job = series->job;
 	ts_status status = TS_OK;
 	char why[256] = "";
-	u32 n = count_frames(job) > 1 ? ts_sweep_count(&job->sweep) : 0;
+	u32 n = ts_frames_count(&job->frames) > 1 ? ts_sweep_count(&job->sweep) : 0;
 	for (u32 c = 0; c < n && status == TS_OK; c++) {
 		series->combination = c;
 		status = ts_sweep_set(&job->sweep, c, &job->params, series->values);

@@ -2,6 +2,7 @@
 #ifndef TS_CLI_SERIES_H
 #define TS_CLI_SERIES_H
 #include "../study/contact.h"
+#include "../study/frames.h"
 #include "../study/plot.h"
 #include "../study/sweep.h"
 #include "render.h"
@@ -22,12 +23,8 @@ void ts_series_figures(ts_figures *figures, const ts_render *render, u32 shown);
 
 /* Least, mean and greatest of figures over frames. */
 typedef struct {
-	double sum, least, most;
-	u32 n, least_at, most_at; /* values; frames of the least and the greatest */
-} ts_spread;
-typedef struct {
 	ts_figures figures; /* of the last frame; all but the values are those of every frame */
-	ts_spread spread[TS_MAX_FIGURES], milliseconds;
+	ts_frame_spread spread[TS_MAX_FIGURES], milliseconds;
 } ts_series_row;
 
 /* Pictures that were made, for later combinations that change nothing that these depend on. The first that fit into an

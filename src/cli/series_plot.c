@@ -36,7 +36,7 @@ static ts_status add_all(ts_series *series, u32 along, double x)
 			while (k < n && strncmp(row->figures.figure[k].name, plotted[p].begins, strlen(plotted[p].begins)) != 0)
 				k++;
 			if (k == n) continue;
-			double mean = row->spread[k].n > 0 ? row->spread[k].sum / row->spread[k].n : NAN;
+			double mean = ts_frame_spread_mean(&row->spread[k]);
 			double y = along == 0 ? row->figures.figure[k].value : mean;
 			status = add(series, (ts_datum){along, p, i, x, y});
 		}

@@ -1,22 +1,6 @@
 /* Means and extremes over the frames of a combination. */
-#include <math.h>
 #include <stdlib.h>
 #include "series.h"
-
-static void add(ts_spread *spread, double value, u32 frame)
-{
-	if (isnan(value)) return;
-	if (spread->n == 0 || value < spread->least) {
-		spread->least = value;
-		spread->least_at = frame;
-	}
-	if (spread->n == 0 || value > spread->most) {
-		spread->most = value;
-		spread->most_at = frame;
-	}
-	spread->sum += value;
-	spread->n++;
-}
 
 ts_status ts_series_add(ts_series *series)
 {
@@ -28,26 +12,11 @@ ts_status ts_series_add(ts_series *series)
 		ts_series_row *row = series->rows[i];
 		if (row == NULL) return TS_ERROR;
 		ts_series_figures(&row->figures, series->render, i);
-		for (u32 k = 0; k < row->figures.n; k++) add(&row->spread[k], row->figures.figure[k].value, frame);
-		add(&row->milliseconds, 1e3 * picture->seconds, frame);
+		for (u32 k = 0; k < row->figures.n; k++)
+			ts_frame_spread_add(&row->spread[k], row->figures.figure[k].value, frame);
+		ts_frame_spread_add(&row->milliseconds, 1e3 * picture->seconds, frame);
 	}
 	return TS_OK;
-}
-
-#define SPREAD \
-	{"mean", "mean", true}, {"least", "least", true}, {"least_at", "at frame", true}, {"most", "greatest", true}, \
-		{"most_at", "at frame", true}, \
-	{ \
-		0 \
-	}
-
-static void spread_cells(ts_table *table, const ts_spread *spread, int decimals)
-{
-	ts_table_real(table, spread->sum / spread->n, decimals < 3 ? decimals : 3);
-	ts_table_real(table, spread->least, decimals < 3 ? decimals : 3);
-	ts_table_count(table, spread->least_at);
-	ts_table_real(table, spread->most, decimals < 3 ? decimals : 3);
-	ts_table_count(table, spread->most_at);
 }
 
 static void put_name(ts_table *table, const ts_series *series, u32 shown)
@@ -60,16 +29,17 @@ static void put_name(ts_table *table, const ts_series *series, u32 shown)
 /* Figures that a picture does not have, or that are 0 throughout, are left out. */
 static void report_figures(ts_series *series)
 {
-	static const ts_column columns[] = {{"image", "image", false}, {"figure", "figure", false}, SPREAD};
+	static const ts_column columns[] = {{"image", "image", false}, {"figure", "figure", false}, TS_SPREAD_COLUMNS, {0}};
 	ts_table table = ts_table_begin("over_frames", "Over the frames", columns);
 	for (u32 i = 0; i < TS_MAX_SHOWN; i++) {
 		const ts_series_row *row = series->rows[i];
 		for (u32 k = 0; row != NULL && k < row->figures.n; k++) {
-			const ts_spread *spread = &row->spread[k];
+			const ts_frame_spread *spread = &row->spread[k];
 			if (spread->n == 0 || (spread->least == 0 && spread->most == 0)) continue;
 			put_name(&table, series, i);
 			ts_table_text(&table, row->figures.figure[k].name);
-			spread_cells(&table, spread, row->figures.figure[k].decimals);
+			int decimals = row->figures.figure[k].decimals;
+			ts_frame_spread_cells(&table, spread, ts_frame_spread_mean(spread), decimals < 3 ? decimals : 3);
 		}
 	}
 	ts_report_table(&series->report, &table);
@@ -77,14 +47,14 @@ static void report_figures(ts_series *series)
 
 static void report_times(ts_series *series)
 {
-	static const ts_column columns[] = {{"image", "image", false}, SPREAD};
+	static const ts_column columns[] = {{"image", "image", false}, TS_SPREAD_COLUMNS, {0}};
 	ts_table table = ts_table_begin("milliseconds", "Time, ms", columns);
 	table.timed = true;
 	for (u32 i = 0; i < TS_MAX_SHOWN; i++) {
 		const ts_series_row *row = series->rows[i];
 		if (row == NULL) continue;
 		put_name(&table, series, i);
-		spread_cells(&table, &row->milliseconds, 2);
+		ts_frame_spread_cells(&table, &row->milliseconds, ts_frame_spread_mean(&row->milliseconds), 2);
 	}
 	ts_report_table(&series->report, &table);
 }

@@ -4,6 +4,7 @@
 #include "bench.h"
 #include "bench_paper.h"
 #include "claims.h"
+#include "frames.h"
 #include "truths.h"
 
 enum { RUNS = 3, MOST = 64 };
@@ -24,10 +25,17 @@ double ts_median(double *values, u32 n)
 void ts_bench_head(ts_report *report, const ts_job *job, bool sized)
 {
 	const ts_params *p = &job->params;
-	char size[48] = "";
+	const ts_frames *f = &job->frames;
+	char size[48] = "", frames[96];
 	if (sized)
 		snprintf(size, sizeof size, "%u x %u pixels, ", (unsigned)TS_PARAM(p, width), (unsigned)TS_PARAM(p, height));
-	ts_report_line(report, "%sframe %u, %u threads", size, (unsigned)TS_PARAM(p, frame), (unsigned)job->how.threads);
+	snprintf(frames, sizeof frames, "frame %u", (unsigned)TS_PARAM(p, frame));
+	if (f->step > 0) {
+		snprintf(frames, sizeof frames, "means over %u frames from %u to %u", (unsigned)ts_frames_count(f),
+		         (unsigned)f->first, (unsigned)f->last);
+		ts_report_value(report, "frames", json_pack("[iii]", (int)f->first, (int)f->last, (int)f->step));
+	}
+	ts_report_line(report, "%s%s, %u threads", size, frames, (unsigned)job->how.threads);
 	ts_report_run(report, job);
 }
 

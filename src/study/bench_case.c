@@ -1,5 +1,6 @@
 /* One scene with one number of mirrors or lights, by several methods that take turns: whatever else the machine does
  * meets all alike. */
+#include <stdlib.h>
 #include <touchstone/image.h>
 #include "bench_case.h"
 #include "truths.h"
@@ -97,7 +98,7 @@ static ts_status run_variant(ts_bench_case *c, u32 v, bool first)
 	if (ts_bench_case_params(&params, c, v) != TS_OK) return TS_ERROR;
 	ts_how how = c->job->how;
 	if (c->variants[v].runs == TS_ALONE) how.threads = 1;
-	c->measures[v] = (ts_measure){.rays = c->rays && takes};
+	c->measures[v] = (ts_measure){.rays = c->rays && takes, .history = &c->histories[v]};
 	return ts_measure_run(&c->measures[v], c->methods[v], c->scene, &params, &how, takes ? take_image : NULL, &s);
 }
 
@@ -114,19 +115,28 @@ static ts_status make_truth(ts_bench_case *c)
 	return status;
 }
 
+static void free_pictures(ts_bench_case *c)
+{
+	for (u32 v = 0; v < c->n_variants; v++) ts_picture_free(&c->images[v]);
+	ts_picture_free(&c->truth);
+}
+
 ts_status ts_bench_case_run(ts_bench_case *c, u32 run)
 {
 	ts_status status = TS_OK;
+	if (run == 0) free_pictures(c);
 	for (u32 v = 0; status == TS_OK && v < c->n_variants; v++) {
-		bool runs = c->methods[v] != NULL && (run == 0 || c->variants[v].runs != TS_ONCE);
-		if (runs) status = run_variant(c, v, run == 0);
+		ts_bench_runs runs = c->variants[v].runs;
+		bool rests = (runs == TS_ONCE && run > 0) || (runs == TS_FIRST && c->begun);
+		if (c->methods[v] != NULL && !rests) status = run_variant(c, v, run == 0);
 	}
+	c->begun = true;
 	return status == TS_OK && run == 0 && c->judge != NULL ? make_truth(c) : status;
 }
 
 void ts_bench_case_close(ts_bench_case *c)
 {
-	for (u32 v = 0; v < c->n_variants; v++) ts_picture_free(&c->images[v]);
-	ts_picture_free(&c->truth);
+	for (u32 v = 0; v < c->n_variants; v++) free(c->histories[v].n);
+	free_pictures(c);
 	ts_scene_free(c->scene);
 }

@@ -9,6 +9,7 @@ enum { TS_BENCH_VARIANTS = 24 }; /* at most */
 typedef enum {
 	TS_TIMED,
 	TS_ONCE,  /* one run */
+	TS_FIRST, /* one run of the first frame, which stands for all; not seen */
 	TS_ALONE, /* timed, of one thread */
 	TS_LONG,  /* one run, left out where methods that take long are */
 } ts_bench_runs;
@@ -33,8 +34,10 @@ typedef struct {
 	ts_params params;
 	const ts_pipeline *methods[TS_BENCH_VARIANTS]; /* NULL: there is none */
 	ts_measure measures[TS_BENCH_VARIANTS];        /* of the last run */
-	ts_picture images[TS_BENCH_VARIANTS], truth;   /* of the first run */
+	ts_history histories[TS_BENCH_VARIANTS];       /* of the frames before */
+	ts_picture images[TS_BENCH_VARIANTS], truth;   /* of the first run of the frame */
 	u32 sampled;                                   /* surfels that scenes without some are sampled to; 0: none */
+	bool begun;                                    /* a frame was run */
 	bool hurried;                                  /* methods that take long are left out, as if there were none */
 	double (*look)(const ts_run *run);             /* what the table asks of buffers; NULL: nothing */
 	double looked[TS_BENCH_VARIANTS];              /* its answers, of the first run of variants whose image is kept */
@@ -43,7 +46,8 @@ typedef struct {
 /* Opens the scene, and refuses what would need too much memory. A case whose first members, up to `rays`, are set and
  * the others zero may be closed whether or not it was opened. */
 ts_status ts_bench_case_open(ts_bench_case *c, const char *spec, const ts_params *params);
-/* Run 0, 1, ... of every variant; run 0 also makes the truth. */
+/* Run 0, 1, ... of every variant; run 0 also makes the truth, and gives the pictures of the frame before back. The
+ * parameter `frame` may be set before: frames that follow each other go on from the one before. */
 ts_status ts_bench_case_run(ts_bench_case *c, u32 run);
 void ts_bench_case_close(ts_bench_case *c);
 /* The parameters of a variant. */

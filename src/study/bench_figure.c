@@ -102,7 +102,8 @@ static double measured(const ts_bench_figure *f, const ts_bench_case *c)
 	case TS_FIGURE_MEMORY: return mebibytes(counted(m, f->what) * f->b);
 	case TS_FIGURE_BUFFERS: return mebibytes(buffer_bytes(m, f->what));
 	case TS_FIGURE_TRAVERSED: return (counted(m, "geometry traversals") - 1) * c->scene->n_triangles;
-	case TS_FIGURE_DIAMETER: return m->mean_diameter;
+	case TS_FIGURE_DIAMETER: return m->n_in_sight > 0 ? m->mean_diameter : NAN;
+	case TS_FIGURE_IN_SIGHT: return m->n_in_sight;
 	case TS_FIGURE_TIME: return 1e3 * m->seconds;
 	case TS_FIGURE_SURFEL_RATE: return 1e-6 * c->scene->n_surfels / m->seconds;
 	case TS_FIGURE_SEEN:

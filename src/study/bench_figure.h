@@ -18,6 +18,7 @@ typedef enum {
 	TS_FIGURE_BUFFERS,                   /* memory of the buffers of the stages named in `what`, MiB */
 	TS_FIGURE_TRAVERSED,                 /* triangles in all passes over the geometry but the eye's */
 	TS_FIGURE_DIAMETER,                  /* mean side of the cubes in sight, texels */
+	TS_FIGURE_IN_SIGHT,                  /* cubes in sight */
 	TS_FIGURE_TIME,                      /* of the whole frame, ms */
 	TS_FIGURE_SURFEL_RATE,               /* surfels of the scene a second of that, millions */
 	TS_FIGURE_SEEN,                      /* pixels with a surface, of the image */

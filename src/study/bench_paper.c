@@ -17,25 +17,46 @@ typedef struct {
 	size_t n_lines, capacity;
 } work;
 
-/* The median of each figure over the runs. */
-static ts_status run_case(double *values, const double *before, ts_bench_case *c, const work *w)
+/* The figures of a run: means over its frames, and what follows from the means. Only times differ from the first run's,
+ * which alone has pictures. */
+static ts_status run_frames(double *values, ts_paper_line *line, u32 run, ts_bench_case *c, const work *w)
 {
-	u32 runs = w->table->timed ? w->job->runs : 1;
-	double *of_run = ts_alloc(runs, TS_BENCH_FIGURES * sizeof *of_run, "the figures");
-	double *one = ts_alloc(runs, sizeof *one, "the figures");
-	ts_status status = of_run != NULL && one != NULL ? TS_OK : TS_ERROR;
-	for (u32 i = 0; i < runs && status == TS_OK; i++) {
-		status = ts_bench_case_run(c, i);
+	const ts_bench_figure *figures = w->table->figures;
+	ts_frame_spread mean[TS_BENCH_FIGURES] = {{0}};
+	ts_status status = TS_OK;
+	for (u32 k = 0; k < ts_frames_count(&w->job->frames) && status == TS_OK; k++) {
+		double frame[TS_BENCH_FIGURES];
+		ts_frames_set(&c->params, &w->job->frames, k);
+		status = ts_bench_case_run(c, run);
 		if (status != TS_OK) break;
-		ts_bench_measure(of_run + (size_t)i * TS_BENCH_FIGURES, w->table->figures, c);
-		ts_bench_derive(of_run + (size_t)i * TS_BENCH_FIGURES, before, w->table->figures);
+		ts_bench_measure(frame, figures, c);
+		for (u32 f = 0; figures[f].key != NULL; f++)
+			ts_frame_spread_add(&mean[f], frame[f], TS_PARAM(&c->params, frame));
+		ts_bench_derive(frame, NULL, figures);
+		for (u32 f = 0; run == 0 && figures[f].key != NULL; f++)
+			ts_frame_spread_add(&line->over[f], frame[f], TS_PARAM(&c->params, frame));
 	}
-	for (u32 f = 0; status == TS_OK && w->table->figures[f].key != NULL; f++) {
-		for (u32 i = 0; i < runs; i++) one[i] = of_run[(size_t)i * TS_BENCH_FIGURES + f];
-		values[f] = ts_median(one, runs);
+	for (u32 f = 0; figures[f].key != NULL; f++) {
+		bool again = run == 0 || ts_bench_is_timed(figures, f) || figures[f].kind >= TS_FIGURE_DERIVED;
+		if (again) values[f] = ts_frame_spread_mean(&mean[f]);
 	}
+	return status;
+}
+
+/* The median of each figure over the runs. */
+static ts_status run_case(ts_paper_line *line, const double *before, ts_bench_case *c, const work *w)
+{
+	const ts_bench_figure *figures = w->table->figures;
+	u32 runs = w->table->timed ? w->job->runs : 1;
+	double values[TS_BENCH_FIGURES], *of_run = ts_alloc(runs, TS_BENCH_FIGURES * sizeof *of_run, "the figures");
+	ts_status status = of_run != NULL ? TS_OK : TS_ERROR;
+	for (u32 i = 0; i < runs && status == TS_OK; i++) {
+		status = run_frames(values, line, i, c, w);
+		ts_bench_derive(values, before, figures);
+		for (u32 f = 0; figures[f].key != NULL && status == TS_OK; f++) of_run[f * runs + i] = values[f];
+	}
+	for (u32 f = 0; figures[f].key != NULL && status == TS_OK; f++) line->here[f] = ts_median(of_run + f * runs, runs);
 	free(of_run);
-	free(one);
 	return status;
 }
 
@@ -62,10 +83,12 @@ static ts_status measure_line(ts_paper_line *line, const work *w, const char *sp
 	snprintf(line->scene, sizeof line->scene, "%s", slash != NULL ? slash + 1 : spec);
 	ts_status status = ts_bench_case_open(c, spec, params);
 	ts_busy begin = ts_busy_now();
-	if (status == TS_OK) status = run_case(line->here, before(w, line), c, w);
+	if (status == TS_OK) status = run_case(line, before(w, line), c, w);
 	ts_busy end = ts_busy_now();
 	line->others = ts_busy_others(&begin, &end);
 	if (status == TS_OK) ts_paper_compare(line, w->table, spec);
+	bool pictures = w->table->pictures && w->job->output.dir != NULL;
+	if (status == TS_OK && pictures) status = ts_paper_pictures(c, line);
 	ts_bench_case_close(c);
 	free(c);
 	return status;
@@ -179,6 +202,7 @@ static ts_status work_on(const ts_job *job, ts_report *report, const void *user)
 	report_variants(report, table);
 	if (status == TS_OK) status = measure_lines(&w, report);
 	if (status == TS_OK) ts_paper_report(report, table, w.lines, (u32)w.n_lines);
+	if (status == TS_OK && job->frames.step > 0) ts_paper_report_frames(report, table, w.lines, (u32)w.n_lines);
 	bool plots = table->plot != NULL && job->output.dir != NULL;
 	if (status == TS_OK && plots) status = ts_paper_plots(table, w.lines, (u32)w.n_lines);
 	free(w.lines);

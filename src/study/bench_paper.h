@@ -3,6 +3,7 @@
 #ifndef TS_CLI_BENCH_PAPER_H
 #define TS_CLI_BENCH_PAPER_H
 #include "bench_figure.h"
+#include "frames.h"
 #include "plot.h"
 
 /* Lists of figures end with this one. */
@@ -23,9 +24,10 @@ typedef struct {
 	u8 figures[TS_MAX_COLUMNS - 2];
 } ts_paper_part;
 
-typedef enum { TS_AT_MOST, TS_AT_LEAST, TS_BETWEEN, TS_RISES_WITH, TS_GROWS, TS_STEADY } ts_relation_kind;
+typedef enum { TS_AT_MOST, TS_AT_LEAST, TS_BETWEEN, TS_OF_PAPER, TS_RISES_WITH, TS_GROWS, TS_STEADY } ts_relation_kind;
 
-/* What a figure must be, in rows whose figure `given` is at least `least` and at most `most`; TS_RISES_WITH is over all
+/* What a figure must be, in rows whose figure `given` is at least `least` and at most `most`; bounds of TS_OF_PAPER are
+ * of the figure by the paper's, in rows that the paper has; TS_RISES_WITH is over all
  * rows at once, in nine pairs out of ten; bounds of TS_GROWS are of the least of a row by the one before, those of
  * TS_STEADY of the greatest by the least, in the rows of a scene. */
 typedef struct {
@@ -66,6 +68,7 @@ typedef struct ts_paper_table {
 	const char *judge;                 /* the truth that errors are to, unless --truth says otherwise; NULL: none */
 	bool rays;                         /* count what rays say of off-screen texels and of shadows, once */
 	bool by_triangles;                 /* the paper's row is the one nearest in triangles, figure 0 */
+	bool pictures;                     /* with -o also those that errors are of, of the last frame */
 	double (*look)(const ts_run *run); /* for figures of TS_FIGURE_LOOKED; or NULL */
 	const ts_bench_variant *variants;
 	const ts_bench_figure *figures;
@@ -80,17 +83,23 @@ typedef struct {
 	char scene[96];
 	u32 objects;
 	double here[TS_BENCH_FIGURES];
-	double others;           /* processors that others used meanwhile; NAN: not known */
-	const ts_paper_row *row; /* NULL: none */
+	ts_frame_spread over[TS_BENCH_FIGURES]; /* the frames */
+	double others;                          /* processors that others used meanwhile; NAN: not known */
+	const ts_paper_row *row;                /* NULL: none */
 	double paper[TS_BENCH_FIGURES];
 } ts_paper_line;
 
 /* The paper's line for ours, if it has one. */
 void ts_paper_compare(ts_paper_line *line, const ts_paper_table *table, const char *spec);
+/* What each figure is over the frames, for programs: tables "over_frames" and, of times, "milliseconds_over_frames".
+ * Least and greatest are of the first run. */
+void ts_paper_report_frames(ts_report *report, const ts_paper_table *table, const ts_paper_line *lines, u32 n);
 /* The parts and the relations; a time is not judged in rows in which others used more than ts_busy_limit. */
 void ts_paper_report(ts_report *report, const ts_paper_table *table, const ts_paper_line *lines, u32 n);
 /* Writes a plot a scene, PART_1.svg and so on, named after the first part. */
 ts_status ts_paper_plots(const ts_paper_table *table, const ts_paper_line *lines, u32 n);
+/* Writes the pictures that were kept, and the truth, as SCENE-OBJECTS-METHOD.png. */
+ts_status ts_paper_pictures(const ts_bench_case *c, const ts_paper_line *line);
 /* Measures and prints it all. */
 ts_status ts_paper_bench(const ts_job *job, const ts_paper_table *table);
 

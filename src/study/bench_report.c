@@ -68,14 +68,17 @@ static bool is_busy(ts_table *t, const ts_paper_table *table, const ts_paper_rel
 	return true;
 }
 
-static bool holds(const ts_paper_relation *r, double value)
+static bool holds(const ts_paper_relation *r, const ts_paper_line *line)
 {
+	double value = line->here[r->figure];
+	if (r->kind == TS_OF_PAPER) value /= line->paper[r->figure];
 	return (r->kind == TS_AT_LEAST || value <= r->high) && (r->kind == TS_AT_MOST || value >= r->low);
 }
 
 static bool is_judged(const ts_paper_relation *r, const ts_paper_line *line)
 {
 	double given = r->given != TS_NO_FIGURE ? line->here[r->given] : 0;
+	if (r->kind == TS_OF_PAPER && isnan(line->paper[r->figure])) return false;
 	return !isnan(line->here[r->figure]) && (r->given == TS_NO_FIGURE || (given >= r->least && given <= r->most));
 }
 
@@ -86,6 +89,7 @@ static void bound_text(char *text, size_t bytes, const ts_paper_relation *r)
 	case TS_STEADY: snprintf(text, bytes, "at most %g", r->high); break;
 	case TS_AT_LEAST:
 	case TS_GROWS: snprintf(text, bytes, "at least %g", r->low); break;
+	case TS_OF_PAPER: snprintf(text, bytes, "%g to %g of the paper's", r->low, r->high); break;
 	default: snprintf(text, bytes, "%g to %g", r->low, r->high); break;
 	}
 }
@@ -95,7 +99,7 @@ static void verdict(ts_table *t, const ts_paper_table *table, const ts_paper_rel
 	char text[256];
 	const char *scale = table->figures[r->cause].head;
 	if (is_busy(t, table, r, line, 1)) return;
-	if (holds(r, line->here[r->figure])) {
+	if (holds(r, line)) {
 		ts_table_text(t, "holds");
 		return;
 	}
@@ -194,8 +198,9 @@ static void change_rows(ts_table *t, const ts_paper_table *table, const ts_paper
 typedef void rows_of(ts_table *t, const ts_paper_table *table, const ts_paper_relation *r, const ts_paper_line *lines,
                      u32 n);
 static rows_of *const rows_of_kind[] = {
-	[TS_AT_MOST] = relation_rows, [TS_AT_LEAST] = relation_rows, [TS_BETWEEN] = relation_rows,
-	[TS_RISES_WITH] = rising_row, [TS_GROWS] = change_rows,      [TS_STEADY] = change_rows,
+	[TS_AT_MOST] = relation_rows,  [TS_AT_LEAST] = relation_rows, [TS_BETWEEN] = relation_rows,
+	[TS_OF_PAPER] = relation_rows, [TS_RISES_WITH] = rising_row,  [TS_GROWS] = change_rows,
+	[TS_STEADY] = change_rows,
 };
 
 static void report_relations(ts_report *report, const ts_paper_table *table, const ts_paper_line *lines, u32 n)
@@ -226,4 +231,33 @@ void ts_paper_report(ts_report *report, const ts_paper_table *table, const ts_pa
 	for (const ts_paper_part *part = table->parts; part->key != NULL; part++)
 		report_part(report, table, part, lines, n);
 	if (table->relations != NULL) report_relations(report, table, lines, n);
+}
+
+static void report_spreads(ts_report *report, const ts_paper_table *table, const ts_paper_line *lines, u32 n,
+                           bool timed)
+{
+	static const ts_column columns[] = {{"figure", "figure", false}, TS_SPREAD_COLUMNS};
+	sheet s = {.columns = {{0}}};
+	u32 k = 0;
+	head_columns(&s, &k, table);
+	memcpy(s.columns + k, columns, sizeof columns);
+	s.table = ts_table_begin(timed ? "milliseconds_over_frames" : "over_frames", "", s.columns);
+	s.table.timed = timed;
+	s.table.silent = true;
+	for (u32 i = 0; i < n; i++) {
+		for (u32 f = 0; table->figures[f].key != NULL; f++) {
+			const ts_frame_spread *spread = &lines[i].over[f];
+			if (ts_bench_is_timed(table->figures, f) != timed || spread->n == 0) continue;
+			head_cells(&s.table, table, lines[i].scene, lines[i].objects);
+			ts_table_text(&s.table, table->figures[f].key);
+			ts_frame_spread_cells(&s.table, spread, lines[i].here[f], 3);
+		}
+	}
+	ts_report_table(report, &s.table);
+}
+
+void ts_paper_report_frames(ts_report *report, const ts_paper_table *table, const ts_paper_line *lines, u32 n)
+{
+	report_spreads(report, table, lines, n, false);
+	report_spreads(report, table, lines, n, true);
 }

@@ -48,6 +48,7 @@ typedef struct {
 	bool set[TS_N_PARAMS]; /* by --set */
 	bool exposed;          /* the exposure follows from frame 0 */
 	bool sized, mirrored;  /* the parameters' size was said; how many mirrors */
+	bool framed;           /* the parameter `frame` was said */
 	ts_sweep sweep;
 	ts_frames frames;
 	const char *scenes, *objects; /* specs, of a render one; objects of a table */

@@ -223,7 +223,7 @@ void ts_report_begin(ts_report *report, bool json)
 void ts_report_table(ts_report *report, ts_table *table)
 {
 	report->failed |= table->failed;
-	if (!report->json && !report->failed) ts_table_print(table, report->text.out);
+	if (!report->json && !table->silent && !report->failed) ts_table_print(table, report->text.out);
 	(table->timed ? ts_report_timed : ts_report_value)(report, table->key, ts_table_json(table));
 	ts_table_end(table);
 }

@@ -26,6 +26,7 @@ typedef struct {
 	ts_cell *cells;
 	size_t n_cells, capacity;
 	bool timed;  /* holds what a clock or the system said: two runs differ */
+	bool silent; /* a report has it in JSON and CSV, not in its text */
 	bool failed; /* out of memory */
 } ts_table;
 

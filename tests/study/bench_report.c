@@ -16,6 +16,7 @@ static const ts_paper_part parts[] = { { "one", "One", { MS, COUNT, RATE, TS_NO_
 static const ts_paper_relation relations[] = {
 	{ "a time", MS, TS_AT_MOST, 0, 10, TS_NO_FIGURE, 0, 0, "slow", COUNT },
 	{ "a count", COUNT, TS_AT_LEAST, 5, 0, TS_NO_FIGURE, 0, 0, "few", COUNT },
+	{ "a count by the paper's", COUNT, TS_OF_PAPER, 0.5, 2, TS_NO_FIGURE, 0, 0, "fewer", MS },
 	{ "a rate, from row to row", RATE, TS_GROWS, 1, 0, TS_NO_FIGURE, 0, 0, "it falls", MS },
 	{ "times with counts", MS, TS_RISES_WITH, COUNT, 0, TS_NO_FIGURE, 0, 0, "they fall", MS },
 	{ 0 },
@@ -27,7 +28,7 @@ static const ts_paper_table table = {
 /* clang-format on */
 
 /* The verdicts of two rows, in the order of the relations. */
-static void check(double others, const char *const wanted[6])
+static void check(double others, const char *const wanted[7])
 {
 	ts_report report;
 	ts_report_begin(&report, true);
@@ -37,10 +38,11 @@ static void check(double others, const char *const wanted[6])
 		memcpy(lines[i].here, here[i], sizeof here[i]);
 		for (u32 f = 0; f < TS_BENCH_FIGURES; f++) lines[i].paper[f] = NAN;
 	}
+	lines[0].paper[COUNT] = 10; /* the other row has none */
 	ts_paper_report(&report, &table, lines, 2);
 	const json_t *found = json_object_get(report.root, "relations");
-	assert_int_equal(json_array_size(found), 6);
-	for (size_t i = 0; i < 6; i++) {
+	assert_int_equal(json_array_size(found), 7);
+	for (size_t i = 0; i < 7; i++) {
 		const char *verdict = json_string_value(json_object_get(json_array_get(found, i), "verdict"));
 		if (strncmp(verdict, wanted[i], strlen(wanted[i])) != 0) fail_msg("%zu: %s, not %s", i, verdict, wanted[i]);
 	}
@@ -50,17 +52,42 @@ static void check(double others, const char *const wanted[6])
 static void test_verdicts(void **state)
 {
 	(void)state;
-	const char *const quiet[6] = {"differs: slow", "holds", "differs: few", "holds", "holds", "they fall"};
-	const char *const busy[6] = {
-		"not judged: others used", "holds", "differs: few", "holds", "not judged", "not judged"};
+	const char *const quiet[7] = {"differs: slow", "holds",    "differs: few", "holds", "differs: fewer (ms 20 here)",
+	                              "holds",         "they fall"};
+	const char *const busy[7] = {"not judged: others used", "holds",      "differs: few", "holds",
+	                             "differs: fewer",          "not judged", "not judged"};
 	check(0, quiet);
 	check(NAN, quiet);
 	check(ts_busy_limit(), quiet);
 	check(ts_busy_limit() + 0.01, busy);
 }
 
+/* Of two frames; only programs are told. */
+static void test_frames(void **state)
+{
+	(void)state;
+	ts_report report;
+	ts_report_begin(&report, false);
+	ts_paper_line line = {.scene = "a", .here = {[MS] = 3, [COUNT] = 5}};
+	ts_frame_spread_add(&line.over[COUNT], 4, 8);
+	ts_frame_spread_add(&line.over[COUNT], 6, 9);
+	ts_frame_spread_add(&line.over[MS], 3, 8);
+	ts_paper_report_frames(&report, &table, &line, 1);
+	const json_t *counts = json_object_get(report.root, "over_frames"), *row = json_array_get(counts, 0);
+	const json_t *times = json_object_get(report.root, "milliseconds_over_frames");
+	assert_true(json_array_size(counts) == 1 && json_array_size(times) == 1);
+	assert_true(ts_report_is_timed(&report, "milliseconds_over_frames") && !ts_report_is_timed(&report, "over_frames"));
+	assert_string_equal(json_string_value(json_object_get(row, "figure")), "count");
+	assert_true(json_real_value(json_object_get(row, "mean")) == 5 &&
+	            json_real_value(json_object_get(row, "least")) == 4);
+	assert_int_equal(json_integer_value(json_object_get(row, "most_at")), 9);
+	assert_int_equal(ts_report_check(&report), TS_OK);
+	assert_int_equal(report.text.bytes, 0);
+	ts_report_discard(&report);
+}
+
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_verdicts)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(test_verdicts), cmocka_unit_test(test_frames)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
