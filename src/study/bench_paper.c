@@ -183,7 +183,8 @@ static void report_variants(ts_report *report, const ts_paper_table *table)
 	ts_table t = ts_table_begin("variants", table->title, variant_columns);
 	for (const ts_bench_variant *v = table->variants; v->method != NULL; v++) {
 		char set[128];
-		snprintf(set, sizeof set, "%s%s", v->set, v->runs == TS_ALONE ? "; one thread" : "");
+		const char *how = v->runs == TS_ALONE ? "one thread" : v->runs == TS_FIRST ? "the first frame" : "";
+		snprintf(set, sizeof set, "%s%s%s", v->set, v->set[0] != 0 && how[0] != 0 ? "; " : "", how);
 		ts_table_text(&t, v->method);
 		ts_table_text(&t, set);
 	}

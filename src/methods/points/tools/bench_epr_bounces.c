@@ -1,0 +1,54 @@
+/* EPR's figure 5: deferred shading of one, two and three bounces between two cylinders that face each other, 25 samples
+ * of the first and 4 of the others. No bounce takes a pass over the geometry. Two mirrors in the atrium, which is long,
+ * are too far from each other to be seen in each other: they stand in dining, in a frame that shows both from aside. */
+#include "benches.h"
+
+/* clang-format off */
+static const ts_bench_variant variants[] = {
+	{ "epr", "", true, TS_TIMED },
+	{ 0 },
+};
+
+enum { LOOKUPS, OPS, PASSES, POINTS, MS, FRAME_MS, RMSE, SSIM };
+
+static const ts_bench_figure figures[] = {
+	[LOOKUPS] = { "lookups", "look-ups", TS_FIGURE_COUNTER, 0, 0, TS_WHOLE, "look-ups" },
+	[OPS] = { "ops", "shading ops", TS_FIGURE_COUNTER, 0, 0, TS_WHOLE, "shading operations" },
+	[PASSES] = { "passes", "passes", TS_FIGURE_COUNTER, 0, 0, TS_WHOLE, "geometry traversals" },
+	[POINTS] = { "points", "points", TS_FIGURE_COUNTER, 0, 0, TS_WHOLE, "points" },
+	[MS] = { "deferred_ms", "deferred", TS_FIGURE_PART_TIME, 0, 0, 2,
+	         "lookup,lookup.second,lookup.third,shade.third,shade.second,shade" },
+	[FRAME_MS] = { "ms", "frame", TS_FIGURE_TIME, 0, 0, 2, "" },
+	[RMSE] = { "rmse", "RMSE", TS_FIGURE_RMSE, 0, 0, 3, "" },
+	[SSIM] = { "ssim", "SSIM", TS_FIGURE_SSIM, 0, 0, 4, "" },
+	{ 0 },
+};
+
+static const ts_paper_part parts[] = {
+	{ "epr_5", "EPR, figure 5: two cylinders, work and errors", { LOOKUPS, OPS, PASSES, POINTS, RMSE, SSIM,
+	  TS_NO_FIGURE } },
+	{ "epr_5_ms", "EPR, figure 5: deferred shading, ms", { MS, FRAME_MS, TS_NO_FIGURE } },
+	{ 0 },
+};
+
+#define ALL TS_NO_FIGURE, 0, 0
+
+static const ts_paper_relation relations[] = {
+	{ "shading operations, from bounce to bounce", OPS, TS_GROWS, 1, 0, ALL, "no mirror sees a mirror", LOOKUPS },
+	{ "passes over the geometry, most by least", PASSES, TS_STEADY, 0, 1, ALL, "bounces take passes", PASSES },
+	{ "RMSE to rays of as many bounces, most by least", RMSE, TS_STEADY, 0, 1.25, ALL, "bounces add errors", OPS },
+	{ "deferred shading, from bounce to bounce", MS, TS_GROWS, 1, 0, ALL, "no mirror sees a mirror", OPS },
+	{ 0 },
+};
+
+#define ROW(n, ms) { "Sponza", "dining", "sponza", n, { [MS] = ms } }
+static const ts_paper_row rows[] = { ROW(1, 1.64), ROW(2, 2.92), ROW(3, 3.80), { 0 } };
+
+const ts_paper_table ts_epr_5 = {
+	.name = "epr-5", .title = "EPR, figure 5: who runs", .effect = "reflections", .scenes = "dining",
+	.objects_head = "bounces", .objects_param = "lookup.bounces", .objects = "1,2,3", .most = 3,
+	.set = "reflectors.count=2,reflectors.shape=cylinder", .defaults = "reflectors.px=960,eye.turns=2,frame=40",
+	.timed = true, .judge = "A", .pictures = true, .variants = variants, .figures = figures, .parts = parts,
+	.relations = relations, .rows = rows,
+};
+/* clang-format on */
