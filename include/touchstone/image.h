@@ -30,15 +30,28 @@ TS_API ts_status ts_image_read(float **pixels, uint32_t *width, uint32_t *height
 
 /* How far apart two 8-bit RGB images are (METHODS 17). Values are in grey levels, 0 to 255. */
 typedef struct {
-	double rmse;     /* root of the mean over pixels and channels */
-	double psnr;     /* dB; infinite if equal */
-	double ssim;     /* Wang 2004: 11 by 11 Gaussian, sigma 1.5, luma; mean over the window centres judged */
-	uint64_t pixels; /* judged */
+	double rmse;       /* root of the mean over pixels and channels */
+	double psnr;       /* dB; infinite if equal */
+	double ssim;       /* Wang 2004: 11 by 11 Gaussian, sigma 1.5, luma; mean over the window centres judged */
+	uint64_t pixels;   /* judged */
+	double rmse_error; /* standard error of rmse, where it is an estimate; else 0 */
 } ts_metrics;
 
 /* mask: width * height bytes, pixels with 0 are not judged; NULL: all are. The result does not depend on threads. */
 TS_API ts_metrics ts_metrics_compare(const uint8_t *reference, const uint8_t *image, const uint8_t *mask,
                                      uint32_t width, uint32_t height);
+
+/* Two images of which one or both stand for a better one, `all_`, that is known at chosen pixels, drawn at random. */
+typedef struct {
+	const uint8_t *reference, *image;
+	const uint8_t *all_reference, *all_image; /* right where `chosen` is not 0 */
+	const uint8_t *chosen;                    /* width * height bytes */
+} ts_metrics_part;
+
+/* Estimates how far the better ones are apart, from the differences everywhere and at the chosen pixels (METHODS 17).
+ * ssim is NaN, and so is rmse_error of fewer than 3 chosen pixels. mask: as above. */
+TS_API ts_metrics ts_metrics_estimate(const ts_metrics_part *part, const uint8_t *mask, uint32_t width,
+                                      uint32_t height);
 
 /* How much more an image changes from one frame to the next than its reference does, in grey levels (METHODS 17): the
  * root of the mean over pixels and channels of max(0, |image - image_before| - |reference - reference_before|)^2. With
@@ -62,6 +75,14 @@ typedef struct {
 /* mask: as above. All 0 if nothing is judged. */
 TS_API ts_light_metrics ts_metrics_light(const float *reference, const float *image, const uint8_t *mask,
                                          uint32_t width, uint32_t height);
+
+/* The same of light as ts_metrics_part; of `relative` alone, and its standard error. mask: as above. */
+typedef struct {
+	const float *reference, *image, *all_reference, *all_image;
+	const uint8_t *chosen;
+} ts_light_part;
+TS_API double ts_metrics_light_estimate(const ts_light_part *part, const uint8_t *mask, uint32_t width, uint32_t height,
+                                        double *error);
 
 /* Counts the pixels whose light lies in some channel by more than 0.1 above the greatest or below the least that the
  * reference has at the pixel and at its four neighbours: crumbs along edges, which no shift by a pixel explains.

@@ -7,6 +7,8 @@
 #include "../study/reads.h"
 #include "../study/sweep.h"
 
+enum { TRUTH_RAYS = 1 << 25 }; /* of each truth of --truth: about 10 s on two cores */
+
 static ts_status prepare_traces(ts_render *render)
 {
 	const ts_job *job = render->job;
@@ -29,7 +31,8 @@ static ts_status work(ts_render *render, ts_report *report)
 	status = ts_report_print(report);
 	if (status == TS_OK) status = ts_render_make(render);
 	if (status != TS_OK) return status;
-	ts_render_compare(render);
+	status = ts_render_compare(render);
+	if (status != TS_OK) return status;
 	ts_render_report_body(render, report);
 	status = ts_report_check(report);
 	if (status != TS_OK || !ts_render_writes(job)) return status;
@@ -109,13 +112,30 @@ static ts_status say_unread(const ts_job *job)
 	return TS_OK;
 }
 
+static bool is_set(const ts_job *job, const char *param)
+{
+	size_t n, row = 0;
+	const ts_param_info *params = ts_param_table(&n);
+	while (strcmp(params[row].name, param) != 0) row++;
+	return job->set[row];
+}
+
+/* Truths without names are of limited work; those of --frames are not, as their flicker is judged. */
+static ts_status choose_truths(ts_job *job)
+{
+	if (!job->judged) return TS_OK;
+	bool limited = job->truth == NULL && job->frames.step == 0 && !is_set(job, "truth.rays");
+	if (limited) TS_PARAM_SET(&job->params, truth_rays, TRUTH_RAYS);
+	return ts_truths_find(&job->truths, job->effect, job->truth);
+}
+
 ts_status ts_render_command(ts_cli *cli)
 {
 	ts_job *job = &cli->job;
 	job->effect = cli->arguments[0];
 	job->scenes = cli->n_arguments > 1 ? cli->arguments[1] : "atrium";
 	if (ts_selftest_require() != TS_OK || ts_effect_check(job->effect) != TS_OK) return TS_ERROR;
-	if (job->judged && ts_truths_find(&job->truths, job->effect, job->truth) != TS_OK) return TS_ERROR;
+	if (choose_truths(job) != TS_OK) return TS_ERROR;
 	ts_measure_keep_memory();
 	ts_effect_params(job, job->effect);
 	if (job->exposed && ts_exposure_choose(job) != TS_OK) return TS_ERROR;

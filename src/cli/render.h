@@ -19,7 +19,9 @@ typedef struct {
 	ts_light_metrics light;             /* over all pixels but the sky's */
 	bool parted;                        /* there are triangles of light: these are set */
 	ts_light_metrics near, elsewhere;
-	const char *share; /* whose error this is: "method", "sampling", "both" or "" */
+	double relative_error; /* standard error of light.relative, if that is an estimate */
+	const char *share;     /* whose error this is: "method", "sampling", "both" or "" */
+	const u8 *chosen;      /* pixels by which these are estimates, as a truth was made in part; NULL: they are not */
 } ts_pair;
 
 typedef struct {
@@ -44,8 +46,8 @@ typedef struct {
 
 /* Runs the methods that have no picture yet, and makes the truths that are missing. */
 ts_status ts_render_make(ts_render *render);
-/* Compares all that have pictures. */
-void ts_render_compare(ts_render *render);
+/* Compares all that have pictures. Fails without memory. */
+ts_status ts_render_compare(ts_render *render);
 /* Releases the pictures; the scene and the histories stay. */
 void ts_render_clear(ts_render *render);
 /* Opens the scene, if there is none, and refuses what needs too much memory. */
@@ -78,7 +80,7 @@ void ts_render_name(char *name, size_t bytes, const ts_render *render, u32 i);
 ts_status ts_render_truths_of(ts_render *render, const ts_pipeline *method, ts_run *run);
 /* Makes those that are still missing, by a run of their own. */
 ts_status ts_render_truths_rest(ts_render *render);
-/* A line for each that the scene has none of. */
+/* A line for each that the scene has none of, or that is left out because of its work. */
 void ts_render_truths_missing(const ts_render *render, ts_report *report);
 /* The method that the truth starts from: the first chosen one, else the first of the effect; NULL: from none. */
 const ts_pipeline *ts_render_truth_method(const ts_render *render, const ts_truth_kind *kind);

@@ -152,6 +152,12 @@ static void report_counters(const ts_render *render, ts_report *report)
 		}
 	}
 	ts_report_table(report, &table);
+	if (counted_before(render, columns.n_methods, "texels a ray")) {
+		ts_report_line(report,
+		               "texels a ray: of this many texels one, at random, was sent a ray; a count n of them is n "
+		               "+- sqrt n");
+		ts_report_line(report, "%s", "");
+	}
 }
 
 /* None if no method has any. */
@@ -275,20 +281,7 @@ static void report_shadows(const ts_render *render, ts_report *report)
 	ts_report_table(report, &table);
 }
 
-static void metric_cells(ts_table *table, const ts_metrics *m)
-{
-	if (m->pixels == 0) {
-		ts_table_none(table);
-		ts_table_none(table);
-		ts_table_none(table);
-		return;
-	}
-	ts_table_real(table, m->rmse, 3);
-	ts_table_real(table, m->psnr, 2);
-	ts_table_real(table, m->ssim, 5);
-}
-
-/* Beside a reference without light an error is no number. */
+/* Beside a reference without light an error is no number; nor has a part of a truth an SSIM. */
 static void error_cell(ts_table *table, double error, int decimals)
 {
 	if (isfinite(error)) {
@@ -296,6 +289,19 @@ static void error_cell(ts_table *table, double error, int decimals)
 	} else {
 		ts_table_none(table);
 	}
+}
+
+/* With the standard error of the RMSE, if some are estimates. */
+static void metric_cells(ts_table *table, const ts_metrics *m, bool estimates)
+{
+	if (m->pixels == 0) {
+		for (u32 i = 0; i < (estimates ? 4 : 3); i++) ts_table_none(table);
+		return;
+	}
+	ts_table_real(table, m->rmse, 3);
+	if (estimates) error_cell(table, m->rmse_error, 3);
+	ts_table_real(table, m->psnr, 2);
+	error_cell(table, m->ssim, 5);
 }
 
 static void report_missed(const ts_render *render, ts_report *report)
@@ -313,36 +319,79 @@ static void report_missed(const ts_render *render, ts_report *report)
 	}
 }
 
+/* Which part of a truth was asked. */
+static void report_parts(const ts_render *render, ts_report *report)
+{
+	static const ts_column columns[] = {{"truth", "truth", false},
+	                                    {"samples", "samples a pixel", true},
+	                                    {"of", "of", true},
+	                                    {"pixels", "pixels with all", true},
+	                                    {0}};
+	ts_table table = ts_table_begin("truth_parts",
+	                                "Truths in part: pictures by some samples a pixel, figures by pixels with all of "
+	                                "them; +- is one standard error. --truth=all has none",
+	                                columns);
+	size_t n = (size_t)TS_PARAM(&render->job->params, width) * TS_PARAM(&render->job->params, height);
+	for (u32 t = 0; t < TS_MAX_TRUTHS; t++) {
+		const ts_picture *truth = &render->truths[t];
+		i64 pixels = 0;
+		if (truth->chosen == NULL) continue;
+		for (size_t i = 0; i < n; i++) pixels += truth->chosen[i] && (truth->seen == NULL || truth->seen[i]);
+		ts_table_text(&table, truth->name);
+		ts_table_count(&table, (i64)truth->sampling.some);
+		ts_table_count(&table, (i64)truth->sampling.items);
+		ts_table_count(&table, pixels);
+	}
+	if (table.n_cells > 0) ts_report_table(report, &table);
+}
+
+/* Columns of the metrics: over the image, and over its reflective pixels or in radiance. */
+static void metric_columns(ts_column *column, bool mask, bool estimates)
+{
+	u32 n = 0;
+#define COLUMN(...) column[n++] = (ts_column){__VA_ARGS__, true}
+	column[n++] = (ts_column){"image", "image", false};
+	column[n++] = (ts_column){"reference", "against", false};
+	COLUMN("rmse", "RMSE");
+	if (estimates) COLUMN("rmse_error", "+-");
+	COLUMN("psnr", "PSNR, dB");
+	COLUMN("ssim", "SSIM");
+	if (mask) {
+		COLUMN("reflective_rmse", "refl. RMSE");
+		if (estimates) COLUMN("reflective_rmse_error", "+-");
+		COLUMN("reflective_psnr", "PSNR, dB");
+		COLUMN("reflective_ssim", "SSIM");
+	} else {
+		COLUMN("relative_rmse", "relative RMSE");
+		if (estimates) COLUMN("relative_rmse_error", "+-");
+	}
+#undef COLUMN
+	column[n++] = (ts_column){"share", "error of the", false};
+	column[n] = (ts_column){0};
+}
+
 static void report_metrics(const ts_render *render, ts_report *report)
 {
-#define METRICS \
-	{"image", "image", false}, {"reference", "against", false}, {"rmse", "RMSE", true}, {"psnr", "PSNR, dB", true}, \
-	{ \
-		"ssim", "SSIM", true \
-	}
-#define SHARE \
-	{"share", "error of the", false}, { 0 }
-	static const ts_column plain[] = {METRICS, {"relative_rmse", "relative RMSE", true}, SHARE};
-	static const ts_column masked[] = {METRICS,
-	                                   {"reflective_rmse", "refl. RMSE", true},
-	                                   {"reflective_psnr", "PSNR, dB", true},
-	                                   {"reflective_ssim", "SSIM", true},
-	                                   SHARE};
-	bool mask = render->mirrors != NULL;
+	bool mask = render->mirrors != NULL, estimates = false;
+	ts_column columns[TS_MAX_COLUMNS];
 	if (render->n_pairs == 0) return;
 	report_missed(render, report);
+	report_parts(render, report);
+	for (u32 i = 0; i < render->n_pairs; i++) estimates |= render->pairs[i].chosen != NULL;
+	metric_columns(columns, mask, estimates);
 	const char *title = mask ? "Metrics, in grey levels, over the image and over its reflective pixels"
 	                         : "Metrics, in grey levels; relative RMSE in radiance, by the mean, without the sky";
-	ts_table table = ts_table_begin("metrics", title, mask ? masked : plain);
+	ts_table table = ts_table_begin("metrics", title, columns);
 	for (u32 i = 0; i < render->n_pairs; i++) {
 		const ts_pair *pair = &render->pairs[i];
 		ts_table_text(&table, pair->image->name);
 		ts_table_text(&table, pair->reference->name);
-		metric_cells(&table, &pair->all);
+		metric_cells(&table, &pair->all, estimates);
 		if (mask) {
-			metric_cells(&table, &pair->reflective);
+			metric_cells(&table, &pair->reflective, estimates);
 		} else {
 			error_cell(&table, pair->light.relative, 5);
+			if (estimates) error_cell(&table, pair->relative_error, 5);
 		}
 		ts_table_text(&table, pair->share);
 	}

@@ -81,16 +81,48 @@ static ts_status run_method(ts_render *render, u32 i)
 	return ts_measure_run(measure, render->methods[i], render->scene, &job->params, &job->how, take_picture, &after);
 }
 
-static void compare_light(ts_pair *pair, const ts_params *p)
+static const u8 *srgb_of(const ts_picture *picture)
+{
+	return picture->chosen != NULL ? picture->all_srgb : picture->srgb;
+}
+
+static const f32 *radiance_of(const ts_picture *picture)
+{
+	return picture->chosen != NULL ? picture->all_radiance : picture->radiance;
+}
+
+/* Of two that were chosen, what the smaller chance chose is in both. */
+static const u8 *chosen_of(const ts_picture *a, const ts_picture *b)
+{
+	if (a->chosen == NULL || b->chosen == NULL) return a->chosen != NULL ? a->chosen : b->chosen;
+	return a->sampling.chance < b->sampling.chance ? a->chosen : b->chosen;
+}
+
+/* Of pixels of a mask; as far as they are estimates, of the chosen ones among them, which are marked in `room`. */
+static ts_light_metrics light_of(const ts_pair *pair, const u8 *mask, u8 *room, double *error, const ts_params *p)
+{
+	const ts_picture *a = pair->reference, *b = pair->image;
+	u32 width = TS_PARAM(p, width), height = TS_PARAM(p, height);
+	if (pair->chosen == NULL) return ts_metrics_light(a->radiance, b->radiance, mask, width, height);
+	const ts_light_part part = {a->radiance, b->radiance, radiance_of(a), radiance_of(b), pair->chosen};
+	for (u32 i = 0; i < width * height; i++) room[i] = pair->chosen[i] && (mask == NULL || mask[i]);
+	ts_light_metrics light = ts_metrics_light(radiance_of(a), radiance_of(b), room, width, height);
+	light.relative = ts_metrics_light_estimate(&part, mask, width, height, error);
+	return light;
+}
+
+static ts_status compare_light(ts_pair *pair, const ts_params *p)
 {
 	const ts_picture *of = pair->image->near != NULL ? pair->image : pair->reference;
-	const f32 *reference = pair->reference->radiance, *image = pair->image->radiance;
-	u32 width = TS_PARAM(p, width), height = TS_PARAM(p, height);
-	pair->light = ts_metrics_light(reference, image, pair->image->seen, width, height);
+	double error;
+	u8 *room = ts_alloc((size_t)TS_PARAM(p, width) * TS_PARAM(p, height), 1, "chosen pixels");
+	if (room == NULL) return TS_ERROR;
+	pair->light = light_of(pair, pair->image->seen, room, &pair->relative_error, p);
 	pair->parted = of->near != NULL;
-	if (!pair->parted) return;
-	pair->near = ts_metrics_light(reference, image, of->near, width, height);
-	pair->elsewhere = ts_metrics_light(reference, image, of->elsewhere, width, height);
+	if (pair->parted) pair->near = light_of(pair, of->near, room, &error, p);
+	if (pair->parted) pair->elsewhere = light_of(pair, of->elsewhere, room, &error, p);
+	free(room);
+	return TS_OK;
 }
 
 static double flicker(const ts_pair *pair, const u8 *mask, const ts_params *p)
@@ -107,21 +139,26 @@ static void compare_change(ts_pair *pair, const u8 *mirrors_still, const ts_para
 	pair->reflective_flicker = known && mirrors_still != NULL ? flicker(pair, mirrors_still, p) : NAN;
 }
 
-static void compare(ts_render *render, const ts_picture *reference, const ts_picture *image, const char *share)
+static ts_metrics metrics_of(const ts_pair *pair, const u8 *mask, const ts_params *p)
+{
+	const ts_picture *a = pair->reference, *b = pair->image;
+	u32 width = TS_PARAM(p, width), height = TS_PARAM(p, height);
+	const ts_metrics_part part = {a->srgb, b->srgb, srgb_of(a), srgb_of(b), pair->chosen};
+	return pair->chosen != NULL ? ts_metrics_estimate(&part, mask, width, height)
+	                            : ts_metrics_compare(a->srgb, b->srgb, mask, width, height);
+}
+
+static ts_status compare(ts_render *render, const ts_picture *reference, const ts_picture *image, const char *share)
 {
 	const ts_params *p = &render->job->params;
-	if (reference->srgb == NULL || image->srgb == NULL || render->n_pairs == TS_MAX_PAIRS) return;
+	if (reference->srgb == NULL || image->srgb == NULL || render->n_pairs == TS_MAX_PAIRS) return TS_OK;
 	ts_pair *pair = &render->pairs[render->n_pairs++];
-	pair->reference = reference;
-	pair->image = image;
-	pair->share = share;
-	pair->all = ts_metrics_compare(reference->srgb, image->srgb, NULL, TS_PARAM(p, width), TS_PARAM(p, height));
-	compare_light(pair, p);
+	*pair = (ts_pair){.reference = reference, .image = image, .share = share};
+	pair->chosen = chosen_of(reference, image);
+	pair->all = metrics_of(pair, NULL, p);
 	compare_change(pair, render->mirrors_still, p);
-	if (render->mirrors != NULL) {
-		pair->reflective = ts_metrics_compare(reference->srgb, image->srgb, render->mirrors->reflective,
-		                                      TS_PARAM(p, width), TS_PARAM(p, height));
-	}
+	if (render->mirrors != NULL) pair->reflective = metrics_of(pair, render->mirrors->reflective, p);
+	return compare_light(pair, p);
 }
 
 /* The truth of that name; NULL: it was not made, or "" names none. */
@@ -132,20 +169,24 @@ static const ts_picture *truth_named(const ts_render *render, const char *name)
 	return ts_truths()[t] != NULL ? &render->truths[t] : NULL;
 }
 
-void ts_render_compare(ts_render *render)
+ts_status ts_render_compare(ts_render *render)
 {
+	ts_status status = TS_OK;
 	for (u32 t = 0; ts_truths()[t] != NULL; t++) {
-		for (u32 i = 0; i < render->n_methods; i++) {
-			compare(render, &render->truths[t], &render->pictures[i], ts_truths()[t]->share);
+		for (u32 i = 0; i < render->n_methods && status == TS_OK; i++) {
+			status = compare(render, &render->truths[t], &render->pictures[i], ts_truths()[t]->share);
 		}
 	}
-	for (u32 t = 0; ts_truths()[t] != NULL; t++) {
+	for (u32 t = 0; ts_truths()[t] != NULL && status == TS_OK; t++) {
 		const ts_picture *against = truth_named(render, ts_truths()[t]->against);
-		if (against != NULL) compare(render, against, &render->truths[t], ts_truths()[t]->against_share);
+		if (against != NULL) status = compare(render, against, &render->truths[t], ts_truths()[t]->against_share);
 	}
 	for (u32 i = 0; i < render->n_methods; i++) {
-		for (u32 j = i + 1; j < render->n_methods; j++) compare(render, &render->pictures[j], &render->pictures[i], "");
+		for (u32 j = i + 1; j < render->n_methods && status == TS_OK; j++) {
+			status = compare(render, &render->pictures[j], &render->pictures[i], "");
+		}
 	}
+	return status;
 }
 
 static void find_mirrors(ts_render *render)

@@ -45,6 +45,16 @@ static bool exists(const ts_render *render, const ts_truth_kind *kind)
 	return does;
 }
 
+/* Its work is more than params.truth_rays, and no part of it can be made. */
+static bool is_left_out(const ts_render *render, const ts_truth_kind *kind)
+{
+	u64 rays = 0, most = 0;
+	const ts_params *params = &render->job->params;
+	if (kind->rays == NULL) return false;
+	TS_PARAM_READER("truth", kind->name, rays = kind->rays(render->scene, params), most = TS_PARAM(params, truth_rays));
+	return most > 0 && rays > most;
+}
+
 typedef struct {
 	ts_render *render;
 	const ts_pipeline *method;
@@ -72,7 +82,7 @@ ts_status ts_render_truths_rest(ts_render *render)
 	ts_status status = TS_OK;
 	for (u32 t = 0; ts_truths()[t] != NULL && status == TS_OK; t++) {
 		const ts_truth_kind *kind = ts_truths()[t];
-		if (!lacks(render, t) || !exists(render, kind)) continue;
+		if (!lacks(render, t) || !exists(render, kind) || is_left_out(render, kind)) continue;
 		show_truth(kind);
 		if (kind->radiance != NULL) {
 			status = ts_picture_truth_alone(&render->truths[t], kind, render->scene, params, threads);
@@ -91,7 +101,12 @@ void ts_render_truths_missing(const ts_render *render, ts_report *report)
 {
 	for (u32 t = 0; ts_truths()[t] != NULL; t++) {
 		const ts_truth_kind *kind = ts_truths()[t];
-		if (!lacks(render, t) || exists(render, kind)) continue;
-		ts_report_line(report, "truth %s: none of %s; %s", kind->name, render->scene->name, kind->why_not);
+		if (!lacks(render, t)) continue;
+		if (!exists(render, kind)) {
+			ts_report_line(report, "truth %s: none of %s; %s", kind->name, render->scene->name, kind->why_not);
+		} else if (is_left_out(render, kind)) {
+			ts_report_line(report, "truth %s: left out, as it may take minutes; --truth=%s or --truth=all makes it",
+			               kind->name, kind->name);
+		}
 	}
 }

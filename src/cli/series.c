@@ -188,8 +188,8 @@ static ts_status make(ts_series *series)
 	if (status == TS_OK) status = mark_still(series);
 	if (status != TS_OK) return status;
 	lend_before(series);
-	ts_render_compare(render);
-	status = tell(series);
+	status = ts_render_compare(render);
+	if (status == TS_OK) status = tell(series);
 	if (status == TS_OK) status = keep_before(series);
 	series->n_done++;
 	ts_progress("renders", series->n_done, count_all(series->job));

@@ -59,8 +59,13 @@ static void put_errors(ts_figures *figures, const ts_render *render, u32 truth, 
 	const ts_pair *pair = find_pair(render, ts_render_shown(render, truth), image);
 	ts_render_name(name, sizeof name, render, truth);
 	bool mirrors = render->mirrors != NULL, sequence = render->job->frames.step > 0;
+	bool estimates = TS_PARAM(&render->job->params, truth_rays) > 0;
 	put(figures, "rmse", name, pair != NULL ? pair->all.rmse : NAN, 6);
+	if (estimates) put(figures, "rmse_error", name, pair != NULL ? pair->all.rmse_error : NAN, 6);
 	if (mirrors) put(figures, "reflective_rmse", name, pair != NULL ? pair->reflective.rmse : NAN, 6);
+	if (mirrors && estimates) {
+		put(figures, "reflective_rmse_error", name, pair != NULL ? pair->reflective.rmse_error : NAN, 6);
+	}
 	put(figures, "ssim", name, pair != NULL ? pair->all.ssim : NAN, 6);
 	if (mirrors) put(figures, "reflective_ssim", name, pair != NULL ? pair->reflective.ssim : NAN, 6);
 	if (sequence) put(figures, "flicker", name, pair != NULL ? pair->flicker : NAN, 6);

@@ -73,10 +73,12 @@ void ts_keep_give(ts_series *series)
 	}
 }
 
-/* Of its pictures: three bytes and three floats a pixel, and marks. */
+/* Of its pictures: three bytes and three floats a pixel, and marks; twice, of a truth in part. */
 static u64 bytes_of(const ts_series *series, u32 shown)
 {
 	u64 bytes = (u64)TS_PARAM(&series->job->params, width) * TS_PARAM(&series->job->params, height) * 20;
+	if (ts_render_shown(series->render, shown) != NULL && ts_render_shown(series->render, shown)->chosen != NULL)
+		bytes *= 2;
 	const ts_stage_pictures *stages = shown < TS_MAX_METHODS ? &series->render->stages[shown] : NULL;
 	for (u32 k = 0; stages != NULL && k < stages->n; k++)
 		bytes += (u64)stages->picture[k].width * stages->picture[k].height * 4;

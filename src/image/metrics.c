@@ -120,6 +120,75 @@ ts_metrics ts_metrics_compare(const uint8_t *reference, const uint8_t *image, co
 	return m;
 }
 
+/* How much a root grows, if what is under it grows by that. */
+static double root_error(double square, double error) { return sqrt(square + error) - sqrt(square); }
+
+static double squares_of(const uint8_t *a, const uint8_t *b)
+{
+	int sum = 0;
+	for (int c = 0; c < 3; c++) sum += (a[c] - b[c]) * (a[c] - b[c]);
+	return sum;
+}
+
+/* Sums over pixels of squared differences: x everywhere, and x and the better ones, y, at the chosen pixels. */
+typedef struct {
+	double n_all, x_all, xx_all, n, x, y, xx, xy, yy;
+} pairs;
+
+static void add_all(pairs *p, double x)
+{
+	p->n_all++;
+	p->x_all += x;
+	p->xx_all += x * x;
+}
+
+static void add_chosen(pairs *p, double x, double y)
+{
+	p->n++;
+	p->x += x;
+	p->y += y;
+	p->xx += x * x;
+	p->xy += x * y;
+	p->yy += y * y;
+}
+
+/* The regression estimator of the mean of y (Cochran 1977, Sampling Techniques, 7.1): what the chosen pixels have, moved
+ * along y = b x to the mean of x over all. Its error is what is left beside the line, with that of b. Where x varies less
+ * among the chosen pixels than among all, y will as well: the error grows by as much. */
+static double regression(const pairs *p, double *error)
+{
+	*error = NAN;
+	if (p->n == 0) return p->x_all / p->n_all;
+	double x = p->x / p->n, y = p->y / p->n, x_all = p->x_all / p->n_all;
+	double xx = p->xx - p->n * x * x, xy = p->xy - p->n * x * y, yy = p->yy - p->n * y * y;
+	double varies = p->xx_all / p->n_all - x_all * x_all, varies_here = xx / p->n;
+	double b = xx > 0 ? xy / xx : 1, left = fmax(yy - 2 * b * xy + b * b * xx, 0) / (p->n - 2);
+	if (varies_here > 0) left *= fmax(varies / varies_here, 1);
+	double apart = xx > 0 ? (x_all - x) * (x_all - x) / xx : 0;
+	if (p->n > 2) *error = sqrt(left * ((1 - p->n / p->n_all) / p->n + apart));
+	return fmax(y + b * (x_all - x), 0);
+}
+
+ts_metrics ts_metrics_estimate(const ts_metrics_part *part, const uint8_t *mask, uint32_t width, uint32_t height)
+{
+	pairs p = {.n = 0};
+	ts_metrics m = {.psnr = INFINITY, .ssim = NAN};
+	for (size_t i = 0; i < (size_t)width * height; i++) {
+		if (mask && !mask[i]) continue;
+		add_all(&p, squares_of(part->reference + 3 * i, part->image + 3 * i));
+		if (!part->chosen[i]) continue;
+		add_chosen(&p, squares_of(part->reference + 3 * i, part->image + 3 * i),
+		           squares_of(part->all_reference + 3 * i, part->all_image + 3 * i));
+	}
+	m.pixels = (uint64_t)p.n_all;
+	if (m.pixels == 0) return m;
+	double error, square = regression(&p, &error) / 3;
+	m.rmse = sqrt(square);
+	m.rmse_error = root_error(square, error / 3);
+	if (square > 0) m.psnr = 20 * log10(255 / m.rmse);
+	return m;
+}
+
 double ts_metrics_flicker(const uint8_t *reference_before, const uint8_t *reference, const uint8_t *image_before,
                           const uint8_t *image, const uint8_t *mask, uint32_t width, uint32_t height)
 {
@@ -210,6 +279,33 @@ ts_light_metrics ts_metrics_light(const float *reference, const float *image, co
 	m.beyond = (double)sums.beyond / n;
 	m.given = m.unlit > 0 ? sums.unlit / (double)m.unlit / mean : 0;
 	return m;
+}
+
+static double light_squares_of(const float *a, const float *b)
+{
+	double sum = 0;
+	for (int c = 0; c < 3; c++) sum += ((double)a[c] - (double)b[c]) * ((double)a[c] - (double)b[c]);
+	return sum;
+}
+
+double ts_metrics_light_estimate(const ts_light_part *part, const uint8_t *mask, uint32_t width, uint32_t height,
+                                 double *error)
+{
+	pairs p = {.n = 0};
+	double light = 0;
+	*error = 0;
+	for (size_t i = 0; i < (size_t)width * height; i++) {
+		if (mask && !mask[i]) continue;
+		double x = light_squares_of(part->reference + 3 * i, part->image + 3 * i);
+		add_all(&p, x);
+		light += sum_of(part->reference + 3 * i);
+		if (!part->chosen[i]) continue;
+		add_chosen(&p, x, light_squares_of(part->all_reference + 3 * i, part->all_image + 3 * i));
+	}
+	if (p.n_all == 0) return 0;
+	double mean = light / (3 * p.n_all), square = regression(&p, error) / 3;
+	*error = root_error(square, *error / 3) / mean;
+	return sqrt(square) / mean;
 }
 
 /* Beyond what the reference has in a channel at the pixel and beside it. */

@@ -94,6 +94,7 @@ static void keep_texels(ts_measure *m)
 	                               {"lit but by rays", (i64)texels->lit},
 	                               {"dark but by rays", (i64)texels->dark}};
 	u32 n = texels->asked > 0 ? 7 : 4;
+	if (texels->one_of > 1) keep_counter(m, (ts_counter){"texels a ray", texels->one_of});
 	for (u32 i = 0; i < n; i++) keep_counter(m, counters[i]);
 	for (u32 i = 0; texels->reasons != NULL && texels->reasons[i] != NULL; i++) {
 		keep_counter(m, (ts_counter){texels->reasons[i], (i64)texels->because[i]});

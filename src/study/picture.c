@@ -96,6 +96,9 @@ void ts_picture_free(ts_picture *picture)
 	free(picture->reflective);
 	free(picture->near);
 	free(picture->elsewhere);
+	free(picture->chosen);
+	free(picture->all_srgb);
+	free(picture->all_radiance);
 	*picture = (ts_picture){.radiance = NULL};
 }
 
@@ -112,20 +115,55 @@ void ts_picture_truth_name(char *name, size_t bytes, const ts_truth_kind *kind)
 	for (; *name != 0; name++) *name = (char)tolower(*name);
 }
 
+/* Takes over what all rays say of the chosen pixels. */
+static ts_status keep_chosen(ts_picture *picture, ts_picture *all, const ts_params *params)
+{
+	u32 n = TS_PARAM(params, width) * TS_PARAM(params, height);
+	picture->all_srgb = all->srgb;
+	picture->all_radiance = all->radiance;
+	all->srgb = NULL;
+	all->radiance = NULL;
+	picture->chosen = ts_alloc(n, 1, "a picture");
+	if (picture->chosen == NULL) return TS_ERROR;
+	for (u32 i = 0; i < n; i++) picture->chosen[i] = ts_sampling_chooses(&picture->sampling, i);
+	return TS_OK;
+}
+
 /* What it traces, shown by its stage. */
+static ts_status trace(ts_picture *picture, const ts_truth_kind *kind, ts_truth *tree, ts_run *run,
+                       ts_sampling *sampling)
+{
+	char name[sizeof picture->name];
+	ts_picture_truth_name(name, sizeof name, kind);
+	ts_status status = kind->trace(tree, run, sampling);
+	if (status == TS_OK) status = ts_run_stage(run, ts_stage_find(kind->image));
+	if (status == TS_OK) status = ts_frame_fetch(&run->frame);
+	return status == TS_OK ? ts_picture_take(picture, name, run) : status;
+}
+
+/* Of a part of a truth also what all its rays say at the chosen pixels. */
+static ts_status trace_all(ts_picture *picture, const ts_truth_kind *kind, ts_truth *tree, ts_run *run)
+{
+	ts_picture all = {.radiance = NULL};
+	ts_sampling *sampling = &picture->sampling;
+	ts_status status = TS_OK;
+	sampling->chosen = ts_sampling_is_part(sampling);
+	if (sampling->chosen) status = trace(&all, kind, tree, run, sampling);
+	if (status == TS_OK && kind->missed != NULL) {
+		status = kind->missed(&picture->n_hits, &picture->n_missed, tree, run, sampling);
+	}
+	if (status == TS_OK && sampling->chosen) status = keep_chosen(picture, &all, &run->params);
+	ts_picture_free(&all);
+	return status;
+}
+
 static ts_status take_truth(ts_picture *picture, const ts_truth_kind *kind, ts_truth *tree, ts_run *run)
 {
 	double begin = ts_seconds();
-	char name[sizeof picture->name];
-	ts_picture_truth_name(name, sizeof name, kind);
 	ts_status status;
-	TS_PARAM_READER("truth", kind->name, status = kind->trace(tree, run));
-	if (status == TS_OK && kind->missed != NULL) {
-		status = kind->missed(&picture->n_hits, &picture->n_missed, tree, run);
-	}
-	if (status == TS_OK) TS_PARAM_READER("truth", kind->name, status = ts_run_stage(run, ts_stage_find(kind->image)));
-	if (status == TS_OK) status = ts_frame_fetch(&run->frame);
-	if (status == TS_OK) status = ts_picture_take(picture, name, run);
+	TS_PARAM_READER("truth", kind->name, picture->sampling = ts_sampling_of(&run->params));
+	TS_PARAM_READER("truth", kind->name, status = trace(picture, kind, tree, run, &picture->sampling));
+	if (status == TS_OK) TS_PARAM_READER("truth", kind->name, status = trace_all(picture, kind, tree, run));
 	picture->seconds = ts_seconds() - begin;
 	return status;
 }
@@ -160,16 +198,32 @@ ts_status ts_picture_truths_begun(ts_picture pictures[], u32 truths, const ts_tr
 	return status;
 }
 
+static ts_status make_alone(ts_picture *picture, const ts_truth_kind *kind, const ts_scene *scene,
+                            const ts_params *params, u32 threads)
+{
+	f32 *radiance;
+	char name[sizeof picture->name];
+	ts_picture all = {.radiance = NULL};
+	ts_sampling *sampling = &picture->sampling;
+	*sampling = ts_sampling_of(params);
+	ts_picture_truth_name(name, sizeof name, kind);
+	ts_status status = kind->radiance(&radiance, scene, params, threads, sampling);
+	if (status == TS_OK) status = ts_picture_make(picture, name, radiance, params);
+	sampling->chosen = ts_sampling_is_part(sampling);
+	if (status != TS_OK || !sampling->chosen) return status;
+	status = kind->radiance(&radiance, scene, params, threads, sampling);
+	if (status == TS_OK) status = ts_picture_make(&all, name, radiance, params);
+	if (status == TS_OK) status = keep_chosen(picture, &all, params);
+	ts_picture_free(&all);
+	return status;
+}
+
 ts_status ts_picture_truth_alone(ts_picture *picture, const ts_truth_kind *kind, const ts_scene *scene,
                                  const ts_params *params, u32 threads)
 {
 	double begin = ts_seconds();
-	f32 *radiance;
-	char name[sizeof picture->name];
-	ts_picture_truth_name(name, sizeof name, kind);
 	ts_status status;
-	TS_PARAM_READER("truth", kind->name, status = kind->radiance(&radiance, scene, params, threads));
-	if (status == TS_OK) status = ts_picture_make(picture, name, radiance, params);
+	TS_PARAM_READER("truth", kind->name, status = make_alone(picture, kind, scene, params, threads));
 	picture->seconds = ts_seconds() - begin;
 	return status;
 }

@@ -24,6 +24,9 @@ typedef struct {
 	u64 n_hits, n_missed;   /* of a truth that counts them: first rays that hit something, and look-ups empty there */
 	ts_lit lit;             /* of shadows */
 	u64 n_lamps, n_samples; /* lights, and samples of all of them */
+	ts_sampling sampling;   /* of a truth */
+	u8 *chosen, *all_srgb;  /* of a part of one: 1: a chosen pixel, where these are what all rays say; else NULL */
+	f32 *all_radiance;
 } ts_picture;
 
 /* Copies image.radiance and image.srgb of the run, marks the pixels that see a surface and those near light, and counts

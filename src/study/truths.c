@@ -49,6 +49,7 @@ ts_status ts_truths_find(u32 *truths, const char *effect, const char *names)
 {
 	char item[16];
 	*truths = 0;
+	if (names != NULL && strcmp(names, "all") == 0) names = NULL;
 	for (const ts_truth_kind *const *kind = ts_truths(); names == NULL && *kind != NULL; kind++) {
 		if (ts_words_have((*kind)->effects, effect)) *truths |= ts_truth_bit(*kind);
 	}

@@ -4,8 +4,8 @@
 #include "../truth/table.h"
 #include "../kernels/base/compat.h"
 
-/* The truths of `effect` that the comma-separated `names` name, each as the bit of its row in ts_truths; NULL: all
- * of them; "none": none. Fails on the first name that is no truth of the effect. */
+/* The truths of `effect` that the comma-separated `names` name, each as the bit of its row in ts_truths; NULL or
+ * "all": all of them; "none": none. Fails on the first name that is no truth of the effect. */
 ts_status ts_truths_find(u32 *truths, const char *effect, const char *names);
 /* The bit of a row of ts_truths in a set of truths. */
 u32 ts_truth_bit(const ts_truth_kind *kind);

@@ -2,6 +2,7 @@
 #ifndef TS_TRUTH_TABLE_H
 #define TS_TRUTH_TABLE_H
 #include "../methods/pipeline.h"
+#include "sampling.h"
 #include "truth.h"
 
 enum { TS_MAX_TRUTHS = 32 }; /* sets of them are the bits of a u32 */
@@ -19,13 +20,16 @@ typedef struct {
 	const char *against_share; /* whose error sets the two apart */
 	const ts_buffer_id *needs; /* ended by TS_N_BUFFERS */
 	ts_status (*begin)(ts_run *run, const char *effect);
-	ts_status (*trace)(ts_truth *tree, ts_run *run);
+	ts_status (*trace)(ts_truth *tree, ts_run *run, ts_sampling *sampling);
 	const char *image;
 	/* Adds its first rays that hit something, and the method's look-ups that are empty there; NULL: not counted. */
-	ts_status (*missed)(u64 *n_hits, u64 *n_missed, ts_truth *tree, const ts_run *run);
-	ts_status (*radiance)(f32 **radiance, const ts_scene *scene, const ts_params *params, u32 threads);
+	ts_status (*missed)(u64 *n_hits, u64 *n_missed, ts_truth *tree, const ts_run *run, const ts_sampling *sampling);
+	ts_status (*radiance)(f32 **radiance, const ts_scene *scene, const ts_params *params, u32 threads,
+	                      ts_sampling *sampling);
 	bool (*exists)(const ts_scene *scene, const ts_params *params); /* NULL: for every scene */
 	const char *why_not;                                            /* what is missing where it does not exist */
+	/* How many rays its work is worth, if it cannot be made in part; NULL: it can. */
+	u64 (*rays)(const ts_scene *scene, const ts_params *params);
 	/* Bytes that it is estimated to need of memory beside a run of `method`; NULL: none. */
 	u64 (*bytes)(const ts_pipeline *method, const ts_scene *scene, const ts_params *params);
 } ts_truth_kind;

@@ -10,11 +10,12 @@ typedef struct {
 	u64 holes;   /* of these, those that hold nothing */
 	u64 leaks;   /* of these, those that hold what is farther than the hit by more than the rule allows: something shows
 	              * through */
-	u64 apart; /* of these, those whose depth is not the hit's within as much, nor, where the rule asks more rays, that
+	u64 apart;  /* of these, those whose depth is not the hit's within as much, nor, where the rule asks more rays, that
 	            * of any other place of the texel: leaks, and what reaches into texels */
-	u64 asked; /* places whose shadows were asked for */
-	u64 lit;   /* of these, those that the texels let through, and something stops: light leaks */
-	u64 dark;  /* of these, those that the texels stop, and nothing does */
+	u32 one_of; /* of this many texels one, by a hash, was sent a ray; 0: they all were */
+	u64 asked;  /* places whose shadows were asked for */
+	u64 lit;    /* of these, those that the texels let through, and something stops: light leaks */
+	u64 dark;   /* of these, those that the texels stop, and nothing does */
 
 	const char *const *reasons; /* why, ended by NULL: of `lit` and `dark` each counts once. NULL: none are told */
 	u64 because[TS_MOST_REASONS];

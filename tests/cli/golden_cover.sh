@@ -65,7 +65,7 @@ elif what == "folders":
 	missing = sorted(names ^ cases.keys())
 elif what == "choices":
 	for p in table["params"]:
-		if p["name"] in ("truth.area_samples", "truth.bounce_rays", "truth.grid_rays", "scene.ground", "surfels.neighbours"): # of truths and of files
+		if p["name"] in ("truth.rays", "truth.area_samples", "truth.bounce_rays", "truth.grid_rays", "scene.ground", "surfels.neighbours"): # of truths and of files
 			continue
 		taken = {case[p["name"]] for case in of(*takers_of(p["name"])) if p["name"] in case}
 		missing += [f"{p['name']}={c}" for c in p["range"].split("|") if "|" in p["range"] and c not in taken]

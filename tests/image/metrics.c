@@ -268,6 +268,84 @@ static void test_flicker(void **state)
 	assert_close(ts_metrics_flicker(reference, later, image, image_later, black, WIDTH, HEIGHT), 0);
 }
 
+enum { DRAWS = 400 };
+
+/* A better image, and noise about it as what stands for it has. */
+static uint8_t better[PIXELS * 3], chosen[PIXELS];
+
+static void make_better(void)
+{
+	for (size_t i = 0; i < PIXELS; i++) {
+		int rare = next() % 16 == 0 ? 40 : 2;
+		for (size_t c = 3 * i; c < 3 * i + 3; c++) {
+			better[c] = (uint8_t)(reference[c] / 2 + 20 + next() % (uint32_t)rare);
+			image[c] = (uint8_t)(better[c] + next() % (uint32_t)rare);
+		}
+	}
+}
+
+static ts_metrics estimate(const uint8_t *of)
+{
+	const ts_metrics_part part = {reference, image, reference, better, chosen};
+	return ts_metrics_estimate(&part, of, WIDTH, HEIGHT);
+}
+
+static void test_estimate_of_all(void **state)
+{
+	(void)state;
+	make_better();
+	memset(chosen, 1, sizeof chosen);
+	ts_metrics all = ts_metrics_compare(reference, better, mask, WIDTH, HEIGHT), m = estimate(mask);
+	assert_close(m.rmse, all.rmse);
+	assert_close(m.psnr, all.psnr);
+	assert_int_equal(m.pixels, all.pixels);
+	assert_true(m.rmse_error == 0 && isnan(m.ssim));
+	memset(chosen, 0, sizeof chosen);
+	m = estimate(NULL);
+	assert_close(m.rmse, ts_metrics_compare(reference, image, NULL, WIDTH, HEIGHT).rmse);
+	assert_true(isnan(m.rmse_error));
+}
+
+/* One in eight pixels: over many draws the estimate is right in the mean, and the errors are as large as it says. */
+static void test_estimate_of_some(void **state)
+{
+	(void)state;
+	make_better();
+	double rmse = ts_metrics_compare(reference, better, NULL, WIDTH, HEIGHT).rmse, sum = 0, squares = 0, least = 0;
+	for (int k = 0; k < DRAWS; k++) {
+		for (size_t i = 0; i < PIXELS; i++) chosen[i] = next() % 8 == 0;
+		ts_metrics m = estimate(NULL);
+		double z = (m.rmse - rmse) / m.rmse_error;
+		sum += z;
+		squares += z * z;
+		least = fmax(least, m.rmse_error / rmse);
+	}
+	print_message("mean of z %.3f, of its square %.3f, greatest error %.4f\n", sum / DRAWS, squares / DRAWS, least);
+	assert_true(fabs(sum / DRAWS) < 0.25);
+	assert_true(squares / DRAWS > 0.7 && squares / DRAWS < 1.4);
+	assert_true(least > 0 && least < 0.1);
+}
+
+static void test_light_estimate(void **state)
+{
+	(void)state;
+	static float light[PIXELS * 3], other[PIXELS * 3];
+	double error;
+	for (size_t i = 0; i < (size_t)PIXELS * 3; i++) {
+		light[i] = (float)(next() % 256) / 256;
+		other[i] = (float)(next() % 256) / 256;
+	}
+	const ts_light_part part = {light, light, light, other, chosen};
+	memset(chosen, 1, sizeof chosen);
+	double relative = ts_metrics_light_estimate(&part, mask, WIDTH, HEIGHT, &error);
+	assert_close(relative, ts_metrics_light(light, other, mask, WIDTH, HEIGHT).relative);
+	assert_true(error == 0);
+	for (size_t i = 0; i < PIXELS; i++) chosen[i] = i % 8 == 0;
+	double part_relative = ts_metrics_light_estimate(&part, NULL, WIDTH, HEIGHT, &error);
+	relative = ts_metrics_light(light, other, NULL, WIDTH, HEIGHT).relative;
+	assert_true(error > 0 && fabs(part_relative - relative) < 4 * error);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -280,6 +358,9 @@ int main(void)
 		cmocka_unit_test(test_errors_masked),
 		cmocka_unit_test(test_crumbs),
 		cmocka_unit_test(test_flicker),
+		cmocka_unit_test(test_estimate_of_all),
+		cmocka_unit_test(test_estimate_of_some),
+		cmocka_unit_test(test_light_estimate),
 	};
 	return cmocka_run_group_tests(tests, set_up, NULL);
 }

@@ -44,11 +44,11 @@ static means means_of(const char *spec, u32 rsm_px)
 	assert_int_equal(ts_run_stage(&run, ts_stage_find("direct")), TS_OK);
 	m.direct = mean(&run);
 	assert_int_equal(ts_truth_new(&truth, &run), TS_OK);
-	assert_int_equal(ts_truth_lights(truth, &run), TS_OK);
+	assert_int_equal(ts_truth_lights(truth, &run, NULL), TS_OK);
 	m.lights = mean(&run);
-	assert_int_equal(ts_truth_bounce(truth, &run), TS_OK);
+	assert_int_equal(ts_truth_bounce(truth, &run, NULL), TS_OK);
 	m.bounce = mean(&run);
-	assert_int_equal(ts_truth_vpls(truth, &run), TS_OK);
+	assert_int_equal(ts_truth_vpls(truth, &run, NULL), TS_OK);
 	m.vpls = mean(&run);
 	ts_truth_free(truth);
 	ts_run_end(&run);

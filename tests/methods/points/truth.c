@@ -204,7 +204,7 @@ static ts_status judge_lookups(const ts_run *run, const ts_stage *stage, void *u
 	if (strcmp(stage->name, "lookup") != 0) return TS_OK;
 	ts_truth *truth;
 	u32 *hits;
-	if (ts_truth_new(&truth, run) != TS_OK || ts_truth_hits(truth, run, &hits) != TS_OK) return TS_ERROR;
+	if (ts_truth_new(&truth, run) != TS_OK || ts_truth_hits(truth, run, NULL, &hits) != TS_OK) return TS_ERROR;
 	const ts_arrays *scene = ts_truth_scene(truth);
 	const u32 *found = ts_frame_data(&run->frame, TS_B_lookup_point);
 	f32 *length = longest_splats(run);
@@ -270,7 +270,7 @@ static ts_status judge_picture(const ts_run *run, const ts_stage *stage, void *u
 	ts_run copy;
 	ts_truth *truth;
 	borrow(&copy, run);
-	if (ts_truth_new(&truth, &copy) != TS_OK || ts_truth_a(truth, &copy) != TS_OK) return TS_ERROR;
+	if (ts_truth_new(&truth, &copy) != TS_OK || ts_truth_a(truth, &copy, NULL) != TS_OK) return TS_ERROR;
 	const f32 *epr = ts_frame_data(&run->frame, TS_B_shade_radiance);
 	const f32 *a = ts_frame_data(&copy.frame, TS_B_shade_radiance);
 	u64 n = ts_frame_n(&run->frame, TS_B_shade_radiance);

@@ -50,7 +50,7 @@ static u32 crumbs_of(u32 sides, const char *method)
 	params.surfels_sides = sides;
 	params.truth_grid_rays = 8;
 	ts_scene *scene = ball(&params);
-	if (ts_truth_surface(&truth, scene, &params, 2) != TS_OK) fail_msg("%s", ts_error_message());
+	if (ts_truth_surface(&truth, scene, &params, 2, NULL) != TS_OK) fail_msg("%s", ts_error_message());
 	surfels_run(&run, scene, &params, method, 2);
 	const f32 *radiance = ts_frame_data(&run.frame, TS_B_image_radiance);
 	u32 n = (u32)ts_metrics_crumbs(NULL, truth, radiance, SIDE, SIDE);

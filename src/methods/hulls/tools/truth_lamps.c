@@ -21,7 +21,7 @@ typedef struct {
 	u64 n_patches;
 	const ts_light *lamps;
 	const ts_lamp *shapes;
-	u32 n_lamps, n_rays;   /* rays to a triangle */
+	u32 n_lamps;
 	const ts_gloss *gloss; /* of the pixels; NULL: light that arrives is asked for, not what they reflect specularly */
 	ts_v3 eye;
 } tracer;
@@ -29,7 +29,7 @@ typedef struct {
 /* A surface that takes light, or reflects it. */
 typedef struct {
 	ts_v3 p;
-	u32 pixel;
+	u32 pixel, n_rays; /* rays to a triangle */
 	bool reflects;
 	ts_truth_glossy glossy; /* n alone, if it does not */
 } receiver;
@@ -82,7 +82,7 @@ static double seen(const tracer *t, const ts_patch *patch, const receiver *at)
 	f32 s = ts_uniform(ts_random(at->pixel, 7, 0)), r = ts_uniform(ts_random(at->pixel, 7, 1));
 	ts_double3 front = ts_double3_of(ts_load3(patch->normal));
 	double all = 0, lit = 0;
-	for (u32 k = 0; k < t->n_rays; k++) {
+	for (u32 k = 0; k < at->n_rays; k++) {
 		f32 u = s + 0.7548777f * (f32)k, v = r + 0.56984029f * (f32)k;
 		u -= ts_floor(u);
 		v -= ts_floor(v);
@@ -137,12 +137,16 @@ static ts_double3 add(ts_double3 sum, ts_double3 share, const f32 light[3])
 	                    sum.z + share.z * (double)light[2]};
 }
 
-static ts_v3 from_lamps(const void *user, u64 pixel, ts_v3 p, ts_v3 n)
+static ts_v3 from_lamps(const void *user, const ts_share *share, ts_v3 p, ts_v3 n)
 {
 	const tracer *t = user;
 	ts_double3 sum = {0, 0, 0};
-	receiver at = {.p = p, .pixel = (u32)pixel, .reflects = t->gloss != NULL, .glossy = {.n = ts_double3_of(n)}};
-	if (at.reflects) at.glossy = ts_truth_glossy_of(&t->gloss[pixel], p, n, t->eye);
+	receiver at = {.p = p,
+	               .pixel = share->pixel,
+	               .n_rays = (u32)share->asked,
+	               .reflects = t->gloss != NULL,
+	               .glossy = {.n = ts_double3_of(n)}};
+	if (at.reflects) at.glossy = ts_truth_glossy_of(&t->gloss[share->pixel], p, n, t->eye);
 	for (u64 k = 0; k < t->n_patches; k++) {
 		sum = add(sum, of_triangle(t, &t->patches[k], &at), t->patches[k].exitance);
 	}
@@ -152,7 +156,8 @@ static ts_v3 from_lamps(const void *user, u64 pixel, ts_v3 p, ts_v3 n)
 	return ts_double3_round(sum);
 }
 
-static ts_status trace(const ts_truth *truth, ts_run *run, u32 n_rays, const char *label)
+/* By `items` rays to each triangle. */
+static ts_status trace(const ts_truth *truth, ts_run *run, ts_sampling *sampling, u64 items, const char *label)
 {
 	tracer t = {
 		.truth = truth,
@@ -161,12 +166,14 @@ static ts_status trace(const ts_truth *truth, ts_run *run, u32 n_rays, const cha
 		.lamps = ts_frame_data(&run->frame, TS_B_lamp_light),
 		.shapes = ts_frame_data(&run->frame, TS_B_lamp_shape),
 		.n_lamps = (u32)ts_frame_n(&run->frame, TS_B_lamp_light),
-		.n_rays = n_rays,
 	};
-	if (ts_truth_gather(run, TS_B_indirect_irradiance, from_lamps, &t, label) != TS_OK) return TS_ERROR;
-	if (!ts_gloss_is_asked(&run->params)) return TS_OK;
+	bool glossy = ts_gloss_is_asked(&run->params);
+	u64 each = truth == NULL ? 0 : t.n_patches * (glossy ? 2 : 1);
+	const ts_truth_gathered of = {label, from_lamps, &t, items, each};
+	if (ts_truth_gather(run, TS_B_indirect_irradiance, &of, sampling) != TS_OK) return TS_ERROR;
+	if (!glossy) return TS_OK;
 	if (ts_truth_gloss(run, &t.gloss, &t.eye) != TS_OK) return TS_ERROR;
-	return ts_truth_gather(run, TS_B_indirect_specular, from_lamps, &t, label);
+	return ts_truth_gather(run, TS_B_indirect_specular, &of, sampling);
 }
 
 ts_status ts_truth_lamps_begin(ts_run *run, const char *effect)
@@ -175,14 +182,14 @@ ts_status ts_truth_lamps_begin(ts_run *run, const char *effect)
 	return ts_truth_begin(run, effect, needs);
 }
 
-ts_status ts_truth_lamps_exact(ts_truth *truth, ts_run *run)
+ts_status ts_truth_lamps_exact(ts_truth *truth, ts_run *run, ts_sampling *sampling)
 {
 	(void)truth;
-	return trace(NULL, run, 0, "truth exact");
+	return trace(NULL, run, sampling, 1, "truth exact");
 }
 
-ts_status ts_truth_lamps_shadowed(ts_truth *truth, ts_run *run)
+ts_status ts_truth_lamps_shadowed(ts_truth *truth, ts_run *run, ts_sampling *sampling)
 {
 	u32 n_rays = TS_PARAM(&run->params, truth_area_samples) / TS_LAMP_TRIANGLES;
-	return trace(truth, run, n_rays > 0 ? n_rays : 1, "truth shadowed");
+	return trace(truth, run, sampling, n_rays > 0 ? n_rays : 1, "truth shadowed");
 }

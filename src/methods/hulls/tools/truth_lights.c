@@ -16,11 +16,9 @@ typedef struct {
 	const ts_truth *truth;
 	const ts_arrays *scene;
 	const ts_patch *patches;
-	u64 n_patches;
 	const ts_light *lamps;
 	u32 n_lamps;
-	f32 beyond; /* farther than the scene reaches */
-	u32 n_rays;
+	f32 beyond;            /* farther than the scene reaches */
 	const ts_gloss *gloss; /* of the pixels; NULL: light that arrives is asked for, not what they reflect specularly */
 	ts_v3 eye;
 } tracer;
@@ -35,19 +33,19 @@ static ts_v3 reflected(const tracer *t, const ts_patch *patch, u64 pixel, ts_v3 
 	return ts_mul(ts_load3(patch->exitance), ts_scale(share, (f32)(1 / TS_PI)));
 }
 
-static ts_v3 from_lights(const void *user, u64 pixel, ts_v3 p, ts_v3 n)
+static ts_v3 from_lights(const void *user, const ts_share *share, ts_v3 p, ts_v3 n)
 {
 	const tracer *t = user;
 	ts_v3 sum = {0, 0, 0};
-	for (u64 k = 0; k < t->n_patches; k++) {
-		const ts_patch *patch = &t->patches[k];
-		ts_v3 light = t->gloss != NULL ? reflected(t, patch, pixel, p, n) : ts_k_direct(patch, p, n);
+	for (u64 j = 0; j < share->asked; j++) {
+		const ts_patch *patch = &t->patches[ts_share_item(share, j)];
+		ts_v3 light = t->gloss != NULL ? reflected(t, patch, share->pixel, p, n) : ts_k_direct(patch, p, n);
 		if (!(light.x + light.y + light.z > 0.0f)) continue;
 		ts_v3 third = {1.0f / 3.0f, 1.0f / 3.0f, 1.0f / 3.0f};
 		ts_v3 middle = ts_blend(third, ts_load3(patch->a), ts_load3(patch->b), ts_load3(patch->c));
 		if (ts_truth_sees(t->truth, p, middle, ts_truth_skip(middle))) sum = ts_add(sum, light);
 	}
-	return sum;
+	return ts_scale(sum, ts_share_weight(share));
 }
 
 /* Where light that arrives at p from l comes from; of a sun from beyond the scene. */
@@ -81,67 +79,79 @@ static ts_v3 exitance_at(const tracer *t, const ts_truth_query *ray)
 }
 
 /* E = integral of L cos = the mean of pi L over directions that are as dense as the cosine; pi L is the exitance. */
-static ts_v3 from_bounce(const void *user, u64 pixel, ts_v3 p, ts_v3 n)
+static ts_v3 from_bounce(const void *user, const ts_share *share, ts_v3 p, ts_v3 n)
 {
 	const tracer *t = user;
 	ts_v3 u = ts_k_across(n), v = ts_cross(n, u), sum = {0, 0, 0};
-	f32 turn = ts_uniform(ts_random((u32)pixel, 0, 0));
-	for (u32 k = 0; k < t->n_rays; k++) {
-		f32 share = ((f32)k + 0.5f) / (f32)t->n_rays, r = ts_sqrt(share), turns = turn + TS_GOLDEN_TURN * (f32)k;
+	u32 n_rays = (u32)share->asked;
+	f32 turn = ts_uniform(ts_random(share->pixel, 0, 0));
+	for (u32 k = 0; k < n_rays; k++) {
+		f32 part = ((f32)k + 0.5f) / (f32)n_rays, r = ts_sqrt(part), turns = turn + TS_GOLDEN_TURN * (f32)k;
 		ts_v3 aside = ts_add(ts_scale(u, r * ts_cos_turn(turns)), ts_scale(v, r * ts_sin_turn(turns)));
-		ts_v3 d = ts_normalize(ts_mad(aside, n, ts_sqrt(1.0f - share)));
+		ts_v3 d = ts_normalize(ts_mad(aside, n, ts_sqrt(1.0f - part)));
 		ts_truth_query ray = {.origin = p, .direction = d, .near = ts_truth_skip(p), .masked = TS_NONE, .from = p};
 		sum = ts_add(sum, exitance_at(t, &ray));
 	}
-	return ts_scale(sum, 1.0f / (f32)t->n_rays);
+	return ts_scale(sum, 1.0f / (f32)n_rays);
 }
 
 /* Specularly reflected, as dense as the BRDF wants it; a place of the golden sequence each. */
-static ts_v3 from_bounce_reflected(const void *user, u64 pixel, ts_v3 p, ts_v3 n)
+static ts_v3 from_bounce_reflected(const void *user, const ts_share *share, ts_v3 p, ts_v3 n)
 {
 	const tracer *t = user;
-	ts_truth_glossy at = ts_truth_glossy_of(&t->gloss[pixel], p, n, t->eye);
+	ts_truth_glossy at = ts_truth_glossy_of(&t->gloss[share->pixel], p, n, t->eye);
 	ts_v3 sum = {0, 0, 0};
-	f32 turn = ts_uniform(ts_random((u32)pixel, 0, 0));
-	for (u32 k = 0; k < t->n_rays; k++) {
+	u32 n_rays = (u32)share->asked;
+	f32 turn = ts_uniform(ts_random(share->pixel, 0, 0));
+	for (u32 k = 0; k < n_rays; k++) {
 		ts_double3 l;
 		f32 turns = turn + TS_GOLDEN_TURN * (f32)k;
-		ts_double3 share = ts_truth_gloss_sample(&at, ((double)k + 0.5) / t->n_rays, (double)turns, &l);
-		if (!(share.x + share.y + share.z > 0)) continue;
+		ts_double3 part = ts_truth_gloss_sample(&at, ((double)k + 0.5) / n_rays, (double)turns, &l);
+		if (!(part.x + part.y + part.z > 0)) continue;
 		ts_truth_query ray = {
 			.origin = p, .direction = ts_double3_round(l), .near = ts_truth_skip(p), .masked = TS_NONE, .from = p};
-		sum = ts_add(sum, ts_mul(ts_double3_round(share), exitance_at(t, &ray)));
+		sum = ts_add(sum, ts_mul(ts_double3_round(part), exitance_at(t, &ray)));
 	}
-	return ts_scale(sum, (f32)(1 / TS_PI) / (f32)t->n_rays);
+	return ts_scale(sum, (f32)(1 / TS_PI) / (f32)n_rays);
 }
 
 static f32 extent(const ts_info *info) { return ts_length(ts_sub(ts_load3(info->box_max), ts_load3(info->box_min))); }
 
-static ts_status trace(const ts_truth *truth, ts_run *run, ts_truth_light *light, ts_truth_light *specular,
-                       const char *label)
+/* By ways that diffuse and specular reflection have in common, and, `light` and `specular`, not. */
+typedef struct {
+	const char *label;
+	ts_truth_light *light, *specular;
+	u64 items, each;
+} ways;
+
+static ts_status trace(const ts_truth *truth, ts_run *run, ts_sampling *sampling, const ways *by)
 {
+	bool glossy = ts_gloss_is_asked(&run->params);
 	tracer t = {
 		.truth = truth,
 		.scene = ts_truth_scene(truth),
 		.patches = ts_frame_data(&run->frame, TS_B_rsm_patch),
-		.n_patches = ts_frame_n(&run->frame, TS_B_rsm_patch),
 		.lamps = ts_frame_data(&run->frame, TS_B_lamp_light),
 		.n_lamps = (u32)ts_frame_n(&run->frame, TS_B_lamp_light),
 		.beyond = 2.0f * extent(ts_run_info(run)),
-		.n_rays = TS_PARAM(&run->params, truth_bounce_rays),
 	};
-	if (ts_truth_gather(run, TS_B_indirect_irradiance, light, &t, label) != TS_OK) return TS_ERROR;
-	if (!ts_gloss_is_asked(&run->params)) return TS_OK;
+	ts_truth_gathered of = {by->label, by->light, &t, by->items, glossy ? 2 * by->each : by->each};
+	if (ts_truth_gather(run, TS_B_indirect_irradiance, &of, sampling) != TS_OK) return TS_ERROR;
+	if (!glossy) return TS_OK;
 	if (ts_truth_gloss(run, &t.gloss, &t.eye) != TS_OK) return TS_ERROR;
-	return ts_truth_gather(run, TS_B_indirect_specular, specular, &t, label);
+	of.light = by->specular;
+	return ts_truth_gather(run, TS_B_indirect_specular, &of, sampling);
 }
 
-ts_status ts_truth_lights(ts_truth *truth, ts_run *run)
+ts_status ts_truth_lights(ts_truth *truth, ts_run *run, ts_sampling *sampling)
 {
-	return trace(truth, run, from_lights, from_lights, "truth lights");
+	u64 n_patches = ts_frame_n(&run->frame, TS_B_rsm_patch);
+	return trace(truth, run, sampling, &(ways){"truth lights", from_lights, from_lights, n_patches, 1});
 }
 
-ts_status ts_truth_bounce(ts_truth *truth, ts_run *run)
+ts_status ts_truth_bounce(ts_truth *truth, ts_run *run, ts_sampling *sampling)
 {
-	return trace(truth, run, from_bounce, from_bounce_reflected, "truth bounce");
+	u64 n_rays = TS_PARAM(&run->params, truth_bounce_rays), n_lamps = ts_frame_n(&run->frame, TS_B_lamp_light);
+	return trace(truth, run, sampling,
+	             &(ways){"truth bounce", from_bounce, from_bounce_reflected, n_rays, 1 + n_lamps});
 }

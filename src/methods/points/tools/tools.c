@@ -22,8 +22,11 @@ static const ts_buffer_id of_epr[] = {TS_B_eye_view,           TS_B_pose_vertex,
                                       TS_B_eye_depth_triangle, TS_B_mirror_pixel_offset, TS_B_mirror_pixel_record,
                                       TS_B_lookup_point,       TS_B_shade_radiance,      TS_N_BUFFERS};
 
-static ts_status large_mvr(f32 **radiance, const ts_scene *scene, const ts_params *params, u32 threads)
+/* It has no rays. */
+static ts_status large_mvr(f32 **radiance, const ts_scene *scene, const ts_params *params, u32 threads,
+                           ts_sampling *sampling)
 {
+	(void)sampling;
 	return ts_truth_c(radiance, scene, params, TS_TRUTH_C_FACTOR, threads);
 }
 
@@ -37,7 +40,7 @@ static const ts_truth_kind truths[] = {
 	{"B", "reflections", "true reflections from the surface", "both", "", "", .needs = of_epr, .trace = ts_truth_b,
      .image = "image"},
 	{"C", "reflections", "MVR at 4 times the resolution, box-filtered", "", "", "", .radiance = large_mvr,
-     .bytes = ts_truth_c_bytes},
+     .rays = ts_truth_c_rays, .bytes = ts_truth_c_bytes},
 	{"samples", "soft-shadows omni-shadows", "rays to the very samples of the lights", "method", "area", "sampling",
      .trace = ts_truth_samples, OF_SHADOWS},
 	{"area", "soft-shadows omni-shadows", "rays to truth.area_samples samples of each light", "both", "", "",

@@ -5,9 +5,15 @@
 #include "../../../kernels/points/samples.h"
 #include "../../../kernels/base/shade.h"
 #include "../../../truth/query.h"
+#include "../../../truth/sampling.h"
 #include "tools.h"
 
-typedef struct {
+typedef struct tracer tracer;
+
+/* Radiance of sample k of a pixel, before its tint. */
+typedef ts_v3 sample(const tracer *t, const ts_pixel *pixel, u32 k);
+
+struct tracer {
 	const ts_truth *truth;
 	const ts_arrays *scene;
 	const ts_face *faces;
@@ -17,12 +23,9 @@ typedef struct {
 	f32 spread; /* footprint of a unit of path */
 	u32 bounces;
 	int n_threads;
-} tracer;
-
-/* Radiance of sample k of a pixel, before its tint. */
-typedef ts_v3 sample(const tracer *t, const ts_pixel *pixel, u32 k);
-
-enum { CHUNK = 16384 }; /* pixels between two signs of progress */
+	sample *look;
+	f32 *radiance;
+};
 
 static tracer tracer_of(const ts_truth *truth, const ts_run *run)
 {
@@ -153,52 +156,71 @@ static ts_v3 sample_b(const tracer *t, const ts_pixel *pixel, u32 k)
 	return see_from_surface(t, &query, t->bounces - 1);
 }
 
+static u32 pixel_of(const void *user, u64 i) { return ((const tracer *)user)->pixels[i].index; }
+
 /* Mean of the samples in order, tinted (METHODS 2). */
-static ts_v3 pixel_radiance(const tracer *t, const ts_pixel *pixel, sample *look)
+static void look_from(const void *user, u64 i, const ts_share *share)
 {
+	const tracer *t = user;
+	const ts_pixel *pixel = &t->pixels[i];
 	ts_v3 sum = {0, 0, 0};
-	for (u32 k = 0; k < TS_N_SAMPLES; k++) sum = ts_add(sum, look(t, pixel, k));
-	f32 n = (f32)TS_N_SAMPLES;
+	for (u64 j = 0; j < share->asked; j++) sum = ts_add(sum, t->look(t, pixel, (u32)ts_share_item(share, j)));
+	f32 n = (f32)share->asked;
 	ts_v3 mean = ts_v3_make(sum.x / n, sum.y / n, sum.z / n);
-	return ts_mul(mean, ts_v3_make(pixel->tint_r, pixel->tint_g, pixel->tint_b));
+	ts_store3(t->radiance + i * 3, ts_mul(mean, ts_v3_make(pixel->tint_r, pixel->tint_g, pixel->tint_b)));
 }
 
-static ts_status trace(ts_truth *truth, ts_run *run, sample *look, const char *label)
+/* Rays of a sample, if every bounce sends on as many as it may. */
+static u64 most_rays(u32 bounces, u64 each)
+{
+	u64 sum = 0, rays = 1;
+	for (u32 k = 0; k < bounces; k++, rays *= each) sum += rays;
+	return sum;
+}
+
+static ts_status trace(ts_truth *truth, ts_run *run, ts_sampling *sampling, sample *look, u64 each, const char *label)
 {
 	tracer t = tracer_of(truth, run);
-	f32 *radiance = ts_frame_make2(&run->frame, TS_B_shade_radiance, t.n_pixels, 3);
-	if (radiance == NULL) return TS_ERROR;
-	for (u64 first = 0; first < t.n_pixels; first += CHUNK) {
-		u64 end = first + CHUNK < t.n_pixels ? first + CHUNK : t.n_pixels;
-#pragma omp parallel for num_threads(t.n_threads) schedule(dynamic, 64)
-		for (u64 i = first; i < end; i++) ts_store3(radiance + i * 3, pixel_radiance(&t, &t.pixels[i], look));
-		ts_progress(label, end, t.n_pixels);
-	}
+	t.look = look;
+	t.radiance = ts_frame_make2(&run->frame, TS_B_shade_radiance, t.n_pixels, 3);
+	if (t.radiance == NULL) return TS_ERROR;
+	memset(t.radiance, 0, t.n_pixels * 3 * sizeof *t.radiance);
+	const ts_truth_asked asked = {label,    t.n_pixels, TS_N_SAMPLES, most_rays(t.bounces, each),
+	                              pixel_of, look_from,  &t,           run->c.threads};
+	ts_truth_ask(&asked, sampling);
 	return TS_OK;
 }
 
-ts_status ts_truth_a(ts_truth *truth, ts_run *run) { return trace(truth, run, sample_a, "truth A"); }
+ts_status ts_truth_a(ts_truth *truth, ts_run *run, ts_sampling *sampling)
+{
+	return trace(truth, run, sampling, sample_a, TS_N_BOUNCE_SAMPLES, "truth A");
+}
 
-ts_status ts_truth_b(ts_truth *truth, ts_run *run) { return trace(truth, run, sample_b, "truth B"); }
+ts_status ts_truth_b(ts_truth *truth, ts_run *run, ts_sampling *sampling)
+{
+	return trace(truth, run, sampling, sample_b, 1, "truth B");
+}
 
-ts_status ts_truth_hits(ts_truth *truth, const ts_run *run, u32 **hits)
+ts_status ts_truth_hits(ts_truth *truth, const ts_run *run, const ts_sampling *sampling, u32 **hits)
 {
 	tracer t = tracer_of(truth, run);
 	u32 *made = *hits = ts_alloc((size_t)t.n_pixels * TS_N_SAMPLES, sizeof(u32), "truth's hits");
 	if (made == NULL) return TS_ERROR;
 #pragma omp parallel for num_threads(t.n_threads) schedule(dynamic, 64)
 	for (u64 i = 0; i < t.n_pixels * TS_N_SAMPLES; i++) {
-		ts_truth_query query = first_from_centre(&t, &t.pixels[i / TS_N_SAMPLES], (u32)(i % TS_N_SAMPLES));
-		made[i] = ts_truth_cast(t.truth, &query).triangle;
+		const ts_pixel *pixel = &t.pixels[i / TS_N_SAMPLES];
+		bool left_out = sampling != NULL && sampling->chosen && !ts_sampling_chooses(sampling, pixel->index);
+		ts_truth_query query = first_from_centre(&t, pixel, (u32)(i % TS_N_SAMPLES));
+		made[i] = left_out ? TS_NONE : ts_truth_cast(t.truth, &query).triangle;
 	}
 	return TS_OK;
 }
 
-ts_status ts_truth_missed(u64 *n_hits, u64 *n_missed, ts_truth *truth, const ts_run *run)
+ts_status ts_truth_missed(u64 *n_hits, u64 *n_missed, ts_truth *truth, const ts_run *run, const ts_sampling *sampling)
 {
 	u32 *hits;
 	const u32 *found = ts_frame_data(&run->frame, TS_B_lookup_point);
-	if (ts_truth_hits(truth, run, &hits) != TS_OK) return TS_ERROR;
+	if (ts_truth_hits(truth, run, sampling, &hits) != TS_OK) return TS_ERROR;
 	for (u64 i = 0; i < ts_frame_n(&run->frame, TS_B_lookup_point); i++) {
 		*n_hits += hits[i] != TS_NONE;
 		*n_missed += hits[i] != TS_NONE && found[i] == TS_NONE;

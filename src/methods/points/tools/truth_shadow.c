@@ -10,9 +10,10 @@
 #include "../../pipeline.h"
 #include "../../stages.h"
 #include "../../../truth/query.h"
+#include "../../../truth/sampling.h"
 #include "tools.h"
 
-enum { CHUNK = 4096, MOST_SAMPLES = 1 << 20 }; /* pixels between two signs of progress; samples of all lights */
+enum { MOST_SAMPLES = 1 << 20 }; /* of all lights */
 
 typedef struct {
 	const ts_truth *truth;
@@ -20,9 +21,9 @@ typedef struct {
 	ts_camera_k eye;
 	const u64 *seen; /* eye.depth_triangle */
 	const ts_offscreen *views;
-	u32 n_views, n_lamps, step; /* step: views a sample */
+	const ts_lamp *lamps;
+	u32 n_lamps, step; /* step: views a sample */
 	u32 *lit;
-	int n_threads;
 } tracer;
 
 static f32 greatest(ts_v3 p) { return ts_max(ts_max(ts_abs(p.x), ts_abs(p.y)), ts_abs(p.z)); }
@@ -63,19 +64,36 @@ static bool reaches(const tracer *t, const ts_offscreen *offscreen, const ts_rec
 	return hit.t >= ts_length(ts_sub(at->p, ray.origin)) - height / slope;
 }
 
-static void resolve(const tracer *t, u64 i)
+static u32 pixel_of(const void *user, u64 i)
 {
+	const tracer *t = user;
+	return t->seen[i] != TS_EMPTY ? (u32)i : TS_NONE;
+}
+
+/* How many samples of a light reach the point; of a share of them, as many as that lets expect. */
+static u32 count(const tracer *t, const ts_lamp *lamp, const ts_share *share, const ts_receiver *at, u32 triangle)
+{
+	u64 n = lamp->samples, hits = 0, asked = n * share->asked / share->items;
+	const ts_share of = {n, asked > 0 ? asked : 1, share->pixel, share->seed};
+	for (u64 j = 0; j < of.asked; j++) {
+		const ts_offscreen *view = &t->views[t->step * (lamp->first + (u32)ts_share_item(&of, j))];
+		view += t->step == 6 ? ts_k_cube_place(ts_sub(at->p, ts_load3(view->eye))).face : 0;
+		hits += reaches(t, view, at, triangle);
+	}
+	return (u32)((hits * n + of.asked / 2) / of.asked);
+}
+
+static void resolve(const void *user, u64 i, const ts_share *share)
+{
+	const tracer *t = user;
 	i32 x = (i32)(i % (u64)t->eye.width), y = (i32)(i / (u64)t->eye.width);
 	ts_receiver at = ts_k_receiver(t->scene, &t->eye, t->seen[i], x, y);
-	for (u32 k = 0; k < t->n_lamps; k++) t->lit[i * t->n_lamps + k] = 0;
-	for (u32 v = 0; at.seen && v < t->n_views; v += t->step) {
-		u32 face = t->step == 6 ? ts_k_cube_place(ts_sub(at.p, ts_load3(t->views[v].eye))).face : 0;
-		const ts_offscreen *view = &t->views[v + face];
-		t->lit[i * t->n_lamps + view->light] += reaches(t, view, &at, (u32)t->seen[i]);
+	for (u32 k = 0; at.seen && k < t->n_lamps; k++) {
+		t->lit[i * t->n_lamps + k] = count(t, &t->lamps[k], share, &at, (u32)t->seen[i]);
 	}
 }
 
-static ts_status trace(const ts_truth *truth, ts_run *run, const char *label)
+static ts_status trace(const ts_truth *truth, ts_run *run, ts_sampling *sampling, const char *label)
 {
 	u64 width = TS_PARAM(&run->params, width), height = TS_PARAM(&run->params, height), n = width * height;
 	tracer t = {
@@ -84,20 +102,16 @@ static ts_status trace(const ts_truth *truth, ts_run *run, const char *label)
 		.eye = ts_k_view(ts_frame_data(&run->frame, TS_B_eye_view)),
 		.seen = ts_frame_data(&run->frame, TS_B_eye_depth_triangle),
 		.views = ts_frame_data(&run->frame, TS_B_offscreen_view),
-		.n_views = (u32)ts_frame_n(&run->frame, TS_B_offscreen_view),
 		.n_lamps = (u32)ts_frame_n(&run->frame, TS_B_lamp_shape),
+		.lamps = ts_frame_data(&run->frame, TS_B_lamp_shape),
 		.step = ts_run_has_cubes(run) ? 6 : 1,
-		.n_threads = (int)run->c.threads,
 	};
 	t.lit = ts_frame_make3(&run->frame, TS_B_shadow_test_lit, height, width, t.n_lamps);
 	if (t.lit == NULL) return TS_ERROR;
-	for (u64 first = 0; first < n; first += CHUNK) {
-		u64 end = first + CHUNK < n ? first + CHUNK : n;
-		ts_progress(label, first, n);
-#pragma omp parallel for num_threads(t.n_threads) schedule(dynamic, 64)
-		for (u64 i = first; i < end; i++) resolve(&t, i);
-	}
-	ts_progress(label, n, n);
+	memset(t.lit, 0, n * t.n_lamps * sizeof *t.lit);
+	u64 n_samples = ts_frame_n(&run->frame, TS_B_offscreen_view) / t.step;
+	const ts_truth_asked asked = {label, n, n_samples, 1, pixel_of, resolve, &t, run->c.threads};
+	ts_truth_ask(&asked, sampling);
 	return TS_OK;
 }
 
@@ -106,9 +120,12 @@ static const ts_buffer_id needs[] = {TS_B_eye_depth_triangle, TS_B_lamp_shape, T
 
 ts_status ts_truth_shadow_begin(ts_run *run, const char *effect) { return ts_truth_begin(run, effect, needs); }
 
-ts_status ts_truth_samples(ts_truth *truth, ts_run *run) { return trace(truth, run, "truth samples"); }
+ts_status ts_truth_samples(ts_truth *truth, ts_run *run, ts_sampling *sampling)
+{
+	return trace(truth, run, sampling, "truth samples");
+}
 
-ts_status ts_truth_area(ts_truth *truth, ts_run *run)
+ts_status ts_truth_area(ts_truth *truth, ts_run *run, ts_sampling *sampling)
 {
 	static const char *const maps[] = {"lamp", "lamp.view", NULL};
 	static const char *const cubes[] = {"lamp.ball", "lamp.cube", "offscreen", NULL};
@@ -122,7 +139,7 @@ ts_status ts_truth_area(ts_truth *truth, ts_run *run)
 	for (; *stage != NULL; stage++) {
 		if (ts_run_stage(run, ts_stage_find(*stage)) != TS_OK) return TS_ERROR;
 	}
-	return trace(truth, run, "truth area");
+	return trace(truth, run, sampling, "truth area");
 }
 
 u64 ts_truth_shadow_bytes(const ts_pipeline *method, const ts_scene *scene, const ts_params *params)

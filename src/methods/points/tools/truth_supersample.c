@@ -6,7 +6,7 @@
 #include "../../pipeline.h"
 #include "tools.h"
 
-enum { MAX_FACTOR = 16 };
+enum { MAX_FACTOR = 16, RAYS_A_TEXEL = 8 }; /* as long as a texel takes: 4 us, where a ray takes half of one */
 
 /* The parameter times the factor, within the range that params.def gives it. */
 static ts_status enlarge(ts_params *params, const char *name, u32 value, u32 factor)
@@ -84,6 +84,14 @@ ts_status ts_truth_c(f32 **radiance, const ts_scene *scene, const ts_params *par
 	if (status == TS_OK) status = shrink(radiance, &run.frame, params, factor, run.c.threads);
 	ts_run_end(&run);
 	return status;
+}
+
+u64 ts_truth_c_rays(const ts_scene *scene, const ts_params *params)
+{
+	u64 height = TS_PARAM(params, height), pixels = TS_PARAM(params, width) * height, fixed = TS_PARAM(params, cube_px);
+	u64 most = height / 2 < TS_PARAM(params, cube_max_px) ? height / 2 : TS_PARAM(params, cube_max_px);
+	u64 side = fixed > 0 ? fixed : most, texels = 6 * side * side * scene->info.n_reflectors;
+	return RAYS_A_TEXEL * TS_TRUTH_C_FACTOR * TS_TRUTH_C_FACTOR * (texels + pixels);
 }
 
 u64 ts_truth_c_bytes(const ts_pipeline *method, const ts_scene *scene, const ts_params *params)

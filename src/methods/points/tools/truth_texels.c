@@ -13,9 +13,13 @@
 #include "../../../kernels/points/scatter.h"
 #include "../../stages.h"
 #include "../../../truth/query.h"
+#include "../../../truth/sampling.h"
+#include "../../../truth/work.h"
 #include "tools.h"
 
 #define ROUNDING 1.00001
+
+enum { STREAM_TEXELS = 11, SHARE = 4 }; /* of ts_random; of params.truth_rays, what is for texels */
 
 /* What a texel holds: a depth, or as near as its code tells. Radial if it is an environment map's, else axial. */
 typedef struct {
@@ -30,6 +34,7 @@ typedef struct {
 	const void *texels;       /* of the batch */
 	ts_buffer_id id;
 	u64 first_texel;
+	u32 one_of, seed; /* texels are judged */
 	int n_threads;
 } judge;
 
@@ -118,13 +123,14 @@ static ts_texel_counts compare(const judge *j, const ts_camera_k *view, const ts
 
 static ts_texel_counts judge_texel(const judge *j, const window *w, u32 x, u32 y)
 {
+	u64 at = w->offset + (u64)y * (u64)w->camera.width + x;
+	if (j->one_of > 1 && ts_random((u32)at, STREAM_TEXELS, j->seed) % j->one_of != 0) return (ts_texel_counts){0};
 	ts_truth_query ray = ray_through(w, x, y);
 	ts_truth_hit hit = ts_truth_cast(j->truth, &ray);
 	bool counts = hit.triangle != TS_NONE &&
 	              (j->scene->materials[j->scene->triangles[hit.triangle].material].flags & TS_MASKED) == 0;
 	if (!counts) return (ts_texel_counts){0};
-	u64 texel = w->offset - j->first_texel + (u64)y * (u64)w->camera.width + x;
-	return compare(j, &w->camera, &ray, &hit, held_in(j, texel, w->camera.near));
+	return compare(j, &w->camera, &ray, &hit, held_in(j, at - j->first_texel, w->camera.near));
 }
 
 static void judge_view(const judge *j, const window *w, ts_texel_counts *counts)
@@ -157,27 +163,45 @@ static window face_of(const judge *j, const ts_face *cube, u32 face)
 	return (window){ts_k_cube_view(cube, face), first, reflector_of(j, cube->object)};
 }
 
+/* Of all views, in whatever batches they are made. */
+static u64 n_texels(const ts_run *run, const ts_face *faces, const ts_offscreen *views)
+{
+	u64 n = 0;
+	for (u32 u = 0; u < run->plan.units; u++) {
+		n += faces != NULL ? 6 * (u64)faces[u].n * faces[u].n : (u64)views[u].width * views[u].height;
+	}
+	return n;
+}
+
 ts_status ts_truth_texels(ts_texel_counts *counts, ts_truth *truth, const ts_run *run, ts_buffer_id id)
 {
 	if (run->n_units == 0) return TS_OK;
+	bool cubes = ts_run_has_cubes(run);
+	const ts_face *faces = cubes ? ts_frame_data(&run->frame, TS_B_cube_size_face) : NULL;
+	const ts_offscreen *views = cubes ? NULL : ts_frame_data(&run->frame, TS_B_offscreen_view);
+	u64 all = n_texels(run, faces, views), most = TS_PARAM(&run->params, truth_rays) / SHARE;
 	judge j = {
 		.truth = truth,
 		.scene = ts_truth_scene(truth),
 		.id = id,
 		.n_threads = (int)run->c.threads,
 		.rule = {.bias = TS_PARAM(&run->params, depth_map_bias), .slope = TS_PARAM(&run->params, depth_map_bias_slope)},
+		.first_texel = cubes ? faces[run->first_unit].offset : views[run->first_unit].offset,
+		.one_of = most > 0 ? (u32)((all + most - 1) / most) : 1,
+		.seed = TS_PARAM(&run->params, seed),
 		.texels = ts_frame_data(&run->frame, id)};
-	bool cubes = ts_run_has_cubes(run);
-	const ts_face *faces = cubes ? ts_frame_data(&run->frame, TS_B_cube_size_face) : NULL;
-	const ts_offscreen *views = cubes ? NULL : ts_frame_data(&run->frame, TS_B_offscreen_view);
-	for (u32 u = run->first_unit; u < run->first_unit + run->n_units; u++) {
-		if (u == run->first_unit) j.first_texel = cubes ? faces[u].offset : views[u].offset;
+	ts_work work = ts_work_begin("texels against rays", all / (j.one_of > 0 ? j.one_of : 1));
+	for (u32 u = 0; u < run->n_units; u++) {
+		u32 unit = run->first_unit + u;
 		for (u32 face = 0; face < (cubes ? 6u : 1u); face++) {
-			window w = cubes ? face_of(&j, &faces[u], face)
-			                 : (window){ts_k_offscreen(&views[u]), views[u].offset, reflector_of(&j, views[u].object)};
+			window w = cubes ? face_of(&j, &faces[unit], face)
+			                 : (window){ts_k_offscreen(&views[unit]), views[unit].offset,
+			                            reflector_of(&j, views[unit].object)};
 			judge_view(&j, &w, counts);
 		}
-		ts_progress("texels against rays", u + 1 - run->first_unit, run->n_units);
+		if (run->first_unit == 0) ts_work_at(&work, u + 1, run->plan.units);
 	}
+	ts_work_end(&work);
+	if (j.one_of > 1) counts->one_of = j.one_of;
 	return TS_OK;
 }

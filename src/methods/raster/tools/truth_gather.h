@@ -2,15 +2,28 @@
 #ifndef TS_RASTER_TOOLS_TRUTH_GATHER_H
 #define TS_RASTER_TOOLS_TRUTH_GATHER_H
 #include "../../../truth/query.h"
+#include "../../../truth/sampling.h"
 
 /* Runs, in a run that has just begun, what comes before the lights of a method of indirect light: pose, lights, what
  * they see, eye and G-buffer, the same for all methods. */
 ts_status ts_truth_indirect_begin(ts_run *run, const char *effect);
 
-/* The light that arrives at a pixel's surface, whose place is p and whose normal is n, or what that reflects of it. */
-typedef ts_v3 ts_truth_light(const void *user, u64 pixel, ts_v3 p, ts_v3 n);
+/* The light that arrives at a pixel's surface, whose place is p and whose normal is n, or what that reflects of it, by a
+ * share of the items. */
+typedef ts_v3 ts_truth_light(const void *user, const ts_share *share, ts_v3 p, ts_v3 n);
+
+/* Light that is gathered from so many items at a pixel, by so many rays each. */
+typedef struct {
+	const char *label;
+	ts_truth_light *light;
+	const void *user;
+	u64 items, each;
+} ts_truth_gathered;
+
+/* What an item stands for: so many others were not asked. */
+f32 ts_share_weight(const ts_share *share);
 /* Reads gbuffer.pixel; makes `to`, indirect.irradiance or indirect.specular, in run->frame, from which stage
  * `image.indirect` makes the picture. Fails without memory. */
-ts_status ts_truth_gather(ts_run *run, ts_buffer_id to, ts_truth_light *light, const void *user, const char *label);
+ts_status ts_truth_gather(ts_run *run, ts_buffer_id to, const ts_truth_gathered *of, ts_sampling *sampling);
 
 #endif

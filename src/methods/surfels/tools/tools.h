@@ -3,6 +3,7 @@
 #define TS_SURFELS_TOOLS_H
 #include "../../../replay/check.h"
 #include "../../../study/notes.h"
+#include "../../../truth/sampling.h"
 #include "../../../truth/truth.h"
 
 extern const ts_check_rule ts_surfels_checks[];
@@ -11,8 +12,10 @@ extern const ts_check_rule ts_surfels_checks[];
  * by a ray in one cell of the grid of every pixel, at ts_truth_place. `discs` casts them into the surfels, `surface`
  * into what these are samples of, which must be known. *radiance: width * height * 3 floats, by free(). NULL on
  * failure: no memory, or Embree's error. */
-ts_status ts_truth_discs(f32 **radiance, const ts_scene *scene, const ts_params *params, u32 threads);
-ts_status ts_truth_surface(f32 **radiance, const ts_scene *scene, const ts_params *params, u32 threads);
+ts_status ts_truth_discs(f32 **radiance, const ts_scene *scene, const ts_params *params, u32 threads,
+                         ts_sampling *sampling);
+ts_status ts_truth_surface(f32 **radiance, const ts_scene *scene, const ts_params *params, u32 threads,
+                           ts_sampling *sampling);
 /* Places the ray of a cell in its pixel by a hash, uniform over the cell. place: from the left and from above, [0,1).
  * pixel: counted along the rows; cell: below side * side. */
 void ts_truth_place(double place[2], u32 pixel, u32 cell, u32 side, u32 seed);

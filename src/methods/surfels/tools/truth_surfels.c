@@ -15,6 +15,8 @@
 #include "../../stages.h"
 #include "discs.h"
 #include "../../../truth/query.h"
+#include "../../../truth/sampling.h"
+#include "../../../truth/work.h"
 #include "tools.h"
 
 #define SKIP 0.000244140625f /* of the greatest coordinate */
@@ -22,6 +24,7 @@
 #define STREAM_SAMPLES 7u    /* of ts_random */
 
 enum { N_ATTRIBUTES = 7, WEIGHT = 6 };
+enum { ROWS = 32 };        /* between two signs of progress */
 enum { DISC_BYTES = 192 }; /* what Embree's tree takes for a surfel: 146 to 191 of 300 000 to four million of them */
 
 typedef struct {
@@ -50,6 +53,7 @@ struct tracer {
 	f32 spread, beyond; /* footprint of a unit of path; farther than the scene reaches */
 	u32 side, cell;     /* rays a pixel a side; which of them is cast */
 	u32 seed;           /* of their places */
+	const ts_sampling *sampling;
 	ts_gpixel *pixels;
 	u32 *lit; /* NULL: there are no shadows */
 	int n_threads;
@@ -229,7 +233,8 @@ static void cast(const tracer *t, u32 x, u32 y)
 	u64 i = (u64)y * t->eye->width + x;
 	ts_disc_ray ray = eye_ray(t, x, y);
 	ts_v3 zero = {0, 0, 0}, eye = ts_load3(t->eye->eye);
-	if (!t->into->see(t, &ray, &at)) {
+	bool left_out = t->sampling->chosen && !ts_sampling_chooses(t->sampling, (u32)i);
+	if (left_out || !t->into->see(t, &ray, &at)) {
 		ts_k_gpixel_store(&t->pixels[i], zero, TS_SKY, zero, zero);
 		return;
 	}
@@ -239,14 +244,17 @@ static void cast(const tracer *t, u32 x, u32 y)
 }
 
 /* The picture of one cell of the grid, added to the mean. */
-static ts_status add_picture(f32 *radiance, tracer *t, ts_run *run)
+static ts_status add_picture(f32 *radiance, tracer *t, ts_run *run, ts_work *work)
 {
 	u32 width = t->eye->width, height = t->eye->height, n = t->side * t->side;
 	const ts_step *shader = ts_pipeline_maker(run->pipeline, TS_B_image_radiance);
-	ts_progress(t->into->label, t->cell, n);
+	for (u32 first = 0; first < height; first += ROWS) {
+		u32 end = first + ROWS < height ? first + ROWS : height;
 #pragma omp parallel for num_threads(t->n_threads) schedule(dynamic, 1)
-	for (u32 y = 0; y < height; y++)
-		for (u32 x = 0; x < width; x++) cast(t, x, y);
+		for (u32 y = first; y < end; y++)
+			for (u32 x = 0; x < width; x++) cast(t, x, y);
+		ts_work_at(work, (u64)t->cell * height + end, (u64)n * height);
+	}
 	if (ts_run_stage(run, ts_stage_find(shader->stage)) != TS_OK) return TS_ERROR;
 	const f32 *one = ts_frame_data(&run->frame, TS_B_image_radiance);
 	for (u64 i = 0; i < (u64)width * height * 3; i++) radiance[i] += one[i] / (f32)n;
@@ -275,7 +283,21 @@ static f32 extent_of(const ts_scene *scene)
 	return ts_length(ts_sub(ts_load3(scene->info.box_max), ts_load3(scene->info.box_min))) + longest;
 }
 
-static ts_status trace(f32 **radiance, const world *into, ts_run *run)
+/* Shares the rays of all cells out: some are a smaller grid. */
+static u64 plan(tracer *t, ts_sampling *sampling)
+{
+	u64 n = (u64)t->eye->width * t->eye->height, each = 1 + (t->lit != NULL ? t->n_lights : 0);
+	if (!sampling->chosen) {
+		ts_sampling_plan(sampling, n, (u64)t->side * t->side, each);
+		while ((u64)t->side * t->side > sampling->some) t->side--;
+		sampling->some = (u64)t->side * t->side;
+	}
+	t->sampling = sampling;
+	u64 pixels = sampling->chosen ? n * sampling->chance >> 32 : n;
+	return pixels * t->side * t->side * each;
+}
+
+static ts_status trace(f32 **radiance, const world *into, ts_run *run, ts_sampling *sampling)
 {
 	const ts_view *eye = ts_frame_data(&run->frame, TS_B_eye_view);
 	double sigma_k = (double)TS_PARAM(&run->params, ewa_sigma_k);
@@ -293,21 +315,25 @@ static ts_status trace(f32 **radiance, const world *into, ts_run *run)
 		.seed = TS_PARAM(&run->params, seed),
 		.n_threads = (int)run->c.threads,
 	};
+	ts_sampling whole = {.rays = 0};
+	sampling = sampling != NULL ? sampling : &whole;
 	ts_status status = into->open(&t, run) == TS_OK ? make_room(radiance, &t, run) : TS_ERROR;
-	for (; t.cell < t.side * t.side && status == TS_OK; t.cell++) status = add_picture(*radiance, &t, run);
+	ts_work work = ts_work_begin(into->label, status == TS_OK ? plan(&t, sampling) : 0);
+	for (; t.cell < t.side * t.side && status == TS_OK; t.cell++) status = add_picture(*radiance, &t, run, &work);
+	ts_work_end(&work);
 	ts_discs_free(t.discs);
 	ts_truth_free(t.mesh);
 	return status;
 }
 
 static ts_status trace_scene(f32 **radiance, const world *into, const ts_scene *scene, const ts_params *params,
-                             u32 threads)
+                             u32 threads, ts_sampling *sampling)
 {
 	ts_run run;
 	*radiance = NULL;
 	ts_run_begin(&run, scene, params, threads > 0 ? threads : 1);
 	ts_status status = ts_truth_begin(&run, NULL, (const ts_buffer_id[]){TS_B_surfel_setup_disc, TS_N_BUFFERS});
-	if (status == TS_OK) status = trace(radiance, into, &run);
+	if (status == TS_OK) status = trace(radiance, into, &run, sampling);
 	ts_run_end(&run);
 	if (status == TS_OK) return TS_OK;
 	free(*radiance);
@@ -320,14 +346,16 @@ bool ts_truth_has_surface(const ts_scene *scene, const ts_params *params)
 	return scene->is_checkerboard || (TS_PARAM(params, surfels_from_mesh) > 0 && scene->n_triangles > 0);
 }
 
-ts_status ts_truth_discs(f32 **radiance, const ts_scene *scene, const ts_params *params, u32 threads)
+ts_status ts_truth_discs(f32 **radiance, const ts_scene *scene, const ts_params *params, u32 threads,
+                         ts_sampling *sampling)
 {
-	return trace_scene(radiance, &of_discs, scene, params, threads);
+	return trace_scene(radiance, &of_discs, scene, params, threads, sampling);
 }
 
-ts_status ts_truth_surface(f32 **radiance, const ts_scene *scene, const ts_params *params, u32 threads)
+ts_status ts_truth_surface(f32 **radiance, const ts_scene *scene, const ts_params *params, u32 threads,
+                           ts_sampling *sampling)
 {
-	return trace_scene(radiance, scene->is_checkerboard ? &of_board : &of_mesh, scene, params, threads);
+	return trace_scene(radiance, scene->is_checkerboard ? &of_board : &of_mesh, scene, params, threads, sampling);
 }
 
 u64 ts_truth_surface_bytes(const ts_pipeline *method, const ts_scene *scene, const ts_params *params)

@@ -4,6 +4,7 @@
 #include "../../../kernels/views/vpl_gather.h"
 #include "../../../replay/check.h"
 #include "../../../study/stage_pictures.h"
+#include "../../../truth/sampling.h"
 #include "../../../truth/texels.h"
 
 extern const ts_check_rule ts_views_checks[];
@@ -18,13 +19,13 @@ ts_status ts_check_colours(const ts_load *load, const ts_stage *stage, ts_buffer
  * in vpl_gather, if nothing stands between pixel and light but within a leaf's diagonal of the light, which the methods
  * skip, too. Runs what makes them. Reads gbuffer.pixel; makes indirect.irradiance in run->frame, from which stage
  * `image.indirect` makes the picture. Fails without memory. */
-ts_status ts_truth_vpls(ts_truth *truth, ts_run *run);
+ts_status ts_truth_vpls(ts_truth *truth, ts_run *run, ts_sampling *sampling);
 
 /* Truth of glowing particles: the same of all params.particle_count. Runs what comes before the particles of `effect`,
  * in a run that has just begun. */
 ts_status ts_truth_particles_begin(ts_run *run, const char *effect);
 /* Reads gbuffer.pixel; makes the same. */
-ts_status ts_truth_glow(ts_truth *truth, ts_run *run);
+ts_status ts_truth_glow(ts_truth *truth, ts_run *run, ts_sampling *sampling);
 
 /* Maps of virtual point lights and particles after stage vpl_gather, whose buffers are there (truth_maps.c), of up to
  * 1024 lights, every so many-th: rays along the middles of texels from the light on but for a leaf's diagonal.

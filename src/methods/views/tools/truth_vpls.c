@@ -9,26 +9,25 @@
 typedef struct {
 	const ts_truth *truth;
 	const ts_vpl *vpls;
-	u64 n_vpls;
 	f32 near, reach; /* world units: least distance of a light, and what about it stops nothing */
 } tracer;
 
-static ts_v3 from_vpls(const void *user, u64 pixel, ts_v3 p, ts_v3 n)
+static ts_v3 from_vpls(const void *user, const ts_share *share, ts_v3 p, ts_v3 n)
 {
 	const tracer *t = user;
-	(void)pixel;
 	ts_v3 sum = {0, 0, 0};
-	for (u64 k = 0; k < t->n_vpls; k++) {
-		const ts_vpl *light = &t->vpls[k];
+	for (u64 j = 0; j < share->asked; j++) {
+		const ts_vpl *light = &t->vpls[ts_share_item(share, j)];
 		ts_v3 from = ts_load3(light->position);
 		f32 form = ts_k_vpl_form(ts_sub(p, from), ts_load3(light->normal), n, t->near);
 		if (form > 0.0f && ts_truth_sees(t->truth, p, from, t->reach)) sum = ts_mad(sum, ts_load3(light->flux), form);
 	}
-	return sum;
+	return ts_scale(sum, ts_share_weight(share));
 }
 
 /* From lights that stages make, in order; ended by NULL. */
-static ts_status trace(ts_truth *truth, ts_run *run, const char *const *makers, const char *label)
+static ts_status trace(ts_truth *truth, ts_run *run, ts_sampling *sampling, const char *const *makers,
+                       const char *label)
 {
 	for (; *makers != NULL; makers++) {
 		if (ts_run_stage(run, ts_stage_find(*makers)) != TS_OK) return TS_ERROR;
@@ -38,11 +37,11 @@ static ts_status trace(ts_truth *truth, ts_run *run, const char *const *makers, 
 	const tracer t = {
 		.truth = truth,
 		.vpls = ts_frame_data(&run->frame, TS_B_vpl_light),
-		.n_vpls = ts_frame_n(&run->frame, TS_B_vpl_light),
 		.near = TS_PARAM(&run->params, vpl_gather_near) * leaf,
 		.reach = leaf * 1.73205077648162841796875f,
 	};
-	return ts_truth_gather(run, TS_B_indirect_irradiance, from_vpls, &t, label);
+	const ts_truth_gathered of = {label, from_vpls, &t, ts_frame_n(&run->frame, TS_B_vpl_light), 1};
+	return ts_truth_gather(run, TS_B_indirect_irradiance, &of, sampling);
 }
 
 ts_status ts_truth_particles_begin(ts_run *run, const char *effect)
@@ -51,15 +50,15 @@ ts_status ts_truth_particles_begin(ts_run *run, const char *effect)
 	return ts_truth_begin(run, effect, needs);
 }
 
-ts_status ts_truth_vpls(ts_truth *truth, ts_run *run)
+ts_status ts_truth_vpls(ts_truth *truth, ts_run *run, ts_sampling *sampling)
 {
 	static const char *const at_light[] = {"octree.root", "voxel", "octree", "vpl", NULL};
 	static const char *const at_random[] = {"octree.root", "voxel", "octree", "vpl.area", "vpl", NULL};
-	return trace(truth, run, ts_vpl_at_random(&run->params) ? at_random : at_light, "truth vpls");
+	return trace(truth, run, sampling, ts_vpl_at_random(&run->params) ? at_random : at_light, "truth vpls");
 }
 
-ts_status ts_truth_glow(ts_truth *truth, ts_run *run)
+ts_status ts_truth_glow(ts_truth *truth, ts_run *run, ts_sampling *sampling)
 {
 	static const char *const makers[] = {"octree.root", "particle", NULL};
-	return trace(truth, run, makers, "truth glow");
+	return trace(truth, run, sampling, makers, "truth glow");
 }

@@ -242,7 +242,7 @@ static void test_hits(void **state)
 	(void)state;
 	stand *s = ball_in_room(8, false);
 	u32 *hits;
-	assert_int_equal(ts_truth_hits(s->truth, &s->world.run, &hits), TS_OK);
+	assert_int_equal(ts_truth_hits(s->truth, &s->world.run, NULL, &hits), TS_OK);
 	for (u32 i = 0; i < s->n_pixels; i++)
 		for (u32 k = 0; k < TS_N_SAMPLES; k++) {
 			ts_v3 d = ts_k_sample_ray(&s->pixels[i], ts_load3(s->eye.eye), k).direction;

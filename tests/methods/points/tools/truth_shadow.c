@@ -81,7 +81,7 @@ static const u32 *resolve(world *w)
 {
 	ts_truth *truth;
 	assert_int_equal(ts_truth_new(&truth, &w->run), TS_OK);
-	assert_int_equal(ts_truth_samples(truth, &w->run), TS_OK);
+	assert_int_equal(ts_truth_samples(truth, &w->run, NULL), TS_OK);
 	ts_truth_free(truth);
 	return ts_frame_data(&w->run.frame, TS_B_shadow_test_lit);
 }
@@ -256,10 +256,10 @@ static double mvr_apart(const char *effect, const ts_scene *scene, const ts_para
 static void check_area(ts_truth *truth, ts_run *run, const u32 *lit)
 {
 	u64 n = ts_frame_n(&run->frame, TS_B_shadow_test_lit);
-	assert_int_equal(ts_truth_area(truth, run), TS_OK);
+	assert_int_equal(ts_truth_area(truth, run, NULL), TS_OK);
 	assert_memory_equal(ts_frame_data(&run->frame, TS_B_shadow_test_lit), lit, n * sizeof *lit);
 	run->params.truth_area_samples = 64;
-	assert_int_equal(ts_truth_area(truth, run), TS_OK);
+	assert_int_equal(ts_truth_area(truth, run, NULL), TS_OK);
 	const ts_lamp *lamp = ts_frame_data(&run->frame, TS_B_lamp_shape);
 	const u32 *area = ts_frame_data(&run->frame, TS_B_shadow_test_lit);
 	u64 finer = 0;
@@ -281,7 +281,7 @@ static void check_effect(const char *effect, const char *spec)
 	ts_run_begin(&run, scene, &params, 2);
 	assert_int_equal(ts_truth_shadow_begin(&run, effect), TS_OK);
 	assert_int_equal(ts_truth_new(&truth, &run), TS_OK);
-	assert_int_equal(ts_truth_samples(truth, &run), TS_OK);
+	assert_int_equal(ts_truth_samples(truth, &run, NULL), TS_OK);
 	u64 n = ts_frame_n(&run.frame, TS_B_shadow_test_lit);
 	u32 *lit = malloc(n * sizeof *lit);
 	assert_non_null(lit);
@@ -307,7 +307,7 @@ static void check_too_many(u32 n_lamps, const char *message)
 	w->run.params.truth_area_samples = 65536;
 	ts_truth *truth;
 	assert_int_equal(ts_truth_new(&truth, &w->run), TS_OK);
-	assert_int_equal(ts_truth_area(truth, &w->run), TS_ERROR);
+	assert_int_equal(ts_truth_area(truth, &w->run, NULL), TS_ERROR);
 	assert_string_equal(ts_error_message(), message);
 	ts_truth_free(truth);
 	end(w);

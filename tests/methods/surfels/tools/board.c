@@ -17,7 +17,7 @@ static bool is_between(u32 p, double nearest, double farthest)
 static f32 *truth_of(const ts_scene *scene, const ts_params *params, u32 threads)
 {
 	f32 *truth;
-	if (ts_truth_surface(&truth, scene, params, threads) != TS_OK) fail_msg("%s", ts_error_message());
+	if (ts_truth_surface(&truth, scene, params, threads, NULL) != TS_OK) fail_msg("%s", ts_error_message());
 	return truth;
 }
 

@@ -125,7 +125,7 @@ static ts_scene *finish(ts_build *build, const ts_params *params)
 static f32 *truth_of(const ts_scene *scene, const ts_params *params)
 {
 	f32 *radiance;
-	if (ts_truth_discs(&radiance, scene, params, 2) != TS_OK) fail_msg("%s", ts_error_message());
+	if (ts_truth_discs(&radiance, scene, params, 2, NULL) != TS_OK) fail_msg("%s", ts_error_message());
 	return radiance;
 }
 
@@ -290,7 +290,7 @@ static f32 *surface_of(const char *spec, const ts_params *params, ts_scene **sce
 	f32 *radiance;
 	if (ts_scene_open(scene, spec, params, NULL) != TS_OK) fail_msg("%s", ts_error_message());
 	assert_true(ts_truth_has_surface(*scene, params));
-	if (ts_truth_surface(&radiance, *scene, params, 2) != TS_OK) fail_msg("%s", ts_error_message());
+	if (ts_truth_surface(&radiance, *scene, params, 2, NULL) != TS_OK) fail_msg("%s", ts_error_message());
 	return radiance;
 }
 

@@ -1,0 +1,118 @@
+/* Shares of a truth's rays: which items, which pixels, and how many. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include <stdlib.h>
+#include "../../src/kernels/base/num.h"
+#include "../../src/truth/sampling.h"
+
+/* One item of each of as many parts, as equal as may be; all in their order, if all are asked. */
+static void test_items(void **state)
+{
+	(void)state;
+	for (u64 items = 1; items < 40; items++) {
+		for (u64 asked = 1; asked <= items; asked++) {
+			const ts_share share = {items, asked, (u32)(items * 41 + asked), 3};
+			for (u64 j = 0; j < asked; j++) {
+				u64 item = ts_share_item(&share, j);
+				assert_true((item + 1) * asked > j * items && item * asked < (j + 1) * items);
+				if (asked == items) assert_int_equal(item, j);
+			}
+		}
+	}
+}
+
+/* Over pixels every item is asked as often as every other. */
+static void test_items_are_even(void **state)
+{
+	(void)state;
+	enum { ITEMS = 10, ASKED = 4, PIXELS = 40000 };
+	u32 count[ITEMS] = {0};
+	for (u32 pixel = 0; pixel < PIXELS; pixel++) {
+		const ts_share share = {ITEMS, ASKED, pixel, 0};
+		for (u64 j = 0; j < ASKED; j++) count[ts_share_item(&share, j)]++;
+	}
+	for (u32 k = 0; k < ITEMS; k++) assert_true(abs((i32)count[k] - PIXELS * ASKED / ITEMS) < 500);
+}
+
+static void test_plan(void **state)
+{
+	(void)state;
+	ts_sampling s = {.rays = 0};
+	ts_sampling_plan(&s, 1000, 100, 2);
+	assert_false(ts_sampling_is_part(&s));
+	s.rays = 200000;
+	ts_sampling_plan(&s, 1000, 100, 2);
+	assert_false(ts_sampling_is_part(&s));
+	s.rays = 100000;
+	ts_sampling_plan(&s, 1000, 100, 2);
+	assert_int_equal(s.some, 25);
+	assert_int_equal(s.chance, 1u << 30);
+	s.rays = 100;
+	ts_sampling_plan(&s, 1000, 100, 2);
+	assert_int_equal(s.some, 1);
+}
+
+/* A smaller chance chooses fewer of the same pixels; other seeds choose others. */
+static void test_chosen(void **state)
+{
+	(void)state;
+	const ts_sampling few = {.chance = 1u << 28}, many = {.chance = 1u << 30}, other = {.seed = 1, .chance = 1u << 28};
+	u32 n_few = 0, n_both = 0;
+	for (u32 pixel = 0; pixel < 100000; pixel++) {
+		bool is = ts_sampling_chooses(&few, pixel);
+		n_few += is;
+		n_both += is && ts_sampling_chooses(&other, pixel);
+		if (is) assert_true(ts_sampling_chooses(&many, pixel));
+	}
+	assert_true(abs((i32)n_few - 6250) < 300 && n_both < 600);
+}
+
+typedef struct {
+	u32 asked[1000];
+} seen;
+
+static u32 pixel_of(const void *user, u64 i)
+{
+	(void)user;
+	return i % 3 != 0 ? (u32)i : TS_NONE;
+}
+
+static void ask(const void *user, u64 i, const ts_share *share)
+{
+	u32 *asked = (u32 *)(uintptr_t)((const seen *)user)->asked;
+	assert_int_equal(share->pixel, i);
+	asked[i] += (u32)share->asked;
+}
+
+static void test_ask(void **state)
+{
+	(void)state;
+	seen s = {{0}}, all = {{0}};
+	ts_truth_asked asked = {"test", 1000, 64, 1, pixel_of, ask, &s, 2};
+	ts_sampling sampling = {.rays = 666 * 16};
+	ts_truth_ask(&asked, &sampling);
+	sampling.chosen = true;
+	asked.user = &all;
+	ts_truth_ask(&asked, &sampling);
+	for (u32 i = 0; i < 1000; i++) {
+		bool chosen = i % 3 != 0 && ts_sampling_chooses(&sampling, i);
+		assert_int_equal(s.asked[i], i % 3 != 0 ? 8 : 0);
+		assert_int_equal(all.asked[i], chosen ? 64 : 0);
+	}
+	asked.user = &s;
+	ts_truth_ask(&asked, NULL);
+	for (u32 i = 0; i < 1000; i++) assert_int_equal(s.asked[i], i % 3 != 0 ? 72 : 0);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_items), cmocka_unit_test(test_items_are_even),
+		cmocka_unit_test(test_plan),  cmocka_unit_test(test_chosen),
+		cmocka_unit_test(test_ask),
+	};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,61 @@
+/* What is said of long work, and that short work says nothing. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include <string.h>
+#include "../../src/model/core.h"
+#include "../../src/truth/work.h"
+
+static char said[256];
+static int lines;
+
+static void line(const char *text)
+{
+	lines++;
+	strncpy(said, text, sizeof said - 1);
+}
+
+/* As if it had begun a second ago. */
+static ts_work a_second_old(u64 rays)
+{
+	ts_work work = ts_work_begin("test", rays);
+	work.begin -= 1;
+	return work;
+}
+
+static void test_long(void **state)
+{
+	(void)state;
+	ts_listen(&(ts_listener){.line = line});
+	ts_work work = a_second_old(5000);
+	lines = 0;
+	ts_work_at(&work, 0, 100);
+	assert_int_equal(lines, 0);
+	ts_work_at(&work, 5, 100);
+	ts_work_at(&work, 6, 100);
+	assert_int_equal(lines, 1);
+	assert_non_null(strstr(said, "test: 5000 rays, about 2"));
+	work = a_second_old(0);
+	ts_work_at(&work, 1, 100);
+	assert_non_null(strstr(said, "test: about 1"));
+}
+
+static void test_short(void **state)
+{
+	(void)state;
+	ts_listen(&(ts_listener){.line = line});
+	lines = 0;
+	ts_work work = a_second_old(5000), young = ts_work_begin("test", 5000);
+	ts_work_at(&work, 50, 100);
+	ts_work_at(&young, 1, 1000000);
+	ts_work_end(&work);
+	assert_int_equal(lines, 0);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {cmocka_unit_test(test_long), cmocka_unit_test(test_short)};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
