@@ -76,14 +76,6 @@ typedef struct {
 TS_API ts_light_metrics ts_metrics_light(const float *reference, const float *image, const uint8_t *mask,
                                          uint32_t width, uint32_t height);
 
-/* The same of light as ts_metrics_part; of `relative` alone, and its standard error. mask: as above. */
-typedef struct {
-	const float *reference, *image, *all_reference, *all_image;
-	const uint8_t *chosen;
-} ts_light_part;
-TS_API double ts_metrics_light_estimate(const ts_light_part *part, const uint8_t *mask, uint32_t width, uint32_t height,
-                                        double *error);
-
 /* Counts the pixels whose light lies in some channel by more than 0.1 above the greatest or below the least that the
  * reference has at the pixel and at its four neighbours: crumbs along edges, which no shift by a pixel explains.
  * marks: width * height bytes, set to 1 at crumbs and to 0 elsewhere; or NULL. */

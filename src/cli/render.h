@@ -19,7 +19,6 @@ typedef struct {
 	ts_light_metrics light;             /* over all pixels but the sky's */
 	bool parted;                        /* there are triangles of light: these are set */
 	ts_light_metrics near, elsewhere;
-	double relative_error; /* standard error of light.relative, if that is an estimate */
 	const char *share;     /* whose error this is: "method", "sampling", "both" or "" */
 	const u8 *chosen;      /* pixels by which these are estimates, as a truth was made in part; NULL: they are not */
 } ts_pair;

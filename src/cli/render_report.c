@@ -363,7 +363,6 @@ static void metric_columns(ts_column *column, bool mask, bool estimates)
 		COLUMN("reflective_ssim", "SSIM");
 	} else {
 		COLUMN("relative_rmse", "relative RMSE");
-		if (estimates) COLUMN("relative_rmse_error", "+-");
 	}
 #undef COLUMN
 	column[n++] = (ts_column){"share", "error of the", false};
@@ -391,7 +390,6 @@ static void report_metrics(const ts_render *render, ts_report *report)
 			metric_cells(&table, &pair->reflective, estimates);
 		} else {
 			error_cell(&table, pair->light.relative, 5);
-			if (estimates) error_cell(&table, pair->relative_error, 5);
 		}
 		ts_table_text(&table, pair->share);
 	}

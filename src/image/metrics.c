@@ -281,33 +281,6 @@ ts_light_metrics ts_metrics_light(const float *reference, const float *image, co
 	return m;
 }
 
-static double light_squares_of(const float *a, const float *b)
-{
-	double sum = 0;
-	for (int c = 0; c < 3; c++) sum += ((double)a[c] - (double)b[c]) * ((double)a[c] - (double)b[c]);
-	return sum;
-}
-
-double ts_metrics_light_estimate(const ts_light_part *part, const uint8_t *mask, uint32_t width, uint32_t height,
-                                 double *error)
-{
-	pairs p = {.n = 0};
-	double light = 0;
-	*error = 0;
-	for (size_t i = 0; i < (size_t)width * height; i++) {
-		if (mask && !mask[i]) continue;
-		double x = light_squares_of(part->reference + 3 * i, part->image + 3 * i);
-		add_all(&p, x);
-		light += sum_of(part->reference + 3 * i);
-		if (!part->chosen[i]) continue;
-		add_chosen(&p, x, light_squares_of(part->all_reference + 3 * i, part->all_image + 3 * i));
-	}
-	if (p.n_all == 0) return 0;
-	double mean = light / (3 * p.n_all), square = regression(&p, error) / 3;
-	*error = root_error(square, *error / 3) / mean;
-	return sqrt(square) / mean;
-}
-
 /* Beyond what the reference has in a channel at the pixel and beside it. */
 static bool is_beyond(const float *reference, const float *image, uint32_t x, uint32_t y, int c, uint32_t width,
                       uint32_t height)

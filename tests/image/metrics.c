@@ -326,26 +326,6 @@ static void test_estimate_of_some(void **state)
 	assert_true(least > 0 && least < 0.1);
 }
 
-static void test_light_estimate(void **state)
-{
-	(void)state;
-	static float light[PIXELS * 3], other[PIXELS * 3];
-	double error;
-	for (size_t i = 0; i < (size_t)PIXELS * 3; i++) {
-		light[i] = (float)(next() % 256) / 256;
-		other[i] = (float)(next() % 256) / 256;
-	}
-	const ts_light_part part = {light, light, light, other, chosen};
-	memset(chosen, 1, sizeof chosen);
-	double relative = ts_metrics_light_estimate(&part, mask, WIDTH, HEIGHT, &error);
-	assert_close(relative, ts_metrics_light(light, other, mask, WIDTH, HEIGHT).relative);
-	assert_true(error == 0);
-	for (size_t i = 0; i < PIXELS; i++) chosen[i] = i % 8 == 0;
-	double part_relative = ts_metrics_light_estimate(&part, NULL, WIDTH, HEIGHT, &error);
-	relative = ts_metrics_light(light, other, NULL, WIDTH, HEIGHT).relative;
-	assert_true(error > 0 && fabs(part_relative - relative) < 4 * error);
-}
-
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -360,7 +340,6 @@ int main(void)
 		cmocka_unit_test(test_flicker),
 		cmocka_unit_test(test_estimate_of_all),
 		cmocka_unit_test(test_estimate_of_some),
-		cmocka_unit_test(test_light_estimate),
 	};
 	return cmocka_run_group_tests(tests, set_up, NULL);
 }
