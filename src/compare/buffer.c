@@ -147,7 +147,8 @@ static ts_status judge_element(judge *j, u64 element, const void *ref, const voi
 
 static bool is_masked(const judge *j, u64 element)
 {
-	return j->mask_every != 0 && j->relaxations->mask[element / j->mask_every] == 0;
+	const ts_relaxations *r = j->relaxations;
+	return j->mask_every != 0 && r->mask[element / j->mask_every % ((u64)r->mask_width * r->mask_height)] == 0;
 }
 
 /* Up to RUN elements of both, of which those that are equal are passed over at once. */
@@ -218,7 +219,7 @@ static void find_fields(judge *j)
 	}
 }
 
-/* Elements a pixel; 0: no mask speaks of the buffer. */
+/* Elements a pixel, or a sample of it; 0: no mask speaks of the buffer. */
 static u32 elements_a_pixel(ts_buffer_id id, const ts_trace_item *item, const ts_relaxations *r)
 {
 	if (r->mask == NULL || !ts_shape_is_image(ts_buffer_shape(id))) return 0;
@@ -230,8 +231,9 @@ static u32 elements_a_pixel(ts_buffer_id id, const ts_trace_item *item, const ts
 static ts_status check_mask(ts_buffer_id id, const ts_trace_item *item, const ts_relaxations *r)
 {
 	const u64 *shape = item->npy.shape;
-	bool fits = shape[0] == r->mask_height && shape[1] == r->mask_width;
-	if (fits || elements_a_pixel(id, item, r) == 0) return TS_OK;
+	if (elements_a_pixel(id, item, r) == 0) return TS_OK;
+	bool samples = ts_buffer_counts(id) != TS_DIM_height && shape[0] % r->mask_height == 0;
+	if ((samples || shape[0] == r->mask_height) && shape[1] == r->mask_width) return TS_OK;
 	return ts_fail("--mask: %u x %u pixels; %s has %" PRIu64 " x %" PRIu64, (unsigned)r->mask_width,
 	               (unsigned)r->mask_height, ts_buffer_table[id].name, shape[1], shape[0]);
 }

@@ -91,8 +91,9 @@ ts_dim ts_axis_counts(const ts_axis *axis)
 
 bool ts_shape_is_image(const ts_shape *shape)
 {
-	return shape->n >= 2 && ts_axis_counts(&shape->axis[0]) == TS_DIM_height &&
-	       ts_axis_counts(&shape->axis[1]) == TS_DIM_width;
+	ts_dim rows = ts_axis_counts(&shape->axis[0]);
+	bool eye = rows == TS_DIM_height || rows == TS_DIM_eye_rows || rows == TS_DIM_sample_rows;
+	return shape->n >= 2 && eye && ts_axis_counts(&shape->axis[1]) == TS_DIM_width;
 }
 
 bool ts_shape_count(u64 *n, u32 n_dims, const u64 *dims)

@@ -55,7 +55,7 @@ u64 ts_axis_size(const ts_axis *axis, const ts_sizes *sizes);
 bool ts_shape_dims(const ts_shape *shape, const ts_sizes *sizes, u64 dims[TS_MAX_DIMS]);
 /* What a dimension counts, if that is one size, or sums before each of it; otherwise TS_DIM_none. */
 ts_dim ts_axis_counts(const ts_axis *axis);
-/* Rows of an image of the eye come first. */
+/* Rows of an image of the eye come first, or of one for each sample of its pixels, one below the other. */
 bool ts_shape_is_image(const ts_shape *shape);
 /* Product of the dimensions; false if it passes 2^64. */
 bool ts_shape_count(u64 *n, u32 n_dims, const u64 *dims);

@@ -37,8 +37,8 @@ u64 ts_probe_n(const ts_probe *probe, ts_buffer_id id);
 /* Copies elements [first, first + n) of a buffer. Fails with file, element and value if they are not there, if a float
  * is not finite, or if an index names nothing. */
 ts_status ts_probe_fetch(ts_probe *probe, ts_buffer_id id, u64 first, u64 n, void *to);
-/* The elements of pixel (x, y), `n` of them, of a buffer of rows and columns; *there is false outside its crop, or if
- * the trace lacks it. */
+/* The elements of row y and column x, `n` of them, of a buffer of rows and columns; *there is false outside its crop, or
+ * if the trace lacks it. */
 ts_status ts_probe_fetch_pixel(ts_probe *probe, ts_buffer_id id, u32 x, u32 y, u32 n, void *to, bool *there);
 /* All ts_probe_n elements of a buffer, read once, checked as ts_probe_fetch does, and kept; NULL on failure. */
 void *ts_probe_whole(ts_probe *probe, ts_buffer_id id);
@@ -117,9 +117,10 @@ ts_status ts_probe_put_offers(ts_probe *probe, json_t *object, const ts_offers *
                               ts_probe_put_index *put_index);
 
 /* ---- pixels of the eye (pixel.c) ---- */
-/* A pixel where the eye sees a triangle. */
+/* A pixel where the eye sees a triangle, or a sample of one. */
 typedef struct {
-	u32 x, y;
+	u32 x, y, row; /* row: of the eye's buffers */
+	ts_camera_k view;
 	u64 key;
 	ts_surface surface;
 } ts_probe_seen;
@@ -131,8 +132,8 @@ typedef ts_status ts_probe_light(ts_probe *probe, const ts_probe_seen *at, json_
 ts_status ts_probe_put_pixel(ts_probe *probe, const ts_probe_question *question, json_t *object);
 /* Puts the radiance and what the image holds. */
 ts_status ts_probe_put_image(ts_probe *probe, json_t *object, u32 x, u32 y, ts_v3 radiance);
-/* Puts all of a pixel whose eye sees triangles: who covers it, the surface, its light, and the image. `needed`: buffers
- * that must be there beside the scene, ended by TS_N_BUFFERS. */
+/* Puts all of a pixel whose eye sees triangles: who covers it, the surface and its light, of each sample if it has
+ * several, and the image. `needed`: buffers that must be there beside the scene, ended by TS_N_BUFFERS. */
 ts_status ts_probe_eye_pixel(ts_probe *probe, const ts_probe_question *question, const ts_buffer_id *needed,
                              ts_probe_light *light, json_t *object);
 /* Puts the shading of a surface; lit and lamps: which samples reach it, or NULL. */

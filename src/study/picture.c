@@ -9,6 +9,9 @@
 #include "../methods/stages.h"
 #include "near_light.h"
 
+static u64 n_pixels(const ts_params *params) { return (u64)TS_PARAM(params, width) * TS_PARAM(params, height); }
+
+/* By pixels, over their samples. */
 static void count_lit(ts_picture *picture, const ts_run *run)
 {
 	const ts_lamp *lamps = ts_frame_data(&run->frame, TS_B_lamp_shape);
@@ -19,39 +22,45 @@ static void count_lit(ts_picture *picture, const ts_run *run)
 	picture->n_lamps = n_lamps;
 	picture->n_samples = all;
 	picture->lit = (ts_lit){0};
-	for (u64 i = 0; i < n; i++) {
-		if (seen[i] == TS_EMPTY) continue;
-		u64 reach = 0;
-		for (u64 k = 0; k < n_lamps; k++) reach += lit[i * n_lamps + k];
+	for (u64 i = 0; i < n_pixels(&run->params); i++) {
+		u64 reach = 0, asked = 0;
+		for (u64 at = i; at < n; at += n_pixels(&run->params)) {
+			asked += seen[at] != TS_EMPTY ? all : 0;
+			for (u64 k = 0; k < n_lamps; k++) reach += lit[at * n_lamps + k];
+		}
+		if (asked == 0) continue;
 		picture->lit.seen++;
-		picture->lit.full += reach == all;
-		picture->lit.part += reach > 0 && reach < all;
+		picture->lit.full += reach == asked;
+		picture->lit.part += reach > 0 && reach < asked;
 		picture->lit.none += reach == 0;
 	}
 }
 
+/* By any sample. */
 static void mark_seen(ts_picture *picture, const ts_run *run)
 {
 	u64 n;
 	const u64 *seen = ts_pipeline_seen(run, &n);
-	for (u64 i = 0; i < n; i++) picture->seen[i] = seen[i] != TS_EMPTY;
+	for (u64 i = 0; i < n; i++) picture->seen[i % n_pixels(&run->params)] |= seen[i] != TS_EMPTY;
 }
 
 static ts_status mark_reflective(ts_picture *picture, const ts_run *run)
 {
 	if (!run->frame.buffer[TS_B_mirror_pixel_record].made) return TS_OK;
 	const ts_pixel *pixels = ts_frame_data(&run->frame, TS_B_mirror_pixel_record);
-	picture->n_reflective = ts_frame_n(&run->frame, TS_B_mirror_pixel_record);
-	picture->reflective =
-		ts_alloc_zero(TS_PARAM(&run->params, width), TS_PARAM(&run->params, height), "the reflective pixels");
+	picture->reflective = ts_alloc_zero(n_pixels(&run->params), 1, "the reflective pixels");
 	if (picture->reflective == NULL) return TS_ERROR;
-	for (u64 i = 0; i < picture->n_reflective; i++) picture->reflective[pixels[i].index] = 1;
+	for (u64 i = 0; i < ts_frame_n(&run->frame, TS_B_mirror_pixel_record); i++) {
+		u8 *mark = &picture->reflective[pixels[i].index % n_pixels(&run->params)];
+		picture->n_reflective += *mark == 0;
+		*mark = 1;
+	}
 	return TS_OK;
 }
 
 static ts_status mark_near(ts_picture *picture, const ts_run *run)
 {
-	size_t n = (size_t)TS_PARAM(&run->params, width) * TS_PARAM(&run->params, height);
+	size_t n = (size_t)n_pixels(&run->params);
 	if (!run->frame.buffer[TS_B_rsm_patch].made || !run->frame.buffer[TS_B_gbuffer_pixel].made) return TS_OK;
 	picture->near = ts_alloc_zero(n, 1, "a picture");
 	picture->elsewhere = ts_alloc_zero(n, 1, "a picture");
@@ -61,11 +70,11 @@ static ts_status mark_near(ts_picture *picture, const ts_run *run)
 
 ts_status ts_picture_take(ts_picture *picture, const char *name, const ts_run *run)
 {
-	size_t n = (size_t)TS_PARAM(&run->params, width) * TS_PARAM(&run->params, height) * 3;
+	size_t n = (size_t)n_pixels(&run->params) * 3;
 	snprintf(picture->name, sizeof picture->name, "%s", name);
 	picture->radiance = ts_alloc(n, sizeof(f32), "a picture");
 	picture->srgb = ts_alloc(n, 1, "a picture");
-	picture->seen = ts_alloc(n / 3, 1, "a picture");
+	picture->seen = ts_alloc_zero(n / 3, 1, "a picture");
 	if (picture->radiance == NULL || picture->srgb == NULL || picture->seen == NULL) return TS_ERROR;
 	memcpy(picture->radiance, ts_frame_data(&run->frame, TS_B_image_radiance), n * sizeof(f32));
 	memcpy(picture->srgb, ts_frame_data(&run->frame, TS_B_image_srgb), n);
@@ -78,7 +87,7 @@ ts_status ts_picture_take(ts_picture *picture, const char *name, const ts_run *r
 
 ts_status ts_picture_make(ts_picture *picture, const char *name, f32 *radiance, const ts_params *params)
 {
-	size_t n = (size_t)TS_PARAM(params, width) * TS_PARAM(params, height) * 3;
+	size_t n = (size_t)n_pixels(params) * 3;
 	snprintf(picture->name, sizeof picture->name, "%s", name);
 	picture->radiance = radiance;
 	picture->srgb = ts_alloc(n, 1, "a picture");

@@ -74,10 +74,24 @@ static bool where_image(char *text, const ts_trace *reference, ts_buffer_id id, 
 	return true;
 }
 
+/* Of an image of each sample of the pixels. */
+static bool where_sample(char *text, const ts_trace *reference, ts_buffer_id id, u64 element)
+{
+	ts_view eye;
+	u64 width = reference->item[id].npy.shape[1], y = element / width;
+	bool one = !ts_where_fetch(reference, TS_B_eye_view, 0, &eye) || reference->item[id].npy.shape[0] <= eye.height;
+	if (one || eye.height == 0) return where_image(text, reference, id, element);
+	snprintf(text, TS_WHERE_TEXT, "pixel (%" PRIu64 ", %" PRIu64 "), sample %" PRIu64, element % width, y % eye.height,
+	         y / eye.height);
+	return true;
+}
+
 /* What is of no family. */
 static const ts_where_rule general[] = {
 	{TS_DIM_texels, where_texel},
 	{TS_DIM_height, where_image},
+	{TS_DIM_eye_rows, where_sample},
+	{TS_DIM_sample_rows, where_sample},
 	{.where = NULL},
 };
 

@@ -15,7 +15,8 @@ u64 ts_share_item(const ts_share *share, u64 j)
 
 ts_sampling ts_sampling_of(const ts_params *params)
 {
-	return (ts_sampling){.rays = TS_PARAM(params, truth_rays), .seed = TS_PARAM(params, seed)};
+	u32 pixels = TS_PARAM(params, width) * TS_PARAM(params, height);
+	return (ts_sampling){.rays = TS_PARAM(params, truth_rays), .pixels = pixels, .seed = TS_PARAM(params, seed)};
 }
 
 void ts_sampling_plan(ts_sampling *sampling, u64 pixels, u64 items, u64 each)
@@ -33,7 +34,7 @@ bool ts_sampling_is_part(const ts_sampling *sampling) { return sampling->some < 
 
 bool ts_sampling_chooses(const ts_sampling *sampling, u32 pixel)
 {
-	return ts_random(pixel, STREAM_PIXELS, sampling->seed) < sampling->chance;
+	return ts_random(pixel % sampling->pixels, STREAM_PIXELS, sampling->seed) < sampling->chance;
 }
 
 static u64 min(u64 a, u64 b) { return a < b ? a : b; }

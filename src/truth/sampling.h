@@ -16,7 +16,8 @@ typedef struct {
 u64 ts_share_item(const ts_share *share, u64 j);
 
 typedef struct {
-	u64 rays; /* params.truth_rays; 0: all */
+	u64 rays;   /* params.truth_rays; 0: all */
+	u32 pixels; /* of the picture; those of further samples follow one picture below the other */
 	u32 seed;
 	bool chosen;     /* what is asked now: the chosen pixels, all of their items; else every pixel, some of them */
 	u64 items, some; /* of a pixel, and how many the picture has; as many, if the truth is made whole */
@@ -28,7 +29,8 @@ ts_sampling ts_sampling_of(const ts_params *params);
 void ts_sampling_plan(ts_sampling *sampling, u64 pixels, u64 items, u64 each);
 /* Some items were left out. */
 bool ts_sampling_is_part(const ts_sampling *sampling);
-/* By the pixel's index and the seed alone: what a smaller chance chooses, a greater one does. */
+/* By the pixel's index and the seed alone: what a smaller chance chooses, a greater one does. The samples of a pixel
+ * are chosen together. */
 bool ts_sampling_chooses(const ts_sampling *sampling, u32 pixel);
 
 /* What a truth asks at its pixels. */

@@ -44,6 +44,15 @@ done
 says 'lost_at' probe $epr --triangle 4
 prints 'lost_at' probe $mvr --triangle 4
 says 'splat_length' probe $epr --point 0
+
+# Four samples a pixel: each is explained, and their mean.
+"$touchstone" render reflections atrium:triangles=10000:texels=32 --size 32x24 --method epr,mvr --reflectors 2 --set reflectors.px=12 \
+	--set cube.max_px=16 --set eye.samples=4 --no-images --trace -o four > /dev/null || { echo "Bail out! no trace"; exit 1; }
+seen=$(($(u32 four/trace-epr/05-mirror_pixel.record.npy 3) % (32 * 24)))
+for trace in four/trace-epr four/trace-mvr; do
+	says 'bits agree with image.sample_radiance' probe $trace --pixel $((seen % 32)),$((seen / 32))
+	says 'bits agree with image.radiance' probe $trace --pixel 3,20
+done
 key=$("$touchstone" probe $epr --point 5 | sed -n 's/^key: //p')
 says '^point: 5$' probe $epr --point "$key"
 

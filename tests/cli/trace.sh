@@ -55,7 +55,7 @@ run compare a/trace-epr part/trace-epr
 verdict $? 'but not with the whole'
 
 for arguments in '--trace-only pointz' '--trace-only cube_face' '--trace-only=' '--crop 0,0,97,1' '--crop 1,2,3' '--crop 0,0,0,0' \
-	'--crop 4294967295,0,2,2' '--crop a,b,c,d'; do
+	'--crop 4294967295,0,2,2' '--crop a,b,c,d' '--crop 0,0,4,4 --set eye.samples=4'; do
 	refuses "${arguments%%[ =]*}" "${frame[@]}" --method epr $arguments -o none
 	[ ! -e none ] && [ ! -e none.partial ]
 	verdict $? 'and nothing is left'

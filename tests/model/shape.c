@@ -99,6 +99,8 @@ static void test_counts(void **state)
 		{"points", TS_DIM_points, false},
 		{"pieces+1", TS_DIM_pieces, false},
 		{"height width 3", TS_DIM_height, true},
+		{"eye_rows width", TS_DIM_eye_rows, true},
+		{"sample_rows width 3", TS_DIM_sample_rows, true},
 		{"height*width+1", TS_DIM_none, false},
 		{"second_bounces*4+1", TS_DIM_none, false},
 		{"6", TS_DIM_none, false},

@@ -16,6 +16,10 @@ RECORDS = subprocess.check_output(["scripts/assembled", "include/touchstone/reco
 NOUNS = dict(re.findall(r'^DIM\((\w+), "([^"]+)"', RECORDS, re.M))
 
 
+def is_image(shape):
+	return shape[0] in ("height", "eye_rows", "sample_rows") and shape[1:2] == ["width"]
+
+
 class Field:
 	def __init__(self, name, descr, count, offset):
 		self.name, self.type, self.count, self.offset = name, descr[1:], count, offset
@@ -128,20 +132,25 @@ class Trace:
 		"""How a report names an element."""
 		shape, buffer = self.about[name]["sizes"].split(), self[name]
 		inside = 1
-		for size in buffer.shape[2 if shape[:2] == ["height", "width"] else 1:]:
+		for size in buffer.shape[2 if is_image(shape) else 1:]:
 			inside *= size
 		row = element // inside
-		if shape == ["height", "width", "lamps"]:
+		if is_image(shape) and shape[2:] == ["lamps"]:
 			return self.place(shape, row) + f", light {element % inside}"
 		return self.place(shape, row) + (f" [{element % inside}]" if inside > 1 else "")
 
+	def pixel(self, element, sampled):
+		"""Buffers of the eye hold a picture of each sample of the pixels, one below the other."""
+		width, height = (int(self.json["params"][name]) for name in ("width", "height"))
+		several = sampled and str(self.json["params"].get("eye.samples")) == "4"
+		sample = f", sample {element // width // height}" if several else ""
+		return f"pixel ({element % width}, {element // width % height})" + sample
+
 	def place(self, shape, row):
-		width = int(self.json["params"]["width"])
-		if shape[:2] == ["height", "width"]:
-			return f"pixel ({row % width}, {row // width})"
+		if is_image(shape):
+			return self.pixel(row, shape[0] != "height")
 		if shape[0] == "mirror_pixels":
-			index, = self["mirror_pixel.record"].get(row, "index")
-			return f"pixel ({index % width}, {index // width})"
+			return self.pixel(*self["mirror_pixel.record"].get(row, "index"), True)
 		if shape[0] == "points":
 			return f"key ({self.key(self['points.key'].words()[row])})"
 		if shape[0] == "texels":

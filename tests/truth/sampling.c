@@ -55,17 +55,20 @@ static void test_plan(void **state)
 	assert_int_equal(s.some, 1);
 }
 
-/* A smaller chance chooses fewer of the same pixels; other seeds choose others. */
+/* A smaller chance chooses fewer of the same pixels, with all of their samples; other seeds choose others. */
 static void test_chosen(void **state)
 {
 	(void)state;
-	const ts_sampling few = {.chance = 1u << 28}, many = {.chance = 1u << 30}, other = {.seed = 1, .chance = 1u << 28};
+	enum { PIXELS = 100000 };
+	const ts_sampling few = {.pixels = PIXELS, .chance = 1u << 28}, many = {.pixels = PIXELS, .chance = 1u << 30};
+	const ts_sampling other = {.pixels = PIXELS, .seed = 1, .chance = 1u << 28};
 	u32 n_few = 0, n_both = 0;
-	for (u32 pixel = 0; pixel < 100000; pixel++) {
+	for (u32 pixel = 0; pixel < PIXELS; pixel++) {
 		bool is = ts_sampling_chooses(&few, pixel);
 		n_few += is;
 		n_both += is && ts_sampling_chooses(&other, pixel);
 		if (is) assert_true(ts_sampling_chooses(&many, pixel));
+		assert_int_equal(ts_sampling_chooses(&few, pixel + 3 * PIXELS), is);
 	}
 	assert_true(abs((i32)n_few - 6250) < 300 && n_both < 600);
 }
@@ -92,7 +95,7 @@ static void test_ask(void **state)
 	(void)state;
 	seen s = {{0}}, all = {{0}};
 	ts_truth_asked asked = {"test", 1000, 64, 1, pixel_of, ask, &s, 2};
-	ts_sampling sampling = {.rays = 666 * 16};
+	ts_sampling sampling = {.rays = 666 * 16, .pixels = 1000};
 	ts_truth_ask(&asked, &sampling);
 	sampling.chosen = true;
 	asked.user = &all;

@@ -30,7 +30,7 @@ TS_FN ts_v3 ts_k_direct_point(TS_GLOBAL const ts_light *light, ts_v3 p, ts_v3 n)
 	return ts_scale(ts_load3(light->intensity), arrives * ts_max(ts_flush(ts_dot(n, way)), 0.0f));
 }
 
-/* map over pixels */
+/* map over pixels and their samples */
 TS_FN void ts_k_direct_item(const ts_direct_args *args, u64 i)
 {
 	TS_GLOBAL const ts_gpixel *pixel = &args->pixels[i];

@@ -14,7 +14,8 @@
 	ARG(INNER, ts_arrays, scene, none) \
 	ARG(IN, ts_view, view, eye_view) \
 	ARG(IN, u64, depth_triangle, eye_depth_triangle) \
-	ARG(OUT, ts_gloss, pixels, gloss_pixel)
+	ARG(OUT, ts_gloss, pixels, gloss_pixel) \
+	ARG(VALUE, u32, samples, none) /* of a pixel */
 TS_ARGS(ts_gloss_args);
 
 TS_FN void ts_k_gloss(TS_GLOBAL ts_gloss *gloss, const ts_arrays *scene, const ts_camera_k *view, u64 key, i32 x, i32 y)
@@ -27,13 +28,11 @@ TS_FN void ts_k_gloss(TS_GLOBAL ts_gloss *gloss, const ts_arrays *scene, const t
 	if ((s.flags & TS_UNLIT) == 0u) ts_store3(gloss->f0, ts_k_f0(&s));
 }
 
-/* map over pixels */
+/* map over pixels and their samples */
 TS_FN void ts_k_gloss_item(const ts_gloss_args *args, u64 i)
 {
-	ts_camera_k view = ts_k_view(args->view);
-	i32 x = (i32)(i % (u64)view.width);
-	i32 y = (i32)(i / (u64)view.width);
-	ts_k_gloss(&args->pixels[i], &args->scene, &view, args->depth_triangle[i], x, y);
+	ts_eye_place at = ts_k_eye_place(args->view, args->samples, i);
+	ts_k_gloss(&args->pixels[i], &args->scene, &at.view, args->depth_triangle[i], at.x, at.y);
 }
 
 /* GGX's distribution of normals has the peak 1 / (pi a2), a2 = alpha^2, and the integral 1 with the cosine. The
@@ -99,7 +98,7 @@ TS_FN ts_v3 ts_k_gloss_reflected(const ts_glossy *at, const ts_sg *both)
 	ARG(OUT, f32, specular, indirect_specular)
 TS_ARGS(ts_gloss_hull_args);
 
-/* map over pixels: from the lobes of their boxes */
+/* map over pixels and their samples: from the lobes of their boxes */
 TS_FN void ts_k_gloss_hull_item(const ts_gloss_hull_args *args, u64 i)
 {
 	u32 box = args->box[i];
@@ -108,7 +107,9 @@ TS_FN void ts_k_gloss_hull_item(const ts_gloss_hull_args *args, u64 i)
 	if (box == TS_NONE) return;
 	ts_v3 eye = ts_load3(args->view->eye);
 	ts_glossy at = ts_k_glossy(&args->of.pixels[i], &args->gloss[i], eye, args->of.cosine, args->of.printed);
-	ts_shares shares = ts_k_box_shares(&args->of, box, (u32)(i % args->of.width), (u32)(i / args->of.width));
+	u32 x = (u32)(i % args->of.width);
+	u32 y = (u32)(i / args->of.width % args->of.height);
+	ts_shares shares = ts_k_box_shares(&args->of, box, x, y);
 	for (u32 channel = 0u; channel < 3u; channel++) {
 		ts_sg light = ts_k_hull_lobe(&args->of, box, &shares, channel);
 		ts_sg both = ts_k_sg_product(&light, &at.lobe);
@@ -190,7 +191,7 @@ TS_FN ts_v3 ts_k_gloss_direct_point(const ts_glossy *at, TS_GLOBAL const ts_ligh
 	return ts_mul(ts_k_gloss_reflected(at, &both), ts_load3(point->intensity));
 }
 
-/* map over pixels: from every triangle of light */
+/* map over pixels and their samples: from every triangle of light */
 TS_FN void ts_k_gloss_direct_item(const ts_gloss_direct_args *args, u64 i)
 {
 	TS_GLOBAL const ts_gpixel *pixel = &args->of.pixels[i];

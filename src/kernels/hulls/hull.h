@@ -131,11 +131,11 @@ TS_FN u32 ts_k_hull_box(const ts_hull_args *args, u64 i, u32 x, u32 y)
 	return box;
 }
 
-/* map over pixels */
+/* map over pixels and their samples */
 TS_FN void ts_k_hull_item(const ts_hull_args *args, u64 i)
 {
 	u32 x = (u32)(i % args->width);
-	u32 y = (u32)(i / args->width);
+	u32 y = (u32)(i / args->width % args->height);
 	u32 box = ts_k_hull_box(args, i, x, y);
 	if (box == TS_NONE) return;
 	ts_shares shares = ts_k_box_shares(args, box, x, y);

@@ -87,12 +87,12 @@ TS_FN f32 ts_k_choice_margin(const ts_choice_args *args, ts_grid_place at, u32 b
 	return least;
 }
 
-/* map over pixels */
+/* map over pixels and their samples */
 TS_FN void ts_k_hull_margin_item(const ts_hull_margin_args *args, u64 i)
 {
 	ts_grid_place at;
 	at.x = ts_k_resample((u32)(i % args->width), args->width, args->choice.grid);
-	at.y = ts_k_resample((u32)(i / args->width), args->height, args->choice.grid);
+	at.y = ts_k_resample((u32)(i / args->width % args->height), args->height, args->choice.grid);
 	at.depth = args->pixels[i].depth;
 	bool none = args->box[i] == TS_NONE;
 	args->margin[i] = none ? TS_MARGIN_FAR : ts_put(ts_k_choice_margin(&args->choice, at, args->box[i]));

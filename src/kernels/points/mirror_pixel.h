@@ -1,16 +1,19 @@
 /* Reflective pixels of the eye: the surface and how it changes to the neighbouring pixels (EPR section 4.1.3;
- * METHODS 2). Gradients are central differences inside the same object, one-sided at its border, else 0. */
+ * METHODS 2). Gradients are central differences inside the same object, one-sided at its border, else 0: from pixel to
+ * pixel, of samples from one side to the other of the square that a sample stands for. */
 #ifndef TS_KERNELS_MIRROR_PIXEL_H
 #define TS_KERNELS_MIRROR_PIXEL_H
 #include "../base/args.h"
 #include "../raster/draw.h"
+#include "../raster/eye_sample.h"
 
 #define TS_ROWS_ts_mirror_pixel_args(ARG) \
 	ARG(INNER, ts_arrays, scene, none) \
 	ARG(IN, ts_view, view, eye_view) \
 	ARG(IN, u64, depth_triangle, eye_depth_triangle) \
 	ARG(OUT, u32, offset, mirror_pixel_offset) /* counts, then their prefix sums */ \
-	ARG(OUT, ts_pixel, pixels, mirror_pixel_record)
+	ARG(OUT, ts_pixel, pixels, mirror_pixel_record) \
+	ARG(VALUE, u32, samples, none) /* of a pixel */
 TS_ARGS(ts_mirror_pixel_args);
 
 TS_FN u32 ts_k_seen_reflector(const ts_arrays *scene, u64 key)
@@ -18,7 +21,7 @@ TS_FN u32 ts_k_seen_reflector(const ts_arrays *scene, u64 key)
 	return key == TS_EMPTY ? TS_NONE : ts_k_reflector_of(scene, (u32)key);
 }
 
-/* map over pixels: 1 where a reflector is seen */
+/* map over pixels and their samples: 1 where a reflector is seen */
 TS_FN void ts_k_mirror_pixel_count_item(const ts_mirror_pixel_args *args, u64 i)
 {
 	args->offset[i] = ts_k_seen_reflector(&args->scene, args->depth_triangle[i]) != TS_NONE ? 1u : 0u;
@@ -29,15 +32,20 @@ typedef struct {
 	bool seen;
 } ts_glance;
 
-/* What the eye sees at a pixel, if it is on the given reflector. The normal is turned to the viewer. */
-TS_FN ts_glance ts_k_glance(const ts_mirror_pixel_args *args, const ts_camera_k *view, i32 x, i32 y, u32 reflector)
+/* What a sample of the eye sees beside its pixel, if it is on the given reflector. The normal is turned to the
+ * viewer. */
+TS_FN ts_glance ts_k_glance(const ts_mirror_pixel_args *args, const ts_eye_place *at, i32 right, i32 down,
+                            u32 reflector)
 {
+	const ts_camera_k *view = &at->view;
+	i32 x = at->x + right;
+	i32 y = at->y + down;
 	ts_glance r;
 	r.seen = false;
 	r.p = ts_v3_make(0.0f, 0.0f, 0.0f);
 	r.n = r.p;
 	if (x < 0 || y < 0 || x >= view->width || y >= view->height) return r;
-	u64 key = args->depth_triangle[(u64)y * (u64)view->width + (u64)x];
+	u64 key = args->depth_triangle[at->first + (u64)y * (u64)view->width + (u64)x];
 	if (ts_k_seen_reflector(&args->scene, key) != reflector) return r;
 	u32 triangle = (u32)key;
 	ts_corners t = ts_k_corners(&args->scene, triangle);
@@ -50,11 +58,11 @@ TS_FN ts_glance ts_k_glance(const ts_mirror_pixel_args *args, const ts_camera_k 
 	return r;
 }
 
-TS_FN ts_v3 ts_k_gradient(ts_v3 before, bool has_before, ts_v3 here, ts_v3 after, bool has_after)
+TS_FN ts_v3 ts_k_gradient(ts_v3 before, bool has_before, ts_v3 here, ts_v3 after, bool has_after, f32 side)
 {
-	if (has_before && has_after) return ts_scale(ts_sub(after, before), 0.5f);
-	if (has_after) return ts_sub(after, here);
-	if (has_before) return ts_sub(here, before);
+	if (has_before && has_after) return ts_scale(ts_sub(after, before), 0.5f * side);
+	if (has_after) return ts_scale(ts_sub(after, here), side);
+	if (has_before) return ts_scale(ts_sub(here, before), side);
 	return ts_v3_make(0.0f, 0.0f, 0.0f);
 }
 
@@ -66,23 +74,21 @@ TS_FN ts_v3 ts_k_gradient(ts_v3 before, bool has_before, ts_v3 here, ts_v3 after
 #define TS_BELOW 4u
 #define TS_N_GLANCES 5u
 
-TS_FN void ts_k_pixel_gradients(TS_GLOBAL ts_pixel *out, const ts_glance glance[TS_N_GLANCES])
+TS_FN void ts_k_pixel_gradients(TS_GLOBAL ts_pixel *out, const ts_glance glance[TS_N_GLANCES], f32 side)
 {
 	ts_glance here = glance[TS_HERE], left = glance[TS_LEFT], right = glance[TS_RIGHT];
 	ts_glance above = glance[TS_ABOVE], below = glance[TS_BELOW];
-	ts_store3(out->position_dx, ts_k_gradient(left.p, left.seen, here.p, right.p, right.seen));
-	ts_store3(out->normal_dx, ts_k_gradient(left.n, left.seen, here.n, right.n, right.seen));
-	ts_store3(out->position_dy, ts_k_gradient(above.p, above.seen, here.p, below.p, below.seen));
-	ts_store3(out->normal_dy, ts_k_gradient(above.n, above.seen, here.n, below.n, below.seen));
+	ts_store3(out->position_dx, ts_k_gradient(left.p, left.seen, here.p, right.p, right.seen, side));
+	ts_store3(out->normal_dx, ts_k_gradient(left.n, left.seen, here.n, right.n, right.seen, side));
+	ts_store3(out->position_dy, ts_k_gradient(above.p, above.seen, here.p, below.p, below.seen, side));
+	ts_store3(out->normal_dy, ts_k_gradient(above.n, above.seen, here.n, below.n, below.seen, side));
 }
 
-/* emit over pixels */
+/* emit over pixels and their samples */
 TS_FN void ts_k_mirror_pixel_item(const ts_mirror_pixel_args *args, u64 i)
 {
 	if (args->offset[i + 1u] == args->offset[i]) return;
-	ts_camera_k view = ts_k_view(args->view);
-	i32 x = (i32)(i % (u64)view.width);
-	i32 y = (i32)(i / (u64)view.width);
+	ts_eye_place at = ts_k_eye_place(args->view, args->samples, i);
 	u64 key = args->depth_triangle[i];
 	u32 reflector = ts_k_seen_reflector(&args->scene, key);
 	TS_GLOBAL ts_pixel *out = &args->pixels[args->offset[i]];
@@ -90,9 +96,9 @@ TS_FN void ts_k_mirror_pixel_item(const ts_mirror_pixel_args *args, u64 i)
 	for (u32 k = 0u; k < TS_N_GLANCES; k++) {
 		i32 right = k == TS_RIGHT ? 1 : k == TS_LEFT ? -1 : 0;
 		i32 down = k == TS_BELOW ? 1 : k == TS_ABOVE ? -1 : 0;
-		glance[k] = ts_k_glance(args, &view, x + right, y + down, reflector);
+		glance[k] = ts_k_glance(args, &at, right, down, reflector);
 	}
-	ts_v3 tint = ts_k_surface_seen(&args->scene, &view, (u32)key, x, y).base; /* of a mirror, its base colour */
+	ts_v3 tint = ts_k_surface_seen(&args->scene, &at.view, (u32)key, at.x, at.y).base; /* its base colour */
 	ts_store3(out->position, glance[TS_HERE].p);
 	ts_store3(out->normal, glance[TS_HERE].n);
 	out->index = (u32)i;
@@ -101,7 +107,7 @@ TS_FN void ts_k_mirror_pixel_item(const ts_mirror_pixel_args *args, u64 i)
 	out->tint_g = ts_put(tint.y);
 	out->tint_b = ts_put(tint.z);
 	out->pad = 0u;
-	ts_k_pixel_gradients(out, glance);
+	ts_k_pixel_gradients(out, glance, at.view.side);
 }
 
 #endif

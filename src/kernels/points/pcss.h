@@ -127,13 +127,10 @@ TS_CALL u32 ts_k_pcss(const ts_pcss_args *args, TS_GLOBAL const ts_offscreen *of
 	return lit;
 }
 
-/* map over pixels */
+/* map over pixels and their samples */
 TS_FN void ts_k_pcss_item(const ts_pcss_args *args, u64 i)
 {
-	ts_camera_k eye = ts_k_view(args->of.view);
-	i32 x = (i32)(i % (u64)eye.width);
-	i32 y = (i32)(i / (u64)eye.width);
-	ts_receiver at = ts_k_receiver(&args->of.scene, &eye, args->of.depth_triangle[i], x, y);
+	ts_receiver at = ts_k_receiver_at(&args->of, i);
 	if (!at.seen) return;
 	for (u32 v = args->of.first_view; v < args->of.first_view + args->of.n_views; v++) {
 		TS_GLOBAL const ts_offscreen *view = &args->of.views[v];

@@ -27,6 +27,9 @@ TS_FN ts_camera_k ts_k_cube_view(TS_GLOBAL const ts_face *cube, u32 face)
 	r.near = cube->near;
 	r.width = (i32)cube->n;
 	r.height = (i32)cube->n;
+	r.side = 1.0f;
+	r.shift_x = 0;
+	r.shift_y = 0;
 	r.orthographic = 0u;
 	return r;
 }

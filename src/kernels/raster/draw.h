@@ -6,12 +6,13 @@
 #include "offscreen.h"
 #include "../base/surface.h"
 
-/* Width of a pixel in world units at axial depth z, on this triangle, where the fragment lies. */
+/* Width of what a pixel's colour stands for in world units at axial depth z, on this triangle, where the fragment
+ * lies. */
 TS_FN f32 ts_k_fragment_footprint(const ts_camera_k *view, const ts_corners *t, const ts_fragment *fragment)
 {
 	if (view->orthographic != 0u) return ts_k_footprint(1.0f / view->focal, view->back, t->n);
 	ts_v3 p = ts_blend(fragment->w, t->a, t->b, t->c);
-	return ts_k_footprint(fragment->z / view->focal, ts_sub(p, view->eye), t->n);
+	return ts_k_footprint((fragment->z / view->focal) * view->side, ts_sub(p, view->eye), t->n);
 }
 
 /* Texels of one view: keys, or depths alone; the other is NULL. */
@@ -48,9 +49,9 @@ TS_FN void ts_k_draw_fan(const ts_arrays *scene, const ts_camera_k *view, const 
                          const ts_corner *a, const ts_corner *b, const ts_corner *c, const ts_target *target)
 {
 	ts_snapped v[3];
-	v[0] = ts_k_snap(ts_k_project(view, a));
-	v[1] = ts_k_snap(ts_k_project(view, b));
-	v[2] = ts_k_snap(ts_k_project(view, c));
+	v[0] = ts_k_snap_corner(view, a);
+	v[1] = ts_k_snap_corner(view, b);
+	v[2] = ts_k_snap_corner(view, c);
 	ts_setup setup = ts_k_setup(v[0], v[1], v[2]);
 	if (setup.area == 0) return;
 	ts_box box = ts_k_box_meet(ts_k_touched_box(v, 3u, 0), ts_k_view_box(view));
@@ -92,8 +93,8 @@ TS_CALL ts_fragment ts_k_fragment_at(const ts_camera_k *view, const ts_corners *
 		const ts_corner *a = &polygon.corner[0];
 		const ts_corner *b = &polygon.corner[k - 1u];
 		const ts_corner *c = &polygon.corner[k];
-		ts_setup setup = ts_k_setup(ts_k_snap(ts_k_project(view, a)), ts_k_snap(ts_k_project(view, b)),
-		                            ts_k_snap(ts_k_project(view, c)));
+		ts_setup setup = ts_k_setup(ts_k_snap_corner(view, a), ts_k_snap_corner(view, b),
+		                            ts_k_snap_corner(view, c));
 		if (setup.area == 0) continue;
 		ts_edges e = ts_k_edges(&setup, i * 256 + 128, j * 256 + 128);
 		if (ts_k_covers(&setup, &e)) return ts_k_view_fragment(view, &setup, &e, a, b, c);

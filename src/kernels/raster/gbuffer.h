@@ -4,13 +4,15 @@
 #ifndef TS_KERNELS_GBUFFER_H
 #define TS_KERNELS_GBUFFER_H
 #include "../base/args.h"
+#include "eye_sample.h"
 #include "rsm.h"
 
 #define TS_ROWS_ts_gbuffer_args(ARG) \
 	ARG(INNER, ts_arrays, scene, none) \
 	ARG(IN, ts_view, view, eye_view) \
 	ARG(IN, u64, depth_triangle, eye_depth_triangle) \
-	ARG(OUT, ts_gpixel, pixels, gbuffer_pixel)
+	ARG(OUT, ts_gpixel, pixels, gbuffer_pixel) \
+	ARG(VALUE, u32, samples, none) /* of a pixel */
 TS_ARGS(ts_gbuffer_args);
 
 #define TS_SKY 1.0f
@@ -47,13 +49,11 @@ TS_FN void ts_k_gpixel(TS_GLOBAL ts_gpixel *pixel, const ts_arrays *scene, const
 	ts_k_gpixel_store(pixel, s.p, depth, n, ts_k_albedo(&s));
 }
 
-/* map over pixels */
+/* map over pixels and their samples */
 TS_FN void ts_k_gbuffer_item(const ts_gbuffer_args *args, u64 i)
 {
-	ts_camera_k view = ts_k_view(args->view);
-	i32 x = (i32)(i % (u64)view.width);
-	i32 y = (i32)(i / (u64)view.width);
-	ts_k_gpixel(&args->pixels[i], &args->scene, &view, args->depth_triangle[i], x, y);
+	ts_eye_place at = ts_k_eye_place(args->view, args->samples, i);
+	ts_k_gpixel(&args->pixels[i], &args->scene, &at.view, args->depth_triangle[i], at.x, at.y);
 }
 
 #endif

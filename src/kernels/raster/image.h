@@ -4,6 +4,7 @@
 #define TS_KERNELS_IMAGE_H
 #include "../base/args.h"
 #include "draw.h"
+#include "eye_sample.h"
 #include "../base/shade.h"
 #include "../base/srgb.h"
 
@@ -16,37 +17,68 @@
 	ARG(IN_OPT, u32, lit, shadow_test_lit) /* NULL: there are no shadows */ \
 	ARG(IN_OPT, ts_lamp, lamps, lamp_shape) \
 	ARG(OUT, f32, radiance, image_radiance) \
-	ARG(OUT, u8, srgb, image_srgb) \
-	ARG(VALUE, f32, exposure, none)
+	ARG(OUT_OPT, u8, srgb, image_srgb) /* NULL: of samples, which are not shown */ \
+	ARG(VALUE, f32, exposure, none) \
+	ARG(VALUE, u32, samples, none) /* of a pixel */
 TS_ARGS(ts_image_args);
 
 TS_FN ts_v3 ts_k_eye_radiance(const ts_image_args *args, u64 i)
 {
 	u64 key = args->depth_triangle[i];
 	if (key == TS_EMPTY) return ts_k_background();
-	ts_camera_k view = ts_k_view(args->view);
-	i32 x = (i32)(i % (u64)view.width);
-	i32 y = (i32)(i / (u64)view.width);
-	ts_surface s = ts_k_surface_seen(&args->scene, &view, (u32)key, x, y);
+	ts_eye_place at = ts_k_eye_place(args->view, args->samples, i);
+	ts_surface s = ts_k_surface_seen(&args->scene, &at.view, (u32)key, at.x, at.y);
 	TS_GLOBAL const u32 *lit = args->lit != NULL ? args->lit + i * args->scene.n_lights : NULL;
-	return ts_k_shade_lit(&args->scene, &s, ts_normalize(ts_sub(view.eye, s.p)), lit, args->lamps);
+	return ts_k_shade_lit(&args->scene, &s, ts_normalize(ts_sub(at.view.eye, s.p)), lit, args->lamps);
 }
 
-/* Three channels as they are, and as a display shows them. */
+/* Three channels as a display shows them. */
+TS_FN void ts_k_display(TS_GLOBAL u8 *srgb, ts_v3 value, f32 exposure)
+{
+	srgb[0] = (u8)ts_srgb_byte(value.x * exposure);
+	srgb[1] = (u8)ts_srgb_byte(value.y * exposure);
+	srgb[2] = (u8)ts_srgb_byte(value.z * exposure);
+}
+
+/* As they are, and so; srgb NULL: not so. */
 TS_FN void ts_k_show(TS_GLOBAL f32 *radiance, TS_GLOBAL u8 *srgb, ts_v3 value, f32 exposure)
 {
 	ts_store3(radiance, value);
-	for (u32 channel = 0u; channel < 3u; channel++) {
-		srgb[channel] = (u8)ts_srgb_byte(radiance[channel] * exposure);
-	}
+	if (srgb != NULL) ts_k_display(srgb, ts_load3(radiance), exposure);
 }
 
-/* map over pixels */
+/* map over pixels and their samples */
 TS_FN void ts_k_image_item(const ts_image_args *args, u64 i)
 {
 	bool mirror = args->offset != NULL && args->offset[i + 1u] != args->offset[i];
 	ts_v3 radiance = mirror ? ts_load3(args->reflected + (u64)args->offset[i] * 3u) : ts_k_eye_radiance(args, i);
-	ts_k_show(args->radiance + i * 3u, args->srgb + i * 3u, radiance, args->exposure);
+	TS_GLOBAL u8 *srgb = args->srgb != NULL ? args->srgb + i * 3u : NULL;
+	ts_k_show(args->radiance + i * 3u, srgb, radiance, args->exposure);
+}
+
+#define TS_ROWS_ts_resolve_args(ARG) \
+	ARG(IN, f32, samples, image_sample_radiance) \
+	ARG(IN, u64, depth_triangle, eye_depth_triangle) \
+	ARG(OUT, f32, radiance, image_radiance) \
+	ARG(OUT, u8, srgb, image_srgb) \
+	ARG(VALUE, u64, n_pixels, none) \
+	ARG(VALUE, f32, exposure, none) \
+	ARG(VALUE, f32, gain, none) /* of display values but the sky's */
+TS_ARGS(ts_resolve_args);
+
+/* map over pixels: the mean of their samples, in linear light and in order, and what a display shows of that */
+TS_FN void ts_k_image_resolve_item(const ts_resolve_args *args, u64 i)
+{
+	ts_v3 sum = ts_v3_make(0.0f, 0.0f, 0.0f);
+	ts_v3 shown = sum;
+	for (u32 sample = 0u; sample < TS_N_EYE_SAMPLES; sample++) {
+		u64 at = (u64)sample * args->n_pixels + i;
+		ts_v3 radiance = ts_load3(args->samples + at * 3u);
+		sum = ts_add(sum, radiance);
+		shown = ts_mad(shown, radiance, args->depth_triangle[at] == TS_EMPTY ? 1.0f : args->gain);
+	}
+	ts_store3(args->radiance + i * 3u, ts_scale(sum, 0.25f));
+	ts_k_display(args->srgb + i * 3u, ts_scale(shown, 0.25f), args->exposure);
 }
 
 #endif

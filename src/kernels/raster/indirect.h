@@ -13,12 +13,12 @@
 	ARG(IN, f32, irradiance, indirect_irradiance) \
 	ARG(IN_OPT, f32, specular, indirect_specular) \
 	ARG(OUT, f32, radiance, image_radiance) \
-	ARG(OUT, u8, srgb, image_srgb) \
+	ARG(OUT_OPT, u8, srgb, image_srgb) /* NULL: of samples, which are not shown */ \
 	ARG(VALUE, f32, exposure, none) \
 	ARG(VALUE, f32, gain, none) /* of display values but the sky's */
 TS_ARGS(ts_indirect_args);
 
-/* map over pixels */
+/* map over pixels and their samples */
 TS_FN void ts_k_image_indirect_item(const ts_indirect_args *args, u64 i)
 {
 	TS_GLOBAL const ts_gpixel *pixel = &args->pixels[i];
@@ -27,7 +27,8 @@ TS_FN void ts_k_image_indirect_item(const ts_indirect_args *args, u64 i)
 	ts_v3 radiance = sky ? ts_k_background() : ts_mul(ts_load3(pixel->albedo), light);
 	if (!sky && args->specular != NULL) radiance = ts_add(radiance, ts_load3(args->specular + i * 3u));
 	f32 exposure = args->exposure * (sky ? 1.0f : args->gain);
-	ts_k_show(args->radiance + i * 3u, args->srgb + i * 3u, radiance, exposure);
+	TS_GLOBAL u8 *srgb = args->srgb != NULL ? args->srgb + i * 3u : NULL;
+	ts_k_show(args->radiance + i * 3u, srgb, radiance, exposure);
 }
 
 #endif

@@ -5,6 +5,7 @@
 #define TS_KERNELS_MARGIN_H
 #include "../base/args.h"
 #include "draw.h"
+#include "eye_sample.h"
 
 /* Two minima a pixel, as f32 bits: the distance to an edge, in 1/256 pixel along the axes; and how far another depth is
  * behind, in what one such step in the image changes in the depths of both. Of depths alone, whose triangles are not
@@ -18,7 +19,8 @@
 	ARG(IN_OPT, u32, depths, depth_map_depth) \
 	ARG(MIN, u64, margin, none) /* [2] a pixel */ \
 	ARG(VALUE, u32, first_unit, none) \
-	ARG(VALUE, u32, n_units, none) /* the batch: cubes, or views */
+	ARG(VALUE, u32, n_units, none) /* the batch: cubes, or views */ \
+	ARG(VALUE, u32, samples, none) /* of a pixel of the eye */
 TS_ARGS(ts_margin_args);
 
 /* What was decided at a pixel. `other` than it is each triangle but its own, of depths each with another depth. */
@@ -105,8 +107,8 @@ TS_FN f32 ts_k_depth_step_at(const ts_arrays *scene, const ts_camera_k *view, u3
 		const ts_corner *a = &polygon.corner[0];
 		const ts_corner *b = &polygon.corner[k - 1u];
 		const ts_corner *c = &polygon.corner[k];
-		ts_setup setup = ts_k_setup(ts_k_snap(ts_k_project(view, a)), ts_k_snap(ts_k_project(view, b)),
-		                            ts_k_snap(ts_k_project(view, c)));
+		ts_setup setup = ts_k_setup(ts_k_snap_corner(view, a), ts_k_snap_corner(view, b),
+		                            ts_k_snap_corner(view, c));
 		if (setup.area == 0) continue;
 		ts_edges e = ts_k_edges(&setup, i * 256 + 128, j * 256 + 128);
 		if (ts_k_covers(&setup, &e)) {
@@ -155,9 +157,9 @@ TS_FN void ts_k_margin_fan(const ts_margin_args *args, const ts_camera_k *view, 
                            const ts_corner *a, const ts_corner *b, const ts_corner *c, u64 first)
 {
 	ts_snapped v[3];
-	v[0] = ts_k_snap(ts_k_project(view, a));
-	v[1] = ts_k_snap(ts_k_project(view, b));
-	v[2] = ts_k_snap(ts_k_project(view, c));
+	v[0] = ts_k_snap_corner(view, a);
+	v[1] = ts_k_snap_corner(view, b);
+	v[2] = ts_k_snap_corner(view, c);
 	ts_setup setup = ts_k_setup(v[0], v[1], v[2]);
 	if (setup.area == 0) return;
 	ts_box box = ts_k_box_meet(ts_k_touched_box(v, 3u, 4), ts_k_view_box(view));
@@ -192,14 +194,15 @@ TS_FN void ts_k_margin_draw(const ts_margin_args *args, const ts_camera_k *view,
 	}
 }
 
-/* scatter over triangles, as ts_k_eye_item */
+/* scatter over triangles, for each sample of the pixels, as ts_k_eye_item */
 TS_FN void ts_k_eye_margin_item(const ts_margin_args *args, u64 i)
 {
-	u32 triangle = (u32)i;
-	ts_camera_k view = ts_k_view(args->view);
+	u32 triangle = (u32)(i % args->scene.n_triangles);
+	u32 sample = (u32)(i / args->scene.n_triangles);
+	ts_camera_k view = ts_k_eye_view(args->view, args->samples, sample);
 	ts_corners t = ts_k_corners(&args->scene, triangle);
 	if (ts_k_is_degenerate(t.n) || !ts_k_is_facing(&args->scene, triangle, &t, view.eye)) return;
-	ts_k_margin_draw(args, &view, &t, triangle, 0u);
+	ts_k_margin_draw(args, &view, &t, triangle, (u64)sample * (u64)args->view->width * (u64)args->view->height);
 }
 
 /* scatter over triangles, as ts_k_cube_face_item */

@@ -17,6 +17,9 @@ TS_FN ts_camera_k ts_k_offscreen(TS_GLOBAL const ts_offscreen *view)
 	r.near = view->near;
 	r.width = (i32)view->width;
 	r.height = (i32)view->height;
+	r.side = 1.0f;
+	r.shift_x = 0;
+	r.shift_y = 0;
 	r.orthographic = view->orthographic;
 	return r;
 }

@@ -17,11 +17,12 @@ typedef struct {
 	u32 n;
 } ts_polygon;
 
-/* A view in registers. An orthographic one has `focal` pixels a world unit. */
+/* A view in registers. An orthographic one has `focal` pixels a world unit. The image is moved by `shift`, in 1/256
+ * pixel; `side` pixels is that of the square that a pixel's colour stands for: see eye_sample.h. */
 typedef struct {
 	ts_v3 eye, right, up, back;
-	f32 focal, near;
-	i32 width, height;
+	f32 focal, near, side;
+	i32 width, height, shift_x, shift_y;
 	u32 orthographic;
 } ts_camera_k;
 
@@ -34,8 +35,11 @@ TS_FN ts_camera_k ts_k_view(TS_GLOBAL const ts_view *view)
 	r.back = ts_load3(view->back);
 	r.focal = view->focal;
 	r.near = view->near;
+	r.side = 1.0f;
 	r.width = (i32)view->width;
 	r.height = (i32)view->height;
+	r.shift_x = 0;
+	r.shift_y = 0;
 	r.orthographic = 0u;
 	return r;
 }
@@ -190,6 +194,14 @@ TS_FN ts_snapped ts_k_snap(ts_v2 p)
 	ts_snapped r;
 	r.x = ts_fix(p.x, 8, 23);
 	r.y = ts_fix(p.y, 8, 23);
+	return r;
+}
+
+TS_FN ts_snapped ts_k_snap_corner(const ts_camera_k *view, const ts_corner *p)
+{
+	ts_snapped r = ts_k_snap(ts_k_project(view, p));
+	r.x += view->shift_x;
+	r.y += view->shift_y;
 	return r;
 }
 

@@ -7,6 +7,7 @@
 #define TS_KERNELS_SHADOW_TEST_H
 #include "../base/args.h"
 #include "draw.h"
+#include "eye_sample.h"
 
 #define TS_ROWS_ts_shadow_test_args(ARG) \
 	ARG(INNER, ts_arrays, scene, none) \
@@ -20,7 +21,8 @@
 	ARG(VALUE, u32, n_lamps, none) \
 	ARG(VALUE, u32, cubes, none) /* the views are faces of cubes: the one that p falls into counts */ \
 	ARG(VALUE, f32, bias, none) \
-	ARG(VALUE, f32, slope, none)
+	ARG(VALUE, f32, slope, none) \
+	ARG(VALUE, u32, samples, none) /* of a pixel */
 TS_ARGS(ts_shadow_test_args);
 
 /* What the eye sees at a pixel: a point and the face's normal, unit. */
@@ -94,13 +96,17 @@ TS_FN TS_GLOBAL const ts_offscreen *ts_k_asked_view(const ts_shadow_test_args *a
 	return &args->views[v + face];
 }
 
-/* map over pixels: adds what the views of the batch let through */
+/* What the eye sees at element i of its buffers. */
+TS_FN ts_receiver ts_k_receiver_at(const ts_shadow_test_args *args, u64 i)
+{
+	ts_eye_place at = ts_k_eye_place(args->view, args->samples, i);
+	return ts_k_receiver(&args->scene, &at.view, args->depth_triangle[i], at.x, at.y);
+}
+
+/* map over pixels and their samples: adds what the views of the batch let through */
 TS_FN void ts_k_shadow_test_item(const ts_shadow_test_args *args, u64 i)
 {
-	ts_camera_k eye = ts_k_view(args->view);
-	i32 x = (i32)(i % (u64)eye.width);
-	i32 y = (i32)(i / (u64)eye.width);
-	ts_receiver at = ts_k_receiver(&args->scene, &eye, args->depth_triangle[i], x, y);
+	ts_receiver at = ts_k_receiver_at(args, i);
 	if (!at.seen || args->n_views == 0u) return;
 	u64 first_texel = args->views[args->first_view].offset;
 	u32 step = args->cubes != 0u ? 6u : 1u;

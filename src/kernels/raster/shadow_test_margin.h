@@ -96,14 +96,12 @@ TS_FN void ts_k_reach_margin(const ts_shadow_test_args *args, TS_GLOBAL const ts
 	}
 }
 
-/* map over pixels, as ts_k_shadow_test_item */
+/* map over pixels and their samples, as ts_k_shadow_test_item */
 TS_FN void ts_k_shadow_test_margin_item(const ts_shadow_test_margin_args *args, u64 i)
 {
 	const ts_shadow_test_args *of = &args->of;
 	ts_camera_k eye = ts_k_view(of->view);
-	i32 x = (i32)(i % (u64)eye.width);
-	i32 y = (i32)(i / (u64)eye.width);
-	ts_receiver at = ts_k_receiver(&of->scene, &eye, of->depth_triangle[i], x, y);
+	ts_receiver at = ts_k_receiver_at(of, i);
 	if (!at.seen || of->n_views == 0u) return;
 	f32 moves = ts_k_receiver_step(&eye, &at);
 	u64 first_texel = of->views[of->first_view].offset;

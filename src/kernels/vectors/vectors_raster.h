@@ -12,7 +12,7 @@ TS_FN ts_snapped ts_row_snapped(TS_GLOBAL const u32 *in, u32 k)
 	return r;
 }
 
-/* Size and focal length; what else a view has is 0. */
+/* Size and focal length; what else a view has is 0, and its image is not moved. */
 TS_FN ts_camera_k ts_row_view(TS_GLOBAL const u32 *in)
 {
 	ts_v3 zero = ts_v3_make(0.0f, 0.0f, 0.0f);
@@ -25,6 +25,9 @@ TS_FN ts_camera_k ts_row_view(TS_GLOBAL const u32 *in)
 	r.width = ts_row_i32(in, 0u);
 	r.height = ts_row_i32(in, 1u);
 	r.focal = ts_row_f32(in, 2u);
+	r.side = 1.0f;
+	r.shift_x = 0;
+	r.shift_y = 0;
 	r.orthographic = 0u;
 	return r;
 }

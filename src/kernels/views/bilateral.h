@@ -43,10 +43,10 @@ TS_FN f32 ts_k_bilateral_weight(const ts_bilateral_args *args, u64 a, u64 b, i32
 	return ts_flush(ts_exp(-(far + apart)));
 }
 
-/* map over pixels */
+/* map over pixels and their samples: the picture of each sample by itself */
 TS_FN void ts_k_bilateral_item(const ts_bilateral_args *args, u64 i)
 {
-	i32 place = (i32)(args->columns != 0u ? i / args->width : i % args->width);
+	i32 place = (i32)(args->columns != 0u ? i / args->width % args->height : i % args->width);
 	i32 end = (i32)(args->columns != 0u ? args->height : args->width);
 	i64 step = args->columns != 0u ? (i64)args->width : 1;
 	i32 low = ts_max_i32(-(i32)args->radius, -place);

@@ -1,4 +1,5 @@
 /* Light of every triangle, gathered by every pixel itself. */
+#include "../raster/eye.h"
 #include "gloss.h"
 
 static const ts_launch gathered = TS_LAUNCH(direct, TS_ALL);
@@ -13,8 +14,8 @@ ts_direct_args ts_direct_values(const ts_run *run)
 
 static ts_status direct(ts_run *run)
 {
-	u64 n_pixels = (u64)TS_PARAM(&run->params, width) * TS_PARAM(&run->params, height);
 	ts_direct_args args = ts_direct_values(run);
+	u64 n_pixels = ts_eye_size(run);
 	ts_run_count(run, "gathers", (i64)(n_pixels * args.n_patches));
 	return TS_RUN(run, run->plan.lights.straight ? &of_lamps : &gathered, &args, n_pixels);
 }

@@ -1,5 +1,6 @@
 /* Specular reflection of the light that hulls and direct gather. */
 #include "../../kernels/hulls/gloss.h"
+#include "../raster/eye.h"
 #include "gloss.h"
 
 #define OF_HULL TS_BUT(of.box), TS_BUT(of.irradiance), TS_BUT(of.choice.offset)
@@ -12,18 +13,16 @@ static const ts_launch direct_of_lamps =
 
 bool ts_gloss_is_asked(const ts_params *params) { return TS_PARAM(params, gloss_lobe) != 0; }
 
-static u64 n_pixels(const ts_run *run) { return (u64)TS_PARAM(&run->params, width) * TS_PARAM(&run->params, height); }
-
 static ts_status gloss(ts_run *run)
 {
-	ts_gloss_args args = {.scene = ts_run_scene(run)};
-	return TS_RUN(run, &surfaces, &args, n_pixels(run));
+	ts_gloss_args args = {.scene = ts_run_scene(run), .samples = ts_eye_samples(&run->params)};
+	return TS_RUN(run, &surfaces, &args, ts_eye_size(run));
 }
 
 static ts_status gloss_hull(ts_run *run)
 {
 	ts_gloss_hull_args args = {.of = ts_hull_values(run)};
-	return TS_RUN(run, &of_lobes, &args, n_pixels(run));
+	return TS_RUN(run, &of_lobes, &args, ts_eye_size(run));
 }
 
 static ts_status gloss_direct(ts_run *run)
@@ -32,7 +31,7 @@ static ts_status gloss_direct(ts_run *run)
 	                             .cosine = TS_PARAM(&run->params, hull_cosine),
 	                             .vmf = TS_PARAM(&run->params, hull_sharpness) == TS_SHARPNESS_VMF,
 	                             .printed = TS_PARAM(&run->params, hull_integrals) == TS_INTEGRALS_PRINTED};
-	return TS_RUN(run, run->plan.lights.straight ? &direct_of_lamps : &direct, &args, n_pixels(run));
+	return TS_RUN(run, run->plan.lights.straight ? &direct_of_lamps : &direct, &args, ts_eye_size(run));
 }
 
 const ts_stage ts_stage_gloss = {

@@ -1,11 +1,10 @@
 /* Every pixel's box, and the lobes of its corners at the pixel. */
 #include "../../kernels/hulls/hull_margin.h"
+#include "../raster/eye.h"
 #include "gloss.h"
 
 static const ts_launch interpolated = TS_LAUNCH(hull, TS_ALL);
 static const ts_launch measured = TS_LAUNCH(hull_margin, TS_ALL);
-
-static u64 n_pixels(const ts_run *run) { return (u64)TS_PARAM(&run->params, width) * TS_PARAM(&run->params, height); }
 
 static ts_choice_args choice(const ts_run *run)
 {
@@ -33,7 +32,7 @@ ts_hull_args ts_hull_values(const ts_run *run)
 static ts_status hull(ts_run *run)
 {
 	ts_hull_args args = ts_hull_values(run);
-	if (TS_RUN(run, &interpolated, &args, n_pixels(run)) != TS_OK) return TS_ERROR;
+	if (TS_RUN(run, &interpolated, &args, ts_eye_size(run)) != TS_OK) return TS_ERROR;
 	ts_run_count(run, "pixels without a segment", ts_frame_tally(&run->frame, 0));
 	return TS_OK;
 }
@@ -42,7 +41,7 @@ static ts_status hull_margin(ts_run *run)
 {
 	ts_hull_margin_args args = {
 		.choice = choice(run), .width = TS_PARAM(&run->params, width), .height = TS_PARAM(&run->params, height)};
-	return TS_RUN(run, &measured, &args, n_pixels(run));
+	return TS_RUN(run, &measured, &args, ts_eye_size(run));
 }
 
 const ts_stage ts_stage_hull = {

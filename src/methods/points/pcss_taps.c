@@ -1,5 +1,6 @@
 /* How many taps about a pixel, in the one depth map of each light, let light through. */
 #include "../../kernels/points/pcss.h"
+#include "../raster/eye.h"
 #include "../raster/shadow_test.h"
 
 static const ts_launch filtered = TS_LAUNCH(pcss, TS_ALL);
@@ -7,7 +8,7 @@ static const ts_launch filtered = TS_LAUNCH(pcss, TS_ALL);
 static ts_status pcss(ts_run *run)
 {
 	ts_pcss_args args = {.of = ts_resolve_values(run), .near = TS_PARAM(&run->params, pcss_near)};
-	return TS_RUN(run, &filtered, &args, (u64)TS_PARAM(&run->params, width) * TS_PARAM(&run->params, height));
+	return TS_RUN(run, &filtered, &args, ts_eye_size(run));
 }
 
 const ts_stage ts_stage_pcss = {

@@ -2,7 +2,7 @@
 #include <stdlib.h>
 #include "../../scene/lamp.h"
 #include "../../kernels/points/shadow_cube_size.h"
-#include "../stages.h"
+#include "../raster/eye.h"
 
 static const ts_launch launch = TS_LAUNCH(shadow_cube_size, TS_BUT_SURFACES, TS_WORK(cubes, other));
 
@@ -15,7 +15,7 @@ static ts_status find_least(ts_run *run, ts_face *cubes, u32 n)
 		.n_cubes = n,
 	};
 	ts_frame_lend(&run->frame, TS_WORK_other, cubes, n * sizeof *cubes);
-	ts_status status = TS_RUN(run, &launch, &args, (u64)TS_PARAM(&run->params, width) * TS_PARAM(&run->params, height));
+	ts_status status = TS_RUN(run, &launch, &args, ts_eye_size(run));
 	ts_status recalled = ts_frame_recall(&run->frame, TS_WORK_other);
 	return status == TS_OK ? recalled : status;
 }

@@ -1,13 +1,20 @@
 /* The eye's depth and triangle. */
 #include "../../kernels/raster/eye.h"
-#include "../stages.h"
+#include "eye.h"
+
+u32 ts_eye_samples(const ts_params *params)
+{
+	return TS_PARAM(params, eye_samples) == TS_EYE_SAMPLES_4 ? TS_N_EYE_SAMPLES : 1;
+}
+
+u64 ts_eye_size(const ts_run *run) { return ts_run_size(run, TS_DIM_eye_rows) * TS_PARAM(&run->params, width); }
 
 static const ts_launch launch = TS_LAUNCH(eye, TS_ALL);
 
 static ts_status eye(ts_run *run)
 {
-	ts_eye_args args = {.scene = ts_run_scene(run)};
-	if (TS_RUN(run, &launch, &args, args.scene.n_triangles) != TS_OK) return TS_ERROR;
+	ts_eye_args args = {.scene = ts_run_scene(run), .samples = ts_eye_samples(&run->params)};
+	if (TS_RUN(run, &launch, &args, (u64)args.scene.n_triangles * args.samples) != TS_OK) return TS_ERROR;
 	ts_run_count(run, "geometry traversals", 1);
 	return TS_OK;
 }

@@ -1,13 +1,13 @@
 /* The G-buffer. */
 #include "../../kernels/raster/gbuffer.h"
-#include "../stages.h"
+#include "eye.h"
 
 static const ts_launch surfaces = TS_LAUNCH(gbuffer, TS_ALL);
 
 static ts_status gbuffer(ts_run *run)
 {
-	ts_gbuffer_args args = {.scene = ts_run_scene(run)};
-	return TS_RUN(run, &surfaces, &args, (u64)TS_PARAM(&run->params, width) * TS_PARAM(&run->params, height));
+	ts_gbuffer_args args = {.scene = ts_run_scene(run), .samples = ts_eye_samples(&run->params)};
+	return TS_RUN(run, &surfaces, &args, ts_eye_size(run));
 }
 
 const ts_stage ts_stage_gbuffer = {

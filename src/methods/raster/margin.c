@@ -1,6 +1,6 @@
 /* How near coverage and depths of triangles were to another answer. */
 #include "../../kernels/raster/margin.h"
-#include "../stages.h"
+#include "eye.h"
 
 static const ts_launch of_eye =
 	TS_LAUNCH(eye_margin, TS_WITH(view), TS_IN(depth_triangle, eye_depth_triangle), TS_MIN(margin, eye_margin));
@@ -12,8 +12,8 @@ static const ts_launch of_depths =
 
 static ts_status eye_margin(ts_run *run)
 {
-	ts_margin_args args = {.scene = ts_run_scene(run)};
-	return TS_RUN(run, &of_eye, &args, args.scene.n_triangles);
+	ts_margin_args args = {.scene = ts_run_scene(run), .samples = ts_eye_samples(&run->params)};
+	return TS_RUN(run, &of_eye, &args, (u64)args.scene.n_triangles * args.samples);
 }
 
 static ts_status cube_face_margin(ts_run *run)

@@ -1,11 +1,10 @@
 /* Shadows from depth maps: how many samples of each light reach a pixel, and how near the comparisons were. */
 #include "../../kernels/raster/shadow_test_margin.h"
+#include "eye.h"
 #include "shadow_test.h"
 
 static const ts_launch resolved = TS_LAUNCH(shadow_test, TS_ALL);
 static const ts_launch measured = TS_LAUNCH(shadow_test_margin, TS_BUT(of.lit));
-
-static u64 n_pixels(const ts_run *run) { return (u64)TS_PARAM(&run->params, width) * TS_PARAM(&run->params, height); }
 
 ts_shadow_test_args ts_resolve_values(const ts_run *run)
 {
@@ -15,6 +14,7 @@ ts_shadow_test_args ts_resolve_values(const ts_run *run)
 		.cubes = ts_run_has_cubes(run),
 		.bias = TS_PARAM(&run->params, depth_map_bias),
 		.slope = TS_PARAM(&run->params, depth_map_bias_slope),
+		.samples = ts_eye_samples(&run->params),
 	};
 	ts_run_views(run, &args.first_view, &args.n_views);
 	return args;
@@ -23,13 +23,13 @@ ts_shadow_test_args ts_resolve_values(const ts_run *run)
 static ts_status shadow_test(ts_run *run)
 {
 	ts_shadow_test_args args = ts_resolve_values(run);
-	return TS_RUN(run, &resolved, &args, n_pixels(run));
+	return TS_RUN(run, &resolved, &args, ts_eye_size(run));
 }
 
 static ts_status shadow_test_margin(ts_run *run)
 {
 	ts_shadow_test_margin_args args = {.of = ts_resolve_values(run)};
-	return TS_RUN(run, &measured, &args, n_pixels(run));
+	return TS_RUN(run, &measured, &args, ts_eye_size(run));
 }
 
 const ts_stage ts_stage_shadow_test = {

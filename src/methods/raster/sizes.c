@@ -1,7 +1,18 @@
 /* Sizes of rasterization that are computed. */
 #include "../../kernels/raster/mip.h"
+#include "eye.h"
 #include "../registry.h"
 #include "../stages.h"
+
+u64 ts_size_eye_rows(const ts_size_question *q)
+{
+	return (u64)ts_eye_samples(&q->run->params) * TS_PARAM(&q->run->params, height);
+}
+
+u64 ts_size_sample_rows(const ts_size_question *q)
+{
+	return ts_eye_samples(&q->run->params) > 1 ? ts_size_eye_rows(q) : 0;
+}
 
 u64 ts_size_view_words(const ts_size_question *q)
 {

@@ -1,6 +1,6 @@
 /* Gathered light, filtered. */
 #include "../../kernels/views/bilateral.h"
-#include "../stages.h"
+#include "../raster/eye.h"
 
 static const ts_launch along_rows =
 	TS_LAUNCH(bilateral, TS_IN(from, vpl_gather_irradiance), TS_OUT(to, bilateral_filtered_rows));
@@ -12,7 +12,7 @@ static ts_status bilateral(ts_run *run)
 	const ts_params *params = &run->params;
 	ts_bilateral_args args = {
 		.width = TS_PARAM(params, width), .height = TS_PARAM(params, height), .radius = TS_PARAM(params, bilateral_px)};
-	u64 n = (u64)args.width * args.height;
+	u64 n = ts_eye_size(run);
 	if (TS_RUN(run, &along_rows, &args, n) != TS_OK) return TS_ERROR;
 	args.columns = 1;
 	return TS_RUN(run, &along_columns, &args, n);

@@ -1,6 +1,7 @@
 /* Light from virtual point lights: which nodes of views may light which nodes of the scene, and what pixels gather. */
 #include "../../kernels/views/vpl_gather_margin.h"
 #include "../../kernels/views/vpl_gather_pairs.h"
+#include "../raster/eye.h"
 #include "octree.h"
 #include "traverse.h"
 
@@ -147,8 +148,7 @@ static ts_status vpl_gather(ts_run *run)
 {
 	ts_vpl_gather_args args = values(run);
 	u32 query = TS_PARAM(&run->params, vpl_gather_query);
-	u64 n_pixels = (u64)TS_PARAM(&run->params, width) * TS_PARAM(&run->params, height);
-	if (TS_RUN(run, &gathered[query], &args, n_pixels) != TS_OK) return TS_ERROR;
+	if (TS_RUN(run, &gathered[query], &args, ts_eye_size(run)) != TS_OK) return TS_ERROR;
 	ts_run_count(run, "pixels in no node", ts_frame_tally(&run->frame, 0));
 	ts_run_count(run, "texels a question", texels_asked(run, query, &args.unfused.pyramid));
 	return TS_OK;
@@ -158,7 +158,7 @@ static ts_status vpl_gather_margin(ts_run *run)
 {
 	ts_vpl_gather_margin_args args = {.of = values(run)};
 	const ts_launch *launch = &measured[TS_PARAM(&run->params, vpl_gather_query)];
-	return TS_RUN(run, launch, &args, (u64)TS_PARAM(&run->params, width) * TS_PARAM(&run->params, height));
+	return TS_RUN(run, launch, &args, ts_eye_size(run));
 }
 
 const ts_stage ts_stage_vpl_gather_pairs = {

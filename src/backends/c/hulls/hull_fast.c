@@ -31,7 +31,7 @@ static void add(lobes *l, u64 at, ts_sg g, ts_v3 n)
 
 static void add_pixel(const ts_hull_args *args, lobes *l, u64 i)
 {
-	u32 x = (u32)(i % args->width), y = (u32)(i / args->width);
+	u32 x = (u32)(i % args->width), y = (u32)(i / args->width % args->height);
 	u32 box = ts_k_hull_box(args, i, x, y);
 	if (box == TS_NONE) return;
 	ts_shares shares = ts_k_box_shares(args, box, x, y);

@@ -18,7 +18,7 @@ static inline void ts_prepare(ts_prepared *p, const ts_arrays *scene, const ts_c
 	p->polygon = ts_k_polygon(view, p->corners.a, p->corners.b, p->corners.c);
 	ts_k_clip_to_range(view, &p->polygon);
 	ts_snapped v[TS_MAX_CORNERS];
-	for (u32 k = 0; k < p->polygon.n; k++) v[k] = ts_k_snap(ts_k_project(view, &p->polygon.corner[k]));
+	for (u32 k = 0; k < p->polygon.n; k++) v[k] = ts_k_snap_corner(view, &p->polygon.corner[k]);
 	for (u32 k = 2; k < p->polygon.n; k++) p->setup[k] = ts_k_setup(v[0], v[k - 1], v[k]);
 }
 

@@ -8,9 +8,8 @@ ts_status ts_probe_put_gloss(ts_probe *p, const ts_probe_seen *at, const ts_gpix
 	ts_gloss gloss, held;
 	json_t *lobe = json_object();
 	const ts_params *params = &p->trace->params;
-	ts_camera_k view = ts_k_view(&p->view);
-	ts_k_gloss(&gloss, &p->scene, &view, at->key, (i32)at->x, (i32)at->y);
-	*glossy = ts_k_glossy(pixel, &gloss, view.eye, TS_PARAM(params, hull_cosine),
+	ts_k_gloss(&gloss, &p->scene, &at->view, at->key, (i32)at->x, (i32)at->y);
+	*glossy = ts_k_glossy(pixel, &gloss, at->view.eye, TS_PARAM(params, hull_cosine),
 	                      TS_PARAM(params, hull_integrals) == TS_INTEGRALS_PRINTED);
 	ts_probe_put(p, o, "f0", ts_probe_v3_bits(glossy->f0));
 	ts_probe_put(p, o, "alpha_squared", ts_probe_bits(gloss.alpha_squared));
@@ -18,7 +17,7 @@ ts_status ts_probe_put_gloss(ts_probe *p, const ts_probe_seen *at, const ts_gpix
 	ts_probe_put(p, lobe, "lambda", ts_probe_bits(glossy->lobe.lambda));
 	ts_probe_put(p, lobe, "phi", ts_probe_v3_bits(glossy->lobe.phi));
 	ts_probe_put(p, o, "lobe", lobe);
-	ts_status status = ts_probe_fetch_pixel(p, TS_B_gloss_pixel, at->x, at->y, 1, &held, &there);
+	ts_status status = ts_probe_fetch_pixel(p, TS_B_gloss_pixel, at->x, at->row, 1, &held, &there);
 	if (status == TS_OK && there) ts_probe_put_record_check(p, o, TS_B_gloss_pixel, &gloss, &held);
 	return status;
 }

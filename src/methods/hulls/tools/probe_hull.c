@@ -118,7 +118,7 @@ static ts_status put_offers(ts_probe *p, json_t *o, const choice *c, u32 block, 
 	return TS_OK;
 }
 
-static ts_status put_choice(ts_probe *p, json_t *o, const choice *c, u32 x, u32 y, u32 *chosen)
+static ts_status put_choice(ts_probe *p, json_t *o, const choice *c, const ts_probe_seen *at, u32 *chosen)
 {
 	u32 held, block = ts_k_block_of(c->args.grid, c->at.x, c->at.y);
 	bool there;
@@ -127,7 +127,7 @@ static ts_status put_choice(ts_probe *p, json_t *o, const choice *c, u32 x, u32 
 	ts_probe_put(p, o, "block", ts_probe_int(block));
 	ts_status status = put_offers(p, o, c, block, *chosen);
 	ts_probe_put(p, o, "box", *chosen != TS_NONE ? ts_probe_int(*chosen) : json_string("none: the pixel stays dark"));
-	if (status == TS_OK) status = ts_probe_fetch_pixel(p, TS_B_hull_box, x, y, 1, &held, &there);
+	if (status == TS_OK) status = ts_probe_fetch_pixel(p, TS_B_hull_box, at->x, at->row, 1, &held, &there);
 	if (status == TS_OK && there) ts_probe_put_record_check(p, o, TS_B_hull_box, chosen, &held);
 	return status;
 }
@@ -266,7 +266,7 @@ static ts_status put_light_from(ts_probe *p, const ts_probe_seen *at, const ts_g
 	                   .depth = pixel->depth}};
 	ts_status status = ts_probe_require(p, needed);
 	if (status == TS_OK) status = read_choice(p, &c);
-	if (status == TS_OK) status = put_choice(p, o, &c, at->x, at->y, &box);
+	if (status == TS_OK) status = put_choice(p, o, &c, at, &box);
 	ts_probe_put(p, object, "hull", o);
 	*gathered = (ts_probe_gathered){.reflects = ts_gloss_is_asked(&p->trace->params)};
 	if (status != TS_OK || box == TS_NONE) return status;

@@ -63,8 +63,9 @@ static ts_status take_splats(ts_stage_pictures *pictures, const ts_run *run, ts_
 	u64 samples = n > 0 ? ts_frame_n(frame, id) / n : 0;
 	for (u64 i = 0; i < n; i++) {
 		double texels = splat_texels(run, &faces[pixels[i].reflector], lookup[i * samples]);
-		p->mask[pixels[i].index] = 1;
-		if (texels > 0) ts_falsecolour_ramp(p->rgb + 3 * (size_t)pixels[i].index, (log2(texels) + 3) / 8);
+		size_t pixel = pixels[i].index % ((size_t)p->width * p->height);
+		p->mask[pixel] = 1;
+		if (texels > 0) ts_falsecolour_ramp(p->rgb + 3 * pixel, (log2(texels) + 3) / 8);
 	}
 	snprintf(p->caption, sizeof p->caption, "splat seen by each reflective pixel: 1/8 texel dark to 32 texels bright");
 	return TS_OK;
@@ -79,9 +80,10 @@ static ts_status take_faces(ts_stage_pictures *pictures, const ts_run *run, ts_b
 	const ts_pixel *pixels = ts_frame_data(&run->frame, TS_B_mirror_pixel_record);
 	const ts_face *faces = ts_frame_data(&run->frame, TS_B_cube_size_face);
 	for (u64 i = 0; i < ts_frame_n(&run->frame, TS_B_mirror_pixel_record); i++) {
-		p->mask[pixels[i].index] = 1;
+		size_t pixel = pixels[i].index % ((size_t)p->width * p->height);
+		p->mask[pixel] = 1;
 		double share = (double)faces[pixels[i].reflector].n / TS_PARAM(&run->params, cube_max_px);
-		ts_falsecolour_ramp(p->rgb + 3 * (size_t)pixels[i].index, share);
+		ts_falsecolour_ramp(p->rgb + 3 * pixel, share);
 	}
 	snprintf(p->caption, sizeof p->caption, "cube face behind each reflective pixel: 0 texels dark to %u bright",
 	         (unsigned)TS_PARAM(&run->params, cube_max_px));

@@ -34,7 +34,7 @@ static ts_status put_mirror(ts_probe *p, json_t *o, u32 entry, u32 index, ts_pro
 
 static ts_status put_light(ts_probe *p, const ts_probe_seen *at, ts_probe_reflection *put, json_t *o, ts_v3 *radiance)
 {
-	u32 offset[2], index = at->y * p->view.width + at->x;
+	u32 offset[2], index = at->row * p->view.width + at->x;
 	if (ts_probe_fetch(p, TS_B_mirror_pixel_offset, index, 2, offset) != TS_OK) return TS_ERROR;
 	if (offset[1] != offset[0]) return put_mirror(p, o, offset[0], index, put, radiance);
 	ts_probe_put_shading(p, at, NULL, NULL, o, radiance);

@@ -4,6 +4,7 @@
 #include "../../../kernels/points/density.h"
 #include "../../../kernels/points/samples.h"
 #include "../../../kernels/base/shade.h"
+#include "../../raster/eye.h"
 #include "../../../truth/query.h"
 #include "../../../truth/sampling.h"
 #include "tools.h"
@@ -20,7 +21,7 @@ struct tracer {
 	const ts_pixel *pixels;
 	u64 n_pixels;
 	ts_v3 eye;
-	f32 spread; /* footprint of a unit of path */
+	f32 spread; /* footprint of a unit of path: the side of what a sample of a pixel stands for */
 	u32 bounces;
 	int n_threads;
 	sample *look;
@@ -37,7 +38,7 @@ static tracer tracer_of(const ts_truth *truth, const ts_run *run)
 		.pixels = ts_frame_data(&run->frame, TS_B_mirror_pixel_record),
 		.n_pixels = ts_frame_n(&run->frame, TS_B_mirror_pixel_record),
 		.eye = ts_load3(eye->eye),
-		.spread = 1.0f / eye->focal,
+		.spread = ts_k_eye_view(eye, ts_eye_samples(&run->params), 0).side / eye->focal,
 		.bounces = TS_PARAM(&run->params, lookup_bounces),
 		.n_threads = (int)run->c.threads,
 	};

@@ -8,7 +8,7 @@
  * neither can the neighbours in its plane. There is no other bias. */
 #include "../../../kernels/raster/shadow_test.h"
 #include "../../pipeline.h"
-#include "../../stages.h"
+#include "../../raster/eye.h"
 #include "../../../truth/query.h"
 #include "../../../truth/sampling.h"
 #include "tools.h"
@@ -18,7 +18,8 @@ enum { MOST_SAMPLES = 1 << 20 }; /* of all lights */
 typedef struct {
 	const ts_truth *truth;
 	const ts_arrays *scene;
-	ts_camera_k eye;
+	const ts_view *eye;
+	u32 samples;
 	const u64 *seen; /* eye.depth_triangle */
 	const ts_offscreen *views;
 	const ts_lamp *lamps;
@@ -86,8 +87,8 @@ static u32 count(const tracer *t, const ts_lamp *lamp, const ts_share *share, co
 static void resolve(const void *user, u64 i, const ts_share *share)
 {
 	const tracer *t = user;
-	i32 x = (i32)(i % (u64)t->eye.width), y = (i32)(i / (u64)t->eye.width);
-	ts_receiver at = ts_k_receiver(t->scene, &t->eye, t->seen[i], x, y);
+	const ts_eye_place place = ts_k_eye_place(t->eye, t->samples, i);
+	ts_receiver at = ts_k_receiver(t->scene, &place.view, t->seen[i], place.x, place.y);
 	for (u32 k = 0; at.seen && k < t->n_lamps; k++) {
 		t->lit[i * t->n_lamps + k] = count(t, &t->lamps[k], share, &at, (u32)t->seen[i]);
 	}
@@ -95,18 +96,19 @@ static void resolve(const void *user, u64 i, const ts_share *share)
 
 static ts_status trace(const ts_truth *truth, ts_run *run, ts_sampling *sampling, const char *label)
 {
-	u64 width = TS_PARAM(&run->params, width), height = TS_PARAM(&run->params, height), n = width * height;
+	u64 width = TS_PARAM(&run->params, width), n = ts_eye_size(run);
 	tracer t = {
 		.truth = truth,
 		.scene = ts_truth_scene(truth),
-		.eye = ts_k_view(ts_frame_data(&run->frame, TS_B_eye_view)),
+		.eye = ts_frame_data(&run->frame, TS_B_eye_view),
+		.samples = ts_eye_samples(&run->params),
 		.seen = ts_frame_data(&run->frame, TS_B_eye_depth_triangle),
 		.views = ts_frame_data(&run->frame, TS_B_offscreen_view),
 		.n_lamps = (u32)ts_frame_n(&run->frame, TS_B_lamp_shape),
 		.lamps = ts_frame_data(&run->frame, TS_B_lamp_shape),
 		.step = ts_run_has_cubes(run) ? 6 : 1,
 	};
-	t.lit = ts_frame_make3(&run->frame, TS_B_shadow_test_lit, height, width, t.n_lamps);
+	t.lit = ts_frame_make3(&run->frame, TS_B_shadow_test_lit, n / width, width, t.n_lamps);
 	if (t.lit == NULL) return TS_ERROR;
 	memset(t.lit, 0, n * t.n_lamps * sizeof *t.lit);
 	u64 n_samples = ts_frame_n(&run->frame, TS_B_offscreen_view) / t.step;

@@ -17,9 +17,12 @@ static bool where_pixel(char *text, const ts_trace *reference, ts_buffer_id id, 
 {
 	ts_pixel record;
 	(void)id;
-	u32 width = TS_PARAM(&reference->params, width);
+	u32 width = TS_PARAM(&reference->params, width), height = TS_PARAM(&reference->params, height);
 	if (!ts_where_fetch(reference, TS_B_mirror_pixel_record, pixel, &record) || width == 0) return false;
-	snprintf(text, TS_WHERE_TEXT, "pixel (%u, %u)", (unsigned)(record.index % width), (unsigned)(record.index / width));
+	u32 row = record.index / width;
+	int n = snprintf(text, TS_WHERE_TEXT, "pixel (%u, %u)", (unsigned)(record.index % width), (unsigned)(row % height));
+	if (TS_PARAM(&reference->params, eye_samples) != TS_EYE_SAMPLES_1)
+		snprintf(text + n, TS_WHERE_TEXT - (size_t)n, ", sample %u", (unsigned)(row / height));
 	return true;
 }
 

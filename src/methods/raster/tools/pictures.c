@@ -139,10 +139,14 @@ static ts_status take_lit(ts_stage_pictures *pictures, const ts_run *run, ts_buf
 	const ts_lamp *lamps = ts_frame_data(&run->frame, TS_B_lamp_shape);
 	u64 n, n_lamps = ts_frame_n(&run->frame, TS_B_lamp_shape);
 	const u64 *seen = ts_pipeline_seen(run, &n);
-	for (u64 i = 0; i < n; i++) {
-		double share = 0;
-		for (u64 k = 0; k < n_lamps; k++) share += (double)lit[i * n_lamps + k] / lamps[k].samples / (double)n_lamps;
-		memset(p->rgb + 3 * i, seen[i] != TS_EMPTY ? (int)(255 * share + 0.5) : ts_picture_nothing[0], 3);
+	for (u64 i = 0, n_pixels = (u64)p->width * p->height; i < n_pixels; i++) {
+		double share = 0, asked = 0;
+		for (u64 at = i; at < n; at += n_pixels) {
+			asked += seen[at] != TS_EMPTY;
+			for (u64 k = 0; k < n_lamps; k++) share += (double)lit[at * n_lamps + k] / lamps[k].samples;
+		}
+		int grey = asked > 0 ? (int)(255 * share / (double)n_lamps / asked + 0.5) : ts_picture_nothing[0];
+		memset(p->rgb + 3 * i, grey, 3);
 	}
 	snprintf(p->caption, sizeof p->caption, "samples that reach each pixel, mean of all lights: none black, all white");
 	return TS_OK;

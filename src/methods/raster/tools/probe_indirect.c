@@ -2,40 +2,39 @@
 #include "../../../kernels/raster/indirect.h"
 #include "probe.h"
 
-static ts_status put_gbuffer(ts_probe *p, json_t *o, u32 x, u32 y, u64 key, ts_gpixel *pixel)
+static ts_status put_gbuffer(ts_probe *p, json_t *o, const ts_probe_seen *at, ts_gpixel *pixel)
 {
 	bool there;
 	ts_gpixel held;
 	json_t *g = json_object();
-	ts_camera_k view = ts_k_view(&p->view);
-	ts_k_gpixel(pixel, &p->scene, &view, key, (i32)x, (i32)y);
+	ts_k_gpixel(pixel, &p->scene, &at->view, at->key, (i32)at->x, (i32)at->y);
 	ts_probe_put(p, g, "position", ts_probe_v3(ts_load3(pixel->position)));
 	ts_probe_put(p, g, "zn", ts_probe_bits(pixel->depth));
 	ts_probe_put(p, g, "normal", ts_probe_v3_bits(ts_load3(pixel->normal)));
 	ts_probe_put(p, g, "albedo", ts_probe_v3_bits(ts_load3(pixel->albedo)));
-	ts_status status = ts_probe_fetch_pixel(p, TS_B_gbuffer_pixel, x, y, 1, &held, &there);
+	ts_status status = ts_probe_fetch_pixel(p, TS_B_gbuffer_pixel, at->x, at->row, 1, &held, &there);
 	if (status == TS_OK && there) ts_probe_put_record_check(p, g, TS_B_gbuffer_pixel, pixel, &held);
 	ts_probe_put(p, o, "gbuffer", g);
 	return status;
 }
 
-static ts_status put_held(ts_probe *p, json_t *o, u32 x, u32 y, const char *name, ts_buffer_id id, const f32 light[3])
+static ts_status put_held(ts_probe *p, json_t *o, const ts_probe_seen *at, const char *name, ts_buffer_id id, const f32 light[3])
 {
 	bool there;
 	f32 held[3];
 	json_t *e = json_object();
 	ts_probe_put(p, e, name, ts_probe_v3_bits(ts_load3(light)));
-	ts_status status = ts_probe_fetch_pixel(p, id, x, y, 3, held, &there);
+	ts_status status = ts_probe_fetch_pixel(p, id, at->x, at->row, 3, held, &there);
 	if (status == TS_OK && there) ts_probe_put_check(p, e, id, light, held, 3);
 	ts_probe_put(p, o, id == TS_B_indirect_specular ? "reflected" : "light", e);
 	return status;
 }
 
-static ts_status put_gathered(ts_probe *p, json_t *o, u32 x, u32 y, const ts_probe_gathered *from)
+static ts_status put_gathered(ts_probe *p, json_t *o, const ts_probe_seen *at, const ts_probe_gathered *from)
 {
-	ts_status status = put_held(p, o, x, y, "irradiance", TS_B_indirect_irradiance, from->irradiance);
+	ts_status status = put_held(p, o, at, "irradiance", TS_B_indirect_irradiance, from->irradiance);
 	if (status != TS_OK || !from->reflects) return status;
-	return put_held(p, o, x, y, "radiance", TS_B_indirect_specular, from->specular);
+	return put_held(p, o, at, "radiance", TS_B_indirect_specular, from->specular);
 }
 
 ts_status ts_probe_put_indirect(ts_probe *p, const ts_probe_seen *at, ts_probe_irradiance *put_from, json_t *o,
@@ -45,9 +44,9 @@ ts_status ts_probe_put_indirect(ts_probe *p, const ts_probe_seen *at, ts_probe_i
 	ts_probe_gathered from = {.reflects = false};
 	f32 sent[3];
 	u8 srgb[3];
-	if (put_gbuffer(p, o, at->x, at->y, at->key, &pixel) != TS_OK) return TS_ERROR;
+	if (put_gbuffer(p, o, at, &pixel) != TS_OK) return TS_ERROR;
 	if (put_from(p, at, &pixel, o, &from) != TS_OK) return TS_ERROR;
-	if (put_gathered(p, o, at->x, at->y, &from) != TS_OK) return TS_ERROR;
+	if (put_gathered(p, o, at, &from) != TS_OK) return TS_ERROR;
 	ts_indirect_args args = {.pixels = &pixel,
 	                         .irradiance = from.irradiance,
 	                         .specular = from.reflects ? from.specular : NULL,

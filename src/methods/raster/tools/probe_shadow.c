@@ -146,11 +146,10 @@ void ts_probe_shadow_free(ts_probe_shadow *q)
 ts_status ts_probe_put_shadowed(ts_probe *p, const ts_probe_seen *seen, ts_probe_lens lens,
                                 ts_probe_samples *put_samples, json_t *o, ts_v3 *radiance)
 {
-	ts_camera_k eye = ts_k_view(&p->view);
-	ts_receiver at = ts_k_receiver(&p->scene, &eye, seen->key, (i32)seen->x, (i32)seen->y);
+	ts_receiver at = ts_k_receiver(&p->scene, &seen->view, seen->key, (i32)seen->x, (i32)seen->y);
 	ts_probe_shadow q = {.depths = NULL};
 	ts_status status = ts_probe_read_lamps(p, lens, &q.lamps);
-	if (status == TS_OK) status = ts_probe_put_shadow(p, &q, seen->x, seen->y, &at, put_samples, o);
+	if (status == TS_OK) status = ts_probe_put_shadow(p, &q, seen->x, seen->row, &at, put_samples, o);
 	if (status == TS_OK) ts_probe_put_shading(p, seen, q.lit, q.lamps.lamps, o, radiance);
 	ts_probe_shadow_free(&q);
 	return status;

@@ -1,6 +1,7 @@
 /* Light gathered at the pixels of the G-buffer. */
 #include "truth_gather.h"
 #include "../../../kernels/raster/gbuffer.h"
+#include "../eye.h"
 
 ts_status ts_truth_indirect_begin(ts_run *run, const char *effect)
 {
@@ -32,9 +33,9 @@ f32 ts_share_weight(const ts_share *share) { return (f32)share->items / (f32)sha
 
 ts_status ts_truth_gather(ts_run *run, ts_buffer_id to, const ts_truth_gathered *of, ts_sampling *sampling)
 {
-	u64 width = TS_PARAM(&run->params, width), height = TS_PARAM(&run->params, height), n = width * height;
+	u64 width = TS_PARAM(&run->params, width), n = ts_eye_size(run);
 	gatherer g = {of, ts_frame_data(&run->frame, TS_B_gbuffer_pixel),
-	              ts_frame_make3(&run->frame, to, height, width, 3)};
+	              ts_frame_make3(&run->frame, to, n / width, width, 3)};
 	if (g.light_at == NULL) return TS_ERROR;
 	memset(g.light_at, 0, n * 3 * sizeof *g.light_at);
 	const ts_truth_asked asked = {of->label, n, of->items, of->each, pixel_of, gather, &g, run->c.threads};

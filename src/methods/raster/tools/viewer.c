@@ -8,7 +8,7 @@
 /* Depth, or the triangle counted from 1, of each pixel; whole numbers are exact in binary32 below 2^24. */
 static ts_status write_eye_as(const ts_run *run, const char *folder, bool depth)
 {
-	u32 width = TS_PARAM(&run->params, width), height = TS_PARAM(&run->params, height);
+	u32 width = TS_PARAM(&run->params, width), height = (u32)ts_run_size(run, TS_DIM_eye_rows);
 	const u64 *keys = ts_frame_data(&run->frame, TS_B_eye_depth_triangle);
 	f32 *values = ts_alloc((size_t)width * height, sizeof *values, "a viewer's copy");
 	const char *path = values != NULL ? ts_viewer_file(folder, depth ? "eye.depth.exr" : "eye.triangle.exr") : NULL;

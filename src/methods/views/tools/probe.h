@@ -11,7 +11,7 @@
 /* A pixel's irradiance from virtual point lights or particles: what culling leaves, what is drawn (probe_views.c), what
  * the filter makes of that (probe_filter.c). */
 ts_status ts_probe_views_pixel(ts_probe *probe, const ts_probe_question *question, json_t *object);
-ts_status ts_probe_filter(ts_probe *probe, u32 x, u32 y, json_t *object, f32 irradiance[3]);
+ts_status ts_probe_filter(ts_probe *probe, const ts_probe_seen *at, json_t *object, f32 irradiance[3]);
 /* Texels of half the map of a node of views, or of a light's leaf: the pairs of nodes that were rendered into it, by
  * what tests, and what fusion made of them, for each of the nodes of views from the root down (probe_map.c). */
 extern const ts_probe_view ts_probe_map_of_light, ts_probe_map_of_node;

@@ -67,14 +67,17 @@ static void filter_rows(const ts_bilateral_args *args, u32 x, u32 y)
 	}
 }
 
-static ts_status put_filter(ts_probe *p, json_t *o, ts_bilateral_args *args, f32 *rows, f32 *columns, u32 x, u32 y)
+/* rows and columns: of the picture of the pixel's sample. */
+static ts_status put_filter(ts_probe *p, json_t *o, ts_bilateral_args *args, f32 *rows, f32 *columns,
+                            const ts_probe_seen *at)
 {
 	bool there;
 	f32 held[3];
+	u32 x = at->x, y = at->y;
 	u64 pixel = (u64)y * args->width + x;
 	filter_rows(args, x, y);
 	ts_status status = put_pass(p, o, "along_the_row", args, x, y);
-	if (status == TS_OK) status = ts_probe_fetch_pixel(p, TS_B_bilateral_filtered_rows, x, y, 3, held, &there);
+	if (status == TS_OK) status = ts_probe_fetch_pixel(p, TS_B_bilateral_filtered_rows, x, at->row, 3, held, &there);
 	if (status != TS_OK) return status;
 	ts_probe_put(p, o, "of_the_row", ts_probe_v3_bits(ts_load3(rows + pixel * 3)));
 	if (there) ts_probe_put_check(p, o, TS_B_bilateral_filtered_rows, rows + pixel * 3, held, 3);
@@ -85,22 +88,23 @@ static ts_status put_filter(ts_probe *p, json_t *o, ts_bilateral_args *args, f32
 	return put_pass(p, o, "along_the_column", args, x, y);
 }
 
-ts_status ts_probe_filter(ts_probe *p, u32 x, u32 y, json_t *object, f32 irradiance[3])
+ts_status ts_probe_filter(ts_probe *p, const ts_probe_seen *at, json_t *object, f32 irradiance[3])
 {
 	const ts_params *params = &p->load->run.params;
 	u64 n = (u64)TS_PARAM(params, width) * TS_PARAM(params, height);
+	u64 first = (u64)(at->row - at->y) * TS_PARAM(params, width);
 	f32 *rows = ts_alloc_zero((size_t)n, 3 * sizeof *rows, "rows"), *columns = NULL;
-	ts_bilateral_args args = {.pixels = ts_probe_loaded(p, TS_B_gbuffer_pixel),
-	                          .from = ts_probe_loaded(p, TS_B_vpl_gather_irradiance),
+	ts_bilateral_args args = {.pixels = (const ts_gpixel *)ts_probe_loaded(p, TS_B_gbuffer_pixel) + first,
+	                          .from = (const f32 *)ts_probe_loaded(p, TS_B_vpl_gather_irradiance) + first * 3,
 	                          .to = rows,
 	                          .width = TS_PARAM(params, width),
 	                          .height = TS_PARAM(params, height),
 	                          .radius = TS_PARAM(params, bilateral_px)};
 	json_t *o = json_object();
 	if (rows != NULL) columns = ts_alloc_zero((size_t)n, 3 * sizeof *columns, "columns");
-	ts_status status = columns != NULL ? put_filter(p, o, &args, rows, columns, x, y) : TS_ERROR;
+	ts_status status = columns != NULL ? put_filter(p, o, &args, rows, columns, at) : TS_ERROR;
 	if (status == TS_OK)
-		memcpy(irradiance, columns + ((u64)y * TS_PARAM(params, width) + x) * 3, 3 * sizeof *irradiance);
+		memcpy(irradiance, columns + ((u64)at->y * TS_PARAM(params, width) + at->x) * 3, 3 * sizeof *irradiance);
 	ts_probe_put(p, object, "filter", o);
 	free(rows);
 	free(columns);

@@ -204,13 +204,13 @@ static ts_status load(ts_probe *p)
 static ts_status put_irradiance(ts_probe *p, const ts_probe_seen *at, const ts_gpixel *pixel, json_t *object,
                                 ts_probe_gathered *gathered)
 {
-	u32 index = at->y * p->view.width + at->x;
+	u32 index = at->row * p->view.width + at->x;
 	ts_probe_gather gather = {.paths = NULL};
 	(void)pixel;
 	if (load(p) != TS_OK || ts_vpl_gather_ask(&p->load->run, &gather.args) != TS_OK) return TS_ERROR;
 	gather.pixel = gather.args.pixels[index];
 	if (ts_probe_read_paths(p, &gather) != TS_OK || put_lights(p, object, &gather, index) != TS_OK) return TS_ERROR;
-	return ts_probe_filter(p, at->x, at->y, object, gathered->irradiance);
+	return ts_probe_filter(p, at, object, gathered->irradiance);
 }
 
 static ts_status put_light(ts_probe *p, const ts_probe_seen *at, json_t *o, ts_v3 *radiance)

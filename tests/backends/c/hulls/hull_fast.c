@@ -91,7 +91,7 @@ static ts_hull_args arguments(const world *w, result *r, u32 width)
 		.irradiance = r->irradiance,
 		.n_unlit = &r->n_unlit,
 		.width = width,
-		.height = MOST_PIXELS / width,
+		.height = 1 + MOST_PIXELS / width / 4, /* of four samples a pixel, or fewer */
 		.cosine = TS_COSINE_IS_OURS,
 		.rectangle = below(2),
 	};

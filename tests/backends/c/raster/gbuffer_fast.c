@@ -1,5 +1,5 @@
 /* The fast G-buffer equals the plain kernel bit for bit: of pixels that name triangles in front of the eye, across the
- * near plane, behind it, degenerate, or beside the pixel, in runs of any length; and of the sky. */
+ * near plane, behind it, degenerate, or beside the pixel, in runs of any length; of the sky; and of samples of pixels. */
 #include <stdlib.h>
 #include <string.h>
 #include "../../../../src/backends/fast.h"
@@ -8,7 +8,7 @@
 #include "../../../../src/scene/scene.h"
 #include "../../../kernels/seeded.h"
 
-enum { N = 60, WIDTH = 61, HEIGHT = 37, PIXELS = WIDTH * HEIGHT };
+enum { N = 60, WIDTH = 61, HEIGHT = 37, SAMPLES = 4, PIXELS = SAMPLES * WIDTH * HEIGHT };
 
 /* Keys of an image of the scene, with runs of triangles drawn at random over it. */
 static void scribble(u64 *keys, u32 n_triangles)
@@ -28,7 +28,7 @@ static void check(const ts_run *run, u32 n_triangles)
 	scribble(keys, n_triangles);
 	ts_view view = *(const ts_view *)ts_frame_data(&run->frame, TS_B_eye_view);
 	if (below(4) == 0) view.near = uniform(0.5f, 8);
-	ts_gbuffer_args args = {.view = &view, .depth_triangle = keys, .pixels = plain};
+	ts_gbuffer_args args = {.view = &view, .depth_triangle = keys, .pixels = plain, .samples = SAMPLES};
 	args.scene = ts_run_arrays(run);
 	memset(plain, 0x55, sizeof plain);
 	memset(fast, 0x55, sizeof fast);
@@ -48,6 +48,7 @@ static void test_equal(void **state)
 	ts_params_default(&params);
 	params.width = WIDTH;
 	params.height = HEIGHT;
+	params.eye_samples = TS_EYE_SAMPLES_4;
 	assert_int_equal(ts_scene_open(&scene, "dining:triangles=10000:texels=32", &params, NULL), TS_OK);
 	ts_run_begin(&run, scene, &params, 1);
 	static const char *const stages[] = {"eye.view", "pose", "eye"};

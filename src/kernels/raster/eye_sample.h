@@ -1,0 +1,47 @@
+/* Samples of the eye's pixels (METHODS 1): one in the middle, or four on a rotated grid, no two of which share a row or
+ * a column of 4 x 4, so that an edge that is nearly level or upright passes them one by one (Akenine-Moller and Strom,
+ * "Graphics for the Masses", 2003). Places and order are the standard sample locations of Vulkan and Direct3D 11.
+ *
+ * Buffers of the eye have eye_rows rows: a picture of each sample, one below the other. A sample's view is the eye's,
+ * its image moved so that the sample is where the middle of the pixel was. Snapped corners move by whole 1/256 pixels,
+ * so all samples see the same edges. */
+#ifndef TS_KERNELS_EYE_SAMPLE_H
+#define TS_KERNELS_EYE_SAMPLE_H
+#include "raster.h"
+
+#define TS_N_EYE_SAMPLES 4u
+
+/* In 1/256 pixel from the upper left corner. */
+TS_CONSTANT i32 ts_eye_sample[4][2] = {{96, 32}, {224, 96}, {32, 160}, {160, 224}};
+
+/* samples: TS_N_EYE_SAMPLES, or one. */
+TS_FN ts_camera_k ts_k_eye_view(TS_GLOBAL const ts_view *eye, u32 samples, u32 sample)
+{
+	ts_camera_k r = ts_k_view(eye);
+	if (samples != TS_N_EYE_SAMPLES) return r;
+	r.shift_x = 128 - ts_eye_sample[sample][0];
+	r.shift_y = 128 - ts_eye_sample[sample][1];
+	r.side = 0.5f;
+	return r;
+}
+
+/* An element of a buffer of the eye: the view of its sample, its pixel, and the first element of that sample. */
+typedef struct {
+	ts_camera_k view;
+	u64 first;
+	i32 x, y;
+} ts_eye_place;
+
+TS_FN ts_eye_place ts_k_eye_place(TS_GLOBAL const ts_view *eye, u32 samples, u64 i)
+{
+	u64 pixels = (u64)eye->width * (u64)eye->height;
+	u32 sample = (u32)(i / pixels);
+	ts_eye_place r;
+	r.view = ts_k_eye_view(eye, samples, sample);
+	r.first = (u64)sample * pixels;
+	r.x = (i32)((i - r.first) % (u64)eye->width);
+	r.y = (i32)((i - r.first) / (u64)eye->width);
+	return r;
+}
+
+#endif
