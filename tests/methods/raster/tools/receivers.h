@@ -48,14 +48,14 @@ static inline ts_gpixel *make_receivers(world *w)
 	return pixels;
 }
 
-typedef ts_status truth_of(ts_truth *truth, ts_run *run);
+typedef ts_status truth_of(ts_truth *truth, ts_run *run, ts_sampling *sampling);
 
 static inline const f32 *traced(world *w, truth_of *trace)
 {
 	ts_truth *truth;
 	w->run.params.truth_bounce_rays = N_RAYS;
 	assert_int_equal(ts_truth_new(&truth, &w->run), TS_OK);
-	assert_int_equal(trace(truth, &w->run), TS_OK);
+	assert_int_equal(trace(truth, &w->run, NULL), TS_OK);
 	ts_truth_free(truth);
 	return ts_frame_data(&w->run.frame, TS_B_indirect_irradiance);
 }
