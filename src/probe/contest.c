@@ -63,7 +63,8 @@ static ts_status put_offer(ts_probe *p, json_t *list, const ts_offer *offer, con
 	if (winner != NULL && winner != offer && !offer->cut) {
 		f32 least = ts_u2f((u32)(winner->key >> 32));
 		ts_probe_put_margin(p, o, least, depth);
-		if (offer->key >> 32 == winner->key >> 32) ts_probe_put(p, o, "tie", json_string("lost by its index alone"));
+		if (offer->key >> 32 == winner->key >> 32)
+			ts_probe_put(p, o, "tie", json_string("lost by its index, or its colour, alone"));
 	}
 	ts_probe_append(p, list, o);
 	return status;

@@ -63,6 +63,19 @@ static void count(ts_load *load, const ts_stage *stage)
 
 static u32 size_or(u64 size, u32 otherwise) { return size != TS_UNKNOWN ? (u32)size : otherwise; }
 
+/* What sums are of, where no buffer has it as its first dimension: they end at it. */
+static void count_sums(ts_load *load, const ts_stage *stage)
+{
+	size_t n_sums;
+	const ts_sum_info *sums = ts_sum_table(&n_sums);
+	for (size_t row = 0; row < n_sums; row++) {
+		u64 n = ts_frame_n(&load->run.frame, sums[row].buffer), *size = &load->sizes.n[sums[row].size];
+		bool told = load->item[sums[row].buffer] != NULL && !ts_stage_writes(stage, sums[row].buffer) && n > 0;
+		if (sums[row].size == TS_DIM_none || !told || *size != TS_UNKNOWN) continue;
+		*size = ((const u32 *)ts_frame_data(&load->run.frame, sums[row].buffer))[n - 1];
+	}
+}
+
 /* Those of other buffers than the stage's outputs, and the plan that follows from them. */
 static void check_sizes(ts_load *load, const ts_stage *stage)
 {
@@ -70,6 +83,7 @@ static void check_sizes(ts_load *load, const ts_stage *stage)
 	ts_sizes_clear(&load->sizes);
 	if (load->item[TS_B_scene_info] != NULL) n[TS_DIM_reflectors] = load->scene.info.n_reflectors;
 	count(load, stage);
+	count_sums(load, stage);
 	ts_counts counts = {.reflectors = load->scene.info.n_reflectors,
 	                    .lights = size_or(n[TS_DIM_lights], load->scene.n_lights),
 	                    .cubes = size_or(n[TS_DIM_cubes], TS_NONE),

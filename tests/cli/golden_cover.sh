@@ -42,6 +42,7 @@ takers = {"density.rate": views, "points.buffered": views, "points.snap": views,
                                     "surfel_blend.accumulation")},
           "ewa.sigma_h": [("surfels", "ewa")], "surfels.from_mesh": surfels, "eye.distance": deferred + [("reflections", "epr")],
           "points.conservative": views + [("reflections", "epr"), ("reflections", "vir")],
+          "forward.viewer": [("reflections", "epr-forward")],
           **{p: [("reflections", "mvr")] for p in ("mvr.faces", "mvr.filter")}}
 steps_of = {(m["effect"], m["name"]): [s for s in m["stages"].split() if not s.endswith("margin")]
             for m in table["methods"]}

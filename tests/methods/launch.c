@@ -52,7 +52,8 @@ static void begin(ts_run *run, const ts_scene *scene, const ts_params *params)
 static void test_fill(void **state)
 {
 	(void)state;
-	static const ts_launch launch = TS_LAUNCH(splat, TS_WITH(tie), TS_BUT(bits));
+	static const ts_launch launch =
+		TS_LAUNCH(splat, TS_BUT(from.scene), TS_IN(from.points, points_record), TS_WITH(tie), TS_BUT(bits));
 	ts_params params = small_params(32, 16);
 	ts_scene *scene = small_scene(&params);
 	ts_run run;
@@ -61,8 +62,8 @@ static void test_fill(void **state)
 	memset(&args, 0x55, sizeof args);
 	assert_int_equal(TS_FILL(&run, &launch, &args), TS_OK);
 	assert_ptr_equal(args.cubes, run.frame.buffer[TS_B_cube_size_face].data);
-	assert_ptr_equal(args.points, run.frame.buffer[TS_B_points_record].data);
-	assert_true(args.bits == NULL && args.offset == NULL);
+	assert_ptr_equal(args.from.points, run.frame.buffer[TS_B_points_record].data);
+	assert_true(args.bits == NULL && args.from.offset == NULL);
 	assert_true(args.n_cubes == 0x55555555u);
 	assert_true(args.n_writes == args.n_scatters + 1 && *args.n_writes == 0);
 	assert_int_equal(ts_frame_n(&run.frame, TS_B_splat_tie), 6 * (16 + 25));
@@ -78,7 +79,7 @@ static void test_fill(void **state)
 static void test_batches(void **state)
 {
 	(void)state;
-	static const ts_launch splats = TS_LAUNCH(splat, TS_ALL);
+	static const ts_launch splats = TS_LAUNCH(splat, TS_BUT(from.scene));
 	static const ts_launch marks = TS_LAUNCH(mirror, TS_BUT(view), TS_BUT(pixels), TS_BUT(mip));
 	ts_params params = small_params(32, 16);
 	ts_scene *scene = small_scene(&params);

@@ -28,6 +28,8 @@ static const struct {
 	{"indirect", "direct", 0, 0},
 	{"indirect", "megaviews", 0, 0},
 	{"reflections", "megaviews", 0, 0},
+	{"reflections", "epr-bufferless", 0, 0},
+	{"reflections", "epr-forward", 0, 0},
 	{"surfels", "deferred", 0, 0},
 	{"surfels", "phong", 0, 0},
 };
@@ -42,6 +44,8 @@ enum {
 	TRACES_DIRECT,
 	TRACES_MEGAVIEWS,
 	TRACES_CUBES,
+	TRACES_BUFFERLESS,
+	TRACES_FORWARD,
 	TRACES_SURFELS,
 	TRACES_PHONG,
 	N_TRACES

@@ -142,7 +142,7 @@ static ts_status admit_all(ts_cl *cl, ts_frame *frame, const ts_launch *launch, 
 static bool by_pieces(ts_kernel kernel, const void *args)
 {
 	const ts_splat_args *splat = args;
-	return kernel == TS_KERNEL_splat && splat->offset != NULL && splat->mark == 0;
+	return kernel == TS_KERNEL_splat && splat->from.offset != NULL && splat->mark == 0;
 }
 
 static ts_status enqueue(ts_cl *cl, ts_frame *frame, const ts_launch *launch, const void *args, u64 n)

@@ -5,6 +5,7 @@
 #include "cube_size.h"
 #include "cull_margin.h"
 #include "environment_map.h"
+#include "forward.h"
 #include "lookup.h"
 #include "mirror.h"
 #include "mirror_pixel.h"

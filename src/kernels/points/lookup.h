@@ -3,28 +3,26 @@
 #ifndef TS_KERNELS_LOOKUP_H
 #define TS_KERNELS_LOOKUP_H
 #include "../base/args.h"
-#include "points.h"
+#include "flight.h"
 #include "../raster/cube.h"
+#include "forward.h"
 #include "samples.h"
-#include "../base/shade.h"
 
 #define TS_ROWS_ts_lookup_args(ARG) \
-	ARG(INNER, ts_arrays, scene, none) \
+	ARG(INNER, ts_points_args, from, none) \
 	ARG(IN_OPT, ts_view, view, eye_view) \
 	ARG(IN, ts_face, cubes, cube_size_face) \
-	ARG(IN, ts_piece, pieces, split_piece) \
-	ARG(IN, ts_align, frames, align_frame) \
-	ARG(IN_PARTS, u64, keys, points_key) \
-	ARG(IN_PARTS, ts_point, points, points_record) \
 	ARG(IN_PARTS_OPT, u64, texels, splat_depth_index) \
 	ARG(IN, ts_pixel, pixels, mirror_pixel_record) \
 	ARG(IN_OPT, ts_bounce, queue, none) /* entries of this bounce; none at the first */ \
-	ARG(OUT_OPT, u32, found, none)      /* points that the samples of this bounce see */ \
+	ARG(OUT_OPT, u32, found, none)      /* points, or their colours, that the samples of this bounce see */ \
 	ARG(OUT_OPT, u32, offset, none)     /* entries of the next bounce before each sample */ \
 	ARG(OUT_OPT, ts_bounce, next_queue, none) \
 	ARG(IN_OPT, f32, next_radiance, none) \
 	ARG(OUT_OPT, f32, radiance, none)        /* of this bounce's entries */ \
 	ARG(OUT_OPT, u32, used, shade_n_samples) /* samples shaded; first bounce only */ \
+	ARG(VALUE, u32, n_pieces, none)          /* of which points are made again; 0: points are stored */ \
+	ARG(VALUE, u32, coloured, none)          /* colours are found */ \
 	ARG(VALUE, u32, n_samples, none)         /* an entry: 25 at the first bounce, then 4 */ \
 	ARG(VALUE, u32, first, none)             /* entries are pixels */ \
 	ARG(VALUE, u32, follow, none)            /* there is a next bounce */ \
@@ -52,25 +50,22 @@ TS_FN void ts_k_lookup_item(const ts_lookup_args *args, u64 i)
 
 TS_FN u32 ts_k_point_triangle(const ts_lookup_args *args, u32 point)
 {
-	return args->pieces[ts_at(args->points, point)->piece].triangle;
+	u32 piece = args->n_pieces != 0u ? ts_k_piece_of(&args->from, args->n_pieces, point)
+	                                 : ts_at(args->from.points, point)->piece;
+	return args->from.pieces[piece].triangle;
 }
 
 TS_FN ts_surface ts_k_point_surface(const ts_lookup_args *args, u32 point)
 {
-	u32 triangle = ts_k_point_triangle(args, point);
-	TS_GLOBAL const ts_point *record = ts_at(args->points, point);
-	u64 key = *ts_at(args->keys, point);
-	i32 x = (i32)(key & 0xffffu) - 32768;
-	i32 y = (i32)((key >> 16) & 0xffffu) - 32768;
-	TS_GLOBAL const ts_align *frame = &args->frames[record->piece];
-	return ts_k_lattice_surface(&args->scene, frame, triangle, x, y, ts_load3(record->centre), record->length);
+	ts_flight seen = ts_k_flight_at(&args->from, args->n_pieces, point);
+	return ts_k_flight_surface(&args->from, &seen);
 }
 
 /* map over samples: 1 where the point seen is on a mirror */
 TS_FN void ts_k_bounce_count_item(const ts_lookup_args *args, u64 i)
 {
 	u32 point = args->found[i];
-	u32 mirror = point == TS_NONE ? TS_NONE : ts_k_reflector_of(&args->scene, ts_k_point_triangle(args, point));
+	u32 mirror = point == TS_NONE ? TS_NONE : ts_k_reflector_of(&args->from.scene, ts_k_point_triangle(args, point));
 	args->offset[i] = mirror != TS_NONE ? 1u : 0u;
 }
 
@@ -86,7 +81,7 @@ TS_FN void ts_k_bounce_queue_item(const ts_lookup_args *args, u64 i)
 	TS_GLOBAL ts_bounce *out = &args->next_queue[args->offset[i]];
 	out->parent = (u32)i;
 	out->point = args->found[i];
-	out->reflector = ts_k_reflector_of(&args->scene, ts_k_point_triangle(args, args->found[i]));
+	out->reflector = ts_k_reflector_of(&args->from.scene, ts_k_point_triangle(args, args->found[i]));
 	out->from = ts_k_cube_read(args, i / args->n_samples);
 }
 
@@ -94,13 +89,13 @@ TS_FN void ts_k_bounce_queue_item(const ts_lookup_args *args, u64 i)
 TS_FN void ts_k_bounce_item(const ts_lookup_args *args, u64 i)
 {
 	TS_GLOBAL const ts_bounce *entry = &args->queue[i];
-	TS_GLOBAL const ts_point *point = ts_at(args->points, entry->point);
-	TS_GLOBAL const ts_align *frame = &args->frames[point->piece];
-	ts_surface surface = ts_k_point_surface(args, entry->point);
+	ts_flight point = ts_k_flight_at(&args->from, args->n_pieces, entry->point);
+	TS_GLOBAL const ts_align *frame = &args->from.frames[point.piece];
+	ts_surface surface = ts_k_flight_surface(&args->from, &point);
 	ts_v3 from = ts_load3(args->cubes[entry->from].centre);
 	ts_v3 n = ts_k_facing_normal(&surface, ts_sub(from, surface.p));
 	f32 radius = args->cubes[entry->reflector].radius;
-	f32 spread = radius > 0.0f ? point->length / radius : 0.0f;
+	f32 spread = radius > 0.0f ? point.length / radius : 0.0f;
 	for (u32 k = 0u; k < args->n_samples; k++) {
 		ts_v3 direction = ts_k_bounce_direction(surface.p, n, ts_load3(frame->u), ts_load3(frame->v), from, spread, k);
 		args->found[i * args->n_samples + k] = ts_k_lookup(args, entry->reflector, direction);
@@ -118,9 +113,10 @@ TS_FN ts_v3 ts_k_sample_radiance(const ts_lookup_args *args, u64 sample, ts_v3 c
 {
 	u32 point = args->found[sample];
 	if (point == TS_NONE) return ts_k_background();
+	if (args->coloured != 0u) return ts_k_shared_radiance(point);
 	if (ts_k_is_followed(args, sample)) return ts_load3(args->next_radiance + (u64)args->offset[sample] * 3u);
 	ts_surface surface = ts_k_point_surface(args, point);
-	return ts_k_shade(&args->scene, &surface, ts_normalize(ts_sub(centre, surface.p)));
+	return ts_k_shade(&args->from.scene, &surface, ts_normalize(ts_sub(centre, surface.p)));
 }
 
 /* Samples of an entry that see one point, and are not followed, have one colour. `seen` holds those before sample k. */

@@ -10,7 +10,7 @@
 #include "../base/args.h"
 #include "../raster/draw.h"
 #include "cull.h"
-#include "points.h"
+#include "flight.h"
 #include "../base/shade.h"
 
 #define TS_ROWS_ts_scatter_args(ARG) \
@@ -29,52 +29,6 @@
 	ARG(VALUE, u32, centre, none)   /* points count at the centre of their texel */ \
 	ARG(VALUE, u32, culled, none)   /* small pieces were dropped at random */
 TS_ARGS(ts_scatter_args);
-
-/* A point on its way. */
-typedef struct {
-	u64 piece;
-	i32 x, y;
-	ts_v3 centre;
-	f32 length;
-	u32 flags;
-	bool at_centre; /* of its texel, not at its own place */
-} ts_flight;
-
-TS_FN ts_flight ts_k_flight_stored(const ts_points_args *from, u64 i)
-{
-	TS_GLOBAL const ts_point *record = ts_at(from->points, i);
-	u64 key = *ts_at(from->keys, i);
-	ts_flight r;
-	r.piece = record->piece;
-	r.x = (i32)(key & 0xffffu) - 32768;
-	r.y = (i32)((key >> 16) & 0xffffu) - 32768;
-	r.centre = ts_load3(record->centre);
-	r.length = record->length;
-	r.flags = record->flags;
-	r.at_centre = false;
-	return r;
-}
-
-/* What all points of a piece have in common; the rest is ts_k_flight_start's. */
-TS_FN ts_flight ts_k_flight_of_piece(const ts_points_args *from, u64 piece)
-{
-	ts_flight r;
-	r.piece = piece;
-	r.x = 0;
-	r.y = 0;
-	r.centre = ts_v3_make(0.0f, 0.0f, 0.0f);
-	r.at_centre = false;
-	r.length = ts_put(ts_k_splat_length(from, &from->pieces[piece], from->frames[piece].s, &r.flags));
-	return r;
-}
-
-TS_FN void ts_k_flight_start(const ts_points_args *from, ts_flight *point, i32 x, i32 y)
-{
-	ts_v3 centre = ts_k_point_centre(from, point->piece, x, y);
-	point->x = x;
-	point->y = y;
-	point->centre = ts_v3_make(ts_put(centre.x), ts_put(centre.y), ts_put(centre.z));
-}
 
 #define TS_FAR_BITS 20.0f /* the farthest depth that is told apart is so many doublings of the nearest */
 

@@ -3,16 +3,14 @@
 #ifndef TS_KERNELS_SPLAT_H
 #define TS_KERNELS_SPLAT_H
 #include "../base/args.h"
-#include "points.h"
+#include "flight.h"
 #include "../raster/visibility.h"
 
 #define TS_ROWS_ts_splat_args(ARG) \
+	ARG(INNER, ts_points_args, from, none) /* stored ones; offset NULL: they are in no order */ \
 	ARG(IN, ts_face, cubes, cube_size_face) \
-	ARG(IN, ts_piece, pieces, split_piece) \
-	ARG(IN, ts_align, frames, align_frame) \
-	ARG(IN, u64, bits, visibility_bits) /* by triangle */ \
-	ARG(IN_PARTS, ts_point, points, points_record) \
-	ARG(IN_OPT, u32, offset, points_offset) /* points before each piece; NULL: they are in no order */ \
+	ARG(IN, u64, bits, visibility_bits)             /* by triangle */ \
+	ARG(IN_PARTS_OPT, u32, colours, forward_colour) /* of the points */ \
 	ARG(MIN_PARTS, u64, texels, splat_depth_index) \
 	ARG(SUM_PARTS_OPT, u8, tie, splat_tie) \
 	ARG(TALLY, i64, n_scatters, 0) \
@@ -22,7 +20,8 @@
 	ARG(VALUE, u32, n_pieces, none) \
 	ARG(VALUE, u32, clip, none) \
 	ARG(VALUE, u32, plane_depth, none) \
-	ARG(VALUE, u32, mark, none) /* the texels are there: mark ties */
+	ARG(VALUE, u32, coloured, none) /* texels hold the points' colours, not their indices */ \
+	ARG(VALUE, u32, mark, none)     /* the texels are there: mark ties */
 TS_ARGS(ts_splat_args);
 
 TS_FN ts_cover ts_k_cover_of(const ts_camera_k *view, const ts_polygon *polygon, i32 half_size)
@@ -111,12 +110,18 @@ TS_FN void ts_k_splat_offer(const ts_splat_args *args, u64 texel, u64 key)
 	}
 }
 
-/* One point into the face whose texels begin at `first`. Returns the texels offered. */
-TS_FN u32 ts_k_splat(const ts_splat_args *args, const ts_camera_k *view, const ts_cover *triangle, u32 index, u64 first)
+/* What a texel holds of a point: its index, or its colour. */
+TS_FN u32 ts_k_splat_word(const ts_splat_args *args, u32 index)
 {
-	TS_GLOBAL const ts_point *point = ts_at(args->points, index);
-	TS_GLOBAL const ts_align *frame = &args->frames[point->piece];
-	ts_v3 c = ts_load3(point->centre);
+	return args->coloured != 0u ? *ts_at(args->colours, index) : index;
+}
+
+/* One point into the face whose texels begin at `first`. Returns the texels offered. */
+TS_FN u32 ts_k_splat(const ts_splat_args *args, const ts_camera_k *view, const ts_cover *triangle,
+                     const ts_flight *point, u32 word, u64 first)
+{
+	TS_GLOBAL const ts_align *frame = &args->from.frames[point->piece];
+	ts_v3 c = point->centre;
 	ts_v3 u = ts_load3(frame->u);
 	ts_v3 v = ts_load3(frame->v);
 	ts_box box = ts_k_splat_box(view, c, u, v, point->length);
@@ -129,19 +134,18 @@ TS_FN u32 ts_k_splat(const ts_splat_args *args, const ts_camera_k *view, const t
 			if (args->clip != 0u && !ts_k_touches(triangle, i, j)) continue;
 			f32 d = distance;
 			if (args->plane_depth != 0u) d = ts_put(ts_k_plane_distance(view, n, c, distance, point->length, i, j));
-			ts_k_splat_offer(args, first + (u64)j * (u64)view->width + (u64)i, ((u64)ts_f2u(d) << 32) | index);
+			ts_k_splat_offer(args, first + (u64)j * (u64)view->width + (u64)i, ((u64)ts_f2u(d) << 32) | word);
 			count++;
 		}
 	}
 	return count;
 }
 
-/* scatter over points */
-TS_FN void ts_k_splat_item(const ts_splat_args *args, u64 i)
+/* One point into every face that may see its triangle; *scatters are the faces. Returns the texels offered. */
+TS_CALL i64 ts_k_splat_everywhere(const ts_splat_args *args, const ts_flight *point, u32 word, i64 *scatters)
 {
-	TS_GLOBAL const ts_piece *piece = &args->pieces[ts_at(args->points, i)->piece];
+	TS_GLOBAL const ts_piece *piece = &args->from.pieces[point->piece];
 	TS_GLOBAL const u64 *words = args->bits + (u64)piece->triangle * args->n_words;
-	i64 scatters = 0;
 	i64 writes = 0;
 	for (u32 r = 0u; r < args->n_cubes; r++) {
 		u32 faces = ts_k_cube_bits(words, r);
@@ -152,8 +156,38 @@ TS_FN void ts_k_splat_item(const ts_splat_args *args, u64 i)
 			ts_cover triangle = ts_k_splat_triangle(&view, piece);
 			if (triangle.n == 0u) continue;
 			u64 offset = cube->offset + (u64)face * cube->n * cube->n;
-			scatters++;
-			writes += ts_k_splat(args, &view, &triangle, (u32)i, offset);
+			*scatters += 1;
+			writes += ts_k_splat(args, &view, &triangle, point, word, offset);
+		}
+	}
+	return writes;
+}
+
+/* scatter over stored points */
+TS_FN void ts_k_splat_item(const ts_splat_args *args, u64 i)
+{
+	i64 scatters = 0;
+	ts_flight point = ts_k_flight_record(&args->from, i);
+	i64 writes = ts_k_splat_everywhere(args, &point, ts_k_splat_word(args, (u32)i), &scatters);
+	ts_add_i64(args->n_scatters, scatters);
+	ts_add_i64(args->n_writes, writes);
+}
+
+/* scatter over pieces: their points are made, splatted and not kept; texels hold the indices that stored ones have */
+TS_FN void ts_k_splat_fragments_item(const ts_splat_args *args, u64 i)
+{
+	u32 index = args->from.offset[i];
+	if (args->from.offset[i + 1u] == index) return;
+	ts_cover cover = ts_k_lattice_cover(&args->from.frames[i], args->from.half_size);
+	ts_flight point = ts_k_flight_of_piece(&args->from, i);
+	i64 scatters = 0;
+	i64 writes = 0;
+	for (i32 y = cover.touched.y0; y <= cover.touched.y1; y++) {
+		for (i32 x = cover.touched.x0; x <= cover.touched.x1; x++) {
+			if (!ts_k_is_point(&args->from, &cover, i, x, y)) continue;
+			ts_k_flight_start(&args->from, &point, x, y);
+			writes += ts_k_splat_everywhere(args, &point, index, &scatters);
+			index++;
 		}
 	}
 	ts_add_i64(args->n_scatters, scatters);

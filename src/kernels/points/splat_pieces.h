@@ -5,40 +5,6 @@
 #define TS_KERNELS_SPLAT_PIECES_H
 #include "splat.h"
 
-/* Inside where x i + y j + c >= 0. */
-typedef struct {
-	i64 x, y, c;
-} ts_line;
-typedef struct {
-	ts_line edge[TS_MAX_CORNERS];
-	u32 n;
-} ts_lines;
-
-/* ts_k_touches as lines: e grows by 256 dx and 256 dy from texel to texel (rule 19). */
-TS_FN void ts_k_lines(ts_lines *r, const ts_cover *cover)
-{
-	i64 sign = cover->turned ? -1 : 1;
-	r->n = cover->n;
-	for (u32 k = 0u; k < cover->n; k++) {
-		ts_snapped a = cover->v[k];
-		ts_snapped b = cover->v[k + 1u < cover->n ? k + 1u : 0u];
-		i64 dx = b.x - a.x;
-		i64 dy = b.y - a.y;
-		i64 reach = cover->half_size * ((dx < 0 ? -dx : dx) + (dy < 0 ? -dy : dy));
-		r->edge[k].x = -sign * dy * 256;
-		r->edge[k].y = sign * dx * 256;
-		r->edge[k].c = sign * (dx * (128 - a.y) - dy * (128 - a.x)) + reach;
-	}
-}
-
-TS_FN bool ts_k_inside_lines(const ts_lines *l, i32 i, i32 j)
-{
-	for (u32 k = 0u; k < l->n; k++) {
-		if (l->edge[k].x * i + l->edge[k].y * j + l->edge[k].c < 0) return false;
-	}
-	return true;
-}
-
 /* A face's axis as a world axis and a sign. */
 typedef struct {
 	u32 axis;
@@ -115,13 +81,14 @@ TS_FN ts_box ts_k_piece_box(const ts_piece_view *f, ts_v3 c, f32 length)
 /* Returns the texels offered. */
 TS_FN u32 ts_k_piece_point(const ts_splat_args *args, const ts_piece_view *f, u32 index)
 {
-	TS_GLOBAL const ts_point *point = ts_at(args->points, index);
+	TS_GLOBAL const ts_point *point = ts_at(args->from.points, index);
 	ts_v3 c = ts_load3(point->centre);
 	f32 length = point->length;
 	bool clip = args->clip != 0u;
 	ts_box box = ts_k_piece_box(f, c, length);
 	if (clip || (point->flags & TS_POINT_TINY) != 0u) box = ts_k_box_meet(box, f->cover.touched);
 	f32 distance = ts_put(ts_length(ts_sub(c, f->view.eye)));
+	u32 word = ts_k_splat_word(args, index);
 	u32 count = 0u;
 	for (i32 j = box.y0; j <= box.y1; j++) {
 		u64 row = f->first + (u64)j * (u64)f->view.width;
@@ -129,7 +96,7 @@ TS_FN u32 ts_k_piece_point(const ts_splat_args *args, const ts_piece_view *f, u3
 			if (clip && !ts_k_inside_lines(&f->lines, i, j)) continue;
 			f32 d = distance;
 			if (args->plane_depth != 0u) d = ts_put(ts_k_plane_distance(&f->view, f->n, c, distance, length, i, j));
-			ts_min_u64(ts_at(args->texels, row + (u64)i), ((u64)ts_f2u(d) << 32) | index);
+			ts_min_u64(ts_at(args->texels, row + (u64)i), ((u64)ts_f2u(d) << 32) | word);
 			count++;
 		}
 	}
@@ -141,32 +108,32 @@ TS_FN bool ts_k_piece_view(ts_piece_view *f, const ts_splat_args *args, u64 piec
 {
 	TS_GLOBAL const ts_face *cube = &args->cubes[r];
 	f->view = ts_k_cube_view(cube, face);
-	f->cover = ts_k_splat_triangle(&f->view, &args->pieces[piece]);
+	f->cover = ts_k_splat_triangle(&f->view, &args->from.pieces[piece]);
 	if (f->cover.n == 0u) return false;
-	*scatters += args->offset[piece + 1u] - args->offset[piece];
+	*scatters += args->from.offset[piece + 1u] - args->from.offset[piece];
 	ts_box box = ts_k_box_meet(f->cover.touched, ts_k_view_box(&f->view));
 	if (args->clip != 0u && (box.x1 < box.x0 || box.y1 < box.y0)) return false;
 	f->right = ts_k_row(f->view.right);
 	f->up = ts_k_row(f->view.up);
 	f->ahead = ts_k_row(ts_neg(f->view.back));
 	ts_k_lines(&f->lines, &f->cover);
-	f->u = ts_load3(args->frames[piece].u);
-	f->v = ts_load3(args->frames[piece].v);
+	f->u = ts_load3(args->from.frames[piece].u);
+	f->v = ts_load3(args->from.frames[piece].v);
 	f->n = ts_cross(f->u, f->v);
-	f32 half_length = ts_at(args->points, args->offset[piece])->length * 0.5f;
+	f32 half_length = ts_at(args->from.points, args->from.offset[piece])->length * 0.5f;
 	f->du = ts_scale(f->u, half_length);
 	f->dv = ts_scale(f->v, half_length);
 	f->first = cube->offset + (u64)face * cube->n * cube->n;
 	return true;
 }
 
-/* scatter over pieces: what the kernel splat does to their points, which args->offset finds */
+/* scatter over pieces: what the kernel splat does to their points, which args->from.offset finds */
 TS_FN void ts_k_splat_pieces_item(const ts_splat_args *args, u64 i)
 {
-	u32 begin = args->offset[i];
-	u32 end = args->offset[i + 1u];
+	u32 begin = args->from.offset[i];
+	u32 end = args->from.offset[i + 1u];
 	if (begin == end) return;
-	TS_GLOBAL const u64 *words = args->bits + (u64)args->pieces[i].triangle * args->n_words;
+	TS_GLOBAL const u64 *words = args->bits + (u64)args->from.pieces[i].triangle * args->n_words;
 	i64 scatters = 0;
 	i64 writes = 0;
 	for (u32 r = 0u; r < args->n_cubes; r++) {

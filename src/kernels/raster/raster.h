@@ -375,6 +375,66 @@ TS_FN bool ts_k_touches(const ts_cover *c, i32 i, i32 j)
 	return true;
 }
 
+/* Inside where x i + y j + c >= 0. */
+typedef struct {
+	i64 x, y, c;
+} ts_line;
+typedef struct {
+	ts_line edge[TS_MAX_CORNERS];
+	u32 n;
+} ts_lines;
+
+/* ts_k_touches as lines: e grows by 256 dx and 256 dy from texel to texel (rule 19). */
+TS_FN void ts_k_lines(ts_lines *r, const ts_cover *cover)
+{
+	i64 sign = cover->turned ? -1 : 1;
+	r->n = cover->n;
+	for (u32 k = 0u; k < cover->n; k++) {
+		ts_snapped a = cover->v[k];
+		ts_snapped b = cover->v[k + 1u < cover->n ? k + 1u : 0u];
+		i64 dx = b.x - a.x;
+		i64 dy = b.y - a.y;
+		i64 reach = cover->half_size * ((dx < 0 ? -dx : dx) + (dy < 0 ? -dy : dy));
+		r->edge[k].x = -sign * dy * 256;
+		r->edge[k].y = sign * dx * 256;
+		r->edge[k].c = sign * (dx * (128 - a.y) - dy * (128 - a.x)) + reach;
+	}
+}
+
+TS_FN bool ts_k_inside_lines(const ts_lines *l, i32 i, i32 j)
+{
+	for (u32 k = 0u; k < l->n; k++) {
+		if (l->edge[k].x * i + l->edge[k].y * j + l->edge[k].c < 0) return false;
+	}
+	return true;
+}
+
+/* The samples of a row that touch: none, or all from first to last, for the polygon is convex. */
+typedef struct {
+	i32 first, last;
+} ts_span;
+
+TS_FN i64 ts_k_floor_quotient(i64 a, i64 b) { return a / b - (a % b < 0 ? 1 : 0); } /* b > 0 */
+
+/* Of row j of `box`, by edges as lines: where each crosses the row. */
+TS_FN ts_span ts_k_touched_row(const ts_lines *l, ts_box box, i32 j)
+{
+	i64 first = box.x0;
+	i64 last = box.x1;
+	for (u32 k = 0u; k < l->n; k++) {
+		i64 x = l->edge[k].x;
+		i64 c = l->edge[k].y * j + l->edge[k].c;
+		if (x == 0 && c < 0) last = first - 1;
+		i64 at = x > 0 ? -ts_k_floor_quotient(c, x) : x < 0 ? ts_k_floor_quotient(c, -x) : 0;
+		if (x > 0 && at > first) first = at;
+		if (x < 0 && at < last) last = at;
+	}
+	ts_span r;
+	r.first = first <= box.x1 ? (i32)first : box.x1 + 1;
+	r.last = first <= last ? (i32)last : r.first - 1;
+	return r;
+}
+
 /* What a covered pixel sees: axial depth and perspective weights of the source triangle's corners (rule 22):
  * b_k = E_k / sum E, z = 1 / sum b/z, w = z sum (b/z) w. */
 typedef struct {

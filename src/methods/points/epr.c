@@ -20,6 +20,14 @@
  * - points lie in the order of the pieces, so that two runs have the same bytes (--order arrival);
  * - one bounce by default, so that MVR and truth C show the same thing (lookup.bounces=2, lookup.bounces=3).
  *
+ * Two variants that the paper speaks of and does not follow, with all of the above:
+ * - epr-bufferless (3.4) stores no points. The paper does not say what its texels hold; ours hold the index that the
+ *   point would have, so that the picture is EPR's to the bit, and bounces work;
+ * - epr-forward (3.5) has cubes of colours. The paper does not say how light that depends on the viewer is computed "once
+ *   per point": ours is lit for the mirror by which its way to the eye is the shortest, eq. 2, or for the eye
+ *   (forward.viewer=eye); nor of which format colours are: ours share an exponent. One bounce, whatever the parameter
+ *   says, for colours on mirrors are not followed.
+ *
  * Omnidirectional soft shadows (section 5): points no denser than the eye can tell in any shadow are written or
  * splatted into the cubes of a light's samples, which are resolved as iVIR's. Deviations:
  * - eq. 5 sets a ratio of distances against a scale; by default the rate is a bound on what the eye can tell, with the
@@ -37,27 +45,73 @@
 #include "../stages.h"
 #include "pipelines.h"
 
-static const ts_step epr_steps[] = {
-	{.run = ts_frame_run},
-	{.stage = "cube_size"},                          /* 3.5: cubes as large as their reflectors in the eye */
-	{.stage = "eye"},                                /* the eye's G-buffer */
-	{.stage = "mirror_pixel"},                       /* 4.1.3: reflective pixels and their normal gradients */
-	{.stage = "visibility"},                         /* 3.1: which faces may see a triangle */
-	{.stage = "split"},                              /* 4.1.1: eye-resolution density */
-	{.stage = "cull"},                               /* 3.2: stochastic culling */
-	{.stage = "align"},                              /* 3.2: T_epr */
+static const ts_step piece_run[] = {
+	{.stage = "cube_size"},    /* 3.5: cubes as large as their reflectors in the eye */
+	{.stage = "eye"},          /* the eye's G-buffer */
+	{.stage = "mirror_pixel"}, /* 4.1.3: reflective pixels and their normal gradients */
+	{.stage = "visibility"},   /* 3.1: which faces may see a triangle */
+	{.stage = "split"},        /* 4.1.1: eye-resolution density */
+	{.stage = "cull"},         /* 3.2: stochastic culling */
+	{.stage = "align"},        /* 3.2: T_epr */
+	{0},
+};
+
+static const ts_step point_run[] = {
 	{.stage = "points.count", .only_ordered = true}, /* 3.3: conservative rasterization in the triangle's plane */
 	{.stage = "points"},                             /* 3.4: the point buffers */
-	{.stage = "splat"},                              /* 3.5: indexed G-buffer cubes */
+	{0},
+};
+
+/* Where points are stored, what looks them up does without their counts. */
+static bool stores(const ts_params *params)
+{
+	(void)params;
+	return true;
+}
+#define STORED .spares = stores, .spared = TS_B_points_offset
+
+static const ts_step epr_steps[] = {
+	{.run = ts_frame_run},
+	{.run = piece_run},
+	{.run = point_run},
+	{.stage = "splat"}, /* 3.5: indexed G-buffer cubes */
 	{.stage = "splat.tie", .only_traced = true},
-	{.stage = "lookup"},                            /* 4.1.3: 25 samples a reflective pixel */
-	{.stage = "lookup.second", .least_bounces = 2}, /* 4.1.4: points on mirrors look up again */
+	{.stage = "lookup"},                                    /* 4.1.3: 25 samples a reflective pixel */
+	{.stage = "lookup.second", .least_bounces = 2, STORED}, /* 4.1.4: points on mirrors look up again */
+	{.stage = "lookup.third", .least_bounces = 3, STORED},
+	{.stage = "shade.third", .least_bounces = 3, STORED}, /* 4.1.2: only what was looked up is shaded */
+	{.stage = "shade.second", .least_bounces = 2, STORED},
+	{.stage = "shade", STORED},
+	{.stage = "image"},
+	{0},
+};
+
+/* 3.4: "a bufferless implementation in which the fragment shader splatted points directly". Texels hold what EPR's hold,
+ * and whoever is given an index makes its point again, from the counts of points. */
+static const ts_step bufferless_steps[] = {
+	{.run = ts_frame_run},
+	{.run = piece_run},
+	{.stage = "points.count"},
+	{.stage = "splat.direct"},
+	{.stage = "splat.direct_tie", .only_traced = true},
+	{.stage = "lookup"},
+	{.stage = "lookup.second", .least_bounces = 2},
 	{.stage = "lookup.third", .least_bounces = 3},
-	{.stage = "shade.third", .least_bounces = 3}, /* 4.1.2: only what was looked up is shaded */
+	{.stage = "shade.third", .least_bounces = 3},
 	{.stage = "shade.second", .least_bounces = 2},
 	{.stage = "shade"},
 	{.stage = "image"},
 	{0},
+};
+
+/* 3.5: "If the buffers contain forward rendering results, the lighting computation need only be performed once per
+ * point". */
+static const ts_step forward_steps[] = {
+	{.run = ts_frame_run},      {.run = piece_run},
+	{.run = point_run},         {.stage = "forward"}, /* every point is lit */
+	{.stage = "splat.colour"},                        /* cubes of colours */
+	{.stage = "lookup.colour"}, {.stage = "shade.colour"},
+	{.stage = "image"},         {0},
 };
 
 static const ts_step epr_omni_steps[] = {
@@ -102,6 +156,26 @@ const ts_pipeline ts_pipeline_epr_reflections = {
 	.doc = "eye-based point rendering: one pass over the geometry for all cubes",
 	.steps = epr_steps,
 	.expect = epr_expect,
+};
+
+const ts_pipeline ts_pipeline_epr_bufferless = {
+	.name = "epr-bufferless",
+	.effect = &ts_effect_reflections,
+	.paper = "EPR 3.4",
+	.doc = "epr without buffers of points: they are splatted as they are made, and made again where seen",
+	.steps = bufferless_steps,
+	.expect = epr_expect,
+	.only_named = true,
+};
+
+const ts_pipeline ts_pipeline_epr_forward = {
+	.name = "epr-forward",
+	.effect = &ts_effect_reflections,
+	.paper = "EPR 3.5",
+	.doc = "epr with cubes of colours: every point is lit once, for all cubes",
+	.steps = forward_steps,
+	.expect = epr_expect,
+	.only_named = true,
 };
 
 const ts_pipeline ts_pipeline_epr_omni = {

@@ -1,33 +1,45 @@
 /* Look-ups of the first bounce, and queue and look-ups of each later one. */
-#include "lookup.h"
 #include <inttypes.h>
+#include "lookup.h"
 
-/* Mirrors tell which pixel sees which point, and nothing of points. */
-static const ts_launch first = TS_LAUNCH(lookup, TS_WITH(view), TS_WITH(texels), TS_OUT(found, lookup_point),
-                                         TS_BUT(scene), TS_BUT(pieces), TS_BUT(frames), TS_BUT(keys), TS_BUT(points));
-/* A later bounce: samples of the one before that see a mirror are counted and queued, then look up. */
+/* Mirrors tell which pixel sees which point, or which colour, and nothing of points. */
+static const ts_launch first =
+	TS_LAUNCH(lookup, TS_WITH(view), TS_WITH(texels), TS_OUT(found, lookup_point), TS_BUT(from));
+static const ts_launch first_colours =
+	TS_LAUNCH(lookup, TS_WITH(view), TS_IN(texels, splat_depth_colour), TS_OUT(found, lookup_colour), TS_BUT(from));
+/* A later bounce: samples of the one before that see a mirror are counted and queued, then look up; with points that are
+ * stored, or made again. */
 typedef struct {
 	ts_launch count, queue, look_up;
 } later;
 
-static const later second = {
-	TS_LAUNCH(bounce_count, TS_IN(found, lookup_point), TS_OUT(offset, lookup_second_offset)),
-	TS_LAUNCH(bounce_queue, TS_IN(found, lookup_point), TS_IN(offset, lookup_second_offset),
-              TS_OUT(next_queue, lookup_second_parent)),
-	TS_LAUNCH(bounce, TS_WITH(texels), TS_IN(queue, lookup_second_parent), TS_OUT(found, lookup_second_point)),
-};
-static const later third = {
-	TS_LAUNCH(bounce_count, TS_IN(found, lookup_second_point), TS_OUT(offset, lookup_third_offset), TS_BUT(pixels)),
-	TS_LAUNCH(bounce_queue, TS_IN(found, lookup_second_point), TS_IN(offset, lookup_third_offset),
-              TS_OUT(next_queue, lookup_third_parent), TS_IN(queue, lookup_second_parent), TS_BUT(pixels)),
-	TS_LAUNCH(bounce, TS_WITH(texels), TS_IN(queue, lookup_third_parent), TS_OUT(found, lookup_third_point),
-              TS_BUT(pixels)),
-};
+#define SECOND(points) \
+	{ \
+		TS_LAUNCH(bounce_count, points, TS_IN(found, lookup_point), TS_OUT(offset, lookup_second_offset)), \
+			TS_LAUNCH(bounce_queue, points, TS_IN(found, lookup_point), TS_IN(offset, lookup_second_offset), \
+		              TS_OUT(next_queue, lookup_second_parent)), \
+			TS_LAUNCH(bounce, points, TS_WITH(texels), TS_IN(queue, lookup_second_parent), \
+		              TS_OUT(found, lookup_second_point)), \
+	}
+#define THIRD(points) \
+	{ \
+		TS_LAUNCH(bounce_count, points, TS_IN(found, lookup_second_point), TS_OUT(offset, lookup_third_offset), \
+		          TS_BUT(pixels)), \
+			TS_LAUNCH(bounce_queue, points, TS_IN(found, lookup_second_point), TS_IN(offset, lookup_third_offset), \
+		              TS_OUT(next_queue, lookup_third_parent), TS_IN(queue, lookup_second_parent), TS_BUT(pixels)), \
+			TS_LAUNCH(bounce, points, TS_WITH(texels), TS_IN(queue, lookup_third_parent), \
+		              TS_OUT(found, lookup_third_point), TS_BUT(pixels)), \
+	}
+#define STORED TS_STORED_POINTS(from)
+#define AGAIN TS_COUNTED_POINTS(from)
+static const later second[] = {SECOND(STORED), SECOND(AGAIN)};
+static const later third[] = {THIRD(STORED), THIRD(AGAIN)};
 
 ts_lookup_args ts_lookup_values(const ts_run *run, u32 bounce)
 {
 	return (ts_lookup_args){
-		.scene = ts_run_scene(run),
+		.from = ts_points_values(run),
+		.n_pieces = ts_points_again(run) ? (u32)ts_run_size(run, TS_DIM_pieces) : 0,
 		.n_samples = bounce > 0 ? TS_N_BOUNCE_SAMPLES : TS_N_SAMPLES,
 		.first = bounce == 0,
 	};
@@ -43,16 +55,17 @@ static void count_empty(ts_run *run, ts_buffer_id id)
 	ts_run_count(run, "empty look-ups", empty);
 }
 
-static ts_status look_up(ts_run *run, const ts_launch *launch, u32 bounce)
+static ts_status look_up(ts_run *run, const ts_launch *launch, u32 bounce, ts_buffer_id found)
 {
 	ts_lookup_args args = ts_lookup_values(run, bounce);
 	u64 n = ts_run_size(run, ts_bounce_table[bounce].entries);
 	if (TS_RUN(run, launch, &args, n) != TS_OK) return TS_ERROR;
-	count_empty(run, ts_bounce_table[bounce].found);
+	count_empty(run, found);
 	return TS_OK;
 }
 
-static ts_status lookup(ts_run *run) { return look_up(run, &first, 0); }
+static ts_status lookup(ts_run *run) { return look_up(run, &first, 0, TS_B_lookup_point); }
+static ts_status lookup_colour(ts_run *run) { return look_up(run, &first_colours, 0, TS_B_lookup_colour); }
 
 /* The queue of a bounce: the samples of the one before that see a mirror. */
 static ts_status make_queue(ts_run *run, const later *own, u32 bounce)
@@ -70,11 +83,13 @@ static ts_status make_queue(ts_run *run, const later *own, u32 bounce)
 
 static ts_status look_up_later(ts_run *run, const later *own, u32 bounce)
 {
-	return make_queue(run, own, bounce) == TS_OK ? look_up(run, &own->look_up, bounce) : TS_ERROR;
+	own += ts_points_again(run);
+	if (make_queue(run, own, bounce) != TS_OK) return TS_ERROR;
+	return look_up(run, &own->look_up, bounce, ts_bounce_table[bounce].found);
 }
 
-static ts_status lookup_second(ts_run *run) { return look_up_later(run, &second, 1); }
-static ts_status lookup_third(ts_run *run) { return look_up_later(run, &third, 2); }
+static ts_status lookup_second(ts_run *run) { return look_up_later(run, second, 1); }
+static ts_status lookup_third(ts_run *run) { return look_up_later(run, third, 2); }
 
 const ts_stage ts_stage_lookup = {
 	.name = "lookup",
@@ -85,13 +100,23 @@ const ts_stage ts_stage_lookup = {
 	.launches = TS_LAUNCHES(&first),
 };
 
+const ts_stage ts_stage_lookup_colour = {
+	.name = "lookup.colour",
+	.kind = "map",
+	.paper = "EPR 3.5, 4.1.3",
+	.doc = "25 look-ups of colours a reflective pixel",
+	.run = lookup_colour,
+	.launches = TS_LAUNCHES(&first_colours),
+};
+
 const ts_stage ts_stage_lookup_second = {
 	.name = "lookup.second",
 	.kind = "emit",
 	.paper = "EPR 4.1.4",
 	.doc = "four look-ups for each sample that sees a mirror",
 	.run = lookup_second,
-	.launches = TS_LAUNCHES(&second.count, &second.queue, &second.look_up),
+	.launches = TS_LAUNCHES(&second[0].count, &second[0].queue, &second[0].look_up, &second[1].count, &second[1].queue,
+                            &second[1].look_up),
 	.looks_at = TS_BUFFERS(TS_B_scene_info),
 };
 
@@ -101,6 +126,7 @@ const ts_stage ts_stage_lookup_third = {
 	.paper = "EPR 4.1.4",
 	.doc = "the same once more",
 	.run = lookup_third,
-	.launches = TS_LAUNCHES(&third.count, &third.queue, &third.look_up),
+	.launches = TS_LAUNCHES(&third[0].count, &third[0].queue, &third[0].look_up, &third[1].count, &third[1].queue,
+                            &third[1].look_up),
 	.looks_at = TS_BUFFERS(TS_B_scene_info),
 };

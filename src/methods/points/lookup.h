@@ -3,6 +3,7 @@
 #define TS_STAGES_LOOKUP_H
 #include "../../kernels/points/lookup.h"
 #include "../stages.h"
+#include "points.h"
 
 enum { TS_MAX_BOUNCES = 3 };
 

@@ -18,6 +18,11 @@ ts_points_args ts_points_values(const ts_run *run)
 	};
 }
 
+bool ts_points_again(const ts_run *run)
+{
+	return !ts_run_has(run, TS_B_points_record) && ts_run_has(run, TS_B_points_offset);
+}
+
 static ts_status points_count(ts_run *run)
 {
 	u64 total;

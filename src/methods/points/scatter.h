@@ -9,8 +9,6 @@ typedef struct {
 	ts_launch stored, pieces;
 } ts_scatters;
 
-#define TS_STORED_POINTS(path) TS_IN(path.keys, points_key), TS_IN(path.points, points_record)
-
 ts_scatter_args ts_scatter_values(const ts_run *run);
 /* Fills the buffers of `args`, runs what fits the points, and counts. Without views there is nothing to scatter
  * into. */

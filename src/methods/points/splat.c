@@ -1,11 +1,21 @@
 /* Points into the cubes. */
 #include "../../kernels/points/splat.h"
 #include "../stages.h"
+#include "points.h"
 
 /* Points that stand by piece, or as they arrived; and again into texels that are there, to find ties. */
-static const ts_launch in_order = TS_LAUNCH(splat, TS_WITH(offset));
-static const ts_launch arrived = TS_LAUNCH(splat, TS_ALL);
-static const ts_launch ties = TS_LAUNCH(splat, TS_IN(texels, splat_depth_index), TS_WITH(tie));
+#define STORED TS_BUT(from.scene), TS_IN(from.points, points_record)
+static const ts_launch in_order = TS_LAUNCH(splat, STORED, TS_COUNTED_POINTS(from));
+static const ts_launch arrived = TS_LAUNCH(splat, STORED);
+#define TIES TS_IN(texels, splat_depth_index), TS_WITH(tie)
+static const ts_launch ties = TS_LAUNCH(splat, STORED, TIES);
+/* The same of points that are made on the spot. */
+static const ts_launch direct = TS_LAUNCH(splat_fragments, TS_COUNTED_POINTS(from));
+static const ts_launch direct_ties = TS_LAUNCH(splat_fragments, TS_COUNTED_POINTS(from), TIES);
+/* Colours in the place of indices. */
+#define COLOURS TS_MIN(texels, splat_depth_colour), TS_WITH(colours)
+static const ts_launch coloured_in_order = TS_LAUNCH(splat, STORED, TS_COUNTED_POINTS(from), COLOURS);
+static const ts_launch coloured_arrived = TS_LAUNCH(splat, STORED, COLOURS);
 
 static ts_splat_args values(const ts_run *run)
 {
@@ -18,27 +28,57 @@ static ts_splat_args values(const ts_run *run)
 	};
 }
 
-static ts_status splat(ts_run *run)
+static ts_status put(ts_run *run, const ts_launch *launch, ts_splat_args *args, ts_dim items)
 {
-	ts_splat_args args = values(run);
-	u64 n = ts_run_size(run, TS_DIM_points);
-	if (TS_RUN(run, run->arrival ? &arrived : &in_order, &args, n) != TS_OK) return TS_ERROR;
+	if (TS_RUN(run, launch, args, ts_run_size(run, items)) != TS_OK) return TS_ERROR;
 	ts_run_count(run, "point-view scatters", ts_frame_tally(&run->frame, 0));
 	ts_run_count(run, "texel writes", ts_frame_tally(&run->frame, 1));
 	return TS_OK;
 }
 
-static ts_status splat_tie(ts_run *run)
+static ts_status splat(ts_run *run)
 {
 	ts_splat_args args = values(run);
-	args.mark = 1;
-	if (TS_RUN(run, &ties, &args, ts_run_size(run, TS_DIM_points)) != TS_OK) return TS_ERROR;
+	return put(run, run->arrival ? &arrived : &in_order, &args, TS_DIM_points);
+}
+
+static ts_status splat_direct(ts_run *run)
+{
+	ts_splat_args args = values(run);
+	args.from = ts_points_values(run);
+	return put(run, &direct, &args, TS_DIM_pieces);
+}
+
+static ts_status splat_colour(ts_run *run)
+{
+	ts_splat_args args = values(run);
+	args.coloured = 1;
+	return put(run, run->arrival ? &coloured_arrived : &coloured_in_order, &args, TS_DIM_points);
+}
+
+static ts_status mark(ts_run *run, const ts_launch *launch, ts_splat_args *args, ts_dim items)
+{
+	args->mark = 1;
+	if (TS_RUN(run, launch, args, ts_run_size(run, items)) != TS_OK) return TS_ERROR;
 	const u8 *marks = ts_frame_data(&run->frame, TS_B_splat_tie);
 	u64 n = ts_frame_n(&run->frame, TS_B_splat_tie);
 	i64 n_tied = 0;
 	for (u64 i = 0; i < n; i++) n_tied += marks[i];
 	ts_run_count(run, "texels tied", n_tied);
 	return TS_OK;
+}
+
+static ts_status splat_tie(ts_run *run)
+{
+	ts_splat_args args = values(run);
+	return mark(run, &ties, &args, TS_DIM_points);
+}
+
+static ts_status splat_direct_tie(ts_run *run)
+{
+	ts_splat_args args = values(run);
+	args.from = ts_points_values(run);
+	return mark(run, &direct_ties, &args, TS_DIM_pieces);
 }
 
 const ts_stage ts_stage_splat = {
@@ -50,6 +90,15 @@ const ts_stage ts_stage_splat = {
 	.launches = TS_LAUNCHES(&in_order, &arrived),
 };
 
+const ts_stage ts_stage_splat_colour = {
+	.name = "splat.colour",
+	.kind = "scatter",
+	.paper = "EPR 3.5",
+	.doc = "colours of points into cube faces by 64-bit minimum",
+	.run = splat_colour,
+	.launches = TS_LAUNCHES(&coloured_in_order, &coloured_arrived),
+};
+
 const ts_stage ts_stage_splat_tie = {
 	.name = "splat.tie",
 	.kind = "scatter",
@@ -57,4 +106,24 @@ const ts_stage ts_stage_splat_tie = {
 	.doc = "texels that another point of the same distance might have won",
 	.run = splat_tie,
 	.launches = TS_LAUNCHES(&ties),
+};
+
+const ts_stage ts_stage_splat_direct = {
+	.name = "splat.direct",
+	.kind = "scatter",
+	.paper = "EPR 3.4",
+	.doc = "points made and splatted on the spot, none stored",
+	.run = splat_direct,
+	.launches = TS_LAUNCHES(&direct),
+	.looks_at = TS_BUFFERS(TS_B_scene_info),
+};
+
+const ts_stage ts_stage_splat_direct_tie = {
+	.name = "splat.direct_tie",
+	.kind = "scatter",
+	.paper = "EPR 3.4",
+	.doc = "texels that another such point of the same distance might have won",
+	.run = splat_direct_tie,
+	.launches = TS_LAUNCHES(&direct_ties),
+	.looks_at = TS_BUFFERS(TS_B_scene_info),
 };

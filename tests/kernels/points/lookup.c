@@ -34,13 +34,13 @@ static void world_begin(world *w)
 	mesh_points(m, 129, 0);
 	assert_int_equal(m->n_points, N_POINTS);
 	memset(w->texels, 0xff, sizeof w->texels);
-	w->args = (ts_lookup_args){.scene = mesh_arrays(m),
+	w->args = (ts_lookup_args){.from = {.scene = mesh_arrays(m),
+	                                    .pieces = m->pieces,
+	                                    .frames = m->frames,
+	                                    .keys = m->keys,
+	                                    .points = m->points},
 	                           .view = &m->view,
 	                           .cubes = m->cubes,
-	                           .pieces = m->pieces,
-	                           .frames = m->frames,
-	                           .keys = m->keys,
-	                           .points = m->points,
 	                           .texels = w->texels,
 	                           .n_samples = TS_N_SAMPLES,
 	                           .first = 1};

@@ -305,11 +305,9 @@ static inline void mesh_clear(mesh *m)
 
 static inline ts_splat_args mesh_splat(const mesh *m, u64 *texels, i64 *n_scatters, i64 *n_writes)
 {
-	return (ts_splat_args){.cubes = m->cubes,
-	                       .pieces = m->pieces,
-	                       .frames = m->frames,
+	return (ts_splat_args){.from = {.pieces = m->pieces, .frames = m->frames, .points = m->points},
+	                       .cubes = m->cubes,
 	                       .bits = m->bits,
-	                       .points = m->points,
 	                       .texels = texels,
 	                       .n_scatters = n_scatters,
 	                       .n_writes = n_writes,

@@ -16,6 +16,9 @@ typedef struct {
 	i64 scatters, writes;
 } face;
 
+/* The points of a piece into a face that it was set up for. */
+typedef void splat_points(face *f, u64 piece);
+
 /* Points of a piece side by side, a multiple of four; the first fills up. */
 enum { BLOCK = 32 };
 typedef struct {
@@ -59,10 +62,9 @@ static void put_boxes(const face *f, block *b)
 	}
 }
 
-/* Squares and distances of the points [begin, begin + n), n <= BLOCK; all of one piece, so of one length. */
-static void measure(const face *f, block *b, u32 begin, u32 n)
+/* Squares and distances of n points, n <= BLOCK; all of one piece, so of one length. */
+static void measure(const face *f, block *b, const ts_point *points, u32 n)
 {
-	const ts_point *points = f->args->points + begin;
 	f32 centre[3][BLOCK];
 	b->n = (n + 3) / 4 * 4;
 	for (u32 i = 0; i < b->n; i++) {
@@ -86,43 +88,74 @@ static void measure(const face *f, block *b, u32 begin, u32 n)
 	}
 }
 
-static void write_texel(face *f, const ts_point *point, u32 index, ts_v3 c, f32 distance, i32 i, i32 j)
+static void write_texel(face *f, const ts_point *point, u32 word, ts_v3 c, f32 distance, i32 i, i32 j)
 {
 	f32 d = distance;
 	if (f->args->plane_depth != 0) {
 		d = ts_put(ts_k_plane_distance(&f->view, f->n, c, distance, point->length, i, j));
 	}
 	u64 *texel = &f->texels[(u64)j * (u64)f->view.width + (u64)i];
-	u64 key = ((u64)ts_f2u(d) << 32) | index;
+	u64 key = ((u64)ts_f2u(d) << 32) | word;
 	*texel = key < *texel ? key : *texel;
 	f->writes++;
 }
 
-static void splat_point(face *f, u32 index, ts_box box, f32 distance)
+static void splat_point(face *f, const ts_point *point, u32 word, ts_box box, f32 distance)
 {
-	const ts_point *point = &f->args->points[index];
 	bool clip = f->args->clip != 0;
 	ts_v3 c = ts_load3(point->centre);
 	if (clip || (point->flags & TS_POINT_TINY) != 0) box = ts_k_box_meet(box, f->cover.touched);
 	for (i32 j = box.y0; j <= box.y1; j++) {
 		for (i32 i = box.x0; i <= box.x1; i++) {
-			if (!clip || ts_k_inside_lines(&f->lines, i, j)) write_texel(f, point, index, c, distance, i, j);
+			if (!clip || ts_k_inside_lines(&f->lines, i, j)) write_texel(f, point, word, c, distance, i, j);
 		}
 	}
 }
 
-static void splat_block(face *f, u32 begin, u32 n)
+/* n points, the first of index `begin`. */
+static void splat_block(face *f, const ts_point *points, u32 begin, u32 n)
 {
 	block b;
 	ts_box all = ts_k_view_box(&f->view);
-	measure(f, &b, begin, n);
+	measure(f, &b, points, n);
 	for (u32 i = 0; i < n; i++) {
-		const ts_point *point = &f->args->points[begin + i];
+		const ts_point *point = &points[i];
 		bool behind = ts_flush(b.ahead[i] - f->view.near) < 0.0f;
 		ts_box box = behind ? ts_k_splat_box(&f->view, ts_load3(point->centre), f->u, f->v, point->length)
 		                    : ts_k_box_meet(b.box[i], all);
-		splat_point(f, begin + i, box, b.distance[i]);
+		splat_point(f, point, ts_k_splat_word(f->args, begin + i), box, b.distance[i]);
 	}
+}
+
+static void splat_stored(face *f, u64 piece)
+{
+	u32 end = f->args->from.offset[piece + 1];
+	for (u32 i = f->args->from.offset[piece]; i < end; i += BLOCK) {
+		splat_block(f, f->args->from.points + i, i, end - i < BLOCK ? end - i : BLOCK);
+	}
+}
+
+/* Points that are made and not kept, for each face again. */
+static void splat_made(face *f, u64 piece)
+{
+	const ts_points_args *from = &f->args->from;
+	ts_point points[BLOCK];
+	u32 begin = from->offset[piece], n = 0;
+	ts_cover cover = ts_k_lattice_cover(&from->frames[piece], from->half_size);
+	ts_flight point = ts_k_flight_of_piece(from, piece);
+	for (i32 y = cover.touched.y0; y <= cover.touched.y1; y++) {
+		for (i32 x = cover.touched.x0; x <= cover.touched.x1; x++) {
+			if (!ts_k_is_point(from, &cover, piece, x, y)) continue;
+			ts_k_flight_start(from, &point, x, y);
+			points[n] = (ts_point){.length = point.length, .flags = point.flags};
+			ts_store3(points[n++].centre, point.centre);
+			if (n < BLOCK) continue;
+			splat_block(f, points, begin, n);
+			begin += n;
+			n = 0;
+		}
+	}
+	if (n > 0) splat_block(f, points, begin, n);
 }
 
 static bool misses(const face *f)
@@ -131,23 +164,23 @@ static bool misses(const face *f)
 	return f->args->clip != 0 && (box.x1 < box.x0 || box.y1 < box.y0);
 }
 
-static void splat_piece(face *f, u64 piece, u32 begin, u32 end)
+static void splat_piece(face *f, u64 piece, splat_points *points)
 {
-	f->cover = ts_k_splat_triangle(&f->view, &f->args->pieces[piece]);
+	f->cover = ts_k_splat_triangle(&f->view, &f->args->from.pieces[piece]);
 	if (f->cover.n == 0) return;
-	f->scatters += end - begin;
+	f->scatters += f->args->from.offset[piece + 1] - f->args->from.offset[piece];
 	if (misses(f)) return;
 	ts_k_lines(&f->lines, &f->cover);
-	f->u = ts_load3(f->args->frames[piece].u);
-	f->v = ts_load3(f->args->frames[piece].v);
+	f->u = ts_load3(f->args->from.frames[piece].u);
+	f->v = ts_load3(f->args->from.frames[piece].v);
 	f->n = ts_cross(f->u, f->v);
-	for (u32 i = begin; i < end; i += BLOCK) splat_block(f, i, end - i < BLOCK ? end - i : BLOCK);
+	points(f, piece);
 }
 
-static void splat_face(const ts_splat_args *args, u32 cube_index, u32 side)
+static void splat_face(const ts_splat_args *args, u32 cube_index, u32 side, splat_points *points)
 {
 	const ts_face *cube = &args->cubes[cube_index];
-	const u32 *offset = args->offset;
+	const u32 *offset = args->from.offset;
 	face f = {.args = args, .view = ts_k_cube_view(cube, side)};
 	f.texels = args->texels + cube->offset + (u64)side * cube->n * cube->n;
 	f.right = ts_k_row(f.view.right);
@@ -155,22 +188,32 @@ static void splat_face(const ts_splat_args *args, u32 cube_index, u32 side)
 	f.ahead = ts_k_row(ts_neg(f.view.back));
 	for (u64 piece = 0; cube->n != 0 && piece < args->n_pieces; piece++) {
 		if (offset[piece + 1] == offset[piece]) continue;
-		const u64 *words = args->bits + (u64)args->pieces[piece].triangle * args->n_words;
+		const u64 *words = args->bits + (u64)args->from.pieces[piece].triangle * args->n_words;
 		if ((ts_k_cube_bits(words, cube_index) >> side & 1) == 0) continue;
-		splat_piece(&f, piece, offset[piece], offset[piece + 1]);
+		splat_piece(&f, piece, points);
 	}
 	ts_add_i64(args->n_scatters, f.scatters);
 	ts_add_i64(args->n_writes, f.writes);
 }
 
+static bool splat_faces(const ts_splat_args *args, u32 threads, splat_points *points)
+{
+	if (args->from.offset == NULL || args->mark != 0) return false;
+	i64 n_faces = (i64)args->n_cubes * 6;
+#pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
+	for (i64 i = 0; i < n_faces; i++) splat_face(args, (u32)(i / 6), (u32)(i % 6), points);
+	return true;
+}
+
 /* Points that stand by piece, and nothing to mark. */
 bool ts_c_fast_splat(const void *of, u64 n, u32 threads)
 {
-	const ts_splat_args *args = of;
 	(void)n;
-	if (args->offset == NULL || args->mark != 0) return false;
-	i64 n_faces = (i64)args->n_cubes * 6;
-#pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
-	for (i64 i = 0; i < n_faces; i++) splat_face(args, (u32)(i / 6), (u32)(i % 6));
-	return true;
+	return splat_faces(of, threads, splat_stored);
+}
+
+bool ts_c_fast_splat_fragments(const void *of, u64 n, u32 threads)
+{
+	(void)n;
+	return splat_faces(of, threads, splat_made);
 }

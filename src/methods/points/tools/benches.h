@@ -17,7 +17,7 @@
 
 extern const ts_claim ts_points_claims[];
 extern const ts_paper_table ts_ivir_1, ts_ivir_2, ts_ivir_3, ts_ivir_5, ts_epr_1, ts_epr_2, ts_epr_3;
-extern const ts_paper_table ts_epr_5, ts_epr_costs;
+extern const ts_paper_table ts_epr_5, ts_epr_costs, ts_epr_buffers;
 ts_status ts_bench_sweep(const ts_job *job);
 
 #endif

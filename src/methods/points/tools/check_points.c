@@ -1,6 +1,6 @@
 /* align.frame: q within 24.8 of the lattice, so that edges fit 64 bits, s not negative; for count, points and what
  * makes points without storing them, fewer than 2^34 lattice squares in the boxes of all pieces. points.offset, where
- * stage points writes: the sums that stage points.count makes of the same align.frame. */
+ * stage points writes or points are made again: the sums that stage points.count makes of the same align.frame. */
 #include <inttypes.h>
 #include "../../../kernels/points/points.h"
 #include "tools.h"
@@ -41,7 +41,8 @@ static ts_status check_frames(const ts_load *load, const ts_stage *stage, ts_buf
 static ts_status check_counts(const ts_load *load, const ts_stage *stage, ts_buffer_id id)
 {
 	(void)id;
-	if (!ts_stage_writes(stage, TS_B_points_record)) return TS_OK;
+	bool stored = ts_pipeline_maker(load->pipeline, TS_B_points_record) != NULL;
+	if (stored && !ts_stage_writes(stage, TS_B_points_record)) return TS_OK;
 	return ts_check_again(load, ts_pipeline_maker(load->pipeline, TS_B_points_offset)->stage, "align.frame");
 }
 

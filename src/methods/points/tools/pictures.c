@@ -4,8 +4,10 @@
 #include <stdlib.h>
 #include "../../../image/falsecolour.h"
 #include "../../../kernels/base/srgb.h"
+#include "../../../kernels/points/forward.h"
 #include "../../../kernels/raster/mip.h"
 #include "../../raster/tools/pictures.h"
+#include "../points.h"
 #include "tools.h"
 
 /* Points of each triangle: the pieces' counts added up. By free(). */
@@ -38,16 +40,23 @@ static ts_status take_points(ts_stage_pictures *pictures, const ts_run *run, ts_
 	return TS_OK;
 }
 
-/* Splat length in texels of the cube that holds it, as seen by the pixel's first sample; 0: empty. */
-static double splat_texels(const ts_run *run, const ts_face *face, u32 point)
+static const ts_launch stored_points = TS_LAUNCH(points, TS_IN(keys, points_key), TS_IN(points, points_record));
+static const ts_launch counted_points = TS_LAUNCH(points, TS_IN(offset, points_offset));
+
+/* Splat length in texels of the cube that holds it, as seen by the pixel's first sample; 0: empty. n_pieces 0: points
+ * are stored. */
+static double splat_texels(const ts_points_args *from, u32 n_pieces, const ts_face *face, u32 point)
 {
-	const ts_point *points = ts_frame_data(&run->frame, TS_B_points_record);
+	if (point == TS_NONE) return 0;
+	f32 centre[3];
 	double d2 = 0;
-	for (u32 c = 0; c < 3 && point != TS_NONE; c++) {
-		double d = (double)points[point].centre[c] - (double)face->centre[c];
+	ts_flight seen = ts_k_flight_at(from, n_pieces, point);
+	ts_store3(centre, seen.centre);
+	for (u32 c = 0; c < 3; c++) {
+		double d = (double)centre[c] - (double)face->centre[c];
 		d2 += d * d;
 	}
-	return d2 > 0 ? (double)points[point].length * face->n / 2 / sqrt(d2) : 0;
+	return d2 > 0 ? (double)seen.length * face->n / 2 / sqrt(d2) : 0;
 }
 
 static ts_status take_splats(ts_stage_pictures *pictures, const ts_run *run, ts_buffer_id id)
@@ -61,8 +70,11 @@ static ts_status take_splats(ts_stage_pictures *pictures, const ts_run *run, ts_
 	const ts_face *faces = ts_frame_data(frame, TS_B_cube_size_face);
 	const u32 *lookup = ts_frame_data(frame, id);
 	u64 samples = n > 0 ? ts_frame_n(frame, id) / n : 0;
+	ts_points_args from = ts_points_values(run);
+	u32 n_pieces = ts_points_again(run) ? (u32)ts_run_size(run, TS_DIM_pieces) : 0;
+	if (TS_ASK(run, n_pieces != 0 ? &counted_points : &stored_points, &from) != TS_OK) return TS_ERROR;
 	for (u64 i = 0; i < n; i++) {
-		double texels = splat_texels(run, &faces[pixels[i].reflector], lookup[i * samples]);
+		double texels = splat_texels(&from, n_pieces, &faces[pixels[i].reflector], lookup[i * samples]);
 		size_t pixel = pixels[i].index % ((size_t)p->width * p->height);
 		p->mask[pixel] = 1;
 		if (texels > 0) ts_falsecolour_ramp(p->rgb + 3 * pixel, (log2(texels) + 3) / 8);
@@ -95,6 +107,23 @@ static ts_status take_indices(ts_stage_pictures *pictures, const ts_run *run, ts
 	return ts_picture_indices(pictures, run, id, "a colour a point, empty grey");
 }
 
+static void colour_shared(u8 *rgb, const void *texels, u64 i)
+{
+	f32 radiance[3];
+	u64 key = ((const u64 *)texels)[i];
+	ts_store3(radiance, ts_k_shared_radiance((u32)key));
+	for (u32 c = 0; c < 3; c++) rgb[c] = key == TS_EMPTY ? ts_picture_nothing[c] : (u8)ts_srgb_byte(radiance[c]);
+}
+
+static ts_status take_colours(ts_stage_pictures *pictures, const ts_run *run, ts_buffer_id id)
+{
+	u32 cube;
+	if (!ts_picture_largest_cube(run, &cube)) return TS_OK;
+	const ts_face *faces = ts_frame_data(&run->frame, TS_B_cube_size_face);
+	const u64 *texels = (const u64 *)ts_frame_data(&run->frame, id) + faces[cube].offset;
+	return ts_picture_cube(pictures, run, cube, "cube", "radiance of points, empty grey", texels, colour_shared);
+}
+
 static void colour_radiance(u8 *rgb, const void *texels, u64 i)
 {
 	for (u32 c = 0; c < 3; c++) rgb[c] = (u8)ts_srgb_byte(((const f32 *)texels)[4 * i + c]);
@@ -110,6 +139,8 @@ static ts_status take_radiance(ts_stage_pictures *pictures, const ts_run *run, t
 }
 
 const ts_stage_picture_rule ts_points_pictures[] = {
-	{TS_B_points_offset, take_points}, {TS_B_splat_depth_index, take_indices}, {TS_B_lookup_point, take_splats},
-	{TS_B_lookup_point, take_faces},   {TS_B_cube_face_mip, take_radiance},    {.take = NULL},
+	{TS_B_points_offset, take_points},       {TS_B_splat_depth_index, take_indices},
+	{TS_B_lookup_point, take_splats},        {TS_B_lookup_point, take_faces},
+	{TS_B_splat_depth_colour, take_colours}, {TS_B_lookup_colour, take_faces},
+	{TS_B_cube_face_mip, take_radiance},     {.take = NULL},
 };

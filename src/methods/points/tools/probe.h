@@ -10,9 +10,11 @@
 ts_status ts_probe_epr_pixel(ts_probe *probe, const ts_probe_question *question, json_t *object);
 ts_status ts_probe_mvr_pixel(ts_probe *probe, const ts_probe_question *question, json_t *object);
 ts_status ts_probe_pcss_pixel(ts_probe *probe, const ts_probe_question *question, json_t *object);
+ts_status ts_probe_forward_pixel(ts_probe *probe, const ts_probe_question *question, json_t *object);
 /* Texels of a cube's face (probe_texel.c). */
 extern const ts_probe_view ts_probe_face;
 ts_status ts_probe_epr_texel(ts_probe *probe, const ts_probe_question *question, json_t *object);
+ts_status ts_probe_forward_texel(ts_probe *probe, const ts_probe_question *question, json_t *object);
 ts_status ts_probe_mvr_texel(ts_probe *probe, const ts_probe_question *question, json_t *object);
 /* Where a triangle or a point went, or which stage lost it (probe_triangle.c). */
 ts_status ts_probe_epr_triangle(ts_probe *probe, const ts_probe_question *question, json_t *object);
@@ -20,7 +22,7 @@ ts_status ts_probe_mvr_triangle(ts_probe *probe, const ts_probe_question *questi
 ts_status ts_probe_epr_point(ts_probe *probe, const ts_probe_question *question, json_t *object);
 
 /* ---- cubes (probe_cubes.c) ---- */
-/* Reads the scene and the cubes of reflectors, and checks both. */
+/* Reads the scene and the cubes of reflectors, and checks both; and makes points that the method does not store. */
 ts_status ts_probe_read_cubes(ts_probe *probe);
 /* After that: the cubes, their number, and the words of visibility.bits per triangle. */
 const ts_face *ts_probe_cubes(const ts_probe *probe);
@@ -30,10 +32,10 @@ u32 ts_probe_n_words(const ts_probe *probe);
 ts_status ts_probe_fetch_bits(ts_probe *probe, u32 triangle, u64 *bits);
 
 /* ---- what a reflective pixel shows ---- */
-/* Element `entry` of mirror_pixel.record (probe_mirror.c; of MVR probe_mip.c). *total has the bits of shade.radiance if
+/* Element `entry` of mirror_pixel.record (probe_mirror.c; of MVR probe_mip.c; of colours of points probe_forward.c). *total has the bits of shade.radiance if
  * all is well. */
 typedef ts_status ts_probe_reflection(ts_probe *probe, u64 entry, json_t *object, ts_v3 *total);
-ts_probe_reflection ts_probe_mirror, ts_probe_mip;
+ts_probe_reflection ts_probe_mirror, ts_probe_mip, ts_probe_colours;
 
 /* ---- who took texels from whom (probe_spread.c) ---- */
 typedef struct {
@@ -61,6 +63,9 @@ void ts_probe_put_spread(ts_probe *probe, json_t *object, const ts_spread *sprea
 void ts_probe_spread_free(ts_spread *spread);
 
 /* ---- points (probe_points.c) ---- */
+/* Makes points.record and points.key for the probe where the method counts points and does not store them
+ * (probe_again.c). */
+ts_status ts_probe_points_again(ts_probe *probe);
 /* "piece,x,y" */
 json_t *ts_probe_key(u64 key);
 /* The record of a point, and its piece. */

@@ -33,5 +33,6 @@ ts_status ts_probe_read_cubes(ts_probe *p)
 	u64 n_texels;
 	if (ts_probe_scene(p) != TS_OK || ts_probe_whole(p, TS_B_cube_size_face) == NULL) return TS_ERROR;
 	if (ts_probe_n(p, TS_B_cube_size_face) > 65536) return ts_fail("%s: too large", p->trace->dir);
-	return check_cubes(p, &n_texels) == TS_OK ? ts_probe_shapes(p, n_texels) : TS_ERROR;
+	if (check_cubes(p, &n_texels) != TS_OK || ts_probe_shapes(p, n_texels) != TS_OK) return TS_ERROR;
+	return ts_probe_points_again(p);
 }

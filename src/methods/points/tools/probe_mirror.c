@@ -94,13 +94,9 @@ static ts_status make(ts_probe *p, world *w, u32 bounce, u64 entry)
 	if (hold_entry(p, w) != TS_OK || hold_found(p, w) != TS_OK) return TS_ERROR;
 	if (follow && hold_next(p, w) != TS_OK) return TS_ERROR;
 	w->args = (ts_lookup_args){
-		.scene = p->scene,
+		.from = {.scene = p->scene, .pieces = w->piece, .frames = w->frame, .keys = w->key, .points = w->point},
 		.view = &p->view,
 		.cubes = w->cube,
-		.pieces = w->piece,
-		.frames = w->frame,
-		.keys = w->key,
-		.points = w->point,
 		.pixels = &w->pixel,
 		.queue = &w->queue,
 		.found = w->local,

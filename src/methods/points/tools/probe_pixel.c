@@ -51,6 +51,11 @@ static ts_status put_mvr(ts_probe *p, const ts_probe_seen *at, json_t *o, ts_v3 
 	return put_light(p, at, ts_probe_mip, o, radiance);
 }
 
+static ts_status put_forward(ts_probe *p, const ts_probe_seen *at, json_t *o, ts_v3 *radiance)
+{
+	return put_light(p, at, ts_probe_colours, o, radiance);
+}
+
 static ts_status answer(ts_probe *p, const ts_probe_question *q, ts_probe_light *put, json_t *o)
 {
 	static const ts_buffer_id needed[] = {TS_B_eye_depth_triangle, TS_B_mirror_pixel_offset, TS_B_mirror_pixel_record,
@@ -59,4 +64,8 @@ static ts_status answer(ts_probe *p, const ts_probe_question *q, ts_probe_light 
 }
 
 ts_status ts_probe_epr_pixel(ts_probe *p, const ts_probe_question *q, json_t *o) { return answer(p, q, put_epr, o); }
+ts_status ts_probe_forward_pixel(ts_probe *p, const ts_probe_question *q, json_t *o)
+{
+	return answer(p, q, put_forward, o);
+}
 ts_status ts_probe_mvr_pixel(ts_probe *p, const ts_probe_question *q, json_t *o) { return answer(p, q, put_mvr, o); }

@@ -79,15 +79,14 @@ void ts_probe_set_free(ts_probe_set *s)
 static u64 splat_face(const ts_probe *p, ts_probe_set *s, const ts_camera_k *view, u64 *texels)
 {
 	u64 sum = 0;
-	ts_splat_args args = {.pieces = s->piece,
-	                      .frames = s->frame,
-	                      .points = s->point,
+	ts_splat_args args = {.from = {.pieces = s->piece, .frames = s->frame, .points = s->point},
 	                      .texels = texels,
 	                      .clip = TS_PARAM(&p->trace->params, splat_clip),
 	                      .plane_depth = TS_PARAM(&p->trace->params, splat_plane_depth)};
 	for (size_t i = 0; i < s->n; i++) {
 		ts_cover cover = ts_k_splat_triangle(view, &s->piece[s->point[i].piece]);
-		u32 offered = cover.n != 0 ? ts_k_splat(&args, view, &cover, (u32)i, 0) : 0;
+		ts_flight point = ts_k_flight_record(&args.from, i);
+		u32 offered = cover.n != 0 ? ts_k_splat(&args, view, &cover, &point, (u32)i, 0) : 0;
 		s->offered[i] += offered;
 		sum += offered;
 	}

@@ -2,6 +2,7 @@
 #include <inttypes.h>
 #include <stdlib.h>
 #include "../../../kernels/raster/illuminate.h"
+#include "../../../kernels/points/forward.h"
 #include "../../../kernels/points/splat.h"
 #include "../../../trace/where.h"
 #include "probe.h"
@@ -10,6 +11,7 @@ typedef struct {
 	u32 reflector, face, x, y;
 	ts_camera_k view;
 	u64 inside, texel; /* in the face; in the buffer */
+	bool coloured;     /* keys have colours of points, not their indices */
 } place;
 
 /* A piece, and whether it can reach the face. */
@@ -37,26 +39,27 @@ static ts_status enter_piece(ts_probe *p, const place *at, u32 index, state *s)
 }
 
 /* The kernel splats the point alone; what it leaves in the texel is its offer. */
-static ts_status offer_point(const ts_probe *p, const place *at, const state *s, const ts_point *record, u32 index,
+static ts_status offer_point(ts_probe *p, const place *at, const state *s, const ts_point *record, u32 index,
                              u64 *texels, ts_offers *offers)
 {
+	u32 word = index;
 	ts_point point = *record;
 	ts_box box =
 		ts_k_splat_box(&at->view, ts_load3(point.centre), ts_load3(s->frame.u), ts_load3(s->frame.v), point.length);
 	i32 x = (i32)at->x, y = (i32)at->y;
 	if (x < box.x0 || x > box.x1 || y < box.y0 || y > box.y1) return TS_OK;
 	point.piece = 0;
-	ts_splat_args args = {.pieces = &s->piece,
-	                      .frames = &s->frame,
-	                      .points = &point,
+	ts_splat_args args = {.from = {.pieces = &s->piece, .frames = &s->frame, .points = &point},
 	                      .texels = texels,
 	                      .clip = TS_PARAM(&p->trace->params, splat_clip),
 	                      .plane_depth = TS_PARAM(&p->trace->params, splat_plane_depth)};
 	texels[at->inside] = TS_EMPTY;
-	ts_k_splat(&args, &at->view, &s->cover, 0, 0);
+	ts_flight flight = ts_k_flight_record(&args.from, 0);
+	ts_k_splat(&args, &at->view, &s->cover, &flight, 0, 0);
 	u64 key = texels[at->inside];
 	if (key == TS_EMPTY) return TS_OK;
-	key = (key & ~(u64)0xffffffffu) | index;
+	if (at->coloured && ts_probe_fetch(p, TS_B_forward_colour, index, 1, &word) != TS_OK) return TS_ERROR;
+	key = (key & ~(u64)0xffffffffu) | word;
 	return ts_probe_offers_add(offers, (ts_offer){.key = key, .triangle = s->piece.triangle});
 }
 
@@ -89,28 +92,49 @@ static ts_status put_point(ts_probe *p, json_t *o, u32 point)
 	return TS_OK;
 }
 
-static ts_status put_points(ts_probe *p, const place *at, json_t *o)
+static ts_status put_colour(ts_probe *p, json_t *o, u32 colour)
 {
-	static const ts_buffer_id needed[] = {TS_B_splat_depth_index, TS_B_points_record,   TS_B_split_piece,
-	                                      TS_B_align_frame,       TS_B_visibility_bits, TS_N_BUFFERS};
+	ts_probe_put(p, o, "colour", json_sprintf("%08x", (unsigned)colour));
+	ts_probe_put(p, o, "radiance", ts_probe_v3_bits(ts_k_shared_radiance(colour)));
+	return TS_OK;
+}
+
+static ts_status put_competition(ts_probe *p, const place *at, json_t *o, ts_buffer_id id, ts_probe_put_index *put)
+{
+	const ts_buffer_id needed[] = {
+		id, TS_B_points_record, TS_B_split_piece, TS_B_align_frame, TS_B_visibility_bits, TS_N_BUFFERS};
 	u64 held, n = (u64)at->view.width * (u64)at->view.width;
-	u8 tied;
 	ts_offers offers = {.offer = NULL};
 	if (ts_probe_require(p, needed) != TS_OK) return TS_ERROR;
-	if (ts_probe_fetch(p, TS_B_splat_depth_index, at->texel, 1, &held) != TS_OK) return TS_ERROR;
+	if (ts_probe_fetch(p, id, at->texel, 1, &held) != TS_OK) return TS_ERROR;
 	u64 *texels = ts_alloc((size_t)n, sizeof *texels, "a face");
 	if (texels == NULL) return TS_ERROR;
 	memset(texels, 0xff, (size_t)n * sizeof *texels);
 	ts_status status = find_points(p, at, texels, &offers);
 	ts_probe_offers_sort(&offers);
-	if (status == TS_OK) status = ts_probe_put_offers(p, o, &offers, TS_B_splat_depth_index, held, put_point);
-	if (status == TS_OK && ts_probe_has(p, TS_B_splat_tie)) {
-		status = ts_probe_fetch(p, TS_B_splat_tie, at->texel, 1, &tied);
-		if (status == TS_OK) ts_probe_put(p, o, "tied", json_boolean(tied != 0));
-	}
+	if (status == TS_OK) status = ts_probe_put_offers(p, o, &offers, id, held, put);
 	free(offers.offer);
 	free(texels);
 	return status;
+}
+
+static ts_status put_points(ts_probe *p, const place *at, json_t *o)
+{
+	u8 tied;
+	if (put_competition(p, at, o, TS_B_splat_depth_index, put_point) != TS_OK) return TS_ERROR;
+	if (!ts_probe_has(p, TS_B_splat_tie)) return TS_OK;
+	if (ts_probe_fetch(p, TS_B_splat_tie, at->texel, 1, &tied) != TS_OK) return TS_ERROR;
+	ts_probe_put(p, o, "tied", json_boolean(tied != 0));
+	return TS_OK;
+}
+
+static ts_status put_colours(ts_probe *p, const place *at, json_t *o)
+{
+	static const ts_buffer_id needed[] = {TS_B_forward_colour, TS_N_BUFFERS};
+	if (ts_probe_require(p, needed) != TS_OK) return TS_ERROR;
+	place of = *at;
+	of.coloured = true;
+	return put_competition(p, &of, o, TS_B_splat_depth_colour, put_colour);
 }
 
 static ts_status put_radiance(ts_probe *p, const place *at, json_t *o, u64 held)
@@ -186,6 +210,10 @@ const ts_probe_view ts_probe_face = {
 };
 
 ts_status ts_probe_epr_texel(ts_probe *p, const ts_probe_question *q, json_t *o) { return answer(p, q, put_points, o); }
+ts_status ts_probe_forward_texel(ts_probe *p, const ts_probe_question *q, json_t *o)
+{
+	return answer(p, q, put_colours, o);
+}
 ts_status ts_probe_mvr_texel(ts_probe *p, const ts_probe_question *q, json_t *o)
 {
 	return answer(p, q, put_triangles, o);

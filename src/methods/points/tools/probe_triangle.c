@@ -15,8 +15,10 @@ typedef struct {
 
 static json_t *verdict(const char *stage, json_t *text) { return json_pack("{s:s,s:o}", "stage", stage, "why", text); }
 
-static json_t *lost_at(const fate *f)
+static json_t *lost_at(const ts_probe *p, const fate *f)
 {
+	const char *splat = ts_pipeline_maker(p->trace->pipeline, TS_B_splat_depth_index)->stage;
+	const char *tie = ts_pipeline_maker(p->trace->pipeline, TS_B_splat_tie)->stage;
 	const ts_spread *s = &f->spread;
 	const ts_rival *best = s->n_rivals > 0 ? &s->rival[0] : NULL;
 	if (!f->seen) return verdict("visibility", json_sprintf("never visible: %s", f->unseen));
@@ -25,20 +27,20 @@ static json_t *lost_at(const fate *f)
 		return verdict("cull", json_sprintf("culled: none of %" PRIu64 " pieces was kept", f->n_pieces));
 	if (f->n_points == 0)
 		return verdict("points.count", json_string("no points: no sample touches it, or alpha cut all of them"));
-	if (s->offered == 0) return verdict("splat", json_string("no texel touched: outside the faces, or behind near"));
+	if (s->offered == 0) return verdict(splat, json_string("no texel touched: outside the faces, or behind near"));
 	if (s->won == 0 && s->ties == s->lost && best != NULL) {
-		return verdict("splat.tie",
+		return verdict(tie,
 		               json_sprintf("all of %" PRIu64 " texels went to lower indices at the same distance, most to "
 		                            "triangle %u",
 		                            s->lost, (unsigned)best->triangle));
 	}
 	if (s->won == 0 && best != NULL) {
-		return verdict("splat",
+		return verdict(splat,
 		               json_sprintf("hidden: nearer points hold all of %" PRIu64 " texels, most of triangle %u, %.9g "
 		                            "nearer or more",
 		                            s->lost, (unsigned)best->triangle, (double)best->least));
 	}
-	if (s->won == 0) return verdict("splat", json_string("the buffer holds none of its points, and nothing nearer"));
+	if (s->won == 0) return verdict(splat, json_string("the buffer holds none of its points, and nothing nearer"));
 	if (f->n_samples == 0) {
 		return verdict(
 			"lookup",
@@ -49,7 +51,7 @@ static json_t *lost_at(const fate *f)
 
 static void put_verdict(ts_probe *p, json_t *o, const fate *f)
 {
-	json_t *lost = lost_at(f);
+	json_t *lost = lost_at(p, f);
 	ts_probe_put(p, o, "lost_at", lost != NULL ? lost : json_string("no stage"));
 	if (lost == NULL) {
 		ts_probe_put(p, o, "shown", json_sprintf("%" PRIu64 " samples see it", f->n_samples));
@@ -305,8 +307,9 @@ ts_status ts_probe_epr_point(ts_probe *p, const ts_probe_question *q, json_t *o)
 	ts_point record;
 	ts_piece piece;
 	u64 point = q->index;
+	if (ts_probe_read_cubes(p) != TS_OK) return TS_ERROR;
 	if (q->key != NULL && find_key(p, q->key, &point) != TS_OK) return TS_ERROR;
-	if (ts_probe_read_cubes(p) != TS_OK || require_epr(p) != TS_OK) return TS_ERROR;
+	if (require_epr(p) != TS_OK) return TS_ERROR;
 	if (point >= ts_probe_n(p, TS_B_points_record) || point >= TS_NONE) {
 		return ts_fail("%s: no point %" PRIu64 "; there are %" PRIu64 ", from 0", p->trace->dir, point,
 		               ts_probe_n(p, TS_B_points_record));

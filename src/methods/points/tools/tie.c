@@ -81,8 +81,9 @@ static ts_status key_of(const ts_face *cube, u32 face, u64 inside, const ts_spla
 	if (alone.texels == NULL) return TS_ERROR;
 	memset(alone.texels, 0xff, (size_t)n * sizeof(u64));
 	ts_camera_k view = ts_k_cube_view(cube, face);
-	ts_cover cover = ts_k_splat_triangle(&view, args->pieces);
-	if (cover.n != 0) ts_k_splat(&alone, &view, &cover, 0, 0);
+	ts_cover cover = ts_k_splat_triangle(&view, args->from.pieces);
+	ts_flight point = ts_k_flight_record(&args->from, 0);
+	if (cover.n != 0) ts_k_splat(&alone, &view, &cover, &point, 0, 0);
 	*key = alone.texels[inside];
 	free(alone.texels);
 	return TS_OK;
@@ -110,9 +111,7 @@ static ts_status offers(splat_ties *t, u64 texel, u32 index, u32 distance, bool 
 	if (fetch(t->bits, r, TS_B_visibility_bits, place, &word) != TS_OK) return TS_ERROR;
 	if ((word >> (bit % 64) & 1) == 0) return TS_OK;
 	point.piece = 0;
-	ts_splat_args args = {.pieces = &piece,
-	                      .frames = &frame,
-	                      .points = &point,
+	ts_splat_args args = {.from = {.pieces = &piece, .frames = &frame, .points = &point},
 	                      .clip = TS_PARAM(&r->params, splat_clip),
 	                      .plane_depth = TS_PARAM(&r->params, splat_plane_depth)};
 	u64 inside = texel - cube.offset - (u64)face * cube.n * cube.n;

@@ -66,32 +66,46 @@ static void random_mesh(mesh *m, setting *s)
 	mesh_points(m, s->half_size, s->paper_splat);
 }
 
-static void assert_equal(const mesh *m, const setting *s)
+static ts_splat_args splat_of(const mesh *m, const setting *s, u64 *texels, i64 tallies[2])
 {
-	u64 n = mesh_texels(m);
-	u64 *plain = mesh_alloc(n, sizeof *plain), *fast = mesh_alloc(n, sizeof *fast);
-	memset(plain, 0xff, n * sizeof *plain);
-	memset(fast, 0xff, n * sizeof *fast);
-	i64 scatters[2] = {0, 0}, writes[2] = {0, 0};
-	ts_splat_args args = mesh_splat(m, plain, &scatters[0], &writes[0]);
+	ts_splat_args args = mesh_splat(m, texels, &tallies[0], &tallies[1]);
+	args.from.scene = mesh_arrays(m);
+	args.from.half_size = s->half_size;
+	args.from.paper_splat = s->paper_splat;
 	args.clip = s->clip;
 	args.plane_depth = s->plane_depth;
-	ts_c_launch(TS_KERNEL_splat, &args, m->n_points, 1);
-	args.texels = fast;
-	args.n_scatters = &scatters[1];
-	args.n_writes = &writes[1];
-	args.offset = m->count;
 	args.n_pieces = m->n_pieces;
-	assert_true(ts_c_fast_splat(&args, m->n_pieces, s->threads));
-	if (memcmp(plain, fast, n * sizeof *plain) != 0 || scatters[0] != scatters[1] || writes[0] != writes[1]) {
-		fail_msg("random %u: clip %u splat.plane_depth %u paper %u threads %u cubes %u half size %d samples %a: "
+	return args;
+}
+
+/* Stored points by the plain kernel and by pieces; the same points made on the spot by the plain kernel and its fast
+ * path: texels and counts are one. */
+static void assert_equal(const mesh *m, const setting *s)
+{
+	static const char *const names[] = {"stored", "stored, fast", "made", "made, fast"};
+	u64 n = mesh_texels(m), *texels[4];
+	for (u32 way = 0; way < 4; way++) {
+		i64 tallies[2] = {0, 0};
+		static i64 first[2];
+		texels[way] = mesh_alloc(n, sizeof **texels);
+		memset(texels[way], 0xff, n * sizeof **texels);
+		ts_splat_args args = splat_of(m, s, texels[way], tallies);
+		if (way > 0) args.from.offset = m->count;
+		if (way >= 2) args.from.points = NULL;
+		if (way == 0) ts_c_launch(TS_KERNEL_splat, &args, m->n_points, 1);
+		if (way == 1) assert_true(ts_c_fast_splat(&args, m->n_pieces, s->threads));
+		if (way == 2) ts_c_launch(TS_KERNEL_splat_fragments, &args, m->n_pieces, 1);
+		if (way == 3) assert_true(ts_c_fast_splat_fragments(&args, m->n_pieces, s->threads));
+		if (way == 0) memcpy(first, tallies, sizeof first);
+		bool same = memcmp(texels[0], texels[way], n * sizeof **texels) == 0;
+		if (same && memcmp(first, tallies, sizeof first) == 0) continue;
+		fail_msg("%s: random %u: clip %u splat.plane_depth %u paper %u threads %u cubes %u half size %d samples %a: "
 		         "scatters %lld %lld writes %lld %lld",
-		         s->start, s->clip, s->plane_depth, s->paper_splat, s->threads, s->n_cubes, s->half_size,
-		         (double)s->samples, (long long)scatters[0], (long long)scatters[1], (long long)writes[0],
-		         (long long)writes[1]);
+		         names[way], s->start, s->clip, s->plane_depth, s->paper_splat, s->threads, s->n_cubes, s->half_size,
+		         (double)s->samples, (long long)first[0], (long long)tallies[0], (long long)first[1],
+		         (long long)tallies[1]);
 	}
-	free(plain);
-	free(fast);
+	for (u32 way = 0; way < 4; way++) free(texels[way]);
 }
 
 static void test_equal(void **state)

@@ -3,7 +3,7 @@
 
 enum { N_TRIED = 50 };
 
-static traced epr, mvr, plane; /* plane: EPR with the depth of planes, which ties often */
+static traced epr, mvr, bufferless, forward, plane; /* plane: EPR with the depth of planes, which ties often */
 
 static int make_all(void **state)
 {
@@ -15,6 +15,8 @@ static int make_all(void **state)
 	params.mvr_faces = TS_MVR_FACES_ADAPTIVE;
 	make(&epr, "reflections", "epr", &params);
 	make(&mvr, "reflections", "mvr", &params);
+	make(&bufferless, "reflections", "epr-bufferless", &params);
+	make(&forward, "reflections", "epr-forward", &params);
 	params.splat_plane_depth = 1;
 	make(&plane, "reflections", "epr", &params);
 	return 0;
@@ -25,6 +27,8 @@ static int drop_all(void **state)
 	(void)state;
 	drop(&epr);
 	drop(&mvr);
+	drop(&bufferless);
+	drop(&forward);
 	drop(&plane);
 	return 0;
 }
@@ -224,6 +228,74 @@ static void test_points(void **state)
 	}
 }
 
+/* Points that are not stored are told of as if they were. */
+static void assert_told_alike(json_t *a, json_t *b)
+{
+	assert_agrees(b);
+	assert_string_equal(json_string_value(json_object_get(a, "method")), "epr");
+	assert_string_equal(json_string_value(json_object_get(b, "method")), "epr-bufferless");
+	json_object_set_new(b, "method", json_string("epr"));
+	json_t *lost = json_object_get(b, "lost_at");
+	if (json_is_object(lost) && strcmp(json_string_value(json_object_get(lost, "stage")), "splat.direct") == 0) {
+		json_object_set_new(lost, "stage", json_string("splat"));
+	}
+	assert_true(json_equal(a, b));
+	json_decref(a);
+	json_decref(b);
+}
+
+static void test_bufferless(void **state)
+{
+	(void)state;
+	json_t *a, *b;
+	const ts_pixel *records = data(&epr, TS_B_mirror_pixel_record);
+	const u64 *keys = data(&epr, TS_B_splat_depth_index), *of_points = data(&epr, TS_B_points_key);
+	pixels_of(&bufferless);
+	for (u32 i = 0; i < 12; i++) {
+		u32 pixel = records[below((u32)count(&epr, TS_B_mirror_pixel_record))].index, width = epr.run.params.width;
+		require(ask_pixel(&epr, pixel % width, pixel / width, &a));
+		require(ask_pixel(&bufferless, pixel % width, pixel / width, &b));
+		assert_told_alike(a, b);
+		u32 point = below((u32)count(&epr, TS_B_points_key));
+		require(ask_point(&epr, point, &a));
+		require(ask_key(&bufferless, of_points[point], &b));
+		assert_told_alike(a, b);
+		require(ask_triangle(&epr, triangle_of(point), &a));
+		require(ask_triangle(&bufferless, triangle_of(point), &b));
+		assert_told_alike(a, b);
+		u64 texel = below((u32)count(&epr, TS_B_splat_depth_index));
+		if (keys[texel] != TS_EMPTY) json_decref(try_texel(&bufferless, texel, keys[texel], "distance", "point"));
+	}
+}
+
+/* A texel's first competitor has the colour that the buffer holds, of 8 digits. */
+static void test_forward(void **state)
+{
+	(void)state;
+	const u64 *keys = data(&forward, TS_B_splat_depth_colour);
+	const ts_face *cubes = data(&forward, TS_B_cube_size_face);
+	u64 n = (u64)cubes[0].n * cubes[0].n;
+	u32 n_tried = 0;
+	pixels_of(&forward);
+	for (u32 i = 0; i < N_TRIED; i++) {
+		json_t *answer;
+		char view[8], colour[9];
+		u32 inside = below((u32)(6 * n));
+		if (keys[inside] == TS_EMPTY) continue;
+		snprintf(view, sizeof view, "0.%u", (unsigned)(inside / n));
+		snprintf(colour, sizeof colour, "%08x", (unsigned)keys[inside]);
+		require(ask_texel(&forward, view, inside % cubes[0].n, (u32)(inside / cubes[0].n % cubes[0].n), &answer));
+		assert_true(assert_agrees(answer) >= 1);
+		const json_t *first = json_array_get(json_object_get(answer, "by_depth"), 0);
+		assert_string_equal(json_string_value(json_object_get(first, "colour")), colour);
+		json_decref(answer);
+		n_tried++;
+	}
+	assert_true(n_tried > N_TRIED / 2);
+	json_t *none;
+	assert_int_equal(ask_triangle(&forward, 0, &none), TS_ERROR);
+}
+
 static void test_nothing_there(void **state)
 {
 	(void)state;
@@ -242,9 +314,12 @@ static void test_nothing_there(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_pixels_epr), cmocka_unit_test(test_pixels_mvr), cmocka_unit_test(test_pixels_of_bounces),
-		cmocka_unit_test(test_texels),     cmocka_unit_test(test_texels_mvr), cmocka_unit_test(test_ties),
-		cmocka_unit_test(test_triangles),  cmocka_unit_test(test_points),     cmocka_unit_test(test_nothing_there),
+		cmocka_unit_test(test_pixels_epr),        cmocka_unit_test(test_pixels_mvr),
+		cmocka_unit_test(test_pixels_of_bounces), cmocka_unit_test(test_texels),
+		cmocka_unit_test(test_texels_mvr),        cmocka_unit_test(test_ties),
+		cmocka_unit_test(test_triangles),         cmocka_unit_test(test_points),
+		cmocka_unit_test(test_bufferless),        cmocka_unit_test(test_forward),
+		cmocka_unit_test(test_nothing_there),
 	};
 	return cmocka_run_group_tests(tests, make_all, drop_all);
 }

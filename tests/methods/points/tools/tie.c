@@ -47,11 +47,9 @@ static int begin(void **state)
 	memset(alone, 0xff, sizeof alone);
 	for (u32 p = 0; p < POINTS; p++) {
 		i64 counts[2] = {0};
-		ts_splat_args args = {.cubes = &cube,
-		                      .pieces = &piece,
-		                      .frames = &frame,
+		ts_splat_args args = {.from = {.pieces = &piece, .frames = &frame, .points = points},
+		                      .cubes = &cube,
 		                      .bits = &bits,
-		                      .points = points,
 		                      .texels = alone[p],
 		                      .n_scatters = &counts[0],
 		                      .n_writes = &counts[1],

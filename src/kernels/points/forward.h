@@ -1,0 +1,81 @@
+/* Forward shading: every point is lit once, whatever many texels it fills, and its colour is what texels hold beside
+ * its distance (EPR section 3.5; METHODS 2). A colour has 32 bits, as the reference to a point has: 9 of each channel and
+ * 5 of an exponent that they share, the format RGB9_E5 of OpenGL's EXT_texture_shared_exponent. */
+#ifndef TS_KERNELS_FORWARD_H
+#define TS_KERNELS_FORWARD_H
+#include "../base/args.h"
+#include "flight.h"
+#include "../raster/visibility.h"
+#include "../base/shade.h"
+
+#define TS_ROWS_ts_forward_args(ARG) \
+	ARG(INNER, ts_points_args, from, none) \
+	ARG(IN, ts_view, view, eye_view) \
+	ARG(IN, ts_face, cubes, cube_size_face) \
+	ARG(IN, u64, bits, visibility_bits) /* by triangle */ \
+	ARG(OUT_PARTS, u32, colours, forward_colour) \
+	ARG(VALUE, u32, n_cubes, none) \
+	ARG(VALUE, u32, n_words, none) \
+	ARG(VALUE, u32, for_eye, none) /* points are lit as the eye sees them, not as the mirror nearest to it and them */
+TS_ARGS(ts_forward_args);
+
+#define TS_MOST_SHARED 65280.0f /* 510 x 2^7: so no colour is all ones, which is an empty texel */
+
+/* A channel in units of 2^(exponent - 24), rounded. */
+TS_FN u32 ts_k_shared_channel(f32 channel, i32 exponent)
+{
+	f32 units = ts_u2f((u32)(151 - exponent) << 23);
+	return (u32)ts_floor_i32(channel * units + 0.5f);
+}
+
+/* Red in the lowest 9 bits, then green, blue and the exponent. */
+TS_FN u32 ts_k_shared_code(ts_v3 radiance)
+{
+	f32 r = ts_clamp(radiance.x, 0.0f, TS_MOST_SHARED);
+	f32 g = ts_clamp(radiance.y, 0.0f, TS_MOST_SHARED);
+	f32 b = ts_clamp(radiance.z, 0.0f, TS_MOST_SHARED);
+	f32 most = ts_max(ts_max(r, g), b);
+	i32 exponent = ts_max_i32((i32)(ts_f2u(most) >> 23) - 127, -16) + 16;
+	if (ts_k_shared_channel(most, exponent) == 512u) exponent++;
+	return ts_k_shared_channel(r, exponent) | (ts_k_shared_channel(g, exponent) << 9) |
+	       (ts_k_shared_channel(b, exponent) << 18) | ((u32)exponent << 27);
+}
+
+TS_FN ts_v3 ts_k_shared_radiance(u32 code)
+{
+	f32 unit = ts_u2f(((code >> 27) + 103u) << 23);
+	return ts_v3_make((f32)(code & 511u) * unit, (f32)((code >> 9) & 511u) * unit, (f32)((code >> 18) & 511u) * unit);
+}
+
+/* The centre of the mirror that brings the point to the eye by the shortest way, d_er + d_rt (eq. 2), of those that may
+ * see it; the eye itself where none does. */
+TS_FN ts_v3 ts_k_forward_mirror(const ts_forward_args *args, const ts_flight *point)
+{
+	TS_GLOBAL const u64 *words = args->bits + (u64)args->from.pieces[point->piece].triangle * args->n_words;
+	ts_v3 eye = ts_load3(args->view->eye);
+	ts_v3 nearest = eye;
+	f32 shortest = 0.0f;
+	bool any = false;
+	for (u32 r = 0u; r < args->n_cubes; r++) {
+		if (ts_k_cube_bits(words, r) == 0u) continue;
+		ts_v3 centre = ts_load3(args->cubes[r].centre);
+		f32 way = ts_length(ts_sub(centre, eye)) + ts_length(ts_sub(point->centre, centre));
+		if (any && !(way < shortest)) continue;
+		nearest = centre;
+		shortest = way;
+		any = true;
+	}
+	return nearest;
+}
+
+/* map over stored points: their light */
+TS_FN void ts_k_forward_item(const ts_forward_args *args, u64 i)
+{
+	ts_flight point = ts_k_flight_stored(&args->from, i);
+	ts_surface surface = ts_k_flight_surface(&args->from, &point);
+	ts_v3 viewer = args->for_eye != 0u ? ts_load3(args->view->eye) : ts_k_forward_mirror(args, &point);
+	ts_v3 radiance = ts_k_shade(&args->from.scene, &surface, ts_normalize(ts_sub(viewer, surface.p)));
+	*ts_at(args->colours, i) = ts_k_shared_code(radiance);
+}
+
+#endif

@@ -1,0 +1,208 @@
+/* EPR's variants as whole runs: without buffers of points every buffer that both have is the same; with cubes of colours
+ * a texel has the colour of the point that EPR's texel names, and one mirror shows what EPR shows. */
+#include "../small.h"
+#include <math.h>
+#include "../../../src/kernels/points/forward.h"
+#include "../../../src/trace/sums.h"
+
+static ts_sums sums_of(const ts_scene *scene, const ts_params *params, const char *method, ts_how how)
+{
+	ts_sums sums;
+	if (ts_sums_of(&sums, ts_pipeline_find("reflections", method), scene, params, &how) != TS_OK) {
+		fail_msg("%s: %s", method, ts_error_message());
+	}
+	return sums;
+}
+
+/* What a run was asked for: a scene, and parameters by name. */
+typedef struct {
+	const char *scene;
+	const char *set[6][2];
+} setting;
+
+static const setting settings[] = {
+	{"atrium:triangles=10000:texels=32", {{"reflectors.count", "4"}}},
+	{"atrium:triangles=10000:texels=32", {{"reflectors.count", "0"}}},
+	{"gallery:triangles=10000:texels=32", {{"reflectors.count", "3"}, {"lookup.bounces", "3"}, {"seed", "5"}}},
+	{"dining:triangles=10000:texels=32",
+     {{"reflectors.count", "3"}, {"lookup.bounces", "2"}, {"points.conservative", "off"}, {"points.cull", "off"}}},
+	{"gallery:triangles=10000:texels=32",
+     {{"reflectors.count", "2"}, {"points.split", "off"}, {"density.scale", "2"}, {"lookup.samples", "adaptive"}}},
+	{"atrium:triangles=10000:texels=32",
+     {{"reflectors.count", "3"},
+      {"splat.plane_depth", "on"},
+      {"splat.clip", "off"},
+      {"splat.size", "paper"},
+      {"lookup.bounces", "3"},
+      {"points.conservative", "exact"}}},
+	{"scenes/room.gltf", {{"reflectors.count", "1"}, {"lookup.bounces", "2"}}},
+};
+
+static ts_params params_of(const setting *s)
+{
+	ts_params params = small_params(96, 54);
+	params.cube_max_px = 48;
+	params.reflectors_px = 32;
+	for (u32 i = 0; i < 6 && s->set[i][0] != NULL; i++) {
+		assert_int_equal(ts_params_set(&params, s->set[i][0], s->set[i][1]), TS_OK);
+	}
+	return params;
+}
+
+static ts_scene *scene_of(const setting *s, const ts_params *params)
+{
+	ts_scene *scene;
+	if (ts_scene_open(&scene, s->scene, params, NULL) != TS_OK) fail_msg("%s", ts_error_message());
+	return scene;
+}
+
+/* All that EPR makes but the points themselves, bit for bit. */
+static void assert_same(const ts_sums *epr, const ts_sums *without, const char *scene)
+{
+	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
+		bool stored = id == TS_B_points_record || id == TS_B_points_key;
+		if (stored && without->hex[id][0] != 0) fail_msg("%s was stored", ts_buffer_table[id].name);
+		if (stored || strcmp(epr->hex[id], without->hex[id]) == 0) continue;
+		fail_msg("%s: %s", scene, ts_buffer_table[id].name);
+	}
+	assert_true(without->hex[TS_B_splat_depth_index][0] != 0 && without->hex[TS_B_image_srgb][0] != 0);
+}
+
+static void test_bufferless(void **state)
+{
+	(void)state;
+	for (u32 i = 0; i < sizeof settings / sizeof *settings; i++) {
+		ts_params params = params_of(&settings[i]);
+		ts_scene *scene = scene_of(&settings[i], &params);
+		ts_sums epr = sums_of(scene, &params, "epr", (ts_how){.threads = 2});
+		ts_sums fast = sums_of(scene, &params, "epr-bufferless", (ts_how){.threads = 2});
+		ts_sums plain = sums_of(scene, &params, "epr-bufferless", (ts_how){.threads = 3, .reference = true});
+		ts_sums arrival = sums_of(scene, &params, "epr-bufferless", (ts_how){.threads = 2, .arrival = true});
+		assert_same(&epr, &fast, settings[i].scene);
+		assert_same(&epr, &plain, "without fast paths");
+		assert_same(&epr, &arrival, "points have one order where none is stored");
+		ts_scene_free(scene);
+	}
+}
+
+/* The same work is counted. */
+static void test_counters(void **state)
+{
+	(void)state;
+	static const char *const same[] = {"points",   "point-view scatters", "texel writes",
+	                                   "look-ups", "shading operations",  "distinct points shaded"};
+	ts_params params = params_of(&settings[2]);
+	ts_scene *scene = scene_of(&settings[2], &params);
+	ts_run epr, without, forward;
+	small_run(&epr, scene, &params, "epr", 2, NULL, NULL);
+	small_run(&without, scene, &params, "epr-bufferless", 2, NULL, NULL);
+	small_run(&forward, scene, &params, "epr-forward", 2, NULL, NULL);
+	for (u32 i = 0; i < sizeof same / sizeof *same; i++) {
+		assert_true(ts_run_counter(&epr, same[i]) > 0);
+		assert_int_equal(ts_run_counter(&epr, same[i]), ts_run_counter(&without, same[i]));
+	}
+	for (u32 i = 0; i < 3; i++) assert_int_equal(ts_run_counter(&epr, same[i]), ts_run_counter(&forward, same[i]));
+	assert_int_equal(ts_run_counter(&forward, "shading operations"), ts_run_counter(&forward, "points"));
+	ts_run_end(&epr);
+	ts_run_end(&without);
+	ts_run_end(&forward);
+	ts_scene_free(scene);
+}
+
+/* A texel has the distance that EPR's has, and the colour of the point that EPR's names, or of another of that distance
+ * and a lower code. */
+static void assert_texels(const ts_run *epr, const ts_run *forward)
+{
+	const u64 *indices = ts_frame_data(&epr->frame, TS_B_splat_depth_index);
+	const u64 *colours = ts_frame_data(&forward->frame, TS_B_splat_depth_colour);
+	const u32 *lit = ts_frame_data(&forward->frame, TS_B_forward_colour);
+	const u8 *ties = ts_frame_data(&epr->frame, TS_B_splat_tie);
+	u64 n = ts_frame_n(&epr->frame, TS_B_splat_depth_index), n_held = 0, n_tied = 0;
+	assert_int_equal(ts_frame_n(&forward->frame, TS_B_splat_depth_colour), n);
+	for (u64 i = 0; i < n; i++) {
+		assert_true(colours[i] >> 32 == indices[i] >> 32);
+		if (indices[i] == TS_EMPTY) continue;
+		u32 of_point = lit[(u32)indices[i]], held = (u32)colours[i];
+		assert_true(held == of_point || (ties[i] != 0 && held < of_point));
+		n_held++;
+		n_tied += held != of_point;
+	}
+	assert_true(n_held > n / 2 && n_tied < n_held / 20);
+}
+
+static void test_forward_texels(void **state)
+{
+	(void)state;
+	for (u32 i = 0; i < sizeof settings / sizeof *settings; i++) {
+		ts_params params = params_of(&settings[i]);
+		if (params.reflectors_count == 0) continue;
+		ts_scene *scene = scene_of(&settings[i], &params);
+		ts_run epr, forward;
+		ts_run_begin(&epr, scene, &params, 2);
+		epr.traced = true;
+		assert_int_equal(ts_pipeline_run(ts_pipeline_find("reflections", "epr"), &epr), TS_OK);
+		small_run(&forward, scene, &params, "epr-forward", 2, NULL, NULL);
+		assert_texels(&epr, &forward);
+		ts_run_end(&epr);
+		ts_run_end(&forward);
+		ts_scene_free(scene);
+	}
+}
+
+/* Nothing in the cubes or behind them tells how points were numbered. */
+static void test_forward_order(void **state)
+{
+	(void)state;
+	static const ts_buffer_id free_of_order[] = {TS_B_splat_depth_colour, TS_B_lookup_colour, TS_B_shade_radiance,
+	                                             TS_B_image_srgb, TS_N_BUFFERS};
+	ts_params params = params_of(&settings[5]);
+	ts_scene *scene = scene_of(&settings[5], &params);
+	ts_sums ordered = sums_of(scene, &params, "epr-forward", (ts_how){.threads = 2});
+	ts_sums plain = sums_of(scene, &params, "epr-forward", (ts_how){.threads = 1, .reference = true});
+	ts_sums arrival = sums_of(scene, &params, "epr-forward", (ts_how){.threads = 3, .arrival = true});
+	for (u32 id = 0; id < TS_N_BUFFERS; id++) assert_string_equal(ordered.hex[id], plain.hex[id]);
+	for (const ts_buffer_id *id = free_of_order; *id != TS_N_BUFFERS; id++) {
+		assert_true(ordered.hex[*id][0] != 0);
+		assert_string_equal(ordered.hex[*id], arrival.hex[*id]);
+	}
+	ts_scene_free(scene);
+}
+
+/* Of one mirror all points are lit towards its centre, as EPR lights them: pixels differ by what 9 bits leave of the
+ * brightest channel, half of 1/256, and where texels were tied. */
+static void test_forward_of_one_mirror(void **state)
+{
+	(void)state;
+	ts_params params = small_params(96, 54);
+	params.reflectors_count = 1;
+	params.reflectors_px = 40;
+	ts_scene *scene = small_scene(&params);
+	ts_run epr, forward;
+	small_run(&epr, scene, &params, "epr", 2, NULL, NULL);
+	small_run(&forward, scene, &params, "epr-forward", 2, NULL, NULL);
+	const f32 *a = ts_frame_data(&epr.frame, TS_B_shade_radiance);
+	const f32 *b = ts_frame_data(&forward.frame, TS_B_shade_radiance);
+	u64 n = ts_frame_n(&epr.frame, TS_B_shade_radiance) / 3, n_apart = 0;
+	assert_true(n > 300 && n == ts_frame_n(&forward.frame, TS_B_shade_radiance) / 3);
+	for (u64 i = 0; i < n; i++) {
+		f32 most = fmaxf(a[3 * i], fmaxf(a[3 * i + 1], a[3 * i + 2])), apart = 0;
+		for (u32 c = 0; c < 3; c++) apart = fmaxf(apart, fabsf(a[3 * i + c] - b[3 * i + c]));
+		n_apart += apart > most / 256;
+	}
+	assert_true(n_apart * 50 < n);
+	ts_run_end(&epr);
+	ts_run_end(&forward);
+	ts_scene_free(scene);
+}
+
+int main(void)
+{
+	const struct CMUnitTest epr[] = {
+		cmocka_unit_test(test_bufferless),
+		cmocka_unit_test(test_counters),
+		cmocka_unit_test(test_forward_texels),
+		cmocka_unit_test(test_forward_order),
+		cmocka_unit_test(test_forward_of_one_mirror),
+	};
+	return cmocka_run_group_tests(epr, NULL, NULL);
+}
