@@ -69,10 +69,12 @@ static void count_sums(ts_load *load, const ts_stage *stage)
 	size_t n_sums;
 	const ts_sum_info *sums = ts_sum_table(&n_sums);
 	for (size_t row = 0; row < n_sums; row++) {
-		u64 n = ts_frame_n(&load->run.frame, sums[row].buffer), *size = &load->sizes.n[sums[row].size];
-		bool told = load->item[sums[row].buffer] != NULL && !ts_stage_writes(stage, sums[row].buffer) && n > 0;
-		if (sums[row].size == TS_DIM_none || !told || *size != TS_UNKNOWN) continue;
-		*size = ((const u32 *)ts_frame_data(&load->run.frame, sums[row].buffer))[n - 1];
+		ts_buffer_id id = sums[row].buffer;
+		ts_dim size = sums[row].size;
+		if (size == TS_DIM_none || load->item[id] == NULL || ts_stage_writes(stage, id)) continue;
+		u64 n = ts_frame_n(&load->run.frame, id);
+		if (n == 0 || load->sizes.n[size] != TS_UNKNOWN) continue;
+		load->sizes.n[size] = ((const u32 *)ts_frame_data(&load->run.frame, id))[n - 1];
 	}
 }
 

@@ -1,5 +1,5 @@
 /* Points on their way to views: as they are stored, or made from their piece; and made again from their index alone,
- * where none is stored (EPR section 3.4; METHODS 2). */
+ * where none is stored (EPR section 3.4; METHODS 18). */
 #ifndef TS_KERNELS_FLIGHT_H
 #define TS_KERNELS_FLIGHT_H
 #include "points.h"
