@@ -151,6 +151,27 @@ static void test_sums(void **state)
 	free(sums);
 }
 
+/* Points that are made again: where the counts say, and no others. */
+static void test_points_again(void **state)
+{
+	(void)state;
+	static const char *const stages[] = {"splat.direct", "lookup.second", "shade"};
+	ts_buffer buffer, found;
+	u32 *sums = traces_read(&buffer, traces[TRACES_BUFFERLESS], TS_B_points_offset), n_points = sums[buffer.n - 1];
+	u64 i = 1;
+	while (sums[i] == sums[i - 1]) i++;
+	for (u32 s = 0; s < 3; s++) {
+		refuses(TRACES_BUFFERLESS, ts_stage_find(stages[s]), TS_B_points_offset, i, "", 0, sums[i] - 1);
+		assert_non_null(strstr(ts_error_message(), "stage points.count makes"));
+	}
+	void *points = traces_read(&found, traces[TRACES_BUFFERLESS], TS_B_lookup_point);
+	for (u32 s = 1; s < 3; s++) {
+		refuses(TRACES_BUFFERLESS, ts_stage_find(stages[s]), TS_B_lookup_point, 0, "", 0, n_points);
+	}
+	free(points);
+	free(sums);
+}
+
 /* A piece that covers all of the lattice is walked; many of them are too much. */
 static void test_squares(void **state)
 {
@@ -212,6 +233,7 @@ static void damage_and_run(u32 m, const ts_stage *stage, ts_buffer_id id, damage
 	bool ran = replay_with(m, stage, id, &buffer) == TS_OK;
 	/* A mask that changes changes the counts of points, a place that changes the leaves of octrees. */
 	bool counts = strcmp(stage->name, "points") == 0 || strstr(stage->name, "octree") != NULL;
+	if (m == TRACES_BUFFERLESS) counts = ts_stage_reads(stage, TS_B_points_offset);
 	if (kind != ANYTHING && !counts && !ran) fail_msg("%s", ts_error_message());
 	free(data);
 }
@@ -225,7 +247,8 @@ static bool is_slow(const ts_stage *stage, ts_buffer_id id)
 /* A method before has the stage, with the same inputs. */
 static bool is_known(u32 m, const ts_stage *stage)
 {
-	if (m == TRACES_OMNI && strncmp(stage->name, "scatter", 7) == 0) return false; /* of stored points */
+	if (m == TRACES_OMNI && strncmp(stage->name, "scatter", 7) == 0) return false;         /* of stored points */
+	if (m == TRACES_BUFFERLESS && ts_stage_reads(stage, TS_B_points_offset)) return false; /* of points made again */
 	for (u32 before = 0; before < m; before++) {
 		FOR_STAGES(before, s)
 		{
@@ -254,9 +277,9 @@ static void test_damage(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_values), cmocka_unit_test(test_views), cmocka_unit_test(test_segments),
-		cmocka_unit_test(test_lamps),  cmocka_unit_test(test_sums),  cmocka_unit_test(test_squares),
-		cmocka_unit_test(test_damage),
+		cmocka_unit_test(test_values),  cmocka_unit_test(test_views),  cmocka_unit_test(test_segments),
+		cmocka_unit_test(test_lamps),   cmocka_unit_test(test_sums),   cmocka_unit_test(test_points_again),
+		cmocka_unit_test(test_squares), cmocka_unit_test(test_damage),
 	};
 	return cmocka_run_group_tests(tests, traces_begin, traces_end);
 }

@@ -37,9 +37,10 @@ static const later third[] = {THIRD(STORED), THIRD(AGAIN)};
 
 ts_lookup_args ts_lookup_values(const ts_run *run, u32 bounce)
 {
+	bool again = ts_points_again(run);
 	return (ts_lookup_args){
-		.from = ts_points_values(run),
-		.n_pieces = ts_points_again(run) ? (u32)ts_run_size(run, TS_DIM_pieces) : 0,
+		.from = again ? ts_points_values(run) : (ts_points_args){.scene = ts_run_scene(run)},
+		.n_pieces = again ? (u32)ts_run_size(run, TS_DIM_pieces) : 0,
 		.n_samples = bounce > 0 ? TS_N_BOUNCE_SAMPLES : TS_N_SAMPLES,
 		.first = bounce == 0,
 	};

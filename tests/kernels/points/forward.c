@@ -30,7 +30,8 @@ static void test_codes(void **state)
 		assert_true(code != TS_NONE);
 		f32 back[3];
 		ts_store3(back, ts_k_shared_radiance(code));
-		double most = fmax(c[0], fmax(c[1], c[2])), unit = fmax(most / 256 * 1.002, exp2(-24)); /* of 511.5 and more the next exponent's */
+		double most = fmax(c[0], fmax(c[1], c[2])),
+			   unit = fmax(most / 256 * 1.002, exp2(-24)); /* of 511.5 and more the next exponent's */
 		for (u32 k = 0; k < 3; k++) assert_true(fabs((double)back[k] - c[k]) <= unit / 2 + 1e-12);
 		assert_int_equal(ts_k_shared_code(ts_load3(back)), code);
 	}

@@ -127,8 +127,8 @@ static void assert_texels(const ts_run *epr, const ts_run *forward)
 		n_held++;
 		n_tied += held != of_point;
 	}
-	print_message("held %llu of %llu, tied %llu\n", (unsigned long long)n_held, (unsigned long long)n, (unsigned long long)n_tied);
-	assert_true(n_held > n / 8);
+	bool plane = TS_PARAM(&epr->params, splat_plane_depth) != 0; /* ties often */
+	assert_true(n_held > n / 8 && (plane || n_tied < n_held / 20));
 }
 
 static void test_forward_texels(void **state)

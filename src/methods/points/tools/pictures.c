@@ -70,8 +70,9 @@ static ts_status take_splats(ts_stage_pictures *pictures, const ts_run *run, ts_
 	const ts_face *faces = ts_frame_data(frame, TS_B_cube_size_face);
 	const u32 *lookup = ts_frame_data(frame, id);
 	u64 samples = n > 0 ? ts_frame_n(frame, id) / n : 0;
-	ts_points_args from = ts_points_values(run);
-	u32 n_pieces = ts_points_again(run) ? (u32)ts_run_size(run, TS_DIM_pieces) : 0;
+	bool again = ts_points_again(run);
+	ts_points_args from = again ? ts_points_values(run) : (ts_points_args){.keys = NULL};
+	u32 n_pieces = again ? (u32)ts_run_size(run, TS_DIM_pieces) : 0;
 	if (TS_ASK(run, n_pieces != 0 ? &counted_points : &stored_points, &from) != TS_OK) return TS_ERROR;
 	for (u64 i = 0; i < n; i++) {
 		double texels = splat_texels(&from, n_pieces, &faces[pixels[i].reflector], lookup[i * samples]);
