@@ -3,8 +3,8 @@
  * refused first:
  *
  * - sizes: every buffer has the shape of records.def. Fixed and counted sizes are the first dimensions of the loaded
- *   buffers, else what loaded sums end at; the number of reflectors stands in scene.info; other sizes are computed as in a run (methods/sizes.c). So
- *   an index below its size is an element of its array.
+ *   buffers, else what loaded sums end at; the number of reflectors stands in scene.info; other sizes are computed as
+ *   in a run (methods/sizes.c). So an index below its size is an element of its array.
  * - indices: every INDEX row of records.def. A key is all ones or its low half is an index: kernels ask for the
  *   former. An index of a size that is not known has no array that is loaded, and no stage follows it.
  * - floats are finite. No kernel turns a float into an integer but by ts_f2i and ts_fix, which take any float, so

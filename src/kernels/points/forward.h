@@ -1,6 +1,6 @@
 /* Forward shading: every point is lit once, whatever many texels it fills, and its colour is what texels hold beside
- * its distance (EPR section 3.5; METHODS 18). A colour has 32 bits, as the reference to a point has: 9 of each channel and
- * 5 of an exponent that they share, the format RGB9_E5 of OpenGL's EXT_texture_shared_exponent. */
+ * its distance (EPR section 3.5; METHODS 18). A colour has 32 bits, as the reference to a point has: 9 of each channel
+ * and 5 of an exponent that they share, the format RGB9_E5 of OpenGL's EXT_texture_shared_exponent. */
 #ifndef TS_KERNELS_FORWARD_H
 #define TS_KERNELS_FORWARD_H
 #include "../base/args.h"

@@ -23,8 +23,8 @@
  * Two variants that the paper speaks of and does not follow, with all of the above:
  * - epr-bufferless (3.4) stores no points. The paper does not say what its texels hold; ours hold the index that the
  *   point would have, so that the picture is EPR's to the bit, and bounces work;
- * - epr-forward (3.5) has cubes of colours. The paper does not say how light that depends on the viewer is computed "once
- *   per point": ours is lit for the mirror by which its way to the eye is the shortest, eq. 2, or for the eye
+ * - epr-forward (3.5) has cubes of colours. The paper does not say how light that depends on the viewer is computed
+ *   "once per point": ours is lit for the mirror by which its way to the eye is the shortest, eq. 2, or for the eye
  *   (forward.viewer=eye); nor of which format colours are: ours share an exponent. One bounce, whatever the parameter
  *   says, for colours on mirrors are not followed.
  *
@@ -86,8 +86,8 @@ static const ts_step epr_steps[] = {
 	{0},
 };
 
-/* 3.4: "a bufferless implementation in which the fragment shader splatted points directly". Texels hold what EPR's hold,
- * and whoever is given an index makes its point again, from the counts of points. */
+/* 3.4: "a bufferless implementation in which the fragment shader splatted points directly". Texels hold what EPR's
+ * hold, and whoever is given an index makes its point again, from the counts of points. */
 static const ts_step bufferless_steps[] = {
 	{.run = ts_frame_run},
 	{.run = piece_run},

@@ -7,8 +7,8 @@ static const ts_launch first =
 	TS_LAUNCH(lookup, TS_WITH(view), TS_WITH(texels), TS_OUT(found, lookup_point), TS_BUT(from));
 static const ts_launch first_colours =
 	TS_LAUNCH(lookup, TS_WITH(view), TS_IN(texels, splat_depth_colour), TS_OUT(found, lookup_colour), TS_BUT(from));
-/* A later bounce: samples of the one before that see a mirror are counted and queued, then look up; with points that are
- * stored, or made again. */
+/* A later bounce: samples of the one before that see a mirror are counted and queued, then look up; with points that
+ * are stored, or made again. */
 typedef struct {
 	ts_launch count, queue, look_up;
 } later;

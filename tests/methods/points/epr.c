@@ -1,5 +1,5 @@
-/* EPR's variants as whole runs: without buffers of points every buffer that both have is the same; with cubes of colours
- * a texel has the colour of the point that EPR's texel names, and one mirror shows what EPR shows. */
+/* EPR's variants as whole runs: without buffers of points every buffer that both have is the same; with cubes of
+ * colours a texel has the colour of the point that EPR's texel names, and one mirror shows what EPR shows. */
 #include "../small.h"
 #include <math.h>
 #include "../../../src/kernels/points/forward.h"

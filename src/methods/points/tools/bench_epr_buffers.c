@@ -27,9 +27,9 @@ static const ts_bench_figure figures[] = {
 	  "shading operations" },
 	[SAVED_OPS] = { "texels_by_forward", "by forward's", TS_FIGURE_RATIO, TEXEL_OPS, FORWARD_OPS, 2, "" },
 	[BY_DEFERRED] = { "forward_by_epr", "forward / EPR", TS_FIGURE_RATIO, FORWARD_OPS, EPR_OPS, 2, "" },
-	[EPR_MIB] = { "epr_mib", "EPR", TS_FIGURE_BUFFERS, M_EPR, 0, 2, "points.count,points" },
-	[BUFFERLESS_MIB] = { "bufferless_mib", "bufferless", TS_FIGURE_BUFFERS, M_BUFFERLESS, 0, 2, "points.count" },
-	[FORWARD_MIB] = { "forward_mib", "forward", TS_FIGURE_BUFFERS, M_FORWARD, 0, 2, "points.count,points,forward" },
+	[EPR_MIB] = { "epr_mib", "EPR", TS_FIGURE_BUFFERS, M_EPR, 0, 2, "points" },
+	[BUFFERLESS_MIB] = { "bufferless_mib", "bufferless", TS_FIGURE_BUFFERS, M_BUFFERLESS, 0, 2, "points" },
+	[FORWARD_MIB] = { "forward_mib", "forward", TS_FIGURE_BUFFERS, M_FORWARD, 0, 2, "points,forward" },
 	[SAVED_MIB] = { "saved", "saved, %", TS_FIGURE_SAVED, BUFFERLESS_MIB, EPR_MIB, 1, "" },
 	[EPR_MS] = { "epr_ms", "EPR", TS_FIGURE_TIME, M_EPR, 0, 2, "" },
 	[BUFFERLESS_MS] = { "bufferless_ms", "bufferless", TS_FIGURE_TIME, M_BUFFERLESS, 0, 2, "" },
@@ -52,10 +52,10 @@ static const ts_bench_figure figures[] = {
 };
 
 static const ts_paper_part parts[] = {
-	{ "epr_buffers_work", "shading operations: of look-ups by EPR, of points forward, of texels by MVR", { POINTS, EPR_OPS,
-	  FORWARD_OPS, BY_DEFERRED, MVR_OPS, TEXEL_OPS, SAVED_OPS, TS_NO_FIGURE } },
-	{ "epr_buffers_mib", "buffers of points and of their counts, MiB", { EPR_MIB, BUFFERLESS_MIB, SAVED_MIB, FORWARD_MIB,
-	  TS_NO_FIGURE } },
+	{ "epr_buffers_work", "shading operations: of look-ups by EPR, of points forward, of texels by MVR", { POINTS,
+	  EPR_OPS, FORWARD_OPS, BY_DEFERRED, MVR_OPS, TEXEL_OPS, SAVED_OPS, TS_NO_FIGURE } },
+	{ "epr_buffers_mib", "buffers of points and of their counts, MiB", { EPR_MIB, BUFFERLESS_MIB, SAVED_MIB,
+	  FORWARD_MIB, TS_NO_FIGURE } },
 	{ "epr_buffers_ms", "the whole frame, ms", { EPR_MS, BUFFERLESS_MS, SLOWER, FORWARD_MS, FORWARD_SLOWER,
 	  TS_NO_FIGURE } },
 	{ "epr_buffers_rmse", "RMSE to the truth in grey levels, and less EPR's in percent of 255", { EPR_RMSE,
@@ -65,8 +65,8 @@ static const ts_paper_part parts[] = {
 	{ 0 },
 };
 
-/* "Less than half as fast"; "identical imagery", whose bits tests/methods/points/epr.c compares; once a point, not once a
- * texel; and no worse than EPR by what its table 2 calls small. */
+/* "Less than half as fast"; "identical imagery", whose bits tests/methods/points/epr.c compares; once a point, not once
+ * a texel; and no worse than EPR by what its table 2 calls small. */
 static const ts_paper_relation relations[] = {
 	{ "RMSE of bufferless less EPR's, %", BUFFERLESS_MORE, TS_BETWEEN, 0, 0, TS_NO_FIGURE, 0, 0, "another picture",
 	  BUFFERLESS_RMSE },

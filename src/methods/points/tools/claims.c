@@ -3,7 +3,7 @@
 
 /* clang-format off */
 const ts_claim ts_points_claims[] = {
-	{ "EPR", "section 3.4", "without buffers of points imagery is identical, at less than half the speed", "epr-buffers",
+	{ "EPR", "section 3.4", "without buffers of points imagery is identical, at less than half speed", "epr-buffers",
 	  "RMSE of bufferless|time", NULL },
 	{ "EPR", "section 3.5", "forward-shaded points are lit once a point, not once a texel", "epr-buffers",
 	  "operations|RMSE of forward", NULL },

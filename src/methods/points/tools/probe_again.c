@@ -1,4 +1,4 @@
-/* Points that the method does not store: stage `points` makes them from what the trace has, as if it had stored them. */
+/* Points that the method does not store: stage `points` makes them from what the trace has, as if they were stored. */
 #include <stdlib.h>
 #include "../../../replay/replay.h"
 #include "probe.h"

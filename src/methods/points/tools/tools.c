@@ -85,7 +85,7 @@ static const ts_bench_row benches[] = {
 static const ts_probe_part parts[] = {
 	{TS_PROBE_PIXEL, "lookup", ts_probe_epr_pixel, "what samples of a mirror looked up, and the bounces behind it",
 	NULL},
-	{TS_PROBE_PIXEL, "lookup.colour", ts_probe_forward_pixel, "the colours of points that samples of a mirror looked up",
+	{TS_PROBE_PIXEL, "lookup.colour", ts_probe_forward_pixel, "the colours that samples of a mirror looked up",
 	NULL},
 	{TS_PROBE_PIXEL, "mirror", ts_probe_mvr_pixel, "what a mirror looked up in the levels of its cube", NULL},
 	{TS_PROBE_PIXEL, "pcss", ts_probe_pcss_pixel, "of each light the blockers, and how wide its taps are spread", NULL},
