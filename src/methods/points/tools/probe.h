@@ -33,8 +33,7 @@ ts_status ts_probe_fetch_bits(ts_probe *probe, u32 triangle, u64 *bits);
 
 /* ---- what a reflective pixel shows ---- */
 /* Element `entry` of mirror_pixel.record (probe_mirror.c; of MVR probe_mip.c; of colours of points probe_forward.c).
- * *total has the bits of shade.radiance if
- * all is well. */
+ * *total has the bits of shade.radiance if all is well. */
 typedef ts_status ts_probe_reflection(ts_probe *probe, u64 entry, json_t *object, ts_v3 *total);
 ts_probe_reflection ts_probe_mirror, ts_probe_mip, ts_probe_colours;
 
