@@ -30,14 +30,12 @@ static ts_status write_difference(const ts_render *render, const ts_pair *pair)
 {
 	char stem[64];
 	const ts_params *params = &render->job->params;
-	int scale = ts_render_difference_scale(render);
+	u32 scale = (u32)ts_render_difference_scale(render);
 	size_t n = (size_t)TS_PARAM(params, width) * TS_PARAM(params, height) * 3;
 	f32 *radiance = ts_alloc(n, sizeof *radiance, "a difference");
-	u8 *grey = ts_alloc(n, 1, "a difference");
+	u8 *grey = ts_picture_difference(pair->image, pair->reference, params, scale);
 	ts_status status = radiance != NULL && grey != NULL ? TS_OK : TS_ERROR;
 	for (size_t i = 0; i < n && status == TS_OK; i++) {
-		int d = abs(pair->image->srgb[i] - pair->reference->srgb[i]) * scale;
-		grey[i] = (u8)(d < 255 ? d : 255);
 		radiance[i] = pair->image->radiance[i] - pair->reference->radiance[i];
 	}
 	snprintf(stem, sizeof stem, "difference-%s-%s", pair->image->name, pair->reference->name);

@@ -71,14 +71,15 @@ static double light_error(const ts_picture *reference, const ts_picture *image, 
 	return isfinite(r) ? r : NAN;
 }
 
-static double error(const ts_bench_case *c, ts_figure_kind kind, u32 variant, u32 other)
+static double error(const ts_bench_case *c, const ts_bench_figure *f)
 {
-	const ts_picture *image = &c->images[variant], *reference = c->judge != NULL ? &c->truth : &c->images[other];
+	bool to_truth = c->judge != NULL && strcmp(f->what, TS_TO_IMAGE) != 0;
+	const ts_picture *image = &c->images[f->a], *reference = to_truth ? &c->truth : &c->images[f->b];
 	if (image->srgb == NULL || reference->srgb == NULL || image == reference) return NAN;
 	u32 width = TS_PARAM(&c->params, width), height = TS_PARAM(&c->params, height);
-	if (kind >= TS_FIGURE_RELATIVE) return light_error(reference, image, kind, width, height);
+	if (f->kind >= TS_FIGURE_RELATIVE) return light_error(reference, image, f->kind, width, height);
 	ts_metrics found = ts_metrics_compare(reference->srgb, image->srgb, NULL, width, height);
-	return kind == TS_FIGURE_PSNR ? found.psnr : kind == TS_FIGURE_SSIM ? found.ssim : found.rmse;
+	return f->kind == TS_FIGURE_PSNR ? found.psnr : f->kind == TS_FIGURE_SSIM ? found.ssim : found.rmse;
 }
 
 /* NAN of images that were not kept. */
@@ -122,7 +123,7 @@ static double measured(const ts_bench_figure *f, const ts_bench_case *c)
 	case TS_FIGURE_MEDIAN:
 	case TS_FIGURE_BEYOND:
 	case TS_FIGURE_UNLIT:
-	case TS_FIGURE_GIVEN: return error(c, f->kind, f->a, f->b);
+	case TS_FIGURE_GIVEN: return error(c, f);
 	case TS_FIGURE_LOOKED: return c->looked[f->a];
 	default: return NAN;
 	}

@@ -25,7 +25,8 @@ typedef enum {
 	TS_FIGURE_STAGE_TIME,                /* of the stages named in `what`, ms */
 	TS_FIGURE_PART_TIME,                 /* the same, but 0 where none of them ran */
 	TS_FIGURE_REST_TIME,                 /* all others, ms */
-	TS_FIGURE_RMSE,                      /* to the truth or, where a table has none, to variant b; grey levels */
+	TS_FIGURE_RMSE,                      /* to the truth or, where a table has none or `what` says TS_TO_IMAGE, to
+	                                      * variant b; grey levels */
 	TS_FIGURE_PSNR,                      /* of the same, dB */
 	TS_FIGURE_SSIM,                      /* of the same */
 	TS_FIGURE_RELATIVE,                  /* the same in radiance by the mean of the other's, without the sky */
@@ -57,6 +58,7 @@ typedef struct {
 	const char *what; /* of stages several, separated by commas */
 } ts_bench_figure;
 enum { TS_WHOLE = -1 };
+#define TS_TO_IMAGE "image" /* an error is to that of variant b, though the table has a truth */
 
 /* Whether a clock says it, or what it is made of: two runs differ. */
 bool ts_bench_is_timed(const ts_bench_figure *figures, u32 at);

@@ -87,8 +87,8 @@ static ts_status measure_line(ts_paper_line *line, const work *w, const char *sp
 	ts_busy end = ts_busy_now();
 	line->others = ts_busy_others(&begin, &end);
 	if (status == TS_OK) ts_paper_compare(line, w->table, spec);
-	bool pictures = w->table->pictures && w->job->output.dir != NULL;
-	if (status == TS_OK && pictures) status = ts_paper_pictures(c, line);
+	bool pictures = w->table->pictures != NULL && w->job->output.dir != NULL;
+	if (status == TS_OK && pictures) status = ts_paper_pictures(w->table, c, line, (u32)w->n_lines + 1);
 	ts_bench_case_close(c);
 	free(c);
 	return status;

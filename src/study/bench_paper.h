@@ -49,6 +49,12 @@ typedef struct {
 	bool rises; /* as in a ts_plot */
 } ts_paper_plot;
 
+/* A picture of each row, of the last frame, with -o. */
+typedef struct {
+	u32 variant; /* whose image is kept */
+	const char *name;
+} ts_paper_picture;
+
 typedef struct ts_paper_table {
 	const char *name, *title;
 	const char *effect;
@@ -68,13 +74,13 @@ typedef struct ts_paper_table {
 	const char *judge;                 /* the truth that errors are to, unless --truth says otherwise; NULL: none */
 	bool rays;                         /* count what rays say of off-screen texels and of shadows, once */
 	bool by_triangles;                 /* the paper's row is the one nearest in triangles, figure 0 */
-	bool pictures;                     /* with -o also those that errors are of, of the last frame */
 	double (*look)(const ts_run *run); /* for figures of TS_FIGURE_LOOKED; or NULL */
 	const ts_bench_variant *variants;
 	const ts_bench_figure *figures;
 	const ts_paper_part *parts;         /* ended by one without a key */
 	const ts_paper_relation *relations; /* ended by one without a text; or NULL */
 	const ts_paper_plot *plot;          /* with -o; or NULL */
+	const ts_paper_picture *pictures;   /* ended by one without a name; the others differ from the first; or NULL */
 	const ts_paper_row *rows;           /* ended by one without a name */
 } ts_paper_table;
 
@@ -98,8 +104,9 @@ void ts_paper_report_frames(ts_report *report, const ts_paper_table *table, cons
 void ts_paper_report(ts_report *report, const ts_paper_table *table, const ts_paper_line *lines, u32 n);
 /* Writes a plot a scene, PART_1.svg and so on, named after the first part. */
 ts_status ts_paper_plots(const ts_paper_table *table, const ts_paper_line *lines, u32 n);
-/* Writes the pictures that were kept, and the truth, as SCENE-OBJECTS-METHOD.png. */
-ts_status ts_paper_pictures(const ts_bench_case *c, const ts_paper_line *line);
+/* Writes the pictures of a case as ROW-SCENE-NAME.png, those of the truth and of differences as well, with the number
+ * of objects behind the scene if rows have one. Differences are as of `render`. */
+ts_status ts_paper_pictures(const ts_paper_table *table, const ts_bench_case *c, const ts_paper_line *line, u32 row);
 /* Measures and prints it all. */
 ts_status ts_paper_bench(const ts_job *job, const ts_paper_table *table);
 

@@ -111,6 +111,17 @@ void ts_picture_free(ts_picture *picture)
 	*picture = (ts_picture){.radiance = NULL};
 }
 
+u8 *ts_picture_difference(const ts_picture *image, const ts_picture *reference, const ts_params *params, u32 scale)
+{
+	size_t n = (size_t)TS_PARAM(params, width) * TS_PARAM(params, height) * 3;
+	u8 *grey = ts_alloc(n, 1, "a difference");
+	for (size_t i = 0; grey != NULL && i < n; i++) {
+		u32 d = (u32)abs(image->srgb[i] - reference->srgb[i]) * scale;
+		grey[i] = (u8)(d < 255 ? d : 255);
+	}
+	return grey;
+}
+
 double ts_picture_change(const ts_picture *picture, const u8 *mask, const ts_params *params)
 {
 	if (picture->before == NULL) return NAN;

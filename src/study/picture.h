@@ -38,6 +38,9 @@ void ts_picture_free(ts_picture *picture);
 /* How much it changed since the frame before (ts_metrics_flicker), where `mask` is not 0; NaN: there is none. */
 double ts_picture_change(const ts_picture *picture, const u8 *mask, const ts_params *params);
 
+/* The distance of the two in grey levels, scaled, width x height x 3; by free(). NULL without memory. */
+u8 *ts_picture_difference(const ts_picture *image, const ts_picture *reference, const ts_params *params, u32 scale);
+
 /* "truth-a", of the row's name. */
 void ts_picture_truth_name(char *name, size_t bytes, const ts_truth_kind *kind);
 

@@ -42,13 +42,14 @@ static const ts_paper_relation relations[] = {
 };
 
 #define ROW(n, ms) { "Sponza", "dining", "sponza", n, { [MS] = ms } }
+static const ts_paper_picture pictures[] = { { 0, "epr" }, { 0 } };
 static const ts_paper_row rows[] = { ROW(1, 1.64), ROW(2, 2.92), ROW(3, 3.80), { 0 } };
 
 const ts_paper_table ts_epr_5 = {
 	.name = "epr-5", .title = "EPR, figure 5: who runs", .effect = "reflections", .scenes = "dining",
 	.objects_head = "bounces", .objects_param = "lookup.bounces", .objects = "1,2,3", .most = 3,
 	.set = "reflectors.count=2,reflectors.shape=cylinder", .defaults = "reflectors.px=960,eye.turns=2,frame=40",
-	.timed = true, .judge = "A", .pictures = true, .variants = variants, .figures = figures, .parts = parts,
+	.timed = true, .judge = "A", .pictures = pictures, .variants = variants, .figures = figures, .parts = parts,
 	.relations = relations, .rows = rows,
 };
 /* clang-format on */
