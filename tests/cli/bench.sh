@@ -156,7 +156,7 @@ import sys
 from results import results
 report = results(sys.argv[1])
 here = {name: [r for r in rows if r["source"] == "here"] for name, rows in report.items() if name.startswith("ivir_1")}
-assert report["params"]["reflectors.count"] == 0 and report["params"]["density.rate"] == "paper"
+assert report["params"]["reflectors.count"] == 0 and report["params"]["density.rate"] == "watertight"
 assert len(here["ivir_1_points"]) == 2
 for points, work in zip(here["ivir_1_points"], here["ivir_1_work"]):
 	assert 0 < points["points_culled"] <= points["points"] <= points["vir_points"]
@@ -164,8 +164,11 @@ for points, work in zip(here["ivir_1_points"], here["ivir_1_work"]):
 	assert points["points_a_triangle"] >= 1
 	assert work["traversed"] == 3 * points["triangles"] and work["mvr_traversed"] == 17 * points["triangles"]
 	assert points["points"] <= work["scatters"] <= 17 * points["points"] and work["scatters_culled"] <= work["scatters"]
-for row in here["ivir_1_rmse"]:
-	assert all(row[k] > 0 for k in ("rmse_paper", "rmse_watertight", "rmse_vir"))
+for row, holes, default, points in zip(here["ivir_1_rmse"], here["ivir_1_holes"], here["ivir_1_default"], here["ivir_1_points"]):
+	assert abs(row["rmse_more"] - (row["rmse_paper"] - row["rmse_mvr"])) < 1e-6 and row["rmse_default"] > 0
+	assert abs(row["rmse_more_default"] - (row["rmse_default"] - row["rmse_mvr"])) < 1e-6 and 0 < row["ssim_default"] <= 1
+	assert holes["holes"] > holes["holes_default"] >= 0 and holes["covered"] > 0
+	assert abs(default["over_paper"] - default["points_default"] / points["points_culled"]) < 1e-6
 verdicts = [r["verdict"] for r in report["relations"]]
 assert verdicts and all(v == "holds" or v.startswith(("differs: ", "not judged: ")) for v in verdicts)
 PY
@@ -183,11 +186,59 @@ assert [r.get("mirrors", r.get("lights")) for r in rows] == [2, 1, 2]
 for r in rows:
 	assert 0 < r["points"] and 0 < r["vir_points"]
 	assert abs(r["saved_percent"] - 100 * (1 - r["points"] / r["vir_points"])) < 1e-6
-assert rows[0]["saved_percent"] >= 80
+for holes in mirrors["ivir_2_holes"] + [r for r in lights["ivir_3_holes"] if r["source"] == "here"]:
+	assert holes["holes"] > holes["holes_default"] >= 0, "the default is watertight, but for culled pieces"
+assert rows[0]["saved_percent"] >= 80 and 16 <= rows[0]["largest_face"] <= 64
 paper = [r for r in lights["ivir_3_points"] if r["source"] == "paper"]
 assert [r["vir_points"] for r in paper] == [14310000] and round(paper[0]["saved_percent"], 1) == 23.5
 PY
 verdict $? 'bench ivir-2 and ivir-3: points saved, here and in the paper'
+
+# The iVIR paper's figures: the pictures of each row are there, those of `render`, and judged.
+figures=(--size 64x36 --set lamp.views=6 --set depth_map.px=32 --set truth.area_samples=16 --set cube.max_px=32 --threads 2)
+hall=dining:triangles=10000:texels=32
+figure() {
+	run bench "ivir-$1" "${figures[@]}" --scene $hall -o "$scratch/ivir-figure-$1" "${@:2}"
+	[ "$status" -eq 0 ] && awk 'length > 120 || / $/ { exit 1 }' "$scratch/stdout"
+	verdict $? "bench ivir-$1 fits 120 columns"
+}
+figure culling
+figure 4
+figure 5 --objects 3 --runs 1
+figure 6 --objects 2
+python3 - "$scratch/ivir-figure" <<'PY'
+import os, sys
+from results import results
+wanted = {
+	"culling": ("", "ivir-paper", {"ivir-paper-culled", "ivir", "ivir-culled"}, "truth-area"),
+	"4": ("", "mvr", {"vir", "ivir-paper", "ivir", "ivir-centre"}, "truth-area"),
+	"5": ("-3", "mvr-128", {"pcss", "ivir-paper", "ivir", "ivir-centre", "mvr"}, "truth-area"),
+	"6": ("-2", "mvr", {"vir", "ivir-paper", "ivir", "ivir-centre", "ivir-paper-faces", "ivir-faces"}, "truth-c"),
+}
+for table, (objects, first, others, truth) in wanted.items():
+	report = results(f"{sys.argv[1]}-{table}")
+	names = {first, truth} | others | {"difference-" + name for name in others}
+	found = {name for name in os.listdir(f"{sys.argv[1]}-{table}") if name.endswith(".png")}
+	assert found == {f"1-dining:triangles=10000:texels=32{objects}-{name}.png" for name in names}, (table, found)
+	assert found <= set(report["files"])
+	verdicts = [r["verdict"] for r in report["relations"]]
+	assert verdicts and all(v == "holds" or v.startswith(("differs: ", "not judged: ")) for v in verdicts)
+def row(table, part):
+	return results(f"{sys.argv[1]}-{table}")[part][0]
+holes, change = row("culling", "ivir_culling_holes"), row("culling", "ivir_culling")
+assert holes["holes_default"] == 0 < holes["holes"] <= holes["holes_culled"] < holes["covered"]
+assert change["rmse_culled_default"] <= change["rmse_culled"]
+beside, more = row("4", "ivir_4"), row("4", "ivir_4_more")
+assert beside["rmse_centre"] < beside["rmse_default"] and more["rmse_more_centre"] < more["rmse_more_default"]
+assert row("6", "ivir_6")["rmse_faces"] < row("6", "ivir_6")["rmse_ivir"], "nearer to MVR with its faces"
+few = row("5", "ivir_5")
+assert few["rmse_128_centre"] < few["rmse_128_default"] and few["rmse_128_mvr"] > 0
+PY
+verdict $? 'bench ivir-culling, ivir-4, ivir-5 and ivir-6 write their pictures and judge them'
+run render soft-shadows $hall --method mvr,ivir --set reflectors.count=0 "${figures[@]}" -o "$scratch/figure"
+cmp -s "$scratch/figure/ivir.png" "$scratch/ivir-figure-4/1-$hall-ivir.png" &&
+	cmp -s "$scratch/figure/difference-mvr-ivir.png" "$scratch/ivir-figure-4/1-$hall-difference-ivir.png"
+verdict $? 'pictures of bench are those of render'
 
 prints '^Breakfast .* paper  *8,590,000 ' bench epr-3 "${views[@]}" --scene dining:triangles=10000:texels=32 --objects 1
 

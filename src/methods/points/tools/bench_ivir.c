@@ -2,18 +2,20 @@
 #include "benches.h"
 
 /* Table 1. Brackets of the paper: with stochastic culling. */
-enum { M_IVIR, M_IVIR_CULL, M_STORED, M_STORED_CULL, M_VIR, M_VIR_CULL, M_MVR, M_WATERTIGHT };
+enum { M_IVIR, M_IVIR_CULL, M_STORED, M_STORED_CULL, M_VIR, M_VIR_CULL, M_MVR, M_DEFAULT };
+
+#define PAPER TS_IVIR_DEFAULTS ","
 
 /* clang-format off */
 static const ts_bench_variant soft_variants[] = {
-	[M_IVIR] = { "ivir", "points.buffered=off,points.cull=off", true, TS_TIMED },
-	[M_IVIR_CULL] = { "ivir", "points.buffered=off,points.cull=on", true, TS_TIMED },
-	[M_STORED] = { "ivir", "points.buffered=on,points.cull=off", false, TS_TIMED },
-	[M_STORED_CULL] = { "ivir", "points.buffered=on,points.cull=on", false, TS_TIMED },
-	[M_VIR] = { "vir", "points.buffered=on,points.cull=off", false, TS_TIMED },
-	[M_VIR_CULL] = { "vir", "points.buffered=on,points.cull=on", true, TS_TIMED },
+	[M_IVIR] = { "ivir", PAPER "points.buffered=off,points.cull=off", false, TS_TIMED },
+	[M_IVIR_CULL] = { "ivir", PAPER "points.buffered=off,points.cull=on", true, TS_TIMED },
+	[M_STORED] = { "ivir", PAPER "points.buffered=on,points.cull=off", false, TS_TIMED },
+	[M_STORED_CULL] = { "ivir", PAPER "points.buffered=on,points.cull=on", false, TS_TIMED },
+	[M_VIR] = { "vir", PAPER "points.buffered=on,points.cull=off", false, TS_TIMED },
+	[M_VIR_CULL] = { "vir", PAPER "points.buffered=on,points.cull=on", true, TS_TIMED },
 	[M_MVR] = { "mvr", "", true, TS_TIMED },
-	[M_WATERTIGHT] = { "ivir", "density.rate=watertight,points.snap=on,points.buffered=off", true, TS_ONCE },
+	[M_DEFAULT] = { "ivir", "", true, TS_TIMED },
 	{ 0 },
 };
 
@@ -21,7 +23,9 @@ enum { S_TRIANGLES, S_POINTS, S_POINTS_CULL, S_SHARE, S_VIR_POINTS, S_VIR_POINTS
 	S_PIECES, S_A_TRIANGLE, S_POINT_MS, S_MS, S_MS_CULL, S_STORED_MS, S_STORED_MS_CULL, S_VIR_POINT_MS, S_VIR_MS,
 	S_VIR_MS_CULL, S_MVR_MS, S_RATIO, S_RATIO_CULL, S_STORED_RATIO_CULL, S_FRAME_MS, S_FRAME_MS_CULL, S_FRAME_MVR_MS,
 	S_FRAME_RATIO, S_FRAME_RATIO_CULL, S_WORK, S_MVR_WORK, S_WORK_RATIO, S_SCATTERS, S_SCATTERS_CULL, S_WRITES,
-	S_RMSE, S_RMSE_WATERTIGHT, S_RMSE_VIR, S_RMSE_CULLED, S_RMSE_RATIO };
+	S_D_POINTS, S_D_OVER, S_D_MS, S_D_RATIO, S_D_FRAME_MS, S_D_FRAME_RATIO, S_D_COVERED, S_HOLES, S_D_HOLES,
+	S_VIR_HOLES, S_MVR_HOLES, S_HOLES_SHARE, S_D_HOLES_SHARE, S_RMSE, S_D_RMSE, S_RMSE_VIR, S_RMSE_MVR, S_MORE, S_D_MORE,
+	S_SSIM, S_D_SSIM, S_SSIM_VIR, S_SSIM_MVR };
 
 static const ts_bench_figure soft_figures[] = {
 	[S_TRIANGLES] = { "triangles", "triangles", TS_FIGURE_TRIANGLES, 0, 0, TS_WHOLE, "" },
@@ -38,7 +42,8 @@ static const ts_bench_figure soft_figures[] = {
 	[S_MS] = { "bufferless_ms", "bufferless", TS_FIGURE_PART_TIME, M_IVIR, 0, 2, TS_MAP_STAGES },
 	[S_MS_CULL] = { "bufferless_culled_ms", "[culled]", TS_FIGURE_PART_TIME, M_IVIR_CULL, 0, 2, TS_MAP_STAGES },
 	[S_STORED_MS] = { "buffered_ms", "buffered", TS_FIGURE_PART_TIME, M_STORED, 0, 2, TS_MAP_STAGES },
-	[S_STORED_MS_CULL] = { "buffered_culled_ms", "[culled]", TS_FIGURE_PART_TIME, M_STORED_CULL, 0, 2, TS_MAP_STAGES },
+	[S_STORED_MS_CULL] = { "buffered_culled_ms", "[culled]", TS_FIGURE_PART_TIME, M_STORED_CULL, 0, 2,
+	  TS_MAP_STAGES },
 	[S_VIR_POINT_MS] = { "vir_point_ms", "VIR pts", TS_FIGURE_PART_TIME, M_VIR, 0, 2, TS_POINT_STAGES },
 	[S_VIR_MS] = { "vir_ms", "VIR", TS_FIGURE_PART_TIME, M_VIR, 0, 2, TS_MAP_STAGES },
 	[S_VIR_MS_CULL] = { "vir_culled_ms", "[culled]", TS_FIGURE_PART_TIME, M_VIR_CULL, 0, 2, TS_MAP_STAGES },
@@ -60,11 +65,30 @@ static const ts_bench_figure soft_figures[] = {
 	[S_SCATTERS_CULL] = { "scatters_culled", "[culled]", TS_FIGURE_COUNTER, M_IVIR_CULL, 0, TS_WHOLE,
 	  "point-view scatters" },
 	[S_WRITES] = { "writes", "texel writes", TS_FIGURE_COUNTER, M_IVIR, 0, TS_WHOLE, "texel writes" },
-	[S_RMSE] = { "rmse_paper", "iVIR", TS_FIGURE_RMSE, M_IVIR_CULL, M_MVR, 3, "" },
-	[S_RMSE_WATERTIGHT] = { "rmse_watertight", "iVIR watertight", TS_FIGURE_RMSE, M_WATERTIGHT, M_MVR, 3, "" },
-	[S_RMSE_VIR] = { "rmse_vir", "VIR", TS_FIGURE_RMSE, M_VIR_CULL, M_MVR, 3, "" },
-	[S_RMSE_CULLED] = { "rmse_culled", "culled, to iVIR not culled", TS_FIGURE_RMSE, M_IVIR_CULL, M_IVIR, 3, "" },
-	[S_RMSE_RATIO] = { "rmse_ratio", "iVIR / VIR", TS_FIGURE_RATIO, S_RMSE, S_RMSE_VIR, 3, "" },
+	[S_D_POINTS] = { "points_default", "points", TS_FIGURE_COUNTER, M_DEFAULT, 0, TS_WHOLE, "points" },
+	[S_D_OVER] = { "over_paper", "by rate=paper", TS_FIGURE_RATIO, S_D_POINTS, S_POINTS_CULL, 2, "" },
+	[S_D_MS] = { "default_ms", "ms", TS_FIGURE_PART_TIME, M_DEFAULT, 0, 2, TS_MAP_STAGES },
+	[S_D_RATIO] = { "speedup_default", "MVR / ms", TS_FIGURE_RATIO, S_MVR_MS, S_D_MS, 2, "" },
+	[S_D_FRAME_MS] = { "frame_default_ms", "frame, ms", TS_FIGURE_TIME, M_DEFAULT, 0, 2, "" },
+	[S_D_FRAME_RATIO] = { "frame_ratio_default", "frame / MVR's", TS_FIGURE_RATIO, S_D_FRAME_MS,
+	  S_FRAME_MVR_MS, 3, "" },
+	[S_D_COVERED] = { "covered", "texels", TS_FIGURE_COUNTER, M_DEFAULT, 0, TS_WHOLE, "texels covered by rays" },
+	[S_HOLES] = { "holes", "iVIR", TS_FIGURE_COUNTER, M_IVIR_CULL, 0, TS_WHOLE, "holes" },
+	[S_D_HOLES] = { "holes_default", "defaults", TS_FIGURE_COUNTER, M_DEFAULT, 0, TS_WHOLE, "holes" },
+	[S_VIR_HOLES] = { "holes_vir", "VIR", TS_FIGURE_COUNTER, M_VIR_CULL, 0, TS_WHOLE, "holes" },
+	[S_MVR_HOLES] = { "holes_mvr", "MVR", TS_FIGURE_COUNTER, M_MVR, 0, TS_WHOLE, "holes" },
+	[S_HOLES_SHARE] = { "holes_percent", "iVIR, %", TS_FIGURE_PERCENT, S_HOLES, S_D_COVERED, 4, "" },
+	[S_D_HOLES_SHARE] = { "holes_percent_default", "defaults, %", TS_FIGURE_PERCENT, S_D_HOLES, S_D_COVERED, 4, "" },
+	[S_RMSE] = { "rmse_paper", "iVIR", TS_FIGURE_RMSE, M_IVIR_CULL, 0, 3, "" },
+	[S_D_RMSE] = { "rmse_default", "defaults", TS_FIGURE_RMSE, M_DEFAULT, 0, 3, "" },
+	[S_RMSE_VIR] = { "rmse_vir", "VIR", TS_FIGURE_RMSE, M_VIR_CULL, 0, 3, "" },
+	[S_RMSE_MVR] = { "rmse_mvr", "MVR", TS_FIGURE_RMSE, M_MVR, 0, 3, "" },
+	[S_MORE] = { "rmse_more", "iVIR less MVR", TS_FIGURE_DIFFERENCE, S_RMSE, S_RMSE_MVR, 3, "" },
+	[S_D_MORE] = { "rmse_more_default", "defaults less MVR", TS_FIGURE_DIFFERENCE, S_D_RMSE, S_RMSE_MVR, 3, "" },
+	[S_SSIM] = { "ssim_paper", "iVIR, SSIM", TS_FIGURE_SSIM, M_IVIR_CULL, 0, 4, "" },
+	[S_D_SSIM] = { "ssim_default", "defaults", TS_FIGURE_SSIM, M_DEFAULT, 0, 4, "" },
+	[S_SSIM_VIR] = { "ssim_vir", "VIR", TS_FIGURE_SSIM, M_VIR_CULL, 0, 4, "" },
+	[S_SSIM_MVR] = { "ssim_mvr", "MVR", TS_FIGURE_SSIM, M_MVR, 0, 4, "" },
 	{ 0 },
 };
 
@@ -78,26 +102,41 @@ static const ts_paper_part soft_parts[] = {
 	  S_FRAME_RATIO_CULL, TS_NO_FIGURE } },
 	{ "ivir_1_work", "Work: triangles in all passes over the geometry, and points by the views they went to", {
 	  S_WORK, S_MVR_WORK, S_WORK_RATIO, S_PIECES, S_SCATTERS, S_SCATTERS_CULL, S_WRITES, TS_NO_FIGURE } },
-	{ "ivir_1_rmse", "RMSE to MVR's image, grey levels", { S_RMSE, S_RMSE_WATERTIGHT, S_RMSE_VIR, S_RMSE_RATIO,
-	  S_RMSE_CULLED, TS_NO_FIGURE } },
+	{ "ivir_1_default", "iVIR at the defaults", { S_D_POINTS, S_D_OVER, S_D_MS, S_D_RATIO, S_D_FRAME_MS,
+	  S_D_FRAME_RATIO, TS_NO_FIGURE } },
+	{ "ivir_1_holes", "Texels that rays say are covered, and those of them that are empty", { S_D_COVERED, S_HOLES,
+	  S_D_HOLES, S_VIR_HOLES, S_MVR_HOLES, S_HOLES_SHARE, S_D_HOLES_SHARE, TS_NO_FIGURE } },
+	{ "ivir_1_rmse", "Images beside the truth, RMSE in grey levels", { S_RMSE, S_D_RMSE, S_RMSE_VIR,
+	  S_RMSE_MVR, S_MORE,
+	  S_D_MORE, S_SSIM, S_D_SSIM, S_SSIM_VIR, S_SSIM_MVR, TS_NO_FIGURE } },
 	{ 0 },
 };
 
+#define HOLED "samples at the rate of the closest point miss texels"
+
 static const ts_paper_relation soft_relations[] = {
 	{ "iVIR points / VIR's", S_OVER_VIR, TS_AT_MOST, 0, 1, TS_NO_FIGURE, 0, 0, "more points than VIR", S_A_TRIANGLE },
-	{ "the same, culled", S_OVER_VIR_CULL, TS_AT_MOST, 0, 1, TS_NO_FIGURE, 0, 0, "more points than VIR", S_A_TRIANGLE },
+	{ "the same, culled", S_OVER_VIR_CULL, TS_AT_MOST, 0, 1, TS_NO_FIGURE, 0, 0, "more points than VIR",
+	  S_A_TRIANGLE },
 	{ "points that culling leaves", S_SHARE, TS_AT_MOST, 0, 1, TS_NO_FIGURE, 0, 0, "culling adds points",
 	  S_A_TRIANGLE },
 	{ "they rise with points a triangle", S_SHARE, TS_RISES_WITH, S_A_TRIANGLE, 0, TS_NO_FIGURE, 0, 0,
 	  "differs: not in every pair of scenes", S_A_TRIANGLE },
 	{ "points a triangle in sight where culling leaves a third", S_A_TRIANGLE, TS_BETWEEN, 1, 1.1, S_SHARE, 0, 0.33,
 	  "not all triangles are tiny", S_SHARE },
-	{ "RMSE by stochastic culling, grey levels", S_RMSE_CULLED, TS_AT_MOST, 0, 1, TS_NO_FIGURE, 0, 0,
-	  "few points are left a texel", S_SHARE },
-	{ "RMSE to MVR, iVIR by VIR", S_RMSE_RATIO, TS_AT_MOST, 0, 1.1, TS_NO_FIGURE, 0, 0, "fewer points than VIR",
-	  S_OVER_VIR_CULL },
+	{ "holes of iVIR, % of covered texels", S_HOLES_SHARE, TS_AT_MOST, 0, 0.0001, TS_NO_FIGURE, 0, 0, HOLED,
+	  S_SHARE },
+	{ "holes of iVIR at the defaults, % of covered texels", S_D_HOLES_SHARE, TS_AT_MOST, 0, 0.0001,
+	  TS_NO_FIGURE, 0, 0,
+	  "small pieces are culled", S_SHARE },
+	{ "RMSE to rays, iVIR less MVR", S_MORE, TS_AT_MOST, 0, 0.5, TS_NO_FIGURE, 0, 0, TS_IVIR_NEAREST, S_RMSE_MVR },
+	{ "RMSE to rays, iVIR at the defaults less MVR", S_D_MORE, TS_AT_MOST, 0, 0.5, TS_NO_FIGURE, 0, 0,
+	  TS_IVIR_NEAREST,
+	  S_RMSE_MVR },
 	{ "frame of iVIR / MVR's, culled", S_FRAME_RATIO_CULL, TS_AT_MOST, 0, 1, S_TRIANGLES, 100e3, 1e12,
 	  "more points a triangle", S_A_TRIANGLE },
+	{ "frame of iVIR at the defaults / MVR's", S_D_FRAME_RATIO, TS_AT_MOST, 0, 1, S_TRIANGLES, 100e3, 1e12,
+	  "more points a texel", S_D_OVER },
 	{ 0 },
 };
 
@@ -125,7 +164,7 @@ const ts_paper_table ts_ivir_1 = {
 	.name = "ivir-1", .title = "iVIR, table 1: soft shadows",
 	.effect = "soft-shadows", .scenes = "atrium,gallery,dining",
 	.models = "bunny.glb,armadillo_86k.glb,dragon_80k.glb,dragon_scans.glb", .set = "reflectors.count=0",
-	.defaults = TS_IVIR_DEFAULTS,
+	.defaults = "truth.area_samples=256", .judge = "area", .rays = true,
 	.note = "The paper's row is the nearest in triangles; it counts points a triangle twice. " TS_VIR_NOTE,
 	.timed = true, .by_triangles = true, .variants = soft_variants, .figures = soft_figures, .parts = soft_parts,
 	.relations = soft_relations, .rows = soft_rows,
