@@ -279,7 +279,7 @@ static void test_forward(void **state)
 	pixels_of(&forward);
 	for (u32 i = 0; i < N_TRIED; i++) {
 		json_t *answer;
-		char view[8], colour[9];
+		char view[16], colour[9];
 		u32 inside = below((u32)(6 * n));
 		if (keys[inside] == TS_EMPTY) continue;
 		snprintf(view, sizeof view, "0.%u", (unsigned)(inside / n));

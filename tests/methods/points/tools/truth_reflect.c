@@ -56,11 +56,11 @@ static void grow(stand *s)
 }
 
 /* A copy of the answer, P x 3. */
-static f32 *answer(stand *s, ts_status (*method)(ts_truth *, ts_run *), u32 bounces, u32 threads)
+static f32 *answer(stand *s, ts_status (*method)(ts_truth *, ts_run *, ts_sampling *), u32 bounces, u32 threads)
 {
 	s->world.run.params.lookup_bounces = bounces;
 	s->world.run.c.threads = threads;
-	assert_int_equal(method(s->truth, &s->world.run), TS_OK);
+	assert_int_equal(method(s->truth, &s->world.run, NULL), TS_OK);
 	assert_int_equal(ts_frame_n(&s->world.run.frame, TS_B_shade_radiance), s->n_pixels * 3);
 	f32 *copy = malloc((size_t)s->n_pixels * 3 * sizeof(f32));
 	assert_non_null(copy);
@@ -68,7 +68,7 @@ static f32 *answer(stand *s, ts_status (*method)(ts_truth *, ts_run *), u32 boun
 	return copy;
 }
 
-static void assert_radiance(stand *s, ts_status (*method)(ts_truth *, ts_run *), u32 bounces, ts_v3 expected)
+static void assert_radiance(stand *s, ts_status (*method)(ts_truth *, ts_run *, ts_sampling *), u32 bounces, ts_v3 expected)
 {
 	f32 *got = answer(s, method, bounces, 2);
 	f32 want[3] = {expected.x, expected.y, expected.z};
@@ -213,7 +213,7 @@ static void test_bounces(void **state)
 	grow(s);
 	ts_v3 second = wall_colour(s, 5), wall = wall_colour(s, 2);
 	for (u32 m = 0; m < 2; m++) {
-		ts_status (*method)(ts_truth *, ts_run *) = m == 0 ? ts_truth_a : ts_truth_b;
+		ts_status (*method)(ts_truth *, ts_run *, ts_sampling *) = m == 0 ? ts_truth_a : ts_truth_b;
 		assert_radiance(s, method, 1, ts_scale(second, 0.5f));
 		assert_radiance(s, method, 2, ts_scale(ts_mul(second, wall), 0.5f));
 		assert_radiance(s, method, 3, ts_scale(ts_mul(second, wall), 0.5f));
