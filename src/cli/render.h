@@ -19,8 +19,8 @@ typedef struct {
 	ts_light_metrics light;             /* over all pixels but the sky's */
 	bool parted;                        /* there are triangles of light: these are set */
 	ts_light_metrics near, elsewhere;
-	const char *share;     /* whose error this is: "method", "sampling", "both" or "" */
-	const u8 *chosen;      /* pixels by which these are estimates, as a truth was made in part; NULL: they are not */
+	const char *share; /* whose error this is: "method", "sampling", "both" or "" */
+	const u8 *chosen;  /* pixels by which these are estimates, as a truth was made in part; NULL: they are not */
 } ts_pair;
 
 typedef struct {

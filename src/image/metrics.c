@@ -152,9 +152,9 @@ static void add_chosen(pairs *p, double x, double y)
 	p->yy += y * y;
 }
 
-/* The regression estimator of the mean of y (Cochran 1977, Sampling Techniques, 7.1): what the chosen pixels have, moved
- * along y = b x to the mean of x over all. Its error is what is left beside the line, with that of b. Where x varies less
- * among the chosen pixels than among all, y will as well: the error grows by as much. */
+/* The regression estimator of the mean of y (Cochran 1977, Sampling Techniques, 7.1): what the chosen pixels have,
+ * moved along y = b x to the mean of x over all. Its error is what is left beside the line, with that of b. Where x
+ * varies less among the chosen pixels than among all, y will as well: the error grows by as much. */
 static double regression(const pairs *p, double *error)
 {
 	*error = NAN;

@@ -37,8 +37,8 @@ u64 ts_probe_n(const ts_probe *probe, ts_buffer_id id);
 /* Copies elements [first, first + n) of a buffer. Fails with file, element and value if they are not there, if a float
  * is not finite, or if an index names nothing. */
 ts_status ts_probe_fetch(ts_probe *probe, ts_buffer_id id, u64 first, u64 n, void *to);
-/* The elements of row y and column x, `n` of them, of a buffer of rows and columns; *there is false outside its crop, or
- * if the trace lacks it. */
+/* The elements of row y and column x, `n` of them, of a buffer of rows and columns; *there is false outside its crop,
+ * or if the trace lacks it. */
 ts_status ts_probe_fetch_pixel(ts_probe *probe, ts_buffer_id id, u32 x, u32 y, u32 n, void *to, bool *there);
 /* All ts_probe_n elements of a buffer, read once, checked as ts_probe_fetch does, and kept; NULL on failure. */
 void *ts_probe_whole(ts_probe *probe, ts_buffer_id id);

@@ -72,6 +72,7 @@ static void test_readers(void **state)
 {
 	(void)state;
 	static const ts_buffer_id last[] = {TS_B_image_radiance,
+	                                    TS_B_image_sample_radiance,
 	                                    TS_B_image_srgb,
 	                                    TS_B_shade_n_samples,
 	                                    TS_B_split_triangle_density,
@@ -115,7 +116,8 @@ static ts_status watch(const ts_run *run, const ts_stage *stage, void *user)
 		bool of_scene = is_scene((ts_buffer_id)id) && (id != TS_B_scene_surfel || run->scene->n_surfels > 0) &&
 		                (id != TS_B_scene_stand || run->scene->n_stands > 0) &&
 		                (id != TS_B_scene_path || run->scene->n_path > 0);
-		bool made = run->frame.buffer[id].made, claimed = p->made[id] || of_scene;
+		bool of_samples = id == TS_B_image_sample_radiance && TS_PARAM(&run->params, eye_samples) == TS_EYE_SAMPLES_1;
+		bool made = run->frame.buffer[id].made, claimed = (p->made[id] && !of_samples) || of_scene;
 		if (made == claimed) continue;
 		fail_msg("after %s: %s %s", stage->name, ts_buffer_table[id].name, made ? "unclaimed" : "missing");
 	}

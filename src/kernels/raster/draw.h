@@ -93,8 +93,7 @@ TS_CALL ts_fragment ts_k_fragment_at(const ts_camera_k *view, const ts_corners *
 		const ts_corner *a = &polygon.corner[0];
 		const ts_corner *b = &polygon.corner[k - 1u];
 		const ts_corner *c = &polygon.corner[k];
-		ts_setup setup = ts_k_setup(ts_k_snap_corner(view, a), ts_k_snap_corner(view, b),
-		                            ts_k_snap_corner(view, c));
+		ts_setup setup = ts_k_setup(ts_k_snap_corner(view, a), ts_k_snap_corner(view, b), ts_k_snap_corner(view, c));
 		if (setup.area == 0) continue;
 		ts_edges e = ts_k_edges(&setup, i * 256 + 128, j * 256 + 128);
 		if (ts_k_covers(&setup, &e)) return ts_k_view_fragment(view, &setup, &e, a, b, c);

@@ -46,27 +46,35 @@ ts_lookup_args ts_lookup_values(const ts_run *run, u32 bounce)
 	};
 }
 
-static void count_empty(ts_run *run, ts_buffer_id id)
+static void count_empty(ts_run *run, const u32 *found, u64 n)
 {
-	const u32 *found = ts_frame_data(&run->frame, id);
-	u64 n = ts_frame_n(&run->frame, id);
 	i64 empty = 0;
 	for (u64 i = 0; i < n; i++) empty += found[i] == TS_NONE;
 	ts_run_count(run, "look-ups", (i64)n);
 	ts_run_count(run, "empty look-ups", empty);
 }
 
-static ts_status look_up(ts_run *run, const ts_launch *launch, u32 bounce, ts_buffer_id found)
+static ts_status look_up(ts_run *run, const ts_launch *launch, u32 bounce)
 {
 	ts_lookup_args args = ts_lookup_values(run, bounce);
-	u64 n = ts_run_size(run, ts_bounce_table[bounce].entries);
-	if (TS_RUN(run, launch, &args, n) != TS_OK) return TS_ERROR;
-	count_empty(run, found);
+	return TS_RUN(run, launch, &args, ts_run_size(run, ts_bounce_table[bounce].entries));
+}
+
+static ts_status lookup(ts_run *run)
+{
+	if (look_up(run, &first, 0) != TS_OK) return TS_ERROR;
+	const u32 *found = ts_frame_data(&run->frame, TS_B_lookup_point);
+	count_empty(run, found, ts_frame_n(&run->frame, TS_B_lookup_point));
 	return TS_OK;
 }
 
-static ts_status lookup(ts_run *run) { return look_up(run, &first, 0, TS_B_lookup_point); }
-static ts_status lookup_colour(ts_run *run) { return look_up(run, &first_colours, 0, TS_B_lookup_colour); }
+static ts_status lookup_colour(ts_run *run)
+{
+	if (look_up(run, &first_colours, 0) != TS_OK) return TS_ERROR;
+	const u32 *found = ts_frame_data(&run->frame, TS_B_lookup_colour);
+	count_empty(run, found, ts_frame_n(&run->frame, TS_B_lookup_colour));
+	return TS_OK;
+}
 
 /* The queue of a bounce: the samples of the one before that see a mirror. */
 static ts_status make_queue(ts_run *run, const later *own, u32 bounce)
@@ -86,7 +94,10 @@ static ts_status look_up_later(ts_run *run, const later *own, u32 bounce)
 {
 	own += ts_points_again(run);
 	if (make_queue(run, own, bounce) != TS_OK) return TS_ERROR;
-	return look_up(run, &own->look_up, bounce, ts_bounce_table[bounce].found);
+	if (look_up(run, &own->look_up, bounce) != TS_OK) return TS_ERROR;
+	ts_buffer_id found = ts_bounce_table[bounce].found;
+	count_empty(run, ts_frame_data(&run->frame, found), ts_frame_n(&run->frame, found));
+	return TS_OK;
 }
 
 static ts_status lookup_second(ts_run *run) { return look_up_later(run, second, 1); }

@@ -26,8 +26,7 @@ static ts_status make(ts_run *run, const launches *own, void *args, size_t bytes
 	ts_status status = ts_launch_run(run, several ? &own->samples : &own->whole, args, bytes, ts_eye_size(run));
 	if (status != TS_OK || !several) return status;
 	u64 n_pixels = (u64)TS_PARAM(&run->params, width) * TS_PARAM(&run->params, height);
-	ts_resolve_args mean = {
-		.n_pixels = n_pixels, .exposure = TS_PARAM(&run->params, image_exposure), .gain = gain};
+	ts_resolve_args mean = {.n_pixels = n_pixels, .exposure = TS_PARAM(&run->params, image_exposure), .gain = gain};
 	return TS_RUN(run, &resolved, &mean, n_pixels);
 }
 

@@ -66,7 +66,10 @@ static void test_places(void **state)
 }
 
 /* A corner at depth z that is seen at (x, y) of the image. */
-static ts_v3 seen_at(f32 x, f32 y, f32 z) { return ts_v3_make((x - WIDTH / 2) * z / 32, (HEIGHT / 2 - y) * z / 32, -z); }
+static ts_v3 seen_at(f32 x, f32 y, f32 z)
+{
+	return ts_v3_make((x - WIDTH / 2) * z / 32, (HEIGHT / 2 - y) * z / 32, -z);
+}
 
 /* Triangles of corners anywhere; exact: at pixels' corners at powers of two, so that no picture snaps them. */
 static void make_soup(bool exact)

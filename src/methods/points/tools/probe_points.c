@@ -167,8 +167,8 @@ ts_status ts_probe_put_lookups(ts_probe *p, json_t *o, const ts_probe_set *s, u6
 		if (ts_probe_fetch(p, TS_B_mirror_pixel_record, first / 25, 1, &pixel) != TS_OK) return TS_ERROR;
 		ts_probe_put(p, o, "first_sample",
 		             json_pack("{s:o,s:I}", "pixel",
-		                       ts_probe_pair(pixel.index % p->view.width, pixel.index / p->view.width % p->view.height), "k",
-		                       (json_int_t)(first % 25)));
+		                       ts_probe_pair(pixel.index % p->view.width, pixel.index / p->view.width % p->view.height),
+		                       "k", (json_int_t)(first % 25)));
 	}
 	return TS_OK;
 }

@@ -48,8 +48,8 @@ ts_probe_samples ts_probe_put_samples;
 
 /* Rows [first, first + n) of a depth map. */
 ts_status ts_probe_read_rows(ts_probe *probe, ts_probe_shadow *shadow, const ts_offscreen *view, u32 first, u32 n);
-/* Puts what light reaches row y and column x of the eye's buffers, where the eye sees `at`; shadow->lamps must be read. Release by
- * ts_probe_shadow_free, also on failure. */
+/* Puts what light reaches row y and column x of the eye's buffers, where the eye sees `at`; shadow->lamps must be read.
+ * Release by ts_probe_shadow_free, also on failure. */
 ts_status ts_probe_put_shadow(ts_probe *probe, ts_probe_shadow *shadow, u32 x, u32 y, const ts_receiver *at,
                               ts_probe_samples *put_samples, json_t *object);
 void ts_probe_shadow_free(ts_probe_shadow *shadow);

@@ -18,7 +18,8 @@ static ts_status put_gbuffer(ts_probe *p, json_t *o, const ts_probe_seen *at, ts
 	return status;
 }
 
-static ts_status put_held(ts_probe *p, json_t *o, const ts_probe_seen *at, const char *name, ts_buffer_id id, const f32 light[3])
+static ts_status put_held(ts_probe *p, json_t *o, const ts_probe_seen *at, const char *name, ts_buffer_id id,
+                          const f32 light[3])
 {
 	bool there;
 	f32 held[3];

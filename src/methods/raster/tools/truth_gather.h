@@ -8,8 +8,8 @@
  * they see, eye and G-buffer, the same for all methods. */
 ts_status ts_truth_indirect_begin(ts_run *run, const char *effect);
 
-/* The light that arrives at a pixel's surface, whose place is p and whose normal is n, or what that reflects of it, by a
- * share of the items. */
+/* The light that arrives at a pixel's surface, whose place is p and whose normal is n, or what that reflects of it, by
+ * a share of the items. */
 typedef ts_v3 ts_truth_light(const void *user, const ts_share *share, ts_v3 p, ts_v3 n);
 
 /* Light that is gathered from so many items at a pixel, by so many rays each. */

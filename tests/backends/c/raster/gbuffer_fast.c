@@ -1,5 +1,6 @@
-/* The fast G-buffer equals the plain kernel bit for bit: of pixels that name triangles in front of the eye, across the
- * near plane, behind it, degenerate, or beside the pixel, in runs of any length; of the sky; and of samples of pixels. */
+/* The fast G-buffer equals the plain kernel bit for bit: of pixels that name triangles in front of the eye, across
+ * the near plane, behind it, degenerate, or beside the pixel, in runs of any length; of the sky; and of samples of
+ * pixels. */
 #include <stdlib.h>
 #include <string.h>
 #include "../../../../src/backends/fast.h"

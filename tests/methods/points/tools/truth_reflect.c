@@ -68,7 +68,8 @@ static f32 *answer(stand *s, ts_status (*method)(ts_truth *, ts_run *, ts_sampli
 	return copy;
 }
 
-static void assert_radiance(stand *s, ts_status (*method)(ts_truth *, ts_run *, ts_sampling *), u32 bounces, ts_v3 expected)
+static void assert_radiance(stand *s, ts_status (*method)(ts_truth *, ts_run *, ts_sampling *), u32 bounces,
+                            ts_v3 expected)
 {
 	f32 *got = answer(s, method, bounces, 2);
 	f32 want[3] = {expected.x, expected.y, expected.z};
