@@ -55,7 +55,7 @@ static void test_binds(void **state)
 	ts_bound b = bound(&plain, "texels");
 	assert_true(b.bound && b.role == TS_ROLE_MIN && b.to == TS_B_splat_depth_index);
 	assert_false(bound(&plain, "tie").bound);
-	assert_false(bound(&plain, "offset").bound);
+	assert_false(bound(&plain, "from.offset").bound);
 	b = bound(&plain, "n_writes");
 	assert_true(b.bound && b.role == TS_ROLE_TALLY && b.to == 1);
 	b = bound(&ties, "texels");
@@ -69,14 +69,14 @@ static void test_binds(void **state)
 static void test_binds_of_structs(void **state)
 {
 	(void)state;
-	static const ts_launch half = TS_LAUNCH(lookup, TS_BUT(scene));
-	static const ts_launch part = TS_LAUNCH(lookup, TS_BUT(scene.v));
-	assert_false(bound(&half, "scene.vertices").bound);
-	assert_false(bound(&half, "scene.objects").bound);
+	static const ts_launch half = TS_LAUNCH(lookup, TS_BUT(from.scene));
+	static const ts_launch part = TS_LAUNCH(lookup, TS_BUT(from.scene.v));
+	assert_false(bound(&half, "from.scene.vertices").bound);
+	assert_false(bound(&half, "from.scene.objects").bound);
 	assert_true(bound(&half, "cubes").bound);
-	assert_true(bound(&part, "scene.vertices").bound);
-	assert_true(ts_launch_knows(&half, "scene") && ts_launch_knows(&half, "scene.texels"));
-	assert_false(ts_launch_knows(&part, "scene.v"));
+	assert_true(bound(&part, "from.scene.vertices").bound);
+	assert_true(ts_launch_knows(&half, "from.scene") && ts_launch_knows(&half, "from.scene.texels"));
+	assert_false(ts_launch_knows(&part, "from.scene.v"));
 	assert_false(ts_launch_knows(&part, "n_samples"));
 }
 

@@ -1,6 +1,12 @@
 /* Replay: every stage of both methods, alone, makes what the trace holds; what a candidate made otherwise is found. */
 #include "traces.h"
 
+/* Samples of pixels, of traces with one sample a pixel. */
+static bool is_left_out(u32 m, ts_buffer_id id)
+{
+	return id == TS_B_image_sample_radiance && traces[m]->item[id].path == NULL;
+}
+
 /* The whole of both methods, three bounces, by one batch of all reflectors where the trace was made of three. */
 static void test_same(void **state)
 {
@@ -13,6 +19,7 @@ static void test_same(void **state)
 				if (ts_replay(&load, stage, traces[m], NULL, threads) != TS_OK) fail_msg("%s", ts_error_message());
 				for (const ts_buffer_id *id = ts_stage_outputs(stage); *id != TS_N_BUFFERS; id++) {
 					ts_judged v;
+					if (is_left_out(m, *id)) continue;
 					if (ts_judge(&v, load, *id, NULL) != TS_OK) fail_msg("%s: %s", stage->name, v.text);
 					assert_true(v.item != NULL && v.verdict.n_ref == v.item->npy.n);
 					assert_true(v.verdict.n_ref > 0 && v.verdict.n_different == 0);
@@ -59,7 +66,7 @@ static void test_planted(void **state)
 			ts_load *load;
 			assert_int_equal(ts_replay(&load, stage, traces[m], NULL, 2), TS_OK);
 			for (const ts_buffer_id *id = ts_stage_outputs(stage); *id != TS_N_BUFFERS; id++)
-				plant_and_find(m, stage, load, *id, seed++);
+				if (!is_left_out(m, *id)) plant_and_find(m, stage, load, *id, seed++);
 			ts_load_end(load);
 		}
 	}
