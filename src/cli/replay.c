@@ -18,8 +18,9 @@ static void replay(ts_replayed *r, const ts_cli *cli, const ts_trace *reference,
 {
 	ts_load *load;
 	r->status = ts_replay(&load, r->stage, reference, candidate, cli->job.how.threads);
-	for (u32 i = 0; ts_stage_outputs(r->stage)[i] != TS_N_BUFFERS && r->status != TS_ERROR; i++) {
-		ts_status status = ts_judge(&r->judged[r->n_judged++], load, ts_stage_outputs(r->stage)[i], NULL);
+	for (const ts_buffer_id *id = ts_stage_outputs(r->stage); *id != TS_N_BUFFERS && r->status != TS_ERROR; id++) {
+		if (!load->run.frame.buffer[*id].made) continue;
+		ts_status status = ts_judge(&r->judged[r->n_judged++], load, *id, NULL);
 		if (status == TS_ERROR) ts_fail("stage %s: %s", r->stage->name, ts_error_message());
 		r->status = status > r->status ? status : r->status;
 	}

@@ -74,7 +74,8 @@ elif what == "choices":
 	missing += [f"lookup.bounces={n}" for n in "123" if n not in {case["lookup.bounces"] for case in of(("reflections", "epr"))}]
 	missing += [f"reflectors.count=0 by {m}" for e, m in methods if "0" not in {case["reflectors.count"] for case in of((e, m))}]
 elif what == "stages":
-	writes = {s["name"]: re.findall(r"[a-z0-9_.]+", s["writes"]) for s in table["stages"]}
+	several = {"image.sample_radiance"}  # of several samples a pixel alone
+	writes = {s["name"]: [b for b in re.findall(r"[a-z0-9_.]+", s["writes"]) if b not in several] for s in table["stages"]}
 	for m in methods:
 		steps, made = steps_of[m], set().union(*(case["files"] for case in of(m)))
 		missing += [] if len(steps) > 5 else [m]
