@@ -8,7 +8,7 @@
  *   if (ts_candidate_end(&c) != 0) fprintf(stderr, "%s\n", c.message);
  *
  * Every function returns 0, or 1 with a line in c.message; after a failure all later ones return 1: ask at the end.
- * trace.json is written last, by ts_candidate_end. One buffer is open at a time; begin and end come in pairs, also after
+ * ts_candidate_end writes trace.json, last. One buffer is open at a time; begin and end come in pairs, also after
  * a failure. Threads may write a candidate each. Nothing is allocated; the caller's memory is only read.
  *
  * CONVENTIONS are undone while writing, by what the caller says of its memory:
