@@ -93,7 +93,7 @@ LIB_CC := $(filter-out $(IMAGE_CC),$(call every,src,cc))
 CLI_C := $(filter-out src/cli/core_main.c,$(wildcard src/cli/*.c))
 CORE_C := $(wildcard $(patsubst %,src/%/*.c,model output backends backends/c backends/c/* methods methods/* families golden vectors)) \
 	src/truth/table.c $(wildcard $(patsubst %,src/trace/%.c,npy emit sums)) \
-	$(filter-out src/scene/print% src/scene/numbers.c,$(wildcard src/scene/*.c src/scene/builtin/*.c)) \
+	$(filter-out src/scene/print% src/scene/numbers.c src/scene/keyframe.c,$(wildcard src/scene/*.c src/scene/builtin/*.c)) \
 	$(wildcard $(foreach in,cli study,$(patsubst %,src/$(in)/%.c,core_main backends command commit digest golden* help \
 		methods nearest options parse reads say sweep truths words worker)))
 CORE_C := $(filter-out $(ITEMS_C),$(CORE_C))

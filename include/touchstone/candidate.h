@@ -72,6 +72,9 @@ static const ts_candidate_buffer ts_candidate_buffers[] = {
 	{"scene.path", 64, 1,
      "[('eye', '<f4', (3,)), ('yfov', '<f4'), ('right', '<f4', (3,)), ('pad0', '<u4'), ('up', '<f4', (3,)), "
      "('pad1', '<u4'), ('back', '<f4', (3,)), ('pad2', '<u4')]"},
+	{"scene.motion", 96, 2,
+     "[('linear', '<f4', (9,)), ('origin', '<f4', (3,)), ('normal', '<f4', (9,)), ('moves', '<u4'), "
+     "('pad', '<u4', (2,))]"},
 	{"scene.info", 112, 1,
      "[('eye', '<f4', (3,)), ('yfov', '<f4'), ('right', '<f4', (3,)), ('n_reflectors', '<u4'), "
      "('up', '<f4', (3,)), ('circles', '<u4'), ('back', '<f4', (3,)), ('ambient', '<f4'), "

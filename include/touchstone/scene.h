@@ -20,6 +20,9 @@ typedef struct ts_scene ts_scene;
 /* The camera that every scene has: an eye that circles, as in the papers' tables. */
 #define TS_CAMERA_CIRCLE "circle"
 
+/* The animation that every scene has: all stands still, as the nodes say. */
+#define TS_ANIMATION_NONE "none"
+
 /* What of a scene is wanted, beside the parameters. Zero-initialise for defaults. Coordinates must be finite and within
  * 2^24, the eye must not be its target, and a radius must be above 0. Rays find places in files only: in a built-in
  * scene eye, mirrors and lamps stand by its box and walls where nothing is said. */
@@ -29,6 +32,7 @@ typedef struct {
 	const char *reflector; /* name of a node of the file to make a mirror of; NULL: those marked in extras */
 	const float *eye;      /* x, y and z of an eye that stands there; NULL: the camera's */
 	const float *target;   /* what that eye looks at; NULL: the middle of the room or of the thing */
+	const char *animation; /* name of an animation of the file, which moves nodes; NULL: its first one; "none" */
 	const char *path;      /* text file of keyframes along which the eye moves (METHODS 2); NULL: none */
 	int own_fov;           /* not 0: the parameter eye.fov, even where the camera has a field of view */
 	const float (*mirrors)[4]; /* balls that stand still, beside the reflectors: x, y, z and radius */

@@ -26,7 +26,7 @@ ts_status ts_bench_command(ts_cli *cli)
 	const ts_bench_row *row = *named;
 	for (u32 i = 0; i < TS_N_OPTIONS; i++) {
 		const char *option = ts_option_table[i].name;
-		bool given = ts_cli_given(cli, 1ull << i);
+		bool given = ts_cli_given(cli, TS_OPT_AT(i));
 		if (given && says_nothing(row, option)) return ts_fail("bench %s: takes no --%s", row->name, option);
 	}
 	cli->job.scene.camera = TS_CAMERA_CIRCLE;

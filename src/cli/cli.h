@@ -15,8 +15,10 @@ enum {
 #undef OPTION
 	TS_N_OPTIONS,
 };
-#define TS_OPT(id) (1ull << TS_OPTION_##id)
-_Static_assert(TS_N_OPTIONS <= 64, "sets of options have 64 bits");
+__extension__ typedef unsigned __int128 ts_option_set;
+#define TS_OPT_AT(place) ((ts_option_set)1 << (place))
+#define TS_OPT(id) TS_OPT_AT(TS_OPTION_##id)
+_Static_assert(TS_N_OPTIONS <= 128, "sets of options have 128 bits");
 
 enum { TS_MAX_ARGUMENTS = 2 };
 
@@ -32,7 +34,7 @@ typedef struct {
 
 /* What was typed. Strings belong to argv. */
 typedef struct {
-	u64 given; /* TS_OPT of the options */
+	ts_option_set given; /* TS_OPT of the options */
 	const char *arguments[TS_MAX_ARGUMENTS];
 	u32 n_arguments;
 	ts_job job;
@@ -58,7 +60,7 @@ typedef struct {
 	const char *doc;       /* one line */
 	const char *details;   /* for `help NAME`, may be empty */
 	u32 min_arguments, max_arguments;
-	u64 options; /* TS_OPT of those it takes */
+	ts_option_set options; /* TS_OPT of those it takes */
 	ts_status (*run)(ts_cli *cli);
 	void (*print_more)(void); /* prints what `help NAME` has from tables; NULL: nothing */
 } ts_command;
@@ -96,7 +98,7 @@ int ts_cli_main(int argc, char **argv);
 
 /* Reads argv[1...] of a command into *cli. */
 ts_status ts_cli_parse(ts_cli *cli, const ts_command *command, int argc, char **argv);
-bool ts_cli_given(const ts_cli *cli, u64 option);
+bool ts_cli_given(const ts_cli *cli, ts_option_set option);
 
 /* Commands. */
 ts_status ts_help_command(ts_cli *cli);

@@ -59,9 +59,11 @@ static ts_status parse_words(ts_cli *cli, bool *small, char *text)
 	}
 	ts_status status = ts_cli_parse(cli, &line_command, n, words);
 	if (status != TS_OK) return status;
-	u64 foreign = cli->given & ~line_command.options;
+	ts_option_set foreign = cli->given & ~line_command.options;
 	if (foreign == 0) return TS_OK;
-	return ts_fail("--%s is no part of a case", ts_option_table[__builtin_ctzll(foreign)].name);
+	u32 first = 0;
+	while ((foreign >> first & 1) == 0) first++;
+	return ts_fail("--%s is no part of a case", ts_option_table[first].name);
 }
 
 static ts_status find_method(ts_case *c, ts_cli *cli)

@@ -8,11 +8,11 @@
 /* What getopt_long answers for the first long option, above every letter. */
 enum { LONG = 256 };
 
-bool ts_cli_given(const ts_cli *cli, u64 option) { return (cli->given & option) != 0; }
+bool ts_cli_given(const ts_cli *cli, ts_option_set option) { return (cli->given & option) != 0; }
 
 bool ts_command_takes(const ts_command *command, u32 option)
 {
-	u64 all = TS_OPT(TIMEOUT) | TS_OPT(MEMORY) | TS_OPT(NO_WORKER) | TS_OPT(HELP);
+	ts_option_set all = TS_OPT(TIMEOUT) | TS_OPT(MEMORY) | TS_OPT(NO_WORKER) | TS_OPT(HELP);
 	return ((command->options | all) >> option & 1) != 0;
 }
 
@@ -116,7 +116,7 @@ ts_status ts_cli_parse(ts_cli *cli, const ts_command *command, int argc, char **
 	for (int answer; (answer = getopt_long(argc, argv, k.letters, k.options, NULL)) != -1;) {
 		if (answer == '?' || answer == ':') return refuse(command, &k, answer, argv);
 		const ts_option *o = option_of(answer);
-		cli->given |= 1ull << (o - ts_option_table);
+		cli->given |= TS_OPT_AT(o - ts_option_table);
 		if (o->take((char *)cli + o->at, o, optarg) != TS_OK) return TS_ERROR;
 	}
 	if (cli->job.scene.n_mirrors > 0 && !cli->job.mirrored) {

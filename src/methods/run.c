@@ -27,6 +27,8 @@ void ts_run_begin(ts_run *run, const ts_scene *scene, const ts_params *params, u
 	if (scene->n_surfels > 0) ts_frame_borrow(&run->frame, TS_B_scene_surfel, scene->surfels, scene->n_surfels);
 	if (scene->n_stands > 0) ts_frame_borrow(&run->frame, TS_B_scene_stand, scene->stands, scene->n_stands);
 	if (scene->n_path > 0) ts_frame_borrow(&run->frame, TS_B_scene_path, scene->path, scene->n_path);
+	if (scene->n_motion > 0)
+		ts_frame_borrow_rows(&run->frame, TS_B_scene_motion, scene->motion, scene->n_motion, scene->n_objects);
 	ts_frame_borrow(&run->frame, TS_B_scene_info, &scene->info, 1);
 }
 

@@ -52,6 +52,7 @@ void ts_sizes_scene(ts_sizes *sizes, const ts_scene *scene)
 	sizes->n[TS_DIM_surfels] = scene->n_surfels;
 	sizes->n[TS_DIM_stands] = scene->n_stands;
 	sizes->n[TS_DIM_path_frames] = scene->n_path;
+	sizes->n[TS_DIM_motion_frames] = scene->n_motion;
 	sizes->n[TS_DIM_reflectors] = scene->info.n_reflectors;
 }
 

@@ -80,6 +80,14 @@ void ts_frame_borrow(ts_frame *frame, ts_buffer_id id, const void *data, u64 n)
 	                                .made = true};
 }
 
+void ts_frame_borrow_rows(ts_frame *frame, ts_buffer_id id, const void *data, u64 n_rows, u64 n)
+{
+	ts_frame_borrow(frame, id, data, n_rows * n);
+	frame->buffer[id].n_dims = 2;
+	frame->buffer[id].shape[0] = n_rows;
+	frame->buffer[id].shape[1] = n;
+}
+
 void *ts_frame_handle(const ts_frame *frame, ts_buffer_id id)
 {
 	assert(id < TS_N_BUFFERS && frame->buffer[id].made);

@@ -39,6 +39,7 @@ void *ts_frame_make3(ts_frame *frame, ts_buffer_id id, u64 n0, u64 n1, u64 n2);
 void *ts_frame_zeros(ts_frame *frame, ts_buffer_id id, u32 n_dims, const u64 *shape);
 /* Makes a buffer of memory that outlives the frame. */
 void ts_frame_borrow(ts_frame *frame, ts_buffer_id id, const void *data, u64 n);
+void ts_frame_borrow_rows(ts_frame *frame, ts_buffer_id id, const void *data, u64 n_rows, u64 n);
 /* What arguments of kernels hold; the buffer must exist. Its contents may be elsewhere. */
 void *ts_frame_handle(const ts_frame *frame, ts_buffer_id id);
 /* The contents, fetched to host memory; the buffer must exist. If that fails they are zeros, and

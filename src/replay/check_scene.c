@@ -108,10 +108,19 @@ static ts_status check_objects(const ts_load *load, const ts_stage *stage, ts_bu
 	return any ? check_reflectors(load, objects, n) : TS_OK;
 }
 
+static ts_status check_motions(const ts_load *load, const ts_stage *stage, ts_buffer_id id)
+{
+	(void)stage;
+	u64 n;
+	const ts_motion *motions = ts_check_elements(load, id, &n);
+	for (u64 i = 0; i < n; i++) {
+		if (motions[i].moves > 2) return ts_check_refuse(load, id, i, "moves", 0, "0, 1 or 2");
+	}
+	return TS_OK;
+}
+
 const ts_check_rule ts_check_scene[] = {
-	{TS_B_scene_image, TS_CHECK_VALUES, check_images},
-	{TS_B_scene_slot, TS_CHECK_VALUES, check_slots},
-	{TS_B_scene_light, TS_CHECK_VALUES, ts_check_kinds},
-	{TS_B_scene_object, TS_CHECK_VALUES, check_objects},
-	{.check = NULL},
+	{TS_B_scene_image, TS_CHECK_VALUES, check_images},   {TS_B_scene_slot, TS_CHECK_VALUES, check_slots},
+	{TS_B_scene_light, TS_CHECK_VALUES, ts_check_kinds}, {TS_B_scene_object, TS_CHECK_VALUES, check_objects},
+	{TS_B_scene_motion, TS_CHECK_VALUES, check_motions}, {.check = NULL},
 };

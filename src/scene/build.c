@@ -56,6 +56,14 @@ static char *text_copy(ts_build *build, const char *text)
 	return NULL;
 }
 
+static ts_path_eye *path_copy(ts_build *build, const ts_camera *camera)
+{
+	ts_path_eye *copy = ts_alloc(camera->n_path, sizeof *copy, "a camera's path");
+	if (copy) return memcpy(copy, camera->path, camera->n_path * sizeof *copy);
+	adopt_error(build);
+	return NULL;
+}
+
 ts_build *ts_build_new(const char *name)
 {
 	ts_build *build = ts_alloc_zero(1, sizeof *build, "a scene under construction");
@@ -78,13 +86,17 @@ void ts_build_free(ts_build *build)
 {
 	if (!build) return;
 	ts_scene_free(build->scene);
+	ts_build_motions_free(build);
 	free(build);
 }
 
 void ts_scene_free(ts_scene *scene)
 {
 	if (!scene) return;
-	for (u32 i = 0; i < scene->n_cameras; i++) free(scene->cameras[i].name);
+	for (u32 i = 0; i < scene->n_cameras; i++) {
+		free(scene->cameras[i].name);
+		free(scene->cameras[i].path);
+	}
 	for (u32 i = 0; i < scene->n_notes; i++) free(scene->notes[i]);
 	free(scene->name);
 	free(scene->vertices);
@@ -99,6 +111,7 @@ void ts_scene_free(ts_scene *scene)
 	free(scene->cameras);
 	free(scene->stands);
 	free(scene->path);
+	free(scene->motion);
 	free(scene->notes);
 	free(scene);
 }
@@ -115,12 +128,9 @@ static void sanitize_unit(f32 *to, const f32 *from)
 	ts_store3(to, ts_normalize(ts_load3(clean)));
 }
 
-u32 ts_build_vertex(ts_build *build, const ts_vertex *vertex)
+static void take_vertex(ts_vertex *v, const ts_vertex *vertex, u32 object)
 {
-	ts_scene *scene = build->scene;
-	if (!countable(build, scene->n_vertices, "vertices") || !TS_BUILD_ROOM(build, vertices, "vertices")) return 0;
-	ts_vertex *v = &scene->vertices[scene->n_vertices];
-	v->object = build->object;
+	v->object = object;
 	v->pad = 0;
 	sanitize(v->position, vertex->position, 3);
 	sanitize_unit(v->normal, vertex->normal);
@@ -129,8 +139,24 @@ u32 ts_build_vertex(ts_build *build, const ts_vertex *vertex)
 	v->tangent[3] = no_tangent ? 0.0f : ts_san(vertex->tangent[3]) < 0.0f ? -1.0f : 1.0f;
 	sanitize(v->uv, vertex->uv, 4);
 	sanitize(v->colour, vertex->colour, 4);
+}
+
+u32 ts_build_vertex(ts_build *build, const ts_vertex *vertex)
+{
+	ts_scene *scene = build->scene;
+	if (!countable(build, scene->n_vertices, "vertices") || !TS_BUILD_ROOM(build, vertices, "vertices")) return 0;
+	take_vertex(&scene->vertices[scene->n_vertices], vertex, build->object);
 	scene->objects[build->object].n_vertices++;
 	return scene->n_vertices++;
+}
+
+u32 ts_build_vertex_moving(ts_build *build, const ts_vertex *vertex, const ts_vertex *own)
+{
+	build->own =
+		ts_build_room(build, build->own, build->n_own, 1, &build->capacity.own, sizeof *build->own, "moving vertices");
+	if (build->failed) return 0;
+	take_vertex(&build->own[build->n_own++], own, build->object);
+	return ts_build_vertex(build, vertex);
 }
 
 void ts_build_move(ts_build *build, u32 first, ts_v3 by)
@@ -219,7 +245,8 @@ void ts_build_camera(ts_build *build, const ts_camera *camera)
 	char *name = text_copy(build, camera->name ? camera->name : "");
 	if (!name) return;
 	ts_camera *c = &scene->cameras[scene->n_cameras++];
-	*c = (ts_camera){.name = name, .yfov = ts_san(camera->yfov)};
+	*c = (ts_camera){.name = name, .yfov = ts_san(camera->yfov), .n_path = camera->n_path};
+	if (c->n_path > 0) c->path = path_copy(build, camera);
 	sanitize(c->eye, camera->eye, 3);
 	sanitize(c->right, camera->right, 3);
 	sanitize(c->up, camera->up, 3);
@@ -243,6 +270,8 @@ u32 ts_build_object(ts_build *build, const ts_object *object, bool is_reflector)
 	build->object = scene->n_objects;
 	return scene->n_objects++;
 }
+
+void ts_build_select(ts_build *build, u32 object) { build->object = object; }
 
 u32 ts_build_surfel(ts_build *build, const ts_surfel *surfel)
 {
@@ -290,7 +319,7 @@ void ts_build_box(ts_scene *scene)
 				u32 index = scene->triangles[i].vertex[k];
 				if (index >= scene->n_vertices) continue;
 				u32 object = scene->vertices[index].object;
-				if (pass == 0 ? object != 0 : scene->objects[object].period != 0) continue;
+				if (pass == 0 ? !ts_build_is_own(scene, object) : scene->objects[object].period != 0) continue;
 				hold(info, ts_load3(scene->vertices[index].position), &found);
 			}
 		}

@@ -11,6 +11,10 @@ extern "C" {
 
 typedef struct ts_build ts_build;
 
+/* Bounds of what a file moves: frames, and frames times objects. */
+#define TS_MOTION_MAX_FRAMES 65536u
+#define TS_MOTION_MAX_PLACES 4194304u
+
 /* NULL on out of memory. Starts with object 0, the static scene, and no material. */
 ts_build *ts_build_new(const char *name);
 /* Releases a build that will not be finished; NULL is allowed. */
@@ -22,6 +26,8 @@ void ts_build_free(ts_build *build);
 
 /* A vertex of the current object. */
 u32 ts_build_vertex(ts_build *build, const ts_vertex *vertex);
+/* The same of an object that the file moves: `vertex` as the object stands at frame 0, `own` in the object's space. */
+u32 ts_build_vertex_moving(ts_build *build, const ts_vertex *vertex, const ts_vertex *own);
 /* Moves the vertices from `first` on. */
 void ts_build_move(ts_build *build, u32 first, ts_v3 by);
 /* Counter-clockwise seen from the front; material TS_NONE is a default one. */
@@ -34,11 +40,17 @@ u32 ts_build_slot(ts_build *build, const ts_slot *slot);
 void ts_build_light(ts_build *build, const ts_light *light);
 /* Both half-axes must be at right angles and longer than 0, every float finite: the loader's to check. */
 u32 ts_build_surfel(ts_build *build, const ts_surfel *surfel);
-/* The name is copied; of several cameras with one name the first can be chosen. */
+/* Name and path are copied; of several cameras with one name the first can be chosen. */
 void ts_build_camera(ts_build *build, const ts_camera *camera);
 /* Vertices from here on belong to this object: first_vertex, n_vertices and reflector are filled in. With
  * `object` NULL they belong to object 0 again. Returns the object's index. */
 u32 ts_build_object(ts_build *build, const ts_object *object, bool is_reflector);
+
+/* Vertices from here on belong to an object that was made before. */
+void ts_build_select(ts_build *build, u32 object);
+/* The file moves the current object: n places, one a frame, the same n for all that move. All its vertices are to be
+ * ts_build_vertex_moving's. */
+void ts_build_motion(ts_build *build, const ts_motion *frames, u32 n);
 
 /* Appends an image with its mip chain (CONTRACT rule 37). rgba: width * height * 4 bytes, rows from the top, each side
  * 1 to 65536; srgb: red, green and blue are sRGB-coded. The caller keeps rgba. */
@@ -53,6 +65,12 @@ void ts_build_note(ts_build *build, const char *format, ...) __attribute__((form
 void ts_build_fail(ts_build *build, const char *format, ...) __attribute__((format(printf, 2, 3)));
 /* Whether it has failed, so that a long loop can end. */
 bool ts_build_failed(const ts_build *build);
+
+/* Whether the object is of the scene itself and no mirror, whether the file moves it or not. */
+static inline bool ts_build_is_own(const ts_scene *scene, u32 object)
+{
+	return scene->objects[object].reflector == TS_NONE;
+}
 
 /* Read access while building: the arrays so far (valid until the next append), with box and hall up to date. */
 const ts_scene *ts_build_peek(ts_build *build);

@@ -200,6 +200,19 @@ static void check_surfels(ts_build *build)
 	}
 }
 
+/* The chosen camera goes its way, if the file moves it. */
+static void set_off(ts_scene *scene)
+{
+	ts_camera *camera = scene->camera != TS_NONE ? &scene->cameras[scene->camera] : NULL;
+	if (camera == NULL || camera->n_path == 0) return;
+	scene->path = camera->path;
+	scene->n_path = camera->n_path;
+	for (u32 i = 0; i < scene->n_path; i++) scene->path[i].yfov = scene->info.yfov;
+	scene->info.circles = TS_CIRCLES_PATH;
+	camera->path = NULL;
+	camera->n_path = 0;
+}
+
 static void complete(ts_build *build, const ts_params *params, const char *camera)
 {
 	if (!build->failed) give_material(build);
@@ -208,13 +221,15 @@ static void complete(ts_build *build, const ts_params *params, const char *camer
 	if (!build->failed) check_vertices(build);
 	if (!build->failed) check_materials(build);
 	if (!build->failed) check_lights(build);
-	if (!build->failed) group_vertices(build);
 	if (!build->failed) choose_camera(build, camera);
 	if (build->failed) return;
 	ts_build_measure(build);
 	count_triangles(build->scene);
 	ts_sample_add(build, params);
 	check_surfels(build);
+	if (!build->failed) set_off(build->scene);
+	ts_build_set_in_motion(build);
+	if (!build->failed) group_vertices(build);
 }
 
 ts_status ts_build_finish(ts_build *build, const ts_params *params, const char *camera, ts_scene **scene)

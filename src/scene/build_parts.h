@@ -8,16 +8,28 @@ struct ts_build {
 	u32 object;  /* that new vertices belong to */
 	bool placed; /* box, hall and eye are those of `place` */
 	ts_info place;
+	struct {
+		u32 object; /* that it moves */
+		ts_motion *frames;
+	} * motions;
+	u32 n_motions, n_frames; /* of each motion */
+	ts_vertex *own;          /* vertices of the objects that move, in object space, in the order of the others */
+	u32 n_own;
 	bool failed;
 	char message[512];
 	struct {
 		size_t vertices, triangles, materials, slots, images, texels, lights, objects, surfels, cameras, notes;
+		size_t motions, own;
 	} capacity;
 };
 
 /* Makes room for `more` elements after the first n of an array of *capacity elements. Returns the array, moved or not.
  * On failure the array is as it was and the build has failed. */
 void *ts_build_room(ts_build *build, void *array, u64 n, u64 more, size_t *capacity, size_t size, const char *what);
+
+/* The moving objects of the file, which stood at frame 0, go their ways: build_motion.c. */
+void ts_build_set_in_motion(ts_build *build);
+void ts_build_motions_free(ts_build *build);
 
 /* Room for one more record of a scene's array; false if the build has failed. */
 #define TS_BUILD_ROOM(build, array, what) \

@@ -51,7 +51,8 @@ static const ts_triangle *wall_at(const ts_scene *scene, u32 i, u32 *flags)
 	const ts_triangle *t = &scene->triangles[i];
 	*flags = t->material < scene->n_materials ? scene->materials[t->material].flags : 0;
 	for (u32 k = 0; k < 3; k++)
-		if (t->vertex[k] >= scene->n_vertices || scene->vertices[t->vertex[k]].object != 0) return NULL;
+		if (t->vertex[k] >= scene->n_vertices || !ts_build_is_own(scene, scene->vertices[t->vertex[k]].object))
+			return NULL;
 	return *flags & TS_MASKED ? NULL : t;
 }
 

@@ -133,6 +133,15 @@ bool ts_place_surfel(const ts_place *place, const ts_surfel *from, ts_surfel *to
 	return place->side != 0.0f;
 }
 
+ts_motion ts_place_motion(const ts_place *place)
+{
+	ts_motion motion = {.moves = place->side < 0.0f ? 2 : 1};
+	memcpy(motion.linear, place->linear, sizeof motion.linear);
+	memcpy(motion.origin, place->origin, sizeof motion.origin);
+	for (int i = 0; i < 9; i++) motion.normal[i] = ts_put(place->cofactor[i] * place->side);
+	return motion;
+}
+
 void ts_place_aim(const ts_place *place, f32 position[3], f32 direction[3])
 {
 	ts_store3(position, ts_load3(place->origin));

@@ -35,6 +35,9 @@ bool ts_place_is_sane(const ts_place *place);
 ts_v3 ts_place_point(const ts_place *place, ts_v3 point);
 ts_v3 ts_place_direction(const ts_place *place, ts_v3 direction);
 
+/* The same as a record. */
+ts_motion ts_place_motion(const ts_place *place);
+
 /* A vertex in world space. Where the node flattens, the normal is zero; where it mirrors, the tangent's handedness
  * flips. */
 ts_vertex ts_place_vertex(const ts_place *place, const ts_vertex *vertex);

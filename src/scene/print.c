@@ -34,7 +34,7 @@ static void figures_of(figure *f, const ts_scene *s)
 		{"triangles_own", s->n_triangles_file, "without them"},
 		{"triangles_degenerate", s->n_degenerate, "of these; they have no area and are dropped"},
 		{"vertices", s->n_vertices, ""},
-		{"objects", s->n_objects, "the static scene and each reflector"},
+		{"objects", s->n_objects, "the static scene, each reflector and what the file moves"},
 		{"reflectors", s->info.n_reflectors, ""},
 		{"materials", s->n_materials, ""},
 		{"texture_references", s->n_slots, ""},

@@ -11,6 +11,8 @@ typedef struct {
 	char *name;
 	f32 eye[3], right[3], up[3], back[3]; /* world */
 	f32 yfov;                             /* turns */
+	ts_path_eye *path;                    /* of one that the file moves: where, frame by frame, again and again */
+	u32 n_path;
 } ts_camera;
 
 struct ts_scene {
@@ -37,6 +39,8 @@ struct ts_scene {
 	u32 n_stands;         /* TS_N_STANDS, or 0: the lamps of shadows stand as the hall says */
 	ts_path_eye *path;    /* the eye of each frame */
 	u32 n_path;           /* 0: the eye stands still or circles */
+	ts_motion *motion;    /* by frame, then by object; of what follows it the vertices are in object space */
+	u32 n_motion;         /* frames, behind which the motion begins again; 0: the file moves nothing */
 	bool is_checkerboard; /* they are those of builtin_checkerboard.c */
 	ts_info info;
 	ts_camera *cameras;

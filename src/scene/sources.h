@@ -8,9 +8,10 @@ extern "C" {
 #endif
 
 /* gltf.cc: a .gltf or .glb file. The node called `reflector` (may be NULL) and nodes with {"reflector": true} in their
- * extras become objects of their own, static, marked as reflectors. Points without a size are given the mean distance
- * to so many nearest neighbours, 1 to TS_MAX_NEIGHBOURS, of their primitive. */
-void ts_gltf_load(ts_build *build, const char *path, const char *reflector, u32 neighbours);
+ * extras become objects of their own, marked as reflectors. So do nodes that the animation of that name moves (NULL:
+ * the file's first; TS_ANIMATION_NONE: none), unmarked; reflectors on them move with them. Points without a size are
+ * given the mean distance to so many nearest neighbours, 1 to TS_MAX_NEIGHBOURS, of their primitive. */
+void ts_gltf_load(ts_build *build, const char *path, const char *reflector, const char *animation, u32 neighbours);
 
 /* ply.c: a .ply file of points. `neighbours` as above, of all points; normals that are not there are estimated. */
 void ts_ply_load(ts_build *build, const char *path, u32 neighbours);

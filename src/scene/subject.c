@@ -1,6 +1,7 @@
 /* Rooms and things. A point is in a room if most rays that do not fall end at the front of a wall, and those that fall
  * at a floor; the room is worth a picture if one sees about as much of the scene in it as from outside. */
 #include "subject.h"
+#include "build.h"
 #include "../kernels/base/scene.h"
 #include "view.h"
 
@@ -26,7 +27,7 @@ static bool box_of(ts_v3 *low, ts_v3 *high, const ts_scene *scene, u32 triangle)
 {
 	for (u32 k = 0; k < 3; k++) {
 		u32 index = scene->triangles[triangle].vertex[k];
-		if (index >= scene->n_vertices || scene->vertices[index].object != 0) return false;
+		if (index >= scene->n_vertices || !ts_build_is_own(scene, scene->vertices[index].object)) return false;
 		ts_v3 p = ts_load3(scene->vertices[index].position);
 		*low = k == 0 ? p : ts_min3(*low, p);
 		*high = k == 0 ? p : ts_max3(*high, p);

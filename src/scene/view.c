@@ -124,7 +124,8 @@ void ts_view_on_path(ts_view *view, const ts_info *info, const ts_path_eye *path
 	ts_info there = *info;
 	u32 frame = TS_PARAM(params, frame);
 	if (n > 0) {
-		const ts_path_eye *at = &path[frame < n ? frame : n - 1];
+		bool repeats = info->circles == TS_CIRCLES_PATH;
+		const ts_path_eye *at = &path[repeats ? frame % n : frame < n ? frame : n - 1];
 		there.circles = TS_CIRCLES_NOT;
 		there.yfov = at->yfov;
 		memcpy(there.eye, at->eye, sizeof there.eye);
@@ -133,6 +134,12 @@ void ts_view_on_path(ts_view *view, const ts_info *info, const ts_path_eye *path
 		memcpy(there.back, at->back, sizeof there.back);
 	}
 	ts_view_eye(view, &there, params);
+}
+
+u32 ts_view_period(const ts_info *info, u32 n)
+{
+	if (n > 0) return info->circles == TS_CIRCLES_PATH ? n : 1;
+	return info->circles != TS_CIRCLES_NOT ? TS_FRAMES_A_TURN : 1;
 }
 
 ts_v3 ts_view_way(const ts_view *view, f32 x, f32 y)

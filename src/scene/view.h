@@ -7,12 +7,13 @@
 /* Frames in which the eye, and each added reflector, comes around once. */
 #define TS_FRAMES_A_TURN 240u
 
-/* How the eye circles: ts_info.circles. */
+/* How the eye moves: ts_info.circles. */
 enum {
 	TS_CIRCLES_NOT,     /* a chosen camera stands still */
 	TS_CIRCLES_HALL,    /* in the hall; with eye.distance=outside as far off as the ball about the box needs */
 	TS_CIRCLES_ROOM,    /* in the hall; with eye.distance=outside as near as the image holds the box */
 	TS_CIRCLES_OUTSIDE, /* likewise, but eye.distance=far is outside, too */
+	TS_CIRCLES_PATH,    /* along the scene's path, and then again from its first frame */
 };
 
 /* A box by its middle and half its extents, world units. A flat one counts as 1/32 of its greatest extent thick, and
@@ -39,8 +40,12 @@ ts_space ts_view_hall(const ts_info *info);
  * near is 2^-10 of half the box's diagonal. Reads params->{frame, eye, fov, width, height}. */
 void ts_view_eye(ts_view *view, const ts_info *info, const ts_params *params);
 
-/* The eye of frame params->frame on a path: the last pose behind its end. With n 0, as ts_view_eye. */
+/* The eye of frame params->frame on a path: behind its end the last pose, or as TS_CIRCLES_PATH says. With n 0, as
+ * ts_view_eye. */
 void ts_view_on_path(ts_view *view, const ts_info *info, const ts_path_eye *path, u32 n, const ts_params *params);
+
+/* Frames after which the eye is where it was: on a path of n frames that does not repeat, once its end is reached. */
+u32 ts_view_period(const ts_info *info, u32 n);
 
 /* Axes of an eye that looks from one point at another; straight up or down +x is right. */
 void ts_view_aim(f32 right[3], f32 up[3], f32 back[3], ts_v3 eye, ts_v3 target);

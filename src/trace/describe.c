@@ -140,8 +140,8 @@ json_t *ts_trace_describe(const ts_trace_about *about)
 {
 	static const ts_buffer_id scene[] = {TS_B_scene_vertex, TS_B_scene_triangle, TS_B_scene_material, TS_B_scene_slot,
 	                                     TS_B_scene_image,  TS_B_scene_texel,    TS_B_scene_light,    TS_B_scene_object,
-	                                     TS_B_scene_surfel, TS_B_scene_stand,    TS_B_scene_path,     TS_B_scene_info,
-	                                     TS_N_BUFFERS};
+	                                     TS_B_scene_surfel, TS_B_scene_stand,    TS_B_scene_path,     TS_B_scene_motion,
+	                                     TS_B_scene_info,   TS_N_BUFFERS};
 	const ts_pipeline *p = about->pipeline;
 	const char *order = about->run->arrival ? "arrival" : "canonical";
 	return json_pack("{s:s, s:i, s:i, s:s, s:s, s:s, s:s, s:{s:o, s:o}, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o}",

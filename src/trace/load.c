@@ -62,8 +62,8 @@ static ts_status choose(ts_load *load, const ts_buffer_id *ids)
 	load->item[TS_B_scene_info] = ts_load_item(load->reference, load->candidate, TS_B_scene_info);
 	for (; *ids != TS_N_BUFFERS; ids++) {
 		load->item[*ids] = ts_load_item(load->reference, load->candidate, *ids);
-		/* Scenes without do as the hall says, and the eye as scene.info. */
-		bool spared = *ids == TS_B_scene_stand || *ids == TS_B_scene_path;
+		/* Scenes without do as the hall says, the eye as scene.info, and objects as scene.object. */
+		bool spared = *ids == TS_B_scene_stand || *ids == TS_B_scene_path || *ids == TS_B_scene_motion;
 		if (load->item[*ids] != NULL || spared || used >= sizeof missing) continue;
 		used += (size_t)snprintf(missing + used, sizeof missing - used, "%s%s", used > 0 ? ", " : "",
 		                         ts_buffer_table[*ids].name);
@@ -140,6 +140,10 @@ static void make_scene(ts_load *load)
 	if (load->item[TS_B_scene_path] != NULL) {
 		scene->path = ts_frame_data(frame, TS_B_scene_path);
 		scene->n_path = (u32)ts_frame_n(frame, TS_B_scene_path);
+	}
+	if (load->item[TS_B_scene_motion] != NULL && scene->n_objects > 0) {
+		scene->motion = ts_frame_data(frame, TS_B_scene_motion);
+		scene->n_motion = (u32)(ts_frame_n(frame, TS_B_scene_motion) / scene->n_objects);
 	}
 	if (load->item[TS_B_scene_info] != NULL && ts_frame_n(frame, TS_B_scene_info) > 0) {
 		memcpy(&scene->info, ts_frame_data(frame, TS_B_scene_info), sizeof scene->info);

@@ -115,7 +115,8 @@ static ts_status watch(const ts_run *run, const ts_stage *stage, void *user)
 	for (u32 id = 0; id < TS_N_BUFFERS; id++) {
 		bool of_scene = is_scene((ts_buffer_id)id) && (id != TS_B_scene_surfel || run->scene->n_surfels > 0) &&
 		                (id != TS_B_scene_stand || run->scene->n_stands > 0) &&
-		                (id != TS_B_scene_path || run->scene->n_path > 0);
+		                (id != TS_B_scene_path || run->scene->n_path > 0) &&
+		                (id != TS_B_scene_motion || run->scene->n_motion > 0);
 		bool of_samples = id == TS_B_image_sample_radiance && TS_PARAM(&run->params, eye_samples) == TS_EYE_SAMPLES_1;
 		bool made = run->frame.buffer[id].made, claimed = (p->made[id] && !of_samples) || of_scene;
 		if (made == claimed) continue;

@@ -1,20 +1,22 @@
-/* Poses: moving objects follow an ellipse, one turn in `period` frames (METHODS 2). */
+/* Poses: moving objects follow an ellipse, one turn in `period` frames, or the file's animation (METHODS 2). */
 #ifndef TS_KERNELS_POSE_H
 #define TS_KERNELS_POSE_H
 #include "args.h"
 #include "records.h"
 #include "vec.h"
 
-/* world = centre + (cos * x + sin * z, y, cos * z - sin * x) */
+/* world = centre + (cos * x + sin * z, y, cos * z - sin * x), or what `motion` says */
 typedef struct {
 	ts_v3 centre;
 	f32 cos, sin;
-	u32 moves;
+	u32 moves; /* 0: not at all; 1: on an ellipse; 2: as the motion says */
+	TS_GLOBAL const ts_motion *motion;
 } ts_pose;
 
 TS_FN ts_pose ts_k_pose(TS_GLOBAL const ts_object *object, u32 frame)
 {
 	ts_pose r;
+	r.motion = 0;
 	r.moves = object->period != 0u ? 1u : 0u;
 	f32 period = (f32)(r.moves != 0u ? object->period : 1u);
 	f32 turns = (f32)(r.moves != 0u ? frame % object->period : 0u) / period;
@@ -30,6 +32,22 @@ TS_FN ts_pose ts_k_pose(TS_GLOBAL const ts_object *object, u32 frame)
 	return r;
 }
 
+/* Motions are by frame, then by object; n_motion of 0 frames: there are none. */
+TS_FN ts_pose ts_k_pose_at(TS_GLOBAL const ts_object *objects, u32 n_objects, u32 object,
+                           TS_GLOBAL const ts_motion *motions, u32 n_motion, u32 frame)
+{
+	ts_pose r = ts_k_pose(&objects[object], frame);
+	if (n_motion == 0u) return r;
+	r.motion = &motions[(u64)(frame % n_motion) * n_objects + object];
+	if (r.motion->moves != 0u) r.moves = 2u;
+	return r;
+}
+
+TS_FN ts_v3 ts_k_pose_linear(TS_GLOBAL const f32 *rows, ts_v3 d)
+{
+	return ts_v3_make(ts_dot(ts_load3(rows), d), ts_dot(ts_load3(rows + 3), d), ts_dot(ts_load3(rows + 6), d));
+}
+
 TS_FN ts_v3 ts_k_pose_turn(const ts_pose *pose, ts_v3 d)
 {
 	f32 x = ts_diff_of_products(pose->cos, d.x, -pose->sin, d.z);
@@ -40,13 +58,29 @@ TS_FN ts_v3 ts_k_pose_turn(const ts_pose *pose, ts_v3 d)
 /* A static object's vertices are world coordinates already and keep their bits. */
 TS_FN ts_v3 ts_k_pose_point(const ts_pose *pose, ts_v3 p)
 {
+	if (pose->moves == 2u) return ts_add(ts_k_pose_linear(pose->motion->linear, p), ts_load3(pose->motion->origin));
 	return pose->moves != 0u ? ts_add(pose->centre, ts_k_pose_turn(pose, p)) : p;
+}
+
+TS_FN ts_v3 ts_k_pose_normal(const ts_pose *pose, ts_v3 n)
+{
+	if (pose->moves == 2u) return ts_normalize(ts_k_pose_linear(pose->motion->normal, n));
+	return ts_k_pose_turn(pose, n);
+}
+
+TS_FN ts_v3 ts_k_pose_tangent(const ts_pose *pose, ts_v3 t)
+{
+	if (pose->moves == 2u) return ts_normalize(ts_k_pose_linear(pose->motion->linear, t));
+	return ts_k_pose_turn(pose, t);
 }
 
 #define TS_ROWS_ts_pose_args(ARG) \
 	ARG(IN, ts_vertex, vertices, scene_vertex) \
 	ARG(IN, ts_object, objects, scene_object) \
+	ARG(IN_OPT, ts_motion, motions, scene_motion) \
 	ARG(OUT, ts_vertex, posed, pose_vertex) \
+	ARG(VALUE, u32, n_objects, none) \
+	ARG(VALUE, u32, n_motion, none) /* frames of the motions, or 0 */ \
 	ARG(VALUE, u32, frame, none)
 TS_ARGS(ts_pose_args);
 
@@ -54,11 +88,11 @@ TS_ARGS(ts_pose_args);
 TS_FN void ts_k_pose_item(const ts_pose_args *args, u64 i)
 {
 	ts_vertex v = args->vertices[i];
-	ts_pose pose = ts_k_pose(&args->objects[v.object], args->frame);
+	ts_pose pose = ts_k_pose_at(args->objects, args->n_objects, v.object, args->motions, args->n_motion, args->frame);
 	if (pose.moves != 0u) {
 		ts_v3 p = ts_k_pose_point(&pose, ts_v3_make(v.position[0], v.position[1], v.position[2]));
-		ts_v3 n = ts_k_pose_turn(&pose, ts_v3_make(v.normal[0], v.normal[1], v.normal[2]));
-		ts_v3 t = ts_k_pose_turn(&pose, ts_v3_make(v.tangent[0], v.tangent[1], v.tangent[2]));
+		ts_v3 n = ts_k_pose_normal(&pose, ts_v3_make(v.normal[0], v.normal[1], v.normal[2]));
+		ts_v3 t = ts_k_pose_tangent(&pose, ts_v3_make(v.tangent[0], v.tangent[1], v.tangent[2]));
 		v.position[0] = ts_put(p.x);
 		v.position[1] = ts_put(p.y);
 		v.position[2] = ts_put(p.z);
@@ -68,6 +102,7 @@ TS_FN void ts_k_pose_item(const ts_pose_args *args, u64 i)
 		v.tangent[0] = ts_put(t.x);
 		v.tangent[1] = ts_put(t.y);
 		v.tangent[2] = ts_put(t.z);
+		if (pose.moves == 2u && pose.motion->moves == 2u) v.tangent[3] = ts_put(-v.tangent[3]);
 	}
 	args->posed[i] = v;
 }

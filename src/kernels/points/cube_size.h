@@ -9,9 +9,12 @@
 #define TS_ROWS_ts_cube_size_args(ARG) \
 	ARG(IN, ts_vertex, vertices, scene_vertex) \
 	ARG(IN, ts_object, objects, scene_object) \
+	ARG(IN_OPT, ts_motion, motions, scene_motion) \
 	ARG(WORK_IN, u32, reflector_objects, other) /* object of each reflector */ \
 	ARG(IN, ts_view, view, eye_view) \
 	ARG(OUT, ts_face, cubes, cube_size_face) /* n: the size of the frame before, 0 at first */ \
+	ARG(VALUE, u32, n_objects, none) \
+	ARG(VALUE, u32, n_motion, none) /* frames of the motions, or 0 */ \
 	ARG(VALUE, u32, frame, none) \
 	ARG(VALUE, u32, n_max, none) \
 	ARG(VALUE, u32, hysteresis, none) \
@@ -79,9 +82,10 @@ TS_FN u32 ts_k_resize_n(const ts_cube_size_args *args, const ts_camera_k *view, 
 /* map over reflectors: the box and ball of this frame's vertices (METHODS 2) and the cube's size */
 TS_FN void ts_k_cube_size_item(const ts_cube_size_args *args, u64 i)
 {
-	TS_GLOBAL const ts_object *object = &args->objects[args->reflector_objects[i]];
+	u32 index = args->reflector_objects[i];
+	TS_GLOBAL const ts_object *object = &args->objects[index];
 	TS_GLOBAL const ts_vertex *first = args->vertices + object->first_vertex;
-	ts_pose pose = ts_k_pose(object, args->frame);
+	ts_pose pose = ts_k_pose_at(args->objects, args->n_objects, index, args->motions, args->n_motion, args->frame);
 	ts_v3 lo = ts_k_pose_point(&pose, ts_load3(first->position));
 	ts_v3 hi = lo;
 	for (u32 k = 1u; k < object->n_vertices; k++) {
@@ -103,7 +107,7 @@ TS_FN void ts_k_cube_size_item(const ts_cube_size_args *args, u64 i)
 	ts_store3(cube->box_max, hi);
 	cube->radius = ts_put(radius);
 	cube->near = ts_put(radius * 0.0009765625f);
-	cube->object = args->reflector_objects[i];
+	cube->object = index;
 }
 
 #endif

@@ -16,7 +16,7 @@ typedef struct {
 
 static u32 common_turn(const ts_run *run)
 {
-	u64 turn = ts_run_info(run)->circles != 0 && run->scene->n_path == 0 ? TS_FRAMES_A_TURN : 1;
+	u64 turn = ts_view_period(ts_run_info(run), run->scene->n_path);
 	for (u32 i = 0; i < run->scene->n_objects && turn != 0; i++) {
 		u64 period = run->scene->objects[i].period, a = turn, b = period;
 		while (b != 0) {
@@ -85,7 +85,8 @@ static ts_status replay_all(replay *r)
 	r->then = ts_alloc(r->n, sizeof *r->then, "sizes of cubes");
 	if (r->then == NULL) return TS_ERROR;
 	for (u32 frame = begin(r); frame <= last; frame++) {
-		bool stands = frame + 1 >= r->run->scene->n_path;
+		bool repeats = ts_run_info(r->run)->circles == TS_CIRCLES_PATH;
+		bool stands = repeats || frame + 1 >= r->run->scene->n_path;
 		bool ended = stands && r->turn != 0 && frame % r->turn == 0;
 		if (ended && turns_alike(r)) frame = last - last % r->turn;
 		resize(r, frame);
@@ -112,6 +113,9 @@ static ts_status cube_size(ts_run *run)
 	ts_cube_size_args args = {
 		.vertices = ts_frame_data(&run->frame, TS_B_scene_vertex),
 		.objects = ts_frame_data(&run->frame, TS_B_scene_object),
+		.motions = run->scene->motion,
+		.n_objects = run->scene->n_objects,
+		.n_motion = run->scene->n_motion,
 		.reflector_objects = objects,
 		.cubes = cubes,
 		.n_max = ts_largest_face(&run->params),
@@ -138,6 +142,6 @@ const ts_stage ts_stage_cube_size = {
 	.paper = "EPR 3.5",
 	.doc = "box, ball and cube size of every reflector",
 	.run = cube_size,
-	.looks_at = TS_BUFFERS(TS_B_scene_vertex, TS_B_scene_object, TS_B_scene_path, TS_B_scene_info),
+	.looks_at = TS_BUFFERS(TS_B_scene_vertex, TS_B_scene_object, TS_B_scene_path, TS_B_scene_motion, TS_B_scene_info),
 	.makes = TS_BUFFERS(TS_B_cube_size_face),
 };

@@ -140,19 +140,21 @@ static void load(loader &in)
 	in.texel_budget = texel_budget(in.held_bytes);
 	in.materials.assign(in.model.materials.size(), TS_NONE);
 	if (in.parts.trailing_bytes > 0) in.notes.insert("bytes after the end that the header gives are ignored");
+	animation_open(in);
 	nodes_walk(in);
 	write_notes(in);
 }
 
 } // namespace gltf
 
-void ts_gltf_load(ts_build *build, const char *path, const char *reflector, u32 neighbours)
+void ts_gltf_load(ts_build *build, const char *path, const char *reflector, const char *animation, u32 neighbours)
 {
 	try {
 		gltf::loader in{};
 		in.build = build;
 		in.path = path;
 		in.reflector = reflector;
+		in.animation = animation;
 		in.neighbours = neighbours;
 		gltf::load(in);
 	} catch (const gltf::error &e) {

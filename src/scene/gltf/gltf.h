@@ -10,6 +10,7 @@
 #include "../place.h"
 #include "../sources.h"
 #include "../surfel.h"
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -70,7 +71,7 @@ bool container_is_worth(const bytes &head);
 
 /* gltf_guard.cc: the JSON after strict checks, with nothing but what the loader knows in it: every index is in range,
  * every type and length is right, every buffer view lies inside its buffer. URIs of buffers are replaced by keys of
- * `buffers`; images are in `images` alone. */
+ * `buffers`; images and animations are in `images` and `animations` alone. */
 struct source {
 	std::string path; /* of a file */
 	bytes data;       /* of a data URI; without path and data it is the BIN chunk, or of an image a buffer view */
@@ -81,10 +82,26 @@ struct picture {
 	int view;         /* -1: none */
 	std::string type; /* the media type that the file says; may be empty */
 };
+/* An animation as the file has it. */
+struct channel {
+	size_t sampler;
+	int node; /* -1: none */
+	std::string path;
+};
+struct sampler {
+	int input, output; /* accessors */
+	std::string mode;
+};
+struct recorded {
+	std::string name;
+	std::vector<channel> channels;
+	std::vector<sampler> samplers;
+};
 struct document {
 	std::string json;
 	std::map<std::string, source> buffers;
 	std::vector<picture> images;
+	std::vector<recorded> animations;
 	std::set<std::string> notes;
 	bool is_quantized = false;  /* by KHR_mesh_quantization */
 	std::string compression;    /* the extension that some of the data may be compressed by, or "" */
@@ -92,23 +109,6 @@ struct document {
 };
 document guard(const char *text, size_t n, const container &parts);
 [[noreturn]] void fail_compressed(const std::string &where, const std::string &extension);
-
-/* One file being loaded. */
-struct loader {
-	ts_build *build;
-	std::string path;
-	const char *reflector; /* may be NULL */
-	u32 neighbours;        /* that give points without a size one */
-	bytes file;
-	container parts;
-	document doc;
-	tinygltf::Model model;
-	std::set<std::string> notes;
-	uint64_t held_bytes = 0;                    /* of the file and its buffers */
-	uint64_t texel_budget = 0;                  /* what the bytes read so far justify */
-	std::vector<u32> materials;                 /* of the scene, TS_NONE until used */
-	std::map<std::pair<int, bool>, u32> images; /* (image, sRGB) to index in the scene */
-};
 
 /* gltf_accessor.cc: typed, bounds-checked reading. */
 struct view {
@@ -123,8 +123,40 @@ struct view {
 	f32 number(size_t i, int component) const;
 	uint32_t index(size_t i) const;
 };
-/* What KHR_mesh_quantization adds: AS_SNORM signed bytes and shorts, normalized; AS_SMALL all bytes and shorts. */
-enum : unsigned { AS_FLOAT = 1, AS_UNORM = 2, AS_INDEX = 4, AS_SNORM = 8, AS_SMALL = 16 };
+/* gltf_animation.cc: the animation that moves nodes. */
+enum : unsigned { TRANSLATION, ROTATION, SCALE, N_PATHS };
+struct track {
+	const view *times, *values; /* null: the node's own value stays */
+	std::string mode;
+};
+struct playing {
+	u32 n_frames = 0;                                 /* 0: nothing is animated */
+	std::map<int, std::array<track, N_PATHS>> tracks; /* by node */
+	std::map<std::pair<int, int>, view> views;        /* by accessor and type, shared by tracks */
+};
+
+/* One file being loaded. */
+struct loader {
+	ts_build *build;
+	std::string path;
+	const char *reflector; /* may be NULL */
+	const char *animation; /* likewise: the first one */
+	u32 neighbours;        /* that give points without a size one */
+	bytes file;
+	container parts;
+	document doc;
+	playing animated;
+	tinygltf::Model model;
+	std::set<std::string> notes;
+	uint64_t held_bytes = 0;                    /* of the file and its buffers */
+	uint64_t texel_budget = 0;                  /* what the bytes read so far justify */
+	std::vector<u32> materials;                 /* of the scene, TS_NONE until used */
+	std::map<std::pair<int, bool>, u32> images; /* (image, sRGB) to index in the scene */
+};
+
+/* What KHR_mesh_quantization adds: AS_SNORM signed bytes and shorts, normalized; AS_SMALL all bytes and shorts.
+ * AS_NORM: all bytes and shorts, normalized, whatever the file requires. */
+enum : unsigned { AS_FLOAT = 1, AS_UNORM = 2, AS_INDEX = 4, AS_SNORM = 8, AS_SMALL = 16, AS_NORM = 32 };
 /* type: TINYGLTF_TYPE_*, or two of them as alternatives; forms: which component types are allowed. */
 view view_open(const loader &in, int accessor, int type, int other_type, unsigned forms, const std::string &what);
 
@@ -158,7 +190,14 @@ struct piece {
 	u32 material;
 };
 piece piece_decode(loader &in, const tinygltf::Primitive &primitive, const std::string &where);
-void piece_place(ts_build *build, const piece &piece, const ts_place &place);
+/* Where a node stands: in the world, at frame 0, and below one that moves also in the space of that one. */
+struct spot {
+	ts_place world;
+	bool moves;
+	ts_place own;
+	bool mirrored; /* at frame 0, or when it first has a size */
+};
+void piece_place(ts_build *build, const piece &piece, const spot &at);
 
 /* gltf_material.cc: the index in the scene of material `index` (-1: none). */
 u32 material_build(loader &in, int index);
@@ -172,12 +211,22 @@ struct uv_sets {
 };
 uv_sets material_uv_sets(const loader &in, int index);
 
+/* gltf_animation.cc: checks the animation that is asked for, or the first one, and holds it. */
+void animation_open(loader &in);
+bool animation_moves(const loader &in, int node);
+struct trs {
+	f32 translation[3], rotation[4], scale[3];
+};
+/* Sets what is animated of a node that moves. */
+void animation_set(const loader &in, int node, u32 frame, trs &local);
+
 /* gltf_node.cc: walks the scene and builds what it draws. */
 void nodes_walk(loader &in);
 
 /* gltf_light.cc: lights and cameras at nodes. */
 void light_build(loader &in, int light, const ts_place &place);
-void camera_build(loader &in, const tinygltf::Node &node, const ts_place &place);
+/* places: by frame, of a camera that moves; otherwise the one. */
+void camera_build(loader &in, const tinygltf::Node &node, const std::vector<ts_place> &places);
 
 } // namespace gltf
 

@@ -382,6 +382,25 @@ static picture take_image(const json_t *image, size_t i)
 	return taken;
 }
 
+static recorded take_animation(const json_t *animation)
+{
+	recorded taken;
+	size_t i;
+	const json_t *item;
+	taken.name = text_of(json_object_get(animation, "name"));
+	json_array_foreach (json_object_get(animation, "channels"), i, item) {
+		const json_t *target = json_object_get(item, "target"), *node = json_object_get(target, "node");
+		taken.channels.push_back({(size_t)whole(item, "sampler"), node ? (int)json_integer_value(node) : -1,
+		                          text_of(json_object_get(target, "path"))});
+	}
+	json_array_foreach (json_object_get(animation, "samplers"), i, item) {
+		std::string mode = text_of(json_object_get(item, "interpolation"));
+		taken.samplers.push_back(
+			{(int)whole(item, "input"), (int)whole(item, "output"), mode.empty() ? "LINEAR" : mode});
+	}
+	return taken;
+}
+
 /* tinygltf refuses indices without a buffer view, which are zeros as all without one: they get the first. */
 static void back_accessors(checker &check, json_t *root)
 {
@@ -417,7 +436,10 @@ document guard(const char *text, size_t n, const container &parts)
 		take_buffer(check, item, i, parts, paths);
 	}
 	json_array_foreach (json_object_get(root.get(), "images"), i, item) check.doc.images.push_back(take_image(item, i));
+	json_array_foreach (json_object_get(root.get(), "animations"), i, item)
+		check.doc.animations.push_back(take_animation(item));
 	json_object_del(root.get(), "images");
+	json_object_del(root.get(), "animations");
 	check_views(root.get(), lengths);
 	back_accessors(check, root.get());
 	std::unique_ptr<char, void (*)(void *)> json(json_dumps(root.get(), JSON_COMPACT | JSON_REAL_PRECISION(17)), free);

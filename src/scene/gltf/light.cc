@@ -38,8 +38,25 @@ void light_build(loader &in, int index, const ts_place &place)
 	ts_build_light(in.build, &to);
 }
 
-void camera_build(loader &in, const tinygltf::Node &node, const ts_place &place)
+/* Whether the node has a size at every frame. Out: of one that moves its path. */
+static bool take_path(std::vector<ts_path_eye> &path, const std::vector<ts_place> &places)
 {
+	for (const ts_place &place : places) {
+		ts_camera at = {};
+		ts_path_eye eye = {};
+		if (!ts_place_camera(&place, &at)) return false;
+		memcpy(eye.eye, at.eye, sizeof eye.eye);
+		memcpy(eye.right, at.right, sizeof eye.right);
+		memcpy(eye.up, at.up, sizeof eye.up);
+		memcpy(eye.back, at.back, sizeof eye.back);
+		if (places.size() > 1) path.push_back(eye);
+	}
+	return true;
+}
+
+void camera_build(loader &in, const tinygltf::Node &node, const std::vector<ts_place> &places)
+{
+	std::vector<ts_path_eye> path;
 	const tinygltf::Camera &from = in.model.cameras.at((size_t)node.camera);
 	std::string name = !node.name.empty() ? node.name : from.name;
 	if (name.empty()) name = "camera-" + std::to_string(node.camera);
@@ -51,9 +68,11 @@ void camera_build(loader &in, const tinygltf::Node &node, const ts_place &place)
 		in.notes.insert("the camera " + quoted(name) + " is ignored: it is not a perspective one");
 	} else if (!(yfov > 0.0f && to.yfov < 0.5f)) {
 		in.notes.insert("the camera " + quoted(name) + " is ignored: its yfov is not between 0 and pi");
-	} else if (!ts_place_camera(&place, &to)) {
+	} else if (!ts_place_camera(&places.front(), &to) || !take_path(path, places)) {
 		in.notes.insert("the camera " + quoted(name) + " is ignored: its node's scale is 0");
 	} else {
+		to.path = path.data();
+		to.n_path = (u32)path.size();
 		ts_build_camera(in.build, &to);
 	}
 }

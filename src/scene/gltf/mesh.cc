@@ -142,18 +142,19 @@ static void surfels_place(ts_build *build, const piece &piece, const ts_place &p
 	}
 }
 
-void piece_place(ts_build *build, const piece &piece, const ts_place &place)
+void piece_place(ts_build *build, const piece &piece, const spot &at)
 {
-	surfels_place(build, piece, place);
+	surfels_place(build, piece, at.world);
 	u32 first = 0;
 	for (size_t i = 0; i < piece.vertices.size() && !ts_build_failed(build); i++) {
-		ts_vertex vertex = ts_place_vertex(&place, &piece.vertices[i]);
-		u32 index = ts_build_vertex(build, &vertex);
+		ts_vertex vertex = ts_place_vertex(&at.world, &piece.vertices[i]);
+		ts_vertex own = at.moves ? ts_place_vertex(&at.own, &piece.vertices[i]) : vertex;
+		u32 index = at.moves ? ts_build_vertex_moving(build, &vertex, &own) : ts_build_vertex(build, &vertex);
 		if (i == 0) first = index;
 	}
 	for (size_t i = 0; i < piece.corners.size() && !ts_build_failed(build); i += 3) {
 		u32 b = piece.corners[i + 1], c = piece.corners[i + 2];
-		if (place.side < 0.0f) std::swap(b, c);
+		if (at.mirrored) std::swap(b, c);
 		ts_build_triangle(build, first + piece.corners[i], first + b, first + c, piece.material);
 	}
 }

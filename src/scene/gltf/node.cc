@@ -8,10 +8,17 @@ namespace gltf {
 
 static constexpr uint64_t most_items = 1u << 28; /* triangles or vertices of a scene */
 
+/* A node that the file moves, and what stands still below it. */
+struct mover {
+	std::vector<ts_place> places; /* in the world, by frame */
+	u32 object;                   /* of the scene; 0: nothing is drawn yet */
+};
+
 struct visit {
 	int node;
-	ts_place parent;
-	bool leave; /* the reflector that began at this node ends */
+	ts_place parent; /* in the world, or in the space of the mover */
+	int mover;       /* -1: none */
+	bool leave;      /* the reflector that began at this node ends */
 };
 
 struct walker {
@@ -19,12 +26,19 @@ struct walker {
 	std::vector<unsigned> uses; /* of each mesh by nodes still to come */
 	std::map<int, std::vector<piece>> pieces;
 	std::vector<visit> stack;
+	std::vector<mover> movers;
 	uint64_t n_triangles = 0, n_vertices = 0, n_surfels = 0, reflector_start = 0;
 	bool in_reflector = false;
 	unsigned n_reflectors = 0;
 	void enter(const visit &from);
-	void draw(int mesh, const ts_place &place);
-	void begin_reflector(const visit &from);
+	visit arrive(const visit &from);
+	ts_place place_at(const visit &at, u32 frame) const;
+	spot spot_of(const visit &at) const;
+	int add_mover(const visit &from);
+	void select_object(const visit &at);
+	void draw(int mesh, const visit &at);
+	void place_camera(const visit &at);
+	void begin_reflector(const visit &at);
 	void end_reflector(int node);
 };
 
@@ -86,24 +100,109 @@ static std::vector<int> roots_of(loader &in)
 	return roots;
 }
 
+static trs trs_of(const tinygltf::Node &node)
+{
+	trs local = {{0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f, 1.0f}, {1.0f, 1.0f, 1.0f}};
+	for (size_t i = 0; i < node.translation.size(); i++) local.translation[i] = ts_number(node.translation[i]);
+	for (size_t i = 0; i < node.rotation.size(); i++) local.rotation[i] = ts_number(node.rotation[i]);
+	for (size_t i = 0; i < node.scale.size(); i++) local.scale[i] = ts_number(node.scale[i]);
+	return local;
+}
+
+static ts_place place_of_trs(const trs &local, int index)
+{
+	const f32 *r = local.rotation;
+	if (r[0] == 0.0f && r[1] == 0.0f && r[2] == 0.0f && r[3] == 0.0f)
+		fail("%s/rotation is a quaternion of length 0; 0 0 0 1 stands for no rotation", where_of(index).c_str());
+	return ts_place_from_trs(local.translation, local.rotation, local.scale);
+}
+
 static ts_place place_of(const tinygltf::Node &node, int index)
 {
-	f32 matrix[16], translation[3] = {0.0f, 0.0f, 0.0f}, rotation[4] = {0.0f, 0.0f, 0.0f, 1.0f};
-	f32 scale[3] = {1.0f, 1.0f, 1.0f};
+	f32 matrix[16];
+	if (node.matrix.empty()) return place_of_trs(trs_of(node), index);
 	for (size_t i = 0; i < node.matrix.size(); i++) matrix[i] = ts_number(node.matrix[i]);
-	for (size_t i = 0; i < node.translation.size(); i++) translation[i] = ts_number(node.translation[i]);
-	for (size_t i = 0; i < node.rotation.size(); i++) rotation[i] = ts_number(node.rotation[i]);
-	for (size_t i = 0; i < node.scale.size(); i++) scale[i] = ts_number(node.scale[i]);
-	bool turns = rotation[0] != 0.0f || rotation[1] != 0.0f || rotation[2] != 0.0f || rotation[3] != 0.0f;
-	if (!turns)
-		fail("%s/rotation is a quaternion of length 0; 0 0 0 1 stands for no rotation", where_of(index).c_str());
-	if (node.matrix.empty()) return ts_place_from_trs(translation, rotation, scale);
 	if (matrix[3] != 0.0f || matrix[7] != 0.0f || matrix[11] != 0.0f || matrix[15] != 1.0f)
 		fail("%s/matrix: the last row must be 0 0 0 1", where_of(index).c_str());
 	return ts_place_from_matrix(matrix);
 }
 
-void walker::draw(int mesh, const ts_place &place)
+static void check_place(const ts_place &place, int node)
+{
+	if (!ts_place_is_sane(&place)) fail("%s: a number of its world matrix is beyond 16777216", where_of(node).c_str());
+}
+
+/* In the world. */
+ts_place walker::place_at(const visit &at, u32 frame) const
+{
+	return at.mover < 0 ? at.parent : ts_place_compose(&movers[(size_t)at.mover].places[frame], &at.parent);
+}
+
+int walker::add_mover(const visit &from)
+{
+	mover m = {{}, 0};
+	trs local = trs_of(in.model.nodes.at((size_t)from.node));
+	if ((movers.size() + 1) * in.animated.n_frames > TS_MOTION_MAX_PLACES)
+		fail("%zu nodes that move through %u frames are more than %u places", movers.size() + 1, in.animated.n_frames,
+		     TS_MOTION_MAX_PLACES);
+	for (u32 frame = 0; frame < in.animated.n_frames; frame++) {
+		animation_set(in, from.node, frame, local);
+		ts_place below = place_of_trs(local, from.node), parent = place_at(from, frame);
+		m.places.push_back(ts_place_compose(&parent, &below));
+		check_place(m.places.back(), from.node);
+	}
+	movers.push_back(m);
+	return (int)movers.size() - 1;
+}
+
+/* From the parent to the node: where it stands is in `parent`. */
+visit walker::arrive(const visit &from)
+{
+	visit at = from;
+	bool moves = animation_moves(in, from.node);
+	if (moves && in_reflector)
+		in.notes.insert("animations inside a reflector are ignored: a reflector moves as a whole");
+	if (moves && !in_reflector) {
+		at.mover = add_mover(from);
+		at.parent = ts_place_identity();
+	} else {
+		ts_place local = place_of(in.model.nodes.at((size_t)from.node), from.node);
+		at.parent = ts_place_compose(&from.parent, &local);
+	}
+	check_place(place_at(at, 0), from.node);
+	return at;
+}
+
+spot walker::spot_of(const visit &at) const
+{
+	spot s = {place_at(at, 0), at.mover >= 0, at.parent, false};
+	f32 side = s.world.side;
+	for (u32 frame = 1; s.moves && side == 0.0f && frame < in.animated.n_frames; frame++)
+		side = place_at(at, frame).side;
+	s.mirrored = side < 0.0f;
+	return s;
+}
+
+static void give_motion(ts_build *build, const mover &m)
+{
+	std::vector<ts_motion> frames;
+	for (const ts_place &place : m.places) frames.push_back(ts_place_motion(&place));
+	ts_build_motion(build, frames.data(), (u32)frames.size());
+}
+
+/* The object that triangles of the node belong to. */
+void walker::select_object(const visit &at)
+{
+	if (in_reflector) return;
+	if (at.mover < 0) return ts_build_select(in.build, 0);
+	mover &m = movers[(size_t)at.mover];
+	if (m.object != 0) return ts_build_select(in.build, m.object);
+	ts_object object = {};
+	m.object = ts_build_object(in.build, &object, false);
+	give_motion(in.build, m);
+}
+
+void walker::draw(int mesh, const visit &at)
 {
 	const tinygltf::Mesh &from = in.model.meshes.at((size_t)mesh);
 	std::string where = "meshes/" + std::to_string(mesh) + "/primitives/";
@@ -120,7 +219,11 @@ void walker::draw(int mesh, const ts_place &place)
 	if (n_triangles > most_items || n_vertices > most_items || n_surfels > most_items || size > ts_memory_total() / 3)
 		fail("%s: more than %llu triangles or points or a third of this machine's memory, instances counted",
 		     ("meshes/" + std::to_string(mesh)).c_str(), (unsigned long long)most_items);
-	for (const piece &p : list) piece_place(in.build, p, place);
+	for (const piece &p : list) {
+		if (!p.corners.empty()) select_object(at);
+		if (!p.surfels.empty() && at.mover >= 0) in.notes.insert("points below a node that moves stand as at frame 0");
+		piece_place(in.build, p, spot_of(at));
+	}
 	if (--uses.at((size_t)mesh) == 0) pieces.erase(mesh);
 }
 
@@ -130,14 +233,15 @@ static bool is_marked(const loader &in, const tinygltf::Node &node)
 	return node.extras.IsObject() && node.extras.Has("reflector") && node.extras.Get("reflector").Get<bool>();
 }
 
-void walker::begin_reflector(const visit &from)
+void walker::begin_reflector(const visit &at)
 {
 	ts_object object = {};
 	ts_build_object(in.build, &object, true);
+	if (at.mover >= 0) give_motion(in.build, movers[(size_t)at.mover]);
 	in_reflector = true;
 	reflector_start = n_triangles;
 	n_reflectors++;
-	stack.push_back({from.node, from.parent, true});
+	stack.push_back({at.node, at.parent, at.mover, true});
 }
 
 void walker::end_reflector(int node)
@@ -149,22 +253,32 @@ void walker::end_reflector(int node)
 	in_reflector = false;
 }
 
+void walker::place_camera(const visit &at)
+{
+	std::vector<ts_place> places;
+	for (u32 frame = 0; frame < (at.mover >= 0 ? in.animated.n_frames : 1); frame++) {
+		places.push_back(place_at(at, frame));
+		check_place(places.back(), at.node);
+	}
+	camera_build(in, in.model.nodes.at((size_t)at.node), places);
+}
+
 void walker::enter(const visit &from)
 {
 	const tinygltf::Node &node = in.model.nodes.at((size_t)from.node);
-	ts_place local = place_of(node, from.node);
-	ts_place place = ts_place_compose(&from.parent, &local);
-	if (!ts_place_is_sane(&place))
-		fail("%s: a number of its world matrix is beyond 16777216", where_of(from.node).c_str());
-	if (!in_reflector && is_marked(in, node)) begin_reflector(from);
+	visit at = arrive(from);
+	if (!in_reflector && is_marked(in, node)) begin_reflector(at);
 	if (node.mesh >= 0 && node.skin >= 0 && in.doc.is_quantized)
 		in.notes.insert(
 			"quantized meshes with skins are drawn at the size of their integers: the skin holds the scale");
-	if (node.mesh >= 0) draw(node.mesh, place);
-	if (node.camera >= 0) camera_build(in, node, place);
+	if (node.mesh >= 0) draw(node.mesh, at);
+	if (node.camera >= 0) place_camera(at);
 	auto light = node.extensions.find("KHR_lights_punctual");
-	if (light != node.extensions.end()) light_build(in, light->second.Get("light").GetNumberAsInt(), place);
-	for (size_t i = node.children.size(); i-- > 0;) stack.push_back({node.children[i], place, false});
+	if (light != node.extensions.end()) {
+		light_build(in, light->second.Get("light").GetNumberAsInt(), place_at(at, 0));
+		if (at.mover >= 0) in.notes.insert("lights below a node that moves stand as at frame 0");
+	}
+	for (size_t i = node.children.size(); i-- > 0;) stack.push_back({node.children[i], at.parent, at.mover, false});
 }
 
 static void fail_unknown_reflector(const loader &in)
@@ -179,12 +293,12 @@ static void fail_unknown_reflector(const loader &in)
 
 void nodes_walk(loader &in)
 {
-	walker walk{in, std::vector<unsigned>(in.model.meshes.size()), {}, {}};
+	walker walk{in, std::vector<unsigned>(in.model.meshes.size()), {}, {}, {}};
 	std::vector<int> roots = roots_of(in);
 	if (in.model.scenes.empty()) in.notes.insert("the file has no scene: nothing is drawn");
 	for (const tinygltf::Node &node : in.model.nodes)
 		if (node.mesh >= 0) walk.uses.at((size_t)node.mesh)++;
-	for (size_t i = roots.size(); i-- > 0;) walk.stack.push_back({roots[i], ts_place_identity(), false});
+	for (size_t i = roots.size(); i-- > 0;) walk.stack.push_back({roots[i], ts_place_identity(), -1, false});
 	while (!walk.stack.empty() && !ts_build_failed(in.build)) {
 		visit next = walk.stack.back();
 		walk.stack.pop_back();

@@ -177,8 +177,18 @@ static const rule rules[] = {
 	{"extensions.KHR_lights_punctual.lights[].spot", OBJECT},
 	{"extensions.KHR_lights_punctual.lights[].spot.innerConeAngle", NUMBER, false, nullptr, 0, 1.5707963267948967},
 	{"extensions.KHR_lights_punctual.lights[].spot.outerConeAngle", NUMBER, false, nullptr, 0, 1.5707963267948967},
-	{"skins", NOTED, false, "skins are ignored: meshes are drawn as modelled"},
-	{"animations", NOTED, false, "animations are ignored"},
+	{"skins", NOTED, false, "skins are ignored: meshes are drawn as modelled, and joints do not move them"},
+	{"animations", LIST},
+	{"animations[].name", TEXT},
+	{"animations[].channels", LIST, true},
+	{"animations[].channels[].sampler", WHOLE, true, nullptr, 0, most_bytes},
+	{"animations[].channels[].target", OBJECT, true},
+	{"animations[].channels[].target.node", INDEX, false, "nodes"},
+	{"animations[].channels[].target.path", TEXT, true},
+	{"animations[].samplers", LIST, true},
+	{"animations[].samplers[].input", INDEX, true, "accessors"},
+	{"animations[].samplers[].output", INDEX, true, "accessors"},
+	{"animations[].samplers[].interpolation", TEXT, false, "LINEAR STEP CUBICSPLINE"},
 };
 
 } // namespace gltf

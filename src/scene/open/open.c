@@ -15,12 +15,15 @@ static bool has_suffix(const char *text, const char *suffix)
 	return true;
 }
 
-static void file_load(ts_build *build, const char *path, const char *reflector, const ts_params *params)
+static void file_load(ts_build *build, const char *path, const ts_params *params, const ts_scene_options *o)
 {
 	if (!has_suffix(path, ".ply"))
-		ts_gltf_load(build, path, reflector, TS_PARAM(params, surfels_neighbours));
-	else if (reflector)
-		ts_build_fail(build, "%s: reflector %s: .ply files have no named nodes", path, reflector);
+		ts_gltf_load(build, path, o ? o->reflector : NULL, o ? o->animation : NULL,
+		             TS_PARAM(params, surfels_neighbours));
+	else if (o && o->reflector)
+		ts_build_fail(build, "%s: reflector %s: .ply files have no named nodes", path, o->reflector);
+	else if (o && o->animation)
+		ts_build_fail(build, "%s: animation %s: .ply files have no animations", path, o->animation);
 	else
 		ts_ply_load(build, path, TS_PARAM(params, surfels_neighbours));
 }
@@ -44,7 +47,7 @@ static ts_status file_check(const char *path)
 static ts_status make_scene(ts_scene **scene, ts_build *build, const char *path, const ts_params *params,
                             const ts_scene_options *options)
 {
-	file_load(build, path, options ? options->reflector : NULL, params);
+	file_load(build, path, params, options);
 	ts_ground_add(build, params);
 	const char *camera = ts_arrange(build, params, options, true);
 	return ts_build_finish(build, params, camera, scene);
@@ -58,6 +61,8 @@ ts_status ts_scene_open(ts_scene **scene, const char *spec, const ts_params *par
 	*scene = NULL;
 	if (builtin && reflector)
 		return ts_fail("%s: reflector %s: built-in scenes have no named nodes; use a file", spec, reflector);
+	if (builtin && options && options->animation)
+		return ts_fail("%s: animation %s: built-in scenes have no animations; use a file", spec, options->animation);
 	if (builtin) return ts_builtin_open(scene, spec, params, options);
 	if (file_check(spec) != TS_OK) return TS_ERROR;
 	ts_build *build = ts_build_new(spec);
