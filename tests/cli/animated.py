@@ -1,5 +1,6 @@
 """Writes a glTF file whose nodes move, and says in double precision where: animated.py write FILE [DEFECT],
-animated.py check TRACE FRAME, which compares scene.motion, scene.path and pose.vertex of a trace."""
+animated.py check TRACE FRAME [shorts], which compares scene.motion, scene.path and pose.vertex of a trace. The file
+`still` has no animation, that of `shorts` has rotations of normalized integers."""
 import base64
 import json
 import struct
@@ -9,6 +10,7 @@ import numpy as np
 
 FRAMES = 38 # of 1.25 seconds, 30 a second
 TURN_TIMES = [0.125, 0.5, 1.25]
+SHORTS = [[0, 19660, 0, 26214], [0, -19660, 0, 26214], [-16384, 16384, -16384, -16383]] # about TURNS
 TURNS = [[0, 0.6, 0, 0.8], [0, -1.8, 0, 2.4], [-0.5, 0.5, -0.5, -0.5]] # of any length, and not on the shorter arc
 WAY_TIMES = [0, 0.4, 1]
 WAY = [[0, 0, 0], [1, 2, 0], [2, -1, 1], [0, 3, 1], [0.5, 1, 0], [-1, 0, 2], [3, 0, 0], [0, 1.5, 0], [9, 9, 9]]
@@ -133,6 +135,9 @@ def write(path, defect=None):
 	root, f = document()
 	if defect == "still":
 		del root["animations"]
+	elif defect == "shorts":
+		root["animations"][0]["samplers"][0]["output"] = f.put(SHORTS, "VEC4", "h", 5122)
+		f.accessors[-1]["normalized"] = True
 	elif defect:
 		damage(root, f, defect)
 	root["accessors"], root["bufferViews"] = f.accessors, f.views
@@ -182,4 +187,8 @@ def check(trace, frame):
 
 
 if __name__ == "__main__":
-	write(*sys.argv[2:]) if sys.argv[1] == "write" else check(sys.argv[2], int(sys.argv[3]))
+	if sys.argv[1] == "write":
+		write(*sys.argv[2:])
+	else:
+		TURNS = SHORTS if sys.argv[4:] == ["shorts"] else TURNS
+		check(sys.argv[2], int(sys.argv[3]))

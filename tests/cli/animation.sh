@@ -43,6 +43,12 @@ animated.near(face["box_max"], world.max(axis=0), "box")
 PY
 verdict $? 'a reflector moves with its node'
 
+# The rotations as normalized shorts.
+/usr/bin/python3 "$animated" write shorts.gltf shorts
+run render reflections shorts.gltf "${small[@]}" --frame 17 --trace -o shorts
+[ "$status" -eq 0 ] && /usr/bin/python3 "$animated" check shorts/trace-epr 17 shorts
+verdict $? 'rotations of normalized integers'
+
 # What does not move has no motion, and the bits that it had.
 /usr/bin/python3 "$animated" write still.gltf still
 run render reflections still.gltf "${small[@]}" --frame 5 --trace -o still

@@ -1,4 +1,5 @@
-/* Moving objects against the closed form of their path: an ellipse, a bob of twice the frequency, a spin about y. */
+/* Moving objects against the closed form of their path: an ellipse, a bob of twice the frequency, a spin about y;
+ * and of those of the file against their matrices. */
 #include "../seeded.h"
 #include "../../../src/kernels/base/pose.h"
 
@@ -110,11 +111,77 @@ static void test_objects(void **state)
 	assert_true(out[0].object == 0 && out[1].object == 1);
 }
 
+static ts_motion random_motion(void)
+{
+	ts_motion m = {.moves = 1 + below(2)};
+	for (u32 i = 0; i < 9; i++) {
+		m.linear[i] = uniform(-2, 2);
+		m.normal[i] = uniform(-2, 2);
+	}
+	ts_store3(m.origin, uniform3(-9, 9));
+	return m;
+}
+
+static double3 through(const f32 *rows, ts_v3 v)
+{
+	double to[3];
+	for (u32 i = 0; i < 3; i++)
+		to[i] = (double)rows[3 * i] * v.x + (double)rows[3 * i + 1] * v.y + (double)rows[3 * i + 2] * v.z;
+	return (double3){to[0], to[1], to[2]};
+}
+
+static void assert_along(const f32 *found, double3 right)
+{
+	double length = d3_length(right);
+	if (length < 0.1) return;
+	double3 unit = {right.x / length, right.y / length, right.z / length};
+	assert_true(d3_distance(d3_of(ts_load3(found)), unit) <= 2e-5);
+}
+
+/* The motion of the frame and of the object is taken, again after the last; a record that does not move leaves the
+ * object as it is, on its ellipse or still. */
+static void test_motion(void **state)
+{
+	(void)state;
+	enum { FRAMES = 5, OBJECTS = 3 };
+	for (u32 k = 0; k < N; k++) {
+		ts_object objects[OBJECTS] = {{.period = 0}, {.period = FRAMES}, random_object()};
+		ts_motion motions[FRAMES * OBJECTS] = {0};
+		for (u32 i = 0; i < FRAMES; i++) motions[i * OBJECTS + 1] = random_motion();
+		ts_vertex v = random_vertex(), out;
+		u32 frame = below(2000);
+		ts_pose_args args = {.vertices = &v,
+		                     .objects = objects,
+		                     .motions = motions,
+		                     .posed = &out,
+		                     .n_objects = OBJECTS,
+		                     .n_motion = FRAMES,
+		                     .frame = frame};
+		v.object = 1;
+		ts_k_pose_item(&args, 0);
+		const ts_motion *m = &motions[frame % FRAMES * OBJECTS + 1];
+		double3 right = d3_add(through(m->linear, ts_load3(v.position)), d3_of(ts_load3(m->origin)));
+		assert_true(d3_distance(d3_of(ts_load3(out.position)), right) <= 1e-5);
+		assert_along(out.normal, through(m->normal, ts_load3(v.normal)));
+		assert_along(out.tangent, through(m->linear, ts_load3(v.tangent)));
+		assert_memory_equal(&v.tangent[3], &out.tangent[3], sizeof v - offsetof(ts_vertex, tangent) - 12);
+		v.object = 0;
+		ts_k_pose_item(&args, 0);
+		assert_memory_equal(&v, &out, sizeof v);
+		v.object = 2;
+		ts_k_pose_item(&args, 0);
+		v.object = 0;
+		ts_vertex ellipse = posed(&objects[2], v, frame);
+		ellipse.object = 2;
+		assert_memory_equal(&ellipse, &out, sizeof v);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		seeded_test(test_path),     seeded_test(test_period),  seeded_test(test_static),
-		seeded_test(test_quarters), seeded_test(test_objects),
+		seeded_test(test_quarters), seeded_test(test_objects), seeded_test(test_motion),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -5,7 +5,7 @@
 #include "../../../src/methods/stages.h"
 #include "../../../src/scene/view.h"
 
-enum { N_CUBES = 4, PATH_FRAMES = 701, STARTS = 600, PACE = 3 };
+enum { N_CUBES = 4, PATH_FRAMES = 701, STARTS = 600, PACE = 3, MOTION_FRAMES = 60 };
 
 static ts_params moving_params(void)
 {
@@ -51,6 +51,25 @@ static void set_path(ts_scene *scene, ts_params params)
 	}
 }
 
+/* Mirror 0 goes to and fro once in MOTION_FRAMES, as a file would have it. */
+static void set_motion(ts_scene *scene)
+{
+	u32 mover = 0;
+	while (scene->objects[mover].reflector != 0) mover++;
+	ts_object *object = &scene->objects[mover];
+	scene->motion = calloc((size_t)MOTION_FRAMES * scene->n_objects, sizeof *scene->motion);
+	scene->n_motion = MOTION_FRAMES;
+	object->period = MOTION_FRAMES;
+	for (u32 frame = 0; frame < MOTION_FRAMES; frame++) {
+		ts_motion *at = &scene->motion[(size_t)frame * scene->n_objects + mover];
+		u32 there = frame < MOTION_FRAMES / 2 ? frame : MOTION_FRAMES - frame;
+		at->moves = 1;
+		memcpy(at->origin, object->centre, sizeof at->origin);
+		at->origin[1] += 0.1f * (f32)there;
+		for (u32 i = 0; i < 9; i += 4) at->linear[i] = at->normal[i] = 1 + 0.01f * (f32)there;
+	}
+}
+
 /* Every frame by the kernel, one after the other. */
 static void replay(u32 (*sizes)[N_CUBES], u32 n_frames, const ts_scene *scene, ts_params params)
 {
@@ -64,6 +83,9 @@ static void replay(u32 (*sizes)[N_CUBES], u32 n_frames, const ts_scene *scene, t
 	ts_cube_size_args args = {.vertices = scene->vertices,
 	                          .objects = scene->objects,
 	                          .reflector_objects = objects,
+	                          .motions = scene->motion,
+	                          .n_objects = scene->n_objects,
+	                          .n_motion = scene->n_motion,
 	                          .view = &view,
 	                          .cubes = cubes,
 	                          .n_max = ts_largest_face(&params),
@@ -78,7 +100,7 @@ static void replay(u32 (*sizes)[N_CUBES], u32 n_frames, const ts_scene *scene, t
 	}
 }
 
-static void check_frames(bool on_path)
+static void check_frames(bool on_path, bool by_file)
 {
 	enum { N_FRAMES = 1100, STEP = 7 };
 	static u32 expected[N_FRAMES][N_CUBES];
@@ -87,6 +109,7 @@ static void check_frames(bool on_path)
 	ts_history history = {.n = NULL};
 	u32 sizes[N_CUBES], n_apart = 0;
 	if (on_path) set_path(scene, params);
+	if (by_file) set_motion(scene);
 	replay(expected, N_FRAMES, scene, params);
 	for (u32 frame = 0; frame < N_FRAMES; frame += STEP) {
 		params.frame = frame;
@@ -117,13 +140,20 @@ static void check_frames(bool on_path)
 static void test_frames(void **state)
 {
 	(void)state;
-	check_frames(false);
+	check_frames(false, false);
 }
 
 static void test_path(void **state)
 {
 	(void)state;
-	check_frames(true);
+	check_frames(true, false);
+}
+
+static void test_motion(void **state)
+{
+	(void)state;
+	check_frames(false, true);
+	check_frames(true, true);
 }
 
 /* A history of a later frame, or of other cubes, is none. */
@@ -151,6 +181,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_frames),
 		cmocka_unit_test(test_path),
+		cmocka_unit_test(test_motion),
 		cmocka_unit_test(test_foreign_history),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
