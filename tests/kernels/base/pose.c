@@ -164,6 +164,8 @@ static void test_motion(void **state)
 		assert_true(d3_distance(d3_of(ts_load3(out.position)), right) <= 1e-5);
 		assert_along(out.normal, through(m->normal, ts_load3(v.normal)));
 		assert_along(out.tangent, through(m->linear, ts_load3(v.tangent)));
+		assert_true(out.tangent[3] == (m->moves == 2 ? -v.tangent[3] : v.tangent[3]));
+		out.tangent[3] = v.tangent[3];
 		assert_memory_equal(&v.tangent[3], &out.tangent[3], sizeof v - offsetof(ts_vertex, tangent) - 12);
 		v.object = 0;
 		ts_k_pose_item(&args, 0);
