@@ -7,9 +7,10 @@
  *   ts_candidate_add(&c, "splat.depth_index", 1, shape, texels);
  *   if (ts_candidate_end(&c) != 0) fprintf(stderr, "%s\n", c.message);
  *
- * Every function returns 0, or 1 with a line in c.message; after a failure all later ones return 1: ask at the end.
- * ts_candidate_end writes trace.json, last. One buffer is open at a time; begin and end come in pairs, also after
- * a failure. Threads may write a candidate each. Nothing is allocated; the caller's memory is only read.
+ * Every function returns 0, or 1 with a line in c.message; after a failure all later ones do nothing and return 1, so
+ * it is enough to ask at the end. trace.json is written by ts_candidate_end, last: without it there is no candidate.
+ * One buffer is open at a time; begin and end come in pairs, also after a failure. Any number of candidates can be
+ * written at once, each by one thread. Nothing is allocated; the caller's memory is only read.
  *
  * CONVENTIONS are undone while writing, by what the caller says of its memory:
  * - Rows from below, row pitches, 4-component vectors, column-major arrays: strides in bytes (ts_candidate_view). For
@@ -22,8 +23,9 @@
  *     TS_DEPTH_REVERSED           z = n f / (n + d (f - n))      d 1 at near, 0 at far
  *     TS_DEPTH_REVERSED_INFINITE  z = n / d                      d 1 at near, 0 at infinity
  *     unorm of b bits             d = code / (2^b - 1), then one of these
- *   in binary64, rounded once to binary32. Only TS_DEPTH_AXIAL can give equal bits: the others lost them when the depth
- *   buffer rounded. Compare such buffers by their indices, or write the axial depth from the shader. */
+ *   in binary64, rounded once to binary32. Only TS_DEPTH_AXIAL can give equal bits: the others have lost them when the
+ *   depth buffer rounded, a unorm one by up to half a code, so the keys cannot be equal. Compare such buffers by their
+ *   indices, or write the axial depth from the shader. */
 #ifndef TOUCHSTONE_CANDIDATE_H
 #define TOUCHSTONE_CANDIDATE_H
 #include <float.h>
@@ -38,9 +40,10 @@
 #define TS_CANDIDATE_NONE 0xffffffffu /* an index that names nothing */
 
 typedef struct {
-	const char *name;       /* of the buffer */
-	unsigned bytes, n_dims; /* of an element; of the array */
-	const char *descr;      /* dtype, as numpy writes it */
+	const char *name; /* of the buffer */
+	unsigned bytes;   /* an element */
+	unsigned n_dims;
+	const char *descr; /* dtype, as numpy writes it */
 } ts_candidate_buffer;
 
 /* begin table: printed by the test program tests/ports/candidate with the argument `table` */

@@ -29,6 +29,9 @@ ts_status ts_bench_command(ts_cli *cli)
 		bool given = ts_cli_given(cli, TS_OPT_AT(i));
 		if (given && says_nothing(row, option)) return ts_fail("bench %s: takes no --%s", row->name, option);
 	}
+	if (TS_PARAM(&cli->job.params, truth_rays) > 0)
+		return ts_fail("bench %s: truth.rays=%u: tables judge by whole truths; leave it out", row->name,
+		               (unsigned)TS_PARAM(&cli->job.params, truth_rays));
 	cli->job.scene.camera = TS_CAMERA_CIRCLE;
 	return ts_bench_run(row, &cli->job);
 }

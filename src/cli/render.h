@@ -79,7 +79,8 @@ void ts_render_name(char *name, size_t bytes, const ts_render *render, u32 i);
 ts_status ts_render_truths_of(ts_render *render, const ts_pipeline *method, ts_run *run);
 /* Makes those that are still missing, by a run of their own. */
 ts_status ts_render_truths_rest(ts_render *render);
-/* A line for each that the scene has none of, or that is left out because of its work. */
+/* Bits of those that the scene has none of, or that are left out because of their work; and a line for each. */
+u32 ts_render_truths_absent(const ts_render *render);
 void ts_render_truths_missing(const ts_render *render, ts_report *report);
 /* The method that the truth starts from: the first chosen one, else the first of the effect; NULL: from none. */
 const ts_pipeline *ts_render_truth_method(const ts_render *render, const ts_truth_kind *kind);

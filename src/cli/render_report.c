@@ -2,6 +2,7 @@
 #include <inttypes.h>
 #include <math.h>
 #include <stdlib.h>
+#include "../methods/raster/eye.h"
 #include "../scene/print.h"
 #include "render.h"
 
@@ -182,7 +183,8 @@ static u64 bytes_points(const ts_measure *m) { return m->bytes[TS_B_points_key] 
 static u64 bytes_points_nominal(const ts_measure *m) { return m->elements[TS_B_points_record] * NOMINAL_POINT; }
 static u64 bytes_cubes(const ts_measure *m)
 {
-	return 8 * (m->elements[TS_B_splat_depth_index] + m->elements[TS_B_cube_face_depth_triangle]);
+	return 8 * (m->elements[TS_B_splat_depth_index] + m->elements[TS_B_splat_depth_colour] +
+	            m->elements[TS_B_cube_face_depth_triangle]);
 }
 static u64 bytes_cubes_nominal(const ts_measure *m)
 {
@@ -244,8 +246,9 @@ static void report_ratio(const ts_render *render, ts_report *report)
 	}
 	if (n_reflective(render) > 0) {
 		double texels = (double)NOMINAL_TEXELS * render->scene->info.n_reflectors;
-		ts_table_text(&table, "6 * 512^2 * mirrors / (25 * reflective pixels)");
-		ts_table_real(&table, texels / ((double)SAMPLES * (double)n_reflective(render)), 2);
+		double looked = (double)SAMPLES * (double)n_reflective(render) * ts_eye_samples(&render->job->params);
+		ts_table_text(&table, "6 * 512^2 * mirrors / (25 * reflective pixels * eye.samples)");
+		ts_table_real(&table, texels / looked, 2);
 	}
 	ts_report_table(report, &table);
 }
@@ -311,8 +314,9 @@ static void report_missed(const ts_render *render, ts_report *report)
 		if (truth->n_hits == 0) continue;
 		double percent = 100.0 * (double)truth->n_missed / (double)truth->n_hits;
 		ts_report_line(report,
-		               "empty look-ups of EPR where a ray of truth %s hits: %" PRIu64 " of %" PRIu64 ", %.5f %%",
-		               ts_truths()[t]->name, truth->n_missed, truth->n_hits, percent);
+		               "empty look-ups of EPR where a ray of truth %s hits: %" PRIu64 " of %" PRIu64 ", %.5f %%%s",
+		               ts_truths()[t]->name, truth->n_missed, truth->n_hits, percent,
+		               truth->chosen != NULL ? ", at the chosen pixels" : "");
 		ts_report_line(report, "%s", "");
 		ts_report_value(report, "hit_lookups", json_integer((json_int_t)truth->n_hits));
 		ts_report_value(report, "missed_lookups", json_integer((json_int_t)truth->n_missed));
@@ -329,7 +333,7 @@ static void report_parts(const ts_render *render, ts_report *report)
 	                                    {0}};
 	ts_table table = ts_table_begin("truth_parts",
 	                                "Truths in part: pictures by some samples a pixel, figures by pixels with all of "
-	                                "them; +- is one standard error. --truth=all has none",
+	                                "them; +- is one standard error. With truth.rays=0 truths are whole",
 	                                columns);
 	size_t n = (size_t)TS_PARAM(&render->job->params, width) * TS_PARAM(&render->job->params, height);
 	for (u32 t = 0; t < TS_MAX_TRUTHS; t++) {

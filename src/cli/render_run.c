@@ -91,15 +91,15 @@ static const f32 *radiance_of(const ts_picture *picture)
 	return picture->chosen != NULL ? picture->all_radiance : picture->radiance;
 }
 
-/* Of two that were chosen, what the smaller chance chose is in both. */
+/* The chosen pixels of two pictures: the smaller chance chose them for both. */
 static const u8 *chosen_of(const ts_picture *a, const ts_picture *b)
 {
 	if (a->chosen == NULL || b->chosen == NULL) return a->chosen != NULL ? a->chosen : b->chosen;
 	return a->sampling.chance < b->sampling.chance ? a->chosen : b->chosen;
 }
 
-/* Of pixels of a mask; where they are estimates, of the chosen ones among them, which are marked in `room`. A relative
- * RMSE hangs on the few brightest pixels, which a draw misses or not: there is no estimate of one. */
+/* Errors over a mask. Estimates are those over its chosen pixels, which are marked in `room`. A relative RMSE hangs on
+ * the few brightest pixels, which a draw misses or not: there is no estimate of one. */
 static ts_light_metrics light_of(const ts_pair *pair, const u8 *mask, u8 *room, const ts_params *p)
 {
 	const f32 *a = radiance_of(pair->reference), *b = radiance_of(pair->image);
@@ -114,8 +114,9 @@ static ts_light_metrics light_of(const ts_pair *pair, const u8 *mask, u8 *room, 
 static ts_status compare_light(ts_pair *pair, const ts_params *p)
 {
 	const ts_picture *of = pair->image->near != NULL ? pair->image : pair->reference;
-	u8 *room = ts_alloc((size_t)TS_PARAM(p, width) * TS_PARAM(p, height), 1, "chosen pixels");
-	if (room == NULL) return TS_ERROR;
+	bool estimates = pair->chosen != NULL;
+	u8 *room = estimates ? ts_alloc((size_t)TS_PARAM(p, width) * TS_PARAM(p, height), 1, "chosen pixels") : NULL;
+	if (estimates && room == NULL) return TS_ERROR;
 	pair->light = light_of(pair, pair->image->seen, room, p);
 	pair->parted = of->near != NULL;
 	if (pair->parted) pair->near = light_of(pair, of->near, room, p);

@@ -55,6 +55,16 @@ static bool is_left_out(const ts_render *render, const ts_truth_kind *kind)
 	return most > 0 && rays > most;
 }
 
+u32 ts_render_truths_absent(const ts_render *render)
+{
+	u32 absent = 0;
+	for (u32 t = 0; ts_truths()[t] != NULL; t++) {
+		const ts_truth_kind *kind = ts_truths()[t];
+		if (lacks(render, t) && (!exists(render, kind) || is_left_out(render, kind))) absent |= 1u << t;
+	}
+	return absent;
+}
+
 typedef struct {
 	ts_render *render;
 	const ts_pipeline *method;
@@ -78,11 +88,11 @@ ts_status ts_render_truths_rest(ts_render *render)
 {
 	const ts_job *job = render->job;
 	const ts_params *params = &job->params;
-	u32 threads = job->how.threads;
+	u32 threads = job->how.threads, absent = ts_render_truths_absent(render);
 	ts_status status = TS_OK;
 	for (u32 t = 0; ts_truths()[t] != NULL && status == TS_OK; t++) {
 		const ts_truth_kind *kind = ts_truths()[t];
-		if (!lacks(render, t) || !exists(render, kind) || is_left_out(render, kind)) continue;
+		if (!lacks(render, t) || (absent >> t & 1) != 0) continue;
 		show_truth(kind);
 		if (kind->radiance != NULL) {
 			status = ts_picture_truth_alone(&render->truths[t], kind, render->scene, params, threads);
@@ -99,14 +109,15 @@ ts_status ts_render_truths_rest(ts_render *render)
 
 void ts_render_truths_missing(const ts_render *render, ts_report *report)
 {
+	u32 absent = ts_render_truths_absent(render);
 	for (u32 t = 0; ts_truths()[t] != NULL; t++) {
 		const ts_truth_kind *kind = ts_truths()[t];
-		if (!lacks(render, t)) continue;
+		if ((absent >> t & 1) == 0) continue;
 		if (!exists(render, kind)) {
 			ts_report_line(report, "truth %s: none of %s; %s", kind->name, render->scene->name, kind->why_not);
-		} else if (is_left_out(render, kind)) {
-			ts_report_line(report, "truth %s: left out, as it may take minutes; --truth=%s or --truth=all makes it",
-			               kind->name, kind->name);
+		} else {
+			ts_report_line(report, "truth %s: left out, as it takes more than truth.rays; --set truth.rays=0 makes it",
+			               kind->name);
 		}
 	}
 }

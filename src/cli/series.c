@@ -223,11 +223,12 @@ static ts_status make_combination(ts_series *series)
 	}
 	if (status == TS_OK) status = ts_render_open(series->render);
 	if (status != TS_OK) return status;
-	if (series->combination == 0) {
-		ts_render_report_head(series->render, &series->report);
-		ts_render_truths_missing(series->render, &series->report);
-		status = job->sweep.n == 0 ? ts_report_print(&series->report) : TS_OK;
-	}
+	u32 absent = ts_render_truths_absent(series->render);
+	bool first = series->combination == 0;
+	if (first) ts_render_report_head(series->render, &series->report);
+	if (first || absent != series->absent) ts_render_truths_missing(series->render, &series->report);
+	if (first && job->sweep.n == 0) status = ts_report_print(&series->report);
+	series->absent = absent;
 	forget_before(series);
 	if (status == TS_OK) status = make_frames(series);
 	return status == TS_OK ? ts_series_plot_combination(series) : status;

@@ -64,6 +64,7 @@ typedef struct {
 	char name[TS_SERIES_NAME];                 /* of the combination, "" or "cube.px=64"; and of a folder of it */
 	char folder[TS_SERIES_NAME + 24];
 	u32 combination, n_done; /* its place among all; renders before this one */
+	u32 absent;              /* truths that cannot be made, as the report has said */
 	ts_datum *data;          /* of the plots */
 	size_t n_data, data_capacity;
 } ts_series;

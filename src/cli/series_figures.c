@@ -15,6 +15,7 @@ static const char *const counters[] = {"points",
                                        "shadows asked of rays",
                                        "lit but by rays",
                                        "dark but by rays",
+                                       "texels a ray",
                                        "texels covered by rays",
                                        "holes",
                                        "leaks",
@@ -52,6 +53,13 @@ static const ts_pair *find_pair(const ts_render *render, const ts_picture *refer
 	return NULL;
 }
 
+static bool is_swept(const ts_sweep *sweep, const char *param)
+{
+	u32 k = 0;
+	while (k < sweep->n && strcmp(sweep->swept[k].name, param) != 0) k++;
+	return k < sweep->n;
+}
+
 /* Beside a truth that was asked for, whether the scene has it or not. */
 static void put_errors(ts_figures *figures, const ts_render *render, u32 truth, const ts_picture *image)
 {
@@ -59,7 +67,7 @@ static void put_errors(ts_figures *figures, const ts_render *render, u32 truth, 
 	const ts_pair *pair = find_pair(render, ts_render_shown(render, truth), image);
 	ts_render_name(name, sizeof name, render, truth);
 	bool mirrors = render->mirrors != NULL, sequence = render->job->frames.step > 0;
-	bool estimates = TS_PARAM(&render->job->params, truth_rays) > 0;
+	bool estimates = TS_PARAM(&render->job->params, truth_rays) > 0 || is_swept(&render->job->sweep, "truth.rays");
 	put(figures, "rmse", name, pair != NULL ? pair->all.rmse : NAN, 6);
 	if (estimates) put(figures, "rmse_error", name, pair != NULL ? pair->all.rmse_error : NAN, 6);
 	if (mirrors) put(figures, "reflective_rmse", name, pair != NULL ? pair->reflective.rmse : NAN, 6);

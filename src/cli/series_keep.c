@@ -22,6 +22,7 @@ static bool truth_reads(const ts_render *render, const ts_truth_kind *kind, cons
 static bool depends(const ts_render *render, u32 shown, const char *param)
 {
 	if (ts_render_scene_reads(render->job, param)) return true;
+	if (render->job->truths != 0 && strcmp(param, "truth.rays") == 0) return true; /* texels beside rays */
 	return shown < TS_MAX_METHODS ? ts_reads_method(render->methods[shown], NULL, param)
 	                              : truth_reads(render, ts_truths()[shown - TS_MAX_METHODS], param);
 }

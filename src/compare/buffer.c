@@ -4,6 +4,7 @@
 #include <inttypes.h>
 #include <stdio.h>
 #include "../kernels/base/num.h"
+#include "../kernels/raster/eye_sample.h"
 #include "decided.h"
 #include "gather.h"
 #include "tie.h"
@@ -232,7 +233,7 @@ static ts_status check_mask(ts_buffer_id id, const ts_trace_item *item, const ts
 {
 	const u64 *shape = item->npy.shape;
 	if (elements_a_pixel(id, item, r) == 0) return TS_OK;
-	bool samples = ts_buffer_counts(id) != TS_DIM_height && shape[0] % r->mask_height == 0;
+	bool samples = ts_buffer_counts(id) != TS_DIM_height && shape[0] == (u64)TS_N_EYE_SAMPLES * r->mask_height;
 	if ((samples || shape[0] == r->mask_height) && shape[1] == r->mask_width) return TS_OK;
 	return ts_fail("--mask: %u x %u pixels; %s has %" PRIu64 " x %" PRIu64, (unsigned)r->mask_width,
 	               (unsigned)r->mask_height, ts_buffer_table[id].name, shape[1], shape[0]);

@@ -120,7 +120,7 @@ ts_metrics ts_metrics_compare(const uint8_t *reference, const uint8_t *image, co
 	return m;
 }
 
-/* How much a root grows, if what is under it grows by that. */
+/* The growth of the square root when its argument grows by `error`. */
 static double root_error(double square, double error) { return sqrt(square + error) - sqrt(square); }
 
 static double squares_of(const uint8_t *a, const uint8_t *b)
@@ -162,7 +162,7 @@ static double regression(const pairs *p, double *error)
 	double x = p->x / p->n, y = p->y / p->n, x_all = p->x_all / p->n_all;
 	double xx = p->xx - p->n * x * x, xy = p->xy - p->n * x * y, yy = p->yy - p->n * y * y;
 	double varies = p->xx_all / p->n_all - x_all * x_all, varies_here = xx / p->n;
-	double b = xx > 0 ? xy / xx : 1, left = fmax(yy - 2 * b * xy + b * b * xx, 0) / (p->n - 2);
+	double b = p->n > 2 && xx > 0 ? xy / xx : 1, left = fmax(yy - 2 * b * xy + b * b * xx, 0) / (p->n - 2);
 	if (varies_here > 0) left *= fmax(varies / varies_here, 1);
 	double apart = xx > 0 ? (x_all - x) * (x_all - x) / xx : 0;
 	if (p->n > 2) *error = sqrt(left * ((1 - p->n / p->n_all) / p->n + apart));

@@ -52,7 +52,7 @@ typedef struct ts_pipeline {
 	ts_planner *plan;     /* makes the default plan its own; may be NULL */
 	/* Sets what of `expected` neither the scene has nor the parameters give. */
 	void (*expect)(ts_expected *expected, const ts_scene *scene, const ts_params *params);
-	bool only_named;   /* runs where --method names it, for it takes long */
+	bool only_named;   /* runs only where --method names it: it takes long, or is a variant */
 	const char *lower; /* as of its effect; NULL: that */
 	struct {
 		const char *param, *value;

@@ -63,7 +63,7 @@ static void count(ts_load *load, const ts_stage *stage)
 
 static u32 size_or(u64 size, u32 otherwise) { return size != TS_UNKNOWN ? (u32)size : otherwise; }
 
-/* What sums are of, where no buffer has it as its first dimension: they end at it. */
+/* A size that is no buffer's first dimension: the last element of its sums. */
 static void count_sums(ts_load *load, const ts_stage *stage)
 {
 	size_t n_sums;

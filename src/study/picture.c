@@ -161,7 +161,7 @@ static ts_status trace(ts_picture *picture, const ts_truth_kind *kind, ts_truth 
 	return status == TS_OK ? ts_picture_take(picture, name, run) : status;
 }
 
-/* Of a part of a truth also what all its rays say at the chosen pixels. */
+/* Traces a truth in part once more: all rays, at the chosen pixels. */
 static ts_status trace_all(ts_picture *picture, const ts_truth_kind *kind, ts_truth *tree, ts_run *run)
 {
 	ts_picture all = {.radiance = NULL};

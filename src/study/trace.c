@@ -51,7 +51,7 @@ static ts_status read_crop(u32 crop[4], const ts_params *params, const char *tex
 		if (ts_words_count(&crop[n], item, 0, 16384, "--crop") != TS_OK) return TS_ERROR;
 	}
 	if (TS_PARAM(params, eye_samples) != TS_EYE_SAMPLES_1)
-		return ts_fail("--crop %s: with eye.samples=4 traces hold whole pictures", text);
+		return ts_fail("--crop %s: with eye.samples=4 traces hold whole pictures; eye.samples=1 would be right", text);
 	if (n == 4 && list == NULL && crop[2] > 0 && crop[3] > 0 && crop[0] + crop[2] <= TS_PARAM(params, width) &&
 	    crop[1] + crop[3] <= TS_PARAM(params, height))
 		return TS_OK;

@@ -74,7 +74,7 @@ static bool where_image(char *text, const ts_trace *reference, ts_buffer_id id, 
 	return true;
 }
 
-/* Of an image of each sample of the pixels. */
+/* Of a buffer that has a picture of each sample. */
 static bool where_sample(char *text, const ts_trace *reference, ts_buffer_id id, u64 element)
 {
 	ts_view eye;

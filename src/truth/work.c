@@ -2,7 +2,7 @@
 #include "work.h"
 #include "../model/core.h"
 
-static const double first = 0.5, lengthy = 10; /* seconds: of what is measured, and of what is said */
+static const double first = 0.5, lengthy = 10; /* seconds: to measure before an estimate; the least one to print */
 
 ts_work ts_work_begin(const char *label, u64 rays)
 {

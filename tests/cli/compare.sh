@@ -90,20 +90,22 @@ ends 0 ', 0 different' 'its picture is a mask of all but them' compare r/trace-e
 ends 1 'image.srgb' 'and a mask judges what it shows' compare r/trace-epr c --ignore align.frame --mask pictures/image.srgb.png
 python3 - <<'PY'
 import struct, zlib
-def png(name, black, width=96):
-	rows = b"".join(b"\0" + bytes(0 if (x, y) == black else 255 for x in range(width)) for y in range(54))
+def png(name, black, width=96, height=54):
+	rows = b"".join(b"\0" + bytes(0 if (x, y) == black else 255 for x in range(width)) for y in range(height))
 	def chunk(kind, data):
 		return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
-	open(name, "wb").write(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, 54, 8, 0, 0, 0, 0)) +
+	open(name, "wb").write(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 0, 0, 0, 0)) +
 	                       chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
 png("mask.png", (33, 20))
 png("other.png", (34, 20))
 png("small.png", (1, 1), 95)
+png("half.png", (1, 1), 96, 27)
 PY
 ends 0 'relaxed: --ignore align.frame --mask mask.png' 'a pixel that the mask leaves out' \
 	compare r/trace-epr c --ignore align.frame --mask mask.png
 ends 1 'image.srgb' 'another pixel' compare r/trace-epr c --ignore align.frame --mask other.png
 ends 2 'mask: 95 x 54 pixels; eye.depth_triangle has 96 x 54' 'a mask of another size' compare r/trace-epr c --mask small.png
+ends 2 'mask: 96 x 27 pixels; eye.depth_triangle has 96 x 54' 'of half the height' compare r/trace-epr c --mask half.png
 ends 2 'none.png: No such file' 'no mask' compare r/trace-epr c --mask none.png
 
 # One file, images.

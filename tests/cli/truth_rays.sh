@@ -54,6 +54,10 @@ verdict $? 'the table says what was asked'
 run render reflections dining:triangles=10000:texels=32 --size 96x54 --method epr --truth --set truth.rays=60000 --no-images
 [ "$status" -eq 0 ] && grep -q '^truth C: left out' stdout && grep -q 'truth-b' stdout && ! grep -q 'truth-c' stdout
 verdict $? 'what cannot be made in part is left out, with a line'
+refuses 'bench ivir-3: truth.rays=60: tables judge by whole truths; leave it out' bench ivir-3 --set truth.rays=60
+run render "${part[@]/60000/1}" --no-images
+[ "$status" -eq 0 ] && grep -q '^texels a ray  *65,536$' stdout
+verdict $? 'a limit of one ray asks one texel of all'
 
 run render "${part[@]}" --set lamp.views=8,16 -o sweep
 head -1 sweep/sweep.csv | grep -q 'rmse_error_truth-area'

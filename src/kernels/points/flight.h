@@ -4,17 +4,7 @@
 #define TS_KERNELS_FLIGHT_H
 #include "points.h"
 
-/* A point on its way. */
-typedef struct {
-	u64 piece;
-	i32 x, y;
-	ts_v3 centre;
-	f32 length;
-	u32 flags;
-	bool at_centre; /* of its texel, not at its own place */
-} ts_flight;
-
-/* As it is stored, but for its sample. */
+/* Without its sample: x and y are 0. */
 TS_FN ts_flight ts_k_flight_record(const ts_points_args *from, u64 i)
 {
 	TS_GLOBAL const ts_point *record = ts_at(from->points, i);
@@ -38,27 +28,6 @@ TS_FN ts_flight ts_k_flight_stored(const ts_points_args *from, u64 i)
 	return r;
 }
 
-/* What all points of a piece have in common; the rest is ts_k_flight_start's. */
-TS_FN ts_flight ts_k_flight_of_piece(const ts_points_args *from, u64 piece)
-{
-	ts_flight r;
-	r.piece = piece;
-	r.x = 0;
-	r.y = 0;
-	r.centre = ts_v3_make(0.0f, 0.0f, 0.0f);
-	r.at_centre = false;
-	r.length = ts_put(ts_k_splat_length(from, &from->pieces[piece], from->frames[piece].s, &r.flags));
-	return r;
-}
-
-TS_FN void ts_k_flight_start(const ts_points_args *from, ts_flight *point, i32 x, i32 y)
-{
-	ts_v3 centre = ts_k_point_centre(from, point->piece, x, y);
-	point->x = x;
-	point->y = y;
-	point->centre = ts_v3_make(ts_put(centre.x), ts_put(centre.y), ts_put(centre.z));
-}
-
 /* The piece of point `index`: of those that have points, the last one that begins at the index or before. */
 TS_FN u32 ts_k_piece_of(const ts_points_args *from, u32 n_pieces, u32 index)
 {
@@ -75,8 +44,8 @@ TS_FN u32 ts_k_piece_of(const ts_points_args *from, u32 n_pieces, u32 index)
 	return low;
 }
 
-/* Goes to point *rank of row y, of whose samples `touched` touch the piece; what the row has is counted off where it
- * does not have so many. An alpha mask may cut any of them: these are looked at one by one. */
+/* Finds point *rank of row y, whose samples `touched` touch the piece. If the row has fewer points, subtracts them from
+ * *rank and returns false. Samples of a masked material are tested one by one. */
 TS_FN bool ts_k_flight_in_row(const ts_points_args *from, const ts_cover *cover, ts_span touched, ts_flight *point,
                               i32 y, u32 *rank)
 {

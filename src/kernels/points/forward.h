@@ -1,4 +1,4 @@
-/* Forward shading: every point is lit once, whatever many texels it fills, and its colour is what texels hold beside
+/* Forward shading: every point is lit once, however many texels it fills, and its colour is what texels hold beside
  * its distance (EPR section 3.5; METHODS 18). A colour has 32 bits, as the reference to a point has: 9 of each channel
  * and 5 of an exponent that they share, the format RGB9_E5 of OpenGL's EXT_texture_shared_exponent. */
 #ifndef TS_KERNELS_FORWARD_H
@@ -16,7 +16,7 @@
 	ARG(OUT_PARTS, u32, colours, forward_colour) \
 	ARG(VALUE, u32, n_cubes, none) \
 	ARG(VALUE, u32, n_words, none) \
-	ARG(VALUE, u32, for_eye, none) /* points are lit as the eye sees them, not as the mirror nearest to it and them */
+	ARG(VALUE, u32, for_eye, none) /* points are lit for the eye, not for the mirror of the shortest way */
 TS_ARGS(ts_forward_args);
 
 #define TS_MOST_SHARED 65280.0f /* 510 x 2^7: so no colour is all ones, which is an empty texel */

@@ -57,32 +57,48 @@ TS_FN ts_v3 ts_k_point_centre(const ts_points_args *args, u64 piece, i32 x, i32 
 	return ts_k_sample_centre(&args->pieces[piece], &args->frames[piece], args->snap != 0u, x, y);
 }
 
+/* A point, as it is stored or made. */
 typedef struct {
-	TS_GLOBAL const ts_align *frame;
 	u64 piece;
+	i32 x, y; /* its sample */
+	ts_v3 centre;
 	f32 length;
 	u32 flags;
-} ts_point_source;
+	bool at_centre; /* of its texel, not at its own place */
+} ts_flight;
 
-TS_FN ts_point_source ts_k_point_source(const ts_points_args *args, u64 piece)
+/* What all points of a piece have in common; the rest is ts_k_flight_start's. */
+TS_FN ts_flight ts_k_flight_of_piece(const ts_points_args *args, u64 piece)
 {
-	ts_point_source r;
-	r.frame = &args->frames[piece];
+	ts_flight r;
 	r.piece = piece;
-	r.length = ts_k_splat_length(args, &args->pieces[piece], r.frame->s, &r.flags);
+	r.x = 0;
+	r.y = 0;
+	r.centre = ts_v3_make(0.0f, 0.0f, 0.0f);
+	r.at_centre = false;
+	r.length = ts_put(ts_k_splat_length(args, &args->pieces[piece], args->frames[piece].s, &r.flags));
 	return r;
 }
 
-TS_FN void ts_k_point_put(const ts_points_args *args, const ts_point_source *from, i32 x, i32 y, u64 at)
+TS_FN void ts_k_flight_start(const ts_points_args *args, ts_flight *point, i32 x, i32 y)
+{
+	ts_v3 centre = ts_k_point_centre(args, point->piece, x, y);
+	point->x = x;
+	point->y = y;
+	point->centre = ts_v3_make(ts_put(centre.x), ts_put(centre.y), ts_put(centre.z));
+}
+
+TS_FN void ts_k_point_put(const ts_points_args *args, ts_flight *point, i32 x, i32 y, u64 at)
 {
 	TS_GLOBAL ts_point *out = ts_at(args->points, at);
-	ts_store3(out->centre, ts_k_point_centre(args, from->piece, x, y));
-	out->length = ts_put(from->length);
-	out->piece = (u32)from->piece;
-	out->flags = from->flags;
+	ts_k_flight_start(args, point, x, y);
+	ts_store3(out->centre, point->centre);
+	out->length = point->length;
+	out->piece = (u32)point->piece;
+	out->flags = point->flags;
 	out->pad[0] = 0u;
 	out->pad[1] = 0u;
-	*ts_at(args->keys, at) = (from->piece << 32) | ((u64)(u32)(y + 32768) << 16) | (u64)(u32)(x + 32768);
+	*ts_at(args->keys, at) = (point->piece << 32) | ((u64)(u32)(y + 32768) << 16) | (u64)(u32)(x + 32768);
 }
 
 /* emit over pieces */
@@ -91,11 +107,11 @@ TS_FN void ts_k_points_item(const ts_points_args *args, u64 i)
 	u64 at = args->offset[i];
 	if (args->offset[i + 1u] == (u32)at) return;
 	ts_cover cover = ts_k_lattice_cover(&args->frames[i], args->half_size);
-	ts_point_source from = ts_k_point_source(args, i);
+	ts_flight point = ts_k_flight_of_piece(args, i);
 	for (i32 y = cover.touched.y0; y <= cover.touched.y1; y++) {
 		for (i32 x = cover.touched.x0; x <= cover.touched.x1; x++) {
 			if (!ts_k_is_point(args, &cover, i, x, y)) continue;
-			if (at < args->room) ts_k_point_put(args, &from, x, y, at);
+			if (at < args->room) ts_k_point_put(args, &point, x, y, at);
 			at++;
 		}
 	}
@@ -107,12 +123,12 @@ TS_FN void ts_k_points_append_item(const ts_points_args *args, u64 i)
 {
 	if (!(args->frames[i].s > 0.0f)) return;
 	ts_cover cover = ts_k_lattice_cover(&args->frames[i], args->half_size);
-	ts_point_source from = ts_k_point_source(args, i);
+	ts_flight point = ts_k_flight_of_piece(args, i);
 	for (i32 y = cover.touched.y0; y <= cover.touched.y1; y++) {
 		for (i32 x = cover.touched.x0; x <= cover.touched.x1; x++) {
 			if (!ts_k_is_point(args, &cover, i, x, y)) continue;
 			u64 at = (u64)ts_next_i64(args->n_points);
-			if (at < args->room) ts_k_point_put(args, &from, x, y, at);
+			if (at < args->room) ts_k_point_put(args, &point, x, y, at);
 		}
 	}
 }

@@ -16,8 +16,8 @@
 	ARG(VALUE, u32, n_cubes, none)
 TS_ARGS(ts_shadow_cube_size_args);
 
-/* scatter over pixels and their samples: the least d_er / max_l d_lt. What the element before
- * has said is not said again. */
+/* scatter over pixels and their samples: the least d_er / max_l d_lt. An element that shows the triangle of the element
+ * before adds nothing. */
 TS_FN void ts_k_shadow_cube_size_item(const ts_shadow_cube_size_args *args, u64 i)
 {
 	u64 key = args->depth_triangle[i];

@@ -6,8 +6,7 @@
 #include "offscreen.h"
 #include "../base/surface.h"
 
-/* Width of what a pixel's colour stands for in world units at axial depth z, on this triangle, where the fragment
- * lies. */
+/* Width, in world units, of the part of the triangle that the fragment's colour stands for. */
 TS_FN f32 ts_k_fragment_footprint(const ts_camera_k *view, const ts_corners *t, const ts_fragment *fragment)
 {
 	if (view->orthographic != 0u) return ts_k_footprint(1.0f / view->focal, view->back, t->n);

@@ -12,7 +12,7 @@
 #define TS_N_EYE_SAMPLES 4u
 
 /* In 1/256 pixel from the upper left corner. */
-TS_CONSTANT i32 ts_eye_sample[4][2] = {{96, 32}, {224, 96}, {32, 160}, {160, 224}};
+TS_CONSTANT i32 ts_eye_sample[TS_N_EYE_SAMPLES][2] = {{96, 32}, {224, 96}, {32, 160}, {160, 224}};
 
 /* samples: TS_N_EYE_SAMPLES, or one. */
 TS_FN ts_camera_k ts_k_eye_view(TS_GLOBAL const ts_view *eye, u32 samples, u32 sample)

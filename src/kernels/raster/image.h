@@ -40,7 +40,7 @@ TS_FN void ts_k_display(TS_GLOBAL u8 *srgb, ts_v3 value, f32 exposure)
 	srgb[2] = (u8)ts_srgb_byte(value.z * exposure);
 }
 
-/* As they are, and so; srgb NULL: not so. */
+/* Stores linear radiance and, unless srgb is NULL, its display value. */
 TS_FN void ts_k_show(TS_GLOBAL f32 *radiance, TS_GLOBAL u8 *srgb, ts_v3 value, f32 exposure)
 {
 	ts_store3(radiance, value);

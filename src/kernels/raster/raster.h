@@ -416,7 +416,7 @@ typedef struct {
 
 TS_FN i64 ts_k_floor_quotient(i64 a, i64 b) { return a / b - (a % b < 0 ? 1 : 0); } /* b > 0 */
 
-/* Of row j of `box`, by edges as lines: where each crosses the row. */
+/* The part of row j of `box` that the triangle may touch: each edge, as a line, cuts the row. */
 TS_FN ts_span ts_k_touched_row(const ts_lines *l, ts_box box, i32 j)
 {
 	i64 first = box.x0;

@@ -62,7 +62,7 @@ static const ts_step point_run[] = {
 	{0},
 };
 
-/* Where points are stored, what looks them up does without their counts. */
+/* Stages of look-ups read points.offset for epr-bufferless. EPR stores its points, so that its counts may go early. */
 static bool stores(const ts_params *params)
 {
 	(void)params;

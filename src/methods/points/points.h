@@ -6,8 +6,7 @@
 
 /* density.scale as samples a pixel a side (cull.c). */
 f32 ts_samples_a_pixel(const ts_params *params);
-/* What a launch binds where points are stored, `path` being its ts_points_args; and where their counts say which they
- * are. */
+/* Bindings of a launch, `path` being its ts_points_args: of stored points; of points that are made again. */
 #define TS_STORED_POINTS(path) TS_IN(path.keys, points_key), TS_IN(path.points, points_record)
 #define TS_COUNTED_POINTS(path) TS_IN(path.offset, points_offset)
 /* The method stores no points, but counts them: whoever is given an index makes its point again (points.c). */

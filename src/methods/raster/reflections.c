@@ -1,5 +1,6 @@
 /* What all methods of reflections share: how much of the eye and of the cubes mirrors are likely to fill. */
 #include "../stages.h"
+#include "eye.h"
 #include "pipelines.h"
 
 /* A square about every added reflector, or a quarter of the image. */
@@ -9,7 +10,7 @@ static u64 reflective_pixels(const ts_scene *scene, const ts_params *params)
 	double side = (double)TS_PARAM(params, reflectors_px);
 	double covered =
 		TS_PARAM(params, reflectors_count) != 0 ? side * side * (double)scene->info.n_reflectors : pixels / 4;
-	return (u64)(covered < pixels ? covered : pixels);
+	return (u64)(covered < pixels ? covered : pixels) * ts_eye_samples(params);
 }
 
 u64 ts_expect_mirrors(ts_expected *expected, const ts_scene *scene, const ts_params *params)

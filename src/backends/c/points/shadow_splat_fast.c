@@ -22,7 +22,7 @@ typedef struct {
 	i32 texel[BLOCK];  /* of a point that is written alone; -1: there is none */
 	u32 square[BLOCK]; /* its splat is longer than a texel, and may reach into the view */
 } places;
-/* Those of the latter. */
+/* Points of a block whose splat is longer than a texel. */
 typedef struct {
 	f32 place[3][BLOCK], z[BLOCK];
 	ts_box box[BLOCK]; /* of the square, not yet met with the view */
@@ -33,7 +33,7 @@ typedef struct {
 /* A piece as a view sees it. */
 typedef struct {
 	ts_shadow_caster of;
-	ts_lines lines; /* once of.has_cover */
+	ts_lines lines; /* set where of.has_cover is */
 } caster;
 
 /* What a thread works with. */

@@ -117,7 +117,7 @@ static ts_v3 from_bounce_reflected(const void *user, const ts_share *share, ts_v
 
 static f32 extent(const ts_info *info) { return ts_length(ts_sub(ts_load3(info->box_max), ts_load3(info->box_min))); }
 
-/* By ways that diffuse and specular reflection have in common, and, `light` and `specular`, not. */
+/* How light is gathered: diffuse light by `light`, specular light by `specular`, both from as many items and rays. */
 typedef struct {
 	const char *label;
 	ts_truth_light *light, *specular;

@@ -2,6 +2,7 @@
 #include <inttypes.h>
 #include <stdlib.h>
 #include "probe.h"
+#include "../../raster/eye.h"
 
 enum { MOST_PIECES = 32, MOST_POINTS = 64 };
 
@@ -83,7 +84,13 @@ static ts_status put_eye(ts_probe *p, u32 triangle, json_t *o)
 	ts_camera_k view = ts_k_view(&p->view);
 	ts_corners t = ts_k_corners(&p->scene, triangle);
 	bool whole = ts_probe_has(p, TS_B_eye_depth_triangle) && !p->trace->item[TS_B_eye_depth_triangle].cropped;
-	ts_status status = whole ? put_drawn(p, triangle, &view, TS_B_eye_depth_triangle, 0, &spread) : TS_OK;
+	u32 samples = whole ? ts_eye_samples(&p->trace->params) : 0;
+	ts_status status = TS_OK;
+	for (u32 k = 0; k < samples && status == TS_OK; k++) {
+		ts_camera_k of_sample = ts_k_eye_view(&p->view, samples, k);
+		u64 first = (u64)k * p->view.width * p->view.height;
+		status = put_drawn(p, triangle, &of_sample, TS_B_eye_depth_triangle, first, &spread);
+	}
 	bool facing = ts_k_is_facing(&p->scene, triangle, &t, view.eye);
 	ts_probe_put(p, eye, "facing", json_boolean(facing));
 	if (whole) ts_probe_put_spread(p, eye, &spread);

@@ -22,7 +22,7 @@ static const ts_buffer_id of_epr[] = {TS_B_eye_view,           TS_B_pose_vertex,
                                       TS_B_eye_depth_triangle, TS_B_mirror_pixel_offset, TS_B_mirror_pixel_record,
                                       TS_B_lookup_point,       TS_B_shade_radiance,      TS_N_BUFFERS};
 
-/* It has no rays. */
+/* Truth C rasterizes: it has no rays to sample. */
 static ts_status large_mvr(f32 **radiance, const ts_scene *scene, const ts_params *params, u32 threads,
                            ts_sampling *sampling)
 {

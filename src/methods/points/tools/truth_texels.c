@@ -163,7 +163,7 @@ static window face_of(const judge *j, const ts_face *cube, u32 face)
 	return (window){ts_k_cube_view(cube, face), first, reflector_of(j, cube->object)};
 }
 
-/* Of all views, in whatever batches they are made. */
+/* Texels of all views of the run, not of this batch alone. */
 static u64 n_texels(const ts_run *run, const ts_face *faces, const ts_offscreen *views)
 {
 	u64 n = 0;
@@ -179,7 +179,8 @@ ts_status ts_truth_texels(ts_texel_counts *counts, ts_truth *truth, const ts_run
 	bool cubes = ts_run_has_cubes(run);
 	const ts_face *faces = cubes ? ts_frame_data(&run->frame, TS_B_cube_size_face) : NULL;
 	const ts_offscreen *views = cubes ? NULL : ts_frame_data(&run->frame, TS_B_offscreen_view);
-	u64 all = n_texels(run, faces, views), most = TS_PARAM(&run->params, truth_rays) / SHARE;
+	u64 all = n_texels(run, faces, views), rays = TS_PARAM(&run->params, truth_rays), most = (rays + SHARE - 1) / SHARE;
+	u64 one_of = most > 0 ? (all + most - 1) / most : 1;
 	judge j = {
 		.truth = truth,
 		.scene = ts_truth_scene(truth),
@@ -187,7 +188,7 @@ ts_status ts_truth_texels(ts_texel_counts *counts, ts_truth *truth, const ts_run
 		.n_threads = (int)run->c.threads,
 		.rule = {.bias = TS_PARAM(&run->params, depth_map_bias), .slope = TS_PARAM(&run->params, depth_map_bias_slope)},
 		.first_texel = cubes ? faces[run->first_unit].offset : views[run->first_unit].offset,
-		.one_of = most > 0 ? (u32)((all + most - 1) / most) : 1,
+		.one_of = one_of < TS_NONE ? (u32)one_of : TS_NONE,
 		.seed = TS_PARAM(&run->params, seed),
 		.texels = ts_frame_data(&run->frame, id)};
 	ts_work work = ts_work_begin("texels against rays", all / (j.one_of > 0 ? j.one_of : 1));

@@ -12,7 +12,7 @@ ts_status ts_truth_indirect_begin(ts_run *run, const char *effect);
  * a share of the items. */
 typedef ts_v3 ts_truth_light(const void *user, const ts_share *share, ts_v3 p, ts_v3 n);
 
-/* Light that is gathered from so many items at a pixel, by so many rays each. */
+/* Light gathered at a pixel from `items` items, by `each` rays an item. */
 typedef struct {
 	const char *label;
 	ts_truth_light *light;
@@ -20,7 +20,7 @@ typedef struct {
 	u64 items, each;
 } ts_truth_gathered;
 
-/* What an item stands for: so many others were not asked. */
+/* The weight of an item that was asked: all items by those asked. */
 f32 ts_share_weight(const ts_share *share);
 /* Reads gbuffer.pixel; makes `to`, indirect.irradiance or indirect.specular, in run->frame, from which stage
  * `image.indirect` makes the picture. Fails without memory. */
