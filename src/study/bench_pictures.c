@@ -39,7 +39,8 @@ ts_status ts_paper_pictures(const ts_paper_table *table, const ts_bench_case *c,
 		const ts_picture *image = &c->images[k->variant];
 		if (image->srgb == NULL) continue;
 		status = write_picture(&p, "", k->name, image->srgb);
-		if (status == TS_OK && image != first) status = write_difference(&p, k->name, image, first, scale);
+		bool differs = image != first && first->srgb != NULL;
+		if (status == TS_OK && differs) status = write_difference(&p, k->name, image, first, scale);
 	}
 	return status == TS_OK && c->truth.srgb != NULL ? write_picture(&p, "", c->truth.name, c->truth.srgb) : status;
 }
