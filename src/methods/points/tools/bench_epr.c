@@ -66,8 +66,8 @@ static const ts_paper_part work_parts[] = {
 static const ts_paper_relation work_relations[] = {
 	{ "MVR's operations by EPR's", W_RATIO, TS_AT_LEAST, 4.37, 0, TS_NO_FIGURE, 0, 0, "most mirrors are in sight",
 	  W_SIGHT },
-	{ "the same, of the row", W_RATIO, TS_OF_PAPER, 0.5, 2, TS_NO_FIGURE, 0, 0, "more or fewer mirrors are in sight",
-	  W_SIGHT },
+	{ "MVR's operations by EPR's, beside the paper's row", W_RATIO, TS_OF_PAPER, 0.5, 2, TS_NO_FIGURE, 0, 0,
+	  "more or fewer mirrors are in sight", W_SIGHT },
 	{ "EPR's by the mirrors' size squared", W_BY_AREA, TS_OF_PAPER, 0.5, 2, TS_NO_FIGURE, 0, 0,
 	  "more or fewer mirrors are in sight", W_SIGHT },
 	{ "MVR's by the picture's pixels", W_MVR_RATE, TS_OF_PAPER, 0.9, 1.1, TS_NO_FIGURE, 0, 0, "more or less of the sky",

@@ -119,8 +119,8 @@ static const ts_paper_part mirror_parts[] = {
 static const ts_paper_relation mirror_relations[] = {
 	{ "iVIR points saved of VIR's, %", C_SAVED, TS_AT_LEAST, 90, 0, TS_NO_FIGURE, 0, 0,
 	  "the largest face sets the rate, and is more than a third of VIR's", C_LARGEST },
-	{ "the same where no face is more than a third of VIR's", C_SAVED, TS_AT_LEAST, 90, 0, C_LARGEST, 0, 128.0 / 3,
-	  "VIR is a reconstruction, by table 3", C_VIR_POINTS },
+	{ "iVIR points saved of VIR's where no face is more than a third of VIR's, %", C_SAVED, TS_AT_LEAST, 90, 0,
+	  C_LARGEST, 0, 128.0 / 3, "VIR is a reconstruction, by table 3", C_VIR_POINTS },
 	RAY_RELATIONS,
 	{ 0 },
 };

@@ -73,8 +73,8 @@ static const ts_paper_relation cull_relations[] = {
 	  SHARE },
 	{ "RMSE by stochastic culling, at the defaults", CHANGE_D, TS_AT_MOST, 0, 1, ALL, "few points are left a texel",
 	  SHARE_D },
-	{ "RMSE to rays that culling adds", WORSE, TS_AT_MOST, 0, 0.1, ALL, "few points are left a texel", SHARE },
-	{ "RMSE to rays that culling adds, at the defaults", WORSE_D, TS_AT_MOST, 0, 0.1, ALL,
+	{ "RMSE to truth that culling adds", WORSE, TS_AT_MOST, 0, 0.1, ALL, "few points are left a texel", SHARE },
+	{ "RMSE to truth that culling adds, at the defaults", WORSE_D, TS_AT_MOST, 0, 0.1, ALL,
 	  "few points are left a texel", SHARE_D },
 	{ "SSIM of culled beside not culled", CHANGE_SSIM, TS_AT_LEAST, 0.99, 0, ALL, "few points are left a texel",
 	  SHARE },
@@ -158,9 +158,9 @@ static const ts_paper_part soft_parts[] = {
 static const ts_paper_relation soft_relations[] = {
 	{ "RMSE to MVR, iVIR by VIR", TO_RATIO, TS_AT_MOST, 0, 1.1, ALL, "fewer points than VIR", TO_IVIR },
 	{ "RMSE to MVR, iVIR at the defaults by VIR", TO_RATIO_D, TS_AT_MOST, 0, 1.1, ALL, TS_IVIR_NEAREST, TO_DEFAULT },
-	{ "RMSE to rays, iVIR less MVR", E_MORE, TS_AT_MOST, 0, 0.5, ALL, TS_IVIR_NEAREST, E_MVR },
-	{ "RMSE to rays, iVIR at the defaults less MVR", E_MORE_D, TS_AT_MOST, 0, 0.5, ALL, TS_IVIR_NEAREST, E_MVR },
-	{ "RMSE to rays, iVIR at=centre less MVR", E_MORE_C, TS_AT_MOST, 0, 0.05, ALL, TS_IVIR_SMALL, E_MVR },
+	{ "RMSE to truth, iVIR less MVR", E_MORE, TS_AT_MOST, 0, 0.5, ALL, TS_IVIR_NEAREST, E_MVR },
+	{ "RMSE to truth, iVIR at the defaults less MVR", E_MORE_D, TS_AT_MOST, 0, 0.5, ALL, TS_IVIR_NEAREST, E_MVR },
+	{ "RMSE to truth, iVIR at=centre less MVR", E_MORE_C, TS_AT_MOST, 0, 0.05, ALL, TS_IVIR_SMALL, E_MVR },
 	{ 0 },
 };
 
