@@ -27,9 +27,9 @@ typedef struct {
 typedef enum { TS_AT_MOST, TS_AT_LEAST, TS_BETWEEN, TS_OF_PAPER, TS_RISES_WITH, TS_GROWS, TS_STEADY } ts_relation_kind;
 
 /* What a figure must be, in rows whose figure `given` is at least `least` and at most `most`; bounds of TS_OF_PAPER are
- * of the figure by the paper's, in rows that the paper has; TS_RISES_WITH is over all
- * rows at once, in nine pairs out of ten; bounds of TS_GROWS are of the least of a row by the one before, those of
- * TS_STEADY of the greatest by the least, in the rows of a scene. */
+ * of the figure by the paper's, in rows that the paper has; TS_RISES_WITH is over all rows at once, in nine pairs out
+ * of ten; bounds of TS_GROWS are of the least of a row by the one before, those of TS_STEADY of the greatest by the
+ * least, in the rows of a scene. */
 typedef struct {
 	const char *text;
 	u32 figure;
@@ -40,6 +40,7 @@ typedef struct {
 	const char *because; /* said with figure `cause` where it does not hold */
 	u32 cause;
 } ts_paper_relation;
+#define TS_ANY TS_NO_FIGURE, 0, 0 /* `given`, `least` and `most`: all rows */
 
 /* A plot of a scene's rows, with a curve a figure. */
 typedef struct {

@@ -44,14 +44,14 @@ static const ts_bench_figure work_figures[] = {
 	[W_PROJECTED] = { "projected", "avg res, px", TS_FIGURE_LOOKED, M_EPR, 0, 1, "" },
 	[W_DIAMETER] = { "diameter", "cube side, px", TS_FIGURE_DIAMETER, M_EPR, 0, 1, "" },
 	[W_SIGHT] = { "in_sight", "in sight", TS_FIGURE_IN_SIGHT, M_EPR, 0, 1, "" },
-	[W_EPR] = { "epr_ops", "EPR ops", TS_FIGURE_COUNTER, M_EPR, 0, TS_WHOLE, "shading operations" },
-	[W_MVR] = { "mvr_ops", "MVR ops", TS_FIGURE_COUNTER, M_MVR, 0, TS_WHOLE, "shading operations" },
-	[W_RATIO] = { "ratio", "MVR / EPR", TS_FIGURE_RATIO, W_MVR, W_EPR, 2, "" },
+	TS_COUNT(W_EPR, "epr_ops", "EPR ops", M_EPR, "shading operations"),
+	TS_COUNT(W_MVR, "mvr_ops", "MVR ops", M_MVR, "shading operations"),
+	TS_RATIO(W_RATIO, "ratio", "MVR / EPR", W_MVR, W_EPR, 2),
 	[W_PIXELS] = { "pixels", "pixels", TS_FIGURE_PIXELS, 0, 0, 4, "" },
-	[W_REFLECTIVE] = { "reflective", "reflective", TS_FIGURE_COUNTER, M_EPR, 0, TS_WHOLE, "reflective pixels" },
-	[W_MVR_RATE] = { "mvr_rate", "MVR / Mpx", TS_FIGURE_RATIO, W_MVR, W_PIXELS, TS_WHOLE, "" },
-	[W_BY_SIZE] = { "epr_by_size", "EPR / size", TS_FIGURE_RATIO, W_EPR, W_PROJECTED, 1, "" },
-	[W_BY_AREA] = { "epr_by_area", "EPR / size^2", TS_FIGURE_RATIO, W_BY_SIZE, W_PROJECTED, 2, "" },
+	TS_COUNT(W_REFLECTIVE, "reflective", "reflective", M_EPR, "reflective pixels"),
+	TS_RATIO(W_MVR_RATE, "mvr_rate", "MVR / Mpx", W_MVR, W_PIXELS, TS_WHOLE),
+	TS_RATIO(W_BY_SIZE, "epr_by_size", "EPR / size", W_EPR, W_PROJECTED, 1),
+	TS_RATIO(W_BY_AREA, "epr_by_area", "EPR / size^2", W_BY_SIZE, W_PROJECTED, 2),
 	{ 0 },
 };
 
@@ -64,14 +64,12 @@ static const ts_paper_part work_parts[] = {
 };
 
 static const ts_paper_relation work_relations[] = {
-	{ "MVR's operations by EPR's", W_RATIO, TS_AT_LEAST, 4.37, 0, TS_NO_FIGURE, 0, 0, "most mirrors are in sight",
-	  W_SIGHT },
-	{ "MVR's operations by EPR's, beside the paper's row", W_RATIO, TS_OF_PAPER, 0.5, 2, TS_NO_FIGURE, 0, 0,
+	{ "MVR's operations by EPR's", W_RATIO, TS_AT_LEAST, 4.37, 0, TS_ANY, "most mirrors are in sight", W_SIGHT },
+	{ "MVR's operations by EPR's, beside the paper's row", W_RATIO, TS_OF_PAPER, 0.5, 2, TS_ANY,
 	  "more or fewer mirrors are in sight", W_SIGHT },
-	{ "EPR's by the mirrors' size squared", W_BY_AREA, TS_OF_PAPER, 0.5, 2, TS_NO_FIGURE, 0, 0,
+	{ "EPR's by the mirrors' size squared", W_BY_AREA, TS_OF_PAPER, 0.5, 2, TS_ANY,
 	  "more or fewer mirrors are in sight", W_SIGHT },
-	{ "MVR's by the picture's pixels", W_MVR_RATE, TS_OF_PAPER, 0.9, 1.1, TS_NO_FIGURE, 0, 0, "more or less of the sky",
-	  W_MVR },
+	{ "MVR's by the picture's pixels", W_MVR_RATE, TS_OF_PAPER, 0.9, 1.1, TS_ANY, "more or less of the sky", W_MVR },
 	{ 0 },
 };
 
@@ -96,11 +94,11 @@ static const ts_paper_row work_rows[] = {
 };
 
 const ts_paper_table ts_epr_1 = {
-	.name = "epr-1", .title = "EPR, table 1: who runs", .effect = "reflections",
-	.scenes = "atrium,gallery,dining", .objects_head = "mirrors", .objects_param = "reflectors.count",
-	.objects = "1,10,20,50", .set = "", .defaults = "eye.distance=near,eye.turns=2,eye.fov=40,reflectors.px=100",
-	.variants = work_variants, .figures = work_figures,
-	.look = projected_size, .parts = work_parts, .relations = work_relations, .rows = work_rows,
+	.name = "epr-1", .title = "EPR, table 1: who runs", .effect = "reflections", .scenes = "atrium,gallery,dining",
+	.objects_head = "mirrors", .objects_param = "reflectors.count", .objects = "1,10,20,50", .set = "",
+	.defaults = "eye.distance=near,eye.turns=2,eye.fov=40,reflectors.px=100", .variants = work_variants,
+	.figures = work_figures, .look = projected_size, .parts = work_parts, .relations = work_relations,
+	.rows = work_rows,
 };
 
 /* Table 2. Faces as large as the image asks for are EPR's own (EPR section 4.2): iVIR's points there are those of
@@ -116,49 +114,49 @@ static const ts_bench_variant variants[] = {
 };
 
 enum { TRIANGLES, PROJECTED, DIAMETER, SPEEDUP, DIFFERENCE, EPR_MS, POINT_MS, VIEW_MS, DEFERRED_MS, DEFERRED2_MS,
-	MVR_MS, POINTS, EPR_RMSE, MVR_RMSE, IVIR_RMSE, IVIR_MS, IVIR_POINT_MS, IVIR_VIEW_MS, IVIR_DEFERRED_MS,
-	IVIR_POINTS, IVIR_SPEEDUP, IVIR_DIFFERENCE, POINTS_RATIO, ADAPTIVE_POINTS, BOUNCES, LIKE_RATIO, BALL_POINTS,
-	BALL_RATIO, BALL_RMSE, BALL_MORE };
+	MVR_MS, POINTS, EPR_RMSE, MVR_RMSE, IVIR_RMSE, IVIR_MS, IVIR_POINT_MS, IVIR_VIEW_MS, IVIR_DEFERRED_MS, IVIR_POINTS,
+	IVIR_SPEEDUP, IVIR_DIFFERENCE, POINTS_RATIO, ADAPTIVE_POINTS, BOUNCES, LIKE_RATIO, BALL_POINTS, BALL_RATIO,
+	BALL_RMSE, BALL_MORE };
 
 static const ts_bench_figure figures[] = {
-	[TRIANGLES] = { "triangles", "triangles", TS_FIGURE_TRIANGLES, 0, 0, TS_WHOLE, "" },
+	TS_TRIANGLES(TRIANGLES),
 	[PROJECTED] = { "projected", "avg res, px", TS_FIGURE_LOOKED, M_EPR, 0, 1, "" },
 	[DIAMETER] = { "diameter", "cube side, px", TS_FIGURE_DIAMETER, M_EPR, 0, 1, "" },
-	[SPEEDUP] = { "speedup", "MVR / EPR", TS_FIGURE_RATIO, MVR_MS, EPR_MS, 2, "" },
-	[DIFFERENCE] = { "rmse_difference", "less MVR's, %", TS_FIGURE_MORE, EPR_RMSE, MVR_RMSE, 3, "" },
-	[EPR_MS] = { "total_ms", "EPR", TS_FIGURE_TIME, M_EPR, 0, 2, "" },
-	[POINT_MS] = { "point_ms", "points", TS_FIGURE_PART_TIME, M_EPR, 0, 2, TS_POINT_STAGES },
-	[VIEW_MS] = { "view_ms", "views", TS_FIGURE_PART_TIME, M_EPR, 0, 2, TS_VIEW_STAGES },
+	TS_RATIO(SPEEDUP, "speedup", "MVR / EPR", MVR_MS, EPR_MS, 2),
+	TS_MORE(DIFFERENCE, "rmse_difference", "less MVR's, %", EPR_RMSE, MVR_RMSE),
+	TS_MS(EPR_MS, "total_ms", "EPR", M_EPR),
+	TS_PART_MS(POINT_MS, "point_ms", "points", M_EPR, TS_POINT_STAGES),
+	TS_PART_MS(VIEW_MS, "view_ms", "views", M_EPR, TS_VIEW_STAGES),
 	[DEFERRED_MS] = { "deferred_ms", "deferred", TS_FIGURE_REST_TIME, M_EPR, 0, 2, TS_MAP_STAGES },
 	[DEFERRED2_MS] = { "deferred2_ms", "2 bounces", TS_FIGURE_REST_TIME, M_EPR_TWICE, 0, 2, TS_MAP_STAGES },
-	[MVR_MS] = { "mvr_ms", "MVR", TS_FIGURE_TIME, M_MVR, 0, 2, "" },
-	[POINTS] = { "points", "EPR points", TS_FIGURE_COUNTER, M_EPR, 0, TS_WHOLE, "points" },
-	[EPR_RMSE] = { "epr_rmse", "EPR RMSE", TS_FIGURE_RMSE, M_EPR, M_EPR, 3, "" },
-	[MVR_RMSE] = { "mvr_rmse", "MVR RMSE", TS_FIGURE_RMSE, M_MVR, M_MVR, 3, "" },
-	[IVIR_RMSE] = { "ivir_rmse", "iVIR RMSE", TS_FIGURE_RMSE, M_IVIR, M_IVIR, 3, "" },
-	[IVIR_MS] = { "ivir_ms", "iVIR", TS_FIGURE_TIME, M_IVIR, 0, 2, "" },
-	[IVIR_POINT_MS] = { "ivir_point_ms", "points", TS_FIGURE_PART_TIME, M_IVIR, 0, 2, TS_POINT_STAGES },
-	[IVIR_VIEW_MS] = { "ivir_view_ms", "views", TS_FIGURE_PART_TIME, M_IVIR, 0, 2, TS_VIEW_STAGES },
+	TS_MS(MVR_MS, "mvr_ms", "MVR", M_MVR),
+	TS_COUNT(POINTS, "points", "EPR points", M_EPR, "points"),
+	TS_RMSE(EPR_RMSE, "epr_rmse", "EPR RMSE", M_EPR),
+	TS_RMSE(MVR_RMSE, "mvr_rmse", "MVR RMSE", M_MVR),
+	TS_RMSE(IVIR_RMSE, "ivir_rmse", "iVIR RMSE", M_IVIR),
+	TS_MS(IVIR_MS, "ivir_ms", "iVIR", M_IVIR),
+	TS_PART_MS(IVIR_POINT_MS, "ivir_point_ms", "points", M_IVIR, TS_POINT_STAGES),
+	TS_PART_MS(IVIR_VIEW_MS, "ivir_view_ms", "views", M_IVIR, TS_VIEW_STAGES),
 	[IVIR_DEFERRED_MS] = { "ivir_deferred_ms", "deferred", TS_FIGURE_REST_TIME, M_IVIR, 0, 2, TS_MAP_STAGES },
-	[IVIR_POINTS] = { "ivir_points", "iVIR points", TS_FIGURE_COUNTER, M_IVIR_FIXED, 0, TS_WHOLE, "points" },
-	[IVIR_SPEEDUP] = { "ivir_speedup", "iVIR / EPR", TS_FIGURE_RATIO, IVIR_MS, EPR_MS, 2, "" },
-	[IVIR_DIFFERENCE] = { "ivir_rmse_difference", "less iVIR's, %", TS_FIGURE_MORE, EPR_RMSE, IVIR_RMSE, 3, "" },
-	[POINTS_RATIO] = { "points_ratio", "iVIR / EPR", TS_FIGURE_RATIO, IVIR_POINTS, POINTS, 2, "" },
-	[ADAPTIVE_POINTS] = { "ivir_adaptive_points", "iVIR points", TS_FIGURE_COUNTER, M_IVIR, 0, TS_WHOLE, "points" },
-	[BOUNCES] = { "bounces_ratio", "2 / 1", TS_FIGURE_RATIO, DEFERRED2_MS, DEFERRED_MS, 2, "" },
-	[LIKE_RATIO] = { "like_ratio", "by EPR's", TS_FIGURE_RATIO, ADAPTIVE_POINTS, POINTS, 2, "" },
-	[BALL_POINTS] = { "ball_points", "EPR, balls", TS_FIGURE_COUNTER, M_EPR_BALLS, 0, TS_WHOLE, "points" },
-	[BALL_RATIO] = { "ball_ratio", "by these", TS_FIGURE_RATIO, ADAPTIVE_POINTS, BALL_POINTS, 2, "" },
-	[BALL_RMSE] = { "ball_rmse", "EPR, balls", TS_FIGURE_RMSE, M_EPR_BALLS, M_EPR_BALLS, 3, "" },
-	[BALL_MORE] = { "ball_rmse_difference", "less eq. 3's, %", TS_FIGURE_MORE, BALL_RMSE, EPR_RMSE, 3, "" },
+	TS_COUNT(IVIR_POINTS, "ivir_points", "iVIR points", M_IVIR_FIXED, "points"),
+	TS_RATIO(IVIR_SPEEDUP, "ivir_speedup", "iVIR / EPR", IVIR_MS, EPR_MS, 2),
+	TS_MORE(IVIR_DIFFERENCE, "ivir_rmse_difference", "less iVIR's, %", EPR_RMSE, IVIR_RMSE),
+	TS_RATIO(POINTS_RATIO, "points_ratio", "iVIR / EPR", IVIR_POINTS, POINTS, 2),
+	TS_COUNT(ADAPTIVE_POINTS, "ivir_adaptive_points", "iVIR points", M_IVIR, "points"),
+	TS_RATIO(BOUNCES, "bounces_ratio", "2 / 1", DEFERRED2_MS, DEFERRED_MS, 2),
+	TS_RATIO(LIKE_RATIO, "like_ratio", "by EPR's", ADAPTIVE_POINTS, POINTS, 2),
+	TS_COUNT(BALL_POINTS, "ball_points", "EPR, balls", M_EPR_BALLS, "points"),
+	TS_RATIO(BALL_RATIO, "ball_ratio", "by these", ADAPTIVE_POINTS, BALL_POINTS, 2),
+	TS_RMSE(BALL_RMSE, "ball_rmse", "EPR, balls", M_EPR_BALLS),
+	TS_MORE(BALL_MORE, "ball_rmse_difference", "less eq. 3's, %", BALL_RMSE, EPR_RMSE),
 	{ 0 },
 };
 
 static const ts_paper_part parts[] = {
 	{ "epr_2", "EPR, table 2: points, of iVIR for faces of 512", { TRIANGLES, PROJECTED, DIAMETER, POINTS, IVIR_POINTS,
 	  POINTS_RATIO, TS_NO_FIGURE } },
-	{ "epr_2_like", "points of iVIR for faces as large as EPR's, by EPR's by eq. 3 and with mirrors as balls",
-	  { POINTS, ADAPTIVE_POINTS, LIKE_RATIO, BALL_POINTS, BALL_RATIO, TS_NO_FIGURE } },
+	{ "epr_2_like", "points of iVIR for faces as large as EPR's, by EPR's by eq. 3 and with mirrors as balls", { POINTS,
+	  ADAPTIVE_POINTS, LIKE_RATIO, BALL_POINTS, BALL_RATIO, TS_NO_FIGURE } },
 	{ "epr_2_ms", "EPR, table 2: the whole frame by EPR and MVR, and EPR's parts, ms", { SPEEDUP, EPR_MS, POINT_MS,
 	  VIEW_MS, DEFERRED_MS, DEFERRED2_MS, BOUNCES, MVR_MS, TS_NO_FIGURE } },
 	{ "epr_2_ivir_ms", "EPR, table 2: the whole frame by iVIR, and its parts, ms", { IVIR_SPEEDUP, IVIR_MS,
@@ -172,23 +170,20 @@ static const ts_paper_part parts[] = {
 
 /* Bounds are the least and the greatest of the paper's rows, but for iVIR's one of 10 mirrors in Breakfast. */
 static const ts_paper_relation relations[] = {
-	{ "iVIR's points / EPR's", POINTS_RATIO, TS_AT_LEAST, 3.5, 0, TS_NO_FIGURE, 0, 0, "another size of the cubes",
+	{ "iVIR's points / EPR's", POINTS_RATIO, TS_AT_LEAST, 3.5, 0, TS_ANY, "another size of the cubes", DIAMETER },
+	{ "iVIR's points of such faces / EPR's", LIKE_RATIO, TS_AT_LEAST, 3.5, 0, TS_ANY, "eq. 3 takes mirrors to be flat",
 	  DIAMETER },
-	{ "iVIR's points of such faces / EPR's", LIKE_RATIO, TS_AT_LEAST, 3.5, 0, TS_NO_FIGURE, 0, 0,
-	  "eq. 3 takes mirrors to be flat", DIAMETER },
-	{ "iVIR's points of such faces / EPR's of balls", BALL_RATIO, TS_AT_LEAST, 3.5, 0, TS_NO_FIGURE, 0, 0,
+	{ "iVIR's points of such faces / EPR's of balls", BALL_RATIO, TS_AT_LEAST, 3.5, 0, TS_ANY,
 	  "another size of the cubes", DIAMETER },
-	{ "RMSE of EPR's of balls less eq. 3's, %", BALL_MORE, TS_AT_MOST, 0, 0.067, TS_NO_FIGURE, 0, 0,
-	  "a sample a pixel is too few", BALL_RMSE },
-	{ "time of MVR / EPR", SPEEDUP, TS_AT_LEAST, 1.41, 0, TS_NO_FIGURE, 0, 0, "points are much of the work", POINT_MS },
-	{ "time of iVIR / EPR", IVIR_SPEEDUP, TS_AT_LEAST, 1.26, 0, TS_NO_FIGURE, 0, 0, "points are much of the work",
-	  POINT_MS },
-	{ "RMSE of EPR less MVR's, %", DIFFERENCE, TS_AT_MOST, 0, 0.067, TS_NO_FIGURE, 0, 0,
-	  "not isolated; mirrors are small", EPR_RMSE },
-	{ "RMSE of EPR less iVIR's, %", IVIR_DIFFERENCE, TS_AT_MOST, 0, 0.008, TS_NO_FIGURE, 0, 0,
-	  "not isolated; mirrors are small", EPR_RMSE },
-	{ "frame less maps: 2 bounces, by 1", BOUNCES, TS_AT_LEAST, 1, 0, TS_NO_FIGURE, 0, 0, "few mirrors see mirrors",
-	  DEFERRED2_MS },
+	{ "RMSE of EPR's of balls less eq. 3's, %", BALL_MORE, TS_AT_MOST, 0, 0.067, TS_ANY, "a sample a pixel is too few",
+	  BALL_RMSE },
+	{ "time of MVR / EPR", SPEEDUP, TS_AT_LEAST, 1.41, 0, TS_ANY, "points are much of the work", POINT_MS },
+	{ "time of iVIR / EPR", IVIR_SPEEDUP, TS_AT_LEAST, 1.26, 0, TS_ANY, "points are much of the work", POINT_MS },
+	{ "RMSE of EPR less MVR's, %", DIFFERENCE, TS_AT_MOST, 0, 0.067, TS_ANY, "not isolated; mirrors are small",
+	  EPR_RMSE },
+	{ "RMSE of EPR less iVIR's, %", IVIR_DIFFERENCE, TS_AT_MOST, 0, 0.008, TS_ANY, "not isolated; mirrors are small",
+	  EPR_RMSE },
+	{ "frame less maps: 2 bounces, by 1", BOUNCES, TS_AT_LEAST, 1, 0, TS_ANY, "few mirrors see mirrors", DEFERRED2_MS },
 	{ 0 },
 };
 
@@ -229,11 +224,10 @@ static const ts_paper_row rows[] = {
 };
 
 const ts_paper_table ts_epr_2 = {
-	.name = "epr-2", .title = "EPR, table 2: who runs", .effect = "reflections",
-	.scenes = "atrium,gallery,dining", .objects_head = "mirrors", .objects_param = "reflectors.count",
-	.objects = "1,10,20,50", .set = "", .defaults = TS_IVIR_DEFAULTS,
-	.timed = true, .judge = "C", .look = projected_size, .variants = variants, .figures = figures, .parts = parts,
-	.relations = relations, .rows = rows,
+	.name = "epr-2", .title = "EPR, table 2: who runs", .effect = "reflections", .scenes = "atrium,gallery,dining",
+	.objects_head = "mirrors", .objects_param = "reflectors.count", .objects = "1,10,20,50", .set = "",
+	.defaults = TS_IVIR_DEFAULTS, .timed = true, .judge = "C", .look = projected_size, .variants = variants,
+	.figures = figures, .parts = parts, .relations = relations, .rows = rows,
 };
 
 /* Table 3. EPR's points are those that no eye can miss; by the printed ratio, and by that of pixels, they are fewer. */
@@ -249,32 +243,32 @@ static const ts_bench_variant omni_variants[] = {
 };
 
 enum { O_POINTS, O_MS, O_IVIR_POINTS, O_IVIR_MS, O_MVR_MS, O_SHARE, O_OVER_IVIR, O_OVER_MVR, O_RMSE, O_IVIR_RMSE,
-       O_PAPER_POINTS, O_PAPER_SHARE, O_PAPER_RMSE, O_UNIT_POINTS, O_UNIT_SHARE, O_UNIT_RMSE, O_RMSE_RATIO,
-       O_DIRECT, O_SPLATS, O_WRITES, O_IVIR_WRITES, O_WRITES_RATIO };
+	O_PAPER_POINTS, O_PAPER_SHARE, O_PAPER_RMSE, O_UNIT_POINTS, O_UNIT_SHARE, O_UNIT_RMSE, O_RMSE_RATIO, O_DIRECT,
+	O_SPLATS, O_WRITES, O_IVIR_WRITES, O_WRITES_RATIO };
 
 static const ts_bench_figure omni_figures[] = {
-	[O_POINTS] = { "points", "EPR points", TS_FIGURE_COUNTER, M_EPR, 0, TS_WHOLE, "points" },
-	[O_MS] = { "epr_ms", "EPR, ms", TS_FIGURE_PART_TIME, M_EPR, 0, 2, TS_MAP_STAGES },
-	[O_IVIR_POINTS] = { "ivir_points", "iVIR points", TS_FIGURE_COUNTER, M_IVIR, 0, TS_WHOLE, "points" },
-	[O_IVIR_MS] = { "ivir_ms", "iVIR, ms", TS_FIGURE_PART_TIME, M_IVIR, 0, 2, TS_MAP_STAGES },
-	[O_MVR_MS] = { "mvr_ms", "MVR, ms", TS_FIGURE_PART_TIME, M_MVR, 0, 2, TS_MAP_STAGES },
-	[O_SHARE] = { "points_share", "EPR / iVIR points", TS_FIGURE_RATIO, O_POINTS, O_IVIR_POINTS, 3, "" },
-	[O_OVER_IVIR] = { "over_ivir", "iVIR / EPR", TS_FIGURE_RATIO, O_IVIR_MS, O_MS, 2, "" },
-	[O_OVER_MVR] = { "over_mvr", "MVR / EPR", TS_FIGURE_RATIO, O_MVR_MS, O_MS, 2, "" },
-	[O_RMSE] = { "rmse", "EPR RMSE", TS_FIGURE_RMSE, M_EPR, M_MVR, 3, "" },
-	[O_IVIR_RMSE] = { "ivir_rmse", "iVIR RMSE", TS_FIGURE_RMSE, M_IVIR, M_MVR, 3, "" },
-	[O_PAPER_POINTS] = { "paper_points", "as printed", TS_FIGURE_COUNTER, M_EPR_PAPER, 0, TS_WHOLE, "points" },
-	[O_PAPER_SHARE] = { "paper_share", "by iVIR's", TS_FIGURE_RATIO, O_PAPER_POINTS, O_IVIR_POINTS, 3, "" },
-	[O_PAPER_RMSE] = { "paper_rmse", "RMSE", TS_FIGURE_RMSE, M_EPR_PAPER, M_MVR, 3, "" },
-	[O_UNIT_POINTS] = { "unit_points", "by pixels", TS_FIGURE_COUNTER, M_EPR_UNIT, 0, TS_WHOLE, "points" },
-	[O_UNIT_SHARE] = { "unit_share", "by iVIR's", TS_FIGURE_RATIO, O_UNIT_POINTS, O_IVIR_POINTS, 3, "" },
-	[O_UNIT_RMSE] = { "unit_rmse", "RMSE", TS_FIGURE_RMSE, M_EPR_UNIT, M_MVR, 3, "" },
-	[O_RMSE_RATIO] = { "rmse_ratio", "EPR / iVIR", TS_FIGURE_RATIO, O_RMSE, O_IVIR_RMSE, 3, "" },
-	[O_DIRECT] = { "direct", "EPR, written alone", TS_FIGURE_COUNTER, M_EPR, 0, TS_WHOLE, "direct writes" },
-	[O_SPLATS] = { "splats", "splats", TS_FIGURE_COUNTER, M_EPR, 0, TS_WHOLE, "splats" },
-	[O_WRITES] = { "writes", "texel writes", TS_FIGURE_COUNTER, M_EPR, 0, TS_WHOLE, "texel writes" },
-	[O_IVIR_WRITES] = { "ivir_writes", "iVIR's", TS_FIGURE_COUNTER, M_IVIR, 0, TS_WHOLE, "texel writes" },
-	[O_WRITES_RATIO] = { "writes_ratio", "EPR / iVIR", TS_FIGURE_RATIO, O_WRITES, O_IVIR_WRITES, 3, "" },
+	TS_COUNT(O_POINTS, "points", "EPR points", M_EPR, "points"),
+	TS_PART_MS(O_MS, "epr_ms", "EPR, ms", M_EPR, TS_MAP_STAGES),
+	TS_COUNT(O_IVIR_POINTS, "ivir_points", "iVIR points", M_IVIR, "points"),
+	TS_PART_MS(O_IVIR_MS, "ivir_ms", "iVIR, ms", M_IVIR, TS_MAP_STAGES),
+	TS_PART_MS(O_MVR_MS, "mvr_ms", "MVR, ms", M_MVR, TS_MAP_STAGES),
+	TS_RATIO(O_SHARE, "points_share", "EPR / iVIR points", O_POINTS, O_IVIR_POINTS, 3),
+	TS_RATIO(O_OVER_IVIR, "over_ivir", "iVIR / EPR", O_IVIR_MS, O_MS, 2),
+	TS_RATIO(O_OVER_MVR, "over_mvr", "MVR / EPR", O_MVR_MS, O_MS, 2),
+	TS_RMSE_TO(O_RMSE, "rmse", "EPR RMSE", M_EPR, M_MVR),
+	TS_RMSE_TO(O_IVIR_RMSE, "ivir_rmse", "iVIR RMSE", M_IVIR, M_MVR),
+	TS_COUNT(O_PAPER_POINTS, "paper_points", "as printed", M_EPR_PAPER, "points"),
+	TS_RATIO(O_PAPER_SHARE, "paper_share", "by iVIR's", O_PAPER_POINTS, O_IVIR_POINTS, 3),
+	TS_RMSE_TO(O_PAPER_RMSE, "paper_rmse", "RMSE", M_EPR_PAPER, M_MVR),
+	TS_COUNT(O_UNIT_POINTS, "unit_points", "by pixels", M_EPR_UNIT, "points"),
+	TS_RATIO(O_UNIT_SHARE, "unit_share", "by iVIR's", O_UNIT_POINTS, O_IVIR_POINTS, 3),
+	TS_RMSE_TO(O_UNIT_RMSE, "unit_rmse", "RMSE", M_EPR_UNIT, M_MVR),
+	TS_RATIO(O_RMSE_RATIO, "rmse_ratio", "EPR / iVIR", O_RMSE, O_IVIR_RMSE, 3),
+	TS_COUNT(O_DIRECT, "direct", "EPR, written alone", M_EPR, "direct writes"),
+	TS_COUNT(O_SPLATS, "splats", "splats", M_EPR, "splats"),
+	TS_COUNT(O_WRITES, "writes", "texel writes", M_EPR, "texel writes"),
+	TS_COUNT(O_IVIR_WRITES, "ivir_writes", "iVIR's", M_IVIR, "texel writes"),
+	TS_RATIO(O_WRITES_RATIO, "writes_ratio", "EPR / iVIR", O_WRITES, O_IVIR_WRITES, 3),
 	{ 0 },
 };
 
@@ -291,15 +285,14 @@ static const ts_paper_part omni_parts[] = {
 };
 
 static const ts_paper_relation omni_relations[] = {
-	{ "EPR's points / iVIR's", O_SHARE, TS_AT_MOST, 0, 1, TS_NO_FIGURE, 0, 0, "more points than iVIR", O_POINTS },
-	{ "EPR's as printed / iVIR's", O_PAPER_SHARE, TS_AT_MOST, 0, 0.8, TS_NO_FIGURE, 0, 0,
-	  "eye and light as far from most", O_PAPER_POINTS },
-	{ "RMSE to MVR's image, EPR by iVIR", O_RMSE_RATIO, TS_AT_MOST, 0, 1.1, TS_NO_FIGURE, 0, 0,
-	  "texels at edges of shadows", O_POINTS },
-	{ "time of iVIR / EPR", O_OVER_IVIR, TS_AT_LEAST, 0.6, 0, TS_NO_FIGURE, 0, 0,
-	  "a square has several texels, and its edges", O_WRITES_RATIO },
-	{ "time of MVR / EPR", O_OVER_MVR, TS_AT_LEAST, 0.77, 0, TS_NO_FIGURE, 0, 0, "points are made on a processor",
+	{ "EPR's points / iVIR's", O_SHARE, TS_AT_MOST, 0, 1, TS_ANY, "more points than iVIR", O_POINTS },
+	{ "EPR's as printed / iVIR's", O_PAPER_SHARE, TS_AT_MOST, 0, 0.8, TS_ANY, "eye and light as far from most",
+	  O_PAPER_POINTS },
+	{ "RMSE to MVR's image, EPR by iVIR", O_RMSE_RATIO, TS_AT_MOST, 0, 1.1, TS_ANY, "texels at edges of shadows",
 	  O_POINTS },
+	{ "time of iVIR / EPR", O_OVER_IVIR, TS_AT_LEAST, 0.6, 0, TS_ANY, "a square has several texels, and its edges",
+	  O_WRITES_RATIO },
+	{ "time of MVR / EPR", O_OVER_MVR, TS_AT_LEAST, 0.77, 0, TS_ANY, "points are made on a processor", O_POINTS },
 	{ 0 },
 };
 
@@ -314,11 +307,10 @@ static const ts_paper_row omni_rows[] = {
 };
 
 const ts_paper_table ts_epr_3 = {
-	.name = "epr-3", .title = "EPR, table 3: who runs", .effect = "omni-shadows",
-	.scenes = "dining", .objects_head = "lights", .objects_param = "lamp.cubes", .objects = "1,5,10,20",
-	.set = "reflectors.count=0", .defaults = TS_IVIR_DEFAULTS ",depth_map.px=256",
-	.size = "width=960,height=540", .note = TS_OMNI_NOTE,
-	.timed = true, .variants = omni_variants, .figures = omni_figures, .parts = omni_parts,
-	.relations = omni_relations, .rows = omni_rows,
+	.name = "epr-3", .title = "EPR, table 3: who runs", .effect = "omni-shadows", .scenes = "dining",
+	.objects_head = "lights", .objects_param = "lamp.cubes", .objects = "1,5,10,20", .set = "reflectors.count=0",
+	.defaults = TS_IVIR_DEFAULTS ",depth_map.px=256", .size = "width=960,height=540", .note = TS_OMNI_NOTE,
+	.timed = true, .variants = omni_variants, .figures = omni_figures, .parts = omni_parts, .relations = omni_relations,
+	.rows = omni_rows,
 };
 /* clang-format on */

@@ -12,15 +12,14 @@ static const ts_bench_variant variants[] = {
 enum { LOOKUPS, OPS, PASSES, POINTS, MS, FRAME_MS, RMSE, SSIM };
 
 static const ts_bench_figure figures[] = {
-	[LOOKUPS] = { "lookups", "look-ups", TS_FIGURE_COUNTER, 0, 0, TS_WHOLE, "look-ups" },
-	[OPS] = { "ops", "shading ops", TS_FIGURE_COUNTER, 0, 0, TS_WHOLE, "shading operations" },
-	[PASSES] = { "passes", "passes", TS_FIGURE_COUNTER, 0, 0, TS_WHOLE, "geometry traversals" },
-	[POINTS] = { "points", "points", TS_FIGURE_COUNTER, 0, 0, TS_WHOLE, "points" },
-	[MS] = { "deferred_ms", "deferred", TS_FIGURE_PART_TIME, 0, 0, 2,
-	         "lookup,lookup.second,lookup.third,shade.third,shade.second,shade" },
-	[FRAME_MS] = { "ms", "frame", TS_FIGURE_TIME, 0, 0, 2, "" },
-	[RMSE] = { "rmse", "RMSE", TS_FIGURE_RMSE, 0, 0, 3, "" },
-	[SSIM] = { "ssim", "SSIM", TS_FIGURE_SSIM, 0, 0, 4, "" },
+	TS_COUNT(LOOKUPS, "lookups", "look-ups", 0, "look-ups"),
+	TS_COUNT(OPS, "ops", "shading ops", 0, "shading operations"),
+	TS_COUNT(PASSES, "passes", "passes", 0, "geometry traversals"),
+	TS_COUNT(POINTS, "points", "points", 0, "points"),
+	TS_PART_MS(MS, "deferred_ms", "deferred", 0, "lookup,lookup.second,lookup.third,shade.third,shade.second,shade"),
+	TS_MS(FRAME_MS, "ms", "frame", 0),
+	TS_RMSE(RMSE, "rmse", "RMSE", 0),
+	TS_SSIM(SSIM, "ssim", "SSIM", 0),
 	{ 0 },
 };
 
@@ -31,13 +30,11 @@ static const ts_paper_part parts[] = {
 	{ 0 },
 };
 
-#define ALL TS_NO_FIGURE, 0, 0
-
 static const ts_paper_relation relations[] = {
-	{ "shading operations, from bounce to bounce", OPS, TS_GROWS, 1, 0, ALL, "no mirror sees a mirror", LOOKUPS },
-	{ "passes over the geometry, most by least", PASSES, TS_STEADY, 0, 1, ALL, "bounces take passes", PASSES },
-	{ "RMSE to rays of as many bounces, most by least", RMSE, TS_STEADY, 0, 1.25, ALL, "bounces add errors", OPS },
-	{ "deferred shading, from bounce to bounce", MS, TS_GROWS, 1, 0, ALL, "no mirror sees a mirror", OPS },
+	{ "shading operations, from bounce to bounce", OPS, TS_GROWS, 1, 0, TS_ANY, "no mirror sees a mirror", LOOKUPS },
+	{ "passes over the geometry, most by least", PASSES, TS_STEADY, 0, 1, TS_ANY, "bounces take passes", PASSES },
+	{ "RMSE to rays of as many bounces, most by least", RMSE, TS_STEADY, 0, 1.25, TS_ANY, "bounces add errors", OPS },
+	{ "deferred shading, from bounce to bounce", MS, TS_GROWS, 1, 0, TS_ANY, "no mirror sees a mirror", OPS },
 	{ 0 },
 };
 

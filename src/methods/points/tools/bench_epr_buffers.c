@@ -14,40 +14,38 @@ static const ts_bench_variant variants[] = {
 	{ 0 },
 };
 
+/* What each method has whose image is kept, by suffix `p`. */
+#define OF(p) EPR_##p, BUFFERLESS_##p, FORWARD_##p, EYE_##p, MVR_##p
+#define EACH(ROW, p, key) \
+	ROW(EPR_##p, "epr_" key, "EPR", M_EPR), ROW(BUFFERLESS_##p, "bufferless_" key, "bufferless", M_BUFFERLESS), \
+	ROW(FORWARD_##p, "forward_" key, "forward", M_FORWARD), \
+	ROW(EYE_##p, "eye_" key, "for the eye", M_FORWARD_EYE), ROW(MVR_##p, "mvr_" key, "MVR", M_MVR)
+
 enum { POINTS, EPR_OPS, FORWARD_OPS, MVR_OPS, TEXEL_OPS, SAVED_OPS, BY_DEFERRED, EPR_MIB, BUFFERLESS_MIB, FORWARD_MIB,
-	SAVED_MIB, EPR_MS, BUFFERLESS_MS, FORWARD_MS, SLOWER, FORWARD_SLOWER, EPR_RMSE, BUFFERLESS_RMSE, FORWARD_RMSE,
-	EYE_RMSE, MVR_RMSE, BUFFERLESS_MORE, FORWARD_MORE, EPR_SSIM, BUFFERLESS_SSIM, FORWARD_SSIM, EYE_SSIM, MVR_SSIM };
+	SAVED_MIB, EPR_MS, BUFFERLESS_MS, FORWARD_MS, SLOWER, FORWARD_SLOWER, OF(RMSE), BUFFERLESS_MORE, FORWARD_MORE,
+	OF(SSIM) };
 
 static const ts_bench_figure figures[] = {
-	[POINTS] = { "points", "points", TS_FIGURE_COUNTER, M_EPR, 0, TS_WHOLE, "points" },
-	[EPR_OPS] = { "epr_ops", "EPR ops", TS_FIGURE_COUNTER, M_EPR, 0, TS_WHOLE, "shading operations" },
-	[FORWARD_OPS] = { "forward_ops", "forward", TS_FIGURE_COUNTER, M_FORWARD, 0, TS_WHOLE, "shading operations" },
-	[MVR_OPS] = { "mvr_ops", "MVR", TS_FIGURE_COUNTER, M_MVR, 0, TS_WHOLE, "shading operations" },
-	[TEXEL_OPS] = { "texel_ops", "of EPR's texels", TS_FIGURE_COUNTER, M_MVR_ADAPTIVE, 0, TS_WHOLE,
-	  "shading operations" },
-	[SAVED_OPS] = { "texels_by_forward", "by forward's", TS_FIGURE_RATIO, TEXEL_OPS, FORWARD_OPS, 2, "" },
-	[BY_DEFERRED] = { "forward_by_epr", "forward / EPR", TS_FIGURE_RATIO, FORWARD_OPS, EPR_OPS, 2, "" },
+	TS_COUNT(POINTS, "points", "points", M_EPR, "points"),
+	TS_COUNT(EPR_OPS, "epr_ops", "EPR ops", M_EPR, "shading operations"),
+	TS_COUNT(FORWARD_OPS, "forward_ops", "forward", M_FORWARD, "shading operations"),
+	TS_COUNT(MVR_OPS, "mvr_ops", "MVR", M_MVR, "shading operations"),
+	TS_COUNT(TEXEL_OPS, "texel_ops", "of EPR's texels", M_MVR_ADAPTIVE, "shading operations"),
+	TS_RATIO(SAVED_OPS, "texels_by_forward", "by forward's", TEXEL_OPS, FORWARD_OPS, 2),
+	TS_RATIO(BY_DEFERRED, "forward_by_epr", "forward / EPR", FORWARD_OPS, EPR_OPS, 2),
 	[EPR_MIB] = { "epr_mib", "EPR", TS_FIGURE_BUFFERS, M_EPR, 0, 2, "points" },
 	[BUFFERLESS_MIB] = { "bufferless_mib", "bufferless", TS_FIGURE_BUFFERS, M_BUFFERLESS, 0, 2, "points" },
 	[FORWARD_MIB] = { "forward_mib", "forward", TS_FIGURE_BUFFERS, M_FORWARD, 0, 2, "points,forward" },
-	[SAVED_MIB] = { "saved", "saved, %", TS_FIGURE_SAVED, BUFFERLESS_MIB, EPR_MIB, 1, "" },
-	[EPR_MS] = { "epr_ms", "EPR", TS_FIGURE_TIME, M_EPR, 0, 2, "" },
-	[BUFFERLESS_MS] = { "bufferless_ms", "bufferless", TS_FIGURE_TIME, M_BUFFERLESS, 0, 2, "" },
-	[FORWARD_MS] = { "forward_ms", "forward", TS_FIGURE_TIME, M_FORWARD, 0, 2, "" },
-	[SLOWER] = { "bufferless_by_epr", "bufferless / EPR", TS_FIGURE_RATIO, BUFFERLESS_MS, EPR_MS, 2, "" },
-	[FORWARD_SLOWER] = { "forward_ms_by_epr", "forward / EPR", TS_FIGURE_RATIO, FORWARD_MS, EPR_MS, 2, "" },
-	[EPR_RMSE] = { "epr_rmse", "EPR", TS_FIGURE_RMSE, M_EPR, M_EPR, 3, "" },
-	[BUFFERLESS_RMSE] = { "bufferless_rmse", "bufferless", TS_FIGURE_RMSE, M_BUFFERLESS, M_BUFFERLESS, 3, "" },
-	[FORWARD_RMSE] = { "forward_rmse", "forward", TS_FIGURE_RMSE, M_FORWARD, M_FORWARD, 3, "" },
-	[EYE_RMSE] = { "eye_rmse", "for the eye", TS_FIGURE_RMSE, M_FORWARD_EYE, M_FORWARD_EYE, 3, "" },
-	[MVR_RMSE] = { "mvr_rmse", "MVR", TS_FIGURE_RMSE, M_MVR, M_MVR, 3, "" },
-	[BUFFERLESS_MORE] = { "bufferless_more", "bufferless, %", TS_FIGURE_MORE, BUFFERLESS_RMSE, EPR_RMSE, 3, "" },
-	[FORWARD_MORE] = { "forward_more", "forward, %", TS_FIGURE_MORE, FORWARD_RMSE, EPR_RMSE, 3, "" },
-	[EPR_SSIM] = { "epr_ssim", "EPR", TS_FIGURE_SSIM, M_EPR, M_EPR, 4, "" },
-	[BUFFERLESS_SSIM] = { "bufferless_ssim", "bufferless", TS_FIGURE_SSIM, M_BUFFERLESS, M_BUFFERLESS, 4, "" },
-	[FORWARD_SSIM] = { "forward_ssim", "forward", TS_FIGURE_SSIM, M_FORWARD, M_FORWARD, 4, "" },
-	[EYE_SSIM] = { "eye_ssim", "for the eye", TS_FIGURE_SSIM, M_FORWARD_EYE, M_FORWARD_EYE, 4, "" },
-	[MVR_SSIM] = { "mvr_ssim", "MVR", TS_FIGURE_SSIM, M_MVR, M_MVR, 4, "" },
+	TS_SAVED(SAVED_MIB, "saved", "saved, %", BUFFERLESS_MIB, EPR_MIB),
+	TS_MS(EPR_MS, "epr_ms", "EPR", M_EPR),
+	TS_MS(BUFFERLESS_MS, "bufferless_ms", "bufferless", M_BUFFERLESS),
+	TS_MS(FORWARD_MS, "forward_ms", "forward", M_FORWARD),
+	TS_RATIO(SLOWER, "bufferless_by_epr", "bufferless / EPR", BUFFERLESS_MS, EPR_MS, 2),
+	TS_RATIO(FORWARD_SLOWER, "forward_ms_by_epr", "forward / EPR", FORWARD_MS, EPR_MS, 2),
+	EACH(TS_RMSE, RMSE, "rmse"),
+	TS_MORE(BUFFERLESS_MORE, "bufferless_more", "bufferless, %", BUFFERLESS_RMSE, EPR_RMSE),
+	TS_MORE(FORWARD_MORE, "forward_more", "forward, %", FORWARD_RMSE, EPR_RMSE),
+	EACH(TS_SSIM, SSIM, "ssim"),
 	{ 0 },
 };
 
@@ -58,24 +56,22 @@ static const ts_paper_part parts[] = {
 	  FORWARD_MIB, TS_NO_FIGURE } },
 	{ "epr_buffers_ms", "the whole frame, ms", { EPR_MS, BUFFERLESS_MS, SLOWER, FORWARD_MS, FORWARD_SLOWER,
 	  TS_NO_FIGURE } },
-	{ "epr_buffers_rmse", "RMSE to the truth in grey levels, and less EPR's in percent of 255", { EPR_RMSE,
-	  BUFFERLESS_RMSE, FORWARD_RMSE, EYE_RMSE, MVR_RMSE, BUFFERLESS_MORE, FORWARD_MORE, TS_NO_FIGURE } },
-	{ "epr_buffers_ssim", "SSIM to the truth", { EPR_SSIM, BUFFERLESS_SSIM, FORWARD_SSIM, EYE_SSIM, MVR_SSIM,
-	  TS_NO_FIGURE } },
+	{ "epr_buffers_rmse", "RMSE to the truth in grey levels, and less EPR's in percent of 255", { OF(RMSE),
+	  BUFFERLESS_MORE, FORWARD_MORE, TS_NO_FIGURE } },
+	{ "epr_buffers_ssim", "SSIM to the truth", { OF(SSIM), TS_NO_FIGURE } },
 	{ 0 },
 };
 
 /* "Less than half as fast"; "identical imagery", whose bits tests/methods/points/epr.c compares; once a point, not once
  * a texel; and no worse than EPR by what its table 2 calls small. */
 static const ts_paper_relation relations[] = {
-	{ "RMSE of bufferless less EPR's, %", BUFFERLESS_MORE, TS_BETWEEN, 0, 0, TS_NO_FIGURE, 0, 0, "another picture",
+	{ "RMSE of bufferless less EPR's, %", BUFFERLESS_MORE, TS_BETWEEN, 0, 0, TS_ANY, "another picture",
 	  BUFFERLESS_RMSE },
-	{ "time of bufferless / EPR", SLOWER, TS_AT_LEAST, 2, 0, TS_NO_FIGURE, 0, 0, "points are cheap to make again",
-	  BUFFERLESS_MS },
-	{ "operations of EPR's texels / forward's", SAVED_OPS, TS_AT_LEAST, 1, 0, TS_NO_FIGURE, 0, 0,
-	  "points are finer than texels", POINTS },
-	{ "RMSE of forward less EPR's, %", FORWARD_MORE, TS_AT_MOST, 0, 0.067, TS_NO_FIGURE, 0, 0,
-	  "light depends on the viewer", FORWARD_RMSE },
+	{ "time of bufferless / EPR", SLOWER, TS_AT_LEAST, 2, 0, TS_ANY, "points are cheap to make again", BUFFERLESS_MS },
+	{ "operations of EPR's texels / forward's", SAVED_OPS, TS_AT_LEAST, 1, 0, TS_ANY, "points are finer than texels",
+	  POINTS },
+	{ "RMSE of forward less EPR's, %", FORWARD_MORE, TS_AT_MOST, 0, 0.067, TS_ANY, "light depends on the viewer",
+	  FORWARD_RMSE },
 	{ 0 },
 };
 
@@ -83,10 +79,9 @@ static const ts_paper_row rows[] = { { 0 } };
 
 const ts_paper_table ts_epr_buffers = {
 	.name = "epr-buffers", .title = "EPR, sections 3.4 and 3.5: who runs", .effect = "reflections",
-	.scenes = "atrium,gallery,dining", .objects_head = "mirrors", .objects_param = "reflectors.count",
-	.objects = "10", .set = "", .defaults = "", .size = "width=960,height=540",
-	.note = "The paper has no figures of these.",
-	.timed = true, .judge = "C", .variants = variants, .figures = figures, .parts = parts,
-	.relations = relations, .rows = rows,
+	.scenes = "atrium,gallery,dining", .objects_head = "mirrors", .objects_param = "reflectors.count", .objects = "10",
+	.set = "", .defaults = "", .size = "width=960,height=540", .note = "The paper has no figures of these.",
+	.timed = true, .judge = "C", .variants = variants, .figures = figures, .parts = parts, .relations = relations,
+	.rows = rows,
 };
 /* clang-format on */

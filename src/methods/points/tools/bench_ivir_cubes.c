@@ -24,63 +24,55 @@ static const ts_bench_variant cube_variants[] = {
 	{ 0 },
 };
 
-enum { C_TRIANGLES, C_POINTS, C_VIR_POINTS, C_SAVED, C_POINT_MS, C_MS, C_STORED_MS, C_VIR_POINT_MS,
-	  C_VIR_MS, C_MVR_MS,
-	C_OVER_VIR, C_OVER_MVR, C_STORED_OVER_VIR, C_STORED_OVER_MVR, C_A_TRIANGLE, C_LARGEST, C_D_POINTS,
-	C_D_OVER, C_D_MS,
+enum { C_TRIANGLES, C_POINTS, C_VIR_POINTS, C_SAVED, C_POINT_MS, C_MS, C_STORED_MS, C_VIR_POINT_MS, C_VIR_MS, C_MVR_MS,
+	C_OVER_VIR, C_OVER_MVR, C_STORED_OVER_VIR, C_STORED_OVER_MVR, C_A_TRIANGLE, C_LARGEST, C_D_POINTS, C_D_OVER, C_D_MS,
 	C_D_OVER_MVR, C_COVERED, C_HOLES, C_HOLES_SHARE, C_D_COVERED, C_D_HOLES, C_D_HOLES_SHARE, C_MVR_HOLES, C_RMSE,
-	C_D_RMSE, C_VIR_RMSE, C_MVR_RMSE, C_MORE, C_D_MORE, C_SSIM, C_D_SSIM, C_VIR_SSIM, C_MVR_SSIM, C_TO_MVR,
-	C_D_TO_MVR,
+	C_D_RMSE, C_VIR_RMSE, C_MVR_RMSE, C_MORE, C_D_MORE, C_SSIM, C_D_SSIM, C_VIR_SSIM, C_MVR_SSIM, C_TO_MVR, C_D_TO_MVR,
 	C_VIR_TO_MVR, C_TO_RATIO, C_D_TO_RATIO };
 
-#define RMSE(id, key, head, variant) [id] = { key, head, TS_FIGURE_RMSE, variant, 0, 3, "" }
-#define SSIM(id, key, head, variant) [id] = { key, head, TS_FIGURE_SSIM, variant, 0, 4, "" }
-#define TO_MVR(id, key, head, variant) [id] = { key, head, TS_FIGURE_RMSE, variant, M_MVR, 3, TS_TO_IMAGE }
-#define COUNT(id, key, head, variant, counter) [id] = { key, head, TS_FIGURE_COUNTER, variant, 0, TS_WHOLE, counter }
-
 static const ts_bench_figure cube_figures[] = {
-	[C_TRIANGLES] = { "triangles", "triangles", TS_FIGURE_TRIANGLES, 0, 0, TS_WHOLE, "" },
-	[C_POINTS] = { "points", "iVIR points", TS_FIGURE_COUNTER, M_STORED, 0, TS_WHOLE, "points" },
-	[C_VIR_POINTS] = { "vir_points", "VIR points", TS_FIGURE_COUNTER, M_VIR, 0, TS_WHOLE, "points" },
-	[C_SAVED] = { "saved_percent", "saved, %", TS_FIGURE_SAVED, C_POINTS, C_VIR_POINTS, 1, "" },
-	[C_POINT_MS] = { "point_ms", "points", TS_FIGURE_PART_TIME, M_STORED, 0, 2, TS_POINT_STAGES },
-	[C_MS] = { "bufferless_ms", "bufferless", TS_FIGURE_PART_TIME, M_IVIR, 0, 2, TS_MAP_STAGES },
-	[C_STORED_MS] = { "buffered_ms", "buffered", TS_FIGURE_PART_TIME, M_STORED, 0, 2, TS_MAP_STAGES },
-	[C_VIR_POINT_MS] = { "vir_point_ms", "VIR points", TS_FIGURE_PART_TIME, M_VIR, 0, 2, TS_POINT_STAGES },
-	[C_VIR_MS] = { "vir_ms", "VIR", TS_FIGURE_PART_TIME, M_VIR, 0, 2, TS_MAP_STAGES },
-	[C_MVR_MS] = { "mvr_ms", "MVR", TS_FIGURE_PART_TIME, M_MVR, 0, 2, TS_MAP_STAGES },
-	[C_OVER_VIR] = { "over_vir", "VIR / bufferless", TS_FIGURE_RATIO, C_VIR_MS, C_MS, 2, "" },
-	[C_OVER_MVR] = { "over_mvr", "MVR / bufferless", TS_FIGURE_RATIO, C_MVR_MS, C_MS, 2, "" },
-	[C_STORED_OVER_VIR] = { "buffered_over_vir", "VIR / buffered", TS_FIGURE_RATIO, C_VIR_MS, C_STORED_MS, 2, "" },
-	[C_STORED_OVER_MVR] = { "buffered_over_mvr", "MVR / buffered", TS_FIGURE_RATIO, C_MVR_MS, C_STORED_MS, 2, "" },
-	[C_A_TRIANGLE] = { "points_a_triangle", "a triangle", TS_FIGURE_RATIO, C_POINTS, C_TRIANGLES, 2, "" },
+	TS_TRIANGLES(C_TRIANGLES),
+	TS_COUNT(C_POINTS, "points", "iVIR points", M_STORED, "points"),
+	TS_COUNT(C_VIR_POINTS, "vir_points", "VIR points", M_VIR, "points"),
+	TS_SAVED(C_SAVED, "saved_percent", "saved, %", C_POINTS, C_VIR_POINTS),
+	TS_PART_MS(C_POINT_MS, "point_ms", "points", M_STORED, TS_POINT_STAGES),
+	TS_PART_MS(C_MS, "bufferless_ms", "bufferless", M_IVIR, TS_MAP_STAGES),
+	TS_PART_MS(C_STORED_MS, "buffered_ms", "buffered", M_STORED, TS_MAP_STAGES),
+	TS_PART_MS(C_VIR_POINT_MS, "vir_point_ms", "VIR points", M_VIR, TS_POINT_STAGES),
+	TS_PART_MS(C_VIR_MS, "vir_ms", "VIR", M_VIR, TS_MAP_STAGES),
+	TS_PART_MS(C_MVR_MS, "mvr_ms", "MVR", M_MVR, TS_MAP_STAGES),
+	TS_RATIO(C_OVER_VIR, "over_vir", "VIR / bufferless", C_VIR_MS, C_MS, 2),
+	TS_RATIO(C_OVER_MVR, "over_mvr", "MVR / bufferless", C_MVR_MS, C_MS, 2),
+	TS_RATIO(C_STORED_OVER_VIR, "buffered_over_vir", "VIR / buffered", C_VIR_MS, C_STORED_MS, 2),
+	TS_RATIO(C_STORED_OVER_MVR, "buffered_over_mvr", "MVR / buffered", C_MVR_MS, C_STORED_MS, 2),
+	TS_RATIO(C_A_TRIANGLE, "points_a_triangle", "a triangle", C_POINTS, C_TRIANGLES, 2),
 	[C_LARGEST] = { "largest_face", "largest face", TS_FIGURE_LOOKED, M_STORED, 0, TS_WHOLE, "" },
-	COUNT(C_D_POINTS, "points_default", "points", M_DEFAULT, "points"),
-	[C_D_OVER] = { "over_paper", "by rate=paper", TS_FIGURE_RATIO, C_D_POINTS, C_POINTS, 2, "" },
-	[C_D_MS] = { "default_ms", "ms", TS_FIGURE_PART_TIME, M_DEFAULT, 0, 2, TS_MAP_STAGES },
-	[C_D_OVER_MVR] = { "default_over_mvr", "MVR / ms", TS_FIGURE_RATIO, C_MVR_MS, C_D_MS, 2, "" },
-	COUNT(C_COVERED, "covered", "texels", M_STORED, "texels covered by rays"),
-	COUNT(C_HOLES, "holes", "holes", M_STORED, "holes"),
-	[C_HOLES_SHARE] = { "holes_percent", "%", TS_FIGURE_PERCENT, C_HOLES, C_COVERED, 4, "" },
-	COUNT(C_D_COVERED, "covered_default", "texels", M_DEFAULT, "texels covered by rays"),
-	COUNT(C_D_HOLES, "holes_default", "holes, defaults", M_DEFAULT, "holes"),
-	[C_D_HOLES_SHARE] = { "holes_percent_default", "%", TS_FIGURE_PERCENT, C_D_HOLES, C_D_COVERED, 4, "" },
-	COUNT(C_MVR_HOLES, "holes_mvr", "holes, MVR", M_MVR, "holes"),
-	RMSE(C_RMSE, "rmse", "iVIR", M_STORED),
-	RMSE(C_D_RMSE, "rmse_default", "defaults", M_DEFAULT),
-	RMSE(C_VIR_RMSE, "rmse_vir", "VIR", M_VIR),
-	RMSE(C_MVR_RMSE, "rmse_mvr", "MVR", M_MVR),
-	[C_MORE] = { "rmse_more", "iVIR less MVR", TS_FIGURE_DIFFERENCE, C_RMSE, C_MVR_RMSE, 3, "" },
-	[C_D_MORE] = { "rmse_more_default", "defaults less MVR", TS_FIGURE_DIFFERENCE, C_D_RMSE, C_MVR_RMSE, 3, "" },
-	SSIM(C_SSIM, "ssim", "iVIR, SSIM", M_STORED),
-	SSIM(C_D_SSIM, "ssim_default", "defaults", M_DEFAULT),
-	SSIM(C_VIR_SSIM, "ssim_vir", "VIR", M_VIR),
-	SSIM(C_MVR_SSIM, "ssim_mvr", "MVR", M_MVR),
-	TO_MVR(C_TO_MVR, "to_mvr", "iVIR", M_STORED),
-	TO_MVR(C_D_TO_MVR, "to_mvr_default", "defaults", M_DEFAULT),
-	TO_MVR(C_VIR_TO_MVR, "to_mvr_vir", "VIR", M_VIR),
-	[C_TO_RATIO] = { "to_mvr_ratio", "iVIR / VIR", TS_FIGURE_RATIO, C_TO_MVR, C_VIR_TO_MVR, 3, "" },
-	[C_D_TO_RATIO] = { "to_mvr_ratio_default", "defaults / VIR", TS_FIGURE_RATIO, C_D_TO_MVR, C_VIR_TO_MVR, 3, "" },
+	TS_COUNT(C_D_POINTS, "points_default", "points", M_DEFAULT, "points"),
+	TS_RATIO(C_D_OVER, "over_paper", "by rate=paper", C_D_POINTS, C_POINTS, 2),
+	TS_PART_MS(C_D_MS, "default_ms", "ms", M_DEFAULT, TS_MAP_STAGES),
+	TS_RATIO(C_D_OVER_MVR, "default_over_mvr", "MVR / ms", C_MVR_MS, C_D_MS, 2),
+	TS_COUNT(C_COVERED, "covered", "texels", M_STORED, "texels covered by rays"),
+	TS_COUNT(C_HOLES, "holes", "holes", M_STORED, "holes"),
+	TS_PERCENT(C_HOLES_SHARE, "holes_percent", "%", C_HOLES, C_COVERED),
+	TS_COUNT(C_D_COVERED, "covered_default", "texels", M_DEFAULT, "texels covered by rays"),
+	TS_COUNT(C_D_HOLES, "holes_default", "holes, defaults", M_DEFAULT, "holes"),
+	TS_PERCENT(C_D_HOLES_SHARE, "holes_percent_default", "%", C_D_HOLES, C_D_COVERED),
+	TS_COUNT(C_MVR_HOLES, "holes_mvr", "holes, MVR", M_MVR, "holes"),
+	TS_RMSE(C_RMSE, "rmse", "iVIR", M_STORED),
+	TS_RMSE(C_D_RMSE, "rmse_default", "defaults", M_DEFAULT),
+	TS_RMSE(C_VIR_RMSE, "rmse_vir", "VIR", M_VIR),
+	TS_RMSE(C_MVR_RMSE, "rmse_mvr", "MVR", M_MVR),
+	TS_LESS(C_MORE, "rmse_more", "iVIR less MVR", C_RMSE, C_MVR_RMSE, 3),
+	TS_LESS(C_D_MORE, "rmse_more_default", "defaults less MVR", C_D_RMSE, C_MVR_RMSE, 3),
+	TS_SSIM(C_SSIM, "ssim", "iVIR, SSIM", M_STORED),
+	TS_SSIM(C_D_SSIM, "ssim_default", "defaults", M_DEFAULT),
+	TS_SSIM(C_VIR_SSIM, "ssim_vir", "VIR", M_VIR),
+	TS_SSIM(C_MVR_SSIM, "ssim_mvr", "MVR", M_MVR),
+	TS_RMSE_TO(C_TO_MVR, "to_mvr", "iVIR", M_STORED, M_MVR),
+	TS_RMSE_TO(C_D_TO_MVR, "to_mvr_default", "defaults", M_DEFAULT, M_MVR),
+	TS_RMSE_TO(C_VIR_TO_MVR, "to_mvr_vir", "VIR", M_VIR, M_MVR),
+	TS_RATIO(C_TO_RATIO, "to_mvr_ratio", "iVIR / VIR", C_TO_MVR, C_VIR_TO_MVR, 3),
+	TS_RATIO(C_D_TO_RATIO, "to_mvr_ratio_default", "defaults / VIR", C_D_TO_MVR, C_VIR_TO_MVR, 3),
 	{ 0 },
 };
 
@@ -90,18 +82,8 @@ static const ts_bench_figure cube_figures[] = {
 	TS_NO_FIGURE }
 #define IMAGE_FIGURES { C_RMSE, C_D_RMSE, C_VIR_RMSE, C_MVR_RMSE, C_MORE, C_D_MORE, C_SSIM, C_D_SSIM, C_VIR_SSIM, \
 	C_MVR_SSIM, TS_NO_FIGURE }
-#define HOLES_TITLE "Texels that rays say are covered, and those of them that are empty"
-#define IMAGE_TITLE "Images beside the truth, RMSE in grey levels"
-#define HOLED "samples at the rate of the closest point miss texels"
-
-/* What rays say of either rate. */
-#define ALL TS_NO_FIGURE, 0, 0
-#define RAY_RELATIONS \
-	{ "holes of iVIR, % of covered texels", C_HOLES_SHARE, TS_AT_MOST, 0, 0.0001, ALL, HOLED, C_A_TRIANGLE }, \
-	{ "holes of iVIR at the defaults, % of covered texels", C_D_HOLES_SHARE, TS_AT_MOST, 0, 0.0001, ALL, \
-	  "small pieces are culled", C_D_HOLES }, \
-	{ "RMSE to truth, iVIR less MVR", C_MORE, TS_AT_MOST, 0, 0.5, ALL, TS_IVIR_NEAREST, C_MVR_RMSE }, \
-	{ "RMSE to truth, iVIR at the defaults less MVR", C_D_MORE, TS_AT_MOST, 0, 0.5, ALL, TS_IVIR_NEAREST, C_MVR_RMSE }
+#define RAY_RELATIONS TS_HOLE_RELATIONS(C_HOLES_SHARE, C_A_TRIANGLE, C_D_HOLES_SHARE, C_D_HOLES), \
+	TS_TRUTH_RELATIONS(C_MORE, C_D_MORE, C_MVR_RMSE)
 
 #define TIME_FIGURES { C_POINT_MS, C_MS, C_STORED_MS, C_VIR_POINT_MS, C_VIR_MS, C_MVR_MS, TS_NO_FIGURE }
 #define RATIO_FIGURES { C_OVER_VIR, C_OVER_MVR, C_STORED_OVER_VIR, C_STORED_OVER_MVR, TS_NO_FIGURE }
@@ -111,13 +93,13 @@ static const ts_paper_part mirror_parts[] = {
 	{ "ivir_2_ms", "Points and environment maps, ms", TIME_FIGURES },
 	{ "ivir_2_ratios", "The same, VIR's and MVR's by iVIR's", RATIO_FIGURES },
 	{ "ivir_2_default", "iVIR at the defaults", DEFAULT_FIGURES },
-	{ "ivir_2_holes", HOLES_TITLE, HOLE_FIGURES },
-	{ "ivir_2_rmse", IMAGE_TITLE, IMAGE_FIGURES },
+	{ "ivir_2_holes", TS_HOLES_TITLE, HOLE_FIGURES },
+	{ "ivir_2_rmse", TS_IMAGES_TITLE, IMAGE_FIGURES },
 	{ 0 },
 };
 
 static const ts_paper_relation mirror_relations[] = {
-	{ "iVIR points saved of VIR's, %", C_SAVED, TS_AT_LEAST, 90, 0, TS_NO_FIGURE, 0, 0,
+	{ "iVIR points saved of VIR's, %", C_SAVED, TS_AT_LEAST, 90, 0, TS_ANY,
 	  "the largest face sets the rate, and is more than a third of VIR's", C_LARGEST },
 	{ "iVIR points saved of VIR's where no face is more than a third of VIR's, %", C_SAVED, TS_AT_LEAST, 90, 0,
 	  C_LARGEST, 0, 128.0 / 3, "VIR is a reconstruction, by table 3", C_VIR_POINTS },
@@ -143,14 +125,10 @@ static const ts_paper_row mirror_rows[] = {
 };
 
 const ts_paper_table ts_ivir_2 = {
-	.name = "ivir-2", .title = "iVIR, table 2: environment maps",
-	.effect = "reflections", .scenes = "dining,gallery", .objects_head = "mirrors", .objects_param =
-	"reflectors.count",
-	.objects = "1,8,16,20", .set = "", .defaults = TS_IVIR_QUARTER, .judge = "C", .rays = true,
-	.look = largest_face,
-	.size = "width=480,height=270",
-	.note = TS_IVIR_QUARTER_NOTE " " TS_VIR_NOTE,
-	.timed = true, .variants = cube_variants, .figures = cube_figures,
+	.name = "ivir-2", .title = "iVIR, table 2: environment maps", .effect = "reflections", .scenes = "dining,gallery",
+	.objects_head = "mirrors", .objects_param = "reflectors.count", .objects = "1,8,16,20", .set = "",
+	.defaults = TS_IVIR_QUARTER, .judge = "C", .rays = true, .look = largest_face, .size = "width=480,height=270",
+	.note = TS_IVIR_QUARTER_NOTE " " TS_VIR_NOTE, .timed = true, .variants = cube_variants, .figures = cube_figures,
 	.parts = mirror_parts, .relations = mirror_relations, .rows = mirror_rows,
 };
 
@@ -159,25 +137,21 @@ static const ts_paper_part omni_parts[] = {
 	{ "ivir_3_ms", "Points and depth maps, ms", TIME_FIGURES },
 	{ "ivir_3_ratios", "The same, VIR's and MVR's by iVIR's", RATIO_FIGURES },
 	{ "ivir_3_default", "iVIR at the defaults", DEFAULT_FIGURES },
-	{ "ivir_3_holes", HOLES_TITLE, HOLE_FIGURES },
-	{ "ivir_3_rmse", IMAGE_TITLE, IMAGE_FIGURES },
-	{ "ivir_3_mvr", "RMSE to MVR's image, grey levels", { C_TO_MVR, C_D_TO_MVR, C_VIR_TO_MVR, C_TO_RATIO,
-	  C_D_TO_RATIO,
+	{ "ivir_3_holes", TS_HOLES_TITLE, HOLE_FIGURES },
+	{ "ivir_3_rmse", TS_IMAGES_TITLE, IMAGE_FIGURES },
+	{ "ivir_3_mvr", "RMSE to MVR's image, grey levels", { C_TO_MVR, C_D_TO_MVR, C_VIR_TO_MVR, C_TO_RATIO, C_D_TO_RATIO,
 	  TS_NO_FIGURE } },
 	{ 0 },
 };
 
 static const ts_paper_relation omni_relations[] = {
-	{ "iVIR points saved of VIR's, %", C_SAVED, TS_BETWEEN, 15, 30, TS_NO_FIGURE, 0, 0,
-	  "VIR is a reconstruction, by this table", C_VIR_POINTS },
-	{ "RMSE to MVR, iVIR by VIR", C_TO_RATIO, TS_AT_MOST, 0, 1.1, TS_NO_FIGURE, 0, 0, "fewer points than VIR",
-	  C_SAVED },
-	{ "RMSE to MVR, iVIR at the defaults by VIR", C_D_TO_RATIO, TS_AT_MOST, 0, 1.1, TS_NO_FIGURE, 0, 0,
-	  TS_IVIR_NEAREST,
-	  C_D_OVER },
+	{ "iVIR points saved of VIR's, %", C_SAVED, TS_BETWEEN, 15, 30, TS_ANY, "VIR is a reconstruction, by this table",
+	  C_VIR_POINTS },
+	{ "RMSE to MVR, iVIR by VIR", C_TO_RATIO, TS_AT_MOST, 0, 1.1, TS_ANY, "fewer points than VIR", C_SAVED },
+	{ "RMSE to MVR, iVIR at the defaults by VIR", C_D_TO_RATIO, TS_AT_MOST, 0, 1.1, TS_ANY, TS_IVIR_NEAREST, C_D_OVER },
 	RAY_RELATIONS,
-	{ "speed by MVR rises with the lights", C_OVER_MVR, TS_RISES_WITH, C_MVR_MS, 0, TS_NO_FIGURE, 0, 0,
-	  "differs: it does not", C_POINTS },
+	{ "speed by MVR rises with the lights", C_OVER_MVR, TS_RISES_WITH, C_MVR_MS, 0, TS_ANY, "differs: it does not",
+	  C_POINTS },
 	{ 0 },
 };
 
@@ -192,13 +166,10 @@ static const ts_paper_row omni_rows[] = {
 };
 
 const ts_paper_table ts_ivir_3 = {
-	.name = "ivir-3", .title = "iVIR, table 3: omnidirectional soft shadows",
-	.effect = "omni-shadows", .scenes = "dining", .objects_head = "lights", .objects_param = "lamp.cubes",
-	.objects = "1,5,10,20", .set = "reflectors.count=0", .defaults = "depth_map.px=256,truth.area_samples=256",
-	.judge = "area", .rays = true,
-	.size = "width=960,height=540",
-	.note = TS_OMNI_NOTE " " TS_VIR_NOTE,
-	.timed = true, .variants = cube_variants, .figures = cube_figures,
-	.parts = omni_parts, .relations = omni_relations, .rows = omni_rows,
+	.name = "ivir-3", .title = "iVIR, table 3: omnidirectional soft shadows", .effect = "omni-shadows",
+	.scenes = "dining", .objects_head = "lights", .objects_param = "lamp.cubes", .objects = "1,5,10,20",
+	.set = "reflectors.count=0", .defaults = "depth_map.px=256,truth.area_samples=256", .judge = "area", .rays = true,
+	.size = "width=960,height=540", .note = TS_OMNI_NOTE " " TS_VIR_NOTE, .timed = true, .variants = cube_variants,
+	.figures = cube_figures, .parts = omni_parts, .relations = omni_relations, .rows = omni_rows,
 };
 /* clang-format on */

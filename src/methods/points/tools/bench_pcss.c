@@ -2,9 +2,24 @@
  * rays. */
 #include "benches.h"
 
-enum { M_REFERENCE, M_PCSS, M_IVIR, M_DEFAULT, M_CENTRE, M_MVR };
-
 /* clang-format off */
+/* What each method beside the reference has, by prefix `p`. */
+#define OF(p) p##PCSS, p##IVIR, p##DEFAULT, p##CENTRE, p##MVR
+#define EACH(ROW, p, before, after) \
+	ROW(p##PCSS, before "pcss" after, "PCSS", M_PCSS), ROW(p##IVIR, before "ivir" after, "iVIR", M_IVIR), \
+	ROW(p##DEFAULT, before "default" after, "defaults", M_DEFAULT), \
+	ROW(p##CENTRE, before "centre" after, "at=centre", M_CENTRE), ROW(p##MVR, before "mvr" after, "MVR", M_MVR)
+/* The same of iVIR alone, beside PCSS. */
+#define IVIR_OF(p) p##IVIR, p##DEFAULT, p##CENTRE
+#define BESIDE_PCSS(ROW, p, of, key, by, digits) \
+	ROW(p##IVIR, key, "iVIR" by, of##IVIR, of##PCSS, digits), \
+	ROW(p##DEFAULT, key "_default", "defaults" by, of##DEFAULT, of##PCSS, digits), \
+	ROW(p##CENTRE, key "_centre", "at=centre" by, of##CENTRE, of##PCSS, digits)
+#define RMSE_TO_128(id, key, head, of) TS_RMSE_TO(id, key, head, of, M_REFERENCE)
+#define SSIM_TO_128(id, key, head, of) TS_SSIM_TO(id, key, head, of, M_REFERENCE)
+
+enum { M_REFERENCE, OF(M_) };
+
 static const ts_bench_variant variants[] = {
 	[M_REFERENCE] = { "mvr", "lamp.views=128", true, TS_ONCE },
 	[M_PCSS] = { "pcss", "", true, TS_TIMED },
@@ -16,101 +31,51 @@ static const ts_bench_variant variants[] = {
 };
 
 /* To MVR's reference (TO) and to the truth. */
-enum { TO_PCSS, TO_IVIR, TO_DEFAULT, TO_CENTRE, TO_MVR, LIKE_PCSS, LIKE_IVIR, LIKE_DEFAULT, LIKE_CENTRE, LIKE_MVR,
-	PCSS, IVIR, DEFAULT, CENTRE, MVR, REFERENCE, SSIM_PCSS, SSIM_IVIR, SSIM_DEFAULT, SSIM_CENTRE, SSIM_MVR,
-	RATIO, RATIO_DEFAULT, RATIO_CENTRE, TO_RATIO, TO_RATIO_DEFAULT, TO_RATIO_CENTRE, GAIN, GAIN_DEFAULT, GAIN_CENTRE,
-	MVR_RATIO, PCSS_MS, IVIR_MS, DEFAULT_MS, CENTRE_MS, MVR_MS, TIME, TIME_DEFAULT, SCATTER_MS, MVR_MAP_MS,
-	TRIANGLES };
-
-#define ERROR(id, key, head, variant) [id] = { key, head, TS_FIGURE_RMSE, variant, 0, 3, "" }
-#define ERROR_TO(id, key, head, variant) [id] = { key, head, TS_FIGURE_RMSE, variant, M_REFERENCE, 3, TS_TO_IMAGE }
-#define LIKE(id, key, head, variant) [id] = { key, head, TS_FIGURE_SSIM, variant, 0, 4, "" }
-#define LIKE_TO(id, key, head, variant) [id] = { key, head, TS_FIGURE_SSIM, variant, M_REFERENCE, 4, TS_TO_IMAGE }
-#define BY(id, key, head, a, b) [id] = { key, head, TS_FIGURE_RATIO, a, b, 3, "" }
-#define MORE(id, key, head, a, b) [id] = { key, head, TS_FIGURE_DIFFERENCE, a, b, 4, "" }
-#define MS(id, key, head, variant) [id] = { key, head, TS_FIGURE_TIME, variant, 0, 2, "" }
+enum { OF(TO_), OF(LIKE_), OF(RMSE_), RMSE_REFERENCE, OF(SSIM_), IVIR_OF(RATIO_), IVIR_OF(TO_RATIO_), IVIR_OF(GAIN_),
+	MVR_RATIO, OF(MS_), TIME, TIME_DEFAULT, SCATTER_MS, MVR_MAP_MS, TRIANGLES };
 
 static const ts_bench_figure figures[] = {
-	ERROR_TO(TO_PCSS, "rmse_128_pcss", "PCSS", M_PCSS),
-	ERROR_TO(TO_IVIR, "rmse_128_ivir", "iVIR", M_IVIR),
-	ERROR_TO(TO_DEFAULT, "rmse_128_default", "defaults", M_DEFAULT),
-	ERROR_TO(TO_CENTRE, "rmse_128_centre", "at=centre", M_CENTRE),
-	ERROR_TO(TO_MVR, "rmse_128_mvr", "MVR", M_MVR),
-	LIKE_TO(LIKE_PCSS, "ssim_128_pcss", "PCSS", M_PCSS),
-	LIKE_TO(LIKE_IVIR, "ssim_128_ivir", "iVIR", M_IVIR),
-	LIKE_TO(LIKE_DEFAULT, "ssim_128_default", "defaults", M_DEFAULT),
-	LIKE_TO(LIKE_CENTRE, "ssim_128_centre", "at=centre", M_CENTRE),
-	LIKE_TO(LIKE_MVR, "ssim_128_mvr", "MVR", M_MVR),
-	ERROR(PCSS, "rmse_pcss", "PCSS", M_PCSS),
-	ERROR(IVIR, "rmse_ivir", "iVIR", M_IVIR),
-	ERROR(DEFAULT, "rmse_default", "defaults", M_DEFAULT),
-	ERROR(CENTRE, "rmse_centre", "at=centre", M_CENTRE),
-	ERROR(MVR, "rmse_mvr", "MVR", M_MVR),
-	ERROR(REFERENCE, "rmse_reference", "MVR, 128", M_REFERENCE),
-	LIKE(SSIM_PCSS, "ssim_pcss", "PCSS", M_PCSS),
-	LIKE(SSIM_IVIR, "ssim_ivir", "iVIR", M_IVIR),
-	LIKE(SSIM_DEFAULT, "ssim_default", "defaults", M_DEFAULT),
-	LIKE(SSIM_CENTRE, "ssim_centre", "at=centre", M_CENTRE),
-	LIKE(SSIM_MVR, "ssim_mvr", "MVR", M_MVR),
-	BY(RATIO, "ratio", "iVIR / PCSS", IVIR, PCSS),
-	BY(RATIO_DEFAULT, "ratio_default", "defaults / PCSS", DEFAULT, PCSS),
-	BY(RATIO_CENTRE, "ratio_centre", "at=centre / PCSS", CENTRE, PCSS),
-	BY(TO_RATIO, "ratio_128", "iVIR / PCSS", TO_IVIR, TO_PCSS),
-	BY(TO_RATIO_DEFAULT, "ratio_128_default", "defaults / PCSS", TO_DEFAULT, TO_PCSS),
-	BY(TO_RATIO_CENTRE, "ratio_128_centre", "at=centre / PCSS", TO_CENTRE, TO_PCSS),
-	MORE(GAIN, "ssim_gain", "iVIR less PCSS", LIKE_IVIR, LIKE_PCSS),
-	MORE(GAIN_DEFAULT, "ssim_gain_default", "defaults less PCSS", LIKE_DEFAULT, LIKE_PCSS),
-	MORE(GAIN_CENTRE, "ssim_gain_centre", "at=centre less PCSS", LIKE_CENTRE, LIKE_PCSS),
-	BY(MVR_RATIO, "ratio_mvr", "MVR / PCSS", MVR, PCSS),
-	MS(PCSS_MS, "pcss_ms", "PCSS", M_PCSS),
-	MS(IVIR_MS, "ivir_ms", "iVIR", M_IVIR),
-	MS(DEFAULT_MS, "default_ms", "defaults", M_DEFAULT),
-	MS(CENTRE_MS, "centre_ms", "at=centre", M_CENTRE),
-	MS(MVR_MS, "mvr_ms", "MVR", M_MVR),
-	BY(TIME, "time_ratio", "iVIR / PCSS", IVIR_MS, PCSS_MS),
-	BY(TIME_DEFAULT, "time_ratio_default", "defaults / PCSS", DEFAULT_MS, PCSS_MS),
-	[SCATTER_MS] = { "scatter_ms", "scatter, defaults", TS_FIGURE_PART_TIME, M_DEFAULT, 0, 2, "scatter" },
-	[MVR_MAP_MS] = { "depth_map_ms", "depth_map, MVR", TS_FIGURE_PART_TIME, M_MVR, 0, 2, "depth_map" },
-	[TRIANGLES] = { "triangles", "triangles", TS_FIGURE_TRIANGLES, 0, 0, TS_WHOLE, "" },
+	EACH(RMSE_TO_128, TO_, "rmse_128_", ""), EACH(SSIM_TO_128, LIKE_, "ssim_128_", ""),
+	EACH(TS_RMSE, RMSE_, "rmse_", ""), TS_RMSE(RMSE_REFERENCE, "rmse_reference", "MVR, 128", M_REFERENCE),
+	EACH(TS_SSIM, SSIM_, "ssim_", ""),
+	BESIDE_PCSS(TS_RATIO, RATIO_, RMSE_, "ratio", " / PCSS", 3),
+	BESIDE_PCSS(TS_RATIO, TO_RATIO_, TO_, "ratio_128", " / PCSS", 3),
+	BESIDE_PCSS(TS_LESS, GAIN_, LIKE_, "ssim_gain", " less PCSS", 4),
+	TS_RATIO(MVR_RATIO, "ratio_mvr", "MVR / PCSS", RMSE_MVR, RMSE_PCSS, 3),
+	EACH(TS_MS, MS_, "", "_ms"),
+	TS_RATIO(TIME, "time_ratio", "iVIR / PCSS", MS_IVIR, MS_PCSS, 3),
+	TS_RATIO(TIME_DEFAULT, "time_ratio_default", "defaults / PCSS", MS_DEFAULT, MS_PCSS, 3),
+	TS_PART_MS(SCATTER_MS, "scatter_ms", "scatter, defaults", M_DEFAULT, "scatter"),
+	TS_PART_MS(MVR_MAP_MS, "depth_map_ms", "depth_map, MVR", M_MVR, "depth_map"),
+	TS_TRIANGLES(TRIANGLES),
 	{ 0 },
 };
 
 static const ts_paper_part parts[] = {
-	{ "ivir_5", "iVIR, figure 5: RMSE to MVR's image of 128 maps, grey levels", { TO_PCSS, TO_IVIR,
-	  TO_DEFAULT, TO_CENTRE,
-	  TO_MVR, TS_NO_FIGURE } },
-	{ "ivir_5_ssim", "SSIM to MVR's image of 128 maps", { LIKE_PCSS, LIKE_IVIR, LIKE_DEFAULT, LIKE_CENTRE, LIKE_MVR,
-	  TS_NO_FIGURE } },
-	{ "ivir_5_truth", "RMSE to the truth", { PCSS, IVIR, DEFAULT, CENTRE, MVR, REFERENCE, TS_NO_FIGURE } },
-	{ "ivir_5_truth_ssim", "SSIM to the truth", { SSIM_PCSS, SSIM_IVIR, SSIM_DEFAULT, SSIM_CENTRE, SSIM_MVR,
-	  TS_NO_FIGURE } },
-	{ "ivir_5_ratios", "RMSE to the truth by that of PCSS", { RATIO, RATIO_DEFAULT, RATIO_CENTRE, MVR_RATIO,
-	  TS_NO_FIGURE } },
-	{ "ivir_5_ms", "Whole frames, ms", { TRIANGLES, PCSS_MS, IVIR_MS, DEFAULT_MS, CENTRE_MS, MVR_MS, TS_NO_FIGURE } },
+	{ "ivir_5", "iVIR, figure 5: RMSE to MVR's image of 128 maps, grey levels", { OF(TO_), TS_NO_FIGURE } },
+	{ "ivir_5_ssim", "SSIM to MVR's image of 128 maps", { OF(LIKE_), TS_NO_FIGURE } },
+	{ "ivir_5_truth", "RMSE to the truth", { OF(RMSE_), RMSE_REFERENCE, TS_NO_FIGURE } },
+	{ "ivir_5_truth_ssim", "SSIM to the truth", { OF(SSIM_), TS_NO_FIGURE } },
+	{ "ivir_5_ratios", "RMSE to the truth by that of PCSS", { IVIR_OF(RATIO_), MVR_RATIO, TS_NO_FIGURE } },
+	{ "ivir_5_ms", "Whole frames, ms", { TRIANGLES, OF(MS_), TS_NO_FIGURE } },
 	{ "ivir_5_time", "Frames by PCSS, and the stages that fill depth maps, ms", { TIME, TIME_DEFAULT, SCATTER_MS,
 	  MVR_MAP_MS, TS_NO_FIGURE } },
 	{ 0 },
 };
 
-#define ALL TS_NO_FIGURE, 0, 0
+/* That iVIR is no worse than PCSS. */
+#define NO_WORSE(error, by, p, kind, least, most, cause) \
+	{ error ", iVIR " by " PCSS", p##IVIR, kind, least, most, TS_ANY, TS_IVIR_NEAREST, cause }, \
+	{ error ", iVIR at the defaults " by " PCSS", p##DEFAULT, kind, least, most, TS_ANY, TS_IVIR_NEAREST, cause }, \
+	{ error ", iVIR at=centre " by " PCSS", p##CENTRE, kind, least, most, TS_ANY, TS_IVIR_SMALL, cause }
 
 static const ts_paper_relation relations[] = {
-	{ "RMSE to MVR's 128 maps, iVIR by PCSS", TO_RATIO, TS_AT_MOST, 0, 1, ALL, TS_IVIR_NEAREST, TO_MVR },
-	{ "RMSE to MVR's 128 maps, iVIR at the defaults by PCSS", TO_RATIO_DEFAULT, TS_AT_MOST, 0, 1, ALL,
-	  TS_IVIR_NEAREST, TO_MVR },
-	{ "RMSE to MVR's 128 maps, iVIR at=centre by PCSS", TO_RATIO_CENTRE, TS_AT_MOST, 0, 1, ALL, TS_IVIR_SMALL,
-	  TO_MVR },
-	{ "SSIM to MVR's 128 maps, iVIR less PCSS", GAIN, TS_AT_LEAST, 0, 0, ALL, TS_IVIR_NEAREST, LIKE_MVR },
-	{ "SSIM to MVR's 128 maps, iVIR at the defaults less PCSS", GAIN_DEFAULT, TS_AT_LEAST, 0, 0, ALL,
-	  TS_IVIR_NEAREST, LIKE_MVR },
-	{ "SSIM to MVR's 128 maps, iVIR at=centre less PCSS", GAIN_CENTRE, TS_AT_LEAST, 0, 0, ALL, TS_IVIR_SMALL,
-	  LIKE_MVR },
-	{ "RMSE to truth, iVIR by PCSS", RATIO, TS_AT_MOST, 0, 1, ALL, TS_IVIR_NEAREST, MVR },
-	{ "RMSE to truth, iVIR at the defaults by PCSS", RATIO_DEFAULT, TS_AT_MOST, 0, 1, ALL, TS_IVIR_NEAREST, MVR },
-	{ "RMSE to truth, iVIR at=centre by PCSS", RATIO_CENTRE, TS_AT_MOST, 0, 1, ALL, TS_IVIR_SMALL, MVR },
-	{ "time of iVIR by PCSS", TIME, TS_AT_MOST, 0, 1.1, ALL, "points are made on a processor, taps are few",
+	NO_WORSE("RMSE to MVR's 128 maps", "by", TO_RATIO_, TS_AT_MOST, 0, 1, TO_MVR),
+	NO_WORSE("SSIM to MVR's 128 maps", "less", GAIN_, TS_AT_LEAST, 0, 0, LIKE_MVR),
+	NO_WORSE("RMSE to truth", "by", RATIO_, TS_AT_MOST, 0, 1, RMSE_MVR),
+	{ "time of iVIR by PCSS", TIME, TS_AT_MOST, 0, 1.1, TS_ANY, "points are made on a processor, taps are few",
 	  TRIANGLES },
-	{ "time of iVIR at the defaults by PCSS", TIME_DEFAULT, TS_AT_MOST, 0, 1.1, ALL,
+	{ "time of iVIR at the defaults by PCSS", TIME_DEFAULT, TS_AT_MOST, 0, 1.1, TS_ANY,
 	  "points are made on a processor, taps are few", TRIANGLES },
 	{ 0 },
 };
@@ -127,8 +92,7 @@ const ts_paper_table ts_ivir_5 = {
 	.scenes = "atrium,gallery,dining",
 	.models = "fireplace_room.glb,country_kitchen_partial.glb,bunny.glb,dragon_80k.glb", .objects_head = "maps",
 	.objects_param = "lamp.views", .objects = "8,16,32", .most = 1024, .set = "reflectors.count=0",
-	.defaults = "scene.ground=on,truth.area_samples=256", .timed = true, .judge = "area", .variants =
-	variants, .figures = figures,
-	.parts = parts, .relations = relations, .pictures = pictures, .rows = rows,
+	.defaults = "scene.ground=on,truth.area_samples=256", .timed = true, .judge = "area", .variants = variants,
+	.figures = figures, .parts = parts, .relations = relations, .pictures = pictures, .rows = rows,
 };
 /* clang-format on */

@@ -20,6 +20,36 @@
 #define TS_VIEW_STAGES "splat,scatter,scatter.colour,environment_map,cube_face,depth_map,shadow_cube_size,shadow_splat"
 #define TS_MAP_STAGES TS_POINT_STAGES "," TS_VIEW_STAGES
 
+/* clang-format off */
+/* Rows of figures: what they are called, of which variant or figures, and decimals where tables differ in them. RMSE
+ * and SSIM are to the truth, and not there without one; those that end in TO are to the image of the variant `to`. */
+#define TS_TRIANGLES(id) [id] = { "triangles", "triangles", TS_FIGURE_TRIANGLES, 0, 0, TS_WHOLE, "" }
+#define TS_COUNT(id, key, head, of, what) [id] = { key, head, TS_FIGURE_COUNTER, of, 0, TS_WHOLE, what }
+#define TS_MS(id, key, head, of) [id] = { key, head, TS_FIGURE_TIME, of, 0, 2, "" }
+#define TS_PART_MS(id, key, head, of, stages) [id] = { key, head, TS_FIGURE_PART_TIME, of, 0, 2, stages }
+#define TS_RMSE(id, key, head, of) [id] = { key, head, TS_FIGURE_RMSE, of, of, 3, "" }
+#define TS_SSIM(id, key, head, of) [id] = { key, head, TS_FIGURE_SSIM, of, of, 4, "" }
+#define TS_RMSE_TO(id, key, head, of, to) [id] = { key, head, TS_FIGURE_RMSE, of, to, 3, TS_TO_IMAGE }
+#define TS_SSIM_TO(id, key, head, of, to) [id] = { key, head, TS_FIGURE_SSIM, of, to, 4, TS_TO_IMAGE }
+#define TS_RATIO(id, key, head, a, b, digits) [id] = { key, head, TS_FIGURE_RATIO, a, b, digits, "" }
+#define TS_LESS(id, key, head, a, b, digits) [id] = { key, head, TS_FIGURE_DIFFERENCE, a, b, digits, "" }
+#define TS_PERCENT(id, key, head, a, b) [id] = { key, head, TS_FIGURE_PERCENT, a, b, 4, "" }
+#define TS_SAVED(id, key, head, a, b) [id] = { key, head, TS_FIGURE_SAVED, a, b, 1, "" }
+#define TS_MORE(id, key, head, a, b) [id] = { key, head, TS_FIGURE_MORE, a, b, 3, "" }
+
+/* What rays say of iVIR at either rate: of holes, and of errors beside MVR's. */
+#define TS_HOLE_RELATIONS(share, cause, default_share, default_cause) \
+	{ "holes of iVIR, % of covered texels", share, TS_AT_MOST, 0, 0.0001, TS_ANY, \
+	  "samples at the rate of the closest point miss texels", cause }, \
+	{ "holes of iVIR at the defaults, % of covered texels", default_share, TS_AT_MOST, 0, 0.0001, TS_ANY, \
+	  "small pieces are culled", default_cause }
+#define TS_TRUTH_RELATIONS(more, default_more, mvr) \
+	{ "RMSE to truth, iVIR less MVR", more, TS_AT_MOST, 0, 0.5, TS_ANY, TS_IVIR_NEAREST, mvr }, \
+	{ "RMSE to truth, iVIR at the defaults less MVR", default_more, TS_AT_MOST, 0, 0.5, TS_ANY, TS_IVIR_NEAREST, mvr }
+#define TS_HOLES_TITLE "Texels that rays say are covered, and those of them that are empty"
+#define TS_IMAGES_TITLE "Images beside the truth, RMSE in grey levels"
+/* clang-format on */
+
 extern const ts_claim ts_points_claims[];
 extern const ts_paper_table ts_ivir_1, ts_ivir_2, ts_ivir_3, ts_ivir_culling, ts_ivir_4, ts_ivir_5, ts_ivir_6;
 extern const ts_paper_table ts_epr_1, ts_epr_2, ts_epr_3, ts_epr_5, ts_epr_costs, ts_epr_buffers;
