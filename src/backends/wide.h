@@ -1,6 +1,6 @@
 /* Loops for vectors: compiled for each width that processors have, with all that they call, and the widest taken when
  * the program starts. The bits are the same, as nothing is contracted and no sum is reordered (CONTRACT rule 4). Not
- * where threads are watched: what chooses runs before the watcher. */
+ * where threads are watched: what chooses runs before the watcher. Clang makes their names global: no two share one. */
 #ifndef TS_BACKENDS_C_WIDE_H
 #define TS_BACKENDS_C_WIDE_H
 

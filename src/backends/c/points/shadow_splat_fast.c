@@ -50,8 +50,8 @@ typedef struct {
 
 /* ts_k_is_within_texel, and the texel of ts_k_scatter_into. What lies farther outside a plane of the view than its
  * square reaches, by the margins of ts_k_misses, is no square. */
-TS_WIDE static void place(places *restrict to, const block *restrict b, ts_camera_k view, ts_v2 reach, f32 length,
-                          f32 cell)
+TS_WIDE static void place_points(places *restrict to, const block *restrict b, ts_camera_k view, ts_v2 reach,
+                                 f32 length, f32 cell)
 {
 	f32 far = 2.0f * cell, far_x = far * (1.0f + reach.x), far_y = far * (1.0f + reach.y);
 	for (u32 i = 0; i < b->n; i++) {
@@ -149,7 +149,7 @@ static void scatter_block(worker *w, caster *c)
 	const ts_offscreen *offscreen = c->of.offscreen;
 	u32 *map = map_of(&w->args->of, offscreen);
 	ts_v2 reach = ts_v2_make(offscreen->reach[0], offscreen->reach[1]);
-	place(&p, b, c->of.view, reach, w->point.length, 1.0f / w->args->of.from.frames[w->piece].s);
+	place_points(&p, b, c->of.view, reach, w->point.length, 1.0f / w->args->of.from.frames[w->piece].s);
 	w->tally.of.scatters += b->n;
 	s.n = 0;
 	for (u32 i = 0; i < b->n; i++) {
