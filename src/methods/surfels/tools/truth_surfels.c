@@ -39,6 +39,7 @@ typedef struct {
 	ts_status (*open)(tracer *t, ts_run *run);
 	bool (*see)(const tracer *t, const ts_disc_ray *ray, spot *at);
 	bool (*reaches)(const tracer *t, ts_v3 light, ts_v3 p); /* nothing is between them */
+	u32 cost;                                               /* of a ray, in rays into triangles */
 } world;
 
 struct tracer {
@@ -182,9 +183,9 @@ static ts_status open_board(tracer *t, ts_run *run)
 	return TS_OK;
 }
 
-static const world of_discs = {"truth discs", open_discs, see_discs, reaches_disc};
-static const world of_mesh = {"truth surface", open_mesh, see_mesh, reaches_mesh};
-static const world of_board = {"truth surface", open_board, see_board, reaches_board};
+static const world of_discs = {"truth discs", open_discs, see_discs, reaches_disc, 4};
+static const world of_mesh = {"truth surface", open_mesh, see_mesh, reaches_mesh, 1};
+static const world of_board = {"truth surface", open_board, see_board, reaches_board, 1};
 
 static double jitter(u32 pixel, u32 draw, u32 seed)
 {
@@ -288,7 +289,7 @@ static u64 plan(tracer *t, ts_sampling *sampling)
 {
 	u64 n = (u64)t->eye->width * t->eye->height, each = 1 + (t->lit != NULL ? t->n_lights : 0);
 	if (!sampling->chosen) {
-		ts_sampling_plan(sampling, n, (u64)t->side * t->side, each);
+		ts_sampling_plan(sampling, n, (u64)t->side * t->side, each * t->into->cost);
 		while ((u64)t->side * t->side > sampling->some) t->side--;
 		sampling->some = (u64)t->side * t->side;
 	}
