@@ -248,5 +248,6 @@ void ts_measure_keep_memory(void)
 #if defined(__GLIBC__)
 	mallopt(M_MMAP_MAX, 0);
 	mallopt(M_TRIM_THRESHOLD, -1);
+	mallopt(M_ARENA_MAX, 1);
 #endif
 }

@@ -56,7 +56,8 @@ ts_status ts_measure_run(ts_measure *measure, const ts_pipeline *method, const t
                          const ts_how *how, ts_measure_after after, void *user);
 
 /* From then on freed memory serves what comes next, as a renderer's buffers do: what reading a scene leaves the first
- * frame, and what that leaves the others. Fresh pages cost up to a third of a large frame to touch. */
+ * frame, and what that leaves the others, whichever thread freed it. Fresh pages cost up to a third of a large frame to
+ * touch. */
 void ts_measure_keep_memory(void);
 
 /* NULL if that was not counted, or that stage did not run. */
