@@ -27,38 +27,36 @@ const ts_command *ts_cli_require(const char *name)
 	return found;
 }
 
-/* A command as it was typed, and its status so far. */
+/* A command as it was typed. It stays where it is: the scene that it asks for points into the job. */
 typedef struct {
 	const ts_command *command; /* NULL: all is done */
 	ts_cli cli;
-	ts_status status;
 } task;
 
-static task done(ts_status status) { return (task){.status = status}; }
-
-static task read_task(int argc, char **argv)
+static ts_status read_task(task *t, int argc, char **argv)
 {
-	if (argc < 2) return done(ts_fail("no command; \"%s help\" lists all", ts_program));
+	if (argc < 2) return ts_fail("no command; \"%s help\" lists all", ts_program);
 	if (strcmp(argv[1], "--version") == 0) {
 		printf("%s %s, commit %s\n", ts_program, TS_VERSION, ts_commit());
-		return done(TS_OK);
+		return TS_OK;
 	}
 	if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0) {
 		ts_help_print(NULL);
-		return done(TS_OK);
+		return TS_OK;
 	}
-	task t = {.command = ts_cli_require(argv[1])};
-	t.status = t.command != NULL ? ts_cli_parse(&t.cli, t.command, argc - 1, argv + 1) : TS_ERROR;
-	if (t.status != TS_OK) return done(t.status);
-	if (ts_cli_given(&t.cli, TS_OPT(HELP))) {
-		ts_help_print(t.command);
-		return done(TS_OK);
+	const ts_command *command = ts_cli_require(argv[1]);
+	ts_status status = command != NULL ? ts_cli_parse(&t->cli, command, argc - 1, argv + 1) : TS_ERROR;
+	if (status != TS_OK) return status;
+	if (ts_cli_given(&t->cli, TS_OPT(HELP))) {
+		ts_help_print(command);
+		return TS_OK;
 	}
-	if (t.cli.job.sweep.n > 0 && strcmp(t.command->name, "render") != 0) {
-		return done(ts_fail("--set %s=%s: one value; only render takes lists", t.cli.job.sweep.swept[0].name,
-		                    t.cli.job.sweep.swept[0].values));
+	if (t->cli.job.sweep.n > 0 && strcmp(command->name, "render") != 0) {
+		return ts_fail("--set %s=%s: one value; only render takes lists", t->cli.job.sweep.swept[0].name,
+		               t->cli.job.sweep.swept[0].values);
 	}
-	return t;
+	t->command = command;
+	return TS_OK;
 }
 
 /* Prints why it failed, and returns the exit code. */
@@ -96,8 +94,9 @@ int ts_cli_main(int argc, char **argv)
 	/* A file-size limit shall fail the write, not end the process. */
 	signal(SIGXFSZ, SIG_IGN);
 	ts_cli_listen();
-	task t = read_task(argc, argv);
-	if (t.command == NULL) return end(t.status);
+	task t = {.command = NULL};
+	ts_status status = read_task(&t, argc, argv);
+	if (t.command == NULL) return end(status);
 	if (!t.cli.worker.none) return ts_worker_run(run, &t, t.cli.worker.seconds, t.cli.worker.mib);
 	if (t.cli.worker.seconds == 0 && t.cli.worker.mib == 0) return run(&t);
 	return end(ts_fail("--timeout, --memory: limits of the worker; leave --no-worker out"));

@@ -135,6 +135,9 @@ ts_status ts_render_command(ts_cli *cli)
 	job->effect = cli->arguments[0];
 	job->scenes = cli->n_arguments > 1 ? cli->arguments[1] : "atrium";
 	if (ts_selftest_require() != TS_OK || ts_effect_check(job->effect) != TS_OK) return TS_ERROR;
+	if (job->output.dir != NULL && !ts_render_writes(job)) {
+		return ts_fail("--output: --no-images writes no files; leave one of the two out");
+	}
 	if (choose_truths(job) != TS_OK) return TS_ERROR;
 	ts_measure_keep_memory();
 	ts_effect_params(job, job->effect);

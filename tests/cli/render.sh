@@ -82,6 +82,7 @@ for key in "counters", "bytes", "metrics", "shading":
 	assert a[key] == b[key], key
 PY
 verdict $? 'threads change no figure'
+refuses 'leave one of the two out' "${small[@]}" --no-images -o out
 
 if limits_files; then
 	(ulimit -f 2; timeout 300 "$touchstone" "${small[@]}" -o work/full > /dev/null 2> stderr)
