@@ -133,6 +133,7 @@ static void note_time(ts_series *series)
 	ts_series_time *time = &series->times[series->n_done];
 	time->combination = series->combination;
 	time->frame = TS_PARAM(&series->job->params, frame);
+	if (series->job->truths != 0) ts_measure_return_memory();
 	time->resident_bytes = ts_memory_resident();
 	for (u32 i = 0; i < TS_MAX_SHOWN; i++) {
 		const ts_picture *picture = ts_render_shown(series->render, i);

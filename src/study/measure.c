@@ -251,3 +251,10 @@ void ts_measure_keep_memory(void)
 	mallopt(M_ARENA_MAX, 1);
 #endif
 }
+
+void ts_measure_return_memory(void)
+{
+#if defined(__GLIBC__)
+	malloc_trim(0);
+#endif
+}

@@ -59,6 +59,9 @@ ts_status ts_measure_run(ts_measure *measure, const ts_pipeline *method, const t
  * frame, and what that leaves the others, whichever thread freed it. Fresh pages cost up to a third of a large frame to
  * touch. */
 void ts_measure_keep_memory(void);
+/* Returns what is free to the system. What Embree's threads leave lies between the frames' buffers, and would grow for
+ * dozens of frames of a sequence. */
+void ts_measure_return_memory(void);
 
 /* NULL if that was not counted, or that stage did not run. */
 const ts_counter *ts_measure_counter(const ts_measure *measure, const char *name);
