@@ -21,12 +21,11 @@ TS_FN ts_row ts_k_row(ts_v3 v)
 
 TS_FN f32 ts_k_along(ts_v3 p, u32 axis) { return axis == 0u ? p.x : axis == 1u ? p.y : p.z; }
 
-/* floor(x) for x from -1 to `most`; what lies beyond becomes one of them. */
+/* floor(x) for x from -1 to `most`; what lies beyond becomes one of them. Without branches, for loops for vectors. */
 TS_FN i32 ts_k_floor_within(f32 x, f32 most)
 {
-	f32 near_by = x > -1.0f ? ts_min(x, most) : -1.0f;
-	i32 whole = (i32)near_by;
-	return whole - ((f32)whole > near_by ? 1 : 0);
+	f32 near_by = ts_max(-1.0f, ts_min(x, most));
+	return (i32)ts_max(near_by, 0.0f) - (near_by < 0.0f ? 1 : 0);
 }
 
 /* A piece as one face sees it. */

@@ -1,0 +1,133 @@
+/* Pieces side by side: projected, snapped, and their edges as lines, as ts_k_splat_triangle and ts_k_lines do where no
+ * plane clips. */
+#include "splat_batch.h"
+#include "../../wide.h"
+
+enum { PIECES = TS_SPLAT_PIECES, LANES = TS_SPLAT_LANES, LONGEST = 1 << 18, HALF_SIZE = 129 };
+
+ts_splat_face ts_splat_face_begin(const ts_splat_args *args, u32 cube, u32 side)
+{
+	const ts_face *of = &args->cubes[cube];
+	ts_splat_face f = {.args = args, .view = ts_k_cube_view(of, side), .cube = cube, .side = side};
+	f.texels = args->texels + of->offset + (u64)side * of->n * of->n;
+	f.row[0] = ts_k_row(f.view.right);
+	f.row[1] = ts_k_row(f.view.up);
+	f.row[2] = ts_k_row(ts_neg(f.view.back));
+	f.eye[0] = f.view.eye.x;
+	f.eye[1] = f.view.eye.y;
+	f.eye[2] = f.view.eye.z;
+	return f;
+}
+
+void ts_splat_batch_add(ts_splat_batch *b, const ts_splat_face *f, u32 piece, f32 length, u32 flags)
+{
+	const ts_piece *of = &f->args->from.pieces[piece];
+	const ts_align *frame = &f->args->from.frames[piece];
+	f32 half_length = length * 0.5f;
+	u32 at = b->n++;
+	b->piece[at] = piece;
+	b->length[at] = length;
+	b->tiny[at] = flags & TS_POINT_TINY;
+	for (u32 r = 0; r < 3; r++) {
+		u32 axis = f->row[r].axis;
+		b->corner[r][at] = (of->a[axis] - f->eye[axis]) * f->row[r].sign;
+		b->corner[3 + r][at] = (of->b[axis] - f->eye[axis]) * f->row[r].sign;
+		b->corner[6 + r][at] = (of->c[axis] - f->eye[axis]) * f->row[r].sign;
+		b->side[r][at] = frame->u[axis] * half_length;
+		b->side[3 + r][at] = frame->v[axis] * half_length;
+	}
+}
+
+/* What all lanes know. */
+typedef struct {
+	f32 focal, middle, near;
+	i32 last; /* texel of a row or column */
+	i32 keep; /* edges; 0: they do not count */
+	u32 clip, together;
+} lanes;
+
+/* A snapped corner; `ok` is 0 where a plane of the snapping range is near, or the eye. */
+typedef struct {
+	i32 x, y;
+	u32 ok;
+} snapped;
+
+static inline snapped snap(const lanes *f, f32 x, f32 y, f32 z)
+{
+	f32 px = f->middle + (f->focal * x) / z, py = f->middle - (f->focal * y) / z;
+	u32 ok = (z >= f->near ? 1u : 0u) & (ts_abs(px) < 8192.0f ? 1u : 0u) & (ts_abs(py) < 8192.0f ? 1u : 0u);
+	return (snapped){(i32)ts_rint(ok != 0u ? px * 256.0f : 0.0f), (i32)ts_rint(ok != 0u ? py * 256.0f : 0.0f), ok};
+}
+
+static inline i32 least(i32 a, i32 b, i32 c) { return ts_min_i32(ts_min_i32(a, b), c); }
+static inline i32 most(i32 a, i32 b, i32 c) { return ts_max_i32(ts_max_i32(a, b), c); }
+static inline i32 size_of(i32 x) { return x < 0 ? -x : x; }
+
+/* A line of ts_k_lines by 256, from texel (i, j): its terms in (i, j) are multiples of that. */
+typedef struct {
+	i32 x, y, c;
+} line;
+
+/* `turned` is -1 where the area is negative. Of a triangle that is not seen the line may be anything. */
+static inline line edge(snapped a, snapped b, i32 turned, i32 i, i32 j)
+{
+	i32 dx = ((b.x - a.x) ^ turned) - turned, dy = ((b.y - a.y) ^ turned) - turned;
+	i32 within = dx * (128 - (a.y & 255)) - dy * (128 - (a.x & 255)) + HALF_SIZE * (size_of(dx) + size_of(dy));
+	u32 c = (u32)dx * (u32)(j - (a.y >> 8)) - (u32)dy * (u32)(i - (a.x >> 8));
+	return (line){-dy, dx, (i32)(c + (u32)(within >> 8))};
+}
+
+/* a d - b c, by 512 and rounded down; its sign is the area's. Of what is not small it may be anything. */
+static inline i32 area_of(i32 a, i32 b, i32 c, i32 d)
+{
+	u32 high = (u32)a * (u32)(d >> 9) - (u32)b * (u32)(c >> 9);
+	i32 low = (i32)((u32)a * (u32)(d & 511) - (u32)b * (u32)(c & 511));
+	return (i32)(high + (u32)(low >> 9));
+}
+
+TS_WIDE static void place_pieces(ts_splat_batch *restrict b, lanes f)
+{
+	u32 n = (b->n + LANES - 1) / LANES * LANES;
+	for (u32 i = 0; i < n; i++) {
+		snapped p = snap(&f, b->corner[0][i], b->corner[1][i], b->corner[2][i]);
+		snapped q = snap(&f, b->corner[3][i], b->corner[4][i], b->corner[5][i]);
+		snapped r = snap(&f, b->corner[6][i], b->corner[7][i], b->corner[8][i]);
+		i32 x0 = least(p.x, q.x, r.x), x1 = most(p.x, q.x, r.x), y0 = least(p.y, q.y, r.y), y1 = most(p.y, q.y, r.y);
+		u32 small = (x1 - x0 <= LONGEST ? 1u : 0u) & (y1 - y0 <= LONGEST ? 1u : 0u);
+		u32 together = p.ok & q.ok & r.ok & small & f.together;
+		u32 within = f.clip | b->tiny[i];
+		x0 = ts_max_i32(within != 0u ? (x0 - HALF_SIZE + 127) >> 8 : 0, 0);
+		y0 = ts_max_i32(within != 0u ? (y0 - HALF_SIZE + 127) >> 8 : 0, 0);
+		x1 = ts_min_i32(within != 0u ? (x1 + HALF_SIZE - 128) >> 8 : f.last, f.last);
+		y1 = ts_min_i32(within != 0u ? (y1 + HALF_SIZE - 128) >> 8 : f.last, f.last);
+		u32 seen = (x1 >= x0 ? 1u : 0u) & (y1 >= y0 ? 1u : 0u);
+		i32 turned = area_of(q.x - p.x, q.y - p.y, r.x - p.x, r.y - p.y) >> 31;
+		line a = edge(p, q, turned, x0, y0), c = edge(q, r, turned, x0, y0), e = edge(r, p, turned, x0, y0);
+		b->way[i] = together == 0u ? TS_SPLAT_ALONE : seen != 0u ? TS_SPLAT_TOGETHER : TS_SPLAT_UNSEEN;
+		b->whole[0][i] = x0;
+		b->whole[1][i] = y0;
+		b->whole[2][i] = x1;
+		b->whole[3][i] = y1;
+		b->whole[4][i] = a.x & f.keep;
+		b->whole[5][i] = a.y & f.keep;
+		b->whole[6][i] = a.c & f.keep;
+		b->whole[7][i] = c.x & f.keep;
+		b->whole[8][i] = c.y & f.keep;
+		b->whole[9][i] = c.c & f.keep;
+		b->whole[10][i] = e.x & f.keep;
+		b->whole[11][i] = e.y & f.keep;
+		b->whole[12][i] = e.c & f.keep;
+	}
+}
+
+void ts_splat_batch_place(ts_splat_batch *b, const ts_splat_face *f)
+{
+	lanes of = {.focal = f->view.focal,
+	            .middle = (f32)f->view.width * 0.5f,
+	            .near = f->view.near,
+	            .last = f->view.width - 1,
+	            .keep = f->args->clip != 0 ? -1 : 0,
+	            .clip = f->args->clip != 0,
+	            .together = f->args->plane_depth == 0};
+	place_pieces(b, of);
+}
