@@ -51,8 +51,8 @@ typedef struct {
 static inline corners corners_of(f32 c, f32 du, f32 dv, f32 eye, f32 sign)
 {
 	f32 low = c - du, high = c + du;
-	return (corners){{((low - dv) - eye) * sign, ((high - dv) - eye) * sign, ((high + dv) - eye) * sign,
-	                  ((low + dv) - eye) * sign}};
+	return (corners){
+		{((low - dv) - eye) * sign, ((high - dv) - eye) * sign, ((high + dv) - eye) * sign, ((low + dv) - eye) * sign}};
 }
 
 static inline f32 least(const corners *c) { return ts_min(ts_min(c->at[0], c->at[1]), ts_min(c->at[2], c->at[3])); }
@@ -62,7 +62,8 @@ static inline f32 most(const corners *c) { return ts_max(ts_max(c->at[0], c->at[
 static inline u32 outside(i32 whole[][ROOM], u32 at, u32 i, u32 j)
 {
 	u32 out = 0;
-	for (u32 k = EDGES; k < EDGES + 9; k += 3) out |= (u32)whole[k][at] * i + (u32)whole[k + 1][at] * j + (u32)whole[k + 2][at];
+	for (u32 k = EDGES; k < EDGES + 9; k += 3)
+		out |= (u32)whole[k][at] * i + (u32)whole[k + 1][at] * j + (u32)whole[k + 2][at];
 	return out;
 }
 
