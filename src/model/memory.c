@@ -1,6 +1,18 @@
 /* Memory: sizes that cannot overflow, and a message instead of a crash. */
+#define _DEFAULT_SOURCE /* madvise */
 #include <stdlib.h>
+#include <sys/mman.h>
 #include "core.h"
+
+/* Asks for large pages: fewer faults where memory is first written, fewer walks where it is written at random. A system
+ * without them says no, and nothing is lost. */
+static void take_large_pages(void *memory, size_t bytes)
+{
+	const uintptr_t large = (uintptr_t)2 << 20;
+	uintptr_t begin = ((uintptr_t)memory + large - 1) / large * large,
+			  end = ((uintptr_t)memory + bytes) / large * large;
+	if (begin < end) (void)madvise((void *)begin, end - begin, MADV_HUGEPAGE);
+}
 
 static void *allocate(size_t count, size_t size, const char *what, bool zero)
 {
@@ -11,7 +23,11 @@ static void *allocate(size_t count, size_t size, const char *what, bool zero)
 	size_t bytes = count * size;
 	size_t at_least_one = bytes ? bytes : 1;
 	void *memory = zero ? calloc(at_least_one, 1) : malloc(at_least_one);
-	if (!memory) ts_fail("%s: no memory for %zu elements of %zu bytes (%zu MiB)", what, count, size, bytes >> 20);
+	if (memory) {
+		take_large_pages(memory, bytes);
+	} else {
+		ts_fail("%s: no memory for %zu elements of %zu bytes (%zu MiB)", what, count, size, bytes >> 20);
+	}
 	return memory;
 }
 
