@@ -1,0 +1,119 @@
+/* Fast path of the visibility of cubes, with the same bits: triangles side by side, cube by cube. The axes of a face are
+ * the world's but for sign and order, so nothing needs products. */
+#include <string.h>
+#include "../../../kernels/raster/visibility.h"
+#include "../../fast.h"
+#include "../../wide.h"
+
+enum { LANES = 128, AXES = 3 };
+
+/* Triangles: corners a, b, c, and normals. */
+typedef struct {
+	u32 n, object[LANES], two_sided[LANES], degenerate[LANES];
+	f32 corner[3 * AXES][LANES], normal[AXES][LANES];
+} batch;
+
+/* What a cube may see of them: corners from its centre, and bits of faces. */
+typedef struct {
+	f32 corner[3 * AXES][LANES];
+	u32 shown[LANES], faces[LANES];
+} sight;
+
+static void take(batch *b, u32 lane, const ts_arrays *scene, u32 triangle)
+{
+	ts_corners t = ts_k_corners(scene, triangle);
+	const ts_v3 corner[3] = {t.a, t.b, t.c};
+	for (u32 k = 0; k < 3; k++) {
+		b->corner[k * AXES][lane] = corner[k].x;
+		b->corner[k * AXES + 1][lane] = corner[k].y;
+		b->corner[k * AXES + 2][lane] = corner[k].z;
+	}
+	b->normal[0][lane] = t.n.x;
+	b->normal[1][lane] = t.n.y;
+	b->normal[2][lane] = t.n.z;
+	b->object[lane] = ts_k_object_of(scene, triangle);
+	b->two_sided[lane] = ts_k_is_two_sided(scene, triangle) ? 1 : 0;
+	b->degenerate[lane] = ts_k_is_degenerate(t.n) ? 1 : 0;
+}
+
+/* Corners from a cube's centre; which triangles the cube may show at all, as ts_k_may_show has it. */
+TS_WIDE static void turn_to_cube(sight *restrict to, const batch *restrict b, u32 n, ts_v3 centre, u32 object)
+{
+	for (u32 i = 0; i < n; i++) {
+		for (u32 k = 0; k < 3 * AXES; k += AXES) {
+			to->corner[k][i] = b->corner[k][i] - centre.x;
+			to->corner[k + 1][i] = b->corner[k + 1][i] - centre.y;
+			to->corner[k + 2][i] = b->corner[k + 2][i] - centre.z;
+		}
+		ts_v3 a = ts_v3_make(centre.x - b->corner[0][i], centre.y - b->corner[1][i], centre.z - b->corner[2][i]);
+		f32 towards = ts_flush(ts_dot(ts_v3_make(b->normal[0][i], b->normal[1][i], b->normal[2][i]), a));
+		u32 facing = (towards > 0.0f ? 1u : 0u) | b->two_sided[i];
+		to->shown[i] = facing & (b->object[i] != object ? 1u : 0u) & (b->degenerate[i] ^ 1u);
+		to->faces[i] = 0;
+	}
+}
+
+static inline u32 all_above(f32 a, f32 b, f32 c, f32 x, f32 y, f32 z)
+{
+	return (a > x ? 1u : 0u) & (b > y ? 1u : 0u) & (c > z ? 1u : 0u);
+}
+
+/* ts_k_outside_plane for a face that looks along an axis, forwards or back. */
+TS_WIDE static void look(sight *restrict to, u32 n, u32 axis, f32 sign, f32 near, u32 bit)
+{
+	const f32 *x = to->corner[(axis + 1) % AXES], *y = to->corner[(axis + 2) % AXES], *z = to->corner[axis];
+	for (u32 i = 0; i < n; i++) {
+		f32 ax = x[i], bx = x[AXES * LANES + i], cx = x[2 * AXES * LANES + i];
+		f32 ay = y[i], by = y[AXES * LANES + i], cy = y[2 * AXES * LANES + i];
+		f32 az = z[i] * sign, bz = z[AXES * LANES + i] * sign, cz = z[2 * AXES * LANES + i] * sign;
+		u32 out = all_above(ax, bx, cx, az, bz, cz) | all_above(-ax, -bx, -cx, az, bz, cz);
+		out |= all_above(ay, by, cy, az, bz, cz) | all_above(-ay, -by, -cy, az, bz, cz);
+		out |= all_above(near, near, near, az, bz, cz);
+		to->faces[i] |= (to->shown[i] & (out ^ 1u)) * bit;
+	}
+}
+
+static void see(sight *s, const batch *b, const ts_face *cube)
+{
+	turn_to_cube(s, b, b->n, ts_load3(cube->centre), cube->object);
+	for (u32 face = 0; face < 6; face++) {
+		look(s, b->n, face / 2, face % 2 == 0 ? 1.0f : -1.0f, cube->near, 1u << face);
+	}
+}
+
+static void put_bits(u64 *words, u32 n_words, u32 r, const sight *s, u32 n)
+{
+	u32 shift = r * 6 & 63;
+	words += r * 6 >> 6;
+	for (u32 i = 0; i < n; i++, words += n_words) {
+		words[0] |= (u64)s->faces[i] << shift;
+		if (shift > 58) words[1] |= (u64)s->faces[i] >> (64 - shift);
+	}
+}
+
+static void see_part(const ts_visibility_args *args, u32 first, u32 n)
+{
+	batch b;
+	sight s;
+	u64 *words = args->bits + (u64)first * args->n_words;
+	b.n = n;
+	for (u32 i = 0; i < n; i++) take(&b, i, &args->scene, first + i);
+	memset(words, 0, (size_t)n * args->n_words * sizeof *words);
+	for (u32 r = 0; r < args->n_cubes; r++) {
+		if (args->cubes[r].n == 0) continue;
+		see(&s, &b, &args->cubes[r]);
+		put_bits(words, args->n_words, r, &s, n);
+	}
+}
+
+/* Faces that see, not those that have a corner in sight. */
+bool ts_c_fast_visibility(const void *of, u64 n, u32 threads)
+{
+	const ts_visibility_args *args = of;
+	if (args->vertex_mode != 0) return false;
+#pragma omp parallel for schedule(dynamic, 4) num_threads(threads)
+	for (i64 first = 0; first < (i64)n; first += LANES) {
+		see_part(args, (u32)first, (i64)n - first < LANES ? (u32)((i64)n - first) : LANES);
+	}
+	return true;
+}
