@@ -73,8 +73,76 @@ static void test_equal(void **state)
 	assert_true(n_seen > 40 * N);
 }
 
+/* Mirrors of all sizes about an eye; some of them are none, or all but touch a triangle. */
+static void random_mirrors(mesh *m)
+{
+	static const u32 sizes[] = {0, 1, 16, 64, 512};
+	u32 n_cubes = 1 + random_bits() % MESH_CUBES;
+	mesh_begin(m);
+	ts_store3(m->view.eye, uniform3(-4, 4));
+	for (u32 r = 0; r < n_cubes; r++) {
+		ts_v3 centre = uniform3(-3, 3);
+		if (random_bits() % 3 == 0) centre = ts_v3_make(ts_floor(centre.x), ts_floor(centre.y), ts_floor(centre.z));
+		mesh_cube(m, centre, random_bits() % 8 == 0 ? 0 : uniform_power(-8, 1), sizes[random_bits() % 5]);
+	}
+	for (u32 t = 0; t < MESH_TRIANGLES; t++) {
+		ts_v3 corner[3], at = ts_load3(m->cubes[random_bits() % n_cubes].centre);
+		ts_offscreen near_by = view_from(at, unit3(), 1, 1, 1, 0);
+		for (u32 k = 0; k < 3; k++) corner[k] = extreme_corner(&near_by);
+		mesh_triangle(m, corner[0], corner[1], corner[2], 1, 0);
+		for (u32 w = 0; w < 2; w++) m->bits[t * 2 + w] &= (u64)random_bits() << 32 | random_bits();
+	}
+}
+
+static bool eye_is_in_a_ball(const mesh *m)
+{
+	bool is = false;
+	for (u32 r = 0; r < m->n_cubes; r++) {
+		is = is || ts_length(ts_sub(ts_load3(m->view.eye), ts_load3(m->cubes[r].centre))) <= m->cubes[r].radius;
+	}
+	return is;
+}
+
+static void test_equal_of_the_eye(void **state)
+{
+	(void)state;
+	n_random = 0;
+	u32 n_seen = 0, n_within = 0, n_limited = 0;
+	for (u32 i = 0; i < N; i++) {
+		mesh m;
+		f32 plain[MESH_TRIANGLES], fast[MESH_TRIANGLES];
+		u32 pieces[2][MESH_TRIANGLES], start = n_random, threads = 1 + random_bits() % 3;
+		i64 n_capped = 0, limited[2] = {0, 0};
+		random_mirrors(&m);
+		ts_density_args args = mesh_density(&m, &n_capped, uniform_power(-4, 4));
+		args.cap = random_bits() % 4 != 0;
+		args.split = random_bits() % 2;
+		for (u32 way = 0; way < 2; way++) {
+			args.whole = way == 0 ? plain : fast;
+			args.offset = pieces[way];
+			args.n_limited = &limited[way];
+			if (way == 0) ts_c_launch(TS_KERNEL_split_count, &args, m.n_triangles, 1);
+			if (way == 1 && ts_c_fast_split_count(&args, m.n_triangles, threads) == eye_is_in_a_ball(&m)) {
+				fail_msg("random %u: the eye in a ball is the kernel's", start);
+			}
+		}
+		n_within += eye_is_in_a_ball(&m);
+		if (eye_is_in_a_ball(&m)) continue;
+		u32 t = 0;
+		while (t < MESH_TRIANGLES && ts_f2u(plain[t]) == ts_f2u(fast[t]) && pieces[0][t] == pieces[1][t]) t++;
+		if (t < MESH_TRIANGLES || limited[0] != limited[1]) {
+			fail_msg("random %u: %u mirrors, cap %u, %u threads: triangle %u: %a, %a; limited %lld, %lld", start,
+			         m.n_cubes, args.cap, threads, t, (double)plain[t % MESH_TRIANGLES],
+			         (double)fast[t % MESH_TRIANGLES], (long long)limited[0], (long long)limited[1]);
+		}
+		for (t = 0; t < MESH_TRIANGLES; t++) n_seen += plain[t] > 0;
+		n_limited += (u32)limited[0];
+	}
+	assert_true(n_seen > 20 * N && n_limited > N && n_within > N / 100);
+}
+
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_equal)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(test_equal), cmocka_unit_test(test_equal_of_the_eye)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,150 @@
+/* Densities of EPR with the bits of ts_k_density: the triangles that a cube may see go side by side, without branches. */
+#include "density_eye.h"
+#include "../../wide.h"
+#include "closest_lanes.h"
+
+enum { LANES = 16, TRIANGLES = 128, COORDINATES = 9 };
+
+/* Triangles, one after another; and what their cubes told so far. */
+typedef struct {
+	u32 n;
+	f32 corner[COORDINATES][TRIANGLES];
+	f32 shortest[TRIANGLES], densest[TRIANGLES];
+	bool any[TRIANGLES];
+} part;
+
+/* Those that a cube may see: what it tells of each. There is room for lanes beyond the last. */
+typedef struct {
+	u32 n, triangle[TRIANGLES + LANES];
+	f32 way[TRIANGLES + LANES], need[TRIANGLES + LANES];
+} seen;
+
+typedef struct {
+	ts_v3 eye, centre;
+	f32 radius, least, half_size;
+} cube;
+
+/* A step of ts_k_path_length: the point of the ball that light comes by, and whether its way meets the ball. */
+typedef struct {
+	ts_v3 by;
+	u32 meets;
+} step;
+
+static inline step step_of(const cube *r, ts_v3 t)
+{
+	ts_v3 near = ts_k_closest_on_segment(r->centre, t, r->eye);
+	ts_v3 out = ts_sub(near, r->centre);
+	f32 distance = ts_length(out);
+	u32 meets = distance <= r->radius ? 1u : 0u;
+	return (step){ts_choose_lane(meets, near, ts_mad(r->centre, out, r->radius / distance)), meets};
+}
+
+TS_WIDE static void measure(seen *restrict to, const part *restrict of, cube r)
+{
+	u32 n = (to->n + LANES - 1) / LANES * LANES;
+	for (u32 i = 0; i < n; i++) {
+		u32 at = to->triangle[i];
+		ts_v3 a = ts_v3_make(of->corner[0][at], of->corner[1][at], of->corner[2][at]);
+		ts_v3 b = ts_v3_make(of->corner[3][at], of->corner[4][at], of->corner[5][at]);
+		ts_v3 c = ts_v3_make(of->corner[6][at], of->corner[7][at], of->corner[8][at]);
+		ts_v3 t = ts_closest_lane(r.centre, a, b, c);
+		f32 to_triangle = ts_length(ts_sub(t, r.centre));
+		t = ts_closest_lane(step_of(&r, t).by, a, b, c);
+		step last = step_of(&r, t);
+		f32 straight = ts_length(ts_sub(r.eye, t));
+		f32 bent = ts_length(ts_sub(r.eye, last.by)) + ts_length(ts_sub(last.by, t));
+		to->way[i] = ts_max(last.meets != 0u ? straight : bent, r.least);
+		to->need[i] = r.half_size / ts_max(to_triangle, r.least);
+	}
+}
+
+static void take(part *p, u32 lane, const ts_density_args *args, u32 triangle)
+{
+	ts_corners t = ts_k_corners(&args->scene, triangle);
+	const ts_v3 corner[3] = {t.a, t.b, t.c};
+	for (u32 k = 0; k < 3; k++) {
+		p->corner[3 * k][lane] = corner[k].x;
+		p->corner[3 * k + 1][lane] = corner[k].y;
+		p->corner[3 * k + 2][lane] = corner[k].z;
+	}
+	p->any[lane] = false;
+	p->shortest[lane] = p->densest[lane] = 0.0f;
+}
+
+static void find_seen(seen *s, const u64 *words, u32 n_words, u32 r, u32 n)
+{
+	s->n = 0;
+	for (u32 i = 0; i < n; i++) {
+		s->triangle[s->n] = i;
+		s->n += ts_k_cube_bits(words + (u64)i * n_words, r) != 0;
+	}
+	for (u32 i = s->n; i % LANES != 0; i++) s->triangle[i] = 0;
+}
+
+static void merge(part *p, const seen *s)
+{
+	for (u32 k = 0; k < s->n; k++) {
+		u32 i = s->triangle[k];
+		p->shortest[i] = p->any[i] ? ts_min(p->shortest[i], s->way[k]) : s->way[k];
+		p->densest[i] = p->any[i] ? ts_max(p->densest[i], s->need[k]) : s->need[k];
+		p->any[i] = true;
+	}
+}
+
+static cube cube_of(const ts_density_args *args, u32 r)
+{
+	const ts_face *of = &args->cubes[r];
+	return (cube){.eye = ts_load3(args->view->eye),
+	              .centre = ts_load3(of->centre),
+	              .radius = of->radius,
+	              .least = ts_flush(of->radius * 0.0009765625f),
+	              .half_size = (f32)of->n * 0.5f};
+}
+
+/* As the end of ts_k_density and ts_k_split_count_item. Returns 1 where the densest cube limits. */
+static u32 put(const ts_density_args *args, const part *p, u32 lane, u32 triangle)
+{
+	f32 s = p->any[lane] ? (args->rho * args->view->focal) / p->shortest[lane] : 0.0f;
+	bool limited = args->cap != 0 && p->densest[lane] < s;
+	args->whole[triangle] = ts_put(limited ? p->densest[lane] : s);
+	args->offset[triangle] = args->whole[triangle] > 0.0f ? ts_k_split(args, triangle, false) : 0;
+	return limited ? 1 : 0;
+}
+
+static void count_part(const ts_density_args *args, u32 first, u32 n)
+{
+	part p = {.n = n};
+	seen s;
+	i64 n_limited = 0;
+	const u64 *words = args->bits + (u64)first * args->n_words;
+	for (u32 i = 0; i < n; i++) take(&p, i, args, first + i);
+	for (u32 r = 0; r < args->n_cubes; r++) {
+		find_seen(&s, words, args->n_words, r, n);
+		if (s.n == 0) continue;
+		measure(&s, &p, cube_of(args, r));
+		merge(&p, &s);
+	}
+	for (u32 i = 0; i < n; i++) n_limited += put(args, &p, i, first + i);
+	ts_add_i64(args->n_limited, n_limited);
+}
+
+/* By default: the paper's path, balls and off-axis densities take the kernel, and so does an eye within a ball. */
+static bool applies(const ts_density_args *args)
+{
+	ts_v3 eye = ts_load3(args->view->eye);
+	bool good = args->paper == 0 && args->ball == 0 && args->offaxis == 0;
+	for (u32 r = 0; good && r < args->n_cubes; r++) {
+		good = !(ts_length(ts_sub(eye, ts_load3(args->cubes[r].centre))) <= args->cubes[r].radius);
+	}
+	return good;
+}
+
+bool ts_c_eye_density(const ts_density_args *args, u32 n, u32 threads)
+{
+	if (!applies(args)) return false;
+#pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
+	for (i64 first = 0; first < (i64)n; first += TRIANGLES) {
+		count_part(args, (u32)first, (i64)n - first < TRIANGLES ? (u32)((i64)n - first) : TRIANGLES);
+	}
+	return true;
+}
