@@ -19,32 +19,19 @@ ts_splat_face ts_splat_face_begin(const ts_splat_args *args, u32 cube, u32 side)
 	return f;
 }
 
-void ts_splat_batch_add(ts_splat_batch *b, const ts_splat_face *f, u32 piece, f32 length, u32 flags)
-{
-	const ts_piece *of = &f->args->from.pieces[piece];
-	const ts_align *frame = &f->args->from.frames[piece];
-	f32 half_length = length * 0.5f;
-	u32 at = b->n++;
-	b->piece[at] = piece;
-	b->length[at] = length;
-	b->tiny[at] = flags & TS_POINT_TINY;
-	for (u32 r = 0; r < 3; r++) {
-		u32 axis = f->row[r].axis;
-		b->corner[r][at] = (of->a[axis] - f->eye[axis]) * f->row[r].sign;
-		b->corner[3 + r][at] = (of->b[axis] - f->eye[axis]) * f->row[r].sign;
-		b->corner[6 + r][at] = (of->c[axis] - f->eye[axis]) * f->row[r].sign;
-		b->side[r][at] = frame->u[axis] * half_length;
-		b->side[3 + r][at] = frame->v[axis] * half_length;
-	}
-}
-
-/* What all lanes know. */
+/* What all lanes know; [3] is right, up, ahead. */
 typedef struct {
+	f32 eye[3], sign[3];
 	f32 focal, middle, near;
 	i32 last; /* texel of a row or column */
 	i32 keep; /* edges; 0: they do not count */
 	u32 clip, together;
 } lanes;
+
+/* Coordinates right, up, ahead of a corner of all live pieces. */
+typedef struct {
+	const f32 *right, *up, *ahead;
+} ends;
 
 /* A snapped corner; `ok` is 0 where a plane of the snapping range is near, or the eye. */
 typedef struct {
@@ -52,8 +39,10 @@ typedef struct {
 	u32 ok;
 } snapped;
 
-static inline snapped snap(const lanes *f, f32 x, f32 y, f32 z)
+static inline snapped snap(const lanes *f, ends from, u32 at)
 {
+	f32 x = (from.right[at] - f->eye[0]) * f->sign[0], y = (from.up[at] - f->eye[1]) * f->sign[1];
+	f32 z = (from.ahead[at] - f->eye[2]) * f->sign[2];
 	f32 px = f->middle + (f->focal * x) / z, py = f->middle - (f->focal * y) / z;
 	u32 ok = (z >= f->near ? 1u : 0u) & (ts_abs(px) < 8192.0f ? 1u : 0u) & (ts_abs(py) < 8192.0f ? 1u : 0u);
 	return (snapped){(i32)ts_rint(ok != 0u ? px * 256.0f : 0.0f), (i32)ts_rint(ok != 0u ? py * 256.0f : 0.0f), ok};
@@ -85,17 +74,17 @@ static inline i32 area_of(i32 a, i32 b, i32 c, i32 d)
 	return (i32)(high + (u32)(low >> 9));
 }
 
-TS_WIDE static void place_pieces(ts_splat_batch *restrict b, lanes f)
+TS_WIDE static void place_pieces(ts_splat_batch *restrict b, lanes f, const u32 *restrict tiny, ends from, ends to,
+                                 ends last)
 {
 	u32 n = (b->n + LANES - 1) / LANES * LANES;
 	for (u32 i = 0; i < n; i++) {
-		snapped p = snap(&f, b->corner[0][i], b->corner[1][i], b->corner[2][i]);
-		snapped q = snap(&f, b->corner[3][i], b->corner[4][i], b->corner[5][i]);
-		snapped r = snap(&f, b->corner[6][i], b->corner[7][i], b->corner[8][i]);
+		u32 at = b->live[i];
+		snapped p = snap(&f, from, at), q = snap(&f, to, at), r = snap(&f, last, at);
 		i32 x0 = least(p.x, q.x, r.x), x1 = most(p.x, q.x, r.x), y0 = least(p.y, q.y, r.y), y1 = most(p.y, q.y, r.y);
 		u32 small = (x1 - x0 <= LONGEST ? 1u : 0u) & (y1 - y0 <= LONGEST ? 1u : 0u);
 		u32 together = p.ok & q.ok & r.ok & small & f.together;
-		u32 within = f.clip | b->tiny[i];
+		u32 within = f.clip | tiny[at];
 		x0 = ts_max_i32(within != 0u ? (x0 - HALF_SIZE + 127) >> 8 : 0, 0);
 		y0 = ts_max_i32(within != 0u ? (y0 - HALF_SIZE + 127) >> 8 : 0, 0);
 		x1 = ts_min_i32(within != 0u ? (x1 + HALF_SIZE - 128) >> 8 : f.last, f.last);
@@ -120,7 +109,21 @@ TS_WIDE static void place_pieces(ts_splat_batch *restrict b, lanes f)
 	}
 }
 
-void ts_splat_batch_place(ts_splat_batch *b, const ts_splat_face *f)
+/* Sides of the squares on the face's axes. */
+static void place_sides(ts_splat_batch *restrict b, const ts_splat_face *f, const ts_splat_live *live)
+{
+	for (u32 s = 0; s < TS_SPLAT_SIDES; s++) {
+		const f32 *from = live->side[s / 3 * 3 + f->row[s % 3].axis];
+		for (u32 i = 0; i < b->n; i++) b->side[s][i] = from[b->live[i]];
+	}
+}
+
+static ends ends_of(const ts_splat_face *f, f32 *const corner[3])
+{
+	return (ends){corner[f->row[0].axis], corner[f->row[1].axis], corner[f->row[2].axis]};
+}
+
+void ts_splat_batch_place(ts_splat_batch *b, const ts_splat_face *f, const ts_splat_live *live)
 {
 	lanes of = {.focal = f->view.focal,
 	            .middle = (f32)f->view.width * 0.5f,
@@ -129,5 +132,18 @@ void ts_splat_batch_place(ts_splat_batch *b, const ts_splat_face *f)
 	            .keep = f->args->clip != 0 ? -1 : 0,
 	            .clip = f->args->clip != 0,
 	            .together = f->args->plane_depth == 0};
-	place_pieces(b, of);
+	for (u32 k = 0; k < 3; k++) {
+		of.eye[k] = f->eye[f->row[k].axis];
+		of.sign[k] = f->row[k].sign;
+	}
+	for (u32 i = b->n; i % LANES != 0; i++) b->live[i] = 0;
+	place_pieces(b, of, live->tiny, ends_of(f, live->corner), ends_of(f, live->corner + 3),
+	             ends_of(f, live->corner + 6));
+	place_sides(b, f, live);
+}
+
+void ts_splat_batch_box(ts_splat_batch *b, u32 k, ts_box box)
+{
+	const i32 box_of[TS_SPLAT_WHOLES] = {box.x0, box.y0, box.x1, box.y1};
+	for (u32 s = 0; s < TS_SPLAT_WHOLES; s++) b->whole[s][k] = box_of[s];
 }

@@ -6,6 +6,17 @@
 
 enum { TS_SPLAT_PIECES = 64, TS_SPLAT_POINTS = 128, TS_SPLAT_LANES = 8 };
 
+/* What the splats of a piece have in common. Lanes of floats: half a square's sides du, dv. Lanes of integers: the box
+ * that may be written; then x, y, c of three edges, inside where x i + y j + c >= 0, from that box's first texel. */
+enum { TS_SPLAT_CORNERS = 9, TS_SPLAT_SIDES = 6, TS_SPLAT_BOX = 0, TS_SPLAT_EDGES = 4, TS_SPLAT_WHOLES = 13 };
+
+/* Pieces that have points, as arrays of coordinates in the world: corners a, b, c; sides du, dv. */
+typedef struct {
+	u64 n;
+	u32 *piece, *triangle, *tiny;
+	f32 *length, *corner[TS_SPLAT_CORNERS], *side[TS_SPLAT_SIDES];
+} ts_splat_live;
+
 typedef struct {
 	const ts_splat_args *args;
 	ts_camera_k view;
@@ -16,43 +27,50 @@ typedef struct {
 	i64 scatters, writes;
 } ts_splat_face;
 
-/* What the splats of a piece have in common. Lanes of floats: half a square's sides on the face's axes, du then dv.
- * Lanes of integers: the box that may be written; then x, y, c of three edges, inside where x i + y j + c >= 0, from
- * that box's first texel. */
-enum { TS_SPLAT_SIDES = 6, TS_SPLAT_BOX = 0, TS_SPLAT_EDGES = 4, TS_SPLAT_WHOLES = 13 };
-
 typedef enum { TS_SPLAT_UNSEEN, TS_SPLAT_TOGETHER, TS_SPLAT_ALONE } ts_splat_way;
 
-/* Pieces that a face may see. Those that a plane clips, or that are too large, go alone. */
+/* Live pieces that a face may see. Those that a plane clips, or that are too large, go alone. */
 typedef struct {
-	u32 n, piece[TS_SPLAT_PIECES], way[TS_SPLAT_PIECES], tiny[TS_SPLAT_PIECES];
-	f32 length[TS_SPLAT_PIECES];
-	f32 corner[9][TS_SPLAT_PIECES]; /* of a, b, c: on the face's axes */
-	f32 side[TS_SPLAT_SIDES][TS_SPLAT_PIECES];
+	u32 n, live[TS_SPLAT_PIECES], way[TS_SPLAT_PIECES];
+	f32 side[TS_SPLAT_SIDES][TS_SPLAT_PIECES]; /* on the face's axes */
 	i32 whole[TS_SPLAT_WHOLES][TS_SPLAT_PIECES];
 } ts_splat_batch;
 
 /* Points of such pieces that go together. Arrays have room for lanes beyond the last point. */
 enum { TS_SPLAT_ROOM = TS_SPLAT_POINTS + TS_SPLAT_LANES };
 typedef struct {
-	u32 n, piece[TS_SPLAT_ROOM], index[TS_SPLAT_ROOM];
-	f32 length[TS_SPLAT_ROOM];
+	u32 n, live[TS_SPLAT_ROOM], word[TS_SPLAT_ROOM];
 	f32 centre[3][TS_SPLAT_ROOM]; /* world */
 	f32 side[TS_SPLAT_SIDES][TS_SPLAT_ROOM];
 	i32 whole[TS_SPLAT_WHOLES][TS_SPLAT_ROOM];
 } ts_splat_block;
 
-ts_splat_face ts_splat_face_begin(const ts_splat_args *args, u32 cube, u32 side);
-/* Adds a piece; there must be room. */
-void ts_splat_batch_add(ts_splat_batch *batch, const ts_splat_face *f, u32 piece, f32 length, u32 flags);
-/* Finds how each piece of the batch goes. */
-void ts_splat_batch_place(ts_splat_batch *batch, const ts_splat_face *f);
+/* Points of one piece, one after another: n from index on. The arrays may be read up to a multiple of lanes. */
+typedef struct {
+	const f32 *centre[3];
+	u32 index, n;
+} ts_splat_row;
 
-/* n points of piece k of the batch, of which `index` is the first one's. The arrays may be read up to a multiple of
- * lanes. What is full is written. */
-void ts_splat_block_add(ts_splat_block *block, ts_splat_face *f, const ts_splat_batch *batch, u32 k,
-                        const f32 *const centre[3], u32 index, u32 n);
+/* False: no memory. Clear it in any case. */
+bool ts_splat_live_make(ts_splat_live *live, const ts_splat_args *args, u32 threads);
+void ts_splat_live_clear(ts_splat_live *live);
+
+ts_splat_face ts_splat_face_begin(const ts_splat_args *args, u32 cube, u32 side);
+/* Finds how each piece of the batch goes. */
+void ts_splat_batch_place(ts_splat_batch *batch, const ts_splat_face *f, const ts_splat_live *live);
+
+/* Piece k of the batch may write that box, all of it. */
+void ts_splat_batch_box(ts_splat_batch *batch, u32 k, ts_box box);
+
+/* Points of piece k of the batch, together with others. What is full is written. */
+void ts_splat_block_add(ts_splat_block *block, ts_splat_face *f, const ts_splat_live *live, const ts_splat_batch *batch,
+                        u32 k, ts_splat_row row);
 /* Writes what the block has, and empties it. */
-void ts_splat_block_write(ts_splat_block *block, ts_splat_face *f);
+void ts_splat_block_write(ts_splat_block *block, ts_splat_face *f, const ts_splat_live *live);
+/* The block is of that piece alone from now on, until it is written; at most so many points a row. */
+void ts_splat_block_own(ts_splat_block *block, const ts_splat_batch *batch, u32 k, u32 n);
+/* Writes a row of points of the block's own piece; its texels are told by `lines`, unless that is NULL. */
+void ts_splat_block_row(ts_splat_block *block, ts_splat_face *f, const ts_splat_live *live, ts_splat_row row,
+                        const ts_lines *lines);
 
 #endif

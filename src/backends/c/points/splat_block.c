@@ -10,23 +10,19 @@ enum { POINTS = TS_SPLAT_POINTS, LANES = TS_SPLAT_LANES, ROOM = TS_SPLAT_ROOM, E
 typedef struct {
 	f32 eye[3], sign[3], world_eye[3];
 	f32 focal, middle, size, near;
-	i32 width;
+	i32 width, last; /* last: texel of the face */
+	u32 apart;       /* 1: all are drawn one by one */
 } lanes;
 
-/* Where the splats are. */
+/* Where the splats are. Those that offer nothing offer the key of no point to a texel of their lane. */
 typedef struct {
 	u32 distance[ROOM];
 	i32 x0[ROOM], y0[ROOM], x1[ROOM], y1[ROOM]; /* of the box */
-	u32 texel[ROOM];                            /* (x0, y0) */
-	u32 covered[ROOM];                          /* bits: that texel, the one to its right, those below */
+	u32 texel[ROOM], high[ROOM], low[ROOM];     /* (x0, y0), and the halves of its key */
+	u32 wide[ROOM], tall[ROOM];                 /* 1: the box has a second column, row */
+	u32 others[ROOM];                           /* bits: the texel to its right, those below */
 	u32 rest[ROOM];                             /* 1: larger than that; 2: a corner is behind the eye */
 } places;
-
-typedef struct {
-	u32 n;
-	u32 texel[4 * POINTS];
-	u64 key[4 * POINTS];
-} offers;
 
 static lanes lanes_of(const ts_splat_face *f)
 {
@@ -34,7 +30,8 @@ static lanes lanes_of(const ts_splat_face *f)
 	           .middle = (f32)f->view.width * 0.5f,
 	           .size = (f32)f->view.width,
 	           .near = f->view.near,
-	           .width = f->view.width};
+	           .width = f->view.width,
+	           .last = f->view.width * f->view.width - 1};
 	for (u32 k = 0; k < 3; k++) {
 		r.eye[k] = f->eye[f->row[k].axis];
 		r.sign[k] = f->row[k].sign;
@@ -67,12 +64,24 @@ static inline u32 outside(i32 whole[][ROOM], u32 at, u32 i, u32 j)
 	return out;
 }
 
-/* Texels of the squares' boxes, like ts_k_splat_box; distances; what is covered. */
-TS_WIDE static void place_splats(places *restrict to, ts_splat_block *restrict b, lanes f, const f32 *right,
-                                 const f32 *up, const f32 *ahead)
+/* Bits of texels (s, t), the one to its right, those below, that are inside the edges and of the box. */
+static inline u32 inside(i32 whole[][ROOM], u32 at, u32 s, u32 t, u32 wide, u32 tall)
 {
-	u32 n = (b->n + LANES - 1) / LANES * LANES;
-	for (u32 i = 0; i < n; i++) {
+	u32 out = outside(whole, at, s, t) >> 31;
+	out |= ((outside(whole, at, s + 1, t) >> 31) | (wide ^ 1u)) << 1;
+	out |= ((outside(whole, at, s, t + 1) >> 31) | (tall ^ 1u)) << 2;
+	out |= ((outside(whole, at, s + 1, t + 1) >> 31) | ((wide & tall) ^ 1u)) << 3;
+	return out ^ 15u;
+}
+
+/* Texels of the squares' boxes, like ts_k_splat_box; distances; what is covered. Returns how many texels are. */
+TS_WIDE static u32 place_splats(places *restrict to, ts_splat_block *restrict b, u32 n_points, lanes f,
+                                const f32 *const centre[3], const u32 axis[3])
+{
+	const f32 *x = centre[0], *y = centre[1], *z = centre[2];
+	const f32 *right = centre[axis[0]], *up = centre[axis[1]], *ahead = centre[axis[2]];
+	u32 writes = 0;
+	for (u32 i = 0; i < (n_points + LANES - 1) / LANES * LANES; i++) {
 		corners px = corners_of(right[i], b->side[0][i], b->side[3][i], f.eye[0], f.sign[0]);
 		corners py = corners_of(up[i], b->side[1][i], b->side[4][i], f.eye[1], f.sign[1]);
 		corners pz = corners_of(ahead[i], b->side[2][i], b->side[5][i], f.eye[2], f.sign[2]);
@@ -84,141 +93,208 @@ TS_WIDE static void place_splats(places *restrict to, ts_splat_block *restrict b
 		i32 y0 = ts_max_i32(ts_k_floor_within(least(&py), f.size), b->whole[1][i]);
 		i32 x1 = ts_min_i32(ts_k_floor_within(most(&px), f.size), b->whole[2][i]);
 		i32 y1 = ts_min_i32(ts_k_floor_within(most(&py), f.size), b->whole[3][i]);
+		ts_v3 to_point = ts_v3_make(x[i] - f.world_eye[0], y[i] - f.world_eye[1], z[i] - f.world_eye[2]);
+		u32 distance = ts_f2u(ts_put(ts_length(to_point)));
+		u32 counts = (u32)((i32)(i - n_points) >> 31); /* all bits, or none */
 		u32 behind = ts_flush(least(&pz) - f.near) < 0.0f ? 1u : 0u;
 		u32 any = (x1 >= x0 ? 1u : 0u) & (y1 >= y0 ? 1u : 0u) & (behind ^ 1u);
 		u32 wide = x1 > x0 ? 1u : 0u, tall = y1 > y0 ? 1u : 0u;
-		u32 large = (x1 > x0 + 1 ? 1u : 0u) | (y1 > y0 + 1 ? 1u : 0u);
-		u32 s = (u32)(x0 - b->whole[0][i]), t = (u32)(y0 - b->whole[1][i]);
-		u32 out = outside(b->whole, i, s, t) >> 31;
-		out |= ((outside(b->whole, i, s + 1, t) >> 31) | (wide ^ 1u)) << 1;
-		out |= ((outside(b->whole, i, s, t + 1) >> 31) | (tall ^ 1u)) << 2;
-		out |= ((outside(b->whole, i, s + 1, t + 1) >> 31) | ((wide & tall) ^ 1u)) << 3;
-		to->covered[i] = (out ^ 15u) & (0u - (any & (large ^ 1u)));
-		to->rest[i] = behind << 1 | (any & large);
-		to->texel[i] = (u32)(y0 * f.width + x0);
+		u32 large = (x1 > x0 + 1 ? 1u : 0u) | (y1 > y0 + 1 ? 1u : 0u) | f.apart;
+		u32 covered = inside(b->whole, i, (u32)(x0 - b->whole[0][i]), (u32)(y0 - b->whole[1][i]), wide, tall);
+		covered &= (0u - (any & (large ^ 1u))) & counts;
+		writes += (covered & 1u) + (covered >> 1 & 1u) + (covered >> 2 & 1u) + (covered >> 3);
+		u32 none = (covered & 1u) - 1u;
+		to->texel[i] = (u32)ts_min_i32(none != 0u ? (i32)i : y0 * f.width + x0, f.last);
+		to->high[i] = distance | none;
+		to->low[i] = b->word[i] | none;
+		to->distance[i] = distance;
+		to->others[i] = covered >> 1;
+		to->rest[i] = (behind << 1 | (any & large)) & counts;
+		to->wide[i] = wide;
+		to->tall[i] = tall;
 		to->x0[i] = x0;
 		to->y0[i] = y0;
 		to->x1[i] = x1;
 		to->y1[i] = y1;
-		ts_v3 d = ts_v3_make(b->centre[0][i] - f.world_eye[0], b->centre[1][i] - f.world_eye[1],
-		                     b->centre[2][i] - f.world_eye[2]);
-		to->distance[i] = ts_f2u(ts_put(ts_length(d)));
 	}
+	return writes;
 }
 
-static void offer(offers *to, u32 texel, u64 key, u32 counts)
+static inline u64 key_of(u32 high, u32 low) { return (u64)high << 32 | low; }
+
+static inline void offer(u64 *texel, u64 key)
 {
-	to->texel[to->n] = texel;
-	to->key[to->n] = key;
-	to->n += counts;
+	u64 old = *texel;
+	*texel = key < old ? key : old;
 }
 
-static u64 key_of(const ts_splat_face *f, u32 distance, u32 index)
+static void write_others(u64 *texels, const places *p, const u32 *word, u32 i, i32 width)
 {
-	return (u64)distance << 32 | ts_k_splat_word(f->args, index);
+	u64 key = key_of(p->distance[i], word[i]), others = p->others[i];
+	u64 *first = &texels[p->y0[i] * width + p->x0[i]], *below = first + p->tall[i] * (u32)width;
+	u32 right = p->wide[i];
+	offer(first + right, key | ((others & 1) - 1));
+	offer(below, key | ((others >> 1 & 1) - 1));
+	offer(below + right, key | ((others >> 2) - 1));
 }
 
-static void write(ts_splat_face *f, const places *p, const ts_splat_block *b)
+static void write(u64 *texels, const places *p, const u32 *word, u32 n, i32 width)
 {
-	offers list;
-	u32 width = (u32)f->view.width;
-	list.n = 0;
-	for (u32 i = 0; i < b->n; i++) {
-		u64 key = key_of(f, p->distance[i], b->index[i]);
-		u32 covered = p->covered[i], texel = p->texel[i];
-		offer(&list, texel, key, covered & 1u);
-		offer(&list, texel + 1, key, covered >> 1 & 1u);
-		offer(&list, texel + width, key, covered >> 2 & 1u);
-		offer(&list, texel + width + 1, key, covered >> 3);
+	u32 n_more = 0, more[POINTS];
+	for (u32 i = 0; i < n; i++) {
+		offer(&texels[p->texel[i]], key_of(p->high[i], p->low[i]));
+		more[n_more] = i;
+		n_more += p->others[i] != 0;
 	}
-	for (u32 k = 0; k < list.n; k++) {
-		u64 *texel = &f->texels[list.texel[k]], old = *texel;
-		*texel = list.key[k] < old ? list.key[k] : old;
-	}
-	f->writes += list.n;
+	for (u32 k = 0; k < n_more; k++) write_others(texels, p, word, more[k], width);
 }
 
-/* A splat by itself. */
+/* What is drawn by itself. */
+typedef struct {
+	const ts_splat_live *live;
+	const ts_lines *lines;
+	const f32 *const *centre;
+} alone;
+
+static ts_box box_of(const ts_splat_face *f, const ts_splat_block *b, const alone *of, u32 at, ts_v3 c)
+{
+	ts_box limit = {b->whole[0][at], b->whole[1][at], b->whole[2][at], b->whole[3][at]};
+	const ts_align *frame = &f->args->from.frames[of->live->piece[b->live[at]]];
+	f32 length = of->live->length[b->live[at]];
+	ts_box box = ts_k_splat_box(&f->view, c, ts_load3(frame->u), ts_load3(frame->v), length);
+	return ts_k_box_meet(box, limit);
+}
+
+static u32 plane_distance(const ts_splat_face *f, const ts_splat_live *live, u32 at, ts_v3 c, f32 distance, i32 i,
+                          i32 j)
+{
+	const ts_align *frame = &f->args->from.frames[live->piece[at]];
+	ts_v3 n = ts_cross(ts_load3(frame->u), ts_load3(frame->v));
+	return ts_f2u(ts_put(ts_k_plane_distance(&f->view, n, c, distance, live->length[at], i, j)));
+}
+
+/* A splat of any size; its edges are told apart from the box that may be written. */
 static void draw(ts_splat_face *f, ts_splat_block *b, u32 at, ts_box box, u32 distance)
 {
-	u64 key = key_of(f, distance, b->index[at]);
+	u64 key = key_of(distance, b->word[at]);
+	i64 writes = 0;
+	for (i32 j = box.y0; j <= box.y1; j++) {
+		u64 *row = &f->texels[j * f->view.width];
+		for (i32 i = box.x0; i <= box.x1; i++) {
+			i32 out = (i32)outside(b->whole, at, (u32)(i - b->whole[0][at]), (u32)(j - b->whole[1][at])) >> 31;
+			offer(&row[i], key | (u64)(i64)out);
+			writes += 1 + out;
+		}
+	}
+	f->writes += writes;
+}
+
+/* The same by lines, or with a depth of each texel. */
+static void draw_apart(ts_splat_face *f, ts_splat_block *b, const alone *of, u32 at, ts_box box, ts_v3 c, f32 distance)
+{
 	for (i32 j = box.y0; j <= box.y1; j++) {
 		for (i32 i = box.x0; i <= box.x1; i++) {
-			if (outside(b->whole, at, (u32)(i - b->whole[0][at]), (u32)(j - b->whole[1][at])) >> 31 != 0) continue;
-			u64 *texel = &f->texels[(u64)j * (u64)f->view.width + (u64)i];
-			*texel = key < *texel ? key : *texel;
+			if (of->lines != NULL && !ts_k_inside_lines(of->lines, i, j)) continue;
+			u32 d = f->args->plane_depth == 0 ? ts_f2u(distance)
+			                                  : plane_distance(f, of->live, b->live[at], c, distance, i, j);
+			offer(&f->texels[j * f->view.width + i], key_of(d, b->word[at]));
 			f->writes++;
 		}
 	}
 }
 
-static void draw_rest(ts_splat_face *f, const places *p, ts_splat_block *b)
+static void draw_rest(ts_splat_face *f, ts_splat_block *b, const alone *of, u32 at, const places *p, bool apart)
 {
-	for (u32 i = 0; i < b->n; i++) {
-		if (p->rest[i] == 0) continue;
-		ts_box box = {p->x0[i], p->y0[i], p->x1[i], p->y1[i]};
-		if (p->rest[i] == 2) {
-			const ts_align *frame = &f->args->from.frames[b->piece[i]];
-			ts_v3 c = ts_v3_make(b->centre[0][i], b->centre[1][i], b->centre[2][i]);
-			ts_box limit = {b->whole[0][i], b->whole[1][i], b->whole[2][i], b->whole[3][i]};
-			box = ts_k_splat_box(&f->view, c, ts_load3(frame->u), ts_load3(frame->v), b->length[i]);
-			box = ts_k_box_meet(box, limit);
-		}
-		draw(f, b, i, box, p->distance[i]);
+	ts_v3 c = ts_v3_make(of->centre[0][at], of->centre[1][at], of->centre[2][at]);
+	ts_box box = {p->x0[at], p->y0[at], p->x1[at], p->y1[at]};
+	if (p->rest[at] == 2) box = box_of(f, b, of, at, c);
+	if (apart) {
+		draw_apart(f, b, of, at, box, c, ts_u2f(p->distance[at]));
+	} else {
+		draw(f, b, at, box, p->distance[at]);
 	}
 }
 
-void ts_splat_block_write(ts_splat_block *b, ts_splat_face *f)
+static void put(ts_splat_block *b, ts_splat_face *f, const alone *of, u32 n, bool apart)
 {
 	places p;
+	lanes all = lanes_of(f);
+	all.apart = apart ? 1 : 0;
+	const u32 axis[3] = {f->row[0].axis, f->row[1].axis, f->row[2].axis};
+	f->writes += place_splats(&p, b, n, all, of->centre, axis);
+	if (!apart) write(f->texels, &p, b->word, n, f->view.width);
 	u32 rest = 0;
-	if (b->n == 0) return;
-	place_splats(&p, b, lanes_of(f), b->centre[f->row[0].axis], b->centre[f->row[1].axis], b->centre[f->row[2].axis]);
-	write(f, &p, b);
-	for (u32 i = 0; i < b->n; i++) rest |= p.rest[i];
-	if (rest != 0) draw_rest(f, &p, b);
+	for (u32 i = 0; i < n; i++) rest |= p.rest[i];
+	for (u32 i = 0; rest != 0 && i < n; i++) {
+		if (p.rest[i] != 0) draw_rest(f, b, of, i, &p, apart);
+	}
+}
+
+void ts_splat_block_write(ts_splat_block *b, ts_splat_face *f, const ts_splat_live *live)
+{
+	const f32 *const centre[3] = {b->centre[0], b->centre[1], b->centre[2]};
+	alone of = {live, NULL, centre};
+	if (b->n > 0) put(b, f, &of, b->n, false);
 	b->n = 0;
 }
 
-/* LANES of it. */
-static inline void put_f32(f32 *to, f32 value)
-{
-	for (u32 i = 0; i < LANES; i++) to[i] = value;
-}
+typedef f32 floats __attribute__((vector_size(4 * LANES)));
+typedef i32 integers __attribute__((vector_size(4 * LANES)));
 
-static inline void put_u32(u32 *to, u32 value)
+/* What the piece's points have in common, from point `at` on. */
+TS_WIDE static void add_piece(ts_splat_block *b, const ts_splat_batch *batch, u32 k, u32 at, u32 n)
 {
-	for (u32 i = 0; i < LANES; i++) to[i] = value;
-}
-
-static inline void put_i32(i32 *to, i32 value)
-{
-	for (u32 i = 0; i < LANES; i++) to[i] = value;
-}
-
-/* Lanes beyond the last point are overwritten by what comes next, or stay unread. */
-static void add(ts_splat_block *b, const ts_splat_batch *batch, u32 k, const f32 *const centre[3], u32 index, u32 n)
-{
-	for (u32 done = 0; done < n; done += LANES) {
-		u32 at = b->n + done;
-		for (u32 axis = 0; axis < 3; axis++) memcpy(b->centre[axis] + at, centre[axis] + done, LANES * sizeof(f32));
-		for (u32 s = 0; s < TS_SPLAT_SIDES; s++) put_f32(b->side[s] + at, batch->side[s][k]);
-		for (u32 s = 0; s < TS_SPLAT_WHOLES; s++) put_i32(b->whole[s] + at, batch->whole[s][k]);
-		put_f32(b->length + at, batch->length[k]);
-		put_u32(b->piece + at, batch->piece[k]);
-		for (u32 i = 0; i < LANES; i++) b->index[at + i] = index + done + i;
+	for (u32 begin = at; begin < at + n; begin += LANES) {
+		for (u32 s = 0; s < TS_SPLAT_SIDES; s++) {
+			floats side = (floats){0} + batch->side[s][k];
+			memcpy(b->side[s] + begin, &side, sizeof side);
+		}
+		for (u32 s = 0; s < TS_SPLAT_WHOLES; s++) {
+			integers whole = (integers){0} + batch->whole[s][k];
+			memcpy(b->whole[s] + begin, &whole, sizeof whole);
+		}
+		integers live = (integers){0} + (i32)batch->live[k];
+		memcpy(b->live + begin, &live, sizeof live);
 	}
-	b->n += n;
 }
 
-void ts_splat_block_add(ts_splat_block *b, ts_splat_face *f, const ts_splat_batch *batch, u32 k,
-                        const f32 *const centre[3], u32 index, u32 n)
+/* What texels hold of the points: their indices, or their colours. */
+static void add_words(ts_splat_block *b, const ts_splat_face *f, u32 at, ts_splat_row row)
 {
-	for (u32 done = 0; done < n;) {
-		u32 room = POINTS - b->n, part = n - done < room ? n - done : room;
-		const f32 *from[3] = {centre[0] + done, centre[1] + done, centre[2] + done};
-		add(b, batch, k, from, index + done, part);
-		done += part;
-		if (b->n == POINTS) ts_splat_block_write(b, f);
+	for (u32 i = 0; i < row.n; i++) b->word[at + i] = ts_k_splat_word(f->args, row.index + i);
+}
+
+/* Lanes beyond the last point are overwritten by what comes next, or do not count. */
+static void add(ts_splat_block *b, const ts_splat_face *f, const ts_splat_batch *batch, u32 k, ts_splat_row row)
+{
+	add_piece(b, batch, k, b->n, row.n);
+	add_words(b, f, b->n, row);
+	for (u32 done = 0; done < row.n; done += LANES) {
+		for (u32 axis = 0; axis < 3; axis++) {
+			memcpy(b->centre[axis] + b->n + done, row.centre[axis] + done, LANES * sizeof(f32));
+		}
 	}
+	b->n += row.n;
+}
+
+void ts_splat_block_add(ts_splat_block *b, ts_splat_face *f, const ts_splat_live *live, const ts_splat_batch *batch,
+                        u32 k, ts_splat_row row)
+{
+	for (u32 done = 0; done < row.n;) {
+		u32 room = POINTS - b->n, n = row.n - done < room ? row.n - done : room;
+		ts_splat_row part = {{row.centre[0] + done, row.centre[1] + done, row.centre[2] + done}, row.index + done, n};
+		add(b, f, batch, k, part);
+		done += n;
+		if (b->n == POINTS) ts_splat_block_write(b, f, live);
+	}
+}
+
+void ts_splat_block_own(ts_splat_block *b, const ts_splat_batch *batch, u32 k, u32 n) { add_piece(b, batch, k, 0, n); }
+
+void ts_splat_block_row(ts_splat_block *b, ts_splat_face *f, const ts_splat_live *live, ts_splat_row row,
+                        const ts_lines *lines)
+{
+	alone of = {live, lines, row.centre};
+	add_words(b, f, 0, row);
+	put(b, f, &of, row.n, lines != NULL || f->args->plane_depth != 0);
 }
