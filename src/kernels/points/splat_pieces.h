@@ -5,20 +5,6 @@
 #define TS_KERNELS_SPLAT_PIECES_H
 #include "splat.h"
 
-/* A face's axis as a world axis and a sign. */
-typedef struct {
-	u32 axis;
-	f32 sign;
-} ts_row;
-
-TS_FN ts_row ts_k_row(ts_v3 v)
-{
-	ts_row r;
-	r.axis = v.x != 0.0f ? 0u : v.y != 0.0f ? 1u : 2u;
-	r.sign = v.x != 0.0f ? v.x : v.y != 0.0f ? v.y : v.z;
-	return r;
-}
-
 TS_FN f32 ts_k_along(ts_v3 p, u32 axis) { return axis == 0u ? p.x : axis == 1u ? p.y : p.z; }
 
 /* floor(x) for x from -1 to `most`; what lies beyond becomes one of them. Without branches, for loops for vectors. */

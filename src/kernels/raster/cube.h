@@ -34,6 +34,20 @@ TS_FN ts_camera_k ts_k_cube_view(TS_GLOBAL const ts_face *cube, u32 face)
 	return r;
 }
 
+/* A face's axis as a world axis and a sign. */
+typedef struct {
+	u32 axis;
+	f32 sign;
+} ts_row;
+
+TS_FN ts_row ts_k_row(ts_v3 v)
+{
+	ts_row r;
+	r.axis = v.x != 0.0f ? 0u : v.y != 0.0f ? 1u : 2u;
+	r.sign = v.x != 0.0f ? v.x : v.y != 0.0f ? v.y : v.z;
+	return r;
+}
+
 /* A direction as face and (sc / ma, tc / ma) in [-1, 1]. */
 typedef struct {
 	u32 face;

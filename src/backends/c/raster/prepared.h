@@ -11,15 +11,22 @@ typedef struct {
 	ts_setup setup[TS_MAX_CORNERS];
 } ts_prepared;
 
-static inline void ts_prepare(ts_prepared *p, const ts_arrays *scene, const ts_camera_k *view, u32 triangle)
+/* clips: a plane of ts_k_clip_to_range may do so. */
+static inline void ts_prepare_if(ts_prepared *p, const ts_arrays *scene, const ts_camera_k *view, u32 triangle,
+                                 bool clips)
 {
 	p->triangle = triangle;
 	p->corners = ts_k_corners(scene, triangle);
 	p->polygon = ts_k_polygon(view, p->corners.a, p->corners.b, p->corners.c);
-	ts_k_clip_to_range(view, &p->polygon);
+	if (clips) ts_k_clip_to_range(view, &p->polygon);
 	ts_snapped v[TS_MAX_CORNERS];
 	for (u32 k = 0; k < p->polygon.n; k++) v[k] = ts_k_snap_corner(view, &p->polygon.corner[k]);
 	for (u32 k = 2; k < p->polygon.n; k++) p->setup[k] = ts_k_setup(v[0], v[k - 1], v[k]);
+}
+
+static inline void ts_prepare(ts_prepared *p, const ts_arrays *scene, const ts_camera_k *view, u32 triangle)
+{
+	ts_prepare_if(p, scene, view, triangle, true);
 }
 
 /* As ts_k_fragment_at. */
