@@ -1,5 +1,6 @@
 /* Triangles of one view side by side, into texels that their thread owns. Most cover few pixels: loops for vectors
- * project and snap them, and find the depths of all that they cover. What a plane clips and what is large goes alone. */
+ * project and snap them, and find the depths of all that they cover. What a plane clips and what is large goes alone.
+ */
 #ifndef TS_BACKENDS_DRAW_BATCH_H
 #define TS_BACKENDS_DRAW_BATCH_H
 #include "../../../kernels/raster/draw.h"
