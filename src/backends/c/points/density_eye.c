@@ -1,4 +1,4 @@
-/* Densities of EPR with the bits of ts_k_density: the triangles that a cube may see go side by side, without branches. */
+/* Densities of EPR, with the bits of ts_k_density: the triangles that a cube may see go side by side. */
 #include "density_eye.h"
 #include "../../wide.h"
 #include "closest_lanes.h"

@@ -1,5 +1,5 @@
-/* Fast path of the splat kernels, with the same bits: a thread owns a cube face, so there are no atomics; pieces and points
- * go side by side, as many as a cache holds into all faces of some cubes; rows of points beside a face are left out. */
+/* Fast path of the splat kernels, with the same bits: a thread owns a cube face, so there are no atomics; pieces and
+ * points go side by side, as many as a cache holds into all faces of some cubes; rows beside a face are left out. */
 #include <omp.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,5 +1,5 @@
-/* Fast path of the visibility of cubes, with the same bits: triangles side by side, cube by cube. The axes of a face are
- * the world's but for sign and order, so nothing needs products. */
+/* Fast path of the visibility of cubes, with the same bits: triangles side by side, cube by cube. The axes of a face
+ * are the world's but for sign and order, so nothing needs products. */
 #include <string.h>
 #include "../../../kernels/raster/visibility.h"
 #include "../../fast.h"
