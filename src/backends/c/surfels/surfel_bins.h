@@ -14,15 +14,18 @@ typedef struct {
 typedef struct {
 	const ts_disc *discs;
 	u64 n;
+	double reach;
+	i64 pixels; /* of all boxes */
 	u32 n_columns, n_tiles, n_lots;
 	u64 *place; /* [lot][tile]: how many there are, then where the next belongs, then where they end */
 	u32 *surfel;
 	ts_surfel_span *spans; /* of all surfels */
 } ts_surfel_bins;
 
-/* Of n discs in a view. False without memory for them, or where they touch 16 tiles on average. Released by
+/* Of n discs in a view, each where its ellipse may be, and up to `reach` pixels from its centre along each axis. False without memory for them, or where they touch 16 tiles on average. Released by
  * ts_surfel_bins_free, also where it is false. */
-bool ts_surfel_bins_make(ts_surfel_bins *bins, const ts_view *view, const ts_disc *discs, u64 n, u32 threads);
+bool ts_surfel_bins_make(ts_surfel_bins *bins, const ts_view *view, const ts_disc *discs, u64 n, double reach,
+                         u32 threads);
 void ts_surfel_bins_free(ts_surfel_bins *bins);
 /* Places in `surfel` of those of a tile. */
 u64 ts_surfel_bin_begin(const ts_surfel_bins *bins, u32 tile);

@@ -7,6 +7,7 @@
 #include "../../fast.h"
 #include "surfel_bins.h"
 #include "../../wide.h"
+#include <math.h>
 
 enum { ITEMS = 1024 };
 
@@ -106,7 +107,7 @@ bool ts_c_fast_surfel_depth(const void *of, u64 n, u32 threads)
 {
 	const ts_surfel_depth_args *args = of;
 	ts_surfel_bins b;
-	bool made = ts_surfel_bins_make(&b, args->view, args->discs, n, threads);
+	bool made = ts_surfel_bins_make(&b, args->view, args->discs, n, -(double)INFINITY, threads);
 	if (made) {
 #pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
 		for (i64 tile = 0; tile < (i64)b.n_tiles; tile++) depth_tile(args, &b, (u32)tile);
@@ -214,14 +215,19 @@ TS_WIDE static void blend_tile(const ts_surfel_blend_args *args, const ts_surfel
 {
 	block in = {.n = 0};
 	ts_camera_k view = ts_k_view(args->view);
-	i64 n = 0, pixels = 0;
+	i64 n = 0;
 	for (u64 k = ts_surfel_bin_begin(b, tile); k < ts_surfel_bin_end(b, tile); k++) {
 		ts_disc disc = ts_surfel_bins_disc(b, tile, b->surfel[k]);
 		n += blend_surfel(&in, args, &view, disc, b->surfel[k]);
-		pixels += box_pixels(&disc);
 	}
 	ts_add_i64(&args->tally[0], n);
-	ts_add_i64(&args->tally[1], pixels);
+}
+
+/* How far from a centre the screen filter may cover a pixel. */
+static double screen_reach(const ts_filter *filter)
+{
+	bool none = !(filter->per_sigma2 > 0.0f) || filter->filter == TS_FILTER_IS_OBJECT;
+	return none ? -(double)INFINITY : 1.0 + 1.001 / sqrt((double)filter->per_sigma2);
 }
 
 bool ts_c_fast_surfel_blend(const void *of, u64 n, u32 threads)
@@ -229,10 +235,11 @@ bool ts_c_fast_surfel_blend(const void *of, u64 n, u32 threads)
 	const ts_surfel_blend_args *args = of;
 	ts_surfel_bins b;
 	if (args->filter.filter == TS_FILTER_IS_EWA) return false;
-	bool made = ts_surfel_bins_make(&b, args->view, args->discs, n, threads);
+	bool made = ts_surfel_bins_make(&b, args->view, args->discs, n, screen_reach(&args->filter), threads);
 	if (made) {
 #pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
 		for (i64 tile = 0; tile < (i64)b.n_tiles; tile++) blend_tile(args, &b, (u32)tile);
+		ts_add_i64(&args->tally[1], b.pixels);
 	}
 	ts_surfel_bins_free(&b);
 	return made;
