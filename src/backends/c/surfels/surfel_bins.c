@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { TILE = 64, MOST_TILES_A_SURFEL = 16, FEW_TILES = 4 };
+enum { TILE = TS_SURFEL_TILE, MOST_TILES_A_SURFEL = 16, FEW_TILES = 4 };
 
 static ts_surfel_span span_of(const ts_disc *disc)
 {
@@ -152,23 +152,14 @@ bool ts_surfel_bins_make(ts_surfel_bins *b, const ts_view *view, const ts_disc *
 	if (b->place == NULL || b->spans == NULL) return false;
 	bin_lots(b);
 	u64 sum = scan_lots(b);
-	if (sum <= n * MOST_TILES_A_SURFEL) b->surfel = malloc((size_t)(sum + 1) * sizeof *b->surfel);
-	if (b->surfel != NULL) bin_lots(b);
-	return b->surfel != NULL;
+	if (sum <= n * MOST_TILES_A_SURFEL) b->surfel = malloc((size_t)(sum + TS_SURFELS_AHEAD) * sizeof *b->surfel);
+	if (b->surfel == NULL) return false;
+	memset(b->surfel + sum, 0, TS_SURFELS_AHEAD * sizeof *b->surfel);
+	bin_lots(b);
+	return true;
 }
 
 /* Where the last lot ends. */
 u64 ts_surfel_bin_end(const ts_surfel_bins *b, u32 tile) { return b->place[(u64)(b->n_lots - 1) * b->n_tiles + tile]; }
 
 u64 ts_surfel_bin_begin(const ts_surfel_bins *b, u32 tile) { return tile > 0 ? ts_surfel_bin_end(b, tile - 1) : 0; }
-
-ts_disc ts_surfel_bins_disc(const ts_surfel_bins *b, u32 tile, u32 surfel)
-{
-	ts_disc disc = b->discs[surfel];
-	i32 corner[2] = {(i32)(tile % b->n_columns * TILE), (i32)(tile / b->n_columns * TILE)};
-	for (u32 axis = 0; axis < 2; axis++) {
-		disc.low[axis] = ts_max_i32(disc.low[axis], corner[axis]);
-		disc.high[axis] = ts_min_i32(disc.high[axis], corner[axis] + TILE - 1);
-	}
-	return disc;
-}

@@ -4,6 +4,8 @@
 #include "../../../kernels/base/num.h"
 #include "../../backend.h"
 
+enum { TS_SURFEL_TILE = 64, TS_SURFELS_AHEAD = 8 };
+
 /* Tiles that a surfel may touch; none where the last is before the first. */
 typedef struct {
 	int16_t first[2], last[2];
@@ -17,20 +19,33 @@ typedef struct {
 	double reach;
 	i64 pixels; /* of all boxes */
 	u32 n_columns, n_tiles, n_lots;
-	u64 *place; /* [lot][tile]: how many there are, then where the next belongs, then where they end */
-	u32 *surfel;
+	u64 *place;            /* [lot][tile]: how many there are, then where the next belongs, then where they end */
+	u32 *surfel;           /* and TS_SURFELS_AHEAD of no tile */
 	ts_surfel_span *spans; /* of all surfels */
 } ts_surfel_bins;
 
-/* Of n discs in a view, each where its ellipse may be, and up to `reach` pixels from its centre along each axis. False without memory for them, or where they touch 16 tiles on average. Released by
- * ts_surfel_bins_free, also where it is false. */
+/* Of n discs in a view, each where its ellipse may be, and up to `reach` pixels from its centre along each axis. False
+ * without memory for them, or where they touch 16 tiles on average. Released by ts_surfel_bins_free, also where it is
+ * false. */
 bool ts_surfel_bins_make(ts_surfel_bins *bins, const ts_view *view, const ts_disc *discs, u64 n, double reach,
                          u32 threads);
 void ts_surfel_bins_free(ts_surfel_bins *bins);
 /* Places in `surfel` of those of a tile. */
 u64 ts_surfel_bin_begin(const ts_surfel_bins *bins, u32 tile);
 u64 ts_surfel_bin_end(const ts_surfel_bins *bins, u32 tile);
-/* A surfel with as much of its box as is in the tile. */
-ts_disc ts_surfel_bins_disc(const ts_surfel_bins *bins, u32 tile, u32 surfel);
+/* A surfel with as much of its box as is in the tile, while one that comes later is fetched. */
+static inline ts_disc ts_surfel_bins_disc(const ts_surfel_bins *b, u32 tile, u64 place)
+{
+	const ts_disc *later = &b->discs[b->surfel[place + TS_SURFELS_AHEAD]];
+	__builtin_prefetch(later);
+	__builtin_prefetch(&later->pad);
+	ts_disc disc = b->discs[b->surfel[place]];
+	i32 corner[2] = {(i32)(tile % b->n_columns * TS_SURFEL_TILE), (i32)(tile / b->n_columns * TS_SURFEL_TILE)};
+	for (u32 axis = 0; axis < 2; axis++) {
+		disc.low[axis] = ts_max_i32(disc.low[axis], corner[axis]);
+		disc.high[axis] = ts_min_i32(disc.high[axis], corner[axis] + TS_SURFEL_TILE - 1);
+	}
+	return disc;
+}
 
 #endif

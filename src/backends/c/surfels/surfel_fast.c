@@ -97,8 +97,7 @@ TS_WIDE static void depth_tile(const ts_surfel_depth_args *args, const ts_surfel
 	block pixels = {.n = 0};
 	ts_camera_k view = ts_k_view(args->view);
 	for (u64 k = ts_surfel_bin_begin(b, tile); k < ts_surfel_bin_end(b, tile); k++) {
-		depth_surfel(&pixels, args->keys, &view, ts_surfel_bins_disc(b, tile, b->surfel[k]), args->epsilon[0],
-		             b->surfel[k]);
+		depth_surfel(&pixels, args->keys, &view, ts_surfel_bins_disc(b, tile, k), args->epsilon[0], b->surfel[k]);
 	}
 }
 
@@ -116,9 +115,10 @@ bool ts_c_fast_surfel_depth(const void *of, u64 n, u32 threads)
 	return made;
 }
 
-/* What a surfel adds for a weight of 1, and the place of fragments. */
+/* What a surfel adds for a weight of 1, and what for any. */
 typedef struct {
 	f32 value[TS_BLEND_SUMS];
+	i64 each[TS_BLEND_SUMS];
 } terms;
 
 /* False where ts_fix may saturate. */
@@ -128,6 +128,8 @@ static bool make_terms(terms *t, const ts_attributes *attributes)
 	memcpy(t->value, attributes->value, sizeof attributes->value);
 	t->value[TS_BLEND_WEIGHT] = 1.0f;
 	t->value[TS_BLEND_FRAGMENTS] = 0.0f;
+	memset(t->each, 0, sizeof t->each);
+	t->each[TS_BLEND_FRAGMENTS] = 1;
 	for (u32 k = 0; k < TS_BLEND_WEIGHT; k++) small &= ts_abs(t->value[k]) < 1.5f;
 	return small;
 }
@@ -138,14 +140,14 @@ static void blend_add(const ts_surfel_blend_args *args, u64 pixel, u32 surfel, c
 {
 	const double grid = 6291456.0;
 	const i64 grid_bits = 0x4158000000000000;
-	double number[TS_BLEND_SUMS];
-	i64 bits[TS_BLEND_SUMS], *sums = args->sums + pixel * TS_BLEND_SUMS;
+	i64 *sums = args->sums + pixel * TS_BLEND_SUMS;
 #pragma omp simd
-	for (u32 k = 0; k < TS_BLEND_SUMS; k++) number[k] = (double)(weight * t->value[k]) + grid;
-	memcpy(bits, number, sizeof bits);
-#pragma omp simd
-	for (u32 k = 0; k < TS_BLEND_SUMS; k++) sums[k] += bits[k] - grid_bits;
-	sums[TS_BLEND_FRAGMENTS]++;
+	for (u32 k = 0; k < TS_BLEND_SUMS; k++) {
+		double number = (double)(weight * t->value[k]) + grid;
+		i64 bits;
+		memcpy(&bits, &number, sizeof bits);
+		sums[k] += bits - grid_bits + t->each[k];
+	}
 	u64 heavy = ts_k_heavy(weight, surfel);
 	args->heaviest[pixel] = heavy < args->heaviest[pixel] ? heavy : args->heaviest[pixel];
 }
@@ -217,7 +219,8 @@ TS_WIDE static void blend_tile(const ts_surfel_blend_args *args, const ts_surfel
 	ts_camera_k view = ts_k_view(args->view);
 	i64 n = 0;
 	for (u64 k = ts_surfel_bin_begin(b, tile); k < ts_surfel_bin_end(b, tile); k++) {
-		ts_disc disc = ts_surfel_bins_disc(b, tile, b->surfel[k]);
+		ts_disc disc = ts_surfel_bins_disc(b, tile, k);
+		__builtin_prefetch(args->surfels[b->surfel[k + TS_SURFELS_AHEAD]].colour);
 		n += blend_surfel(&in, args, &view, disc, b->surfel[k]);
 	}
 	ts_add_i64(&args->tally[0], n);

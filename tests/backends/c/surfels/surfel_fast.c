@@ -29,7 +29,8 @@ typedef struct {
 static ts_view random_view(void)
 {
 	ts_v3 back = direction(), right = ts_normalize(ts_cross(direction(), back));
-	ts_view view = {.width = 1 + below(SIDE), .height = 1 + below(SIDE), .near = 0.01f};
+	u32 width = 1 + below(below(2) == 0 ? SIDE : 4 * SIDE), most = PIXELS / width;
+	ts_view view = {.width = width, .height = 1 + below(most < SIDE ? most : SIDE), .near = 0.01f};
 	view.focal = (f32)view.width * uniform(0.3f, 2.0f);
 	ts_store3(view.back, back);
 	ts_store3(view.right, right);
