@@ -127,10 +127,11 @@ static void shade(const frame *f, passes *p, bool fast)
 	ts_surfel_blend_mean_args mean = {&f->view, p->disc, &f->epsilon, p->key, p->sum, p->heaviest, p->pixel};
 	ts_deferred_args deferred = {&f->view, p->pixel,    &sun, &lamp,     NULL, p->radiance,
 	                             p->srgb,  p->tally[2], 1,    f->shader, 0.3f, 1.5f};
-	ts_c_launch(TS_KERNEL_surfel_blend_mean, &mean, n, 1);
 	if (fast) {
+		assert_true(ts_c_fast_surfel_blend_mean(&mean, n, f->threads));
 		assert_true(ts_c_fast_deferred(&deferred, n, f->threads));
 	} else {
+		ts_c_launch(TS_KERNEL_surfel_blend_mean, &mean, n, 1);
 		ts_c_launch(TS_KERNEL_deferred, &deferred, n, 1);
 	}
 }
