@@ -1,0 +1,28 @@
+/* Points of a piece, made row by row of its lattice and side by side, with the bits of ts_k_flight_start. */
+#ifndef TS_BACKENDS_MADE_POINTS_H
+#define TS_BACKENDS_MADE_POINTS_H
+#include "../../../kernels/points/points.h"
+#include "view_planes.h"
+
+/* What is written beside the last point; what else is read there may be anything. */
+enum { TS_MADE_LANES = 16 };
+
+/* What all rows of a piece have in common; its frame's scale is above 0. */
+typedef struct {
+	const ts_points_args *from;
+	u64 piece;
+	bool masked;
+	ts_cover cover;
+	ts_lines lines;
+	ts_v2 corner[3]; /* in the lattice */
+} ts_made_piece;
+
+ts_made_piece ts_made_piece_begin(const ts_points_args *from, u64 piece);
+/* How many points the rows have, from touched.y0 to touched.y1. */
+u64 ts_made_piece_count(const ts_made_piece *piece);
+/* What has all of them. */
+ts_bounds ts_made_piece_bounds(const ts_made_piece *piece);
+/* Makes the points of row y, in order of x; returns how many. Arrays have room for all of the row and TS_MADE_LANES. */
+u32 ts_made_row(const ts_made_piece *piece, i32 y, f32 *const centre[3]);
+
+#endif
