@@ -13,7 +13,7 @@
 
 enum {
 	ROOM = (1 << 16) + 256, /* a row of a lattice, 24.8 and dilated, has at most 65538 points */
-	RUNS = 1 << 12,
+	RUNS = 1 << 14,
 	BLOCK = 256,
 	LANES = 16,
 	TAKEN = 64,
