@@ -14,7 +14,8 @@ static ts_status unknown(const char *name)
 static bool says_nothing(const ts_bench_row *row, const char *option)
 {
 	bool one_frame = row->paper == NULL && strcmp(option, "frames") == 0;
-	return one_frame || ts_words_have(row->without, option) ||
+	bool not_quiet = !row->quiet && strcmp(option, "busy") == 0;
+	return one_frame || not_quiet || ts_words_have(row->without, option) ||
 	       (row->takes != NULL && !ts_words_have(row->takes, option));
 }
 

@@ -47,8 +47,8 @@ const ts_command ts_command_table[] = {
      "to build, in a process of its own, with an empty cache too where it is PoCL's.\n"
      "Models of ivir-1, ssagh-1 and ssagh-segments are in the folder TS_SCENES (scenes).",
      1, 1,
-     TS_OPT(METHOD) | TS_OPT(SCENE) | TS_OPT(OBJECTS) | TS_OPT(RUNS) | TS_OPT(TRUTH) | TS_OPT(SIZE) | TS_OPT(FRAME) |
-         TS_OPT(FRAMES) | TS_OPT(SET) | HOW | TS_OPT(OUTPUT) | TS_OPT(FORCE) | TS_OPT(JSON),
+     TS_OPT(METHOD) | TS_OPT(SCENE) | TS_OPT(OBJECTS) | TS_OPT(RUNS) | TS_OPT(BUSY) | TS_OPT(TRUTH) | TS_OPT(SIZE) |
+         TS_OPT(FRAME) | TS_OPT(FRAMES) | TS_OPT(SET) | HOW | TS_OPT(OUTPUT) | TS_OPT(FORCE) | TS_OPT(JSON),
      ts_bench_command, NULL},
 	{"compare", "REFERENCE CANDIDATE", "two traces, buffers or images: where they first differ, and how much",
      "REFERENCE: a folder that render --trace wrote, or one of its .npy files, or an image.\n"

@@ -60,6 +60,8 @@ ts_status ts_bench_truth(const ts_truth_kind **judge, const ts_job *job, const c
 static const ts_bench_row general[] = {
 	{"backends", "each stage in C and on every OpenCL device, of one frame by one --method (epr); and builds",
      "truth " TS_BENCH_FILES, .run = ts_bench_backends, .runs = 5},
+	{"speed", "stages beside Embree, bare points and the machine's limits; --scene names frames and growths",
+     "truth frames", .run = ts_bench_speed, .quiet = true},
 	{"start", "the seconds from opening --backend to its first frames", "truth " TS_BENCH_FILES, .run = ts_bench_start},
 	{"list", "what the papers show, which table asks it, and the verdict", "", .takes = "json", .run = ts_bench_claims},
 	{0},

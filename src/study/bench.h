@@ -19,6 +19,9 @@ typedef ts_status ts_bench_scene(void *user, const char *spec);
 ts_status ts_bench_scenes(const ts_job *job, const char *scenes, const char *models, ts_report *report,
                           ts_bench_scene *each, void *user);
 
+/* The path of a file in the folder TS_SCENES; false: it cannot be read there. */
+bool ts_bench_model(char *path, size_t bytes, const char *file);
+
 /* Does the work of a table into a report. */
 typedef ts_status ts_bench_work(const ts_job *job, ts_report *report, const void *user);
 /* Prints the report; with -o also writes it to that folder, with every table as KEY.csv. */
@@ -37,6 +40,7 @@ typedef struct {
 	ts_status (*run)(const ts_job *job);
 	u32 runs;          /* unless the job says how many; 0: three */
 	const char *brief; /* the options of a run that takes seconds, separated by blanks; NULL: none */
+	bool quiet;        /* it refuses a busy machine, but for --busy */
 } ts_bench_row;
 
 /* The options that a table of a paper, whose methods and truths are its own, and one without files ignore. */
@@ -66,6 +70,7 @@ ts_table ts_bench_list(void);
 /* Tables of a file each. */
 ts_status ts_bench_backends(const ts_job *job);
 ts_status ts_bench_start(const ts_job *job);
+ts_status ts_bench_speed(const ts_job *job);
 /* The one truth of an effect that --truth names, or that of the name `unless` without it; NULL: "none". */
 ts_status ts_bench_truth(const ts_truth_kind **judge, const ts_job *job, const char *effect, const char *unless);
 

@@ -6,14 +6,19 @@
 
 enum { SPEC_BYTES = 4096 };
 
-static ts_status each_model(const char *list, ts_report *report, ts_bench_scene *each, void *user)
+bool ts_bench_model(char *path, size_t bytes, const char *file)
 {
 	const char *folder = getenv("TS_SCENES") != NULL ? getenv("TS_SCENES") : "scenes";
+	snprintf(path, bytes, "%s/%s", folder, file);
+	return access(path, R_OK) == 0;
+}
+
+static ts_status each_model(const char *list, ts_report *report, ts_bench_scene *each, void *user)
+{
 	char item[64], path[SPEC_BYTES];
 	ts_status status = TS_OK;
 	while (status == TS_OK && ts_words_item(&list, item, sizeof item)) {
-		snprintf(path, sizeof path, "%s/%s", folder, item);
-		if (access(path, R_OK) == 0) {
+		if (ts_bench_model(path, sizeof path, item)) {
 			status = each(user, path);
 		} else {
 			ts_report_line(report, "%s: not in TS_SCENES; left out", item);

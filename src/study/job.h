@@ -60,6 +60,7 @@ typedef struct {
 	ts_backend_options device;        /* of the backend */
 	bool backend_named, device_named; /* they were said */
 	bool require;                     /* the device must be there */
+	bool busy;                        /* time also on a busy machine */
 	double open_s;                    /* that opening it took, its arithmetic checked */
 	ts_output output;
 	char *const *typed; /* the options, as a process of its own takes them */

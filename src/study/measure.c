@@ -56,10 +56,28 @@ static ts_status judge_texels(ts_measure *m, const ts_run *run, const ts_stage *
 	return TS_OK;
 }
 
+static u64 bytes_of(const ts_run *run, const ts_buffer_id *ids)
+{
+	u64 bytes = 0;
+	for (; *ids != TS_N_BUFFERS; ids++) {
+		bool counts = run->frame.buffer[*ids].made && *ids != TS_B_scene_texel;
+		if (counts) bytes += ts_frame_n(&run->frame, *ids) * ts_buffer_table[*ids].element_bytes;
+	}
+	return bytes;
+}
+
+static void add_moved(ts_measure *m, const ts_run *run, const ts_stage *stage)
+{
+	u32 k = 0;
+	while (strcmp(run->timings[k].stage, stage->name) != 0) k++;
+	m->moved[k] += bytes_of(run, ts_stage_inputs(stage)) + bytes_of(run, ts_stage_outputs(stage));
+}
+
 static ts_status after_stage(const ts_run *run, const ts_stage *stage, void *user)
 {
 	ts_measure *m = user;
 	show_progress(run, stage, m->method->name);
+	add_moved(m, run, stage);
 	for (const ts_buffer_id *at = ts_stage_outputs(stage); *at != TS_N_BUFFERS; at++) {
 		ts_buffer_id id = *at;
 		if (!run->frame.buffer[id].made) continue;

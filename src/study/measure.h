@@ -30,6 +30,7 @@ typedef struct {
 	u32 n_counters;
 	ts_timing timings[TS_MAX_TIMINGS];
 	u32 n_timings;
+	u64 moved[TS_MAX_TIMINGS];  /* bytes of what each stage read, but for textures, and wrote, once each */
 	u64 elements[TS_N_BUFFERS]; /* made in all batches together */
 	u64 bytes[TS_N_BUFFERS];    /* at once, the largest batch */
 	u64 peak_bytes;

@@ -71,6 +71,14 @@ ts_status ts_words_frames(ts_frames *frames, const char *text)
 	               text, TS_LAST_FRAME);
 }
 
+bool ts_words_listed(const char *list, const char *item)
+{
+	char own[64];
+	bool listed = false;
+	while (!listed && ts_words_item(&list, own, sizeof own)) listed = strcmp(own, item) == 0;
+	return listed;
+}
+
 bool ts_words_have(const char *text, const char *word)
 {
 	size_t n = strlen(word);

@@ -16,6 +16,9 @@ ts_status ts_words_frames(ts_frames *frames, const char *text);
  * does not fit is cut, and so matches no name. */
 bool ts_words_item(const char **list, char *item, size_t item_bytes);
 
+/* Whether it is an item of a comma-separated list. */
+bool ts_words_listed(const char *list, const char *item);
+
 /* Whether it is one of the words of a text, which blanks separate. */
 bool ts_words_have(const char *text, const char *word);
 

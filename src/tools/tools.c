@@ -37,6 +37,7 @@ void ts_tools_begin(void)
 	HAND(ts_truths_use, ts_truth_kind, truths);
 	HAND(ts_texels_use, ts_texel_rule, texels);
 	HAND(ts_benches_use, ts_bench_row, benches);
+	HAND(ts_speed_use, ts_speed_of, speed);
 	HAND(ts_claims_use, ts_claim, claims);
 	HAND(ts_stage_pictures_use, ts_stage_picture_rule, pictures);
 	HAND(ts_viewer_use, ts_viewer_rule, viewers);

@@ -70,3 +70,18 @@ void ts_tree_cast(const ts_tree *tree, struct RTCRayHit *ray, ts_tree_context *c
 	rtcIntersect1(tree->scene, context, ray);
 #endif
 }
+
+void ts_tree_cast_near(const ts_tree *tree, const int *valid, struct RTCRayHit16 *rays)
+{
+#if TS_EMBREE == 4
+	struct RTCIntersectArguments arguments;
+	rtcInitIntersectArguments(&arguments);
+	arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
+	rtcIntersect16(valid, tree->scene, rays, &arguments);
+#else
+	ts_tree_context context;
+	rtcInitIntersectContext(&context);
+	context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+	rtcIntersect16(valid, tree->scene, &context, rays);
+#endif
+}

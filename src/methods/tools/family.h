@@ -9,6 +9,7 @@
 #include "../../study/bench.h"
 #include "../../study/claims.h"
 #include "../../study/notes.h"
+#include "../../study/speed.h"
 #include "../../study/stage_pictures.h"
 #include "../../study/viewer.h"
 #include "../../trace/where.h"
@@ -23,6 +24,7 @@ typedef struct {
 	const ts_truth_kind *truths;           /* ended by a row without a name */
 	const ts_texel_rule *texels;           /* ended by a row without `judge` */
 	const ts_bench_row *benches;           /* ended by a row without a name */
+	const ts_speed_of *speed;              /* what `bench speed` measures of it */
 	const ts_claim *claims;                /* ended by a row without a paper */
 	const ts_probe_part *parts;            /* ended by a row without `answer` */
 	const ts_stage_picture_rule *pictures; /* ended by a row without `take` */

@@ -14,9 +14,9 @@ static const struct {
 	u32 least, most, usual;
 	bool of_surfels; /* of scenes of surfels; else of the others */
 } options[N_OPTIONS] = {
-	[TRIANGLES] = {"triangles", 10000, 3000000, 300000, false},
+	[TRIANGLES] = {"triangles", 10000, 16000000, 300000, false},
 	[TEXELS] = {"texels", 16, 512, 512, false},
-	[SURFELS] = {"surfels", 10000, 3000000, 300000, true},
+	[SURFELS] = {"surfels", 10000, 16000000, 300000, true},
 };
 
 static const ts_builtin_info table[N_SCENES] = {

@@ -4,6 +4,7 @@
 #include "../../../study/bench.h"
 #include "../../../study/bench_paper.h"
 #include "../../../study/claims.h"
+#include "../../../study/speed.h"
 
 /* As the iVIR paper has it, and a quarter of its image, faces and mirrors. */
 #define TS_IVIR_DEFAULTS "density.rate=paper,points.snap=off"
@@ -50,6 +51,7 @@
 #define TS_IMAGES_TITLE "Images beside the truth, RMSE in grey levels"
 /* clang-format on */
 
+extern const ts_speed_of ts_points_speed;
 extern const ts_claim ts_points_claims[];
 extern const ts_paper_table ts_ivir_1, ts_ivir_2, ts_ivir_3, ts_ivir_culling, ts_ivir_4, ts_ivir_5, ts_ivir_6;
 extern const ts_paper_table ts_epr_1, ts_epr_2, ts_epr_3, ts_epr_5, ts_epr_costs, ts_epr_buffers;

@@ -126,6 +126,7 @@ const ts_family_tools ts_points_tools = {
 	.truths = truths,
 	.texels = texels,
 	.benches = benches,
+	.speed = &ts_points_speed,
 	.claims = ts_points_claims,
 	.parts = parts,
 	.viewers = viewers,

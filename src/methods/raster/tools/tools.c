@@ -20,8 +20,8 @@ static const ts_probe_part parts[] = {
 };
 /* clang-format on */
 
-static const ts_buffer_id keeps[] = {TS_B_lamp_shape, TS_B_shadow_test_lit, TS_B_rsm_patch, TS_B_gbuffer_pixel,
-                                     TS_N_BUFFERS};
+static const ts_buffer_id keeps[] = {TS_B_offscreen_view, TS_B_lamp_shape,    TS_B_shadow_test_lit,
+                                     TS_B_rsm_patch,      TS_B_gbuffer_pixel, TS_N_BUFFERS};
 
 const ts_family_tools ts_raster_tools = {
 	.margins = margins,

@@ -52,6 +52,7 @@ const ts_family_tools ts_surfels_tools = {
 	.checks = ts_surfels_checks,
 	.truths = truths,
 	.benches = benches,
+	.speed = &ts_surfels_speed,
 	.claims = ts_surfels_claims,
 	.parts = parts,
 	.notes = notes,

@@ -77,6 +77,7 @@ const ts_family_tools ts_views_tools = {
 	.truths = truths,
 	.texels = texels,
 	.benches = benches,
+	.speed = &ts_views_speed,
 	.claims = ts_views_claims,
 	.parts = parts,
 	.pictures = ts_views_pictures,

@@ -1,0 +1,161 @@
+/* `bench speed`: stages, what else would draw the same views, and what the machine allows, in one run. Rows take turns,
+ * so that whatever else the machine does meets all alike; a first turn is not counted. */
+#include <stdlib.h>
+#include <string.h>
+#include "speed_work.h"
+#include "words.h"
+
+enum { MOST_SETS = 24, PATH_BYTES = 4096 };
+
+static const ts_speed_of *const *lists;
+
+void ts_speed_use(const ts_speed_of *const *use) { lists = use; }
+
+bool ts_speed_wants(const ts_job *job, const char *name)
+{
+	return job->scenes == NULL || ts_words_listed(job->scenes, name);
+}
+
+static void offer_names(ts_nearest *nearest)
+{
+	for (const ts_speed_of *const *at = lists; *at != NULL; at++) {
+		const ts_speed_scene *scene = (*at)->scenes;
+		const ts_speed_growth *growth = (*at)->growths;
+		for (; scene != NULL && scene->name != NULL; scene++) ts_nearest_offer(nearest, scene->name);
+		for (; growth != NULL && growth->name != NULL; growth++) ts_nearest_offer(nearest, growth->name);
+	}
+}
+
+static ts_status check_names(const ts_job *job)
+{
+	const char *names = job->scenes;
+	char item[32];
+	u32 n = 0;
+	while (names != NULL && ts_words_item(&names, item, sizeof item)) {
+		ts_nearest nearest = ts_nearest_begin(item);
+		offer_names(&nearest);
+		n++;
+		if (nearest.distance > 0)
+			return ts_fail("bench speed: --scene %s: nothing of that name is measured; the nearest is %s", item,
+			               nearest.best);
+	}
+	if (job->objects != NULL && n != 1)
+		return ts_fail("bench speed: --objects are the values of one growth, which --scene names");
+	return TS_OK;
+}
+
+static bool is_measured(const char *method)
+{
+	bool measured = false;
+	for (const ts_speed_of *const *at = lists; *at != NULL; at++) {
+		const ts_speed_scene *scene = (*at)->scenes;
+		for (; scene != NULL && scene->name != NULL; scene++) measured |= ts_words_listed(scene->methods, method);
+	}
+	return measured;
+}
+
+static ts_status check_methods(const ts_job *job)
+{
+	const char *names = job->method;
+	char item[32];
+	if (names == NULL || strcmp(names, "all") == 0) return TS_OK;
+	while (ts_words_item(&names, item, sizeof item)) {
+		if (!is_measured(item)) return ts_fail("bench speed: --method %s: no frame is measured by it", item);
+	}
+	return TS_OK;
+}
+
+static ts_status open_set(ts_speed *speed, const ts_speed_scene *of)
+{
+	char path[PATH_BYTES];
+	const char *spec = of->spec;
+	if (!ts_speed_wants(speed->job, of->name)) return TS_OK;
+	if (of->model != NULL) {
+		if (!ts_bench_model(path, sizeof path, of->model)) {
+			ts_report_line(speed->report, "%s: %s is not in TS_SCENES; left out", of->name, of->model);
+			return TS_OK;
+		}
+		spec = path;
+	}
+	ts_speed_set *set = &speed->sets[speed->n_sets];
+	ts_status status = ts_speed_set_open(set, spec, of, speed->job, speed->n_runs);
+	speed->n_sets++;
+	if (status != TS_SKIPPED) return status;
+	ts_report_line(speed->report, "%s: left out: %s", of->name, ts_error_message());
+	ts_speed_set_close(set);
+	memset(set, 0, sizeof *set);
+	speed->n_sets--;
+	return TS_OK;
+}
+
+static ts_status open_sets(ts_speed *speed)
+{
+	ts_status status = TS_OK;
+	speed->sets = ts_alloc_zero(MOST_SETS, sizeof *speed->sets, "frames");
+	if (speed->sets == NULL) return TS_ERROR;
+	for (const ts_speed_of *const *at = lists; *at != NULL; at++) {
+		const ts_speed_scene *scene = (*at)->scenes;
+		for (; status == TS_OK && scene != NULL && scene->name != NULL; scene++) status = open_set(speed, scene);
+	}
+	return status;
+}
+
+static ts_status take_turns(ts_speed *speed, u32 run)
+{
+	ts_status status = ts_speed_machine_run(&speed->machine, run, &speed->quiet);
+	for (u32 i = 0; i < speed->n_sets && status == TS_OK; i++) {
+		status = ts_speed_set_run(&speed->sets[i], run, &speed->quiet);
+		if (status == TS_OK) ts_say("%s: run %u of %u", speed->sets[i].name, (unsigned)run + 1, (unsigned)speed->n_runs);
+	}
+	return status;
+}
+
+static ts_status measure(ts_speed *speed)
+{
+	ts_status status = ts_speed_machine_begin(&speed->machine, speed->job->how.threads, speed->n_runs);
+	if (status == TS_OK) status = open_sets(speed);
+	for (u32 run = 0; run < speed->n_runs && status == TS_OK; run++) status = take_turns(speed, run);
+	return status;
+}
+
+static void end(ts_speed *speed)
+{
+	for (u32 i = 0; i < speed->n_sets; i++) ts_speed_set_close(&speed->sets[i]);
+	free(speed->sets);
+	speed->sets = NULL;
+	speed->n_sets = 0;
+	ts_speed_machine_end(&speed->machine);
+}
+
+static ts_status print(ts_speed *speed)
+{
+	ts_report_line(speed->report, "medians of %u, by turns; spread: the slowest less the fastest",
+	               (unsigned)speed->n_runs);
+	ts_speed_print_limits(speed);
+	if (speed->n_sets > 0) ts_speed_print_stages(speed);
+	if (speed->n_sets > 0) ts_speed_print_figures(speed, lists);
+	return TS_OK;
+}
+
+static ts_status work(const ts_job *job, ts_report *report, const void *user)
+{
+	(void)user;
+	ts_speed speed = {.job = job, .report = report, .n_runs = job->runs};
+	ts_bench_head(report, job, true);
+	ts_speed_machine_print(&speed);
+	ts_status status = ts_quiet_begin(&speed.quiet, report, job->how.threads, job->busy);
+	if (status == TS_OK) status = measure(&speed);
+	if (status == TS_OK) status = print(&speed);
+	end(&speed);
+	if (status == TS_OK) status = ts_speed_print_growths(&speed, lists);
+	if (status == TS_OK) ts_report_line(report, "%u rows were not quiet", (unsigned)speed.quiet.n_busy);
+	ts_report_timed(report, "busy_rows", json_integer(speed.quiet.n_busy));
+	return status;
+}
+
+ts_status ts_bench_speed(const ts_job *job)
+{
+	ts_status status = check_names(job);
+	if (status == TS_OK) status = check_methods(job);
+	return status == TS_OK ? ts_bench_with_report(job, work, NULL) : status;
+}

@@ -1,0 +1,136 @@
+/* A scene of `bench speed` with its methods, and what they are compared with. */
+#include <math.h>
+#include <string.h>
+#include "bench_case.h"
+#include "speed_work.h"
+#include "words.h"
+
+bool ts_speed_has_method(const ts_job *job, const char *method)
+{
+	return job->method == NULL || strcmp(job->method, "all") == 0 || ts_words_listed(job->method, method);
+}
+
+/* What rays and points need of the first frame. */
+static ts_status take(ts_run *run, void *user)
+{
+	ts_speed_frame *frame = user;
+	ts_speed_set *set = frame->set;
+	u64 points = (u64)ts_run_counter(run, "points");
+	ts_status status = TS_OK;
+	u32 n = run->plan.units;
+	bool cubes = ts_run_has_cubes(run);
+	if (cubes && n > 0) set->face_bytes = ts_run_n_texels(run, 0, n) / (6 * n) * sizeof(u64);
+	if (set->wants_rays && set->bare == NULL) status = ts_bare_new(&set->bare, run);
+	if (status != TS_OK || !set->wants_points || !cubes || points == 0 || set->points.n > 0) return status;
+	return ts_limit_points_place(&set->points, run, points);
+}
+
+static ts_status measure_frame(double *values, void *of)
+{
+	ts_speed_frame *frame = of;
+	ts_speed_set *set = frame->set;
+	frame->last = (ts_measure){.pictures = NULL};
+	ts_status status =
+		ts_measure_run(&frame->last, frame->method, set->scene, &set->params, &set->how, take, frame);
+	for (u32 k = 0; k < frame->last.n_timings; k++) values[k] = frame->last.timings[k].seconds;
+	values[TS_MAX_TIMINGS] = frame->last.seconds;
+	return status;
+}
+
+static ts_status measure_rays(double *values, void *of)
+{
+	ts_speed_set *set = of;
+	double begin = ts_seconds();
+	ts_bare_cast(set->bare, set->how.threads);
+	*values = ts_seconds() - begin;
+	return TS_OK;
+}
+
+static ts_status measure_points(double *values, void *of)
+{
+	ts_speed_set *set = of;
+	double begin = ts_seconds();
+	ts_limit_points_draw(&set->points, set->how.threads);
+	*values = ts_seconds() - begin;
+	return TS_OK;
+}
+
+static ts_status measure_minima(double *values, void *of)
+{
+	ts_speed_set *set = of;
+	return ts_limit_minima(values, set->face_bytes, set->how.threads);
+}
+
+static ts_status open_frames(ts_speed_set *set, const ts_speed_scene *of, const ts_job *job, u32 runs)
+{
+	const char *names = of->methods;
+	char item[32];
+	ts_status status = TS_OK;
+	while (status == TS_OK && ts_words_item(&names, item, sizeof item)) {
+		if (!ts_speed_has_method(job, item)) continue;
+		ts_speed_frame *frame = &set->frame[set->n_frames++];
+		ts_estimate estimate;
+		frame->method = ts_pipeline_find(of->effect, item);
+		frame->set = set;
+		frame->row.measure = measure_frame;
+		frame->row.of = frame;
+		status = ts_speed_row_begin(&frame->row, TS_SPEED_VALUES, runs);
+		if (status != TS_OK) return status;
+		bool fits = ts_measure_estimate(&estimate, &frame->method, 1, 0, set->scene, &set->params) == TS_OK;
+		if (!fits) return TS_SKIPPED;
+	}
+	return status;
+}
+
+static ts_status begin_row(ts_speed_row *row, ts_status (*measure)(double *, void *), ts_speed_set *set, u32 runs)
+{
+	row->measure = measure;
+	row->of = set;
+	return ts_speed_row_begin(row, 1, runs);
+}
+
+ts_status ts_speed_set_open(ts_speed_set *set, const char *spec, const ts_speed_scene *of, const ts_job *job, u32 runs)
+{
+	snprintf(set->name, sizeof set->name, "%s", of->name);
+	set->params = job->params;
+	set->how = job->how;
+	set->n_runs = runs;
+	set->wants_rays = of->rays;
+	set->wants_points = of->points;
+	ts_status status = ts_bench_set_defaults(&set->params, of->set);
+	if (status == TS_OK) status = ts_scene_open(&set->scene, spec, &set->params, &job->scene);
+	if (status == TS_OK) status = begin_row(&set->rays, measure_rays, set, runs);
+	if (status == TS_OK) status = begin_row(&set->drawn, measure_points, set, runs);
+	if (status == TS_OK) status = begin_row(&set->minima, measure_minima, set, runs);
+	return status == TS_OK ? open_frames(set, of, job, runs) : status;
+}
+
+/* A row that has nothing to measure has no values. */
+static ts_status run_or_none(ts_speed_row *row, bool there, u32 run, ts_quiet *quiet)
+{
+	if (there) return ts_speed_row_run(row, run, quiet);
+	row->values[run] = NAN;
+	return TS_OK;
+}
+
+ts_status ts_speed_set_run(ts_speed_set *set, u32 run, ts_quiet *quiet)
+{
+	ts_status status = TS_OK;
+	for (u32 i = 0; i < set->n_frames && status == TS_OK; i++)
+		status = ts_speed_row_run(&set->frame[i].row, run, quiet);
+	if (status == TS_OK) status = run_or_none(&set->rays, set->bare != NULL, run, quiet);
+	if (status == TS_OK) status = run_or_none(&set->drawn, set->points.n > 0, run, quiet);
+	if (status == TS_OK) status = run_or_none(&set->minima, set->wants_points && set->face_bytes > 0, run, quiet);
+	return status;
+}
+
+void ts_speed_set_close(ts_speed_set *set)
+{
+	for (u32 i = 0; i < set->n_frames; i++) ts_speed_row_end(&set->frame[i].row);
+	ts_speed_row_end(&set->rays);
+	ts_speed_row_end(&set->drawn);
+	ts_speed_row_end(&set->minima);
+	ts_bare_free(set->bare);
+	ts_limit_points_free(&set->points);
+	ts_scene_free(set->scene);
+}

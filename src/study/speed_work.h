@@ -1,0 +1,123 @@
+/* `bench speed`: what its files share. A row is one thing that is timed, run after run, between two looks at whether the
+ * machine is quiet. */
+#ifndef TS_STUDY_SPEED_WORK_H
+#define TS_STUDY_SPEED_WORK_H
+#include "../truth/bare.h"
+#include "bench.h"
+#include "busy.h"
+#include "speed.h"
+#include "speed_limits.h"
+
+/* Whether the machine is quiet: others leave the processors alone, and a fixed loop takes as long as it did at best
+ * (speed_quiet.c). */
+typedef struct {
+	u32 threads;
+	double best;    /* seconds of the loop */
+	ts_busy before; /* the row */
+	bool slow;      /* the loop was, before it */
+	u32 n_busy;     /* rows that were not quiet, with those that were measured again */
+	bool anyway;    /* nothing counts as quiet, and nothing is measured again */
+} ts_quiet;
+
+/* Calibrates, prints the limits, and refuses a busy machine, unless `anyway`. */
+ts_status ts_quiet_begin(ts_quiet *quiet, ts_report *report, u32 threads, bool anyway);
+void ts_quiet_before(ts_quiet *quiet);
+/* Whether it was quiet since then. */
+bool ts_quiet_after(ts_quiet *quiet);
+
+enum { TS_SPEED_VALUES = TS_MAX_TIMINGS + 1 }; /* of a frame: its timings, and the whole */
+
+typedef struct {
+	ts_status (*measure)(double *values, void *of);
+	void *of;
+	u32 n_values;
+	double *values; /* n_values of each run */
+	bool *quiet;    /* each run */
+	double spent;   /* seconds so far */
+} ts_speed_row;
+
+ts_status ts_speed_row_begin(ts_speed_row *row, u32 n_values, u32 runs);
+/* Measures it for a run, at most three times until it is quiet; or, where it took long already, has the run before
+ * stand for this one. */
+ts_status ts_speed_row_run(ts_speed_row *row, u32 run, ts_quiet *quiet);
+void ts_speed_row_end(ts_speed_row *row);
+
+/* A figure's values over the runs: the median of those that are quiet, or of all if none is; and how far these are
+ * apart, in % of it. NAN: there are none. */
+typedef struct {
+	double median, spread;
+	bool quiet;
+} ts_speed_value;
+/* Of a column: "busy", or "". */
+const char *ts_speed_state(const ts_speed_value *value);
+ts_speed_value ts_speed_sum(const double *values, const bool *quiet, u32 runs);
+/* The same of one value of a row. */
+ts_speed_value ts_speed_row_value(const ts_speed_row *row, u32 value, u32 runs);
+
+typedef struct ts_speed_set ts_speed_set;
+
+typedef struct {
+	const ts_pipeline *method;
+	ts_speed_set *set;
+	ts_measure last;
+	ts_speed_row row;
+} ts_speed_frame;
+
+enum { TS_SPEED_METHODS = 4 };
+
+/* A scene with its methods, and what they are compared with: open (speed_set.c). */
+struct ts_speed_set {
+	char name[48];
+	ts_scene *scene;
+	ts_params params;
+	ts_how how;
+	u32 n_frames, n_runs;
+	ts_speed_frame frame[TS_SPEED_METHODS];
+	bool wants_rays, wants_points;
+	ts_bare *bare; /* NULL before the first frame, or if no rays are wanted */
+	ts_limit_points points;
+	u64 face_bytes; /* of an off-screen view, of the mean side */
+	ts_speed_row rays, drawn, minima;
+};
+
+/* What `set` asks of a job: of `only`, NULL: of all, of these methods. `set` stays where it is, is zero before, and is
+ * closed also on failure. TS_SKIPPED, with the message set: there is no memory for it. */
+ts_status ts_speed_set_open(ts_speed_set *set, const char *spec, const ts_speed_scene *of, const ts_job *job, u32 runs);
+ts_status ts_speed_set_run(ts_speed_set *set, u32 run, ts_quiet *quiet);
+void ts_speed_set_close(ts_speed_set *set);
+/* A method is to be measured. */
+bool ts_speed_has_method(const ts_job *job, const char *method);
+
+/* The machine's limits, rows too. */
+enum { TS_SPEED_SIZES = 3 };
+extern const u32 ts_speed_mib[TS_SPEED_SIZES];
+typedef struct {
+	ts_speed_row minima[TS_SPEED_SIZES], stream;
+	u32 threads;
+} ts_speed_machine;
+
+typedef struct {
+	const ts_job *job;
+	ts_report *report;
+	ts_quiet quiet;
+	u32 n_runs;
+	ts_speed_machine machine;
+	ts_speed_set *sets;
+	u32 n_sets;
+} ts_speed;
+
+/* speed_machine.c: what the machine is, and its limits as rows. */
+void ts_speed_machine_print(const ts_speed *speed);
+ts_status ts_speed_machine_begin(ts_speed_machine *machine, u32 threads, u32 runs);
+ts_status ts_speed_machine_run(ts_speed_machine *machine, u32 run, ts_quiet *quiet);
+void ts_speed_machine_end(ts_speed_machine *machine);
+/* speed_tables.c */
+void ts_speed_print_limits(const ts_speed *speed);
+void ts_speed_print_stages(const ts_speed *speed);
+void ts_speed_print_figures(const ts_speed *speed, const ts_speed_of *const *lists);
+/* speed_growth.c: measures too. */
+ts_status ts_speed_print_growths(ts_speed *speed, const ts_speed_of *const *lists);
+/* A name is among those of --scene, or that was not said. */
+bool ts_speed_wants(const ts_job *job, const char *name);
+
+#endif
