@@ -112,15 +112,34 @@ static void report_times(const ts_render *render, ts_report *report)
 	ts_report_table(report, &table);
 }
 
+/* Of a truth without rays that are counted there is none. */
+static void truth_cost_cells(ts_table *table, const ts_picture *truth)
+{
+	double rays = truth->cost.rays > 0 ? (double)truth->cost.rays : NAN;
+	ts_table_known(table, rays, 0);
+	ts_table_known(table, rays > 0 ? truth->cost.seconds : NAN, 2);
+	ts_table_known(table, 1e-6 * rays / truth->cost.seconds, 2);
+	ts_table_known(table, rays > 0 ? truth->shading : NAN, 2);
+	ts_table_known(table, 1e-6 * rays / truth->shading, 2);
+}
+
 static void report_truths(const ts_render *render, ts_report *report)
 {
-	static const ts_column columns[] = {{"truth", "truth", false}, {"seconds", "time, s", true}, {0}};
+	static const ts_column columns[] = {{"truth", "truth", false},
+	                                    {"seconds", "time, s", true},
+	                                    {"rays", "rays", true},
+	                                    {"casting_s", "casting, s", true},
+	                                    {"rays_a_second", "M rays/s", true},
+	                                    {"shading_s", "shading, s", true},
+	                                    {"shaded_a_second", "M/s", true},
+	                                    {0}};
 	ts_table table = ts_table_begin("truth_seconds", "Time of truths", columns);
 	table.timed = true;
 	for (u32 t = 0; t < TS_MAX_TRUTHS; t++) {
 		if (render->truths[t].srgb == NULL) continue;
 		ts_table_text(&table, render->truths[t].name);
 		ts_table_real(&table, render->truths[t].seconds, 2);
+		truth_cost_cells(&table, &render->truths[t]);
 	}
 	if (table.n_cells > 0) ts_report_table(report, &table);
 }

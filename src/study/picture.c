@@ -177,14 +177,25 @@ static ts_status trace_all(ts_picture *picture, const ts_truth_kind *kind, ts_tr
 	return status;
 }
 
+/* Of all threads together, as if none had waited. */
+static void keep_cost(ts_picture *picture, const ts_truth_cost *before, const ts_truth *tree, u32 threads)
+{
+	ts_truth_cost after = ts_truth_cost_of(tree);
+	picture->cost.rays = after.rays - before->rays;
+	picture->cost.seconds = (after.seconds - before->seconds) / threads;
+	picture->shading = picture->seconds - picture->cost.seconds;
+}
+
 static ts_status take_truth(ts_picture *picture, const ts_truth_kind *kind, ts_truth *tree, ts_run *run)
 {
 	double begin = ts_seconds();
+	ts_truth_cost before = ts_truth_cost_of(tree);
 	ts_status status;
 	TS_PARAM_READER("truth", kind->name, picture->sampling = ts_sampling_of(&run->params));
 	TS_PARAM_READER("truth", kind->name, status = trace(picture, kind, tree, run, &picture->sampling));
 	if (status == TS_OK) TS_PARAM_READER("truth", kind->name, status = trace_all(picture, kind, tree, run));
 	picture->seconds = ts_seconds() - begin;
+	keep_cost(picture, &before, tree, run->c.threads);
 	return status;
 }
 

@@ -21,6 +21,8 @@ typedef struct {
 	u8 *near, *elsewhere;   /* 1: a surface near a triangle of light, or not (near_light.h); NULL: there are none */
 	f32 gain;               /* of its display values beside the exposure, but for the sky */
 	double seconds;         /* that it took */
+	ts_truth_cost cost;     /* of a truth by rays: those, and how long threads cast them at once; no rays: not known */
+	double shading;         /* beside, of the same */
 	u64 n_hits, n_missed;   /* of a truth that counts them: first rays that hit something, and look-ups empty there */
 	ts_lit lit;             /* of shadows */
 	u64 n_lamps, n_samples; /* lights, and samples of all of them */

@@ -149,9 +149,10 @@ static void cast_rows(ts_bare *bare, u32 v, i32 y)
 {
 	struct RTCRayHit16 rays __attribute__((aligned(64)));
 	int valid[PACKET] __attribute__((aligned(64)));
+	ts_tree_context context;
 	for (i32 x = 0; x < bare->views[v].width; x += SIDE) {
 		aim(&rays, valid, &bare->views[v], x, y);
-		ts_tree_cast_near(&bare->tree, valid, &rays);
+		ts_tree_cast_16(&bare->tree, valid, &rays, &context);
 		keep(bare, &rays, v, x, y);
 	}
 }

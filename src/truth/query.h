@@ -28,10 +28,20 @@ const ts_arrays *ts_truth_scene(const ts_truth *truth);
 /* The nearest hit that no filter rejects. Safe to call from any number of threads. */
 ts_truth_hit ts_truth_cast(const ts_truth *truth, const ts_truth_query *query);
 
+/* The same of n queries at once, 16 a packet: those that are beside each other should go much the same way. */
+void ts_truth_cast_all(ts_truth_hit *hits, const ts_truth *truth, const ts_truth_query *queries, u32 n);
+
 /* How far off a surface at p rays begin that should not meet it: 2^-12 of the greatest coordinate (sees.c). */
 f32 ts_truth_skip(ts_v3 p);
 /* Nothing between two points, but within `reach` of the second, stops a ray that leaves the first. */
 bool ts_truth_sees(const ts_truth *truth, ts_v3 from, ts_v3 to, f32 reach);
+/* The same of n pairs at once. */
+enum { TS_TRUTH_PAIRS = 64 }; /* at most */
+typedef struct {
+	ts_v3 from, to;
+	f32 reach;
+} ts_truth_pair;
+void ts_truth_sees_all(bool *sees, const ts_truth *truth, const ts_truth_pair *pairs, u32 n);
 
 /* Runs, in a run that has just begun, the first method of the effect, NULL: of any, that makes all of the buffers
  * `needs`, ended by TS_N_BUFFERS, until they are there (begin.c). */

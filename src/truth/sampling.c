@@ -52,6 +52,25 @@ static u64 count(const ts_truth_asked *asked, const ts_sampling *sampling)
 	return n;
 }
 
+/* Those of [first, end) that are asked; how many. */
+static u32 ask_group(const ts_truth_asked *asked, const ts_sampling *s, u64 first, u64 end, u64 share)
+{
+	u64 place[TS_ASKED];
+	ts_share shares[TS_ASKED];
+	u32 n = 0;
+	for (u64 i = first; i < end; i++) {
+		if (!is_asked(asked, s, i)) continue;
+		place[n] = i;
+		shares[n++] = (ts_share){s->items, share, asked->pixel(asked->user, i), s->seed};
+	}
+	if (asked->ask_all != NULL) {
+		if (n > 0) asked->ask_all(asked->user, place, shares, n);
+		return n;
+	}
+	for (u32 k = 0; k < n; k++) asked->ask(asked->user, place[k], &shares[k]);
+	return n;
+}
+
 void ts_truth_ask(const ts_truth_asked *asked, ts_sampling *sampling)
 {
 	ts_sampling whole = {.rays = 0}, *s = sampling != NULL ? sampling : &whole;
@@ -62,13 +81,8 @@ void ts_truth_ask(const ts_truth_asked *asked, ts_sampling *sampling)
 	ts_work work = ts_work_begin(asked->label, n * share * asked->each);
 	for (u64 first = 0; first < asked->n; first += chunk) {
 		u64 end = min(first + chunk, asked->n);
-#pragma omp parallel for num_threads((int)asked->threads) schedule(dynamic, 8) reduction(+ : done)
-		for (u64 i = first; i < end; i++) {
-			if (!is_asked(asked, s, i)) continue;
-			const ts_share of = {s->items, share, asked->pixel(asked->user, i), s->seed};
-			asked->ask(asked->user, i, &of);
-			done++;
-		}
+#pragma omp parallel for num_threads((int)asked->threads) schedule(dynamic, 1) reduction(+ : done)
+		for (u64 i = first; i < end; i += TS_ASKED) done += ask_group(asked, s, i, min(i + TS_ASKED, end), share);
 		ts_work_at(&work, done, n);
 	}
 	ts_work_end(&work);

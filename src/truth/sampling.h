@@ -33,6 +33,8 @@ bool ts_sampling_is_part(const ts_sampling *sampling);
  * are chosen together. */
 bool ts_sampling_chooses(const ts_sampling *sampling, u32 pixel);
 
+enum { TS_ASKED = 16 }; /* pixels that are asked together */
+
 /* What a truth asks at its pixels. */
 typedef struct {
 	const char *label;
@@ -42,6 +44,8 @@ typedef struct {
 	void (*ask)(const void *user, u64 i, const ts_share *share);
 	const void *user;
 	u32 threads;
+	/* Instead of `ask`: of n of them together, at most TS_ASKED, whose rays go in packets; NULL: one by one. */
+	void (*ask_all)(const void *user, const u64 *i, const ts_share *shares, u32 n);
 } ts_truth_asked;
 
 /* Asks, by all threads. sampling, NULL: all items of every pixel; its plan follows from `asked`. */

@@ -71,17 +71,34 @@ void ts_tree_cast(const ts_tree *tree, struct RTCRayHit *ray, ts_tree_context *c
 #endif
 }
 
-void ts_tree_cast_near(const ts_tree *tree, const int *valid, struct RTCRayHit16 *rays)
+void ts_tree_cast_16(const ts_tree *tree, const int *valid, struct RTCRayHit16 *rays, ts_tree_context *context)
 {
 #if TS_EMBREE == 4
 	struct RTCIntersectArguments arguments;
 	rtcInitIntersectArguments(&arguments);
+	rtcInitRayQueryContext(context);
+	arguments.context = context;
 	arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
 	rtcIntersect16(valid, tree->scene, rays, &arguments);
 #else
-	ts_tree_context context;
-	rtcInitIntersectContext(&context);
-	context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-	rtcIntersect16(valid, tree->scene, &context, rays);
+	rtcInitIntersectContext(context);
+	context->flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+	rtcIntersect16(valid, tree->scene, context, rays);
+#endif
+}
+
+void ts_tree_meet_16(const ts_tree *tree, const int *valid, struct RTCRay16 *rays, ts_tree_context *context)
+{
+#if TS_EMBREE == 4
+	struct RTCOccludedArguments arguments;
+	rtcInitOccludedArguments(&arguments);
+	rtcInitRayQueryContext(context);
+	arguments.context = context;
+	arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
+	rtcOccluded16(valid, tree->scene, rays, &arguments);
+#else
+	rtcInitIntersectContext(context);
+	context->flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+	rtcOccluded16(valid, tree->scene, context, rays);
 #endif
 }

@@ -10,6 +10,12 @@ typedef struct ts_truth ts_truth;
  * single-sided back faces and masked texels are skipped by a filter (METHODS 17). *truth by ts_truth_free, before the
  * run ends; NULL on failure: no memory, or Embree's own error. */
 ts_status ts_truth_new(ts_truth **truth, const ts_run *run);
+/* What casting took so far: the rays, and the seconds of all threads together, without measuring what they hit. */
+typedef struct {
+	u64 rays;
+	double seconds;
+} ts_truth_cost;
+ts_truth_cost ts_truth_cost_of(const ts_truth *truth);
 /* Releases a tree; NULL is allowed. */
 void ts_truth_free(ts_truth *truth);
 

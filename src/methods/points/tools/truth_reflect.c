@@ -11,8 +11,9 @@
 
 typedef struct tracer tracer;
 
-/* Radiance of sample k of a pixel, before its tint. */
-typedef ts_v3 sample(const tracer *t, const ts_pixel *pixel, u32 k);
+/* The first leg of sample k of a pixel; and the radiance that a leg brings, with `left` more reflectors to follow. */
+typedef ts_truth_query leg(const tracer *t, const ts_pixel *pixel, u32 k);
+typedef ts_v3 sight(const tracer *t, const ts_truth_query *query, const ts_truth_hit *hit, u32 left);
 
 struct tracer {
 	const ts_truth *truth;
@@ -24,7 +25,8 @@ struct tracer {
 	f32 spread; /* footprint of a unit of path: the side of what a sample of a pixel stands for */
 	u32 bounces;
 	int n_threads;
-	sample *look;
+	leg *leave;
+	sight *see;
 	f32 *radiance;
 };
 
@@ -98,9 +100,10 @@ typedef struct {
 } bounce;
 
 /* False if the light path ends here: then *radiance is what it brings. */
-static bool goes_on(const tracer *t, const ts_truth_query *query, u32 left, bounce *at, ts_v3 *radiance)
+static bool goes_on(const tracer *t, const ts_truth_query *query, const ts_truth_hit *hit, u32 left, bounce *at,
+                    ts_v3 *radiance)
 {
-	at->hit = ts_truth_cast(t->truth, query);
+	at->hit = *hit;
 	*radiance = ts_k_background();
 	if (at->hit.triangle == TS_NONE) return false;
 	at->s = ts_k_surface(t->scene, at->hit.triangle, at->hit.weights, at->hit.footprint);
@@ -111,31 +114,36 @@ static bool goes_on(const tracer *t, const ts_truth_query *query, u32 left, boun
 }
 
 /* Radiance that the cube of query->masked sees; `left` more reflectors are followed, four rays each. */
-static ts_v3 see_from_centre(const tracer *t, const ts_truth_query *query, u32 left)
+static ts_v3 see_from_centre(const tracer *t, const ts_truth_query *query, const ts_truth_hit *hit, u32 left)
 {
 	bounce at;
 	ts_v3 radiance, u, v, sum = {0, 0, 0};
-	if (!goes_on(t, query, left, &at, &radiance)) return radiance;
+	if (!goes_on(t, query, hit, left, &at, &radiance)) return radiance;
 	ts_corners corner = ts_k_corners(t->scene, at.hit.triangle);
 	tile_axes(&corner, &u, &v);
 	f32 radius = t->faces[at.reflector].radius, spread = radius > 0.0f ? at.hit.footprint / radius : 0.0f;
+	ts_truth_query next[TS_N_BOUNCE_SAMPLES];
+	ts_truth_hit hits[TS_N_BOUNCE_SAMPLES];
 	for (u32 k = 0; k < TS_N_BOUNCE_SAMPLES; k++) {
 		ts_v3 d = ts_k_bounce_direction(at.s.p, at.n, u, v, query->origin, spread, k);
-		ts_truth_query next = from_centre(t, at.reflector, at.s.p, d, at.hit.path);
-		sum = ts_add(sum, see_from_centre(t, &next, left - 1));
+		next[k] = from_centre(t, at.reflector, at.s.p, d, at.hit.path);
 	}
+	ts_truth_cast_all(hits, t->truth, next, TS_N_BOUNCE_SAMPLES);
+	for (u32 k = 0; k < TS_N_BOUNCE_SAMPLES; k++)
+		sum = ts_add(sum, see_from_centre(t, &next[k], &hits[k], left - 1));
 	return ts_mul(ts_scale(sum, 1.0f / (f32)TS_N_BOUNCE_SAMPLES), at.s.base);
 }
 
 /* Radiance that arrives along a true ray; every reflector on its way sends on one ray. */
-static ts_v3 see_from_surface(const tracer *t, const ts_truth_query *query, u32 left)
+static ts_v3 see_from_surface(const tracer *t, const ts_truth_query *query, const ts_truth_hit *hit, u32 left)
 {
 	bounce at;
 	ts_v3 radiance;
-	if (!goes_on(t, query, left, &at, &radiance)) return radiance;
+	if (!goes_on(t, query, hit, left, &at, &radiance)) return radiance;
 	ts_v3 d = ts_normalize(ts_reflect(query->direction, at.n));
 	ts_truth_query next = from_surface(t, at.reflector, at.s.p, d, at.hit.path);
-	return ts_mul(see_from_surface(t, &next, left - 1), at.s.base);
+	ts_truth_hit further = ts_truth_cast(t->truth, &next);
+	return ts_mul(see_from_surface(t, &next, &further, left - 1), at.s.base);
 }
 
 static ts_truth_query first_from_centre(const tracer *t, const ts_pixel *pixel, u32 k)
@@ -144,31 +152,38 @@ static ts_truth_query first_from_centre(const tracer *t, const ts_pixel *pixel, 
 	return from_centre(t, pixel->reflector, ray.p, ray.direction, ts_length(ts_sub(ray.p, t->eye)));
 }
 
-static ts_v3 sample_a(const tracer *t, const ts_pixel *pixel, u32 k)
-{
-	ts_truth_query query = first_from_centre(t, pixel, k);
-	return see_from_centre(t, &query, t->bounces - 1);
-}
-
-static ts_v3 sample_b(const tracer *t, const ts_pixel *pixel, u32 k)
+static ts_truth_query first_from_surface(const tracer *t, const ts_pixel *pixel, u32 k)
 {
 	ts_ray ray = ts_k_sample_ray(pixel, t->eye, k);
-	ts_truth_query query = from_surface(t, pixel->reflector, ray.p, ray.direction, ts_length(ts_sub(ray.p, t->eye)));
-	return see_from_surface(t, &query, t->bounces - 1);
+	return from_surface(t, pixel->reflector, ray.p, ray.direction, ts_length(ts_sub(ray.p, t->eye)));
 }
 
 static u32 pixel_of(const void *user, u64 i) { return ((const tracer *)user)->pixels[i].index; }
 
 /* Mean of the samples in order, tinted (METHODS 2). */
-static void look_from(const void *user, u64 i, const ts_share *share)
+static void keep_mean(const tracer *t, u64 i, const ts_truth_query *queries, const ts_truth_hit *hits, u64 asked)
 {
-	const tracer *t = user;
 	const ts_pixel *pixel = &t->pixels[i];
 	ts_v3 sum = {0, 0, 0};
-	for (u64 j = 0; j < share->asked; j++) sum = ts_add(sum, t->look(t, pixel, (u32)ts_share_item(share, j)));
-	f32 n = (f32)share->asked;
+	for (u64 j = 0; j < asked; j++) sum = ts_add(sum, t->see(t, &queries[j], &hits[j], t->bounces - 1));
+	f32 n = (f32)asked;
 	ts_v3 mean = ts_v3_make(sum.x / n, sum.y / n, sum.z / n);
 	ts_store3(t->radiance + i * 3, ts_mul(mean, ts_v3_make(pixel->tint_r, pixel->tint_g, pixel->tint_b)));
+}
+
+/* The first legs of all these pixels in packets. */
+static void look_from(const void *user, const u64 *i, const ts_share *shares, u32 n)
+{
+	const tracer *t = user;
+	ts_truth_query queries[TS_ASKED * TS_N_SAMPLES] = {{.near = 0}};
+	ts_truth_hit hits[TS_ASKED * TS_N_SAMPLES];
+	u32 asked = (u32)shares[0].asked;
+	for (u32 k = 0; k < n; k++) {
+		for (u32 j = 0; j < asked; j++)
+			queries[k * asked + j] = t->leave(t, &t->pixels[i[k]], (u32)ts_share_item(&shares[k], j));
+	}
+	ts_truth_cast_all(hits, t->truth, queries, n * asked);
+	for (u32 k = 0; k < n; k++) keep_mean(t, i[k], &queries[k * asked], &hits[k * asked], asked);
 }
 
 /* Rays of a sample, if every bounce sends on as many as it may. */
@@ -179,27 +194,37 @@ static u64 most_rays(u32 bounces, u64 each)
 	return sum;
 }
 
-static ts_status trace(ts_truth *truth, ts_run *run, ts_sampling *sampling, sample *look, u64 each, const char *label)
+static ts_status trace(tracer t, ts_run *run, ts_sampling *sampling, u64 each, const char *label)
 {
-	tracer t = tracer_of(truth, run);
-	t.look = look;
 	t.radiance = ts_frame_make2(&run->frame, TS_B_shade_radiance, t.n_pixels, 3);
 	if (t.radiance == NULL) return TS_ERROR;
 	memset(t.radiance, 0, t.n_pixels * 3 * sizeof *t.radiance);
-	const ts_truth_asked asked = {label,    t.n_pixels, TS_N_SAMPLES, most_rays(t.bounces, each),
-	                              pixel_of, look_from,  &t,           run->c.threads};
+	const ts_truth_asked asked = {.label = label,
+	                              .n = t.n_pixels,
+	                              .items = TS_N_SAMPLES,
+	                              .each = most_rays(t.bounces, each),
+	                              .pixel = pixel_of,
+	                              .ask_all = look_from,
+	                              .user = &t,
+	                              .threads = run->c.threads};
 	ts_truth_ask(&asked, sampling);
 	return TS_OK;
 }
 
 ts_status ts_truth_a(ts_truth *truth, ts_run *run, ts_sampling *sampling)
 {
-	return trace(truth, run, sampling, sample_a, TS_N_BOUNCE_SAMPLES, "truth A");
+	tracer t = tracer_of(truth, run);
+	t.leave = first_from_centre;
+	t.see = see_from_centre;
+	return trace(t, run, sampling, TS_N_BOUNCE_SAMPLES, "truth A");
 }
 
 ts_status ts_truth_b(ts_truth *truth, ts_run *run, ts_sampling *sampling)
 {
-	return trace(truth, run, sampling, sample_b, 1, "truth B");
+	tracer t = tracer_of(truth, run);
+	t.leave = first_from_surface;
+	t.see = see_from_surface;
+	return trace(t, run, sampling, 1, "truth B");
 }
 
 ts_status ts_truth_hits(ts_truth *truth, const ts_run *run, const ts_sampling *sampling, u32 **hits)
@@ -207,12 +232,15 @@ ts_status ts_truth_hits(ts_truth *truth, const ts_run *run, const ts_sampling *s
 	tracer t = tracer_of(truth, run);
 	u32 *made = *hits = ts_alloc((size_t)t.n_pixels * TS_N_SAMPLES, sizeof(u32), "truth's hits");
 	if (made == NULL) return TS_ERROR;
-#pragma omp parallel for num_threads(t.n_threads) schedule(dynamic, 64)
-	for (u64 i = 0; i < t.n_pixels * TS_N_SAMPLES; i++) {
-		const ts_pixel *pixel = &t.pixels[i / TS_N_SAMPLES];
+#pragma omp parallel for num_threads(t.n_threads) schedule(dynamic, 8)
+	for (u64 i = 0; i < t.n_pixels; i++) {
+		const ts_pixel *pixel = &t.pixels[i];
 		bool left_out = sampling != NULL && sampling->chosen && !ts_sampling_chooses(sampling, pixel->index);
-		ts_truth_query query = first_from_centre(&t, pixel, (u32)(i % TS_N_SAMPLES));
-		made[i] = left_out ? TS_NONE : ts_truth_cast(t.truth, &query).triangle;
+		ts_truth_query queries[TS_N_SAMPLES];
+		ts_truth_hit found[TS_N_SAMPLES];
+		for (u32 k = 0; k < TS_N_SAMPLES; k++) queries[k] = first_from_centre(&t, pixel, k);
+		if (!left_out) ts_truth_cast_all(found, t.truth, queries, TS_N_SAMPLES);
+		for (u32 k = 0; k < TS_N_SAMPLES; k++) made[i * TS_N_SAMPLES + k] = left_out ? TS_NONE : found[k].triangle;
 	}
 	return TS_OK;
 }

@@ -13,7 +13,7 @@
 #include "../../../truth/sampling.h"
 #include "tools.h"
 
-enum { MOST_SAMPLES = 1 << 20 }; /* of all lights */
+enum { MOST_SAMPLES = 1 << 20, RAYS = 64 }; /* of all lights; that are cast at once */
 
 typedef struct {
 	const ts_truth *truth;
@@ -52,17 +52,32 @@ static ts_truth_query ray_to(const ts_camera_k *view, ts_v3 p, f32 z)
 	                        .spread = parallel ? 0.0f : 1.0f / view->focal};
 }
 
-static bool reaches(const tracer *t, const ts_offscreen *offscreen, const ts_receiver *at, u32 triangle)
+/* False if the sample reaches the point, whatever rays say. */
+static bool is_asked(ts_truth_query *ray, const tracer *t, const ts_offscreen *offscreen, const ts_receiver *at)
 {
 	ts_camera_k view = ts_k_offscreen(offscreen);
 	ts_corner p = ts_k_to_view(&view, at->p);
-	if (p.z < view.near || (t->step == 1 && !is_in_image(&view, &p))) return true;
-	ts_truth_query ray = ray_to(&view, at->p, p.z);
-	ts_truth_hit hit = ts_truth_cast(t->truth, &ray);
-	if (hit.triangle == TS_NONE || hit.triangle == triangle) return true;
-	f32 height = ts_max(greatest(at->p), greatest(ray.origin)) * 9.5367431640625e-7f;
-	f32 slope = ts_max(ts_abs(ts_dot(at->n, ray.direction)), TS_LEAST_FACING);
-	return hit.t >= ts_length(ts_sub(at->p, ray.origin)) - height / slope;
+	if (p.z < view.near || (t->step == 1 && !is_in_image(&view, &p))) return false;
+	*ray = ray_to(&view, at->p, p.z);
+	return true;
+}
+
+static bool reaches(const ts_truth_query *ray, const ts_truth_hit *hit, const ts_receiver *at, u32 triangle)
+{
+	if (hit->triangle == TS_NONE || hit->triangle == triangle) return true;
+	f32 height = ts_max(greatest(at->p), greatest(ray->origin)) * 9.5367431640625e-7f;
+	f32 slope = ts_max(ts_abs(ts_dot(at->n, ray->direction)), TS_LEAST_FACING);
+	return hit->t >= ts_length(ts_sub(at->p, ray->origin)) - height / slope;
+}
+
+/* How many of these rays get there. */
+static u32 count_rays(const tracer *t, const ts_truth_query *rays, u32 n, const ts_receiver *at, u32 triangle)
+{
+	ts_truth_hit found[RAYS];
+	u32 n_reach = 0;
+	ts_truth_cast_all(found, t->truth, rays, n);
+	for (u32 i = 0; i < n; i++) n_reach += reaches(&rays[i], &found[i], at, triangle);
+	return n_reach;
 }
 
 static u32 pixel_of(const void *user, u64 i)
@@ -76,11 +91,19 @@ static u32 count(const tracer *t, const ts_lamp *lamp, const ts_share *share, co
 {
 	u64 n = lamp->samples, hits = 0, asked = n * share->asked / share->items;
 	const ts_share of = {n, asked > 0 ? asked : 1, share->pixel, share->seed};
+	ts_truth_query rays[RAYS] = {{.near = 0}};
+	u32 n_rays = 0;
 	for (u64 j = 0; j < of.asked; j++) {
 		const ts_offscreen *view = &t->views[t->step * (lamp->first + (u32)ts_share_item(&of, j))];
 		view += t->step == 6 ? ts_k_cube_place(ts_sub(at->p, ts_load3(view->eye))).face : 0;
-		hits += reaches(t, view, at, triangle);
+		bool asks = is_asked(&rays[n_rays], t, view, at);
+		n_rays += asks;
+		hits += !asks;
+		if (n_rays < RAYS) continue;
+		hits += count_rays(t, rays, n_rays, at, triangle);
+		n_rays = 0;
 	}
+	hits += count_rays(t, rays, n_rays, at, triangle);
 	return (u32)((hits * n + of.asked / 2) / of.asked);
 }
 
@@ -112,7 +135,14 @@ static ts_status trace(const ts_truth *truth, ts_run *run, ts_sampling *sampling
 	if (t.lit == NULL) return TS_ERROR;
 	memset(t.lit, 0, n * t.n_lamps * sizeof *t.lit);
 	u64 n_samples = ts_frame_n(&run->frame, TS_B_offscreen_view) / t.step;
-	const ts_truth_asked asked = {label, n, n_samples, 1, pixel_of, resolve, &t, run->c.threads};
+	const ts_truth_asked asked = {.label = label,
+	                              .n = n,
+	                              .items = n_samples,
+	                              .each = 1,
+	                              .pixel = pixel_of,
+	                              .ask = resolve,
+	                              .user = &t,
+	                              .threads = run->c.threads};
 	ts_truth_ask(&asked, sampling);
 	return TS_OK;
 }

@@ -38,7 +38,14 @@ ts_status ts_truth_gather(ts_run *run, ts_buffer_id to, const ts_truth_gathered 
 	              ts_frame_make3(&run->frame, to, n / width, width, 3)};
 	if (g.light_at == NULL) return TS_ERROR;
 	memset(g.light_at, 0, n * 3 * sizeof *g.light_at);
-	const ts_truth_asked asked = {of->label, n, of->items, of->each, pixel_of, gather, &g, run->c.threads};
+	const ts_truth_asked asked = {.label = of->label,
+	                              .n = n,
+	                              .items = of->items,
+	                              .each = of->each,
+	                              .pixel = pixel_of,
+	                              .ask = gather,
+	                              .user = &g,
+	                              .threads = run->c.threads};
 	ts_truth_ask(&asked, sampling);
 	return TS_OK;
 }

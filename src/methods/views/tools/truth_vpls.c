@@ -12,16 +12,40 @@ typedef struct {
 	f32 near, reach; /* world units: least distance of a light, and what about it stops nothing */
 } tracer;
 
+/* Lights that would shine on a pixel, and how much. */
+typedef struct {
+	ts_truth_pair pairs[TS_TRUTH_PAIRS];
+	const ts_vpl *lights[TS_TRUTH_PAIRS];
+	f32 forms[TS_TRUTH_PAIRS];
+	u32 n;
+} batch;
+
+static ts_v3 add_seen(ts_v3 sum, const tracer *t, batch *b)
+{
+	bool sees[TS_TRUTH_PAIRS];
+	ts_truth_sees_all(sees, t->truth, b->pairs, b->n);
+	for (u32 i = 0; i < b->n; i++) sum = sees[i] ? ts_mad(sum, ts_load3(b->lights[i]->flux), b->forms[i]) : sum;
+	b->n = 0;
+	return sum;
+}
+
 static ts_v3 from_vpls(const void *user, const ts_share *share, ts_v3 p, ts_v3 n)
 {
 	const tracer *t = user;
 	ts_v3 sum = {0, 0, 0};
+	batch b;
+	b.n = 0;
 	for (u64 j = 0; j < share->asked; j++) {
 		const ts_vpl *light = &t->vpls[ts_share_item(share, j)];
 		ts_v3 from = ts_load3(light->position);
 		f32 form = ts_k_vpl_form(ts_sub(p, from), ts_load3(light->normal), n, t->near);
-		if (form > 0.0f && ts_truth_sees(t->truth, p, from, t->reach)) sum = ts_mad(sum, ts_load3(light->flux), form);
+		if (!(form > 0.0f)) continue;
+		b.pairs[b.n] = (ts_truth_pair){p, from, t->reach};
+		b.lights[b.n] = light;
+		b.forms[b.n++] = form;
+		if (b.n == TS_TRUTH_PAIRS) sum = add_seen(sum, t, &b);
 	}
+	sum = add_seen(sum, t, &b);
 	return ts_scale(sum, ts_share_weight(share));
 }
 
