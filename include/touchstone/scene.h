@@ -41,7 +41,7 @@ typedef struct {
 } ts_scene_options;
 
 /* Opens a scene. Result in *scene, to be released with ts_scene_free; NULL on failure.
- *   spec     a built-in scene, a row of ts_builtin_table, optionally with ":triangles=COUNT" (10000 to 3000000;
+ *   spec     a built-in scene, a row of ts_builtin_table, optionally with ":triangles=COUNT" (10000 to 16000000;
  *            suffixes k and M; 300k unless said) and ":texels=SIDE" (no texture is larger than SIDE a side: a power of
  *            two, 16 to 512; 512 unless said), that of surfels with ":surfels=COUNT"; or the path of a .gltf, .glb or
  *            .ply file. Files are untrusted: every count, offset and index is checked, and nothing outside the file's

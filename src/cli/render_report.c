@@ -116,7 +116,11 @@ static void report_times(const ts_render *render, ts_report *report)
 static void truth_cost_cells(ts_table *table, const ts_picture *truth)
 {
 	double rays = truth->cost.rays > 0 ? (double)truth->cost.rays : NAN;
-	ts_table_known(table, rays, 0);
+	if (rays > 0) {
+		ts_table_count(table, (i64)truth->cost.rays);
+	} else {
+		ts_table_none(table);
+	}
 	ts_table_known(table, rays > 0 ? truth->cost.seconds : NAN, 2);
 	ts_table_known(table, 1e-6 * rays / truth->cost.seconds, 2);
 	ts_table_known(table, rays > 0 ? truth->shading : NAN, 2);
@@ -129,9 +133,9 @@ static void report_truths(const ts_render *render, ts_report *report)
 	                                    {"seconds", "time, s", true},
 	                                    {"rays", "rays", true},
 	                                    {"casting_s", "casting, s", true},
-	                                    {"rays_a_second", "M rays/s", true},
+	                                    {"mrays_a_second", "M/s", true},
 	                                    {"shading_s", "shading, s", true},
-	                                    {"shaded_a_second", "M/s", true},
+	                                    {"mshaded_a_second", "M/s", true},
 	                                    {0}};
 	ts_table table = ts_table_begin("truth_seconds", "Time of truths", columns);
 	table.timed = true;

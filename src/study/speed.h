@@ -26,6 +26,7 @@ typedef enum {
 	TS_SPEED_TEXELS,  /* of the off-screen views */
 	TS_SPEED_SURFELS, /* of the scene */
 	TS_SPEED_RAYS,    /* seconds of Embree for the off-screen views */
+	TS_SPEED_CASTING, /* seconds of truths' rays for the same, of the scene's first method */
 	TS_SPEED_POINTS,  /* seconds of bare points */
 	TS_SPEED_MINIMA,  /* seconds of all threads for as many scattered minima as the counter `what`, faces as they are */
 } ts_speed_kind;

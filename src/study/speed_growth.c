@@ -76,7 +76,7 @@ static void keep(curves *c, const ts_speed_set *set, double value)
 		series *s = &c->of[i];
 		s->method = frame->method->name;
 		s->value[s->n] = value;
-		s->whole[s->n] = ts_speed_row_value(&frame->row, TS_MAX_TIMINGS, set->n_runs);
+		s->whole[s->n] = ts_speed_row_value(&frame->row, TS_SPEED_WHOLE, set->n_runs);
 		s->part[s->n] = stages_of(frame, c->growth->stages);
 		s->n++;
 	}

@@ -55,8 +55,8 @@ static void stage_row(ts_table *t, const ts_speed_frame *frame, u32 k, double a_
 	u32 runs = frame->set->n_runs;
 	char name[80];
 	ts_speed_value value = ts_speed_row_value(&frame->row, k, runs);
-	ts_speed_value whole = ts_speed_row_value(&frame->row, TS_MAX_TIMINGS, runs);
-	double bytes = k < TS_MAX_TIMINGS ? (double)frame->last.moved[k] : NAN;
+	ts_speed_value whole = ts_speed_row_value(&frame->row, TS_SPEED_WHOLE, runs);
+	double bytes = k < TS_SPEED_WHOLE ? (double)frame->last.moved[k] : NAN;
 	double streamed = bytes / a_second;
 	snprintf(name, sizeof name, "%s by %s", frame->set->name, frame->method->name);
 	ts_table_text(t, name);
@@ -81,7 +81,7 @@ void ts_speed_print_stages(const ts_speed *speed)
 			const ts_speed_frame *frame = &speed->sets[i].frame[k];
 			for (u32 s = 0; s < frame->last.n_timings; s++)
 				stage_row(&t, frame, s, a_second, frame->last.timings[s].stage);
-			stage_row(&t, frame, TS_MAX_TIMINGS, a_second, "all");
+			stage_row(&t, frame, TS_SPEED_WHOLE, a_second, "all");
 		}
 	}
 	ts_report_table(speed->report, &t);
@@ -104,7 +104,7 @@ static double seconds_of(const ts_speed_frame *frame, const char *stages, u32 ru
 {
 	const double *values = frame->row.values + (size_t)run * TS_SPEED_VALUES;
 	const ts_measure *m = &frame->last;
-	if (stages[0] == 0) return values[TS_MAX_TIMINGS];
+	if (stages[0] == 0) return values[TS_SPEED_WHOLE];
 	double sum = 0;
 	char stage[32];
 	while (ts_words_item(&stages, stage, sizeof stage)) {
@@ -130,6 +130,7 @@ static double of_frame(const ts_speed_frame *frame, const ts_speed_term *term, u
 		return counted(frame, term->what) / (set->minima.values[run] * cores);
 	}
 	*quiet &= frame->row.quiet[run];
+	if (term->kind == TS_SPEED_CASTING) return frame->row.values[(size_t)run * TS_SPEED_VALUES + TS_SPEED_CASTS];
 	return seconds_of(frame, term->what, run) * (term->kind == TS_SPEED_CORES ? cores : 1);
 }
 

@@ -25,7 +25,8 @@ void ts_quiet_before(ts_quiet *quiet);
 /* Whether it was quiet since then. */
 bool ts_quiet_after(ts_quiet *quiet);
 
-enum { TS_SPEED_VALUES = TS_MAX_TIMINGS + 1 }; /* of a frame: its timings, and the whole */
+/* Of a frame: its timings, the whole, and what a truth took to cast rays for its views; the last is 0 if none did. */
+enum { TS_SPEED_WHOLE = TS_MAX_TIMINGS, TS_SPEED_CASTS, TS_SPEED_VALUES };
 
 typedef struct {
 	ts_status (*measure)(double *values, void *of);
@@ -60,6 +61,7 @@ typedef struct {
 	const ts_pipeline *method;
 	ts_speed_set *set;
 	ts_measure last;
+	double casts; /* the last value of the last run */
 	ts_speed_row row;
 } ts_speed_frame;
 

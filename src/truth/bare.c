@@ -3,9 +3,10 @@
 #include <math.h>
 #include <stdlib.h>
 #include "../kernels/raster/offscreen.h"
+#include "query.h"
 #include "tree.h"
 
-enum { SIDE = 4, PACKET = SIDE * SIDE }; /* a packet's rays go through a square of texels */
+enum { SIDE = 4, PACKET = SIDE * SIDE, ROW = 16 }; /* a packet's rays go through a square of texels; packets asked at once */
 
 struct ts_bare {
 	ts_tree tree;
@@ -162,6 +163,37 @@ void ts_bare_cast(ts_bare *bare, u32 threads)
 #pragma omp parallel for num_threads((int)threads) schedule(dynamic, 1)
 	for (u32 v = 0; v < bare->n_views; v++) {
 		for (i32 y = 0; y < bare->views[v].height; y += SIDE) cast_rows(bare, v, y);
+	}
+}
+
+/* A row of packets as a truth asks for them. */
+static void cast_truth_rows(const ts_bare *bare, const ts_truth *truth, u32 v, i32 y)
+{
+	struct RTCRayHit16 rays __attribute__((aligned(64)));
+	int valid[PACKET] __attribute__((aligned(64)));
+	ts_truth_query queries[ROW * PACKET];
+	ts_truth_hit hits[ROW * PACKET];
+	u32 n = 0;
+	for (i32 x = 0; x < bare->views[v].width; x += SIDE) {
+		aim(&rays, valid, &bare->views[v], x, y);
+		for (u32 i = 0; i < PACKET; i++) {
+			ts_v3 from = {rays.ray.org_x[i], rays.ray.org_y[i], rays.ray.org_z[i]};
+			ts_v3 way = {rays.ray.dir_x[i], rays.ray.dir_y[i], rays.ray.dir_z[i]};
+			queries[n++] = (ts_truth_query){
+				.origin = from, .direction = way, .near = rays.ray.tnear[i], .masked = TS_NONE, .from = from};
+		}
+		bool full = n == ROW * PACKET || x + SIDE >= bare->views[v].width;
+		if (!full) continue;
+		ts_truth_cast_all(hits, truth, queries, n);
+		n = 0;
+	}
+}
+
+void ts_bare_cast_truth(const ts_bare *bare, const ts_truth *truth, u32 threads)
+{
+#pragma omp parallel for num_threads((int)threads) schedule(dynamic, 1)
+	for (u32 v = 0; v < bare->n_views; v++) {
+		for (i32 y = 0; y < bare->views[v].height; y += SIDE) cast_truth_rows(bare, truth, v, y);
 	}
 }
 

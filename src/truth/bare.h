@@ -16,6 +16,8 @@ void ts_bare_free(ts_bare *bare);
 u64 ts_bare_n_rays(const ts_bare *bare);
 /* Casts them by so many threads. */
 void ts_bare_cast(ts_bare *bare, u32 threads);
+/* Has a truth cast the same, in the same order. */
+void ts_bare_cast_truth(const ts_bare *bare, const ts_truth *truth, u32 threads);
 /* How many of them hit something, the last time. */
 u64 ts_bare_n_hits(const ts_bare *bare);
 

@@ -4,7 +4,7 @@
 #include "../../src/scene/scene.h"
 #include "../../src/scene/sources.h"
 
-enum { LEAST = 10000, MOST = 3000000, MOST_SIDE = 512 };
+enum { LEAST = 10000, MOST = 16000000, MOST_SIDE = 512 };
 
 static void check(const ts_scene *scene)
 {

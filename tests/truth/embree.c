@@ -324,12 +324,93 @@ static void test_order(void **state)
 	end(back, two);
 }
 
+/* Triangles of all materials; every other one lies on another with its corners in another order, so that which is
+ * nearer is a matter of roundings. */
+static void pairs_of_triangles(world *w, u32 n)
+{
+	for (u32 i = 0; i < n; i++) {
+		ts_v3 a = uniform3(-8, 8), b = ts_add(a, uniform3(-2, 2)), c = ts_add(a, uniform3(-2, 2));
+		world_triangle(w, a, b, c, i % 5, i % WORLD_OBJECTS);
+		world_triangle(w, c, a, b, (i + 1) % 5, i / 3 % WORLD_OBJECTS);
+	}
+}
+
+/* Bundles of rays that lie close together, and some that go anywhere or nowhere. */
+static void bundle(ts_truth_query *queries, u32 n)
+{
+	ts_v3 o = uniform3(-9, 9), d = uniform_direction();
+	f32 spread = uniform(0, 1) < 0.5f ? 0.01f : 1;
+	for (u32 i = 0; i < n; i++) {
+		ts_v3 way = ts_normalize(ts_mad(d, uniform_direction(), spread));
+		queries[i] = (ts_truth_query){.origin = o,
+		                              .direction = i % 13 == 5 ? ts_v3_make(0, 0, 0) : way,
+		                              .near = i % 3 == 0 ? uniform(0, 4) : 0,
+		                              .masked = i % 5 < 3 ? i % 5 : TS_NONE,
+		                              .from = o,
+		                              .spread = 0.01f,
+		                              .whole = i % 7 == 0};
+	}
+}
+
+enum { MOST = 150 };
+
+static void test_packets(void **state)
+{
+	(void)state;
+	static ts_truth_query queries[MOST];
+	static ts_truth_hit hits[MOST];
+	world *w = world_new();
+	pairs_of_triangles(w, 2000);
+	world_room(w, ts_v3_make(-9, -9, -9), ts_v3_make(9, 9, 9), ONE_SIDED, 0);
+	ts_truth *truth = grow(w);
+	u64 rays = 0;
+	for (u32 k = 0; k < 2000; k++) {
+		u32 n = k % (MOST + 1);
+		u64 before = ts_truth_cost_of(truth).rays;
+		bundle(queries, n);
+		ts_truth_cast_all(hits, truth, queries, n);
+		assert_int_equal(ts_truth_cost_of(truth).rays - before, n);
+		rays += n;
+		for (u32 i = 0; i < n; i++) {
+			ts_truth_hit single = ts_truth_cast(truth, &queries[i]);
+			if (memcmp(&single, &hits[i], sizeof single) != 0)
+				fail_msg("bundle %u, ray %u of %u: %u at %.9g, not %u at %.9g", k, i, n, hits[i].triangle,
+				         (double)hits[i].t, single.triangle, (double)single.t);
+		}
+	}
+	assert_true(rays > 100000 && ts_truth_cost_of(truth).seconds > 0);
+	end(w, truth);
+}
+
+static void test_pairs(void **state)
+{
+	(void)state;
+	world *w = world_new();
+	pairs_of_triangles(w, 500);
+	ts_truth *truth = grow(w);
+	u32 n_free = 0;
+	for (u32 k = 0; k < 500; k++) {
+		ts_truth_pair pairs[TS_TRUTH_PAIRS];
+		bool sees[TS_TRUTH_PAIRS];
+		u32 n = k % (TS_TRUTH_PAIRS + 1);
+		for (u32 i = 0; i < TS_TRUTH_PAIRS; i++)
+			pairs[i] = (ts_truth_pair){uniform3(-8, 8), uniform3(-8, 8), i % 2 ? 0 : uniform(0, 2)};
+		ts_truth_sees_all(sees, truth, pairs, n);
+		for (u32 i = 0; i < n; i++) {
+			assert_int_equal(sees[i], ts_truth_sees(truth, pairs[i].from, pairs[i].to, pairs[i].reach));
+			n_free += sees[i];
+		}
+	}
+	assert_true(n_free > 1000 && n_free < 15000);
+	end(w, truth);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_room),  cmocka_unit_test(test_sphere),     cmocka_unit_test(test_filters),
 		cmocka_unit_test(test_alpha), cmocka_unit_test(test_degenerate), cmocka_unit_test(test_soup),
-		cmocka_unit_test(test_order),
+		cmocka_unit_test(test_order), cmocka_unit_test(test_packets), cmocka_unit_test(test_pairs),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,59 @@
+/* What the machine allows: that the loops measured do what they say. Times themselves are of the machine. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include <math.h>
+#include <stdlib.h>
+#include "../../src/study/speed_limits.h"
+#include "../truth/world.h"
+
+static void test_memory(void **state)
+{
+	(void)state;
+	double small, large, stream;
+	assert_int_equal(ts_limit_minima(&small, 1 << 16, 1), TS_OK);
+	assert_int_equal(ts_limit_minima(&large, 1 << 27, 2), TS_OK);
+	assert_int_equal(ts_limit_stream(&stream, 2), TS_OK);
+	assert_true(isfinite(small) && isfinite(large) && isfinite(stream));
+	assert_true(small > 1e6 && large > 1e5 && stream > 1e7);
+}
+
+enum { SIDE = 8, POINTS = 100000 };
+
+/* A cube in a room 2 wide: every texel has a point, on the wall of its own face, at depth 1. */
+static void test_points(void **state)
+{
+	(void)state;
+	world *w = malloc(sizeof *w);
+	assert_non_null(w);
+	world_begin(w);
+	world_room(w, ts_v3_make(-1, -1, -1), ts_v3_make(1, 1, 1), ONE_SIDED, 0);
+	world_pose(w);
+	ts_face *cube = ts_frame_make1(&w->run.frame, TS_B_cube_size_face, 2);
+	cube[0] = (ts_face){.n = SIDE, .near = 0.001f, .object = TS_NONE};
+	cube[1] = (ts_face){.n = 0, .offset = 6 * SIDE * SIDE, .object = TS_NONE};
+	w->run.plan.units = 2;
+	ts_limit_points points = {.n = 0};
+	assert_int_equal(ts_limit_points_place(&points, &w->run, POINTS), TS_OK);
+	assert_true(points.n >= POINTS && points.n < POINTS + 256);
+	for (u32 threads = 1; threads <= 2; threads++) {
+		memset(points.texels, 0, 6 * SIDE * SIDE * sizeof *points.texels);
+		ts_limit_points_draw(&points, threads);
+		for (u32 i = 0; i < 6 * SIDE * SIDE; i++) {
+			assert_true((u32)points.texels[i] < w->scene.n_triangles);
+			assert_float_equal(ts_u2f((u32)(points.texels[i] >> 32)), 1, 1e-6);
+		}
+	}
+	ts_limit_points_free(&points);
+	assert_null(points.texels);
+	ts_run_end(&w->run);
+	free(w);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {cmocka_unit_test(test_memory), cmocka_unit_test(test_points)};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

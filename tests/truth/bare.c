@@ -1,0 +1,93 @@
+/* Embree alone, of the off-screen views of a run: every texel has a ray, and the rays go through the texels. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include <stdlib.h>
+#include "../../src/methods/stages.h"
+#include "../../src/truth/bare.h"
+#include "world.h"
+
+static world *room_new(void)
+{
+	world *w = malloc(sizeof *w);
+	assert_non_null(w);
+	world_begin(w);
+	world_room(w, ts_v3_make(-1, -1, -1), ts_v3_make(1, 1, 1), TWO_SIDED, 0);
+	world_pose(w);
+	return w;
+}
+
+static void end(world *w, ts_bare *bare)
+{
+	ts_bare_free(bare);
+	ts_run_end(&w->run);
+	free(w);
+}
+
+/* Sides that are no multiple of a packet's; a cube out of sight has no rays. */
+static void test_cubes(void **state)
+{
+	(void)state;
+	for (u32 side = 1; side <= 9; side++) {
+		world *w = room_new();
+		ts_bare *bare;
+		ts_face *cubes = ts_frame_make1(&w->run.frame, TS_B_cube_size_face, 3);
+		for (u32 i = 0; i < 3; i++)
+			cubes[i] = (ts_face){.n = i == 1 ? 0 : side, .centre = {0.5f * (f32)i - 0.5f, 0, 0}, .near = 0.001f};
+		cubes[2].near = 10; /* all walls are before its near plane */
+		w->run.plan.units = 3;
+		assert_int_equal(ts_bare_new(&bare, &w->run), TS_OK);
+		assert_int_equal(ts_bare_n_rays(bare), 2 * 6 * side * side);
+		for (u32 threads = 1; threads <= 2; threads++) {
+			ts_bare_cast(bare, threads);
+			assert_int_equal(ts_bare_n_hits(bare), 6 * side * side);
+		}
+		end(w, bare);
+	}
+}
+
+/* A view whose field is twice as wide as a wall behind a hole: those of its rays hit that go there. */
+static void test_views(void **state)
+{
+	(void)state;
+	world *w = malloc(sizeof *w);
+	ts_bare *bare;
+	assert_non_null(w);
+	world_begin(w);
+	world_quad(w, ts_v3_make(-1, -1, -2), ts_v3_make(1, -1, -2), ts_v3_make(1, 1, -2), ts_v3_make(-1, 1, -2), TWO_SIDED, 0);
+	world_pose(w);
+	ts_offscreen *views = ts_frame_make1(&w->run.frame, TS_B_offscreen_view, 2);
+	views[0] = (ts_offscreen){.focal = 8, .right = {1, 0, 0}, .up = {0, 1, 0}, .back = {0, 0, 1}, .width = 16, .height = 20,
+	                          .near = 0.1f};
+	views[1] = views[0];
+	views[1].orthographic = 1;
+	assert_int_equal(ts_bare_new(&bare, &w->run), TS_OK);
+	assert_int_equal(ts_bare_n_rays(bare), 2 * 16 * 20);
+	ts_bare_cast(bare, 2);
+	assert_int_equal(ts_bare_n_hits(bare), 8 * 8 + 16 * 16);
+	ts_truth *truth;
+	assert_int_equal(ts_truth_new(&truth, &w->run), TS_OK);
+	ts_bare_cast_truth(bare, truth, 2);
+	assert_int_equal(ts_truth_cost_of(truth).rays, 2 * 16 * 20);
+	ts_truth_free(truth);
+	end(w, bare);
+}
+
+static void test_none(void **state)
+{
+	(void)state;
+	world *w = room_new();
+	ts_bare *bare;
+	assert_int_equal(ts_bare_new(&bare, &w->run), TS_ERROR);
+	assert_null(bare);
+	end(w, bare);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {cmocka_unit_test(test_cubes), cmocka_unit_test(test_views),
+	                                   cmocka_unit_test(test_none)};
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
