@@ -105,7 +105,8 @@ static ts_status take_turns(ts_speed *speed, u32 run)
 	ts_status status = ts_speed_machine_run(&speed->machine, run, &speed->quiet);
 	for (u32 i = 0; i < speed->n_sets && status == TS_OK; i++) {
 		status = ts_speed_set_run(&speed->sets[i], run, &speed->quiet);
-		if (status == TS_OK) ts_say("%s: run %u of %u", speed->sets[i].name, (unsigned)run + 1, (unsigned)speed->n_runs);
+		if (status == TS_OK)
+			ts_say("%s: run %u of %u", speed->sets[i].name, (unsigned)run + 1, (unsigned)speed->n_runs);
 	}
 	return status;
 }

@@ -22,11 +22,10 @@ typedef struct {
 	u32 n_series;
 } curves;
 
-static const ts_column point_columns[] = {{"growth", "growth", false}, {"value", "value", true},
-                                          {"method", "method", false}, {"what", "what", false},
-                                          {"ms", "ms", true},          {"spread", "spread, %", true},
-                                          {"exponent", "exponent", true}, {"state", "", false},
-                                          {0}};
+static const ts_column point_columns[] = {
+	{"growth", "growth", false},    {"value", "value", true}, {"method", "method", false},
+	{"what", "what", false},        {"ms", "ms", true},       {"spread", "spread, %", true},
+	{"exponent", "exponent", true}, {"state", "", false},     {0}};
 static const ts_column law_columns[] = {{"growth", "growth", false},
                                         {"range", "from, to", false},
                                         {"method", "method", false},
@@ -93,13 +92,13 @@ static ts_status measure_point(curves *c, ts_speed *speed, const char *value)
 	if (set == NULL) return TS_ERROR;
 	ts_status status = set_value(&job, spec, growth, value);
 	if (status == TS_OK) status = ts_speed_set_open(set, spec, &of, &job, speed->n_runs);
-	for (u32 run = 0; run < speed->n_runs && status == TS_OK; run++)
-		status = ts_speed_set_run(set, run, &speed->quiet);
+	for (u32 run = 0; run < speed->n_runs && status == TS_OK; run++) status = ts_speed_set_run(set, run, &speed->quiet);
 	if (status == TS_OK) {
 		keep(c, set, number(value));
 		ts_say("%s %s: measured", growth->name, value);
 	}
-	if (status == TS_SKIPPED) ts_report_line(speed->report, "%s %s: left out: %s", growth->name, value, ts_error_message());
+	if (status == TS_SKIPPED)
+		ts_report_line(speed->report, "%s %s: left out: %s", growth->name, value, ts_error_message());
 	ts_speed_set_close(set);
 	free(set);
 	return status == TS_SKIPPED ? TS_OK : status;

@@ -72,8 +72,7 @@ ts_status ts_limit_stream(double *a_second, u32 threads)
 #pragma omp parallel for num_threads((int)threads) schedule(static, 1)
 		for (u32 t = 0; t < threads; t++) stream(to + (size_t)t * each, from + (size_t)t * each, each);
 	}
-	if (status == TS_OK)
-		*a_second = 2.0 * PASSES * (double)each * threads * sizeof *to / (ts_seconds() - begin);
+	if (status == TS_OK) *a_second = 2.0 * PASSES * (double)each * threads * sizeof *to / (ts_seconds() - begin);
 	free(from);
 	free(to);
 	return status;

@@ -55,8 +55,7 @@ ts_status ts_limit_points_place(ts_limit_points *points, const ts_run *run, u64 
 }
 
 /* Texels and keys of a block in a cube: the axis of the greatest coordinate chooses the face. */
-static void project(u32 *restrict at, u64 *restrict key, const ts_limit_points *points, u64 first,
-                    const ts_face *cube)
+static void project(u32 *restrict at, u64 *restrict key, const ts_limit_points *points, u64 first, const ts_face *cube)
 {
 	const f32 *restrict xs = points->x + first, *restrict ys = points->y + first, *restrict zs = points->z + first;
 	const u32 *restrict triangles = points->triangle + first;

@@ -76,9 +76,10 @@ ts_status ts_quiet_begin(ts_quiet *quiet, ts_report *report, u32 threads, bool a
 	                          1e3 * quiet->best, "busy", (int)anyway));
 	if (anyway) ts_report_line(report, "BUSY: --busy measures whatever else the machine does; nothing is judged");
 	if (!busy || anyway) return TS_OK;
-	return ts_fail("bench speed: the machine is busy: load %.2f, at most %.2f, and others use %.2f of %u processors, at "
-	               "most %.2f; wait a minute, or write --busy, and nothing is judged",
-	               load, most_load, others, (unsigned)processors, ts_busy_limit());
+	return ts_fail(
+		"bench speed: the machine is busy: load %.2f, at most %.2f, and others use %.2f of %u processors, at "
+		"most %.2f; wait a minute, or write --busy, and nothing is judged",
+		load, most_load, others, (unsigned)processors, ts_busy_limit());
 }
 
 static bool is_slow(const ts_quiet *quiet) { return best_of(LOOPS, quiet->threads) > SLOWER * quiet->best; }

@@ -43,8 +43,7 @@ static ts_status measure_frame(double *values, void *of)
 	ts_speed_frame *frame = of;
 	ts_speed_set *set = frame->set;
 	frame->last = (ts_measure){.pictures = NULL};
-	ts_status status =
-		ts_measure_run(&frame->last, frame->method, set->scene, &set->params, &set->how, take, frame);
+	ts_status status = ts_measure_run(&frame->last, frame->method, set->scene, &set->params, &set->how, take, frame);
 	for (u32 k = 0; k < frame->last.n_timings; k++) values[k] = frame->last.timings[k].seconds;
 	values[TS_SPEED_WHOLE] = frame->last.seconds;
 	values[TS_SPEED_CASTS] = frame->casts;

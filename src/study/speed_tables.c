@@ -5,8 +5,8 @@
 #include "speed_work.h"
 #include "words.h"
 
-static const ts_column limit_columns[] = {
-	{"limit", "limit", false}, {"here", "here", true}, {"unit", "", false}, {"spread", "spread, %", true}, {"state", "", false}, {0}};
+static const ts_column limit_columns[] = {{"limit", "limit", false},     {"here", "here", true}, {"unit", "", false},
+                                          {"spread", "spread, %", true}, {"state", "", false},   {0}};
 
 static void limit_row(ts_table *t, const char *text, const ts_speed_row *row, u32 runs, double scale, const char *unit)
 {
@@ -72,8 +72,8 @@ static void stage_row(ts_table *t, const ts_speed_frame *frame, u32 k, double a_
 
 void ts_speed_print_stages(const ts_speed *speed)
 {
-	ts_table t = ts_table_begin("stages", "Stages, and how long streams of what they read and wrote would take",
-	                            stage_columns);
+	ts_table t =
+		ts_table_begin("stages", "Stages, and how long streams of what they read and wrote would take", stage_columns);
 	double a_second = ts_speed_row_value(&speed->machine.stream, 0, speed->n_runs).median;
 	t.timed = true;
 	for (u32 i = 0; i < speed->n_sets; i++) {
@@ -94,7 +94,8 @@ static const ts_speed_frame *find(const ts_speed_set **set, const ts_speed *spee
 		if (strcmp(speed->sets[i].name, term->scene) != 0) continue;
 		*set = &speed->sets[i];
 		for (u32 k = 0; k < (*set)->n_frames; k++) {
-			if (term->method != NULL && strcmp((*set)->frame[k].method->name, term->method) == 0) return &(*set)->frame[k];
+			if (term->method != NULL && strcmp((*set)->frame[k].method->name, term->method) == 0)
+				return &(*set)->frame[k];
 		}
 	}
 	return NULL;
@@ -164,9 +165,12 @@ static ts_speed_value figure_of(const ts_speed *speed, const ts_speed_figure *fi
 	return ts_speed_sum(values, quiet, speed->n_runs);
 }
 
-static const ts_column figure_columns[] = {{"figure", "figure", false}, {"here", "here", true},
-                                           {"unit", "", false},         {"spread", "spread, %", true},
-                                           {"goal", "goal", false},     {"verdict", "verdict", false},
+static const ts_column figure_columns[] = {{"figure", "figure", false},
+                                           {"here", "here", true},
+                                           {"unit", "", false},
+                                           {"spread", "spread, %", true},
+                                           {"goal", "goal", false},
+                                           {"verdict", "verdict", false},
                                            {0}};
 
 static void figure_row(ts_table *t, const ts_speed_figure *figure, const ts_speed_value *value)

@@ -1,5 +1,5 @@
-/* `bench speed`: what its files share. A row is one thing that is timed, run after run, between two looks at whether the
- * machine is quiet. */
+/* `bench speed`: what its files share. A row is one thing that is timed, run after run, between two looks at whether
+ * the machine is quiet. */
 #ifndef TS_STUDY_SPEED_WORK_H
 #define TS_STUDY_SPEED_WORK_H
 #include "../truth/bare.h"

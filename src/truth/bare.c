@@ -6,7 +6,11 @@
 #include "query.h"
 #include "tree.h"
 
-enum { SIDE = 4, PACKET = SIDE * SIDE, ROW = 16 }; /* a packet's rays go through a square of texels; packets asked at once */
+enum {
+	SIDE = 4,
+	PACKET = SIDE * SIDE,
+	ROW = 16
+}; /* a packet's rays go through a square of texels; packets asked at once */
 
 struct ts_bare {
 	ts_tree tree;
@@ -27,8 +31,7 @@ static ts_status copy_triangles(ts_bare *bare, const ts_run *run)
 	bare->position = ts_alloc_zero((size_t)n_vertices * 3 + 1, sizeof(f32), "Embree's positions");
 	bare->corner = ts_alloc((size_t)n * 3, sizeof(u32), "Embree's triangles");
 	if (bare->position == NULL || bare->corner == NULL) return TS_ERROR;
-	for (u32 i = 0; i < n_vertices; i++)
-		memcpy(&bare->position[(size_t)i * 3], vertices[i].position, 3 * sizeof(f32));
+	for (u32 i = 0; i < n_vertices; i++) memcpy(&bare->position[(size_t)i * 3], vertices[i].position, 3 * sizeof(f32));
 	for (u32 t = 0; t < n; t++) memcpy(&bare->corner[(size_t)t * 3], triangles[t].vertex, 3 * sizeof(u32));
 	return TS_OK;
 }

@@ -283,7 +283,8 @@ ts_status ts_truth_new(ts_truth **truth, const ts_run *run)
 	made->scene.vertices = ts_frame_data(&run->frame, TS_B_pose_vertex);
 	made->n_vertices = run->scene->n_vertices;
 	made->cost = ts_alloc_zero(1, sizeof *made->cost, "truth");
-	if (made->cost == NULL || ts_tree_begin(&made->tree, run->c.threads) || sort_triangles(made) || copy_positions(made) || grow_tree(made)) {
+	if (made->cost == NULL || ts_tree_begin(&made->tree, run->c.threads) || sort_triangles(made) ||
+	    copy_positions(made) || grow_tree(made)) {
 		ts_truth_free(made);
 		return TS_ERROR;
 	}

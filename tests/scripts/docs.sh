@@ -25,7 +25,7 @@ result "${PIPESTATUS[0]}" "CONTRACT.md, METHODS.md, FIGURES.md, README.md and CO
 
 # sees REASON FILE SED-SCRIPT: the check names the damage that the script does to a copy.
 sees() {
-	cp reference/CONTRACT.md reference/METHODS.md reference/FIGURES.md reference/VERDICTS.md README.md CONTRIBUTING.md "$folder/"
+	cp reference/CONTRACT.md reference/METHODS.md reference/FIGURES.md reference/VERDICTS.md reference/PERFORMANCE.md README.md CONTRIBUTING.md "$folder/"
 	sed -i "$3" "$folder/$2"
 	scripts/docs-check "$folder" > "$folder/out"
 	[ $? -eq 1 ] && grep -q "$2:[0-9]*: .*$1" "$folder/out"

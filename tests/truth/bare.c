@@ -56,11 +56,12 @@ static void test_views(void **state)
 	ts_bare *bare;
 	assert_non_null(w);
 	world_begin(w);
-	world_quad(w, ts_v3_make(-1, -1, -2), ts_v3_make(1, -1, -2), ts_v3_make(1, 1, -2), ts_v3_make(-1, 1, -2), TWO_SIDED, 0);
+	world_quad(w, ts_v3_make(-1, -1, -2), ts_v3_make(1, -1, -2), ts_v3_make(1, 1, -2), ts_v3_make(-1, 1, -2), TWO_SIDED,
+	           0);
 	world_pose(w);
 	ts_offscreen *views = ts_frame_make1(&w->run.frame, TS_B_offscreen_view, 2);
-	views[0] = (ts_offscreen){.focal = 8, .right = {1, 0, 0}, .up = {0, 1, 0}, .back = {0, 0, 1}, .width = 16, .height = 20,
-	                          .near = 0.1f};
+	views[0] = (ts_offscreen){
+		.focal = 8, .right = {1, 0, 0}, .up = {0, 1, 0}, .back = {0, 0, 1}, .width = 16, .height = 20, .near = 0.1f};
 	views[1] = views[0];
 	views[1].orthographic = 1;
 	assert_int_equal(ts_bare_new(&bare, &w->run), TS_OK);

@@ -410,7 +410,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_room),  cmocka_unit_test(test_sphere),     cmocka_unit_test(test_filters),
 		cmocka_unit_test(test_alpha), cmocka_unit_test(test_degenerate), cmocka_unit_test(test_soup),
-		cmocka_unit_test(test_order), cmocka_unit_test(test_packets), cmocka_unit_test(test_pairs),
+		cmocka_unit_test(test_order), cmocka_unit_test(test_packets),    cmocka_unit_test(test_pairs),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

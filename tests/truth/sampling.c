@@ -94,7 +94,8 @@ static void test_ask(void **state)
 {
 	(void)state;
 	seen s = {{0}}, all = {{0}};
-	ts_truth_asked asked = {.label = "test", .n = 1000, .items = 64, .each = 1, .pixel = pixel_of, .ask = ask, .user = &s, .threads = 2};
+	ts_truth_asked asked = {
+		.label = "test", .n = 1000, .items = 64, .each = 1, .pixel = pixel_of, .ask = ask, .user = &s, .threads = 2};
 	ts_sampling sampling = {.rays = 666 * 16, .pixels = 1000};
 	ts_truth_ask(&asked, &sampling);
 	sampling.chosen = true;

@@ -129,8 +129,7 @@ static ts_v3 see_from_centre(const tracer *t, const ts_truth_query *query, const
 		next[k] = from_centre(t, at.reflector, at.s.p, d, at.hit.path);
 	}
 	ts_truth_cast_all(hits, t->truth, next, TS_N_BOUNCE_SAMPLES);
-	for (u32 k = 0; k < TS_N_BOUNCE_SAMPLES; k++)
-		sum = ts_add(sum, see_from_centre(t, &next[k], &hits[k], left - 1));
+	for (u32 k = 0; k < TS_N_BOUNCE_SAMPLES; k++) sum = ts_add(sum, see_from_centre(t, &next[k], &hits[k], left - 1));
 	return ts_mul(ts_scale(sum, 1.0f / (f32)TS_N_BOUNCE_SAMPLES), at.s.base);
 }
 
