@@ -45,8 +45,8 @@ const ts_command ts_command_table[] = {
      "backends: each stage in C, with 1 and with --threads threads, and on every OpenCL device, or the one of\n"
      "--backend or --device, which takes the cores it likes; what bounds scattering; and how long the kernels take\n"
      "to build, in a process of its own, with an empty cache too where it is PoCL's.\n"
-     "speed: stages, Embree's rays for the same views, bare points, what memory allows, exponents. --scene names frames\n"
-     "(S, A, M, ...) and growths (triangles, mirrors, maps, pixels, threads); --objects are the values of one growth.\n"
+     "speed: stages, Embree's rays for the same views, bare points, what memory allows, exponents. --scene names\n"
+     "frames (S, A, M, ...) and growths (triangles, mirrors, maps, pixels, threads); --objects are a growth's values.\n"
      "Models of ivir-1, ssagh-1 and ssagh-segments are in the folder TS_SCENES (scenes).",
      1, 1,
      TS_OPT(METHOD) | TS_OPT(SCENE) | TS_OPT(OBJECTS) | TS_OPT(RUNS) | TS_OPT(BUSY) | TS_OPT(TRUTH) | TS_OPT(SIZE) |
