@@ -4,14 +4,15 @@
 #include <sys/mman.h>
 #include "core.h"
 
-/* Asks for large pages: fewer faults where memory is first written, fewer walks where it is written at random. A system
- * without them says no, and nothing is lost. */
+/* Asks for large pages where they matter: fewer faults where memory is first written, fewer walks where it is written at
+ * random. A system without them says no, and nothing is lost. What is smaller, or zero, may be touched here and there
+ * alone, and would take more memory. */
 static void take_large_pages(void *memory, size_t bytes)
 {
-	const uintptr_t large = (uintptr_t)2 << 20;
-	uintptr_t begin = ((uintptr_t)memory + large - 1) / large * large,
-			  end = ((uintptr_t)memory + bytes) / large * large;
-	if (begin < end) (void)madvise((void *)begin, end - begin, MADV_HUGEPAGE);
+	const uintptr_t large = (uintptr_t)2 << 20, least = 32 * large;
+	uintptr_t begin = ((uintptr_t)memory + large - 1) / large * large;
+	uintptr_t end = ((uintptr_t)memory + bytes) / large * large;
+	if (bytes >= least) (void)madvise((void *)begin, end - begin, MADV_HUGEPAGE);
 }
 
 static void *allocate(size_t count, size_t size, const char *what, bool zero)
@@ -23,11 +24,8 @@ static void *allocate(size_t count, size_t size, const char *what, bool zero)
 	size_t bytes = count * size;
 	size_t at_least_one = bytes ? bytes : 1;
 	void *memory = zero ? calloc(at_least_one, 1) : malloc(at_least_one);
-	if (memory) {
-		take_large_pages(memory, bytes);
-	} else {
-		ts_fail("%s: no memory for %zu elements of %zu bytes (%zu MiB)", what, count, size, bytes >> 20);
-	}
+	if (!memory) ts_fail("%s: no memory for %zu elements of %zu bytes (%zu MiB)", what, count, size, bytes >> 20);
+	if (memory && !zero) take_large_pages(memory, bytes);
 	return memory;
 }
 
