@@ -4,9 +4,9 @@
 #include <sys/mman.h>
 #include "core.h"
 
-/* Asks for large pages where they matter: fewer faults where memory is first written, fewer walks where it is written at
- * random. A system without them says no, and nothing is lost. What is smaller, or zero, may be touched here and there
- * alone, and would take more memory. */
+/* Asks for large pages where they matter: fewer faults where memory is first written, fewer walks where it is written
+ * at random. A system without them says no, and nothing is lost. What is smaller, or zero, may be touched here and
+ * there alone, and would take more memory. */
 static void take_large_pages(void *memory, size_t bytes)
 {
 	const uintptr_t large = (uintptr_t)2 << 20, least = 32 * large;
