@@ -177,7 +177,7 @@ static ts_status trace_all(ts_picture *picture, const ts_truth_kind *kind, ts_tr
 	return status;
 }
 
-/* Of all threads together, as if none had waited. */
+/* Sets what the rays of this picture cost: the seconds of all threads, divided by their number. */
 static void keep_cost(ts_picture *picture, const ts_truth_cost *before, const ts_truth *tree, u32 threads)
 {
 	ts_truth_cost after = ts_truth_cost_of(tree);

@@ -16,7 +16,7 @@ typedef struct {
 	                      * of which only cubes are made */
 } ts_speed_scene;
 
-/* What a figure is made of: a second, a count, a limit. */
+/* A term of a figure: seconds, a count, or a limit. */
 typedef enum {
 	TS_SPEED_ONE,
 	TS_SPEED_TIME,    /* seconds of the stages `what`, separated by commas; "": of the frame */

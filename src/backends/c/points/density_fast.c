@@ -10,7 +10,7 @@
 
 enum { ENTRIES = 10, TRIANGLES_A_CHUNK = 256 };
 
-/* Of all views, one array each. */
+/* The views as arrays: entry v is of view v. */
 typedef struct {
 	f32 *eye[3], *back[3], *focal, *near, *reach[2];
 } lanes;

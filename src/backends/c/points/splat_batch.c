@@ -66,7 +66,7 @@ static inline line edge(snapped a, snapped b, i32 turned, i32 i, i32 j)
 	return (line){-dy, dx, (i32)(c + (u32)(within >> 8))};
 }
 
-/* a d - b c, by 512 and rounded down; its sign is the area's. Of what is not small it may be anything. */
+/* (a d - b c) / 512, rounded down: the sign is the area's. Edges beyond LONGEST overflow. */
 static inline i32 area_of(i32 a, i32 b, i32 c, i32 d)
 {
 	u32 high = (u32)a * (u32)(d >> 9) - (u32)b * (u32)(c >> 9);

@@ -62,7 +62,7 @@ void ts_splat_batch_place(ts_splat_batch *batch, const ts_splat_face *f, const t
 /* Piece k of the batch may write that box, all of it. */
 void ts_splat_batch_box(ts_splat_batch *batch, u32 k, ts_box box);
 
-/* Points of piece k of the batch, together with others. What is full is written. */
+/* Adds points of piece k of the batch. Whenever the block is full, writes it. */
 void ts_splat_block_add(ts_splat_block *block, ts_splat_face *f, const ts_splat_live *live, const ts_splat_batch *batch,
                         u32 k, ts_splat_row row);
 /* Writes what the block has, and empties it. */

@@ -166,7 +166,7 @@ static ts_fragment fragment_of(const fragments *l, u32 i, bool orthographic)
 	return (ts_fragment){.z = z, .w = orthographic ? by : ts_scale(by, z)};
 }
 
-/* What is hidden anyway is not looked up. */
+/* Looks up the alpha mask only where the fragment is nearer than the texel. */
 static bool is_left(const fragments *l, u32 i, const ts_draw_batch *b, u32 triangle)
 {
 	if (!ts_draw_is_nearer(&b->target, l->texel[i], l->depth[i], triangle)) return false;

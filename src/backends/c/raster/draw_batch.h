@@ -1,5 +1,5 @@
 /* Triangles of one view side by side, into texels that their thread owns. Most cover few pixels: loops for vectors
- * project and snap them, and find the depths of all that they cover. What a plane clips and what is large goes alone.
+ * project and snap them, and find the depths of all that they cover. Triangles that are clipped or large go alone.
  */
 #ifndef TS_BACKENDS_DRAW_BATCH_H
 #define TS_BACKENDS_DRAW_BATCH_H
@@ -32,7 +32,7 @@ typedef struct {
 void ts_draw_block_read(ts_draw_block *block, const ts_arrays *scene, u32 first, u32 n);
 
 /* Adds triangle k of `block`, which is facing, not degenerate and not ts_k_is_outside: `row` are the view's right, up
- * and ahead in the axes of `corners`. What is full is drawn. */
+ * and ahead in the axes of `corners`. Draws the batch when it is full. */
 void ts_draw_add(ts_draw_batch *batch, const ts_draw_block *block, u32 k, const ts_draw_corners *corners,
                  const ts_row row[3]);
 /* Draws what the batch has, and empties it. */
