@@ -26,6 +26,9 @@ void ts_line_clean(char *text);
  * pointer. `what` names the contents in the message. */
 void *ts_alloc(size_t count, size_t size, const char *what);
 void *ts_alloc_zero(size_t count, size_t size, const char *what);
+/* Asks for large pages, for memory that is touched all over: fewer faults where it is first written, fewer walks where
+ * it is written at random. */
+void ts_memory_large_pages(void *memory, size_t bytes);
 /* Grows *array (of *capacity elements) to hold at least `need`, at least doubling. */
 ts_status ts_grow(void **array, size_t *capacity, size_t need, size_t size, const char *what);
 

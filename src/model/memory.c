@@ -4,15 +4,15 @@
 #include <sys/mman.h>
 #include "core.h"
 
-/* Asks for large pages where they matter: fewer faults where memory is first written, fewer walks where it is written
- * at random. A system without them says no, and nothing is lost. What is smaller, or zero, may be touched here and
- * there alone, and would take more memory. */
-static void take_large_pages(void *memory, size_t bytes)
+enum { LARGE_BYTES = 64 << 20 }; /* what is smaller, or zero, may be touched here and there alone */
+
+/* A system without large pages says no, and nothing is lost. */
+void ts_memory_large_pages(void *memory, size_t bytes)
 {
-	const uintptr_t large = (uintptr_t)2 << 20, least = 32 * large;
+	const uintptr_t large = (uintptr_t)2 << 20;
 	uintptr_t begin = ((uintptr_t)memory + large - 1) / large * large;
 	uintptr_t end = ((uintptr_t)memory + bytes) / large * large;
-	if (bytes >= least) (void)madvise((void *)begin, end - begin, MADV_HUGEPAGE);
+	if (begin < end) (void)madvise((void *)begin, end - begin, MADV_HUGEPAGE);
 }
 
 static void *allocate(size_t count, size_t size, const char *what, bool zero)
@@ -25,7 +25,7 @@ static void *allocate(size_t count, size_t size, const char *what, bool zero)
 	size_t at_least_one = bytes ? bytes : 1;
 	void *memory = zero ? calloc(at_least_one, 1) : malloc(at_least_one);
 	if (!memory) ts_fail("%s: no memory for %zu elements of %zu bytes (%zu MiB)", what, count, size, bytes >> 20);
-	if (memory && !zero) take_large_pages(memory, bytes);
+	if (memory && !zero && bytes >= LARGE_BYTES) ts_memory_large_pages(memory, bytes);
 	return memory;
 }
 

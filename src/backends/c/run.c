@@ -1,4 +1,5 @@
 /* The reference backend: a threaded loop over the items of a kernel. The Makefile gives TS_FLAGS. */
+#include "../../model/core.h"
 #include "../fast.h"
 
 #ifndef TS_FLAGS
@@ -75,6 +76,7 @@ static ts_status fill(ts_backend *backend, ts_frame *frame, ts_buffer_id id, u8 
 	const ts_c_backend *c = (const ts_c_backend *)backend;
 	u8 *data = ts_frame_handle(frame, id);
 	i64 bytes = (i64)frame->buffer[id].bytes;
+	ts_memory_large_pages(data, (size_t)bytes);
 #pragma omp parallel for schedule(static) num_threads(c->threads)
 	for (i64 i = 0; i < bytes; i += PART) memset(data + i, byte, (size_t)(bytes - i < PART ? bytes - i : PART));
 	return TS_OK;
