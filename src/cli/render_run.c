@@ -76,6 +76,7 @@ static ts_status run_method(ts_render *render, u32 i)
 	measure->rays = job->truths != 0;
 	measure->history = &render->histories[i];
 	measure->notes = !series;
+	measure->whole = series;
 	measure->trace = ts_render_traces(job) ? &render->tracings[i].options : NULL;
 	measure->viewer = job->output.viewer ? render->tracings[i].viewer : NULL;
 	return ts_measure_run(measure, render->methods[i], render->scene, &job->params, &job->how, take_picture, &after);

@@ -79,6 +79,11 @@ void ts_launch_cut(ts_run *run, const ts_launch *launch, const char *name, u32 l
 	ts_frame_cut(&run->frame, id, ts_frame_n(&run->frame, id) - less);
 }
 
+bool ts_launch_spares(const ts_run *run, const ts_launch *launch, const char *name)
+{
+	return run->asked && !run->keep[bound_by_name(launch, name).to];
+}
+
 ts_status ts_launch_sum(ts_run *run, const ts_launch *launch, const char *name, u64 *total)
 {
 	return ts_run_scan(run, (ts_buffer_id)bound_by_name(launch, name).to, total);

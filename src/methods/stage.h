@@ -64,6 +64,7 @@ struct ts_run {
 	bool margins;            /* also the stages that say how near the decisions were */
 	bool lean;               /* a buffer lives until its last reader; digests and replays want all of them */
 	bool keep[TS_N_BUFFERS]; /* even so, these stay */
+	bool asked;              /* what nobody reads may be left out of buffers that do not stay */
 	bool made[TS_N_BUFFERS]; /* by the stage that runs */
 	ts_frame frame;
 	ts_sizes sizes; /* of the scene, and what stages counted */
@@ -130,6 +131,8 @@ ts_status ts_launch_make(ts_run *run, const ts_launch *launch, const char *name,
 /* The next filling of the launch makes its outputs once more, for sizes have changed. */
 void ts_launch_make_again(ts_run *run, const ts_launch *launch);
 void ts_launch_cut(ts_run *run, const ts_launch *launch, const char *name, u32 less);
+/* What nobody reads may be left out of a buffer that the launch writes. */
+bool ts_launch_spares(const ts_run *run, const ts_launch *launch, const char *name);
 /* Counts to the sums before each, in place, and the size that SUM of records.def names; it must stay below 2^32 - 1. */
 ts_status ts_launch_sum(ts_run *run, const ts_launch *launch, const char *name, u64 *total);
 

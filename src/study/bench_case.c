@@ -98,7 +98,7 @@ static ts_status run_variant(ts_bench_case *c, u32 v, bool first)
 	if (ts_bench_case_params(&params, c, v) != TS_OK) return TS_ERROR;
 	ts_how how = c->job->how;
 	if (c->variants[v].runs == TS_ALONE) how.threads = 1;
-	c->measures[v] = (ts_measure){.rays = c->rays && takes, .history = &c->histories[v]};
+	c->measures[v] = (ts_measure){.rays = c->rays && takes, .history = &c->histories[v], .whole = true};
 	return ts_measure_run(&c->measures[v], c->methods[v], c->scene, &params, &how, takes ? take_image : NULL, &s);
 }
 

@@ -146,6 +146,12 @@ static void keep_for_after(ts_run *run, const ts_effect *effect)
 	}
 }
 
+/* Somebody looks at what stages make, or at all that they count. */
+static bool is_looked_at(const ts_measure *m)
+{
+	return m->whole || m->rays || m->pictures != NULL || m->trace != NULL || m->viewer != NULL;
+}
+
 ts_status ts_measure_run(ts_measure *measure, const ts_pipeline *method, const ts_scene *scene, const ts_params *params,
                          const ts_how *how, ts_measure_after after, void *user)
 {
@@ -155,11 +161,13 @@ ts_status ts_measure_run(ts_measure *measure, const ts_pipeline *method, const t
 	                        .viewer = measure->viewer,
 	                        .rays = measure->rays,
 	                        .history = measure->history,
-	                        .notes = measure->notes};
+	                        .notes = measure->notes,
+	                        .whole = measure->whole};
 	ts_run run;
 	ts_run_begin(&run, scene, params, how->threads);
 	ts_run_how(&run, how);
 	keep_for_after(&run, method->effect);
+	run.asked = !is_looked_at(measure);
 	run.hook = after_stage;
 	run.hook_user = measure;
 	run.history = measure->history;

@@ -42,6 +42,7 @@ typedef struct {
 	bool rays;                     /* count what rays through the off-screen texels say of them */
 	ts_truth *tree;                /* of those rays, while the run lasts */
 	ts_texel_counts texels;
+	bool whole;               /* also make what nobody reads, and count it */
 	ts_history *history;      /* of the frames before; NULL: none */
 	bool notes;               /* take the notes of families */
 	char note[TS_NOTE_CHARS]; /* "": nothing */
@@ -51,8 +52,8 @@ typedef struct {
 /* Truths are made of what a run left: called with the run still open. */
 typedef ts_status (*ts_measure_after)(ts_run *run, void *user);
 
-/* Runs `method` and measures it into *measure, of which only `pictures`, `trace`, `viewer`, `rays`, `history` and
- * `notes` are read. `after`, which may be NULL, is called behind the last stage. Prints progress. */
+/* Runs `method` and measures it into *measure, of which only `pictures`, `trace`, `viewer`, `rays`, `history`,
+ * `notes` and `whole` are read. `after`, which may be NULL, is called behind the last stage. Prints progress. */
 ts_status ts_measure_run(ts_measure *measure, const ts_pipeline *method, const ts_scene *scene, const ts_params *params,
                          const ts_how *how, ts_measure_after after, void *user);
 

@@ -38,12 +38,21 @@ static ts_status take(ts_run *run, void *user)
 	return ts_limit_points_place(&set->points, run, points);
 }
 
+static ts_status count(ts_speed_frame *frame)
+{
+	const ts_speed_set *set = frame->set;
+	frame->whole = (ts_measure){.whole = true};
+	return ts_measure_run(&frame->whole, frame->method, set->scene, &set->params, &set->how, NULL, NULL);
+}
+
 static ts_status measure_frame(double *values, void *of)
 {
 	ts_speed_frame *frame = of;
 	ts_speed_set *set = frame->set;
+	ts_status status = set->wants_points && frame->whole.method == NULL ? count(frame) : TS_OK;
+	if (status != TS_OK) return status;
 	frame->last = (ts_measure){.pictures = NULL};
-	ts_status status = ts_measure_run(&frame->last, frame->method, set->scene, &set->params, &set->how, take, frame);
+	status = ts_measure_run(&frame->last, frame->method, set->scene, &set->params, &set->how, take, frame);
 	for (u32 k = 0; k < frame->last.n_timings; k++) values[k] = frame->last.timings[k].seconds;
 	values[TS_SPEED_WHOLE] = frame->last.seconds;
 	values[TS_SPEED_CASTS] = frame->casts;

@@ -117,7 +117,7 @@ static double seconds_of(const ts_speed_frame *frame, const char *stages, u32 ru
 
 static double counted(const ts_speed_frame *frame, const char *name)
 {
-	const ts_counter *counter = ts_measure_counter(&frame->last, name);
+	const ts_counter *counter = ts_measure_counter(frame->set->wants_points ? &frame->whole : &frame->last, name);
 	return counter != NULL ? (double)counter->value : NAN;
 }
 

@@ -60,8 +60,8 @@ typedef struct ts_speed_set ts_speed_set;
 typedef struct {
 	const ts_pipeline *method;
 	ts_speed_set *set;
-	ts_measure last;
-	double casts; /* the last value of the last run */
+	ts_measure last, whole; /* whole: of a run before the others, with all counters */
+	double casts;           /* the last value of the last run */
 	ts_speed_row row;
 } ts_speed_frame;
 

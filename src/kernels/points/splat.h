@@ -13,12 +13,16 @@
 	ARG(IN_PARTS_OPT, u32, colours, forward_colour) /* of the points */ \
 	ARG(MIN_PARTS, u64, texels, splat_depth_index) \
 	ARG(SUM_PARTS_OPT, u8, tie, splat_tie) \
+	ARG(IN_OPT, ts_pixel, pixels, \
+	    mirror_pixel_record) /* whose samples alone read the texels: others may stay empty */ \
+	ARG(IN_OPT, ts_view, view, eye_view) \
 	ARG(TALLY, i64, n_scatters, 0) \
 	ARG(TALLY, i64, n_writes, 1) /* splats, and texels they offered a key to */ \
 	ARG(VALUE, u32, n_cubes, none) \
 	ARG(VALUE, u32, n_words, none) \
 	ARG(VALUE, u32, n_pieces, none) \
 	ARG(VALUE, u32, clip, none) \
+	ARG(VALUE, u32, n_pixels, none) \
 	ARG(VALUE, u32, plane_depth, none) \
 	ARG(VALUE, u32, coloured, none) /* texels hold the points' colours, not their indices */ \
 	ARG(VALUE, u32, mark, none)     /* the texels are there: mark ties */

@@ -7,6 +7,8 @@
 #define STORED TS_BUT(from.scene), TS_IN(from.points, points_record)
 static const ts_launch in_order = TS_LAUNCH(splat, STORED, TS_COUNTED_POINTS(from));
 static const ts_launch arrived = TS_LAUNCH(splat, STORED);
+/* Texels that no look-up reads are left out; not among the stage's launches, as no trace has them. */
+static const ts_launch asked = TS_LAUNCH(splat, STORED, TS_COUNTED_POINTS(from), TS_WITH(pixels), TS_WITH(view));
 #define TIES TS_IN(texels, splat_depth_index), TS_WITH(tie)
 static const ts_launch ties = TS_LAUNCH(splat, STORED, TIES);
 /* The same of points that are made on the spot. */
@@ -36,9 +38,23 @@ static ts_status put(ts_run *run, const ts_launch *launch, ts_splat_args *args, 
 	return TS_OK;
 }
 
+/* Nobody but the look-ups of the first bounce reads the texels: what others read they would not make. */
+static bool leaves_out(const ts_run *run)
+{
+	bool fast = run->backend == NULL && !run->c.reference && !run->arrival;
+	return fast && ts_launch_spares(run, &asked, "texels") && TS_PARAM(&run->params, lookup_bounces) < 2;
+}
+
+static ts_status splat_asked(ts_run *run, ts_splat_args *args)
+{
+	args->n_pixels = (u32)ts_run_size(run, TS_DIM_mirror_pixels);
+	return TS_RUN(run, &asked, args, ts_run_size(run, TS_DIM_points));
+}
+
 static ts_status splat(ts_run *run)
 {
 	ts_splat_args args = values(run);
+	if (leaves_out(run)) return splat_asked(run, &args);
 	return put(run, run->arrival ? &arrived : &in_order, &args, TS_DIM_points);
 }
 

@@ -1,5 +1,6 @@
 /* EPR's variants as whole runs: without buffers of points every buffer that both have is the same; with cubes of
- * colours a texel has the colour of the point that EPR's texel names, and one mirror shows what EPR shows. */
+ * colours a texel has the colour of the point that EPR's texel names, and one mirror shows what EPR shows; without the
+ * texels that nobody reads the picture is the same. */
 #include "../small.h"
 #include <math.h>
 #include "../../../src/kernels/points/forward.h"
@@ -109,6 +110,46 @@ static void test_counters(void **state)
 	ts_scene_free(scene);
 }
 
+static bool has_counter(const ts_run *run, const char *name)
+{
+	for (u32 i = 0; i < run->n_counters; i++) {
+		if (strcmp(run->counters[i].name, name) == 0) return true;
+	}
+	return false;
+}
+
+static void assert_equal_buffers(const ts_run *a, const ts_run *b, ts_buffer_id id, const char *scene)
+{
+	u64 n = ts_frame_n(&a->frame, id);
+	assert_true(n > 0 && ts_frame_n(&b->frame, id) == n);
+	if (memcmp(ts_frame_data(&a->frame, id), ts_frame_data(&b->frame, id), n * ts_buffer_table[id].element_bytes) != 0)
+		fail_msg("%s: %s", scene, ts_buffer_table[id].name);
+}
+
+/* Where nobody looks at the texels, those that are not read are left out: with later bounces, or where they stay, all
+ * are made. */
+static void test_asked(void **state)
+{
+	(void)state;
+	for (u32 i = 0; i < 2 * sizeof settings / sizeof *settings; i++) {
+		ts_params params = params_of(&settings[i / 2]);
+		ts_scene *scene = scene_of(&settings[i / 2], &params);
+		ts_run run, whole;
+		small_run(&whole, scene, &params, "epr", 2, NULL, NULL);
+		ts_run_begin(&run, scene, &params, 2);
+		run.lean = run.asked = run.keep[TS_B_lookup_point] = true;
+		run.keep[TS_B_splat_depth_index] = i % 2 != 0;
+		assert_int_equal(ts_pipeline_run(ts_pipeline_find("reflections", "epr"), &run), TS_OK);
+		bool counts = i % 2 != 0 || TS_PARAM(&params, lookup_bounces) > 1;
+		assert_true(counts == has_counter(&run, "texel writes") && counts == has_counter(&run, "point-view scatters"));
+		if (params.reflectors_count > 0) assert_equal_buffers(&run, &whole, TS_B_lookup_point, settings[i / 2].scene);
+		assert_equal_buffers(&run, &whole, TS_B_image_srgb, settings[i / 2].scene);
+		ts_run_end(&run);
+		ts_run_end(&whole);
+		ts_scene_free(scene);
+	}
+}
+
 /* A texel has the distance that EPR's has, and the colour of the point that EPR's names, or of another of that distance
  * and a lower code. */
 static void assert_texels(const ts_run *epr, const ts_run *forward)
@@ -199,11 +240,9 @@ static void test_forward_of_one_mirror(void **state)
 int main(void)
 {
 	const struct CMUnitTest epr[] = {
-		cmocka_unit_test(test_bufferless),
-		cmocka_unit_test(test_counters),
-		cmocka_unit_test(test_forward_texels),
-		cmocka_unit_test(test_forward_order),
-		cmocka_unit_test(test_forward_of_one_mirror),
+		cmocka_unit_test(test_bufferless),    cmocka_unit_test(test_counters),
+		cmocka_unit_test(test_asked),         cmocka_unit_test(test_forward_texels),
+		cmocka_unit_test(test_forward_order), cmocka_unit_test(test_forward_of_one_mirror),
 	};
 	return cmocka_run_group_tests(epr, NULL, NULL);
 }

@@ -1,6 +1,7 @@
 /* Pieces side by side: projected, snapped, and their edges as lines, as ts_k_splat_triangle and ts_k_lines do where no
  * plane clips. */
 #include "splat_batch.h"
+#include <stdlib.h>
 #include "../../wide.h"
 
 enum { PIECES = TS_SPLAT_PIECES, LANES = TS_SPLAT_LANES, LONGEST = 1 << 18, HALF_SIZE = 129 };
@@ -142,8 +143,43 @@ void ts_splat_batch_place(ts_splat_batch *b, const ts_splat_face *f, const ts_sp
 	place_sides(b, f, live);
 }
 
-void ts_splat_batch_box(ts_splat_batch *b, u32 k, ts_box box)
+ts_box ts_splat_batch_box_of(const ts_splat_batch *b, u32 k)
 {
-	const i32 box_of[TS_SPLAT_WHOLES] = {box.x0, box.y0, box.x1, box.y1};
-	for (u32 s = 0; s < TS_SPLAT_WHOLES; s++) b->whole[s][k] = box_of[s];
+	return (ts_box){b->whole[0][k], b->whole[1][k], b->whole[2][k], b->whole[3][k]};
+}
+
+/* The line at the corners of a box: the least, and the largest by size. */
+typedef struct {
+	i64 least, size;
+} extremes;
+
+static extremes at_corners(const ts_line *l, ts_box box)
+{
+	extremes r = {INT64_MAX, 0};
+	for (u32 corner = 0; corner < 4; corner++) {
+		i64 x = corner & 1 ? box.x1 : box.x0, y = corner & 2 ? box.y1 : box.y0;
+		i64 at = l->x * x + l->y * y + l->c;
+		r.least = at < r.least ? at : r.least;
+		r.size = llabs(at) > r.size ? llabs(at) : r.size;
+	}
+	return r;
+}
+
+/* x and y of lines are multiples of 256. */
+bool ts_splat_batch_box(ts_splat_batch *b, u32 k, ts_box box, const ts_lines *lines)
+{
+	const i32 box_of[TS_SPLAT_EDGES] = {box.x0, box.y0, box.x1, box.y1};
+	for (u32 s = 0; s < TS_SPLAT_EDGES; s++) b->whole[s][k] = box_of[s];
+	for (u32 s = TS_SPLAT_EDGES; s < TS_SPLAT_WHOLES; s++) b->whole[s][k] = 0;
+	u32 s = TS_SPLAT_EDGES;
+	for (u32 i = 0; i < lines->n; i++) {
+		const ts_line *l = &lines->edge[i];
+		extremes at = at_corners(l, box);
+		if (at.least >= 0) continue;
+		if (s == TS_SPLAT_WHOLES || at.size >> 8 > INT32_MAX) return false;
+		b->whole[s++][k] = (i32)(l->x >> 8);
+		b->whole[s++][k] = (i32)(l->y >> 8);
+		b->whole[s++][k] = (i32)((l->x * box.x0 + l->y * box.y0 + l->c) >> 8);
+	}
+	return true;
 }

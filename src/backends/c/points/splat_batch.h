@@ -59,8 +59,11 @@ ts_splat_face ts_splat_face_begin(const ts_splat_args *args, u32 cube, u32 side)
 /* Finds how each piece of the batch goes. */
 void ts_splat_batch_place(ts_splat_batch *batch, const ts_splat_face *f, const ts_splat_live *live);
 
-/* Piece k of the batch may write that box, all of it. */
-void ts_splat_batch_box(ts_splat_batch *batch, u32 k, ts_box box);
+/* Texels that piece k of the batch may write. */
+ts_box ts_splat_batch_box_of(const ts_splat_batch *batch, u32 k);
+/* Piece k of the batch may write that box, within the lines. False: there are more of them, or larger, than edges have
+ * room for, and the lines must be asked. */
+bool ts_splat_batch_box(ts_splat_batch *batch, u32 k, ts_box box, const ts_lines *lines);
 
 /* Adds points of piece k of the batch. Whenever the block is full, writes it. */
 void ts_splat_block_add(ts_splat_block *block, ts_splat_face *f, const ts_splat_live *live, const ts_splat_batch *batch,

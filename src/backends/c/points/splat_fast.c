@@ -1,36 +1,38 @@
 /* Fast path of the splat kernels, with the same bits: a thread owns a cube face, so there are no atomics; pieces and
- * points go side by side, as many as a cache holds into all faces of some cubes; rows beside a face are left out. */
+ * points go side by side, as many as a cache holds into all faces of some cubes; rows beside a face are left out. Where
+ * pixels tell which texels they read, the others stay empty, and what would touch those alone is left out. */
 #include <omp.h>
 #include <stdlib.h>
 #include <string.h>
 #include "../../fast.h"
-#include "splat_batch.h"
+#include "asked_texels.h"
+#include "splat_extent.h"
 
 enum { LANES = TS_SPLAT_LANES, POINTS = TS_SPLAT_POINTS, ROOM = TS_SPLAT_ROOM };
 
-/* A thread takes that many cubes at once, and live pieces of about so many points. */
-enum { MOST_CUBES = 8, PART_PIECES = 1024, PART_POINTS = 16384 };
+/* A thread takes that many cubes at once, and live pieces of about so many points, in clusters. */
+enum { MOST_CUBES = 8, PART_PIECES = 1024, PART_POINTS = 16384, CLUSTER = 32 };
 
+/* Live pieces one after another. */
 typedef struct {
-	f32 least, most;
-} range;
-
-/* Where points are, in the world. */
-typedef struct {
-	range of[3];
-} bounds;
+	ts_splat_bounds points;
+	ts_splat_reach reach;
+} cluster;
 
 typedef struct {
 	const ts_splat_args *args;
 	ts_splat_live live;
-	f32 *centre[3]; /* of stored points; NULL: they are made */
-	bounds *bounds; /* of each POINTS stored ones */
+	ts_asked asked;
+	f32 *centre[3];          /* of stored points; NULL: they are made */
+	ts_splat_bounds *bounds; /* of each POINTS stored ones */
+	cluster *clusters;
 } job;
 
 /* What a thread works with. */
 typedef struct {
-	u8 faces[MOST_CUBES][PART_PIECES + 8]; /* of each cube, that may see each piece of a part */
+	u8 faces[MOST_CUBES][PART_PIECES + CLUSTER]; /* of each cube, that may see each piece of a part */
 	ts_splat_face face;
+	ts_asked_face asked; /* of the face */
 	ts_splat_batch batch;
 	ts_splat_block block;
 	f32 made[3][ROOM];
@@ -43,92 +45,23 @@ typedef struct {
 	const ts_lines *lines;
 } way;
 
-static range range_of(const f32 *x, u32 n)
+static bool is_inside(ts_box box, const ts_lines *lines)
 {
-	range r = {x[0], x[0]};
-	for (u32 i = 1; i < n; i++) {
-		r.least = ts_min(r.least, x[i]);
-		r.most = ts_max(r.most, x[i]);
-	}
-	return r;
-}
-
-static bounds bounds_of(const f32 *const centre[3], u32 n)
-{
-	return (bounds){{range_of(centre[0], n), range_of(centre[1], n), range_of(centre[2], n)}};
-}
-
-/* Of squares around points: as seen from the eye, along an axis, with room for what is rounded. */
-static range towards(range of, f32 wide, f32 eye, f32 sign)
-{
-	f32 room = wide + 0.000001f * (ts_max(ts_abs(of.least), ts_abs(of.most)) + ts_abs(eye) + wide);
-	range r = {(of.least - room - eye) * sign, (of.most + room - eye) * sign};
-	return sign < 0 ? (range){r.most, r.least} : r;
-}
-
-/* Where the splats of a row are, on the face's axes: right, up, ahead. */
-typedef struct {
-	range of[3];
-} extent;
-
-static extent extent_of(const worker *w, const bounds *points, u32 k)
-{
-	extent e;
-	for (u32 r = 0; r < 3; r++) {
-		ts_row row = w->face.row[r];
-		f32 wide = ts_abs(w->batch.side[r][k]) + ts_abs(w->batch.side[3 + r][k]);
-		e.of[r] = towards(points->of[row.axis], wide, w->face.eye[row.axis], row.sign);
-	}
-	return e;
-}
-
-/* All splats lie beyond one side of the face, with room for what is rounded. */
-static bool is_beside(const ts_splat_face *f, const extent *e)
-{
-	f32 ahead = ts_max(e->of[2].most, f->view.near) * 1.001f;
-	for (u32 r = 0; r < 2; r++) {
-		f32 rounded = 0.0001f * ts_max(ts_abs(e->of[r].least), ts_abs(e->of[r].most));
-		if (e->of[r].least - rounded > ahead || e->of[r].most + rounded < -ahead) return true;
-	}
-	return false;
-}
-
-static i32 texel_near(const ts_splat_face *f, f32 x)
-{
-	return ts_k_floor_within(ts_clamp(x, 0.0f, (f32)(f->view.width - 1)), (f32)f->view.width);
-}
-
-/* Texels, x or y, and one more on each side. */
-static void span_of(const ts_splat_face *f, range across, range ahead, f32 sign, i32 span[2])
-{
-	f32 least = across.least / (across.least < 0 ? ahead.least : ahead.most);
-	f32 most = across.most / (across.most < 0 ? ahead.most : ahead.least);
-	f32 middle = (f32)f->view.width * 0.5f;
-	span[0] = texel_near(f, middle + f->view.focal * (sign < 0 ? -most : least) - 1.0f);
-	span[1] = texel_near(f, middle + f->view.focal * (sign < 0 ? -least : most) + 1.0f);
-}
-
-/* No texel that the splats may touch is outside of the lines. */
-static bool is_inside(const ts_splat_face *f, const extent *e, const ts_lines *lines)
-{
-	i32 x[2], y[2];
-	if (!(e->of[2].least > f->view.near)) return false;
-	span_of(f, e->of[0], e->of[2], 1, x);
-	span_of(f, e->of[1], e->of[2], -1, y);
-	for (u32 corner = 0; corner < 4; corner++) {
-		if (!ts_k_inside_lines(lines, x[corner & 1], y[corner >> 1])) return false;
-	}
-	return true;
+	return ts_k_inside_lines(lines, box.x0, box.y0) && ts_k_inside_lines(lines, box.x1, box.y0) &&
+	       ts_k_inside_lines(lines, box.x0, box.y1) && ts_k_inside_lines(lines, box.x1, box.y1);
 }
 
 static void splat_owned_row(const job *j, worker *w, const way *of, ts_splat_row row)
 {
-	bounds made;
-	const bounds *points = j->bounds != NULL ? &j->bounds[row.index / POINTS] : &made;
-	if (j->bounds == NULL) made = bounds_of(row.centre, row.n);
-	extent e = extent_of(w, points, of->k);
-	if (is_beside(&w->face, &e)) return;
-	bool cut = of->lines != NULL && !is_inside(&w->face, &e, of->lines);
+	ts_splat_bounds made;
+	ts_splat_reach reach = ts_splat_reach_of(&j->live, w->batch.live[of->k]);
+	const ts_splat_bounds *points = j->bounds != NULL ? &j->bounds[row.index / POINTS] : &made;
+	if (j->bounds == NULL) made = ts_splat_bounds_of(row.centre, row.n);
+	ts_splat_extent e = ts_splat_extent_of(&w->face, points, &reach);
+	if (ts_splat_is_beside(&w->face, &e)) return;
+	ts_box box = ts_splat_extent_box(&w->face, &e);
+	if (!ts_asked_any(&w->asked, box)) return;
+	bool cut = of->lines != NULL && !is_inside(box, of->lines);
 	ts_splat_block_row(&w->block, &w->face, &j->live, row, cut ? of->lines : NULL);
 }
 
@@ -183,11 +116,14 @@ static void splat_points(const job *j, worker *w, const way *of)
 	}
 }
 
-static void splat_owned(const job *j, worker *w, u32 k, u32 n, const ts_lines *lines)
+/* Many points, and those of which lines tell the texels, have the block for themselves. */
+static void splat_together(const job *j, worker *w, u32 k, u32 n, const ts_lines *lines)
 {
-	way of = {k, true, lines};
-	ts_splat_block_write(&w->block, &w->face, &j->live);
-	ts_splat_block_own(&w->block, &w->batch, k, n < POINTS ? n : POINTS);
+	way of = {k, n >= POINTS || lines != NULL, lines};
+	if (of.owned) {
+		ts_splat_block_write(&w->block, &w->face, &j->live);
+		ts_splat_block_own(&w->block, &w->batch, k, n < POINTS ? n : POINTS);
+	}
 	splat_points(j, w, &of);
 }
 
@@ -202,10 +138,11 @@ static void splat_alone(const job *j, worker *w, u32 k, u32 n)
 	ts_box box = ts_k_view_box(&f->view);
 	if (j->args->clip != 0 || j->live.tiny[at] != 0) box = ts_k_box_meet(box, cover.touched);
 	if (box.x1 < box.x0 || box.y1 < box.y0) return;
-	ts_splat_batch_box(&w->batch, k, box);
-	ts_lines lines;
-	ts_k_lines(&lines, &cover);
-	splat_owned(j, w, k, n, j->args->clip != 0 ? &lines : NULL);
+	if (!ts_asked_any(&w->asked, box)) return;
+	ts_lines lines = {.n = 0};
+	if (j->args->clip != 0) ts_k_lines(&lines, &cover);
+	bool edges = ts_splat_batch_box(&w->batch, k, box, &lines) && j->args->plane_depth == 0;
+	splat_together(j, w, k, n, edges ? NULL : &lines);
 }
 
 static void splat_piece(const job *j, worker *w, u32 k)
@@ -217,12 +154,8 @@ static void splat_piece(const job *j, worker *w, u32 k)
 		return;
 	}
 	w->face.scatters += n;
-	if (w->batch.way[k] == TS_SPLAT_UNSEEN) return;
-	if (n >= POINTS) {
-		splat_owned(j, w, k, n, NULL);
-	} else {
-		splat_points(j, w, &(way){k, false, NULL});
-	}
+	if (w->batch.way[k] == TS_SPLAT_UNSEEN || !ts_asked_any(&w->asked, ts_splat_batch_box_of(&w->batch, k))) return;
+	splat_together(j, w, k, n, NULL);
 }
 
 static void splat_batch(const job *j, worker *w)
@@ -247,24 +180,40 @@ typedef struct {
 
 static void find_faces(const job *j, worker *w, const task *t, part p)
 {
-	for (u32 k = 0; k < t->n; k++) memset(w->faces[k] + (p.end - p.begin) / 8 * 8, 0, 8);
+	for (u32 k = 0; k < t->n; k++) memset(w->faces[k] + (p.end - p.begin) / CLUSTER * CLUSTER, 0, CLUSTER);
 	for (u64 i = p.begin; i < p.end; i++) {
 		const u64 *words = j->args->bits + (u64)j->live.triangle[i] * j->args->n_words;
 		for (u32 k = 0; k < t->n; k++) w->faces[k][i - p.begin] = (u8)(ts_k_cube_bits(words, t->first + k) & t->faces);
 	}
 }
 
-/* Eight pieces at once, most of which the face does not see. */
-static void splat_face(const job *j, worker *w, const u8 *faces, part p)
+/* No texel that splats of the cluster may touch is asked for. */
+static bool is_unasked(const job *j, const worker *w, u64 begin)
 {
-	for (u64 begin = p.begin; begin < p.end; begin += 8, faces += 8) {
-		u64 eight;
-		memcpy(&eight, faces, sizeof eight);
-		for (u64 bits = eight >> w->face.side & EIGHT; bits != 0; bits &= bits - 1) {
-			w->batch.live[w->batch.n++] = (u32)begin + (u32)__builtin_ctzll(bits) / 8;
+	if (j->clusters == NULL) return false;
+	const cluster *c = &j->clusters[begin / CLUSTER];
+	ts_splat_extent e = ts_splat_extent_of(&w->face, &c->points, &c->reach);
+	return ts_splat_is_beside(&w->face, &e) || !ts_asked_any(&w->asked, ts_splat_extent_box(&w->face, &e));
+}
+
+/* Eight pieces at once, most of which the face does not see. */
+static void splat_cluster(const job *j, worker *w, const u8 *faces, u64 begin)
+{
+	u64 eight[CLUSTER / 8], any = 0;
+	memcpy(eight, faces, sizeof eight);
+	for (u32 k = 0; k < CLUSTER / 8; k++) any |= eight[k] = eight[k] >> w->face.side & EIGHT;
+	if (any == 0 || is_unasked(j, w, begin)) return;
+	for (u32 k = 0; k < CLUSTER / 8; k++) {
+		for (u64 bits = eight[k]; bits != 0; bits &= bits - 1) {
+			w->batch.live[w->batch.n++] = (u32)begin + k * 8 + (u32)__builtin_ctzll(bits) / 8;
 			if (w->batch.n == TS_SPLAT_PIECES) splat_batch(j, w);
 		}
 	}
+}
+
+static void splat_face(const job *j, worker *w, const u8 *faces, part p)
+{
+	for (u64 at = p.begin; at < p.end; at += CLUSTER) splat_cluster(j, w, faces + (at - p.begin), at);
 	splat_batch(j, w);
 	ts_splat_block_write(&w->block, &w->face, &j->live);
 	ts_add_i64(j->args->n_scatters, w->face.scatters);
@@ -278,18 +227,27 @@ static void splat_part(const job *j, worker *w, const task *t, part p)
 		for (u32 side = 0; side < 6 && j->args->cubes[t->first + k].n != 0; side++) {
 			if ((t->faces >> side & 1) == 0) continue;
 			w->face = ts_splat_face_begin(j->args, t->first + k, side);
+			w->asked = ts_asked_face_of(&j->asked, j->args->cubes, t->first + k, side);
 			splat_face(j, w, w->faces[k], p);
 		}
 	}
 }
 
+static u64 cluster_end(const job *j, u64 begin) { return begin + CLUSTER < j->live.n ? begin + CLUSTER : j->live.n; }
+
+/* Points of live pieces from one to before another. */
+static u32 points_of(const job *j, u64 begin, u64 end)
+{
+	const u32 *offset = j->args->from.offset, *piece = j->live.piece;
+	return offset[piece[end - 1] + 1] - offset[piece[begin]];
+}
+
+/* Whole clusters. */
 static u64 part_end(const job *j, u64 begin)
 {
-	u64 end = begin + 1;
-	u32 first = j->args->from.offset[j->live.piece[begin]];
-	while (end < j->live.n && end - begin < PART_PIECES &&
-	       j->args->from.offset[j->live.piece[end] + 1] - first <= PART_POINTS)
-		end++;
+	u64 end = cluster_end(j, begin);
+	while (end < j->live.n && end - begin < PART_PIECES && points_of(j, begin, cluster_end(j, end)) <= PART_POINTS)
+		end = cluster_end(j, end);
 	return end;
 }
 
@@ -323,7 +281,7 @@ static void take_bounds(job *j, u32 of, u32 n)
 		for (u32 axis = 0; axis < 3; axis++) j->centre[axis][i] = j->args->from.points[i].centre[axis];
 	}
 	const f32 *const centre[3] = {j->centre[0] + begin, j->centre[1] + begin, j->centre[2] + begin};
-	j->bounds[of] = bounds_of(centre, end - begin);
+	j->bounds[of] = ts_splat_bounds_of(centre, end - begin);
 }
 
 /* Coordinates of the stored points, apart, and their bounds. */
@@ -343,16 +301,49 @@ static bool take_centres(job *j, u32 threads)
 	return true;
 }
 
+static cluster cluster_of(const job *j, u64 begin, u64 end)
+{
+	const u32 *offset = j->args->from.offset, *piece = j->live.piece;
+	u32 first = offset[piece[begin]] / POINTS, last = (offset[piece[end - 1] + 1] - 1) / POINTS;
+	cluster c = {j->bounds[first], ts_splat_reach_of(&j->live, begin)};
+	for (u32 k = first + 1; k <= last; k++) ts_splat_bounds_add(&c.points, &j->bounds[k]);
+	for (u64 i = begin + 1; i < end; i++) {
+		ts_splat_reach reach = ts_splat_reach_of(&j->live, i);
+		for (u32 axis = 0; axis < 3; axis++) c.reach.along[axis] = ts_max(c.reach.along[axis], reach.along[axis]);
+	}
+	return c;
+}
+
+static bool make_clusters(job *j, u32 threads)
+{
+	u64 n = (j->live.n + CLUSTER - 1) / CLUSTER;
+	j->clusters = ts_alloc(n, sizeof *j->clusters, "clusters of pieces");
+	if (j->clusters == NULL) return false;
+#pragma omp parallel for num_threads(threads)
+	for (i64 i = 0; i < (i64)n; i++) j->clusters[i] = cluster_of(j, (u64)i * CLUSTER, cluster_end(j, (u64)i * CLUSTER));
+	return true;
+}
+
+static bool ask(job *j, u32 threads)
+{
+	return j->args->pixels == NULL || (ts_asked_make(&j->asked, j->args, threads) && make_clusters(j, threads));
+}
+
 static bool splat(const ts_splat_args *args, bool stored, u32 threads)
 {
 	if (args->from.offset == NULL || args->mark != 0) return false;
 	job j = {.args = args};
 	bool made = ts_splat_live_make(&j.live, args, threads) && (!stored || take_centres(&j, threads));
+	made = made && ask(&j, threads);
 	worker *workers = made ? calloc(threads, sizeof *workers) : NULL;
+	ts_asked_close(&j.asked, args->texels, threads);
 	if (workers != NULL) splat_all(&j, workers, threads);
+	ts_asked_open(&j.asked, args->texels, threads);
+	ts_asked_clear(&j.asked);
 	free(workers);
 	free(j.centre[0]);
 	free(j.bounds);
+	free(j.clusters);
 	ts_splat_live_clear(&j.live);
 	return workers != NULL;
 }

@@ -1,39 +1,11 @@
 /* The fast look-ups equal the plain kernel bit for bit: of pixels whose samples meet corners and edges of faces, with
  * normals that are short or none, in cubes of all sizes and of none. */
-#include "../../../kernels/points/mesh.h"
+#include "../../../kernels/points/pixels.h"
 #include "../../../../src/backends/fast.h"
 #include "../../../../src/backends/kernels.h"
 #include "../../../../src/kernels/points/lookup.h"
 
 enum { N = 400, PIXELS = 61 };
-
-/* Whole numbers send samples through corners and edges; what is nearly nothing, and nothing. */
-static ts_v3 extreme_vector(void)
-{
-	ts_v3 v = uniform3(-2, 2);
-	switch (random_bits() % 6) {
-	case 0: return ts_v3_make(ts_floor(v.x), ts_floor(v.y), ts_floor(v.z));
-	case 1: return ts_scale(v, 1e-20f);
-	case 2: return ts_v3_make(v.x, v.x, random_bits() % 2 == 0 ? v.x : -v.x);
-	case 3: return random_bits() % 4 == 0 ? ts_v3_make(0, 0, 0) : v;
-	default: return v;
-	}
-}
-
-static void random_pixels(ts_pixel *pixels, u32 n_cubes)
-{
-	for (u32 i = 0; i < PIXELS; i++) {
-		bool still = random_bits() % 3 == 0; /* all samples go one way */
-		f32 spread = still ? 0 : uniform_power(-10, 0);
-		pixels[i] = (ts_pixel){.reflector = random_bits() % n_cubes};
-		ts_store3(pixels[i].position, extreme_vector());
-		ts_store3(pixels[i].normal, extreme_vector());
-		ts_store3(pixels[i].position_dx, ts_scale(uniform3(-1, 1), spread));
-		ts_store3(pixels[i].position_dy, ts_scale(uniform3(-1, 1), spread));
-		ts_store3(pixels[i].normal_dx, ts_scale(uniform3(-1, 1), spread));
-		ts_store3(pixels[i].normal_dy, ts_scale(uniform3(-1, 1), spread));
-	}
-}
 
 static void test_equal(void **state)
 {
@@ -52,7 +24,7 @@ static void test_equal(void **state)
 		u64 *texels = mesh_alloc(mesh_texels(&m), sizeof *texels);
 		for (u64 t = 0; t < mesh_texels(&m); t++) texels[t] = random_bits() % 8 == 0 ? TS_EMPTY : t;
 		ts_store3(m.view.eye, random_bits() % 2 == 0 ? ts_v3_make(0, 0, 0) : uniform3(-4, 4));
-		random_pixels(pixels, n_cubes);
+		random_pixels(pixels, PIXELS, n_cubes);
 		ts_lookup_args args = {.view = &m.view,
 		                       .cubes = m.cubes,
 		                       .texels = texels,

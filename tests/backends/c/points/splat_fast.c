@@ -1,9 +1,11 @@
-/* The fast splats equal the plain kernel bit for bit: texels and counters, on random meshes biased to the extremes. */
-#include "../../../kernels/points/mesh.h"
+/* The fast splats equal the plain kernel bit for bit: texels and counters, on random meshes biased to the extremes; and
+ * the texels that pixels ask for, where those are told. */
+#include "../../../kernels/points/pixels.h"
+#include "../../../../src/backends/c/points/asked_texels.h"
 #include "../../../../src/backends/fast.h"
 #include "../../../../src/backends/kernels.h"
 
-enum { N = 1500 };
+enum { N = 1500, PIXELS = 3 };
 
 /* Everything about one run, printed when it fails. */
 typedef struct {
@@ -108,11 +110,42 @@ static void assert_equal(const mesh *m, const setting *s)
 	for (u32 way = 0; way < 4; way++) free(texels[way]);
 }
 
+/* Texels that a sample reads are those of the plain kernel, and the others are empty. Returns how many are read. */
+static u64 assert_asked(const mesh *m, const setting *s)
+{
+	ts_pixel pixels[PIXELS];
+	ts_asked asked = {.n = 0};
+	i64 tallies[2] = {0, 0};
+	u64 n = mesh_texels(m), n_read = 0, *plain = mesh_alloc(n, sizeof *plain), *fast = mesh_alloc(n, sizeof *fast);
+	memset(plain, 0xff, n * sizeof *plain);
+	memset(fast, 0xff, n * sizeof *fast);
+	random_pixels(pixels, PIXELS, m->n_cubes);
+	ts_splat_args args = splat_of(m, s, plain, tallies);
+	args.from.offset = m->count;
+	ts_c_launch(TS_KERNEL_splat, &args, m->n_points, 1);
+	args.texels = fast;
+	args.pixels = pixels;
+	args.view = &m->view;
+	args.n_pixels = PIXELS;
+	assert_true(ts_c_fast_splat(&args, m->n_pieces, s->threads));
+	assert_true(ts_asked_make(&asked, &args, 1));
+	for (u64 t = 0; t < n; t++) {
+		n_read += asked.texel[t] != 0 && plain[t] != TS_EMPTY;
+		if (fast[t] == (asked.texel[t] != 0 ? plain[t] : TS_EMPTY)) continue;
+		fail_msg("random %u: clip %u splat.plane_depth %u paper %u threads %u cubes %u: texel %u", s->start, s->clip,
+		         s->plane_depth, s->paper_splat, s->threads, s->n_cubes, (u32)t);
+	}
+	ts_asked_clear(&asked);
+	free(plain);
+	free(fast);
+	return n_read;
+}
+
 static void test_equal(void **state)
 {
 	(void)state;
 	n_random = 0;
-	u64 n_points = 0;
+	u64 n_points = 0, n_asked = 0;
 	for (u32 i = 0; i < N; i++) {
 		mesh m;
 		setting s = {.start = n_random,
@@ -125,9 +158,10 @@ static void test_equal(void **state)
 		random_mesh(&m, &s);
 		n_points += m.n_points;
 		assert_equal(&m, &s);
+		n_asked += assert_asked(&m, &s);
 		mesh_clear(&m);
 	}
-	assert_true(n_points > 50 * N);
+	assert_true(n_points > 50 * N && n_asked > 4 * N);
 }
 
 /* Pieces of split triangles, in their order. */
@@ -151,6 +185,7 @@ static void test_equal_in_pieces(void **state)
 		mesh_points(&m, 129, 0);
 		setting s = {.start = i, .clip = i % 2, .threads = 2, .half_size = 129, .n_cubes = 2};
 		if (m.n_points < 400000) assert_equal(&m, &s);
+		if (m.n_points < 400000) assert_asked(&m, &s);
 		mesh_clear(&m);
 	}
 	assert_true(n_pieces > 12);
