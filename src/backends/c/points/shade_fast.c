@@ -1,54 +1,186 @@
 /* Fast path of the shade kernel, with the same bits: samples next to each other see the same points, so each thread
- * remembers what it shaded last. Shading operations are counted as the method asks for them, remembered or not. */
+ * remembers what it shaded; and what the points of some entries need is on its way before they are shaded. Shading
+ * operations are counted as the method asks for them, remembered or not. */
+#include <omp.h>
+#include <stdlib.h>
 #include "../../../kernels/points/lookup.h"
+#include "../../../model/core.h"
 #include "../../fast.h"
 
-enum { SLOTS = 4096, ENTRIES_A_CHUNK = 1024 };
+enum { SLOTS = 16384, ENTRIES = 16, CHUNK = 64 /* parts */, MOST = ENTRIES * TS_N_SAMPLES };
 
-/* What a point looks like from a cube's centre. */
+/* What a point looks like from a cube's centre, and where that is among a part's colours; TS_NONE: not there. */
 typedef struct {
-	u32 point, cube;
+	u32 point, cube, place;
 	ts_v3 radiance;
 } seen;
 
-static void forget(seen *memory)
+/* A sample whose colour is not known. */
+typedef struct {
+	u64 sample;
+	u32 cube, place;
+	seen *slot; /* NULL: it is not remembered */
+} wanted;
+
+/* Some entries. */
+typedef struct {
+	u64 first;
+	u32 n, n_colours, n_wanted;
+	u32 place[MOST]; /* of each sample among the colours */
+	ts_v3 colour[MOST];
+	seen *used[MOST]; /* slots, by colour */
+	wanted wanted[MOST];
+	seen memory[SLOTS];
+} part;
+
+static void forget(part *p)
 {
-	for (u32 i = 0; i < SLOTS; i++) memory[i].point = TS_NONE;
+	for (u32 i = 0; i < SLOTS; i++) p->memory[i].point = p->memory[i].place = TS_NONE;
 }
 
-static ts_v3 recall(const ts_lookup_args *args, seen *memory, u64 sample, u32 cube, ts_v3 centre)
+static u32 add_colour(part *p, seen *slot)
+{
+	p->used[p->n_colours] = slot;
+	if (slot != NULL) slot->place = p->n_colours;
+	return p->n_colours++;
+}
+
+static u32 want(part *p, u64 sample, u32 cube, seen *slot)
+{
+	u32 place = add_colour(p, slot);
+	p->wanted[p->n_wanted++] = (wanted){sample, cube, place, slot};
+	return place;
+}
+
+/* Where the sample's colour is, or will be. */
+static u32 recall(part *p, const ts_lookup_args *args, u64 sample, u32 cube)
 {
 	u32 point = args->found[sample];
-	if (point == TS_NONE || ts_k_is_followed(args, sample)) return ts_k_sample_radiance(args, sample, centre);
-	seen *slot = &memory[(point ^ (cube << 7)) % SLOTS];
+	if (point == TS_NONE || ts_k_is_followed(args, sample)) return want(p, sample, cube, NULL);
+	seen *slot = &p->memory[(point ^ (cube << 7)) % SLOTS];
 	if (slot->point != point || slot->cube != cube) {
-		*slot = (seen){point, cube, ts_k_sample_radiance(args, sample, centre)};
+		*slot = (seen){.point = point, .cube = cube};
+		return want(p, sample, cube, slot);
 	}
-	return slot->radiance;
+	if (slot->place != TS_NONE) return slot->place;
+	u32 place = add_colour(p, slot);
+	p->colour[place] = slot->radiance;
+	return place;
 }
 
-static void shade_entry(const ts_lookup_args *args, seen *memory, u64 entry)
+static void recall_all(part *p, const ts_lookup_args *args)
 {
-	u32 cube = ts_k_cube_read(args, entry);
-	ts_v3 centre = ts_load3(args->cubes[cube].centre);
-	ts_v3 sum = ts_v3_make(0.0f, 0.0f, 0.0f);
-	for (u32 k = 0; k < args->n_samples; k++) {
-		sum = ts_add(sum, recall(args, memory, entry * args->n_samples + k, cube, centre));
+	p->n_colours = p->n_wanted = 0;
+	for (u32 i = 0; i < p->n * args->n_samples; i++) {
+		u64 entry = p->first + i / args->n_samples;
+		p->place[i] = recall(p, args, p->first * args->n_samples + i, ts_k_cube_read(args, entry));
 	}
+}
+
+static void fetch(const void *from, size_t bytes)
+{
+	__builtin_prefetch(from);
+	__builtin_prefetch((const char *)from + bytes - 1);
+}
+
+static void fetch_point(const ts_points_args *from, u32 point)
+{
+	fetch(&from->points[point], sizeof *from->points);
+	fetch(&from->keys[point], sizeof *from->keys);
+}
+
+static void fetch_piece(const ts_points_args *from, u32 point)
+{
+	u32 piece = from->points[point].piece;
+	fetch(&from->pieces[piece].triangle, sizeof from->pieces->triangle);
+	fetch(&from->frames[piece], sizeof *from->frames);
+}
+
+static const ts_triangle *triangle_of(const ts_points_args *from, u32 point)
+{
+	return &from->scene.triangles[from->pieces[from->points[point].piece].triangle];
+}
+
+static void fetch_triangle(const ts_points_args *from, u32 point)
+{
+	fetch(triangle_of(from, point), sizeof *from->scene.triangles);
+}
+
+static void fetch_vertices(const ts_points_args *from, u32 point)
+{
+	const ts_triangle *t = triangle_of(from, point);
+	for (u32 k = 0; k < 3; k++) fetch(&from->scene.vertices[t->vertex[k]], sizeof *from->scene.vertices);
+}
+
+/* Each step reads what the one before has fetched, of all points. */
+static void fetch_all(const part *p, const ts_lookup_args *args)
+{
+	static void (*const steps[])(const ts_points_args *, u32) = {fetch_point, fetch_piece, fetch_triangle,
+	                                                             fetch_vertices};
+	for (u32 step = 0; step < sizeof steps / sizeof *steps; step++) {
+		for (u32 i = 0; i < p->n_wanted; i++) {
+			if (p->wanted[i].slot != NULL) steps[step](&args->from, args->found[p->wanted[i].sample]);
+		}
+	}
+}
+
+static void shade_wanted(part *p, const ts_lookup_args *args)
+{
+	for (u32 i = 0; i < p->n_wanted; i++) {
+		const wanted *w = &p->wanted[i];
+		p->colour[w->place] = ts_k_sample_radiance(args, w->sample, ts_load3(args->cubes[w->cube].centre));
+	}
+}
+
+/* A slot that another point took since is that point's. */
+static void remember(part *p)
+{
+	for (u32 place = 0; place < p->n_colours; place++) {
+		seen *slot = p->used[place];
+		if (slot == NULL || slot->place != place) continue;
+		slot->radiance = p->colour[place];
+		slot->place = TS_NONE;
+	}
+}
+
+static void put(const part *p, const ts_lookup_args *args)
+{
 	f32 count = (f32)args->n_samples;
-	ts_k_shade_put(args, entry, ts_v3_make(sum.x / count, sum.y / count, sum.z / count), args->n_samples);
+	for (u32 entry = 0; entry < p->n; entry++) {
+		ts_v3 sum = ts_v3_make(0.0f, 0.0f, 0.0f);
+		const u32 *place = p->place + entry * args->n_samples;
+		for (u32 k = 0; k < args->n_samples; k++) sum = ts_add(sum, p->colour[place[k]]);
+		ts_v3 mean = ts_v3_make(sum.x / count, sum.y / count, sum.z / count);
+		ts_k_shade_put(args, p->first + entry, mean, args->n_samples);
+	}
+}
+
+static void shade_part(part *p, const ts_lookup_args *args)
+{
+	recall_all(p, args);
+	if (args->n_pieces == 0 && args->coloured == 0) fetch_all(p, args);
+	shade_wanted(p, args);
+	remember(p);
+	put(p, args);
 }
 
 bool ts_c_fast_shade(const void *of, u64 n, u32 threads)
 {
 	const ts_lookup_args *args = of;
-	if (args->adaptive != 0) return false;
+	part *parts =
+		args->adaptive == 0 && args->n_samples <= TS_N_SAMPLES ? ts_alloc(threads, sizeof *parts, "points seen") : NULL;
+	if (parts == NULL) return false;
 #pragma omp parallel num_threads(threads)
 	{
-		seen memory[SLOTS];
-		forget(memory);
-#pragma omp for schedule(dynamic, ENTRIES_A_CHUNK)
-		for (i64 i = 0; i < (i64)n; i++) shade_entry(args, memory, (u64)i);
+		part *p = &parts[omp_get_thread_num()];
+		forget(p);
+#pragma omp for schedule(dynamic, CHUNK)
+		for (i64 i = 0; i < (i64)n; i += ENTRIES) {
+			p->first = (u64)i;
+			p->n = (i64)n - i < ENTRIES ? (u32)((i64)n - i) : ENTRIES;
+			shade_part(p, args);
+		}
 	}
+	free(parts);
 	return true;
 }
