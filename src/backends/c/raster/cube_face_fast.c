@@ -67,9 +67,8 @@ TS_WIDE static void see_faces(sight *restrict to, const ts_draw_block *restrict 
 {
 	u32 n = (b->n + LANES - 1) / LANES * LANES;
 	for (u32 i = 0; i < n; i++) {
-		ts_v3 p = ts_v3_make(b->corners.at[0][i], b->corners.at[1][i], b->corners.at[2][i]);
-		ts_v3 q = ts_v3_make(b->corners.at[3][i], b->corners.at[4][i], b->corners.at[5][i]);
-		ts_v3 r = ts_v3_make(b->corners.at[6][i], b->corners.at[7][i], b->corners.at[8][i]);
+		ts_v3 p = ts_draw_corner(&b->corners, 0, i), q = ts_draw_corner(&b->corners, 1, i);
+		ts_v3 r = ts_draw_corner(&b->corners, 2, i);
 		ts_v3 normal = ts_cross(ts_sub(q, p), ts_sub(r, p));
 		u32 shown = ts_draw_is_above(ts_dot(normal, normal));
 		u32 facing = ts_draw_is_above(ts_dot(normal, ts_sub(centre, p)));
@@ -79,15 +78,9 @@ TS_WIDE static void see_faces(sight *restrict to, const ts_draw_block *restrict 
 		behind &= corner_behind(dq.x, dq.y, dq.z, half_size, near);
 		behind &= corner_behind(dr.x, dr.y, dr.z, half_size, near);
 		to->faces[i] = (faces_outside(behind) ^ 63u) & (0u - shown);
-		to->corners.at[0][i] = dp.x;
-		to->corners.at[1][i] = dp.y;
-		to->corners.at[2][i] = dp.z;
-		to->corners.at[3][i] = dq.x;
-		to->corners.at[4][i] = dq.y;
-		to->corners.at[5][i] = dq.z;
-		to->corners.at[6][i] = dr.x;
-		to->corners.at[7][i] = dr.y;
-		to->corners.at[8][i] = dr.z;
+		ts_draw_set_corner(&to->corners, 0, i, dp.x, dp.y, dp.z);
+		ts_draw_set_corner(&to->corners, 1, i, dq.x, dq.y, dq.z);
+		ts_draw_set_corner(&to->corners, 2, i, dr.x, dr.y, dr.z);
 	}
 }
 

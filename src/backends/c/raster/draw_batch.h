@@ -12,6 +12,19 @@ typedef struct {
 	f32 at[9][TS_DRAW_TRIANGLES];
 } ts_draw_corners;
 
+/* Corner k of triangle i. */
+static inline ts_v3 ts_draw_corner(const ts_draw_corners *from, u32 k, u32 i)
+{
+	return ts_v3_make(from->at[3 * k][i], from->at[3 * k + 1][i], from->at[3 * k + 2][i]);
+}
+
+static inline void ts_draw_set_corner(ts_draw_corners *to, u32 k, u32 i, f32 x, f32 y, f32 z)
+{
+	to->at[3 * k][i] = x;
+	to->at[3 * k + 1][i] = y;
+	to->at[3 * k + 2][i] = z;
+}
+
 typedef struct {
 	const ts_arrays *scene;
 	ts_camera_k view;

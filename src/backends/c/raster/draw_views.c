@@ -37,9 +37,8 @@ TS_WIDE static void see_view(sight *restrict to, const ts_draw_block *restrict b
 {
 	u32 n = (b->n + LANES - 1) / LANES * LANES;
 	for (u32 i = 0; i < n; i++) {
-		ts_v3 p = ts_v3_make(b->corners.at[0][i], b->corners.at[1][i], b->corners.at[2][i]);
-		ts_v3 q = ts_v3_make(b->corners.at[3][i], b->corners.at[4][i], b->corners.at[5][i]);
-		ts_v3 r = ts_v3_make(b->corners.at[6][i], b->corners.at[7][i], b->corners.at[8][i]);
+		ts_v3 p = ts_draw_corner(&b->corners, 0, i), q = ts_draw_corner(&b->corners, 1, i);
+		ts_v3 r = ts_draw_corner(&b->corners, 2, i);
 		ts_v3 normal = ts_cross(ts_sub(q, p), ts_sub(r, p));
 		f32 towards = ts_dot(normal, ts_sub(view.eye, p)), along = ts_dot(normal, view.back);
 		u32 facing = ts_draw_is_above(view.orthographic != 0u ? along : towards);
@@ -48,15 +47,9 @@ TS_WIDE static void see_view(sight *restrict to, const ts_draw_block *restrict b
 		ts_corner a = ts_k_to_view(&view, p), c = ts_k_to_view(&view, q), e = ts_k_to_view(&view, r);
 		u32 behind = corner_behind(&view, &a) & corner_behind(&view, &c) & corner_behind(&view, &e);
 		to->shown[i] = shown & (behind == 0u ? 1u : 0u);
-		to->corners.at[0][i] = a.x;
-		to->corners.at[1][i] = a.y;
-		to->corners.at[2][i] = a.z;
-		to->corners.at[3][i] = c.x;
-		to->corners.at[4][i] = c.y;
-		to->corners.at[5][i] = c.z;
-		to->corners.at[6][i] = e.x;
-		to->corners.at[7][i] = e.y;
-		to->corners.at[8][i] = e.z;
+		ts_draw_set_corner(&to->corners, 0, i, a.x, a.y, a.z);
+		ts_draw_set_corner(&to->corners, 1, i, c.x, c.y, c.z);
+		ts_draw_set_corner(&to->corners, 2, i, e.x, e.y, e.z);
 	}
 }
 
