@@ -28,8 +28,6 @@ ifeq ($(config),release)
 OPT ?= -O3
 else ifeq ($(config),debug)
 OPT ?= -Og -g
-else ifeq ($(config),native)
-OPT ?= -O3 -march=native
 else ifeq ($(config),asan)
 OPT ?= $(SANITIZE)=address
 else ifeq ($(config),ubsan)
@@ -46,7 +44,7 @@ OPT ?= $(SANITIZE)=fuzzer-no-link,address,undefined -fno-sanitize-recover=undefi
 else ifeq ($(config),coverage)
 OPT ?= -O0 -g --coverage
 else
-$(error config=$(config): one of release debug native asan ubsan tsan fuzz coverage)
+$(error config=$(config): one of release debug asan ubsan tsan fuzz coverage)
 endif
 BUILD ?= build/$(config)
 
@@ -316,7 +314,7 @@ clean:
 
 ##   help               this list
 help:
-	@echo "make [TARGET] [config=release|debug|native|asan|ubsan|tsan|fuzz|coverage] [CC= CXX= CPPFLAGS= CFLAGS= CXXFLAGS= LDFLAGS= OPT=]"
+	@echo "make [TARGET] [config=release|debug|asan|ubsan|tsan|fuzz|coverage] [CC= CXX= CPPFLAGS= CFLAGS= CXXFLAGS= LDFLAGS= OPT=]"
 	@echo "     [WERROR=1 V=1 JOBS=N]"
 	@sed -n 's/^##//p' $(firstword $(MAKEFILE_LIST))
 
