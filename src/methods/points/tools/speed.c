@@ -40,6 +40,8 @@ static const ts_speed_scene scenes[] = {
 	  CORES(name, "epr", "splat"), TS_SPEED_SHOWN, 0 }, \
 	{ "the same, of prefetched minima in such a face, " name, "%", 100, 1, \
 	  { TS_SPEED_MINIMA, name, "epr", "texel writes", NULL }, TIME(name, "epr", "splat"), TS_SPEED_LEAST, 50 }, \
+	{ "EPR's texel writes as bare minima, by Embree's rays, " name, "times", 1, 2, \
+	  { TS_SPEED_MINIMA, name, "epr", "texel writes", NULL }, OF(TS_SPEED_RAYS, name), TS_SPEED_SHOWN, 0 }, \
 	{ "casting of truths, of Embree's rate, " name, "%", 100, 1, OF(TS_SPEED_RAYS, name), \
 	  { TS_SPEED_CASTING, name, "epr", "", NULL }, TS_SPEED_LEAST, 90 }, \
 	{ "Embree's rays, " name, "M/s", 1e-6, 1, OF(TS_SPEED_TEXELS, name), OF(TS_SPEED_RAYS, name), TS_SPEED_SHOWN, 0 }, \
