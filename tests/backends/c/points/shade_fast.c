@@ -1,6 +1,6 @@
-/* Fast shading equals the plain kernel bit for bit: of pixels and of entries of later bounces, whose samples see the same
- * points again and again, from many cubes, or nothing, or a mirror; of stored points, points that are made again, and
- * colours. */
+/* Fast shading equals the plain kernel bit for bit: of pixels and of entries of later bounces, whose samples see the
+ * same points again and again, from many cubes, or nothing, or a mirror; of stored points, points that are made again,
+ * and colours. */
 #include "../../../kernels/points/mesh.h"
 #include "../../../../src/backends/fast.h"
 #include "../../../../src/backends/kernels.h"
