@@ -38,7 +38,7 @@ ts_status ts_bench_frame_open(ts_bench_frame *frame, const ts_job *job)
 
 ts_status ts_bench_frame_run(const ts_bench_frame *frame, const ts_how *how, ts_measure *measure)
 {
-	*measure = (ts_measure){.pictures = NULL};
+	*measure = (ts_measure){.whole = true};
 	return ts_measure_run(measure, frame->method, frame->scene, &frame->params, how, NULL, NULL);
 }
 
