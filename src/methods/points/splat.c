@@ -38,7 +38,7 @@ static ts_status put(ts_run *run, const ts_launch *launch, ts_splat_args *args, 
 	return TS_OK;
 }
 
-/* Nobody but the look-ups of the first bounce reads the texels: what others read they would not make. */
+/* The look-ups of the first bounce alone read the texels, and only the fast path leaves any out. */
 static bool leaves_out(const ts_run *run)
 {
 	bool fast = run->backend == NULL && !run->c.reference && !run->arrival;

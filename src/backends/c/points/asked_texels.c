@@ -77,8 +77,8 @@ bool ts_asked_make(ts_asked *asked, const ts_splat_args *args, u32 threads)
 		asked->n = end > asked->n ? end : asked->n;
 		n_blocks += 6 * blocks_of((u32)n);
 	}
-	asked->texel = calloc(asked->n + 1, 1);
-	asked->blocks = calloc(n_blocks + 1, 1);
+	asked->texel = ts_alloc_zero(asked->n, 1, "texels that are read");
+	asked->blocks = ts_alloc_zero(n_blocks, 1, "blocks of texels");
 	if (asked->first == NULL || asked->texel == NULL || asked->blocks == NULL) return false;
 	mark(asked->texel, args, threads);
 #pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
