@@ -110,15 +110,6 @@ TS_WIDE static void place_pieces(ts_splat_batch *restrict b, lanes f, const u32 
 	}
 }
 
-/* Sides of the squares on the face's axes. */
-static void place_sides(ts_splat_batch *restrict b, const ts_splat_face *f, const ts_splat_live *live)
-{
-	for (u32 s = 0; s < TS_SPLAT_SIDES; s++) {
-		const f32 *from = live->side[s / 3 * 3 + f->row[s % 3].axis];
-		for (u32 i = 0; i < b->n; i++) b->side[s][i] = from[b->live[i]];
-	}
-}
-
 static ends ends_of(const ts_splat_face *f, f32 *const corner[3])
 {
 	return (ends){corner[f->row[0].axis], corner[f->row[1].axis], corner[f->row[2].axis]};
@@ -140,7 +131,6 @@ void ts_splat_batch_place(ts_splat_batch *b, const ts_splat_face *f, const ts_sp
 	for (u32 i = b->n; i % LANES != 0; i++) b->live[i] = 0;
 	place_pieces(b, of, live->tiny, ends_of(f, live->corner), ends_of(f, live->corner + 3),
 	             ends_of(f, live->corner + 6));
-	place_sides(b, f, live);
 }
 
 ts_box ts_splat_batch_box_of(const ts_splat_batch *b, u32 k)

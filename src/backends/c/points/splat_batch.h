@@ -2,20 +2,13 @@
  * the world's but for sign and order, so nothing that is projected needs products; edges are lines in (i, j). */
 #ifndef TS_BACKENDS_SPLAT_BATCH_H
 #define TS_BACKENDS_SPLAT_BATCH_H
-#include "../../../kernels/points/splat_pieces.h"
+#include "splat_live.h"
 
-enum { TS_SPLAT_PIECES = 64, TS_SPLAT_POINTS = 128, TS_SPLAT_LANES = 8 };
+enum { TS_SPLAT_PIECES = 64 };
 
 /* What the splats of a piece have in common. Lanes of floats: half a square's sides du, dv. Lanes of integers: the box
  * that may be written; then x, y, c of three edges, inside where x i + y j + c >= 0, from that box's first texel. */
-enum { TS_SPLAT_CORNERS = 9, TS_SPLAT_SIDES = 6, TS_SPLAT_BOX = 0, TS_SPLAT_EDGES = 4, TS_SPLAT_WHOLES = 13 };
-
-/* Pieces that have points, as arrays of coordinates in the world: corners a, b, c; sides du, dv. */
-typedef struct {
-	u64 n;
-	u32 *piece, *triangle, *tiny;
-	f32 *length, *corner[TS_SPLAT_CORNERS], *side[TS_SPLAT_SIDES];
-} ts_splat_live;
+enum { TS_SPLAT_BOX = 0, TS_SPLAT_EDGES = 4, TS_SPLAT_WHOLES = 13 };
 
 typedef struct {
 	const ts_splat_args *args;
@@ -32,7 +25,6 @@ typedef enum { TS_SPLAT_UNSEEN, TS_SPLAT_TOGETHER, TS_SPLAT_ALONE } ts_splat_way
 /* Live pieces that a face may see. Those that a plane clips, or that are too large, go alone. */
 typedef struct {
 	u32 n, live[TS_SPLAT_PIECES], way[TS_SPLAT_PIECES];
-	f32 side[TS_SPLAT_SIDES][TS_SPLAT_PIECES]; /* on the face's axes */
 	i32 whole[TS_SPLAT_WHOLES][TS_SPLAT_PIECES];
 } ts_splat_batch;
 
@@ -51,10 +43,6 @@ typedef struct {
 	u32 index, n;
 } ts_splat_row;
 
-/* False: no memory. Clear it in any case. */
-bool ts_splat_live_make(ts_splat_live *live, const ts_splat_args *args, u32 threads);
-void ts_splat_live_clear(ts_splat_live *live);
-
 ts_splat_face ts_splat_face_begin(const ts_splat_args *args, u32 cube, u32 side);
 /* Finds how each piece of the batch goes. */
 void ts_splat_batch_place(ts_splat_batch *batch, const ts_splat_face *f, const ts_splat_live *live);
@@ -71,7 +59,8 @@ void ts_splat_block_add(ts_splat_block *block, ts_splat_face *f, const ts_splat_
 /* Writes what the block has, and empties it. */
 void ts_splat_block_write(ts_splat_block *block, ts_splat_face *f, const ts_splat_live *live);
 /* The block is of that piece alone from now on, until it is written; at most so many points a row. */
-void ts_splat_block_own(ts_splat_block *block, const ts_splat_batch *batch, u32 k, u32 n);
+void ts_splat_block_own(ts_splat_block *block, const ts_splat_face *f, const ts_splat_live *live,
+                        const ts_splat_batch *batch, u32 k, u32 n);
 /* Writes a row of points of the block's own piece; its texels are told by `lines`, unless that is NULL. */
 void ts_splat_block_row(ts_splat_block *block, ts_splat_face *f, const ts_splat_live *live, ts_splat_row row,
                         const ts_lines *lines);

@@ -22,6 +22,7 @@ typedef struct {
 	u32 wide[ROOM], tall[ROOM];                 /* 1: the box has a second column, row */
 	u32 others[ROOM];                           /* bits: the texel to its right, those below */
 	u32 rest[ROOM];                             /* 1: larger than that; 2: a corner is behind the eye */
+	f32 front[ROOM];                            /* of the corner farthest ahead: < 0: behind the eye */
 } places;
 
 static lanes lanes_of(const ts_splat_face *f)
@@ -110,6 +111,7 @@ TS_WIDE static u32 place_splats(places *restrict to, ts_splat_block *restrict b,
 		to->distance[i] = distance;
 		to->others[i] = covered >> 1;
 		to->rest[i] = (behind << 1 | (any & large)) & counts;
+		to->front[i] = ts_flush(most(&pz) - f.near);
 		to->wide[i] = wide;
 		to->tall[i] = tall;
 		to->x0[i] = x0;
@@ -203,8 +205,10 @@ static void draw_apart(ts_splat_face *f, ts_splat_block *b, const alone *of, u32
 	}
 }
 
+/* A square that is behind the eye as a whole is not seen. */
 static void draw_rest(ts_splat_face *f, ts_splat_block *b, const alone *of, u32 at, const places *p, bool apart)
 {
+	if (p->front[at] < 0) return;
 	ts_v3 c = ts_v3_make(of->centre[0][at], of->centre[1][at], of->centre[2][at]);
 	ts_box box = {p->x0[at], p->y0[at], p->x1[at], p->y1[at]};
 	if (p->rest[at] == 2) box = box_of(f, b, of, at, c);
@@ -241,19 +245,33 @@ void ts_splat_block_write(ts_splat_block *b, ts_splat_face *f, const ts_splat_li
 typedef f32 floats __attribute__((vector_size(4 * LANES)));
 typedef i32 integers __attribute__((vector_size(4 * LANES)));
 
-/* What the piece's points have in common, from point `at` on. */
-TS_WIDE static void add_piece(ts_splat_block *b, const ts_splat_batch *batch, u32 k, u32 at, u32 n)
+/* What all points of a row have in common. */
+typedef struct {
+	f32 side[TS_SPLAT_SIDES];
+	i32 whole[TS_SPLAT_WHOLES], live;
+} common;
+
+static common common_of(const ts_splat_face *f, const ts_splat_live *live, const ts_splat_batch *batch, u32 k)
+{
+	common c = {.live = (i32)batch->live[k]};
+	for (u32 s = 0; s < TS_SPLAT_SIDES; s++) c.side[s] = live->side[s / 3 * 3 + f->row[s % 3].axis][batch->live[k]];
+	for (u32 s = 0; s < TS_SPLAT_WHOLES; s++) c.whole[s] = batch->whole[s][k];
+	return c;
+}
+
+/* From point `at` on. */
+TS_WIDE static void add_common(ts_splat_block *b, const common *c, u32 at, u32 n)
 {
 	for (u32 begin = at; begin < at + n; begin += LANES) {
 		for (u32 s = 0; s < TS_SPLAT_SIDES; s++) {
-			floats side = (floats){0} + batch->side[s][k];
+			floats side = (floats){0} + c->side[s];
 			memcpy(b->side[s] + begin, &side, sizeof side);
 		}
 		for (u32 s = 0; s < TS_SPLAT_WHOLES; s++) {
-			integers whole = (integers){0} + batch->whole[s][k];
+			integers whole = (integers){0} + c->whole[s];
 			memcpy(b->whole[s] + begin, &whole, sizeof whole);
 		}
-		integers live = (integers){0} + (i32)batch->live[k];
+		integers live = (integers){0} + c->live;
 		memcpy(b->live + begin, &live, sizeof live);
 	}
 }
@@ -265,9 +283,9 @@ static void add_words(ts_splat_block *b, const ts_splat_face *f, u32 at, ts_spla
 }
 
 /* Lanes beyond the last point are overwritten by what comes next, or do not count. */
-static void add(ts_splat_block *b, const ts_splat_face *f, const ts_splat_batch *batch, u32 k, ts_splat_row row)
+static void add(ts_splat_block *b, const ts_splat_face *f, const common *c, ts_splat_row row)
 {
-	add_piece(b, batch, k, b->n, row.n);
+	add_common(b, c, b->n, row.n);
 	add_words(b, f, b->n, row);
 	for (u32 done = 0; done < row.n; done += LANES) {
 		for (u32 axis = 0; axis < 3; axis++) {
@@ -280,16 +298,22 @@ static void add(ts_splat_block *b, const ts_splat_face *f, const ts_splat_batch 
 void ts_splat_block_add(ts_splat_block *b, ts_splat_face *f, const ts_splat_live *live, const ts_splat_batch *batch,
                         u32 k, ts_splat_row row)
 {
+	common c = common_of(f, live, batch, k);
 	for (u32 done = 0; done < row.n;) {
 		u32 room = POINTS - b->n, n = row.n - done < room ? row.n - done : room;
 		ts_splat_row part = {{row.centre[0] + done, row.centre[1] + done, row.centre[2] + done}, row.index + done, n};
-		add(b, f, batch, k, part);
+		add(b, f, &c, part);
 		done += n;
 		if (b->n == POINTS) ts_splat_block_write(b, f, live);
 	}
 }
 
-void ts_splat_block_own(ts_splat_block *b, const ts_splat_batch *batch, u32 k, u32 n) { add_piece(b, batch, k, 0, n); }
+void ts_splat_block_own(ts_splat_block *b, const ts_splat_face *f, const ts_splat_live *live,
+                        const ts_splat_batch *batch, u32 k, u32 n)
+{
+	common c = common_of(f, live, batch, k);
+	add_common(b, &c, 0, n);
+}
 
 void ts_splat_block_row(ts_splat_block *b, ts_splat_face *f, const ts_splat_live *live, ts_splat_row row,
                         const ts_lines *lines)

@@ -1,27 +1,8 @@
 /* Where splats of many points may be. */
 #include "splat_extent.h"
+#include "../../wide.h"
 
-static ts_range range_of(const f32 *x, u32 n)
-{
-	ts_range r = {x[0], x[0]};
-	for (u32 i = 1; i < n; i++) {
-		r.least = ts_min(r.least, x[i]);
-		r.most = ts_max(r.most, x[i]);
-	}
-	return r;
-}
-
-ts_splat_bounds ts_splat_bounds_of(const f32 *const centre[3], u32 n)
-{
-	return (ts_splat_bounds){{range_of(centre[0], n), range_of(centre[1], n), range_of(centre[2], n)}};
-}
-
-static ts_range join(ts_range a, ts_range b) { return (ts_range){ts_min(a.least, b.least), ts_max(a.most, b.most)}; }
-
-void ts_splat_bounds_add(ts_splat_bounds *to, const ts_splat_bounds *more)
-{
-	for (u32 axis = 0; axis < 3; axis++) to->of[axis] = join(to->of[axis], more->of[axis]);
-}
+enum { FEW = 8 };
 
 /* Of squares around points: as seen from the eye, along an axis, with room for what is rounded. */
 static ts_range towards(ts_range of, f32 wide, f32 eye, f32 sign)
@@ -82,4 +63,44 @@ ts_box ts_splat_extent_box(const ts_splat_face *f, const ts_splat_extent *e)
 	span_of(f, e->of[0], e->of[2], 1, x);
 	span_of(f, e->of[1], e->of[2], -1, y);
 	return (ts_box){x[0], y[0], x[1], y[1]};
+}
+
+/* Differences, products, sums and roots are rounded monotonely. */
+f32 ts_splat_nearest(ts_v3 eye, const ts_splat_bounds *points)
+{
+	f32 d[3];
+	for (u32 axis = 0; axis < 3; axis++) {
+		ts_range of = points->of[axis];
+		f32 from = ts_k_along(eye, axis);
+		d[axis] = ts_max(ts_max(of.least - from, from - of.most), 0.0f);
+	}
+	return ts_put(ts_length(ts_v3_make(d[0], d[1], d[2])));
+}
+
+/* Bit 63: one is `least` or more, both but for TS_EMPTY below 2^63. */
+TS_WIDE static u64 any_beyond(const u64 *key, u32 n, u64 least)
+{
+	u64 any = 0;
+	for (u32 i = 0; i < n; i++) any |= (least - 1 - key[i]) | key[i];
+	return any;
+}
+
+static bool is_beyond(const u64 *key, u32 n, u64 least)
+{
+	if (n >= FEW) return any_beyond(key, n, least) >> 63 != 0;
+	for (u32 i = 0; i < n; i++) {
+		if (key[i] >= least) return true;
+	}
+	return false;
+}
+
+bool ts_splat_is_hidden(const ts_splat_face *f, ts_box box, const ts_splat_bounds *points)
+{
+	u64 least = (u64)ts_f2u(ts_splat_nearest(f->view.eye, points)) << 32;
+	if (least == 0) return false;
+	for (i32 y = box.y0; y <= box.y1; y++) {
+		const u64 *row = &f->texels[y * f->view.width];
+		if (is_beyond(row + box.x0, (u32)(box.x1 - box.x0 + 1), least)) return false;
+	}
+	return true;
 }

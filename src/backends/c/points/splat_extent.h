@@ -3,15 +3,6 @@
 #define TS_BACKENDS_SPLAT_EXTENT_H
 #include "splat_batch.h"
 
-typedef struct {
-	f32 least, most;
-} ts_range;
-
-/* Of points, in the world. */
-typedef struct {
-	ts_range of[3];
-} ts_splat_bounds;
-
 /* How far from their points splats reach, along the axes of the world. */
 typedef struct {
 	f32 along[3];
@@ -22,8 +13,6 @@ typedef struct {
 	ts_range of[3];
 } ts_splat_extent;
 
-ts_splat_bounds ts_splat_bounds_of(const f32 *const centre[3], u32 n);
-void ts_splat_bounds_add(ts_splat_bounds *to, const ts_splat_bounds *more);
 /* Of a live piece's splats. */
 ts_splat_reach ts_splat_reach_of(const ts_splat_live *live, u64 at);
 
@@ -32,5 +21,10 @@ ts_splat_extent ts_splat_extent_of(const ts_splat_face *f, const ts_splat_bounds
 bool ts_splat_is_beside(const ts_splat_face *f, const ts_splat_extent *e);
 /* Texels that the splats may touch, and more; all, where some may be behind the eye. */
 ts_box ts_splat_extent_box(const ts_splat_face *f, const ts_splat_extent *e);
+
+/* No distance of any of the points from the eye, as kernels tell it, is less. */
+f32 ts_splat_nearest(ts_v3 eye, const ts_splat_bounds *points);
+/* What the texels of the box hold is nearer than any of the points. */
+bool ts_splat_is_hidden(const ts_splat_face *f, ts_box box, const ts_splat_bounds *points);
 
 #endif

@@ -1,43 +1,83 @@
-/* Pieces that have points, as arrays. */
+/* Rows of points, as arrays. */
+#include "splat_live.h"
 #include <stdlib.h>
+#include <string.h>
 #include "../../../model/core.h"
-#include "splat_batch.h"
 
-enum { WORDS = 4 + TS_SPLAT_CORNERS + TS_SPLAT_SIDES };
+enum { WORDS = 5 + TS_SPLAT_CORNERS + TS_SPLAT_SIDES, POINTS = TS_SPLAT_POINTS, LANES = TS_SPLAT_LANES };
 
-/* Memory of all arrays is one block, which begins with `piece`. */
+ts_splat_bounds ts_splat_bounds_of(const f32 *const centre[3], u32 n)
+{
+	ts_splat_bounds b;
+	for (u32 axis = 0; axis < 3; axis++) {
+		const f32 *x = centre[axis];
+		ts_range r = {x[0], x[0]};
+		for (u32 i = 1; i < n; i++) {
+			r.least = ts_min(r.least, x[i]);
+			r.most = ts_max(r.most, x[i]);
+		}
+		b.of[axis] = r;
+	}
+	return b;
+}
+
+void ts_splat_bounds_add(ts_splat_bounds *to, const ts_splat_bounds *more)
+{
+	for (u32 axis = 0; axis < 3; axis++) {
+		to->of[axis].least = ts_min(to->of[axis].least, more->of[axis].least);
+		to->of[axis].most = ts_max(to->of[axis].most, more->of[axis].most);
+	}
+}
+
+/* Memory of all arrays of words is one block, which begins with `piece`. */
 static bool make_room(ts_splat_live *live, size_t n)
 {
-	size_t room = n + TS_SPLAT_LANES;
+	size_t room = n + LANES;
 	u32 *words = ts_alloc(WORDS * room, sizeof *words, "pieces that have points");
 	if (words == NULL) return false;
 	live->piece = words;
 	live->triangle = words + room;
 	live->tiny = words + 2 * room;
-	f32 *floats = (f32 *)(words + 3 * room);
+	live->index = words + 3 * room;
+	f32 *floats = (f32 *)(words + 4 * room);
 	live->length = floats;
 	for (u32 k = 0; k < TS_SPLAT_CORNERS; k++) live->corner[k] = floats + (1 + k) * room;
 	for (u32 k = 0; k < TS_SPLAT_SIDES; k++) live->side[k] = floats + (1 + TS_SPLAT_CORNERS + k) * room;
 	return true;
 }
 
-static void find(ts_splat_live *live, const u32 *offset, u32 n_pieces)
+static bool make_room_for_points(ts_splat_live *live, size_t n_points, size_t n_rows)
+{
+	size_t room = n_points + POINTS + LANES;
+	f32 *centre = ts_alloc(3 * room, sizeof *centre, "coordinates of points");
+	live->bounds = ts_alloc(n_rows, sizeof *live->bounds, "bounds of points");
+	live->centre[0] = centre;
+	if (centre == NULL || live->bounds == NULL) return false;
+	for (u32 axis = 0; axis < 3; axis++) {
+		live->centre[axis] = centre + axis * room;
+		memset(live->centre[axis] + n_points, 0, (room - n_points) * sizeof *centre);
+	}
+	return true;
+}
+
+static void find(ts_splat_live *live, const u32 *offset, u32 n_pieces, u32 most)
 {
 	for (u32 piece = 0; piece < n_pieces; piece++) {
-		if (offset[piece + 1] != offset[piece]) live->piece[live->n++] = piece;
+		for (u32 at = offset[piece], end = offset[piece + 1]; at < end; at += end - at < most ? end - at : most) {
+			live->piece[live->n] = piece;
+			live->index[live->n++] = at;
+		}
 	}
+	live->index[live->n] = offset[n_pieces];
 }
 
-static ts_flight first_of(const ts_points_args *from, u32 piece)
-{
-	return from->points != NULL ? ts_k_flight_record(from, from->offset[piece]) : ts_k_flight_of_piece(from, piece);
-}
-
-static void take(ts_splat_live *live, u64 i, const ts_points_args *from)
+static void take_piece(ts_splat_live *live, u64 i, const ts_points_args *from)
 {
 	const ts_piece *piece = &from->pieces[live->piece[i]];
 	const ts_align *frame = &from->frames[live->piece[i]];
-	ts_flight point = first_of(from, live->piece[i]);
+	bool stored = from->points != NULL;
+	ts_flight point =
+		stored ? ts_k_flight_record(from, live->index[i]) : ts_k_flight_of_piece(from, live->piece[i]);
 	f32 half_length = point.length * 0.5f;
 	live->triangle[i] = piece->triangle;
 	live->tiny[i] = point.flags & TS_POINT_TINY;
@@ -51,13 +91,36 @@ static void take(ts_splat_live *live, u64 i, const ts_points_args *from)
 	}
 }
 
+static void take_points(ts_splat_live *live, u64 i, const ts_point *points)
+{
+	u32 begin = live->index[i], n = ts_splat_live_points(live, i, i + 1);
+	const f32 *const centre[3] = {live->centre[0] + begin, live->centre[1] + begin, live->centre[2] + begin};
+	for (u32 at = begin; at < begin + n; at++) {
+		for (u32 axis = 0; axis < 3; axis++) live->centre[axis][at] = points[at].centre[axis];
+	}
+	live->bounds[i] = ts_splat_bounds_of(centre, n);
+}
+
 bool ts_splat_live_make(ts_splat_live *live, const ts_splat_args *args, u32 threads)
 {
-	if (!make_room(live, args->n_pieces)) return false;
-	find(live, args->from.offset, args->n_pieces);
+	const ts_points_args *from = &args->from;
+	bool stored = from->points != NULL;
+	u32 n_points = from->offset[args->n_pieces], most = stored ? POINTS : n_points;
+	size_t n_rows = (size_t)args->n_pieces + (stored ? n_points / POINTS : 0);
+	if (!make_room(live, n_rows + 1)) return false;
+	if (stored && !make_room_for_points(live, n_points, n_rows)) return false;
+	find(live, from->offset, args->n_pieces, most);
 #pragma omp parallel for num_threads(threads)
-	for (i64 i = 0; i < (i64)live->n; i++) take(live, (u64)i, &args->from);
+	for (i64 i = 0; i < (i64)live->n; i++) {
+		take_piece(live, (u64)i, from);
+		if (stored) take_points(live, (u64)i, from->points);
+	}
 	return true;
 }
 
-void ts_splat_live_clear(ts_splat_live *live) { free(live->piece); }
+void ts_splat_live_clear(ts_splat_live *live)
+{
+	free(live->piece);
+	free(live->centre[0]);
+	free(live->bounds);
+}
