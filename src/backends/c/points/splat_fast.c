@@ -13,7 +13,7 @@
 enum { LANES = TS_SPLAT_LANES, POINTS = TS_SPLAT_POINTS, ROOM = TS_SPLAT_ROOM };
 
 /* A thread takes that many cubes, and of each about so many rows and points at once, in clusters of rows. */
-enum { MOST_CUBES = 8, PART_ROWS = 1024, PART_POINTS = 16384, CLUSTER = 32 };
+enum { MOST_CUBES = 8, MANY_CUBES = 16, PART_ROWS = 1024, PART_POINTS = 16384, CLUSTER = 32 };
 
 /* Clusters are in order of distance, in bins that have one exponent and the first bits of the fraction. */
 enum { BIN_SHIFT = 20, BINS = 1 << (31 - BIN_SHIFT) };
@@ -317,16 +317,35 @@ static void splat_task(const job *j, worker *w, const task *t)
 	for (u32 k = 0; k < t->n; k++) splat_cube(j, w, t->first + k, t->faces, w->faces[k]);
 }
 
-/* Threads take cubes where there are enough, otherwise faces. */
+/* Threads take whole cubes; where these are few, the last ones go face by face, so that threads end together. */
+typedef struct {
+	u32 n_whole, n_a_task;
+	i64 n_tasks_of_whole, n;
+} tasks;
+
+static tasks tasks_of(u32 n_cubes, u32 threads)
+{
+	u32 n_whole = n_cubes >= MANY_CUBES * threads ? n_cubes : n_cubes > threads ? n_cubes - threads : 0;
+	u32 most = n_whole / (4 * threads), n = most < 1 ? 1 : most > MOST_CUBES ? MOST_CUBES : most;
+	tasks t = {n_whole, n, (n_whole + n - 1) / n, 0};
+	t.n = t.n_tasks_of_whole + (i64)(n_cubes - n_whole) * 6;
+	return t;
+}
+
+static task task_of(const tasks *of, i64 i)
+{
+	i64 face = i - of->n_tasks_of_whole;
+	if (face >= 0) return (task){of->n_whole + (u32)(face / 6), 1, 1u << face % 6};
+	u32 first = (u32)i * of->n_a_task, left = of->n_whole - first;
+	return (task){first, left < of->n_a_task ? left : of->n_a_task, 63};
+}
+
 static void splat_all(const job *j, worker *workers, u32 threads)
 {
-	u32 n_cubes = j->args->n_cubes, most = n_cubes / (4 * threads);
-	u32 n = most > MOST_CUBES ? MOST_CUBES : most; /* 0: a face */
-	i64 n_tasks = n > 0 ? (n_cubes + n - 1) / n : (i64)n_cubes * 6;
+	tasks all = tasks_of(j->args->n_cubes, threads);
 #pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
-	for (i64 i = 0; i < n_tasks; i++) {
-		u32 first = n > 0 ? (u32)i * n : (u32)i / 6, left = n_cubes - first;
-		task t = {first, n > 0 ? (left < n ? left : n) : 1, n > 0 ? 63 : 1u << i % 6};
+	for (i64 i = 0; i < all.n; i++) {
+		task t = task_of(&all, i);
 		splat_task(j, &workers[omp_get_thread_num()], &t);
 	}
 }
