@@ -58,9 +58,9 @@ void ts_splat_block_add(ts_splat_block *block, ts_splat_face *f, const ts_splat_
                         u32 k, ts_splat_row row);
 /* Writes what the block has, and empties it. */
 void ts_splat_block_write(ts_splat_block *block, ts_splat_face *f, const ts_splat_live *live);
-/* The block is of that piece alone from now on, until it is written; at most so many points a row. */
+/* The block is of that piece alone from now on, until it is written or points are added. */
 void ts_splat_block_own(ts_splat_block *block, const ts_splat_face *f, const ts_splat_live *live,
-                        const ts_splat_batch *batch, u32 k, u32 n);
+                        const ts_splat_batch *batch, u32 k);
 /* Writes a row of points of the block's own piece; its texels are told by `lines`, unless that is NULL. */
 void ts_splat_block_row(ts_splat_block *block, ts_splat_face *f, const ts_splat_live *live, ts_splat_row row,
                         const ts_lines *lines);

@@ -19,7 +19,7 @@ typedef struct {
 	u32 distance[ROOM];
 	i32 x0[ROOM], y0[ROOM], x1[ROOM], y1[ROOM]; /* of the box */
 	u32 texel[ROOM], high[ROOM], low[ROOM];     /* (x0, y0), and the halves of its key */
-	u32 wide[ROOM], tall[ROOM];                 /* 1: the box has a second column, row */
+	u32 more[ROOM];                             /* 1: the box has a second column; 2: a second row */
 	u32 others[ROOM];                           /* bits: the texel to its right, those below */
 	u32 rest[ROOM];                             /* 1: larger than that; 2: a corner is behind the eye */
 	f32 front[ROOM];                            /* of the corner farthest ahead: < 0: behind the eye */
@@ -112,8 +112,7 @@ TS_WIDE static u32 place_splats(places *restrict to, ts_splat_block *restrict b,
 		to->others[i] = covered >> 1;
 		to->rest[i] = (behind << 1 | (any & large)) & counts;
 		to->front[i] = ts_flush(most(&pz) - f.near);
-		to->wide[i] = wide;
-		to->tall[i] = tall;
+		to->more[i] = tall << 1 | wide;
 		to->x0[i] = x0;
 		to->y0[i] = y0;
 		to->x1[i] = x1;
@@ -133,8 +132,8 @@ static inline void offer(u64 *texel, u64 key)
 static void write_others(u64 *texels, const places *p, const u32 *word, u32 i, i32 width)
 {
 	u64 key = key_of(p->distance[i], word[i]), others = p->others[i];
-	u64 *first = &texels[p->y0[i] * width + p->x0[i]], *below = first + p->tall[i] * (u32)width;
-	u32 right = p->wide[i];
+	u64 *first = &texels[p->y0[i] * width + p->x0[i]], *below = first + (p->more[i] >> 1) * (u32)width;
+	u32 right = p->more[i] & 1;
 	offer(first + right, key | ((others & 1) - 1));
 	offer(below, key | ((others >> 1 & 1) - 1));
 	offer(below + right, key | ((others >> 2) - 1));
@@ -309,10 +308,10 @@ void ts_splat_block_add(ts_splat_block *b, ts_splat_face *f, const ts_splat_live
 }
 
 void ts_splat_block_own(ts_splat_block *b, const ts_splat_face *f, const ts_splat_live *live,
-                        const ts_splat_batch *batch, u32 k, u32 n)
+                        const ts_splat_batch *batch, u32 k)
 {
 	common c = common_of(f, live, batch, k);
-	add_common(b, &c, 0, n);
+	add_common(b, &c, 0, POINTS);
 }
 
 void ts_splat_block_row(ts_splat_block *b, ts_splat_face *f, const ts_splat_live *live, ts_splat_row row,

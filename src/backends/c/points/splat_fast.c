@@ -1,7 +1,7 @@
-/* Fast path of the splat kernels, with the same bits: a thread owns a cube face, so there are no atomics; rows of points
- * go side by side, as many as a cache holds into all faces of a cube; rows beside a face are left out. Where pixels tell
- * which texels they read, the others stay empty, and what would touch those alone is left out, and what is hidden: near
- * rows go first. */
+/* Fast path of the splat kernels, with the same bits: a thread owns a cube face, so there are no atomics; rows of
+ * points go side by side, as many as a cache holds into all faces of a cube; rows beside a face are left out. Where
+ * pixels tell which texels they read, the others stay empty, and what would touch those alone is left out, and what is
+ * hidden: near rows go first. */
 #include <omp.h>
 #include <stdlib.h>
 #include <string.h>
@@ -48,8 +48,8 @@ typedef struct {
 	ts_splat_batch batch;
 	ts_splat_block block;
 	f32 made[3][ROOM];
-	u32 *order;         /* of clusters */
-	u32 owner, n_owned; /* the piece that has the block for itself, or TS_NONE; its room */
+	u32 *order; /* of clusters */
+	u32 owner;  /* the piece that has the block for itself, or TS_NONE */
 } worker;
 
 /* How a row goes. */
@@ -84,15 +84,13 @@ static bool row_box(ts_box *box, const job *j, const worker *w, u32 k, const ts_
 	return box->x0 <= box->x1 && box->y0 <= box->y1 && !is_needless(j, w, *box, points);
 }
 
-/* The block is of that piece alone from now on, with room for n points. */
-static void own_block(const job *j, worker *w, u32 k, u32 n)
+static void own_block(const job *j, worker *w, u32 k)
 {
 	u32 piece = j->live.piece[w->batch.live[k]];
-	if (w->owner == piece && n <= w->n_owned) return;
+	if (w->owner == piece) return;
 	ts_splat_block_write(&w->block, &w->face, &j->live);
-	ts_splat_block_own(&w->block, &w->face, &j->live, &w->batch, k, n);
+	ts_splat_block_own(&w->block, &w->face, &j->live, &w->batch, k);
 	w->owner = piece;
-	w->n_owned = n;
 }
 
 static void splat_owned_row(const job *j, worker *w, const way *of, ts_splat_row row, const ts_splat_bounds *points)
@@ -100,7 +98,7 @@ static void splat_owned_row(const job *j, worker *w, const way *of, ts_splat_row
 	ts_box box = ts_splat_batch_box_of(&w->batch, of->k);
 	if (!row_box(&box, j, w, of->k, points)) return;
 	bool cut = of->lines != NULL && !is_inside(box, of->lines);
-	own_block(j, w, of->k, row.n);
+	own_block(j, w, of->k);
 	ts_splat_block_row(&w->block, &w->face, &j->live, row, cut ? of->lines : NULL);
 }
 
@@ -118,8 +116,7 @@ static void splat_stored(const job *j, worker *w, const way *of)
 {
 	const ts_splat_live *live = &j->live;
 	u32 i = w->batch.live[of->k], at = live->index[i];
-	ts_splat_row row = {
-		{live->centre[0] + at, live->centre[1] + at, live->centre[2] + at}, at, points_of(j, i)};
+	ts_splat_row row = {{live->centre[0] + at, live->centre[1] + at, live->centre[2] + at}, at, points_of(j, i)};
 	splat_row(j, w, of, row, &live->bounds[i]);
 }
 
@@ -231,7 +228,7 @@ static bool is_cluster_needless(const job *j, const worker *w, u64 of)
 	ts_splat_extent e = ts_splat_extent_of(&w->face, &c->points, &c->reach);
 	if (ts_splat_is_beside(&w->face, &e)) return true;
 	ts_box box = ts_splat_extent_box(&w->face, &e);
-	if ((box.x1 - box.x0) * (box.y1 - box.y0) > MOST_TEXELS) return !ts_asked_any(&w->asked, box);
+	if ((i64)(box.x1 - box.x0) * (box.y1 - box.y0) > MOST_TEXELS) return !ts_asked_any(&w->asked, box);
 	return is_needless(j, w, box, &c->points);
 }
 

@@ -76,8 +76,7 @@ static void take_piece(ts_splat_live *live, u64 i, const ts_points_args *from)
 	const ts_piece *piece = &from->pieces[live->piece[i]];
 	const ts_align *frame = &from->frames[live->piece[i]];
 	bool stored = from->points != NULL;
-	ts_flight point =
-		stored ? ts_k_flight_record(from, live->index[i]) : ts_k_flight_of_piece(from, live->piece[i]);
+	ts_flight point = stored ? ts_k_flight_record(from, live->index[i]) : ts_k_flight_of_piece(from, live->piece[i]);
 	f32 half_length = point.length * 0.5f;
 	live->triangle[i] = piece->triangle;
 	live->tiny[i] = point.flags & TS_POINT_TINY;

@@ -1,5 +1,5 @@
-/* What is splatted: rows of points, each of one piece, as arrays. Where points are made as they are splatted, a row is a
- * whole piece. */
+/* What is splatted: rows of points, each of one piece, as arrays. Where points are made as they are splatted, a row is
+ * a whole piece. */
 #ifndef TS_BACKENDS_SPLAT_LIVE_H
 #define TS_BACKENDS_SPLAT_LIVE_H
 #include "../../../kernels/points/splat_pieces.h"

@@ -5,7 +5,7 @@
 #include "../../../../src/backends/fast.h"
 #include "../../../../src/backends/kernels.h"
 
-enum { N = 1500, PIXELS = 3 };
+enum { N = 1500, PIXELS = 400 };
 
 /* Everything about one run, printed when it fails. */
 typedef struct {
@@ -111,7 +111,7 @@ static void assert_equal(const mesh *m, const setting *s)
 }
 
 /* Texels that a sample reads are those of the plain kernel, and the others are empty. Returns how many are read. */
-static u64 assert_asked(const mesh *m, const setting *s)
+static u64 assert_asked(const mesh *m, const setting *s, u32 n_pixels)
 {
 	ts_pixel pixels[PIXELS];
 	ts_asked asked = {.n = 0};
@@ -119,14 +119,14 @@ static u64 assert_asked(const mesh *m, const setting *s)
 	u64 n = mesh_texels(m), n_read = 0, *plain = mesh_alloc(n, sizeof *plain), *fast = mesh_alloc(n, sizeof *fast);
 	memset(plain, 0xff, n * sizeof *plain);
 	memset(fast, 0xff, n * sizeof *fast);
-	random_pixels(pixels, PIXELS, m->n_cubes);
+	random_pixels(pixels, n_pixels, m->n_cubes);
 	ts_splat_args args = splat_of(m, s, plain, tallies);
 	args.from.offset = m->count;
 	ts_c_launch(TS_KERNEL_splat, &args, m->n_points, 1);
 	args.texels = fast;
 	args.pixels = pixels;
 	args.view = &m->view;
-	args.n_pixels = PIXELS;
+	args.n_pixels = n_pixels;
 	assert_true(ts_c_fast_splat(&args, m->n_pieces, s->threads));
 	assert_true(ts_asked_make(&asked, &args, 1));
 	for (u64 t = 0; t < n; t++) {
@@ -158,7 +158,7 @@ static void test_equal(void **state)
 		random_mesh(&m, &s);
 		n_points += m.n_points;
 		assert_equal(&m, &s);
-		n_asked += assert_asked(&m, &s);
+		n_asked += assert_asked(&m, &s, 3);
 		mesh_clear(&m);
 	}
 	assert_true(n_points > 50 * N && n_asked > 4 * N);
@@ -185,14 +185,38 @@ static void test_equal_in_pieces(void **state)
 		mesh_points(&m, 129, 0);
 		setting s = {.start = i, .clip = i % 2, .threads = 2, .half_size = 129, .n_cubes = 2};
 		if (m.n_points < 400000) assert_equal(&m, &s);
-		if (m.n_points < 400000) assert_asked(&m, &s);
+		if (m.n_points < 400000) assert_asked(&m, &s, 3);
 		mesh_clear(&m);
 	}
 	assert_true(n_pieces > 12);
 }
 
+/* A piece of several clusters, of which the last may be the nearest, and then pieces of a few points. */
+static void test_asked_in_clusters(void **state)
+{
+	(void)state;
+	n_random = 0;
+	for (u32 i = 0; i < 40; i++) {
+		mesh m;
+		setting s = {.start = n_random, .clip = i % 2, .threads = 1, .half_size = 129, .n_cubes = 1, .samples = 150};
+		mesh_begin(&m);
+		mesh_cube(&m, uniform3(-1, 1), uniform_power(-2, 1), 64);
+		ts_v3 a = ts_add(uniform3(-8, 8), ts_v3_make(0, 0, 9)), b = ts_add(a, uniform3(-6, 6));
+		mesh_triangle(&m, a, b, ts_add(b, uniform3(-6, 6)), 0, 0);
+		for (u32 t = 0; t < 8; t++) {
+			ts_v3 p = uniform3(-8, 8);
+			mesh_triangle(&m, p, ts_add(p, uniform3(-1, 1)), ts_add(p, uniform3(-1, 1)), 0, 0);
+		}
+		mesh_whole(&m, 20);
+		mesh_points(&m, 129, 0);
+		assert_asked(&m, &s, PIXELS);
+		mesh_clear(&m);
+	}
+}
+
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_equal), cmocka_unit_test(test_equal_in_pieces)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(test_equal), cmocka_unit_test(test_equal_in_pieces),
+	                                   cmocka_unit_test(test_asked_in_clusters)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
