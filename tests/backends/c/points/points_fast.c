@@ -1,5 +1,5 @@
-/* Fast counts and points equal the plain kernels' bit for bit: of wide pieces and narrow ones, slivers, pieces with a mask
- * and pieces without points. */
+/* Fast counts and points equal the plain kernels' bit for bit: of wide pieces and narrow ones, slivers, pieces with a
+ * mask and pieces without points. */
 #include "../../../kernels/points/mesh.h"
 #include "../../../../src/backends/fast.h"
 #include "../../../../src/backends/kernels.h"
