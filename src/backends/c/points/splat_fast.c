@@ -13,7 +13,7 @@
 enum { LANES = TS_SPLAT_LANES, POINTS = TS_SPLAT_POINTS, ROOM = TS_SPLAT_ROOM };
 
 /* A thread takes that many cubes, and of each about so many rows and points at once, in clusters of rows. */
-enum { MOST_CUBES = 8, MANY_CUBES = 16, PART_ROWS = 1024, PART_POINTS = 16384, CLUSTER = 32 };
+enum { MOST_CUBES = 10, MANY_CUBES = 16, PART_ROWS = 1024, PART_POINTS = 16384, CLUSTER = 32 };
 
 /* Clusters are in order of distance, in bins that have one exponent and the first bits of the fraction. */
 enum { BIN_SHIFT = 20, BINS = 1 << (31 - BIN_SHIFT) };
@@ -211,12 +211,21 @@ typedef struct {
 
 static u64 cluster_end(const job *j, u64 begin) { return begin + CLUSTER < j->live.n ? begin + CLUSTER : j->live.n; }
 
+/* ts_k_cube_bits of MOST_CUBES cubes from that one on, six bits each. */
+static u64 bits_from(const u64 *words, u32 n_words, u32 cube)
+{
+	u32 word = cube * 6 / 64, shift = cube * 6 % 64;
+	u64 bits = words[word] >> shift;
+	return shift != 0 && word + 1 < n_words ? bits | words[word + 1] << (64 - shift) : bits;
+}
+
 /* Of rows beyond the last one: none. */
 static void find_faces(const job *j, worker *w, const task *t)
 {
 	for (u64 i = 0; i < j->live.n; i++) {
 		const u64 *words = j->args->bits + (u64)j->live.triangle[i] * j->args->n_words;
-		for (u32 k = 0; k < t->n; k++) w->faces[k][i] = (u8)(ts_k_cube_bits(words, t->first + k) & t->faces);
+		u64 bits = bits_from(words, j->args->n_words, t->first);
+		for (u32 k = 0; k < t->n; k++, bits >>= 6) w->faces[k][i] = (u8)(bits & t->faces);
 	}
 }
 
@@ -235,22 +244,35 @@ static bool is_cluster_needless(const job *j, const worker *w, u64 of)
 /* Eight rows at once, most of which the face does not see. */
 static void splat_cluster(const job *j, worker *w, const u8 *faces, u64 of)
 {
-	u64 eight[CLUSTER / 8], any = 0;
+	u64 eight[CLUSTER / 8];
 	memcpy(eight, faces, sizeof eight);
-	for (u32 k = 0; k < CLUSTER / 8; k++) any |= eight[k] = eight[k] >> w->face.side & EIGHT;
-	if (any == 0 || is_cluster_needless(j, w, of)) return;
 	for (u32 k = 0; k < CLUSTER / 8; k++) {
-		for (u64 bits = eight[k]; bits != 0; bits &= bits - 1) {
+		for (u64 bits = eight[k] >> w->face.side & EIGHT; bits != 0; bits &= bits - 1) {
 			w->batch.live[w->batch.n++] = (u32)of * CLUSTER + k * 8 + (u32)__builtin_ctzll(bits) / 8;
 			if (w->batch.n == TS_SPLAT_PIECES) splat_batch(j, w);
 		}
 	}
 }
 
-static void splat_face(const job *j, worker *w, const u8 *faces, part p)
+/* That any row of a cluster may be seen by. */
+static u8 any_face(const u8 *faces)
+{
+	u64 eight[CLUSTER / 8], any = 0;
+	memcpy(eight, faces, sizeof eight);
+	for (u32 k = 0; k < CLUSTER / 8; k++) any |= eight[k];
+	any |= any >> 32;
+	any |= any >> 16;
+	return (u8)(any | any >> 8);
+}
+
+static void splat_face(const job *j, worker *w, const u8 *faces, const u8 *any, part p)
 {
 	w->owner = TS_NONE;
-	for (u64 c = p.begin; c < p.end; c++) splat_cluster(j, w, faces + (u64)w->order[c] * CLUSTER, w->order[c]);
+	for (u64 c = p.begin; c < p.end; c++) {
+		u64 of = w->order[c];
+		if ((any[c - p.begin] >> w->face.side & 1) == 0 || is_cluster_needless(j, w, of)) continue;
+		splat_cluster(j, w, faces + of * CLUSTER, of);
+	}
 	splat_batch(j, w);
 	ts_splat_block_write(&w->block, &w->face, &j->live);
 	ts_add_i64(j->args->n_scatters, w->face.scatters);
@@ -259,11 +281,13 @@ static void splat_face(const job *j, worker *w, const u8 *faces, part p)
 
 static void splat_part(const job *j, worker *w, u32 cube, u32 sides, const u8 *faces, part p)
 {
+	u8 any[PART_ROWS / CLUSTER];
+	for (u64 c = p.begin; c < p.end; c++) any[c - p.begin] = any_face(faces + (u64)w->order[c] * CLUSTER);
 	for (u32 side = 0; side < 6; side++) {
 		if ((sides >> side & 1) == 0) continue;
 		w->face = ts_splat_face_begin(j->args, cube, side);
 		w->asked = ts_asked_face_of(&j->asked, j->args->cubes, cube, side);
-		splat_face(j, w, faces, p);
+		splat_face(j, w, faces, any, p);
 	}
 }
 

@@ -7,8 +7,14 @@
 
 enum { LANES = 128, AXES = 3 };
 
+/* Ends of all corners. */
+typedef struct {
+	f32 least[AXES], most[AXES];
+} extent;
+
 /* Triangles: corners a, b, c, and normals. */
 typedef struct {
+	extent all;
 	u32 n, object[LANES], two_sided[LANES], degenerate[LANES];
 	f32 corner[3 * AXES][LANES], normal[AXES][LANES];
 } batch;
@@ -34,6 +40,42 @@ static void take(batch *b, u32 lane, const ts_arrays *scene, u32 triangle)
 	b->object[lane] = ts_k_object_of(scene, triangle);
 	b->two_sided[lane] = ts_k_is_two_sided(scene, triangle) ? 1 : 0;
 	b->degenerate[lane] = ts_k_is_degenerate(t.n) ? 1 : 0;
+}
+
+static extent extent_of(const batch *b)
+{
+	extent e;
+	for (u32 axis = 0; axis < AXES; axis++) {
+		f32 least = b->corner[axis][0], most = least;
+		for (u32 k = axis; k < 3 * AXES; k += AXES) {
+			for (u32 i = 0; i < b->n; i++) {
+				least = ts_min(least, b->corner[k][i]);
+				most = ts_max(most, b->corner[k][i]);
+			}
+		}
+		e.least[axis] = least;
+		e.most[axis] = most;
+	}
+	return e;
+}
+
+/* From a cube's centre: as differences are rounded monotonely, no corner's is beyond those of the ends. */
+static extent extent_from(const extent *of, const f32 centre[3])
+{
+	extent e;
+	for (u32 axis = 0; axis < AXES; axis++) {
+		e.least[axis] = of->least[axis] - centre[axis];
+		e.most[axis] = of->most[axis] - centre[axis];
+	}
+	return e;
+}
+
+/* One plane of the face's frustum has all triangles outside. */
+static bool is_outside(const extent *e, u32 axis, f32 sign, f32 near)
+{
+	u32 x = (axis + 1) % AXES, y = (axis + 2) % AXES;
+	f32 ahead = sign > 0.0f ? e->most[axis] : -e->least[axis];
+	return e->least[x] > ahead || -e->most[x] > ahead || e->least[y] > ahead || -e->most[y] > ahead || near > ahead;
 }
 
 /* Corners from a cube's centre; which triangles the cube may show at all, as ts_k_may_show has it. */
@@ -75,9 +117,11 @@ TS_WIDE static void look(sight *restrict to, u32 n, u32 axis, f32 sign, f32 near
 
 static void see(sight *s, const batch *b, const ts_face *cube)
 {
+	extent e = extent_from(&b->all, cube->centre);
 	turn_to_cube(s, b, b->n, ts_load3(cube->centre), cube->object);
 	for (u32 face = 0; face < 6; face++) {
-		look(s, b->n, face / 2, face % 2 == 0 ? 1.0f : -1.0f, cube->near, 1u << face);
+		f32 sign = face % 2 == 0 ? 1.0f : -1.0f;
+		if (!is_outside(&e, face / 2, sign, cube->near)) look(s, b->n, face / 2, sign, cube->near, 1u << face);
 	}
 }
 
@@ -98,6 +142,7 @@ static void see_part(const ts_visibility_args *args, u32 first, u32 n)
 	u64 *words = args->bits + (u64)first * args->n_words;
 	b.n = n;
 	for (u32 i = 0; i < n; i++) take(&b, i, &args->scene, first + i);
+	b.all = extent_of(&b);
 	memset(words, 0, (size_t)n * args->n_words * sizeof *words);
 	for (u32 r = 0; r < args->n_cubes; r++) {
 		if (args->cubes[r].n == 0) continue;

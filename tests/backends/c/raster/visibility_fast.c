@@ -1,5 +1,5 @@
 /* The fast visibility equals the plain kernel bit for bit: triangles in all places about many cubes, biased to the
- * extremes; more of them than go side by side. */
+ * extremes, or near one place; more of them than go side by side. */
 #include "../../../kernels/points/mesh.h"
 #include "../../../../src/backends/fast.h"
 #include "../../../../src/backends/kernels.h"
@@ -25,20 +25,32 @@ static ts_v3 extreme_corner(ts_v3 centre)
 	}
 }
 
+/* Of a scene whose corners are all near one place, often in planes of frusta. */
+static ts_v3 near_corner(ts_v3 place)
+{
+	ts_v3 p = ts_add(place, uniform3(-1, 1));
+	return random_bits() % 4 == 0 ? p : ts_v3_make(ts_floor(p.x), ts_floor(p.y), ts_floor(p.z));
+}
+
 static void random_scene(u32 n_cubes)
 {
+	bool near = random_bits() % 2 == 0;
+	ts_v3 place = uniform3(-6, 6);
 	static const u32 sizes[] = {0, 1, 64};
 	for (u32 r = 0; r < n_cubes; r++) {
 		ts_v3 centre = uniform3(-3, 3);
 		if (r % 2 == 0) centre = ts_v3_make(ts_floor(centre.x), ts_floor(centre.y), ts_floor(centre.z));
-		cubes[r] = (ts_face){.n = sizes[random_bits() % 3], .near = uniform_power(-12, 1), .object = random_bits() % 4};
+		cubes[r] = (ts_face){.n = sizes[random_bits() % 3],
+		                     .near = random_bits() % 4 == 0 ? 1 : uniform_power(-12, 1),
+		                     .object = random_bits() % 4};
 		ts_store3(cubes[r].centre, centre);
 	}
 	for (u32 t = 0; t < TRIANGLES; t++) {
 		u32 object = random_bits() % 4;
 		for (u32 k = 0; k < 3; k++) {
 			vertices[t * 3 + k] = (ts_vertex){.object = object};
-			ts_store3(vertices[t * 3 + k].position, extreme_corner(ts_load3(cubes[random_bits() % n_cubes].centre)));
+			ts_v3 centre = ts_load3(cubes[random_bits() % n_cubes].centre);
+			ts_store3(vertices[t * 3 + k].position, near ? near_corner(place) : extreme_corner(centre));
 		}
 		triangles[t] = (ts_triangle){{t * 3, t * 3 + 1, t * 3 + 2}, random_bits() % 2};
 	}
