@@ -88,17 +88,23 @@ TS_FN void ts_k_flight_start(const ts_points_args *args, ts_flight *point, i32 x
 	point->centre = ts_v3_make(ts_put(centre.x), ts_put(centre.y), ts_put(centre.z));
 }
 
-TS_FN void ts_k_point_put(const ts_points_args *args, ts_flight *point, i32 x, i32 y, u64 at)
+TS_FN void ts_k_point_write(const ts_points_args *args, const ts_flight *point, u64 at)
 {
 	TS_GLOBAL ts_point *out = ts_at(args->points, at);
-	ts_k_flight_start(args, point, x, y);
 	ts_store3(out->centre, point->centre);
 	out->length = point->length;
 	out->piece = (u32)point->piece;
 	out->flags = point->flags;
 	out->pad[0] = 0u;
 	out->pad[1] = 0u;
-	*ts_at(args->keys, at) = (point->piece << 32) | ((u64)(u32)(y + 32768) << 16) | (u64)(u32)(x + 32768);
+	u64 sample = ((u64)(u32)(point->y + 32768) << 16) | (u64)(u32)(point->x + 32768);
+	*ts_at(args->keys, at) = (point->piece << 32) | sample;
+}
+
+TS_FN void ts_k_point_put(const ts_points_args *args, ts_flight *point, i32 x, i32 y, u64 at)
+{
+	ts_k_flight_start(args, point, x, y);
+	ts_k_point_write(args, point, at);
 }
 
 /* emit over pieces */

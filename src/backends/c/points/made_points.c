@@ -155,11 +155,9 @@ static u32 make_masked(const ts_made_piece *p, i32 y, f32 *const centre[3])
 	return n;
 }
 
-u32 ts_made_row(const ts_made_piece *p, i32 y, f32 *const centre[3])
+void ts_made_span(const ts_made_piece *p, ts_span row, i32 y, f32 *const centre[3])
 {
-	if (p->masked) return make_masked(p, y, centre);
 	const ts_align *frame = &p->from->frames[p->piece];
-	ts_span row = ts_k_touched_row(&p->lines, p->cover.touched, y);
 	u32 n = (u32)(row.last - row.first + 1), in[PART];
 	samples of = {.c = ts_load3(frame->c), .u = ts_load3(frame->u), .v = ts_load3(frame->v), .s = frame->s};
 	of.down = (f32)y / frame->s;
@@ -172,5 +170,12 @@ u32 ts_made_row(const ts_made_piece *p, i32 y, f32 *const centre[3])
 		make_samples(of, to[0], to[1], to[2], in);
 		if (p->from->snap != 0) snap_samples(&of, in, &p->from->pieces[p->piece], to[0], to[1], to[2]);
 	}
-	return n;
+}
+
+u32 ts_made_row(const ts_made_piece *p, i32 y, f32 *const centre[3])
+{
+	if (p->masked) return make_masked(p, y, centre);
+	ts_span row = ts_k_touched_row(&p->lines, p->cover.touched, y);
+	ts_made_span(p, row, y, centre);
+	return (u32)(row.last - row.first + 1);
 }

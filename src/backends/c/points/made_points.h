@@ -24,5 +24,7 @@ u64 ts_made_piece_count(const ts_made_piece *piece);
 ts_bounds ts_made_piece_bounds(const ts_made_piece *piece);
 /* Makes the points of row y, in order of x; returns how many. Arrays have room for all of the row and TS_MADE_LANES. */
 u32 ts_made_row(const ts_made_piece *piece, i32 y, f32 *const centre[3]);
+/* The same of a piece without a mask, where the samples that touch are known; none: last is first - 1. */
+void ts_made_span(const ts_made_piece *piece, ts_span row, i32 y, f32 *const centre[3]);
 
 #endif

@@ -39,19 +39,12 @@ bool ts_c_fast_points_count(const void *of, u64 n, u32 threads)
 	return true;
 }
 
-static void put_row(const ts_points_args *args, const ts_flight *piece, ts_span row, i32 y, f32 *const centre[3],
-                    u64 at)
+static void put_row(const ts_points_args *args, ts_flight *point, ts_span row, f32 *const centre[3], u64 at)
 {
-	u64 key = (piece->piece << 32) | ((u64)(u32)(y + 32768) << 16);
-	for (i32 x = row.first; x <= row.last; x++, at++) {
-		i32 k = x - row.first;
-		f32 *to = args->points[at].centre;
-		for (u32 axis = 0; axis < 3; axis++) to[axis] = centre[axis][k];
-		args->points[at].length = piece->length;
-		args->points[at].piece = (u32)piece->piece;
-		args->points[at].flags = piece->flags;
-		args->points[at].pad[0] = args->points[at].pad[1] = 0;
-		args->keys[at] = key | (u64)(u32)(x + 32768);
+	for (point->x = row.first; point->x <= row.last; point->x++, at++) {
+		i32 k = point->x - row.first;
+		point->centre = ts_v3_make(centre[0][k], centre[1][k], centre[2][k]);
+		ts_k_point_write(args, point, at);
 	}
 }
 
@@ -61,10 +54,11 @@ static void put_wide(const ts_points_args *args, u64 piece, f32 *const centre[3]
 	ts_made_piece made = ts_made_piece_begin(args, piece);
 	ts_box box = made.cover.touched;
 	ts_flight point = ts_k_flight_of_piece(args, piece);
-	for (i32 y = box.y0; y <= box.y1; y++) {
-		u32 n = ts_made_row(&made, y, centre);
-		put_row(args, &point, ts_k_touched_row(&made.lines, box, y), y, centre, at);
-		at += n;
+	for (point.y = box.y0; point.y <= box.y1; point.y++) {
+		ts_span row = ts_k_touched_row(&made.lines, box, point.y);
+		ts_made_span(&made, row, point.y, centre);
+		put_row(args, &point, row, centre, at);
+		at += (u64)(row.last - row.first + 1);
 	}
 }
 

@@ -24,7 +24,7 @@ ts_box ts_splat_extent_box(const ts_splat_face *f, const ts_splat_extent *e);
 
 /* No distance of any of the points from the eye, as kernels tell it, is less. */
 f32 ts_splat_nearest(ts_v3 eye, const ts_splat_bounds *points);
-/* What the texels of the box hold is nearer than any of the points. */
+/* True if every texel of the box already holds a distance below those of the points. */
 bool ts_splat_is_hidden(const ts_splat_face *f, ts_box box, const ts_splat_bounds *points);
 
 #endif
