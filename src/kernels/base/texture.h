@@ -100,6 +100,9 @@ TS_FN ts_rgba16 ts_k_texture_bilinear(TS_GLOBAL const u64 *level, u32 width, u32
 
 TS_FN u32 ts_k_texture_mix2(u32 a, u32 b, u32 f) { return (a * (256u - f) + b * f + 128u) >> 8; }
 
+/* 65535: 1 */
+TS_FN f32 ts_k_texture_unit(u32 x) { return (f32)x * 0.00001525902189314365386962890625f; }
+
 /* lod: level in 1/256. */
 TS_FN ts_rgba ts_k_texture_sample(const ts_arrays *scene, TS_GLOBAL const ts_slot *slot, ts_v2 uv, u32 lod)
 {
@@ -127,12 +130,11 @@ TS_FN ts_rgba ts_k_texture_sample(const ts_arrays *scene, TS_GLOBAL const ts_slo
 		t.b = ts_k_texture_mix2(t.b, next.b, f);
 		t.a = ts_k_texture_mix2(t.a, next.a, f);
 	}
-	f32 unit = 0.00001525902189314365386962890625f; /* 1/65535 */
 	ts_rgba r;
-	r.r = (f32)t.r * unit;
-	r.g = (f32)t.g * unit;
-	r.b = (f32)t.b * unit;
-	r.a = (f32)t.a * unit;
+	r.r = ts_k_texture_unit(t.r);
+	r.g = ts_k_texture_unit(t.g);
+	r.b = ts_k_texture_unit(t.b);
+	r.a = ts_k_texture_unit(t.a);
 	return r;
 }
 

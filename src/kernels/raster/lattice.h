@@ -56,18 +56,11 @@ TS_FN ts_cover ts_k_lattice_cover(TS_GLOBAL const ts_align *frame, i32 half_size
 	return r;
 }
 
-/* Weights of a sample on the source triangle: areas in the lattice, from unsnapped corners; a sample beside the
- * triangle moves to its border (CONTRACT rule 22). */
-TS_FN ts_v3 ts_k_lattice_weights(const ts_arrays *scene, TS_GLOBAL const ts_align *frame, u32 triangle, i32 x, i32 y)
+/* Weights of a sample on a triangle that is in the lattice: areas; a sample beside the triangle moves to its border
+ * (CONTRACT rule 22). */
+TS_FN ts_v3 ts_k_weights_around(ts_v2 a, ts_v2 b, ts_v2 d, i32 x, i32 y)
 {
-	ts_v3 c = ts_load3(frame->c);
-	ts_v3 u = ts_load3(frame->u);
-	ts_v3 v = ts_load3(frame->v);
-	ts_corners t = ts_k_corners(scene, triangle);
 	ts_v2 p = ts_v2_make((f32)x + 0.5f, (f32)y + 0.5f);
-	ts_v2 a = ts_k_lattice(c, u, v, frame->s, t.a);
-	ts_v2 b = ts_k_lattice(c, u, v, frame->s, t.b);
-	ts_v2 d = ts_k_lattice(c, u, v, frame->s, t.c);
 	a = ts_v2_make(a.x - p.x, a.y - p.y);
 	b = ts_v2_make(b.x - p.x, b.y - p.y);
 	d = ts_v2_make(d.x - p.x, d.y - p.y);
@@ -80,6 +73,19 @@ TS_FN ts_v3 ts_k_lattice_weights(const ts_arrays *scene, TS_GLOBAL const ts_alig
 	sum = ts_flush(sum + w.z);
 	if (!(sum > 0.0f)) return ts_v3_make(third, third, third);
 	return ts_v3_make(w.x / sum, w.y / sum, w.z / sum);
+}
+
+/* On the source triangle, from unsnapped corners. */
+TS_FN ts_v3 ts_k_lattice_weights(const ts_arrays *scene, TS_GLOBAL const ts_align *frame, u32 triangle, i32 x, i32 y)
+{
+	ts_v3 c = ts_load3(frame->c);
+	ts_v3 u = ts_load3(frame->u);
+	ts_v3 v = ts_load3(frame->v);
+	ts_corners t = ts_k_corners(scene, triangle);
+	ts_v2 a = ts_k_lattice(c, u, v, frame->s, t.a);
+	ts_v2 b = ts_k_lattice(c, u, v, frame->s, t.b);
+	ts_v2 d = ts_k_lattice(c, u, v, frame->s, t.c);
+	return ts_k_weights_around(a, b, d, x, y);
 }
 
 /* The sample touches the piece and is not cut away by its alpha mask. */

@@ -15,6 +15,7 @@ ts_made_piece ts_made_piece_begin(const ts_points_args *from, u64 piece)
 	ts_made_piece r = {.from = from, .piece = piece, .cover = ts_k_lattice_cover(frame, from->half_size)};
 	ts_k_lines(&r.lines, &r.cover);
 	r.masked = ts_k_is_masked(&from->scene, of->triangle);
+	if (r.masked) r.mask = ts_sample_mask_of(from, piece);
 	for (u32 k = 0; k < 3; k++) {
 		r.corner[k] =
 			ts_k_lattice(ts_load3(frame->c), ts_load3(frame->u), ts_load3(frame->v), frame->s, ts_load3(corners[k]));
@@ -22,11 +23,16 @@ ts_made_piece ts_made_piece_begin(const ts_points_args *from, u64 piece)
 	return r;
 }
 
+bool ts_made_is_point(const ts_made_piece *p, i32 x, i32 y)
+{
+	return ts_k_touches(&p->cover, x, y) && !(p->masked && ts_sample_mask_cuts(&p->mask, x, y));
+}
+
 static u32 count_masked(const ts_made_piece *p, i32 y)
 {
 	u32 n = 0;
 	for (i32 x = p->cover.touched.x0; x <= p->cover.touched.x1; x++) {
-		n += ts_k_is_point(p->from, &p->cover, p->piece, x, y) ? 1 : 0;
+		n += ts_made_is_point(p, x, y) ? 1 : 0;
 	}
 	return n;
 }
@@ -145,7 +151,7 @@ static u32 make_masked(const ts_made_piece *p, i32 y, f32 *const centre[3])
 {
 	u32 n = 0;
 	for (i32 x = p->cover.touched.x0; x <= p->cover.touched.x1; x++) {
-		if (!ts_k_is_point(p->from, &p->cover, p->piece, x, y)) continue;
+		if (!ts_made_is_point(p, x, y)) continue;
 		ts_v3 c = ts_k_point_centre(p->from, p->piece, x, y);
 		centre[0][n] = ts_put(c.x);
 		centre[1][n] = ts_put(c.y);

@@ -2,6 +2,7 @@
 #ifndef TS_BACKENDS_MADE_POINTS_H
 #define TS_BACKENDS_MADE_POINTS_H
 #include "../../../kernels/points/points.h"
+#include "sample_mask.h"
 #include "view_planes.h"
 
 /* What is written beside the last point; what else is read there may be anything. */
@@ -14,10 +15,13 @@ typedef struct {
 	bool masked;
 	ts_cover cover;
 	ts_lines lines;
-	ts_v2 corner[3]; /* in the lattice */
+	ts_v2 corner[3];     /* in the lattice */
+	ts_sample_mask mask; /* where it is masked */
 } ts_made_piece;
 
 ts_made_piece ts_made_piece_begin(const ts_points_args *from, u64 piece);
+/* Whether a sample is a point. */
+bool ts_made_is_point(const ts_made_piece *piece, i32 x, i32 y);
 /* How many points the rows have, from touched.y0 to touched.y1. */
 u64 ts_made_piece_count(const ts_made_piece *piece);
 /* What has all of them. */

@@ -1,5 +1,5 @@
 /* Fast paths of the kernels that count points and write them, with the same bits: rows of wide pieces as a whole, their
- * ends by division, their points side by side. */
+ * ends by division, their points side by side; masks of pieces found once. */
 #include <omp.h>
 #include <stdlib.h>
 #include "../../../model/core.h"
@@ -18,17 +18,26 @@ static i32 extent(const i32 *q)
 static bool is_wide(const ts_points_args *args, u64 piece)
 {
 	i32 wide = extent(args->frames[piece].q);
-	if (wide < 2 * LEAST * 256 || wide > MOST * 256 || !(args->frames[piece].s > 0.0f)) return false;
-	return !ts_k_is_masked(&args->scene, args->pieces[piece].triangle);
+	return wide >= 2 * LEAST * 256 && wide <= MOST * 256;
+}
+
+/* How a piece goes. */
+typedef enum { ALONE, WIDE, MASKED } way;
+
+static way way_of(const ts_points_args *args, u64 piece)
+{
+	if (!(args->frames[piece].s > 0.0f)) return ALONE;
+	if (ts_k_is_masked(&args->scene, args->pieces[piece].triangle)) return MASKED;
+	return is_wide(args, piece) ? WIDE : ALONE;
 }
 
 static void count(const ts_points_args *args, u64 piece)
 {
-	if (is_wide(args, piece)) {
+	if (way_of(args, piece) == ALONE) {
+		ts_k_points_count_item(args, piece);
+	} else {
 		ts_made_piece made = ts_made_piece_begin(args, piece);
 		args->offset[piece] = (u32)ts_made_piece_count(&made);
-	} else {
-		ts_k_points_count_item(args, piece);
 	}
 }
 
@@ -62,10 +71,27 @@ static void put_wide(const ts_points_args *args, u64 piece, f32 *const centre[3]
 	}
 }
 
+static void put_masked(const ts_points_args *args, u64 piece)
+{
+	u64 at = args->offset[piece];
+	ts_made_piece made = ts_made_piece_begin(args, piece);
+	ts_box box = made.cover.touched;
+	ts_flight point = ts_k_flight_of_piece(args, piece);
+	for (i32 y = box.y0; y <= box.y1; y++) {
+		for (i32 x = box.x0; x <= box.x1; x++) {
+			if (ts_made_is_point(&made, x, y)) ts_k_point_put(args, &point, x, y, at++);
+		}
+	}
+}
+
 static void put(const ts_points_args *args, u64 piece, f32 *const centre[3])
 {
-	if (is_wide(args, piece)) {
+	if (args->offset[piece] == args->offset[piece + 1]) return;
+	way of = way_of(args, piece);
+	if (of == WIDE) {
 		put_wide(args, piece, centre);
+	} else if (of == MASKED) {
+		put_masked(args, piece);
 	} else {
 		ts_k_points_item(args, piece);
 	}

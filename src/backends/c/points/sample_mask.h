@@ -1,0 +1,27 @@
+/* The alpha mask of a piece's samples, with the bits of ts_k_is_cut: what they have in common is found once, and texels
+ * are asked for alpha alone. */
+#ifndef TS_BACKENDS_SAMPLE_MASK_H
+#define TS_BACKENDS_SAMPLE_MASK_H
+#include "../../../kernels/points/points.h"
+
+/* A level of a texture. */
+typedef struct {
+	const u64 *texels;
+	u32 width, height;
+} ts_mask_level;
+
+typedef struct {
+	ts_v2 corner[3]; /* of the triangle, in the lattice */
+	f32 alpha[3];    /* of its vertices */
+	f32 factor, cutoff;
+	const ts_slot *slot; /* NULL: no texture */
+	ts_v2 uv[3];
+	ts_mask_level level[2];
+	u32 next; /* weight of the second level, in 1/256; 0: there is none */
+} ts_sample_mask;
+
+/* Of a piece with a masked material; its frame's scale is above 0. */
+ts_sample_mask ts_sample_mask_of(const ts_points_args *from, u64 piece);
+bool ts_sample_mask_cuts(const ts_sample_mask *mask, i32 x, i32 y);
+
+#endif
