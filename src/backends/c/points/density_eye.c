@@ -5,13 +5,20 @@
 
 enum { LANES = 16, TRIANGLES = 128, COORDINATES = 9 };
 
-/* Triangles, one after another; and what their cubes told so far. */
+/* Triangles, one after another; what their cubes told so far; and what that makes. */
 typedef struct {
 	u32 n;
 	f32 corner[COORDINATES][TRIANGLES];
 	f32 shortest[TRIANGLES], densest[TRIANGLES];
-	bool any[TRIANGLES];
+	u32 any[TRIANGLES];
+	f32 density[TRIANGLES];
+	u32 limited[TRIANGLES], large[TRIANGLES]; /* 1: the densest cube limits; there are too many samples for a piece */
 } part;
+
+static inline ts_v3 corner_of(const part *p, u32 k, u32 i)
+{
+	return ts_v3_make(p->corner[3 * k][i], p->corner[3 * k + 1][i], p->corner[3 * k + 2][i]);
+}
 
 /* Those that a cube may see: what it tells of each. There is room for lanes beyond the last. */
 typedef struct {
@@ -44,9 +51,7 @@ TS_WIDE static void measure(seen *restrict to, const part *restrict of, cube r)
 	u32 n = (to->n + LANES - 1) / LANES * LANES;
 	for (u32 i = 0; i < n; i++) {
 		u32 at = to->triangle[i];
-		ts_v3 a = ts_v3_make(of->corner[0][at], of->corner[1][at], of->corner[2][at]);
-		ts_v3 b = ts_v3_make(of->corner[3][at], of->corner[4][at], of->corner[5][at]);
-		ts_v3 c = ts_v3_make(of->corner[6][at], of->corner[7][at], of->corner[8][at]);
+		ts_v3 a = corner_of(of, 0, at), b = corner_of(of, 1, at), c = corner_of(of, 2, at);
 		ts_v3 t = ts_closest_lane(r.centre, a, b, c);
 		f32 to_triangle = ts_length(ts_sub(t, r.centre));
 		t = ts_closest_lane(step_of(&r, t).by, a, b, c);
@@ -67,7 +72,7 @@ static void take(part *p, u32 lane, const ts_density_args *args, u32 triangle)
 		p->corner[3 * k + 1][lane] = corner[k].y;
 		p->corner[3 * k + 2][lane] = corner[k].z;
 	}
-	p->any[lane] = false;
+	p->any[lane] = 0;
 	p->shortest[lane] = p->densest[lane] = 0.0f;
 }
 
@@ -85,9 +90,9 @@ static void merge(part *p, const seen *s)
 {
 	for (u32 k = 0; k < s->n; k++) {
 		u32 i = s->triangle[k];
-		p->shortest[i] = p->any[i] ? ts_min(p->shortest[i], s->way[k]) : s->way[k];
-		p->densest[i] = p->any[i] ? ts_max(p->densest[i], s->need[k]) : s->need[k];
-		p->any[i] = true;
+		p->shortest[i] = p->any[i] != 0 ? ts_min(p->shortest[i], s->way[k]) : s->way[k];
+		p->densest[i] = p->any[i] != 0 ? ts_max(p->densest[i], s->need[k]) : s->need[k];
+		p->any[i] = 1;
 	}
 }
 
@@ -101,14 +106,29 @@ static cube cube_of(const ts_density_args *args, u32 r)
 	              .half_size = (f32)of->n * 0.5f};
 }
 
-/* As the end of ts_k_density and ts_k_split_count_item. Returns 1 where the densest cube limits. */
+/* As the end of ts_k_density, and the start of ts_k_split. */
+TS_WIDE static void finish(part *restrict p, f32 wanted, u32 cap)
+{
+	for (u32 i = 0; i < p->n; i++) {
+		ts_v3 a = corner_of(p, 0, i), b = corner_of(p, 1, i), c = corner_of(p, 2, i);
+		f32 s = p->any[i] != 0u ? wanted / p->shortest[i] : 0.0f, length;
+		u32 limited = p->densest[i] < s ? cap : 0u;
+		s = ts_put(limited != 0u ? p->densest[i] : s);
+		(void)ts_k_longest_edge(a, b, c, &length);
+		u32 wide = length * s > TS_MOST_WIDTH ? 1u : 0u;
+		p->large[i] = (ts_k_area(a, b, c) * s) * s > TS_SPLIT_SAMPLES ? 1u : wide;
+		p->limited[i] = limited;
+		p->density[i] = s;
+	}
+}
+
+/* As the end of ts_k_split_count_item. Returns 1 where the densest cube limits. */
 static u32 put(const ts_density_args *args, const part *p, u32 lane, u32 triangle)
 {
-	f32 s = p->any[lane] ? (args->rho * args->view->focal) / p->shortest[lane] : 0.0f;
-	bool limited = args->cap != 0 && p->densest[lane] < s;
-	args->whole[triangle] = ts_put(limited ? p->densest[lane] : s);
-	args->offset[triangle] = args->whole[triangle] > 0.0f ? ts_k_split(args, triangle, false) : 0;
-	return limited ? 1 : 0;
+	args->whole[triangle] = p->density[lane];
+	args->offset[triangle] = p->density[lane] > 0.0f ? 1 : 0;
+	if (p->large[lane] != 0) args->offset[triangle] = ts_k_split(args, triangle, false);
+	return p->limited[lane];
 }
 
 static void count_part(const ts_density_args *args, u32 first, u32 n)
@@ -124,6 +144,7 @@ static void count_part(const ts_density_args *args, u32 first, u32 n)
 		measure(&s, &p, cube_of(args, r));
 		merge(&p, &s);
 	}
+	finish(&p, args->rho * args->view->focal, args->cap != 0 ? 1 : 0);
 	for (u32 i = 0; i < n; i++) n_limited += put(args, &p, i, first + i);
 	ts_add_i64(args->n_limited, n_limited);
 }
