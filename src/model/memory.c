@@ -4,7 +4,7 @@
 #include <sys/mman.h>
 #include "core.h"
 
-enum { LARGE_BYTES = 64 << 20 }; /* what is smaller, or zero, may be touched here and there alone */
+enum { LARGE_BYTES = 8 << 20 }; /* what is smaller, or zero, may be touched here and there alone */
 
 /* A system without large pages says no, and nothing is lost. */
 void ts_memory_large_pages(void *memory, size_t bytes)
