@@ -1,13 +1,14 @@
 /* Fast paths of the kernels that count points and write them, with the same bits: rows of wide pieces as a whole, their
- * ends by division, their points side by side; masks of pieces found once. */
+ * ends by division, their points side by side; narrow pieces side by side; masks of pieces found once. */
 #include <omp.h>
 #include <stdlib.h>
 #include "../../../model/core.h"
 #include "../../fast.h"
 #include "made_points.h"
+#include "narrow_pieces.h"
 
 /* Samples of a row, on average, that are worth that; and the most that there is room for, with those at its ends. */
-enum { LEAST = 8, MOST = 4096, ENDS = 4, PIECES_A_CHUNK = 1024 };
+enum { LEAST = 8, MOST = 4096, ENDS = 4, PIECES = TS_NARROW_PIECES, CHUNK = 16 };
 
 static i32 extent(const i32 *q)
 {
@@ -22,29 +23,39 @@ static bool is_wide(const ts_points_args *args, u64 piece)
 }
 
 /* How a piece goes. */
-typedef enum { ALONE, WIDE, MASKED } way;
+typedef enum { NONE, ALONE, WIDE, MASKED, NARROW } way;
 
-static way way_of(const ts_points_args *args, u64 piece)
+static way way_of(const ts_points_args *args, u64 piece, bool narrow)
 {
-	if (!(args->frames[piece].s > 0.0f)) return ALONE;
+	if (!(args->frames[piece].s > 0.0f)) return NONE;
 	if (ts_k_is_masked(&args->scene, args->pieces[piece].triangle)) return MASKED;
-	return is_wide(args, piece) ? WIDE : ALONE;
+	return narrow ? NARROW : is_wide(args, piece) ? WIDE : ALONE;
 }
 
-static void count(const ts_points_args *args, u64 piece)
+static u32 pieces_from(u64 first, u64 n) { return n - first < PIECES ? (u32)(n - first) : PIECES; }
+
+static u32 points_of(const ts_points_args *args, u64 piece, way of)
 {
-	if (way_of(args, piece) == ALONE) {
-		ts_k_points_count_item(args, piece);
-	} else {
-		ts_made_piece made = ts_made_piece_begin(args, piece);
-		args->offset[piece] = (u32)ts_made_piece_count(&made);
+	if (of == NONE) return 0;
+	if (of == ALONE) return ts_k_points_of(args, piece);
+	ts_made_piece made = ts_made_piece_begin(args, piece);
+	return (u32)ts_made_piece_count(&made);
+}
+
+static void count(const ts_points_args *args, u64 first, u32 n)
+{
+	ts_narrow_pieces narrow;
+	ts_narrow_find(&narrow, args->frames + first, n, args->half_size);
+	for (u32 i = 0; i < n; i++) {
+		way of = way_of(args, first + i, narrow.narrow[i] != 0);
+		args->offset[first + i] = of == NARROW ? narrow.n[i] : points_of(args, first + i, of);
 	}
 }
 
 bool ts_c_fast_points_count(const void *of, u64 n, u32 threads)
 {
-#pragma omp parallel for schedule(dynamic, PIECES_A_CHUNK) num_threads(threads)
-	for (i64 i = 0; i < (i64)n; i++) count(of, (u64)i);
+#pragma omp parallel for schedule(dynamic, CHUNK) num_threads(threads)
+	for (i64 first = 0; first < (i64)n; first += PIECES) count(of, (u64)first, pieces_from((u64)first, n));
 	return true;
 }
 
@@ -84,16 +95,27 @@ static void put_masked(const ts_points_args *args, u64 piece)
 	}
 }
 
-static void put(const ts_points_args *args, u64 piece, f32 *const centre[3])
+static void put_narrow(const ts_points_args *args, u64 piece, const ts_narrow_pieces *of, u32 i)
 {
-	if (args->offset[piece] == args->offset[piece + 1]) return;
-	way of = way_of(args, piece);
-	if (of == WIDE) {
-		put_wide(args, piece, centre);
-	} else if (of == MASKED) {
-		put_masked(args, piece);
-	} else {
-		ts_k_points_item(args, piece);
+	u64 at = args->offset[piece];
+	ts_flight point = ts_k_flight_of_piece(args, piece);
+	for (u32 y = 0; y < of->n_rows; y++) {
+		for (u32 bits = of->rows[y][i]; bits != 0; bits &= bits - 1)
+			ts_k_point_put(args, &point, of->x0[i] + __builtin_ctz(bits), of->y0[i] + (i32)y, at++);
+	}
+}
+
+static void put(const ts_points_args *args, u64 first, u32 n, f32 *const centre[3])
+{
+	ts_narrow_pieces narrow;
+	ts_narrow_find(&narrow, args->frames + first, n, args->half_size);
+	for (u32 i = 0; i < n; i++) {
+		if (args->offset[first + i] == args->offset[first + i + 1]) continue;
+		way of = way_of(args, first + i, narrow.narrow[i] != 0);
+		if (of == NARROW) put_narrow(args, first + i, &narrow, i);
+		if (of == MASKED) put_masked(args, first + i);
+		if (of == WIDE) put_wide(args, first + i, centre);
+		if (of == ALONE) ts_k_points_item(args, first + i);
 	}
 }
 
@@ -105,10 +127,10 @@ bool ts_c_fast_points(const void *of, u64 n, u32 threads)
 	if (args->room < args->offset[n]) return false;
 	f32 *rows = ts_alloc(threads * 3 * room, sizeof *rows, "rows of points");
 	if (rows == NULL) return false;
-#pragma omp parallel for schedule(dynamic, PIECES_A_CHUNK) num_threads(threads)
-	for (i64 i = 0; i < (i64)n; i++) {
+#pragma omp parallel for schedule(dynamic, CHUNK) num_threads(threads)
+	for (i64 first = 0; first < (i64)n; first += PIECES) {
 		f32 *row = rows + (size_t)omp_get_thread_num() * 3 * room;
-		put(args, (u64)i, (f32 *const[]){row, row + room, row + 2 * room});
+		put(args, (u64)first, pieces_from((u64)first, n), (f32 *const[]){row, row + room, row + 2 * room});
 	}
 	free(rows);
 	return true;
