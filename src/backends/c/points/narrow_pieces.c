@@ -26,7 +26,8 @@ TS_WIDE static void find_edges(edges *restrict e, ts_narrow_pieces *restrict to,
 {
 	for (u32 i = 0; i < PIECES; i++) {
 		i32 x[] = {e->q[0][i], e->q[2][i], e->q[4][i]}, y[] = {e->q[1][i], e->q[3][i], e->q[5][i]};
-		i32 x0 = (least(x[0], x[1], x[2]) - half_size + 127) >> 8, y0 = (least(y[0], y[1], y[2]) - half_size + 127) >> 8;
+		i32 x0 = (least(x[0], x[1], x[2]) - half_size + 127) >> 8,
+			y0 = (least(y[0], y[1], y[2]) - half_size + 127) >> 8;
 		i32 x1 = (most(x[0], x[1], x[2]) + half_size - 128) >> 8, y1 = (most(y[0], y[1], y[2]) + half_size - 128) >> 8;
 		i32 turned = minus(times(x[1] - x[0], y[2] - y[0]), times(y[1] - y[0], x[2] - x[0])) >> 31;
 		for (u32 k = 0; k < 3; k++) {

@@ -15,7 +15,8 @@ static void find_levels(ts_sample_mask *m, const ts_arrays *scene, f32 area, f32
 	ts_v2 a = m->uv[0], b = m->uv[1], c = m->uv[2];
 	const ts_image *image = &scene->images[m->slot->image];
 	f32 uv_area = ts_abs(ts_diff_of_products(b.x - a.x, c.y - a.y, b.y - a.y, c.x - a.x));
-	u32 last = (image->n_levels - 1) * 256, lod = ts_k_texture_lod(image->width, image->height, footprint, uv_area, area);
+	u32 last = (image->n_levels - 1) * 256,
+		lod = ts_k_texture_lod(image->width, image->height, footprint, uv_area, area);
 	if (lod > last) lod = last;
 	ts_mask_level level = {scene->texels + image->first_texel, image->width, image->height};
 	for (u32 l = lod >> 8; l != 0; l--) level = coarser(level);

@@ -1,10 +1,13 @@
-/* Points side by side. Most splats touch at most two texels by two: loops for vectors find which of the four they offer
- * a key to, and those are written one after another, without branches. */
+/* Points side by side. Most splats touch at most three texels by three: loops for vectors find which of the nine they
+ * offer a key to, and those are written one after another, the first four without branches. */
 #include <string.h>
 #include "../../wide.h"
 #include "splat_batch.h"
 
 enum { POINTS = TS_SPLAT_POINTS, LANES = TS_SPLAT_LANES, ROOM = TS_SPLAT_ROOM, EDGES = TS_SPLAT_EDGES };
+
+/* Texels a side that are offered at once; as bits, their first column and row, and the first two by two. */
+enum { SIDE = 3, COLUMN = 0x49, ROW = 7, FEW = 0x1b };
 
 /* What all lanes know; [3] is right, up, ahead. */
 typedef struct {
@@ -20,7 +23,7 @@ typedef struct {
 	i32 x0[ROOM], y0[ROOM], x1[ROOM], y1[ROOM]; /* of the box */
 	u32 texel[ROOM], high[ROOM], low[ROOM];     /* (x0, y0), and the halves of its key */
 	u32 more[ROOM];                             /* 1: the box has a second column; 2: a second row */
-	u32 others[ROOM];                           /* bits: the texel to its right, those below */
+	u32 covered[ROOM];                          /* bits 3 j + i: texel (x0 + i, y0 + j) */
 	u32 rest[ROOM];                             /* 1: larger than that; 2: a corner is behind the eye */
 	f32 front[ROOM];                            /* of the corner farthest ahead: < 0: behind the eye */
 } places;
@@ -65,14 +68,24 @@ static inline u32 outside(i32 whole[][ROOM], u32 at, u32 i, u32 j)
 	return out;
 }
 
-/* Bits of texels (s, t), the one to its right, those below, that are inside the edges and of the box. */
-static inline u32 inside(i32 whole[][ROOM], u32 at, u32 s, u32 t, u32 wide, u32 tall)
+/* Bits 3 j + i: texel (s + i, t + j) is inside the edges. */
+static inline u32 inside(i32 whole[][ROOM], u32 at, u32 s, u32 t)
 {
-	u32 out = outside(whole, at, s, t) >> 31;
-	out |= ((outside(whole, at, s + 1, t) >> 31) | (wide ^ 1u)) << 1;
-	out |= ((outside(whole, at, s, t + 1) >> 31) | (tall ^ 1u)) << 2;
-	out |= ((outside(whole, at, s + 1, t + 1) >> 31) | ((wide & tall) ^ 1u)) << 3;
-	return out ^ 15u;
+	u32 bits = 0;
+	for (u32 j = 0; j < SIDE; j++) {
+		for (u32 i = 0; i < SIDE; i++) bits |= ~outside(whole, at, s + i, t + j) >> 31 << (SIDE * j + i);
+	}
+	return bits;
+}
+
+/* 1 if a < b, of integers whose difference is one. */
+static inline u32 is_less(i32 a, i32 b) { return (u32)(a - b) >> 31; }
+
+static inline u32 of_box(i32 across, i32 down)
+{
+	u32 columns = COLUMN | is_less(0, across) * COLUMN << 1 | is_less(1, across) * COLUMN << 2;
+	u32 rows = ROW | is_less(0, down) * ROW << SIDE | is_less(1, down) * ROW << 2 * SIDE;
+	return columns & rows;
 }
 
 /* Texels of the squares' boxes, like ts_k_splat_box; distances; what is covered. Returns how many texels are. */
@@ -98,21 +111,21 @@ TS_WIDE static u32 place_splats(places *restrict to, ts_splat_block *restrict b,
 		u32 distance = ts_f2u(ts_put(ts_length(to_point)));
 		u32 counts = (u32)((i32)(i - n_points) >> 31); /* all bits, or none */
 		u32 behind = ts_flush(least(&pz) - f.near) < 0.0f ? 1u : 0u;
-		u32 any = (x1 >= x0 ? 1u : 0u) & (y1 >= y0 ? 1u : 0u) & (behind ^ 1u);
-		u32 wide = x1 > x0 ? 1u : 0u, tall = y1 > y0 ? 1u : 0u;
-		u32 large = (x1 > x0 + 1 ? 1u : 0u) | (y1 > y0 + 1 ? 1u : 0u) | f.apart;
-		u32 covered = inside(b->whole, i, (u32)(x0 - b->whole[0][i]), (u32)(y0 - b->whole[1][i]), wide, tall);
-		covered &= (0u - (any & (large ^ 1u))) & counts;
-		writes += (covered & 1u) + (covered >> 1 & 1u) + (covered >> 2 & 1u) + (covered >> 3);
+		i32 across = x1 - x0, down = y1 - y0;
+		u32 any = (is_less(across, 0) | is_less(down, 0) | behind) ^ 1u;
+		u32 large = is_less(SIDE - 1, across) | is_less(SIDE - 1, down) | f.apart;
+		u32 covered = inside(b->whole, i, (u32)(x0 - b->whole[0][i]), (u32)(y0 - b->whole[1][i]));
+		covered &= of_box(across, down) & (0u - (any & (large ^ 1u))) & counts;
+		for (u32 bit = 0; bit < SIDE * SIDE; bit++) writes += covered >> bit & 1u;
 		u32 none = (covered & 1u) - 1u;
 		to->texel[i] = (u32)ts_min_i32(none != 0u ? (i32)i : y0 * f.width + x0, f.last);
 		to->high[i] = distance | none;
 		to->low[i] = b->word[i] | none;
 		to->distance[i] = distance;
-		to->others[i] = covered >> 1;
+		to->covered[i] = covered;
 		to->rest[i] = (behind << 1 | (any & large)) & counts;
 		to->front[i] = ts_flush(most(&pz) - f.near);
-		to->more[i] = tall << 1 | wide;
+		to->more[i] = is_less(0, down) << 1 | is_less(0, across);
 		to->x0[i] = x0;
 		to->y0[i] = y0;
 		to->x1[i] = x1;
@@ -129,25 +142,37 @@ static inline void offer(u64 *texel, u64 key)
 	*texel = key < old ? key : old;
 }
 
-static void write_others(u64 *texels, const places *p, const u32 *word, u32 i, i32 width)
+/* The others of two texels by two. */
+static void write_few(u64 *texels, const places *p, u64 key, u32 i, i32 width)
 {
-	u64 key = key_of(p->distance[i], word[i]), others = p->others[i];
 	u64 *first = &texels[p->y0[i] * width + p->x0[i]], *below = first + (p->more[i] >> 1) * (u32)width;
-	u32 right = p->more[i] & 1;
-	offer(first + right, key | ((others & 1) - 1));
-	offer(below, key | ((others >> 1 & 1) - 1));
-	offer(below + right, key | ((others >> 2) - 1));
+	u32 right = p->more[i] & 1, covered = p->covered[i];
+	offer(first + right, key | ((u64)(covered >> 1 & 1) - 1));
+	offer(below, key | ((u64)(covered >> SIDE & 1) - 1));
+	offer(below + right, key | ((u64)(covered >> (SIDE + 1) & 1) - 1));
+}
+
+static void write_beyond(u64 *texels, const places *p, u64 key, u32 i, i32 width)
+{
+	u64 *first = &texels[p->y0[i] * width + p->x0[i]];
+	for (u32 bits = p->covered[i] & ~(u32)FEW; bits != 0; bits &= bits - 1) {
+		i32 bit = __builtin_ctz(bits);
+		offer(first + bit / SIDE * width + bit % SIDE, key);
+	}
 }
 
 static void write(u64 *texels, const places *p, const u32 *word, u32 n, i32 width)
 {
-	u32 n_more = 0, more[POINTS];
+	u32 n_few = 0, few[POINTS], n_beyond = 0, beyond[POINTS];
 	for (u32 i = 0; i < n; i++) {
 		offer(&texels[p->texel[i]], key_of(p->high[i], p->low[i]));
-		more[n_more] = i;
-		n_more += p->others[i] != 0;
+		few[n_few] = beyond[n_beyond] = i;
+		n_few += p->covered[i] > 1;
+		n_beyond += (p->covered[i] & ~(u32)FEW) != 0;
 	}
-	for (u32 k = 0; k < n_more; k++) write_others(texels, p, word, more[k], width);
+	for (u32 k = 0; k < n_few; k++) write_few(texels, p, key_of(p->distance[few[k]], word[few[k]]), few[k], width);
+	for (u32 k = 0; k < n_beyond; k++)
+		write_beyond(texels, p, key_of(p->distance[beyond[k]], word[beyond[k]]), beyond[k], width);
 }
 
 /* What is drawn by itself. */

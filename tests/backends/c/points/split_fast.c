@@ -59,8 +59,8 @@ static u32 assert_equal(const mesh *m, ts_density_args args, u32 threads, u32 st
 		free(scale[way]);
 	}
 	if (!same) {
-		fail_msg("random %u: views %u, rate %u, split %u, %u threads: %u pieces, capped %lld, %lld", start, args.n_views,
-		         args.rate, args.split, threads, n, (long long)capped[0], (long long)capped[1]);
+		fail_msg("random %u: views %u, rate %u, split %u, %u threads: %u pieces, capped %lld, %lld", start,
+		         args.n_views, args.rate, args.split, threads, n, (long long)capped[0], (long long)capped[1]);
 	}
 	return n;
 }
