@@ -28,8 +28,9 @@ typedef enum { NONE, ALONE, WIDE, MASKED, NARROW } way;
 static way way_of(const ts_points_args *args, u64 piece, bool narrow)
 {
 	if (!(args->frames[piece].s > 0.0f)) return NONE;
+	if (narrow) return NARROW;
 	if (ts_k_is_masked(&args->scene, args->pieces[piece].triangle)) return MASKED;
-	return narrow ? NARROW : is_wide(args, piece) ? WIDE : ALONE;
+	return is_wide(args, piece) ? WIDE : ALONE;
 }
 
 static u32 pieces_from(u64 first, u64 n) { return n - first < PIECES ? (u32)(n - first) : PIECES; }
@@ -42,12 +43,28 @@ static u32 points_of(const ts_points_args *args, u64 piece, way of)
 	return (u32)ts_made_piece_count(&made);
 }
 
+/* Leaves the samples out that the mask of a narrow piece cuts. */
+static void cut(const ts_points_args *args, u64 piece, ts_narrow_pieces *of, u32 i)
+{
+	ts_sample_mask mask = ts_sample_mask_of(args, piece);
+	for (u32 y = 0; y < of->n_rows; y++) {
+		for (u32 bits = of->rows[y][i]; bits != 0; bits &= bits - 1) {
+			i32 x = __builtin_ctz(bits);
+			if (!ts_sample_mask_cuts(&mask, of->x0[i] + x, of->y0[i] + (i32)y)) continue;
+			of->rows[y][i] ^= 1u << x;
+			of->n[i]--;
+		}
+	}
+}
+
 static void count(const ts_points_args *args, u64 first, u32 n)
 {
 	ts_narrow_pieces narrow;
 	ts_narrow_find(&narrow, args->frames + first, n, args->half_size);
 	for (u32 i = 0; i < n; i++) {
 		way of = way_of(args, first + i, narrow.narrow[i] != 0);
+		bool masked = of == NARROW && ts_k_is_masked(&args->scene, args->pieces[first + i].triangle);
+		if (masked) cut(args, first + i, &narrow, i);
 		args->offset[first + i] = of == NARROW ? narrow.n[i] : points_of(args, first + i, of);
 	}
 }
@@ -110,8 +127,10 @@ static void put(const ts_points_args *args, u64 first, u32 n, f32 *const centre[
 	ts_narrow_pieces narrow;
 	ts_narrow_find(&narrow, args->frames + first, n, args->half_size);
 	for (u32 i = 0; i < n; i++) {
-		if (args->offset[first + i] == args->offset[first + i + 1]) continue;
+		u32 n_points = args->offset[first + i + 1] - args->offset[first + i];
+		if (n_points == 0) continue;
 		way of = way_of(args, first + i, narrow.narrow[i] != 0);
+		if (of == NARROW && narrow.n[i] != n_points) cut(args, first + i, &narrow, i);
 		if (of == NARROW) put_narrow(args, first + i, &narrow, i);
 		if (of == MASKED) put_masked(args, first + i);
 		if (of == WIDE) put_wide(args, first + i, centre);

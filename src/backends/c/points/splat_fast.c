@@ -40,16 +40,23 @@ typedef struct {
 	u8 *faces;         /* of cubes of tasks, of each thread */
 } job;
 
+/* Cubes, and which of their faces. */
+typedef struct {
+	u32 first, n, faces;
+} task;
+
 /* What a thread works with. */
 typedef struct {
+	task found;            /* whose cubes' faces were found */
 	u8 *faces[MOST_CUBES]; /* of each cube of a task, that may see each row */
 	ts_splat_face face;
 	ts_asked_face asked; /* of the face */
 	ts_splat_batch batch;
 	ts_splat_block block;
 	f32 made[3][ROOM];
-	u32 *order; /* of clusters */
-	u32 owner;  /* the piece that has the block for itself, or TS_NONE */
+	u32 *order; /* of clusters, as `from` sees them */
+	const ts_face *from;
+	u32 owner; /* the piece that has the block for itself, or TS_NONE */
 } worker;
 
 /* How a row goes. */
@@ -197,11 +204,6 @@ static void splat_batch(const job *j, worker *w)
 	w->batch.n = 0;
 }
 
-/* Cubes, and which of their faces. */
-typedef struct {
-	u32 first, n, faces;
-} task;
-
 /* Clusters, in the worker's order. */
 typedef struct {
 	u64 begin, end;
@@ -225,8 +227,9 @@ static void find_faces(const job *j, worker *w, const task *t)
 	for (u64 i = 0; i < j->live.n; i++) {
 		const u64 *words = j->args->bits + (u64)j->live.triangle[i] * j->args->n_words;
 		u64 bits = bits_from(words, j->args->n_words, t->first);
-		for (u32 k = 0; k < t->n; k++, bits >>= 6) w->faces[k][i] = (u8)(bits & t->faces);
+		for (u32 k = 0; k < t->n; k++, bits >>= 6) w->faces[k][i] = (u8)(bits & 63);
 	}
+	w->found = *t;
 }
 
 /* No texel that splats of the cluster may touch can change. */
@@ -312,6 +315,8 @@ static void find_order(const job *j, worker *w, u32 cube)
 {
 	u32 begin[BINS + 1] = {0};
 	ts_v3 eye = ts_load3(j->args->cubes[cube].centre);
+	if (w->from == &j->args->cubes[cube]) return;
+	w->from = &j->args->cubes[cube];
 	if (j->clusters == NULL) {
 		for (u64 of = 0; of < j->n_clusters; of++) w->order[of] = (u32)of;
 		return;
@@ -334,7 +339,7 @@ static void splat_cube(const job *j, worker *w, u32 cube, u32 sides, const u8 *f
 
 static void splat_task(const job *j, worker *w, const task *t)
 {
-	find_faces(j, w, t);
+	if (t->first != w->found.first || t->n > w->found.n) find_faces(j, w, t);
 	for (u32 k = 0; k < t->n; k++) splat_cube(j, w, t->first + k, t->faces, w->faces[k]);
 }
 
