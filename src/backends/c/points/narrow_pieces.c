@@ -22,7 +22,7 @@ static inline i32 plus(i32 a, i32 b) { return (i32)((u32)a + (u32)b); }
 static inline i32 minus(i32 a, i32 b) { return (i32)((u32)a - (u32)b); }
 
 /* ts_k_lattice_cover, and ts_k_square_meets at the first sample of the box. */
-TS_WIDE static void find_edges(edges *restrict e, ts_narrow_pieces *restrict to, i32 half_size)
+TS_WIDE static void find_borders(edges *restrict e, ts_narrow_pieces *restrict to, i32 half_size)
 {
 	for (u32 i = 0; i < PIECES; i++) {
 		i32 x[] = {e->q[0][i], e->q[2][i], e->q[4][i]}, y[] = {e->q[1][i], e->q[3][i], e->q[5][i]};
@@ -73,7 +73,7 @@ void ts_narrow_find(ts_narrow_pieces *to, const ts_align *frames, u32 n, i32 hal
 	for (u32 k = 0; k < 6; k++) {
 		for (u32 i = 0; i < PIECES; i++) e.q[k][i] = i < n ? frames[i].q[k] : 0;
 	}
-	find_edges(&e, to, half_size);
+	find_borders(&e, to, half_size);
 	to->n_rows = 0;
 	for (u32 i = 0; i < n; i++) {
 		u32 rows = to->narrow[i] != 0 ? (u32)(e.last[i] + 1) : 0;
