@@ -33,6 +33,18 @@ static inline void small_clear(small_scene *s)
 	}
 }
 
+/* Objects 1 and 2 are reflectors 0 and 1; materials are seen from both sides, in colours. */
+static inline void small_mirrors(small_scene *s)
+{
+	small_clear(s);
+	s->objects[1].reflector = 0;
+	s->objects[2].reflector = 1;
+	for (u32 m = 0; m < 4; m++) {
+		s->materials[m].flags = TS_DOUBLE_SIDED;
+		ts_store3(s->materials[m].base, uniform3(0, 1));
+	}
+}
+
 /* Returns its index. Normals are zero, colours white, texture coordinates those of the standard corner. */
 static inline u32 small_add(small_scene *s, ts_v3 a, ts_v3 b, ts_v3 c, u32 material, u32 object)
 {

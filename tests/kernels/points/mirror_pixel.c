@@ -61,13 +61,7 @@ static ts_v3 in_sight(f32 z) { return ts_v3_make(1 + uniform(-0.8f, 0.8f) * z, 2
 /* Two reflectors and something dull, in pieces all over the picture, all double-sided. */
 static void make_scene(void)
 {
-	small_clear(&scene);
-	scene.objects[1].reflector = 0;
-	scene.objects[2].reflector = 1;
-	for (u32 m = 0; m < 4; m++) {
-		scene.materials[m].flags = TS_DOUBLE_SIDED;
-		ts_store3(scene.materials[m].base, uniform3(0, 1));
-	}
+	small_mirrors(&scene);
 	for (u32 k = 0; k < 12; k++) {
 		ts_v3 a = in_sight(uniform(2, 6)), b = in_sight(uniform(2, 6)), c = in_sight(uniform(2, 6));
 		small_add(&scene, a, b, c, k % 3, k % 3);

@@ -16,13 +16,7 @@ static ts_pixel records[2][MOST];
 /* Two mirrors and something dull, in pieces all over the picture, seen from both sides. */
 static void random_scene(void)
 {
-	small_clear(&scene);
-	scene.objects[1].reflector = 0;
-	scene.objects[2].reflector = 1;
-	for (u32 m = 0; m < 4; m++) {
-		scene.materials[m].flags = TS_DOUBLE_SIDED;
-		ts_store3(scene.materials[m].base, uniform3(0, 1));
-	}
+	small_mirrors(&scene);
 	for (u32 k = 0; k < TRIANGLES; k++) {
 		ts_v3 corner[3];
 		for (u32 c = 0; c < 3; c++) {
