@@ -1,5 +1,5 @@
-/* The fast records of reflective pixels equal the plain kernel's: pictures of all sizes, higher than what a thread takes
- * at once, with one sample a pixel or four, mirrors beside each other and beside what reflects nothing. */
+/* The fast records of reflective pixels equal the plain kernel's: pictures of all sizes, higher than what a thread
+ * takes at once, with one sample a pixel or four, mirrors beside each other and beside what reflects nothing. */
 #include "../../../kernels/small.h"
 #include "../../../../src/kernels/points/mirror_pixel.h"
 #include "../../../../src/kernels/raster/eye.h"
