@@ -3,6 +3,7 @@
 #include "../../../kernels/points/align.h"
 #include "../../fast.h"
 #include "../../wide.h"
+#include "closest_lanes.h"
 
 enum { PIECES = 64, COORDINATES = 9, PLACES = 6 };
 
@@ -15,8 +16,7 @@ typedef struct {
 
 static inline ts_v3 choose(u32 which, ts_v3 a, ts_v3 b, ts_v3 c)
 {
-	ts_v3 of_two = ts_v3_make(which == 1u ? b.x : a.x, which == 1u ? b.y : a.y, which == 1u ? b.z : a.z);
-	return ts_v3_make(which == 2u ? c.x : of_two.x, which == 2u ? c.y : of_two.y, which == 2u ? c.z : of_two.z);
+	return ts_choose_lane(which == 2u ? 1u : 0u, c, ts_choose_lane(which == 1u ? 1u : 0u, b, a));
 }
 
 static inline void put(f32 to[3][PIECES], u32 i, ts_v3 p)

@@ -1,4 +1,4 @@
-/* Fast path of reflective pixels, with the same bits: each is glanced at once, and not by its neighbours again. */
+/* Fast path of reflective pixels, with the same bits: one glance at each, and none more by its neighbours. */
 #include "../../../kernels/points/mirror_pixel.h"
 #include <omp.h>
 #include <stdlib.h>
