@@ -2,12 +2,7 @@
 #ifndef TS_BACKENDS_CLOSEST_LANES_H
 #define TS_BACKENDS_CLOSEST_LANES_H
 #include "../../../kernels/base/closest.h"
-
-/* p where `which`, a number that loops of vectors can hold, is 1. */
-static inline ts_v3 ts_choose_lane(u32 which, ts_v3 p, ts_v3 q)
-{
-	return ts_v3_make(which != 0u ? p.x : q.x, which != 0u ? p.y : q.y, which != 0u ? p.z : q.z);
-}
+#include "../raster/lanes.h"
 
 static inline u32 ts_all3(bool x, bool y, bool z)
 {

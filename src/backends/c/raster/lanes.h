@@ -1,0 +1,30 @@
+/* Values of many items side by side, and choices that loops for vectors can make. */
+#ifndef TS_BACKENDS_LANES_H
+#define TS_BACKENDS_LANES_H
+#include "../../../kernels/base/vec.h"
+
+enum { TS_LANES = 16, TS_ABREAST = 64 };
+
+/* Loops run over whole vectors of lanes. */
+static inline u32 ts_whole_lanes(u32 n) { return (n + TS_LANES - 1) / TS_LANES * TS_LANES; }
+
+typedef struct {
+	f32 x[TS_ABREAST], y[TS_ABREAST], z[TS_ABREAST];
+} ts_lanes3;
+
+static inline ts_v3 ts_lane3(const ts_lanes3 *from, u32 i) { return ts_v3_make(from->x[i], from->y[i], from->z[i]); }
+
+static inline void ts_set_lane3(ts_lanes3 *to, u32 i, ts_v3 v)
+{
+	to->x[i] = v.x;
+	to->y[i] = v.y;
+	to->z[i] = v.z;
+}
+
+/* p where `which`, a number that loops of vectors can hold, is 1. */
+static inline ts_v3 ts_choose_lane(u32 which, ts_v3 p, ts_v3 q)
+{
+	return ts_v3_make(which != 0u ? p.x : q.x, which != 0u ? p.y : q.y, which != 0u ? p.z : q.z);
+}
+
+#endif

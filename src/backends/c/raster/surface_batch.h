@@ -1,0 +1,28 @@
+/* Surfaces of one material side by side, with the bits of ts_k_surface: loops for vectors find what textures, normal
+ * maps and corners make of many samples at once. */
+#ifndef TS_BACKENDS_SURFACE_BATCH_H
+#define TS_BACKENDS_SURFACE_BATCH_H
+#include "../../../kernels/base/surface.h"
+#include "lanes.h"
+
+/* What is asked. */
+typedef struct {
+	u32 material, n;
+	u32 triangle[TS_ABREAST];
+	ts_lanes3 w;      /* weights of the triangle's corners */
+	ts_lanes3 normal; /* (b - a) x (c - a) */
+	ts_lanes3 p, viewer;
+	f32 footprint[TS_ABREAST];
+	const u32 *lit[TS_ABREAST]; /* samples of each lamp that reach it, or NULL */
+	u64 place[TS_ABREAST];      /* the caller's */
+} ts_surface_batch;
+
+/* What is found: as ts_surface has it. */
+typedef struct {
+	ts_lanes3 face, n, base, emissive;
+	f32 metallic[TS_ABREAST], roughness[TS_ABREAST], occlusion[TS_ABREAST];
+} ts_surfaces;
+
+void ts_surfaces_find(ts_surfaces *to, const ts_arrays *scene, const ts_surface_batch *of);
+
+#endif
