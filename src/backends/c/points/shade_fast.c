@@ -1,13 +1,15 @@
 /* Fast path of the shade kernel, with the same bits: samples next to each other see the same points, so each thread
- * remembers what it shaded; and what the points of some entries need is on its way before they are shaded. Shading
- * operations are counted as the method asks for them, remembered or not. */
+ * remembers what it shaded; what the points of some entries need is on its way before they are shaded; and points of
+ * one material are shaded together. Shading operations are counted as the method asks for them, remembered or not. */
 #include <omp.h>
 #include <stdlib.h>
 #include "../../../kernels/points/lookup.h"
 #include "../../../model/core.h"
 #include "../../fast.h"
+#include "../raster/light_batch.h"
+#include "point_batch.h"
 
-enum { SLOTS = 16384, ENTRIES = 16, CHUNK = 64 /* parts */, MOST = ENTRIES * TS_N_SAMPLES };
+enum { SLOTS = 16384, ENTRIES = 256, CHUNK = 4 /* parts */, MOST = ENTRIES * TS_N_SAMPLES };
 
 /* What a point looks like from a cube's centre, and where that is among a part's colours; TS_NONE: not there. */
 typedef struct {
@@ -30,6 +32,8 @@ typedef struct {
 	ts_v3 colour[MOST];
 	seen *used[MOST]; /* slots, by colour */
 	wanted wanted[MOST];
+	ts_point_batch points;
+	ts_surface_bins bins;
 	seen memory[SLOTS];
 } part;
 
@@ -124,12 +128,29 @@ static void fetch_all(const part *p, const ts_lookup_args *args)
 	}
 }
 
+static void put_lit(void *user, const ts_surface_batch *of, const ts_surfaces *found)
+{
+	part *p = user;
+	ts_lanes3 radiance;
+	ts_light_batch(&radiance, &p->bins.scene, NULL, of, found);
+	for (u32 i = 0; i < of->n; i++) p->colour[of->place[i]] = ts_lane3(&radiance, i);
+}
+
+/* As ts_k_sample_radiance. */
 static void shade_wanted(part *p, const ts_lookup_args *args)
 {
 	for (u32 i = 0; i < p->n_wanted; i++) {
 		const wanted *w = &p->wanted[i];
-		p->colour[w->place] = ts_k_sample_radiance(args, w->sample, ts_load3(args->cubes[w->cube].centre));
+		ts_v3 centre = ts_load3(args->cubes[w->cube].centre);
+		if (w->slot == NULL || args->coloured != 0) {
+			p->colour[w->place] = ts_k_sample_radiance(args, w->sample, centre);
+			continue;
+		}
+		ts_flight point = ts_k_flight_at(&args->from, args->n_pieces, args->found[w->sample]);
+		ts_points_add(&p->points, &p->bins, &args->from, &point, centre, w->place);
 	}
+	ts_points_flush(&p->points, &p->bins);
+	ts_surface_bins_flush(&p->bins);
 }
 
 /* A slot that another point took since is that point's. */
@@ -174,6 +195,8 @@ bool ts_c_fast_shade(const void *of, u64 n, u32 threads)
 	{
 		part *p = &parts[omp_get_thread_num()];
 		forget(p);
+		p->points.n = 0;
+		ts_surface_bins_begin(&p->bins, &args->from.scene, put_lit, p);
 #pragma omp for schedule(dynamic, CHUNK)
 		for (i64 i = 0; i < (i64)n; i += ENTRIES) {
 			p->first = (u64)i;

@@ -1,6 +1,6 @@
 /* Fast shading equals the plain kernel bit for bit: of pixels and of entries of later bounces, whose samples see the
  * same points again and again, from many cubes, or nothing, or a mirror; of stored points, points that are made again,
- * and colours. */
+ * and colours; with a texture and without. */
 #include "../../../kernels/points/mesh.h"
 #include "../../../../src/backends/fast.h"
 #include "../../../../src/backends/kernels.h"
@@ -23,6 +23,8 @@ static void random_mesh(mesh *m)
 {
 	mesh_begin(m);
 	for (u32 i = 0; i < 5; i++) m->materials[i].roughness = 0.5f;
+	m->materials[1].slot[0] = 0;
+	m->texels[0] = (u64)random_bits() << 16;
 	u32 n_cubes = 1 + random_bits() % MESH_CUBES;
 	for (u32 r = 0; r < n_cubes; r++) mesh_cube(m, uniform3(-4, 4), 1, 8);
 	for (u32 t = 0; t < 20; t++) {

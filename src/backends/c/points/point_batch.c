@@ -1,0 +1,65 @@
+/* Points side by side: see point_batch.h. */
+#include "point_batch.h"
+#include "../../wide.h"
+
+typedef struct {
+	ts_lanes3 w, normal;
+} found;
+
+static inline ts_v2 lattice_of(const ts_point_batch *from, const ts_lanes3 *corner, u32 i)
+{
+	return ts_k_lattice(ts_lane3(&from->origin, i), ts_lane3(&from->u, i), ts_lane3(&from->v, i), from->scale[i],
+	                    ts_lane3(corner, i));
+}
+
+/* ts_k_lattice_weights, and the triangle's normal. */
+TS_WIDE static void weigh(found *restrict to, const ts_point_batch *restrict from)
+{
+	u32 n = ts_whole_lanes(from->n);
+	for (u32 i = 0; i < n; i++) {
+		ts_v3 a = ts_lane3(&from->a, i), b = ts_lane3(&from->b, i), c = ts_lane3(&from->c, i);
+		ts_v2 p = lattice_of(from, &from->a, i), q = lattice_of(from, &from->b, i), r = lattice_of(from, &from->c, i);
+		ts_set_lane3(&to->w, i, ts_k_weights_around(p, q, r, from->x[i], from->y[i]));
+		ts_set_lane3(&to->normal, i, ts_cross(ts_sub(b, a), ts_sub(c, a)));
+	}
+}
+
+void ts_points_flush(ts_point_batch *batch, ts_surface_bins *bins)
+{
+	found f;
+	weigh(&f, batch);
+	for (u32 i = 0; i < batch->n; i++) {
+		ts_surface_ask ask = {.triangle = batch->triangle[i],
+		                      .w = ts_lane3(&f.w, i),
+		                      .normal = ts_lane3(&f.normal, i),
+		                      .p = ts_lane3(&batch->centre, i),
+		                      .viewer = ts_lane3(&batch->viewer, i),
+		                      .footprint = batch->length[i],
+		                      .place = batch->place[i]};
+		ts_surface_bins_add(bins, &ask);
+	}
+	batch->n = 0;
+}
+
+void ts_points_add(ts_point_batch *batch, ts_surface_bins *bins, const ts_points_args *from, const ts_flight *point,
+                   ts_v3 viewer, u64 place)
+{
+	u32 i = batch->n++, triangle = from->pieces[point->piece].triangle;
+	const ts_align *frame = &from->frames[point->piece];
+	const ts_triangle *t = &from->scene.triangles[triangle];
+	batch->triangle[i] = triangle;
+	batch->x[i] = point->x;
+	batch->y[i] = point->y;
+	ts_set_lane3(&batch->a, i, ts_load3(from->scene.vertices[t->vertex[0]].position));
+	ts_set_lane3(&batch->b, i, ts_load3(from->scene.vertices[t->vertex[1]].position));
+	ts_set_lane3(&batch->c, i, ts_load3(from->scene.vertices[t->vertex[2]].position));
+	ts_set_lane3(&batch->origin, i, ts_load3(frame->c));
+	ts_set_lane3(&batch->u, i, ts_load3(frame->u));
+	ts_set_lane3(&batch->v, i, ts_load3(frame->v));
+	batch->scale[i] = frame->s;
+	ts_set_lane3(&batch->centre, i, point->centre);
+	ts_set_lane3(&batch->viewer, i, viewer);
+	batch->length[i] = point->length;
+	batch->place[i] = place;
+	if (batch->n == TS_ABREAST) ts_points_flush(batch, bins);
+}
