@@ -31,6 +31,10 @@ struct ts_backend {
 	ts_status (*finish)(ts_backend *backend);
 	/* Releases the backend. Frames that it worked on must be cleared before. */
 	void (*close)(ts_backend *backend);
+	/* Does what a traversal that begins with n pairs and launches the kernel over all its pairs does: `source` are the
+	 * arguments of the traversal, `args` those of the kernel but for the pairs. Order is that of no launch. False: it
+	 * does not, and nothing was done. NULL: it never does. */
+	bool (*at_once)(ts_backend *backend, ts_kernel kernel, const void *source, const void *args, u64 n);
 };
 
 enum { TS_MAX_DEVICES = 32 };

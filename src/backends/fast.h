@@ -6,10 +6,16 @@
 
 typedef bool ts_fast_path(const void *args, u64 n, u32 threads);
 
-/* Every fast path, once: FAST(kernel). */
+/* ts_c_at_once_<kernel>(source, args, n, threads) does what launching the kernel over all pairs of a traversal does, as
+ * `at_once` of ts_backend says. False as above. */
+typedef bool ts_at_once(const void *source, const void *args, u64 n, u32 threads);
+
+/* Every fast path, once: FAST(kernel), and AT_ONCE(kernel). */
 #define FAMILY(name) FAMILY_FILE(FAMILY_C, name, fast.def)
 #define FAST(kernel) ts_fast_path ts_c_fast_##kernel;
+#define AT_ONCE(kernel) ts_at_once ts_c_at_once_##kernel;
 #include "../families.def"
+#undef AT_ONCE
 #undef FAST
 #undef FAMILY
 

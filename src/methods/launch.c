@@ -149,6 +149,12 @@ ts_status ts_launch_items(ts_run *run, const ts_launch *launch, const void *args
 	return backend->launch(backend, &run->frame, launch, args, n);
 }
 
+bool ts_launch_at_once(ts_run *run, const ts_launch *launch, const void *source, const void *args, u64 n)
+{
+	ts_backend *backend = ts_run_backend_of(run);
+	return backend->at_once != NULL && backend->at_once(backend, launch->kernel, source, args, n);
+}
+
 ts_status ts_launch_run(ts_run *run, const ts_launch *launch, void *args, size_t bytes, u64 n)
 {
 	return ts_launch_fill(run, launch, args, bytes) == TS_OK ? ts_launch_items(run, launch, args, n) : TS_ERROR;

@@ -119,7 +119,10 @@ void *ts_run_make(ts_run *run, ts_buffer_id id);
 ts_status ts_launch_fill(ts_run *run, const ts_launch *launch, void *args, size_t bytes);
 /* Runs items [0, n) with arguments that were filled. */
 ts_status ts_launch_items(ts_run *run, const ts_launch *launch, const void *args, u64 n);
-/* Both. */
+/* The same over all pairs of a traversal that begins with n, whose arguments are `source`, without that; false where
+ * the backend does not. */
+bool ts_launch_at_once(ts_run *run, const ts_launch *launch, const void *source, const void *args, u64 n);
+/* Filled, then run. */
 ts_status ts_launch_run(ts_run *run, const ts_launch *launch, void *args, size_t bytes, u64 n);
 /* As a filling, for who asks what a kernel would answer: only what it reads is bound, and nothing is made. */
 ts_status ts_launch_ask(const ts_run *run, const ts_launch *launch, void *args, size_t bytes);

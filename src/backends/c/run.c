@@ -28,9 +28,19 @@ static kernel_items *const kernels[TS_N_KERNELS] = {
 
 #define FAMILY(name) FAMILY_FILE(FAMILY_C, name, fast.def)
 #define FAST(kernel) [TS_KERNEL_##kernel] = ts_c_fast_##kernel,
+#define AT_ONCE(kernel)
 static ts_fast_path *const paths[TS_N_KERNELS] = {
 #include "../../families.def"
 };
+#undef AT_ONCE
+#undef FAST
+
+#define FAST(kernel)
+#define AT_ONCE(kernel) [TS_KERNEL_##kernel] = ts_c_at_once_##kernel,
+static ts_at_once *const shortcuts[TS_N_KERNELS] = {
+#include "../../families.def"
+};
+#undef AT_ONCE
 #undef FAST
 #undef FAMILY
 
@@ -70,6 +80,13 @@ static ts_status launch(ts_backend *backend, ts_frame *frame, const ts_launch *l
 	return TS_OK;
 }
 
+static bool at_once(ts_backend *backend, ts_kernel kernel, const void *source, const void *args, u64 n)
+{
+	const ts_c_backend *c = (const ts_c_backend *)backend;
+	ts_at_once *shortcut = c->reference ? NULL : shortcuts[kernel];
+	return shortcut != NULL && shortcut(source, args, n, c->threads);
+}
+
 static ts_status fill(ts_backend *backend, ts_frame *frame, ts_buffer_id id, u8 byte)
 {
 	enum { PART = 1 << 20 };
@@ -100,7 +117,7 @@ static void end(ts_backend *backend) { (void)backend; }
 void ts_c_begin(ts_c_backend *backend, u32 threads)
 {
 	*backend = (ts_c_backend){
-		.backend = {"c", DEVICE, __VERSION__, TS_FLAGS, {0}, launch, fill, scan, finish, end},
+		.backend = {"c", DEVICE, __VERSION__, TS_FLAGS, {0}, launch, fill, scan, finish, end, at_once},
 		.threads = threads != 0 ? threads : 1,
 	};
 }

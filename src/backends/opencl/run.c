@@ -265,8 +265,8 @@ static ts_status open_device(ts_backend **backend, const ts_backend_options *opt
 		return status;
 	}
 	snprintf(cl->device_line, sizeof cl->device_line, "%s, %s", cl->about.name, cl->about.platform);
-	cl->backend =
-		(ts_backend){"opencl", cl->device_line, cl->about.driver, cl->flags, {0}, launch, fill, scan, finish, end};
+	cl->backend = (ts_backend){
+		"opencl", cl->device_line, cl->about.driver, cl->flags, {0}, launch, fill, scan, finish, end, NULL};
 	cl->work_group = options->work_group;
 	cl->unified = cl->about.unified && !options->copies;
 	*backend = &cl->backend;

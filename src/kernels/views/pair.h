@@ -66,18 +66,21 @@ TS_FN ts_aperture ts_k_pair_psi(const ts_cone_k *cone, const ts_aperture *phi)
 /* Figure 4: fs, how far outside the cone the middle of the ball lies; at most 0 within. psi passes pi where its sine is
  * no longer positive, alpha is at most psi where the sine of alpha - psi is not, and alpha - psi passes a right angle
  * where its cosine is not. */
-TS_FN f32 ts_k_pair_outside(const ts_ball *s, const ts_ball *v, const ts_cone_k *cone, const ts_aperture *phi)
+TS_FN f32 ts_k_pair_outside_psi(ts_v3 vs, ts_v3 axis, ts_aperture psi)
 {
-	ts_aperture psi = ts_k_pair_psi(cone, phi);
-	ts_v3 vs = ts_sub(s->p, v->p);
 	f32 d = ts_length(vs);
 	if (!(psi.sine > 0.0f)) return -d;
-	f32 along = ts_dot(vs, cone->axis);
-	f32 aside = ts_length(ts_cross(vs, cone->axis));
+	f32 along = ts_dot(vs, axis);
+	f32 aside = ts_length(ts_cross(vs, axis));
 	f32 sine = ts_diff_of_products(aside, psi.cosine, along, psi.sine);
 	f32 cc = along * psi.cosine;
 	f32 ss = aside * psi.sine;
 	return cc + ss > 0.0f || !(sine > 0.0f) ? sine : d;
+}
+
+TS_FN f32 ts_k_pair_outside(const ts_ball *s, const ts_ball *v, const ts_cone_k *cone, const ts_aperture *phi)
+{
+	return ts_k_pair_outside_psi(ts_sub(s->p, v->p), cone->axis, ts_k_pair_psi(cone, phi));
 }
 
 /* What fs must pass. */

@@ -59,12 +59,6 @@ ts_status ts_vpl_pairs_arguments(ts_run *run, ts_traverse_args *args)
 	return TS_OK;
 }
 
-static ts_status traverse(ts_run *run, ts_traverse_sink *sink, ts_vpl_gather_pairs_args *args)
-{
-	ts_traverse_args how;
-	return ts_vpl_pairs_arguments(run, &how) == TS_OK ? ts_traverse(run, &how, sink, args) : TS_ERROR;
-}
-
 static ts_status count_piece(ts_run *run, ts_traverse_piece *piece, void *user)
 {
 	ts_vpl_gather_pairs_args *args = user;
@@ -79,6 +73,16 @@ static ts_status list_piece(ts_run *run, ts_traverse_piece *piece, void *user)
 	return ts_launch_items(run, &listed, args, piece->n);
 }
 
+/* All pairs that the traversal leaves, if need be by that. */
+static ts_status over_pairs(ts_run *run, const ts_launch *launch, ts_traverse_sink *sink,
+                            ts_vpl_gather_pairs_args *args)
+{
+	ts_traverse_args how;
+	if (ts_vpl_pairs_arguments(run, &how) != TS_OK) return TS_ERROR;
+	if (ts_launch_at_once(run, launch, &how, args, ts_traverse_starts(run, &how))) return TS_OK;
+	return ts_traverse(run, &how, sink, args);
+}
+
 static u64 nodes_of(const ts_run *run, const ts_octree *octree, u32 level)
 {
 	return ts_octree_first(run, octree, level + 1) - ts_octree_first(run, octree, level);
@@ -88,9 +92,10 @@ static u64 nodes_of(const ts_run *run, const ts_octree *octree, u32 level)
 static ts_status make_lists(ts_run *run, ts_vpl_gather_pairs_args *args, u64 *n)
 {
 	if (ts_launch_make(run, &counted, "offset", 1) != TS_OK || TS_FILL(run, &counted, args) != TS_OK) return TS_ERROR;
-	if (traverse(run, count_piece, args) != TS_OK) return TS_ERROR;
+	if (over_pairs(run, &counted, count_piece, args) != TS_OK) return TS_ERROR;
 	if (ts_launch_sum(run, &counted, "offset", n) != TS_OK) return TS_ERROR;
-	if (TS_FILL(run, &listed, args) != TS_OK || traverse(run, list_piece, args) != TS_OK) return TS_ERROR;
+	if (TS_FILL(run, &listed, args) != TS_OK) return TS_ERROR;
+	if (over_pairs(run, &listed, list_piece, args) != TS_OK) return TS_ERROR;
 	ts_launch_cut(run, &counted, "offset", 1);
 	return TS_OK;
 }
