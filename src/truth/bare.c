@@ -156,7 +156,7 @@ static void cast_rows(ts_bare *bare, u32 v, i32 y)
 	ts_tree_context context;
 	for (i32 x = 0; x < bare->views[v].width; x += SIDE) {
 		aim(&rays, valid, &bare->views[v], x, y);
-		ts_tree_cast_16(&bare->tree, valid, &rays, &context);
+		ts_tree_cast_16(&bare->tree, valid, &rays, &context, NULL);
 		keep(bare, &rays, v, x, y);
 	}
 }

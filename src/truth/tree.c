@@ -2,6 +2,12 @@
 #include "tree.h"
 #include <stdio.h>
 
+#if TS_EMBREE == 4
+#define FILTER_OF_QUERY RTC_SCENE_FLAG_FILTER_FUNCTION_IN_ARGUMENTS
+#else
+#define FILTER_OF_QUERY RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION
+#endif
+
 /* Embree calls this from the thread that failed, and ts_tree_check reports it from ours. */
 static void on_error(void *user, enum RTCError code, const char *text)
 {
@@ -40,7 +46,7 @@ ts_status ts_tree_begin(ts_tree *tree, u32 threads)
 	rtcSetDeviceMemoryMonitorFunction(tree->device, on_memory, tree);
 	tree->scene = rtcNewScene(tree->device);
 	if (tree->scene == NULL) return ts_tree_check(tree, "making a scene");
-	rtcSetSceneFlags(tree->scene, RTC_SCENE_FLAG_ROBUST);
+	rtcSetSceneFlags(tree->scene, RTC_SCENE_FLAG_ROBUST | FILTER_OF_QUERY);
 	return TS_OK;
 }
 
@@ -71,34 +77,22 @@ void ts_tree_cast(const ts_tree *tree, struct RTCRayHit *ray, ts_tree_context *c
 #endif
 }
 
-void ts_tree_cast_16(const ts_tree *tree, const int *valid, struct RTCRayHit16 *rays, ts_tree_context *context)
+void ts_tree_cast_16(const ts_tree *tree, const int *valid, struct RTCRayHit16 *rays, ts_tree_context *context,
+                     RTCFilterFunctionN filter)
 {
 #if TS_EMBREE == 4
 	struct RTCIntersectArguments arguments;
 	rtcInitIntersectArguments(&arguments);
 	rtcInitRayQueryContext(context);
 	arguments.context = context;
+	arguments.filter = filter;
 	arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
+	if (filter != NULL) arguments.flags |= RTC_RAY_QUERY_FLAG_INVOKE_ARGUMENT_FILTER;
 	rtcIntersect16(valid, tree->scene, rays, &arguments);
 #else
 	rtcInitIntersectContext(context);
 	context->flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+	context->filter = filter;
 	rtcIntersect16(valid, tree->scene, context, rays);
-#endif
-}
-
-void ts_tree_meet_16(const ts_tree *tree, const int *valid, struct RTCRay16 *rays, ts_tree_context *context)
-{
-#if TS_EMBREE == 4
-	struct RTCOccludedArguments arguments;
-	rtcInitOccludedArguments(&arguments);
-	rtcInitRayQueryContext(context);
-	arguments.context = context;
-	arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
-	rtcOccluded16(valid, tree->scene, rays, &arguments);
-#else
-	rtcInitIntersectContext(context);
-	context->flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-	rtcOccluded16(valid, tree->scene, context, rays);
 #endif
 }

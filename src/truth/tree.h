@@ -28,9 +28,9 @@ ts_status ts_tree_build(ts_tree *tree);
 ts_status ts_tree_check(ts_tree *tree, const char *doing);
 /* The nearest hit, into *ray. Functions of geometries are handed the address of the context. From any thread. */
 void ts_tree_cast(const ts_tree *tree, struct RTCRayHit *ray, ts_tree_context *context);
-/* The same of 16 rays, of those that `valid` has as -1. */
-void ts_tree_cast_16(const ts_tree *tree, const int *valid, struct RTCRayHit16 *rays, ts_tree_context *context);
-/* Whether they hit anything: their tfar is less than 0 then. */
-void ts_tree_meet_16(const ts_tree *tree, const int *valid, struct RTCRay16 *rays, ts_tree_context *context);
+/* The same of 16 rays, of those that `valid` has as -1. The filter, NULL: none, is called behind the geometries' own,
+ * with one triangle and some of the rays: by what it leaves of their tfar, where it accepts, the traversal goes on. */
+void ts_tree_cast_16(const ts_tree *tree, const int *valid, struct RTCRayHit16 *rays, ts_tree_context *context,
+                     RTCFilterFunctionN filter);
 
 #endif

@@ -354,11 +354,28 @@ static void bundle(ts_truth_query *queries, u32 n)
 
 enum { MOST = 150 };
 
+/* Packets find what each of their rays finds alone; how many hit something. */
+static u32 check_packets(const ts_truth *truth, const ts_truth_query *queries, u32 n, u32 k)
+{
+	static ts_truth_hit hits[MOST];
+	u64 before = ts_truth_cost_of(truth).rays;
+	u32 n_hits = 0;
+	ts_truth_cast_all(hits, truth, queries, n);
+	assert_int_equal(ts_truth_cost_of(truth).rays - before, n);
+	for (u32 i = 0; i < n; i++) {
+		ts_truth_hit single = ts_truth_cast(truth, &queries[i]);
+		if (memcmp(&single, &hits[i], sizeof single) != 0)
+			fail_msg("bundle %u, ray %u of %u: %u at %.9g, not %u at %.9g", k, i, n, hits[i].triangle,
+			         (double)hits[i].t, single.triangle, (double)single.t);
+		n_hits += single.triangle != TS_NONE;
+	}
+	return n_hits;
+}
+
 static void test_packets(void **state)
 {
 	(void)state;
 	static ts_truth_query queries[MOST];
-	static ts_truth_hit hits[MOST];
 	world *w = world_new();
 	pairs_of_triangles(w, 2000);
 	world_room(w, ts_v3_make(-9, -9, -9), ts_v3_make(9, 9, 9), ONE_SIDED, 0);
@@ -366,19 +383,57 @@ static void test_packets(void **state)
 	u64 rays = 0;
 	for (u32 k = 0; k < 2000; k++) {
 		u32 n = k % (MOST + 1);
-		u64 before = ts_truth_cost_of(truth).rays;
 		bundle(queries, n);
-		ts_truth_cast_all(hits, truth, queries, n);
-		assert_int_equal(ts_truth_cost_of(truth).rays - before, n);
+		check_packets(truth, queries, n, k);
 		rays += n;
-		for (u32 i = 0; i < n; i++) {
-			ts_truth_hit single = ts_truth_cast(truth, &queries[i]);
-			if (memcmp(&single, &hits[i], sizeof single) != 0)
-				fail_msg("bundle %u, ray %u of %u: %u at %.9g, not %u at %.9g", k, i, n, hits[i].triangle,
-				         (double)hits[i].t, single.triangle, (double)single.t);
-		}
 	}
 	assert_true(rays > 100000 && ts_truth_cost_of(truth).seconds > 0);
+	end(w, truth);
+}
+
+/* Triangles whose planes pass the eye to a rounding: which side it sees is a matter of roundings, too. */
+static void test_edge_on(void **state)
+{
+	(void)state;
+	enum { EYES = 50, EACH = 30 };
+	static ts_truth_query queries[EYES][EACH];
+	world *w = world_new();
+	for (u32 k = 0; k < EYES; k++) {
+		ts_v3 eye = uniform3(-8, 8), aside = ts_scale(uniform_direction(), exp2f(-uniform(12, 23)));
+		for (u32 i = 0; i < EACH; i++) {
+			ts_v3 d = uniform_direction(), a = ts_mad(eye, d, uniform(1, 9)), b = ts_mad(eye, d, uniform(1, 9));
+			ts_v3 c = ts_mad(eye, ts_normalize(ts_add(d, aside)), uniform(1, 9));
+			world_triangle(w, a, b, c, ONE_SIDED, 0);
+			queries[k][i] = (ts_truth_query){.origin = eye,
+			                                 .direction = ts_normalize(ts_mad(d, aside, uniform(0, 0.5f))),
+			                                 .masked = TS_NONE,
+			                                 .from = eye};
+		}
+	}
+	ts_truth *truth = grow(w);
+	u32 n_hits = 0;
+	for (u32 k = 0; k < EYES; k++) n_hits += check_packets(truth, queries[k], EACH, k);
+	assert_true(n_hits > EYES);
+	end(w, truth);
+}
+
+/* More backs before a wall than a packet keeps in mind. */
+static void test_many_backs(void **state)
+{
+	(void)state;
+	static ts_truth_query queries[MOST];
+	world *w = world_new();
+	for (u32 i = 0; i < 200; i++) {
+		f32 z = -1 - (f32)i * 0.01f;
+		world_triangle(w, ts_v3_make(-9, -9, z), ts_v3_make(0, 9, z), ts_v3_make(9, -9, z), ONE_SIDED, 0);
+	}
+	world_triangle(w, ts_v3_make(-90, -90, -9), ts_v3_make(90, -90, -9), ts_v3_make(0, 90, -9), ONE_SIDED, 0);
+	ts_truth *truth = grow(w);
+	for (u32 i = 0; i < MOST; i++) {
+		ts_v3 d = ts_normalize(ts_v3_make(uniform(-2, 2), uniform(-2, 2), -1));
+		queries[i] = (ts_truth_query){.direction = d, .masked = TS_NONE};
+	}
+	assert_int_equal(check_packets(truth, queries, MOST, 0), MOST);
 	end(w, truth);
 }
 
@@ -408,9 +463,10 @@ static void test_pairs(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_room),  cmocka_unit_test(test_sphere),     cmocka_unit_test(test_filters),
-		cmocka_unit_test(test_alpha), cmocka_unit_test(test_degenerate), cmocka_unit_test(test_soup),
-		cmocka_unit_test(test_order), cmocka_unit_test(test_packets),    cmocka_unit_test(test_pairs),
+		cmocka_unit_test(test_room),    cmocka_unit_test(test_sphere),     cmocka_unit_test(test_filters),
+		cmocka_unit_test(test_alpha),   cmocka_unit_test(test_degenerate), cmocka_unit_test(test_soup),
+		cmocka_unit_test(test_order),   cmocka_unit_test(test_packets),    cmocka_unit_test(test_pairs),
+		cmocka_unit_test(test_edge_on), cmocka_unit_test(test_many_backs),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
