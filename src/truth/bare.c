@@ -17,6 +17,7 @@ struct ts_bare {
 	f32 *position; /* as Embree shares it: xyz, and 4 bytes beyond the last */
 	u32 *corner;
 	ts_camera_k *views;
+	f32 *from;  /* how far from its eye each view's rays begin: they leave the reflector whose middle that is */
 	u64 *first; /* texel of each view; then of all */
 	u32 n_views;
 	f32 *depth;
@@ -51,6 +52,14 @@ static ts_status grow_tree(ts_bare *bare, const ts_run *run)
 	return ts_tree_build(&bare->tree);
 }
 
+/* Where they began at the eye all would hit that reflector from inside. */
+static f32 begin_of(const ts_run *run, u32 v)
+{
+	if (!ts_run_has_cubes(run)) return 0.0f;
+	const ts_face *cubes = ts_frame_data(&run->frame, TS_B_cube_size_face);
+	return cubes[v / 6].radius;
+}
+
 static ts_camera_k view_of(const ts_run *run, u32 v)
 {
 	if (ts_run_has_cubes(run)) {
@@ -68,11 +77,13 @@ static ts_status copy_views(ts_bare *bare, const ts_run *run)
 	u64 n = cubes ? 6 * ts_frame_n(&run->frame, TS_B_cube_size_face) : ts_frame_n(&run->frame, TS_B_offscreen_view);
 	bare->n_views = (u32)n;
 	bare->views = ts_alloc(n, sizeof *bare->views, "Embree's views");
+	bare->from = ts_alloc(n, sizeof *bare->from, "Embree's views");
 	bare->first = ts_alloc(n + 1, sizeof *bare->first, "Embree's views");
-	if (bare->views == NULL || bare->first == NULL) return TS_ERROR;
+	if (bare->views == NULL || bare->from == NULL || bare->first == NULL) return TS_ERROR;
 	bare->first[0] = 0;
 	for (u32 v = 0; v < n; v++) {
 		ts_camera_k view = bare->views[v] = view_of(run, v);
+		bare->from[v] = begin_of(run, v);
 		bare->first[v + 1] = bare->first[v] + (u64)view.width * (u64)view.height;
 	}
 	bare->depth = ts_alloc_zero(bare->first[n], sizeof *bare->depth, "Embree's depths");
@@ -102,6 +113,7 @@ void ts_bare_free(ts_bare *bare)
 	free(bare->position);
 	free(bare->corner);
 	free(bare->views);
+	free(bare->from);
 	free(bare->first);
 	free(bare->depth);
 	free(bare->triangle);
@@ -111,22 +123,24 @@ void ts_bare_free(ts_bare *bare)
 u64 ts_bare_n_rays(const ts_bare *bare) { return bare->first[bare->n_views]; }
 
 /* Sets the rays through a square of texels; its directions are one deep along the axis, so that `tfar` is a depth. */
-static void aim(struct RTCRayHit16 *rays, int *valid, const ts_camera_k *view, i32 x0, i32 y0)
+static void aim(struct RTCRayHit16 *rays, int *valid, const ts_bare *bare, u32 v, i32 x0, i32 y0)
 {
+	const ts_camera_k *view = &bare->views[v];
+	f32 from = bare->from[v];
 	f32 per_texel = 1.0f / view->focal, left = (f32)view->width * 0.5f - 0.5f, top = (f32)view->height * 0.5f - 0.5f;
 	f32 slant = view->orthographic != 0 ? 0.0f : 1.0f, shift = 1.0f - slant;
 	for (i32 i = 0; i < PACKET; i++) {
 		i32 x = x0 + i % SIDE, y = y0 + i / SIDE;
-		f32 u = ((f32)x - left) * per_texel, v = (top - (f32)y) * per_texel;
-		ts_v3 aside = {view->right.x * u + view->up.x * v, view->right.y * u + view->up.y * v,
-		               view->right.z * u + view->up.z * v};
+		f32 u = ((f32)x - left) * per_texel, w = (top - (f32)y) * per_texel;
+		ts_v3 aside = {view->right.x * u + view->up.x * w, view->right.y * u + view->up.y * w,
+		               view->right.z * u + view->up.z * w};
 		rays->ray.org_x[i] = view->eye.x + aside.x * shift;
 		rays->ray.org_y[i] = view->eye.y + aside.y * shift;
 		rays->ray.org_z[i] = view->eye.z + aside.z * shift;
 		rays->ray.dir_x[i] = aside.x * slant - view->back.x;
 		rays->ray.dir_y[i] = aside.y * slant - view->back.y;
 		rays->ray.dir_z[i] = aside.z * slant - view->back.z;
-		rays->ray.tnear[i] = view->near;
+		rays->ray.tnear[i] = ts_max(view->near, from / ts_sqrt(1.0f + u * u + w * w));
 		rays->ray.tfar[i] = INFINITY;
 		rays->ray.mask[i] = 0xffffffffu;
 		rays->ray.time[i] = 0;
@@ -155,7 +169,7 @@ static void cast_rows(ts_bare *bare, u32 v, i32 y)
 	int valid[PACKET] __attribute__((aligned(64)));
 	ts_tree_context context;
 	for (i32 x = 0; x < bare->views[v].width; x += SIDE) {
-		aim(&rays, valid, &bare->views[v], x, y);
+		aim(&rays, valid, bare, v, x, y);
 		ts_tree_cast_16(&bare->tree, valid, &rays, &context, NULL);
 		keep(bare, &rays, v, x, y);
 	}
@@ -178,7 +192,7 @@ static void cast_truth_rows(const ts_bare *bare, const ts_truth *truth, u32 v, i
 	ts_truth_hit hits[ROW * PACKET];
 	u32 n = 0;
 	for (i32 x = 0; x < bare->views[v].width; x += SIDE) {
-		aim(&rays, valid, &bare->views[v], x, y);
+		aim(&rays, valid, bare, v, x, y);
 		for (u32 i = 0; i < PACKET; i++) {
 			ts_v3 from = {rays.ray.org_x[i], rays.ray.org_y[i], rays.ray.org_z[i]};
 			ts_v3 way = {rays.ray.dir_x[i], rays.ray.dir_y[i], rays.ray.dir_z[i]};

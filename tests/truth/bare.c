@@ -1,4 +1,5 @@
 /* Embree alone, of the off-screen views of a run: every texel has a ray, and the rays go through the texels. */
+#include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -48,6 +49,31 @@ static void test_cubes(void **state)
 	}
 }
 
+/* Walls one away from the middle of a face, and farther away from its other texels: those within the reflector that the
+ * cube is of are not hit. */
+static void test_reflectors(void **state)
+{
+	(void)state;
+	enum { SIDE = 9 };
+	static const f32 radius[] = {0, 0.9f, 1.2f, 1.5f, 1.8f};
+	for (u32 k = 0; k < sizeof radius / sizeof *radius; k++) {
+		world *w = room_new();
+		ts_bare *bare;
+		u32 n_beyond = 0;
+		ts_face *cube = ts_frame_make1(&w->run.frame, TS_B_cube_size_face, 1);
+		*cube = (ts_face){.n = SIDE, .radius = radius[k], .near = 0.001f};
+		w->run.plan.units = 1;
+		for (i32 i = 0; i < SIDE * SIDE; i++) {
+			double u = (2 * (i % SIDE) + 1 - SIDE) / (double)SIDE, v = (2 * (i / SIDE) + 1 - SIDE) / (double)SIDE;
+			n_beyond += sqrt(1 + u * u + v * v) > (double)radius[k];
+		}
+		assert_int_equal(ts_bare_new(&bare, &w->run), TS_OK);
+		ts_bare_cast(bare, 2);
+		assert_int_equal(ts_bare_n_hits(bare), 6 * n_beyond);
+		end(w, bare);
+	}
+}
+
 /* A view whose field is twice as wide as a wall behind a hole: those of its rays hit that go there. */
 static void test_views(void **state)
 {
@@ -88,7 +114,7 @@ static void test_none(void **state)
 
 int main(void)
 {
-	const struct CMUnitTest tests[] = {cmocka_unit_test(test_cubes), cmocka_unit_test(test_views),
-	                                   cmocka_unit_test(test_none)};
+	const struct CMUnitTest tests[] = {cmocka_unit_test(test_cubes), cmocka_unit_test(test_reflectors),
+	                                   cmocka_unit_test(test_views), cmocka_unit_test(test_none)};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
