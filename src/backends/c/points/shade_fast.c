@@ -24,6 +24,12 @@ typedef struct {
 	seen *slot; /* NULL: it is not remembered */
 } wanted;
 
+/* Where the light of points goes. */
+typedef struct {
+	const ts_arrays *scene;
+	ts_v3 *colour;
+} sink;
+
 /* Some entries. */
 typedef struct {
 	u64 first;
@@ -34,6 +40,7 @@ typedef struct {
 	wanted wanted[MOST];
 	ts_point_batch points;
 	ts_surface_bins bins;
+	sink sink;
 	seen memory[SLOTS];
 } part;
 
@@ -128,12 +135,12 @@ static void fetch_all(const part *p, const ts_lookup_args *args)
 	}
 }
 
-static void put_lit(void *user, const ts_surface_batch *of, const ts_surfaces *found)
+static void put_lit(const void *user, const ts_surface_batch *of, const ts_surfaces *found)
 {
-	part *p = user;
+	const sink *to = user;
 	ts_lanes3 radiance;
-	ts_light_batch(&radiance, &p->bins.scene, NULL, of, found);
-	for (u32 i = 0; i < of->n; i++) p->colour[of->place[i]] = ts_lane3(&radiance, i);
+	ts_light_batch(&radiance, to->scene, NULL, of, found);
+	for (u32 i = 0; i < of->n; i++) to->colour[of->place[i]] = ts_lane3(&radiance, i);
 }
 
 /* As ts_k_sample_radiance. */
@@ -196,7 +203,8 @@ bool ts_c_fast_shade(const void *of, u64 n, u32 threads)
 		part *p = &parts[omp_get_thread_num()];
 		forget(p);
 		p->points.n = 0;
-		ts_surface_bins_begin(&p->bins, &args->from.scene, put_lit, p);
+		p->sink = (sink){&args->from.scene, p->colour};
+		ts_surface_bins_begin(&p->bins, &args->from.scene, put_lit, &p->sink);
 #pragma omp for schedule(dynamic, CHUNK)
 		for (i64 i = 0; i < (i64)n; i += ENTRIES) {
 			p->first = (u64)i;

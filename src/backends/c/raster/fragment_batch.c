@@ -94,3 +94,20 @@ void ts_fragments_find(ts_fragment_batch *batch, const ts_arrays *scene, const t
 		if (c.found[i] == 0) find_alone(batch, i, scene, view);
 	find_footprints(batch, *view, n);
 }
+
+void ts_fragments_ask(ts_fragment_batch *batch, ts_surface_bins *bins, const ts_camera_k *view, const u32 *lit)
+{
+	ts_fragments_find(batch, &bins->scene, view);
+	for (u32 i = 0; i < batch->n; i++) {
+		ts_surface_ask ask = {.triangle = batch->triangle[i],
+		                      .w = ts_lane3(&batch->w, i),
+		                      .normal = ts_lane3(&batch->normal, i),
+		                      .p = ts_lane3(&batch->p, i),
+		                      .viewer = view->eye,
+		                      .footprint = batch->footprint[i],
+		                      .lit = lit != NULL ? lit + batch->place[i] * bins->scene.n_lights : NULL,
+		                      .place = batch->place[i]};
+		ts_surface_bins_add(bins, &ask);
+	}
+	batch->n = 0;
+}

@@ -24,19 +24,10 @@ static inline void ts_fragment_add(ts_fragment_batch *batch, u32 triangle, i32 x
 	batch->place[i] = place;
 }
 
-/* The view is not orthographic. */
+/* Finds all, asks `bins` for their surfaces, towards the view's eye, and empties the batch. The view is not
+ * orthographic. lit: of each place, as ts_surface_batch has it; or NULL. */
+void ts_fragments_ask(ts_fragment_batch *batch, ts_surface_bins *bins, const ts_camera_k *view, const u32 *lit);
+/* Finds all. */
 void ts_fragments_find(ts_fragment_batch *batch, const ts_arrays *scene, const ts_camera_k *view);
-
-/* The surface of fragment i. */
-static inline ts_surface_ask ts_fragment_ask(const ts_fragment_batch *batch, u32 i, ts_v3 viewer)
-{
-	return (ts_surface_ask){.triangle = batch->triangle[i],
-	                        .w = ts_lane3(&batch->w, i),
-	                        .normal = ts_lane3(&batch->normal, i),
-	                        .p = ts_lane3(&batch->p, i),
-	                        .viewer = viewer,
-	                        .footprint = batch->footprint[i],
-	                        .place = batch->place[i]};
-}
 
 #endif

@@ -1,45 +1,46 @@
-/* Fast path of the G-buffer, with the same bits: pixels beside each other mostly show one triangle, which is brought
- * into the view, clipped and set up once for all of them. */
+/* Fast path of the G-buffer, with the same bits: pixels beside each other are brought into the view together, and the
+ * surfaces of one material are found together. */
 #include "../../../kernels/raster/gbuffer.h"
 #include "../../fast.h"
-#include "prepared.h"
-
-enum { PIXELS = 256 };
-
-/* A triangle that is set up for a sample of the pixels, whose first element this is. */
-typedef struct {
-	ts_prepared of;
-	u64 first;
-} prepared;
+#include "surface_rows.h"
 
 /* As ts_k_gpixel. */
-static void add_pixel(const ts_gbuffer_args *args, prepared *p, u64 i)
+static void store(const void *user, const ts_surface_batch *of, const ts_surfaces *found)
 {
-	u64 key = args->depth_triangle[i];
-	if (key == TS_EMPTY) {
-		ts_k_gbuffer_item(args, i);
-		return;
+	const ts_gbuffer_args *args = user;
+	for (u32 i = 0; i < of->n; i++) {
+		u64 at = of->place[i];
+		ts_surface s = {.p = ts_lane3(&of->p, i),
+		                .n = ts_lane3(&found->n, i),
+		                .face = ts_lane3(&found->face, i),
+		                .base = ts_lane3(&found->base, i),
+		                .metallic = found->metallic[i],
+		                .flags = args->scene.materials[of->material].flags};
+		ts_v3 n = ts_k_facing_normal(&s, ts_sub(ts_lane3(&of->viewer, i), s.p));
+		f32 depth = ts_k_screen_depth(args->view->near, ts_u2f((u32)(args->depth_triangle[at] >> 32)));
+		ts_k_gpixel_store(&args->pixels[at], s.p, depth, n, ts_k_albedo(&s));
 	}
-	u32 triangle = (u32)key;
-	const ts_eye_place at = ts_k_eye_place(args->view, args->samples, i);
-	const ts_camera_k *view = &at.view;
-	if (triangle != p->of.triangle || at.first != p->first) ts_prepare(&p->of, &args->scene, view, triangle);
-	p->first = at.first;
-	ts_fragment f = ts_prepared_fragment(&p->of, view, at.x, at.y);
-	ts_surface s = ts_k_surface(&args->scene, triangle, f.w, ts_k_fragment_footprint(view, &p->of.corners, &f));
-	ts_v3 n = ts_k_facing_normal(&s, ts_sub(view->eye, s.p));
-	f32 depth = ts_k_screen_depth(view->near, ts_u2f((u32)(key >> 32)));
-	ts_k_gpixel_store(&args->pixels[i], s.p, depth, n, ts_k_albedo(&s));
+}
+
+static void store_row(ts_row_worker *w, u64 first, u64 n)
+{
+	const ts_gbuffer_args *args = w->user;
+	ts_eye_place at = ts_k_eye_place(args->view, args->samples, first);
+	for (u64 x = 0; x < n; x++) {
+		u64 key = args->depth_triangle[first + x];
+		if (key == TS_EMPTY) {
+			ts_k_gbuffer_item(args, first + x);
+			continue;
+		}
+		ts_fragment_add(&w->fragments, (u32)key, (i32)x, at.y, first + x);
+		if (w->fragments.n == TS_ABREAST) ts_fragments_ask(&w->fragments, &w->bins, &at.view, NULL);
+	}
+	ts_fragments_ask(&w->fragments, &w->bins, &at.view, NULL);
 }
 
 bool ts_c_fast_gbuffer(const void *of, u64 n, u32 threads)
 {
 	const ts_gbuffer_args *args = of;
-#pragma omp parallel for num_threads(threads) schedule(dynamic, 16)
-	for (i64 group = 0; group < (i64)((n + PIXELS - 1) / PIXELS); group++) {
-		u64 first = (u64)group * PIXELS, end = first + PIXELS < n ? first + PIXELS : n;
-		prepared p = {.of = {.triangle = TS_NONE}};
-		for (u64 i = first; i < end; i++) add_pixel(args, &p, i);
-	}
-	return true;
+	ts_surface_rows rows = {&args->scene, args, store_row, store, n, (u64)args->view->width};
+	return ts_see_rows(&rows, threads);
 }

@@ -1,7 +1,7 @@
 /* Bins of surfaces: see surface_bins.h. */
 #include "surface_bins.h"
 
-void ts_surface_bins_begin(ts_surface_bins *bins, const ts_arrays *scene, ts_surface_done *done, void *user)
+void ts_surface_bins_begin(ts_surface_bins *bins, const ts_arrays *scene, ts_surface_done *done, const void *user)
 {
 	bins->scene = *scene;
 	bins->done = done;

@@ -6,12 +6,12 @@
 enum { TS_SURFACE_BINS = 32 };
 
 /* Receives the surfaces of a bin. */
-typedef void ts_surface_done(void *user, const ts_surface_batch *of, const ts_surfaces *found);
+typedef void ts_surface_done(const void *user, const ts_surface_batch *of, const ts_surfaces *found);
 
 typedef struct {
 	ts_arrays scene;
 	ts_surface_done *done;
-	void *user;
+	const void *user;
 	ts_surface_batch bin[TS_SURFACE_BINS];
 } ts_surface_bins;
 
@@ -24,7 +24,7 @@ typedef struct {
 	u64 place;
 } ts_surface_ask;
 
-void ts_surface_bins_begin(ts_surface_bins *bins, const ts_arrays *scene, ts_surface_done *done, void *user);
+void ts_surface_bins_begin(ts_surface_bins *bins, const ts_arrays *scene, ts_surface_done *done, const void *user);
 void ts_surface_bins_add(ts_surface_bins *bins, const ts_surface_ask *ask);
 /* Finds what the bins still have. */
 void ts_surface_bins_flush(ts_surface_bins *bins);

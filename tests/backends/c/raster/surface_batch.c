@@ -86,8 +86,10 @@ typedef struct {
 	ts_arrays scene;
 	const ts_lamp *lamps;
 	ts_surface_ask asks[SAMPLES];
-	u32 start, n_done;
+	u32 start;
 } check;
+
+static u32 n_done;
 
 static ts_surface_ask random_ask(const ts_arrays *scene, const u32 *lit)
 {
@@ -109,12 +111,12 @@ static bool equal(const ts_surface *s, const ts_surfaces *found, u32 i)
 	       same_bits(s->occlusion, found->occlusion[i]);
 }
 
-static void compare(void *user, const ts_surface_batch *of, const ts_surfaces *found)
+static void compare(const void *user, const ts_surface_batch *of, const ts_surfaces *found)
 {
-	check *c = user;
+	const check *c = user;
 	ts_lanes3 radiance;
 	ts_light_batch(&radiance, &c->scene, c->lamps, of, found);
-	for (u32 i = 0; i < of->n; i++, c->n_done++) {
+	for (u32 i = 0; i < of->n; i++, n_done++) {
 		const ts_surface_ask *a = &c->asks[of->place[i]];
 		ts_surface s = ts_k_surface(&c->scene, a->triangle, a->w, a->footprint);
 		s.p = a->p;
@@ -137,7 +139,7 @@ static void test_equal(void **state)
 		c.start = n_random;
 		c.scene = random_scene(&s);
 		c.lamps = below(2) == 0 ? lamps : NULL;
-		c.n_done = 0;
+		n_done = 0;
 		for (u32 k = 0; k < LAMPS; k++) lamps[k] = (ts_lamp){.samples = 1 + below(16)};
 		ts_surface_bins_begin(&bins, &c.scene, compare, &c);
 		u32 n = 1 + below(SAMPLES);
@@ -148,7 +150,7 @@ static void test_equal(void **state)
 			ts_surface_bins_add(&bins, &c.asks[k]);
 		}
 		ts_surface_bins_flush(&bins);
-		assert_int_equal(c.n_done, n);
+		assert_int_equal(n_done, n);
 	}
 }
 
