@@ -84,22 +84,20 @@ TS_FN void ts_k_pixel_gradients(TS_GLOBAL ts_pixel *out, const ts_glance glance[
 	ts_store3(out->normal_dy, ts_k_gradient(above.n, above.seen, here.n, below.n, below.seen, side));
 }
 
-/* The record of element i, at that place. */
-TS_FN void ts_k_mirror_pixel_write(const ts_mirror_pixel_args *args, u64 i, const ts_eye_place *at,
-                                   const ts_glance glance[TS_N_GLANCES])
+/* The record of element i; tint: its base colour; side: of the square that it stands for, in pixels. */
+TS_FN void ts_k_mirror_pixel_write(const ts_mirror_pixel_args *args, u64 i, const ts_glance glance[TS_N_GLANCES],
+                                   ts_v3 tint, f32 side)
 {
-	u64 key = args->depth_triangle[i];
 	TS_GLOBAL ts_pixel *out = &args->pixels[args->offset[i]];
-	ts_v3 tint = ts_k_surface_seen(&args->scene, &at->view, (u32)key, at->x, at->y).base; /* its base colour */
 	ts_store3(out->position, glance[TS_HERE].p);
 	ts_store3(out->normal, glance[TS_HERE].n);
 	out->index = (u32)i;
-	out->reflector = ts_k_seen_reflector(&args->scene, key);
+	out->reflector = ts_k_seen_reflector(&args->scene, args->depth_triangle[i]);
 	out->tint_r = ts_put(tint.x);
 	out->tint_g = ts_put(tint.y);
 	out->tint_b = ts_put(tint.z);
 	out->pad = 0u;
-	ts_k_pixel_gradients(out, glance, at->view.side);
+	ts_k_pixel_gradients(out, glance, side);
 }
 
 /* emit over pixels and their samples */
@@ -114,7 +112,8 @@ TS_FN void ts_k_mirror_pixel_item(const ts_mirror_pixel_args *args, u64 i)
 		i32 down = k == TS_BELOW ? 1 : k == TS_ABOVE ? -1 : 0;
 		glance[k] = ts_k_glance(args, &at, right, down, reflector);
 	}
-	ts_k_mirror_pixel_write(args, i, &at, glance);
+	ts_v3 tint = ts_k_surface_seen(&args->scene, &at.view, (u32)args->depth_triangle[i], at.x, at.y).base;
+	ts_k_mirror_pixel_write(args, i, glance, tint, at.view.side);
 }
 
 #endif

@@ -10,12 +10,8 @@ static void store(const void *user, const ts_surface_batch *of, const ts_surface
 	const ts_gbuffer_args *args = user;
 	for (u32 i = 0; i < of->n; i++) {
 		u64 at = of->place[i];
-		ts_surface s = {.p = ts_lane3(&of->p, i),
-		                .n = ts_lane3(&found->n, i),
-		                .face = ts_lane3(&found->face, i),
-		                .base = ts_lane3(&found->base, i),
-		                .metallic = found->metallic[i],
-		                .flags = args->scene.materials[of->material].flags};
+		ts_surface s = ts_surface_lane(of, found, i);
+		s.flags = args->scene.materials[of->material].flags;
 		ts_v3 n = ts_k_facing_normal(&s, ts_sub(ts_lane3(&of->viewer, i), s.p));
 		f32 depth = ts_k_screen_depth(args->view->near, ts_u2f((u32)(args->depth_triangle[at] >> 32)));
 		ts_k_gpixel_store(&args->pixels[at], s.p, depth, n, ts_k_albedo(&s));

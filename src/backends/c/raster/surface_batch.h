@@ -23,6 +23,16 @@ typedef struct {
 	f32 metallic[TS_ABREAST], roughness[TS_ABREAST], occlusion[TS_ABREAST];
 } ts_surfaces;
 
+/* Surface i, but for what lights alone ask. */
+static inline ts_surface ts_surface_lane(const ts_surface_batch *of, const ts_surfaces *found, u32 i)
+{
+	return (ts_surface){.p = ts_lane3(&of->p, i),
+	                    .n = ts_lane3(&found->n, i),
+	                    .face = ts_lane3(&found->face, i),
+	                    .base = ts_lane3(&found->base, i),
+	                    .metallic = found->metallic[i]};
+}
+
 void ts_surfaces_find(ts_surfaces *to, const ts_arrays *scene, const ts_surface_batch *of);
 
 #endif
