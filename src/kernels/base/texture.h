@@ -103,28 +103,43 @@ TS_FN u32 ts_k_texture_mix2(u32 a, u32 b, u32 f) { return (a * (256u - f) + b * 
 /* 65535: 1 */
 TS_FN f32 ts_k_texture_unit(u32 x) { return (f32)x * 0.00001525902189314365386962890625f; }
 
+typedef struct {
+	TS_GLOBAL const u64 *texels;
+	u32 width, height;
+} ts_texture_level;
+
+TS_FN ts_texture_level ts_k_texture_finest(const ts_arrays *scene, TS_GLOBAL const ts_image *image)
+{
+	ts_texture_level r;
+	r.texels = scene->texels + image->first_texel;
+	r.width = image->width;
+	r.height = image->height;
+	return r;
+}
+
+TS_FN ts_texture_level ts_k_texture_coarser(ts_texture_level level)
+{
+	ts_texture_level r;
+	r.texels = level.texels + (u64)level.width * level.height;
+	r.width = level.width > 1u ? level.width >> 1 : 1u;
+	r.height = level.height > 1u ? level.height >> 1 : 1u;
+	return r;
+}
+
 /* lod: level in 1/256. */
 TS_FN ts_rgba ts_k_texture_sample(const ts_arrays *scene, TS_GLOBAL const ts_slot *slot, ts_v2 uv, u32 lod)
 {
 	TS_GLOBAL const ts_image *image = &scene->images[slot->image];
-	TS_GLOBAL const u64 *level = scene->texels + image->first_texel;
-	u32 width = image->width;
-	u32 height = image->height;
 	u32 last = (image->n_levels - 1u) * 256u;
 	lod = lod > last ? last : lod;
 	uv = ts_v2_make(ts_k_texture_wrap(uv.x, slot->wrap[0]), ts_k_texture_wrap(uv.y, slot->wrap[1]));
-	for (u32 l = lod >> 8; l != 0u; l--) {
-		level += (u64)width * height;
-		width = width > 1u ? width >> 1 : 1u;
-		height = height > 1u ? height >> 1 : 1u;
-	}
-	ts_rgba16 t = ts_k_texture_bilinear(level, width, height, uv, slot->wrap);
+	ts_texture_level level = ts_k_texture_finest(scene, image);
+	for (u32 l = lod >> 8; l != 0u; l--) level = ts_k_texture_coarser(level);
+	ts_rgba16 t = ts_k_texture_bilinear(level.texels, level.width, level.height, uv, slot->wrap);
 	u32 f = lod & 255u;
 	if (f != 0u) {
-		level += (u64)width * height;
-		width = width > 1u ? width >> 1 : 1u;
-		height = height > 1u ? height >> 1 : 1u;
-		ts_rgba16 next = ts_k_texture_bilinear(level, width, height, uv, slot->wrap);
+		level = ts_k_texture_coarser(level);
+		ts_rgba16 next = ts_k_texture_bilinear(level.texels, level.width, level.height, uv, slot->wrap);
 		t.r = ts_k_texture_mix2(t.r, next.r, f);
 		t.g = ts_k_texture_mix2(t.g, next.g, f);
 		t.b = ts_k_texture_mix2(t.b, next.b, f);

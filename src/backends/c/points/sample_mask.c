@@ -1,14 +1,6 @@
 /* Alpha masks of samples. */
 #include "sample_mask.h"
 
-static ts_mask_level coarser(ts_mask_level l)
-{
-	l.texels += (u64)l.width * l.height;
-	l.width = l.width > 1 ? l.width >> 1 : 1;
-	l.height = l.height > 1 ? l.height >> 1 : 1;
-	return l;
-}
-
 /* As ts_k_slot_sample finds them. */
 static void find_levels(ts_sample_mask *m, const ts_arrays *scene, f32 area, f32 footprint)
 {
@@ -18,11 +10,11 @@ static void find_levels(ts_sample_mask *m, const ts_arrays *scene, f32 area, f32
 	u32 last = (image->n_levels - 1) * 256,
 		lod = ts_k_texture_lod(image->width, image->height, footprint, uv_area, area);
 	if (lod > last) lod = last;
-	ts_mask_level level = {scene->texels + image->first_texel, image->width, image->height};
-	for (u32 l = lod >> 8; l != 0; l--) level = coarser(level);
+	ts_texture_level level = ts_k_texture_finest(scene, image);
+	for (u32 l = lod >> 8; l != 0; l--) level = ts_k_texture_coarser(level);
 	m->level[0] = level;
 	m->next = lod & 255;
-	if (m->next != 0) m->level[1] = coarser(level);
+	if (m->next != 0) m->level[1] = ts_k_texture_coarser(level);
 }
 
 ts_sample_mask ts_sample_mask_of(const ts_points_args *from, u64 piece)
@@ -45,7 +37,7 @@ ts_sample_mask ts_sample_mask_of(const ts_points_args *from, u64 piece)
 	return m;
 }
 
-static u32 alpha_of(const ts_mask_level *level, ts_v2 uv, const u32 *wrap)
+static u32 alpha_of(const ts_texture_level *level, ts_v2 uv, const u32 *wrap)
 {
 	ts_texels at = ts_k_texture_around(level->width, level->height, uv, wrap);
 	const u64 *t = level->texels;

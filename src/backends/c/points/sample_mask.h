@@ -4,19 +4,13 @@
 #define TS_BACKENDS_SAMPLE_MASK_H
 #include "../../../kernels/points/points.h"
 
-/* A level of a texture. */
-typedef struct {
-	const u64 *texels;
-	u32 width, height;
-} ts_mask_level;
-
 typedef struct {
 	ts_v2 corner[3]; /* of the triangle, in the lattice */
 	f32 alpha[3];    /* of its vertices */
 	f32 factor, cutoff;
 	const ts_slot *slot; /* NULL: no texture */
 	ts_v2 uv[3];
-	ts_mask_level level[2];
+	ts_texture_level level[2];
 	u32 next; /* weight of the second level, in 1/256; 0: there is none */
 } ts_sample_mask;
 

@@ -112,10 +112,10 @@ static inline void fetch(read *r, u32 i, const u64 *const *levels)
 
 static void fetch_all(reads *to, u32 n, const ts_arrays *scene, const ts_image *image)
 {
-	const u64 *levels[MOST_LEVELS] = {scene->texels + image->first_texel};
-	for (u32 l = 1; l < image->n_levels && l < MOST_LEVELS; l++) {
-		levels[l] = levels[l - 1] + (u64)side_of(image->width, l - 1) * side_of(image->height, l - 1);
-	}
+	const u64 *levels[MOST_LEVELS];
+	ts_texture_level level = ts_k_texture_finest(scene, image);
+	for (u32 l = 0; l < image->n_levels && l < MOST_LEVELS; l++, level = ts_k_texture_coarser(level))
+		levels[l] = level.texels;
 	for (u32 i = 0; i < n; i++) {
 		fetch(&to->of[0], i, levels);
 		if (to->between[i] != 0) fetch(&to->of[1], i, levels);
